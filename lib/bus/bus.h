@@ -1,0 +1,115 @@
+// What an app sees of the world: named channels that carry LCM messages.
+//
+//   Subscribe(bus, channels::Nav("alpha"), [this](const nav_t& nav) { nav_ = nav; });
+//   Publish(bus, channels::Desired("alpha"), desired);
+//
+// MemoryBus connects the participants of one process, LcmBus connects processes. An app cannot tell
+// which it has. Handlers run in the thread that steps the app, never inside Publish.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "lib/check/check.h"
+#include "lib/bus/wire_check.h"
+
+namespace shoal {
+
+using Bytes = std::vector<uint8_t>;
+
+/// One message as it comes off the bus. The views live as long as the handler runs.
+struct Message {
+  std::string_view channel;
+  std::string_view publisher;  ///< A participant's name; empty: from outside the step protocol.
+  std::span<const uint8_t> data;  ///< An encoded LCM message: fingerprint and members.
+};
+
+/// A channel's name and what it carries.
+template <class T>
+struct Channel {
+  std::string name;
+};
+
+/// What a bus did so far. Nothing that came in is in none of these.
+struct BusCounters {
+  int64_t published = 0;
+  int64_t handled = 0;
+  int64_t undecodable = 0;  ///< Dropped: the bytes are not a message of the channel's type.
+  std::map<std::string, int64_t, std::less<>> undecodable_by_channel;
+};
+
+class Bus {
+ public:
+  using Handler = std::function<void(const Message&)>;
+
+  virtual ~Bus() = default;
+  Bus() = default;
+  Bus(const Bus&) = delete;
+  Bus& operator=(const Bus&) = delete;
+
+  /// Sends `data`, an encoded LCM message, to all who subscribed to `channel`, at the next step.
+  /// @pre channel has 1 to 63 characters, letters, digits, '_' and '.'.
+  virtual void PublishBytes(std::string_view channel, std::span<const uint8_t> data) = 0;
+
+  /// Calls `handler` for every message on `channel`, in the fixed order of the step.
+  /// @pre called before the first step.
+  virtual void SubscribeBytes(const std::string& channel, Handler handler) = 0;
+
+  /// Calls `handler` for every message on every channel. For recorders and listeners.
+  virtual void SubscribeAll(Handler handler) = 0;
+
+  const BusCounters& counters() const { return counters_; }
+  void CountUndecodable(std::string_view channel);
+
+ protected:
+  BusCounters counters_;
+};
+
+/// Encodes `message` into `bytes`, whose storage is used again.
+template <class T>
+void EncodeInto(const T& message, Bytes* bytes) {
+  bytes->resize(static_cast<size_t>(message.getEncodedSize()));
+  const int written = message.encode(bytes->data(), 0, static_cast<int>(bytes->size()));
+  SHOAL_CHECK(written == static_cast<int>(bytes->size()), "a message does not fit its own size");
+}
+
+/// Decodes `data`, or returns false for bytes that are not one whole message of type T. Never
+/// throws, and never allocates more than the bytes could fill.
+template <class T>
+[[nodiscard]] bool Decode(std::span<const uint8_t> data, T* message) {
+  if (!WireLengthsAreSane(T::getHash(), data)) return false;
+  try {
+    return message->decode(data.data(), 0, static_cast<int>(data.size())) ==
+           static_cast<int>(data.size());
+  } catch (const std::exception&) {
+    return false;
+  }
+}
+
+template <class T>
+void Publish(Bus& bus, const Channel<T>& channel, const T& message) {
+  thread_local Bytes bytes;
+  EncodeInto(message, &bytes);
+  bus.PublishBytes(channel.name, bytes);
+}
+
+/// Hands every decodable message on `channel` to `handler(const T&)`; counts the others.
+template <class T, class F>
+void Subscribe(Bus& bus, const Channel<T>& channel, F handler) {
+  bus.SubscribeBytes(channel.name, [&bus, handler = std::move(handler)](const Message& raw) {
+    T message;
+    if (Decode(raw.data, &message)) {
+      handler(message);
+    } else {
+      bus.CountUndecodable(raw.channel);
+    }
+  });
+}
+
+}  // namespace shoal

@@ -1,0 +1,15 @@
+// Guards decoding against lengths that lie: LCM's generated code allocates what an array length
+// says before it looks whether so many bytes are there.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+namespace shoal {
+
+/// Returns true where `data` is one whole message of shoal's type with this fingerprint, with no
+/// byte too few or too many. Types without arrays and strings are compared by size alone. Unknown
+/// fingerprints: false.
+[[nodiscard]] bool WireLengthsAreSane(int64_t fingerprint, std::span<const uint8_t> data);
+
+}  // namespace shoal

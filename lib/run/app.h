@@ -1,0 +1,33 @@
+// What every process of shoal is inside: a class that is given its messages and its time.
+//
+//   class HelmApp : public App {
+//     HelmApp(const Mission& mission, const Vehicle& vehicle, Bus& bus);   // subscribes
+//     void Tick(int64_t utime) override;                                    // thinks, publishes
+//   };
+//
+// The same class runs in a process of its own over LCM (lib/run/run_app.h) and with all others in
+// one process (lib/run/whole_mission.h). It never reads a clock.
+#pragma once
+
+#include <cstdint>
+
+#include "lib/run/status_page.h"
+
+namespace shoal {
+
+class App {
+ public:
+  virtual ~App() = default;
+
+  /// Advances to mission time `utime` (microseconds). The handlers of all messages of the step
+  /// before have run. What is published here is heard by others in the next step.
+  virtual void Tick(int64_t utime) = 0;
+
+  /// Ends: the last messages have been handled, nothing may be published any more.
+  virtual void End() {}
+
+  /// Returns what `shoal status` and the terminal show.
+  virtual StatusPage Status() const = 0;
+};
+
+}  // namespace shoal
