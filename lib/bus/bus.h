@@ -16,8 +16,8 @@
 #include <utility>
 #include <vector>
 
-#include "lib/check/check.h"
 #include "lib/bus/wire_check.h"
+#include "lib/check/check.h"
 
 namespace shoal {
 
@@ -26,7 +26,7 @@ using Bytes = std::vector<uint8_t>;
 /// One message as it comes off the bus. The views live as long as the handler runs.
 struct Message {
   std::string_view channel;
-  std::string_view publisher;  ///< A participant's name; empty: from outside the step protocol.
+  std::string_view publisher;     ///< A participant's name; empty: from outside the step protocol.
   std::span<const uint8_t> data;  ///< An encoded LCM message: fingerprint and members.
 };
 
@@ -103,7 +103,7 @@ void Publish(Bus& bus, const Channel<T>& channel, const T& message) {
 template <class T, class F>
 void Subscribe(Bus& bus, const Channel<T>& channel, F handler) {
   bus.SubscribeBytes(channel.name, [&bus, handler = std::move(handler)](const Message& raw) {
-    T message;
+    T message{};
     if (Decode(raw.data, &message)) {
       handler(message);
     } else {

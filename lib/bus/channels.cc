@@ -26,12 +26,8 @@ Channel<helm_state_t> HelmState(std::string_view vehicle) { return {Of("HELM_STA
 Channel<helm_command_t> HelmCommand(std::string_view vehicle) {
   return {Of("HELM_COMMAND", vehicle)};
 }
-Channel<sim_command_t> SimCommand(std::string_view vehicle) {
-  return {Of("SIM_COMMAND", vehicle)};
-}
-Channel<node_report_t> NodeReport(std::string_view vehicle) {
-  return {Of("NODE_REPORT", vehicle)};
-}
+Channel<sim_command_t> SimCommand(std::string_view vehicle) { return {Of("SIM_COMMAND", vehicle)}; }
+Channel<node_report_t> NodeReport(std::string_view vehicle) { return {Of("NODE_REPORT", vehicle)}; }
 
 Channel<helm_command_t> HelmCommandAll() { return {"HELM_COMMAND"}; }
 Channel<node_report_t> NodeReportLocal() { return {"NODE_REPORT_LOCAL"}; }
@@ -85,9 +81,8 @@ const std::vector<ChannelRow>& ChannelTable() {
 }
 
 bool IsLogged(std::string_view channel) {
-  return std::none_of(ChannelTable().begin(), ChannelTable().end(), [&](const ChannelRow& row) {
-    return !row.logged && row.topic == channel;
-  });
+  return std::none_of(ChannelTable().begin(), ChannelTable().end(),
+                      [&](const ChannelRow& row) { return !row.logged && row.topic == channel; });
 }
 
 }  // namespace shoal

@@ -46,10 +46,10 @@ class MemoryBus {
  private:
   class Port;
   struct Item {
-    uint32_t channel_id;   ///< Into channels_.
-    uint32_t port_rank;    ///< The publisher's place in order of names.
-    uint32_t sequence;     ///< Counts the publisher's messages of the step.
-    size_t begin;          ///< Of the bytes, in the arena.
+    uint32_t channel_id;  ///< Into channels_.
+    uint32_t port_rank;   ///< The publisher's place in order of names.
+    uint32_t sequence;    ///< Counts the publisher's messages of the step.
+    size_t begin;         ///< Of the bytes, in the arena.
     size_t size;
   };
   struct ChannelInfo {
@@ -66,9 +66,9 @@ class MemoryBus {
   std::unordered_map<std::string, uint32_t> channel_ids_;
   std::vector<ChannelInfo> channels_;
   bool ranks_valid_ = false;
-  std::vector<Item> open_items_;   ///< Of the step that goes on.
+  std::vector<Item> open_items_;  ///< Of the step that goes on.
   Bytes open_arena_;
-  std::vector<Item> order_;        ///< Of the step that ended, in the fixed order.
+  std::vector<Item> order_;  ///< Of the step that ended, in the fixed order.
   Bytes arena_;
 };
 

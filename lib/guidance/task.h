@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -13,52 +14,64 @@ struct CaptureRule {
   double capture_radius_m = 5;  ///< Closer than this. > 0.
   double slip_radius_m = 15;    ///< Closer than this and the distance grows again; 0: off.
   bool capture_line = false;    ///< Past the line through the point, square to the leg.
+
+  bool operator==(const CaptureRule&) const = default;
 };
 
 /// Follows the legs between points.
 struct WaypointsTask {
   std::vector<Eigen::Vector2d> points_m;  ///< x East, y North; at least one.
   double speed_mps = 1.5;
-  CaptureRule capture;
-  int laps = 1;                  ///< How often the points are passed; 0: for ever.
-  double lookahead_m = 15;       ///< ALOS look-ahead distance; > 0.
-  double crab_gain = 0.005;      ///< ALOS adaptation gain gamma (Fossen 2023); 0: plain LOS.
+  CaptureRule capture = {};
+  int laps = 1;              ///< How often the points are passed; 0: for ever.
+  double lookahead_m = 15;   ///< ALOS look-ahead distance; > 0.
+  double crab_gain = 0.005;  ///< ALOS adaptation gain gamma (Fossen 2023); 0: plain LOS.
+
+  bool operator==(const WaypointsTask&) const = default;
 };
 
 /// Circles a point on a regular polygon.
 struct LoiterTask {
   Eigen::Vector2d center_m = Eigen::Vector2d::Zero();
-  double radius_m = 50;          ///< Of the circumscribed circle; > 0.
-  int num_points = 8;            ///< At least 3.
+  double radius_m = 50;  ///< Of the circumscribed circle; > 0.
+  int num_points = 8;    ///< At least 3.
   bool clockwise = true;
   double speed_mps = 1.5;
-  CaptureRule capture;
+  CaptureRule capture = {};
   double lookahead_m = 15;
   double crab_gain = 0.005;
-  double duration_s = 0;         ///< Then the task is done; 0: for ever.
+  double duration_s = 0;  ///< Then the task is done, the way there included; 0: for ever.
+
+  bool operator==(const LoiterTask&) const = default;
 };
 
 /// Stays near a point: drifts inside the inner radius, returns when outside the outer.
 struct StationKeepTask {
   Eigen::Vector2d point_m = Eigen::Vector2d::Zero();
-  bool here = true;              ///< Keep the place where the task starts, instead of point_m.
+  bool here = true;  ///< Keep the place where the task starts, instead of point_m.
   double inner_radius_m = 4;
-  double outer_radius_m = 10;    ///< > inner_radius_m.
+  double outer_radius_m = 10;  ///< > inner_radius_m.
   double speed_mps = 1.0;
+
+  bool operator==(const StationKeepTask&) const = default;
 };
 
 /// Goes home and stays there.
 struct ReturnTask {
   Eigen::Vector2d point_m = Eigen::Vector2d::Zero();
   double speed_mps = 1.5;
-  CaptureRule capture;
-  double outer_radius_m = 10;    ///< Home, it keeps station inside this radius.
+  CaptureRule capture = {};
+  double outer_radius_m = 10;  ///< Home, it keeps station inside this radius.
+
+  bool operator==(const ReturnTask&) const = default;
 };
 
 /// A named task of a vehicle's list.
 struct Task {
   std::string name;
   std::variant<WaypointsTask, LoiterTask, StationKeepTask, ReturnTask> what;
+
+  bool operator==(const Task&) const = default;
 };
 
 /// Returns "waypoints", "loiter", "station_keep" or "return": the mission file's word for it.

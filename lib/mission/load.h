@@ -13,8 +13,9 @@
 namespace shoal {
 
 struct LoadedMission {
-  Mission mission;                  ///< Usable only where `errors` is empty.
-  std::vector<std::string> errors;  ///< "file:line:column: what is wrong and how to mend it", in file order.
+  Mission mission;  ///< Usable only where `errors` is empty.
+  std::vector<std::string>
+      errors;  ///< "file:line:column: what is wrong and how to mend it", in file order.
 };
 
 /// Reads `path` and applies `overrides`, each "key.path=value" with a TOML value (a bare word is

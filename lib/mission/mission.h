@@ -6,6 +6,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -21,6 +22,8 @@ struct StartPose {
   double y_m = 0;          ///< North.
   double heading_deg = 0;  ///< Clockwise from North.
   double speed_mps = 0;
+
+  bool operator==(const StartPose&) const = default;
 };
 
 /// Where a part of a vehicle (or the broker) comes from.
@@ -32,34 +35,40 @@ enum class Provider {
 
 /// `[vehicle.autopilot]`: heading PID to rudder, speed to thrust.
 struct AutopilotOptions {
-  double heading_kp = 1.2;        ///< Degrees of rudder per degree of error, 100 deg of rudder being full.
-  double heading_ki = 0.02;       ///< Per degree-second.
-  double heading_kd = 0.6;        ///< Per degree per second.
+  double heading_kp = 2;                   ///< Degrees of rudder per degree of error.
+  double heading_ki = 0.02;                ///< Per degree-second.
+  double heading_kd = 0.6;                 ///< Per degree per second.
   double heading_integral_limit_deg = 20;  ///< Of rudder, from the integral term.
-  double speed_kp = 20;           ///< Per cent of thrust per m/s of error, on top of the thrust map.
+  double speed_kp = 5;   ///< Per cent of thrust per m/s of error, on top of the thrust map.
   double speed_ki = 2;
   double speed_integral_limit_pct = 20;
+
+  bool operator==(const AutopilotOptions&) const = default;
 };
 
 /// `[vehicle.helm_options]`: the helm's own settings.
 struct HelmOptions {
-  double nav_timeout_s = 2;       ///< All-stop when no NAV came for this long.
-  bool deploy_at_start = false;   ///< DRIVE from the first step; otherwise PARK until `deploy`.
-  double state_interval_s = 1;    ///< HELM_STATE at least this often.
+  double nav_timeout_s = 2;      ///< All-stop when no NAV came for this long.
+  bool deploy_at_start = false;  ///< DRIVE from the first step; otherwise PARK until `deploy`.
+  double state_interval_s = 1;   ///< HELM_STATE at least this often.
+
+  bool operator==(const HelmOptions&) const = default;
 };
 
 /// `[vehicle.reporter]`, after pNodeReporter.
 struct ReporterOptions {
-  double rate_hz = 2;                ///< Reports per second of mission time.
-  double nav_grace_period_s = 60;    ///< No warning for missing NAV before this.
-  double nohelm_threshold_s = 5;     ///< Mode becomes NOHELM-<s> after this.
-  double blackout_interval_s = 0;    ///< At least this between reports; 0: off.
-  double blackout_variance_s = 0;    ///< Uniformly random addition in +- this.
-  bool extrapolate = false;          ///< Skip a report that dead reckoning foretells.
+  double rate_hz = 2;              ///< Reports per second of mission time.
+  double nav_grace_period_s = 60;  ///< No warning for missing NAV before this.
+  double nohelm_threshold_s = 5;   ///< Mode becomes NOHELM-<s> after this.
+  double blackout_interval_s = 0;  ///< At least this between reports; 0: off.
+  double blackout_variance_s = 0;  ///< Uniformly random addition in +- this.
+  bool extrapolate = false;        ///< Skip a report that dead reckoning foretells.
   double extrap_position_thresh_m = 0.25;
   double extrap_heading_thresh_deg = 1;
-  double extrap_max_gap_s = 5;       ///< But never stay silent longer than this.
+  double extrap_max_gap_s = 5;               ///< But never stay silent longer than this.
   std::map<std::string, std::string> extra;  ///< The user's own fields, sent with every report.
+
+  bool operator==(const ReporterOptions&) const = default;
 };
 
 struct Vehicle {
@@ -77,100 +86,126 @@ struct Vehicle {
   HelmOptions helm_options;
   AutopilotOptions autopilot;
   ReporterOptions reporter_options;
-  std::vector<Task> tasks;               ///< Done in this order after `deploy`; then station keeping.
-  ReturnTask return_task;                ///< What `return` does. Default: the start position.
+  std::vector<Task> tasks;  ///< Done in this order after `deploy`; then station keeping.
+  ReturnTask return_task;   ///< What `return` does. Default: the start position.
+
+  bool operator==(const Vehicle&) const = default;
 };
 
 /// `[environment]`.
 struct Environment {
   double current_speed_mps = 0;
-  double current_direction_deg = 0;   ///< Toward which it flows, clockwise from North.
+  double current_direction_deg = 0;  ///< Toward which it flows, clockwise from North.
+
+  bool operator==(const Environment&) const = default;
 };
 
 /// `[[event]]`: at a time, something is said.
 struct CommandEvent {
-  std::string vehicle;                ///< A name, or "all".
-  std::string command;                ///< A helm command: see helm_command_t.
+  std::string vehicle;  ///< A name, or "all".
+  std::string command;  ///< A helm command: see helm_command_t.
   std::string argument;
   std::vector<double> values;
+
+  bool operator==(const CommandEvent&) const = default;
 };
 struct SimCommandEvent {
   std::string vehicle;
-  std::string command;                ///< See sim_command_t.
+  std::string command;  ///< See sim_command_t.
   std::vector<double> values;
+
+  bool operator==(const SimCommandEvent&) const = default;
 };
 struct RuleEvent {
-  std::string rule;                   ///< "comms_range" or "stale_time".
-  std::string vehicle;                ///< Where the rule is of one vehicle; otherwise empty.
+  std::string rule;     ///< "comms_range" or "stale_time".
+  std::string vehicle;  ///< Where the rule is of one vehicle; otherwise empty.
   double value = 0;
+
+  bool operator==(const RuleEvent&) const = default;
 };
 struct Event {
-  double at_s = 0;                    ///< Mission seconds since the start.
+  double at_s = 0;  ///< Mission seconds since the start.
   std::variant<CommandEvent, SimCommandEvent, RuleEvent> what;
+
+  bool operator==(const Event&) const = default;
 };
 
 /// `[[participant]]`: a user's own process that takes part in stepping.
 struct Participant {
   std::string name;
-  std::vector<std::string> command;   ///< Started by the launcher; empty: by hand.
+  std::vector<std::string> command;  ///< Started by the launcher; empty: by hand.
+
+  bool operator==(const Participant&) const = default;
 };
 
 /// `[[expect]]`: what the mission must achieve. `vehicle` may be "all": each of them.
-struct ArrivalExpectation {           ///< kind = "arrival"
+struct ArrivalExpectation {  ///< kind = "arrival"
   std::string vehicle;
   std::optional<Eigen::Vector2d> point_m;  ///< Absent: the vehicle's return point.
   double within_m = 20;
-  double by_s = 0;                    ///< It is there at some time not later than this ...
-  bool stays = false;                 ///< ... and from then on to the end.
+  double by_s = 0;     ///< It is there at some time not later than this ...
+  bool stays = false;  ///< ... and from then on to the end.
+
+  bool operator==(const ArrivalExpectation&) const = default;
 };
-struct SeparationExpectation {        ///< kind = "separation": no two vehicles ever closer.
+struct SeparationExpectation {  ///< kind = "separation": no two vehicles ever closer.
   double min_m = 0;
+
+  bool operator==(const SeparationExpectation&) const = default;
 };
-struct CommsExpectation {             ///< kind = "reports": fates of node reports.
+struct CommsExpectation {  ///< kind = "reports": fates of node reports.
   std::string from = "all";
   std::string to = "all";
-  std::string cause = "delivered";    ///< A fate's cause.
+  std::string cause = "delivered";  ///< A fate's cause.
   std::optional<int64_t> at_least;
   std::optional<int64_t> at_most;
+
+  bool operator==(const CommsExpectation&) const = default;
 };
-struct HelmExpectation {              ///< kind = "helm": the helm's state at the end.
+struct HelmExpectation {  ///< kind = "helm": the helm's state at the end.
   std::string vehicle;
-  std::string state;                  ///< PARK, DRIVE or ALL-STOP; empty: any.
-  std::string task;                   ///< Name of the running task; empty: any.
+  std::string state;  ///< PARK, DRIVE or ALL-STOP; empty: any.
+  std::string task;   ///< Name of the running task; empty: any.
+
+  bool operator==(const HelmExpectation&) const = default;
 };
-struct LapsExpectation {              ///< kind = "laps": a task's points were all passed.
+struct LapsExpectation {  ///< kind = "laps": a task's points were all passed.
   std::string vehicle;
   std::string task;
   int64_t at_least = 1;
-  double by_s = 0;                    ///< 0: by the end.
+  double by_s = 0;  ///< 0: by the end.
+
+  bool operator==(const LapsExpectation&) const = default;
 };
 struct Expectation {
-  std::string where;                  ///< "file:line" of its table, for the verdict.
+  std::string where;  ///< "file:line" of its table, for the verdict.
   std::variant<ArrivalExpectation, SeparationExpectation, CommsExpectation, HelmExpectation,
                LapsExpectation>
       what;
+
+  bool operator==(const Expectation&) const = default;
 };
 
 /// What happens when a participant dies or hangs.
 enum class OnLoss { kEnd, kContinue, kRestart };
 
 struct Mission {
-  std::string file;                   ///< As given on the command line.
-  std::string name;                   ///< Default: the file's stem.
+  std::string file;  ///< As given on the command line.
+  std::string name;  ///< Default: the file's stem.
   std::string description;
   uint64_t seed = 1;
-  double duration_s = 0;              ///< > 0; required.
-  int64_t tick_us = 100'000;          ///< `tick_s`; one step of mission time.
+  double duration_s = 0;      ///< > 0; required.
+  int64_t tick_us = 100'000;  ///< `tick_s`; one step of mission time.
   int64_t start_utime = 0;
   double origin_lat_deg = 43.825300;  ///< MOOS-IvP's example missions start here.
   double origin_lon_deg = -70.330400;
   OnLoss on_loss = OnLoss::kEnd;
-  double participant_timeout_s = 5;   ///< Of wall time.
-  Provider broker = Provider::kShoal; ///< `shore_broker = ...`
+  double participant_timeout_s = 5;    ///< Of wall time.
+  Provider broker = Provider::kShoal;  ///< `shore_broker = ...`
   Environment environment;
   RoutingRules comms;
   std::vector<Vehicle> vehicles;
-  std::vector<Event> events;          ///< In order of time; equal times in file order.
+  std::vector<Event> events;  ///< In order of time; equal times in file order.
   std::vector<Participant> participants;
   std::vector<Expectation> expectations;
 
@@ -180,6 +215,8 @@ struct Mission {
   int64_t UtimeOf(int64_t step) const { return start_utime + step * tick_us; }
   /// Returns the vehicle of this name, without regard to case, or nullptr.
   const Vehicle* FindVehicle(std::string_view vehicle_name) const;
+
+  bool operator==(const Mission&) const = default;
 };
 
 }  // namespace shoal

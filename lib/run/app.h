@@ -10,6 +10,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
 #include "lib/run/status_page.h"
 
@@ -25,6 +26,9 @@ class App {
 
   /// Ends: the last messages have been handled, nothing may be published any more.
   virtual void End() {}
+
+  /// Returns why the app cannot go on (disk full), or an empty string. Ends the mission.
+  virtual std::string Fault() const { return {}; }
 
   /// Returns what `shoal status` and the terminal show.
   virtual StatusPage Status() const = 0;

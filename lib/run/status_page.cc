@@ -13,10 +13,9 @@ constexpr size_t kMaxWarnings = 100;  ///< Different texts; a peer may provoke w
 
 std::string Format(const StatusPage& page, std::string_view app, int64_t step) {
   const std::string rule(64, '=');
-  std::string out = fmt::format("{}\n{:<44}{:>20}\n{}\n", rule, app,
-                                fmt::format("{}/{}({})", page.config_warnings.size(),
-                                            page.run_warnings.size(), step),
-                                rule);
+  std::string out = fmt::format(
+      "{}\n{:<44}{:>20}\n{}\n", rule, app,
+      fmt::format("{}/{}({})", page.config_warnings.size(), page.run_warnings.size(), step), rule);
   if (!page.config_warnings.empty()) {
     out += fmt::format("Configuration warnings: {}\n", page.config_warnings.size());
     for (const std::string& warning : page.config_warnings) out += "    " + warning + "\n";
@@ -28,6 +27,13 @@ std::string Format(const StatusPage& page, std::string_view app, int64_t step) {
     out += "\n";
   }
   return out + page.text;
+}
+
+std::string Printable(std::string_view text) {
+  std::string shown(text.substr(0, 40));
+  std::replace_if(
+      shown.begin(), shown.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
+  return shown;
 }
 
 void StatusLog::Warn(std::string_view text) {

@@ -1,0 +1,209 @@
+#include "apps/helm/helm_app.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "lib/geometry/angles.h"
+
+namespace shoal {
+
+namespace {
+
+constexpr char kBadNav[] = "NAV with values that cannot be: ignored";
+constexpr char kBadReport[] = "NODE_REPORT with a position that cannot be: ignored";
+constexpr char kManyContacts[] = "more than 1000 contacts: new ones are ignored";
+constexpr size_t kMaxContacts = 1000;
+/// After a longer gap between steps the autopilots' integrals would jump.
+constexpr double kMaxControlStep_s = 1;
+
+int64_t Microseconds(double seconds) { return std::llround(seconds * 1e6); }
+
+bool IsPlace(double x_m, double y_m) {
+  return std::abs(x_m) <= kMaxCoordinate_m && std::abs(y_m) <= kMaxCoordinate_m;
+}
+
+HeadingGains HeadingGainsOf(const AutopilotOptions& options) {
+  return {.kp = options.heading_kp,
+          .ki = options.heading_ki,
+          .kd = options.heading_kd,
+          .integral_limit_pct = options.heading_integral_limit_deg};
+}
+
+SpeedGains SpeedGainsOf(const Vehicle& vehicle) {
+  return {.kp = vehicle.autopilot.speed_kp,
+          .ki = vehicle.autopilot.speed_ki,
+          .integral_limit_pct = vehicle.autopilot.speed_integral_limit_pct,
+          .acceleration_mps2 = vehicle.surface_craft.max_acceleration_mps2};
+}
+
+/// True where `next` tells something that nobody could work out from `last` and NAV.
+bool TellsMore(const helm_state_t& next, const helm_state_t& last) {
+  return next.state != last.state || next.task != last.task || next.task_kind != last.task_kind ||
+         next.all_stop != last.all_stop || next.waypoint_index != last.waypoint_index ||
+         next.laps_done != last.laps_done || next.waypoint_x_m != last.waypoint_x_m ||
+         next.waypoint_y_m != last.waypoint_y_m;
+}
+
+}  // namespace
+
+HelmApp::HelmApp(const Mission&, const Vehicle& vehicle, Bus& bus)
+    : vehicle_(vehicle),
+      bus_(bus),
+      desired_channel_(channels::Desired(vehicle.name)),
+      actuators_channel_(channels::Actuators(vehicle.name)),
+      state_channel_(channels::HelmState(vehicle.name)),
+      nav_timeout_us_(Microseconds(vehicle.helm_options.nav_timeout_s)),
+      state_interval_us_(Microseconds(vehicle.helm_options.state_interval_s)),
+      lost_nav_warning_(fmt::format("no NAV for {:.1f} s", vehicle.helm_options.nav_timeout_s)),
+      states_(vehicle),
+      heading_pid_(HeadingGainsOf(vehicle.autopilot)),
+      speed_controller_(SpeedGainsOf(vehicle)) {
+  state_.vehicle = vehicle.name;
+  Subscribe(bus, channels::Nav(vehicle.name), [this](const nav_t& nav) { OnNav(nav); });
+  Subscribe(bus, channels::HelmCommand(vehicle.name),
+            [this](const helm_command_t& command) { OnCommand(command); });
+  Subscribe(bus, channels::NodeReport(vehicle.name),
+            [this](const node_report_t& report) { OnNodeReport(report); });
+}
+
+void HelmApp::OnNav(const nav_t& nav) {
+  ++num_navs_;
+  if (!IsPlace(nav.x_m, nav.y_m) || !std::isfinite(nav.heading_deg) ||
+      !std::isfinite(nav.speed_mps) || !std::isfinite(nav.yaw_rate_degps)) {
+    ++num_bad_navs_;
+    log_.Warn(kBadNav);
+    return;
+  }
+  nav_ = nav;
+  nav_is_fresh_ = true;
+}
+
+void HelmApp::OnCommand(const helm_command_t& command) {
+  const Result<HelmOrder> order = ReadOrder(command.command, command.argument, command.values);
+  const std::string refusal = order.ok() ? states_.Obey(*order) : order.error();
+  if (!refusal.empty()) {
+    ++num_refused_;
+    log_.Warn("HELM_COMMAND refused: " + refusal);
+    return;
+  }
+  ++num_obeyed_.at(static_cast<size_t>(order->kind));
+  log_.Event(utime_.value_or(0), fmt::format("command: {}{}{}", Name(order->kind),
+                                             order->task.empty() ? "" : " ", order->task));
+}
+
+void HelmApp::OnNodeReport(const node_report_t& report) {
+  ++num_reports_;
+  if (!IsPlace(report.x_m, report.y_m)) {
+    log_.Warn(kBadReport);
+    return;
+  }
+  const Contact contact{.position_m = {report.x_m, report.y_m}, .reported_utime = report.utime};
+  const auto found = contacts_.find(report.name);
+  if (found != contacts_.end()) {
+    found->second = contact;
+  } else if (contacts_.size() < kMaxContacts) {
+    contacts_.emplace(report.name, contact);
+  } else {
+    log_.Warn(kManyContacts);
+  }
+}
+
+void HelmApp::Tick(int64_t utime) {
+  const double dt_s =
+      utime_ ? std::clamp(static_cast<double>(utime - *utime_) / 1e6, 0.0, kMaxControlStep_s) : 0;
+  utime_ = utime;
+  const bool nav_is_lost = WatchNav(utime);
+
+  std::optional<Fix> fix;
+  if (had_nav_ && !nav_is_lost) {
+    fix = Fix{.position_m = {nav_.x_m, nav_.y_m},
+              .heading_rad = WrapTwoPi(DegToRad(nav_.heading_deg)),
+              .time_s = static_cast<double>(utime) / 1e6};
+  }
+  states_.Advance(fix, nav_is_lost);
+  if (states_.guidance()) {
+    Steer(*states_.guidance(), dt_s);
+  } else {
+    Rest();
+  }
+
+  actuators_.utime = utime;
+  desired_.utime = utime;
+  if (had_nav_) Publish(bus_, desired_channel_, desired_);
+  Publish(bus_, actuators_channel_, actuators_);
+  PublishState(utime);
+}
+
+// Returns true where the last NAV, or the first step, was too long ago.
+bool HelmApp::WatchNav(int64_t utime) {
+  if (nav_is_fresh_ || !nav_utime_) nav_utime_ = utime;
+  had_nav_ = had_nav_ || nav_is_fresh_;
+  nav_is_fresh_ = false;
+  const bool is_lost = utime - *nav_utime_ > nav_timeout_us_;
+  if (is_lost && !nav_was_lost_) log_.Warn(lost_nav_warning_);
+  if (!is_lost && nav_was_lost_) log_.Retract(lost_nav_warning_);
+  nav_was_lost_ = is_lost;
+  return is_lost;
+}
+
+void HelmApp::Steer(const Guidance& guidance, double dt_s) {
+  desired_.heading_deg = Wrap360(RadToDeg(guidance.heading_rad));
+  desired_.speed_mps = guidance.speed_mps;
+  actuators_.thrust_pct = speed_controller_.Update(
+      guidance.speed_mps, ThrustForSpeed(vehicle_.surface_craft, guidance.speed_mps),
+      nav_.speed_mps, dt_s);
+  if (guidance.speed_mps > 0) {
+    const double rudder_pct =
+        heading_pid_.Update(desired_.heading_deg, nav_.heading_deg, nav_.yaw_rate_degps, dt_s);
+    actuators_.rudder_deg = rudder_pct / 100 * vehicle_.surface_craft.max_rudder_deg;
+  } else {
+    heading_pid_.Reset();
+    actuators_.rudder_deg = 0;
+  }
+}
+
+void HelmApp::Rest() {
+  heading_pid_.Reset();
+  speed_controller_.Reset();
+  actuators_.thrust_pct = 0;
+  actuators_.rudder_deg = 0;
+  desired_.heading_deg = Wrap360(nav_.heading_deg);
+  desired_.speed_mps = 0;
+}
+
+void HelmApp::PublishState(int64_t utime) {
+  const Task* task = states_.task();
+  helm_state_t next = state_;
+  next.state = Name(states_.mode());
+  next.all_stop = states_.all_stop();
+  next.task = task == nullptr ? std::string_view() : std::string_view(task->name);
+  next.task_kind = task == nullptr ? std::string_view() : KindOf(*task);
+  if (states_.guidance()) {
+    const Guidance& guidance = *states_.guidance();
+    next.waypoint_index = guidance.waypoint_index;
+    next.laps_done = guidance.laps_done;
+    next.waypoint_x_m = guidance.waypoint_m.x();
+    next.waypoint_y_m = guidance.waypoint_m.y();
+    next.distance_m = guidance.distance_m;
+    next.cross_track_error_m = guidance.cross_track_error_m;
+  } else if (task == nullptr || task->name != state_.task) {
+    next.waypoint_index = -1;
+    next.laps_done = 0;
+    next.waypoint_x_m = next.waypoint_y_m = 0;
+    next.distance_m = next.cross_track_error_m = 0;
+  }
+  if (state_utime_ && !TellsMore(next, state_) && utime - *state_utime_ < state_interval_us_) {
+    return;
+  }
+  if (next.state != state_.state || next.task != state_.task || next.all_stop != state_.all_stop) {
+    log_.Event(utime, fmt::format("{} {} ({})", next.state, next.task, next.all_stop));
+  }
+  next.utime = utime;
+  state_ = next;
+  state_utime_ = utime;
+  Publish(bus_, state_channel_, state_);
+}
+
+}  // namespace shoal

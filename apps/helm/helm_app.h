@@ -1,0 +1,81 @@
+// Steers one vehicle. Hears NAV_<V>, HELM_COMMAND_<V> and NODE_REPORT_<V>; says DESIRED_<V> and
+// ACTUATORS_<V> in every step, HELM_STATE_<V> on change and every state_interval_s.
+//
+// What it does and why is decided in helm_states.h; here are the bus, the autopilots and the page.
+// ACTUATORS are zero in PARK, in ALL-STOP and before the first NAV; DESIRED begins with the first
+// NAV.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "apps/helm/helm_states.h"
+#include "lib/bus/bus.h"
+#include "lib/bus/channels.h"
+#include "lib/control/heading_pid.h"
+#include "lib/control/speed_controller.h"
+#include "lib/mission/mission.h"
+#include "lib/run/app.h"
+
+namespace shoal {
+
+class HelmApp : public App {
+ public:
+  HelmApp(const Mission& mission, const Vehicle& vehicle, Bus& bus);
+
+  void Tick(int64_t utime) override;
+  StatusPage Status() const override;
+
+ private:
+  /// Another vehicle, as its last report has it.
+  struct Contact {
+    Eigen::Vector2d position_m = Eigen::Vector2d::Zero();
+    int64_t reported_utime = 0;
+  };
+
+  void OnNav(const nav_t& nav);
+  void OnCommand(const helm_command_t& command);
+  void OnNodeReport(const node_report_t& report);
+  bool WatchNav(int64_t utime);
+  void Steer(const Guidance& guidance, double dt_s);
+  void Rest();
+  void PublishState(int64_t utime);
+  std::string ContactsText() const;
+
+  const Vehicle vehicle_;
+  Bus& bus_;
+  const Channel<desired_t> desired_channel_;
+  const Channel<actuators_t> actuators_channel_;
+  const Channel<helm_state_t> state_channel_;
+  const int64_t nav_timeout_us_;
+  const int64_t state_interval_us_;
+  const std::string lost_nav_warning_;
+
+  HelmStates states_;
+  HeadingPid heading_pid_;
+  SpeedController speed_controller_;
+
+  std::optional<int64_t> utime_;      ///< Of the last step.
+  nav_t nav_{};                       ///< The last that made sense.
+  bool nav_is_fresh_ = false;         ///< It came in this step.
+  std::optional<int64_t> nav_utime_;  ///< The step in which it came; none came: the first step.
+  bool had_nav_ = false;
+  bool nav_was_lost_ = false;
+  desired_t desired_{};
+  actuators_t actuators_{};
+  helm_state_t state_{};  ///< As published last.
+  std::optional<int64_t> state_utime_;
+
+  std::map<std::string, Contact, std::less<>> contacts_;
+  StatusLog log_;
+  std::array<int64_t, kNumOrderKinds> num_obeyed_{};
+  int64_t num_refused_ = 0;
+  int64_t num_navs_ = 0;
+  int64_t num_bad_navs_ = 0;
+  int64_t num_reports_ = 0;
+};
+
+}  // namespace shoal

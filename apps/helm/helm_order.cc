@@ -1,0 +1,71 @@
+#include "apps/helm/helm_order.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "lib/run/status_page.h"
+
+namespace shoal {
+
+namespace {
+
+struct Grammar {
+  std::string_view word;
+  size_t num_values;
+  bool takes_task;
+};
+
+// In the order of OrderKind.
+constexpr std::array<Grammar, kNumOrderKinds> kGrammar = {{
+    {"deploy", 0, false},
+    {"return", 0, false},
+    {"station_keep", 0, false},
+    {"all_stop", 0, false},
+    {"resume", 0, false},
+    {"park", 0, false},
+    {"goto", 2, false},
+    {"speed", 1, false},
+    {"task", 0, true},
+}};
+
+}  // namespace
+
+Result<HelmOrder> ReadOrder(std::string_view command, std::string_view argument,
+                            std::span<const double> values) {
+  const auto grammar = std::find_if(kGrammar.begin(), kGrammar.end(),
+                                    [&](const Grammar& row) { return row.word == command; });
+  if (grammar == kGrammar.end()) {
+    return Error{fmt::format("unknown command '{}'", Printable(command))};
+  }
+  if (values.size() != grammar->num_values) {
+    return Error{
+        fmt::format("{} takes {} values and not {}", command, grammar->num_values, values.size())};
+  }
+  if (argument.empty() == grammar->takes_task) {
+    return Error{fmt::format(
+        "{} {}", command,
+        grammar->takes_task ? "needs the name of a task as its argument" : "takes no argument")};
+  }
+  HelmOrder order{.kind = static_cast<OrderKind>(grammar - kGrammar.begin())};
+  if (order.kind == OrderKind::kGoto) {
+    order.point_m = {values[0], values[1]};
+    if (!(order.point_m.cwiseAbs().maxCoeff() <= kMaxCoordinate_m) || !order.point_m.allFinite()) {
+      return Error{"goto needs coordinates within 10,000 km"};
+    }
+  }
+  if (order.kind == OrderKind::kSpeed) {
+    order.speed_mps = values[0];
+    if (!(order.speed_mps > 0) || !std::isfinite(order.speed_mps)) {
+      return Error{"speed needs a number of m/s greater than zero"};
+    }
+  }
+  if (grammar->takes_task) order.task = argument;
+  return order;
+}
+
+std::string_view Name(OrderKind kind) { return kGrammar.at(static_cast<size_t>(kind)).word; }
+
+}  // namespace shoal

@@ -1,0 +1,43 @@
+// What a helm can be told, read from the words of a helm_command_t.
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "lib/check/result.h"
+
+namespace shoal {
+
+enum class OrderKind {
+  kDeploy,       ///< Start the task list, or go on with it.
+  kReturn,       ///< Go to the return point and stay there.
+  kStationKeep,  ///< Stay here.
+  kAllStop,      ///< Thrust and rudder to zero until `resume`.
+  kResume,       ///< After an all-stop: go on with what was going on.
+  kPark,         ///< Stop, until the next order to move.
+  kGoto,         ///< Go to a point and stay there.
+  kSpeed,        ///< Another speed for the task that runs.
+  kTask,         ///< Jump to a task of the list.
+};
+inline constexpr int kNumOrderKinds = 9;
+
+struct HelmOrder {
+  OrderKind kind = OrderKind::kPark;
+  Eigen::Vector2d point_m = Eigen::Vector2d::Zero();  ///< Of kGoto.
+  double speed_mps = 0;                               ///< Of kSpeed; > 0.
+  std::string task = {};                              ///< Of kTask.
+};
+
+/// Coordinates beyond a quarter of the Earth's circumference are no places.
+inline constexpr double kMaxCoordinate_m = 1e7;
+
+/// Reads an order; the error says what is wrong with it.
+Result<HelmOrder> ReadOrder(std::string_view command, std::string_view argument,
+                            std::span<const double> values);
+
+/// Returns the word for it, as in helm_command_t.
+std::string_view Name(OrderKind kind);
+
+}  // namespace shoal

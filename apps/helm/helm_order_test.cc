@@ -1,0 +1,63 @@
+#include "apps/helm/helm_order.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace shoal {
+namespace {
+
+std::string ErrorOf(std::string_view command, std::string_view argument,
+                    const std::vector<double>& values) {
+  const Result<HelmOrder> order = ReadOrder(command, argument, values);
+  return order.ok() ? "" : order.error();
+}
+
+TEST(ReadOrder, KnowsEveryOrderByItsName) {
+  for (int i = 0; i < kNumOrderKinds; ++i) {
+    const auto kind = static_cast<OrderKind>(i);
+    const size_t num_values = kind == OrderKind::kGoto ? 2 : kind == OrderKind::kSpeed ? 1 : 0;
+    const Result<HelmOrder> order = ReadOrder(Name(kind), kind == OrderKind::kTask ? "x" : "",
+                                              std::vector<double>(num_values, 3.0));
+    ASSERT_TRUE(order.ok()) << order.error();
+    EXPECT_EQ(order->kind, kind);
+  }
+}
+
+TEST(ReadOrder, TakesThePointTheSpeedAndTheTask) {
+  EXPECT_EQ(ReadOrder("goto", "", std::vector{5.0, -7.0})->point_m, Eigen::Vector2d(5, -7));
+  EXPECT_EQ(ReadOrder("speed", "", std::vector{2.5})->speed_mps, 2.5);
+  EXPECT_EQ(ReadOrder("task", "survey", {})->task, "survey");
+}
+
+TEST(ReadOrder, SaysWhatIsWrong) {
+  EXPECT_EQ(ErrorOf("", "", {}), "unknown command ''");
+  EXPECT_EQ(ErrorOf("DEPLOY", "", {}), "unknown command 'DEPLOY'");
+  EXPECT_EQ(ErrorOf("goto", "", {1}), "goto takes 2 values and not 1");
+  EXPECT_EQ(ErrorOf("deploy", "", {1}), "deploy takes 0 values and not 1");
+  EXPECT_EQ(ErrorOf("deploy", "now", {}), "deploy takes no argument");
+  EXPECT_EQ(ErrorOf("task", "", {}), "task needs the name of a task as its argument");
+}
+
+TEST(ReadOrder, RefusesNumbersThatCannotBe) {
+  const double nan = std::nan("");
+  const double infinity = std::numeric_limits<double>::infinity();
+  for (const double bad : {nan, infinity, -infinity, 1e300}) {
+    EXPECT_NE(ErrorOf("goto", "", {bad, 0}), "") << bad;
+    EXPECT_NE(ErrorOf("goto", "", {0, bad}), "") << bad;
+  }
+  for (const double bad : {nan, infinity, 0.0, -1.0}) {
+    EXPECT_NE(ErrorOf("speed", "", {bad}), "") << bad;
+  }
+}
+
+TEST(ReadOrder, ShowsOfAnUnknownCommandOnlyWhatATerminalWouldNotObey) {
+  EXPECT_EQ(ErrorOf("a\x1b[2J\nb\xff", "", {}), "unknown command 'a?[2J?b?'");
+  EXPECT_LT(ErrorOf(std::string(100'000, 'x'), "", {}).size(), 80u);
+}
+
+}  // namespace
+}  // namespace shoal

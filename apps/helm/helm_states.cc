@@ -1,0 +1,178 @@
+#include "apps/helm/helm_states.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "lib/run/status_page.h"
+
+namespace shoal {
+
+std::string_view Name(HelmMode mode) {
+  switch (mode) {
+    case HelmMode::kPark:
+      return "PARK";
+    case HelmMode::kDrive:
+      return "DRIVE";
+    case HelmMode::kAllStop:
+      return "ALL-STOP";
+  }
+  return "";
+}
+
+HelmStates::HelmStates(const Vehicle& vehicle)
+    : tasks_(vehicle.tasks),
+      return_task_(vehicle.return_task),
+      lost_nav_reason_(fmt::format("no NAV for {:.1f} s", vehicle.helm_options.nav_timeout_s)),
+      parked_(true) {
+  if (vehicle.helm_options.deploy_at_start) {
+    [[maybe_unused]] const std::string refusal = Obey({.kind = OrderKind::kDeploy});
+  }
+}
+
+HelmMode HelmStates::mode() const {
+  if (stopped_by_command_) return HelmMode::kAllStop;
+  if (parked_) return HelmMode::kPark;
+  return nav_is_lost_ ? HelmMode::kAllStop : HelmMode::kDrive;
+}
+
+std::string_view HelmStates::all_stop() const {
+  if (stopped_by_command_) return "all_stop command";
+  if (parked_) return was_deployed_ ? "parked" : "never deployed";
+  return nav_is_lost_ ? std::string_view(lost_nav_reason_) : "clear";
+}
+
+const Task* HelmStates::task() const {
+  const Errand* current = parked_ ? nullptr : Current();
+  return current == nullptr ? nullptr : &current->task;
+}
+
+std::string HelmStates::Obey(const HelmOrder& order) {
+  switch (order.kind) {
+    case OrderKind::kAllStop:
+      stopped_by_command_ = true;
+      return {};
+    case OrderKind::kResume:
+      if (!stopped_by_command_) return "resume: there is no all-stop by command";
+      stopped_by_command_ = false;
+      return {};
+    case OrderKind::kPark:
+      stopped_by_command_ = false;
+      parked_ = true;
+      return {};
+    default:
+      if (stopped_by_command_) {
+        return fmt::format("{}: all-stop by command, send resume or park first", Name(order.kind));
+      }
+      return Drive(order);
+  }
+}
+
+std::string HelmStates::Drive(const HelmOrder& order) {
+  switch (order.kind) {
+    case OrderKind::kDeploy:
+      if (interruption_) speed_mps_.reset();
+      interruption_.reset();
+      if (!listed_) StartListAt(0);
+      break;
+    case OrderKind::kReturn:
+      Interrupt({.name = "return", .what = return_task_});
+      break;
+    case OrderKind::kStationKeep:
+      Interrupt({.name = "station_keep", .what = StationKeepTask{}});
+      break;
+    case OrderKind::kGoto: {
+      WaypointsTask way;
+      way.points_m = {order.point_m};
+      way.speed_mps = return_task_.speed_mps;
+      Interrupt({.name = "goto", .what = way});
+      break;
+    }
+    case OrderKind::kSpeed:
+      if (task() == nullptr) return "speed: no task runs";
+      speed_mps_ = order.speed_mps;
+      return {};
+    case OrderKind::kTask: {
+      const auto found = std::find_if(tasks_.begin(), tasks_.end(),
+                                      [&](const Task& task) { return task.name == order.task; });
+      if (found == tasks_.end()) {
+        return fmt::format("task: there is no task '{}'", Printable(order.task));
+      }
+      interruption_.reset();
+      StartListAt(static_cast<size_t>(found - tasks_.begin()));
+      break;
+    }
+    default:
+      break;
+  }
+  parked_ = false;
+  was_deployed_ = true;
+  return {};
+}
+
+void HelmStates::Interrupt(Task task) {
+  if (listed_) listed_->was_paused = true;
+  interruption_ = Errand{.task = std::move(task)};
+  speed_mps_.reset();
+}
+
+void HelmStates::StartListAt(size_t index) {
+  speed_mps_.reset();
+  list_index_ = index;
+  if (index == tasks_.size()) {
+    EndList();
+  } else {
+    listed_ = Errand{.task = tasks_[index]};
+  }
+}
+
+void HelmStates::EndList() {
+  listed_.reset();
+  Interrupt({.name = "end_of_tasks", .what = StationKeepTask{}});
+}
+
+// `finished` is the current errand, and does not outlive this call.
+void HelmStates::GoOnFrom(const Errand& finished) {
+  if (!interruption_) {
+    StartListAt(list_index_ + 1);
+    return;
+  }
+  // Of the interruptions only the way to a point ever ends.
+  StationKeepTask keep;
+  keep.here = false;
+  keep.point_m = std::get<WaypointsTask>(finished.task.what).points_m.front();
+  Interrupt({.name = finished.task.name, .what = keep});
+}
+
+HelmStates::Errand* HelmStates::Current() {
+  if (interruption_) return &*interruption_;
+  return listed_ ? &*listed_ : nullptr;
+}
+
+const HelmStates::Errand* HelmStates::Current() const {
+  return const_cast<HelmStates*>(this)->Current();
+}
+
+void HelmStates::Advance(const std::optional<Fix>& fix, bool nav_is_lost) {
+  nav_is_lost_ = nav_is_lost;
+  guidance_.reset();
+  if (mode() != HelmMode::kDrive || !fix) {
+    if (Errand* paused = Current()) paused->was_paused = true;
+    return;
+  }
+  // Ends: the list is finite, and keeping station at its end is never done.
+  while (Errand* current = Current()) {
+    if (!current->runner) {
+      current->runner.emplace(current->task.what, *fix);
+    } else if (current->was_paused) {
+      current->runner->Rejoin(*fix);
+    }
+    current->was_paused = false;
+    guidance_ = current->runner->Update(*fix);
+    if (!guidance_->done) break;
+    GoOnFrom(*current);
+  }
+  if (guidance_ && speed_mps_ && guidance_->speed_mps > 0) guidance_->speed_mps = *speed_mps_;
+}
+
+}  // namespace shoal

@@ -1,0 +1,90 @@
+// What a helm is doing and why: its states, its task list, its all-stops. Knows of no bus.
+//
+//                 deploy, return, station_keep, goto, task
+//      +------+ ---------------------------------------------> +-------+
+//      | PARK |                                                | DRIVE |
+//      +------+ <--------------------------------------------- +-------+
+//        ^  |                      park                          |   ^
+//        |  | all_stop                       all_stop, NAV lost  |   | resume, NAV back
+//        |  v                                                    v   |
+//        |  +----------------------------------------------------------+
+//        +--|                          ALL-STOP                        |
+//      park +----------------------------------------------------------+
+//      (resume, where it was parked before)
+//
+// An all-stop by command ends by `resume` or `park` only; until then it refuses every order to
+// move. One for want of NAV ends by itself. After either the helm goes on with what it did.
+//
+// Tasks run in the order of the list; then the helm keeps station where it is ("end_of_tasks"), and
+// `deploy` starts the list again. return, station_keep and goto interrupt the list, `deploy` goes
+// on with it where it was left.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "apps/helm/helm_order.h"
+#include "lib/guidance/task_runner.h"
+#include "lib/mission/mission.h"
+
+namespace shoal {
+
+enum class HelmMode { kPark, kDrive, kAllStop };
+
+/// Returns "PARK", "DRIVE" or "ALL-STOP".
+std::string_view Name(HelmMode mode);
+
+class HelmStates {
+ public:
+  explicit HelmStates(const Vehicle& vehicle);
+
+  /// Obeys `order`, or returns why not and changes nothing. An empty text: obeyed.
+  [[nodiscard]] std::string Obey(const HelmOrder& order);
+
+  /// Advances to the time of `fix`. Without a fix nothing moves on; `nav_is_lost` says that this
+  /// has lasted too long.
+  void Advance(const std::optional<Fix>& fix, bool nav_is_lost);
+
+  HelmMode mode() const;
+  /// Returns "clear", or why the vessel does not move: "never deployed", "parked", "all_stop
+  /// command", "no NAV for 2.0 s".
+  std::string_view all_stop() const;
+  /// Returns the task that runs or, in ALL-STOP, will go on; nullptr: none.
+  const Task* task() const;
+  /// Returns what the task asked for in the last Advance, or nothing unless the vessel is driving.
+  const std::optional<Guidance>& guidance() const { return guidance_; }
+
+ private:
+  /// A task and how far it has come.
+  struct Errand {
+    Task task;
+    std::optional<TaskRunner> runner = {};  ///< Absent until there is a fix to start from.
+    bool was_paused = false;                ///< Something else happened since the last update.
+  };
+
+  std::string Drive(const HelmOrder& order);
+  void Interrupt(Task task);
+  void StartListAt(size_t index);
+  void EndList();
+  void GoOnFrom(const Errand& finished);
+  Errand* Current();
+  const Errand* Current() const;
+
+  std::vector<Task> tasks_;
+  ReturnTask return_task_;
+  std::string lost_nav_reason_;
+
+  bool parked_;
+  bool was_deployed_ = false;
+  bool stopped_by_command_ = false;
+  bool nav_is_lost_ = false;
+  size_t list_index_ = 0;
+  std::optional<Errand> listed_;        ///< The task of the list; absent: not begun, or ended.
+  std::optional<Errand> interruption_;  ///< Runs instead of it.
+  std::optional<double> speed_mps_;     ///< By the order `speed`, for the errand that runs.
+  std::optional<Guidance> guidance_;
+};
+
+}  // namespace shoal

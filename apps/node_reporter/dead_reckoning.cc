@@ -1,0 +1,20 @@
+#include "apps/node_reporter/dead_reckoning.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace shoal {
+
+bool Foretells(const node_report_t& last, const node_report_t& now, const ForetellLimits& limits) {
+  const double age_s = static_cast<double>(now.utime - last.utime) / 1e6;
+  if (!(age_s < limits.max_gap_s)) return false;
+  const double course_rad = last.course_over_ground_deg * std::numbers::pi / 180;
+  const double run_m = last.speed_over_ground_mps * age_s;
+  const double miss_m =
+      std::hypot(last.x_m + run_m * std::sin(course_rad) - now.x_m,
+                 last.y_m + run_m * std::cos(course_rad) - now.y_m, last.depth_m - now.depth_m);
+  const double turned_deg = std::abs(std::remainder(now.heading_deg - last.heading_deg, 360));
+  return miss_m < limits.position_m && turned_deg < limits.heading_deg;
+}
+
+}  // namespace shoal

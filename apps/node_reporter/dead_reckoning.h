@@ -1,0 +1,22 @@
+// What others may think where a vehicle is, from its last report alone.
+#pragma once
+
+#include <cstdint>
+
+#include "shoal/node_report_t.hpp"
+
+namespace shoal {
+
+/// How far from the truth a listener's dead reckoning may be.
+struct ForetellLimits {
+  double position_m = 0.25;
+  double heading_deg = 1;
+  double max_gap_s = 5;  ///< An older report foretells nothing.
+};
+
+/// Returns true where `last`, carried on along its course over ground, comes closer to `now` than
+/// the limits in place and heading, and is younger than the largest gap.
+[[nodiscard]] bool Foretells(const node_report_t& last, const node_report_t& now,
+                             const ForetellLimits& limits);
+
+}  // namespace shoal

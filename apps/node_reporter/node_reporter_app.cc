@@ -1,0 +1,193 @@
+#include "apps/node_reporter/node_reporter_app.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "apps/node_reporter/dead_reckoning.h"
+
+namespace shoal {
+
+namespace {
+
+/// NAV comes in every step; after so many seconds without it a position is a guess.
+constexpr double kNavTimeout_s = 2;
+constexpr std::string_view kNavWarning = "no NAV, hence no reports";
+constexpr std::string_view kBadNavWarning = "NAV dropped: it holds an impossible number";
+
+double SecondsBetween(int64_t earlier_utime, int64_t later_utime) {
+  return static_cast<double>(later_utime - earlier_utime) / 1e6;
+}
+
+bool AllReportedNumbersAreFinite(const nav_t& nav) {
+  for (const double number :
+       {nav.x_m, nav.y_m, nav.z_m, nav.altitude_m, nav.lat_deg, nav.lon_deg, nav.speed_mps,
+        nav.heading_deg, nav.speed_over_ground_mps, nav.course_over_ground_deg}) {
+    if (!std::isfinite(number)) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+NodeReporterApp::NodeReporterApp(const Mission& mission, const Vehicle& vehicle, Bus& bus)
+    : bus_(bus),
+      name_(vehicle.name),
+      options_(vehicle.reporter_options),
+      start_utime_(mission.start_utime),
+      blackout_stream_(StreamKey(mission.seed, "blackout").With(vehicle.name)),
+      schedule_(options_.rate_hz, mission.start_utime, mission.tick_us),
+      now_utime_(mission.start_utime),
+      silent_until_utime_(mission.start_utime) {
+  report_.name = vehicle.name;
+  report_.type = vehicle.type;
+  report_.group = vehicle.group;
+  report_.color = vehicle.color;
+  report_.length_m = vehicle.length_m;
+  for (const auto& [key, value] : options_.extra) {
+    report_.extra.push_back({.key = key, .value = value});
+  }
+  report_.num_extra = static_cast<int32_t>(report_.extra.size());
+
+  const double tick_hz = 1e6 / static_cast<double>(mission.tick_us);
+  if (options_.rate_hz > tick_hz) {
+    log_.WarnConfig(
+        fmt::format("rate_hz = {:g} is above the mission's {:g} steps per second; "
+                    "reports go out in every step",
+                    options_.rate_hz, tick_hz));
+  } else if (!(options_.rate_hz > 0)) {
+    log_.WarnConfig(fmt::format("rate_hz = {:g}: no reports", options_.rate_hz));
+  }
+
+  Subscribe(bus, channels::Nav(vehicle.name), [this](const nav_t& nav) { TakeNav(nav); });
+  Subscribe(bus, channels::HelmState(vehicle.name), [this](const helm_state_t& state) {
+    helm_ = state;
+    helm_is_new_ = true;
+  });
+}
+
+void NodeReporterApp::TakeNav(const nav_t& nav) {
+  if (!AllReportedNumbersAreFinite(nav)) {
+    ++num_bad_nav_;
+    log_.Warn(kBadNavWarning);
+    return;
+  }
+  nav_ = nav;
+  nav_is_new_ = true;
+}
+
+void NodeReporterApp::Tick(int64_t utime) {
+  now_utime_ = utime;
+  if (nav_is_new_) nav_utime_ = utime;
+  if (helm_is_new_) helm_utime_ = utime;
+  nav_is_new_ = helm_is_new_ = false;
+
+  const bool has_nav = HasFreshNav(utime);
+  if (!schedule_.IsDue(utime)) return;
+  if (!has_nav) {
+    ++num_without_nav_;
+    return;
+  }
+  if (utime < silent_until_utime_) {
+    ++num_blacked_out_;
+    return;
+  }
+  FillReport(utime);
+  if (options_.extrapolate && IsForetold()) {
+    ++num_foretold_;
+    return;
+  }
+  report_.index = num_sent_++;
+  Publish(bus_, channel_, report_);
+  if (options_.extrapolate) last_sent_ = report_;
+  if (options_.blackout_interval_s > 0) StartBlackout(utime);
+}
+
+/// Returns whether there is NAV to report from; warns and takes the warning back.
+bool NodeReporterApp::HasFreshNav(int64_t utime) {
+  const bool fresh = nav_utime_ && SecondsBetween(*nav_utime_, utime) <= kNavTimeout_s;
+  const bool warn = !fresh && SecondsBetween(start_utime_, utime) >= options_.nav_grace_period_s;
+  if (warn && !warned_of_nav_) {
+    log_.Warn(kNavWarning);
+    log_.Event(utime, kNavWarning);
+  } else if (!warn && warned_of_nav_) {
+    log_.Retract(kNavWarning);
+    log_.Event(utime, "NAV is back");
+  }
+  warned_of_nav_ = warn;
+  return fresh;
+}
+
+void NodeReporterApp::FillReport(int64_t utime) {
+  report_.utime = utime;
+  report_.x_m = nav_.x_m;
+  report_.y_m = nav_.y_m;
+  report_.depth_m = nav_.z_m;
+  report_.altitude_m = nav_.altitude_m;
+  report_.lat_deg = nav_.lat_deg;
+  report_.lon_deg = nav_.lon_deg;
+  report_.speed_mps = nav_.speed_mps;
+  report_.heading_deg = nav_.heading_deg;
+  report_.speed_over_ground_mps = nav_.speed_over_ground_mps;
+  report_.course_over_ground_deg = nav_.course_over_ground_deg;
+  report_.mode = Mode(utime);
+  report_.all_stop = helm_utime_ ? helm_.all_stop : "clear";
+}
+
+std::string NodeReporterApp::Mode(int64_t utime) const {
+  if (!helm_utime_) return "NOHELM-EVER";
+  const double silence_s = SecondsBetween(*helm_utime_, utime);
+  if (silence_s > options_.nohelm_threshold_s) return fmt::format("NOHELM-{:.0f}", silence_s);
+  return helm_.task.empty() ? helm_.state : helm_.state + ":" + helm_.task;
+}
+
+bool NodeReporterApp::IsForetold() const {
+  return last_sent_ && Foretells(*last_sent_, report_,
+                                 {.position_m = options_.extrap_position_thresh_m,
+                                  .heading_deg = options_.extrap_heading_thresh_deg,
+                                  .max_gap_s = options_.extrap_max_gap_s});
+}
+
+/// The next report waits for the interval and a random addition of up to the variance, either way.
+void NodeReporterApp::StartBlackout(int64_t utime) {
+  const double uniform = Stream(blackout_stream_.With(report_.index)).Uniform();
+  const double gap_s =
+      options_.blackout_interval_s + (2 * uniform - 1) * options_.blackout_variance_s;
+  silent_until_utime_ = utime + std::llround(gap_s * 1e6);
+}
+
+StatusPage NodeReporterApp::Status() const {
+  const auto age = [this](const std::optional<int64_t>& heard_utime) {
+    return heard_utime ? fmt::format("{:.1f} s ago", SecondsBetween(*heard_utime, now_utime_))
+                       : std::string("never");
+  };
+  StatusPage page;
+  page.text = fmt::format(
+      "Configuration:\n"
+      "    Vehicle: {} ({}, group {}, {}, {:g} m)\n"
+      "    Rate: {:g} Hz\n"
+      "    Blackout: {:g} s +- {:g} s\n"
+      "    Extrapolation: {}\n"
+      "\nNAV: {}\n"
+      "Helm: {} ({})\n"
+      "\nReports sent: {}\n"
+      "    Skipped without NAV: {}\n"
+      "    Skipped in blackout: {}\n"
+      "    Skipped as foretold: {}\n"
+      "    NAV with impossible numbers: {}\n"
+      "    Undecodable messages: {}\n",
+      name_, report_.type, report_.group.empty() ? "(none)" : report_.group, report_.color,
+      report_.length_m, options_.rate_hz, options_.blackout_interval_s,
+      options_.blackout_variance_s,
+      options_.extrapolate
+          ? fmt::format("within {:g} m and {:g} deg, at most {:g} s",
+                        options_.extrap_position_thresh_m, options_.extrap_heading_thresh_deg,
+                        options_.extrap_max_gap_s)
+          : std::string("off"),
+      age(nav_utime_), age(helm_utime_), Mode(now_utime_), num_sent_, num_without_nav_,
+      num_blacked_out_, num_foretold_, num_bad_nav_, bus_.counters().undecodable);
+  log_.AppendTo(&page);
+  return page;
+}
+
+}  // namespace shoal

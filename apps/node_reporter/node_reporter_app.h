@@ -1,0 +1,65 @@
+// Tells the others about one vehicle. Hears NAV_<V> and HELM_STATE_<V>; says NODE_REPORT_LOCAL.
+//
+// No report goes out before the first NAV, nor while NAV is older than 2 s. After the grace period
+// missing NAV is a run warning, taken back when NAV is there again.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "apps/node_reporter/report_schedule.h"
+#include "lib/bus/bus.h"
+#include "lib/bus/channels.h"
+#include "lib/mission/mission.h"
+#include "lib/random/stream.h"
+#include "lib/run/app.h"
+
+namespace shoal {
+
+class NodeReporterApp : public App {
+ public:
+  /// `vehicle` must be one of the mission's.
+  NodeReporterApp(const Mission& mission, const Vehicle& vehicle, Bus& bus);
+
+  void Tick(int64_t utime) override;
+  StatusPage Status() const override;
+
+ private:
+  void TakeNav(const nav_t& nav);
+  bool HasFreshNav(int64_t utime);
+  void FillReport(int64_t utime);
+  std::string Mode(int64_t utime) const;
+  bool IsForetold() const;
+  void StartBlackout(int64_t utime);
+
+  Bus& bus_;
+  const std::string name_;
+  const ReporterOptions options_;
+  const int64_t start_utime_;
+  const StreamKey blackout_stream_;
+  const Channel<node_report_t> channel_ = channels::NodeReportLocal();
+  ReportSchedule schedule_;
+  StatusLog log_;
+
+  nav_t nav_ = {};
+  bool nav_is_new_ = false;           ///< Came since the last step.
+  std::optional<int64_t> nav_utime_;  ///< Step in which the last NAV came.
+  helm_state_t helm_ = {};
+  bool helm_is_new_ = false;
+  std::optional<int64_t> helm_utime_;  ///< Step in which the last HELM_STATE came.
+
+  node_report_t report_ = {};               ///< The last one sent, or the next one in the making.
+  std::optional<node_report_t> last_sent_;  ///< Kept only where dead reckoning needs it.
+  int64_t now_utime_ = 0;
+  int64_t silent_until_utime_ = 0;  ///< End of the blackout.
+  bool warned_of_nav_ = false;
+  int64_t num_sent_ = 0;
+  int64_t num_without_nav_ = 0;
+  int64_t num_blacked_out_ = 0;
+  int64_t num_foretold_ = 0;
+  int64_t num_bad_nav_ = 0;
+};
+
+}  // namespace shoal

@@ -1,0 +1,32 @@
+// One node reporter. Hears NAV_<V> and HELM_STATE_<V>, says NODE_REPORT_LOCAL. See node_reporter
+// --help.
+#include "apps/node_reporter/node_reporter_app.h"
+#include "lib/run/run_app.h"
+
+namespace {
+
+const shoal::AppInfo kInfo = {
+    .name = "node_reporter",
+    .purpose = "Reports the state of one vehicle to the others, by way of the shore.",
+    .per_vehicle = true,
+    .example = R"(# In a mission file:
+[[vehicle]]
+name = "alpha"
+node_reporter = "shoal"               # "hand": started by you; "none": nobody
+
+[vehicle.reporter]
+rate_hz = 2
+blackout_interval_s = 0               # at least this between reports
+extrapolate = false                   # true: skip what dead reckoning foretells
+extra = { PAYLOAD = "ctd" }           # your own fields
+)",
+};
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return shoal::RunVehicleApp(
+      kInfo, argc, argv, [](const auto& mission, const auto& vehicle, auto& bus, const auto&) {
+        return std::make_unique<shoal::NodeReporterApp>(mission, vehicle, bus);
+      });
+}

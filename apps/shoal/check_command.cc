@@ -1,0 +1,57 @@
+#include "apps/shoal/check_command.h"
+
+#include <fmt/format.h>
+
+#include "lib/bus/channels.h"
+#include "lib/check/result.h"
+#include "lib/mission/load.h"
+#include "lib/run/roster.h"
+
+namespace shoal {
+
+int RunCheck(const std::string& mission_file, const std::vector<std::string>& overrides,
+             bool explain) {
+  const LoadedMission loaded = LoadMission(mission_file, overrides);
+  for (const std::string& error : loaded.errors) fmt::print(stderr, "{}\n", error);
+  if (!loaded.errors.empty()) {
+    fmt::print(stderr, "{} error{}\n", loaded.errors.size(), loaded.errors.size() == 1 ? "" : "s");
+    return kExitUsage;
+  }
+  if (explain) {
+    fmt::print("{}", Explain(loaded.mission));
+    return kExitOk;
+  }
+  const Mission& mission = loaded.mission;
+  fmt::print("{}: ok: {} vehicles, {} participants, {} s in {} steps, {} events, {} expectations\n",
+             mission_file, mission.vehicles.size(), MakeRoster(mission, false).size() + 1,
+             mission.duration_s, mission.LastStep() + 1, mission.events.size(),
+             mission.expectations.size());
+  return kExitOk;
+}
+
+std::string ChannelsMarkdown() {
+  std::string text =
+      "# Channels\n\n"
+      "Made by `shoal channels` from `lib/bus/channels.cc`; a test compares the two. `_<V>` stands\n"
+      "for a vehicle's name in upper case. Home says where a channel lives: in the `communities`\n"
+      "layout each vehicle has an LCM port of its own, in the `shared` layout shore and vehicles\n"
+      "have one together. Message types are in `lcmtypes/`. Channels that are not logged are made\n"
+      "for eyes or for stepping.\n\n"
+      "| channel | type | home | said by | heard by | rate | logged |\n"
+      "|---|---|---|---|---|---|---|\n";
+  for (const ChannelRow& row : ChannelTable()) {
+    std::string_view home;
+    switch (row.home) {
+      case ChannelHome::kTickPort: home = "tick port"; break;
+      case ChannelHome::kDonePort: home = "done port"; break;
+      case ChannelHome::kShore: home = "shore"; break;
+      case ChannelHome::kVehicle: home = "vehicle"; break;
+    }
+    text += fmt::format("| `{}{}` | `{}` | {} | {} | {} | {} | {} |\n", row.topic,
+                        row.home == ChannelHome::kVehicle ? "_<V>" : "", row.type, home,
+                        row.said_by, row.heard_by, row.rate, row.logged ? "yes" : "no");
+  }
+  return text;
+}
+
+}  // namespace shoal

@@ -1,0 +1,17 @@
+// `shoal check` and `shoal channels`: what can be told without running anything.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace shoal {
+
+/// Loads a mission file and prints all that is wrong with it, or, with `explain`, the whole mission
+/// with every default. Returns the exit code.
+int RunCheck(const std::string& mission_file, const std::vector<std::string>& overrides,
+             bool explain);
+
+/// Returns the table of all channels as Markdown: docs/channels.md.
+std::string ChannelsMarkdown();
+
+}  // namespace shoal

@@ -1,0 +1,20 @@
+#include "apps/shoal/check_command.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+
+namespace shoal {
+namespace {
+
+TEST(ChannelsMarkdown, IsWhatTheDocumentationHolds) {
+  std::ifstream in(std::string(SHOAL_SOURCE_DIR) + "/docs/channels.md");
+  std::ostringstream text;
+  text << in.rdbuf();
+  EXPECT_EQ(text.str(), ChannelsMarkdown())
+      << "run `build/bin/shoal channels > docs/channels.md`";
+}
+
+}  // namespace
+}  // namespace shoal

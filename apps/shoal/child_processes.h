@@ -1,0 +1,60 @@
+// The processes that the launcher started: one group, each with a log of its own, none left behind.
+#pragma once
+
+#include <sys/types.h>
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "lib/check/result.h"
+
+namespace shoal {
+
+/// How a child ended.
+struct ChildExit {
+  std::string name;
+  pid_t pid = 0;
+  bool clean = false;  ///< Exit code 0.
+  std::string how;     ///< "was killed by signal 9 (Killed)", "exited with code 2".
+  std::vector<std::string> last_lines;  ///< Of its log.
+};
+
+struct ChildCommand {
+  std::string name;                      ///< Unique among the children that run.
+  std::vector<std::string> argv;         ///< argv[0] is a path.
+  std::vector<std::string> environment;  ///< "KEY=value", added to our own.
+  std::string log_path;                  ///< Standard output and error, appended.
+};
+
+class ChildProcesses {
+ public:
+  ChildProcesses() = default;
+  ~ChildProcesses();  ///< Kills what still runs.
+  ChildProcesses(const ChildProcesses&) = delete;
+  ChildProcesses& operator=(const ChildProcesses&) = delete;
+
+  /// Starts a process. It dies with this one, whatever ends it.
+  [[nodiscard]] Result<pid_t> Start(const ChildCommand& command);
+
+  /// Returns the children that have ended since the last call. Never waits.
+  std::vector<ChildExit> Reap();
+
+  void Signal(const std::string& name, int signal);
+  void SignalAll(int signal);
+
+  bool IsRunning(const std::string& name) const { return running_.contains(name); }
+  size_t num_running() const { return running_.size(); }
+
+ private:
+  struct Child {
+    pid_t pid = 0;
+    std::string log_path;
+  };
+  std::map<std::string, Child> running_;
+};
+
+/// Returns the last `count` lines of a text file that are not empty; none where it cannot be read.
+std::vector<std::string> LastLines(const std::string& path, size_t count);
+
+}  // namespace shoal

@@ -1,0 +1,132 @@
+#include "apps/shoal/director_app.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "lib/routing/vehicle_name.h"
+#include "lib/verdict/summary.h"
+
+namespace shoal {
+
+DirectorApp::DirectorApp(const Mission& mission, Bus& bus)
+    : mission_(mission), bus_(bus), judge_(mission) {
+  for (size_t i = 0; i < mission.vehicles.size(); ++i) {
+    const std::string& name = mission.vehicles[i].name;
+    Subscribe(bus, channels::Nav(name), [this, i](const nav_t& nav) {
+      if (judge_.TakeNav(i, {nav.x_m, nav.y_m, nav.z_m})) return;
+      log_.Warn(fmt::format("NAV of {} dropped: it holds an impossible number",
+                            mission_.vehicles[i].name));
+    });
+    Subscribe(bus, channels::HelmState(name), [this, i](const helm_state_t& helm) {
+      judge_.TakeHelm(i, {.state = helm.state, .task = helm.task, .laps_done = helm.laps_done},
+                      last_utime_.value_or(mission_.start_utime));
+    });
+  }
+  bus.SubscribeBytes(channels::CommsFates().name,
+                     [this](const Message& message) { TakeFates(message); });
+}
+
+void DirectorApp::Tick(int64_t utime) {
+  EndLastStep();
+  last_utime_ = utime;
+  const double now_s = static_cast<double>(utime - mission_.start_utime) / 1e6;
+  for (; next_event_ < mission_.events.size(); ++next_event_) {
+    const Event& event = mission_.events[next_event_];
+    if (now_s < event.at_s) break;
+    std::visit([&](const auto& what) { Say(utime, what); }, event.what);
+  }
+}
+
+void DirectorApp::End() { EndLastStep(); }
+
+void DirectorApp::EndLastStep() {
+  if (last_utime_) judge_.EndStep(*last_utime_);
+}
+
+void DirectorApp::TakeFates(const Message& message) {
+  if (!Decode(message.data, &fates_message_)) {
+    bus_.CountUndecodable(message.channel);
+    return;
+  }
+  for (const fate_t& fate : fates_message_.fates) {
+    if (fate.kind == "report") judge_.fates().Add(fate.source, fate.destination, fate.cause);
+  }
+}
+
+void DirectorApp::Say(int64_t utime, const CommandEvent& event) {
+  helm_command_t command;
+  command.utime = utime;
+  command.command = event.command;
+  command.argument = event.argument;
+  command.num_values = static_cast<int32_t>(event.values.size());
+  command.values = event.values;
+  for (const std::string& vehicle : VehiclesNamed(event.vehicle)) {
+    Publish(bus_, channels::HelmCommand(vehicle), command);
+  }
+  log_.Event(utime, fmt::format("{} to {}", event.command, event.vehicle));
+}
+
+void DirectorApp::Say(int64_t utime, const SimCommandEvent& event) {
+  sim_command_t command;
+  command.utime = utime;
+  command.command = event.command;
+  command.num_values = static_cast<int32_t>(event.values.size());
+  command.values = event.values;
+  for (const std::string& vehicle : VehiclesNamed(event.vehicle)) {
+    Publish(bus_, channels::SimCommand(vehicle), command);
+  }
+  log_.Event(utime, fmt::format("{} to the simulator of {}", event.command, event.vehicle));
+}
+
+void DirectorApp::Say(int64_t utime, const RuleEvent& event) {
+  unc_control_t control;
+  control.utime = utime;
+  control.vehicle = event.vehicle;
+  control.value = event.value;
+  if (event.rule == "comms_range") {
+    Publish(bus_, channels::UncCommsRange(), control);
+  } else if (event.rule == "stale_time") {
+    Publish(bus_, channels::UncStaleTime(), control);
+  } else {
+    log_.Warn(fmt::format("event dropped: there is no rule '{}'", event.rule));
+    return;
+  }
+  log_.Event(utime, fmt::format("{} = {:g}", event.rule, event.value));
+}
+
+std::vector<std::string> DirectorApp::VehiclesNamed(const std::string& name) const {
+  if (VehicleKey(name) != "all") return {name};
+  std::vector<std::string> names;
+  for (const Vehicle& vehicle : mission_.vehicles) names.push_back(vehicle.name);
+  return names;
+}
+
+int64_t DirectorApp::num_delivered() const {
+  return fates().Count(FateCounts::kAll, FateCounts::kAll, "delivered");
+}
+
+int64_t DirectorApp::num_blocked() const {
+  return fates().CountOffered(FateCounts::kAll, FateCounts::kAll) - num_delivered();
+}
+
+std::string DirectorApp::Summary(bool complete) const {
+  return Summarize(mission_, judge_, complete);
+}
+
+bool DirectorApp::Passed() const {
+  const std::vector<ExpectationVerdict> verdicts = judge_.Verdicts();
+  return std::all_of(verdicts.begin(), verdicts.end(),
+                     [](const ExpectationVerdict& verdict) { return verdict.passed; });
+}
+
+StatusPage DirectorApp::Status() const {
+  StatusPage page;
+  page.text =
+      fmt::format("Mission: {} ({})\nSeed: {}\nEvents said: {} of {}\n\n{}", mission_.name,
+                  mission_.file, mission_.seed, next_event_, mission_.events.size(), Summary());
+  log_.AppendTo(&page);
+  return page;
+}
+
+}  // namespace shoal

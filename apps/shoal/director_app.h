@@ -1,0 +1,60 @@
+// The launcher's own participant, named "shoal": says what the mission file has planned, and
+// watches what becomes of it.
+//
+// Says HELM_COMMAND_<V>, SIM_COMMAND_<V> and UNC_* at the times of the mission's events; hears
+// NAV_<V>, HELM_STATE_<V> and COMMS_FATES.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lib/bus/bus.h"
+#include "lib/bus/channels.h"
+#include "lib/mission/mission.h"
+#include "lib/run/app.h"
+#include "lib/verdict/judge.h"
+
+namespace shoal {
+
+class DirectorApp : public App {
+ public:
+  /// `mission` must outlive this.
+  DirectorApp(const Mission& mission, Bus& bus);
+
+  void Tick(int64_t utime) override;
+  void End() override;
+  StatusPage Status() const override;
+
+  /// Node reports so far, each counted once per destination.
+  int64_t num_delivered() const;
+  int64_t num_blocked() const;
+  /// By link and cause.
+  const FateCounts& fates() const { return judge_.fates(); }
+
+  /// Returns the mission's last page, should it end now; its last line is PASS or FAIL, or
+  /// INCOMPLETE where it did not run to its end.
+  std::string Summary(bool complete = true) const;
+  /// Returns true where every expectation would be met, should the mission end now.
+  bool Passed() const;
+
+ private:
+  void TakeFates(const Message& message);
+  void EndLastStep();
+  void Say(int64_t utime, const CommandEvent& event);
+  void Say(int64_t utime, const SimCommandEvent& event);
+  void Say(int64_t utime, const RuleEvent& event);
+  std::vector<std::string> VehiclesNamed(const std::string& name) const;
+
+  const Mission& mission_;
+  Bus& bus_;
+  StatusLog log_;
+  Judge judge_;
+  comms_fates_t fates_message_;  ///< Decoded into; keeps its strings' memory.
+  size_t next_event_ = 0;
+  /// Messages that are handled now were said in this step; absent before the first.
+  std::optional<int64_t> last_utime_;
+};
+
+}  // namespace shoal

@@ -1,0 +1,394 @@
+#include "apps/shoal/launcher.h"
+
+#include <fmt/format.h>
+#include <signal.h>
+#include <sys/random.h>
+#include <sys/signalfd.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "apps/shoal/recording.h"
+#include "lib/run/run_app.h"
+#include "lib/run/run_registry.h"
+
+namespace shoal {
+
+namespace {
+
+constexpr int64_t kSecond_us = 1'000'000;
+constexpr int64_t kPatience_us = 700'000;        ///< For the step under way when the end is wanted.
+constexpr int64_t kExitPatience_us = 1'000'000;  ///< For processes to leave after END.
+constexpr int64_t kStartPatience_us = 20 * kSecond_us;
+constexpr int64_t kIdlePoll_us = 50'000;
+constexpr int kMaxRestarts = 5;  ///< Of one participant; more is a crash loop.
+
+int64_t RandomMissionId() {
+  int64_t id = 0;
+  if (getrandom(&id, sizeof id, 0) != sizeof id) id = MonotonicMicroseconds();
+  return std::max<int64_t>(id & std::numeric_limits<int64_t>::max(), 1);
+}
+
+/// Routes the signals that matter to a descriptor. To be called before LCM makes its threads, which
+/// inherit the mask.
+int BlockSignals() {
+  sigset_t set;
+  sigemptyset(&set);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGCHLD}) sigaddset(&set, signal);
+  sigprocmask(SIG_BLOCK, &set, nullptr);
+  signal(SIGPIPE, SIG_IGN);
+  return signalfd(-1, &set, SFD_CLOEXEC | SFD_NONBLOCK);
+}
+
+ClockOptions MakeClockOptions(const RunOptions& options, const Mission& mission,
+                              int64_t mission_id) {
+  return {.mission_id = mission_id,
+          .warp = options.warp,
+          .tick_us = mission.tick_us,
+          .start_utime = mission.start_utime,
+          .last_step = mission.LastStep(),
+          .timeout_us = static_cast<int64_t>(mission.participant_timeout_s * 1e6)};
+}
+
+std::vector<std::string> ParticipantNames(const std::vector<RosterEntry>& roster) {
+  std::vector<std::string> names = {"shoal"};
+  for (const RosterEntry& entry : roster) names.push_back(entry.name);
+  return names;
+}
+
+}  // namespace
+
+Launcher::Launcher(const RunOptions& options, const Mission& mission, PortPlan ports,
+                   int64_t mission_id, std::string log_dir)
+    : options_(options),
+      mission_(mission),
+      ports_(std::move(ports)),
+      context_{.options = options,
+               .mission = mission,
+               .ports = ports_,
+               .mission_id = mission_id,
+               .log_dir = std::move(log_dir),
+               .log_path = options.record_dir.empty() ? "" : options.record_dir + "/mission.lcm"},
+      roster_(MakeRoster(mission, !options.record_dir.empty())),
+      participant_({.name = "shoal", .mission_id = mission_id, .pid = getpid()}, ports_,
+                   transport_),
+      director_(mission, participant_),
+      clock_(MakeClockOptions(options, mission, mission_id), ParticipantNames(roster_), ports_,
+             transport_) {
+  participant_.Attach(&director_);
+  transport_.set_drop_filter(MakeLossFilter(options.lose, options.lose_forever));
+  transport_.set_receiver(
+      [this](int port, std::string_view channel, std::span<const uint8_t> datagram) {
+        const int64_t now = MonotonicMicroseconds();
+        if (port == ports_.done_port()) {
+          clock_.OnDatagram(port, channel, datagram, now);
+        } else {
+          participant_.OnDatagram(port, channel, datagram, now);
+        }
+      });
+}
+
+int Launcher::Run(int signal_fd) {
+  if (!transport_.error().empty()) {
+    Fail(kExitEnvironment, transport_.error());
+    return exit_code_;
+  }
+  started_us_ = MonotonicMicroseconds();
+  if (StartAll()) Loop(signal_fd);
+  ended_us_ = MonotonicMicroseconds();
+  EndChildren();
+  return Conclude();
+}
+
+bool Launcher::StartAll() {
+  for (const RosterEntry& entry : roster_) {
+    if (entry.provider == Provider::kHand) {
+      Say(entry.app.empty()
+              ? fmt::format("waiting for {} (SHOAL_PORT={} SHOAL_LAYOUT={} SHOAL_MISSION_ID={})",
+                            entry.name, ports_.base(), Name(ports_.layout()), context_.mission_id)
+              : fmt::format("waiting for {}: {}/{} --mission {} --vehicle {}", entry.name,
+                            ExecutableDirectory(), entry.app, mission_.file, entry.vehicle));
+      continue;
+    }
+    if (!StartOne(entry)) return false;
+  }
+  if (!options_.lcm_logger) return true;
+  Result<std::vector<ChildCommand>> loggers = LcmLoggerCommands(context_);
+  if (!loggers.ok()) {
+    Fail(kExitEnvironment, loggers.error());
+    return false;
+  }
+  for (const ChildCommand& command : *loggers) {
+    const Result<pid_t> pid = children_.Start(command);
+    if (!pid.ok()) {
+      Fail(kExitEnvironment, pid.error());
+      return false;
+    }
+    loggers_.push_back(command.name);
+  }
+  return true;
+}
+
+bool Launcher::StartOne(const RosterEntry& entry) {
+  const Result<ChildCommand> command = CommandOf(entry, context_);
+  if (!command.ok()) {
+    Fail(kExitEnvironment, command.error());
+    return false;
+  }
+  const Result<pid_t> pid = children_.Start(*command);
+  if (!pid.ok()) Fail(kExitEnvironment, pid.error());
+  return pid.ok();
+}
+
+void Launcher::Loop(int signal_fd) {
+  while (clock_.state() != StepClock::State::kEnded) {
+    int64_t now = MonotonicMicroseconds();
+    participant_.OnTime(now);
+    clock_.OnTime(now);
+    CheckGathering(now);
+    CheckSilence(now);
+    CheckFaults(now);
+    ShowProgress(now);
+    const int64_t deadline = std::min(participant_.NextDeadline(), clock_.NextDeadline());
+    now = MonotonicMicroseconds();
+    const int64_t wait = clock_.state() == StepClock::State::kGathering
+                             ? kIdlePoll_us
+                             : std::clamp<int64_t>(deadline - now, 0, kIdlePoll_us);
+    if (transport_.Poll(wait, signal_fd)) OnSignals(signal_fd);
+  }
+}
+
+void Launcher::OnSignals(int signal_fd) {
+  signalfd_siginfo info{};
+  while (read(signal_fd, &info, sizeof info) == sizeof info) {
+    if (info.ssi_signo == SIGCHLD) continue;  // Several may share one; Reap finds all.
+    if (interrupted_) {
+      children_.SignalAll(SIGKILL);  // Asked twice: no more patience.
+    } else {
+      interrupted_ = true;
+      Fail(kExitMissionFailed, "interrupted: ending the mission");
+    }
+  }
+  OnChildExits();
+}
+
+void Launcher::OnChildExits() {
+  for (const ChildExit& exit : children_.Reap()) {
+    if (std::find(loggers_.begin(), loggers_.end(), exit.name) != loggers_.end()) {
+      Say(fmt::format("{} {}; the recorder goes on", exit.name, exit.how));
+      continue;
+    }
+    // Having answered END, or been told to go, a process may go.
+    if (clock_.state() == StepClock::State::kEnded && (exit.clean || killing_)) continue;
+    if (clock_.state() == StepClock::State::kEnding && exit.clean) continue;
+    OnLost(exit.name, fmt::format("{} (pid {}) {}", exit.name, exit.pid, exit.how),
+           exit.last_lines);
+  }
+}
+
+void Launcher::CheckSilence(int64_t wall_us) {
+  for (const std::string& name : clock_.Silent(wall_us)) {
+    OnLost(name,
+           fmt::format("{} has not answered step {} for {} s of wall time (stopped, or hung)", name,
+                       clock_.step(), mission_.participant_timeout_s),
+           {});
+    children_.Signal(name, SIGKILL);
+  }
+}
+
+void Launcher::OnLost(const std::string& name, const std::string& how,
+                      const std::vector<std::string>& last_lines) {
+  const bool is_new = lost_.insert(name).second;
+  if (is_new) {
+    Say("LOST: " + how);
+    for (const std::string& line : last_lines) Say("    " + line);
+  }
+  const bool gathering = clock_.state() == StepClock::State::kGathering;
+  clock_.Drop(name, MonotonicMicroseconds());
+  const auto entry = std::find_if(roster_.begin(), roster_.end(),
+                                  [&](const RosterEntry& each) { return each.name == name; });
+  if (mission_.on_loss == OnLoss::kEnd || gathering) {
+    if (exit_code_ == 0) Fail(kExitEnvironment, fmt::format("the mission ends without {}", name));
+  } else if (mission_.on_loss == OnLoss::kRestart && entry != roster_.end() &&
+             !children_.IsRunning(name) && entry->provider == Provider::kShoal && !interrupted_) {
+    if (++num_restarts_[name] > kMaxRestarts) {
+      Fail(kExitEnvironment, fmt::format("{} was restarted {} times already", name, kMaxRestarts));
+    } else if (StartOne(*entry)) {
+      lost_.erase(name);
+      Say(fmt::format("{} starts again", name));
+    }
+  } else if (is_new) {
+    Say(fmt::format("the mission goes on without {}", name));
+  }
+}
+
+void Launcher::CheckGathering(int64_t wall_us) {
+  if (clock_.state() != StepClock::State::kGathering) {
+    if (running_since_us_ == 0) running_since_us_ = wall_us;
+    return;
+  }
+  if (exit_code_ != 0 || wall_us - started_us_ < kStartPatience_us) return;
+  const std::vector<std::string> awaited = clock_.Awaited();
+  for (const RosterEntry& entry : roster_) {
+    const bool is_awaited = std::find(awaited.begin(), awaited.end(), entry.name) != awaited.end();
+    if (is_awaited && entry.provider == Provider::kShoal) {
+      Fail(kExitEnvironment,
+           fmt::format("{} did not report within {} s; its output: {}/{}.txt", entry.name,
+                       kStartPatience_us / kSecond_us, context_.log_dir, entry.name));
+      return;
+    }
+  }
+}
+
+void Launcher::CheckFaults(int64_t wall_us) {
+  if (!clock_.fault().empty() && exit_code_ == 0) {
+    std::string why = clock_.fault();
+    if (why.find("never reached") != std::string::npos) {
+      why += fmt::format(
+          "\nThe bus loses messages for good. Most often the receive buffer is too small (now {} "
+          "bytes):\n    sudo sysctl -w net.core.rmem_max=2097152\nor --warp is more than this "
+          "machine can; `shoal doctor` looks for more.",
+          ReceiveBufferLimit());
+    }
+    Fail(kExitEnvironment, why);
+  }
+  if (!told_foreign_ && clock_.counters().foreign + participant_.num_foreign() > 0) {
+    told_foreign_ = true;
+    Say(
+        fmt::format("messages of another mission arrive on ports {} to {} and are rejected: choose "
+                    "other ports with --port",
+                    ports_.base(), ports_.base() + ports_.num_ports() - 1));
+  }
+  if (exit_code_ != 0) clock_.Stop(wall_us, kPatience_us);
+}
+
+void Launcher::Fail(int exit_code, const std::string& why) {
+  Say(why);
+  exit_code_ = exit_code;
+}
+
+void Launcher::Say(const std::string& line) {
+  if (progress_shown_) fmt::print("\n");
+  progress_shown_ = false;
+  std::fflush(stdout);
+  fmt::print(stderr, "{}\n", line);
+}
+
+void Launcher::ShowProgress(int64_t wall_us) {
+  if (options_.quiet || running_since_us_ == 0 || wall_us < next_progress_us_) return;
+  static const bool on_terminal = isatty(STDOUT_FILENO) == 1;
+  next_progress_us_ = wall_us + (on_terminal ? kSecond_us / 4 : 5 * kSecond_us);
+  const double mission_s = static_cast<double>(clock_.utime() - mission_.start_utime) / 1e6;
+  const double wall_s = std::max(static_cast<double>(wall_us - running_since_us_) / 1e6, 1e-3);
+  const std::string line = fmt::format(
+      "{:8.1f} of {:.1f} s  {:6.1f} x real time  {} vehicles  {} reports delivered, {} blocked",
+      mission_s, mission_.duration_s, mission_s / wall_s, mission_.vehicles.size(),
+      director_.num_delivered(), director_.num_blocked());
+  fmt::print("{}{}{}", on_terminal ? "\r\033[K" : "", line, on_terminal ? "" : "\n");
+  std::fflush(stdout);
+  progress_shown_ = on_terminal;
+}
+
+void Launcher::EndChildren() {
+  // lcm-logger ends on SIGINT; the others have heard END, or hear SIGTERM now.
+  for (const std::string& name : loggers_) children_.Signal(name, SIGINT);
+  const int64_t begin = MonotonicMicroseconds();
+  while (children_.num_running() > 0) {
+    OnChildExits();
+    const int64_t waited = MonotonicMicroseconds() - begin;
+    if (waited > kExitPatience_us / 2 && !killing_) {
+      children_.SignalAll(SIGTERM);
+      killing_ = true;
+    }
+    if (waited > kExitPatience_us) {
+      children_.SignalAll(SIGKILL);
+      break;
+    }
+    usleep(2'000);
+  }
+}
+
+int Launcher::Conclude() {
+  const bool complete = exit_code_ == 0;
+  const RunCounters& counters = clock_.counters();
+  const bool reproducible = complete && counters.outside == 0 && !clock_.membership_changed();
+  if (progress_shown_) fmt::print("\n");
+  std::string summary;
+  if (running_since_us_ != 0) {
+    const double mission_s = static_cast<double>(clock_.utime() - mission_.start_utime) / 1e6;
+    const double wall_s = std::max(static_cast<double>(ended_us_ - running_since_us_) / 1e6, 1e-3);
+    summary = fmt::format(
+        "{:.1f} s of mission in {:.2f} s ({:.1f} x real time), {} participants, {} layout\n"
+        "Bus: {} messages, {} asked for again, {} ticks again, {} undecodable, {} of other "
+        "missions, {} from outside\n"
+        "Reproducible: {}\n\n{}",
+        mission_s, wall_s, mission_s / wall_s, roster_.size() + 1, Name(ports_.layout()),
+        counters.messages, counters.repeated, counters.ticks_again, counters.undecodable,
+        counters.foreign, counters.outside,
+        reproducible           ? "yes"
+        : counters.outside > 0 ? "no: messages came from outside the step protocol"
+                               : "no: not all participants took part from beginning to end",
+        director_.Summary(complete));
+  }
+  if (!options_.record_dir.empty()) {
+    if (const Result<bool> written = WriteSummary(options_.record_dir, summary); !written.ok()) {
+      Fail(kExitEnvironment, written.error());
+    }
+    fmt::print("Recorded in {}: mission.lcm, mission.toml, run.txt, summary.txt, logs/\n",
+               options_.record_dir);
+  }
+  fmt::print("{}", summary);
+  if (exit_code_ == 0 && !director_.Passed()) exit_code_ = kExitMissionFailed;
+  return exit_code_;
+}
+
+int RunMission(const RunOptions& options, const Mission& mission) {
+  const auto fail = [](const std::string& why) {
+    fmt::print(stderr, "shoal: {}\n", why);
+    return static_cast<int>(kExitEnvironment);
+  };
+  const std::vector<std::string> vehicles = VehicleNames(mission);
+  const Layout layout =
+      options.layout.value_or(PortPlan::Suggest(static_cast<int>(vehicles.size())));
+  const Result<int> base =
+      ClaimPorts(options.port_base, PortPlan::NumPorts(layout, static_cast<int>(vehicles.size())));
+  if (!base.ok()) return fail(base.error());
+
+  RunningMission running{
+      .name = mission.name,
+      .file = std::filesystem::absolute(mission.file).lexically_normal().string(),
+      .mission_id = RandomMissionId(),
+      .port_base = *base,
+      .layout = layout,
+      .pid = getpid(),
+      .vehicles = vehicles};
+  std::string log_dir = fmt::format("{}/{}-logs", RunDirectory(), *base);
+  if (!options.record_dir.empty()) {
+    if (const auto prepared = PrepareRecording(options, mission); !prepared.ok()) {
+      return fail(prepared.error());
+    }
+    log_dir = options.record_dir + "/logs";
+  }
+  std::error_code error;
+  std::filesystem::remove_all(log_dir, error);
+  std::filesystem::create_directories(log_dir, error);
+  if (error) return fail(fmt::format("cannot make the folder {}: {}", log_dir, error.message()));
+  if (const auto registered = Register(running); !registered.ok()) return fail(registered.error());
+  fmt::print("{}: {} vehicles, seed {}, LCM ports {} to {} ({})\n", mission.name, vehicles.size(),
+             mission.seed, *base,
+             *base + PortPlan::NumPorts(layout, static_cast<int>(vehicles.size())) - 1,
+             Name(layout));
+  std::fflush(stdout);
+  int code = 0;
+  {
+    const int signal_fd = BlockSignals();
+    Launcher launcher(options, mission, running.Ports(), running.mission_id, log_dir);
+    code = launcher.Run(signal_fd);
+    close(signal_fd);
+  }
+  Unregister(*base);
+  return code;
+}
+
+}  // namespace shoal

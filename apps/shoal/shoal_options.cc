@@ -1,0 +1,238 @@
+#include "apps/shoal/shoal_options.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <functional>
+#include <iostream>
+
+#include "apps/shoal/check_command.h"
+#include "apps/shoal/doctor.h"
+#include "apps/shoal/launcher.h"
+#include "apps/shoal/send_command.h"
+#include "apps/shoal/sim_command.h"
+#include "apps/shoal/status_command.h"
+#include "lib/mission/load.h"
+#include "lib/record/log_commands.h"
+#include "lib/run/version.h"
+
+namespace shoal {
+
+namespace {
+
+/// What the chosen subcommand does; returns the exit code.
+using Action = std::function<int()>;
+
+CLI::Option* AddMission(CLI::App* command, std::string* file, std::vector<std::string>* overrides) {
+  command
+      ->add_option("--set", *overrides,
+                   "Override a key of the mission file, e.g. comms.comms_range=100")
+      ->take_all();
+  return command->add_option("FILE", *file, "Mission file")->required();
+}
+
+CLI::Option* AddPort(CLI::App* command, int* port_base) {
+  return command
+      ->add_option("--port", *port_base, "First port of the mission, where several are running")
+      ->check(CLI::Range(1024, 65535));
+}
+
+void AddRun(CLI::App& cli, Action* action) {
+  CLI::App* command = cli.add_subcommand("run", "Run a mission: one process per participant");
+  struct Parsed {
+    RunOptions options;
+    std::string warp = "1";
+    std::string layout;
+  };
+  auto parsed = std::make_shared<Parsed>();
+  RunOptions& options = parsed->options;
+  AddMission(command, &options.mission_file, &options.overrides);
+  command->add_option("--warp", parsed->warp,
+                      "Mission seconds per wall second, or max: as fast as the machine can")
+      ->take_last()
+      ->check([](const std::string& text) -> std::string {
+        char* end = nullptr;
+        const double warp = std::strtod(text.c_str(), &end);
+        const bool ok = text == "max" || (!text.empty() && *end == '\0' && warp > 0 && warp <= 1e6);
+        return ok ? "" : fmt::format("'{}' is neither a number in (0, 1e6] nor max", text);
+      });
+  command->add_option("--record", options.record_dir,
+                      "Record into this folder: mission.lcm, the mission file, logs, summary");
+  command->add_flag("--lcm-logger", options.lcm_logger,
+                    "Run lcm-logger on each bus as well (wall times; it may lose bursts)");
+  command->add_option("--layout", parsed->layout,
+                      "shared: one LCM port; communities: one per vehicle (default from 10 vehicles)")
+      ->check(CLI::IsMember({"shared", "communities"}));
+  AddPort(command, &options.port_base)->description("First port of the block to use");
+  command->add_flag("--quiet", options.quiet, "No line of progress");
+  command->add_option("--lose", options.lose,
+                      "Fault injection: every participant loses this share of its datagrams")
+      ->check(CLI::Range(0.0, 1.0));
+  command->add_option("--lose-forever", options.lose_forever,
+                      "Fault injection: every datagram of this channel is lost");
+  command->callback([parsed, action] {
+    *action = [parsed] {
+      RunOptions& run = parsed->options;
+      run.warp = parsed->warp == "max" ? 0 : std::stod(parsed->warp);
+      if (!parsed->layout.empty()) {
+        run.layout = parsed->layout == "shared" ? Layout::kShared : Layout::kCommunities;
+      }
+      if (run.lcm_logger && run.record_dir.empty()) {
+        fmt::print(stderr, "shoal: --lcm-logger needs --record DIR, for a place to write to\n");
+        return static_cast<int>(kExitUsage);
+      }
+      const LoadedMission loaded = LoadMission(run.mission_file, run.overrides);
+      for (const std::string& error : loaded.errors) fmt::print(stderr, "{}\n", error);
+      return loaded.errors.empty() ? RunMission(run, loaded.mission)
+                                   : static_cast<int>(kExitUsage);
+    };
+  });
+}
+
+void AddSim(CLI::App& cli, Action* action) {
+  CLI::App* command =
+      cli.add_subcommand("sim", "Run a mission in one process, as fast as it goes; the same result");
+  auto options = std::make_shared<SimOptions>();
+  AddMission(command, &options->mission_file, &options->overrides);
+  command->add_option("--log", options->log_path, "Write a log of the mission");
+  command->add_flag("--quiet", options->quiet, "Print PASS or FAIL and nothing else");
+  command->callback([options, action] { *action = [options] { return RunSim(*options); }; });
+}
+
+void AddCheck(CLI::App& cli, Action* action) {
+  CLI::App* command = cli.add_subcommand("check", "Say all that is wrong with a mission file");
+  struct Parsed {
+    std::string file;
+    std::vector<std::string> overrides;
+    bool explain = false;
+  };
+  auto parsed = std::make_shared<Parsed>();
+  AddMission(command, &parsed->file, &parsed->overrides);
+  command->add_flag("--explain", parsed->explain, "Print the mission with every default filled in");
+  command->callback([parsed, action] {
+    *action = [parsed] { return RunCheck(parsed->file, parsed->overrides, parsed->explain); };
+  });
+}
+
+void AddSend(CLI::App& cli, Action* action) {
+  CLI::App* command = cli.add_subcommand("send", "Tell a vehicle, or the broker, what to do");
+  auto options = std::make_shared<SendOptions>();
+  AddPort(command, &options->port_base);
+  command->footer(SendCommandsText());
+  command->add_option("TARGET", options->target, "A vehicle, all, or a rule")->required();
+  command->add_option("WORDS", options->words, "What to do, and with what");
+  // Negative numbers are values here, not options.
+  command->prefix_command();
+  command->callback([options, command, action] {
+    for (const std::string& word : command->remaining()) options->words.push_back(word);
+    *action = [options] { return RunSend(*options); };
+  });
+}
+
+void AddStatus(CLI::App& cli, Action* action) {
+  CLI::App* status = cli.add_subcommand("status", "Show the status pages of a running mission");
+  auto options = std::make_shared<StatusOptions>();
+  AddPort(status, &options->port_base);
+  status->add_option("APP", options->app,
+                     "A participant, such as helm_alpha; all; default: a line for each");
+  status->callback([options, action] { *action = [options] { return RunStatus(*options); }; });
+
+  CLI::App* url = cli.add_subcommand("url", "Print the LCM URL of a running mission");
+  struct Parsed {
+    int port_base = 0;
+    std::string vehicle;
+  };
+  auto parsed = std::make_shared<Parsed>();
+  AddPort(url, &parsed->port_base);
+  url->add_option("VEHICLE", parsed->vehicle, "Of this vehicle's community; default: the shore");
+  url->callback(
+      [parsed, action] { *action = [parsed] { return RunUrl(parsed->port_base, parsed->vehicle); }; });
+}
+
+void AddSelection(CLI::App* command, LogSelection* selection) {
+  command->add_option("--channel", selection->channels, "Only these channels; * and ? are wild")
+      ->take_all();
+  command->add_option("--from", selection->from_s, "From this time on, seconds");
+  command->add_option("--to", selection->to_s, "Up to this time, seconds");
+}
+
+void AddTypes(CLI::App* command, std::vector<std::string>* types) {
+  command->add_option("--types", *types, ".lcm files of message types that are not shoal's");
+}
+
+void AddLog(CLI::App& cli, Action* action) {
+  CLI::App* log = cli.add_subcommand("log", "Read logs");
+  log->require_subcommand(1);
+
+  CLI::App* info = log->add_subcommand("info", "Channels, types, counts, rates, time span");
+  auto info_options = std::make_shared<LogInfoOptions>();
+  info->add_option("LOG", info_options->path, "LCM event log")->required();
+  AddTypes(info, &info_options->types);
+  info->callback([info_options, action] {
+    *action = [info_options] { return LogInfo(*info_options, std::cout, std::cerr); };
+  });
+
+  CLI::App* cat = log->add_subcommand("cat", "Messages as text, one line each");
+  auto cat_options = std::make_shared<LogCatOptions>();
+  cat->add_option("LOG", cat_options->path, "LCM event log")->required();
+  AddSelection(cat, &cat_options->selection);
+  cat->add_option("--limit", cat_options->limit, "Lines at most");
+  cat->add_flag("--skip-damage", cat_options->skip_damage, "Print what can be read of a bad log");
+  AddTypes(cat, &cat_options->types);
+  cat->callback([cat_options, action] {
+    *action = [cat_options] { return LogCat(*cat_options, std::cout, std::cerr); };
+  });
+
+  CLI::App* diff = log->add_subcommand("diff", "First difference between two logs");
+  auto diff_options = std::make_shared<LogDiffOptions>();
+  diff->add_option("A", diff_options->path_a, "LCM event log")->required();
+  diff->add_option("B", diff_options->path_b, "LCM event log")->required();
+  AddTypes(diff, &diff_options->types);
+  diff->callback([diff_options, action] {
+    *action = [diff_options] { return LogDiff(*diff_options, std::cout, std::cerr); };
+  });
+
+  CLI::App* csv = log->add_subcommand("csv", "One CSV file per channel");
+  auto csv_options = std::make_shared<LogCsvOptions>();
+  csv->add_option("LOG", csv_options->path, "LCM event log")->required();
+  csv->add_option("--out", csv_options->out_dir, "Folder for the files")->required();
+  AddSelection(csv, &csv_options->selection);
+  csv->add_flag("--skip-damage", csv_options->skip_damage, "Convert what can be read of a bad log");
+  AddTypes(csv, &csv_options->types);
+  csv->callback([csv_options, action] {
+    *action = [csv_options] { return LogCsv(*csv_options, std::cout, std::cerr); };
+  });
+}
+
+}  // namespace
+
+int RunShoalCommand(int argc, char** argv) {
+  CLI::App cli("shoal runs missions of several vehicles over a sea that loses what they say.", "shoal");
+  cli.set_version_flag("--version", std::string("shoal ") + kVersion);
+  cli.require_subcommand(1);
+  Action action;
+  AddRun(cli, &action);
+  AddSim(cli, &action);
+  AddCheck(cli, &action);
+  AddSend(cli, &action);
+  AddStatus(cli, &action);
+  AddLog(cli, &action);
+  cli.add_subcommand("doctor", "Say what keeps missions from running on this machine")
+      ->callback([&action] { action = [] { return RunDoctor(); }; });
+  cli.add_subcommand("channels", "Print the table of all channels (docs/channels.md)")
+      ->callback([&action] {
+        action = [] {
+          fmt::print("{}", ChannelsMarkdown());
+          return static_cast<int>(kExitOk);
+        };
+      });
+  try {
+    cli.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return cli.exit(error) == 0 ? kExitOk : kExitUsage;
+  }
+  return action();
+}
+
+}  // namespace shoal

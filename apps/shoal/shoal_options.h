@@ -1,0 +1,9 @@
+// The command line of shoal: one subcommand per thing to do, each in a file of its own.
+#pragma once
+
+namespace shoal {
+
+/// Parses the command line, does what it says, returns the exit code.
+int RunShoalCommand(int argc, char** argv);
+
+}  // namespace shoal

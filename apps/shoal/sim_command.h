@@ -1,0 +1,19 @@
+// `shoal sim`: a mission in one process, as fast as it goes.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace shoal {
+
+struct SimOptions {
+  std::string mission_file;
+  std::vector<std::string> overrides;
+  std::string log_path;  ///< Empty: no log.
+  bool quiet = false;    ///< Only the verdict.
+};
+
+/// Returns the exit code.
+int RunSim(const SimOptions& options);
+
+}  // namespace shoal

@@ -1,0 +1,113 @@
+#include "apps/shoal/status_command.h"
+
+#include <fmt/format.h>
+
+#include <map>
+
+#include "lib/bus/channels.h"
+#include "lib/bus/lcm_bus.h"
+#include "lib/check/result.h"
+#include "lib/run/run_app.h"
+#include "lib/run/run_registry.h"
+#include "lib/run/status_page.h"
+
+namespace shoal {
+
+namespace {
+
+/// Answers come within a millisecond; a busy machine may need longer. Collecting ends after this
+/// long without a further page.
+constexpr int64_t kQuiet_us = 300'000;
+constexpr int64_t kPatience_us = 2'000'000;
+
+std::map<std::string, appcast_t> CollectPages(LcmBus& bus, const std::string& app) {
+  std::map<std::string, appcast_t> pages;
+  int64_t last = MonotonicMicroseconds();
+  Subscribe(bus, channels::Appcast(), [&](const appcast_t& page) {
+    pages[page.app] = page;
+    last = MonotonicMicroseconds();
+  });
+  appcast_req_t request{};
+  request.app = app;
+  Publish(bus, channels::AppcastReq(), request);
+  const int64_t begin = last;
+  while (true) {
+    const int64_t now = MonotonicMicroseconds();
+    const int64_t patience = pages.empty() ? kPatience_us : kQuiet_us;
+    if (now - last > patience || now - begin > 2 * kPatience_us) break;
+    if (app != "all" && pages.contains(app)) break;
+    bus.Poll(20'000);
+  }
+  return pages;
+}
+
+StatusPage PageOf(const appcast_t& appcast) {
+  return {.config_warnings = appcast.config_warnings,
+          .run_warnings = appcast.run_warnings,
+          .text = appcast.page};
+}
+
+}  // namespace
+
+int RunStatus(const StatusOptions& options) {
+  const Result<RunningMission> mission = FindRunningMission(options.port_base);
+  if (!mission.ok()) {
+    fmt::print(stderr, "shoal: {}\n", mission.error());
+    return kExitEnvironment;
+  }
+  LcmBus bus(mission->Ports());
+  const bool one_line_each = options.app.empty();
+  const std::string wanted = one_line_each ? "all" : options.app;
+  const std::map<std::string, appcast_t> pages = CollectPages(bus, wanted);
+  if (!bus.error().empty()) {
+    fmt::print(stderr, "shoal: {}\n", bus.error());
+    return kExitEnvironment;
+  }
+  if (pages.empty()) {
+    fmt::print(stderr,
+               "shoal: no answer from {}; `shoal status` without a name lists who is there\n",
+               wanted);
+    return kExitEnvironment;
+  }
+  if (!one_line_each) {
+    for (const auto& [name, page] : pages) {
+      fmt::print("{}\n", Format(PageOf(page), name, page.step));
+    }
+    return kExitOk;
+  }
+  fmt::print("{} ({}), ports from {}, {} layout\n\n{:<32} {:>9} {:>8}  warnings (config/run)\n",
+             mission->name, mission->file, mission->port_base, Name(mission->layout), "participant",
+             "time [s]", "step");
+  for (const auto& [name, page] : pages) {
+    fmt::print("{:<32} {:>9.1f} {:>8}  {}/{}\n", name, static_cast<double>(page.utime) / 1e6,
+               page.step, page.num_config_warnings, page.num_run_warnings);
+    for (const std::string& warning : page.run_warnings) fmt::print("    {}\n", warning);
+  }
+  return kExitOk;
+}
+
+int RunUrl(int port_base, const std::string& vehicle) {
+  const Result<RunningMission> mission = FindRunningMission(port_base);
+  if (!mission.ok()) {
+    fmt::print(stderr, "shoal: {}\n", mission.error());
+    return kExitEnvironment;
+  }
+  const PortPlan ports = mission->Ports();
+  int port = ports.shore_port();
+  if (!vehicle.empty()) {
+    bool found = false;
+    for (const std::string& name : mission->vehicles) {
+      found = found || UpperCase(name) == UpperCase(vehicle);
+    }
+    if (!found) {
+      fmt::print(stderr, "shoal: no vehicle '{}' in {}; it has: {}\n", vehicle, mission->name,
+                 fmt::join(mission->vehicles, ", "));
+      return kExitUsage;
+    }
+    port = ports.PortOf(channels::Nav(vehicle).name);
+  }
+  fmt::print("{}\n", LcmUrl(port));
+  return kExitOk;
+}
+
+}  // namespace shoal

@@ -1,0 +1,77 @@
+#include "apps/shoal/whole_mission.h"
+
+#include <gtest/gtest.h>
+
+#include "lib/mission/load.h"
+
+namespace shoal {
+namespace {
+
+Mission Load(const std::string& text) {
+  LoadedMission loaded = LoadMissionText(text, "test.toml");
+  EXPECT_TRUE(loaded.errors.empty()) << loaded.errors.front();
+  return loaded.mission;
+}
+
+constexpr char kTwoVessels[] = R"(
+[mission]
+duration_s = 30
+[comms]
+comms_range = 80
+[[vehicle]]
+name = "alpha"
+start = { x_m = 0, y_m = 0, heading_deg = 90 }
+helm_options = { deploy_at_start = true }
+[[vehicle.task]]
+name = "go"
+kind = "waypoints"
+points = [[40, 0]]
+speed_mps = 2
+[[vehicle]]
+name = "bravo"
+start = { x_m = 100, y_m = 0, heading_deg = 0 }
+[[expect]]
+kind = "reports"
+from = "alpha"
+to = "bravo"
+at_least = 1
+)";
+
+TEST(WholeMission, TakesEveryStepFromTheFirstToTheLast) {
+  const Mission mission = Load(kTwoVessels);
+  WholeMission whole(mission, "");
+  int64_t steps = 0;
+  while (whole.Step()) ++steps;
+  EXPECT_EQ(steps, 301);
+  EXPECT_FALSE(whole.Step());
+}
+
+TEST(WholeMission, LetsVesselsHearEachOtherOnlyWithinRange) {
+  const Mission mission = Load(kTwoVessels);
+  WholeMission whole(mission, "");
+  while (whole.Step()) {
+  }
+  EXPECT_TRUE(whole.director().Passed()) << whole.director().Summary();
+  EXPECT_GT(whole.director().num_blocked(), 0) << "at first they are 100 m apart, with 80 m to hear";
+}
+
+TEST(WholeMission, CountsAFatePerReportAndDestination) {
+  const Mission mission = Load(kTwoVessels);
+  WholeMission whole(mission, "");
+  while (whole.Step()) {
+  }
+  // Two vessels, 2 reports per second: each is offered to the other once both are known.
+  const int64_t offered = whole.director().num_delivered() + whole.director().num_blocked();
+  EXPECT_NEAR(static_cast<double>(offered), 2 * 2 * 30, 4);
+}
+
+TEST(CanRunInOneProcess, RefusesAUsersOwnParticipants) {
+  const Mission mission = Load(std::string(kTwoVessels) +
+                               "[[participant]]\nname = \"mine\"\ncommand = [\"./mine\"]\n");
+  const Result<bool> can = CanRunInOneProcess(mission);
+  ASSERT_FALSE(can.ok());
+  EXPECT_NE(can.error().find("mine is not one of shoal's own"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace shoal

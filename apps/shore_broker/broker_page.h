@@ -1,0 +1,22 @@
+// The broker's status page, laid out as the node-comms manual shows it.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "lib/routing/router.h"
+
+namespace shoal {
+
+/// What the page tells besides what the router knows.
+struct BrokerPageFacts {
+  int64_t start_utime = 0;  ///< Of the broker's first step; rates count from here.
+  int64_t now_utime = 0;
+  int64_t num_commands_handed_on = 0;
+  int64_t num_undecodable = 0;
+};
+
+/// Returns configuration, reports received and sent, stale vehicles, and blocked reports by cause.
+[[nodiscard]] std::string FormatBrokerPage(const Router& router, const BrokerPageFacts& facts);
+
+}  // namespace shoal

@@ -1,0 +1,33 @@
+// Says on COMMS_FATES what became of every transmission.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+#include "lib/bus/bus.h"
+#include "lib/bus/channels.h"
+#include "lib/routing/fate.h"
+
+namespace shoal {
+
+class FateWriter {
+ public:
+  /// More than this would make a message that LCM has to cut into hundreds of datagrams.
+  static constexpr int32_t kMaxFatesPerMessage = 1000;
+
+  explicit FateWriter(Bus& bus);
+
+  /// Adds one fate of a node report; publishes when the message is full.
+  void Add(int64_t utime, const Decision& decision, std::string_view source,
+           std::string_view destination);
+
+  /// Publishes what was added since the last message, if anything.
+  void Flush(int64_t utime);
+
+ private:
+  Bus& bus_;
+  const Channel<comms_fates_t> channel_ = channels::CommsFates();
+  comms_fates_t message_;  ///< Keeps its strings' memory: only the first num_fates are meant.
+};
+
+}  // namespace shoal

@@ -1,0 +1,235 @@
+#include "apps/shore_broker/shore_broker_app.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "lib/bus/memory_bus.h"
+
+namespace shoal {
+namespace {
+
+constexpr int64_t kStep_us = 100'000;
+
+Mission TwoVehicles() {
+  Mission mission;
+  mission.vehicles.resize(2);
+  mission.vehicles[0].name = "alpha";
+  mission.vehicles[1].name = "bravo";
+  mission.comms = {.comms_range_m = 250, .stale_time_s = 5, .stale_forget_s = 100};
+  return mission;
+}
+
+node_report_t ReportFrom(const std::string& name, double x_m, double y_m = 0) {
+  node_report_t report = {};
+  report.name = name;
+  report.x_m = x_m;
+  report.y_m = y_m;
+  report.num_extra = 1;
+  report.extra = {{.key = "payload", .value = "ctd"}};
+  return report;
+}
+
+class ShoreBrokerTest : public testing::Test {
+ protected:
+  ShoreBrokerTest() {
+    for (const std::string name : {"alpha", "bravo", "charlie"}) {
+      listener_.SubscribeBytes(
+          channels::NodeReport(name).name, [this, name](const Message& message) {
+            heard_[name].emplace_back(message.data.begin(), message.data.end());
+          });
+      Subscribe(listener_, channels::HelmCommand(name),
+                [this, name](const helm_command_t& command) { orders_[name] = command.command; });
+    }
+    Subscribe(listener_, channels::CommsFates(), [this](const comms_fates_t& message) {
+      fates_.insert(fates_.end(), message.fates.begin(), message.fates.end());
+    });
+  }
+
+  void Say(const node_report_t& report) { Publish(listener_, channels::NodeReportLocal(), report); }
+  void Say(const Channel<unc_control_t>& channel, double value, const std::string& vehicle = "") {
+    unc_control_t control = {};
+    control.value = value;
+    control.vehicle = vehicle;
+    Publish(listener_, channel, control);
+  }
+
+  /// Lets the broker handle what was said, and hears its answers.
+  void Step(int64_t pass_us = kStep_us) {
+    heard_.clear();
+    orders_.clear();
+    fates_.clear();
+    hub_.NextStep();
+    hub_.HandleAll();
+    broker_.Tick(utime_ += pass_us);
+    hub_.NextStep();
+    hub_.HandleAll();
+  }
+
+  bool PageHas(const std::string& text) {
+    return broker_.Status().text.find(text) != std::string::npos;
+  }
+
+  MemoryBus hub_;
+  Bus& broker_bus_ = hub_.Join("shore_broker");
+  Bus& listener_ = hub_.Join("listener");
+  const Mission mission_ = TwoVehicles();
+  ShoreBrokerApp broker_{mission_, broker_bus_};
+  int64_t utime_ = 0;
+  std::map<std::string, std::vector<Bytes>> heard_;
+  std::map<std::string, std::string> orders_;
+  std::vector<fate_t> fates_;
+};
+
+TEST_F(ShoreBrokerTest, HandsOnTheVeryBytesThatCameIn) {
+  const node_report_t report = ReportFrom("alpha", 0);
+  Say(report);
+  Say(ReportFrom("bravo", 249));
+  Step();
+  Bytes expected;
+  EncodeInto(report, &expected);
+  ASSERT_EQ(heard_["bravo"].size(), 1U);
+  EXPECT_EQ(heard_["bravo"][0], expected);
+  EXPECT_EQ(heard_["alpha"].size(), 1U) << "both are known before either is routed";
+}
+
+TEST_F(ShoreBrokerTest, TellsAFateForEveryPair) {
+  Say(ReportFrom("alpha", 0));
+  Say(ReportFrom("bravo", 249));
+  Say(ReportFrom("charlie", 251));
+  Step();
+  ASSERT_EQ(fates_.size(), 6U);
+  EXPECT_EQ(fates_[0].source + ">" + fates_[0].destination, "alpha>bravo");
+  EXPECT_EQ(fates_[0].cause, "delivered");
+  EXPECT_EQ(fates_[0].range_m, 249);
+  EXPECT_EQ(fates_[1].source + ">" + fates_[1].destination, "alpha>charlie");
+  EXPECT_EQ(fates_[1].cause, "out_of_range");
+  EXPECT_EQ(fates_[1].limit_m, 250);
+}
+
+TEST_F(ShoreBrokerTest, RoutesEachOfSeveralReportsOfOneStepFromItsOwnPlace) {
+  Say(ReportFrom("bravo", 0));
+  Step();
+  Say(ReportFrom("alpha", 1000));
+  Say(ReportFrom("alpha", 100));
+  Step();
+  ASSERT_EQ(fates_.size(), 2U);
+  EXPECT_EQ(fates_[0].cause, "out_of_range");
+  EXPECT_EQ(fates_[0].number, 0);
+  EXPECT_EQ(fates_[1].cause, "delivered");
+  EXPECT_EQ(fates_[1].number, 1);
+}
+
+TEST_F(ShoreBrokerTest, HearsVehiclesFromOutside) {
+  Say(ReportFrom("alpha", 0));
+  Publish(listener_, channels::NodeReportFromOutside(), ReportFrom("Charlie", 10));
+  Step();
+  EXPECT_EQ(heard_["alpha"].size(), 1U);
+  EXPECT_EQ(heard_["charlie"].size(), 1U);
+}
+
+TEST_F(ShoreBrokerTest, StopsReportsToASilentVehicle) {
+  Say(ReportFrom("bravo", 0));
+  Step();
+  Say(ReportFrom("alpha", 0));
+  Step(4'900'000);
+  EXPECT_EQ(fates_.at(0).cause, "delivered");
+  Say(ReportFrom("alpha", 0));
+  Step(100'000);
+  EXPECT_EQ(fates_.at(0).cause, "stale_receiver");
+  EXPECT_EQ(fates_.at(0).age_s, 5);
+  EXPECT_TRUE(PageHas("Stale Vehicles: 1"));
+}
+
+TEST_F(ShoreBrokerTest, FollowsAChangeOfTheRangeInTheSameStep) {
+  Say(ReportFrom("alpha", 0));
+  Say(ReportFrom("bravo", 300));
+  Say(channels::UncCommsRange(), 301);
+  Step();
+  EXPECT_EQ(fates_.at(0).cause, "delivered");
+}
+
+TEST_F(ShoreBrokerTest, RefusesAnImpossibleRuleAndKeepsTheOld) {
+  Say(channels::UncCommsRange(), std::numeric_limits<double>::quiet_NaN());
+  Say(channels::UncStaleTime(), std::numeric_limits<double>::infinity());
+  Say(channels::UncStaleTime(), 1, "alpha");
+  Step();
+  EXPECT_TRUE(PageHas("Comms Range: 250"));
+  EXPECT_TRUE(PageHas("Stale Drop: 5"));
+  EXPECT_EQ(broker_.Status().run_warnings.size(), 3U);
+}
+
+TEST_F(ShoreBrokerTest, HandsACommandOnToTheMissionAndToEveryKnownStranger) {
+  Say(ReportFrom("charlie", 0));
+  helm_command_t command = {};
+  command.command = "return";
+  Publish(listener_, channels::HelmCommandAll(), command);
+  Step();
+  EXPECT_EQ(orders_, (std::map<std::string, std::string>{{"alpha", "return"}, {"bravo", "return"}}))
+      << "charlie was not known yet";
+  Publish(listener_, channels::HelmCommandAll(), command);
+  Step();
+  EXPECT_EQ(orders_.size(), 3U);
+  EXPECT_TRUE(PageHas("Helm Commands Handed On: 2"));
+}
+
+TEST_F(ShoreBrokerTest, GivesAnInvalidReportAFateWithoutDestination) {
+  Say(ReportFrom("bravo", 0));
+  Say(ReportFrom("alpha", std::numeric_limits<double>::quiet_NaN()));
+  node_report_t turned = ReportFrom("bravo", 0);
+  turned.heading_deg = std::numeric_limits<double>::infinity();
+  Say(turned);
+  Say(ReportFrom(std::string(10'000, 'x'), 0));
+  Step();
+  ASSERT_EQ(fates_.size(), 3U);
+  EXPECT_EQ(fates_[0].source, "alpha");
+  EXPECT_EQ(fates_[1].source, "bravo");
+  EXPECT_EQ(fates_[2].source, "");
+  for (const fate_t& fate : fates_) {
+    EXPECT_EQ(fate.cause, "invalid");
+    EXPECT_EQ(fate.destination, "");
+  }
+  EXPECT_TRUE(PageHas("Invalid: 3"));
+  EXPECT_TRUE(PageHas("Known Vehicles: 1"));
+  EXPECT_FALSE(broker_.Status().run_warnings.empty());
+}
+
+TEST_F(ShoreBrokerTest, DropsAndCountsBytesThatAreNoMessage) {
+  const Bytes garbage = {1, 2, 3};
+  listener_.PublishBytes("NODE_REPORT_LOCAL", garbage);
+  listener_.PublishBytes("NODE_REPORT", garbage);
+  listener_.PublishBytes("HELM_COMMAND", garbage);
+  listener_.PublishBytes("UNC_COMMS_RANGE", {});
+  Step();
+  EXPECT_EQ(broker_bus_.counters().undecodable, 4);
+  EXPECT_TRUE(PageHas("Undecodable Messages: 4"));
+  EXPECT_TRUE(orders_.empty());
+}
+
+TEST_F(ShoreBrokerTest, OutlivesABurstOfMadeUpNamesWithAFateForEveryPair) {
+  for (int i = 0; i < 100; ++i) Say(ReportFrom("nemo" + std::to_string(i), 1e300 * i));
+  Step();
+  EXPECT_TRUE(PageHas("Known Vehicles: 100"));
+  EXPECT_EQ(fates_.size(), 100U * 99);
+}
+
+TEST_F(ShoreBrokerTest, ShowsAgesAndRatesAsTheManualDoes) {
+  for (int i = 0; i < 20; ++i) {
+    Say(ReportFrom("alpha", 0));
+    Step(500'000);
+  }
+  Say(ReportFrom("bravo", 0));
+  Step(500'000);
+  EXPECT_TRUE(
+      PageHas("    Total Received: 21           Elapsed      Rate\n"
+              "        ALPHA: 20                  (0.5)    [2.00]\n"
+              "        BRAVO: 1                   (0.0)    [0.10]\n"))
+      << broker_.Status().text;
+  EXPECT_TRUE(PageHas("    Total Sent: 1\n        ALPHA: 1\n"));
+}
+
+}  // namespace
+}  // namespace shoal

@@ -1,0 +1,57 @@
+// Simulates one vehicle. Hears ACTUATORS_<V> and SIM_COMMAND_<V>, says NAV_<V> in every step.
+//
+// Actuators are held until the next message; after kActuatorTimeout_us without one they go to zero.
+// Step 0 shows the start pose; every later step integrates the time since the last.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <optional>
+
+#include "lib/bus/bus.h"
+#include "lib/bus/channels.h"
+#include "lib/geodesy/local_frame.h"
+#include "lib/mission/mission.h"
+#include "lib/run/app.h"
+#include "lib/vehicle/surface_craft.h"
+
+namespace shoal {
+
+class VehicleSimApp : public App {
+ public:
+  static constexpr int64_t kActuatorTimeout_us = 2'000'000;
+
+  VehicleSimApp(const Mission& mission, const Vehicle& vehicle, Bus& bus);
+
+  void Tick(int64_t utime) override;
+  StatusPage Status() const override;
+
+ private:
+  void OnActuators(const actuators_t& actuators);
+  void OnSimCommand(const sim_command_t& command);
+  void Reset(const StartPose& pose);
+  void Integrate(int64_t until_utime);
+  void WatchActuators(int64_t utime);
+  void PublishNav(int64_t utime);
+
+  const Vehicle vehicle_;
+  const int64_t tick_us_;
+  const LocalFrame frame_;
+  const Eigen::Vector2d current_mps_;  ///< Of the water over ground; x East, y North.
+  const Channel<nav_t> nav_channel_;
+  Bus& bus_;
+  StatusLog log_;
+
+  SurfaceCraftState state_;
+  SurfaceCraftCommand command_;
+  Eigen::Vector2d drift_mps_ = Eigen::Vector2d::Zero();  ///< By SIM_COMMAND, on top of the current.
+  bool paused_ = false;
+  std::optional<int64_t> utime_;            ///< Of the last step.
+  std::optional<int64_t> actuators_utime_;  ///< When the last ACTUATORS were heard.
+  bool actuators_are_late_ = false;
+  int64_t num_actuators_ = 0;
+  int64_t num_commands_ = 0;
+  int64_t num_refused_ = 0;
+};
+
+}  // namespace shoal

@@ -1,0 +1,222 @@
+#include "apps/vehicle_sim/vehicle_sim_app.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "lib/bus/memory_bus.h"
+
+namespace shoal {
+namespace {
+
+constexpr int64_t kTick_us = 100'000;
+
+Mission TestMission() {
+  Mission mission;
+  Vehicle vehicle;
+  vehicle.name = "alpha";
+  vehicle.start = {.x_m = 10, .y_m = -20, .heading_deg = 90, .speed_mps = 1};
+  mission.vehicles = {vehicle};
+  return mission;
+}
+
+class VehicleSimAppTest : public testing::Test {
+ protected:
+  explicit VehicleSimAppTest(const Mission& mission = TestMission())
+      : mission_(mission),
+        sim_bus_(hub_.Join("vehicle_sim_alpha")),
+        test_bus_(hub_.Join("test")),
+        sim_(mission_, mission_.vehicles.front(), sim_bus_) {
+    Subscribe(test_bus_, channels::Nav("alpha"), [this](const nav_t& nav) {
+      nav_ = nav;
+      ++num_navs_;
+    });
+  }
+
+  void Actuate(double thrust_pct, double rudder_deg) {
+    actuators_t actuators{};
+    actuators.thrust_pct = thrust_pct;
+    actuators.rudder_deg = rudder_deg;
+    Publish(test_bus_, channels::Actuators("alpha"), actuators);
+  }
+
+  void Say(const std::string& command, const std::vector<double>& values = {}) {
+    sim_command_t message{};
+    message.command = command;
+    message.num_values = static_cast<int32_t>(values.size());
+    message.values = values;
+    Publish(test_bus_, channels::SimCommand("alpha"), message);
+  }
+
+  // One step at `utime`; nav_ is what it said.
+  void StepAt(int64_t utime) {
+    hub_.NextStep();
+    hub_.Handle(sim_bus_);
+    sim_.Tick(utime);
+    hub_.NextStep();
+    hub_.Handle(test_bus_);
+    utime_ = utime;
+  }
+
+  void Run(double duration_s) {
+    const int64_t end = utime_ + std::llround(duration_s * 1e6);
+    while (utime_ < end) StepAt(utime_ + kTick_us);
+  }
+
+  size_t NumWarnings() const { return sim_.Status().run_warnings.size(); }
+
+  Mission mission_;
+  MemoryBus hub_;
+  Bus& sim_bus_;
+  Bus& test_bus_;
+  VehicleSimApp sim_;
+  nav_t nav_{};
+  int num_navs_ = 0;
+  int64_t utime_ = 0;
+};
+
+class InACurrent : public VehicleSimAppTest {
+ protected:
+  InACurrent() : VehicleSimAppTest(WithCurrent()) {}
+
+  static Mission WithCurrent() {
+    Mission mission = TestMission();
+    mission.vehicles.front().start.speed_mps = 0;
+    mission.environment = {.current_speed_mps = 0.5, .current_direction_deg = 180};
+    return mission;
+  }
+};
+
+TEST_F(VehicleSimAppTest, SaysTheStartPoseInTheFirstStepWithoutMoving) {
+  StepAt(0);
+  EXPECT_EQ(num_navs_, 1);
+  EXPECT_EQ(nav_.utime, 0);
+  EXPECT_EQ(nav_.x_m, 10);
+  EXPECT_EQ(nav_.y_m, -20);
+  EXPECT_NEAR(nav_.heading_deg, 90, 1e-12);
+  EXPECT_EQ(nav_.speed_mps, 1);
+  EXPECT_NEAR(nav_.course_over_ground_deg, 90, 1e-12);
+  EXPECT_LT(nav_.altitude_m, 0);
+  EXPECT_NEAR(nav_.lat_deg, mission_.origin_lat_deg - 20 / 111'000.0, 1e-5);
+}
+
+TEST_F(VehicleSimAppTest, SaysNavInEveryStepAndMovesByItsActuators) {
+  StepAt(0);
+  for (int i = 0; i < 100; ++i) {
+    Actuate(40, 0);
+    Run(0.1);
+  }
+  EXPECT_EQ(num_navs_, 101);
+  EXPECT_NEAR(nav_.speed_mps, 2, 1e-9);
+  EXPECT_NEAR(nav_.x_m, 10 + 10 * 2 - 0.5 * 1 * 2, 0.1);
+  EXPECT_NEAR(nav_.y_m, -20, 1e-9);
+  EXPECT_NEAR(nav_.speed_over_ground_mps, 2, 1e-9);
+}
+
+TEST_F(VehicleSimAppTest, TurnsToStarboardWithAPositiveYawRateUnderPositiveRudder) {
+  StepAt(0);
+  Actuate(40, 20);
+  Run(1);
+  EXPECT_GT(nav_.heading_deg, 90);
+  EXPECT_GT(nav_.yaw_rate_degps, 0);
+}
+
+TEST_F(VehicleSimAppTest, HoldsItsActuatorsForTwoSecondsAndThenStopsAndWarns) {
+  StepAt(0);
+  Actuate(40, 0);
+  Run(1.9);
+  EXPECT_EQ(NumWarnings(), 0u);
+  EXPECT_GT(nav_.speed_mps, 1.8);
+  Run(10);
+  EXPECT_EQ(nav_.speed_mps, 0);
+  EXPECT_EQ(NumWarnings(), 1u);
+  Actuate(40, 0);
+  Run(1);
+  EXPECT_EQ(NumWarnings(), 0u);
+  EXPECT_GT(nav_.speed_mps, 0);
+}
+
+TEST_F(VehicleSimAppTest, StandsStillWhilePausedAndGoesOnFromThere) {
+  StepAt(0);
+  Run(0.5);
+  Say("pause");
+  Run(0.1);
+  const nav_t paused = nav_;
+  Run(5);
+  EXPECT_EQ(nav_.x_m, paused.x_m);
+  EXPECT_EQ(nav_.speed_over_ground_mps, 0);
+  Say("resume");
+  Run(0.2);
+  EXPECT_GT(nav_.x_m, paused.x_m);
+  EXPECT_LT(nav_.x_m, paused.x_m + 0.3);
+}
+
+TEST_F(VehicleSimAppTest, GoesBackToTheStartOrToTheValuesWhenReset) {
+  StepAt(0);
+  Run(1);
+  Say("pause");
+  Say("reset");
+  Run(0.1);
+  EXPECT_EQ(nav_.x_m, 10);
+  EXPECT_EQ(nav_.y_m, -20);
+  Say("reset", {1, 2, 270, 0.5});
+  Run(0.1);
+  EXPECT_EQ(nav_.x_m, 1);
+  EXPECT_EQ(nav_.y_m, 2);
+  EXPECT_NEAR(nav_.heading_deg, 270, 1e-9);
+  EXPECT_EQ(NumWarnings(), 0u);
+}
+
+TEST_F(InACurrent, DriftsExactlyWithItAndWithTheDriftOfACommand) {
+  StepAt(0);
+  EXPECT_NEAR(nav_.course_over_ground_deg, 180, 1e-9);
+  Run(10);
+  EXPECT_NEAR(nav_.y_m, -25, 1e-9);
+  EXPECT_EQ(nav_.speed_mps, 0);
+  EXPECT_NEAR(nav_.speed_over_ground_mps, 0.5, 1e-12);
+  Say("drift", {0.25, 0.5});
+  Run(10);
+  EXPECT_NEAR(nav_.y_m, -25, 1e-9);
+  EXPECT_NEAR(nav_.x_m, 12.5, 1e-9);
+}
+
+TEST_F(InACurrent, ComesToTheSamePlaceWhenStepsAreFarApart) {
+  StepAt(0);
+  StepAt(10'000'000);
+  EXPECT_NEAR(nav_.y_m, -25, 1e-9);
+  StepAt(10'000'000);
+  EXPECT_NEAR(nav_.y_m, -25, 1e-9);
+}
+
+TEST_F(VehicleSimAppTest, RefusesOrdersAndActuatorsThatCannotBe) {
+  const double nan = std::nan("");
+  const double infinity = std::numeric_limits<double>::infinity();
+  StepAt(0);
+  Actuate(nan, 0);
+  Actuate(0, infinity);
+  Say("jump");
+  Say(std::string("\x1b[2J\xff") + std::string(10'000, 'x'));
+  Say("pause", {1});
+  Say("drift", {1});
+  Say("drift", {nan, 0});
+  Say("reset", {1, 2, 3});
+  Say("reset", {1e300, 0, 0, 0});
+  Say("reset", {0, 0, infinity, 0});
+  Run(1);
+  EXPECT_GE(NumWarnings(), 6u);
+  EXPECT_TRUE(std::isfinite(nav_.x_m));
+  EXPECT_NEAR(nav_.y_m, -20, 1e-9);
+  for (const std::string& warning : sim_.Status().run_warnings) {
+    EXPECT_LT(warning.size(), 200u);
+    EXPECT_TRUE(std::all_of(warning.begin(), warning.end(), [](char c) { return c >= ' '; }))
+        << warning;
+  }
+}
+
+}  // namespace
+}  // namespace shoal

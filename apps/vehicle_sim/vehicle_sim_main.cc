@@ -1,0 +1,31 @@
+// One simulated vehicle. Hears ACTUATORS_<V>, says NAV_<V>. See vehicle_sim --help.
+#include "apps/vehicle_sim/vehicle_sim_app.h"
+#include "lib/run/run_app.h"
+
+namespace {
+
+const shoal::AppInfo kInfo = {
+    .name = "vehicle_sim",
+    .purpose = "Simulates one vehicle: hears its actuators, says where it is.",
+    .per_vehicle = true,
+    .example = R"(# In a mission file:
+[[vehicle]]
+name = "alpha"
+model = "surface_craft"
+start = { x_m = 0, y_m = -20, heading_deg = 180, speed_mps = 0 }
+vehicle_sim = "shoal"                 # "hand": started by you; "none": nobody
+
+[vehicle.surface_craft]
+turn_rate_degps = 35                  # at full rudder
+max_acceleration_mps2 = 0.5
+)",
+};
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return shoal::RunVehicleApp(
+      kInfo, argc, argv, [](const auto& mission, const auto& vehicle, auto& bus, const auto&) {
+        return std::make_unique<shoal::VehicleSimApp>(mission, vehicle, bus);
+      });
+}

@@ -1,0 +1,78 @@
+#include "lib/bus/layout.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+
+#include "lib/bus/channels.h"
+#include "lib/check/check.h"
+
+namespace shoal {
+
+namespace {
+
+constexpr int kStepPorts = 2;
+constexpr int kWantedReceiveBuffer = 2 * 1024 * 1024;
+
+bool IsShoreChannel(std::string_view channel) {
+  return std::any_of(ChannelTable().begin(), ChannelTable().end(), [&](const ChannelRow& row) {
+    return row.home == ChannelHome::kShore && row.topic == channel;
+  });
+}
+
+}  // namespace
+
+std::string_view Name(Layout layout) {
+  return layout == Layout::kShared ? "shared" : "communities";
+}
+
+PortPlan::PortPlan(int base, Layout layout, const std::vector<std::string>& vehicles)
+    : base_(base), layout_(layout), num_vehicles_(static_cast<int>(vehicles.size())) {
+  SHOAL_CHECK(base >= 1024 && base + num_ports() <= 65536, "the block of ports is out of range");
+  if (layout == Layout::kShared) return;
+  for (size_t i = 0; i < vehicles.size(); ++i) {
+    community_ports_[UpperCase(vehicles[i])] =
+        shore_port() + 1 + static_cast<int>(i) % kMaxCommunities;
+  }
+}
+
+int PortPlan::PortOf(std::string_view channel) const {
+  if (channel == "TICK" || channel == "RESEND" || channel == "APPCAST_REQ") return tick_port();
+  if (channel == "STEP_DONE") return done_port();
+  if (layout_ == Layout::kShared || IsShoreChannel(channel)) return shore_port();
+  // Vehicle names may hold '_': the longest name that ends the channel's wins.
+  for (size_t i = channel.find('_'); i != std::string_view::npos; i = channel.find('_', i + 1)) {
+    const auto found = community_ports_.find(channel.substr(i + 1));
+    if (found != community_ports_.end()) return found->second;
+  }
+  return shore_port();
+}
+
+std::vector<int> PortPlan::DataPorts() const {
+  std::vector<int> ports;
+  for (int port = shore_port(); port < base_ + num_ports(); ++port) ports.push_back(port);
+  return ports;
+}
+
+int PortPlan::NumPorts(Layout layout, int num_vehicles) {
+  const int communities = layout == Layout::kShared ? 0 : std::min(num_vehicles, kMaxCommunities);
+  return kStepPorts + 1 + communities;
+}
+
+Layout PortPlan::Suggest(int num_vehicles) {
+  return num_vehicles < 10 ? Layout::kShared : Layout::kCommunities;
+}
+
+int ReceiveBufferLimit() {
+  int limit = 212992;
+  std::ifstream("/proc/sys/net/core/rmem_max") >> limit;
+  return limit;
+}
+
+std::string LcmUrl(int port) {
+  static const int buffer = std::min(kWantedReceiveBuffer, ReceiveBufferLimit());
+  return fmt::format("udpm://239.255.76.67:{}?ttl=0&recv_buf_size={}", port, buffer);
+}
+
+}  // namespace shoal

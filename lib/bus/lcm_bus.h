@@ -1,0 +1,43 @@
+// A bus over LCM for those who do not take part in stepping: tools, viewers, scripts. Handlers run
+// in Poll, at arrival; what is published counts as said from outside.
+//
+//   LcmBus bus(plan);
+//   Subscribe(bus, channels::Appcast(), [](const appcast_t& page) { ... });
+//   Publish(bus, channels::HelmCommand("alpha"), command);
+//   bus.Poll(100'000);
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "lib/bus/bus.h"
+#include "lib/bus/layout.h"
+#include "lib/bus/lcm_transport.h"
+
+namespace shoal {
+
+class LcmBus : public Bus {
+ public:
+  explicit LcmBus(PortPlan plan);
+
+  void PublishBytes(std::string_view channel, std::span<const uint8_t> data) override;
+  void SubscribeBytes(const std::string& channel, Handler handler) override;
+  void SubscribeAll(Handler handler) override;
+
+  /// Waits at most `timeout_us` for messages and handles all that are there.
+  void Poll(int64_t timeout_us) { transport_.Poll(timeout_us); }
+
+  /// Empty, or why the bus does not work, with what to try.
+  const std::string& error() const { return transport_.error(); }
+
+ private:
+  void Dispatch(std::string_view channel, std::span<const uint8_t> datagram);
+
+  PortPlan plan_;
+  LcmTransport transport_;
+  std::map<std::string, std::vector<Handler>, std::less<>> handlers_;
+  std::vector<Handler> all_handlers_;
+};
+
+}  // namespace shoal

@@ -1,0 +1,103 @@
+#include "lib/bus/memory_bus.h"
+
+#include <gtest/gtest.h>
+
+#include "lib/bus/channels.h"
+
+namespace shoal {
+namespace {
+
+unc_control_t Said(double value) {
+  unc_control_t message{};
+  message.value = value;
+  return message;
+}
+
+TEST(MemoryBus, DeliversInTheNextStepAndNotBefore) {
+  MemoryBus hub;
+  Bus& a = hub.Join("a");
+  Bus& b = hub.Join("b");
+  std::vector<double> heard;
+  Subscribe(b, channels::UncCommsRange(), [&](const unc_control_t& m) { heard.push_back(m.value); });
+  Publish(a, channels::UncCommsRange(), Said(1));
+  hub.HandleAll();
+  EXPECT_TRUE(heard.empty());
+  hub.NextStep();
+  hub.HandleAll();
+  EXPECT_EQ(heard, std::vector<double>{1});
+  hub.NextStep();
+  hub.HandleAll();
+  EXPECT_EQ(heard, std::vector<double>{1});
+}
+
+TEST(MemoryBus, OrdersByChannelThenPublisherThenSequence) {
+  MemoryBus hub;
+  Bus& b = hub.Join("b");
+  Bus& a = hub.Join("a");
+  Bus& listener = hub.Join("listener");
+  std::string heard;
+  listener.SubscribeAll([&](const Message& message) {
+    unc_control_t said{};
+    ASSERT_TRUE(Decode(message.data, &said));
+    heard += std::string(message.channel.substr(4)) + "/" + std::string(message.publisher) +
+             std::to_string(static_cast<int>(said.value)) + " ";
+  });
+  Publish(b, channels::UncStaleTime(), Said(1));
+  Publish(b, channels::UncCommsRange(), Said(2));
+  Publish(a, channels::UncStaleTime(), Said(3));
+  Publish(a, channels::UncStaleTime(), Said(4));
+  hub.NextStep();
+  hub.HandleAll();
+  EXPECT_EQ(heard, "COMMS_RANGE/b2 STALE_TIME/a3 STALE_TIME/a4 STALE_TIME/b1 ");
+}
+
+TEST(MemoryBus, LetsAnAppHearItself) {
+  MemoryBus hub;
+  Bus& a = hub.Join("a");
+  int heard = 0;
+  Subscribe(a, channels::UncCommsRange(), [&](const unc_control_t&) { ++heard; });
+  Publish(a, channels::UncCommsRange(), Said(1));
+  hub.NextStep();
+  hub.HandleAll();
+  EXPECT_EQ(heard, 1);
+}
+
+TEST(Bus, CountsWhatDoesNotDecodeAndGoesOn) {
+  MemoryBus hub;
+  Bus& a = hub.Join("a");
+  int heard = 0;
+  Subscribe(a, channels::UncCommsRange(), [&](const unc_control_t&) { ++heard; });
+  const Bytes garbage = {1, 2, 3};
+  a.PublishBytes("UNC_COMMS_RANGE", garbage);
+  Publish(a, Channel<nav_t>{"UNC_COMMS_RANGE"}, nav_t{});
+  Publish(a, channels::UncCommsRange(), Said(1));
+  hub.NextStep();
+  hub.HandleAll();
+  EXPECT_EQ(heard, 1);
+  EXPECT_EQ(a.counters().undecodable, 2);
+  EXPECT_EQ(a.counters().undecodable_by_channel.at("UNC_COMMS_RANGE"), 2);
+}
+
+TEST(Decode, RefusesLengthsThatLie) {
+  comms_fates_t fates{};
+  fates.num_fates = 0;
+  Bytes bytes;
+  EncodeInto(fates, &bytes);
+  bytes[16] = 0x7f;  // The high byte of num_fates: two thousand million fates in 20 bytes.
+  comms_fates_t decoded{};
+  EXPECT_FALSE(Decode(bytes, &decoded));
+}
+
+TEST(Decode, RefusesBytesTooManyAndTooFew) {
+  Bytes bytes;
+  EncodeInto(Said(1), &bytes);
+  unc_control_t decoded{};
+  EXPECT_TRUE(Decode(bytes, &decoded));
+  bytes.push_back(0);
+  EXPECT_FALSE(Decode(bytes, &decoded));
+  bytes.resize(bytes.size() - 2);
+  EXPECT_FALSE(Decode(bytes, &decoded));
+}
+
+}  // namespace
+}  // namespace shoal

@@ -1,0 +1,31 @@
+// Datagrams on numbered ports: what stepping needs of a network. LcmTransport is the real one;
+// tests have one that loses what they want lost.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace shoal {
+
+class Transport {
+ public:
+  using Receiver =
+      std::function<void(int port, std::string_view channel, std::span<const uint8_t> datagram)>;
+
+  virtual ~Transport() = default;
+
+  /// Sends a datagram to all who listen to `channel` on `port`, this object included. A failure is
+  /// counted; what was lost comes again by the step protocol.
+  virtual void Send(int port, std::string_view channel, std::span<const uint8_t> datagram) = 0;
+
+  /// Hears `channel` on `port` from now on.
+  virtual void Listen(int port, const std::string& channel) = 0;
+
+  /// Hears every channel on `port` from now on.
+  virtual void ListenToAll(int port) = 0;
+};
+
+}  // namespace shoal

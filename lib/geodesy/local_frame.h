@@ -1,0 +1,45 @@
+// Between the mission's plane (x East, y North, metres from the origin) and latitude, longitude.
+//
+//   LocalFrame frame({.lat_deg = 43.8253, .lon_deg = -70.3304});
+//   GeoPoint where = frame.ToGeo({120, -35});
+//   std::optional<Eigen::Vector2d> again = frame.ToLocal(where);
+//
+// The plane touches the WGS84 ellipsoid at the origin. A point of the sea surface has the x, y of
+// the point of the plane above it (along the ellipsoid's normal), so ToGeo and ToLocal undo each
+// other to well under a millimetre. Distances in the plane are longer than those on the ellipsoid
+// by about (r / R)^2 / 3: 8 mm in 10 km, 8 m in 100 km.
+#pragma once
+
+#include <Eigen/Core>
+#include <GeographicLib/LocalCartesian.hpp>
+#include <optional>
+
+namespace shoal {
+
+/// WGS84.
+struct GeoPoint {
+  double lat_deg = 0;  ///< [-90, 90].
+  double lon_deg = 0;  ///< [-180, 180].
+};
+
+class LocalFrame {
+ public:
+  /// Beyond this distance from the origin a plane is no map.
+  static constexpr double kReach_m = 1e6;
+
+  /// @pre origin is finite and in range.
+  explicit LocalFrame(const GeoPoint& origin);
+
+  /// Returns the point of the ellipsoid below `position_m`; NaN for both where the position is not
+  /// finite or out of reach.
+  [[nodiscard]] GeoPoint ToGeo(const Eigen::Vector2d& position_m) const;
+
+  /// Returns x East, y North; nothing where the point is not finite, no point of the Earth or out
+  /// of reach.
+  [[nodiscard]] std::optional<Eigen::Vector2d> ToLocal(const GeoPoint& point) const;
+
+ private:
+  GeographicLib::LocalCartesian plane_;
+};
+
+}  // namespace shoal

@@ -1,0 +1,18 @@
+#include "lib/guidance/task.h"
+
+namespace shoal {
+
+namespace {
+
+struct Kind {
+  std::string_view operator()(const WaypointsTask&) const { return "waypoints"; }
+  std::string_view operator()(const LoiterTask&) const { return "loiter"; }
+  std::string_view operator()(const StationKeepTask&) const { return "station_keep"; }
+  std::string_view operator()(const ReturnTask&) const { return "return"; }
+};
+
+}  // namespace
+
+std::string_view KindOf(const Task& task) { return std::visit(Kind{}, task.what); }
+
+}  // namespace shoal

@@ -1,0 +1,127 @@
+// Carries out one task: from where the vessel is to where it shall head, and how fast.
+//
+//   TaskRunner runner(task.what, {.position_m = p, .heading_rad = h, .time_s = t});
+//   Guidance guidance = runner.Update({.position_m = p, .heading_rad = h, .time_s = t});
+//
+// Each kind of task is a class of its own with Start (the constructor), Update and Rejoin. A new
+// kind (constant bearing, potential fields) is one more class and one more alternative of the
+// variants here and in task.h.
+#pragma once
+
+#include <Eigen/Core>
+#include <variant>
+#include <vector>
+
+#include "lib/guidance/leg_follower.h"
+#include "lib/guidance/task.h"
+
+namespace shoal {
+
+/// Where a vessel is, and when.
+struct Fix {
+  Eigen::Vector2d position_m = Eigen::Vector2d::Zero();  ///< x East, y North.
+  double heading_rad = 0;                                ///< Clockwise from North.
+  double time_s = 0;
+};
+
+/// What a task asks for, and how far it has come.
+struct Guidance {
+  double heading_rad = 0;   ///< [0, 2 pi).
+  double speed_mps = 0;     ///< Through the water, >= 0.
+  bool done = false;        ///< The task has nothing left to do.
+  int waypoint_index = -1;  ///< -1: the task has no waypoints.
+  int laps_done = 0;
+  Eigen::Vector2d waypoint_m = Eigen::Vector2d::Zero();  ///< Where it steers for.
+  double distance_m = 0;                                 ///< To there.
+  double cross_track_error_m = 0;  ///< To starboard of the leg positive; 0 without a leg.
+};
+
+/// Gives the time between updates, none across a pause.
+class Stopwatch {
+ public:
+  explicit Stopwatch(double time_s) : time_s_(time_s) {}
+  /// Returns the seconds since the last call, never less than zero.
+  double Lap(double time_s);
+
+ private:
+  double time_s_;
+};
+
+class WaypointsRunner {
+ public:
+  /// @pre task has a point
+  WaypointsRunner(const WaypointsTask& task, const Fix& start);
+  Guidance Update(const Fix& fix);
+  void Rejoin(const Fix& fix);
+
+ private:
+  WaypointsTask task_;
+  LegFollower follower_;
+  Stopwatch stopwatch_;
+  size_t next_ = 0;  ///< The point steered for.
+  int laps_done_ = 0;
+  bool done_ = false;
+};
+
+/// Goes round the corners of a regular polygon, the first of which lies North of the centre.
+class LoiterRunner {
+ public:
+  LoiterRunner(const LoiterTask& task, const Fix& start);
+  Guidance Update(const Fix& fix);
+  void Rejoin(const Fix& fix);
+
+ private:
+  LoiterTask task_;
+  std::vector<Eigen::Vector2d> corners_m_;  ///< In sailing order.
+  size_t next_;                             ///< The corner steered for.
+  LegFollower follower_;
+  Stopwatch stopwatch_;
+  double elapsed_s_ = 0;
+  int corners_passed_ = 0;
+};
+
+/// Drifts until the vessel is outside the outer radius, then goes back inside the inner one.
+class StationKeepRunner {
+ public:
+  StationKeepRunner(const StationKeepTask& task, const Fix& start);
+  Guidance Update(const Fix& fix);
+  void Rejoin(const Fix&) {}
+
+ private:
+  StationKeepTask task_;
+  Eigen::Vector2d point_m_;
+  bool goes_back_ = false;
+};
+
+class ReturnRunner {
+ public:
+  ReturnRunner(const ReturnTask& task, const Fix& start);
+  Guidance Update(const Fix& fix);
+  void Rejoin(const Fix& fix);
+
+ private:
+  ReturnTask task_;
+  LegFollower follower_;
+  Stopwatch stopwatch_;
+  StationKeepRunner keeper_;
+  bool arrived_ = false;
+};
+
+class TaskRunner {
+ public:
+  using What = decltype(Task::what);
+
+  TaskRunner(const What& what, const Fix& start);
+
+  /// Returns the guidance at `fix`. A task that is done says so from then on.
+  /// @pre fix is finite, times do not decrease
+  Guidance Update(const Fix& fix);
+
+  /// Goes on after a pause in which something else, or nothing, steered the vessel.
+  void Rejoin(const Fix& fix);
+
+ private:
+  std::variant<WaypointsRunner, LoiterRunner, StationKeepRunner, ReturnRunner> runner_;
+};
+
+}  // namespace shoal

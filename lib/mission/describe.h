@@ -1,0 +1,49 @@
+// What each table of a mission file holds: keys, ranges and what must fit together. Used to read
+// (TableReader) and to write (TableWriter), so that the two cannot differ.
+//
+// To add a block, say [netsim]:
+//   1. mission.h: a struct with its defaults, and a member of Mission;
+//   2. a file describe_netsim.cc: void Describe(Fields&, NetsimOptions&), one line per key;
+//   3. here its declaration, and one line in Describe(Fields&, Mission&):
+//        file.Below("netsim", [&](Fields& fields) { Describe(fields, mission.netsim); });
+//   4. docs/mission_file.md: its keys (a test tells which are missing there).
+// Reading, unknown keys, suggestions, overrides, templates, --explain follow from these.
+#pragma once
+
+#include "lib/mission/fields.h"
+#include "lib/mission/mission.h"
+
+namespace shoal {
+
+/// Nothing of a mission lies farther from its origin, in x or y.
+constexpr double kFarthest_m = 1e6;
+/// No speed of a mission is higher.
+constexpr double kFastest_mps = 50;
+/// No mission is longer: 115 days.
+constexpr double kLongest_s = 1e7;
+
+/// The whole file but its templates and fleets (expand.h).
+void Describe(Fields& file, Mission& mission);
+
+/// One [[vehicle]], or a template, whose name is empty.
+void Describe(Fields& fields, Vehicle& vehicle);
+
+/// One [[vehicle.task]] of a vehicle that starts at `start`.
+void Describe(Fields& fields, Task& task, const StartPose& start);
+/// [vehicle.return]; without a point it is the start position.
+void Describe(Fields& fields, ReturnTask& task, const StartPose& start);
+
+/// One [[event]]. The vehicles, tasks and duration of `mission` are known.
+void Describe(Fields& fields, Event& event, const Mission& mission);
+/// One [[expect]], likewise.
+void Describe(Fields& fields, Expectation& expectation, const Mission& mission);
+
+/// Refuses the name under `key` where no vehicle of `mission` has it; else writes it as the
+/// vehicle's table does. "all" is left alone where `or_all`.
+void ResolveVehicle(Fields& fields, std::string_view key, std::string& name, const Mission& mission,
+                    bool or_all);
+
+/// Returns the named vehicle, or all of them.
+std::vector<const Vehicle*> VehiclesNamed(const Mission& mission, std::string_view name_or_all);
+
+}  // namespace shoal

@@ -1,0 +1,134 @@
+// The table [[expect]].
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "lib/mission/describe.h"
+#include "lib/mission/suggest.h"
+#include "lib/routing/fate.h"
+
+namespace shoal {
+namespace {
+
+/// Tasks that a helm does without being given them by the mission.
+constexpr std::array<std::string_view, 4> kOwnTasks = {"return", "station_keep", "goto",
+                                                       "end_of_tasks"};
+constexpr int64_t kLargestCount = 1'000'000'000'000;
+
+Range UntilTheEnd(const Mission& mission, bool excludes_zero) {
+  return {0, mission.duration_s > 0 ? mission.duration_s : kLongest_s, excludes_zero};
+}
+
+void DescribeVehicle(Fields& fields, std::string& vehicle, const Mission& mission) {
+  fields.Require("vehicle", "vehicle = \"alpha\", or \"all\"");
+  fields.Text("vehicle", vehicle, {.min_length = 1});
+  ResolveVehicle(fields, "vehicle", vehicle, mission, true);
+}
+
+/// Refuses a task that one of the vehicles has not. `own` are the helm's, and right as well.
+void CheckTask(Fields& fields, const std::string& vehicle_name, const std::string& task_name,
+               const Mission& mission, std::span<const std::string_view> own) {
+  if (task_name.empty()) return;
+  for (const Vehicle* vehicle : VehiclesNamed(mission, vehicle_name)) {
+    std::vector<std::string_view> names;
+    for (const Task& task : vehicle->tasks) names.push_back(task.name);
+    names.insert(names.end(), own.begin(), own.end());
+    if (std::find(names.begin(), names.end(), task_name) != names.end()) continue;
+    fields.Refuse("task", fmt::format("{} has no task {}{}", vehicle->name, Quoted(task_name),
+                                      DidYouMean(task_name, names)));
+    return;
+  }
+}
+
+void Describe(Fields& fields, ArrivalExpectation& arrival, const Mission& mission) {
+  DescribeVehicle(fields, arrival.vehicle, mission);
+  if (fields.Has("point", arrival.point_m.has_value())) {
+    Eigen::Vector2d point_m = arrival.point_m.value_or(Eigen::Vector2d::Zero());
+    fields.Pair("point", point_m, Between(-kFarthest_m, kFarthest_m));
+    arrival.point_m = point_m;
+  }
+  fields.Number("within_m", arrival.within_m, Above(0, 100'000));
+  if (fields.reading()) arrival.by_s = mission.duration_s;
+  fields.Number("by_s", arrival.by_s, UntilTheEnd(mission, true));
+  fields.Flag("stays", arrival.stays);
+}
+
+void Describe(Fields& fields, SeparationExpectation& separation, const Mission&) {
+  fields.Require("min_m", "min_m = 5");
+  fields.Number("min_m", separation.min_m, Above(0, 100'000));
+}
+
+void DescribeCount(Fields& fields, std::string_view key, std::optional<int64_t>& count) {
+  if (!fields.Has(key, count.has_value())) return;
+  int64_t value = count.value_or(0);
+  fields.Integer(key, value, 0, kLargestCount);
+  count = value;
+}
+
+void Describe(Fields& fields, CommsExpectation& comms, const Mission& mission) {
+  fields.Text("from", comms.from, {.min_length = 1});
+  ResolveVehicle(fields, "from", comms.from, mission, true);
+  fields.Text("to", comms.to, {.min_length = 1});
+  ResolveVehicle(fields, "to", comms.to, mission, true);
+  std::vector<std::string_view> causes;
+  for (int i = 0; i < kNumCauses; ++i) causes.push_back(CauseText(static_cast<Cause>(i)));
+  fields.Word("cause", comms.cause, causes);
+  DescribeCount(fields, "at_least", comms.at_least);
+  DescribeCount(fields, "at_most", comms.at_most);
+  if (!comms.at_least && !comms.at_most) {
+    fields.Refuse("", "an expectation of reports needs at_least, at_most or both");
+  } else if (comms.at_least && comms.at_most && *comms.at_least > *comms.at_most) {
+    fields.Refuse("at_most", fmt::format("at_most = {} is less than at_least = {}: this can never "
+                                         "hold",
+                                         *comms.at_most, *comms.at_least));
+  }
+}
+
+void Describe(Fields& fields, HelmExpectation& helm, const Mission& mission) {
+  constexpr std::array<std::string_view, 3> kStates = {"PARK", "DRIVE", "ALL-STOP"};
+  DescribeVehicle(fields, helm.vehicle, mission);
+  const bool has_state = fields.Has("state", !helm.state.empty());
+  if (has_state) fields.Word("state", helm.state, kStates);
+  const bool has_task = fields.Has("task", !helm.task.empty());
+  if (has_task) fields.Text("task", helm.task, {.min_length = 1});
+  if (!has_state && !has_task) fields.Refuse("", "an expectation of a helm needs state or task");
+  CheckTask(fields, helm.vehicle, helm.task, mission, kOwnTasks);
+}
+
+void Describe(Fields& fields, LapsExpectation& laps, const Mission& mission) {
+  DescribeVehicle(fields, laps.vehicle, mission);
+  fields.Require("task", "task = \"survey\"");
+  fields.Text("task", laps.task, {.min_length = 1});
+  CheckTask(fields, laps.vehicle, laps.task, mission, {});
+  fields.Integer("at_least", laps.at_least, 1, kLargestCount);
+  fields.Number("by_s", laps.by_s, UntilTheEnd(mission, false));
+}
+
+}  // namespace
+
+void Describe(Fields& fields, Expectation& expectation, const Mission& mission) {
+  constexpr std::array<std::string_view, 5> kKinds = {"arrival", "separation", "reports", "helm",
+                                                      "laps"};
+  std::string kind(fields.reading() ? "" : kKinds.at(expectation.what.index()));
+  fields.Require("kind", "kind = \"arrival\"");
+  fields.Word("kind", kind, kKinds);
+  if (fields.reading()) {
+    expectation.where = fields.Where();
+    if (kind == "separation") expectation.what = SeparationExpectation();
+    if (kind == "reports") expectation.what = CommsExpectation();
+    if (kind == "helm") expectation.what = HelmExpectation();
+    if (kind == "laps") expectation.what = LapsExpectation();
+  }
+  if (kind.empty()) {
+    fields.SkipRest();  // Without the kind, nobody knows which keys are right.
+    return;
+  }
+  std::visit([&](auto& what) { Describe(fields, what, mission); }, expectation.what);
+}
+
+}  // namespace shoal

@@ -1,0 +1,16 @@
+// Templates and fleets: from what a mission file says in short to one table per vehicle.
+#pragma once
+
+#include "lib/mission/problems.h"
+#include "lib/mission/value.h"
+
+namespace shoal {
+
+/// Replaces [[vehicle]] in the tree of a mission file by all vehicles in full: those of
+/// [[vehicle]] in the order of the file, then those of each [[fleet]], each laid over its
+/// template. Tables are merged key by key, anything else (also an array of tables, such as the
+/// tasks) replaces what the template has. The tables [template] and [[fleet]] stay, for their own
+/// check.
+void ExpandVehicles(Value& root, Problems& problems);
+
+}  // namespace shoal

@@ -1,0 +1,233 @@
+// Templates, fleets and overrides, as seen through the loader.
+#include "lib/mission/expand.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "lib/mission/load_testing.h"
+
+namespace shoal {
+namespace {
+
+constexpr std::string_view kFleet = R"([mission]
+duration_s = 60
+[template.scout]
+length_m = 4
+color = "orange"
+start = {heading_deg = 45, speed_mps = 1}
+[[template.scout.task]]
+name = "sweep"
+kind = "waypoints"
+points_frame = "start"
+points = [[0, 10]]
+[[vehicle]]
+name = "lead"
+template = "scout"
+color = "red"
+start = {x_m = -5}
+[[fleet]]
+template = "scout"
+name = "scout_{n:02}"
+count = 5
+columns = 2
+spacing_m = 30
+origin = {x_m = 100, y_m = 10}
+)";
+
+Mission LoadFleet(const std::vector<std::string>& overrides = {}) {
+  const LoadedMission loaded = LoadMissionText(kFleet, "m.toml", overrides);
+  for (const std::string& error : loaded.errors) ADD_FAILURE() << error;
+  return loaded.mission;
+}
+
+TEST(Templates, AreLaidUnderAVehicleKeyByKey) {
+  const Mission mission = LoadFleet();
+  const Vehicle& lead = mission.vehicles.at(0);
+  EXPECT_EQ(lead.name, "lead");
+  EXPECT_EQ(lead.length_m, 4);
+  EXPECT_EQ(lead.color, "red");
+  EXPECT_EQ(lead.start, (StartPose{.x_m = -5, .heading_deg = 45, .speed_mps = 1}));
+}
+
+TEST(Templates, LoseTheirTasksToAVehicleWithTasksOfItsOwn) {
+  const LoadedMission loaded = LoadMissionText(R"([mission]
+duration_s = 60
+[[template.scout.task]]
+name = "sweep"
+kind = "station_keep"
+[[vehicle]]
+name = "alpha"
+template = "scout"
+[[vehicle.task]]
+name = "own"
+kind = "station_keep"
+)",
+                                               "m.toml");
+  ASSERT_EQ(loaded.errors, std::vector<std::string>{});
+  ASSERT_EQ(loaded.mission.vehicles.at(0).tasks.size(), 1U);
+  EXPECT_EQ(loaded.mission.vehicles.at(0).tasks[0].name, "own");
+}
+
+TEST(Templates, TellAnErrorOnceHoweverManyVehiclesInheritIt) {
+  EXPECT_EQ(ErrorsAfter("[template.t]\nlenght = 3\n[[fleet]]\ntemplate = \"t\"\ncount = 9\n"),
+            "6:1: unknown key 'lenght' (did you mean 'length_m'?)\n");
+}
+
+TEST(Templates, AreCheckedEvenWhereNobodyUsesThem) {
+  EXPECT_EQ(ErrorsAfter("[template.t]\nlength_m = 0\nname = \"a\"\ntemplate = \"u\"\n"),
+            "6:12: length_m = 0 is out of range; allowed: greater than 0, at most 500\n"
+            "7:8: a template must not have a name; its vehicles have\n"
+            "8:12: only a [[vehicle]] or a [[fleet]] of the file can have a template\n");
+}
+
+TEST(Templates, ThatAreUnknownAreTold) {
+  EXPECT_EQ(ErrorsAfter("template = \"scuot\"\n[template.scout]\nlength_m = 1\n"),
+            "5:12: unknown template 'scuot' (did you mean 'scout'?)\n");
+  EXPECT_EQ(ErrorsAfter("template = \"scout\"\n"),
+            "5:12: unknown template 'scout'; add a table [template.NAME] with the keys that its "
+            "vehicles share\n");
+  EXPECT_EQ(ErrorsAfter("template = 3\n"),
+            "5:12: template must be a string in quotes, not a whole number\n");
+}
+
+TEST(Fleets, StandInRowsFromWestToEastAndSouthToNorth) {
+  const Mission mission = LoadFleet();
+  ASSERT_EQ(mission.vehicles.size(), 6U);
+  const auto start = [&](size_t i) { return mission.vehicles.at(i).start; };
+  EXPECT_EQ(mission.vehicles[1].name, "scout_01");
+  EXPECT_EQ(mission.vehicles[5].name, "scout_05");
+  EXPECT_EQ(start(1), (StartPose{.x_m = 100, .y_m = 10, .heading_deg = 45, .speed_mps = 1}));
+  EXPECT_EQ(start(2), (StartPose{.x_m = 130, .y_m = 10, .heading_deg = 45, .speed_mps = 1}));
+  EXPECT_EQ(start(5), (StartPose{.x_m = 100, .y_m = 70, .heading_deg = 45, .speed_mps = 1}));
+}
+
+TEST(Fleets, GiveEachVehicleItsOwnPoints) {
+  const Mission mission = LoadFleet();
+  const Vehicle& last = mission.vehicles.at(5);
+  EXPECT_EQ(std::get<WaypointsTask>(last.tasks.at(0).what).points_m.at(0),
+            Eigen::Vector2d(100, 80));
+  EXPECT_EQ(last.return_task.point_m, Eigen::Vector2d(100, 70));
+}
+
+TEST(Fleets, StandInOneRowWithoutColumnsAndAreCalledBoatsWithoutAName) {
+  const LoadedMission loaded = LoadMissionText(
+      "[mission]\nduration_s = 1\n[template.t]\n[[fleet]]\ntemplate = \"t\"\ncount = 12\n", "m");
+  ASSERT_EQ(loaded.errors, std::vector<std::string>{});
+  EXPECT_EQ(loaded.mission.vehicles.at(11).name, "boat_12");
+  EXPECT_EQ(loaded.mission.vehicles.at(11).start.x_m, 220);
+  EXPECT_EQ(loaded.mission.vehicles.at(11).start.y_m, 0);
+}
+
+TEST(Fleets, TellWhatIsWrongWithThem) {
+  EXPECT_EQ(ErrorsAfter("[template.t]\n[[fleet]]\ntemplate = \"t\"\nname = \"boat\"\ncount = 3\n"),
+            "8:8: the name 'boat' of a fleet must hold its number: boat_{n}, or boat_{n:02} for "
+            "boat_01, boat_02, ...\n");
+  EXPECT_EQ(ErrorsAfter("[[fleet]]\ncont = 3\n"),
+            "5:1: fleet lacks 'count'; for example: count = 10\n"
+            "5:1: fleet lacks 'template'; for example: template = \"survey_boat\", together with a "
+            "[template.survey_boat]\n"
+            "6:1: unknown key 'cont' (did you mean 'count'?)\n");
+}
+
+TEST(Fleets, AreLimitedToTenThousandVehicles) {
+  const auto with = [](const std::string& count) {
+    return ErrorsAfter("[template.t]\n[[fleet]]\ntemplate = \"t\"\ncount = " + count + "\n");
+  };
+  EXPECT_EQ(with("10000"), "6:1: more than 10000 vehicles; no mission can have so many\n");
+  EXPECT_EQ(with("10001"), "8:9: count = 10001 is out of range; allowed: 1 to 10000\n");
+}
+
+TEST(Fleets, CannotMultiplyAGiantTemplate) {
+  std::string points = "[0,0]";
+  for (int i = 0; i < 1000; ++i) points += ",[0,0]";
+  EXPECT_EQ(ErrorsAfter("[[template.t.task]]\nkind = \"waypoints\"\npoints = [" + points +
+                        "]\n[[fleet]]\ntemplate = \"t\"\ncount = 9000\n"),
+            "8:1: more than 2000000 values in all vehicles together; make the templates smaller or "
+            "the fleets fewer\n");
+}
+
+TEST(Overrides, ChangeWhatTheFileSaysOrAddToIt) {
+  const Mission mission =
+      LoadFleet({"mission.seed=7", "mission.name=second", "comms.comms_range=nolimit",
+                 "environment.current={speed_mps = 0.5}", "fleet.1.count=2",
+                 "environment.current.direction_deg=90"});
+  EXPECT_EQ(mission.seed, 7U);
+  EXPECT_EQ(mission.name, "second");
+  EXPECT_EQ(mission.comms.comms_range_m, -1);
+  EXPECT_EQ(mission.environment, (Environment{0.5, 90}));
+  EXPECT_EQ(mission.vehicles.size(), 3U);
+}
+
+TEST(Overrides, NameVehiclesByTheirFinalNameAndTasksByTheirs) {
+  const Mission mission =
+      LoadFleet({"vehicle.SCOUT_03.start.x_m=5", "vehicle.lead.helm=none",
+                 "vehicle.lead.task.sweep.speed_mps=2.5", "vehicle.2.length_m=9",
+                 "vehicle.lead.reporter.extra.\"A.B\"=\"c d\"", "template.scout.length_m=6"});
+  EXPECT_EQ(mission.FindVehicle("scout_03")->start.x_m, 5);
+  const Vehicle& lead = mission.vehicles.at(0);
+  EXPECT_EQ(lead.helm, Provider::kNone);
+  EXPECT_EQ(std::get<WaypointsTask>(lead.tasks.at(0).what).speed_mps, 2.5);
+  EXPECT_EQ(lead.reporter_options.extra.at("A.B"), "c d");
+  EXPECT_EQ(lead.length_m, 6);
+  EXPECT_EQ(mission.vehicles.at(1).length_m, 9);
+}
+
+TEST(Overrides, CanGiveAVehicleAnotherTemplate) {
+  EXPECT_EQ(ErrorsAfter("[template.t]\nlength_m = 7\n", {"vehicle.alpha.template=t"}), "");
+  const LoadedMission loaded = LoadMissionText(
+      std::string(kShortest) + "[template.t]\nlength_m = 7\n", "m", {"vehicle.alpha.template=t"});
+  EXPECT_EQ(loaded.mission.vehicles.at(0).length_m, 7);
+}
+
+TEST(Overrides, AreNamedByTheirErrors) {
+  EXPECT_EQ(ErrorsAfter("", {"comms.range=5"}),
+            "--set comms.range=5: unknown key 'range' (did you mean 'comms_range'?)\n");
+  EXPECT_EQ(
+      ErrorsAfter("", {"mission.seed=-1"}),
+      "--set mission.seed=-1: seed = -1 is out of range; allowed: 0 to 9223372036854775807\n");
+  EXPECT_EQ(ErrorsAfter("", {"vehicle.alfa.start.x_m=5"}),
+            "--set vehicle.alfa.start.x_m=5: no vehicle 'alfa' (did you mean 'alpha'?)\n");
+  EXPECT_EQ(
+      ErrorsAfter("", {"vehicle.7.length_m=5"}),
+      "--set vehicle.7.length_m=5: no vehicle '7'; the file has 1 of them, numbered from 1\n");
+  EXPECT_EQ(ErrorsAfter("", {"event.1.at_s=5"}),
+            "--set event.1.at_s=5: there is no [[event]] to change\n");
+  EXPECT_EQ(
+      ErrorsAfter("", {"mission.duration_s.x=5"}),
+      "--set mission.duration_s.x=5: 'duration_s' is a whole number; nothing lies below it\n");
+}
+
+TEST(Overrides, WithoutAFormAreTold) {
+  const std::string hint =
+      ": not of the form key.path=value, such as mission.seed=7 or vehicle.alpha.helm=hand\n";
+  for (const std::string bad : {"", "=", "=5", "a", "a.", "a.=5", ".a=5", "a b=5", "\"a=5"}) {
+    EXPECT_EQ(ErrorsAfter("", {bad}), "--set " + bad + hint);
+  }
+  EXPECT_EQ(ErrorsAfter("", {"mission.name=my ship"}),
+            "--set mission.name=my ship: 'my ship' is no TOML value; a text with other characters "
+            "than letters, digits and _-.:/ needs quotes: 'name=\"...\"'\n");
+}
+
+TEST(Overrides, CannotSmuggleInMoreThanOneValue) {
+  EXPECT_EQ(
+      ErrorsAfter("", {"mission.seed=1\n[comms]\ncomms_range=3"}),
+      "--set mission.seed=1?[comms]?comms_range=3: '1?[comms]?comms_range=3' is no TOML value; "
+      "a text with other characters than letters, digits and _-.:/ needs quotes: "
+      "'seed=\"...\"'\n");
+}
+
+TEST(Overrides, ComeAfterTheErrorsOfTheFileInTheirOwnOrder) {
+  EXPECT_EQ(
+      ErrorsAfter("lenght = 3\n", {"mission.sed=1", "a=1", "mission.seed=x"}),
+      "5:1: unknown key 'lenght' (did you mean 'length_m'?)\n"
+      "--set mission.sed=1: unknown key 'sed' (did you mean 'seed'?)\n"
+      "--set a=1: unknown key 'a'; known here: mission, environment, comms, template, vehicle, "
+      "fleet, event, participant, expect\n"
+      "--set mission.seed=x: seed must be a whole number, not the string 'x'\n");
+}
+
+}  // namespace
+}  // namespace shoal

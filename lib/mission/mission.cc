@@ -1,0 +1,32 @@
+#include "lib/mission/mission.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lib/check/check.h"
+
+namespace shoal {
+namespace {
+
+char ToLower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+
+bool SameName(std::string_view a, std::string_view b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](char x, char y) { return ToLower(x) == ToLower(y); });
+}
+
+}  // namespace
+
+int64_t Mission::LastStep() const {
+  SHOAL_CHECK(tick_us > 0, "a step must move time forward");
+  return std::llround(duration_s * 1e6) / tick_us;
+}
+
+const Vehicle* Mission::FindVehicle(std::string_view vehicle_name) const {
+  const auto found = std::find_if(vehicles.begin(), vehicles.end(), [&](const Vehicle& vehicle) {
+    return SameName(vehicle.name, vehicle_name);
+  });
+  return found == vehicles.end() ? nullptr : &*found;
+}
+
+}  // namespace shoal

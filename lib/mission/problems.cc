@@ -1,0 +1,58 @@
+#include "lib/mission/problems.h"
+
+#include <fmt/format.h>
+
+#include <string_view>
+
+#include "lib/mission/suggest.h"
+
+namespace shoal {
+namespace {
+
+constexpr size_t kMostShown = 100;
+
+/// Returns `text` for a line of a terminal: without control characters, at most 200 bytes.
+std::string OneLine(std::string_view text) {
+  std::string line(text.substr(0, 200));
+  for (char& c : line) {
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) c = '?';
+  }
+  return line;
+}
+
+}  // namespace
+
+Problems::Problems(std::string file, std::vector<std::string> overrides)
+    : file_(std::move(file)), overrides_(std::move(overrides)) {}
+
+void Problems::Add(const Place& place, std::string text) {
+  problems_.emplace(place, std::move(text));
+}
+
+std::string Problems::WhereIs(const Place& place) const {
+  if (place.override_number > 0) {
+    return "--set " + OneLine(overrides_.at(static_cast<size_t>(place.override_number - 1)));
+  }
+  if (place.line == 0) return OneLine(file_);
+  return fmt::format("{}:{}:{}", OneLine(file_), place.line, place.column);
+}
+
+std::string Problems::LineOf(const Place& place) const {
+  if (place.override_number > 0) return WhereIs(place);
+  return fmt::format("{}:{}", OneLine(file_), place.line);
+}
+
+std::vector<std::string> Problems::InOrder() const {
+  std::vector<std::string> messages;
+  for (const auto& [place, text] : problems_) {
+    if (messages.size() == kMostShown) {
+      messages.push_back(
+          fmt::format("{}: and {} more errors", OneLine(file_), problems_.size() - kMostShown));
+      break;
+    }
+    messages.push_back(WhereIs(place) + ": " + text);
+  }
+  return messages;
+}
+
+}  // namespace shoal

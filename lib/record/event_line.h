@@ -1,0 +1,15 @@
+// One logged message as one line of text.
+#pragma once
+
+#include <string>
+
+#include "lib/record/log_format.h"
+#include "lib/schema/schema.h"
+
+namespace shoal {
+
+/// Returns `12.300 NAV_ALPHA nav_t x_m=1.5 ...`, without newline. Messages that nobody can decode
+/// are told as such, with their size and why.
+std::string EventLine(const Schema& schema, const LogEvent& event);
+
+}  // namespace shoal

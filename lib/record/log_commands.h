@@ -1,0 +1,69 @@
+// What `shoal log info|cat|diff|csv` do. Each reads files, writes text to `out`, complaints to
+// `err`, and returns the process's exit code: 0, or kExitEnvironment for a file that cannot be read
+// (or is damaged, where nobody asked for what is left of it), kExitUsage for types that make no
+// sense.
+#pragma once
+
+#include <cstdint>
+#include <iosfwd>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace shoal {
+
+/// Which events of a log.
+struct LogSelection {
+  std::vector<std::string> channels = {};       ///< Globs with * ? [a-z]; empty: all.
+  std::optional<double> from_s = std::nullopt;  ///< Event time, seconds, included.
+  std::optional<double> to_s = std::nullopt;    ///< Event time, seconds, included.
+};
+
+struct LogInfoOptions {
+  std::string path;
+  std::vector<std::string> types = {};  ///< .lcm files of types that are not shoal's.
+};
+
+/// Prints time span, events, bytes; per channel: type, count, rate in Hz of log time, first and
+/// last time; and what is wrong: unknown types, messages that do not decode, damaged parts. Reads
+/// what can be read of a damaged log, and returns kExitEnvironment then.
+int LogInfo(const LogInfoOptions& options, std::ostream& out, std::ostream& err);
+
+struct LogCatOptions {
+  std::string path;
+  LogSelection selection = {};
+  std::optional<int64_t> limit = std::nullopt;  ///< Lines at most.
+  bool skip_damage = false;                     ///< Print what can be read of a damaged log.
+  std::vector<std::string> types = {};
+};
+
+/// Prints one line per message: `12.300 NAV_ALPHA nav_t x_m=1.5 ...`. The member utime is left out
+/// where it equals the event's time.
+int LogCat(const LogCatOptions& options, std::ostream& out, std::ostream& err);
+
+struct LogDiffOptions {
+  std::string path_a;
+  std::string path_b;
+  std::vector<std::string> types = {};
+};
+
+inline constexpr int kLogsDiffer = 1;
+
+/// Compares times, channels and messages in order (not event numbers, not seals). Prints the first
+/// difference with step (index of distinct times, from 0), time, channel, field and both values,
+/// and which channels have unlike numbers of events. Returns 0 for equal logs, else kLogsDiffer.
+int LogDiff(const LogDiffOptions& options, std::ostream& out, std::ostream& err);
+
+struct LogCsvOptions {
+  std::string path;
+  std::string out_dir;  ///< Made where it does not exist; files in it are replaced.
+  LogSelection selection = {};
+  bool skip_damage = false;
+  std::vector<std::string> types = {};
+};
+
+/// Writes <CHANNEL>.csv for every channel (lib/record/csv_rows.h tells the columns), and
+/// <CHANNEL>.<type>.csv for further types on one channel. Names the files in `out`.
+int LogCsv(const LogCsvOptions& options, std::ostream& out, std::ostream& err);
+
+}  // namespace shoal

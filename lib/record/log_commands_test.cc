@@ -1,0 +1,303 @@
+#include "lib/record/log_commands.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <sstream>
+
+#include "lib/bus/channels.h"
+#include "lib/bus/seal.h"
+#include "lib/check/result.h"
+#include "lib/record/test_log.h"
+#include "lib/schema/schema.h"
+
+namespace shoal {
+namespace {
+
+Bytes Desired(int64_t utime, double heading_deg) {
+  desired_t desired{};
+  desired.utime = utime;
+  desired.heading_deg = heading_deg;
+  desired.speed_mps = 1.5;
+  return Encoded(desired);
+}
+
+Bytes Fates(int64_t utime, const std::vector<std::string>& causes) {
+  comms_fates_t fates{};
+  fates.utime = utime;
+  for (const std::string& cause : causes) {
+    fate_t fate{};
+    fate.kind = "report";
+    fate.source = "alpha";
+    fate.destination = "bravo";
+    fate.cause = cause;
+    fate.range_m = 12.5;
+    fates.fates.push_back(fate);
+  }
+  fates.num_fates = static_cast<int32_t>(fates.fates.size());
+  return Encoded(fates);
+}
+
+/// Runs commands on logs in a directory, and keeps what they print.
+class LogCommandsTest : public ::testing::Test {
+ protected:
+  std::string Log(const std::string& name, const std::vector<TestEvent>& events) {
+    WriteLog(directory_.File(name), events);
+    return directory_.File(name);
+  }
+
+  std::string Cat(const LogCatOptions& options) {
+    exit_code_ = LogCat(options, out_, err_);
+    return Taken();
+  }
+  std::string Info(const LogInfoOptions& options) {
+    exit_code_ = LogInfo(options, out_, err_);
+    return Taken();
+  }
+  std::string Diff(const std::string& a, const std::string& b) {
+    exit_code_ = LogDiff({.path_a = a, .path_b = b, .types = {}}, out_, err_);
+    return Taken();
+  }
+  std::string Csv(const LogCsvOptions& options) {
+    exit_code_ = LogCsv(options, out_, err_);
+    return Taken();
+  }
+
+  TestDirectory directory_;
+  int exit_code_ = -1;
+  std::ostringstream out_;
+  std::ostringstream err_;
+
+ private:
+  std::string Taken() {
+    std::string text = out_.str();
+    out_.str("");
+    return text;
+  }
+};
+
+using LogCat_ = LogCommandsTest;
+using LogInfo_ = LogCommandsTest;
+using LogDiff_ = LogCommandsTest;
+using LogCsv_ = LogCommandsTest;
+
+TEST_F(LogCat_, PrintsOneLinePerMessage) {
+  const std::string path =
+      Log("a.lcm", {{12'300'000, "DESIRED_ALPHA", Desired(12'300'000, 90)},
+                    {12'400'000, "DESIRED_ALPHA", Desired(12'300'000, 91)},
+                    {12'400'000, "COMMS_FATES", Fates(12'400'000, {"delivered"})}});
+  EXPECT_EQ(Cat({.path = path}),
+            "12.300 DESIRED_ALPHA desired_t heading_deg=90 speed_mps=1.5 depth_m=0\n"
+            "12.400 DESIRED_ALPHA desired_t utime=12300000 heading_deg=91 speed_mps=1.5 depth_m=0\n"
+            "12.400 COMMS_FATES comms_fates_t fates=[{kind=report source=alpha destination=bravo "
+            "number=0 cause=delivered range_m=12.5 limit_m=0 age_s=0 age_limit_s=0}]\n");
+  EXPECT_EQ(exit_code_, kExitOk);
+  EXPECT_EQ(err_.str(), "");
+}
+
+TEST_F(LogCat_, SelectsChannelsTimesAndLines) {
+  std::vector<TestEvent> events;
+  for (int i = 0; i < 5; ++i) {
+    const int64_t utime = i * 100'000;
+    events.push_back({utime, "DESIRED_ALPHA", Desired(utime, i)});
+    events.push_back({utime, "DESIRED_BRAVO", Desired(utime, i)});
+  }
+  const std::string path = Log("a.lcm", events);
+  EXPECT_EQ(Cat({.path = path,
+                 .selection = {.channels = {"*_ALPHA"}, .from_s = 0.1, .to_s = 0.3},
+                 .limit = 2}),
+            "0.100 DESIRED_ALPHA desired_t heading_deg=1 speed_mps=1.5 depth_m=0\n"
+            "0.200 DESIRED_ALPHA desired_t heading_deg=2 speed_mps=1.5 depth_m=0\n");
+  const std::string all_from_to = Cat({.path = path, .selection = {.from_s = 0.1, .to_s = 0.3}});
+  EXPECT_EQ(std::count(all_from_to.begin(), all_from_to.end(), '\n'), 6);
+}
+
+TEST_F(LogCat_, TellsWhatItCannotDecode) {
+  Bytes cut = Desired(0, 0);
+  cut.pop_back();
+  const std::string path =
+      Log("a.lcm", {{0, "A", {1, 2, 3, 4, 5, 6, 7, 8, 9}}, {0, "B", {1}}, {0, "C", cut}});
+  EXPECT_EQ(Cat({.path = path}),
+            "0.000 A ? (fingerprint 0x0102030405060708, 9 bytes)\n"
+            "0.000 B ? (no fingerprint, 1 bytes)\n"
+            "0.000 C desired_t ? (does not decode at byte 8 of 39: the message ends too early)\n");
+}
+
+TEST_F(LogCat_, DecodesSealedMessagesOfLcmLogger) {
+  Bytes sealed = Desired(5, 90);
+  AppendSeal({.publisher = "helm_alpha", .mission_id = 1, .step = 2, .sequence = 3}, &sealed);
+  const std::string path = Log("a.lcm", {{5, "D", sealed}});
+  EXPECT_EQ(Cat({.path = path}), "0.000005 D desired_t heading_deg=90 speed_mps=1.5 depth_m=0\n");
+}
+
+TEST_F(LogCat_, DecodesTypesOfAUser) {
+  const std::string types = directory_.File("mine.lcm");
+  const std::string text = "package mine; struct probe_t { int64_t utime; int8_t n; }";
+  WriteBytes(types, Bytes(text.begin(), text.end()));
+  const auto schema = Schema::Build({{.file = types, .text = text}});
+  const auto fingerprint = static_cast<uint64_t>(schema->FindByName("mine.probe_t")->fingerprint);
+  Bytes probe;
+  for (int shift = 56; shift >= 0; shift -= 8) {
+    probe.push_back(static_cast<uint8_t>(fingerprint >> shift));
+  }
+  probe.insert(probe.end(), {0, 0, 0, 0, 0, 0, 0, 5, 7});
+  const std::string path = Log("a.lcm", {{0, "P", probe}});
+  EXPECT_EQ(Cat({.path = path, .types = {types}}), "0.000 P mine.probe_t utime=5 n=7\n");
+  EXPECT_NE(Cat({.path = path}).find("0.000 P ? (fingerprint"), std::string::npos);
+
+  WriteBytes(types, {'s', 't', 'r', 'u', 'c', 't'});
+  Cat({.path = path, .types = {types}});
+  EXPECT_EQ(exit_code_, kExitUsage);
+  EXPECT_NE(err_.str().find(types + ":1:7: expected the name of a struct"), std::string::npos);
+}
+
+TEST_F(LogCat_, StopsAtDamageUnlessAskedToSkipIt) {
+  const std::string path = Log("a.lcm", {{0, "A", Desired(0, 1)}, {0, "B", Desired(0, 2)}});
+  Bytes bytes = FileBytes(path);
+  bytes.insert(bytes.begin(), 'x');
+  WriteBytes(path, bytes);
+  EXPECT_EQ(Cat({.path = path}), "");
+  EXPECT_EQ(exit_code_, kExitEnvironment);
+  EXPECT_NE(err_.str().find("byte 0: not an LCM event log"), std::string::npos);
+  const std::string all = Cat({.path = path, .skip_damage = true});
+  EXPECT_EQ(std::count(all.begin(), all.end(), '\n'), 2);
+  EXPECT_EQ(exit_code_, kExitOk);
+}
+
+TEST_F(LogInfo_, PrintsSpanAndATableOfChannels) {
+  std::vector<TestEvent> events;
+  for (int i = 0; i <= 10; ++i) {
+    events.push_back({i * 100'000, "DESIRED_ALPHA", Desired(i * 100'000, i)});
+  }
+  events.push_back({1'000'000, "MINE", {1, 2, 3, 4, 5, 6, 7, 8}});
+  const std::string path = Log("a.lcm", events);
+  const std::string bytes = std::to_string(std::filesystem::file_size(path));
+  EXPECT_EQ(Info({.path = path}),
+            path + ": 12 events, 2 channels, " + bytes + " bytes, 0.000 s to 1.000 s\n" + R"(
+channel        type         events        Hz     first_s      last_s       bytes
+DESIRED_ALPHA  desired_t        11    10.000       0.000       1.000         440
+MINE           ?                 1         -       1.000       1.000           8
+MINE: 1 events of unknown type, fingerprint 0x0102030405060708 (give its .lcm file)
+)");
+  EXPECT_EQ(exit_code_, kExitOk);
+}
+
+TEST_F(LogInfo_, TellsOfUndecodableEventsAndATruncatedTail) {
+  Bytes cut = Desired(0, 0);
+  cut.pop_back();
+  const std::string path = Log("a.lcm", {{0, "C", cut}, {0, "C", Desired(0, 1)}, {0, "D", {}}});
+  Bytes bytes = FileBytes(path);
+  bytes.pop_back();
+  WriteBytes(path, bytes);
+  const std::string text = Info({.path = path});
+  EXPECT_NE(text.find("C: 1 events do not decode, the first in the event at byte 0: the message "
+                      "ends too early\n"),
+            std::string::npos)
+      << text;
+  EXPECT_NE(err_.str().find("the log ends inside an event (28 bytes skipped)"), std::string::npos)
+      << err_.str();
+  EXPECT_EQ(exit_code_, kExitEnvironment);
+}
+
+TEST_F(LogInfo_, CalculatesWithTimesAtTheEndsOfTheirRange) {
+  const std::string path = Log("a.lcm", {{std::numeric_limits<int64_t>::min(), "A", {}},
+                                         {std::numeric_limits<int64_t>::max(), "A", {}}});
+  EXPECT_NE(Info({.path = path}).find("-9223372036854.775808 s to 9223372036854.775807 s"),
+            std::string::npos);
+}
+
+TEST_F(LogDiff_, SaysThatLogsAreEqual) {
+  const std::vector<TestEvent> events = {{0, "D", Desired(0, 1)}, {100'000, "D", Desired(0, 2)}};
+  EXPECT_EQ(Diff(Log("a.lcm", events), Log("b.lcm", events)), "equal: 2 events in 2 steps\n");
+  EXPECT_EQ(exit_code_, kExitOk);
+}
+
+TEST_F(LogDiff_, FindsStepTimeChannelAndFieldOfTheFirstDifference) {
+  const TestEvent first = {0, "D", Desired(0, 1)};
+  const std::string a = Log("a.lcm", {first, {100'000, "COMMS_FATES", Fates(0, {"lost", "lost"})}});
+  const std::string b =
+      Log("b.lcm", {first, {100'000, "COMMS_FATES", Fates(0, {"lost", "delivered"})}});
+  EXPECT_EQ(Diff(a, b),
+            "first difference: step 1, 0.100 s, COMMS_FATES, comms_fates_t "
+            "fates[1].cause\n  " +
+                a + ": lost\n  " + b + ": delivered\n" +
+                "every channel has the same number of events in both logs\n");
+  EXPECT_EQ(exit_code_, kLogsDiffer);
+}
+
+TEST_F(LogDiff_, FindsAMissingMessageAndCountsItsChannel) {
+  const std::string a = Log("a.lcm", {{0, "D", Desired(0, 1)}, {0, "E", Desired(0, 1)}});
+  const std::string b = Log("b.lcm", {{0, "E", Desired(0, 1)}});
+  const std::string line = " desired_t heading_deg=1 speed_mps=1.5 depth_m=0\n";
+  EXPECT_EQ(Diff(a, b), "first difference: step 0, 0.000 s, other messages follow\n  " + a +
+                            ": 0.000 D" + line + "  " + b + ": 0.000 E" + line +
+                            "unlike numbers of events:\n  D: 1 in " + a + ", 0 in " + b + "\n");
+}
+
+TEST_F(LogDiff_, FindsThatOneLogEnds) {
+  const std::string a = Log("a.lcm", {{0, "D", Desired(0, 1)}});
+  const std::string b = Log("b.lcm", {{0, "D", Desired(0, 1)}, {5, "E", {}}});
+  EXPECT_EQ(Diff(a, b), "first difference: step 1, 0.000005 s, one log ends\n  " + a +
+                            ": (ends here)\n  " + b + ": 0.000005 E ? (no fingerprint, 0 bytes)\n" +
+                            "unlike numbers of events:\n  E: 0 in " + a + ", 1 in " + b + "\n");
+}
+
+TEST_F(LogDiff_, NamesTheByteWhereItKnowsNoField) {
+  const std::string a = Log("a.lcm", {{0, "D", {1, 2, 3}}});
+  const std::string b = Log("b.lcm", {{0, "D", {1, 2}}});
+  EXPECT_EQ(Diff(a, b), "first difference: step 0, 0.000 s, D, byte 2 of the message\n  " + a +
+                            ": 0x03\n  " + b + ": (ends)\n" +
+                            "every channel has the same number of events in both logs\n");
+}
+
+TEST_F(LogDiff_, RefusesADamagedLog) {
+  const std::string a = Log("a.lcm", {{0, "D", {1, 2, 3}}});
+  const std::string b = Log("b.lcm", {{0, "D", {1, 2, 3}}});
+  Bytes bytes = FileBytes(b);
+  bytes.pop_back();
+  WriteBytes(b, bytes);
+  Diff(a, b);
+  EXPECT_EQ(exit_code_, kExitEnvironment);
+  EXPECT_NE(err_.str().find(b + ": byte 0: the log ends inside an event"), std::string::npos);
+}
+
+TEST_F(LogCsv_, WritesOneTablePerChannelWithARowPerElement) {
+  const std::string path =
+      Log("a.lcm", {{100'000, "DESIRED_ALPHA", Desired(0, 90)},
+                    {100'000, "COMMS_FATES", Fates(100'000, {"lost", "a \"b\", c"})},
+                    {200'000, "COMMS_FATES", Fates(200'000, {})}});
+  const std::string dir = directory_.File("csv");
+  EXPECT_EQ(Csv({.path = path, .out_dir = dir}),
+            dir + "/COMMS_FATES.csv: 2 messages\n" + dir + "/DESIRED_ALPHA.csv: 1 messages\n");
+  EXPECT_EQ(FileText(dir + "/DESIRED_ALPHA.csv"),
+            "time_s,utime_s,heading_deg,speed_mps,depth_m\n0.100,0.000,90,1.5,0\n");
+  EXPECT_EQ(FileText(dir + "/COMMS_FATES.csv"),
+            "time_s,utime_s,num_fates,index,fates.kind,fates.source,fates.destination,"
+            "fates.number,fates.cause,fates.range_m,fates.limit_m,fates.age_s,fates.age_limit_s\n"
+            "0.100,0.100,2,0,report,alpha,bravo,0,lost,12.5,0,0,0\n"
+            "0.100,0.100,2,1,report,alpha,bravo,0,\"a \"\"b\"\", c\",12.5,0,0,0\n"
+            "0.200,0.200,0,,,,,,,,,,\n");
+  EXPECT_EQ(err_.str(), "");
+}
+
+TEST_F(LogCsv_, KeepsFilesOfHostileChannelsInItsDirectory) {
+  const std::string path = Log("a.lcm", {{0, "../x/y", Desired(0, 1)},
+                                         {0, "___x_y", Desired(0, 2)},
+                                         {0, "___x_y", Fates(0, {})},
+                                         {0, "Z", {1}}});
+  const std::string dir = directory_.File("csv");
+  EXPECT_EQ(Csv({.path = path, .out_dir = dir}), dir + "/___x_y.comms_fates_t.csv: 1 messages\n" +
+                                                     dir + "/___x_y.csv: 1 messages\n" + dir +
+                                                     "/___x_y.desired_t.csv: 1 messages\n");
+  EXPECT_NE(err_.str().find("Z: 1 messages left out"), std::string::npos);
+}
+
+TEST_F(LogCsv_, SaysWhatItCannotWrite) {
+  const std::string path = Log("a.lcm", {{0, "D", Desired(0, 1)}});
+  Csv({.path = path, .out_dir = "/dev/null/x"});
+  EXPECT_EQ(exit_code_, kExitEnvironment);
+  EXPECT_NE(err_.str().find("cannot make /dev/null/x"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace shoal

@@ -1,0 +1,23 @@
+// A log with the types that its messages have: what every `shoal log` command begins with.
+#pragma once
+
+#include <optional>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "lib/check/result.h"
+#include "lib/record/log_commands.h"
+#include "lib/record/log_reader.h"
+
+namespace shoal {
+
+/// Opens `path`; on failure writes why to `err` and returns nothing.
+std::optional<LogReader> OpenLog(const std::string& path, OnDamage on_damage, std::ostream& err);
+
+/// Writes the damages that `reader` skipped, or its error. Returns true where it read to the end.
+bool ReportDamage(const LogReader& reader, std::ostream& err);
+
+[[nodiscard]] bool IsSelected(const LogSelection& selection, const LogEvent& event);
+
+}  // namespace shoal

@@ -1,0 +1,42 @@
+#include "lib/run/roster.h"
+
+namespace shoal {
+
+std::string ParticipantName(std::string_view app, std::string_view vehicle) {
+  return std::string(app) + "_" + std::string(vehicle);
+}
+
+std::vector<std::string> VehicleNames(const Mission& mission) {
+  std::vector<std::string> names;
+  for (const Vehicle& vehicle : mission.vehicles) names.push_back(vehicle.name);
+  return names;
+}
+
+std::vector<RosterEntry> MakeRoster(const Mission& mission, bool with_recorder) {
+  std::vector<RosterEntry> roster;
+  const auto add = [&](std::string_view app, const std::string& vehicle, Provider provider) {
+    if (provider == Provider::kNone) return;
+    roster.push_back({.name = vehicle.empty() ? std::string(app) : ParticipantName(app, vehicle),
+                      .app = std::string(app),
+                      .vehicle = vehicle,
+                      .provider = provider,
+                      .command = {}});
+  };
+  if (with_recorder) add("recorder", "", Provider::kShoal);
+  add("shore_broker", "", mission.broker);
+  for (const Vehicle& vehicle : mission.vehicles) {
+    add("vehicle_sim", vehicle.name, vehicle.sim);
+    add("helm", vehicle.name, vehicle.helm);
+    add("node_reporter", vehicle.name, vehicle.reporter);
+  }
+  for (const Participant& participant : mission.participants) {
+    roster.push_back({.name = participant.name,
+                      .app = {},
+                      .vehicle = {},
+                      .provider = participant.command.empty() ? Provider::kHand : Provider::kShoal,
+                      .command = participant.command});
+  }
+  return roster;
+}
+
+}  // namespace shoal

@@ -1,0 +1,29 @@
+// Who takes part in a mission, under which name.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "lib/mission/mission.h"
+
+namespace shoal {
+
+/// One participant of the step protocol.
+struct RosterEntry {
+  std::string name;     ///< On the bus: "helm_alpha", "shore_broker", the user's own name.
+  std::string app;      ///< Which of shoal's programs; empty: a user's own.
+  std::string vehicle;  ///< As the mission writes it; empty: not of one vehicle.
+  Provider provider = Provider::kShoal;
+  std::vector<std::string> command;  ///< Of a user's own participant; empty: started by hand.
+};
+
+/// Returns all participants but the launcher's own ("shoal"), those that nobody provides left out.
+std::vector<RosterEntry> MakeRoster(const Mission& mission, bool with_recorder);
+
+/// Returns the name on the bus of a vehicle's app, such as "helm_alpha".
+std::string ParticipantName(std::string_view app, std::string_view vehicle);
+
+/// Returns the vehicles' names in mission order.
+std::vector<std::string> VehicleNames(const Mission& mission);
+
+}  // namespace shoal

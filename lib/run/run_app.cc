@@ -1,0 +1,160 @@
+#include "lib/run/run_app.h"
+
+#include <fmt/format.h>
+#include <signal.h>
+#include <time.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <filesystem>
+#include <optional>
+
+#include "lib/bus/lcm_transport.h"
+#include "lib/check/result.h"
+#include "lib/mission/load.h"
+#include "lib/run/roster.h"
+#include "lib/run/run_registry.h"
+#include "lib/run/step_participant.h"
+
+namespace shoal {
+
+namespace {
+
+std::atomic<bool> stop_wanted = false;
+
+void OnSignal(int) { stop_wanted = true; }
+
+constexpr int64_t kPollInterval_us = 100'000;
+constexpr int64_t kTerminalInterval_us = 1'000'000;
+
+/// Waits until a launcher runs this mission file, for apps started by hand.
+std::optional<RunningMission> AwaitMission(const std::string& file) {
+  std::error_code error;
+  const std::string wanted = std::filesystem::absolute(file, error).lexically_normal().string();
+  bool told = false;
+  while (!stop_wanted) {
+    for (const RunningMission& mission : RunningMissions()) {
+      if (mission.file == wanted) return mission;
+    }
+    if (!told) {
+      fmt::print(stderr, "waiting for `shoal run {}` (Ctrl-C ends)\n", file);
+      told = true;
+    }
+    usleep(kPollInterval_us);
+  }
+  return std::nullopt;
+}
+
+/// Shows the status page on a terminal, again once a second.
+void ShowOnTerminal(const App& app, const std::string& name, int64_t step) {
+  fmt::print("\033[2J\033[H{}", Format(app.Status(), name, step));
+  std::fflush(stdout);
+}
+
+int Run(const AppOptions& options, const std::string& name, const Mission& mission,
+        const std::function<std::unique_ptr<App>(Bus&)>& make) {
+  struct sigaction action {};
+  action.sa_handler = OnSignal;
+  sigaction(SIGINT, &action, nullptr);
+  sigaction(SIGTERM, &action, nullptr);
+
+  int port_base = options.port_base;
+  std::optional<Layout> layout = options.layout;
+  if (port_base == 0) {
+    const std::optional<RunningMission> running = AwaitMission(options.mission_file);
+    if (!running) return kExitOk;
+    port_base = running->port_base;
+    if (!layout) layout = running->layout;
+  }
+  const std::vector<std::string> vehicles = VehicleNames(mission);
+  const PortPlan plan(
+      port_base, layout.value_or(PortPlan::Suggest(static_cast<int>(vehicles.size()))), vehicles);
+
+  LcmTransport transport;
+  transport.set_drop_filter(MakeLossFilter(options.lose, options.lose_forever));
+  StepParticipant participant(
+      {.name = name, .mission_id = options.mission_id, .pid = static_cast<int32_t>(getpid())}, plan,
+      transport);
+  transport.set_receiver(
+      [&](int port, std::string_view channel, std::span<const uint8_t> datagram) {
+        participant.OnDatagram(port, channel, datagram, MonotonicMicroseconds());
+      });
+  const std::unique_ptr<App> app = make(participant);
+  participant.Attach(app.get());
+  if (!transport.error().empty()) {
+    fmt::print(stderr, "{}: {}\n", name, transport.error());
+    return kExitEnvironment;
+  }
+
+  const bool on_terminal = isatty(STDOUT_FILENO) == 1;
+  int64_t next_show = 0;
+  while (!participant.ended() && !stop_wanted) {
+    const int64_t now = MonotonicMicroseconds();
+    participant.OnTime(now);
+    if (on_terminal && now >= next_show) {
+      ShowOnTerminal(*app, name, participant.step());
+      next_show = now + kTerminalInterval_us;
+    }
+    transport.Poll(std::min(participant.NextDeadline() - now, kPollInterval_us));
+  }
+  if (!participant.ended()) app->End();
+  fmt::print("{}\n{}: {}\n", Format(app->Status(), name, participant.step()), name,
+             participant.ended() ? "the mission has ended" : "ended by a signal");
+  return kExitOk;
+}
+
+/// Loads the mission or prints all that is wrong with it.
+std::optional<Mission> Load(const AppOptions& options) {
+  LoadedMission loaded = LoadMission(options.mission_file, options.overrides);
+  for (const std::string& error : loaded.errors) fmt::print(stderr, "{}\n", error);
+  if (!loaded.errors.empty()) return std::nullopt;
+  return std::move(loaded.mission);
+}
+
+}  // namespace
+
+int64_t MonotonicMicroseconds() {
+  timespec now{};
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  return int64_t{now.tv_sec} * 1'000'000 + now.tv_nsec / 1000;
+}
+
+std::function<bool(std::string_view)> MakeLossFilter(double lose, const std::string& lose_forever) {
+  if (lose <= 0 && lose_forever.empty()) return {};
+  return
+      [lose, lose_forever, state = uint64_t{0x9e3779b97f4a7c15}](std::string_view channel) mutable {
+        if (channel == lose_forever) return true;
+        // xorshift64: which datagram falls victim must not be tied to the mission's own streams.
+        state ^= state << 13;
+        state ^= state >> 7;
+        state ^= state << 17;
+        return static_cast<double>(state >> 11) * 0x1p-53 < lose;
+      };
+}
+
+int RunVehicleApp(const AppInfo& info, int argc, char** argv, const VehicleAppFactory& make) {
+  const AppOptions options = ParseAppOptionsOrExit(info, argc, argv);
+  const std::optional<Mission> mission = Load(options);
+  if (!mission) return kExitUsage;
+  const Vehicle* vehicle = mission->FindVehicle(options.vehicle);
+  if (vehicle == nullptr) {
+    fmt::print(stderr, "{}: no vehicle '{}' in {}; it has: {}\n", info.name, options.vehicle,
+               options.mission_file, fmt::join(VehicleNames(*mission), ", "));
+    return kExitUsage;
+  }
+  const std::string name =
+      options.alias.empty() ? ParticipantName(info.name, vehicle->name) : options.alias;
+  return Run(options, name, *mission,
+             [&](Bus& bus) { return make(*mission, *vehicle, bus, options); });
+}
+
+int RunMissionApp(const AppInfo& info, int argc, char** argv, const MissionAppFactory& make) {
+  const AppOptions options = ParseAppOptionsOrExit(info, argc, argv);
+  const std::optional<Mission> mission = Load(options);
+  if (!mission) return kExitUsage;
+  return Run(options, options.alias.empty() ? info.name : options.alias, *mission,
+             [&](Bus& bus) { return make(*mission, bus, options); });
+}
+
+}  // namespace shoal

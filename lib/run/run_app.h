@@ -1,0 +1,41 @@
+// The main loop of a participant that runs in a process of its own.
+//
+//   int main(int argc, char** argv) {
+//     return shoal::RunVehicleApp(kInfo, argc, argv, [](const auto& mission, const auto& vehicle,
+//                                                       auto& bus, const auto&) {
+//       return std::make_unique<shoal::HelmApp>(mission, vehicle, bus);
+//     });
+//   }
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "lib/bus/bus.h"
+#include "lib/mission/mission.h"
+#include "lib/run/app.h"
+#include "lib/run/app_options.h"
+
+namespace shoal {
+
+/// Makes the app of one vehicle.
+using VehicleAppFactory = std::function<std::unique_ptr<App>(
+    const Mission& mission, const Vehicle& vehicle, Bus& bus, const AppOptions& options)>;
+/// Makes an app of the whole mission.
+using MissionAppFactory = std::function<std::unique_ptr<App>(const Mission& mission, Bus& bus,
+                                                             const AppOptions& options)>;
+
+/// Parses the command line, loads the mission, joins its bus and steps the app until the mission
+/// ends, the launcher goes or a signal comes. Returns the exit code (lib/check/result.h).
+int RunVehicleApp(const AppInfo& info, int argc, char** argv, const VehicleAppFactory& make);
+int RunMissionApp(const AppInfo& info, int argc, char** argv, const MissionAppFactory& make);
+
+/// Returns microseconds of a clock that never jumps. For the rim only: apps are given their time.
+int64_t MonotonicMicroseconds();
+
+/// Returns a filter that loses datagrams as --lose and --lose-forever ask for; empty: none.
+std::function<bool(std::string_view channel)> MakeLossFilter(double lose,
+                                                             const std::string& lose_forever);
+
+}  // namespace shoal

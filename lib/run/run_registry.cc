@@ -1,0 +1,188 @@
+#include "lib/run/run_registry.h"
+
+#include <arpa/inet.h>
+#include <fmt/format.h>
+#include <netinet/in.h>
+#include <signal.h>
+#include <sys/socket.h>
+#include <sys/un.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+
+namespace shoal {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kBlockDistance = 140;  ///< Between default blocks: room for the largest one.
+constexpr int kLastBase = 30000;     ///< Beyond lie the ports that the kernel hands out itself.
+
+fs::path EntryPath(int port_base) {
+  return fs::path(RunDirectory()) / fmt::format("{}.run", port_base);
+}
+
+/// True where no socket at all is bound to the UDP port, not even one that would share it.
+bool IsFree(int port) {
+  const int fd = socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);
+  if (fd < 0) return false;
+  sockaddr_in address{};
+  address.sin_family = AF_INET;
+  address.sin_port = htons(static_cast<uint16_t>(port));
+  address.sin_addr.s_addr = htonl(INADDR_ANY);
+  const bool free = bind(fd, reinterpret_cast<sockaddr*>(&address), sizeof address) == 0;
+  close(fd);
+  return free;
+}
+
+/// Binds a name that only one process of the machine can hold and that goes with it, however it
+/// ends. The descriptor stays open on purpose.
+bool Lock(int port) {
+  const int fd = socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC, 0);
+  if (fd < 0) return false;
+  sockaddr_un address{};
+  address.sun_family = AF_UNIX;
+  const std::string name = fmt::format("shoal-port-{}", port);
+  std::memcpy(address.sun_path + 1, name.data(), name.size());
+  const auto size = static_cast<socklen_t>(offsetof(sockaddr_un, sun_path) + 1 + name.size());
+  if (bind(fd, reinterpret_cast<sockaddr*>(&address), size) == 0) return true;
+  close(fd);
+  return false;
+}
+
+bool BlockIsFree(int base, int num_ports) {
+  for (int port = base; port < base + num_ports; ++port) {
+    if (!IsFree(port)) return false;
+  }
+  return true;
+}
+
+/// Locks every port of the block; locks of a block that was claimed in part stay with this process,
+/// which does harm to nobody but itself.
+bool LockBlock(int base, int num_ports) {
+  for (int port = base; port < base + num_ports; ++port) {
+    if (!Lock(port)) return false;
+  }
+  return true;
+}
+
+std::optional<RunningMission> ReadEntry(const fs::path& path) {
+  std::ifstream in(path);
+  RunningMission mission;
+  std::string key;
+  while (in >> key) {
+    std::string value;
+    std::getline(in >> std::ws, value);
+    if (key == "name") mission.name = value;
+    if (key == "file") mission.file = value;
+    if (key == "mission_id") mission.mission_id = std::strtoll(value.c_str(), nullptr, 10);
+    if (key == "port_base") mission.port_base = std::atoi(value.c_str());
+    if (key == "layout") {
+      mission.layout = value == "communities" ? Layout::kCommunities : Layout::kShared;
+    }
+    if (key == "pid") mission.pid = std::atoi(value.c_str());
+    if (key == "vehicle") mission.vehicles.push_back(value);
+  }
+  const int num_ports =
+      PortPlan::NumPorts(mission.layout, static_cast<int>(mission.vehicles.size()));
+  if (mission.pid <= 0 || mission.port_base < 1024 || mission.port_base + num_ports > 65536) {
+    return std::nullopt;
+  }
+  return mission;
+}
+
+}  // namespace
+
+std::string RunDirectory() {
+  if (const char* own = std::getenv("SHOAL_RUN_DIR"); own != nullptr && *own != '\0') return own;
+  if (const char* xdg = std::getenv("XDG_RUNTIME_DIR"); xdg != nullptr && *xdg != '\0') {
+    return std::string(xdg) + "/shoal";
+  }
+  return fmt::format("/tmp/shoal-{}", getuid());
+}
+
+Result<int> ClaimPorts(int wanted_base, int num_ports) {
+  if (wanted_base != 0) {
+    if (wanted_base < 1024 || wanted_base + num_ports > 65536) {
+      return Error{fmt::format("--port {}: the block of {} ports must lie within 1024 to 65535",
+                               wanted_base, num_ports)};
+    }
+    if (BlockIsFree(wanted_base, num_ports) && LockBlock(wanted_base, num_ports)) {
+      return wanted_base;
+    }
+    return Error{
+        fmt::format("UDP ports {} to {} are not all free (`ss -ulnp` shows who has them, `shoal "
+                    "status` which missions run); choose others with --port, or leave it out",
+                    wanted_base, wanted_base + num_ports - 1)};
+  }
+  for (int base = PortPlan::kDefaultBase; base + num_ports < kLastBase; base += kBlockDistance) {
+    if (BlockIsFree(base, num_ports) && LockBlock(base, num_ports)) return base;
+  }
+  return Error{fmt::format("no free block of {} UDP ports between {} and {}", num_ports,
+                           PortPlan::kDefaultBase, kLastBase)};
+}
+
+Result<bool> Register(const RunningMission& mission) {
+  std::error_code error;
+  fs::create_directories(RunDirectory(), error);
+  const fs::path path = EntryPath(mission.port_base);
+  const fs::path draft = path.string() + ".new";
+  std::ofstream out(draft);
+  out << "name " << mission.name << "\nfile " << mission.file << "\nmission_id "
+      << mission.mission_id << "\nport_base " << mission.port_base << "\nlayout "
+      << Name(mission.layout) << "\npid " << mission.pid << "\n";
+  for (const std::string& vehicle : mission.vehicles) out << "vehicle " << vehicle << "\n";
+  out.close();
+  if (out) fs::rename(draft, path, error);
+  if (!out || error) {
+    return Error{fmt::format("cannot write {}; set SHOAL_RUN_DIR to a folder that can be written",
+                             path.string())};
+  }
+  return true;
+}
+
+void Unregister(int port_base) {
+  std::error_code error;
+  fs::remove(EntryPath(port_base), error);
+}
+
+std::vector<RunningMission> RunningMissions() {
+  std::vector<RunningMission> missions;
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(RunDirectory(), error)) {
+    if (entry.path().extension() != ".run") continue;
+    const std::optional<RunningMission> mission = ReadEntry(entry.path());
+    if (mission && (kill(mission->pid, 0) == 0 || errno == EPERM)) {
+      missions.push_back(*mission);
+    } else {
+      fs::remove(entry.path(), error);
+    }
+  }
+  std::sort(missions.begin(), missions.end(),
+            [](const auto& a, const auto& b) { return a.port_base < b.port_base; });
+  return missions;
+}
+
+Result<RunningMission> FindRunningMission(int port_base) {
+  const std::vector<RunningMission> missions = RunningMissions();
+  for (const RunningMission& mission : missions) {
+    if (mission.port_base == port_base || (port_base == 0 && missions.size() == 1)) return mission;
+  }
+  if (missions.empty()) {
+    return Error{"no mission is running on this machine; start one with `shoal run FILE`"};
+  }
+  std::string message = port_base == 0
+                            ? "several missions are running; choose one with --port:"
+                            : fmt::format("no mission runs at port {}; running:", port_base);
+  for (const RunningMission& mission : missions) {
+    message += fmt::format("\n  --port {}  {} ({})", mission.port_base, mission.name, mission.file);
+  }
+  return Error{message};
+}
+
+}  // namespace shoal

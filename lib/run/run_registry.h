@@ -1,0 +1,45 @@
+// Where running missions are found: one small file per mission, so that `shoal send`, `shoal
+// status`, scripts/spy and apps started by hand need not be told ports.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lib/bus/layout.h"
+#include "lib/check/result.h"
+
+namespace shoal {
+
+struct RunningMission {
+  std::string name;
+  std::string file;  ///< Absolute path of the mission file.
+  int64_t mission_id = 0;
+  int port_base = 0;
+  Layout layout = Layout::kShared;
+  int pid = 0;  ///< Of the launcher.
+  std::vector<std::string> vehicles;
+
+  PortPlan Ports() const { return PortPlan(port_base, layout, vehicles); }
+};
+
+/// Returns where the files lie: $SHOAL_RUN_DIR, $XDG_RUNTIME_DIR/shoal or /tmp/shoal-<uid>.
+std::string RunDirectory();
+
+/// Claims a free block of ports for as long as this process lives. `wanted_base` 0: the first
+/// free one from PortPlan::kDefaultBase on. The error names who has the ports where that is known.
+[[nodiscard]] Result<int> ClaimPorts(int wanted_base, int num_ports);
+
+/// Writes or removes this process's entry. A failure to write is an error with the path.
+[[nodiscard]] Result<bool> Register(const RunningMission& mission);
+void Unregister(int port_base);
+
+/// Returns the missions whose launchers are alive, in order of port; removes what the dead left.
+std::vector<RunningMission> RunningMissions();
+
+/// Returns the one mission that runs, or the one at `port_base` (0: any); an error that lists them
+/// where there are none or several.
+[[nodiscard]] Result<RunningMission> FindRunningMission(int port_base);
+
+}  // namespace shoal

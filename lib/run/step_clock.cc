@@ -1,0 +1,244 @@
+#include "lib/run/step_clock.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "lib/bus/bus.h"
+#include "lib/bus/channels.h"
+
+namespace shoal {
+
+namespace {
+
+constexpr int64_t kRepeatAfter_us = 50'000;
+/// After a stall the clock does not race to catch up by more than this.
+constexpr int64_t kMaxCatchUp_us = 200'000;
+constexpr int64_t kNever = std::numeric_limits<int64_t>::max();
+
+}  // namespace
+
+StepClock::StepClock(ClockOptions options, std::vector<std::string> participants, PortPlan plan,
+                     Transport& transport)
+    : options_(options), plan_(std::move(plan)), transport_(transport) {
+  for (std::string& name : participants) members_[std::move(name)];
+  transport_.Listen(plan_.done_port(), channels::StepDone().name);
+}
+
+void StepClock::OnDatagram(int port, std::string_view channel, std::span<const uint8_t> datagram,
+                           int64_t wall_us) {
+  if (port != plan_.done_port() || channel != channels::StepDone().name) return;
+  step_done_t done;
+  if (!Decode(datagram, &done)) {
+    ++counters_.undecodable;
+    return;
+  }
+  // A hello may not know the mission's id yet.
+  const bool is_hello = done.step < 0;
+  if (done.mission_id != options_.mission_id && !(is_hello && done.mission_id == 0)) {
+    ++counters_.foreign;
+    return;
+  }
+  OnDone(done, wall_us);
+}
+
+void StepClock::OnDone(const step_done_t& done, int64_t wall_us) {
+  const auto found = members_.find(done.participant);
+  if (found == members_.end()) {
+    ++counters_.foreign;
+    return;
+  }
+  Member& member = found->second;
+  if (done.step < 0) {
+    if (state_ == State::kGathering) {
+      member.present = true;
+    } else if (!member.present) {
+      member.joins_next = true;
+    }
+    return;
+  }
+  if (!member.present) return;
+  if (!done.fault.empty() && fault_.empty()) fault_ = done.participant + ": " + done.fault;
+  if (done.step != step_ || member.answered_step == step_) return;
+  member.answered_step = step_;
+  member.repeated = done.repeated;
+  member.outside = done.outside;
+  member.foreign = done.foreign;
+  member.undecodable = done.undecodable;
+  for (const step_count_t& count : done.published) {
+    next_totals_.push_back(
+        {.publisher = done.participant, .channel = count.channel, .count = count.count});
+    counters_.messages += count.count;
+  }
+  if (AllAnswered()) Advance(wall_us);
+}
+
+bool StepClock::AllAnswered() const {
+  return std::all_of(members_.begin(), members_.end(), [&](const auto& item) {
+    return !item.second.present || item.second.answered_step == step_;
+  });
+}
+
+int64_t StepClock::DueTime() const {
+  if (options_.warp <= 0) return 0;
+  const double mission_us = static_cast<double>((step_ + 1) * options_.tick_us);
+  return pace_origin_us_ + static_cast<int64_t>(mission_us / options_.warp);
+}
+
+void StepClock::Advance(int64_t wall_us) {
+  if (state_ == State::kEnding) {
+    state_ = State::kEnded;
+    UpdateCounters();
+    return;
+  }
+  const bool is_last = step_ == options_.last_step || stop_wanted_;
+  if (!is_last && wall_us < DueTime()) return;
+  if (DueTime() < wall_us - kMaxCatchUp_us && options_.warp > 0) {
+    pace_origin_us_ += wall_us - kMaxCatchUp_us - DueTime();
+  }
+  for (auto& [name, member] : members_) {
+    if (member.joins_next) {
+      member.present = true;
+      member.joins_next = false;
+      membership_changed_ = true;
+    }
+  }
+  if (is_last) state_ = State::kEnding;
+  SendTick(wall_us);
+}
+
+void StepClock::SendTick(int64_t wall_us) {
+  ++step_;
+  tick_ = tick_t{};
+  tick_.utime = options_.start_utime + step_ * options_.tick_us;
+  tick_.mission_id = options_.mission_id;
+  tick_.step = step_;
+  tick_.kind = state_ == State::kEnding ? tick_t::END : tick_t::RUN;
+  tick_.warp = options_.warp;
+  tick_.totals = std::move(next_totals_);
+  tick_.num_totals = static_cast<int32_t>(tick_.totals.size());
+  next_totals_.clear();
+  for (auto& [name, member] : members_) {
+    member.asked_at_us = wall_us;
+    member.next_repeat_us = wall_us + kRepeatAfter_us;
+  }
+  Bytes bytes;
+  EncodeInto(tick_, &bytes);
+  transport_.Send(plan_.tick_port(), channels::Tick().name, bytes);
+}
+
+void StepClock::OnTime(int64_t wall_us) {
+  if (state_ == State::kEnded) return;
+  if (state_ == State::kGathering) {
+    if (stop_wanted_) {
+      // Nobody has begun; END tells those who are there to leave.
+      for (auto& [name, member] : members_) member.answered_step = -1;
+      state_ = State::kEnding;
+      SendTick(wall_us);
+    } else if (Awaited().empty()) {
+      state_ = State::kRunning;
+      pace_origin_us_ = wall_us;
+      SendTick(wall_us);
+    }
+    return;
+  }
+  if (stop_wanted_ && wall_us >= stop_deadline_us_) {
+    if (state_ == State::kEnding) {
+      state_ = State::kEnded;
+      UpdateCounters();
+      return;
+    }
+    // Somebody does not answer: the others end without this step's totals.
+    state_ = State::kEnding;
+    stop_deadline_us_ = wall_us + kRepeatAfter_us * 4;
+    next_totals_.clear();
+    SendTick(wall_us);
+    return;
+  }
+  if (AllAnswered()) {
+    Advance(wall_us);
+    return;
+  }
+  bool repeat = false;
+  for (auto& [name, member] : members_) {
+    if (!member.present || member.answered_step == step_ || wall_us < member.next_repeat_us) {
+      continue;
+    }
+    member.next_repeat_us = wall_us + kRepeatAfter_us;
+    repeat = true;
+  }
+  if (repeat) {
+    ++counters_.ticks_again;
+    Bytes bytes;
+    EncodeInto(tick_, &bytes);
+    transport_.Send(plan_.tick_port(), channels::Tick().name, bytes);
+  }
+}
+
+int64_t StepClock::NextDeadline() const {
+  if (state_ == State::kEnded) return kNever;
+  if (state_ == State::kGathering) return 0;
+  int64_t next = stop_wanted_ ? stop_deadline_us_ : kNever;
+  if (AllAnswered()) return std::min(next, DueTime());
+  for (const auto& [name, member] : members_) {
+    if (member.present && member.answered_step != step_) {
+      next = std::min(next, member.next_repeat_us);
+    }
+  }
+  return next;
+}
+
+void StepClock::Drop(const std::string& participant, int64_t wall_us) {
+  const auto found = members_.find(participant);
+  if (found == members_.end() || !found->second.present) return;
+  found->second.present = false;
+  found->second.joins_next = false;
+  membership_changed_ = true;
+  // What it published in a step that it did not finish counts for nobody.
+  if (state_ != State::kGathering && state_ != State::kEnded && AllAnswered()) Advance(wall_us);
+}
+
+void StepClock::Stop(int64_t wall_us, int64_t patience_us) {
+  if (stop_wanted_) return;
+  stop_wanted_ = true;
+  stop_deadline_us_ = wall_us + patience_us;
+}
+
+int64_t StepClock::utime() const {
+  // END is a tick too, and no step.
+  const bool is_end = state_ == State::kEnding || state_ == State::kEnded;
+  const int64_t last_run = std::max<int64_t>(is_end ? step_ - 1 : step_, 0);
+  return options_.start_utime + last_run * options_.tick_us;
+}
+
+std::vector<std::string> StepClock::Awaited() const {
+  std::vector<std::string> names;
+  for (const auto& [name, member] : members_) {
+    if (!member.present) names.push_back(name);
+  }
+  return names;
+}
+
+std::vector<std::string> StepClock::Silent(int64_t wall_us) const {
+  std::vector<std::string> names;
+  if (state_ != State::kRunning && state_ != State::kEnding) return names;
+  for (const auto& [name, member] : members_) {
+    if (member.present && member.answered_step != step_ &&
+        wall_us - member.asked_at_us > options_.timeout_us) {
+      names.push_back(name);
+    }
+  }
+  return names;
+}
+
+void StepClock::UpdateCounters() {
+  for (const auto& [name, member] : members_) {
+    counters_.repeated += member.repeated;
+    counters_.outside += member.outside;
+    counters_.foreign += member.foreign;
+    counters_.undecodable += member.undecodable;
+  }
+}
+
+}  // namespace shoal

@@ -1,0 +1,116 @@
+// The clock's side of the step protocol: one TICK when all participants have answered the last.
+//
+//   GATHERING --all said hello--> RUNNING --last step answered--> ENDING --all answered--> ENDED
+//       |                            |  TICK k, wait for STEP_DONE k of all, TICK k+1 with totals
+//       |                            |  silence of 50 ms: the tick again
+//       +--------- Stop() -----------+--------------------------> ENDING
+//
+// Time comes in as an argument (wall time, microseconds, from any epoch, never backward). Pure but
+// for the transport.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "lib/bus/layout.h"
+#include "lib/bus/transport.h"
+#include "lib/mission/mission.h"
+#include "shoal/step_done_t.hpp"
+#include "shoal/tick_t.hpp"
+
+namespace shoal {
+
+/// What the clock counts of the bus over a whole run.
+struct RunCounters {
+  int64_t messages = 0;     ///< Published by participants.
+  int64_t repeated = 0;     ///< Datagrams asked for again.
+  int64_t ticks_again = 0;  ///< Ticks sent again after silence.
+  int64_t outside = 0;      ///< Messages from outside that some participant handled.
+  int64_t foreign = 0;      ///< Messages of other missions, rejected.
+  int64_t undecodable = 0;  ///< Messages whose bytes make no sense, dropped.
+};
+
+struct ClockOptions {
+  int64_t mission_id = 0;
+  double warp = 1;  ///< Mission seconds per wall second; 0: as fast as possible.
+  int64_t tick_us = 100'000;
+  int64_t start_utime = 0;
+  int64_t last_step = 0;
+  int64_t timeout_us = 5'000'000;  ///< A participant silent for longer is lost.
+};
+
+class StepClock {
+ public:
+  enum class State { kGathering, kRunning, kEnding, kEnded };
+
+  StepClock(ClockOptions options, std::vector<std::string> participants, PortPlan plan,
+            Transport& transport);
+
+  void OnDatagram(int port, std::string_view channel, std::span<const uint8_t> datagram,
+                  int64_t wall_us);
+  /// Does what is due: next tick, ticks again, time-outs.
+  void OnTime(int64_t wall_us);
+  /// Returns the wall time at which OnTime has something to do.
+  int64_t NextDeadline() const;
+
+  /// Goes on without this participant, until it says hello again.
+  void Drop(const std::string& participant, int64_t wall_us);
+  /// Ends the mission after the present step, or at once if that does not end within
+  /// `patience_us`.
+  void Stop(int64_t wall_us, int64_t patience_us);
+
+  State state() const { return state_; }
+  int64_t step() const { return step_; }  ///< The last one ticked; -1 before the first.
+  /// Mission time of the last step that was run.
+  int64_t utime() const;
+  const RunCounters& counters() const { return counters_; }
+
+  /// Participants that have not said hello yet.
+  std::vector<std::string> Awaited() const;
+  /// Participants that were silent for longer than the time-out; each is named until dropped.
+  std::vector<std::string> Silent(int64_t wall_us) const;
+  /// The first fault that a participant reported ("helm_alpha: ..."), or empty.
+  const std::string& fault() const { return fault_; }
+  /// True where a participant was dropped or came back while running.
+  bool membership_changed() const { return membership_changed_; }
+
+ private:
+  struct Member {
+    bool present = false;     ///< Said hello, or answers; false after Drop.
+    bool joins_next = false;  ///< Said hello while running; takes part from the next tick on.
+    int64_t answered_step = -1;
+    int64_t asked_at_us = 0;  ///< When the tick it owes an answer to was sent first.
+    int64_t next_repeat_us = 0;
+    // Totals since its start, as its last answer tells.
+    int64_t repeated = 0;
+    int64_t outside = 0;
+    int64_t foreign = 0;
+    int64_t undecodable = 0;
+  };
+
+  void OnDone(const step_done_t& done, int64_t wall_us);
+  void SendTick(int64_t wall_us);
+  bool AllAnswered() const;
+  void Advance(int64_t wall_us);
+  int64_t DueTime() const;
+  void UpdateCounters();
+
+  const ClockOptions options_;
+  const PortPlan plan_;
+  Transport& transport_;
+  std::map<std::string, Member, std::less<>> members_;
+  State state_ = State::kGathering;
+  int64_t step_ = -1;
+  tick_t tick_{};
+  std::vector<step_total_t> next_totals_;  ///< Of the present step, as answers come.
+  int64_t pace_origin_us_ = 0;  ///< Wall time at which step 0 was, or would have been, due.
+  int64_t stop_deadline_us_ = 0;
+  bool stop_wanted_ = false;
+  bool membership_changed_ = false;
+  std::string fault_;
+  RunCounters counters_;
+};
+
+}  // namespace shoal

@@ -1,0 +1,75 @@
+// What a participant received, step by step, until it is complete and in the fixed order.
+//
+//   inbox.Add(channel, datagram, mission_id);          // as datagrams come, in any order, repeated
+//   if (inbox.Missing(tick).empty()) for (const Message& m : inbox.Take(tick)) handle(m);
+//
+// Pure: no bus, no clock.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "lib/bus/bus.h"
+#include "lib/bus/seal.h"
+#include "shoal/tick_t.hpp"
+
+namespace shoal {
+
+/// Messages that a tick announced and that did not come.
+struct MissingMessages {
+  std::string publisher;
+  std::string channel;
+  int32_t expected = 0;
+  int32_t received = 0;
+};
+
+struct InboxCounters {
+  int64_t late = 0;     ///< Repeats of what was already there or of steps gone by; dropped.
+  int64_t foreign = 0;  ///< Of another mission; rejected.
+  int64_t outside = 0;  ///< Without a seal; handled, in the step in which they arrived.
+};
+
+class StepInbox {
+ public:
+  /// `hears(channel)` tells which of the announced messages are meant for this participant.
+  explicit StepInbox(std::function<bool(std::string_view channel)> hears);
+
+  /// Makes `step` the first whose messages count: for one who joins or comes back mid-mission.
+  void StartAt(int64_t step);
+
+  /// Stores a datagram as it came off the bus.
+  void Add(std::string_view channel, std::span<const uint8_t> datagram, int64_t mission_id);
+
+  /// Returns what is still missing of the step before `tick`.
+  [[nodiscard]] std::vector<MissingMessages> Missing(const tick_t& tick) const;
+
+  /// A message with storage of its own.
+  struct Stored {
+    std::string channel;
+    std::string publisher;  ///< Empty: from outside.
+    uint32_t sequence = 0;
+    Bytes data;
+  };
+
+  /// Takes out the messages of the step before `tick` that its totals name, and all from outside,
+  /// in the fixed order: channel, publisher (outside first), sequence. Forgets older steps.
+  [[nodiscard]] std::vector<Stored> Take(const tick_t& tick);
+
+  const InboxCounters& counters() const { return counters_; }
+
+ private:
+  /// What one publisher said in one step, by its sequence number.
+  using BySequence = std::map<uint32_t, Stored>;
+
+  std::function<bool(std::string_view)> hears_;
+  std::map<int64_t, std::map<std::string, BySequence, std::less<>>> steps_;
+  std::vector<Stored> outside_;
+  int64_t next_step_ = -1;  ///< Messages of steps before this are late; -1: not known yet.
+  InboxCounters counters_;
+};
+
+}  // namespace shoal

@@ -1,0 +1,109 @@
+#include "lib/run/step_inbox.h"
+
+#include <gtest/gtest.h>
+
+namespace shoal {
+namespace {
+
+constexpr int64_t kMissionId = 99;
+
+Bytes Sealed(const std::string& publisher, int64_t step, uint32_t sequence, uint8_t content,
+             int64_t mission_id = kMissionId) {
+  Bytes bytes = {content};
+  AppendSeal({.publisher = publisher, .mission_id = mission_id, .step = step, .sequence = sequence},
+             &bytes);
+  return bytes;
+}
+
+tick_t TickAfter(int64_t step, std::vector<step_total_t> totals) {
+  tick_t tick{};
+  tick.step = step + 1;
+  tick.mission_id = kMissionId;
+  tick.totals = std::move(totals);
+  tick.num_totals = static_cast<int32_t>(tick.totals.size());
+  return tick;
+}
+
+StepInbox HearsAll() {
+  return StepInbox([](std::string_view) { return true; });
+}
+
+std::string Contents(const std::vector<StepInbox::Stored>& messages) {
+  std::string out;
+  for (const auto& message : messages) {
+    out += message.channel + "/" + message.publisher + "/" + static_cast<char>(message.data[0]) + " ";
+  }
+  return out;
+}
+
+TEST(StepInbox, OrdersByChannelThenPublisherThenSequence) {
+  StepInbox inbox = HearsAll();
+  inbox.Add("Y", Sealed("b", 0, 1, '1'), kMissionId);
+  inbox.Add("X", Sealed("b", 0, 0, '2'), kMissionId);
+  inbox.Add("Y", Sealed("a", 0, 7, '3'), kMissionId);
+  inbox.Add("Y", Sealed("a", 0, 3, '4'), kMissionId);
+  inbox.Add("Y", Bytes{'5'}, kMissionId);
+  const tick_t tick = TickAfter(0, {{"a", "Y", 2}, {"b", "X", 1}, {"b", "Y", 1}});
+  EXPECT_TRUE(inbox.Missing(tick).empty());
+  EXPECT_EQ(Contents(inbox.Take(tick)), "X/b/2 Y//5 Y/a/4 Y/a/3 Y/b/1 ");
+  EXPECT_EQ(inbox.counters().outside, 1);
+}
+
+TEST(StepInbox, KnowsWhatIsMissingOfWhatItHears) {
+  StepInbox inbox([](std::string_view channel) { return channel == "Y"; });
+  inbox.Add("Y", Sealed("a", 0, 0, '1'), kMissionId);
+  const tick_t tick = TickAfter(0, {{"a", "Y", 3}, {"a", "NOT_MINE", 5}});
+  const auto missing = inbox.Missing(tick);
+  ASSERT_EQ(missing.size(), 1U);
+  EXPECT_EQ(missing[0].channel, "Y");
+  EXPECT_EQ(missing[0].received, 1);
+  EXPECT_EQ(missing[0].expected, 3);
+}
+
+TEST(StepInbox, TakesARepeatedDatagramOnce) {
+  StepInbox inbox = HearsAll();
+  inbox.Add("Y", Sealed("a", 0, 0, '1'), kMissionId);
+  inbox.Add("Y", Sealed("a", 0, 0, '1'), kMissionId);
+  EXPECT_EQ(Contents(inbox.Take(TickAfter(0, {{"a", "Y", 1}}))), "Y/a/1 ");
+  EXPECT_EQ(inbox.counters().late, 1);
+}
+
+TEST(StepInbox, RejectsMessagesOfAnotherMission) {
+  StepInbox inbox = HearsAll();
+  inbox.Add("Y", Sealed("a", 0, 0, '1', 12345), kMissionId);
+  EXPECT_TRUE(inbox.Take(TickAfter(0, {})).empty());
+  EXPECT_EQ(inbox.counters().foreign, 1);
+}
+
+TEST(StepInbox, KeepsWhatAFasterPublisherSaidForTheNextStep) {
+  StepInbox inbox = HearsAll();
+  inbox.Add("Y", Sealed("a", 0, 0, '1'), kMissionId);
+  inbox.Add("Y", Sealed("a", 1, 0, '2'), kMissionId);
+  EXPECT_EQ(Contents(inbox.Take(TickAfter(0, {{"a", "Y", 1}}))), "Y/a/1 ");
+  EXPECT_EQ(Contents(inbox.Take(TickAfter(1, {{"a", "Y", 1}}))), "Y/a/2 ");
+}
+
+TEST(StepInbox, IgnoresWhatNoTotalAnnounced) {
+  // Its publisher died before the step was done: some heard it, some did not.
+  StepInbox inbox = HearsAll();
+  inbox.Add("Y", Sealed("dead", 0, 0, '1'), kMissionId);
+  EXPECT_TRUE(inbox.Take(TickAfter(0, {})).empty());
+}
+
+TEST(StepInbox, DropsWhatComesAfterItsStep) {
+  StepInbox inbox = HearsAll();
+  EXPECT_TRUE(inbox.Take(TickAfter(0, {})).empty());
+  inbox.Add("Y", Sealed("a", 0, 0, '1'), kMissionId);
+  EXPECT_TRUE(inbox.Take(TickAfter(1, {{"a", "Y", 1}})).empty());
+  EXPECT_EQ(inbox.counters().late, 1);
+}
+
+TEST(StepInbox, StoresNothingForStepsFarAhead) {
+  StepInbox inbox = HearsAll();
+  EXPECT_TRUE(inbox.Take(TickAfter(0, {})).empty());
+  inbox.Add("Y", Sealed("a", 1'000'000, 0, '1'), kMissionId);
+  EXPECT_EQ(inbox.counters().late, 1);
+}
+
+}  // namespace
+}  // namespace shoal

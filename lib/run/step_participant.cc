@@ -1,0 +1,283 @@
+#include "lib/run/step_participant.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "lib/bus/channels.h"
+
+namespace shoal {
+
+namespace {
+
+constexpr int64_t kHelloInterval_us = 200'000;
+constexpr int64_t kRequestInterval_us = 50'000;
+/// A repeat takes well under a millisecond; three seconds of asking in vain means that it never
+/// gets through.
+constexpr int64_t kGiveUpAfter_us = 3'000'000;
+constexpr size_t kStepsKept = 2;
+
+}  // namespace
+
+StepParticipant::StepParticipant(ParticipantOptions options, PortPlan plan, Transport& transport)
+    : options_(std::move(options)),
+      plan_(std::move(plan)),
+      transport_(transport),
+      inbox_([this](std::string_view channel) {
+        return !all_handlers_.empty() || handlers_.contains(channel);
+      }),
+      mission_id_(options_.mission_id) {
+  transport_.Listen(plan_.tick_port(), channels::Tick().name);
+  transport_.Listen(plan_.tick_port(), channels::Resend().name);
+  transport_.Listen(plan_.tick_port(), channels::AppcastReq().name);
+}
+
+void StepParticipant::PublishBytes(std::string_view channel, std::span<const uint8_t> data) {
+  SHOAL_CHECK(in_step_, "an app publishes only while it handles a step");
+  Sent sent{.channel = std::string(channel), .datagram = Bytes(data.begin(), data.end())};
+  AppendSeal({.publisher = options_.name,
+              .mission_id = mission_id_,
+              .step = step_,
+              .sequence = sequence_++},
+             &sent.datagram);
+  transport_.Send(plan_.PortOf(channel), channel, sent.datagram);
+  ++counters_.published;
+  sent_.back().messages.push_back(std::move(sent));
+}
+
+void StepParticipant::SubscribeBytes(const std::string& channel, Handler handler) {
+  std::vector<Handler>& handlers = handlers_[channel];
+  // One that hears everything hears this channel already.
+  if (handlers.empty() && all_handlers_.empty()) {
+    transport_.Listen(plan_.PortOf(channel), channel);
+  }
+  handlers.push_back(std::move(handler));
+}
+
+void StepParticipant::SubscribeAll(Handler handler) {
+  SHOAL_CHECK(handlers_.empty(), "SubscribeAll comes before any other subscription");
+  if (all_handlers_.empty()) {
+    for (const int port : plan_.DataPorts()) transport_.ListenToAll(port);
+  }
+  all_handlers_.push_back(std::move(handler));
+}
+
+void StepParticipant::OnDatagram(int port, std::string_view channel,
+                                 std::span<const uint8_t> datagram, int64_t wall_us) {
+  if (port == plan_.tick_port()) {
+    if (channel == "TICK") {
+      tick_t tick;
+      if (Decode(datagram, &tick)) {
+        OnTick(tick, wall_us);
+      } else {
+        CountUndecodable(channel);
+      }
+    } else if (channel == "RESEND") {
+      OnResend(datagram);
+    } else if (channel == "APPCAST_REQ") {
+      OnAppcastRequest(datagram);
+    }
+    return;
+  }
+  if (port == plan_.done_port()) return;
+  inbox_.Add(channel, datagram, mission_id_);
+  last_arrival_ = wall_us;
+  if (pending_) TryStep(wall_us);
+}
+
+void StepParticipant::OnTick(const tick_t& tick, int64_t wall_us) {
+  if (mission_id_ == 0) mission_id_ = tick.mission_id;
+  if (tick.mission_id != mission_id_) {
+    ++num_foreign_ticks_;
+    return;
+  }
+  if (ended_ || (pending_ && tick.step <= pending_->step)) return;
+  if (tick.step <= step_) {
+    // The clock did not hear the answer: say it again.
+    if (tick.step == step_) SendUnsealed(channels::StepDone(), done_);
+    return;
+  }
+  if (tick.step != step_ + 1) inbox_.StartAt(std::max<int64_t>(tick.step - 1, 0));
+  pending_ = tick;
+  collecting_since_ = last_arrival_ = wall_us;
+  next_request_ = wall_us + kRequestInterval_us;
+  TryStep(wall_us);
+}
+
+void StepParticipant::TryStep(int64_t wall_us) {
+  // On the way datagrams pass each other by microseconds: asking starts only after a pause.
+  if (!inbox_.Missing(*pending_).empty()) {
+    next_request_ = std::max(next_request_, wall_us);
+    return;
+  }
+  RunStep();
+}
+
+void StepParticipant::RunStep() {
+  const bool is_end = pending_->kind == tick_t::END;
+  step_ = pending_->step;
+  utime_ = pending_->utime;
+  sequence_ = 0;
+  sent_.push_back({.step = step_, .messages = {}});
+  while (sent_.size() > kStepsKept) sent_.pop_front();
+  const tick_t tick = std::move(*pending_);
+  pending_.reset();
+  in_step_ = true;
+  for (const StepInbox::Stored& stored : inbox_.Take(tick)) {
+    const Message message{
+        .channel = stored.channel, .publisher = stored.publisher, .data = stored.data};
+    const auto found = handlers_.find(stored.channel);
+    if (found != handlers_.end()) {
+      for (const Handler& handler : found->second) {
+        ++counters_.handled;
+        handler(message);
+      }
+    }
+    for (const Handler& handler : all_handlers_) {
+      ++counters_.handled;
+      handler(message);
+    }
+  }
+  if (is_end) {
+    app_->End();
+    ended_ = true;
+  } else {
+    app_->Tick(utime_);
+  }
+  in_step_ = false;
+  SendDone(app_->Fault());
+}
+
+void StepParticipant::SendDone(const std::string& fault) {
+  done_ = step_done_t{};
+  done_.utime = utime_;
+  done_.mission_id = mission_id_;
+  done_.step = step_;
+  done_.participant = options_.name;
+  done_.pid = options_.pid;
+  done_.repeated = num_requests_;
+  done_.outside = inbox_.counters().outside;
+  done_.foreign = num_foreign();
+  done_.undecodable = counters_.undecodable;
+  done_.fault = fault;
+  if (step_ >= 0) {
+    std::map<std::string_view, int32_t> counts;
+    for (const Sent& sent : sent_.back().messages) ++counts[sent.channel];
+    for (const auto& [channel, count] : counts) {
+      done_.published.push_back({.channel = std::string(channel), .count = count});
+    }
+    done_.num_published = static_cast<int32_t>(done_.published.size());
+  }
+  SendUnsealed(channels::StepDone(), done_);
+}
+
+template <class T>
+void StepParticipant::SendUnsealed(const Channel<T>& channel, const T& message) {
+  Bytes bytes;
+  EncodeInto(message, &bytes);
+  transport_.Send(plan_.PortOf(channel.name), channel.name, bytes);
+}
+
+void StepParticipant::OnTime(int64_t wall_us) {
+  if (step_ < 0 && !pending_) {
+    if (wall_us >= next_hello_) {
+      SendDone("");
+      next_hello_ = wall_us + kHelloInterval_us;
+    }
+    return;
+  }
+  if (!pending_ || wall_us < next_request_) return;
+  const std::vector<MissingMessages> missing = inbox_.Missing(*pending_);
+  if (missing.empty()) {
+    RunStep();
+    return;
+  }
+  next_request_ = wall_us + kRequestInterval_us;
+  if (wall_us - std::max(collecting_since_, last_arrival_) < kGiveUpAfter_us &&
+      wall_us - collecting_since_ < 3 * kGiveUpAfter_us) {
+    RequestMissing(missing);
+    return;
+  }
+  const MissingMessages& first = missing.front();
+  SendDone(fmt::format(
+      "{} of {} messages of {} on {} in step {} never reached {}, though asked for again for {} s",
+      first.expected - first.received, first.expected, first.publisher, first.channel,
+      pending_->step - 1, options_.name, kGiveUpAfter_us / 1'000'000));
+}
+
+int64_t StepParticipant::NextDeadline() const {
+  if (step_ < 0 && !pending_) return next_hello_;
+  if (pending_) return next_request_;
+  return std::numeric_limits<int64_t>::max();
+}
+
+void StepParticipant::RequestMissing(const std::vector<MissingMessages>& missing) {
+  for (const MissingMessages& each : missing) {
+    num_requests_ += each.expected - each.received;
+    resend_t request;
+    request.utime = utime_;
+    request.mission_id = mission_id_;
+    request.step = pending_->step - 1;
+    request.requester = options_.name;
+    request.publisher = each.publisher;
+    request.channel = each.channel;
+    SendUnsealed(channels::Resend(), request);
+  }
+}
+
+void StepParticipant::OnResend(std::span<const uint8_t> datagram) {
+  resend_t request;
+  if (!Decode(datagram, &request)) {
+    CountUndecodable("RESEND");
+    return;
+  }
+  if (request.mission_id != mission_id_ || request.publisher != options_.name) return;
+  for (const SentStep& step : sent_) {
+    if (step.step != request.step) continue;
+    for (const Sent& sent : step.messages) {
+      if (sent.channel == request.channel) {
+        transport_.Send(plan_.PortOf(sent.channel), sent.channel, sent.datagram);
+      }
+    }
+  }
+}
+
+void StepParticipant::OnAppcastRequest(std::span<const uint8_t> datagram) {
+  appcast_req_t request;
+  if (!Decode(datagram, &request)) {
+    CountUndecodable("APPCAST_REQ");
+    return;
+  }
+  if (request.app != "all" && request.app != options_.name) return;
+  const StatusPage page = StatusWithBus();
+  appcast_t appcast;
+  appcast.utime = utime_;
+  appcast.app = options_.name;
+  appcast.step = step_;
+  appcast.config_warnings = page.config_warnings;
+  appcast.num_config_warnings = static_cast<int32_t>(page.config_warnings.size());
+  appcast.run_warnings = page.run_warnings;
+  appcast.num_run_warnings = static_cast<int32_t>(page.run_warnings.size());
+  appcast.page = page.text;
+  SendUnsealed(channels::Appcast(), appcast);
+}
+
+StatusPage StepParticipant::StatusWithBus() const {
+  StatusPage page = app_->Status();
+  if (num_foreign() > 0) {
+    page.run_warnings.push_back(
+        fmt::format("{} messages of another mission rejected: two missions share a block of ports",
+                    num_foreign()));
+  }
+  for (const auto& [channel, count] : counters_.undecodable_by_channel) {
+    page.run_warnings.push_back(fmt::format("{} undecodable messages on {}", count, channel));
+  }
+  page.text += fmt::format(
+      "\nBus: {} published, {} handled, {} undecodable, {} from outside, {} asked for again\n",
+      counters_.published, counters_.handled, counters_.undecodable, inbox_.counters().outside,
+      num_requests_);
+  return page;
+}
+
+}  // namespace shoal

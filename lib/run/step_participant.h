@@ -1,0 +1,111 @@
+// A participant's side of the step protocol: the Bus of an app that runs in a process of its own.
+//
+//              first TICK                       TICK k, all of step k-1 is here
+//   HELLO ------------------> WAITING <------------------------------------------+
+//     | STEP_DONE -1,           | TICK k, something is missing                   |
+//     | every 0.2 s             v                                                |
+//     +--                    COLLECTING -- RESEND every 50 ms; repeats arrive ---+
+//                               | nothing new for 3 s                   handle, Tick, publish,
+//                               v                                       STEP_DONE k
+//                            STEP_DONE with a fault; the clock ends the mission
+//
+// TICK END: handle, App::End, STEP_DONE, then ended() is true. Time comes in as an argument (wall
+// time, microseconds, from any epoch, never backward); nothing here reads a clock.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "lib/bus/bus.h"
+#include "lib/bus/layout.h"
+#include "lib/bus/transport.h"
+#include "lib/run/app.h"
+#include "lib/run/step_inbox.h"
+#include "shoal/step_done_t.hpp"
+#include "shoal/tick_t.hpp"
+
+namespace shoal {
+
+struct ParticipantOptions {
+  std::string name;
+  int64_t mission_id = 0;  ///< 0: that of the first tick heard.
+  int32_t pid = 0;
+};
+
+class StepParticipant : public Bus {
+ public:
+  StepParticipant(ParticipantOptions options, PortPlan plan, Transport& transport);
+
+  /// Gives it the app to step; called once, before any datagram.
+  void Attach(App* app) { app_ = app; }
+
+  // Bus.
+  void PublishBytes(std::string_view channel, std::span<const uint8_t> data) override;
+  void SubscribeBytes(const std::string& channel, Handler handler) override;
+  void SubscribeAll(Handler handler) override;
+
+  /// Takes a datagram from the transport.
+  void OnDatagram(int port, std::string_view channel, std::span<const uint8_t> datagram,
+                  int64_t wall_us);
+  /// Does what is due: hello, requests for what is missing.
+  void OnTime(int64_t wall_us);
+  /// Returns the wall time at which OnTime has something to do.
+  int64_t NextDeadline() const;
+
+  bool ended() const { return ended_; }
+  int64_t step() const { return step_; }
+  /// Ticks and messages of other missions that were rejected.
+  int64_t num_foreign() const { return num_foreign_ticks_ + inbox_.counters().foreign; }
+
+ private:
+  struct Sent {
+    std::string channel;
+    Bytes datagram;
+  };
+  struct SentStep {
+    int64_t step = -1;
+    std::vector<Sent> messages;
+  };
+
+  void OnTick(const tick_t& tick, int64_t wall_us);
+  void TryStep(int64_t wall_us);
+  void RunStep();
+  void SendDone(const std::string& fault);
+  void RequestMissing(const std::vector<MissingMessages>& missing);
+  void OnResend(std::span<const uint8_t> datagram);
+  void OnAppcastRequest(std::span<const uint8_t> datagram);
+  StatusPage StatusWithBus() const;
+  template <class T>
+  void SendUnsealed(const Channel<T>& channel, const T& message);
+
+  const ParticipantOptions options_;
+  const PortPlan plan_;
+  Transport& transport_;
+  App* app_ = nullptr;
+  StepInbox inbox_;
+  std::map<std::string, std::vector<Handler>, std::less<>> handlers_;
+  std::vector<Handler> all_handlers_;
+
+  int64_t mission_id_ = 0;
+  int64_t step_ = -1;              ///< Last step answered.
+  int64_t utime_ = 0;              ///< Of that step.
+  std::optional<tick_t> pending_;  ///< The tick whose messages are being collected.
+  int64_t collecting_since_ = 0;
+  int64_t last_arrival_ = 0;
+  int64_t next_request_ = 0;
+  int64_t next_hello_ = 0;
+  bool in_step_ = false;
+  uint32_t sequence_ = 0;
+  std::deque<SentStep> sent_;  ///< This step and the one before, for those who missed something.
+  step_done_t done_{};         ///< The last answer, to be given again.
+  int64_t num_requests_ = 0;   ///< Datagrams asked for again.
+  int64_t num_foreign_ticks_ = 0;
+  bool ended_ = false;
+};
+
+}  // namespace shoal

@@ -1,0 +1,225 @@
+// The clock and participants together: what arrives is complete, in order, and the same whatever
+// the network loses on the way.
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <random>
+
+#include "lib/bus/channels.h"
+#include "lib/bus/memory_bus.h"
+#include "lib/run/fake_network.h"
+#include "lib/run/step_clock.h"
+#include "lib/run/step_participant.h"
+
+namespace shoal {
+namespace {
+
+constexpr int64_t kMissionId = 4711;
+constexpr int64_t kLastStep = 40;
+const std::vector<std::string> kNames = {"a", "b", "c"};
+
+/// Says three messages per step and keeps a transcript of all it hears.
+class ChattyApp : public App {
+ public:
+  ChattyApp(std::string name, Bus& bus) : name_(std::move(name)), bus_(bus) {
+    for (const Channel<unc_control_t>& channel : {First(), Second()}) {
+      Subscribe(bus, channel, [this, channel](const unc_control_t& said) {
+        transcript += channel.name + ":" + said.vehicle + "=" + std::to_string(said.value) + " ";
+      });
+    }
+  }
+  void Tick(int64_t utime) override {
+    transcript += "\n" + std::to_string(utime) + " ";
+    for (int i = 0; i < 3; ++i) {
+      unc_control_t message{};
+      message.utime = utime;
+      message.vehicle = name_;
+      message.value = static_cast<double>(100 * step_ + i);
+      Publish(bus_, i % 2 == 0 ? First() : Second(), message);
+    }
+    ++step_;
+  }
+  void End() override { transcript += "end"; }
+  StatusPage Status() const override { return {}; }
+
+  std::string transcript;
+
+ private:
+  static Channel<unc_control_t> First() { return {"FIRST"}; }
+  static Channel<unc_control_t> Second() { return {"SECOND"}; }
+  std::string name_;
+  Bus& bus_;
+  int step_ = 0;
+};
+
+struct Outcome {
+  std::map<std::string, std::string> transcripts;
+  RunCounters counters;
+  std::string fault;
+  std::vector<std::string> silent;
+  StepClock::State state = StepClock::State::kGathering;
+  int64_t wall_us = 0;
+};
+
+struct Member {
+  FakeNetwork::Node* node = nullptr;
+  std::unique_ptr<StepParticipant> participant;
+  std::unique_ptr<ChattyApp> app;
+};
+
+ClockOptions Options(double warp = 0) {
+  return {.mission_id = kMissionId,
+          .warp = warp,
+          .tick_us = 100'000,
+          .start_utime = 0,
+          .last_step = kLastStep,
+          .timeout_us = 5'000'000};
+}
+
+/// Runs clock and participants over `network` in invented time.
+Outcome RunOver(FakeNetwork& network, double warp = 0,
+                const std::function<void(int64_t, StepClock&, std::vector<Member>&)>& meddle = {}) {
+  const PortPlan plan(7665, Layout::kShared, {});
+  FakeNetwork::Node& clock_node = network.Add();
+  StepClock clock(Options(warp), kNames, plan, clock_node);
+  int64_t now = 0;
+  clock_node.receiver = [&](int port, std::string_view channel, std::span<const uint8_t> bytes) {
+    clock.OnDatagram(port, channel, bytes, now);
+  };
+  std::vector<Member> members;
+  for (const std::string& name : kNames) {
+    FakeNetwork::Node& node = network.Add();
+    Member member;
+    member.node = &node;
+    member.participant = std::make_unique<StepParticipant>(
+        ParticipantOptions{.name = name, .mission_id = kMissionId, .pid = 1}, plan, node);
+    member.app = std::make_unique<ChattyApp>(name, *member.participant);
+    member.participant->Attach(member.app.get());
+    node.receiver = [&now, participant = member.participant.get()](
+                        int port, std::string_view channel, std::span<const uint8_t> bytes) {
+      participant->OnDatagram(port, channel, bytes, now);
+    };
+    members.push_back(std::move(member));
+  }
+  Outcome outcome;
+  for (; now < 60'000'000 && clock.state() != StepClock::State::kEnded; now += 5'000) {
+    for (const Member& member : members) member.participant->OnTime(now);
+    clock.OnTime(now);
+    network.DeliverAll();
+    if (meddle) meddle(now, clock, members);
+    if (!clock.fault().empty() || !clock.Silent(now).empty()) break;
+  }
+  network.DeliverAll();
+  for (size_t i = 0; i < members.size(); ++i) {
+    outcome.transcripts[kNames[i]] = members[i].app->transcript;
+  }
+  outcome.counters = clock.counters();
+  outcome.fault = clock.fault();
+  outcome.silent = clock.Silent(now);
+  outcome.state = clock.state();
+  outcome.wall_us = now;
+  return outcome;
+}
+
+/// The same apps in one process.
+std::map<std::string, std::string> RunInMemory() {
+  MemoryBus hub;
+  std::vector<std::pair<Bus*, std::unique_ptr<ChattyApp>>> members;
+  for (const std::string& name : kNames) {
+    Bus& bus = hub.Join(name);
+    members.emplace_back(&bus, std::make_unique<ChattyApp>(name, bus));
+  }
+  for (int64_t step = 0; step <= kLastStep; ++step) {
+    hub.NextStep();
+    for (auto& [bus, app] : members) {
+      hub.Handle(*bus);
+      app->Tick(step * 100'000);
+    }
+  }
+  hub.NextStep();
+  std::map<std::string, std::string> transcripts;
+  for (size_t i = 0; i < members.size(); ++i) {
+    hub.Handle(*members[i].first);
+    members[i].second->End();
+    transcripts[kNames[i]] = members[i].second->transcript;
+  }
+  return transcripts;
+}
+
+TEST(StepProtocol, GivesEveryoneTheSameMessagesAsOneProcessDoes) {
+  FakeNetwork network;
+  const Outcome outcome = RunOver(network);
+  EXPECT_EQ(outcome.state, StepClock::State::kEnded);
+  EXPECT_EQ(outcome.transcripts, RunInMemory());
+  EXPECT_EQ(outcome.counters.messages, 3 * 3 * (kLastStep + 1));
+  EXPECT_EQ(outcome.counters.repeated, 0);
+}
+
+TEST(StepProtocol, RepairsWhatALossyNetworkTook) {
+  for (const unsigned seed : {1U, 2U, 3U}) {
+    FakeNetwork network;
+    std::mt19937 random(seed);
+    network.set_loss([&](std::string_view) { return random() % 4 == 0; });
+    const Outcome outcome = RunOver(network);
+    EXPECT_EQ(outcome.state, StepClock::State::kEnded);
+    EXPECT_EQ(outcome.transcripts, RunInMemory());
+    EXPECT_GT(outcome.counters.repeated, 20);
+    EXPECT_GT(outcome.counters.ticks_again, 5);
+  }
+}
+
+TEST(StepProtocol, NamesTheMessagesThatNeverArrive) {
+  FakeNetwork network;
+  network.set_loss([](std::string_view channel) { return channel == "SECOND"; });
+  const Outcome outcome = RunOver(network);
+  EXPECT_NE(outcome.fault.find("1 of 1 messages of a on SECOND in step 0 never reached"),
+            std::string::npos)
+      << outcome.fault;
+}
+
+TEST(StepProtocol, NamesAParticipantThatDoesNotAnswer) {
+  FakeNetwork network;
+  const Outcome outcome =
+      RunOver(network, 0, [](int64_t, StepClock& clock, std::vector<Member>& members) {
+        members[1].node->set_stopped(clock.step() >= 10);
+      });
+  EXPECT_EQ(outcome.silent, std::vector<std::string>{"b"});
+  EXPECT_NEAR(static_cast<double>(outcome.wall_us), 5.0e6, 1.0e6);
+}
+
+TEST(StepProtocol, GoesOnWithoutAParticipantThatWasDropped) {
+  FakeNetwork network;
+  const Outcome outcome =
+      RunOver(network, 1.0, [](int64_t now, StepClock& clock, std::vector<Member>& members) {
+        if (clock.step() != 10) return;
+        members[1].node->set_stopped(true);
+        clock.Drop("b", now);
+      });
+  EXPECT_EQ(outcome.state, StepClock::State::kEnded);
+  EXPECT_TRUE(outcome.transcripts.at("a").ends_with("end"));
+  EXPECT_FALSE(outcome.transcripts.at("b").ends_with("end"));
+  EXPECT_EQ(outcome.transcripts.at("a"), outcome.transcripts.at("c"));
+}
+
+TEST(StepProtocol, PacesStepsByTheWallClock) {
+  FakeNetwork network;
+  const Outcome outcome = RunOver(network, 2.0);
+  // 40 steps of 0.1 s at twice real time.
+  EXPECT_NEAR(static_cast<double>(outcome.wall_us), 2.0e6, 0.1e6);
+}
+
+TEST(StepProtocol, EndsEarlyWhenAskedAndStillCloses) {
+  FakeNetwork network;
+  const Outcome outcome =
+      RunOver(network, 1.0, [](int64_t now, StepClock& clock, std::vector<Member>&) {
+        if (clock.step() == 5) clock.Stop(now, 500'000);
+      });
+  EXPECT_EQ(outcome.state, StepClock::State::kEnded);
+  for (const auto& [name, transcript] : outcome.transcripts) {
+    EXPECT_TRUE(transcript.ends_with("end")) << name;
+  }
+  EXPECT_LT(outcome.wall_us, 1'000'000);
+}
+
+}  // namespace
+}  // namespace shoal

@@ -1,0 +1,57 @@
+#include "lib/verdict/expectation_text.h"
+
+#include <fmt/format.h>
+
+#include "lib/routing/vehicle_name.h"
+
+namespace shoal {
+
+namespace {
+
+std::string Who(std::string_view vehicle) {
+  return VehicleKey(vehicle) == "all" ? "every vehicle" : std::string(vehicle);
+}
+
+struct Describer {
+  const Mission& mission;
+
+  std::string operator()(const ArrivalExpectation& arrival) const {
+    return fmt::format(
+        "{} within {:g} m of {} by {:g} s{}", Who(arrival.vehicle), arrival.within_m,
+        arrival.point_m ? fmt::format("({:g}, {:g})", arrival.point_m->x(), arrival.point_m->y())
+                        : std::string("its return point"),
+        LimitSeconds(mission, arrival.by_s), arrival.stays ? ", and stays there" : "");
+  }
+  std::string operator()(const SeparationExpectation& separation) const {
+    return fmt::format("no two vehicles closer than {:g} m", separation.min_m);
+  }
+  std::string operator()(const CommsExpectation& comms) const {
+    std::string limits;
+    if (comms.at_least) limits += fmt::format("at least {} ", *comms.at_least);
+    if (comms.at_least && comms.at_most) limits += "and ";
+    if (comms.at_most) limits += fmt::format("at most {} ", *comms.at_most);
+    return fmt::format("{}reports {} from {} to {}", limits, comms.cause, comms.from, comms.to);
+  }
+  std::string operator()(const HelmExpectation& helm) const {
+    return fmt::format("{} ends in {}{}", Who(helm.vehicle),
+                       helm.state.empty() ? "any state" : helm.state,
+                       helm.task.empty() ? "" : " with task " + helm.task);
+  }
+  std::string operator()(const LapsExpectation& laps) const {
+    return fmt::format("{} does at least {} lap{} of {} by {:g} s", Who(laps.vehicle),
+                       laps.at_least, laps.at_least == 1 ? "" : "s", laps.task,
+                       LimitSeconds(mission, laps.by_s));
+  }
+};
+
+}  // namespace
+
+std::string Describe(const Mission& mission, const Expectation& expectation) {
+  return std::visit(Describer{mission}, expectation.what);
+}
+
+double LimitSeconds(const Mission& mission, double by_s) {
+  return by_s > 0 ? by_s : mission.duration_s;
+}
+
+}  // namespace shoal

@@ -1,0 +1,17 @@
+// Says in words what a mission must achieve.
+#pragma once
+
+#include <string>
+
+#include "lib/mission/mission.h"
+
+namespace shoal {
+
+/// Returns one line: "alpha within 20 m of its return point by 600 s". A time limit of 0 is the
+/// mission's duration.
+[[nodiscard]] std::string Describe(const Mission& mission, const Expectation& expectation);
+
+/// Returns the time that a limit in an expectation means: 0 is the end of the mission.
+[[nodiscard]] double LimitSeconds(const Mission& mission, double by_s);
+
+}  // namespace shoal

@@ -1,0 +1,58 @@
+// Counts fates by link and cause, for a mission's verdict and for its link matrix.
+//
+//   FateCounts counts({"alpha", "bravo"});
+//   counts.Add("alpha", "bravo", "out_of_range");
+//   counts.Count(0, FateCounts::kAll, "out_of_range");   // 1
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+namespace shoal {
+
+class FateCounts {
+ public:
+  /// Stands for every vehicle, those outside the mission included.
+  static constexpr int kAll = -1;
+
+  explicit FateCounts(const std::vector<std::string>& vehicles);
+
+  /// Counts one fate. Names without regard to case; vehicles that are not of the mission, and no
+  /// vehicle, count as one and the same other.
+  void Add(std::string_view source, std::string_view destination, std::string_view cause);
+
+  /// Returns how many fates of this cause the link had; vehicles by their place in the
+  /// constructor's list, or kAll.
+  int64_t Count(int source, int destination, std::string_view cause) const;
+  /// The same over all causes: the link's offered transmissions.
+  int64_t CountOffered(int source, int destination) const;
+
+  /// All fates by cause, "delivered" among them.
+  std::map<std::string, int64_t> Totals() const;
+
+ private:
+  struct TextHash {
+    using is_transparent = void;
+    size_t operator()(std::string_view text) const { return std::hash<std::string_view>()(text); }
+  };
+  /// One cause's counts: its total, and per link, by source * num_places_ + destination.
+  struct CauseCount {
+    std::string cause;
+    int64_t total = 0;
+    std::vector<int64_t> by_link;
+  };
+
+  size_t PlaceOf(std::string_view name) const;
+  CauseCount& FindOrAdd(std::string_view cause);
+  int64_t Sum(const CauseCount& count, int source, int destination) const;
+
+  size_t num_places_;  ///< The mission's vehicles, and one for all others.
+  std::unordered_map<std::string, size_t, TextHash, std::equal_to<>> places_;  ///< By key.
+  std::vector<CauseCount> counts_;  ///< In order of appearance.
+};
+
+}  // namespace shoal

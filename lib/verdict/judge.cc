@@ -1,0 +1,225 @@
+#include "lib/verdict/judge.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "lib/routing/vehicle_name.h"
+#include "lib/verdict/expectation_text.h"
+
+namespace shoal {
+
+namespace {
+
+constexpr size_t kMaxFailuresShown = 5;
+
+std::vector<std::string> NamesOf(const Mission& mission) {
+  std::vector<std::string> names;
+  for (const Vehicle& vehicle : mission.vehicles) names.push_back(vehicle.name);
+  return names;
+}
+
+/// Returns the name of the vehicle or vehicles that an expectation is put to, one by one; nothing
+/// where it looks at all of them together.
+std::string_view PutTo(const Expectation& expectation) {
+  return std::visit(
+      [](const auto& what) -> std::string_view {
+        if constexpr (requires { what.vehicle; }) return what.vehicle;
+        return {};
+      },
+      expectation.what);
+}
+
+}  // namespace
+
+Judge::Judge(const Mission& mission)
+    : mission_(mission),
+      sightings_(mission.vehicles.size()),
+      travelled_m_(mission.vehicles.size()),
+      helms_(mission.vehicles.size()),
+      fates_(NamesOf(mission)) {
+  for (const Expectation& expectation : mission.expectations) {
+    Case& each = cases_.emplace_back();
+    each.expectation = &expectation;
+    each.vehicles = VehiclesNamed(PutTo(expectation));
+    if (const auto* arrival = std::get_if<ArrivalExpectation>(&expectation.what)) {
+      for (const size_t vehicle : each.vehicles) {
+        each.arrivals.emplace_back(ArrivalGoal{
+            .point_m = arrival->point_m.value_or(mission.vehicles[vehicle].return_task.point_m),
+            .within_m = arrival->within_m,
+            .by_s = LimitSeconds(mission, arrival->by_s),
+            .stays = arrival->stays});
+      }
+    }
+    if (std::holds_alternative<LapsExpectation>(expectation.what)) {
+      each.laps.resize(each.vehicles.size());
+    }
+    if (std::holds_alternative<SeparationExpectation>(expectation.what)) watches_separation_ = true;
+  }
+}
+
+bool Judge::TakeNav(size_t vehicle, const Eigen::Vector3d& position_m) {
+  if (!position_m.allFinite()) return false;
+  Sighting& sighting = sightings_[vehicle];
+  if (sighting.seen) travelled_m_[vehicle] += (position_m - sighting.position_m).norm();
+  sighting = {.seen = true, .position_m = position_m};
+  return true;
+}
+
+void Judge::TakeHelm(size_t vehicle, const HelmFacts& helm, int64_t utime) {
+  helms_[vehicle] = helm;
+  for (Case& each : cases_) {
+    const auto* expected = std::get_if<LapsExpectation>(&each.expectation->what);
+    if (expected == nullptr || expected->task != helm.task) continue;
+    for (size_t i = 0; i < each.vehicles.size(); ++i) {
+      if (each.vehicles[i] != vehicle) continue;
+      LapsWatch& watch = each.laps[i];
+      watch.most = std::max(watch.most, helm.laps_done);
+      if (watch.most >= expected->at_least && !watch.reached_s) {
+        watch.reached_s = SecondsSinceStart(utime);
+      }
+    }
+  }
+}
+
+void Judge::EndStep(int64_t utime) {
+  if (watches_separation_) separation_.Look(sightings_, utime);
+  for (Case& each : cases_) {
+    for (size_t i = 0; i < each.arrivals.size(); ++i) {
+      const Sighting& sighting = sightings_[each.vehicles[i]];
+      if (!sighting.seen) continue;
+      each.arrivals[i].Look(sighting.position_m.head<2>(), SecondsSinceStart(utime));
+    }
+  }
+}
+
+std::vector<ExpectationVerdict> Judge::Verdicts() const {
+  std::vector<ExpectationVerdict> verdicts;
+  for (const Case& each : cases_) {
+    Outcome outcome;
+    if (const auto* what = std::get_if<SeparationExpectation>(&each.expectation->what)) {
+      outcome = FindSeparation(*what);
+    } else if (const auto* comms = std::get_if<CommsExpectation>(&each.expectation->what)) {
+      outcome = FindComms(*comms);
+    } else {
+      outcome = Combine(each, FindForVehicles(each));
+    }
+    verdicts.push_back({.where = each.expectation->where,
+                        .text = Describe(mission_, *each.expectation),
+                        .passed = outcome.passed,
+                        .numbers = outcome.numbers});
+  }
+  return verdicts;
+}
+
+Outcome Judge::FindSeparation(const SeparationExpectation& separation) const {
+  const Approach& closest = separation_.closest();
+  if (closest.first < 0) return {.passed = false, .numbers = "no two vehicles were seen"};
+  const double missing_m = separation.min_m - closest.range_m;
+  std::string numbers = fmt::format("closest: {}-{} {:.1f} m at {:.1f} s",
+                                    mission_.vehicles[static_cast<size_t>(closest.first)].name,
+                                    mission_.vehicles[static_cast<size_t>(closest.second)].name,
+                                    closest.range_m, SecondsSinceStart(closest.utime));
+  if (missing_m > 0) numbers += fmt::format(", {} m too close", FormatExcess(missing_m));
+  return {.passed = missing_m <= 0, .strain = missing_m, .numbers = numbers};
+}
+
+Outcome Judge::FindComms(const CommsExpectation& comms) const {
+  const int64_t count =
+      fates_.Count(PlaceInCounts(comms.from), PlaceInCounts(comms.to), comms.cause);
+  Outcome outcome = {.passed = true, .strain = 0, .numbers = std::to_string(count)};
+  if (comms.at_least && count < *comms.at_least) {
+    outcome.passed = false;
+    outcome.numbers += fmt::format(", {} too few", *comms.at_least - count);
+  }
+  if (comms.at_most && count > *comms.at_most) {
+    outcome.passed = false;
+    outcome.numbers += fmt::format(", {} too many", count - *comms.at_most);
+  }
+  return outcome;
+}
+
+Outcome Judge::FindHelm(const HelmExpectation& helm, size_t vehicle) const {
+  const std::optional<HelmFacts>& facts = helms_[vehicle];
+  if (!facts) return {.passed = false, .strain = 0, .numbers = "no helm was heard"};
+  const bool state_fits = helm.state.empty() || VehicleKey(helm.state) == VehicleKey(facts->state);
+  const bool task_fits = helm.task.empty() || helm.task == facts->task;
+  return {.passed = state_fits && task_fits,
+          .strain = 0,
+          .numbers = fmt::format("{} with {}", facts->state,
+                                 facts->task.empty() ? "no task" : "task " + facts->task)};
+}
+
+Outcome Judge::FindLaps(const LapsExpectation& expected, const LapsWatch& watch) const {
+  if (!watch.reached_s) {
+    return {.passed = false,
+            .strain = static_cast<double>(expected.at_least - watch.most),
+            .numbers = fmt::format("{}, {} too few", watch.most, expected.at_least - watch.most)};
+  }
+  const double late_s = *watch.reached_s - LimitSeconds(mission_, expected.by_s);
+  std::string numbers = fmt::format("{}, enough at {:.1f} s", watch.most, *watch.reached_s);
+  if (late_s > 0) numbers += fmt::format(", {} s late", FormatExcess(late_s));
+  return {.passed = late_s <= 0, .strain = *watch.reached_s, .numbers = numbers};
+}
+
+std::vector<Outcome> Judge::FindForVehicles(const Case& each) const {
+  std::vector<Outcome> outcomes;
+  for (size_t i = 0; i < each.vehicles.size(); ++i) {
+    if (const auto* helm = std::get_if<HelmExpectation>(&each.expectation->what)) {
+      outcomes.push_back(FindHelm(*helm, each.vehicles[i]));
+    } else if (const auto* laps = std::get_if<LapsExpectation>(&each.expectation->what)) {
+      outcomes.push_back(FindLaps(*laps, each.laps[i]));
+    } else {
+      outcomes.push_back(each.arrivals[i].Find());
+    }
+  }
+  return outcomes;
+}
+
+/// Makes one outcome of many: the failures, or where there are none the narrowest success.
+Outcome Judge::Combine(const Case& each, const std::vector<Outcome>& outcomes) const {
+  if (outcomes.empty()) return {.passed = false, .strain = 0, .numbers = "no such vehicle"};
+  if (outcomes.size() == 1) return outcomes.front();
+  const auto with_name = [&](size_t i) {
+    return mission_.vehicles[each.vehicles[i]].name + ": " + outcomes[i].numbers;
+  };
+  size_t num_failed = 0;
+  size_t narrowest = 0;
+  std::string failures;
+  for (size_t i = 0; i < outcomes.size(); ++i) {
+    if (outcomes[i].strain > outcomes[narrowest].strain) narrowest = i;
+    if (outcomes[i].passed || ++num_failed > kMaxFailuresShown) continue;
+    failures += (failures.empty() ? "" : "; ") + with_name(i);
+  }
+  if (num_failed == 0) return {.passed = true, .strain = 0, .numbers = with_name(narrowest)};
+  if (num_failed > kMaxFailuresShown) {
+    failures += fmt::format("; and {} more", num_failed - kMaxFailuresShown);
+  }
+  return {.passed = false,
+          .strain = 0,
+          .numbers = fmt::format("{} of {} failed: {}", num_failed, outcomes.size(), failures)};
+}
+
+std::vector<size_t> Judge::VehiclesNamed(std::string_view name) const {
+  const std::string key = VehicleKey(name);
+  std::vector<size_t> vehicles;
+  for (size_t i = 0; i < mission_.vehicles.size(); ++i) {
+    if (key == "all" || key == VehicleKey(mission_.vehicles[i].name)) vehicles.push_back(i);
+  }
+  return vehicles;
+}
+
+/// Returns the place past the mission's vehicles, that of all others, for names it does not have.
+int Judge::PlaceInCounts(std::string_view name) const {
+  if (VehicleKey(name) == "all") return FateCounts::kAll;
+  const std::vector<size_t> named = VehiclesNamed(name);
+  return static_cast<int>(named.empty() ? mission_.vehicles.size() : named.front());
+}
+
+double Judge::SecondsSinceStart(int64_t utime) const {
+  return static_cast<double>(utime - mission_.start_utime) / 1e6;
+}
+
+}  // namespace shoal

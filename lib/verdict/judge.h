@@ -1,0 +1,102 @@
+// Decides whether a mission achieves what it must, from what its vehicles did.
+//
+//   Judge judge(mission);
+//   judge.TakeNav(0, position_m);              // what was said in the step of utime,
+//   judge.TakeHelm(0, helm, utime);            // in any order,
+//   judge.fates().Add("alpha", "bravo", "delivered");
+//   judge.EndStep(utime);                      // then this, once per step
+//   for (const ExpectationVerdict& verdict : judge.Verdicts()) ...
+//
+// Vehicles are counted in the mission's order.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lib/mission/mission.h"
+#include "lib/verdict/arrival_watch.h"
+#include "lib/verdict/fate_counts.h"
+#include "lib/verdict/outcome.h"
+#include "lib/verdict/separation_watch.h"
+
+namespace shoal {
+
+/// What became of one expectation.
+struct ExpectationVerdict {
+  std::string where;  ///< "file:line" of the expectation.
+  std::string text;   ///< What was expected.
+  bool passed = false;
+  std::string numbers;  ///< What decided; on failure by how much: "closest: alpha-bravo 7.3 m ...".
+};
+
+/// What a helm said last.
+struct HelmFacts {
+  std::string state;
+  std::string task;
+  int64_t laps_done = 0;  ///< Of `task`.
+};
+
+class Judge {
+ public:
+  /// `mission` must outlive this.
+  explicit Judge(const Mission& mission);
+
+  /// Takes a vehicle's true position (x East, y North, z down). Ignores numbers that are not finite
+  /// and returns false then.
+  bool TakeNav(size_t vehicle, const Eigen::Vector3d& position_m);
+  void TakeHelm(size_t vehicle, const HelmFacts& helm, int64_t utime);
+  FateCounts& fates() { return fates_; }
+  const FateCounts& fates() const { return fates_; }
+
+  /// Looks at where everybody is.
+  void EndStep(int64_t utime);
+
+  /// Returns one verdict per expectation, in the mission's order, should the mission end now.
+  [[nodiscard]] std::vector<ExpectationVerdict> Verdicts() const;
+
+  const Sighting& sighting(size_t vehicle) const { return sightings_[vehicle]; }
+  /// Returns how far the vehicle went, from one position taken to the next.
+  double travelled_m(size_t vehicle) const { return travelled_m_[vehicle]; }
+  /// Returns what the vehicle's helm said last, or nothing.
+  const std::optional<HelmFacts>& helm(size_t vehicle) const { return helms_[vehicle]; }
+
+ private:
+  /// How far one vehicle came with the laps that an expectation asks for.
+  struct LapsWatch {
+    int64_t most = 0;                 ///< Laps done.
+    std::optional<double> reached_s;  ///< When it was enough.
+  };
+  /// One expectation and what is watched for it: one watch per vehicle that it names.
+  struct Case {
+    const Expectation* expectation = nullptr;
+    std::vector<size_t> vehicles;
+    std::vector<ArrivalWatch> arrivals;
+    std::vector<LapsWatch> laps;
+  };
+
+  std::vector<size_t> VehiclesNamed(std::string_view name) const;
+  int PlaceInCounts(std::string_view name) const;
+  double SecondsSinceStart(int64_t utime) const;
+
+  Outcome FindSeparation(const SeparationExpectation& separation) const;
+  Outcome FindComms(const CommsExpectation& comms) const;
+  Outcome FindHelm(const HelmExpectation& helm, size_t vehicle) const;
+  Outcome FindLaps(const LapsExpectation& expected, const LapsWatch& watch) const;
+  std::vector<Outcome> FindForVehicles(const Case& each) const;
+  Outcome Combine(const Case& each, const std::vector<Outcome>& outcomes) const;
+
+  const Mission& mission_;
+  std::vector<Sighting> sightings_;
+  std::vector<double> travelled_m_;
+  std::vector<std::optional<HelmFacts>> helms_;
+  FateCounts fates_;
+  SeparationWatch separation_;
+  bool watches_separation_ = false;
+  std::vector<Case> cases_;
+};
+
+}  // namespace shoal

@@ -1,0 +1,181 @@
+#include "lib/verdict/judge.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <optional>
+#include <string>
+
+namespace shoal {
+namespace {
+
+constexpr int64_t kStart = 5'000'000;
+
+int64_t At(double seconds) { return kStart + static_cast<int64_t>(seconds * 1e6); }
+
+Mission TwoVehicles(const decltype(Expectation::what)& what) {
+  Mission mission;
+  mission.start_utime = kStart;
+  mission.duration_s = 900;
+  mission.vehicles.resize(2);
+  mission.vehicles[0].name = "alpha";
+  mission.vehicles[1].name = "Bravo";
+  mission.vehicles[1].return_task.point_m = {100, 0};
+  mission.expectations = {{.where = "berta.toml:88", .what = what}};
+  return mission;
+}
+
+class JudgeTest : public testing::Test {
+ protected:
+  Judge& For(const decltype(Expectation::what)& what) {
+    mission_ = TwoVehicles(what);
+    return judge_.emplace(mission_);
+  }
+  ExpectationVerdict Only() const { return judge_->Verdicts().at(0); }
+
+  Mission mission_;
+  std::optional<Judge> judge_;
+};
+
+TEST_F(JudgeTest, SaysWhereAndWhatWasExpected) {
+  For(SeparationExpectation{.min_m = 5});
+  EXPECT_EQ(Only().where, "berta.toml:88");
+  EXPECT_EQ(Only().text, "no two vehicles closer than 5 m");
+}
+
+TEST_F(JudgeTest, PassesASeparationJustKept) {
+  Judge& judge = For(SeparationExpectation{.min_m = 5});
+  judge.TakeNav(0, {0, 0, 0});
+  judge.TakeNav(1, {3, 4, 0});
+  judge.EndStep(At(212.4));
+  EXPECT_TRUE(Only().passed);
+  EXPECT_EQ(Only().numbers, "closest: alpha-Bravo 5.0 m at 212.4 s");
+}
+
+TEST_F(JudgeTest, FailsASeparationJustBroken) {
+  Judge& judge = For(SeparationExpectation{.min_m = 5});
+  judge.TakeNav(0, {0, 0, 0});
+  judge.TakeNav(1, {4.99, 0, 0});
+  judge.EndStep(At(1));
+  judge.TakeNav(1, {400, 0, 0});
+  judge.EndStep(At(2));
+  EXPECT_FALSE(Only().passed);
+  EXPECT_EQ(Only().numbers, "closest: alpha-Bravo 5.0 m at 1.0 s, 0.01 m too close");
+}
+
+TEST_F(JudgeTest, DoesNotPassASeparationThatNobodyWatched) {
+  For(SeparationExpectation{.min_m = 5}).TakeNav(0, {0, 0, 0});
+  judge_->EndStep(At(1));
+  EXPECT_FALSE(Only().passed);
+}
+
+TEST_F(JudgeTest, IgnoresPositionsThatAreNone) {
+  Judge& judge = For(SeparationExpectation{.min_m = 5});
+  EXPECT_TRUE(judge.TakeNav(0, {0, 0, 0}));
+  EXPECT_FALSE(judge.TakeNav(1, {std::numeric_limits<double>::quiet_NaN(), 0, 0}));
+  judge.EndStep(At(1));
+  EXPECT_EQ(Only().numbers, "no two vehicles were seen");
+}
+
+TEST_F(JudgeTest, MeasuresTheWayOfEachVehicle) {
+  Judge& judge = For(SeparationExpectation{.min_m = 5});
+  judge.TakeNav(0, {10, 10, 0});
+  judge.TakeNav(0, {13, 14, 0});
+  judge.TakeNav(0, {13, 14, 2});
+  EXPECT_EQ(judge.travelled_m(0), 7);
+  EXPECT_EQ(judge.travelled_m(1), 0);
+}
+
+TEST_F(JudgeTest, WantsEveryVehicleAtItsReturnPoint) {
+  Judge& judge =
+      For(ArrivalExpectation{.vehicle = "all", .point_m = {}, .within_m = 20, .by_s = 600});
+  judge.TakeNav(0, {20, 0, 0});
+  judge.TakeNav(1, {80, 0, 0});
+  judge.EndStep(At(599));
+  EXPECT_TRUE(Only().passed);
+  EXPECT_EQ(Only().text, "every vehicle within 20 m of its return point by 600 s");
+}
+
+TEST_F(JudgeTest, NamesTheVehicleThatDidNotArrive) {
+  Judge& judge =
+      For(ArrivalExpectation{.vehicle = "all", .point_m = {}, .within_m = 20, .by_s = 600});
+  judge.TakeNav(0, {20, 0, 0});
+  judge.TakeNav(1, {75, 0, 0});
+  judge.EndStep(At(599));
+  EXPECT_FALSE(Only().passed);
+  EXPECT_EQ(Only().numbers, "1 of 2 failed: Bravo: closest: 25.0 m at 599.0 s, 5.0 m too far");
+}
+
+TEST_F(JudgeTest, TakesAGivenPointAndTheMissionsEndAsDefaultLimit) {
+  Judge& judge = For(ArrivalExpectation{
+      .vehicle = "BRAVO", .point_m = Eigen::Vector2d(0, 50), .within_m = 1, .by_s = 0});
+  EXPECT_EQ(Only().text, "BRAVO within 1 m of (0, 50) by 900 s");
+  judge.TakeNav(1, {0, 49, 30});
+  judge.EndStep(At(900));
+  EXPECT_TRUE(Only().passed);
+}
+
+TEST_F(JudgeTest, CountsReportsOfOneLink) {
+  Judge& judge =
+      For(CommsExpectation{.from = "alpha", .to = "bravo", .at_least = 2, .at_most = {}});
+  judge.fates().Add("alpha", "Bravo", "delivered");
+  judge.fates().Add("Bravo", "alpha", "delivered");
+  judge.fates().Add("alpha", "Bravo", "out_of_range");
+  EXPECT_FALSE(Only().passed);
+  EXPECT_EQ(Only().numbers, "1, 1 too few");
+  judge.fates().Add("alpha", "Bravo", "delivered");
+  EXPECT_TRUE(Only().passed);
+}
+
+TEST_F(JudgeTest, CountsReportsOfAllLinksAndOneCause) {
+  Judge& judge = For(CommsExpectation{.cause = "out_of_range", .at_least = {}, .at_most = 1});
+  judge.fates().Add("alpha", "Bravo", "out_of_range");
+  EXPECT_TRUE(Only().passed);
+  EXPECT_EQ(Only().text, "at most 1 reports out_of_range from all to all");
+  judge.fates().Add("nemo", "alpha", "out_of_range");
+  EXPECT_FALSE(Only().passed);
+  EXPECT_EQ(Only().numbers, "2, 1 too many");
+}
+
+TEST_F(JudgeTest, ComparesTheHelmsLastStateAndTask) {
+  Judge& judge = For(HelmExpectation{.vehicle = "alpha", .state = "DRIVE", .task = "home"});
+  EXPECT_EQ(Only().numbers, "no helm was heard");
+  judge.TakeHelm(0, {.state = "DRIVE", .task = "home"}, At(1));
+  EXPECT_TRUE(Only().passed);
+  judge.TakeHelm(0, {.state = "DRIVE", .task = "survey"}, At(2));
+  EXPECT_FALSE(Only().passed);
+  EXPECT_EQ(Only().numbers, "DRIVE with task survey");
+  judge.TakeHelm(0, {.state = "PARK", .task = ""}, At(3));
+  EXPECT_EQ(Only().numbers, "PARK with no task");
+}
+
+TEST_F(JudgeTest, CountsTheLapsOfATaskUntilItsLimit) {
+  const LapsExpectation expected = {
+      .vehicle = "alpha", .task = "survey", .at_least = 2, .by_s = 300};
+  Judge& judge = For(expected);
+  judge.TakeHelm(1, {.state = "DRIVE", .task = "survey", .laps_done = 5}, At(10));
+  judge.TakeHelm(0, {.state = "DRIVE", .task = "loiter", .laps_done = 5}, At(10));
+  judge.TakeHelm(0, {.state = "DRIVE", .task = "survey", .laps_done = 1}, At(150));
+  EXPECT_EQ(Only().numbers, "1, 1 too few");
+  judge.TakeHelm(0, {.state = "DRIVE", .task = "survey", .laps_done = 2}, At(300));
+  judge.TakeHelm(0, {.state = "DRIVE", .task = "home", .laps_done = 0}, At(301));
+  EXPECT_TRUE(Only().passed);
+  EXPECT_EQ(Only().numbers, "2, enough at 300.0 s");
+
+  For(expected).TakeHelm(0, {.state = "DRIVE", .task = "survey", .laps_done = 2}, At(300.1));
+  EXPECT_FALSE(Only().passed);
+  EXPECT_EQ(Only().numbers, "2, enough at 300.1 s, 0.1 s late");
+}
+
+TEST_F(JudgeTest, ListsOnlySomeOfManyFailures) {
+  mission_ = TwoVehicles(HelmExpectation{.vehicle = "all", .state = "PARK", .task = ""});
+  mission_.vehicles.resize(20, mission_.vehicles[0]);
+  for (size_t i = 0; i < 20; ++i) mission_.vehicles[i].name = fmt::format("v{}", i);
+  judge_.emplace(mission_);
+  EXPECT_NE(Only().numbers.find("20 of 20 failed: v0: "), std::string::npos);
+  EXPECT_NE(Only().numbers.find("; and 15 more"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace shoal

@@ -1,0 +1,16 @@
+// The last page of a mission: where everybody ended, who heard whom, what was achieved.
+#pragma once
+
+#include <string>
+
+#include "lib/mission/mission.h"
+#include "lib/verdict/judge.h"
+
+namespace shoal {
+
+/// Returns the summary; its last line is "PASS", "FAIL" with how many expectations were missed, or
+/// "INCOMPLETE" for a mission that did not run to its end.
+[[nodiscard]] std::string Summarize(const Mission& mission, const Judge& judge,
+                                    bool complete = true);
+
+}  // namespace shoal

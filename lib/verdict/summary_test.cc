@@ -1,0 +1,82 @@
+#include "lib/verdict/summary.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace shoal {
+namespace {
+
+Mission TwoVehicles() {
+  Mission mission;
+  mission.vehicles.resize(2);
+  mission.vehicles[0].name = "alpha";
+  mission.vehicles[1].name = "bravo";
+  return mission;
+}
+
+void DeliverOne(Judge& judge) {
+  judge.fates().Add("alpha", "bravo", "delivered");
+  judge.fates().Add("alpha", "bravo", "out_of_range");
+}
+
+TEST(Summarize, ShowsVehiclesLinksAndVerdicts) {
+  Mission mission = TwoVehicles();
+  mission.expectations = {
+      {.where = "a.toml:5", .what = CommsExpectation{.to = "bravo", .at_least = 1, .at_most = {}}}};
+  Judge judge(mission);
+  judge.TakeNav(0, {12.34, -5, 0});
+  judge.TakeHelm(0, {.state = "DRIVE", .task = "home"}, 0);
+  DeliverOne(judge);
+  EXPECT_EQ(
+      Summarize(mission, judge),
+      "Vehicles\n"
+      "    name             helm                            x_m        y_m   depth_m   "
+      "travelled_m\n"
+      "    alpha            DRIVE:home                     12.3       -5.0       0.0           "
+      "0.0\n"
+      "    bravo            (no helm)                (never seen)\n"
+      "\n"
+      "Reports delivered/offered\n"
+      "    from \\ to                 alpha          bravo\n"
+      "    alpha                         -            1/2\n"
+      "    bravo                       0/0              -\n"
+      "    all: 1/2, out_of_range 1\n"
+      "\n"
+      "Expectations\n"
+      "    pass at least 1 reports delivered from all to bravo: 1 [a.toml:5]\n"
+      "\n"
+      "PASS\n");
+}
+
+TEST(Summarize, EndsWithFailWhereAnExpectationWasMissed) {
+  Mission mission = TwoVehicles();
+  mission.expectations = {
+      {.where = "a.toml:5", .what = CommsExpectation{.at_least = 2, .at_most = {}}},
+      {.where = "a.toml:9", .what = CommsExpectation{.at_least = 0, .at_most = {}}}};
+  Judge judge(mission);
+  DeliverOne(judge);
+  const std::string summary = Summarize(mission, judge);
+  EXPECT_NE(summary.find("FAIL at least 2 reports delivered from all to all: 1, 1 too few"),
+            std::string::npos);
+  EXPECT_TRUE(summary.ends_with("\nFAIL: 1 of 2 expectations missed\n"));
+}
+
+TEST(Summarize, ListsSentAndHeardWhereAMatrixWouldBeTooWide) {
+  Mission mission = TwoVehicles();
+  mission.vehicles.resize(100);
+  for (size_t i = 2; i < 100; ++i) mission.vehicles[i].name = fmt::format("v{}", i);
+  Judge judge(mission);
+  DeliverOne(judge);
+  const std::string summary = Summarize(mission, judge);
+  EXPECT_NE(summary.find("alpha                             1/2                  0/0\n"),
+            std::string::npos)
+      << summary;
+  EXPECT_NE(summary.find("bravo                             0/0                  1/2\n"),
+            std::string::npos);
+  EXPECT_NE(summary.find("(and 40 more)"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace shoal

@@ -1,0 +1,133 @@
+// What strangers and a bad network do to a running mission.
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <random>
+
+#include "lib/bus/channels.h"
+#include "lib/bus/lcm_bus.h"
+#include "lib/bus/seal.h"
+#include "lib/run/run_registry.h"
+#include "tests/missions/shoal_process.h"
+
+namespace shoal {
+namespace {
+
+/// Finds the ports of the mission that runs in this test's folder.
+PortPlan PortsOf(const TestFolder& folder) {
+  setenv("SHOAL_RUN_DIR", (folder / "run").c_str(), 1);
+  const Result<RunningMission> mission = FindRunningMission(0);
+  EXPECT_TRUE(mission.ok());
+  return mission.ok() ? mission->Ports() : PortPlan(7665, Layout::kShared, {});
+}
+
+/// Returns every channel of a mission with the vehicle alpha.
+std::vector<std::string> AllChannels() {
+  std::vector<std::string> channels = {"NO_SUCH_CHANNEL"};
+  for (const ChannelRow& row : ChannelTable()) {
+    channels.push_back(std::string(row.topic) +
+                       (row.home == ChannelHome::kVehicle ? "_ALPHA" : ""));
+  }
+  return channels;
+}
+
+std::unique_ptr<RunningProcess> StartAlpha(const TestFolder& folder, const std::string& warp,
+                                           std::vector<std::string> extra = {}) {
+  std::vector<std::string> argv = {Program("shoal"), "run", MissionFile("alpha.toml"), "--warp",
+                                   warp};
+  argv.insert(argv.end(), extra.begin(), extra.end());
+  auto process = std::make_unique<RunningProcess>(folder, argv);
+  EXPECT_TRUE(process->WaitFor("x real time")) << process->Output();
+  return process;
+}
+
+TEST(Garbage, OnEveryChannelEndsNoProcessAndIsCounted) {
+  const TestFolder folder;
+  const auto process = StartAlpha(folder, "60");
+  LcmBus bus(PortsOf(folder));
+  std::mt19937 random(1);
+  Bytes whole;
+  EncodeInto(comms_fates_t{}, &whole);
+  for (const std::string& channel : AllChannels()) {
+    for (int i = 0; i < 200; ++i) {
+      Bytes bytes(random() % 300);
+      for (uint8_t& byte : bytes) byte = static_cast<uint8_t>(random());
+      bus.PublishBytes(channel, bytes);                                            // random
+      bus.PublishBytes(channel, std::span(whole).first(random() % whole.size()));  // truncated
+      if (channel != "COMMS_FATES") bus.PublishBytes(channel, whole);              // wrong type
+    }
+  }
+  SleepSeconds(0.3);
+  const Finished page = RunShoal(folder, {"status", "helm_alpha"});
+  EXPECT_NE(page.output.find("undecodable messages on NAV_ALPHA"), std::string::npos)
+      << page.output;
+  const Finished finished = process->Wait();
+  EXPECT_EQ(finished.exit_code, 0) << finished.output;
+  EXPECT_EQ(finished.output.find("LOST"), std::string::npos) << finished.output;
+  EXPECT_NE(finished.output.find("Reproducible: no: messages came from outside"),
+            std::string::npos)
+      << finished.output;
+}
+
+TEST(Garbage, InABurstOfAHundredThousandEndsNoProcess) {
+  const TestFolder folder;
+  const auto process = StartAlpha(folder, "60");
+  LcmBus bus(PortsOf(folder));
+  const Bytes bytes(100, 0x5a);
+  for (int i = 0; i < 100'000; ++i) bus.PublishBytes(i % 2 == 0 ? "NAV_ALPHA" : "ACTUATORS_ALPHA", bytes);
+  const Finished finished = process->Wait();
+  EXPECT_EQ(finished.exit_code, 0) << finished.output;
+  EXPECT_EQ(finished.output.find("LOST"), std::string::npos) << finished.output;
+}
+
+TEST(AnotherMission, OnTheSamePortsIsRejectedAndReported) {
+  const TestFolder folder;
+  const auto process = StartAlpha(folder, "60");
+  LcmBus bus(PortsOf(folder));
+  nav_t nav{};
+  nav.x_m = 1e5;
+  Bytes bytes;
+  EncodeInto(nav, &bytes);
+  AppendSeal({.publisher = "vehicle_sim_alpha", .mission_id = 1, .step = 5, .sequence = 0}, &bytes);
+  tick_t tick{};
+  tick.mission_id = 1;
+  tick.step = 1'000'000;
+  for (int i = 0; i < 10; ++i) {
+    bus.PublishBytes("NAV_ALPHA", bytes);
+    Publish(bus, channels::Tick(), tick);
+  }
+  const Finished finished = process->Wait();
+  EXPECT_EQ(finished.exit_code, 0) << finished.output;
+  EXPECT_NE(finished.output.find("messages of another mission arrive"), std::string::npos)
+      << finished.output;
+  EXPECT_NE(finished.output.find("Reproducible: yes"), std::string::npos)
+      << "what was rejected must not count as input: " << finished.output;
+}
+
+TEST(LossForGood, EndsTheMissionWithTheRightAdvice) {
+  const TestFolder folder;
+  const Finished finished = RunShoal(folder, {"run", MissionFile("alpha.toml"), "--warp", "max",
+                                              "--lose-forever", "NAV_ALPHA"});
+  EXPECT_EQ(finished.exit_code, 3) << finished.output;
+  EXPECT_NE(finished.output.find("on NAV_ALPHA in step 0 never reached"), std::string::npos)
+      << finished.output;
+  EXPECT_NE(finished.output.find("sudo sysctl -w net.core.rmem_max=2097152"), std::string::npos)
+      << finished.output;
+}
+
+TEST(TwoMissions, AtOnceTakePortsOfTheirOwn) {
+  const TestFolder folder;
+  const auto first = StartAlpha(folder, "60");
+  const auto second = StartAlpha(folder, "60");
+  const Finished status = RunShoal(folder, {"status"});
+  EXPECT_EQ(status.exit_code, 3);
+  EXPECT_NE(status.output.find("several missions are running"), std::string::npos) << status.output;
+  for (const auto* process : {&first, &second}) {
+    const Finished finished = (*process)->Wait();
+    EXPECT_EQ(finished.exit_code, 0) << finished.output;
+    EXPECT_NE(finished.output.find("Reproducible: yes"), std::string::npos) << finished.output;
+  }
+}
+
+}  // namespace
+}  // namespace shoal

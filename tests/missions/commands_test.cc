@@ -1,0 +1,194 @@
+// The launcher and its tools as a user at a shell meets them.
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include "lib/bus/channels.h"
+#include "lib/bus/lcm_bus.h"
+#include "lib/run/run_registry.h"
+#include "tests/missions/shoal_process.h"
+
+namespace shoal {
+namespace {
+
+constexpr char kOneVessel[] = R"(
+[mission]
+duration_s = 60
+[[vehicle]]
+name = "alpha"
+start = { x_m = 0, y_m = 0, heading_deg = 0 }
+)";
+
+TEST(Send, ReachesAVehicleAndShowsWhatItDoes) {
+  const TestFolder folder;
+  RunningProcess process(folder, {Program("shoal"), "run", MissionFile("berta.toml")});
+  ASSERT_TRUE(process.WaitFor("x real time")) << process.Output();
+  const Finished sent = RunShoal(folder, {"send", "alpha", "goto", "10", "-20"});
+  EXPECT_EQ(sent.exit_code, 0) << sent.output;
+  EXPECT_NE(sent.output.find("alpha: DRIVE goto"), std::string::npos) << sent.output;
+  const Finished rule = RunShoal(folder, {"send", "comms_range", "-1"});
+  EXPECT_EQ(rule.exit_code, 0) << rule.output;
+  SleepSeconds(0.3);
+  const Finished page = RunShoal(folder, {"status", "shore_broker"});
+  EXPECT_NE(page.output.find("no limit"), std::string::npos) << page.output;
+
+  EXPECT_EQ(RunShoal(folder, {"send", "alhpa", "return"}).exit_code, 2);
+  const Finished unknown = RunShoal(folder, {"send", "alpha", "fly"});
+  EXPECT_EQ(unknown.exit_code, 2);
+  EXPECT_NE(unknown.output.find("unknown command 'fly'"), std::string::npos) << unknown.output;
+  process.Signal(SIGINT);
+  const Finished finished = process.Wait();
+  EXPECT_NE(finished.output.find("Reproducible: no"), std::string::npos) << finished.output;
+}
+
+TEST(Status, ListsEveryParticipantAndShowsItsPage) {
+  const TestFolder folder;
+  RunningProcess process(folder, {Program("shoal"), "run", MissionFile("berta.toml")});
+  ASSERT_TRUE(process.WaitFor("x real time")) << process.Output();
+  const Finished list = RunShoal(folder, {"status"});
+  EXPECT_EQ(list.exit_code, 0) << list.output;
+  for (const char* name : {"helm_alpha", "helm_bravo", "node_reporter_alpha", "shoal",
+                           "shore_broker", "vehicle_sim_bravo"}) {
+    EXPECT_NE(list.output.find(name), std::string::npos) << name << "\n" << list.output;
+  }
+  const Finished page = RunShoal(folder, {"status", "vehicle_sim_alpha"});
+  EXPECT_NE(page.output.find("Position:"), std::string::npos) << page.output;
+  const Finished url = RunShoal(folder, {"url", "alpha"});
+  EXPECT_EQ(url.output.rfind("udpm://239.255.76.67:", 0), 0U) << url.output;
+}
+
+TEST(Status, SaysSoWhenNothingRuns) {
+  const TestFolder folder;
+  const Finished finished = RunShoal(folder, {"status"});
+  EXPECT_EQ(finished.exit_code, 3);
+  EXPECT_NE(finished.output.find("no mission is running"), std::string::npos) << finished.output;
+}
+
+TEST(MissionFile, WithErrorsIsRefusedByRunSimAndCheckAlike) {
+  const TestFolder folder;
+  const std::string file = (folder / "bad.toml").string();
+  WriteFile(file, "[mission]\nduration_s = 60\nsped = 3\n[[vehicle]]\nname = \"unc\"\n");
+  for (const char* command : {"run", "sim", "check"}) {
+    const Finished finished = RunShoal(folder, {command, file});
+    EXPECT_EQ(finished.exit_code, 2) << finished.output;
+    EXPECT_NE(finished.output.find("bad.toml:3:1: unknown key 'sped'"), std::string::npos)
+        << finished.output;
+    EXPECT_NE(finished.output.find("bad.toml:5:8:"), std::string::npos) << finished.output;
+  }
+}
+
+TEST(Expectation, ThatIsMissedEndsWithFailAndByHowMuch) {
+  const TestFolder folder;
+  const std::string file = (folder / "miss.toml").string();
+  WriteFile(file, std::string(kOneVessel) +
+                      "[[expect]]\nkind = \"arrival\"\nvehicle = \"alpha\"\npoint = [100, 0]\n"
+                      "within_m = 5\nby_s = 60\n");
+  for (const char* command : {"run", "sim"}) {
+    std::vector<std::string> arguments = {command, file};
+    if (arguments[0] == "run") arguments.insert(arguments.end(), {"--warp", "max"});
+    const Finished finished = RunShoal(folder, arguments);
+    EXPECT_EQ(finished.exit_code, 1) << finished.output;
+    EXPECT_NE(finished.output.find("FAIL"), std::string::npos) << finished.output;
+    EXPECT_NE(finished.output.find("100.0 m"), std::string::npos) << finished.output;
+  }
+}
+
+TEST(Recording, KeepsWhatIsNeededToRunAgainAndIsNeverOverwritten) {
+  const TestFolder folder;
+  const std::string file = (folder / "one.toml").string();
+  WriteFile(file, kOneVessel);
+  const std::string dir = (folder / "rec").string();
+  const std::vector<std::string> arguments = {"run",      file, "--warp", "max",
+                                              "--record", dir,  "--set",  "mission.seed=9"};
+  const Finished first = RunShoal(folder, arguments);
+  EXPECT_EQ(first.exit_code, 0) << first.output;
+  EXPECT_EQ(ReadFile(dir + "/mission.toml"), kOneVessel);
+  EXPECT_NE(ReadFile(dir + "/run.txt").find("seed 9\nset mission.seed=9\n"), std::string::npos);
+  EXPECT_NE(ReadFile(dir + "/summary.txt").find("PASS"), std::string::npos);
+  const std::string log = ReadFile(dir + "/mission.lcm");
+  const Finished second = RunShoal(folder, arguments);
+  EXPECT_EQ(second.exit_code, 3) << second.output;
+  EXPECT_NE(second.output.find("holds a recording already"), std::string::npos) << second.output;
+  EXPECT_EQ(ReadFile(dir + "/mission.lcm"), log);
+}
+
+TEST(Recording, WorksBesideLcmLogger) {
+  const TestFolder folder;
+  const std::string file = (folder / "one.toml").string();
+  WriteFile(file, kOneVessel);
+  const std::string dir = (folder / "rec").string();
+  const Finished finished =
+      RunShoal(folder, {"run", file, "--warp", "60", "--record", dir, "--lcm-logger"});
+  EXPECT_EQ(finished.exit_code, 0) << finished.output;
+  size_t loggers = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(dir)) {
+    if (!entry.path().filename().string().starts_with("lcm-logger-")) continue;
+    ++loggers;
+    const Finished info = RunShoal(folder, {"log", "info", entry.path().string()});
+    EXPECT_NE(info.output.find("NAV_ALPHA"), std::string::npos) << info.output;
+  }
+  EXPECT_EQ(loggers, 1U);
+}
+
+TEST(Helm, CanBeStartedByHand) {
+  const TestFolder folder;
+  const std::string file = (folder / "hand.toml").string();
+  WriteFile(file, std::string(kOneVessel) + "helm = \"hand\"\n");
+  RunningProcess mission(folder, {Program("shoal"), "run", file, "--warp", "max"});
+  ASSERT_TRUE(mission.WaitFor("waiting for helm_alpha")) << mission.Output();
+  RunningProcess helm(folder, {Program("helm"), "--mission", file, "--vehicle", "alpha"});
+  const Finished finished = mission.Wait(20);
+  EXPECT_EQ(finished.exit_code, 0) << finished.output;
+  EXPECT_NE(finished.output.find("Reproducible: yes"), std::string::npos) << finished.output;
+  EXPECT_EQ(helm.Wait(5).exit_code, 0);
+}
+
+TEST(CPlanner, SteersAVesselAsAParticipantOfItsOwn) {
+  const TestFolder folder;
+  const std::string dir = (folder / "rec").string();
+  const Finished finished = RunShoal(folder, {"run", MissionFile("c_planner.toml"), "--warp",
+                                              "max", "--record", dir, "--lose", "0.002"});
+  EXPECT_EQ(finished.exit_code, 0) << finished.output;
+  EXPECT_NE(finished.output.find("Reproducible: yes"), std::string::npos) << finished.output;
+}
+
+TEST(Log, PlayedBackByLcmLogplayerDrivesAListenerAsTheMissionDid) {
+  const TestFolder folder;
+  const std::string log = (folder / "sim.lcm").string();
+  ASSERT_EQ(RunShoal(folder, {"sim", MissionFile("alpha.toml"), "--log", log}).exit_code, 0);
+  const Result<int> base = ClaimPorts(0, 3);
+  ASSERT_TRUE(base.ok());
+  const PortPlan plan(*base, Layout::kShared, {"alpha"});
+  LcmBus listener(plan);
+  int64_t heard = 0;
+  int64_t last_utime = -1;
+  bool in_order = true;
+  Subscribe(listener, channels::Nav("alpha"), [&](const nav_t& nav) {
+    ++heard;
+    in_order = in_order && nav.utime > last_utime;
+    last_utime = nav.utime;
+  });
+  RunningProcess player(folder, {"/usr/bin/lcm-logplayer", "-s", "200", "-l",
+                                 LcmUrl(plan.shore_port()), log});
+  const double begin = WallSeconds();
+  while (heard < 6001 && WallSeconds() - begin < 20) listener.Poll(10'000);
+  EXPECT_EQ(heard, 6001);
+  EXPECT_TRUE(in_order);
+  EXPECT_EQ(last_utime, 600'000'000);
+}
+
+TEST(EveryApp, AnswersHelpVersionExampleAndInterface) {
+  const TestFolder folder;
+  for (const char* app : {"vehicle_sim", "helm", "node_reporter", "shore_broker", "recorder"}) {
+    for (const char* option : {"--help", "--version", "--example", "--interface"}) {
+      RunningProcess process(folder, {Program(app), option});
+      const Finished finished = process.Wait(10);
+      EXPECT_EQ(finished.exit_code, 0) << app << " " << option;
+      EXPECT_GT(finished.output.size(), 10U) << app << " " << option;
+    }
+    RunningProcess process(folder, {Program(app), "--no-such-option"});
+    EXPECT_EQ(process.Wait(10).exit_code, 2) << app;
+  }
+}
+
+}  // namespace
+}  // namespace shoal

@@ -1,0 +1,137 @@
+// Processes are killed and stopped mid-mission; nothing hangs, nothing stays, logs stay readable.
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include "lib/record/log_reader.h"
+#include "tests/missions/shoal_process.h"
+
+namespace shoal {
+namespace {
+
+/// Starts berta, recorded, and waits until it is well under way.
+struct Berta {
+  explicit Berta(std::vector<std::string> extra = {}) {
+    std::vector<std::string> argv = {Program("shoal"), "run",      MissionFile("berta.toml"),
+                                     "--warp",         "20",       "--record",
+                                     dir,              "--set",    "mission.participant_timeout_s=1"};
+    argv.insert(argv.end(), extra.begin(), extra.end());
+    process = std::make_unique<RunningProcess>(folder, argv);
+    const double begin = WallSeconds();
+    while (NumEvents() < 200 && WallSeconds() - begin < 20) SleepSeconds(0.02);
+    participants = process->Participants();
+  }
+  /// Returns how many whole events the log holds.
+  int64_t NumEvents() const;
+
+  TestFolder folder;
+  std::string dir = (folder / "rec").string();
+  std::unique_ptr<RunningProcess> process;
+  std::map<std::string, pid_t> participants;
+};
+
+int64_t Berta::NumEvents() const {
+  Result<LogReader> reader = LogReader::Open(dir + "/mission.lcm");
+  if (!reader.ok()) return 0;
+  int64_t events = 0;
+  while (reader->Next()) ++events;
+  return reader->error().empty() ? events : -1;
+}
+
+const std::vector<std::string> kParticipants = {
+    "helm_alpha",      "helm_bravo",   "node_reporter_alpha", "node_reporter_bravo",
+    "recorder",        "shore_broker", "vehicle_sim_alpha",   "vehicle_sim_bravo"};
+
+class AnyParticipant : public testing::TestWithParam<std::string> {};
+
+TEST_P(AnyParticipant, IsNamedWithinASecondWhenItIsKilledAndTheMissionEnds) {
+  Berta berta;
+  ASSERT_TRUE(berta.participants.contains(GetParam())) << berta.process->Output();
+  const double killed_at = WallSeconds();
+  kill(berta.participants.at(GetParam()), SIGKILL);
+  ASSERT_TRUE(berta.process->WaitFor("LOST: " + GetParam(), 5)) << berta.process->Output();
+  EXPECT_LT(WallSeconds() - killed_at, 1.0);
+  const Finished finished = berta.process->Wait(10);
+  EXPECT_EQ(finished.exit_code, 3) << finished.output;
+  EXPECT_NE(finished.output.find("was killed by signal 9"), std::string::npos) << finished.output;
+  EXPECT_TRUE(AllGone(berta.participants));
+  EXPECT_GE(berta.NumEvents(), 200) << "the log must stay readable";
+}
+
+INSTANTIATE_TEST_SUITE_P(EachOne, AnyParticipant, testing::ValuesIn(kParticipants),
+                         [](const auto& info) { return info.param; });
+
+TEST(StoppedParticipant, IsNamedAfterTheTimeOutAndTheMissionEnds) {
+  Berta berta;
+  const double stopped_at = WallSeconds();
+  kill(berta.participants.at("helm_bravo"), SIGSTOP);
+  ASSERT_TRUE(berta.process->WaitFor("LOST: helm_bravo has not answered", 10))
+      << berta.process->Output();
+  EXPECT_LT(WallSeconds() - stopped_at, 2.0);
+  EXPECT_EQ(berta.process->Wait(10).exit_code, 3);
+  EXPECT_TRUE(AllGone(berta.participants));
+  EXPECT_GE(berta.NumEvents(), 200);
+}
+
+TEST(LostParticipant, DoesNotEndAMissionThatShallGoOn) {
+  Berta berta({"--set", "mission.on_loss=continue", "--warp", "max"});
+  kill(berta.participants.at("node_reporter_bravo"), SIGKILL);
+  const Finished finished = berta.process->Wait();
+  EXPECT_NE(finished.output.find("the mission goes on without node_reporter_bravo"),
+            std::string::npos)
+      << finished.output;
+  EXPECT_NE(finished.output.find("Reproducible: no"), std::string::npos) << finished.output;
+  EXPECT_EQ(finished.output.find("INCOMPLETE"), std::string::npos) << finished.output;
+  EXPECT_TRUE(AllGone(berta.participants));
+}
+
+TEST(LostParticipant, IsStartedAgainWhereTheMissionSaysSo) {
+  Berta berta({"--set", "mission.on_loss=restart"});
+  kill(berta.participants.at("shore_broker"), SIGKILL);
+  ASSERT_TRUE(berta.process->WaitFor("shore_broker starts again", 5)) << berta.process->Output();
+  SleepSeconds(0.5);
+  const auto again = berta.process->Participants();
+  ASSERT_TRUE(again.contains("shore_broker"));
+  EXPECT_NE(again.at("shore_broker"), berta.participants.at("shore_broker"));
+  const int64_t before = berta.NumEvents();
+  SleepSeconds(0.5);
+  EXPECT_GT(berta.NumEvents(), before) << "the mission must go on";
+  berta.process->Signal(SIGINT);
+  berta.process->Wait(5);
+  EXPECT_TRUE(AllGone(again));
+}
+
+TEST(CtrlC, EndsEverythingWithinTwoSecondsAndClosesTheRecording) {
+  Berta berta;
+  const double begin = WallSeconds();
+  berta.process->Signal(SIGINT);
+  const Finished finished = berta.process->Wait(10);
+  EXPECT_LT(WallSeconds() - begin, 2.0);
+  EXPECT_EQ(finished.exit_code, 1) << finished.output;
+  EXPECT_NE(finished.output.find("interrupted"), std::string::npos) << finished.output;
+  EXPECT_TRUE(AllGone(berta.participants));
+  EXPECT_GE(berta.NumEvents(), 200);
+}
+
+TEST(CtrlC, EndsEverythingEvenWhenAParticipantHangs) {
+  Berta berta({"--set", "mission.participant_timeout_s=60"});
+  kill(berta.participants.at("helm_alpha"), SIGSTOP);
+  SleepSeconds(0.2);
+  const double begin = WallSeconds();
+  berta.process->Signal(SIGINT);
+  berta.process->Wait(10);
+  EXPECT_LT(WallSeconds() - begin, 2.5);
+  EXPECT_TRUE(AllGone(berta.participants));
+  EXPECT_GE(berta.NumEvents(), 200);
+}
+
+TEST(KilledLauncher, LeavesNoProcessBehind) {
+  Berta berta;
+  ASSERT_EQ(berta.participants.size(), kParticipants.size());
+  berta.process->Signal(SIGKILL);
+  berta.process->Wait(5);
+  EXPECT_TRUE(AllGone(berta.participants));
+  EXPECT_GE(berta.NumEvents(), 200);
+}
+
+}  // namespace
+}  // namespace shoal

@@ -1,0 +1,81 @@
+// Same mission, seed and build: the same log, byte for byte, however the mission runs.
+#include <gtest/gtest.h>
+
+#include "tests/missions/shoal_process.h"
+
+namespace shoal {
+namespace {
+
+/// Returns the log of `shoal sim`.
+std::string SimLog(const TestFolder& folder, const std::string& mission,
+                   std::vector<std::string> extra = {}) {
+  const std::string log = (folder / "sim.lcm").string();
+  std::vector<std::string> arguments = {"sim", mission, "--log", log};
+  arguments.insert(arguments.end(), extra.begin(), extra.end());
+  const Finished finished = RunShoal(folder, arguments);
+  EXPECT_EQ(finished.exit_code, 0) << finished.output;
+  return ReadFile(log);
+}
+
+/// Returns the log of `shoal run` at full speed.
+std::string RunLog(const TestFolder& folder, const std::string& mission,
+                   std::vector<std::string> extra = {}) {
+  const std::string dir = (folder / "recorded").string();
+  std::filesystem::remove_all(dir);
+  std::vector<std::string> arguments = {"run", mission, "--warp", "max", "--record", dir};
+  arguments.insert(arguments.end(), extra.begin(), extra.end());
+  const Finished finished = RunShoal(folder, arguments);
+  EXPECT_EQ(finished.exit_code, 0) << finished.output;
+  EXPECT_NE(finished.output.find("PASS"), std::string::npos) << finished.output;
+  EXPECT_NE(finished.output.find("Reproducible: yes"), std::string::npos) << finished.output;
+  return ReadFile(dir + "/mission.lcm");
+}
+
+TEST(Reproducibility, HoldsInOneProcessAndOverLcmInBothLayoutsAndAtAnySpeed) {
+  const TestFolder folder;
+  const std::string mission = MissionFile("berta.toml");
+  const std::string reference = SimLog(folder, mission);
+  ASSERT_GT(reference.size(), 1'000'000U);
+  EXPECT_TRUE(reference == SimLog(folder, mission)) << "two runs of shoal sim differ";
+  EXPECT_TRUE(reference == RunLog(folder, mission, {"--layout", "shared"}));
+  EXPECT_TRUE(reference == RunLog(folder, mission, {"--layout", "communities"}));
+  EXPECT_TRUE(reference == RunLog(folder, mission, {"--warp", "60"}));
+}
+
+TEST(Reproducibility, HoldsForOneVessel) {
+  const TestFolder folder;
+  const std::string mission = MissionFile("alpha.toml");
+  EXPECT_TRUE(SimLog(folder, mission) == RunLog(folder, mission));
+}
+
+TEST(Reproducibility, HoldsWhenTheBusLosesDatagrams) {
+  const TestFolder folder;
+  const std::string mission = MissionFile("alpha.toml");
+  const std::string dir = (folder / "lossy").string();
+  const Finished finished = RunShoal(
+      folder, {"run", mission, "--warp", "max", "--record", dir, "--lose", "0.002"});
+  EXPECT_EQ(finished.exit_code, 0) << finished.output;
+  EXPECT_EQ(finished.output.find(" 0 asked for again, 0 ticks again"), std::string::npos)
+      << "nothing was lost, so nothing was tested: " << finished.output;
+  EXPECT_TRUE(SimLog(folder, mission) == ReadFile(dir + "/mission.lcm"));
+}
+
+TEST(Reproducibility, ChangesWithTheSeedOnlyWhereRandomnessIsUsed) {
+  const TestFolder folder;
+  const std::string mission = MissionFile("alpha.toml");
+  EXPECT_TRUE(SimLog(folder, mission, {"--set", "mission.seed=1"}) ==
+              SimLog(folder, mission, {"--set", "mission.seed=2"}))
+      << "alpha uses no randomness";
+  const std::vector<std::string> random = {"--set", "vehicle.alpha.reporter.blackout_interval_s=2",
+                                           "--set", "vehicle.alpha.reporter.blackout_variance_s=1"};
+  const auto with_seed = [&](const std::string& seed) {
+    std::vector<std::string> extra = random;
+    extra.insert(extra.end(), {"--set", "mission.seed=" + seed});
+    return SimLog(folder, mission, extra);
+  };
+  EXPECT_TRUE(with_seed("1") == with_seed("1"));
+  EXPECT_FALSE(with_seed("1") == with_seed("2")) << "blackouts are random";
+}
+
+}  // namespace
+}  // namespace shoal

@@ -1,0 +1,169 @@
+#include "tests/missions/shoal_process.h"
+
+#include <fcntl.h>
+#include <signal.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <time.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+
+#include "lib/run/run_app.h"
+
+namespace shoal {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::vector<std::string> ReadArguments(pid_t pid) {
+  std::ifstream in("/proc/" + std::to_string(pid) + "/cmdline");
+  std::vector<std::string> arguments;
+  for (std::string each; std::getline(in, each, '\0');) arguments.push_back(each);
+  return arguments;
+}
+
+std::string ParticipantOf(pid_t pid) {
+  const std::vector<std::string> arguments = ReadArguments(pid);
+  if (arguments.empty()) return {};
+  std::string name = fs::path(arguments[0]).filename().string();
+  for (size_t i = 0; i + 1 < arguments.size(); ++i) {
+    if (arguments[i] == "--vehicle") name += "_" + arguments[i + 1];
+  }
+  return name;
+}
+
+}  // namespace
+
+TestFolder::TestFolder() {
+  static std::atomic<int> counter = 0;
+  path_ = fs::temp_directory_path() /
+          ("shoal-test-" + std::to_string(getpid()) + "-" + std::to_string(counter++));
+  fs::create_directories(path_);
+}
+
+TestFolder::~TestFolder() {
+  std::error_code error;
+  fs::remove_all(path_, error);
+}
+
+RunningProcess::RunningProcess(const TestFolder& folder, std::vector<std::string> argv) {
+  static std::atomic<int> counter = 0;
+  output_path_ = folder / ("output-" + std::to_string(counter++) + ".txt");
+  const std::string run_dir = (folder / "run").string();
+  std::vector<char*> pointers;
+  for (std::string& each : argv) pointers.push_back(each.data());
+  pointers.push_back(nullptr);
+  started_s_ = WallSeconds();
+  pid_ = fork();
+  if (pid_ == 0) {
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    setenv("SHOAL_RUN_DIR", run_dir.c_str(), 1);
+    const int out = open(output_path_.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
+    dup2(out, STDOUT_FILENO);
+    dup2(out, STDERR_FILENO);
+    execv(pointers[0], pointers.data());
+    _exit(127);
+  }
+}
+
+RunningProcess::~RunningProcess() {
+  if (!HasEnded()) {
+    Signal(SIGKILL);
+    waitpid(pid_, &status_, 0);
+  }
+}
+
+void RunningProcess::Signal(int signal) const { kill(pid_, signal); }
+
+std::string RunningProcess::Output() const { return ReadFile(output_path_); }
+
+bool RunningProcess::HasEnded() const {
+  if (!ended_) ended_ = waitpid(pid_, &status_, WNOHANG) == pid_;
+  return ended_;
+}
+
+bool RunningProcess::WaitFor(const std::string& text, double patience_s) const {
+  const double begin = WallSeconds();
+  while (true) {
+    const bool ended = HasEnded();
+    if (Output().find(text) != std::string::npos) return true;
+    if (ended || WallSeconds() - begin > patience_s) return false;
+    SleepSeconds(0.01);
+  }
+}
+
+Finished RunningProcess::Wait(double patience_s) {
+  const double begin = WallSeconds();
+  while (!HasEnded() && WallSeconds() - begin < patience_s) SleepSeconds(0.005);
+  if (!ended_) {
+    Signal(SIGKILL);
+    waitpid(pid_, &status_, 0);
+    ended_ = true;
+  }
+  return {.exit_code = WIFEXITED(status_) ? WEXITSTATUS(status_) : -1,
+          .output = Output(),
+          .wall_s = WallSeconds() - started_s_};
+}
+
+std::map<std::string, pid_t> RunningProcess::Participants() const {
+  const std::string pid = std::to_string(pid_);
+  std::ifstream in("/proc/" + pid + "/task/" + pid + "/children");
+  std::map<std::string, pid_t> participants;
+  for (pid_t child = 0; in >> child;) participants[ParticipantOf(child)] = child;
+  return participants;
+}
+
+Finished RunShoal(const TestFolder& folder, std::vector<std::string> arguments,
+                  double patience_s) {
+  arguments.insert(arguments.begin(), Program("shoal"));
+  return RunningProcess(folder, std::move(arguments)).Wait(patience_s);
+}
+
+std::string Program(const std::string& name) {
+  return std::string(SHOAL_BINARY_DIR) + "/bin/" + name;
+}
+
+std::string MissionFile(const std::string& name) {
+  return std::string(SHOAL_SOURCE_DIR) + "/missions/" + name;
+}
+
+std::string ReadFile(const fs::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  std::ostringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+void WriteFile(const fs::path& path, const std::string& text) {
+  std::ofstream(path, std::ios::binary) << text;
+}
+
+bool IsAlive(pid_t pid) {
+  std::ifstream in("/proc/" + std::to_string(pid) + "/stat");
+  std::string stat;
+  if (!std::getline(in, stat)) return false;
+  const size_t close = stat.rfind(')');
+  return close != std::string::npos && stat.size() > close + 2 && stat[close + 2] != 'Z';
+}
+
+bool AllGone(const std::map<std::string, pid_t>& processes, double patience_s) {
+  const double begin = WallSeconds();
+  while (true) {
+    bool any = false;
+    for (const auto& [name, pid] : processes) any = any || IsAlive(pid);
+    if (!any) return true;
+    if (WallSeconds() - begin > patience_s) return false;
+    SleepSeconds(0.01);
+  }
+}
+
+double WallSeconds() { return static_cast<double>(MonotonicMicroseconds()) / 1e6; }
+
+void SleepSeconds(double seconds) { usleep(static_cast<useconds_t>(seconds * 1e6)); }
+
+}  // namespace shoal
