@@ -121,6 +121,15 @@ TEST(ClosedLoop, HoldsItsLegsInACrossCurrent) {
   EXPECT_LT(track.home_distance_m, 13);
 }
 
+TEST(ClosedLoop, SaysThatAllPointsOfATaskWerePassedBeforeTheNextTaskBegins) {
+  HelmAndVessel loop(Surveyor(2.5));
+  loop.Run(320);
+  const auto lap = std::find_if(loop.states.begin(), loop.states.end(), [](const auto& state) {
+    return state.task == "survey" && state.laps_done == 1;
+  });
+  EXPECT_NE(lap, loop.states.end());
+}
+
 TEST(ClosedLoop, GivesTheSameTrackToTheLastBitEveryTime) {
   HelmAndVessel one(Surveyor(1.5));
   HelmAndVessel other(Surveyor(1.5));

@@ -160,19 +160,20 @@ void HelmStates::Advance(const std::optional<Fix>& fix, bool nav_is_lost) {
     if (Errand* paused = Current()) paused->was_paused = true;
     return;
   }
-  // Ends: the list is finite, and keeping station at its end is never done.
-  while (Errand* current = Current()) {
-    if (!current->runner) {
-      current->runner.emplace(current->task.what, *fix);
-    } else if (current->was_paused) {
-      current->runner->Rejoin(*fix);
-    }
-    current->was_paused = false;
-    guidance_ = current->runner->Update(*fix);
-    if (!guidance_->done) break;
-    GoOnFrom(*current);
+  if (const Errand* finished = Current(); finished != nullptr && finished->is_done) {
+    GoOnFrom(*finished);
   }
-  if (guidance_ && speed_mps_ && guidance_->speed_mps > 0) guidance_->speed_mps = *speed_mps_;
+  Errand* current = Current();
+  if (current == nullptr) return;
+  if (!current->runner) {
+    current->runner.emplace(current->task.what, *fix);
+  } else if (current->was_paused) {
+    current->runner->Rejoin(*fix);
+  }
+  current->was_paused = false;
+  guidance_ = current->runner->Update(*fix);
+  current->is_done = guidance_->done;
+  if (speed_mps_ && guidance_->speed_mps > 0) guidance_->speed_mps = *speed_mps_;
 }
 
 }  // namespace shoal

@@ -16,8 +16,9 @@
 // move. One for want of NAV ends by itself. After either the helm goes on with what it did.
 //
 // Tasks run in the order of the list; then the helm keeps station where it is ("end_of_tasks"), and
-// `deploy` starts the list again. return, station_keep and goto interrupt the list, `deploy` goes
-// on with it where it was left.
+// `deploy` starts the list again. The next task begins one step after the last was done, so that
+// its end is seen. return, station_keep and goto interrupt the list, `deploy` goes on with it where
+// it was left.
 #pragma once
 
 #include <optional>
@@ -62,6 +63,7 @@ class HelmStates {
     Task task;
     std::optional<TaskRunner> runner = {};  ///< Absent until there is a fix to start from.
     bool was_paused = false;                ///< Something else happened since the last update.
+    bool is_done = false;
   };
 
   std::string Drive(const HelmOrder& order);

@@ -105,6 +105,9 @@ TEST_F(HelmStatesTest, KeepsStationHereWhenTheListEndsAndStartsItAgainWhenDeploy
   helm_.Advance(At(0, 30, 0), false);
   EXPECT_EQ(TaskName(helm_), "circle");
   helm_.Advance(At(0, 30, 61), false);
+  EXPECT_EQ(TaskName(helm_), "circle");
+  EXPECT_TRUE(helm_.guidance()->done);
+  helm_.Advance(At(0, 30, 61.1), false);
   EXPECT_EQ(TaskName(helm_), "end_of_tasks");
   EXPECT_EQ(helm_.guidance()->waypoint_m, Eigen::Vector2d(0, 30));
 
@@ -129,6 +132,7 @@ TEST_F(HelmStatesTest, GoesToAPointAndKeepsStationThere) {
   EXPECT_EQ(TaskName(helm_), "goto");
   EXPECT_EQ(KindOf(*helm_.task()), "waypoints");
   helm_.Advance(At(48, 58, 60), false);
+  helm_.Advance(At(48, 58, 60.1), false);
   EXPECT_EQ(TaskName(helm_), "goto");
   EXPECT_EQ(KindOf(*helm_.task()), "station_keep");
   EXPECT_EQ(helm_.guidance()->waypoint_m, Eigen::Vector2d(50, 60));

@@ -1,6 +1,7 @@
 // The table [[event]].
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <string>
 #include <string_view>

@@ -1,6 +1,5 @@
 // The tables [[vehicle.task]] and [vehicle.return].
 #include <array>
-#include <cmath>
 #include <string>
 #include <string_view>
 #include <variant>

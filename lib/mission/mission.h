@@ -39,7 +39,7 @@ struct AutopilotOptions {
   double heading_ki = 0.02;                ///< Per degree-second.
   double heading_kd = 0.6;                 ///< Per degree per second.
   double heading_integral_limit_deg = 20;  ///< Of rudder, from the integral term.
-  double speed_kp = 5;   ///< Per cent of thrust per m/s of error, on top of the thrust map.
+  double speed_kp = 5;  ///< Per cent of thrust per m/s of error, on top of the thrust map.
   double speed_ki = 2;
   double speed_integral_limit_pct = 20;
 
