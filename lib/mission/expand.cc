@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -172,8 +171,10 @@ class Expansion {
   static Value Member(const Value& source, const Fleet& fleet, const NamePattern& pattern,
                       const Table& base, int64_t i) {
     const int64_t columns = fleet.columns == 0 ? fleet.count : fleet.columns;
-    const double x_m = fleet.origin_x_m + static_cast<double>(i % columns) * fleet.spacing_m;
-    const double y_m = fleet.origin_y_m + static_cast<double>(i / columns) * fleet.spacing_m;
+    const int64_t row = i / columns;
+    const int64_t column = i % columns;
+    const double x_m = fleet.origin_x_m + static_cast<double>(column) * fleet.spacing_m;
+    const double y_m = fleet.origin_y_m + static_cast<double>(row) * fleet.spacing_m;
     const Place& place = source.place;
     const Value* name = Find(std::get<Table>(source.data), "name");
     Table start = {{"x_m", place, {place, x_m}}, {"y_m", place, {place, y_m}}};

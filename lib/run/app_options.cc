@@ -73,7 +73,7 @@ AppOptions ParseAppOptionsOrExit(const AppInfo& info, int argc, char** argv) {
   cli.add_option("--mission-id", options.mission_id,
                  "Reject messages of any other mission (default: that of the first tick)");
   if (info.name == "recorder") {
-    cli.add_option("--log", options.log_path, "Log file to write")->required();
+    cli.add_option("--log", options.log_path, "Log file to write");
   }
   cli.add_option("--lose", options.lose,
                  "Fault injection: lose this share of incoming datagrams, to see them repaired")
@@ -97,6 +97,10 @@ AppOptions ParseAppOptionsOrExit(const AppInfo& info, int argc, char** argv) {
   if (options.mission_file.empty() || (info.per_vehicle && options.vehicle.empty())) {
     fmt::print(stderr, "{}: --mission FILE{} is needed; see {} --help\n", info.name,
                info.per_vehicle ? " and --vehicle NAME" : "", info.name);
+    std::exit(kExitUsage);
+  }
+  if (info.name == "recorder" && options.log_path.empty()) {
+    fmt::print(stderr, "recorder: --log FILE is needed; see recorder --help\n");
     std::exit(kExitUsage);
   }
   if (!layout.empty()) {

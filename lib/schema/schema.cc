@@ -8,7 +8,7 @@ namespace shoal {
 
 namespace {
 
-constexpr int64_t kHugeSize = int64_t{1} << 62;       ///< Sizes stop here; no message is that long.
+constexpr int64_t kHugeSize = int64_t{1} << 61;       ///< Sizes stop here; no message is that long.
 constexpr int64_t kMaxFingerprintVisits = 1'000'000;  ///< Types that nest without end stop here.
 
 constexpr std::array<std::pair<std::string_view, Primitive>, 9> kPrimitives = {{

@@ -29,7 +29,7 @@ TEST(Send, ReachesAVehicleAndShowsWhatItDoes) {
   EXPECT_EQ(rule.exit_code, 0) << rule.output;
   SleepSeconds(0.3);
   const Finished page = RunShoal(folder, {"status", "shore_broker"});
-  EXPECT_NE(page.output.find("no limit"), std::string::npos) << page.output;
+  EXPECT_NE(page.output.find("Comms Range: nolimit"), std::string::npos) << page.output;
 
   EXPECT_EQ(RunShoal(folder, {"send", "alhpa", "return"}).exit_code, 2);
   const Finished unknown = RunShoal(folder, {"send", "alpha", "fly"});

@@ -58,7 +58,7 @@ TEST_P(AnyParticipant, IsNamedWithinASecondWhenItIsKilledAndTheMissionEnds) {
 }
 
 INSTANTIATE_TEST_SUITE_P(EachOne, AnyParticipant, testing::ValuesIn(kParticipants),
-                         [](const auto& info) { return info.param; });
+                         [](const auto& each) { return each.param; });
 
 TEST(StoppedParticipant, IsNamedAfterTheTimeOutAndTheMissionEnds) {
   Berta berta;
