@@ -61,7 +61,7 @@ Track Sail(double speed_mps, int64_t tick_us, const Eigen::Vector2d& current_mps
     if (loop.state.task == "home" && loop.state.laps_done == 1 && track.home_time_s == 0) {
       track.home_time_s = static_cast<double>(loop.utime) / 1e6;
     }
-    if (loop.state.task != "survey") continue;
+    if (loop.state.task != "survey" || loop.state.waypoint_index < 0) continue;
     if (loop.state.waypoint_index != leg_index) {
       leg_index = loop.state.waypoint_index;
       was_on_leg = false;

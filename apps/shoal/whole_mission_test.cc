@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
 #include "lib/mission/load.h"
 
 namespace shoal {
@@ -63,6 +65,22 @@ TEST(WholeMission, CountsAFatePerReportAndDestination) {
   // Two vessels, 2 reports per second: each is offered to the other once both are known.
   const int64_t offered = whole.director().num_delivered() + whole.director().num_blocked();
   EXPECT_NEAR(static_cast<double>(offered), 2 * 2 * 30, 4);
+}
+
+TEST(EveryMission, OfShoalsOwnPasses) {
+  int num_missions = 0;
+  for (const auto& entry :
+       std::filesystem::directory_iterator(std::string(SHOAL_SOURCE_DIR) + "/missions")) {
+    const LoadedMission loaded = LoadMission(entry.path().string());
+    ASSERT_TRUE(loaded.errors.empty()) << loaded.errors.front();
+    if (!CanRunInOneProcess(loaded.mission).ok()) continue;
+    WholeMission whole(loaded.mission, "");
+    while (whole.Step()) {
+    }
+    EXPECT_TRUE(whole.director().Passed()) << entry.path() << "\n" << whole.director().Summary();
+    ++num_missions;
+  }
+  EXPECT_GE(num_missions, 3);
 }
 
 TEST(CanRunInOneProcess, RefusesAUsersOwnParticipants) {

@@ -28,16 +28,16 @@ double LogFactorial(double k) {
   return (k + 0.5) * std::log(n) - n + 0.5 * std::log(2 * std::numbers::pi) + correction;
 }
 
-int64_t BinomialByInversion(Stream& stream, double trials, double probability) {
+int64_t BinomialByInversion(Stream& stream, int64_t trials, double probability) {
   const double odds = probability / (1 - probability);
-  const double none = std::exp(trials * std::log1p(-probability));  // > e^-20.
+  const double none = std::exp(static_cast<double>(trials) * std::log1p(-probability));  // > e^-20.
   for (;;) {
     double remaining = stream.Uniform();
     double mass = none;
-    for (double k = 0; k <= trials; ++k) {
-      if (remaining < mass) return static_cast<int64_t>(k);
+    for (int64_t k = 0; k <= trials; ++k) {
+      if (remaining < mass) return k;
       remaining -= mass;
-      mass *= odds * (trials - k) / (k + 1);
+      mass *= odds * static_cast<double>(trials - k) / static_cast<double>(k + 1);
       if (mass == 0) break;  // Rounding has left a remainder that belongs to no k: draw again.
     }
   }
@@ -107,7 +107,7 @@ int64_t Stream::Binomial(int64_t trials, double probability) {
   if (trials == 0 || probability == 0) return 0;
   if (probability > 0.5) return trials - Binomial(trials, 1 - probability);
   const auto n = static_cast<double>(trials);
-  return n * probability < kLargeMean ? BinomialByInversion(*this, n, probability)
+  return n * probability < kLargeMean ? BinomialByInversion(*this, trials, probability)
                                       : BinomialByRejection(*this, n, probability);
 }
 

@@ -1,0 +1,145 @@
+// The rules of the house that a compiler does not know; docs/architecture.md tells why they are.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <regex>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace shoal {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path kRoot = SHOAL_SOURCE_DIR;
+
+struct Line {
+  std::string where;  ///< "lib/bus/bus.h:12"
+  std::string file;   ///< "lib/bus/bus.h"
+  std::string text;   ///< Without a // comment.
+};
+
+/// Returns every line of the C++ files below `folder`, tests left out.
+std::vector<Line> CodeBelow(const std::string& folder) {
+  std::vector<Line> lines;
+  for (const auto& entry : fs::recursive_directory_iterator(kRoot / folder)) {
+    const fs::path& path = entry.path();
+    const std::string name = path.filename().string();
+    const bool is_code = path.extension() == ".h" || path.extension() == ".cc";
+    if (!is_code || name.ends_with("_test.cc")) continue;
+    std::ifstream in(path);
+    int number = 0;
+    for (std::string text; std::getline(in, text);) {
+      ++number;
+      const std::string file = fs::relative(path, kRoot).string();
+      lines.push_back({.where = file + ":" + std::to_string(number),
+                       .file = file,
+                       .text = text.substr(0, text.find("//"))});
+    }
+  }
+  return lines;
+}
+
+std::vector<std::string> Offences(const std::vector<Line>& lines,
+                                  const std::function<bool(const Line&)>& offends) {
+  std::vector<std::string> found;
+  for (const Line& line : lines) {
+    if (offends(line)) found.push_back(line.where + ": " + line.text);
+  }
+  return found;
+}
+
+/// Returns the folders whose CMakeLists.txt makes a PURE library.
+std::vector<std::string> PureFolders() {
+  std::vector<std::string> folders;
+  for (const auto& entry : fs::directory_iterator(kRoot / "lib")) {
+    if (!entry.is_directory()) continue;
+    std::ifstream in(entry.path() / "CMakeLists.txt");
+    std::ostringstream text;
+    text << in.rdbuf();
+    if (std::regex_search(text.str(), std::regex(R"(shoal_library\(\w+ PURE)"))) {
+      folders.push_back("lib/" + entry.path().filename().string());
+    }
+  }
+  return folders;
+}
+
+const std::vector<std::string> kNone;
+
+TEST(PureLibraries, AreThoseThatTheDesignNames) {
+  std::vector<std::string> folders = PureFolders();
+  for (const char* name : {"lib/vehicle", "lib/control", "lib/guidance", "lib/routing",
+                           "lib/random", "lib/geometry", "lib/geodesy", "lib/schema"}) {
+    EXPECT_NE(std::find(folders.begin(), folders.end(), name), folders.end()) << name;
+  }
+}
+
+TEST(PureLibraries, KnowNoClockFileThreadOrEnvironment) {
+  const std::regex forbidden(
+      R"(#include <(chrono|ctime|time\.h|random|fstream|filesystem|iostream|cstdio|thread|mutex|)"
+      R"(atomic|future|unistd\.h|lcm/.*|fmt/.*)>|getenv|\bstd::rand\b|\bsystem_clock\b|)"
+      R"(\bsteady_clock\b|#include "lib/(bus|run|record|mission)/)");
+  for (const std::string& folder : PureFolders()) {
+    if (folder == "lib/check") continue;  // A broken invariant is told on standard error.
+    EXPECT_EQ(Offences(CodeBelow(folder),
+                       [&](const Line& line) { return std::regex_search(line.text, forbidden); }),
+              kNone)
+        << folder;
+  }
+}
+
+TEST(Libraries, DoNotKnowTheApps) {
+  EXPECT_EQ(Offences(CodeBelow("lib"),
+                     [](const Line& line) {
+                       return line.text.find("#include \"apps/") != std::string::npos;
+                     }),
+            kNone);
+}
+
+TEST(Apps, DoNotKnowEachOtherButForTheOneThatRunsThemAll) {
+  EXPECT_EQ(Offences(CodeBelow("apps"),
+                     [](const Line& line) {
+                       const std::string app = line.file.substr(0, line.file.find('/', 5) + 1);
+                       return app != "apps/shoal/" &&
+                              line.text.find("#include \"apps/") != std::string::npos &&
+                              line.text.find("#include \"" + app) == std::string::npos;
+                     }),
+            kNone);
+}
+
+TEST(ExpensiveHeaders, AreIncludedWhereTheyMustBeAndNowhereElse) {
+  std::vector<Line> lines = CodeBelow("lib");
+  const std::vector<Line> apps = CodeBelow("apps");
+  lines.insert(lines.end(), apps.begin(), apps.end());
+  EXPECT_EQ(Offences(lines,
+                     [](const Line& line) {
+                       return line.text.find("#include <CLI/") != std::string::npos &&
+                              !line.file.ends_with("_options.cc");
+                     }),
+            kNone);
+  EXPECT_EQ(Offences(lines,
+                     [](const Line& line) {
+                       return line.text.find("#include <toml++/") != std::string::npos &&
+                              line.file != "lib/mission/parse.cc";
+                     }),
+            kNone);
+}
+
+TEST(Clocks, AreReadInOnePlace) {
+  std::vector<Line> lines = CodeBelow("lib");
+  const std::vector<Line> apps = CodeBelow("apps");
+  lines.insert(lines.end(), apps.begin(), apps.end());
+  const std::regex clock(R"(clock_gettime|gettimeofday|_clock::now|\btime\(nullptr\))");
+  EXPECT_EQ(Offences(lines,
+                     [&](const Line& line) {
+                       return std::regex_search(line.text, clock) &&
+                              line.file != "lib/run/run_app.cc";
+                     }),
+            kNone);
+}
+
+}  // namespace
+}  // namespace shoal
