@@ -32,7 +32,8 @@ int RunCheck(const std::string& mission_file, const std::vector<std::string>& ov
 std::string ChannelsMarkdown() {
   std::string text =
       "# Channels\n\n"
-      "Made by `shoal channels` from `lib/bus/channels.cc`; a test compares the two. `_<V>` stands\n"
+      "Made by `shoal channels` from `lib/bus/channels.cc`; a test compares the two. `_<V>` "
+      "stands\n"
       "for a vehicle's name in upper case. Home says where a channel lives: in the `communities`\n"
       "layout each vehicle has an LCM port of its own, in the `shared` layout shore and vehicles\n"
       "have one together. Message types are in `lcmtypes/`. Channels that are not logged are made\n"
@@ -42,10 +43,18 @@ std::string ChannelsMarkdown() {
   for (const ChannelRow& row : ChannelTable()) {
     std::string_view home;
     switch (row.home) {
-      case ChannelHome::kTickPort: home = "tick port"; break;
-      case ChannelHome::kDonePort: home = "done port"; break;
-      case ChannelHome::kShore: home = "shore"; break;
-      case ChannelHome::kVehicle: home = "vehicle"; break;
+      case ChannelHome::kTickPort:
+        home = "tick port";
+        break;
+      case ChannelHome::kDonePort:
+        home = "done port";
+        break;
+      case ChannelHome::kShore:
+        home = "shore";
+        break;
+      case ChannelHome::kVehicle:
+        home = "vehicle";
+        break;
     }
     text += fmt::format("| `{}{}` | `{}` | {} | {} | {} | {} | {} |\n", row.topic,
                         row.home == ChannelHome::kVehicle ? "_<V>" : "", row.type, home,

@@ -12,8 +12,7 @@ TEST(ChannelsMarkdown, IsWhatTheDocumentationHolds) {
   std::ifstream in(std::string(SHOAL_SOURCE_DIR) + "/docs/channels.md");
   std::ostringstream text;
   text << in.rdbuf();
-  EXPECT_EQ(text.str(), ChannelsMarkdown())
-      << "run `build/bin/shoal channels > docs/channels.md`";
+  EXPECT_EQ(text.str(), ChannelsMarkdown()) << "run `build/bin/shoal channels > docs/channels.md`";
 }
 
 }  // namespace

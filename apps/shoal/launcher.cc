@@ -181,7 +181,10 @@ void Launcher::OnChildExits() {
     }
     // Having answered END, or been told to go, a process may go.
     if (clock_.state() == StepClock::State::kEnded && (exit.clean || killing_)) continue;
-    if (clock_.state() == StepClock::State::kEnding && exit.clean) continue;
+    if (clock_.state() == StepClock::State::kEnding && exit.clean) {
+      clock_.Leave(exit.name, MonotonicMicroseconds());
+      continue;
+    }
     OnLost(exit.name, fmt::format("{} (pid {}) {}", exit.name, exit.pid, exit.how),
            exit.last_lines);
   }

@@ -146,7 +146,8 @@ int SendHelm(LcmBus& bus, const std::vector<std::string>& vehicles, const std::s
   fmt::print("sent {} to {}\n", command, fmt::join(vehicles, ", "));
   sent = true;
   const int64_t begin = MonotonicMicroseconds();
-  while (answered.size() < vehicles.size() && MonotonicMicroseconds() - begin < kAnswerPatience_us) {
+  while (answered.size() < vehicles.size() &&
+         MonotonicMicroseconds() - begin < kAnswerPatience_us) {
     bus.Poll(20'000);
   }
   if (answered.size() < vehicles.size()) {

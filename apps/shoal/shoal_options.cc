@@ -28,7 +28,8 @@ CLI::Option* AddMission(CLI::App* command, std::string* file, std::vector<std::s
   command
       ->add_option("--set", *overrides,
                    "Override a key of the mission file, e.g. comms.comms_range=100")
-      ->take_all();
+      ->take_all()
+      ->allow_extra_args(false);
   return command->add_option("FILE", *file, "Mission file")->required();
 }
 
@@ -48,8 +49,9 @@ void AddRun(CLI::App& cli, Action* action) {
   auto parsed = std::make_shared<Parsed>();
   RunOptions& options = parsed->options;
   AddMission(command, &options.mission_file, &options.overrides);
-  command->add_option("--warp", parsed->warp,
-                      "Mission seconds per wall second, or max: as fast as the machine can")
+  command
+      ->add_option("--warp", parsed->warp,
+                   "Mission seconds per wall second, or max: as fast as the machine can")
       ->take_last()
       ->check([](const std::string& text) -> std::string {
         char* end = nullptr;
@@ -61,13 +63,15 @@ void AddRun(CLI::App& cli, Action* action) {
                       "Record into this folder: mission.lcm, the mission file, logs, summary");
   command->add_flag("--lcm-logger", options.lcm_logger,
                     "Run lcm-logger on each bus as well (wall times; it may lose bursts)");
-  command->add_option("--layout", parsed->layout,
-                      "shared: one LCM port; communities: one per vehicle (default from 10 vehicles)")
+  command
+      ->add_option("--layout", parsed->layout,
+                   "shared: one LCM port; communities: one per vehicle (default from 10 vehicles)")
       ->check(CLI::IsMember({"shared", "communities"}));
   AddPort(command, &options.port_base)->description("First port of the block to use");
   command->add_flag("--quiet", options.quiet, "No line of progress");
-  command->add_option("--lose", options.lose,
-                      "Fault injection: every participant loses this share of its datagrams")
+  command
+      ->add_option("--lose", options.lose,
+                   "Fault injection: every participant loses this share of its datagrams")
       ->check(CLI::Range(0.0, 1.0));
   command->add_option("--lose-forever", options.lose_forever,
                       "Fault injection: every datagram of this channel is lost");
@@ -84,15 +88,14 @@ void AddRun(CLI::App& cli, Action* action) {
       }
       const LoadedMission loaded = LoadMission(run.mission_file, run.overrides);
       for (const std::string& error : loaded.errors) fmt::print(stderr, "{}\n", error);
-      return loaded.errors.empty() ? RunMission(run, loaded.mission)
-                                   : static_cast<int>(kExitUsage);
+      return loaded.errors.empty() ? RunMission(run, loaded.mission) : static_cast<int>(kExitUsage);
     };
   });
 }
 
 void AddSim(CLI::App& cli, Action* action) {
-  CLI::App* command =
-      cli.add_subcommand("sim", "Run a mission in one process, as fast as it goes; the same result");
+  CLI::App* command = cli.add_subcommand(
+      "sim", "Run a mission in one process, as fast as it goes; the same result");
   auto options = std::make_shared<SimOptions>();
   AddMission(command, &options->mission_file, &options->overrides);
   command->add_option("--log", options->log_path, "Write a log of the mission");
@@ -146,19 +149,23 @@ void AddStatus(CLI::App& cli, Action* action) {
   auto parsed = std::make_shared<Parsed>();
   AddPort(url, &parsed->port_base);
   url->add_option("VEHICLE", parsed->vehicle, "Of this vehicle's community; default: the shore");
-  url->callback(
-      [parsed, action] { *action = [parsed] { return RunUrl(parsed->port_base, parsed->vehicle); }; });
+  url->callback([parsed, action] {
+    *action = [parsed] { return RunUrl(parsed->port_base, parsed->vehicle); };
+  });
 }
 
 void AddSelection(CLI::App* command, LogSelection* selection) {
   command->add_option("--channel", selection->channels, "Only these channels; * and ? are wild")
-      ->take_all();
+      ->take_all()
+      ->allow_extra_args(false);
   command->add_option("--from", selection->from_s, "From this time on, seconds");
   command->add_option("--to", selection->to_s, "Up to this time, seconds");
 }
 
 void AddTypes(CLI::App* command, std::vector<std::string>* types) {
-  command->add_option("--types", *types, ".lcm files of message types that are not shoal's");
+  command->add_option("--types", *types, "A .lcm file of message types that are not shoal's")
+      ->take_all()
+      ->allow_extra_args(false);
 }
 
 void AddLog(CLI::App& cli, Action* action) {
@@ -208,7 +215,8 @@ void AddLog(CLI::App& cli, Action* action) {
 }  // namespace
 
 int RunShoalCommand(int argc, char** argv) {
-  CLI::App cli("shoal runs missions of several vehicles over a sea that loses what they say.", "shoal");
+  CLI::App cli("shoal runs missions of several vehicles over a sea that loses what they say.",
+               "shoal");
   cli.set_version_flag("--version", std::string("shoal ") + kVersion);
   cli.require_subcommand(1);
   Action action;

@@ -54,7 +54,8 @@ TEST(WholeMission, LetsVesselsHearEachOtherOnlyWithinRange) {
   while (whole.Step()) {
   }
   EXPECT_TRUE(whole.director().Passed()) << whole.director().Summary();
-  EXPECT_GT(whole.director().num_blocked(), 0) << "at first they are 100 m apart, with 80 m to hear";
+  EXPECT_GT(whole.director().num_blocked(), 0)
+      << "at first they are 100 m apart, with 80 m to hear";
 }
 
 TEST(WholeMission, CountsAFatePerReportAndDestination) {
@@ -84,8 +85,8 @@ TEST(EveryMission, OfShoalsOwnPasses) {
 }
 
 TEST(CanRunInOneProcess, RefusesAUsersOwnParticipants) {
-  const Mission mission = Load(std::string(kTwoVessels) +
-                               "[[participant]]\nname = \"mine\"\ncommand = [\"./mine\"]\n");
+  const Mission mission =
+      Load(std::string(kTwoVessels) + "[[participant]]\nname = \"mine\"\ncommand = [\"./mine\"]\n");
   const Result<bool> can = CanRunInOneProcess(mission);
   ASSERT_FALSE(can.ok());
   EXPECT_NE(can.error().find("mine is not one of shoal's own"), std::string::npos);

@@ -18,7 +18,8 @@ TEST(MemoryBus, DeliversInTheNextStepAndNotBefore) {
   Bus& a = hub.Join("a");
   Bus& b = hub.Join("b");
   std::vector<double> heard;
-  Subscribe(b, channels::UncCommsRange(), [&](const unc_control_t& m) { heard.push_back(m.value); });
+  Subscribe(b, channels::UncCommsRange(),
+            [&](const unc_control_t& m) { heard.push_back(m.value); });
   Publish(a, channels::UncCommsRange(), Said(1));
   hub.HandleAll();
   EXPECT_TRUE(heard.empty());

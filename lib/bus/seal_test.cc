@@ -11,7 +11,8 @@ namespace {
 
 TEST(Seal, ComesBackAsItWasPut) {
   std::vector<uint8_t> bytes = {1, 2, 3};
-  AppendSeal({.publisher = "helm_alpha", .mission_id = -5, .step = 1LL << 40, .sequence = 7}, &bytes);
+  AppendSeal({.publisher = "helm_alpha", .mission_id = -5, .step = 1LL << 40, .sequence = 7},
+             &bytes);
   const Unsealed unsealed = Unseal(bytes);
   ASSERT_TRUE(unsealed.seal.has_value());
   EXPECT_EQ(unsealed.seal->publisher, "helm_alpha");
@@ -24,10 +25,11 @@ TEST(Seal, ComesBackAsItWasPut) {
 
 TEST(Seal, HasTheBytesThatTheProtocolPageTells) {
   std::vector<uint8_t> bytes = {0xaa};
-  AppendSeal({.publisher = "ab", .mission_id = 0x0102030405060708, .step = 9, .sequence = 0x0a0b0c0d},
-             &bytes);
-  EXPECT_EQ(bytes, (std::vector<uint8_t>{0xaa, 'a', 'b', 2,    1,    2,    3,   4,   5,   6,
-                                         7,    8,   0,   0,    0,    0,    0,   0,   0,   9,
+  AppendSeal(
+      {.publisher = "ab", .mission_id = 0x0102030405060708, .step = 9, .sequence = 0x0a0b0c0d},
+      &bytes);
+  EXPECT_EQ(bytes, (std::vector<uint8_t>{0xaa, 'a',  'b',  2,    1,   2,   3,   4,  5, 6,
+                                         7,    8,    0,    0,    0,   0,   0,   0,  0, 9,
                                          0x0a, 0x0b, 0x0c, 0x0d, 'S', 'H', 'O', 'L'}));
 }
 

@@ -63,7 +63,8 @@ AppOptions ParseAppOptionsOrExit(const AppInfo& info, int argc, char** argv) {
     cli.add_option("--vehicle", options.vehicle, "Whose part it plays");
   }
   cli.add_option("--set", options.overrides, "Override a key of the mission file: key.path=value")
-      ->take_all();
+      ->take_all()
+      ->allow_extra_args(false);
   cli.add_option("--alias", options.alias, "Name on the bus, instead of the usual one");
   cli.add_option("--port", options.port_base,
                  "First port of the mission (default: found by the mission file)")

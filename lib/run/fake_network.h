@@ -27,13 +27,10 @@ class FakeNetwork {
         const bool listens = node->all_ports_.contains(port) ||
                              node->channels_.contains({port, std::string(channel)});
         if (!listens || (network_.loss_ && network_.loss_(channel))) continue;
-        node->queue_.push_back(
-            {port, std::string(channel), {datagram.begin(), datagram.end()}});
+        node->queue_.push_back({port, std::string(channel), {datagram.begin(), datagram.end()}});
       }
     }
-    void Listen(int port, const std::string& channel) override {
-      channels_.emplace(port, channel);
-    }
+    void Listen(int port, const std::string& channel) override { channels_.emplace(port, channel); }
     void ListenToAll(int port) override { all_ports_.insert(port); }
 
     /// Hands over what has arrived. Returns false where there was nothing.

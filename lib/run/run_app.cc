@@ -27,6 +27,9 @@ void OnSignal(int) { stop_wanted = true; }
 
 constexpr int64_t kPollInterval_us = 100'000;
 constexpr int64_t kTerminalInterval_us = 1'000'000;
+/// An app started by hand stays so long after the end: its answer may be lost, and then END comes
+/// again. (The launcher sees its own children leave.)
+constexpr int64_t kLinger_us = 300'000;
 
 /// Waits until a launcher runs this mission file, for apps started by hand.
 std::optional<RunningMission> AwaitMission(const std::string& file) {
@@ -99,6 +102,11 @@ int Run(const AppOptions& options, const std::string& name, const Mission& missi
     transport.Poll(std::min(participant.NextDeadline() - now, kPollInterval_us));
   }
   if (!participant.ended()) app->End();
+  const int64_t ended_us = MonotonicMicroseconds();
+  while (options.mission_id == 0 && !stop_wanted &&
+         MonotonicMicroseconds() - ended_us < kLinger_us) {
+    transport.Poll(kPollInterval_us);
+  }
   fmt::print("{}\n{}: {}\n", Format(app->Status(), name, participant.step()), name,
              participant.ended() ? "the mission has ended" : "ended by a signal");
   return kExitOk;

@@ -20,8 +20,8 @@ struct StatusPage {
 /// ("helm_alpha   0/1(1822)"), warnings first, then the text.
 std::string Format(const StatusPage& page, std::string_view app, int64_t step);
 
-/// Returns what a terminal can show of a stranger's text: at most 40 characters, '?' for what is not
-/// printable ASCII.
+/// Returns what a terminal can show of a stranger's text: at most 40 characters, '?' for what is
+/// not printable ASCII.
 std::string Printable(std::string_view text);
 
 /// Keeps an app's warnings (equal ones counted, not repeated) and its most recent events.

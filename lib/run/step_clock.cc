@@ -199,6 +199,13 @@ void StepClock::Drop(const std::string& participant, int64_t wall_us) {
   if (state_ != State::kGathering && state_ != State::kEnded && AllAnswered()) Advance(wall_us);
 }
 
+void StepClock::Leave(const std::string& participant, int64_t wall_us) {
+  const auto found = members_.find(participant);
+  if (state_ != State::kEnding || found == members_.end()) return;
+  found->second.answered_step = step_;
+  if (AllAnswered()) Advance(wall_us);
+}
+
 void StepClock::Stop(int64_t wall_us, int64_t patience_us) {
   if (stop_wanted_) return;
   stop_wanted_ = true;

@@ -57,6 +57,8 @@ class StepClock {
 
   /// Goes on without this participant, until it says hello again.
   void Drop(const std::string& participant, int64_t wall_us);
+  /// Takes it that this participant has answered END: it has left, and its answer may be lost.
+  void Leave(const std::string& participant, int64_t wall_us);
   /// Ends the mission after the present step, or at once if that does not end within
   /// `patience_us`.
   void Stop(int64_t wall_us, int64_t patience_us);

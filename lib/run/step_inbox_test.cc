@@ -31,7 +31,8 @@ StepInbox HearsAll() {
 std::string Contents(const std::vector<StepInbox::Stored>& messages) {
   std::string out;
   for (const auto& message : messages) {
-    out += message.channel + "/" + message.publisher + "/" + static_cast<char>(message.data[0]) + " ";
+    out +=
+        message.channel + "/" + message.publisher + "/" + static_cast<char>(message.data[0]) + " ";
   }
   return out;
 }

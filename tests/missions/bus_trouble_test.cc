@@ -64,8 +64,7 @@ TEST(Garbage, OnEveryChannelEndsNoProcessAndIsCounted) {
   const Finished finished = process->Wait();
   EXPECT_EQ(finished.exit_code, 0) << finished.output;
   EXPECT_EQ(finished.output.find("LOST"), std::string::npos) << finished.output;
-  EXPECT_NE(finished.output.find("Reproducible: no: messages came from outside"),
-            std::string::npos)
+  EXPECT_NE(finished.output.find("Reproducible: no: messages came from outside"), std::string::npos)
       << finished.output;
 }
 
@@ -74,7 +73,8 @@ TEST(Garbage, InABurstOfAHundredThousandEndsNoProcess) {
   const auto process = StartAlpha(folder, "60");
   LcmBus bus(PortsOf(folder));
   const Bytes bytes(100, 0x5a);
-  for (int i = 0; i < 100'000; ++i) bus.PublishBytes(i % 2 == 0 ? "NAV_ALPHA" : "ACTUATORS_ALPHA", bytes);
+  for (int i = 0; i < 100'000; ++i)
+    bus.PublishBytes(i % 2 == 0 ? "NAV_ALPHA" : "ACTUATORS_ALPHA", bytes);
   const Finished finished = process->Wait();
   EXPECT_EQ(finished.exit_code, 0) << finished.output;
   EXPECT_EQ(finished.output.find("LOST"), std::string::npos) << finished.output;
@@ -106,8 +106,8 @@ TEST(AnotherMission, OnTheSamePortsIsRejectedAndReported) {
 
 TEST(LossForGood, EndsTheMissionWithTheRightAdvice) {
   const TestFolder folder;
-  const Finished finished = RunShoal(folder, {"run", MissionFile("alpha.toml"), "--warp", "max",
-                                              "--lose-forever", "NAV_ALPHA"});
+  const Finished finished = RunShoal(
+      folder, {"run", MissionFile("alpha.toml"), "--warp", "max", "--lose-forever", "NAV_ALPHA"});
   EXPECT_EQ(finished.exit_code, 3) << finished.output;
   EXPECT_NE(finished.output.find("on NAV_ALPHA in step 0 never reached"), std::string::npos)
       << finished.output;

@@ -145,8 +145,8 @@ TEST(Helm, CanBeStartedByHand) {
 TEST(CPlanner, SteersAVesselAsAParticipantOfItsOwn) {
   const TestFolder folder;
   const std::string dir = (folder / "rec").string();
-  const Finished finished = RunShoal(folder, {"run", MissionFile("c_planner.toml"), "--warp",
-                                              "max", "--record", dir, "--lose", "0.002"});
+  const Finished finished = RunShoal(folder, {"run", MissionFile("c_planner.toml"), "--warp", "max",
+                                              "--record", dir, "--lose", "0.002"});
   EXPECT_EQ(finished.exit_code, 0) << finished.output;
   EXPECT_NE(finished.output.find("Reproducible: yes"), std::string::npos) << finished.output;
 }
@@ -167,8 +167,8 @@ TEST(Log, PlayedBackByLcmLogplayerDrivesAListenerAsTheMissionDid) {
     in_order = in_order && nav.utime > last_utime;
     last_utime = nav.utime;
   });
-  RunningProcess player(folder, {"/usr/bin/lcm-logplayer", "-s", "200", "-l",
-                                 LcmUrl(plan.shore_port()), log});
+  RunningProcess player(
+      folder, {"/usr/bin/lcm-logplayer", "-s", "200", "-l", LcmUrl(plan.shore_port()), log});
   const double begin = WallSeconds();
   while (heard < 6001 && WallSeconds() - begin < 20) listener.Poll(10'000);
   EXPECT_EQ(heard, 6001);

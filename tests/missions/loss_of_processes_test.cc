@@ -11,9 +11,15 @@ namespace {
 /// Starts berta, recorded, and waits until it is well under way.
 struct Berta {
   explicit Berta(std::vector<std::string> extra = {}) {
-    std::vector<std::string> argv = {Program("shoal"), "run",      MissionFile("berta.toml"),
-                                     "--warp",         "20",       "--record",
-                                     dir,              "--set",    "mission.participant_timeout_s=1"};
+    std::vector<std::string> argv = {Program("shoal"),
+                                     "run",
+                                     MissionFile("berta.toml"),
+                                     "--warp",
+                                     "20",
+                                     "--record",
+                                     dir,
+                                     "--set",
+                                     "mission.participant_timeout_s=1"};
     argv.insert(argv.end(), extra.begin(), extra.end());
     process = std::make_unique<RunningProcess>(folder, argv);
     const double begin = WallSeconds();
@@ -38,8 +44,8 @@ int64_t Berta::NumEvents() const {
 }
 
 const std::vector<std::string> kParticipants = {
-    "helm_alpha",      "helm_bravo",   "node_reporter_alpha", "node_reporter_bravo",
-    "recorder",        "shore_broker", "vehicle_sim_alpha",   "vehicle_sim_bravo"};
+    "helm_alpha", "helm_bravo",   "node_reporter_alpha", "node_reporter_bravo",
+    "recorder",   "shore_broker", "vehicle_sim_alpha",   "vehicle_sim_bravo"};
 
 class AnyParticipant : public testing::TestWithParam<std::string> {};
 

@@ -52,8 +52,8 @@ TEST(Reproducibility, HoldsWhenTheBusLosesDatagrams) {
   const TestFolder folder;
   const std::string mission = MissionFile("alpha.toml");
   const std::string dir = (folder / "lossy").string();
-  const Finished finished = RunShoal(
-      folder, {"run", mission, "--warp", "max", "--record", dir, "--lose", "0.002"});
+  const Finished finished =
+      RunShoal(folder, {"run", mission, "--warp", "max", "--record", dir, "--lose", "0.002"});
   EXPECT_EQ(finished.exit_code, 0) << finished.output;
   EXPECT_EQ(finished.output.find(" 0 asked for again, 0 ticks again"), std::string::npos)
       << "nothing was lost, so nothing was tested: " << finished.output;

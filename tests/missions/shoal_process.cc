@@ -118,8 +118,7 @@ std::map<std::string, pid_t> RunningProcess::Participants() const {
   return participants;
 }
 
-Finished RunShoal(const TestFolder& folder, std::vector<std::string> arguments,
-                  double patience_s) {
+Finished RunShoal(const TestFolder& folder, std::vector<std::string> arguments, double patience_s) {
   arguments.insert(arguments.begin(), Program("shoal"));
   return RunningProcess(folder, std::move(arguments)).Wait(patience_s);
 }

@@ -25,8 +25,8 @@ class TestFolder {
 };
 
 struct Finished {
-  int exit_code = -1;   ///< -1: killed by a signal.
-  std::string output;   ///< Standard output and error together.
+  int exit_code = -1;  ///< -1: killed by a signal.
+  std::string output;  ///< Standard output and error together.
   double wall_s = 0;
 };
 
