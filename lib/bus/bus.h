@@ -62,6 +62,7 @@ class Bus {
   virtual void SubscribeBytes(const std::string& channel, Handler handler) = 0;
 
   /// Calls `handler` for every message on every channel. For recorders and listeners.
+  /// @pre the first and only subscription
   virtual void SubscribeAll(Handler handler) = 0;
 
   const BusCounters& counters() const { return counters_; }

@@ -16,34 +16,23 @@ void LcmBus::PublishBytes(std::string_view channel, std::span<const uint8_t> dat
 }
 
 void LcmBus::SubscribeBytes(const std::string& channel, Handler handler) {
-  std::vector<Handler>& handlers = handlers_[channel];
-  if (handlers.empty()) transport_.Listen(plan_.PortOf(channel), channel);
-  handlers.push_back(std::move(handler));
+  if (handlers_.Add(channel, std::move(handler))) {
+    transport_.Listen(plan_.PortOf(channel), channel);
+  }
 }
 
 void LcmBus::SubscribeAll(Handler handler) {
-  if (all_handlers_.empty()) {
-    for (const int port : plan_.DataPorts()) transport_.ListenToAll(port);
-  }
-  all_handlers_.push_back(std::move(handler));
+  SHOAL_CHECK(handlers_.empty(), "SubscribeAll comes before any other subscription");
+  handlers_.AddForAll(std::move(handler));
+  for (const int port : plan_.DataPorts()) transport_.ListenToAll(port);
 }
 
 void LcmBus::Dispatch(std::string_view channel, std::span<const uint8_t> datagram) {
   const Unsealed unsealed = Unseal(datagram);
-  const Message message{.channel = channel,
-                        .publisher = unsealed.seal ? unsealed.seal->publisher : std::string_view(),
-                        .data = unsealed.message};
-  const auto found = handlers_.find(channel);
-  if (found != handlers_.end()) {
-    for (const Handler& handler : found->second) {
-      ++counters_.handled;
-      handler(message);
-    }
-  }
-  for (const Handler& handler : all_handlers_) {
-    ++counters_.handled;
-    handler(message);
-  }
+  counters_.handled += handlers_.Call(
+      {.channel = channel,
+       .publisher = unsealed.seal ? unsealed.seal->publisher : std::string_view(),
+       .data = unsealed.message});
 }
 
 }  // namespace shoal

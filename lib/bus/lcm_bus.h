@@ -7,11 +7,10 @@
 //   bus.Poll(100'000);
 #pragma once
 
-#include <map>
 #include <string>
-#include <vector>
 
 #include "lib/bus/bus.h"
+#include "lib/bus/handler_table.h"
 #include "lib/bus/layout.h"
 #include "lib/bus/lcm_transport.h"
 
@@ -36,8 +35,7 @@ class LcmBus : public Bus {
 
   PortPlan plan_;
   LcmTransport transport_;
-  std::map<std::string, std::vector<Handler>, std::less<>> handlers_;
-  std::vector<Handler> all_handlers_;
+  HandlerTable handlers_;
 };
 
 }  // namespace shoal

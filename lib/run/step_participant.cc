@@ -24,9 +24,7 @@ StepParticipant::StepParticipant(ParticipantOptions options, PortPlan plan, Tran
     : options_(std::move(options)),
       plan_(std::move(plan)),
       transport_(transport),
-      inbox_([this](std::string_view channel) {
-        return !all_handlers_.empty() || handlers_.contains(channel);
-      }),
+      inbox_([this](std::string_view channel) { return handlers_.Hears(channel); }),
       mission_id_(options_.mission_id) {
   transport_.Listen(plan_.tick_port(), channels::Tick().name);
   transport_.Listen(plan_.tick_port(), channels::Resend().name);
@@ -47,20 +45,15 @@ void StepParticipant::PublishBytes(std::string_view channel, std::span<const uin
 }
 
 void StepParticipant::SubscribeBytes(const std::string& channel, Handler handler) {
-  std::vector<Handler>& handlers = handlers_[channel];
-  // One that hears everything hears this channel already.
-  if (handlers.empty() && all_handlers_.empty()) {
+  if (handlers_.Add(channel, std::move(handler))) {
     transport_.Listen(plan_.PortOf(channel), channel);
   }
-  handlers.push_back(std::move(handler));
 }
 
 void StepParticipant::SubscribeAll(Handler handler) {
   SHOAL_CHECK(handlers_.empty(), "SubscribeAll comes before any other subscription");
-  if (all_handlers_.empty()) {
-    for (const int port : plan_.DataPorts()) transport_.ListenToAll(port);
-  }
-  all_handlers_.push_back(std::move(handler));
+  handlers_.AddForAll(std::move(handler));
+  for (const int port : plan_.DataPorts()) transport_.ListenToAll(port);
 }
 
 void StepParticipant::OnDatagram(int port, std::string_view channel,
@@ -125,19 +118,8 @@ void StepParticipant::RunStep() {
   pending_.reset();
   in_step_ = true;
   for (const StepInbox::Stored& stored : inbox_.Take(tick)) {
-    const Message message{
-        .channel = stored.channel, .publisher = stored.publisher, .data = stored.data};
-    const auto found = handlers_.find(stored.channel);
-    if (found != handlers_.end()) {
-      for (const Handler& handler : found->second) {
-        ++counters_.handled;
-        handler(message);
-      }
-    }
-    for (const Handler& handler : all_handlers_) {
-      ++counters_.handled;
-      handler(message);
-    }
+    counters_.handled += handlers_.Call(
+        {.channel = stored.channel, .publisher = stored.publisher, .data = stored.data});
   }
   if (is_end) {
     app_->End();

@@ -22,6 +22,7 @@
 #include <vector>
 
 #include "lib/bus/bus.h"
+#include "lib/bus/handler_table.h"
 #include "lib/bus/layout.h"
 #include "lib/bus/transport.h"
 #include "lib/run/app.h"
@@ -88,8 +89,7 @@ class StepParticipant : public Bus {
   Transport& transport_;
   App* app_ = nullptr;
   StepInbox inbox_;
-  std::map<std::string, std::vector<Handler>, std::less<>> handlers_;
-  std::vector<Handler> all_handlers_;
+  HandlerTable handlers_;
 
   int64_t mission_id_ = 0;
   int64_t step_ = -1;              ///< Last step answered.
