@@ -35,7 +35,7 @@ std::vector<char*> Pointers(const std::vector<std::string>& strings) {
   return pointers;
 }
 
-/// Returns our own environment with `added` in front, so that its values win.
+/// Returns our own environment with `added` in place of what has the same names.
 std::vector<std::string> EnvironmentWith(const std::vector<std::string>& added) {
   std::vector<std::string> environment = added;
   for (char** entry = environ; *entry != nullptr; ++entry) {
@@ -80,6 +80,7 @@ Result<pid_t> ChildProcesses::Start(const ChildCommand& command) {
   if (pid == 0) {
     // Only async-signal-safe calls from here on: other threads may have held locks.
     setpgid(0, 0);  // Ctrl-C on the terminal is for the launcher alone.
+    signal(SIGPIPE, SIG_DFL);
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     if (getppid() != parent) _exit(127);
     sigset_t none;
@@ -101,6 +102,7 @@ Result<pid_t> ChildProcesses::Start(const ChildCommand& command) {
         fmt::format("cannot start {}: {} (ulimit -u shows how many processes you may have)",
                     command.name, std::strerror(fork_error))};
   }
+  setpgid(pid, pid);  // In both processes: whoever comes first.
   running_[command.name] = {.pid = pid, .log_path = command.log_path};
   return pid;
 }
@@ -113,6 +115,7 @@ std::vector<ChildExit> ChildProcesses::Reap() {
       ++child;
       continue;
     }
+    kill(-child->second.pid, SIGKILL);  // What a user's script left behind.
     exits.push_back({.name = child->first,
                      .pid = child->second.pid,
                      .clean = WIFEXITED(status) && WEXITSTATUS(status) == 0,
@@ -130,10 +133,7 @@ void ChildProcesses::Signal(const std::string& name, int signal) {
 }
 
 void ChildProcesses::SignalAll(int signal) {
-  for (const auto& [name, child] : running_) {
-    // Before the child has made its group, only it itself can be reached.
-    if (kill(-child.pid, signal) != 0) kill(child.pid, signal);
-  }
+  for (const auto& [name, child] : running_) kill(-child.pid, signal);
 }
 
 }  // namespace shoal

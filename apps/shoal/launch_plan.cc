@@ -43,20 +43,6 @@ Result<std::string> FindProgram(const std::string& program, const std::string& m
   return Error{message};
 }
 
-/// What a user's own participant is told; docs/step_protocol.md.
-std::vector<std::string> EnvironmentOf(const RosterEntry& entry, const LaunchContext& context) {
-  std::string vehicles;
-  for (const std::string& name : VehicleNames(context.mission)) {
-    vehicles += (vehicles.empty() ? "" : ",") + name;
-  }
-  return {fmt::format("SHOAL_PORT={}", context.ports.base()),
-          fmt::format("SHOAL_LAYOUT={}", Name(context.ports.layout())),
-          fmt::format("SHOAL_MISSION_ID={}", context.mission_id),
-          fmt::format("SHOAL_PARTICIPANT={}", entry.name),
-          fmt::format("SHOAL_VEHICLES={}", vehicles),
-          fmt::format("SHOAL_MISSION_FILE={}", fs::absolute(context.mission.file).string())};
-}
-
 std::vector<std::string> ArgumentsOf(const RosterEntry& entry, const LaunchContext& context) {
   std::vector<std::string> arguments = {"--mission", context.mission.file};
   const auto add = [&](std::string option, std::string value) {
@@ -76,6 +62,20 @@ std::vector<std::string> ArgumentsOf(const RosterEntry& entry, const LaunchConte
 
 }  // namespace
 
+std::vector<std::string> ParticipantEnvironment(const RosterEntry& entry,
+                                                const LaunchContext& context) {
+  std::string vehicles;
+  for (const std::string& name : VehicleNames(context.mission)) {
+    vehicles += (vehicles.empty() ? "" : ",") + name;
+  }
+  return {fmt::format("SHOAL_PORT={}", context.ports.base()),
+          fmt::format("SHOAL_LAYOUT={}", Name(context.ports.layout())),
+          fmt::format("SHOAL_MISSION_ID={}", context.mission_id),
+          fmt::format("SHOAL_PARTICIPANT={}", entry.name),
+          fmt::format("SHOAL_VEHICLES={}", vehicles),
+          fmt::format("SHOAL_MISSION_FILE={}", fs::absolute(context.mission.file).string())};
+}
+
 std::string ExecutableDirectory() {
   std::error_code error;
   return fs::read_symlink("/proc/self/exe", error).parent_path().string();
@@ -87,7 +87,7 @@ Result<ChildCommand> CommandOf(const RosterEntry& entry, const LaunchContext& co
   if (!path.ok()) return Error{fmt::format("{}: {}", entry.name, path.error())};
   ChildCommand command{.name = entry.name,
                        .argv = {*path},
-                       .environment = EnvironmentOf(entry, context),
+                       .environment = ParticipantEnvironment(entry, context),
                        .log_path = fmt::format("{}/{}.txt", context.log_dir, entry.name)};
   const std::vector<std::string> arguments =
       entry.command.empty()

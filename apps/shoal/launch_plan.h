@@ -45,6 +45,11 @@ struct LaunchContext {
 /// Returns the commands of lcm-logger, one per bus.
 [[nodiscard]] Result<std::vector<ChildCommand>> LcmLoggerCommands(const LaunchContext& context);
 
+/// Returns what a user's own participant is told, as "SHOAL_PORT=7665" and so on;
+/// docs/step_protocol.md.
+std::vector<std::string> ParticipantEnvironment(const RosterEntry& entry,
+                                                const LaunchContext& context);
+
 /// Returns the folder of the running executable.
 std::string ExecutableDirectory();
 

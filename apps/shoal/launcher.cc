@@ -21,6 +21,7 @@ constexpr int64_t kSecond_us = 1'000'000;
 constexpr int64_t kPatience_us = 700'000;        ///< For the step under way when the end is wanted.
 constexpr int64_t kExitPatience_us = 1'000'000;  ///< For processes to leave after END.
 constexpr int64_t kStartPatience_us = 20 * kSecond_us;
+constexpr int64_t kWaitingLine_us = 10 * kSecond_us;  ///< While somebody has to start something.
 constexpr int64_t kIdlePoll_us = 50'000;
 constexpr int kMaxRestarts = 5;  ///< Of one participant; more is a crash loop.
 
@@ -35,7 +36,13 @@ int64_t RandomMissionId() {
 int BlockSignals() {
   sigset_t set;
   sigemptyset(&set);
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGCHLD}) sigaddset(&set, signal);
+  signal(SIGCHLD, SIG_DFL);  // A parent that ignores it would hide the children's exits.
+  for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGCHLD}) {
+    struct sigaction present {};
+    sigaction(number, nullptr, &present);
+    // Under nohup, SIGHUP stays ignored.
+    if (present.sa_handler != SIG_IGN) sigaddset(&set, number);
+  }
   sigprocmask(SIG_BLOCK, &set, nullptr);
   signal(SIGPIPE, SIG_IGN);
   return signalfd(-1, &set, SFD_CLOEXEC | SFD_NONBLOCK);
@@ -71,8 +78,11 @@ Launcher::Launcher(const RunOptions& options, const Mission& mission, PortPlan p
                .log_dir = std::move(log_dir),
                .log_path = options.record_dir.empty() ? "" : options.record_dir + "/mission.lcm"},
       roster_(MakeRoster(mission, !options.record_dir.empty())),
-      participant_({.name = "shoal", .mission_id = mission_id, .pid = getpid()}, ports_,
-                   transport_),
+      participant_({.name = "shoal",
+                    .mission_id = mission_id,
+                    .pid = getpid(),
+                    .give_up_us = GiveUpAfter_us(mission)},
+                   ports_, transport_),
       director_(mission, participant_),
       clock_(MakeClockOptions(options, mission, mission_id), ParticipantNames(roster_), ports_,
              transport_) {
@@ -101,16 +111,26 @@ int Launcher::Run(int signal_fd) {
   return Conclude();
 }
 
+// Returns what somebody has to type to play this part.
+std::string Launcher::HandCommand(const RosterEntry& entry) const {
+  const std::string mission = std::filesystem::absolute(mission_.file).lexically_normal().string();
+  if (entry.app.empty()) {
+    std::string variables;
+    for (const std::string& each : ParticipantEnvironment(entry, context_)) {
+      variables += each + " ";
+    }
+    return variables + "YOUR_PROGRAM";
+  }
+  std::string command = fmt::format("{}/{} --mission {} --port {}", ExecutableDirectory(),
+                                    entry.app, mission, ports_.base());
+  if (!entry.vehicle.empty()) command += " --vehicle " + entry.vehicle;
+  for (const std::string& each : options_.overrides) command += fmt::format(" --set '{}'", each);
+  return command;
+}
+
 bool Launcher::StartAll() {
   for (const RosterEntry& entry : roster_) {
-    if (entry.provider == Provider::kHand) {
-      Say(entry.app.empty()
-              ? fmt::format("waiting for {} (SHOAL_PORT={} SHOAL_LAYOUT={} SHOAL_MISSION_ID={})",
-                            entry.name, ports_.base(), Name(ports_.layout()), context_.mission_id)
-              : fmt::format("waiting for {}: {}/{} --mission {} --vehicle {}", entry.name,
-                            ExecutableDirectory(), entry.app, mission_.file, entry.vehicle));
-      continue;
-    }
+    if (entry.provider == Provider::kHand) continue;
     if (!StartOne(entry)) return false;
   }
   if (!options_.lcm_logger) return true;
@@ -164,7 +184,8 @@ void Launcher::OnSignals(int signal_fd) {
   while (read(signal_fd, &info, sizeof info) == sizeof info) {
     if (info.ssi_signo == SIGCHLD) continue;  // Several may share one; Reap finds all.
     if (interrupted_) {
-      children_.SignalAll(SIGKILL);  // Asked twice: no more patience.
+      killing_ = true;  // Asked twice: no more patience.
+      children_.SignalAll(SIGKILL);
     } else {
       interrupted_ = true;
       Fail(kExitMissionFailed, "interrupted: ending the mission");
@@ -175,28 +196,30 @@ void Launcher::OnSignals(int signal_fd) {
 
 void Launcher::OnChildExits() {
   for (const ChildExit& exit : children_.Reap()) {
-    if (std::find(loggers_.begin(), loggers_.end(), exit.name) != loggers_.end()) {
+    const bool is_logger = std::find(loggers_.begin(), loggers_.end(), exit.name) != loggers_.end();
+    const bool is_over = clock_.state() == StepClock::State::kEnded;
+    if (killing_ || ((is_logger || is_over) && exit.clean)) {
+      clock_.Drop(exit.name, MonotonicMicroseconds());
+    } else if (is_logger) {
       Say(fmt::format("{} {}; the recorder goes on", exit.name, exit.how));
-      continue;
-    }
-    // Having answered END, or been told to go, a process may go.
-    if (clock_.state() == StepClock::State::kEnded && (exit.clean || killing_)) continue;
-    if (clock_.state() == StepClock::State::kEnding && exit.clean) {
+    } else if (is_over) {
+      Say(fmt::format("{} {} after the end", exit.name, exit.how));
+    } else if (clock_.state() == StepClock::State::kEnding && exit.clean) {
       clock_.Leave(exit.name, MonotonicMicroseconds());
-      continue;
+    } else {
+      OnLost(exit.name, fmt::format("{} (pid {}) {}", exit.name, exit.pid, exit.how),
+             exit.last_lines);
     }
-    OnLost(exit.name, fmt::format("{} (pid {}) {}", exit.name, exit.pid, exit.how),
-           exit.last_lines);
   }
 }
 
 void Launcher::CheckSilence(int64_t wall_us) {
   for (const std::string& name : clock_.Silent(wall_us)) {
+    children_.Signal(name, SIGKILL);
     OnLost(name,
            fmt::format("{} has not answered step {} for {} s of wall time (stopped, or hung)", name,
                        clock_.step(), mission_.participant_timeout_s),
            {});
-    children_.Signal(name, SIGKILL);
   }
 }
 
@@ -207,35 +230,44 @@ void Launcher::OnLost(const std::string& name, const std::string& how,
     Say("LOST: " + how);
     for (const std::string& line : last_lines) Say("    " + line);
   }
-  const bool gathering = clock_.state() == StepClock::State::kGathering;
+  const bool is_running = clock_.state() == StepClock::State::kRunning;
   clock_.Drop(name, MonotonicMicroseconds());
+  if (exit_code_ != 0) return;
+  // A second recorder would empty the log of the first, and none would leave it cut.
+  if (mission_.on_loss == OnLoss::kEnd || !is_running || name == "recorder") {
+    Fail(kExitEnvironment, fmt::format("the mission ends without {}", name));
+    return;
+  }
   const auto entry = std::find_if(roster_.begin(), roster_.end(),
                                   [&](const RosterEntry& each) { return each.name == name; });
-  if (mission_.on_loss == OnLoss::kEnd || gathering) {
-    if (exit_code_ == 0) Fail(kExitEnvironment, fmt::format("the mission ends without {}", name));
-  } else if (mission_.on_loss == OnLoss::kRestart && entry != roster_.end() &&
-             !children_.IsRunning(name) && entry->provider == Provider::kShoal && !interrupted_) {
-    if (++num_restarts_[name] > kMaxRestarts) {
-      Fail(kExitEnvironment, fmt::format("{} was restarted {} times already", name, kMaxRestarts));
-    } else if (StartOne(*entry)) {
-      lost_.erase(name);
-      Say(fmt::format("{} starts again", name));
-    }
-  } else if (is_new) {
-    Say(fmt::format("the mission goes on without {}", name));
+  const bool restarts = mission_.on_loss == OnLoss::kRestart && entry != roster_.end() &&
+                        entry->provider == Provider::kShoal;
+  if (!restarts) {
+    if (is_new) Say(fmt::format("the mission goes on without {}", name));
+  } else if (children_.IsRunning(name)) {
+    return;  // It has been killed; its exit comes next.
+  } else if (++num_restarts_[name] > kMaxRestarts) {
+    Fail(kExitEnvironment, fmt::format("{} was restarted {} times already", name, kMaxRestarts));
+  } else if (StartOne(*entry)) {
+    lost_.erase(name);
+    Say(fmt::format("{} starts again", name));
   }
 }
 
 void Launcher::CheckGathering(int64_t wall_us) {
-  if (clock_.state() != StepClock::State::kGathering) {
-    if (running_since_us_ == 0) running_since_us_ = wall_us;
-    return;
+  if (clock_.state() == StepClock::State::kRunning && running_since_us_ == 0) {
+    running_since_us_ = wall_us;
   }
-  if (exit_code_ != 0 || wall_us - started_us_ < kStartPatience_us) return;
+  if (clock_.state() != StepClock::State::kGathering) return;
+  if (exit_code_ != 0) return;
   const std::vector<std::string> awaited = clock_.Awaited();
+  const bool tells = wall_us >= next_waiting_line_us_;
+  if (tells) next_waiting_line_us_ = wall_us + kWaitingLine_us;
   for (const RosterEntry& entry : roster_) {
-    const bool is_awaited = std::find(awaited.begin(), awaited.end(), entry.name) != awaited.end();
-    if (is_awaited && entry.provider == Provider::kShoal) {
+    if (std::find(awaited.begin(), awaited.end(), entry.name) == awaited.end()) continue;
+    if (entry.provider == Provider::kHand) {
+      if (tells) Say(fmt::format("waiting for {}: {}", entry.name, HandCommand(entry)));
+    } else if (wall_us - started_us_ > kStartPatience_us) {
       Fail(kExitEnvironment,
            fmt::format("{} did not report within {} s; its output: {}/{}.txt", entry.name,
                        kStartPatience_us / kSecond_us, context_.log_dir, entry.name));
@@ -255,6 +287,14 @@ void Launcher::CheckFaults(int64_t wall_us) {
           ReceiveBufferLimit());
     }
     Fail(kExitEnvironment, why);
+  }
+  if (!told_stranger_ && !clock_.stranger().empty()) {
+    told_stranger_ = true;
+    Say(fmt::format("{} speaks the step protocol, but this mission has no such participant; it {}",
+                    clock_.stranger(),
+                    clock_.Awaited().empty()
+                        ? "waits for nobody"
+                        : fmt::format("waits for {}", fmt::join(clock_.Awaited(), ", "))));
   }
   if (!told_foreign_ && clock_.counters().foreign + participant_.num_foreign() > 0) {
     told_foreign_ = true;
@@ -294,15 +334,19 @@ void Launcher::ShowProgress(int64_t wall_us) {
 }
 
 void Launcher::EndChildren() {
-  // lcm-logger ends on SIGINT; the others have heard END, or hear SIGTERM now.
+  // lcm-logger ends on SIGINT. Shoal's own have answered END, or hear now that it is over; a user's
+  // get the time to leave by themselves.
   for (const std::string& name : loggers_) children_.Signal(name, SIGINT);
+  for (const RosterEntry& entry : roster_) {
+    if (!entry.app.empty()) children_.Signal(entry.name, SIGTERM);
+  }
   const int64_t begin = MonotonicMicroseconds();
   while (children_.num_running() > 0) {
     OnChildExits();
     const int64_t waited = MonotonicMicroseconds() - begin;
     if (waited > kExitPatience_us / 2 && !killing_) {
-      children_.SignalAll(SIGTERM);
       killing_ = true;
+      children_.SignalAll(SIGTERM);
     }
     if (waited > kExitPatience_us) {
       children_.SignalAll(SIGKILL);
@@ -331,6 +375,7 @@ int Launcher::Conclude() {
         counters.foreign, counters.outside,
         reproducible           ? "yes"
         : counters.outside > 0 ? "no: messages came from outside the step protocol"
+        : !complete            ? "no: the mission did not run to its end"
                                : "no: not all participants took part from beginning to end",
         director_.Summary(complete));
   }
@@ -338,8 +383,8 @@ int Launcher::Conclude() {
     if (const Result<bool> written = WriteSummary(options_.record_dir, summary); !written.ok()) {
       Fail(kExitEnvironment, written.error());
     }
-    fmt::print("Recorded in {}: mission.lcm, mission.toml, run.txt, summary.txt, logs/\n",
-               options_.record_dir);
+    fmt::print("Recorded in {}: mission.lcm{}, mission.toml, run.txt, summary.txt, logs/\n",
+               options_.record_dir, lost_.contains("recorder") ? " (cut short)" : "");
   }
   fmt::print("{}", summary);
   if (exit_code_ == 0 && !director_.Passed()) exit_code_ = kExitMissionFailed;
@@ -374,7 +419,7 @@ int RunMission(const RunOptions& options, const Mission& mission) {
     log_dir = options.record_dir + "/logs";
   }
   std::error_code error;
-  std::filesystem::remove_all(log_dir, error);
+  if (options.record_dir.empty()) std::filesystem::remove_all(log_dir, error);
   std::filesystem::create_directories(log_dir, error);
   if (error) return fail(fmt::format("cannot make the folder {}: {}", log_dir, error.message()));
   if (const auto registered = Register(running); !registered.ok()) return fail(registered.error());

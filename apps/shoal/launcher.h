@@ -36,6 +36,7 @@ class Launcher {
   int Run(int signal_fd);
 
  private:
+  std::string HandCommand(const RosterEntry& entry) const;
   bool StartAll();
   bool StartOne(const RosterEntry& entry);
   void Loop(int signal_fd);
@@ -72,7 +73,9 @@ class Launcher {
   int64_t ended_us_ = 0;
   int64_t next_progress_us_ = 0;
   bool progress_shown_ = false;
+  int64_t next_waiting_line_us_ = 0;
   bool told_foreign_ = false;
+  bool told_stranger_ = false;
   bool killing_ = false;  ///< Those who still run have been told to go.
 };
 

@@ -33,9 +33,10 @@ Result<bool> PrepareRecording(const RunOptions& options, const Mission& mission)
   if (!fs::is_directory(dir)) {
     return Error{fmt::format("cannot make the folder {}: {}", dir.string(), error.message())};
   }
-  if (fs::exists(dir / "mission.lcm")) {
-    return Error{fmt::format("{} holds a recording already; name another folder, or remove it",
-                             dir.string())};
+  if (!fs::is_empty(dir, error) || error) {
+    return Error{
+        fmt::format("{} is not empty: it holds a recording, or files of yours; name a new folder",
+                    dir.string())};
   }
   std::ifstream in(mission.file);
   const std::string text((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());

@@ -9,7 +9,7 @@
 namespace shoal {
 
 /// Makes the folder and writes mission.toml (the file as it was), run.txt (version, seed, options,
-/// overrides). Refuses a folder that holds a recording already.
+/// overrides). Refuses a folder that is not empty.
 [[nodiscard]] Result<bool> PrepareRecording(const RunOptions& options, const Mission& mission);
 
 /// Writes summary.txt: what the terminal showed at the end.

@@ -29,10 +29,10 @@ void LcmBus::SubscribeAll(Handler handler) {
 
 void LcmBus::Dispatch(std::string_view channel, std::span<const uint8_t> datagram) {
   const Unsealed unsealed = Unseal(datagram);
-  counters_.handled += handlers_.Call(
-      {.channel = channel,
-       .publisher = unsealed.seal ? unsealed.seal->publisher : std::string_view(),
-       .data = unsealed.message});
+  counters_.handled +=
+      handlers_.Call({.channel = channel,
+                      .publisher = unsealed.seal ? unsealed.seal->publisher : std::string_view(),
+                      .data = unsealed.message});
 }
 
 }  // namespace shoal

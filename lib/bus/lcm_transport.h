@@ -38,9 +38,8 @@ class LcmTransport : public Transport {
 
   /// Empty, or why a port could not be opened, with what to try.
   const std::string& error() const { return error_; }
-  int64_t num_send_failures() const { return num_send_failures_; }
 
-  /// For tests of the step protocol: datagrams for which `drop` returns true are lost on arrival.
+  /// Fault injection: datagrams for which `drop` returns true are lost on arrival.
   void set_drop_filter(std::function<bool(std::string_view channel)> drop) {
     drop_ = std::move(drop);
   }
@@ -55,7 +54,6 @@ class LcmTransport : public Transport {
   std::function<bool(std::string_view)> drop_;
   std::vector<std::unique_ptr<Port>> ports_;  ///< In order of port number.
   std::string error_;
-  int64_t num_send_failures_ = 0;
 };
 
 }  // namespace shoal

@@ -57,6 +57,7 @@ MemoryBus::MemoryBus() = default;
 MemoryBus::~MemoryBus() = default;
 
 Bus& MemoryBus::Join(const std::string& participant) {
+  SHOAL_CHECK(open_items_.empty(), "all join before anything is published");
   auto& port = ports_[participant];
   SHOAL_CHECK(port == nullptr, "two participants of one name");
   port = std::make_unique<Port>(*this, participant);

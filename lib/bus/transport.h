@@ -17,8 +17,8 @@ class Transport {
 
   virtual ~Transport() = default;
 
-  /// Sends a datagram to all who listen to `channel` on `port`, this object included. A failure is
-  /// counted; what was lost comes again by the step protocol.
+  /// Sends a datagram to all who listen to `channel` on `port`, this object included. What is
+  /// lost comes again by the step protocol.
   virtual void Send(int port, std::string_view channel, std::span<const uint8_t> datagram) = 0;
 
   /// Hears `channel` on `port` from now on.

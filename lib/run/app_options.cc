@@ -104,6 +104,10 @@ AppOptions ParseAppOptionsOrExit(const AppInfo& info, int argc, char** argv) {
     fmt::print(stderr, "recorder: --log FILE is needed; see recorder --help\n");
     std::exit(kExitUsage);
   }
+  if (options.alias.size() > 64) {
+    fmt::print(stderr, "{}: --alias is longer than 64 characters\n", info.name);
+    std::exit(kExitUsage);
+  }
   if (!layout.empty()) {
     options.layout = layout == "shared" ? Layout::kShared : Layout::kCommunities;
   }

@@ -28,7 +28,7 @@ struct AppOptions {
   std::optional<Layout> layout;
   int64_t mission_id = 0;
   std::string log_path;      ///< Recorder only.
-  double lose = 0;           ///< Share of incoming data datagrams lost on purpose.
+  double lose = 0;           ///< Share of incoming datagrams lost on purpose.
   std::string lose_forever;  ///< A channel whose datagrams are all lost on purpose.
 };
 

@@ -27,8 +27,9 @@ void OnSignal(int) { stop_wanted = true; }
 
 constexpr int64_t kPollInterval_us = 100'000;
 constexpr int64_t kTerminalInterval_us = 1'000'000;
-/// An app started by hand stays so long after the end: its answer may be lost, and then END comes
-/// again. (The launcher sees its own children leave.)
+/// After the end an app stays until nothing has come for so long: others may have missed what it
+/// said last, and ask every 50 ms. (The launcher ends its own children as soon as all have
+/// answered.)
 constexpr int64_t kLinger_us = 300'000;
 
 /// Waits until a launcher runs this mission file, for apps started by hand.
@@ -50,8 +51,8 @@ std::optional<RunningMission> AwaitMission(const std::string& file) {
 }
 
 /// Shows the status page on a terminal, again once a second.
-void ShowOnTerminal(const App& app, const std::string& name, int64_t step) {
-  fmt::print("\033[2J\033[H{}", Format(app.Status(), name, step));
+void ShowOnTerminal(const StepParticipant& participant, const std::string& name) {
+  fmt::print("\033[2J\033[H{}", Format(participant.Status(), name, participant.step()));
   std::fflush(stdout);
 }
 
@@ -63,25 +64,39 @@ int Run(const AppOptions& options, const std::string& name, const Mission& missi
   sigaction(SIGTERM, &action, nullptr);
 
   int port_base = options.port_base;
+  int64_t mission_id = options.mission_id;
   std::optional<Layout> layout = options.layout;
   if (port_base == 0) {
     const std::optional<RunningMission> running = AwaitMission(options.mission_file);
     if (!running) return kExitOk;
     port_base = running->port_base;
+    if (mission_id == 0) mission_id = running->mission_id;
     if (!layout) layout = running->layout;
+  } else if (!layout) {
+    if (const auto running = FindRunningMission(port_base); running.ok()) layout = running->layout;
   }
   const std::vector<std::string> vehicles = VehicleNames(mission);
+  if (port_base + PortPlan::NumPorts(Layout::kCommunities, static_cast<int>(vehicles.size())) >
+      65536) {
+    fmt::print(stderr, "{}: --port {} leaves no room for the mission's ports below 65536\n", name,
+               port_base);
+    return kExitUsage;
+  }
   const PortPlan plan(
       port_base, layout.value_or(PortPlan::Suggest(static_cast<int>(vehicles.size()))), vehicles);
 
   LcmTransport transport;
   transport.set_drop_filter(MakeLossFilter(options.lose, options.lose_forever));
-  StepParticipant participant(
-      {.name = name, .mission_id = options.mission_id, .pid = static_cast<int32_t>(getpid())}, plan,
-      transport);
+  StepParticipant participant({.name = name,
+                               .mission_id = mission_id,
+                               .pid = static_cast<int32_t>(getpid()),
+                               .give_up_us = GiveUpAfter_us(mission)},
+                              plan, transport);
+  int64_t last_heard_us = 0;
   transport.set_receiver(
       [&](int port, std::string_view channel, std::span<const uint8_t> datagram) {
-        participant.OnDatagram(port, channel, datagram, MonotonicMicroseconds());
+        last_heard_us = MonotonicMicroseconds();
+        participant.OnDatagram(port, channel, datagram, last_heard_us);
       });
   const std::unique_ptr<App> app = make(participant);
   participant.Attach(app.get());
@@ -96,19 +111,18 @@ int Run(const AppOptions& options, const std::string& name, const Mission& missi
     const int64_t now = MonotonicMicroseconds();
     participant.OnTime(now);
     if (on_terminal && now >= next_show) {
-      ShowOnTerminal(*app, name, participant.step());
+      ShowOnTerminal(participant, name);
       next_show = now + kTerminalInterval_us;
     }
     transport.Poll(std::min(participant.NextDeadline() - now, kPollInterval_us));
   }
   if (!participant.ended()) app->End();
-  const int64_t ended_us = MonotonicMicroseconds();
-  while (options.mission_id == 0 && !stop_wanted &&
-         MonotonicMicroseconds() - ended_us < kLinger_us) {
-    transport.Poll(kPollInterval_us);
-  }
-  fmt::print("{}\n{}: {}\n", Format(app->Status(), name, participant.step()), name,
+  fmt::print("{}\n{}: {}\n", Format(participant.Status(), name, participant.step()), name,
              participant.ended() ? "the mission has ended" : "ended by a signal");
+  std::fflush(stdout);
+  while (!stop_wanted && MonotonicMicroseconds() - last_heard_us < kLinger_us) {
+    transport.Poll(kPollInterval_us / 2);
+  }
   return kExitOk;
 }
 
@@ -126,6 +140,11 @@ int64_t MonotonicMicroseconds() {
   timespec now{};
   clock_gettime(CLOCK_MONOTONIC, &now);
   return int64_t{now.tv_sec} * 1'000'000 + now.tv_nsec / 1000;
+}
+
+int64_t GiveUpAfter_us(const Mission& mission) {
+  const auto timeout_us = static_cast<int64_t>(mission.participant_timeout_s * 1e6);
+  return std::min(ParticipantOptions{}.give_up_us, timeout_us / 2);
 }
 
 std::function<bool(std::string_view)> MakeLossFilter(double lose, const std::string& lose_forever) {

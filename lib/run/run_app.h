@@ -27,12 +27,15 @@ using MissionAppFactory = std::function<std::unique_ptr<App>(const Mission& miss
                                                              const AppOptions& options)>;
 
 /// Parses the command line, loads the mission, joins its bus and steps the app until the mission
-/// ends, the launcher goes or a signal comes. Returns the exit code (lib/check/result.h).
+/// ends or a signal comes. Returns the exit code (lib/check/result.h).
 int RunVehicleApp(const AppInfo& info, int argc, char** argv, const VehicleAppFactory& make);
 int RunMissionApp(const AppInfo& info, int argc, char** argv, const MissionAppFactory& make);
 
 /// Returns microseconds of a clock that never jumps. For the rim only: apps are given their time.
 int64_t MonotonicMicroseconds();
+
+/// Returns how long a participant asks for missing messages: less than the clock waits for it.
+int64_t GiveUpAfter_us(const Mission& mission);
 
 /// Returns a filter that loses datagrams as --lose and --lose-forever ask for; empty: none.
 std::function<bool(std::string_view channel)> MakeLossFilter(double lose,

@@ -7,6 +7,7 @@
 
 #include "lib/bus/bus.h"
 #include "lib/bus/channels.h"
+#include "lib/run/status_page.h"
 
 namespace shoal {
 
@@ -15,6 +16,8 @@ namespace {
 constexpr int64_t kRepeatAfter_us = 50'000;
 /// After a stall the clock does not race to catch up by more than this.
 constexpr int64_t kMaxCatchUp_us = 200'000;
+/// OnTime is called every 50 ms at least; a longer pause was the launcher's own.
+constexpr int64_t kOwnStall_us = 1'000'000;
 constexpr int64_t kNever = std::numeric_limits<int64_t>::max();
 
 }  // namespace
@@ -46,20 +49,31 @@ void StepClock::OnDatagram(int port, std::string_view channel, std::span<const u
 void StepClock::OnDone(const step_done_t& done, int64_t wall_us) {
   const auto found = members_.find(done.participant);
   if (found == members_.end()) {
-    ++counters_.foreign;
+    if (stranger_.empty()) stranger_ = Printable(done.participant);
     return;
   }
   Member& member = found->second;
-  if (done.step < 0) {
+  if (!done.fault.empty() && fault_.empty()) fault_ = done.participant + ": " + done.fault;
+  if (!member.present) {
+    // A hello may be lost; who answers the present step is here just as well.
+    const bool joins = state_ == State::kGathering || done.step < 0 || done.step == step_;
+    if (!joins) return;
+    member.pid = done.pid;
     if (state_ == State::kGathering) {
       member.present = true;
-    } else if (!member.present) {
+    } else {
       member.joins_next = true;
     }
     return;
   }
-  if (!member.present) return;
-  if (!done.fault.empty() && fault_.empty()) fault_ = done.participant + ": " + done.fault;
+  if (done.pid != member.pid) {
+    if (fault_.empty()) {
+      fault_ = fmt::format(
+          "two processes call themselves {} (pid {} and {}): end one, or give it another --alias",
+          done.participant, member.pid, done.pid);
+    }
+    return;
+  }
   if (done.step != step_ || member.answered_step == step_) return;
   member.answered_step = step_;
   member.repeated = done.repeated;
@@ -129,6 +143,11 @@ void StepClock::SendTick(int64_t wall_us) {
 }
 
 void StepClock::OnTime(int64_t wall_us) {
+  if (wall_us - last_time_us_ > kOwnStall_us) {
+    // It was we who stood still (Ctrl-Z, a paused machine): nobody's silence counts.
+    for (auto& [name, member] : members_) member.asked_at_us = wall_us;
+  }
+  last_time_us_ = wall_us;
   if (state_ == State::kEnded) return;
   if (state_ == State::kGathering) {
     if (stop_wanted_) {
@@ -191,9 +210,12 @@ int64_t StepClock::NextDeadline() const {
 
 void StepClock::Drop(const std::string& participant, int64_t wall_us) {
   const auto found = members_.find(participant);
-  if (found == members_.end() || !found->second.present) return;
-  found->second.present = false;
+  // After the end all may go.
+  if (found == members_.end() || state_ == State::kEnded) return;
   found->second.joins_next = false;
+  if (!found->second.present) return;
+  CountOf(found->second);
+  found->second = Member{};
   membership_changed_ = true;
   // What it published in a step that it did not finish counts for nobody.
   if (state_ != State::kGathering && state_ != State::kEnded && AllAnswered()) Advance(wall_us);
@@ -239,13 +261,15 @@ std::vector<std::string> StepClock::Silent(int64_t wall_us) const {
   return names;
 }
 
+void StepClock::CountOf(const Member& member) {
+  counters_.repeated += member.repeated;
+  counters_.outside += member.outside;
+  counters_.foreign += member.foreign;
+  counters_.undecodable += member.undecodable;
+}
+
 void StepClock::UpdateCounters() {
-  for (const auto& [name, member] : members_) {
-    counters_.repeated += member.repeated;
-    counters_.outside += member.outside;
-    counters_.foreign += member.foreign;
-    counters_.undecodable += member.undecodable;
-  }
+  for (const auto& [name, member] : members_) CountOf(member);
 }
 
 }  // namespace shoal

@@ -75,6 +75,8 @@ class StepClock {
   std::vector<std::string> Silent(int64_t wall_us) const;
   /// The first fault that a participant reported ("helm_alpha: ..."), or empty.
   const std::string& fault() const { return fault_; }
+  /// The first that spoke the step protocol under a name that the mission does not have, or empty.
+  const std::string& stranger() const { return stranger_; }
   /// True where a participant was dropped or came back while running.
   bool membership_changed() const { return membership_changed_; }
 
@@ -82,6 +84,7 @@ class StepClock {
   struct Member {
     bool present = false;     ///< Said hello, or answers; false after Drop.
     bool joins_next = false;  ///< Said hello while running; takes part from the next tick on.
+    int32_t pid = 0;          ///< Of the process that plays it.
     int64_t answered_step = -1;
     int64_t asked_at_us = 0;  ///< When the tick it owes an answer to was sent first.
     int64_t next_repeat_us = 0;
@@ -97,6 +100,7 @@ class StepClock {
   bool AllAnswered() const;
   void Advance(int64_t wall_us);
   int64_t DueTime() const;
+  void CountOf(const Member& member);
   void UpdateCounters();
 
   const ClockOptions options_;
@@ -111,6 +115,8 @@ class StepClock {
   int64_t stop_deadline_us_ = 0;
   bool stop_wanted_ = false;
   bool membership_changed_ = false;
+  int64_t last_time_us_ = 0;
+  std::string stranger_;
   std::string fault_;
   RunCounters counters_;
 };

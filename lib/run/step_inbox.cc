@@ -23,6 +23,11 @@ void StepInbox::Add(std::string_view channel, std::span<const uint8_t> datagram,
   if (!seal) {
     // Pages for people are no input to a mission.
     if (channel != "APPCAST") ++counters_.outside;
+    if (outside_.size() >= kMaxOutside || outside_bytes_ + message.size() > kMaxOutsideBytes) {
+      ++counters_.dropped;
+      return;
+    }
+    outside_bytes_ += message.size();
     outside_.push_back({.channel = std::string(channel),
                         .publisher = {},
                         .sequence = static_cast<uint32_t>(outside_.size()),
@@ -82,6 +87,7 @@ std::vector<MissingMessages> StepInbox::Missing(const tick_t& tick) const {
 std::vector<StepInbox::Stored> StepInbox::Take(const tick_t& tick) {
   std::vector<Stored> taken = std::move(outside_);
   outside_.clear();
+  outside_bytes_ = 0;
   const auto step = steps_.find(tick.step - 1);
   if (step != steps_.end()) {
     std::set<std::pair<std::string_view, std::string_view>> announced;

@@ -31,10 +31,16 @@ struct InboxCounters {
   int64_t late = 0;     ///< Repeats of what was already there or of steps gone by; dropped.
   int64_t foreign = 0;  ///< Of another mission; rejected.
   int64_t outside = 0;  ///< Without a seal; handled, in the step in which they arrived.
+  int64_t dropped = 0;  ///< Of those from outside: more than a step holds; not handled.
 };
 
 class StepInbox {
  public:
+  /// So many messages from outside are handled in a step, and so many bytes; a flood must not eat
+  /// the memory.
+  static constexpr size_t kMaxOutside = 100'000;
+  static constexpr size_t kMaxOutsideBytes = 64 * 1024 * 1024;
+
   /// `hears(channel)` tells which of the announced messages are meant for this participant.
   explicit StepInbox(std::function<bool(std::string_view channel)> hears);
 
@@ -68,6 +74,7 @@ class StepInbox {
   std::function<bool(std::string_view)> hears_;
   std::map<int64_t, std::map<std::string, BySequence, std::less<>>> steps_;
   std::vector<Stored> outside_;
+  size_t outside_bytes_ = 0;
   int64_t next_step_ = -1;  ///< Messages of steps before this are late; -1: not known yet.
   InboxCounters counters_;
 };

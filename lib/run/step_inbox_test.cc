@@ -99,6 +99,15 @@ TEST(StepInbox, DropsWhatComesAfterItsStep) {
   EXPECT_EQ(inbox.counters().late, 1);
 }
 
+TEST(StepInbox, HoldsNoMoreFromOutsideThanAStepMayBring) {
+  StepInbox inbox = HearsAll();
+  for (size_t i = 0; i < StepInbox::kMaxOutside + 7; ++i) inbox.Add("Y", Bytes{'1'}, kMissionId);
+  EXPECT_EQ(inbox.counters().dropped, 7);
+  EXPECT_EQ(inbox.Take(TickAfter(0, {})).size(), StepInbox::kMaxOutside);
+  inbox.Add("Y", Bytes{'1'}, kMissionId);
+  EXPECT_EQ(inbox.counters().dropped, 7) << "the next step has room again";
+}
+
 TEST(StepInbox, StoresNothingForStepsFarAhead) {
   StepInbox inbox = HearsAll();
   EXPECT_TRUE(inbox.Take(TickAfter(0, {})).empty());

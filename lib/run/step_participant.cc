@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "lib/bus/channels.h"
+#include "lib/bus/seal.h"
 
 namespace shoal {
 
@@ -13,9 +14,10 @@ namespace {
 
 constexpr int64_t kHelloInterval_us = 200'000;
 constexpr int64_t kRequestInterval_us = 50'000;
-/// A repeat takes well under a millisecond; three seconds of asking in vain means that it never
-/// gets through.
-constexpr int64_t kGiveUpAfter_us = 3'000'000;
+/// People ask for pages seldom, and a lost message is asked for again every 50 ms; floods of either
+/// must not hold up the steps.
+constexpr int64_t kPageInterval_us = 20'000;
+constexpr int64_t kResendInterval_us = 10'000;
 constexpr size_t kStepsKept = 2;
 
 }  // namespace
@@ -67,16 +69,17 @@ void StepParticipant::OnDatagram(int port, std::string_view channel,
         CountUndecodable(channel);
       }
     } else if (channel == "RESEND") {
-      OnResend(datagram);
+      OnResend(datagram, wall_us);
     } else if (channel == "APPCAST_REQ") {
-      OnAppcastRequest(datagram);
+      OnAppcastRequest(datagram, wall_us);
     }
     return;
   }
-  if (port == plan_.done_port()) return;
+  const bool is_sealed = Unseal(datagram).seal.has_value();
+  // What strangers said before the first tick was said before the mission.
+  if (!is_sealed && step_ < 0 && !pending_) return;
   inbox_.Add(channel, datagram, mission_id_);
-  last_arrival_ = wall_us;
-  if (pending_) TryStep(wall_us);
+  if (is_sealed && pending_) TryStep();
 }
 
 void StepParticipant::OnTick(const tick_t& tick, int64_t wall_us) {
@@ -85,26 +88,22 @@ void StepParticipant::OnTick(const tick_t& tick, int64_t wall_us) {
     ++num_foreign_ticks_;
     return;
   }
-  if (ended_ || (pending_ && tick.step <= pending_->step)) return;
+  if (pending_ && tick.step <= pending_->step) return;
   if (tick.step <= step_) {
-    // The clock did not hear the answer: say it again.
+    // The clock did not hear the answer, be it to END: say it again.
     if (tick.step == step_) SendUnsealed(channels::StepDone(), done_);
     return;
   }
+  if (ended_) return;
   if (tick.step != step_ + 1) inbox_.StartAt(std::max<int64_t>(tick.step - 1, 0));
   pending_ = tick;
-  collecting_since_ = last_arrival_ = wall_us;
+  collecting_since_ = wall_us;
   next_request_ = wall_us + kRequestInterval_us;
-  TryStep(wall_us);
+  TryStep();
 }
 
-void StepParticipant::TryStep(int64_t wall_us) {
-  // On the way datagrams pass each other by microseconds: asking starts only after a pause.
-  if (!inbox_.Missing(*pending_).empty()) {
-    next_request_ = std::max(next_request_, wall_us);
-    return;
-  }
-  RunStep();
+void StepParticipant::TryStep() {
+  if (inbox_.Missing(*pending_).empty()) RunStep();
 }
 
 void StepParticipant::RunStep() {
@@ -176,16 +175,16 @@ void StepParticipant::OnTime(int64_t wall_us) {
     return;
   }
   next_request_ = wall_us + kRequestInterval_us;
-  if (wall_us - std::max(collecting_since_, last_arrival_) < kGiveUpAfter_us &&
-      wall_us - collecting_since_ < 3 * kGiveUpAfter_us) {
+  if (wall_us - collecting_since_ < options_.give_up_us) {
     RequestMissing(missing);
     return;
   }
   const MissingMessages& first = missing.front();
   SendDone(fmt::format(
-      "{} of {} messages of {} on {} in step {} never reached {}, though asked for again for {} s",
+      "{} of {} messages of {} on {} in step {} never reached {}, though asked for again for "
+      "{:.1f} s",
       first.expected - first.received, first.expected, first.publisher, first.channel,
-      pending_->step - 1, options_.name, kGiveUpAfter_us / 1'000'000));
+      pending_->step - 1, options_.name, static_cast<double>(options_.give_up_us) / 1e6));
 }
 
 int64_t StepParticipant::NextDeadline() const {
@@ -208,13 +207,16 @@ void StepParticipant::RequestMissing(const std::vector<MissingMessages>& missing
   }
 }
 
-void StepParticipant::OnResend(std::span<const uint8_t> datagram) {
+void StepParticipant::OnResend(std::span<const uint8_t> datagram, int64_t wall_us) {
   resend_t request;
   if (!Decode(datagram, &request)) {
     CountUndecodable("RESEND");
     return;
   }
   if (request.mission_id != mission_id_ || request.publisher != options_.name) return;
+  if (wall_us < next_resend_ && request.channel == last_resent_) return;
+  next_resend_ = wall_us + kResendInterval_us;
+  last_resent_ = request.channel;
   for (const SentStep& step : sent_) {
     if (step.step != request.step) continue;
     for (const Sent& sent : step.messages) {
@@ -225,14 +227,16 @@ void StepParticipant::OnResend(std::span<const uint8_t> datagram) {
   }
 }
 
-void StepParticipant::OnAppcastRequest(std::span<const uint8_t> datagram) {
+void StepParticipant::OnAppcastRequest(std::span<const uint8_t> datagram, int64_t wall_us) {
   appcast_req_t request;
   if (!Decode(datagram, &request)) {
     CountUndecodable("APPCAST_REQ");
     return;
   }
   if (request.app != "all" && request.app != options_.name) return;
-  const StatusPage page = StatusWithBus();
+  if (wall_us < next_page_) return;
+  next_page_ = wall_us + kPageInterval_us;
+  const StatusPage page = Status();
   appcast_t appcast;
   appcast.utime = utime_;
   appcast.app = options_.name;
@@ -245,7 +249,7 @@ void StepParticipant::OnAppcastRequest(std::span<const uint8_t> datagram) {
   SendUnsealed(channels::Appcast(), appcast);
 }
 
-StatusPage StepParticipant::StatusWithBus() const {
+StatusPage StepParticipant::Status() const {
   StatusPage page = app_->Status();
   if (num_foreign() > 0) {
     page.run_warnings.push_back(
@@ -255,10 +259,16 @@ StatusPage StepParticipant::StatusWithBus() const {
   for (const auto& [channel, count] : counters_.undecodable_by_channel) {
     page.run_warnings.push_back(fmt::format("{} undecodable messages on {}", count, channel));
   }
+  if (inbox_.counters().dropped > 0) {
+    page.run_warnings.push_back(
+        fmt::format("{} messages from outside dropped: more than {} in one step",
+                    inbox_.counters().dropped, StepInbox::kMaxOutside));
+  }
   page.text += fmt::format(
-      "\nBus: {} published, {} handled, {} undecodable, {} from outside, {} asked for again\n",
+      "\nBus: {} published, {} handled, {} undecodable, {} from outside, {} asked for again, {} "
+      "late or repeated\n",
       counters_.published, counters_.handled, counters_.undecodable, inbox_.counters().outside,
-      num_requests_);
+      num_requests_, inbox_.counters().late);
   return page;
 }
 

@@ -5,7 +5,7 @@
 //     | STEP_DONE -1,           | TICK k, something is missing                   |
 //     | every 0.2 s             v                                                |
 //     +--                    COLLECTING -- RESEND every 50 ms; repeats arrive ---+
-//                               | nothing new for 3 s                   handle, Tick, publish,
+//                               | still missing after 3 s                  handle, Tick, publish,
 //                               v                                       STEP_DONE k
 //                            STEP_DONE with a fault; the clock ends the mission
 //
@@ -36,6 +36,9 @@ struct ParticipantOptions {
   std::string name;
   int64_t mission_id = 0;  ///< 0: that of the first tick heard.
   int32_t pid = 0;
+  /// So long a missing message is asked for again. A repeat takes well under a millisecond; three
+  /// seconds in vain mean that it never gets through. Less than the clock's time-out.
+  int64_t give_up_us = 3'000'000;
 };
 
 class StepParticipant : public Bus {
@@ -59,6 +62,8 @@ class StepParticipant : public Bus {
   int64_t NextDeadline() const;
 
   bool ended() const { return ended_; }
+  /// Returns the app's page, with the bus's counters and warnings.
+  StatusPage Status() const;
   int64_t step() const { return step_; }
   /// Ticks and messages of other missions that were rejected.
   int64_t num_foreign() const { return num_foreign_ticks_ + inbox_.counters().foreign; }
@@ -74,13 +79,12 @@ class StepParticipant : public Bus {
   };
 
   void OnTick(const tick_t& tick, int64_t wall_us);
-  void TryStep(int64_t wall_us);
+  void TryStep();
   void RunStep();
   void SendDone(const std::string& fault);
   void RequestMissing(const std::vector<MissingMessages>& missing);
-  void OnResend(std::span<const uint8_t> datagram);
-  void OnAppcastRequest(std::span<const uint8_t> datagram);
-  StatusPage StatusWithBus() const;
+  void OnResend(std::span<const uint8_t> datagram, int64_t wall_us);
+  void OnAppcastRequest(std::span<const uint8_t> datagram, int64_t wall_us);
   template <class T>
   void SendUnsealed(const Channel<T>& channel, const T& message);
 
@@ -96,9 +100,11 @@ class StepParticipant : public Bus {
   int64_t utime_ = 0;              ///< Of that step.
   std::optional<tick_t> pending_;  ///< The tick whose messages are being collected.
   int64_t collecting_since_ = 0;
-  int64_t last_arrival_ = 0;
   int64_t next_request_ = 0;
   int64_t next_hello_ = 0;
+  int64_t next_page_ = 0;
+  int64_t next_resend_ = 0;
+  std::string last_resent_;  ///< Channel of the last repeat.
   bool in_step_ = false;
   uint32_t sequence_ = 0;
   std::deque<SentStep> sent_;  ///< This step and the one before, for those who missed something.

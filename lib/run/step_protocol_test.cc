@@ -202,6 +202,76 @@ TEST(StepProtocol, GoesOnWithoutAParticipantThatWasDropped) {
   EXPECT_EQ(outcome.transcripts.at("a"), outcome.transcripts.at("c"));
 }
 
+TEST(StepProtocol, RepairsALostAnswerToTheEnd) {
+  FakeNetwork network;
+  int num_answers = 0;
+  // Each participant answers steps 0 to 40 and then END; the first answers to END are lost.
+  network.set_loss([&](std::string_view channel) {
+    if (channel != "STEP_DONE") return false;
+    ++num_answers;
+    return num_answers > 3 * 42 && num_answers <= 3 * 43;
+  });
+  const Outcome outcome = RunOver(network);
+  EXPECT_EQ(outcome.state, StepClock::State::kEnded);
+  EXPECT_GE(outcome.counters.ticks_again, 1);
+  EXPECT_EQ(outcome.transcripts, RunInMemory());
+}
+
+TEST(StepProtocol, LetsOneComeBackThatWasDropped) {
+  FakeNetwork network;
+  const Outcome outcome =
+      RunOver(network, 1.0, [](int64_t now, StepClock& clock, std::vector<Member>& members) {
+        if (clock.step() == 10) {
+          members[1].node->set_stopped(true);
+          clock.Drop("b", now);
+        }
+        if (clock.step() == 20) members[1].node->set_stopped(false);
+      });
+  EXPECT_EQ(outcome.state, StepClock::State::kEnded);
+  EXPECT_EQ(outcome.fault, "");
+  EXPECT_TRUE(outcome.transcripts.at("b").ends_with("end"));
+}
+
+TEST(StepProtocol, RefusesASecondProcessOfTheSameName) {
+  FakeNetwork network;
+  const PortPlan plan(7665, Layout::kShared, {});
+  FakeNetwork::Node& stranger = network.Add();
+  stranger.receiver = [](int, std::string_view, std::span<const uint8_t>) {};
+  const Outcome outcome =
+      RunOver(network, 1.0, [&](int64_t, StepClock& clock, std::vector<Member>&) {
+        step_done_t done{};
+        done.mission_id = kMissionId;
+        done.step = clock.step();
+        done.participant = "b";
+        done.pid = 2;
+        Bytes bytes;
+        EncodeInto(done, &bytes);
+        if (clock.step() == 5) stranger.Send(plan.done_port(), "STEP_DONE", bytes);
+      });
+  EXPECT_NE(outcome.fault.find("two processes call themselves b (pid 1 and 2)"), std::string::npos)
+      << outcome.fault;
+}
+
+TEST(StepProtocol, BlamesNobodyWhenTheClockItselfStoodStill) {
+  FakeNetwork network;
+  const PortPlan plan(7665, Layout::kShared, {});
+  FakeNetwork::Node& node = network.Add();
+  StepClock clock(Options(1.0), {"a"}, plan, node);
+  step_done_t hello{};
+  hello.mission_id = kMissionId;
+  hello.step = -1;
+  hello.participant = "a";
+  Bytes bytes;
+  EncodeInto(hello, &bytes);
+  clock.OnDatagram(plan.done_port(), "STEP_DONE", bytes, 0);
+  clock.OnTime(0);
+  ASSERT_EQ(clock.state(), StepClock::State::kRunning);
+  clock.OnTime(60'000'000);  // The machine slept for a minute.
+  EXPECT_TRUE(clock.Silent(60'000'000).empty());
+  for (int64_t now = 60'000'000; now < 66'000'000; now += 50'000) clock.OnTime(now);
+  EXPECT_EQ(clock.Silent(66'000'000), std::vector<std::string>{"a"});
+}
+
 TEST(StepProtocol, PacesStepsByTheWallClock) {
   FakeNetwork network;
   const Outcome outcome = RunOver(network, 2.0);

@@ -80,6 +80,18 @@ TEST(Garbage, InABurstOfAHundredThousandEndsNoProcess) {
   EXPECT_EQ(finished.output.find("LOST"), std::string::npos) << finished.output;
 }
 
+TEST(Flood, OfRequestsForPagesDoesNotHoldUpTheSteps) {
+  const TestFolder folder;
+  const auto process = StartAlpha(folder, "60");
+  LcmBus bus(PortsOf(folder));
+  appcast_req_t request{};
+  request.app = "all";
+  for (int i = 0; i < 100'000; ++i) Publish(bus, channels::AppcastReq(), request);
+  const Finished finished = process->Wait();
+  EXPECT_EQ(finished.exit_code, 0) << finished.output;
+  EXPECT_NE(finished.output.find("Reproducible: yes"), std::string::npos) << finished.output;
+}
+
 TEST(AnotherMission, OnTheSamePortsIsRejectedAndReported) {
   const TestFolder folder;
   const auto process = StartAlpha(folder, "60");

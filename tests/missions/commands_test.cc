@@ -107,7 +107,7 @@ TEST(Recording, KeepsWhatIsNeededToRunAgainAndIsNeverOverwritten) {
   const std::string log = ReadFile(dir + "/mission.lcm");
   const Finished second = RunShoal(folder, arguments);
   EXPECT_EQ(second.exit_code, 3) << second.output;
-  EXPECT_NE(second.output.find("holds a recording already"), std::string::npos) << second.output;
+  EXPECT_NE(second.output.find("is not empty"), std::string::npos) << second.output;
   EXPECT_EQ(ReadFile(dir + "/mission.lcm"), log);
 }
 

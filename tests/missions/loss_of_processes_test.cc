@@ -106,6 +106,28 @@ TEST(LostParticipant, IsStartedAgainWhereTheMissionSaysSo) {
   EXPECT_TRUE(AllGone(again));
 }
 
+TEST(LostRecorder, EndsTheMissionWhateverItSaysAndKeepsItsLog) {
+  Berta berta({"--set", "mission.on_loss=restart"});
+  const int64_t before = berta.NumEvents();
+  kill(berta.participants.at("recorder"), SIGKILL);
+  const Finished finished = berta.process->Wait(10);
+  EXPECT_EQ(finished.exit_code, 3) << finished.output;
+  EXPECT_NE(finished.output.find("(cut short)"), std::string::npos) << finished.output;
+  EXPECT_GE(berta.NumEvents(), before);
+}
+
+TEST(StoppedLauncher, GoesOnWhenItIsContinued) {
+  Berta berta({"--set", "mission.participant_timeout_s=0.5"});
+  berta.process->Signal(SIGSTOP);
+  SleepSeconds(2);
+  berta.process->Signal(SIGCONT);
+  const int64_t before = berta.NumEvents();
+  SleepSeconds(0.5);
+  EXPECT_GT(berta.NumEvents(), before) << berta.process->Output();
+  berta.process->Signal(SIGINT);
+  EXPECT_EQ(berta.process->Wait(5).output.find("LOST"), std::string::npos);
+}
+
 TEST(CtrlC, EndsEverythingWithinTwoSecondsAndClosesTheRecording) {
   Berta berta;
   const double begin = WallSeconds();
