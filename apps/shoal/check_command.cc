@@ -4,17 +4,29 @@
 
 #include "lib/bus/channels.h"
 #include "lib/check/result.h"
-#include "lib/mission/load.h"
 #include "lib/run/roster.h"
 
 namespace shoal {
 
+namespace {
+
+/// Returns "1 vehicle", "2 vehicles".
+std::string Counted(size_t count, std::string_view noun) {
+  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
+
+}  // namespace
+
+bool LoadedWithoutErrors(const LoadedMission& loaded) {
+  for (const std::string& error : loaded.errors) fmt::print(stderr, "{}\n", error);
+  return loaded.errors.empty();
+}
+
 int RunCheck(const std::string& mission_file, const std::vector<std::string>& overrides,
              bool explain) {
   const LoadedMission loaded = LoadMission(mission_file, overrides);
-  for (const std::string& error : loaded.errors) fmt::print(stderr, "{}\n", error);
-  if (!loaded.errors.empty()) {
-    fmt::print(stderr, "{} error{}\n", loaded.errors.size(), loaded.errors.size() == 1 ? "" : "s");
+  if (!LoadedWithoutErrors(loaded)) {
+    fmt::print(stderr, "{}\n", Counted(loaded.errors.size(), "error"));
     return kExitUsage;
   }
   if (explain) {
@@ -22,10 +34,12 @@ int RunCheck(const std::string& mission_file, const std::vector<std::string>& ov
     return kExitOk;
   }
   const Mission& mission = loaded.mission;
-  fmt::print("{}: ok: {} vehicles, {} participants, {} s in {} steps, {} events, {} expectations\n",
-             mission_file, mission.vehicles.size(), MakeRoster(mission, false).size() + 1,
-             mission.duration_s, mission.LastStep() + 1, mission.events.size(),
-             mission.expectations.size());
+  fmt::print("{}: ok: {}, {}, {} s in {}, {}, {}\n", mission_file,
+             Counted(mission.vehicles.size(), "vehicle"),
+             Counted(MakeRoster(mission, false).size() + 1, "participant"), mission.duration_s,
+             Counted(static_cast<size_t>(mission.LastStep() + 1), "step"),
+             Counted(mission.events.size(), "event"),
+             Counted(mission.expectations.size(), "expectation"));
   return kExitOk;
 }
 

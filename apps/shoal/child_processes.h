@@ -1,6 +1,6 @@
-// The processes that the launcher started: each with a group and a log of its own, none left behind.
-// (Where the launcher itself is killed by SIGKILL, its children die with it; what a user's script
-// has started does not.)
+// The processes that the launcher started: each with a group and a log of its own, none left
+// behind. (Where the launcher itself is killed by SIGKILL, its children die with it; what a user's
+// script has started does not.)
 #pragma once
 
 #include <sys/types.h>

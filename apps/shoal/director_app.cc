@@ -122,9 +122,9 @@ bool DirectorApp::Passed() const {
 
 StatusPage DirectorApp::Status() const {
   StatusPage page;
-  page.text =
-      fmt::format("Mission: {} ({})\nSeed: {}\nEvents said: {} of {}\n\n{}", mission_.name,
-                  mission_.file, mission_.seed, next_event_, mission_.events.size(), Summary(false));
+  page.text = fmt::format("Mission: {} ({})\nSeed: {}\nEvents said: {} of {}\n\n{}", mission_.name,
+                          mission_.file, mission_.seed, next_event_, mission_.events.size(),
+                          Summary(false));
   log_.AppendTo(&page);
   return page;
 }

@@ -31,18 +31,24 @@ int64_t RandomMissionId() {
   return std::max<int64_t>(id & std::numeric_limits<int64_t>::max(), 1);
 }
 
+/// Writes to standard output. A reader who has gone must not end the mission.
+void Print(const std::string& text) {
+  std::fputs(text.c_str(), stdout);
+  std::fflush(stdout);
+}
+
 /// Routes the signals that matter to a descriptor. To be called before LCM makes its threads, which
 /// inherit the mask.
 int BlockSignals() {
   sigset_t set;
   sigemptyset(&set);
   signal(SIGCHLD, SIG_DFL);  // A parent that ignores it would hide the children's exits.
-  for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGCHLD}) {
-    struct sigaction present {};
-    sigaction(number, nullptr, &present);
-    // Under nohup, SIGHUP stays ignored.
-    if (present.sa_handler != SIG_IGN) sigaddset(&set, number);
-  }
+  for (const int number : {SIGINT, SIGTERM, SIGCHLD}) sigaddset(&set, number);
+  struct sigaction hangup {};
+  sigaction(SIGHUP, nullptr, &hangup);
+  // Under nohup, SIGHUP stays ignored. (SIGINT too is ignored in a script's background jobs, but
+  // who sends it there means it.)
+  if (hangup.sa_handler != SIG_IGN) sigaddset(&set, SIGHUP);
   sigprocmask(SIG_BLOCK, &set, nullptr);
   signal(SIGPIPE, SIG_IGN);
   return signalfd(-1, &set, SFD_CLOEXEC | SFD_NONBLOCK);
@@ -312,10 +318,10 @@ void Launcher::Fail(int exit_code, const std::string& why) {
 }
 
 void Launcher::Say(const std::string& line) {
-  if (progress_shown_) fmt::print("\n");
+  if (progress_shown_) Print("\n");
   progress_shown_ = false;
   std::fflush(stdout);
-  fmt::print(stderr, "{}\n", line);
+  std::fputs((line + "\n").c_str(), stderr);
 }
 
 void Launcher::ShowProgress(int64_t wall_us) {
@@ -328,8 +334,7 @@ void Launcher::ShowProgress(int64_t wall_us) {
       "{:8.1f} of {:.1f} s  {:6.1f} x real time  {} vehicles  {} reports delivered, {} blocked",
       mission_s, mission_.duration_s, mission_s / wall_s, mission_.vehicles.size(),
       director_.num_delivered(), director_.num_blocked());
-  fmt::print("{}{}{}", on_terminal ? "\r\033[K" : "", line, on_terminal ? "" : "\n");
-  std::fflush(stdout);
+  Print((on_terminal ? "\r\033[K" : "") + line + (on_terminal ? "" : "\n"));
   progress_shown_ = on_terminal;
 }
 
@@ -360,7 +365,7 @@ int Launcher::Conclude() {
   const bool complete = exit_code_ == 0;
   const RunCounters& counters = clock_.counters();
   const bool reproducible = complete && counters.outside == 0 && !clock_.membership_changed();
-  if (progress_shown_) fmt::print("\n");
+  if (progress_shown_) Print("\n");
   std::string summary;
   if (running_since_us_ != 0) {
     const double mission_s = static_cast<double>(clock_.utime() - mission_.start_utime) / 1e6;
@@ -383,10 +388,10 @@ int Launcher::Conclude() {
     if (const Result<bool> written = WriteSummary(options_.record_dir, summary); !written.ok()) {
       Fail(kExitEnvironment, written.error());
     }
-    fmt::print("Recorded in {}: mission.lcm{}, mission.toml, run.txt, summary.txt, logs/\n",
-               options_.record_dir, lost_.contains("recorder") ? " (cut short)" : "");
+    Print(fmt::format("Recorded in {}: mission.lcm{}, mission.toml, run.txt, summary.txt, logs/\n",
+                      options_.record_dir, lost_.contains("recorder") ? " (cut short)" : ""));
   }
-  fmt::print("{}", summary);
+  Print(summary);
   if (exit_code_ == 0 && !director_.Passed()) exit_code_ = kExitMissionFailed;
   return exit_code_;
 }
@@ -423,11 +428,10 @@ int RunMission(const RunOptions& options, const Mission& mission) {
   std::filesystem::create_directories(log_dir, error);
   if (error) return fail(fmt::format("cannot make the folder {}: {}", log_dir, error.message()));
   if (const auto registered = Register(running); !registered.ok()) return fail(registered.error());
-  fmt::print("{}: {} vehicles, seed {}, LCM ports {} to {} ({})\n", mission.name, vehicles.size(),
-             mission.seed, *base,
-             *base + PortPlan::NumPorts(layout, static_cast<int>(vehicles.size())) - 1,
-             Name(layout));
-  std::fflush(stdout);
+  Print(fmt::format("{}: {} vehicles, seed {}, LCM ports {} to {} ({})\n", mission.name,
+                    vehicles.size(), mission.seed, *base,
+                    *base + PortPlan::NumPorts(layout, static_cast<int>(vehicles.size())) - 1,
+                    Name(layout)));
   int code = 0;
   {
     const int signal_fd = BlockSignals();

@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <map>
 #include <optional>
 #include <set>
 
+#include "apps/shoal/status_command.h"
 #include "lib/bus/channels.h"
 #include "lib/bus/lcm_bus.h"
 #include "lib/check/result.h"
@@ -20,6 +22,9 @@ namespace {
 
 /// How long an answer from the helm is waited for: a step, and the second of its own rhythm.
 constexpr int64_t kAnswerPatience_us = 1'500'000;
+
+/// An order takes effect in the next step; at real time that is some tenths of a second.
+constexpr int64_t kObeyTime_us = 300'000;
 
 /// One command's shape.
 struct CommandShape {
@@ -102,15 +107,37 @@ Result<Arguments> ParseArguments(const std::vector<CommandShape>& shapes, const 
   return arguments;
 }
 
-Result<Channel<unc_control_t>> RuleChannel(const std::string& rule) {
+std::optional<Channel<unc_control_t>> RuleChannel(const std::string& rule) {
   if (rule == "comms_range") return channels::UncCommsRange();
   if (rule == "stale_time") return channels::UncStaleTime();
-  return Error{"not a rule"};
+  return std::nullopt;
+}
+
+/// Returns what the helms have refused so far, by the participant's name.
+std::map<std::string, std::set<std::string>> Refusals(const PortPlan& ports) {
+  constexpr std::string_view kPrefix = "HELM_COMMAND refused: ";
+  std::map<std::string, std::set<std::string>> refusals;
+  const auto pages = CollectPages(ports, "all");
+  if (!pages.ok()) return refusals;
+  for (const auto& [name, page] : *pages) {
+    for (const std::string& warning : page.run_warnings) {
+      if (warning.starts_with(kPrefix)) refusals[name].insert(warning.substr(kPrefix.size()));
+    }
+  }
+  return refusals;
+}
+
+int BusError(const LcmBus& bus) {
+  fmt::print(stderr, "shoal: {}\n", bus.error());
+  return kExitEnvironment;
 }
 
 int SendRule(LcmBus& bus, const Channel<unc_control_t>& channel, const SendOptions& options) {
-  const std::optional<double> value =
-      options.words.size() == 1 ? ParseNumber(options.words.front()) : std::nullopt;
+  std::optional<double> value;
+  if (options.words.size() == 1) value = ParseNumber(options.words.front());
+  if (options.words == std::vector<std::string>{"nolimit"} && options.target == "comms_range") {
+    value = -1;
+  }
   if (!value) {
     fmt::print(stderr, "shoal: usage: shoal send {} NUMBER\n", options.target);
     return kExitUsage;
@@ -118,14 +145,16 @@ int SendRule(LcmBus& bus, const Channel<unc_control_t>& channel, const SendOptio
   unc_control_t control{};
   control.value = *value;
   Publish(bus, channel, control);
+  if (!bus.error().empty()) return BusError(bus);
   fmt::print("sent {} = {}; `shoal status shore_broker` shows the rules in force\n", channel.name,
              *value);
   return kExitOk;
 }
 
 /// Publishes to each vehicle and shows what its helm says next.
-int SendHelm(LcmBus& bus, const std::vector<std::string>& vehicles, const std::string& command,
-             const Arguments& arguments) {
+int SendHelm(LcmBus& bus, const PortPlan& ports, const std::vector<std::string>& vehicles,
+             const std::string& command, const Arguments& arguments) {
+  const auto refused_before = Refusals(ports);
   std::set<std::string> answered;
   bool sent = false;
   for (const std::string& vehicle : vehicles) {
@@ -143,9 +172,11 @@ int SendHelm(LcmBus& bus, const std::vector<std::string>& vehicles, const std::s
     message.num_values = static_cast<int32_t>(arguments.values.size());
     Publish(bus, channels::HelmCommand(vehicle), message);
   }
+  if (!bus.error().empty()) return BusError(bus);
   fmt::print("sent {} to {}\n", command, fmt::join(vehicles, ", "));
   sent = true;
   const int64_t begin = MonotonicMicroseconds();
+  while (MonotonicMicroseconds() - begin < kObeyTime_us) bus.Poll(20'000);
   while (answered.size() < vehicles.size() &&
          MonotonicMicroseconds() - begin < kAnswerPatience_us) {
     bus.Poll(20'000);
@@ -154,7 +185,16 @@ int SendHelm(LcmBus& bus, const std::vector<std::string>& vehicles, const std::s
     fmt::print("{} of {} helms have said nothing since; `shoal status` shows who is there\n",
                vehicles.size() - answered.size(), vehicles.size());
   }
-  return kExitOk;
+  bool refused = false;
+  for (const auto& [name, reasons] : Refusals(ports)) {
+    const auto before = refused_before.find(name);
+    for (const std::string& reason : reasons) {
+      if (before != refused_before.end() && before->second.contains(reason)) continue;
+      fmt::print(stderr, "{} refused: {}\n", name, reason);
+      refused = true;
+    }
+  }
+  return refused ? kExitUsage : kExitOk;
 }
 
 }  // namespace
@@ -162,8 +202,9 @@ int SendHelm(LcmBus& bus, const std::vector<std::string>& vehicles, const std::s
 std::string SendCommandsText() {
   return "VEHICLE is a vehicle's name or all.\n" + Rows("VEHICLE ", HelmCommands()) +
          Rows("VEHICLE sim ", SimCommands()) +
-         fmt::format("  {:<28} {}\n  {:<28} {}\n", "comms_range R", "the broker's rule, metres",
-                     "stale_time T", "the broker's rule, seconds");
+         fmt::format("  {:<28} {}\n  {:<28} {}\n", "comms_range R",
+                     "the broker's rule, metres; or nolimit", "stale_time T",
+                     "the broker's rule, seconds");
 }
 
 int RunSend(const SendOptions& options) {
@@ -184,7 +225,7 @@ int RunSend(const SendOptions& options) {
   }
   LcmBus bus(mission->Ports());
   if (vehicles.empty()) {
-    if (const auto rule = RuleChannel(options.target); rule.ok()) {
+    if (const auto rule = RuleChannel(options.target)) {
       return SendRule(bus, *rule, options);
     }
     return usage(
@@ -197,7 +238,7 @@ int RunSend(const SendOptions& options) {
   if (words[0] != "sim") {
     const auto arguments = ParseArguments(HelmCommands(), words[0], words.subspan(1));
     if (!arguments.ok()) return usage(arguments.error());
-    return SendHelm(bus, vehicles, words[0], *arguments);
+    return SendHelm(bus, mission->Ports(), vehicles, words[0], *arguments);
   }
   if (words.size() < 2) return usage("say what:\n" + Rows("sim ", SimCommands()));
   const auto arguments = ParseArguments(SimCommands(), words[1], words.subspan(2));
@@ -209,6 +250,7 @@ int RunSend(const SendOptions& options) {
     message.num_values = static_cast<int32_t>(arguments->values.size());
     Publish(bus, channels::SimCommand(vehicle), message);
   }
+  if (!bus.error().empty()) return BusError(bus);
   fmt::print("sent sim {} to {}\n", words[1], fmt::join(vehicles, ", "));
   return kExitOk;
 }

@@ -1,11 +1,14 @@
 #include "apps/shoal/shoal_options.h"
 
 #include <fmt/format.h>
+#include <poll.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <functional>
 #include <iostream>
+#include <system_error>
 
 #include "apps/shoal/check_command.h"
 #include "apps/shoal/doctor.h"
@@ -87,8 +90,8 @@ void AddRun(CLI::App& cli, Action* action) {
         return static_cast<int>(kExitUsage);
       }
       const LoadedMission loaded = LoadMission(run.mission_file, run.overrides);
-      for (const std::string& error : loaded.errors) fmt::print(stderr, "{}\n", error);
-      return loaded.errors.empty() ? RunMission(run, loaded.mission) : static_cast<int>(kExitUsage);
+      if (!LoadedWithoutErrors(loaded)) return static_cast<int>(kExitUsage);
+      return RunMission(run, loaded.mission);
     };
   });
 }
@@ -162,6 +165,14 @@ void AddSelection(CLI::App* command, LogSelection* selection) {
   command->add_option("--to", selection->to_s, "Up to this time, seconds");
 }
 
+/// Prints what is wrong with a selection. Returns true where nothing is.
+bool IsSelectionSound(const LogSelection& selection) {
+  if (!selection.from_s || !selection.to_s || *selection.from_s <= *selection.to_s) return true;
+  fmt::print(stderr, "shoal: --from {} is after --to {}: nothing lies between\n", *selection.from_s,
+             *selection.to_s);
+  return false;
+}
+
 void AddTypes(CLI::App* command, std::vector<std::string>* types) {
   command->add_option("--types", *types, "A .lcm file of message types that are not shoal's")
       ->take_all()
@@ -188,7 +199,10 @@ void AddLog(CLI::App& cli, Action* action) {
   cat->add_flag("--skip-damage", cat_options->skip_damage, "Print what can be read of a bad log");
   AddTypes(cat, &cat_options->types);
   cat->callback([cat_options, action] {
-    *action = [cat_options] { return LogCat(*cat_options, std::cout, std::cerr); };
+    *action = [cat_options] {
+      if (!IsSelectionSound(cat_options->selection)) return static_cast<int>(kExitUsage);
+      return LogCat(*cat_options, std::cout, std::cerr);
+    };
   });
 
   CLI::App* diff = log->add_subcommand("diff", "First difference between two logs");
@@ -208,8 +222,18 @@ void AddLog(CLI::App& cli, Action* action) {
   csv->add_flag("--skip-damage", csv_options->skip_damage, "Convert what can be read of a bad log");
   AddTypes(csv, &csv_options->types);
   csv->callback([csv_options, action] {
-    *action = [csv_options] { return LogCsv(*csv_options, std::cout, std::cerr); };
+    *action = [csv_options] {
+      if (!IsSelectionSound(csv_options->selection)) return static_cast<int>(kExitUsage);
+      return LogCsv(*csv_options, std::cout, std::cerr);
+    };
   });
+}
+
+/// True where standard output is a pipe that nobody reads any more, as behind `| head`. (Where
+/// SIGPIPE is not ignored, it has ended the process before anybody asks.)
+bool ReaderHasLeft() {
+  pollfd output{.fd = STDOUT_FILENO, .events = POLLOUT, .revents = 0};
+  return poll(&output, 1, 0) == 1 && (output.revents & POLLERR) != 0;
 }
 
 }  // namespace
@@ -240,7 +264,19 @@ int RunShoalCommand(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return cli.exit(error) == 0 ? kExitOk : kExitUsage;
   }
-  return action();
+  // What was printed may not have reached its place: fmt throws, the streams only remember.
+  bool written = true;
+  int code = kExitEnvironment;
+  try {
+    code = action();
+  } catch (const std::system_error&) {
+    written = false;
+  }
+  std::cout.flush();
+  written = std::fflush(stdout) == 0 && std::ferror(stdout) == 0 && std::cout.good() && written;
+  if (written || ReaderHasLeft()) return code;
+  std::fputs("shoal: cannot write to standard output: is the disk full?\n", stderr);
+  return kExitEnvironment;
 }
 
 }  // namespace shoal

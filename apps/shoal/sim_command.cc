@@ -2,10 +2,13 @@
 
 #include <fmt/format.h>
 #include <signal.h>
+#include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <filesystem>
 
+#include "apps/shoal/check_command.h"
 #include "apps/shoal/whole_mission.h"
 #include "lib/mission/load.h"
 #include "lib/run/run_app.h"
@@ -16,14 +19,48 @@ namespace {
 
 std::atomic<bool> interrupted = false;
 
-constexpr int64_t kStepsBetweenChecks = 256;
+constexpr int64_t kStepsBetweenChecks = 64;  ///< Of the clock, signals and faults.
+constexpr int64_t kProgressInterval_us = 500'000;
+constexpr char kClearLine[] = "\r\033[K";
+
+/// A line on a terminal that tells how far the mission is; elsewhere nothing.
+class ProgressLine {
+ public:
+  explicit ProgressLine(const Mission& mission) : mission_(mission) {}
+
+  void Show(const WholeMission& whole, int64_t wall_us) {
+    if (!on_terminal_ || wall_us < next_us_) return;
+    next_us_ = wall_us + kProgressInterval_us;
+    const double mission_s = static_cast<double>(whole.step() * mission_.tick_us) / 1e6;
+    const double wall_s = std::max(static_cast<double>(wall_us - begin_us_) / 1e6, 1e-3);
+    fmt::print(
+        "{}{:8.1f} of {:.1f} s  {:6.1f} x real time  {} vehicles  {} reports delivered, "
+        "{} blocked",
+        kClearLine, mission_s, mission_.duration_s, mission_s / wall_s, mission_.vehicles.size(),
+        whole.director().num_delivered(), whole.director().num_blocked());
+    std::fflush(stdout);
+    is_shown_ = true;
+  }
+
+  void Clear() {
+    if (is_shown_) fmt::print("{}", kClearLine);
+    if (is_shown_) std::fflush(stdout);
+    is_shown_ = false;
+  }
+
+ private:
+  const Mission& mission_;
+  const bool on_terminal_ = isatty(STDOUT_FILENO) == 1;
+  const int64_t begin_us_ = MonotonicMicroseconds();
+  int64_t next_us_ = begin_us_ + kProgressInterval_us;
+  bool is_shown_ = false;
+};
 
 }  // namespace
 
 int RunSim(const SimOptions& options) {
   const LoadedMission loaded = LoadMission(options.mission_file, options.overrides);
-  for (const std::string& error : loaded.errors) fmt::print(stderr, "{}\n", error);
-  if (!loaded.errors.empty()) return kExitUsage;
+  if (!LoadedWithoutErrors(loaded)) return kExitUsage;
   const Mission& mission = loaded.mission;
   if (const auto can = CanRunInOneProcess(mission); !can.ok()) {
     fmt::print(stderr, "shoal: {}\n", can.error());
@@ -37,25 +74,33 @@ int RunSim(const SimOptions& options) {
   signal(SIGTERM, [](int) { interrupted = true; });
 
   WholeMission whole(mission, options.log_path);
+  std::string fault = whole.Fault();
+  if (!fault.empty()) {
+    fmt::print(stderr, "shoal: {}\n", fault);
+    return kExitEnvironment;
+  }
+  ProgressLine progress(mission);
   const int64_t begin = MonotonicMicroseconds();
-  std::string fault;
   while (whole.Step()) {
     if (whole.step() % kStepsBetweenChecks != 0) continue;
     fault = whole.Fault();
     if (interrupted || !fault.empty()) break;
+    if (!options.quiet) progress.Show(whole, MonotonicMicroseconds());
   }
   whole.End();
   if (fault.empty()) fault = whole.Fault();
   const double wall_s = static_cast<double>(MonotonicMicroseconds() - begin) / 1e6;
   const double mission_s = static_cast<double>(whole.step() * mission.tick_us) / 1e6;
 
+  progress.Clear();
   if (!options.quiet) {
     fmt::print("{:.1f} s of mission in {:.3f} s ({:.0f} x real time), one process\n", mission_s,
                wall_s, mission_s / std::max(wall_s, 1e-6));
-    if (!options.log_path.empty()) fmt::print("Log: {}\n", options.log_path);
+    if (!options.log_path.empty() && fault.empty()) fmt::print("Log: {}\n", options.log_path);
     fmt::print("\n{}", whole.director().Summary(!interrupted && fault.empty()));
   } else {
-    fmt::print("{}\n", whole.director().Passed() ? "PASS" : "FAIL");
+    const bool complete = !interrupted && fault.empty();
+    fmt::print("{}\n", !complete ? "INCOMPLETE" : whole.director().Passed() ? "PASS" : "FAIL");
   }
   if (!fault.empty()) {
     fmt::print(stderr, "shoal: {}\n", fault);

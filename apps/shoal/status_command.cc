@@ -20,7 +20,17 @@ namespace {
 constexpr int64_t kQuiet_us = 300'000;
 constexpr int64_t kPatience_us = 2'000'000;
 
-std::map<std::string, appcast_t> CollectPages(LcmBus& bus, const std::string& app) {
+StatusPage PageOf(const appcast_t& appcast) {
+  return {.config_warnings = appcast.config_warnings,
+          .run_warnings = appcast.run_warnings,
+          .text = appcast.page};
+}
+
+}  // namespace
+
+Result<std::map<std::string, appcast_t>> CollectPages(const PortPlan& ports,
+                                                      const std::string& app) {
+  LcmBus bus(ports);
   std::map<std::string, appcast_t> pages;
   int64_t last = MonotonicMicroseconds();
   Subscribe(bus, channels::Appcast(), [&](const appcast_t& page) {
@@ -30,6 +40,7 @@ std::map<std::string, appcast_t> CollectPages(LcmBus& bus, const std::string& ap
   appcast_req_t request{};
   request.app = app;
   Publish(bus, channels::AppcastReq(), request);
+  if (!bus.error().empty()) return Error{bus.error()};
   const int64_t begin = last;
   while (true) {
     const int64_t now = MonotonicMicroseconds();
@@ -41,28 +52,29 @@ std::map<std::string, appcast_t> CollectPages(LcmBus& bus, const std::string& ap
   return pages;
 }
 
-StatusPage PageOf(const appcast_t& appcast) {
-  return {.config_warnings = appcast.config_warnings,
-          .run_warnings = appcast.run_warnings,
-          .text = appcast.page};
-}
-
-}  // namespace
-
 int RunStatus(const StatusOptions& options) {
   const Result<RunningMission> mission = FindRunningMission(options.port_base);
   if (!mission.ok()) {
     fmt::print(stderr, "shoal: {}\n", mission.error());
     return kExitEnvironment;
   }
-  LcmBus bus(mission->Ports());
   const bool one_line_each = options.app.empty();
   const std::string wanted = one_line_each ? "all" : options.app;
-  const std::map<std::string, appcast_t> pages = CollectPages(bus, wanted);
-  if (!bus.error().empty()) {
-    fmt::print(stderr, "shoal: {}\n", bus.error());
+  for (const std::string& vehicle : mission->vehicles) {
+    if (wanted == vehicle) {
+      fmt::print(stderr,
+                 "shoal: {0} is a vehicle; ask for helm_{0}, vehicle_sim_{0} or "
+                 "node_reporter_{0}\n",
+                 vehicle);
+      return kExitUsage;
+    }
+  }
+  const auto collected = CollectPages(mission->Ports(), wanted);
+  if (!collected.ok()) {
+    fmt::print(stderr, "shoal: {}\n", collected.error());
     return kExitEnvironment;
   }
+  const std::map<std::string, appcast_t>& pages = *collected;
   if (pages.empty()) {
     fmt::print(stderr,
                "shoal: no answer from {}; `shoal status` without a name lists who is there\n",

@@ -1,9 +1,19 @@
 // `shoal status` and `shoal url`: asks a running mission what it does and where.
 #pragma once
 
+#include <map>
 #include <string>
 
+#include "lib/bus/layout.h"
+#include "lib/check/result.h"
+#include "shoal/appcast_t.hpp"
+
 namespace shoal {
+
+/// Asks a participant ("all": every one) for its page and collects what comes, by name; none where
+/// nobody answers within two seconds. The error: the bus does not work.
+[[nodiscard]] Result<std::map<std::string, appcast_t>> CollectPages(const PortPlan& ports,
+                                                                    const std::string& app);
 
 struct StatusOptions {
   int port_base = 0;  ///< 0: the one mission that runs.

@@ -204,7 +204,7 @@ static void try_step(void) {
     shoal_resend_t_publish(self.tick_bus, "RESEND", &request);
     self.next_repeat_ms = now_ms() + kRepeatInterval_ms;
     if (now_ms() > self.pending_since_ms + kGiveUpAfter_ms) {
-      answer(tick->utime, tick->step, 0, "NAV was announced and never came");
+      answer(tick->utime, tick->step, 0, "the NAV of the step before never reached it");
     }
   }
   if (!complete) return;
@@ -223,7 +223,9 @@ static void on_tick(const lcm_recv_buf_t* datagram, const char* channel, const s
     ++self.foreign;
   } else if (tick->step == self.step) {
     send_done(); /* The clock did not hear the answer. */
-  } else if (tick->step > self.step && self.pending == NULL) {
+  } else if (tick->step > self.step &&
+             (self.pending == NULL || tick->step > self.pending->step)) {
+    if (self.pending != NULL) shoal_tick_t_destroy(self.pending);
     self.pending = shoal_tick_t_copy(tick);
     self.pending_since_ms = now_ms();
     self.next_repeat_ms = self.pending_since_ms + kRepeatInterval_ms;

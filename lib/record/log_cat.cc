@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <ostream>
+#include <set>
 
 #include "lib/record/event_line.h"
 #include "lib/record/log_commands.h"
@@ -9,6 +10,10 @@
 #include "lib/schema/text.h"
 
 namespace shoal {
+
+/// Writes which globs of `selection` match none of `channels`, all those of the log.
+void ReportUnmatched(const LogReader& reader, const LogSelection& selection,
+                     const std::set<std::string, std::less<>>& channels, std::ostream& err);
 
 std::string EventLine(const Schema& schema, const LogEvent& event) {
   std::string line;
@@ -40,14 +45,20 @@ int LogCat(const LogCatOptions& options, std::ostream& out, std::ostream& err) {
   auto reader = OpenLog(options.path, options.skip_damage ? OnDamage::kSkip : OnDamage::kStop, err);
   if (!reader) return kExitEnvironment;
   int64_t num_lines = 0;
+  bool is_read_to_end = false;
+  std::set<std::string, std::less<>> channels;
   while (out && (!options.limit || num_lines < *options.limit)) {
     const auto event = reader->Next();
+    is_read_to_end = !event;
     if (!event) break;
+    if (!channels.contains(event->channel)) channels.emplace(event->channel);
     if (!IsSelected(options.selection, *event)) continue;
     out << EventLine(*schema, *event) << '\n';
     ++num_lines;
   }
-  return ReportDamage(*reader, err) ? kExitOk : kExitEnvironment;
+  if (!ReportDamage(*reader, err)) return kExitEnvironment;
+  if (is_read_to_end) ReportUnmatched(*reader, options.selection, channels, err);
+  return kExitOk;
 }
 
 }  // namespace shoal

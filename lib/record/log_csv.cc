@@ -113,6 +113,10 @@ class CsvDirectory {
 
 }  // namespace
 
+/// Writes which globs of `selection` match none of `channels`, all those of the log.
+void ReportUnmatched(const LogReader& reader, const LogSelection& selection,
+                     const std::set<std::string, std::less<>>& channels, std::ostream& err);
+
 int LogCsv(const LogCsvOptions& options, std::ostream& out, std::ostream& err) {
   const Result<Schema> schema = LoadMessageTypes(options.types);
   if (!schema.ok()) {
@@ -121,6 +125,10 @@ int LogCsv(const LogCsvOptions& options, std::ostream& out, std::ostream& err) {
   }
   auto reader = OpenLog(options.path, options.skip_damage ? OnDamage::kSkip : OnDamage::kStop, err);
   if (!reader) return kExitEnvironment;
+  auto event = reader->Next();
+  if (!event && (!reader->error().empty() || reader->num_damages() > 0)) {
+    return ReportDamage(*reader, err) ? kExitOk : kExitEnvironment;
+  }
   std::error_code error;
   std::filesystem::create_directories(options.out_dir, error);
   if (error) {
@@ -134,7 +142,9 @@ int LogCsv(const LogCsvOptions& options, std::ostream& out, std::ostream& err) {
     err << fmt::format("cannot write {}: {}\n", file.path(), ErrnoText(errno));
     return kExitEnvironment;
   };
-  while (const auto event = reader->Next()) {
+  std::set<std::string, std::less<>> channels;
+  for (; event; event = reader->Next()) {
+    if (!channels.contains(event->channel)) channels.emplace(event->channel);
     if (!IsSelected(options.selection, *event)) continue;
     const RecognisedMessage message = Recognise(*schema, event->data);
     if (!message.IsDecodable()) {
@@ -158,7 +168,9 @@ int LogCsv(const LogCsvOptions& options, std::ostream& out, std::ostream& err) {
     err << fmt::format("{}: {} messages left out: unknown type, or bytes that do not decode\n",
                        shown, count);
   }
-  return ReportDamage(*reader, err) ? kExitOk : kExitEnvironment;
+  if (!ReportDamage(*reader, err)) return kExitEnvironment;
+  ReportUnmatched(*reader, options.selection, channels, err);
+  return kExitOk;
 }
 
 }  // namespace shoal

@@ -4,13 +4,30 @@
 #include <fnmatch.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <set>
+
+#include "lib/schema/text.h"
 
 namespace shoal {
+
+namespace {
+
+bool Matches(const std::string& glob, const std::string& channel) {
+  return ::fnmatch(glob.c_str(), channel.c_str(), 0) == 0;
+}
+
+}  // namespace
 
 std::optional<LogReader> OpenLog(const std::string& path, OnDamage on_damage, std::ostream& err) {
   Result<LogReader> reader = LogReader::Open(path, on_damage);
   if (reader.ok()) return std::move(*reader);
-  err << reader.error() << '\n';
+  err << reader.error();
+  const std::filesystem::path inside = std::filesystem::path(path) / "mission.lcm";
+  if (std::error_code error; std::filesystem::is_regular_file(inside, error)) {
+    err << fmt::format("; it is a folder, try {}", inside.string());
+  }
+  err << '\n';
   return std::nullopt;
 }
 
@@ -35,9 +52,25 @@ bool IsSelected(const LogSelection& selection, const LogEvent& event) {
   if (selection.to_s && time_s > *selection.to_s + kTolerance_s) return false;
   if (selection.channels.empty()) return true;
   const std::string channel(event.channel);
-  return std::any_of(
-      selection.channels.begin(), selection.channels.end(),
-      [&](const std::string& glob) { return ::fnmatch(glob.c_str(), channel.c_str(), 0) == 0; });
+  return std::any_of(selection.channels.begin(), selection.channels.end(),
+                     [&](const std::string& glob) { return Matches(glob, channel); });
+}
+
+void ReportUnmatched(const LogReader& reader, const LogSelection& selection,
+                     const std::set<std::string, std::less<>>& channels, std::ostream& err) {
+  for (const std::string& glob : selection.channels) {
+    if (std::any_of(channels.begin(), channels.end(),
+                    [&](const std::string& channel) { return Matches(glob, channel); })) {
+      continue;
+    }
+    std::string names;
+    for (const std::string& channel : channels) {
+      if (!names.empty()) names += ", ";
+      AppendQuoted(channel, &names);
+    }
+    err << fmt::format("{}: no channel matches '{}'; there are: {}\n", reader.path(), glob,
+                       names.empty() ? "none" : names);
+  }
 }
 
 }  // namespace shoal

@@ -25,12 +25,15 @@ TEST(Send, ReachesAVehicleAndShowsWhatItDoes) {
   const Finished sent = RunShoal(folder, {"send", "alpha", "goto", "10", "-20"});
   EXPECT_EQ(sent.exit_code, 0) << sent.output;
   EXPECT_NE(sent.output.find("alpha: DRIVE goto"), std::string::npos) << sent.output;
-  const Finished rule = RunShoal(folder, {"send", "comms_range", "-1"});
+  const Finished rule = RunShoal(folder, {"send", "comms_range", "nolimit"});
   EXPECT_EQ(rule.exit_code, 0) << rule.output;
   SleepSeconds(0.3);
   const Finished page = RunShoal(folder, {"status", "shore_broker"});
   EXPECT_NE(page.output.find("Comms Range: nolimit"), std::string::npos) << page.output;
 
+  const Finished refused = RunShoal(folder, {"send", "alpha", "speed", "-1"});
+  EXPECT_EQ(refused.exit_code, 2) << refused.output;
+  EXPECT_NE(refused.output.find("helm_alpha refused: speed"), std::string::npos) << refused.output;
   EXPECT_EQ(RunShoal(folder, {"send", "alhpa", "return"}).exit_code, 2);
   const Finished unknown = RunShoal(folder, {"send", "alpha", "fly"});
   EXPECT_EQ(unknown.exit_code, 2);
@@ -149,6 +152,18 @@ TEST(CPlanner, SteersAVesselAsAParticipantOfItsOwn) {
                                               "--record", dir, "--lose", "0.002"});
   EXPECT_EQ(finished.exit_code, 0) << finished.output;
   EXPECT_NE(finished.output.find("Reproducible: yes"), std::string::npos) << finished.output;
+}
+
+TEST(Output, ThatCannotBeWrittenIsAnError) {
+  const TestFolder folder;
+  for (const std::string& command :
+       {"check --explain " + MissionFile("alpha.toml"), "sim " + MissionFile("alpha.toml")}) {
+    RunningProcess process(folder,
+                           {"/bin/sh", "-c", Program("shoal") + " " + command + " >/dev/full"});
+    const Finished finished = process.Wait(20);
+    EXPECT_EQ(finished.exit_code, 3) << finished.output;
+    EXPECT_NE(finished.output.find("cannot write to standard output"), std::string::npos);
+  }
 }
 
 TEST(Log, PlayedBackByLcmLogplayerDrivesAListenerAsTheMissionDid) {
