@@ -12,7 +12,8 @@ struct SendOptions {
   std::vector<std::string> words;  ///< Command and arguments, or the rule's value.
 };
 
-/// Returns the exit code. Prints what was sent, and what came of it where that can be seen.
+/// Returns the exit code: kExitUsage also where a helm refused. Prints what was sent, and what came
+/// of it where that can be seen.
 int RunSend(const SendOptions& options);
 
 /// Returns the text of `shoal send --help`'s list of commands.

@@ -269,8 +269,12 @@ int RunShoalCommand(int argc, char** argv) {
   int code = kExitEnvironment;
   try {
     code = action();
-  } catch (const std::system_error&) {
+  } catch (const std::system_error& error) {
     written = false;
+    if (std::ferror(stdout) == 0) {
+      std::fputs((std::string("shoal: ") + error.what() + "\n").c_str(), stderr);
+      return kExitEnvironment;
+    }
   }
   std::cout.flush();
   written = std::fflush(stdout) == 0 && std::ferror(stdout) == 0 && std::cout.good() && written;

@@ -223,8 +223,7 @@ static void on_tick(const lcm_recv_buf_t* datagram, const char* channel, const s
     ++self.foreign;
   } else if (tick->step == self.step) {
     send_done(); /* The clock did not hear the answer. */
-  } else if (tick->step > self.step &&
-             (self.pending == NULL || tick->step > self.pending->step)) {
+  } else if (tick->step > self.step && (self.pending == NULL || tick->step > self.pending->step)) {
     if (self.pending != NULL) shoal_tick_t_destroy(self.pending);
     self.pending = shoal_tick_t_copy(tick);
     self.pending_since_ms = now_ms();

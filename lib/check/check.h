@@ -9,11 +9,11 @@
 #include <cstdio>
 #include <cstdlib>
 
-#define SHOAL_CHECK(condition, reason)                                                            \
-  do {                                                                                            \
-    if (!(condition)) [[unlikely]] {                                                              \
+#define SHOAL_CHECK(condition, reason)                                                           \
+  do {                                                                                           \
+    if (!(condition)) [[unlikely]] {                                                             \
       std::fprintf(stderr, "%s:%d: broken invariant: %s (%s)\n", __FILE__, __LINE__, #condition, \
-                   reason);                                                                       \
-      std::abort();                                                                               \
-    }                                                                                             \
+                   reason);                                                                      \
+      std::abort();                                                                              \
+    }                                                                                            \
   } while (false)

@@ -11,10 +11,6 @@
 
 namespace shoal {
 
-/// Writes which globs of `selection` match none of `channels`, all those of the log.
-void ReportUnmatched(const LogReader& reader, const LogSelection& selection,
-                     const std::set<std::string, std::less<>>& channels, std::ostream& err);
-
 std::string EventLine(const Schema& schema, const LogEvent& event) {
   std::string line;
   AppendSeconds(event.utime, &line);

@@ -113,10 +113,6 @@ class CsvDirectory {
 
 }  // namespace
 
-/// Writes which globs of `selection` match none of `channels`, all those of the log.
-void ReportUnmatched(const LogReader& reader, const LogSelection& selection,
-                     const std::set<std::string, std::less<>>& channels, std::ostream& err);
-
 int LogCsv(const LogCsvOptions& options, std::ostream& out, std::ostream& err) {
   const Result<Schema> schema = LoadMessageTypes(options.types);
   if (!schema.ok()) {

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <ostream>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -19,5 +20,9 @@ std::optional<LogReader> OpenLog(const std::string& path, OnDamage on_damage, st
 bool ReportDamage(const LogReader& reader, std::ostream& err);
 
 [[nodiscard]] bool IsSelected(const LogSelection& selection, const LogEvent& event);
+
+/// Writes which globs of `selection` match none of `channels`, all those of the log.
+void ReportUnmatched(const LogReader& reader, const LogSelection& selection,
+                     const std::set<std::string, std::less<>>& channels, std::ostream& err);
 
 }  // namespace shoal

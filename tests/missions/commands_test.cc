@@ -33,7 +33,7 @@ TEST(Send, ReachesAVehicleAndShowsWhatItDoes) {
 
   const Finished refused = RunShoal(folder, {"send", "alpha", "speed", "-1"});
   EXPECT_EQ(refused.exit_code, 2) << refused.output;
-  EXPECT_NE(refused.output.find("helm_alpha refused: speed"), std::string::npos) << refused.output;
+  EXPECT_NE(refused.output.find("alpha refused: speed"), std::string::npos) << refused.output;
   EXPECT_EQ(RunShoal(folder, {"send", "alhpa", "return"}).exit_code, 2);
   const Finished unknown = RunShoal(folder, {"send", "alpha", "fly"});
   EXPECT_EQ(unknown.exit_code, 2);
