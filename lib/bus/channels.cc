@@ -28,13 +28,29 @@ Channel<helm_command_t> HelmCommand(std::string_view vehicle) {
 }
 Channel<sim_command_t> SimCommand(std::string_view vehicle) { return {Of("SIM_COMMAND", vehicle)}; }
 Channel<node_report_t> NodeReport(std::string_view vehicle) { return {Of("NODE_REPORT", vehicle)}; }
+Channel<node_message_t> NodeMessage(std::string_view vehicle) {
+  return {Of("NODE_MESSAGE", vehicle)};
+}
+Channel<node_message_t> MediatedMessage(std::string_view vehicle) {
+  return {Of("MEDIATED_MESSAGE", vehicle)};
+}
+Channel<ack_message_t> AckMessageTo(std::string_view vehicle) {
+  return {Of("ACK_MESSAGE", vehicle)};
+}
 
 Channel<helm_command_t> HelmCommandAll() { return {"HELM_COMMAND"}; }
 Channel<node_report_t> NodeReportLocal() { return {"NODE_REPORT_LOCAL"}; }
 Channel<node_report_t> NodeReportFromOutside() { return {"NODE_REPORT"}; }
+Channel<node_message_t> NodeMessageLocal() { return {"NODE_MESSAGE_LOCAL"}; }
+Channel<node_message_t> NodeMessageFromOutside() { return {"NODE_MESSAGE"}; }
+Channel<ack_message_t> AckMessage() { return {"ACK_MESSAGE"}; }
+Channel<unc_control_t> Control(const ControlRow& row) { return {std::string(row.channel)}; }
+Channel<unc_controls_t> UncControls() { return {"UNC_CONTROLS"}; }
+Channel<unc_controls_req_t> UncControlsReq() { return {"UNC_CONTROLS_REQ"}; }
+Channel<node_report_t> NodeReportUnc() { return {"NODE_REPORT_UNC"}; }
 Channel<comms_fates_t> CommsFates() { return {"COMMS_FATES"}; }
-Channel<unc_control_t> UncCommsRange() { return {"UNC_COMMS_RANGE"}; }
-Channel<unc_control_t> UncStaleTime() { return {"UNC_STALE_TIME"}; }
+Channel<comms_rules_t> CommsRules() { return {"COMMS_RULES"}; }
+Channel<comms_pulses_t> ViewCommsPulse() { return {"VIEW_COMMS_PULSE"}; }
 Channel<appcast_t> Appcast() { return {"APPCAST"}; }
 
 Channel<tick_t> Tick() { return {"TICK"}; }
@@ -44,9 +60,11 @@ Channel<step_done_t> StepDone() { return {"STEP_DONE"}; }
 
 }  // namespace channels
 
-const std::vector<ChannelRow>& ChannelTable() {
+namespace {
+
+std::vector<ChannelRow> MakeTable() {
   using enum ChannelHome;
-  static const std::vector<ChannelRow> table = {
+  std::vector<ChannelRow> table = {
       {"NAV", kVehicle, "nav_t", "vehicle_sim", "helm, node_reporter, shoal", "every step", true},
       {"ACTUATORS", kVehicle, "actuators_t", "helm", "vehicle_sim", "every step", true},
       {"DESIRED", kVehicle, "desired_t", "helm", "(people)", "every step", true},
@@ -58,17 +76,41 @@ const std::vector<ChannelRow>& ChannelTable() {
        "when needed", true},
       {"NODE_REPORT", kVehicle, "node_report_t", "shore_broker", "helm",
        "one per report that got through", true},
+      {"NODE_MESSAGE", kVehicle, "node_message_t", "shore_broker", "node_reporter, your programs",
+       "one per message that got through", true},
+      {"ACK_MESSAGE", kVehicle, "ack_message_t", "shore_broker", "node_reporter, your programs",
+       "one per ack that got through", true},
+      {"MEDIATED_MESSAGE", kVehicle, "node_message_t", "shoal (events), shoal send, your programs",
+       "node_reporter", "when needed", true},
       {"HELM_COMMAND", kShore, "helm_command_t", "anybody", "shore_broker", "when needed", true},
       {"NODE_REPORT_LOCAL", kShore, "node_report_t", "node_reporter", "shore_broker",
        "[vehicle.reporter] rate_hz", true},
       {"NODE_REPORT", kShore, "node_report_t", "vehicles from outside", "shore_broker", "theirs",
        true},
+      {"NODE_MESSAGE_LOCAL", kShore, "node_message_t",
+       "node_reporter, shoal (events), shoal send, your programs", "shore_broker", "when needed",
+       true},
+      {"NODE_MESSAGE", kShore, "node_message_t", "vehicles from outside", "shore_broker", "theirs",
+       true},
+      {"ACK_MESSAGE", kShore, "ack_message_t", "node_reporter, vehicles from outside",
+       "shore_broker", "one per message heard that asks for it", true},
       {"COMMS_FATES", kShore, "comms_fates_t", "shore_broker", "shoal", "steps with decisions",
        true},
-      {"UNC_COMMS_RANGE", kShore, "unc_control_t", "shoal (events), shoal send", "shore_broker",
-       "when needed", true},
-      {"UNC_STALE_TIME", kShore, "unc_control_t", "shoal (events), shoal send", "shore_broker",
-       "when needed", true},
+      {"COMMS_RULES", kShore, "comms_rules_t", "shore_broker", "(shoal rebroker)",
+       "at its start and when a rule changes", true},
+      {"VIEW_COMMS_PULSE", kShore, "comms_pulses_t", "shore_broker", "(viewers)",
+       "steps with deliveries", true},
+      {"NODE_REPORT_UNC", kShore, "node_report_t", "shore_broker", "(viewers)",
+       "shared_node_reports", false},
+  };
+  for (const ControlRow& row : ControlTable()) {
+    table.push_back({row.channel, kShore, "unc_control_t", "shoal (events), shoal send",
+                     "shore_broker, shoal", "when needed", true});
+  }
+  const std::vector<ChannelRow> rest = {
+      {"UNC_CONTROLS_REQ", kShore, "unc_controls_req_t", "shore_broker", "shoal",
+       "when it starts in the midst of a mission", true},
+      {"UNC_CONTROLS", kShore, "unc_controls_t", "shoal", "shore_broker", "when asked", true},
       {"APPCAST", kShore, "appcast_t", "every app", "shoal status", "when asked", false},
       {"TICK", kTickPort, "tick_t", "shoal", "every participant", "every step", false},
       {"RESEND", kTickPort, "resend_t", "participants", "participants", "when a message is missing",
@@ -77,6 +119,14 @@ const std::vector<ChannelRow>& ChannelTable() {
        false},
       {"STEP_DONE", kDonePort, "step_done_t", "every participant", "shoal", "every step", false},
   };
+  table.insert(table.end(), rest.begin(), rest.end());
+  return table;
+}
+
+}  // namespace
+
+const std::vector<ChannelRow>& ChannelTable() {
+  static const std::vector<ChannelRow> table = MakeTable();
   return table;
 }
 

@@ -11,20 +11,27 @@
 #include <vector>
 
 #include "lib/bus/bus.h"
+#include "lib/routing/control.h"
+#include "shoal/ack_message_t.hpp"
 #include "shoal/actuators_t.hpp"
 #include "shoal/appcast_req_t.hpp"
 #include "shoal/appcast_t.hpp"
 #include "shoal/comms_fates_t.hpp"
+#include "shoal/comms_pulses_t.hpp"
+#include "shoal/comms_rules_t.hpp"
 #include "shoal/desired_t.hpp"
 #include "shoal/helm_command_t.hpp"
 #include "shoal/helm_state_t.hpp"
 #include "shoal/nav_t.hpp"
+#include "shoal/node_message_t.hpp"
 #include "shoal/node_report_t.hpp"
 #include "shoal/resend_t.hpp"
 #include "shoal/sim_command_t.hpp"
 #include "shoal/step_done_t.hpp"
 #include "shoal/tick_t.hpp"
 #include "shoal/unc_control_t.hpp"
+#include "shoal/unc_controls_req_t.hpp"
+#include "shoal/unc_controls_t.hpp"
 
 namespace shoal {
 
@@ -41,14 +48,24 @@ Channel<helm_state_t> HelmState(std::string_view vehicle);
 Channel<helm_command_t> HelmCommand(std::string_view vehicle);
 Channel<sim_command_t> SimCommand(std::string_view vehicle);
 Channel<node_report_t> NodeReport(std::string_view vehicle);
+Channel<node_message_t> NodeMessage(std::string_view vehicle);
+Channel<node_message_t> MediatedMessage(std::string_view vehicle);
+Channel<ack_message_t> AckMessageTo(std::string_view vehicle);
 
 // At the shore.
 Channel<helm_command_t> HelmCommandAll();
 Channel<node_report_t> NodeReportLocal();
 Channel<node_report_t> NodeReportFromOutside();
+Channel<node_message_t> NodeMessageLocal();
+Channel<node_message_t> NodeMessageFromOutside();
+Channel<ack_message_t> AckMessage();
+Channel<unc_control_t> Control(const ControlRow& row);
+Channel<unc_controls_t> UncControls();
+Channel<unc_controls_req_t> UncControlsReq();
+Channel<node_report_t> NodeReportUnc();
 Channel<comms_fates_t> CommsFates();
-Channel<unc_control_t> UncCommsRange();
-Channel<unc_control_t> UncStaleTime();
+Channel<comms_rules_t> CommsRules();
+Channel<comms_pulses_t> ViewCommsPulse();
 Channel<appcast_t> Appcast();
 
 // On the stepping ports.

@@ -115,8 +115,13 @@ bool LcmTransport::Poll(int64_t timeout_us, int extra_fd) {
   // Once more with no wait after each round, until nothing is left, or a flood must not starve the
   // caller's clock any longer.
   constexpr int kMaxRounds = 2000;
+  has_more_ = false;
   for (int round = 0; round < kMaxRounds; ++round) {
-    if (ppoll(descriptors.data(), descriptors.size(), &timeout, nullptr) <= 0) break;
+    has_more_ = round + 1 == kMaxRounds;
+    if (ppoll(descriptors.data(), descriptors.size(), &timeout, nullptr) <= 0) {
+      has_more_ = false;
+      break;
+    }
     bool handled = false;
     for (size_t i = 0; i < listening.size(); ++i) {
       if ((descriptors[i].revents & POLLIN) == 0) continue;
@@ -124,7 +129,10 @@ bool LcmTransport::Poll(int64_t timeout_us, int extra_fd) {
       handled = true;
     }
     if (extra_fd >= 0 && (descriptors.back().revents & POLLIN) != 0) extra_is_ready = true;
-    if (!handled) break;
+    if (!handled) {
+      has_more_ = false;
+      break;
+    }
     timeout = {.tv_sec = 0, .tv_nsec = 0};
   }
   return extra_is_ready;

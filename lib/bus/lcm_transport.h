@@ -35,6 +35,8 @@ class LcmTransport : public Transport {
   /// Waits at most `timeout_us` for datagrams (or for `extra_fd` to be readable, if not negative),
   /// then hands all that are there to the receiver. Returns true where `extra_fd` is readable.
   bool Poll(int64_t timeout_us, int extra_fd = -1);
+  /// True where the last Poll left datagrams for the next: a flood must not starve its caller.
+  bool has_more() const { return has_more_; }
 
   /// Empty, or why a port could not be opened, with what to try.
   const std::string& error() const { return error_; }
@@ -54,6 +56,7 @@ class LcmTransport : public Transport {
   std::function<bool(std::string_view)> drop_;
   std::vector<std::unique_ptr<Port>> ports_;  ///< In order of port number.
   std::string error_;
+  bool has_more_ = false;
 };
 
 }  // namespace shoal

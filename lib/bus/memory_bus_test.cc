@@ -18,9 +18,9 @@ TEST(MemoryBus, DeliversInTheNextStepAndNotBefore) {
   Bus& a = hub.Join("a");
   Bus& b = hub.Join("b");
   std::vector<double> heard;
-  Subscribe(b, channels::UncCommsRange(),
+  Subscribe(b, channels::Control(*FindControl("comms_range")),
             [&](const unc_control_t& m) { heard.push_back(m.value); });
-  Publish(a, channels::UncCommsRange(), Said(1));
+  Publish(a, channels::Control(*FindControl("comms_range")), Said(1));
   hub.HandleAll();
   EXPECT_TRUE(heard.empty());
   hub.NextStep();
@@ -43,10 +43,10 @@ TEST(MemoryBus, OrdersByChannelThenPublisherThenSequence) {
     heard += std::string(message.channel.substr(4)) + "/" + std::string(message.publisher) +
              std::to_string(static_cast<int>(said.value)) + " ";
   });
-  Publish(b, channels::UncStaleTime(), Said(1));
-  Publish(b, channels::UncCommsRange(), Said(2));
-  Publish(a, channels::UncStaleTime(), Said(3));
-  Publish(a, channels::UncStaleTime(), Said(4));
+  Publish(b, channels::Control(*FindControl("stale_time")), Said(1));
+  Publish(b, channels::Control(*FindControl("comms_range")), Said(2));
+  Publish(a, channels::Control(*FindControl("stale_time")), Said(3));
+  Publish(a, channels::Control(*FindControl("stale_time")), Said(4));
   hub.NextStep();
   hub.HandleAll();
   EXPECT_EQ(heard, "COMMS_RANGE/b2 STALE_TIME/a3 STALE_TIME/a4 STALE_TIME/b1 ");
@@ -56,8 +56,9 @@ TEST(MemoryBus, LetsAnAppHearItself) {
   MemoryBus hub;
   Bus& a = hub.Join("a");
   int heard = 0;
-  Subscribe(a, channels::UncCommsRange(), [&](const unc_control_t&) { ++heard; });
-  Publish(a, channels::UncCommsRange(), Said(1));
+  Subscribe(a, channels::Control(*FindControl("comms_range")),
+            [&](const unc_control_t&) { ++heard; });
+  Publish(a, channels::Control(*FindControl("comms_range")), Said(1));
   hub.NextStep();
   hub.HandleAll();
   EXPECT_EQ(heard, 1);
@@ -67,11 +68,12 @@ TEST(Bus, CountsWhatDoesNotDecodeAndGoesOn) {
   MemoryBus hub;
   Bus& a = hub.Join("a");
   int heard = 0;
-  Subscribe(a, channels::UncCommsRange(), [&](const unc_control_t&) { ++heard; });
+  Subscribe(a, channels::Control(*FindControl("comms_range")),
+            [&](const unc_control_t&) { ++heard; });
   const Bytes garbage = {1, 2, 3};
   a.PublishBytes("UNC_COMMS_RANGE", garbage);
   Publish(a, Channel<nav_t>{"UNC_COMMS_RANGE"}, nav_t{});
-  Publish(a, channels::UncCommsRange(), Said(1));
+  Publish(a, channels::Control(*FindControl("comms_range")), Said(1));
   hub.NextStep();
   hub.HandleAll();
   EXPECT_EQ(heard, 1);

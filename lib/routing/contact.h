@@ -3,22 +3,43 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <limits>
 #include <string>
+#include <vector>
+
+#include "lib/routing/fate.h"
+#include "lib/routing/rules.h"
 
 namespace shoal {
+
+/// The time of what has not happened.
+inline constexpr int64_t kNever = std::numeric_limits<int64_t>::min();
 
 /// Where one vehicle was when it last told us, and what became of what it said and should hear.
 struct Contact {
   std::string name;         ///< As the mission, or the vehicle itself at first, writes it.
-  std::string group;        ///< Empty: belongs to no group.
+  std::string key;          ///< VehicleKey(name).
+  std::string group_key;    ///< Its group in lower case; empty: belongs to no group.
   int32_t index = 0;        ///< Its place among the router's contacts.
+  int32_t rank = 0;         ///< Its place in the order of keys.
   bool of_mission = false;  ///< Has its place kept whatever strangers do.
   bool known = false;       ///< False: not heard of yet, or forgotten.
+  LinkFactors factors;      ///< Kept when it is forgotten.
+
   Eigen::Vector3d position_m = Eigen::Vector3d::Zero();  ///< x East, y North, z down.
   int64_t received_utime = 0;  ///< Of its last report, by our clock; staleness counts from here.
-  int64_t num_reports = 0;     ///< That it sent, refused ones included; the next one's number.
-  int64_t num_admitted = 0;    ///< Of these, the ones that were not refused.
-  int64_t num_heard = 0;       ///< Reports delivered to it.
+  int64_t message_utime = kNever;  ///< Of its last message that was not too soon.
+
+  /// When a report of this vehicle was last delivered, by index of the receiver; may be shorter.
+  std::vector<int64_t> delivered_utime;
+  /// Whose next report this vehicle receives whatever the rules say, by index; may be shorter.
+  std::vector<uint8_t> wants_report_of;
+  int32_t num_wanted = 0;  ///< How many of these.
+
+  std::array<int64_t, kNumKinds> num_sent = {};  ///< Transmissions; the next one's number.
+  int64_t num_admitted = 0;                      ///< Reports that were not refused.
+  KindCounts sent = {};                          ///< Fates of what it sent.
+  KindCounts heard = {};                         ///< Fates of what it was to hear.
 };
 
 }  // namespace shoal

@@ -2,20 +2,22 @@
 
 namespace shoal {
 
+std::string_view KindText(Kind kind) {
+  constexpr std::array<std::string_view, kNumKinds> kTexts = {"report", "message", "ack"};
+  return kTexts.at(static_cast<size_t>(kind));
+}
+
 std::string_view CauseText(Cause cause) {
-  switch (cause) {
-    case Cause::kDelivered:
-      return "delivered";
-    case Cause::kInvalid:
-      return "invalid";
-    case Cause::kTooManyVehicles:
-      return "too_many_vehicles";
-    case Cause::kStaleReceiver:
-      return "stale_receiver";
-    case Cause::kOutOfRange:
-      return "out_of_range";
-  }
-  return "unknown";
+  constexpr std::array<std::string_view, kNumCauses> kTexts = {
+      "delivered",   "invalid",        "too_many_vehicles", "ignored_group",  "too_soon",
+      "too_long",    "unknown_source", "stale_source",      "no_destination", "unknown_destination",
+      "other_group", "stale_receiver", "out_of_range",      "dropped"};
+  return kTexts.at(static_cast<size_t>(cause));
+}
+
+std::string_view OverrideText(OverrideRule override_rule) {
+  constexpr std::array<std::string_view, 3> kTexts = {"", "critical_range", "full_report"};
+  return kTexts.at(static_cast<size_t>(override_rule));
 }
 
 }  // namespace shoal

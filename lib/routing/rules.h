@@ -1,14 +1,45 @@
 // The broker's rules as data, under the names of the node-comms manual.
 #pragma once
 
+#include <cstdint>
+#include <string>
+
 namespace shoal {
 
 struct RoutingRules {
-  double comms_range_m = 100;   ///< `comms_range`; negative: no limit, 0: nothing passes.
-  double stale_time_s = 5;      ///< `stale_time`; negative: never stale.
-  double stale_forget_s = 100;  ///< `stale_forget_s`; default 20 x stale_time; negative: never.
+  // Who hears whom.
+  double comms_range_m = 100;      ///< `comms_range`; negative: no limit, 0: nothing passes.
+  double critical_range_m = 30;    ///< `critical_range`; closer than this, reports get through.
+  double stale_time_s = 5;         ///< `stale_time`; negative: never stale.
+  double stale_forget_s = 100;     ///< `stale_forget_s`; default 20 x stale_time; negative: never.
+  bool groups = false;             ///< Reports only within a group.
+  bool msg_groups = false;         ///< Messages only within a group.
+  std::string ignore_group = {};   ///< Reports of this group are ignored; empty: of none.
+  double min_rpt_interval_s = -1;  ///< `min_rpt_interval`, per ordered pair; negative: none.
+  double min_msg_interval_s = 30;  ///< `min_msg_interval`, per source; negative: none.
+  int64_t max_msg_length_bytes = 1000;  ///< `max_msg_length`, of string_val; 0: no limit.
+  double drop_percentage = 0;           ///< 0 to 100: so many deliveries are lost at random.
+
+  // What is shown of it.
+  double shared_node_reports_s = -1;  ///< `shared_node_reports`: wall seconds; negative: off.
+  double pulse_duration_s = 10;       ///< `pulse_duration`; 0: no pulses.
+  bool view_node_rpt_pulses = true;   ///< Pulses of reports too, not only of messages.
+  std::string msg_color = "white";
+  std::string msg_repeat_color = "light_green";
+  int64_t each_fate_up_to = 200;  ///< With more known vehicles, far ones are counted together.
 
   bool operator==(const RoutingRules&) const = default;
 };
+
+/// What one vehicle is given or takes: section 3 of the manual.
+struct LinkFactors {
+  double stealth = 1;  ///< [0, 1]: as a source, it is heard within comms_range x stealth.
+  double earange = 1;  ///< [1, 10]: as a receiver, it hears within comms_range x earange.
+
+  bool operator==(const LinkFactors&) const = default;
+};
+
+/// `shared_node_reports = true` stands for this.
+inline constexpr double kSharedReportsInterval_s = 0.1;
 
 }  // namespace shoal

@@ -1,0 +1,157 @@
+// Router: node messages and their acks.
+#include <algorithm>
+
+#include "lib/routing/router.h"
+#include "lib/routing/vehicle_name.h"
+
+namespace shoal {
+
+namespace {
+
+Decision Refusal(Cause cause) {
+  Decision decision;
+  decision.cause = cause;
+  return decision;
+}
+
+}  // namespace
+
+void Router::RouteMessage(const MessageFacts& message, int64_t utime,
+                          std::vector<Decision>* decisions,
+                          std::vector<std::string>* unknown_names) {
+  const Destinations named = ParseDestinations(message.dest_node);
+  const bool is_addressed = named.all || !named.names.empty() || !message.dest_group.empty();
+  const bool has_name = IsLegalVehicleName(message.source);
+  const auto refuse_at_intake = [&](Cause cause, Contact* source) {
+    Decision decision = Refusal(cause);
+    decision.kind = Kind::kMessage;
+    decision.number = TakeNumber(Kind::kMessage, source);
+    Record(decision, source, nullptr, decisions);
+  };
+  if (!message.is_sound || !has_name || !is_addressed || named.too_many) {
+    return refuse_at_intake(Cause::kInvalid, has_name ? Find(message.source) : nullptr);
+  }
+  Contact* source = FindOrAdd(message.source);
+  if (source == nullptr) return refuse_at_intake(Cause::kTooManyVehicles, nullptr);
+
+  const Audience audience = Resolve(named, message.dest_group, *source);
+  const Transmission sent =
+      MakeTransmission(Kind::kMessage, TakeNumber(Kind::kMessage, source), *source);
+  const std::optional<Decision> refusal = RefuseMessage(message.length_bytes, source, utime);
+  const size_t begin = decisions->size();
+  DecideMessageAt(sent, refusal, audience, source, utime, decisions, unknown_names);
+  for (size_t i = begin; i < decisions->size(); ++i) {
+    Decision& decision = (*decisions)[i];
+    if (decision.cause == Cause::kTooSoon) continue;  // The length was not asked yet.
+    decision.length_bytes = message.length_bytes;
+    if (rules_.max_msg_length_bytes > 0) decision.length_limit_bytes = rules_.max_msg_length_bytes;
+  }
+}
+
+void Router::RouteAck(const AckFacts& ack, int64_t utime, std::vector<Decision>* decisions,
+                      std::vector<std::string>* unknown_names) {
+  const bool has_name = IsLegalVehicleName(ack.source);
+  Contact* source = has_name ? Find(ack.source) : nullptr;
+  const Contact nobody;
+  const Transmission sent = MakeTransmission(Kind::kAck, TakeNumber(Kind::kAck, source),
+                                             source == nullptr ? nobody : *source);
+
+  const bool to_itself = VehicleKey(ack.source) == VehicleKey(ack.destination);
+  if (!ack.is_sound || !has_name || to_itself || !IsLegalVehicleName(ack.destination)) {
+    Decision decision = Refusal(Cause::kInvalid);
+    decision.kind = Kind::kAck;
+    decision.number = sent.number;
+    return Record(decision, source, nullptr, decisions);
+  }
+  Audience audience;
+  if (Contact* receiver = Find(ack.destination)) {
+    audience.contacts.push_back(receiver);
+  } else {
+    audience.names.emplace_back(ack.destination);
+  }
+  const std::optional<Decision> refusal =
+      source == nullptr ? Refusal(Cause::kUnknownSource) : RefuseSource(*source, utime);
+  DecideMessageAt(sent, refusal, audience, source, utime, decisions, unknown_names);
+}
+
+Router::Audience Router::Resolve(const Destinations& named, std::string_view dest_group,
+                                 const Contact& source) {
+  Audience audience;
+  const std::string group_key = VehicleKey(dest_group);
+  const bool to_all = named.all || group_key == "all";
+  for (Contact* contact : by_rank_) {
+    const bool is_meant = to_all || (!group_key.empty() && contact->group_key == group_key);
+    if (contact->known && is_meant) audience.contacts.push_back(contact);
+  }
+  for (const std::string& name : named.names) {
+    if (Contact* contact = Find(name)) {
+      audience.contacts.push_back(contact);
+    } else {
+      audience.names.push_back(name);
+    }
+  }
+  std::erase(audience.contacts, &source);
+  std::sort(audience.contacts.begin(), audience.contacts.end(),
+            [](const Contact* a, const Contact* b) { return a->rank < b->rank; });
+  audience.contacts.erase(std::unique(audience.contacts.begin(), audience.contacts.end()),
+                          audience.contacts.end());
+  return audience;
+}
+
+/// Returns what stops a message before anybody asks for whom it is.
+std::optional<Decision> Router::RefuseMessage(int64_t length_bytes, Contact* source,
+                                              int64_t utime) {
+  if (source->message_utime != kNever) {
+    const double elapsed_s = SecondsBetween(source->message_utime, utime);
+    if (elapsed_s < rules_.min_msg_interval_s) {
+      Decision decision = Refusal(Cause::kTooSoon);
+      decision.wait_s = rules_.min_msg_interval_s - elapsed_s;
+      return decision;
+    }
+  }
+  source->message_utime = utime;
+  if (rules_.max_msg_length_bytes > 0 && length_bytes > rules_.max_msg_length_bytes) {
+    return Refusal(Cause::kTooLong);
+  }
+  return RefuseSource(*source, utime);
+}
+
+std::optional<Decision> Router::RefuseSource(const Contact& source, int64_t utime) const {
+  if (!source.known) return Refusal(Cause::kUnknownSource);
+  if (!IsStale(rules_, source.received_utime, utime)) return std::nullopt;
+  Decision decision = Refusal(Cause::kStaleSource);
+  decision.age_s = SecondsBetween(source.received_utime, utime);
+  decision.age_limit_s = rules_.stale_time_s;
+  return decision;
+}
+
+void Router::DecideMessageAt(const Transmission& message, const std::optional<Decision>& refusal,
+                             const Audience& audience, Contact* source, int64_t utime,
+                             std::vector<Decision>* decisions,
+                             std::vector<std::string>* unknown_names) {
+  const auto record = [&](Decision decision, Contact* receiver) {
+    decision.kind = message.kind;
+    decision.number = message.number;
+    Record(decision, source, receiver, decisions);
+  };
+  for (Contact* receiver : audience.contacts) {
+    if (refusal) {
+      record(*refusal, receiver);
+    } else if (!receiver->known) {
+      record(Refusal(Cause::kUnknownDestination), receiver);
+    } else {
+      record(DecideMessage(rules_, message, *receiver, utime), receiver);
+    }
+  }
+  for (const std::string& name : audience.names) {
+    Decision decision = refusal.value_or(Refusal(Cause::kUnknownDestination));
+    decision.unknown_name = static_cast<int32_t>(unknown_names->size());
+    unknown_names->push_back(name);
+    record(decision, nullptr);
+  }
+  if (audience.contacts.empty() && audience.names.empty()) {
+    record(refusal.value_or(Refusal(Cause::kNoDestination)), nullptr);
+  }
+}
+
+}  // namespace shoal
