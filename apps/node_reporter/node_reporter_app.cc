@@ -37,6 +37,7 @@ NodeReporterApp::NodeReporterApp(const Mission& mission, const Vehicle& vehicle,
       start_utime_(mission.start_utime),
       blackout_stream_(StreamKey(mission.seed, "blackout").With(vehicle.name)),
       schedule_(options_.rate_hz, mission.start_utime, mission.tick_us),
+      mediator_(vehicle.name, vehicle.message_options, bus, &log_),
       now_utime_(mission.start_utime),
       silent_until_utime_(mission.start_utime) {
   report_.name = vehicle.name;
@@ -81,7 +82,11 @@ void NodeReporterApp::Tick(int64_t utime) {
   if (nav_is_new_) nav_utime_ = utime;
   if (helm_is_new_) helm_utime_ = utime;
   nav_is_new_ = helm_is_new_ = false;
+  mediator_.Tick(utime);
+  Report(utime);
+}
 
+void NodeReporterApp::Report(int64_t utime) {
   const bool has_nav = HasFreshNav(utime);
   if (!schedule_.IsDue(utime)) return;
   if (!has_nav) {
@@ -175,7 +180,14 @@ StatusPage NodeReporterApp::Status() const {
       "    Skipped in blackout: {}\n"
       "    Skipped as foretold: {}\n"
       "    NAV with impossible numbers: {}\n"
-      "    Undecodable messages: {}\n",
+      "\nMessages to be acknowledged: {}\n"
+      "    Acknowledged: {}\n"
+      "    Waiting: {}\n"
+      "    Given up: {}\n"
+      "    Refused: {}\n"
+      "    Repeats: {}\n"
+      "Acks of others' messages: {}\n"
+      "\nUndecodable messages: {}\n",
       name_, report_.type, report_.group.empty() ? "(none)" : report_.group, report_.color,
       report_.length_m, options_.rate_hz, options_.blackout_interval_s,
       options_.blackout_variance_s,
@@ -185,7 +197,10 @@ StatusPage NodeReporterApp::Status() const {
                         options_.extrap_max_gap_s)
           : std::string("off"),
       age(nav_utime_), age(helm_utime_), Mode(now_utime_), num_sent_, num_without_nav_,
-      num_blacked_out_, num_foretold_, num_bad_nav_, bus_.counters().undecodable);
+      num_blacked_out_, num_foretold_, num_bad_nav_, mediator_.counters().given,
+      mediator_.counters().acknowledged, mediator_.num_waiting(), mediator_.counters().given_up,
+      mediator_.counters().refused, mediator_.counters().repeats, mediator_.counters().acks_said,
+      bus_.counters().undecodable);
   log_.AppendTo(&page);
   return page;
 }

@@ -1,4 +1,5 @@
 // Tells the others about one vehicle. Hears NAV_<V> and HELM_STATE_<V>; says NODE_REPORT_LOCAL.
+// Acknowledges the messages that the vehicle hears, and repeats its own (mediator.h).
 //
 // No report goes out before the first NAV, nor while NAV is older than 2 s. After the grace period
 // missing NAV is a run warning, taken back when NAV is there again.
@@ -9,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "apps/node_reporter/mediator.h"
 #include "apps/node_reporter/report_schedule.h"
 #include "lib/bus/bus.h"
 #include "lib/bus/channels.h"
@@ -28,6 +30,7 @@ class NodeReporterApp : public App {
 
  private:
   void TakeNav(const nav_t& nav);
+  void Report(int64_t utime);
   bool HasFreshNav(int64_t utime);
   void FillReport(int64_t utime);
   std::string Mode(int64_t utime) const;
@@ -42,6 +45,7 @@ class NodeReporterApp : public App {
   const Channel<node_report_t> channel_ = channels::NodeReportLocal();
   ReportSchedule schedule_;
   StatusLog log_;
+  Mediator mediator_;
 
   nav_t nav_ = {};
   bool nav_is_new_ = false;           ///< Came since the last step.

@@ -3,8 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <numeric>
+#include <span>
 
 #include "lib/bus/channels.h"
+#include "lib/routing/control.h"
 #include "lib/routing/decide.h"
 
 namespace shoal {
@@ -12,57 +16,102 @@ namespace shoal {
 namespace {
 
 constexpr int kMaxRows = 200;  ///< Of each list; the totals above it always count everybody.
+constexpr std::string_view kRule = "    ------------------\n";
+
+/// What the manual's page calls a cause, or nearly: it knows fewer.
+struct CauseLabel {
+  Cause cause;
+  std::string_view label;
+};
+
+constexpr std::array kReportCauses = {
+    CauseLabel{Cause::kInvalid, "Invalid"},
+    CauseLabel{Cause::kTooManyVehicles, "Too Many Vehicles"},
+    CauseLabel{Cause::kIgnoredGroup, "Ignored Group"},
+    CauseLabel{Cause::kStaleReceiver, "Stale Receiver"},
+    CauseLabel{Cause::kOutOfRange, "Range Too Far"},
+    CauseLabel{Cause::kOtherGroup, "Other Group"},
+    CauseLabel{Cause::kDropped, "Dropped"},
+    CauseLabel{Cause::kTooSoon, "Too Recent"},
+};
+
+constexpr std::array kMessageCauses = {
+    CauseLabel{Cause::kInvalid, "Invalid"},
+    CauseLabel{Cause::kTooManyVehicles, "Too Many Vehicles"},
+    CauseLabel{Cause::kUnknownSource, "Missing Info (source)"},
+    CauseLabel{Cause::kStaleSource, "Stale Source"},
+    CauseLabel{Cause::kNoDestination, "No Destination"},
+    CauseLabel{Cause::kUnknownDestination, "Missing Info (destination)"},
+    CauseLabel{Cause::kStaleReceiver, "Stale Receiver"},
+    CauseLabel{Cause::kTooSoon, "Too Recent"},
+    CauseLabel{Cause::kTooLong, "Msg Too Long"},
+    CauseLabel{Cause::kOutOfRange, "Range Too Far"},
+    CauseLabel{Cause::kOtherGroup, "Other Group"},
+    CauseLabel{Cause::kDropped, "Dropped"},
+};
 
 std::string Limit(double value, std::string_view negative) {
   return value < 0 ? std::string(negative) : fmt::format("{:g}", value);
-}
-
-double Seconds(int64_t earlier_utime, int64_t later_utime) {
-  return static_cast<double>(later_utime - earlier_utime) / 1e6;
 }
 
 /// Calls `row` for the first contacts that `wanted` picks, and says how many more there are.
 template <class Wanted, class Row>
 void AppendRows(const Router& router, Wanted wanted, Row row, std::string* text) {
   int num_rows = 0;
-  for (const auto& [key, contact] : router.contacts()) {
-    if (wanted(contact) && ++num_rows <= kMaxRows) *text += row(contact);
+  for (const Contact* contact : router.contacts()) {
+    if (wanted(*contact) && ++num_rows <= kMaxRows) *text += row(*contact);
   }
   if (num_rows > kMaxRows) *text += fmt::format("        (and {} more)\n", num_rows - kMaxRows);
 }
 
-}  // namespace
-
-std::string FormatBrokerPage(const Router& router, const BrokerPageFacts& facts) {
+std::string Configuration(const Router& router) {
   const RoutingRules& rules = router.rules();
-  const auto count = [&](Cause cause) { return router.counts()[static_cast<size_t>(cause)]; };
-  const double elapsed_s = Seconds(facts.start_utime, facts.now_utime);
-
-  const int64_t num_refused = count(Cause::kInvalid) + count(Cause::kTooManyVehicles);
-  int num_stale = 0;
-  for (const auto& [key, contact] : router.contacts()) {
-    if (contact.known && IsStale(rules, contact.received_utime, facts.now_utime)) ++num_stale;
+  std::string shared = "false";
+  if (rules.shared_node_reports_s >= 0) {
+    shared = fmt::format("true ({:g})", rules.shared_node_reports_s);
   }
-
   std::string text = fmt::format(
       "Configuration:\n"
       "    Comms Range: {}\n"
+      "    Critical Range: {:g}\n"
       "    Stale Drop: {}\n"
       "    Stale Forget: {}\n"
-      "\nNode Report Summary\n"
-      "======================================\n",
-      Limit(rules.comms_range_m, "nolimit"), Limit(rules.stale_time_s, "never"),
-      Limit(rules.stale_forget_s, "never"));
+      "    Max Message Len: {}\n"
+      "    Min Message Int: {}\n"
+      "    Min Report Int: {}\n"
+      "    Apply Group: {}\n"
+      "    Apply Msg Group: {}\n"
+      "    Drop Percentage: {:g}\n"
+      "    Share Reports: {}\n",
+      Limit(rules.comms_range_m, "nolimit"), rules.critical_range_m,
+      Limit(rules.stale_time_s, "never"), Limit(rules.stale_forget_s, "never"),
+      rules.max_msg_length_bytes == 0 ? "nolimit" : fmt::format("{}", rules.max_msg_length_bytes),
+      Limit(rules.min_msg_interval_s, "off"), Limit(rules.min_rpt_interval_s, "off"), rules.groups,
+      rules.msg_groups, rules.drop_percentage, shared);
+  if (!rules.ignore_group.empty()) {
+    text += fmt::format("    Ignore Group: {}\n", rules.ignore_group);
+  }
+  AppendRows(
+      router, [](const Contact& contact) { return contact.factors != LinkFactors(); },
+      [](const Contact& contact) {
+        return fmt::format("    {}: stealth {:g}, earange {:g}\n", UpperCase(contact.name),
+                           contact.factors.stealth, contact.factors.earange);
+      },
+      &text);
+  return text;
+}
 
-  text += fmt::format("    {:<26}{:>10}{:>10}\n",
-                      fmt::format("Total Received: {}", router.num_admitted() + num_refused),
-                      "Elapsed", "Rate");
+std::string ReceivedReports(const Router& router, const BrokerPageFacts& facts) {
+  const double elapsed_s = SecondsBetween(facts.start_utime, facts.now_utime);
+  std::string text = fmt::format(
+      "    {:<26}{:>10}{:>10}\n",
+      fmt::format("Total Received: {}", router.num_offered(Kind::kReport)), "Elapsed", "Rate");
   AppendRows(
       router, [](const Contact& contact) { return contact.num_admitted > 0; },
       [&](const Contact& contact) {
         const std::string age =
             contact.known
-                ? fmt::format("({:.1f})", Seconds(contact.received_utime, facts.now_utime))
+                ? fmt::format("({:.1f})", SecondsBetween(contact.received_utime, facts.now_utime))
                 : "(forgotten)";
         const double rate =
             elapsed_s > 0 ? static_cast<double>(contact.num_admitted) / elapsed_s : 0;
@@ -71,31 +120,83 @@ std::string FormatBrokerPage(const Router& router, const BrokerPageFacts& facts)
                            age, fmt::format("[{:.2f}]", rate));
       },
       &text);
+  return text;
+}
 
-  text += fmt::format("    ------------------\n    Total Sent: {}\n", count(Cause::kDelivered));
+std::string ReceivedMessages(const Router& router, Kind kind, std::string_view what,
+                             const BrokerPageFacts& facts) {
+  const auto place = static_cast<size_t>(kind);
+  std::string text = fmt::format("    Total {} Received: {}\n", what, router.num_offered(kind));
   AppendRows(
-      router, [](const Contact& contact) { return contact.num_heard > 0; },
-      [](const Contact& contact) {
-        return fmt::format("        {}: {}\n", UpperCase(contact.name), contact.num_heard);
+      router, [&](const Contact& contact) { return contact.num_sent[place] > 0; },
+      [&](const Contact& contact) {
+        const std::string age =
+            kind == Kind::kMessage && contact.message_utime != kNever
+                ? fmt::format("    ({:.1f})",
+                              SecondsBetween(contact.message_utime, facts.now_utime))
+                : "";
+        return fmt::format("        {}: {}{}\n", UpperCase(contact.name), contact.num_sent[place],
+                           age);
       },
       &text);
+  return text;
+}
+
+std::string Sent(const Router& router, Kind kind) {
+  const auto place = static_cast<size_t>(kind);
+  constexpr auto kDelivered = static_cast<size_t>(Cause::kDelivered);
+  std::string text = fmt::format("    Total Sent: {}\n", router.counts(kind)[kDelivered]);
+  AppendRows(
+      router, [&](const Contact& contact) { return contact.heard[place][kDelivered] > 0; },
+      [&](const Contact& contact) {
+        return fmt::format("        {}: {}\n", UpperCase(contact.name),
+                           contact.heard[place][kDelivered]);
+      },
+      &text);
+  return text;
+}
+
+std::string Blocked(const Router& router, Kind kind, std::string_view what,
+                    std::span<const CauseLabel> labels) {
+  const CauseCounts& counts = router.counts(kind);
+  const int64_t total = std::accumulate(counts.begin(), counts.end(), int64_t{0}) -
+                        counts[static_cast<size_t>(Cause::kDelivered)];
+  std::string text = fmt::format("    Total Blocked {}: {}\n", what, total);
+  for (const auto& [cause, label] : labels) {
+    text += fmt::format("        {}: {}\n", label, counts[static_cast<size_t>(cause)]);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string FormatBrokerPage(const Router& router, const BrokerPageFacts& facts) {
+  constexpr std::string_view kDoubleRule = "======================================\n";
+  std::string text = Configuration(router);
+  text += fmt::format("\nNode Report Summary\n{}", kDoubleRule);
+  text += ReceivedReports(router, facts);
+  text += fmt::format("{}{}", kRule, Sent(router, Kind::kReport));
+  text += fmt::format("{}    Known Vehicles: {}\n    Stale Vehicles: {}\n", kRule,
+                      router.num_known(), router.NumStale(facts.now_utime));
+  text += fmt::format("{}{}", kRule, Blocked(router, Kind::kReport, "Reports", kReportCauses));
+
+  text += fmt::format("\nNode Message Summary\n{}", kDoubleRule);
+  text += ReceivedMessages(router, Kind::kMessage, "Msgs", facts);
+  text += fmt::format("{}{}", kRule, Sent(router, Kind::kMessage));
+  text += fmt::format("{}{}", kRule, Blocked(router, Kind::kMessage, "Msgs", kMessageCauses));
+
+  if (router.num_offered(Kind::kAck) > 0) {
+    text += fmt::format("\nAck Summary\n{}", kDoubleRule);
+    text += ReceivedMessages(router, Kind::kAck, "Acks", facts);
+    text += fmt::format("{}{}", kRule, Sent(router, Kind::kAck));
+    text += fmt::format("{}{}", kRule, Blocked(router, Kind::kAck, "Acks", kMessageCauses));
+  }
 
   text += fmt::format(
-      "    ------------------\n"
-      "    Known Vehicles: {}\n"
-      "    Stale Vehicles: {}\n"
-      "    ------------------\n"
-      "    Total Blocked Reports: {}\n"
-      "        Invalid: {}\n"
-      "        Too Many Vehicles: {}\n"
-      "        Stale Receiver: {}\n"
-      "        Range Too Far: {}\n"
-      "    Undecodable Messages: {}\n"
-      "    Helm Commands Handed On: {}\n",
-      router.num_known(), num_stale,
-      num_refused + count(Cause::kStaleReceiver) + count(Cause::kOutOfRange),
-      count(Cause::kInvalid), count(Cause::kTooManyVehicles), count(Cause::kStaleReceiver),
-      count(Cause::kOutOfRange), facts.num_undecodable, facts.num_commands_handed_on);
+      "\nReports Shared (NODE_REPORT_UNC): {}\n"
+      "Undecodable Messages: {}\n"
+      "Helm Commands Handed On: {}\n",
+      facts.num_shared, facts.num_undecodable, facts.num_commands_handed_on);
   return text;
 }
 

@@ -13,10 +13,12 @@ struct BrokerPageFacts {
   int64_t start_utime = 0;  ///< Of the broker's first step; rates count from here.
   int64_t now_utime = 0;
   int64_t num_commands_handed_on = 0;
+  int64_t num_shared = 0;  ///< Reports on NODE_REPORT_UNC.
   int64_t num_undecodable = 0;
 };
 
-/// Returns configuration, reports received and sent, stale vehicles, and blocked reports by cause.
+/// Returns configuration; of reports, messages and acks: how many were received, sent, and blocked
+/// by which cause; and the vehicles that are known and stale.
 [[nodiscard]] std::string FormatBrokerPage(const Router& router, const BrokerPageFacts& facts);
 
 }  // namespace shoal

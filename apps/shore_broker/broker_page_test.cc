@@ -8,7 +8,11 @@ namespace shoal {
 namespace {
 
 TEST(BrokerPage, SpellsOutRulesThatAreOff) {
-  const Router router({.comms_range_m = -1, .stale_time_s = -1, .stale_forget_s = -1}, {});
+  RoutingRules rules;
+  rules.comms_range_m = -1;
+  rules.stale_time_s = -1;
+  rules.stale_forget_s = -1;
+  const Router router(rules, 1, {});
   const std::string page = FormatBrokerPage(router, {});
   EXPECT_NE(page.find("Comms Range: nolimit\n"), std::string::npos);
   EXPECT_NE(page.find("Stale Drop: never\n"), std::string::npos);
@@ -16,7 +20,7 @@ TEST(BrokerPage, SpellsOutRulesThatAreOff) {
 }
 
 TEST(BrokerPage, ShowsSomeOfAFloodOfNamesAndCountsAll) {
-  Router router({}, {});
+  Router router({}, 1, {});
   for (int i = 0; i < Router::kMaxStrangers + 5; ++i) {
     router.Admit({.name = "nemo" + std::to_string(i), .group = ""}, 0);
   }
@@ -28,7 +32,9 @@ TEST(BrokerPage, ShowsSomeOfAFloodOfNamesAndCountsAll) {
 }
 
 TEST(BrokerPage, MarksAForgottenVehicle) {
-  Router router({.stale_forget_s = 10}, {});
+  RoutingRules rules;
+  rules.stale_forget_s = 10;
+  Router router(rules, 1, {});
   router.Admit({.name = "nemo", .group = ""}, 0);
   router.ForgetSilent(10'000'000);
   EXPECT_NE(FormatBrokerPage(router, {.now_utime = 10'000'000}).find("(forgotten)"),

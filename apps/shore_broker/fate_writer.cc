@@ -5,21 +5,27 @@ namespace shoal {
 FateWriter::FateWriter(Bus& bus) : bus_(bus) {
   message_.num_fates = 0;
   message_.fates.resize(kMaxFatesPerMessage);
-  for (fate_t& fate : message_.fates) fate.kind = "report";
 }
 
 void FateWriter::Add(int64_t utime, const Decision& decision, std::string_view source,
                      std::string_view destination) {
   if (message_.num_fates == kMaxFatesPerMessage) Flush(utime);
   fate_t& fate = message_.fates[static_cast<size_t>(message_.num_fates++)];
+  fate.kind = KindText(decision.kind);
   fate.source = source;
-  fate.destination = destination;
+  fate.destination = decision.destination == kOthers ? "*" : destination;
+  fate.count = decision.count;
   fate.number = decision.number;
   fate.cause = CauseText(decision.cause);
+  fate.override_rule = OverrideText(decision.override_rule);
   fate.range_m = decision.range_m;
   fate.limit_m = decision.limit_m;
   fate.age_s = decision.age_s;
   fate.age_limit_s = decision.age_limit_s;
+  fate.wait_s = decision.wait_s;
+  fate.loss_pct = decision.loss_pct;
+  fate.length_bytes = static_cast<int32_t>(decision.length_bytes);
+  fate.length_limit_bytes = static_cast<int32_t>(decision.length_limit_bytes);
 }
 
 void FateWriter::Flush(int64_t utime) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <string_view>
 
 #include "lib/bus/bus.h"
@@ -12,12 +13,14 @@ namespace shoal {
 
 class FateWriter {
  public:
-  /// More than this would make a message that LCM has to cut into hundreds of datagrams.
-  static constexpr int32_t kMaxFatesPerMessage = 1000;
+  /// Fits one datagram (64 KB) where names are of common length: LCM loses a message that it had to
+  /// cut with any of its datagrams.
+  static constexpr int32_t kMaxFatesPerMessage = 400;
 
   explicit FateWriter(Bus& bus);
 
-  /// Adds one fate of a node report; publishes when the message is full.
+  /// Adds one fate; publishes when the message is full. `destination` is not asked for where the
+  /// decision counts several together.
   void Add(int64_t utime, const Decision& decision, std::string_view source,
            std::string_view destination);
 

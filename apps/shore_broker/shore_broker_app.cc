@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "apps/shore_broker/apply_control.h"
 #include "apps/shore_broker/broker_page.h"
 #include "lib/routing/vehicle_name.h"
 
@@ -12,11 +13,11 @@ namespace shoal {
 
 namespace {
 
-std::vector<std::string> NamesOf(const std::vector<Vehicle>& vehicles) {
-  std::vector<std::string> names;
-  for (const Vehicle& vehicle : vehicles) names.push_back(vehicle.name);
-  return names;
-}
+/// A step for the question, one for the answer; the rest is for a launcher that is slow.
+constexpr double kHold_s = 1;
+/// `--warp max`, for those who watch: such missions run some 100 times as fast as real time.
+constexpr double kMaxWarp = 100;
+constexpr size_t kAcksRemembered = 1000;
 
 bool AllNumbersAreFinite(const node_report_t& report) {
   for (const double number :
@@ -28,50 +29,117 @@ bool AllNumbersAreFinite(const node_report_t& report) {
   return true;
 }
 
+/// Returns what makes a message meaningless; empty: nothing.
+std::string_view ProblemOf(const node_message_t& message) {
+  if (!IsLegalVehicleName(message.src_node)) return "src_node is no vehicle's name";
+  if (message.dest_node.empty() && message.dest_group.empty()) {
+    return "neither dest_node nor dest_group";
+  }
+  if (message.var_name.empty()) return "no var_name";
+  if (message.is_double != 0 && !message.string_val.empty()) {
+    return "both string_val and double_val";
+  }
+  if (message.is_double != 0 && !std::isfinite(message.double_val)) {
+    return "double_val is not a finite number";
+  }
+  if (message.ack_requested != 0 && message.ack_id.empty()) return "ack_requested without ack_id";
+  return {};
+}
+
 }  // namespace
 
-ShoreBrokerApp::ShoreBrokerApp(const Mission& mission, Bus& bus)
-    : bus_(bus), router_(mission.comms, NamesOf(mission.vehicles)), fates_(bus) {
+ShoreBrokerApp::ShoreBrokerApp(BrokerSetup setup, Bus& bus)
+    : setup_(std::move(setup)),
+      bus_(bus),
+      router_(setup_.rules, setup_.seed, setup_.vehicles),
+      fates_(bus),
+      pulses_(bus),
+      warp_(kMaxWarp) {
+  for (const auto& [name, factors] : setup_.factors) router_.SetFactors(name, factors);
+
   const auto keep_report = [this](bool from_outside) {
     return [this, from_outside](const Message& message) {
-      reports_.push_back({.raw = Keep(message), .from_outside = from_outside});
+      reports_.push_back({.raw = Keep(message, from_outside)});
     };
   };
   bus.SubscribeBytes(channels::NodeReportLocal().name, keep_report(false));
   bus.SubscribeBytes(channels::NodeReportFromOutside().name, keep_report(true));
-
-  const auto keep_control = [this](double RoutingRules::*rule) {
-    return [this, rule](const unc_control_t& control) {
-      controls_.push_back({.rule = rule, .control = control});
+  const auto keep = [this](std::vector<Waiting>* list, bool from_outside) {
+    return [this, list, from_outside](const Message& message) {
+      list->push_back(Keep(message, from_outside));
     };
   };
-  Subscribe(bus, channels::UncCommsRange(), keep_control(&RoutingRules::comms_range_m));
-  Subscribe(bus, channels::UncStaleTime(), keep_control(&RoutingRules::stale_time_s));
-
-  bus.SubscribeBytes(channels::HelmCommandAll().name,
-                     [this](const Message& message) { commands_.push_back(Keep(message)); });
+  bus.SubscribeBytes(channels::NodeMessageLocal().name, keep(&messages_, false));
+  bus.SubscribeBytes(channels::NodeMessageFromOutside().name, keep(&messages_, true));
+  bus.SubscribeBytes(channels::AckMessage().name, keep(&acks_, false));
+  bus.SubscribeBytes(channels::HelmCommandAll().name, keep(&commands_, false));
+  for (const ControlRow& row : ControlTable()) {
+    Subscribe(bus, channels::Control(row), [this, &row](const unc_control_t& control) {
+      controls_.push_back({.row = &row, .control = control});
+    });
+  }
+  Subscribe(bus, channels::UncControls(),
+            [this](const unc_controls_t& controls) { kept_controls_ = controls; });
 }
+
+void ShoreBrokerApp::OnWarp(double warp) { warp_ = warp > 0 ? warp : kMaxWarp; }
 
 void ShoreBrokerApp::Tick(int64_t utime) {
   now_utime_ = utime;
-  if (!started_) start_utime_ = utime;
-  started_ = true;
-
-  for (const WaitingControl& waiting : controls_) ApplyControl(utime, waiting);
+  if (!began_) Begin(utime);
   HandOnCommands(utime);
+  if (Holds(utime)) return;
+
+  ApplyControls(utime);
   std::erase_if(reports_, [&](WaitingReport& report) { return !TakeIn(utime, &report); });
-  for (const WaitingReport& report : reports_) RouteOne(utime, report);
+  for (const WaitingReport& report : reports_) RouteReport(utime, report);
+  for (const Waiting& message : messages_) RouteMessage(utime, message);
+  for (const Waiting& ack : acks_) RouteAck(utime, ack);
   fates_.Flush(utime);
+  pulses_.Flush(utime);
   Forget(utime);
 
-  controls_.clear();
-  commands_.clear();
   reports_.clear();
+  messages_.clear();
+  acks_.clear();
   arena_.clear();
 }
 
-ShoreBrokerApp::Waiting ShoreBrokerApp::Keep(const Message& message) {
-  const Waiting waiting = {.begin = arena_.size(), .size = message.data.size()};
+void ShoreBrokerApp::Begin(int64_t utime) {
+  began_ = true;
+  start_utime_ = utime;
+  rules_changed_ = true;
+  holds_ = utime > setup_.start_utime;
+  if (!holds_) return;
+  unc_controls_req_t request;
+  request.utime = utime;
+  Publish(bus_, channels::UncControlsReq(), request);
+  log_.Event(utime, "started in the midst of the mission: asks for the rules that were changed");
+}
+
+/// True while the rules are still asked for: until then what was heard waits.
+bool ShoreBrokerApp::Holds(int64_t utime) {
+  if (!holds_) return false;
+  if (!kept_controls_ && SecondsBetween(start_utime_, utime) < kHold_s) return true;
+  holds_ = false;
+  if (!kept_controls_) {
+    log_.Warn(
+        "nobody told which rules were changed before this broker started: the mission file's "
+        "hold");
+    return false;
+  }
+  std::vector<WaitingControl> kept;
+  for (const kept_control_t& each : kept_controls_->controls) {
+    const ControlRow* row = FindControlOnChannel(each.channel);
+    if (row != nullptr) kept.push_back({.row = row, .control = each.control});
+  }
+  controls_.insert(controls_.begin(), kept.begin(), kept.end());
+  return false;
+}
+
+ShoreBrokerApp::Waiting ShoreBrokerApp::Keep(const Message& message, bool from_outside) {
+  const Waiting waiting = {
+      .begin = arena_.size(), .size = message.data.size(), .from_outside = from_outside};
   arena_.insert(arena_.end(), message.data.begin(), message.data.end());
   return waiting;
 }
@@ -80,55 +148,57 @@ std::span<const uint8_t> ShoreBrokerApp::BytesOf(const Waiting& waiting) const {
   return std::span(arena_).subspan(waiting.begin, waiting.size);
 }
 
-void ShoreBrokerApp::ApplyControl(int64_t utime, const WaitingControl& waiting) {
-  const bool is_range = waiting.rule == &RoutingRules::comms_range_m;
-  const std::string_view channel = is_range ? "UNC_COMMS_RANGE" : "UNC_STALE_TIME";
-  double& rule = router_.rules().*waiting.rule;
-  const double value = waiting.control.value;
-  if (!std::isfinite(value)) {
-    log_.Warn(fmt::format("{} refused: {} is impossible; {:g} stays", channel, value, rule));
-  } else if (!waiting.control.vehicle.empty()) {
-    log_.Warn(fmt::format("{} refused: it holds for all, not for one vehicle; {:g} stays", channel,
-                          rule));
-  } else {
-    log_.Event(utime, fmt::format("{}: {:g} (was {:g})", channel, value, rule));
-    rule = value;
+template <class T>
+bool ShoreBrokerApp::DecodeWaiting(const Waiting& waiting, const Channel<T>& channel, T* message) {
+  if (Decode(BytesOf(waiting), message)) return true;
+  bus_.CountUndecodable(channel.name);
+  log_.Warn(channel.name + ": undecodable bytes dropped");
+  return false;
+}
+
+void ShoreBrokerApp::ApplyControls(int64_t utime) {
+  for (const WaitingControl& each : controls_) {
+    if (ApplyControl(*each.row, each.control, utime, &router_, &log_)) rules_changed_ = true;
   }
+  controls_.clear();
+  if (!rules_changed_) return;
+  rules_changed_ = false;
+  comms_rules_t rules = RulesMessage(setup_, router_);
+  rules.utime = utime;
+  rules.is_start = began_to_work_ ? 0 : 1;
+  began_to_work_ = true;
+  Publish(bus_, channels::CommsRules(), rules);
 }
 
 void ShoreBrokerApp::HandOnCommands(int64_t utime) {
   for (const Waiting& waiting : commands_) {
     helm_command_t command;
-    if (!Decode(BytesOf(waiting), &command)) {
-      bus_.CountUndecodable(channels::HelmCommandAll().name);
-      log_.Warn("HELM_COMMAND: undecodable bytes dropped");
-      continue;
-    }
+    if (!DecodeWaiting(waiting, channels::HelmCommandAll(), &command)) continue;
     ++num_commands_handed_on_;
     log_.Event(utime, fmt::format("HELM_COMMAND handed on: {}", Printable(command.command)));
-    for (const auto& [key, contact] : router_.contacts()) {
-      if (!contact.of_mission && !contact.known) continue;
-      bus_.PublishBytes(channels::HelmCommand(contact.name).name, BytesOf(waiting));
+    for (const Contact* contact : router_.contacts()) {
+      if (!contact->of_mission && !contact->known) continue;
+      bus_.PublishBytes(channels::HelmCommand(contact->name).name, BytesOf(waiting));
     }
   }
+  commands_.clear();
 }
 
 /// Returns false where the report goes no further.
 bool ShoreBrokerApp::TakeIn(int64_t utime, WaitingReport* report) {
-  if (!Decode(BytesOf(report->raw), &report_)) {
-    const std::string channel = report->from_outside ? channels::NodeReportFromOutside().name
-                                                     : channels::NodeReportLocal().name;
-    bus_.CountUndecodable(channel);
-    log_.Warn(channel + ": undecodable bytes dropped");
+  if (!DecodeWaiting(report->raw,
+                     report->raw.from_outside ? channels::NodeReportFromOutside()
+                                              : channels::NodeReportLocal(),
+                     &report_)) {
     return false;
   }
   const int num_known = router_.num_known();
-  report->position_m = {report_.x_m, report_.y_m, report_.depth_m};
   report->admission =
       AllNumbersAreFinite(report_)
-          ? router_.Admit(
-                {.name = report_.name, .group = report_.group, .position_m = report->position_m},
-                utime)
+          ? router_.Admit({.name = report_.name,
+                           .group = report_.group,
+                           .position_m = {report_.x_m, report_.y_m, report_.depth_m}},
+                          utime)
           : router_.Refuse(report_.name);
   if (router_.num_known() > num_known) {
     log_.Event(utime, fmt::format("{} is known now", report_.name));
@@ -136,9 +206,11 @@ bool ShoreBrokerApp::TakeIn(int64_t utime, WaitingReport* report) {
   if (!report->admission.refused) return true;
 
   const Cause cause = *report->admission.refused;
-  log_.Warn(cause == Cause::kInvalid
-                ? "invalid node report refused: illegal name or impossible number"
-                : "node report refused: too many vehicles that are not of the mission");
+  if (cause == Cause::kInvalid) {
+    log_.Warn("invalid node report refused: illegal name or impossible number");
+  } else if (cause == Cause::kTooManyVehicles) {
+    log_.Warn("node report refused: too many vehicles that are not of the mission");
+  }
   fates_.Add(
       utime,
       {.source = report->admission.source, .number = report->admission.number, .cause = cause},
@@ -146,16 +218,137 @@ bool ShoreBrokerApp::TakeIn(int64_t utime, WaitingReport* report) {
   return false;
 }
 
-void ShoreBrokerApp::RouteOne(int64_t utime, const WaitingReport& report) {
-  decisions_.clear();
-  router_.Route(report.admission, report.position_m, utime, &decisions_);
-  const std::string& source = router_.contact(report.admission.source).name;
+template <class F>
+void ShoreBrokerApp::Conclude(int64_t utime, std::string_view written_source, F deliver) {
   for (const Decision& decision : decisions_) {
-    fates_.Add(utime, decision, source, router_.contact(decision.destination).name);
-    if (decision.cause == Cause::kDelivered) {
-      bus_.PublishBytes(ReportChannel(decision.destination), BytesOf(report.raw));
+    const bool has_contact = decision.destination >= 0;
+    const std::string_view source = decision.source == kNobody
+                                        ? written_source
+                                        : std::string_view(router_.contact(decision.source).name);
+    std::string written;
+    if (decision.unknown_name >= 0) {
+      written = Printable(unknown_names_[static_cast<size_t>(decision.unknown_name)]);
+    }
+    fates_.Add(utime, decision, source,
+               has_contact ? std::string_view(router_.contact(decision.destination).name)
+                           : std::string_view(written));
+    if (decision.cause == Cause::kDelivered) deliver(decision, ChannelsOf(decision.destination));
+  }
+  decisions_.clear();
+  unknown_names_.clear();
+}
+
+void ShoreBrokerApp::RouteReport(int64_t utime, const WaitingReport& report) {
+  router_.Route(report.admission, utime, &decisions_);
+  const RoutingRules& rules = router_.rules();
+  const Contact& source = router_.contact(report.admission.source);
+  Conclude(utime, source.name, [&](const Decision& decision, const ReceiverChannels& channels) {
+    bus_.PublishBytes(channels.report, BytesOf(report.raw));
+    if (!rules.view_node_rpt_pulses) return;
+    pulses_.Add(utime,
+                {.source = source.name,
+                 .destination = channels.vehicle,
+                 .from_m = report.admission.position_m,
+                 .to_m = router_.contact(decision.destination).position_m,
+                 .range_m = decision.range_m,
+                 .of_message = false,
+                 .color = ReportColor(source.index)},
+                rules.pulse_duration_s);
+  });
+  Share(utime, report);
+}
+
+/// NODE_REPORT_UNC, not more often than eyes can follow.
+void ShoreBrokerApp::Share(int64_t utime, const WaitingReport& report) {
+  const double interval_s = router_.rules().shared_node_reports_s;
+  if (interval_s < 0) return;
+  const auto place = static_cast<size_t>(report.admission.source);
+  const std::string& name = router_.contact(report.admission.source).name;
+  if (place >= shared_utimes_.size()) shared_utimes_.resize(place + 1, {"", kNever});
+  auto& [whose, shared_utime] = shared_utimes_[place];
+  const bool is_due = whose != name || shared_utime == kNever ||
+                      SecondsBetween(shared_utime, utime) >= interval_s * warp_;
+  if (!is_due) return;
+  whose = name;
+  shared_utime = utime;
+  ++num_shared_;
+  bus_.PublishBytes(channels::NodeReportUnc().name, BytesOf(report.raw));
+}
+
+void ShoreBrokerApp::RouteMessage(int64_t utime, const Waiting& waiting) {
+  if (!DecodeWaiting(
+          waiting,
+          waiting.from_outside ? channels::NodeMessageFromOutside() : channels::NodeMessageLocal(),
+          &message_)) {
+    return;
+  }
+  const std::string_view problem = ProblemOf(message_);
+  if (!problem.empty()) {
+    log_.Warn(fmt::format("invalid node message refused: {}", problem));
+  } else {
+    log_.Event(
+        utime,
+        fmt::format("Msg rec'd: src_node={},dest_node={},dest_group={},var_name={},{}",
+                    message_.src_node, Printable(message_.dest_node),
+                    Printable(message_.dest_group), Printable(message_.var_name),
+                    message_.is_double != 0 ? fmt::format("double_val={}", message_.double_val)
+                                            : "string_val=" + Printable(message_.string_val)));
+  }
+  router_.RouteMessage({.source = message_.src_node,
+                        .dest_node = message_.dest_node,
+                        .dest_group = message_.dest_group,
+                        .length_bytes = static_cast<int64_t>(message_.string_val.size()),
+                        .is_sound = problem.empty()},
+                       utime, &decisions_, &unknown_names_);
+  const std::string color(problem.empty() ? MessageColor(message_) : "");
+  Conclude(utime, IsLegalVehicleName(message_.src_node) ? message_.src_node : "",
+           [&](const Decision& decision, const ReceiverChannels& channels) {
+             bus_.PublishBytes(channels.message, BytesOf(waiting));
+             const Contact& source = router_.contact(decision.source);
+             pulses_.Add(utime,
+                         {.source = source.name,
+                          .destination = channels.vehicle,
+                          .from_m = source.position_m,
+                          .to_m = router_.contact(decision.destination).position_m,
+                          .range_m = decision.range_m,
+                          .of_message = true,
+                          .color = color},
+                         router_.rules().pulse_duration_s);
+           });
+}
+
+/// A message whose ack_id has been here before is a repeat.
+std::string_view ShoreBrokerApp::MessageColor(const node_message_t& message) {
+  const RoutingRules& rules = router_.rules();
+  if (!message.ack_id.empty()) {
+    std::pair<std::string, std::string> ack(VehicleKey(message.src_node),
+                                            message.ack_id.substr(0, 100));
+    if (seen_acks_.contains(ack)) return rules.msg_repeat_color;
+    seen_acks_.insert(ack);
+    recent_acks_.push_back(std::move(ack));
+    if (recent_acks_.size() > kAcksRemembered) {
+      seen_acks_.erase(recent_acks_.front());
+      recent_acks_.pop_front();
     }
   }
+  constexpr size_t kLongestColor = 40;
+  const bool has_own = !message.color.empty() && message.color.size() <= kLongestColor;
+  return has_own ? std::string_view(message.color) : std::string_view(rules.msg_color);
+}
+
+void ShoreBrokerApp::RouteAck(int64_t utime, const Waiting& waiting) {
+  if (!DecodeWaiting(waiting, channels::AckMessage(), &ack_)) return;
+  const bool is_sound = !ack_.ack_id.empty();
+  const bool has_name = IsLegalVehicleName(ack_.src_node);
+  router_.RouteAck({.source = ack_.src_node, .destination = ack_.dest_node, .is_sound = is_sound},
+                   utime, &decisions_, &unknown_names_);
+  if (decisions_.front().cause == Cause::kInvalid) {
+    log_.Warn("invalid ack refused: two vehicles' names and an ack_id are needed");
+  }
+  Conclude(utime, has_name ? ack_.src_node : "",
+           [&](const Decision&, const ReceiverChannels& channels) {
+             bus_.PublishBytes(channels.ack, BytesOf(waiting));
+           });
 }
 
 void ShoreBrokerApp::Forget(int64_t utime) {
@@ -166,15 +359,18 @@ void ShoreBrokerApp::Forget(int64_t utime) {
   }
 }
 
-const std::string& ShoreBrokerApp::ReportChannel(int32_t index) {
+const ShoreBrokerApp::ReceiverChannels& ShoreBrokerApp::ChannelsOf(int32_t index) {
   const auto place = static_cast<size_t>(index);
-  if (place >= report_channels_.size()) report_channels_.resize(place + 1);
-  ReceiverChannel& channel = report_channels_[place];
+  if (place >= receiver_channels_.size()) receiver_channels_.resize(place + 1);
+  ReceiverChannels& receiver = receiver_channels_[place];
   const std::string& vehicle = router_.contact(index).name;
-  if (channel.vehicle != vehicle) {
-    channel = {.vehicle = vehicle, .name = channels::NodeReport(vehicle).name};
+  if (receiver.vehicle != vehicle) {
+    receiver = {.vehicle = vehicle,
+                .report = channels::NodeReport(vehicle).name,
+                .message = channels::NodeMessage(vehicle).name,
+                .ack = channels::AckMessageTo(vehicle).name};
   }
-  return channel.name;
+  return receiver;
 }
 
 StatusPage ShoreBrokerApp::Status() const {
@@ -182,6 +378,7 @@ StatusPage ShoreBrokerApp::Status() const {
   page.text = FormatBrokerPage(router_, {.start_utime = start_utime_,
                                          .now_utime = now_utime_,
                                          .num_commands_handed_on = num_commands_handed_on_,
+                                         .num_shared = num_shared_,
                                          .num_undecodable = bus_.counters().undecodable});
   log_.AppendTo(&page);
   return page;

@@ -1,17 +1,31 @@
-// Decides who hears whom. Hears NODE_REPORT_LOCAL, NODE_REPORT, UNC_COMMS_RANGE, UNC_STALE_TIME and
-// HELM_COMMAND; says NODE_REPORT_<V> (the very bytes that came in), COMMS_FATES and
+// Decides who hears whom. Hears NODE_REPORT_LOCAL, NODE_REPORT, NODE_MESSAGE_LOCAL, NODE_MESSAGE,
+// ACK_MESSAGE, UNC_* and HELM_COMMAND; says NODE_REPORT_<V>, NODE_MESSAGE_<V> and ACK_MESSAGE_<V>
+// (the very bytes that came in), COMMS_FATES, COMMS_RULES, VIEW_COMMS_PULSE, NODE_REPORT_UNC and
 // HELM_COMMAND_<V>.
 //
-// A step: rules change, commands are handed on, all reports of the step are taken in, then each is
-// routed, in the order in which they came; who was silent for too long is forgotten.
+// A step: commands are handed on, rules change, all reports of the step are taken in, then each is
+// routed, then messages, then acks, in the order in which they came; who was silent for too long is
+// forgotten.
+//
+//            first step is the mission's first
+//   BEGINS ------------------------------------------------> WORKS
+//     | first step is a later one: UNC_CONTROLS_REQ            ^
+//     +--> HOLDS what it hears -- UNC_CONTROLS, or 1 s passed --+
 #pragma once
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <deque>
+#include <optional>
+#include <set>
+#include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "apps/shore_broker/broker_setup.h"
 #include "apps/shore_broker/fate_writer.h"
+#include "apps/shore_broker/pulse_writer.h"
 #include "lib/bus/bus.h"
 #include "lib/bus/channels.h"
 #include "lib/mission/mission.h"
@@ -22,59 +36,96 @@ namespace shoal {
 
 class ShoreBrokerApp : public App {
  public:
-  ShoreBrokerApp(const Mission& mission, Bus& bus);
+  ShoreBrokerApp(const Mission& mission, Bus& bus) : ShoreBrokerApp(SetupOf(mission), bus) {}
+  ShoreBrokerApp(BrokerSetup setup, Bus& bus);
 
+  void OnWarp(double warp) override;
   void Tick(int64_t utime) override;
   StatusPage Status() const override;
+
+  const Router& router() const { return router_; }
 
  private:
   /// A message that waits for Tick; its bytes lie in arena_.
   struct Waiting {
     size_t begin = 0;
     size_t size = 0;
+    bool from_outside = false;  ///< Came on the channel of vehicles from outside.
   };
   struct WaitingReport {
     Waiting raw;
-    bool from_outside = false;  ///< Came on NODE_REPORT.
     Admission admission = {};
-    Eigen::Vector3d position_m = Eigen::Vector3d::Zero();
   };
   struct WaitingControl {
-    double RoutingRules::*rule = nullptr;
+    const ControlRow* row = nullptr;
     unc_control_t control;
   };
+  /// Where one contact hears.
+  struct ReceiverChannels {
+    std::string vehicle;  ///< Whose they are: an index may pass from one stranger to another.
+    std::string report;
+    std::string message;
+    std::string ack;
+  };
 
-  Waiting Keep(const Message& message);
+  Waiting Keep(const Message& message, bool from_outside);
   std::span<const uint8_t> BytesOf(const Waiting& waiting) const;
+  /// Decodes, or counts and warns.
+  template <class T>
+  bool DecodeWaiting(const Waiting& waiting, const Channel<T>& channel, T* message);
 
-  void ApplyControl(int64_t utime, const WaitingControl& waiting);
+  void Begin(int64_t utime);
+  bool Holds(int64_t utime);
+  void ApplyControls(int64_t utime);
   void HandOnCommands(int64_t utime);
   bool TakeIn(int64_t utime, WaitingReport* report);
-  void RouteOne(int64_t utime, const WaitingReport& report);
+  void RouteReport(int64_t utime, const WaitingReport& report);
+  void RouteMessage(int64_t utime, const Waiting& waiting);
+  void RouteAck(int64_t utime, const Waiting& waiting);
+  void Share(int64_t utime, const WaitingReport& report);
   void Forget(int64_t utime);
-  const std::string& ReportChannel(int32_t index);
+  /// Tells the fates in decisions_, and calls `deliver` for each that is a delivery.
+  template <class F>
+  void Conclude(int64_t utime, std::string_view written_source, F deliver);
+  const ReceiverChannels& ChannelsOf(int32_t index);
+  std::string_view MessageColor(const node_message_t& message);
 
+  const BrokerSetup setup_;
   Bus& bus_;
   Router router_;
   FateWriter fates_;
+  PulseWriter pulses_;
   StatusLog log_;
+
   int64_t start_utime_ = 0;
   int64_t now_utime_ = 0;
-  bool started_ = false;
+  bool began_ = false;
+  bool holds_ = false;
+  bool began_to_work_ = false;  ///< COMMS_RULES has been said.
+  bool rules_changed_ = false;
+  double warp_;
   int64_t num_commands_handed_on_ = 0;
+  int64_t num_shared_ = 0;
 
   Bytes arena_;
+  std::optional<unc_controls_t> kept_controls_;
   std::vector<WaitingControl> controls_;
   std::vector<Waiting> commands_;
   std::vector<WaitingReport> reports_;
+  std::vector<Waiting> messages_;
+  std::vector<Waiting> acks_;
 
-  node_report_t report_;             ///< Decoded into; keeps its strings' memory.
-  std::vector<Decision> decisions_;  ///< Of one report.
-  struct ReceiverChannel {
-    std::string vehicle;  ///< Whose it is: an index may pass from one stranger to another.
-    std::string name;
-  };
-  std::vector<ReceiverChannel> report_channels_;  ///< By index of contact.
+  node_report_t report_;  ///< Decoded into, like the next two; keep their strings' memory.
+  node_message_t message_;
+  ack_message_t ack_;
+  std::vector<Decision> decisions_;                  ///< Of one transmission.
+  std::vector<std::string> unknown_names_;           ///< Destinations of one transmission.
+  std::vector<ReceiverChannels> receiver_channels_;  ///< By index of contact.
+  std::vector<std::pair<std::string, int64_t>> shared_utimes_;  ///< By index; whose, and when.
+
+  std::deque<std::pair<std::string, std::string>>
+      recent_acks_;                                          ///< Source and ack_id, oldest first.
+  std::set<std::pair<std::string, std::string>> seen_acks_;  ///< The same.
 };
 
 }  // namespace shoal

@@ -5,84 +5,13 @@
 #include <limits>
 #include <map>
 #include <string>
-#include <vector>
 
-#include "lib/bus/memory_bus.h"
+#include "apps/shore_broker/broker_fixture.h"
 
 namespace shoal {
 namespace {
 
-constexpr int64_t kStep_us = 100'000;
-
-Mission TwoVehicles() {
-  Mission mission;
-  mission.vehicles.resize(2);
-  mission.vehicles[0].name = "alpha";
-  mission.vehicles[1].name = "bravo";
-  mission.comms = {.comms_range_m = 250, .stale_time_s = 5, .stale_forget_s = 100};
-  return mission;
-}
-
-node_report_t ReportFrom(const std::string& name, double x_m, double y_m = 0) {
-  node_report_t report = {};
-  report.name = name;
-  report.x_m = x_m;
-  report.y_m = y_m;
-  report.num_extra = 1;
-  report.extra = {{.key = "payload", .value = "ctd"}};
-  return report;
-}
-
-class ShoreBrokerTest : public testing::Test {
- protected:
-  ShoreBrokerTest() {
-    for (const std::string name : {"alpha", "bravo", "charlie"}) {
-      listener_.SubscribeBytes(
-          channels::NodeReport(name).name, [this, name](const Message& message) {
-            heard_[name].emplace_back(message.data.begin(), message.data.end());
-          });
-      Subscribe(listener_, channels::HelmCommand(name),
-                [this, name](const helm_command_t& command) { orders_[name] = command.command; });
-    }
-    Subscribe(listener_, channels::CommsFates(), [this](const comms_fates_t& message) {
-      fates_.insert(fates_.end(), message.fates.begin(), message.fates.end());
-    });
-  }
-
-  void Say(const node_report_t& report) { Publish(listener_, channels::NodeReportLocal(), report); }
-  void Say(const Channel<unc_control_t>& channel, double value, const std::string& vehicle = "") {
-    unc_control_t control = {};
-    control.value = value;
-    control.vehicle = vehicle;
-    Publish(listener_, channel, control);
-  }
-
-  /// Lets the broker handle what was said, and hears its answers.
-  void Step(int64_t pass_us = kStep_us) {
-    heard_.clear();
-    orders_.clear();
-    fates_.clear();
-    hub_.NextStep();
-    hub_.HandleAll();
-    broker_.Tick(utime_ += pass_us);
-    hub_.NextStep();
-    hub_.HandleAll();
-  }
-
-  bool PageHas(const std::string& text) {
-    return broker_.Status().text.find(text) != std::string::npos;
-  }
-
-  MemoryBus hub_;
-  Bus& broker_bus_ = hub_.Join("shore_broker");
-  Bus& listener_ = hub_.Join("listener");
-  const Mission mission_ = TwoVehicles();
-  ShoreBrokerApp broker_{mission_, broker_bus_};
-  int64_t utime_ = 0;
-  std::map<std::string, std::vector<Bytes>> heard_;
-  std::map<std::string, std::string> orders_;
-  std::vector<fate_t> fates_;
-};
+class ShoreBrokerTest : public BrokerFixture {};
 
 TEST_F(ShoreBrokerTest, HandsOnTheVeryBytesThatCameIn) {
   const node_report_t report = ReportFrom("alpha", 0);
@@ -147,15 +76,15 @@ TEST_F(ShoreBrokerTest, StopsReportsToASilentVehicle) {
 TEST_F(ShoreBrokerTest, FollowsAChangeOfTheRangeInTheSameStep) {
   Say(ReportFrom("alpha", 0));
   Say(ReportFrom("bravo", 300));
-  Say(channels::UncCommsRange(), 301);
+  Say("comms_range", 301);
   Step();
   EXPECT_EQ(fates_.at(0).cause, "delivered");
 }
 
 TEST_F(ShoreBrokerTest, RefusesAnImpossibleRuleAndKeepsTheOld) {
-  Say(channels::UncCommsRange(), std::numeric_limits<double>::quiet_NaN());
-  Say(channels::UncStaleTime(), std::numeric_limits<double>::infinity());
-  Say(channels::UncStaleTime(), 1, "alpha");
+  Say("comms_range", std::numeric_limits<double>::quiet_NaN());
+  Say("stale_time", std::numeric_limits<double>::infinity());
+  Say("stale_time", 1, "alpha");
   Step();
   EXPECT_TRUE(PageHas("Comms Range: 250"));
   EXPECT_TRUE(PageHas("Stale Drop: 5"));

@@ -24,6 +24,11 @@ class App {
   /// before have run. What is published here is heard by others in the next step.
   virtual void Tick(int64_t utime) = 0;
 
+  /// Told before Tick whenever it changes: the asked-for mission seconds per wall second; 0: as
+  /// fast as possible, which is also what holds where nothing is told. For what people watch only:
+  /// a mission's result does not depend on it.
+  virtual void OnWarp(double) {}
+
   /// Ends: the last messages have been handled, nothing may be published any more.
   virtual void End() {}
 

@@ -73,6 +73,10 @@ AppOptions ParseAppOptionsOrExit(const AppInfo& info, int argc, char** argv) {
       ->check(CLI::IsMember({"shared", "communities"}));
   cli.add_option("--mission-id", options.mission_id,
                  "Reject messages of any other mission (default: that of the first tick)");
+  if (info.can_live) {
+    cli.add_flag("--live", options.live,
+                 "Work without a mission's clock: take messages as they come, by the wall's time");
+  }
   if (info.name == "recorder") {
     cli.add_option("--log", options.log_path, "Log file to write");
   }

@@ -16,7 +16,8 @@ struct AppInfo {
   std::string name;     ///< "helm"
   std::string purpose;  ///< One or two sentences.
   bool per_vehicle = true;
-  std::string example;  ///< A commented block of a mission file.
+  bool can_live = false;  ///< Works without a mission's clock too: --live.
+  std::string example;    ///< A commented block of a mission file.
 };
 
 struct AppOptions {
@@ -27,6 +28,7 @@ struct AppOptions {
   int port_base = 0;  ///< 0: that of the running mission of this file.
   std::optional<Layout> layout;
   int64_t mission_id = 0;
+  bool live = false;         ///< Without a mission's clock: lib/run/live.h.
   std::string log_path;      ///< Recorder only.
   double lose = 0;           ///< Share of incoming datagrams lost on purpose.
   std::string lose_forever;  ///< A channel whose datagrams are all lost on purpose.

@@ -13,6 +13,7 @@
 #include "lib/bus/lcm_transport.h"
 #include "lib/check/result.h"
 #include "lib/mission/load.h"
+#include "lib/run/live.h"
 #include "lib/run/roster.h"
 #include "lib/run/run_registry.h"
 #include "lib/run/step_participant.h"
@@ -56,13 +57,28 @@ void ShowOnTerminal(const StepParticipant& participant, const std::string& name)
   std::fflush(stdout);
 }
 
-int Run(const AppOptions& options, const std::string& name, const Mission& mission,
-        const std::function<std::unique_ptr<App>(Bus&)>& make) {
+void CatchSignals() {
   struct sigaction action {};
   action.sa_handler = OnSignal;
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
+}
 
+/// Returns the ports from `port_base` on, or says why there is no room for them.
+std::optional<PortPlan> PlanPorts(const std::string& name, const Mission& mission, int port_base,
+                                  std::optional<Layout> layout) {
+  const std::vector<std::string> vehicles = VehicleNames(mission);
+  const auto num_vehicles = static_cast<int>(vehicles.size());
+  if (port_base + PortPlan::NumPorts(Layout::kCommunities, num_vehicles) > 65536) {
+    fmt::print(stderr, "{}: --port {} leaves no room for the mission's ports below 65536\n", name,
+               port_base);
+    return std::nullopt;
+  }
+  return PortPlan(port_base, layout.value_or(PortPlan::Suggest(num_vehicles)), vehicles);
+}
+
+int Run(const AppOptions& options, const std::string& name, const Mission& mission,
+        const std::function<std::unique_ptr<App>(Bus&)>& make) {
   int port_base = options.port_base;
   int64_t mission_id = options.mission_id;
   std::optional<Layout> layout = options.layout;
@@ -75,15 +91,8 @@ int Run(const AppOptions& options, const std::string& name, const Mission& missi
   } else if (!layout) {
     if (const auto running = FindRunningMission(port_base); running.ok()) layout = running->layout;
   }
-  const std::vector<std::string> vehicles = VehicleNames(mission);
-  if (port_base + PortPlan::NumPorts(Layout::kCommunities, static_cast<int>(vehicles.size())) >
-      65536) {
-    fmt::print(stderr, "{}: --port {} leaves no room for the mission's ports below 65536\n", name,
-               port_base);
-    return kExitUsage;
-  }
-  const PortPlan plan(
-      port_base, layout.value_or(PortPlan::Suggest(static_cast<int>(vehicles.size()))), vehicles);
+  const std::optional<PortPlan> plan = PlanPorts(name, mission, port_base, layout);
+  if (!plan) return kExitUsage;
 
   LcmTransport transport;
   transport.set_drop_filter(MakeLossFilter(options.lose, options.lose_forever));
@@ -91,7 +100,7 @@ int Run(const AppOptions& options, const std::string& name, const Mission& missi
                                .mission_id = mission_id,
                                .pid = static_cast<int32_t>(getpid()),
                                .give_up_us = GiveUpAfter_us(mission)},
-                              plan, transport);
+                              *plan, transport);
   int64_t last_heard_us = 0;
   transport.set_receiver(
       [&](int port, std::string_view channel, std::span<const uint8_t> datagram) {
@@ -142,6 +151,12 @@ int64_t MonotonicMicroseconds() {
   return int64_t{now.tv_sec} * 1'000'000 + now.tv_nsec / 1000;
 }
 
+int64_t UnixMicroseconds() {
+  timespec now{};
+  clock_gettime(CLOCK_REALTIME, &now);
+  return int64_t{now.tv_sec} * 1'000'000 + now.tv_nsec / 1000;
+}
+
 int64_t GiveUpAfter_us(const Mission& mission) {
   const auto timeout_us = static_cast<int64_t>(mission.participant_timeout_s * 1e6);
   return std::min(ParticipantOptions{}.give_up_us, timeout_us / 2);
@@ -172,6 +187,7 @@ int RunVehicleApp(const AppInfo& info, int argc, char** argv, const VehicleAppFa
   }
   const std::string name =
       options.alias.empty() ? ParticipantName(info.name, vehicle->name) : options.alias;
+  CatchSignals();
   return Run(options, name, *mission,
              [&](Bus& bus) { return make(*mission, *vehicle, bus, options); });
 }
@@ -180,8 +196,19 @@ int RunMissionApp(const AppInfo& info, int argc, char** argv, const MissionAppFa
   const AppOptions options = ParseAppOptionsOrExit(info, argc, argv);
   const std::optional<Mission> mission = Load(options);
   if (!mission) return kExitUsage;
-  return Run(options, options.alias.empty() ? info.name : options.alias, *mission,
-             [&](Bus& bus) { return make(*mission, bus, options); });
+  const std::string name = options.alias.empty() ? info.name : options.alias;
+  CatchSignals();
+  if (!options.live) {
+    return Run(options, name, *mission, [&](Bus& bus) { return make(*mission, bus, options); });
+  }
+  const int port_base = options.port_base == 0 ? PortPlan::kDefaultBase : options.port_base;
+  const std::optional<PortPlan> plan = PlanPorts(name, *mission, port_base, options.layout);
+  if (!plan) return kExitUsage;
+  return RunLive({.name = name,
+                  .ports = *plan,
+                  .tick_us = mission->tick_us,
+                  .stopped = [] { return stop_wanted.load(); }},
+                 *mission, [&](const Mission& live, Bus& bus) { return make(live, bus, options); });
 }
 
 }  // namespace shoal

@@ -33,6 +33,8 @@ int RunMissionApp(const AppInfo& info, int argc, char** argv, const MissionAppFa
 
 /// Returns microseconds of a clock that never jumps. For the rim only: apps are given their time.
 int64_t MonotonicMicroseconds();
+/// Returns microseconds since 1970, which jump when somebody sets the clock.
+int64_t UnixMicroseconds();
 
 /// Returns how long a participant asks for missing messages: less than the clock waits for it.
 int64_t GiveUpAfter_us(const Mission& mission);

@@ -7,6 +7,7 @@
 
 #include "lib/bus/channels.h"
 #include "lib/bus/seal.h"
+#include "lib/run/appcast.h"
 
 namespace shoal {
 
@@ -124,6 +125,8 @@ void StepParticipant::RunStep() {
     app_->End();
     ended_ = true;
   } else {
+    if (warp_ != tick.warp) app_->OnWarp(tick.warp);
+    warp_ = tick.warp;
     app_->Tick(utime_);
   }
   in_step_ = false;
@@ -236,17 +239,7 @@ void StepParticipant::OnAppcastRequest(std::span<const uint8_t> datagram, int64_
   if (request.app != "all" && request.app != options_.name) return;
   if (wall_us < next_page_) return;
   next_page_ = wall_us + kPageInterval_us;
-  const StatusPage page = Status();
-  appcast_t appcast;
-  appcast.utime = utime_;
-  appcast.app = options_.name;
-  appcast.step = step_;
-  appcast.config_warnings = page.config_warnings;
-  appcast.num_config_warnings = static_cast<int32_t>(page.config_warnings.size());
-  appcast.run_warnings = page.run_warnings;
-  appcast.num_run_warnings = static_cast<int32_t>(page.run_warnings.size());
-  appcast.page = page.text;
-  SendUnsealed(channels::Appcast(), appcast);
+  SendUnsealed(channels::Appcast(), ToAppcast(Status(), options_.name, utime_, step_));
 }
 
 StatusPage StepParticipant::Status() const {

@@ -98,6 +98,7 @@ class StepParticipant : public Bus {
   int64_t mission_id_ = 0;
   int64_t step_ = -1;              ///< Last step answered.
   int64_t utime_ = 0;              ///< Of that step.
+  double warp_ = 0;                ///< The app has been told.
   std::optional<tick_t> pending_;  ///< The tick whose messages are being collected.
   int64_t collecting_since_ = 0;
   int64_t next_request_ = 0;

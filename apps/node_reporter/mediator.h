@@ -1,0 +1,75 @@
+// A vehicle's part in acknowledged messages. As the receiver, answers each message that asks for it
+// with an ACK_MESSAGE. As the sender, sends what it is given on MEDIATED_MESSAGE_<V> and repeats it
+// until it is acknowledged.
+//
+//            MEDIATED_MESSAGE_V          all have acknowledged
+//   (none) ----------------------> SENT ------------------------> done
+//           NODE_MESSAGE_LOCAL     ^  | no ack for ack_timeout_s
+//                                  |  | fewer than max_repeats: NODE_MESSAGE_LOCAL again
+//                                  +--+------- otherwise: given up
+//
+// "All" are the vehicles named in dest_node; of a message to a group or to all, one is enough.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "lib/bus/bus.h"
+#include "lib/bus/channels.h"
+#include "lib/mission/mission.h"
+#include "lib/run/status_page.h"
+
+namespace shoal {
+
+struct MediatorCounters {
+  int64_t given = 0;         ///< Messages to be sent until they are acknowledged.
+  int64_t acknowledged = 0;  ///< Of these.
+  int64_t given_up = 0;      ///< Of these.
+  int64_t refused = 0;       ///< Of these: not sent at all.
+  int64_t repeats = 0;
+  int64_t acks_said = 0;     ///< For messages of others.
+  int64_t acks_unasked = 0;  ///< Heard, but for no message that waits.
+};
+
+class Mediator {
+ public:
+  /// More waiting messages than this are refused.
+  static constexpr size_t kMaxWaiting = 1000;
+
+  /// Subscribes; `log` must outlive it.
+  Mediator(std::string vehicle, const MessageOptions& options, Bus& bus, StatusLog* log);
+
+  void Tick(int64_t utime);
+
+  /// given = acknowledged + given_up + refused + num_waiting(), after each Tick.
+  const MediatorCounters& counters() const { return counters_; }
+  size_t num_waiting() const { return waiting_.size(); }
+
+ private:
+  struct WaitingMessage {
+    node_message_t message;
+    std::set<std::string> silent;  ///< Keys of those who have yet to acknowledge; empty: anybody.
+    int64_t sent_utime = 0;
+    int64_t num_repeats = 0;
+  };
+
+  void Send(int64_t utime, node_message_t message);
+  void TakeAck(int64_t utime, const ack_message_t& ack);
+  void Repeat(int64_t utime);
+
+  const std::string vehicle_;
+  const MessageOptions options_;
+  Bus& bus_;
+  StatusLog* log_;
+  MediatorCounters counters_;
+
+  std::vector<node_message_t> to_send_;
+  std::vector<ack_message_t> to_acknowledge_;
+  std::vector<ack_message_t> heard_acks_;
+  std::map<std::string, WaitingMessage> waiting_;  ///< By ack_id.
+};
+
+}  // namespace shoal

@@ -1,0 +1,183 @@
+#include "apps/node_reporter/mediator.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "lib/bus/memory_bus.h"
+
+namespace shoal {
+namespace {
+
+constexpr int64_t kSecond_us = 1'000'000;
+
+node_message_t MessageTo(const std::string& dest_node, const std::string& ack_id = "") {
+  node_message_t message{};
+  message.dest_node = dest_node;
+  message.var_name = "FOOBAR";
+  message.string_val = "hello";
+  message.ack_id = ack_id;
+  return message;
+}
+
+class MediatorTest : public testing::Test {
+ protected:
+  MediatorTest() {
+    Subscribe(world_, channels::NodeMessageLocal(),
+              [this](const node_message_t& message) { sent_.push_back(message); });
+    Subscribe(world_, channels::AckMessage(),
+              [this](const ack_message_t& ack) { acks_.push_back(ack); });
+  }
+
+  void Give(const node_message_t& message) {
+    Publish(world_, channels::MediatedMessage("alpha"), message);
+  }
+  void Acknowledge(const std::string& who, const std::string& ack_id) {
+    ack_message_t ack{};
+    ack.src_node = who;
+    ack.dest_node = "alpha";
+    ack.ack_id = ack_id;
+    Publish(world_, channels::AckMessageTo("alpha"), ack);
+  }
+  /// Lets the mediator handle what was said, and hears its answers.
+  void Step(int64_t pass_us = kSecond_us) {
+    sent_.clear();
+    acks_.clear();
+    hub_.NextStep();
+    hub_.HandleAll();
+    mediator_.Tick(utime_ += pass_us);
+    hub_.NextStep();
+    hub_.HandleAll();
+    const MediatorCounters& counters = mediator_.counters();
+    EXPECT_EQ(counters.given, counters.acknowledged + counters.given_up + counters.refused +
+                                  static_cast<int64_t>(mediator_.num_waiting()));
+  }
+
+  MemoryBus hub_;
+  Bus& bus_ = hub_.Join("node_reporter_alpha");
+  Bus& world_ = hub_.Join("world");
+  StatusLog log_;
+  Mediator mediator_{"alpha", {.ack_timeout_s = 10, .max_repeats = 2}, bus_, &log_};
+  int64_t utime_ = 0;
+  std::vector<node_message_t> sent_;
+  std::vector<ack_message_t> acks_;
+};
+
+TEST_F(MediatorTest, AcknowledgesAMessageThatAsksForItEachTimeItIsHeard) {
+  node_message_t message = MessageTo("alpha", "b-7");
+  message.src_node = "bravo";
+  message.ack_requested = 1;
+  for (int i = 0; i < 2; ++i) {
+    Publish(world_, channels::NodeMessage("alpha"), message);
+    Step();
+    ASSERT_EQ(acks_.size(), 1U);
+    EXPECT_EQ(acks_[0].src_node, "alpha");
+    EXPECT_EQ(acks_[0].dest_node, "bravo");
+    EXPECT_EQ(acks_[0].ack_id, "b-7");
+  }
+}
+
+TEST_F(MediatorTest, StaysSilentAboutAMessageThatAsksForNoAck) {
+  Publish(world_, channels::NodeMessage("alpha"), MessageTo("alpha", "b-7"));
+  Step();
+  EXPECT_TRUE(acks_.empty());
+}
+
+TEST_F(MediatorTest, FillsInWhoSendsAndWhatIsToBeAcknowledged) {
+  Give(MessageTo("bravo"));
+  Step();
+  ASSERT_EQ(sent_.size(), 1U);
+  EXPECT_EQ(sent_[0].src_node, "alpha");
+  EXPECT_EQ(sent_[0].dest_node, "bravo");
+  EXPECT_EQ(sent_[0].string_val, "hello");
+  EXPECT_EQ(sent_[0].utime, kSecond_us);
+  EXPECT_TRUE(sent_[0].ack_requested);
+  EXPECT_FALSE(sent_[0].ack_id.empty());
+}
+
+TEST_F(MediatorTest, GivesEachMessageAnIdOfItsOwn) {
+  Give(MessageTo("bravo"));
+  Give(MessageTo("bravo"));
+  Step();
+  ASSERT_EQ(sent_.size(), 2U);
+  EXPECT_NE(sent_[0].ack_id, sent_[1].ack_id);
+}
+
+TEST_F(MediatorTest, RepeatsTheSameMessageAfterTheTimeoutAndGivesUpAfterTheLastRepeat) {
+  Give(MessageTo("bravo"));
+  Step();
+  const node_message_t first = sent_.at(0);
+  for (int repeat = 0; repeat < 2; ++repeat) {
+    Step(10 * kSecond_us - 1);
+    EXPECT_TRUE(sent_.empty()) << "just before the timeout";
+    Step(1);
+    ASSERT_EQ(sent_.size(), 1U);
+    EXPECT_EQ(sent_[0].ack_id, first.ack_id);
+    EXPECT_EQ(sent_[0].utime, first.utime);
+  }
+  EXPECT_EQ(mediator_.counters().repeats, 2);
+  Step(10 * kSecond_us);
+  EXPECT_TRUE(sent_.empty());
+  EXPECT_EQ(mediator_.counters().given_up, 1);
+  EXPECT_EQ(mediator_.num_waiting(), 0U);
+}
+
+TEST_F(MediatorTest, StopsRepeatingOnceTheNamedVehicleHasAcknowledged) {
+  Give(MessageTo("Bravo", "a-1"));
+  Step();
+  Acknowledge("charlie", "a-1");
+  Acknowledge("bravo", "a-2");
+  Step();
+  EXPECT_EQ(mediator_.num_waiting(), 1U) << "neither was asked for";
+  EXPECT_EQ(mediator_.counters().acks_unasked, 2);
+  Acknowledge("bravo", "a-1");
+  Step();
+  EXPECT_EQ(mediator_.counters().acknowledged, 1);
+  Step(100 * kSecond_us);
+  EXPECT_TRUE(sent_.empty());
+}
+
+TEST_F(MediatorTest, WaitsForEveryVehicleThatIsNamed) {
+  Give(MessageTo("bravo:charlie", "a-1"));
+  Step();
+  Acknowledge("charlie", "a-1");
+  Step();
+  EXPECT_EQ(mediator_.num_waiting(), 1U);
+  Acknowledge("bravo", "a-1");
+  Step();
+  EXPECT_EQ(mediator_.num_waiting(), 0U);
+}
+
+TEST_F(MediatorTest, IsContentWithOneAckOfAGroupOrOfAll) {
+  Give(MessageTo("all", "a-1"));
+  node_message_t to_group = MessageTo("", "a-2");
+  to_group.dest_group = "red";
+  Give(to_group);
+  Step();
+  Acknowledge("zulu", "a-1");
+  Acknowledge("zulu", "a-2");
+  Step();
+  EXPECT_EQ(mediator_.counters().acknowledged, 2);
+}
+
+TEST_F(MediatorTest, RefusesWhatIsAnothersOrWaitsAlready) {
+  node_message_t foreign = MessageTo("bravo");
+  foreign.src_node = "bravo";
+  Give(foreign);
+  Give(MessageTo("bravo", "a-1"));
+  Give(MessageTo("bravo", "a-1"));
+  Step();
+  EXPECT_EQ(sent_.size(), 1U);
+  EXPECT_EQ(mediator_.counters().refused, 2);
+}
+
+TEST_F(MediatorTest, RefusesMoreThanItCanKeepInMind) {
+  for (size_t i = 0; i <= Mediator::kMaxWaiting; ++i) Give(MessageTo("bravo"));
+  Step();
+  EXPECT_EQ(mediator_.num_waiting(), Mediator::kMaxWaiting);
+  EXPECT_EQ(mediator_.counters().refused, 1);
+}
+
+}  // namespace
+}  // namespace shoal

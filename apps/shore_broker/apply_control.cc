@@ -1,0 +1,81 @@
+#include "apps/shore_broker/apply_control.h"
+
+#include <fmt/format.h>
+
+#include "lib/routing/vehicle_name.h"
+
+namespace shoal {
+
+namespace {
+
+bool RequestFullReports(const ControlRow& row, const unc_control_t& control, int64_t utime,
+                        Router* router, StatusLog* log) {
+  if (router->RequestFullReports(control.vehicle)) {
+    log->Event(utime, fmt::format("{}: {} receives the next report of each other vehicle",
+                                  row.channel, control.vehicle));
+  } else {
+    log->Warn(fmt::format("{} refused: no vehicle '{}' is known", row.channel,
+                          Printable(control.vehicle)));
+  }
+  return false;
+}
+
+bool ApplyFactor(const ControlRow& row, const unc_control_t& control, int64_t utime, Router* router,
+                 StatusLog* log) {
+  if (!IsLegalVehicleName(control.vehicle)) {
+    log->Warn(fmt::format("{} refused: it is for one vehicle, and '{}' is no vehicle's name",
+                          row.channel, Printable(control.vehicle)));
+    return false;
+  }
+  std::optional<LinkFactors> factors = router->FindFactors(control.vehicle);
+  if (!factors) {
+    log->Warn(
+        fmt::format("{} refused: too many vehicles that are not of the mission", row.channel));
+    return false;
+  }
+  const double old = GetFactor(row, *factors);
+  if (!IsPossible(row, control.value)) {
+    log->Warn(fmt::format("{} refused: {} for {} is impossible (allowed: {}); {} stays",
+                          row.channel, control.value, control.vehicle, row.values, old));
+    return false;
+  }
+  SetFactor(row, control.value, &*factors);
+  router->SetFactors(control.vehicle, *factors);
+  log->Event(utime,
+             fmt::format("{}: {} {} (was {})", row.channel, control.vehicle, control.value, old));
+  return control.value != old;
+}
+
+bool ApplyRule(const ControlRow& row, const unc_control_t& control, int64_t utime, Router* router,
+               StatusLog* log) {
+  RoutingRules rules = router->rules();
+  const double old = GetRule(row, rules);
+  if (!control.vehicle.empty()) {
+    log->Warn(fmt::format("{} refused: it holds for all, not for one vehicle; {} stays",
+                          row.channel, ControlWord(row, old)));
+    return false;
+  }
+  if (!IsPossible(row, control.value)) {
+    log->Warn(fmt::format("{} refused: {} is impossible (allowed: {}); {} stays", row.channel,
+                          control.value, row.values, ControlWord(row, old)));
+    return false;
+  }
+  SetRule(row, control.value, &rules);
+  router->SetRules(rules);
+  log->Event(utime, fmt::format("{}: {} (was {})", row.channel, ControlWord(row, control.value),
+                                ControlWord(row, old)));
+  return control.value != old;
+}
+
+}  // namespace
+
+bool ApplyControl(const ControlRow& row, const unc_control_t& control, int64_t utime,
+                  Router* router, StatusLog* log) {
+  if (row.type == ControlType::kRequest) {
+    return RequestFullReports(row, control, utime, router, log);
+  }
+  return row.of_vehicle ? ApplyFactor(row, control, utime, router, log)
+                        : ApplyRule(row, control, utime, router, log);
+}
+
+}  // namespace shoal

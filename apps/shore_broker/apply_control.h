@@ -1,0 +1,19 @@
+// A rule changes while the mission runs.
+#pragma once
+
+#include <cstdint>
+
+#include "lib/routing/control.h"
+#include "lib/routing/router.h"
+#include "lib/run/status_page.h"
+#include "shoal/unc_control_t.hpp"
+
+namespace shoal {
+
+/// Changes the rule of `row` as `control` says, and notes it as an event; or leaves it as it is and
+/// warns, where the value is impossible or a vehicle is named for a rule of all. Returns true where
+/// something changed that COMMS_RULES tells.
+bool ApplyControl(const ControlRow& row, const unc_control_t& control, int64_t utime,
+                  Router* router, StatusLog* log);
+
+}  // namespace shoal

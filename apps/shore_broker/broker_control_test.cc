@@ -1,0 +1,208 @@
+// Rules that change while the mission runs, and a broker that is started again.
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "apps/shore_broker/broker_fixture.h"
+
+namespace shoal {
+namespace {
+
+using Texts = std::vector<std::string>;
+
+class BrokerControlTest : public BrokerFixture {
+ protected:
+  /// Both report from where they are; returns the fates.
+  Texts BothReport(double apart_m) {
+    Say(ReportFrom("alpha", 0));
+    Say(ReportFrom("bravo", apart_m));
+    Step();
+    return Fates();
+  }
+};
+
+TEST_F(BrokerControlTest, TellsTheRulesAtItsStartAndWhenOneChanges) {
+  Step();
+  ASSERT_EQ(rules_.size(), 1U);
+  EXPECT_TRUE(rules_[0].is_start);
+  EXPECT_EQ(rules_[0].comms_range_m, 250);
+  EXPECT_EQ(rules_[0].vehicles, (Texts{"alpha", "bravo"}));
+  Step();
+  EXPECT_EQ(rules_.size(), 1U);
+  Say("comms_range", 300);
+  Step();
+  ASSERT_EQ(rules_.size(), 2U);
+  EXPECT_FALSE(rules_[1].is_start);
+  EXPECT_EQ(rules_[1].comms_range_m, 300);
+  Say("comms_range", 300);
+  Step();
+  EXPECT_EQ(rules_.size(), 2U) << "nothing changed";
+}
+
+TEST_F(BrokerControlTest, TellsRulesFromWhichABrokerIsMadeThatTellsTheSame) {
+  Say("stealth", 0.5, "alpha");
+  Say("groups", 1);
+  Step();
+  const auto setup = SetupOf(rules_.at(0));
+  ASSERT_TRUE(setup.ok()) << setup.error();
+  EXPECT_EQ(setup->rules.comms_range_m, 250);
+  EXPECT_TRUE(setup->rules.groups);
+  EXPECT_EQ(setup->vehicles, (Texts{"alpha", "bravo"}));
+  ASSERT_EQ(setup->factors.size(), 1U);
+  EXPECT_EQ(setup->factors[0].second.stealth, 0.5);
+}
+
+TEST_F(BrokerControlTest, TakesNoImpossibleRecordedRules) {
+  Step();
+  comms_rules_t rules = rules_.at(0);
+  rules.drop_percentage = 101;
+  EXPECT_FALSE(SetupOf(rules).ok());
+  rules = rules_.at(0);
+  rules.vehicles[1] = "ALPHA";
+  EXPECT_FALSE(SetupOf(rules).ok());
+  rules = rules_.at(0);
+  rules.tick_us = 0;
+  EXPECT_FALSE(SetupOf(rules).ok());
+  rules = rules_.at(0);
+  rules.factors = {{.vehicle = "alpha", .stealth = 0.5, .earange = 11}};
+  EXPECT_FALSE(SetupOf(rules).ok());
+}
+
+TEST_F(BrokerControlTest, FollowsEveryChannelOfTheTable) {
+  for (const ControlRow& row : ControlTable()) {
+    if (row.type == ControlType::kRequest) continue;
+    const double value = row.min > -1 && row.min > 0 ? row.min : std::min(1.0, row.max);
+    Say(row.rule, value, row.of_vehicle ? "alpha" : "");
+  }
+  Step();
+  EXPECT_TRUE(broker_.Status().run_warnings.empty());
+  EXPECT_EQ(broker_.router().rules().comms_range_m, 1);
+  EXPECT_EQ(broker_.router().rules().max_msg_length_bytes, 1);
+  EXPECT_TRUE(broker_.router().rules().groups);
+}
+
+TEST_F(BrokerControlTest, MakesAVehicleHardToHear) {
+  EXPECT_EQ(BothReport(200), (Texts{"alpha>bravo delivered", "bravo>alpha delivered"}));
+  Say("stealth", 0.8, "ALPHA");
+  EXPECT_EQ(BothReport(200), (Texts{"alpha>bravo out_of_range", "bravo>alpha delivered"}));
+  Say("stealth", 0.81, "alpha");
+  EXPECT_EQ(BothReport(200), (Texts{"alpha>bravo delivered", "bravo>alpha delivered"}));
+}
+
+TEST_F(BrokerControlTest, KeepsTheOldFactorWhereTheNewIsImpossible) {
+  Say("earange", 2, "bravo");
+  Step();
+  for (const double bad : {0.99, 10.01, std::numeric_limits<double>::quiet_NaN()}) {
+    Say("earange", bad, "bravo");
+  }
+  Say("earange", 2, "");
+  EXPECT_EQ(BothReport(400), (Texts{"alpha>bravo delivered", "bravo>alpha out_of_range"}));
+  EXPECT_EQ(broker_.Status().run_warnings.size(), 4U);
+  EXPECT_TRUE(PageHas("BRAVO: stealth 1, earange 2"));
+}
+
+TEST_F(BrokerControlTest, KeepsAFactorForAVehicleThatIsNotKnownYet) {
+  Say("earange", 2, "charlie");
+  Step();
+  Say(ReportFrom("charlie", 400));
+  Say(ReportFrom("alpha", 0));
+  Step();
+  EXPECT_EQ(Fates(), (Texts{"charlie>alpha out_of_range", "alpha>charlie delivered"}));
+}
+
+TEST_F(BrokerControlTest, DeliversTheNextReportOfEachOtherVehicleOnRequest) {
+  BothReport(5000);
+  Say("full_report", 0, "bravo");
+  EXPECT_EQ(BothReport(5000), (Texts{"alpha>bravo delivered", "bravo>alpha out_of_range"}));
+  EXPECT_EQ(fates_.at(0).override_rule, "full_report");
+  EXPECT_EQ(BothReport(5000), (Texts{"alpha>bravo out_of_range", "bravo>alpha out_of_range"}));
+}
+
+TEST_F(BrokerControlTest, RefusesARequestOfNobody) {
+  Say("full_report", 0, "nemo");
+  Step();
+  EXPECT_EQ(broker_.Status().run_warnings.size(), 1U);
+}
+
+TEST_F(BrokerControlTest, SharesReportsAtTheRateThatEyesCanFollow) {
+  broker_.OnWarp(10);
+  Say("shared_node_reports", 0.1);
+  int64_t num_shared = 0;
+  for (int step = 0; step < 100; ++step) {
+    Say(ReportFrom("alpha", 0));
+    Step();
+    num_shared += static_cast<int64_t>(shared_.size());
+  }
+  EXPECT_EQ(num_shared, 10) << "ten steps of 0.1 s at warp 10 are 0.1 s of wall time";
+  Say("shared_node_reports", -1);
+  Say(ReportFrom("alpha", 0));
+  Step();
+  EXPECT_TRUE(shared_.empty());
+}
+
+TEST_F(BrokerControlTest, SharesEachVehicleByItself) {
+  Say("shared_node_reports", 1000);
+  BothReport(10);
+  EXPECT_EQ(shared_, (Texts{"alpha", "bravo"}));
+}
+
+TEST_F(BrokerControlTest, WorksAtOnceInTheMissionsFirstStep) {
+  EXPECT_EQ(BothReport(10).size(), 2U);
+  EXPECT_EQ(num_requests_, 0);
+}
+
+/// A broker whose first step is not the mission's.
+class LateBrokerTest : public BrokerControlTest {
+ protected:
+  LateBrokerTest() { utime_ = kStart_utime + 7'000'000; }
+  void Answer(const std::vector<kept_control_t>& controls) {
+    unc_controls_t answer = {};
+    answer.controls = controls;
+    answer.num_controls = static_cast<int32_t>(controls.size());
+    Publish(listener_, channels::UncControls(), answer);
+  }
+  static kept_control_t Kept(const std::string& channel, double value,
+                             const std::string& vehicle = "") {
+    return {.channel = channel, .control = {.utime = 0, .vehicle = vehicle, .value = value}};
+  }
+};
+
+TEST_F(LateBrokerTest, AsksForTheControlsThatItMissedAndHoldsWhatItHearsUntilItHasThem) {
+  EXPECT_TRUE(BothReport(300).empty());
+  EXPECT_EQ(num_requests_, 1);
+  EXPECT_TRUE(rules_.empty());
+  Answer({Kept("UNC_COMMS_RANGE", 400), Kept("UNC_STEALTH", 0.5, "alpha"), Kept("NONSENSE", 1)});
+  Step();
+  EXPECT_EQ(Fates(), (Texts{"alpha>bravo out_of_range", "bravo>alpha delivered"}));
+  EXPECT_EQ(heard_["alpha"].size(), 1U);
+  ASSERT_EQ(rules_.size(), 1U);
+  EXPECT_TRUE(rules_[0].is_start);
+  EXPECT_EQ(rules_[0].comms_range_m, 400);
+  EXPECT_EQ(num_requests_, 1);
+}
+
+TEST_F(LateBrokerTest, LetsALaterControlPrevailOverWhatItMissed) {
+  Step();
+  Answer({Kept("UNC_COMMS_RANGE", 400)});
+  Say("comms_range", 200);
+  EXPECT_EQ(BothReport(300), (Texts{"alpha>bravo out_of_range", "bravo>alpha out_of_range"}));
+}
+
+TEST_F(LateBrokerTest, GoesOnWithTheMissionsRulesWhereNobodyAnswers) {
+  for (int step = 0; step < 10; ++step) EXPECT_TRUE(BothReport(200).empty());
+  EXPECT_EQ(BothReport(200).size(), 22U) << "nothing that it heard meanwhile is lost";
+  EXPECT_EQ(broker_.Status().run_warnings.size(), 1U);
+}
+
+TEST_F(LateBrokerTest, HandsOnCommandsMeanwhile) {
+  helm_command_t command = {};
+  command.command = "return";
+  Publish(listener_, channels::HelmCommandAll(), command);
+  Step();
+  EXPECT_EQ(orders_.size(), 2U);
+}
+
+}  // namespace
+}  // namespace shoal

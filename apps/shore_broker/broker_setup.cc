@@ -1,0 +1,113 @@
+#include "apps/shore_broker/broker_setup.h"
+
+#include <fmt/format.h>
+
+#include <set>
+
+#include "lib/routing/control.h"
+#include "lib/routing/vehicle_name.h"
+
+namespace shoal {
+
+BrokerSetup SetupOf(const Mission& mission) {
+  BrokerSetup setup{.rules = mission.comms,
+                    .seed = mission.seed,
+                    .start_utime = mission.start_utime,
+                    .tick_us = mission.tick_us,
+                    .vehicles = {},
+                    .factors = {}};
+  for (const Vehicle& vehicle : mission.vehicles) {
+    setup.vehicles.push_back(vehicle.name);
+    if (vehicle.link_factors == LinkFactors()) continue;
+    setup.factors.emplace_back(vehicle.name, vehicle.link_factors);
+  }
+  return setup;
+}
+
+Result<BrokerSetup> SetupOf(const comms_rules_t& rules) {
+  BrokerSetup setup{.rules = {.comms_range_m = rules.comms_range_m,
+                              .critical_range_m = rules.critical_range_m,
+                              .stale_time_s = rules.stale_time_s,
+                              .stale_forget_s = rules.stale_forget_s,
+                              .groups = rules.groups != 0,
+                              .msg_groups = rules.msg_groups != 0,
+                              .ignore_group = rules.ignore_group,
+                              .min_rpt_interval_s = rules.min_rpt_interval_s,
+                              .min_msg_interval_s = rules.min_msg_interval_s,
+                              .max_msg_length_bytes = rules.max_msg_length_bytes,
+                              .drop_percentage = rules.drop_percentage,
+                              .shared_node_reports_s = rules.shared_node_reports_s,
+                              .pulse_duration_s = rules.pulse_duration_s,
+                              .view_node_rpt_pulses = rules.view_node_rpt_pulses != 0,
+                              .msg_color = rules.msg_color,
+                              .msg_repeat_color = rules.msg_repeat_color,
+                              .each_fate_up_to = rules.each_fate_up_to},
+                    .seed = static_cast<uint64_t>(rules.seed),
+                    .start_utime = rules.utime,
+                    .tick_us = rules.tick_us,
+                    .vehicles = rules.vehicles,
+                    .factors = {}};
+  for (const ControlRow& row : ControlTable()) {
+    if (row.of_vehicle) continue;
+    const double value = GetRule(row, setup.rules);
+    if (!IsPossible(row, value)) {
+      return Error{fmt::format("COMMS_RULES: {} = {} is impossible", row.rule, value)};
+    }
+  }
+  if (rules.tick_us <= 0) {
+    return Error{fmt::format("COMMS_RULES: tick_us = {} is impossible", rules.tick_us)};
+  }
+  std::set<std::string> keys;
+  for (const std::string& name : setup.vehicles) {
+    if (!IsLegalVehicleName(name) || !keys.insert(VehicleKey(name)).second) {
+      return Error{fmt::format("COMMS_RULES: illegal or repeated vehicle '{}'", name)};
+    }
+  }
+  for (const link_factors_t& each : rules.factors) {
+    const LinkFactors factors = {.stealth = each.stealth, .earange = each.earange};
+    if (!IsPossible(*FindControl("stealth"), factors.stealth) ||
+        !IsPossible(*FindControl("earange"), factors.earange)) {
+      return Error{fmt::format("COMMS_RULES: impossible factors of '{}'", each.vehicle)};
+    }
+    setup.factors.emplace_back(each.vehicle, factors);
+  }
+  return setup;
+}
+
+comms_rules_t RulesMessage(const BrokerSetup& setup, const Router& router) {
+  const RoutingRules& rules = router.rules();
+  comms_rules_t message;
+  message.utime = 0;
+  message.is_start = 0;
+  message.seed = static_cast<int64_t>(setup.seed);
+  message.tick_us = setup.tick_us;
+  message.vehicles = setup.vehicles;
+  message.num_vehicles = static_cast<int32_t>(setup.vehicles.size());
+  message.comms_range_m = rules.comms_range_m;
+  message.critical_range_m = rules.critical_range_m;
+  message.stale_time_s = rules.stale_time_s;
+  message.stale_forget_s = rules.stale_forget_s;
+  message.groups = rules.groups ? 1 : 0;
+  message.msg_groups = rules.msg_groups ? 1 : 0;
+  message.ignore_group = rules.ignore_group;
+  message.min_rpt_interval_s = rules.min_rpt_interval_s;
+  message.min_msg_interval_s = rules.min_msg_interval_s;
+  message.max_msg_length_bytes = rules.max_msg_length_bytes;
+  message.drop_percentage = rules.drop_percentage;
+  message.shared_node_reports_s = rules.shared_node_reports_s;
+  message.pulse_duration_s = rules.pulse_duration_s;
+  message.view_node_rpt_pulses = rules.view_node_rpt_pulses ? 1 : 0;
+  message.msg_color = rules.msg_color;
+  message.msg_repeat_color = rules.msg_repeat_color;
+  message.each_fate_up_to = rules.each_fate_up_to;
+  for (const Contact* contact : router.contacts()) {
+    if (contact->factors == LinkFactors()) continue;
+    message.factors.push_back({.vehicle = contact->name,
+                               .stealth = contact->factors.stealth,
+                               .earange = contact->factors.earange});
+  }
+  message.num_factors = static_cast<int32_t>(message.factors.size());
+  return message;
+}
+
+}  // namespace shoal

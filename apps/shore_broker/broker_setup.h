@@ -1,0 +1,35 @@
+// What a broker needs to know before it hears anything, and how it tells that to others.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "lib/check/result.h"
+#include "lib/mission/mission.h"
+#include "lib/routing/router.h"
+#include "lib/routing/rules.h"
+#include "shoal/comms_rules_t.hpp"
+
+namespace shoal {
+
+struct BrokerSetup {
+  RoutingRules rules;
+  uint64_t seed = 1;
+  int64_t start_utime = 0;  ///< A first step later than this means: started in the midst.
+  int64_t tick_us = 100'000;
+  std::vector<std::string> vehicles;                         ///< Of the mission.
+  std::vector<std::pair<std::string, LinkFactors>> factors;  ///< Others than 1.
+};
+
+/// Returns what a mission file says.
+[[nodiscard]] BrokerSetup SetupOf(const Mission& mission);
+
+/// Returns what a recorded COMMS_RULES says, or an error where it says something impossible.
+[[nodiscard]] Result<BrokerSetup> SetupOf(const comms_rules_t& rules);
+
+/// Returns the rules in force as COMMS_RULES; `setup` tells what does not change.
+[[nodiscard]] comms_rules_t RulesMessage(const BrokerSetup& setup, const Router& router);
+
+}  // namespace shoal

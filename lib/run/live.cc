@@ -1,0 +1,151 @@
+#include "lib/run/live.h"
+
+#include <fmt/format.h>
+#include <time.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "lib/bus/channels.h"
+#include "lib/bus/lcm_bus.h"
+#include "lib/bus/socket_drops.h"
+#include "lib/check/result.h"
+#include "lib/run/appcast.h"
+#include "lib/run/roster.h"
+#include "lib/run/round_size.h"
+#include "lib/run/run_app.h"
+#include "lib/run/run_registry.h"
+
+namespace shoal {
+
+namespace {
+
+constexpr int64_t kTerminalInterval_us = 1'000'000;
+
+/// The app's page, with what became of messages before they reached it.
+StatusPage PageWithLosses(const App& app, const LcmBus& bus, const PortPlan& ports) {
+  StatusPage page = app.Status();
+  const BusCounters& counters = bus.counters();
+  const int64_t dropped = DroppedDatagrams(ports.DataPorts());
+  if (counters.overload > 0) {
+    page.run_warnings.push_back(
+        fmt::format("overload: {} messages dropped, because more had arrived than can be handled "
+                    "in {} ms",
+                    counters.overload, RoundSize::kTarget_us / 1000));
+  }
+  if (dropped > 0) {
+    page.run_warnings.push_back(fmt::format(
+        "{} datagrams were lost before anybody read them: receive buffer full (sudo sysctl -w "
+        "net.core.rmem_max=4194304 helps; now {} bytes)",
+        dropped, ReceiveBufferLimit()));
+  }
+  for (const auto& [channel, count] : counters.undecodable_by_channel) {
+    page.run_warnings.push_back(fmt::format("{} undecodable messages on {}", count, channel));
+  }
+  page.text += fmt::format(
+      "\nBus: {} published, {} handled, {} undecodable, {} dropped in overload, {} datagrams lost "
+      "in the kernel\n",
+      counters.published, counters.handled, counters.undecodable, counters.overload, dropped);
+  return page;
+}
+
+/// Returns the processor time that this thread has used.
+int64_t ProcessorMicroseconds() {
+  timespec used{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &used);
+  return int64_t{used.tv_sec} * 1'000'000 + used.tv_nsec / 1000;
+}
+
+/// An entry among the running missions, for as long as it lives.
+class Registration {
+ public:
+  explicit Registration(const RunningMission& mission)
+      : port_base_(mission.port_base), result_(Register(mission)) {}
+  ~Registration() { Unregister(port_base_); }
+  Registration(const Registration&) = delete;
+  Registration& operator=(const Registration&) = delete;
+
+  const Result<bool>& result() const { return result_; }
+
+ private:
+  int port_base_;
+  Result<bool> result_;
+};
+
+}  // namespace
+
+int RunLive(const LiveOptions& options, Mission mission,
+            const std::function<std::unique_ptr<App>(const Mission&, Bus&)>& make) {
+  const auto fail = [&](const std::string& why) {
+    fmt::print(stderr, "{}: {}\n", options.name, why);
+    return static_cast<int>(kExitEnvironment);
+  };
+  for (const RunningMission& other : RunningMissions()) {
+    const PortPlan& ours = options.ports;
+    const PortPlan theirs = other.Ports();
+    if (theirs.base() < ours.base() + ours.num_ports() &&
+        ours.base() < theirs.base() + theirs.num_ports()) {
+      return fail(fmt::format("{} (pid {}) has ports {} to {} already; choose others with --port",
+                              other.name, other.pid, theirs.base(),
+                              theirs.base() + theirs.num_ports() - 1));
+    }
+  }
+  const Registration registration(
+      {.name = mission.name,
+       .file = std::filesystem::absolute(mission.file).lexically_normal().string(),
+       .mission_id = 0,
+       .port_base = options.ports.base(),
+       .layout = options.ports.layout(),
+       .pid = static_cast<int>(getpid()),
+       .vehicles = VehicleNames(mission)});
+  if (!registration.result().ok()) return fail(registration.result().error());
+
+  const int64_t begin_us = MonotonicMicroseconds();
+  mission.start_utime = UnixMicroseconds();
+  const auto utime = [&] { return mission.start_utime + MonotonicMicroseconds() - begin_us; };
+
+  LcmBus bus(options.ports);
+  RoundSize round_size;
+  const std::unique_ptr<App> app = make(mission, bus);
+  app->OnWarp(1);
+  int64_t num_rounds = 0;
+  const auto page = [&] { return PageWithLosses(*app, bus, options.ports); };
+  bool is_asked = false;
+  Subscribe(bus, channels::AppcastReq(), [&](const appcast_req_t& request) {
+    is_asked = is_asked || request.app == "all" || request.app == options.name;
+  });
+  if (!bus.error().empty()) return fail(bus.error());
+  fmt::print("{}: live on {}; Ctrl-C ends\n", options.name, LcmUrl(options.ports.shore_port()));
+  std::fflush(stdout);
+
+  const bool on_terminal = isatty(STDOUT_FILENO) == 1;
+  int64_t next_tick_us = begin_us;
+  int64_t next_show_us = begin_us;
+  while (!options.stopped()) {
+    const int64_t handled_before = bus.counters().handled;
+    bus.set_most_per_poll(round_size.most());
+    bus.Poll(std::max<int64_t>(next_tick_us - MonotonicMicroseconds(), 0));
+    const int64_t spent_before_us = ProcessorMicroseconds();
+    app->Tick(utime());
+    round_size.AfterRound(bus.counters().handled - handled_before,
+                          ProcessorMicroseconds() - spent_before_us);
+    ++num_rounds;
+    const int64_t now_us = MonotonicMicroseconds();
+    next_tick_us = now_us + options.tick_us;
+    if (is_asked)
+      Publish(bus, channels::Appcast(), ToAppcast(page(), options.name, utime(), num_rounds));
+    is_asked = false;
+    if (on_terminal && now_us >= next_show_us) {
+      fmt::print("\033[2J\033[H{}", Format(page(), options.name, num_rounds));
+      std::fflush(stdout);
+      next_show_us = now_us + kTerminalInterval_us;
+    }
+    if (const std::string fault = app->Fault(); !fault.empty()) return fail(fault);
+  }
+  app->End();
+  fmt::print("{}\n{}: ended by a signal\n", Format(page(), options.name, num_rounds), options.name);
+  return kExitOk;
+}
+
+}  // namespace shoal
