@@ -19,6 +19,7 @@ std::string Counted(size_t count, std::string_view noun) {
 
 bool LoadedWithoutErrors(const LoadedMission& loaded) {
   for (const std::string& error : loaded.errors) fmt::print(stderr, "{}\n", error);
+  for (const std::string& warning : loaded.warnings) fmt::print(stderr, "{}\n", warning);
   return loaded.errors.empty();
 }
 

@@ -3,11 +3,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string_view>
 
+#include "lib/routing/control.h"
 #include "lib/routing/vehicle_name.h"
 #include "lib/verdict/summary.h"
 
 namespace shoal {
+
+namespace {
+constexpr std::string_view kTooManyControls =
+    "UNC_* of one more vehicle not kept: a broker that starts again will not be told of it";
+}  // namespace
 
 DirectorApp::DirectorApp(const Mission& mission, Bus& bus)
     : mission_(mission), bus_(bus), judge_(mission) {
@@ -25,11 +32,19 @@ DirectorApp::DirectorApp(const Mission& mission, Bus& bus)
   }
   bus.SubscribeBytes(channels::CommsFates().name,
                      [this](const Message& message) { TakeFates(message); });
+  for (const ControlRow& row : ControlTable()) {
+    Subscribe(bus, channels::Control(row), [this, &row](const unc_control_t& control) {
+      if (!controls_.Keep(row, control)) log_.Warn(kTooManyControls);
+    });
+  }
+  Subscribe(bus, channels::UncControlsReq(),
+            [this](const unc_controls_req_t&) { controls_wanted_ = true; });
 }
 
 void DirectorApp::Tick(int64_t utime) {
   EndLastStep();
   last_utime_ = utime;
+  AnswerControlsRequest(utime);
   const double now_s = static_cast<double>(utime - mission_.start_utime) / 1e6;
   for (; next_event_ < mission_.events.size(); ++next_event_) {
     const Event& event = mission_.events[next_event_];
@@ -50,7 +65,10 @@ void DirectorApp::TakeFates(const Message& message) {
     return;
   }
   for (const fate_t& fate : fates_message_.fates) {
-    if (fate.kind == "report") judge_.fates().Add(fate.source, fate.destination, fate.cause);
+    for (const Kind kind : {Kind::kReport, Kind::kMessage, Kind::kAck}) {
+      if (fate.kind != KindText(kind)) continue;
+      judge_.fates(kind).Add(fate.source, fate.destination, fate.cause, fate.count);
+    }
   }
 }
 
@@ -84,15 +102,45 @@ void DirectorApp::Say(int64_t utime, const RuleEvent& event) {
   control.utime = utime;
   control.vehicle = event.vehicle;
   control.value = event.value;
-  if (event.rule == "comms_range") {
-    Publish(bus_, channels::UncCommsRange(), control);
-  } else if (event.rule == "stale_time") {
-    Publish(bus_, channels::UncStaleTime(), control);
-  } else {
+  const ControlRow* row = FindControl(event.rule);
+  if (row == nullptr) {
     log_.Warn(fmt::format("event dropped: there is no rule '{}'", event.rule));
     return;
   }
-  log_.Event(utime, fmt::format("{} = {:g}", event.rule, event.value));
+  Publish(bus_, channels::Control(*row), control);  // Heard, and kept, in the next step.
+  std::string text = event.rule;
+  if (!event.vehicle.empty()) text += " of " + event.vehicle;
+  if (row->type != ControlType::kRequest) text += " = " + ControlWord(*row, event.value);
+  log_.Event(utime, text);
+}
+
+void DirectorApp::Say(int64_t utime, const MessageEvent& event) {
+  node_message_t message;
+  message.utime = utime;
+  message.src_node = event.src_node;
+  message.src_app = "shoal";
+  message.dest_node = event.dest_node;
+  message.dest_group = event.dest_group;
+  message.var_name = event.var_name;
+  message.string_val = event.string_val;
+  message.double_val = event.double_val.value_or(0);
+  message.is_double = event.double_val ? 1 : 0;
+  message.ack_requested = event.ack ? 1 : 0;
+  // Its node_reporter gives an acknowledged message its ack_id, and repeats it.
+  Publish(bus_,
+          event.ack ? channels::MediatedMessage(event.src_node) : channels::NodeMessageLocal(),
+          message);
+  log_.Event(utime, fmt::format("{} of {} to {}{}", event.var_name, event.src_node, event.dest_node,
+                                event.dest_group.empty() ? "" : " group " + event.dest_group));
+}
+
+void DirectorApp::AnswerControlsRequest(int64_t utime) {
+  if (!controls_wanted_) return;
+  controls_wanted_ = false;
+  unc_controls_t answer = controls_.All();
+  answer.utime = utime;
+  log_.Event(utime, fmt::format("UNC_CONTROLS: {} said on request", answer.num_controls));
+  Publish(bus_, channels::UncControls(), answer);
 }
 
 std::vector<std::string> DirectorApp::VehiclesNamed(const std::string& name) const {
@@ -103,11 +151,11 @@ std::vector<std::string> DirectorApp::VehiclesNamed(const std::string& name) con
 }
 
 int64_t DirectorApp::num_delivered() const {
-  return fates().Count(FateCounts::kAll, FateCounts::kAll, "delivered");
+  return fates(Kind::kReport).Count(FateCounts::kAll, FateCounts::kAll, "delivered");
 }
 
 int64_t DirectorApp::num_blocked() const {
-  return fates().CountOffered(FateCounts::kAll, FateCounts::kAll) - num_delivered();
+  return fates(Kind::kReport).CountOffered(FateCounts::kAll, FateCounts::kAll) - num_delivered();
 }
 
 std::string DirectorApp::Summary(bool complete) const {

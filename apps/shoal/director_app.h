@@ -1,8 +1,9 @@
 // The launcher's own participant, named "shoal": says what the mission file has planned, and
 // watches what becomes of it.
 //
-// Says HELM_COMMAND_<V>, SIM_COMMAND_<V> and UNC_* at the times of the mission's events; hears
-// NAV_<V>, HELM_STATE_<V> and COMMS_FATES.
+// Says HELM_COMMAND_<V>, SIM_COMMAND_<V>, UNC_*, NODE_MESSAGE_LOCAL and MEDIATED_MESSAGE_<V> at the
+// times of the mission's events; hears NAV_<V>, HELM_STATE_<V> and COMMS_FATES. Keeps the controls
+// that anybody says on UNC_*, and answers UNC_CONTROLS_REQ with them on UNC_CONTROLS.
 #pragma once
 
 #include <cstdint>
@@ -10,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "apps/shoal/kept_controls.h"
 #include "lib/bus/bus.h"
 #include "lib/bus/channels.h"
 #include "lib/mission/mission.h"
@@ -31,7 +33,7 @@ class DirectorApp : public App {
   int64_t num_delivered() const;
   int64_t num_blocked() const;
   /// By link and cause.
-  const FateCounts& fates() const { return judge_.fates(); }
+  const FateCounts& fates(Kind kind) const { return judge_.fates(kind); }
 
   /// Returns the mission's last page, should it end now; its last line is PASS or FAIL, or
   /// INCOMPLETE where it did not run to its end.
@@ -45,13 +47,17 @@ class DirectorApp : public App {
   void Say(int64_t utime, const CommandEvent& event);
   void Say(int64_t utime, const SimCommandEvent& event);
   void Say(int64_t utime, const RuleEvent& event);
+  void Say(int64_t utime, const MessageEvent& event);
+  void AnswerControlsRequest(int64_t utime);
   std::vector<std::string> VehiclesNamed(const std::string& name) const;
 
   const Mission& mission_;
   Bus& bus_;
   StatusLog log_;
   Judge judge_;
-  comms_fates_t fates_message_;  ///< Decoded into; keeps its strings' memory.
+  KeptControls controls_;
+  bool controls_wanted_ = false;  ///< Somebody has asked since the last step.
+  comms_fates_t fates_message_;   ///< Decoded into; keeps its strings' memory.
   size_t next_event_ = 0;
   /// Messages that are handled now were said in this step; absent before the first.
   std::optional<int64_t> last_utime_;

@@ -12,8 +12,11 @@
 
 #include "apps/shoal/check_command.h"
 #include "apps/shoal/doctor.h"
+#include "apps/shoal/import_command.h"
 #include "apps/shoal/launcher.h"
+#include "apps/shoal/rebroker_command.h"
 #include "apps/shoal/send_command.h"
+#include "apps/shoal/send_words.h"
 #include "apps/shoal/sim_command.h"
 #include "apps/shoal/status_command.h"
 #include "lib/mission/load.h"
@@ -220,12 +223,43 @@ void AddLog(CLI::App& cli, Action* action) {
   csv->add_option("--out", csv_options->out_dir, "Folder for the files")->required();
   AddSelection(csv, &csv_options->selection);
   csv->add_flag("--skip-damage", csv_options->skip_damage, "Convert what can be read of a bad log");
+  csv->add_flag_callback(
+      "--moos", [csv_options] { csv_options->lines = NodeReportsAsAlog(); },
+      "Also write node reports as MOOS text, for alog tools: <CHANNEL>.alog");
   AddTypes(csv, &csv_options->types);
   csv->callback([csv_options, action] {
     *action = [csv_options] {
       if (!IsSelectionSound(csv_options->selection)) return static_cast<int>(kExitUsage);
       return LogCsv(*csv_options, std::cout, std::cerr);
     };
+  });
+}
+
+void AddImport(CLI::App& cli, Action* action) {
+  CLI::App* command =
+      cli.add_subcommand("import", "Make a mission of MOOS-IvP mission files (.moos)");
+  auto options = std::make_shared<ImportOptions>();
+  command->add_option("FILE", options->files, "All .moos files of one mission: shore and vehicles")
+      ->required();
+  command->add_option("--out", options->out_path,
+                      "Mission file to write, one that is not there yet; default: standard output");
+  command->callback([options, action] { *action = [options] { return RunImport(*options); }; });
+}
+
+void AddRebroker(CLI::App& cli, Action* action) {
+  CLI::App* command =
+      cli.add_subcommand("rebroker", "Who would have heard whom: a log's reports, other rules");
+  auto options = std::make_shared<RebrokerOptions>();
+  command->add_option("LOG", options->logs, "LCM event log; several: of loggers of one mission")
+      ->required();
+  command->add_option("--comms", options->comms_file,
+                      "Rules: a mission file, or one with [comms] alone; default: the recorded");
+  command->add_option("--log", options->out_path, "Write what was heard instead as an LCM log");
+  command->add_flag("--no-controls", options->no_controls, "Leave out what was said on UNC_*");
+  command->add_flag("--all", options->all_links, "Show all links, however many there are");
+  command->add_flag("--skip-damage", options->skip_damage, "Read what can be read of a bad log");
+  command->callback([options, action] {
+    *action = [options] { return RunRebroker(*options, std::cout, std::cerr); };
   });
 }
 
@@ -250,6 +284,8 @@ int RunShoalCommand(int argc, char** argv) {
   AddSend(cli, &action);
   AddStatus(cli, &action);
   AddLog(cli, &action);
+  AddImport(cli, &action);
+  AddRebroker(cli, &action);
   cli.add_subcommand("doctor", "Say what keeps missions from running on this machine")
       ->callback([&action] { action = [] { return RunDoctor(); }; });
   cli.add_subcommand("channels", "Print the table of all channels (docs/channels.md)")

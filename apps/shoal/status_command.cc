@@ -7,6 +7,7 @@
 #include "lib/bus/channels.h"
 #include "lib/bus/lcm_bus.h"
 #include "lib/check/result.h"
+#include "lib/run/appcast.h"
 #include "lib/run/run_app.h"
 #include "lib/run/run_registry.h"
 #include "lib/run/status_page.h"
@@ -19,12 +20,6 @@ namespace {
 /// long without a further page.
 constexpr int64_t kQuiet_us = 300'000;
 constexpr int64_t kPatience_us = 2'000'000;
-
-StatusPage PageOf(const appcast_t& appcast) {
-  return {.config_warnings = appcast.config_warnings,
-          .run_warnings = appcast.run_warnings,
-          .text = appcast.page};
-}
 
 }  // namespace
 

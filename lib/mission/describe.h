@@ -12,6 +12,7 @@
 
 #include "lib/mission/fields.h"
 #include "lib/mission/mission.h"
+#include "lib/routing/control.h"
 
 namespace shoal {
 
@@ -25,6 +26,12 @@ constexpr double kLongest_s = 1e7;
 /// The whole file but its templates and fleets (expand.h).
 void Describe(Fields& file, Mission& mission);
 
+/// [comms].
+void Describe(Fields& fields, RoutingRules& rules);
+/// The value of a rule that can change while a mission runs, under `key`.
+void DescribeControlValue(Fields& fields, std::string_view key, const ControlRow& row,
+                          double& value);
+
 /// One [[vehicle]], or a template, whose name is empty.
 void Describe(Fields& fields, Vehicle& vehicle);
 
@@ -37,6 +44,9 @@ void Describe(Fields& fields, ReturnTask& task, const StartPose& start);
 void Describe(Fields& fields, Event& event, const Mission& mission);
 /// One [[expect]], likewise.
 void Describe(Fields& fields, Expectation& expectation, const Mission& mission);
+
+/// Warns of tasks behind one that never ends, where no event starts them.
+void WarnOfIdleTasks(Fields& file, const Mission& mission);
 
 /// Refuses the name under `key` where no vehicle of `mission` has it; else writes it as the
 /// vehicle's table does. "all" is left alone where `or_all`.

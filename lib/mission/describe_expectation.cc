@@ -65,6 +65,9 @@ void Describe(Fields& fields, SeparationExpectation& separation, const Mission&)
   fields.Number("min_m", separation.min_m, Above(0, 100'000));
 }
 
+/// What an expectation calls the fates of one kind: "reports".
+std::string NameOf(Kind kind) { return std::string(KindText(kind)) + "s"; }
+
 void DescribeCount(Fields& fields, std::string_view key, std::optional<int64_t>& count) {
   if (!fields.Has(key, count.has_value())) return;
   int64_t value = count.value_or(0);
@@ -80,10 +83,18 @@ void Describe(Fields& fields, CommsExpectation& comms, const Mission& mission) {
   std::vector<std::string_view> causes;
   for (int i = 0; i < kNumCauses; ++i) causes.push_back(CauseText(static_cast<Cause>(i)));
   fields.Word("cause", comms.cause, causes);
+  if (comms.cause == CauseText(Cause::kOutOfRange) && comms.to != "all" &&
+      static_cast<int64_t>(mission.vehicles.size()) > mission.comms.each_fate_up_to) {
+    fields.Refuse("to", fmt::format("in a fleet of more than each_fate_up_to = {} vehicles, those "
+                                    "that are out of range are counted together: leave to out, or "
+                                    "raise [comms] each_fate_up_to",
+                                    mission.comms.each_fate_up_to));
+  }
   DescribeCount(fields, "at_least", comms.at_least);
   DescribeCount(fields, "at_most", comms.at_most);
   if (!comms.at_least && !comms.at_most) {
-    fields.Refuse("", "an expectation of reports needs at_least, at_most or both");
+    fields.Refuse("", fmt::format("an expectation of {} needs at_least, at_most or both",
+                                  NameOf(comms.kind)));
   } else if (comms.at_least && comms.at_most && *comms.at_least > *comms.at_most) {
     fields.Refuse("at_most", fmt::format("at_most = {} is less than at_least = {}: this can never "
                                          "hold",
@@ -102,27 +113,65 @@ void Describe(Fields& fields, HelmExpectation& helm, const Mission& mission) {
   CheckTask(fields, helm.vehicle, helm.task, mission, kOwnTasks);
 }
 
+/// Returns how often the points of a task can be passed; nothing: without limit.
+std::optional<int64_t> MostLaps(const Task& task) {
+  if (std::holds_alternative<StationKeepTask>(task.what)) return 0;
+  if (std::holds_alternative<ReturnTask>(task.what)) return 1;
+  const auto* waypoints = std::get_if<WaypointsTask>(&task.what);
+  if (waypoints == nullptr || waypoints->laps == 0) return std::nullopt;
+  return waypoints->laps;
+}
+
+/// Refuses more laps than the task of one of the vehicles has.
+void CheckLaps(Fields& fields, const LapsExpectation& laps, const Mission& mission) {
+  for (const Vehicle* vehicle : VehiclesNamed(mission, laps.vehicle)) {
+    for (const Task& task : vehicle->tasks) {
+      const std::optional<int64_t> most = MostLaps(task);
+      if (task.name != laps.task || !most || laps.at_least <= *most) continue;
+      if (*most == 0) {
+        fields.Refuse("task", fmt::format("{} of {} is a {}, which has no laps", Quoted(task.name),
+                                          vehicle->name, KindOf(task)));
+      } else {
+        fields.Refuse("at_least", fmt::format("at_least = {} can never hold: {} of {} ends after "
+                                              "{} lap{}",
+                                              laps.at_least, Quoted(task.name), vehicle->name,
+                                              *most, *most == 1 ? "" : "s"));
+      }
+      return;
+    }
+  }
+}
+
 void Describe(Fields& fields, LapsExpectation& laps, const Mission& mission) {
   DescribeVehicle(fields, laps.vehicle, mission);
   fields.Require("task", "task = \"survey\"");
   fields.Text("task", laps.task, {.min_length = 1});
   CheckTask(fields, laps.vehicle, laps.task, mission, {});
   fields.Integer("at_least", laps.at_least, 1, kLargestCount);
+  CheckLaps(fields, laps, mission);
   fields.Number("by_s", laps.by_s, UntilTheEnd(mission, false));
 }
 
 }  // namespace
 
 void Describe(Fields& fields, Expectation& expectation, const Mission& mission) {
-  constexpr std::array<std::string_view, 5> kKinds = {"arrival", "separation", "reports", "helm",
-                                                      "laps"};
+  constexpr std::array<std::string_view, 7> kKinds = {"arrival", "separation", "reports", "helm",
+                                                      "laps",    "messages",   "acks"};
   std::string kind(fields.reading() ? "" : kKinds.at(expectation.what.index()));
+  if (const auto* comms = std::get_if<CommsExpectation>(&expectation.what)) {
+    kind = fields.reading() ? "" : NameOf(comms->kind);
+  }
   fields.Require("kind", "kind = \"arrival\"");
   fields.Word("kind", kind, kKinds);
   if (fields.reading()) {
     expectation.where = fields.Where();
     if (kind == "separation") expectation.what = SeparationExpectation();
-    if (kind == "reports") expectation.what = CommsExpectation();
+    for (const Kind each : {Kind::kReport, Kind::kMessage, Kind::kAck}) {
+      if (kind != NameOf(each)) continue;
+      CommsExpectation comms;
+      comms.kind = each;
+      expectation.what = comms;
+    }
     if (kind == "helm") expectation.what = HelmExpectation();
     if (kind == "laps") expectation.what = LapsExpectation();
   }

@@ -83,17 +83,6 @@ void Describe(Fields& fields, Environment& environment) {
   });
 }
 
-void Describe(Fields& fields, RoutingRules& rules) {
-  const Range seconds = Between(-1, kLongest_s);
-  fields.NumberOrWord("comms_range", rules.comms_range_m, 1e7, "nolimit", -1);
-  fields.Number("stale_time", rules.stale_time_s, seconds);
-  if (fields.reading()) {
-    const double default_s = rules.stale_time_s < 0 ? -1 : 20 * rules.stale_time_s;
-    rules.stale_forget_s = std::min(default_s, kLongest_s);
-  }
-  fields.Number("stale_forget_s", rules.stale_forget_s, seconds);
-}
-
 /// The names of a mission's vehicles: legal, and unique without regard to case.
 class VehicleNames {
  public:
@@ -191,6 +180,7 @@ void Describe(Fields& file, Mission& mission) {
             [&](Fields& fields, Event& event) { Describe(fields, event, mission); });
   std::stable_sort(mission.events.begin(), mission.events.end(),
                    [](const Event& a, const Event& b) { return a.at_s < b.at_s; });
+  WarnOfIdleTasks(file, mission);
 
   ParticipantNames participant_names(mission);
   file.List("participant", mission.participants, [&](Fields& fields, Participant& participant) {

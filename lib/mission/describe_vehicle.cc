@@ -98,6 +98,11 @@ void Describe(Fields& fields, ReporterOptions& options) {
   fields.TextMap("extra", options.extra, kMostExtraFields);
 }
 
+void Describe(Fields& fields, MessageOptions& options) {
+  fields.Number("ack_timeout_s", options.ack_timeout_s, Above(0, 100'000));
+  fields.Integer("max_repeats", options.max_repeats, 0, 1000);
+}
+
 /// [[vehicle.task]]: names are unique within the vehicle, since commands and expectations use them.
 void DescribeTasks(Fields& fields, Vehicle& vehicle) {
   std::set<std::string> names;
@@ -126,6 +131,8 @@ void Describe(Fields& fields, Vehicle& vehicle) {
   fields.Text("group", vehicle.group, {});
   fields.Text("color", vehicle.color, {.min_length = 1});
   fields.Number("length_m", vehicle.length_m, Above(0, 500));
+  fields.Number("stealth", vehicle.link_factors.stealth, Between(0, 1));
+  fields.Number("earange", vehicle.link_factors.earange, Between(1, 10));
   fields.Inline("start", [&](Fields& table) { Describe(table, vehicle.start); });
   fields.Choice("vehicle_sim", vehicle.sim, kProviders);
   fields.Choice("helm", vehicle.helm, kProviders);
@@ -134,6 +141,7 @@ void Describe(Fields& fields, Vehicle& vehicle) {
   fields.Below("helm_options", [&](Fields& table) { Describe(table, vehicle.helm_options); });
   fields.Below("autopilot", [&](Fields& table) { Describe(table, vehicle.autopilot); });
   fields.Below("reporter", [&](Fields& table) { Describe(table, vehicle.reporter_options); });
+  fields.Below("messages", [&](Fields& table) { Describe(table, vehicle.message_options); });
   if (fields.reading()) vehicle.return_task.point_m = {vehicle.start.x_m, vehicle.start.y_m};
   fields.Below("return",
                [&](Fields& table) { Describe(table, vehicle.return_task, vehicle.start); });

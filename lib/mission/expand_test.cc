@@ -200,6 +200,16 @@ TEST(Overrides, AreNamedByTheirErrors) {
       "--set mission.duration_s.x=5: 'duration_s' is a whole number; nothing lies below it\n");
 }
 
+TEST(Overrides, OfTemplatesThatAreNotThereAreTold) {
+  EXPECT_EQ(ErrorsAfter("[template.scout]\nlength_m = 7\n", {"template.scuot.length_m=5"}),
+            "--set template.scuot.length_m=5: no template 'scuot' (did you mean 'scout'?)\n");
+  EXPECT_EQ(ErrorsAfter("[template.scout]\nlength_m = 7\n", {"template.kayak.start.x_m=5"}),
+            "--set template.kayak.start.x_m=5: no template 'kayak'; the file has scout\n");
+  EXPECT_EQ(ErrorsAfter("", {"template.kayak.length_m=5"}),
+            "--set template.kayak.length_m=5: no template 'kayak'; the file has no "
+            "[template.NAME]\n");
+}
+
 TEST(Overrides, WithoutAFormAreTold) {
   const std::string hint =
       ": not of the form key.path=value, such as mission.seed=7 or vehicle.alpha.helm=hand\n";

@@ -40,7 +40,23 @@ class MissionDraw {
     mission.participant_timeout_s = Number(0.1, 3600);
     mission.broker = DrawProvider();
     mission.environment = {Number(0, 50), Number(-360, 360)};
-    mission.comms = {Coin() ? -1 : Number(0, 1e7), Number(-1, 1e7), Number(-1, 1e7)};
+    mission.comms = {.comms_range_m = Coin() ? -1 : Number(0, 1e7),
+                     .critical_range_m = Number(0, 1e7),
+                     .stale_time_s = Number(-1, 1e7),
+                     .stale_forget_s = Number(-1, 1e7),
+                     .groups = Coin(),
+                     .msg_groups = Coin(),
+                     .ignore_group = Coin() ? "" : Text(),
+                     .min_rpt_interval_s = Number(-1, 1e7),
+                     .min_msg_interval_s = Number(-1, 1e7),
+                     .max_msg_length_bytes = Integer(0, 1'000'000'000),
+                     .drop_percentage = Number(0, 100),
+                     .shared_node_reports_s = Coin() ? -1 : Number(0, 1e7),
+                     .pulse_duration_s = Number(0, 1e7),
+                     .view_node_rpt_pulses = Coin(),
+                     .msg_color = Text(),
+                     .msg_repeat_color = Text(),
+                     .each_fate_up_to = Integer(0, 1'000'000)};
     for (int64_t i = Integer(0, 4) == 0 ? 2 : 1; i > 0; --i)
       mission.vehicles.push_back(DrawVehicle(i));
     double at_s = 0;
@@ -120,13 +136,15 @@ class MissionDraw {
                                 .extrap_heading_thresh_deg = Number(0, 360),
                                 .extrap_max_gap_s = Number(0, 100'000),
                                 .extra = {{"PLAIN", Text()}, {Text(), ""}, {"with.dot", Text()}}};
+    vehicle.message_options = {Positive(100'000), Integer(0, 1000)};
+    vehicle.link_factors = {Number(0, 1), Number(1, 10)};
     const double inner_m = Positive(9000);
     const Eigen::Vector2d station_m = Coin() ? Point() : Eigen::Vector2d(0, 0);
     vehicle.tasks = {
         {"survey", WaypointsTask{{Point(), Point()},
                                  Positive(50),
                                  DrawCapture(),
-                                 static_cast<int>(Integer(0, 1'000'000)),
+                                 Coin() ? 0 : static_cast<int>(Integer(1000, 1'000'000)),
                                  Positive(10'000),
                                  Number(0, 1)}},
         {Text() + "1",
@@ -140,7 +158,7 @@ class MissionDraw {
   }
 
   Event DrawEvent(double at_s) {
-    switch (Integer(0, 4)) {
+    switch (Integer(0, 8)) {
       case 0:
         return {at_s, CommandEvent{"all", "task", "survey", {}}};
       case 1:
@@ -148,7 +166,24 @@ class MissionDraw {
       case 2:
         return {at_s, SimCommandEvent{"Vessel_1", "reset", {1, 2, Number(0, 360), 4}}};
       case 3:
-        return {at_s, RuleEvent{"comms_range", "Vessel_1", Coin() ? -1 : Number(0, 1e7)}};
+        return {at_s, RuleEvent{"stealth", "Vessel_1", Number(0, 1)}};
+      case 4:
+        return {at_s, RuleEvent{"groups", "", Coin() ? 1.0 : 0.0}};
+      case 5:
+        return {at_s, RuleEvent{"comms_range", "", Coin() ? -1 : Number(0, 1e7)}};
+      case 6:
+        return {at_s, RuleEvent{"full_report", "Vessel_1", 0}};
+      case 7: {
+        MessageEvent message;
+        message.src_node = "Vessel_1";
+        message.dest_node = "all";
+        message.var_name = Text();
+        message.dest_group = Coin() ? "" : Text();
+        if (Coin()) message.double_val = Number(-1e300, 1e300);
+        if (!message.double_val) message.string_val = Text();
+        message.ack = Coin();
+        return {at_s, message};
+      }
       default:
         return {at_s, RuleEvent{"stale_time", "", Number(0, 1e7)}};
     }
@@ -164,7 +199,12 @@ class MissionDraw {
       case 1:
         return {"", SeparationExpectation{Positive(100'000)}};
       case 2: {
-        CommsExpectation comms{"Vessel_1", "all", "out_of_range", std::nullopt, Integer(10, 20)};
+        CommsExpectation comms{.kind = static_cast<Kind>(Integer(0, 2)),
+                               .from = "Vessel_1",
+                               .to = "all",
+                               .cause = "out_of_range",
+                               .at_least = std::nullopt,
+                               .at_most = Integer(10, 20)};
         if (Coin()) comms.at_least = Integer(0, 10);
         return {"", comms};
       }

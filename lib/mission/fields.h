@@ -49,6 +49,8 @@ class Fields {
   /// A number, or `word`, which stands for `meaning`. Any negative number means the same.
   virtual void NumberOrWord(std::string_view key, double& value, double max, std::string_view word,
                             double meaning) = 0;
+  /// A number, a yes or no, or a text, as a file writes it but without quotes: "2.5", "true".
+  virtual void Scalar(std::string_view key, std::string& word) = 0;
   virtual void Integer(std::string_view key, int64_t& value, int64_t min, int64_t max) = 0;
   virtual void Flag(std::string_view key, bool& value) = 0;
   virtual void Text(std::string_view key, std::string& value, TextRule rule) = 0;
@@ -88,6 +90,8 @@ class Fields {
   virtual void SkipRest() = 0;
   /// Refuses the value of `key` (or, where it is absent, the table): says why and what to do.
   virtual void Refuse(std::string_view key, std::string text) = 0;
+  /// Warns of the value of `key` (or, where it is absent, of the table): it is hardly meant.
+  virtual void Warn(std::string_view key, std::string text) = 0;
   /// Returns the "file:line" where this table begins; empty when writing.
   virtual std::string Where() const = 0;
 

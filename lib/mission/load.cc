@@ -1,11 +1,6 @@
 #include "lib/mission/load.h"
 
-#include <array>
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
 #include <filesystem>
-#include <memory>
 #include <optional>
 #include <utility>
 
@@ -14,38 +9,13 @@
 #include "lib/mission/override.h"
 #include "lib/mission/parse.h"
 #include "lib/mission/problems.h"
+#include "lib/mission/read_file.h"
 #include "lib/mission/table_reader.h"
 #include "lib/mission/table_writer.h"
 #include "lib/mission/value.h"
 
 namespace shoal {
 namespace {
-
-constexpr size_t kLargestFile_bytes = 100'000'000;
-
-struct FileText {
-  std::string text;
-  std::string problem;  ///< Why there is no text; empty where there is.
-};
-
-FileText ReadFile(const std::string& path) {
-  std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored)) {
-    return {"", "is a directory; name the .toml file in it"};
-  }
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"),
-                                                             &std::fclose);
-  if (file == nullptr) return {"", std::string("cannot be read: ") + std::strerror(errno)};
-  FileText read;
-  std::array<char, 65536> buffer;
-  while (const size_t size = std::fread(buffer.data(), 1, buffer.size(), file.get())) {
-    read.text.append(buffer.data(), size);
-    if (read.text.size() > kLargestFile_bytes)
-      return {"", "is larger than 100 MB: no mission file"};
-  }
-  if (std::ferror(file.get()) != 0) return {"", "cannot be read to its end"};
-  return read;
-}
 
 /// Templates are checked as vehicles without a name, whether one uses them or not.
 void CheckTemplates(const Table& root, Problems& problems) {
@@ -105,6 +75,7 @@ LoadedMission LoadMissionText(std::string_view text, const std::string& name,
   std::optional<Value> root = ParseToml(text, problems);
   if (root) loaded.mission = Read(*root, parsed, name, problems);
   loaded.errors = problems.InOrder();
+  if (loaded.errors.empty()) loaded.warnings = problems.WarningsInOrder();
   return loaded;
 }
 
@@ -113,7 +84,7 @@ LoadedMission LoadMission(const std::string& path, const std::vector<std::string
   if (!read.problem.empty()) {
     Problems problems(path, overrides);
     problems.Add({}, read.problem);
-    return {{}, problems.InOrder()};
+    return {{}, problems.InOrder(), {}};
   }
   return LoadMissionText(read.text, path, overrides);
 }

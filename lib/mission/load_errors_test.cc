@@ -184,14 +184,16 @@ at_s = 2
             "22:10: goto needs values = [x_m, y_m]\n"
             "27:10: deploy takes no values\n"
             "28:12: deploy takes no argument; only task does\n"
-            "29:1: an event needs one of command, sim_command and rule, and only one\n");
+            "29:1: an event needs one of command, sim_command, rule and message, and only one\n");
 }
 
 TEST(LoadErrors, TellUnknownKinds) {
   EXPECT_EQ(ErrorsAfter("[[vehicle.task]]\nkind = \"waypoint\"\nanything = 1\n"),
             "6:8: unknown kind 'waypoint' (did you mean 'waypoints'?)\n");
-  EXPECT_EQ(ErrorsAfter("[[expect]]\nkind = \"glory\"\n"),
-            "6:8: unknown kind 'glory'; one of: arrival, separation, reports, helm, laps\n");
+  EXPECT_EQ(
+      ErrorsAfter("[[expect]]\nkind = \"glory\"\n"),
+      "6:8: unknown kind 'glory'; one of: arrival, separation, reports, helm, laps, messages, "
+      "acks\n");
   EXPECT_EQ(ErrorsAfter("[[expect]]\n"),
             "5:1: expect lacks 'kind'; for example: kind = \"arrival\"\n");
 }

@@ -135,10 +135,11 @@ TEST(LoadMission, TellsWhyAFileCannotBeRead) {
 }
 
 TEST(LoadMission, LoadsTheMissionsThatComeWithShoal) {
-  for (const std::string name : {"alpha", "berta", "fleet"}) {
+  for (const std::string name : {"alpha", "berta", "c_planner", "fleet", "hide_and_seek"}) {
     const std::string path = std::string(SHOAL_SOURCE_DIR) + "/missions/" + name + ".toml";
     const LoadedMission loaded = LoadMission(path);
     EXPECT_EQ(loaded.errors, std::vector<std::string>{});
+    EXPECT_EQ(loaded.warnings, std::vector<std::string>{});
     EXPECT_EQ(loaded.mission.name, name);
     EXPECT_FALSE(loaded.mission.expectations.empty()) << path << " succeeds whatever happens";
   }

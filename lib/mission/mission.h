@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "lib/guidance/task.h"
+#include "lib/routing/fate.h"
 #include "lib/routing/rules.h"
 #include "lib/vehicle/surface_craft.h"
 
@@ -71,6 +72,14 @@ struct ReporterOptions {
   bool operator==(const ReporterOptions&) const = default;
 };
 
+/// `[vehicle.messages]`: how the vehicle's own messages are repeated until they are acknowledged.
+struct MessageOptions {
+  double ack_timeout_s = 30;  ///< So long an ack is waited for before each repeat.
+  int64_t max_repeats = 3;    ///< Then it is given up.
+
+  bool operator==(const MessageOptions&) const = default;
+};
+
 struct Vehicle {
   std::string name;
   std::string type = "kayak";
@@ -86,8 +95,10 @@ struct Vehicle {
   HelmOptions helm_options;
   AutopilotOptions autopilot;
   ReporterOptions reporter_options;
-  std::vector<Task> tasks;  ///< Done in this order after `deploy`; then station keeping.
-  ReturnTask return_task;   ///< What `return` does. Default: the start position.
+  MessageOptions message_options;
+  LinkFactors link_factors;  ///< `stealth`, `earange`
+  std::vector<Task> tasks;   ///< Done in this order after `deploy`; then station keeping.
+  ReturnTask return_task;    ///< What `return` does. Default: the start position.
 
   bool operator==(const Vehicle&) const = default;
 };
@@ -117,15 +128,26 @@ struct SimCommandEvent {
   bool operator==(const SimCommandEvent&) const = default;
 };
 struct RuleEvent {
-  std::string rule;     ///< "comms_range" or "stale_time".
+  std::string rule;     ///< One of ControlTable(): "comms_range", "stealth", ...
   std::string vehicle;  ///< Where the rule is of one vehicle; otherwise empty.
-  double value = 0;
+  double value = 0;     ///< true and false are 1 and 0; a request has none.
 
   bool operator==(const RuleEvent&) const = default;
 };
+struct MessageEvent {  ///< A vehicle sends a node message: see node_message_t.
+  std::string src_node;
+  std::string dest_node;   ///< Names joined by ':', or all.
+  std::string dest_group;  ///< A group, or all.
+  std::string var_name;
+  std::string string_val;
+  std::optional<double> double_val;  ///< Present: the value, and string_val is empty.
+  bool ack = false;                  ///< Repeated until it is acknowledged.
+
+  bool operator==(const MessageEvent&) const = default;
+};
 struct Event {
   double at_s = 0;  ///< Mission seconds since the start.
-  std::variant<CommandEvent, SimCommandEvent, RuleEvent> what;
+  std::variant<CommandEvent, SimCommandEvent, RuleEvent, MessageEvent> what;
 
   bool operator==(const Event&) const = default;
 };
@@ -153,12 +175,13 @@ struct SeparationExpectation {  ///< kind = "separation": no two vehicles ever c
 
   bool operator==(const SeparationExpectation&) const = default;
 };
-struct CommsExpectation {  ///< kind = "reports": fates of node reports.
+struct CommsExpectation {  ///< kind = "reports", "messages" or "acks": what became of them.
+  Kind kind = Kind::kReport;
   std::string from = "all";
   std::string to = "all";
   std::string cause = "delivered";  ///< A fate's cause.
-  std::optional<int64_t> at_least;
-  std::optional<int64_t> at_most;
+  std::optional<int64_t> at_least = std::nullopt;
+  std::optional<int64_t> at_most = std::nullopt;
 
   bool operator==(const CommsExpectation&) const = default;
 };

@@ -78,9 +78,20 @@ std::string NoSuchElement(const Array& array, const std::string& part, std::stri
   return fmt::format("no {} {}{}", parent, Quoted(part), hint);
 }
 
+std::string NoSuchTemplate(const Table& templates, const std::string& name) {
+  std::vector<std::string_view> names;
+  for (const Entry& entry : templates) names.push_back(entry.key);
+  std::string hint = DidYouMean(name, names);
+  if (hint.empty()) {
+    hint = names.empty() ? "; the file has no [template.NAME]" : "; the file has " + Joined(names);
+  }
+  return "no template " + Quoted(name) + hint;
+}
+
 }  // namespace
 
-std::optional<Override> ParseOverride(std::string_view text, int64_t number, Problems& problems) {
+std::optional<Override> ParseOverride(std::string_view text, int64_t number,
+                                         Problems& problems) {
   const Place place = {.override_number = number};
   auto [path, equals] = SplitPath(text);
   if (path.empty()) {
@@ -121,6 +132,10 @@ void Apply(const Override& override_, Value& root, Problems& problems) {
       if (Find(*table, part) == nullptr) {
         if (std::find(kLists.begin(), kLists.end(), part) != kLists.end()) {
           problems.Add(override_.place, fmt::format("there is no [[{}]] to change", part));
+          return;
+        }
+        if (i == 1 && parent == "template") {
+          problems.Add(override_.place, NoSuchTemplate(*table, part));
           return;
         }
         Set(*table, part, override_.place, Value{override_.place, Table()});

@@ -29,6 +29,10 @@ void Problems::Add(const Place& place, std::string text) {
   problems_.emplace(place, std::move(text));
 }
 
+void Problems::Warn(const Place& place, std::string text) {
+  warnings_.emplace(place, std::move(text));
+}
+
 std::string Problems::WhereIs(const Place& place) const {
   if (place.override_number > 0) {
     return "--set " + OneLine(overrides_.at(static_cast<size_t>(place.override_number - 1)));
@@ -42,17 +46,24 @@ std::string Problems::LineOf(const Place& place) const {
   return fmt::format("{}:{}", OneLine(file_), place.line);
 }
 
-std::vector<std::string> Problems::InOrder() const {
+std::vector<std::string> Problems::Lines(const Told& told, std::string_view prefix,
+                                         std::string_view noun) const {
   std::vector<std::string> messages;
-  for (const auto& [place, text] : problems_) {
+  for (const auto& [place, text] : told) {
     if (messages.size() == kMostShown) {
       messages.push_back(
-          fmt::format("{}: and {} more errors", OneLine(file_), problems_.size() - kMostShown));
+          fmt::format("{}: and {} more {}", OneLine(file_), told.size() - kMostShown, noun));
       break;
     }
-    messages.push_back(WhereIs(place) + ": " + text);
+    messages.push_back(fmt::format("{}: {}{}", WhereIs(place), prefix, text));
   }
   return messages;
+}
+
+std::vector<std::string> Problems::InOrder() const { return Lines(problems_, "", "errors"); }
+
+std::vector<std::string> Problems::WarningsInOrder() const {
+  return Lines(warnings_, "warning: ", "warnings");
 }
 
 }  // namespace shoal

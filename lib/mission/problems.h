@@ -1,9 +1,10 @@
-// Everything that is wrong with a mission file, gathered and told in one go.
+// Everything that is wrong, or looks wrong, with a mission file, gathered and told in one go.
 #pragma once
 
 #include <cstddef>
 #include <set>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -19,22 +20,30 @@ class Problems {
   /// Notes what is wrong at `place` and how to mend it. A template's error that many vehicles
   /// inherit is told once.
   void Add(const Place& place, std::string text);
+  /// Notes what is no error but hardly meant.
+  void Warn(const Place& place, std::string text);
 
   bool empty() const { return problems_.empty(); }
 
   /// Returns "file:line" or "--set key=value".
   std::string LineOf(const Place& place) const;
 
-  /// Returns all messages in the order of the file and then of the overrides; the first hundred
-  /// and a count where there are more.
+  /// Return all errors, or all warnings, in the order of the file and then of the overrides; the
+  /// first hundred and a count where there are more.
   std::vector<std::string> InOrder() const;
+  std::vector<std::string> WarningsInOrder() const;
 
  private:
+  using Told = std::set<std::pair<Place, std::string>>;
+
   std::string WhereIs(const Place& place) const;
+  std::vector<std::string> Lines(const Told& told, std::string_view prefix,
+                                 std::string_view noun) const;
 
   std::string file_;
   std::vector<std::string> overrides_;
-  std::set<std::pair<Place, std::string>> problems_;
+  Told problems_;
+  Told warnings_;
 };
 
 }  // namespace shoal

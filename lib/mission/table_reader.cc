@@ -155,6 +155,22 @@ void TableReader::NumberOrWord(std::string_view key, double& value, double max,
   }
 }
 
+void TableReader::Scalar(std::string_view key, std::string& word) {
+  const Value* found = Take(key);
+  if (found == nullptr) return;
+  if (const auto* text = std::get_if<std::string>(&found->data)) {
+    word = *text;
+  } else if (const auto* flag = std::get_if<bool>(&found->data)) {
+    word = *flag ? "true" : "false";
+  } else if (const std::optional<double> number = NumberOf(*found)) {
+    word = fmt::format("{}", *number);
+  } else {
+    problems_.Add(found->place,
+                  fmt::format("{} must be a number, true or false, or a string, not {}", key,
+                              WhatIs(*found)));
+  }
+}
+
 void TableReader::Integer(std::string_view key, int64_t& value, int64_t min, int64_t max) {
   const Value* found = Take(key);
   if (found == nullptr) return;
@@ -310,9 +326,17 @@ void TableReader::Skip(std::string_view key) { Take(key); }
 
 void TableReader::SkipRest() { skips_rest_ = true; }
 
-void TableReader::Refuse(std::string_view key, std::string text) {
+const Place& TableReader::PlaceOf(std::string_view key) const {
   const Value* found = table_ == nullptr ? nullptr : Find(*table_, key);
-  problems_.Add(found == nullptr ? source_.place : found->place, std::move(text));
+  return found == nullptr ? source_.place : found->place;
+}
+
+void TableReader::Refuse(std::string_view key, std::string text) {
+  problems_.Add(PlaceOf(key), std::move(text));
+}
+
+void TableReader::Warn(std::string_view key, std::string text) {
+  problems_.Warn(PlaceOf(key), std::move(text));
 }
 
 std::string TableReader::Where() const { return problems_.LineOf(source_.place); }

@@ -26,6 +26,7 @@ class TableReader final : public Fields {
   void Number(std::string_view key, double& value, Range range) override;
   void NumberOrWord(std::string_view key, double& value, double max, std::string_view word,
                     double meaning) override;
+  void Scalar(std::string_view key, std::string& word) override;
   void Integer(std::string_view key, int64_t& value, int64_t min, int64_t max) override;
   void Flag(std::string_view key, bool& value) override;
   void Text(std::string_view key, std::string& value, TextRule rule) override;
@@ -48,6 +49,7 @@ class TableReader final : public Fields {
   void Skip(std::string_view key) override;
   void SkipRest() override;
   void Refuse(std::string_view key, std::string text) override;
+  void Warn(std::string_view key, std::string text) override;
   std::string Where() const override;
 
  private:
@@ -55,6 +57,8 @@ class TableReader final : public Fields {
   const Value* Take(std::string_view key);
   /// Returns the array under `key` where it has at most `max_count` elements, or nullptr.
   const Array* TakeArray(std::string_view key, size_t max_count, std::string_view what);
+  /// Returns where the value of `key` stands; where there is none, the table.
+  const Place& PlaceOf(std::string_view key) const;
   // These return the value where it is right, and tell what is wrong otherwise. `name` is the key,
   // or the key and the number of the element.
   std::optional<double> AsNumber(const Value& value, const std::string& name, Range range);

@@ -77,6 +77,14 @@ void TableWriter::NumberOrWord(std::string_view key, double& value, double, std:
   Line(key, value < 0 ? TomlString(word) : TomlNumber(value));
 }
 
+void TableWriter::Scalar(std::string_view key, std::string& word) {
+  const bool is_number = !word.empty() && word.find_first_not_of("+-.0123456789e") == word.npos;
+  if (!is_number && word != "true" && word != "false") return Line(key, TomlString(word));
+  // TOML would take many digits alone for an integer that is too large.
+  const bool is_long = is_number && word.size() > 18 && word.find_first_of(".e") == word.npos;
+  Line(key, is_long ? word + ".0" : word);
+}
+
 void TableWriter::Integer(std::string_view key, int64_t& value, int64_t, int64_t) {
   Line(key, fmt::format("{}", value));
 }

@@ -19,6 +19,7 @@ class TableWriter final : public Fields {
   void Number(std::string_view key, double& value, Range range) override;
   void NumberOrWord(std::string_view key, double& value, double max, std::string_view word,
                     double meaning) override;
+  void Scalar(std::string_view key, std::string& word) override;
   void Integer(std::string_view key, int64_t& value, int64_t min, int64_t max) override;
   void Flag(std::string_view key, bool& value) override;
   void Text(std::string_view key, std::string& value, TextRule rule) override;
@@ -41,6 +42,7 @@ class TableWriter final : public Fields {
   void Skip(std::string_view) override {}
   void SkipRest() override {}
   void Refuse(std::string_view, std::string) override {}
+  void Warn(std::string_view, std::string) override {}
   std::string Where() const override { return ""; }
 
  private:

@@ -9,6 +9,8 @@
 #include <variant>
 
 #include "lib/mission/parse.h"
+#include "lib/mission/problems.h"
+#include "lib/mission/table_reader.h"
 
 namespace shoal {
 namespace {
@@ -52,6 +54,44 @@ RC_GTEST_PROP(TomlString, ReadsBackWhateverItHolds, ()) {
   const auto value = ParseTomlValue(TomlString(text), {});
   RC_ASSERT(value.has_value());
   RC_ASSERT(std::get<std::string>(value->data) == text);
+}
+
+std::string Written(std::string word) {
+  TableWriter writer;
+  writer.Scalar("value", word);
+  return writer.TakeText();
+}
+
+TEST(Scalar, WritesNumbersAndYesOrNoBareAndWordsInQuotes) {
+  EXPECT_EQ(Written("true"), "value = true\n");
+  EXPECT_EQ(Written("-2.5e-07"), "value = -2.5e-07\n");
+  EXPECT_EQ(Written("nolimit"), "value = \"nolimit\"\n");
+  EXPECT_EQ(Written(""), "value = \"\"\n");
+  EXPECT_EQ(Written("inf"), "value = \"inf\"\n");
+}
+
+TEST(Scalar, WritesAWholeNumberThatIsTooLargeForTomlWithAFraction) {
+  EXPECT_EQ(Written("123456789012345680000"), "value = 123456789012345680000.0\n");
+  EXPECT_EQ(Written("123456789012345678"), "value = 123456789012345678\n");
+}
+
+std::string ReadBackScalar(const std::string& value) {
+  const auto table = ParseTomlValue("{value = " + value + "}", {});
+  if (!table) return "(no TOML)";
+  Problems problems("", {});
+  std::string word = "(unchanged)";
+  TableReader(*table, "table", problems).Scalar("value", word);
+  return problems.empty() ? word : problems.InOrder().front();
+}
+
+TEST(Scalar, ReadsWhateverHasOneValue) {
+  EXPECT_EQ(ReadBackScalar("true"), "true");
+  EXPECT_EQ(ReadBackScalar("2"), "2");
+  EXPECT_EQ(ReadBackScalar("0.25"), "0.25");
+  EXPECT_EQ(ReadBackScalar("'nolimit'"), "nolimit");
+  EXPECT_NE(ReadBackScalar("[2]").find("value must be a number, true or false, or a string"),
+            std::string::npos);
+  EXPECT_NE(ReadBackScalar("2020-01-01").find("not a date or time"), std::string::npos);
 }
 
 }  // namespace

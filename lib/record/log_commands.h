@@ -5,9 +5,12 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <iosfwd>
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace shoal {
@@ -54,16 +57,29 @@ inline constexpr int kLogsDiffer = 1;
 /// and which channels have unlike numbers of events. Returns 0 for equal logs, else kLogsDiffer.
 int LogDiff(const LogDiffOptions& options, std::ostream& out, std::ostream& err);
 
+/// Messages of one type as lines of text, in a form that lib/record knows nothing of.
+struct LogLines {
+  std::string type;       ///< Such as "node_report_t".
+  std::string extension;  ///< Of the files: ".alog".
+  std::string header;     ///< The first lines of each file.
+  /// Appends the lines of one message, which decodes.
+  std::function<void(int64_t event_utime, std::string_view channel,
+                     std::span<const uint8_t> message, std::string* out)>
+      append;
+};
+
 struct LogCsvOptions {
   std::string path;
   std::string out_dir;  ///< Made where it does not exist; files in it are replaced.
   LogSelection selection = {};
   bool skip_damage = false;
   std::vector<std::string> types = {};
+  std::optional<LogLines> lines = std::nullopt;  ///< Written beside the tables.
 };
 
 /// Writes <CHANNEL>.csv for every channel (lib/record/csv_rows.h tells the columns), and
-/// <CHANNEL>.<type>.csv for further types on one channel. Names the files in `out`.
+/// <CHANNEL>.<type>.csv for further types on one channel; with `lines`, beside each table of that
+/// type a file of the same name with their extension. Names the files in `out`.
 int LogCsv(const LogCsvOptions& options, std::ostream& out, std::ostream& err);
 
 }  // namespace shoal

@@ -292,6 +292,25 @@ TEST_F(LogCsv_, KeepsFilesOfHostileChannelsInItsDirectory) {
   EXPECT_NE(err_.str().find("Z: 1 messages left out"), std::string::npos);
 }
 
+TEST_F(LogCsv_, WritesLinesBesideTheTablesOfOneTypeWhereAskedTo) {
+  const std::string path = Log("a.lcm", {{1, "D", Desired(0, 1)},
+                                         {2, "D", Fates(0, {})},
+                                         {3, "D", Desired(0, 2)},
+                                         {4, "F", Fates(0, {})}});
+  const std::string dir = directory_.File("csv");
+  const auto append = [](int64_t event_utime, std::string_view channel,
+                         std::span<const uint8_t> message, std::string* out) {
+    *out += std::to_string(event_utime) + " " + std::string(channel) + " " +
+            std::to_string(message.size()) + "\n";
+  };
+  const LogLines lines{
+      .type = "desired_t", .extension = ".txt", .header = "%%\n", .append = append};
+  EXPECT_EQ(Csv({.path = path, .out_dir = dir, .lines = lines}),
+            dir + "/D.comms_fates_t.csv: 1 messages\n" + dir + "/D.csv: 2 messages\n" + dir +
+                "/D.txt: 2 lines\n" + dir + "/F.csv: 1 messages\n");
+  EXPECT_EQ(FileText(dir + "/D.txt"), "%%\n1 D 40\n3 D 40\n");
+}
+
 TEST_F(LogCsv_, SaysWhatItCannotWrite) {
   const std::string path = Log("a.lcm", {{0, "D", Desired(0, 1)}});
   Csv({.path = path, .out_dir = "/dev/null/x"});

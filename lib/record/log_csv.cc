@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 #include <ostream>
 #include <set>
 #include <utility>
@@ -22,14 +23,16 @@ namespace {
 
 /// Gathers text and appends it to a file in large pieces. Open only while it writes: a log may have
 /// more channels than a process may have files.
-class CsvFile {
+class TextFile {
  public:
-  CsvFile(std::string path, const Schema& schema, const StructType& type)
-      : path_(std::move(path)), layout_(schema, type), pending_(layout_.header()) {}
+  TextFile(std::string path, std::string header)
+      : path_(std::move(path)), pending_(std::move(header)) {}
 
-  [[nodiscard]] bool Append(int64_t event_utime, std::span<const uint8_t> message) {
+  /// Writes what one message is into the string that it is given.
+  template <class Write>
+  [[nodiscard]] bool Append(const Write& write) {
     constexpr size_t kPieceSize = 256 << 10;
-    layout_.AppendRows(event_utime, message, &pending_);
+    write(&pending_);
     ++num_messages_;
     return pending_.size() < kPieceSize || Flush();
   }
@@ -56,30 +59,76 @@ class CsvFile {
 
  private:
   std::string path_;
-  CsvLayout layout_;
   std::string pending_;
   int64_t num_messages_ = 0;
   bool is_new_ = true;
 };
 
+/// What the messages of one type on one channel become: a table, and lines where they are asked
+/// for.
+class ChannelFiles {
+ public:
+  ChannelFiles(const std::string& stem, const Schema& schema, const StructType& type,
+               const LogLines* lines)
+      : layout_(schema, type), table_(stem + ".csv", layout_.header()), line_writer_(lines) {
+    if (lines != nullptr) lines_.emplace(stem + lines->extension, lines->header);
+  }
+
+  /// Returns the file that cannot be written (errno tells why), nullptr where all went well.
+  const TextFile* Append(const LogEvent& event, std::span<const uint8_t> message) {
+    const auto row = [&](std::string* out) { layout_.AppendRows(event.utime, message, out); };
+    if (!table_.Append(row)) return &table_;
+    const auto line = [&](std::string* out) {
+      line_writer_->append(event.utime, event.channel, message, out);
+    };
+    return lines_ && !lines_->Append(line) ? &*lines_ : nullptr;
+  }
+
+  /// Likewise.
+  const TextFile* Flush() {
+    if (!table_.Flush()) return &table_;
+    return lines_ && !lines_->Flush() ? &*lines_ : nullptr;
+  }
+
+  /// Names the files in `out`.
+  void Report(std::ostream& out) const {
+    out << fmt::format("{}: {} messages\n", table_.path(), table_.num_messages());
+    if (lines_) out << fmt::format("{}: {} lines\n", lines_->path(), lines_->num_messages());
+  }
+
+  const std::string& path() const { return table_.path(); }
+
+ private:
+  CsvLayout layout_;
+  TextFile table_;
+  const LogLines* line_writer_;
+  std::optional<TextFile> lines_;
+};
+
 /// The files of a directory, one for each channel and type.
 class CsvDirectory {
  public:
-  CsvDirectory(std::string path, const Schema& schema) : path_(std::move(path)), schema_(schema) {}
+  /// `lines` may be nullptr; what it points to must outlive this.
+  CsvDirectory(std::string path, const Schema& schema, const LogLines* lines)
+      : path_(std::move(path)), schema_(schema), lines_(lines) {}
 
-  CsvFile& FileOf(std::string_view channel, const StructType& type) {
-    auto& file = files_[{std::string(channel), &type}];
-    if (!file) file = std::make_unique<CsvFile>(NewPath(channel, type), schema_, type);
-    return *file;
+  ChannelFiles& FilesOf(std::string_view channel, const StructType& type) {
+    auto& files = files_[{std::string(channel), &type}];
+    if (!files) {
+      const bool has_lines = lines_ != nullptr && DisplayName(type) == lines_->type;
+      files = std::make_unique<ChannelFiles>(NewStem(channel, type), schema_, type,
+                                             has_lines ? lines_ : nullptr);
+    }
+    return *files;
   }
 
-  /// Calls `f(CsvFile&)` in order of the files' names until it returns false.
+  /// Calls `f(ChannelFiles&)` in order of the files' names until it returns false.
   template <class F>
   bool ForEach(F f) {
-    std::map<std::string, CsvFile*> by_path;
-    for (auto& [key, file] : files_) by_path.emplace(file->path(), file.get());
-    for (auto& [path, file] : by_path) {
-      if (!f(*file)) return false;
+    std::map<std::string, ChannelFiles*> by_path;
+    for (auto& [key, files] : files_) by_path.emplace(files->path(), files.get());
+    for (auto& [path, files] : by_path) {
+      if (!f(*files)) return false;
     }
     return true;
   }
@@ -97,17 +146,18 @@ class CsvDirectory {
     return name;
   }
 
-  std::string NewPath(std::string_view channel, const StructType& type) {
+  std::string NewStem(std::string_view channel, const StructType& type) {
     std::string name = SafeName(channel);
     if (names_.contains(name)) name = fmt::format("{}.{}", name, SafeName(DisplayName(type)));
     const std::string stem = name;
     for (int i = 2; !names_.insert(name).second; ++i) name = fmt::format("{}.{}", stem, i);
-    return path_ + "/" + name + ".csv";
+    return path_ + "/" + name;
   }
 
   std::string path_;
   const Schema& schema_;
-  std::map<std::pair<std::string, const StructType*>, std::unique_ptr<CsvFile>> files_;
+  const LogLines* lines_;
+  std::map<std::pair<std::string, const StructType*>, std::unique_ptr<ChannelFiles>> files_;
   std::set<std::string> names_;
 };
 
@@ -132,9 +182,9 @@ int LogCsv(const LogCsvOptions& options, std::ostream& out, std::ostream& err) {
     return kExitEnvironment;
   }
 
-  CsvDirectory directory(options.out_dir, *schema);
+  CsvDirectory directory(options.out_dir, *schema, options.lines ? &*options.lines : nullptr);
   std::map<std::string, int64_t> left_out;
-  const auto fail = [&](const CsvFile& file) {
+  const auto fail = [&](const TextFile& file) {
     err << fmt::format("cannot write {}: {}\n", file.path(), ErrnoText(errno));
     return kExitEnvironment;
   };
@@ -147,14 +197,13 @@ int LogCsv(const LogCsvOptions& options, std::ostream& out, std::ostream& err) {
       ++left_out[std::string(event->channel)];
       continue;
     }
-    CsvFile& file = directory.FileOf(event->channel, *message.type);
-    if (!file.Append(event->utime, message.data)) return fail(file);
+    ChannelFiles& files = directory.FilesOf(event->channel, *message.type);
+    if (const TextFile* failed = files.Append(*event, message.data)) return fail(*failed);
   }
-  const CsvFile* failed = nullptr;
-  directory.ForEach([&](CsvFile& file) {
-    if (!file.Flush()) failed = &file;
-    if (failed == nullptr)
-      out << fmt::format("{}: {} messages\n", file.path(), file.num_messages());
+  const TextFile* failed = nullptr;
+  directory.ForEach([&](ChannelFiles& files) {
+    failed = files.Flush();
+    if (failed == nullptr) files.Report(out);
     return failed == nullptr;
   });
   if (failed != nullptr) return fail(*failed);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "lib/routing/fate.h"
 #include "lib/routing/vehicle_name.h"
 
 namespace shoal {
@@ -30,7 +31,8 @@ struct Describer {
     if (comms.at_least) limits += fmt::format("at least {} ", *comms.at_least);
     if (comms.at_least && comms.at_most) limits += "and ";
     if (comms.at_most) limits += fmt::format("at most {} ", *comms.at_most);
-    return fmt::format("{}reports {} from {} to {}", limits, comms.cause, comms.from, comms.to);
+    return fmt::format("{}{}s {} from {} to {}", limits, KindText(comms.kind), comms.cause,
+                       comms.from, comms.to);
   }
   std::string operator()(const HelmExpectation& helm) const {
     return fmt::format("{} ends in {}{}", Who(helm.vehicle),

@@ -19,11 +19,12 @@ FateCounts::FateCounts(const std::vector<std::string>& vehicles)
   }
 }
 
-void FateCounts::Add(std::string_view source, std::string_view destination,
-                     std::string_view cause) {
-  CauseCount& count = FindOrAdd(cause);
-  ++count.total;
-  ++count.by_link[PlaceOf(source) * num_places_ + PlaceOf(destination)];
+void FateCounts::Add(std::string_view source, std::string_view destination, std::string_view cause,
+                     int32_t count) {
+  if (count < 1) return;
+  CauseCount& counted = FindOrAdd(cause);
+  counted.total += count;
+  counted.by_link[PlaceOf(source) * num_places_ + PlaceOf(destination)] += count;
 }
 
 int64_t FateCounts::Count(int source, int destination, std::string_view cause) const {

@@ -1,4 +1,4 @@
-// Counts fates by link and cause, for a mission's verdict and for its link matrix.
+// Counts fates of one kind by link and cause, for a mission's verdict and for its link matrix.
 //
 //   FateCounts counts({"alpha", "bravo"});
 //   counts.Add("alpha", "bravo", "out_of_range");
@@ -21,9 +21,11 @@ class FateCounts {
 
   explicit FateCounts(const std::vector<std::string>& vehicles);
 
-  /// Counts one fate. Names without regard to case; vehicles that are not of the mission, and no
-  /// vehicle, count as one and the same other.
-  void Add(std::string_view source, std::string_view destination, std::string_view cause);
+  /// Counts a fate of `count` destinations; nothing where that is less than 1. Names without regard
+  /// to case; vehicles that are not of the mission, no vehicle, and those that a fate does not tell
+  /// apart ("*") count as one and the same other.
+  void Add(std::string_view source, std::string_view destination, std::string_view cause,
+           int32_t count = 1);
 
   /// Returns how many fates of this cause the link had; vehicles by their place in the
   /// constructor's list, or kAll.

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <string>
 
 namespace shoal {
@@ -40,6 +41,25 @@ TEST(FateCounts, TakesNamesWithoutRegardToCase) {
   counts.Add("ALPHA", "Bravo", "delivered");
   counts.Add("alpha", "bravo", "delivered");
   EXPECT_EQ(counts.Count(0, 1, "delivered"), 2);
+}
+
+TEST(FateCounts, CountsAFateOfSeveralDestinationsAsSoMany) {
+  FateCounts counts({"alpha", "bravo"});
+  counts.Add("alpha", "*", "out_of_range", 7);
+  counts.Add("alpha", "bravo", "out_of_range");
+  EXPECT_EQ(counts.Count(0, kAll, "out_of_range"), 8);
+  EXPECT_EQ(counts.Count(0, 1, "out_of_range"), 1);
+}
+
+TEST(FateCounts, IgnoresCountsThatAreNone) {
+  FateCounts counts({"alpha"});
+  counts.Add("alpha", "*", "delivered", 0);
+  counts.Add("alpha", "*", "delivered", std::numeric_limits<int32_t>::min());
+  EXPECT_TRUE(counts.Totals().empty());
+  for (int i = 0; i < 3; ++i) {
+    counts.Add("alpha", "*", "delivered", std::numeric_limits<int32_t>::max());
+  }
+  EXPECT_EQ(counts.CountOffered(kAll, kAll), 6'442'450'941);
 }
 
 TEST(FateCounts, KeepsItsSizeWhenCausesAreMadeUp) {

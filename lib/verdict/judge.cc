@@ -39,7 +39,7 @@ Judge::Judge(const Mission& mission)
       sightings_(mission.vehicles.size()),
       travelled_m_(mission.vehicles.size()),
       helms_(mission.vehicles.size()),
-      fates_(NamesOf(mission)) {
+      fates_(kNumKinds, FateCounts(NamesOf(mission))) {
   for (const Expectation& expectation : mission.expectations) {
     Case& each = cases_.emplace_back();
     each.expectation = &expectation;
@@ -128,7 +128,7 @@ Outcome Judge::FindSeparation(const SeparationExpectation& separation) const {
 
 Outcome Judge::FindComms(const CommsExpectation& comms) const {
   const int64_t count =
-      fates_.Count(PlaceInCounts(comms.from), PlaceInCounts(comms.to), comms.cause);
+      fates(comms.kind).Count(PlaceInCounts(comms.from), PlaceInCounts(comms.to), comms.cause);
   Outcome outcome = {.passed = true, .strain = 0, .numbers = std::to_string(count)};
   if (comms.at_least && count < *comms.at_least) {
     outcome.passed = false;
@@ -193,7 +193,11 @@ Outcome Judge::Combine(const Case& each, const std::vector<Outcome>& outcomes) c
     if (outcomes[i].passed || ++num_failed > kMaxFailuresShown) continue;
     failures += (failures.empty() ? "" : "; ") + with_name(i);
   }
-  if (num_failed == 0) return {.passed = true, .strain = 0, .numbers = with_name(narrowest)};
+  if (num_failed == 0) {
+    return {.passed = true,
+            .strain = 0,
+            .numbers = fmt::format("all {}; narrowest {}", outcomes.size(), with_name(narrowest))};
+  }
   if (num_failed > kMaxFailuresShown) {
     failures += fmt::format("; and {} more", num_failed - kMaxFailuresShown);
   }

@@ -3,7 +3,7 @@
 //   Judge judge(mission);
 //   judge.TakeNav(0, position_m);              // what was said in the step of utime,
 //   judge.TakeHelm(0, helm, utime);            // in any order,
-//   judge.fates().Add("alpha", "bravo", "delivered");
+//   judge.fates(Kind::kReport).Add("alpha", "bravo", "delivered");
 //   judge.EndStep(utime);                      // then this, once per step
 //   for (const ExpectationVerdict& verdict : judge.Verdicts()) ...
 //
@@ -49,8 +49,8 @@ class Judge {
   /// and returns false then.
   bool TakeNav(size_t vehicle, const Eigen::Vector3d& position_m);
   void TakeHelm(size_t vehicle, const HelmFacts& helm, int64_t utime);
-  FateCounts& fates() { return fates_; }
-  const FateCounts& fates() const { return fates_; }
+  FateCounts& fates(Kind kind) { return fates_[static_cast<size_t>(kind)]; }
+  const FateCounts& fates(Kind kind) const { return fates_[static_cast<size_t>(kind)]; }
 
   /// Looks at where everybody is.
   void EndStep(int64_t utime);
@@ -93,7 +93,7 @@ class Judge {
   std::vector<Sighting> sightings_;
   std::vector<double> travelled_m_;
   std::vector<std::optional<HelmFacts>> helms_;
-  FateCounts fates_;
+  std::vector<FateCounts> fates_;  ///< By kind.
   SeparationWatch separation_;
   bool watches_separation_ = false;
   std::vector<Case> cases_;

@@ -107,6 +107,25 @@ TEST_F(JudgeTest, NamesTheVehicleThatDidNotArrive) {
   EXPECT_EQ(Only().numbers, "1 of 2 failed: Bravo: closest: 25.0 m at 599.0 s, 5.0 m too far");
 }
 
+TEST_F(JudgeTest, NamesEachVehicleThatDidNotArrive) {
+  Judge& judge =
+      For(ArrivalExpectation{.vehicle = "all", .point_m = {}, .within_m = 20, .by_s = 600});
+  judge.TakeNav(0, {30, 0, 0});
+  judge.EndStep(At(599));
+  EXPECT_EQ(Only().numbers,
+            "2 of 2 failed: alpha: closest: 30.0 m at 599.0 s, 10.0 m too far; Bravo: never seen");
+}
+
+TEST_F(JudgeTest, NamesTheNarrowestOfMany) {
+  Judge& judge =
+      For(ArrivalExpectation{.vehicle = "all", .point_m = {}, .within_m = 20, .by_s = 600});
+  judge.TakeNav(0, {0, 0, 0});
+  judge.EndStep(At(100));
+  judge.TakeNav(1, {100, 0, 0});
+  judge.EndStep(At(200));
+  EXPECT_EQ(Only().numbers, "all 2; narrowest Bravo: there at 200.0 s");
+}
+
 TEST_F(JudgeTest, TakesAGivenPointAndTheMissionsEndAsDefaultLimit) {
   Judge& judge = For(ArrivalExpectation{
       .vehicle = "BRAVO", .point_m = Eigen::Vector2d(0, 50), .within_m = 1, .by_s = 0});
@@ -119,23 +138,42 @@ TEST_F(JudgeTest, TakesAGivenPointAndTheMissionsEndAsDefaultLimit) {
 TEST_F(JudgeTest, CountsReportsOfOneLink) {
   Judge& judge =
       For(CommsExpectation{.from = "alpha", .to = "bravo", .at_least = 2, .at_most = {}});
-  judge.fates().Add("alpha", "Bravo", "delivered");
-  judge.fates().Add("Bravo", "alpha", "delivered");
-  judge.fates().Add("alpha", "Bravo", "out_of_range");
+  judge.fates(Kind::kReport).Add("alpha", "Bravo", "delivered");
+  judge.fates(Kind::kReport).Add("Bravo", "alpha", "delivered");
+  judge.fates(Kind::kReport).Add("alpha", "Bravo", "out_of_range");
   EXPECT_FALSE(Only().passed);
   EXPECT_EQ(Only().numbers, "1, 1 too few");
-  judge.fates().Add("alpha", "Bravo", "delivered");
+  judge.fates(Kind::kReport).Add("alpha", "Bravo", "delivered");
   EXPECT_TRUE(Only().passed);
 }
 
 TEST_F(JudgeTest, CountsReportsOfAllLinksAndOneCause) {
   Judge& judge = For(CommsExpectation{.cause = "out_of_range", .at_least = {}, .at_most = 1});
-  judge.fates().Add("alpha", "Bravo", "out_of_range");
+  judge.fates(Kind::kReport).Add("alpha", "Bravo", "out_of_range");
   EXPECT_TRUE(Only().passed);
   EXPECT_EQ(Only().text, "at most 1 reports out_of_range from all to all");
-  judge.fates().Add("nemo", "alpha", "out_of_range");
+  judge.fates(Kind::kReport).Add("nemo", "alpha", "out_of_range");
   EXPECT_FALSE(Only().passed);
   EXPECT_EQ(Only().numbers, "2, 1 too many");
+}
+
+TEST_F(JudgeTest, TellsReportsMessagesAndAcksApart) {
+  Judge& judge = For(CommsExpectation{.kind = Kind::kMessage, .at_least = 3, .at_most = {}});
+  EXPECT_EQ(Only().text, "at least 3 messages delivered from all to all");
+  judge.fates(Kind::kReport).Add("alpha", "Bravo", "delivered", 10);
+  judge.fates(Kind::kAck).Add("alpha", "Bravo", "delivered", 10);
+  judge.fates(Kind::kMessage).Add("alpha", "Bravo", "delivered", 2);
+  EXPECT_EQ(Only().numbers, "2, 1 too few");
+  judge.fates(Kind::kMessage).Add("Bravo", "alpha", "delivered");
+  EXPECT_TRUE(Only().passed);
+}
+
+TEST_F(JudgeTest, CountsDestinationsThatAreNotToldApartForAllAndForNobody) {
+  Judge& judge =
+      For(CommsExpectation{.to = "bravo", .cause = "out_of_range", .at_least = {}, .at_most = 0});
+  judge.fates(Kind::kReport).Add("alpha", "*", "out_of_range", 998);
+  EXPECT_TRUE(Only().passed);
+  EXPECT_EQ(judge.fates(Kind::kReport).Count(0, FateCounts::kAll, "out_of_range"), 998);
 }
 
 TEST_F(JudgeTest, ComparesTheHelmsLastStateAndTask) {

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string_view>
+#include <utility>
 
 namespace shoal {
 
@@ -77,8 +79,8 @@ std::string LinkList(const Mission& mission, const FateCounts& fates) {
   return text;
 }
 
-std::string LinkTable(const Mission& mission, const FateCounts& fates) {
-  std::string text = "Reports delivered/offered\n";
+std::string LinkTable(const Mission& mission, const FateCounts& fates, std::string_view title) {
+  std::string text = fmt::format("{} delivered/offered\n", title);
   text += mission.vehicles.size() <= kMaxMatrixVehicles ? LinkMatrix(mission, fates)
                                                         : LinkList(mission, fates);
   text += fmt::format("    all: {}", DeliveredOfOffered(fates, kAll, kAll));
@@ -91,7 +93,13 @@ std::string LinkTable(const Mission& mission, const FateCounts& fates) {
 }  // namespace
 
 std::string Summarize(const Mission& mission, const Judge& judge, bool complete) {
-  std::string text = VehicleTable(mission, judge) + "\n" + LinkTable(mission, judge.fates());
+  std::string text = VehicleTable(mission, judge) + "\n" +
+                     LinkTable(mission, judge.fates(Kind::kReport), "Reports");
+  for (const auto& [kind, title] :
+       {std::pair(Kind::kMessage, "Messages"), std::pair(Kind::kAck, "Acks")}) {
+    const FateCounts& fates = judge.fates(kind);
+    if (fates.CountOffered(kAll, kAll) > 0) text += "\n" + LinkTable(mission, fates, title);
+  }
   const std::vector<ExpectationVerdict> verdicts = judge.Verdicts();
   if (!verdicts.empty()) text += "\nExpectations\n";
   int num_failed = 0;

@@ -17,8 +17,8 @@ Mission TwoVehicles() {
 }
 
 void DeliverOne(Judge& judge) {
-  judge.fates().Add("alpha", "bravo", "delivered");
-  judge.fates().Add("alpha", "bravo", "out_of_range");
+  judge.fates(Kind::kReport).Add("alpha", "bravo", "delivered");
+  judge.fates(Kind::kReport).Add("alpha", "bravo", "out_of_range");
 }
 
 TEST(Summarize, ShowsVehiclesLinksAndVerdicts) {
@@ -48,6 +48,27 @@ TEST(Summarize, ShowsVehiclesLinksAndVerdicts) {
       "    pass at least 1 reports delivered from all to bravo: 1 [a.toml:5]\n"
       "\n"
       "PASS\n");
+}
+
+TEST(Summarize, ShowsMessagesAndAcksWhereThereWereAny) {
+  const Mission mission = TwoVehicles();
+  Judge judge(mission);
+  judge.fates(Kind::kMessage).Add("alpha", "bravo", "delivered");
+  judge.fates(Kind::kMessage).Add("alpha", "bravo", "too_soon");
+  judge.fates(Kind::kMessage).Add("alpha", "", "no_destination");
+  const std::string summary = Summarize(mission, judge);
+  EXPECT_NE(summary.find("    all: 0/0\n"
+                         "\n"
+                         "Messages delivered/offered\n"
+                         "    from \\ to                 alpha          bravo\n"
+                         "    alpha                         -            1/2\n"
+                         "    bravo                       0/0              -\n"
+                         "    all: 1/3, no_destination 1, too_soon 1\n"),
+            std::string::npos)
+      << summary;
+  EXPECT_EQ(summary.find("Acks"), std::string::npos);
+  judge.fates(Kind::kAck).Add("bravo", "alpha", "delivered");
+  EXPECT_NE(Summarize(mission, judge).find("\n\nAcks delivered/offered\n"), std::string::npos);
 }
 
 TEST(Summarize, EndsWithFailWhereAnExpectationWasMissed) {

@@ -1,0 +1,128 @@
+// What a log tells of a mission's communication: all that the broker heard, in the order in which
+// it handled it, and what it decided.
+//
+//   CommsLogBuilder builder;
+//   while (const auto event = reader.Next()) builder.Add(*event);
+//   CommsLog log = builder.Build();
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lib/bus/bus.h"
+#include "lib/bus/channels.h"
+#include "lib/record/log_format.h"
+
+namespace shoal {
+
+/// Where the times of a log come from.
+enum class LogTime {
+  kMission,  ///< shoal's own recording: events have mission time and stand in the fixed order.
+  kSeals,    ///< lcm-logger's, of a mission: steps and order are restored from the seals.
+  kWall,     ///< lcm-logger's, of a live broker: each message is handled at its own time.
+};
+
+/// A message for the broker, or COMMS_FATES.
+struct LoggedMessage {
+  int64_t utime = 0;    ///< When the broker handled it; of COMMS_FATES: when it was said.
+  uint8_t channel = 0;  ///< Into BrokerChannels().
+  size_t begin = 0;     ///< Of its bytes, in CommsLog::bytes.
+  size_t size = 0;
+};
+
+/// A broker that began to work.
+struct BrokerStart {
+  int64_t utime = 0;          ///< Of its first step.
+  int64_t rules_utime = 0;    ///< When it said COMMS_RULES and so began to decide.
+  bool in_the_midst = false;  ///< It asked for the controls that it had missed.
+};
+
+/// How many of a vehicle's reports a log holds, and how many its index tells are missing.
+struct ReportGap {
+  std::string vehicle;
+  int64_t num_found = 0;
+  int64_t num_missing = 0;
+};
+
+struct CommsLog {
+  LogTime time = LogTime::kMission;
+  int64_t tick_us = 100'000;
+  bool tick_is_guessed = false;
+  std::vector<LoggedMessage> inputs;   ///< As the broker handled them.
+  std::vector<LoggedMessage> fates;    ///< As they were said.
+  std::vector<BrokerStart> starts;     ///< One at least, unless there are no inputs.
+  std::optional<comms_rules_t> rules;  ///< The broker's at its first start; or the first that are.
+  int64_t first_utime = 0;             ///< Of all events.
+  int64_t last_utime = 0;              ///< No step is later.
+  int64_t num_events = 0;              ///< On all channels.
+
+  std::vector<ReportGap> gaps;  ///< Of vehicles whose reports are missing.
+  int64_t num_backward = 0;     ///< Events earlier than the one before.
+  int64_t num_repeated = 0;     ///< Left out: said again, or in two logs.
+  int64_t num_foreign = 0;      ///< Left out: of another mission.
+  int64_t num_impossible = 0;   ///< Left out: with a time that no mission has.
+  int64_t num_unsealed = 0;     ///< kSeals: inputs from outside, whose step is not certain.
+
+  Bytes bytes;
+
+  std::span<const uint8_t> BytesOf(const LoggedMessage& message) const {
+    return std::span(bytes).subspan(message.begin, message.size);
+  }
+};
+
+/// The channels that a broker hears and that matter here, and then the three that it says and that
+/// are compared: COMMS_FATES, COMMS_RULES, UNC_CONTROLS_REQ.
+const std::vector<std::string>& BrokerChannels();
+/// How many of them it hears.
+size_t NumBrokerInputs();
+
+/// Returns the time that is `steps` steps later, or nothing where no mission has it.
+[[nodiscard]] std::optional<int64_t> StepsLater(int64_t utime, int64_t steps, int64_t tick_us);
+
+class CommsLogBuilder {
+ public:
+  /// What follows comes from another log. Not needed before the first.
+  void BeginLog();
+  void Add(const LogEvent& event);
+
+  /// Returns what was added. `tick_us` is believed where the log does not tell.
+  CommsLog Build(std::optional<int64_t> tick_us = std::nullopt);
+
+ private:
+  struct Item {
+    int64_t utime = 0;       ///< Of the event; later: when it was said.
+    int64_t mission_id = 0;  ///< This and the next two: of its seal.
+    int64_t step = 0;        ///< Unsealed: of the last seal before it.
+    uint32_t sequence = 0;
+    uint32_t publisher = 0;  ///< Into publishers_; 0: from outside, without a seal.
+    uint8_t channel = 0;
+    size_t begin = 0;
+    size_t size = 0;
+  };
+
+  std::span<const uint8_t> BytesOf(const Item& item) const;
+  template <class T>
+  std::optional<T> DecodeItem(const Item& item) const;
+  std::optional<int64_t> UtimeOf(const Item& item) const;
+  LogTime TellTime() const;
+  void TakeTick(std::optional<int64_t> tick_us);
+  void RestoreSteps();
+  void DropRepeated();
+  void FindStarts();
+  void FindGaps();
+
+  CommsLog log_;
+  std::vector<Item> items_;
+  std::map<std::string, uint32_t, std::less<>> publishers_;
+  std::optional<int64_t> previous_utime_;  ///< Of the event before, in the same log.
+  int64_t smallest_gap_us_ = 0;            ///< Between different times of events; 0: not known.
+  int64_t latest_step_ = 0;
+  std::map<int64_t, int64_t> last_steps_;  ///< By mission.
+};
+
+}  // namespace shoal

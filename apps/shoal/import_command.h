@@ -1,0 +1,25 @@
+// `shoal import`: MOOS-IvP mission files to a mission of shoal; and the .alog lines of
+// `shoal log csv --moos`.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "lib/record/log_commands.h"
+
+namespace shoal {
+
+struct ImportOptions {
+  std::vector<std::string> files;  ///< .moos files, all of one mission.
+  std::string out_path;            ///< Where the mission is written; empty: standard output.
+};
+
+/// Writes the mission, and to stderr what needs care. Returns the exit code: 0 also where there
+/// are warnings, kExitUsage where a file cannot be read or `out_path` exists already,
+/// kExitEnvironment where it cannot be written.
+int RunImport(const ImportOptions& options);
+
+/// Node reports as MOOS text, in files that alog tools read (lib/moos/alog.h).
+LogLines NodeReportsAsAlog();
+
+}  // namespace shoal

@@ -1,0 +1,218 @@
+#include "apps/shoal/send_words.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <optional>
+
+#include "lib/mission/suggest.h"
+#include "lib/routing/destinations.h"
+#include "lib/routing/vehicle_name.h"
+
+namespace shoal {
+
+namespace {
+
+constexpr std::string_view kMessageUsage =
+    "usage: message DEST VAR VALUE [--double] [--ack]; DEST: names joined by ':', all, or "
+    "group:NAME";
+
+/// One command's shape.
+struct CommandShape {
+  std::string_view name;
+  bool takes_text = false;            ///< One word, such as a task's name.
+  std::vector<int> num_values = {0};  ///< Allowed counts of numbers.
+  std::string_view help;
+};
+
+const std::vector<CommandShape>& HelmCommands() {
+  static const std::vector<CommandShape> shapes = {
+      {"deploy", false, {0}, "start the list of tasks, or go on with it"},
+      {"return", false, {0}, "go home and stay there"},
+      {"station_keep", false, {0}, "stay here"},
+      {"all_stop", false, {0}, "stop the actuators"},
+      {"resume", false, {0}, "go on after all_stop"},
+      {"park", false, {0}, "end all tasks"},
+      {"goto", false, {2}, "X Y: go to a point (metres East, North) and stay there"},
+      {"speed", false, {1}, "V: go at V m/s until the next task"},
+      {"task", true, {0}, "NAME: jump to a task"},
+  };
+  return shapes;
+}
+
+const std::vector<CommandShape>& SimCommands() {
+  static const std::vector<CommandShape> shapes = {
+      {"pause", false, {0}, "hold the vehicle where it is"},
+      {"resume", false, {0}, "let it move again"},
+      {"reset", false, {0, 4}, "[X Y HEADING SPEED]: back to the start, or to a pose"},
+      {"drift", false, {2}, "X Y: add a drift of X m/s East, Y m/s North"},
+  };
+  return shapes;
+}
+
+std::string Rows(std::string_view prefix, const std::vector<CommandShape>& shapes) {
+  std::string text;
+  for (const CommandShape& shape : shapes) {
+    text += fmt::format("  {:<28} {}\n", fmt::format("{}{}", prefix, shape.name), shape.help);
+  }
+  return text;
+}
+
+std::optional<double> ParseNumber(const std::string& word) {
+  char* end = nullptr;
+  const double value = std::strtod(word.c_str(), &end);
+  if (word.empty() || *end != '\0' || !std::isfinite(value)) return std::nullopt;
+  return value;
+}
+
+/// Words after the command, as the command wants them.
+struct Arguments {
+  std::string text;
+  std::vector<double> values;
+};
+
+Result<Arguments> ParseArguments(const std::vector<CommandShape>& shapes, const std::string& name,
+                                 std::span<const std::string> words) {
+  const auto shape = std::find_if(shapes.begin(), shapes.end(),
+                                  [&](const CommandShape& each) { return each.name == name; });
+  if (shape == shapes.end()) {
+    return Error{fmt::format("unknown command '{}'; there are:\n{}", name, Rows("", shapes))};
+  }
+  Arguments arguments;
+  if (shape->takes_text) {
+    if (words.size() != 1) {
+      return Error{fmt::format("usage: {} {}", shape->name, shape->help)};
+    }
+    arguments.text = words.front();
+    return arguments;
+  }
+  for (const std::string& word : words) {
+    const std::optional<double> value = ParseNumber(word);
+    if (!value) return Error{fmt::format("'{}' is not a number", word)};
+    arguments.values.push_back(*value);
+  }
+  if (std::find(shape->num_values.begin(), shape->num_values.end(),
+                static_cast<int>(words.size())) == shape->num_values.end()) {
+    return Error{fmt::format("usage: {} {}", shape->name, shape->help)};
+  }
+  return arguments;
+}
+
+/// How to write a rule: "stealth VEHICLE 0.5 (0 to 1)".
+std::string RuleUsage(const ControlRow& row) {
+  std::string usage(row.rule);
+  if (row.of_vehicle) usage += " VEHICLE";
+  if (row.type != ControlType::kRequest) usage += fmt::format(" {}", row.example);
+  return fmt::format("usage: shoal send {} ({})", usage, row.values);
+}
+
+}  // namespace
+
+Result<helm_command_t> ParseHelmWords(std::span<const std::string> words) {
+  Result<Arguments> arguments = ParseArguments(HelmCommands(), words[0], words.subspan(1));
+  if (!arguments.ok()) return Error{arguments.error()};
+  helm_command_t command{};
+  command.command = words[0];
+  command.argument = arguments->text;
+  command.values = arguments->values;
+  command.num_values = static_cast<int32_t>(command.values.size());
+  return command;
+}
+
+Result<sim_command_t> ParseSimWords(std::span<const std::string> words) {
+  if (words.empty()) return Error{"say what:\n" + Rows("sim ", SimCommands())};
+  Result<Arguments> arguments = ParseArguments(SimCommands(), words[0], words.subspan(1));
+  if (!arguments.ok()) return Error{arguments.error()};
+  sim_command_t command{};
+  command.command = words[0];
+  command.values = arguments->values;
+  command.num_values = static_cast<int32_t>(command.values.size());
+  return command;
+}
+
+Result<unc_control_t> ParseRuleWords(const ControlRow& row, std::span<const std::string> words) {
+  const bool takes_value = row.type != ControlType::kRequest;
+  const size_t num_words = (row.of_vehicle ? 1 : 0) + (takes_value ? 1 : 0);
+  if (words.size() != num_words) return Error{RuleUsage(row)};
+  unc_control_t control{};
+  if (row.of_vehicle) {
+    control.vehicle = words.front();
+    if (!IsLegalVehicleName(control.vehicle)) {
+      return Error{
+          fmt::format("{} is no vehicle's name; {}", Quoted(words.front()), RuleUsage(row))};
+    }
+  }
+  if (!takes_value) return control;
+  const std::optional<double> value = ParseControlValue(row, words.back());
+  if (!value) {
+    return Error{
+        fmt::format("{} is no value of {}; {}", Quoted(words.back()), row.rule, RuleUsage(row))};
+  }
+  control.value = *value;
+  return control;
+}
+
+Result<node_message_t> ParseMessageWords(std::span<const std::string> words) {
+  node_message_t message{};
+  std::vector<std::string> plain;
+  for (const std::string& word : words.subspan(1)) {
+    if (word == "--double") {
+      message.is_double = 1;
+    } else if (word == "--ack") {
+      message.ack_requested = 1;
+    } else {
+      plain.push_back(word);
+    }
+  }
+  if (plain.size() != 3 || plain[1].empty()) return Error{std::string(kMessageUsage)};
+  constexpr std::string_view kGroup = "group:";
+  if (plain[0].starts_with(kGroup)) {
+    message.dest_group = plain[0].substr(kGroup.size());
+  } else {
+    message.dest_node = plain[0];
+  }
+  const Destinations nodes = ParseDestinations(message.dest_node);
+  if (message.dest_group.empty() && nodes.names.empty() && !nodes.all) {
+    return Error{"nobody to send it to; " + std::string(kMessageUsage)};
+  }
+  message.var_name = plain[1];
+  if (message.is_double == 0) {
+    message.string_val = plain[2];
+    return message;
+  }
+  const std::optional<double> value = ParseNumber(plain[2]);
+  if (!value) return Error{fmt::format("{} is not a number", Quoted(plain[2]))};
+  message.double_val = *value;
+  return message;
+}
+
+std::string SendCommandsText() {
+  std::string text =
+      "VEHICLE is a vehicle's name or all.\n" + Rows("VEHICLE ", HelmCommands()) +
+      Rows("VEHICLE sim ", SimCommands()) +
+      "  VEHICLE message DEST VAR VALUE [--double] [--ack]\n"
+      "                               a node message of VEHICLE. DEST: names joined "
+      "by ':', all, or group:NAME;\n"
+      "                               --double: VALUE is a number; --ack: sent again "
+      "until it is acknowledged\n"
+      "The broker's rules:\n";
+  for (const ControlRow& row : ControlTable()) {
+    std::string name(row.rule);
+    if (row.of_vehicle) name += " NAME";
+    if (row.type == ControlType::kRequest) {
+      text += fmt::format("  {:<28} NAME receives the next report of each other vehicle\n", name);
+    } else {
+      text += fmt::format("  {:<28} {}\n", name + " VALUE", row.values);
+    }
+  }
+  return text;
+}
+
+bool BusWorks(const LcmBus& bus) {
+  if (!bus.error().empty()) fmt::print(stderr, "shoal: {}\n", bus.error());
+  return bus.error().empty();
+}
+
+}  // namespace shoal

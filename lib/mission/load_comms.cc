@@ -1,0 +1,56 @@
+#include "lib/mission/load_comms.h"
+
+#include <sstream>
+#include <variant>
+
+#include "lib/mission/describe.h"
+#include "lib/mission/load.h"
+#include "lib/mission/parse.h"
+#include "lib/mission/problems.h"
+#include "lib/mission/read_file.h"
+#include "lib/mission/table_reader.h"
+#include "lib/mission/table_writer.h"
+
+namespace shoal {
+
+LoadedComms LoadCommsText(std::string_view text, const std::string& name) {
+  LoadedComms loaded;
+  Problems problems(name, {});
+  if (const std::optional<Value> root = ParseToml(text, problems)) {
+    const auto& table = std::get<Table>(root->data);
+    for (const char* key : {"mission", "vehicle", "fleet"}) {
+      if (Find(table, key) == nullptr) continue;
+      LoadedMission whole = LoadMissionText(text, name);
+      return {.rules = whole.mission.comms,
+              .mission = std::move(whole.mission),
+              .errors = std::move(whole.errors),
+              .warnings = std::move(whole.warnings)};
+    }
+    TableReader file(*root, "the file", problems);
+    file.Require("comms", "[comms], followed by comms_range = 100");
+    file.Below("comms", [&](Fields& fields) { Describe(fields, loaded.rules); });
+  }
+  loaded.errors = problems.InOrder();
+  if (loaded.errors.empty()) loaded.warnings = problems.WarningsInOrder();
+  return loaded;
+}
+
+LoadedComms LoadComms(const std::string& path) {
+  const FileText read = ReadFile(path);
+  if (read.problem.empty()) return LoadCommsText(read.text, path);
+  Problems problems(path, {});
+  problems.Add({}, read.problem);
+  return {.rules = {}, .mission = {}, .errors = problems.InOrder(), .warnings = {}};
+}
+
+std::vector<std::string> ExplainComms(const RoutingRules& rules) {
+  TableWriter writer;
+  RoutingRules copy = rules;
+  Describe(writer, copy);
+  std::istringstream text(writer.TakeText());
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(text, line);) lines.push_back(line);
+  return lines;
+}
+
+}  // namespace shoal

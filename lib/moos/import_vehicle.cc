@@ -1,0 +1,295 @@
+#include "lib/moos/import_vehicle.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "lib/mission/suggest.h"
+#include "lib/mission/table_writer.h"
+#include "lib/moos/fields.h"
+#include "lib/moos/numbers.h"
+
+namespace shoal {
+namespace {
+
+constexpr std::array<std::string_view, 5> kStartOrder = {"x", "y", "heading", "speed", "depth"};
+
+/// Returns the key of `start` for what uSimMarine calls it; empty: there is none.
+std::string_view StartKey(std::string_view moos_key) {
+  if (moos_key == "x") return "x_m";
+  if (moos_key == "y") return "y_m";
+  if (moos_key == "heading" || moos_key == "hdg") return "heading_deg";
+  if (moos_key == "speed" || moos_key == "spd") return "speed_mps";
+  return "";
+}
+
+/// Returns the parts of `text` between separators, without blanks at their ends.
+std::vector<std::string_view> Split(std::string_view text, char separator) {
+  std::vector<std::string_view> parts;
+  while (true) {
+    const size_t end = std::min(text.find(separator), text.size());
+    parts.push_back(Trimmed(text.substr(0, end)));
+    if (end == text.size()) return parts;
+    text.remove_prefix(end + 1);
+  }
+}
+
+}  // namespace
+
+bool IsLinkFactor(std::string_view moos_key) {
+  const std::string key = LowerCase(moos_key);
+  return key == "stealth" || key == "earange" || key == "earrange";
+}
+
+std::optional<LinkFactorSetting> ParseLinkFactor(const MoosLine& line) {
+  const std::string key = LowerCase(line.key) == "stealth" ? "stealth" : "earange";
+  const auto fields = ParseFields(line.value);
+  if (!fields.ok()) return std::nullopt;
+  LinkFactorSetting setting{.vehicle = "", .key = key, .value = ""};
+  for (const MoosField& field : *fields) {
+    const std::string name = LowerCase(field.key.substr(0, 16));
+    if (name == "vname") {
+      setting.vehicle = field.value;
+    } else if (name == key || (key == "earange" && name == "earrange")) {
+      const auto number = ParseNumber(field.value);
+      if (!number) return std::nullopt;
+      setting.value = TomlNumber(*number);
+    } else {
+      return std::nullopt;
+    }
+  }
+  if (setting.vehicle.empty() || setting.value.empty()) return std::nullopt;
+  return setting;
+}
+
+VehicleImport::VehicleImport(size_t number, std::string name, std::string remark, bool is_imported)
+    : id_(fmt::format("vehicle{}", number)),
+      name_(std::move(name)),
+      remark_(std::move(remark)),
+      is_imported_(is_imported) {}
+
+void VehicleImport::AddTables(MissionDraft* draft) {
+  draft_ = draft;
+  draft->AddTable(id_, "[[vehicle]]", true);
+  draft->Set(
+      id_,
+      {.key = "name", .value = TomlString(name_), .origin = "", .text = "", .reason = remark_});
+  draft->AddTable(TableOf(SettingPlace::kCraft), "[vehicle.surface_craft]");
+  draft->AddTable(TableOf(SettingPlace::kAutopilot), "[vehicle.autopilot]");
+  draft->AddTable(TableOf(SettingPlace::kReporter), "[vehicle.reporter]");
+}
+
+void VehicleImport::AddEvents() { draft_->AddTable(id_ + ".drift", "[[event]]"); }
+
+std::string VehicleImport::TableOf(SettingPlace place) const {
+  switch (place) {
+    case SettingPlace::kCraft:
+      return id_ + ".surface_craft";
+    case SettingPlace::kAutopilot:
+      return id_ + ".autopilot";
+    case SettingPlace::kReporter:
+      return id_ + ".reporter";
+    case SettingPlace::kComms:
+      return "comms";
+    case SettingPlace::kVehicle:
+      break;
+  }
+  return id_;
+}
+
+std::string VehicleImport::TableOfApp(std::string_view app_class) const {
+  if (app_class == "usimmarine") return TableOf(SettingPlace::kCraft);
+  if (app_class == "pmarinepid") return TableOf(SettingPlace::kAutopilot);
+  if (app_class == "pnodereporter") return TableOf(SettingPlace::kReporter);
+  if (app_class == "phelmivp") return id_;
+  return "";
+}
+
+bool VehicleImport::Take(std::string_view app_class, const std::string& origin,
+                         const MoosLine& line, std::vector<std::string>* warnings) {
+  const std::string key = LowerCase(line.key);
+  const bool is_sim = app_class == "usimmarine";
+  const bool is_start = is_sim && key.starts_with("start_");
+  const bool is_thrust = is_sim && (key == "thrust_map" || key == "thrust_factor");
+  const bool is_drift = is_sim && (key == "drift_x" || key == "drift_y" || key == "drift_vector");
+  const bool is_extra = app_class == "pnodereporter" && key == "platform_aspect";
+  if (!is_start && !is_thrust && !is_drift && !is_extra) return false;
+  if (is_extra) {
+    const size_t equals = line.value.find('=');
+    if (equals != std::string::npos) {
+      Gather(origin, line, &extra_);
+      const std::string_view value = line.value;
+      extra_.members[TomlString(Trimmed(value.substr(0, equals)))] =
+          TomlString(Trimmed(value.substr(equals + 1)));
+      return true;
+    }
+  } else if (TakeSim(key, origin, line)) {
+    return true;
+  }
+  const std::string reason = "makes no sense: " + std::string(is_extra    ? "not KEY=VALUE"
+                                                              : is_start  ? "not numbers"
+                                                              : is_thrust ? "not thrust:speed, ..."
+                                                                          : "not numbers");
+  draft_->Remark(TableOfApp(app_class), origin, line.text, reason);
+  warnings->push_back(origin + ": " + line.text + ": " + reason);
+  return true;
+}
+
+void VehicleImport::Gather(const std::string& origin, const MoosLine& line, Gathered* gathered) {
+  gathered->origins += (gathered->origins.empty() ? "" : ", ") + origin;
+  gathered->texts += (gathered->texts.empty() ? "" : ", ") + line.text;
+}
+
+bool VehicleImport::TakeSim(std::string_view key, const std::string& origin, const MoosLine& line) {
+  if (key.starts_with("start_")) return TakeStart(origin, line);
+  if (key == "thrust_map") return TakeThrustMap(origin, line);
+  if (key == "thrust_factor") return TakeThrustFactor(origin, line);
+  return TakeDrift(key, origin, line);
+}
+
+bool VehicleImport::TakeStart(const std::string& origin, const MoosLine& line) {
+  std::map<std::string, double> given;  // By uSimMarine's names.
+  const std::string key = LowerCase(line.key).substr(std::string_view("start_").size());
+  if (key == "pos") {
+    size_t position = 0;
+    for (const std::string_view part : Split(line.value, ',')) {
+      const size_t equals = part.find('=');
+      const bool is_named = equals != std::string_view::npos;
+      if (!is_named && position >= kStartOrder.size()) return false;
+      const auto number = ParseNumber(is_named ? part.substr(equals + 1) : part);
+      const std::string name = is_named ? LowerCase(Trimmed(part.substr(0, equals)))
+                                        : std::string(kStartOrder[position++]);
+      if (!number || (StartKey(name).empty() && name != "depth")) return false;
+      given[name] = *number;
+    }
+  } else {
+    const auto number = ParseNumber(line.value);
+    if (!number || (StartKey(key).empty() && key != "depth")) return false;
+    given[key] = *number;
+  }
+  const auto depth = given.find("depth");
+  if (depth != given.end() && depth->second != 0) {
+    draft_->Remark(id_, origin, line.text, "a surface craft has no depth");
+  }
+  bool any = false;
+  for (const auto& [name, number] : given) {
+    if (StartKey(name).empty()) continue;
+    start_.members[std::string(StartKey(name))] = TomlNumber(number);
+    any = true;
+  }
+  if (any) Gather(origin, line, &start_);
+  if (!any && depth != given.end() && depth->second == 0) {
+    draft_->Remark(id_, origin, line.text, "a surface craft is always there");
+  }
+  return true;
+}
+
+bool VehicleImport::TakeThrustMap(const std::string& origin, const MoosLine& line) {
+  std::map<double, double> speeds;  // By thrust: shoal wants them in order.
+  for (const std::string_view part : Split(line.value, ',')) {
+    const size_t colon = part.find(':');
+    if (colon == std::string_view::npos) return false;
+    const auto thrust = ParseNumber(part.substr(0, colon));
+    const auto speed = ParseNumber(part.substr(colon + 1));
+    if (!thrust || !speed) return false;
+    speeds[*thrust] = *speed;
+  }
+  std::string pairs;
+  for (const auto& [thrust, speed] : speeds) {
+    pairs +=
+        fmt::format("{}[{}, {}]", pairs.empty() ? "" : ", ", TomlNumber(thrust), TomlNumber(speed));
+  }
+  draft_->Set(TableOf(SettingPlace::kCraft), {.key = "thrust_map",
+                                              .value = "[" + pairs + "]",
+                                              .origin = origin,
+                                              .text = line.text,
+                                              .reason = ""});
+  return true;
+}
+
+bool VehicleImport::TakeThrustFactor(const std::string& origin, const MoosLine& line) {
+  const auto factor = ParseNumber(line.value);
+  if (!factor) return false;
+  const std::string table = TableOf(SettingPlace::kCraft);
+  if (*factor <= 0 || draft_->IsSet(table, "thrust_map")) {
+    draft_->Remark(table, origin, line.text,
+                   *factor <= 0 ? "must be positive" : "the thrust map above is used instead");
+    return true;
+  }
+  draft_->Set(table, {.key = "thrust_map",
+                      .value = fmt::format("[[100, {}]]", TomlNumber(100 / *factor)),
+                      .origin = origin,
+                      .text = line.text,
+                      .reason = ""});
+  return true;
+}
+
+bool VehicleImport::TakeDrift(std::string_view key, const std::string& origin,
+                              const MoosLine& line) {
+  if (key == "drift_vector") {
+    const auto parts = Split(line.value, ',');
+    if (parts.size() != 2) return false;
+    const auto angle_deg = ParseNumber(parts[0]);
+    const auto speed_mps = ParseNumber(parts[1]);
+    if (!angle_deg || !speed_mps) return false;
+    const double angle_rad = *angle_deg * std::numbers::pi / 180;
+    drift_mps_ = {*speed_mps * std::sin(angle_rad), *speed_mps * std::cos(angle_rad)};
+  } else {
+    const auto number = ParseNumber(line.value);
+    if (!number) return false;
+    drift_mps_(key == "drift_x" ? 0 : 1) = *number;
+  }
+  Gather(origin, line, &drift_);
+  return true;
+}
+
+void VehicleImport::SetGathered(const std::string& table, std::string key,
+                                const Gathered& gathered) {
+  if (gathered.members.empty()) return;
+  std::string members;
+  for (const auto& [name, value] : gathered.members) {
+    members += (members.empty() ? "" : ", ") + name + " = " + value;
+  }
+  draft_->Set(table, {.key = std::move(key),
+                      .value = "{" + members + "}",
+                      .origin = gathered.origins,
+                      .text = gathered.texts,
+                      .reason = ""});
+}
+
+void VehicleImport::Finish() {
+  SetGathered(id_, "start", start_);
+  SetGathered(TableOf(SettingPlace::kReporter), "extra", extra_);
+  const std::string craft = TableOf(SettingPlace::kCraft);
+  if (draft_->IsSet(craft, "turn_rate_degps")) {
+    draft_->Set(craft, {.key = "full_turn_speed_mps",
+                        .value = "5",
+                        .origin = "",
+                        .text = "",
+                        .reason = "Assumed: as uSimMarine turns at 50 % thrust; there the thrust "
+                                  "counts too."});
+  }
+  if (drift_.origins.empty()) return;
+  const std::string table = id_ + ".drift";
+  const auto set = [&](std::string key, std::string value, bool names_lines) {
+    draft_->Set(table, {.key = std::move(key),
+                        .value = std::move(value),
+                        .origin = names_lines ? drift_.origins : "",
+                        .text = names_lines ? drift_.texts : "",
+                        .reason = ""});
+  };
+  set("at_s", "0", false);
+  set("vehicle", TomlString(name_), false);
+  set("sim_command", TomlString("drift"), false);
+  // Nobody means the 1e-17 that a sine leaves.
+  drift_mps_ = (drift_mps_ * 1e9).array().round() / 1e9;
+  set("values",
+      fmt::format("[{}, {}]", TomlNumber(drift_mps_.x() + 0.0), TomlNumber(drift_mps_.y() + 0.0)),
+      true);
+}
+
+}  // namespace shoal
