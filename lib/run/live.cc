@@ -116,6 +116,7 @@ int RunLive(const LiveOptions& options, Mission mission,
     is_asked = is_asked || request.app == "all" || request.app == options.name;
   });
   if (!bus.error().empty()) return fail(bus.error());
+  app->Tick(mission.start_utime);  // Its first step is the mission's first: it has missed nothing.
   fmt::print("{}: live on {}; Ctrl-C ends\n", options.name, LcmUrl(options.ports.shore_port()));
   std::fflush(stdout);
 

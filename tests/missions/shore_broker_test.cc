@@ -1,0 +1,174 @@
+// The broker as a process: killed and started again in the midst of a mission, and without a
+// mission's clock.
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <map>
+
+#include "lib/bus/channels.h"
+#include "lib/bus/lcm_bus.h"
+#include "lib/record/log_reader.h"
+#include "tests/missions/shoal_process.h"
+
+namespace shoal {
+namespace {
+
+/// What a log tells about the broker.
+struct BrokerHistory {
+  std::vector<comms_rules_t> rules;
+  std::vector<int64_t> fate_utimes;  ///< Of each COMMS_FATES.
+};
+
+BrokerHistory ReadHistory(const std::string& path) {
+  BrokerHistory history;
+  Result<LogReader> reader = LogReader::Open(path);
+  EXPECT_TRUE(reader.ok());
+  while (const auto event = reader->Next()) {
+    comms_rules_t rules;
+    comms_fates_t fates;
+    if (event->channel == "COMMS_RULES" && Decode(event->data, &rules)) {
+      history.rules.push_back(rules);
+    }
+    if (event->channel == "COMMS_FATES" && Decode(event->data, &fates)) {
+      history.fate_utimes.push_back(fates.utime);
+    }
+  }
+  EXPECT_EQ(reader->error(), "");
+  return history;
+}
+
+TEST(KilledBroker, ComesBackWithItsControlsAfterOneReportOfEachVehicleAndTheGapIsInTheLog) {
+  const TestFolder folder;
+  const std::string dir = (folder / "rec").string();
+  RunningProcess mission(folder, {Program("shoal"), "run", MissionFile("berta.toml"), "--warp",
+                                  "20", "--record", dir, "--set", "mission.on_loss=restart"});
+  ASSERT_TRUE(mission.WaitFor("x real time")) << mission.Output();
+  ASSERT_EQ(RunShoal(folder, {"send", "comms_range", "90"}).exit_code, 0);
+  ASSERT_EQ(RunShoal(folder, {"send", "stealth", "alpha", "0.5"}).exit_code, 0);
+  SleepSeconds(0.5);
+  kill(mission.Participants().at("shore_broker"), SIGKILL);
+  ASSERT_TRUE(mission.WaitFor("shore_broker starts again", 5)) << mission.Output();
+  SleepSeconds(1);
+  const Finished page = RunShoal(folder, {"status", "shore_broker"});
+  EXPECT_NE(page.output.find("Comms Range: 90\n"), std::string::npos) << page.output;
+  EXPECT_NE(page.output.find("ALPHA: stealth 0.5"), std::string::npos) << page.output;
+  EXPECT_NE(page.output.find("Known Vehicles: 2"), std::string::npos) << page.output;
+  mission.Signal(SIGINT);
+  mission.Wait(10);
+
+  const BrokerHistory history = ReadHistory(dir + "/mission.lcm");
+  ASSERT_GE(history.rules.size(), 4U);
+  const comms_rules_t& again = history.rules.back();
+  EXPECT_TRUE(history.rules.front().is_start);
+  EXPECT_TRUE(again.is_start);
+  EXPECT_EQ(again.comms_range_m, 90);
+  ASSERT_EQ(again.factors.size(), 1U);
+  EXPECT_EQ(again.factors[0].stealth, 0.5);
+  int64_t longest_gap_us = 0;
+  int64_t first_after_utime = 0;
+  for (size_t i = 1; i < history.fate_utimes.size(); ++i) {
+    longest_gap_us = std::max(longest_gap_us, history.fate_utimes[i] - history.fate_utimes[i - 1]);
+    if (first_after_utime == 0 && history.fate_utimes[i] >= again.utime) {
+      first_after_utime = history.fate_utimes[i];
+    }
+  }
+  EXPECT_GT(longest_gap_us, 500'000) << "reports come at 2 Hz";
+  EXPECT_LE(first_after_utime - again.utime, 500'000) << "one report of each vehicle is enough";
+}
+
+/// A broker without a clock, on ports of its own, and a bus to speak with it.
+class LiveBroker : public testing::Test {
+ protected:
+  static constexpr int kBase = 20'610;
+
+  LiveBroker() {
+    WriteFile(folder_ / "live.toml",
+              "[mission]\nduration_s = 60\n[comms]\ncomms_range = 250\n"
+              "[[vehicle]]\nname = \"alpha\"\n[[vehicle]]\nname = \"bravo\"\n");
+    broker_ = std::make_unique<RunningProcess>(
+        folder_, std::vector<std::string>{Program("shore_broker"), "--live", "--mission",
+                                          folder_ / "live.toml", "--port", std::to_string(kBase)});
+    EXPECT_TRUE(broker_->WaitFor("live on")) << broker_->Output();
+    for (const std::string name : {"alpha", "bravo"}) {
+      Subscribe(bus_, channels::NodeReport(name),
+                [this, name](const node_report_t&) { ++heard_[name]; });
+    }
+    Subscribe(bus_, channels::CommsFates(), [this](const comms_fates_t& message) {
+      fates_.insert(fates_.end(), message.fates.begin(), message.fates.end());
+      fate_utime_ = message.utime;
+    });
+  }
+
+  void Report(const std::string& name, double x_m) {
+    node_report_t report{};
+    report.name = name;
+    report.x_m = x_m;
+    Publish(bus_, channels::NodeReportFromOutside(), report);
+  }
+  /// Listens until `done`, or for two seconds.
+  template <class F>
+  bool Hear(F done) {
+    for (const double begin = WallSeconds(); WallSeconds() - begin < 2;) {
+      bus_.Poll(10'000);
+      if (done()) return true;
+    }
+    return false;
+  }
+
+  TestFolder folder_;
+  std::unique_ptr<RunningProcess> broker_;
+  LcmBus bus_{PortPlan(kBase, Layout::kShared, {"alpha", "bravo"})};
+  std::map<std::string, int> heard_;
+  std::vector<fate_t> fates_;
+  int64_t fate_utime_ = 0;
+};
+
+TEST_F(LiveBroker, TakesReportsAsTheyComeAndTellsTheirFates) {
+  Report("alpha", 0);
+  bus_.Poll(50'000);
+  Report("bravo", 100);
+  ASSERT_TRUE(Hear([&] { return heard_["alpha"] == 1; })) << broker_->Output();
+  Report("alpha", 0);
+  ASSERT_TRUE(Hear([&] { return heard_["bravo"] == 1; }));
+  EXPECT_TRUE(Hear([&] { return fates_.size() >= 2; }));
+  const auto now_us = static_cast<double>(time(nullptr)) * 1e6;
+  EXPECT_NEAR(static_cast<double>(fate_utime_), now_us, 5e6) << "the wall's time";
+}
+
+TEST_F(LiveBroker, IsFoundBySendAndStatusAndEndsOnASignal) {
+  Report("alpha", 0);
+  EXPECT_EQ(RunShoal(folder_, {"send", "comms_range", "77"}).exit_code, 0);
+  SleepSeconds(0.3);
+  const Finished page = RunShoal(folder_, {"status", "shore_broker"});
+  EXPECT_NE(page.output.find("Comms Range: 77\n"), std::string::npos) << page.output;
+  EXPECT_NE(page.output.find("ALPHA: 1 "), std::string::npos) << page.output;
+  broker_->Signal(SIGTERM);
+  EXPECT_EQ(broker_->Wait(5).exit_code, 0);
+  EXPECT_NE(RunShoal(folder_, {"status"}).exit_code, 0) << "nothing runs any more";
+}
+
+TEST_F(LiveBroker, OutlivesBytesThatAreNoMessagesAndCountsThem) {
+  const Bytes garbage = {1, 2, 3};
+  for (const ChannelRow& row : ChannelTable()) {
+    if (row.home == ChannelHome::kShore) bus_.PublishBytes(row.topic, garbage);
+  }
+  Report("alpha", 0);
+  Report("bravo", 0);
+  EXPECT_TRUE(Hear([&] { return heard_["alpha"] == 1; }));
+  const Finished page = RunShoal(folder_, {"status", "shore_broker"});
+  EXPECT_NE(page.output.find("1 undecodable messages on UNC_STEALTH"), std::string::npos)
+      << page.output;
+  EXPECT_NE(page.output.find("1 undecodable messages on NODE_MESSAGE_LOCAL"), std::string::npos);
+}
+
+TEST_F(LiveBroker, RefusesPortsThatAnotherHas) {
+  RunningProcess second(folder_, {Program("shore_broker"), "--live", "--mission",
+                                  folder_ / "live.toml", "--port", std::to_string(kBase + 1)});
+  const Finished finished = second.Wait(5);
+  EXPECT_EQ(finished.exit_code, 3) << finished.output;
+  EXPECT_NE(finished.output.find("choose others with --port"), std::string::npos)
+      << finished.output;
+}
+
+}  // namespace
+}  // namespace shoal
