@@ -47,9 +47,10 @@ void StepInbox::Add(std::string_view channel, std::span<const uint8_t> datagram,
   auto& publishers = steps_[seal->step];
   auto publisher = publishers.find(seal->publisher);
   if (publisher == publishers.end()) {
-    publisher = publishers.emplace(std::string(seal->publisher), BySequence()).first;
+    publisher = publishers.emplace(std::string(seal->publisher), Said()).first;
   }
-  const auto [stored, is_new] = publisher->second.try_emplace(seal->sequence);
+  Said& said = publisher->second;
+  const auto [stored, is_new] = said.by_sequence.try_emplace(seal->sequence);
   if (!is_new) {
     ++counters_.late;
     return;
@@ -58,6 +59,7 @@ void StepInbox::Add(std::string_view channel, std::span<const uint8_t> datagram,
                     .publisher = publisher->first,
                     .sequence = seal->sequence,
                     .data = Bytes(message.begin(), message.end())};
+  ++said.num_by_channel[stored->second.channel];
 }
 
 std::vector<MissingMessages> StepInbox::Missing(const tick_t& tick) const {
@@ -69,9 +71,9 @@ std::vector<MissingMessages> StepInbox::Missing(const tick_t& tick) const {
     if (step != steps_.end()) {
       const auto publisher = step->second.find(total.publisher);
       if (publisher != step->second.end()) {
-        received = static_cast<int32_t>(
-            std::count_if(publisher->second.begin(), publisher->second.end(),
-                          [&](const auto& item) { return item.second.channel == total.channel; }));
+        const auto& counts = publisher->second.num_by_channel;
+        const auto count = counts.find(total.channel);
+        if (count != counts.end()) received = count->second;
       }
     }
     if (received < total.count) {
@@ -94,8 +96,8 @@ std::vector<StepInbox::Stored> StepInbox::Take(const tick_t& tick) {
     for (const step_total_t& total : tick.totals) {
       announced.emplace(total.publisher, total.channel);
     }
-    for (auto& [publisher, messages] : step->second) {
-      for (auto& [sequence, message] : messages) {
+    for (auto& [publisher, said] : step->second) {
+      for (auto& [sequence, message] : said.by_sequence) {
         if (announced.contains({message.publisher, message.channel})) {
           taken.push_back(std::move(message));
         }

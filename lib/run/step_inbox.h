@@ -68,11 +68,14 @@ class StepInbox {
   const InboxCounters& counters() const { return counters_; }
 
  private:
-  /// What one publisher said in one step, by its sequence number.
-  using BySequence = std::map<uint32_t, Stored>;
+  /// What one publisher said in one step.
+  struct Said {
+    std::map<uint32_t, Stored> by_sequence;
+    std::map<std::string, int32_t, std::less<>> num_by_channel;
+  };
 
   std::function<bool(std::string_view)> hears_;
-  std::map<int64_t, std::map<std::string, BySequence, std::less<>>> steps_;
+  std::map<int64_t, std::map<std::string, Said, std::less<>>> steps_;
   std::vector<Stored> outside_;
   size_t outside_bytes_ = 0;
   int64_t next_step_ = -1;  ///< Messages of steps before this are late; -1: not known yet.
