@@ -42,7 +42,7 @@ std::string ListOf(size_t count) {
   return list;
 }
 
-TEST(ParseDestinations, TakesAThousandNamesAndToldTwiceNoMore) {
+TEST(ParseDestinations, TakesAThousandNamesSomeToldTwiceAndNoMore) {
   const Destinations full = ParseDestinations(ListOf(Destinations::kMaxNames) + "v0:V1:all");
   EXPECT_FALSE(full.too_many);
   EXPECT_TRUE(full.all);

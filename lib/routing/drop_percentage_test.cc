@@ -37,9 +37,9 @@ int64_t NumLost(const std::vector<bool>& lost) {
   return std::count(lost.begin(), lost.end(), true);
 }
 
-// Binomial(10,000, p): 4.9 standard deviations, exceeded by chance once in a million.
+// Binomial(5,000, p): 4.9 standard deviations, exceeded by chance once in a million.
 TEST(DropPercentage, LosesThatManyOfAHundred) {
-  constexpr int kReports = 10'000;
+  constexpr int kReports = 5000;
   for (const double pct : {0.5, 10.0, 50.0, 99.5}) {
     TestFleet fleet = MakeFleet(pct);
     const double p = pct / 100;

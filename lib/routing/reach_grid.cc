@@ -61,7 +61,13 @@ void ReachGrid::AppendNear(const Eigen::Vector3d& center_m, double reach_m,
   // Below 2^63: there are at most 2^31 + 1 lines of each kind.
   const int64_t num_squares = (last_column - first_column + 1) * (last_row - first_row + 1);
   if (num_squares > static_cast<int64_t>(squares_.size())) {
-    for (const auto& [square, inhabitants] : squares_) append(inhabitants);
+    for (const auto& [square, inhabitants] : squares_) {
+      const int64_t column = static_cast<int64_t>(square >> 32) - kLastLine;
+      const int64_t row = static_cast<int64_t>(square & 0xffffffff) - kLastLine;
+      if (column >= first_column && column <= last_column && row >= first_row && row <= last_row) {
+        append(inhabitants);
+      }
+    }
     return;
   }
   for (int64_t column = first_column; column <= last_column; ++column) {

@@ -69,6 +69,21 @@ TEST(Reports, OfOneVehicleInOneStepAreEachHandledWhereTheyWereSent) {
   EXPECT_EQ(decisions[1].number, decisions[0].number + 1);
 }
 
+TEST(Reports, OfOneVehicleInOneStepKeepTheGroupThatEachTold) {
+  RoutingRules rules;
+  rules.groups = true;
+  TestFleet fleet(rules);
+  fleet.Report("bravo", {50, 0, 0}, "red");
+  const Admission red = fleet.router.Admit({.name = "alpha", .group = "red"}, 0);
+  const Admission blue = fleet.router.Admit({.name = "alpha", .group = "blue"}, 0);
+  std::vector<Decision> decisions;
+  fleet.router.Route(red, 0, &decisions);
+  fleet.router.Route(blue, 0, &decisions);
+  ASSERT_EQ(decisions.size(), 2U);
+  EXPECT_EQ(decisions[0].cause, Cause::kDelivered);
+  EXPECT_EQ(decisions[1].cause, Cause::kOtherGroup);
+}
+
 TEST(Reports, TakeNamesAndGroupsWithoutRegardToCase) {
   TestFleet fleet;
   fleet.ChangeRules([](RoutingRules* rules) { rules->groups = true; });

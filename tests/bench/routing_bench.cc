@@ -1,7 +1,7 @@
 // How many fates the router decides per second and core; see the counter items_per_second. The
 // original program decides about 65,000 pairs per second and core.
 //
-//   build/tests/bench/routing_bench
+//   build/bin/routing_bench
 
 #include <benchmark/benchmark.h>
 
