@@ -47,6 +47,21 @@ TEST_F(Import, RefusesAFileThatItCannotRead) {
   EXPECT_EQ(RunImport({.files = {moos}, .out_path = "/dev/null/x"}), kExitEnvironment);
 }
 
+TEST_F(Import, TakesTheExampleOfTheDocumentation) {
+  const std::string folder = std::string(SHOAL_SOURCE_DIR) + "/examples/moos/";
+  const std::string toml = directory_.File("mine.toml");
+  ASSERT_EQ(RunImport({.files = {folder + "shoreside.moos", folder + "meta_abe.moos",
+                                 folder + "meta_ben.moos"},
+                       .out_path = toml}),
+            kExitOk);
+  const LoadedMission loaded = LoadMission(toml);
+  EXPECT_EQ(loaded.errors, std::vector<std::string>());
+  ASSERT_EQ(loaded.mission.vehicles.size(), 2U);
+  EXPECT_EQ(loaded.mission.vehicles[1].name, "ben");
+  EXPECT_EQ(loaded.mission.vehicles[1].start.x_m, 40);
+  EXPECT_EQ(loaded.mission.comms.comms_range_m, 250);
+}
+
 TEST(NodeReportsAsAlog, WritesALogOfNodeReports) {
   TestDirectory directory;
   node_report_t report{};
