@@ -222,19 +222,7 @@ TEST_F(DirectorTest, KeepsTheLastControlOfEachRuleAndVehicleForABrokerThatAsks) 
                                       "UNC_STEALTH BRAVO 0.75"}));
 }
 
-TEST_F(DirectorTest, KeepsNoControlThatTheBrokerRefuses) {
-  Step();
-  SayControl("drop_percentage", "", 50);
-  SayControl("drop_percentage", "", 101);
-  SayControl("drop_percentage", "", std::numeric_limits<double>::quiet_NaN());
-  SayControl("drop_percentage", "alpha", 10);
-  SayControl("stealth", "", 0.5);
-  SayControl("stealth", "no such name!", 0.5);
-  Step();
-  EXPECT_EQ(AskForControls(), std::vector<std::string>{"UNC_DROP_PCT  50"});
-}
-
-TEST_F(DirectorTest, KeepsAtMostTenThousandControls) {
+TEST_F(DirectorTest, WarnsOfControlsThatItHasNoRoomFor) {
   Step();
   for (size_t i = 0; i < KeptControls::kMost + 2; ++i) {
     SayControl("stealth", fmt::format("v{}", i), 0.5);

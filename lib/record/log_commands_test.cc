@@ -90,7 +90,8 @@ TEST_F(LogCat_, PrintsOneLinePerMessage) {
             "12.300 DESIRED_ALPHA desired_t heading_deg=90 speed_mps=1.5 depth_m=0\n"
             "12.400 DESIRED_ALPHA desired_t utime=12300000 heading_deg=91 speed_mps=1.5 depth_m=0\n"
             "12.400 COMMS_FATES comms_fates_t fates=[{kind=report source=alpha destination=bravo "
-            "number=0 cause=delivered range_m=12.5 limit_m=0 age_s=0 age_limit_s=0}]\n");
+            "count=0 number=0 cause=delivered override_rule=\"\" range_m=12.5 limit_m=0 age_s=0 "
+            "age_limit_s=0 wait_s=0 loss_pct=0 length_bytes=0 length_limit_bytes=0}]\n");
   EXPECT_EQ(exit_code_, kExitOk);
   EXPECT_EQ(err_.str(), "");
 }
@@ -273,10 +274,12 @@ TEST_F(LogCsv_, WritesOneTablePerChannelWithARowPerElement) {
             "time_s,utime_s,heading_deg,speed_mps,depth_m\n0.100,0.000,90,1.5,0\n");
   EXPECT_EQ(FileText(dir + "/COMMS_FATES.csv"),
             "time_s,utime_s,num_fates,index,fates.kind,fates.source,fates.destination,"
-            "fates.number,fates.cause,fates.range_m,fates.limit_m,fates.age_s,fates.age_limit_s\n"
-            "0.100,0.100,2,0,report,alpha,bravo,0,lost,12.5,0,0,0\n"
-            "0.100,0.100,2,1,report,alpha,bravo,0,\"a \"\"b\"\", c\",12.5,0,0,0\n"
-            "0.200,0.200,0,,,,,,,,,,\n");
+            "fates.count,fates.number,fates.cause,fates.override_rule,fates.range_m,fates.limit_m,"
+            "fates.age_s,fates.age_limit_s,fates.wait_s,fates.loss_pct,fates.length_bytes,"
+            "fates.length_limit_bytes\n"
+            "0.100,0.100,2,0,report,alpha,bravo,0,0,lost,,12.5,0,0,0,0,0,0,0\n"
+            "0.100,0.100,2,1,report,alpha,bravo,0,0,\"a \"\"b\"\", c\",,12.5,0,0,0,0,0,0,0\n"
+            "0.200,0.200,0,,,,,,,,,,,,,,,,\n");
   EXPECT_EQ(err_.str(), "");
 }
 

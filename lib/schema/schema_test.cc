@@ -8,16 +8,23 @@
 #include <sstream>
 
 #include "lcmtypes/lcm_sources.h"
+#include "shoal/ack_message_t.hpp"
 #include "shoal/actuators_t.hpp"
 #include "shoal/appcast_req_t.hpp"
 #include "shoal/appcast_t.hpp"
 #include "shoal/comms_fates_t.hpp"
+#include "shoal/comms_pulse_t.hpp"
+#include "shoal/comms_pulses_t.hpp"
+#include "shoal/comms_rules_t.hpp"
 #include "shoal/desired_t.hpp"
 #include "shoal/fate_t.hpp"
 #include "shoal/helm_command_t.hpp"
 #include "shoal/helm_state_t.hpp"
+#include "shoal/kept_control_t.hpp"
 #include "shoal/key_value_t.hpp"
+#include "shoal/link_factors_t.hpp"
 #include "shoal/nav_t.hpp"
+#include "shoal/node_message_t.hpp"
 #include "shoal/node_report_t.hpp"
 #include "shoal/resend_t.hpp"
 #include "shoal/sim_command_t.hpp"
@@ -26,6 +33,8 @@
 #include "shoal/step_total_t.hpp"
 #include "shoal/tick_t.hpp"
 #include "shoal/unc_control_t.hpp"
+#include "shoal/unc_controls_req_t.hpp"
+#include "shoal/unc_controls_t.hpp"
 #include "shoal_test/deep/empty_t.hpp"
 #include "shoal_test/deep/point_t.hpp"
 #include "shoal_test/deep/shapes_t.hpp"
@@ -68,10 +77,11 @@ std::string BuildError(const std::string& text) {
 
 TEST(Schema, GivesEveryTypeOfShoalTheFingerprintOfLcmGen) {
   const auto generated =
-      Generated<actuators_t, appcast_req_t, appcast_t, comms_fates_t, desired_t, fate_t,
-                helm_command_t, helm_state_t, key_value_t, nav_t, node_report_t, resend_t,
-                sim_command_t, step_count_t, step_done_t, step_total_t, tick_t, unc_control_t>(
-          "shoal");
+      Generated<ack_message_t, actuators_t, appcast_req_t, appcast_t, comms_fates_t, comms_pulse_t,
+                comms_pulses_t, comms_rules_t, desired_t, fate_t, helm_command_t, helm_state_t,
+                kept_control_t, key_value_t, link_factors_t, nav_t, node_message_t, node_report_t,
+                resend_t, sim_command_t, step_count_t, step_done_t, step_total_t, tick_t,
+                unc_control_t, unc_controls_req_t, unc_controls_t>("shoal");
   EXPECT_EQ(Fingerprints(ShoalSchema()), generated) << "a new type? Add it to this test";
 }
 

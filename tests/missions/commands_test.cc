@@ -43,6 +43,36 @@ TEST(Send, ReachesAVehicleAndShowsWhatItDoes) {
   EXPECT_NE(finished.output.find("Reproducible: no"), std::string::npos) << finished.output;
 }
 
+TEST(Send, ChangesRulesAndSendsMessages) {
+  const TestFolder folder;
+  RunningProcess process(folder, {Program("shoal"), "run", MissionFile("berta.toml")});
+  ASSERT_TRUE(process.WaitFor("x real time")) << process.Output();
+  const Finished rule = RunShoal(folder, {"send", "stealth", "alpha", "0.5"});
+  EXPECT_EQ(rule.exit_code, 0) << rule.output;
+  EXPECT_NE(rule.output.find("sent UNC_STEALTH of alpha = 0.5"), std::string::npos) << rule.output;
+  SleepSeconds(1);  // The broker must know both.
+  const Finished message = RunShoal(
+      folder, {"send", "alpha", "message", "bravo", "MAX_SPEED", "-2.5", "--double", "--ack"});
+  EXPECT_EQ(message.exit_code, 0) << message.output;
+  SleepSeconds(1);
+  const Finished broker = RunShoal(folder, {"status", "shore_broker"});
+  EXPECT_NE(broker.output.find("ALPHA: stealth 0.5, earange 1"), std::string::npos)
+      << broker.output;
+  const Finished reporter = RunShoal(folder, {"status", "node_reporter_alpha"});
+  EXPECT_NE(reporter.output.find("(MAX_SPEED) is acknowledged"), std::string::npos)
+      << reporter.output;
+
+  const Finished impossible = RunShoal(folder, {"send", "stealth", "alpha", "1.5"});
+  EXPECT_EQ(impossible.exit_code, 2) << impossible.output;
+  EXPECT_NE(impossible.output.find("stealth VEHICLE 0.5 (0 to 1)"), std::string::npos);
+  EXPECT_EQ(RunShoal(folder, {"send", "stealth", "0.5"}).exit_code, 2);
+  EXPECT_EQ(RunShoal(folder, {"send", "alpha", "message", "bravo", "MAX_SPEED"}).exit_code, 2);
+  const Finished unknown = RunShoal(folder, {"send", "comms_rnage", "5"});
+  EXPECT_EQ(unknown.exit_code, 2);
+  EXPECT_NE(unknown.output.find("did you mean 'comms_range'?"), std::string::npos)
+      << unknown.output;
+}
+
 TEST(Status, ListsEveryParticipantAndShowsItsPage) {
   const TestFolder folder;
   RunningProcess process(folder, {Program("shoal"), "run", MissionFile("berta.toml")});
