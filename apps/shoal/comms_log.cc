@@ -6,22 +6,14 @@
 #include <tuple>
 
 #include "lib/bus/seal.h"
-#include "lib/routing/vehicle_name.h"
 
 namespace shoal {
 
 namespace {
 
-/// Nothing of a mission, and nothing that is alive, is farther from 1970 than this: 31,700 years.
-/// Differences of such times are numbers still.
-constexpr int64_t kLatest_us = 1'000'000'000'000'000'000;
 constexpr int64_t kLongestTick_us = 1'000'000'000;
 
 bool IsPossibleTick(int64_t tick_us) { return tick_us > 0 && tick_us <= kLongestTick_us; }
-
-size_t FatesChannel() { return NumBrokerInputs(); }
-size_t RulesChannel() { return NumBrokerInputs() + 1; }
-size_t RequestChannel() { return NumBrokerInputs() + 2; }
 
 std::optional<size_t> FindChannel(std::string_view name) {
   static const auto* places = [] {
@@ -32,11 +24,6 @@ std::optional<size_t> FindChannel(std::string_view name) {
   const auto found = places->find(name);
   if (found == places->end()) return std::nullopt;
   return found->second;
-}
-
-size_t ReportChannel() {
-  static const size_t place = *FindChannel(channels::NodeReportLocal().name);
-  return place;
 }
 
 }  // namespace
@@ -58,6 +45,13 @@ const std::vector<std::string>& BrokerChannels() {
 }
 
 size_t NumBrokerInputs() { return BrokerChannels().size() - 3; }
+size_t FatesChannel() { return NumBrokerInputs(); }
+size_t RulesChannel() { return NumBrokerInputs() + 1; }
+size_t RequestChannel() { return NumBrokerInputs() + 2; }
+size_t ReportChannel() {
+  static const size_t place = *FindChannel(channels::NodeReportLocal().name);
+  return place;
+}
 
 std::optional<int64_t> StepsLater(int64_t utime, int64_t steps, int64_t tick_us) {
   int64_t later = 0;
@@ -120,13 +114,6 @@ std::span<const uint8_t> CommsLogBuilder::BytesOf(const Item& item) const {
   return std::span(log_.bytes).subspan(item.begin, item.size);
 }
 
-template <class T>
-std::optional<T> CommsLogBuilder::DecodeItem(const Item& item) const {
-  T message{};
-  if (!Decode(BytesOf(item), &message)) return std::nullopt;
-  return message;
-}
-
 /// The message's own time, of those whose sender writes the step's there.
 std::optional<int64_t> CommsLogBuilder::UtimeOf(const Item& item) const {
   if (item.channel == ReportChannel()) {
@@ -148,6 +135,7 @@ CommsLog CommsLogBuilder::Build(std::optional<int64_t> tick_us) {
     std::stable_sort(items_.begin(), items_.end(),
                      [](const Item& a, const Item& b) { return a.utime < b.utime; });
   }
+  if (log_.time == LogTime::kWall) GatherRounds();
   FindGaps();
   for (const Item& item : items_) {
     LoggedMessage message{
@@ -170,21 +158,42 @@ CommsLog CommsLogBuilder::Build(std::optional<int64_t> tick_us) {
   return std::move(log_);
 }
 
+/// A live broker handles what has arrived together, and says so in one go: what came shortly before
+/// COMMS_FATES was handled then.
+void CommsLogBuilder::GatherRounds() {
+  std::optional<int64_t> word_utime;
+  for (auto item = items_.rbegin(); item != items_.rend(); ++item) {
+    if (item->channel == FatesChannel()) {
+      word_utime = item->utime;
+    } else if (item->channel < NumBrokerInputs() && word_utime &&
+               *word_utime - item->utime <= log_.tick_us) {
+      item->utime = *word_utime;
+    }
+  }
+}
+
 LogTime CommsLogBuilder::TellTime() const {
+  struct Count {
+    int64_t all = 0;
+    int64_t on_time = 0;
+  };
+  constexpr int64_t kEnough = 1000;
   int64_t num_sealed = 0;
-  int64_t num_on_time = 0;
-  int64_t num_timed = 0;
+  Count said_by_broker;
+  Count said_by_others;
   for (const Item& item : items_) {
     if (item.publisher != 0) ++num_sealed;
-    // A few thousand are enough to tell.
-    if (num_timed == 5000) continue;
+    Count& count = item.channel < NumBrokerInputs() ? said_by_others : said_by_broker;
+    if (count.all == kEnough) continue;
     const auto utime = UtimeOf(item);
     if (!utime) continue;
-    ++num_timed;
-    if (*utime == item.utime) ++num_on_time;
+    ++count.all;
+    if (*utime == item.utime) ++count.on_time;
   }
   if (2 * num_sealed > static_cast<int64_t>(items_.size())) return LogTime::kSeals;
-  return 2 * num_on_time >= num_timed ? LogTime::kMission : LogTime::kWall;
+  // Reports may have been made long before they were said; the broker's words have its time.
+  const Count& count = said_by_broker.all > 0 ? said_by_broker : said_by_others;
+  return 2 * count.on_time >= count.all ? LogTime::kMission : LogTime::kWall;
 }
 
 /// The tick is what COMMS_RULES says; else what the user says; else what the times look like.
@@ -277,62 +286,6 @@ void CommsLogBuilder::DropRepeated() {
   });
   log_.num_repeated = items_.end() - kept;
   items_.erase(kept, items_.end());
-}
-
-void CommsLogBuilder::FindStarts() {
-  constexpr int64_t kLongestHold_us = 2'000'000;
-  std::optional<int64_t> asked_utime;
-  std::optional<comms_rules_t> any_rules;
-  for (const Item& item : items_) {
-    if (item.channel == RequestChannel()) asked_utime = item.utime;
-    if (item.channel != RulesChannel()) continue;
-    std::optional<comms_rules_t> rules = DecodeItem<comms_rules_t>(item);
-    if (!rules) continue;
-    if (!any_rules) any_rules = rules;
-    if (rules->is_start == 0) continue;
-    BrokerStart start{.utime = item.utime, .rules_utime = item.utime};
-    if (asked_utime && item.utime - *asked_utime <= kLongestHold_us) {
-      start.utime = *asked_utime;
-      start.in_the_midst = true;
-    }
-    asked_utime.reset();
-    if (log_.starts.empty()) log_.rules = std::move(rules);
-    log_.starts.push_back(start);
-  }
-  if (!log_.rules) log_.rules = std::move(any_rules);
-  if (!log_.starts.empty() || log_.inputs.empty()) return;
-  const int64_t utime = log_.inputs.front().utime;
-  log_.starts.push_back({.utime = utime, .rules_utime = utime});
-}
-
-/// A vehicle counts its reports. One that begins again has been started again.
-void CommsLogBuilder::FindGaps() {
-  struct Run {
-    ReportGap gap;
-    int64_t last_index = 0;
-  };
-  std::map<std::string, Run> runs;
-  for (const Item& item : items_) {
-    if (item.channel != ReportChannel()) continue;
-    const auto report = DecodeItem<node_report_t>(item);
-    if (!report || report->index < 0 || !IsLegalVehicleName(report->name)) continue;
-    auto [found, is_new] = runs.emplace(VehicleKey(report->name), Run());
-    Run& run = found->second;
-    if (is_new) run.gap.vehicle = report->name;
-    ++run.gap.num_found;
-    const int64_t first = is_new || report->index < run.last_index ? 0 : run.last_index + 1;
-    // Who reports to a live broker may have begun long before it.
-    const bool may_be_old = is_new && log_.time == LogTime::kWall;
-    if (report->index > first && !may_be_old) {
-      const int64_t missing = report->index - first;
-      run.gap.num_missing =
-          std::min(run.gap.num_missing, kLatest_us) + std::min(missing, kLatest_us);
-    }
-    run.last_index = std::min(report->index, std::numeric_limits<int64_t>::max() - 1);
-  }
-  for (auto& [key, run] : runs) {
-    if (run.gap.num_missing > 0) log_.gaps.push_back(std::move(run.gap));
-  }
 }
 
 }  // namespace shoal

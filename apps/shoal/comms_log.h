@@ -24,7 +24,7 @@ namespace shoal {
 enum class LogTime {
   kMission,  ///< shoal's own recording: events have mission time and stand in the fixed order.
   kSeals,    ///< lcm-logger's, of a mission: steps and order are restored from the seals.
-  kWall,     ///< lcm-logger's, of a live broker: each message is handled at its own time.
+  kWall,     ///< lcm-logger's, of a live broker: messages are handled as they came.
 };
 
 /// A message for the broker, or COMMS_FATES.
@@ -56,6 +56,7 @@ struct CommsLog {
   std::vector<LoggedMessage> inputs;   ///< As the broker handled them.
   std::vector<LoggedMessage> fates;    ///< As they were said.
   std::vector<BrokerStart> starts;     ///< One at least, unless there are no inputs.
+  std::vector<int64_t> rule_changes;   ///< When COMMS_RULES was said again, for a change.
   std::optional<comms_rules_t> rules;  ///< The broker's at its first start; or the first that are.
   int64_t first_utime = 0;             ///< Of all events.
   int64_t last_utime = 0;              ///< No step is later.
@@ -80,6 +81,15 @@ struct CommsLog {
 const std::vector<std::string>& BrokerChannels();
 /// How many of them it hears.
 size_t NumBrokerInputs();
+/// Return the places of these: COMMS_FATES, COMMS_RULES, UNC_CONTROLS_REQ, NODE_REPORT_LOCAL.
+size_t FatesChannel();
+size_t RulesChannel();
+size_t RequestChannel();
+size_t ReportChannel();
+
+/// Nothing of a mission, and nothing that is alive, is farther from 1970 than this: 31,700 years.
+/// Differences of such times are numbers still.
+inline constexpr int64_t kLatest_us = 1'000'000'000'000'000'000;
 
 /// Returns the time that is `steps` steps later, or nothing where no mission has it.
 [[nodiscard]] std::optional<int64_t> StepsLater(int64_t utime, int64_t steps, int64_t tick_us);
@@ -107,11 +117,16 @@ class CommsLogBuilder {
 
   std::span<const uint8_t> BytesOf(const Item& item) const;
   template <class T>
-  std::optional<T> DecodeItem(const Item& item) const;
+  std::optional<T> DecodeItem(const Item& item) const {
+    T message{};
+    if (!Decode(BytesOf(item), &message)) return std::nullopt;
+    return message;
+  }
   std::optional<int64_t> UtimeOf(const Item& item) const;
   LogTime TellTime() const;
   void TakeTick(std::optional<int64_t> tick_us);
   void RestoreSteps();
+  void GatherRounds();
   void DropRepeated();
   void FindStarts();
   void FindGaps();

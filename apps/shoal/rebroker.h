@@ -34,7 +34,7 @@ struct RebrokerSettings {
   BrokerSetup setup;          ///< At the mission's start; start_utime is not asked for.
   bool with_controls = true;  ///< What was said on UNC_* holds.
   /// The times whose decisions are counted apart: AbsencesIn(log).
-  std::vector<BrokerAbsence> absences;
+  std::vector<BrokerAbsence> absences = {};
 };
 
 struct RebrokerOutcome {
@@ -55,7 +55,7 @@ using EventSink =
 
 /// Runs the broker. `sink`, where given, takes what the broker was given and what it said as a log
 /// of mission time in the fixed order, of which Rebroker says the same.
-[[nodiscard]] RebrokerOutcome Rebroker(const CommsLog& log, const RebrokerSettings& settings,
-                                       const EventSink& sink);
+RebrokerOutcome Rebroker(const CommsLog& log, const RebrokerSettings& settings,
+                         const EventSink& sink);
 
 }  // namespace shoal

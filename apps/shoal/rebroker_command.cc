@@ -4,12 +4,13 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <map>
 #include <optional>
 #include <ostream>
 #include <utility>
 
+#include "apps/shoal/outside_inputs.h"
 #include "apps/shoal/rebroker.h"
+#include "apps/shoal/rebroker_text.h"
 #include "lib/check/result.h"
 #include "lib/mission/load_comms.h"
 #include "lib/record/log_source.h"
@@ -21,10 +22,6 @@ namespace {
 
 /// More links than this are shown only where they differ.
 constexpr size_t kMostLinksShown = 50;
-
-std::string Seconds(int64_t utime) {
-  return fmt::format("{:.3f} s", static_cast<double>(utime) / 1e6);
-}
 
 std::string Joined(const std::vector<std::string>& words) {
   return fmt::format("{}", fmt::join(words, ", "));
@@ -126,15 +123,18 @@ class RebrokerCommand {
   }
 
   int Decide() {
-    PrintLog();
+    out_ << LogText(options_.logs, log_, recorded_);
     WarnOfLog();
-    const bool as_recorded = !comms_ && !options_.no_controls;
     std::vector<BrokerAbsence> absences =
         recorded_ ? AbsencesIn(log_) : std::vector<BrokerAbsence>();
-    if (!as_recorded && recorded_) {
-      const RebrokerOutcome before =
-          Rebroker(log_, {.setup = *recorded_, .with_controls = true, .absences = absences}, {});
-      PrintReproduced(before);
+    if (recorded_) {
+      RebrokerOutcome before = DecideAsRecorded(absences);
+      out_ << ReproducedText(log_, before);
+      if (AsRecorded() && options_.out_path.empty()) {
+        outcome_ = std::move(before);
+        PrintRules();
+        return kExitOk;
+      }
       // By other rules there may be decisions where the recorded broker had none to make.
       absences = before.absences;
       for (BrokerAbsence& absence : absences) absence.num_decisions = 0;
@@ -144,7 +144,7 @@ class RebrokerCommand {
     if (!options_.out_path.empty()) {
       Result<LogWriter> made = LogWriter::Create(options_.out_path);
       if (!made.ok()) return Fail(kExitEnvironment, made.error());
-      writer = std::move(*made);
+      writer.emplace(std::move(*made));
       sink = [&](int64_t utime, std::string_view channel, std::span<const uint8_t> data) {
         writer->Append(utime, channel, data);
         constexpr int64_t kFlushEvery = 10'000;
@@ -158,101 +158,34 @@ class RebrokerCommand {
     if (writer) {
       if (const auto error = writer->Close()) return Fail(kExitEnvironment, error->message);
     }
-    if (as_recorded) PrintReproduced(outcome_);
     PrintRules();
-    PrintAbsences();
     return kExitOk;
   }
 
-  void PrintLog() {
-    constexpr std::pair<LogTime, std::string_view> kTimes[] = {
-        {LogTime::kMission, "mission time"},
-        {LogTime::kSeals, "lcm-logger's, steps and order restored from the seals"},
-        {LogTime::kWall, "lcm-logger's of a live broker, each message at its own time"}};
-    std::string_view time;
-    for (const auto& [value, text] : kTimes) {
-      if (value == log_.time) time = text;
-    }
-    out_ << fmt::format("Log:      {}, {} to {}, {}\n", Joined(options_.logs),
-                        Seconds(log_.first_utime), Seconds(log_.last_utime), time);
-    std::map<std::string, int64_t> counts;
-    for (const LoggedMessage& input : log_.inputs) ++counts[BrokerChannels()[input.channel]];
-    std::vector<std::string> words;
-    for (const auto& [channel, count] : counts)
-      words.push_back(fmt::format("{} {}", count, channel));
-    out_ << fmt::format("Heard:    {}\n", Joined(words));
-    if (recorded_) {
-      out_ << fmt::format("Mission:  {} vehicles, seed {}, tick {} s\n", recorded_->vehicles.size(),
-                          recorded_->seed, static_cast<double>(log_.tick_us) / 1e6);
-    }
-    for (size_t i = 1; i < log_.starts.size(); ++i) {
-      out_ << fmt::format("Restart:  the broker was started again at {} and knew nobody\n",
-                          Seconds(log_.starts[i].utime));
-    }
+  /// Says what comes of the recorded rules, and moves what came from outside to its step.
+  RebrokerOutcome DecideAsRecorded(const std::vector<BrokerAbsence>& absences) {
+    const RebrokerSettings settings = {
+        .setup = *recorded_, .with_controls = true, .absences = absences};
+    RebrokerOutcome outcome = Rebroker(log_, settings, {});
+    if (log_.fates.empty() || outcome.comparison.IsEqual()) return outcome;
+    CommsLog moved = log_;
+    const int64_t num_moved = MoveToTheStepsOfTheBroker(&moved);
+    if (num_moved == 0) return outcome;
+    RebrokerOutcome better = Rebroker(moved, settings, {});
+    if (better.comparison.num_reproduced() <= outcome.comparison.num_reproduced()) return outcome;
+    out_ << fmt::format(
+        "Outside:  {} messages from outside moved by a step, to where the broker "
+        "handled them\n",
+        num_moved);
+    log_ = std::move(moved);
+    return better;
   }
 
   void WarnOfLog() {
-    int64_t num_missing = 0;
-    std::string vehicles;
-    constexpr size_t kMostNamed = 10;
-    for (size_t i = 0; i < log_.gaps.size(); ++i) {
-      const ReportGap& gap = log_.gaps[i];
-      num_missing = std::min(num_missing, INT64_MAX / 2) + gap.num_missing;
-      if (i < kMostNamed) {
-        vehicles += fmt::format("{}{} {} of {}", i == 0 ? "" : ", ", gap.vehicle, gap.num_missing,
-                                gap.num_found + gap.num_missing);
-      }
-    }
-    if (num_missing > 0) {
-      if (log_.gaps.size() > kMostNamed) vehicles += ", ...";
-      Warn(
-          fmt::format("{} node reports seem to be missing, by the vehicles' own count ({}); "
-                      "lcm-logger loses bursts, `shoal run --record` does not. What each report's "
-                      "number decides (drop_percentage) is not reproduced",
-                      num_missing, vehicles));
-    }
-    const auto warn_of = [this](int64_t count, std::string_view what) {
-      if (count > 0) Warn(fmt::format("{} {}", count, what));
-    };
-    if (log_.time == LogTime::kMission) {
-      warn_of(log_.num_backward, "events are earlier than the one before; sorted by time");
-    }
-    warn_of(log_.num_repeated, "messages are there twice; each is taken once");
-    warn_of(log_.num_foreign, "messages of another mission left out");
-    warn_of(log_.num_impossible, "events with a time that no mission has left out");
-    warn_of(log_.num_unsealed,
-            "messages from outside have no seal: their step is that of the message before");
-    if (log_.tick_is_guessed) {
-      Warn(fmt::format("the log does not tell the tick; {} s is a guess",
-                       static_cast<double>(log_.tick_us) / 1e6));
-    }
-    if (!recorded_) {
-      Warn(fmt::format("the log holds no COMMS_RULES: rules of {}, seed {}", options_.comms_file,
-                       setup_.seed));
-    } else if (log_.rules->is_start == 0) {
-      Warn(fmt::format("the log does not hold the broker's start: its rules are those of {}",
-                       Seconds(log_.rules->utime)));
-    }
-  }
-
-  void PrintReproduced(const RebrokerOutcome& outcome) {
-    const DecisionComparison& comparison = outcome.comparison;
-    if (log_.fates.empty()) {
-      out_ << "Recorded: no decisions (COMMS_FATES), so there is nothing to compare with\n";
-      return;
-    }
-    out_ << fmt::format("Recorded: reproduced {} of {} decisions\n", comparison.num_reproduced(),
-                        comparison.num_recorded());
-    if (comparison.num_now() > comparison.num_recorded()) {
-      out_ << fmt::format("          {} decisions more than the log holds\n",
-                          comparison.num_now() - comparison.num_recorded());
-    }
-    if (!comparison.IsEqual()) {
-      out_ << "          The first difference:\n" << comparison.first_difference();
-    }
-    if (outcome.num_undecodable > 0) {
-      Warn(fmt::format("{} recorded COMMS_FATES do not decode", outcome.num_undecodable));
-    }
+    for (const std::string& warning : WarningsOf(log_)) Warn(warning);
+    if (recorded_) return;
+    Warn(fmt::format("the log holds no COMMS_RULES: rules of {}, seed {}", options_.comms_file,
+                     setup_.seed));
   }
 
   void PrintRules() {
@@ -264,45 +197,8 @@ class RebrokerCommand {
                                  : options_.no_controls ? "; the recorded controls are left out"
                                                         : "; the recorded controls apply";
     out_ << fmt::format("Rules:    {}{}\n", comms_ ? options_.comms_file : "as recorded", controls);
-    if (!comms_ || !recorded_) return;
-    const std::vector<std::string> then = ExplainComms(recorded_->rules);
-    const std::vector<std::string> now = ExplainComms(setup_.rules);
-    size_t num_changed = 0;
-    for (size_t i = 0; i < std::min(then.size(), now.size()); ++i) {
-      if (then[i] == now[i]) continue;
-      ++num_changed;
-      out_ << fmt::format("          {} (was {})\n", now[i], then[i].substr(then[i].find('=') + 2));
-    }
-    const auto factors_of = [](const BrokerSetup& setup) {
-      std::map<std::string, LinkFactors> factors;
-      for (const auto& [name, value] : setup.factors) factors[name] = value;
-      return factors;
-    };
-    std::map<std::string, LinkFactors> before = factors_of(*recorded_);
-    std::map<std::string, LinkFactors> after = factors_of(setup_);
-    for (const auto& [name, factors] : before) after.emplace(name, LinkFactors());
-    for (const auto& [name, factors] : after) {
-      if (factors == before[name]) continue;
-      ++num_changed;
-      out_ << fmt::format("          {}: stealth = {} (was {}), earange = {} (was {})\n", name,
-                          factors.stealth, before[name].stealth, factors.earange,
-                          before[name].earange);
-    }
-    if (num_changed == 0) out_ << "          the same as recorded\n";
-  }
-
-  void PrintAbsences() {
-    for (const BrokerAbsence& absence : outcome_.absences) {
-      out_ << fmt::format(
-          "Away:     while the broker was away, {} to {}: {} decisions more, not "
-          "counted below\n",
-          Seconds(absence.after_utime),
-          absence.to_the_end ? "the end" : Seconds(absence.before_utime), absence.num_decisions);
-    }
-    if (outcome_.num_too_early > 0) {
-      out_ << fmt::format("Early:    {} messages were said before the broker began\n",
-                          outcome_.num_too_early);
-    }
+    if (comms_ && recorded_) out_ << ChangesText(*recorded_, setup_);
+    out_ << AbsencesText(log_, outcome_);
   }
 
   void PrintTable() {
@@ -315,11 +211,12 @@ class RebrokerCommand {
     }
   }
 
+  bool AsRecorded() const { return !comms_ && !options_.no_controls; }
+
   int ExitCode() const {
     if (!is_whole_) return kExitEnvironment;
-    const bool as_recorded = !comms_ && !options_.no_controls;
     const bool differs = !log_.fates.empty() && !outcome_.comparison.IsEqual();
-    return as_recorded && differs ? kDecisionsDiffer : static_cast<int>(kExitOk);
+    return AsRecorded() && differs ? kDecisionsDiffer : static_cast<int>(kExitOk);
   }
 
   const RebrokerOptions& options_;
