@@ -82,6 +82,16 @@ static void send_done(step_client_t* self) {
                             &self->done);
 }
 
+/* Who comes in the midst of a mission waits until the clock waits for its answers. */
+static int takes_part(const step_client_t* self, const shoal_tick_t* tick) {
+  if (self->step >= 0 || self->pending != NULL) return 1;
+  if (tick->step == 0 || tick->kind == SHOAL_TICK_T_END) return 1;
+  for (int i = 0; i < tick->num_joined; ++i) {
+    if (strcmp(tick->joined[i], self->name) == 0) return 1;
+  }
+  return 0;
+}
+
 /* Answers a tick; step -1 is the hello before the first. */
 static void answer(step_client_t* self, int64_t utime, int64_t step, char* fault) {
   self->done.utime = utime;
@@ -195,7 +205,7 @@ static void on_tick(const lcm_recv_buf_t* datagram, const char* channel, const s
     ++self->foreign;
   } else if (tick->step == self->step) {
     send_done(self); /* The clock did not hear the answer. */
-  } else if (tick->step > self->step && !self->ended &&
+  } else if (tick->step > self->step && !self->ended && takes_part(self, tick) &&
              (self->pending == NULL || tick->step > self->pending->step)) {
     if (self->pending != NULL) shoal_tick_t_destroy(self->pending);
     self->pending = shoal_tick_t_copy(tick);

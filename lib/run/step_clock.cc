@@ -115,6 +115,7 @@ void StepClock::Advance(int64_t wall_us) {
     if (member.joins_next) {
       member.present = true;
       member.joins_next = false;
+      joining_.push_back(name);
       membership_changed_ = true;
     }
   }
@@ -133,6 +134,9 @@ void StepClock::SendTick(int64_t wall_us) {
   tick_.totals = std::move(next_totals_);
   tick_.num_totals = static_cast<int32_t>(tick_.totals.size());
   next_totals_.clear();
+  tick_.joined = std::move(joining_);
+  tick_.num_joined = static_cast<int32_t>(tick_.joined.size());
+  joining_.clear();
   for (auto& [name, member] : members_) {
     member.asked_at_us = wall_us;
     member.next_repeat_us = wall_us + kRepeatAfter_us;

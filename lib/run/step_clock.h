@@ -111,6 +111,7 @@ class StepClock {
   int64_t step_ = -1;
   tick_t tick_{};
   std::vector<step_total_t> next_totals_;  ///< Of the present step, as answers come.
+  std::vector<std::string> joining_;       ///< Take part from the next tick on.
   int64_t pace_origin_us_ = 0;  ///< Wall time at which step 0 was, or would have been, due.
   int64_t stop_deadline_us_ = 0;
   bool stop_wanted_ = false;

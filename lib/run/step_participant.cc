@@ -95,12 +95,19 @@ void StepParticipant::OnTick(const tick_t& tick, int64_t wall_us) {
     if (tick.step == step_) SendUnsealed(channels::StepDone(), done_);
     return;
   }
-  if (ended_) return;
+  if (ended_ || !TakesPart(tick)) return;
   if (tick.step != step_ + 1) inbox_.StartAt(std::max<int64_t>(tick.step - 1, 0));
   pending_ = tick;
   collecting_since_ = wall_us;
   next_request_ = wall_us + kRequestInterval_us;
   TryStep();
+}
+
+/// False for one who comes in the midst of a mission, until the clock waits for its answers: what
+/// it published before would be announced to nobody.
+bool StepParticipant::TakesPart(const tick_t& tick) const {
+  return step_ >= 0 || pending_ || tick.step == 0 || tick.kind == tick_t::END ||
+         std::find(tick.joined.begin(), tick.joined.end(), options_.name) != tick.joined.end();
 }
 
 void StepParticipant::TryStep() {

@@ -1,6 +1,6 @@
 // A participant's side of the step protocol: the Bus of an app that runs in a process of its own.
 //
-//              first TICK                       TICK k, all of step k-1 is here
+//     TICK 0, or one that says it has joined      TICK k, all of step k-1 is here
 //   HELLO ------------------> WAITING <------------------------------------------+
 //     | STEP_DONE -1,           | TICK k, something is missing                   |
 //     | every 0.2 s             v                                                |
@@ -79,6 +79,7 @@ class StepParticipant : public Bus {
   };
 
   void OnTick(const tick_t& tick, int64_t wall_us);
+  bool TakesPart(const tick_t& tick) const;
   void TryStep();
   void RunStep();
   void SendDone(const std::string& fault);

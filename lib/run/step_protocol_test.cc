@@ -232,6 +232,39 @@ TEST(StepProtocol, LetsOneComeBackThatWasDropped) {
   EXPECT_TRUE(outcome.transcripts.at("b").ends_with("end"));
 }
 
+TEST(StepProtocol, LosesNothingThatANewProcessSaysFirst) {
+  FakeNetwork network;
+  const PortPlan plan(7665, Layout::kShared, {});
+  std::unique_ptr<StepParticipant> second;
+  std::unique_ptr<ChattyApp> second_app;
+  int64_t wall_us = 0;
+  const Outcome outcome =
+      RunOver(network, 1.0, [&](int64_t now, StepClock& clock, std::vector<Member>& members) {
+        wall_us = now;
+        if (second) second->OnTime(now);
+        if (clock.step() < 10 || second) return;
+        members[1].node->set_stopped(true);
+        clock.Drop("b", now);
+        FakeNetwork::Node& node = network.Add();
+        second = std::make_unique<StepParticipant>(
+            ParticipantOptions{.name = "b", .mission_id = kMissionId, .pid = 2}, plan, node);
+        second_app = std::make_unique<ChattyApp>("b", *second);
+        second->Attach(second_app.get());
+        node.receiver = [&](int port, std::string_view channel, std::span<const uint8_t> bytes) {
+          second->OnDatagram(port, channel, bytes, wall_us);
+        };
+      });
+  EXPECT_EQ(outcome.state, StepClock::State::kEnded);
+  EXPECT_EQ(outcome.fault, "");
+  ASSERT_NE(second_app, nullptr);
+  EXPECT_TRUE(second_app->transcript.ends_with("end"));
+  const std::string& heard = outcome.transcripts.at("a");
+  const std::string what_each_says_first = "FIRST:b=0.000000";
+  const size_t of_first_process = heard.find(what_each_says_first);
+  ASSERT_NE(of_first_process, std::string::npos);
+  EXPECT_NE(heard.find(what_each_says_first, of_first_process + 1), std::string::npos) << heard;
+}
+
 TEST(StepProtocol, RefusesASecondProcessOfTheSameName) {
   FakeNetwork network;
   const PortPlan plan(7665, Layout::kShared, {});
