@@ -62,6 +62,7 @@ void Mediator::Send(int64_t utime, node_message_t message) {
   WaitingMessage entry{.message = message, .silent = {}, .sent_utime = utime, .num_repeats = 0};
   if (!named.all && message.dest_group.empty()) {
     for (const std::string& name : named.names) entry.silent.insert(VehicleKey(name));
+    entry.silent.erase(VehicleKey(vehicle_));  // Nobody hears his own messages.
   }
   Publish(bus_, channels::NodeMessageLocal(), message);
   waiting_.emplace(message.ack_id, std::move(entry));

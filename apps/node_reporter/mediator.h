@@ -8,7 +8,7 @@
 //                                  |  | fewer than max_repeats: NODE_MESSAGE_LOCAL again
 //                                  +--+------- otherwise: given up
 //
-// "All" are the vehicles named in dest_node; of a message to a group or to all, one is enough.
+// "All" are the other vehicles in dest_node; of a message to a group or to all, one is enough.
 #pragma once
 
 #include <cstdint>

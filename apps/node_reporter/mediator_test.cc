@@ -149,6 +149,16 @@ TEST_F(MediatorTest, WaitsForEveryVehicleThatIsNamed) {
   EXPECT_EQ(mediator_.num_waiting(), 0U);
 }
 
+TEST_F(MediatorTest, DoesNotWaitForItsOwnVehicle) {
+  Give(MessageTo("ALPHA:bravo", "a-1"));
+  Step();
+  EXPECT_EQ(sent_.size(), 1U);
+  EXPECT_EQ(mediator_.num_waiting(), 1U);
+  Acknowledge("bravo", "a-1");
+  Step();
+  EXPECT_EQ(mediator_.counters().acknowledged, 1);
+}
+
 TEST_F(MediatorTest, IsContentWithOneAckOfAGroupOrOfAll) {
   Give(MessageTo("all", "a-1"));
   node_message_t to_group = MessageTo("", "a-2");

@@ -209,6 +209,11 @@ static void on_tick(const lcm_recv_buf_t* datagram, const char* channel, const s
              (self->pending == NULL || tick->step > self->pending->step)) {
     if (self->pending != NULL) shoal_tick_t_destroy(self->pending);
     self->pending = shoal_tick_t_copy(tick);
+    for (int i = 0; self->step < 0 && i < tick->num_totals; ++i) {
+      /* What a process of this name said before is gone with it. */
+      shoal_step_total_t* total = &self->pending->totals[i];
+      if (strcmp(total->publisher, self->name) == 0) total->count = 0;
+    }
     self->pending_since_ms = now_ms();
     self->next_repeat_ms = self->pending_since_ms + kRepeatInterval_ms;
   }

@@ -40,7 +40,7 @@ struct Channel {
 struct BusCounters {
   int64_t published = 0;
   int64_t handled = 0;
-  int64_t overload = 0;     ///< Dropped: more had arrived than may be handled in a round.
+  int64_t overload = 0;     ///< Dropped: had waited too long when its turn came.
   int64_t undecodable = 0;  ///< Dropped: the bytes are not a message of the channel's type.
   std::map<std::string, int64_t, std::less<>> undecodable_by_channel;
 };

@@ -13,7 +13,7 @@ namespace shoal {
 namespace {
 
 constexpr int kStepPorts = 2;
-constexpr int kWantedReceiveBuffer = 2 * 1024 * 1024;
+constexpr int kWantedReceiveBuffer = 4 * 1024 * 1024;
 
 bool IsShoreChannel(std::string_view channel) {
   return std::any_of(ChannelTable().begin(), ChannelTable().end(), [&](const ChannelRow& row) {

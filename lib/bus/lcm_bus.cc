@@ -29,26 +29,33 @@ void LcmBus::SubscribeAll(Handler handler) {
 
 void LcmBus::Poll(int64_t timeout_us) {
   num_in_poll_.clear();
+  num_handled_in_poll_ = 0;
   transport_.Poll(timeout_us);
-  // Under a flood the rest is read too, to be dropped: it would only grow old. It is read faster
-  // than it can come; should it not be, the caller gets its turn nevertheless.
+  // Under a flood the late ones are read too, to be dropped. They are read faster than they can
+  // come; should they not be, the caller gets its turn nevertheless.
   constexpr int kMostRounds = 50;
-  for (int i = 0; i < kMostRounds && most_per_poll_ > 0 && transport_.has_more(); ++i) {
+  for (int i = 0; i < kMostRounds && limits_.most > 0 && num_handled_in_poll_ < limits_.most &&
+                  transport_.has_more();
+       ++i) {
     transport_.Poll(0);
   }
 }
 
-/// Counts a message; returns true where its channel has had what a Poll may handle.
-bool LcmBus::IsTooMuch(std::string_view channel) {
+/// Counts a message; returns true where it comes too late to be handled.
+bool LcmBus::IsTooLate(std::string_view channel) {
+  constexpr int64_t kAlwaysHandled = 20;
   auto found = num_in_poll_.find(channel);
   if (found == num_in_poll_.end()) found = num_in_poll_.emplace(channel, 0).first;
-  return ++found->second > most_per_poll_;
+  return ++found->second > kAlwaysHandled && transport_.arrived_utime() < limits_.oldest_utime;
 }
 
 void LcmBus::Dispatch(std::string_view channel, std::span<const uint8_t> datagram) {
-  if (most_per_poll_ > 0 && IsTooMuch(channel)) {
-    ++counters_.overload;
-    return;
+  if (limits_.most > 0) {
+    if (IsTooLate(channel)) {
+      ++counters_.overload;
+      return;
+    }
+    if (++num_handled_in_poll_ >= limits_.most) transport_.EndPoll();
   }
   const Unsealed unsealed = Unseal(datagram);
   counters_.handled +=

@@ -18,6 +18,16 @@
 
 namespace shoal {
 
+/// What a Poll does in overload.
+struct PollLimits {
+  /// Handles about as many messages; the rest waits for the next Poll. 0: no limit.
+  int64_t most = 0;
+  /// Drops what arrived before this (microseconds since 1970) and counts it as overload; but a few
+  /// messages of each channel are handled however late they are, so that a flood on one channel
+  /// does not silence the others.
+  int64_t oldest_utime = 0;
+};
+
 class LcmBus : public Bus {
  public:
   explicit LcmBus(PortPlan plan);
@@ -29,21 +39,21 @@ class LcmBus : public Bus {
   /// Waits at most `timeout_us` for messages and handles all that are there.
   void Poll(int64_t timeout_us);
 
-  /// From now on a Poll reads all that has arrived, but handles no more messages of a channel than
-  /// this; the others are counted as overload.
-  void set_most_per_poll(int64_t most) { most_per_poll_ = most; }
+  /// Holds for the Polls from now on.
+  void set_limits(const PollLimits& limits) { limits_ = limits; }
 
   /// Empty, or why the bus does not work, with what to try.
   const std::string& error() const { return transport_.error(); }
 
  private:
-  bool IsTooMuch(std::string_view channel);
+  bool IsTooLate(std::string_view channel);
   void Dispatch(std::string_view channel, std::span<const uint8_t> datagram);
 
   PortPlan plan_;
   LcmTransport transport_;
   HandlerTable handlers_;
-  int64_t most_per_poll_ = 0;                                ///< 0: no limit.
+  PollLimits limits_;
+  int64_t num_handled_in_poll_ = 0;
   std::map<std::string, int64_t, std::less<>> num_in_poll_;  ///< Messages, by channel.
 };
 

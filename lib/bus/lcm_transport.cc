@@ -94,41 +94,40 @@ void LcmTransport::OnLcmMessage(const lcm_recv_buf_t* buffer, const char* channe
   const Port* port = static_cast<Port*>(user);
   const std::string_view name(channel);
   if (name == "LCM_SELF_TEST") return;
-  const LcmTransport& self = *port->owner;
+  LcmTransport& self = *port->owner;
   if (self.drop_ && self.drop_(name)) return;
+  self.arrived_utime_ = buffer->recv_utime;
   self.receiver_(port->number, name,
                  {static_cast<const uint8_t*>(buffer->data), buffer->data_size});
 }
 
 bool LcmTransport::Poll(int64_t timeout_us, int extra_fd) {
-  std::vector<pollfd> descriptors;
-  std::vector<Port*> listening;
+  descriptors_.clear();
+  listening_.clear();
   for (const auto& port : ports_) {
     if (!port->listens) continue;
-    descriptors.push_back({.fd = lcm_get_fileno(port->lcm), .events = POLLIN, .revents = 0});
-    listening.push_back(port.get());
+    descriptors_.push_back({.fd = lcm_get_fileno(port->lcm), .events = POLLIN, .revents = 0});
+    listening_.push_back(port.get());
   }
-  if (extra_fd >= 0) descriptors.push_back({.fd = extra_fd, .events = POLLIN, .revents = 0});
+  if (extra_fd >= 0) descriptors_.push_back({.fd = extra_fd, .events = POLLIN, .revents = 0});
   timeout_us = std::max<int64_t>(timeout_us, 0);
   timespec timeout{.tv_sec = timeout_us / 1'000'000, .tv_nsec = timeout_us % 1'000'000 * 1000};
   bool extra_is_ready = false;
   // Once more with no wait after each round, until nothing is left, or a flood must not starve the
   // caller's clock any longer.
   constexpr int kMaxRounds = 2000;
-  has_more_ = false;
-  for (int round = 0; round < kMaxRounds; ++round) {
-    has_more_ = round + 1 == kMaxRounds;
-    if (ppoll(descriptors.data(), descriptors.size(), &timeout, nullptr) <= 0) {
-      has_more_ = false;
-      break;
-    }
+  has_more_ = true;
+  ends_poll_ = false;
+  for (int round = 0; round < kMaxRounds && !ends_poll_; ++round) {
     bool handled = false;
-    for (size_t i = 0; i < listening.size(); ++i) {
-      if ((descriptors[i].revents & POLLIN) == 0) continue;
-      lcm_handle(listening[i]->lcm);
-      handled = true;
+    if (ppoll(descriptors_.data(), descriptors_.size(), &timeout, nullptr) > 0) {
+      for (size_t i = 0; i < listening_.size(); ++i) {
+        if ((descriptors_[i].revents & POLLIN) == 0) continue;
+        lcm_handle(listening_[i]->lcm);
+        handled = true;
+      }
+      if (extra_fd >= 0 && (descriptors_.back().revents & POLLIN) != 0) extra_is_ready = true;
     }
-    if (extra_fd >= 0 && (descriptors.back().revents & POLLIN) != 0) extra_is_ready = true;
     if (!handled) {
       has_more_ = false;
       break;

@@ -10,6 +10,7 @@
 #pragma once
 
 #include <lcm/lcm.h>
+#include <poll.h>
 
 #include <memory>
 #include <string>
@@ -37,6 +38,11 @@ class LcmTransport : public Transport {
   bool Poll(int64_t timeout_us, int extra_fd = -1);
   /// True where the last Poll left datagrams for the next: a flood must not starve its caller.
   bool has_more() const { return has_more_; }
+  /// Makes the running Poll return soon, and leave the rest for the next. Called by the receiver.
+  void EndPoll() { ends_poll_ = true; }
+  /// When the datagram that the receiver is given reached this machine's socket: microseconds since
+  /// 1970.
+  int64_t arrived_utime() const { return arrived_utime_; }
 
   /// Empty, or why a port could not be opened, with what to try.
   const std::string& error() const { return error_; }
@@ -55,8 +61,12 @@ class LcmTransport : public Transport {
   Receiver receiver_;
   std::function<bool(std::string_view)> drop_;
   std::vector<std::unique_ptr<Port>> ports_;  ///< In order of port number.
+  std::vector<pollfd> descriptors_;           ///< Of a Poll; kept for its memory, like the next.
+  std::vector<Port*> listening_;
   std::string error_;
   bool has_more_ = false;
+  bool ends_poll_ = false;
+  int64_t arrived_utime_ = 0;
 };
 
 }  // namespace shoal

@@ -1,7 +1,6 @@
 #include "lib/run/live.h"
 
 #include <fmt/format.h>
-#include <time.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -30,9 +29,8 @@ StatusPage PageWithLosses(const App& app, const LcmBus& bus, const PortPlan& por
   const int64_t dropped = DroppedDatagrams(ports.DataPorts());
   if (counters.overload > 0) {
     page.run_warnings.push_back(
-        fmt::format("overload: {} messages dropped, because more had arrived than can be handled "
-                    "in {} ms",
-                    counters.overload, RoundSize::kTarget_us / 1000));
+        fmt::format("overload: {} messages dropped that had waited for more than {} ms",
+                    counters.overload, kLongestWait_us / 1000));
   }
   if (dropped > 0) {
     page.run_warnings.push_back(fmt::format(
@@ -48,13 +46,6 @@ StatusPage PageWithLosses(const App& app, const LcmBus& bus, const PortPlan& por
       "in the kernel\n",
       counters.published, counters.handled, counters.undecodable, counters.overload, dropped);
   return page;
-}
-
-/// Returns the processor time that this thread has used.
-int64_t ProcessorMicroseconds() {
-  timespec used{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &used);
-  return int64_t{used.tv_sec} * 1'000'000 + used.tv_nsec / 1000;
 }
 
 /// An entry among the running missions, for as long as it lives.
@@ -125,7 +116,8 @@ int RunLive(const LiveOptions& options, Mission mission,
   int64_t next_show_us = begin_us;
   while (!options.stopped()) {
     const int64_t handled_before = bus.counters().handled;
-    bus.set_most_per_poll(round_size.most());
+    bus.set_limits(
+        {.most = round_size.most(), .oldest_utime = UnixMicroseconds() - kLongestWait_us});
     bus.Poll(std::max<int64_t>(next_tick_us - MonotonicMicroseconds(), 0));
     const int64_t spent_before_us = ProcessorMicroseconds();
     app->Tick(utime());

@@ -1,11 +1,12 @@
 // The main loop of an app that works without a mission's clock: it takes messages as they come, and
 // its time is the wall's.
 //
-// Overload: what has arrived is handed to the app in rounds. A round takes of each channel what the
-// app can handle in a quarter of a second (lib/run/round_size.h); what has arrived beyond that is
-// dropped at once, counted and shown, so that the app is never further behind than about two
-// rounds, and a flood of reports does not keep a command waiting. What the kernel dropped before,
-// because nobody read it in time, is counted and shown too.
+// Overload: what has arrived is handed to the app in rounds of about a tenth of a second
+// (lib/run/round_size.h). What has waited for half a second when its turn comes is dropped, counted
+// and shown: a position as old as that is not worth the time that fresh ones need. A few messages
+// of each channel are handled in each round however late they are, so that a flood of reports does
+// not swallow a command. What the kernel dropped before, because nobody read it in time, is counted
+// and shown too.
 #pragma once
 
 #include <cstdint>
@@ -19,6 +20,8 @@
 #include "lib/run/app.h"
 
 namespace shoal {
+
+inline constexpr int64_t kLongestWait_us = 500'000;
 
 struct LiveOptions {
   std::string name;  ///< On its pages.

@@ -1,16 +1,16 @@
-// How many messages of a channel an app may take in one round, so that a round stays short.
+// How many messages an app may take in one round, so that a round stays short.
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 
 namespace shoal {
 
 class RoundSize {
  public:
-  /// A round may take this much processor time: long enough for a burst from a whole fleet, short
-  /// enough that what waits for the next round is still worth hearing.
-  static constexpr int64_t kTarget_us = 250'000;
+  /// A round may take this much processor time.
+  static constexpr int64_t kTarget_us = 100'000;
   static constexpr int64_t kLeast = 20;
   static constexpr int64_t kMost = 20'000;
 
@@ -18,7 +18,7 @@ class RoundSize {
   void AfterRound(int64_t num_messages, int64_t processor_us) {
     if (num_messages <= 0) return;
     // Rounds are weighted by what they handled, and count less as others follow.
-    constexpr double kMemory = 0.9;
+    constexpr double kMemory = 0.7;
     messages_ = kMemory * messages_ + static_cast<double>(num_messages);
     spent_us_ = kMemory * spent_us_ + static_cast<double>(std::max<int64_t>(processor_us, 1));
   }
@@ -26,7 +26,7 @@ class RoundSize {
   int64_t most() const {
     if (messages_ == 0) return kMost;
     const double most = static_cast<double>(kTarget_us) * messages_ / spent_us_;
-    return std::clamp(static_cast<int64_t>(std::min(most, 1e9)), kLeast, kMost);
+    return std::clamp<int64_t>(std::llround(std::min(most, 1e9)), kLeast, kMost);
   }
 
  private:

@@ -157,6 +157,12 @@ int64_t UnixMicroseconds() {
   return int64_t{now.tv_sec} * 1'000'000 + now.tv_nsec / 1000;
 }
 
+int64_t ProcessorMicroseconds() {
+  timespec used{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &used);
+  return int64_t{used.tv_sec} * 1'000'000 + used.tv_nsec / 1000;
+}
+
 int64_t GiveUpAfter_us(const Mission& mission) {
   const auto timeout_us = static_cast<int64_t>(mission.participant_timeout_s * 1e6);
   return std::min(ParticipantOptions{}.give_up_us, timeout_us / 2);

@@ -35,6 +35,8 @@ int RunMissionApp(const AppInfo& info, int argc, char** argv, const MissionAppFa
 int64_t MonotonicMicroseconds();
 /// Returns microseconds since 1970, which jump when somebody sets the clock.
 int64_t UnixMicroseconds();
+/// Returns the processor time that this thread has used, in microseconds.
+int64_t ProcessorMicroseconds();
 
 /// Returns how long a participant asks for missing messages: less than the clock waits for it.
 int64_t GiveUpAfter_us(const Mission& mission);

@@ -98,6 +98,11 @@ void StepParticipant::OnTick(const tick_t& tick, int64_t wall_us) {
   if (ended_ || !TakesPart(tick)) return;
   if (tick.step != step_ + 1) inbox_.StartAt(std::max<int64_t>(tick.step - 1, 0));
   pending_ = tick;
+  if (step_ < 0) {
+    // What a process of this name said before is gone with it.
+    std::erase_if(pending_->totals,
+                  [this](const step_total_t& total) { return total.publisher == options_.name; });
+  }
   collecting_since_ = wall_us;
   next_request_ = wall_us + kRequestInterval_us;
   TryStep();

@@ -13,26 +13,28 @@
 
 #include <fmt/format.h>
 #include <signal.h>
-#include <sys/resource.h>
 #include <time.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
+#include <memory>
 #include <numbers>
+#include <span>
 #include <sstream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "lib/bus/channels.h"
 #include "lib/bus/lcm_bus.h"
 #include "lib/bus/socket_drops.h"
 #include "lib/run/run_app.h"
+#include "tests/bench/datagram_listener.h"
 
 namespace shoal {
 namespace {
@@ -46,6 +48,11 @@ std::vector<std::string> Names(int num_vehicles) {
   std::vector<std::string> names;
   for (int i = 1; i <= num_vehicles; ++i) names.push_back(fmt::format("v{:03}", i));
   return names;
+}
+
+/// Returns 17 for v017.
+size_t NumberOf(std::string_view name) {
+  return static_cast<size_t>(std::atoi(std::string(name).c_str() + 1));
 }
 
 PortPlan Ports(int num_vehicles, std::string_view layout, int base) {
@@ -160,31 +167,33 @@ int Receive(const PortPlan& ports, int num_vehicles) {
   std::vector<Pair> pairs(num * num);
   std::vector<int64_t> latencies_us;
   latencies_us.reserve(4'000'000);
-  LcmBus bus(ports);
-  node_report_t report;
-  const std::vector<std::string> names = Names(num_vehicles);
-  for (size_t receiver = 0; receiver < num; ++receiver) {
-    bus.SubscribeBytes(
-        channels::NodeReport(names[receiver]).name, [&, receiver](const Message& message) {
-          const int64_t now_us = MonotonicMicroseconds();
-          if (!Decode(message.data, &report) || report.mode != kMeasured) return;
-          const auto source = static_cast<size_t>(std::atoi(report.name.c_str() + 1) - 1);
-          if (source >= num) return;
-          latencies_us.push_back(now_us - report.utime);
-          Pair& pair = pairs[receiver * num + source];
-          ++pair.count;
-          if (pair.first_index < 0) pair.first_index = report.index;
-          if (report.index <= pair.last_index) ++pair.out_of_order;
-          pair.last_index = std::max(pair.last_index, report.index);
-        });
-  }
-  if (!bus.error().empty()) {
-    fmt::print(stderr, "broker_load: {}\n", bus.error());
+  // In the shared layout all deliveries come on the shore's port, else on the communities'.
+  const std::vector<int> all = ports.DataPorts();
+  DatagramListener listener(std::span<const int>(all).subspan(all.size() > 1 ? 1 : 0));
+  if (!listener.error().empty()) {
+    fmt::print(stderr, "broker_load: {}\n", listener.error());
     return 3;
   }
   fmt::print("ready\n");
   std::fflush(stdout);
-  while (!stop_wanted) bus.Poll(100'000);
+  node_report_t report;
+  while (!stop_wanted) {
+    listener.Poll(100, [&](std::string_view channel, std::span<const uint8_t> message) {
+      const int64_t now_us = MonotonicMicroseconds();
+      constexpr std::string_view kPrefix = "NODE_REPORT_V";
+      if (!channel.starts_with(kPrefix) || !Decode(message, &report)) return;
+      if (report.mode != kMeasured) return;
+      const size_t source = NumberOf(report.name) - 1;
+      const size_t receiver = NumberOf(channel.substr(kPrefix.size() - 1)) - 1;
+      if (source >= num || receiver >= num) return;
+      latencies_us.push_back(now_us - report.utime);
+      Pair& pair = pairs[receiver * num + source];
+      ++pair.count;
+      if (pair.first_index < 0) pair.first_index = report.index;
+      if (report.index <= pair.last_index) ++pair.out_of_order;
+      pair.last_index = std::max(pair.last_index, report.index);
+    });
+  }
 
   Pair sum;
   int64_t gaps = 0;
@@ -217,7 +226,7 @@ int Relay(const PortPlan& ports, int num_vehicles) {
   node_report_t report;
   bus.SubscribeBytes(channels::NodeReportLocal().name, [&](const Message& message) {
     if (!Decode(message.data, &report)) return;
-    const auto source = static_cast<size_t>(std::atoi(report.name.c_str() + 1) - 1);
+    const size_t source = NumberOf(report.name) - 1;
     for (size_t i = 0; i < receivers.size(); ++i) {
       if (i != source) bus.PublishBytes(receivers[i], message.data);
     }

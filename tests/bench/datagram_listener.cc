@@ -1,0 +1,86 @@
+#include "tests/bench/datagram_listener.h"
+
+#include <arpa/inet.h>
+#include <fmt/format.h>
+#include <netinet/in.h>
+#include <sys/epoll.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
+
+#include "lib/bus/layout.h"
+
+namespace shoal {
+
+namespace {
+
+constexpr size_t kBatch = 32;
+constexpr size_t kLargest = 65536;
+/// Of a message in one datagram: the magic number, a sequence number, the channel, 0, the message.
+constexpr std::string_view kMagic = "LC02";
+constexpr size_t kHeaderSize = 8;
+
+}  // namespace
+
+DatagramListener::DatagramListener(std::span<const int> ports)
+    : epoll_(epoll_create1(0)), bytes_(kBatch * kLargest) {
+  for (const int port : ports) Open(port);
+}
+
+DatagramListener::~DatagramListener() {
+  for (const int each : sockets_) close(each);
+  close(epoll_);
+}
+
+void DatagramListener::Open(int port) {
+  const int opened = socket(AF_INET, SOCK_DGRAM | SOCK_NONBLOCK, 0);
+  sockets_.push_back(opened);
+  const int yes = 1;
+  const int buffer = ReceiveBufferLimit();
+  sockaddr_in address{};
+  address.sin_family = AF_INET;
+  address.sin_port = htons(static_cast<uint16_t>(port));
+  ip_mreq group{};
+  group.imr_multiaddr.s_addr = inet_addr("239.255.76.67");
+  epoll_event event{.events = EPOLLIN, .data = {.fd = opened}};
+  setsockopt(opened, SOL_SOCKET, SO_RCVBUF, &buffer, sizeof(buffer));
+  if (setsockopt(opened, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof(yes)) != 0 ||
+      bind(opened, reinterpret_cast<const sockaddr*>(&address), sizeof(address)) != 0 ||
+      setsockopt(opened, IPPROTO_IP, IP_ADD_MEMBERSHIP, &group, sizeof(group)) != 0 ||
+      epoll_ctl(epoll_, EPOLL_CTL_ADD, opened, &event) != 0) {
+    error_ = fmt::format("cannot listen on port {}: {}", port, std::strerror(errno));
+  }
+}
+
+void DatagramListener::Poll(
+    int timeout_ms,
+    const std::function<void(std::string_view, std::span<const uint8_t>)>& handler) {
+  std::array<epoll_event, 64> events{};
+  const int num_ready =
+      epoll_wait(epoll_, events.data(), static_cast<int>(events.size()), timeout_ms);
+  std::array<iovec, kBatch> places{};
+  std::array<mmsghdr, kBatch> headers{};
+  for (size_t i = 0; i < kBatch; ++i) {
+    places[i] = {.iov_base = &bytes_[i * kLargest], .iov_len = kLargest};
+    headers[i].msg_hdr.msg_iov = &places[i];
+    headers[i].msg_hdr.msg_iovlen = 1;
+  }
+  for (int ready = 0; ready < num_ready; ++ready) {
+    const int num = recvmmsg(events[static_cast<size_t>(ready)].data.fd, headers.data(), kBatch,
+                             MSG_DONTWAIT, nullptr);
+    for (size_t i = 0; num > 0 && i < static_cast<size_t>(num); ++i) {
+      const std::string_view text(reinterpret_cast<const char*>(&bytes_[i * kLargest]),
+                                  headers[i].msg_len);
+      const size_t end = text.size() > kHeaderSize ? text.find('\0', kHeaderSize) : text.npos;
+      if (!text.starts_with(kMagic) || end == text.npos) continue;
+      handler(text.substr(kHeaderSize, end - kHeaderSize),
+              std::span(bytes_).subspan(i * kLargest + end + 1, text.size() - end - 1));
+    }
+  }
+}
+
+}  // namespace shoal
