@@ -90,8 +90,7 @@ std::string NoSuchTemplate(const Table& templates, const std::string& name) {
 
 }  // namespace
 
-std::optional<Override> ParseOverride(std::string_view text, int64_t number,
-                                         Problems& problems) {
+std::optional<Override> ParseOverride(std::string_view text, int64_t number, Problems& problems) {
   const Place place = {.override_number = number};
   auto [path, equals] = SplitPath(text);
   if (path.empty()) {
