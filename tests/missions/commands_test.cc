@@ -224,7 +224,8 @@ TEST(Log, PlayedBackByLcmLogplayerDrivesAListenerAsTheMissionDid) {
 TEST(EveryApp, AnswersHelpVersionExampleAndInterface) {
   const TestFolder folder;
   for (const char* app : {"vehicle_sim", "helm", "node_reporter", "shore_broker", "recorder"}) {
-    for (const char* option : {"--help", "--version", "--example", "--interface"}) {
+    for (const char* option :
+         {"--help", "--version", "--example", "--interface", "-h", "-v", "-e", "-i"}) {
       RunningProcess process(folder, {Program(app), option});
       const Finished finished = process.Wait(10);
       EXPECT_EQ(finished.exit_code, 0) << app << " " << option;

@@ -57,7 +57,7 @@ TEST(KilledBroker, ComesBackWithItsControlsAfterOneReportOfEachVehicleAndTheGapI
   mission.Wait(10);
 
   const BrokerHistory history = ReadHistory(dir + "/mission.lcm");
-  ASSERT_GE(history.rules.size(), 4U);
+  ASSERT_GE(history.rules.size(), 3U) << "two at least before, one at the new start";
   const comms_rules_t& again = history.rules.back();
   EXPECT_TRUE(history.rules.front().is_start);
   EXPECT_TRUE(again.is_start);
