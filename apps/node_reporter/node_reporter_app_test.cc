@@ -203,6 +203,26 @@ TEST_F(NodeReporterTest, SkipsWhatDeadReckoningForetellsButNotForTooLong) {
   EXPECT_EQ(reports_[2].index, 2);
 }
 
+TEST_F(NodeReporterTest, ShowsWhatBecameOfMessagesAndAcks) {
+  Step();
+  node_message_t message = {};
+  message.dest_node = "bravo";
+  message.var_name = "FOOBAR";
+  message.ack_id = "a-1";
+  Publish(vehicle_bus_, channels::MediatedMessage("alpha"), message);
+  ack_message_t ack = {};
+  ack.src_node = "bravo";
+  ack.dest_node = "alpha";
+  ack.ack_id = "long gone";
+  Publish(vehicle_bus_, channels::AckMessageTo("alpha"), ack);
+  Step();
+  const std::string page = app_->Status().text;
+  for (const char* line : {"Messages to be acknowledged: 1\n", "    Waiting: 1\n",
+                           "    Acknowledged: 0\n", "Acks that nothing waits for: 1\n"}) {
+    EXPECT_NE(page.find(line), std::string::npos) << line << page;
+  }
+}
+
 TEST_F(NodeReporterTest, KeepsTheBlackoutIntervalWithinItsVariance) {
   options().rate_hz = 10;
   options().blackout_interval_s = 3;

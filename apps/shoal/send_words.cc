@@ -52,7 +52,7 @@ const std::vector<CommandShape>& SimCommands() {
   return shapes;
 }
 
-std::string Rows(std::string_view prefix, const std::vector<CommandShape>& shapes) {
+std::string Rows(std::string_view prefix, std::span<const CommandShape> shapes) {
   std::string text;
   for (const CommandShape& shape : shapes) {
     text += fmt::format("  {:<28} {}\n", fmt::format("{}{}", prefix, shape.name), shape.help);
@@ -67,6 +67,22 @@ std::optional<double> ParseNumber(const std::string& word) {
   return value;
 }
 
+/// What stands in a helm command's place, but is for others.
+const std::vector<CommandShape>& OtherCommands() {
+  static const std::vector<CommandShape> shapes = {
+      {"sim", true, {0}, "COMMAND: an order to the simulator"},
+      {"message", true, {0}, "DEST VAR VALUE: a node message of the vehicle"},
+  };
+  return shapes;
+}
+
+std::string UnknownCommand(const std::string& name, std::span<const CommandShape> shapes) {
+  std::vector<std::string_view> names;
+  for (const CommandShape& shape : shapes) names.push_back(shape.name);
+  return fmt::format("unknown command {}{}; there are:\n{}", Quoted(name), DidYouMean(name, names),
+                     Rows("", shapes));
+}
+
 /// Words after the command, as the command wants them.
 struct Arguments {
   std::string text;
@@ -77,9 +93,7 @@ Result<Arguments> ParseArguments(const std::vector<CommandShape>& shapes, const 
                                  std::span<const std::string> words) {
   const auto shape = std::find_if(shapes.begin(), shapes.end(),
                                   [&](const CommandShape& each) { return each.name == name; });
-  if (shape == shapes.end()) {
-    return Error{fmt::format("unknown command '{}'; there are:\n{}", name, Rows("", shapes))};
-  }
+  if (shape == shapes.end()) return Error{UnknownCommand(name, shapes)};
   Arguments arguments;
   if (shape->takes_text) {
     if (words.size() != 1) {
@@ -111,6 +125,13 @@ std::string RuleUsage(const ControlRow& row) {
 }  // namespace
 
 Result<helm_command_t> ParseHelmWords(std::span<const std::string> words) {
+  std::vector<CommandShape> all = HelmCommands();
+  const bool is_known = std::any_of(
+      all.begin(), all.end(), [&](const CommandShape& shape) { return shape.name == words[0]; });
+  if (!is_known) {
+    all.insert(all.end(), OtherCommands().begin(), OtherCommands().end());
+    return Error{UnknownCommand(words[0], all)};
+  }
   Result<Arguments> arguments = ParseArguments(HelmCommands(), words[0], words.subspan(1));
   if (!arguments.ok()) return Error{arguments.error()};
   helm_command_t command{};

@@ -91,6 +91,16 @@ TEST(HelmWords, StandForACommand) {
   EXPECT_FALSE(ParseSimWords(Words{}).ok());
 }
 
+TEST(HelmWords, ThatAreUnknownAreAnsweredWithAllThatMayStandThere) {
+  const Result<helm_command_t> command = ParseHelmWords(Words{"mesage", "bravo", "X", "hi"});
+  ASSERT_FALSE(command.ok());
+  EXPECT_TRUE(command.error().starts_with("unknown command 'mesage' (did you mean 'message'?)"))
+      << command.error();
+  for (const char* row : {"\n  deploy ", "\n  message ", "\n  sim "}) {
+    EXPECT_NE(command.error().find(row), std::string::npos) << row << command.error();
+  }
+}
+
 TEST(SendCommandsText, ListsEveryRule) {
   const std::string text = SendCommandsText();
   for (const ControlRow& row : ControlTable()) {

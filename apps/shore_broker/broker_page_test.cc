@@ -2,10 +2,61 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+#include <sstream>
 #include <string>
+#include <vector>
 
 namespace shoal {
 namespace {
+
+/// Has one transmission of each kind for each cause that can block it.
+void BlockForEveryCause(Router* router) {
+  std::vector<Decision> decisions;
+  std::vector<std::string> names;
+  const auto report = [&](std::string_view name, double x_m, std::string_view group,
+                          int64_t utime) {
+    const Admission admission =
+        router->Admit({.name = name, .group = group, .position_m = {x_m, 0, 0}}, utime);
+    if (!admission.refused) router->Route(admission, utime, &decisions);
+  };
+  const auto say = [&](std::string_view source, std::string_view dest_node, int64_t utime,
+                       int64_t length_bytes = 5, std::string_view dest_group = {}) {
+    router->RouteMessage({.source = source,
+                          .dest_node = dest_node,
+                          .dest_group = dest_group,
+                          .length_bytes = length_bytes},
+                         utime, &decisions, &names);
+  };
+  constexpr int64_t kLater_us = 6'000'000;
+  report("silent", 10, "", 0);
+  report("mute", 10, "", 0);
+  for (const char* name : {"a", "b", "c", "d", "e"}) report(name, 0, "", kLater_us);
+  report("e", 0, "", kLater_us);  // Too soon.
+  report("far", 500, "", kLater_us);
+  report("red", 0, "red", kLater_us);
+  report("ghost", 0, "ghosts", kLater_us);
+  report("no name", 0, "", kLater_us);
+  say("a", "", kLater_us);  // Invalid.
+  say("a", "b", kLater_us);
+  say("a", "b", kLater_us);  // Too soon.
+  say("b", "a", kLater_us, 1001);
+  say("nobody", "a", kLater_us);
+  say("mute", "a", kLater_us);  // A stale source.
+  say("c", "", kLater_us, 5, "greens");
+  say("d", "stranger:silent:far:red", kLater_us);
+  RoutingRules rules = router->rules();
+  rules.drop_percentage = 100;
+  router->SetRules(rules);
+  report("a", 0, "", 2 * kLater_us);
+  report("b", 0, "", 2 * kLater_us);
+  report("e", 0, "", 2 * kLater_us);
+  say("e", "a", 2 * kLater_us);
+  for (int i = 0; i <= Router::kMaxStrangers; ++i) {
+    router->Admit({.name = "nemo" + std::to_string(i)}, 2 * kLater_us);
+  }
+  say("one_too_many", "a", 2 * kLater_us);
+}
 
 TEST(BrokerPage, SpellsOutRulesThatAreOff) {
   RoutingRules rules;
@@ -17,6 +68,34 @@ TEST(BrokerPage, SpellsOutRulesThatAreOff) {
   EXPECT_NE(page.find("Comms Range: nolimit\n"), std::string::npos);
   EXPECT_NE(page.find("Stale Drop: never\n"), std::string::npos);
   EXPECT_NE(page.find("Stale Forget: never\n"), std::string::npos);
+}
+
+TEST(BrokerPage, HasARowForEveryCauseThatBlocks) {
+  RoutingRules rules;
+  rules.critical_range_m = 0;
+  rules.groups = true;
+  rules.msg_groups = true;
+  rules.ignore_group = "ghosts";
+  rules.min_rpt_interval_s = 1;
+  Router router(rules, 1, {});
+  BlockForEveryCause(&router);
+
+  std::istringstream page(FormatBrokerPage(router, {.now_utime = 12'000'000}));
+  std::vector<int64_t> left;  // Of each total, what its rows have not told.
+  bool is_row = false;
+  for (std::string line; std::getline(page, line);) {
+    const bool is_total = line.starts_with("    Total Blocked ");
+    is_row = is_total || (is_row && line.starts_with("        "));
+    if (!is_row) continue;
+    const int64_t number = std::atoll(line.substr(line.rfind(' ') + 1).c_str());
+    EXPECT_GT(number, 0) << line;
+    if (is_total) {
+      left.push_back(number);
+    } else {
+      left.back() -= number;
+    }
+  }
+  EXPECT_EQ(left, (std::vector<int64_t>{0, 0}));
 }
 
 TEST(BrokerPage, ShowsSomeOfAFloodOfNamesAndCountsAll) {

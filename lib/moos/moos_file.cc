@@ -102,7 +102,7 @@ class MoosFileParser {
   void NotClosed() {
     const MoosBlock& block = file_.blocks.back();
     Odd(block.number, "ProcessConfig = " + block.app,
-        "the block is not closed: write } on a line of its own at its end");
+        "is a block that is not closed: write } on a line of its own at its end");
   }
 
   void Outside(int number, std::string text) {
@@ -125,7 +125,7 @@ class MoosFileParser {
     }
     const MoosBlock& block = file_.blocks.back();
     Odd(block.number, "ProcessConfig = " + block.app,
-        "no { follows: write it on a line of its own before the block's first line");
+        "is not followed by {: write it on a line of its own before the block's first line");
     place_ = Place::kOutside;
     Outside(number, std::move(text));
   }

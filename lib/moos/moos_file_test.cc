@@ -68,6 +68,16 @@ TEST(ParseMoosFile, ListsBlocksWithoutBraces) {
   EXPECT_EQ(OddLines("ProcessConfig = X\n{\nProcessConfig = Y\n{\n}\n"), (std::vector<int>{1}));
 }
 
+TEST(ParseMoosFile, GivesReasonsThatFinishASentenceAboutTheLine) {
+  const std::string text =
+      "hello\n#include plug.moos\nProcessConfig = X\nA = 1\nProcessConfig = Y\n{\nno equals\n";
+  const MoosFile file = ParseMoosFile(text, "a");
+  EXPECT_EQ(file.odd_lines.size(), 5U);
+  for (const MoosOddLine& line : file.odd_lines) {
+    EXPECT_TRUE(line.reason.starts_with("is ")) << line.reason;
+  }
+}
+
 TEST(CleanUtf8, KeepsUtf8AndReplacesTheRest) {
   EXPECT_EQ(CleanUtf8("a\xC3\xA9\xE2\x82\xAC\xF0\x9F\x90\x9F"),
             "a\xC3\xA9\xE2\x82\xAC\xF0\x9F\x90\x9F");

@@ -51,13 +51,18 @@ AppOptions ParseAppOptionsOrExit(const AppInfo& info, int argc, char** argv) {
   std::string layout;
   bool example = false;
   bool interface = false;
-  CLI::App cli(info.purpose +
-                   "\n`shoal run` starts it; by hand it joins a mission that waits for it "
-                   "(helm = \"hand\" and the like in the mission file).",
-               info.name);
-  cli.set_version_flag("--version", std::string(info.name) + " " + kVersion);
-  cli.add_flag("--example", example, "Print a commented configuration block, then exit");
-  cli.add_flag("--interface", interface, "Print the channels that it hears and says, then exit");
+  const std::string by_hand =
+      info.name == "recorder"
+          ? ""
+          : fmt::format(
+                "; by hand it joins a mission that waits for it ({} = \"hand\" in the "
+                "mission file)",
+                info.name);
+  CLI::App cli(fmt::format("{}\n`shoal run` starts it{}.", info.purpose, by_hand), info.name);
+  // The short names are those of MOOS apps.
+  cli.set_version_flag("-v,--version", std::string(info.name) + " " + kVersion);
+  cli.add_flag("-e,--example", example, "Print a commented configuration block, then exit");
+  cli.add_flag("-i,--interface", interface, "Print the channels that it hears and says, then exit");
   cli.add_option("--mission", options.mission_file, "Mission file");
   if (info.per_vehicle) {
     cli.add_option("--vehicle", options.vehicle, "Whose part it plays");
