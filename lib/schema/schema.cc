@@ -103,6 +103,7 @@ class Resolver {
       is_fixed &= member.has_fixed_size;
       size = SaturatingAdd(size, SaturatingMultiply(count, member.min_wire_size));
     }
+    FindFixedRuns(&types_[index].members);
     types_[index].min_wire_size = size;
     types_[index].has_fixed_size = is_fixed;
     is_measured_[index] = true;
@@ -117,6 +118,17 @@ class Resolver {
     } else {
       member->min_wire_size = types_[member->struct_index].min_wire_size;
       member->has_fixed_size = types_[member->struct_index].has_fixed_size;
+    }
+  }
+
+  static void FindFixedRuns(std::vector<Member>* members) {
+    for (size_t i = members->size(); i-- > 0;) {
+      Member& member = (*members)[i];
+      if (!member.has_fixed_size || member.length_slot || !member.dimensions.empty()) continue;
+      const bool has_next = i + 1 < members->size();
+      member.num_fixed_run = 1 + (has_next ? (*members)[i + 1].num_fixed_run : 0);
+      member.fixed_run_size =
+          SaturatingAdd(member.min_wire_size, has_next ? (*members)[i + 1].fixed_run_size : 0);
     }
   }
 

@@ -17,8 +17,11 @@ constexpr int64_t kFreeEmptyElements = 4096;
 template <class T>
 T ReadBigEndian(const uint8_t* bytes) {
   T value = 0;
-  for (size_t i = 0; i < sizeof(T); ++i) value = static_cast<T>(value << 8 | bytes[i]);
-  return value;
+  std::memcpy(&value, bytes, sizeof value);
+  if constexpr (std::endian::native == std::endian::big) return value;
+  if constexpr (sizeof value == 2) return __builtin_bswap16(value);
+  if constexpr (sizeof value == 4) return __builtin_bswap32(value);
+  return static_cast<T>(__builtin_bswap64(value));
 }
 
 uint64_t ReadBigEndian(const uint8_t* bytes, int64_t num_bytes) {
@@ -84,7 +87,14 @@ class Walker {
     const size_t lengths_begin = lengths_.size();
     lengths_.resize(lengths_begin + type.num_lengths);
     listener_.StructBegin(type);
-    for (const Member& member : type.members) {
+    for (size_t i = 0; i < type.members.size(); ++i) {
+      const Member& member = type.members[i];
+      if (!kIsHeard && member.num_fixed_run > 0) {
+        if (member.fixed_run_size > BytesLeft()) return Fail("the message ends too early");
+        position_ += static_cast<size_t>(member.fixed_run_size);
+        i += member.num_fixed_run - 1;
+        continue;
+      }
       listener_.MemberBegin(member);
       if (!WalkArray(member, 0, lengths_begin, depth)) return false;
     }
