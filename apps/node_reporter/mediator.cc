@@ -9,12 +9,25 @@
 
 namespace shoal {
 
+namespace {
+
+size_t SizeOf(const node_message_t& message) {
+  return static_cast<size_t>(message.getEncodedSize());
+}
+
+}  // namespace
+
 Mediator::Mediator(std::string vehicle, const MessageOptions& options, Bus& bus, StatusLog* log)
     : vehicle_(std::move(vehicle)), options_(options), bus_(bus), log_(log) {
   Subscribe(bus, channels::MediatedMessage(vehicle_),
             [this](const node_message_t& message) { to_send_.push_back(message); });
   Subscribe(bus, channels::NodeMessage(vehicle_), [this](const node_message_t& message) {
     if (message.ack_requested == 0) return;
+    if (to_acknowledge_.size() == kMaxAcksPerStep || message.ack_id.size() > kLongestAckId) {
+      ++counters_.acks_unsaid;
+      log_->Warn("messages not acknowledged: too many in one step, or too long an ack_id");
+      return;
+    }
     ack_message_t ack;
     ack.src_node = vehicle_;
     ack.dest_node = message.src_node;
@@ -57,6 +70,9 @@ void Mediator::Send(int64_t utime, node_message_t message) {
   if (waiting_.size() == kMaxWaiting) return refuse("too many wait to be acknowledged");
   message.ack_requested = 1;
   if (message.utime == 0) message.utime = utime;
+  if (waiting_bytes_ + SizeOf(message) > kMaxWaitingBytes) {
+    return refuse("too many bytes wait to be acknowledged");
+  }
 
   const Destinations named = ParseDestinations(message.dest_node);
   WaitingMessage entry{.message = message, .silent = {}, .sent_utime = utime, .num_repeats = 0};
@@ -65,6 +81,7 @@ void Mediator::Send(int64_t utime, node_message_t message) {
     entry.silent.erase(VehicleKey(vehicle_));  // Nobody hears his own messages.
   }
   Publish(bus_, channels::NodeMessageLocal(), message);
+  waiting_bytes_ += SizeOf(message);
   waiting_.emplace(message.ack_id, std::move(entry));
 }
 
@@ -83,7 +100,13 @@ void Mediator::TakeAck(int64_t utime, const ack_message_t& ack) {
   ++counters_.acknowledged;
   log_->Event(utime, fmt::format("message {} ({}) is acknowledged", Printable(ack.ack_id),
                                  Printable(found->second.message.var_name)));
-  waiting_.erase(found);
+  Remove(found);
+}
+
+std::map<std::string, Mediator::WaitingMessage>::iterator Mediator::Remove(
+    std::map<std::string, WaitingMessage>::iterator entry) {
+  waiting_bytes_ -= SizeOf(entry->second.message);
+  return waiting_.erase(entry);
 }
 
 void Mediator::Repeat(int64_t utime) {
@@ -103,7 +126,7 @@ void Mediator::Repeat(int64_t utime) {
       log_->Event(utime, fmt::format("message {} ({}) is given up: no ack after {} repeats",
                                      Printable(entry->first), Printable(each.message.var_name),
                                      each.num_repeats));
-      entry = waiting_.erase(entry);
+      entry = Remove(entry);
     }
   }
 }

@@ -9,6 +9,9 @@
 //                                  +--+------- otherwise: given up
 //
 // "All" are the other vehicles in dest_node; of a message to a group or to all, one is enough.
+//
+// A flood must not become a flood of acks, which would choke the bus of the whole mission: of one
+// step at most kMaxAcksPerStep messages are acknowledged. Their senders repeat the others.
 #pragma once
 
 #include <cstdint>
@@ -31,6 +34,7 @@ struct MediatorCounters {
   int64_t refused = 0;       ///< Of these: not sent at all.
   int64_t repeats = 0;
   int64_t acks_said = 0;     ///< For messages of others.
+  int64_t acks_unsaid = 0;   ///< The same, but too many in one step, or with too long an ack_id.
   int64_t acks_unasked = 0;  ///< Heard, but for no message that waits.
 };
 
@@ -38,6 +42,11 @@ class Mediator {
  public:
   /// More waiting messages than this are refused.
   static constexpr size_t kMaxWaiting = 1000;
+  /// So are those that would make the waiting ones more than this: all may be repeated at once.
+  static constexpr size_t kMaxWaitingBytes = 2'000'000;
+  static constexpr size_t kMaxAcksPerStep = 1000;
+  /// A message with a longer ack_id is not acknowledged.
+  static constexpr size_t kLongestAckId = 1000;
 
   /// Subscribes; `log` must outlive it.
   Mediator(std::string vehicle, const MessageOptions& options, Bus& bus, StatusLog* log);
@@ -59,6 +68,8 @@ class Mediator {
   void Send(int64_t utime, node_message_t message);
   void TakeAck(int64_t utime, const ack_message_t& ack);
   void Repeat(int64_t utime);
+  std::map<std::string, WaitingMessage>::iterator Remove(
+      std::map<std::string, WaitingMessage>::iterator entry);
 
   const std::string vehicle_;
   const MessageOptions options_;
@@ -70,6 +81,7 @@ class Mediator {
   std::vector<ack_message_t> to_acknowledge_;
   std::vector<ack_message_t> heard_acks_;
   std::map<std::string, WaitingMessage> waiting_;  ///< By ack_id.
+  size_t waiting_bytes_ = 0;                       ///< Of these, as they are sent.
 };
 
 }  // namespace shoal

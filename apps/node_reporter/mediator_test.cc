@@ -64,6 +64,50 @@ class MediatorTest : public testing::Test {
   std::vector<ack_message_t> acks_;
 };
 
+TEST_F(MediatorTest, MakesNoFloodOfAcksOutOfAFloodOfMessages) {
+  constexpr int64_t kTooMany = 7;
+  node_message_t message = MessageTo("alpha", "b-7");
+  message.src_node = "bravo";
+  message.ack_requested = 1;
+  for (size_t i = 0; i < Mediator::kMaxAcksPerStep + kTooMany; ++i) {
+    Publish(world_, channels::NodeMessage("alpha"), message);
+  }
+  Step();
+  EXPECT_EQ(acks_.size(), Mediator::kMaxAcksPerStep);
+  EXPECT_EQ(mediator_.counters().acks_unsaid, kTooMany);
+  Publish(world_, channels::NodeMessage("alpha"), message);
+  Step();
+  EXPECT_EQ(acks_.size(), 1U);
+}
+
+TEST_F(MediatorTest, SendsNoAckLongerThanAnAckIdMayBe) {
+  for (const size_t length : {Mediator::kLongestAckId, Mediator::kLongestAckId + 1}) {
+    node_message_t message = MessageTo("alpha", std::string(length, 'x'));
+    message.src_node = "bravo";
+    message.ack_requested = 1;
+    Publish(world_, channels::NodeMessage("alpha"), message);
+    Step();
+    EXPECT_EQ(acks_.size(), length == Mediator::kLongestAckId ? 1U : 0U);
+  }
+  EXPECT_EQ(mediator_.counters().acks_unsaid, 1);
+}
+
+TEST_F(MediatorTest, RefusesWhatWouldMakeTheWaitingMessagesTooBigUntilSomeAreGone) {
+  node_message_t big = MessageTo("bravo", "a-1");
+  big.string_val.assign(Mediator::kMaxWaitingBytes / 2, 'x');
+  Give(big);
+  big.ack_id = "a-2";
+  Give(big);
+  Step();
+  EXPECT_EQ(sent_.size(), 1U);
+  EXPECT_EQ(mediator_.counters().refused, 1);
+  Acknowledge("bravo", "a-1");
+  Give(big);
+  Step();
+  EXPECT_EQ(sent_.size(), 1U);
+  EXPECT_EQ(mediator_.counters().refused, 1);
+}
+
 TEST_F(MediatorTest, AcknowledgesAMessageThatAsksForItEachTimeItIsHeard) {
   node_message_t message = MessageTo("alpha", "b-7");
   message.src_node = "bravo";

@@ -187,6 +187,7 @@ StatusPage NodeReporterApp::Status() const {
       "    Refused: {}\n"
       "    Repeats: {}\n"
       "Acks of others' messages: {}\n"
+      "    Left out: {}\n"
       "Acks that nothing waits for: {}\n"
       "\nUndecodable messages: {}\n",
       name_, report_.type, report_.group.empty() ? "(none)" : report_.group, report_.color,
@@ -201,7 +202,8 @@ StatusPage NodeReporterApp::Status() const {
       num_blacked_out_, num_foretold_, num_bad_nav_, mediator_.counters().given,
       mediator_.counters().acknowledged, mediator_.num_waiting(), mediator_.counters().given_up,
       mediator_.counters().refused, mediator_.counters().repeats, mediator_.counters().acks_said,
-      mediator_.counters().acks_unasked, bus_.counters().undecodable);
+      mediator_.counters().acks_unsaid, mediator_.counters().acks_unasked,
+      bus_.counters().undecodable);
   log_.AppendTo(&page);
   return page;
 }

@@ -16,6 +16,7 @@
 #include "lib/check/result.h"
 #include "lib/moos/alog.h"
 #include "lib/moos/import.h"
+#include "lib/moos/moos_file.h"
 #include "shoal/node_report_t.hpp"
 
 namespace shoal {
@@ -68,6 +69,9 @@ int RunImport(const ImportOptions& options) {
   for (const std::string& path : options.files) {
     Result<std::string> text = ReadMoosFile(path);
     if (!text.ok()) return Fail(text.error(), kExitUsage);
+    if (ParseMoosFile(*text, path).blocks.empty()) {
+      return Fail(path + " is no MOOS mission file: it has no ProcessConfig block", kExitUsage);
+    }
     sources.push_back({.name = path, .text = std::move(*text)});
   }
   const MoosImport import = ImportMoos(sources);

@@ -21,6 +21,7 @@ class Import : public ::testing::Test {
     return directory_.File(name);
   }
 
+  static constexpr const char* kBlock = "ProcessConfig = uSimMarine\n{\n}\n";
   TestDirectory directory_;
 };
 
@@ -34,7 +35,7 @@ TEST_F(Import, WritesAMissionThatLoads) {
 }
 
 TEST_F(Import, LeavesAnExistingMissionAlone) {
-  const std::string moos = Write("a.moos", "");
+  const std::string moos = Write("a.moos", kBlock);
   const std::string toml = Write("a.toml", "mine");
   EXPECT_EQ(RunImport({.files = {moos}, .out_path = toml}), kExitUsage);
   EXPECT_EQ(FileText(toml), "mine");
@@ -43,8 +44,17 @@ TEST_F(Import, LeavesAnExistingMissionAlone) {
 TEST_F(Import, RefusesAFileThatItCannotRead) {
   EXPECT_EQ(RunImport({.files = {directory_.File("none.moos")}, .out_path = ""}), kExitUsage);
   EXPECT_EQ(RunImport({.files = {directory_.File("")}, .out_path = ""}), kExitUsage);
-  const std::string moos = Write("a.moos", "");
+  const std::string moos = Write("a.moos", kBlock);
   EXPECT_EQ(RunImport({.files = {moos}, .out_path = "/dev/null/x"}), kExitEnvironment);
+}
+
+TEST_F(Import, RefusesWhatIsNoMoosMission) {
+  const std::string toml = Write("a.toml", "[mission]\nduration_s = 5\n");
+  const std::string binary = Write("b.moos", std::string("\x7F"
+                                                         "ELF\0\1\2",
+                                                         7));
+  EXPECT_EQ(RunImport({.files = {toml}, .out_path = ""}), kExitUsage);
+  EXPECT_EQ(RunImport({.files = {binary}, .out_path = ""}), kExitUsage);
 }
 
 TEST_F(Import, TakesTheExampleOfTheDocumentation) {

@@ -20,6 +20,8 @@ namespace {
 /// long without a further page.
 constexpr int64_t kQuiet_us = 300'000;
 constexpr int64_t kPatience_us = 2'000'000;
+constexpr int64_t kRequestInterval_us = 150'000;
+constexpr int kRequestsOfAll = 2;
 
 }  // namespace
 
@@ -34,11 +36,19 @@ Result<std::map<std::string, appcast_t>> CollectPages(const PortPlan& ports,
   });
   appcast_req_t request{};
   request.app = app;
-  Publish(bus, channels::AppcastReq(), request);
-  if (!bus.error().empty()) return Error{bus.error()};
   const int64_t begin = last;
+  int64_t next_request = begin;
+  int num_requests = 0;
   while (true) {
     const int64_t now = MonotonicMicroseconds();
+    // Who has just answered somebody else passes over a request: it is made again.
+    const bool is_complete = app != "all" ? pages.contains(app) : num_requests >= kRequestsOfAll;
+    if (!is_complete && now >= next_request) {
+      Publish(bus, channels::AppcastReq(), request);
+      if (!bus.error().empty()) return Error{bus.error()};
+      next_request = now + kRequestInterval_us;
+      ++num_requests;
+    }
     const int64_t patience = pages.empty() ? kPatience_us : kQuiet_us;
     if (now - last > patience || now - begin > 2 * kPatience_us) break;
     if (app != "all" && pages.contains(app)) break;

@@ -66,6 +66,9 @@ TEST_F(BrokerControlTest, TakesNoImpossibleRecordedRules) {
   rules.tick_us = 0;
   EXPECT_FALSE(SetupOf(rules).ok());
   rules = rules_.at(0);
+  rules.stale_forget_s = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_FALSE(SetupOf(rules).ok());
+  rules = rules_.at(0);
   rules.factors = {{.vehicle = "alpha", .stealth = 0.5, .earange = 11}};
   EXPECT_FALSE(SetupOf(rules).ok());
 }
@@ -167,7 +170,23 @@ class LateBrokerTest : public BrokerControlTest {
                              const std::string& vehicle = "") {
     return {.channel = channel, .control = {.utime = 0, .vehicle = vehicle, .value = value}};
   }
+
+  Bus& stranger_ = hub_.Join("");  ///< Outside the step protocol nobody has a name.
 };
+
+TEST_F(LateBrokerTest, TakesNoStrangersWordForTheControlsThatItMissed) {
+  BothReport(300);
+  unc_controls_t answer = {};
+  answer.controls = {Kept("UNC_COMMS_RANGE", 200)};
+  answer.num_controls = 1;
+  Publish(stranger_, channels::UncControls(), answer);
+  Step();
+  EXPECT_TRUE(Fates().empty()) << "it waits still";
+  Answer({Kept("UNC_COMMS_RANGE", 400)});
+  Step();
+  EXPECT_EQ(Fates(), (Texts{"alpha>bravo delivered", "bravo>alpha delivered"}));
+  EXPECT_EQ(broker_.Status().run_warnings.size(), 1U);
+}
 
 TEST_F(LateBrokerTest, AsksForTheControlsThatItMissedAndHoldsWhatItHearsUntilItHasThem) {
   EXPECT_TRUE(BothReport(300).empty());

@@ -67,6 +67,22 @@ TEST_F(BrokerMessagesTest, TellsTheSecondsLeftToWait) {
   EXPECT_DOUBLE_EQ(fates_[0].wait_s, 10);
 }
 
+TEST_F(BrokerMessagesTest, RefusesTextsThatMaxMsgLengthDoesNotCountBeyond1000Bytes) {
+  Say("min_msg_interval", -1);
+  for (std::string node_message_t::*text :
+       {&node_message_t::src_app, &node_message_t::var_name, &node_message_t::color,
+        &node_message_t::ack_id, &node_message_t::dest_group}) {
+    for (const size_t length : {1000U, 1001U}) {
+      node_message_t message = MessageFrom("alpha", "bravo");
+      message.*text = std::string(length, 'x');
+      Say(message);
+      Step();
+      ASSERT_EQ(fates_.size(), 1U);
+      EXPECT_EQ(fates_[0].cause == "invalid", length > 1000) << fates_[0].cause;
+    }
+  }
+}
+
 TEST_F(BrokerMessagesTest, RefusesWhatHasNoMeaningAndSaysWhy) {
   std::vector<node_message_t> bad(7, MessageFrom("alpha", "bravo"));
   bad[0].dest_node = "";

@@ -131,9 +131,9 @@ std::string ReceivedMessages(const Router& router, Kind kind, std::string_view w
       router, [&](const Contact& contact) { return contact.num_sent[place] > 0; },
       [&](const Contact& contact) {
         const std::string age =
-            kind == Kind::kMessage && contact.message_utime != kNever
+            kind == Kind::kMessage && contact.last_message_utime != kNever
                 ? fmt::format("    ({:.1f})",
-                              SecondsBetween(contact.message_utime, facts.now_utime))
+                              SecondsBetween(contact.last_message_utime, facts.now_utime))
                 : "";
         return fmt::format("        {}: {}{}\n", UpperCase(contact.name), contact.num_sent[place],
                            age);
@@ -151,6 +151,29 @@ std::string Sent(const Router& router, Kind kind) {
       [&](const Contact& contact) {
         return fmt::format("        {}: {}\n", UpperCase(contact.name),
                            contact.heard[place][kDelivered]);
+      },
+      &text);
+  return text;
+}
+
+/// "12 of 40 sent, 30 of 40 heard" of each vehicle that had to do with this kind.
+std::string ByVehicle(const Router& router, Kind kind) {
+  const auto place = static_cast<size_t>(kind);
+  const auto share = [&](const KindCounts& counts) {
+    const CauseCounts& of_kind = counts[place];
+    return fmt::format("{} of {}", of_kind[static_cast<size_t>(Cause::kDelivered)],
+                       std::accumulate(of_kind.begin(), of_kind.end(), int64_t{0}));
+  };
+  std::string text =
+      fmt::format("    {:<26}{:>16}{:>16}\n", "By Vehicle (delivered of)", "Sent", "Heard");
+  AppendRows(
+      router,
+      [&](const Contact& contact) {
+        return contact.sent[place] != CauseCounts{} || contact.heard[place] != CauseCounts{};
+      },
+      [&](const Contact& contact) {
+        return fmt::format("        {:<22}{:>16}{:>16}\n", UpperCase(contact.name) + ":",
+                           share(contact.sent), share(contact.heard));
       },
       &text);
   return text;
@@ -179,11 +202,15 @@ std::string FormatBrokerPage(const Router& router, const BrokerPageFacts& facts)
   text += fmt::format("{}    Known Vehicles: {}\n    Stale Vehicles: {}\n", kRule,
                       router.num_known(), router.NumStale(facts.now_utime));
   text += fmt::format("{}{}", kRule, Blocked(router, Kind::kReport, "Reports", kReportCauses));
+  text += fmt::format("{}{}", kRule, ByVehicle(router, Kind::kReport));
 
   text += fmt::format("\nNode Message Summary\n{}", kDoubleRule);
   text += ReceivedMessages(router, Kind::kMessage, "Msgs", facts);
   text += fmt::format("{}{}", kRule, Sent(router, Kind::kMessage));
   text += fmt::format("{}{}", kRule, Blocked(router, Kind::kMessage, "Msgs", kMessageCauses));
+  if (router.num_offered(Kind::kMessage) > 0) {
+    text += fmt::format("{}{}", kRule, ByVehicle(router, Kind::kMessage));
+  }
 
   if (router.num_offered(Kind::kAck) > 0) {
     text += fmt::format("\nAck Summary\n{}", kDoubleRule);

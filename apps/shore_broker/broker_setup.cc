@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <set>
 
 #include "lib/routing/control.h"
@@ -53,6 +54,9 @@ Result<BrokerSetup> SetupOf(const comms_rules_t& rules) {
     if (!IsPossible(row, value)) {
       return Error{fmt::format("COMMS_RULES: {} = {} is impossible", row.rule, value)};
     }
+  }
+  if (std::isnan(rules.stale_forget_s)) {
+    return Error{"COMMS_RULES: stale_forget_s = nan is impossible"};
   }
   if (rules.tick_us <= 0) {
     return Error{fmt::format("COMMS_RULES: tick_us = {} is impossible", rules.tick_us)};

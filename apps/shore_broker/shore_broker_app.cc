@@ -18,6 +18,9 @@ constexpr double kHold_s = 1;
 /// `--warp max`, for those who watch: such missions run some 100 times as fast as real time.
 constexpr double kMaxWarp = 100;
 constexpr size_t kAcksRemembered = 1000;
+/// Each text of a message but its value and its destinations: max_msg_length does not count them,
+/// and they go out again for every receiver.
+constexpr size_t kLongestText_bytes = 1000;
 
 bool AllNumbersAreFinite(const node_report_t& report) {
   for (const double number :
@@ -43,6 +46,12 @@ std::string_view ProblemOf(const node_message_t& message) {
     return "double_val is not a finite number";
   }
   if (message.ack_requested != 0 && message.ack_id.empty()) return "ack_requested without ack_id";
+  for (const std::string* text : {&message.src_app, &message.dest_group, &message.var_name,
+                                  &message.color, &message.ack_id}) {
+    if (text->size() > kLongestText_bytes) {
+      return "src_app, dest_group, var_name, color or ack_id has more than 1000 bytes";
+    }
+  }
   return {};
 }
 
@@ -78,8 +87,8 @@ ShoreBrokerApp::ShoreBrokerApp(BrokerSetup setup, Bus& bus)
       controls_.push_back({.row = &row, .control = control});
     });
   }
-  Subscribe(bus, channels::UncControls(),
-            [this](const unc_controls_t& controls) { kept_controls_ = controls; });
+  bus.SubscribeBytes(channels::UncControls().name,
+                     [this](const Message& message) { KeepControls(message); });
 }
 
 void ShoreBrokerApp::OnWarp(double warp) { warp_ = warp > 0 ? warp : kMaxWarp; }
@@ -135,6 +144,20 @@ bool ShoreBrokerApp::Holds(int64_t utime) {
   }
   controls_.insert(controls_.begin(), kept.begin(), kept.end());
   return false;
+}
+
+/// The launcher's answer. A stranger's would stand in its place.
+void ShoreBrokerApp::KeepControls(const Message& message) {
+  if (message.publisher.empty()) {
+    log_.Warn("UNC_CONTROLS from outside the mission ignored: say the controls themselves, UNC_*");
+    return;
+  }
+  unc_controls_t controls;
+  if (Decode(message.data, &controls)) {
+    kept_controls_ = std::move(controls);
+  } else {
+    bus_.CountUndecodable(message.channel);
+  }
 }
 
 ShoreBrokerApp::Waiting ShoreBrokerApp::Keep(const Message& message, bool from_outside) {

@@ -76,6 +76,7 @@ class ShoreBrokerApp : public App {
 
   void Begin(int64_t utime);
   bool Holds(int64_t utime);
+  void KeepControls(const Message& message);
   void ApplyControls(int64_t utime);
   void HandOnCommands(int64_t utime);
   bool TakeIn(int64_t utime, WaitingReport* report);

@@ -42,6 +42,9 @@ class LcmBus : public Bus {
   /// Holds for the Polls from now on.
   void set_limits(const PollLimits& limits) { limits_ = limits; }
 
+  /// Messages that could not be sent, or not wholly.
+  int64_t num_failed_sends() const { return transport_.num_failed_sends(); }
+
   /// Empty, or why the bus does not work, with what to try.
   const std::string& error() const { return transport_.error(); }
 

@@ -60,10 +60,11 @@ LcmTransport::Port* LcmTransport::Open(int port) {
 
 void LcmTransport::Send(int port, std::string_view channel, std::span<const uint8_t> datagram) {
   const Port* opened = Open(port);
-  if (opened->lcm == nullptr) return;
   // What fails here is lost like any datagram: the step protocol asks for it again, or gives up.
-  lcm_publish(opened->lcm, std::string(channel).c_str(), datagram.data(),
-              static_cast<unsigned>(datagram.size()));
+  const bool is_sent = opened->lcm != nullptr &&
+                       lcm_publish(opened->lcm, std::string(channel).c_str(), datagram.data(),
+                                   static_cast<unsigned>(datagram.size())) == 0;
+  if (!is_sent) ++num_failed_sends_;
 }
 
 void LcmTransport::Subscribe(int port, const std::string& regex) {

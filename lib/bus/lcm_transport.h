@@ -47,6 +47,9 @@ class LcmTransport : public Transport {
   /// Empty, or why a port could not be opened, with what to try.
   const std::string& error() const { return error_; }
 
+  /// Datagrams that could not be sent, or not wholly.
+  int64_t num_failed_sends() const { return num_failed_sends_; }
+
   /// Fault injection: datagrams for which `drop` returns true are lost on arrival.
   void set_drop_filter(std::function<bool(std::string_view channel)> drop) {
     drop_ = std::move(drop);
@@ -64,6 +67,7 @@ class LcmTransport : public Transport {
   std::vector<pollfd> descriptors_;           ///< Of a Poll; kept for its memory, like the next.
   std::vector<Port*> listening_;
   std::string error_;
+  int64_t num_failed_sends_ = 0;
   bool has_more_ = false;
   bool ends_poll_ = false;
   int64_t arrived_utime_ = 0;

@@ -25,7 +25,7 @@ void Describe(Fields& fields, RoutingRules& rules) {
   const Range seconds = Between(-1, kLongest_s);
   fields.NumberOrWord("comms_range", rules.comms_range_m, 1e7, "nolimit", -1);
   fields.Number("critical_range", rules.critical_range_m, Between(0, 1e7));
-  fields.Number("stale_time", rules.stale_time_s, seconds);
+  fields.NumberOrWord("stale_time", rules.stale_time_s, kLongest_s, "nolimit", -1);
   if (fields.reading()) {
     const double default_s = rules.stale_time_s < 0 ? -1 : 20 * rules.stale_time_s;
     rules.stale_forget_s = std::min(default_s, kLongest_s);

@@ -81,7 +81,10 @@ void Describe(Fields& fields, CommsExpectation& comms, const Mission& mission) {
   fields.Text("to", comms.to, {.min_length = 1});
   ResolveVehicle(fields, "to", comms.to, mission, true);
   std::vector<std::string_view> causes;
-  for (int i = 0; i < kNumCauses; ++i) causes.push_back(CauseText(static_cast<Cause>(i)));
+  for (int i = 0; i < kNumCauses; ++i) {
+    const auto cause = static_cast<Cause>(i);
+    if (CanHave(comms.kind, cause)) causes.push_back(CauseText(cause));
+  }
   fields.Word("cause", comms.cause, causes);
   if (comms.cause == CauseText(Cause::kOutOfRange) && comms.to != "all" &&
       static_cast<int64_t>(mission.vehicles.size()) > mission.comms.each_fate_up_to) {

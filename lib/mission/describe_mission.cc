@@ -83,6 +83,20 @@ void Describe(Fields& fields, Environment& environment) {
   });
 }
 
+/// A group that nobody has is most likely misspelt.
+void CheckIgnoredGroup(Fields& fields, const Mission& mission) {
+  const std::string ignored = LowerCase(mission.comms.ignore_group);
+  if (!fields.reading() || ignored.empty()) return;
+  std::vector<std::string_view> groups;
+  for (const Vehicle& vehicle : mission.vehicles) {
+    if (LowerCase(vehicle.group) == ignored) return;
+    if (!vehicle.group.empty()) groups.push_back(vehicle.group);
+  }
+  fields.Warn("ignore_group", fmt::format("no vehicle of the mission is of group {}{}",
+                                          Quoted(mission.comms.ignore_group),
+                                          DidYouMean(mission.comms.ignore_group, groups)));
+}
+
 /// The names of a mission's vehicles: legal, and unique without regard to case.
 class VehicleNames {
  public:
@@ -165,7 +179,14 @@ void Describe(Fields& file, Mission& mission) {
   file.Require("mission", "[mission], followed by duration_s = 600");
   file.Below("mission", [&](Fields& fields) { DescribeRun(fields, mission); });
   file.Below("environment", [&](Fields& fields) { Describe(fields, mission.environment); });
-  file.Below("comms", [&](Fields& fields) { Describe(fields, mission.comms); });
+  const auto describe_comms = [&] {
+    file.Below("comms", [&](Fields& fields) {
+      Describe(fields, mission.comms);
+      CheckIgnoredGroup(fields, mission);
+    });
+  };
+  file.Skip("comms");
+  if (!file.reading()) describe_comms();
 
   file.Skip("template");
   file.Require("vehicle", "[[vehicle]], followed by name = \"alpha\"; or a [[fleet]]");
@@ -175,6 +196,7 @@ void Describe(Fields& file, Mission& mission) {
     vehicle_names.Check(fields, vehicle.name);
   });
   file.Skip("fleet");
+  if (file.reading()) describe_comms();  // It names groups of the vehicles.
 
   file.List("event", mission.events,
             [&](Fields& fields, Event& event) { Describe(fields, event, mission); });

@@ -42,7 +42,7 @@ class MissionDraw {
     mission.environment = {Number(0, 50), Number(-360, 360)};
     mission.comms = {.comms_range_m = Coin() ? -1 : Number(0, 1e7),
                      .critical_range_m = Number(0, 1e7),
-                     .stale_time_s = Number(-1, 1e7),
+                     .stale_time_s = Coin() ? -1 : Number(0, 1e7),
                      .stale_forget_s = Number(-1, 1e7),
                      .groups = Coin(),
                      .msg_groups = Coin(),

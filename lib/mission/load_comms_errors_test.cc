@@ -263,5 +263,20 @@ TEST(LoadWarnings, AreNoneBesideErrors) {
   EXPECT_TRUE(loaded.warnings.empty());
 }
 
+TEST(LoadWarnings, TellAnIgnoredGroupThatNobodyHas) {
+  EXPECT_EQ(WarningsAfter("group = \"survey\"\n[comms]\nignore_group = \"surveyy\"\n"),
+            "m.toml:7:16: warning: no vehicle of the mission is of group 'surveyy' (did you mean "
+            "'survey'?)\n");
+  EXPECT_EQ(WarningsAfter("group = \"survey\"\n[comms]\nignore_group = \"Survey\"\n"), "");
+}
+
+TEST(LoadErrors, TellFatesThatAKindCannotHave) {
+  EXPECT_EQ(ErrorsAfter("[[expect]]\nkind = \"reports\"\ncause = \"too_long\"\nat_least = 1\n")
+                .substr(0, 20),
+            "7:9: unknown cause '");
+  EXPECT_EQ(ErrorsAfter("[[expect]]\nkind = \"messages\"\ncause = \"too_long\"\nat_least = 1\n"),
+            "");
+}
+
 }  // namespace
 }  // namespace shoal

@@ -28,7 +28,8 @@ struct Contact {
 
   Eigen::Vector3d position_m = Eigen::Vector3d::Zero();  ///< x East, y North, z down.
   int64_t received_utime = 0;  ///< Of its last report, by our clock; staleness counts from here.
-  int64_t message_utime = kNever;  ///< Of its last message that was not too soon.
+  int64_t message_utime = kNever;       ///< Of its last message that was not too soon.
+  int64_t last_message_utime = kNever;  ///< Of its last message, unless that was invalid.
 
   /// When a report of this vehicle was last delivered, by index of the receiver; may be shorter.
   std::vector<int64_t> delivered_utime;

@@ -20,4 +20,23 @@ std::string_view OverrideText(OverrideRule override_rule) {
   return kTexts.at(static_cast<size_t>(override_rule));
 }
 
+bool CanHave(Kind kind, Cause cause) {
+  switch (cause) {
+    case Cause::kIgnoredGroup:
+      return kind == Kind::kReport;
+    case Cause::kTooLong:
+    case Cause::kNoDestination:
+      return kind == Kind::kMessage;
+    case Cause::kUnknownSource:
+    case Cause::kStaleSource:
+    case Cause::kUnknownDestination:
+      return kind != Kind::kReport;
+    case Cause::kTooSoon:
+    case Cause::kTooManyVehicles:
+      return kind != Kind::kAck;
+    default:
+      return true;
+  }
+}
+
 }  // namespace shoal

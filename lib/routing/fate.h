@@ -40,6 +40,9 @@ enum class OverrideRule : uint8_t { kNone, kCriticalRange, kFullReport };
 [[nodiscard]] std::string_view CauseText(Cause cause);
 [[nodiscard]] std::string_view OverrideText(OverrideRule override_rule);
 
+/// Returns true where a transmission of this kind can have this fate.
+[[nodiscard]] bool CanHave(Kind kind, Cause cause);
+
 /// The index of no vehicle.
 inline constexpr int32_t kNobody = -1;
 /// Stands for `count` destinations that are not told apart.

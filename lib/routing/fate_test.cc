@@ -21,6 +21,20 @@ TEST(FateTexts, AreDifferentAndLikeOnesInMissionFiles) {
   EXPECT_EQ(OverrideText(OverrideRule::kNone), "");
 }
 
+TEST(Causes, BelongToTheKindsWhoseRulesAskForThem) {
+  const auto count = [](Kind kind) {
+    int num = 0;
+    for (int i = 0; i < kNumCauses; ++i) num += CanHave(kind, static_cast<Cause>(i)) ? 1 : 0;
+    return num;
+  };
+  EXPECT_EQ(count(Kind::kReport), 9);
+  EXPECT_EQ(count(Kind::kMessage), 13);
+  EXPECT_EQ(count(Kind::kAck), 9);
+  EXPECT_FALSE(CanHave(Kind::kReport, Cause::kTooLong));
+  EXPECT_FALSE(CanHave(Kind::kMessage, Cause::kIgnoredGroup));
+  EXPECT_FALSE(CanHave(Kind::kAck, Cause::kTooSoon));
+}
+
 TEST(FateTexts, StandAtTheirCauses) {
   EXPECT_EQ(CauseText(Cause::kDelivered), "delivered");
   EXPECT_EQ(CauseText(Cause::kTooSoon), "too_soon");

@@ -34,6 +34,7 @@ void Router::RouteMessage(const MessageFacts& message, int64_t utime,
   Contact* source = FindOrAdd(message.source);
   if (source == nullptr) return refuse_at_intake(Cause::kTooManyVehicles, nullptr);
 
+  source->last_message_utime = utime;
   const Audience audience = Resolve(named, message.dest_group, *source);
   const Transmission sent =
       MakeTransmission(Kind::kMessage, TakeNumber(Kind::kMessage, source), *source);

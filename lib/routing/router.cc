@@ -148,6 +148,7 @@ void Router::ForgetSilent(int64_t utime, std::vector<int32_t>* forgotten) {
     contact->known = false;
     contact->group_key.clear();
     contact->message_utime = kNever;
+    contact->last_message_utime = kNever;
     contact->delivered_utime.clear();
     contact->wants_report_of.clear();
     if (contact->num_wanted > 0) --num_wanting_;

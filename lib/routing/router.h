@@ -2,9 +2,15 @@
 // every message its fate at every destination.
 //
 //   Router router(rules, mission.seed, {"alpha", "bravo"});
-//   const Admission report = router.Admit(facts, utime);         // all reports of the step first,
-//   so if (!report.refused) router.Route(report, utime, &fates);    // that all are where they are
-//   now router.RouteMessage(message, utime, &fates, &unknown_names); router.ForgetSilent(utime);
+//
+//   const Admission report = router.Admit(facts, utime);
+//   if (!report.refused) router.Route(report, utime, &fates);
+//
+//   router.RouteMessage(message, utime, &fates, &unknown_names);
+//
+//   router.ForgetSilent(utime);
+//
+// All reports of a step are admitted before any is routed, so that everybody is where he is now.
 //
 // fates = admitted reports x other known vehicles + refused reports, always; and of messages: their
 // destinations, or 1 where they have none. "Fates" counts Decision::count.

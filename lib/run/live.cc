@@ -21,6 +21,7 @@ namespace shoal {
 namespace {
 
 constexpr int64_t kTerminalInterval_us = 1'000'000;
+constexpr int kUsefulReceiveBuffer = 4'194'304;  ///< Bytes; more is not asked for.
 
 /// The app's page, with what became of messages before they reached it.
 StatusPage PageWithLosses(const App& app, const LcmBus& bus, const PortPlan& ports) {
@@ -33,10 +34,19 @@ StatusPage PageWithLosses(const App& app, const LcmBus& bus, const PortPlan& por
                     counters.overload, kLongestWait_us / 1000));
   }
   if (dropped > 0) {
-    page.run_warnings.push_back(fmt::format(
-        "{} datagrams were lost before anybody read them: receive buffer full (sudo sysctl -w "
-        "net.core.rmem_max=4194304 helps; now {} bytes)",
-        dropped, ReceiveBufferLimit()));
+    const std::string remedy =
+        ReceiveBufferLimit() < kUsefulReceiveBuffer
+            ? fmt::format("sudo sysctl -w net.core.rmem_max={} helps", kUsefulReceiveBuffer)
+            : std::string("it is as large as is of use: fewer messages, or other ports for some");
+    page.run_warnings.push_back(
+        fmt::format("{} datagrams were lost before anybody read them: receive buffer full ({}; now "
+                    "{} bytes)",
+                    dropped, remedy, ReceiveBufferLimit()));
+  }
+  if (bus.num_failed_sends() > 0) {
+    page.run_warnings.push_back(
+        fmt::format("{} messages could not be sent{}", bus.num_failed_sends(),
+                    bus.error().empty() ? std::string() : ": " + bus.error()));
   }
   for (const auto& [channel, count] : counters.undecodable_by_channel) {
     page.run_warnings.push_back(fmt::format("{} undecodable messages on {}", count, channel));

@@ -38,7 +38,7 @@ class StepInbox {
  public:
   /// So many messages from outside are handled in a step, and so many bytes; a flood must not eat
   /// the memory.
-  static constexpr size_t kMaxOutside = 100'000;
+  static constexpr size_t kMaxOutside = 2'000;
   static constexpr size_t kMaxOutsideBytes = 64 * 1024 * 1024;
 
   /// `hears(channel)` tells which of the announced messages are meant for this participant.

@@ -124,7 +124,8 @@ class Resolver {
   static void FindFixedRuns(std::vector<Member>* members) {
     for (size_t i = members->size(); i-- > 0;) {
       Member& member = (*members)[i];
-      if (!member.has_fixed_size || member.length_slot || !member.dimensions.empty()) continue;
+      const bool is_array = !member.dimensions.empty();
+      if (!member.primitive || !member.has_fixed_size || member.length_slot || is_array) continue;
       const bool has_next = i + 1 < members->size();
       member.num_fixed_run = 1 + (has_next ? (*members)[i + 1].num_fixed_run : 0);
       member.fixed_run_size =
