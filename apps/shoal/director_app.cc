@@ -60,6 +60,10 @@ void DirectorApp::EndLastStep() {
 }
 
 void DirectorApp::TakeFates(const Message& message) {
+  if (message.publisher.empty()) {
+    log_.Warn("COMMS_FATES of a stranger dropped: only a broker of the mission decides");
+    return;
+  }
   if (!Decode(message.data, &fates_message_)) {
     bus_.CountUndecodable(message.channel);
     return;

@@ -43,7 +43,7 @@ Diagnosis DiagnoseMulticast(const DoctorFacts& facts) {
             .text = fmt::format("multicast: only {} of {} messages came back over LCM; either the "
                                 "machine is very busy or its receive buffer very small",
                                 trial.received, trial.sent),
-            .remedies = {"sudo sysctl -w net.core.rmem_max=2097152"}};
+            .remedies = {"sudo sysctl -w net.core.rmem_max=4194304"}};
   }
   return {.health = Health::kFail,
           .text = "multicast: messages leave and none comes back; most often a firewall drops them",
@@ -66,8 +66,8 @@ Diagnosis DiagnoseReceiveBuffer(const DoctorFacts& facts) {
                       "messages at once some are lost and asked for again, which takes time. "
                       "Enough for a few vehicles",
                       limit, num_datagrams),
-      .remedies = {"sudo sysctl -w net.core.rmem_max=2097152",
-                   "echo net.core.rmem_max=2097152 | sudo tee /etc/sysctl.d/60-shoal.conf"}};
+      .remedies = {"sudo sysctl -w net.core.rmem_max=4194304",
+                   "echo net.core.rmem_max=4194304 | sudo tee /etc/sysctl.d/60-shoal.conf"}};
   if (facts.in_container) diagnosis.text += ". In a container: set it on the host";
   return diagnosis;
 }

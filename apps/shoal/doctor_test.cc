@@ -87,7 +87,7 @@ TEST(Doctor, WarnsOfDebiansReceiveBufferAndSaysHowManyMessagesItHolds) {
   const Diagnosis diagnosis = OnlyComplaint(facts);
   EXPECT_EQ(diagnosis.health, Health::kWarn);
   EXPECT_NE(diagnosis.text.find("about 332 messages"), std::string::npos) << diagnosis.text;
-  EXPECT_TRUE(Advises(diagnosis, "sudo sysctl -w net.core.rmem_max=2097152"));
+  EXPECT_TRUE(Advises(diagnosis, "sudo sysctl -w net.core.rmem_max=4194304"));
   EXPECT_EQ(diagnosis.text.find("host"), std::string::npos);
   facts.in_container = true;
   EXPECT_NE(OnlyComplaint(facts).text.find("on the host"), std::string::npos);

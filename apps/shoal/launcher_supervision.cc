@@ -124,11 +124,15 @@ void Launcher::CheckFaults(int64_t wall_us) {
   if (!clock_.fault().empty() && exit_code_ == 0) {
     std::string why = clock_.fault();
     if (why.find("never reached") != std::string::npos) {
-      why += fmt::format(
-          "\nThe bus loses messages for good. Most often the receive buffer is too small (now {} "
-          "bytes):\n    sudo sysctl -w net.core.rmem_max=2097152\nor --warp is more than this "
-          "machine can; `shoal doctor` looks for more.",
-          ReceiveBufferLimit());
+      constexpr int kUsefulReceiveBuffer = 4'194'304;
+      why += "\nThe bus loses messages for good: --warp is more than this machine can, ";
+      why += ReceiveBufferLimit() < kUsefulReceiveBuffer
+                 ? fmt::format(
+                       "or the receive buffer is too small (now {} bytes):\n    sudo sysctl "
+                       "-w net.core.rmem_max={}\n",
+                       ReceiveBufferLimit(), kUsefulReceiveBuffer)
+                 : std::string("or somebody floods its ports. ");
+      why += "`shoal doctor` looks for more.";
     }
     Fail(kExitEnvironment, why);
   }

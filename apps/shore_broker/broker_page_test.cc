@@ -98,15 +98,18 @@ TEST(BrokerPage, HasARowForEveryCauseThatBlocks) {
   EXPECT_EQ(left, (std::vector<int64_t>{0, 0}));
 }
 
-TEST(BrokerPage, ShowsSomeOfAFloodOfNamesAndCountsAll) {
-  Router router({}, 1, {});
+TEST(BrokerPage, ShowsSomeOfALargeFleetAndCountsAll) {
+  std::vector<std::string> fleet;
+  for (int i = 0; i < 1000; ++i) fleet.push_back("boat_" + std::to_string(i));
+  Router router({}, 1, fleet);
+  for (const std::string& name : fleet) router.Admit({.name = name, .group = ""}, 0);
   for (int i = 0; i < Router::kMaxStrangers + 5; ++i) {
     router.Admit({.name = "nemo" + std::to_string(i), .group = ""}, 0);
   }
   const std::string page = FormatBrokerPage(router, {.now_utime = 1'000'000});
-  EXPECT_NE(page.find("Total Received: 1005 "), std::string::npos) << page;
-  EXPECT_NE(page.find("(and 800 more)"), std::string::npos);
-  EXPECT_NE(page.find("Known Vehicles: 1000\n"), std::string::npos);
+  EXPECT_NE(page.find("Total Received: 1205 "), std::string::npos) << page;
+  EXPECT_NE(page.find("(and 1000 more)"), std::string::npos);
+  EXPECT_NE(page.find("Known Vehicles: 1200\n"), std::string::npos);
   EXPECT_NE(page.find("Too Many Vehicles: 5\n"), std::string::npos);
 }
 

@@ -69,8 +69,9 @@ struct AckFacts {
 class Router {
  public:
   /// So many vehicles that are not of the mission are remembered at a time: made-up names must
-  /// not fill the memory, nor squeeze out the mission's own vehicles.
-  static constexpr int kMaxStrangers = 1000;
+  /// not fill the memory, nor squeeze out the mission's own vehicles, nor make so many fates of
+  /// what each of them hears of the others that a step takes seconds.
+  static constexpr int kMaxStrangers = 200;
 
   /// @pre `vehicles`: the mission's, legal names of different keys.
   Router(const RoutingRules& rules, uint64_t seed, std::span<const std::string> vehicles);

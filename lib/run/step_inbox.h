@@ -37,7 +37,8 @@ struct InboxCounters {
 class StepInbox {
  public:
   /// So many messages from outside are handled in a step, and so many bytes; a flood must not eat
-  /// the memory.
+  /// the memory. Nor choke the bus: what a broker hands on has a seal, and is asked for again until
+  /// it is there; 5,000 acks or messages in a step were seen to end missions.
   static constexpr size_t kMaxOutside = 2'000;
   static constexpr size_t kMaxOutsideBytes = 64 * 1024 * 1024;
 

@@ -18,7 +18,7 @@ constexpr int64_t kRequestInterval_us = 50'000;
 /// People ask for pages seldom, and a lost message is asked for again every 50 ms; floods of either
 /// must not hold up the steps.
 constexpr int64_t kPageInterval_us = 20'000;
-constexpr int64_t kResendInterval_us = 10'000;
+constexpr int64_t kResendInterval_us = 30'000;
 constexpr size_t kStepsKept = 2;
 
 }  // namespace
@@ -229,9 +229,14 @@ void StepParticipant::OnResend(std::span<const uint8_t> datagram, int64_t wall_u
     return;
   }
   if (request.mission_id != mission_id_ || request.publisher != options_.name) return;
-  if (wall_us < next_resend_ && request.channel == last_resent_) return;
-  next_resend_ = wall_us + kResendInterval_us;
-  last_resent_ = request.channel;
+  const bool is_own = std::any_of(sent_.begin(), sent_.end(), [&](const SentStep& step) {
+    return std::any_of(step.messages.begin(), step.messages.end(),
+                       [&](const Sent& sent) { return sent.channel == request.channel; });
+  });
+  if (!is_own) return;
+  int64_t& next_resend = next_resends_.try_emplace(request.channel, 0).first->second;
+  if (wall_us < next_resend) return;
+  next_resend = wall_us + kResendInterval_us;
   for (const SentStep& step : sent_) {
     if (step.step != request.step) continue;
     for (const Sent& sent : step.messages) {

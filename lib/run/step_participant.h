@@ -105,8 +105,7 @@ class StepParticipant : public Bus {
   int64_t next_request_ = 0;
   int64_t next_hello_ = 0;
   int64_t next_page_ = 0;
-  int64_t next_resend_ = 0;
-  std::string last_resent_;  ///< Channel of the last repeat.
+  std::map<std::string, int64_t, std::less<>> next_resends_;  ///< By channel of its own.
   bool in_step_ = false;
   uint32_t sequence_ = 0;
   std::deque<SentStep> sent_;  ///< This step and the one before, for those who missed something.
