@@ -1,0 +1,197 @@
+// The water between the nodes: what one sends arrives at the others late, damaged or not at all,
+// and each time the network can say why.
+//
+//   AcousticNetwork water(options, mission.seed, {{.name = "alpha"}, {.name = "bravo"}});
+//   water.Transmit(time_s, kAlpha, positions_m, bytes, receivers);   // for all that was sent, then
+//   for (const Reception& reception : water.Deliver(time_s)) ...     // in order of arrival
+//
+// A packet leaves its source at `time_s`, takes `8 bytes / data_rate_bps` to be sent and, to each
+// receiver, `range / sound_speed_mps` to get there, with the positions of that moment, plus jitter.
+// What overlaps at a receiver on one channel collides, whether or not it is lost otherwise. With
+// `half_duplex`, what overlaps a transmission of the receiver's own is not heard.
+//
+// Draws come from streams keyed by seed, source, the source's packet number and receiver: another
+// node, receiver or effect changes none of them. Costs grow with the logarithm of the packets in
+// flight, but for packets that overlap, where collisions corrupt: each pays for each other.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <set>
+#include <span>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "lib/acoustics/acoustic_options.h"
+#include "lib/acoustics/acoustic_statistics.h"
+#include "lib/acoustics/air_lane.h"
+#include "lib/acoustics/channel_plan.h"
+#include "lib/acoustics/event_queue.h"
+#include "lib/acoustics/reception.h"
+#include "lib/check/result.h"
+#include "lib/random/stream.h"
+
+namespace shoal {
+
+class AcousticNetwork {
+ public:
+  /// No sound on Earth has farther to go than half around it.
+  static constexpr double kMaxRange_m = 2.1e7;
+
+  /// Nodes have the indices 0, 1 ... in this order.
+  /// @pre FindProblems(options, nodes).empty(), and names are unique.
+  AcousticNetwork(const AcousticOptions& options, uint64_t seed,
+                  std::span<const AcousticNode> nodes);
+
+  /// Takes one more node in and returns its index, or tells why it cannot take part.
+  Result<int> AddNode(const AcousticNode& node);
+
+  const AcousticOptions& options() const { return options_; }
+  const ChannelPlan& plan() const { return plan_; }
+  int num_nodes() const { return static_cast<int>(nodes_.size()); }
+
+  /// Sends `bytes` once, for these receivers, in any order; the source itself and repetitions are
+  /// passed over. `positions_m` has one for each node, x East, y North, z down; those of nodes that
+  /// are not involved do not matter, and one that is not finite is not known. Returns the packet's
+  /// number, which counts the source's.
+  /// @pre time_s is finite and not before that of an earlier Transmit or Deliver.
+  int64_t Transmit(double time_s, int source, std::span<const Eigen::Vector3d> positions_m,
+                   std::span<const uint8_t> bytes, std::span<const int> receivers);
+
+  /// Returns what ended until `until_s` and was not returned before, in order of end; at the same
+  /// moment in the order in which they were sent, then of receivers. Valid until the next call of
+  /// Transmit or Deliver.
+  /// @pre until_s is not before that of an earlier Transmit or Deliver.
+  std::span<const Reception> Deliver(double until_s);
+
+  /// Counts a packet that was handed over and that its receiver refused.
+  void CountRejection() { ++statistics_.num_rejected; }
+
+  /// Returns all numbers so far.
+  AcousticStatistics statistics() const;
+  /// Receptions without a fate yet.
+  int64_t num_in_transit() const {
+    return static_cast<int64_t>(receptions_.size() - free_receptions_.size());
+  }
+  /// Returns how many packets, receptions and links there is room for: what memory grows with.
+  /// Packets in flight at the busiest moment so far bound it.
+  size_t NumPlaces() const { return transmissions_.size() + receptions_.size() + lanes_.size(); }
+
+ private:
+  struct Node {
+    Node(const std::string& name, uint64_t seed)
+        : sends(StreamKey(seed, "acoustic link").With(name)),
+          hears(StreamKey(seed, "acoustic receiver").With(name).low()) {}
+
+    StreamKey sends;  ///< Key of the draws of all that it sends.
+    uint64_t hears;   ///< Its name, as part of the keys of what it hears.
+    int64_t num_sent = 0;
+    int64_t last_offered = -1;  ///< Turn of the transmission that it was last meant for.
+    // Half duplex; these follow the events.
+    int64_t num_started = 0;      ///< Own transmissions so far.
+    int64_t last_started = -1;    ///< The number of the last of them.
+    double sends_until_s = 0;     ///< The end of the one among them that ends last ...
+    int64_t longest_number = -1;  ///< ... and its number.
+  };
+
+  /// Something that was sent, as long as anybody needs it.
+  struct Transmission {
+    PacketId packet;
+    StreamKey key = StreamKey(0, {});
+    int64_t turn = 0;  ///< It is the network's transmission of this number.
+    double sent_s = 0;
+    double air_s = 0;
+    int32_t channel = 0;
+    int32_t num_users = 0;
+    std::vector<uint8_t> bytes;
+  };
+
+  /// A reception that has no fate yet, or the place for one; Reception has the meanings.
+  struct Pending {
+    double start_s = 0;
+    double end_s = 0;
+    double range_m = -1;
+    double jitter_s = -1;
+    double loss_probability = -1;
+    double bit_error_probability = -1;
+    int64_t num_wrong_bits = 0;  ///< Bits to flip if it is handed over.
+    AirLane::Ticket ticket;
+    int64_t own_number = -1;      ///< The receiver's transmission when this one began; or -1.
+    int64_t num_own_started = 0;  ///< Transmissions that the receiver had begun by then.
+    int32_t receiver = -1;
+    int32_t transmission = -1;
+    int32_t lane = -1;                 ///< -1: not on the air, or collisions are off.
+    std::optional<AcousticFate> fate;  ///< Known from the beginning.
+    bool is_lost = false;              ///< Unless something else happens to it.
+  };
+
+  /// Returns the index of a place in `places`, a free one where there is one.
+  template <class Place>
+  static int32_t TakePlace(std::vector<Place>* places, std::vector<int32_t>* free_places) {
+    if (free_places->empty()) {
+      places->emplace_back();
+      return static_cast<int32_t>(places->size() - 1);
+    }
+    const int32_t place = free_places->back();
+    free_places->pop_back();
+    return place;
+  }
+  int32_t TakeTransmission(std::span<const uint8_t> bytes);
+  void Release(int32_t transmission);
+  void RecycleUnused();
+  void Offer(const Transmission& transmission, int32_t index, int receiver,
+             std::span<const Eigen::Vector3d> positions_m);
+  void MeetThePath(const Transmission& transmission, double range_m, Pending* pending) const;
+  StreamKey KeyOf(const Transmission& transmission, int receiver) const {
+    return transmission.key.With(nodes_[static_cast<size_t>(receiver)].hears);
+  }
+
+  void StartReception(int32_t slot);
+  void EndReception(int32_t slot);
+  void StartTransmission(int32_t index);
+  AcousticFate Decide(const Pending& pending, Reception* reception);
+  int64_t OwnNumber(const Pending& pending) const;
+  void NameColliders(const Pending& pending, Reception* reception) const;
+  AcousticFate HandOver(const Pending& pending, Reception* reception);
+  void XorColliders(const Pending& pending, std::span<uint8_t> received) const;
+  std::span<uint8_t> CopyToDamage(std::span<const uint8_t> bytes);
+  const Transmission& TransmissionOf(int32_t index) const {
+    return transmissions_[static_cast<size_t>(index)];
+  }
+  const AirLane& LaneOf(const Pending& pending) const {
+    return lanes_[static_cast<size_t>(pending.lane)];
+  }
+  int32_t FindOrOpenLane(int32_t receiver, int32_t channel);
+  void CloseIdleLanes();
+  void LeaveLane(const Pending& pending);
+
+  AcousticOptions options_;
+  ChannelPlan plan_;
+  uint64_t seed_;
+  std::vector<Node> nodes_;
+  std::set<std::string, std::less<>> names_;
+  double now_s_;                   ///< Of the last Transmit or Deliver.
+  AcousticStatistics statistics_;  ///< But for what is in transit.
+
+  EventQueue events_;
+  std::vector<Pending> receptions_;  ///< Places, used ones and free ones.
+  std::vector<int32_t> free_receptions_;
+  std::vector<Transmission> transmissions_;
+  std::vector<int32_t> free_transmissions_;
+  std::vector<int32_t> unused_transmissions_;  ///< Free at the next call: results may point there.
+  std::vector<AirLane> lanes_;
+  std::vector<int32_t> free_lanes_;
+  std::unordered_map<uint64_t, int32_t> lane_of_;  ///< By receiver and channel; idle ones too.
+
+  std::vector<Reception> results_;
+  std::vector<std::vector<uint8_t>>
+      damaged_;  ///< Bytes of results; the front num_damaged_ of them.
+  size_t num_damaged_ = 0;
+  std::vector<uint8_t> scratch_;
+  std::vector<int32_t> unneeded_;  ///< Kept for its memory.
+};
+
+}  // namespace shoal

@@ -1,0 +1,123 @@
+// What is offered is decided or in transit, at every moment.
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "lib/acoustics/test_water.h"
+#include "lib/acoustics/validate_options.h"
+
+namespace shoal {
+namespace {
+
+/// Counts what goes in and what comes out, apart from the network's own counters.
+struct Ledger {
+  int64_t num_offered = 0;
+  int64_t num_transmissions = 0;
+  std::array<int64_t, kNumAcousticFates> num_fates = {};
+  int64_t num_bits_flipped = 0;
+  std::set<std::pair<PacketId, int>> open;  ///< Packets and receivers without a fate.
+
+  void Offer(const PacketId& packet, const std::vector<int>& receivers) {
+    ++num_transmissions;
+    for (const int receiver : receivers) {
+      if (receiver != packet.source && open.insert({packet, receiver}).second) ++num_offered;
+    }
+  }
+
+  void Take(const Reception& reception) {
+    RC_ASSERT(open.erase({reception.packet, reception.receiver}) == 1U);
+    ++num_fates[static_cast<size_t>(reception.fate)];
+    num_bits_flipped += reception.num_bits_flipped;
+  }
+
+  void ExpectAgreement(const AcousticNetwork& water) const {
+    const AcousticStatistics statistics = water.statistics();
+    RC_ASSERT(statistics.num_transmissions == num_transmissions);
+    RC_ASSERT(statistics.num_offered == num_offered);
+    RC_ASSERT(statistics.num_fates == num_fates);
+    RC_ASSERT(statistics.num_bits_flipped == num_bits_flipped);
+    RC_ASSERT(statistics.num_in_transit == static_cast<int64_t>(open.size()));
+    RC_ASSERT(statistics.num_offered == statistics.NumDecided() + statistics.num_in_transit);
+  }
+};
+
+/// Sends and delivers at random, and looks into the books after each step.
+void SendAndLook(TrafficDice* dice, AcousticNetwork* water, int num_steps, double side_m) {
+  Ledger ledger;
+  double now_s = 0;
+  double last_end_s = 0;
+  std::vector<Reception> earlier;
+  for (int step = 0; step < num_steps; ++step) {
+    now_s += dice->Double(0, 0.5);
+    const int source = dice->Int(0, water->num_nodes() - 1);
+    std::vector<int> receivers;
+    for (int i = dice->Int(0, 20); i > 0; --i) {
+      receivers.push_back(dice->Int(0, water->num_nodes() - 1));
+    }
+    Positions positions_m = dice->RandomPositions(water->num_nodes(), side_m);
+    if (dice->OneIn(10)) positions_m[0].x() = std::nan("");
+    const int64_t number =
+        water->Transmit(now_s, source, positions_m, dice->RandomBytes(dice->Int(0, 80)), receivers);
+    ledger.Offer({source, number}, receivers);
+    if (dice->OneIn(2)) continue;
+    now_s += dice->Double(0, 0.5);
+    for (const Reception& reception : water->Deliver(now_s)) {
+      ledger.Take(reception);
+      RC_ASSERT(reception.end_s >= last_end_s);
+      RC_ASSERT(reception.end_s <= now_s);
+      RC_ASSERT(reception.start_s >= reception.sent_s);
+      last_end_s = reception.end_s;
+    }
+    ledger.ExpectAgreement(*water);
+  }
+  for (const Reception& reception : water->Deliver(1e9)) ledger.Take(reception);
+  ledger.ExpectAgreement(*water);
+  RC_ASSERT(water->num_in_transit() == 0);
+}
+
+RC_GTEST_PROP(Conservation, HoldsForAnyOptionsTrafficAndPlaces, (uint64_t seed)) {
+  TrafficDice dice(seed);
+  const std::vector<AcousticNode> nodes = TestNodes(dice.Int(1, 7));
+  const AcousticOptions options = dice.RandomOptions();
+  RC_ASSERT(FindProblems(options, nodes).empty());
+  AcousticNetwork water(options, seed, nodes);
+  SendAndLook(&dice, &water, dice.Int(1, 40), dice.OneIn(3) ? 1e5 : 3000);
+}
+
+TEST(Conservation, HoldsForAThousandNodes) {
+  EXPECT_TRUE(rc::check("1,000 nodes", [](uint64_t seed) {
+    TrafficDice dice(seed);
+    AcousticOptions options = dice.RandomOptions();
+    options.base_freq_khz = 1000;
+    options.bandwidth_khz = 1300;
+    const std::vector<AcousticNode> nodes = TestNodes(1000);
+    RC_ASSERT(FindProblems(options, nodes).empty());
+    AcousticNetwork water(options, seed, nodes);
+    SendAndLook(&dice, &water, 5, 5000);
+  }));
+}
+
+TEST(Conservation, HoldsWhereAThousandNodesHearEachOther) {
+  for (const CollisionModel collisions : {CollisionModel::kDrop, CollisionModel::kOff}) {
+    AcousticOptions options;
+    options.access_mode = AccessMode::kShared;
+    options.collisions = collisions;
+    AcousticNetwork water(options, 1, TestNodes(1000));
+    TrafficDice dice(1);
+    const Positions positions_m = dice.RandomPositions(1000, 5000);
+    const std::vector<int> all = AllOf(water);
+    for (int i = 0; i < 10; ++i) {
+      water.Transmit(0.2 * i, dice.Int(0, 999), positions_m, Bytes(37), all);
+    }
+    EXPECT_EQ(water.num_in_transit(), 9990);
+    EXPECT_EQ(water.Deliver(100).size(), 9990U);
+    EXPECT_EQ(water.statistics().NumDecided(), 9990);
+    EXPECT_EQ(water.num_in_transit(), 0);
+  }
+}
+
+}  // namespace
+}  // namespace shoal
