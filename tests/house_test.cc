@@ -71,8 +71,9 @@ const std::vector<std::string> kNone;
 
 TEST(PureLibraries, AreThoseThatTheDesignNames) {
   std::vector<std::string> folders = PureFolders();
-  for (const char* name : {"lib/vehicle", "lib/control", "lib/guidance", "lib/routing",
-                           "lib/random", "lib/geometry", "lib/geodesy", "lib/schema"}) {
+  for (const char* name :
+       {"lib/vehicle", "lib/control", "lib/guidance", "lib/routing", "lib/random", "lib/geometry",
+        "lib/geodesy", "lib/schema", "lib/acoustics"}) {
     EXPECT_NE(std::find(folders.begin(), folders.end(), name), folders.end()) << name;
   }
 }
