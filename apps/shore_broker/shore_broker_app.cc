@@ -242,7 +242,14 @@ bool ShoreBrokerApp::TakeIn(int64_t utime, WaitingReport* report) {
 }
 
 template <class F>
-void ShoreBrokerApp::Conclude(int64_t utime, std::string_view written_source, F deliver) {
+void ShoreBrokerApp::Conclude(int64_t utime, std::string_view written_source,
+                              const Waiting& waiting, std::string ReceiverChannels::*channel,
+                              F make_pulse) {
+  // What is delivered goes out first: nobody waits for the telling of it.
+  for (const Decision& decision : decisions_) {
+    if (decision.cause != Cause::kDelivered) continue;
+    bus_.PublishBytes(ChannelsOf(decision.destination).*channel, BytesOf(waiting));
+  }
   for (const Decision& decision : decisions_) {
     const bool has_contact = decision.destination >= 0;
     const std::string_view source = decision.source == kNobody
@@ -255,7 +262,10 @@ void ShoreBrokerApp::Conclude(int64_t utime, std::string_view written_source, F 
     fates_.Add(utime, decision, source,
                has_contact ? std::string_view(router_.contact(decision.destination).name)
                            : std::string_view(written));
-    if (decision.cause == Cause::kDelivered) deliver(decision, ChannelsOf(decision.destination));
+    if (decision.cause != Cause::kDelivered) continue;
+    if (const std::optional<Pulse> pulse = make_pulse(decision)) {
+      pulses_.Add(utime, *pulse, router_.rules().pulse_duration_s);
+    }
   }
   decisions_.clear();
   unknown_names_.clear();
@@ -263,21 +273,19 @@ void ShoreBrokerApp::Conclude(int64_t utime, std::string_view written_source, F 
 
 void ShoreBrokerApp::RouteReport(int64_t utime, const WaitingReport& report) {
   router_.Route(report.admission, utime, &decisions_);
-  const RoutingRules& rules = router_.rules();
   const Contact& source = router_.contact(report.admission.source);
-  Conclude(utime, source.name, [&](const Decision& decision, const ReceiverChannels& channels) {
-    bus_.PublishBytes(channels.report, BytesOf(report.raw));
-    if (!rules.view_node_rpt_pulses) return;
-    pulses_.Add(utime,
-                {.source = source.name,
-                 .destination = channels.vehicle,
+  const auto make_pulse = [&](const Decision& decision) -> std::optional<Pulse> {
+    if (!router_.rules().view_node_rpt_pulses) return std::nullopt;
+    const Contact& receiver = router_.contact(decision.destination);
+    return Pulse{.source = source.name,
+                 .destination = receiver.name,
                  .from_m = report.admission.position_m,
-                 .to_m = router_.contact(decision.destination).position_m,
+                 .to_m = receiver.position_m,
                  .range_m = decision.range_m,
                  .of_message = false,
-                 .color = ReportColor(source.index)},
-                rules.pulse_duration_s);
-  });
+                 .color = ReportColor(source.index)};
+  };
+  Conclude(utime, source.name, report.raw, &ReceiverChannels::report, make_pulse);
   Share(utime, report);
 }
 
@@ -324,20 +332,19 @@ void ShoreBrokerApp::RouteMessage(int64_t utime, const Waiting& waiting) {
                         .is_sound = problem.empty()},
                        utime, &decisions_, &unknown_names_);
   const std::string color(problem.empty() ? MessageColor(message_) : "");
-  Conclude(utime, IsLegalVehicleName(message_.src_node) ? message_.src_node : "",
-           [&](const Decision& decision, const ReceiverChannels& channels) {
-             bus_.PublishBytes(channels.message, BytesOf(waiting));
-             const Contact& source = router_.contact(decision.source);
-             pulses_.Add(utime,
-                         {.source = source.name,
-                          .destination = channels.vehicle,
-                          .from_m = source.position_m,
-                          .to_m = router_.contact(decision.destination).position_m,
-                          .range_m = decision.range_m,
-                          .of_message = true,
-                          .color = color},
-                         router_.rules().pulse_duration_s);
-           });
+  const auto make_pulse = [&](const Decision& decision) -> std::optional<Pulse> {
+    const Contact& source = router_.contact(decision.source);
+    const Contact& receiver = router_.contact(decision.destination);
+    return Pulse{.source = source.name,
+                 .destination = receiver.name,
+                 .from_m = source.position_m,
+                 .to_m = receiver.position_m,
+                 .range_m = decision.range_m,
+                 .of_message = true,
+                 .color = color};
+  };
+  Conclude(utime, IsLegalVehicleName(message_.src_node) ? message_.src_node : "", waiting,
+           &ReceiverChannels::message, make_pulse);
 }
 
 /// A message whose ack_id has been here before is a repeat.
@@ -368,10 +375,8 @@ void ShoreBrokerApp::RouteAck(int64_t utime, const Waiting& waiting) {
   if (decisions_.front().cause == Cause::kInvalid) {
     log_.Warn("invalid ack refused: two vehicles' names and an ack_id are needed");
   }
-  Conclude(utime, has_name ? ack_.src_node : "",
-           [&](const Decision&, const ReceiverChannels& channels) {
-             bus_.PublishBytes(channels.ack, BytesOf(waiting));
-           });
+  Conclude(utime, has_name ? ack_.src_node : "", waiting, &ReceiverChannels::ack,
+           [](const Decision&) { return std::optional<Pulse>(); });
 }
 
 void ShoreBrokerApp::Forget(int64_t utime) {

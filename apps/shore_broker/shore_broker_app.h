@@ -85,9 +85,11 @@ class ShoreBrokerApp : public App {
   void RouteAck(int64_t utime, const Waiting& waiting);
   void Share(int64_t utime, const WaitingReport& report);
   void Forget(int64_t utime);
-  /// Tells the fates in decisions_, and calls `deliver` for each that is a delivery.
+  /// Delivers what decisions_ say is delivered, on the receivers' `channel`, then tells all fates,
+  /// and the pulses that `make_pulse` (Decision -> optional<Pulse>) makes of the deliveries.
   template <class F>
-  void Conclude(int64_t utime, std::string_view written_source, F deliver);
+  void Conclude(int64_t utime, std::string_view written_source, const Waiting& waiting,
+                std::string ReceiverChannels::*channel, F make_pulse);
   const ReceiverChannels& ChannelsOf(int32_t index);
   std::string_view MessageColor(const node_message_t& message);
 

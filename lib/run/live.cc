@@ -124,15 +124,16 @@ int RunLive(const LiveOptions& options, Mission mission,
   const bool on_terminal = isatty(STDOUT_FILENO) == 1;
   int64_t next_tick_us = begin_us;
   int64_t next_show_us = begin_us;
+  int64_t last_spent_us = ProcessorMicroseconds();
   while (!options.stopped()) {
     const int64_t handled_before = bus.counters().handled;
     bus.set_limits(
         {.most = round_size.most(), .oldest_utime = UnixMicroseconds() - kLongestWait_us});
     bus.Poll(std::max<int64_t>(next_tick_us - MonotonicMicroseconds(), 0));
-    const int64_t spent_before_us = ProcessorMicroseconds();
     app->Tick(utime());
-    round_size.AfterRound(bus.counters().handled - handled_before,
-                          ProcessorMicroseconds() - spent_before_us);
+    const int64_t spent_us = ProcessorMicroseconds();
+    round_size.AfterRound(bus.counters().handled - handled_before, spent_us - last_spent_us);
+    last_spent_us = spent_us;
     ++num_rounds;
     const int64_t now_us = MonotonicMicroseconds();
     next_tick_us = now_us + options.tick_us;
