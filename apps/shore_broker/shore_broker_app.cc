@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "apps/shore_broker/apply_control.h"
 #include "apps/shore_broker/broker_page.h"
+#include "apps/shore_broker/message_checks.h"
 #include "lib/routing/vehicle_name.h"
 
 namespace shoal {
@@ -17,44 +17,6 @@ namespace {
 constexpr double kHold_s = 1;
 /// `--warp max`, for those who watch: such missions run some 100 times as fast as real time.
 constexpr double kMaxWarp = 100;
-constexpr size_t kAcksRemembered = 1000;
-/// Each text of a message but its value and its destinations: max_msg_length does not count them,
-/// and they go out again for every receiver.
-constexpr size_t kLongestText_bytes = 1000;
-
-bool AllNumbersAreFinite(const node_report_t& report) {
-  for (const double number :
-       {report.x_m, report.y_m, report.depth_m, report.altitude_m, report.lat_deg, report.lon_deg,
-        report.speed_mps, report.heading_deg, report.speed_over_ground_mps,
-        report.course_over_ground_deg, report.length_m}) {
-    if (!std::isfinite(number)) return false;
-  }
-  return true;
-}
-
-/// Returns what makes a message meaningless; empty: nothing.
-std::string_view ProblemOf(const node_message_t& message) {
-  if (!IsLegalVehicleName(message.src_node)) return "src_node is no vehicle's name";
-  if (message.dest_node.empty() && message.dest_group.empty()) {
-    return "neither dest_node nor dest_group";
-  }
-  if (message.var_name.empty()) return "no var_name";
-  if (message.is_double != 0 && !message.string_val.empty()) {
-    return "both string_val and double_val";
-  }
-  if (message.is_double != 0 && !std::isfinite(message.double_val)) {
-    return "double_val is not a finite number";
-  }
-  if (message.ack_requested != 0 && message.ack_id.empty()) return "ack_requested without ack_id";
-  for (const std::string* text : {&message.src_app, &message.dest_group, &message.var_name,
-                                  &message.color, &message.ack_id}) {
-    if (text->size() > kLongestText_bytes) {
-      return "src_app, dest_group, var_name, color or ack_id has more than 1000 bytes";
-    }
-  }
-  return {};
-}
-
 }  // namespace
 
 ShoreBrokerApp::ShoreBrokerApp(BrokerSetup setup, Bus& bus)
@@ -350,16 +312,8 @@ void ShoreBrokerApp::RouteMessage(int64_t utime, const Waiting& waiting) {
 /// A message whose ack_id has been here before is a repeat.
 std::string_view ShoreBrokerApp::MessageColor(const node_message_t& message) {
   const RoutingRules& rules = router_.rules();
-  if (!message.ack_id.empty()) {
-    std::pair<std::string, std::string> ack(VehicleKey(message.src_node),
-                                            message.ack_id.substr(0, 100));
-    if (seen_acks_.contains(ack)) return rules.msg_repeat_color;
-    seen_acks_.insert(ack);
-    recent_acks_.push_back(std::move(ack));
-    if (recent_acks_.size() > kAcksRemembered) {
-      seen_acks_.erase(recent_acks_.front());
-      recent_acks_.pop_front();
-    }
+  if (!message.ack_id.empty() && repeats_.IsRepeat(VehicleKey(message.src_node), message.ack_id)) {
+    return rules.msg_repeat_color;
   }
   constexpr size_t kLongestColor = 40;
   const bool has_own = !message.color.empty() && message.color.size() <= kLongestColor;

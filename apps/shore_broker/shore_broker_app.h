@@ -15,9 +15,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
-#include <deque>
 #include <optional>
-#include <set>
 #include <span>
 #include <string>
 #include <utility>
@@ -26,6 +24,7 @@
 #include "apps/shore_broker/broker_setup.h"
 #include "apps/shore_broker/fate_writer.h"
 #include "apps/shore_broker/pulse_writer.h"
+#include "apps/shore_broker/repeat_memory.h"
 #include "lib/bus/bus.h"
 #include "lib/bus/channels.h"
 #include "lib/mission/mission.h"
@@ -126,9 +125,7 @@ class ShoreBrokerApp : public App {
   std::vector<ReceiverChannels> receiver_channels_;  ///< By index of contact.
   std::vector<std::pair<std::string, int64_t>> shared_utimes_;  ///< By index; whose, and when.
 
-  std::deque<std::pair<std::string, std::string>>
-      recent_acks_;                                          ///< Source and ack_id, oldest first.
-  std::set<std::pair<std::string, std::string>> seen_acks_;  ///< The same.
+  RepeatMemory repeats_;
 };
 
 }  // namespace shoal
