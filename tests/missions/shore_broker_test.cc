@@ -8,6 +8,7 @@
 #include "lib/bus/channels.h"
 #include "lib/bus/lcm_bus.h"
 #include "lib/record/log_reader.h"
+#include "lib/run/run_registry.h"
 #include "tests/missions/shoal_process.h"
 
 namespace shoal {
@@ -79,15 +80,13 @@ TEST(KilledBroker, ComesBackWithItsControlsAfterOneReportOfEachVehicleAndTheGapI
 /// A broker without a clock, on ports of its own, and a bus to speak with it.
 class LiveBroker : public testing::Test {
  protected:
-  static constexpr int kBase = 20'610;
-
   LiveBroker() {
     WriteFile(folder_ / "live.toml",
               "[mission]\nduration_s = 60\n[comms]\ncomms_range = 250\n"
               "[[vehicle]]\nname = \"alpha\"\n[[vehicle]]\nname = \"bravo\"\n");
     broker_ = std::make_unique<RunningProcess>(
         folder_, std::vector<std::string>{Program("shore_broker"), "--live", "--mission",
-                                          folder_ / "live.toml", "--port", std::to_string(kBase)});
+                                          folder_ / "live.toml", "--port", std::to_string(base_)});
     EXPECT_TRUE(broker_->WaitFor("live on")) << broker_->Output();
     for (const std::string name : {"alpha", "bravo"}) {
       Subscribe(bus_, channels::NodeReport(name),
@@ -115,9 +114,17 @@ class LiveBroker : public testing::Test {
     return false;
   }
 
+  /// Of this test alone, whatever else runs on the machine: the lock goes with the process.
+  static int ClaimBase() {
+    const Result<int> base = ClaimPorts(0, PortPlan::NumPorts(Layout::kShared, 2) + 1);
+    EXPECT_TRUE(base.ok());
+    return base.ok() ? *base : 0;
+  }
+
+  const int base_ = ClaimBase();
   TestFolder folder_;
   std::unique_ptr<RunningProcess> broker_;
-  LcmBus bus_{PortPlan(kBase, Layout::kShared, {"alpha", "bravo"})};
+  LcmBus bus_{PortPlan(base_, Layout::kShared, {"alpha", "bravo"})};
   std::map<std::string, int> heard_;
   std::vector<fate_t> fates_;
   int64_t fate_utime_ = 0;
@@ -163,7 +170,7 @@ TEST_F(LiveBroker, OutlivesBytesThatAreNoMessagesAndCountsThem) {
 
 TEST_F(LiveBroker, RefusesPortsThatAnotherHas) {
   RunningProcess second(folder_, {Program("shore_broker"), "--live", "--mission",
-                                  folder_ / "live.toml", "--port", std::to_string(kBase + 1)});
+                                  folder_ / "live.toml", "--port", std::to_string(base_ + 1)});
   const Finished finished = second.Wait(5);
   EXPECT_EQ(finished.exit_code, 3) << finished.output;
   EXPECT_NE(finished.output.find("choose others with --port"), std::string::npos)
