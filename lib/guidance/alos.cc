@@ -7,16 +7,21 @@
 
 namespace shoal {
 
+AlosStep StepAlos(const AlosParams& params, double path_angle_rad, double cross_track_m,
+                  double crab_rad, double dt_s) {
+  const double lookahead_m = params.lookahead_m;
+  const double rate_radps =
+      params.crab_gain * lookahead_m * cross_track_m / std::hypot(lookahead_m, cross_track_m);
+  return {.heading_rad = WrapPi(path_angle_rad - crab_rad - std::atan2(cross_track_m, lookahead_m)),
+          .crab_rad = crab_rad + rate_radps * dt_s};
+}
+
 double Alos::Update(double path_angle_rad, double cross_track_m, double dt_s) {
-  const double lookahead_m = params_.lookahead_m;
-  const double heading_rad =
-      WrapPi(path_angle_rad - crab_rad_ - std::atan2(cross_track_m, lookahead_m));
-  if (std::abs(cross_track_m) <= lookahead_m) {
-    const double rate_radps =
-        params_.crab_gain * lookahead_m * cross_track_m / std::hypot(lookahead_m, cross_track_m);
-    crab_rad_ = std::clamp(crab_rad_ + rate_radps * dt_s, -kMaxCrab_rad, kMaxCrab_rad);
+  const AlosStep step = StepAlos(params_, path_angle_rad, cross_track_m, crab_rad_, dt_s);
+  if (std::abs(cross_track_m) <= params_.lookahead_m) {
+    crab_rad_ = std::clamp(step.crab_rad, -kMaxCrab_rad, kMaxCrab_rad);
   }
-  return heading_rad;
+  return step.heading_rad;
 }
 
 void Alos::TurnBy(double turn_rad) { crab_rad_ *= std::cos(turn_rad); }

@@ -20,9 +20,20 @@ namespace shoal {
 
 struct AlosParams {
   double lookahead_m = 15;   ///< Delta; > 0.
-  double crab_gain = 0.005;  ///< gamma; 0: plain line of sight.
+  double crab_gain = 0.005;  ///< gamma, rad/(m s); 0: plain line of sight.
 };
 
+/// The law as it stands above, one step of forward Euler: no bound on beta_hat.
+struct AlosStep {
+  double heading_rad = 0;  ///< psi_d, in (-pi, pi], by the beta_hat before the step.
+  double crab_rad = 0;     ///< beta_hat after the step.
+};
+
+/// @pre arguments finite, dt_s >= 0
+[[nodiscard]] AlosStep StepAlos(const AlosParams& params, double path_angle_rad,
+                                double cross_track_m, double crab_rad, double dt_s);
+
+/// The law with a memory and two guards.
 class Alos {
  public:
   /// Bound of beta_hat. A vessel whose speed is sqrt(2) times that of a cross current needs this

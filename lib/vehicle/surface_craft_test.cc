@@ -7,9 +7,13 @@
 #include <limits>
 
 #include "lib/geometry/angles.h"
+#include "lib/vehicle/vehicle_model.h"
 
 namespace shoal {
 namespace {
+
+static_assert(
+    VehicleModel<SurfaceCraftParams, SurfaceCraftState, SurfaceCraftCommand, Eigen::Vector2d>);
 
 const Eigen::Vector2d kStillWater = Eigen::Vector2d::Zero();
 

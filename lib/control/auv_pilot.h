@@ -1,0 +1,79 @@
+// Autopilot of an underwater vehicle: heading, depth or pitch, and speed of the propeller, to the
+// deflections that keep them.
+//
+//   AuvPilot pilot(DefaultRemusPilot());
+//   pilot.Start(psi, z);
+//   AuvDeflections fins = pilot.KeepHeadingAndDepth(motion, psi_ref, z_ref, seabed_z, dt_s);
+//
+// The structure is muNet's: the heading goes through a LOS observer to a PID; the depth through a
+// limit and a filter to a PI, whose pitch a PID keeps.
+#pragma once
+
+#include "lib/control/angle_pid.h"
+#include "lib/control/reference_filters.h"
+
+namespace shoal {
+
+struct AuvPilotParams {
+  AnglePidGains heading = {};
+  AnglePidGains pitch = {};
+  DepthPiGains depth = {};
+  double heading_observer_hz = 0.5;  ///< K_f.
+  DepthLimits depth_limits = {};
+  DepthFilterParams depth_filter = {};
+};
+
+/// Returns gains for the default Remus 100 and for that of Fossen: fins of 15 degrees and 0.1 s. To
+/// be updated every 0.2 s or faster.
+[[nodiscard]] AuvPilotParams DefaultRemusPilot();
+
+/// Returns muNet's gains, for its Remus 100 only: the sign of its stern plane is that of its model.
+[[nodiscard]] AuvPilotParams MunetRemusPilot();
+
+/// What the autopilot knows of the vehicle's motion; the guidance frame.
+struct AuvMotion {
+  double z_m = 0;
+  double theta_rad = 0;
+  double psi_rad = 0;
+  double q_radps = 0;
+  double r_radps = 0;
+};
+
+struct AuvDeflections {
+  double rudder_rad = 0;
+  double stern_plane_rad = 0;
+};
+
+class AuvPilot {
+ public:
+  explicit AuvPilot(const AuvPilotParams& params) : params_(params) {}
+
+  /// Forgets the past: the references begin where the vehicle is.
+  void Start(double psi_rad, double z_m);
+
+  /// Steers for a heading of path following and a depth. `seabed_z_m` may be infinite.
+  /// @pre other arguments finite, 0 < dt_s <= 1
+  AuvDeflections KeepHeadingAndDepth(const AuvMotion& motion, double psi_ref_rad, double z_ref_m,
+                                     double seabed_z_m, double dt_s);
+
+  /// Steers for a direction of target tracking: heading and pitch at once, without filters.
+  /// @pre arguments finite, 0 < dt_s <= 1
+  AuvDeflections KeepHeadingAndPitch(const AuvMotion& motion, double psi_d_rad, double theta_d_rad,
+                                     double dt_s);
+
+  double desired_psi_rad() const { return observer_.psi_d_rad; }
+  double desired_yaw_rate_radps() const { return observer_.r_d_radps; }
+  double desired_z_m() const { return depth_filter_.z_d_m; }
+  double desired_theta_rad() const { return theta_d_rad_; }
+
+ private:
+  AuvPilotParams params_;
+  HeadingObserver observer_;
+  DepthFilter depth_filter_;
+  AnglePid heading_;
+  AnglePid pitch_;
+  DepthPi depth_;
+  double theta_d_rad_ = 0;
+};
+
+}  // namespace shoal

@@ -1,0 +1,69 @@
+// Follows a path of waypoints in three dimensions: the guidance part of path following. Heading
+// observer, depth filter and autopilots come after it (lib/control).
+//
+//   PathFollower follower({.path = path, .speed_mps = 2.0}, position_m);
+//   PathGuidance guidance = follower.Update(position_m, dt_s);
+//
+// One follower belongs to one vehicle; copies are independent.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "lib/guidance/alos.h"
+#include "lib/guidance/path_progress.h"
+#include "lib/guidance/waypoint_path.h"
+
+namespace shoal {
+
+struct PathFollowParams {
+  WaypointPath path = {};  ///< At least one waypoint.
+  WaypointSwitch waypoint_switch = {};
+  PathEnd end = PathEnd::kGoOn;
+  AlosParams alos{.lookahead_m = 10, .crab_gain = 0.0006};
+  bool guard_crab = true;        ///< The guards of Alos; false: the bare law, MuNet's.
+  bool turn_crab = true;         ///< Alos::TurnBy at a waypoint; false: beta_hat goes on, MuNet's.
+  double speed_mps = 2.0;        ///< Through the water; >= 0.
+  double hold_radius_m = 30;     ///< kHold: comes back from beyond; >= the acceptance radius.
+  double surface_depth_m = 0.5;  ///< kSurface: from here up it has surfaced.
+};
+
+/// What path following asks for, and how far it has come.
+struct PathGuidance {
+  double psi_ref_rad = 0;  ///< In (-pi, pi].
+  double z_m = 0;          ///< Depth of the waypoint steered for, unfiltered.
+  double speed_mps = 0;
+  Eigen::Vector3d next_m = Eigen::Vector3d::Zero();  ///< The waypoint steered for.
+  double y_e_m = 0;     ///< Cross-track error, positive toward growing psi.
+  double crab_rad = 0;  ///< beta_hat.
+  size_t next = 0;      ///< Its index; past the end the number of waypoints.
+  int laps_done = 0;
+  bool done = false;  ///< Past the last waypoint; kSurface: at the surface. Never kReturnToFirst.
+};
+
+class PathFollower {
+ public:
+  /// @pre params.path has a waypoint; everything finite
+  PathFollower(PathFollowParams params, const Eigen::Vector3d& position_m);
+
+  /// Returns the guidance at `position_m`, `dt_s` after the last call. A waypoint that counts as
+  /// reached here is left behind from the next call on.
+  /// @pre position_m finite, dt_s >= 0 and finite
+  PathGuidance Update(const Eigen::Vector3d& position_m, double dt_s);
+
+  const PathProgress& progress() const { return progress_; }
+
+ private:
+  double Steer(const PathLeg& leg, double y_e_m, double dt_s);
+  void Hold(const Eigen::Vector3d& position_m, PathGuidance* guidance);
+  void Surface(const Eigen::Vector3d& position_m, PathGuidance* guidance);
+
+  PathFollowParams params_;
+  PathProgress progress_;
+  Alos alos_;
+  double bare_crab_rad_ = 0;  ///< Without the guards.
+  double held_psi_rad_ = 0;   ///< The last course steered: kept while it stands.
+  bool goes_back_ = false;    ///< kHold: on its way back to the last waypoint.
+  bool surfaced_ = false;
+};
+
+}  // namespace shoal

@@ -1,0 +1,150 @@
+#include "lib/guidance/velocity_layers.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "lib/guidance/test_vectors.h"
+
+namespace shoal {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kUMax_mps = 2.5;
+
+// Returns the speed toward a target `range_m` to the East.
+double FormationSpeed(double range_m) {
+  Scene scene;
+  scene.target.position_m = {range_m, 0, 0};
+  const Vector3d v_mps = LayerVelocity(FormationLayer{}, kUMax_mps, scene.Seen());
+  EXPECT_EQ(v_mps.y(), 0);
+  EXPECT_EQ(v_mps.z(), 0);
+  return v_mps.x();
+}
+
+TEST(FormationLayer, HasItsFiveZones) {
+  EXPECT_EQ(FormationSpeed(5), -kUMax_mps);
+  EXPECT_EQ(FormationSpeed(10), -kUMax_mps);
+  EXPECT_NEAR(FormationSpeed(45), -kUMax_mps / 8, 1e-12);
+  EXPECT_EQ(FormationSpeed(80), 0);
+  EXPECT_EQ(FormationSpeed(100), 0);
+  EXPECT_EQ(FormationSpeed(120), 0);
+  EXPECT_NEAR(FormationSpeed(155), kUMax_mps / 8, 1e-12);
+  EXPECT_EQ(FormationSpeed(190), kUMax_mps);
+  EXPECT_EQ(FormationSpeed(1e6), kUMax_mps);
+}
+
+RC_GTEST_PROP(FormationLayer, HasNoJumpAtItsBorders, ()) {
+  const double border_m = *rc::gen::element(10.0, 80.0, 120.0, 190.0);
+  RC_ASSERT(std::abs(FormationSpeed(border_m - 1e-6) - FormationSpeed(border_m + 1e-6)) < 1e-6);
+}
+
+TEST(FormationLayer, PartsVehiclesThatCoincideInOppositeDirections) {
+  Scene scene;
+  scene.own.id = 1;
+  scene.target.id = 2;
+  const Vector3d one_mps = LayerVelocity(FormationLayer{}, kUMax_mps, scene.Seen());
+  std::swap(scene.own, scene.target);
+  const Vector3d other_mps = LayerVelocity(FormationLayer{}, kUMax_mps, scene.Seen());
+  EXPECT_EQ(one_mps.norm(), kUMax_mps);
+  EXPECT_EQ(one_mps, -other_mps);
+}
+
+TEST(Layers, DoNothingWithoutAnybodyThere) {
+  const Surroundings alone{.own = {.id = 3}};
+  EXPECT_EQ(LayerVelocity(FeedForwardLayer{}, kUMax_mps, alone), Vector3d::Zero());
+  EXPECT_EQ(LayerVelocity(FormationLayer{}, kUMax_mps, alone), Vector3d::Zero());
+  EXPECT_EQ(LayerVelocity(SurvivalLayer{}, kUMax_mps, alone), Vector3d::Zero());
+}
+
+TEST(FeedForwardLayer, MovesAsTheTargetDoes) {
+  Scene scene;
+  scene.target.velocity_mps = {1, -2, 0.3};
+  EXPECT_EQ(LayerVelocity(FeedForwardLayer{}, kUMax_mps, scene.Seen()), Vector3d(1, -2, 0.3));
+}
+
+TEST(SurvivalGroupLayer, RepelsAtFullSpeedInsideTheSafeDistance) {
+  Scene scene;
+  scene.group = {{.id = 2, .position_m = {0, 9, 0}}};
+  EXPECT_EQ(LayerVelocity(SurvivalGroupLayer{}, kUMax_mps, scene.Seen()),
+            Vector3d(0, -kUMax_mps, 0));
+  scene.group[0].position_m.y() = 25;
+  EXPECT_NEAR(LayerVelocity(SurvivalGroupLayer{}, kUMax_mps, scene.Seen()).y(), -kUMax_mps / 8,
+              1e-12);
+}
+
+TEST(SurvivalGroupLayer, StandsStillBetweenTwoThatAreEquallyNear) {
+  Scene scene;
+  scene.group = {{.id = 2, .position_m = {0, 15, 0}}, {.id = 3, .position_m = {0, -15, 0}}};
+  EXPECT_NEAR(LayerVelocity(SurvivalGroupLayer{}, kUMax_mps, scene.Seen()).norm(), 0, 1e-12);
+}
+
+TEST(SurvivalGroupLayer, PartsVehiclesThatCoincide) {
+  Scene scene;
+  scene.group = {{.id = 7}};
+  const Vector3d v_mps = LayerVelocity(SurvivalGroupLayer{}, kUMax_mps, scene.Seen());
+  EXPECT_EQ(v_mps, Vector3d(-kUMax_mps, 0, 0));
+  std::swap(scene.own, scene.group[0]);
+  EXPECT_EQ(LayerVelocity(SurvivalGroupLayer{}, kUMax_mps, scene.Seen()), -v_mps);
+}
+
+RC_GTEST_PROP(SurvivalGroupLayer, DoesNothingOutsideItsZone, ()) {
+  Scene scene = AnyScene();
+  scene.sonar.clear();
+  for (Neighbour& member : scene.group) {
+    const Vector3d offset_m = member.position_m - scene.own.position_m;
+    RC_PRE(offset_m.norm() > 1e-3);
+    member.position_m = scene.own.position_m + offset_m.normalized() * Between(40.001, 1000);
+  }
+  RC_ASSERT(LayerVelocity(SurvivalLayer{}, kUMax_mps, scene.Seen()) == Vector3d::Zero());
+}
+
+TEST(SurvivalSonarLayer, MovesAwayFromTheEcho) {
+  Scene scene;
+  scene.sonar = {{.direction = Vector3d::UnitX(), .range_m = 20}};
+  EXPECT_NEAR(LayerVelocity(SurvivalSonarLayer{}, kUMax_mps, scene.Seen()).x(), -kUMax_mps / 8,
+              1e-12);
+  scene.sonar[0].range_m = 40;
+  EXPECT_EQ(LayerVelocity(SurvivalSonarLayer{}, kUMax_mps, scene.Seen()), Vector3d::Zero());
+}
+
+RC_GTEST_PROP(SurvivalSonarLayer, IsNoStrongerForMoreBeamsOnTheSameObstacle, ()) {
+  Scene scene = AnyScene();
+  const Vector3d once_mps = LayerVelocity(SurvivalSonarLayer{}, kUMax_mps, scene.Seen());
+  const std::vector<SonarEcho> echoes = scene.sonar;
+  scene.sonar.insert(scene.sonar.end(), echoes.begin(), echoes.end());
+  const Vector3d twice_mps = LayerVelocity(SurvivalSonarLayer{}, kUMax_mps, scene.Seen());
+  RC_ASSERT((once_mps - twice_mps).norm() < 1e-12);
+}
+
+RC_GTEST_PROP(Layers, TurnWithTheWorldAndKeepToTheirLimit, ()) {
+  const Scene scene = AnyScene();
+  const double angle_rad = Between(-3.1, 3.1);
+  const Scene turned = scene.Turned(angle_rad);
+  const std::vector<VelocityLayer> layers = {FeedForwardLayer{}, FormationLayer{},
+                                             SurvivalGroupLayer{}, SurvivalSonarLayer{},
+                                             SurvivalLayer{}};
+  for (const VelocityLayer& layer : layers) {
+    const auto velocity = [&](const Scene& seen) {
+      return std::visit(
+          [&](const auto& which) { return LayerVelocity(which, kUMax_mps, seen.Seen()); }, layer);
+    };
+    const Vector3d v_mps = velocity(scene);
+    RC_ASSERT((velocity(turned) - AboutZ(angle_rad) * v_mps).norm() < 1e-8);
+    if (std::holds_alternative<FeedForwardLayer>(layer)) continue;  // As fast as the target.
+    RC_ASSERT(v_mps.norm() <= kUMax_mps * (1 + 1e-12));
+  }
+}
+
+TEST(Layers, RefuseWhatIsNoNumber) {
+  Scene scene;
+  scene.group = {{.id = 2, .position_m = {0, std::numeric_limits<double>::quiet_NaN(), 0}}};
+  EXPECT_DEATH((void)LayerVelocity(SurvivalGroupLayer{}, kUMax_mps, scene.Seen()),
+               "NaN or infinity");
+}
+
+}  // namespace
+}  // namespace shoal
