@@ -69,7 +69,7 @@ void DirectorApp::TakeFates(const Message& message) {
     return;
   }
   for (const fate_t& fate : fates_message_.fates) {
-    for (const Kind kind : {Kind::kReport, Kind::kMessage, Kind::kAck}) {
+    for (const Kind kind : {Kind::kReport, Kind::kMessage, Kind::kAck, Kind::kPacket}) {
       if (fate.kind != KindText(kind)) continue;
       judge_.fates(kind).Add(fate.source, fate.destination, fate.cause, fate.count);
     }

@@ -14,8 +14,8 @@ namespace shoal {
 
 namespace {
 
-constexpr std::array<std::string_view, kNumKinds + 1> kTitles = {"Node reports", "Node messages",
-                                                                 "Acks", "Of other kinds"};
+constexpr std::array<std::string_view, kNumKinds + 1> kTitles = {
+    "Node reports", "Node messages", "Acks", "Packets", "Of other kinds"};
 
 int KindOf(std::string_view text) {
   int kind = 0;

@@ -32,14 +32,17 @@ std::map<Transmission, int64_t> TimesDecided(const CommsLog& log) {
     if (!Decode(log.BytesOf(fates), &message)) continue;
     const size_t broker = BrokerAt(log, fates.utime);
     for (const fate_t& fate : message.fates) {
+      // What went through the water was decided when it was sent, a step after it was said.
+      const int64_t decided_utime =
+          fate.path.empty() ? fates.utime : fate.path.front().sent_utime + log.tick_us;
       times.emplace(Transmission(broker, fate.kind, VehicleKey(fate.source), fate.number),
-                    fates.utime);
+                    decided_utime);
     }
   }
   return times;
 }
 
-/// Returns kind and source of a report, a message or an ack.
+/// Returns kind and source of a report, a message, an ack or a packet.
 std::optional<std::pair<Kind, std::string>> SourceOf(const CommsLog& log,
                                                      const LoggedMessage& input) {
   const std::string& channel = BrokerChannels()[input.channel];
@@ -53,6 +56,9 @@ std::optional<std::pair<Kind, std::string>> SourceOf(const CommsLog& log,
   } else if (channel == channels::AckMessage().name) {
     ack_message_t ack;
     if (Decode(data, &ack)) return std::pair(Kind::kAck, VehicleKey(ack.src_node));
+  } else if (channel == channels::AcousticTx().name) {
+    acoustic_tx_t packet;
+    if (Decode(data, &packet)) return std::pair(Kind::kPacket, VehicleKey(packet.source));
   }
   return std::nullopt;
 }

@@ -27,6 +27,8 @@ class Replayed {
     });
   }
 
+  int64_t num_in_transit() const { return broker_.water().num_in_transit(); }
+
   void Give(std::string_view channel, std::span<const uint8_t> data) {
     log_bus_.PublishBytes(channel, data);
   }
@@ -152,7 +154,15 @@ class Run {
 
   RebrokerOutcome Take() {
     if (!log_.starts.empty()) {
-      for (const int64_t utime : TimesOfSteps(log_)) Step(utime);
+      std::vector<int64_t> times = TimesOfSteps(log_);
+      times.push_back(log_.last_utime + 1);  // Until then, what is in the water arrives.
+      for (size_t i = 0; i + 1 < times.size(); ++i) {
+        Step(times[i]);
+        for (int64_t utime = times[i] + log_.tick_us;
+             utime < times[i + 1] && broker_->num_in_transit() > 0; utime += log_.tick_us) {
+          Step(utime);
+        }
+      }
     }
     Compare(log_.last_utime, {});
     WriteInputsUntil(INT64_MAX);

@@ -11,6 +11,7 @@
 #include "apps/shoal/outside_inputs.h"
 #include "apps/shoal/rebroker.h"
 #include "apps/shoal/rebroker_text.h"
+#include "lib/acoustics/validate_options.h"
 #include "lib/check/result.h"
 #include "lib/mission/load_comms.h"
 #include "lib/record/log_source.h"
@@ -113,12 +114,20 @@ class RebrokerCommand {
     }
     if (!comms_) return kExitOk;
     setup_.rules = comms_->rules;
+    if (comms_->acoustics) setup_.acoustics = *comms_->acoustics;
     if (comms_->mission) {
       const BrokerSetup of_file = SetupOf(*comms_->mission);
       setup_.factors = of_file.factors;
+      setup_.nodes = of_file.nodes;
       if (!recorded_) setup_ = of_file;
     }
     setup_.tick_us = log_.tick_us;
+    if (!setup_.acoustics.is_used) return kExitOk;
+    for (const OptionProblem& problem : FindProblems(setup_.acoustics.options, setup_.nodes)) {
+      return Fail(kExitUsage, fmt::format("{}: the vehicles of the log find no room: [acoustics] "
+                                          "{}: {}",
+                                          options_.comms_file, problem.option, problem.message));
+    }
     return kExitOk;
   }
 

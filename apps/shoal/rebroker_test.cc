@@ -32,12 +32,13 @@ bool IsOfBroker(const std::string& channel) {
   const auto& names = BrokerChannels();
   return std::find(names.begin(), names.end(), channel) != names.end() ||
          channel == "VIEW_COMMS_PULSE" || channel.starts_with("NODE_REPORT_") ||
-         channel.starts_with("NODE_MESSAGE_") || channel.starts_with("ACK_MESSAGE_");
+         channel.starts_with("NODE_MESSAGE_") || channel.starts_with("ACK_MESSAGE_") ||
+         channel.starts_with("ACOUSTIC_RX_");
 }
 
-std::vector<TestEvent> Talk() {
+std::vector<TestEvent> Talk(const std::string& mission = kTalkative) {
   const TestDirectory directory;
-  Record(kTalkative, directory.File("m.lcm"));
+  Record(mission, directory.File("m.lcm"));
   return EventsOf(directory.File("m.lcm"));
 }
 
@@ -81,6 +82,65 @@ TEST(Rebroker, WritesTheBrokersPartOfTheLogByteForByte) {
     ASSERT_EQ(written[i].channel, recorded[i].channel) << i;
     ASSERT_EQ(written[i].data, recorded[i].data) << i << " " << written[i].channel;
   }
+}
+
+TEST(RebrokerTestMission, HasAllSortsOfFatesInTheWater) {
+  const std::map<std::string, int64_t> causes = CausesOf(Talk(kWatery));
+  for (const char* cause : {"report delivered", "report damaged", "report rejected",
+                            "report half_duplex", "report packet_loss"}) {
+    EXPECT_TRUE(causes.contains(cause)) << cause;
+  }
+}
+
+TEST(Rebroker, DecidesAsRecordedWhatWentThroughTheWater) {
+  std::vector<TestEvent> recorded = Talk(kWatery);
+  std::vector<TestEvent> written;
+  const RebrokerOutcome outcome = AsRecorded(LogOf(recorded), &written);
+  EXPECT_GT(outcome.comparison.num_recorded(), 100);
+  EXPECT_TRUE(outcome.comparison.IsEqual()) << outcome.comparison.first_difference();
+  std::erase_if(recorded, [](const TestEvent& event) { return !IsOfBroker(event.channel); });
+  ASSERT_EQ(written.size(), recorded.size());
+  for (size_t i = 0; i < written.size(); ++i) {
+    ASSERT_EQ(written[i].channel, recorded[i].channel) << i;
+    ASSERT_EQ(written[i].data, recorded[i].data) << i << " " << written[i].channel;
+  }
+  EXPECT_TRUE(AsRecorded(LogOf(Sealed(recorded))).comparison.IsEqual()) << "lcm-logger's, too";
+}
+
+TEST(Rebroker, HearsPacketsAndSaysTheSameOfThemAgain) {
+  std::vector<TestEvent> recorded = Talk(kWatery);
+  acoustic_tx_t packet = {};
+  packet.source = "alpha";
+  packet.num_bytes = 20;
+  packet.payload.resize(20);
+  Bytes bytes;
+  EncodeInto(packet, &bytes);
+  for (const int64_t utime : {10'000'000, 20'000'000, 39'500'000}) {
+    const auto place = std::find_if(recorded.begin(), recorded.end(),
+                                    [&](const TestEvent& each) { return each.utime >= utime; });
+    recorded.insert(place, {utime, channels::AcousticTx().name, bytes});
+  }
+  std::vector<TestEvent> written;
+  AsRecorded(LogOf(recorded), &written);
+  int64_t num_packets = 0;
+  for (const auto& [cause, count] : CausesOf(written)) {
+    if (cause.starts_with("packet ")) num_packets += count;
+  }
+  EXPECT_GE(num_packets, 4) << "the last may be in the water at the end";
+  EXPECT_LE(num_packets, 6);
+  EXPECT_TRUE(AsRecorded(LogOf(written)).comparison.IsEqual());
+}
+
+TEST(Rebroker, SendsThroughTheWaterWhatHadGoneWithoutIt) {
+  const CommsLog log = LogOf(Talk());
+  BrokerSetup setup = SetupFor(log);
+  setup.rules.reports_over = Medium::kAcoustic;
+  setup.rules.groups = false;
+  setup.acoustics.is_used = true;
+  const RebrokerOutcome outcome = Rebroker(log, {.setup = setup}, {});
+  const LinkTable::Change lost = outcome.links.Of("report", "alpha", "bravo", "bit_errors");
+  EXPECT_EQ(lost.recorded, 0);
+  EXPECT_GT(lost.now, 0);
 }
 
 TEST(Rebroker, SaysTheSameOfTheLogThatItWroteByOtherRules) {

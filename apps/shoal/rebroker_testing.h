@@ -64,6 +64,43 @@ rule = "full_report"
 vehicle = "charlie"
 )";
 
+/// Three vehicles that talk through the water, where all sorts of things happen.
+constexpr char kWatery[] = R"(
+[mission]
+duration_s = 40
+seed = 7
+[comms]
+comms_range = 500
+min_msg_interval = 2
+reports_over = "acoustic"
+messages_over = "acoustic"
+[acoustics]
+crc = false
+access_mode = "shared"
+collisions = "corrupt"
+half_duplex = true
+bit_error_rate = 0.002
+packet_loss = 0.2
+data_rate_bps = 3000
+[[vehicle]]
+name = "alpha"
+reporter = { rate_hz = 10, blackout_interval_s = 1, blackout_variance_s = 0.9 }
+[[vehicle]]
+name = "bravo"
+start = { x_m = 300, y_m = 0, heading_deg = 0 }
+reporter = { rate_hz = 10, blackout_interval_s = 1, blackout_variance_s = 0.9 }
+[[vehicle]]
+name = "charlie"
+start = { x_m = 0, y_m = 400, heading_deg = 0 }
+reporter = { rate_hz = 10, blackout_interval_s = 2, blackout_variance_s = 1.9 }
+[[event]]
+at_s = 5
+message = { src_node = "alpha", dest_node = "all", var_name = "A", string_val = "1", ack = true }
+[[event]]
+at_s = 15
+message = { src_node = "bravo", dest_node = "alpha", var_name = "B", double_val = 2 }
+)";
+
 inline Mission TestMission(const std::string& text) {
   LoadedMission loaded = LoadMissionText(text, "test.toml");
   EXPECT_TRUE(loaded.errors.empty()) << loaded.errors.front();

@@ -4,9 +4,13 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
+#include <sstream>
+#include <string>
 #include <string_view>
 #include <utility>
 
+#include "lib/mission/load_acoustics.h"
 #include "lib/mission/load_comms.h"
 
 namespace shoal {
@@ -131,6 +135,13 @@ std::string ChangesText(const BrokerSetup& then, const BrokerSetup& now) {
     if (old_lines[i] == new_lines[i]) continue;
     text += fmt::format("          {} (was {})\n", new_lines[i],
                         old_lines[i].substr(old_lines[i].find('=') + 2));
+  }
+  std::istringstream was(ExplainAcoustics(then.acoustics));
+  std::istringstream is(ExplainAcoustics(now.acoustics));
+  std::set<std::string> old_acoustics;
+  for (std::string line; std::getline(was, line);) old_acoustics.insert(line);
+  for (std::string line; std::getline(is, line);) {
+    if (!old_acoustics.contains(line)) text += fmt::format("          [acoustics] {}\n", line);
   }
   std::map<std::string, LinkFactors> before = FactorsOf(then);
   std::map<std::string, LinkFactors> after = FactorsOf(now);

@@ -23,6 +23,8 @@ inline Mission TwoVehicles() {
   mission.vehicles.resize(2);
   mission.vehicles[0].name = "alpha";
   mission.vehicles[1].name = "bravo";
+  mission.vehicles[0].acoustic_address = 1;
+  mission.vehicles[1].acoustic_address = 2;
   mission.comms.comms_range_m = 250;
   mission.comms.critical_range_m = 0;
   mission.start_utime = kStart_utime;
@@ -55,6 +57,8 @@ class BrokerFixture : public testing::Test {
       Keep(channels::NodeReport(name).name, &heard_[name]);
       Keep(channels::NodeMessage(name).name, &messages_[name]);
       Keep(channels::AckMessageTo(name).name, &acks_[name]);
+      Subscribe(listener_, channels::AcousticRx(name),
+                [this, name](const acoustic_rx_t& packet) { packets_[name].push_back(packet); });
       Subscribe(listener_, channels::HelmCommand(name),
                 [this, name](const helm_command_t& command) { orders_[name] = command.command; });
     }
@@ -77,6 +81,13 @@ class BrokerFixture : public testing::Test {
     Publish(listener_, channels::NodeMessageLocal(), message);
   }
   void Say(const ack_message_t& ack) { Publish(listener_, channels::AckMessage(), ack); }
+  void SayPacket(const std::string& source, const Bytes& payload) {
+    acoustic_tx_t packet = {};
+    packet.source = source;
+    packet.num_bytes = static_cast<int32_t>(payload.size());
+    packet.payload = payload;
+    Publish(listener_, channels::AcousticTx(), packet);
+  }
   void Say(std::string_view rule, double value, const std::string& vehicle = "") {
     unc_control_t control = {};
     control.value = value;
@@ -92,6 +103,7 @@ class BrokerFixture : public testing::Test {
       for (auto& [name, list] : *lists) list.clear();
     }
     orders_.clear();
+    packets_.clear();
     fates_.clear();
     pulses_.clear();
     shared_.clear();
@@ -125,6 +137,7 @@ class BrokerFixture : public testing::Test {
   std::map<std::string, std::vector<Bytes>> heard_;
   std::map<std::string, std::vector<Bytes>> messages_;
   std::map<std::string, std::vector<Bytes>> acks_;
+  std::map<std::string, std::vector<acoustic_rx_t>> packets_;
   std::map<std::string, std::string> orders_;
   std::vector<fate_t> fates_;
   std::vector<comms_pulse_t> pulses_;

@@ -6,7 +6,9 @@
 #include <array>
 #include <numeric>
 #include <span>
+#include <sstream>
 
+#include "lib/acoustics/acoustic_statistics.h"
 #include "lib/bus/channels.h"
 #include "lib/routing/control.h"
 #include "lib/routing/decide.h"
@@ -50,8 +52,28 @@ constexpr std::array kMessageCauses = {
     CauseLabel{Cause::kDropped, "Dropped"},
 };
 
+constexpr std::array kPacketCauses = {
+    CauseLabel{Cause::kInvalid, "Invalid"},
+    CauseLabel{Cause::kUnknownSource, "Missing Info (source)"},
+    CauseLabel{Cause::kNoDestination, "No Destination"},
+    CauseLabel{Cause::kTooLong, "Too Long"},
+    CauseLabel{Cause::kOutOfRange, "Range Too Far"},
+};
+
+/// Listed where they happened.
+constexpr std::array kWaterCauses = {
+    CauseLabel{Cause::kNoChannel, "No Channel"}, CauseLabel{Cause::kNotListening, "Not Listening"},
+    CauseLabel{Cause::kNoPath, "No Path"},       CauseLabel{Cause::kHalfDuplex, "Half Duplex"},
+    CauseLabel{Cause::kCollision, "Collision"},  CauseLabel{Cause::kPacketLoss, "Packet Loss"},
+    CauseLabel{Cause::kBitErrors, "Bit Errors"}, CauseLabel{Cause::kRejected, "Rejected"},
+};
+
 std::string Limit(double value, std::string_view negative) {
   return value < 0 ? std::string(negative) : fmt::format("{:g}", value);
+}
+
+int64_t CountOf(const CauseCounts& counts, Cause cause) {
+  return counts[static_cast<size_t>(cause)];
 }
 
 /// Calls `row` for the first contacts that `wanted` picks, and says how many more there are.
@@ -88,6 +110,11 @@ std::string Configuration(const Router& router) {
       rules.max_msg_length_bytes == 0 ? "nolimit" : fmt::format("{}", rules.max_msg_length_bytes),
       Limit(rules.min_msg_interval_s, "off"), Limit(rules.min_rpt_interval_s, "off"), rules.groups,
       rules.msg_groups, rules.drop_percentage, shared);
+  if (rules.reports_over == Medium::kAcoustic || rules.messages_over == Medium::kAcoustic) {
+    text += fmt::format("    Reports Over: {}\n    Messages Over: {}\n",
+                        kMedia.at(static_cast<size_t>(rules.reports_over)).first,
+                        kMedia.at(static_cast<size_t>(rules.messages_over)).first);
+  }
   if (!rules.ignore_group.empty()) {
     text += fmt::format("    Ignore Group: {}\n", rules.ignore_group);
   }
@@ -153,6 +180,13 @@ std::string Sent(const Router& router, Kind kind) {
                            contact.heard[place][kDelivered]);
       },
       &text);
+  const CauseCounts& counts = router.counts(kind);
+  if (const int64_t num_damaged = CountOf(counts, Cause::kDamaged); num_damaged > 0) {
+    text += fmt::format("    Total Sent Damaged: {}\n", num_damaged);
+  }
+  if (const int64_t num_in_water = CountOf(counts, Cause::kInTransit); num_in_water > 0) {
+    text += fmt::format("    In The Water: {}\n", num_in_water);
+  }
   return text;
 }
 
@@ -182,18 +216,38 @@ std::string ByVehicle(const Router& router, Kind kind) {
 std::string Blocked(const Router& router, Kind kind, std::string_view what,
                     std::span<const CauseLabel> labels) {
   const CauseCounts& counts = router.counts(kind);
-  const int64_t total = std::accumulate(counts.begin(), counts.end(), int64_t{0}) -
-                        counts[static_cast<size_t>(Cause::kDelivered)];
+  int64_t total = std::accumulate(counts.begin(), counts.end(), int64_t{0});
+  for (const Cause cause : {Cause::kDelivered, Cause::kDamaged, Cause::kInTransit}) {
+    total -= CountOf(counts, cause);
+  }
   std::string text = fmt::format("    Total Blocked {}: {}\n", what, total);
   for (const auto& [cause, label] : labels) {
-    text += fmt::format("        {}: {}\n", label, counts[static_cast<size_t>(cause)]);
+    text += fmt::format("        {}: {}\n", label, CountOf(counts, cause));
   }
+  for (const auto& [cause, label] : kWaterCauses) {
+    const int64_t count = CountOf(counts, cause);
+    if (count > 0) text += fmt::format("        {}: {}\n", label, count);
+  }
+  const int64_t num_too_long = CountOf(counts, Cause::kTooLong);
+  const bool is_listed = std::ranges::any_of(
+      labels, [](const CauseLabel& each) { return each.cause == Cause::kTooLong; });
+  if (num_too_long > 0 && !is_listed) text += fmt::format("        Too Long: {}\n", num_too_long);
+  return text;
+}
+
+std::string WaterSummary(const AcousticTraffic& water) {
+  const AcousticStatistics statistics = water.network().statistics();
+  if (statistics.num_transmissions == 0) return "";
+  std::istringstream lines(StatisticsText(statistics));
+  std::string text = "\nAcoustic Network\n======================================\n";
+  for (std::string line; std::getline(lines, line);) text += "    " + line + "\n";
   return text;
 }
 
 }  // namespace
 
-std::string FormatBrokerPage(const Router& router, const BrokerPageFacts& facts) {
+std::string FormatBrokerPage(const Router& router, const AcousticTraffic& water,
+                             const BrokerPageFacts& facts) {
   constexpr std::string_view kDoubleRule = "======================================\n";
   std::string text = Configuration(router);
   text += fmt::format("\nNode Report Summary\n{}", kDoubleRule);
@@ -218,6 +272,14 @@ std::string FormatBrokerPage(const Router& router, const BrokerPageFacts& facts)
     text += fmt::format("{}{}", kRule, Sent(router, Kind::kAck));
     text += fmt::format("{}{}", kRule, Blocked(router, Kind::kAck, "Acks", kMessageCauses));
   }
+
+  if (router.num_offered(Kind::kPacket) > 0) {
+    text += fmt::format("\nPacket Summary\n{}", kDoubleRule);
+    text += ReceivedMessages(router, Kind::kPacket, "Packets", facts);
+    text += fmt::format("{}{}", kRule, Sent(router, Kind::kPacket));
+    text += fmt::format("{}{}", kRule, Blocked(router, Kind::kPacket, "Packets", kPacketCauses));
+  }
+  text += WaterSummary(water);
 
   text += fmt::format(
       "\nReports Shared (NODE_REPORT_UNC): {}\n"

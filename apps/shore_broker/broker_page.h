@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string>
 
+#include "apps/shore_broker/acoustic_traffic.h"
 #include "lib/routing/router.h"
 
 namespace shoal {
@@ -17,8 +18,10 @@ struct BrokerPageFacts {
   int64_t num_undecodable = 0;
 };
 
-/// Returns configuration; of reports, messages and acks: how many were received, sent, and blocked
-/// by which cause; and the vehicles that are known and stale.
-[[nodiscard]] std::string FormatBrokerPage(const Router& router, const BrokerPageFacts& facts);
+/// Returns configuration; of reports, messages, acks and packets: how many were received, sent, and
+/// blocked by which cause; the vehicles that are known and stale; and what the water did, where
+/// anything went through it.
+[[nodiscard]] std::string FormatBrokerPage(const Router& router, const AcousticTraffic& water,
+                                           const BrokerPageFacts& facts);
 
 }  // namespace shoal

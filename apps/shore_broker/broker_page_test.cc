@@ -10,6 +10,9 @@
 namespace shoal {
 namespace {
 
+/// A network through which nothing went.
+AcousticTraffic NoWater() { return AcousticTraffic(BrokerSetup()); }
+
 /// Has one transmission of each kind for each cause that can block it.
 void BlockForEveryCause(Router* router) {
   std::vector<Decision> decisions;
@@ -64,7 +67,7 @@ TEST(BrokerPage, SpellsOutRulesThatAreOff) {
   rules.stale_time_s = -1;
   rules.stale_forget_s = -1;
   const Router router(rules, 1, {});
-  const std::string page = FormatBrokerPage(router, {});
+  const std::string page = FormatBrokerPage(router, NoWater(), {});
   EXPECT_NE(page.find("Comms Range: nolimit\n"), std::string::npos);
   EXPECT_NE(page.find("Stale Drop: never\n"), std::string::npos);
   EXPECT_NE(page.find("Stale Forget: never\n"), std::string::npos);
@@ -80,7 +83,7 @@ TEST(BrokerPage, HasARowForEveryCauseThatBlocks) {
   Router router(rules, 1, {});
   BlockForEveryCause(&router);
 
-  std::istringstream page(FormatBrokerPage(router, {.now_utime = 12'000'000}));
+  std::istringstream page(FormatBrokerPage(router, NoWater(), {.now_utime = 12'000'000}));
   std::vector<int64_t> left;  // Of each total, what its rows have not told.
   bool is_row = false;
   for (std::string line; std::getline(page, line);) {
@@ -106,7 +109,7 @@ TEST(BrokerPage, ShowsSomeOfALargeFleetAndCountsAll) {
   for (int i = 0; i < Router::kMaxStrangers + 5; ++i) {
     router.Admit({.name = "nemo" + std::to_string(i), .group = ""}, 0);
   }
-  const std::string page = FormatBrokerPage(router, {.now_utime = 1'000'000});
+  const std::string page = FormatBrokerPage(router, NoWater(), {.now_utime = 1'000'000});
   EXPECT_NE(page.find("Total Received: 1205 "), std::string::npos) << page;
   EXPECT_NE(page.find("(and 1000 more)"), std::string::npos);
   EXPECT_NE(page.find("Known Vehicles: 1200\n"), std::string::npos);
@@ -119,7 +122,7 @@ TEST(BrokerPage, MarksAForgottenVehicle) {
   Router router(rules, 1, {});
   router.Admit({.name = "nemo", .group = ""}, 0);
   router.ForgetSilent(10'000'000);
-  EXPECT_NE(FormatBrokerPage(router, {.now_utime = 10'000'000}).find("(forgotten)"),
+  EXPECT_NE(FormatBrokerPage(router, NoWater(), {.now_utime = 10'000'000}).find("(forgotten)"),
             std::string::npos);
 }
 

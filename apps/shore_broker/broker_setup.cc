@@ -3,27 +3,80 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <optional>
 #include <set>
 
+#include "lib/mission/load_acoustics.h"
 #include "lib/routing/control.h"
 #include "lib/routing/vehicle_name.h"
 
 namespace shoal {
 
 BrokerSetup SetupOf(const Mission& mission) {
-  BrokerSetup setup{.rules = mission.comms,
-                    .seed = mission.seed,
-                    .start_utime = mission.start_utime,
-                    .tick_us = mission.tick_us,
-                    .vehicles = {},
-                    .factors = {}};
+  BrokerSetup setup{
+      .rules = mission.comms,
+      .seed = mission.seed,
+      .start_utime = mission.start_utime,
+      .tick_us = mission.tick_us,
+      .vehicles = {},
+      .factors = {},
+      .acoustics = mission.acoustics,
+      .nodes = {},
+      .origin = {.lat_deg = mission.origin_lat_deg, .lon_deg = mission.origin_lon_deg}};
   for (const Vehicle& vehicle : mission.vehicles) {
     setup.vehicles.push_back(vehicle.name);
+    setup.nodes.push_back({.name = vehicle.name,
+                           .address = vehicle.acoustic_address,
+                           .is_leader = vehicle.acoustic_leader});
     if (vehicle.link_factors == LinkFactors()) continue;
     setup.factors.emplace_back(vehicle.name, vehicle.link_factors);
   }
   return setup;
 }
+
+namespace {
+
+std::optional<Medium> MediumCalled(std::string_view text) {
+  for (const auto& [word, medium] : kMedia) {
+    if (word == text) return medium;
+  }
+  return std::nullopt;
+}
+
+std::string TextOf(Medium medium) {
+  return std::string(kMedia.at(static_cast<size_t>(medium)).first);
+}
+
+/// What the rules tell of the acoustic network and of the Earth, or why it cannot be.
+std::optional<Error> TakeAcoustics(const comms_rules_t& rules, BrokerSetup* setup) {
+  const auto reports_over = MediumCalled(rules.reports_over);
+  const auto messages_over = MediumCalled(rules.messages_over);
+  if (!reports_over || !messages_over) {
+    return Error{"COMMS_RULES: reports_over and messages_over are direct or acoustic"};
+  }
+  setup->rules.reports_over = *reports_over;
+  setup->rules.messages_over = *messages_over;
+  LoadedAcoustics loaded = LoadAcousticsText(rules.acoustics, "COMMS_RULES acoustics");
+  if (!loaded.errors.empty()) return Error{loaded.errors.front()};
+  setup->acoustics = std::move(loaded.acoustics);
+  for (size_t i = 0; i < setup->vehicles.size(); ++i) {
+    if (rules.acoustic_addresses[i] <= 0) {
+      return Error{fmt::format("COMMS_RULES: {} is no acoustic address",
+                               rules.acoustic_addresses[i])};
+    }
+    setup->nodes.push_back({.name = setup->vehicles[i],
+                            .address = rules.acoustic_addresses[i],
+                            .is_leader = rules.acoustic_leaders[i] != 0});
+  }
+  if (!(std::abs(rules.origin_lat_deg) <= 90) || !(std::abs(rules.origin_lon_deg) <= 180)) {
+    return Error{fmt::format("COMMS_RULES: no place of the Earth: {}, {}", rules.origin_lat_deg,
+                             rules.origin_lon_deg)};
+  }
+  setup->origin = {.lat_deg = rules.origin_lat_deg, .lon_deg = rules.origin_lon_deg};
+  return std::nullopt;
+}
+
+}  // namespace
 
 Result<BrokerSetup> SetupOf(const comms_rules_t& rules) {
   BrokerSetup setup{.rules = {.comms_range_m = rules.comms_range_m,
@@ -75,6 +128,7 @@ Result<BrokerSetup> SetupOf(const comms_rules_t& rules) {
     }
     setup.factors.emplace_back(each.vehicle, factors);
   }
+  if (const auto error = TakeAcoustics(rules, &setup)) return *error;
   return setup;
 }
 
@@ -104,6 +158,15 @@ comms_rules_t RulesMessage(const BrokerSetup& setup, const Router& router) {
   message.msg_color = rules.msg_color;
   message.msg_repeat_color = rules.msg_repeat_color;
   message.each_fate_up_to = rules.each_fate_up_to;
+  message.origin_lat_deg = setup.origin.lat_deg;
+  message.origin_lon_deg = setup.origin.lon_deg;
+  message.reports_over = TextOf(rules.reports_over);
+  message.messages_over = TextOf(rules.messages_over);
+  message.acoustics = ExplainAcoustics(setup.acoustics);
+  for (const AcousticNode& node : setup.nodes) {
+    message.acoustic_addresses.push_back(node.address);
+    message.acoustic_leaders.push_back(node.is_leader ? 1 : 0);
+  }
   for (const Contact* contact : router.contacts()) {
     if (contact->factors == LinkFactors()) continue;
     message.factors.push_back({.vehicle = contact->name,

@@ -6,7 +6,9 @@
 #include <utility>
 #include <vector>
 
+#include "lib/acoustics/channel_plan.h"
 #include "lib/check/result.h"
+#include "lib/geodesy/local_frame.h"
 #include "lib/mission/mission.h"
 #include "lib/routing/router.h"
 #include "lib/routing/rules.h"
@@ -21,6 +23,9 @@ struct BrokerSetup {
   int64_t tick_us = 100'000;
   std::vector<std::string> vehicles;                         ///< Of the mission.
   std::vector<std::pair<std::string, LinkFactors>> factors;  ///< Others than 1.
+  Acoustics acoustics = {};
+  std::vector<AcousticNode> nodes = {};  ///< The vehicles, in the same order.
+  GeoPoint origin = {};                  ///< Of the mission's plane.
 };
 
 /// Returns what a mission file says.

@@ -8,8 +8,8 @@ FateWriter::FateWriter(Bus& bus) : bus_(bus) {
 }
 
 void FateWriter::Add(int64_t utime, const Decision& decision, std::string_view source,
-                     std::string_view destination) {
-  if (message_.num_fates == kMaxFatesPerMessage) Flush(utime);
+                     std::string_view destination, const acoustic_path_t* path) {
+  if (message_.num_fates == kMaxFatesPerMessage || num_paths_ == kMaxPathsPerMessage) Flush(utime);
   fate_t& fate = message_.fates[static_cast<size_t>(message_.num_fates++)];
   fate.kind = KindText(decision.kind);
   fate.source = source;
@@ -26,6 +26,12 @@ void FateWriter::Add(int64_t utime, const Decision& decision, std::string_view s
   fate.loss_pct = decision.loss_pct;
   fate.length_bytes = static_cast<int32_t>(decision.length_bytes);
   fate.length_limit_bytes = static_cast<int32_t>(decision.length_limit_bytes);
+  fate.path.clear();
+  if (path != nullptr) {
+    fate.path.push_back(*path);
+    ++num_paths_;
+  }
+  fate.num_paths = static_cast<int32_t>(fate.path.size());
 }
 
 void FateWriter::Flush(int64_t utime) {
@@ -33,6 +39,7 @@ void FateWriter::Flush(int64_t utime) {
   message_.utime = utime;
   Publish(bus_, channel_, message_);
   message_.num_fates = 0;
+  num_paths_ = 0;
 }
 
 }  // namespace shoal

@@ -16,13 +16,15 @@ class FateWriter {
   /// Fits one datagram (64 KB) where names are of common length: LCM loses a message that it had to
   /// cut with any of its datagrams.
   static constexpr int32_t kMaxFatesPerMessage = 400;
+  /// The same for those that went through the water, which are larger.
+  static constexpr int32_t kMaxPathsPerMessage = 150;
 
   explicit FateWriter(Bus& bus);
 
   /// Adds one fate; publishes when the message is full. `destination` is not asked for where the
-  /// decision counts several together.
+  /// decision counts several together. `path`, where it went through the water.
   void Add(int64_t utime, const Decision& decision, std::string_view source,
-           std::string_view destination);
+           std::string_view destination, const acoustic_path_t* path = nullptr);
 
   /// Publishes what was added since the last message, if anything.
   void Flush(int64_t utime);
@@ -30,6 +32,7 @@ class FateWriter {
  private:
   Bus& bus_;
   const Channel<comms_fates_t> channel_ = channels::CommsFates();
+  int32_t num_paths_ = 0;
   comms_fates_t message_;  ///< Keeps its strings' memory: only the first num_fates are meant.
 };
 

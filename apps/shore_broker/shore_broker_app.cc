@@ -7,6 +7,7 @@
 #include "apps/shore_broker/apply_control.h"
 #include "apps/shore_broker/broker_page.h"
 #include "apps/shore_broker/message_checks.h"
+#include "lib/check/check.h"
 #include "lib/routing/vehicle_name.h"
 
 namespace shoal {
@@ -23,6 +24,7 @@ ShoreBrokerApp::ShoreBrokerApp(BrokerSetup setup, Bus& bus)
     : setup_(std::move(setup)),
       bus_(bus),
       router_(setup_.rules, setup_.seed, setup_.vehicles),
+      water_(setup_),
       fates_(bus),
       pulses_(bus),
       warp_(kMaxWarp) {
@@ -43,6 +45,7 @@ ShoreBrokerApp::ShoreBrokerApp(BrokerSetup setup, Bus& bus)
   bus.SubscribeBytes(channels::NodeMessageLocal().name, keep(&messages_, false));
   bus.SubscribeBytes(channels::NodeMessageFromOutside().name, keep(&messages_, true));
   bus.SubscribeBytes(channels::AckMessage().name, keep(&acks_, false));
+  bus.SubscribeBytes(channels::AcousticTx().name, keep(&packets_, false));
   bus.SubscribeBytes(channels::HelmCommandAll().name, keep(&commands_, false));
   for (const ControlRow& row : ControlTable()) {
     Subscribe(bus, channels::Control(row), [this, &row](const unc_control_t& control) {
@@ -66,6 +69,9 @@ void ShoreBrokerApp::Tick(int64_t utime) {
   for (const WaitingReport& report : reports_) RouteReport(utime, report);
   for (const Waiting& message : messages_) RouteMessage(utime, message);
   for (const Waiting& ack : acks_) RouteAck(utime, ack);
+  for (const Waiting& packet : packets_) RoutePacket(utime, packet);
+  water_.Deliver(utime, [&](const Arrival& arrival) { TakeArrival(utime, arrival); });
+  SHOAL_CHECK(router_.NumInTransit() == water_.num_in_transit(), "everything has one fate");
   fates_.Flush(utime);
   pulses_.Flush(utime);
   Forget(utime);
@@ -73,12 +79,16 @@ void ShoreBrokerApp::Tick(int64_t utime) {
   reports_.clear();
   messages_.clear();
   acks_.clear();
+  packets_.clear();
   arena_.clear();
 }
 
 void ShoreBrokerApp::Begin(int64_t utime) {
   began_ = true;
   start_utime_ = utime;
+  if (!water_.problem().empty()) {
+    log_.Warn("no vehicle can send through the water; [acoustics] " + water_.problem());
+  }
   rules_changed_ = true;
   holds_ = utime > setup_.start_utime;
   if (!holds_) return;
@@ -133,14 +143,6 @@ std::span<const uint8_t> ShoreBrokerApp::BytesOf(const Waiting& waiting) const {
   return std::span(arena_).subspan(waiting.begin, waiting.size);
 }
 
-template <class T>
-bool ShoreBrokerApp::DecodeWaiting(const Waiting& waiting, const Channel<T>& channel, T* message) {
-  if (Decode(BytesOf(waiting), message)) return true;
-  bus_.CountUndecodable(channel.name);
-  log_.Warn(channel.name + ": undecodable bytes dropped");
-  return false;
-}
-
 void ShoreBrokerApp::ApplyControls(int64_t utime) {
   for (const WaitingControl& each : controls_) {
     if (ApplyControl(*each.row, each.control, utime, &router_, &log_)) rules_changed_ = true;
@@ -188,7 +190,10 @@ bool ShoreBrokerApp::TakeIn(int64_t utime, WaitingReport* report) {
   if (router_.num_known() > num_known) {
     log_.Event(utime, fmt::format("{} is known now", report_.name));
   }
-  if (!report->admission.refused) return true;
+  if (!report->admission.refused) {
+    water_.Place(report_.name, report->admission.position_m);
+    return true;
+  }
 
   const Cause cause = *report->admission.refused;
   if (cause == Cause::kInvalid) {
@@ -201,54 +206,6 @@ bool ShoreBrokerApp::TakeIn(int64_t utime, WaitingReport* report) {
       {.source = report->admission.source, .number = report->admission.number, .cause = cause},
       IsLegalVehicleName(report_.name) ? report_.name : "", "");
   return false;
-}
-
-template <class F>
-void ShoreBrokerApp::Conclude(int64_t utime, std::string_view written_source,
-                              const Waiting& waiting, std::string ReceiverChannels::*channel,
-                              F make_pulse) {
-  // What is delivered goes out first: nobody waits for the telling of it.
-  for (const Decision& decision : decisions_) {
-    if (decision.cause != Cause::kDelivered) continue;
-    bus_.PublishBytes(ChannelsOf(decision.destination).*channel, BytesOf(waiting));
-  }
-  for (const Decision& decision : decisions_) {
-    const bool has_contact = decision.destination >= 0;
-    const std::string_view source = decision.source == kNobody
-                                        ? written_source
-                                        : std::string_view(router_.contact(decision.source).name);
-    std::string written;
-    if (decision.unknown_name >= 0) {
-      written = Printable(unknown_names_[static_cast<size_t>(decision.unknown_name)]);
-    }
-    fates_.Add(utime, decision, source,
-               has_contact ? std::string_view(router_.contact(decision.destination).name)
-                           : std::string_view(written));
-    if (decision.cause != Cause::kDelivered) continue;
-    if (const std::optional<Pulse> pulse = make_pulse(decision)) {
-      pulses_.Add(utime, *pulse, router_.rules().pulse_duration_s);
-    }
-  }
-  decisions_.clear();
-  unknown_names_.clear();
-}
-
-void ShoreBrokerApp::RouteReport(int64_t utime, const WaitingReport& report) {
-  router_.Route(report.admission, utime, &decisions_);
-  const Contact& source = router_.contact(report.admission.source);
-  const auto make_pulse = [&](const Decision& decision) -> std::optional<Pulse> {
-    if (!router_.rules().view_node_rpt_pulses) return std::nullopt;
-    const Contact& receiver = router_.contact(decision.destination);
-    return Pulse{.source = source.name,
-                 .destination = receiver.name,
-                 .from_m = report.admission.position_m,
-                 .to_m = receiver.position_m,
-                 .range_m = decision.range_m,
-                 .of_message = false,
-                 .color = ReportColor(source.index)};
-  };
-  Conclude(utime, source.name, report.raw, &ReceiverChannels::report, make_pulse);
-  Share(utime, report);
 }
 
 /// NODE_REPORT_UNC, not more often than eyes can follow.
@@ -268,71 +225,6 @@ void ShoreBrokerApp::Share(int64_t utime, const WaitingReport& report) {
   bus_.PublishBytes(channels::NodeReportUnc().name, BytesOf(report.raw));
 }
 
-void ShoreBrokerApp::RouteMessage(int64_t utime, const Waiting& waiting) {
-  if (!DecodeWaiting(
-          waiting,
-          waiting.from_outside ? channels::NodeMessageFromOutside() : channels::NodeMessageLocal(),
-          &message_)) {
-    return;
-  }
-  const std::string_view problem = ProblemOf(message_);
-  if (!problem.empty()) {
-    log_.Warn(fmt::format("invalid node message refused: {}", problem));
-  } else {
-    log_.Event(
-        utime,
-        fmt::format("Msg rec'd: src_node={},dest_node={},dest_group={},var_name={},{}",
-                    message_.src_node, Printable(message_.dest_node),
-                    Printable(message_.dest_group), Printable(message_.var_name),
-                    message_.is_double != 0 ? fmt::format("double_val={}", message_.double_val)
-                                            : "string_val=" + Printable(message_.string_val)));
-  }
-  router_.RouteMessage({.source = message_.src_node,
-                        .dest_node = message_.dest_node,
-                        .dest_group = message_.dest_group,
-                        .length_bytes = static_cast<int64_t>(message_.string_val.size()),
-                        .is_sound = problem.empty()},
-                       utime, &decisions_, &unknown_names_);
-  const std::string color(problem.empty() ? MessageColor(message_) : "");
-  const auto make_pulse = [&](const Decision& decision) -> std::optional<Pulse> {
-    const Contact& source = router_.contact(decision.source);
-    const Contact& receiver = router_.contact(decision.destination);
-    return Pulse{.source = source.name,
-                 .destination = receiver.name,
-                 .from_m = source.position_m,
-                 .to_m = receiver.position_m,
-                 .range_m = decision.range_m,
-                 .of_message = true,
-                 .color = color};
-  };
-  Conclude(utime, IsLegalVehicleName(message_.src_node) ? message_.src_node : "", waiting,
-           &ReceiverChannels::message, make_pulse);
-}
-
-/// A message whose ack_id has been here before is a repeat.
-std::string_view ShoreBrokerApp::MessageColor(const node_message_t& message) {
-  const RoutingRules& rules = router_.rules();
-  if (!message.ack_id.empty() && repeats_.IsRepeat(VehicleKey(message.src_node), message.ack_id)) {
-    return rules.msg_repeat_color;
-  }
-  constexpr size_t kLongestColor = 40;
-  const bool has_own = !message.color.empty() && message.color.size() <= kLongestColor;
-  return has_own ? std::string_view(message.color) : std::string_view(rules.msg_color);
-}
-
-void ShoreBrokerApp::RouteAck(int64_t utime, const Waiting& waiting) {
-  if (!DecodeWaiting(waiting, channels::AckMessage(), &ack_)) return;
-  const bool is_sound = !ack_.ack_id.empty();
-  const bool has_name = IsLegalVehicleName(ack_.src_node);
-  router_.RouteAck({.source = ack_.src_node, .destination = ack_.dest_node, .is_sound = is_sound},
-                   utime, &decisions_, &unknown_names_);
-  if (decisions_.front().cause == Cause::kInvalid) {
-    log_.Warn("invalid ack refused: two vehicles' names and an ack_id are needed");
-  }
-  Conclude(utime, has_name ? ack_.src_node : "", waiting, &ReceiverChannels::ack,
-           [](const Decision&) { return std::optional<Pulse>(); });
-}
-
 void ShoreBrokerApp::Forget(int64_t utime) {
   std::vector<int32_t> forgotten;
   router_.ForgetSilent(utime, &forgotten);
@@ -341,27 +233,14 @@ void ShoreBrokerApp::Forget(int64_t utime) {
   }
 }
 
-const ShoreBrokerApp::ReceiverChannels& ShoreBrokerApp::ChannelsOf(int32_t index) {
-  const auto place = static_cast<size_t>(index);
-  if (place >= receiver_channels_.size()) receiver_channels_.resize(place + 1);
-  ReceiverChannels& receiver = receiver_channels_[place];
-  const std::string& vehicle = router_.contact(index).name;
-  if (receiver.vehicle != vehicle) {
-    receiver = {.vehicle = vehicle,
-                .report = channels::NodeReport(vehicle).name,
-                .message = channels::NodeMessage(vehicle).name,
-                .ack = channels::AckMessageTo(vehicle).name};
-  }
-  return receiver;
-}
-
 StatusPage ShoreBrokerApp::Status() const {
   StatusPage page;
-  page.text = FormatBrokerPage(router_, {.start_utime = start_utime_,
-                                         .now_utime = now_utime_,
-                                         .num_commands_handed_on = num_commands_handed_on_,
-                                         .num_shared = num_shared_,
-                                         .num_undecodable = bus_.counters().undecodable});
+  page.text = FormatBrokerPage(router_, water_,
+                               {.start_utime = start_utime_,
+                                .now_utime = now_utime_,
+                                .num_commands_handed_on = num_commands_handed_on_,
+                                .num_shared = num_shared_,
+                                .num_undecodable = bus_.counters().undecodable});
   log_.AppendTo(&page);
   return page;
 }

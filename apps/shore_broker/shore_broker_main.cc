@@ -6,7 +6,7 @@ namespace {
 
 const shoal::AppInfo kInfo = {
     .name = "shore_broker",
-    .purpose = "Decides who hears whose node reports and messages, and says why.",
+    .purpose = "Decides who hears whose node reports, messages and acoustic packets, and says why.",
     .per_vehicle = false,
     .can_live = true,
     .example = R"(# In a mission file:
@@ -30,6 +30,16 @@ pulse_duration = 10                   # seconds
 view_node_rpt_pulses = true           # pulses of reports, not only of messages
 msg_color = "white"
 msg_repeat_color = "light_green"
+
+reports_over = "direct"               # "acoustic": through the acoustic network
+messages_over = "direct"
+
+[acoustics]                           # docs/acoustic_network.md has all keys
+crc = true                            # false: damage is delivered
+access_mode = "fdma"                  # or shared, tdma, tdma_lf
+data_rate_bps = 1000
+packet_loss = 0.02                    # at nominal_distance_m = 1000
+bit_error_rate = 0.001
 
 [[vehicle]]
 name = "alpha"

@@ -55,6 +55,7 @@ void AcousticNetwork::EndReception(int32_t slot) {
   reception.air_s = transmission.air_s;
   reception.range_m = pending.range_m;
   reception.jitter_s = pending.jitter_s;
+  reception.snr_db = pending.snr_db;
   reception.loss_probability = pending.loss_probability;
   reception.bit_error_probability = pending.bit_error_probability;
   if (pending.range_m >= 0) reception.travel_s = pending.range_m / options_.sound_speed_mps;

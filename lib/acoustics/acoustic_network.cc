@@ -20,12 +20,22 @@ ChannelPlan PlanOrDie(const AcousticOptions& options, std::span<const AcousticNo
   return std::move(*plan);
 }
 
+std::optional<LinkModel> MakeLink(const AcousticOptions& options) {
+  if (options.packet_loss_model != PacketLossModel::kModem &&
+      options.bit_error_model != BitErrorModel::kModem) {
+    return std::nullopt;
+  }
+  SHOAL_CHECK(options.modem.has_value(), "options and nodes were found to be sound");
+  return LinkModel(*options.modem, options.sea);
+}
+
 }  // namespace
 
 AcousticNetwork::AcousticNetwork(const AcousticOptions& options, uint64_t seed,
                                  std::span<const AcousticNode> nodes)
     : options_(options),
       plan_(PlanOrDie(options, nodes)),
+      link_(MakeLink(options)),
       seed_(seed),
       now_s_(-std::numeric_limits<double>::infinity()) {
   SHOAL_CHECK(nodes.size() <= kMaxAcousticNodes, "events hold no larger index");
@@ -123,16 +133,29 @@ void AcousticNetwork::MeetThePath(const Transmission& transmission, double range
   pending->jitter_s =
       options_.jitter == JitterModel::kUniform ? jitter_draw * options_.max_jitter_s : 0;
   pending->start_s = transmission.sent_s + (range_m / options_.sound_speed_mps + pending->jitter_s);
+  const double wrong_by_modem = link_ ? MeetTheModem(range_m, pending) : 0;
   if (options_.packet_loss_model != PacketLossModel::kOff) {
     pending->loss_probability =
-        PacketLossProbability(options_, range_m, plan_.channel(transmission.channel).freq_khz);
+        options_.packet_loss_model == PacketLossModel::kModem
+            ? PacketErrorRate(wrong_by_modem, transmission.bytes.size(), options_.modem->code)
+            : PacketLossProbability(options_, range_m,
+                                    plan_.channel(transmission.channel).freq_khz);
     pending->is_lost = loss_draw < pending->loss_probability;
   }
   if (options_.bit_error_model != BitErrorModel::kOff) {
-    pending->bit_error_probability = BitErrorProbability(options_, range_m);
+    pending->bit_error_probability = options_.bit_error_model == BitErrorModel::kModem
+                                         ? wrong_by_modem
+                                         : BitErrorProbability(options_, range_m);
     pending->num_wrong_bits = stream.Binomial(static_cast<int64_t>(8 * transmission.bytes.size()),
                                               pending->bit_error_probability);
   }
+}
+
+/// Returns the probability that a bit is wrong in the water.
+double AcousticNetwork::MeetTheModem(double range_m, Pending* pending) const {
+  const LinkBudget link = link_->At(range_m);
+  pending->snr_db = link.snr_db;
+  return link.bit_error_rate;
 }
 
 std::span<const Reception> AcousticNetwork::Deliver(double until_s) {

@@ -30,6 +30,7 @@
 #include "lib/acoustics/air_lane.h"
 #include "lib/acoustics/channel_plan.h"
 #include "lib/acoustics/event_queue.h"
+#include "lib/acoustics/modem_preset.h"
 #include "lib/acoustics/reception.h"
 #include "lib/check/result.h"
 #include "lib/random/stream.h"
@@ -115,6 +116,7 @@ class AcousticNetwork {
     double end_s = 0;
     double range_m = -1;
     double jitter_s = -1;
+    std::optional<double> snr_db;
     double loss_probability = -1;
     double bit_error_probability = -1;
     int64_t num_wrong_bits = 0;  ///< Bits to flip if it is handed over.
@@ -145,6 +147,7 @@ class AcousticNetwork {
   void Offer(const Transmission& transmission, int32_t index, int receiver,
              std::span<const Eigen::Vector3d> positions_m);
   void MeetThePath(const Transmission& transmission, double range_m, Pending* pending) const;
+  double MeetTheModem(double range_m, Pending* pending) const;
   StreamKey KeyOf(const Transmission& transmission, int receiver) const {
     return transmission.key.With(nodes_[static_cast<size_t>(receiver)].hears);
   }
@@ -170,6 +173,7 @@ class AcousticNetwork {
 
   AcousticOptions options_;
   ChannelPlan plan_;
+  std::optional<LinkModel> link_;  ///< Where packet loss or bit errors are by the modem.
   uint64_t seed_;
   std::vector<Node> nodes_;
   std::set<std::string, std::less<>> names_;

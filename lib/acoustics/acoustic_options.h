@@ -8,6 +8,8 @@
 #include <span>
 #include <string_view>
 
+#include "lib/acoustics/modem_preset.h"
+
 namespace shoal {
 
 /// Who sends on which channel and hears which.
@@ -38,8 +40,9 @@ enum class CollisionModel : uint8_t {
 };
 
 /// lib/acoustics/loss_models.h has the formulas.
-enum class PacketLossModel : uint8_t { kUniform, kExpSimple, kSonarSimple, kOff };
-enum class BitErrorModel : uint8_t { kPoisson, kExpSimple, kSnr, kOff };
+/// kModem: from the signal-to-noise ratio at the receiver, by AcousticOptions::modem and ::sea.
+enum class PacketLossModel : uint8_t { kUniform, kExpSimple, kSonarSimple, kOff, kModem };
+enum class BitErrorModel : uint8_t { kPoisson, kExpSimple, kSnr, kOff, kModem };
 
 struct AcousticOptions {
   AccessMode access_mode = AccessMode::kFdma;                         ///< [accessMode]
@@ -66,6 +69,11 @@ struct AcousticOptions {
   double bit_error_distance_m = 3000;    ///< Grows e-fold over this distance. [BER_CHARDIST]
   double snr_nominal_db = 30;  ///< At the nominal distance. Cancels out of the model. [SNR_NOMINAL]
   double snr_slope = 0.1;      ///< Decades of bit error rate per decibel. [SNR_SLOPE]
+
+  std::optional<ModemPreset> modem = std::nullopt;  ///< Present where a model is kModem.
+  Sea sea = {};                                     ///< Between the modems.
+
+  bool operator==(const AcousticOptions&) const = default;
 };
 
 /// What mission files write for each choice, by its number.
@@ -74,10 +82,10 @@ inline constexpr std::array<std::string_view, 4> kAccessModeTexts = {"shared", "
 inline constexpr std::array<std::string_view, 2> kChannelOrderTexts = {"center_out", "edge_in"};
 inline constexpr std::array<std::string_view, 2> kJitterTexts = {"uniform", "off"};
 inline constexpr std::array<std::string_view, 3> kCollisionTexts = {"drop", "corrupt", "off"};
-inline constexpr std::array<std::string_view, 4> kPacketLossTexts = {"uniform", "exp_simple",
-                                                                     "sonar_simple", "off"};
-inline constexpr std::array<std::string_view, 4> kBitErrorTexts = {"poisson", "exp_simple", "snr",
-                                                                   "off"};
+inline constexpr std::array<std::string_view, 5> kPacketLossTexts = {
+    "uniform", "exp_simple", "sonar_simple", "off", "modem"};
+inline constexpr std::array<std::string_view, 5> kBitErrorTexts = {"poisson", "exp_simple", "snr",
+                                                                   "off", "modem"};
 
 constexpr std::span<const std::string_view> ChoiceTexts(AccessMode) { return kAccessModeTexts; }
 constexpr std::span<const std::string_view> ChoiceTexts(ChannelOrder) { return kChannelOrderTexts; }

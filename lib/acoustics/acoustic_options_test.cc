@@ -36,8 +36,8 @@ TEST(Choices, AreWrittenAndReadTheSameWay) {
   ExpectEachTextToBeItsOwnChoice<ChannelOrder>(2);
   ExpectEachTextToBeItsOwnChoice<JitterModel>(2);
   ExpectEachTextToBeItsOwnChoice<CollisionModel>(3);
-  ExpectEachTextToBeItsOwnChoice<PacketLossModel>(4);
-  ExpectEachTextToBeItsOwnChoice<BitErrorModel>(4);
+  ExpectEachTextToBeItsOwnChoice<PacketLossModel>(5);
+  ExpectEachTextToBeItsOwnChoice<BitErrorModel>(5);
   EXPECT_EQ(ChoiceText(AccessMode::kTdmaLf), "tdma_lf");
   EXPECT_EQ(ChoiceText(ChannelOrder::kEdgeIn), "edge_in");
   EXPECT_EQ(ChoiceText(JitterModel::kOff), "off");
@@ -121,8 +121,92 @@ TEST(FindProblems, NamesEveryNumberThatIsImpossible) {
   changed.broadcast_address = -1;
   const std::vector<OptionProblem> problems = FindProblems(changed, Nodes(1));
   ASSERT_EQ(problems.size(), 2U);
-  EXPECT_EQ(problems[0].message, "must be from 0 to 1e+09, not -1");
-  EXPECT_EQ(problems[1].message, "must be from 0 to 1, not 1.5");
+  EXPECT_EQ(problems[0].message, "must be from 0 to 1, not 1.5");
+  EXPECT_EQ(problems[1].option, "broadcast_address");
+  EXPECT_EQ(problems[1].message, "must be from 0 to 1e+09, not -1");
+}
+
+/// Returns the messages about options with a modem that has this code, one per line.
+std::string ProblemsOfModem(PacketLossModel packet_loss, BitErrorModel bit_errors,
+                            const BlockCode& code) {
+  AcousticOptions options;
+  options.packet_loss_model = packet_loss;
+  options.bit_error_model = bit_errors;
+  options.modem =
+      ModemPreset{.name = "m", .low_khz = 23, .high_khz = 27, .data_rate_bps = 80, .code = code};
+  std::string all;
+  for (const OptionProblem& problem : FindProblems(options, Nodes(1))) {
+    all += problem.option + ": " + problem.message + "\n";
+  }
+  return all;
+}
+
+TEST(FindProblems, LetsAModemDecideOverLossOrOverBitErrors) {
+  const BlockCode golay = {.block_bits = 23, .data_bits = 12, .corrected_bits = 3};
+  EXPECT_EQ(ProblemsOfModem(PacketLossModel::kModem, BitErrorModel::kOff, golay), "");
+  EXPECT_EQ(ProblemsOfModem(PacketLossModel::kModem, BitErrorModel::kPoisson, {}), "");
+  EXPECT_EQ(ProblemsOfModem(PacketLossModel::kOff, BitErrorModel::kModem, {}), "");
+  EXPECT_EQ(ProblemsOfModem(PacketLossModel::kOff, BitErrorModel::kModem,
+                            {.block_bits = 8, .data_bits = 8, .corrected_bits = 0}),
+            "");
+  EXPECT_EQ(
+      ProblemsOfModem(PacketLossModel::kModem, BitErrorModel::kModem, {}),
+      "bit_error_model: packet_loss_model = \"modem\" already loses the packets in which bits "
+      "are wrong: with bit_error_model = \"modem\" too they would count twice; set one of the "
+      "two to \"off\"\n");
+  EXPECT_EQ(
+      ProblemsOfModem(PacketLossModel::kOff, BitErrorModel::kModem, golay),
+      "bit_error_model: bit_error_model = \"modem\" is for modems without a code, and 'm' has "
+      "one that corrects 3 of 23 bits; use packet_loss_model = \"modem\" and bit_error_model "
+      "= \"off\"\n");
+}
+
+TEST(FindProblems, AsksForAModemWhereAModelNeedsOne) {
+  AcousticOptions options;
+  options.packet_loss_model = PacketLossModel::kModem;
+  std::vector<OptionProblem> problems = FindProblems(options, Nodes(1));
+  ASSERT_EQ(problems.size(), 1U);
+  EXPECT_EQ(problems[0].option, "packet_loss_model");
+  EXPECT_EQ(problems[0].message,
+            "packet_loss_model = \"modem\" needs a modem; name one, as in modem = "
+            "\"whoi_micromodem2\", or choose another model");
+  options.packet_loss_model = PacketLossModel::kOff;
+  options.bit_error_model = BitErrorModel::kModem;
+  problems = FindProblems(options, Nodes(1));
+  ASSERT_EQ(problems.size(), 1U);
+  EXPECT_EQ(problems[0].option, "bit_error_model");
+}
+
+TEST(FindProblems, RefusesModemsAndSeasThatCannotBe) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const ModemPreset sound = {
+      .name = "m", .low_khz = 23, .high_khz = 27, .data_rate_bps = 80, .source_level_db = 180};
+  const auto option_of = [](const ModemPreset& modem, const Sea& sea) {
+    AcousticOptions options;
+    options.modem = modem;
+    options.sea = sea;
+    const std::vector<OptionProblem> problems = FindProblems(options, Nodes(1));
+    return problems.empty() ? "" : problems[0].option;
+  };
+  EXPECT_EQ(option_of(sound, {}), "");
+  EXPECT_EQ(option_of({}, {}), "modem");
+  for (const double wrong : {nan, 0.0, -1.0, 2000.0}) {
+    ModemPreset modem = sound;
+    modem.high_khz = wrong;
+    EXPECT_EQ(option_of(modem, {}), "modem") << wrong;
+  }
+  ModemPreset modem = sound;
+  modem.data_rate_bps = nan;
+  EXPECT_EQ(option_of(modem, {}), "modem");
+  modem = sound;
+  modem.source_level_db = nan;
+  EXPECT_EQ(option_of(modem, {}), "modem");
+  modem = sound;
+  modem.code = {.block_bits = 7, .data_bits = 4, .corrected_bits = 2};
+  EXPECT_EQ(option_of(modem, {}), "modem");
+  EXPECT_EQ(option_of(sound, {.water = {.temperature_degc = 40}}), "sea");
+  EXPECT_EQ(option_of(sound, {.noise = {.wind_mps = nan}}), "sea");
+  EXPECT_EQ(option_of(sound, {.spreading_exponent = 0}), "sea");
 }
 
 }  // namespace

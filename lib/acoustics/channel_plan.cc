@@ -33,7 +33,8 @@ std::string TooManyNodes(const AcousticOptions& options, int nodes) {
          NumberText(options.guard_band_khz) +
          " for guard bands), bandwidth_khz = " + NumberText(options.bandwidth_khz) + " holds " +
          std::to_string(ChannelCapacity(options)) +
-         " channels; widen bandwidth_khz, or narrow channel_bandwidth_khz or guard_band_khz";
+         (ChannelCapacity(options) == 1 ? " channel" : " channels") +
+         "; widen bandwidth_khz, or narrow channel_bandwidth_khz or guard_band_khz";
 }
 
 }  // namespace
@@ -85,8 +86,7 @@ Result<ChannelPlan> ChannelPlan::Make(const AcousticOptions& options,
                  NumberText(options.bandwidth_khz) + " holds " + std::to_string(capacity)};
   }
   if (is_tdma_lf && std::ranges::none_of(nodes, &AcousticNode::is_leader)) {
-    return Error{"tdma_lf needs a leader, and none of the " + std::to_string(nodes.size()) +
-                 " nodes is one: nobody would hear anybody"};
+    return Error{"tdma_lf needs a leader, and no node is one: nobody would hear anybody"};
   }
   plan.freqs_khz_ = ChannelFreqs_khz(options, wanted);
   if (!is_fdma) {

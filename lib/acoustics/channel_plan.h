@@ -37,6 +37,7 @@ struct AcousticChannel {
 /// too many.) At most kMaxChannels; 0 where the options make no sense.
 [[nodiscard]] int ChannelCapacity(const AcousticOptions& options);
 inline constexpr int kMaxChannels = 1'000'000;
+inline constexpr int kMaxBroadcastAddress = 1'000'000'000;
 
 /// Returns what `count` channels and their guard bands take.
 [[nodiscard]] double BandNeeded_khz(const AcousticOptions& options, int count);

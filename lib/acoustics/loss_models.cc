@@ -37,6 +37,7 @@ double PacketLossProbability(const AcousticOptions& options, double range_m, dou
           1);
     }
     case PacketLossModel::kOff:
+    case PacketLossModel::kModem:
       return 0;
   }
   return 0;
@@ -58,6 +59,7 @@ double BitErrorProbability(const AcousticOptions& options, double range_m) {
                      kUninformativeRate);
     }
     case BitErrorModel::kOff:
+    case BitErrorModel::kModem:
       return 0;
   }
   return 0;

@@ -13,6 +13,7 @@ namespace shoal {
 ///   exp_simple    P f e^((range_m - nominal_distance_m) / D)
 ///   sonar_simple  P f e^((range_m - nominal_distance_m) / D) d^1.5
 /// f is a factor of 1 % per kHz, below 1 under the base frequency.
+/// 0 for modem, which is no formula of the range alone: lib/acoustics/modem_preset.h has it.
 [[nodiscard]] double PacketLossProbability(const AcousticOptions& options, double range_m,
                                            double freq_khz);
 
@@ -21,9 +22,8 @@ namespace shoal {
 ///   poisson     B (the name is muNet's; errors are independent, their number binomial)
 ///   exp_simple  B e^((range_m - nominal_distance_m) / D)
 ///   snr         B 10^(snr_slope 15 log10 d): errors grow with the decibels that practical
-///   spreading
-///               (15 dB per decade) takes off `snr_nominal_db`, which itself has no say.
-/// A bit that is wrong every second time carries nothing, so 0.5 is the limit.
+///               spreading (15 dB per decade) takes off `snr_nominal_db`, which has no say itself.
+/// A bit that is wrong every second time carries nothing, so 0.5 is the limit. 0 for modem.
 [[nodiscard]] double BitErrorProbability(const AcousticOptions& options, double range_m);
 
 }  // namespace shoal

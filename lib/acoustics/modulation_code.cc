@@ -45,17 +45,23 @@ double BlockErrorRate(double bit_error_rate, const BlockCode& code) {
               "codes are checked where they are read");
   const double p = std::isnan(bit_error_rate) ? 0.5 : std::clamp(bit_error_rate, 0.0, 0.5);
   const int n = code.block_bits;
-  // Both tails of the binomial distribution are summed, and the smaller one counts: neither
-  // cancels. Its first term is at least 2^-1023.
+  const double odds = p / (1 - p);
+  // The smaller tail of the binomial distribution is summed, so that nothing cancels; its terms
+  // fall, faster and faster, once the larger tail is behind. The first term is at least 2^-1023.
   double term = std::pow(1 - p, n);
   double corrected = 0;
-  double uncorrected = 0;
-  for (int i = 0; i <= n; ++i) {
-    (i <= code.corrected_bits ? corrected : uncorrected) += term;
-    term *= p / (1 - p) * (n - i) / (i + 1);
+  int i = 0;
+  for (; i <= std::min(code.corrected_bits, n); ++i) {
+    corrected += term;
+    term *= odds * (n - i) / (i + 1);
   }
-  const double rate = uncorrected < 0.5 ? uncorrected : 1 - corrected;
-  return std::clamp(rate, 0.0, 1.0);
+  if (corrected < 0.5) return std::clamp(1 - corrected, 0.0, 1.0);
+  double uncorrected = 0;
+  for (; i <= n && uncorrected + term != uncorrected; ++i) {
+    uncorrected += term;
+    term *= odds * (n - i) / (i + 1);
+  }
+  return std::clamp(uncorrected, 0.0, 1.0);
 }
 
 double PacketErrorRate(double bit_error_rate, uint64_t packet_bytes, const BlockCode& code) {

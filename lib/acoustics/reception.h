@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -40,7 +41,7 @@ struct PacketId {
 /// So many of the packets that overlapped one are named; all are counted.
 inline constexpr int kMaxNamedColliders = 4;
 
-/// One packet at one receiver. A number that played no part is -1.
+/// One packet at one receiver. A number that played no part is -1, or absent.
 struct Reception {
   PacketId packet;
   int32_t receiver = -1;
@@ -55,6 +56,7 @@ struct Reception {
   double jitter_s = -1;
   double range_m = -1;  ///< Between the two at sent_s.
 
+  std::optional<double> snr_db = std::nullopt;  ///< In the modem's band, where a model asks for it.
   double loss_probability = -1;
   double bit_error_probability = -1;  ///< Of each bit.
   int64_t num_bits_flipped = 0;

@@ -39,6 +39,21 @@ inline AcousticOptions CalmWater(AccessMode mode) {
           .bit_error_model = BitErrorModel::kOff};
 }
 
+/// Returns a modem that hears others up to 5 km or so.
+inline ModemPreset TestModem() {
+  return {.name = "test",
+          .low_khz = 24,
+          .high_khz = 32,
+          .data_rate_bps = 463,
+          .max_packet_bytes = 64,
+          .source_level_db = 168,
+          .typical_range_m = 2000,
+          .modulation = Modulation::kCoherentPsk,
+          .fading = Fading::kRayleigh,
+          .code = {.block_bits = 127, .data_bits = 92, .corrected_bits = 5},
+          .sources = {}};
+}
+
 /// A reception with its own copy of the bytes.
 struct Arrived {
   Reception reception;
@@ -100,6 +115,10 @@ class TrafficDice {
     options.half_duplex = OneIn(2);
     options.packet_loss = OneIn(4) ? 1 : Double(0, 0.3);
     options.bit_error_rate = OneIn(4) ? 0.5 : Double(0, 0.01);
+    if (OneIn(3)) {
+      options.modem = TestModem();
+      options.packet_loss_model = PacketLossModel::kModem;
+    }
     return options;
   }
 

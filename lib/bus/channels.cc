@@ -37,6 +37,7 @@ Channel<node_message_t> MediatedMessage(std::string_view vehicle) {
 Channel<ack_message_t> AckMessageTo(std::string_view vehicle) {
   return {Of("ACK_MESSAGE", vehicle)};
 }
+Channel<acoustic_rx_t> AcousticRx(std::string_view vehicle) { return {Of("ACOUSTIC_RX", vehicle)}; }
 
 Channel<helm_command_t> HelmCommandAll() { return {"HELM_COMMAND"}; }
 Channel<node_report_t> NodeReportLocal() { return {"NODE_REPORT_LOCAL"}; }
@@ -44,6 +45,7 @@ Channel<node_report_t> NodeReportFromOutside() { return {"NODE_REPORT"}; }
 Channel<node_message_t> NodeMessageLocal() { return {"NODE_MESSAGE_LOCAL"}; }
 Channel<node_message_t> NodeMessageFromOutside() { return {"NODE_MESSAGE"}; }
 Channel<ack_message_t> AckMessage() { return {"ACK_MESSAGE"}; }
+Channel<acoustic_tx_t> AcousticTx() { return {"ACOUSTIC_TX"}; }
 Channel<unc_control_t> Control(const ControlRow& row) { return {std::string(row.channel)}; }
 Channel<unc_controls_t> UncControls() { return {"UNC_CONTROLS"}; }
 Channel<unc_controls_req_t> UncControlsReq() { return {"UNC_CONTROLS_REQ"}; }
@@ -80,6 +82,8 @@ std::vector<ChannelRow> MakeTable() {
        "one per message that got through", true},
       {"ACK_MESSAGE", kVehicle, "ack_message_t", "shore_broker", "node_reporter, your programs",
        "one per ack that got through", true},
+      {"ACOUSTIC_RX", kVehicle, "acoustic_rx_t", "shore_broker", "your programs",
+       "one per packet that arrived", true},
       {"MEDIATED_MESSAGE", kVehicle, "node_message_t", "shoal (events), shoal send, your programs",
        "node_reporter", "when needed", true},
       {"HELM_COMMAND", kShore, "helm_command_t", "anybody", "shore_broker", "when needed", true},
@@ -94,6 +98,7 @@ std::vector<ChannelRow> MakeTable() {
        true},
       {"ACK_MESSAGE", kShore, "ack_message_t", "node_reporter, vehicles from outside",
        "shore_broker", "one per message heard that asks for it", true},
+      {"ACOUSTIC_TX", kShore, "acoustic_tx_t", "your programs", "shore_broker", "when needed", true},
       {"COMMS_FATES", kShore, "comms_fates_t", "shore_broker", "shoal", "steps with decisions",
        true},
       {"COMMS_RULES", kShore, "comms_rules_t", "shore_broker", "(shoal rebroker)",

@@ -13,6 +13,8 @@
 #include "lib/bus/bus.h"
 #include "lib/routing/control.h"
 #include "shoal/ack_message_t.hpp"
+#include "shoal/acoustic_rx_t.hpp"
+#include "shoal/acoustic_tx_t.hpp"
 #include "shoal/actuators_t.hpp"
 #include "shoal/appcast_req_t.hpp"
 #include "shoal/appcast_t.hpp"
@@ -51,6 +53,7 @@ Channel<node_report_t> NodeReport(std::string_view vehicle);
 Channel<node_message_t> NodeMessage(std::string_view vehicle);
 Channel<node_message_t> MediatedMessage(std::string_view vehicle);
 Channel<ack_message_t> AckMessageTo(std::string_view vehicle);
+Channel<acoustic_rx_t> AcousticRx(std::string_view vehicle);
 
 // At the shore.
 Channel<helm_command_t> HelmCommandAll();
@@ -59,6 +62,7 @@ Channel<node_report_t> NodeReportFromOutside();
 Channel<node_message_t> NodeMessageLocal();
 Channel<node_message_t> NodeMessageFromOutside();
 Channel<ack_message_t> AckMessage();
+Channel<acoustic_tx_t> AcousticTx();
 Channel<unc_control_t> Control(const ControlRow& row);
 Channel<unc_controls_t> UncControls();
 Channel<unc_controls_req_t> UncControlsReq();

@@ -10,6 +10,12 @@
 // Reading, unknown keys, suggestions, overrides, templates, --explain follow from these.
 #pragma once
 
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lib/acoustics/channel_plan.h"
 #include "lib/mission/fields.h"
 #include "lib/mission/mission.h"
 #include "lib/routing/control.h"
@@ -31,6 +37,21 @@ void Describe(Fields& fields, RoutingRules& rules);
 /// The value of a rule that can change while a mission runs, under `key`.
 void DescribeControlValue(Fields& fields, std::string_view key, const ControlRow& row,
                           double& value);
+
+/// [acoustics] of a network of `nodes`. A modem's file is looked for in `folder` and among those
+/// that come with shoal; where there is no folder, a modem must be a table.
+void Describe(Fields& fields, Acoustics& acoustics, const std::optional<std::string>& folder,
+              const std::vector<AcousticNode>& nodes);
+/// [acoustics] of a whole file. The vehicles and the rules of `mission` are known.
+void DescribeAcoustics(Fields& file, Mission& mission);
+/// Refuses, in [comms], traffic over an acoustic network that the file does not describe and whose
+/// defaults do not fit the vehicles of `mission`.
+void CheckTrafficOverWater(Fields& comms, const Mission& mission);
+/// Refuses, in [comms], reports that the modem's packets cannot hold; warns of vehicles whose own
+/// reports overlap in the water. All else of `mission` is known.
+void CheckReportsOverWater(Fields& file, const Mission& mission);
+/// Gives an acoustic address to the vehicles that name none, and refuses what is not unique.
+void CheckAcousticAddresses(Fields& file, Mission& mission);
 
 /// One [[vehicle]], or a template, whose name is empty.
 void Describe(Fields& fields, Vehicle& vehicle);

@@ -38,6 +38,8 @@ void Describe(Fields& fields, RoutingRules& rules) {
   fields.Number("min_msg_interval", rules.min_msg_interval_s, seconds);
   fields.Integer("max_msg_length", rules.max_msg_length_bytes, 0, 1'000'000'000);
   fields.Number("drop_percentage", rules.drop_percentage, Between(0, 100));
+  fields.Choice("reports_over", rules.reports_over, kMedia);
+  fields.Choice("messages_over", rules.messages_over, kMedia);
   DescribeControlValue(fields, "shared_node_reports", *FindControl("shared_node_reports"),
                        rules.shared_node_reports_s);
   fields.Number("pulse_duration", rules.pulse_duration_s, Between(0, kLongest_s));

@@ -75,6 +75,35 @@ void DescribeCount(Fields& fields, std::string_view key, std::optional<int64_t>&
   count = value;
 }
 
+void DescribePercentage(Fields& fields, std::string_view key, std::optional<double>& percentage) {
+  if (!fields.Has(key, percentage.has_value())) return;
+  double value = percentage.value_or(0);
+  fields.Number(key, value, Between(0, 100));
+  percentage = value;
+}
+
+/// Refuses two limits between which there is nothing.
+template <class Number>
+void CheckLimits(Fields& fields, std::string_view low_key, const std::optional<Number>& low,
+                 std::string_view high_key, const std::optional<Number>& high) {
+  if (!low || !high || *low <= *high) return;
+  fields.Refuse(high_key, fmt::format("{} = {} is less than {} = {}: this can never hold", high_key,
+                                      *high, low_key, *low));
+}
+
+/// Refuses numbers of one destination that nobody counts: the far ones of a large fleet.
+void CheckFarTogether(Fields& fields, const CommsExpectation& comms, const Mission& mission) {
+  const int64_t limit = mission.comms.each_fate_up_to;
+  const bool are_together = static_cast<int64_t>(mission.vehicles.size()) > limit;
+  if (!are_together || comms.to == "all") return;
+  const bool has_percentage = comms.at_least_pct.has_value() || comms.at_most_pct.has_value();
+  if (comms.cause != CauseText(Cause::kOutOfRange) && !has_percentage) return;
+  fields.Refuse("to", fmt::format("in a fleet of more than each_fate_up_to = {} vehicles, those "
+                                  "that are out of range are counted together: leave to out, or "
+                                  "raise [comms] each_fate_up_to",
+                                  limit));
+}
+
 void Describe(Fields& fields, CommsExpectation& comms, const Mission& mission) {
   fields.Text("from", comms.from, {.min_length = 1});
   ResolveVehicle(fields, "from", comms.from, mission, true);
@@ -86,23 +115,18 @@ void Describe(Fields& fields, CommsExpectation& comms, const Mission& mission) {
     if (CanHave(comms.kind, cause)) causes.push_back(CauseText(cause));
   }
   fields.Word("cause", comms.cause, causes);
-  if (comms.cause == CauseText(Cause::kOutOfRange) && comms.to != "all" &&
-      static_cast<int64_t>(mission.vehicles.size()) > mission.comms.each_fate_up_to) {
-    fields.Refuse("to", fmt::format("in a fleet of more than each_fate_up_to = {} vehicles, those "
-                                    "that are out of range are counted together: leave to out, or "
-                                    "raise [comms] each_fate_up_to",
-                                    mission.comms.each_fate_up_to));
-  }
   DescribeCount(fields, "at_least", comms.at_least);
   DescribeCount(fields, "at_most", comms.at_most);
-  if (!comms.at_least && !comms.at_most) {
-    fields.Refuse("", fmt::format("an expectation of {} needs at_least, at_most or both",
+  DescribePercentage(fields, "at_least_pct", comms.at_least_pct);
+  DescribePercentage(fields, "at_most_pct", comms.at_most_pct);
+  CheckFarTogether(fields, comms, mission);
+  if (!comms.at_least && !comms.at_most && !comms.at_least_pct && !comms.at_most_pct) {
+    fields.Refuse("", fmt::format("an expectation of {} needs one of at_least, at_most, "
+                                  "at_least_pct, at_most_pct, or several",
                                   NameOf(comms.kind)));
-  } else if (comms.at_least && comms.at_most && *comms.at_least > *comms.at_most) {
-    fields.Refuse("at_most", fmt::format("at_most = {} is less than at_least = {}: this can never "
-                                         "hold",
-                                         *comms.at_most, *comms.at_least));
   }
+  CheckLimits(fields, "at_least", comms.at_least, "at_most", comms.at_most);
+  CheckLimits(fields, "at_least_pct", comms.at_least_pct, "at_most_pct", comms.at_most_pct);
 }
 
 void Describe(Fields& fields, HelmExpectation& helm, const Mission& mission) {
@@ -158,8 +182,8 @@ void Describe(Fields& fields, LapsExpectation& laps, const Mission& mission) {
 }  // namespace
 
 void Describe(Fields& fields, Expectation& expectation, const Mission& mission) {
-  constexpr std::array<std::string_view, 7> kKinds = {"arrival", "separation", "reports", "helm",
-                                                      "laps",    "messages",   "acks"};
+  constexpr std::array<std::string_view, 8> kKinds = {
+      "arrival", "separation", "reports", "helm", "laps", "messages", "acks", "packets"};
   std::string kind(fields.reading() ? "" : kKinds.at(expectation.what.index()));
   if (const auto* comms = std::get_if<CommsExpectation>(&expectation.what)) {
     kind = fields.reading() ? "" : NameOf(comms->kind);
@@ -169,7 +193,7 @@ void Describe(Fields& fields, Expectation& expectation, const Mission& mission) 
   if (fields.reading()) {
     expectation.where = fields.Where();
     if (kind == "separation") expectation.what = SeparationExpectation();
-    for (const Kind each : {Kind::kReport, Kind::kMessage, Kind::kAck}) {
+    for (const Kind each : {Kind::kReport, Kind::kMessage, Kind::kAck, Kind::kPacket}) {
       if (kind != NameOf(each)) continue;
       CommsExpectation comms;
       comms.kind = each;

@@ -183,10 +183,16 @@ void Describe(Fields& file, Mission& mission) {
     file.Below("comms", [&](Fields& fields) {
       Describe(fields, mission.comms);
       CheckIgnoredGroup(fields, mission);
+      const bool has_acoustics = file.Has("acoustics", mission.acoustics.is_used);
+      if (fields.reading() && !has_acoustics) CheckTrafficOverWater(fields, mission);
     });
   };
   file.Skip("comms");
-  if (!file.reading()) describe_comms();
+  file.Skip("acoustics");
+  if (!file.reading()) {
+    describe_comms();
+    DescribeAcoustics(file, mission);
+  }
 
   file.Skip("template");
   file.Require("vehicle", "[[vehicle]], followed by name = \"alpha\"; or a [[fleet]]");
@@ -196,7 +202,12 @@ void Describe(Fields& file, Mission& mission) {
     vehicle_names.Check(fields, vehicle.name);
   });
   file.Skip("fleet");
-  if (file.reading()) describe_comms();  // It names groups of the vehicles.
+  if (file.reading()) {  // These name groups of the vehicles, and ask how many they are.
+    describe_comms();
+    DescribeAcoustics(file, mission);
+    CheckAcousticAddresses(file, mission);
+    CheckReportsOverWater(file, mission);
+  }
 
   file.List("event", mission.events,
             [&](Fields& fields, Event& event) { Describe(fields, event, mission); });

@@ -1,5 +1,6 @@
 // The tables [[vehicle]] and [template.NAME].
 #include <array>
+#include <limits>
 #include <set>
 #include <string>
 #include <string_view>
@@ -15,6 +16,7 @@ namespace {
 constexpr size_t kMostTasks = 1000;
 constexpr size_t kMostThrustPoints = 100;
 constexpr size_t kMostExtraFields = 100;
+constexpr int kLargestAddress = std::numeric_limits<int>::max();
 
 void Describe(Fields& fields, StartPose& start) {
   fields.Number("x_m", start.x_m, Between(-kFarthest_m, kFarthest_m));
@@ -133,6 +135,10 @@ void Describe(Fields& fields, Vehicle& vehicle) {
   fields.Number("length_m", vehicle.length_m, Above(0, 500));
   fields.Number("stealth", vehicle.link_factors.stealth, Between(0, 1));
   fields.Number("earange", vehicle.link_factors.earange, Between(1, 10));
+  if (fields.Has("acoustic_address", vehicle.acoustic_address > 0)) {
+    fields.SmallInteger("acoustic_address", vehicle.acoustic_address, 1, kLargestAddress);
+  }
+  fields.Flag("acoustic_leader", vehicle.acoustic_leader);
   fields.Inline("start", [&](Fields& table) { Describe(table, vehicle.start); });
   fields.Choice("vehicle_sim", vehicle.sim, kProviders);
   fields.Choice("helm", vehicle.helm, kProviders);

@@ -1,222 +1,24 @@
 // Explain and LoadMissionText are each other's inverse.
 #include <gtest/gtest.h>
 
-#include <array>
-#include <cmath>
 #include <cstdint>
 #include <fstream>
 #include <iterator>
 #include <optional>
-#include <random>
 #include <set>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include "lib/mission/load.h"
+#include "lib/mission/load_acoustics.h"
+#include "lib/mission/mission_draw.h"
 #include "lib/mission/parse.h"
 #include "lib/mission/problems.h"
 #include "lib/mission/value.h"
 
 namespace shoal {
 namespace {
-
-/// Draws missions that use every field.
-class MissionDraw {
- public:
-  explicit MissionDraw(uint64_t seed) : generator_(seed) {}
-
-  Mission Draw() {
-    Mission mission;
-    mission.name = Text();
-    mission.description = Text() + "\nsecond line\t\"quoted\" \\";
-    mission.seed = static_cast<uint64_t>(Integer(0, INT64_MAX));
-    mission.tick_us = Integer(1000, 10'000'000);
-    mission.duration_s = static_cast<double>(mission.tick_us * Integer(1, 1000)) / 1e6;
-    mission.start_utime = Integer(0, 9'000'000'000'000'000);
-    mission.origin_lat_deg = Number(-90, 90);
-    mission.origin_lon_deg = Number(-180, 180);
-    mission.on_loss = static_cast<OnLoss>(Integer(0, 2));
-    mission.participant_timeout_s = Number(0.1, 3600);
-    mission.broker = DrawProvider();
-    mission.environment = {Number(0, 50), Number(-360, 360)};
-    mission.comms = {.comms_range_m = Coin() ? -1 : Number(0, 1e7),
-                     .critical_range_m = Number(0, 1e7),
-                     .stale_time_s = Coin() ? -1 : Number(0, 1e7),
-                     .stale_forget_s = Number(-1, 1e7),
-                     .groups = Coin(),
-                     .msg_groups = Coin(),
-                     .ignore_group = Coin() ? "" : Text(),
-                     .min_rpt_interval_s = Number(-1, 1e7),
-                     .min_msg_interval_s = Number(-1, 1e7),
-                     .max_msg_length_bytes = Integer(0, 1'000'000'000),
-                     .drop_percentage = Number(0, 100),
-                     .shared_node_reports_s = Coin() ? -1 : Number(0, 1e7),
-                     .pulse_duration_s = Number(0, 1e7),
-                     .view_node_rpt_pulses = Coin(),
-                     .msg_color = Text(),
-                     .msg_repeat_color = Text(),
-                     .each_fate_up_to = Integer(0, 1'000'000)};
-    for (int64_t i = Integer(0, 4) == 0 ? 2 : 1; i > 0; --i)
-      mission.vehicles.push_back(DrawVehicle(i));
-    double at_s = 0;
-    for (int64_t i = Integer(0, 4); i > 0; --i) {
-      at_s = Number(at_s, mission.duration_s);
-      mission.events.push_back(DrawEvent(at_s));
-    }
-    for (int64_t i = Integer(0, 2); i > 0; --i) {
-      mission.participants.push_back({"planner_" + std::to_string(i), {Text(), "", Text()}});
-    }
-    for (int64_t i = Integer(0, 6); i > 0; --i) {
-      mission.expectations.push_back(DrawExpectation(mission.duration_s));
-    }
-    return mission;
-  }
-
- private:
-  int64_t Integer(int64_t min, int64_t max) {
-    return std::uniform_int_distribution<int64_t>(min, max)(generator_);
-  }
-  bool Coin() { return Integer(0, 1) == 1; }
-  /// In [min, max], the ends more often than by chance.
-  double Number(double min, double max) {
-    const int64_t choice = Integer(0, 9);
-    if (choice == 0) return min;
-    if (choice == 1) return max;
-    return std::clamp(std::uniform_real_distribution<double>(min, max)(generator_), min, max);
-  }
-  double Positive(double max) { return Number(1e-300, max); }
-  Eigen::Vector2d Point() { return {Number(-1e6, 1e6), Number(-1e6, 1e6)}; }
-  Provider DrawProvider() { return static_cast<Provider>(Integer(0, 2)); }
-
-  std::string Text() {
-    constexpr std::array<const char*, 12> kPieces = {
-        "a", "Z", "7", " ", "\"", "\\", "'", "#", "=", "\xC3\xA9", "\xF0\x9F\x90\x9F", "]"};
-    std::string text = "t";
-    for (int64_t i = Integer(0, 12); i > 0; --i) {
-      text += kPieces.at(static_cast<size_t>(Integer(0, kPieces.size() - 1)));
-    }
-    return text;
-  }
-
-  CaptureRule DrawCapture() { return {Positive(1000), Number(0, 1000), Coin()}; }
-
-  Vehicle DrawVehicle(int64_t number) {
-    Vehicle vehicle;
-    vehicle.name = "Vessel_" + std::to_string(number);
-    vehicle.type = Text();
-    vehicle.group = Coin() ? "" : Text();
-    vehicle.color = Text();
-    vehicle.length_m = Positive(500);
-    vehicle.start = {Number(-1e6, 1e6), Number(-1e6, 1e6), Number(-360, 360), Number(0, 50)};
-    vehicle.surface_craft = {
-        .thrust_map = {{-Positive(100), -Number(0, 50)}, {0, 0}, {50, Number(0, 3)}, {100, 4}},
-        .reverse_ratio = Number(0, 1),
-        .max_acceleration_mps2 = Positive(100),
-        .max_deceleration_mps2 = Positive(100),
-        .max_rudder_deg = Positive(180),
-        .max_rudder_rate_degps = Positive(100'000),
-        .turn_rate_degps = Positive(360),
-        .full_turn_speed_mps = Positive(50),
-        .turn_speed_loss = Number(0, 0.99)};
-    vehicle.sim = DrawProvider();
-    vehicle.helm = DrawProvider();
-    vehicle.reporter = DrawProvider();
-    vehicle.helm_options = {Positive(3600), Coin(), Positive(3600)};
-    vehicle.autopilot = {Number(0, 1000), Number(0, 1000), Number(0, 1000), Number(0, 180),
-                         Number(0, 1000), Number(0, 1000), Number(0, 100)};
-    const double blackout_s = Number(0, 100'000);
-    vehicle.reporter_options = {.rate_hz = Positive(1000),
-                                .nav_grace_period_s = Number(0, 100'000),
-                                .nohelm_threshold_s = Number(0, 100'000),
-                                .blackout_interval_s = blackout_s,
-                                .blackout_variance_s = Number(0, blackout_s),
-                                .extrapolate = Coin(),
-                                .extrap_position_thresh_m = Number(0, 10'000),
-                                .extrap_heading_thresh_deg = Number(0, 360),
-                                .extrap_max_gap_s = Number(0, 100'000),
-                                .extra = {{"PLAIN", Text()}, {Text(), ""}, {"with.dot", Text()}}};
-    vehicle.message_options = {Positive(100'000), Integer(0, 1000)};
-    vehicle.link_factors = {Number(0, 1), Number(1, 10)};
-    const double inner_m = Positive(9000);
-    const Eigen::Vector2d station_m = Coin() ? Point() : Eigen::Vector2d(0, 0);
-    vehicle.tasks = {
-        {"survey", WaypointsTask{{Point(), Point()},
-                                 Positive(50),
-                                 DrawCapture(),
-                                 Coin() ? 0 : static_cast<int>(Integer(1000, 1'000'000)),
-                                 Positive(10'000),
-                                 Number(0, 1)}},
-        {Text() + "1",
-         LoiterTask{Point(), Positive(100'000), static_cast<int>(Integer(3, 360)), Coin(),
-                    Positive(50), DrawCapture(), Positive(10'000), Number(0, 1), Number(0, 1e7)}},
-        {Text() + "2",
-         StationKeepTask{station_m, station_m.isZero(), inner_m, inner_m * 1.1, Positive(50)}},
-        {Text() + "3", ReturnTask{Point(), Positive(50), DrawCapture(), Positive(10'000)}}};
-    vehicle.return_task = {Point(), Positive(50), DrawCapture(), Positive(10'000)};
-    return vehicle;
-  }
-
-  Event DrawEvent(double at_s) {
-    switch (Integer(0, 8)) {
-      case 0:
-        return {at_s, CommandEvent{"all", "task", "survey", {}}};
-      case 1:
-        return {at_s, CommandEvent{"Vessel_1", "goto", "", {Number(-1e9, 1e9), Number(-1, 1)}}};
-      case 2:
-        return {at_s, SimCommandEvent{"Vessel_1", "reset", {1, 2, Number(0, 360), 4}}};
-      case 3:
-        return {at_s, RuleEvent{"stealth", "Vessel_1", Number(0, 1)}};
-      case 4:
-        return {at_s, RuleEvent{"groups", "", Coin() ? 1.0 : 0.0}};
-      case 5:
-        return {at_s, RuleEvent{"comms_range", "", Coin() ? -1 : Number(0, 1e7)}};
-      case 6:
-        return {at_s, RuleEvent{"full_report", "Vessel_1", 0}};
-      case 7: {
-        MessageEvent message;
-        message.src_node = "Vessel_1";
-        message.dest_node = "all";
-        message.var_name = Text();
-        message.dest_group = Coin() ? "" : Text();
-        if (Coin()) message.double_val = Number(-1e300, 1e300);
-        if (!message.double_val) message.string_val = Text();
-        message.ack = Coin();
-        return {at_s, message};
-      }
-      default:
-        return {at_s, RuleEvent{"stale_time", "", Number(0, 1e7)}};
-    }
-  }
-
-  Expectation DrawExpectation(double end_s) {
-    switch (Integer(0, 4)) {
-      case 0: {
-        ArrivalExpectation arrival{"all", std::nullopt, Positive(100'000), Positive(end_s), Coin()};
-        if (Coin()) arrival.point_m = Point();
-        return {"", arrival};
-      }
-      case 1:
-        return {"", SeparationExpectation{Positive(100'000)}};
-      case 2: {
-        CommsExpectation comms{.kind = static_cast<Kind>(Integer(0, 2)),
-                               .from = "Vessel_1",
-                               .to = "all",
-                               .cause = "out_of_range",
-                               .at_least = std::nullopt,
-                               .at_most = Integer(10, 20)};
-        if (Coin()) comms.at_least = Integer(0, 10);
-        return {"", comms};
-      }
-      case 3:
-        return {"", HelmExpectation{"Vessel_1", Coin() ? "" : "ALL-STOP", "survey"}};
-      default:
-        return {"", LapsExpectation{"all", "survey", Integer(1, 1000), Number(0, end_s)}};
-    }
-  }
-
-  std::mt19937_64 generator_;
-};
 
 TEST(Explain, LoadsBackAsTheSameMission) {
   for (uint64_t seed = 0; seed < 20; ++seed) {
@@ -226,6 +28,17 @@ TEST(Explain, LoadsBackAsTheSameMission) {
     for (Expectation& expectation : loaded.mission.expectations) expectation.where = "";
     EXPECT_TRUE(loaded.mission == mission) << Explain(mission);
   }
+}
+
+TEST(ExplainAcoustics, LoadsBackAsTheSameAcoustics) {
+  for (uint64_t seed = 0; seed < 20; ++seed) {
+    Acoustics acoustics = MissionDraw(seed).DrawAcoustics();
+    acoustics.is_used = seed % 2 == 0;
+    const LoadedAcoustics loaded = LoadAcousticsText(ExplainAcoustics(acoustics), "log");
+    EXPECT_EQ(loaded.errors, std::vector<std::string>{}) << ExplainAcoustics(acoustics);
+    EXPECT_TRUE(loaded.acoustics == acoustics) << ExplainAcoustics(acoustics);
+  }
+  EXPECT_EQ(LoadAcousticsText(ExplainAcoustics({}), "log").acoustics, Acoustics());
 }
 
 TEST(Explain, WritesTheSameTextForTheSameMission) {
@@ -250,9 +63,14 @@ void AddKeys(const Value& value, std::set<std::string>& keys) {
 }
 
 TEST(Explain, WritesNoKeyThatTheDocumentationDoesNotHave) {
-  std::ifstream file(std::string(SHOAL_SOURCE_DIR) + "/docs/mission_file.md");
-  const std::string page{std::istreambuf_iterator<char>(file), {}};
-  ASSERT_FALSE(page.empty());
+  // A modem's keys are told where modems are.
+  std::string page;
+  for (const std::string name : {"mission_file.md", "acoustics_models.md"}) {
+    std::ifstream file(std::string(SHOAL_SOURCE_DIR) + "/docs/" + name);
+    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    ASSERT_FALSE(text.empty()) << name;
+    page += text;
+  }
   std::set<std::string> keys;
   for (uint64_t seed = 0; seed < 20; ++seed) {
     Mission mission = MissionDraw(seed).Draw();

@@ -82,6 +82,10 @@ class Fields {
   virtual bool reading() const = 0;
   /// When reading, true where the table has `key`; when writing, `present`.
   virtual bool Has(std::string_view key, bool present) = 0;
+  /// When reading, true where the table has a string under `key`; when writing, false.
+  virtual bool HoldsText(std::string_view key) = 0;
+  /// True where nothing of this table, or below it, has been refused so far.
+  virtual bool IsSound() const = 0;
   /// Demands `key`; `example` is the line that the message proposes.
   virtual void Require(std::string_view key, std::string_view example) = 0;
   /// Declares `key` a known one that is not read here.

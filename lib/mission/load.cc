@@ -33,6 +33,10 @@ void CheckTemplates(const Table& root, Problems& problems) {
     if (reader.Has("name", false)) {
       reader.Refuse("name", "a template must not have a name; its vehicles have");
     }
+    if (reader.Has("acoustic_address", false)) {
+      reader.Refuse("acoustic_address",
+                    "a template must not have an acoustic_address; each vehicle has its own");
+    }
   }
 }
 

@@ -1,10 +1,12 @@
 #include "lib/mission/load_comms.h"
 
+#include <filesystem>
 #include <sstream>
 #include <variant>
 
 #include "lib/mission/describe.h"
 #include "lib/mission/load.h"
+#include "lib/mission/load_acoustics.h"
 #include "lib/mission/parse.h"
 #include "lib/mission/problems.h"
 #include "lib/mission/read_file.h"
@@ -22,6 +24,7 @@ LoadedComms LoadCommsText(std::string_view text, const std::string& name) {
       if (Find(table, key) == nullptr) continue;
       LoadedMission whole = LoadMissionText(text, name);
       return {.rules = whole.mission.comms,
+              .acoustics = whole.mission.acoustics,
               .mission = std::move(whole.mission),
               .errors = std::move(whole.errors),
               .warnings = std::move(whole.warnings)};
@@ -29,6 +32,13 @@ LoadedComms LoadCommsText(std::string_view text, const std::string& name) {
     TableReader file(*root, "the file", problems);
     file.Require("comms", "[comms], followed by comms_range = 100");
     file.Below("comms", [&](Fields& fields) { Describe(fields, loaded.rules); });
+    if (file.Has("acoustics", true)) {
+      loaded.acoustics = {.is_used = true, .crc = true, .options = {}};
+      file.Below("acoustics", [&](Fields& fields) {
+        Describe(fields, *loaded.acoustics, std::filesystem::path(name).parent_path().string(),
+                 AnyNode());
+      });
+    }
   }
   loaded.errors = problems.InOrder();
   if (loaded.errors.empty()) loaded.warnings = problems.WarningsInOrder();
@@ -40,7 +50,8 @@ LoadedComms LoadComms(const std::string& path) {
   if (read.problem.empty()) return LoadCommsText(read.text, path);
   Problems problems(path, {});
   problems.Add({}, read.problem);
-  return {.rules = {}, .mission = {}, .errors = problems.InOrder(), .warnings = {}};
+  return {
+      .rules = {}, .acoustics = {}, .mission = {}, .errors = problems.InOrder(), .warnings = {}};
 }
 
 std::vector<std::string> ExplainComms(const RoutingRules& rules) {

@@ -1,5 +1,5 @@
 // Reads the rules of a broker alone: from a whole mission file, or from a file that holds a table
-// [comms] and nothing else.
+// [comms], with or without [acoustics], and nothing else.
 //
 //   LoadedComms loaded = LoadComms("quiet.toml");
 //   if (!loaded.errors.empty()) { print them; exit 2; }
@@ -16,10 +16,11 @@
 namespace shoal {
 
 struct LoadedComms {
-  RoutingRules rules;                 ///< Usable only where `errors` is empty.
-  std::optional<Mission> mission;     ///< Where the file is a whole mission's.
-  std::vector<std::string> errors;    ///< "file:line:column: what is wrong", in file order.
-  std::vector<std::string> warnings;  ///< The same for what is hardly meant.
+  RoutingRules rules;                  ///< Usable only where `errors` is empty.
+  std::optional<Acoustics> acoustics;  ///< Where the file has the table, or is a whole mission's.
+  std::optional<Mission> mission;      ///< Where the file is a whole mission's.
+  std::vector<std::string> errors;     ///< "file:line:column: what is wrong", in file order.
+  std::vector<std::string> warnings;   ///< The same for what is hardly meant.
 };
 
 /// Reads `path`. A file with [mission], [[vehicle]] or [[fleet]] is a mission file, and must be a

@@ -166,8 +166,10 @@ center = [0, 0]
 
 TEST(LoadErrors, TellExpectationsOfFatesThatNobodyCanCount) {
   EXPECT_EQ(ErrorsAfter("[[expect]]\nkind = \"messages\"\n[[expect]]\nkind = \"acks\"\n"),
-            "5:1: an expectation of messages needs at_least, at_most or both\n"
-            "7:1: an expectation of acks needs at_least, at_most or both\n");
+            "5:1: an expectation of messages needs one of at_least, at_most, at_least_pct, "
+            "at_most_pct, or several\n"
+            "7:1: an expectation of acks needs one of at_least, at_most, at_least_pct, "
+            "at_most_pct, or several\n");
   EXPECT_EQ(ErrorsAfter("[[expect]]\nkind = \"messages\"\ncause = \"too_late\"\nat_least = 1\n"),
             "7:9: unknown cause 'too_late' (did you mean 'too_long'?)\n");
   EXPECT_EQ(ErrorsAfter("[comms]\neach_fate_up_to = 0\n[[expect]]\nkind = \"reports\"\n"
@@ -271,11 +273,13 @@ TEST(LoadWarnings, TellAnIgnoredGroupThatNobodyHas) {
 }
 
 TEST(LoadErrors, TellFatesThatAKindCannotHave) {
-  EXPECT_EQ(ErrorsAfter("[[expect]]\nkind = \"reports\"\ncause = \"too_long\"\nat_least = 1\n")
-                .substr(0, 20),
-            "7:9: unknown cause '");
-  EXPECT_EQ(ErrorsAfter("[[expect]]\nkind = \"messages\"\ncause = \"too_long\"\nat_least = 1\n"),
-            "");
+  EXPECT_EQ(
+      ErrorsAfter("[[expect]]\nkind = \"reports\"\ncause = \"no_destination\"\nat_least = 1\n")
+          .substr(0, 20),
+      "7:9: unknown cause '");
+  EXPECT_EQ(
+      ErrorsAfter("[[expect]]\nkind = \"messages\"\ncause = \"no_destination\"\nat_least = 1\n"),
+      "");
 }
 
 }  // namespace

@@ -193,7 +193,7 @@ TEST(LoadErrors, TellUnknownKinds) {
   EXPECT_EQ(
       ErrorsAfter("[[expect]]\nkind = \"glory\"\n"),
       "6:8: unknown kind 'glory'; one of: arrival, separation, reports, helm, laps, messages, "
-      "acks\n");
+      "acks, packets\n");
   EXPECT_EQ(ErrorsAfter("[[expect]]\n"),
             "5:1: expect lacks 'kind'; for example: kind = \"arrival\"\n");
 }
@@ -224,7 +224,8 @@ kind = "separation"
             "12:11: at_most = 9 is less than at_least = 10: this can never hold\n"
             "16:8: alpha has no task 'survey'\n"
             "17:1: an expectation of a helm needs state or task\n"
-            "20:1: an expectation of reports needs at_least, at_most or both\n"
+            "20:1: an expectation of reports needs one of at_least, at_most, at_least_pct, "
+            "at_most_pct, or several\n"
             "22:9: unknown cause 'deliverd' (did you mean 'delivered'?)\n"
             "23:1: expect lacks 'min_m'; for example: min_m = 5\n");
 }

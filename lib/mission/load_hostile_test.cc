@@ -23,6 +23,13 @@ duration_s = 60
 origin = {lat_deg = 43, lon_deg = -70}
 [comms]
 comms_range = "nolimit"
+reports_over = "acoustic"
+[acoustics]
+bandwidth_khz = 11
+access_mode = "fdma"
+channel_bandwidth_khz = 2
+modem = "nanomodem_v3"
+sea = {wind_mps = 3, absorption = "thorp"}
 [template.t]
 start = {x_m = 1}
 [[template.t.task]]
@@ -33,6 +40,7 @@ points_frame = "start"
 [[vehicle]]
 name = "alpha"
 template = "t"
+acoustic_address = 9
 [vehicle.surface_craft]
 thrust_map = [[50, 1], [100, 2]]
 [vehicle.reporter]
@@ -52,6 +60,9 @@ command = ["./p", "x"]
 kind = "laps"
 vehicle = "alpha"
 task = "w"
+[[expect]]
+kind = "packets"
+at_least_pct = 80
 )";
 
 /// Returns kEverything with random edits.

@@ -26,6 +26,7 @@ TEST(Load, FillsInEveryDefaultOfTheShortestMission) {
   expected.duration_s = 60;
   expected.vehicles.resize(1);
   expected.vehicles[0].name = "alpha";
+  expected.vehicles[0].acoustic_address = 1;
   EXPECT_EQ(Load(kShortest), expected);
 }
 
@@ -135,7 +136,8 @@ TEST(LoadMission, TellsWhyAFileCannotBeRead) {
 }
 
 TEST(LoadMission, LoadsTheMissionsThatComeWithShoal) {
-  for (const std::string name : {"alpha", "berta", "c_planner", "fleet", "hide_and_seek"}) {
+  for (const std::string name :
+       {"acoustic", "acoustic_shared", "alpha", "berta", "c_planner", "fleet", "hide_and_seek"}) {
     const std::string path = std::string(SHOAL_SOURCE_DIR) + "/missions/" + name + ".toml";
     const LoadedMission loaded = LoadMission(path);
     EXPECT_EQ(loaded.errors, std::vector<std::string>{});

@@ -10,6 +10,7 @@
 #include <variant>
 #include <vector>
 
+#include "lib/acoustics/acoustic_options.h"
 #include "lib/guidance/task.h"
 #include "lib/routing/fate.h"
 #include "lib/routing/rules.h"
@@ -96,9 +97,11 @@ struct Vehicle {
   AutopilotOptions autopilot;
   ReporterOptions reporter_options;
   MessageOptions message_options;
-  LinkFactors link_factors;  ///< `stealth`, `earange`
-  std::vector<Task> tasks;   ///< Done in this order after `deploy`; then station keeping.
-  ReturnTask return_task;    ///< What `return` does. Default: the start position.
+  LinkFactors link_factors;      ///< `stealth`, `earange`
+  int acoustic_address = 0;      ///< In the acoustic network; always > 0 once loaded.
+  bool acoustic_leader = false;  ///< tdma_lf: it leads.
+  std::vector<Task> tasks;       ///< Done in this order after `deploy`; then station keeping.
+  ReturnTask return_task;        ///< What `return` does. Default: the start position.
 
   bool operator==(const Vehicle&) const = default;
 };
@@ -109,6 +112,18 @@ struct Environment {
   double current_direction_deg = 0;  ///< Toward which it flows, clockwise from North.
 
   bool operator==(const Environment&) const = default;
+};
+
+/// `[acoustics]`: the acoustic network, which carries what `reports_over` and `messages_over` say,
+/// and ACOUSTIC_TX always.
+struct Acoustics {
+  /// The mission means to use it: it has the table, or traffic that goes over it. Only then must
+  /// there be a channel for each vehicle.
+  bool is_used = false;
+  bool crc = true;  ///< Four more bytes on the air, by which damage is found and thrown away.
+  AcousticOptions options;
+
+  bool operator==(const Acoustics&) const = default;
 };
 
 /// `[[event]]`: at a time, something is said.
@@ -175,13 +190,16 @@ struct SeparationExpectation {  ///< kind = "separation": no two vehicles ever c
 
   bool operator==(const SeparationExpectation&) const = default;
 };
-struct CommsExpectation {  ///< kind = "reports", "messages" or "acks": what became of them.
+struct CommsExpectation {  ///< kind = "reports", "messages", "acks" or "packets": what became of
+                           ///< them.
   Kind kind = Kind::kReport;
   std::string from = "all";
   std::string to = "all";
   std::string cause = "delivered";  ///< A fate's cause.
   std::optional<int64_t> at_least = std::nullopt;
   std::optional<int64_t> at_most = std::nullopt;
+  std::optional<double> at_least_pct = std::nullopt;  ///< Of all fates of these links.
+  std::optional<double> at_most_pct = std::nullopt;
 
   bool operator==(const CommsExpectation&) const = default;
 };
@@ -227,6 +245,7 @@ struct Mission {
   Provider broker = Provider::kShoal;  ///< `shore_broker = ...`
   Environment environment;
   RoutingRules comms;
+  Acoustics acoustics;
   std::vector<Vehicle> vehicles;
   std::vector<Event> events;  ///< In order of time; equal times in file order.
   std::vector<Participant> participants;

@@ -24,6 +24,7 @@ class Problems {
   void Warn(const Place& place, std::string text);
 
   bool empty() const { return problems_.empty(); }
+  size_t size() const { return problems_.size(); }
 
   /// Returns "file:line" or "--set key=value".
   std::string LineOf(const Place& place) const;

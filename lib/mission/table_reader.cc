@@ -48,7 +48,8 @@ TableReader::TableReader(const Value& table, std::string title, Problems& proble
     : source_(table),
       table_(std::get_if<Table>(&table.data)),
       title_(std::move(title)),
-      problems_(problems) {
+      problems_(problems),
+      num_problems_before_(problems.size()) {
   if (table_ == nullptr) {
     problems_.Add(table.place, fmt::format("{} must be a table, not {}", title_, WhatIs(table)));
   }
@@ -316,6 +317,13 @@ void TableReader::EachBelow(std::string_view key, size_t, const std::function<vo
 }
 
 bool TableReader::Has(std::string_view key, bool) { return Take(key) != nullptr; }
+
+bool TableReader::HoldsText(std::string_view key) {
+  const Value* found = Take(key);
+  return found != nullptr && std::holds_alternative<std::string>(found->data);
+}
+
+bool TableReader::IsSound() const { return problems_.size() == num_problems_before_; }
 
 void TableReader::Require(std::string_view key, std::string_view example) {
   if (table_ == nullptr || Take(key) != nullptr) return;

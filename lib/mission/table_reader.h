@@ -45,6 +45,8 @@ class TableReader final : public Fields {
                  const std::function<void(Fields&, size_t)>& describe_one) override;
   bool reading() const override { return true; }
   bool Has(std::string_view key, bool present) override;
+  bool HoldsText(std::string_view key) override;
+  bool IsSound() const override;
   void Require(std::string_view key, std::string_view example) override;
   void Skip(std::string_view key) override;
   void SkipRest() override;
@@ -70,6 +72,7 @@ class TableReader final : public Fields {
   bool skips_rest_ = false;
   std::string title_;
   Problems& problems_;
+  size_t num_problems_before_;
   std::vector<std::string> known_;  ///< In the order in which they were asked for.
 };
 

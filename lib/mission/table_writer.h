@@ -38,6 +38,8 @@ class TableWriter final : public Fields {
                  const std::function<void(Fields&, size_t)>& describe_one) override;
   bool reading() const override { return false; }
   bool Has(std::string_view, bool present) override { return present; }
+  bool HoldsText(std::string_view) override { return false; }
+  bool IsSound() const override { return true; }
   void Require(std::string_view, std::string_view) override {}
   void Skip(std::string_view) override {}
   void SkipRest() override {}

@@ -1,6 +1,7 @@
 #include "lib/record/csv_rows.h"
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
 
 #include "lib/schema/text.h"
@@ -20,9 +21,21 @@ enum class Shape {
   kTable,     ///< An array of structs: rows.
 };
 
-Shape ShapeOf(const Member& member, bool is_in_table) {
+/// The structs around a member, outermost first.
+using OpenTypes = std::vector<const StructType*>;
+
+/// Tells whether an array within an array may be rows: columns of structs that hold themselves
+/// would have no end. Messages do not go deeper than kMaxStructDepth, nor need columns.
+bool MayNest(const StructType& type, const OpenTypes& open) {
+  return open.size() <= kMaxStructDepth && std::find(open.begin(), open.end(), &type) == open.end();
+}
+
+Shape ShapeOf(const Schema& schema, const Member& member, const OpenTypes& open, bool is_in_table) {
   if (member.dimensions.empty()) return member.primitive ? Shape::kCell : Shape::kNested;
-  if (!member.primitive) return is_in_table ? Shape::kText : Shape::kTable;
+  if (!member.primitive) {
+    if (!is_in_table) return Shape::kTable;
+    return MayNest(schema.types()[member.struct_index], open) ? Shape::kTable : Shape::kText;
+  }
   int64_t num_elements = 1;
   for (const Dimension& dimension : member.dimensions) {
     if (dimension.is_variable() || dimension.fixed_size > kMaxExpandedElements) return Shape::kText;
@@ -37,10 +50,10 @@ bool IsUtime(const Member& member) {
          (member.name == "utime" || member.name.ends_with("_utime"));
 }
 
-/// The columns of a type, in the order in which a walk comes to them.
+/// The names of the columns of a struct, in the order in which a walk comes to them.
 struct Columns {
-  std::vector<std::string> names;                ///< Outside of tables.
-  std::vector<std::vector<std::string>> tables;  ///< One list for each array of structs.
+  std::vector<std::string> names;  ///< Outside of its arrays of structs.
+  std::vector<Columns> tables;     ///< One for each of these arrays.
 };
 
 void AddExpanded(const Member& member, const std::string& name, size_t d,
@@ -56,43 +69,79 @@ void AddExpanded(const Member& member, const std::string& name, size_t d,
   }
 }
 
-/// Adds to `names`; arrays of structs to columns->tables, unless inside one (columns == nullptr).
-void AddColumns(const Schema& schema, const StructType& type, const std::string& prefix,
-                std::vector<std::string>* names, Columns* columns) {
-  for (const Member& member : type.members) {
-    const std::string name = prefix + member.name;
-    switch (ShapeOf(member, columns == nullptr)) {
-      case Shape::kCell:
-        names->push_back(name + (IsUtime(member) ? "_s" : ""));
-        break;
-      case Shape::kExpanded:
-        AddExpanded(member, name, 0, names);
-        break;
-      case Shape::kText:
-        names->push_back(name);
-        break;
-      case Shape::kNested:
-        AddColumns(schema, schema.types()[member.struct_index], name + ".", names, columns);
-        break;
-      case Shape::kTable:
-        AddColumns(schema, schema.types()[member.struct_index], name + ".",
-                   &columns->tables.emplace_back(), nullptr);
-        break;
+/// Finds the columns of a type.
+class ColumnFinder {
+ public:
+  explicit ColumnFinder(const Schema& schema) : schema_(schema) {}
+
+  /// Adds those of `type` to `columns`, which are those of an array's structs where `is_in_table`.
+  void Add(const StructType& type, const std::string& prefix, bool is_in_table, Columns* columns) {
+    open_.push_back(&type);
+    for (const Member& member : type.members) {
+      const std::string name = prefix + member.name;
+      switch (ShapeOf(schema_, member, open_, is_in_table)) {
+        case Shape::kCell:
+          columns->names.push_back(name + (IsUtime(member) ? "_s" : ""));
+          break;
+        case Shape::kExpanded:
+          AddExpanded(member, name, 0, &columns->names);
+          break;
+        case Shape::kText:
+          columns->names.push_back(name);
+          break;
+        case Shape::kNested:
+          Add(schema_.types()[member.struct_index], name + ".", is_in_table, columns);
+          break;
+        case Shape::kTable:
+          Add(schema_.types()[member.struct_index], name + ".", true,
+              &columns->tables.emplace_back());
+          break;
+      }
+    }
+    open_.pop_back();
+  }
+
+ private:
+  const Schema& schema_;
+  OpenTypes open_;
+};
+
+/// A message, or a struct in an array of structs.
+struct Element {
+  std::string cells;  ///< Outside of its arrays of structs; each with a comma before it.
+  std::vector<std::vector<Element>> tables;  ///< The elements of each of these arrays.
+  std::vector<size_t> row_ends;  ///< For each index into them: rows of this one and all before.
+
+  size_t num_rows() const { return row_ends.empty() ? 1 : row_ends.back(); }
+
+  /// Fills row_ends.
+  /// @pre those of the elements within are there.
+  void CountRows() {
+    for (size_t i = 0;; ++i) {
+      size_t num_rows_of_index = 0;
+      for (const auto& table : tables) {
+        if (i < table.size()) num_rows_of_index = std::max(num_rows_of_index, table[i].num_rows());
+      }
+      if (num_rows_of_index == 0) return;
+      row_ends.push_back((i == 0 ? 0 : row_ends.back()) + num_rows_of_index);
     }
   }
-}
+};
 
-/// Sorts the values of a message into cells. A row is its cells, each with a comma before it.
+/// Sorts the values of a message into cells.
 class RowCollector : public Visitor {
  public:
-  std::string outside;                           ///< The row's cells outside of tables.
-  std::vector<std::vector<std::string>> tables;  ///< Rows of each array of structs.
+  explicit RowCollector(const Schema& schema) : schema_(schema) {}
+  RowCollector(const RowCollector&) = delete;  // rows_ points into this
+
+  /// Complete after the walk.
+  const Element& message() const { return message_; }
 
   void MemberBegin(const Member& member) override {
     if (text_) return text_->MemberBegin(member);
-    shape_ = ShapeOf(member, is_in_row_);
+    shape_ = ShapeOf(schema_, member, open_types_, rows_.size() > 1);
     is_utime_ = IsUtime(member);
-    if (shape_ == Shape::kTable) tables.emplace_back();
+    if (shape_ == Shape::kTable) rows_.back()->tables.emplace_back();
     if (shape_ == Shape::kText) {
       cell_.clear();
       text_.emplace(&cell_, false);
@@ -101,14 +150,16 @@ class RowCollector : public Visitor {
 
   void StructBegin(const StructType& type) override {
     if (text_) text_->StructBegin(type);
+    open_types_.push_back(&type);
     const bool is_row = !open_.empty() && open_.back() == Part::kTable;
-    if (is_row) tables.back().emplace_back();
-    is_in_row_ |= is_row;
+    if (is_row) rows_.push_back(&rows_.back()->tables.back().emplace_back());
     open_.push_back(is_row ? Part::kRow : PartThatBegins());
   }
   void StructEnd() override {
     if (text_) text_->StructEnd();
+    open_types_.pop_back();
     Leave();
+    if (open_.empty()) message_.CountRows();
   }
   void ArrayBegin(int64_t size) override {
     if (text_) text_->ArrayBegin(size);
@@ -143,7 +194,8 @@ class RowCollector : public Visitor {
     const Part part = open_.back();
     open_.pop_back();
     if (part == Part::kRow) {
-      is_in_row_ = false;
+      rows_.back()->CountRows();
+      rows_.pop_back();
       shape_ = Shape::kTable;
     }
     if (part == Part::kText && open_.back() != Part::kText) {
@@ -153,18 +205,62 @@ class RowCollector : public Visitor {
   }
 
   void AddCell() {
-    std::string& row = is_in_row_ ? tables.back().back() : outside;
-    row += ',';
-    AppendCsvCell(cell_, &row);
+    std::string& cells = rows_.back()->cells;
+    cells += ',';
+    AppendCsvCell(cell_, &cells);
   }
 
+  const Schema& schema_;
+  Element message_;
+  std::vector<Element*> rows_ = {&message_};  ///< That are being filled, outermost first.
+  OpenTypes open_types_;
   std::vector<Part> open_;        ///< Outermost first.
   Shape shape_ = Shape::kNested;  ///< Of the member that began last.
   bool is_utime_ = false;         ///< That member is a time.
-  bool is_in_row_ = false;
   std::string cell_;
   std::optional<TextWriter> text_;  ///< Present: inside a member that becomes one cell.
 };
+
+/// Appends the names' cells, and returns the layout of the columns.
+CsvTable AddToHeader(const Columns& columns, std::string* header) {
+  CsvTable table{.num_columns = columns.names.size(), .tables = {}};
+  for (const std::string& name : columns.names) {
+    *header += ',';
+    AppendCsvCell(name, header);
+  }
+  for (const Columns& inner : columns.tables) {
+    table.num_columns += table.tables.emplace_back(AddToHeader(inner, header)).num_columns;
+  }
+  return table;
+}
+
+/// Where a row of an element is in the arrays within it.
+struct Place {
+  size_t index = 0;  ///< Into the arrays; their greatest length where the row is behind all.
+  size_t row = 0;    ///< Among the rows of that index.
+};
+
+Place FindPlace(const Element& element, size_t row) {
+  const auto& ends = element.row_ends;
+  const auto end = std::upper_bound(ends.begin(), ends.end(), row);
+  return {.index = static_cast<size_t>(end - ends.begin()),
+          .row = row - (end == ends.begin() ? 0 : *std::prev(end))};
+}
+
+/// Appends what the arrays within `element` have there.
+void AppendTables(const std::vector<CsvTable>& layout, const Element& element, Place place,
+                  std::string* out) {
+  for (size_t t = 0; t < layout.size(); ++t) {
+    const std::vector<Element>& table = element.tables[t];
+    if (place.index >= table.size()) {
+      out->append(layout[t].num_columns, ',');
+      continue;
+    }
+    const Element& inner = table[place.index];
+    *out += inner.cells;
+    AppendTables(layout[t].tables, inner, FindPlace(inner, place.row), out);
+  }
+}
 
 }  // namespace
 
@@ -183,36 +279,26 @@ void AppendCsvCell(std::string_view text, std::string* out) {
 
 CsvLayout::CsvLayout(const Schema& schema, const StructType& type) : schema_(schema), type_(type) {
   Columns columns;
-  AddColumns(schema, type, "", &columns.names, &columns);
+  ColumnFinder(schema).Add(type, "", false, &columns);
+  if (!columns.tables.empty()) columns.names.push_back("index");
   header_ = "time_s";
-  const auto add = [&](const std::string& name) {
-    header_ += ',';
-    AppendCsvCell(name, &header_);
-  };
-  for (const std::string& name : columns.names) add(name);
-  if (!columns.tables.empty()) add("index");
-  for (const auto& table : columns.tables) {
-    for (const std::string& name : table) add(name);
-    empty_rows_.emplace_back(table.size(), ',');
-  }
+  tables_ = AddToHeader(columns, &header_).tables;
   header_ += '\n';
 }
 
-void CsvLayout::AppendRows(int64_t event_utime, std::span<const uint8_t> message,
+void CsvLayout::AppendRows(int64_t event_utime, std::span<const uint8_t> bytes,
                            std::string* out) const {
-  RowCollector collector;
-  const auto fault = Walk(schema_, type_, message, &collector);
+  RowCollector collector(schema_);
+  const auto fault = Walk(schema_, type_, bytes, &collector);
   SHOAL_CHECK(!fault, "rows of a message that nobody checked");
-  size_t num_rows = 0;
-  for (const auto& table : collector.tables) num_rows = std::max(num_rows, table.size());
-  for (size_t i = 0; i < std::max<size_t>(1, num_rows); ++i) {
+  const Element& message = collector.message();
+  for (size_t row = 0; row < message.num_rows(); ++row) {
+    const Place place = FindPlace(message, row);
     AppendSeconds(event_utime, out);
-    *out += collector.outside;
-    if (!empty_rows_.empty()) *out += ',';
-    if (i < num_rows) *out += std::to_string(i);
-    for (size_t t = 0; t < collector.tables.size(); ++t) {
-      *out += i < collector.tables[t].size() ? collector.tables[t][i] : empty_rows_[t];
-    }
+    *out += message.cells;
+    if (!tables_.empty()) *out += ',';
+    if (!message.row_ends.empty()) *out += std::to_string(place.index);
+    AppendTables(tables_, message, place, out);
     *out += '\n';
   }
 }

@@ -3,11 +3,17 @@
 // Columns: time_s (the event's time), one for each number and text of the message, then `index` and
 // the members of arrays of structs. A message with such arrays makes one row for each index, with
 // the other columns repeated; where an array is shorter than another, its columns stay empty; where
-// all are empty, there is one row without index. Small arrays of fixed size have a column for each
-// element, all other arrays and what is in an array's structs one cell: [1 2 3]. Members named
-// utime or ending in _utime are seconds, in columns named ..._s.
+// all are empty, there is one row without index. Arrays of structs within these structs likewise:
+// an element of the outer array makes one row for each element of the inner one, with the same
+// index and in their order, and one row with the inner columns empty where there is none. The inner
+// array has no index column: its length is a column, as every member is.
+//
+// Small arrays of fixed size have a column for each element, all other arrays of values one cell:
+// [1 2 3]. So have arrays within arrays whose structs would hold themselves: [{y=3} {y=4}]. Members
+// named utime or ending in _utime are seconds, in columns named ..._s.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -19,6 +25,12 @@
 
 namespace shoal {
 
+/// The columns that an array of structs has in a table.
+struct CsvTable {
+  size_t num_columns = 0;        ///< With those of arrays within.
+  std::vector<CsvTable> tables;  ///< Arrays of structs within its structs; their columns come last.
+};
+
 /// How the messages of one type become rows. Lines end in a line feed alone.
 class CsvLayout {
  public:
@@ -28,15 +40,15 @@ class CsvLayout {
   /// The names of the columns, as a line.
   const std::string& header() const { return header_; }
 
-  /// Appends the rows of one message.
+  /// Appends the rows of the message that `bytes` are.
   /// @pre FindWireFault() finds none.
-  void AppendRows(int64_t event_utime, std::span<const uint8_t> message, std::string* out) const;
+  void AppendRows(int64_t event_utime, std::span<const uint8_t> bytes, std::string* out) const;
 
  private:
   const Schema& schema_;
   const StructType& type_;
   std::string header_;
-  std::vector<std::string> empty_rows_;  ///< The commas of each table where it has no more rows.
+  std::vector<CsvTable> tables_;
 };
 
 /// Appends one cell, in quotes where RFC 4180 asks for them.

@@ -22,7 +22,7 @@ Bytes Desired(int64_t utime, double heading_deg) {
   return Encoded(desired);
 }
 
-Bytes Fates(int64_t utime, const std::vector<std::string>& causes) {
+comms_fates_t FatesMessage(int64_t utime, const std::vector<std::string>& causes) {
   comms_fates_t fates{};
   fates.utime = utime;
   for (const std::string& cause : causes) {
@@ -35,7 +35,11 @@ Bytes Fates(int64_t utime, const std::vector<std::string>& causes) {
     fates.fates.push_back(fate);
   }
   fates.num_fates = static_cast<int32_t>(fates.fates.size());
-  return Encoded(fates);
+  return fates;
+}
+
+Bytes Fates(int64_t utime, const std::vector<std::string>& causes) {
+  return Encoded(FatesMessage(utime, causes));
 }
 
 /// Runs commands on logs in a directory, and keeps what they print.
@@ -91,7 +95,7 @@ TEST_F(LogCat_, PrintsOneLinePerMessage) {
             "12.400 DESIRED_ALPHA desired_t utime=12300000 heading_deg=91 speed_mps=1.5 depth_m=0\n"
             "12.400 COMMS_FATES comms_fates_t fates=[{kind=report source=alpha destination=bravo "
             "count=0 number=0 cause=delivered override_rule=\"\" range_m=12.5 limit_m=0 age_s=0 "
-            "age_limit_s=0 wait_s=0 loss_pct=0 length_bytes=0 length_limit_bytes=0}]\n");
+            "age_limit_s=0 wait_s=0 loss_pct=0 length_bytes=0 length_limit_bytes=0 path=[]}]\n");
   EXPECT_EQ(exit_code_, kExitOk);
   EXPECT_EQ(err_.str(), "");
 }
@@ -263,10 +267,18 @@ TEST_F(LogDiff_, RefusesADamagedLog) {
 }
 
 TEST_F(LogCsv_, WritesOneTablePerChannelWithARowPerElement) {
-  const std::string path =
-      Log("a.lcm", {{100'000, "DESIRED_ALPHA", Desired(0, 90)},
-                    {100'000, "COMMS_FATES", Fates(100'000, {"lost", "a \"b\", c"})},
-                    {200'000, "COMMS_FATES", Fates(200'000, {})}});
+  comms_fates_t fates = FatesMessage(100'000, {"lost", "a \"b\", c"});
+  acoustic_path_t path_taken{};
+  path_taken.packet = 7;
+  path_taken.sent_utime = 2'500'000;
+  path_taken.air_s = 0.25;
+  path_taken.num_named = 1;
+  path_taken.colliders = {"alpha 12"};
+  fates.fates[1].num_paths = 1;
+  fates.fates[1].path = {path_taken};
+  const std::string path = Log("a.lcm", {{100'000, "DESIRED_ALPHA", Desired(0, 90)},
+                                         {100'000, "COMMS_FATES", Encoded(fates)},
+                                         {200'000, "COMMS_FATES", Fates(200'000, {})}});
   const std::string dir = directory_.File("csv");
   EXPECT_EQ(Csv({.path = path, .out_dir = dir}),
             dir + "/COMMS_FATES.csv: 2 messages\n" + dir + "/DESIRED_ALPHA.csv: 1 messages\n");
@@ -276,10 +288,15 @@ TEST_F(LogCsv_, WritesOneTablePerChannelWithARowPerElement) {
             "time_s,utime_s,num_fates,index,fates.kind,fates.source,fates.destination,"
             "fates.count,fates.number,fates.cause,fates.override_rule,fates.range_m,fates.limit_m,"
             "fates.age_s,fates.age_limit_s,fates.wait_s,fates.loss_pct,fates.length_bytes,"
-            "fates.length_limit_bytes\n"
-            "0.100,0.100,2,0,report,alpha,bravo,0,0,lost,,12.5,0,0,0,0,0,0,0\n"
-            "0.100,0.100,2,1,report,alpha,bravo,0,0,\"a \"\"b\"\", c\",,12.5,0,0,0,0,0,0,0\n"
-            "0.200,0.200,0,,,,,,,,,,,,,,,,\n");
+            "fates.length_limit_bytes,fates.num_paths,fates.path.packet,fates.path.channel,"
+            "fates.path.sent_utime_s,fates.path.num_bytes,fates.path.air_s,fates.path.travel_s,"
+            "fates.path.jitter_s,fates.path.snr_db,fates.path.loss_probability,"
+            "fates.path.bit_error_probability,fates.path.bits_flipped,fates.path.num_colliders,"
+            "fates.path.own_packet,fates.path.num_named,fates.path.colliders\n"
+            "0.100,0.100,2,0,report,alpha,bravo,0,0,lost,,12.5,0,0,0,0,0,0,0,0,,,,,,,,,,,,,,,\n"
+            "0.100,0.100,2,1,report,alpha,bravo,0,0,\"a \"\"b\"\", c\",,12.5,0,0,0,0,0,0,0,1,"
+            "7,0,2.500,0,0.25,0,0,0,0,0,0,0,0,1,\"[\"\"alpha 12\"\"]\"\n"
+            "0.200,0.200,0,,,,,,,,,,,,,,,,,,,,,,,,,,,,,,,,\n");
   EXPECT_EQ(err_.str(), "");
 }
 

@@ -95,6 +95,13 @@ Decision DecideMessage(const RoutingRules& rules, const Transmission& message,
   return decision;
 }
 
+Decision DecidePacket(const RoutingRules& rules, const Transmission& packet,
+                      const Contact& receiver) {
+  Decision decision;
+  if (!PassesRange(rules, packet, receiver, &decision)) decision.cause = Cause::kOutOfRange;
+  return decision;
+}
+
 bool IsStale(const RoutingRules& rules, int64_t received_utime, int64_t utime) {
   return rules.stale_time_s >= 0 && SecondsBetween(received_utime, utime) >= rules.stale_time_s;
 }

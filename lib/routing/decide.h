@@ -3,6 +3,7 @@
 // A report at one receiver: full-report request, stale receiver, critical range, range, groups,
 // drop_percentage, min_rpt_interval. (Critical range overrides all behind it.)
 // A message at one receiver: msg_groups, stale receiver, range, drop_percentage. An ack likewise.
+// A packet for the acoustic network at one receiver: range. All else is for the water to decide.
 //
 // The first rule that stops it is the cause; the numbers of all rules that were asked come with it.
 #pragma once
@@ -43,6 +44,10 @@ struct Transmission {
 /// Decides whether `receiver`, which is known, hears a message or an ack.
 [[nodiscard]] Decision DecideMessage(const RoutingRules& rules, const Transmission& message,
                                      const Contact& receiver, int64_t utime);
+
+/// Decides whether `receiver`, which is known, may hear a packet: also where its position is old.
+[[nodiscard]] Decision DecidePacket(const RoutingRules& rules, const Transmission& packet,
+                                    const Contact& receiver);
 
 /// Returns true where a vehicle silent since `received_utime` is stale at `utime`.
 [[nodiscard]] bool IsStale(const RoutingRules& rules, int64_t received_utime, int64_t utime);

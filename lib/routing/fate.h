@@ -8,8 +8,13 @@
 namespace shoal {
 
 /// What is sent from vehicle to vehicle; each source numbers each kind from 0.
-enum class Kind : uint8_t { kReport, kMessage, kAck };
-inline constexpr int kNumKinds = 3;
+enum class Kind : uint8_t {
+  kReport,
+  kMessage,
+  kAck,
+  kPacket,  ///< Bytes for the acoustic network: ACOUSTIC_TX.
+};
+inline constexpr int kNumKinds = 4;
 
 /// Every transmission gets exactly one of these at every destination: the first that holds, in the
 /// order in which its kind asks (lib/routing/decide.h).
@@ -19,7 +24,7 @@ enum class Cause : uint8_t {
   kTooManyVehicles,     ///< At intake: from one stranger more than there is room for.
   kIgnoredGroup,        ///< At intake: `ignore_group`.
   kTooSoon,             ///< `min_msg_interval` of the source, `min_rpt_interval` of the pair.
-  kTooLong,             ///< `max_msg_length`.
+  kTooLong,             ///< `max_msg_length`; over the acoustic network, more than a packet holds.
   kUnknownSource,       ///< A message of a vehicle that has sent no report, or was forgotten.
   kStaleSource,         ///< A message of a vehicle that has been silent for too long.
   kNoDestination,       ///< A message to a group without other members, or to oneself.
@@ -28,8 +33,22 @@ enum class Cause : uint8_t {
   kStaleReceiver,       ///< The destination has been silent for too long.
   kOutOfRange,
   kDropped,  ///< `drop_percentage`.
+
+  // What goes over the acoustic network, once the rules have let it pass.
+  kInTransit,     ///< No fate yet: it is in the water.
+  kNoChannel,     ///< The band has no channel for one of the two.
+  kNotListening,  ///< The receiver does not hear the channel; only in tdma_lf.
+  kNoPath,        ///< Farther than sound can come.
+  kHalfDuplex,    ///< The receiver was sending meanwhile.
+  kCollision,     ///< Others overlapped it.
+  kPacketLoss,
+  kBitErrors,  ///< `crc`: it arrived damaged, and was thrown away.
+  kRejected,   ///< Without `crc`: it arrived damaged, and makes no sense.
+  kDamaged,    ///< Without `crc`: it arrived damaged, and was delivered so.
 };
-inline constexpr int kNumCauses = 14;
+inline constexpr int kNumCauses = 24;
+/// So many of them, the first, are the rules' own.
+inline constexpr int kNumRuleCauses = 14;
 
 /// A rule that delivers a report against other rules.
 enum class OverrideRule : uint8_t { kNone, kCriticalRange, kFullReport };

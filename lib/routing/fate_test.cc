@@ -27,10 +27,12 @@ TEST(Causes, BelongToTheKindsWhoseRulesAskForThem) {
     for (int i = 0; i < kNumCauses; ++i) num += CanHave(kind, static_cast<Cause>(i)) ? 1 : 0;
     return num;
   };
-  EXPECT_EQ(count(Kind::kReport), 9);
-  EXPECT_EQ(count(Kind::kMessage), 13);
-  EXPECT_EQ(count(Kind::kAck), 9);
-  EXPECT_FALSE(CanHave(Kind::kReport, Cause::kTooLong));
+  EXPECT_EQ(count(Kind::kReport), 19);
+  EXPECT_EQ(count(Kind::kMessage), 22);
+  EXPECT_EQ(count(Kind::kAck), 19);
+  EXPECT_EQ(count(Kind::kPacket), 14);
+  EXPECT_FALSE(CanHave(Kind::kReport, Cause::kUnknownSource));
+  EXPECT_FALSE(CanHave(Kind::kPacket, Cause::kStaleReceiver));
   EXPECT_FALSE(CanHave(Kind::kMessage, Cause::kIgnoredGroup));
   EXPECT_FALSE(CanHave(Kind::kAck, Cause::kTooSoon));
 }
@@ -41,7 +43,7 @@ TEST(FateTexts, StandAtTheirCauses) {
   EXPECT_EQ(CauseText(Cause::kUnknownDestination), "unknown_destination");
   EXPECT_EQ(CauseText(Cause::kOutOfRange), "out_of_range");
   EXPECT_EQ(CauseText(Cause::kDropped), "dropped");
-  EXPECT_EQ(static_cast<int>(Cause::kDropped), kNumCauses - 1);
+  EXPECT_EQ(static_cast<int>(Cause::kDropped), kNumRuleCauses - 1);
   EXPECT_EQ(KindText(Kind::kAck), "ack");
 }
 

@@ -127,8 +127,11 @@ Transmission Router::MakeTransmission(Kind kind, int64_t number, const Contact& 
 void Router::Record(const Decision& decision, Contact* source, Contact* receiver,
                     std::vector<Decision>* decisions) {
   Decision& recorded = decisions->emplace_back(decision);
-  const auto kind = static_cast<size_t>(decision.kind);
-  const auto cause = static_cast<size_t>(decision.cause);
+  if (decision.cause == Cause::kDelivered && MediumOf(rules_, decision.kind) == Medium::kAcoustic) {
+    recorded.cause = Cause::kInTransit;
+  }
+  const auto kind = static_cast<size_t>(recorded.kind);
+  const auto cause = static_cast<size_t>(recorded.cause);
   counts_[kind][cause] += decision.count;
   if (source != nullptr) {
     recorded.source = source->index;
@@ -138,6 +141,30 @@ void Router::Record(const Decision& decision, Contact* source, Contact* receiver
     recorded.destination = receiver->index;
     receiver->heard[kind][cause] += decision.count;
   }
+}
+
+Decision Router::Conclude(const Decision& pending, std::string_view source,
+                          std::string_view destination, Cause cause) {
+  SHOAL_CHECK(pending.cause == Cause::kInTransit, "only what is in transit has no fate yet");
+  const auto kind = static_cast<size_t>(pending.kind);
+  const auto move = [&](CauseCounts* counts) {
+    int64_t& num_in_transit = (*counts)[static_cast<size_t>(Cause::kInTransit)];
+    if (num_in_transit == 0) return;  // Another vehicle, that has taken the name.
+    --num_in_transit;
+    ++(*counts)[static_cast<size_t>(cause)];
+  };
+  move(&counts_[kind]);
+  if (Contact* contact = Find(source)) move(&contact->sent[kind]);
+  if (Contact* contact = Find(destination)) move(&contact->heard[kind]);
+  Decision concluded = pending;
+  concluded.cause = cause;
+  return concluded;
+}
+
+int64_t Router::NumInTransit() const {
+  int64_t sum = 0;
+  for (const CauseCounts& counts : counts_) sum += counts[static_cast<size_t>(Cause::kInTransit)];
+  return sum;
 }
 
 void Router::ForgetSilent(int64_t utime, std::vector<int32_t>* forgotten) {

@@ -12,8 +12,13 @@
 //
 // All reports of a step are admitted before any is routed, so that everybody is where he is now.
 //
+// What goes over the acoustic network is not delivered once the rules have let it pass: it is in
+// transit until the caller says what became of it:
+//
+//   router.Conclude(decision, "alpha", "bravo", Cause::kCollision);
+//
 // fates = admitted reports x other known vehicles + refused reports, always; and of messages: their
-// destinations, or 1 where they have none. "Fates" counts Decision::count.
+// destinations, or 1 where they have none. "Fates" counts Decision::count, and what is in transit.
 #pragma once
 
 #include <Eigen/Core>
@@ -63,6 +68,14 @@ struct MessageFacts {
 struct AckFacts {
   std::string_view source;
   std::string_view destination;
+  bool is_sound = true;
+};
+
+/// What the rules ask about a packet for the acoustic network.
+struct PacketFacts {
+  std::string_view source;
+  int64_t length_bytes = 0;
+  int64_t length_limit_bytes = 0;
   bool is_sound = true;
 };
 
@@ -117,6 +130,16 @@ class Router {
   void RouteAck(const AckFacts& ack, int64_t utime, std::vector<Decision>* decisions,
                 std::vector<std::string>* unknown_names);
 
+  /// Appends the fates of a packet at each other known vehicle, in order of keys; those that are
+  /// not told apart come last. Asks: invalid, unknown source, too long, then at each destination.
+  void RoutePacket(const PacketFacts& packet, int64_t utime, std::vector<Decision>* decisions);
+
+  /// Gives a transmission that is in transit its fate, for the counts. Names, since either vehicle
+  /// may have been replaced by another stranger meanwhile. Returns the decision with that cause.
+  /// @pre pending.cause is kInTransit, and it was not concluded before.
+  Decision Conclude(const Decision& pending, std::string_view source, std::string_view destination,
+                    Cause cause);
+
   /// Forgets who has been silent for the forget time: all but counts, numbers and factors. Appends
   /// their indices to `forgotten`, where given.
   void ForgetSilent(int64_t utime, std::vector<int32_t>* forgotten = nullptr);
@@ -132,6 +155,8 @@ class Router {
   int64_t num_admitted() const { return num_admitted_; }
   /// All fates so far by cause, those of refused transmissions included.
   const CauseCounts& counts(Kind kind) const { return counts_[static_cast<size_t>(kind)]; }
+  /// Returns what is in transit, of all kinds.
+  int64_t NumInTransit() const;
   /// Transmissions of each kind that came in.
   int64_t num_offered(Kind kind) const { return num_offered_[static_cast<size_t>(kind)]; }
 
@@ -148,8 +173,13 @@ class Router {
 
   void DecideReportAt(const Transmission& report, Contact* source, Contact* receiver, int64_t utime,
                       std::vector<Decision>* decisions);
-  void RouteNear(const Transmission& report, Contact* source, int64_t utime,
+  /// A report or a packet at each other known vehicle.
+  void Broadcast(const Transmission& sent, Contact* source, int64_t utime,
                  std::vector<Decision>* decisions);
+  void BroadcastNear(const Transmission& sent, Contact* source, int64_t utime,
+                     std::vector<Decision>* decisions);
+  void DecideAt(const Transmission& sent, Contact* source, Contact* receiver, int64_t utime,
+                std::vector<Decision>* decisions);
   bool CountsFarTogether() const;
   void PrepareGrid();
 
@@ -164,7 +194,8 @@ class Router {
   void DecideMessageAt(const Transmission& message, const std::optional<Decision>& refusal,
                        const Audience& audience, Contact* source, int64_t utime,
                        std::vector<Decision>* decisions, std::vector<std::string>* unknown_names);
-  /// Counts a fate and appends it. `source` and `receiver` may be null.
+  /// Counts a fate and appends it; what the rules let pass may be in transit. `source` and
+  /// `receiver` may be null.
   void Record(const Decision& decision, Contact* source, Contact* receiver,
               std::vector<Decision>* decisions);
 

@@ -1,10 +1,26 @@
 // The broker's rules as data, under the names of the node-comms manual.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
+#include <string_view>
+#include <utility>
+
+#include "lib/routing/fate.h"
 
 namespace shoal {
+
+/// What carries a kind of traffic from its source to those whom the rules let hear it.
+enum class Medium : uint8_t {
+  kDirect,    ///< Nothing: it arrives at once and whole.
+  kAcoustic,  ///< The acoustic network: late, damaged or not at all.
+};
+
+inline constexpr std::array<std::pair<std::string_view, Medium>, 2> kMedia = {{
+    {"direct", Medium::kDirect},
+    {"acoustic", Medium::kAcoustic},
+}};
 
 struct RoutingRules {
   // Who hears whom.
@@ -19,6 +35,8 @@ struct RoutingRules {
   double min_msg_interval_s = 30;  ///< `min_msg_interval`, per source; negative: none.
   int64_t max_msg_length_bytes = 1000;  ///< `max_msg_length`, of string_val; 0: no limit.
   double drop_percentage = 0;           ///< 0 to 100: so many deliveries are lost at random.
+  Medium reports_over = Medium::kDirect;
+  Medium messages_over = Medium::kDirect;  ///< Acks too.
 
   // What is shown of it.
   double shared_node_reports_s = -1;  ///< `shared_node_reports`: wall seconds; negative: off.
@@ -30,6 +48,20 @@ struct RoutingRules {
 
   bool operator==(const RoutingRules&) const = default;
 };
+
+/// Returns what carries transmissions of this kind.
+[[nodiscard]] inline Medium MediumOf(const RoutingRules& rules, Kind kind) {
+  switch (kind) {
+    case Kind::kReport:
+      return rules.reports_over;
+    case Kind::kMessage:
+    case Kind::kAck:
+      return rules.messages_over;
+    case Kind::kPacket:
+      break;
+  }
+  return Medium::kAcoustic;
+}
 
 /// What one vehicle is given or takes: section 3 of the manual.
 struct LinkFactors {

@@ -77,10 +77,6 @@ class TestFleet {
     router.SetRules(rules);
   }
 
-  Router router;
-  int64_t utime = 0;
-
- private:
   Fates ByName(const std::vector<Decision>& decisions,
                const std::vector<std::string>& unknown_names) const {
     Fates fates;
@@ -99,6 +95,9 @@ class TestFleet {
     }
     return fates;
   }
+
+  Router router;
+  int64_t utime = 0;
 };
 
 inline int64_t CountOf(const CauseCounts& counts, Cause cause) {

@@ -9,6 +9,9 @@
 
 #include "lcmtypes/lcm_sources.h"
 #include "shoal/ack_message_t.hpp"
+#include "shoal/acoustic_path_t.hpp"
+#include "shoal/acoustic_rx_t.hpp"
+#include "shoal/acoustic_tx_t.hpp"
 #include "shoal/actuators_t.hpp"
 #include "shoal/appcast_req_t.hpp"
 #include "shoal/appcast_t.hpp"
@@ -77,7 +80,7 @@ std::string BuildError(const std::string& text) {
 
 TEST(Schema, GivesEveryTypeOfShoalTheFingerprintOfLcmGen) {
   const auto generated =
-      Generated<ack_message_t, actuators_t, appcast_req_t, appcast_t, comms_fates_t, comms_pulse_t,
+      Generated<ack_message_t, acoustic_path_t, acoustic_rx_t, acoustic_tx_t, actuators_t, appcast_req_t, appcast_t, comms_fates_t, comms_pulse_t,
                 comms_pulses_t, comms_rules_t, desired_t, fate_t, helm_command_t, helm_state_t,
                 kept_control_t, key_value_t, link_factors_t, nav_t, node_message_t, node_report_t,
                 resend_t, sim_command_t, step_count_t, step_done_t, step_total_t, tick_t,

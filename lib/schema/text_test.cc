@@ -88,9 +88,10 @@ TEST(MessageText, ShowsNestedArraysAndLeavesOutTheirLengths) {
   EXPECT_EQ(TextOf(fates, "utime"),
             "fates=[{kind=report source=\"\" destination=\"\" count=0 number=0 cause=\"\" "
             "override_rule=\"\" range_m=12.5 limit_m=0 age_s=0 age_limit_s=0 wait_s=0 loss_pct=0 "
-            "length_bytes=0 length_limit_bytes=0} {kind=\"\" source=\"\" destination=\"\" count=0 "
+            "length_bytes=0 length_limit_bytes=0 path=[]} {kind=\"\" source=\"\" destination=\"\" "
+            "count=0 "
             "number=0 cause=\"\" override_rule=\"\" range_m=0 limit_m=0 age_s=0 age_limit_s=0 "
-            "wait_s=0 loss_pct=0 length_bytes=0 length_limit_bytes=0}]");
+            "wait_s=0 loss_pct=0 length_bytes=0 length_limit_bytes=0 path=[]}]");
 }
 
 TEST(MessageText, ShowsEmptyArraysAndAllMembersButTheOneToSkip) {

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <string>
+#include <vector>
+
 #include "lib/routing/fate.h"
 #include "lib/routing/vehicle_name.h"
 
@@ -27,12 +30,15 @@ struct Describer {
     return fmt::format("no two vehicles closer than {:g} m", separation.min_m);
   }
   std::string operator()(const CommsExpectation& comms) const {
-    std::string limits;
-    if (comms.at_least) limits += fmt::format("at least {} ", *comms.at_least);
-    if (comms.at_least && comms.at_most) limits += "and ";
-    if (comms.at_most) limits += fmt::format("at most {} ", *comms.at_most);
-    return fmt::format("{}{}s {} from {} to {}", limits, KindText(comms.kind), comms.cause,
-                       comms.from, comms.to);
+    std::vector<std::string> limits;
+    if (comms.at_least) limits.push_back(fmt::format("at least {}", *comms.at_least));
+    if (comms.at_most) limits.push_back(fmt::format("at most {}", *comms.at_most));
+    if (comms.at_least_pct) limits.push_back(fmt::format("at least {:g} %", *comms.at_least_pct));
+    if (comms.at_most_pct) limits.push_back(fmt::format("at most {:g} %", *comms.at_most_pct));
+    const bool ends_with_share = comms.at_least_pct || comms.at_most_pct;
+    return fmt::format("{}{} {}s {} from {} to {}", fmt::join(limits, " and "),
+                       ends_with_share ? " of" : "", KindText(comms.kind), comms.cause, comms.from,
+                       comms.to);
   }
   std::string operator()(const HelmExpectation& helm) const {
     return fmt::format("{} ends in {}{}", Who(helm.vehicle),

@@ -21,6 +21,29 @@ std::vector<std::string> NamesOf(const Mission& mission) {
   return names;
 }
 
+/// Judges by the share that `count` has in all that was offered.
+void JudgeShare(const CommsExpectation& comms, int64_t count, int64_t offered, Outcome* outcome) {
+  if (offered == 0) {
+    outcome->passed = !comms.at_least_pct;
+    outcome->numbers = "nothing was offered on these links";
+    return;
+  }
+  // A share that is exactly the limit is within it, whatever binary fractions make of the limit.
+  constexpr double kRounding_pct = 1e-9;
+  const double share_pct = 100 * static_cast<double>(count) / static_cast<double>(offered);
+  outcome->numbers = fmt::format("{} of {} ({:.4g} %)", count, offered, share_pct);
+  const double missing_pct = comms.at_least_pct.value_or(0) - share_pct;
+  const double excess_pct = share_pct - comms.at_most_pct.value_or(100);
+  if (missing_pct > kRounding_pct) {
+    outcome->passed = false;
+    outcome->numbers += fmt::format(", {} % too low", FormatExcess(missing_pct));
+  }
+  if (excess_pct > kRounding_pct) {
+    outcome->passed = false;
+    outcome->numbers += fmt::format(", {} % too high", FormatExcess(excess_pct));
+  }
+}
+
 /// Returns the name of the vehicle or vehicles that an expectation is put to, one by one; nothing
 /// where it looks at all of them together.
 std::string_view PutTo(const Expectation& expectation) {
@@ -127,9 +150,13 @@ Outcome Judge::FindSeparation(const SeparationExpectation& separation) const {
 }
 
 Outcome Judge::FindComms(const CommsExpectation& comms) const {
-  const int64_t count =
-      fates(comms.kind).Count(PlaceInCounts(comms.from), PlaceInCounts(comms.to), comms.cause);
+  const int from = PlaceInCounts(comms.from);
+  const int to = PlaceInCounts(comms.to);
+  const int64_t count = fates(comms.kind).Count(from, to, comms.cause);
   Outcome outcome = {.passed = true, .strain = 0, .numbers = std::to_string(count)};
+  if (comms.at_least_pct || comms.at_most_pct) {
+    JudgeShare(comms, count, fates(comms.kind).CountOffered(from, to), &outcome);
+  }
   if (comms.at_least && count < *comms.at_least) {
     outcome.passed = false;
     outcome.numbers += fmt::format(", {} too few", *comms.at_least - count);

@@ -168,6 +168,68 @@ TEST_F(JudgeTest, TellsReportsMessagesAndAcksApart) {
   EXPECT_TRUE(Only().passed);
 }
 
+TEST_F(JudgeTest, JudgesTheShareOfPacketsOfOneLink) {
+  CommsExpectation share{.kind = Kind::kPacket, .from = "alpha", .to = "bravo"};
+  share.at_least_pct = 70;
+  share.at_most_pct = 90;
+  Judge& judge = For(share);
+  EXPECT_EQ(Only().text, "at least 70 % and at most 90 % of packets delivered from alpha to bravo");
+  FateCounts& fates = judge.fates(Kind::kPacket);
+  judge.fates(Kind::kReport).Add("alpha", "Bravo", "delivered", 100);
+  fates.Add("Bravo", "alpha", "delivered", 100);
+  fates.Add("alpha", "Bravo", "collision", 2);
+  fates.Add("alpha", "Bravo", "packet_loss");
+  fates.Add("alpha", "Bravo", "delivered", 6);
+  EXPECT_FALSE(Only().passed);
+  EXPECT_EQ(Only().numbers, "6 of 9 (66.67 %), 3.3 % too low");
+  fates.Add("alpha", "Bravo", "delivered");
+  EXPECT_TRUE(Only().passed);
+  EXPECT_EQ(Only().numbers, "7 of 10 (70 %)");
+  fates.Add("alpha", "Bravo", "delivered", 20);
+  EXPECT_TRUE(Only().passed) << "exactly 90 %";
+  fates.Add("alpha", "Bravo", "delivered", 20);
+  EXPECT_FALSE(Only().passed);
+  EXPECT_EQ(Only().numbers, "47 of 50 (94 %), 4.0 % too high");
+}
+
+TEST_F(JudgeTest, TakesAShareThatIsExactlyTheLimitForWithin) {
+  CommsExpectation share{.kind = Kind::kPacket};
+  share.at_least_pct = 0.07;
+  share.at_most_pct = 0.07;
+  Judge& judge = For(share);
+  judge.fates(Kind::kPacket).Add("alpha", "bravo", "delivered", 7);
+  judge.fates(Kind::kPacket).Add("alpha", "bravo", "collision", 9993);
+  EXPECT_TRUE(Only().passed) << Only().numbers;
+  judge.fates(Kind::kPacket).Add("alpha", "bravo", "collision");
+  EXPECT_FALSE(Only().passed) << Only().numbers;
+}
+
+TEST_F(JudgeTest, WantsTheCountAndTheShare) {
+  CommsExpectation both{.at_least = 10, .at_most = {}};
+  both.at_least_pct = 50;
+  Judge& judge = For(both);
+  EXPECT_EQ(Only().text, "at least 10 and at least 50 % of reports delivered from all to all");
+  judge.fates(Kind::kReport).Add("alpha", "bravo", "delivered", 9);
+  EXPECT_FALSE(Only().passed);
+  EXPECT_EQ(Only().numbers, "9 of 9 (100 %), 1 too few");
+  judge.fates(Kind::kReport).Add("alpha", "bravo", "packet_loss", 11);
+  EXPECT_EQ(Only().numbers, "9 of 20 (45 %), 5.0 % too low, 1 too few");
+}
+
+TEST_F(JudgeTest, FailsAtLeastAShareOfNothing) {
+  CommsExpectation low;
+  low.at_least_pct = 0;
+  For(low);
+  EXPECT_FALSE(Only().passed);
+  EXPECT_EQ(Only().numbers, "nothing was offered on these links");
+  CommsExpectation high;
+  high.at_most_pct = 0;
+  For(high);
+  EXPECT_TRUE(Only().passed);
+  EXPECT_EQ(Only().text, "at most 0 % of reports delivered from all to all");
+  EXPECT_EQ(Only().numbers, "nothing was offered on these links");
+}
+
 TEST_F(JudgeTest, CountsDestinationsThatAreNotToldApartForAllAndForNobody) {
   Judge& judge =
       For(CommsExpectation{.to = "bravo", .cause = "out_of_range", .at_least = {}, .at_most = 0});

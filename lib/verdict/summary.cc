@@ -96,7 +96,8 @@ std::string Summarize(const Mission& mission, const Judge& judge, bool complete)
   std::string text = VehicleTable(mission, judge) + "\n" +
                      LinkTable(mission, judge.fates(Kind::kReport), "Reports");
   for (const auto& [kind, title] :
-       {std::pair(Kind::kMessage, "Messages"), std::pair(Kind::kAck, "Acks")}) {
+       {std::pair(Kind::kMessage, "Messages"), std::pair(Kind::kAck, "Acks"),
+        std::pair(Kind::kPacket, "Packets")}) {
     const FateCounts& fates = judge.fates(kind);
     if (fates.CountOffered(kAll, kAll) > 0) text += "\n" + LinkTable(mission, fates, title);
   }

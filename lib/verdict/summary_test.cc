@@ -67,8 +67,12 @@ TEST(Summarize, ShowsMessagesAndAcksWhereThereWereAny) {
             std::string::npos)
       << summary;
   EXPECT_EQ(summary.find("Acks"), std::string::npos);
+  EXPECT_EQ(summary.find("Packets"), std::string::npos);
   judge.fates(Kind::kAck).Add("bravo", "alpha", "delivered");
   EXPECT_NE(Summarize(mission, judge).find("\n\nAcks delivered/offered\n"), std::string::npos);
+  judge.fates(Kind::kPacket).Add("bravo", "alpha", "collision");
+  EXPECT_NE(Summarize(mission, judge).find("    all: 0/1, collision 1\n"), std::string::npos);
+  EXPECT_NE(Summarize(mission, judge).find("\n\nPackets delivered/offered\n"), std::string::npos);
 }
 
 TEST(Summarize, EndsWithFailWhereAnExpectationWasMissed) {

@@ -30,13 +30,15 @@ std::vector<AcousticNode> Nodes(int count) {
   return nodes;
 }
 
-/// A fleet on a grid of 50 m, five to a row, whose vehicles take turns to send.
+/// A fleet on a grid of 50 m, unless said otherwise, five to a row, whose vehicles take turns to
+/// send.
 class Fleet {
  public:
-  Fleet(const AcousticOptions& options, int count)
+  Fleet(const AcousticOptions& options, int count, double side_m = 50)
       : water_(options, kSeed, Nodes(count)), everybody_(static_cast<size_t>(count)) {
     std::iota(everybody_.begin(), everybody_.end(), 0);
-    for (const int i : everybody_) positions_m_.emplace_back(50 * (i % 5), 50 * (i / 5), 20);
+    for (const int i : everybody_)
+      positions_m_.emplace_back(side_m * (i % 5), side_m * (i / 5), 20);
   }
 
   /// Vehicle i sends every `period_s`, at i / count of it, in steps of kStep_s.
@@ -86,6 +88,31 @@ void FdmaInHalfDuplex(benchmark::State& state) {
   state.SetItemsProcessed(fleet.statistics().NumDecided());
 }
 BENCHMARK(FdmaInHalfDuplex)->Arg(20);
+
+/// As FdmaWithAllEffects, but packets are lost by a modem's signal-to-noise ratio: with a code of
+/// this block length (1: none), at ranges of hundreds of metres, or (spread) of kilometres, where
+/// packets are lost and the sums over a block's wrong bits are longest.
+void FdmaWithAModem(benchmark::State& state) {
+  AcousticOptions options;
+  options.bandwidth_khz = 30;
+  options.packet_loss_model = PacketLossModel::kModem;
+  options.bit_error_model = BitErrorModel::kOff;
+  options.modem = ModemPreset{.name = "bench",
+                              .low_khz = 24,
+                              .high_khz = 32,
+                              .data_rate_bps = 463,
+                              .max_packet_bytes = 64,
+                              .source_level_db = 168,
+                              .modulation = Modulation::kCoherentPsk};
+  if (state.range(0) == 127) options.modem->code = {127, 92, 5};
+  if (state.range(0) == 1023) options.modem->code = {1023, 723, 30};
+  Fleet fleet(options, 20, state.range(1) != 0 ? 1500 : 50);
+  for (auto _ : state) fleet.Run(1, 1);
+  state.SetItemsProcessed(fleet.statistics().NumDecided());
+}
+BENCHMARK(FdmaWithAModem)
+    ->ArgNames({"block_bits", "spread"})
+    ->ArgsProduct({{1, 127, 1023}, {0, 1}});
 
 /// One of muNet's workloads, and what it did per second.
 struct Workload {

@@ -48,6 +48,14 @@ TEST(Reproducibility, HoldsForOneVessel) {
   EXPECT_TRUE(SimLog(folder, mission) == RunLog(folder, mission));
 }
 
+TEST(Reproducibility, HoldsForWhatGoesThroughTheWater) {
+  const TestFolder folder;
+  const std::string mission = MissionFile("acoustic.toml");
+  EXPECT_TRUE(SimLog(folder, mission) == RunLog(folder, mission, {"--layout", "communities"}));
+  const std::string shared = MissionFile("acoustic_shared.toml");
+  EXPECT_TRUE(SimLog(folder, shared) == SimLog(folder, shared));
+}
+
 TEST(Reproducibility, HoldsWhenTheBusLosesDatagrams) {
   const TestFolder folder;
   const std::string mission = MissionFile("alpha.toml");

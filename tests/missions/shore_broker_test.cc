@@ -142,6 +142,29 @@ TEST_F(LiveBroker, TakesReportsAsTheyComeAndTellsTheirFates) {
   EXPECT_NEAR(static_cast<double>(fate_utime_), now_us, 5e6) << "the wall's time";
 }
 
+TEST_F(LiveBroker, CarriesPacketsThroughTheWaterInRealTime) {
+  std::vector<acoustic_rx_t> packets;
+  Subscribe(bus_, channels::AcousticRx("bravo"),
+            [&](const acoustic_rx_t& packet) { packets.push_back(packet); });
+  Report("alpha", 0);
+  Report("bravo", 150);
+  ASSERT_TRUE(Hear([&] { return heard_["alpha"] == 1; }));
+  acoustic_tx_t packet = {};
+  packet.source = "alpha";
+  packet.num_bytes = 8;
+  packet.payload = {1, 2, 3, 4, 5, 6, 7, 8};
+  for (int i = 0; i < 5 && packets.empty(); ++i) {  // 2 % are lost, 10 % damaged.
+    Publish(bus_, channels::AcousticTx(), packet);
+    Hear([&] { return !packets.empty(); });
+  }
+  ASSERT_FALSE(packets.empty());
+  EXPECT_EQ(packets[0].payload, packet.payload);
+  // 12 bytes on the air, 150 m, and up to 0.2 s of jitter.
+  const auto delay_us = static_cast<double>(packets[0].arrived_utime - packets[0].sent_utime);
+  EXPECT_GE(delay_us, 0.196e6);
+  EXPECT_LE(delay_us, 0.396e6);
+}
+
 TEST_F(LiveBroker, IsFoundBySendAndStatusAndEndsOnASignal) {
   Report("alpha", 0);
   EXPECT_EQ(RunShoal(folder_, {"send", "comms_range", "77"}).exit_code, 0);

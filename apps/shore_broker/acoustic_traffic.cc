@@ -1,0 +1,206 @@
+#include "apps/shore_broker/acoustic_traffic.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "lib/acoustics/validate_options.h"
+#include "lib/check/check.h"
+#include "lib/codec/crc32.h"
+#include "lib/codec/little_endian.h"
+#include "lib/routing/vehicle_name.h"
+
+namespace shoal {
+
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+/// Why the network cannot be; empty: it can.
+std::string ProblemOf(const BrokerSetup& setup) {
+  const auto problems = FindProblems(setup.acoustics.options, setup.nodes);
+  return problems.empty() ? "" : problems.front().option + ": " + problems.front().message;
+}
+
+std::span<const AcousticNode> NodesThatFit(const BrokerSetup& setup) {
+  if (!ProblemOf(setup).empty()) return {};
+  return setup.nodes;
+}
+
+}  // namespace
+
+AcousticTraffic::AcousticTraffic(const BrokerSetup& setup)
+    : crc_(setup.acoustics.crc),
+      tick_us_(setup.tick_us),
+      epoch_utime_(setup.start_utime),
+      max_payload_bytes_(kMaxPayload_bytes),
+      problem_(ProblemOf(setup)),
+      network_(setup.acoustics.options, setup.seed, NodesThatFit(setup)) {
+  for (const AcousticNode& node : NodesThatFit(setup)) {
+    node_of_.emplace(VehicleKey(node.name), static_cast<int>(nodes_.size()));
+    nodes_.push_back({.name = node.name, .address = static_cast<uint32_t>(node.address)});
+  }
+  positions_m_.assign(nodes_.size(), Eigen::Vector3d::Constant(kNaN));
+  max_nodes_ = nodes_.size() + Router::kMaxStrangers;
+  if (const auto& modem = setup.acoustics.options.modem) {
+    max_payload_bytes_ = std::min(kMaxPayload_bytes, modem->max_packet_bytes);
+  }
+}
+
+void AcousticTraffic::Place(std::string_view name, const Eigen::Vector3d& position_m) {
+  std::optional<int> node = FindNode(name);
+  if (!node) {
+    if (!problem_.empty() || nodes_.size() >= max_nodes_) return;
+    uint32_t address = 1;
+    for (const Node& each : nodes_) address = std::max(address, each.address + 1);
+    if (address > static_cast<uint32_t>(std::numeric_limits<int>::max())) return;
+    const std::string key = VehicleKey(name);
+    const Result<int> index =
+        network_.AddNode({.name = key, .address = static_cast<int>(address), .is_leader = false});
+    if (!index.ok()) return;
+    node = *index;
+    node_of_.emplace(key, *node);
+    nodes_.push_back({.name = std::string(name), .address = address});
+    positions_m_.emplace_back();
+  }
+  positions_m_[static_cast<size_t>(*node)] = position_m;
+}
+
+/// The broker hears in one step what was said in the step before. Live, steps are as short as the
+/// traffic lets them be, and nothing is sent before what has been delivered already.
+int64_t AcousticTraffic::SentUtime(int64_t utime) const {
+  const int64_t said_utime = utime - tick_us_;
+  return delivered_utime_ ? std::max(said_utime, *delivered_utime_) : said_utime;
+}
+
+std::vector<AcousticTraffic::Refusal> AcousticTraffic::Send(int64_t utime, Shipment shipment) {
+  std::vector<Refusal> refusals;
+  const auto refuse_if = [&](Cause cause, const auto& is_refused) {
+    for (ShipmentLeg& leg : shipment.legs) {
+      if (is_refused(leg)) refusals.push_back({.leg = std::move(leg), .cause = cause});
+    }
+  };
+  const std::optional<int> source = FindNode(shipment.source);
+  if (static_cast<int64_t>(shipment.payload.size()) > max_payload_bytes_) {
+    for (ShipmentLeg& leg : shipment.legs) {
+      leg.decision.length_bytes = static_cast<int64_t>(shipment.payload.size());
+      leg.decision.length_limit_bytes = max_payload_bytes_;
+    }
+    refuse_if(Cause::kTooLong, [](const ShipmentLeg&) { return true; });
+    return refusals;
+  }
+  if (!source || nodes_[static_cast<size_t>(*source)].num_packets >= kMaxPacketsOfOne) {
+    refuse_if(Cause::kNoChannel, [](const ShipmentLeg&) { return true; });
+    return refusals;
+  }
+  for (ShipmentLeg& leg : shipment.legs) leg.node = FindNode(leg.destination).value_or(-1);
+  refuse_if(Cause::kNoChannel, [](const ShipmentLeg& leg) { return leg.node < 0; });
+  std::erase_if(shipment.legs, [](const ShipmentLeg& leg) { return leg.node < 0; });
+  std::sort(shipment.legs.begin(), shipment.legs.end(),
+            [](const ShipmentLeg& a, const ShipmentLeg& b) { return a.node < b.node; });
+
+  std::vector<int> receivers;
+  for (ShipmentLeg& leg : shipment.legs) {
+    leg.to_m = positions_m_[static_cast<size_t>(leg.node)];
+    receivers.push_back(leg.node);
+  }
+  shipment.from_m = positions_m_[static_cast<size_t>(*source)];
+  std::vector<uint8_t> frame = shipment.payload;
+  if (crc_) AppendLittleEndian(Crc32(shipment.payload), &frame);
+  const int64_t sent_utime = SentUtime(utime);
+  const int64_t number =
+      network_.Transmit(SecondsOf(sent_utime), *source, positions_m_, frame, receivers);
+  if (receivers.empty()) return refusals;
+  ++nodes_[static_cast<size_t>(*source)].num_packets;
+  const size_t num_legs = receivers.size();
+  under_way_.emplace(
+      PacketId{.source = *source, .number = number},
+      UnderWay{
+          .shipment = std::move(shipment), .sent_utime = sent_utime, .num_legs_left = num_legs});
+  return refusals;
+}
+
+void AcousticTraffic::Deliver(int64_t utime, const std::function<void(const Arrival&)>& take) {
+  delivered_utime_ = delivered_utime_ ? std::max(utime, *delivered_utime_) : utime;
+  for (const Reception& reception : network_.Deliver(SecondsOf(*delivered_utime_))) {
+    const auto found = under_way_.find(reception.packet);
+    SHOAL_CHECK(found != under_way_.end(), "what arrives was sent");
+    UnderWay& under_way = found->second;
+    const std::vector<ShipmentLeg>& legs = under_way.shipment.legs;
+    const auto leg = std::lower_bound(
+        legs.begin(), legs.end(), reception.receiver,
+        [](const ShipmentLeg& each, int32_t receiver) { return each.node < receiver; });
+    SHOAL_CHECK(leg != legs.end() && leg->node == reception.receiver,
+                "it was meant for whom it reaches");
+    std::span<const uint8_t> payload;
+    if (HandsOver(reception.fate))
+      payload = reception.bytes.first(under_way.shipment.payload.size());
+    take({.shipment = under_way.shipment,
+          .leg = *leg,
+          .reception = reception,
+          .cause = CauseOf(reception, under_way.shipment),
+          .payload = payload,
+          .sent_utime = under_way.sent_utime});
+    if (--under_way.num_legs_left > 0) continue;
+    --nodes_[static_cast<size_t>(reception.packet.source)].num_packets;
+    under_way_.erase(found);
+  }
+}
+
+Cause AcousticTraffic::CauseOf(const Reception& reception, const Shipment& shipment) const {
+  switch (reception.fate) {
+    case AcousticFate::kNotListening:
+      return Cause::kNotListening;
+    case AcousticFate::kNoPath:
+      return Cause::kNoPath;
+    case AcousticFate::kHalfDuplex:
+      return Cause::kHalfDuplex;
+    case AcousticFate::kCollided:
+      return Cause::kCollision;
+    case AcousticFate::kLost:
+      return Cause::kPacketLoss;
+    case AcousticFate::kDelivered:
+      return Cause::kDelivered;
+    case AcousticFate::kDamagedByCollision:
+    case AcousticFate::kDamagedByBitErrors:
+      break;
+  }
+  const std::span<const uint8_t> payload = reception.bytes.first(shipment.payload.size());
+  if (!crc_) {
+    // Two errors can undo each other, and bits flip where a collision had flipped them before.
+    return std::ranges::equal(payload, shipment.payload) ? Cause::kDelivered : Cause::kDamaged;
+  }
+  LittleEndianReader checksum(reception.bytes.subspan(shipment.payload.size()));
+  if (checksum.Take<uint32_t>() == Crc32(payload)) {
+    return std::ranges::equal(payload, shipment.payload) ? Cause::kDelivered : Cause::kDamaged;
+  }
+  return reception.fate == AcousticFate::kDamagedByCollision ? Cause::kCollision
+                                                             : Cause::kBitErrors;
+}
+
+std::optional<int> AcousticTraffic::FindNode(std::string_view name) const {
+  const auto found = node_of_.find(VehicleKey(name));
+  if (found == node_of_.end()) return std::nullopt;
+  return found->second;
+}
+
+std::optional<uint32_t> AcousticTraffic::AddressOf(std::string_view name) const {
+  const std::optional<int> node = FindNode(name);
+  if (!node) return std::nullopt;
+  return nodes_[static_cast<size_t>(*node)].address;
+}
+
+std::string_view AcousticTraffic::VehicleAt(uint32_t address) const {
+  for (const Node& node : nodes_) {
+    if (node.address == address) return node.name;
+  }
+  return {};
+}
+
+std::string AcousticTraffic::NameOf(const PacketId& packet) const {
+  return fmt::format("{} {}", nodes_[static_cast<size_t>(packet.source)].name, packet.number);
+}
+
+}  // namespace shoal

@@ -1,0 +1,150 @@
+// What the broker sends through the water, from the moment at which the rules let it pass to its
+// arrival: frames, receivers, and what is needed to deliver it then.
+//
+//   AcousticTraffic traffic(setup);
+//   traffic.Place("alpha", position_m);                  // with every report
+//   traffic.Send(utime, std::move(shipment));            // legs: those whom it is meant for
+//   traffic.Deliver(utime, [&](const Arrival& arrival) { ... });
+//
+// What the broker handles at `utime` was said one step before, and leaves its source then.
+#pragma once
+
+#include <Eigen/Core>
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "apps/shore_broker/broker_setup.h"
+#include "lib/acoustics/acoustic_network.h"
+#include "lib/routing/fate.h"
+#include "lib/routing/router.h"
+
+namespace shoal {
+
+/// One receiver of a shipment.
+struct ShipmentLeg {
+  Decision decision;  ///< In transit.
+  std::string destination;
+  Eigen::Vector3d to_m = Eigen::Vector3d::Zero();  ///< Where it was when the packet was sent.
+  int node = -1;                                   ///< AcousticTraffic's own.
+};
+
+/// One transmission.
+struct Shipment {
+  Kind kind = Kind::kPacket;
+  std::string source;
+  int64_t number = 0;            ///< Of its kind.
+  std::vector<uint8_t> message;  ///< As it came to the broker.
+  std::vector<uint8_t> payload;  ///< What goes over the air, without a checksum.
+  Eigen::Vector3d from_m = Eigen::Vector3d::Zero();
+  bool has_pulses = false;
+  std::string color;  ///< Of its pulses.
+  std::vector<ShipmentLeg> legs;
+};
+
+/// A shipment that has come to the end of one leg.
+struct Arrival {
+  const Shipment& shipment;
+  const ShipmentLeg& leg;
+  const Reception& reception;
+  Cause cause;                       ///< Its fate, but kDamaged may turn out to be kRejected.
+  std::span<const uint8_t> payload;  ///< What arrived; empty where nothing did.
+  int64_t sent_utime;
+};
+
+class AcousticTraffic {
+ public:
+  /// No payload is longer, whatever the modem.
+  static constexpr int64_t kMaxPayload_bytes = 65'535;
+  /// A vehicle that talks faster than the water carries it has at most so many packets in it.
+  static constexpr int kMaxPacketsOfOne = 256;
+
+  explicit AcousticTraffic(const BrokerSetup& setup);
+
+  /// Why no vehicle of the mission can take part; empty: they can.
+  const std::string& problem() const { return problem_; }
+  const AcousticNetwork& network() const { return network_; }
+
+  /// The most that a packet holds.
+  int64_t max_payload_bytes() const { return max_payload_bytes_; }
+
+  /// Says where a vehicle is. One that is not of the mission joins the network, if it has room.
+  void Place(std::string_view name, const Eigen::Vector3d& position_m);
+
+  /// Sends it, at the time of the step before `utime`. Returns the legs that it cannot go, with
+  /// their causes: all, or those to vehicles without a channel.
+  struct Refusal {
+    ShipmentLeg leg;
+    Cause cause;
+  };
+  std::vector<Refusal> Send(int64_t utime, Shipment shipment);
+
+  /// Calls `take` for each leg that ended until `utime`, in order of arrival.
+  void Deliver(int64_t utime, const std::function<void(const Arrival&)>& take);
+
+  /// Counts what arrived damaged and was thrown away by its receiver.
+  void CountRejection() { network_.CountRejection(); }
+
+  /// Returns how many bytes of it are on the air.
+  int32_t FrameBytes(const Shipment& shipment) const {
+    return static_cast<int32_t>(shipment.payload.size()) + (crc_ ? 4 : 0);
+  }
+  /// Returns the mission time of a moment of the network, to the microsecond.
+  int64_t UtimeOf(double time_s) const { return epoch_utime_ + std::llround(time_s * 1e6); }
+  /// Legs without a fate.
+  int64_t num_in_transit() const { return network_.num_in_transit(); }
+
+  /// Returns a number that names a vehicle of the network, or nothing.
+  std::optional<uint32_t> AddressOf(std::string_view name) const;
+  /// Returns the vehicle with this address; empty: none.
+  std::string_view VehicleAt(uint32_t address) const;
+  /// Returns a packet's name: "alpha 12".
+  std::string NameOf(const PacketId& packet) const;
+  int ChannelId(int32_t channel) const {
+    return channel < 0 ? -1 : network_.plan().channel(channel).id;
+  }
+
+ private:
+  struct Node {
+    std::string name;
+    uint32_t address = 0;
+    int num_packets = 0;  ///< In the water.
+  };
+  struct PacketHash {
+    size_t operator()(const PacketId& packet) const {
+      return std::hash<int64_t>()(packet.number * 8191 + packet.source);
+    }
+  };
+  struct UnderWay {
+    Shipment shipment;
+    int64_t sent_utime = 0;
+    size_t num_legs_left = 0;
+  };
+
+  std::optional<int> FindNode(std::string_view name) const;
+  double SecondsOf(int64_t utime) const { return static_cast<double>(utime - epoch_utime_) / 1e6; }
+  int64_t SentUtime(int64_t utime) const;
+  Cause CauseOf(const Reception& reception, const Shipment& shipment) const;
+
+  bool crc_;
+  int64_t tick_us_;
+  int64_t epoch_utime_;  ///< The network's time is counted from here.
+  int64_t max_payload_bytes_;
+  std::string problem_;
+  AcousticNetwork network_;
+  std::vector<Node> nodes_;
+  size_t max_nodes_ = 0;                             ///< Invented names must not fill the memory.
+  std::map<std::string, int, std::less<>> node_of_;  ///< By key of the name.
+  std::vector<Eigen::Vector3d> positions_m_;         ///< By node.
+  std::unordered_map<PacketId, UnderWay, PacketHash> under_way_;
+  std::optional<int64_t> delivered_utime_;  ///< Of the last Deliver.
+};
+
+}  // namespace shoal

@@ -1,0 +1,237 @@
+// The table [acoustics], and what of the acoustic network stands at the vehicles.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lib/acoustics/propagation.h"
+#include "lib/acoustics/validate_options.h"
+#include "lib/mission/describe.h"
+#include "lib/mission/find_modem.h"
+#include "lib/mission/load_modem.h"
+#include "lib/mission/suggest.h"
+
+namespace shoal {
+namespace {
+
+constexpr size_t kMaxNamesShown = 5;
+
+/// One of ChoiceTexts.
+template <class E>
+void DescribeWord(Fields& fields, std::string_view key, E& choice) {
+  std::string word(ChoiceText(choice));
+  fields.Word(key, word, ChoiceTexts(E{}));
+  choice = FindChoice<E>(word).value_or(choice);
+}
+
+void Describe(Fields& fields, Sea& sea) {
+  fields.Number("temperature_degc", sea.water.temperature_degc,
+                Between(kMinTemperature_degc, kMaxTemperature_degc));
+  fields.Number("salinity_ppt", sea.water.salinity_ppt,
+                Between(kMinSalinity_ppt, kMaxSalinity_ppt));
+  fields.Number("depth_m", sea.water.depth_m, Between(0, kMaxDepth_m));
+  fields.Number("ph", sea.water.ph, Between(kMinPh, kMaxPh));
+  fields.Number("shipping", sea.noise.shipping, Between(0, 1));
+  fields.Number("wind_mps", sea.noise.wind_mps, Between(0, kMaxWind_mps));
+  fields.Choice("absorption", sea.absorption, kAbsorptionModels);
+  fields.Number("spreading_exponent", sea.spreading_exponent,
+                Between(kMinSpreadingExponent, kMaxSpreadingExponent));
+}
+
+/// A name, or a table with the keys of a modem's file.
+void DescribeModem(Fields& fields, std::optional<ModemPreset>& modem,
+                   const std::optional<std::string>& folder) {
+  if (!fields.Has("modem", modem.has_value())) return;
+  if (!modem) modem.emplace();
+  if (!folder || !fields.HoldsText("modem")) {
+    fields.Below("modem", [&](Fields& table) { Describe(table, *modem); });
+    return;
+  }
+  std::string name;
+  fields.Text("modem", name, {.max_length = 1000});
+  if (!fields.IsSound()) return;
+  NamedModem named = FindModem(name, *folder);
+  for (std::string& problem : named.problems) fields.Refuse("modem", std::move(problem));
+  *modem = std::move(named.modem);
+}
+
+/// What a network of modems is unless the file says otherwise: one channel as wide as the modem's
+/// band, its loss by the modem's signal-to-noise ratio.
+void SetDefaults(const ModemPreset& modem, AcousticOptions& options) {
+  options.access_mode = AccessMode::kShared;
+  options.packet_loss_model = PacketLossModel::kModem;
+  options.bit_error_model = BitErrorModel::kOff;
+  options.half_duplex = true;
+  options.base_freq_khz = (modem.low_khz + modem.high_khz) / 2;
+  options.bandwidth_khz = modem.high_khz - modem.low_khz;
+  options.guard_band_khz = 0;
+  options.data_rate_bps = modem.data_rate_bps;
+}
+
+/// The sound speed that the sea has, unless the file names one.
+void SetSoundSpeed(Fields& fields, AcousticOptions& options) {
+  const std::optional<double> speed_mps = SoundSpeed(options.sea.water);
+  if (speed_mps) {
+    options.sound_speed_mps = *speed_mps;
+  } else if (!fields.Has("sound_speed_mps", true)) {
+    fields.Refuse("sea",
+                  fmt::format("no sound speed is known for water of {} ppt, since Mackenzie's "
+                              "equation begins at {}: write sound_speed_mps = 1450, or "
+                              "whatever it is, in [acoustics]",
+                              options.sea.water.salinity_ppt, kMinSalinityForSoundSpeed_ppt));
+  }
+}
+
+/// Everything that is wrong with a network of these nodes is told of `fields`, at its key there.
+void CheckNetwork(Fields& fields, const AcousticOptions& options,
+                  const std::vector<AcousticNode>& nodes, std::string_view instead_of_key = "") {
+  for (const OptionProblem& problem : FindProblems(options, nodes)) {
+    std::string text = problem.message;
+    if (text.starts_with("must be ")) text = problem.option + " " + text;
+    if (problem.option == "access_mode") {
+      text += "; write acoustic_leader = true in the [[vehicle]] that leads";
+    }
+    if (!instead_of_key.empty()) text += " (in [acoustics])";
+    fields.Refuse(instead_of_key.empty() ? problem.option : instead_of_key, std::move(text));
+  }
+}
+
+std::vector<AcousticNode> NodesOf(const Mission& mission) {
+  std::vector<AcousticNode> nodes;
+  for (const Vehicle& vehicle : mission.vehicles) {
+    nodes.push_back({.name = vehicle.name,
+                     .address = vehicle.acoustic_address,
+                     .is_leader = vehicle.acoustic_leader});
+  }
+  return nodes;
+}
+
+bool IsOverWater(const RoutingRules& rules) {
+  return rules.reports_over == Medium::kAcoustic || rules.messages_over == Medium::kAcoustic;
+}
+
+/// Returns "'alpha', 'bravo' and 3 more".
+std::string Listed(const std::vector<std::string_view>& names) {
+  const size_t shown = std::min(names.size(), kMaxNamesShown);
+  std::string text;
+  for (size_t i = 0; i < shown; ++i) text += (i == 0 ? "" : ", ") + Quoted(names[i]);
+  if (shown < names.size()) text += fmt::format(" and {} more", names.size() - shown);
+  return text;
+}
+
+}  // namespace
+
+void Describe(Fields& fields, Acoustics& acoustics, const std::optional<std::string>& folder,
+              const std::vector<AcousticNode>& nodes) {
+  AcousticOptions& options = acoustics.options;
+  DescribeModem(fields, options.modem, folder);
+  const bool has_sea = fields.Has("sea", true);
+  fields.Below("sea", [&](Fields& sea) { Describe(sea, options.sea); });
+  if (fields.reading() && options.modem) SetDefaults(*options.modem, options);
+  if (fields.reading() && (options.modem || has_sea)) SetSoundSpeed(fields, options);
+  fields.Flag("crc", acoustics.crc);
+  DescribeWord(fields, "access_mode", options.access_mode);
+  DescribeWord(fields, "channel_order", options.channel_order);
+  DescribeWord(fields, "jitter", options.jitter);
+  DescribeWord(fields, "collisions", options.collisions);
+  DescribeWord(fields, "packet_loss_model", options.packet_loss_model);
+  DescribeWord(fields, "bit_error_model", options.bit_error_model);
+  fields.Flag("half_duplex", options.half_duplex);
+  fields.SmallInteger("broadcast_address", options.broadcast_address, 0, kMaxBroadcastAddress);
+  for (const OptionRange& range : OptionRanges()) {
+    if (fields.reading() && options.modem && range.option == "channel_bandwidth_khz") {
+      options.channel_bandwidth_khz = options.bandwidth_khz;
+    }
+    fields.Number(range.option, options.*range.value,
+                  {range.low, range.high, !range.low_is_allowed});
+  }
+  if (fields.reading() && fields.IsSound()) CheckNetwork(fields, options, nodes);
+}
+
+void DescribeAcoustics(Fields& file, Mission& mission) {
+  Acoustics& acoustics = mission.acoustics;
+  const bool has_table = file.Has("acoustics", acoustics.is_used);
+  if (file.reading()) acoustics.is_used = has_table || IsOverWater(mission.comms);
+  if (!has_table) return;
+  file.Below("acoustics", [&](Fields& fields) {
+    Describe(fields, acoustics, std::filesystem::path(mission.file).parent_path().string(),
+             NodesOf(mission));
+  });
+}
+
+void CheckTrafficOverWater(Fields& comms, const Mission& mission) {
+  if (!IsOverWater(mission.comms)) return;
+  const bool reports = mission.comms.reports_over == Medium::kAcoustic;
+  CheckNetwork(comms, mission.acoustics.options, NodesOf(mission),
+               reports ? "reports_over" : "messages_over");
+}
+
+void CheckReportsOverWater(Fields& file, const Mission& mission) {
+  if (mission.comms.reports_over != Medium::kAcoustic) return;
+  constexpr int64_t kReport_bytes = 37;
+  const AcousticOptions& options = mission.acoustics.options;
+  file.Below("comms", [&](Fields& comms) {
+    comms.SkipRest();
+    if (options.modem && options.modem->max_packet_bytes > 0 &&
+        options.modem->max_packet_bytes < kReport_bytes) {
+      comms.Refuse(
+          "reports_over",
+          fmt::format("a node report takes {} bytes, and a packet of the {} holds {}: "
+                      "choose another modem, or reports_over = \"direct\"",
+                      kReport_bytes, options.modem->name, options.modem->max_packet_bytes));
+      return;
+    }
+    if (options.collisions == CollisionModel::kOff || !(options.data_rate_bps > 0)) return;
+    const int64_t frame_bytes = kReport_bytes + (mission.acoustics.crc ? 4 : 0);
+    const double air_s = 8 * static_cast<double>(frame_bytes) / options.data_rate_bps;
+    const double jitter_s = options.jitter == JitterModel::kUniform ? options.max_jitter_s : 0;
+    for (const Vehicle& vehicle : mission.vehicles) {
+      const ReporterOptions& reporter = vehicle.reporter_options;
+      const double interval_s = std::max(
+          1 / reporter.rate_hz, reporter.blackout_interval_s - reporter.blackout_variance_s);
+      if (vehicle.reporter != Provider::kShoal || interval_s >= air_s + jitter_s) continue;
+      comms.Warn("reports_over",
+                 fmt::format("{} may report every {:g} s, and a report of {} bytes takes {:g} s at "
+                             "{:g} bit/s, with jitter up to {:g} s: its own reports will collide; "
+                             "lower rate_hz in [vehicle.reporter], or raise data_rate_bps",
+                             vehicle.name, interval_s, frame_bytes, air_s, options.data_rate_bps,
+                             air_s + jitter_s));
+      return;
+    }
+  });
+}
+
+void CheckAcousticAddresses(Fields& file, Mission& mission) {
+  const int broadcast = mission.acoustics.options.broadcast_address;
+  std::map<int, std::vector<std::string_view>> users;
+  for (size_t i = 0; i < mission.vehicles.size(); ++i) {
+    int& address = mission.vehicles[i].acoustic_address;
+    const int place = static_cast<int>(i) + 1;
+    if (address == 0) address = place + (broadcast >= 1 && place >= broadcast ? 1 : 0);
+    users[address].push_back(mission.vehicles[i].name);
+  }
+  file.List("vehicle", mission.vehicles, [&](Fields& fields, Vehicle& vehicle) {
+    fields.SkipRest();
+    std::vector<std::string_view>& names = users[vehicle.acoustic_address];
+    const bool is_second = names.size() > 1 && names[1] == vehicle.name;
+    if (is_second) {
+      fields.Refuse("acoustic_address",
+                    fmt::format("several vehicles have the acoustic_address {}: {}; give each one "
+                                "of its own (the default is the vehicle's place in the mission)",
+                                vehicle.acoustic_address, Listed(names)));
+    }
+    if (vehicle.acoustic_address == broadcast) {
+      fields.Refuse("acoustic_address",
+                    fmt::format("acoustic_address = {} is the broadcast_address of [acoustics]; "
+                                "choose another of the two",
+                                broadcast));
+    }
+  });
+}
+
+}  // namespace shoal

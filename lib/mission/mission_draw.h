@@ -1,0 +1,288 @@
+// Random missions, for tests of the loader only.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <random>
+#include <string>
+
+#include "lib/mission/mission.h"
+
+namespace shoal {
+
+/// Draws missions that use every field; the same seed, the same missions.
+class MissionDraw {
+ public:
+  explicit MissionDraw(uint64_t seed) : generator_(seed) {}
+
+  Mission Draw() {
+    Mission mission;
+    mission.name = Text();
+    mission.description = Text() + "\nsecond line\t\"quoted\" \\";
+    mission.seed = static_cast<uint64_t>(Integer(0, INT64_MAX));
+    mission.tick_us = Integer(1000, 10'000'000);
+    mission.duration_s = static_cast<double>(mission.tick_us * Integer(1, 1000)) / 1e6;
+    mission.start_utime = Integer(0, 9'000'000'000'000'000);
+    mission.origin_lat_deg = Number(-90, 90);
+    mission.origin_lon_deg = Number(-180, 180);
+    mission.on_loss = static_cast<OnLoss>(Integer(0, 2));
+    mission.participant_timeout_s = Number(0.1, 3600);
+    mission.broker = DrawProvider();
+    mission.environment = {Number(0, 50), Number(-360, 360)};
+    mission.comms = {.comms_range_m = Coin() ? -1 : Number(0, 1e7),
+                     .critical_range_m = Number(0, 1e7),
+                     .stale_time_s = Coin() ? -1 : Number(0, 1e7),
+                     .stale_forget_s = Number(-1, 1e7),
+                     .groups = Coin(),
+                     .msg_groups = Coin(),
+                     .ignore_group = Coin() ? "" : Text(),
+                     .min_rpt_interval_s = Number(-1, 1e7),
+                     .min_msg_interval_s = Number(-1, 1e7),
+                     .max_msg_length_bytes = Integer(0, 1'000'000'000),
+                     .drop_percentage = Number(0, 100),
+                     .reports_over = Coin() ? Medium::kAcoustic : Medium::kDirect,
+                     .messages_over = Coin() ? Medium::kAcoustic : Medium::kDirect,
+                     .shared_node_reports_s = Coin() ? -1 : Number(0, 1e7),
+                     .pulse_duration_s = Number(0, 1e7),
+                     .view_node_rpt_pulses = Coin(),
+                     .msg_color = Text(),
+                     .msg_repeat_color = Text(),
+                     .each_fate_up_to = Integer(0, 1'000'000)};
+    for (int64_t i = Integer(0, 4) == 0 ? 2 : 1; i > 0; --i)
+      mission.vehicles.push_back(DrawVehicle(i));
+    const bool over_water = mission.comms.reports_over == Medium::kAcoustic ||
+                            mission.comms.messages_over == Medium::kAcoustic;
+    if (over_water || Coin()) mission.acoustics = DrawAcoustics();
+    const int first_address = mission.acoustics.options.broadcast_address < 1000 ? 1000 : 1;
+    for (Vehicle& vehicle : mission.vehicles) {
+      vehicle.acoustic_address = first_address + static_cast<int>(&vehicle - &mission.vehicles[0]);
+      vehicle.acoustic_leader = Coin();
+    }
+    mission.vehicles[0].acoustic_leader = true;
+    double at_s = 0;
+    for (int64_t i = Integer(0, 4); i > 0; --i) {
+      at_s = Number(at_s, mission.duration_s);
+      mission.events.push_back(DrawEvent(at_s));
+    }
+    for (int64_t i = Integer(0, 2); i > 0; --i) {
+      mission.participants.push_back({"planner_" + std::to_string(i), {Text(), "", Text()}});
+    }
+    for (int64_t i = Integer(0, 6); i > 0; --i) {
+      mission.expectations.push_back(DrawExpectation(mission.duration_s));
+    }
+    return mission;
+  }
+
+  /// Of a network with room for three channels at least.
+  Acoustics DrawAcoustics() {
+    AcousticOptions options = {.access_mode = static_cast<AccessMode>(Integer(0, 3)),
+                               .channel_order = static_cast<ChannelOrder>(Integer(0, 1)),
+                               .jitter = static_cast<JitterModel>(Integer(0, 1)),
+                               .collisions = static_cast<CollisionModel>(Integer(0, 2)),
+                               .packet_loss_model = static_cast<PacketLossModel>(Integer(0, 3)),
+                               .bit_error_model = static_cast<BitErrorModel>(Integer(0, 3)),
+                               .half_duplex = Coin()};
+    options.sound_speed_mps = Number(1, 100'000);
+    options.guard_band_khz = Number(0, 100);
+    options.channel_bandwidth_khz = Number(1e-4, 100);
+    options.bandwidth_khz =
+        3 * options.channel_bandwidth_khz + 4 * options.guard_band_khz + Number(0.1, 1000);
+    options.base_freq_khz = options.bandwidth_khz * 0.501 + Number(0, 1000);
+    options.broadcast_address = static_cast<int>(Integer(0, 1'000'000'000));
+    options.data_rate_bps = Number(0.1, 1e9);
+    options.max_jitter_s = Number(0, 86'400);
+    options.nominal_distance_m = Positive(1e9);
+    options.packet_loss = Number(0, 1);
+    options.packet_loss_distance_m = Positive(1e9);
+    options.bit_error_rate = Number(0, 0.5);
+    options.bit_error_distance_m = Positive(1e9);
+    options.snr_nominal_db = Number(-1000, 1000);
+    options.snr_slope = Number(0, 1000);
+    if (Coin()) options.modem = DrawModem();
+    if (options.modem && Coin()) options.packet_loss_model = PacketLossModel::kModem;
+    if (options.modem && options.modem->code == BlockCode() &&
+        options.packet_loss_model != PacketLossModel::kModem) {
+      options.bit_error_model = BitErrorModel::kModem;
+    }
+    options.sea = {.water = {.temperature_degc = Number(-2, 30),
+                             .salinity_ppt = Number(0, 40),
+                             .depth_m = Number(0, 8000),
+                             .ph = Number(6, 9)},
+                   .noise = {.shipping = Number(0, 1), .wind_mps = Number(0, 40)},
+                   .absorption = static_cast<AbsorptionModel>(Integer(0, 1)),
+                   .spreading_exponent = Number(0.5, 4)};
+    return {.is_used = true, .crc = Coin(), .options = options};
+  }
+
+ private:
+  int64_t Integer(int64_t min, int64_t max) {
+    return std::uniform_int_distribution<int64_t>(min, max)(generator_);
+  }
+  bool Coin() { return Integer(0, 1) == 1; }
+  /// In [min, max], the ends more often than by chance.
+  double Number(double min, double max) {
+    const int64_t choice = Integer(0, 9);
+    if (choice == 0) return min;
+    if (choice == 1) return max;
+    return std::clamp(std::uniform_real_distribution<double>(min, max)(generator_), min, max);
+  }
+  double Positive(double max) { return Number(1e-300, max); }
+  Eigen::Vector2d Point() { return {Number(-1e6, 1e6), Number(-1e6, 1e6)}; }
+  Provider DrawProvider() { return static_cast<Provider>(Integer(0, 2)); }
+
+  std::string Text() {
+    constexpr std::array<const char*, 12> kPieces = {
+        "a", "Z", "7", " ", "\"", "\\", "'", "#", "=", "\xC3\xA9", "\xF0\x9F\x90\x9F", "]"};
+    std::string text = "t";
+    for (int64_t i = Integer(0, 12); i > 0; --i) {
+      text += kPieces.at(static_cast<size_t>(Integer(0, kPieces.size() - 1)));
+    }
+    return text;
+  }
+
+  CaptureRule DrawCapture() { return {Positive(1000), Number(0, 1000), Coin()}; }
+
+  Vehicle DrawVehicle(int64_t number) {
+    Vehicle vehicle;
+    vehicle.name = "Vessel_" + std::to_string(number);
+    vehicle.type = Text();
+    vehicle.group = Coin() ? "" : Text();
+    vehicle.color = Text();
+    vehicle.length_m = Positive(500);
+    vehicle.start = {Number(-1e6, 1e6), Number(-1e6, 1e6), Number(-360, 360), Number(0, 50)};
+    vehicle.surface_craft = {
+        .thrust_map = {{-Positive(100), -Number(0, 50)}, {0, 0}, {50, Number(0, 3)}, {100, 4}},
+        .reverse_ratio = Number(0, 1),
+        .max_acceleration_mps2 = Positive(100),
+        .max_deceleration_mps2 = Positive(100),
+        .max_rudder_deg = Positive(180),
+        .max_rudder_rate_degps = Positive(100'000),
+        .turn_rate_degps = Positive(360),
+        .full_turn_speed_mps = Positive(50),
+        .turn_speed_loss = Number(0, 0.99)};
+    vehicle.sim = DrawProvider();
+    vehicle.helm = DrawProvider();
+    vehicle.reporter = DrawProvider();
+    vehicle.helm_options = {Positive(3600), Coin(), Positive(3600)};
+    vehicle.autopilot = {Number(0, 1000), Number(0, 1000), Number(0, 1000), Number(0, 180),
+                         Number(0, 1000), Number(0, 1000), Number(0, 100)};
+    const double blackout_s = Number(0, 100'000);
+    vehicle.reporter_options = {.rate_hz = Positive(1000),
+                                .nav_grace_period_s = Number(0, 100'000),
+                                .nohelm_threshold_s = Number(0, 100'000),
+                                .blackout_interval_s = blackout_s,
+                                .blackout_variance_s = Number(0, blackout_s),
+                                .extrapolate = Coin(),
+                                .extrap_position_thresh_m = Number(0, 10'000),
+                                .extrap_heading_thresh_deg = Number(0, 360),
+                                .extrap_max_gap_s = Number(0, 100'000),
+                                .extra = {{"PLAIN", Text()}, {Text(), ""}, {"with.dot", Text()}}};
+    vehicle.message_options = {Positive(100'000), Integer(0, 1000)};
+    vehicle.link_factors = {Number(0, 1), Number(1, 10)};
+    const double inner_m = Positive(9000);
+    const Eigen::Vector2d station_m = Coin() ? Point() : Eigen::Vector2d(0, 0);
+    vehicle.tasks = {
+        {"survey", WaypointsTask{{Point(), Point()},
+                                 Positive(50),
+                                 DrawCapture(),
+                                 Coin() ? 0 : static_cast<int>(Integer(1000, 1'000'000)),
+                                 Positive(10'000),
+                                 Number(0, 1)}},
+        {Text() + "1",
+         LoiterTask{Point(), Positive(100'000), static_cast<int>(Integer(3, 360)), Coin(),
+                    Positive(50), DrawCapture(), Positive(10'000), Number(0, 1), Number(0, 1e7)}},
+        {Text() + "2",
+         StationKeepTask{station_m, station_m.isZero(), inner_m, inner_m * 1.1, Positive(50)}},
+        {Text() + "3", ReturnTask{Point(), Positive(50), DrawCapture(), Positive(10'000)}}};
+    vehicle.return_task = {Point(), Positive(50), DrawCapture(), Positive(10'000)};
+    return vehicle;
+  }
+
+  ModemPreset DrawModem() {
+    ModemPreset modem;
+    modem.name = Text();
+    modem.low_khz = Number(1, 499);
+    modem.high_khz = Number(500, 1000);
+    modem.data_rate_bps = Number(0.1, 1e6);
+    modem.max_packet_bytes = Integer(37, 1'000'000);
+    modem.source_level_db = Number(100, 250);
+    modem.typical_range_m = Positive(1e6);
+    modem.modulation = static_cast<Modulation>(Integer(0, 3));
+    modem.fading = static_cast<Fading>(Integer(0, 1));
+    if (Coin()) modem.code = {127, 92, static_cast<int>(Integer(1, 5))};
+    for (const char* key : {"band", "data_rate_bps", "max_packet_bytes", "source_level_db",
+                            "typical_range_m", "modulation", "fading", "code"}) {
+      modem.sources[key] = Text();
+    }
+    return modem;
+  }
+
+  Event DrawEvent(double at_s) {
+    switch (Integer(0, 8)) {
+      case 0:
+        return {at_s, CommandEvent{"all", "task", "survey", {}}};
+      case 1:
+        return {at_s, CommandEvent{"Vessel_1", "goto", "", {Number(-1e9, 1e9), Number(-1, 1)}}};
+      case 2:
+        return {at_s, SimCommandEvent{"Vessel_1", "reset", {1, 2, Number(0, 360), 4}}};
+      case 3:
+        return {at_s, RuleEvent{"stealth", "Vessel_1", Number(0, 1)}};
+      case 4:
+        return {at_s, RuleEvent{"groups", "", Coin() ? 1.0 : 0.0}};
+      case 5:
+        return {at_s, RuleEvent{"comms_range", "", Coin() ? -1 : Number(0, 1e7)}};
+      case 6:
+        return {at_s, RuleEvent{"full_report", "Vessel_1", 0}};
+      case 7: {
+        MessageEvent message;
+        message.src_node = "Vessel_1";
+        message.dest_node = "all";
+        message.var_name = Text();
+        message.dest_group = Coin() ? "" : Text();
+        if (Coin()) message.double_val = Number(-1e300, 1e300);
+        if (!message.double_val) message.string_val = Text();
+        message.ack = Coin();
+        return {at_s, message};
+      }
+      default:
+        return {at_s, RuleEvent{"stale_time", "", Number(0, 1e7)}};
+    }
+  }
+
+  Expectation DrawExpectation(double end_s) {
+    switch (Integer(0, 4)) {
+      case 0: {
+        ArrivalExpectation arrival{"all", std::nullopt, Positive(100'000), Positive(end_s), Coin()};
+        if (Coin()) arrival.point_m = Point();
+        return {"", arrival};
+      }
+      case 1:
+        return {"", SeparationExpectation{Positive(100'000)}};
+      case 2: {
+        CommsExpectation comms{.kind = static_cast<Kind>(Integer(0, kNumKinds - 1)),
+                               .from = "Vessel_1",
+                               .to = "all",
+                               .cause = "out_of_range",
+                               .at_least = std::nullopt,
+                               .at_most = std::nullopt};
+        const bool counts = Coin();
+        if (counts) comms.at_most = Integer(10, 20);
+        if (Coin()) comms.at_least = Integer(0, 10);
+        if (Coin() || !counts) comms.at_least_pct = Number(0, 50);
+        if (Coin()) comms.at_most_pct = Number(50, 100);
+        return {"", comms};
+      }
+      case 3:
+        return {"", HelmExpectation{"Vessel_1", Coin() ? "" : "ALL-STOP", "survey"}};
+      default:
+        return {"", LapsExpectation{"all", "survey", Integer(1, 1000), Number(0, end_s)}};
+    }
+  }
+
+  std::mt19937_64 generator_;
+};
+
+}  // namespace shoal
