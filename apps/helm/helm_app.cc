@@ -24,20 +24,6 @@ bool IsPlace(double x_m, double y_m) {
   return std::abs(x_m) <= kMaxCoordinate_m && std::abs(y_m) <= kMaxCoordinate_m;
 }
 
-HeadingGains HeadingGainsOf(const AutopilotOptions& options) {
-  return {.kp = options.heading_kp,
-          .ki = options.heading_ki,
-          .kd = options.heading_kd,
-          .integral_limit_pct = options.heading_integral_limit_deg};
-}
-
-SpeedGains SpeedGainsOf(const Vehicle& vehicle) {
-  return {.kp = vehicle.autopilot.speed_kp,
-          .ki = vehicle.autopilot.speed_ki,
-          .integral_limit_pct = vehicle.autopilot.speed_integral_limit_pct,
-          .acceleration_mps2 = vehicle.surface_craft.max_acceleration_mps2};
-}
-
 /// True where `next` tells something that nobody could work out from `last` and NAV.
 bool TellsMore(const helm_state_t& next, const helm_state_t& last) {
   return next.state != last.state || next.task != last.task || next.task_kind != last.task_kind ||
@@ -48,7 +34,7 @@ bool TellsMore(const helm_state_t& next, const helm_state_t& last) {
 
 }  // namespace
 
-HelmApp::HelmApp(const Mission&, const Vehicle& vehicle, Bus& bus)
+HelmApp::HelmApp(const Mission& mission, const Vehicle& vehicle, Bus& bus)
     : vehicle_(vehicle),
       bus_(bus),
       desired_channel_(channels::Desired(vehicle.name)),
@@ -58,20 +44,25 @@ HelmApp::HelmApp(const Mission&, const Vehicle& vehicle, Bus& bus)
       state_interval_us_(Microseconds(vehicle.helm_options.state_interval_s)),
       lost_nav_warning_(fmt::format("no NAV for {:.1f} s", vehicle.helm_options.nav_timeout_s)),
       states_(vehicle),
-      heading_pid_(HeadingGainsOf(vehicle.autopilot)),
-      speed_controller_(SpeedGainsOf(vehicle)) {
+      pilot_(MakePilot(vehicle)),
+      swarm_(mission, vehicle) {
   state_.vehicle = vehicle.name;
   Subscribe(bus, channels::Nav(vehicle.name), [this](const nav_t& nav) { OnNav(nav); });
   Subscribe(bus, channels::HelmCommand(vehicle.name),
             [this](const helm_command_t& command) { OnCommand(command); });
   Subscribe(bus, channels::NodeReport(vehicle.name),
             [this](const node_report_t& report) { OnNodeReport(report); });
+  for (const std::string& name : swarm_.names()) {
+    Subscribe(bus, channels::Nav(name), [this, name](const nav_t& nav) { swarm_.Hear(name, nav); });
+  }
 }
 
 void HelmApp::OnNav(const nav_t& nav) {
   ++num_navs_;
-  if (!IsPlace(nav.x_m, nav.y_m) || !std::isfinite(nav.heading_deg) ||
-      !std::isfinite(nav.speed_mps) || !std::isfinite(nav.yaw_rate_degps)) {
+  const bool is_finite = std::isfinite(nav.heading_deg) && std::isfinite(nav.speed_mps) &&
+                         std::isfinite(nav.yaw_rate_degps) && std::isfinite(nav.pitch_deg) &&
+                         std::isfinite(nav.pitch_rate_degps) && !std::isnan(nav.altitude_m);
+  if (!IsPlace(nav.x_m, nav.y_m) || !IsPlace(nav.z_m, 0) || !is_finite) {
     ++num_bad_navs_;
     log_.Warn(kBadNav);
     return;
@@ -120,13 +111,15 @@ void HelmApp::Tick(int64_t utime) {
   if (had_nav_ && !nav_is_lost) {
     fix = Fix{.position_m = {nav_.x_m, nav_.y_m},
               .heading_rad = WrapTwoPi(DegToRad(nav_.heading_deg)),
-              .time_s = static_cast<double>(utime) / 1e6};
+              .time_s = static_cast<double>(utime) / 1e6,
+              .z_m = nav_.z_m,
+              .surroundings = swarm_.Look(states_.task(), nav_)};
   }
   states_.Advance(fix, nav_is_lost);
   if (states_.guidance()) {
-    Steer(*states_.guidance(), dt_s);
+    pilot_->Steer(*states_.guidance(), nav_, dt_s, &desired_, &actuators_);
   } else {
-    Rest();
+    pilot_->Rest(nav_, &desired_, &actuators_);
   }
 
   actuators_.utime = utime;
@@ -146,31 +139,6 @@ bool HelmApp::WatchNav(int64_t utime) {
   if (!is_lost && nav_was_lost_) log_.Retract(lost_nav_warning_);
   nav_was_lost_ = is_lost;
   return is_lost;
-}
-
-void HelmApp::Steer(const Guidance& guidance, double dt_s) {
-  desired_.heading_deg = Wrap360(RadToDeg(guidance.heading_rad));
-  desired_.speed_mps = guidance.speed_mps;
-  actuators_.thrust_pct = speed_controller_.Update(
-      guidance.speed_mps, ThrustForSpeed(vehicle_.surface_craft, guidance.speed_mps),
-      nav_.speed_mps, dt_s);
-  if (guidance.speed_mps > 0) {
-    const double rudder_pct =
-        heading_pid_.Update(desired_.heading_deg, nav_.heading_deg, nav_.yaw_rate_degps, dt_s);
-    actuators_.rudder_deg = rudder_pct / 100 * vehicle_.surface_craft.max_rudder_deg;
-  } else {
-    heading_pid_.Reset();
-    actuators_.rudder_deg = 0;
-  }
-}
-
-void HelmApp::Rest() {
-  heading_pid_.Reset();
-  speed_controller_.Reset();
-  actuators_.thrust_pct = 0;
-  actuators_.rudder_deg = 0;
-  desired_.heading_deg = Wrap360(nav_.heading_deg);
-  desired_.speed_mps = 0;
 }
 
 void HelmApp::PublishState(int64_t utime) {

@@ -1,7 +1,8 @@
-// Steers one vehicle. Hears NAV_<V>, HELM_COMMAND_<V> and NODE_REPORT_<V>; says DESIRED_<V> and
-// ACTUATORS_<V> in every step, HELM_STATE_<V> on change and every state_interval_s.
+// Steers one vehicle. Hears NAV_<V>, HELM_COMMAND_<V> and NODE_REPORT_<V>, and NAV of those whom it
+// follows; says DESIRED_<V> and ACTUATORS_<V> in every step, HELM_STATE_<V> on change and every
+// state_interval_s.
 //
-// What it does and why is decided in helm_states.h; here are the bus, the autopilots and the page.
+// What it does and why is decided in helm_states.h, how in pilot.h; here are the bus and the page.
 // ACTUATORS are zero in PARK, in ALL-STOP and before the first NAV; DESIRED begins with the first
 // NAV.
 #pragma once
@@ -9,14 +10,15 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 
 #include "apps/helm/helm_states.h"
+#include "apps/helm/pilot.h"
+#include "apps/helm/swarm_view.h"
 #include "lib/bus/bus.h"
 #include "lib/bus/channels.h"
-#include "lib/control/heading_pid.h"
-#include "lib/control/speed_controller.h"
 #include "lib/mission/mission.h"
 #include "lib/run/app.h"
 
@@ -40,8 +42,6 @@ class HelmApp : public App {
   void OnCommand(const helm_command_t& command);
   void OnNodeReport(const node_report_t& report);
   bool WatchNav(int64_t utime);
-  void Steer(const Guidance& guidance, double dt_s);
-  void Rest();
   void PublishState(int64_t utime);
   std::string ContactsText() const;
 
@@ -55,8 +55,8 @@ class HelmApp : public App {
   const std::string lost_nav_warning_;
 
   HelmStates states_;
-  HeadingPid heading_pid_;
-  SpeedController speed_controller_;
+  const std::unique_ptr<Pilot> pilot_;
+  SwarmView swarm_;
 
   std::optional<int64_t> utime_;      ///< Of the last step.
   nav_t nav_{};                       ///< The last that made sense.

@@ -31,7 +31,6 @@ std::string CommandsText(const std::array<int64_t, kNumOrderKinds>& num_obeyed) 
 }  // namespace
 
 StatusPage HelmApp::Status() const {
-  const AutopilotOptions& autopilot = vehicle_.autopilot;
   StatusPage page;
   page.text = fmt::format(
       "Configuration:\n"
@@ -39,11 +38,10 @@ StatusPage HelmApp::Status() const {
       "    Tasks:{}\n"
       "    Return point: x {:.1f} m, y {:.1f} m\n"
       "    NAV time-out: {:.1f} s, deploy at start: {}\n"
-      "    Heading: kp {} ki {} kd {}; speed: kp {} ki {}\n",
+      "    {}\n",
       vehicle_.name, vehicle_.model, TasksText(vehicle_), vehicle_.return_task.point_m.x(),
       vehicle_.return_task.point_m.y(), vehicle_.helm_options.nav_timeout_s,
-      vehicle_.helm_options.deploy_at_start ? "yes" : "no", autopilot.heading_kp,
-      autopilot.heading_ki, autopilot.heading_kd, autopilot.speed_kp, autopilot.speed_ki);
+      vehicle_.helm_options.deploy_at_start ? "yes" : "no", pilot_->GainsText());
   page.text += fmt::format(
       "State: {} (all-stop: {})\n"
       "    Task: {} ({}), waypoint {}, laps done {}\n"
@@ -51,13 +49,15 @@ StatusPage HelmApp::Status() const {
       "               Desired   Actual\n"
       "    Heading: {:9.1f}{:9.1f} deg\n"
       "    Speed:   {:9.2f}{:9.2f} m/s\n"
+      "    Depth:   {:9.1f}{:9.1f} m\n"
       "    Position: x {:.2f} m, y {:.2f} m\n"
-      "    Thrust {:.1f} %, rudder {:.1f} deg\n",
+      "    Thrust {:.1f} % ({:.0f} rpm), rudder {:.1f} deg, stern plane {:.1f} deg\n",
       Name(states_.mode()), states_.all_stop(), state_.task.empty() ? "none" : state_.task,
       state_.task_kind, state_.waypoint_index, state_.laps_done, state_.waypoint_x_m,
       state_.waypoint_y_m, state_.distance_m, state_.cross_track_error_m, desired_.heading_deg,
-      nav_.heading_deg, desired_.speed_mps, nav_.speed_mps, nav_.x_m, nav_.y_m,
-      actuators_.thrust_pct, actuators_.rudder_deg);
+      nav_.heading_deg, desired_.speed_mps, nav_.speed_mps, desired_.depth_m, nav_.z_m, nav_.x_m,
+      nav_.y_m, actuators_.thrust_pct, actuators_.propeller_rpm, actuators_.rudder_deg,
+      actuators_.stern_plane_deg);
   page.text += fmt::format(
       "Heard:\n"
       "    NAV: {} ({} refused)\n"

@@ -21,13 +21,15 @@ DirectorApp::DirectorApp(const Mission& mission, Bus& bus)
   for (size_t i = 0; i < mission.vehicles.size(); ++i) {
     const std::string& name = mission.vehicles[i].name;
     Subscribe(bus, channels::Nav(name), [this, i](const nav_t& nav) {
-      if (judge_.TakeNav(i, {nav.x_m, nav.y_m, nav.z_m})) return;
+      if (judge_.TakeNav(i, {nav.x_m, nav.y_m, nav.z_m}, nav.altitude_m)) return;
       log_.Warn(fmt::format("NAV of {} dropped: it holds an impossible number",
                             mission_.vehicles[i].name));
     });
     Subscribe(bus, channels::HelmState(name), [this, i](const helm_state_t& helm) {
-      judge_.TakeHelm(i, {.state = helm.state, .task = helm.task, .laps_done = helm.laps_done},
-                      last_utime_.value_or(mission_.start_utime));
+      HelmFacts facts = {
+          .state = helm.state, .task = helm.task, .laps_done = helm.laps_done};
+      if (helm.waypoint_index >= 0) facts.cross_track_error_m = helm.cross_track_error_m;
+      judge_.TakeHelm(i, facts, last_utime_.value_or(mission_.start_utime));
     });
   }
   bus.SubscribeBytes(channels::CommsFates().name,

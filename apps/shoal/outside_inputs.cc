@@ -33,10 +33,12 @@ std::map<Transmission, int64_t> TimesDecided(const CommsLog& log) {
     const size_t broker = BrokerAt(log, fates.utime);
     for (const fate_t& fate : message.fates) {
       // What went through the water was decided when it was sent, a step after it was said.
-      const int64_t decided_utime =
-          fate.path.empty() ? fates.utime : fate.path.front().sent_utime + log.tick_us;
+      const std::optional<int64_t> decided_utime =
+          fate.path.empty() ? fates.utime
+                            : StepsLater(fate.path.front().sent_utime, 1, log.tick_us);
+      if (!decided_utime) continue;  // No mission has such a time.
       times.emplace(Transmission(broker, fate.kind, VehicleKey(fate.source), fate.number),
-                    decided_utime);
+                    *decided_utime);
     }
   }
   return times;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "apps/shoal/rebroker.h"
 #include "apps/shoal/rebroker_testing.h"
@@ -58,6 +59,28 @@ TEST(OutsideInputs, StayWhereTheyAreRight) {
 
 TEST(OutsideInputs, AreNotMovedByMoreThanAStep) {
   CommsLog log = Displaced("UNC_COMMS_RANGE", 3);
+  EXPECT_EQ(MoveToTheStepsOfTheBroker(&log), 0);
+}
+
+TEST(OutsideInputs, StayWhereAFateNamesAnImpossibleTime) {
+  comms_fates_t fates = {};
+  fates.utime = 5'000'000;
+  for (const int64_t utime :
+       {std::numeric_limits<int64_t>::min(), std::numeric_limits<int64_t>::max()}) {
+    fate_t fate = {};
+    fate.kind = "packet";
+    fate.source = "alpha";
+    fate.num_paths = 1;
+    fate.path = {acoustic_path_t{}};
+    fate.path.front().sent_utime = utime;
+    fate.number = fates.num_fates++;
+    fates.fates.push_back(fate);
+  }
+  Bytes bytes;
+  EncodeInto(fates, &bytes);
+  std::vector<TestEvent> events = Talk();
+  events.push_back({events.back().utime, "COMMS_FATES", bytes});
+  CommsLog log = LogOf(events);
   EXPECT_EQ(MoveToTheStepsOfTheBroker(&log), 0);
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -27,7 +28,7 @@ class Replayed {
     });
   }
 
-  int64_t num_in_transit() const { return broker_.water().num_in_transit(); }
+  const AcousticTraffic& water() const { return broker_.water(); }
 
   void Give(std::string_view channel, std::span<const uint8_t> data) {
     log_bus_.PublishBytes(channel, data);
@@ -158,9 +159,9 @@ class Run {
       times.push_back(log_.last_utime + 1);  // Until then, what is in the water arrives.
       for (size_t i = 0; i + 1 < times.size(); ++i) {
         Step(times[i]);
-        for (int64_t utime = times[i] + log_.tick_us;
-             utime < times[i + 1] && broker_->num_in_transit() > 0; utime += log_.tick_us) {
-          Step(utime);
+        for (auto utime = NextArrival(times[i]); utime && *utime < times[i + 1];
+             utime = NextArrival(*utime)) {
+          Step(*utime);
         }
       }
     }
@@ -213,12 +214,30 @@ class Run {
     out_.Flush();
   }
 
+  /// Returns the step after `utime` in which something may arrive; nothing where nothing is in the
+  /// water. Steps in which nothing does are passed over: a packet may be there for a day.
+  std::optional<int64_t> NextArrival(int64_t utime) const {
+    const std::optional<int64_t> next_utime = broker_->water().NextUtime();
+    if (!next_utime) return std::nullopt;
+    const int64_t waits_us = std::max<int64_t>(*next_utime - utime, 1);
+    const int64_t num_steps = (waits_us - 1) / log_.tick_us + 1;
+    return utime + num_steps * log_.tick_us;
+  }
+
+  /// A broker asks for the controls that it has missed where the mission began before it did; and
+  /// the water, and the time stamps in it, count from the mission's start.
+  int64_t MissionStart(const BrokerStart& start) const {
+    if (!start.in_the_midst) return start.utime;
+    const BrokerStart& first = log_.starts.front();
+    const bool knows_mission = !first.in_the_midst && log_.time != LogTime::kWall;
+    return knows_mission ? std::min(first.utime, start.utime - 1) : start.utime - 1;
+  }
+
   void Start() {
     CompareAll();
     const BrokerStart& start = log_.starts[next_start_++];
     BrokerSetup setup = settings_.setup;
-    // A broker asks for the controls that it has missed where the mission began before it did.
-    setup.start_utime = start.in_the_midst ? start.utime - 1 : start.utime;
+    setup.start_utime = MissionStart(start);
     broker_ = std::make_unique<Replayed>(setup);
   }
 

@@ -14,6 +14,7 @@
 #include "apps/shoal/doctor.h"
 #include "apps/shoal/import_command.h"
 #include "apps/shoal/launcher.h"
+#include "apps/shoal/plot_command.h"
 #include "apps/shoal/rebroker_command.h"
 #include "apps/shoal/send_command.h"
 #include "apps/shoal/send_words.h"
@@ -246,6 +247,36 @@ void AddImport(CLI::App& cli, Action* action) {
   command->callback([options, action] { *action = [options] { return RunImport(*options); }; });
 }
 
+void AddPlot(CLI::App& cli, Action* action) {
+  CLI::App* command = cli.add_subcommand("plot", "Draw a log's tracks and curves (gnuplot)");
+  auto options = std::make_shared<PlotOptions>();
+  command->add_option("LOG", options->log, "LCM event log")->required();
+  command->add_option("--out", options->out_dir,
+                      "Folder for the figures; default: plots, beside LOG");
+  CLI::Option* mission =
+      command->add_option("--mission", options->mission_file,
+                          "Mission file; default: mission.toml beside LOG, if there");
+  command
+      ->add_option("--set", options->overrides, "Override a key of the mission file, as in the run")
+      ->take_all()
+      ->allow_extra_args(false)
+      ->needs(mission);
+  command->add_option("--vehicle", options->vehicles, "Only these vehicles")->take_all();
+  command->add_option("--from", options->from_s, "From this time on, seconds");
+  command->add_option("--to", options->to_s, "Up to this time, seconds");
+  command->add_flag("--png", options->png, "PNG instead of SVG");
+  command->add_flag("--keep", options->keep, "Leave data and gnuplot scripts in OUT/gnuplot");
+  command->callback([options, action] {
+    *action = [options] {
+      const LogSelection selection{.from_s = options->from_s, .to_s = options->to_s};
+      if (!IsSelectionSound(selection)) return static_cast<int>(kExitUsage);
+      const char* path = std::getenv("PATH");
+      options->search_path = path == nullptr ? "" : path;
+      return RunPlot(*options, std::cout, std::cerr);
+    };
+  });
+}
+
 void AddRebroker(CLI::App& cli, Action* action) {
   CLI::App* command =
       cli.add_subcommand("rebroker", "Who would have heard whom: a log's reports, other rules");
@@ -285,6 +316,7 @@ int RunShoalCommand(int argc, char** argv) {
   AddStatus(cli, &action);
   AddLog(cli, &action);
   AddImport(cli, &action);
+  AddPlot(cli, &action);
   AddRebroker(cli, &action);
   cli.add_subcommand("doctor", "Say what keeps missions from running on this machine")
       ->callback([&action] { action = [] { return RunDoctor(); }; });

@@ -24,9 +24,11 @@ std::string ProblemOf(const BrokerSetup& setup) {
   return problems.empty() ? "" : problems.front().option + ": " + problems.front().message;
 }
 
-std::span<const AcousticNode> NodesThatFit(const BrokerSetup& setup) {
-  if (!ProblemOf(setup).empty()) return {};
-  return setup.nodes;
+/// Some options are impossible without nodes, so that where the mission's do not fit, these take
+/// their place too.
+AcousticNetwork NetworkOf(const BrokerSetup& setup, bool fits) {
+  return fits ? AcousticNetwork(setup.acoustics.options, setup.seed, setup.nodes)
+              : AcousticNetwork(AcousticOptions(), setup.seed, {});
 }
 
 }  // namespace
@@ -37,8 +39,11 @@ AcousticTraffic::AcousticTraffic(const BrokerSetup& setup)
       epoch_utime_(setup.start_utime),
       max_payload_bytes_(kMaxPayload_bytes),
       problem_(ProblemOf(setup)),
-      network_(setup.acoustics.options, setup.seed, NodesThatFit(setup)) {
-  for (const AcousticNode& node : NodesThatFit(setup)) {
+      network_(NetworkOf(setup, problem_.empty())) {
+  const std::span<const AcousticNode> nodes = problem_.empty()
+                                                  ? std::span<const AcousticNode>(setup.nodes)
+                                                  : std::span<const AcousticNode>();
+  for (const AcousticNode& node : nodes) {
     node_of_.emplace(VehicleKey(node.name), static_cast<int>(nodes_.size()));
     nodes_.push_back({.name = node.name, .address = static_cast<uint32_t>(node.address)});
   }
@@ -83,10 +88,14 @@ std::vector<AcousticTraffic::Refusal> AcousticTraffic::Send(int64_t utime, Shipm
     }
   };
   const std::optional<int> source = FindNode(shipment.source);
-  if (static_cast<int64_t>(shipment.payload.size()) > max_payload_bytes_) {
+  const std::pair<size_t, int64_t> lengths[] = {{shipment.payload.size(), max_payload_bytes_},
+                                                {shipment.message.size(), kMaxMessage_bytes}};
+  for (const auto& [size, limit_bytes] : lengths) {
+    const auto length_bytes = static_cast<int64_t>(size);
+    if (length_bytes <= limit_bytes) continue;
     for (ShipmentLeg& leg : shipment.legs) {
-      leg.decision.length_bytes = static_cast<int64_t>(shipment.payload.size());
-      leg.decision.length_limit_bytes = max_payload_bytes_;
+      leg.decision.length_bytes = length_bytes;
+      leg.decision.length_limit_bytes = limit_bytes;
     }
     refuse_if(Cause::kTooLong, [](const ShipmentLeg&) { return true; });
     return refusals;
@@ -147,6 +156,12 @@ void AcousticTraffic::Deliver(int64_t utime, const std::function<void(const Arri
     --nodes_[static_cast<size_t>(reception.packet.source)].num_packets;
     under_way_.erase(found);
   }
+}
+
+std::optional<int64_t> AcousticTraffic::NextUtime() const {
+  if (num_in_transit() == 0) return std::nullopt;
+  // A microsecond earlier: this is rounded, and the network's times are too.
+  return UtimeOf(network_.NextEvent_s()) - 1;
 }
 
 Cause AcousticTraffic::CauseOf(const Reception& reception, const Shipment& shipment) const {

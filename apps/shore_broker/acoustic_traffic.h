@@ -63,6 +63,9 @@ class AcousticTraffic {
  public:
   /// No payload is longer, whatever the modem.
   static constexpr int64_t kMaxPayload_bytes = 65'535;
+  /// What is kept in the water is what its sender said, texts included that do not go over the air:
+  /// nothing longer is taken.
+  static constexpr int64_t kMaxMessage_bytes = 2 * kMaxPayload_bytes;
   /// A vehicle that talks faster than the water carries it has at most so many packets in it.
   static constexpr int kMaxPacketsOfOne = 256;
 
@@ -100,6 +103,9 @@ class AcousticTraffic {
   int64_t UtimeOf(double time_s) const { return epoch_utime_ + std::llround(time_s * 1e6); }
   /// Legs without a fate.
   int64_t num_in_transit() const { return network_.num_in_transit(); }
+  /// Returns a mission time before which Deliver has nothing to tell, unless more is sent; nothing
+  /// where nothing is in transit.
+  std::optional<int64_t> NextUtime() const;
 
   /// Returns a number that names a vehicle of the network, or nothing.
   std::optional<uint32_t> AddressOf(std::string_view name) const;

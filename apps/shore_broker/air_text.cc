@@ -24,6 +24,15 @@ bool HasZeroByte(std::span<const uint8_t> bytes) {
   return std::ranges::find(bytes, uint8_t{0}) != bytes.end();
 }
 
+/// Any number may stand in a report: the difference of two may be no int64_t.
+double SecondsAfter(int64_t start_utime, int64_t utime) {
+  int64_t passed_us = 0;
+  if (!__builtin_sub_overflow(utime, start_utime, &passed_us)) {
+    return static_cast<double>(passed_us) / 1e6;
+  }
+  return (static_cast<double>(utime) - static_cast<double>(start_utime)) / 1e6;
+}
+
 void AppendUnlessEmpty(std::string_view key, std::string_view value, std::string* text) {
   if (!value.empty()) AppendField(key, value, text);
 }
@@ -60,7 +69,7 @@ std::vector<uint8_t> AirBytes(const node_report_t& report, uint32_t address, int
        .reporter_id = address,
        .position_m = Eigen::Vector3d(report.x_m, report.y_m, report.depth_m).cast<float>(),
        .velocity_mps = Eigen::Vector3d(velocity_mps.x(), velocity_mps.y(), 0).cast<float>(),
-       .time_stamp_s = static_cast<float>(static_cast<double>(report.utime - start_utime) / 1e6)});
+       .time_stamp_s = static_cast<float>(SecondsAfter(start_utime, report.utime))});
 }
 
 std::vector<uint8_t> AirBytes(const node_message_t& message) {

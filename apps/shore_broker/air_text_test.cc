@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <limits>
 
 #include "lib/swarm/report_message.h"
 
@@ -54,6 +55,17 @@ std::optional<node_report_t> WithFloat(size_t place, float number) {
   std::vector<uint8_t> arrived = Sent();
   std::memcpy(&arrived[place], &number, sizeof number);
   return UnderstandDamaged(Report(), Sent(), arrived, Context());
+}
+
+TEST(AirBytes, OfAReportMayHaveAnyTime) {
+  node_report_t report = Report();
+  for (const int64_t utime :
+       {std::numeric_limits<int64_t>::min(), std::numeric_limits<int64_t>::max()}) {
+    report.utime = utime;
+    const std::optional<ReportMessage> sent = DecodeReport(AirBytes(report, 1, kStart_utime));
+    ASSERT_TRUE(sent.has_value());
+    EXPECT_FLOAT_EQ(sent->time_stamp_s, static_cast<float>(utime) / 1e6F);
+  }
 }
 
 TEST(AirBytes, OfAReportAreMuNets) {
@@ -137,6 +149,14 @@ TEST(AirBytes, OfMessagesAndAcksAreTheirText) {
   ack.dest_node = "alpha";
   ack.ack_id = "7";
   EXPECT_EQ(AirBytes(ack), BytesOf("src_node=bravo,dest_node=alpha,ack_id=7"));
+}
+
+TEST(AirBytes, OfAMessageHoldEveryDigitOfItsNumber) {
+  node_message_t message = NodeMessage();
+  message.double_val = 1.0 / 3;
+  const auto understood = UnderstandDamaged(NodeMessage(), AirBytes(message));
+  ASSERT_TRUE(understood.has_value());
+  EXPECT_EQ(understood->double_val, message.double_val);
 }
 
 TEST(DamagedMessage, SaysWhatItsTextSays) {

@@ -133,6 +133,24 @@ TEST_F(CalmPackets, OfOneWhoTalksFasterThanTheWaterCarriesFindNoChannel) {
   EXPECT_EQ(Fates(), std::vector<std::string>(3, "alpha>bravo no_channel"));
 }
 
+Mission WithoutALeader() {
+  Mission mission = CalmWater();
+  mission.acoustics.options.access_mode = AccessMode::kTdmaLf;
+  return mission;
+}
+
+class WaterWithoutALeader : public WaterFixture {
+ protected:
+  WaterWithoutALeader() : WaterFixture(WithoutALeader()) {}
+};
+
+TEST_F(WaterWithoutALeader, CarriesNothing) {  // A log's COMMS_RULES may say so.
+  Begin();
+  SayPacket("alpha", {1});
+  Step();
+  EXPECT_EQ(Fates(), std::vector<std::string>(1, "alpha>bravo no_channel"));
+}
+
 Mission ReportsInWater() {
   Mission mission = CalmWater();
   mission.comms.reports_over = Medium::kAcoustic;
@@ -144,6 +162,18 @@ class CalmReports : public WaterFixture {
  protected:
   CalmReports() : WaterFixture(ReportsInWater()) {}
 };
+
+TEST_F(CalmReports, WithGiantTextsStayOutOfTheWater) {
+  Begin();
+  for (int i = 0; i < 20; ++i) Step();
+  node_report_t report = ReportFrom("bravo", 150);
+  report.mode.assign(200'000, 'z');
+  Say(report);
+  Step();
+  ASSERT_EQ(Fates(), std::vector<std::string>(1, "bravo>alpha too_long"));
+  EXPECT_GT(fates_[0].length_bytes, 200'000);
+  EXPECT_EQ(fates_[0].length_limit_bytes, AcousticTraffic::kMaxMessage_bytes);
+}
 
 TEST_F(CalmReports, TakeTheTimeOf37BytesAndArriveAsTheyWereSaid) {
   Begin();

@@ -61,8 +61,8 @@ std::optional<Error> TakeAcoustics(const comms_rules_t& rules, BrokerSetup* setu
   setup->acoustics = std::move(loaded.acoustics);
   for (size_t i = 0; i < setup->vehicles.size(); ++i) {
     if (rules.acoustic_addresses[i] <= 0) {
-      return Error{fmt::format("COMMS_RULES: {} is no acoustic address",
-                               rules.acoustic_addresses[i])};
+      return Error{
+          fmt::format("COMMS_RULES: {} is no acoustic address", rules.acoustic_addresses[i])};
     }
     setup->nodes.push_back({.name = setup->vehicles[i],
                             .address = rules.acoustic_addresses[i],
@@ -111,7 +111,8 @@ Result<BrokerSetup> SetupOf(const comms_rules_t& rules) {
   if (std::isnan(rules.stale_forget_s)) {
     return Error{"COMMS_RULES: stale_forget_s = nan is impossible"};
   }
-  if (rules.tick_us <= 0) {
+  constexpr int64_t kLongestTick_us = 1'000'000'000;
+  if (rules.tick_us <= 0 || rules.tick_us > kLongestTick_us) {
     return Error{fmt::format("COMMS_RULES: tick_us = {} is impossible", rules.tick_us)};
   }
   std::set<std::string> keys;

@@ -34,7 +34,7 @@ msg_repeat_color = "light_green"
 reports_over = "direct"               # "acoustic": through the acoustic network
 messages_over = "direct"
 
-[acoustics]                           # docs/acoustic_network.md has all keys
+[acoustics]                           # docs/mission_file.md has all keys
 crc = true                            # false: damage is delivered
 access_mode = "fdma"                  # or shared, tdma, tdma_lf
 data_rate_bps = 1000

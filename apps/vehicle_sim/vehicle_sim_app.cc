@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lib/geometry/angles.h"
+#include "lib/check/check.h"
 
 namespace shoal {
 
@@ -20,8 +20,10 @@ bool AllFinite(const std::vector<double>& values) {
   return std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
 }
 
-Eigen::Vector2d CurrentOf(const Environment& environment) {
-  return environment.current_speed_mps * UnitVector(DegToRad(environment.current_direction_deg));
+Ocean OceanOrDie(const Mission& mission) {
+  Result<Ocean> ocean = OceanOf(mission);
+  SHOAL_CHECK(ocean.ok(), "the mission file was checked, and its grid could be read");
+  return std::move(*ocean);
 }
 
 }  // namespace
@@ -30,9 +32,11 @@ VehicleSimApp::VehicleSimApp(const Mission& mission, const Vehicle& vehicle, Bus
     : vehicle_(vehicle),
       tick_us_(mission.tick_us),
       frame_({.lat_deg = mission.origin_lat_deg, .lon_deg = mission.origin_lon_deg}),
-      current_mps_(CurrentOf(mission.environment)),
+      start_utime_(mission.start_utime),
+      ocean_(OceanOrDie(mission)),
       nav_channel_(channels::Nav(vehicle.name)),
-      bus_(bus) {
+      bus_(bus),
+      craft_(MakeSimulatedCraft(vehicle)) {
   Reset(vehicle.start);
   Subscribe(bus, channels::Actuators(vehicle.name),
             [this](const actuators_t& actuators) { OnActuators(actuators); });
@@ -41,21 +45,25 @@ VehicleSimApp::VehicleSimApp(const Mission& mission, const Vehicle& vehicle, Bus
 }
 
 void VehicleSimApp::Reset(const StartPose& pose) {
-  state_ = SurfaceCraftState{};
-  state_.position_m = {pose.x_m, pose.y_m};
-  state_.heading_rad = WrapTwoPi(DegToRad(pose.heading_deg));
-  state_.speed_mps = pose.speed_mps;
-  state_.velocity_over_ground_mps =
-      pose.speed_mps * UnitVector(state_.heading_rad) + current_mps_ + drift_mps_;
+  // The water at the new place is asked for once the vehicle is there.
+  craft_->Reset(pose, {});
+  craft_->Reset(pose, WaterAt(utime_.value_or(start_utime_)));
+}
+
+Water VehicleSimApp::WaterAt(int64_t utime) const {
+  const double time_s = static_cast<double>(utime - start_utime_) / 1e6;
+  Water water = {.velocity_mps = Velocity(ocean_.current.At(time_s)) + drift_mps_,
+                 .floor_z_m = std::nullopt};
+  if (ocean_.floor) water.floor_z_m = ocean_.floor->DepthAt(craft_->position_m().head<2>());
+  return water;
 }
 
 void VehicleSimApp::OnActuators(const actuators_t& actuators) {
   ++num_actuators_;
-  if (!std::isfinite(actuators.thrust_pct) || !std::isfinite(actuators.rudder_deg)) {
+  if (!craft_->Obey(actuators)) {
     log_.Warn("ACTUATORS with NaN or infinity refused");
     return;
   }
-  command_ = {.thrust_pct = actuators.thrust_pct, .rudder_deg = actuators.rudder_deg};
   actuators_utime_ = utime_.value_or(0) + (utime_ ? tick_us_ : 0);
 }
 
@@ -97,7 +105,7 @@ void VehicleSimApp::Tick(int64_t utime) {
 void VehicleSimApp::WatchActuators(int64_t utime) {
   const bool late = actuators_utime_ && utime - *actuators_utime_ > kActuatorTimeout_us;
   if (late && !actuators_are_late_) {
-    command_ = {};
+    craft_->Rest();
     log_.Warn(kLateActuators);
     log_.Event(utime, kLateActuators);
   }
@@ -109,54 +117,52 @@ void VehicleSimApp::Integrate(int64_t until_utime) {
   // One step at a time, also where ticks were missed: the result must not depend on the gap.
   for (int64_t now = *utime_; now < until_utime;) {
     const int64_t step_us = std::min(tick_us_, until_utime - now);
-    state_ = Step(vehicle_.surface_craft, state_, command_, current_mps_ + drift_mps_,
-                  static_cast<double>(step_us) / 1e6);
+    craft_->Step(WaterAt(now), static_cast<double>(step_us) / 1e6);
     now += step_us;
   }
 }
 
 void VehicleSimApp::PublishNav(int64_t utime) {
-  const GeoPoint geo = frame_.ToGeo(state_.position_m);
-  const Eigen::Vector2d over_ground =
-      paused_ ? Eigen::Vector2d::Zero() : state_.velocity_over_ground_mps;
   nav_t nav{};
+  craft_->Show(WaterAt(utime), &nav);
+  const GeoPoint geo = frame_.ToGeo({nav.x_m, nav.y_m});
   nav.utime = utime;
-  nav.x_m = state_.position_m.x();
-  nav.y_m = state_.position_m.y();
   nav.lat_deg = geo.lat_deg;
   nav.lon_deg = geo.lon_deg;
-  nav.heading_deg = Wrap360(RadToDeg(state_.heading_rad));
-  nav.surge_mps = paused_ ? 0 : state_.speed_mps;
-  nav.yaw_rate_degps = paused_ ? 0 : RadToDeg(state_.yaw_rate_radps);
-  nav.speed_mps = std::abs(nav.surge_mps);
-  nav.speed_over_ground_mps = over_ground.norm();
-  nav.course_over_ground_deg =
-      over_ground.norm() > 0 ? Wrap360(RadToDeg(HeadingOf(over_ground))) : nav.heading_deg;
-  nav.altitude_m = -1;
+  if (paused_) {
+    for (double* motion : {&nav.surge_mps, &nav.sway_mps, &nav.heave_mps, &nav.roll_rate_degps,
+                           &nav.pitch_rate_degps, &nav.yaw_rate_degps, &nav.speed_mps,
+                           &nav.speed_over_ground_mps, &nav.descent_mps}) {
+      *motion = 0;
+    }
+    nav.course_over_ground_deg = nav.heading_deg;
+  }
   Publish(bus_, nav_channel_, nav);
 }
 
 StatusPage VehicleSimApp::Status() const {
+  const Water water = WaterAt(utime_.value_or(start_utime_));
+  nav_t nav{};
+  craft_->Show(water, &nav);
   StatusPage page;
   page.text = fmt::format(
       "Configuration:\n"
       "    Vehicle: {} ({})\n"
-      "    Start: x {:.1f} m, y {:.1f} m, heading {:.1f} deg\n"
-      "    Current: {:.2f} m/s East, {:.2f} m/s North\n"
+      "    Start: x {:.1f} m, y {:.1f} m, depth {:.1f} m, heading {:.1f} deg\n"
       "State:{}\n"
-      "    Position: x {:.2f} m, y {:.2f} m\n"
+      "    Position: x {:.2f} m, y {:.2f} m, depth {:.2f} m{}\n"
       "    Heading: {:.1f} deg, speed {:.2f} m/s through the water, {:.2f} m/s over ground\n"
-      "    Thrust: {:.1f} %, rudder {:.1f} deg (asked for {:.1f})\n"
-      "    Drift by command: {:.2f} m/s East, {:.2f} m/s North\n"
+      "{}"
+      "    Water: {:.2f} m/s East, {:.2f} m/s North, of it by command {:.2f} and {:.2f}\n"
       "Heard:\n"
       "    ACTUATORS: {}\n"
       "    SIM_COMMAND: {} ({} refused)\n",
-      vehicle_.name, vehicle_.model, vehicle_.start.x_m, vehicle_.start.y_m,
-      vehicle_.start.heading_deg, current_mps_.x(), current_mps_.y(), paused_ ? " paused" : "",
-      state_.position_m.x(), state_.position_m.y(), RadToDeg(state_.heading_rad), state_.speed_mps,
-      state_.velocity_over_ground_mps.norm(), command_.thrust_pct, state_.rudder_deg,
-      command_.rudder_deg, drift_mps_.x(), drift_mps_.y(), num_actuators_, num_commands_,
-      num_refused_);
+      vehicle_.name, vehicle_.model, vehicle_.start.x_m, vehicle_.start.y_m, vehicle_.start.depth_m,
+      vehicle_.start.heading_deg, paused_ ? " paused" : "", nav.x_m, nav.y_m, nav.z_m,
+      water.floor_z_m ? fmt::format(", {:.1f} m above the floor", nav.altitude_m) : "",
+      nav.heading_deg, nav.speed_mps, nav.speed_over_ground_mps, craft_->ActuatorsText(),
+      water.velocity_mps.x(), water.velocity_mps.y(), drift_mps_.x(), drift_mps_.y(),
+      num_actuators_, num_commands_, num_refused_);
   log_.AppendTo(&page);
   return page;
 }

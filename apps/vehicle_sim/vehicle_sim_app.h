@@ -6,14 +6,16 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <memory>
 #include <optional>
 
+#include "apps/vehicle_sim/simulated_craft.h"
 #include "lib/bus/bus.h"
 #include "lib/bus/channels.h"
 #include "lib/geodesy/local_frame.h"
 #include "lib/mission/mission.h"
+#include "lib/mission/ocean_of.h"
 #include "lib/run/app.h"
-#include "lib/vehicle/surface_craft.h"
 
 namespace shoal {
 
@@ -31,19 +33,21 @@ class VehicleSimApp : public App {
   void OnSimCommand(const sim_command_t& command);
   void Reset(const StartPose& pose);
   void Integrate(int64_t until_utime);
+  /// Returns the water where the vehicle is.
+  Water WaterAt(int64_t utime) const;
   void WatchActuators(int64_t utime);
   void PublishNav(int64_t utime);
 
   const Vehicle vehicle_;
   const int64_t tick_us_;
   const LocalFrame frame_;
-  const Eigen::Vector2d current_mps_;  ///< Of the water over ground; x East, y North.
+  const int64_t start_utime_;
+  const Ocean ocean_;
   const Channel<nav_t> nav_channel_;
   Bus& bus_;
   StatusLog log_;
 
-  SurfaceCraftState state_;
-  SurfaceCraftCommand command_;
+  const std::unique_ptr<SimulatedCraft> craft_;
   Eigen::Vector2d drift_mps_ = Eigen::Vector2d::Zero();  ///< By SIM_COMMAND, on top of the current.
   bool paused_ = false;
   std::optional<int64_t> utime_;            ///< Of the last step.

@@ -87,7 +87,7 @@ class InACurrent : public VehicleSimAppTest {
   static Mission WithCurrent() {
     Mission mission = TestMission();
     mission.vehicles.front().start.speed_mps = 0;
-    mission.environment = {.current_speed_mps = 0.5, .current_direction_deg = 180};
+    mission.environment.current = {.speed_mps = "0.5", .direction_deg = "180"};
     return mission;
   }
 };

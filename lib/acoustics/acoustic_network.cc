@@ -179,6 +179,11 @@ std::span<const Reception> AcousticNetwork::Deliver(double until_s) {
   return results_;
 }
 
+double AcousticNetwork::NextEvent_s() const {
+  return events_.IsEmpty() ? std::numeric_limits<double>::infinity()
+                           : TimeOf(events_.First().time_order);
+}
+
 AcousticStatistics AcousticNetwork::statistics() const {
   AcousticStatistics statistics = statistics_;
   statistics.num_in_transit = num_in_transit();

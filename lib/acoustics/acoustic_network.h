@@ -68,6 +68,10 @@ class AcousticNetwork {
   /// @pre until_s is not before that of an earlier Transmit or Deliver.
   std::span<const Reception> Deliver(double until_s);
 
+  /// Returns a moment before which Deliver has nothing to return, unless more is sent; infinity
+  /// where it never has.
+  double NextEvent_s() const;
+
   /// Counts a packet that was handed over and that its receiver refused.
   void CountRejection() { ++statistics_.num_rejected; }
 

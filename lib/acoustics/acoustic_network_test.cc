@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -102,6 +103,21 @@ TEST(AcousticNetwork, IsNotHeardOnAChannelThatNobodyListensTo) {
   EXPECT_EQ(arrived[0].reception.fate, AcousticFate::kNotListening);
   EXPECT_EQ(arrived[1].reception.receiver, kAlpha);
   EXPECT_EQ(arrived[1].reception.fate, AcousticFate::kDelivered);
+}
+
+TEST(AcousticNetwork, KnowsBeforeWhenNothingHappens) {
+  AcousticNetwork water(CalmWater(AccessMode::kFdma), 1, TestNodes(3));
+  EXPECT_EQ(water.NextEvent_s(), std::numeric_limits<double>::infinity());
+  water.Transmit(10, kAlpha, kInARow, Bytes(5), AllOf(water));
+  int num_arrived = 0;
+  while (water.num_in_transit() > 0) {
+    const double next_s = water.NextEvent_s();
+    EXPECT_TRUE(water.Deliver(std::nextafter(next_s, 0)).empty());
+    num_arrived += static_cast<int>(water.Deliver(next_s).size());
+    EXPECT_GT(water.NextEvent_s(), next_s);
+  }
+  EXPECT_EQ(num_arrived, 2);
+  EXPECT_EQ(water.NextEvent_s(), std::numeric_limits<double>::infinity());
 }
 
 TEST(AcousticNetwork, DeliversAnEmptyPacketThatNothingCanHit) {

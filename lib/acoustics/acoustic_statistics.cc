@@ -20,7 +20,7 @@ void AddLine(std::string_view name, int64_t count, int64_t whole, std::string* t
   *text += digits;
   if (whole > 0) {
     *text +=
-        "  " + NumberText(100 * static_cast<double>(count) / static_cast<double>(whole)) + " %";
+        "  " + RoundedText(100 * static_cast<double>(count) / static_cast<double>(whole)) + " %";
   }
   *text += '\n';
 }

@@ -27,11 +27,11 @@ double LowestMiddle_khz(const AcousticOptions& options) {
 int OddCapacity(int capacity) { return capacity - (capacity % 2 == 0 && capacity > 0 ? 1 : 0); }
 
 std::string TooManyNodes(const AcousticOptions& options, int nodes) {
-  return std::to_string(nodes) + " nodes need " + NumberText(BandNeeded_khz(options, nodes)) +
-         " kHz (" + std::to_string(nodes) + " x " + NumberText(options.channel_bandwidth_khz) +
+  return std::to_string(nodes) + " nodes need " + RoundedText(BandNeeded_khz(options, nodes)) +
+         " kHz (" + std::to_string(nodes) + " x " + RoundedText(options.channel_bandwidth_khz) +
          " for channels, " + std::to_string(nodes + 1) + " x " +
-         NumberText(options.guard_band_khz) +
-         " for guard bands), bandwidth_khz = " + NumberText(options.bandwidth_khz) + " holds " +
+         RoundedText(options.guard_band_khz) +
+         " for guard bands), bandwidth_khz = " + RoundedText(options.bandwidth_khz) + " holds " +
          std::to_string(ChannelCapacity(options)) +
          (ChannelCapacity(options) == 1 ? " channel" : " channels") +
          "; widen bandwidth_khz, or narrow channel_bandwidth_khz or guard_band_khz";
@@ -82,8 +82,8 @@ Result<ChannelPlan> ChannelPlan::Make(const AcousticOptions& options,
     if (is_fdma) return Error{"fdma: " + TooManyNodes(options, wanted)};
     return Error{std::string(ChoiceText(options.access_mode)) + " needs " + std::to_string(wanted) +
                  (wanted == 1 ? " channel (" : " channels (") +
-                 NumberText(BandNeeded_khz(options, wanted)) + " kHz), bandwidth_khz = " +
-                 NumberText(options.bandwidth_khz) + " holds " + std::to_string(capacity)};
+                 RoundedText(BandNeeded_khz(options, wanted)) + " kHz), bandwidth_khz = " +
+                 RoundedText(options.bandwidth_khz) + " holds " + std::to_string(capacity)};
   }
   if (is_tdma_lf && std::ranges::none_of(nodes, &AcousticNode::is_leader)) {
     return Error{"tdma_lf needs a leader, and no node is one: nobody would hear anybody"};

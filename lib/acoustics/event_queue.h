@@ -22,6 +22,12 @@ inline uint64_t OrderOf(double time_s) {
   return (bits & kSign) != 0 ? ~bits : bits | kSign;
 }
 
+/// Returns the time whose OrderOf this is.
+inline double TimeOf(uint64_t order) {
+  constexpr uint64_t kSign = uint64_t{1} << 63;
+  return std::bit_cast<double>((order & kSign) != 0 ? order & ~kSign : ~order);
+}
+
 struct AcousticEvent {
   uint64_t time_order = 0;  ///< OrderOf the moment.
   uint64_t rank = 0;  ///< Among events of the same moment: kind, turn, receiver, high bits first.
@@ -74,6 +80,8 @@ class EventQueue {
   bool HasEventUntil(double time_s) const {
     return !events_.empty() && events_.front().time_order <= OrderOf(time_s);
   }
+
+  bool IsEmpty() const { return events_.empty(); }
 
   /// The next three want an event in the queue.
   const AcousticEvent& First() const { return events_.front(); }

@@ -26,6 +26,11 @@ TEST(OrderOf, HoldsAtZeroAndAtTheEnds) {
   EXPECT_LT(OrderOf(1e300), OrderOf(infinity));
 }
 
+RC_GTEST_PROP(OrderOf, GivesTheTimeBack, (double time_s)) {
+  RC_PRE(!std::isnan(time_s));
+  RC_ASSERT(TimeOf(OrderOf(time_s)) == time_s);
+}
+
 using Key = std::tuple<double, int, int64_t, int32_t>;
 
 RC_GTEST_PROP(EventQueue, GivesEventsInOrderOfTimeKindTurnAndReceiver, ()) {

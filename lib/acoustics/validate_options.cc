@@ -48,9 +48,9 @@ void Check(const OptionRange& range, double value, std::vector<OptionProblem>* p
   if (is_high_enough && value <= range.high) return;  // NaN is neither.
   problems->push_back({std::string(range.option),
                        "must be " + std::string(range.low_is_allowed ? "from " : "more than ") +
-                           NumberText(range.low) +
+                           RoundedText(range.low) +
                            (range.low_is_allowed ? " to " : " and at most ") +
-                           NumberText(range.high) + ", not " + NumberText(value)});
+                           RoundedText(range.high) + ", not " + RoundedText(value)});
 }
 
 /// False for NaN.
@@ -67,16 +67,16 @@ std::string ProblemOf(const ModemPreset& modem) {
   if (!(modem.low_khz > 0 && modem.low_khz < modem.high_khz &&
         modem.high_khz <= kMaxFrequency_khz)) {
     return "a modem's band must begin above 0 kHz and end above that, at most at " +
-           NumberText(kMaxFrequency_khz) + ", not " + NumberText(modem.low_khz) + " to " +
-           NumberText(modem.high_khz);
+           RoundedText(kMaxFrequency_khz) + ", not " + RoundedText(modem.low_khz) + " to " +
+           RoundedText(modem.high_khz);
   }
   if (!IsBetween(modem.data_rate_bps, kMinRate_bps, kMaxRate_bps)) {
-    return "a modem's data_rate_bps must be from " + NumberText(kMinRate_bps) + " to " +
-           NumberText(kMaxRate_bps) + ", not " + NumberText(modem.data_rate_bps);
+    return "a modem's data_rate_bps must be from " + RoundedText(kMinRate_bps) + " to " +
+           RoundedText(kMaxRate_bps) + ", not " + RoundedText(modem.data_rate_bps);
   }
   if (!IsBetween(modem.source_level_db, -kMaxDecibels, kMaxDecibels)) {
-    return "a modem's source_level_db must be within " + NumberText(kMaxDecibels) + " dB, not " +
-           NumberText(modem.source_level_db);
+    return "a modem's source_level_db must be within " + RoundedText(kMaxDecibels) + " dB, not " +
+           RoundedText(modem.source_level_db);
   }
   return ProblemOf(modem.code);
 }
@@ -132,9 +132,9 @@ std::vector<OptionProblem> FindProblems(const AcousticOptions& options,
   const double lowest_khz = options.base_freq_khz - options.bandwidth_khz / 2;
   if (lowest_khz < 0) {
     problems.push_back({"bandwidth_khz", "the band begins at base_freq_khz - bandwidth_khz / 2 = " +
-                                             NumberText(options.base_freq_khz) + " - " +
-                                             NumberText(options.bandwidth_khz) +
-                                             " / 2 = " + NumberText(lowest_khz) + " kHz, below 0"});
+                                             RoundedText(options.base_freq_khz) + " - " +
+                                             RoundedText(options.bandwidth_khz) + " / 2 = " +
+                                             RoundedText(lowest_khz) + " kHz, below 0"});
   }
   const Result<ChannelPlan> plan = ChannelPlan::Make(options, nodes);
   if (!plan.ok()) {

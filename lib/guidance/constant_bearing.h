@@ -10,6 +10,8 @@ namespace shoal {
 struct ConstantBearingLaw {
   double lookahead_m = 50;  ///< Delta: within about this distance the approach slows down; > 0.
   double r_safe_m = 10;     ///< Distance to keep; >= 0.
+
+  bool operator==(const ConstantBearingLaw&) const = default;
 };
 
 /// Returns the velocity (world axes) that follows the target:

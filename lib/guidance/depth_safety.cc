@@ -26,6 +26,10 @@ Eigen::Vector3d ApplyDepthSafety(const DepthSafety& limits, double seabed_z_m, d
   const double below_m = z - (Plausible(std::min(seabed_z_m, limits.z_max_m)) - limits.z_safe_m);
   if (below_m > 0) {
     limited_mps.z() = Brake(below_m, limits.z_safe_m, limited_mps.z(), own_mps);
+    const double share = std::min(1.0, below_m / limits.z_safe_m);
+    if (limits.climb_mps > 0) {
+      limited_mps.z() = std::min(limited_mps.z(), -share * limits.climb_mps);
+    }
   } else {
     limited_mps.z() = -Brake(limits.z_min_m - z, limits.z_safe_m, -limited_mps.z(), -own_mps);
   }

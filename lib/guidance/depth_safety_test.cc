@@ -45,6 +45,19 @@ TEST(DepthSafetyLimit, WithoutAKnownFloorGoesByTheGreatestDepth) {
   EXPECT_DEATH(Limited(97.5, 0, 1, std::numeric_limits<double>::quiet_NaN()), "NaN or infinity");
 }
 
+TEST(DepthSafetyLimit, ClimbsOverAFloorThatRises) {
+  DepthSafety limits = kLimits;
+  limits.climb_mps = 0.5;
+  const auto v_z = [&](double z_m, double command_mps) {
+    return ApplyDepthSafety(limits, 50, z_m, 0, {2, 0, command_mps}).z();
+  };
+  EXPECT_EQ(v_z(44, 0), 0) << "above the safe depth";
+  EXPECT_NEAR(v_z(47.5, 0), -0.25, 1e-12);
+  EXPECT_NEAR(v_z(50, 0), -0.5, 1e-12);
+  EXPECT_NEAR(v_z(60, 1), -0.5, 1e-12);
+  EXPECT_EQ(v_z(49, -2), -2) << "already faster";
+}
+
 RC_GTEST_PROP(DepthSafetyLimit, NeverAddsToAMotionTowardTheFloor, ()) {
   const double z_m = Between(-10, 120);
   const double own_mps = Between(-2, 2);

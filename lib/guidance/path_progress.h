@@ -28,6 +28,8 @@ enum class SwitchRule {
 struct WaypointSwitch {
   SwitchRule rule = SwitchRule::kCircleOrPassedLine;
   double acceptance_radius_m = 10;  ///< R; >= 0.
+
+  bool operator==(const WaypointSwitch&) const = default;
 };
 
 /// What a vehicle does at the end of its path.

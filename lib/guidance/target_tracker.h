@@ -26,6 +26,8 @@ struct TargetTrackParams {
   DepthSafety depth = {};
   double u_max_mps = 2.5;          ///< >= 0.
   double max_pitch_rad = kPi / 4;  ///< Bound of theta_d, in (0, pi / 2]; MuNet has pi / 2.
+
+  bool operator==(const TargetTrackParams&) const = default;
 };
 
 struct TrackCommand {

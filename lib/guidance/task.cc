@@ -9,6 +9,8 @@ struct Kind {
   std::string_view operator()(const LoiterTask&) const { return "loiter"; }
   std::string_view operator()(const StationKeepTask&) const { return "station_keep"; }
   std::string_view operator()(const ReturnTask&) const { return "return"; }
+  std::string_view operator()(const PathFollowTask&) const { return "path_follow"; }
+  std::string_view operator()(const TargetTrackTask&) const { return "target_track"; }
 };
 
 }  // namespace

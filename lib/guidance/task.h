@@ -7,6 +7,9 @@
 #include <variant>
 #include <vector>
 
+#include "lib/guidance/path_progress.h"
+#include "lib/guidance/target_tracker.h"
+
 namespace shoal {
 
 /// How a waypoint counts as reached; the first that holds decides.
@@ -66,15 +69,61 @@ struct ReturnTask {
   bool operator==(const ReturnTask&) const = default;
 };
 
+/// What comes after the last point of a path_follow task.
+enum class PathTaskEnd {
+  kDone,           ///< The task is done; the next of the list follows.
+  kGoOn,           ///< Keeps course and depth, for ever.
+  kHold,           ///< Stops there, and comes back when it has drifted away; for ever.
+  kReturnToFirst,  ///< Follows the path again, for ever.
+  kSurface,        ///< Comes up on the last leg's course; done at the surface.
+};
+
+/// Follows the legs between points in three dimensions; for underwater vehicles.
+struct PathFollowTask {
+  std::vector<Eigen::Vector3d> points_m;  ///< x East, y North, z down; at least one.
+  double speed_mps = 2;
+  double propeller_rpm = 0;  ///< More than 0: this, instead of what speed_mps takes.
+  WaypointSwitch waypoint_switch = {};
+  PathTaskEnd end = PathTaskEnd::kDone;
+  double lookahead_m = 10;    ///< ALOS look-ahead distance; > 0.
+  double crab_gain = 0.0006;  ///< ALOS adaptation gain gamma; 0: plain LOS.
+  bool guard_crab = true;     ///< PathFollowParams has the meanings.
+  bool turn_crab = true;
+  double hold_radius_m = 30;  ///< kHold; >= the acceptance radius.
+
+  bool operator==(const PathFollowTask&) const = default;
+};
+
+/// Where a vehicle's knowledge of its swarm comes from.
+enum class SwarmKnowledge {
+  kDirect,  ///< The truth, a step old: as if everybody saw everybody.
+};
+
+/// Follows a leader, in formation or by constant bearing; for underwater vehicles.
+struct TargetTrackTask {
+  std::string target;              ///< The vehicle that is followed.
+  std::vector<std::string> group;  ///< Those to keep clear of; empty: all who follow the target.
+  SwarmKnowledge swarm = SwarmKnowledge::kDirect;
+  /// By default layers for the group, the formation and the target's motion.
+  TargetTrackParams track = {
+      .law = VelocityCascade{{SurvivalGroupLayer{}, FormationLayer{}, FeedForwardLayer{}}},
+      .depth = {.climb_mps = 0.5}};
+
+  bool operator==(const TargetTrackTask&) const = default;
+};
+
 /// A named task of a vehicle's list.
 struct Task {
   std::string name;
-  std::variant<WaypointsTask, LoiterTask, StationKeepTask, ReturnTask> what;
+  std::variant<WaypointsTask, LoiterTask, StationKeepTask, ReturnTask, PathFollowTask,
+               TargetTrackTask>
+      what;
 
   bool operator==(const Task&) const = default;
 };
 
-/// Returns "waypoints", "loiter", "station_keep" or "return": the mission file's word for it.
+/// Returns "waypoints", "loiter", "station_keep", "return", "path_follow" or "target_track": the
+/// mission file's word for it.
 std::string_view KindOf(const Task& task);
 
 }  // namespace shoal

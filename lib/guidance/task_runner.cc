@@ -176,11 +176,14 @@ namespace {
 
 struct StartRunner {
   Fix start;
-  using Runner = std::variant<WaypointsRunner, LoiterRunner, StationKeepRunner, ReturnRunner>;
+  using Runner = std::variant<WaypointsRunner, LoiterRunner, StationKeepRunner, ReturnRunner,
+                              PathFollowRunner, TargetTrackRunner>;
   Runner operator()(const WaypointsTask& task) const { return WaypointsRunner(task, start); }
   Runner operator()(const LoiterTask& task) const { return LoiterRunner(task, start); }
   Runner operator()(const StationKeepTask& task) const { return StationKeepRunner(task, start); }
   Runner operator()(const ReturnTask& task) const { return ReturnRunner(task, start); }
+  Runner operator()(const PathFollowTask& task) const { return PathFollowRunner(task, start); }
+  Runner operator()(const TargetTrackTask& task) const { return TargetTrackRunner(task, start); }
 };
 
 }  // namespace

@@ -4,15 +4,19 @@
 //   Guidance guidance = runner.Update({.position_m = p, .heading_rad = h, .time_s = t});
 //
 // Each kind of task is a class of its own with Start (the constructor), Update and Rejoin. A new
-// kind (constant bearing, potential fields) is one more class and one more alternative of the
-// variants here and in task.h.
+// kind is one more class and one more alternative of the variants here and in task.h. Those of
+// underwater vehicles are in auv_task_runners.cc.
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <variant>
 #include <vector>
 
 #include "lib/guidance/leg_follower.h"
+#include "lib/guidance/path_follower.h"
+#include "lib/guidance/surroundings.h"
+#include "lib/guidance/target_tracker.h"
 #include "lib/guidance/task.h"
 
 namespace shoal {
@@ -22,6 +26,9 @@ struct Fix {
   Eigen::Vector2d position_m = Eigen::Vector2d::Zero();  ///< x East, y North.
   double heading_rad = 0;                                ///< Clockwise from North.
   double time_s = 0;
+  double z_m = 0;  ///< Depth.
+  /// What it knows of the others, for target_track; else it may be null. Outlives the call.
+  const Surroundings* surroundings = nullptr;
 };
 
 /// What a task asks for, and how far it has come.
@@ -33,7 +40,10 @@ struct Guidance {
   int laps_done = 0;
   Eigen::Vector2d waypoint_m = Eigen::Vector2d::Zero();  ///< Where it steers for.
   double distance_m = 0;                                 ///< To there.
-  double cross_track_error_m = 0;  ///< To starboard of the leg positive; 0 without a leg.
+  double cross_track_error_m = 0;            ///< To starboard of the leg positive; 0 without a leg.
+  std::optional<double> z_m = {};            ///< Depth to take; absent: the task knows of none.
+  std::optional<double> pitch_rad = {};      ///< Present: this pitch, bow up, instead of a depth.
+  std::optional<double> propeller_rpm = {};  ///< Present: these revolutions, whatever the speed.
 };
 
 /// Gives the time between updates, none across a pause.
@@ -107,6 +117,30 @@ class ReturnRunner {
   bool arrived_ = false;
 };
 
+class PathFollowRunner {
+ public:
+  /// @pre task has a point
+  PathFollowRunner(const PathFollowTask& task, const Fix& start);
+  Guidance Update(const Fix& fix);
+  void Rejoin(const Fix& fix) { stopwatch_.Lap(fix.time_s); }
+
+ private:
+  PathFollowTask task_;
+  PathFollower follower_;
+  Stopwatch stopwatch_;
+};
+
+class TargetTrackRunner {
+ public:
+  TargetTrackRunner(const TargetTrackTask& task, const Fix& start);
+  /// Stands still while nothing is known of the surroundings.
+  Guidance Update(const Fix& fix);
+  void Rejoin(const Fix&) {}
+
+ private:
+  TargetTracker tracker_;
+};
+
 class TaskRunner {
  public:
   using What = decltype(Task::what);
@@ -121,7 +155,9 @@ class TaskRunner {
   void Rejoin(const Fix& fix);
 
  private:
-  std::variant<WaypointsRunner, LoiterRunner, StationKeepRunner, ReturnRunner> runner_;
+  std::variant<WaypointsRunner, LoiterRunner, StationKeepRunner, ReturnRunner, PathFollowRunner,
+               TargetTrackRunner>
+      runner_;
 };
 
 }  // namespace shoal

@@ -22,6 +22,8 @@ namespace shoal {
 /// The layers of one vehicle, the most urgent first.
 struct VelocityCascade {
   std::vector<VelocityLayer> layers = {SurvivalLayer{}, FormationLayer{}, FeedForwardLayer{}};
+
+  bool operator==(const VelocityCascade&) const = default;
 };
 
 /// Adds up layers' velocities one by one, the most urgent first.

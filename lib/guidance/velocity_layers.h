@@ -25,7 +25,9 @@
 namespace shoal {
 
 /// Moves as the target moves: v = v_t, whatever its length. Zero without a target.
-struct FeedForwardLayer {};
+struct FeedForwardLayer {
+  bool operator==(const FeedForwardLayer&) const = default;
+};
 
 /// Keeps a distance to the target within [r_inner, r_outer]; zero there and without a target.
 struct FormationLayer {
@@ -35,12 +37,16 @@ struct FormationLayer {
 
   double r_outer_m() const { return 2 * r_follow_m - r_inner_m; }
   double r_max_m() const { return 2 * r_follow_m - r_safe_m; }  ///< From here on u_max toward.
+
+  bool operator==(const FormationLayer&) const = default;
 };
 
 /// Keeps away from every member of the group; the sum over them, u_max at most.
 struct SurvivalGroupLayer {
   double r_safe_m = 10;   ///< Up to here u_max.
   double r_avoid_m = 40;  ///< From here on nothing; > r_safe_m.
+
+  bool operator==(const SurvivalGroupLayer&) const = default;
 };
 
 /// Keeps away from what the sonar sees. With w = ((r_avoid - range) / r_avoid)^3 of each beam that
@@ -52,12 +58,16 @@ struct SurvivalGroupLayer {
 /// strength grows with their number.)
 struct SurvivalSonarLayer {
   double r_avoid_m = 40;  ///< From here on nothing; > 0.
+
+  bool operator==(const SurvivalSonarLayer&) const = default;
 };
 
 /// The sum of both, u_max at most.
 struct SurvivalLayer {
   SurvivalGroupLayer group = {};
   SurvivalSonarLayer sonar = {};
+
+  bool operator==(const SurvivalLayer&) const = default;
 };
 
 [[nodiscard]] Eigen::Vector3d LayerVelocity(const FeedForwardLayer& layer, double u_max_mps,

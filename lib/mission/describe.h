@@ -32,6 +32,9 @@ constexpr double kLongest_s = 1e7;
 /// The whole file but its templates and fleets (expand.h).
 void Describe(Fields& file, Mission& mission);
 
+/// [environment]. The seed and the path of `mission` are known.
+void DescribeEnvironment(Fields& file, Mission& mission);
+
 /// [comms].
 void Describe(Fields& fields, RoutingRules& rules);
 /// The value of a rule that can change while a mission runs, under `key`.
@@ -48,7 +51,8 @@ void DescribeAcoustics(Fields& file, Mission& mission);
 /// defaults do not fit the vehicles of `mission`.
 void CheckTrafficOverWater(Fields& comms, const Mission& mission);
 /// Refuses, in [comms], reports that the modem's packets cannot hold; warns of vehicles whose own
-/// reports overlap in the water. All else of `mission` is known.
+/// reports overlap in the water, and of those that report in step with each other and so are not
+/// heard. All else of `mission` is known.
 void CheckReportsOverWater(Fields& file, const Mission& mission);
 /// Gives an acoustic address to the vehicles that name none, and refuses what is not unique.
 void CheckAcousticAddresses(Fields& file, Mission& mission);
@@ -60,6 +64,15 @@ void Describe(Fields& fields, Vehicle& vehicle);
 void Describe(Fields& fields, Task& task, const StartPose& start);
 /// [vehicle.return]; without a point it is the start position.
 void Describe(Fields& fields, ReturnTask& task, const StartPose& start);
+
+/// The same for tasks of underwater vehicles.
+void Describe(Fields& fields, PathFollowTask& task, const StartPose& start);
+void Describe(Fields& fields, TargetTrackTask& task, const StartPose& start);
+/// [vehicle.remus100].
+void Describe(Fields& fields, Remus100Options& options);
+/// Refuses what only underwater vehicles can do where a vehicle is none, and target_track tasks of
+/// vehicles that are not there. All vehicles of `mission` are known.
+void CheckUnderwaterTasks(Fields& file, Mission& mission);
 
 /// One [[event]]. The vehicles, tasks and duration of `mission` are known.
 void Describe(Fields& fields, Event& event, const Mission& mission);

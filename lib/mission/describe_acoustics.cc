@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "lib/acoustics/propagation.h"
@@ -20,6 +21,31 @@ namespace shoal {
 namespace {
 
 constexpr size_t kMaxNamesShown = 5;
+
+/// What muNet calls these keys.
+constexpr std::pair<std::string_view, std::string_view> kMunetNames[] = {
+    {"access_mode", "accessMode"},
+    {"channel_order", "orderMode"},
+    {"jitter", "jitterType"},
+    {"collisions", "collType"},
+    {"packet_loss_model", "plrType"},
+    {"bit_error_model", "berType"},
+    {"sound_speed_mps", "C_WATER"},
+    {"base_freq_khz", "BASE_FREQ"},
+    {"bandwidth_khz", "BANDWIDTH"},
+    {"guard_band_khz", "GUARD_BW"},
+    {"channel_bandwidth_khz", "CHAN_MINBW"},
+    {"broadcast_address", "BCAST_ADDR"},
+    {"data_rate_bps", "DATA_RATE"},
+    {"max_jitter_s", "MAX_JITTER"},
+    {"nominal_distance_m", "NOM_DIST"},
+    {"packet_loss", "PLR"},
+    {"packet_loss_distance_m", "PLR_CHARDIST"},
+    {"bit_error_rate", "BER"},
+    {"bit_error_distance_m", "BER_CHARDIST"},
+    {"snr_nominal_db", "SNR_NOMINAL"},
+    {"snr_slope", "SNR_SLOPE"},
+};
 
 /// One of ChoiceTexts.
 template <class E>
@@ -129,6 +155,7 @@ std::string Listed(const std::vector<std::string_view>& names) {
 void Describe(Fields& fields, Acoustics& acoustics, const std::optional<std::string>& folder,
               const std::vector<AcousticNode>& nodes) {
   AcousticOptions& options = acoustics.options;
+  for (const auto& [key, munet_name] : kMunetNames) fields.CalledElsewhere(key, munet_name);
   DescribeModem(fields, options.modem, folder);
   const bool has_sea = fields.Has("sea", true);
   fields.Below("sea", [&](Fields& sea) { Describe(sea, options.sea); });
@@ -169,41 +196,6 @@ void CheckTrafficOverWater(Fields& comms, const Mission& mission) {
   const bool reports = mission.comms.reports_over == Medium::kAcoustic;
   CheckNetwork(comms, mission.acoustics.options, NodesOf(mission),
                reports ? "reports_over" : "messages_over");
-}
-
-void CheckReportsOverWater(Fields& file, const Mission& mission) {
-  if (mission.comms.reports_over != Medium::kAcoustic) return;
-  constexpr int64_t kReport_bytes = 37;
-  const AcousticOptions& options = mission.acoustics.options;
-  file.Below("comms", [&](Fields& comms) {
-    comms.SkipRest();
-    if (options.modem && options.modem->max_packet_bytes > 0 &&
-        options.modem->max_packet_bytes < kReport_bytes) {
-      comms.Refuse(
-          "reports_over",
-          fmt::format("a node report takes {} bytes, and a packet of the {} holds {}: "
-                      "choose another modem, or reports_over = \"direct\"",
-                      kReport_bytes, options.modem->name, options.modem->max_packet_bytes));
-      return;
-    }
-    if (options.collisions == CollisionModel::kOff || !(options.data_rate_bps > 0)) return;
-    const int64_t frame_bytes = kReport_bytes + (mission.acoustics.crc ? 4 : 0);
-    const double air_s = 8 * static_cast<double>(frame_bytes) / options.data_rate_bps;
-    const double jitter_s = options.jitter == JitterModel::kUniform ? options.max_jitter_s : 0;
-    for (const Vehicle& vehicle : mission.vehicles) {
-      const ReporterOptions& reporter = vehicle.reporter_options;
-      const double interval_s = std::max(
-          1 / reporter.rate_hz, reporter.blackout_interval_s - reporter.blackout_variance_s);
-      if (vehicle.reporter != Provider::kShoal || interval_s >= air_s + jitter_s) continue;
-      comms.Warn("reports_over",
-                 fmt::format("{} may report every {:g} s, and a report of {} bytes takes {:g} s at "
-                             "{:g} bit/s, with jitter up to {:g} s: its own reports will collide; "
-                             "lower rate_hz in [vehicle.reporter], or raise data_rate_bps",
-                             vehicle.name, interval_s, frame_bytes, air_s, options.data_rate_bps,
-                             air_s + jitter_s));
-      return;
-    }
-  });
 }
 
 void CheckAcousticAddresses(Fields& file, Mission& mission) {

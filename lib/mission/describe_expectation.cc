@@ -145,6 +145,11 @@ std::optional<int64_t> MostLaps(const Task& task) {
   if (std::holds_alternative<StationKeepTask>(task.what)) return 0;
   if (std::holds_alternative<ReturnTask>(task.what)) return 1;
   const auto* waypoints = std::get_if<WaypointsTask>(&task.what);
+  if (const auto* path = std::get_if<PathFollowTask>(&task.what)) {
+    if (path->end == PathTaskEnd::kReturnToFirst) return std::nullopt;
+    return 1;
+  }
+  if (std::holds_alternative<TargetTrackTask>(task.what)) return 0;
   if (waypoints == nullptr || waypoints->laps == 0) return std::nullopt;
   return waypoints->laps;
 }
@@ -179,11 +184,50 @@ void Describe(Fields& fields, LapsExpectation& laps, const Mission& mission) {
   fields.Number("by_s", laps.by_s, UntilTheEnd(mission, false));
 }
 
+void Describe(Fields& fields, TrackExpectation& track, const Mission& mission) {
+  DescribeVehicle(fields, track.vehicle, mission);
+  fields.Number("max_m", track.max_m, Above(0, 100'000));
+  fields.Number("from_s", track.from_s, UntilTheEnd(mission, false));
+}
+
+void Describe(Fields& fields, DistanceExpectation& distance, const Mission& mission) {
+  DescribeVehicle(fields, distance.vehicle, mission);
+  fields.Require("to", "to = \"alpha\", or \"all\"");
+  fields.Text("to", distance.to, {.min_length = 1});
+  ResolveVehicle(fields, "to", distance.to, mission, true);
+  const auto limit = [&](std::string_view key, std::optional<double>& limit_m) {
+    if (!fields.Has(key, limit_m.has_value())) return;
+    double value = limit_m.value_or(0);
+    fields.Number(key, value, Between(0, 1e7));
+    limit_m = value;
+  };
+  limit("min_m", distance.min_m);
+  limit("max_m", distance.max_m);
+  if (!distance.min_m && !distance.max_m) {
+    fields.Refuse("", "an expectation of a distance needs min_m, max_m or both");
+  } else if (distance.min_m && distance.max_m && *distance.min_m > *distance.max_m) {
+    fields.Refuse("max_m", "max_m is less than min_m: this can never hold");
+  }
+  fields.Number("from_s", distance.from_s, UntilTheEnd(mission, false));
+}
+
+void Describe(Fields& fields, AltitudeExpectation& altitude, const Mission& mission) {
+  DescribeVehicle(fields, altitude.vehicle, mission);
+  fields.Require("min_m", "min_m = 5");
+  fields.Number("min_m", altitude.min_m, Between(0, 20'000));
+  if (fields.reading() && mission.environment.floor.style == "none") {
+    fields.Refuse("",
+                  "nobody knows an altitude without a sea floor: write [environment] floor = "
+                  "{style = \"flat\", depth_m = 50}");
+  }
+}
+
 }  // namespace
 
 void Describe(Fields& fields, Expectation& expectation, const Mission& mission) {
-  constexpr std::array<std::string_view, 8> kKinds = {
-      "arrival", "separation", "reports", "helm", "laps", "messages", "acks", "packets"};
+  constexpr std::array<std::string_view, 11> kKinds = {
+      "arrival",  "separation", "reports",  "helm", "laps",   "track",
+      "distance", "altitude",   "messages", "acks", "packets"};
   std::string kind(fields.reading() ? "" : kKinds.at(expectation.what.index()));
   if (const auto* comms = std::get_if<CommsExpectation>(&expectation.what)) {
     kind = fields.reading() ? "" : NameOf(comms->kind);
@@ -201,6 +245,9 @@ void Describe(Fields& fields, Expectation& expectation, const Mission& mission) 
     }
     if (kind == "helm") expectation.what = HelmExpectation();
     if (kind == "laps") expectation.what = LapsExpectation();
+    if (kind == "track") expectation.what = TrackExpectation();
+    if (kind == "distance") expectation.what = DistanceExpectation();
+    if (kind == "altitude") expectation.what = AltitudeExpectation();
   }
   if (kind.empty()) {
     fields.SkipRest();  // Without the kind, nobody knows which keys are right.

@@ -76,13 +76,6 @@ void DescribeRun(Fields& fields, Mission& mission) {
   fields.Choice("shore_broker", mission.broker, kProviders);
 }
 
-void Describe(Fields& fields, Environment& environment) {
-  fields.Inline("current", [&](Fields& current) {
-    current.Number("speed_mps", environment.current_speed_mps, Between(0, kFastest_mps));
-    current.Number("direction_deg", environment.current_direction_deg, Between(-360, 360));
-  });
-}
-
 /// A group that nobody has is most likely misspelt.
 void CheckIgnoredGroup(Fields& fields, const Mission& mission) {
   const std::string ignored = LowerCase(mission.comms.ignore_group);
@@ -178,7 +171,7 @@ std::vector<const Vehicle*> VehiclesNamed(const Mission& mission, std::string_vi
 void Describe(Fields& file, Mission& mission) {
   file.Require("mission", "[mission], followed by duration_s = 600");
   file.Below("mission", [&](Fields& fields) { DescribeRun(fields, mission); });
-  file.Below("environment", [&](Fields& fields) { Describe(fields, mission.environment); });
+  DescribeEnvironment(file, mission);
   const auto describe_comms = [&] {
     file.Below("comms", [&](Fields& fields) {
       Describe(fields, mission.comms);
@@ -207,6 +200,7 @@ void Describe(Fields& file, Mission& mission) {
     DescribeAcoustics(file, mission);
     CheckAcousticAddresses(file, mission);
     CheckReportsOverWater(file, mission);
+    CheckUnderwaterTasks(file, mission);
   }
 
   file.List("event", mission.events,

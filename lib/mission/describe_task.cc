@@ -102,8 +102,8 @@ void Describe(Fields& fields, ReturnTask& task, const StartPose& start) {
 }
 
 void Describe(Fields& fields, Task& task, const StartPose& start) {
-  constexpr std::array<std::string_view, 4> kKinds = {"waypoints", "loiter", "station_keep",
-                                                      "return"};
+  constexpr std::array<std::string_view, 6> kKinds = {"waypoints", "loiter",      "station_keep",
+                                                      "return",    "path_follow", "target_track"};
   std::string kind(fields.reading() ? "" : kKinds.at(task.what.index()));
   fields.Require("kind", "kind = \"waypoints\"");
   fields.Word("kind", kind, kKinds);
@@ -112,6 +112,8 @@ void Describe(Fields& fields, Task& task, const StartPose& start) {
     if (kind == "loiter") task.what = LoiterTask();
     if (kind == "station_keep") task.what = StationKeepTask();
     if (kind == "return") task.what = ReturnTask();
+    if (kind == "path_follow") task.what = PathFollowTask();
+    if (kind == "target_track") task.what = TargetTrackTask();
     task.name = kind;
   }
   fields.Text("name", task.name, {.min_length = 1});

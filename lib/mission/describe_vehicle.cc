@@ -23,6 +23,7 @@ void Describe(Fields& fields, StartPose& start) {
   fields.Number("y_m", start.y_m, Between(-kFarthest_m, kFarthest_m));
   fields.Number("heading_deg", start.heading_deg, Between(-360, 360));
   fields.Number("speed_mps", start.speed_mps, Between(0, kFastest_mps));
+  fields.Number("depth_m", start.depth_m, Between(0, 20'000));
 }
 
 /// Returns what is wrong with a thrust map, empty where nothing is.
@@ -123,7 +124,7 @@ void DescribeTasks(Fields& fields, Vehicle& vehicle) {
 }  // namespace
 
 void Describe(Fields& fields, Vehicle& vehicle) {
-  constexpr std::array<std::string_view, 1> kModels = {"surface_craft"};
+  constexpr std::array<std::string_view, 2> kModels = {"surface_craft", "remus100"};
   fields.Text("name", vehicle.name, {.max_length = 1000});
   if (fields.Has("template", false)) {
     fields.Refuse("template", "only a [[vehicle]] or a [[fleet]] of the file can have a template");
@@ -144,6 +145,7 @@ void Describe(Fields& fields, Vehicle& vehicle) {
   fields.Choice("helm", vehicle.helm, kProviders);
   fields.Choice("node_reporter", vehicle.reporter, kProviders);
   fields.Below("surface_craft", [&](Fields& table) { Describe(table, vehicle.surface_craft); });
+  fields.Below("remus100", [&](Fields& table) { Describe(table, vehicle.remus100); });
   fields.Below("helm_options", [&](Fields& table) { Describe(table, vehicle.helm_options); });
   fields.Below("autopilot", [&](Fields& table) { Describe(table, vehicle.autopilot); });
   fields.Below("reporter", [&](Fields& table) { Describe(table, vehicle.reporter_options); });

@@ -157,7 +157,8 @@ TEST(Overrides, ChangeWhatTheFileSaysOrAddToIt) {
   EXPECT_EQ(mission.seed, 7U);
   EXPECT_EQ(mission.name, "second");
   EXPECT_EQ(mission.comms.comms_range_m, -1);
-  EXPECT_EQ(mission.environment, (Environment{0.5, 90}));
+  EXPECT_EQ(mission.environment.current.speed_mps, "0.5");
+  EXPECT_EQ(mission.environment.current.direction_deg, "90");
   EXPECT_EQ(mission.vehicles.size(), 3U);
 }
 

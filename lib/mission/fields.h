@@ -63,6 +63,9 @@ class Fields {
   /// [[x, y], ...].
   virtual void Pairs(std::string_view key, std::vector<Eigen::Vector2d>& pairs, Range range,
                      size_t max_count) = 0;
+  /// [[x, y, z], ...].
+  virtual void Triples(std::string_view key, std::vector<Eigen::Vector3d>& triples, Range range,
+                       size_t max_count) = 0;
   virtual void Texts(std::string_view key, std::vector<std::string>& texts, size_t max_count) = 0;
   /// {key = "text", ...}.
   virtual void TextMap(std::string_view key, std::map<std::string, std::string>& texts,
@@ -88,6 +91,9 @@ class Fields {
   virtual bool IsSound() const = 0;
   /// Demands `key`; `example` is the line that the message proposes.
   virtual void Require(std::string_view key, std::string_view example) = 0;
+  /// `name` is what another program calls `key`. It is no key; whoever writes it is told the right
+  /// one.
+  virtual void CalledElsewhere(std::string_view key, std::string_view name) = 0;
   /// Declares `key` a known one that is not read here.
   virtual void Skip(std::string_view key) = 0;
   /// Declares all keys known: for a table that is wrong in a way that leaves them without meaning.

@@ -16,6 +16,10 @@ struct EndsNever {
   bool operator()(const LoiterTask& task) const { return task.duration_s == 0; }
   bool operator()(const StationKeepTask&) const { return true; }
   bool operator()(const ReturnTask&) const { return true; }
+  bool operator()(const PathFollowTask& task) const {
+    return task.end != PathTaskEnd::kDone && task.end != PathTaskEnd::kSurface;
+  }
+  bool operator()(const TargetTrackTask&) const { return true; }
 };
 
 /// Returns the tasks that events start by their names.

@@ -240,6 +240,13 @@ TEST(LoadWarnings, TellReportsThatOverlapInTheWater) {
   EXPECT_EQ(WarningsOverWater("collisions = \"off\"\n").size(), 0U);
 }
 
+TEST(LoadErrors, TellThoseWhoWriteMunetsNames) {
+  EXPECT_EQ(ErrorsOfAcoustics("accessMode = \"fdma\"\nPLR = 0.1\ncollType = \"drop\"\n"),
+            "6:1: unknown key 'accessMode' (here it is 'access_mode')\n"
+            "7:1: unknown key 'PLR' (here it is 'packet_loss')\n"
+            "8:1: unknown key 'collType' (here it is 'collisions')\n");
+}
+
 TEST(LoadErrors, TellWhatIsWrongWithAcousticsBesideRulesAlone) {
   const auto errors = LoadCommsText("[comms]\n[acoustics]\nbandwidth_khz = 100\n", "c.toml").errors;
   EXPECT_EQ(errors, std::vector<std::string>{

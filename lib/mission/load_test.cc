@@ -137,7 +137,8 @@ TEST(LoadMission, TellsWhyAFileCannotBeRead) {
 
 TEST(LoadMission, LoadsTheMissionsThatComeWithShoal) {
   for (const std::string name :
-       {"acoustic", "acoustic_shared", "alpha", "berta", "c_planner", "fleet", "hide_and_seek"}) {
+       {"acoustic", "acoustic_ping", "acoustic_shared", "alpha", "berta", "c_planner", "fleet",
+        "hide_and_seek", "remus_path", "swarm_direct"}) {
     const std::string path = std::string(SHOAL_SOURCE_DIR) + "/missions/" + name + ".toml";
     const LoadedMission loaded = LoadMission(path);
     EXPECT_EQ(loaded.errors, std::vector<std::string>{});

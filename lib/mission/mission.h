@@ -24,6 +24,7 @@ struct StartPose {
   double y_m = 0;          ///< North.
   double heading_deg = 0;  ///< Clockwise from North.
   double speed_mps = 0;
+  double depth_m = 0;  ///< Of underwater vehicles.
 
   bool operator==(const StartPose&) const = default;
 };
@@ -46,6 +47,19 @@ struct AutopilotOptions {
   double speed_integral_limit_pct = 20;
 
   bool operator==(const AutopilotOptions&) const = default;
+};
+
+/// `[vehicle.remus100]`: the underwater vehicle and its autopilots.
+struct Remus100Options {
+  std::string parameters = "default";  ///< default, munet or fossen: docs/vehicles.md.
+  double model_step_s = 0.02;          ///< The longest step of integration within a tick.
+  double cruise_depth_m = 0;           ///< Of tasks that know of no depth.
+  double max_depth_m = 100;
+  double seabed_clearance_m = 5;
+  double depth_filter_s = 20;           ///< Time constant of the commanded depth; 0: one step.
+  double max_propeller_rate_rpmps = 0;  ///< 0: the propeller is told at once.
+
+  bool operator==(const Remus100Options&) const = default;
 };
 
 /// `[vehicle.helm_options]`: the helm's own settings.
@@ -84,12 +98,13 @@ struct MessageOptions {
 struct Vehicle {
   std::string name;
   std::string type = "kayak";
-  std::string model = "surface_craft";
+  std::string model = "surface_craft";  ///< Or "remus100".
   std::string group;
   std::string color = "yellow";
   double length_m = 3;
   StartPose start;
   SurfaceCraftParams surface_craft;
+  Remus100Options remus100;
   Provider sim = Provider::kShoal;       ///< `vehicle_sim = "shoal" | "hand" | "none"`
   Provider helm = Provider::kShoal;      ///< `helm = ...`
   Provider reporter = Provider::kShoal;  ///< `node_reporter = ...`
@@ -106,10 +121,39 @@ struct Vehicle {
   bool operator==(const Vehicle&) const = default;
 };
 
+/// `[environment.current]`: each a number, two numbers ("0.1..0.4") from which one is drawn, or the
+/// name of a zone (lib/ocean/current_zones.h).
+struct CurrentWords {
+  std::string speed_mps = "0";
+  std::string direction_deg = "0";  ///< Toward which it flows, clockwise from North.
+  std::string speed_deviation_mps = "0";
+  std::string direction_deviation_deg = "0";
+  std::string speed_half_period_s = "60";
+  std::string direction_half_period_s = "60";
+
+  bool operator==(const CurrentWords&) const = default;
+};
+
+/// `[environment.floor]`.
+struct FloorOptions {
+  std::string style = "none";  ///< none, flat, linear, sigmoid, shelf or grid.
+  double depth_m = 125;        ///< The least.
+  double range_m = 10;         ///< How much deeper it gets.
+  double size_m = 1000;        ///< The map's side; its middle is the mission's origin.
+  double scale_m = 300;        ///< From hill to hill, about.
+  double slope_east = 0;       ///< Metres deeper per metre.
+  double slope_north = 0;
+  std::string grid;            ///< grid: the path of an ESRI ASCII file.
+  bool grid_is_depth = false;  ///< Its numbers are depths; else elevations.
+  Eigen::Vector2d grid_origin_m = Eigen::Vector2d::Zero();  ///< The mission's origin in the grid.
+
+  bool operator==(const FloorOptions&) const = default;
+};
+
 /// `[environment]`.
 struct Environment {
-  double current_speed_mps = 0;
-  double current_direction_deg = 0;  ///< Toward which it flows, clockwise from North.
+  CurrentWords current;
+  FloorOptions floor;
 
   bool operator==(const Environment&) const = default;
 };
@@ -218,10 +262,32 @@ struct LapsExpectation {  ///< kind = "laps": a task's points were all passed.
 
   bool operator==(const LapsExpectation&) const = default;
 };
+struct TrackExpectation {  ///< kind = "track": the cross-track error stays within a limit.
+  std::string vehicle;
+  double max_m = 1;
+  double from_s = 0;  ///< From then on, while a task runs that has a track.
+
+  bool operator==(const TrackExpectation&) const = default;
+};
+struct DistanceExpectation {  ///< kind = "distance": to another vehicle, in three dimensions.
+  std::string vehicle;
+  std::string to;
+  std::optional<double> min_m = std::nullopt;
+  std::optional<double> max_m = std::nullopt;
+  double from_s = 0;
+
+  bool operator==(const DistanceExpectation&) const = default;
+};
+struct AltitudeExpectation {  ///< kind = "altitude": above the sea floor, at least.
+  std::string vehicle;
+  double min_m = 0;
+
+  bool operator==(const AltitudeExpectation&) const = default;
+};
 struct Expectation {
   std::string where;  ///< "file:line" of its table, for the verdict.
   std::variant<ArrivalExpectation, SeparationExpectation, CommsExpectation, HelmExpectation,
-               LapsExpectation>
+               LapsExpectation, TrackExpectation, DistanceExpectation, AltitudeExpectation>
       what;
 
   bool operator==(const Expectation&) const = default;

@@ -31,7 +31,7 @@ class MissionDraw {
     mission.on_loss = static_cast<OnLoss>(Integer(0, 2));
     mission.participant_timeout_s = Number(0.1, 3600);
     mission.broker = DrawProvider();
-    mission.environment = {Number(0, 50), Number(-360, 360)};
+    mission.environment = DrawEnvironment();
     mission.comms = {.comms_range_m = Coin() ? -1 : Number(0, 1e7),
                      .critical_range_m = Number(0, 1e7),
                      .stale_time_s = Coin() ? -1 : Number(0, 1e7),
@@ -51,8 +51,9 @@ class MissionDraw {
                      .msg_color = Text(),
                      .msg_repeat_color = Text(),
                      .each_fate_up_to = Integer(0, 1'000'000)};
-    for (int64_t i = Integer(0, 4) == 0 ? 2 : 1; i > 0; --i)
-      mission.vehicles.push_back(DrawVehicle(i));
+    for (int64_t i = 2; i > 0; --i) mission.vehicles.push_back(DrawVehicle(i));
+    if (mission.tick_us <= 200'000) Submerge(&mission.vehicles[0]);
+    has_floor_ = mission.environment.floor.style != "none";
     const bool over_water = mission.comms.reports_over == Medium::kAcoustic ||
                             mission.comms.messages_over == Medium::kAcoustic;
     if (over_water || Coin()) mission.acoustics = DrawAcoustics();
@@ -143,6 +144,74 @@ class MissionDraw {
     return text;
   }
 
+  Environment DrawEnvironment() {
+    Environment environment;
+    CurrentWords& current = environment.current;
+    if (Coin()) current.speed_mps = Coin() ? "0.25" : "0.125..0.5";
+    if (Coin()) current.direction_deg = Coin() ? "-90" : "northeast";
+    if (Coin()) current.speed_deviation_mps = "steady";
+    if (Coin()) current.direction_deviation_deg = "10..20";
+    if (Coin()) current.speed_half_period_s = "choppy";
+    if (Coin()) current.direction_half_period_s = "30.5";
+    if (Coin()) {
+      environment.floor = {.style = "flat",
+                           .depth_m = Number(0, 20'000),
+                           .range_m = Number(0, 20'000),
+                           .size_m = Number(1, 1e6),
+                           .scale_m = Number(1, 1e6),
+                           .slope_east = Number(-10, 10),
+                           .slope_north = Number(-10, 10),
+                           .grid = {},
+                           .grid_is_depth = Coin(),
+                           .grid_origin_m = Point()};
+    }
+    return environment;
+  }
+
+  Eigen::Vector3d DeepPoint() { return {Number(-1e6, 1e6), Number(-1e6, 1e6), Number(0, 20'000)}; }
+
+  /// Makes an underwater vehicle of it, with the tasks that these have.
+  void Submerge(Vehicle* vehicle) {
+    vehicle->model = "remus100";
+    vehicle->start.depth_m = Number(0, 20'000);
+    vehicle->remus100 = {.parameters = Coin() ? "munet" : "fossen",
+                         .model_step_s = Number(1e-4, 0.2),
+                         .cruise_depth_m = Number(0, 20'000),
+                         .max_depth_m = Positive(20'000),
+                         .seabed_clearance_m = Number(0, 1000),
+                         .depth_filter_s = Number(0, 1000),
+                         .max_propeller_rate_rpmps = Number(0, 1e6)};
+    const double acceptance_m = Number(0, 1000);
+    PathFollowTask path = {.points_m = {DeepPoint(), DeepPoint()},
+                           .speed_mps = Positive(50),
+                           .propeller_rpm = Number(0, 10'000),
+                           .waypoint_switch = {.rule = static_cast<SwitchRule>(Integer(0, 3)),
+                                               .acceptance_radius_m = acceptance_m},
+                           .end = static_cast<PathTaskEnd>(Integer(0, 4)),
+                           .lookahead_m = Positive(10'000),
+                           .crab_gain = Number(0, 1),
+                           .guard_crab = Coin(),
+                           .turn_crab = Coin(),
+                           .hold_radius_m = acceptance_m + 1};
+    vehicle->tasks.push_back({"path", path});
+    TargetTrackTask track;
+    track.target = "Vessel_2";
+    if (vehicle->name == track.target) track.target = "Vessel_1";
+    if (Coin()) {
+      track.track.law =
+          ConstantBearingLaw{.lookahead_m = Positive(10'000), .r_safe_m = Number(0, 1e5)};
+    } else {
+      track.track.law = VelocityCascade{
+          {SurvivalGroupLayer{.r_safe_m = 3, .r_avoid_m = 30}, FormationLayer{3, 50, 70}}};
+    }
+    track.track.u_max_mps = Positive(50);
+    track.track.depth = {.z_max_m = Positive(20'000),
+                         .z_min_m = Number(0, 20'000),
+                         .z_safe_m = Positive(20'000),
+                         .climb_mps = Number(0, 50)};
+    vehicle->tasks.push_back({"track", track});
+  }
+
   CaptureRule DrawCapture() { return {Positive(1000), Number(0, 1000), Coin()}; }
 
   Vehicle DrawVehicle(int64_t number) {
@@ -152,7 +221,7 @@ class MissionDraw {
     vehicle.group = Coin() ? "" : Text();
     vehicle.color = Text();
     vehicle.length_m = Positive(500);
-    vehicle.start = {Number(-1e6, 1e6), Number(-1e6, 1e6), Number(-360, 360), Number(0, 50)};
+    vehicle.start = {Number(-1e6, 1e6), Number(-1e6, 1e6), Number(-360, 360), Number(0, 50), 0};
     vehicle.surface_craft = {
         .thrust_map = {{-Positive(100), -Number(0, 50)}, {0, 0}, {50, Number(0, 3)}, {100, 4}},
         .reverse_ratio = Number(0, 1),
@@ -253,7 +322,7 @@ class MissionDraw {
   }
 
   Expectation DrawExpectation(double end_s) {
-    switch (Integer(0, 4)) {
+    switch (Integer(0, 7)) {
       case 0: {
         ArrivalExpectation arrival{"all", std::nullopt, Positive(100'000), Positive(end_s), Coin()};
         if (Coin()) arrival.point_m = Point();
@@ -277,12 +346,27 @@ class MissionDraw {
       }
       case 3:
         return {"", HelmExpectation{"Vessel_1", Coin() ? "" : "ALL-STOP", "survey"}};
+      case 4:
+        return {"", TrackExpectation{"all", Positive(100'000), Number(0, end_s)}};
+      case 5: {
+        DistanceExpectation distance;
+        distance.vehicle = "all";
+        distance.to = "Vessel_1";
+        if (Coin()) distance.min_m = Number(0, 10);
+        if (Coin() || !distance.min_m) distance.max_m = Number(10, 1e7);
+        distance.from_s = Number(0, end_s);
+        return {"", distance};
+      }
+      case 6:
+        if (has_floor_) return {"", AltitudeExpectation{"all", Number(0, 20'000)}};
+        [[fallthrough]];
       default:
         return {"", LapsExpectation{"all", "survey", Integer(1, 1000), Number(0, end_s)}};
     }
   }
 
   std::mt19937_64 generator_;
+  bool has_floor_ = false;
 };
 
 }  // namespace shoal

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -60,7 +61,10 @@ TableReader::~TableReader() {
   const std::vector<std::string_view> known(known_.begin(), known_.end());
   for (const Entry& entry : *table_) {
     if (std::find(known.begin(), known.end(), entry.key) != known.end()) continue;
-    std::string hint = DidYouMean(entry.key, known);
+    const auto foreign = called_elsewhere_.find(entry.key);
+    std::string hint = foreign == called_elsewhere_.end()
+                           ? DidYouMean(entry.key, known)
+                           : " (here it is " + Quoted(foreign->second) + ")";
     if (hint.empty()) hint = "; known here: " + Joined(known);
     problems_.Add(entry.key_place, "unknown key " + Quoted(entry.key) + hint);
   }
@@ -118,20 +122,35 @@ std::optional<std::string> TableReader::AsText(const Value& value, const std::st
   return std::nullopt;
 }
 
-std::optional<Eigen::Vector2d> TableReader::AsPair(const Value& value, const std::string& name,
-                                                   Range range) {
-  const auto* pair = std::get_if<Array>(&value.data);
-  if (pair == nullptr || pair->size() != 2) {
+std::optional<Eigen::VectorXd> TableReader::AsVector(const Value& value, const std::string& name,
+                                                     Range range, Eigen::Index size,
+                                                     std::string_view example) {
+  const auto* array = std::get_if<Array>(&value.data);
+  if (array == nullptr || static_cast<Eigen::Index>(array->size()) != size) {
     const std::string found =
-        pair == nullptr ? WhatIs(value) : fmt::format("an array of {}", pair->size());
-    problems_.Add(value.place,
-                  fmt::format("{} must be two numbers like [10, 20], not {}", name, found));
+        array == nullptr ? WhatIs(value) : fmt::format("an array of {}", array->size());
+    problems_.Add(value.place, fmt::format("{} must be {}, not {}", name, example, found));
     return std::nullopt;
   }
-  const auto first = AsNumber((*pair)[0], "the first number of " + name, range);
-  const auto second = AsNumber((*pair)[1], "the second number of " + name, range);
-  if (!first || !second) return std::nullopt;
-  return Eigen::Vector2d(*first, *second);
+  constexpr std::array<std::string_view, 3> kPlaces = {"first", "second", "third"};
+  Eigen::VectorXd vector(size);
+  bool is_sound = true;
+  for (Eigen::Index i = 0; i < size; ++i) {
+    const auto place = static_cast<size_t>(i);
+    const auto number = AsNumber(
+        (*array)[place], fmt::format("the {} number of {}", kPlaces.at(place), name), range);
+    vector[i] = number.value_or(0);
+    is_sound = is_sound && number.has_value();
+  }
+  if (!is_sound) return std::nullopt;
+  return vector;
+}
+
+std::optional<Eigen::Vector2d> TableReader::AsPair(const Value& value, const std::string& name,
+                                                   Range range) {
+  const auto vector = AsVector(value, name, range, 2, "two numbers like [10, 20]");
+  if (!vector) return std::nullopt;
+  return Eigen::Vector2d(*vector);
 }
 
 void TableReader::Number(std::string_view key, double& value, Range range) {
@@ -249,6 +268,19 @@ void TableReader::Pairs(std::string_view key, std::vector<Eigen::Vector2d>& pair
   }
 }
 
+void TableReader::Triples(std::string_view key, std::vector<Eigen::Vector3d>& triples, Range range,
+                          size_t max_count) {
+  const Array* array =
+      TakeArray(key, max_count, "an array of points like [[0, 0, 10], [50, 0, 20]]");
+  if (array == nullptr) return;
+  triples.clear();
+  for (size_t i = 0; i < array->size(); ++i) {
+    const auto triple =
+        AsVector((*array)[i], Element(key, i), range, 3, "three numbers like [10, 20, 5]");
+    triples.push_back(triple ? Eigen::Vector3d(*triple) : Eigen::Vector3d::Zero());
+  }
+}
+
 void TableReader::Texts(std::string_view key, std::vector<std::string>& texts, size_t max_count) {
   const Array* array = TakeArray(key, max_count, "an array of strings");
   if (array == nullptr) return;
@@ -328,6 +360,10 @@ bool TableReader::IsSound() const { return problems_.size() == num_problems_befo
 void TableReader::Require(std::string_view key, std::string_view example) {
   if (table_ == nullptr || Take(key) != nullptr) return;
   problems_.Add(source_.place, fmt::format("{} lacks '{}'; for example: {}", title_, key, example));
+}
+
+void TableReader::CalledElsewhere(std::string_view key, std::string_view name) {
+  called_elsewhere_.emplace(name, key);
 }
 
 void TableReader::Skip(std::string_view key) { Take(key); }

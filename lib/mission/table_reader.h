@@ -34,6 +34,8 @@ class TableReader final : public Fields {
             std::span<const std::string_view> words) override;
   void Numbers(std::string_view key, std::vector<double>& values, size_t max_count) override;
   void Pair(std::string_view key, Eigen::Vector2d& pair, Range range) override;
+  void Triples(std::string_view key, std::vector<Eigen::Vector3d>& triples, Range range,
+               size_t max_count) override;
   void Pairs(std::string_view key, std::vector<Eigen::Vector2d>& pairs, Range range,
              size_t max_count) override;
   void Texts(std::string_view key, std::vector<std::string>& texts, size_t max_count) override;
@@ -48,6 +50,7 @@ class TableReader final : public Fields {
   bool HoldsText(std::string_view key) override;
   bool IsSound() const override;
   void Require(std::string_view key, std::string_view example) override;
+  void CalledElsewhere(std::string_view key, std::string_view name) override;
   void Skip(std::string_view key) override;
   void SkipRest() override;
   void Refuse(std::string_view key, std::string text) override;
@@ -65,6 +68,9 @@ class TableReader final : public Fields {
   // or the key and the number of the element.
   std::optional<double> AsNumber(const Value& value, const std::string& name, Range range);
   std::optional<std::string> AsText(const Value& value, const std::string& name, TextRule rule);
+  /// An array of numbers, `example` of which tells how many.
+  std::optional<Eigen::VectorXd> AsVector(const Value& value, const std::string& name, Range range,
+                                          Eigen::Index size, std::string_view example);
   std::optional<Eigen::Vector2d> AsPair(const Value& value, const std::string& name, Range range);
 
   const Value& source_;
@@ -74,6 +80,7 @@ class TableReader final : public Fields {
   Problems& problems_;
   size_t num_problems_before_;
   std::vector<std::string> known_;  ///< In the order in which they were asked for.
+  std::map<std::string, std::string, std::less<>> called_elsewhere_;  ///< Keys by those names.
 };
 
 }  // namespace shoal

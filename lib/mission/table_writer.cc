@@ -78,7 +78,8 @@ void TableWriter::NumberOrWord(std::string_view key, double& value, double, std:
 }
 
 void TableWriter::Scalar(std::string_view key, std::string& word) {
-  const bool is_number = !word.empty() && word.find_first_not_of("+-.0123456789e") == word.npos;
+  const bool is_number = !word.empty() && word.find_first_not_of("+-.0123456789e") == word.npos &&
+                         word.find("..") == word.npos;
   if (!is_number && word != "true" && word != "false") return Line(key, TomlString(word));
   // TOML would take many digits alone for an integer that is too large.
   const bool is_long = is_number && word.size() > 18 && word.find_first_of(".e") == word.npos;
@@ -110,6 +111,14 @@ void TableWriter::Pair(std::string_view key, Eigen::Vector2d& pair, Range) {
 
 void TableWriter::Pairs(std::string_view key, std::vector<Eigen::Vector2d>& pairs, Range, size_t) {
   Line(key, TomlArray(pairs, TomlPair));
+}
+
+void TableWriter::Triples(std::string_view key, std::vector<Eigen::Vector3d>& triples, Range,
+                          size_t) {
+  Line(key, TomlArray(triples, [](const Eigen::Vector3d& triple) {
+         return fmt::format("[{}, {}, {}]", TomlNumber(triple.x()), TomlNumber(triple.y()),
+                            TomlNumber(triple.z()));
+       }));
 }
 
 void TableWriter::Texts(std::string_view key, std::vector<std::string>& texts, size_t) {

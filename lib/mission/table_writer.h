@@ -27,6 +27,8 @@ class TableWriter final : public Fields {
             std::span<const std::string_view> words) override;
   void Numbers(std::string_view key, std::vector<double>& values, size_t max_count) override;
   void Pair(std::string_view key, Eigen::Vector2d& pair, Range range) override;
+  void Triples(std::string_view key, std::vector<Eigen::Vector3d>& triples, Range range,
+               size_t max_count) override;
   void Pairs(std::string_view key, std::vector<Eigen::Vector2d>& pairs, Range range,
              size_t max_count) override;
   void Texts(std::string_view key, std::vector<std::string>& texts, size_t max_count) override;
@@ -41,6 +43,7 @@ class TableWriter final : public Fields {
   bool HoldsText(std::string_view) override { return false; }
   bool IsSound() const override { return true; }
   void Require(std::string_view, std::string_view) override {}
+  void CalledElsewhere(std::string_view, std::string_view) override {}
   void Skip(std::string_view) override {}
   void SkipRest() override {}
   void Refuse(std::string_view, std::string) override {}

@@ -131,7 +131,7 @@ TEST(Schema, FindsTypesByNameAndFingerprint) {
 TEST(Schema, KnowsSizesOfTypesWithoutStringsAndVariableArrays) {
   const Schema schema = ShoalSchema();
   EXPECT_TRUE(schema.FindByName("shoal.actuators_t")->has_fixed_size);
-  EXPECT_EQ(schema.FindByName("shoal.actuators_t")->min_wire_size, 24);
+  EXPECT_EQ(schema.FindByName("shoal.actuators_t")->min_wire_size, 40);
   EXPECT_FALSE(schema.FindByName("shoal.key_value_t")->has_fixed_size);
   EXPECT_EQ(schema.FindByName("shoal.key_value_t")->min_wire_size, 10);
   EXPECT_FALSE(schema.FindByName("shoal.comms_fates_t")->has_fixed_size);

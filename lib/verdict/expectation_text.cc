@@ -16,6 +16,8 @@ std::string Who(std::string_view vehicle) {
   return VehicleKey(vehicle) == "all" ? "every vehicle" : std::string(vehicle);
 }
 
+std::string From(double from_s) { return from_s > 0 ? fmt::format(" from {:g} s on", from_s) : ""; }
+
 struct Describer {
   const Mission& mission;
 
@@ -49,6 +51,21 @@ struct Describer {
     return fmt::format("{} does at least {} lap{} of {} by {:g} s", Who(laps.vehicle),
                        laps.at_least, laps.at_least == 1 ? "" : "s", laps.task,
                        LimitSeconds(mission, laps.by_s));
+  }
+  std::string operator()(const TrackExpectation& track) const {
+    return fmt::format("{} at most {:g} m off its track{}", Who(track.vehicle), track.max_m,
+                       From(track.from_s));
+  }
+  std::string operator()(const DistanceExpectation& distance) const {
+    std::vector<std::string> limits;
+    if (distance.min_m) limits.push_back(fmt::format("at least {:g} m", *distance.min_m));
+    if (distance.max_m) limits.push_back(fmt::format("at most {:g} m", *distance.max_m));
+    return fmt::format("{} {} from {}{}", Who(distance.vehicle), fmt::join(limits, " and "),
+                       Who(distance.to), From(distance.from_s));
+  }
+  std::string operator()(const AltitudeExpectation& altitude) const {
+    return fmt::format("{} at least {:g} m above the sea floor", Who(altitude.vehicle),
+                       altitude.min_m);
   }
 };
 

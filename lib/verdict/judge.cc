@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <string_view>
 
 #include "lib/routing/vehicle_name.h"
 #include "lib/verdict/expectation_text.h"
@@ -60,6 +62,7 @@ std::string_view PutTo(const Expectation& expectation) {
 Judge::Judge(const Mission& mission)
     : mission_(mission),
       sightings_(mission.vehicles.size()),
+      altitudes_m_(mission.vehicles.size(), -1),
       travelled_m_(mission.vehicles.size()),
       helms_(mission.vehicles.size()),
       fates_(kNumKinds, FateCounts(NamesOf(mission))) {
@@ -67,6 +70,10 @@ Judge::Judge(const Mission& mission)
     Case& each = cases_.emplace_back();
     each.expectation = &expectation;
     each.vehicles = VehiclesNamed(PutTo(expectation));
+    if (const auto* distance = std::get_if<DistanceExpectation>(&expectation.what);
+        distance != nullptr && VehicleKey(distance->to) != "all") {
+      std::erase(each.vehicles, VehiclesNamed(distance->to).at(0));  // Nobody is far from himself.
+    }
     if (const auto* arrival = std::get_if<ArrivalExpectation>(&expectation.what)) {
       for (const size_t vehicle : each.vehicles) {
         each.arrivals.emplace_back(ArrivalGoal{
@@ -80,11 +87,13 @@ Judge::Judge(const Mission& mission)
       each.laps.resize(each.vehicles.size());
     }
     if (std::holds_alternative<SeparationExpectation>(expectation.what)) watches_separation_ = true;
+    each.extremes.resize(each.vehicles.size());
   }
 }
 
-bool Judge::TakeNav(size_t vehicle, const Eigen::Vector3d& position_m) {
+bool Judge::TakeNav(size_t vehicle, const Eigen::Vector3d& position_m, double altitude_m) {
   if (!position_m.allFinite()) return false;
+  altitudes_m_[vehicle] = altitude_m;
   Sighting& sighting = sightings_[vehicle];
   if (sighting.seen) travelled_m_[vehicle] += (position_m - sighting.position_m).norm();
   sighting = {.seen = true, .position_m = position_m};
@@ -110,10 +119,34 @@ void Judge::TakeHelm(size_t vehicle, const HelmFacts& helm, int64_t utime) {
 void Judge::EndStep(int64_t utime) {
   if (watches_separation_) separation_.Look(sightings_, utime);
   for (Case& each : cases_) {
+    WatchExtremes(&each, SecondsSinceStart(utime));
     for (size_t i = 0; i < each.arrivals.size(); ++i) {
       const Sighting& sighting = sightings_[each.vehicles[i]];
       if (!sighting.seen) continue;
       each.arrivals[i].Look(sighting.position_m.head<2>(), SecondsSinceStart(utime));
+    }
+  }
+}
+
+void Judge::WatchExtremes(Case* each, double time_s) const {
+  const auto& what = each->expectation->what;
+  for (size_t i = 0; i < each->vehicles.size(); ++i) {
+    const size_t vehicle = each->vehicles[i];
+    const Sighting& own = sightings_[vehicle];
+    if (const auto* track = std::get_if<TrackExpectation>(&what)) {
+      const std::optional<HelmFacts>& helm = helms_[vehicle];
+      if (time_s < track->from_s || !helm || !helm->cross_track_error_m) continue;
+      each->extremes[i].Look(std::abs(*helm->cross_track_error_m), time_s);
+    } else if (const auto* distance = std::get_if<DistanceExpectation>(&what)) {
+      if (time_s < distance->from_s || !own.seen) continue;
+      for (const size_t other : VehiclesNamed(distance->to)) {
+        if (other == vehicle || !sightings_[other].seen) continue;
+        each->extremes[i].Look((sightings_[other].position_m - own.position_m).norm(), time_s);
+      }
+    } else if (std::holds_alternative<AltitudeExpectation>(what)) {
+      if (own.seen && altitudes_m_[vehicle] >= 0) {
+        each->extremes[i].Look(altitudes_m_[vehicle], time_s);
+      }
     }
   }
 }
@@ -191,6 +224,30 @@ Outcome Judge::FindLaps(const LapsExpectation& expected, const LapsWatch& watch)
   return {.passed = late_s <= 0, .strain = *watch.reached_s, .numbers = numbers};
 }
 
+namespace {
+
+/// Judges the smallest and the largest that a quantity in metres was. Absent limits do not count.
+Outcome JudgeExtremes(const ExtremeWatch& watch, std::optional<double> min_m,
+                      std::optional<double> max_m, std::string_view quantity) {
+  if (!watch.has_seen()) {
+    return {.passed = false, .strain = 0, .numbers = fmt::format("no {} was seen", quantity)};
+  }
+  Outcome outcome = {
+      .passed = true, .strain = -std::numeric_limits<double>::infinity(), .numbers = {}};
+  const auto add = [&](std::string_view what, const Extreme& extreme, double excess_m) {
+    if (!outcome.numbers.empty()) outcome.numbers += ", ";
+    outcome.numbers += fmt::format("{} {:.2f} m at {:.1f} s", what, extreme.value, extreme.time_s);
+    if (excess_m > 0) outcome.numbers += fmt::format(", {} m beyond", FormatExcess(excess_m));
+    outcome.passed = outcome.passed && excess_m <= 0;
+    outcome.strain = std::max(outcome.strain, excess_m);
+  };
+  if (min_m) add("least", watch.smallest(), *min_m - watch.smallest().value);
+  if (max_m) add("most", watch.largest(), watch.largest().value - *max_m);
+  return outcome;
+}
+
+}  // namespace
+
 std::vector<Outcome> Judge::FindForVehicles(const Case& each) const {
   std::vector<Outcome> outcomes;
   for (size_t i = 0; i < each.vehicles.size(); ++i) {
@@ -198,6 +255,13 @@ std::vector<Outcome> Judge::FindForVehicles(const Case& each) const {
       outcomes.push_back(FindHelm(*helm, each.vehicles[i]));
     } else if (const auto* laps = std::get_if<LapsExpectation>(&each.expectation->what)) {
       outcomes.push_back(FindLaps(*laps, each.laps[i]));
+    } else if (const auto* track = std::get_if<TrackExpectation>(&each.expectation->what)) {
+      outcomes.push_back(JudgeExtremes(each.extremes[i], {}, track->max_m, "track"));
+    } else if (const auto* distance = std::get_if<DistanceExpectation>(&each.expectation->what)) {
+      outcomes.push_back(
+          JudgeExtremes(each.extremes[i], distance->min_m, distance->max_m, "distance"));
+    } else if (const auto* altitude = std::get_if<AltitudeExpectation>(&each.expectation->what)) {
+      outcomes.push_back(JudgeExtremes(each.extremes[i], altitude->min_m, {}, "altitude"));
     } else {
       outcomes.push_back(each.arrivals[i].Find());
     }

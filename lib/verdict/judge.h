@@ -19,6 +19,7 @@
 
 #include "lib/mission/mission.h"
 #include "lib/verdict/arrival_watch.h"
+#include "lib/verdict/extreme_watch.h"
 #include "lib/verdict/fate_counts.h"
 #include "lib/verdict/outcome.h"
 #include "lib/verdict/separation_watch.h"
@@ -37,7 +38,8 @@ struct ExpectationVerdict {
 struct HelmFacts {
   std::string state;
   std::string task;
-  int64_t laps_done = 0;  ///< Of `task`.
+  int64_t laps_done = 0;                           ///< Of `task`.
+  std::optional<double> cross_track_error_m = {};  ///< Absent: the task has no track.
 };
 
 class Judge {
@@ -46,8 +48,8 @@ class Judge {
   explicit Judge(const Mission& mission);
 
   /// Takes a vehicle's true position (x East, y North, z down). Ignores numbers that are not finite
-  /// and returns false then.
-  bool TakeNav(size_t vehicle, const Eigen::Vector3d& position_m);
+  /// and returns false then. `altitude_m` above the sea floor, negative where nobody knows.
+  bool TakeNav(size_t vehicle, const Eigen::Vector3d& position_m, double altitude_m = -1);
   void TakeHelm(size_t vehicle, const HelmFacts& helm, int64_t utime);
   FateCounts& fates(Kind kind) { return fates_[static_cast<size_t>(kind)]; }
   const FateCounts& fates(Kind kind) const { return fates_[static_cast<size_t>(kind)]; }
@@ -76,6 +78,7 @@ class Judge {
     std::vector<size_t> vehicles;
     std::vector<ArrivalWatch> arrivals;
     std::vector<LapsWatch> laps;
+    std::vector<ExtremeWatch> extremes;  ///< Of what a track, distance or altitude is.
   };
 
   std::vector<size_t> VehiclesNamed(std::string_view name) const;
@@ -85,12 +88,14 @@ class Judge {
   Outcome FindSeparation(const SeparationExpectation& separation) const;
   Outcome FindComms(const CommsExpectation& comms) const;
   Outcome FindHelm(const HelmExpectation& helm, size_t vehicle) const;
+  void WatchExtremes(Case* each, double time_s) const;
   Outcome FindLaps(const LapsExpectation& expected, const LapsWatch& watch) const;
   std::vector<Outcome> FindForVehicles(const Case& each) const;
   Outcome Combine(const Case& each, const std::vector<Outcome>& outcomes) const;
 
   const Mission& mission_;
   std::vector<Sighting> sightings_;
+  std::vector<double> altitudes_m_;
   std::vector<double> travelled_m_;
   std::vector<std::optional<HelmFacts>> helms_;
   std::vector<FateCounts> fates_;  ///< By kind.

@@ -184,6 +184,17 @@ TEST(CPlanner, SteersAVesselAsAParticipantOfItsOwn) {
   EXPECT_NE(finished.output.find("Reproducible: yes"), std::string::npos) << finished.output;
 }
 
+TEST(AcousticPing, TalksThroughTheWaterFromTwoProgramsInC) {
+  const TestFolder folder;
+  const std::string dir = (folder / "rec").string();
+  const Finished finished = RunShoal(folder, {"run", MissionFile("acoustic_ping.toml"), "--warp",
+                                              "max", "--record", dir, "--lose", "0.002"});
+  EXPECT_EQ(finished.exit_code, 0) << finished.output;
+  EXPECT_NE(finished.output.find("Reproducible: yes"), std::string::npos) << finished.output;
+  EXPECT_NE(ReadFile(dir + "/logs/alpha_modem.txt").find("alpha hears pong 7 of bravo"),
+            std::string::npos);
+}
+
 TEST(Output, ThatCannotBeWrittenIsAnError) {
   const TestFolder folder;
   for (const std::string& command :

@@ -1,0 +1,28 @@
+// The autopilots of a surface craft: heading to rudder, speed to thrust.
+#pragma once
+
+#include <string>
+
+#include "apps/helm/pilot.h"
+#include "lib/control/heading_pid.h"
+#include "lib/control/speed_controller.h"
+
+namespace shoal {
+
+class SurfacePilot : public Pilot {
+ public:
+  explicit SurfacePilot(const Vehicle& vehicle);
+
+  void Steer(const Guidance& guidance, const nav_t& nav, double dt_s, desired_t* desired,
+             actuators_t* actuators) override;
+  void Rest(const nav_t& nav, desired_t* desired, actuators_t* actuators) override;
+  std::string GainsText() const override;
+
+ private:
+  SurfaceCraftParams craft_;
+  AutopilotOptions options_;
+  HeadingPid heading_pid_;
+  SpeedController speed_controller_;
+};
+
+}  // namespace shoal

@@ -1,0 +1,32 @@
+// The autopilots of a Remus 100: heading, depth or pitch, and propeller. Turns the world's frame
+// into the guidance frame and back (docs/glossary.md).
+#pragma once
+
+#include <string>
+
+#include "apps/helm/pilot.h"
+#include "lib/control/auv_pilot.h"
+#include "lib/vehicle/remus100.h"
+
+namespace shoal {
+
+class UnderwaterPilot : public Pilot {
+ public:
+  explicit UnderwaterPilot(const Remus100Options& options);
+
+  void Steer(const Guidance& guidance, const nav_t& nav, double dt_s, desired_t* desired,
+             actuators_t* actuators) override;
+  void Rest(const nav_t& nav, desired_t* desired, actuators_t* actuators) override;
+  std::string GainsText() const override;
+
+ private:
+  double RpmOf(const Guidance& guidance) const;
+
+  Remus100Options options_;
+  Remus100 auv_;
+  AuvPilot pilot_;
+  double rpm_ = 0;
+  bool rests_ = true;
+};
+
+}  // namespace shoal

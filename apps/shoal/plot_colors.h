@@ -1,0 +1,23 @@
+// Which colour each vehicle has on white paper.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace shoal {
+
+/// Returns 0xRRGGBB of a name of CSS (case, spaces and underscores do not matter: "dodger_blue") or
+/// of "#rrggbb"; nothing for what is neither.
+[[nodiscard]] std::optional<uint32_t> ColorOf(std::string_view name);
+
+/// Returns one colour, "#rrggbb", for each of `wished`, the vehicles' own colours by name:
+/// - a colour that one vehicle wishes is given to it;
+/// - one that two or three wish is given in as many shades;
+/// - who wishes nothing that is known, or what more than three wish, gets one that differs.
+/// Those too light for white paper are darkened.
+[[nodiscard]] std::vector<std::string> AssignColors(const std::vector<std::string>& wished);
+
+}  // namespace shoal

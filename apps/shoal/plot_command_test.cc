@@ -1,0 +1,177 @@
+#include "apps/shoal/plot_command.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <sstream>
+
+#include "apps/shoal/plot_figures.h"
+#include "apps/shoal/plot_gnuplot.h"
+#include "apps/shoal/plot_testing.h"
+#include "lib/check/result.h"
+
+namespace shoal {
+namespace {
+
+class Plot : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    options_.log = directory_.File("mission.lcm");
+    // A gnuplot that draws nothing and leaves its script's name.
+    const std::string program = "#!/bin/sh\necho \"$2\" >> ../drawn\n";
+    std::filesystem::create_directory(directory_.File("bin"));
+    WriteBytes(directory_.File("bin/gnuplot"), Bytes(program.begin(), program.end()));
+    std::filesystem::permissions(directory_.File("bin/gnuplot"), std::filesystem::perms::owner_all);
+    options_.search_path = directory_.File("bin");
+  }
+  int Run() {
+    out_.str("");
+    err_.str("");
+    return RunPlot(options_, out_, err_);
+  }
+  void WriteMission(const std::string& name, const std::string& text) {
+    WriteBytes(directory_.File(name), Bytes(text.begin(), text.end()));
+  }
+  std::string Script(const std::string& figure) {
+    return FileText(directory_.File("plots/gnuplot/" + figure + ".gp"));
+  }
+
+  TestDirectory directory_;
+  PlotOptions options_;
+  std::ostringstream out_;
+  std::ostringstream err_;
+};
+
+constexpr const char* kMission =
+    "[mission]\nduration_s = 60\nseed = 5\n[[vehicle]]\nname = \"alpha\"\ncolor = \"red\"\n"
+    "[[vehicle]]\nname = \"bravo\"\n";
+
+TEST_F(Plot, SaysHowToInstallGnuplot) {
+  WriteLog(options_.log, TwoVehicles());
+  options_.search_path = directory_.File("nothing");
+  EXPECT_EQ(Run(), kExitEnvironment);
+  EXPECT_NE(err_.str().find("apt-get install --no-install-recommends gnuplot-nox"),
+            std::string::npos);
+  EXPECT_FALSE(std::filesystem::exists(directory_.File("plots")));
+}
+
+TEST_F(Plot, NamesWhatItDrawsAndWhatItLeavesOut) {
+  WriteLog(options_.log, TwoVehicles());
+  EXPECT_EQ(Run(), kExitOk);
+  EXPECT_EQ(FileText(directory_.File("plots/drawn")),
+            "tracks.gp\ntrack_error.gp\ndistances.gp\nactuators.gp\nspeed.gp\n");
+  EXPECT_NE(out_.str().find("plots/tracks.svg\n"), std::string::npos);
+  EXPECT_NE(out_.str().find("depth is left out: all vehicles stay at the surface\n"),
+            std::string::npos);
+  EXPECT_EQ(err_.str(), "");
+  for (const auto& entry : std::filesystem::directory_iterator(directory_.File("plots"))) {
+    EXPECT_EQ(entry.path().filename(), "drawn");  // No scripts are left behind.
+  }
+}
+
+TEST_F(Plot, KeepsScriptsAndNeverWritesOverThem) {
+  WriteLog(options_.log, TwoVehicles());
+  options_.keep = true;
+  EXPECT_EQ(Run(), kExitOk);
+  EXPECT_NE(Script("tracks"), "");
+  EXPECT_EQ(Run(), kExitUsage);
+  EXPECT_NE(err_.str().find("plots/gnuplot is there already"), std::string::npos);
+}
+
+TEST_F(Plot, TakesTheMissionBesideTheLogWithItsOverrides) {
+  WriteLog(options_.log, TwoVehicles());
+  WriteMission("mission.toml", kMission);
+  WriteMission("run.txt", "mission_file /somewhere/berta.toml\nset mission.seed=9\n");
+  options_.keep = true;
+  EXPECT_EQ(Run(), kExitOk);
+  EXPECT_NE(Script("tracks").find("'Tracks: berta, seed 9'"), std::string::npos);
+  EXPECT_NE(Script("tracks").find("#ff0000"), std::string::npos);
+}
+
+TEST_F(Plot, DrawsWithoutAMissionThatDoesNotLoad) {
+  WriteLog(options_.log, TwoVehicles());
+  WriteMission("mission.toml", "[mission]\n");
+  EXPECT_EQ(Run(), kExitOk);
+  EXPECT_NE(err_.str().find("drawn without their mission"), std::string::npos);
+}
+
+TEST_F(Plot, RefusesAMissionThatWasNamedAndDoesNotLoad) {
+  WriteLog(options_.log, TwoVehicles());
+  options_.mission_file = directory_.File("none.toml");
+  EXPECT_EQ(Run(), kExitUsage);
+  EXPECT_NE(err_.str().find("none.toml"), std::string::npos);
+}
+
+TEST_F(Plot, NamesTheVehiclesThatThereAre) {
+  WriteLog(options_.log, TwoVehicles());
+  options_.vehicles = {"charlie"};
+  EXPECT_EQ(Run(), kExitUsage);
+  EXPECT_NE(err_.str().find("no vehicle 'charlie'; there are: ALPHA, BRAVO\n"), std::string::npos);
+}
+
+TEST_F(Plot, DrawsWhatCanBeReadOfADamagedLogAndSaysSo) {
+  WriteLog(options_.log, TwoVehicles());
+  Bytes bytes = FileBytes(options_.log);
+  bytes.resize(bytes.size() - 5);
+  WriteBytes(options_.log, bytes);
+  EXPECT_EQ(Run(), kExitEnvironment);
+  EXPECT_NE(out_.str().find("tracks.svg"), std::string::npos);
+  EXPECT_NE(err_.str(), "");
+}
+
+TEST_F(Plot, NeedsALogAndAFolder) {
+  EXPECT_EQ(Run(), kExitEnvironment);
+  WriteLog(options_.log, TwoVehicles());
+  options_.out_dir = "/dev/null/plots";
+  EXPECT_EQ(Run(), kExitEnvironment);
+}
+
+TEST_F(Plot, DrawsTheContourOfTheSeaFloor) {
+  const char* path = std::getenv("PATH");
+  const std::string gnuplot = FindProgram("gnuplot", path == nullptr ? "" : path);
+  if (gnuplot.empty()) GTEST_SKIP() << "no gnuplot here";
+  const PlotSetting setting{.title = "m", .floor_depth_m = [](double x_m, double y_m) {
+                              return 40 + 10 * std::sin(x_m / 30) * std::cos(y_m / 20);
+                            }};
+  PlotDataBuilder builder({}, setting);
+  for (const TestEvent& event : TwoVehicles()) {
+    builder.Add({.utime = event.utime, .channel = event.channel, .data = event.data});
+  }
+  const Figure tracks = DrawFigures(builder.Build(), setting, false).at(0);
+  WriteMission("bin/tracks.dat", tracks.data);
+  WriteMission("bin/tracks.gp", tracks.script);
+  const auto drawn = RunGnuplot(gnuplot, directory_.File("bin"), "tracks.gp");
+  ASSERT_TRUE(drawn.ok()) << drawn.error();
+  const std::string svg = FileText(directory_.File("tracks.svg"));
+  EXPECT_NE(svg.find("sea floor, depth [m]"), std::string::npos);
+  EXPECT_NE(svg.find("rgb(200, 184, 154)"), std::string::npos);  // The contour's lines.
+}
+
+TEST_F(Plot, MakesFiguresThatNameTheVehiclesAndRunNothing) {
+  const char* path = std::getenv("PATH");
+  options_.search_path = path == nullptr ? "" : path;
+  if (FindProgram("gnuplot", options_.search_path).empty()) GTEST_SKIP() << "no gnuplot here";
+  std::vector<TestEvent> events = TwoVehicles();
+  const std::string evil = "X'`touch PWNED`\\\"; system 'touch PWNED'; <b>&@x\n\xff";
+  for (int i = 0; i < 10; ++i) {
+    events.push_back(EventOf("NAV_" + evil, NavAt(i * 1'000'000, i, i, 10 + i)));
+  }
+  WriteLog(options_.log, events);
+  options_.keep = true;
+  ASSERT_EQ(Run(), kExitOk) << err_.str();
+  for (const char* figure : {"tracks", "depth", "track_error", "distances", "actuators", "speed"}) {
+    const std::string svg = FileText(directory_.File(std::string("plots/") + figure + ".svg"));
+    EXPECT_TRUE(svg.starts_with("<?xml")) << figure;
+    EXPECT_TRUE(svg.find("</svg>") != std::string::npos) << figure;
+    EXPECT_NE(svg.find("<text>alpha</text>"), std::string::npos) << figure;
+    EXPECT_NE(svg.find("<text>BRAVO</text>"), std::string::npos) << figure;
+    EXPECT_NE(svg.find("&lt;b>&amp;@x ?</text>"), std::string::npos) << figure;
+  }
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(directory_.File(""))) {
+    EXPECT_NE(entry.path().filename(), "PWNED");
+  }
+}
+
+}  // namespace
+}  // namespace shoal

@@ -1,0 +1,17 @@
+// The figures of `shoal plot`: docs/plots.md shows what is on each.
+#pragma once
+
+#include <vector>
+
+#include "apps/shoal/plot_data.h"
+#include "apps/shoal/plot_script.h"
+#include "apps/shoal/plot_setting.h"
+
+namespace shoal {
+
+/// Returns all six figures: tracks, depth, track_error, distances, actuators, speed; those that
+/// have nothing to show say so.
+[[nodiscard]] std::vector<Figure> DrawFigures(const PlotData& data, const PlotSetting& setting,
+                                              bool png);
+
+}  // namespace shoal

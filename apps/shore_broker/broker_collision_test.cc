@@ -1,0 +1,79 @@
+// Packets that meet in the water, where collisions damage instead of drop.
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "apps/shore_broker/broker_fixture.h"
+
+namespace shoal {
+namespace {
+
+/// Collisions XOR what overlaps; nothing else happens to packets.
+Mission CorruptingWater(bool crc) {
+  Mission mission = TwoVehicles();
+  mission.acoustics.is_used = true;
+  mission.acoustics.crc = crc;
+  AcousticOptions& options = mission.acoustics.options;
+  options.access_mode = AccessMode::kShared;
+  options.collisions = CollisionModel::kCorrupt;
+  options.jitter = JitterModel::kOff;
+  options.packet_loss_model = PacketLossModel::kOff;
+  options.bit_error_model = BitErrorModel::kOff;
+  return mission;
+}
+
+class CorruptingFixture : public BrokerFixture {
+ protected:
+  explicit CorruptingFixture(bool crc) : BrokerFixture(CorruptingWater(crc)) {}
+
+  /// alpha and bravo speak at once, both 75 m from charlie; steps until that is decided.
+  void SpeakAtOnce() {
+    Say(ReportFrom("alpha", 0));
+    Say(ReportFrom("bravo", 150));
+    Say(ReportFrom("charlie", 75));
+    Step();
+    SayPacket("alpha", {0x0f, 0x0f});
+    SayPacket("bravo", {0x33, 0x33});
+    Step();
+    for (int i = 0; i < 20 && fates_.empty(); ++i) Step();
+  }
+
+  /// Returns the causes at charlie.
+  std::vector<std::string> CausesAtCharlie() const {
+    std::vector<std::string> causes;
+    for (const fate_t& fate : fates_) {
+      if (fate.destination == "charlie") causes.push_back(fate.cause);
+    }
+    return causes;
+  }
+};
+
+class CheckedCollision : public CorruptingFixture {
+ protected:
+  CheckedCollision() : CorruptingFixture(true) {}
+};
+
+TEST_F(CheckedCollision, IsTheCauseOfWhatItsChecksumThrowsAway) {
+  SpeakAtOnce();
+  EXPECT_EQ(CausesAtCharlie(), (std::vector<std::string>{"collision", "collision"}));
+  EXPECT_TRUE(packets_["charlie"].empty());
+  EXPECT_TRUE(PageHas("rejected by receivers            2")) << broker_.Status().text;
+}
+
+class UncheckedCollision : public CorruptingFixture {
+ protected:
+  UncheckedCollision() : CorruptingFixture(false) {}
+};
+
+TEST_F(UncheckedCollision, HandsOverBothPacketsXored) {
+  SpeakAtOnce();
+  EXPECT_EQ(CausesAtCharlie(), (std::vector<std::string>{"damaged", "damaged"}));
+  ASSERT_EQ(packets_["charlie"].size(), 2U);
+  for (const acoustic_rx_t& packet : packets_["charlie"]) {
+    EXPECT_EQ(packet.payload, (Bytes{0x3c, 0x3c})) << packet.source;
+  }
+}
+
+}  // namespace
+}  // namespace shoal

@@ -1,0 +1,46 @@
+// A vehicle model as vehicle_sim runs it: told by ACTUATORS, shown as NAV. One class per model; a
+// new one is added in MakeSimulatedCraft and in lib/mission (docs/vehicles.md).
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "lib/mission/mission.h"
+#include "shoal/actuators_t.hpp"
+#include "shoal/nav_t.hpp"
+
+namespace shoal {
+
+/// The sea around one vehicle.
+struct Water {
+  Eigen::Vector2d velocity_mps = Eigen::Vector2d::Zero();  ///< Over ground; x East, y North.
+  std::optional<double> floor_z_m;                         ///< Absent: nobody knows.
+};
+
+class SimulatedCraft {
+ public:
+  virtual ~SimulatedCraft() = default;
+
+  /// Puts it there, at rest over its actuators, moving with the water.
+  virtual void Reset(const StartPose& pose, const Water& water) = 0;
+
+  /// Takes a command. Returns false, and changes nothing, where it holds NaN or infinity.
+  virtual bool Obey(const actuators_t& actuators) = 0;
+  /// All actuators to zero.
+  virtual void Rest() = 0;
+
+  /// Goes on by `dt_s` > 0. The water may differ from place to place but not within a step.
+  virtual void Step(const Water& water, double dt_s) = 0;
+
+  virtual Eigen::Vector3d position_m() const = 0;
+  /// Fills in all but utime, latitude and longitude. `water` is that of the moment.
+  virtual void Show(const Water& water, nav_t* nav) const = 0;
+  /// Returns lines of a status page about the actuators, four blanks before each.
+  virtual std::string ActuatorsText() const = 0;
+};
+
+[[nodiscard]] std::unique_ptr<SimulatedCraft> MakeSimulatedCraft(const Vehicle& vehicle);
+
+}  // namespace shoal

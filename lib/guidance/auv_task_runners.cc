@@ -1,0 +1,79 @@
+// Tasks of underwater vehicles: from the laws of this library, which count psi from East toward
+// North, to headings.
+#include "lib/geometry/angles.h"
+#include "lib/guidance/task_runner.h"
+
+namespace shoal {
+
+namespace {
+
+PathEnd EndOf(PathTaskEnd end) {
+  switch (end) {
+    case PathTaskEnd::kGoOn:
+      return PathEnd::kGoOn;
+    case PathTaskEnd::kReturnToFirst:
+      return PathEnd::kReturnToFirst;
+    case PathTaskEnd::kSurface:
+      return PathEnd::kSurface;
+    case PathTaskEnd::kDone:
+    case PathTaskEnd::kHold:
+      break;
+  }
+  return PathEnd::kHold;
+}
+
+PathFollowParams ParamsOf(const PathFollowTask& task) {
+  return {.path = {task.points_m},
+          .waypoint_switch = task.waypoint_switch,
+          .end = EndOf(task.end),
+          .alos = {.lookahead_m = task.lookahead_m, .crab_gain = task.crab_gain},
+          .guard_crab = task.guard_crab,
+          .turn_crab = task.turn_crab,
+          .speed_mps = task.speed_mps,
+          .hold_radius_m = task.hold_radius_m};
+}
+
+Eigen::Vector3d PositionOf(const Fix& fix) {
+  return {fix.position_m.x(), fix.position_m.y(), fix.z_m};
+}
+
+}  // namespace
+
+PathFollowRunner::PathFollowRunner(const PathFollowTask& task, const Fix& start)
+    : task_(task), follower_(ParamsOf(task), PositionOf(start)), stopwatch_(start.time_s) {}
+
+Guidance PathFollowRunner::Update(const Fix& fix) {
+  const PathGuidance path = follower_.Update(PositionOf(fix), stopwatch_.Lap(fix.time_s));
+  const bool ends = task_.end == PathTaskEnd::kDone || task_.end == PathTaskEnd::kSurface;
+  Guidance guidance;
+  guidance.heading_rad = HeadingFromPsi(path.psi_ref_rad);
+  guidance.speed_mps = path.speed_mps;
+  guidance.done = ends && path.done;
+  guidance.waypoint_index = static_cast<int>(path.next);
+  guidance.laps_done = path.laps_done + (path.done ? 1 : 0);
+  guidance.waypoint_m = path.next_m.head<2>();
+  guidance.distance_m = (path.next_m - PositionOf(fix)).norm();
+  guidance.cross_track_error_m = -path.y_e_m;
+  guidance.z_m = path.z_m;
+  if (task_.propeller_rpm > 0 && path.speed_mps > 0) guidance.propeller_rpm = task_.propeller_rpm;
+  return guidance;
+}
+
+TargetTrackRunner::TargetTrackRunner(const TargetTrackTask& task, const Fix& start)
+    : tracker_(task.track, PsiFromHeading(start.heading_rad)) {}
+
+Guidance TargetTrackRunner::Update(const Fix& fix) {
+  Guidance guidance;
+  guidance.heading_rad = fix.heading_rad;
+  if (fix.surroundings == nullptr || !fix.surroundings->target) return guidance;
+  const TrackCommand command = tracker_.Update(*fix.surroundings);
+  const Eigen::Vector3d& target_m = fix.surroundings->target->position_m;
+  guidance.heading_rad = HeadingFromPsi(command.psi_d_rad);
+  guidance.speed_mps = command.speed_mps;
+  guidance.pitch_rad = command.theta_d_rad;
+  guidance.waypoint_m = target_m.head<2>();
+  guidance.distance_m = (target_m - PositionOf(fix)).norm();
+  return guidance;
+}
+
+}  // namespace shoal

@@ -1,0 +1,161 @@
+#include "lib/mission/ocean_of.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <span>
+#include <string_view>
+
+#include "lib/geometry/angles.h"
+#include "lib/mission/read_file.h"
+#include "lib/ocean/current_zones.h"
+#include "lib/ocean/esri_grid.h"
+
+namespace shoal {
+
+namespace {
+
+/// One of the words, what it may be, and where it goes.
+struct WordRow {
+  std::string_view key;
+  std::string CurrentWords::*word;
+  std::span<const Zone> zones;
+  double low;  ///< Limits of numbers, in the file's unit.
+  double high;
+  bool is_angle;    ///< In degrees.
+  bool is_compass;  ///< And clockwise from North.
+  decltype(&CurrentRanges::speed_mps) range;
+};
+
+std::array<WordRow, 6> Rows() {
+  return {{
+      {"speed_mps", &CurrentWords::speed_mps, CurrentSpeedZones(), 0, kMaxCurrent_mps, false, false,
+       &CurrentRanges::speed_mps},
+      {"direction_deg", &CurrentWords::direction_deg, CurrentDirectionZones(), -360, 360, true,
+       true, &CurrentRanges::direction_rad},
+      {"speed_deviation_mps", &CurrentWords::speed_deviation_mps, CurrentSpeedDeviationZones(), 0,
+       kMaxCurrent_mps, false, false, &CurrentRanges::speed_deviation_mps},
+      {"direction_deviation_deg", &CurrentWords::direction_deviation_deg,
+       CurrentDirectionDeviationZones(), 0, 180, true, false,
+       &CurrentRanges::direction_deviation_rad},
+      {"speed_half_period_s", &CurrentWords::speed_half_period_s, CurrentHalfPeriodZones(), 1e-3,
+       1e9, false, false, &CurrentRanges::speed_half_period_s},
+      {"direction_half_period_s", &CurrentWords::direction_half_period_s, CurrentHalfPeriodZones(),
+       1e-3, 1e9, false, false, &CurrentRanges::direction_half_period_s},
+  }};
+}
+
+std::optional<double> NumberOf(const std::string& text) {
+  char* end = nullptr;
+  const double number = std::strtod(text.c_str(), &end);
+  if (text.empty() || *end != '\0' || !std::isfinite(number)) return std::nullopt;
+  return number;
+}
+
+/// Returns what a word means, in psi and radians, or nothing.
+auto Understand(const WordRow& row, const std::string& word)
+    -> std::optional<std::remove_cvref_t<decltype(CurrentRanges().*row.range)>> {
+  if (const Zone* zone = FindZone(row.zones, word)) return zone->range;
+  const size_t dots = word.find("..");
+  const auto low = NumberOf(word.substr(0, dots));
+  const auto high = dots == std::string::npos ? low : NumberOf(word.substr(dots + 2));
+  if (!low || !high || *low < row.low || *high > row.high || *low > *high) return std::nullopt;
+  if (row.is_compass) {
+    if (*high - *low > 360) return std::nullopt;
+    return {{.low = DegToRad(90 - *high), .high = DegToRad(90 - *low)}};
+  }
+  const double unit = row.is_angle ? DegToRad(1) : 1;
+  return {{.low = *low * unit, .high = *high * unit}};
+}
+
+Result<SeaFloor> FloorOf(const FloorOptions& options, uint64_t seed, const std::string& folder) {
+  if (options.style == "flat") return FlatFloor(options.depth_m);
+  if (options.style == "grid") {
+    const std::filesystem::path path = std::filesystem::path(folder) / options.grid;
+    const FileText file = ReadFile(path.string());
+    if (!file.problem.empty()) return Error{path.string() + ": " + file.problem};
+    Result<DepthGrid> grid = ParseEsriGrid(
+        file.text, {.name = path.string(),
+                    .values = options.grid_is_depth ? GridValues::kDepth : GridValues::kElevation,
+                    .mission_origin_m = options.grid_origin_m});
+    if (!grid.ok()) return Error{grid.error()};
+    return SeaFloor(std::make_shared<const DepthGrid>(std::move(*grid)));
+  }
+  NoiseFloorOptions noise = {.style = FloorStyle::kLinear,
+                             .z_m = options.depth_m,
+                             .range_m = options.range_m,
+                             .size_m = options.size_m,
+                             .scale_m = options.scale_m,
+                             .south_west_m = Eigen::Vector2d::Constant(-options.size_m / 2),
+                             .slope = {options.slope_east, options.slope_north}};
+  if (options.style == "sigmoid") noise.style = FloorStyle::kSigmoid;
+  if (options.style == "shelf") noise.style = FloorStyle::kShelf;
+  if (!IsNoiseFloor(noise)) return Error{"a floor cannot be made of these numbers"};
+  return SeaFloor(NoiseFloor(noise, StreamKey(seed, "floor")));
+}
+
+}  // namespace
+
+std::vector<CurrentProblem> FindProblems(const CurrentWords& words) {
+  std::vector<CurrentProblem> problems;
+  for (const WordRow& row : Rows()) {
+    const std::string& word = words.*row.word;
+    if (Understand(row, word)) continue;
+    std::string zones;
+    for (const Zone& zone : row.zones) zones += fmt::format(", {}", zone.name);
+    problems.push_back(
+        {std::string(row.key),
+         fmt::format("{} = '{}' is impossible; write a number from {:g} to {:g}, two "
+                     "like \"0.1..0.4\", or one of: {}",
+                     row.key, word.substr(0, 40), row.low, row.high, zones.substr(2))});
+  }
+  return problems;
+}
+
+Result<Ocean> OceanOf(const Environment& environment, uint64_t seed, const std::string& folder) {
+  const std::vector<CurrentProblem> problems = FindProblems(environment.current);
+  if (!problems.empty()) return Error{problems.front().text};
+  CurrentRanges ranges;
+  for (const WordRow& row : Rows()) {
+    ranges.*row.range = *Understand(row, environment.current.*row.word);
+  }
+  const StreamKey key(seed, "current");
+  CurrentParams params = DrawCurrent(ranges, key);
+  params.max_speed_mps = std::max(params.max_speed_mps, params.speed_mps.mean);
+  if (!IsCurrent(params)) return Error{"a current cannot be made of these numbers"};
+  Ocean ocean{.current = Current(params, key), .floor = std::nullopt};
+  if (environment.floor.style == "none") return ocean;
+  Result<SeaFloor> floor = FloorOf(environment.floor, seed, folder);
+  if (!floor.ok()) return Error{floor.error()};
+  ocean.floor = std::move(*floor);
+  return ocean;
+}
+
+Result<Ocean> OceanOf(const Mission& mission) {
+  // A floor takes a tenth of a second to make, and `shoal sim` asks once for each vehicle.
+  struct Made {
+    Environment environment;
+    uint64_t seed = 0;
+    std::string folder;
+    Ocean ocean;
+  };
+  thread_local std::optional<Made> last;
+  const std::string folder = std::filesystem::path(mission.file).parent_path().string();
+  if (last && last->environment == mission.environment && last->seed == mission.seed &&
+      last->folder == folder) {
+    return last->ocean;
+  }
+  Result<Ocean> ocean = OceanOf(mission.environment, mission.seed, folder);
+  if (ocean.ok()) {
+    last = Made{.environment = mission.environment,
+                .seed = mission.seed,
+                .folder = folder,
+                .ocean = *ocean};
+  }
+  return ocean;
+}
+
+}  // namespace shoal
