@@ -1,6 +1,7 @@
 #include "apps/helm/swarm_view.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "lib/geometry/angles.h"
@@ -8,6 +9,10 @@
 namespace shoal {
 
 namespace {
+
+/// The laws' own bounds on what they are told (lib/guidance/plausible.h).
+constexpr double kFarthest_m = 1e6;
+constexpr double kFastest_mps = 1000;
 
 Neighbour NeighbourOf(int id, const nav_t& nav) {
   const Eigen::Vector2d over_ground_mps =
@@ -17,10 +22,22 @@ Neighbour NeighbourOf(int id, const nav_t& nav) {
           .velocity_mps = {over_ground_mps.x(), over_ground_mps.y(), nav.descent_mps}};
 }
 
-/// The laws' own bound on what they are told (lib/guidance/plausible.h).
+/// Returns how the water moves: what is left of the velocity over ground without that through the
+/// water, which NAV tells in the body's frame. Horizontal; roll turns only what is small.
+Eigen::Vector3d CurrentOf(const nav_t& nav, const Eigen::Vector3d& over_ground_mps) {
+  const double pitch_rad = DegToRad(nav.pitch_deg);
+  const double heading_rad = DegToRad(nav.heading_deg);
+  const double ahead_mps =
+      nav.surge_mps * std::cos(pitch_rad) + nav.heave_mps * std::sin(pitch_rad);
+  const Eigen::Vector2d through_water_mps =
+      ahead_mps * UnitVector(heading_rad) + nav.sway_mps * UnitVector(heading_rad + kPi / 2);
+  const Eigen::Vector2d current_mps = over_ground_mps.head<2>() - through_water_mps;
+  const bool is_plausible = current_mps.cwiseAbs().maxCoeff() <= kFastest_mps;
+  if (!is_plausible || !current_mps.allFinite()) return Eigen::Vector3d::Zero();
+  return {current_mps.x(), current_mps.y(), 0};
+}
+
 bool IsPlausible(const Neighbour& neighbour) {
-  constexpr double kFarthest_m = 1e6;
-  constexpr double kFastest_mps = 1000;
   return neighbour.position_m.cwiseAbs().maxCoeff() <= kFarthest_m &&
          neighbour.velocity_mps.cwiseAbs().maxCoeff() <= kFastest_mps &&
          neighbour.position_m.allFinite() && neighbour.velocity_mps.allFinite();
@@ -81,6 +98,7 @@ const Surroundings* SwarmView::Look(const Task* task, const nav_t& own) {
     if (is_other && found != heard_.end()) group_.push_back(found->second);
   }
   surroundings_.group = group_;
+  surroundings_.current_mps = CurrentOf(own, surroundings_.own.velocity_mps);
   if (own.altitude_m >= 0) surroundings_.seabed_z_m = own.z_m + own.altitude_m;
   return &surroundings_;
 }

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "lib/mission/ocean_of.h"
+
 namespace shoal {
 
 namespace {
@@ -76,6 +78,11 @@ PlotSetting SettingOf(const Mission& mission) {
       }
     }
     setting.vehicles.push_back(std::move(planned));
+  }
+  if (const Result<Ocean> ocean = OceanOf(mission); ocean.ok() && ocean->floor) {
+    setting.floor_depth_m = [floor = *ocean->floor](double x_m, double y_m) {
+      return floor.DepthAt({x_m, y_m});
+    };
   }
   std::stable_sort(
       setting.distances.begin(), setting.distances.end(),

@@ -60,13 +60,18 @@ Guidance PathFollowRunner::Update(const Fix& fix) {
 }
 
 TargetTrackRunner::TargetTrackRunner(const TargetTrackTask& task, const Fix& start)
-    : tracker_(task.track, PsiFromHeading(start.heading_rad)) {}
+    : tracker_(task.track, PsiFromHeading(start.heading_rad)),
+      compensate_current_(task.compensate_current) {}
 
 Guidance TargetTrackRunner::Update(const Fix& fix) {
   Guidance guidance;
   guidance.heading_rad = fix.heading_rad;
   if (fix.surroundings == nullptr || !fix.surroundings->target) return guidance;
-  const TrackCommand command = tracker_.Update(*fix.surroundings);
+  TrackCommand command = tracker_.Update(*fix.surroundings);
+  if (compensate_current_) {
+    command = CommandOf(command.velocity_mps - fix.surroundings->current_mps, command.psi_d_rad,
+                        tracker_.params().max_pitch_rad);
+  }
   const Eigen::Vector3d& target_m = fix.surroundings->target->position_m;
   guidance.heading_rad = HeadingFromPsi(command.psi_d_rad);
   guidance.speed_mps = command.speed_mps;

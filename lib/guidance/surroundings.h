@@ -26,6 +26,7 @@ struct Surroundings {
   std::optional<Neighbour> target = {};   ///< Whom it follows; none: nothing heard yet.
   std::span<const Neighbour> group = {};  ///< The others, without the target and itself.
   std::span<const SonarEcho> sonar = {};
+  Eigen::Vector3d current_mps = Eigen::Vector3d::Zero();  ///< Of the water, over ground.
   double seabed_z_m = 6000;  ///< Depth of the sea floor below; deep or +infinity: not sensed.
 };
 

@@ -104,6 +104,9 @@ struct TargetTrackTask {
   std::string target;              ///< The vehicle that is followed.
   std::vector<std::string> group;  ///< Those to keep clear of; empty: all who follow the target.
   SwarmKnowledge swarm = SwarmKnowledge::kDirect;
+  /// Steers so that the velocity that the law wants comes about over ground. False: as if there
+  /// were no current, MuNet's.
+  bool compensate_current = true;
   /// By default layers for the group, the formation and the target's motion.
   TargetTrackParams track = {
       .law = VelocityCascade{{SurvivalGroupLayer{}, FormationLayer{}, FeedForwardLayer{}}},

@@ -139,6 +139,7 @@ class TargetTrackRunner {
 
  private:
   TargetTracker tracker_;
+  bool compensate_current_;
 };
 
 class TaskRunner {

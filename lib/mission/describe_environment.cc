@@ -62,7 +62,7 @@ void Describe(Fields& fields, FloorOptions& floor) {
   }
   fields.Flag("grid_is_depth", floor.grid_is_depth);
   fields.Pair("grid_origin", floor.grid_origin_m, Between(-1e9, 1e9));
-  if (floor.style == "grid" && floor.grid.empty()) {
+  if (fields.reading() && floor.style == "grid" && !fields.Has("grid", true)) {
     fields.Refuse("style", "style = \"grid\" needs grid = \"bay.asc\", an ESRI ASCII file");
   }
 }

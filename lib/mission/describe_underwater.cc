@@ -164,6 +164,7 @@ void Describe(Fields& fields, TargetTrackTask& task, const StartPose&) {
     fields.Texts("group", task.group, kMostGroupMembers);
   }
   fields.Choice("swarm", task.swarm, kSwarmKnowledge);
+  fields.Flag("compensate_current", task.compensate_current);
   std::string law(kLaws.at(track.law.index()));
   fields.Word("law", law, kLaws);
   if (fields.reading() && law == "constant_bearing") track.law = ConstantBearingLaw{};

@@ -204,6 +204,7 @@ class MissionDraw {
       track.track.law = VelocityCascade{
           {SurvivalGroupLayer{.r_safe_m = 3, .r_avoid_m = 30}, FormationLayer{3, 50, 70}}};
     }
+    track.compensate_current = Coin();
     track.track.u_max_mps = Positive(50);
     track.track.depth = {.z_max_m = Positive(20'000),
                          .z_min_m = Number(0, 20'000),

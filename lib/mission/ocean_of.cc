@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <charconv>
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <span>
 #include <string_view>
@@ -48,10 +48,12 @@ std::array<WordRow, 6> Rows() {
   }};
 }
 
-std::optional<double> NumberOf(const std::string& text) {
-  char* end = nullptr;
-  const double number = std::strtod(text.c_str(), &end);
-  if (text.empty() || *end != '\0' || !std::isfinite(number)) return std::nullopt;
+/// Returns the decimal number that the whole text is, or nothing.
+std::optional<double> NumberOf(std::string_view text) {
+  double number = 0;
+  const char* end = text.data() + text.size();
+  const std::from_chars_result read = std::from_chars(text.data(), end, number);
+  if (read.ec != std::errc() || read.ptr != end || !std::isfinite(number)) return std::nullopt;
   return number;
 }
 
@@ -75,8 +77,14 @@ Result<SeaFloor> FloorOf(const FloorOptions& options, uint64_t seed, const std::
   if (options.style == "flat") return FlatFloor(options.depth_m);
   if (options.style == "grid") {
     const std::filesystem::path path = std::filesystem::path(folder) / options.grid;
+    if (std::error_code ignored; std::filesystem::is_directory(path, ignored)) {
+      return Error{path.string() + ": is a directory; name the grid's file in it"};
+    }
     const FileText file = ReadFile(path.string());
-    if (!file.problem.empty()) return Error{path.string() + ": " + file.problem};
+    if (!file.problem.empty()) {
+      return Error{path.string() + ": " + file.problem +
+                   "; a grid's path counts from the mission file's folder"};
+    }
     Result<DepthGrid> grid = ParseEsriGrid(
         file.text, {.name = path.string(),
                     .values = options.grid_is_depth ? GridValues::kDepth : GridValues::kElevation,

@@ -4,6 +4,7 @@
 #include <iterator>
 #include <optional>
 
+#include "lib/record/valid_utf8.h"
 #include "lib/schema/text.h"
 
 namespace shoal {
@@ -264,8 +265,9 @@ void AppendTables(const std::vector<CsvTable>& layout, const Element& element, P
 
 }  // namespace
 
-void AppendCsvCell(std::string_view text, std::string* out) {
-  if (text.find_first_of(",\"\r\n") == std::string_view::npos) {
+void AppendCsvCell(std::string_view any_text, std::string* out) {
+  const std::string text = ValidUtf8(any_text);
+  if (text.find_first_of(",\"\r\n") == std::string::npos) {
     *out += text;
     return;
   }

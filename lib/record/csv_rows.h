@@ -51,7 +51,7 @@ class CsvLayout {
   std::vector<CsvTable> tables_;
 };
 
-/// Appends one cell, in quotes where RFC 4180 asks for them.
-void AppendCsvCell(std::string_view text, std::string* out);
+/// Appends one cell as UTF-8, in quotes where RFC 4180 asks for them.
+void AppendCsvCell(std::string_view any_text, std::string* out);
 
 }  // namespace shoal

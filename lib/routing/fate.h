@@ -20,14 +20,14 @@ inline constexpr int kNumKinds = 4;
 /// order in which its kind asks (lib/routing/decide.h).
 enum class Cause : uint8_t {
   kDelivered,
-  kInvalid,             ///< At intake: an illegal name, an impossible number, something missing.
-  kTooManyVehicles,     ///< At intake: from one stranger more than there is room for.
-  kIgnoredGroup,        ///< At intake: `ignore_group`.
-  kTooSoon,             ///< `min_msg_interval` of the source, `min_rpt_interval` of the pair.
-  kTooLong,             ///< `max_msg_length`; over the acoustic network, more than a packet holds.
-  kUnknownSource,       ///< A message of a vehicle that has sent no report, or was forgotten.
-  kStaleSource,         ///< A message of a vehicle that has been silent for too long.
-  kNoDestination,       ///< A message to a group without other members, or to oneself.
+  kInvalid,          ///< At intake: an illegal name, an impossible number, something missing.
+  kTooManyVehicles,  ///< At intake: from one stranger more than there is room for.
+  kIgnoredGroup,     ///< At intake: `ignore_group`.
+  kTooSoon,          ///< `min_msg_interval` of the source, `min_rpt_interval` of the pair.
+  kTooLong,          ///< `max_msg_length`; over the acoustic network, more than a packet holds.
+  kUnknownSource,    ///< Of a vehicle that has sent no report, or was forgotten.
+  kStaleSource,      ///< A message of a vehicle that has been silent for too long.
+  kNoDestination,    ///< To a group without other members, or to oneself; or nobody else is known.
   kUnknownDestination,  ///< The named vehicle has sent no report, or was forgotten.
   kOtherGroup,          ///< `groups`, `msg_groups`.
   kStaleReceiver,       ///< The destination has been silent for too long.

@@ -1,0 +1,239 @@
+#include "apps/helm/swarm_view.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "lib/geometry/angles.h"
+
+namespace shoal {
+namespace {
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+Task Following(const std::string& target, const std::vector<std::string>& group = {}) {
+  TargetTrackTask track;
+  track.target = target;
+  track.group = group;
+  return {.name = "follow_" + target, .what = track};
+}
+
+Vehicle VehicleNamed(const std::string& name, const std::vector<Task>& tasks = {}) {
+  Vehicle vehicle;
+  vehicle.name = name;
+  vehicle.tasks = tasks;
+  return vehicle;
+}
+
+/// alpha leads bravo, charlie and delta; echo is somebody else.
+Mission Swarm() {
+  Mission mission;
+  mission.vehicles = {VehicleNamed("alpha"), VehicleNamed("bravo", {Following("alpha")}),
+                      VehicleNamed("charlie", {Following("alpha")}),
+                      VehicleNamed("delta", {Following("alpha")}), VehicleNamed("echo")};
+  return mission;
+}
+
+nav_t At(double x_m, double y_m, double z_m = 20) {
+  nav_t nav{};
+  nav.x_m = x_m;
+  nav.y_m = y_m;
+  nav.z_m = z_m;
+  nav.altitude_m = -1;
+  return nav;
+}
+
+std::vector<int> IdsOf(const Surroundings& surroundings) {
+  std::vector<int> ids;
+  for (const Neighbour& neighbour : surroundings.group) ids.push_back(neighbour.id);
+  return ids;
+}
+
+using Names = std::vector<std::string>;
+
+TEST(SwarmView, ListensToTheTargetAndToAllWhoFollowItByDefault) {
+  const Mission mission = Swarm();
+  EXPECT_EQ(SwarmView(mission, mission.vehicles[1]).names(), (Names{"alpha", "charlie", "delta"}));
+}
+
+TEST(SwarmView, ListensToTheGroupThatTheTaskNames) {
+  Mission mission = Swarm();
+  mission.vehicles[1].tasks = {Following("alpha", {"echo", "bravo", "alpha"})};
+  EXPECT_EQ(SwarmView(mission, mission.vehicles[1]).names(), (Names{"alpha", "echo"}));
+}
+
+TEST(SwarmView, ListensToEveryTargetOfItsTasksOnce) {
+  Mission mission = Swarm();
+  mission.vehicles[4].tasks = {Following("bravo"), Following("alpha"), Following("bravo")};
+  EXPECT_EQ(SwarmView(mission, mission.vehicles[4]).names(),
+            (Names{"alpha", "bravo", "charlie", "delta"}));
+}
+
+TEST(SwarmView, ListensToNobodyWithoutATaskThatFollows) {
+  const Mission mission = Swarm();
+  EXPECT_EQ(SwarmView(mission, mission.vehicles[0]).names(), Names{});
+}
+
+TEST(SwarmView, HasNothingToShowForTasksThatLookAtNobody) {
+  const Mission mission = Swarm();
+  SwarmView swarm(mission, mission.vehicles[1]);
+  const Task task = {.name = "path", .what = PathFollowTask{.points_m = {{0, 0, 10}}}};
+  EXPECT_EQ(swarm.Look(&task, At(0, 0)), nullptr);
+  EXPECT_EQ(swarm.Look(nullptr, At(0, 0)), nullptr);
+}
+
+TEST(SwarmView, KnowsNoTargetBeforeItIsHeard) {
+  const Mission mission = Swarm();
+  SwarmView swarm(mission, mission.vehicles[1]);
+  const Surroundings* seen = swarm.Look(&mission.vehicles[1].tasks[0], At(5, 6, 7));
+  ASSERT_NE(seen, nullptr);
+  EXPECT_FALSE(seen->target.has_value());
+  EXPECT_TRUE(seen->group.empty());
+  EXPECT_EQ(seen->own.id, 1);
+  EXPECT_EQ(seen->own.position_m, Eigen::Vector3d(5, 6, 7));
+}
+
+TEST(SwarmView, SeesTheTargetApartFromTheOthersAndNeverItself) {
+  const Mission mission = Swarm();
+  SwarmView swarm(mission, mission.vehicles[1]);
+  for (const char* name : {"alpha", "bravo", "charlie", "delta"}) swarm.Hear(name, At(1, 2));
+  const Surroundings* seen = swarm.Look(&mission.vehicles[1].tasks[0], At(0, 0));
+  ASSERT_NE(seen, nullptr);
+  ASSERT_TRUE(seen->target.has_value());
+  EXPECT_EQ(seen->target->id, 0);
+  EXPECT_EQ(IdsOf(*seen), (std::vector<int>{2, 3}));
+}
+
+TEST(SwarmView, KeepsClearOfANamedGroupOnly) {
+  Mission mission = Swarm();
+  mission.vehicles[1].tasks = {Following("alpha", {"echo", "bravo", "alpha"})};
+  SwarmView swarm(mission, mission.vehicles[1]);
+  for (const char* name : {"alpha", "charlie", "delta", "echo"}) swarm.Hear(name, At(1, 2));
+  const Surroundings* seen = swarm.Look(&mission.vehicles[1].tasks[0], At(0, 0));
+  ASSERT_NE(seen, nullptr);
+  EXPECT_EQ(IdsOf(*seen), std::vector<int>{4});
+}
+
+TEST(SwarmView, LooksAtTheTargetOfTheTaskThatRuns) {
+  Mission mission = Swarm();
+  mission.vehicles[4].tasks = {Following("alpha"), Following("bravo")};
+  SwarmView swarm(mission, mission.vehicles[4]);
+  for (const char* name : {"alpha", "bravo", "charlie", "delta"}) swarm.Hear(name, At(1, 2));
+  EXPECT_EQ(swarm.Look(&mission.vehicles[4].tasks[0], At(0, 0))->target->id, 0);
+  const Surroundings* seen = swarm.Look(&mission.vehicles[4].tasks[1], At(0, 0));
+  EXPECT_EQ(seen->target->id, 1);
+  EXPECT_TRUE(seen->group.empty()) << "nobody else follows bravo";
+}
+
+TEST(SwarmView, TurnsSpeedAndCourseOverGroundIntoVelocities) {
+  const Mission mission = Swarm();
+  SwarmView swarm(mission, mission.vehicles[1]);
+  nav_t nav = At(0, 0);
+  nav.heading_deg = 10;
+  nav.speed_mps = 9;
+  nav.course_over_ground_deg = 120;
+  nav.speed_over_ground_mps = 2;
+  nav.descent_mps = 0.3;
+  swarm.Hear("alpha", nav);
+  const Surroundings* seen = swarm.Look(&mission.vehicles[1].tasks[0], nav);
+  const Eigen::Vector3d expected(2 * std::cos(DegToRad(30)), -1, 0.3);
+  EXPECT_LT((seen->target->velocity_mps - expected).norm(), 1e-12);
+  EXPECT_LT((seen->own.velocity_mps - expected).norm(), 1e-12);
+}
+
+TEST(SwarmView, KnowsTheFloorByItsOwnAltitude) {
+  const Mission mission = Swarm();
+  SwarmView swarm(mission, mission.vehicles[1]);
+  const Task& task = mission.vehicles[1].tasks[0];
+  const double deep_m = Surroundings().seabed_z_m;
+  nav_t nav = At(0, 0, 20);
+  EXPECT_EQ(swarm.Look(&task, nav)->seabed_z_m, deep_m) << "not known";
+  nav.altitude_m = 15;
+  EXPECT_EQ(swarm.Look(&task, nav)->seabed_z_m, 35);
+  nav.altitude_m = -1;
+  EXPECT_EQ(swarm.Look(&task, nav)->seabed_z_m, deep_m) << "not known any more";
+  nav.altitude_m = kNan;
+  EXPECT_EQ(swarm.Look(&task, nav)->seabed_z_m, deep_m);
+}
+
+TEST(SwarmView, PassesOverNavThatCannotBe) {
+  const Mission mission = Swarm();
+  SwarmView swarm(mission, mission.vehicles[1]);
+  const Task& task = mission.vehicles[1].tasks[0];
+  swarm.Hear("alpha", At(1, 2, 3));
+  for (const double bad : {kNan, 1e300, -1e300, 1.1e6, std::numeric_limits<double>::infinity()}) {
+    for (double nav_t::*field : {&nav_t::x_m, &nav_t::y_m, &nav_t::z_m, &nav_t::descent_mps,
+                                 &nav_t::speed_over_ground_mps}) {
+      nav_t nav = At(50, 60, 70);
+      nav.*field = bad;
+      swarm.Hear("alpha", nav);
+      EXPECT_EQ(swarm.Look(&task, At(0, 0))->target->position_m, Eigen::Vector3d(1, 2, 3)) << bad;
+      EXPECT_EQ(swarm.Look(&task, nav), nullptr) << "nor does it trust its own";
+    }
+  }
+  nav_t nav = At(50, 60, 70);
+  nav.course_over_ground_deg = kNan;
+  nav.speed_over_ground_mps = 1;
+  swarm.Hear("alpha", nav);
+  EXPECT_EQ(swarm.Look(&task, At(0, 0))->target->position_m, Eigen::Vector3d(1, 2, 3));
+}
+
+/// NAV of a vehicle that moves through the water as it says, in a current.
+nav_t InACurrent(const Eigen::Vector2d& current_mps) {
+  nav_t nav = At(0, 0);
+  nav.heading_deg = 30;
+  nav.pitch_deg = 10;
+  nav.surge_mps = 2;
+  nav.sway_mps = 0.1;
+  nav.heave_mps = -0.2;
+  const double ahead_mps = 2 * std::cos(DegToRad(10)) - 0.2 * std::sin(DegToRad(10));
+  const Eigen::Vector2d over_ground_mps =
+      ahead_mps * UnitVector(DegToRad(30)) + 0.1 * UnitVector(DegToRad(120)) + current_mps;
+  nav.speed_over_ground_mps = over_ground_mps.norm();
+  nav.course_over_ground_deg = RadToDeg(HeadingOf(over_ground_mps));
+  return nav;
+}
+
+TEST(SwarmView, KnowsTheCurrentByWhatIsOverGroundAndNotThroughTheWater) {
+  const Mission mission = Swarm();
+  SwarmView swarm(mission, mission.vehicles[1]);
+  const Task& task = mission.vehicles[1].tasks[0];
+  for (const Eigen::Vector2d& current_mps :
+       {Eigen::Vector2d(0, 0), Eigen::Vector2d(0.3, -0.4), Eigen::Vector2d(-1, 0)}) {
+    const Surroundings* seen = swarm.Look(&task, InACurrent(current_mps));
+    ASSERT_NE(seen, nullptr);
+    EXPECT_LT((seen->current_mps.head<2>() - current_mps).norm(), 1e-9);
+    EXPECT_EQ(seen->current_mps.z(), 0);
+  }
+}
+
+TEST(SwarmView, TakesACurrentThatCannotBeForNone) {
+  const Mission mission = Swarm();
+  SwarmView swarm(mission, mission.vehicles[1]);
+  for (const double bad : {kNan, 1e300, -1e300, std::numeric_limits<double>::infinity()}) {
+    for (double nav_t::*field : {&nav_t::surge_mps, &nav_t::sway_mps, &nav_t::heave_mps}) {
+      nav_t nav = InACurrent({0.3, 0});
+      nav.*field = bad;
+      const Surroundings* seen = swarm.Look(&mission.vehicles[1].tasks[0], nav);
+      ASSERT_NE(seen, nullptr);
+      EXPECT_EQ(seen->current_mps, Eigen::Vector3d(0, 0, 0)) << bad;
+    }
+  }
+}
+
+TEST(SwarmView, DoesNotMindVehiclesThatTheMissionDoesNotHave) {
+  const Mission mission = Swarm();
+  SwarmView swarm(mission, mission.vehicles[1]);
+  swarm.Hear("zulu", At(1, 2));
+  swarm.Hear("", At(1, 2));
+  const Surroundings* seen = swarm.Look(&mission.vehicles[1].tasks[0], At(0, 0));
+  ASSERT_NE(seen, nullptr);
+  EXPECT_FALSE(seen->target.has_value());
+  EXPECT_TRUE(seen->group.empty());
+}
+
+}  // namespace
+}  // namespace shoal

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace shoal {
+
+/// Returns `text` with each byte that is no part of well-formed UTF-8 (RFC 3629) replaced by
+/// U+FFFD: what came damaged through the water may hold any bytes, and readers of CSV want text.
+[[nodiscard]] std::string ValidUtf8(std::string_view text);
+
+}  // namespace shoal
