@@ -50,8 +50,8 @@ acoustic_path_t PathOf(const Arrival& arrival, const AcousticTraffic& water) {
   path.bits_flipped = reception.num_bits_flipped;
   path.num_colliders = static_cast<int32_t>(reception.num_colliders);
   path.own_packet = reception.own_number;
-  path.num_named = static_cast<int32_t>(
-      std::clamp<int64_t>(reception.num_colliders, 0, kMaxNamedColliders));
+  path.num_named =
+      static_cast<int32_t>(std::clamp<int64_t>(reception.num_colliders, 0, kMaxNamedColliders));
   for (int i = 0; i < path.num_named; ++i) {
     path.colliders.push_back(water.NameOf(reception.colliders[static_cast<size_t>(i)]));
   }

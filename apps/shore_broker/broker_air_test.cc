@@ -1,0 +1,153 @@
+// Reports, messages and acks through the water: as they were said, damaged, or thrown away.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "apps/shore_broker/water_fixture.h"
+
+namespace shoal {
+namespace {
+
+class CalmReports : public WaterFixture {
+ protected:
+  CalmReports() : WaterFixture(ReportsInWater()) {}
+};
+
+TEST_F(CalmReports, WithGiantTextsStayOutOfTheWater) {
+  Begin();
+  for (int i = 0; i < 20; ++i) Step();
+  node_report_t report = ReportFrom("bravo", 150);
+  report.mode.assign(200'000, 'z');
+  Say(report);
+  Step();
+  ASSERT_EQ(Fates(), std::vector<std::string>(1, "bravo>alpha too_long"));
+  EXPECT_GT(fates_[0].length_bytes, 200'000);
+  EXPECT_EQ(fates_[0].length_limit_bytes, AcousticTraffic::kMaxMessage_bytes);
+}
+
+TEST_F(CalmReports, TakeTheTimeOf37BytesAndArriveAsTheyWereSaid) {
+  Begin();
+  EXPECT_TRUE(heard_["alpha"].empty());
+  for (int i = 0; i < 20; ++i) Step();
+  const node_report_t report = ReportFrom("bravo", 150);
+  Say(report);
+  EXPECT_EQ(StepUntilFates(), 5) << "0.328 s and 0.1 s";
+  ASSERT_EQ(heard_["alpha"].size(), 1U);
+  node_report_t heard;
+  ASSERT_TRUE(Decode(heard_["alpha"][0], &heard));
+  EXPECT_EQ(heard.x_m, 150);
+  EXPECT_EQ(heard.extra.size(), 1U) << "the user's own fields too";
+  EXPECT_EQ(fates_[0].kind, "report");
+  EXPECT_EQ(fates_[0].path.at(0).num_bytes, 41);
+  EXPECT_EQ(fates_[0].age_limit_s, 5);
+}
+
+TEST_F(CalmReports, CarryMessagesAsTheirTextAndTheirAcks) {
+  Begin();
+  for (int i = 0; i < 20; ++i) Step();
+  Say(MessageFrom("alpha", "bravo"));
+  StepUntilFates();
+  ASSERT_EQ(messages_["bravo"].size(), 1U);
+  const std::string text = "src_node=alpha,dest_node=bravo,var_name=FOOBAR,string_val=hello";
+  EXPECT_EQ(fates_[0].path.at(0).num_bytes, static_cast<int32_t>(text.size()) + 4);
+  ack_message_t ack = {};
+  ack.src_node = "bravo";
+  ack.dest_node = "alpha";
+  ack.ack_id = "m1";
+  Say(ack);
+  StepUntilFates();
+  EXPECT_EQ(acks_["alpha"].size(), 1U);
+  EXPECT_EQ(Fates(), std::vector<std::string>{"bravo>alpha delivered"});
+}
+
+Mission ErrorsInWater(bool crc) {
+  Mission mission = ReportsInWater();
+  mission.acoustics.crc = crc;
+  mission.acoustics.options.bit_error_model = BitErrorModel::kPoisson;
+  mission.acoustics.options.bit_error_rate = 0.01;
+  return mission;
+}
+
+/// Counts what becomes of 400 reports of alpha at bravo.
+struct ReportCounts {
+  std::map<std::string, int> causes;
+  int num_heard = 0;
+  int num_wrong = 0;  ///< Heard, and not as they were said.
+};
+
+class DamagingWater : public WaterFixture {
+ protected:
+  explicit DamagingWater(bool crc) : WaterFixture(ErrorsInWater(crc)) {}
+
+  ReportCounts SendReports() {
+    ReportCounts counts;
+    Begin();
+    while (broker_.water().num_in_transit() > 0) Step();
+    for (int i = 0; i < 400; ++i) {
+      Say(ReportFrom("bravo", 150));  // So that it is not stale.
+      while (broker_.water().num_in_transit() > 0) Step();
+      Say(ReportFrom("alpha", 100));
+      bool is_decided = false;
+      while (!is_decided) {
+        Step();
+        for (const Bytes& bytes : heard_["bravo"]) {
+          node_report_t heard;
+          EXPECT_TRUE(Decode(bytes, &heard));
+          ++counts.num_heard;
+          for (const double number : {heard.x_m, heard.y_m, heard.depth_m, heard.lat_deg,
+                                      heard.lon_deg, heard.speed_mps, heard.heading_deg}) {
+            EXPECT_TRUE(std::isfinite(number));
+          }
+          if (heard.name != "alpha" || heard.x_m != 100 || heard.speed_mps != 0 ||
+              heard.depth_m != 0 || heard.y_m != 0 || heard.utime != 0) {
+            ++counts.num_wrong;
+          }
+        }
+        for (const fate_t& fate : fates_) {
+          if (fate.source != "alpha") continue;
+          is_decided = true;
+          ++counts.causes[fate.cause];
+          const bool has_flips = !fate.path.empty() && fate.path[0].bits_flipped > 0;
+          EXPECT_EQ(has_flips, fate.cause != "delivered");
+        }
+      }
+    }
+    return counts;
+  }
+};
+
+class CheckedReports : public DamagingWater {
+ protected:
+  CheckedReports() : DamagingWater(true) {}
+};
+
+TEST_F(CheckedReports, ThatAreDamagedAreThrownAwayForTheirBitErrors) {
+  const ReportCounts counts = SendReports();
+  // 328 bits are all right with probability 0.99^328 = 0.037: 14.8 of 400; 5 sigma: 19.
+  EXPECT_EQ(counts.causes.size(), 2U);
+  EXPECT_NEAR(counts.causes.at("delivered"), 14.8, 19);
+  EXPECT_EQ(counts.causes.at("bit_errors"), 400 - counts.causes.at("delivered"));
+  EXPECT_EQ(counts.num_heard, counts.causes.at("delivered"));
+  EXPECT_EQ(counts.num_wrong, 0);
+  EXPECT_TRUE(PageHas("Bit Errors: "));
+}
+
+class UncheckedReports : public DamagingWater {
+ protected:
+  UncheckedReports() : DamagingWater(false) {}
+};
+
+TEST_F(UncheckedReports, ThatAreDamagedAreHeardWrongOrRejected) {
+  const ReportCounts counts = SendReports();
+  EXPECT_EQ(counts.causes.size(), 3U);
+  EXPECT_GT(counts.causes.at("damaged"), 20);
+  EXPECT_GT(counts.causes.at("rejected"), 20);
+  EXPECT_EQ(counts.num_heard, counts.causes.at("delivered") + counts.causes.at("damaged"));
+  EXPECT_GT(counts.num_wrong, counts.causes.at("damaged") / 2);
+}
+
+}  // namespace
+}  // namespace shoal

@@ -1,0 +1,100 @@
+// Packets through the broker and the water: what goes in, what comes out, when, and what is told.
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "apps/shore_broker/water_fixture.h"
+
+namespace shoal {
+namespace {
+
+class CalmPackets : public WaterFixture {};
+
+TEST_F(CalmPackets, ArriveInTheStepOfTheirLastByte) {
+  Begin();
+  const Bytes payload(37, 7);
+  SayPacket("alpha", payload);
+  const int64_t said_utime = utime_;
+  // 41 bytes take 0.328 s, the way 0.1 s: 0.428 s after it was said.
+  EXPECT_EQ(StepUntilFates(), 5);
+  ASSERT_EQ(packets_["bravo"].size(), 1U);
+  EXPECT_TRUE(packets_["alpha"].empty());
+  const acoustic_rx_t& packet = packets_["bravo"][0];
+  EXPECT_EQ(packet.payload, payload);
+  EXPECT_EQ(packet.source, "alpha");
+  EXPECT_EQ(packet.number, 0);
+  EXPECT_EQ(packet.utime, said_utime + 500'000);
+  EXPECT_EQ(packet.sent_utime, said_utime);
+  EXPECT_EQ(packet.arrived_utime, said_utime + 428'000);
+  ASSERT_EQ(fates_.size(), 1U);
+  EXPECT_EQ(fates_[0].kind, "packet");
+  EXPECT_EQ(fates_[0].cause, "delivered");
+  EXPECT_EQ(fates_[0].range_m, 150);
+  EXPECT_EQ(fates_[0].limit_m, 250);
+  ASSERT_EQ(fates_[0].path.size(), 1U);
+  const acoustic_path_t& path = fates_[0].path[0];
+  EXPECT_EQ(path.sent_utime, said_utime);
+  EXPECT_EQ(path.num_bytes, 41);
+  EXPECT_NEAR(path.air_s, 0.328, 1e-12);
+  EXPECT_NEAR(path.travel_s, 0.1, 1e-12);
+  EXPECT_EQ(path.jitter_s, 0);
+  EXPECT_EQ(path.loss_probability, -1);
+  EXPECT_EQ(path.snr_db, -999);
+  EXPECT_EQ(pulses_.size(), 1U);
+}
+
+TEST_F(CalmPackets, AreShownOnThePageWhileTheyAreInTheWater) {
+  Begin();
+  SayPacket("alpha", {1, 2, 3});
+  Step();
+  EXPECT_TRUE(fates_.empty());
+  EXPECT_TRUE(PageHas("Total Packets Received: 1")) << broker_.Status().text;
+  EXPECT_TRUE(PageHas("In The Water: 1"));
+  StepUntilFates();
+  EXPECT_FALSE(PageHas("In The Water"));
+  EXPECT_TRUE(PageHas("    transmissions                    1")) << broker_.Status().text;
+}
+
+TEST_F(CalmPackets, ThatOverlapAtTheirReceiverCollideAndNameEachOther) {
+  Begin();
+  Say(ReportFrom("charlie", 75));
+  Step();
+  SayPacket("alpha", {1, 2, 3});
+  SayPacket("bravo", {4, 5, 6});
+  StepUntilFates();
+  int num_collisions = 0;
+  for (const fate_t& fate : fates_) {
+    if (fate.destination != "charlie") continue;
+    ++num_collisions;
+    EXPECT_EQ(fate.cause, "collision");
+    ASSERT_EQ(fate.path.size(), 1U);
+    EXPECT_EQ(fate.path[0].num_colliders, 1);
+    EXPECT_EQ(fate.path[0].colliders,
+              std::vector<std::string>{fate.source == "alpha" ? "bravo 0" : "alpha 0"});
+  }
+  EXPECT_EQ(num_collisions, 2);
+  EXPECT_TRUE(packets_["charlie"].empty());
+}
+
+TEST_F(CalmPackets, WithoutSenderOrPayloadAreRefused) {
+  Begin();
+  SayPacket("alpha", {});
+  SayPacket("no name", {1});
+  SayPacket("stranger", {1});
+  SayPacket("alpha", Bytes(70'000));
+  Step();
+  EXPECT_EQ(Fates(), (std::vector<std::string>{"alpha> invalid", "> invalid",
+                                               "stranger> unknown_source", "alpha> too_long"}));
+  EXPECT_EQ(fates_[3].length_limit_bytes, 65'535);
+}
+
+TEST_F(CalmPackets, OfOneWhoTalksFasterThanTheWaterCarriesFindNoChannel) {
+  Begin();
+  for (int i = 0; i < AcousticTraffic::kMaxPacketsOfOne + 3; ++i) SayPacket("alpha", Bytes(1000));
+  Step();
+  EXPECT_EQ(Fates(), std::vector<std::string>(3, "alpha>bravo no_channel"));
+}
+
+}  // namespace
+}  // namespace shoal
