@@ -4,39 +4,30 @@
 #include <string>
 #include <vector>
 
-#include "apps/shore_broker/broker_fixture.h"
+#include "apps/shore_broker/water_fixture.h"
 
 namespace shoal {
 namespace {
 
 /// Collisions XOR what overlaps; nothing else happens to packets.
 Mission CorruptingWater(bool crc) {
-  Mission mission = TwoVehicles();
-  mission.acoustics.is_used = true;
+  Mission mission = CalmWater();
   mission.acoustics.crc = crc;
-  AcousticOptions& options = mission.acoustics.options;
-  options.access_mode = AccessMode::kShared;
-  options.collisions = CollisionModel::kCorrupt;
-  options.jitter = JitterModel::kOff;
-  options.packet_loss_model = PacketLossModel::kOff;
-  options.bit_error_model = BitErrorModel::kOff;
+  mission.acoustics.options.collisions = CollisionModel::kCorrupt;
   return mission;
 }
 
-class CorruptingFixture : public BrokerFixture {
+class CorruptingFixture : public WaterFixture {
  protected:
-  explicit CorruptingFixture(bool crc) : BrokerFixture(CorruptingWater(crc)) {}
+  explicit CorruptingFixture(bool crc) : WaterFixture(CorruptingWater(crc)) {}
 
   /// alpha and bravo speak at once, both 75 m from charlie; steps until that is decided.
   void SpeakAtOnce() {
-    Say(ReportFrom("alpha", 0));
-    Say(ReportFrom("bravo", 150));
     Say(ReportFrom("charlie", 75));
-    Step();
+    Begin();
     SayPacket("alpha", {0x0f, 0x0f});
     SayPacket("bravo", {0x33, 0x33});
-    Step();
-    for (int i = 0; i < 20 && fates_.empty(); ++i) Step();
+    StepUntilFates();
   }
 
   /// Returns the causes at charlie.
