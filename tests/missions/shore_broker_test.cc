@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 
+#include <algorithm>
 #include <map>
 
 #include "lib/bus/channels.h"
@@ -38,7 +39,7 @@ BrokerHistory ReadHistory(const std::string& path) {
   return history;
 }
 
-TEST(KilledBroker, ComesBackWithItsControlsAfterOneReportOfEachVehicleAndTheGapIsInTheLog) {
+TEST(KilledBroker, ComesBackWithItsControlsAfterOneReportOfEachVehicleAndItsStartIsInTheLog) {
   const TestFolder folder;
   const std::string dir = (folder / "rec").string();
   RunningProcess mission(folder, {Program("shoal"), "run", MissionFile("berta.toml"), "--warp",
@@ -65,16 +66,14 @@ TEST(KilledBroker, ComesBackWithItsControlsAfterOneReportOfEachVehicleAndTheGapI
   EXPECT_EQ(again.comms_range_m, 90);
   ASSERT_EQ(again.factors.size(), 1U);
   EXPECT_EQ(again.factors[0].stealth, 0.5);
-  int64_t longest_gap_us = 0;
-  int64_t first_after_utime = 0;
-  for (size_t i = 1; i < history.fate_utimes.size(); ++i) {
-    longest_gap_us = std::max(longest_gap_us, history.fate_utimes[i] - history.fate_utimes[i - 1]);
-    if (first_after_utime == 0 && history.fate_utimes[i] >= again.utime) {
-      first_after_utime = history.fate_utimes[i];
-    }
-  }
-  EXPECT_GT(longest_gap_us, 500'000) << "reports come at 2 Hz";
-  EXPECT_LE(first_after_utime - again.utime, 500'000) << "one report of each vehicle is enough";
+  EXPECT_GT(again.utime, history.rules.front().utime);
+  // How many reports were lost with the old broker depends on the moment of the kill, and it may be
+  // none: what is promised is how soon the new one routes.
+  const auto first_after = std::find_if(history.fate_utimes.begin(), history.fate_utimes.end(),
+                                        [&](int64_t utime) { return utime >= again.utime; });
+  ASSERT_NE(first_after, history.fate_utimes.end());
+  EXPECT_LE(*first_after - again.utime, 500'000)
+      << "reports come at 2 Hz, and one of each vehicle is enough";
 }
 
 /// A broker without a clock, on ports of its own, and a bus to speak with it.
