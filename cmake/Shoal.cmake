@@ -46,7 +46,8 @@ if(SHOAL_SANITIZE)
   add_compile_options(-fsanitize=${SHOAL_SANITIZE} -fno-omit-frame-pointer)
   add_link_options(-fsanitize=${SHOAL_SANITIZE})
   # With sanitizers, g++ 12 sees uninitialized members inside <functional> and <regex>.
-  target_compile_options(shoal_flags INTERFACE -Wno-maybe-uninitialized)
+  target_compile_options(shoal_flags INTERFACE
+    $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
   if(SHOAL_SANITIZE MATCHES undefined)
     add_compile_options(-fno-sanitize-recover=undefined)
   endif()

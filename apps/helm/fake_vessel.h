@@ -54,6 +54,9 @@ class HelmAndVessel {
     Publish(test_bus_, channels::HelmCommand("alpha"), message);
   }
 
+  void SayMessage(const node_message_t& message) {
+    Publish(test_bus_, channels::NodeMessage("alpha"), message);
+  }
   void SayNav(const nav_t& nav) { Publish(test_bus_, channels::Nav("alpha"), nav); }
   void SayReport(const node_report_t& report) {
     Publish(test_bus_, channels::NodeReport("alpha"), report);

@@ -6,12 +6,16 @@
 #include <cmath>
 
 #include "lib/geometry/angles.h"
+#include "lib/run/own_nav.h"
+#include "lib/run/status_page.h"
 
 namespace shoal {
 
 namespace {
 
 constexpr char kBadNav[] = "NAV with values that cannot be: ignored";
+/// The variable of node messages that are orders.
+constexpr char kCommandVariable[] = "HELM_COMMAND";
 constexpr char kBadReport[] = "NODE_REPORT with a position that cannot be: ignored";
 constexpr char kManyContacts[] = "more than 1000 contacts: new ones are ignored";
 constexpr size_t kMaxContacts = 1000;
@@ -29,7 +33,7 @@ bool TellsMore(const helm_state_t& next, const helm_state_t& last) {
   return next.state != last.state || next.task != last.task || next.task_kind != last.task_kind ||
          next.all_stop != last.all_stop || next.waypoint_index != last.waypoint_index ||
          next.laps_done != last.laps_done || next.waypoint_x_m != last.waypoint_x_m ||
-         next.waypoint_y_m != last.waypoint_y_m;
+         next.waypoint_y_m != last.waypoint_y_m || next.waypoint_z_m != last.waypoint_z_m;
 }
 
 }  // namespace
@@ -47,13 +51,23 @@ HelmApp::HelmApp(const Mission& mission, const Vehicle& vehicle, Bus& bus)
       pilot_(MakePilot(vehicle)),
       swarm_(mission, vehicle) {
   state_.vehicle = vehicle.name;
-  Subscribe(bus, channels::Nav(vehicle.name), [this](const nav_t& nav) { OnNav(nav); });
+  Subscribe(bus, OwnNav(vehicle), [this](const nav_t& nav) { OnNav(nav); });
   Subscribe(bus, channels::HelmCommand(vehicle.name),
             [this](const helm_command_t& command) { OnCommand(command); });
   Subscribe(bus, channels::NodeReport(vehicle.name),
             [this](const node_report_t& report) { OnNodeReport(report); });
+  Subscribe(bus, channels::NodeMessage(vehicle.name),
+            [this](const node_message_t& message) { OnNodeMessage(message); });
   for (const std::string& name : swarm_.names()) {
     Subscribe(bus, channels::Nav(name), [this, name](const nav_t& nav) { swarm_.Hear(name, nav); });
+  }
+  if (mission.IsInSwarm(vehicle)) {
+    Subscribe(bus, channels::Swarm(vehicle.name),
+              [this](const swarm_t& swarm) { swarm_.HearSwarm(swarm); });
+  }
+  if (vehicle.sonar.is_fitted) {
+    Subscribe(bus, channels::Sonar(vehicle.name),
+              [this](const sonar_t& ping) { swarm_.HearSonar(ping); });
   }
 }
 
@@ -72,15 +86,27 @@ void HelmApp::OnNav(const nav_t& nav) {
 }
 
 void HelmApp::OnCommand(const helm_command_t& command) {
-  const Result<HelmOrder> order = ReadOrder(command.command, command.argument, command.values);
+  Obey(ReadOrder(command.command, command.argument, command.values), "");
+}
+
+void HelmApp::OnNodeMessage(const node_message_t& message) {
+  if (message.var_name != kCommandVariable) return;  // Somebody else's business.
+  const Result<HelmOrder> order = message.is_double != 0
+                                      ? Result<HelmOrder>(Error{"a number is no order"})
+                                      : ReadOrderText(message.string_val);
+  Obey(order, message.src_node);
+}
+
+void HelmApp::Obey(const Result<HelmOrder>& order, std::string_view from) {
+  const std::string sender = from.empty() ? "" : fmt::format(" of {}", Printable(from));
   const std::string refusal = order.ok() ? states_.Obey(*order) : order.error();
   if (!refusal.empty()) {
     ++num_refused_;
-    log_.Warn("HELM_COMMAND refused: " + refusal);
+    log_.Warn(fmt::format("HELM_COMMAND{} refused: {}", sender, refusal));
     return;
   }
   ++num_obeyed_.at(static_cast<size_t>(order->kind));
-  log_.Event(utime_.value_or(0), fmt::format("command: {}{}{}", Name(order->kind),
+  log_.Event(utime_.value_or(0), fmt::format("command{}: {}{}{}", sender, Name(order->kind),
                                              order->task.empty() ? "" : " ", order->task));
 }
 
@@ -154,12 +180,13 @@ void HelmApp::PublishState(int64_t utime) {
     next.laps_done = guidance.laps_done;
     next.waypoint_x_m = guidance.waypoint_m.x();
     next.waypoint_y_m = guidance.waypoint_m.y();
+    next.waypoint_z_m = guidance.z_m.value_or(0);
     next.distance_m = guidance.distance_m;
     next.cross_track_error_m = guidance.cross_track_error_m;
   } else if (task == nullptr || task->name != state_.task) {
     next.waypoint_index = -1;
     next.laps_done = 0;
-    next.waypoint_x_m = next.waypoint_y_m = 0;
+    next.waypoint_x_m = next.waypoint_y_m = next.waypoint_z_m = 0;
     next.distance_m = next.cross_track_error_m = 0;
   }
   if (state_utime_ && !TellsMore(next, state_) && utime - *state_utime_ < state_interval_us_) {

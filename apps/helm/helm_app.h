@@ -1,5 +1,6 @@
-// Steers one vehicle. Hears NAV_<V>, HELM_COMMAND_<V> and NODE_REPORT_<V>, and NAV of those whom it
-// follows; says DESIRED_<V> and ACTUATORS_<V> in every step, HELM_STATE_<V> on change and every
+// Steers one vehicle. Hears NAV_<V> (MEASURED_NAV_<V> where it has sensors), SONAR_<V>,
+// HELM_COMMAND_<V>, NODE_REPORT_<V> and NODE_MESSAGE_<V>, and of those whom it follows NAV, or
+// SWARM_<V>; says DESIRED_<V> and ACTUATORS_<V> in every step, HELM_STATE_<V> on change and every
 // state_interval_s.
 //
 // What it does and why is decided in helm_states.h, how in pilot.h; here are the bus and the page.
@@ -40,6 +41,10 @@ class HelmApp : public App {
 
   void OnNav(const nav_t& nav);
   void OnCommand(const helm_command_t& command);
+  /// A HELM_COMMAND that another vehicle, or the shore in its name, sent as a node message.
+  void OnNodeMessage(const node_message_t& message);
+  /// Does what was read of an order. `from` is shown; empty: HELM_COMMAND itself.
+  void Obey(const Result<HelmOrder>& order, std::string_view from);
   void OnNodeReport(const node_report_t& report);
   bool WatchNav(int64_t utime);
   void PublishState(int64_t utime);

@@ -128,6 +128,43 @@ TEST(HelmApp, WarnsOfOrdersItDoesNotUnderstandAndChangesNothing) {
   EXPECT_EQ(loop.state.task, "survey");
 }
 
+/// A node message of bravo.
+node_message_t MessageOfBravo(const std::string& var_name, const std::string& value) {
+  node_message_t message{};
+  message.src_node = "bravo";
+  message.dest_node = "alpha";
+  message.var_name = var_name;
+  message.string_val = value;
+  return message;
+}
+
+TEST(HelmApp, ObeysOrdersThatComeAsNodeMessages) {
+  HelmAndVessel loop(TestVehicle());
+  loop.Run(1);
+  loop.SayMessage(MessageOfBravo("UPDATE_LOITER", "deploy"));
+  loop.Run(1);
+  EXPECT_EQ(loop.state.state, "PARK") << "other variables are no orders";
+  loop.SayMessage(MessageOfBravo("HELM_COMMAND", "deploy"));
+  loop.Run(1);
+  EXPECT_EQ(loop.state.state, "DRIVE");
+  loop.SayMessage(MessageOfBravo("HELM_COMMAND", "station_keep"));
+  loop.Run(1);
+  EXPECT_EQ(loop.state.task, "station_keep");
+}
+
+TEST(HelmApp, WarnsOfMessagesThatAreNoOrders) {
+  HelmAndVessel loop(TestVehicle());
+  loop.SayMessage(MessageOfBravo("HELM_COMMAND", "dance"));
+  loop.Run(1);
+  EXPECT_TRUE(Mentions(loop.Page(), "HELM_COMMAND of bravo refused: unknown command"));
+  node_message_t number = MessageOfBravo("HELM_COMMAND", "");
+  number.is_double = 1;
+  number.double_val = 3;
+  loop.SayMessage(number);
+  loop.Run(1);
+  EXPECT_TRUE(Mentions(loop.Page(), "a number is no order"));
+}
+
 TEST(HelmApp, ObeysAllStopAndResume) {
   HelmAndVessel loop(Deployed());
   loop.Run(20);

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
+#include <vector>
 
 #include "lib/run/status_page.h"
 
@@ -64,6 +66,33 @@ Result<HelmOrder> ReadOrder(std::string_view command, std::string_view argument,
   }
   if (grammar->takes_task) order.task = argument;
   return order;
+}
+
+Result<HelmOrder> ReadOrderText(std::string_view text) {
+  const size_t equals = text.find('=');
+  const std::string_view command = text.substr(0, equals);
+  const std::string_view rest =
+      equals == std::string_view::npos ? std::string_view() : text.substr(equals + 1);
+  if (equals != std::string_view::npos && rest.empty()) {
+    return Error{fmt::format("'{}' has nothing behind the '='", Printable(text))};
+  }
+  if (command == kGrammar.at(static_cast<size_t>(OrderKind::kTask)).word) {
+    return ReadOrder(command, rest, {});
+  }
+  std::vector<double> values;
+  for (size_t begin = 0; begin < rest.size();) {
+    const size_t end = std::min(rest.find(',', begin), rest.size());
+    const std::string_view word = rest.substr(begin, end - begin);
+    double value = 0;
+    const std::from_chars_result read =
+        std::from_chars(word.data(), word.data() + word.size(), value);
+    if (read.ec != std::errc() || read.ptr != word.data() + word.size()) {
+      return Error{fmt::format("'{}' is not a number", Printable(word))};
+    }
+    values.push_back(value);
+    begin = end + 1;
+  }
+  return ReadOrder(command, "", values);
 }
 
 std::string_view Name(OrderKind kind) { return kGrammar.at(static_cast<size_t>(kind)).word; }

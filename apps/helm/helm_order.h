@@ -37,6 +37,10 @@ inline constexpr double kMaxCoordinate_m = 1e7;
 Result<HelmOrder> ReadOrder(std::string_view command, std::string_view argument,
                             std::span<const double> values);
 
+/// Reads an order from one text, as node messages bring them: "deploy", "speed=1.2", "goto=10,-20",
+/// "task=survey".
+Result<HelmOrder> ReadOrderText(std::string_view text);
+
 /// Returns the word for it, as in helm_command_t.
 std::string_view Name(OrderKind kind);
 

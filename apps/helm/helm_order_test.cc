@@ -54,6 +54,24 @@ TEST(ReadOrder, RefusesNumbersThatCannotBe) {
   }
 }
 
+TEST(ReadOrderText, KnowsOrdersWithTheirValues) {
+  EXPECT_EQ(ReadOrderText("return")->kind, OrderKind::kReturn);
+  EXPECT_EQ(ReadOrderText("speed=1.2")->speed_mps, 1.2);
+  EXPECT_EQ(ReadOrderText("goto=10,-20.5")->point_m, Eigen::Vector2d(10, -20.5));
+  EXPECT_EQ(ReadOrderText("task=survey")->task, "survey");
+}
+
+TEST(ReadOrderText, SaysWhatIsWrong) {
+  EXPECT_EQ(ReadOrderText("").error(), "unknown command ''");
+  EXPECT_EQ(ReadOrderText("speed=").error(), "'speed=' has nothing behind the '='");
+  EXPECT_EQ(ReadOrderText("speed=fast").error(), "'fast' is not a number");
+  EXPECT_EQ(ReadOrderText("goto=1").error(), "goto takes 2 values and not 1");
+  EXPECT_EQ(ReadOrderText("goto=1,,2").error(), "'' is not a number");
+  EXPECT_EQ(ReadOrderText("deploy=1").error(), "deploy takes 0 values and not 1");
+  EXPECT_FALSE(ReadOrderText("speed=nan").ok());
+  EXPECT_FALSE(ReadOrderText("goto=inf,0").ok());
+}
+
 TEST(ReadOrder, ShowsOfAnUnknownCommandOnlyWhatATerminalWouldNotObey) {
   EXPECT_EQ(ErrorOf("a\x1b[2J\nb\xff", "", {}), "unknown command 'a?[2J?b?'");
   EXPECT_LT(ErrorOf(std::string(100'000, 'x'), "", {}).size(), 80u);

@@ -5,6 +5,8 @@
 #include <set>
 
 #include "lib/geometry/angles.h"
+#include "lib/guidance/motion_prediction.h"
+#include "lib/vehicle/attitude.h"
 
 namespace shoal {
 
@@ -20,6 +22,25 @@ Neighbour NeighbourOf(int id, const nav_t& nav) {
   return {.id = id,
           .position_m = {nav.x_m, nav.y_m, nav.z_m},
           .velocity_mps = {over_ground_mps.x(), over_ground_mps.y(), nav.descent_mps}};
+}
+
+Neighbour NeighbourOf(int id, const Motion& motion) {
+  return {.id = id, .position_m = motion.position_m, .velocity_mps = motion.velocity_mps};
+}
+
+Motion MotionOf(const swarm_contact_t& contact) {
+  return {.position_m = {contact.x_m, contact.y_m, contact.z_m},
+          .velocity_mps = {contact.x_mps, contact.y_mps, contact.z_mps}};
+}
+
+Motion NextOf(const swarm_contact_t& contact) {
+  return {.position_m = {contact.next_x_m, contact.next_y_m, contact.next_z_m},
+          .velocity_mps = {contact.next_x_mps, contact.next_y_mps, contact.next_z_mps}};
+}
+
+/// Returns the seconds from one time to another, whatever strangers make of them.
+double SecondsBetween(int64_t earlier_utime, int64_t later_utime) {
+  return (static_cast<double>(later_utime) - static_cast<double>(earlier_utime)) / 1e6;
 }
 
 /// Returns how the water moves: what is left of the velocity over ground without that through the
@@ -45,59 +66,121 @@ bool IsPlausible(const Neighbour& neighbour) {
 
 }  // namespace
 
-SwarmView::SwarmView(const Mission& mission, const Vehicle& vehicle) : own_name_(vehicle.name) {
-  std::map<std::string, std::set<std::string>> followers;
-  for (size_t i = 0; i < mission.vehicles.size(); ++i) {
-    const Vehicle& each = mission.vehicles[i];
-    ids_[each.name] = static_cast<int>(i);
-    for (const Task& task : each.tasks) {
+SwarmView::SwarmView(const Mission& mission, const Vehicle& vehicle)
+    : own_(mission.vehicles.size()),
+      silent_after_s_(mission.swarm.silent_after_s),
+      heard_(mission.vehicles.size() + 1),
+      told_(mission.vehicles.size() + 1) {
+  for (size_t i = 0; i < mission.vehicles.size(); ++i) places_[mission.vehicles[i].name] = i;
+  // A vehicle that is not in its mission, as in tests, comes behind the others.
+  own_ = places_.emplace(vehicle.name, mission.vehicles.size()).first->second;
+  for (const auto& [name, place] : places_) {
+    if (place == own_) continue;
+    for (const Task& task : mission.vehicles[place].tasks) {
       const auto* track = std::get_if<TargetTrackTask>(&task.what);
-      if (track != nullptr && each.name != own_name_) followers[track->target].insert(each.name);
+      const std::optional<Place> target = track == nullptr ? std::nullopt : PlaceOf(track->target);
+      if (!target) continue;
+      std::vector<Place>& followers = followers_[*target];
+      if (followers.empty() || followers.back() != place) followers.push_back(place);
     }
-  }
-  for (const auto& [target, names] : followers) {
-    followers_[target].assign(names.begin(), names.end());
   }
   std::set<std::string> wanted;
   for (const Task& task : vehicle.tasks) {
     const auto* track = std::get_if<TargetTrackTask>(&task.what);
-    if (track == nullptr) continue;
+    if (track == nullptr || track->swarm == SwarmKnowledge::kAcoustic) continue;
     wanted.insert(track->target);
-    const std::vector<std::string>& group = GroupOf(*track);
-    wanted.insert(group.begin(), group.end());
+    for (const Place place : GroupOf(*track)) wanted.insert(mission.vehicles.at(place).name);
   }
-  wanted.erase(own_name_);
+  wanted.erase(vehicle.name);
   names_.assign(wanted.begin(), wanted.end());
 }
 
-const std::vector<std::string>& SwarmView::GroupOf(const TargetTrackTask& task) const {
-  static const std::vector<std::string> kNone;
-  if (!task.group.empty()) return task.group;
-  const auto found = followers_.find(task.target);
-  return found == followers_.end() ? kNone : found->second;
+std::optional<SwarmView::Place> SwarmView::PlaceOf(const std::string& name) const {
+  const auto found = places_.find(name);
+  return found == places_.end() ? std::nullopt : std::optional(found->second);
+}
+
+std::vector<SwarmView::Place> SwarmView::GroupOf(const TargetTrackTask& task) const {
+  std::vector<Place> group;
+  if (task.group.empty()) {
+    const std::optional<Place> target = PlaceOf(task.target);
+    const auto found = target ? followers_.find(*target) : followers_.end();
+    if (found != followers_.end()) group = found->second;
+  }
+  for (const std::string& name : task.group) {
+    if (const std::optional<Place> place = PlaceOf(name); place && *place != own_) {
+      group.push_back(*place);
+    }
+  }
+  return group;
 }
 
 void SwarmView::Hear(const std::string& name, const nav_t& nav) {
-  const Neighbour neighbour = NeighbourOf(ids_[name], nav);
-  if (IsPlausible(neighbour)) heard_[name] = neighbour;
+  const std::optional<Place> place = PlaceOf(name);
+  if (!place) return;
+  const Neighbour neighbour = NeighbourOf(static_cast<int>(*place), nav);
+  if (IsPlausible(neighbour)) heard_[*place] = neighbour;
+}
+
+void SwarmView::HearSwarm(const swarm_t& swarm) {
+  for (const swarm_contact_t& contact : swarm.contacts) {
+    const bool is_sound = IsPlausible(NeighbourOf(0, MotionOf(contact))) &&
+                          IsPlausible(NeighbourOf(0, NextOf(contact)));
+    if (const auto place = PlaceOf(contact.name); place && is_sound) told_[*place] = contact;
+  }
+}
+
+std::optional<Neighbour> SwarmView::Find(const TargetTrackTask& task, Place place,
+                                         int64_t utime) const {
+  if (task.swarm == SwarmKnowledge::kDirect) return heard_[place];
+  const std::optional<swarm_contact_t>& contact = told_[place];
+  if (!contact || !contact->is_known) return std::nullopt;
+  const double elapsed_s = std::max(0.0, SecondsBetween(contact->report_utime, utime));
+  const Motion now =
+      contact->has_next
+          ? PredictLeader({.now = MotionOf(*contact), .next = NextOf(*contact)}, elapsed_s, {})
+          : PredictMember(MotionOf(*contact), elapsed_s);
+  Neighbour neighbour = NeighbourOf(static_cast<int>(place), now);
+  neighbour.is_silent = SecondsBetween(contact->heard_utime, utime) > silent_after_s_;
+  return IsPlausible(neighbour) ? std::optional(neighbour) : std::nullopt;
+}
+
+void SwarmView::HearSonar(const sonar_t& ping) { ping_ = ping; }
+
+void SwarmView::LookAhead(const nav_t& own) {
+  echoes_.clear();
+  const bool is_fresh = std::abs(SecondsBetween(ping_.utime, own.utime)) <= kSonarMemory_s;
+  if (!is_fresh || !std::isfinite(own.roll_deg)) return;
+  const Eigen::Matrix3d rotation = BodyToWorld(-DegToRad(own.roll_deg), DegToRad(own.pitch_deg),
+                                               PsiFromHeading(DegToRad(own.heading_deg)));
+  for (const sonar_beam_t& beam : ping_.beams) {
+    const double azimuth_rad = -DegToRad(beam.azimuth_deg);
+    const double elevation_rad = DegToRad(beam.elevation_deg);
+    const Eigen::Vector3d in_body(std::cos(azimuth_rad) * std::cos(elevation_rad),
+                                  std::sin(azimuth_rad) * std::cos(elevation_rad),
+                                  -std::sin(elevation_rad));
+    const bool is_echo = beam.range_m >= 0 && std::isfinite(beam.range_m);
+    if (!is_echo || !in_body.allFinite()) continue;
+    echoes_.push_back({.direction = rotation * in_body, .range_m = beam.range_m});
+  }
 }
 
 const Surroundings* SwarmView::Look(const Task* task, const nav_t& own) {
   const auto* track = task == nullptr ? nullptr : std::get_if<TargetTrackTask>(&task->what);
   if (track == nullptr) return nullptr;
   surroundings_ = {};
-  surroundings_.own = NeighbourOf(ids_[own_name_], own);
+  surroundings_.own = NeighbourOf(static_cast<int>(own_), own);
   if (!IsPlausible(surroundings_.own)) return nullptr;
-  if (const auto found = heard_.find(track->target); found != heard_.end()) {
-    surroundings_.target = found->second;
-  }
+  const std::optional<Place> target = PlaceOf(track->target);
+  if (target) surroundings_.target = Find(*track, *target, own.utime);
   group_.clear();
-  for (const std::string& name : GroupOf(*track)) {
-    const auto found = heard_.find(name);
-    const bool is_other = name != own_name_ && name != track->target;
-    if (is_other && found != heard_.end()) group_.push_back(found->second);
+  for (const Place place : GroupOf(*track)) {
+    if (place == target) continue;
+    if (const auto neighbour = Find(*track, place, own.utime)) group_.push_back(*neighbour);
   }
   surroundings_.group = group_;
+  LookAhead(own);
+  surroundings_.sonar = echoes_;
   surroundings_.current_mps = CurrentOf(own, surroundings_.own.velocity_mps);
   if (own.altitude_m >= 0) surroundings_.seabed_z_m = own.z_m + own.altitude_m;
   return &surroundings_;

@@ -1,12 +1,15 @@
-// What a helm knows of its swarm, by `swarm = "direct"`: the truth of every other vehicle, as their
-// NAV told it a step before.
+// What a helm knows of its swarm. By `swarm = "direct"` the truth of every other vehicle, as their
+// NAV told it a step before; by `swarm = "acoustic"` what SWARM has of them, predicted from the
+// time of their reports to now.
 //
 //   SwarmView swarm(mission, vehicle);
 //   for (const std::string& name : swarm.names()) Subscribe(... swarm.Hear(name, nav));
+//   Subscribe(... swarm.HearSwarm(swarm_message));
 //   fix.surroundings = swarm.Look(task, nav);
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,11 +17,15 @@
 #include "lib/guidance/task.h"
 #include "lib/mission/mission.h"
 #include "shoal/nav_t.hpp"
+#include "shoal/sonar_t.hpp"
+#include "shoal/swarm_t.hpp"
 
 namespace shoal {
 
 class SwarmView {
  public:
+  static constexpr double kSonarMemory_s = 1;
+
   SwarmView(const Mission& mission, const Vehicle& vehicle);
 
   /// Whose NAV its tasks ask for: targets and groups, each once.
@@ -26,21 +33,37 @@ class SwarmView {
 
   /// Takes note of where another vehicle is. Numbers that are not finite are passed over.
   void Hear(const std::string& name, const nav_t& nav);
+  /// Takes note of what acomms knows. Contacts with numbers that cannot be are passed over.
+  void HearSwarm(const swarm_t& swarm);
+  /// Takes note of what the sonar saw; it counts for kSonarMemory_s.
+  void HearSonar(const sonar_t& ping);
 
   /// Returns what a task has to go by, valid until the next call; nullptr for tasks that look at
   /// nobody.
   const Surroundings* Look(const Task* task, const nav_t& own);
 
  private:
-  /// Returns the members of a task's group.
-  const std::vector<std::string>& GroupOf(const TargetTrackTask& task) const;
+  /// Vehicles are known by their places in the mission.
+  using Place = size_t;
 
-  std::string own_name_;
-  std::map<std::string, int> ids_;                             ///< Place in the mission, by name.
-  std::map<std::string, std::vector<std::string>> followers_;  ///< Of each target; not itself.
+  /// Returns the members of a task's group.
+  std::vector<Place> GroupOf(const TargetTrackTask& task) const;
+  std::optional<Place> PlaceOf(const std::string& name) const;
+  /// Returns where another vehicle is at `utime`, by the knowledge that the task goes by.
+  std::optional<Neighbour> Find(const TargetTrackTask& task, Place place, int64_t utime) const;
+  /// Fills echoes_ from the last ping, as seen with the attitude of `own`.
+  void LookAhead(const nav_t& own);
+
+  std::map<std::string, Place> places_;
+  Place own_;
+  std::map<Place, std::vector<Place>> followers_;  ///< Of each target; not itself. By name.
   std::vector<std::string> names_;
-  std::map<std::string, Neighbour> heard_;
+  double silent_after_s_;
+  std::vector<std::optional<Neighbour>> heard_;
+  std::vector<std::optional<swarm_contact_t>> told_;  ///< By acomms.
   std::vector<Neighbour> group_;
+  sonar_t ping_{};
+  std::vector<SonarEcho> echoes_;
   Surroundings surroundings_;
 };
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "apps/node_reporter/dead_reckoning.h"
+#include "lib/run/own_nav.h"
 
 namespace shoal {
 
@@ -60,7 +61,7 @@ NodeReporterApp::NodeReporterApp(const Mission& mission, const Vehicle& vehicle,
     log_.WarnConfig(fmt::format("rate_hz = {:g}: no reports", options_.rate_hz));
   }
 
-  Subscribe(bus, channels::Nav(vehicle.name), [this](const nav_t& nav) { TakeNav(nav); });
+  Subscribe(bus, OwnNav(vehicle), [this](const nav_t& nav) { TakeNav(nav); });
   Subscribe(bus, channels::HelmState(vehicle.name), [this](const helm_state_t& state) {
     helm_ = state;
     helm_is_new_ = true;

@@ -1,5 +1,6 @@
 #include "apps/shoal/app_factory.h"
 
+#include "apps/acomms/acomms_app.h"
 #include "apps/helm/helm_app.h"
 #include "apps/node_reporter/node_reporter_app.h"
 #include "apps/shore_broker/shore_broker_app.h"
@@ -14,6 +15,7 @@ std::unique_ptr<App> MakeApp(const RosterEntry& entry, const Mission& mission, B
   SHOAL_CHECK(vehicle != nullptr, "a roster names only vehicles of its mission");
   if (entry.app == "vehicle_sim") return std::make_unique<VehicleSimApp>(mission, *vehicle, bus);
   if (entry.app == "helm") return std::make_unique<HelmApp>(mission, *vehicle, bus);
+  if (entry.app == "acomms") return std::make_unique<AcommsApp>(mission, *vehicle, bus);
   SHOAL_CHECK(entry.app == "node_reporter", "a roster names only shoal's own apps");
   return std::make_unique<NodeReporterApp>(mission, *vehicle, bus);
 }

@@ -26,11 +26,12 @@ DirectorApp::DirectorApp(const Mission& mission, Bus& bus)
                             mission_.vehicles[i].name));
     });
     Subscribe(bus, channels::HelmState(name), [this, i](const helm_state_t& helm) {
-      HelmFacts facts = {
-          .state = helm.state, .task = helm.task, .laps_done = helm.laps_done};
+      HelmFacts facts = {.state = helm.state, .task = helm.task, .laps_done = helm.laps_done};
       if (helm.waypoint_index >= 0) facts.cross_track_error_m = helm.cross_track_error_m;
       judge_.TakeHelm(i, facts, last_utime_.value_or(mission_.start_utime));
     });
+    if (!mission.IsInSwarm(mission.vehicles[i])) continue;
+    Subscribe(bus, channels::Swarm(name), [this, i](const swarm_t& swarm) { TakeSwarm(i, swarm); });
   }
   bus.SubscribeBytes(channels::CommsFates().name,
                      [this](const Message& message) { TakeFates(message); });
@@ -41,6 +42,16 @@ DirectorApp::DirectorApp(const Mission& mission, Bus& bus)
   }
   Subscribe(bus, channels::UncControlsReq(),
             [this](const unc_controls_req_t&) { controls_wanted_ = true; });
+}
+
+void DirectorApp::TakeSwarm(size_t vehicle, const swarm_t& swarm) {
+  for (const swarm_source_t& source : swarm.sources) {
+    const Vehicle* sender = mission_.FindVehicle(source.name);
+    if (sender == nullptr) continue;
+    judge_.TakeSwarm(
+        vehicle, sender->name,
+        {.clean = source.clean, .recovered = source.recovered, .rejected = source.rejected});
+  }
 }
 
 void DirectorApp::Tick(int64_t utime) {

@@ -34,6 +34,7 @@ class DirectorApp : public App {
   int64_t num_blocked() const;
   /// By link and cause.
   const FateCounts& fates(Kind kind) const { return judge_.fates(kind); }
+  const Judge& judge() const { return judge_; }
 
   /// Returns the mission's last page, should it end now; its last line is PASS or FAIL, or
   /// INCOMPLETE where it did not run to its end.
@@ -43,6 +44,7 @@ class DirectorApp : public App {
 
  private:
   void TakeFates(const Message& message);
+  void TakeSwarm(size_t vehicle, const swarm_t& swarm);
   void EndLastStep();
   void Say(int64_t utime, const CommandEvent& event);
   void Say(int64_t utime, const SimCommandEvent& event);

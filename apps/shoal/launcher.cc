@@ -209,7 +209,8 @@ void Launcher::ShowProgress(int64_t wall_us) {
 int Launcher::Conclude() {
   const bool complete = exit_code_ == 0;
   const RunCounters& counters = clock_.counters();
-  const bool reproducible = complete && counters.outside == 0 && !clock_.membership_changed();
+  const bool reproducible =
+      complete && counters.outside == 0 && !clock_.membership_changed() && !mission_.netsim;
   if (progress_shown_) Print("\n");
   std::string summary;
   if (running_since_us_ != 0) {
@@ -225,6 +226,7 @@ int Launcher::Conclude() {
         counters.foreign, counters.outside,
         reproducible           ? "yes"
         : counters.outside > 0 ? "no: messages came from outside the step protocol"
+        : mission_.netsim      ? "no: clients of netsim_manager come from outside"
         : !complete            ? "no: the mission did not run to its end"
                                : "no: not all participants took part from beginning to end",
         director_.Summary(complete));
@@ -246,6 +248,12 @@ int RunMission(const RunOptions& options, const Mission& mission) {
     fmt::print(stderr, "shoal: {}\n", why);
     return static_cast<int>(kExitEnvironment);
   };
+  if (mission.netsim && !mission.netsim->allow_warp && options.warp != 1) {
+    fmt::print(stderr,
+               "shoal: a mission with [netsim] runs at --warp 1: modem drivers compare their clock "
+               "with the wall's. Where yours do not, write allow_warp = true in [netsim]\n");
+    return kExitUsage;
+  }
   const std::vector<std::string> vehicles = VehicleNames(mission);
   const Layout layout =
       options.layout.value_or(PortPlan::Suggest(static_cast<int>(vehicles.size())));

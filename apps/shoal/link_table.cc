@@ -2,26 +2,16 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <string_view>
 #include <utility>
 #include <vector>
 
-#include "lib/routing/fate.h"
+#include "apps/shoal/fate_kinds.h"
 #include "lib/run/status_page.h"
 
 namespace shoal {
 
 namespace {
-
-constexpr std::array<std::string_view, kNumKinds + 1> kTitles = {
-    "Node reports", "Node messages", "Acks", "Packets", "Of other kinds"};
-
-int KindOf(std::string_view text) {
-  int kind = 0;
-  while (kind < kNumKinds && KindText(static_cast<Kind>(kind)) != text) ++kind;
-  return kind;
-}
 
 std::string Shown(std::string_view name) { return name.empty() ? "-" : Printable(name); }
 
@@ -58,7 +48,7 @@ void Append(const Block& block, bool has_recorded, std::string* text) {
 
 LinkTable::Change& LinkTable::Find(const fate_t& fate) {
   const std::tuple<int, std::string_view, std::string_view, std::string_view> key(
-      KindOf(fate.kind), fate.source, fate.destination, fate.cause);
+      KindNumber(fate.kind), fate.source, fate.destination, fate.cause);
   const auto found = changes_.find(key);
   return found != changes_.end() ? found->second : changes_[Key(key)];
 }
@@ -73,7 +63,7 @@ void LinkTable::AddNow(const fate_t& fate) {
 
 LinkTable::Change LinkTable::Of(std::string_view kind, std::string_view source,
                                 std::string_view destination, std::string_view cause) const {
-  const auto found = changes_.find(std::tuple(KindOf(kind), source, destination, cause));
+  const auto found = changes_.find(std::tuple(KindNumber(kind), source, destination, cause));
   return found == changes_.end() ? Change() : found->second;
 }
 
@@ -96,9 +86,9 @@ std::string LinkTable::Text(size_t max_links, bool has_recorded) const {
     if (links.empty()) continue;
     all.rows.assign(totals.begin(), totals.end());
     text += has_recorded
-                ? fmt::format("{:<49} {:>10} {:>10}\n", kTitles[static_cast<size_t>(kind)],
+                ? fmt::format("{:<49} {:>10} {:>10}\n", kKindTitles[static_cast<size_t>(kind)],
                               "recorded", "now")
-                : fmt::format("{:<49} {:>10}\n", kTitles[static_cast<size_t>(kind)], "now");
+                : fmt::format("{:<49} {:>10}\n", kKindTitles[static_cast<size_t>(kind)], "now");
     Append(all, has_recorded, &text);
     size_t num_left_out = 0;
     for (const Block& link : links) {

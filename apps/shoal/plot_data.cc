@@ -15,7 +15,7 @@ namespace {
 constexpr int64_t kLatest_us = 1'000'000'000'000'000'000;  // Differences are numbers still.
 /// What begins later than this counts from no mission's start: three years.
 constexpr int64_t kWallTime_us = 100'000'000'000'000;
-constexpr size_t kMostRunsOfAll = 46'000;  // Of each kind of curve: some 70 MB for all fifteen.
+constexpr size_t kMostRunsOfAll = 46'000;  // Of each kind of curve: some 80 MB for all seventeen.
 constexpr size_t kFewestRuns = 32;
 constexpr size_t kMostMarks = 15;
 constexpr size_t kMostWaypoints = 500;
@@ -48,9 +48,10 @@ template <class Visit>
 void ForEachCurve(VehicleCurves* curves, const Visit& visit) {
   for (ThinnedCurve* curve :
        {&curves->track, &curves->depth_m, &curves->floor_m, &curves->cross_track_m,
-        &curves->crab_deg, &curves->nearest_m, &curves->target_m, &curves->thrust_pct,
-        &curves->propeller_rpm, &curves->rudder_deg, &curves->stern_plane_deg, &curves->speed_mps,
-        &curves->desired_speed_mps, &curves->heading_deg, &curves->desired_heading_deg}) {
+        &curves->crab_deg, &curves->nearest_m, &curves->target_m, &curves->target_age_s,
+        &curves->other_age_s, &curves->thrust_pct, &curves->propeller_rpm, &curves->rudder_deg,
+        &curves->stern_plane_deg, &curves->speed_mps, &curves->desired_speed_mps,
+        &curves->heading_deg, &curves->desired_heading_deg}) {
     visit(curve);
   }
 }
@@ -89,7 +90,8 @@ void PlotDataBuilder::Add(const LogEvent& event) {
   take_of_vehicle("NAV", nav_t{}, &PlotDataBuilder::AddNav) ||
       take_of_vehicle("HELM_STATE", helm_state_t{}, &PlotDataBuilder::AddHelmState) ||
       take_of_vehicle("ACTUATORS", actuators_t{}, &PlotDataBuilder::AddActuators) ||
-      take_of_vehicle("DESIRED", desired_t{}, &PlotDataBuilder::AddDesired);
+      take_of_vehicle("DESIRED", desired_t{}, &PlotDataBuilder::AddDesired) ||
+      take_of_vehicle("SWARM", swarm_t{}, &PlotDataBuilder::AddSwarm);
 }
 
 /// Returns the vehicle of this name in channels, nullptr where there are too many.

@@ -45,6 +45,8 @@ struct VehicleCurves {
   ThinnedCurve depth_m, floor_m;        ///< Down positive; the floor under the vehicle.
   ThinnedCurve cross_track_m, crab_deg;
   ThinnedCurve nearest_m, target_m;  ///< To the nearest other vehicle; to the one it tracks.
+  /// How old its news of the one it follows is; the oldest that it has of any other.
+  ThinnedCurve target_age_s, other_age_s;
   ThinnedCurve thrust_pct, propeller_rpm, rudder_deg, stern_plane_deg;
   ThinnedCurve speed_mps, desired_speed_mps, heading_deg, desired_heading_deg;
   bool dives = false;    ///< It was more than 0.1 m deep.
@@ -85,6 +87,8 @@ class PlotDataBuilder {
     std::optional<int64_t> nav_utime;  ///< Of position_m.
     int64_t mark_step_s = 1;           ///< Between its marks so far.
     std::string leg;                   ///< Which leg its helm was on; empty: none.
+    /// Of the reports that it knows; absent: of none.
+    std::optional<int64_t> target_report_utime, other_report_utime;
   };
 
   Vehicle* Find(std::string_view channel_name);
@@ -95,6 +99,9 @@ class PlotDataBuilder {
   void AddHelmState(Vehicle* vehicle, const helm_state_t& state);
   void AddActuators(Vehicle* vehicle, const actuators_t& actuators);
   void AddDesired(Vehicle* vehicle, const desired_t& desired);
+  void AddSwarm(Vehicle* vehicle, const swarm_t& swarm);
+  void DrawAge(double time_s, int64_t utime, std::optional<int64_t> report_utime,
+               std::optional<int64_t>* before, ThinnedCurve* curve);
   void TakeReport(const node_report_t& report);
   void MeasureDistances();
 

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "apps/shoal/plot_testing.h"
+#include "apps/shoal/swarm_testing.h"
 #include "lib/bus/seal.h"
 
 namespace shoal {
@@ -101,6 +102,38 @@ TEST(PlotData, LeavesTheFloorOutWhereItIsNotKnown) {
       DataOf({EventOf("NAV_A", over_ground), EventOf("NAV_A", unknown), EventOf("NAV_A", again)});
   EXPECT_TRUE(data.vehicles.at(0).dives);
   EXPECT_EQ(data.vehicles[0].floor_m.Strokes(), (std::vector<Stroke>{{{0, 20}}, {{0.2, 20}}}));
+}
+
+TEST(PlotData, DrawsTheAgeOfNewsAsTheTeethOfASaw) {
+  const auto event = [](int64_t utime, std::vector<swarm_contact_t> contacts) {
+    return EventOf("SWARM_BRAVO", SwarmAt(utime, "bravo", std::move(contacts)));
+  };
+  swarm_contact_t unheard = ContactAt("delta", 0, false);
+  unheard.is_heard = 0;
+  const PlotData data = DataOf({
+      event(1'000'000, {ContactAt("alpha", 500'000), unheard}),
+      event(3'000'000, {ContactAt("alpha", 2'500'000), ContactAt("delta", 1'000'000, false)}),
+      event(4'000'000, {ContactAt("alpha", 9'000'000), ContactAt("charlie", 3'000'000, false),
+                        ContactAt("delta", 1'000'000, false)}),
+  });
+  ASSERT_EQ(data.vehicles.size(), 1u);
+  EXPECT_EQ(data.vehicles[0].target_age_s.Strokes(),
+            (std::vector<Stroke>{{{1, 0.5}, {3, 2.5}, {3, 0.5}, {4, 1.5}, {4, 0}}}));
+  EXPECT_EQ(data.vehicles[0].other_age_s.Strokes(), (std::vector<Stroke>{{{3, 2}, {4, 3}}}))
+      << "the oldest of all that were heard";
+}
+
+TEST(PlotData, DrawsNoAgeWhileNothingIsHeard) {
+  swarm_contact_t unheard = ContactAt("alpha", 0);
+  unheard.is_heard = 0;
+  const PlotData data = DataOf(
+      {EventOf("SWARM_BRAVO", SwarmAt(0, "bravo", {ContactAt("alpha", 0)})),
+       EventOf("SWARM_BRAVO", SwarmAt(1'000'000, "bravo", {unheard})),
+       EventOf("SWARM_BRAVO", SwarmAt(2'000'000, "bravo", {ContactAt("alpha", 0)})),
+       EventOf("SWARM_BRAVO", SwarmAt(3'000'000, "bravo", {ContactAt("alpha", INT64_MIN)}))});
+  ASSERT_EQ(data.vehicles.size(), 1u);
+  EXPECT_EQ(data.vehicles[0].target_age_s.Strokes(), (std::vector<Stroke>{{{0, 0}}, {{2, 2}}}));
+  EXPECT_EQ(data.num_impossible, 1);
 }
 
 TEST(PlotData, CountsWhatItCannotDraw) {

@@ -181,6 +181,14 @@ Figure DrawSpeed(StackedFigure figure, const PlotSetting& setting, bool png) {
   return figure.Finish("Speed and heading", setting, png, "no NAV of these vehicles in the log");
 }
 
+Figure DrawAge(StackedFigure figure, const PlotSetting& setting, bool png) {
+  figure.BeginPanel("age of news of its target [s]", {"set yrange [0:*]"});
+  figure.AddCurves(&VehicleCurves::target_age_s, "age of news of its target", kSolid);
+  figure.BeginPanel("oldest news of another [s]", {"set yrange [0:*]"});
+  figure.AddCurves(&VehicleCurves::other_age_s, "oldest news of another", kSolid);
+  return figure.Finish("Age of information", setting, png, "no SWARM of these vehicles in the log");
+}
+
 /// The mission's colours, else what the vehicles' reports tell.
 std::vector<std::string> ColorsOf(const PlotData& data, const PlotSetting& setting) {
   std::vector<std::string> wished;
@@ -203,7 +211,8 @@ std::vector<Figure> DrawFigures(const PlotData& data, const PlotSetting& setting
           DrawTrackError(stacked("track_error"), setting, png),
           DrawDistances(stacked("distances"), setting, png),
           DrawActuators(stacked("actuators"), data, setting, png),
-          DrawSpeed(stacked("speed"), setting, png)};
+          DrawSpeed(stacked("speed"), setting, png),
+          DrawAge(stacked("age"), setting, png)};
 }
 
 }  // namespace shoal

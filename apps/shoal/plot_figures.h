@@ -9,8 +9,8 @@
 
 namespace shoal {
 
-/// Returns all six figures: tracks, depth, track_error, distances, actuators, speed; those that
-/// have nothing to show say so.
+/// Returns all seven figures: tracks, depth, track_error, distances, actuators, speed, age; those
+/// that have nothing to show say so.
 [[nodiscard]] std::vector<Figure> DrawFigures(const PlotData& data, const PlotSetting& setting,
                                               bool png);
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "apps/shoal/plot_testing.h"
+#include "apps/shoal/swarm_testing.h"
 
 namespace shoal {
 namespace {
@@ -94,6 +95,20 @@ TEST_F(Figures, CutAHeadingThatGoesThroughNorth) {
   after.heading_deg = 1;
   Draw({EventOf("NAV_A", before), EventOf("NAV_A", after)}, Berta());
   EXPECT_TRUE(Contains(Of("speed").data, "\n0 359\n\n0.1 1\n"));
+}
+
+TEST_F(Figures, ShowHowOldNewsOfTargetsAre) {
+  Draw(TwoVehicles(), Berta());
+  EXPECT_EQ(Of("age").why_left_out, "no SWARM of these vehicles in the log");
+  std::vector<TestEvent> events = TwoVehicles();
+  for (const int64_t utime : {1'000'000, 2'000'000}) {
+    events.push_back(EventOf("SWARM_BRAVO", SwarmAt(utime, "bravo", {ContactAt("alpha", 0)})));
+  }
+  Draw(events, Berta());
+  EXPECT_EQ(Of("age").why_left_out, "");
+  EXPECT_TRUE(Contains(Of("age").script, "set ylabel 'age of news of its target [s]'"));
+  EXPECT_FALSE(Contains(Of("age").script, "oldest news of another")) << "nobody heard of one";
+  EXPECT_TRUE(Contains(Of("age").data, "\n1 1\n2 2\n"));
 }
 
 TEST_F(Figures, ShowTheDepthWithTheSeaFloorBelow) {

@@ -46,7 +46,7 @@ const std::vector<CommandShape>& SimCommands() {
   static const std::vector<CommandShape> shapes = {
       {"pause", false, {0}, "hold the vehicle where it is"},
       {"resume", false, {0}, "let it move again"},
-      {"reset", false, {0, 4}, "[X Y HEADING SPEED]: back to the start, or to a pose"},
+      {"reset", false, {0, 4, 5}, "[X Y HEADING SPEED [DEPTH]]: back to the start, or to a pose"},
       {"drift", false, {2}, "X Y: add a drift of X m/s East, Y m/s North"},
   };
   return shapes;

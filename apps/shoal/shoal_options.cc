@@ -14,6 +14,7 @@
 #include "apps/shoal/doctor.h"
 #include "apps/shoal/import_command.h"
 #include "apps/shoal/launcher.h"
+#include "apps/shoal/log_comms.h"
 #include "apps/shoal/plot_command.h"
 #include "apps/shoal/rebroker_command.h"
 #include "apps/shoal/send_command.h"
@@ -140,6 +141,39 @@ void AddSend(CLI::App& cli, Action* action) {
   });
 }
 
+/// The same as `shoal send FROM message TO VAR VALUE`, in words that say who is who.
+void AddMessage(CLI::App& cli, Action* action) {
+  CLI::App* command =
+      cli.add_subcommand("message", "Send a node message from one vehicle to others");
+  struct Parsed {
+    int port_base = 0;
+    std::string from;
+    std::string to;
+    std::string var;
+    std::string value;
+    bool is_double = false;
+    bool wants_ack = false;
+  };
+  auto parsed = std::make_shared<Parsed>();
+  AddPort(command, &parsed->port_base);
+  command->add_option("--from", parsed->from, "The vehicle that sends it, or all")->required();
+  command->add_option("--to", parsed->to, "Vehicles joined by ':', all, or group:NAME")->required();
+  command->add_option("VAR", parsed->var, "What is told; HELM_COMMAND: an order to the helm")
+      ->required();
+  command->add_option("VALUE", parsed->value, "Its value; of HELM_COMMAND: deploy, speed=1.2, ...")
+      ->required();
+  command->add_flag("--double", parsed->is_double, "VALUE is a number");
+  command->add_flag("--ack", parsed->wants_ack, "Sent again until it is acknowledged");
+  command->callback([parsed, action] {
+    SendOptions options{.port_base = parsed->port_base,
+                        .target = parsed->from,
+                        .words = {"message", parsed->to, parsed->var, parsed->value}};
+    if (parsed->is_double) options.words.emplace_back("--double");
+    if (parsed->wants_ack) options.words.emplace_back("--ack");
+    *action = [options] { return RunSend(options); };
+  });
+}
+
 void AddStatus(CLI::App& cli, Action* action) {
   CLI::App* status = cli.add_subcommand("status", "Show the status pages of a running mission");
   auto options = std::make_shared<StatusOptions>();
@@ -234,6 +268,18 @@ void AddLog(CLI::App& cli, Action* action) {
       return LogCsv(*csv_options, std::cout, std::cerr);
     };
   });
+
+  CLI::App* comms =
+      log->add_subcommand("comms", "Who heard whom, what was lost and why, how old news are");
+  auto comms_options = std::make_shared<LogCommsOptions>();
+  comms->add_option("LOG", comms_options->path, "LCM event log")->required();
+  comms->add_option("--csv", comms_options->csv_dir, "Also write tables into this folder");
+  comms->add_flag("--all", comms_options->all, "Show all links, however many there are");
+  comms->add_flag("--skip-damage", comms_options->skip_damage,
+                  "Read what can be read of a bad log");
+  comms->callback([comms_options, action] {
+    *action = [comms_options] { return LogComms(*comms_options, std::cout, std::cerr); };
+  });
 }
 
 void AddImport(CLI::App& cli, Action* action) {
@@ -312,6 +358,7 @@ int RunShoalCommand(int argc, char** argv) {
   AddRun(cli, &action);
   AddSim(cli, &action);
   AddCheck(cli, &action);
+  AddMessage(cli, &action);
   AddSend(cli, &action);
   AddStatus(cli, &action);
   AddLog(cli, &action);

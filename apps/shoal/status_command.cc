@@ -68,8 +68,8 @@ int RunStatus(const StatusOptions& options) {
   for (const std::string& vehicle : mission->vehicles) {
     if (wanted == vehicle) {
       fmt::print(stderr,
-                 "shoal: {0} is a vehicle; ask for helm_{0}, vehicle_sim_{0} or "
-                 "node_reporter_{0}\n",
+                 "shoal: {0} is a vehicle; ask for helm_{0}, vehicle_sim_{0}, "
+                 "node_reporter_{0} or, in a swarm, acomms_{0}\n",
                  vehicle);
       return kExitUsage;
     }

@@ -61,6 +61,11 @@ std::string WholeMission::Fault() const {
 }
 
 Result<bool> CanRunInOneProcess(const Mission& mission) {
+  if (mission.netsim) {
+    return Error{fmt::format("{}: the clients of [netsim] live by the wall's clock, so the mission "
+                             "needs `shoal run`",
+                             mission.file)};
+  }
   for (const RosterEntry& entry : MakeRoster(mission, false)) {
     if (entry.provider == Provider::kHand || !entry.command.empty()) {
       return Error{fmt::format(

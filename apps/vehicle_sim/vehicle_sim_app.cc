@@ -14,16 +14,35 @@ namespace {
 constexpr char kLateActuators[] = "no ACTUATORS for 2 s: thrust and rudder are zero";
 /// Beyond this a pose or a drift is a slip of the keyboard.
 constexpr double kMaxPosition_m = 1e6;
+constexpr double kMaxDepth_m = 20'000;
 constexpr double kMaxDrift_mps = 100;
 
 bool AllFinite(const std::vector<double>& values) {
   return std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
 }
 
+/// True for x, y, heading and speed, and perhaps a depth.
+bool IsPose(const std::vector<double>& values) {
+  return (values.size() == 4 || values.size() == 5) &&
+         std::max(std::abs(values[0]), std::abs(values[1])) <= kMaxPosition_m &&
+         std::abs(values[3]) <= kMaxDrift_mps &&
+         (values.size() == 4 || (values[4] >= 0 && values[4] <= kMaxDepth_m));
+}
+
 Ocean OceanOrDie(const Mission& mission) {
   Result<Ocean> ocean = OceanOf(mission);
   SHOAL_CHECK(ocean.ok(), "the mission file was checked, and its grid could be read");
   return std::move(*ocean);
+}
+
+std::optional<NavInstruments> InstrumentsOf(const Mission& mission, const Vehicle& vehicle) {
+  if (!vehicle.sensors.is_fitted) return std::nullopt;
+  return NavInstruments(vehicle.sensors, mission.seed, vehicle.name);
+}
+
+std::optional<SonarUnit> SonarOf(const Mission& mission, const Vehicle& vehicle) {
+  if (!vehicle.sonar.is_fitted) return std::nullopt;
+  return SonarUnit(vehicle.sonar, mission.seed, vehicle.name);
 }
 
 }  // namespace
@@ -34,7 +53,12 @@ VehicleSimApp::VehicleSimApp(const Mission& mission, const Vehicle& vehicle, Bus
       frame_({.lat_deg = mission.origin_lat_deg, .lon_deg = mission.origin_lon_deg}),
       start_utime_(mission.start_utime),
       ocean_(OceanOrDie(mission)),
+      contact_rule_(mission.environment.contact),
       nav_channel_(channels::Nav(vehicle.name)),
+      instruments_(InstrumentsOf(mission, vehicle)),
+      plume_(ocean_.plume),
+      sonar_(SonarOf(mission, vehicle)),
+      others_(mission, vehicle),
       bus_(bus),
       craft_(MakeSimulatedCraft(vehicle)) {
   Reset(vehicle.start);
@@ -42,12 +66,18 @@ VehicleSimApp::VehicleSimApp(const Mission& mission, const Vehicle& vehicle, Bus
             [this](const actuators_t& actuators) { OnActuators(actuators); });
   Subscribe(bus, channels::SimCommand(vehicle.name),
             [this](const sim_command_t& command) { OnSimCommand(command); });
+  if (!sonar_ && contact_rule_ == ContactRule::kIgnore) return;
+  for (const std::string& name : others_.names()) {
+    Subscribe(bus, channels::Nav(name),
+              [this, name](const nav_t& nav) { others_.Hear(name, nav); });
+  }
 }
 
 void VehicleSimApp::Reset(const StartPose& pose) {
   // The water at the new place is asked for once the vehicle is there.
   craft_->Reset(pose, {});
   craft_->Reset(pose, WaterAt(utime_.value_or(start_utime_)));
+  touched_by_.clear();
 }
 
 Water VehicleSimApp::WaterAt(int64_t utime) const {
@@ -78,10 +108,12 @@ void VehicleSimApp::OnSimCommand(const sim_command_t& command) {
     paused_ = false;
   } else if (command.command == "reset" && values.empty()) {
     Reset(vehicle_.start);
-  } else if (command.command == "reset" && values.size() == 4 && finite &&
-             std::max(std::abs(values[0]), std::abs(values[1])) <= kMaxPosition_m &&
-             std::abs(values[3]) <= kMaxDrift_mps) {
-    Reset({.x_m = values[0], .y_m = values[1], .heading_deg = values[2], .speed_mps = values[3]});
+  } else if (command.command == "reset" && finite && IsPose(values)) {
+    Reset({.x_m = values[0],
+           .y_m = values[1],
+           .heading_deg = values[2],
+           .speed_mps = values[3],
+           .depth_m = values.size() > 4 ? values[4] : 0});
   } else if (command.command == "drift" && values.size() == 2 && finite &&
              std::max(std::abs(values[0]), std::abs(values[1])) <= kMaxDrift_mps) {
     drift_mps_ = {values[0], values[1]};
@@ -96,7 +128,8 @@ void VehicleSimApp::OnSimCommand(const sim_command_t& command) {
 
 void VehicleSimApp::Tick(int64_t utime) {
   WatchActuators(utime);
-  if (utime_ && !paused_) Integrate(utime);
+  WatchContact(utime);
+  if (utime_ && !is_still()) Integrate(utime);
   if (!utime_ && !actuators_utime_) actuators_utime_ = utime;
   utime_ = utime;
   PublishNav(utime);
@@ -111,6 +144,16 @@ void VehicleSimApp::WatchActuators(int64_t utime) {
   }
   if (!late && actuators_are_late_) log_.Retract(kLateActuators);
   actuators_are_late_ = late;
+}
+
+void VehicleSimApp::WatchContact(int64_t utime) {
+  if (contact_rule_ == ContactRule::kIgnore || !touched_by_.empty()) return;
+  // Both are looked at where they were in the step before, so that both see the same distance.
+  touched_by_ = others_.Touching(craft_->position_m(), vehicle_.length_m);
+  if (touched_by_.empty()) return;
+  const std::string text = "ran into " + touched_by_ + ": it moves no more";
+  log_.Warn(text);
+  log_.Event(utime, text);
 }
 
 void VehicleSimApp::Integrate(int64_t until_utime) {
@@ -129,7 +172,7 @@ void VehicleSimApp::PublishNav(int64_t utime) {
   nav.utime = utime;
   nav.lat_deg = geo.lat_deg;
   nav.lon_deg = geo.lon_deg;
-  if (paused_) {
+  if (is_still()) {
     for (double* motion : {&nav.surge_mps, &nav.sway_mps, &nav.heave_mps, &nav.roll_rate_degps,
                            &nav.pitch_rate_degps, &nav.yaw_rate_degps, &nav.speed_mps,
                            &nav.speed_over_ground_mps, &nav.descent_mps}) {
@@ -138,6 +181,24 @@ void VehicleSimApp::PublishNav(int64_t utime) {
     nav.course_over_ground_deg = nav.heading_deg;
   }
   Publish(bus_, nav_channel_, nav);
+  PublishInstruments(nav);
+}
+
+void VehicleSimApp::PublishInstruments(const nav_t& nav) {
+  if (instruments_) {
+    Publish(bus_, channels::MeasuredNav(vehicle_.name), instruments_->Measure(nav, frame_));
+  }
+  if (sonar_) {
+    static const SeaFloor kDeep;
+    const auto ping = sonar_->Ping(nav, ocean_.floor ? *ocean_.floor : kDeep, others_.targets());
+    if (ping) Publish(bus_, channels::Sonar(vehicle_.name), *ping);
+  }
+  if (plume_) {
+    water_sample_t sample{};
+    sample.utime = nav.utime;
+    sample.concentration_gpm3 = Concentration(*plume_, {nav.x_m, nav.y_m, nav.z_m});
+    Publish(bus_, channels::WaterSample(vehicle_.name), sample);
+  }
 }
 
 StatusPage VehicleSimApp::Status() const {
@@ -158,7 +219,11 @@ StatusPage VehicleSimApp::Status() const {
       "    ACTUATORS: {}\n"
       "    SIM_COMMAND: {} ({} refused)\n",
       vehicle_.name, vehicle_.model, vehicle_.start.x_m, vehicle_.start.y_m, vehicle_.start.depth_m,
-      vehicle_.start.heading_deg, paused_ ? " paused" : "", nav.x_m, nav.y_m, nav.z_m,
+      vehicle_.start.heading_deg,
+      !touched_by_.empty() ? " stopped, ran into " + touched_by_
+      : paused_            ? " paused"
+                           : "",
+      nav.x_m, nav.y_m, nav.z_m,
       water.floor_z_m ? fmt::format(", {:.1f} m above the floor", nav.altitude_m) : "",
       nav.heading_deg, nav.speed_mps, nav.speed_over_ground_mps, craft_->ActuatorsText(),
       water.velocity_mps.x(), water.velocity_mps.y(), drift_mps_.x(), drift_mps_.y(),

@@ -1,4 +1,6 @@
-// Simulates one vehicle. Hears ACTUATORS_<V> and SIM_COMMAND_<V>, says NAV_<V> in every step.
+// Simulates one vehicle. Hears ACTUATORS_<V> and SIM_COMMAND_<V>, says NAV_<V> in every step, and
+// what its instruments show: MEASURED_NAV_<V>, SONAR_<V>, WATER_SAMPLE_<V>. Where it has a sonar or
+// can run into others it also hears their NAV.
 //
 // Actuators are held until the next message; after kActuatorTimeout_us without one they go to zero.
 // Step 0 shows the start pose; every later step integrates the time since the last.
@@ -8,8 +10,12 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
 
+#include "apps/vehicle_sim/nav_instruments.h"
+#include "apps/vehicle_sim/other_vehicles.h"
 #include "apps/vehicle_sim/simulated_craft.h"
+#include "apps/vehicle_sim/sonar_unit.h"
 #include "lib/bus/bus.h"
 #include "lib/bus/channels.h"
 #include "lib/geodesy/local_frame.h"
@@ -36,21 +42,31 @@ class VehicleSimApp : public App {
   /// Returns the water where the vehicle is.
   Water WaterAt(int64_t utime) const;
   void WatchActuators(int64_t utime);
+  /// Stops for good where another vehicle touches it and the mission says so.
+  void WatchContact(int64_t utime);
   void PublishNav(int64_t utime);
+  void PublishInstruments(const nav_t& nav);
+  bool is_still() const { return paused_ || !touched_by_.empty(); }
 
   const Vehicle vehicle_;
   const int64_t tick_us_;
   const LocalFrame frame_;
   const int64_t start_utime_;
   const Ocean ocean_;
+  const ContactRule contact_rule_;
   const Channel<nav_t> nav_channel_;
+  const std::optional<NavInstruments> instruments_;
+  const std::optional<Plume> plume_;
+  std::optional<SonarUnit> sonar_;
+  OtherVehicles others_;
   Bus& bus_;
   StatusLog log_;
 
   const std::unique_ptr<SimulatedCraft> craft_;
   Eigen::Vector2d drift_mps_ = Eigen::Vector2d::Zero();  ///< By SIM_COMMAND, on top of the current.
   bool paused_ = false;
-  std::optional<int64_t> utime_;            ///< Of the last step.
+  std::string touched_by_;        ///< It ran into this vehicle, and stands still; empty: into none.
+  std::optional<int64_t> utime_;  ///< Of the last step.
   std::optional<int64_t> actuators_utime_;  ///< When the last ACTUATORS were heard.
   bool actuators_are_late_ = false;
   int64_t num_actuators_ = 0;

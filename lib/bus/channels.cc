@@ -20,6 +20,11 @@ std::string Of(std::string_view topic, std::string_view vehicle) {
 }  // namespace
 
 Channel<nav_t> Nav(std::string_view vehicle) { return {Of("NAV", vehicle)}; }
+Channel<nav_t> MeasuredNav(std::string_view vehicle) { return {Of("MEASURED_NAV", vehicle)}; }
+Channel<sonar_t> Sonar(std::string_view vehicle) { return {Of("SONAR", vehicle)}; }
+Channel<water_sample_t> WaterSample(std::string_view vehicle) {
+  return {Of("WATER_SAMPLE", vehicle)};
+}
 Channel<actuators_t> Actuators(std::string_view vehicle) { return {Of("ACTUATORS", vehicle)}; }
 Channel<desired_t> Desired(std::string_view vehicle) { return {Of("DESIRED", vehicle)}; }
 Channel<helm_state_t> HelmState(std::string_view vehicle) { return {Of("HELM_STATE", vehicle)}; }
@@ -38,6 +43,7 @@ Channel<ack_message_t> AckMessageTo(std::string_view vehicle) {
   return {Of("ACK_MESSAGE", vehicle)};
 }
 Channel<acoustic_rx_t> AcousticRx(std::string_view vehicle) { return {Of("ACOUSTIC_RX", vehicle)}; }
+Channel<swarm_t> Swarm(std::string_view vehicle) { return {Of("SWARM", vehicle)}; }
 
 Channel<helm_command_t> HelmCommandAll() { return {"HELM_COMMAND"}; }
 Channel<node_report_t> NodeReportLocal() { return {"NODE_REPORT_LOCAL"}; }
@@ -53,6 +59,7 @@ Channel<node_report_t> NodeReportUnc() { return {"NODE_REPORT_UNC"}; }
 Channel<comms_fates_t> CommsFates() { return {"COMMS_FATES"}; }
 Channel<comms_rules_t> CommsRules() { return {"COMMS_RULES"}; }
 Channel<comms_pulses_t> ViewCommsPulse() { return {"VIEW_COMMS_PULSE"}; }
+Channel<modem_stats_t> ModemStats() { return {"MODEM_STATS"}; }
 Channel<appcast_t> Appcast() { return {"APPCAST"}; }
 
 Channel<tick_t> Tick() { return {"TICK"}; }
@@ -67,10 +74,16 @@ namespace {
 std::vector<ChannelRow> MakeTable() {
   using enum ChannelHome;
   std::vector<ChannelRow> table = {
-      {"NAV", kVehicle, "nav_t", "vehicle_sim", "helm, node_reporter, shoal", "every step", true},
+      {"NAV", kVehicle, "nav_t", "vehicle_sim",
+       "helm, node_reporter, acomms, vehicle_sim of others, shoal", "every step", true},
+      {"MEASURED_NAV", kVehicle, "nav_t", "vehicle_sim", "helm, node_reporter, acomms",
+       "every step, with [vehicle.sensors]", true},
+      {"SONAR", kVehicle, "sonar_t", "vehicle_sim", "helm", "[vehicle.sonar] rate_hz", true},
+      {"WATER_SAMPLE", kVehicle, "water_sample_t", "vehicle_sim", "your programs",
+       "every step, with [environment.plume]", true},
       {"ACTUATORS", kVehicle, "actuators_t", "helm", "vehicle_sim", "every step", true},
       {"DESIRED", kVehicle, "desired_t", "helm", "(people)", "every step", true},
-      {"HELM_STATE", kVehicle, "helm_state_t", "helm", "node_reporter, shoal",
+      {"HELM_STATE", kVehicle, "helm_state_t", "helm", "node_reporter, acomms, shoal",
        "on change, at least 1 Hz", true},
       {"HELM_COMMAND", kVehicle, "helm_command_t", "shoal (events), shoal send, shore_broker",
        "helm", "when needed", true},
@@ -78,19 +91,21 @@ std::vector<ChannelRow> MakeTable() {
        "when needed", true},
       {"NODE_REPORT", kVehicle, "node_report_t", "shore_broker", "helm",
        "one per report that got through", true},
-      {"NODE_MESSAGE", kVehicle, "node_message_t", "shore_broker", "node_reporter, your programs",
-       "one per message that got through", true},
+      {"NODE_MESSAGE", kVehicle, "node_message_t", "shore_broker",
+       "helm, node_reporter, your programs", "one per message that got through", true},
       {"ACK_MESSAGE", kVehicle, "ack_message_t", "shore_broker", "node_reporter, your programs",
        "one per ack that got through", true},
-      {"ACOUSTIC_RX", kVehicle, "acoustic_rx_t", "shore_broker", "your programs",
-       "one per packet that arrived", true},
+      {"ACOUSTIC_RX", kVehicle, "acoustic_rx_t", "shore_broker",
+       "acomms, netsim_manager, your programs", "one per packet that arrived", true},
+      {"SWARM", kVehicle, "swarm_t", "acomms", "helm, shoal",
+       "when a message arrives, at least 1 Hz", true},
       {"MEDIATED_MESSAGE", kVehicle, "node_message_t", "shoal (events), shoal send, your programs",
        "node_reporter", "when needed", true},
       {"HELM_COMMAND", kShore, "helm_command_t", "anybody", "shore_broker", "when needed", true},
       {"NODE_REPORT_LOCAL", kShore, "node_report_t", "node_reporter", "shore_broker",
        "[vehicle.reporter] rate_hz", true},
-      {"NODE_REPORT", kShore, "node_report_t", "vehicles from outside", "shore_broker", "theirs",
-       true},
+      {"NODE_REPORT", kShore, "node_report_t", "netsim_manager, vehicles from outside",
+       "shore_broker", "theirs", true},
       {"NODE_MESSAGE_LOCAL", kShore, "node_message_t",
        "node_reporter, shoal (events), shoal send, your programs", "shore_broker", "when needed",
        true},
@@ -98,13 +113,16 @@ std::vector<ChannelRow> MakeTable() {
        true},
       {"ACK_MESSAGE", kShore, "ack_message_t", "node_reporter, vehicles from outside",
        "shore_broker", "one per message heard that asks for it", true},
-      {"ACOUSTIC_TX", kShore, "acoustic_tx_t", "your programs", "shore_broker", "when needed", true},
-      {"COMMS_FATES", kShore, "comms_fates_t", "shore_broker", "shoal", "steps with decisions",
-       true},
+      {"ACOUSTIC_TX", kShore, "acoustic_tx_t", "acomms, netsim_manager, your programs",
+       "shore_broker", "when needed", true},
+      {"COMMS_FATES", kShore, "comms_fates_t", "shore_broker", "netsim_manager, shoal",
+       "steps with decisions", true},
       {"COMMS_RULES", kShore, "comms_rules_t", "shore_broker", "(shoal rebroker)",
        "at its start and when a rule changes", true},
       {"VIEW_COMMS_PULSE", kShore, "comms_pulses_t", "shore_broker", "(viewers)",
        "steps with deliveries", true},
+      {"MODEM_STATS", kShore, "modem_stats_t", "netsim_manager", "(people)",
+       "when a client tells it", true},
       {"NODE_REPORT_UNC", kShore, "node_report_t", "shore_broker", "(viewers)",
        "shared_node_reports", false},
   };

@@ -24,16 +24,20 @@
 #include "shoal/desired_t.hpp"
 #include "shoal/helm_command_t.hpp"
 #include "shoal/helm_state_t.hpp"
+#include "shoal/modem_stats_t.hpp"
 #include "shoal/nav_t.hpp"
 #include "shoal/node_message_t.hpp"
 #include "shoal/node_report_t.hpp"
 #include "shoal/resend_t.hpp"
 #include "shoal/sim_command_t.hpp"
+#include "shoal/sonar_t.hpp"
 #include "shoal/step_done_t.hpp"
+#include "shoal/swarm_t.hpp"
 #include "shoal/tick_t.hpp"
 #include "shoal/unc_control_t.hpp"
 #include "shoal/unc_controls_req_t.hpp"
 #include "shoal/unc_controls_t.hpp"
+#include "shoal/water_sample_t.hpp"
 
 namespace shoal {
 
@@ -44,6 +48,9 @@ namespace channels {
 
 // In a vehicle's community.
 Channel<nav_t> Nav(std::string_view vehicle);
+Channel<nav_t> MeasuredNav(std::string_view vehicle);
+Channel<sonar_t> Sonar(std::string_view vehicle);
+Channel<water_sample_t> WaterSample(std::string_view vehicle);
 Channel<actuators_t> Actuators(std::string_view vehicle);
 Channel<desired_t> Desired(std::string_view vehicle);
 Channel<helm_state_t> HelmState(std::string_view vehicle);
@@ -54,6 +61,7 @@ Channel<node_message_t> NodeMessage(std::string_view vehicle);
 Channel<node_message_t> MediatedMessage(std::string_view vehicle);
 Channel<ack_message_t> AckMessageTo(std::string_view vehicle);
 Channel<acoustic_rx_t> AcousticRx(std::string_view vehicle);
+Channel<swarm_t> Swarm(std::string_view vehicle);
 
 // At the shore.
 Channel<helm_command_t> HelmCommandAll();
@@ -70,6 +78,7 @@ Channel<node_report_t> NodeReportUnc();
 Channel<comms_fates_t> CommsFates();
 Channel<comms_rules_t> CommsRules();
 Channel<comms_pulses_t> ViewCommsPulse();
+Channel<modem_stats_t> ModemStats();
 Channel<appcast_t> Appcast();
 
 // On the stepping ports.

@@ -8,7 +8,7 @@ namespace shoal {
 
 double HeadingPid::Update(double desired_deg, double heading_deg, double yaw_rate_degps,
                           double dt_s) {
-  const double error_deg = Wrap180(desired_deg - heading_deg);
+  const double error_deg = Wrap180(Wrap180(desired_deg) - Wrap180(heading_deg));
   const double direct_pct = gains_.kp * error_deg - gains_.kd * yaw_rate_degps;
   const double integral_pct = std::clamp(integral_pct_ + gains_.ki * error_deg * dt_s,
                                          -gains_.integral_limit_pct, gains_.integral_limit_pct);

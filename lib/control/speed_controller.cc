@@ -4,12 +4,23 @@
 
 namespace shoal {
 
+namespace {
+
+// Far beyond any vessel: keeps sums and products finite.
+constexpr double kMaxSpeed_mps = 1e6;
+constexpr double kMaxThrust_pct = 1e6;
+
+}  // namespace
+
 double SpeedController::Update(double desired_mps, double feed_forward_pct, double measured_mps,
                                double dt_s) {
   if (desired_mps <= 0) {
     Reset();
     return 0;
   }
+  desired_mps = std::min(desired_mps, kMaxSpeed_mps);
+  measured_mps = std::clamp(measured_mps, -kMaxSpeed_mps, kMaxSpeed_mps);
+  feed_forward_pct = std::clamp(feed_forward_pct, -kMaxThrust_pct, kMaxThrust_pct);
   const double from_mps = reference_mps_.value_or(measured_mps);
   const double max_change_mps = gains_.acceleration_mps2 * dt_s;
   reference_mps_ = from_mps + std::clamp(desired_mps - from_mps, -max_change_mps, max_change_mps);

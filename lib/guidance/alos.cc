@@ -4,16 +4,19 @@
 #include <cmath>
 
 #include "lib/geometry/angles.h"
+#include "lib/guidance/plausible.h"
 
 namespace shoal {
 
 AlosStep StepAlos(const AlosParams& params, double path_angle_rad, double cross_track_m,
                   double crab_rad, double dt_s) {
   const double lookahead_m = params.lookahead_m;
+  const double error_m = Plausible(cross_track_m);
   const double rate_radps =
-      params.crab_gain * lookahead_m * cross_track_m / std::hypot(lookahead_m, cross_track_m);
-  return {.heading_rad = WrapPi(path_angle_rad - crab_rad - std::atan2(cross_track_m, lookahead_m)),
-          .crab_rad = crab_rad + rate_radps * dt_s};
+      params.crab_gain * lookahead_m * error_m / std::hypot(lookahead_m, error_m);
+  const double course_rad = Plausible(path_angle_rad) - Plausible(crab_rad);
+  return {.heading_rad = WrapPi(course_rad - std::atan2(error_m, lookahead_m)),
+          .crab_rad = Plausible(crab_rad) + rate_radps * Plausible(dt_s)};
 }
 
 double Alos::Update(double path_angle_rad, double cross_track_m, double dt_s) {

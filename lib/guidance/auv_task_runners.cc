@@ -1,11 +1,33 @@
 // Tasks of underwater vehicles: from the laws of this library, which count psi from East toward
 // North, to headings.
+#include <algorithm>
+#include <iterator>
+#include <vector>
+
 #include "lib/geometry/angles.h"
 #include "lib/guidance/task_runner.h"
 
 namespace shoal {
 
 namespace {
+
+/// A vehicle this deep has come up.
+constexpr double kAtSurface_m = 0.5;
+/// How fast a follower without a leader swims up.
+constexpr double kRise_mps = 1.5;
+/// Less than this share of its speed away from others is not worth leaving a place for.
+constexpr double kNudge = 0.05;
+
+/// Returns the law's layer that keeps clear of the group; muNet's where it has none.
+SurvivalGroupLayer SurvivalOf(const VelocityLaw& law) {
+  if (const auto* cascade = std::get_if<VelocityCascade>(&law)) {
+    for (const VelocityLayer& layer : cascade->layers) {
+      if (const auto* group = std::get_if<SurvivalGroupLayer>(&layer)) return *group;
+      if (const auto* both = std::get_if<SurvivalLayer>(&layer)) return both->group;
+    }
+  }
+  return {};
+}
 
 PathEnd EndOf(PathTaskEnd end) {
   switch (end) {
@@ -61,9 +83,52 @@ Guidance PathFollowRunner::Update(const Fix& fix) {
 
 TargetTrackRunner::TargetTrackRunner(const TargetTrackTask& task, const Fix& start)
     : tracker_(task.track, PsiFromHeading(start.heading_rad)),
-      compensate_current_(task.compensate_current) {}
+      compensate_current_(task.compensate_current),
+      on_silence_(task.on_silence) {}
 
 Guidance TargetTrackRunner::Update(const Fix& fix) {
+  const bool waits = on_silence_ != SilenceRule::kPredict && fix.surroundings != nullptr &&
+                     fix.surroundings->target && fix.surroundings->target->is_silent;
+  if (waits) return WaitFor(fix);
+  silence_.reset();
+  return Follow(fix);
+}
+
+Guidance TargetTrackRunner::WaitFor(const Fix& fix) {
+  if (!silence_) {
+    silence_ = Silence{.heading_rad = fix.heading_rad,
+                       .z_m = fix.z_m,
+                       .keeper = StationKeepRunner(StationKeepTask{}, fix)};
+  }
+  Guidance guidance = silence_->keeper.Update(fix);
+  guidance.z_m = silence_->z_m;
+  if (on_silence_ == SilenceRule::kStationKeep) {
+    AvoidOthers(*fix.surroundings, &guidance);
+    return guidance;
+  }
+  // Fins lift only a vehicle that moves: it rises on its course, and drifts once it is up.
+  guidance.z_m = 0;
+  guidance.heading_rad = silence_->heading_rad;
+  guidance.speed_mps = fix.z_m > kAtSurface_m ? kRise_mps : 0;
+  return guidance;
+}
+
+// Who is heard is kept clear of; where those are who have fallen silent too, nobody knows.
+void TargetTrackRunner::AvoidOthers(const Surroundings& surroundings, Guidance* guidance) const {
+  std::vector<Neighbour> heard;
+  std::copy_if(surroundings.group.begin(), surroundings.group.end(), std::back_inserter(heard),
+               [](const Neighbour& neighbour) { return !neighbour.is_silent; });
+  Surroundings near = surroundings;
+  near.group = heard;
+  const double u_max_mps = tracker_.params().u_max_mps;
+  const Eigen::Vector3d away_mps =
+      LayerVelocity(SurvivalOf(tracker_.params().law), u_max_mps, near);
+  if (away_mps.head<2>().norm() < kNudge * u_max_mps) return;
+  guidance->heading_rad = HeadingOf(away_mps.head<2>());
+  guidance->speed_mps = std::max(guidance->speed_mps, away_mps.head<2>().norm());
+}
+
+Guidance TargetTrackRunner::Follow(const Fix& fix) {
   Guidance guidance;
   guidance.heading_rad = fix.heading_rad;
   if (fix.surroundings == nullptr || !fix.surroundings->target) return guidance;

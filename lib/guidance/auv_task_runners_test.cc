@@ -219,6 +219,76 @@ TEST(TargetTrackRunner, TakesTheCurrentOffWhatItWantsOverGroundUnlessTold) {
   EXPECT_NEAR(RadToDeg(WrapPi(munet.Update(fix).heading_rad)), 0, 1e-9);
 }
 
+/// A follower at (0, 0, 20) that heads 70 degrees, whose target, 400 m West of it, may be silent.
+class SilentLeader {
+ public:
+  Surroundings seen;
+
+  explicit SilentLeader(SilenceRule rule) : runner_(WithRule(rule), At({0, 0, 20}, 0, 70)) {
+    seen.own.position_m = {0, 0, 20};
+    seen.target = Neighbour{.id = 1, .position_m = {-400, 0, 20}};
+  }
+
+  Guidance Update(bool is_silent, const Eigen::Vector3d& position_m = {0, 0, 20}) {
+    seen.target->is_silent = is_silent;
+    Fix fix = At(position_m, ++time_s_, 70);
+    fix.surroundings = &seen;
+    return runner_.Update(fix);
+  }
+
+ private:
+  static TargetTrackTask WithRule(SilenceRule rule) {
+    TargetTrackTask task = Following();
+    task.swarm = SwarmKnowledge::kAcoustic;
+    task.on_silence = rule;
+    return task;
+  }
+
+  TaskRunner runner_;
+  double time_s_ = 0;
+};
+
+TEST(TargetTrackRunner, GoesOnWithThePredictionOfASilentTargetByDefault) {
+  SilentLeader follower(SilenceRule::kPredict);
+  EXPECT_EQ(follower.Update(true).heading_rad, follower.Update(false).heading_rad);
+  EXPECT_GT(follower.Update(true).speed_mps, 0.5);
+}
+
+TEST(TargetTrackRunner, StaysAtItsPlaceAndDepthWhileTheTargetIsSilentIfToldSo) {
+  SilentLeader follower(SilenceRule::kStationKeep);
+  EXPECT_GT(follower.Update(false).speed_mps, 0.5);
+  const Guidance there = follower.Update(true);
+  EXPECT_EQ(there.speed_mps, 0);
+  EXPECT_EQ(there.z_m, 20);
+  EXPECT_FALSE(there.pitch_rad.has_value());
+  const Guidance drifted = follower.Update(true, {50, 0, 25});
+  EXPECT_GT(drifted.speed_mps, 0);
+  EXPECT_NEAR(RadToDeg(drifted.heading_rad), 270, 1) << "back to where it was";
+  EXPECT_EQ(drifted.z_m, 20);
+  EXPECT_GT(follower.Update(false).speed_mps, 0.5) << "heard again, it follows";
+  EXPECT_EQ(follower.Update(true, {7, 7, 30}).z_m, 30) << "the next silence is another";
+}
+
+TEST(TargetTrackRunner, KeepsClearOfThoseItHearsWhileItStays) {
+  SilentLeader follower(SilenceRule::kStationKeep);
+  std::vector<Neighbour> group = {{.id = 2, .position_m = {0, 12, 20}}};
+  follower.seen.group = group;
+  const Guidance away = follower.Update(true);
+  EXPECT_GT(away.speed_mps, 1);
+  EXPECT_NEAR(RadToDeg(away.heading_rad), 180, 1) << "it is North of here";
+  group[0].is_silent = true;
+  EXPECT_EQ(follower.Update(true).speed_mps, 0) << "nobody knows where it is";
+}
+
+TEST(TargetTrackRunner, ComesUpOnItsHeadingWhileTheTargetIsSilentIfToldSo) {
+  SilentLeader follower(SilenceRule::kSurface);
+  const Guidance rising = follower.Update(true);
+  EXPECT_EQ(rising.z_m, 0);
+  EXPECT_GT(rising.speed_mps, 1);
+  EXPECT_NEAR(RadToDeg(rising.heading_rad), 70, 1e-9);
+  EXPECT_EQ(follower.Update(true, {60, 20, 0.3}).speed_mps, 0) << "it is up";
+}
+
 RC_GTEST_PROP(AuvTaskRunners, SayFiniteNumbersWhereverTheyAre, ()) {
   const auto coordinate = [] {
     return *rc::gen::element(0.0, 1.0, -50.0, 1e6, -1e6, 1e-300, 333.3);

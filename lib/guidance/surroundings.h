@@ -12,6 +12,7 @@ struct Neighbour {
   int id = 0;  ///< Unique in a mission: decides who goes where when two vehicles coincide.
   Eigen::Vector3d position_m = Eigen::Vector3d::Zero();  ///< x East, y North, z down.
   Eigen::Vector3d velocity_mps = Eigen::Vector3d::Zero();
+  bool is_silent = false;  ///< Not heard for so long that the rest is a guess.
 };
 
 /// What one beam of a forward-looking sonar sees.

@@ -96,7 +96,15 @@ struct PathFollowTask {
 
 /// Where a vehicle's knowledge of its swarm comes from.
 enum class SwarmKnowledge {
-  kDirect,  ///< The truth, a step old: as if everybody saw everybody.
+  kDirect,    ///< The truth, a step old: as if everybody saw everybody.
+  kAcoustic,  ///< What the acoustic network let through, and what is predicted from that.
+};
+
+/// What a follower does while its target is silent.
+enum class SilenceRule {
+  kPredict,      ///< Follows where the target is expected to be.
+  kStationKeep,  ///< Stays where it is, at its depth.
+  kSurface,      ///< Comes up, and stays there.
 };
 
 /// Follows a leader, in formation or by constant bearing; for underwater vehicles.
@@ -104,6 +112,7 @@ struct TargetTrackTask {
   std::string target;              ///< The vehicle that is followed.
   std::vector<std::string> group;  ///< Those to keep clear of; empty: all who follow the target.
   SwarmKnowledge swarm = SwarmKnowledge::kDirect;
+  SilenceRule on_silence = SilenceRule::kPredict;  ///< kAcoustic.
   /// Steers so that the velocity that the law wants comes about over ground. False: as if there
   /// were no current, MuNet's.
   bool compensate_current = true;

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "lib/geometry/angles.h"
+#include "lib/guidance/plausible.h"
 
 namespace shoal {
 
@@ -46,6 +47,12 @@ CaptureRule LoiterCapture(const LoiterTask& task) {
   const double side_m = 2 * task.radius_m * std::sin(kPi / task.num_points);
   rule.capture_radius_m = std::min(rule.capture_radius_m, 0.4 * side_m);
   return rule;
+}
+
+Fix PlausibleFix(Fix fix) {
+  fix.position_m = {Plausible(fix.position_m.x()), Plausible(fix.position_m.y())};
+  fix.z_m = Plausible(fix.z_m);
+  return fix;
 }
 
 StationKeepTask KeepHome(const ReturnTask& task) {
@@ -189,14 +196,16 @@ struct StartRunner {
 }  // namespace
 
 TaskRunner::TaskRunner(const What& what, const Fix& start)
-    : runner_(std::visit(StartRunner{start}, what)) {}
+    : runner_(std::visit(StartRunner{PlausibleFix(start)}, what)) {}
 
 Guidance TaskRunner::Update(const Fix& fix) {
-  return std::visit([&](auto& runner) { return runner.Update(fix); }, runner_);
+  const Fix bounded = PlausibleFix(fix);
+  return std::visit([&](auto& runner) { return runner.Update(bounded); }, runner_);
 }
 
 void TaskRunner::Rejoin(const Fix& fix) {
-  std::visit([&](auto& runner) { runner.Rejoin(fix); }, runner_);
+  const Fix bounded = PlausibleFix(fix);
+  std::visit([&](auto& runner) { runner.Rejoin(bounded); }, runner_);
 }
 
 }  // namespace shoal

@@ -135,11 +135,24 @@ class TargetTrackRunner {
   TargetTrackRunner(const TargetTrackTask& task, const Fix& start);
   /// Stands still while nothing is known of the surroundings.
   Guidance Update(const Fix& fix);
-  void Rejoin(const Fix&) {}
+  void Rejoin(const Fix&) { silence_.reset(); }
 
  private:
+  /// Where it was when the target fell silent, and what keeps it there.
+  struct Silence {
+    double heading_rad = 0;
+    double z_m = 0;
+    StationKeepRunner keeper;
+  };
+
+  Guidance Follow(const Fix& fix);
+  Guidance WaitFor(const Fix& fix);
+  void AvoidOthers(const Surroundings& surroundings, Guidance* guidance) const;
+
   TargetTracker tracker_;
   bool compensate_current_;
+  SilenceRule on_silence_;
+  std::optional<Silence> silence_;
 };
 
 class TaskRunner {

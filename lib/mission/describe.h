@@ -68,11 +68,24 @@ void Describe(Fields& fields, ReturnTask& task, const StartPose& start);
 /// The same for tasks of underwater vehicles.
 void Describe(Fields& fields, PathFollowTask& task, const StartPose& start);
 void Describe(Fields& fields, TargetTrackTask& task, const StartPose& start);
+/// [vehicle.sensors] and [vehicle.sonar].
+void DescribeInstruments(Fields& fields, Vehicle& vehicle);
 /// [vehicle.remus100].
 void Describe(Fields& fields, Remus100Options& options);
 /// Refuses what only underwater vehicles can do where a vehicle is none, and target_track tasks of
 /// vehicles that are not there. All vehicles of `mission` are known.
 void CheckUnderwaterTasks(Fields& file, Mission& mission);
+
+/// [swarm]. The vehicles and the acoustic network of `mission` are known. Followers that it does
+/// not name are those whose tasks follow the leader by the acoustic network.
+void DescribeSwarm(Fields& file, Mission& mission);
+/// Makes the leader of [swarm] one of the acoustic network too, before that is looked at.
+void MarkSwarmLeader(Fields& file, Mission& mission);
+/// [vehicle.recovery].
+void Describe(Fields& fields, RecoveryPlan& plan);
+
+/// [netsim]. The vehicles and the acoustic network of `mission` are known.
+void DescribeNetsim(Fields& file, Mission& mission);
 
 /// One [[event]]. The vehicles, tasks and duration of `mission` are known.
 void Describe(Fields& fields, Event& event, const Mission& mission);

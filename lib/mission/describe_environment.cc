@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "lib/mission/describe.h"
 #include "lib/mission/ocean_of.h"
@@ -67,13 +68,32 @@ void Describe(Fields& fields, FloorOptions& floor) {
   }
 }
 
+void Describe(Fields& fields, PlumeOptions& plume) {
+  plume.exists = true;
+  fields.Triple("source", plume.source_m, Between(-kFarthest_m, kFarthest_m));
+  fields.Number("rate_gps", plume.rate_gps, Between(0, 1e9));
+  fields.Number("current_mps", plume.current_mps, Between(0, kFastest_mps));
+  fields.Number("direction_deg", plume.direction_deg, Between(-360, 360));
+  if (plume.source_m.z() < 0 || plume.source_m.z() > 20'000) {
+    fields.Refuse("source", "source is [x, y, depth], with a depth from 0 to 20000 m");
+  }
+}
+
 }  // namespace
 
 void DescribeEnvironment(Fields& file, Mission& mission) {
+  constexpr std::array<std::pair<std::string_view, ContactRule>, 2> kContactRules = {{
+      {"ignore", ContactRule::kIgnore},
+      {"stop", ContactRule::kStop},
+  }};
   Environment& environment = mission.environment;
   file.Below("environment", [&](Fields& fields) {
+    fields.Choice("contact", environment.contact, kContactRules);
     fields.Inline("current", [&](Fields& current) { Describe(current, environment.current); });
     fields.Inline("floor", [&](Fields& floor) { Describe(floor, environment.floor); });
+    if (fields.Has("plume", environment.plume.exists)) {
+      fields.Inline("plume", [&](Fields& plume) { Describe(plume, environment.plume); });
+    }
     if (!fields.reading() || !fields.IsSound()) return;
     if (const Result<Ocean> ocean = OceanOf(mission); !ocean.ok()) {
       fields.Refuse("floor", ocean.error());

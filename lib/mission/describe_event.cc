@@ -24,6 +24,7 @@ struct CommandRule {
   size_t num_values;
   std::string_view values;
   bool values_optional = false;
+  size_t most_values = 0;  ///< More than num_values: so many may be given.
 };
 
 constexpr std::array<CommandRule, 9> kHelmCommands = {{
@@ -41,7 +42,7 @@ constexpr std::array<CommandRule, 9> kHelmCommands = {{
 constexpr std::array<CommandRule, 4> kSimCommands = {{
     {"pause", 0, ""},
     {"resume", 0, ""},
-    {"reset", 4, "[x_m, y_m, heading_deg, speed_mps]", true},
+    {"reset", 4, "[x_m, y_m, heading_deg, speed_mps]", true, 5},
     {"drift", 2, "[x_mps, y_mps]"},
 }};
 
@@ -55,6 +56,7 @@ void DescribeCommand(Fields& fields, std::string_view key, std::string& command,
   for (const CommandRule& rule : rules) {
     if (rule.command != command || values.size() == rule.num_values) continue;
     if (rule.values_optional && values.empty()) continue;
+    if (values.size() > rule.num_values && values.size() <= rule.most_values) continue;
     fields.Refuse("values", rule.num_values == 0
                                 ? fmt::format("{} takes no values", command)
                                 : fmt::format("{} needs values = {}", command, rule.values));

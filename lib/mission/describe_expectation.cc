@@ -129,6 +129,24 @@ void Describe(Fields& fields, CommsExpectation& comms, const Mission& mission) {
   CheckLimits(fields, "at_least_pct", comms.at_least_pct, "at_most_pct", comms.at_most_pct);
 }
 
+void Describe(Fields& fields, SwarmExpectation& swarm, const Mission& mission) {
+  constexpr std::array<std::string_view, 3> kOutcomes = {"clean", "recovered", "rejected"};
+  fields.Text("from", swarm.from, {.min_length = 1});
+  ResolveVehicle(fields, "from", swarm.from, mission, true);
+  fields.Text("to", swarm.to, {.min_length = 1});
+  ResolveVehicle(fields, "to", swarm.to, mission, true);
+  fields.Word("outcome", swarm.outcome, kOutcomes);
+  DescribePercentage(fields, "at_least_pct", swarm.at_least_pct);
+  DescribePercentage(fields, "at_most_pct", swarm.at_most_pct);
+  if (!swarm.at_least_pct && !swarm.at_most_pct) {
+    fields.Refuse("", "an expectation of a swarm needs at_least_pct, at_most_pct or both");
+  }
+  CheckLimits(fields, "at_least_pct", swarm.at_least_pct, "at_most_pct", swarm.at_most_pct);
+  if (fields.reading() && !mission.swarm.exists) {
+    fields.Refuse("kind", "nobody tells what became of a swarm's messages without [swarm]");
+  }
+}
+
 void Describe(Fields& fields, HelmExpectation& helm, const Mission& mission) {
   constexpr std::array<std::string_view, 3> kStates = {"PARK", "DRIVE", "ALL-STOP"};
   DescribeVehicle(fields, helm.vehicle, mission);
@@ -225,9 +243,10 @@ void Describe(Fields& fields, AltitudeExpectation& altitude, const Mission& miss
 }  // namespace
 
 void Describe(Fields& fields, Expectation& expectation, const Mission& mission) {
-  constexpr std::array<std::string_view, 11> kKinds = {
-      "arrival",  "separation", "reports",  "helm", "laps",   "track",
-      "distance", "altitude",   "messages", "acks", "packets"};
+  // The first ones in the order of Expectation::what.
+  constexpr std::array<std::string_view, 12> kKinds = {
+      "arrival",  "separation", "reports", "helm",     "laps", "track",
+      "distance", "altitude",   "swarm",   "messages", "acks", "packets"};
   std::string kind(fields.reading() ? "" : kKinds.at(expectation.what.index()));
   if (const auto* comms = std::get_if<CommsExpectation>(&expectation.what)) {
     kind = fields.reading() ? "" : NameOf(comms->kind);
@@ -247,6 +266,7 @@ void Describe(Fields& fields, Expectation& expectation, const Mission& mission) 
     if (kind == "laps") expectation.what = LapsExpectation();
     if (kind == "track") expectation.what = TrackExpectation();
     if (kind == "distance") expectation.what = DistanceExpectation();
+    if (kind == "swarm") expectation.what = SwarmExpectation();
     if (kind == "altitude") expectation.what = AltitudeExpectation();
   }
   if (kind.empty()) {

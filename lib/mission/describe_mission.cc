@@ -196,13 +196,20 @@ void Describe(Fields& file, Mission& mission) {
   });
   file.Skip("fleet");
   if (file.reading()) {  // These name groups of the vehicles, and ask how many they are.
+    MarkSwarmLeader(file, mission);
     describe_comms();
     DescribeAcoustics(file, mission);
     CheckAcousticAddresses(file, mission);
     CheckReportsOverWater(file, mission);
+    DescribeSwarm(file, mission);
+    DescribeNetsim(file, mission);
     CheckUnderwaterTasks(file, mission);
   }
 
+  if (!file.reading()) {
+    DescribeSwarm(file, mission);
+    DescribeNetsim(file, mission);
+  }
   file.List("event", mission.events,
             [&](Fields& fields, Event& event) { Describe(fields, event, mission); });
   std::stable_sort(mission.events.begin(), mission.events.end(),

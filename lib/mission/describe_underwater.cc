@@ -36,25 +36,36 @@ constexpr std::array<std::pair<std::string_view, PathTaskEnd>, 5> kPathEnds = {{
     {"surface", PathTaskEnd::kSurface},
 }};
 
-constexpr std::array<std::pair<std::string_view, SwarmKnowledge>, 1> kSwarmKnowledge = {{
+constexpr std::array<std::pair<std::string_view, SwarmKnowledge>, 2> kSwarmKnowledge = {{
     {"direct", SwarmKnowledge::kDirect},
+    {"acoustic", SwarmKnowledge::kAcoustic},
+}};
+
+constexpr std::array<std::pair<std::string_view, SilenceRule>, 3> kSilenceRules = {{
+    {"predict", SilenceRule::kPredict},
+    {"station_keep", SilenceRule::kStationKeep},
+    {"surface", SilenceRule::kSurface},
 }};
 
 /// The layers of a cascade by their names in mission files.
-constexpr std::array<std::string_view, 3> kLayers = {"survival", "formation", "feed_forward"};
+constexpr std::array<std::string_view, 5> kLayers = {"survival", "sonar", "survival_and_sonar",
+                                                     "formation", "feed_forward"};
 
 /// Distances that the layers of a task share.
 struct Radii {
   double r_safe_m = SurvivalGroupLayer().r_safe_m;
   double r_avoid_m = SurvivalGroupLayer().r_avoid_m;
+  double r_sonar_m = SurvivalSonarLayer().r_avoid_m;
   double r_inner_m = FormationLayer().r_inner_m;
   double r_follow_m = FormationLayer().r_follow_m;
 };
 
 VelocityLayer MakeLayer(std::string_view name, const Radii& radii) {
-  if (name == "survival") {
-    return SurvivalGroupLayer{.r_safe_m = radii.r_safe_m, .r_avoid_m = radii.r_avoid_m};
-  }
+  const SurvivalGroupLayer group = {.r_safe_m = radii.r_safe_m, .r_avoid_m = radii.r_avoid_m};
+  const SurvivalSonarLayer sonar = {.r_avoid_m = radii.r_sonar_m};
+  if (name == "survival") return group;
+  if (name == "sonar") return sonar;
+  if (name == "survival_and_sonar") return SurvivalLayer{.group = group, .sonar = sonar};
   if (name == "feed_forward") return FeedForwardLayer{};
   return FormationLayer{
       .r_safe_m = radii.r_safe_m, .r_inner_m = radii.r_inner_m, .r_follow_m = radii.r_follow_m};
@@ -62,25 +73,46 @@ VelocityLayer MakeLayer(std::string_view name, const Radii& radii) {
 
 std::string NameOf(const VelocityLayer& layer) {
   if (std::holds_alternative<FeedForwardLayer>(layer)) return "feed_forward";
-  return std::holds_alternative<FormationLayer>(layer) ? "formation" : "survival";
+  if (std::holds_alternative<FormationLayer>(layer)) return "formation";
+  if (std::holds_alternative<SurvivalLayer>(layer)) return "survival_and_sonar";
+  return std::holds_alternative<SurvivalSonarLayer>(layer) ? "sonar" : "survival";
 }
 
 /// Takes the radii out of a cascade, where it has them.
 void ReadRadii(const VelocityLayer& layer, Radii* radii) {
+  const auto read_group = [&](const SurvivalGroupLayer& group) {
+    radii->r_safe_m = group.r_safe_m;
+    radii->r_avoid_m = group.r_avoid_m;
+  };
   if (const auto* formation = std::get_if<FormationLayer>(&layer)) {
     radii->r_safe_m = formation->r_safe_m;
     radii->r_inner_m = formation->r_inner_m;
     radii->r_follow_m = formation->r_follow_m;
-  } else if (const auto* survival = std::get_if<SurvivalGroupLayer>(&layer)) {
-    radii->r_safe_m = survival->r_safe_m;
-    radii->r_avoid_m = survival->r_avoid_m;
+  } else if (const auto* group = std::get_if<SurvivalGroupLayer>(&layer)) {
+    read_group(*group);
+  } else if (const auto* sonar = std::get_if<SurvivalSonarLayer>(&layer)) {
+    radii->r_sonar_m = sonar->r_avoid_m;
+  } else if (const auto* both = std::get_if<SurvivalLayer>(&layer)) {
+    read_group(both->group);
+    radii->r_sonar_m = both->sonar.r_avoid_m;
   }
+}
+
+bool NeedsSonar(const TargetTrackTask& task) {
+  const auto* cascade = std::get_if<VelocityCascade>(&task.track.law);
+  return cascade != nullptr &&
+         std::any_of(cascade->layers.begin(), cascade->layers.end(),
+                     [](const VelocityLayer& layer) {
+                       return std::holds_alternative<SurvivalSonarLayer>(layer) ||
+                              std::holds_alternative<SurvivalLayer>(layer);
+                     });
 }
 
 void DescribeRadii(Fields& fields, Radii& radii) {
   const Range distance = Above(0, 1e5);
   fields.Number("r_safe_m", radii.r_safe_m, distance);
   fields.Number("r_avoid_m", radii.r_avoid_m, distance);
+  fields.Number("r_sonar_m", radii.r_sonar_m, distance);
   fields.Number("r_inner_m", radii.r_inner_m, distance);
   fields.Number("r_follow_m", radii.r_follow_m, distance);
   const auto in_order = [&](std::string_view key, double low_m, double high_m,
@@ -164,6 +196,7 @@ void Describe(Fields& fields, TargetTrackTask& task, const StartPose&) {
     fields.Texts("group", task.group, kMostGroupMembers);
   }
   fields.Choice("swarm", task.swarm, kSwarmKnowledge);
+  fields.Choice("on_silence", task.on_silence, kSilenceRules);
   fields.Flag("compensate_current", task.compensate_current);
   std::string law(kLaws.at(track.law.index()));
   fields.Word("law", law, kLaws);
@@ -177,6 +210,10 @@ void Describe(Fields& fields, TargetTrackTask& task, const StartPose&) {
   fields.Number("u_max_mps", track.u_max_mps, Above(0, kFastest_mps));
   fields.Number("z_max_m", track.depth.z_max_m, Above(0, kDeepest_m));
   fields.Number("z_min_m", track.depth.z_min_m, Between(0, kDeepest_m));
+  if (track.depth.z_min_m >= track.depth.z_max_m) {
+    fields.Refuse("z_min_m", fmt::format("z_min_m = {:g} must be less than z_max_m = {:g}",
+                                         track.depth.z_min_m, track.depth.z_max_m));
+  }
   fields.Number("z_safe_m", track.depth.z_safe_m, Above(0, kDeepest_m));
   fields.Number("climb_mps", track.depth.climb_mps, Between(0, kFastest_mps));
   double max_pitch_deg = RadToDeg(track.max_pitch_rad);
@@ -194,6 +231,31 @@ void Describe(Fields& fields, Remus100Options& options) {
   fields.Number("depth_filter_s", options.depth_filter_s, Between(0, 1000));
   fields.Number("max_propeller_rate_rpmps", options.max_propeller_rate_rpmps, Between(0, 1e6));
 }
+
+namespace {
+
+/// What a task with swarm = "acoustic" needs of [swarm].
+void CheckAcousticTask(Fields& table, const TargetTrackTask& track, const Vehicle& vehicle,
+                       const Mission& mission) {
+  if (track.swarm != SwarmKnowledge::kAcoustic) return;
+  if (!mission.swarm.exists) {
+    table.Refuse("swarm", fmt::format("swarm = \"acoustic\" needs a swarm that talks: write "
+                                      "[swarm] and leader = \"{}\", or swarm = \"direct\"",
+                                      track.target));
+  } else if (mission.swarm.leader.empty()) {
+    return;  // That was told already.
+  } else if (track.target != mission.swarm.leader) {
+    table.Refuse("target", fmt::format("only the leader of [swarm], {}, tells its followers where "
+                                       "it is through the water",
+                                       mission.swarm.leader));
+  } else if (!mission.IsInSwarm(vehicle)) {
+    table.Refuse("swarm", fmt::format("{} is not among the followers of [swarm]: add it, or leave "
+                                      "followers out",
+                                      vehicle.name));
+  }
+}
+
+}  // namespace
 
 void CheckUnderwaterTasks(Fields& file, Mission& mission) {
   constexpr double kSlowestControl_s = 0.2;
@@ -219,12 +281,18 @@ void CheckUnderwaterTasks(Fields& file, Mission& mission) {
       }
       if (track == nullptr) return;
       ResolveVehicle(table, "target", track->target, mission, false);
+      if (NeedsSonar(*track) && !vehicle.sonar.is_fitted) {
+        table.Refuse("layers",
+                     "the layers that keep away from what a sonar sees need one: write "
+                     "[vehicle.sonar] under the [[vehicle]]");
+      }
       if (track->target == vehicle.name) {
         table.Refuse("target", "a vehicle cannot follow itself");
       }
       for (std::string& member : track->group) {
         ResolveVehicle(table, "group", member, mission, false);
       }
+      CheckAcousticTask(table, *track, vehicle, mission);
     });
   });
 }

@@ -144,11 +144,16 @@ void Describe(Fields& fields, Vehicle& vehicle) {
   fields.Choice("vehicle_sim", vehicle.sim, kProviders);
   fields.Choice("helm", vehicle.helm, kProviders);
   fields.Choice("node_reporter", vehicle.reporter, kProviders);
+  fields.Choice("acomms", vehicle.acomms, kProviders);
   fields.Below("surface_craft", [&](Fields& table) { Describe(table, vehicle.surface_craft); });
   fields.Below("remus100", [&](Fields& table) { Describe(table, vehicle.remus100); });
+  DescribeInstruments(fields, vehicle);
   fields.Below("helm_options", [&](Fields& table) { Describe(table, vehicle.helm_options); });
   fields.Below("autopilot", [&](Fields& table) { Describe(table, vehicle.autopilot); });
   fields.Below("reporter", [&](Fields& table) { Describe(table, vehicle.reporter_options); });
+  if (fields.Has("recovery", vehicle.recovery != RecoveryPlan())) {
+    fields.Below("recovery", [&](Fields& table) { Describe(table, vehicle.recovery); });
+  }
   fields.Below("messages", [&](Fields& table) { Describe(table, vehicle.message_options); });
   if (fields.reading()) vehicle.return_task.point_m = {vehicle.start.x_m, vehicle.start.y_m};
   fields.Below("return",

@@ -236,7 +236,7 @@ TEST(Overrides, ComeAfterTheErrorsOfTheFileInTheirOwnOrder) {
             "--set mission.sed=1: unknown key 'sed' (did you mean 'seed'?)\n"
             "--set a=1: unknown key 'a'; known here: mission, environment, comms, acoustics, "
             "template, vehicle, "
-            "fleet, event, participant, expect\n"
+            "fleet, swarm, netsim, event, participant, expect\n"
             "--set mission.seed=x: seed must be a whole number, not the string 'x'\n");
 }
 

@@ -63,6 +63,8 @@ class Fields {
   /// [[x, y], ...].
   virtual void Pairs(std::string_view key, std::vector<Eigen::Vector2d>& pairs, Range range,
                      size_t max_count) = 0;
+  /// [x, y, z].
+  virtual void Triple(std::string_view key, Eigen::Vector3d& triple, Range range) = 0;
   /// [[x, y, z], ...].
   virtual void Triples(std::string_view key, std::vector<Eigen::Vector3d>& triples, Range range,
                        size_t max_count) = 0;

@@ -112,12 +112,13 @@ TEST(LoadUnderwaterErrors, TellOfTargetsThatCannotBe) {
 TEST(LoadUnderwaterErrors, TellOfLawsAndLayersThatAreUnknown) {
   EXPECT_EQ(ErrorsOfTrack("target = \"bravo\"\nlaw = \"cascades\"\nswarm = \"told\"\n"),
             "12:7: unknown law 'cascades' (did you mean 'cascade'?)\n"
-            "13:9: unknown swarm 'told'; one of: direct\n");
+            "13:9: unknown swarm 'told'; one of: direct, acoustic\n");
   EXPECT_EQ(ErrorsOfTrack("target = \"bravo\"\nlayers = [\"formations\", \"survival\"]\n"),
             "12:10: unknown layer 'formations' (did you mean 'formation'?); there are: survival, "
-            "formation, feed_forward\n");
+            "sonar, survival_and_sonar, formation, feed_forward\n");
   EXPECT_EQ(ErrorsOfTrack("target = \"bravo\"\nlayers = []\n"),
-            "12:10: a cascade needs a layer: survival, formation, feed_forward\n");
+            "12:10: a cascade needs a layer: survival, sonar, survival_and_sonar, formation, "
+            "feed_forward\n");
 }
 
 TEST(LoadUnderwaterErrors, TellOfRadiiOutOfOrder) {
@@ -298,6 +299,34 @@ TEST(LoadUnderwaterErrors, TellOfLapsThatATaskHasNot) {
   EXPECT_EQ(ErrorsOfPath("points = [[9, 9, 9]]\nname = \"path\"\n[[expect]]\nkind = \"laps\"\n"
                          "vehicle = \"alpha\"\ntask = \"path\"\nat_least = 2\n"),
             "17:12: at_least = 2 can never hold: 'path' of alpha ends after 1 lap\n");
+}
+
+TEST(LoadUnderwaterErrors, TellOfLayersThatNeedASonar) {
+  const std::string text = "target = \"bravo\"\nlayers = [\"survival_and_sonar\"]\n";
+  EXPECT_EQ(ErrorsOfTrack(text),
+            "12:10: the layers that keep away from what a sonar sees need one: write "
+            "[vehicle.sonar] under the [[vehicle]]\n");
+  EXPECT_EQ(ErrorsOfTrack(text + "[vehicle.sonar]\n"), "");
+}
+
+TEST(LoadUnderwaterErrors, TellOfDepthLimitsThatLeaveNoWater) {
+  EXPECT_EQ(ErrorsOfTrack("target = \"bravo\"\nz_min_m = 30\nz_max_m = 20\n"),
+            "12:11: z_min_m = 30 must be less than z_max_m = 20\n");
+}
+
+TEST(LoadUnderwaterErrors, TellOfInstrumentsThatCannotBe) {
+  EXPECT_EQ(ErrorsInSwarm("[vehicle.sonar]\nazimuth_beams = 0\nbeams = 3\n"),
+            "10:17: azimuth_beams = 0 is out of range; allowed: 1 to 256\n"
+            "11:1: unknown key 'beams' (did you mean 'azimuth_beams'?)\n");
+  EXPECT_EQ(ErrorsInSwarm("[vehicle.sensors]\nposition_noise_m = -1\n"),
+            "10:20: position_noise_m = -1 is out of range; allowed: 0 to 10000\n");
+}
+
+TEST(LoadUnderwaterErrors, TellOfPlumesThatCannotBe) {
+  EXPECT_EQ(ErrorsInSwarm("[environment]\nplume = {source = [0, 0, -3]}\n"),
+            "10:19: source is [x, y, depth], with a depth from 0 to 20000 m\n");
+  EXPECT_EQ(ErrorsInSwarm("[environment]\ncontact = \"bounce\"\n"),
+            "10:11: unknown contact 'bounce'; one of: ignore, stop\n");
 }
 
 }  // namespace

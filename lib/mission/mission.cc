@@ -29,4 +29,10 @@ const Vehicle* Mission::FindVehicle(std::string_view vehicle_name) const {
   return found == vehicles.end() ? nullptr : &*found;
 }
 
+bool Mission::IsInSwarm(const Vehicle& vehicle) const {
+  if (!swarm.exists) return false;
+  return vehicle.name == swarm.leader || std::find(swarm.followers.begin(), swarm.followers.end(),
+                                                   vehicle.name) != swarm.followers.end();
+}
+
 }  // namespace shoal

@@ -12,8 +12,10 @@
 
 #include "lib/acoustics/acoustic_options.h"
 #include "lib/guidance/task.h"
+#include "lib/netsim/netsim_options.h"
 #include "lib/routing/fate.h"
 #include "lib/routing/rules.h"
+#include "lib/swarm/recovery.h"
 #include "lib/vehicle/surface_craft.h"
 
 namespace shoal {
@@ -62,6 +64,37 @@ struct Remus100Options {
   bool operator==(const Remus100Options&) const = default;
 };
 
+/// `[vehicle.sensors]`: how badly the vehicle measures where it is and how it moves. Standard
+/// deviations of Gaussian noise, drawn anew for every step and each number.
+struct SensorOptions {
+  bool is_fitted = false;       ///< The file has the table: helm and reports go by MEASURED_NAV.
+  double position_noise_m = 0;  ///< Of x and y.
+  double depth_noise_m = 0;
+  double attitude_noise_deg = 0;     ///< Of heading, pitch and roll.
+  double rate_noise_degps = 0;       ///< Of yaw, pitch and roll rate.
+  double speed_noise_mps = 0;        ///< Of each component through the water and over ground.
+  double altitude_noise_m = 0;       ///< Of the altimeter ...
+  double altimeter_range_m = 20000;  ///< ... which sees no farther.
+
+  bool operator==(const SensorOptions&) const = default;
+};
+
+/// `[vehicle.sonar]`: a fan of beams ahead, as SonarParams (lib/sensors) has it.
+struct SonarOptions {
+  bool is_fitted = false;  ///< The file has the table.
+  int azimuth_beams = 11;
+  int elevation_beams = 5;
+  double max_range_m = 135;
+  int range_steps = 27;
+  double tilt_deg = 2.5;
+  double width_deg = 50;
+  double height_deg = 15;
+  double rate_hz = 10;
+  double noise_m = 0;  ///< Standard deviation of ranges.
+
+  bool operator==(const SonarOptions&) const = default;
+};
+
 /// `[vehicle.helm_options]`: the helm's own settings.
 struct HelmOptions {
   double nav_timeout_s = 2;      ///< All-stop when no NAV came for this long.
@@ -105,9 +138,12 @@ struct Vehicle {
   StartPose start;
   SurfaceCraftParams surface_craft;
   Remus100Options remus100;
+  SensorOptions sensors;
+  SonarOptions sonar;
   Provider sim = Provider::kShoal;       ///< `vehicle_sim = "shoal" | "hand" | "none"`
   Provider helm = Provider::kShoal;      ///< `helm = ...`
   Provider reporter = Provider::kShoal;  ///< `node_reporter = ...`
+  Provider acomms = Provider::kShoal;    ///< `acomms = ...`, of vehicles in the swarm.
   HelmOptions helm_options;
   AutopilotOptions autopilot;
   ReporterOptions reporter_options;
@@ -115,6 +151,7 @@ struct Vehicle {
   LinkFactors link_factors;      ///< `stealth`, `earange`
   int acoustic_address = 0;      ///< In the acoustic network; always > 0 once loaded.
   bool acoustic_leader = false;  ///< tdma_lf: it leads.
+  RecoveryPlan recovery;         ///< Of messages of the swarm.
   std::vector<Task> tasks;       ///< Done in this order after `deploy`; then station keeping.
   ReturnTask return_task;        ///< What `return` does. Default: the start position.
 
@@ -150,10 +187,29 @@ struct FloorOptions {
   bool operator==(const FloorOptions&) const = default;
 };
 
+/// What two vehicles do that come nearer than the mean of their lengths.
+enum class ContactRule {
+  kIgnore,  ///< They pass through each other.
+  kStop,    ///< Both stand still from then on.
+};
+
+/// `[environment.plume]`: pollution that leaks from a point.
+struct PlumeOptions {
+  bool exists = false;  ///< The file has the table.
+  Eigen::Vector3d source_m = {0, 0, 30};
+  double rate_gps = 1.59;
+  double current_mps = 1.5;
+  double direction_deg = 90;  ///< Toward which it drifts, clockwise from North.
+
+  bool operator==(const PlumeOptions&) const = default;
+};
+
 /// `[environment]`.
 struct Environment {
   CurrentWords current;
   FloorOptions floor;
+  PlumeOptions plume;
+  ContactRule contact = ContactRule::kIgnore;
 
   bool operator==(const Environment&) const = default;
 };
@@ -168,6 +224,25 @@ struct Acoustics {
   AcousticOptions options;
 
   bool operator==(const Acoustics&) const = default;
+};
+
+/// `[swarm]`: how a leader and its followers tell each other where they are, through the water.
+/// Lengths of time below 0 are "auto": lib/mission/swarm_plan.h finds them.
+struct SwarmOptions {
+  bool exists = false;                 ///< The file has the table.
+  std::string leader;                  ///< A vehicle.
+  std::vector<std::string> followers;  ///< In the order of their slots, without the leader.
+  std::string scheduler = "auto";      ///< fdma_lf, tdma, tdma_lf; auto: by the access mode.
+  double episode_s = -1;
+  double offset_s = -1;          ///< fdma_lf, tdma: from one member's slot to the next.
+  double broadcast_s = -1;       ///< tdma_lf: from the request to the first answer.
+  double response_s = -1;        ///< tdma_lf: from one answer to the next.
+  double max_distance_m = 1000;  ///< No two members are ever farther apart.
+  bool frames = false;           ///< A sequence number and a checksum with each message.
+  std::string group_id = "A";    ///< One letter or digit, sent with each message.
+  double silent_after_s = 60;    ///< Who was not heard for so long is shown as silent.
+
+  bool operator==(const SwarmOptions&) const = default;
 };
 
 /// `[[event]]`: at a time, something is said.
@@ -247,6 +322,15 @@ struct CommsExpectation {  ///< kind = "reports", "messages", "acks" or "packets
 
   bool operator==(const CommsExpectation&) const = default;
 };
+struct SwarmExpectation {  ///< kind = "swarm": what became of the messages that members heard.
+  std::string from = "all";
+  std::string to = "all";
+  std::string outcome = "clean";                      ///< clean, recovered or rejected.
+  std::optional<double> at_least_pct = std::nullopt;  ///< Of what was received.
+  std::optional<double> at_most_pct = std::nullopt;
+
+  bool operator==(const SwarmExpectation&) const = default;
+};
 struct HelmExpectation {  ///< kind = "helm": the helm's state at the end.
   std::string vehicle;
   std::string state;  ///< PARK, DRIVE or ALL-STOP; empty: any.
@@ -287,7 +371,8 @@ struct AltitudeExpectation {  ///< kind = "altitude": above the sea floor, at le
 struct Expectation {
   std::string where;  ///< "file:line" of its table, for the verdict.
   std::variant<ArrivalExpectation, SeparationExpectation, CommsExpectation, HelmExpectation,
-               LapsExpectation, TrackExpectation, DistanceExpectation, AltitudeExpectation>
+               LapsExpectation, TrackExpectation, DistanceExpectation, AltitudeExpectation,
+               SwarmExpectation>
       what;
 
   bool operator==(const Expectation&) const = default;
@@ -313,7 +398,9 @@ struct Mission {
   RoutingRules comms;
   Acoustics acoustics;
   std::vector<Vehicle> vehicles;
-  std::vector<Event> events;  ///< In order of time; equal times in file order.
+  SwarmOptions swarm;
+  std::optional<NetsimOptions> netsim;  ///< Who takes part over netsim's interface.
+  std::vector<Event> events;            ///< In order of time; equal times in file order.
   std::vector<Participant> participants;
   std::vector<Expectation> expectations;
 
@@ -323,6 +410,8 @@ struct Mission {
   int64_t UtimeOf(int64_t step) const { return start_utime + step * tick_us; }
   /// Returns the vehicle of this name, without regard to case, or nullptr.
   const Vehicle* FindVehicle(std::string_view vehicle_name) const;
+  /// True for the leader and the followers of the swarm.
+  bool IsInSwarm(const Vehicle& vehicle) const;
 
   bool operator==(const Mission&) const = default;
 };

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "lib/mission/mission.h"
+#include "lib/mission/swarm_plan.h"
 
 namespace shoal {
 
@@ -63,6 +64,8 @@ class MissionDraw {
       vehicle.acoustic_leader = Coin();
     }
     mission.vehicles[0].acoustic_leader = true;
+    if (mission.acoustics.is_used) DrawSwarm(&mission);
+    if (Coin()) DrawNetsim(&mission);
     double at_s = 0;
     for (int64_t i = Integer(0, 4); i > 0; --i) {
       at_s = Number(at_s, mission.duration_s);
@@ -165,6 +168,14 @@ class MissionDraw {
                            .grid_is_depth = Coin(),
                            .grid_origin_m = Point()};
     }
+    if (Coin()) {
+      environment.plume = {.exists = true,
+                           .source_m = DeepPoint(),
+                           .rate_gps = Number(0, 1e9),
+                           .current_mps = Number(0, 50),
+                           .direction_deg = Number(-360, 360)};
+    }
+    environment.contact = static_cast<ContactRule>(Integer(0, 1));
     return environment;
   }
 
@@ -203,14 +214,73 @@ class MissionDraw {
     } else {
       track.track.law = VelocityCascade{
           {SurvivalGroupLayer{.r_safe_m = 3, .r_avoid_m = 30}, FormationLayer{3, 50, 70}}};
+      if (Coin()) {
+        vehicle->sonar = {.is_fitted = true,
+                          .azimuth_beams = static_cast<int>(Integer(1, 256)),
+                          .elevation_beams = static_cast<int>(Integer(1, 256)),
+                          .max_range_m = Positive(10'000),
+                          .range_steps = static_cast<int>(Integer(1, 1000)),
+                          .tilt_deg = Number(-90, 90),
+                          .width_deg = Number(0, 180),
+                          .height_deg = Number(0, 180),
+                          .rate_hz = Positive(1000),
+                          .noise_m = Number(0, 1000)};
+        track.track.law = VelocityCascade{
+            {SurvivalLayer{.group = {.r_safe_m = 3, .r_avoid_m = 30}, .sonar = {.r_avoid_m = 25}},
+             FeedForwardLayer{}}};
+      }
     }
+    track.on_silence = static_cast<SilenceRule>(Integer(0, 2));
     track.compensate_current = Coin();
     track.track.u_max_mps = Positive(50);
-    track.track.depth = {.z_max_m = Positive(20'000),
-                         .z_min_m = Number(0, 20'000),
+    track.track.depth = {.z_max_m = Number(1, 20'000),
+                         .z_min_m = Number(0, 0.9),
                          .z_safe_m = Positive(20'000),
                          .climb_mps = Number(0, 50)};
     vehicle->tasks.push_back({"track", track});
+  }
+
+  /// Gives it a swarm, if its acoustic network can carry one.
+  void DrawSwarm(Mission* mission) {
+    mission->swarm = {.exists = true,
+                      .leader = mission->vehicles[0].name,
+                      .followers = {mission->vehicles[1].name},
+                      .max_distance_m = Positive(1e6),
+                      .frames = Coin(),
+                      .group_id = Coin() ? "7" : "x",
+                      .silent_after_s = Positive(1e7)};
+    // The network of the draw has vehicles[0] for a leader anyway.
+    const bool can_be = !mission->acoustics.options.modem && PlanSwarm(*mission).problems.empty();
+    if (!can_be) mission->swarm = {};
+  }
+
+  /// Lets its second vehicle come from outside.
+  void DrawNetsim(Mission* mission) {
+    NetsimOptions netsim;
+    netsim.port = static_cast<int>(Integer(1024, 40'000));
+    netsim.address = Coin() ? "127.0.0.1" : "0.0.0.0";
+    netsim.max_connections = static_cast<int>(Integer(1, 10'000));
+    netsim.max_line_bytes = static_cast<int>(Integer(1024, 64 << 20));
+    netsim.idle_timeout_s = Number(0, 1e9);
+    netsim.allow_warp = Coin();
+    netsim.environments = {{.name = Text(),
+                            .lat_min_deg = Number(-90, 0),
+                            .lat_max_deg = Number(0, 90),
+                            .lon_min_deg = Number(-360, 0),
+                            .lon_max_deg = Number(0, 360),
+                            .depth_min_m = Number(-12'000, 0),
+                            .depth_max_m = Number(0, 12'000)}};
+    Vehicle& outsider = mission->vehicles[1];
+    outsider.sim = outsider.reporter = Provider::kNone;
+    NetsimVehicle vehicle;
+    vehicle.name = outsider.name;
+    vehicle.modem_tcp_port = static_cast<int>(Integer(50'000, 60'000));
+    vehicle.address = Coin() ? "any" : "10.1.2.3";
+    vehicle.environment = netsim.environments[0].name;
+    if (mission->acoustics.is_used) vehicle.modem = static_cast<NetsimModem>(Integer(0, 2));
+    vehicle.gps = {.tcp_port = static_cast<int>(Integer(61'000, 62'000)), .path = Text()};
+    netsim.vehicles = {vehicle};
+    mission->netsim = netsim;
   }
 
   CaptureRule DrawCapture() { return {Positive(1000), Number(0, 1000), Coin()}; }
@@ -236,6 +306,22 @@ class MissionDraw {
     vehicle.sim = DrawProvider();
     vehicle.helm = DrawProvider();
     vehicle.reporter = DrawProvider();
+    vehicle.acomms = DrawProvider();
+    if (Coin()) {
+      vehicle.sensors = {.is_fitted = true,
+                         .position_noise_m = Number(0, 10'000),
+                         .depth_noise_m = Number(0, 1000),
+                         .attitude_noise_deg = Number(0, 90),
+                         .rate_noise_degps = Number(0, 90),
+                         .speed_noise_mps = Number(0, 50),
+                         .altitude_noise_m = Number(0, 1000),
+                         .altimeter_range_m = Positive(20'000)};
+    }
+    if (Coin()) {
+      vehicle.recovery.of(SwarmField::kTimeStamp) = {};
+      vehicle.recovery.of(SwarmField::kReporterPos) = {RecoveryStrategy::kSentinel,
+                                                       RecoveryStrategy::kSkipField};
+    }
     vehicle.helm_options = {Positive(3600), Coin(), Positive(3600)};
     vehicle.autopilot = {Number(0, 1000), Number(0, 1000), Number(0, 1000), Number(0, 180),
                          Number(0, 1000), Number(0, 1000), Number(0, 100)};

@@ -10,9 +10,10 @@ namespace shoal {
 namespace {
 
 constexpr size_t kLongestName = 32;
-constexpr std::array<std::string_view, 3> kOwnProcesses = {"shoal", "shore_broker", "recorder"};
-constexpr std::array<std::string_view, 3> kVehicleProcesses = {"vehicle_sim_", "helm_",
-                                                               "node_reporter_"};
+constexpr std::array<std::string_view, 4> kOwnProcesses = {"shoal", "shore_broker", "recorder",
+                                                          "netsim_manager"};
+constexpr std::array<std::string_view, 4> kVehicleProcesses = {"vehicle_sim_", "helm_",
+                                                               "node_reporter_", "acomms_"};
 
 bool IsNameCharacter(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';

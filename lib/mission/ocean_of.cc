@@ -105,6 +105,14 @@ Result<SeaFloor> FloorOf(const FloorOptions& options, uint64_t seed, const std::
   return SeaFloor(NoiseFloor(noise, StreamKey(seed, "floor")));
 }
 
+Plume PlumeOf(const PlumeOptions& options, const std::optional<SeaFloor>& floor) {
+  return {.source_m = options.source_m,
+          .rate_gps = options.rate_gps,
+          .current_mps = options.current_mps,
+          .direction_rad = PsiFromHeading(DegToRad(options.direction_deg)),
+          .floor_z_m = floor ? floor->DepthAt(options.source_m.head<2>()) : kDeepSea_m};
+}
+
 }  // namespace
 
 std::vector<CurrentProblem> FindProblems(const CurrentWords& words) {
@@ -134,11 +142,13 @@ Result<Ocean> OceanOf(const Environment& environment, uint64_t seed, const std::
   CurrentParams params = DrawCurrent(ranges, key);
   params.max_speed_mps = std::max(params.max_speed_mps, params.speed_mps.mean);
   if (!IsCurrent(params)) return Error{"a current cannot be made of these numbers"};
-  Ocean ocean{.current = Current(params, key), .floor = std::nullopt};
-  if (environment.floor.style == "none") return ocean;
-  Result<SeaFloor> floor = FloorOf(environment.floor, seed, folder);
-  if (!floor.ok()) return Error{floor.error()};
-  ocean.floor = std::move(*floor);
+  Ocean ocean{.current = Current(params, key), .floor = std::nullopt, .plume = std::nullopt};
+  if (environment.floor.style != "none") {
+    Result<SeaFloor> floor = FloorOf(environment.floor, seed, folder);
+    if (!floor.ok()) return Error{floor.error()};
+    ocean.floor = std::move(*floor);
+  }
+  if (environment.plume.exists) ocean.plume = PlumeOf(environment.plume, ocean.floor);
   return ocean;
 }
 

@@ -12,6 +12,7 @@
 #include "lib/check/result.h"
 #include "lib/mission/mission.h"
 #include "lib/ocean/current.h"
+#include "lib/ocean/plume.h"
 #include "lib/ocean/sea_floor.h"
 
 namespace shoal {
@@ -19,6 +20,7 @@ namespace shoal {
 struct Ocean {
   Current current;
   std::optional<SeaFloor> floor;  ///< Absent: nobody knows how deep it is.
+  std::optional<Plume> plume;
 };
 
 /// Returns the sea, drawn from the mission's seed, or why there can be none. A grid's path counts

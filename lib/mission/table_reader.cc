@@ -268,6 +268,14 @@ void TableReader::Pairs(std::string_view key, std::vector<Eigen::Vector2d>& pair
   }
 }
 
+void TableReader::Triple(std::string_view key, Eigen::Vector3d& triple, Range range) {
+  const Value* found = Take(key);
+  if (found == nullptr) return;
+  const auto numbers =
+      AsVector(*found, std::string(key), range, 3, "three numbers like [10, 20, 5]");
+  if (numbers) triple = *numbers;
+}
+
 void TableReader::Triples(std::string_view key, std::vector<Eigen::Vector3d>& triples, Range range,
                           size_t max_count) {
   const Array* array =

@@ -34,6 +34,7 @@ class TableReader final : public Fields {
             std::span<const std::string_view> words) override;
   void Numbers(std::string_view key, std::vector<double>& values, size_t max_count) override;
   void Pair(std::string_view key, Eigen::Vector2d& pair, Range range) override;
+  void Triple(std::string_view key, Eigen::Vector3d& triple, Range range) override;
   void Triples(std::string_view key, std::vector<Eigen::Vector3d>& triples, Range range,
                size_t max_count) override;
   void Pairs(std::string_view key, std::vector<Eigen::Vector2d>& pairs, Range range,

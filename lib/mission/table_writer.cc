@@ -13,6 +13,11 @@ std::string TomlPair(const Eigen::Vector2d& pair) {
   return fmt::format("[{}, {}]", TomlNumber(pair.x()), TomlNumber(pair.y()));
 }
 
+std::string TomlTriple(const Eigen::Vector3d& triple) {
+  return fmt::format("[{}, {}, {}]", TomlNumber(triple.x()), TomlNumber(triple.y()),
+                     TomlNumber(triple.z()));
+}
+
 /// Returns "[a, b, c]" of what `write` makes of each item.
 template <class Items, class Write>
 std::string TomlArray(const Items& items, const Write& write) {
@@ -113,12 +118,13 @@ void TableWriter::Pairs(std::string_view key, std::vector<Eigen::Vector2d>& pair
   Line(key, TomlArray(pairs, TomlPair));
 }
 
+void TableWriter::Triple(std::string_view key, Eigen::Vector3d& triple, Range) {
+  Line(key, TomlTriple(triple));
+}
+
 void TableWriter::Triples(std::string_view key, std::vector<Eigen::Vector3d>& triples, Range,
                           size_t) {
-  Line(key, TomlArray(triples, [](const Eigen::Vector3d& triple) {
-         return fmt::format("[{}, {}, {}]", TomlNumber(triple.x()), TomlNumber(triple.y()),
-                            TomlNumber(triple.z()));
-       }));
+  Line(key, TomlArray(triples, TomlTriple));
 }
 
 void TableWriter::Texts(std::string_view key, std::vector<std::string>& texts, size_t) {

@@ -29,6 +29,14 @@ class App {
   /// a mission's result does not depend on it.
   virtual void OnWarp(double) {}
 
+  /// A descriptor that is readable when Serve has something to do; -1: it serves nobody.
+  virtual int ServedFd() const { return -1; }
+
+  /// Serves clients from outside of the mission, between steps too: when ServedFd is readable, and
+  /// several times a second. `now_us` is a clock that never goes back, `utc_us` microseconds since
+  /// 1970. What comes of it is published in Tick.
+  virtual void Serve(int64_t /*now_us*/, int64_t /*utc_us*/) {}
+
   /// Ends: the last messages have been handled, nothing may be published any more.
   virtual void End() {}
 

@@ -11,6 +11,9 @@
 
 namespace shoal {
 
+struct Mission;
+struct Vehicle;
+
 /// What --help, --example and --interface of an app tell.
 struct AppInfo {
   std::string name;     ///< "helm"
@@ -18,6 +21,8 @@ struct AppInfo {
   bool per_vehicle = true;
   bool can_live = false;  ///< Works without a mission's clock too: --live.
   std::string example;    ///< A commented block of a mission file.
+  /// Returns why the mission has no use for the app at this vehicle; empty: it has.
+  std::string (*misfit)(const Mission& mission, const Vehicle& vehicle) = nullptr;
 };
 
 struct AppOptions {

@@ -24,10 +24,12 @@ std::vector<RosterEntry> MakeRoster(const Mission& mission, bool with_recorder) 
   };
   if (with_recorder) add("recorder", "", Provider::kShoal);
   add("shore_broker", "", mission.broker);
+  if (mission.netsim) add("netsim_manager", "", Provider::kShoal);
   for (const Vehicle& vehicle : mission.vehicles) {
     add("vehicle_sim", vehicle.name, vehicle.sim);
     add("helm", vehicle.name, vehicle.helm);
     add("node_reporter", vehicle.name, vehicle.reporter);
+    if (mission.IsInSwarm(vehicle)) add("acomms", vehicle.name, vehicle.acomms);
   }
   for (const Participant& participant : mission.participants) {
     roster.push_back({.name = participant.name,

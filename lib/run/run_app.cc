@@ -123,7 +123,8 @@ int Run(const AppOptions& options, const std::string& name, const Mission& missi
       ShowOnTerminal(participant, name);
       next_show = now + kTerminalInterval_us;
     }
-    transport.Poll(std::min(participant.NextDeadline() - now, kPollInterval_us));
+    if (app->ServedFd() >= 0) app->Serve(now, UnixMicroseconds());
+    transport.Poll(std::min(participant.NextDeadline() - now, kPollInterval_us), app->ServedFd());
   }
   if (!participant.ended()) app->End();
   fmt::print("{}\n{}: {}\n", Format(participant.Status(), name, participant.step()), name,
@@ -189,6 +190,11 @@ int RunVehicleApp(const AppInfo& info, int argc, char** argv, const VehicleAppFa
   if (vehicle == nullptr) {
     fmt::print(stderr, "{}: no vehicle '{}' in {}; it has: {}\n", info.name, options.vehicle,
                options.mission_file, fmt::join(VehicleNames(*mission), ", "));
+    return kExitUsage;
+  }
+  const std::string misfit = info.misfit == nullptr ? "" : info.misfit(*mission, *vehicle);
+  if (!misfit.empty()) {
+    fmt::print(stderr, "{}: {}\n", info.name, misfit);
     return kExitUsage;
   }
   const std::string name =

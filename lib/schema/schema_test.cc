@@ -26,18 +26,26 @@
 #include "shoal/kept_control_t.hpp"
 #include "shoal/key_value_t.hpp"
 #include "shoal/link_factors_t.hpp"
+#include "shoal/modem_stats_t.hpp"
 #include "shoal/nav_t.hpp"
 #include "shoal/node_message_t.hpp"
 #include "shoal/node_report_t.hpp"
 #include "shoal/resend_t.hpp"
 #include "shoal/sim_command_t.hpp"
+#include "shoal/sonar_beam_t.hpp"
+#include "shoal/sonar_t.hpp"
 #include "shoal/step_count_t.hpp"
 #include "shoal/step_done_t.hpp"
 #include "shoal/step_total_t.hpp"
+#include "shoal/swarm_contact_t.hpp"
+#include "shoal/swarm_count_t.hpp"
+#include "shoal/swarm_source_t.hpp"
+#include "shoal/swarm_t.hpp"
 #include "shoal/tick_t.hpp"
 #include "shoal/unc_control_t.hpp"
 #include "shoal/unc_controls_req_t.hpp"
 #include "shoal/unc_controls_t.hpp"
+#include "shoal/water_sample_t.hpp"
 #include "shoal_test/deep/empty_t.hpp"
 #include "shoal_test/deep/point_t.hpp"
 #include "shoal_test/deep/shapes_t.hpp"
@@ -80,11 +88,13 @@ std::string BuildError(const std::string& text) {
 
 TEST(Schema, GivesEveryTypeOfShoalTheFingerprintOfLcmGen) {
   const auto generated =
-      Generated<ack_message_t, acoustic_path_t, acoustic_rx_t, acoustic_tx_t, actuators_t, appcast_req_t, appcast_t, comms_fates_t, comms_pulse_t,
-                comms_pulses_t, comms_rules_t, desired_t, fate_t, helm_command_t, helm_state_t,
-                kept_control_t, key_value_t, link_factors_t, nav_t, node_message_t, node_report_t,
-                resend_t, sim_command_t, step_count_t, step_done_t, step_total_t, tick_t,
-                unc_control_t, unc_controls_req_t, unc_controls_t>("shoal");
+      Generated<ack_message_t, acoustic_path_t, acoustic_rx_t, acoustic_tx_t, actuators_t,
+                appcast_req_t, appcast_t, comms_fates_t, comms_pulse_t, comms_pulses_t,
+                comms_rules_t, desired_t, fate_t, helm_command_t, helm_state_t, kept_control_t,
+                key_value_t, link_factors_t, modem_stats_t, nav_t, node_message_t, node_report_t,
+                resend_t, sim_command_t, sonar_beam_t, sonar_t, step_count_t, step_done_t,
+                step_total_t, swarm_contact_t, swarm_count_t, swarm_source_t, swarm_t, tick_t,
+                unc_control_t, unc_controls_req_t, unc_controls_t, water_sample_t>("shoal");
   EXPECT_EQ(Fingerprints(ShoalSchema()), generated) << "a new type? Add it to this test";
 }
 

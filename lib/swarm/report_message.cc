@@ -1,22 +1,9 @@
 #include "lib/swarm/report_message.h"
 
 #include "lib/codec/little_endian.h"
+#include "lib/swarm/wire_vector.h"
 
 namespace shoal {
-
-namespace {
-
-void AppendVector(const Eigen::Vector3f& vector, std::vector<uint8_t>* bytes) {
-  for (const float number : vector) AppendLittleEndian(number, bytes);
-}
-
-Eigen::Vector3f TakeVector(LittleEndianReader* reader) {
-  Eigen::Vector3f vector;
-  for (float& number : vector) number = reader->Take<float>();
-  return vector;
-}
-
-}  // namespace
 
 std::vector<uint8_t> EncodeReport(const ReportMessage& report) {
   std::vector<uint8_t> bytes;
@@ -24,8 +11,8 @@ std::vector<uint8_t> EncodeReport(const ReportMessage& report) {
   for (const char letter : report.flag) AppendLittleEndian(letter, &bytes);
   AppendLittleEndian(report.group_id, &bytes);
   AppendLittleEndian(report.reporter_id, &bytes);
-  AppendVector(report.position_m, &bytes);
-  AppendVector(report.velocity_mps, &bytes);
+  AppendWireVector(report.position_m, &bytes);
+  AppendWireVector(report.velocity_mps, &bytes);
   AppendLittleEndian(report.time_stamp_s, &bytes);
   return bytes;
 }
@@ -37,8 +24,8 @@ std::optional<ReportMessage> DecodeReport(std::span<const uint8_t> bytes) {
   for (char& letter : report.flag) letter = reader.Take<char>();
   report.group_id = reader.Take<uint8_t>();
   report.reporter_id = reader.Take<uint32_t>();
-  report.position_m = TakeVector(&reader);
-  report.velocity_mps = TakeVector(&reader);
+  report.position_m = TakeWireVector(&reader);
+  report.velocity_mps = TakeWireVector(&reader);
   report.time_stamp_s = reader.Take<float>();
   return report;
 }

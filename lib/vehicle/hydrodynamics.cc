@@ -7,6 +7,15 @@
 
 namespace shoal {
 
+namespace {
+
+// Far beyond any vehicle: keeps squares of what is clamped to it finite.
+constexpr double kMaxMotion = 1e9;
+
+double Moderate(double motion) { return std::clamp(motion, -kMaxMotion, kMaxMotion); }
+
+}  // namespace
+
 Eigen::Matrix3d Skew(const Eigen::Vector3d& a) {
   Eigen::Matrix3d skew;
   skew << 0, -a[2], a[1], a[2], 0, -a[0], -a[1], a[0], 0;
@@ -20,7 +29,7 @@ Matrix6d InertiaAboutOrigin(const Matrix6d& inertia_cg, const Eigen::Vector3d& c
 }
 
 Matrix6d CoriolisMatrix(const Matrix6d& inertia, const Vector6d& nu) {
-  const Vector6d momentum = inertia * nu;
+  const Vector6d momentum = inertia * nu.cwiseMin(kMaxMotion).cwiseMax(-kMaxMotion);
   Matrix6d coriolis = Matrix6d::Zero();
   coriolis.topRightCorner<3, 3>() = -Skew(momentum.head<3>());
   coriolis.bottomLeftCorner<3, 3>() = -Skew(momentum.head<3>());
@@ -47,12 +56,14 @@ CrossFlowForce CrossFlowDrag(const CrossFlowHull& hull, double sway_mps, double 
   const bool takes_both_ends = hull.rule == StripRule::kBothEnds;
   const int num_stations = takes_both_ends ? kNumStrips + 1 : kNumStrips;
   const double dx = hull.length_m / kNumStrips;
+  const double sway = Moderate(sway_mps);
+  const double yaw_rate = Moderate(yaw_rate_radps);
   const double first_x = -hull.length_m / 2 + (takes_both_ends ? 0 : dx / 2);
   double sum = 0;
   double moment = 0;
   for (int i = 0; i < num_stations; ++i) {
     const double x = first_x + i * dx;
-    const double flow_mps = sway_mps + x * yaw_rate_radps;
+    const double flow_mps = sway + x * yaw_rate;
     const double square = std::abs(flow_mps) * flow_mps;
     sum += square;
     moment += x * square;
@@ -64,14 +75,16 @@ CrossFlowForce CrossFlowDrag(const CrossFlowHull& hull, double sway_mps, double 
 LiftDragForce LiftDrag(const WingHull& hull, double alpha_rad, double speed_mps) {
   const double aspect_ratio = hull.span_m * hull.span_m / hull.area_m2;
   const double slope = kPi * aspect_ratio / (1 + std::sqrt(1 + 0.25 * aspect_ratio * aspect_ratio));
-  const double sin_a = std::sin(alpha_rad);
-  const double cos_a = std::cos(alpha_rad);
+  const double angle_rad = Moderate(alpha_rad);
+  const double flow_mps = Moderate(speed_mps);
+  const double sin_a = std::sin(angle_rad);
+  const double cos_a = std::cos(angle_rad);
   const bool is_linear = hull.law == LiftLaw::kLinear;
-  const double lift_coefficient = slope * (is_linear ? alpha_rad : sin_a * cos_a);
-  const double inducing = slope * (is_linear ? alpha_rad : sin_a);
+  const double lift_coefficient = slope * (is_linear ? angle_rad : sin_a * cos_a);
+  const double inducing = slope * (is_linear ? angle_rad : sin_a);
   const double drag_coefficient =
       hull.parasitic_drag + inducing * inducing / (kPi * hull.oswald * aspect_ratio);
-  const double pressure_n = 0.5 * hull.density_kgpm3 * speed_mps * speed_mps * hull.area_m2;
+  const double pressure_n = 0.5 * hull.density_kgpm3 * flow_mps * flow_mps * hull.area_m2;
   const double lift_n = pressure_n * lift_coefficient;
   const double drag_n = pressure_n * drag_coefficient;
   return {.surge_n = -cos_a * drag_n + sin_a * lift_n, .heave_n = -sin_a * drag_n - cos_a * lift_n};

@@ -3,7 +3,8 @@
 //
 //   M nu_r_dot + C(nu_r) nu_r + D nu_r + g(eta) = tau + LiftDrag(...) + CrossFlowDrag(...)
 //
-// Vectors of six: surge, sway, heave, then roll, pitch, yaw, in the body's frame; SI units.
+// Vectors of six: surge, sway, heave, then roll, pitch, yaw, in the body's frame; SI units. Speeds
+// and rates count as 1e9 at most, so that finite arguments give finite forces.
 // References are to Fossen (2021), Handbook of Marine Craft Hydrodynamics and Motion Control.
 #pragma once
 

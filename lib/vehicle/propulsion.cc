@@ -33,9 +33,10 @@ double ThrustNeeded(const Remus100& auv, double speed_mps) {
 
 PropellerForce ForceOf(const Propeller& propeller, double density_kgpm3, double rpm,
                        double speed_mps) {
-  const double rps = rpm / 60;
+  const double rps = std::clamp(rpm, -kMaxRpm, kMaxRpm) / 60;
   const double scale = density_kgpm3 * FourthPower(propeller.diameter_m) * std::abs(rps);
-  const double inflow_mps = rps > 0 ? propeller.inflow_share * std::max(speed_mps, 0.0) : 0;
+  const double inflow_mps =
+      rps > 0 ? propeller.inflow_share * std::clamp(speed_mps, 0.0, kMaxSpeed_mps) : 0;
   const double thrust_slope = Slope(propeller, propeller.thrust_at_rest, propeller.thrust_at_max);
   const double torque_slope = Slope(propeller, propeller.torque_at_rest, propeller.torque_at_max);
   return {.thrust_n = scale * (propeller.thrust_at_rest * rps + thrust_slope * inflow_mps),

@@ -147,13 +147,14 @@ Eigen::Vector3d TurnedBy(const Eigen::Vector3d& angles_rad, const Vector6d& nu, 
 
 Eigen::Vector3d CurrentInBody(const Remus100& auv, const Vector6d& eta,
                               const Eigen::Vector3d& current_mps) {
+  const Eigen::Vector3d water_mps = Bounded(Linear(current_mps)).head<3>();
   if (!auv.params.variants.current_by_yaw_only) {
-    return BodyToWorld(eta[3], eta[4], eta[5]).transpose() * current_mps;
+    return BodyToWorld(eta[3], eta[4], eta[5]).transpose() * water_mps;
   }
   const double cpsi = std::cos(eta[5]);
   const double spsi = std::sin(eta[5]);
-  return {current_mps.x() * cpsi + current_mps.y() * spsi,
-          current_mps.y() * cpsi - current_mps.x() * spsi, 0};
+  return {water_mps.x() * cpsi + water_mps.y() * spsi, water_mps.y() * cpsi - water_mps.x() * spsi,
+          0};
 }
 
 Remus100State Step(const Remus100& auv, const Remus100State& state,
@@ -206,7 +207,8 @@ Remus100State Step(const Remus100& auv, const Remus100State& state,
 
 double Energy(const Remus100& auv, const Remus100State& state,
               const Remus100Environment& environment) {
-  const Vector6d nu_r = state.nu - Linear(CurrentInBody(auv, state.eta, environment.current_mps));
+  const Vector6d nu_r =
+      Bounded(Bounded(state.nu) - Linear(CurrentInBody(auv, state.eta, environment.current_mps)));
   const double heeled = 1 - std::cos(state.eta[3]) * std::cos(state.eta[4]);
   return 0.5 * nu_r.dot(auv.mass * nu_r) +
          auv.submerged.weight_n * auv.params.cg_below_axis_m * heeled;

@@ -10,6 +10,18 @@ namespace shoal {
 
 namespace {
 
+// Far beyond any vessel: keeps sums finite.
+constexpr double kMaxSpeed_mps = 1e6;
+constexpr double kMaxCoordinate_m = 1e300;
+constexpr double kMaxRudder_deg = 1e6;
+
+SurfaceCraftState Bounded(SurfaceCraftState state) {
+  state.position_m = state.position_m.cwiseMin(kMaxCoordinate_m).cwiseMax(-kMaxCoordinate_m);
+  state.speed_mps = std::clamp(state.speed_mps, -kMaxSpeed_mps, kMaxSpeed_mps);
+  state.rudder_deg = std::clamp(state.rudder_deg, -kMaxRudder_deg, kMaxRudder_deg);
+  return state;
+}
+
 double FiniteOrZero(double value) { return std::isfinite(value) ? value : 0; }
 
 double Interpolate(const ThrustPoint& low, const ThrustPoint& high, double thrust_pct) {
@@ -79,10 +91,11 @@ double ThrustForSpeed(const SurfaceCraftParams& params, double speed_mps) {
   return 100;
 }
 
-SurfaceCraftState Step(const SurfaceCraftParams& params, const SurfaceCraftState& state,
+SurfaceCraftState Step(const SurfaceCraftParams& params, const SurfaceCraftState& start,
                        const SurfaceCraftCommand& command, const Eigen::Vector2d& current_mps,
                        double dt_s) {
   SHOAL_CHECK(dt_s > 0, "a step moves time forward");
+  const SurfaceCraftState state = Bounded(start);
   const double thrust_pct = std::clamp(FiniteOrZero(command.thrust_pct), -100.0, 100.0);
   const double rudder_goal_deg =
       std::clamp(FiniteOrZero(command.rudder_deg), -params.max_rudder_deg, params.max_rudder_deg);
@@ -105,7 +118,7 @@ SurfaceCraftState Step(const SurfaceCraftParams& params, const SurfaceCraftState
 
   next.velocity_over_ground_mps = 0.5 * (state.speed_mps * UnitVector(state.heading_rad) +
                                          next.speed_mps * UnitVector(next.heading_rad)) +
-                                  current_mps;
+                                  current_mps.cwiseMin(kMaxSpeed_mps).cwiseMax(-kMaxSpeed_mps);
   next.position_m = state.position_m + next.velocity_over_ground_mps * dt_s;
   return next;
 }

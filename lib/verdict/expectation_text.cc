@@ -42,6 +42,13 @@ struct Describer {
                        ends_with_share ? " of" : "", KindText(comms.kind), comms.cause, comms.from,
                        comms.to);
   }
+  std::string operator()(const SwarmExpectation& swarm) const {
+    std::vector<std::string> limits;
+    if (swarm.at_least_pct) limits.push_back(fmt::format("at least {:g} %", *swarm.at_least_pct));
+    if (swarm.at_most_pct) limits.push_back(fmt::format("at most {:g} %", *swarm.at_most_pct));
+    return fmt::format("{} of swarm messages from {} {} at {}", fmt::join(limits, " and "),
+                       swarm.from, swarm.outcome, swarm.to);
+  }
   std::string operator()(const HelmExpectation& helm) const {
     return fmt::format("{} ends in {}{}", Who(helm.vehicle),
                        helm.state.empty() ? "any state" : helm.state,

@@ -23,10 +23,10 @@ std::vector<std::string> NamesOf(const Mission& mission) {
   return names;
 }
 
-/// Judges by the share that `count` has in all that was offered.
-void JudgeShare(const CommsExpectation& comms, int64_t count, int64_t offered, Outcome* outcome) {
+/// Judges by the share (at_least_pct, at_most_pct) that `count` has in all that was offered.
+void JudgeShare(const auto& limits, int64_t count, int64_t offered, Outcome* outcome) {
   if (offered == 0) {
-    outcome->passed = !comms.at_least_pct;
+    outcome->passed = !limits.at_least_pct;
     outcome->numbers = "nothing was offered on these links";
     return;
   }
@@ -34,8 +34,8 @@ void JudgeShare(const CommsExpectation& comms, int64_t count, int64_t offered, O
   constexpr double kRounding_pct = 1e-9;
   const double share_pct = 100 * static_cast<double>(count) / static_cast<double>(offered);
   outcome->numbers = fmt::format("{} of {} ({:.4g} %)", count, offered, share_pct);
-  const double missing_pct = comms.at_least_pct.value_or(0) - share_pct;
-  const double excess_pct = share_pct - comms.at_most_pct.value_or(100);
+  const double missing_pct = limits.at_least_pct.value_or(0) - share_pct;
+  const double excess_pct = share_pct - limits.at_most_pct.value_or(100);
   if (missing_pct > kRounding_pct) {
     outcome->passed = false;
     outcome->numbers += fmt::format(", {} % too low", FormatExcess(missing_pct));
@@ -65,7 +65,8 @@ Judge::Judge(const Mission& mission)
       altitudes_m_(mission.vehicles.size(), -1),
       travelled_m_(mission.vehicles.size()),
       helms_(mission.vehicles.size()),
-      fates_(kNumKinds, FateCounts(NamesOf(mission))) {
+      fates_(kNumKinds, FateCounts(NamesOf(mission))),
+      swarm_counts_(NamesOf(mission)) {
   for (const Expectation& expectation : mission.expectations) {
     Case& each = cases_.emplace_back();
     each.expectation = &expectation;
@@ -116,6 +117,22 @@ void Judge::TakeHelm(size_t vehicle, const HelmFacts& helm, int64_t utime) {
   }
 }
 
+void Judge::TakeSwarm(size_t vehicle, const std::string& sender, const SwarmShares& shares) {
+  SwarmShares& last = swarm_last_[{vehicle, sender}];
+  const auto add = [&](std::string_view outcome, int64_t SwarmShares::*member) {
+    // Counters that went back are those of a process that was started again.
+    const int64_t more =
+        shares.*member >= last.*member ? shares.*member - last.*member : shares.*member;
+    constexpr int64_t kMost = std::numeric_limits<int32_t>::max();
+    swarm_counts_.Add(sender, mission_.vehicles[vehicle].name, outcome,
+                      static_cast<int32_t>(std::clamp<int64_t>(more, 0, kMost)));
+  };
+  add("clean", &SwarmShares::clean);
+  add("recovered", &SwarmShares::recovered);
+  add("rejected", &SwarmShares::rejected);
+  last = shares;
+}
+
 void Judge::EndStep(int64_t utime) {
   if (watches_separation_) separation_.Look(sightings_, utime);
   for (Case& each : cases_) {
@@ -159,6 +176,12 @@ std::vector<ExpectationVerdict> Judge::Verdicts() const {
       outcome = FindSeparation(*what);
     } else if (const auto* comms = std::get_if<CommsExpectation>(&each.expectation->what)) {
       outcome = FindComms(*comms);
+    } else if (const auto* swarm = std::get_if<SwarmExpectation>(&each.expectation->what)) {
+      const int from = PlaceInCounts(swarm->from);
+      const int to = PlaceInCounts(swarm->to);
+      outcome = {.passed = true, .strain = 0, .numbers = {}};
+      JudgeShare(*swarm, swarm_counts_.Count(from, to, swarm->outcome),
+                 swarm_counts_.CountOffered(from, to), &outcome);
     } else {
       outcome = Combine(each, FindForVehicles(each));
     }

@@ -12,9 +12,11 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "lib/mission/mission.h"
@@ -42,6 +44,13 @@ struct HelmFacts {
   std::optional<double> cross_track_error_m = {};  ///< Absent: the task has no track.
 };
 
+/// What became of the messages that a member of the swarm heard from one sender, so far.
+struct SwarmShares {
+  int64_t clean = 0;
+  int64_t recovered = 0;
+  int64_t rejected = 0;
+};
+
 class Judge {
  public:
   /// `mission` must outlive this.
@@ -51,6 +60,10 @@ class Judge {
   /// and returns false then. `altitude_m` above the sea floor, negative where nobody knows.
   bool TakeNav(size_t vehicle, const Eigen::Vector3d& position_m, double altitude_m = -1);
   void TakeHelm(size_t vehicle, const HelmFacts& helm, int64_t utime);
+  /// Takes what a member's acomms counts of one sender.
+  void TakeSwarm(size_t vehicle, const std::string& sender, const SwarmShares& shares);
+  /// Returns what became of messages of the swarm: clean, recovered, rejected.
+  const FateCounts& swarm_counts() const { return swarm_counts_; }
   FateCounts& fates(Kind kind) { return fates_[static_cast<size_t>(kind)]; }
   const FateCounts& fates(Kind kind) const { return fates_[static_cast<size_t>(kind)]; }
 
@@ -98,7 +111,9 @@ class Judge {
   std::vector<double> altitudes_m_;
   std::vector<double> travelled_m_;
   std::vector<std::optional<HelmFacts>> helms_;
-  std::vector<FateCounts> fates_;  ///< By kind.
+  std::vector<FateCounts> fates_;                                     ///< By kind.
+  FateCounts swarm_counts_;                                           ///< By outcome.
+  std::map<std::pair<size_t, std::string>, SwarmShares> swarm_last_;  ///< By member and sender.
   SeparationWatch separation_;
   bool watches_separation_ = false;
   std::vector<Case> cases_;

@@ -56,6 +56,20 @@ TEST(Reproducibility, HoldsForWhatGoesThroughTheWater) {
   EXPECT_TRUE(SimLog(folder, shared) == SimLog(folder, shared));
 }
 
+TEST(Reproducibility, HoldsForSonarsNoiseAndPlumes) {
+  const TestFolder folder;
+  const std::string mission = MissionFile("sonar.toml");
+  EXPECT_TRUE(SimLog(folder, mission) == RunLog(folder, mission, {"--layout", "shared"}));
+}
+
+TEST(Reproducibility, HoldsForASwarmThatTalks) {
+  const TestFolder folder;
+  const std::string mission = MissionFile("swarm_lossy.toml");
+  const std::string shorter = "mission.duration_s=300";
+  EXPECT_TRUE(SimLog(folder, mission, {"--set", shorter}) ==
+              RunLog(folder, mission, {"--set", shorter}));
+}
+
 TEST(Reproducibility, HoldsWhenTheBusLosesDatagrams) {
   const TestFolder folder;
   const std::string mission = MissionFile("alpha.toml");

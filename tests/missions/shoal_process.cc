@@ -1,8 +1,10 @@
 #include "tests/missions/shoal_process.h"
 
 #include <fcntl.h>
+#include <netinet/in.h>
 #include <signal.h>
 #include <sys/prctl.h>
+#include <sys/socket.h>
 #include <sys/wait.h>
 #include <time.h>
 #include <unistd.h>
@@ -12,6 +14,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "lib/record/file_descriptor.h"
 #include "lib/run/run_app.h"
 
 namespace shoal {
@@ -125,6 +128,24 @@ Finished RunShoal(const TestFolder& folder, std::vector<std::string> arguments, 
 
 std::string Program(const std::string& name) {
   return std::string(SHOAL_BINARY_DIR) + "/bin/" + name;
+}
+
+int FreeTcpPorts(int count) {
+  // Begins at a port that the process's number picks, so that tests side by side do not meet.
+  for (int first = 20'000 + getpid() % 1500 * 8; first + count < 32'000; first += 8) {
+    bool are_free = true;
+    for (int i = 0; i < count && are_free; ++i) {
+      sockaddr_in address{};
+      address.sin_family = AF_INET;
+      address.sin_port = htons(static_cast<uint16_t>(first + i));
+      address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+      const FileDescriptor probe(socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0));
+      are_free =
+          bind(probe.get(), reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0;
+    }
+    if (are_free) return first;
+  }
+  return 0;
 }
 
 std::string MissionFile(const std::string& name) {

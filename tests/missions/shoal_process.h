@@ -69,6 +69,9 @@ std::string Program(const std::string& name);
 /// Returns the path of a file in missions/.
 std::string MissionFile(const std::string& name);
 
+/// Returns the first of `count` TCP ports in a row on which nobody listens now.
+int FreeTcpPorts(int count);
+
 std::string ReadFile(const std::filesystem::path& path);
 void WriteFile(const std::filesystem::path& path, const std::string& text);
 

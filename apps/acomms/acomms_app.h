@@ -1,0 +1,63 @@
+// The acoustic voice and ear of one vehicle in a swarm. Hears NAV_<V>, HELM_STATE_<V> and
+// ACOUSTIC_RX_<V>; says ACOUSTIC_TX when its slot comes (lib/swarm/schedule.h), and SWARM_<V>, what
+// it knows of the others, in every step in which a message arrived and at least once per second.
+//
+// Without NAV, or with one that is older than kNavTimeout_us, its slots pass unused.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "apps/acomms/swarm_writer.h"
+#include "lib/bus/bus.h"
+#include "lib/bus/channels.h"
+#include "lib/mission/mission.h"
+#include "lib/run/app.h"
+#include "lib/swarm/schedule.h"
+#include "lib/swarm/swarm_receiver.h"
+
+namespace shoal {
+
+class AcommsApp : public App {
+ public:
+  static constexpr int64_t kNavTimeout_us = 2'000'000;
+  static constexpr int64_t kSwarmInterval_us = 1'000'000;
+
+  /// @pre mission.IsInSwarm(vehicle)
+  AcommsApp(const Mission& mission, const Vehicle& vehicle, Bus& bus);
+
+  void Tick(int64_t utime) override;
+  StatusPage Status() const override;
+
+ private:
+  void OnNav(const nav_t& nav);
+  void OnAcousticRx(const acoustic_rx_t& packet);
+  void Say(const DueMessage& due, int64_t utime);
+  void PublishSwarm(int64_t utime);
+
+  const std::string name_;
+  const std::string leader_;
+  const SlotPlan plan_;
+  const int64_t start_utime_;
+  const int64_t tick_us_;
+  Bus& bus_;
+  const Channel<acoustic_tx_t> tx_channel_ = channels::AcousticTx();
+  const Channel<swarm_t> swarm_channel_;
+  SwarmReceiver receiver_;
+  SwarmSchedule schedule_;
+  SwarmWriter writer_;
+  StatusLog log_;
+
+  nav_t nav_{};
+  helm_state_t helm_{};
+  std::optional<int64_t> utime_;      ///< Of the last step.
+  std::optional<int64_t> nav_utime_;  ///< Step in which the last NAV came.
+  std::optional<int64_t> swarm_utime_;
+  bool has_heard_ = false;  ///< Something arrived since the last step.
+  uint16_t sequence_ = 0;   ///< Of the next frame.
+  int64_t num_said_ = 0;
+  int64_t num_without_nav_ = 0;
+};
+
+}  // namespace shoal

@@ -1,0 +1,276 @@
+// Two or three acomms on one bus, and a test that carries their packets.
+#include "apps/acomms/acomms_app.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <memory>
+#include <vector>
+
+#include "lib/bus/memory_bus.h"
+#include "lib/swarm/broadcast_message.h"
+
+namespace shoal {
+namespace {
+
+constexpr int64_t kTick_us = 100'000;
+
+Mission TwoInFdma() {
+  Mission mission;
+  mission.acoustics.is_used = true;
+  mission.acoustics.crc = false;
+  int address = 1;
+  for (const std::string name : {"alpha", "bravo", "charlie"}) {
+    Vehicle vehicle;
+    vehicle.name = name;
+    vehicle.acoustic_address = address++;
+    vehicle.start = {.x_m = 100.0 * address, .heading_deg = 90, .speed_mps = 1};
+    mission.vehicles.push_back(vehicle);
+  }
+  mission.swarm.exists = true;
+  mission.swarm.leader = "alpha";
+  mission.swarm.followers = {"bravo"};
+  return mission;
+}
+
+/// The acomms of all members of a swarm. What one says reaches all others in the next step but one,
+/// as the broker would have it without loss and travel time; unless the test takes it away.
+class Members {
+ public:
+  explicit Members(const Mission& mission) : mission_(mission) {
+    Subscribe(world_, channels::AcousticTx(), [this](const acoustic_tx_t& packet) {
+      said_.push_back(packet);
+      if (in_air_is_quiet_) return;
+      for (const Vehicle& vehicle : mission_.vehicles) {
+        if (vehicle.name != packet.source) Hand(vehicle.name, packet.source, packet.payload);
+      }
+    });
+    for (const Vehicle& vehicle : mission_.vehicles) {
+      if (mission_.IsInSwarm(vehicle)) Start(vehicle);
+    }
+  }
+
+  void Start(const Vehicle& vehicle) {
+    // A process that is started again has a name of its own here; nobody hears it but for that.
+    Bus& bus = hub_.Join("acomms_" + vehicle.name + std::to_string(num_started_++));
+    Subscribe(
+        world_, channels::Swarm(vehicle.name),
+        [this, name = vehicle.name](const swarm_t& swarm) { swarms_[name].push_back(swarm); });
+    apps_[vehicle.name] = {&bus, std::make_unique<AcommsApp>(mission_, vehicle, bus)};
+  }
+
+  void Hand(const std::string& to, const std::string& from, const std::vector<uint8_t>& bytes) {
+    acoustic_rx_t packet{};
+    packet.utime = utime_;
+    packet.source = from;
+    packet.payload = bytes;
+    packet.num_bytes = static_cast<int32_t>(bytes.size());
+    Publish(world_, channels::AcousticRx(to), packet);
+  }
+  void SayNav(const std::string& vehicle, double x_m, double y_m) {
+    nav_t nav{};
+    nav.utime = utime_;
+    nav.x_m = x_m;
+    nav.y_m = y_m;
+    nav.z_m = 10;
+    nav.speed_over_ground_mps = 1;
+    nav.course_over_ground_deg = 90;
+    Publish(world_, channels::Nav(vehicle), nav);
+  }
+
+  void Run(double seconds, bool with_nav = true) {
+    const auto num_steps = static_cast<int>(seconds * 1e6 / kTick_us + 0.5);
+    for (int i = 0; i < num_steps; ++i) {
+      for (const Vehicle& vehicle : mission_.vehicles) {
+        const double x_m = vehicle.start.x_m + static_cast<double>(utime_) / 1e6;
+        if (with_nav) SayNav(vehicle.name, x_m, 0);
+      }
+      hub_.NextStep();
+      for (auto& [name, app] : apps_) hub_.Handle(*app.first);
+      for (auto& [name, app] : apps_) app.second->Tick(utime_);
+      hub_.NextStep();
+      hub_.Handle(world_);
+      utime_ += kTick_us;
+    }
+  }
+
+  std::vector<int64_t> TimesOf(const std::string& source) const {
+    std::vector<int64_t> times;
+    for (const acoustic_tx_t& packet : said_) {
+      if (packet.source == source) times.push_back(packet.utime / kTick_us);
+    }
+    return times;
+  }
+  const swarm_t& LastOf(const std::string& vehicle) { return swarms_[vehicle].back(); }
+  AcommsApp& app(const std::string& vehicle) { return *apps_.at(vehicle).second; }
+
+  bool in_air_is_quiet_ = false;
+  std::vector<acoustic_tx_t> said_;
+  std::map<std::string, std::vector<swarm_t>> swarms_;
+
+ private:
+  Mission mission_;
+  MemoryBus hub_;
+  Bus& world_ = hub_.Join("world");
+  std::map<std::string, std::pair<Bus*, std::unique_ptr<AcommsApp>>> apps_;
+  int num_started_ = 0;
+  int64_t utime_ = 0;
+};
+
+TEST(Acomms, SpeaksOnceInEachEpisodeInItsSlot) {
+  Members members(TwoInFdma());
+  members.Run(11);
+  EXPECT_EQ(members.TimesOf("alpha"), (std::vector<int64_t>{0, 50, 100}));
+  EXPECT_EQ(members.TimesOf("bravo"), (std::vector<int64_t>{5, 55, 105}));
+  EXPECT_TRUE(DecodeLeaderReport(members.said_[0].payload));
+  EXPECT_TRUE(DecodeReport(members.said_[1].payload));
+}
+
+TEST(Acomms, TellsItsHelmWhatTheLeaderSaid) {
+  Members members(TwoInFdma());
+  members.Run(0.1);
+  ASSERT_EQ(members.LastOf("bravo").num_contacts, 1);
+  const swarm_contact_t before = members.LastOf("bravo").contacts[0];
+  EXPECT_EQ(before.name, "alpha");
+  EXPECT_TRUE(before.is_target);
+  EXPECT_FALSE(before.is_heard);
+  EXPECT_TRUE(before.is_known) << "the mission says where it starts";
+  EXPECT_EQ(before.x_m, 200);
+
+  members.Run(1);
+  const swarm_contact_t after = members.LastOf("bravo").contacts[0];
+  EXPECT_TRUE(after.is_heard);
+  EXPECT_EQ(after.report_utime, 0);
+  EXPECT_EQ(after.x_m, 200);
+  EXPECT_EQ(after.x_mps, 1);
+  EXPECT_TRUE(after.has_next);
+  EXPECT_EQ(after.num_recovered, 0);
+}
+
+TEST(Acomms, CountsWhatBecameOfEachSendersPackets) {
+  Members members(TwoInFdma());
+  members.Run(1);
+  members.Hand("bravo", "charlie", {1, 2, 3});
+  members.Hand("bravo", "somebody", {});
+  members.Run(0.2);
+  const swarm_t& swarm = members.LastOf("bravo");
+  ASSERT_EQ(swarm.num_sources, 3);
+  EXPECT_EQ(swarm.sources[0].name, "alpha");
+  EXPECT_EQ(swarm.sources[0].clean, 1);
+  EXPECT_EQ(swarm.sources[1].name, "charlie");
+  EXPECT_EQ(swarm.sources[1].rejected, 1);
+  EXPECT_EQ(swarm.sources[2].name, SwarmWriter::kOthers);
+  int64_t rejected = 0;
+  for (const swarm_count_t& count : swarm.counts) {
+    if (count.outcome == "rejected") rejected += count.count;
+  }
+  EXPECT_EQ(rejected, 2);
+  EXPECT_NE(members.app("bravo").Status().text.find("rejected 2 times"), std::string::npos)
+      << members.app("bravo").Status().text;
+}
+
+TEST(Acomms, SaysWhichFieldsWereDamagedAndHowTheyWereMended) {
+  Mission mission = TwoInFdma();
+  Members members(mission);
+  members.Run(1);
+  LeaderMessage damaged = *DecodeLeaderReport(members.said_[0].payload);
+  damaged.time_stamp_s = 0.9F;
+  damaged.leader.position_m.x() = std::numeric_limits<float>::quiet_NaN();
+  members.Hand("bravo", "alpha", EncodeLeaderReport(damaged));
+  members.Run(0.2);
+  const swarm_contact_t& contact = members.LastOf("bravo").contacts[0];
+  EXPECT_EQ(contact.recovered, (std::vector<std::string>{"leader_pos predict"}));
+  EXPECT_NEAR(contact.x_m, 200.9, 0.01) << "where it was, and its speed since";
+  EXPECT_EQ(members.LastOf("bravo").sources[0].recovered, 1);
+}
+
+TEST(Acomms, FollowsTheRecoveryPlanOfItsVehicle) {
+  Mission mission = TwoInFdma();
+  mission.vehicles[1].recovery.of(SwarmField::kLeaderPos) = {RecoveryStrategy::kSkip};
+  Members members(mission);
+  members.Run(1);
+  LeaderMessage damaged = *DecodeLeaderReport(members.said_[0].payload);
+  damaged.leader.position_m.x() = std::numeric_limits<float>::quiet_NaN();
+  members.Hand("bravo", "alpha", EncodeLeaderReport(damaged));
+  members.Run(0.2);
+  EXPECT_EQ(members.LastOf("bravo").sources[0].rejected, 1);
+}
+
+TEST(Acomms, ShowsWhoHasBeenSilentForLong) {
+  Mission mission = TwoInFdma();
+  mission.swarm.silent_after_s = 7;
+  Members members(mission);
+  members.Run(5.5);
+  members.in_air_is_quiet_ = true;
+  members.Run(5);
+  EXPECT_FALSE(members.LastOf("bravo").contacts[0].is_silent);
+  members.Run(5);
+  EXPECT_TRUE(members.LastOf("bravo").contacts[0].is_silent);
+  EXPECT_NE(members.app("bravo").Status().text.find("silent"), std::string::npos);
+}
+
+TEST(Acomms, LetsSlotsPassWithoutNav) {
+  Members members(TwoInFdma());
+  members.Run(6, false);
+  EXPECT_TRUE(members.said_.empty());
+  EXPECT_FALSE(members.app("alpha").Status().run_warnings.empty());
+  members.Run(5);
+  EXPECT_EQ(members.TimesOf("alpha"), (std::vector<int64_t>{100}));
+  EXPECT_TRUE(members.app("alpha").Status().run_warnings.empty());
+}
+
+TEST(Acomms, AnswersARequestInItsSlotAndIsHeardByTheLeader) {
+  Mission mission = TwoInFdma();
+  mission.acoustics.options.access_mode = AccessMode::kTdmaLf;
+  mission.swarm.followers = {"charlie", "bravo"};
+  Members members(mission);
+  members.Run(10);
+  const std::vector<int64_t> alpha = members.TimesOf("alpha");
+  const std::vector<int64_t> bravo = members.TimesOf("bravo");
+  const std::vector<int64_t> charlie = members.TimesOf("charlie");
+  ASSERT_GE(alpha.size(), 2U);
+  ASSERT_FALSE(bravo.empty());
+  ASSERT_FALSE(charlie.empty());
+  EXPECT_TRUE(DecodeBroadcast(members.said_[0].payload));
+  EXPECT_LT(alpha[0], charlie[0]);
+  EXPECT_LT(charlie[0], bravo[0]) << "in the order of [swarm] followers";
+  EXPECT_LT(bravo[0], alpha[1]) << "all within the episode";
+  const swarm_t& leader = members.LastOf("alpha");
+  ASSERT_EQ(leader.num_contacts, 2);
+  EXPECT_TRUE(leader.contacts[0].is_heard);
+  EXPECT_TRUE(leader.contacts[1].is_heard);
+  EXPECT_GT(members.LastOf("bravo").contacts[1].report_utime, 0)
+      << "bravo knows of charlie by the leader's second request";
+}
+
+TEST(Acomms, ThatIsStartedAgainGoesOnWithItsNextSlot) {
+  const Mission mission = TwoInFdma();
+  Members members(mission);
+  members.Run(12);
+  members.Start(mission.vehicles[1]);
+  members.Run(10);
+  EXPECT_EQ(members.TimesOf("bravo"), (std::vector<int64_t>{5, 55, 105, 155, 205}));
+  EXPECT_TRUE(members.LastOf("bravo").contacts[0].is_heard);
+}
+
+TEST(Acomms, OutlivesAnyBytes) {
+  Members members(TwoInFdma());
+  members.Run(1);
+  for (int length = 0; length < 400; length += 7) {
+    std::vector<uint8_t> bytes;
+    for (int i = 0; i < length; ++i) bytes.push_back(static_cast<uint8_t>(i * 37 + length));
+    members.Hand("bravo", "alpha", bytes);
+    bytes.insert(bytes.begin(), {'B', 'C', 'R', 'Q', 'A'});
+    members.Hand("alpha", "bravo", bytes);
+  }
+  members.Run(0.3);
+  int64_t received = 0;
+  for (const swarm_source_t& source : members.LastOf("bravo").sources) {
+    EXPECT_EQ(source.received, source.clean + source.recovered + source.rejected);
+    received += source.received;
+  }
+  EXPECT_GE(received, 57);
+}
+
+}  // namespace
+}  // namespace shoal

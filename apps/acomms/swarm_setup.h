@@ -1,0 +1,24 @@
+// What a mission says of the swarm, as one of its members has it.
+#pragma once
+
+#include "lib/mission/mission.h"
+#include "lib/swarm/schedule.h"
+#include "lib/swarm/swarm_receiver.h"
+
+namespace shoal {
+
+/// Returns the ear of `vehicle`: it knows all members by their acoustic addresses, and that they
+/// begin where the mission file has them start. @pre mission.IsInSwarm(vehicle)
+[[nodiscard]] SwarmReceiver MakeSwarmReceiver(const Mission& mission, const Vehicle& vehicle);
+
+/// Returns when `vehicle` speaks: the leader has place 0, the first follower 1.
+/// @pre mission.IsInSwarm(vehicle), and its slots have no problems
+[[nodiscard]] SwarmSchedule MakeSwarmSchedule(const Mission& mission, const Vehicle& vehicle);
+
+/// Returns a member's id in messages.
+[[nodiscard]] uint32_t SwarmIdOf(const Vehicle& vehicle);
+
+/// Returns the leader and the followers in the order of the mission file.
+[[nodiscard]] std::vector<const Vehicle*> SwarmMembers(const Mission& mission);
+
+}  // namespace shoal

@@ -1,0 +1,99 @@
+#include "apps/acomms/swarm_speech.h"
+
+#include <cmath>
+
+#include "lib/geometry/angles.h"
+#include "lib/swarm/broadcast_message.h"
+#include "lib/swarm/field_checks.h"
+#include "lib/swarm/leader_message.h"
+#include "lib/swarm/report_message.h"
+
+namespace shoal {
+
+namespace {
+
+float Seconds(int64_t time_us) { return static_cast<float>(static_cast<double>(time_us) / 1e6); }
+
+bool IsTellable(const Motion& motion) {
+  const FieldLimits limits;
+  return motion.position_m.allFinite() && motion.velocity_mps.allFinite() &&
+         motion.position_m.cwiseAbs().maxCoeff() <= limits.max_position_m &&
+         motion.velocity_mps.cwiseAbs().maxCoeff() <= limits.max_speed_mps;
+}
+
+LeaderMotion LeaderMotionOf(const SwarmSaying& saying) {
+  return {.position_m = saying.own.position_m.cast<float>(),
+          .velocity_mps = saying.own.velocity_mps.cast<float>(),
+          .next_position_m = saying.next.position_m.cast<float>(),
+          .next_velocity_mps = saying.next.velocity_mps.cast<float>()};
+}
+
+ReportMessage ReportOf(const SwarmSaying& saying, MessageFlag flag) {
+  return {.flag = flag,
+          .group_id = saying.state.group_id,
+          .reporter_id = saying.state.own_id,
+          .position_m = saying.own.position_m.cast<float>(),
+          .velocity_mps = saying.own.velocity_mps.cast<float>(),
+          .time_stamp_s = Seconds(saying.now_us)};
+}
+
+BroadcastMessage BroadcastOf(const SwarmSaying& saying, int64_t response_start_us) {
+  BroadcastMessage message = {.group_id = saying.state.group_id,
+                              .leader = LeaderMotionOf(saying),
+                              .followers = {},
+                              .response_start_s = Seconds(response_start_us),
+                              .time_stamp_s = Seconds(saying.now_us)};
+  for (const SwarmContact& member : saying.state.members) {
+    const bool is_usable = IsUsable(member);
+    message.followers.push_back(
+        {.id = member.id,
+         .position_m = is_usable ? Eigen::Vector3f(member.report.now.position_m.cast<float>())
+                                 : Eigen::Vector3f::Zero(),
+         .velocity_mps = is_usable ? Eigen::Vector3f(member.report.now.velocity_mps.cast<float>())
+                                   : Eigen::Vector3f::Zero(),
+         .reported_s = member.is_heard && is_usable ? Seconds(member.reported_us) : 0});
+  }
+  return message;
+}
+
+}  // namespace
+
+std::optional<Motion> MotionOf(const nav_t& nav) {
+  const Eigen::Vector2d over_ground_mps =
+      nav.speed_over_ground_mps * UnitVector(DegToRad(nav.course_over_ground_deg));
+  const Motion motion = {
+      .position_m = {nav.x_m, nav.y_m, nav.z_m},
+      .velocity_mps = {over_ground_mps.x(), over_ground_mps.y(), nav.descent_mps}};
+  if (!IsTellable(motion)) return std::nullopt;
+  return motion;
+}
+
+Motion NextOf(const Motion& own, const helm_state_t& helm) {
+  const Eigen::Vector3d waypoint_m(helm.waypoint_x_m, helm.waypoint_y_m, helm.waypoint_z_m);
+  if (helm.waypoint_index < 0) return own;
+  const Motion next = waypoint_m.allFinite()
+                          ? PredictAtPoint(own, waypoint_m,
+                                           {.speed_mps = own.velocity_mps.norm(),
+                                            .acceleration_mps2 = 0,
+                                            .max_speed_mps = FieldLimits().max_speed_mps})
+                          : own;
+  return IsTellable(next) ? next : own;
+}
+
+std::vector<uint8_t> SwarmBytes(const DueMessage& due, const SwarmSaying& saying) {
+  switch (due.message) {
+    case SwarmMessage::kReport:
+      return EncodeReport(ReportOf(saying, kReportFlag));
+    case SwarmMessage::kResponse:
+      return EncodeReport(ReportOf(saying, kResponseFlag));
+    case SwarmMessage::kLeaderReport:
+      return EncodeLeaderReport({.group_id = saying.state.group_id,
+                                 .leader = LeaderMotionOf(saying),
+                                 .time_stamp_s = Seconds(saying.now_us)});
+    case SwarmMessage::kBroadcastRequest:
+      break;
+  }
+  return EncodeBroadcast(BroadcastOf(saying, due.response_start_us));
+}
+
+}  // namespace shoal

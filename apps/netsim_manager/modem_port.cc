@@ -1,0 +1,154 @@
+#include "apps/netsim_manager/modem_port.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+namespace shoal {
+
+namespace {
+
+class RawPort : public ModemPort {
+ public:
+  explicit RawPort(const ModemPortOptions& options)
+      : options_({.max_bytes = options.max_bytes}), reader_(options_) {}
+
+  void Hear(const HeardPacket& packet, int64_t) override {
+    ++num_heard_;
+    const std::vector<uint8_t> piece = EncodeRawPiece(packet.bytes);
+    SendToClient({reinterpret_cast<const char*>(piece.data()), piece.size()});
+  }
+
+  std::string Text() const override {
+    const RawModemCounts& counts = reader_.counts();
+    return fmt::format("    raw, {}; {} payloads taken, {} empty, {} too long, {} heard\n",
+                       ClientText(), counts.delivered, counts.empty, counts.too_long, num_heard_);
+  }
+
+ private:
+  // A client that was cut off in the midst of a piece must not spoil the next one's.
+  void OnConnect() override { reader_ = RawModemReader(options_); }
+  void OnBytes(std::string_view bytes, int64_t) override {
+    const auto* data = reinterpret_cast<const uint8_t*>(bytes.data());
+    for (std::vector<uint8_t>& payload : reader_.Take({data, bytes.size()})) {
+      Transmit(std::move(payload));
+    }
+  }
+
+  RawModemOptions options_;
+  RawModemReader reader_;
+  int64_t num_heard_ = 0;
+};
+
+class MicroModemPort : public ModemPort {
+ public:
+  explicit MicroModemPort(const ModemPortOptions& options)
+      : modem_({.address = options.modem_address,
+                .water_bps = options.water_bps,
+                .max_packet_bytes = options.max_bytes}) {}
+
+  void Hear(const HeardPacket& packet, int64_t mission_us) override {
+    Pass(modem_.Hear({.bytes = packet.bytes,
+                      .start_us = packet.start_us,
+                      .travel_us = packet.travel_us,
+                      .snr_db = packet.snr_db},
+                     mission_us));
+  }
+  void SetClock(int64_t utc_us, int64_t mission_us) override {
+    modem_.SetClock(utc_us, mission_us);
+  }
+
+  std::string Text() const override {
+    const MicroModemCounts& counts = modem_.counts();
+    return fmt::format(
+        "    micromodem {}, {}{}\n"
+        "        host: {} answered, {} refused, {} dropped; water: {} sent, {} understood ({} "
+        "frames damaged), {} for others, {} damaged, {} foreign\n",
+        modem_.address(), ClientText(),
+        modem_.is_on_the_air()   ? ", on the air"
+        : modem_.is_in_a_cycle() ? ", in a cycle"
+                                 : "",
+        counts.sentences_answered, counts.sentences_refused, counts.lines_dropped, counts.sent,
+        counts.understood, counts.damaged_frames, counts.overheard, counts.damaged_headers,
+        counts.foreign);
+  }
+
+ private:
+  void OnBytes(std::string_view bytes, int64_t mission_us) override {
+    // What a byte is answered with may be two hundred times as long.
+    constexpr size_t kMostAtOnce = 2048;
+    for (; !bytes.empty(); bytes.remove_prefix(std::min(bytes.size(), kMostAtOnce))) {
+      Pass(modem_.TakeBytes(bytes.substr(0, kMostAtOnce), mission_us));
+    }
+  }
+  void Advance(int64_t mission_us) override { Pass(modem_.Advance(mission_us)); }
+
+  void Pass(const MicroModemOutput& output) {
+    SendToClient(output.to_host);
+    for (const MicroModemSent& sent : output.to_water) Transmit(sent.bytes);
+  }
+
+  MicroModem modem_;
+};
+
+}  // namespace
+
+Result<std::unique_ptr<ModemPort>> ModemPort::Open(const ModemPortOptions& options) {
+  std::unique_ptr<ModemPort> port;
+  if (options.kind == NetsimModem::kMicromodem) {
+    port = std::make_unique<MicroModemPort>(options);
+  } else {
+    port = std::make_unique<RawPort>(options);
+  }
+  const Result<bool> listens = port->Listen(options);
+  if (!listens.ok()) return Error{listens.error()};
+  return port;
+}
+
+Result<bool> ModemPort::Listen(const ModemPortOptions& options) {
+  auto server = TcpServer::Listen(
+      {.address = options.address, .port = options.port, .max_connections = 1},
+      {.on_connect =
+           [this](ClientId client, const std::string& address) {
+             client_ = client;
+             client_address_ = address;
+             OnConnect();
+           },
+       .on_bytes = [this](ClientId, std::string_view bytes) { OnBytes(bytes, mission_us_); },
+       .on_close = [this](ClientId) { client_.reset(); }});
+  if (!server.ok()) return Error{server.error()};
+  server_ = std::move(*server);
+  return true;
+}
+
+void ModemPort::Serve(int64_t wall_us, int64_t mission_us) {
+  mission_us_ = mission_us;
+  server_->Serve(wall_us);
+  Advance(mission_us);
+}
+
+void ModemPort::SendToClient(std::string_view bytes) {
+  if (client_ && !bytes.empty()) server_->Send(*client_, bytes);
+}
+
+void ModemPort::Transmit(std::vector<uint8_t> bytes) {
+  if (transmissions_.size() >= kMostWaiting) {
+    ++num_dropped_;
+    return;
+  }
+  ++num_transmissions_;
+  transmissions_.push_back(std::move(bytes));
+}
+
+std::vector<std::vector<uint8_t>> ModemPort::TakeTransmissions() {
+  return std::exchange(transmissions_, {});
+}
+
+std::string ModemPort::ClientText() const {
+  return fmt::format("port {}, {}; {} packets given to the water{}", port(),
+                     client_ ? "client at " + client_address_ : std::string("no client"),
+                     num_transmissions_,
+                     num_dropped_ > 0 ? fmt::format(", {} too many", num_dropped_) : "");
+}
+
+}  // namespace shoal

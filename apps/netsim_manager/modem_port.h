@@ -1,0 +1,88 @@
+// The modem of one outside vehicle: a TCP port with one client, and the water on the other side.
+//
+//   auto port = ModemPort::Open(vehicle, options);
+//   (*port)->Serve(wall_us, mission_us);             // clients
+//   (*port)->Hear(bytes, mission_us);                // what came through the water
+//   for (auto& bytes : (*port)->TakeTransmissions()) Transmit(bytes);
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lib/check/result.h"
+#include "lib/modem/micromodem.h"
+#include "lib/modem/raw_modem.h"
+#include "lib/netsim/netsim_options.h"
+#include "lib/netsim/tcp_server.h"
+
+namespace shoal {
+
+struct ModemPortOptions {
+  std::string address = "127.0.0.1";  ///< To listen on.
+  int port = 0;
+  NetsimModem kind = NetsimModem::kRaw;
+  int modem_address = 0;      ///< Of a Micro-Modem, 0 to 127.
+  double water_bps = 0;       ///< The acoustic network's data rate.
+  size_t max_bytes = 65'535;  ///< That a packet through the water holds.
+};
+
+/// A packet that came through the water.
+struct HeardPacket {
+  std::vector<uint8_t> bytes;
+  int64_t start_us = 0;   ///< Mission time at which its first byte arrived.
+  int64_t travel_us = 0;  ///< From the sender to here.
+  std::optional<double> snr_db;
+};
+
+class ModemPort {
+ public:
+  /// Packets given to the water between two calls of TakeTransmissions; further ones are dropped.
+  static constexpr size_t kMostWaiting = 256;
+
+  /// Fails with what to try.
+  static Result<std::unique_ptr<ModemPort>> Open(const ModemPortOptions& options);
+  virtual ~ModemPort() = default;
+
+  int fd() const { return server_->fd(); }
+  int port() const { return server_->port(); }
+  bool has_client() const { return client_.has_value(); }
+
+  /// Serves the client, and does what is due at `mission_us`, which never goes back.
+  void Serve(int64_t wall_us, int64_t mission_us);
+  /// Takes a packet, client or not: a modem hears also while its host is away.
+  virtual void Hear(const HeardPacket& packet, int64_t mission_us) = 0;
+  /// Sets the modem's clock, where it has one.
+  virtual void SetClock(int64_t, int64_t) {}
+
+  /// Returns what is to be sent through the water, and forgets it.
+  std::vector<std::vector<uint8_t>> TakeTransmissions();
+  /// Returns a line or two for a status page, four blanks before each.
+  virtual std::string Text() const = 0;
+
+ protected:
+  ModemPort() = default;
+  virtual void OnConnect() {}
+  virtual void OnBytes(std::string_view bytes, int64_t mission_us) = 0;
+  virtual void Advance(int64_t) {}
+  /// Nothing where nobody is connected.
+  void SendToClient(std::string_view bytes);
+  void Transmit(std::vector<uint8_t> bytes);
+  std::string ClientText() const;
+
+ private:
+  Result<bool> Listen(const ModemPortOptions& options);
+
+  std::unique_ptr<TcpServer> server_;
+  std::optional<ClientId> client_;
+  std::string client_address_;
+  int64_t mission_us_ = 0;
+  std::vector<std::vector<uint8_t>> transmissions_;
+  int64_t num_transmissions_ = 0;
+  int64_t num_dropped_ = 0;
+};
+
+}  // namespace shoal

@@ -1,0 +1,279 @@
+#include "apps/netsim_manager/netsim_manager_app.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+#include <utility>
+
+#include "lib/check/check.h"
+#include "lib/geometry/angles.h"
+#include "lib/netsim/gprmc.h"
+
+namespace shoal {
+
+namespace {
+
+constexpr double kNoSnr_db = -900;  ///< acoustic_path_t has -999 where there is none.
+constexpr int64_t kCrcBytes = 4;
+constexpr size_t kMaxStatsPerStep = 1000;
+constexpr size_t kMaxHeardPerStep = 1000;
+
+}  // namespace
+
+NetsimManagerApp::NetsimManagerApp(const Mission& mission, Bus& bus)
+    : mission_(mission),
+      options_(mission.netsim.value_or(NetsimOptions())),
+      frame_({.lat_deg = mission.origin_lat_deg, .lon_deg = mission.origin_lon_deg}),
+      bus_(bus) {
+  for (const NetsimVehicle& vehicle : options_.vehicles) {
+    Outsider outsider;
+    outsider.options = vehicle;
+    outsider.vehicle = mission_.FindVehicle(vehicle.name);
+    SHOAL_CHECK(outsider.vehicle != nullptr, "the mission file was checked");
+    outsiders_.push_back(std::move(outsider));
+  }
+  Open();
+  for (size_t i = 0; i < outsiders_.size(); ++i) {
+    if (outsiders_[i].modem == nullptr) continue;
+    Subscribe(bus, channels::AcousticRx(outsiders_[i].options.name),
+              [this, i](const acoustic_rx_t& packet) {
+                std::vector<acoustic_rx_t>& heard = outsiders_[i].heard;
+                if (heard.size() < kMaxHeardPerStep) heard.push_back(packet);
+              });
+  }
+  Subscribe(bus, channels::CommsFates(), [this](const comms_fates_t& fates) { TakeFates(fates); });
+}
+
+void NetsimManagerApp::Open() {
+  const TcpServerOptions server = {
+      .address = options_.address,
+      .port = options_.port,
+      .max_connections = options_.max_connections,
+      .idle_timeout_us = static_cast<int64_t>(options_.idle_timeout_s * 1e6)};
+  auto lines = LineServer::Listen(
+      server, static_cast<size_t>(options_.max_line_bytes),
+      [this](const std::string& address, std::string_view line) { return OnLine(address, line); });
+  if (!lines.ok()) {
+    fault_ = lines.error();
+    return;
+  }
+  lines_ = std::move(*lines);
+  served_.Add(lines_->fd());
+  for (Outsider& outsider : outsiders_) {
+    if (!Take(&outsider)) return;
+  }
+}
+
+// Opens the ports of one vehicle; false and a fault where that cannot be.
+bool NetsimManagerApp::Take(Outsider* outsider) {
+  const NetsimVehicle& vehicle = outsider->options;
+  if (vehicle.modem != NetsimModem::kNone) {
+    const AcousticOptions& acoustics = mission_.acoustics.options;
+    const int address = outsider->vehicle->acoustic_address;
+    const int64_t limit = acoustics.modem ? acoustics.modem->max_packet_bytes : 0;
+    auto modem =
+        ModemPort::Open({.address = options_.address,
+                         .port = vehicle.modem_tcp_port,
+                         .kind = vehicle.modem,
+                         .modem_address = address <= 127 ? address : 0,
+                         .water_bps = acoustics.data_rate_bps,
+                         .max_bytes = limit > 0 ? static_cast<size_t>(limit) : kMaxRawPieceBytes});
+    if (!modem.ok()) {
+      fault_ = modem.error();
+      return false;
+    }
+    outsider->modem = std::move(*modem);
+    served_.Add(outsider->modem->fd());
+  }
+  if (vehicle.gps.tcp_port > 0 || !vehicle.gps.path.empty()) {
+    auto gps = GpsOutput::Open(vehicle.gps, options_.address);
+    if (!gps.ok()) {
+      fault_ = gps.error();
+      return false;
+    }
+    outsider->gps = std::move(*gps);
+    if (outsider->gps->fd() >= 0) served_.Add(outsider->gps->fd());
+  }
+  return true;
+}
+
+int NetsimManagerApp::ModemPortOf(std::string_view vehicle) const {
+  for (const Outsider& outsider : outsiders_) {
+    if (outsider.options.name == vehicle && outsider.modem) return outsider.modem->port();
+  }
+  return 0;
+}
+
+int NetsimManagerApp::GpsPortOf(std::string_view vehicle) const {
+  for (const Outsider& outsider : outsiders_) {
+    if (outsider.options.name == vehicle && outsider.gps) return outsider.gps->port();
+  }
+  return 0;
+}
+
+std::string NetsimManagerApp::OnLine(const std::string& address, std::string_view line) {
+  const NetsimReply reply = AnswerLine(line, address, options_);
+  counts_.Add(reply.outcome);
+  if (!reply.problem.empty()) {
+    log_.Event(utime_.value_or(mission_.start_utime),
+               fmt::format("{}: {}", Printable(address), Printable(reply.problem)));
+  }
+  for (const NetsimPosition& position : reply.positions) TakePosition(position);
+  for (const NetsimReceiveStats& stats : reply.stats) TakeStats(stats);
+  return reply.answer;
+}
+
+void NetsimManagerApp::TakePosition(const NetsimPosition& position) {
+  for (Outsider& outsider : outsiders_) {
+    if (outsider.options.name != position.vehicle) continue;
+    outsider.nav = position.nav;
+    outsider.nav_is_new = true;
+    ++outsider.num_navs;
+    if (!outsider.gps) continue;
+    outsider.gps->Write(GprmcSentence(position.nav, utc_us_));
+    ++outsider.num_sentences;
+  }
+}
+
+void NetsimManagerApp::TakeStats(const NetsimReceiveStats& stats) {
+  ++num_stats_;
+  if (stats_.size() >= kMaxStatsPerStep) return;
+  modem_stats_t told{};
+  told.receiver = NameOfPort(stats.modem_tcp_port);
+  told.sender = NameOfPort(stats.tx_modem_tcp_port);
+  told.is_good = stats.packet_success ? 1 : 0;
+  if (stats.modem) {
+    told.has_modem = 1;
+    told.mode = stats.modem->mode;
+    told.rate = stats.modem->rate;
+    told.source = stats.modem->source;
+    told.destination = stats.modem->destination;
+    told.num_frames = stats.modem->num_frames;
+    told.num_bad_frames = stats.modem->num_bad_frames;
+    told.snr_in_db = stats.modem->snr_in_db;
+    told.snr_out_db = stats.modem->snr_out_db;
+    told.mse_equalizer_db = stats.modem->mse_equalizer_db;
+  }
+  stats_.push_back(told);
+}
+
+std::string NetsimManagerApp::NameOfPort(int32_t port) const {
+  for (const Outsider& outsider : outsiders_) {
+    if (outsider.options.modem_tcp_port == port) return outsider.options.name;
+  }
+  return fmt::format("port {}", port);
+}
+
+void NetsimManagerApp::TakeFates(const comms_fates_t& fates) {
+  for (const fate_t& fate : fates.fates) {
+    if (fate.path.empty() || !(fate.path[0].snr_db > kNoSnr_db)) continue;
+    const bool is_ours = std::any_of(
+        outsiders_.begin(), outsiders_.end(),
+        [&](const Outsider& outsider) { return outsider.options.name == fate.destination; });
+    if (is_ours) {
+      snrs_db_[{fate.destination, fate.source, fate.path[0].packet}] = fate.path[0].snr_db;
+    }
+  }
+}
+
+void NetsimManagerApp::Tick(int64_t utime) {
+  utime_ = utime;
+  tick_wall_us_.reset();
+  mission_us_ = std::max(mission_us_, utime - mission_.start_utime);
+  for (Outsider& outsider : outsiders_) {
+    HearWater(&outsider, mission_us_);
+    if (outsider.modem) {
+      for (std::vector<uint8_t>& bytes : outsider.modem->TakeTransmissions()) {
+        acoustic_tx_t packet{};
+        packet.utime = utime;
+        packet.source = outsider.options.name;
+        packet.num_bytes = static_cast<int32_t>(bytes.size());
+        packet.payload = std::move(bytes);
+        Publish(bus_, channels::AcousticTx(), packet);
+      }
+    }
+    if (std::exchange(outsider.nav_is_new, false)) Report(&outsider, utime);
+  }
+  for (modem_stats_t& stats : std::exchange(stats_, {})) {
+    stats.utime = utime;
+    Publish(bus_, channels::ModemStats(), stats);
+  }
+  snrs_db_.clear();
+}
+
+void NetsimManagerApp::HearWater(Outsider* outsider, int64_t mission_us) {
+  const AcousticOptions& acoustics = mission_.acoustics.options;
+  for (acoustic_rx_t& packet : std::exchange(outsider->heard, {})) {
+    const auto num_bytes = static_cast<int64_t>(packet.payload.size());
+    const int64_t on_air_bytes = num_bytes + (mission_.acoustics.crc ? kCrcBytes : 0);
+    const double air_s = acoustics.data_rate_bps > 0
+                             ? 8 * static_cast<double>(on_air_bytes) / acoustics.data_rate_bps
+                             : 0;
+    const int64_t start_utime = packet.arrived_utime - std::llround(air_s * 1e6);
+    HeardPacket heard{.bytes = std::move(packet.payload),
+                      .start_us = start_utime - mission_.start_utime,
+                      .travel_us = std::max<int64_t>(start_utime - packet.sent_utime, 0),
+                      .snr_db = std::nullopt};
+    const auto snr_db =
+        snrs_db_.find(std::tuple(outsider->options.name, packet.source, packet.number));
+    if (snr_db != snrs_db_.end()) heard.snr_db = snr_db->second;
+    outsider->modem->Hear(heard, mission_us);
+  }
+}
+
+void NetsimManagerApp::Report(Outsider* outsider, int64_t utime) {
+  const NetsimNav& nav = *outsider->nav;
+  const auto local_m = frame_.ToLocal({.lat_deg = nav.lat_deg, .lon_deg = nav.lon_deg});
+  if (!local_m) {
+    log_.Warn(fmt::format("{} is more than {:g} km from the mission's origin: not said on",
+                          outsider->options.name, LocalFrame::kReach_m / 1000));
+    return;
+  }
+  const Vehicle& vehicle = *outsider->vehicle;
+  node_report_t report{};
+  report.utime = utime;
+  report.name = vehicle.name;
+  report.type = vehicle.type;
+  report.group = vehicle.group;
+  report.color = vehicle.color;
+  report.length_m = vehicle.length_m;
+  report.x_m = local_m->x();
+  report.y_m = local_m->y();
+  report.depth_m = nav.depth_m;
+  report.altitude_m = -1;
+  report.lat_deg = nav.lat_deg;
+  report.lon_deg = nav.lon_deg;
+  report.speed_mps = report.speed_over_ground_mps = nav.speed_mps;
+  report.heading_deg = report.course_over_ground_deg = Wrap360(nav.heading_deg);
+  report.mode = "NETSIM";
+  report.all_stop = "clear";
+  report.index = outsider->num_reports++;
+  outsider->nav_utime = utime;
+  Publish(bus_, channels::NodeReportFromOutside(), report);
+}
+
+int64_t NetsimManagerApp::MissionTime_us(int64_t wall_us) {
+  if (!utime_) return 0;
+  if (!tick_wall_us_) tick_wall_us_ = wall_us;
+  const double elapsed_us = static_cast<double>(wall_us - *tick_wall_us_) * warp_;
+  const int64_t since_tick_us = std::clamp<int64_t>(std::llround(elapsed_us), 0, mission_.tick_us);
+  mission_us_ = std::max(mission_us_, *utime_ - mission_.start_utime + since_tick_us);
+  return mission_us_;
+}
+
+void NetsimManagerApp::Serve(int64_t now_us, int64_t utc_us) {
+  if (!fault_.empty()) return;
+  utc_us_ = utc_us;
+  const int64_t mission_us = MissionTime_us(now_us);
+  lines_->Serve(now_us);
+  for (Outsider& outsider : outsiders_) {
+    if (outsider.modem && utime_ && !clocks_are_set_) outsider.modem->SetClock(utc_us, mission_us);
+    if (outsider.modem) outsider.modem->Serve(now_us, mission_us);
+    if (outsider.gps) outsider.gps->Serve(now_us);
+  }
+  clocks_are_set_ = clocks_are_set_ || utime_.has_value();
+}
+
+}  // namespace shoal

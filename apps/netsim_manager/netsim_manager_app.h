@@ -1,0 +1,100 @@
+// Lets vehicle simulators from outside take part, as GobySoft's netsim does: positions come in over
+// one TCP port, and each vehicle has a modem on a port of its own. Hears ACOUSTIC_RX_<V> of these
+// vehicles and COMMS_FATES; says NODE_REPORT, ACOUSTIC_TX and MODEM_STATS.
+//
+// Clients are answered at once, between steps; what they bring is said in the next step, of several
+// positions of a vehicle the last. Modems keep mission time: between two steps it goes on as the
+// wall's does.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "apps/netsim_manager/epoll_set.h"
+#include "apps/netsim_manager/modem_port.h"
+#include "lib/bus/bus.h"
+#include "lib/bus/channels.h"
+#include "lib/geodesy/local_frame.h"
+#include "lib/mission/mission.h"
+#include "lib/netsim/gps_output.h"
+#include "lib/netsim/line_server.h"
+#include "lib/netsim/netsim_answer.h"
+#include "lib/run/app.h"
+
+namespace shoal {
+
+class NetsimManagerApp : public App {
+ public:
+  /// @pre mission.netsim. Fault() tells of ports that could not be opened.
+  NetsimManagerApp(const Mission& mission, Bus& bus);
+
+  void Tick(int64_t utime) override;
+  void OnWarp(double warp) override { warp_ = warp; }
+  int ServedFd() const override { return served_.fd(); }
+  void Serve(int64_t now_us, int64_t utc_us) override;
+  std::string Fault() const override { return fault_; }
+  StatusPage Status() const override;
+
+  /// The port of the line protocol, where [netsim] leaves it to the system (port = 0).
+  int port() const { return lines_ ? lines_->port() : 0; }
+  /// The ports of a vehicle's modem and of its GPS sentences, likewise; 0: it has none.
+  int ModemPortOf(std::string_view vehicle) const;
+  int GpsPortOf(std::string_view vehicle) const;
+
+ private:
+  /// A vehicle that is simulated elsewhere.
+  struct Outsider {
+    NetsimVehicle options;
+    const Vehicle* vehicle = nullptr;
+    std::unique_ptr<ModemPort> modem;  ///< Null: it has none.
+    std::unique_ptr<GpsOutput> gps;    ///< Null: it has none.
+    std::vector<acoustic_rx_t> heard;  ///< In this step.
+    std::optional<NetsimNav> nav;      ///< The last.
+    std::optional<int64_t> nav_utime;  ///< The step in which it was said on.
+    bool nav_is_new = false;
+    int64_t num_navs = 0;
+    int64_t num_sentences = 0;  ///< For GPS.
+    int64_t num_reports = 0;
+  };
+
+  void Open();
+  bool Take(Outsider* outsider);
+  std::string OnLine(const std::string& address, std::string_view line);
+  void TakePosition(const NetsimPosition& position);
+  void TakeStats(const NetsimReceiveStats& stats);
+  void TakeFates(const comms_fates_t& fates);
+  void HearWater(Outsider* outsider, int64_t mission_us);
+  void Report(Outsider* outsider, int64_t utime);
+  /// Mission time since the start, for modems: never goes back.
+  int64_t MissionTime_us(int64_t wall_us);
+  std::string NameOfPort(int32_t port) const;
+  std::string OutsiderText(const Outsider& outsider) const;
+
+  const Mission mission_;
+  const NetsimOptions options_;
+  const LocalFrame frame_;
+  Bus& bus_;
+  EpollSet served_;
+  std::unique_ptr<LineServer> lines_;
+  std::vector<Outsider> outsiders_;
+  std::vector<modem_stats_t> stats_;  ///< Of this step.
+  /// Signal-to-noise ratio of what arrived in this step: by receiver, sender and packet.
+  std::map<std::tuple<std::string, std::string, int64_t>, double> snrs_db_;
+  NetsimCounts counts_;
+  StatusLog log_;
+  std::string fault_;
+
+  double warp_ = 1;
+  std::optional<int64_t> utime_;
+  int64_t utc_us_ = 0;
+  std::optional<int64_t> tick_wall_us_;  ///< When the last step was, as Serve saw it.
+  int64_t mission_us_ = 0;               ///< As told last.
+  bool clocks_are_set_ = false;
+  int64_t num_stats_ = 0;
+};
+
+}  // namespace shoal

@@ -1,0 +1,22 @@
+// The kinds of transmissions as tables of links head them.
+#pragma once
+
+#include <array>
+#include <string_view>
+
+#include "lib/routing/fate.h"
+
+namespace shoal {
+
+/// By the kind's number; the last is for what a stranger has made up.
+inline constexpr std::array<std::string_view, kNumKinds + 1> kKindTitles = {
+    "Node reports", "Node messages", "Acks", "Packets", "Of other kinds"};
+
+/// Returns the number of the kind that fate_t::kind writes so; kNumKinds where there is none.
+inline int KindNumber(std::string_view text) {
+  int kind = 0;
+  while (kind < kNumKinds && KindText(static_cast<Kind>(kind)) != text) ++kind;
+  return kind;
+}
+
+}  // namespace shoal

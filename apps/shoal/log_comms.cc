@@ -1,0 +1,185 @@
+#include "apps/shoal/log_comms.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <ostream>
+#include <string_view>
+
+#include "apps/shoal/comms_links.h"
+#include "apps/shoal/information_age.h"
+#include "apps/shoal/swarm_tally.h"
+#include "lib/bus/channels.h"
+#include "lib/bus/seal.h"
+#include "lib/check/result.h"
+#include "lib/record/csv_rows.h"
+#include "lib/record/log_source.h"
+
+namespace shoal {
+
+namespace {
+
+/// Of more links, pairs or contacts than this, only those that matter most are shown.
+constexpr size_t kMostShown = 50;
+
+/// What the command works with, as far as it has come.
+class CommsSummary {
+ public:
+  CommsSummary(const LogCommsOptions& options, std::ostream& out, std::ostream& err)
+      : options_(options), out_(out), err_(err) {}
+
+  int Run() {
+    for (const auto& step : {&CommsSummary::OpenFolder, &CommsSummary::ReadLog,
+                             &CommsSummary::Print, &CommsSummary::WriteTables}) {
+      if (const int code = (this->*step)(); code != kExitOk) return code;
+    }
+    return is_whole_ ? kExitOk : kExitEnvironment;
+  }
+
+ private:
+  int Fail(int code, const std::string& why) {
+    err_ << "shoal: " << why << '\n';
+    return code;
+  }
+  void Warn(int64_t count, std::string_view what) {
+    if (count > 0) err_ << fmt::format("shoal: warning: {}: {} {}\n", options_.path, count, what);
+  }
+
+  std::string PathOf(const char* name) const {
+    return (std::filesystem::path(options_.csv_dir) / name).string();
+  }
+
+  int CannotWrite(const std::string& path) {
+    return Fail(kExitEnvironment, fmt::format("cannot write {}: is it a folder of yours, and is "
+                                              "there room? name another: --csv DIR",
+                                              path));
+  }
+
+  int OpenFolder() {
+    if (options_.csv_dir.empty()) return kExitOk;
+    std::error_code ignored;
+    std::filesystem::create_directories(options_.csv_dir, ignored);
+    if (!std::filesystem::is_directory(options_.csv_dir, ignored)) {
+      return CannotWrite(options_.csv_dir);
+    }
+    return kExitOk;
+  }
+
+  void TellAge(const AgePoint& point) {
+    if (options_.csv_dir.empty()) return;
+    if (!ages_csv_.is_open()) {
+      ages_csv_.open(PathOf("age_over_time.csv"), std::ios::binary);
+      ages_csv_ << "time_s,vehicle,contact,is_target,age_s\n";
+    }
+    std::string row = fmt::format("{:.6f},", static_cast<double>(point.utime) / 1e6);
+    AppendCsvCell(point.vehicle, &row);
+    row += ',';
+    AppendCsvCell(point.contact, &row);
+    row += fmt::format(",{},{:.6f}\n", point.is_target ? 1 : 0, point.age_s);
+    ages_csv_ << row;
+  }
+
+  template <class T, class Use>
+  void Take(const LogEvent& event, Use use) {
+    T message{};
+    if (!Decode(Unseal(event.data).message, &message)) {
+      ++num_undecodable_;
+      return;
+    }
+    ++num_messages_;
+    use(message);
+  }
+
+  int ReadLog() {
+    const OnDamage on_damage = options_.skip_damage ? OnDamage::kSkip : OnDamage::kStop;
+    std::optional<LogReader> reader = OpenLog(options_.path, on_damage, err_);
+    if (!reader) return kExitEnvironment;
+    const std::string fates_channel = channels::CommsFates().name;
+    while (const auto event = reader->Next()) {
+      if (event->channel == fates_channel) {
+        Take<comms_fates_t>(*event, [&](const comms_fates_t& fates) {
+          for (const fate_t& fate : fates.fates) links_.Add(fate);
+        });
+      } else if (event->channel.starts_with("SWARM_")) {
+        Take<swarm_t>(*event, [&](const swarm_t& swarm) {
+          tally_.Add(swarm);
+          ages_.Add(swarm);
+        });
+      }
+    }
+    is_whole_ = ReportDamage(*reader, err_);
+    Warn(num_undecodable_, "messages do not decode; left out");
+    Warn(links_.num_impossible(), "delays that no packet has; left out");
+    Warn(tally_.num_impossible(), "messages of SWARM_* whose counts cannot be; left out");
+    Warn(ages_.num_impossible(), "reports or messages of SWARM_* out of time; left out");
+    Warn(ages_.num_future(), "reports with a time stamp in the future: their age begins with 0");
+    if (num_messages_ > 0 || !is_whole_) return kExitOk;
+    return Fail(kExitUsage,
+                fmt::format("{}: holds neither {} nor SWARM_*: the log of a mission is needed, or "
+                            "of the shore's port",
+                            options_.path, fates_channel));
+  }
+
+  int Print() {
+    const size_t most = options_.all ? SIZE_MAX : kMostShown;
+    out_ << links_.Text(most) << tally_.Text(most) << ages_.Text(most);
+    return kExitOk;
+  }
+
+  int WriteTable(const char* name, const std::string& text) {
+    const std::string path = PathOf(name);
+    std::ofstream file(path, std::ios::binary);
+    file << text;
+    file.close();
+    if (!file.good()) return CannotWrite(path);
+    out_ << path << '\n';
+    return kExitOk;
+  }
+
+  int WriteTables() {
+    if (options_.csv_dir.empty()) return kExitOk;
+    struct Table {
+      const char* name;
+      std::string text;
+    };
+    std::vector<Table> tables;
+    if (!links_.links().empty()) {
+      tables.push_back({"links.csv", links_.LinksCsv()});
+      tables.push_back({"losses.csv", links_.LossesCsv()});
+    }
+    if (!tally_.Sources().empty()) {
+      tables.push_back({"swarm_sources.csv", tally_.SourcesCsv()});
+      tables.push_back({"swarm_events.csv", tally_.EventsCsv()});
+    }
+    if (ages_csv_.is_open()) tables.push_back({"age.csv", ages_.Csv()});
+    for (const Table& table : tables) {
+      if (const int code = WriteTable(table.name, table.text); code != kExitOk) return code;
+    }
+    if (!ages_csv_.is_open()) return kExitOk;
+    ages_csv_.close();
+    if (!ages_csv_.good()) return CannotWrite(PathOf("age_over_time.csv"));
+    out_ << PathOf("age_over_time.csv") << '\n';
+    return kExitOk;
+  }
+
+  const LogCommsOptions& options_;
+  std::ostream& out_;
+  std::ostream& err_;
+  LinkStatistics links_;
+  SwarmTally tally_;
+  InformationAge ages_{[this](const AgePoint& point) { TellAge(point); }};
+  std::ofstream ages_csv_;
+  int64_t num_messages_ = 0;
+  int64_t num_undecodable_ = 0;
+  bool is_whole_ = true;
+};
+
+}  // namespace
+
+int LogComms(const LogCommsOptions& options, std::ostream& out, std::ostream& err) {
+  return CommsSummary(options, out, err).Run();
+}
+
+}  // namespace shoal

@@ -1,0 +1,42 @@
+// The other vehicles of a mission, where their NAV had them a step before: what a sonar sees and
+// what a vehicle can run into.
+#pragma once
+
+#include <Eigen/Core>
+#include <map>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "lib/mission/mission.h"
+#include "lib/sensors/forward_looking_sonar.h"
+#include "shoal/nav_t.hpp"
+
+namespace shoal {
+
+class OtherVehicles {
+ public:
+  /// All vehicles of `mission` but `own`.
+  OtherVehicles(const Mission& mission, const Vehicle& own);
+
+  /// Returns whose NAV it wants to hear.
+  const std::vector<std::string>& names() const { return names_; }
+
+  /// Takes note of where one of them is. Positions that are not finite are passed over.
+  void Hear(const std::string& name, const nav_t& nav);
+
+  /// Returns those heard of, as a sonar sees them: spheres whose radius is the vehicle's length.
+  std::span<const SonarTarget> targets() const { return targets_; }
+
+  /// Returns the name of one that touches a vehicle of this length at `position_m`, as they were
+  /// when last heard; empty: nobody does.
+  [[nodiscard]] std::string Touching(const Eigen::Vector3d& position_m, double length_m) const;
+
+ private:
+  std::vector<std::string> names_;
+  std::map<std::string, double> lengths_m_;
+  std::vector<std::string> heard_;  ///< Names of targets_, in the same order.
+  std::vector<SonarTarget> targets_;
+};
+
+}  // namespace shoal

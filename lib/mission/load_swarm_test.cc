@@ -1,0 +1,170 @@
+// [swarm], [vehicle.recovery] and tasks with swarm = "acoustic": what a file makes of them, and
+// every error with its exact text.
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "lib/mission/load_testing.h"
+#include "lib/mission/swarm_plan.h"
+
+namespace shoal {
+namespace {
+
+/// A leader and two followers; what a test appends begins in line 18.
+constexpr std::string_view kThree = R"([mission]
+duration_s = 60
+[[vehicle]]
+name = "alpha"
+model = "remus100"
+[[vehicle]]
+name = "bravo"
+model = "remus100"
+[[vehicle.task]]
+kind = "target_track"
+target = "ALPHA"
+swarm = "acoustic"
+[[vehicle]]
+name = "charlie"
+model = "remus100"
+[acoustics]
+access_mode = "fdma"
+)";
+
+std::string ErrorsWith(std::string_view more, const std::vector<std::string>& overrides = {}) {
+  return ErrorsOf(std::string(kThree) + std::string(more), overrides);
+}
+
+Mission LoadWith(std::string_view more, const std::vector<std::string>& overrides = {}) {
+  const LoadedMission loaded =
+      LoadMissionText(std::string(kThree) + std::string(more), "m.toml", overrides);
+  EXPECT_EQ(loaded.errors, std::vector<std::string>());
+  return loaded.mission;
+}
+
+TEST(LoadSwarm, TakesTheFollowersFromTheTasksThatFollowTheLeader) {
+  const Mission mission = LoadWith("[swarm]\nleader = \"Alpha\"\n");
+  EXPECT_EQ(mission.swarm.leader, "alpha");
+  EXPECT_EQ(mission.swarm.followers, std::vector<std::string>{"bravo"});
+  EXPECT_TRUE(mission.IsInSwarm(mission.vehicles[0]));
+  EXPECT_FALSE(mission.IsInSwarm(mission.vehicles[2]));
+}
+
+TEST(LoadSwarm, KeepsTheOrderOfTheFollowersThatTheFileNames) {
+  const Mission mission =
+      LoadWith("[swarm]\nleader = \"alpha\"\nfollowers = [\"charlie\", \"bravo\"]\n");
+  EXPECT_EQ(mission.swarm.followers, (std::vector<std::string>{"charlie", "bravo"}));
+}
+
+TEST(LoadSwarm, MakesTheLeaderOneInTheAccessModeThatHasLeaders) {
+  const Mission mission =
+      LoadWith("[swarm]\nleader = \"alpha\"\n", {"acoustics.access_mode=tdma_lf"});
+  EXPECT_TRUE(mission.vehicles[0].acoustic_leader);
+  EXPECT_FALSE(mission.vehicles[1].acoustic_leader);
+  EXPECT_EQ(SwarmSchemeOf(mission), SwarmScheme::kTdmaLf);
+}
+
+TEST(LoadSwarm, TellsOfASwarmWithoutALeaderOnce) {
+  EXPECT_EQ(ErrorsWith("[swarm]\n"),
+            "18:1: swarm lacks 'leader'; for example: leader = \"alpha\"\n");
+}
+
+TEST(LoadSwarm, TellsOfTasksWithoutOne) {
+  EXPECT_EQ(ErrorsWith(""),
+            "12:9: swarm = \"acoustic\" needs a swarm that talks: write [swarm] and leader = "
+            "\"alpha\", or swarm = \"direct\"\n");
+}
+
+TEST(LoadSwarm, TellsOfFollowersWhoAreNone) {
+  EXPECT_EQ(ErrorsWith("[swarm]\nleader = \"alpha\"\nfollowers = [\"bravo\", \"alpha\", \"bravo\", "
+                       "\"delta\"]\n"),
+            "20:13: alpha leads; it is no follower\n"
+            "20:13: bravo is named twice\n"
+            "20:13: unknown vehicle 'delta'; the mission has alpha, bravo, charlie\n");
+  EXPECT_EQ(ErrorsWith("[swarm]\nleader = \"charlie\"\nfollowers = [\"alpha\"]\n"),
+            "11:10: only the leader of [swarm], charlie, tells its followers where it is through "
+            "the water\n");
+  EXPECT_EQ(ErrorsWith("[swarm]\nleader = \"alpha\"\nfollowers = [\"charlie\"]\n"),
+            "12:9: bravo is not among the followers of [swarm]: add it, or leave followers out\n");
+}
+
+TEST(LoadSwarm, TellsOfASchedulerThatTheChannelsDoNotAllow) {
+  EXPECT_EQ(ErrorsWith("[swarm]\nleader = \"alpha\"\nscheduler = \"fdma_lf\"\n",
+                       {"acoustics.access_mode=tdma"}),
+            "20:13: fdma_lf needs a channel for each vehicle: write access_mode = \"fdma\" in "
+            "[acoustics], or scheduler = \"tdma\"\n");
+}
+
+TEST(LoadSwarm, TellsOfEpisodesThatAreTooShort) {
+  const std::string text = ErrorsWith("[swarm]\nleader = \"alpha\"\nepisode_s = 0.5\n");
+  EXPECT_TRUE(text.starts_with("20:13: episode_s = 0.5 ")) << text;
+  EXPECT_NE(text.find("use at least"), std::string::npos) << text;
+}
+
+TEST(LoadSwarm, TellsOfAGroupIdThatIsNone) {
+  EXPECT_EQ(ErrorsWith("[swarm]\nleader = \"alpha\"\ngroup_id = \"-\"\n"),
+            "20:12: group_id must be a letter or a digit\n");
+}
+
+TEST(LoadSwarm, TellsOfAddressesTooFarApart) {
+  EXPECT_EQ(ErrorsWith("[swarm]\nleader = \"alpha\"\n", {"vehicle.bravo.acoustic_address=1002"}),
+            "19:10: the acoustic_address of alpha is 1 and that of bravo 1002: members farther "
+            "than 1000 apart take each other's messages for damaged\n");
+}
+
+TEST(LoadRecovery, ReplacesTheStrategiesOfTheFieldsThatItNames) {
+  const Mission mission =
+      LoadWith("[swarm]\nleader = \"alpha\"\n", {"vehicle.bravo.recovery.time_stamp=[\"skip\"]"});
+  const RecoveryPlan& plan = mission.vehicles[1].recovery;
+  EXPECT_EQ(plan.of(SwarmField::kTimeStamp), RecoveryOrder{RecoveryStrategy::kSkip});
+  EXPECT_EQ(plan.of(SwarmField::kGroupId), RecoveryPlan().of(SwarmField::kGroupId));
+  EXPECT_EQ(mission.vehicles[0].recovery, RecoveryPlan());
+}
+
+TEST(LoadRecovery, TellsOfStrategiesThatThereAreNot) {
+  EXPECT_EQ(ErrorsOf("[mission]\nduration_s = 60\n[[vehicle]]\nname = \"alpha\"\n"
+                     "[vehicle.recovery]\ntime_stamp = [\"previos\"]\npos = []\n"),
+            "6:14: unknown strategy 'previos' (did you mean 'previous'?); there are: predict, "
+            "previous, neutral, sentinel, skip_field, skip\n"
+            "7:1: unknown key 'pos' (did you mean 'leader_pos'?)\n");
+}
+
+TEST(PlanSwarm, GivesMunetsSlotsToFdmaAndTheShortestToTheOthers) {
+  const Mission fdma = LoadWith("[swarm]\nleader = \"alpha\"\n");
+  EXPECT_EQ(PlanSwarm(fdma).plan.episode_us, 5'000'000);
+  EXPECT_EQ(PlanSwarm(fdma).plan.offset_us, 500'000);
+
+  const Mission tdma_lf =
+      LoadWith("[swarm]\nleader = \"alpha\"\n", {"acoustics.access_mode=tdma_lf"});
+  const SlotPlan plan = PlanSwarm(tdma_lf).plan;
+  // 101 bytes and the broker's CRC, 4, at 1000 bit/s: 0.84 s; 0.67 s of travel, 0.2 s of jitter.
+  EXPECT_GE(plan.broadcast_us, 1'710'000);
+  EXPECT_LE(plan.broadcast_us, 2'100'000);
+  EXPECT_EQ(plan.episode_us, plan.broadcast_us + plan.response_us);
+}
+
+TEST(PlanSwarm, TakesTheLengthsOfTheFile) {
+  const Mission mission =
+      LoadWith("[swarm]\nleader = \"alpha\"\nbroadcast_s = 4\nresponse_s = 3\nepisode_s = 20\n",
+               {"acoustics.access_mode=tdma_lf"});
+  const SlotPlan plan = PlanSwarm(mission).plan;
+  EXPECT_EQ(plan.broadcast_us, 4'000'000);
+  EXPECT_EQ(plan.response_us, 3'000'000);
+  EXPECT_EQ(plan.episode_us, 20'000'000);
+}
+
+TEST(PlanSwarm, LengthensAnAutomaticEpisodeForLongerSlots) {
+  const Mission mission =
+      LoadWith("[swarm]\nleader = \"alpha\"\nresponse_s = 30\n", {"acoustics.access_mode=tdma_lf"});
+  EXPECT_GE(PlanSwarm(mission).plan.episode_us, 30'000'000 + PlanSwarm(mission).plan.broadcast_us);
+}
+
+TEST(PlanSwarm, HasRoomForChecksumAndFrame) {
+  const Mission bare = LoadWith("[swarm]\nleader = \"alpha\"\n", {"acoustics.crc=false"});
+  const Mission framed =
+      LoadWith("[swarm]\nleader = \"alpha\"\nframes = true\n", {"acoustics.crc=true"});
+  EXPECT_EQ(SwarmAirOf(bare).extra_bytes, 0);
+  EXPECT_EQ(SwarmAirOf(framed).extra_bytes, 10);
+}
+
+}  // namespace
+}  // namespace shoal

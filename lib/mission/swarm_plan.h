@@ -1,0 +1,32 @@
+// When the members of a mission's swarm speak: its [swarm] made into slots, lengths that it leaves
+// open filled in.
+//
+//   const SwarmSlots slots = PlanSwarm(mission);
+//   for (const TimingProblem& problem : slots.problems) Tell(problem.message);
+//   SwarmSchedule schedule(slots.plan, {.is_leader = true});
+#pragma once
+
+#include <vector>
+
+#include "lib/mission/mission.h"
+#include "lib/swarm/schedule.h"
+#include "lib/swarm/slot_timing.h"
+
+namespace shoal {
+
+/// Returns what messages of the swarm are said through.
+[[nodiscard]] SwarmAir SwarmAirOf(const Mission& mission);
+
+/// Returns the scheduler that the mission names, or the one that its access mode suggests.
+[[nodiscard]] SwarmScheme SwarmSchemeOf(const Mission& mission);
+
+struct SwarmSlots {
+  SlotPlan plan;
+  std::vector<TimingProblem> problems;  ///< With a key of [swarm] or of [acoustics].
+};
+
+/// Returns the slots. "auto" is, for fdma_lf, muNet's episode of 5 s and 0.5 s from member to
+/// member, longer where the messages do not fit; else the shortest without overlap.
+[[nodiscard]] SwarmSlots PlanSwarm(const Mission& mission);
+
+}  // namespace shoal

@@ -1,0 +1,42 @@
+// Where a simulated vehicle's GPS sentences go: to all who connect to a TCP port, and into a file,
+// a serial line or a pseudo-terminal.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "lib/check/result.h"
+#include "lib/netsim/netsim_options.h"
+#include "lib/netsim/tcp_server.h"
+#include "lib/record/file_descriptor.h"
+
+namespace shoal {
+
+/// Never waits: who does not read in time loses sentences, or the connection.
+class GpsOutput {
+ public:
+  /// Opens what `gps` names; ports listen on `address`. Files are appended to. Terminals are made
+  /// raw, so that lines arrive as they are written. Fails with what to try.
+  static Result<std::unique_ptr<GpsOutput>> Open(const NetsimGps& gps, const std::string& address);
+
+  void Write(std::string_view sentence);
+
+  /// As of TcpServer; negative without a port.
+  int fd() const { return server_ == nullptr ? -1 : server_->fd(); }
+  int port() const { return server_ == nullptr ? 0 : server_->port(); }
+  void Serve(int64_t now_us);
+
+  /// Sentences that the file did not take, or not wholly.
+  int64_t num_lost() const { return num_lost_; }
+
+ private:
+  GpsOutput() = default;
+
+  std::unique_ptr<TcpServer> server_;
+  FileDescriptor file_;
+  int64_t num_lost_ = 0;
+};
+
+}  // namespace shoal

@@ -1,0 +1,87 @@
+// What to put in place of a field that cannot be right.
+//
+//   RecoveryPlan plan;                                                  // muNet's
+//   plan.of(SwarmField::kReporterPos) = {RecoveryStrategy::kPrevious};
+//   if (const auto mended = Recover(plan, {field, bad, subject}, {state, limits, now_us}))
+//     Use(mended->value);
+//
+// Strategies are tried in the plan's order; the first that can say something is taken. A field
+// without any, and the strategy `skip`, drop the message. docs/swarm.md tells what each strategy
+// makes of each field.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <variant>
+#include <vector>
+
+#include "lib/swarm/field_checks.h"
+#include "lib/swarm/group_state.h"
+#include "lib/swarm/report_message.h"
+#include "lib/swarm/swarm_field.h"
+
+namespace shoal {
+
+using RecoveryOrder = std::vector<RecoveryStrategy>;
+
+struct RecoveryPlan {
+  /// By the number of the field; muNet's.
+  std::array<RecoveryOrder, kNumSwarmFields> by_field = MuNetOrders();
+
+  RecoveryOrder& of(SwarmField field) { return by_field[static_cast<size_t>(field)]; }
+  const RecoveryOrder& of(SwarmField field) const { return by_field[static_cast<size_t>(field)]; }
+
+  [[nodiscard]] static std::array<RecoveryOrder, kNumSwarmFields> MuNetOrders();
+
+  bool operator==(const RecoveryPlan&) const = default;
+};
+
+/// type; group_id; ids and counts; times in seconds; positions and velocities; rspn_sched.
+using FieldValue =
+    std::variant<MessageFlag, uint8_t, int64_t, double, Eigen::Vector3d, std::vector<int64_t>>;
+
+/// Whom a field is about, as far as that is known.
+struct FieldSubject {
+  bool is_leader = false;
+  std::optional<int64_t> id = {};  ///< Of a member.
+};
+
+/// A field that cannot be right. Its value has the type that FieldValue names for the field.
+struct DamagedField {
+  SwarmField field = SwarmField::kType;
+  FieldValue value = {};
+  FieldSubject subject = {};
+};
+
+/// What there is to mend it with.
+struct RecoverySources {
+  const GroupState& state;
+  const FieldLimits& limits;
+  int64_t now_us = 0;  ///< When the value is to hold: positions are predicted up to here.
+};
+
+struct MendedField {
+  FieldValue value = {};
+  RecoveryStrategy strategy = RecoveryStrategy::kSkip;
+};
+
+/// Differences of this many bits or more are no damaged flag: a random word passes for one in 240
+/// times then. (muNet takes up to 15, and two random words of three.)
+inline constexpr int kFlagDistanceLimit_bits = 8;
+
+/// Returns the flag that differs least, by fewer than kFlagDistanceLimit_bits bits.
+[[nodiscard]] std::optional<MessageFlag> NearestFlag(const MessageFlag& flag);
+
+/// Returns what one strategy makes of the field; nothing where it has no answer.
+[[nodiscard]] std::optional<FieldValue> RecoverBy(RecoveryStrategy strategy,
+                                                  const DamagedField& damaged,
+                                                  const RecoverySources& sources);
+
+/// Returns what the first strategy of the plan that has an answer makes of the field.
+[[nodiscard]] std::optional<MendedField> Recover(const RecoveryPlan& plan,
+                                                 const DamagedField& damaged,
+                                                 const RecoverySources& sources);
+
+}  // namespace shoal

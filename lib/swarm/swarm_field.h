@@ -1,0 +1,61 @@
+// The fields of a swarm's messages, the ways to mend them, and what both are called in a mission
+// file and in muNet's documentation.
+//
+//   SwarmFieldOf("reporter_pos")   -> SwarmField::kReporterPos
+//   RecoveryStrategyOf("predict")  -> RecoveryStrategy::kPredict
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+namespace shoal {
+
+enum class SwarmField : uint8_t {
+  kType,
+  kGroupId,
+  kReporterId,
+  kReporterPos,
+  kReporterVel,
+  kTimeStamp,
+  kLeaderPos,
+  kLeaderVel,
+  kLeaderNextPos,
+  kLeaderNextVel,
+  kNumFollowers,
+  kFollowersPos,
+  kFollowersVel,
+  kFollowersRspn,
+  kRspnSched,
+  kRspnStart,
+};
+inline constexpr size_t kNumSwarmFields = 16;
+
+enum class RecoveryStrategy : uint8_t {
+  kPredict,    ///< Work it out of what is known.
+  kPrevious,   ///< Take the last known value.
+  kNeutral,    ///< Take a harmless value.
+  kSentinel,   ///< Mark it as unusable.
+  kSkipField,  ///< Leave the field out and take the rest.
+  kSkip,       ///< Drop the message.
+};
+inline constexpr size_t kNumRecoveryStrategies = 6;
+
+/// Names as the specification has them, in the order of the enumeration.
+inline constexpr std::array<std::string_view, kNumSwarmFields> kSwarmFieldNames = {
+    "type",          "group_id",      "reporter_id",   "reporter_pos",    "reporter_vel",
+    "time_stamp",    "leader_pos",    "leader_vel",    "leader_next_pos", "leader_next_vel",
+    "num_followers", "followers_pos", "followers_vel", "followers_rspn",  "rspn_sched",
+    "rspn_start"};
+inline constexpr std::array<std::string_view, kNumRecoveryStrategies> kRecoveryStrategyNames = {
+    "predict", "previous", "neutral", "sentinel", "skip_field", "skip"};
+
+[[nodiscard]] std::string_view NameOf(SwarmField field);
+[[nodiscard]] std::string_view NameOf(RecoveryStrategy strategy);
+
+/// Return nothing for a word that names none.
+[[nodiscard]] std::optional<SwarmField> SwarmFieldOf(std::string_view name);
+[[nodiscard]] std::optional<RecoveryStrategy> RecoveryStrategyOf(std::string_view name);
+
+}  // namespace shoal

@@ -1,0 +1,45 @@
+#include "lib/swarm/swarm_field.h"
+
+#include <gtest/gtest.h>
+
+#include "lib/swarm/recovery.h"
+#include "tests/golden/read_golden.h"
+
+namespace shoal {
+namespace {
+
+TEST(SwarmField, IsFoundByItsName) {
+  for (size_t i = 0; i < kNumSwarmFields; ++i) {
+    const auto field = static_cast<SwarmField>(i);
+    EXPECT_EQ(SwarmFieldOf(NameOf(field)), field) << NameOf(field);
+  }
+  EXPECT_EQ(NameOf(SwarmField::kRspnStart), "rspn_start");
+  EXPECT_EQ(SwarmFieldOf("position"), std::nullopt);
+  EXPECT_EQ(SwarmFieldOf(""), std::nullopt);
+}
+
+TEST(RecoveryStrategy, IsFoundByItsName) {
+  for (size_t i = 0; i < kNumRecoveryStrategies; ++i) {
+    const auto strategy = static_cast<RecoveryStrategy>(i);
+    EXPECT_EQ(RecoveryStrategyOf(NameOf(strategy)), strategy) << NameOf(strategy);
+  }
+  EXPECT_EQ(NameOf(RecoveryStrategy::kSkip), "skip");
+  EXPECT_EQ(RecoveryStrategyOf("Predict"), std::nullopt);
+}
+
+TEST(RecoveryPlan, IsMuNetsUnlessTheMissionHasAnother) {
+  const nlohmann::json golden = ReadGoldenJson("munet/recovery.json");
+  const nlohmann::json& orders = golden["default_dataRepair"];
+  ASSERT_EQ(orders.size(), kNumSwarmFields);
+  const RecoveryPlan plan;
+  for (const auto& [name, order] : orders.items()) {
+    const auto field = SwarmFieldOf(name);
+    ASSERT_TRUE(field) << name;
+    std::vector<std::string> words;
+    for (const RecoveryStrategy strategy : plan.of(*field)) words.emplace_back(NameOf(strategy));
+    EXPECT_EQ(nlohmann::json(words), order) << name;
+  }
+}
+
+}  // namespace
+}  // namespace shoal

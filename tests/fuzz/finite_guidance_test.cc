@@ -1,0 +1,65 @@
+// No NaN and no infinity leaves lib/guidance for any finite input. PathFollower, TargetTracker, the
+// tasks of underwater vehicles, paths and predictions have such tests beside them.
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <cmath>
+
+#include "lib/guidance/alos.h"
+#include "lib/guidance/line_of_sight.h"
+#include "lib/guidance/path_progress.h"
+#include "lib/guidance/task_runner.h"
+#include "lib/guidance/test_vectors.h"
+
+namespace shoal {
+namespace {
+
+RC_GTEST_PROP(FiniteGuidance, AlosIsFiniteForAnyErrorAndAnyTime, ()) {
+  const AlosParams params{.lookahead_m = Between(0.1, 1000), .crab_gain = Between(0, 1)};
+  const AlosStep step =
+      StepAlos(params, AnyFinite(), AnyFinite(), AnyFinite(), std::abs(AnyFinite()));
+  RC_ASSERT(std::isfinite(step.heading_rad) && std::isfinite(step.crab_rad));
+  Alos alos(params);
+  for (int i = 0; i < 5; ++i) {
+    RC_ASSERT(std::abs(alos.Update(AnyFinite(), AnyFinite(), std::abs(AnyFinite()))) <= kPi);
+    alos.TurnBy(AnyFinite());
+    RC_ASSERT(std::abs(alos.crab_rad()) <= Alos::kMaxCrab_rad);
+  }
+}
+
+RC_GTEST_PROP(FiniteGuidance, SightsAndTrackErrorsAreFiniteBetweenAnyTwoPlaces, ()) {
+  const Scene scene = AnyFiniteScene();
+  const LineOfSight sight = SightFrom(scene.target, scene.own);
+  RC_ASSERT(std::isfinite(sight.range_m) && std::abs(sight.away.norm() - 1) < 1e-9);
+  const WaypointPath path{{AnyFiniteVector(), AnyFiniteVector()}};
+  const PathEnd end = *rc::gen::element(PathEnd::kGoOn, PathEnd::kReturnToFirst);
+  const PathProgress progress{.previous = end == PathEnd::kGoOn ? 1U : 0U,
+                              .ended = end == PathEnd::kGoOn};
+  const PathLeg leg = CurrentLeg(path, end, progress, scene.own.position_m);
+  RC_ASSERT(leg.to_m.allFinite() && std::isfinite(leg.psi_rad) && std::isfinite(leg.length_m));
+  const TrackErrors errors = ErrorsOn(leg, scene.own.position_m);
+  RC_ASSERT(std::isfinite(errors.x_e_m) && std::isfinite(errors.y_e_m));
+}
+
+RC_GTEST_PROP(FiniteGuidance, TasksOfSurfaceCraftAskForFiniteThingsWhereverTheyAre, ()) {
+  const Eigen::Vector2d here_m = VectorWithin(1e6).head<2>();
+  const TaskRunner::What what = *rc::gen::element<TaskRunner::What>(
+      WaypointsTask{.points_m = {here_m, {0, 0}, here_m}}, LoiterTask{.center_m = here_m},
+      StationKeepTask{.point_m = here_m, .here = false}, StationKeepTask{},
+      ReturnTask{.point_m = here_m});
+  Fix fix{.position_m = AnyFiniteVector().head<2>(), .heading_rad = AnyFinite()};
+  TaskRunner runner(what, fix);
+  for (int i = 0; i < 10; ++i) {
+    if (*rc::gen::arbitrary<bool>()) fix.position_m = AnyFiniteVector().head<2>();
+    fix.heading_rad = AnyFinite();
+    fix.time_s += Between(0, 10);
+    if (i == 5) runner.Rejoin(fix);
+    const Guidance guidance = runner.Update(fix);
+    RC_ASSERT(std::isfinite(guidance.heading_rad) && std::isfinite(guidance.speed_mps));
+    RC_ASSERT(std::isfinite(guidance.distance_m) && std::isfinite(guidance.cross_track_error_m));
+    RC_ASSERT(guidance.waypoint_m.allFinite());
+  }
+}
+
+}  // namespace
+}  // namespace shoal

@@ -1,0 +1,68 @@
+// Reads the vehicles of munet/recovery.json and munet/receive_handlers.json: who they are and what
+// they know of their group.
+#pragma once
+
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "lib/swarm/field_checks.h"
+#include "lib/swarm/group_state.h"
+#include "tests/golden/read_golden.h"
+
+namespace shoal {
+
+/// JSON has no NaN and no infinities; the files spell them.
+inline double GoldenNumber(const nlohmann::json& number) {
+  if (number.is_number()) return number.get<double>();
+  const double infinity = std::numeric_limits<double>::infinity();
+  if (number == "inf") return infinity;
+  if (number == "-inf") return -infinity;
+  EXPECT_EQ(number, "nan");
+  return std::nan("");
+}
+
+inline Eigen::Vector3d GoldenVector(const nlohmann::json& numbers) {
+  return {GoldenNumber(numbers[0]), GoldenNumber(numbers[1]), GoldenNumber(numbers[2])};
+}
+
+inline Motion GoldenMotion(const nlohmann::json& position, const nlohmann::json& velocity) {
+  return {.position_m = GoldenVector(position), .velocity_mps = GoldenVector(velocity)};
+}
+
+inline SwarmContact GoldenContact(const nlohmann::json& model) {
+  const std::string group = model["groupId"];
+  SwarmContact contact = PlacedContact(model["id"], static_cast<uint8_t>(group[0]),
+                                       GoldenMotion(model["eta"], model["velocity"]));
+  contact.report.next = GoldenMotion(model["nextEta"], model["nextVel"]);
+  contact.is_heard = !model["log"].empty();
+  contact.reported_us = MicrosecondsOf(GoldenNumber(model["timeLastMsg"]));
+  for (const nlohmann::json& entry : model["log"]) {
+    AppendToLog({.time_us = MicrosecondsOf(GoldenNumber(entry["t"])),
+                 .motion = GoldenMotion(entry["pos"], entry["vel"])},
+                &contact.log);
+  }
+  return contact;
+}
+
+inline GroupState GoldenState(const nlohmann::json& vehicle) {
+  const std::string group = vehicle["groupId"];
+  GroupState state{.own_id = vehicle["id"],
+                   .group_id = static_cast<uint8_t>(group[0]),
+                   .is_leader = vehicle["isLeader"],
+                   .episode_us = MicrosecondsOf(GoldenNumber(vehicle["epsdDur"])),
+                   .response_order = vehicle["rspnSched"],
+                   .response_start_us = MicrosecondsOf(GoldenNumber(vehicle["rspnFrame"]))};
+  for (const nlohmann::json& member : vehicle["group"]) {
+    state.members.push_back(GoldenContact(member));
+  }
+  if (!vehicle["target"].is_null()) state.target = GoldenContact(vehicle["target"]);
+  return state;
+}
+
+inline int64_t GoldenClock_us(const nlohmann::json& vehicle) {
+  return MicrosecondsOf(GoldenNumber(vehicle["clock"]));
+}
+
+}  // namespace shoal

@@ -1,0 +1,108 @@
+// A vehicle from outside in a mission of shoal's, as a user runs it.
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <cmath>
+
+#include "lib/bus/channels.h"
+#include "lib/record/log_reader.h"
+#include "tests/missions/shoal_process.h"
+
+namespace shoal {
+namespace {
+
+/// The mission, on TCP ports of its own.
+std::vector<std::string> OnPorts(int first) {
+  return {"--set", "netsim.port=" + std::to_string(first),
+          "--set", "netsim.vehicle.outsider.modem_tcp_port=" + std::to_string(first + 1),
+          "--set", "netsim.vehicle.outsider.gps.tcp_port=" + std::to_string(first + 2)};
+}
+
+/// Of the packets from one vehicle to another, the largest difference between the travel time and
+/// what the distance makes of it, in seconds; negative: there was no packet.
+double WorstTravelTime_s(const std::string& log, const std::string& from, const std::string& to) {
+  Result<LogReader> reader = LogReader::Open(log);
+  EXPECT_TRUE(reader.ok());
+  double worst_s = -1;
+  while (const auto event = reader->Next()) {
+    comms_fates_t fates;
+    if (event->channel != "COMMS_FATES" || !Decode(event->data, &fates)) continue;
+    for (const fate_t& fate : fates.fates) {
+      const bool is_wanted = fate.kind == "packet" && fate.source == from &&
+                             fate.destination == to && fate.cause == "delivered" &&
+                             !fate.path.empty();
+      if (!is_wanted) continue;
+      const double expected_s = fate.range_m / 1500;
+      worst_s = std::max(worst_s, std::abs(fate.path[0].travel_s - expected_s));
+    }
+  }
+  return worst_s;
+}
+
+TEST(NetsimHil, HearsAndIsHeardByAVehicleFromOutside) {
+  const TestFolder folder;
+  const int first = FreeTcpPorts(3);
+  const std::string dir = (folder / "rec").string();
+  std::vector<std::string> run = {
+      Program("shoal"),       "run", MissionFile("netsim_hil.toml"), "--record", dir, "--set",
+      "mission.duration_s=24"};
+  for (const std::string& word : OnPorts(first)) run.push_back(word);
+  RunningProcess mission(folder, run);
+  RunningProcess outsider(folder, {Program("netsim_outsider"), "127.0.0.1", std::to_string(first),
+                                   std::to_string(first + 1)});
+  ASSERT_TRUE(outsider.WaitFor("heard pong 0", 30)) << outsider.Output() << mission.Output();
+  const Finished page = RunShoal(folder, {"status", "netsim_manager"});
+  EXPECT_NE(page.output.find("outsider: port"), std::string::npos) << page.output;
+  const Finished finished = mission.Wait(60);
+  EXPECT_EQ(finished.exit_code, 0) << finished.output;
+  EXPECT_NE(finished.output.find("no: clients of netsim_manager come from outside"),
+            std::string::npos)
+      << finished.output;
+  EXPECT_NE(outsider.Wait(10).output.find("the other side has closed"), std::string::npos);
+  for (const auto& [from, to] : {std::pair("outsider", "bravo"), std::pair("bravo", "outsider")}) {
+    const double worst_s = WorstTravelTime_s(dir + "/mission.lcm", from, to);
+    EXPECT_GE(worst_s, 0) << "a packet went that way";
+    EXPECT_LT(worst_s, 0.001) << "and took as long as sound does";
+  }
+}
+
+TEST(NetsimHil, FailsWithoutAnOutsider) {
+  const TestFolder folder;
+  std::vector<std::string> arguments = {"run", MissionFile("netsim_hil.toml"), "--set",
+                                        "mission.duration_s=2"};
+  for (const std::string& word : OnPorts(FreeTcpPorts(3))) arguments.push_back(word);
+  EXPECT_EQ(RunShoal(folder, arguments).exit_code, 1);
+}
+
+TEST(NetsimHil, IsRefusedAtAnyWarpButOneAndByShoalSim) {
+  const TestFolder folder;
+  const Finished fast = RunShoal(folder, {"run", MissionFile("netsim_hil.toml"), "--warp", "2"});
+  EXPECT_EQ(fast.exit_code, 2);
+  EXPECT_NE(fast.output.find("runs at --warp 1: modem drivers compare their clock with the wall's"),
+            std::string::npos)
+      << fast.output;
+  const Finished sim = RunShoal(folder, {"sim", MissionFile("netsim_hil.toml")});
+  EXPECT_NE(sim.exit_code, 0);
+  EXPECT_NE(sim.output.find("needs `shoal run`"), std::string::npos) << sim.output;
+}
+
+TEST(NetsimHil, SaysWhichTcpPortIsTaken) {
+  const TestFolder folder;
+  const int first = FreeTcpPorts(3);
+  RunningProcess one(folder, [&] {
+    std::vector<std::string> run = {Program("shoal"), "run", MissionFile("netsim_hil.toml")};
+    for (const std::string& word : OnPorts(first)) run.push_back(word);
+    return run;
+  }());
+  ASSERT_TRUE(one.WaitFor("x real time", 20)) << one.Output();
+  std::vector<std::string> again = {"run", MissionFile("netsim_hil.toml")};
+  for (const std::string& word : OnPorts(first)) again.push_back(word);
+  const Finished second = RunShoal(folder, again);
+  EXPECT_EQ(second.exit_code, 3) << second.output;
+  EXPECT_NE(second.output.find(std::to_string(first)), std::string::npos) << second.output;
+  one.Signal(SIGINT);
+  one.Wait(10);
+}
+
+}  // namespace
+}  // namespace shoal

@@ -1,0 +1,233 @@
+// netsim_manager between real sockets and a bus in memory: what a client says reaches the mission,
+// and what the water brings reaches the client.
+#include <gtest/gtest.h>
+#include <poll.h>
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "apps/netsim_manager/netsim_manager_app.h"
+#include "lib/bus/memory_bus.h"
+#include "tests/netsim/tcp_client.h"
+
+namespace shoal {
+namespace {
+
+constexpr int64_t kTick_us = 100'000;
+/// The request of netsim's documentation: port 62003 at 71.17647, -142.40124, 0.3 m, 0.0011 m/s,
+/// heading 15.
+constexpr std::string_view kDocumented =
+    "NETSIM|netsim.protobuf.NetSimManagerRequest|CEISOgiz5AMRQ4tUIbbq10EZQUDRT0vLUUAhQylH7tbMYcAp"
+    "MzMzMzMz0z8x65lyHNEpUj85AAAAAAAALkA=\n";
+/// Its answer: request 66, accepted.
+constexpr std::string_view kAccepted = "NETSIM|netsim.protobuf.NetSimManagerResponse|CEIQAQ==\n";
+constexpr std::string_view kOutOfRegion = "NETSIM|netsim.protobuf.NetSimManagerResponse|CEIQBA==\n";
+
+Mission OutsideMission(NetsimModem modem) {
+  Mission mission;
+  mission.origin_lat_deg = 71.17;
+  mission.origin_lon_deg = -142.4;
+  mission.acoustics.is_used = true;
+  mission.acoustics.crc = false;
+  Vehicle vehicle;
+  vehicle.name = "outsider";
+  vehicle.type = "ship";
+  vehicle.acoustic_address = 5;
+  mission.vehicles = {vehicle};
+  NetsimOptions netsim;
+  netsim.port = 0;
+  netsim.environments = {{.name = "arctic",
+                          .lat_min_deg = 71,
+                          .lat_max_deg = 72,
+                          .lon_min_deg = -143,
+                          .lon_max_deg = -142,
+                          .depth_max_m = 100}};
+  NetsimVehicle outsider;
+  outsider.name = "outsider";
+  outsider.environment = "arctic";
+  outsider.modem = modem;
+  // With a modem, its port is one that the system finds; the documented request is for 62003.
+  outsider.modem_tcp_port = modem == NetsimModem::kNone ? 62'003 : 0;
+  netsim.vehicles = {outsider};
+  mission.netsim = netsim;
+  return mission;
+}
+
+/// netsim_manager on a bus with a test that hears what it says.
+class Manager {
+ public:
+  explicit Manager(const Mission& mission) : app_(mission, hub_.Join("netsim_manager")) {
+    EXPECT_EQ(app_.Fault(), "");
+    Subscribe(test_bus_, channels::NodeReportFromOutside(),
+              [this](const node_report_t& report) { reports_.push_back(report); });
+    Subscribe(test_bus_, channels::AcousticTx(),
+              [this](const acoustic_tx_t& packet) { packets_.push_back(packet); });
+    Subscribe(test_bus_, channels::ModemStats(),
+              [this](const modem_stats_t& stats) { stats_.push_back(stats); });
+    Step();
+  }
+
+  void Step() {
+    hub_.NextStep();
+    hub_.HandleAll();
+    app_.Tick(utime_);
+    app_.Serve(wall_us_ += kTick_us, utc_us_);
+    hub_.NextStep();
+    hub_.HandleAll();
+    utime_ += kTick_us;
+  }
+  /// Steps until `is_done`; false where that does not come.
+  bool StepUntil(const std::function<bool()>& is_done) {
+    for (int i = 0; i < 1000; ++i) {
+      Step();
+      if (is_done()) return true;
+      pollfd served{.fd = app_.ServedFd(), .events = POLLIN, .revents = 0};
+      poll(&served, 1, 1);
+    }
+    return false;
+  }
+  /// Steps until the client has received `num_bytes`.
+  bool Receive(TcpClient* client, size_t num_bytes) {
+    return StepUntil([&] {
+      client->Receive();
+      return client->received().size() >= num_bytes;
+    });
+  }
+  void SayInWater(const std::string& text, int64_t travel_us) {
+    acoustic_rx_t packet{};
+    packet.utime = utime_;
+    packet.source = "alpha";
+    packet.sent_utime = utime_ - 2'000'000;
+    packet.payload.assign(text.begin(), text.end());
+    packet.num_bytes = static_cast<int32_t>(text.size());
+    packet.arrived_utime = packet.sent_utime + travel_us + packet.num_bytes * 8'000;
+    Publish(test_bus_, channels::AcousticRx("outsider"), packet);
+  }
+
+  NetsimManagerApp& app() { return app_; }
+  std::vector<node_report_t> reports_;
+  std::vector<acoustic_tx_t> packets_;
+  std::vector<modem_stats_t> stats_;
+
+ private:
+  MemoryBus hub_;
+  NetsimManagerApp app_;
+  Bus& test_bus_ = hub_.Join("test");
+  int64_t utime_ = 0;
+  int64_t wall_us_ = 1'000'000'000;
+  int64_t utc_us_ = 1'795'000'000'000'000;
+};
+
+TEST(NetsimManager, SaysOnWhereAVehicleIs) {
+  Manager manager(OutsideMission(NetsimModem::kNone));
+  TcpClient client(manager.app().port());
+  client.Send(kDocumented);
+  ASSERT_TRUE(manager.Receive(&client, kAccepted.size()));
+  EXPECT_EQ(client.received(), kAccepted);
+  ASSERT_TRUE(manager.StepUntil([&] { return !manager.reports_.empty(); }));
+  const node_report_t& report = manager.reports_[0];
+  EXPECT_EQ(report.name, "outsider");
+  EXPECT_EQ(report.type, "ship");
+  EXPECT_NEAR(report.lat_deg, 71.17647, 1e-5);
+  EXPECT_NEAR(report.y_m, 0.00647 * 111'580, 2) << "a degree of latitude is that long there";
+  EXPECT_NEAR(report.x_m, -0.00124 * 36'060, 1);
+  EXPECT_NEAR(report.depth_m, 0.3, 1e-12);
+  EXPECT_NEAR(report.speed_mps, 0.0011, 1e-4);
+  EXPECT_EQ(report.heading_deg, 15);
+  EXPECT_EQ(report.mode, "NETSIM");
+  manager.Step();
+  EXPECT_EQ(manager.reports_.size(), 1U) << "each position once";
+}
+
+TEST(NetsimManager, LetsNoPositionPassThatIsRefused) {
+  Mission mission = OutsideMission(NetsimModem::kNone);
+  mission.netsim->environments[0].depth_max_m = 0.2;
+  Manager manager(mission);
+  TcpClient client(manager.app().port());
+  client.Send(kDocumented);
+  ASSERT_TRUE(manager.Receive(&client, kOutOfRegion.size()));
+  EXPECT_EQ(client.received(), kOutOfRegion);
+  for (int i = 0; i < 5; ++i) manager.Step();
+  EXPECT_TRUE(manager.reports_.empty());
+  EXPECT_NE(manager.app().Status().text.find("out of defined region: 1"), std::string::npos)
+      << manager.app().Status().text;
+}
+
+TEST(NetsimManager, LetsNoPositionPassFromAnotherAddress) {
+  Mission mission = OutsideMission(NetsimModem::kNone);
+  mission.netsim->vehicles[0].address = "10.0.0.7";
+  Manager manager(mission);
+  TcpClient client(manager.app().port());
+  client.Send(kDocumented);
+  ASSERT_TRUE(manager.Receive(&client, kAccepted.size()));
+  EXPECT_EQ(client.received(), "NETSIM|netsim.protobuf.NetSimManagerResponse|CEIQAw==\n");
+  for (int i = 0; i < 5; ++i) manager.Step();
+  EXPECT_TRUE(manager.reports_.empty());
+}
+
+TEST(NetsimManager, CarriesRawPayloadsThroughTheWaterBothWays) {
+  Manager manager(OutsideMission(NetsimModem::kRaw));
+  TcpClient modem(manager.app().ModemPortOf("outsider"));
+  modem.Send(std::string("\0\5hello\0\3", 9));
+  modem.Send("bye");
+  ASSERT_TRUE(manager.StepUntil([&] { return manager.packets_.size() == 2; }));
+  EXPECT_EQ(manager.packets_[0].source, "outsider");
+  EXPECT_EQ(std::string(manager.packets_[0].payload.begin(), manager.packets_[0].payload.end()),
+            "hello");
+  manager.SayInWater("welcome", 500'000);
+  ASSERT_TRUE(manager.Receive(&modem, 9));
+  EXPECT_EQ(modem.received(), std::string("\0\7welcome", 9));
+}
+
+TEST(NetsimManager, HasOneClientForAModem) {
+  Manager manager(OutsideMission(NetsimModem::kRaw));
+  TcpClient first(manager.app().ModemPortOf("outsider"));
+  manager.Step();
+  TcpClient second(manager.app().ModemPortOf("outsider"));
+  EXPECT_TRUE(manager.StepUntil([&] {
+    second.Receive();
+    return second.has_ended();
+  }));
+  first.Receive();
+  EXPECT_FALSE(first.has_ended());
+}
+
+TEST(NetsimManager, AnswersTheHostOfAMicroModemAndPings) {
+  Manager manager(OutsideMission(NetsimModem::kMicromodem));
+  TcpClient host(manager.app().ModemPortOf("outsider"));
+  host.Send("$CCCFG,SRC,5\r\n$CCMPC,5,9\r\n");
+  ASSERT_TRUE(manager.StepUntil([&] { return !manager.packets_.empty(); }));
+  host.Receive();
+  EXPECT_NE(host.received().find("$CACFG,SRC,5"), std::string::npos) << host.received();
+  EXPECT_NE(host.received().find("$CAMPC,5,9"), std::string::npos) << host.received();
+  EXPECT_EQ(manager.packets_.size(), 1U);
+}
+
+TEST(NetsimManager, SaysWhichPortItCannotHave) {
+  Manager manager(OutsideMission(NetsimModem::kNone));
+  Mission mission = OutsideMission(NetsimModem::kNone);
+  mission.netsim->port = manager.app().port();
+  MemoryBus hub;
+  const NetsimManagerApp second(mission, hub.Join("netsim_manager"));
+  EXPECT_NE(second.Fault().find(std::to_string(manager.app().port())), std::string::npos)
+      << second.Fault();
+}
+
+TEST(NetsimManager, OutlivesBytesThatAreNoLines) {
+  Manager manager(OutsideMission(NetsimModem::kMicromodem));
+  TcpClient client(manager.app().port());
+  TcpClient host(manager.app().ModemPortOf("outsider"));
+  std::string bytes;
+  for (int i = 0; i < 5000; ++i) bytes += static_cast<char>((i * 131) ^ (i >> 3));
+  client.Send(bytes);
+  host.Send(bytes);
+  for (int i = 0; i < 20; ++i) manager.Step();
+  EXPECT_TRUE(manager.reports_.empty());
+  EXPECT_TRUE(manager.packets_.empty());
+  EXPECT_EQ(manager.app().Fault(), "");
+}
+
+}  // namespace
+}  // namespace shoal
