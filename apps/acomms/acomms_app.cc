@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <utility>
 #include <vector>
 
 #include "apps/acomms/swarm_setup.h"
@@ -25,7 +26,6 @@ AcommsApp::AcommsApp(const Mission& mission, const Vehicle& vehicle, Bus& bus)
       leader_(mission.swarm.leader),
       plan_(PlanSwarm(mission).plan),
       start_utime_(mission.start_utime),
-      tick_us_(mission.tick_us),
       bus_(bus),
       swarm_channel_(channels::Swarm(vehicle.name)),
       receiver_(MakeSwarmReceiver(mission, vehicle)),
@@ -36,7 +36,7 @@ AcommsApp::AcommsApp(const Mission& mission, const Vehicle& vehicle, Bus& bus)
   Subscribe(bus, channels::HelmState(vehicle.name),
             [this](const helm_state_t& helm) { helm_ = helm; });
   Subscribe(bus, channels::AcousticRx(vehicle.name),
-            [this](const acoustic_rx_t& packet) { OnAcousticRx(packet); });
+            [this](const acoustic_rx_t& packet) { arrived_.push_back(packet); });
 }
 
 void AcommsApp::OnNav(const nav_t& nav) {
@@ -45,16 +45,13 @@ void AcommsApp::OnNav(const nav_t& nav) {
     return;
   }
   nav_ = nav;
-  // What comes between two steps counts for the next.
-  nav_utime_ = utime_ ? *utime_ + tick_us_ : start_utime_;
+  nav_is_new_ = true;
 }
 
-void AcommsApp::OnAcousticRx(const acoustic_rx_t& packet) {
-  const int64_t now_us = (utime_ ? *utime_ + tick_us_ : start_utime_) - start_utime_;
+void AcommsApp::Hear(const acoustic_rx_t& packet, int64_t utime) {
   const std::optional<ResponseRequest> request_before = receiver_.state.request;
-  const SwarmReception reception = Receive(packet.payload, now_us, &receiver_);
+  const SwarmReception reception = Receive(packet.payload, utime - start_utime_, &receiver_);
   writer_.Count(packet.source, reception);
-  has_heard_ = true;
   if (reception.result == ReceptionResult::kRejected) return;
   const std::optional<ResponseRequest>& request = receiver_.state.request;
   if (request && request != request_before) schedule_.Take(*request);
@@ -62,6 +59,9 @@ void AcommsApp::OnAcousticRx(const acoustic_rx_t& packet) {
 
 void AcommsApp::Tick(int64_t utime) {
   utime_ = utime;
+  const std::vector<acoustic_rx_t> arrived = std::exchange(arrived_, {});
+  for (const acoustic_rx_t& packet : arrived) Hear(packet, utime);
+  if (std::exchange(nav_is_new_, false)) nav_utime_ = utime;
   const bool has_nav = nav_utime_ && utime - *nav_utime_ <= kNavTimeout_us;
   if (const auto due = schedule_.Due(utime - start_utime_)) {
     if (has_nav) {
@@ -72,10 +72,9 @@ void AcommsApp::Tick(int64_t utime) {
       log_.Warn(kNoNav);
     }
   }
-  if (has_heard_ || !swarm_utime_ || utime - *swarm_utime_ >= kSwarmInterval_us) {
+  if (!arrived.empty() || !swarm_utime_ || utime - *swarm_utime_ >= kSwarmInterval_us) {
     PublishSwarm(utime);
   }
-  has_heard_ = false;
 }
 
 void AcommsApp::Say(const DueMessage& due, int64_t utime) {

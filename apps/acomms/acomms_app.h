@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "apps/acomms/swarm_writer.h"
 #include "lib/bus/bus.h"
@@ -32,7 +33,7 @@ class AcommsApp : public App {
 
  private:
   void OnNav(const nav_t& nav);
-  void OnAcousticRx(const acoustic_rx_t& packet);
+  void Hear(const acoustic_rx_t& packet, int64_t utime);
   void Say(const DueMessage& due, int64_t utime);
   void PublishSwarm(int64_t utime);
 
@@ -40,7 +41,6 @@ class AcommsApp : public App {
   const std::string leader_;
   const SlotPlan plan_;
   const int64_t start_utime_;
-  const int64_t tick_us_;
   Bus& bus_;
   const Channel<acoustic_tx_t> tx_channel_ = channels::AcousticTx();
   const Channel<swarm_t> swarm_channel_;
@@ -50,12 +50,14 @@ class AcommsApp : public App {
   StatusLog log_;
 
   nav_t nav_{};
+  bool nav_is_new_ = false;  ///< It came since the last step.
   helm_state_t helm_{};
-  std::optional<int64_t> utime_;      ///< Of the last step.
+  std::vector<acoustic_rx_t>
+      arrived_;                   ///< Since the last step; handled in the next, which has a time.
+  std::optional<int64_t> utime_;  ///< Of the last step.
   std::optional<int64_t> nav_utime_;  ///< Step in which the last NAV came.
   std::optional<int64_t> swarm_utime_;
-  bool has_heard_ = false;  ///< Something arrived since the last step.
-  uint16_t sequence_ = 0;   ///< Of the next frame.
+  uint16_t sequence_ = 0;  ///< Of the next frame.
   int64_t num_said_ = 0;
   int64_t num_without_nav_ = 0;
 };

@@ -253,6 +253,45 @@ TEST(Acomms, ThatIsStartedAgainGoesOnWithItsNextSlot) {
   EXPECT_TRUE(members.LastOf("bravo").contacts[0].is_heard);
 }
 
+TEST(Acomms, ThatIsStartedAgainTakesWhatCameBeforeItsFirstStepAtThatStepsTime) {
+  const Mission mission = TwoInFdma();
+  Members members(mission);
+  members.Run(50);
+  const std::vector<uint8_t> report = [&] {
+    for (auto it = members.said_.rbegin(); it != members.said_.rend(); ++it) {
+      if (it->source == "alpha") return it->payload;
+    }
+    return std::vector<uint8_t>();
+  }();
+  members.in_air_is_quiet_ = true;
+  members.Start(mission.vehicles[1]);
+  members.Hand("bravo", "alpha", report);
+  members.Run(0.1);
+  const swarm_contact_t& contact = members.LastOf("bravo").contacts[0];
+  EXPECT_TRUE(contact.is_heard);
+  EXPECT_EQ(contact.heard_utime, 50'000'000);
+  EXPECT_EQ(contact.report_utime, 45'000'000) << "as its time stamp says";
+  EXPECT_EQ(contact.num_recovered, 0);
+  EXPECT_FALSE(contact.is_silent);
+}
+
+TEST(Acomms, TellsNoNextWaypointThatIsASentinel) {
+  Mission mission = TwoInFdma();
+  mission.vehicles[1].recovery.of(SwarmField::kLeaderNextPos) = {RecoveryStrategy::kSentinel};
+  Members members(mission);
+  members.Run(1);
+  EXPECT_TRUE(members.LastOf("bravo").contacts[0].has_next);
+  LeaderMessage damaged = *DecodeLeaderReport(members.said_[0].payload);
+  damaged.time_stamp_s = 0.9F;
+  damaged.leader.next_position_m.x() = std::numeric_limits<float>::infinity();
+  members.Hand("bravo", "alpha", EncodeLeaderReport(damaged));
+  members.Run(0.2);
+  const swarm_contact_t& contact = members.LastOf("bravo").contacts[0];
+  EXPECT_EQ(contact.recovered, std::vector<std::string>{"leader_next_pos sentinel"});
+  EXPECT_FALSE(contact.has_next);
+  EXPECT_EQ(contact.next_x_m, 0);
+}
+
 TEST(Acomms, OutlivesAnyBytes) {
   Members members(TwoInFdma());
   members.Run(1);

@@ -1,6 +1,5 @@
-// One vehicle's acoustic messages. Hears ACOUSTIC_RX_<V>, says ACOUSTIC_TX and SWARM_<V>. See
-// acomms
-// --help.
+// One vehicle's acoustic messages. Hears ACOUSTIC_RX_<V>, says ACOUSTIC_TX and SWARM_<V>.
+// See acomms --help.
 #include "apps/acomms/acomms_app.h"
 #include "lib/run/run_app.h"
 

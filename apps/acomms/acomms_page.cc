@@ -35,7 +35,9 @@ std::string ContactText(const swarm_contact_t& contact, int64_t utime) {
   std::string text =
       fmt::format("    {:<16} {:<8}", contact.name, contact.is_target ? "leader" : "follower");
   if (!contact.is_heard) return text + " not heard yet\n";
-  if (!contact.is_known) return text + " cannot be used\n";
+  if (!contact.is_known) {
+    return text + " cannot be used" + (contact.is_silent ? ", silent\n" : "\n");
+  }
   text += fmt::format("{:9.1f} s {:9.1f} {:9.1f} {:8.1f}", Seconds(utime - contact.report_utime),
                       contact.x_m, contact.y_m, contact.z_m);
   if (contact.is_silent) text += "  silent";
@@ -63,6 +65,11 @@ StatusPage AcommsApp::Status() const {
   for (const swarm_source_t& source : swarm.sources) {
     page.text += fmt::format("    {:<16} {:>4} {:>7} {:>10} {:>9}\n", source.name, source.received,
                              source.clean, source.recovered, source.rejected);
+  }
+  for (const auto& [id, count] : receiver_.counts.frames) {
+    page.text += fmt::format("    frames of {}: {} received, {} lost, {} repeated, {} restarts\n",
+                             writer_.NameOfId(id), count.received, count.lost, count.repeated,
+                             count.restarted);
   }
   for (const swarm_count_t& count : swarm.counts) {
     page.text += fmt::format("    {} {} times: {}{}{}\n", count.outcome, count.count, count.field,

@@ -102,7 +102,7 @@ swarm_contact_t SwarmWriter::WriteContact(const SwarmContact& contact, bool is_t
   written.x_mps = now.velocity_mps.x();
   written.y_mps = now.velocity_mps.y();
   written.z_mps = now.velocity_mps.z();
-  written.has_next = is_target && contact.is_heard;
+  written.has_next = is_target && KnowsNext(contact);
   if (!written.has_next) return written;
   const Motion& next = contact.report.next;
   written.next_x_m = next.position_m.x();

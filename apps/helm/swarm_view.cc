@@ -141,8 +141,12 @@ std::optional<Neighbour> SwarmView::Find(const TargetTrackTask& task, Place plac
           ? PredictLeader({.now = MotionOf(*contact), .next = NextOf(*contact)}, elapsed_s, {})
           : PredictMember(MotionOf(*contact), elapsed_s);
   Neighbour neighbour = NeighbourOf(static_cast<int>(place), now);
-  neighbour.is_silent = SecondsBetween(contact->heard_utime, utime) > silent_after_s_;
+  neighbour.is_silent = IsSilent(*contact, utime);
   return IsPlausible(neighbour) ? std::optional(neighbour) : std::nullopt;
+}
+
+bool SwarmView::IsSilent(const swarm_contact_t& contact, int64_t utime) const {
+  return SecondsBetween(contact.heard_utime, utime) > silent_after_s_;
 }
 
 void SwarmView::HearSonar(const sonar_t& ping) { ping_ = ping; }
@@ -172,7 +176,11 @@ const Surroundings* SwarmView::Look(const Task* task, const nav_t& own) {
   surroundings_.own = NeighbourOf(static_cast<int>(own_), own);
   if (!IsPlausible(surroundings_.own)) return nullptr;
   const std::optional<Place> target = PlaceOf(track->target);
-  if (target) surroundings_.target = Find(*track, *target, own.utime);
+  if (target) {
+    surroundings_.target = Find(*track, *target, own.utime);
+    surroundings_.target_is_silent = track->swarm == SwarmKnowledge::kAcoustic && told_[*target] &&
+                                     IsSilent(*told_[*target], own.utime);
+  }
   group_.clear();
   for (const Place place : GroupOf(*track)) {
     if (place == target) continue;

@@ -51,6 +51,7 @@ class SwarmView {
   std::optional<Place> PlaceOf(const std::string& name) const;
   /// Returns where another vehicle is at `utime`, by the knowledge that the task goes by.
   std::optional<Neighbour> Find(const TargetTrackTask& task, Place place, int64_t utime) const;
+  bool IsSilent(const swarm_contact_t& contact, int64_t utime) const;
   /// Fills echoes_ from the last ping, as seen with the attitude of `own`.
   void LookAhead(const nav_t& own);
 

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+#include <deque>
 #include <utility>
 
 namespace shoal {
@@ -11,7 +14,10 @@ namespace {
 class RawPort : public ModemPort {
  public:
   explicit RawPort(const ModemPortOptions& options)
-      : options_({.max_bytes = options.max_bytes}), reader_(options_) {}
+      : options_({.max_bytes = options.max_bytes}),
+        reader_(options_),
+        water_bps_(options.water_bps),
+        more_bytes_(options.more_bytes) {}
 
   void Hear(const HeardPacket& packet, int64_t) override {
     ++num_heard_;
@@ -21,8 +27,10 @@ class RawPort : public ModemPort {
 
   std::string Text() const override {
     const RawModemCounts& counts = reader_.counts();
-    return fmt::format("    raw, {}; {} payloads taken, {} empty, {} too long, {} heard\n",
-                       ClientText(), counts.delivered, counts.empty, counts.too_long, num_heard_);
+    return fmt::format(
+        "    raw, {}; {} payloads taken, {} empty, {} too long, {} waiting, {} dropped; {} heard\n",
+        ClientText(), counts.delivered, counts.empty, counts.too_long, waiting_.size(),
+        num_dropped_, num_heard_);
   }
 
  private:
@@ -31,12 +39,32 @@ class RawPort : public ModemPort {
   void OnBytes(std::string_view bytes, int64_t) override {
     const auto* data = reinterpret_cast<const uint8_t*>(bytes.data());
     for (std::vector<uint8_t>& payload : reader_.Take({data, bytes.size()})) {
-      Transmit(std::move(payload));
+      if (waiting_.size() < kMostWaiting) {
+        waiting_.push_back(std::move(payload));
+      } else {
+        ++num_dropped_;
+      }
+    }
+  }
+
+  // One at a time: what left before the one before it was out would collide with it.
+  void BeforeStep(int64_t mission_us) override {
+    while (!waiting_.empty() && mission_us >= free_us_) {
+      const double num_bytes = static_cast<double>(waiting_.front().size() + more_bytes_);
+      const double air_s = water_bps_ > 0 ? 8 * num_bytes / water_bps_ : 0;
+      free_us_ = mission_us + std::llround(air_s * 1e6);
+      Transmit(std::move(waiting_.front()));
+      waiting_.pop_front();
     }
   }
 
   RawModemOptions options_;
   RawModemReader reader_;
+  double water_bps_;
+  size_t more_bytes_;
+  std::deque<std::vector<uint8_t>> waiting_;
+  int64_t free_us_ = 0;  ///< When the last one has left.
+  int64_t num_dropped_ = 0;
   int64_t num_heard_ = 0;
 };
 
@@ -74,6 +102,7 @@ class MicroModemPort : public ModemPort {
   }
 
  private:
+  void OnConnect() override { modem_.ForgetLine(); }
   void OnBytes(std::string_view bytes, int64_t mission_us) override {
     // What a byte is answered with may be two hundred times as long.
     constexpr size_t kMostAtOnce = 2048;
@@ -140,7 +169,8 @@ void ModemPort::Transmit(std::vector<uint8_t> bytes) {
   transmissions_.push_back(std::move(bytes));
 }
 
-std::vector<std::vector<uint8_t>> ModemPort::TakeTransmissions() {
+std::vector<std::vector<uint8_t>> ModemPort::TakeTransmissions(int64_t mission_us) {
+  BeforeStep(mission_us);
   return std::exchange(transmissions_, {});
 }
 

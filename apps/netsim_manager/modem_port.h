@@ -26,7 +26,8 @@ struct ModemPortOptions {
   int port = 0;
   NetsimModem kind = NetsimModem::kRaw;
   int modem_address = 0;      ///< Of a Micro-Modem, 0 to 127.
-  double water_bps = 0;       ///< The acoustic network's data rate.
+  double water_bps = 0;       ///< The acoustic network's data rate; 0: not known.
+  size_t more_bytes = 0;      ///< On the air, with each packet: a checksum.
   size_t max_bytes = 65'535;  ///< That a packet through the water holds.
 };
 
@@ -58,8 +59,8 @@ class ModemPort {
   /// Sets the modem's clock, where it has one.
   virtual void SetClock(int64_t, int64_t) {}
 
-  /// Returns what is to be sent through the water, and forgets it.
-  std::vector<std::vector<uint8_t>> TakeTransmissions();
+  /// Returns what is to be sent through the water in the step at `mission_us`, and forgets it.
+  std::vector<std::vector<uint8_t>> TakeTransmissions(int64_t mission_us);
   /// Returns a line or two for a status page, four blanks before each.
   virtual std::string Text() const = 0;
 
@@ -68,6 +69,8 @@ class ModemPort {
   virtual void OnConnect() {}
   virtual void OnBytes(std::string_view bytes, int64_t mission_us) = 0;
   virtual void Advance(int64_t) {}
+  /// Called at each step, before what is to be sent is taken.
+  virtual void BeforeStep(int64_t) {}
   /// Nothing where nobody is connected.
   void SendToClient(std::string_view bytes);
   void Transmit(std::vector<uint8_t> bytes);

@@ -16,9 +16,15 @@ namespace shoal {
 namespace {
 
 constexpr double kNoSnr_db = -900;  ///< acoustic_path_t has -999 where there is none.
-constexpr int64_t kCrcBytes = 4;
+constexpr size_t kCrcBytes = 4;
 constexpr size_t kMaxStatsPerStep = 1000;
 constexpr size_t kMaxHeardPerStep = 1000;
+
+/// Differences of such times are numbers still.
+bool IsMissionTime(int64_t utime) {
+  constexpr int64_t kLatest_us = 1'000'000'000'000'000'000;
+  return utime >= 0 && utime <= kLatest_us;
+}
 
 }  // namespace
 
@@ -60,7 +66,7 @@ void NetsimManagerApp::Open() {
     return;
   }
   lines_ = std::move(*lines);
-  served_.Add(lines_->fd());
+  Await(lines_->fd());
   for (Outsider& outsider : outsiders_) {
     if (!Take(&outsider)) return;
   }
@@ -79,13 +85,14 @@ bool NetsimManagerApp::Take(Outsider* outsider) {
                          .kind = vehicle.modem,
                          .modem_address = address <= 127 ? address : 0,
                          .water_bps = acoustics.data_rate_bps,
+                         .more_bytes = mission_.acoustics.crc ? kCrcBytes : 0,
                          .max_bytes = limit > 0 ? static_cast<size_t>(limit) : kMaxRawPieceBytes});
     if (!modem.ok()) {
       fault_ = modem.error();
       return false;
     }
     outsider->modem = std::move(*modem);
-    served_.Add(outsider->modem->fd());
+    Await(outsider->modem->fd());
   }
   if (vehicle.gps.tcp_port > 0 || !vehicle.gps.path.empty()) {
     auto gps = GpsOutput::Open(vehicle.gps, options_.address);
@@ -94,9 +101,13 @@ bool NetsimManagerApp::Take(Outsider* outsider) {
       return false;
     }
     outsider->gps = std::move(*gps);
-    if (outsider->gps->fd() >= 0) served_.Add(outsider->gps->fd());
+    if (outsider->gps->fd() >= 0) Await(outsider->gps->fd());
   }
-  return true;
+  return fault_.empty();
+}
+
+void NetsimManagerApp::Await(int fd) {
+  if (!served_.Add(fd)) fault_ = "too many open files: raise `ulimit -n`";
 }
 
 int NetsimManagerApp::ModemPortOf(std::string_view vehicle) const {
@@ -139,7 +150,13 @@ void NetsimManagerApp::TakePosition(const NetsimPosition& position) {
 
 void NetsimManagerApp::TakeStats(const NetsimReceiveStats& stats) {
   ++num_stats_;
-  if (stats_.size() >= kMaxStatsPerStep) return;
+  for (Outsider& outsider : outsiders_) {
+    if (outsider.options.modem_tcp_port == stats.modem_tcp_port) outsider.stats = stats;
+  }
+  if (stats_.size() >= kMaxStatsPerStep) {
+    log_.Warn("receive statistics: more than 1000 in a step; further ones are not said on");
+    return;
+  }
   modem_stats_t told{};
   told.receiver = NameOfPort(stats.modem_tcp_port);
   told.sender = NameOfPort(stats.tx_modem_tcp_port);
@@ -185,7 +202,7 @@ void NetsimManagerApp::Tick(int64_t utime) {
   for (Outsider& outsider : outsiders_) {
     HearWater(&outsider, mission_us_);
     if (outsider.modem) {
-      for (std::vector<uint8_t>& bytes : outsider.modem->TakeTransmissions()) {
+      for (std::vector<uint8_t>& bytes : outsider.modem->TakeTransmissions(mission_us_)) {
         acoustic_tx_t packet{};
         packet.utime = utime;
         packet.source = outsider.options.name;
@@ -206,11 +223,15 @@ void NetsimManagerApp::Tick(int64_t utime) {
 void NetsimManagerApp::HearWater(Outsider* outsider, int64_t mission_us) {
   const AcousticOptions& acoustics = mission_.acoustics.options;
   for (acoustic_rx_t& packet : std::exchange(outsider->heard, {})) {
-    const auto num_bytes = static_cast<int64_t>(packet.payload.size());
-    const int64_t on_air_bytes = num_bytes + (mission_.acoustics.crc ? kCrcBytes : 0);
+    const size_t on_air_bytes = packet.payload.size() + (mission_.acoustics.crc ? kCrcBytes : 0);
     const double air_s = acoustics.data_rate_bps > 0
                              ? 8 * static_cast<double>(on_air_bytes) / acoustics.data_rate_bps
                              : 0;
+    const bool is_sound = IsMissionTime(packet.arrived_utime) && IsMissionTime(packet.sent_utime);
+    if (!is_sound) {
+      log_.Warn("ACOUSTIC_RX with times that cannot be: ignored");
+      continue;
+    }
     const int64_t start_utime = packet.arrived_utime - std::llround(air_s * 1e6);
     HeardPacket heard{.bytes = std::move(packet.payload),
                       .start_us = start_utime - mission_.start_utime,

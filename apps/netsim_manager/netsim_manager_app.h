@@ -14,7 +14,6 @@
 #include <string>
 #include <vector>
 
-#include "apps/netsim_manager/epoll_set.h"
 #include "apps/netsim_manager/modem_port.h"
 #include "lib/bus/bus.h"
 #include "lib/bus/channels.h"
@@ -23,6 +22,7 @@
 #include "lib/netsim/gps_output.h"
 #include "lib/netsim/line_server.h"
 #include "lib/netsim/netsim_answer.h"
+#include "lib/netsim/wait_set.h"
 #include "lib/run/app.h"
 
 namespace shoal {
@@ -50,11 +50,12 @@ class NetsimManagerApp : public App {
   struct Outsider {
     NetsimVehicle options;
     const Vehicle* vehicle = nullptr;
-    std::unique_ptr<ModemPort> modem;  ///< Null: it has none.
-    std::unique_ptr<GpsOutput> gps;    ///< Null: it has none.
-    std::vector<acoustic_rx_t> heard;  ///< In this step.
-    std::optional<NetsimNav> nav;      ///< The last.
-    std::optional<int64_t> nav_utime;  ///< The step in which it was said on.
+    std::unique_ptr<ModemPort> modem;         ///< Null: it has none.
+    std::unique_ptr<GpsOutput> gps;           ///< Null: it has none.
+    std::vector<acoustic_rx_t> heard;         ///< In this step.
+    std::optional<NetsimReceiveStats> stats;  ///< The last that its client told.
+    std::optional<NetsimNav> nav;             ///< The last.
+    std::optional<int64_t> nav_utime;         ///< The step in which it was said on.
     bool nav_is_new = false;
     int64_t num_navs = 0;
     int64_t num_sentences = 0;  ///< For GPS.
@@ -62,6 +63,7 @@ class NetsimManagerApp : public App {
   };
 
   void Open();
+  void Await(int fd);
   bool Take(Outsider* outsider);
   std::string OnLine(const std::string& address, std::string_view line);
   void TakePosition(const NetsimPosition& position);
@@ -78,7 +80,7 @@ class NetsimManagerApp : public App {
   const NetsimOptions options_;
   const LocalFrame frame_;
   Bus& bus_;
-  EpollSet served_;
+  WaitSet served_;
   std::unique_ptr<LineServer> lines_;
   std::vector<Outsider> outsiders_;
   std::vector<modem_stats_t> stats_;  ///< Of this step.

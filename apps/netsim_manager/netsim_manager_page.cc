@@ -20,6 +20,17 @@ std::string NetsimManagerApp::OutsiderText(const Outsider& outsider) const {
     text += outsider.nav_utime ? fmt::format(", {:.1f} s ago\n", age_s) : "\n";
   }
   if (outsider.modem) text += outsider.modem->Text();
+  if (outsider.stats) {
+    text += fmt::format("    last told of a packet of {}: {}",
+                        NameOfPort(outsider.stats->tx_modem_tcp_port),
+                        outsider.stats->packet_success ? "good" : "bad");
+    if (const auto& modem = outsider.stats->modem) {
+      text += fmt::format(", rate {}, {} of {} frames bad, SNR {} dB in, {} dB out", modem->rate,
+                          modem->num_bad_frames, modem->num_frames, modem->snr_in_db,
+                          modem->snr_out_db);
+    }
+    text += "\n";
+  }
   if (outsider.gps) {
     text += fmt::format("    GPS: {} sentences", outsider.num_sentences);
     if (outsider.gps->port() > 0) text += fmt::format(", port {}", outsider.gps->port());

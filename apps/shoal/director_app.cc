@@ -14,6 +14,10 @@ namespace shoal {
 namespace {
 constexpr std::string_view kTooManyControls =
     "UNC_* of one more vehicle not kept: a broker that starts again will not be told of it";
+
+/// False for what only a stranger says: no mission has as many messages.
+bool CanBeCount(int64_t count) { return count >= 0 && count <= 1'000'000'000'000; }
+
 }  // namespace
 
 DirectorApp::DirectorApp(const Mission& mission, Bus& bus)
@@ -33,6 +37,14 @@ DirectorApp::DirectorApp(const Mission& mission, Bus& bus)
     if (!mission.IsInSwarm(mission.vehicles[i])) continue;
     Subscribe(bus, channels::Swarm(name), [this, i](const swarm_t& swarm) { TakeSwarm(i, swarm); });
   }
+  // Who is simulated elsewhere has no NAV: its own reports are all there is.
+  Subscribe(bus, channels::NodeReportFromOutside(), [this](const node_report_t& report) {
+    for (size_t i = 0; i < mission_.vehicles.size(); ++i) {
+      const Vehicle& vehicle = mission_.vehicles[i];
+      if (vehicle.sim != Provider::kNone || vehicle.name != report.name) continue;
+      judge_.TakeNav(i, {report.x_m, report.y_m, report.depth_m}, report.altitude_m);
+    }
+  });
   bus.SubscribeBytes(channels::CommsFates().name,
                      [this](const Message& message) { TakeFates(message); });
   for (const ControlRow& row : ControlTable()) {
@@ -47,7 +59,10 @@ DirectorApp::DirectorApp(const Mission& mission, Bus& bus)
 void DirectorApp::TakeSwarm(size_t vehicle, const swarm_t& swarm) {
   for (const swarm_source_t& source : swarm.sources) {
     const Vehicle* sender = mission_.FindVehicle(source.name);
-    if (sender == nullptr) continue;
+    if (sender == nullptr || !CanBeCount(source.clean) || !CanBeCount(source.recovered) ||
+        !CanBeCount(source.rejected)) {
+      continue;
+    }
     judge_.TakeSwarm(
         vehicle, sender->name,
         {.clean = source.clean, .recovered = source.recovered, .rejected = source.rejected});

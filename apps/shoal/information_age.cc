@@ -37,10 +37,10 @@ void InformationAge::TellAge(const swarm_t& swarm, const std::string& name,
 
 void InformationAge::AddContact(const swarm_t& swarm, const swarm_contact_t& contact,
                                 Observer* observer) {
-  if (!contact.is_heard) {
+  if (!contact.is_heard || !contact.is_known) {
     const auto found = observer->contacts.find(contact.name);
     if (found == observer->contacts.end() || !found->second.report_utime) return;
-    EndTooth(observer->last_utime, &found->second);  // A process that knows nothing yet.
+    EndTooth(observer->last_utime, &found->second);  // Nothing yet, or nothing that can be used.
     return;
   }
   if (!IsMissionTime(contact.report_utime)) {

@@ -15,7 +15,7 @@ void PlotDataBuilder::AddSwarm(Vehicle* vehicle, const swarm_t& swarm) {
   if (!time_s || !vehicle->is_selected) return;
   std::optional<int64_t> target_utime, other_utime;
   for (const swarm_contact_t& contact : swarm.contacts) {
-    if (!contact.is_heard) continue;
+    if (!contact.is_heard || !contact.is_known) continue;
     if (contact.report_utime < -kLatestReport_us || contact.report_utime > kLatestReport_us) {
       ++data_.num_impossible;
       continue;

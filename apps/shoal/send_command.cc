@@ -11,6 +11,7 @@
 #include "lib/bus/lcm_bus.h"
 #include "lib/check/result.h"
 #include "lib/mission/suggest.h"
+#include "lib/routing/destinations.h"
 #include "lib/routing/vehicle_name.h"
 #include "lib/run/roster.h"
 #include "lib/run/run_registry.h"
@@ -45,8 +46,20 @@ int SendRule(LcmBus& bus, const RunningMission& mission, const ControlRow& row,
   return kExitOk;
 }
 
-int SendMessages(LcmBus& bus, const std::vector<std::string>& vehicles,
-                 std::span<const std::string> words) {
+/// Says which of the addressees are not of the mission: a slip, or vehicles from outside.
+void TellOfStrangers(const RunningMission& mission, const node_message_t& message) {
+  for (const std::string& name : ParseDestinations(message.dest_node).names) {
+    const bool is_known =
+        std::any_of(mission.vehicles.begin(), mission.vehicles.end(),
+                    [&](const std::string& each) { return VehicleKey(each) == VehicleKey(name); });
+    if (!is_known) {
+      fmt::print("{} is no vehicle of {}: it must come from outside\n", name, mission.name);
+    }
+  }
+}
+
+int SendMessages(LcmBus& bus, const RunningMission& mission,
+                 const std::vector<std::string>& vehicles, std::span<const std::string> words) {
   const Result<node_message_t> parsed = ParseMessageWords(words);
   if (!parsed.ok()) return Usage(parsed.error());
   node_message_t message = *parsed;
@@ -62,6 +75,7 @@ int SendMessages(LcmBus& bus, const std::vector<std::string>& vehicles,
   fmt::print("sent {} of {} to {}\n`shoal status shore_broker` shows what became of it\n",
              message.var_name, fmt::join(vehicles, ", "),
              message.dest_group.empty() ? message.dest_node : "group " + message.dest_group);
+  TellOfStrangers(mission, message);
   if (wants_ack) {
     fmt::print("`shoal status {}` shows whether it was acknowledged\n",
                ParticipantName("node_reporter", vehicles.front()));
@@ -115,7 +129,7 @@ int RunSend(const SendOptions& options) {
   const std::span<const std::string> words(options.words);
   if (words.empty()) return Usage("say what: " + SendCommandsText());
   if (words[0] == "sim") return SendSim(bus, vehicles, words);
-  if (words[0] == "message") return SendMessages(bus, vehicles, words);
+  if (words[0] == "message") return SendMessages(bus, *mission, vehicles, words);
   const Result<helm_command_t> command = ParseHelmWords(words);
   if (!command.ok()) return Usage(command.error());
   return SendHelm(bus, vehicles, *command);

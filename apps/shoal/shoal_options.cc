@@ -12,11 +12,8 @@
 
 #include "apps/shoal/check_command.h"
 #include "apps/shoal/doctor.h"
-#include "apps/shoal/import_command.h"
 #include "apps/shoal/launcher.h"
-#include "apps/shoal/log_comms.h"
-#include "apps/shoal/plot_command.h"
-#include "apps/shoal/rebroker_command.h"
+#include "apps/shoal/log_options.h"
 #include "apps/shoal/send_command.h"
 #include "apps/shoal/send_words.h"
 #include "apps/shoal/sim_command.h"
@@ -195,151 +192,6 @@ void AddStatus(CLI::App& cli, Action* action) {
   });
 }
 
-void AddSelection(CLI::App* command, LogSelection* selection) {
-  command->add_option("--channel", selection->channels, "Only these channels; * and ? are wild")
-      ->take_all()
-      ->allow_extra_args(false);
-  command->add_option("--from", selection->from_s, "From this time on, seconds");
-  command->add_option("--to", selection->to_s, "Up to this time, seconds");
-}
-
-/// Prints what is wrong with a selection. Returns true where nothing is.
-bool IsSelectionSound(const LogSelection& selection) {
-  if (!selection.from_s || !selection.to_s || *selection.from_s <= *selection.to_s) return true;
-  fmt::print(stderr, "shoal: --from {} is after --to {}: nothing lies between\n", *selection.from_s,
-             *selection.to_s);
-  return false;
-}
-
-void AddTypes(CLI::App* command, std::vector<std::string>* types) {
-  command->add_option("--types", *types, "A .lcm file of message types that are not shoal's")
-      ->take_all()
-      ->allow_extra_args(false);
-}
-
-void AddLog(CLI::App& cli, Action* action) {
-  CLI::App* log = cli.add_subcommand("log", "Read logs");
-  log->require_subcommand(1);
-
-  CLI::App* info = log->add_subcommand("info", "Channels, types, counts, rates, time span");
-  auto info_options = std::make_shared<LogInfoOptions>();
-  info->add_option("LOG", info_options->path, "LCM event log")->required();
-  AddTypes(info, &info_options->types);
-  info->callback([info_options, action] {
-    *action = [info_options] { return LogInfo(*info_options, std::cout, std::cerr); };
-  });
-
-  CLI::App* cat = log->add_subcommand("cat", "Messages as text, one line each");
-  auto cat_options = std::make_shared<LogCatOptions>();
-  cat->add_option("LOG", cat_options->path, "LCM event log")->required();
-  AddSelection(cat, &cat_options->selection);
-  cat->add_option("--limit", cat_options->limit, "Lines at most");
-  cat->add_flag("--skip-damage", cat_options->skip_damage, "Print what can be read of a bad log");
-  AddTypes(cat, &cat_options->types);
-  cat->callback([cat_options, action] {
-    *action = [cat_options] {
-      if (!IsSelectionSound(cat_options->selection)) return static_cast<int>(kExitUsage);
-      return LogCat(*cat_options, std::cout, std::cerr);
-    };
-  });
-
-  CLI::App* diff = log->add_subcommand("diff", "First difference between two logs");
-  auto diff_options = std::make_shared<LogDiffOptions>();
-  diff->add_option("A", diff_options->path_a, "LCM event log")->required();
-  diff->add_option("B", diff_options->path_b, "LCM event log")->required();
-  AddTypes(diff, &diff_options->types);
-  diff->callback([diff_options, action] {
-    *action = [diff_options] { return LogDiff(*diff_options, std::cout, std::cerr); };
-  });
-
-  CLI::App* csv = log->add_subcommand("csv", "One CSV file per channel");
-  auto csv_options = std::make_shared<LogCsvOptions>();
-  csv->add_option("LOG", csv_options->path, "LCM event log")->required();
-  csv->add_option("--out", csv_options->out_dir, "Folder for the files")->required();
-  AddSelection(csv, &csv_options->selection);
-  csv->add_flag("--skip-damage", csv_options->skip_damage, "Convert what can be read of a bad log");
-  csv->add_flag_callback(
-      "--moos", [csv_options] { csv_options->lines = NodeReportsAsAlog(); },
-      "Also write node reports as MOOS text, for alog tools: <CHANNEL>.alog");
-  AddTypes(csv, &csv_options->types);
-  csv->callback([csv_options, action] {
-    *action = [csv_options] {
-      if (!IsSelectionSound(csv_options->selection)) return static_cast<int>(kExitUsage);
-      return LogCsv(*csv_options, std::cout, std::cerr);
-    };
-  });
-
-  CLI::App* comms =
-      log->add_subcommand("comms", "Who heard whom, what was lost and why, how old news are");
-  auto comms_options = std::make_shared<LogCommsOptions>();
-  comms->add_option("LOG", comms_options->path, "LCM event log")->required();
-  comms->add_option("--csv", comms_options->csv_dir, "Also write tables into this folder");
-  comms->add_flag("--all", comms_options->all, "Show all links, however many there are");
-  comms->add_flag("--skip-damage", comms_options->skip_damage,
-                  "Read what can be read of a bad log");
-  comms->callback([comms_options, action] {
-    *action = [comms_options] { return LogComms(*comms_options, std::cout, std::cerr); };
-  });
-}
-
-void AddImport(CLI::App& cli, Action* action) {
-  CLI::App* command =
-      cli.add_subcommand("import", "Make a mission of MOOS-IvP mission files (.moos)");
-  auto options = std::make_shared<ImportOptions>();
-  command->add_option("FILE", options->files, "All .moos files of one mission: shore and vehicles")
-      ->required();
-  command->add_option("--out", options->out_path,
-                      "Mission file to write, one that is not there yet; default: standard output");
-  command->callback([options, action] { *action = [options] { return RunImport(*options); }; });
-}
-
-void AddPlot(CLI::App& cli, Action* action) {
-  CLI::App* command = cli.add_subcommand("plot", "Draw a log's tracks and curves (gnuplot)");
-  auto options = std::make_shared<PlotOptions>();
-  command->add_option("LOG", options->log, "LCM event log")->required();
-  command->add_option("--out", options->out_dir,
-                      "Folder for the figures; default: plots, beside LOG");
-  CLI::Option* mission =
-      command->add_option("--mission", options->mission_file,
-                          "Mission file; default: mission.toml beside LOG, if there");
-  command
-      ->add_option("--set", options->overrides, "Override a key of the mission file, as in the run")
-      ->take_all()
-      ->allow_extra_args(false)
-      ->needs(mission);
-  command->add_option("--vehicle", options->vehicles, "Only these vehicles")->take_all();
-  command->add_option("--from", options->from_s, "From this time on, seconds");
-  command->add_option("--to", options->to_s, "Up to this time, seconds");
-  command->add_flag("--png", options->png, "PNG instead of SVG");
-  command->add_flag("--keep", options->keep, "Leave data and gnuplot scripts in OUT/gnuplot");
-  command->callback([options, action] {
-    *action = [options] {
-      const LogSelection selection{.from_s = options->from_s, .to_s = options->to_s};
-      if (!IsSelectionSound(selection)) return static_cast<int>(kExitUsage);
-      const char* path = std::getenv("PATH");
-      options->search_path = path == nullptr ? "" : path;
-      return RunPlot(*options, std::cout, std::cerr);
-    };
-  });
-}
-
-void AddRebroker(CLI::App& cli, Action* action) {
-  CLI::App* command =
-      cli.add_subcommand("rebroker", "Who would have heard whom: a log's reports, other rules");
-  auto options = std::make_shared<RebrokerOptions>();
-  command->add_option("LOG", options->logs, "LCM event log; several: of loggers of one mission")
-      ->required();
-  command->add_option("--comms", options->comms_file,
-                      "Rules: a mission file, or one with [comms] alone; default: the recorded");
-  command->add_option("--log", options->out_path, "Write what was heard instead as an LCM log");
-  command->add_flag("--no-controls", options->no_controls, "Leave out what was said on UNC_*");
-  command->add_flag("--all", options->all_links, "Show all links, however many there are");
-  command->add_flag("--skip-damage", options->skip_damage, "Read what can be read of a bad log");
-  command->callback([options, action] {
-    *action = [options] { return RunRebroker(*options, std::cout, std::cerr); };
-  });
-}
-
 /// True where standard output is a pipe that nobody reads any more, as behind `| head`. (Where
 /// SIGPIPE is not ignored, it has ended the process before anybody asks.)
 bool ReaderHasLeft() {
@@ -361,10 +213,7 @@ int RunShoalCommand(int argc, char** argv) {
   AddMessage(cli, &action);
   AddSend(cli, &action);
   AddStatus(cli, &action);
-  AddLog(cli, &action);
-  AddImport(cli, &action);
-  AddPlot(cli, &action);
-  AddRebroker(cli, &action);
+  AddLogCommands(cli, &action);
   cli.add_subcommand("doctor", "Say what keeps missions from running on this machine")
       ->callback([&action] { action = [] { return RunDoctor(); }; });
   cli.add_subcommand("channels", "Print the table of all channels (docs/channels.md)")

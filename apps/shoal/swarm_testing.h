@@ -14,7 +14,7 @@ inline swarm_contact_t ContactAt(const std::string& name, int64_t report_utime,
   swarm_contact_t contact{};
   contact.name = name;
   contact.is_target = is_target ? 1 : 0;
-  contact.is_heard = 1;
+  contact.is_heard = contact.is_known = 1;
   contact.report_utime = report_utime;
   return contact;
 }

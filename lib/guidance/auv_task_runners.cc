@@ -88,7 +88,7 @@ TargetTrackRunner::TargetTrackRunner(const TargetTrackTask& task, const Fix& sta
 
 Guidance TargetTrackRunner::Update(const Fix& fix) {
   const bool waits = on_silence_ != SilenceRule::kPredict && fix.surroundings != nullptr &&
-                     fix.surroundings->target && fix.surroundings->target->is_silent;
+                     fix.surroundings->target_is_silent;
   if (waits) return WaitFor(fix);
   silence_.reset();
   return Follow(fix);

@@ -230,7 +230,7 @@ class SilentLeader {
   }
 
   Guidance Update(bool is_silent, const Eigen::Vector3d& position_m = {0, 0, 20}) {
-    seen.target->is_silent = is_silent;
+    seen.target_is_silent = is_silent;
     Fix fix = At(position_m, ++time_s_, 70);
     fix.surroundings = &seen;
     return runner_.Update(fix);

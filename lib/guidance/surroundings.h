@@ -24,7 +24,8 @@ struct SonarEcho {
 /// Everything finite but where said otherwise. The spans must outlive the call they are given to.
 struct Surroundings {
   Neighbour own = {};
-  std::optional<Neighbour> target = {};   ///< Whom it follows; none: nothing heard yet.
+  std::optional<Neighbour> target = {};   ///< Whom it follows; none: nothing known.
+  bool target_is_silent = false;          ///< Not heard for long; `target` is a guess, or nothing.
   std::span<const Neighbour> group = {};  ///< The others, without the target and itself.
   std::span<const SonarEcho> sonar = {};
   Eigen::Vector3d current_mps = Eigen::Vector3d::Zero();  ///< Of the water, over ground.

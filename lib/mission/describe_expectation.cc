@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -142,8 +143,19 @@ void Describe(Fields& fields, SwarmExpectation& swarm, const Mission& mission) {
     fields.Refuse("", "an expectation of a swarm needs at_least_pct, at_most_pct or both");
   }
   CheckLimits(fields, "at_least_pct", swarm.at_least_pct, "at_most_pct", swarm.at_most_pct);
-  if (fields.reading() && !mission.swarm.exists) {
+  if (!fields.reading()) return;
+  if (!mission.swarm.exists) {
     fields.Refuse("kind", "nobody tells what became of a swarm's messages without [swarm]");
+    return;
+  }
+  for (const auto& [key, name] : {std::pair("from", swarm.from), std::pair("to", swarm.to)}) {
+    const Vehicle* vehicle = mission.FindVehicle(name);
+    if (vehicle != nullptr && !mission.IsInSwarm(*vehicle)) {
+      fields.Refuse(key, name + " is not in the swarm: this can never hold");
+    }
+  }
+  if (swarm.from == swarm.to && swarm.from != "all") {
+    fields.Refuse("to", swarm.to + " does not hear itself: this can never hold");
   }
 }
 

@@ -77,6 +77,62 @@ void CheckAddresses(Fields& fields, const Mission& mission) {
                   low->name, low->acoustic_address, high->name, high->acoustic_address, limit));
 }
 
+/// What a member has to be so that the others hear of it.
+void CheckMembers(Fields& fields, const Mission& mission) {
+  const double limit_m = FieldLimits().max_position_m;
+  for (const Vehicle& vehicle : mission.vehicles) {
+    if (!mission.IsInSwarm(vehicle)) continue;
+    const bool leads = vehicle.name == mission.swarm.leader;
+    const std::string_view key = leads ? "leader" : "followers";
+    if (std::max(std::abs(vehicle.start.x_m), std::abs(vehicle.start.y_m)) > limit_m) {
+      fields.Refuse(key,
+                    fmt::format("{} starts more than {:g} km from the origin, farther than the "
+                                "messages of a swarm can tell: move [mission] origin",
+                                vehicle.name, limit_m / 1000));
+    }
+    if (!leads && vehicle.acoustic_leader &&
+        mission.acoustics.options.access_mode == AccessMode::kTdmaLf) {
+      fields.Refuse(key,
+                    fmt::format("{} has acoustic_leader = true: it would not hear {}; only the "
+                                "leader of [swarm] may have it",
+                                vehicle.name, mission.swarm.leader));
+    }
+    if (vehicle.sim == Provider::kNone && vehicle.acomms == Provider::kShoal) {
+      fields.Warn(key, fmt::format("vehicle_sim of {} is \"none\": unless a program of yours says "
+                                   "its NAV, it never speaks",
+                                   vehicle.name));
+    }
+  }
+}
+
+/// Slots that come too late to be of use.
+void WarnOfLateSlots(Fields& fields, const Mission& mission) {
+  const SlotPlan plan = PlanSwarm(mission).plan;
+  const double episode_s = static_cast<double>(plan.episode_us) / 1e6;
+  const double last_s = static_cast<double>(plan.offset_us) / 1e6 *
+                        static_cast<double>(mission.swarm.followers.size());
+  if (plan.scheme != SwarmScheme::kTdmaLf && last_s > mission.duration_s) {
+    fields.Warn("offset_s", fmt::format("{} speaks first after {:g} s, when the mission is over",
+                                        mission.swarm.followers.back(), last_s));
+  }
+  if (episode_s > mission.duration_s) {
+    fields.Warn("episode_s",
+                fmt::format("an episode takes {:g} s, longer than the mission", episode_s));
+  }
+  if (mission.swarm.silent_after_s < episode_s) {
+    fields.Warn("silent_after_s",
+                fmt::format("everybody counts as silent {:g} s after a message, and the next comes "
+                            "after {:g} s",
+                            mission.swarm.silent_after_s, episode_s));
+  }
+  if (mission.duration_s > FieldLimits().max_time_s) {
+    fields.Warn("leader",
+                fmt::format("time stamps of messages end at {:g} s: from then on all count "
+                            "as damaged",
+                            FieldLimits().max_time_s));
+  }
+}
+
 /// A message must fit into a packet of the modem.
 void CheckPackets(Fields& fields, const Mission& mission) {
   const std::optional<ModemPreset>& modem = mission.acoustics.options.modem;
@@ -131,8 +187,10 @@ void DescribeSwarmTable(Fields& fields, Mission& mission) {
   }
   if (!fields.IsSound()) return;
   CheckAddresses(fields, mission);
+  CheckMembers(fields, mission);
   CheckPackets(fields, mission);
   CheckSlots(fields, mission);
+  if (fields.IsSound()) WarnOfLateSlots(fields, mission);
 }
 
 }  // namespace

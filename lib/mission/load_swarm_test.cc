@@ -111,6 +111,42 @@ TEST(LoadSwarm, TellsOfAddressesTooFarApart) {
             "than 1000 apart take each other's messages for damaged\n");
 }
 
+TEST(LoadSwarm, TellsOfMembersWhoCannotBeHeardOf) {
+  EXPECT_EQ(ErrorsWith("[swarm]\nleader = \"alpha\"\n", {"vehicle.alpha.start.x_m=150000"}),
+            "19:10: alpha starts more than 100 km from the origin, farther than the messages of a "
+            "swarm can tell: move [mission] origin\n");
+  EXPECT_EQ(ErrorsWith("[swarm]\nleader = \"alpha\"\n",
+                       {"vehicle.bravo.acoustic_leader=true", "acoustics.access_mode=tdma_lf"}),
+            "18:1: bravo has acoustic_leader = true: it would not hear alpha; only the leader of "
+            "[swarm] may have it\n");
+}
+
+TEST(LoadSwarm, WarnsOfSlotsThatComeTooLate) {
+  const auto warnings = [](std::string_view keys) {
+    const LoadedMission loaded = LoadMissionText(
+        std::string(kThree) + "[swarm]\nleader = \"alpha\"\n" + std::string(keys), "m.toml");
+    EXPECT_EQ(loaded.errors, std::vector<std::string>());
+    return loaded.warnings;
+  };
+  EXPECT_TRUE(warnings("").empty());
+  EXPECT_EQ(warnings("offset_s = 100\n"),
+            std::vector<std::string>{
+                "m.toml:20:12: warning: bravo speaks first after 100 s, when the mission is over"});
+  EXPECT_EQ(warnings("episode_s = 70\nsilent_after_s = 80\n"),
+            std::vector<std::string>{
+                "m.toml:20:13: warning: an episode takes 70 s, longer than the mission"});
+  EXPECT_EQ(warnings("silent_after_s = 3\n"),
+            std::vector<std::string>{
+                "m.toml:20:18: warning: everybody counts as silent 3 s after a message, "
+                "and the next comes after 5 s"});
+}
+
+TEST(LoadSwarm, TellsOfExpectationsThatCanNeverHold) {
+  EXPECT_EQ(ErrorsWith("[swarm]\nleader = \"alpha\"\n[[expect]]\nkind = \"swarm\"\nfrom = "
+                       "\"charlie\"\nat_least_pct = 5\n"),
+            "22:8: charlie is not in the swarm: this can never hold\n");
+}
+
 TEST(LoadRecovery, ReplacesTheStrategiesOfTheFieldsThatItNames) {
   const Mission mission =
       LoadWith("[swarm]\nleader = \"alpha\"\n", {"vehicle.bravo.recovery.time_stamp=[\"skip\"]"});

@@ -111,6 +111,8 @@ class MicroModem {
   /// Takes what came over a stream, however it is cut; CR or LF ends a line. A byte may be answered
   /// by 200, so give no more than some kilobytes at a time.
   [[nodiscard]] MicroModemOutput TakeBytes(std::string_view bytes, int64_t now_us);
+  /// Forgets a line that has begun: its host has gone.
+  void ForgetLine();
   /// Takes what came through the water.
   [[nodiscard]] MicroModemOutput Hear(const MicroModemHeard& heard, int64_t now_us);
   /// Does what is due.

@@ -46,6 +46,11 @@ MicroModemOutput MicroModem::Take(std::string_view line, int64_t now_us) {
   return Finish();
 }
 
+void MicroModem::ForgetLine() {
+  line_.clear();
+  is_skipping_line_ = false;
+}
+
 MicroModemOutput MicroModem::TakeBytes(std::string_view bytes, int64_t now_us) {
   CatchUp(now_us);
   for (const char letter : bytes) {

@@ -91,6 +91,12 @@ bool IsUsable(const SwarmContact& contact) {
          motion.velocity_mps.x() != kSentinelSpeed_mps;
 }
 
+bool KnowsNext(const SwarmContact& contact) {
+  const Motion& next = contact.report.next;
+  return contact.is_heard && next.position_m.x() != kSentinelPosition_m &&
+         next.velocity_mps.x() != kSentinelSpeed_mps;
+}
+
 std::optional<int64_t> Age_us(const SwarmContact& contact, int64_t now_us) {
   if (!contact.is_heard || contact.reported_us < 0) return std::nullopt;
   return std::max<int64_t>(0, now_us - contact.reported_us);
@@ -105,11 +111,8 @@ std::optional<Motion> PredictTarget(const GroupState& state, int64_t now_us,
                                     const PredictionLimits& limits) {
   if (!state.target || !IsUsable(*state.target)) return std::nullopt;
   const SwarmContact& target = *state.target;
-  MotionReport report = target.report;
-  const bool knows_next = report.next.position_m.x() != kSentinelPosition_m &&
-                          report.next.velocity_mps.x() != kSentinelSpeed_mps;
-  if (!target.is_heard || !knows_next) return PredictContact(target, now_us);
-  return PredictLeader(report, SecondsSince(target.reported_us, now_us), limits);
+  if (!KnowsNext(target)) return PredictContact(target, now_us);
+  return PredictLeader(target.report, SecondsSince(target.reported_us, now_us), limits);
 }
 
 }  // namespace shoal

@@ -91,6 +91,10 @@ inline constexpr double kSentinelTime_s = -1;
 /// none of them is a sentinel.
 [[nodiscard]] bool IsUsable(const SwarmContact& contact);
 
+/// Returns whether the contact has told of its next waypoint, and of how it will move there:
+/// leaders do, and neither is a sentinel.
+[[nodiscard]] bool KnowsNext(const SwarmContact& contact);
+
 /// Returns how long ago the contact's last report was made, by its own time stamp; nothing if it
 /// has not reported, or if that is not known. At least 0.
 [[nodiscard]] std::optional<int64_t> Age_us(const SwarmContact& contact, int64_t now_us);

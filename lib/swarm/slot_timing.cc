@@ -133,7 +133,7 @@ class PlanCheck {
     }
     problems_.push_back({.key = std::string(key),
                          .at_least_us = at_least_us,
-                         .message = message + ", or episode_s = \"auto\""});
+                         .message = message + ", or " + std::string(key) + " = \"auto\""});
     return at_least_us;
   }
 

@@ -2,9 +2,8 @@
 // the jitter, and the steps in which messages are handled.
 //
 //   const SwarmAir air = {.num_followers = 9, .max_distance_m = 1000};
-//   const Result<SlotPlan> plan = AutoPlan(SwarmScheme::kTdmaLf, tick_us, air);  // episode_s =
-//   "auto" for (const TimingProblem& problem : FindTimingProblems(mine, air)) ...   // given
-//   lengths
+//   const Result<SlotPlan> plan = AutoPlan(SwarmScheme::kTdmaLf, tick_us, air);
+//   for (const TimingProblem& problem : FindTimingProblems(mine, air)) Tell(problem.message);
 //
 // A plan without problems keeps its promise: at no receiver do two messages overlap on a channel,
 // and every follower has the request when its slot begins.

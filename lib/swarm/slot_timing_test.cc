@@ -52,9 +52,9 @@ TEST(TimingProblems, TellThatNineFollowersDoNotFitIntoMuNetsDefaults) {
       (std::vector<std::string>{
           "broadcast_s = 1 is too short for a request to 9 followers: 353 bytes at 1000 bit/s take "
           "2.824 s + 0.666667 s for 1000 m + 0.2 s of jitter, in whole steps, + 0.1 s to handle "
-          "it = 3.8 s; use at least 3.8, or episode_s = \"auto\"",
+          "it = 3.8 s; use at least 3.8, or broadcast_s = \"auto\"",
           "response_s = 1 is too short for an answer: 37 bytes at 1000 bit/s take 0.296 s + "
-          "0.666667 s for 1000 m + 0.2 s of jitter = 1.162667 s; use at least 1.2, or episode_s = "
+          "0.666667 s for 1000 m + 0.2 s of jitter = 1.162667 s; use at least 1.2, or response_s = "
           "\"auto\"",
           "episode_s = 5 is too short for 9 followers: 3.8 s for the request + 9 x 1.2 s of "
           "answers = 14.6 s; use at least 14.6, or episode_s = \"auto\""}));
@@ -65,7 +65,7 @@ TEST(TimingProblems, TellWhatDoesNotFitIntoFdmaAndTdma) {
   SlotPlan plan = {.scheme = SwarmScheme::kFdmaLf, .episode_us = 500'000, .offset_us = 50'000};
   EXPECT_EQ(MessagesOf(FindTimingProblems(plan, air)),
             (std::vector<std::string>{
-                "offset_s = 0.05 is not a whole number of steps of 0.1 s; use 0.1, or episode_s = "
+                "offset_s = 0.05 is not a whole number of steps of 0.1 s; use 0.1, or offset_s = "
                 "\"auto\"",
                 "episode_s = 0.5 is too short for a leader's report: 57 bytes at 1000 bit/s take "
                 "0.456 s + 0.1 s for 150 m + 0 s of jitter = 0.556 s; use at least 0.6, or "

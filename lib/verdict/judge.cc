@@ -16,6 +16,8 @@ namespace shoal {
 namespace {
 
 constexpr size_t kMaxFailuresShown = 5;
+/// A quarter of the Earth's circumference: farther away is no place.
+constexpr double kFarthest_m = 1e7;
 
 std::vector<std::string> NamesOf(const Mission& mission) {
   std::vector<std::string> names;
@@ -93,7 +95,7 @@ Judge::Judge(const Mission& mission)
 }
 
 bool Judge::TakeNav(size_t vehicle, const Eigen::Vector3d& position_m, double altitude_m) {
-  if (!position_m.allFinite()) return false;
+  if (!position_m.allFinite() || position_m.cwiseAbs().maxCoeff() > kFarthest_m) return false;
   altitudes_m_[vehicle] = altitude_m;
   Sighting& sighting = sightings_[vehicle];
   if (sighting.seen) travelled_m_[vehicle] += (position_m - sighting.position_m).norm();

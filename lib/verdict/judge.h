@@ -57,7 +57,8 @@ class Judge {
   explicit Judge(const Mission& mission);
 
   /// Takes a vehicle's true position (x East, y North, z down). Ignores numbers that are not finite
-  /// and returns false then. `altitude_m` above the sea floor, negative where nobody knows.
+  /// or no place on Earth, and returns false then. `altitude_m` above the sea floor, negative where
+  /// nobody knows.
   bool TakeNav(size_t vehicle, const Eigen::Vector3d& position_m, double altitude_m = -1);
   void TakeHelm(size_t vehicle, const HelmFacts& helm, int64_t utime);
   /// Takes what a member's acomms counts of one sender.

@@ -4,12 +4,15 @@
 #include <poll.h>
 
 #include <functional>
+#include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "apps/netsim_manager/netsim_manager_app.h"
 #include "lib/bus/memory_bus.h"
+#include "lib/modem/micromodem_packet.h"
 #include "tests/netsim/tcp_client.h"
 
 namespace shoal {
@@ -95,15 +98,32 @@ class Manager {
       return client->received().size() >= num_bytes;
     });
   }
-  void SayInWater(const std::string& text, int64_t travel_us) {
+  /// Lets a packet of alpha arrive, at 1000 bit/s and, if `snr_db` is given, with a fate that
+  /// tells.
+  void SayInWater(const std::vector<uint8_t>& bytes, int64_t travel_us,
+                  std::optional<double> snr_db = std::nullopt) {
     acoustic_rx_t packet{};
     packet.utime = utime_;
     packet.source = "alpha";
-    packet.sent_utime = utime_ - 2'000'000;
-    packet.payload.assign(text.begin(), text.end());
-    packet.num_bytes = static_cast<int32_t>(text.size());
+    packet.number = 7;
+    packet.sent_utime = utime_;
+    packet.payload = bytes;
+    packet.num_bytes = static_cast<int32_t>(bytes.size());
     packet.arrived_utime = packet.sent_utime + travel_us + packet.num_bytes * 8'000;
     Publish(test_bus_, channels::AcousticRx("outsider"), packet);
+    if (!snr_db) return;
+    comms_fates_t fates{};
+    fate_t fate{};
+    fate.source = "alpha";
+    fate.destination = "outsider";
+    acoustic_path_t path{};
+    path.packet = 7;
+    path.snr_db = *snr_db;
+    fate.path = {path};
+    fate.num_paths = 1;
+    fates.fates = {fate};
+    fates.num_fates = 1;
+    Publish(test_bus_, channels::CommsFates(), fates);
   }
 
   NetsimManagerApp& app() { return app_; }
@@ -176,7 +196,8 @@ TEST(NetsimManager, CarriesRawPayloadsThroughTheWaterBothWays) {
   EXPECT_EQ(manager.packets_[0].source, "outsider");
   EXPECT_EQ(std::string(manager.packets_[0].payload.begin(), manager.packets_[0].payload.end()),
             "hello");
-  manager.SayInWater("welcome", 500'000);
+  const std::string welcome = "welcome";
+  manager.SayInWater({welcome.begin(), welcome.end()}, 500'000);
   ASSERT_TRUE(manager.Receive(&modem, 9));
   EXPECT_EQ(modem.received(), std::string("\0\7welcome", 9));
 }
@@ -203,6 +224,46 @@ TEST(NetsimManager, AnswersTheHostOfAMicroModemAndPings) {
   EXPECT_NE(host.received().find("$CACFG,SRC,5"), std::string::npos) << host.received();
   EXPECT_NE(host.received().find("$CAMPC,5,9"), std::string::npos) << host.received();
   EXPECT_EQ(manager.packets_.size(), 1U);
+}
+
+TEST(NetsimManager, TellsTheHostTheTravelTimeAndTheNoiseOfWhatTheWaterBrought) {
+  Manager manager(OutsideMission(NetsimModem::kMicromodem));
+  TcpClient host(manager.app().ModemPortOf("outsider"));
+  host.Send("$CCCFG,SRC,5\r\n$CCMPC,5,9\r\n");
+  ASSERT_TRUE(manager.StepUntil([&] { return !manager.packets_.empty(); }));
+  const MicroModemPacket reply = {
+      .kind = MicroModemKind::kPingReply, .source = 9, .destination = 5};
+  manager.SayInWater(EncodeMicroModemPacket(reply), 750'000, 23.0);
+  EXPECT_TRUE(manager.StepUntil([&] {
+    host.Receive();
+    return host.received().find("$CACST") != std::string::npos;
+  }));
+  EXPECT_NE(host.received().find("$CAMPR,9,5,0.7500"), std::string::npos) << host.received();
+  const std::string statistics = host.received().substr(host.received().find("$CACST"));
+  EXPECT_NE(statistics.find(",23,"), std::string::npos) << statistics;
+}
+
+TEST(NetsimManager, ForgetsTheHalfLineOfAHostThatHasGone) {
+  Manager manager(OutsideMission(NetsimModem::kMicromodem));
+  {
+    TcpClient first(manager.app().ModemPortOf("outsider"));
+    first.Send("$CCCFG,SRC");
+    for (int i = 0; i < 5; ++i) manager.Step();
+  }
+  for (int i = 0; i < 5; ++i) manager.Step();
+  TcpClient second(manager.app().ModemPortOf("outsider"));
+  second.Send("$CCCFQ,SRC\r\n");
+  EXPECT_TRUE(manager.StepUntil([&] {
+    second.Receive();
+    return second.received().find("$CACFG,SRC,") != std::string::npos;
+  })) << second.received();
+}
+
+TEST(NetsimManager, PassesOverTimesThatCannotBe) {
+  Manager manager(OutsideMission(NetsimModem::kRaw));
+  manager.SayInWater({1, 2, 3}, std::numeric_limits<int64_t>::min() / 2);
+  for (int i = 0; i < 5; ++i) manager.Step();
+  EXPECT_FALSE(manager.app().Status().run_warnings.empty());
 }
 
 TEST(NetsimManager, SaysWhichPortItCannotHave) {

@@ -1,0 +1,119 @@
+// What a helm knows of its swarm by the acoustic network.
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "apps/helm/swarm_testing.h"
+
+namespace shoal {
+namespace {
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+/// The same swarm, which knows of each other by the acoustic network.
+Mission AcousticSwarm() {
+  Mission mission = Swarm();
+  for (Vehicle& vehicle : mission.vehicles) {
+    for (Task& task : vehicle.tasks) {
+      std::get<TargetTrackTask>(task.what).swarm = SwarmKnowledge::kAcoustic;
+    }
+  }
+  mission.swarm = {.exists = true,
+                   .leader = "alpha",
+                   .followers = {"bravo", "charlie", "delta"},
+                   .silent_after_s = 20};
+  return mission;
+}
+
+swarm_contact_t ContactOf(const std::string& name, double x_m, double x_mps, int64_t report_utime) {
+  swarm_contact_t contact{};
+  contact.name = name;
+  contact.is_heard = contact.is_known = 1;
+  contact.x_m = x_m;
+  contact.x_mps = x_mps;
+  contact.report_utime = contact.heard_utime = report_utime;
+  return contact;
+}
+
+swarm_t SwarmWith(const std::vector<swarm_contact_t>& contacts) {
+  swarm_t swarm{};
+  swarm.contacts = contacts;
+  swarm.num_contacts = static_cast<int32_t>(contacts.size());
+  return swarm;
+}
+
+nav_t OwnAt(int64_t utime) {
+  nav_t own = At(0, 0);
+  own.utime = utime;
+  return own;
+}
+
+TEST(AcousticSwarmView, ListensToNobodysNav) {
+  const Mission mission = AcousticSwarm();
+  EXPECT_TRUE(SwarmView(mission, mission.vehicles[1]).names().empty());
+}
+
+TEST(AcousticSwarmView, PredictsEverybodyFromTheTimeOfTheirReports) {
+  const Mission mission = AcousticSwarm();
+  SwarmView view(mission, mission.vehicles[1]);
+  swarm_contact_t leader = ContactOf("alpha", 100, 2, 1'000'000);
+  leader.is_target = leader.has_next = 1;
+  leader.next_x_m = 104;
+  leader.next_x_mps = 2;
+  view.HearSwarm(SwarmWith({leader, ContactOf("charlie", 50, 1, 3'000'000)}));
+  const Surroundings* seen = view.Look(&mission.vehicles[1].tasks[0], OwnAt(4'000'000));
+  ASSERT_TRUE(seen != nullptr && seen->target.has_value());
+  EXPECT_NEAR(seen->target->position_m.x(), 106, 1e-9) << "3 s at 2 m/s, past its waypoint";
+  ASSERT_EQ(seen->group.size(), 1U);
+  EXPECT_NEAR(seen->group[0].position_m.x(), 51, 1e-9);
+}
+
+TEST(AcousticSwarmView, KnowsNobodyWhomItWasNotToldOf) {
+  const Mission mission = AcousticSwarm();
+  SwarmView view(mission, mission.vehicles[1]);
+  view.Hear("alpha", At(1, 2));  // The truth counts for nothing here.
+  swarm_contact_t unknown = ContactOf("charlie", 50, 1, 0);
+  unknown.is_known = 0;
+  view.HearSwarm(SwarmWith({unknown, ContactOf("stranger", 1, 1, 0)}));
+  const Surroundings* seen = view.Look(&mission.vehicles[1].tasks[0], OwnAt(0));
+  EXPECT_FALSE(seen->target.has_value());
+  EXPECT_TRUE(seen->group.empty());
+}
+
+TEST(AcousticSwarmView, CallsATargetSilentThatWasNotHeardForSoLong) {
+  const Mission mission = AcousticSwarm();
+  SwarmView view(mission, mission.vehicles[1]);
+  view.HearSwarm(SwarmWith({ContactOf("alpha", 100, 2, 0)}));
+  const Task* task = &mission.vehicles[1].tasks[0];
+  EXPECT_FALSE(view.Look(task, OwnAt(20'000'000))->target_is_silent);
+  EXPECT_TRUE(view.Look(task, OwnAt(20'000'001))->target_is_silent);
+}
+
+TEST(AcousticSwarmView, CallsATargetSilentAlsoWhereItsLastReportCannotBeUsed) {
+  const Mission mission = AcousticSwarm();
+  SwarmView view(mission, mission.vehicles[1]);
+  swarm_contact_t unusable = ContactOf("alpha", 0, 0, 0);
+  unusable.is_known = 0;
+  view.HearSwarm(SwarmWith({unusable}));
+  const Surroundings* seen = view.Look(&mission.vehicles[1].tasks[0], OwnAt(30'000'000));
+  EXPECT_FALSE(seen->target.has_value());
+  EXPECT_TRUE(seen->target_is_silent);
+}
+
+TEST(AcousticSwarmView, PassesOverContactsThatCannotBe) {
+  const Mission mission = AcousticSwarm();
+  SwarmView view(mission, mission.vehicles[1]);
+  view.HearSwarm(SwarmWith({ContactOf("alpha", kNan, 2, 0)}));
+  swarm_contact_t leader = ContactOf("alpha", 0, 0, 0);
+  leader.next_y_mps = kNan;
+  view.HearSwarm(SwarmWith({leader}));
+  EXPECT_FALSE(view.Look(&mission.vehicles[1].tasks[0], OwnAt(0))->target.has_value());
+  view.HearSwarm(SwarmWith({ContactOf("alpha", 5, 0, INT64_MIN)}));
+  const Surroundings* seen = view.Look(&mission.vehicles[1].tasks[0], OwnAt(1'000'000));
+  EXPECT_TRUE(seen->target->position_m.allFinite());
+}
+
+}  // namespace
+}  // namespace shoal

@@ -1,0 +1,154 @@
+// One vehicle of a mission as data, every default filled in: [[vehicle]] and the tables below it.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "lib/guidance/task.h"
+#include "lib/routing/rules.h"
+#include "lib/swarm/recovery.h"
+#include "lib/vehicle/surface_craft.h"
+
+namespace shoal {
+
+/// Where a vehicle begins, and where `reset` takes it back to.
+struct StartPose {
+  double x_m = 0;          ///< East.
+  double y_m = 0;          ///< North.
+  double heading_deg = 0;  ///< Clockwise from North.
+  double speed_mps = 0;
+  double depth_m = 0;  ///< Of underwater vehicles.
+
+  bool operator==(const StartPose&) const = default;
+};
+
+/// Where a part of a vehicle (or the broker) comes from.
+enum class Provider {
+  kShoal,  ///< The launcher starts shoal's own process.
+  kHand,   ///< Somebody starts shoal's process, or one that speaks its step protocol, by hand.
+  kNone,   ///< Nobody: the clock does not wait for it.
+};
+
+/// `[vehicle.autopilot]`: heading PID to rudder, speed to thrust.
+struct AutopilotOptions {
+  double heading_kp = 2;                   ///< Degrees of rudder per degree of error.
+  double heading_ki = 0.02;                ///< Per degree-second.
+  double heading_kd = 0.6;                 ///< Per degree per second.
+  double heading_integral_limit_deg = 20;  ///< Of rudder, from the integral term.
+  double speed_kp = 5;  ///< Per cent of thrust per m/s of error, on top of the thrust map.
+  double speed_ki = 2;
+  double speed_integral_limit_pct = 20;
+
+  bool operator==(const AutopilotOptions&) const = default;
+};
+
+/// `[vehicle.remus100]`: the underwater vehicle and its autopilots.
+struct Remus100Options {
+  std::string parameters = "default";  ///< default, munet or fossen: docs/vehicles.md.
+  double model_step_s = 0.02;          ///< The longest step of integration within a tick.
+  double cruise_depth_m = 0;           ///< Of tasks that know of no depth.
+  double max_depth_m = 100;
+  double seabed_clearance_m = 5;
+  double depth_filter_s = 20;           ///< Time constant of the commanded depth; 0: one step.
+  double max_propeller_rate_rpmps = 0;  ///< 0: the propeller is told at once.
+
+  bool operator==(const Remus100Options&) const = default;
+};
+
+/// `[vehicle.sensors]`: how badly the vehicle measures where it is and how it moves. Standard
+/// deviations of Gaussian noise, drawn anew for every step and each number.
+struct SensorOptions {
+  bool is_fitted = false;       ///< The file has the table: helm and reports go by MEASURED_NAV.
+  double position_noise_m = 0;  ///< Of x and y.
+  double depth_noise_m = 0;
+  double attitude_noise_deg = 0;     ///< Of heading, pitch and roll.
+  double rate_noise_degps = 0;       ///< Of yaw, pitch and roll rate.
+  double speed_noise_mps = 0;        ///< Of each component through the water and over ground.
+  double altitude_noise_m = 0;       ///< Of the altimeter ...
+  double altimeter_range_m = 20000;  ///< ... which sees no farther.
+
+  bool operator==(const SensorOptions&) const = default;
+};
+
+/// `[vehicle.sonar]`: a fan of beams ahead, as SonarParams (lib/sensors) has it.
+struct SonarOptions {
+  bool is_fitted = false;  ///< The file has the table.
+  int azimuth_beams = 11;
+  int elevation_beams = 5;
+  double max_range_m = 135;
+  int range_steps = 27;
+  double tilt_deg = 2.5;
+  double width_deg = 50;
+  double height_deg = 15;
+  double rate_hz = 10;
+  double noise_m = 0;  ///< Standard deviation of ranges.
+
+  bool operator==(const SonarOptions&) const = default;
+};
+
+/// `[vehicle.helm_options]`: the helm's own settings.
+struct HelmOptions {
+  double nav_timeout_s = 2;      ///< All-stop when no NAV came for this long.
+  bool deploy_at_start = false;  ///< DRIVE from the first step; otherwise PARK until `deploy`.
+  double state_interval_s = 1;   ///< HELM_STATE at least this often.
+
+  bool operator==(const HelmOptions&) const = default;
+};
+
+/// `[vehicle.reporter]`, after pNodeReporter.
+struct ReporterOptions {
+  double rate_hz = 2;              ///< Reports per second of mission time.
+  double nav_grace_period_s = 60;  ///< No warning for missing NAV before this.
+  double nohelm_threshold_s = 5;   ///< Mode becomes NOHELM-<s> after this.
+  double blackout_interval_s = 0;  ///< At least this between reports; 0: off.
+  double blackout_variance_s = 0;  ///< Uniformly random addition in +- this.
+  bool extrapolate = false;        ///< Skip a report that dead reckoning foretells.
+  double extrap_position_thresh_m = 0.25;
+  double extrap_heading_thresh_deg = 1;
+  double extrap_max_gap_s = 5;               ///< But never stay silent longer than this.
+  std::map<std::string, std::string> extra;  ///< The user's own fields, sent with every report.
+
+  bool operator==(const ReporterOptions&) const = default;
+};
+
+/// `[vehicle.messages]`: how the vehicle's own messages are repeated until they are acknowledged.
+struct MessageOptions {
+  double ack_timeout_s = 30;  ///< So long an ack is waited for before each repeat.
+  int64_t max_repeats = 3;    ///< Then it is given up.
+
+  bool operator==(const MessageOptions&) const = default;
+};
+
+struct Vehicle {
+  std::string name;
+  std::string type = "kayak";
+  std::string model = "surface_craft";  ///< Or "remus100".
+  std::string group;
+  std::string color = "yellow";
+  double length_m = 3;
+  StartPose start;
+  SurfaceCraftParams surface_craft;
+  Remus100Options remus100;
+  SensorOptions sensors;
+  SonarOptions sonar;
+  Provider sim = Provider::kShoal;       ///< `vehicle_sim = "shoal" | "hand" | "none"`
+  Provider helm = Provider::kShoal;      ///< `helm = ...`
+  Provider reporter = Provider::kShoal;  ///< `node_reporter = ...`
+  Provider acomms = Provider::kShoal;    ///< `acomms = ...`, of vehicles in the swarm.
+  HelmOptions helm_options;
+  AutopilotOptions autopilot;
+  ReporterOptions reporter_options;
+  MessageOptions message_options;
+  LinkFactors link_factors;      ///< `stealth`, `earange`
+  int acoustic_address = 0;      ///< In the acoustic network; always > 0 once loaded.
+  bool acoustic_leader = false;  ///< tdma_lf: it leads.
+  RecoveryPlan recovery;         ///< Of messages of the swarm.
+  std::vector<Task> tasks;       ///< Done in this order after `deploy`; then station keeping.
+  ReturnTask return_task;        ///< What `return` does. Default: the start position.
+
+  bool operator==(const Vehicle&) const = default;
+};
+
+}  // namespace shoal
