@@ -86,6 +86,18 @@ TEST(InformationAge, IsNoneWhileAContactIsNotHeard) {
   EXPECT_EQ(ages.Summary().num_reports, 2);
 }
 
+TEST(InformationAge, IsNoneWhileWhatAContactSaidCannotBeUsed) {
+  Ages ages;
+  ages.Add(0, 0);
+  ages.Add(2, 0);
+  swarm_contact_t unusable = ContactAt("alpha", 0);
+  unusable.is_known = 0;
+  ages.ages.Add(SwarmAt(50 * kSecond_us, "bravo", {unusable}));
+  ages.Add(60, 60);
+  ages.Add(62, 60);
+  EXPECT_DOUBLE_EQ(ages.Summary().max_s, 2);
+}
+
 TEST(InformationAge, SurvivesTimesThatCannotBe) {
   Ages ages;
   ages.Add(10, 12);
