@@ -46,7 +46,7 @@ TEST_F(GpsOutputTest, AppendsToAFile) {
 
 TEST_F(GpsOutputTest, WritesToAPseudoTerminalAsItIs) {
   const FileDescriptor master(posix_openpt(O_RDWR | O_NOCTTY | O_NONBLOCK));
-  ASSERT_TRUE(master.is_open());
+  if (!master.is_open()) GTEST_SKIP() << "this machine has no pseudo-terminals (/dev/pts)";
   ASSERT_EQ(grantpt(master.get()), 0);
   ASSERT_EQ(unlockpt(master.get()), 0);
   const auto output = Open({.path = ptsname(master.get())});
