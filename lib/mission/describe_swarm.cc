@@ -41,7 +41,8 @@ void DescribeFollowers(Fields& fields, Mission& mission) {
   SwarmOptions& swarm = mission.swarm;
   const bool is_named = fields.Has("followers", true);
   if (is_named) fields.Texts("followers", swarm.followers, static_cast<size_t>(kMostFollowers));
-  if (!fields.reading() || swarm.leader.empty()) return;
+  if (!fields.reading()) return;
+  if (mission.FindVehicle(swarm.leader) == nullptr) return;  // That was told already.
   if (!is_named) swarm.followers = AcousticFollowers(mission);
   std::set<std::string> seen;
   for (std::string& follower : swarm.followers) {

@@ -68,6 +68,12 @@ TEST(LoadSwarm, TellsOfASwarmWithoutALeaderOnce) {
             "18:1: swarm lacks 'leader'; for example: leader = \"alpha\"\n");
 }
 
+TEST(LoadSwarm, TellsOfAnUnknownLeaderWithoutWhatFollowsFromIt) {
+  EXPECT_EQ(ErrorsOf("[mission]\nduration_s = 60\n[acoustics]\n[[vehicle]]\nname = \"alpha\"\n"
+                     "[swarm]\nleader = \"alpa\"\n"),
+            "7:10: unknown vehicle 'alpa' (did you mean 'alpha'?)\n");
+}
+
 TEST(LoadSwarm, TellsOfTasksWithoutOne) {
   EXPECT_EQ(ErrorsWith(""),
             "12:9: swarm = \"acoustic\" needs a swarm that talks: write [swarm] and leader = "
