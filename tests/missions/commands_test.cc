@@ -27,9 +27,8 @@ TEST(Send, ReachesAVehicleAndShowsWhatItDoes) {
   EXPECT_NE(sent.output.find("alpha: DRIVE goto"), std::string::npos) << sent.output;
   const Finished rule = RunShoal(folder, {"send", "comms_range", "nolimit"});
   EXPECT_EQ(rule.exit_code, 0) << rule.output;
-  SleepSeconds(0.3);
-  const Finished page = RunShoal(folder, {"status", "shore_broker"});
-  EXPECT_NE(page.output.find("Comms Range: nolimit"), std::string::npos) << page.output;
+  const std::string page = AwaitStatus(folder, "shore_broker", {"Comms Range: nolimit"});
+  EXPECT_NE(page.find("Comms Range: nolimit"), std::string::npos) << page;
 
   const Finished refused = RunShoal(folder, {"send", "alpha", "speed", "-1"});
   EXPECT_EQ(refused.exit_code, 2) << refused.output;
@@ -50,17 +49,15 @@ TEST(Send, ChangesRulesAndSendsMessages) {
   const Finished rule = RunShoal(folder, {"send", "stealth", "alpha", "0.5"});
   EXPECT_EQ(rule.exit_code, 0) << rule.output;
   EXPECT_NE(rule.output.find("sent UNC_STEALTH of alpha = 0.5"), std::string::npos) << rule.output;
-  SleepSeconds(1);  // The broker must know both.
+  AwaitStatus(folder, "shore_broker", {"Known Vehicles: 2"});
   const Finished message = RunShoal(
       folder, {"send", "alpha", "message", "bravo", "MAX_SPEED", "-2.5", "--double", "--ack"});
   EXPECT_EQ(message.exit_code, 0) << message.output;
-  SleepSeconds(1);
-  const Finished broker = RunShoal(folder, {"status", "shore_broker"});
-  EXPECT_NE(broker.output.find("ALPHA: stealth 0.5, earange 1"), std::string::npos)
-      << broker.output;
-  const Finished reporter = RunShoal(folder, {"status", "node_reporter_alpha"});
-  EXPECT_NE(reporter.output.find("(MAX_SPEED) is acknowledged"), std::string::npos)
-      << reporter.output;
+  const std::string broker = AwaitStatus(folder, "shore_broker", {"ALPHA: stealth 0.5, earange 1"});
+  EXPECT_NE(broker.find("ALPHA: stealth 0.5, earange 1"), std::string::npos) << broker;
+  const std::string reporter =
+      AwaitStatus(folder, "node_reporter_alpha", {"(MAX_SPEED) is acknowledged"});
+  EXPECT_NE(reporter.find("(MAX_SPEED) is acknowledged"), std::string::npos) << reporter;
 
   const Finished impossible = RunShoal(folder, {"send", "stealth", "alpha", "1.5"});
   EXPECT_EQ(impossible.exit_code, 2) << impossible.output;

@@ -9,6 +9,7 @@
 #include <time.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cstdlib>
 #include <fstream>
@@ -124,6 +125,18 @@ std::map<std::string, pid_t> RunningProcess::Participants() const {
 Finished RunShoal(const TestFolder& folder, std::vector<std::string> arguments, double patience_s) {
   arguments.insert(arguments.begin(), Program("shoal"));
   return RunningProcess(folder, std::move(arguments)).Wait(patience_s);
+}
+
+std::string AwaitStatus(const TestFolder& folder, const std::string& app,
+                        const std::vector<std::string>& texts) {
+  std::string page;
+  const auto holds = [&](const std::string& text) { return page.find(text) != std::string::npos; };
+  for (const double begin = WallSeconds(); WallSeconds() - begin < 20;) {
+    page = RunShoal(folder, {"status", app}).output;
+    if (std::all_of(texts.begin(), texts.end(), holds)) break;
+    SleepSeconds(0.1);
+  }
+  return page;
 }
 
 std::string Program(const std::string& name) {

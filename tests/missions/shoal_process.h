@@ -64,6 +64,11 @@ class RunningProcess {
 Finished RunShoal(const TestFolder& folder, std::vector<std::string> arguments,
                   double patience_s = 100);
 
+/// Asks `app` for its status page until that holds all of `texts`, for 20 s at most; returns the
+/// last page. A test that expects something of a running mission waits for it in this way.
+std::string AwaitStatus(const TestFolder& folder, const std::string& app,
+                        const std::vector<std::string>& texts);
+
 /// Returns the path of an executable of this build.
 std::string Program(const std::string& name);
 /// Returns the path of a file in missions/.

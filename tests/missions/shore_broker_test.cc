@@ -49,12 +49,11 @@ TEST(KilledBroker, ComesBackWithItsControlsAfterOneReportOfEachVehicleAndItsStar
   ASSERT_EQ(RunShoal(folder, {"send", "stealth", "alpha", "0.5"}).exit_code, 0);
   SleepSeconds(0.5);
   kill(mission.Participants().at("shore_broker"), SIGKILL);
-  ASSERT_TRUE(mission.WaitFor("shore_broker starts again", 5)) << mission.Output();
-  SleepSeconds(1);
-  const Finished page = RunShoal(folder, {"status", "shore_broker"});
-  EXPECT_NE(page.output.find("Comms Range: 90\n"), std::string::npos) << page.output;
-  EXPECT_NE(page.output.find("ALPHA: stealth 0.5"), std::string::npos) << page.output;
-  EXPECT_NE(page.output.find("Known Vehicles: 2"), std::string::npos) << page.output;
+  ASSERT_TRUE(mission.WaitFor("shore_broker starts again", 20)) << mission.Output();
+  const std::vector<std::string> texts = {"Comms Range: 90\n", "ALPHA: stealth 0.5",
+                                          "Known Vehicles: 2"};
+  const std::string page = AwaitStatus(folder, "shore_broker", texts);
+  for (const std::string& text : texts) EXPECT_NE(page.find(text), std::string::npos) << page;
   mission.Signal(SIGINT);
   mission.Wait(10);
 

@@ -56,13 +56,7 @@ TEST(Swarm, ObeysAnOrderThatOneVehicleSendsToOthers) {
                          {Program("shoal"), "run", MissionFile("swarm_fdma.toml"), "--warp", "20"});
   ASSERT_TRUE(mission.WaitFor("x real time")) << mission.Output();
   // Who has not reported yet cannot be reached.
-  for (int i = 0; i < 100; ++i) {
-    if (RunShoal(folder, {"status", "shore_broker"}).output.find("Known Vehicles: 5") !=
-        std::string::npos) {
-      break;
-    }
-    SleepSeconds(0.1);
-  }
+  AwaitStatus(folder, "shore_broker", {"Known Vehicles: 5"});
   const Finished sent = RunShoal(folder, {"message", "--from", "alpha", "--to", "bravo:charlie",
                                           "HELM_COMMAND", "station_keep"});
   EXPECT_EQ(sent.exit_code, 0) << sent.output;
