@@ -53,6 +53,9 @@ ClockOptions MakeClockOptions(const RunOptions& options, const Mission& mission,
                               int64_t mission_id) {
   return {.mission_id = mission_id,
           .warp = options.warp,
+          .fixed_pace = mission.netsim && !mission.netsim->allow_warp
+                            ? "a mission with [netsim] keeps to the wall's clock"
+                            : "",
           .tick_us = mission.tick_us,
           .start_utime = mission.start_utime,
           .last_step = mission.LastStep(),
@@ -199,9 +202,9 @@ void Launcher::ShowProgress(int64_t wall_us) {
   const double mission_s = static_cast<double>(clock_.utime() - mission_.start_utime) / 1e6;
   const double wall_s = std::max(static_cast<double>(wall_us - running_since_us_) / 1e6, 1e-3);
   const std::string line = fmt::format(
-      "{:8.1f} of {:.1f} s  {:6.1f} x real time  {} vehicles  {} reports delivered, {} blocked",
-      mission_s, mission_.duration_s, mission_s / wall_s, mission_.vehicles.size(),
-      director_.num_delivered(), director_.num_blocked());
+      "{:8.1f} of {:.1f} s  {:6.1f} x real time{}  {} vehicles  {} reports delivered, {} blocked",
+      mission_s, mission_.duration_s, mission_s / wall_s, clock_.paused() ? ", paused" : "",
+      mission_.vehicles.size(), director_.num_delivered(), director_.num_blocked());
   Print((on_terminal ? "\r\033[K" : "") + line + (on_terminal ? "" : "\n"));
   progress_shown_ = on_terminal;
 }

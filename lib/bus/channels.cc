@@ -65,7 +65,9 @@ Channel<appcast_t> Appcast() { return {"APPCAST"}; }
 Channel<tick_t> Tick() { return {"TICK"}; }
 Channel<resend_t> Resend() { return {"RESEND"}; }
 Channel<appcast_req_t> AppcastReq() { return {"APPCAST_REQ"}; }
+Channel<clock_state_t> ClockState() { return {"CLOCK_STATE"}; }
 Channel<step_done_t> StepDone() { return {"STEP_DONE"}; }
+Channel<clock_command_t> ClockCommand() { return {"CLOCK_COMMAND"}; }
 
 }  // namespace channels
 
@@ -75,15 +77,15 @@ std::vector<ChannelRow> MakeTable() {
   using enum ChannelHome;
   std::vector<ChannelRow> table = {
       {"NAV", kVehicle, "nav_t", "vehicle_sim",
-       "helm, node_reporter, acomms, vehicle_sim of others, shoal", "every step", true},
+       "helm, node_reporter, acomms, vehicle_sim of others, shoal, viewer", "every step", true},
       {"MEASURED_NAV", kVehicle, "nav_t", "vehicle_sim", "helm, node_reporter, acomms",
        "every step, with [vehicle.sensors]", true},
       {"SONAR", kVehicle, "sonar_t", "vehicle_sim", "helm", "[vehicle.sonar] rate_hz", true},
       {"WATER_SAMPLE", kVehicle, "water_sample_t", "vehicle_sim", "your programs",
        "every step, with [environment.plume]", true},
       {"ACTUATORS", kVehicle, "actuators_t", "helm", "vehicle_sim", "every step", true},
-      {"DESIRED", kVehicle, "desired_t", "helm", "(people)", "every step", true},
-      {"HELM_STATE", kVehicle, "helm_state_t", "helm", "node_reporter, acomms, shoal",
+      {"DESIRED", kVehicle, "desired_t", "helm", "viewer, (people)", "every step", true},
+      {"HELM_STATE", kVehicle, "helm_state_t", "helm", "node_reporter, acomms, shoal, viewer",
        "on change, at least 1 Hz", true},
       {"HELM_COMMAND", kVehicle, "helm_command_t", "shoal (events), shoal send, shore_broker",
        "helm", "when needed", true},
@@ -97,7 +99,7 @@ std::vector<ChannelRow> MakeTable() {
        "one per ack that got through", true},
       {"ACOUSTIC_RX", kVehicle, "acoustic_rx_t", "shore_broker",
        "acomms, netsim_manager, your programs", "one per packet that arrived", true},
-      {"SWARM", kVehicle, "swarm_t", "acomms", "helm, shoal",
+      {"SWARM", kVehicle, "swarm_t", "acomms", "helm, shoal, viewer",
        "when a message arrives, at least 1 Hz", true},
       {"MEDIATED_MESSAGE", kVehicle, "node_message_t", "shoal (events), shoal send, your programs",
        "node_reporter", "when needed", true},
@@ -115,15 +117,15 @@ std::vector<ChannelRow> MakeTable() {
        "shore_broker", "one per message heard that asks for it", true},
       {"ACOUSTIC_TX", kShore, "acoustic_tx_t", "acomms, netsim_manager, your programs",
        "shore_broker", "when needed", true},
-      {"COMMS_FATES", kShore, "comms_fates_t", "shore_broker", "netsim_manager, shoal",
+      {"COMMS_FATES", kShore, "comms_fates_t", "shore_broker", "netsim_manager, shoal, viewer",
        "steps with decisions", true},
-      {"COMMS_RULES", kShore, "comms_rules_t", "shore_broker", "(shoal rebroker)",
+      {"COMMS_RULES", kShore, "comms_rules_t", "shore_broker", "viewer, (shoal rebroker)",
        "at its start and when a rule changes", true},
-      {"VIEW_COMMS_PULSE", kShore, "comms_pulses_t", "shore_broker", "(viewers)",
+      {"VIEW_COMMS_PULSE", kShore, "comms_pulses_t", "shore_broker", "viewer",
        "steps with deliveries", true},
       {"MODEM_STATS", kShore, "modem_stats_t", "netsim_manager", "(people)",
        "when a client tells it", true},
-      {"NODE_REPORT_UNC", kShore, "node_report_t", "shore_broker", "(viewers)",
+      {"NODE_REPORT_UNC", kShore, "node_report_t", "shore_broker", "(people)",
        "shared_node_reports", false},
   };
   for (const ControlRow& row : ControlTable()) {
@@ -134,13 +136,17 @@ std::vector<ChannelRow> MakeTable() {
       {"UNC_CONTROLS_REQ", kShore, "unc_controls_req_t", "shore_broker", "shoal",
        "when it starts in the midst of a mission", true},
       {"UNC_CONTROLS", kShore, "unc_controls_t", "shoal", "shore_broker", "when asked", true},
-      {"APPCAST", kShore, "appcast_t", "every app", "shoal status", "when asked", false},
+      {"APPCAST", kShore, "appcast_t", "every app", "shoal status, viewer", "when asked", false},
       {"TICK", kTickPort, "tick_t", "shoal", "every participant", "every step", false},
       {"RESEND", kTickPort, "resend_t", "participants", "participants", "when a message is missing",
        false},
-      {"APPCAST_REQ", kTickPort, "appcast_req_t", "shoal status", "every app", "when needed",
-       false},
+      {"APPCAST_REQ", kTickPort, "appcast_req_t", "shoal status, viewer", "every app",
+       "when needed", false},
+      {"CLOCK_STATE", kTickPort, "clock_state_t", "shoal", "shoal send, viewer",
+       "on change, and 2 Hz of wall time", false},
       {"STEP_DONE", kDonePort, "step_done_t", "every participant", "shoal", "every step", false},
+      {"CLOCK_COMMAND", kDonePort, "clock_command_t", "shoal send, viewer", "shoal", "when needed",
+       false},
   };
   table.insert(table.end(), rest.begin(), rest.end());
   return table;

@@ -18,6 +18,8 @@
 #include "shoal/actuators_t.hpp"
 #include "shoal/appcast_req_t.hpp"
 #include "shoal/appcast_t.hpp"
+#include "shoal/clock_command_t.hpp"
+#include "shoal/clock_state_t.hpp"
 #include "shoal/comms_fates_t.hpp"
 #include "shoal/comms_pulses_t.hpp"
 #include "shoal/comms_rules_t.hpp"
@@ -85,7 +87,9 @@ Channel<appcast_t> Appcast();
 Channel<tick_t> Tick();
 Channel<resend_t> Resend();
 Channel<appcast_req_t> AppcastReq();
+Channel<clock_state_t> ClockState();
 Channel<step_done_t> StepDone();
+Channel<clock_command_t> ClockCommand();
 
 }  // namespace channels
 

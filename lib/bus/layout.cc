@@ -15,10 +15,13 @@ namespace {
 constexpr int kStepPorts = 2;
 constexpr int kWantedReceiveBuffer = 4 * 1024 * 1024;
 
-bool IsShoreChannel(std::string_view channel) {
-  return std::any_of(ChannelTable().begin(), ChannelTable().end(), [&](const ChannelRow& row) {
-    return row.home == ChannelHome::kShore && row.topic == channel;
-  });
+/// Of channels without a vehicle's name; all others are taken to have one.
+ChannelHome HomeOf(std::string_view channel) {
+  const auto row =
+      std::find_if(ChannelTable().begin(), ChannelTable().end(), [&](const ChannelRow& each) {
+        return each.home != ChannelHome::kVehicle && each.topic == channel;
+      });
+  return row == ChannelTable().end() ? ChannelHome::kVehicle : row->home;
 }
 
 }  // namespace
@@ -38,9 +41,17 @@ PortPlan::PortPlan(int base, Layout layout, const std::vector<std::string>& vehi
 }
 
 int PortPlan::PortOf(std::string_view channel) const {
-  if (channel == "TICK" || channel == "RESEND" || channel == "APPCAST_REQ") return tick_port();
-  if (channel == "STEP_DONE") return done_port();
-  if (layout_ == Layout::kShared || IsShoreChannel(channel)) return shore_port();
+  switch (HomeOf(channel)) {
+    case ChannelHome::kTickPort:
+      return tick_port();
+    case ChannelHome::kDonePort:
+      return done_port();
+    case ChannelHome::kShore:
+      return shore_port();
+    case ChannelHome::kVehicle:
+      break;
+  }
+  if (layout_ == Layout::kShared) return shore_port();
   // Vehicle names may hold '_': the longest name that ends the channel's wins.
   for (size_t i = channel.find('_'); i != std::string_view::npos; i = channel.find('_', i + 1)) {
     const auto found = community_ports_.find(channel.substr(i + 1));

@@ -21,6 +21,7 @@ namespace {
 
 constexpr int64_t kLatestStart_us = 9'000'000'000'000'000;  // In the year 2255.
 constexpr size_t kMostArguments = 100;
+constexpr size_t kMostCorners = 1000;
 
 /// tick_s: whole microseconds, since mission time counts in them.
 void DescribeTick(Fields& fields, int64_t& tick_us) {
@@ -71,6 +72,11 @@ void DescribeRun(Fields& fields, Mission& mission) {
     origin.Require("lon_deg", "lon_deg = -70.3304");
     origin.Number("lon_deg", mission.origin_lon_deg, Between(-180, 180));
   });
+  fields.Pairs("op_area", mission.op_area_m, Between(-1e6, 1e6), kMostCorners);
+  if (!mission.op_area_m.empty() && mission.op_area_m.size() < 3) {
+    fields.Refuse("op_area",
+                  "op_area needs three corners or more, like [[0, 0], [400, 0], [400, -300]]");
+  }
   fields.Choice("on_loss", mission.on_loss, kOnLoss);
   fields.Number("participant_timeout_s", mission.participant_timeout_s, Between(0.1, 3600));
   fields.Choice("shore_broker", mission.broker, kProviders);

@@ -57,6 +57,7 @@ struct Mission {
   int64_t start_utime = 0;
   double origin_lat_deg = 43.825300;  ///< MOOS-IvP's example missions start here.
   double origin_lon_deg = -70.330400;
+  std::vector<Eigen::Vector2d> op_area_m;  ///< Corners of the area of operations, for viewers.
   OnLoss on_loss = OnLoss::kEnd;
   double participant_timeout_s = 5;    ///< Of wall time.
   Provider broker = Provider::kShoal;  ///< `shore_broker = ...`

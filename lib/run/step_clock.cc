@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "lib/bus/bus.h"
 #include "lib/bus/channels.h"
 #include "lib/run/status_page.h"
+#include "shoal/clock_state_t.hpp"
 
 namespace shoal {
 
@@ -18,20 +20,38 @@ constexpr int64_t kRepeatAfter_us = 50'000;
 constexpr int64_t kMaxCatchUp_us = 200'000;
 /// OnTime is called every 50 ms at least; a longer pause was the launcher's own.
 constexpr int64_t kOwnStall_us = 1'000'000;
+constexpr int64_t kStateInterval_us = 500'000;
+constexpr double kHighestWarp = 1e6;
 constexpr int64_t kNever = std::numeric_limits<int64_t>::max();
 
 }  // namespace
 
 StepClock::StepClock(ClockOptions options, std::vector<std::string> participants, PortPlan plan,
                      Transport& transport)
-    : options_(options), plan_(std::move(plan)), transport_(transport) {
+    : options_(std::move(options)),
+      plan_(std::move(plan)),
+      transport_(transport),
+      warp_(options_.warp) {
   for (std::string& name : participants) members_[std::move(name)];
   transport_.Listen(plan_.done_port(), channels::StepDone().name);
+  transport_.Listen(plan_.done_port(), channels::ClockCommand().name);
 }
 
 void StepClock::OnDatagram(int port, std::string_view channel, std::span<const uint8_t> datagram,
                            int64_t wall_us) {
-  if (port != plan_.done_port() || channel != channels::StepDone().name) return;
+  if (port != plan_.done_port()) return;
+  if (channel == channels::ClockCommand().name) {
+    clock_command_t command;
+    if (!Decode(datagram, &command)) {
+      ++counters_.undecodable;
+      return;
+    }
+    ++num_commands_;
+    refusal_ = Obey(command, wall_us);
+    SendState(wall_us);
+    return;
+  }
+  if (channel != channels::StepDone().name) return;
   step_done_t done;
   if (!Decode(datagram, &done)) {
     ++counters_.undecodable;
@@ -88,6 +108,60 @@ void StepClock::OnDone(const step_done_t& done, int64_t wall_us) {
   if (AllAnswered()) Advance(wall_us);
 }
 
+/// Does what a command asks for. Returns why not, or an empty text.
+std::string StepClock::Obey(const clock_command_t& command, int64_t wall_us) {
+  if (state_ == State::kEnding || state_ == State::kEnded) return "the mission is ending";
+  const bool is_warp = command.command == "warp";
+  if (!is_warp && command.command != "pause" && command.command != "resume") {
+    return fmt::format("unknown command '{}': pause, resume or warp", Printable(command.command));
+  }
+  if (!options_.fixed_pace.empty()) return options_.fixed_pace;
+  if (is_warp) {
+    // 0 is as fast as possible; so is nothing between it and a step in eleven days.
+    const bool ok =
+        command.warp == 0 || (command.warp >= 1 / kHighestWarp && command.warp <= kHighestWarp);
+    if (!ok) return fmt::format("warp {} is not 0 (max), nor 1e-6 to 1e6", command.warp);
+    warp_ = command.warp;
+  } else {
+    paused_ = command.command == "pause";
+  }
+  // The next step is due now, and those after it in the new rhythm.
+  if (warp_ > 0) {
+    const auto step_us = static_cast<double>(options_.tick_us) / warp_;
+    pace_origin_us_ = wall_us - static_cast<int64_t>(static_cast<double>(step_ + 1) * step_us);
+  }
+  factor_since_us_ = wall_us;
+  factor_since_step_ = step_;
+  return {};
+}
+
+void StepClock::SendState(int64_t wall_us) {
+  next_state_us_ = wall_us + kStateInterval_us;
+  if (wall_us - factor_since_us_ >= 2 * kStateInterval_us) {
+    const auto mission_us = static_cast<double>((step_ - factor_since_step_) * options_.tick_us);
+    factor_ = mission_us / static_cast<double>(wall_us - factor_since_us_);
+    factor_since_us_ = wall_us;
+    factor_since_step_ = step_;
+  }
+  clock_state_t state{};
+  state.utime = utime();
+  state.mission_id = options_.mission_id;
+  state.step = step_;
+  state.state = state_ == State::kGathering ? "gathering"
+                : state_ != State::kRunning ? "ending"
+                : paused_                   ? "paused"
+                                            : "running";
+  state.warp = warp_;
+  state.factor = paused_ ? 0 : factor_;
+  state.num_commands = num_commands_;
+  state.refusal = refusal_;
+  if (state_ == State::kGathering) state.awaited = Awaited();
+  state.num_awaited = static_cast<int32_t>(state.awaited.size());
+  Bytes bytes;
+  EncodeInto(state, &bytes);
+  transport_.Send(plan_.tick_port(), channels::ClockState().name, bytes);
+}
+
 bool StepClock::AllAnswered() const {
   return std::all_of(members_.begin(), members_.end(), [&](const auto& item) {
     return !item.second.present || item.second.answered_step == step_;
@@ -95,9 +169,9 @@ bool StepClock::AllAnswered() const {
 }
 
 int64_t StepClock::DueTime() const {
-  if (options_.warp <= 0) return 0;
+  if (warp_ <= 0) return 0;
   const double mission_us = static_cast<double>((step_ + 1) * options_.tick_us);
-  return pace_origin_us_ + static_cast<int64_t>(mission_us / options_.warp);
+  return pace_origin_us_ + static_cast<int64_t>(mission_us / warp_);
 }
 
 void StepClock::Advance(int64_t wall_us) {
@@ -106,9 +180,10 @@ void StepClock::Advance(int64_t wall_us) {
     UpdateCounters();
     return;
   }
+  if (paused_ && !stop_wanted_) return;
   const bool is_last = step_ == options_.last_step || stop_wanted_;
   if (!is_last && wall_us < DueTime()) return;
-  if (DueTime() < wall_us - kMaxCatchUp_us && options_.warp > 0) {
+  if (DueTime() < wall_us - kMaxCatchUp_us && warp_ > 0) {
     pace_origin_us_ += wall_us - kMaxCatchUp_us - DueTime();
   }
   for (auto& [name, member] : members_) {
@@ -130,7 +205,7 @@ void StepClock::SendTick(int64_t wall_us) {
   tick_.mission_id = options_.mission_id;
   tick_.step = step_;
   tick_.kind = state_ == State::kEnding ? tick_t::END : tick_t::RUN;
-  tick_.warp = options_.warp;
+  tick_.warp = warp_;
   tick_.totals = std::move(next_totals_);
   tick_.num_totals = static_cast<int32_t>(tick_.totals.size());
   next_totals_.clear();
@@ -153,6 +228,7 @@ void StepClock::OnTime(int64_t wall_us) {
   }
   last_time_us_ = wall_us;
   if (state_ == State::kEnded) return;
+  if (wall_us >= next_state_us_) SendState(wall_us);
   if (state_ == State::kGathering) {
     if (stop_wanted_) {
       // Nobody has begun; END tells those who are there to leave.
@@ -162,6 +238,8 @@ void StepClock::OnTime(int64_t wall_us) {
     } else if (Awaited().empty()) {
       state_ = State::kRunning;
       pace_origin_us_ = wall_us;
+      factor_since_us_ = wall_us;
+      factor_since_step_ = step_;
       SendTick(wall_us);
     }
     return;
@@ -203,7 +281,7 @@ int64_t StepClock::NextDeadline() const {
   if (state_ == State::kEnded) return kNever;
   if (state_ == State::kGathering) return 0;
   int64_t next = stop_wanted_ ? stop_deadline_us_ : kNever;
-  if (AllAnswered()) return std::min(next, DueTime());
+  if (AllAnswered()) return paused_ ? next : std::min(next, DueTime());
   for (const auto& [name, member] : members_) {
     if (member.present && member.answered_step != step_) {
       next = std::min(next, member.next_repeat_us);

@@ -5,6 +5,9 @@
 //       |                            |  silence of 50 ms: the tick again
 //       +--------- Stop() -----------+--------------------------> ENDING
 //
+// CLOCK_COMMAND pauses it, lets it go on and changes its warp: when steps are taken, never what
+// comes of them. CLOCK_STATE tells viewers.
+//
 // Time comes in as an argument (wall time, microseconds, from any epoch, never backward). Pure but
 // for the transport.
 #pragma once
@@ -17,6 +20,7 @@
 #include "lib/bus/layout.h"
 #include "lib/bus/transport.h"
 #include "lib/mission/mission.h"
+#include "shoal/clock_command_t.hpp"
 #include "shoal/step_done_t.hpp"
 #include "shoal/tick_t.hpp"
 
@@ -34,7 +38,8 @@ struct RunCounters {
 
 struct ClockOptions {
   int64_t mission_id = 0;
-  double warp = 1;  ///< Mission seconds per wall second; 0: as fast as possible.
+  double warp = 1;  ///< Mission seconds per wall second at first; 0: as fast as possible.
+  std::string fixed_pace = {};  ///< Why pace must stay as it is; empty: it may change.
   int64_t tick_us = 100'000;
   int64_t start_utime = 0;
   int64_t last_step = 0;
@@ -64,6 +69,7 @@ class StepClock {
   void Stop(int64_t wall_us, int64_t patience_us);
 
   State state() const { return state_; }
+  bool paused() const { return paused_; }
   int64_t step() const { return step_; }  ///< The last one ticked; -1 before the first.
   /// Mission time of the last step that was run.
   int64_t utime() const;
@@ -96,6 +102,8 @@ class StepClock {
   };
 
   void OnDone(const step_done_t& done, int64_t wall_us);
+  std::string Obey(const clock_command_t& command, int64_t wall_us);
+  void SendState(int64_t wall_us);
   void SendTick(int64_t wall_us);
   bool AllAnswered() const;
   void Advance(int64_t wall_us);
@@ -112,6 +120,14 @@ class StepClock {
   tick_t tick_{};
   std::vector<step_total_t> next_totals_;  ///< Of the present step, as answers come.
   std::vector<std::string> joining_;       ///< Take part from the next tick on.
+  double warp_;
+  bool paused_ = false;
+  int64_t num_commands_ = 0;
+  std::string refusal_;          ///< Of the last command.
+  int64_t next_state_us_ = 0;    ///< When CLOCK_STATE is due again.
+  int64_t factor_since_us_ = 0;  ///< Where the present factor is measured from ...
+  int64_t factor_since_step_ = 0;
+  double factor_ = 0;
   int64_t pace_origin_us_ = 0;  ///< Wall time at which step 0 was, or would have been, due.
   int64_t stop_deadline_us_ = 0;
   bool stop_wanted_ = false;

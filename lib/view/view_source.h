@@ -1,0 +1,42 @@
+// What the viewer's web server asks for, of a running mission or of a recorded one. Answers are JSON
+// as docs/viewer_protocol.md has it.
+//
+// All functions may be called from any thread.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "lib/check/result.h"
+
+namespace shoal {
+
+/// Which fates are asked for; empty texts: all.
+struct FateQuery {
+  std::string vehicle;  ///< Source or destination, without regard to case.
+  std::string kind;
+  std::string cause;
+  bool only_blocked = false;
+  int64_t after = -1;  ///< Only those with a greater id.
+  int limit = 200;
+};
+
+class ViewSource {
+ public:
+  virtual ~ViewSource() = default;
+
+  /// `commands`: whoever asks may send commands.
+  virtual std::string SetupJson(bool commands) = 0;
+  // `t_s` is mission time since the start; a running mission knows only now.
+  virtual std::string FrameJson(double t_s) = 0;
+  virtual std::string TrailsJson() = 0;
+  virtual std::string LinksJson(double t_s) = 0;
+  virtual std::string FatesJson(const FateQuery& query, double t_s) = 0;
+  virtual std::string EventsJson() = 0;
+  /// An error names the vehicle that the mission does not have.
+  virtual Result<std::string> LinkJson(std::string_view from, std::string_view to, double t_s) = 0;
+  virtual Result<std::string> VehicleJson(std::string_view name, double t_s, double window_s) = 0;
+};
+
+}  // namespace shoal
