@@ -102,7 +102,9 @@ void HelmApp::Obey(const Result<HelmOrder>& order, std::string_view from) {
   const std::string refusal = order.ok() ? states_.Obey(*order) : order.error();
   if (!refusal.empty()) {
     ++num_refused_;
-    log_.Warn(fmt::format("HELM_COMMAND{} refused: {}", sender, refusal));
+    const std::string text = fmt::format("HELM_COMMAND{} refused: {}", sender, refusal);
+    log_.Warn(text);
+    log_.Event(utime_.value_or(0), text);
     return;
   }
   ++num_obeyed_.at(static_cast<size_t>(order->kind));

@@ -27,6 +27,7 @@ struct ChildCommand {
   std::vector<std::string> argv;         ///< argv[0] is a path.
   std::vector<std::string> environment;  ///< "KEY=value", added to our own.
   std::string log_path;                  ///< Standard output and error, appended.
+  bool is_log_private = false;           ///< A new log is for the same user's eyes only.
 };
 
 class ChildProcesses {

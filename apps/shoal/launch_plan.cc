@@ -16,8 +16,25 @@ bool IsProgram(const fs::path& path) {
   return fs::is_regular_file(path) && access(path.c_str(), X_OK) == 0;
 }
 
-/// Looks for a program: with a '/', from the current folder, the mission file's or shoal's own;
-/// without, beside shoal, then on the PATH.
+std::vector<std::string> ArgumentsOf(const RosterEntry& entry, const LaunchContext& context) {
+  std::vector<std::string> arguments = {"--mission", context.mission.file};
+  const auto add = [&](std::string option, std::string value) {
+    arguments.push_back(std::move(option));
+    arguments.push_back(std::move(value));
+  };
+  if (!entry.vehicle.empty()) add("--vehicle", entry.vehicle);
+  for (const std::string& each : context.options.overrides) add("--set", each);
+  add("--port", std::to_string(context.ports.base()));
+  add("--layout", std::string(Name(context.ports.layout())));
+  add("--mission-id", std::to_string(context.mission_id));
+  if (entry.app == "recorder") add("--log", context.log_path);
+  if (context.options.lose > 0) add("--lose", fmt::format("{}", context.options.lose));
+  if (!context.options.lose_forever.empty()) add("--lose-forever", context.options.lose_forever);
+  return arguments;
+}
+
+}  // namespace
+
 Result<std::string> FindProgram(const std::string& program, const std::string& mission_file) {
   std::vector<fs::path> candidates;
   if (program.find('/') != std::string::npos) {
@@ -42,25 +59,6 @@ Result<std::string> FindProgram(const std::string& program, const std::string& m
   }
   return Error{message};
 }
-
-std::vector<std::string> ArgumentsOf(const RosterEntry& entry, const LaunchContext& context) {
-  std::vector<std::string> arguments = {"--mission", context.mission.file};
-  const auto add = [&](std::string option, std::string value) {
-    arguments.push_back(std::move(option));
-    arguments.push_back(std::move(value));
-  };
-  if (!entry.vehicle.empty()) add("--vehicle", entry.vehicle);
-  for (const std::string& each : context.options.overrides) add("--set", each);
-  add("--port", std::to_string(context.ports.base()));
-  add("--layout", std::string(Name(context.ports.layout())));
-  add("--mission-id", std::to_string(context.mission_id));
-  if (entry.app == "recorder") add("--log", context.log_path);
-  if (context.options.lose > 0) add("--lose", fmt::format("{}", context.options.lose));
-  if (!context.options.lose_forever.empty()) add("--lose-forever", context.options.lose_forever);
-  return arguments;
-}
-
-}  // namespace
 
 std::vector<std::string> ParticipantEnvironment(const RosterEntry& entry,
                                                 const LaunchContext& context) {
@@ -94,6 +92,21 @@ Result<ChildCommand> CommandOf(const RosterEntry& entry, const LaunchContext& co
           ? ArgumentsOf(entry, context)
           : std::vector<std::string>(entry.command.begin() + 1, entry.command.end());
   command.argv.insert(command.argv.end(), arguments.begin(), arguments.end());
+  return command;
+}
+
+Result<ChildCommand> ViewerCommand(const LaunchContext& context) {
+  Result<std::string> viewer = FindProgram("shoal-viewer", context.mission.file);
+  if (!viewer.ok()) return Error{viewer.error()};
+  ViewOptions view = *context.options.view;
+  view.port_base = context.ports.base();
+  ChildCommand command{.name = "shoal-viewer",
+                       .argv = ViewerArguments(view),
+                       .environment = {},
+                       .log_path = context.log_dir + "/shoal-viewer.txt",
+                       // It prints the token that lets people command the vehicles.
+                       .is_log_private = true};
+  command.argv.insert(command.argv.begin(), *viewer);
   return command;
 }
 

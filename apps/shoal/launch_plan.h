@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "apps/shoal/child_processes.h"
+#include "apps/shoal/view_command.h"
 #include "lib/bus/layout.h"
 #include "lib/check/result.h"
 #include "lib/mission/mission.h"
@@ -24,7 +25,8 @@ struct RunOptions {
   bool lcm_logger = false;       ///< Stock lcm-logger on each bus, beside the recorder.
   double lose = 0;               ///< Fault injection, handed to every participant.
   std::string lose_forever;
-  bool quiet = false;  ///< No progress line.
+  bool quiet = false;               ///< No progress line.
+  std::optional<ViewOptions> view;  ///< A viewer beside the mission.
 };
 
 /// A mission's place on this machine.
@@ -44,6 +46,14 @@ struct LaunchContext {
 
 /// Returns the commands of lcm-logger, one per bus.
 [[nodiscard]] Result<std::vector<ChildCommand>> LcmLoggerCommands(const LaunchContext& context);
+
+/// Returns the command of the viewer that options.view asks for. @pre options.view
+[[nodiscard]] Result<ChildCommand> ViewerCommand(const LaunchContext& context);
+
+/// Looks for a program: with a '/', from the current folder, the mission file's or shoal's own;
+/// without, beside shoal, then on the PATH. The error names it and the places.
+[[nodiscard]] Result<std::string> FindProgram(const std::string& program,
+                                              const std::string& mission_file);
 
 /// Returns what a user's own participant is told, as "SHOAL_PORT=7665" and so on;
 /// docs/step_protocol.md.

@@ -133,6 +133,8 @@ std::string Launcher::HandCommand(const RosterEntry& entry) const {
 }
 
 bool Launcher::StartAll() {
+  // First, so that it hears what the others say only once.
+  if (options_.view && !StartViewer()) return false;
   for (const RosterEntry& entry : roster_) {
     if (entry.provider == Provider::kHand) continue;
     if (!StartOne(entry)) return false;
@@ -173,6 +175,7 @@ void Launcher::Loop(int signal_fd) {
     CheckGathering(now);
     CheckSilence(now);
     CheckFaults(now);
+    AnnounceViewer(now);
     ShowProgress(now);
     const int64_t deadline = std::min(participant_.NextDeadline(), clock_.NextDeadline());
     now = MonotonicMicroseconds();
@@ -193,6 +196,12 @@ void Launcher::Say(const std::string& line) {
   progress_shown_ = false;
   std::fflush(stdout);
   std::fputs((line + "\n").c_str(), stderr);
+}
+
+/// Prints a line that belongs to the results, not to what went wrong.
+void Launcher::ShowLine(const std::string& line) {
+  Print((progress_shown_ ? "\n" : "") + line + "\n");
+  progress_shown_ = false;
 }
 
 void Launcher::ShowProgress(int64_t wall_us) {
@@ -271,7 +280,8 @@ int RunMission(const RunOptions& options, const Mission& mission) {
       .port_base = *base,
       .layout = layout,
       .pid = getpid(),
-      .vehicles = vehicles};
+      .vehicles = vehicles,
+      .overrides = options.overrides};
   std::string log_dir = fmt::format("{}/{}-logs", RunDirectory(), *base);
   if (!options.record_dir.empty()) {
     if (const auto prepared = PrepareRecording(options, mission); !prepared.ok()) {

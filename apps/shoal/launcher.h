@@ -39,6 +39,8 @@ class Launcher {
   std::string HandCommand(const RosterEntry& entry) const;
   bool StartAll();
   bool StartOne(const RosterEntry& entry);
+  bool StartViewer();
+  void AnnounceViewer(int64_t wall_us);
   void Loop(int signal_fd);
   void OnSignals(int signal_fd);
   void OnChildExits();
@@ -49,6 +51,7 @@ class Launcher {
               const std::vector<std::string>& last_lines);
   void Fail(int exit_code, const std::string& why);
   void Say(const std::string& line);
+  void ShowLine(const std::string& line);
   void ShowProgress(int64_t wall_us);
   void EndChildren();
   int Conclude();
@@ -66,6 +69,8 @@ class Launcher {
   std::set<std::string> lost_;  ///< Named already; not to be named again.
   std::map<std::string, int> num_restarts_;
   std::vector<std::string> loggers_;
+  std::string viewer_log_;  ///< Where the viewer tells its address; empty: it has told.
+  int64_t next_look_for_viewer_us_ = 0;
   bool interrupted_ = false;
   int exit_code_ = 0;             ///< Not 0: something other than the verdict decided.
   int64_t started_us_ = 0;        ///< When the children were started.

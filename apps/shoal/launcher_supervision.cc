@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <fstream>
 
 #include "apps/shoal/launcher.h"
 #include "lib/run/run_app.h"
@@ -18,8 +19,21 @@ constexpr int64_t kSecond_us = 1'000'000;
 constexpr int64_t kPatience_us = 700'000;        ///< For the step under way when the end is wanted.
 constexpr int64_t kExitPatience_us = 1'000'000;  ///< For processes to leave after END.
 constexpr int64_t kStartPatience_us = 20 * kSecond_us;
-constexpr int64_t kWaitingLine_us = 10 * kSecond_us;  ///< While somebody has to start something.
-constexpr int kMaxRestarts = 5;                       ///< Of one participant; more is a crash loop.
+constexpr int64_t kWaitingLine_us = 10 * kSecond_us;     ///< While somebody has to start something.
+constexpr int64_t kViewerPatience_us = 10 * kSecond_us;  ///< For the viewer to tell its address.
+constexpr int64_t kViewerLook_us = 100'000;
+constexpr int kMaxRestarts = 5;  ///< Of one participant; more is a crash loop.
+
+constexpr char kViewer[] = "shoal-viewer";
+
+/// Returns the line that tells the viewer's address, once it is there as a whole.
+std::string AddressIn(const std::string& log_path) {
+  std::ifstream in(log_path);
+  for (std::string line; std::getline(in, line) && !in.eof();) {
+    if (line.starts_with("viewer: http")) return line;
+  }
+  return {};
+}
 
 }  // namespace
 
@@ -42,7 +56,12 @@ void Launcher::OnChildExits() {
   for (const ChildExit& exit : children_.Reap()) {
     const bool is_logger = std::find(loggers_.begin(), loggers_.end(), exit.name) != loggers_.end();
     const bool is_over = clock_.state() == StepClock::State::kEnded;
-    if (killing_ || ((is_logger || is_over) && exit.clean)) {
+    if (exit.name == kViewer) {
+      viewer_log_.clear();
+      if (is_over || killing_) continue;
+      Say(fmt::format("{} {}; the mission goes on", exit.name, exit.how));
+      for (const std::string& line : exit.last_lines) Say("    " + line);
+    } else if (killing_ || ((is_logger || is_over) && exit.clean)) {
       clock_.Drop(exit.name, MonotonicMicroseconds());
     } else if (is_logger) {
       Say(fmt::format("{} {}; the recorder goes on", exit.name, exit.how));
@@ -120,6 +139,35 @@ void Launcher::CheckGathering(int64_t wall_us) {
   }
 }
 
+bool Launcher::StartViewer() {
+  const Result<ChildCommand> command = ViewerCommand(context_);
+  if (!command.ok()) {
+    Fail(kExitEnvironment, command.error());
+    return false;
+  }
+  const Result<pid_t> pid = children_.Start(*command);
+  if (!pid.ok()) {
+    Fail(kExitEnvironment, pid.error());
+    return false;
+  }
+  viewer_log_ = command->log_path;
+  return true;
+}
+
+/// Prints the viewer's address once the viewer has told it.
+void Launcher::AnnounceViewer(int64_t wall_us) {
+  if (viewer_log_.empty() || wall_us < next_look_for_viewer_us_) return;
+  next_look_for_viewer_us_ = wall_us + kViewerLook_us;
+  const std::string address = AddressIn(viewer_log_);
+  if (address.empty() && wall_us - started_us_ < kViewerPatience_us) return;
+  if (address.empty()) {
+    Say(fmt::format("the viewer has not told its address yet; its output: {}", viewer_log_));
+  } else {
+    ShowLine(address);
+  }
+  viewer_log_.clear();
+}
+
 void Launcher::CheckFaults(int64_t wall_us) {
   if (!clock_.fault().empty() && exit_code_ == 0) {
     std::string why = clock_.fault();
@@ -157,6 +205,7 @@ void Launcher::CheckFaults(int64_t wall_us) {
 void Launcher::EndChildren() {
   // lcm-logger ends on SIGINT. Shoal's own have answered END, or hear now that it is over; a user's
   // get the time to leave by themselves.
+  children_.Signal(kViewer, SIGTERM);
   for (const std::string& name : loggers_) children_.Signal(name, SIGINT);
   for (const RosterEntry& entry : roster_) {
     if (!entry.app.empty()) children_.Signal(entry.name, SIGTERM);

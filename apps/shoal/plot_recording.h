@@ -1,4 +1,4 @@
-// Finds the mission that a log is of: apps/shoal/recording.h writes it beside the log.
+// What figures need of the mission that a log is of.
 #pragma once
 
 #include <optional>

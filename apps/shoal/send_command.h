@@ -4,16 +4,21 @@
 #include <string>
 #include <vector>
 
+#include "lib/bus/lcm_bus.h"
+
 namespace shoal {
 
 struct SendOptions {
   int port_base = 0;               ///< 0: the one mission that runs.
-  std::string target;              ///< A vehicle, "all", or a rule such as comms_range.
+  std::string target;              ///< A vehicle, "all", "clock", or a rule such as comms_range.
   std::vector<std::string> words;  ///< Command and arguments, or the rule's vehicle and value.
 };
 
-/// Returns the exit code: kExitUsage also where a helm refused. Prints what was sent, and what came
-/// of it where that can be seen.
+/// Returns the exit code: kExitUsage also where a helm or the clock refused. Prints what was sent,
+/// and what came of it where that can be seen.
 int RunSend(const SendOptions& options);
+
+/// Prints why nothing can have left, where that is so. Returns true where the bus works.
+bool BusWorks(const LcmBus& bus);
 
 }  // namespace shoal

@@ -15,10 +15,11 @@
 #include "apps/shoal/launcher.h"
 #include "apps/shoal/log_options.h"
 #include "apps/shoal/send_command.h"
-#include "apps/shoal/send_words.h"
 #include "apps/shoal/sim_command.h"
 #include "apps/shoal/status_command.h"
+#include "apps/shoal/view_command.h"
 #include "lib/mission/load.h"
+#include "lib/orders/order_words.h"
 #include "lib/record/log_commands.h"
 #include "lib/run/version.h"
 
@@ -44,12 +45,48 @@ CLI::Option* AddPort(CLI::App* command, int* port_base) {
       ->check(CLI::Range(1024, 65535));
 }
 
+constexpr char kAllowCommands[] =
+    "People at the page who have its token may command vehicles, broker and clock";
+
+/// Where the viewer listens. `needed`: an option without which these have no sense, or nullptr.
+void AddAddress(CLI::App* command, const std::string& http, const std::string& listen,
+                ViewOptions* view, CLI::Option* needed) {
+  constexpr int kLastPort = 65535;
+  CLI::Option* port =
+      command->add_option(http, view->http_port,
+                          "TCP port of the page; 0: any; default: the first free one from 8765 on");
+  port->check(CLI::Range(0, kLastPort));
+  CLI::Option* address = command->add_option(
+      listen, view->listen, "Address to listen at; default: 127.0.0.1, this machine only");
+  if (needed == nullptr) return;
+  port->needs(needed);
+  address->needs(needed);
+}
+
+void AddView(CLI::App& cli, Action* action) {
+  CLI::App* command =
+      cli.add_subcommand("view", "Show a recorded mission, or the one that runs, in a browser");
+  auto options = std::make_shared<ViewOptions>();
+  CLI::Option* log = command->add_option(
+      "LOG", options->log, "A log, or the folder of a recording; default: the mission that runs");
+  command
+      ->add_option("--mission", options->mission_file,
+                   "The log's mission file; default: the one beside it")
+      ->needs(log);
+  AddPort(command, &options->port_base)->excludes(log);
+  command->add_flag("--allow-commands", options->allow_commands, kAllowCommands)->excludes(log);
+  AddAddress(command, "--http", "--listen", options.get(), nullptr);
+  command->callback([options, action] { *action = [options] { return RunView(*options); }; });
+}
+
 void AddRun(CLI::App& cli, Action* action) {
   CLI::App* command = cli.add_subcommand("run", "Run a mission: one process per participant");
   struct Parsed {
     RunOptions options;
     std::string warp = "1";
     std::string layout;
+    bool view = false;
+    ViewOptions view_options;
   };
   auto parsed = std::make_shared<Parsed>();
   RunOptions& options = parsed->options;
@@ -59,10 +96,8 @@ void AddRun(CLI::App& cli, Action* action) {
                    "Mission seconds per wall second, or max: as fast as the machine can")
       ->take_last()
       ->check([](const std::string& text) -> std::string {
-        char* end = nullptr;
-        const double warp = std::strtod(text.c_str(), &end);
-        const bool ok = text == "max" || (!text.empty() && *end == '\0' && warp > 0 && warp <= 1e6);
-        return ok ? "" : fmt::format("'{}' is neither a number in (0, 1e6] nor max", text);
+        if (ParseWarp(text)) return "";
+        return fmt::format("'{}' is neither a number from 1e-6 to 1e6 nor max", text);
       });
   command->add_option("--record", options.record_dir,
                       "Record into this folder: mission.lcm, the mission file, logs, summary");
@@ -74,6 +109,11 @@ void AddRun(CLI::App& cli, Action* action) {
       ->check(CLI::IsMember({"shared", "communities"}));
   AddPort(command, &options.port_base)->description("First port of the block to use");
   command->add_flag("--quiet", options.quiet, "No line of progress");
+  ViewOptions& view = parsed->view_options;
+  CLI::Option* wants_view = command->add_flag(
+      "--view", parsed->view, "Run shoal-viewer beside it: the mission in a browser");
+  command->add_flag("--allow-commands", view.allow_commands, kAllowCommands)->needs(wants_view);
+  AddAddress(command, "--view-http", "--view-listen", &view, wants_view);
   command
       ->add_option("--lose", options.lose,
                    "Fault injection: every participant loses this share of its datagrams")
@@ -83,7 +123,8 @@ void AddRun(CLI::App& cli, Action* action) {
   command->callback([parsed, action] {
     *action = [parsed] {
       RunOptions& run = parsed->options;
-      run.warp = parsed->warp == "max" ? 0 : std::stod(parsed->warp);
+      run.warp = *ParseWarp(parsed->warp);
+      if (parsed->view) run.view = parsed->view_options;
       if (!parsed->layout.empty()) {
         run.layout = parsed->layout == "shared" ? Layout::kShared : Layout::kCommunities;
       }
@@ -124,11 +165,12 @@ void AddCheck(CLI::App& cli, Action* action) {
 }
 
 void AddSend(CLI::App& cli, Action* action) {
-  CLI::App* command = cli.add_subcommand("send", "Tell a vehicle, or the broker, what to do");
+  CLI::App* command =
+      cli.add_subcommand("send", "Tell a vehicle, the broker or the clock what to do");
   auto options = std::make_shared<SendOptions>();
   AddPort(command, &options->port_base);
   command->footer(SendCommandsText());
-  command->add_option("TARGET", options->target, "A vehicle, all, or a rule")->required();
+  command->add_option("TARGET", options->target, "A vehicle, all, clock, or a rule")->required();
   command->add_option("WORDS", options->words, "What to do, and with what");
   // Negative numbers are values here, not options.
   command->prefix_command();
@@ -213,6 +255,7 @@ int RunShoalCommand(int argc, char** argv) {
   AddMessage(cli, &action);
   AddSend(cli, &action);
   AddStatus(cli, &action);
+  AddView(cli, &action);
   AddLogCommands(cli, &action);
   cli.add_subcommand("doctor", "Say what keeps missions from running on this machine")
       ->callback([&action] { action = [] { return RunDoctor(); }; });

@@ -2,11 +2,18 @@
 
 #include <fmt/format.h>
 
+#include <string>
+
 #include "lib/routing/vehicle_name.h"
 
 namespace shoal {
 
 namespace {
+
+void Refuse(const std::string& text, int64_t utime, StatusLog* log) {
+  log->Warn(text);
+  log->Event(utime, text);
+}
 
 bool RequestFullReports(const ControlRow& row, const unc_control_t& control, int64_t utime,
                         Router* router, StatusLog* log) {
@@ -14,8 +21,9 @@ bool RequestFullReports(const ControlRow& row, const unc_control_t& control, int
     log->Event(utime, fmt::format("{}: {} receives the next report of each other vehicle",
                                   row.channel, control.vehicle));
   } else {
-    log->Warn(fmt::format("{} refused: no vehicle '{}' is known", row.channel,
-                          Printable(control.vehicle)));
+    Refuse(fmt::format("{} refused: no vehicle '{}' is known", row.channel,
+                       Printable(control.vehicle)),
+           utime, log);
   }
   return false;
 }
@@ -23,20 +31,22 @@ bool RequestFullReports(const ControlRow& row, const unc_control_t& control, int
 bool ApplyFactor(const ControlRow& row, const unc_control_t& control, int64_t utime, Router* router,
                  StatusLog* log) {
   if (!IsLegalVehicleName(control.vehicle)) {
-    log->Warn(fmt::format("{} refused: it is for one vehicle, and '{}' is no vehicle's name",
-                          row.channel, Printable(control.vehicle)));
+    Refuse(fmt::format("{} refused: it is for one vehicle, and '{}' is no vehicle's name",
+                       row.channel, Printable(control.vehicle)),
+           utime, log);
     return false;
   }
   std::optional<LinkFactors> factors = router->FindFactors(control.vehicle);
   if (!factors) {
-    log->Warn(
-        fmt::format("{} refused: too many vehicles that are not of the mission", row.channel));
+    Refuse(fmt::format("{} refused: too many vehicles that are not of the mission", row.channel),
+           utime, log);
     return false;
   }
   const double old = GetFactor(row, *factors);
   if (!IsPossible(row, control.value)) {
-    log->Warn(fmt::format("{} refused: {} for {} is impossible (allowed: {}); {} stays",
-                          row.channel, control.value, control.vehicle, row.values, old));
+    Refuse(fmt::format("{} refused: {} for {} is impossible (allowed: {}); {} stays", row.channel,
+                       control.value, control.vehicle, row.values, old),
+           utime, log);
     return false;
   }
   SetFactor(row, control.value, &*factors);
@@ -51,13 +61,15 @@ bool ApplyRule(const ControlRow& row, const unc_control_t& control, int64_t utim
   RoutingRules rules = router->rules();
   const double old = GetRule(row, rules);
   if (!control.vehicle.empty()) {
-    log->Warn(fmt::format("{} refused: it holds for all, not for one vehicle; {} stays",
-                          row.channel, ControlWord(row, old)));
+    Refuse(fmt::format("{} refused: it holds for all, not for one vehicle; {} stays", row.channel,
+                       ControlWord(row, old)),
+           utime, log);
     return false;
   }
   if (!IsPossible(row, control.value)) {
-    log->Warn(fmt::format("{} refused: {} is impossible (allowed: {}); {} stays", row.channel,
-                          control.value, row.values, ControlWord(row, old)));
+    Refuse(fmt::format("{} refused: {} is impossible (allowed: {}); {} stays", row.channel,
+                       control.value, row.values, ControlWord(row, old)),
+           utime, log);
     return false;
   }
   SetRule(row, control.value, &rules);

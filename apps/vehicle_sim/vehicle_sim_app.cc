@@ -119,8 +119,11 @@ void VehicleSimApp::OnSimCommand(const sim_command_t& command) {
     drift_mps_ = {values[0], values[1]};
   } else {
     ++num_refused_;
-    log_.Warn(fmt::format("SIM_COMMAND refused: '{}' with {} values; see sim_command_t",
-                          Printable(command.command), values.size()));
+    const std::string text =
+        fmt::format("SIM_COMMAND refused: '{}' with {} values; see sim_command_t",
+                    Printable(command.command), values.size());
+    log_.Warn(text);
+    log_.Event(utime, text);
     return;
   }
   log_.Event(utime, fmt::format("{} {}", command.command, fmt::join(values, " ")));

@@ -11,10 +11,6 @@
 
 namespace shoal {
 
-namespace {
-constexpr size_t kBufferSize = size_t{1} << 20;
-}  // namespace
-
 Result<FileWindow> FileWindow::Open(const std::string& path) {
   FileDescriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
   if (!file.is_open()) return Error{"cannot read " + path + ": " + ErrnoText(errno)};
@@ -23,7 +19,12 @@ Result<FileWindow> FileWindow::Open(const std::string& path) {
     return Error{"cannot read " + path + ": " + ErrnoText(errno)};
   }
   if (!S_ISREG(status.st_mode)) return Error{"cannot read " + path + ": not a regular file"};
-  return FileWindow(std::move(file), static_cast<uint64_t>(status.st_size));
+  return FileWindow(std::make_shared<FileDescriptor>(std::move(file)),
+                    static_cast<uint64_t>(status.st_size), kBufferSize);
+}
+
+FileWindow FileWindow::Another(size_t buffer_size) const {
+  return {file_, size_, std::max<size_t>(buffer_size, 64)};
 }
 
 std::span<const uint8_t> FileWindow::At(uint64_t offset, size_t size) {
@@ -38,17 +39,17 @@ std::span<const uint8_t> FileWindow::At(uint64_t offset, size_t size) {
 std::span<const uint8_t> FileWindow::Around(uint64_t begin, uint64_t end) {
   const uint64_t buffered_end = begin_ + filled_;
   if (begin >= begin_ && begin + 4 <= buffered_end) end = std::min(end, buffered_end);
-  return At(begin, static_cast<size_t>(std::min<uint64_t>(kBufferSize, end - begin)));
+  return At(begin, static_cast<size_t>(std::min<uint64_t>(buffer_size_, end - begin)));
 }
 
 void FileWindow::Load(uint64_t offset, size_t size) {
   const size_t wanted =
-      static_cast<size_t>(std::min<uint64_t>(std::max(size, kBufferSize), size_ - offset));
+      static_cast<size_t>(std::min<uint64_t>(std::max(size, buffer_size_), size_ - offset));
   if (buffer_.size() < wanted) buffer_.resize(wanted);
   begin_ = offset;
   filled_ = 0;
   while (filled_ < wanted) {
-    const ssize_t result = ::pread(file_.get(), buffer_.data() + filled_, wanted - filled_,
+    const ssize_t result = ::pread(file_->get(), buffer_.data() + filled_, wanted - filled_,
                                    static_cast<off_t>(offset + filled_));
     if (result < 0 && errno == EINTR) continue;
     if (result <= 0) {
@@ -65,7 +66,7 @@ std::optional<uint32_t> FileWindow::PeekUint32(uint64_t offset) const {
   if (offset > size_ || size_ - offset < bytes.size()) return std::nullopt;
   if (offset >= begin_ && offset + bytes.size() <= begin_ + filled_) {
     std::copy_n(buffer_.begin() + static_cast<ptrdiff_t>(offset - begin_), 4, bytes.begin());
-  } else if (::pread(file_.get(), bytes.data(), 4, static_cast<off_t>(offset)) != 4) {
+  } else if (::pread(file_->get(), bytes.data(), 4, static_cast<off_t>(offset)) != 4) {
     return std::nullopt;
   }
   return uint32_t{bytes[0]} << 24 | uint32_t{bytes[1]} << 16 | uint32_t{bytes[2]} << 8 | bytes[3];

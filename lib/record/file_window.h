@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -17,6 +18,12 @@ class FileWindow {
  public:
   /// Opens a regular file, which has from now on the length that it has now.
   static Result<FileWindow> Open(const std::string& path);
+
+  static constexpr size_t kBufferSize = size_t{1} << 20;
+
+  /// Returns another window on the same open file, which the path may no longer name. It reads at
+  /// least `buffer_size` bytes at a time. Each window may have a thread of its own.
+  FileWindow Another(size_t buffer_size = kBufferSize) const;
 
   uint64_t size() const { return size_; }
 
@@ -34,12 +41,14 @@ class FileWindow {
   const std::string& error() const { return error_; }
 
  private:
-  FileWindow(FileDescriptor file, uint64_t size) : file_(std::move(file)), size_(size) {}
+  FileWindow(std::shared_ptr<const FileDescriptor> file, uint64_t size, size_t buffer_size)
+      : file_(std::move(file)), buffer_size_(buffer_size), size_(size) {}
   void Load(uint64_t offset, size_t size);
   /// Returns some bytes from `begin` on, those that are in memory if there are at least four.
   std::span<const uint8_t> Around(uint64_t begin, uint64_t end);
 
-  FileDescriptor file_;
+  std::shared_ptr<const FileDescriptor> file_;
+  size_t buffer_size_ = kBufferSize;
   uint64_t size_ = 0;
   uint64_t begin_ = 0;  ///< Of buffer_ in the file.
   size_t filled_ = 0;   ///< Bytes of buffer_ that hold the file's.

@@ -33,6 +33,15 @@ class LogReader {
   /// Opens a log. An empty file is a log without events.
   static Result<LogReader> Open(const std::string& path, OnDamage on_damage = OnDamage::kStop);
 
+  /// Returns a reader of the same open file, whatever its path names by now, from the start on;
+  /// `buffer_size`: so many bytes are read at a time. Each reader may have a thread of its own.
+  LogReader Another(size_t buffer_size = FileWindow::kBufferSize) const {
+    return {path_, file_.Another(buffer_size), on_damage_};
+  }
+
+  /// Goes on at `offset`, an event's.
+  void Seek(uint64_t offset) { position_ = offset; }
+
   /// Returns the next event, or nothing at the end of what can be read.
   std::optional<LogEvent> Next();
 

@@ -186,6 +186,29 @@ TEST(LogReader, TakesNoMemoryForALengthThatLies) {
   EXPECT_EQ(reader->error(), path + ": byte 0: an event's data has an impossible length");
 }
 
+TEST(LogReader, MakesReadersThatGoOnAtAnyEvent) {
+  TestDirectory directory;
+  WriteLog(directory.File("a.lcm"), {{.utime = 1, .channel = "A", .data = Bytes(100)},
+                                     {.utime = 2, .channel = "B", .data = Bytes(5000)},
+                                     {.utime = 3, .channel = "C", .data = Bytes(100)}});
+  auto reader = LogReader::Open(directory.File("a.lcm"), OnDamage::kSkip);
+  ASSERT_TRUE(reader.ok());
+  reader->Next();
+  const uint64_t second = reader->Next()->offset;
+  LogReader another = reader->Another(/*buffer_size=*/0);
+  std::filesystem::remove(directory.File("a.lcm"));
+  another.Seek(second);
+  const auto event = another.Next();
+  ASSERT_TRUE(event);
+  EXPECT_EQ(event->channel, "B");
+  EXPECT_EQ(event->data.size(), 5000U);
+  EXPECT_EQ(another.Next()->channel, "C");
+  EXPECT_FALSE(another.Next());
+  another.Seek(0);
+  EXPECT_EQ(another.Next()->channel, "A");
+  EXPECT_EQ(reader->Next()->channel, "C");
+}
+
 TEST(LogReader, ReadsEventsLargerThanItsBuffer) {
   const TestDirectory directory;
   const std::string path = directory.File("a.lcm");

@@ -23,10 +23,6 @@ namespace fs = std::filesystem;
 constexpr int kBlockDistance = 140;  ///< Between default blocks: room for the largest one.
 constexpr int kLastBase = 30000;     ///< Beyond lie the ports that the kernel hands out itself.
 
-fs::path EntryPath(int port_base) {
-  return fs::path(RunDirectory()) / fmt::format("{}.run", port_base);
-}
-
 /// True where no socket at all is bound to the UDP port, not even one that would share it.
 bool IsFree(int port) {
   const int fd = socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);
@@ -87,6 +83,7 @@ std::optional<RunningMission> ReadEntry(const fs::path& path) {
     }
     if (key == "pid") mission.pid = std::atoi(value.c_str());
     if (key == "vehicle") mission.vehicles.push_back(value);
+    if (key == "set") mission.overrides.push_back(value);
   }
   const int num_ports =
       PortPlan::NumPorts(mission.layout, static_cast<int>(mission.vehicles.size()));
@@ -105,6 +102,8 @@ std::string RunDirectory() {
   }
   return fmt::format("/tmp/shoal-{}", getuid());
 }
+
+std::string EntryPath(int port_base) { return fmt::format("{}/{}.run", RunDirectory(), port_base); }
 
 Result<int> ClaimPorts(int wanted_base, int num_ports) {
   if (wanted_base != 0) {
@@ -137,6 +136,11 @@ Result<bool> Register(const RunningMission& mission) {
       << mission.mission_id << "\nport_base " << mission.port_base << "\nlayout "
       << Name(mission.layout) << "\npid " << mission.pid << "\n";
   for (const std::string& vehicle : mission.vehicles) out << "vehicle " << vehicle << "\n";
+  for (std::string each : mission.overrides) {
+    // Between TOML's values, a blank is as good as a line break.
+    std::replace(each.begin(), each.end(), '\n', ' ');
+    out << "set " << each << "\n";
+  }
   out.close();
   if (out) fs::rename(draft, path, error);
   if (!out || error) {

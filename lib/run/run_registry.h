@@ -20,12 +20,17 @@ struct RunningMission {
   Layout layout = Layout::kShared;
   int pid = 0;  ///< Of the launcher.
   std::vector<std::string> vehicles;
+  std::vector<std::string> overrides = {};  ///< `--set` of the run.
 
   PortPlan Ports() const { return PortPlan(port_base, layout, vehicles); }
 };
 
 /// Returns where the files lie: $SHOAL_RUN_DIR, $XDG_RUNTIME_DIR/shoal or /tmp/shoal-<uid>.
 std::string RunDirectory();
+
+/// Returns the path of the entry of the mission at `port_base`; it is there while the mission runs,
+/// and stays when its launcher dies, until somebody lists the missions.
+std::string EntryPath(int port_base);
 
 /// Claims a free block of ports for as long as this process lives. `wanted_base` 0: the first
 /// free one from PortPlan::kDefaultBase on. The error names who has the ports where that is known.

@@ -3,13 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "lib/bus/bus.h"
 #include "lib/bus/channels.h"
 #include "lib/run/status_page.h"
-#include "shoal/clock_state_t.hpp"
 
 namespace shoal {
 
@@ -20,8 +18,6 @@ constexpr int64_t kRepeatAfter_us = 50'000;
 constexpr int64_t kMaxCatchUp_us = 200'000;
 /// OnTime is called every 50 ms at least; a longer pause was the launcher's own.
 constexpr int64_t kOwnStall_us = 1'000'000;
-constexpr int64_t kStateInterval_us = 500'000;
-constexpr double kHighestWarp = 1e6;
 constexpr int64_t kNever = std::numeric_limits<int64_t>::max();
 
 }  // namespace
@@ -47,7 +43,9 @@ void StepClock::OnDatagram(int port, std::string_view channel, std::span<const u
       return;
     }
     ++num_commands_;
-    refusal_ = Obey(command, wall_us);
+    const std::string why_not = Obey(command, wall_us);
+    refusal_ =
+        why_not.empty() ? "" : fmt::format("{} refused: {}", Printable(command.command), why_not);
     SendState(wall_us);
     return;
   }
@@ -108,70 +106,10 @@ void StepClock::OnDone(const step_done_t& done, int64_t wall_us) {
   if (AllAnswered()) Advance(wall_us);
 }
 
-/// Does what a command asks for. Returns why not, or an empty text.
-std::string StepClock::Obey(const clock_command_t& command, int64_t wall_us) {
-  if (state_ == State::kEnding || state_ == State::kEnded) return "the mission is ending";
-  const bool is_warp = command.command == "warp";
-  if (!is_warp && command.command != "pause" && command.command != "resume") {
-    return fmt::format("unknown command '{}': pause, resume or warp", Printable(command.command));
-  }
-  if (!options_.fixed_pace.empty()) return options_.fixed_pace;
-  if (is_warp) {
-    // 0 is as fast as possible; so is nothing between it and a step in eleven days.
-    const bool ok =
-        command.warp == 0 || (command.warp >= 1 / kHighestWarp && command.warp <= kHighestWarp);
-    if (!ok) return fmt::format("warp {} is not 0 (max), nor 1e-6 to 1e6", command.warp);
-    warp_ = command.warp;
-  } else {
-    paused_ = command.command == "pause";
-  }
-  // The next step is due now, and those after it in the new rhythm.
-  if (warp_ > 0) {
-    const auto step_us = static_cast<double>(options_.tick_us) / warp_;
-    pace_origin_us_ = wall_us - static_cast<int64_t>(static_cast<double>(step_ + 1) * step_us);
-  }
-  factor_since_us_ = wall_us;
-  factor_since_step_ = step_;
-  return {};
-}
-
-void StepClock::SendState(int64_t wall_us) {
-  next_state_us_ = wall_us + kStateInterval_us;
-  if (wall_us - factor_since_us_ >= 2 * kStateInterval_us) {
-    const auto mission_us = static_cast<double>((step_ - factor_since_step_) * options_.tick_us);
-    factor_ = mission_us / static_cast<double>(wall_us - factor_since_us_);
-    factor_since_us_ = wall_us;
-    factor_since_step_ = step_;
-  }
-  clock_state_t state{};
-  state.utime = utime();
-  state.mission_id = options_.mission_id;
-  state.step = step_;
-  state.state = state_ == State::kGathering ? "gathering"
-                : state_ != State::kRunning ? "ending"
-                : paused_                   ? "paused"
-                                            : "running";
-  state.warp = warp_;
-  state.factor = paused_ ? 0 : factor_;
-  state.num_commands = num_commands_;
-  state.refusal = refusal_;
-  if (state_ == State::kGathering) state.awaited = Awaited();
-  state.num_awaited = static_cast<int32_t>(state.awaited.size());
-  Bytes bytes;
-  EncodeInto(state, &bytes);
-  transport_.Send(plan_.tick_port(), channels::ClockState().name, bytes);
-}
-
 bool StepClock::AllAnswered() const {
   return std::all_of(members_.begin(), members_.end(), [&](const auto& item) {
     return !item.second.present || item.second.answered_step == step_;
   });
-}
-
-int64_t StepClock::DueTime() const {
-  if (warp_ <= 0) return 0;
-  const double mission_us = static_cast<double>((step_ + 1) * options_.tick_us);
-  return pace_origin_us_ + static_cast<int64_t>(mission_us / warp_);
 }
 
 void StepClock::Advance(int64_t wall_us) {
@@ -212,6 +150,7 @@ void StepClock::SendTick(int64_t wall_us) {
   tick_.joined = std::move(joining_);
   tick_.num_joined = static_cast<int32_t>(tick_.joined.size());
   joining_.clear();
+  ticked_at_us_ = wall_us;
   for (auto& [name, member] : members_) {
     member.asked_at_us = wall_us;
     member.next_repeat_us = wall_us + kRepeatAfter_us;
@@ -219,6 +158,8 @@ void StepClock::SendTick(int64_t wall_us) {
   Bytes bytes;
   EncodeInto(tick_, &bytes);
   transport_.Send(plan_.tick_port(), channels::Tick().name, bytes);
+  // The mission has just begun, or ends.
+  if (step_ == 0 || state_ == State::kEnding) SendState(wall_us);
 }
 
 void StepClock::OnTime(int64_t wall_us) {
@@ -235,9 +176,10 @@ void StepClock::OnTime(int64_t wall_us) {
       for (auto& [name, member] : members_) member.answered_step = -1;
       state_ = State::kEnding;
       SendTick(wall_us);
-    } else if (Awaited().empty()) {
+    } else if (!paused_ && Awaited().empty()) {
       state_ = State::kRunning;
       pace_origin_us_ = wall_us;
+      pace_origin_step_ = 0;
       factor_since_us_ = wall_us;
       factor_since_step_ = step_;
       SendTick(wall_us);

@@ -6,7 +6,8 @@
 //       +--------- Stop() -----------+--------------------------> ENDING
 //
 // CLOCK_COMMAND pauses it, lets it go on and changes its warp: when steps are taken, never what
-// comes of them. CLOCK_STATE tells viewers.
+// comes of them. While it is paused, the step under way is answered and no other begins.
+// CLOCK_STATE tells what it does: at once after each command, and twice per second of wall time.
 //
 // Time comes in as an argument (wall time, microseconds, from any epoch, never backward). Pure but
 // for the transport.
@@ -103,6 +104,8 @@ class StepClock {
 
   void OnDone(const step_done_t& done, int64_t wall_us);
   std::string Obey(const clock_command_t& command, int64_t wall_us);
+  void SetPace(double warp, bool paused, int64_t wall_us);
+  std::string_view StateWord(bool is_awaiting) const;
   void SendState(int64_t wall_us);
   void SendTick(int64_t wall_us);
   bool AllAnswered() const;
@@ -123,12 +126,14 @@ class StepClock {
   double warp_;
   bool paused_ = false;
   int64_t num_commands_ = 0;
-  std::string refusal_;          ///< Of the last command.
+  std::string refusal_;          ///< "pause refused: ...", of the last command; or empty.
   int64_t next_state_us_ = 0;    ///< When CLOCK_STATE is due again.
   int64_t factor_since_us_ = 0;  ///< Where the present factor is measured from ...
   int64_t factor_since_step_ = 0;
   double factor_ = 0;
-  int64_t pace_origin_us_ = 0;  ///< Wall time at which step 0 was, or would have been, due.
+  int64_t ticked_at_us_ = 0;      ///< When the present step was ticked first.
+  int64_t pace_origin_us_ = 0;    ///< Wall time at which ...
+  int64_t pace_origin_step_ = 0;  ///< ... this step was, or would have been, due.
   int64_t stop_deadline_us_ = 0;
   bool stop_wanted_ = false;
   bool membership_changed_ = false;

@@ -312,6 +312,90 @@ TEST(StepProtocol, PacesStepsByTheWallClock) {
   EXPECT_NEAR(static_cast<double>(outcome.wall_us), 2.0e6, 0.1e6);
 }
 
+/// Tells the clock what to do, as from outside.
+void Tell(StepClock& clock, int64_t now, const std::string& word, double warp = 0) {
+  clock_command_t command{};
+  command.command = word;
+  command.warp = warp;
+  Bytes bytes;
+  EncodeInto(command, &bytes);
+  clock.OnDatagram(PortPlan(7665, Layout::kShared, {}).done_port(), "CLOCK_COMMAND", bytes, now);
+}
+
+TEST(StepProtocol, GivesEveryoneTheSameMessagesWhateverTheClockIsTold) {
+  for (const double warp : {0.0, 1.0, 20.0}) {
+    FakeNetwork network;
+    std::mt19937 random(4);
+    const Outcome outcome =
+        RunOver(network, warp, [&](int64_t now, StepClock& clock, std::vector<Member>&) {
+          switch (random() % 20) {
+            case 0:
+              Tell(clock, now, "pause");
+              break;
+            case 1:
+              Tell(clock, now, "warp", random() % 2 == 0 ? 0 : 5);
+              break;
+            case 2:
+            case 3:
+              Tell(clock, now, "resume");
+              break;
+            default:
+              break;
+          }
+        });
+    EXPECT_EQ(outcome.state, StepClock::State::kEnded);
+    EXPECT_EQ(outcome.transcripts, RunInMemory());
+    EXPECT_EQ(outcome.counters.outside, 0);
+  }
+}
+
+TEST(StepProtocol, HoldsAllStepsWhilePausedAndBlamesNobody) {
+  FakeNetwork network;
+  int64_t paused_at_us = 0;
+  constexpr int64_t kPause_us = 20'000'000;
+  const Outcome outcome =
+      RunOver(network, 1.0, [&](int64_t now, StepClock& clock, std::vector<Member>&) {
+        if (clock.step() == 10 && paused_at_us == 0) {
+          paused_at_us = now;
+          Tell(clock, now, "pause");
+        }
+        if (!clock.paused()) return;
+        EXPECT_EQ(clock.step(), 10);
+        EXPECT_TRUE(clock.Silent(now).empty());
+        if (now == paused_at_us + kPause_us) Tell(clock, now, "resume");
+      });
+  EXPECT_EQ(outcome.state, StepClock::State::kEnded);
+  EXPECT_EQ(outcome.transcripts, RunInMemory());
+  EXPECT_EQ(outcome.counters.ticks_again, 0);
+  EXPECT_NEAR(static_cast<double>(outcome.wall_us), 4.0e6 + kPause_us, 0.15e6);
+}
+
+TEST(StepProtocol, StepsInTheRhythmOfANewWarp) {
+  FakeNetwork network;
+  const Outcome outcome =
+      RunOver(network, 1.0, [](int64_t now, StepClock& clock, std::vector<Member>&) {
+        if (clock.step() == 10) Tell(clock, now, "warp", 0.5);
+        if (clock.step() == 20) Tell(clock, now, "warp", 0);
+      });
+  EXPECT_EQ(outcome.state, StepClock::State::kEnded);
+  // 10 steps at 1, 10 at 0.5, and the rest of 20 as fast as the test goes: 5 ms each.
+  EXPECT_NEAR(static_cast<double>(outcome.wall_us), 1.0e6 + 2.0e6 + 0.1e6, 0.1e6);
+}
+
+TEST(StepProtocol, EndsEarlyWhenAskedAlsoWhilePaused) {
+  FakeNetwork network;
+  const Outcome outcome =
+      RunOver(network, 1.0, [](int64_t now, StepClock& clock, std::vector<Member>&) {
+        if (clock.step() == 5 && !clock.paused()) Tell(clock, now, "pause");
+        if (now == 2'000'000) clock.Stop(now, 500'000);
+      });
+  EXPECT_EQ(outcome.state, StepClock::State::kEnded);
+  EXPECT_LT(outcome.wall_us, 2'100'000);
+  for (const auto& [name, transcript] : outcome.transcripts) {
+    EXPECT_TRUE(transcript.ends_with("end")) << name;
+  }
+}
+
 TEST(StepProtocol, EndsEarlyWhenAskedAndStillCloses) {
   FakeNetwork network;
   const Outcome outcome =

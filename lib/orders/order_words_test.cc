@@ -1,4 +1,4 @@
-#include "apps/shoal/send_words.h"
+#include "lib/orders/order_words.h"
 
 #include <gtest/gtest.h>
 
@@ -101,12 +101,34 @@ TEST(HelmWords, ThatAreUnknownAreAnsweredWithAllThatMayStandThere) {
   }
 }
 
+TEST(ClockWords, StandForAPauseOrAWarp) {
+  EXPECT_EQ(ParseClockWords(Words{"pause"})->command, "pause");
+  EXPECT_EQ(ParseClockWords(Words{"resume"})->command, "resume");
+  EXPECT_EQ(ParseClockWords(Words{"warp", "2.5"})->warp, 2.5);
+  EXPECT_EQ(ParseClockWords(Words{"warp", "max"})->warp, 0);
+}
+
+TEST(ClockWords, ThatAreWrongAreAnsweredWithTheRemedy) {
+  for (const char* warp : {"0", "-1", "nan", "inf", "1e7", "1e-7", "fast", "", "1x"}) {
+    const Result<clock_command_t> command = ParseClockWords(Words{"warp", warp});
+    ASSERT_FALSE(command.ok()) << warp;
+    EXPECT_NE(command.error().find("a number from 1e-6 to 1e6, or max"), std::string::npos)
+        << command.error();
+  }
+  EXPECT_TRUE(ParseClockWords(Words{"puase"}).error().find("did you mean 'pause'?") !=
+              std::string::npos);
+  EXPECT_FALSE(ParseClockWords(Words{}).ok());
+  EXPECT_FALSE(ParseClockWords(Words{"warp"}).ok());
+  EXPECT_FALSE(ParseClockWords(Words{"pause", "now"}).ok());
+}
+
 TEST(SendCommandsText, ListsEveryRule) {
   const std::string text = SendCommandsText();
   for (const ControlRow& row : ControlTable()) {
     EXPECT_NE(text.find("  " + std::string(row.rule) + " "), std::string::npos) << row.rule;
   }
   EXPECT_NE(text.find("VEHICLE message DEST VAR VALUE"), std::string::npos);
+  EXPECT_NE(text.find("  clock pause "), std::string::npos);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "apps/shoal/send_words.h"
+#include "lib/orders/order_words.h"
 
 #include <fmt/format.h>
 
@@ -48,6 +48,15 @@ const std::vector<CommandShape>& SimCommands() {
       {"resume", false, {0}, "let it move again"},
       {"reset", false, {0, 4, 5}, "[X Y HEADING SPEED [DEPTH]]: back to the start, or to a pose"},
       {"drift", false, {2}, "X Y: add a drift of X m/s East, Y m/s North"},
+  };
+  return shapes;
+}
+
+const std::vector<CommandShape>& ClockCommands() {
+  static const std::vector<CommandShape> shapes = {
+      {"pause", false, {0}, "hold the whole mission"},
+      {"resume", false, {0}, "let it go on"},
+      {"warp", true, {0}, "N: N mission seconds per wall second; max: as fast as possible"},
   };
   return shapes;
 }
@@ -175,6 +184,31 @@ Result<unc_control_t> ParseRuleWords(const ControlRow& row, std::span<const std:
   return control;
 }
 
+Result<clock_command_t> ParseClockWords(std::span<const std::string> words) {
+  if (words.empty()) return Error{"say what:\n" + Rows("clock ", ClockCommands())};
+  Result<Arguments> arguments = ParseArguments(ClockCommands(), words[0], words.subspan(1));
+  if (!arguments.ok()) return Error{arguments.error()};
+  clock_command_t command{};
+  command.command = words[0];
+  if (words[0] != "warp") return command;
+  const std::optional<double> warp = ParseWarp(arguments->text);
+  if (!warp) {
+    return Error{
+        fmt::format("{} is no warp: give a number from 1e-6 to 1e6, or max: as fast as possible",
+                    Quoted(arguments->text))};
+  }
+  command.warp = *warp;
+  return command;
+}
+
+std::optional<double> ParseWarp(std::string_view word) {
+  constexpr double kHighest = 1e6;
+  if (word == "max") return 0;
+  const std::optional<double> warp = ParseNumber(std::string(word));
+  if (!warp || *warp < 1 / kHighest || *warp > kHighest) return std::nullopt;
+  return warp;
+}
+
 Result<node_message_t> ParseMessageWords(std::span<const std::string> words) {
   node_message_t message{};
   std::vector<std::string> plain;
@@ -228,12 +262,7 @@ std::string SendCommandsText() {
       text += fmt::format("  {:<28} {}\n", name + " VALUE", row.values);
     }
   }
-  return text;
-}
-
-bool BusWorks(const LcmBus& bus) {
-  if (!bus.error().empty()) fmt::print(stderr, "shoal: {}\n", bus.error());
-  return bus.error().empty();
+  return text + "The mission's clock:\n" + Rows("clock ", ClockCommands());
 }
 
 }  // namespace shoal

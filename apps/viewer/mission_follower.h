@@ -1,0 +1,64 @@
+// Finds the mission that runs, follows it, and turns to the next when it has ended.
+//
+//   waiting --a mission runs--> following --its entry has gone--> ended --another runs--> following
+//                                  |                                                          ^
+//                                  +--its launcher has died without a word--> lost -----------+
+//
+// A page that stays open sees each: the stream ends where a mission begins, and the page asks
+// everything again.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <string>
+
+#include "apps/viewer/event_hub.h"
+#include "apps/viewer/mission_session.h"
+
+namespace shoal {
+
+struct FollowOptions {
+  int port_base = 0;  ///< 0: of the one mission that runs.
+  bool allow_commands = false;
+};
+
+class MissionFollower {
+ public:
+  /// `hub` gets the frames, and must outlive this.
+  MissionFollower(const FollowOptions& options, EventHub& hub);
+
+  /// Follows until Stop(). Returns the exit code; an error has been printed.
+  int Run();
+  /// From any thread.
+  void Stop() { stopped_ = true; }
+
+  // From any thread:
+  std::shared_ptr<ViewSource> source() const;
+  std::string StatusJson();
+  WebAnswer Command(const CommandWords& words);
+
+ private:
+  void Look();
+  void LookForMission();
+  void LookAfterMission();
+  void Show(int64_t now_us);
+  void TurnTo(std::shared_ptr<MissionSession> session);
+  std::shared_ptr<MissionSession> session() const;
+
+  const FollowOptions options_;
+  EventHub& hub_;
+  std::atomic<bool> stopped_ = false;
+  std::string told_;             ///< What was printed last about waiting.
+  int64_t last_mission_id_ = 0;  ///< Of the one that has ended, or cannot be joined.
+  int64_t next_look_us_ = 0;
+  int64_t last_frame_us_ = 0;
+  int64_t shown_changes_ = -1;
+  bool had_readers_ = false;
+
+  mutable std::mutex mutex_;
+  std::shared_ptr<MissionSession> session_;
+};
+
+}  // namespace shoal

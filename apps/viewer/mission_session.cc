@@ -1,0 +1,145 @@
+#include "apps/viewer/mission_session.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "apps/viewer/rules_of_page.h"
+#include "lib/bus/channels.h"
+#include "lib/mission/load.h"
+#include "lib/run/run_app.h"
+
+namespace shoal {
+
+namespace {
+
+constexpr std::string_view kBroker = "shore_broker";
+constexpr int64_t kRulesRequestInterval_us = 500'000;
+/// A broker that is not shoal's own has no such page.
+constexpr int64_t kMostRulesRequests = 20;
+/// What waits for longer than this when its turn comes is dropped but for a few messages of each
+/// channel: on a machine that is too slow, the page shows less rather than what was long ago.
+constexpr int64_t kLongestQueue_us = 1'000'000;
+constexpr int64_t kMostMessagesAtOnce = 20'000;
+
+/// Loads the mission as it runs; or makes one of what the registry tells of it.
+Mission MissionOf(const RunningMission& running, std::vector<std::string>* notes) {
+  LoadedMission loaded = LoadMission(running.file, running.overrides);
+  if (loaded.errors.empty()) return std::move(loaded.mission);
+  notes->push_back(fmt::format(
+      "the mission file cannot be read, so that only names are known of the vehicles: {}",
+      loaded.errors.front()));
+  Mission mission;
+  mission.file = running.file;
+  mission.name = running.name;
+  for (const std::string& name : running.vehicles) {
+    Vehicle vehicle;
+    vehicle.name = name;
+    mission.vehicles.push_back(std::move(vehicle));
+  }
+  return mission;
+}
+
+bool AreEqual(const CommandRecord& a, const CommandRecord& b) {
+  return a.id == b.id && a.state == b.state && a.reason == b.reason;
+}
+
+}  // namespace
+
+MissionSession::MissionSession(const std::string& boot)
+    : view_(std::make_unique<LiveView>(boot)), board_(0) {}
+
+MissionSession::MissionSession(const RunningMission& running, const std::string& boot,
+                               bool allow_commands)
+    : running_(running),
+      mission_(MissionOf(running, &notes_)),
+      view_(std::make_unique<LiveView>(mission_, boot, notes_)),
+      board_(mission_.start_utime),
+      joined_(true),
+      utime_(mission_.start_utime) {
+  Join(allow_commands);
+}
+
+void MissionSession::Join(bool allow_commands) {
+  bus_ = std::make_unique<LcmBus>(running_.Ports());
+  std::vector<std::string> channel_names = Scene::Channels(mission_);
+  channel_names.push_back(channels::ClockState().name);
+  for (const std::string& channel : channel_names) {
+    bus_->SubscribeBytes(
+        channel, [this](const Message& message) { view_->Handle(message.channel, message.data); });
+  }
+  Subscribe(*bus_, channels::ClockState(), [this](const clock_state_t& clock) {
+    utime_ = clock.utime;
+    is_ending_ = clock.state == "ending";
+  });
+  Subscribe(*bus_, channels::CommsRules(),
+            [this](const comms_rules_t&) { rules_are_heard_ = true; });
+  Subscribe(*bus_, channels::Appcast(), [this](const appcast_t& page) { TakePage(page); });
+  if (!allow_commands) return;
+  desk_ = std::make_unique<CommandDesk>(
+      *bus_, OrderScope{.mission = running_.name, .vehicles = running_.vehicles});
+}
+
+void MissionSession::TakePage(const appcast_t& page) {
+  board_.Take(page, now_us_);
+  if (rules_are_heard_ || page.app != kBroker) return;
+  std::optional<comms_rules_t> rules = RulesOfPage(page.page);
+  if (!rules) return;
+  rules->utime = std::max<int64_t>(page.utime, utime_);
+  rules_are_heard_ = true;
+  Bytes bytes;
+  EncodeInto(*rules, &bytes);
+  view_->Handle(channels::CommsRules().name, bytes);
+}
+
+void MissionSession::Work(int64_t now_us) {
+  now_us_ = now_us;
+  bus_->set_limits(
+      {.most = kMostMessagesAtOnce, .oldest_utime = UnixMicroseconds() - kLongestQueue_us});
+  bus_->Poll(0);
+  const auto ask = [this](std::string_view app) {
+    appcast_req_t request{};
+    request.app = app;
+    Publish(*bus_, channels::AppcastReq(), request);
+  };
+  if (!rules_are_heard_ && rules_requests_ < kMostRulesRequests &&
+      now_us >= next_rules_request_us_) {
+    next_rules_request_us_ = now_us + kRulesRequestInterval_us;
+    ++rules_requests_;
+    ask(kBroker);
+  }
+  if (board_.WantsPages(now_us)) ask("all");
+  if (desk_ == nullptr) return;
+  desk_->OnTime(now_us);
+  ShowCommands();
+}
+
+void MissionSession::ShowCommands() {
+  std::vector<CommandRecord> records = desk_->records();
+  if (std::equal(records.begin(), records.end(), shown_.begin(), shown_.end(), AreEqual)) return;
+  shown_ = records;
+  view_->SetCommands(std::move(records));
+}
+
+void MissionSession::Leave(std::string_view state) {
+  {
+    const std::lock_guard lock(desk_mutex_);
+    desk_.reset();
+  }
+  bus_.reset();
+  joined_ = false;
+  view_->SetClockGone(state);
+}
+
+WebAnswer MissionSession::Command(const CommandWords& words) {
+  const std::lock_guard lock(desk_mutex_);
+  if (desk_ == nullptr) return ErrorAnswer(503, "no mission is running");
+  const double t_s = static_cast<double>(utime_ - mission_.start_utime) / 1e6;
+  const Result<CommandRecord> record = desk_->Send(words.target, words.words, t_s);
+  if (!record.ok()) return ErrorAnswer(400, record.error());
+  const nlohmann::json json = {{"id", record->id}, {"text", record->text}};
+  return {.body = json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace)};
+}
+
+}  // namespace shoal

@@ -1,0 +1,76 @@
+// One running mission as the viewer follows it: what is heard on its bus goes to the LiveView, what
+// people want goes out. It never takes part in stepping.
+//
+// Hears what LiveView needs, CLOCK_STATE and APPCAST; says APPCAST_REQ while somebody looks at
+// the status pages, and what CommandDesk says of commands.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "apps/viewer/status_board.h"
+#include "apps/viewer/view_request.h"
+#include "apps/viewer/web_request.h"
+#include "lib/bus/lcm_bus.h"
+#include "lib/mission/mission.h"
+#include "lib/orders/command_desk.h"
+#include "lib/run/run_registry.h"
+#include "lib/view/live_view.h"
+
+namespace shoal {
+
+class MissionSession {
+ public:
+  /// Waits for a mission: a view without one.
+  explicit MissionSession(const std::string& boot);
+  /// Joins the bus of `running`.
+  MissionSession(const RunningMission& running, const std::string& boot, bool allow_commands);
+
+  /// Handles what has come, and sends what is due; for the one thread that calls this and Leave().
+  /// `now_us`: wall time that never jumps.
+  void Work(int64_t now_us);
+  /// Leaves the bus, and has the view show `state`: "ended" or "lost".
+  void Leave(std::string_view state);
+  /// True where the clock has said that the mission ends.
+  bool is_ending() const { return is_ending_; }
+
+  /// False before a mission and after it.
+  bool is_joined() const { return joined_; }
+  const RunningMission& running() const { return running_; }
+  /// Why the bus does not work; empty: it does.
+  std::string error() const { return bus_ ? bus_->error() : ""; }
+
+  // From any thread:
+  LiveView& view() { return *view_; }
+  std::string StatusJson(int64_t now_us) { return board_.Json(now_us); }
+  WebAnswer Command(const CommandWords& words);
+
+ private:
+  void Join(bool allow_commands);
+  void TakePage(const appcast_t& page);
+  void ShowCommands();
+
+  RunningMission running_;
+  std::vector<std::string> notes_;
+  Mission mission_;
+  std::unique_ptr<LiveView> view_;
+  StatusBoard board_;
+  bool joined_ = false;
+  bool is_ending_ = false;        ///< CLOCK_STATE has said so.
+  bool rules_are_heard_ = false;  ///< COMMS_RULES has come, or the broker's page.
+  int64_t next_rules_request_us_ = 0;
+  int64_t rules_requests_ = 0;
+  int64_t now_us_ = 0;
+  std::atomic<int64_t> utime_ = 0;  ///< Of the clock's last step.
+  std::vector<CommandRecord> shown_;
+  std::unique_ptr<LcmBus> bus_;
+
+  std::mutex desk_mutex_;  ///< Of desk_, which goes when the mission does.
+  std::unique_ptr<CommandDesk> desk_;
+};
+
+}  // namespace shoal

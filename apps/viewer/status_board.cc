@@ -1,0 +1,71 @@
+#include "apps/viewer/status_board.h"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+namespace shoal {
+
+namespace {
+
+constexpr int64_t kAskInterval_us = 1'000'000;
+/// Somebody whose last look is older has closed the panel.
+constexpr int64_t kLookLasts_us = 4'000'000;
+constexpr size_t kMostWarnings = 100;
+
+void Cut(std::vector<std::string>* warnings) {
+  if (warnings->size() > kMostWarnings) warnings->resize(kMostWarnings);
+  constexpr size_t kLongestWarning = 1'000;
+  for (std::string& each : *warnings) each.resize(std::min(each.size(), kLongestWarning));
+}
+
+double RoundedSeconds(int64_t us) { return std::round(static_cast<double>(us) / 1e5) / 10; }
+
+}  // namespace
+
+void StatusBoard::Take(const appcast_t& page, int64_t now_us) {
+  Page taken = {.appcast = page, .taken_us = now_us};
+  taken.appcast.page.resize(std::min(page.page.size(), kMostText_bytes));
+  Cut(&taken.appcast.config_warnings);
+  Cut(&taken.appcast.run_warnings);
+  const std::lock_guard lock(mutex_);
+  if (pages_.size() >= kMostPages && !pages_.contains(page.app)) return;
+  pages_.insert_or_assign(page.app, std::move(taken));
+}
+
+std::string StatusBoard::Json(int64_t now_us) {
+  const std::lock_guard lock(mutex_);
+  looked_us_ = now_us;
+  std::vector<const Page*> pages;
+  for (const auto& [app, page] : pages_) pages.push_back(&page);
+  std::stable_partition(pages.begin(), pages.end(), [](const Page* page) {
+    return !page->appcast.config_warnings.empty() || !page->appcast.run_warnings.empty();
+  });
+  nlohmann::json list = nlohmann::json::array();
+  for (const Page* page : pages) {
+    const appcast_t& appcast = page->appcast;
+    // As floating point, since a stranger's time may lie anywhere.
+    const double t_s =
+        (static_cast<double>(appcast.utime) - static_cast<double>(start_utime_)) / 1e6;
+    list.push_back({{"app", appcast.app},
+                    {"t", std::round(t_s * 1e3) / 1e3},
+                    {"step", appcast.step},
+                    {"age_s", RoundedSeconds(now_us - page->taken_us)},
+                    {"config_warnings", appcast.config_warnings},
+                    {"run_warnings", appcast.run_warnings},
+                    {"text", appcast.page}});
+  }
+  const nlohmann::json all = {{"pages", std::move(list)}};
+  return all.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+bool StatusBoard::WantsPages(int64_t now_us) {
+  const std::lock_guard lock(mutex_);
+  if (looked_us_ == INT64_MIN || now_us - looked_us_ > kLookLasts_us) return false;
+  if (asked_us_ != INT64_MIN && now_us - asked_us_ < kAskInterval_us) return false;
+  asked_us_ = now_us;
+  return true;
+}
+
+}  // namespace shoal

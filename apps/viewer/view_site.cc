@@ -1,0 +1,87 @@
+#include "apps/viewer/view_site.h"
+
+#include <fmt/format.h>
+
+#include "lib/mission/suggest.h"
+
+namespace shoal {
+
+namespace {
+
+WebAnswer Json(std::string body) { return {.body = std::move(body)}; }
+
+/// Answers with what `make` makes of the parsed query, or with what is wrong with that.
+template <class T, class Make>
+WebAnswer Answer(const Result<T>& query, Make make) {
+  if (!query.ok()) return ErrorAnswer(400, query.error());
+  return make(*query);
+}
+
+WebAnswer OrNotFound(Result<std::string> json) {
+  return json.ok() ? Json(std::move(*json)) : ErrorAnswer(404, json.error());
+}
+
+WebAnswer NoSuchPath(const std::string& path) {
+  return ErrorAnswer(404, fmt::format("there is no {} here", Quoted(path)));
+}
+
+}  // namespace
+
+std::optional<WebAnswer> ViewSite::Deny(const WebRequest& request) {
+  if (auto denial = FindDenial(parts_.access, request)) return denial;
+  if (request.path == kCommandPath && !parts_.command) {
+    return ErrorAnswer(404, "a recorded mission takes no commands");
+  }
+  return std::nullopt;
+}
+
+WebAnswer ViewSite::Reply(const WebRequest& request) {
+  if (request.path.starts_with("/api/")) return ReplyWithData(request);
+  const auto file = parts_.files.find(request.path);
+  if (file == parts_.files.end()) return NoSuchPath(request.path);
+  return {.content_type = file->second.content_type,
+          .cache_control = "no-cache",
+          .body = file->second.bytes};
+}
+
+WebAnswer ViewSite::ReplyWithData(const WebRequest& request) {
+  const std::string& path = request.path;
+  const QueryWords& query = request.query;
+  if (path == kCommandPath) {
+    return Answer(ParseCommandBody(request.body),
+                  [&](const CommandWords& words) { return parts_.command(words); });
+  }
+  if (path == kStreamPath && parts_.is_live) return {.is_stream = true};
+  if (path == "/api/status" && parts_.status) return Json(parts_.status());
+  const std::shared_ptr<ViewSource> source = parts_.source();
+  if (path == "/api/fates") {
+    return Answer(ParseFateQuery(query), [&](const TimedFateQuery& asked) {
+      return Json(source->FatesJson(asked.fates, asked.t_s));
+    });
+  }
+  if (path == "/api/link") {
+    return Answer(ParseLinkQuery(query), [&](const LinkQuery& asked) {
+      return OrNotFound(source->LinkJson(asked.from, asked.to, asked.t_s));
+    });
+  }
+  if (path == "/api/vehicle") {
+    return Answer(ParseVehicleQuery(query), [&](const VehicleQuery& asked) {
+      return OrNotFound(source->VehicleJson(asked.name, asked.t_s, asked.window_s));
+    });
+  }
+  return Answer(ParseTimeQuery(query), [&](double t_s) {
+    if (path == "/api/setup") {
+      return Json(source->SetupJson(MaySendCommands(parts_.access, request)));
+    }
+    if (path == "/api/frame") return Json(source->FrameJson(t_s));
+    if (path == "/api/trails") return Json(source->TrailsJson());
+    if (path == "/api/links") return Json(source->LinksJson(t_s));
+    if (path == "/api/events") return Json(source->EventsJson());
+    if (!parts_.is_live && (path == kStreamPath || path == "/api/status")) {
+      return ErrorAnswer(404, "a recorded mission has no such thing");
+    }
+    return NoSuchPath(path);
+  });
+}
+
+}  // namespace shoal

@@ -1,0 +1,42 @@
+// What is at which address of the viewer: docs/viewer_protocol.md. Answers the requests of
+// WebServer from a ViewSource; knows nothing of sockets.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "apps/viewer/access.h"
+#include "apps/viewer/page_files.h"
+#include "apps/viewer/view_request.h"
+#include "apps/viewer/web_server.h"
+#include "lib/view/view_source.h"
+
+namespace shoal {
+
+/// Functions may be called from any thread. Those that are absent have no mission to speak with:
+/// the viewer shows a log.
+struct ViewSiteParts {
+  PageFiles files = {};
+  AccessRules access = {};
+  bool is_live = false;
+  std::function<std::shared_ptr<ViewSource>()> source = {};          ///< The one of this moment.
+  std::function<std::string()> status = {};                          ///< Answers /api/status.
+  std::function<WebAnswer(const CommandWords& words)> command = {};  ///< Carries out an order.
+};
+
+class ViewSite : public WebSite {
+ public:
+  explicit ViewSite(ViewSiteParts parts) : parts_(std::move(parts)) {}
+
+  std::optional<WebAnswer> Deny(const WebRequest& request) override;
+  WebAnswer Reply(const WebRequest& request) override;
+
+ private:
+  WebAnswer ReplyWithData(const WebRequest& request);
+
+  const ViewSiteParts parts_;
+};
+
+}  // namespace shoal

@@ -1,0 +1,114 @@
+#include "apps/viewer/view_site.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+
+namespace shoal {
+namespace {
+
+constexpr const char* kToken = "0123456789abcdef0123456789abcdef";
+
+/// Answers with what it was asked.
+class EchoSource : public ViewSource {
+ public:
+  std::string SetupJson(bool commands) override { return commands ? "setup!" : "setup"; }
+  std::string FrameJson(double t_s) override { return "frame " + std::to_string(t_s); }
+  std::string TrailsJson() override { return "trails"; }
+  std::string LinksJson(double t_s) override { return "links " + std::to_string(t_s); }
+  std::string FatesJson(const FateQuery& query, double) override {
+    return "fates " + query.vehicle;
+  }
+  std::string EventsJson() override { return "events"; }
+  Result<std::string> LinkJson(std::string_view from, std::string_view to, double) override {
+    return std::string("link ").append(from).append(" ").append(to);
+  }
+  Result<std::string> VehicleJson(std::string_view name, double, double window_s) override {
+    if (name != "alpha") return Error{"no such vehicle"};
+    return "vehicle " + std::to_string(window_s);
+  }
+};
+
+ViewSiteParts Parts(bool is_live) {
+  ViewSiteParts parts = {.files = {{"/", {"text/html", "<html>"}}}, .is_live = is_live};
+  parts.source = [source = std::make_shared<EchoSource>()] { return source; };
+  if (!is_live) return parts;
+  parts.access = {.allow_commands = true, .token = kToken};
+  parts.status = [] { return "pages"; };
+  parts.command = [](const CommandWords& words) { return WebAnswer{.body = words.target}; };
+  return parts;
+}
+
+/// "200 body", or what status it is.
+std::string Ask(ViewSite& site, const std::string& path, const QueryWords& query = {},
+                const std::string& body = "") {
+  const WebRequest request = {.method = body.empty() ? "GET" : "POST",
+                              .path = path,
+                              .query = query,
+                              .host = "localhost",
+                              .token = body.empty() ? "" : kToken,
+                              .content_type = "application/json",
+                              .body = body};
+  const auto denial = site.Deny(request);
+  const WebAnswer answer = denial ? *denial : site.Reply(request);
+  if (answer.is_stream) return "stream";
+  return answer.status == 200 ? answer.body : std::to_string(answer.status);
+}
+
+TEST(ViewSite, AnswersAtTheAddressesOfTheProtocol) {
+  ViewSite site(Parts(true));
+  EXPECT_EQ(Ask(site, "/"), "<html>");
+  EXPECT_EQ(Ask(site, "/api/setup"), "setup");
+  EXPECT_EQ(Ask(site, "/api/stream"), "stream");
+  EXPECT_EQ(Ask(site, "/api/frame", {{"t", "1.5"}}), "frame 1.500000");
+  EXPECT_EQ(Ask(site, "/api/trails"), "trails");
+  EXPECT_EQ(Ask(site, "/api/links", {{"t", "2"}}), "links 2.000000");
+  EXPECT_EQ(Ask(site, "/api/link", {{"from", "a"}, {"to", "b"}}), "link a b");
+  EXPECT_EQ(Ask(site, "/api/fates", {{"vehicle", "a"}}), "fates a");
+  EXPECT_EQ(Ask(site, "/api/vehicle", {{"name", "alpha"}, {"window", "5"}}), "vehicle 5.000000");
+  EXPECT_EQ(Ask(site, "/api/status"), "pages");
+  EXPECT_EQ(Ask(site, "/api/events"), "events");
+  EXPECT_EQ(Ask(site, "/api/command", {}, R"({"target": "alpha", "words": []})"), "alpha");
+}
+
+TEST(ViewSite, SaysWhatIsWrong) {
+  ViewSite site(Parts(true));
+  EXPECT_EQ(Ask(site, "/api/frame", {{"t", "nan"}}), "400");
+  EXPECT_EQ(Ask(site, "/api/vehicle", {{"name", "nobody"}}), "404");
+  EXPECT_EQ(Ask(site, "/api/vehicle"), "400");
+  EXPECT_EQ(Ask(site, "/api/nothing"), "404");
+  EXPECT_EQ(Ask(site, "/api/"), "404");
+  EXPECT_EQ(Ask(site, "/api/command", {}, "{}"), "400");
+  EXPECT_EQ(Ask(site, "/../etc/passwd"), "404");
+  EXPECT_EQ(Ask(site, ""), "404");
+}
+
+TEST(ViewSite, TellsWhoMaySendCommands) {
+  ViewSite site(Parts(true));
+  WebRequest request = {.method = "GET", .path = "/api/setup", .host = "localhost"};
+  EXPECT_EQ(site.Reply(request).body, "setup");
+  request.token = kToken;
+  EXPECT_EQ(site.Reply(request).body, "setup!");
+}
+
+TEST(ViewSite, HasNothingLiveOfALog) {
+  ViewSite site(Parts(false));
+  EXPECT_EQ(Ask(site, "/api/frame", {{"t", "1"}}), "frame 1.000000");
+  EXPECT_EQ(Ask(site, "/api/stream"), "404");
+  EXPECT_EQ(Ask(site, "/api/status"), "404");
+  ViewSiteParts parts = Parts(false);
+  parts.access = {.allow_commands = true, .token = kToken};
+  ViewSite commanding(parts);
+  EXPECT_EQ(Ask(commanding, "/api/command", {}, R"({"target": "a", "words": []})"), "404");
+}
+
+TEST(ViewSite, LetsNothingBeKeptOfWhatMoves) {
+  ViewSite site(Parts(true));
+  WebRequest request = {.method = "GET", .path = "/api/frame", .host = "localhost"};
+  EXPECT_EQ(site.Reply(request).cache_control, "no-store");
+  request.path = "/";
+  EXPECT_EQ(site.Reply(request).cache_control, "no-cache");
+}
+
+}  // namespace
+}  // namespace shoal

@@ -1,0 +1,133 @@
+#include "apps/viewer/viewer_app.h"
+
+#include <fmt/format.h>
+#include <signal.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <array>
+#include <thread>
+
+#include "apps/viewer/access.h"
+#include "apps/viewer/event_hub.h"
+#include "apps/viewer/listening_socket.h"
+#include "apps/viewer/mission_follower.h"
+#include "apps/viewer/page_files.h"
+#include "apps/viewer/view_site.h"
+#include "apps/viewer/web_server.h"
+#include "lib/check/result.h"
+#include "lib/view/recorded_view.h"
+
+namespace shoal {
+
+namespace {
+
+/// Less than a mission's processes have: a viewer must not slow a mission that runs as fast as the
+/// machine can.
+constexpr int kNiceness = 5;
+
+int Fail(int exit_code, const std::string& why) {
+  fmt::print(stderr, "shoal-viewer: {}\n", why);
+  return exit_code;
+}
+
+std::string HostName() {
+  std::array<char, 256> name{};
+  if (gethostname(name.data(), name.size() - 1) != 0) return "localhost";
+  return name.data();
+}
+
+/// Signals are waited for; to be called before there are threads, which inherit the mask.
+sigset_t BlockStopSignals() {
+  sigset_t set;
+  sigemptyset(&set);
+  for (const int number : {SIGINT, SIGTERM, SIGHUP}) sigaddset(&set, number);
+  pthread_sigmask(SIG_BLOCK, &set, nullptr);
+  signal(SIGPIPE, SIG_IGN);
+  return set;
+}
+
+AccessRules RulesOf(const ViewerOptions& options) {
+  AccessRules rules = {.allow_commands = options.allow_commands,
+                       .reading_needs_token = !IsLoopback(options.listen)};
+  if (rules.reading_needs_token) rules.names = {options.listen, HostName()};
+  if (rules.allow_commands || rules.reading_needs_token) rules.token = NewToken();
+  return rules;
+}
+
+ListeningOptions ListeningOf(const ViewerOptions& options) {
+  const int port = options.http_port.value_or(kFirstHttpPort);
+  return {.address = options.listen,
+          .port = port,
+          .last_port = options.http_port ? port : port + kMoreHttpPorts};
+}
+
+/// Serves `parts` until a signal comes; `follower`, where there is one, fills `hub`.
+int Serve(const ViewerOptions& options, ViewSiteParts parts, EventHub& hub,
+          MissionFollower* follower) {
+  Result<ListeningSocket> socket = ListenOn(ListeningOf(options));
+  if (!socket.ok()) return Fail(kExitEnvironment, socket.error());
+  fmt::print("viewer: {}\n", PageUrl(options.listen, socket->port, parts.access.token, HostName()));
+  std::fflush(stdout);
+
+  const sigset_t signals = BlockStopSignals();
+  ViewSite site(std::move(parts));
+  WebServer server(std::move(*socket), {}, hub, site);
+  std::thread serving([&] { server.Run(); });
+  int exit_code = kExitOk;
+  std::thread following;
+  if (follower != nullptr) {
+    following = std::thread([&] {
+      exit_code = follower->Run();
+      if (exit_code != kExitOk) kill(getpid(), SIGTERM);
+    });
+  }
+  int number = 0;
+  sigwait(&signals, &number);
+  server.Stop();
+  serving.join();
+  if (follower != nullptr) {
+    follower->Stop();
+    following.join();
+  }
+  return exit_code;
+}
+
+int ServeLog(const ViewerOptions& options, ViewSiteParts parts) {
+  Result<std::unique_ptr<RecordedView>> view =
+      RecordedView::Open(options.log, {.mission_file = options.mission_file, .boot = NewToken()});
+  if (!view.ok()) return Fail(kExitUsage, view.error());
+  const std::shared_ptr<ViewSource> source = std::move(*view);
+  parts.source = [source] { return source; };
+  EventHub hub;
+  return Serve(options, std::move(parts), hub, nullptr);
+}
+
+int ServeRunningMission(const ViewerOptions& options, ViewSiteParts parts) {
+  EventHub hub;
+  MissionFollower follower(
+      {.port_base = options.port_base, .allow_commands = options.allow_commands}, hub);
+  parts.is_live = true;
+  parts.source = [&follower] { return follower.source(); };
+  parts.status = [&follower] { return follower.StatusJson(); };
+  parts.command = [&follower](const CommandWords& words) { return follower.Command(words); };
+  return Serve(options, std::move(parts), hub, &follower);
+}
+
+}  // namespace
+
+int RunViewer(const ViewerOptions& options) {
+  setpriority(PRIO_PROCESS, 0, kNiceness);
+  ViewSiteParts parts = {.access = RulesOf(options)};
+  if (options.web_folder.empty()) {
+    parts.files = EmbeddedPageFiles();
+  } else {
+    Result<PageFiles> files = LoadPageFiles(options.web_folder);
+    if (!files.ok()) return Fail(kExitUsage, files.error());
+    parts.files = std::move(*files);
+  }
+  return options.log.empty() ? ServeRunningMission(options, std::move(parts))
+                             : ServeLog(options, std::move(parts));
+}
+
+}  // namespace shoal

@@ -1,0 +1,12 @@
+// shoal-viewer from its command line to its exit code.
+#pragma once
+
+#include "apps/viewer/viewer_options.h"
+
+namespace shoal {
+
+/// Serves until a signal comes. Prints the page's address as its first line. Returns the exit code
+/// (lib/check/result.h).
+int RunViewer(const ViewerOptions& options);
+
+}  // namespace shoal

@@ -1,0 +1,46 @@
+#include "lib/mission/recorded_mission.h"
+
+#include <filesystem>
+#include <fstream>
+
+#include "lib/mission/load.h"
+
+namespace shoal {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What the lines of run.txt say.
+struct RunText {
+  std::string mission_file;
+  std::vector<std::string> overrides;
+};
+
+RunText ReadRunText(const fs::path& path) {
+  RunText run;
+  std::ifstream in(path);
+  for (std::string line; std::getline(in, line);) {
+    if (line.starts_with("set ")) run.overrides.push_back(line.substr(4));
+    if (line.starts_with("mission_file ")) run.mission_file = line.substr(13);
+  }
+  return run;
+}
+
+}  // namespace
+
+RecordedMission FindMissionBeside(const std::string& log) {
+  const fs::path folder = fs::path(log).parent_path();
+  const fs::path file = folder / "mission.toml";
+  std::error_code error;
+  if (!fs::is_regular_file(file, error)) return {};
+  const RunText run = ReadRunText(folder / "run.txt");
+  LoadedMission loaded = LoadMission(file.string(), run.overrides);
+  if (!loaded.errors.empty()) return {.errors = std::move(loaded.errors)};
+  if (loaded.mission.name == "mission" && !run.mission_file.empty()) {
+    loaded.mission.name = fs::path(run.mission_file).stem().string();
+  }
+  return {.mission = std::move(loaded.mission)};
+}
+
+}  // namespace shoal

@@ -1,0 +1,76 @@
+// Who is told what: a target and words as `shoal send` takes them, understood.
+//
+//   const Result<Order> order = ParseOrder({.mission = "berta", .vehicles = {"alpha"}}, "alpha",
+//                                          {"goto", "10", "-20"});
+//   if (order.ok()) Publish(bus, *order);
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "lib/bus/bus.h"
+#include "lib/check/result.h"
+#include "lib/orders/order_watch.h"
+#include "lib/routing/control.h"
+#include "shoal/clock_command_t.hpp"
+#include "shoal/helm_command_t.hpp"
+#include "shoal/node_message_t.hpp"
+#include "shoal/sim_command_t.hpp"
+#include "shoal/unc_control_t.hpp"
+
+namespace shoal {
+
+struct OrderToHelms {
+  std::vector<std::string> vehicles;
+  helm_command_t command{};
+};
+
+struct OrderToSims {
+  std::vector<std::string> vehicles;
+  sim_command_t command{};
+};
+
+/// A node message that vehicles send; not an order of ours to them.
+struct MessageOfVehicles {
+  std::vector<std::string> vehicles;
+  node_message_t message{};
+};
+
+struct OrderToBroker {
+  const ControlRow* row = nullptr;
+  unc_control_t control{};
+  bool is_stranger = false;  ///< Of a vehicle that the mission does not have.
+};
+
+struct OrderToClock {
+  clock_command_t command{};
+};
+
+using Order =
+    std::variant<OrderToHelms, OrderToSims, MessageOfVehicles, OrderToBroker, OrderToClock>;
+
+/// Of which mission orders are.
+struct OrderScope {
+  std::string mission;
+  std::vector<std::string> vehicles;
+};
+
+/// Returns what target and words ask for, or what is wrong with them. A vehicle's name wins over a
+/// rule of the broker, and this over "clock".
+[[nodiscard]] Result<Order> ParseOrder(const OrderScope& scope, std::string_view target,
+                                       std::span<const std::string> words);
+
+/// Publishes the order to each that it is for.
+void Publish(Bus& bus, const Order& order);
+
+/// Returns where on their pages those that it is for tell what they made of it; nothing for the
+/// clock, which answers by CLOCK_STATE, and for node messages.
+[[nodiscard]] std::vector<OrderTrace> TracesOf(const Order& order);
+
+/// Returns true for a vehicle of the mission, whatever the case of its letters.
+[[nodiscard]] bool HasVehicle(const OrderScope& scope, std::string_view name);
+
+}  // namespace shoal

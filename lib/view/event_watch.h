@@ -1,0 +1,117 @@
+// Finds what a user wants to jump to: collisions, all-stops, contacts won and lost
+// (docs/viewer_protocol.md).
+//
+//   EventWatch watch({{"alpha", 3}, {"bravo", 3}});
+//   watch.OnNav(0, utime, x_m, y_m, z_m);
+//   watch.OnFate(0, 1, Cause::kDelivered, utime);
+//
+// The parts know nothing of each other: a log may show positions to one watch and fates to another,
+// and merge what they found (MergedEvents).
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "lib/view/fate_facts.h"
+
+namespace shoal {
+
+enum class EventKind : uint8_t {
+  kCollision,
+  kAllStop,
+  kCleared,
+  kFirstContact,
+  kLostContact,
+  kContactAgain,
+};
+[[nodiscard]] std::string_view EventKindText(EventKind kind);
+
+struct ViewEvent {
+  int64_t utime = 0;
+  EventKind kind = EventKind::kCollision;
+  std::vector<std::string> vehicles;
+  std::string text;
+};
+
+/// A vehicle that can collide.
+struct WatchedVehicle {
+  std::string name;
+  double length_m = 0;
+};
+
+class EventWatch {
+ public:
+  static constexpr size_t kMaxEvents = 10'000;
+  static constexpr double kLeastSilence_s = 10;
+  static constexpr size_t kMaxNames = 1000;  ///< Vehicles whose contacts are watched.
+
+  /// Vehicles of OnNav and OnHelm are numbers in this list.
+  explicit EventWatch(std::vector<WatchedVehicle> vehicles);
+
+  /// Takes a position. When one of a later time comes, those of equal times have been compared:
+  /// nearer than the mean of their lengths is a collision, once until they were twice as far apart.
+  void OnNav(size_t vehicle, int64_t utime, double x_m, double y_m, double z_m);
+  /// Takes what HELM_STATE says; `all_stop` is the reason where `state` is "ALL-STOP".
+  void OnHelm(size_t vehicle, int64_t utime, std::string_view state, std::string_view all_stop);
+  /// Takes a fate of two vehicles (`utime` within kFarthest_us), by any numbers that stand for
+  /// their names until the end.
+  void OnFate(int32_t from, int32_t to, Cause cause, int64_t utime) {
+    if (utime >= next_loss_utime_) FindLosses(utime);
+    if (IsHeard(cause)) OnDelivery(from, to, utime);
+  }
+  /// Tells that it is this late: contacts are lost by silence. OnFate tells it too.
+  void OnTime(int64_t utime) {
+    if (utime >= next_loss_utime_) FindLosses(utime);
+  }
+  /// Compares the last positions; for the end of a log.
+  void Finish() { CompareAll(); }
+  /// The rule in force: a contact is lost after the longer of kLeastSilence_s and twice this.
+  void SetStaleTime(double stale_time_s);
+  /// Tells the name of a vehicle of OnFate, before its first fate.
+  void SetName(int32_t number, std::string_view name);
+  /// Numbers below this have been told a name; at first those of the constructor.
+  size_t num_names() const { return names_.size(); }
+
+  /// What was found, in the order in which it was noticed: a loss of contact is noticed later than
+  /// it was.
+  const std::vector<ViewEvent>& events() const { return events_; }
+  int64_t num_left_out() const { return num_left_out_; }
+
+ private:
+  enum class Contact : uint8_t { kNone, kNow, kLost };
+  struct Pair {
+    int64_t heard_utime = 0;
+    Contact contact = Contact::kNone;
+  };
+
+  void CompareAll();
+  bool HaveParted(uint32_t first, uint32_t second) const;
+  double NearestAllowed_m(size_t first, size_t second) const;
+  void OnDelivery(int32_t from, int32_t to, int64_t utime);
+  void FindLosses(int64_t utime);
+  void AddEvent(int64_t utime, EventKind kind, std::vector<std::string> vehicles, std::string text);
+  std::string NameOf(int32_t number) const;
+
+  std::vector<WatchedVehicle> vehicles_;
+  std::vector<Eigen::Vector3d> positions_m_;
+  std::vector<uint32_t> seen_;  ///< Vehicles that have a position at nav_utime_.
+  int64_t nav_utime_ = 0;
+  std::vector<std::pair<uint32_t, uint32_t>> touching_;  ///< Of an encounter that is not over.
+  std::vector<bool> is_stopped_;                         ///< In ALL-STOP.
+  std::vector<std::string> names_;                       ///< Of OnFate's numbers.
+  std::vector<Pair> pairs_;                              ///< Of a < b at b * (b - 1) / 2 + a.
+  int64_t silence_us_ = 10'000'000;
+  int64_t next_loss_utime_ = 2 * kFarthest_us;  ///< No contact is lost before.
+  std::vector<ViewEvent> events_;
+  int64_t num_left_out_ = 0;
+};
+
+/// Returns the events of both in order of time.
+[[nodiscard]] std::vector<ViewEvent> MergedEvents(std::vector<ViewEvent> first,
+                                                  const std::vector<ViewEvent>& second);
+
+}  // namespace shoal

@@ -1,0 +1,69 @@
+// The last fates, each with a number of its own.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lib/view/fate_facts.h"
+#include "lib/view/view_source.h"
+
+namespace shoal {
+
+/// A fate as it is kept, with its names.
+struct KeptFate {
+  int64_t id = 0;  ///< Counts all fates from 1.
+  FateFacts facts;
+  std::string source;
+  std::string destination;
+  std::vector<std::string> colliders;
+
+  FateView view() const;
+};
+
+class FateHistory {
+ public:
+  static constexpr size_t kMaxFates = 20'000;
+  static constexpr int kMaxAnswer = 500;      ///< Of Find.
+  static constexpr size_t kMaxColliders = 4;  ///< Names that are kept of each.
+
+  /// `first_id`: of the first fate that will be added.
+  /// @pre first_id >= 1, max_fates >= 1
+  explicit FateHistory(int64_t first_id = 1, size_t max_fates = kMaxFates)
+      : max_fates_(max_fates), next_id_(first_id) {}
+
+  void Add(const FateView& fate);
+  /// Counts these as seen: of fates before the first that will be added.
+  void MarkSeen(const std::vector<bool>& kinds, const std::vector<bool>& causes) {
+    kinds_seen_ = kinds;
+    causes_seen_ = causes;
+  }
+
+  /// Returns those that are asked for, the newest first. With `after` >= 0 the oldest `limit` of
+  /// those behind it are taken, so that who asks again and again misses none; else the newest.
+  /// Pointers are valid until the next Add.
+  std::vector<const KeptFate*> Find(const FateQuery& query) const;
+  /// Returns the last `limit` of one link, the newest first; names without regard to case.
+  std::vector<const KeptFate*> OfLink(std::string_view from, std::string_view to,
+                                      size_t limit) const;
+
+  /// What was ever added.
+  const std::vector<bool>& kinds_seen() const { return kinds_seen_; }    ///< By kind.
+  const std::vector<bool>& causes_seen() const { return causes_seen_; }  ///< By cause.
+  /// Fates from id 1 on that are no longer kept.
+  int64_t num_forgotten() const;
+  size_t size() const { return fates_.size(); }
+
+ private:
+  const KeptFate& FromNewest(size_t i) const;
+
+  size_t max_fates_;
+  int64_t next_id_;
+  std::vector<KeptFate> fates_;  ///< A ring; the oldest at next_.
+  size_t next_ = 0;
+  std::vector<bool> kinds_seen_ = std::vector<bool>(kNumKinds);
+  std::vector<bool> causes_seen_ = std::vector<bool>(kNumCauses);
+};
+
+}  // namespace shoal

@@ -1,0 +1,160 @@
+#include "lib/view/fate_text.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "lib/view/test_view.h"
+
+namespace shoal {
+namespace {
+
+std::string TextOf(std::string_view cause, void (*fill)(fate_t*)) {
+  fate_t fate = FateOf("alpha", "bravo", cause);
+  fill(&fate);
+  return FateText(fate);
+}
+
+std::string TextOnTheWay(std::string_view cause, void (*fill)(acoustic_path_t*)) {
+  acoustic_path_t path = CalmPath(0);
+  fill(&path);
+  return FateText(Through(FateOf("alpha", "bravo", cause), path));
+}
+
+void Nothing(fate_t*) {}
+
+TEST(FateText, TellsRangeAndLimitOfWhatIsDelivered) {
+  EXPECT_EQ(TextOf("delivered",
+                   [](fate_t* fate) {
+                     fate->range_m = 18.24;
+                     fate->limit_m = 250;
+                   }),
+            "alpha to bravo: delivered, 18.2 m of 250.0 m");
+  EXPECT_EQ(TextOf("delivered", [](fate_t* fate) { fate->range_m = 18.24; }),
+            "alpha to bravo: delivered, 18.2 m, no limit");
+  EXPECT_EQ(TextOf("delivered",
+                   [](fate_t* fate) {
+                     fate->range_m = 18.24;
+                     fate->limit_m = 10;
+                     fate->override_rule = "critical_range";
+                   }),
+            "alpha to bravo: delivered, 18.2 m of 10.0 m, by critical_range");
+  EXPECT_EQ(TextOf("delivered", [](fate_t* fate) { fate->override_rule = "full_report"; }),
+            "alpha to bravo: delivered, by a full report request");
+  EXPECT_EQ(TextOnTheWay("delivered", [](acoustic_path_t* path) { path->jitter_s = 0.01; }),
+            "alpha to bravo: delivered, 0.46 s through the water");
+}
+
+TEST(FateText, TellsTheNumbersThatTheRulesDecidedBy) {
+  EXPECT_EQ(TextOf("out_of_range",
+                   [](fate_t* fate) {
+                     fate->range_m = 312.4;
+                     fate->limit_m = 250;
+                   }),
+            "alpha to bravo: out of range, 312.4 m of 250.0 m");
+  EXPECT_EQ(TextOf("too_soon", [](fate_t* fate) { fate->wait_s = 12.25; }),
+            "alpha to bravo: too soon, 12.2 s too early");
+  EXPECT_EQ(TextOf("too_long",
+                   [](fate_t* fate) {
+                     fate->length_bytes = 1200;
+                     fate->length_limit_bytes = 1000;
+                   }),
+            "alpha to bravo: too long, 1200 bytes of 1000");
+  const auto silence = [](fate_t* fate) {
+    fate->age_s = 6.04;
+    fate->age_limit_s = 5;
+  };
+  EXPECT_EQ(TextOf("stale_source", silence),
+            "alpha to bravo: stale source, silent for 6.0 s of 5.0 s");
+  EXPECT_EQ(TextOf("stale_receiver", silence),
+            "alpha to bravo: stale receiver, silent for 6.0 s of 5.0 s");
+  EXPECT_EQ(TextOf("dropped", [](fate_t* fate) { fate->loss_pct = 12.5; }),
+            "alpha to bravo: dropped at random, 12.5 % are");
+}
+
+TEST(FateText, TellsCausesThatNoNumberDecided) {
+  EXPECT_EQ(TextOf("unknown_source", Nothing), "alpha to bravo: unknown source");
+  EXPECT_EQ(TextOf("unknown_destination", Nothing), "alpha to bravo: unknown destination");
+  EXPECT_EQ(TextOf("other_group", Nothing), "alpha to bravo: other group");
+  EXPECT_EQ(TextOf("no_channel", Nothing), "alpha to bravo: no acoustic channel");
+  EXPECT_EQ(TextOf("in_transit", Nothing), "alpha to bravo: in the water");
+  EXPECT_EQ(TextOf("no_path", Nothing), "alpha to bravo: farther than sound comes");
+}
+
+TEST(FateText, NamesNobodyWhereThereIsNoDestination) {
+  EXPECT_EQ(FateText(FateOf("alpha", "", "invalid")), "alpha: invalid");
+  EXPECT_EQ(FateText(FateOf("alpha", "", "ignored_group")), "alpha: of the ignored group");
+  EXPECT_EQ(FateText(FateOf("alpha", "", "too_many_vehicles")), "alpha: too many vehicles");
+  EXPECT_EQ(FateText(FateOf("alpha", "", "no_destination")), "alpha: no destination");
+  fate_t far = FateOf("alpha", "*", "out_of_range");
+  far.count = 12;
+  EXPECT_EQ(FateText(far), "alpha to 12 others: out of range");
+}
+
+TEST(FateText, TellsWhatHappenedInTheWater) {
+  EXPECT_EQ(TextOnTheWay("not_listening", [](acoustic_path_t* path) { path->channel = 3; }),
+            "alpha to bravo: receiver not listening, channel 3");
+  EXPECT_EQ(TextOnTheWay("half_duplex", [](acoustic_path_t* path) { path->own_packet = 12; }),
+            "alpha to bravo: receiver was sending, its own packet 12");
+  EXPECT_EQ(TextOnTheWay("packet_loss",
+                         [](acoustic_path_t* path) {
+                           path->loss_probability = 0.3125;
+                           path->snr_db = 4.2;
+                         }),
+            "alpha to bravo: packet loss, probability 0.312, SNR 4.2 dB");
+  EXPECT_EQ(
+      TextOnTheWay("packet_loss", [](acoustic_path_t* path) { path->loss_probability = 0.5; }),
+      "alpha to bravo: packet loss, probability 0.5");
+  EXPECT_EQ(TextOnTheWay("bit_errors",
+                         [](acoustic_path_t* path) {
+                           path->bits_flipped = 17;
+                           path->bit_error_probability = 0.001;
+                         }),
+            "alpha to bravo: bit errors, 17 bits flipped, each with probability 0.001");
+  const auto damage = [](acoustic_path_t* path) {
+    path->bits_flipped = 1;
+    path->num_colliders = path->num_named = 1;
+    path->colliders = {"charlie 4"};
+  };
+  EXPECT_EQ(TextOnTheWay("rejected", damage),
+            "alpha to bravo: rejected as damaged, 1 bit flipped, with charlie 4");
+  EXPECT_EQ(TextOnTheWay("damaged", damage),
+            "alpha to bravo: delivered damaged, 1 bit flipped, with charlie 4");
+}
+
+TEST(FateText, NamesColliders) {
+  const auto text = [](int num, std::vector<std::string> names) {
+    acoustic_path_t path = CalmPath(0);
+    path.num_colliders = num;
+    path.num_named = static_cast<int32_t>(names.size());
+    path.colliders = std::move(names);
+    return FateText(Through(FateOf("alpha", "bravo", "collision"), path));
+  };
+  EXPECT_EQ(text(1, {"charlie 4"}), "alpha to bravo: collision, with charlie 4");
+  EXPECT_EQ(text(2, {"charlie 4", "delta 7"}),
+            "alpha to bravo: collision, with charlie 4, delta 7");
+  EXPECT_EQ(text(5, {"c 1", "d 2", "e 3", "f 4"}),
+            "alpha to bravo: collision, with c 1, d 2, e 3 and 2 others");
+  EXPECT_EQ(text(1, {}), "alpha to bravo: collision, with 1 other");
+}
+
+TEST(FateText, HasWordsOfItsOwnForEveryCause) {
+  std::set<std::string_view> words;
+  for (int i = 0; i < kNumCauses; ++i) {
+    const auto cause = static_cast<Cause>(i);
+    EXPECT_FALSE(CauseWords(cause).empty());
+    words.insert(CauseWords(cause));
+    EXPECT_EQ(FateText(FateOf("alpha", "bravo", CauseText(cause))),
+              "alpha to bravo: " + std::string(CauseWords(cause)))
+        << "without numbers";
+  }
+  EXPECT_EQ(words.size(), static_cast<size_t>(kNumCauses));
+}
+
+TEST(FateText, CutsWhatIsTooLongAndSaysWhatItDoesNotKnow) {
+  fate_t fate = FateOf(std::string(1'000'000, 'x'), "bravo", "eaten_by_a_whale");
+  EXPECT_EQ(FateText(fate), std::string(64, 'x') + " to bravo: eaten_by_a_whale");
+}
+
+}  // namespace
+}  // namespace shoal

@@ -1,0 +1,93 @@
+// A running mission as the viewer's page sees it.
+//
+//   LiveView view(mission, boot);
+//   view.Handle(message.channel, message.data);      // from the bus's thread
+//   std::string frame = view.StreamFrameJson();      // 15 times per second
+//
+// All functions may be called from any thread.
+#pragma once
+
+#include <cstdint>
+#include <mutex>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lib/bus/channels.h"
+#include "lib/mission/mission.h"
+#include "lib/view/command_record.h"
+#include "lib/view/event_watch.h"
+#include "lib/view/fate_history.h"
+#include "lib/view/frame_json.h"
+#include "lib/view/link_history.h"
+#include "lib/view/scene.h"
+#include "lib/view/trail.h"
+#include "lib/view/vehicle_history.h"
+#include "lib/view/view_clock.h"
+#include "lib/view/view_source.h"
+
+namespace shoal {
+
+class LiveView : public ViewSource, private SceneObserver {
+ public:
+  /// So many pulses a frame of the stream holds; more are counted.
+  static constexpr size_t kMaxStreamPulses = 200;
+
+  /// No mission yet: state "waiting". `boot` names this start of the viewer.
+  explicit LiveView(std::string boot);
+  /// `notes`: what a user should know, for the page. State "gathering" until the clock or a message
+  /// tells more.
+  LiveView(const Mission& mission, std::string boot, std::vector<std::string> notes = {});
+
+  /// Takes one encoded message; channels as Scene::Handle, and CLOCK_STATE.
+  void Handle(std::string_view channel, std::span<const uint8_t> data);
+  /// Takes what became of the commands, the newest last.
+  void SetCommands(std::vector<CommandRecord> commands);
+  /// Tells that no clock will speak any more: "waiting", "ended" or "lost".
+  void SetClockGone(std::string_view state);
+
+  /// Returns the next frame for all clients of the stream: pulses and packets since the last call.
+  std::string StreamFrameJson();
+  /// Grows with each message, command and change of the clock: equal numbers, equal frames.
+  int64_t num_changes() const;
+
+  std::string SetupJson(bool commands) override;
+  std::string FrameJson(double t_s) override;
+  std::string TrailsJson() override;
+  std::string LinksJson(double t_s) override;
+  std::string FatesJson(const FateQuery& query, double t_s) override;
+  std::string EventsJson() override;
+  Result<std::string> LinkJson(std::string_view from, std::string_view to, double t_s) override;
+  Result<std::string> VehicleJson(std::string_view name, double t_s, double window_s) override;
+
+ private:
+  void OnNav(size_t vehicle, const nav_t& nav) override;
+  void OnHelm(size_t vehicle, const helm_state_t& helm) override;
+  void OnReport(size_t vehicle, const HeardReport& report) override;
+  void OnFate(const FateView& fate, const LinkPlace& place) override;
+  void FollowRules();
+  FrameParts PartsOfNow() const;
+
+  // Do not change once constructed.
+  std::string setup_json_;           ///< For those who may only look.
+  std::string setup_json_commands_;  ///< For those who may send commands.
+  std::string clock_channel_ = channels::ClockState().name;
+
+  mutable std::mutex mutex_;  ///< Of all below.
+  Scene scene_;
+  ViewClock clock_;
+  bool has_clock_ = false;  ///< The clock was heard of.
+  std::vector<CommandRecord> commands_;
+  FateHistory fates_;
+  std::vector<LinkHistory> link_histories_;  ///< By the link's place in the scene's LinkBook.
+  std::vector<VehicleHistory> vehicle_histories_;
+  std::vector<Trail> trails_;
+  EventWatch events_;
+  double stale_time_s_ = -2;  ///< What events_ goes by.
+  int64_t pulses_told_ = 0;   ///< Order of the last that went with a stream's frame.
+  int64_t packets_told_ = 0;
+  int64_t num_changes_ = 0;
+};
+
+}  // namespace shoal

@@ -1,0 +1,81 @@
+// A recorded mission in the page: the time line.
+import assert from 'node:assert/strict';
+import { mkdirSync } from 'node:fs';
+import { join } from 'node:path';
+import { after, before, test } from 'node:test';
+import { Stage, until } from './support.mjs';
+
+const stage = new Stage();
+let page;
+
+before(async () => {
+  const folder = join(stage.folder, 'recording');
+  const run = stage.run('missions/berta.toml', '--warp', 'max', '--record', folder);
+  assert.equal(await run.over, 0, run.said);
+  const view = stage.start('shoal', 'view', folder);
+  const url = await until('the address', () => /viewer: (http\S+)/.exec(view.said)?.[1]);
+  page = await stage.page(url);
+  await until('the first frame', () => page.evaluate(() => globalThis.shoalViewer?.source?.frame));
+});
+after(() => stage.end());
+
+const time = () => page.evaluate(() => globalThis.shoalViewer.source.frame.t);
+const scrub = async (t) => {
+  await page.locator('#timeline input[type=range]').evaluate((slider, value) => {
+    slider.value = String(value);
+    slider.dispatchEvent(new Event('input', { bubbles: true }));
+    slider.dispatchEvent(new Event('change', { bubbles: true }));
+  }, t);
+  await until(`the frame at ${t} s`, async () => Math.abs(await time() - t) < 0.2);
+};
+const alpha = () => page.evaluate(() =>
+  globalThis.shoalViewer.source.frame.vehicles.find((each) => each.name === 'alpha'));
+
+test('a log scrubs, to and fro', async () => {
+  await scrub(300);
+  const late = await alpha();
+  assert.ok(late.nav.x > 200, `on its way to the East: ${late.nav.x}`);
+  await scrub(140);
+  const early = await alpha();
+  assert.ok(Math.hypot(early.nav.x, early.nav.y + 150) < 60, 'in the West');
+  await scrub(300);
+  assert.deepEqual((await alpha()).nav, late.nav);
+  if (process.env.SHOAL_SCREENSHOTS) {
+    mkdirSync(process.env.SHOAL_SCREENSHOTS, { recursive: true });
+    await page.waitForTimeout(1000);
+    await page.screenshot({ path: `${process.env.SHOAL_SCREENSHOTS}/viewer_recorded.png` });
+  }
+});
+
+test('it plays, and stops', async () => {
+  await scrub(50);
+  await page.keyboard.press('Space');
+  await until('two seconds later', async () => await time() > 52);
+  await page.keyboard.press('Space');
+  await until('it stands still', async () => {
+    const at = await time();
+    await page.waitForTimeout(400);
+    return await time() === at;
+  });
+});
+
+test('it jumps to the next event', async () => {
+  await scrub(1);
+  await page.keyboard.press(']');
+  await until('a later time', async () => await time() > 2);
+  await page.click('[data-tab=events]');
+  await until('lost contact in the list', async () =>
+    /lost/i.test(await page.textContent('#events')));
+});
+
+test('the matrix is that of the moment', async () => {
+  await page.click('[data-tab=comms]');
+  await scrub(120);
+  await until('the reason of the silence', async () =>
+    /out of range, 3\d\d\.\d m of 250\.0 m/.test(await page.textContent('#fates')));
+});
+
+test('nobody outside was asked, and nothing went wrong', () => {
+  assert.deepEqual(stage.outside, []);
+  assert.deepEqual(stage.errors, []);
+});

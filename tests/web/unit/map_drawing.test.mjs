@@ -1,0 +1,152 @@
+import assert from 'node:assert/strict';
+import {test} from 'node:test';
+
+import {
+  causeColor, kindColor, luminance, palette, parseColor, readable, vehicleColor,
+} from '../../../web/colors.js';
+import {labelLines, placeLabels} from '../../../web/draw_labels.js';
+import {presentTask, rangesOf, tasksKey} from '../../../web/draw_tasks.js';
+import {drawnLength, hullOf, isStopped} from '../../../web/draw_vehicles.js';
+
+const size = (width, height = 20) => ({width, height});
+const item = (x, y, more = {}) => ({x, y, radius: 10, sizes: [size(100, 35), size(40)], ...more});
+const boxOf = (items, placed) => placed.flatMap((place, i) =>
+  place ? [{...place, ...items[i].sizes[place.form]}] : []);
+
+function overlaps(a, b) {
+  return a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height;
+}
+
+test('a label with room stands to the right, in full', () => {
+  assert.deepEqual(placeLabels([item(100, 100)]), [{form: 0, side: 0, x: 112, y: 82.5}]);
+});
+
+test('labels never overlap, and where it is crowded some are shortened or left out', () => {
+  const items = Array.from({length: 80},
+                           (_, i) => item(200 + (i * 53) % 170, 200 + (i * 31) % 140));
+  const placed = placeLabels(items, 1280, 720);
+  const boxes = boxOf(items, placed);
+  for (let i = 0; i < boxes.length; ++i) {
+    for (let k = i + 1; k < boxes.length; ++k) assert.ok(!overlaps(boxes[i], boxes[k]));
+  }
+  assert.ok(placed.some((place) => place?.form === 1));
+  assert.ok(placed.some((place) => place === null));
+  assert.ok(boxes.length > 8);
+});
+
+test('the selected vehicle has its whole label whatever it covers', () => {
+  const items = [item(100, 100), item(104, 101), item(101, 104), item(103, 103), item(102, 102)];
+  items[4].must = true;
+  assert.equal(placeLabels(items, 200, 200)[4].form, 0);
+});
+
+test('who is stopped chooses before the others', () => {
+  const room = [item(100, 100), item(112, 104)];
+  const later = placeLabels(room)[1];
+  room[1].first = true;
+  const sooner = placeLabels(room)[1];
+  assert.equal(sooner?.form, 0);
+  assert.notDeepEqual(later, sooner);
+});
+
+test('a label keeps its side while there is room, and stays in the picture', () => {
+  assert.equal(placeLabels([item(100, 100, {side: 3})])[0].side, 3);
+  const [edge] = placeLabels([item(190, 100)], 200, 200);
+  assert.equal(edge.side, 1);
+});
+
+test('a label says what a user has to know first', () => {
+  const vehicle = {name: 'alpha', mode: 'DRIVE survey', depth: 12.34, stale: false,
+    helm: {state: 'DRIVE', all_stop: 'clear'}};
+  assert.deepEqual(labelLines(vehicle, 20).map(({text}) => text),
+                   ['alpha', 'DRIVE survey \u00b7 12.3 m']);
+  const stopped = {...vehicle, helm: {state: 'ALL-STOP', all_stop: 'left the op area'}};
+  assert.ok(isStopped(stopped) && !isStopped(vehicle) && !isStopped({helm: null}));
+  assert.equal(labelLines(stopped, 20)[1].text, 'ALL-STOP: left the op area');
+  const stale = {...vehicle, depth: 0, stale: true, report: {t: 4}};
+  assert.deepEqual(labelLines(stale, 20).map(({text}) => text),
+                   ['alpha', 'DRIVE survey', 'stale 16 s']);
+  const silent = {name: 'x'.repeat(500), mode: 'y'.repeat(500), depth: null, stale: true};
+  assert.ok(labelLines(silent, 0).every(({text}) => text.length <= 40));
+});
+
+test('every type has a hull, and none is drawn shorter than can be seen', () => {
+  assert.deepEqual(['kayak', 'SHIP', 'mokai', 'uuv', 'glider', 'submarine', '', null, 'constructor']
+      .map(hullOf),
+  ['kayak', 'ship', 'mokai', 'auv', 'glider', 'dart', 'dart', 'dart', 'dart']);
+  const camera = {metresPerPixel: 0.5};
+  assert.equal(drawnLength({length_m: 40}, camera), 80);
+  for (const length_m of [0, -1, 3, NaN, null, undefined]) {
+    assert.ok(drawnLength({length_m}, camera) >= 12);
+  }
+  assert.ok(drawnLength({length_m: 1e300}, camera) < 1e5);
+});
+
+test('how far a vehicle is heard and hears follows the rules in force', () => {
+  const rules = {comms_range_m: 250, critical_range_m: 30,
+    factors: {alpha: {stealth: 0.5, earange: 2}}};
+  assert.deepEqual(rangesOf(rules, 'alpha'), {heard_m: 125, hears_m: 500, critical_m: 30});
+  assert.deepEqual(rangesOf(rules, 'bravo'), {heard_m: 250, hears_m: 250, critical_m: 30});
+  assert.deepEqual(rangesOf({comms_range_m: -1}, 'bravo'),
+                   {heard_m: null, hears_m: null, critical_m: null});
+  assert.equal(rangesOf(null, 'bravo').heard_m, null);
+});
+
+test('the present task is the one that the helm names', () => {
+  const tasks = new Map([['alpha', [{name: 'a'}, {name: 'b'}]]]);
+  assert.equal(presentTask({name: 'alpha', helm: {task: 'b'}}, tasks).name, 'b');
+  assert.equal(presentTask({name: 'alpha', helm: {task: ''}}, tasks), null);
+  assert.equal(presentTask({name: 'bravo', helm: {task: 'a'}}, tasks), null);
+  const at = (waypoint) => tasksKey([{helm: {task: 'a', waypoint}}], 'alpha');
+  assert.notEqual(at(1), at(2));
+});
+
+test('colours are known however MOOS writes them', () => {
+  assert.equal(parseColor('dodgerblue'), 0x1e90ff);
+  assert.equal(parseColor('Dodger_Blue'), 0x1e90ff);
+  assert.equal(parseColor('light grey'), 0xd3d3d3);
+  assert.equal(parseColor('#12aBf0'), 0x12abf0);
+  assert.equal(parseColor('#abc'), 0xaabbcc);
+  assert.equal(parseColor('hex:1f,44,88'), 0x1f4488);
+  for (const text of ['', '#', '#12345', '#12345g', 'nocolour', null, 7, 'a'.repeat(1e6)]) {
+    assert.equal(parseColor(text), null, String(text).slice(0, 20));
+  }
+});
+
+// WCAG 2 contrast.
+const contrast = (a, b) => {
+  const [low, high] = [luminance(a), luminance(b)].sort((x, y) => x - y);
+  return (high + 0.05) / (low + 0.05);
+};
+
+test('every colour can be seen on its ground', () => {
+  const colors = ['black', 'navy', 'white', 'yellow', 'red', 'midnightblue', 'ivory', '#777', ''];
+  for (const color of colors) {
+    assert.ok(contrast(parseColor(vehicleColor('a', color, false)), 0x0b1622) >= 3, color);
+    assert.ok(contrast(parseColor(vehicleColor('a', color, true)), 0xf2f6f9) >= 2.8, color);
+  }
+  for (const color of Object.values(palette)) {
+    assert.ok(contrast(parseColor(readable(parseColor(color), false)), 0x0b1622) >= 3, color);
+  }
+});
+
+test('a colour that can be seen is left as it is', () => {
+  assert.equal(vehicleColor('a', 'orange', false), '#ffa500');
+  assert.equal(vehicleColor('a', 'firebrick', true), '#b22222');
+});
+
+test('a vehicle without a colour has one by its name, always the same', () => {
+  assert.equal(vehicleColor('alpha', '', false), vehicleColor('alpha', undefined, false));
+  const colors = new Set(Array.from({length: 40}, (_, i) => vehicleColor(`v${i}`, '', false)));
+  assert.ok(colors.size >= 6);
+});
+
+test('kinds and causes have colours of their own, strange ones too', () => {
+  const kinds = ['report', 'message', 'ack', 'packet'];
+  assert.equal(new Set(kinds.map((kind) => kindColor(kind, false))).size, 4);
+  assert.notEqual(causeColor('delivered', false), causeColor('out_of_range', false));
+  for (const cause of ['constructor', '', null, undefined]) {
+    assert.match(causeColor(cause, false), /^#[0-9a-f]{6}$/);
+    assert.match(kindColor(cause, true), /^#[0-9a-f]{6}$/);
+  }
+});

@@ -1,0 +1,49 @@
+// What came from the viewer, in a shape that the page can rely on, whatever it was.
+
+const kMostVehicles = 1000;
+
+const arrayOf = (value) => (Array.isArray(value) ? value : []);
+const isObject = (value) => typeof value === 'object' && value !== null;
+
+/** Entries with a name, each name once. */
+function named(list) {
+  const byName = new Map();
+  for (const entry of arrayOf(list)) {
+    if (isObject(entry) && typeof entry.name === 'string' && !byName.has(entry.name)
+        && byName.size < kMostVehicles) byName.set(entry.name, entry);
+  }
+  return [...byName.values()];
+}
+
+/** A frame with a time, vehicles that have names, a clock and commands; or null. */
+export function tidyFrame(frame) {
+  if (!isObject(frame) || !Number.isFinite(frame.t) || !Array.isArray(frame.vehicles)) return null;
+  return {
+    ...frame,
+    vehicles: named(frame.vehicles),
+    clock: isObject(frame.clock) ? frame.clock : {},
+    commands: arrayOf(frame.commands).filter(isObject),
+  };
+}
+
+/** A setup with vehicles that have names, notes and the ends of its time. */
+export function tidySetup(setup) {
+  const known = isObject(setup) ? setup : {};
+  const begin_s = Number.isFinite(known.begin_s) ? known.begin_s : 0;
+  const end_s = Number.isFinite(known.end_s) ? Math.max(begin_s, known.end_s) : begin_s;
+  return {
+    ...known,
+    begin_s,
+    end_s,
+    vehicles: named(known.vehicles),
+    notes: arrayOf(known.notes).filter((note) => typeof note === 'string'),
+  };
+}
+
+/** Events with a time and a kind, in order of time. */
+export function tidyEvents(answer) {
+  return arrayOf(answer?.events)
+    .filter((event) => Number.isFinite(event?.t) && typeof event.kind === 'string')
+    .map((event) => ({...event, vehicles: arrayOf(event.vehicles)}))
+    .sort((a, b) => a.t - b.t);
+}

@@ -1,0 +1,275 @@
+// Puts the page together: asks for the mission, then lets source, map and panels know of one
+// another.
+
+import {tidyEvents, tidySetup} from './answers.js';
+import {vehicleColor} from './colors.js';
+import {Commands} from './commands.js';
+import {setText} from './dom.js';
+import {fillHelp} from './help.js';
+import {listenToKeys, showPressed} from './keys.js';
+import {MapView} from './map_view.js';
+import {CommsPanel} from './panel_comms.js';
+import {EventsPanel} from './panel_events.js';
+import {StatusPanel} from './panel_status.js';
+import {VehiclePanel} from './panel_vehicle.js';
+import {openStream, Requests} from './requests.js';
+import {LiveSource, RecordedSource} from './source.js';
+import {Tabs} from './tabs.js';
+import {fileName, missionTime, quantity} from './text.js';
+import {Timeline} from './timeline.js';
+import {TopBar} from './top_bar.js';
+import {ViewKeeper} from './view_keeper.js';
+import {World} from './world.js';
+
+const kPanelEvery_ms = 200;
+const kRetry_ms = 1000;
+
+const find = (id) => document.getElementById(id);
+const pause = (ms) => new Promise((done) => { setTimeout(done, ms); });
+
+class Page {
+  constructor(requests) {
+    this.requests = requests;
+    this.frame = null;
+    this.selected = null;
+    this.link = null;
+    this.frames = 0;
+    this.panels_ms = -Infinity;
+    this.numEvents = null;
+    this.connection = ['connecting', ''];
+    this.top = new TopBar((name, on) => this.setLayer(name, on));
+    this.tabs = new Tabs(find('side'), () => this.#showPanels());
+    this.map = new MapView(find('map'), {
+      onVehicle: (name) => this.#clickVehicle(name),
+      onPlace: (place) => this.commands?.place(place),
+      onPointer: (place) => this.#showPointer(place),
+      onView: () => this.keeper?.changed(),
+    });
+    this.keeper = new ViewKeeper(this);
+    fillHelp(find('help'));
+    listenToKeys(this);
+  }
+
+  /** Begins with the mission that `setup` tells of. */
+  begin(setup) {
+    this.setup = setup;
+    this.isRecorded = setup.mode === 'recorded';
+    const listener = {
+      onFrame: (frame) => this.#takeFrame(frame),
+      onSetup: (other) => this.#turnTo(other),
+      onReconnected: () => this.#askTrails(),
+      onConnection: (...connection) => {
+        this.connection = connection;
+        this.top.showConnection(...connection, this.frame?.clock);
+      },
+      onPlay: () => this.keeper.changed(),
+    };
+    this.source = this.isRecorded ? new RecordedSource(setup, this.requests, listener)
+      : new LiveSource(setup, this.requests, listener, openStream);
+    if (this.isRecorded) this.timeline = new Timeline(find('timeline'), this.source);
+    this.panels = {
+      vehicle: new VehiclePanel(this, find('panel-vehicle')),
+      comms: new CommsPanel(this, find('panel-comms')),
+      status: new StatusPanel(this, find('panel-status')),
+      events: new EventsPanel(this, find('panel-events')),
+    };
+    this.commands = new Commands(this, find('panel-commands'), (name) => this.#showAim(name));
+    this.#showMission();
+    this.keeper.restore();
+    this.source.start();
+    requestAnimationFrame(() => this.#draw());
+  }
+
+  /** What to add to a question: the time, where it is a recorded mission. */
+  query() {
+    return this.source.query();
+  }
+
+  names() {
+    return (this.frame?.vehicles ?? this.setup.vehicles).map(({name}) => name);
+  }
+
+  color({name, color}) {
+    return vehicleColor(name, color);
+  }
+
+  select(name) {
+    if (this.selected === name) return;
+    this.selected = name;
+    this.map.select(name);
+    this.panels.vehicle.select(name);
+    this.commands.select(name);
+    if (this.frame) this.panels.vehicle.frame(this.frame);
+    this.keeper.changed();
+  }
+
+  openLink(from, to) {
+    this.link = from === null ? null : {from, to};
+    this.panels.comms.openLink(this.link);
+    this.keeper.changed();
+  }
+
+  goToEvent(event) {
+    const [name] = event.vehicles ?? [];
+    if (this.isRecorded) this.source.seek(event.t);
+    if (this.names().includes(name)) {
+      this.select(name);
+      this.map.centre(name);
+    }
+  }
+
+  jump(direction, onlyGrave) {
+    const event = this.timeline?.jump(direction, onlyGrave);
+    if (event) this.select(event.vehicles?.[0] ?? this.selected);
+  }
+
+  setLayer(name, on) {
+    this.map.view = {layers: {[name]: on}};
+    this.top.showLayers(this.map.view.layers);
+    this.keeper.changed();
+  }
+
+  setTheme(theme) {
+    document.documentElement.className = theme;
+    for (const panel of Object.values(this.panels ?? {})) panel.restyle?.();
+    this.keeper.changed();
+  }
+
+  async savePng() {
+    const url = URL.createObjectURL(await this.map.toPng());
+    const link = document.createElement('a');
+    link.href = url;
+    const time = missionTime(this.frame?.t ?? 0).replaceAll(':', '-');
+    link.download = `${fileName(this.setup.mission)}_${time}.png`;
+    link.click();
+    setTimeout(() => URL.revokeObjectURL(url), 10000);
+  }
+
+  #clickVehicle(name) {
+    const vehicle = this.frame?.vehicles.find((one) => one.name === name);
+    if (vehicle?.nav && this.commands.place(vehicle.nav)) return;
+    this.select(name);
+    if (name && this.tabs.current !== 'commands') this.tabs.show('vehicle');
+  }
+
+  #takeFrame(frame) {
+    this.frame = frame;
+    this.frames += 1;
+    this.world.addFrame(frame, performance.now());
+    if (this.frames === 1) this.keeper.firstFrame();
+    this.top.showConnection(...this.connection, frame.clock);
+    if (frame.num_events !== this.numEvents && !this.isRecorded) {
+      this.numEvents = frame.num_events;
+      this.#askEvents();
+    }
+  }
+
+  /** The viewer was started again, or turned to another mission. */
+  #turnTo(setup) {
+    if (setup.mode !== this.setup.mode || setup.mode === 'recorded'
+        || setup.commands !== this.setup.commands) {
+      location.reload();
+      return;
+    }
+    this.setup = setup;
+    this.frame = null;
+    this.numEvents = null;
+    this.openLink(null, null);
+    this.#showMission();
+    for (const panel of Object.values(this.panels)) panel.reset();
+    this.commands.setVehicles();
+    if (!setup.vehicles.some(({name}) => name === this.selected)) this.select(null);
+    this.map.fit();
+  }
+
+  #showMission() {
+    this.world = new World(this.setup);
+    this.map.setWorld(this.world, this.setup);
+    this.top.setup(this.setup);
+    this.#askTrails();
+    this.#askEvents();
+  }
+
+  async #askTrails() {
+    const world = this.world;
+    try {
+      world.addTrails(await this.requests.get('/api/trails'));
+    } catch {
+      await pause(kRetry_ms);
+      if (world === this.world && this.connection[0] === 'live') this.#askTrails();
+    }
+  }
+
+  async #askEvents() {
+    const asked = this.numEvents;
+    try {
+      const known = tidyEvents(await this.requests.get('/api/events'));
+      this.panels.events.update(known);
+      this.timeline?.setEvents(known);
+    } catch {
+      await pause(kRetry_ms);
+      if (asked === this.numEvents) this.#askEvents();
+    }
+  }
+
+  #showPanels() {
+    for (const [name, panel] of Object.entries(this.panels ?? {})) {
+      panel.show(name === this.tabs.current);
+    }
+    this.panels_ms = -Infinity;
+    this.keeper?.changed();
+  }
+
+  #showPointer(place) {
+    setText(find('pointer'), !place ? ''
+      : `x ${quantity(place.x, 1)}  y ${quantity(place.y, 1)} m   `
+        + `${quantity(place.lat, 6)}°  ${quantity(place.lon, 6)}°`);
+  }
+
+  #showAim(name) {
+    find('aim').hidden = name === null;
+    setText(find('aim'), name === null ? '' : `Click where ${name} is to go. Esc: not at all.`);
+    find('stage').classList.toggle('aiming', name !== null);
+  }
+
+  #draw() {
+    requestAnimationFrame(() => this.#draw());
+    const now_ms = performance.now();
+    if (this.isRecorded) {
+      this.source.tick();
+      this.world.setTime(this.source.t);
+      this.timeline.update();
+    }
+    this.map.setMark(this.commands.mark);
+    this.map.draw(now_ms);
+    if (this.frame) {
+      this.top.frame(this.frame.t, this.frame.clock, this.isRecorded ? this.source : null);
+      if (now_ms - this.panels_ms > kPanelEvery_ms) {
+        this.panels_ms = now_ms;
+        if (this.tabs.current === 'vehicle') this.panels.vehicle.frame(this.frame);
+        if (this.tabs.current === 'events') this.panels.events.mark(this.frame.t);
+        this.commands.frame(this.frame);
+        showPressed(this);
+      }
+      this.keeper.tick();
+    }
+  }
+}
+
+async function start() {
+  const requests = new Requests(new URLSearchParams(location.search).get('token') ?? '');
+  const page = new Page(requests);
+  window.shoalViewer = page;
+  for (;;) {
+    try {
+      page.begin(tidySetup(await requests.get('/api/setup')));
+      return;
+    } catch (error) {
+      if (error.status === undefined) throw error;
+      page.top.showConnection('lost', error.message, null);
+      await pause(kRetry_ms);
+    }
+  }
+}
+
+start();

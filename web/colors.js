@@ -1,0 +1,122 @@
+// The colours of the map and of the panels. The palette is that of Okabe and Ito (2008), which
+// colour-blind people can tell apart; every colour is made light enough for the dark theme, or dark
+// enough for the light one.
+
+import {namedColors} from './color_names.js';
+
+export const palette = {
+  orange: '#e69f00',
+  skyBlue: '#56b4e9',
+  green: '#009e73',
+  yellow: '#f0e442',
+  blue: '#0072b2',
+  vermillion: '#d55e00',
+  purple: '#cc79a7',
+  grey: '#999999',
+};
+
+const kVehicleColors = ['orange', 'skyBlue', 'green', 'yellow', 'vermillion', 'purple', 'blue'];
+
+// Relative luminance (WCAG 2): at least this on the dark ground, at most that on the light one.
+// Both keep a contrast of 3 and more.
+const kLeastOnDark = 0.2;
+const kMostOnLight = 0.28;
+
+/** True where the page has the light theme: class `light` on <html>. */
+export function isLightTheme() {
+  return globalThis.document?.documentElement?.classList?.contains('light') ?? false;
+}
+
+/** Returns 0xrrggbb of a CSS or MOOS name, #rgb, #rrggbb or hex:rr,gg,bb; null for others. */
+export function parseColor(text) {
+  if (typeof text !== 'string' || text.length > 64) return null;
+  const plain = text.toLowerCase().replace(/[\s_]/g, '').replace('grey', 'gray');
+  if (namedColors.has(plain)) return namedColors.get(plain);
+  const hex = /^(?:#|hex:?)([0-9a-f]{1,2}),?([0-9a-f]{1,2}),?([0-9a-f]{1,2})$/.exec(plain);
+  if (!hex || new Set(hex.slice(1).map((part) => part.length)).size !== 1) return null;
+  const parts = hex.slice(1).map((part) => part.length === 1 ? part + part : part);
+  return parseInt(parts.join(''), 16);
+}
+
+function partsOf(rgb) {
+  return [(rgb >> 16) & 255, (rgb >> 8) & 255, rgb & 255].map((part) => part / 255);
+}
+
+/** Returns the relative luminance of 0xrrggbb, 0 to 1 (WCAG 2). */
+export function luminance(rgb) {
+  const [r, g, b] = partsOf(rgb).map(
+      (part) => part <= 0.04045 ? part / 12.92 : ((part + 0.055) / 1.055) ** 2.4);
+  return 0.2126 * r + 0.7152 * g + 0.0722 * b;
+}
+
+function mixed(rgb, target, amount) {
+  const parts = partsOf(rgb).map(
+      (part) => Math.round(255 * (part + (target - part) * amount)));
+  return (parts[0] << 16) | (parts[1] << 8) | parts[2];
+}
+
+/** Mixes with white or black, as little as it takes to be seen on the theme's ground. */
+export function readable(rgb, onLight = isLightTheme()) {
+  let color = rgb;
+  for (let amount = 0; amount <= 1; amount += 0.04) {
+    color = mixed(rgb, onLight ? 0 : 1, amount);
+    const light = luminance(color);
+    if (onLight ? light <= kMostOnLight : light >= kLeastOnDark) break;
+  }
+  return `#${color.toString(16).padStart(6, '0')}`;
+}
+
+const cache = new Map();
+
+function cached(key, make) {
+  let value = cache.get(key);
+  if (value === undefined) {
+    if (cache.size > 2000) cache.clear();
+    value = make();
+    cache.set(key, value);
+  }
+  return value;
+}
+
+function hashOf(name) {
+  let hash = 2166136261;
+  for (const letter of name) hash = Math.imul(hash ^ letter.codePointAt(0), 16777619) >>> 0;
+  return hash;
+}
+
+function paletteColor(key, onLight) {
+  return cached(`p ${key} ${onLight}`, () => readable(parseColor(palette[key]), onLight));
+}
+
+/** Returns #rrggbb: the vehicle's own colour made readable, or one of the palette by its name. */
+export function vehicleColor(name, color, onLight = isLightTheme()) {
+  return cached(`v ${name} ${color} ${onLight}`, () => {
+    const own = parseColor(color);
+    if (own !== null) return readable(own, onLight);
+    const key = kVehicleColors[hashOf(String(name ?? '').slice(0, 64)) % kVehicleColors.length];
+    return readable(parseColor(palette[key]), onLight);
+  });
+}
+
+const kCauseColors = {
+  delivered: 'green',
+  damaged: 'yellow', bit_errors: 'yellow', rejected: 'yellow',
+  out_of_range: 'vermillion', no_path: 'vermillion',
+  dropped: 'purple', packet_loss: 'purple',
+  collision: 'orange', half_duplex: 'orange',
+  no_channel: 'skyBlue', not_listening: 'skyBlue', other_group: 'skyBlue',
+  stale_source: 'grey', stale_receiver: 'grey', unknown_source: 'grey',
+  unknown_destination: 'grey', no_destination: 'grey', in_transit: 'grey',
+};
+
+/** Returns the colour of a fate's cause; what stops it at intake is blue. */
+export function causeColor(cause, onLight = isLightTheme()) {
+  return paletteColor(Object.hasOwn(kCauseColors, cause) ? kCauseColors[cause] : 'blue', onLight);
+}
+
+const kKindColors = {report: 'orange', message: 'skyBlue', ack: 'green', packet: 'purple'};
+
+/** Returns the colour of report, message, ack or packet; grey for others. */
+export function kindColor(kind, onLight = isLightTheme()) {
+  return paletteColor(Object.hasOwn(kKindColors, kind) ? kKindColors[kind] : 'grey', onLight);
+}

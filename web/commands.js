@@ -1,0 +1,239 @@
+// Orders to vehicles, to the broker and to the mission's clock, and what became of them.
+
+import {element, KeyedList, setAttribute, setText} from './dom.js';
+import {clip, missionTime, quantity} from './text.js';
+
+const kOrders = [
+  {name: 'deploy', label: 'Deploy', title: 'start the list of tasks, or go on with it'},
+  {name: 'return', label: 'Return', title: 'go home and stay there'},
+  {name: 'station_keep', label: 'Station keep', title: 'stay here'},
+  {name: 'all_stop', label: 'All-stop', title: 'stop the actuators, until Resume'},
+  {name: 'resume', label: 'Resume', title: 'go on after an all-stop'},
+];
+const kWarps = ['1', '2', '5', '10', '20', '50', 'max'];
+const kSigns = {sent: '…', taken: '✓', refused: '✗'};
+const kMarkStays_ms = 4000;
+
+/** The words of an order to go to a place. */
+export const gotoWords = ({x, y}) => ['goto', x.toFixed(1), y.toFixed(1)];
+
+/** What a command's state and reason say, in words. */
+export function commandWords({state, reason}) {
+  const why = reason ? `: ${clip(reason, 300)}` : '';
+  return `${kSigns[state] ?? '?'} ${state}${why}`;
+}
+
+export class Commands {
+  /** @param onAim  gets the name that a click on the map would send there, or null */
+  constructor(page, root, onAim) {
+    this.page = page;
+    this.onAim = onAim;
+    this.aimed = null;
+    this.mark = null;
+    this.unsent = [];
+    this.allowed = Boolean(page.setup.commands);
+    root.replaceChildren();
+    if (!this.allowed) {
+      root.append(explanation(page));
+      return;
+    }
+    this.target = element('select', {id: 'command-target', onchange: () => {
+      this.#showFactors();
+      page.select(this.target.value);
+    }});
+    this.list = element('ol', {id: 'command-list', class: 'commands', 'aria-live': 'polite'});
+    this.rows = new KeyedList(this.list, () => commandRow());
+    root.append(element('div', {id: 'commands'}, this.#forOne(), this.#forAll(), this.#clock(),
+      this.#rules(), element('section', {class: 'sent'}, element('h3', {}, 'Sent'), this.list)));
+    this.setVehicles();
+  }
+
+  setVehicles() {
+    if (!this.allowed) return;
+    const kept = this.target.value;
+    this.target.replaceChildren(...this.page.setup.vehicles.map(({name}) =>
+      element('option', {value: name}, name)));
+    if (kept) this.target.value = kept;
+  }
+
+  select(name) {
+    if (!this.allowed || !name) return;
+    this.target.value = name;
+    if (this.target.selectedIndex < 0) this.target.selectedIndex = 0;
+    this.#showFactors();
+  }
+
+  /** Shows what became of the commands. */
+  frame(frame) {
+    this.last = frame;
+    if (!this.allowed) return;
+    const all = [...frame.commands, ...this.unsent].sort((a, b) => a.t - b.t || a.id - b.id);
+    this.rows.sync(all.reverse().slice(0, 20), ({id}) => String(id));
+    const {clock, rules} = frame;
+    setText(this.clockState, clock.state === 'paused' ? 'Paused.'
+      : `${clock.state}, ${quantity(clock.factor, 2)} × real time. ${clip(clock.note ?? '', 200)}`);
+    const range = rules?.comms_range_m;
+    setText(this.rangeNow, `now ${range < 0 ? 'no limit' : quantity(range, 0, 'm')}`);
+    setText(this.dropNow, `now ${quantity(rules?.drop_percentage, 0, '%')}`);
+    this.#showFactors();
+    this.#ageMark(frame.commands);
+  }
+
+  async send(target, words) {
+    if (!this.allowed) return null;
+    try {
+      return await this.page.requests.post('/api/command', {target, words});
+    } catch (error) {
+      const order = [target, ...words].join(' ');
+      this.unsent.push({id: -1 - this.unsent.length, t: this.last?.t ?? 0, text: order,
+        state: 'refused', reason: error.message});
+      if (this.last) this.frame(this.last);
+      return null;
+    }
+  }
+
+  allStop() {
+    return this.send('all', ['all_stop']);
+  }
+
+  togglePause() {
+    return this.send('clock', [this.last?.clock?.state === 'paused' ? 'resume' : 'pause']);
+  }
+
+  /** The next click on the map sends the chosen vehicle there; null: not any more. */
+  aim(name) {
+    if (!this.allowed) return;
+    this.aimed = name;
+    this.aimButton.setAttribute('aria-pressed', String(name !== null));
+    this.onAim(name);
+  }
+
+  /** @returns whether the click was an order */
+  place({x, y}) {
+    if (this.aimed === null || !Number.isFinite(x) || !Number.isFinite(y)) return false;
+    const name = this.aimed;
+    this.aim(null);
+    const mark = {x, y, label: name, id: null, until_ms: Infinity};
+    this.mark = mark;
+    this.send(name, gotoWords({x, y})).then((answer) => {
+      mark.id = answer?.id ?? null;
+      if (!answer) mark.until_ms = performance.now() + kMarkStays_ms;
+    });
+    return true;
+  }
+
+  #ageMark(records) {
+    const mark = this.mark;
+    if (!mark) return;
+    const record = records.find(({id}) => id === mark.id);
+    if (record && record.state !== 'sent' && mark.until_ms === Infinity) {
+      mark.until_ms = performance.now() + kMarkStays_ms;
+    }
+    if (performance.now() > mark.until_ms) this.mark = null;
+  }
+
+  #button(name, label, title, onclick, extra = {}) {
+    return element('button', {type: 'button', 'data-command': name, title, onclick, ...extra},
+      label);
+  }
+
+  #forOne() {
+    const buttons = kOrders.map(({name, label, title}) => this.#button(name, label, title,
+      () => this.send(this.target.value, [name])));
+    this.aimButton = this.#button('goto', 'Send here … (g)', 'then click on the map',
+      () => this.aim(this.aimed === null ? this.target.value : null), {'aria-pressed': 'false'});
+    return element('section', {}, element('label', {class: 'row'}, element('h3', {}, 'Vehicle'),
+      this.target),
+      element('div', {class: 'buttons'}, buttons, this.aimButton));
+  }
+
+  #forAll() {
+    const buttons = kOrders.filter(({name}) => name !== 'all_stop').map(({name, label, title}) =>
+      this.#button(`${name}_all`, `${label} all`, title, () => this.send('all', [name])));
+    return element('section', {}, element('h3', {}, 'All vehicles'),
+      this.#button('all_stop_all', 'ALL-STOP ALL (X)', 'stop the actuators of all vehicles',
+        () => this.allStop(), {class: 'danger'}),
+      element('div', {class: 'buttons'}, buttons));
+  }
+
+  #rules() {
+    const field = (rule, label, unit, attributes, send) => {
+      const id = `rule-${rule}`;
+      const input = element('input',
+        {id, type: 'number', step: 'any', required: true, ...attributes});
+      const now = element('span', {class: 'dim now'});
+      const form = element('form', {onsubmit: (event) => {
+        event.preventDefault();
+        send(input.value);
+      }}, element('label', {for: id}, label), input, element('span', {}, unit),
+      element('button', {type: 'submit', 'data-rule': rule}, 'Set'), now);
+      return {form, now};
+    };
+    const range = field('comms_range', 'Comms range', 'm', {min: 0, placeholder: '250'},
+      (value) => this.send('comms_range', [value]));
+    const drop = field('drop_percentage', 'Drop', '%', {min: 0, max: 100, placeholder: '10'},
+      (value) => this.send('drop_percentage', [value]));
+    const stealth = field('stealth', 'Stealth', 'of 1', {min: 0, max: 1, placeholder: '0.5'},
+      (value) => this.send('stealth', [this.target.value, value]));
+    const earange = field('earange', 'Earange', '1–10', {min: 1, max: 10, placeholder: '2'},
+      (value) => this.send('earange', [this.target.value, value]));
+    this.rangeNow = range.now;
+    this.dropNow = drop.now;
+    this.stealthNow = stealth.now;
+    this.earangeNow = earange.now;
+    this.factorsOf = element('h4');
+    return element('section', {class: 'rules'}, element('h3', {}, 'Who may hear whom'), range.form,
+      this.#button('nolimit', 'Comms range: no limit', 'everybody hears everybody',
+        () => this.send('comms_range', ['nolimit'])),
+      drop.form, this.factorsOf, stealth.form, earange.form);
+  }
+
+  #showFactors() {
+    const name = this.target.value;
+    const factors = this.last?.rules?.factors?.[name];
+    setText(this.factorsOf, name ? `Of ${name}` : '');
+    setText(this.stealthNow, `now ${quantity(factors?.stealth ?? 1, 2)}`);
+    setText(this.earangeNow, `now ${quantity(factors?.earange ?? 1, 2)}`);
+  }
+
+  #clockButton(order, label, title) {
+    return element('button', {type: 'button', 'data-clock': order, title,
+      onclick: () => this.send('clock', order.split(' '))}, label);
+  }
+
+  #clock() {
+    this.clockState = element('p', {class: 'dim'});
+    const warps = kWarps.map((warp) => (warp === 'max'
+      ? this.#clockButton('warp max', 'max', 'as fast as the machine can')
+      : this.#clockButton(`warp ${warp}`, `× ${warp}`, `${warp} mission seconds per second`)));
+    return element('section', {}, element('h3', {}, 'Mission clock'), this.clockState,
+      element('div', {class: 'buttons'},
+        this.#clockButton('pause', '❚❚ Pause', 'hold the mission'),
+        this.#clockButton('resume', '▶ Resume', 'go on')),
+      element('div', {class: 'buttons tight', 'aria-label': 'Warp'}, warps));
+  }
+}
+
+function explanation(page) {
+  const live = 'This page may only look. To let it send commands, start the viewer with '
+      + '--allow-commands (shoal run FILE --view --allow-commands, or shoal-viewer '
+      + '--allow-commands) and open the address that it prints, with its token.';
+  const recorded = 'This is a recorded mission: nothing is there to be commanded.';
+  return element('p', {id: 'no-commands', class: 'hint'}, page.isRecorded ? recorded : live);
+}
+
+function commandRow() {
+  const time = element('time');
+  const text = element('span');
+  const state = element('b');
+  const root = element('li', {}, time, text, state);
+  return {
+    root,
+    update: (record) => {
+      setText(time, missionTime(record.t));
+      setText(text, clip(record.text, 200));
+      setText(state, commandWords(record));
+      setAttribute(root, 'data-state', record.state);
+    },
+  };
+}

@@ -1,0 +1,181 @@
+// The vehicles' labels: name, and under it mode and depth. Where they would overlap they are put
+// elsewhere, shortened to the name, or left out; those of the selected and the hovered vehicle
+// never.
+
+import {kFont} from './draw_theme.js';
+import {drawnLength, isStopped} from './draw_vehicles.js';
+
+const kNameFont = `bold 13px ${kFont}`;
+const kLineFont = `12px ${kFont}`;
+const kLineHeight = 16;
+const kPad = 4;
+const kPlace_ms = 120;
+
+function overlaps(a, b) {
+  return a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height &&
+      b.y < a.y + a.height;
+}
+
+/**
+ * Finds a place for each label. Items: {x, y, radius, sizes: [{width, height}, ...], must, first,
+ * side}, the longest form first; `side` is the one it had (kept where possible). Returns, per item,
+ * {form, side, x, y} (upper left) or null for those left out. Labels keep clear of the other
+ * vehicles; an item that `must` be shown gets its longest form whatever it covers, one that is
+ * `first` chooses before the others.
+ */
+export function placeLabels(items, width = Infinity, height = Infinity) {
+  const hulls = items.map(({x, y, radius}) => {
+    const half = radius * 0.7;
+    return {x: x - half, y: y - half, width: 2 * half, height: 2 * half};
+  });
+  const taken = [];
+  const placed = new Array(items.length).fill(null);
+  const order = items.map((_, i) => i)
+      .sort((a, b) => rankOf(items[b]) - rankOf(items[a]) || a - b);
+  for (const i of order) {
+    const item = items[i];
+    const sides = [0, 1, 2, 3].sort((a, b) => (b === item.side) - (a === item.side));
+    let found = null;
+    for (let form = 0; form < item.sizes.length && !found; ++form) {
+      for (const side of sides) {
+        const box = boxAt(item, item.sizes[form], side);
+        if (box.x < 0 || box.y < 0 || box.x + box.width > width || box.y + box.height > height) {
+          continue;
+        }
+        if (taken.some((other) => overlaps(box, other))) continue;
+        if (hulls.some((hull, k) => k !== i && overlaps(box, hull))) continue;
+        found = {form, side, box};
+        break;
+      }
+    }
+    if (!found && item.must) {
+      const side = item.side ?? 0;
+      found = {form: 0, side, box: boxAt(item, item.sizes[0], side)};
+    }
+    if (!found) continue;
+    taken.push(found.box);
+    placed[i] = {form: found.form, side: found.side, x: found.box.x, y: found.box.y};
+  }
+  return placed;
+}
+
+function rankOf({must, first}) {
+  return must ? 2 : first ? 1 : 0;
+}
+
+// Sides: right, left, below, above.
+function boxAt({x, y, radius}, {width, height}, side) {
+  const gap = radius + 2;
+  const left = side === 0 ? x + gap : side === 1 ? x - gap - width : x - width / 2;
+  const top = side === 2 ? y + gap : side === 3 ? y - gap - height : y - height / 2;
+  return {x: left, y: top, width, height};
+}
+
+function shortened(text, most) {
+  return text.length > most ? `${text.slice(0, most - 1)}\u2026` : text;
+}
+
+/** Returns the lines of a vehicle's label: {text, bold, color: which of the theme's}. */
+export function labelLines(vehicle, t) {
+  const lines = [{text: shortened(String(vehicle.name), 20), bold: true}];
+  if (isStopped(vehicle)) {
+    const reason = vehicle.helm.all_stop;
+    const why = reason && reason !== 'clear' ? `: ${reason}` : '';
+    lines.push({text: shortened(`ALL-STOP${why}`, 36), color: 'danger'});
+  } else {
+    const mode = vehicle.mode || vehicle.helm?.state || '';
+    const depth = vehicle.depth !== null && Math.abs(vehicle.depth) >= 0.05 ?
+        `${vehicle.depth.toFixed(1)} m` : '';
+    const line = [shortened(String(mode), 26), depth].filter(Boolean).join(' \u00b7 ');
+    if (line) lines.push({text: line});
+  }
+  if (vehicle.stale) {
+    const age_s = t - (vehicle.report?.t ?? vehicle.nav?.t ?? NaN);
+    lines.push({text: Number.isFinite(age_s) ? `stale ${age_s.toFixed(0)} s` : 'stale',
+      color: 'warning'});
+  }
+  return lines;
+}
+
+/** Draws the labels and remembers where they were, so that they do not jump about. */
+export class LabelLayer {
+  #widths = new Map();
+  #places = new Map();  // name -> {form, side, dx, dy}; form -1: left out
+  #placed_ms = -Infinity;
+  #key = '';
+
+  draw(ctx, camera, theme, vehicles, t, {selected, hovered}, nowMs) {
+    const items = [];
+    for (const vehicle of vehicles) {
+      if (vehicle.x === null) continue;
+      const [x, y] = [camera.sx(vehicle.x), camera.sy(vehicle.y)];
+      if (!camera.sees(x, y, 20)) continue;
+      const radius = Math.min(60, Math.max(13, 0.5 * drawnLength(vehicle, camera)));
+      items.push({key: vehicle.name, vehicle, x, y, radius,
+        must: vehicle.name === selected || vehicle.name === hovered,
+        first: isStopped(vehicle) || Boolean(vehicle.stale)});
+    }
+    const key = `${camera.metresPerPixel} ${selected} ${hovered} ${items.length}`;
+    if (key !== this.#key || nowMs - this.#placed_ms > kPlace_ms) {
+      this.#place(ctx, camera, items, t);
+      this.#key = key;
+      this.#placed_ms = nowMs;
+    }
+    ctx.textAlign = 'left';
+    ctx.textBaseline = 'middle';
+    for (const item of items) {
+      const place = this.#places.get(item.key);
+      if (place && place.form >= 0) this.#drawOne(ctx, theme, item, place, t);
+    }
+  }
+
+  #place(ctx, camera, items, t) {
+    for (const item of items) {
+      const lines = labelLines(item.vehicle, t);
+      const forms = lines.length > 1 ? [lines, lines.slice(0, 1)] : [lines];
+      item.sizes = forms.map((form) => this.#size(ctx, form));
+      item.side = this.#places.get(item.key)?.side;
+    }
+    const placed = placeLabels(items, camera.width, camera.height);
+    this.#places.clear();
+    items.forEach((item, i) => {
+      const found = placed[i];
+      if (found) {
+        this.#places.set(item.key, {form: found.form, side: found.side, dx: found.x - item.x,
+          dy: found.y - item.y, ...item.sizes[found.form]});
+      }
+    });
+  }
+
+  #size(ctx, lines) {
+    let width = 0;
+    for (const line of lines) width = Math.max(width, this.#widthOf(ctx, line));
+    return {width: Math.ceil(width) + 2 * kPad, height: lines.length * kLineHeight + 3};
+  }
+
+  // Digits are equally wide, so that a changing depth needs no new measurement.
+  #widthOf(ctx, {text, bold}) {
+    const key = (bold ? 'b' : ' ') + text.replace(/\d/g, '0');
+    let width = this.#widths.get(key);
+    if (width === undefined) {
+      if (this.#widths.size > 2000) this.#widths.clear();
+      ctx.font = bold ? kNameFont : kLineFont;
+      this.#widths.set(key, width = ctx.measureText(key.slice(1)).width);
+    }
+    return width;
+  }
+
+  #drawOne(ctx, theme, item, place, t) {
+    const x = Math.round(item.x + place.dx);
+    const y = Math.round(item.y + place.dy);
+    ctx.fillStyle = theme.plate;
+    ctx.fillRect(x, y, place.width, place.height);
+    let lines = labelLines(item.vehicle, t);
+    if (place.form === 1) lines = lines.slice(0, 1);
+    lines.forEach((line, i) => {
+      ctx.font = line.bold ? kNameFont : kLineFont;
+      ctx.fillStyle = theme[line.color ?? (line.bold ? 'text' : 'muted')];
+      ctx.fillText(line.text, x + kPad, y + 2 + (i + 0.5) * kLineHeight);
+    });
+  }
+}

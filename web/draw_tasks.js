@@ -1,0 +1,179 @@
+// What the vehicles are at (waypoints, legs, where they steer for), and how far they hear and are
+// heard.
+
+import {vehicleColor} from './colors.js';
+import {finite, isNumber} from './geometry.js';
+import {kFont} from './draw_theme.js';
+import {addCircle} from './draw_signals.js';
+
+/** Returns the task of the setup that a vehicle's helm runs, or null. */
+export function presentTask(vehicle, tasksByVehicle) {
+  const tasks = tasksByVehicle.get(vehicle.name);
+  const name = vehicle.helm?.task;
+  return (name && tasks?.find((task) => task.name === name)) || null;
+}
+
+/** Changes when what drawTasks draws has changed. */
+export function tasksKey(vehicles, selected) {
+  let key = `${selected}`;
+  for (const {helm} of vehicles) key += helm ? `|${helm.task}:${helm.waypoint}` : '|';
+  return key;
+}
+
+/**
+ * Draws waypoints and legs of the present tasks, the leg that is being sailed broader.
+ * `tasksByVehicle`: name to [{name, points, closed, radius_m}], all points being finite.
+ */
+export function drawTasks(ctx, camera, theme, vehicles, tasksByVehicle, selected) {
+  for (const vehicle of vehicles) {
+    const task = presentTask(vehicle, tasksByVehicle);
+    const points = task?.points ?? [];
+    if (points.length === 0) continue;
+    const chosen = vehicle.name === selected;
+    const color = vehicleColor(vehicle.name, vehicle.color, theme.light);
+    ctx.strokeStyle = color;
+    ctx.fillStyle = color;
+    ctx.globalAlpha = chosen ? 0.9 : 0.45;
+    ctx.lineWidth = chosen ? 1.6 : 1.2;
+    ctx.setLineDash([]);
+    ctx.beginPath();
+    camera.addLine(ctx, points, Boolean(task.closed));
+    ctx.stroke();
+    drawLeg(ctx, camera, task, points, vehicle.helm?.waypoint, chosen);
+    drawPoints(ctx, camera, points, chosen);
+    if (task.radius_m > 0) {
+      ctx.setLineDash([4, 4]);
+      ctx.beginPath();
+      for (const [x, y] of points.slice(0, 200)) {
+        addCircle(ctx, camera, camera.sx(x), camera.sy(y), task.radius_m / camera.metresPerPixel);
+      }
+      ctx.stroke();
+      ctx.setLineDash([]);
+    }
+  }
+  ctx.globalAlpha = 1;
+}
+
+function drawLeg(ctx, camera, task, points, waypoint, chosen) {
+  const to = points[waypoint];
+  const from = points[waypoint - 1] ?? (task.closed ? points.at(-1) : null);
+  if (!to || !from) return;
+  ctx.globalAlpha = chosen ? 1 : 0.75;
+  ctx.lineWidth = chosen ? 3.2 : 2.4;
+  ctx.beginPath();
+  camera.addSegment(ctx, from[0], from[1], to[0], to[1]);
+  ctx.stroke();
+}
+
+function drawPoints(ctx, camera, points, chosen) {
+  const size = chosen ? 3.5 : 2.5;
+  ctx.globalAlpha = chosen ? 1 : 0.7;
+  ctx.beginPath();
+  points.slice(0, 2000).forEach((point) => {
+    const [sx, sy] = [camera.sx(point[0]), camera.sy(point[1])];
+    if (!camera.sees(sx, sy)) return;
+    ctx.moveTo(sx + size, sy);
+    ctx.arc(sx, sy, size, 0, 2 * Math.PI);
+  });
+  ctx.fill();
+  if (!chosen || points.length < 2) return;
+  ctx.font = `12px ${kFont}`;
+  ctx.textAlign = 'left';
+  ctx.textBaseline = 'bottom';
+  points.slice(0, 60).forEach((point, i) => {
+    const [sx, sy] = [camera.sx(point[0]), camera.sy(point[1])];
+    if (camera.sees(sx, sy, 0)) ctx.fillText(String(i + 1), sx + 6, sy - 4);
+  });
+}
+
+/** Draws where each vehicle steers for: a dashed line to a cross in a ring. */
+export function drawTargets(ctx, camera, theme, vehicles, selected) {
+  for (const vehicle of vehicles) {
+    const to = vehicle.helm?.to;
+    if (vehicle.x === null || !Array.isArray(to) || !isNumber(to[0]) || !isNumber(to[1])) continue;
+    const chosen = vehicle.name === selected;
+    ctx.strokeStyle = vehicleColor(vehicle.name, vehicle.color, theme.light);
+    ctx.globalAlpha = chosen ? 1 : 0.6;
+    ctx.lineWidth = chosen ? 1.6 : 1;
+    ctx.setLineDash([3, 5]);
+    ctx.beginPath();
+    camera.addSegment(ctx, vehicle.x, vehicle.y, to[0], to[1]);
+    ctx.stroke();
+    ctx.setLineDash([]);
+    const [sx, sy] = [camera.sx(to[0]), camera.sy(to[1])];
+    if (!camera.sees(sx, sy)) continue;
+    const size = chosen ? 6 : 4;
+    ctx.beginPath();
+    ctx.moveTo(sx + size, sy);
+    ctx.arc(sx, sy, size, 0, 2 * Math.PI);
+    ctx.moveTo(sx - size - 3, sy);
+    ctx.lineTo(sx + size + 3, sy);
+    ctx.moveTo(sx, sy - size - 3);
+    ctx.lineTo(sx, sy + size + 3);
+    ctx.stroke();
+  }
+  ctx.globalAlpha = 1;
+}
+
+/** Returns {heard_m, hears_m, critical_m} of a vehicle; null for what has no limit. */
+export function rangesOf(rules, name) {
+  const factor = rules?.factors?.[name];
+  const range_m = finite(rules?.comms_range_m, -1);
+  const limit_m = (scale) => range_m < 0 ? null : range_m * finite(scale, 1);
+  const critical_m = finite(rules?.critical_range_m, 0);
+  return {heard_m: limit_m(factor?.stealth), hears_m: limit_m(factor?.earange),
+    critical_m: critical_m > 0 ? critical_m : null};
+}
+
+/** Draws how far each is heard; of the selected also how far it hears (dashed). */
+export function drawRanges(ctx, camera, theme, vehicles, rules, selected) {
+  if (!rules) return;
+  for (const vehicle of vehicles) {
+    if (vehicle.x === null) continue;
+    const [sx, sy] = [camera.sx(vehicle.x), camera.sy(vehicle.y)];
+    const chosen = vehicle.name === selected;
+    const {heard_m, hears_m, critical_m} = rangesOf(rules, vehicle.name);
+    ctx.strokeStyle = vehicleColor(vehicle.name, vehicle.color, theme.light);
+    const circle = (radius_m, opacity, width, dash) => {
+      if (radius_m === null) return;
+      ctx.globalAlpha = opacity;
+      ctx.lineWidth = width;
+      ctx.setLineDash(dash);
+      ctx.beginPath();
+      addCircle(ctx, camera, sx, sy, radius_m / camera.metresPerPixel);
+      ctx.stroke();
+    };
+    circle(heard_m, chosen ? 0.95 : 0.42, chosen ? 2 : 1.1, []);
+    circle(critical_m, chosen ? 0.7 : 0.3, 0.8, []);
+    if (!chosen) continue;
+    circle(hears_m, 0.9, 1.6, [9, 6]);
+    nameCircle(ctx, camera, theme, sx, sy, heard_m, `heard within ${text(heard_m)}`, -1);
+    nameCircle(ctx, camera, theme, sx, sy, hears_m, `hears within ${text(hears_m)}`, 1);
+  }
+  ctx.setLineDash([]);
+  ctx.globalAlpha = 1;
+}
+
+function text(radius_m) {
+  return radius_m === null ? '' : `${+radius_m.toFixed(1)} m`;
+}
+
+// Above the circle's highest point (side -1), below its lowest (side 1).
+function nameCircle(ctx, camera, theme, sx, sy, radius_m, words, side) {
+  if (radius_m === null) return;
+  const at = sy + side * (radius_m / camera.metresPerPixel + 9);
+  if (!camera.sees(sx, at, 0)) return;
+  ctx.globalAlpha = 1;
+  ctx.font = `12px ${kFont}`;
+  ctx.textAlign = 'center';
+  ctx.textBaseline = 'middle';
+  ctx.lineJoin = 'round';
+  ctx.lineWidth = 3;
+  ctx.setLineDash([]);
+  const color = ctx.strokeStyle;
+  ctx.strokeStyle = theme.plate;
+  ctx.strokeText(words, sx, at);
+  ctx.fillStyle = theme.text;
+  ctx.fillText(words, sx, at);
+  ctx.strokeStyle = color;
+}

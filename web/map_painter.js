@@ -1,0 +1,143 @@
+// Puts the map together from its layers: sea floor, pulses, tasks, trails, vehicles, labels.
+
+import {FloorPicture, drawGridNumbers, drawGround} from './draw_ground.js';
+import {LabelLayer} from './draw_labels.js';
+import {drawMark, drawMeasure, drawNorth, drawScaleBar} from './draw_overlay.js';
+import {drawPulses, drawRings} from './draw_signals.js';
+import {drawRanges, drawTargets, drawTasks, tasksKey} from './draw_tasks.js';
+import {drawTrailEnds, drawTrails} from './draw_trails.js';
+import {drawReported, drawVehicles} from './draw_vehicles.js';
+import {isNumber} from './geometry.js';
+import {MapLayer, Motion} from './map_layer.js';
+
+// The picture of the trails is drawn anew so often, for their fading.
+const kTrails_ms = 3000;
+// Many vehicles turn to another waypoint at any time.
+const kTasks_ms = 300;
+// On a slow machine once in so many frames.
+const kPulses_ms = 200;
+const kPulsesFrames = 6;
+const kFewPulses = 40;
+
+function arrayOr(value) {
+  return Array.isArray(value) ? value : [];
+}
+
+// Those of [[x, y], ...] that are places.
+function placesOf(points) {
+  return arrayOr(points).filter((point) => isNumber(point?.[0]) && isNumber(point?.[1]));
+}
+
+function tasksOf(vehicle) {
+  return arrayOr(vehicle?.tasks).filter((task) => typeof task?.name === 'string')
+      .map((task) => ({...task, points: placesOf(task.points)}));
+}
+
+export class MapPainter {
+  motion = new Motion();
+  #world = null;
+  #area = [];
+  #floor = null;
+  #tasksOf = new Map();
+  #version = 0;   // Of the setup and the choice of layers.
+  #ground = new MapLayer({opaque: true});
+  #pulses = new MapLayer();
+  #pulsesKey = 0;
+  #tasks = new MapLayer();
+  #tasksKey = '';
+  #tasksFor = null;
+  #trails = new MapLayer();
+  #trailStamp = {version: -1, until: Infinity, count: 0};
+  #labels = new LabelLayer();
+
+  setWorld(world, setup) {
+    this.#world = world;
+    this.#area = placesOf(setup?.op_area);
+    this.#floor = setup?.floor ? new FloorPicture(setup.floor) : null;
+    this.#tasksOf = new Map(
+        arrayOr(setup?.vehicles).map((vehicle) => [vehicle?.name, tasksOf(vehicle)]));
+    this.#trailStamp.version = -1;
+    this.changed();
+  }
+
+  /** Has to be told when other layers are to be seen. */
+  changed() { ++this.#version; }
+
+  /**
+   * `view` is {camera, ratio, theme, layers, selected, hovered, mark, ends}; `shown` comes from
+   * World.at. The transform of `ctx` is that of CSS pixels.
+   */
+  paint(ctx, view, shown, nowMs) {
+    const {camera, theme, layers} = view;
+    const {t, vehicles} = shown;
+    this.motion.frame(nowMs);
+    ctx.fillStyle = theme.water;
+    ctx.fillRect(0, 0, camera.width, camera.height);
+    this.#show(this.#ground, ctx, view, '', nowMs, (to, wide) =>
+      drawGround(to, wide, theme, {floor: this.#floor, area: this.#area, layers}));
+    if (this.#world) {
+      if (layers.pulses) this.#paintPulses(ctx, view, t, nowMs);
+      if (layers.tasks) this.#paintTasks(ctx, view, vehicles, nowMs);
+      if (layers.trails) this.#paintTrails(ctx, view, shown, nowMs);
+      if (layers.ranges) {
+        drawRanges(ctx, camera, theme, vehicles, this.#world.rules, view.selected);
+      }
+      if (layers.rings) {
+        const places = new Map(vehicles.map((vehicle) => [vehicle.name, vehicle]));
+        drawRings(ctx, camera, theme, this.#world.rings(t), places);
+      }
+      if (layers.tasks) drawTargets(ctx, camera, theme, vehicles, view.selected);
+      if (layers.reported) drawReported(ctx, camera, theme, vehicles, t);
+      drawVehicles(ctx, camera, theme, vehicles, view, view.ratio);
+      if (layers.names) this.#labels.draw(ctx, camera, theme, vehicles, t, view, nowMs);
+    }
+    if (layers.grid) drawGridNumbers(ctx, camera, theme);
+    if (view.mark) drawMark(ctx, camera, theme, view.mark);
+    if (view.ends.length === 2) drawMeasure(ctx, camera, theme, view.ends);
+    drawScaleBar(ctx, camera, theme);
+    drawNorth(ctx, camera, theme);
+  }
+
+  #show(layer, ctx, {camera, ratio, theme}, key, nowMs, draw) {
+    layer.show(ctx, camera, ratio, `${this.#version} ${theme.light} ${key}`, nowMs, this.motion,
+               draw);
+  }
+
+  // Few pulses fade smoothly; many are a picture that is drawn anew some times in a second.
+  #paintPulses(ctx, view, t, nowMs) {
+    const pulses = this.#world.pulses(t);
+    if (pulses.length <= kFewPulses) {
+      drawPulses(ctx, view.camera, view.theme, pulses);
+      return;
+    }
+    const wait_ms = Math.max(kPulses_ms, kPulsesFrames * this.motion.frame_ms);
+    if (this.#pulses.age(nowMs) > wait_ms) ++this.#pulsesKey;
+    this.#show(this.#pulses, ctx, view, this.#pulsesKey, nowMs, (to, wide) =>
+      drawPulses(to, wide, view.theme, pulses));
+  }
+
+  #paintTasks(ctx, view, vehicles, nowMs) {
+    const {selected} = view;
+    if (this.#tasks.age(nowMs) > kTasks_ms || this.#tasksFor !== selected) {
+      this.#tasksKey = tasksKey(vehicles, selected);
+      this.#tasksFor = selected;
+    }
+    this.#show(this.#tasks, ctx, view, this.#tasksKey, nowMs, (to, wide) =>
+      drawTasks(to, wide, view.theme, vehicles, this.#tasksOf, selected));
+  }
+
+  #paintTrails(ctx, view, {t, vehicles}, nowMs) {
+    const [world, stamp] = [this.#world, this.#trailStamp];
+    if (stamp.version !== world.trailsVersion || t < stamp.until ||
+        this.#trails.age(nowMs) > kTrails_ms) {
+      stamp.version = world.trailsVersion;
+      stamp.until = t;
+      ++stamp.count;
+    }
+    this.#show(this.#trails, ctx, view, stamp.count, nowMs, (to, wide) => {
+      stamp.until = t;
+      drawTrails(to, wide, view.theme, world, vehicles, t);
+    });
+    drawTrailEnds(ctx, view.camera, view.theme, world, vehicles, stamp.until, t);
+  }
+}

@@ -1,0 +1,275 @@
+// The map: draws a world onto a canvas, and takes what the user does with it.
+//
+//   const map = new MapView(canvas, {onVehicle: (name) => ..., onPlace: (place) => ...});
+//   map.setWorld(world, setup);
+//   requestAnimationFrame(function show(now) { map.draw(now); requestAnimationFrame(show); });
+
+import {drawTitle} from './draw_overlay.js';
+import {readTheme} from './draw_theme.js';
+import {drawnLength} from './draw_vehicles.js';
+import {LocalFrame, isNumber} from './geometry.js';
+import {Camera} from './map_camera.js';
+import {MapInput} from './map_input.js';
+import {MapPainter} from './map_painter.js';
+import {placesToFit} from './map_places.js';
+
+const kLayers = {
+  trails: true, reported: true, tasks: true, ranges: false, pulses: true, rings: false,
+  contours: true, area: true, grid: true, names: true,
+};
+const kHit = 16;
+const kMostPixels = 16e6;
+
+export class MapView {
+  #canvas;
+  #ctx;
+  #events;
+  #camera;
+  #ratio = 1;
+  #theme = null;
+  #frame = new LocalFrame(null);
+  #world = null;
+  #setup = null;
+  #layers = {...kLayers};
+  #follow = null;
+  #selected = null;
+  #hovered = null;
+  #mark = null;
+  #measuring = false;
+  #ends = [];         // Of the measured distance.
+  #shown = {t: 0, vehicles: []};
+  #wantFit = true;    // Until a view was asked for, the whole mission is shown.
+  #painter = new MapPainter();
+
+  /**
+   * `events`, all optional: onVehicle(name) and onPlace({x, y, lat, lon}) of a click;
+   * onPointer(place), null when the mouse has left the map; onView(view) when the view was changed.
+   */
+  constructor(canvas, events = {}) {
+    this.#canvas = canvas;
+    this.#ctx = canvas.getContext('2d', {alpha: false});
+    this.#events = events;
+    this.#camera = new Camera(canvas.clientWidth, canvas.clientHeight);
+    this.#resize();
+    new MapInput(canvas, {
+      pan: (dx, dy) => this.#drag(dx, dy),
+      zoom: (factor, sx, sy) => this.zoom(factor, {sx, sy}),
+      click: (sx, sy) => this.#click(sx, sy),
+      hover: (sx, sy) => this.#hover(sx, sy),
+      leave: () => {
+        this.#setHovered(null);
+        this.#events.onPointer?.(null);
+      },
+      press: (sx, sy) => this.#press(sx, sy),
+      dragged: (sx, sy) => this.#moveEnd(sx, sy),
+      released: (sx, sy, moved) => this.#release(sx, sy, moved),
+    });
+    new MutationObserver(() => this.#theme = null)
+        .observe(document.documentElement, {attributeFilter: ['class', 'style']});
+  }
+
+  setWorld(world, setup) {
+    this.#world = world;
+    this.#setup = setup ?? world?.setup ?? null;
+    this.#frame = new LocalFrame(this.#setup?.origin);
+    this.#painter.setWorld(world, this.#setup);
+    this.#shown = {t: 0, vehicles: []};
+  }
+
+  /** {cx, cy, metresPerPixel, follow, layers}; setting takes what it is given of these. */
+  get view() {
+    const {cx, cy, metresPerPixel} = this.#camera;
+    return {cx, cy, metresPerPixel, follow: this.#follow, layers: {...this.#layers}};
+  }
+
+  set view(view) {
+    if (view?.layers) {
+      for (const name of Object.keys(kLayers)) {
+        if (name in view.layers) this.#layers[name] = Boolean(view.layers[name]);
+      }
+      this.#painter.changed();
+    }
+    if (view && 'follow' in view) this.#follow = view.follow || null;
+    if (isNumber(view?.cx) || isNumber(view?.cy) || isNumber(view?.metresPerPixel)) {
+      this.#camera.set(view.cx, view.cy, view.metresPerPixel);
+      this.#wantFit = false;
+    }
+    this.#tellView();
+  }
+
+  get selected() { return this.#selected; }
+  get measuring() { return this.#measuring; }
+  /** Vehicles as they were last drawn: those of World.at. */
+  get shown() { return this.#shown; }
+
+  select(name) { this.#selected = name || null; }
+
+  /** Shows a place that the user has chosen, {x, y, label}, or none (null). */
+  setMark(mark) { this.#mark = isNumber(mark?.x) && isNumber(mark?.y) ? mark : null; }
+
+  /** Shows the whole mission. */
+  fit() {
+    this.#follow = null;
+    const box = placesToFit(this.#setup, this.#shown.vehicles);
+    if (box) this.#camera.fit(box.left, box.bottom, box.right, box.top);
+    this.#tellView();
+  }
+
+  /** Returns false where the vehicle is not on the map. */
+  centre(name) {
+    const vehicle = this.#shown.vehicles.find((v) => v.name === name);
+    if (!vehicle || vehicle.x === null) return false;
+    this.#camera.set(vehicle.x, vehicle.y);
+    this.#wantFit = false;
+    this.#tellView();
+    return true;
+  }
+
+  /** Keeps the vehicle in the middle until null is given or the map is dragged. */
+  follow(name) {
+    this.#follow = name || null;
+    this.#wantFit = false;
+    this.#tellView();
+  }
+
+  /** Zooms in by `factor` > 1; `at`, {sx, sy} (pixels) or {x, y} (metres), stays, or the middle. */
+  zoom(factor, at) {
+    const camera = this.#camera;
+    const sx = at?.sx ?? (isNumber(at?.x) ? camera.sx(at.x) : undefined);
+    const sy = at?.sy ?? (isNumber(at?.y) ? camera.sy(at.y) : undefined);
+    if (this.#follow) camera.zoom(factor);
+    else camera.zoom(factor, sx, sy);
+    this.#wantFit = false;
+    this.#tellView();
+  }
+
+  /** Moves the view by pixels: right, down. */
+  pan(dx, dy) { this.#drag(-dx, -dy); }
+
+  /** While on, two clicks or a drag measure; off takes the measured line away. */
+  measure(on) {
+    this.#measuring = Boolean(on);
+    this.#ends = [];
+    this.#canvas.style.cursor = this.#measuring ? 'crosshair' : '';
+  }
+
+  draw(nowMs) {
+    this.#resize();
+    if (this.#world) this.#shown = this.#world.at(nowMs);
+    if (this.#wantFit && this.#world?.frame) {
+      this.fit();
+      this.#wantFit = false;
+    }
+    const followed = this.#follow && this.#shown.vehicles.find((v) => v.name === this.#follow);
+    if (followed && followed.x !== null) this.#camera.set(followed.x, followed.y);
+    this.#ctx.setTransform(this.#ratio, 0, 0, this.#ratio, 0, 0);
+    this.#paint(this.#ctx, nowMs);
+  }
+
+  /** Returns a PNG of what the map shows, with scale bar, title and time. */
+  toPng() {
+    const picture = document.createElement('canvas');
+    picture.width = this.#canvas.width;
+    picture.height = this.#canvas.height;
+    const ctx = picture.getContext('2d', {alpha: false});
+    ctx.setTransform(this.#ratio, 0, 0, this.#ratio, 0, 0);
+    this.#paint(ctx, performance.now());
+    drawTitle(ctx, this.#camera, this.#theme, this.#setup?.mission, this.#shown.t);
+    return new Promise((resolve, reject) => picture.toBlob(
+        (blob) => blob ? resolve(blob) : reject(new Error('the browser made no PNG')),
+        'image/png'));
+  }
+
+  #paint(ctx, nowMs) {
+    this.#theme ??= readTheme();
+    this.#painter.paint(ctx, {
+      camera: this.#camera, ratio: this.#ratio, theme: this.#theme, layers: this.#layers,
+      selected: this.#selected, hovered: this.#hovered, mark: this.#mark, ends: this.#ends,
+    }, this.#shown, nowMs);
+  }
+
+  #resize() {
+    const {clientWidth: width, clientHeight: height} = this.#canvas;
+    const asked = globalThis.devicePixelRatio || 1;
+    const ratio = Math.min(asked, Math.sqrt(kMostPixels / Math.max(1, width * height)));
+    const [w, h] = [width, height].map((pixels) => Math.max(1, Math.round(pixels * ratio)));
+    if (w !== this.#canvas.width || h !== this.#canvas.height) {
+      this.#canvas.width = w;
+      this.#canvas.height = h;
+    }
+    this.#ratio = ratio;
+    this.#camera.width = Math.max(1, width);
+    this.#camera.height = Math.max(1, height);
+  }
+
+  #placeAt(sx, sy) {
+    const [x, y] = [this.#camera.x(sx), this.#camera.y(sy)];
+    return {x, y, ...this.#frame.toGeo(x, y)};
+  }
+
+  // The nearest vehicle under a point of the screen, or null.
+  #vehicleAt(sx, sy) {
+    let [best, least] = [null, Infinity];
+    for (const vehicle of this.#shown.vehicles) {
+      if (vehicle.x === null) continue;
+      const away = Math.hypot(this.#camera.sx(vehicle.x) - sx, this.#camera.sy(vehicle.y) - sy);
+      if (away <= Math.max(kHit, drawnLength(vehicle, this.#camera) / 2) && away < least) {
+        [best, least] = [vehicle.name, away];
+      }
+    }
+    return best;
+  }
+
+  #setHovered(name) {
+    this.#hovered = name;
+    if (!this.#measuring) this.#canvas.style.cursor = name ? 'pointer' : '';
+  }
+
+  #hover(sx, sy) {
+    this.#setHovered(this.#vehicleAt(sx, sy));
+    if (this.#measuring && this.#ends.length === 2 && this.#ends.open) this.#moveEnd(sx, sy);
+    this.#events.onPointer?.(this.#placeAt(sx, sy));
+  }
+
+  #click(sx, sy) {
+    const name = this.#vehicleAt(sx, sy);
+    if (name) this.#events.onVehicle?.(name);
+    else this.#events.onPlace?.(this.#placeAt(sx, sy));
+  }
+
+  // A measured line is open from the first click or press until the second click or the release.
+  #press(sx, sy) {
+    if (!this.#measuring) return false;
+    if (!this.#ends.open) {
+      this.#ends = [this.#placeAt(sx, sy), this.#placeAt(sx, sy)];
+      this.#ends.open = 'pressed';
+    } else {
+      this.#moveEnd(sx, sy);
+      this.#ends.open = 'closing';
+    }
+    return true;
+  }
+
+  #moveEnd(sx, sy) {
+    if (this.#ends.length === 2 && this.#ends.open) this.#ends[1] = this.#placeAt(sx, sy);
+  }
+
+  #release(sx, sy, moved) {
+    this.#moveEnd(sx, sy);
+    this.#ends.open = this.#ends.open === 'pressed' && !moved ? 'clicked' : false;
+  }
+
+  #drag(dx, dy) {
+    if (!isNumber(dx) || !isNumber(dy)) return;
+    const camera = this.#camera;
+    this.#follow = null;
+    this.#wantFit = false;
+    camera.set(camera.cx - dx * camera.metresPerPixel, camera.cy + dy * camera.metresPerPixel);
+    this.#tellView();
+  }
+
+  #tellView() {
+    this.#painter.motion.moved();
+    this.#events.onView?.(this.view);
+  }
+}

@@ -1,0 +1,50 @@
+// Comms: the link matrix, one link's history, the fates.
+
+import {element} from './dom.js';
+import {FatesPanel} from './panel_fates.js';
+import {LinkPanel} from './panel_link.js';
+import {LinkMatrix} from './panel_matrix.js';
+import {Poller} from './poller.js';
+
+export class CommsPanel {
+  constructor(page, root) {
+    this.page = page;
+    root.replaceChildren();
+    const part = element('section', {}, element('h3', {}, 'Who hears whom'));
+    root.append(part);
+    this.matrix = new LinkMatrix(part, (from, to) => page.openLink(from, to));
+    this.link = new LinkPanel(page, root, () => page.openLink(null, null));
+    this.fates = new FatesPanel(page, root);
+    this.poller = new Poller(page.isRecorded ? 300 : 1000, () => this.#ask(),
+      () => (page.isRecorded ? String(page.source.t) : null));
+  }
+
+  show(visible) {
+    if (visible) this.poller.start();
+    else this.poller.stop();
+    this.link.show(visible);
+    this.fates.show(visible);
+  }
+
+  /** @param link  {from, to} or null */
+  openLink(link) {
+    this.link.open(link);
+    this.matrix.choose(link);
+    if (link) this.link.root.scrollIntoView({block: 'nearest'});
+  }
+
+  reset() {
+    this.fates.reset();
+    this.poller.renew();
+    this.link.poller.renew();
+  }
+
+  restyle() {
+    this.link.restyle();
+  }
+
+  async #ask() {
+    const links = await this.page.requests.get('/api/links', this.page.query());
+    this.matrix.update(links, this.page.link);
+  }
+}

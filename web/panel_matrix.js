@@ -1,0 +1,111 @@
+// Who hears whom: a table with a row for each sender and a column for each receiver.
+
+import {element, setAttribute, setText} from './dom.js';
+import {age, ratio} from './text.js';
+
+const kCompactFrom = 9;  // So many vehicles leave a cell room for one sign,
+const kTinyFrom = 31;    // and so many for a small one.
+
+/** What one cell says. `link` is of /api/links, or null where no fate is known. */
+export function cellWords(link, t) {
+  if (!link) {
+    const words = 'nothing was sent';
+    return {state: 'unknown', sign: '·', ratio: '', heard: '', words, title: words};
+  }
+  const heard = link.last_heard_s === null ? 'never heard'
+    : `heard ${age(t - link.last_heard_s)} ago`;
+  const share = ratio(link.delivered, link.offered);
+  const words = link.hears ? 'hears' : 'does not hear';
+  return {
+    state: link.hears ? 'hears' : 'deaf',
+    sign: link.hears ? '✓' : '✗',
+    ratio: share,
+    heard: link.last_heard_s === null ? 'never' : age(t - link.last_heard_s),
+    words,
+    title: `${words}; ${link.delivered} of ${link.offered} `
+        + `delivered (${share}), ${heard}; last: ${link.text}`,
+  };
+}
+
+export class LinkMatrix {
+  constructor(parent, onLink) {
+    this.onLink = onLink;
+    this.table = element('table', {id: 'matrix', class: 'matrix'});
+    this.count = element('p', {class: 'dim'});
+    parent.append(this.count, element('div', {class: 'matrix-scroll', tabindex: '0',
+      'aria-label': 'Link matrix'}, this.table));
+    this.cells = new Map();
+    this.shownNames = '';
+  }
+
+  /** @param links  answer of /api/links @param chosen  {from, to} or null */
+  update(links, chosen) {
+    const names = Array.isArray(links.names) ? links.names : [];
+    const joined = names.join('\n');
+    if (joined !== this.shownNames) this.#build(names);
+    this.shownNames = joined;
+    const byKey = new Map((links.links ?? []).map((link) => [`${link.from}>${link.to}`, link]));
+    let hearing = 0;
+    for (const [key, cell] of this.cells) {
+      const link = byKey.get(key) ?? null;
+      if (link?.hears) ++hearing;
+      this.#show(cell, cellWords(link, links.t));
+    }
+    const all = names.length * (names.length - 1);
+    setText(this.count, all === 0 ? 'One vehicle: nobody to hear it.'
+      : `${hearing} of ${all} links hear now. Rows send, columns receive.`);
+    this.choose(chosen);
+  }
+
+  choose(chosen) {
+    const key = chosen ? `${chosen.from}>${chosen.to}` : null;
+    if (this.chosen === key) return;
+    this.cells.get(this.chosen)?.button.classList.remove('chosen');
+    this.cells.get(key)?.button.classList.add('chosen');
+    this.chosen = key;
+  }
+
+  #build(names) {
+    this.cells.clear();
+    this.chosen = null;
+    const compact = names.length >= kCompactFrom;
+    this.compact = compact;
+    this.table.classList.toggle('compact', compact);
+    this.table.classList.toggle('tiny', names.length >= kTinyFrom);
+    const head = element('tr', {}, element('th', {class: 'corner'}, compact ? '' : 'from ↓ to →'),
+      names.map((name) => element('th', {scope: 'col', title: name}, element('span', {}, name))));
+    const rows = names.map((from) => element('tr', {},
+      element('th', {scope: 'row', title: from}, from),
+      names.map((to) => element('td', {}, from === to ? null : this.#cell(from, to, compact)))));
+    this.table.replaceChildren(element('thead', {}, head), element('tbody', {}, rows));
+  }
+
+  #cell(from, to, compact) {
+    const sign = element('b', {'aria-hidden': 'true'});
+    const share = compact ? null : element('span');
+    const heard = compact ? null : element('small');
+    const cell = {sign, share, heard, from, to};
+    // Thousands of tooltips that change every second would cost too much: a small cell gets its own
+    // when somebody points at it.
+    const explain = () => setAttribute(cell.button, 'title', cell.title ?? null);
+    cell.button = element('button', {type: 'button', 'data-cell': `${from}>${to}`,
+      onclick: () => this.onLink(from, to), onpointerenter: explain, onfocus: explain},
+    sign, share ? ' ' : null, share, heard);
+    this.cells.set(`${from}>${to}`, cell);
+    return cell.button;
+  }
+
+  #show(cell, shown) {
+    setText(cell.sign, shown.sign);
+    if (cell.share) {
+      setText(cell.share, shown.ratio);
+      setText(cell.heard, shown.heard);
+    }
+    setAttribute(cell.button, 'data-hears', shown.state);
+    cell.title = `${cell.from} to ${cell.to}: ${shown.title}`;
+    const isOpen = cell.button.matches(':hover, :focus');
+    if (!this.compact || isOpen) setAttribute(cell.button, 'title', cell.title);
+    setAttribute(cell.button, 'aria-label', `${cell.from} to ${cell.to}: `
+        + `${shown.words} ${shown.ratio}`);
+  }
+}

@@ -1,0 +1,197 @@
+// The list of vehicles and, of the chosen one, what it does, its charts and what it knows.
+
+import {TimeChart} from './charts.js';
+import {element, KeyedList, setAttribute, setText} from './dom.js';
+import {SwarmTables} from './panel_swarm.js';
+import {Poller} from './poller.js';
+import {age, clip, heading, quantity, words} from './text.js';
+
+const kWindows_s = [60, 120, 600, 3600];
+
+/** Why a vehicle does not move, in words; "" where nothing holds it. */
+export function allStopWords(helm) {
+  if (!helm || typeof helm.all_stop !== 'string') return '';
+  return helm.all_stop === 'clear' || helm.all_stop === '' ? '' : helm.all_stop;
+}
+
+/** What a newcomer should notice about a vehicle: [{sign, text, grave}]. */
+export function alarmsOf(vehicle) {
+  const alarms = [];
+  const stop = allStopWords(vehicle.helm);
+  if (vehicle.helm?.state === 'ALL-STOP') {
+    alarms.push({sign: '⊗', text: `all-stop: ${stop}`, grave: true});
+  } else if (stop !== '') {
+    alarms.push({sign: '‖', text: stop, grave: false});
+  }
+  if (vehicle.stale) alarms.push({sign: '◷', text: 'stale report', grave: false});
+  if (vehicle.outside) alarms.push({sign: '*', text: 'not of the mission file', grave: false});
+  return alarms;
+}
+
+/** Seconds since the report of a vehicle, or null. */
+export function reportAge(vehicle, t) {
+  return vehicle.report && Number.isFinite(vehicle.report.t) ? t - vehicle.report.t : null;
+}
+
+/** What it does: the mode that it reports, or what its helm says. */
+export function modeOf(vehicle) {
+  if (vehicle.mode) return vehicle.mode;
+  return vehicle.helm ? `${vehicle.helm.state} ${vehicle.helm.task}`.trim() : '';
+}
+
+/** The same for a narrow place: driving vehicles by their task alone. */
+export const shortMode = (vehicle) => modeOf(vehicle).replace(/^DRIVE[ :](?=.)/, '');
+
+export class VehiclePanel {
+  constructor(page, root) {
+    this.page = page;
+    const body = element('tbody');
+    this.list = new KeyedList(body, (name) => this.#row(name));
+    this.facts = element('dl', {class: 'facts'});
+    this.factList = new KeyedList(this.facts, (label) => factRow(label));
+    this.title = element('h3', {id: 'vehicle-title'});
+    this.alarm = element('p', {id: 'all-stop', class: 'alarm', role: 'status'});
+    this.window = element('select', {id: 'window', onchange: () => this.poller.renew()},
+      kWindows_s.map((seconds) => element('option', {value: seconds, selected: seconds === 120},
+        age(seconds))));
+    this.charts = element('div', {class: 'charts'});
+    this.swarm = new SwarmTables((name) => page.select(name));
+    this.detail = element('section', {id: 'vehicle', hidden: true}, this.title, this.alarm,
+      this.facts, element('label', {class: 'dim'}, 'Charts of the last ', this.window),
+      this.charts, this.swarm.root);
+    this.hint = element('p', {class: 'hint'},
+      'Click a vehicle on the map or in the list, or press ', element('kbd', {}, 'n'), '.');
+    root.replaceChildren(
+      element('section', {}, element('h3', {}, 'Vehicles'), element('div', {class: 'list-scroll'},
+        element('table', {id: 'vehicles', class: 'vehicles'}, element('thead', {}, element('tr', {},
+          ['Name', 'Mode', 'Speed', 'Depth', 'Report'].map((label) =>
+            element('th', {scope: 'col'}, label)))), body))),
+      this.hint, this.detail);
+    this.poller = new Poller(page.isRecorded ? 300 : 500, () => this.#ask(), () => (
+      page.isRecorded ? `${page.selected} ${this.window.value}@${page.source.t}` : null));
+  }
+
+  show(visible) {
+    this.visible = visible;
+    if (visible && this.page.selected) this.poller.start();
+    else this.poller.stop();
+  }
+
+  select(name) {
+    this.detail.hidden = !name;
+    this.hint.hidden = Boolean(name);
+    this.swarm.clear();
+    this.factList.clear();
+    setText(this.title, name ?? '');
+    setText(this.alarm, '');
+    for (const [key, row] of this.list.rows) {
+      setAttribute(row.root, 'aria-selected', String(key === name));
+      if (key === name) row.root.scrollIntoView({block: 'nearest'});
+    }
+    this.show(this.visible);
+    this.poller.renew();
+  }
+
+  /** Shows `frame`; called some times per second while the panel is seen. */
+  frame(frame) {
+    this.list.sync(frame.vehicles.map((vehicle) => ({vehicle, t: frame.t})),
+      ({vehicle}) => vehicle.name);
+    const chosen = frame.vehicles.find(({name}) => name === this.page.selected);
+    if (chosen) this.#showFacts(chosen, frame);
+  }
+
+  reset() {
+    this.list.clear();
+    this.select(this.page.selected);
+  }
+
+  restyle() {
+    for (const chart of Object.values(this.chart ?? {})) chart.restyle();
+  }
+
+  #row(name) {
+    const swatch = element('i', {class: 'dot'});
+    const cells = Array.from({length: 4}, () => element('td'));
+    const mark = element('b', {class: 'mark'});
+    const choose = element('button', {type: 'button', 'data-vehicle': name,
+      onclick: () => this.page.select(name)}, swatch, name, ' ', mark);
+    const selected = String(name === this.page.selected);
+    const root = element('tr', {'aria-selected': selected},
+      element('th', {scope: 'row'}, choose), cells);
+    const [mode, speed, depth, report] = cells;
+    report.classList.add('report');
+    return {
+      root,
+      update: ({vehicle, t}) => {
+        swatch.style.background = this.page.color(vehicle);
+        const alarms = alarmsOf(vehicle);
+        setText(mark, alarms.map(({sign}) => sign).join(''));
+        setAttribute(choose, 'title', alarms.map(({text}) => text).join('; ') || null);
+        setAttribute(root, 'data-grave', alarms.some(({grave}) => grave) ? 'true' : null);
+        setAttribute(root, 'data-stale', vehicle.stale ? 'true' : null);
+        setText(mode, clip(shortMode(vehicle), 40) || '–');
+        setAttribute(mode, 'title', clip(modeOf(vehicle)) || null);
+        setText(speed, quantity(vehicle.nav?.speed, 1));
+        setText(depth, quantity(vehicle.nav?.depth, 1));
+        const old_s = reportAge(vehicle, t);
+        setText(report, vehicle.stale ? `stale ${age(old_s)}` : age(old_s));
+      },
+    };
+  }
+
+  #showFacts(vehicle, frame) {
+    const {nav, report, helm} = vehicle;
+    const alarms = alarmsOf(vehicle);
+    setText(this.alarm, alarms.map(({sign, text}) => `${sign} ${clip(text, 200)}`).join('   '));
+    setAttribute(this.alarm, 'data-grave', alarms.some(({grave}) => grave) ? 'true' : null);
+    const factors = frame.rules?.factors?.[vehicle.name];
+    const facts = [
+      ['State', helm ? helm.state : '–'],
+      ['Task', helm?.task ? `${helm.task} (${words(helm.kind)})` : 'none'],
+      ['Waypoint', helm?.to ? `no. ${helm.waypoint + 1}, ${quantity(helm.distance, 1, 'm')} to go, `
+        + `${quantity(helm.cross_track, 1, 'm')} off the leg` : 'none'],
+      ['Position', nav ? `x ${quantity(nav.x, 1)}, y ${quantity(nav.y, 1)} m` : '–'],
+      ['Depth', quantity(nav?.depth, 1, 'm') + (Number.isFinite(nav?.altitude)
+        ? `, ${quantity(nav.altitude, 1, 'm')} above the floor` : '')],
+      ['Heading', `${heading(nav?.heading)}, over ground ${heading(nav?.course)}`],
+      ['Speed', `${quantity(nav?.speed, 2, 'm/s')}, over ground ${quantity(nav?.sog, 2, 'm/s')}`],
+      ['Last report', report ? `no. ${report.index}, ${age(frame.t - report.t)} old`
+        + `${vehicle.stale ? ', STALE' : ''}` : 'none'],
+      ['Kind', [vehicle.type, vehicle.group && `group ${vehicle.group}`,
+        factors && `stealth ${factors.stealth}, earange ${factors.earange}`]
+        .filter(Boolean).join(', ')],
+    ];
+    this.factList.sync(facts, ([label]) => label);
+  }
+
+  async #ask() {
+    const name = this.page.selected;
+    if (!name) return;
+    const answer = await this.page.requests.get('/api/vehicle',
+      {name, window: this.window.value, ...this.page.query()});
+    if (name !== this.page.selected) return;
+    this.chart ??= this.#makeCharts();
+    const {t} = answer;
+    this.chart.heading.setData(t, [answer.heading, answer.desired_heading]);
+    this.chart.speed.setData(t, [answer.speed, answer.desired_speed]);
+    this.chart.depth.setData(t, [answer.depth, answer.desired_depth]);
+    this.swarm.update(answer);
+  }
+
+  #makeCharts() {
+    const series = [{label: 'is', color: '--chart-1'},
+      {label: 'desired', color: '--chart-2', dash: true}];
+    const chart = (options) => new TimeChart(this.charts, {...options, series});
+    return {
+      heading: chart({title: 'Heading', unit: '°', digits: 1, span: 20, isHeading: true}),
+      speed: chart({title: 'Speed', unit: 'm/s', digits: 2, span: 1}),
+      depth: chart({title: 'Depth', unit: 'm', digits: 1, span: 2, inverted: true}),
+    };
+  }
+}
+
+function factRow(label) {
+  const value = element('dd');
+  const root = element('div', {}, element('dt', {}, label), value);
+  return {root, update: ([, text]) => setText(value, clip(text, 200))};
+}

@@ -1,0 +1,55 @@
+// Asks the viewer again and again while somebody looks at the answer.
+
+export class Poller {
+  /**
+   * @param interval_ms  from one question to the next
+   * @param ask  async; a RequestError is dropped: the page's top line tells of lost connections
+   * @param key  names what would be asked: the same as before is not asked again; null: always ask
+   */
+  constructor(interval_ms, ask, key = () => null, now = () => performance.now()) {
+    this.interval_ms = interval_ms;
+    this.ask = ask;
+    this.key = key;
+    this.now = now;
+    this.asked_key = null;
+    this.asked_ms = -Infinity;
+    this.asking = false;
+    this.timer = null;
+  }
+
+  start() {
+    if (this.timer !== null) return;
+    this.timer = setInterval(() => this.tick(), 50);
+    this.tick();
+  }
+
+  stop() {
+    clearInterval(this.timer);
+    this.timer = null;
+  }
+
+  /** Asks soon, whatever was asked before. */
+  renew() {
+    this.asked_ms = -Infinity;
+    this.asked_key = null;
+    if (this.timer !== null) this.tick();
+  }
+
+  async tick() {
+    const now_ms = this.now();
+    if (this.asking || now_ms - this.asked_ms < this.interval_ms) return;
+    const key = this.key();
+    if (key !== null && key === this.asked_key) return;
+    this.asking = true;
+    this.asked_ms = now_ms;
+    this.asked_key = key;
+    try {
+      await this.ask();
+    } catch (error) {
+      this.asked_key = null;
+      if (error?.status === undefined) console.error(error);
+    } finally {
+      this.asking = false;
+    }
+  }
+}

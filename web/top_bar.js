@@ -1,0 +1,118 @@
+// The line above the map: mission, time, state of the clock, connection; and the layers' menu.
+
+import {element, setAttribute, setText} from './dom.js';
+import {clip, missionTime, quantity} from './text.js';
+
+const kStates = {
+  waiting: '… waiting for a mission', gathering: '… starting', running: '● running',
+  paused: '❚❚ paused', ended: '■ ended', lost: '⚠ launcher gone', recorded: '● recorded',
+};
+
+/** The layers in the order of their keys 1 to 9, 0. */
+export const kLayers = [
+  ['trails', 'Trails: where vehicles were'],
+  ['reported', 'Reported positions, with their age'],
+  ['tasks', 'Waypoints and legs'],
+  ['ranges', 'Comms range circles'],
+  ['pulses', 'Comms pulses'],
+  ['rings', 'Acoustic packets as rings'],
+  ['contours', 'Depth contours of the floor'],
+  ['area', 'Operation area'],
+  ['grid', 'Grid'],
+  ['names', 'Names, modes, depths'],
+];
+
+/** State and speed of the mission's clock, in words. */
+export function clockWords(clock) {
+  const state = kStates[clock?.state] ?? clip(clock?.state ?? '–', 40);
+  if (clock?.state !== 'running') return state;
+  const factor = Number.isFinite(clock.factor) ? ` ${quantity(clock.factor, 2)} × real time` : '';
+  const wanted = clock.warp === 0 ? ' (of max)'
+    : Number.isFinite(clock.warp) && clock.warp !== 1 ? ` (of ${clock.warp} ×)` : '';
+  return state + factor + wanted;
+}
+
+/** What the page says across the map, or "". */
+export function bannerWords(clock, connection, reason) {
+  if (connection === 'lost') {
+    return `Connection lost (${clip(reason, 200)}). Trying again; the page goes on by itself.`;
+  }
+  switch (clock?.state) {
+    case 'waiting':
+      return 'No mission is running. Start one: shoal run missions/berta.toml';
+    case 'gathering': {
+      const awaited = Array.isArray(clock.awaited) ? clock.awaited : [];
+      const more = awaited.length > 5 ? ` and ${awaited.length - 5} more` : '';
+      return awaited.length === 0 ? 'The mission starts.'
+        : `The mission starts; awaited: ${clip(awaited.slice(0, 5).join(', '), 200)}${more}.`;
+    }
+    case 'paused': return 'Paused.';
+    case 'ended': return 'The mission has ended; this is how it ended.';
+    case 'lost': return 'The launcher has gone without an end; this is the last that was seen.';
+    default: return '';
+  }
+}
+
+const kConnections = {connecting: '… connecting', live: '● live', lost: '⚠ connection lost'};
+
+export class TopBar {
+  constructor(onLayer) {
+    const find = (id) => document.getElementById(id);
+    this.mission = find('mission');
+    this.clock = find('clock-time');
+    this.state = find('clock-state');
+    this.connection = find('connection');
+    this.banner = find('banner');
+    this.layers = find('layers');
+    this.boxes = new Map();
+    const rows = kLayers.map(([name, label], i) => {
+      const box = element('input', {type: 'checkbox', 'data-layer': name,
+        onchange: () => onLayer(name, box.checked)});
+      this.boxes.set(name, box);
+      return element('label', {}, box, element('kbd', {}, String((i + 1) % 10)), ` ${label}`);
+    });
+    this.layers.querySelector('fieldset').replaceChildren(...rows);
+    document.addEventListener('pointerdown', (event) => {
+      if (!this.layers.contains(event.target)) this.layers.open = false;
+    });
+  }
+
+  setup(setup) {
+    setText(this.mission, clip(setup.mission || 'shoal', 60));
+    const file = setup.file ? `${setup.file}, seed ${setup.seed}` : '';
+    setAttribute(this.mission, 'title', clip(`${file} shoal ${setup.version ?? ''}`.trim()));
+    document.title = `${clip(setup.mission || 'shoal', 60)} – shoal viewer`;
+    const notes = document.getElementById('notes');
+    const texts = Array.isArray(setup.notes) ? setup.notes.slice(0, 10) : [];
+    notes.hidden = texts.length === 0;
+    const close = element('button', {type: 'button', class: 'close',
+      'aria-label': 'Close the notes', onclick: () => { notes.hidden = true; }}, '✕');
+    notes.replaceChildren(...texts.map((text) => element('li', {}, clip(text, 500))), close);
+    this.recorded = setup.mode === 'recorded';
+    this.length_s = this.recorded ? setup.end_s : setup.duration_s;
+  }
+
+  showLayers(layers) {
+    for (const [name, box] of this.boxes) box.checked = Boolean(layers[name]);
+  }
+
+  /** @param recorded  its playing and speed, or null */
+  frame(t, clock, recorded) {
+    const of = this.length_s > 0 ? ` / ${missionTime(this.length_s, 0)}` : '';
+    setText(this.clock, missionTime(t) + of);
+    const text = recorded
+      ? `recorded, ${recorded.playing ? `▶ ${recorded.speed} ×` : '❚❚ paused'}` : clockWords(clock);
+    setText(this.state, text);
+    setAttribute(this.state, 'data-state', clip(clock?.state ?? '', 20));
+  }
+
+  showConnection(connection, reason, clock) {
+    setText(this.connection, this.recorded && connection === 'live' ? '● connected'
+      : kConnections[connection]);
+    setAttribute(this.connection, 'data-state', connection);
+    const text = bannerWords(clock, connection, reason);
+    setText(this.banner, text);
+    this.banner.hidden = text === '';
+    setAttribute(this.banner, 'data-state', connection === 'lost' ? 'lost' : null);
+  }
+}
