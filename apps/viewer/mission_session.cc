@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "apps/viewer/rules_of_page.h"
 #include "lib/bus/channels.h"
+#include "lib/bus/seal.h"
 #include "lib/mission/load.h"
 #include "lib/run/run_app.h"
 
@@ -22,6 +24,9 @@ constexpr int64_t kMostRulesRequests = 20;
 /// channel: on a machine that is too slow, the page shows less rather than what was long ago.
 constexpr int64_t kLongestQueue_us = 1'000'000;
 constexpr int64_t kMostMessagesAtOnce = 20'000;
+/// What the vehicles' processes say among themselves is most of a mission's traffic, and of little
+/// use more often than frames are made: it is read in large batches.
+constexpr int64_t kCommunitiesInterval_us = 50'000;
 
 /// Loads the mission as it runs; or makes one of what the registry tells of it.
 Mission MissionOf(const RunningMission& running, std::vector<std::string>* notes) {
@@ -62,12 +67,22 @@ MissionSession::MissionSession(const RunningMission& running, const std::string&
 }
 
 void MissionSession::Join(bool allow_commands) {
-  bus_ = std::make_unique<LcmBus>(running_.Ports());
+  const PortPlan ports = running_.Ports();
+  bus_ = std::make_unique<LcmBus>(ports);
   std::vector<std::string> channel_names = Scene::Channels(mission_);
   channel_names.push_back(channels::ClockState().name);
+  std::set<int> community_ports;
   for (const std::string& channel : channel_names) {
+    if (ports.PortOf(channel) > ports.shore_port()) {
+      community_ports.insert(ports.PortOf(channel));
+      continue;
+    }
     bus_->SubscribeBytes(
         channel, [this](const Message& message) { view_->Handle(message.channel, message.data); });
+  }
+  if (!community_ports.empty()) {
+    communities_ = std::make_unique<DatagramListener>(
+        std::vector<int>(community_ports.begin(), community_ports.end()));
   }
   Subscribe(*bus_, channels::ClockState(), [this](const clock_state_t& clock) {
     utime_ = clock.utime;
@@ -79,6 +94,13 @@ void MissionSession::Join(bool allow_commands) {
   if (!allow_commands) return;
   desk_ = std::make_unique<CommandDesk>(
       *bus_, OrderScope{.mission = running_.name, .vehicles = running_.vehicles});
+}
+
+std::string MissionSession::error() const {
+  if (communities_ && !communities_->error().empty()) {
+    return communities_->error() + "; run `shoal doctor`";
+  }
+  return bus_ ? bus_->error() : "";
 }
 
 void MissionSession::TakePage(const appcast_t& page) {
@@ -98,6 +120,12 @@ void MissionSession::Work(int64_t now_us) {
   bus_->set_limits(
       {.most = kMostMessagesAtOnce, .oldest_utime = UnixMicroseconds() - kLongestQueue_us});
   bus_->Poll(0);
+  if (communities_ && now_us >= next_communities_us_) {
+    next_communities_us_ = now_us + kCommunitiesInterval_us;
+    communities_->Poll(0, [this](std::string_view channel, std::span<const uint8_t> datagram) {
+      view_->Handle(channel, Unseal(datagram).message);
+    });
+  }
   const auto ask = [this](std::string_view app) {
     appcast_req_t request{};
     request.app = app;
@@ -128,6 +156,7 @@ void MissionSession::Leave(std::string_view state) {
     desk_.reset();
   }
   bus_.reset();
+  communities_.reset();
   joined_ = false;
   view_->SetClockGone(state);
 }

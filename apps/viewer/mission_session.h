@@ -15,6 +15,7 @@
 #include "apps/viewer/status_board.h"
 #include "apps/viewer/view_request.h"
 #include "apps/viewer/web_request.h"
+#include "lib/bus/datagram_listener.h"
 #include "lib/bus/lcm_bus.h"
 #include "lib/mission/mission.h"
 #include "lib/orders/command_desk.h"
@@ -42,7 +43,7 @@ class MissionSession {
   bool is_joined() const { return joined_; }
   const RunningMission& running() const { return running_; }
   /// Why the bus does not work; empty: it does.
-  std::string error() const { return bus_ ? bus_->error() : ""; }
+  std::string error() const;
 
   // From any thread:
   LiveView& view() { return *view_; }
@@ -67,7 +68,9 @@ class MissionSession {
   int64_t now_us_ = 0;
   std::atomic<int64_t> utime_ = 0;  ///< Of the clock's last step.
   std::vector<CommandRecord> shown_;
-  std::unique_ptr<LcmBus> bus_;
+  std::unique_ptr<LcmBus> bus_;                    ///< Of the stepping ports and the shore.
+  std::unique_ptr<DatagramListener> communities_;  ///< Absent in the `shared` layout.
+  int64_t next_communities_us_ = 0;
 
   std::mutex desk_mutex_;  ///< Of desk_, which goes when the mission does.
   std::unique_ptr<CommandDesk> desk_;

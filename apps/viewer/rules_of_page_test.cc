@@ -53,7 +53,7 @@ TEST(RulesOfPage, AreThoseOfTheBroker) {
 TEST(RulesOfPage, KnowWhatHasNoLimit) {
   const auto rules = RulesOfPage(
       PageOf("[mission]\nduration_s = 10\n[comms]\ncomms_range = \"nolimit\"\nstale_time = "
-             "\"never\"\n[[vehicle]]\nname = \"alpha\"\n"));
+             "\"nolimit\"\n[[vehicle]]\nname = \"alpha\"\n"));
   ASSERT_TRUE(rules);
   EXPECT_LT(rules->comms_range_m, 0);
   EXPECT_LT(rules->stale_time_s, 0);

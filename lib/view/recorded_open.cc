@@ -158,7 +158,10 @@ void RecordedView::Note(const LogSurvey& survey) {
   if (index_.num_odd_times > 0) {
     note("{} events have times that do not fit between the others", index_.num_odd_times);
   }
-  if (index_.num_undecodable > 0) note("{} messages do not decode", index_.num_undecodable);
+  if (index_.num_undecodable > 0) {
+    note("{} messages do not decode: was the log recorded by another version of shoal?",
+         index_.num_undecodable);
+  }
   if (survey.has_events && !index_.has_nav) {
     note("the log has no NAV of these vehicles: nobody knows where they were");
   }

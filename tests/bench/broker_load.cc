@@ -31,10 +31,10 @@
 #include <vector>
 
 #include "lib/bus/channels.h"
+#include "lib/bus/datagram_listener.h"
 #include "lib/bus/lcm_bus.h"
 #include "lib/bus/socket_drops.h"
 #include "lib/run/run_app.h"
-#include "tests/bench/datagram_listener.h"
 
 namespace shoal {
 namespace {
