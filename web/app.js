@@ -23,6 +23,7 @@ import {World} from './world.js';
 
 const kPanelEvery_ms = 200;
 const kRetry_ms = 1000;
+const kNearEvent_s = 10;
 
 const find = (id) => document.getElementById(id);
 const pause = (ms) => new Promise((done) => { setTimeout(done, ms); });
@@ -31,6 +32,7 @@ class Page {
   constructor(requests) {
     this.requests = requests;
     this.frame = null;
+    this.wanted = null;  // {name, t}: a vehicle to centre on when its frame has come.
     this.selected = null;
     this.link = null;
     this.frames = 0;
@@ -112,10 +114,10 @@ class Page {
   goToEvent(event) {
     const [name] = event.vehicles ?? [];
     if (this.isRecorded) this.source.seek(event.t);
-    if (this.names().includes(name)) {
-      this.select(name);
-      this.map.centre(name);
-    }
+    if (!this.names().includes(name)) return;
+    this.select(name);
+    if (this.isRecorded) this.wanted = {name, t: this.source.t};
+    else this.map.centre(name);
   }
 
   jump(direction, onlyGrave) {
@@ -152,10 +154,24 @@ class Page {
     if (name && this.tabs.current !== 'commands') this.tabs.show('vehicle');
   }
 
+  // Only the frame at an event's time knows where its vehicle was.
+  #centreWanted(frame) {
+    const {name, t} = this.wanted;
+    const {got_t, playing} = this.source;
+    const isElsewhere = Math.abs(this.source.t - t) > kNearEvent_s;
+    if (!isElsewhere && (playing ? got_t < t : got_t !== t)) return;
+    this.wanted = null;
+    if (isElsewhere) return;
+    const vehicle = frame.vehicles.find((one) => one.name === name);
+    const place = vehicle?.nav ?? vehicle?.report;
+    if (place) this.map.view = {cx: place.x, cy: place.y};
+  }
+
   #takeFrame(frame) {
     this.frame = frame;
     this.frames += 1;
     this.world.addFrame(frame, performance.now());
+    if (this.wanted) this.#centreWanted(frame);
     if (this.frames === 1) this.keeper.firstFrame();
     this.top.showConnection(...this.connection, frame.clock);
     if (frame.num_events !== this.numEvents && !this.isRecorded) {

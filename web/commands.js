@@ -13,6 +13,7 @@ const kOrders = [
 const kWarps = ['1', '2', '5', '10', '20', '50', 'max'];
 const kSigns = {sent: '…', taken: '✓', refused: '✗'};
 const kMarkStays_ms = 4000;
+const kMostUnsent = 20;
 
 /** The words of an order to go to a place. */
 export const gotoWords = ({x, y}) => ['goto', x.toFixed(1), y.toFixed(1)];
@@ -31,6 +32,7 @@ export class Commands {
     this.aimed = null;
     this.mark = null;
     this.unsent = [];
+    this.refusals = 0;
     this.allowed = Boolean(page.setup.commands);
     root.replaceChildren();
     if (!this.allowed) {
@@ -48,8 +50,11 @@ export class Commands {
     this.setVehicles();
   }
 
+  /** Begins with the vehicles of this mission: orders of another are forgotten. */
   setVehicles() {
     if (!this.allowed) return;
+    this.unsent = [];
+    this.mark = null;
     const kept = this.target.value;
     this.target.replaceChildren(...this.page.setup.vehicles.map(({name}) =>
       element('option', {value: name}, name)));
@@ -58,8 +63,7 @@ export class Commands {
 
   select(name) {
     if (!this.allowed || !name) return;
-    this.target.value = name;
-    if (this.target.selectedIndex < 0) this.target.selectedIndex = 0;
+    this.target.value = name;  // None, where it is not of the mission file: no order goes astray.
     this.#showFactors();
   }
 
@@ -85,8 +89,10 @@ export class Commands {
       return await this.page.requests.post('/api/command', {target, words});
     } catch (error) {
       const order = [target, ...words].join(' ');
-      this.unsent.push({id: -1 - this.unsent.length, t: this.last?.t ?? 0, text: order,
-        state: 'refused', reason: error.message});
+      this.refusals += 1;
+      this.unsent.push({id: -this.refusals, t: this.last?.t ?? 0, text: order, state: 'refused',
+        reason: error.message});
+      this.unsent.splice(0, this.unsent.length - kMostUnsent);
       if (this.last) this.frame(this.last);
       return null;
     }
@@ -141,7 +147,7 @@ export class Commands {
     const buttons = kOrders.map(({name, label, title}) => this.#button(name, label, title,
       () => this.send(this.target.value, [name])));
     this.aimButton = this.#button('goto', 'Send here … (g)', 'then click on the map',
-      () => this.aim(this.aimed === null ? this.target.value : null), {'aria-pressed': 'false'});
+      () => this.aim(this.aimed === null ? this.target.value || null : null), {'aria-pressed': 'false'});
     return element('section', {}, element('label', {class: 'row'}, element('h3', {}, 'Vehicle'),
       this.target),
       element('div', {class: 'buttons'}, buttons, this.aimButton));

@@ -8,6 +8,8 @@ const kShades = 48;
 // Of a contour on the screen, to carry its depth, and between two of them.
 const kLeastForLabel = 180;
 const kBetweenLabels = 520;
+// So near to the edge of the layer's picture they would be cut or lie under the grid's numbers.
+const kNoLabels = 140;
 
 /** The floor of a setup, made ready once: contours and a picture of the depths. */
 export class FloorPicture {
@@ -103,7 +105,7 @@ function drawGrid(ctx, camera, theme) {
   lines(step, (k) => k === 0);
 }
 
-/** The grid's x along the lower edge, its y along the left one. */
+/** The grid's x along the upper edge, its y along the left one. */
 export function drawGridNumbers(ctx, camera, theme) {
   const step = gridStep(camera.metresPerPixel, 90);
   ctx.font = `12px ${kFont}`;
@@ -112,7 +114,7 @@ export function drawGridNumbers(ctx, camera, theme) {
   ctx.textAlign = 'center';
   for (let k = Math.ceil(camera.left / step); k * step <= camera.right; ++k) {
     const sx = camera.sx(k * step);
-    if (sx > 60 && sx < camera.width - 40) ctx.fillText(metresText(k * step, step), sx, 5);
+    if (sx > 60 && sx < camera.width - 70) ctx.fillText(metresText(k * step, step), sx, 5);
   }
   ctx.textAlign = 'left';
   ctx.textBaseline = 'middle';
@@ -145,8 +147,8 @@ function drawContours(ctx, camera, theme, contours) {
           ctx.lineTo(sx, sy);
           length += step;
           sinceLabel += step;
-          if (sinceLabel > kBetweenLabels && sx > 60 && sy > 40 && sx < camera.width - 60 &&
-              sy < camera.height - 60) {
+          if (sinceLabel > kBetweenLabels && sx > kNoLabels && sy > kNoLabels &&
+              sx < camera.width - kNoLabels && sy < camera.height - kNoLabels) {
             labels.push({level, x: (px + sx) / 2, y: (py + sy) / 2,
               angle: Math.atan2(sy - py, sx - px)});
             sinceLabel = 0;

@@ -32,29 +32,37 @@ export function placeLabels(items, width = Infinity, height = Infinity) {
   const placed = new Array(items.length).fill(null);
   const order = items.map((_, i) => i)
       .sort((a, b) => rankOf(items[b]) - rankOf(items[a]) || a - b);
-  for (const i of order) {
+  const find = (i, form) => {
     const item = items[i];
     const sides = [0, 1, 2, 3].sort((a, b) => (b === item.side) - (a === item.side));
-    let found = null;
-    for (let form = 0; form < item.sizes.length && !found; ++form) {
-      for (const side of sides) {
-        const box = boxAt(item, item.sizes[form], side);
-        if (box.x < 0 || box.y < 0 || box.x + box.width > width || box.y + box.height > height) {
-          continue;
-        }
-        if (taken.some((other) => overlaps(box, other))) continue;
-        if (hulls.some((hull, k) => k !== i && overlaps(box, hull))) continue;
-        found = {form, side, box};
-        break;
+    for (const side of sides) {
+      const box = boxAt(item, item.sizes[form], side);
+      if (box.x < 0 || box.y < 0 || box.x + box.width > width || box.y + box.height > height) {
+        continue;
       }
+      if (taken.some((other, k) => k !== i && overlaps(box, other))) continue;
+      if (hulls.some((hull, k) => k !== i && overlaps(box, hull))) continue;
+      return {form, side, box};
     }
-    if (!found && item.must) {
-      const side = item.side ?? 0;
-      found = {form: 0, side, box: boxAt(item, item.sizes[0], side)};
-    }
-    if (!found) continue;
-    taken.push(found.box);
+    return null;
+  };
+  const place = (i, found) => {
+    if (!found) return;
+    taken[i] = found.box;
     placed[i] = {form: found.form, side: found.side, x: found.box.x, y: found.box.y};
+  };
+  // Every name goes before the second line of any but the most important.
+  for (const i of order) {
+    const {sizes, side = 0, must} = items[i];
+    let found = null;
+    for (let form = rankOf(items[i]) > 0 ? 0 : sizes.length - 1; form < sizes.length; ++form) {
+      found ??= find(i, form);
+    }
+    if (!found && must) found = {form: 0, side, box: boxAt(items[i], sizes[0], side)};
+    place(i, found);
+  }
+  for (const i of order) {
+    for (let form = 0; placed[i] && form < placed[i].form; ++form) place(i, find(i, form));
   }
   return placed;
 }
@@ -78,10 +86,12 @@ function shortened(text, most) {
 /** Returns the lines of a vehicle's label: {text, bold, color: which of the theme's}. */
 export function labelLines(vehicle, t) {
   const lines = [{text: shortened(String(vehicle.name), 20), bold: true}];
+  const reason = vehicle.helm?.all_stop;
+  const why = reason && reason !== 'clear' ? reason : '';
   if (isStopped(vehicle)) {
-    const reason = vehicle.helm.all_stop;
-    const why = reason && reason !== 'clear' ? `: ${reason}` : '';
-    lines.push({text: shortened(`ALL-STOP${why}`, 36), color: 'danger'});
+    lines.push({text: shortened(`ALL-STOP${why && `: ${why}`}`, 36), color: 'danger'});
+  } else if (why) {
+    lines.push({text: shortened(why, 36)});
   } else {
     const mode = vehicle.mode || vehicle.helm?.state || '';
     const depth = vehicle.depth !== null && Math.abs(vehicle.depth) >= 0.05 ?

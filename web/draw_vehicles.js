@@ -68,10 +68,8 @@ function hatch(ctx) {
   return hatching = ctx.createPattern(tile, 'repeat');
 }
 
-export function isStopped(vehicle) {
-  const reason = vehicle.helm?.all_stop;
-  return vehicle.helm?.state === 'ALL-STOP' || Boolean(reason && reason !== 'clear');
-}
+/** True in an all-stop; a parked vehicle is at rest. */
+export const isStopped = (vehicle) => vehicle.helm?.state === 'ALL-STOP';
 
 /** Draws the reported positions that stand apart from the truth, with their age. */
 export function drawReported(ctx, camera, theme, vehicles, t) {

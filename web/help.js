@@ -78,9 +78,11 @@ export function fillHelp(dialog) {
       element('td', {}, text)))))));
   const signs = [
     ['solid hull', 'where a vehicle is (the truth of the simulation)'],
-    ['hollow mark, dashed line', 'where its last report puts it, with the age of the report'],
-    ['widening beam', 'a message or report on its way, from its sender to its receiver'],
-    ['circle around a vehicle', 'how far it is heard: comms range × its stealth'],
+    ['hollow, dashed line', 'where its last report puts it, with the age of the report'],
+    ['widening beam', 'on its way from its sender to its receiver: a report (orange) or a '
+      + 'message (blue, broken edge)'],
+    ['growing ring (6)', 'a packet in the water, acknowledgements green; flashes on arrival'],
+    ['circle (4)', 'how far it is heard: comms range × its stealth; broken: how far it hears'],
     ['octagon', 'all-stop'],
     ['grey, “stale”', 'no report for longer than the broker accepts'],
     ['✓  ✗  ≈', 'delivered, kept back or lost, damaged'],

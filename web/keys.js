@@ -118,6 +118,10 @@ export function listenToKeys(page) {
     event.preventDefault();
     act(page, action);
   });
+  // A button that was clicked would take the space bar for itself, and give its order twice.
+  document.addEventListener('click', (event) => {
+    if (event.detail > 0) event.target.closest?.('button, summary')?.blur();
+  });
   for (const button of document.querySelectorAll('[data-action]')) {
     button.addEventListener('click', () => act(page, button.dataset.action));
   }

@@ -4,6 +4,8 @@ import {clamp, clipSegment, isNumber} from './geometry.js';
 
 const kLeastScale = 0.005;
 const kMostScale = 5000;
+// So much of the lower edge belongs to the scale bar and the pointer's place.
+const kScaleBar = 44;
 // No mission goes farther from its origin (docs/mission_file.md).
 const kReach_m = 2e6;
 
@@ -53,12 +55,13 @@ export class Camera {
     this.set(this.cx + x - this.x(sx), this.cy + y - this.y(sy));
   }
 
-  /** Shows the box with a margin of a twelfth on each side. */
+  /** Shows the box with a margin of a twelfth on each side, clear of the scale bar. */
   fit(left, bottom, right, top) {
     const room = 1 - 2 / 12;
-    const scale = Math.max((right - left) / (this.width * room),
-                           (top - bottom) / (this.height * room), 0.1);
-    this.set((left + right) / 2, (bottom + top) / 2, scale);
+    const height = Math.max(1, this.height - kScaleBar);
+    const scale = Math.max((right - left) / (this.width * room), (top - bottom) / (height * room),
+                           0.1);
+    this.set((left + right) / 2, (bottom + top) / 2 - kScaleBar / 2 * scale, scale);
   }
 
   /** Adds the part of a segment (metres) that can be seen to the path. */

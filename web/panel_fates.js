@@ -50,6 +50,7 @@ export class FatesPanel {
   constructor(page, parent) {
     this.page = page;
     this.kept = [];
+    this.round = 0;
     const again = () => this.again();
     this.vehicle = new Choice('fates-vehicle', 'Vehicle', 'all', again);
     this.kind = new Choice('fates-kind', 'Kind', 'all', again);
@@ -83,6 +84,7 @@ export class FatesPanel {
 
   /** Drops what is shown and asks anew. */
   again() {
+    this.round += 1;  // What is still on its way is not wanted any more.
     this.kept = [];
     this.poller.renew();
   }
@@ -100,7 +102,7 @@ export class FatesPanel {
 
   async #ask() {
     if (this.held) return;
-    const key = this.#filterKey();
+    const {round} = this;
     const live = !this.page.isRecorded;
     // More than fit came since the last time: only the newest of them matter.
     const after = live && this.kept.length > 0 && !this.isBehind ? this.kept[0].id : null;
@@ -108,7 +110,7 @@ export class FatesPanel {
       vehicle: this.vehicle.value, kind: this.kind.value, cause: this.cause.value,
       blocked: this.blocked.checked ? 1 : null, after, limit: kShown, ...this.page.query(),
     });
-    if (key !== this.#filterKey() || this.held) return;
+    if (round !== this.round || this.held) return;
     const fates = (Array.isArray(answer.fates) ? answer.fates : []).filter(({id}) =>
       Number.isFinite(id));
     this.isBehind = after !== null && fates.length >= kShown;

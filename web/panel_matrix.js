@@ -4,7 +4,8 @@ import {element, setAttribute, setText} from './dom.js';
 import {age, ratio} from './text.js';
 
 const kCompactFrom = 9;  // So many vehicles leave a cell room for one sign,
-const kTinyFrom = 31;    // and so many for a small one.
+const kSmallFrom = 18;   // a small one in a narrow panel,
+const kTinyFrom = 31;    // or in any.
 
 /** What one cell says. `link` is of /api/links, or null where no fate is known. */
 export function cellWords(link, t) {
@@ -71,6 +72,7 @@ export class LinkMatrix {
     const compact = names.length >= kCompactFrom;
     this.compact = compact;
     this.table.classList.toggle('compact', compact);
+    this.table.classList.toggle('small', names.length >= kSmallFrom);
     this.table.classList.toggle('tiny', names.length >= kTinyFrom);
     const head = element('tr', {}, element('th', {class: 'corner'}, compact ? '' : 'from ↓ to →'),
       names.map((name) => element('th', {scope: 'col', title: name}, element('span', {}, name))));

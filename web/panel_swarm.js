@@ -25,7 +25,7 @@ export class SwarmTables {
     this.swarm = element('section', {id: 'swarm', hidden: true},
       element('h4', {}, 'What it knows of its swarm'), this.said,
       element('table', {class: 'plain'}, element('thead', {}, element('tr', {},
-        ['Vehicle', 'Age', 'Position', 'Notes'].map((label) =>
+        ['Vehicle', 'Age', 'x, y (m), depth', 'Notes'].map((label) =>
           element('th', {scope: 'col'}, label)))), this.contacts));
     this.root = element('div', {}, element('h4', {}, 'Whom it hears'), this.hears,
       element('table', {id: 'hears', class: 'plain'}, this.heard), this.swarm);

@@ -64,8 +64,9 @@ export class VehiclePanel {
     root.replaceChildren(
       element('section', {}, element('h3', {}, 'Vehicles'), element('div', {class: 'list-scroll'},
         element('table', {id: 'vehicles', class: 'vehicles'}, element('thead', {}, element('tr', {},
-          ['Name', 'Mode', 'Speed', 'Depth', 'Report'].map((label) =>
-            element('th', {scope: 'col'}, label)))), body))),
+          [['Name'], ['Mode'], ['Speed', 'm/s'], ['Depth', 'm'], ['Report', 'age']].map(
+            ([label, unit]) => element('th', {scope: 'col'}, label,
+              unit ? element('small', {}, ` ${unit}`) : null)))), body))),
       this.hint, this.detail);
     this.poller = new Poller(page.isRecorded ? 300 : 500, () => this.#ask(), () => (
       page.isRecorded ? `${page.selected} ${this.window.value}@${page.source.t}` : null));

@@ -1,4 +1,4 @@
-// Asks the viewer again and again while somebody looks at the answer.
+// Asks the viewer again and again while somebody looks at the answer; not in a hidden tab.
 
 export class Poller {
   /**
@@ -37,6 +37,7 @@ export class Poller {
 
   async tick() {
     const now_ms = this.now();
+    if (globalThis.document?.hidden) return;
     if (this.asking || now_ms - this.asked_ms < this.interval_ms) return;
     const key = this.key();
     if (key !== null && key === this.asked_key) return;

@@ -5,7 +5,8 @@ import {clip, missionTime, quantity} from './text.js';
 
 const kStates = {
   waiting: '… waiting for a mission', gathering: '… starting', running: '● running',
-  paused: '❚❚ paused', ended: '■ ended', lost: '⚠ launcher gone', recorded: '● recorded',
+  paused: '❚❚ paused', ended: '■ ended', lost: '⚠ launcher gone',
+  silent: '⚠ launcher silent', recorded: '● recorded',
 };
 
 /** The layers in the order of their keys 1 to 9, 0. */
@@ -48,6 +49,7 @@ export function bannerWords(clock, connection, reason) {
     }
     case 'paused': return 'Paused.';
     case 'ended': return 'The mission has ended; this is how it ended.';
+    case 'silent': return 'The launcher has said nothing for three seconds: is it stopped?';
     case 'lost': return 'The launcher has gone without an end; this is the last that was seen.';
     default: return '';
   }

@@ -260,12 +260,16 @@ export class World {
           .map((to) => ({name: to.name, cause: to.cause,
             delay_s: clamp(to.arrives - packet.sent, 0, kLongestRing_s)}));
       const key = `${packet.source} ${packet.id}`;
-      if (this.#packets.has(key)) continue;
+      const reach_s = receivers.reduce((most, to) => Math.max(most, to.delay_s), 0.2);
+      const known = this.#packets.get(key);
+      if (known) {  // It has arrived elsewhere, too; its ring goes on.
+        Object.assign(known, {receivers, reach_s});
+        continue;
+      }
       this.#packets.set(key, {
-        x, y, source: packet.source, kind: packet.kind, receivers,
+        x, y, source: packet.source, kind: packet.kind, receivers, reach_s,
         air_s: clamp(finite(packet.air), 0, kLongestRing_s),
         start_s: this.#recorded ? packet.sent : Math.max(packet.sent, frame.t),
-        reach_s: receivers.reduce((most, to) => Math.max(most, to.delay_s), 0.2),
       });
       if (this.#packets.size > kMostPackets) {
         this.#packets.delete(this.#packets.keys().next().value);

@@ -249,6 +249,7 @@ int Launcher::Conclude() {
     }
     Print(fmt::format("Recorded in {}: mission.lcm{}, mission.toml, run.txt, summary.txt, logs/\n",
                       options_.record_dir, lost_.contains("recorder") ? " (cut short)" : ""));
+    if (options_.view) Print(fmt::format("To look at it: shoal view {}\n", options_.record_dir));
   }
   Print(summary);
   if (exit_code_ == 0 && !director_.Passed()) exit_code_ = kExitMissionFailed;

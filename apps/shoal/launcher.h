@@ -1,10 +1,8 @@
 // `shoal run`: starts a mission's processes, steps them, watches over them, and cleans up.
 //
-//   claim ports -> start processes -> wait for their hellos -> step until the last -> END ->
-//   summary
-//        |               |                    |                      |
-//        +---------------+---- an error ------+-- loss, Ctrl-C ------+--> END (or kill) -> exit
-//        code
+//   claim ports -> start processes -> wait for hellos -> step until the last -> END -> summary
+//        |               |                 |                   |
+//        +---------------+---- an error ---+-- loss, Ctrl-C ---+--> END (or kill) -> exit code
 #pragma once
 
 #include <set>

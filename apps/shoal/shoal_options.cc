@@ -69,6 +69,9 @@ void AddView(CLI::App& cli, Action* action) {
   auto options = std::make_shared<ViewOptions>();
   CLI::Option* log = command->add_option(
       "LOG", options->log, "A log, or the folder of a recording; default: the mission that runs");
+  log->check([](const std::string& text) {
+    return text.empty() ? "it is empty: name a log, or the folder of a recording" : "";
+  });
   command
       ->add_option("--mission", options->mission_file,
                    "The log's mission file; default: the one beside it")

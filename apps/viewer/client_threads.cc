@@ -50,7 +50,9 @@ void ClientThreads::Run() {
       Admit(std::move(socket));
     } else if (errno == EMFILE || errno == ENFILE || errno == ENOBUFS || errno == ENOMEM) {
       // The connection stays in the queue, and would wake this loop at once again.
-      if (!MakeRoom()) std::this_thread::sleep_for(std::chrono::milliseconds(50));
+      // Who was cut to make room needs a moment to go.
+      MakeRoom();
+      std::this_thread::sleep_for(std::chrono::milliseconds(50));
     }
   }
   while (true) {

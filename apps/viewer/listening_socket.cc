@@ -79,8 +79,11 @@ Result<ListeningSocket> ListenOn(const ListeningOptions& options) {
     if (error != EADDRINUSE) break;
   }
   if (error != EADDRINUSE) {
-    return Error{fmt::format("cannot listen on {}, TCP port {}: {}", options.address, options.port,
-                             ErrnoText(error))};
+    return Error{fmt::format(
+        "cannot listen on {}, TCP port {}: {}{}", options.address, options.port, ErrnoText(error),
+        error == EADDRNOTAVAIL ? "; give an address that this machine has (`ip address` lists "
+                                 "them), 0.0.0.0 for all of them"
+                               : "")};
   }
   if (options.last_port > options.port) {
     return Error{fmt::format("TCP ports {} to {} are all taken; give a free one with --http",
@@ -88,8 +91,7 @@ Result<ListeningSocket> ListenOn(const ListeningOptions& options) {
   }
   return Error{
       fmt::format("TCP port {0} is taken (`ss -tlnp 'sport = :{0}'` shows by whom); choose another "
-                  "with --http, "
-                  "or leave it out",
+                  "with --http (`shoal run`: --view-http), or leave it out",
                   options.port)};
 }
 

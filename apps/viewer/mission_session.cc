@@ -24,6 +24,8 @@ constexpr int64_t kMostRulesRequests = 20;
 /// channel: on a machine that is too slow, the page shows less rather than what was long ago.
 constexpr int64_t kLongestQueue_us = 1'000'000;
 constexpr int64_t kMostMessagesAtOnce = 20'000;
+/// The launcher says CLOCK_STATE twice per second, unless it is stopped or starved.
+constexpr int64_t kClockSilence_us = 3'000'000;
 /// What the vehicles' processes say among themselves is most of a mission's traffic, and of little
 /// use more often than frames are made: it is read in large batches.
 constexpr int64_t kCommunitiesInterval_us = 50'000;
@@ -69,8 +71,8 @@ MissionSession::MissionSession(const RunningMission& running, const std::string&
 void MissionSession::Join(bool allow_commands) {
   const PortPlan ports = running_.Ports();
   bus_ = std::make_unique<LcmBus>(ports);
-  std::vector<std::string> channel_names = Scene::Channels(mission_);
-  channel_names.push_back(channels::ClockState().name);
+  bus_->set_mission_id(running_.mission_id);
+  const std::vector<std::string> channel_names = Scene::Channels(mission_);
   std::set<int> community_ports;
   for (const std::string& channel : channel_names) {
     if (ports.PortOf(channel) > ports.shore_port()) {
@@ -84,16 +86,15 @@ void MissionSession::Join(bool allow_commands) {
     communities_ = std::make_unique<DatagramListener>(
         std::vector<int>(community_ports.begin(), community_ports.end()));
   }
-  Subscribe(*bus_, channels::ClockState(), [this](const clock_state_t& clock) {
-    utime_ = clock.utime;
-    is_ending_ = clock.state == "ending";
-  });
+  bus_->SubscribeBytes(channels::ClockState().name,
+                       [this](const Message& message) { TakeClock(message); });
   Subscribe(*bus_, channels::CommsRules(),
             [this](const comms_rules_t&) { rules_are_heard_ = true; });
   Subscribe(*bus_, channels::Appcast(), [this](const appcast_t& page) { TakePage(page); });
   if (!allow_commands) return;
-  desk_ = std::make_unique<CommandDesk>(
-      *bus_, OrderScope{.mission = running_.name, .vehicles = running_.vehicles});
+  desk_ = std::make_unique<CommandDesk>(*bus_, OrderScope{.mission = running_.name,
+                                                          .vehicles = running_.vehicles,
+                                                          .mission_id = running_.mission_id});
 }
 
 std::string MissionSession::error() const {
@@ -101,6 +102,15 @@ std::string MissionSession::error() const {
     return communities_->error() + "; run `shoal doctor`";
   }
   return bus_ ? bus_->error() : "";
+}
+
+void MissionSession::TakeClock(const Message& message) {
+  clock_state_t clock{};
+  if (!Decode(message.data, &clock) || clock.mission_id != running_.mission_id) return;
+  utime_ = clock.utime;
+  is_ending_ = clock.state == "ending";
+  clock_heard_us_ = now_us_;
+  view_->Handle(message.channel, message.data);
 }
 
 void MissionSession::TakePage(const appcast_t& page) {
@@ -123,8 +133,14 @@ void MissionSession::Work(int64_t now_us) {
   if (communities_ && now_us >= next_communities_us_) {
     next_communities_us_ = now_us + kCommunitiesInterval_us;
     communities_->Poll(0, [this](std::string_view channel, std::span<const uint8_t> datagram) {
-      view_->Handle(channel, Unseal(datagram).message);
+      const Unsealed unsealed = Unseal(datagram);
+      if (unsealed.seal && unsealed.seal->mission_id != running_.mission_id) return;
+      view_->Handle(channel, unsealed.message);
     });
+  }
+  if (clock_heard_us_ != 0 && now_us - clock_heard_us_ > kClockSilence_us) {
+    clock_heard_us_ = 0;
+    view_->SetClockGone("silent");
   }
   const auto ask = [this](std::string_view app) {
     appcast_req_t request{};

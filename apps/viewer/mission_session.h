@@ -52,6 +52,7 @@ class MissionSession {
 
  private:
   void Join(bool allow_commands);
+  void TakeClock(const Message& message);
   void TakePage(const appcast_t& page);
   void ShowCommands();
 
@@ -62,6 +63,7 @@ class MissionSession {
   StatusBoard board_;
   bool joined_ = false;
   bool is_ending_ = false;        ///< CLOCK_STATE has said so.
+  int64_t clock_heard_us_ = 0;    ///< When CLOCK_STATE came last; 0: not yet, or silence is told.
   bool rules_are_heard_ = false;  ///< COMMS_RULES has come, or the broker's page.
   int64_t next_rules_request_us_ = 0;
   int64_t rules_requests_ = 0;

@@ -12,12 +12,21 @@ namespace {
 constexpr int64_t kAskInterval_us = 1'000'000;
 /// Somebody whose last look is older has closed the panel.
 constexpr int64_t kLookLasts_us = 4'000'000;
+/// Whose page is older, while somebody looks, no longer answers.
+constexpr int64_t kSilence_us = 10'000'000;
 constexpr size_t kMostWarnings = 100;
 
 void Cut(std::vector<std::string>* warnings) {
   if (warnings->size() > kMostWarnings) warnings->resize(kMostWarnings);
   constexpr size_t kLongestWarning = 1'000;
   for (std::string& each : *warnings) each.resize(std::min(each.size(), kLongestWarning));
+}
+
+size_t SizeOf(const appcast_t& page) {
+  size_t size = page.app.size() + page.page.size();
+  for (const std::string& each : page.config_warnings) size += each.size();
+  for (const std::string& each : page.run_warnings) size += each.size();
+  return size;
 }
 
 double RoundedSeconds(int64_t us) { return std::round(static_cast<double>(us) / 1e5) / 10; }
@@ -30,8 +39,31 @@ void StatusBoard::Take(const appcast_t& page, int64_t now_us) {
   Cut(&taken.appcast.config_warnings);
   Cut(&taken.appcast.run_warnings);
   const std::lock_guard lock(mutex_);
-  if (pages_.size() >= kMostPages && !pages_.contains(page.app)) return;
-  pages_.insert_or_assign(page.app, std::move(taken));
+  const size_t size = SizeOf(taken.appcast);
+  if (!HasRoom(page.app, size)) {
+    DropSilent(now_us);
+    if (!HasRoom(page.app, size)) return;
+  }
+  Page& kept = pages_[page.app];
+  num_bytes_ += size - SizeOf(kept.appcast);
+  kept = std::move(taken);
+}
+
+bool StatusBoard::HasRoom(const std::string& app, size_t size) const {
+  const auto known = pages_.find(app);
+  if (known == pages_.end()) return pages_.size() < kMostPages && num_bytes_ + size <= kMost_bytes;
+  return num_bytes_ - SizeOf(known->second.appcast) + size <= kMost_bytes;
+}
+
+/// Drops the pages of those who have not answered for long: strangers, or the dead.
+void StatusBoard::DropSilent(int64_t now_us) {
+  if (dropped_us_ != INT64_MIN && now_us - dropped_us_ < kAskInterval_us) return;
+  dropped_us_ = now_us;
+  std::erase_if(pages_, [&](const auto& item) {
+    if (now_us - item.second.taken_us <= kSilence_us) return false;
+    num_bytes_ -= SizeOf(item.second.appcast);
+    return true;
+  });
 }
 
 std::string StatusBoard::Json(int64_t now_us) {
@@ -58,6 +90,11 @@ std::string StatusBoard::Json(int64_t now_us) {
   }
   const nlohmann::json all = {{"pages", std::move(list)}};
   return all.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+size_t StatusBoard::num_pages() const {
+  const std::lock_guard lock(mutex_);
+  return pages_.size();
 }
 
 bool StatusBoard::WantsPages(int64_t now_us) {

@@ -15,6 +15,7 @@ class StatusBoard {
  public:
   static constexpr size_t kMostPages = 2'000;
   static constexpr size_t kMostText_bytes = 100'000;  ///< Of a page; the rest is cut off.
+  static constexpr size_t kMost_bytes = 32'000'000;   ///< Of all pages; more are left out.
 
   /// `start_utime` is mission time at the mission's start.
   explicit StatusBoard(int64_t start_utime) : start_utime_(start_utime) {}
@@ -27,15 +28,23 @@ class StatusBoard {
   /// True where the processes should be asked again: once a second, while somebody looks.
   [[nodiscard]] bool WantsPages(int64_t now_us);
 
+  size_t num_pages() const;
+
  private:
   struct Page {
     appcast_t appcast;
     int64_t taken_us = 0;
   };
 
+  /// True where a page of `size` bytes fits in.
+  bool HasRoom(const std::string& app, size_t size) const;
+  void DropSilent(int64_t now_us);
+
   const int64_t start_utime_;
-  std::mutex mutex_;
+  mutable std::mutex mutex_;
   std::map<std::string, Page> pages_;  ///< By app.
+  size_t num_bytes_ = 0;               ///< Of all of them.
+  int64_t dropped_us_ = INT64_MIN;
   int64_t looked_us_ = INT64_MIN;
   int64_t asked_us_ = INT64_MIN;
 };

@@ -64,5 +64,25 @@ TEST(StatusBoard, SurvivesWhatStrangersSay) {
   EXPECT_EQ(pages[0]["run_warnings"][0].get<std::string>().size(), 1'000U);
 }
 
+TEST(StatusBoard, ShowsTheMissionsPagesAgainAfterThoseOfStrangers) {
+  StatusBoard board(0);
+  for (int i = 0; i < 3'000; ++i) board.Take(Page("app" + std::to_string(i), 0), 0);
+  board.Take(Page("helm_alpha", 0), 11'000'000);
+  const auto pages = nlohmann::json::parse(board.Json(11'000'000)).at("pages");
+  ASSERT_EQ(pages.size(), 1U);
+  EXPECT_EQ(pages[0]["app"], "helm_alpha");
+}
+
+TEST(StatusBoard, HoldsNoMoreThanThePagesOfALargeMissionNeed) {
+  StatusBoard board(0);
+  appcast_t page = Page("", 0);
+  page.page = std::string(StatusBoard::kMostText_bytes, 'x');
+  for (int i = 0; i < 800; ++i) {
+    page.app = "app" + std::to_string(i % 400);
+    board.Take(page, 0);
+  }
+  EXPECT_EQ(board.num_pages(), StatusBoard::kMost_bytes / StatusBoard::kMostText_bytes - 1);
+}
+
 }  // namespace
 }  // namespace shoal

@@ -28,11 +28,11 @@ WebAnswer NoSuchPath(const std::string& path) {
 }  // namespace
 
 std::optional<WebAnswer> ViewSite::Deny(const WebRequest& request) {
-  if (auto denial = FindDenial(parts_.access, request)) return denial;
+  // Before the access rules, which would advise to allow commands.
   if (request.path == kCommandPath && !parts_.command) {
     return ErrorAnswer(404, "a recorded mission takes no commands");
   }
-  return std::nullopt;
+  return FindDenial(parts_.access, request);
 }
 
 WebAnswer ViewSite::Reply(const WebRequest& request) {
@@ -51,8 +51,6 @@ WebAnswer ViewSite::ReplyWithData(const WebRequest& request) {
     return Answer(ParseCommandBody(request.body),
                   [&](const CommandWords& words) { return parts_.command(words); });
   }
-  if (path == kStreamPath && parts_.is_live) return {.is_stream = true};
-  if (path == "/api/status" && parts_.status) return Json(parts_.status());
   const std::shared_ptr<ViewSource> source = parts_.source();
   if (path == "/api/fates") {
     return Answer(ParseFateQuery(query), [&](const TimedFateQuery& asked) {
@@ -70,6 +68,8 @@ WebAnswer ViewSite::ReplyWithData(const WebRequest& request) {
     });
   }
   return Answer(ParseTimeQuery(query), [&](double t_s) {
+    if (path == kStreamPath && parts_.is_live) return WebAnswer{.is_stream = true};
+    if (path == "/api/status" && parts_.status) return Json(parts_.status());
     if (path == "/api/setup") {
       return Json(source->SetupJson(MaySendCommands(parts_.access, request)));
     }

@@ -42,7 +42,9 @@ ViewerOptions ParseViewerOptionsOrExit(int argc, char** argv) {
   CLI::Option* log =
       cli.add_option("--log", options.log,
                      "Show this recorded mission: a log, or the folder of `shoal run --record`");
-  log->excludes(port)->excludes(commands);
+  log->excludes(port)->excludes(commands)->check([](const std::string& text) {
+    return text.empty() ? "it is empty: name a log, or the folder of a recording" : "";
+  });
   cli.add_option("--mission", options.mission_file,
                  "Mission file of the log (default: mission.toml beside it)")
       ->needs(log);

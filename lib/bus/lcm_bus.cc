@@ -58,6 +58,7 @@ void LcmBus::Dispatch(std::string_view channel, std::span<const uint8_t> datagra
     if (++num_handled_in_poll_ >= limits_.most) transport_.EndPoll();
   }
   const Unsealed unsealed = Unseal(datagram);
+  if (mission_id_ != 0 && unsealed.seal && unsealed.seal->mission_id != mission_id_) return;
   counters_.handled +=
       handlers_.Call({.channel = channel,
                       .publisher = unsealed.seal ? unsealed.seal->publisher : std::string_view(),

@@ -39,6 +39,10 @@ class LcmBus : public Bus {
   /// Waits at most `timeout_us` for messages and handles all that are there.
   void Poll(int64_t timeout_us);
 
+  /// Handles no sealed messages of other missions from now on. (What comes from outside the step
+  /// protocol has no seal.)
+  void set_mission_id(int64_t mission_id) { mission_id_ = mission_id; }
+
   /// Holds for the Polls from now on.
   void set_limits(const PollLimits& limits) { limits_ = limits; }
 
@@ -56,6 +60,7 @@ class LcmBus : public Bus {
   LcmTransport transport_;
   HandlerTable handlers_;
   PollLimits limits_;
+  int64_t mission_id_ = 0;  ///< 0: any.
   int64_t num_handled_in_poll_ = 0;
   std::map<std::string, int64_t, std::less<>> num_in_poll_;  ///< Messages, by channel.
 };

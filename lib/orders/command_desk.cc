@@ -77,6 +77,7 @@ CommandDesk::CommandDesk(Bus& bus, OrderScope scope) : bus_(bus), scope_(std::mo
     for (Pending& each : pending_) each.watch.OnPage(page, now_us_);
   });
   Subscribe(bus, channels::ClockState(), [this](const clock_state_t& state) {
+    if (scope_.mission_id != 0 && state.mission_id != scope_.mission_id) return;
     for (Pending& each : pending_) {
       // Each answer is for one order: the first that it agrees with.
       if (each.clock && each.is_published && !each.clock->IsSettled() &&

@@ -5,6 +5,7 @@
 //   if (order.ok()) Publish(bus, *order);
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
@@ -56,6 +57,7 @@ using Order =
 struct OrderScope {
   std::string mission;
   std::vector<std::string> vehicles;
+  int64_t mission_id = 0;  ///< Of the clock that answers; 0: any.
 };
 
 /// Returns what target and words ask for, or what is wrong with them. A vehicle's name wins over a

@@ -67,7 +67,10 @@ void JudgeByWarnings(const appcast_t& page, OrderWatch::Answer* answer) {
     if (std::find(before.begin(), before.end(), warning) != before.end()) continue;
     answer->outcome = OrderOutcome::kRefused;
     answer->reason = ReasonOf(warning);
-    if (answer->reason.ends_with(" times)")) answer->reason.resize(answer->reason.rfind(" ("));
+    const size_t count = answer->reason.rfind(" (");
+    if (count != std::string::npos && answer->reason.ends_with(" times)")) {
+      answer->reason.resize(count);
+    }
   }
 }
 

@@ -1,9 +1,10 @@
 // What became of an order, from the status pages of those who got it: before it, and after it.
 //
 //   OrderWatch watch(TracesOf(order));
-//   while (!watch.IsReady(now_us)) ...     // ask for the pages of Due(now_us), hand over what
-//   comes Publish(bus, order), watch.Sent(now_us, {}); while (!watch.IsSettled()) ...         //
-//   the same again
+//   while (!watch.IsReady(now_us)) ...   // ask for the pages of Due(now_us), hand over what comes
+//   Publish(bus, order);
+//   watch.Sent(now_us, {});
+//   while (!watch.IsSettled()) ...       // the same again
 //
 // Helm, simulator and broker list their recent events on their pages: orders that they took, and
 // orders that they refused. The n-th new event of an order's kind is what became of the n-th order.
@@ -39,8 +40,8 @@ class OrderWatch {
     std::string reason;  ///< Why it was refused.
 
     std::optional<appcast_t> before;  ///< The last page from before the order.
-    int num_ahead =
-        0;  ///< Orders of this kind to this participant that were open when it was sent.
+    /// Orders of this kind to this participant that were open when it was sent.
+    int num_ahead = 0;
   };
 
   explicit OrderWatch(std::vector<OrderTrace> traces);

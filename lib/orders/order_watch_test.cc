@@ -129,6 +129,17 @@ TEST(OrderWatch, JudgesAParticipantThatBeganAnewByItsNewPage) {
   EXPECT_EQ(watch.answers()[0].outcome, OrderOutcome::kTaken);
 }
 
+TEST(OrderWatch, SurvivesAWarningWhoseCountHasNoBeginning) {
+  Helm helm{.vehicle = "alpha", .log = {}};
+  OrderWatch watch = SentTo(helm, "goto");
+  for (int i = 0; i < 30; ++i) helm.log.Event(0, "something else");
+  helm.step += 2;
+  appcast_t page = helm.Page();
+  page.run_warnings = {"HELM_COMMAND refused: goto: 3 times)"};
+  watch.OnPage(page, kSecond_us);
+  EXPECT_EQ(watch.answers()[0].reason, "goto: 3 times)");
+}
+
 TEST(OrderWatch, SurvivesPagesThatNoAppWrites) {
   Helm helm{.vehicle = "alpha", .log = {}};
   for (const std::string& text :

@@ -67,7 +67,7 @@ void StepClock::SendState(int64_t wall_us) {
   next_state_us_ = wall_us + kStateInterval_us;
   // The first value after a change comes sooner.
   const int64_t span_us = factor_ > 0 ? 2 * kStateInterval_us : kStateInterval_us;
-  if (wall_us - factor_since_us_ >= span_us) {
+  if (state_ == State::kRunning && wall_us - factor_since_us_ >= span_us) {
     const auto mission_us = static_cast<double>((step_ - factor_since_step_) * options_.tick_us);
     factor_ = mission_us / static_cast<double>(wall_us - factor_since_us_);
     factor_since_us_ = wall_us;

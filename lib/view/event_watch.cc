@@ -176,12 +176,4 @@ std::string EventWatch::NameOf(int32_t number) const {
   return place < names_.size() ? names_[place] : std::string();
 }
 
-std::vector<ViewEvent> MergedEvents(std::vector<ViewEvent> first,
-                                    const std::vector<ViewEvent>& second) {
-  first.insert(first.end(), second.begin(), second.end());
-  std::stable_sort(first.begin(), first.end(),
-                   [](const ViewEvent& a, const ViewEvent& b) { return a.utime < b.utime; });
-  return first;
-}
-
 }  // namespace shoal

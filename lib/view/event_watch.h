@@ -5,8 +5,7 @@
 //   watch.OnNav(0, utime, x_m, y_m, z_m);
 //   watch.OnFate(0, 1, Cause::kDelivered, utime);
 //
-// The parts know nothing of each other: a log may show positions to one watch and fates to another,
-// and merge what they found (MergedEvents).
+// The parts know nothing of each other: positions, helms and fates may each be left out.
 #pragma once
 
 #include <Eigen/Core>
@@ -109,9 +108,5 @@ class EventWatch {
   std::vector<ViewEvent> events_;
   int64_t num_left_out_ = 0;
 };
-
-/// Returns the events of both in order of time.
-[[nodiscard]] std::vector<ViewEvent> MergedEvents(std::vector<ViewEvent> first,
-                                                  const std::vector<ViewEvent>& second);
 
 }  // namespace shoal

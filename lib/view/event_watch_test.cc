@@ -178,20 +178,5 @@ TEST(EventWatch, KeepsABoundedNumberOfEvents) {
   EXPECT_EQ(watch.num_left_out(), 2000);
 }
 
-TEST(MergedEvents, StandInOrderOfTime) {
-  EventWatch nav = TwoKayaks();
-  EventWatch fates = TwoKayaks();
-  Meet(&nav, 2 * kSecond, 1);
-  nav.OnHelm(0, 9 * kSecond, "ALL-STOP", "x");
-  fates.OnFate(0, 1, Cause::kDelivered, 1 * kSecond);
-  fates.OnTime(60 * kSecond);
-  const std::vector<ViewEvent> merged = MergedEvents(nav.events(), fates.events());
-  ASSERT_EQ(merged.size(), 4U);
-  EXPECT_EQ(merged[0].kind, EventKind::kFirstContact);
-  EXPECT_EQ(merged[1].kind, EventKind::kCollision);
-  EXPECT_EQ(merged[2].kind, EventKind::kAllStop);
-  EXPECT_EQ(merged[3].kind, EventKind::kLostContact);
-}
-
 }  // namespace
 }  // namespace shoal

@@ -128,7 +128,9 @@ std::vector<const ViewPulse*> PulseBook::Since(int64_t order, int64_t utime) con
 ViewPulse* PulseBook::PlaceFor(std::string_view label, bool of_message, int64_t utime) {
   const auto known = places_.find(label);
   if (known != places_.end()) return &pulses_[known->second];
-  if (pulses_.size() == kMaxPulses && utime >= full_until_utime_) DropOver(utime);
+  // A time far before is of pulses that began anew, or after one that nobody has reached yet.
+  const bool may_be_over = utime >= full_until_utime_ || dropped_utime_ - utime > kOvertaking_us;
+  if (pulses_.size() == kMaxPulses && may_be_over) DropOver(utime);
   if (pulses_.size() < kMaxPulses) {
     places_.emplace(label, pulses_.size());
     return &pulses_.emplace_back();
@@ -149,7 +151,8 @@ ViewPulse* PulseBook::PlaceFor(std::string_view label, bool of_message, int64_t 
 void PulseBook::DropOver(int64_t utime) {
   std::erase_if(pulses_, [&](const ViewPulse& pulse) { return !IsDrawnAt(pulse, utime); });
   places_.clear();
-  full_until_utime_ = std::numeric_limits<int64_t>::max();
+  dropped_utime_ = utime;
+  full_until_utime_ = pulses_.empty() ? utime : std::numeric_limits<int64_t>::max();
   for (size_t i = 0; i < pulses_.size(); ++i) {
     places_.emplace(pulses_[i].label, i);
     full_until_utime_ = std::min(full_until_utime_, EndOf(pulses_[i]));

@@ -62,6 +62,7 @@ class PulseBook {
   std::unordered_map<std::string, size_t, TextHash, std::equal_to<>> places_;  ///< By label.
   size_t next_to_replace_ = 0;
   int64_t full_until_utime_ = 0;  ///< Nothing will be over before.
+  int64_t dropped_utime_ = 0;     ///< When those that were over were dropped.
   int64_t last_order_ = 0;
   int64_t last_utime_ = 0;
   int64_t num_left_out_ = 0;

@@ -76,6 +76,29 @@ TEST(PulseBook, LetsMessagesReplaceReportsWhereThereIsNoRoom) {
   ASSERT_EQ(book.NotOver(20 * kSecond_us).size(), 1U) << "those that are over make room";
 }
 
+TEST(PulseBook, MakesRoomAgainAfterAllWereOverAtOnce) {
+  PulseBook book;
+  for (const int64_t t_s : {0, 20, 40}) {
+    for (size_t i = 0; i <= PulseBook::kMaxPulses; ++i) {
+      Tell(&book, t_s * kSecond_us,
+           {PulseOf(std::to_string(t_s) + "_" + std::to_string(i), "nrep", 10)});
+    }
+    EXPECT_EQ(book.NotOver(t_s * kSecond_us).size(), PulseBook::kMaxPulses) << t_s;
+  }
+}
+
+TEST(PulseBook, MakesRoomAgainAfterAMessageFromFarInTheFuture) {
+  PulseBook book;
+  for (size_t i = 0; i <= PulseBook::kMaxPulses; ++i) {
+    Tell(&book, 0, {PulseOf("A" + std::to_string(i), "nrep", 10)});
+  }
+  for (size_t i = 0; i <= PulseBook::kMaxPulses; ++i) {
+    Tell(&book, 1'000'000 * kSecond_us, {PulseOf("B" + std::to_string(i), "nrep", 10)});
+  }
+  Tell(&book, kSecond_us, {PulseOf("C", "nrep", 10)});
+  EXPECT_EQ(book.NotOver(kSecond_us).size(), 1U);
+}
+
 TEST(PulseBook, RefusesBytesThatAreNoPulses) {
   PulseBook book;
   Bytes bytes = Encoded(PulsesOf(0, {PulseOf("A2B", "nrep", 10), PulseOf("C2D", "nrep", 10)}));

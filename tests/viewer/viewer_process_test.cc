@@ -194,6 +194,17 @@ TEST(Viewer, TurnsToTheNextMissionAndTellsWhereALauncherDied) {
   EXPECT_TRUE(Await([&] { return viewer.State() == "ended"; })) << viewer.State();
 }
 
+TEST(Viewer, TellsWhereTheLauncherStandsStill) {
+  const TestFolder folder;
+  const RunningProcess mission(folder, RunArguments({"--warp", "1", "--quiet"}));
+  WatchedViewer viewer(folder);
+  ASSERT_TRUE(Await([&] { return viewer.State() == "running"; })) << viewer.Frame();
+  mission.Signal(SIGSTOP);
+  EXPECT_TRUE(Await([&] { return viewer.State() == "silent"; })) << viewer.State();
+  mission.Signal(SIGCONT);
+  EXPECT_TRUE(Await([&] { return viewer.State() == "running"; })) << viewer.State();
+}
+
 TEST(Viewer, SendsCommandsForWhoHasTheToken) {
   const TestFolder folder;
   const RunningProcess mission(folder, RunArguments({"--warp", "2", "--quiet"}));
@@ -241,6 +252,7 @@ TEST(Viewer, SaysWhatIsWrongWithItsCommandLine) {
   const Finished no_address = run({"--listen", "203.0.113.1"});
   EXPECT_EQ(no_address.exit_code, 3);
   EXPECT_NE(no_address.output.find("203.0.113.1"), std::string::npos) << no_address.output;
+  EXPECT_NE(no_address.output.find("0.0.0.0 for all"), std::string::npos) << no_address.output;
 }
 
 }  // namespace

@@ -53,7 +53,11 @@ test('a blocked link shows its reason with the numbers', async () => {
   await page.click('[data-cell="alpha>bravo"]');
   await until('the causes of the link', async () =>
     /out of range/.test(await page.textContent('#link')));
+  await until('the same in the matrix', () =>
+    page.locator('[data-cell="alpha>bravo"][data-hears=deaf]').count());
   if (process.env.SHOAL_SCREENSHOTS) {
+    await page.keyboard.press('4'); // The ranges.
+    await page.waitForTimeout(300);
     mkdirSync(process.env.SHOAL_SCREENSHOTS, { recursive: true });
     await page.screenshot({ path: `${process.env.SHOAL_SCREENSHOTS}/viewer_comms.png` });
   }

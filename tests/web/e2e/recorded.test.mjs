@@ -42,6 +42,7 @@ test('a log scrubs, to and fro', async () => {
   assert.deepEqual((await alpha()).nav, late.nav);
   if (process.env.SHOAL_SCREENSHOTS) {
     mkdirSync(process.env.SHOAL_SCREENSHOTS, { recursive: true });
+    await page.keyboard.press('n');
     await page.waitForTimeout(1000);
     await page.screenshot({ path: `${process.env.SHOAL_SCREENSHOTS}/viewer_recorded.png` });
   }
@@ -66,6 +67,16 @@ test('it jumps to the next event', async () => {
   await page.click('[data-tab=events]');
   await until('lost contact in the list', async () =>
     /lost/i.test(await page.textContent('#events')));
+});
+
+test('an event is shown where it happened', async () => {
+  await page.click('[data-tab=events]');
+  await page.locator('#events :text("lost")').first().click();
+  await until('the map at the vehicle', () => page.evaluate(() => {
+    const { map, source, selected } = globalThis.shoalViewer;
+    const found = source.frame.vehicles.find((each) => each.name === selected);
+    return found && Math.hypot(map.view.cx - found.nav.x, map.view.cy - found.nav.y) < 5;
+  }));
 });
 
 test('the matrix is that of the moment', async () => {

@@ -64,12 +64,13 @@ export class Stage {
   }
 
   async page(url, size = { width: 1280, height: 720 }) {
-    this.browser ??= await chromium.launch({
+    this.launch ??= chromium.launch({
       executablePath: process.env.SHOAL_CHROMIUM,
       args: ['--no-sandbox', '--disable-gpu', '--disable-quic', '--disable-dev-shm-usage',
         '--no-first-run', '--disable-background-networking', '--disable-component-update',
         '--disable-sync'],
     });
+    this.browser = await this.launch;
     const context = await this.browser.newContext({ viewport: size, acceptDownloads: true });
     const page = await context.newPage();
     const own = url && new URL(url).host;

@@ -135,6 +135,18 @@ test('what lies under the pointer stays there while the view is zoomed', () => {
   near(camera.sy(camera.y(33)), 33, 1e-6);
 });
 
+test('what is fitted into the picture lies clear of its edges and of the scale bar', () => {
+  const camera = new Camera(800, 600);
+  camera.fit(-100, -200, 100, 300);
+  assert.ok(camera.sy(-200) < 600 - 44 - 40 && camera.sy(300) > 40);
+  near(camera.sx(0), 400, 1e-9);
+  camera.fit(-1000, 0, 1000, 10);
+  near(camera.sx(-1000), 800 / 12, 1e-6);
+  const tiny = new Camera(10, 10);
+  tiny.fit(0, 0, 100, 100);
+  assert.ok(tiny.metresPerPixel > 0 && Number.isFinite(tiny.cy));
+});
+
 test('the whole mission takes in vehicles, tasks with their radius, and the op area', () => {
   const setup = {op_area: [[0, 0], [400, -300]],
     vehicles: [{start: [-5, 0], tasks: [{points: [[0, 100]], radius_m: 30}]}, null, {tasks: 7}]};

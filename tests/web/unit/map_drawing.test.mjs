@@ -34,6 +34,14 @@ test('labels never overlap, and where it is crowded some are shortened or left o
   assert.ok(boxes.length > 8);
 });
 
+test('every vehicle has its name before others have more', () => {
+  const fleet = Array.from({length: 50}, (_, i) => ({x: 100 + 75 * (i % 10),
+    y: 100 + 75 * Math.floor(i / 10), radius: 13, sizes: [size(90, 35), size(66, 19)]}));
+  const placed = placeLabels(fleet, 870, 680);
+  assert.equal(placed.filter((place) => place === null).length, 0);
+  assert.ok(placed.some((place) => place.form === 0), 'where there is room for more');
+});
+
 test('the selected vehicle has its whole label whatever it covers', () => {
   const items = [item(100, 100), item(104, 101), item(101, 104), item(103, 103), item(102, 102)];
   items[4].must = true;
@@ -63,6 +71,10 @@ test('a label says what a user has to know first', () => {
   const stopped = {...vehicle, helm: {state: 'ALL-STOP', all_stop: 'left the op area'}};
   assert.ok(isStopped(stopped) && !isStopped(vehicle) && !isStopped({helm: null}));
   assert.equal(labelLines(stopped, 20)[1].text, 'ALL-STOP: left the op area');
+  const parked = {...vehicle, mode: 'PARK', helm: {state: 'PARK', all_stop: 'never deployed'}};
+  assert.ok(!isStopped(parked), 'a parked vehicle is at rest');
+  assert.deepEqual(labelLines(parked, 20).map(({text, color}) => [text, color]),
+                   [['alpha', undefined], ['never deployed', undefined]]);
   const stale = {...vehicle, depth: 0, stale: true, report: {t: 4}};
   assert.deepEqual(labelLines(stale, 20).map(({text}) => text),
                    ['alpha', 'DRIVE survey', 'stale 16 s']);

@@ -1,6 +1,7 @@
 import assert from 'node:assert/strict';
 import {test} from 'node:test';
 
+import {Poller} from '../../../web/poller.js';
 import {kSpeeds, LiveSource, mayBeAnotherMission, neighbourEvent, RecordedSource}
   from '../../../web/source.js';
 
@@ -244,4 +245,19 @@ test('the next event is the nearest beyond the present time, grave or of any kin
   assert.equal(neighbourEvent(events, 20, -1, true), events[1]);
   assert.equal(neighbourEvent(events, 20, 1, false), null);
   assert.equal(neighbourEvent([], 0, 1, false), null);
+});
+
+test('a page that nobody sees asks nothing again', async () => {
+  let asked = 0;
+  const poller = new Poller(100, async () => { asked += 1; }, () => null, () => 1000 * asked + 1e6);
+  globalThis.document = {hidden: true};
+  try {
+    await poller.tick();
+    assert.equal(asked, 0);
+    globalThis.document.hidden = false;
+    await poller.tick();
+    assert.equal(asked, 1);
+  } finally {
+    delete globalThis.document;
+  }
 });

@@ -169,6 +169,17 @@ test('a live ring begins when the viewer has heard of it', () => {
   near(world.rings(12.5)[0].outer_m, 750);
 });
 
+test('a live ring goes on to receivers that are told of later', () => {
+  const world = new World({mode: 'live'});
+  const early = {...kPacket, to: kPacket.to.slice(0, 1)};
+  world.addFrame(frameAt(11, null, {packets: [early], sound_mps: 1500}), 0);
+  near(world.rings(11.5)[0].outer_m, 750);
+  world.addFrame(frameAt(12, null, {packets: [kPacket], sound_mps: 1500}), 67);
+  near(world.rings(12.5)[0].outer_m, 2250);
+  assert.ok(world.rings(12.5)[0].opacity > 0, 'it has not reached charlie yet');
+  assert.deepEqual(world.rings(13.1)[0].flashes.map(({name}) => name), ['bravo', 'charlie']);
+});
+
 test('what comes damaged changes nothing and breaks nothing', () => {
   const world = new World(null);
   for (const frame of [null, {}, {t: NaN, vehicles: []}, {t: 1}, 'x', {t: 1, vehicles: 'all'}]) {
