@@ -74,9 +74,11 @@ void MissionSession::Join(bool allow_commands) {
   bus_->set_mission_id(running_.mission_id);
   const std::vector<std::string> channel_names = Scene::Channels(mission_);
   std::set<int> community_ports;
+  std::set<std::string_view> topics;
   for (const std::string& channel : channel_names) {
     if (ports.PortOf(channel) > ports.shore_port()) {
       community_ports.insert(ports.PortOf(channel));
+      topics.insert(std::string_view(channel).substr(0, channel.find('_') + 1));
       continue;
     }
     bus_->SubscribeBytes(
@@ -84,7 +86,8 @@ void MissionSession::Join(bool allow_commands) {
   }
   if (!community_ports.empty()) {
     communities_ = std::make_unique<DatagramListener>(
-        std::vector<int>(community_ports.begin(), community_ports.end()));
+        std::vector<int>(community_ports.begin(), community_ports.end()),
+        std::vector<std::string_view>(topics.begin(), topics.end()));
   }
   bus_->SubscribeBytes(channels::ClockState().name,
                        [this](const Message& message) { TakeClock(message); });

@@ -1,6 +1,7 @@
 #include "apps/viewer/viewer_app.h"
 
 #include <fmt/format.h>
+#include <sched.h>
 #include <signal.h>
 #include <sys/resource.h>
 #include <unistd.h>
@@ -118,6 +119,9 @@ int ServeRunningMission(const ViewerOptions& options, ViewSiteParts parts) {
 
 int RunViewer(const ViewerOptions& options) {
   setpriority(PRIO_PROCESS, 0, kNiceness);
+  // A viewer that wakes never takes the processor from a participant that has it.
+  const sched_param batch{};
+  sched_setscheduler(0, SCHED_BATCH, &batch);
   ViewSiteParts parts = {.access = RulesOf(options)};
   if (options.web_folder.empty()) {
     parts.files = EmbeddedPageFiles();

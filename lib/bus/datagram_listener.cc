@@ -2,6 +2,7 @@
 
 #include <arpa/inet.h>
 #include <fmt/format.h>
+#include <linux/filter.h>
 #include <netinet/in.h>
 #include <sys/epoll.h>
 #include <sys/socket.h>
@@ -13,6 +14,7 @@
 #include <cstring>
 
 #include "lib/bus/layout.h"
+#include "lib/check/check.h"
 
 namespace shoal {
 
@@ -26,11 +28,31 @@ constexpr size_t kLargest = 65536;
 constexpr std::string_view kMagic = "LC02";
 constexpr size_t kHeaderSize = 8;
 
+/// Has the kernel drop what is not of `topics`: the first four bytes of the channel decide.
+bool Filter(int opened, std::span<const std::string_view> topics) {
+  constexpr uint32_t kUdpHeader = 8;
+  std::vector<sock_filter> code = {
+      BPF_STMT(BPF_LD | BPF_W | BPF_ABS, kUdpHeader + static_cast<uint32_t>(kHeaderSize))};
+  for (size_t i = 0; i < topics.size(); ++i) {
+    SHOAL_CHECK(topics[i].size() >= 4, "a topic is too short for the filter");
+    uint32_t word = 0;
+    for (const char each : topics[i].substr(0, 4)) word = word << 8 | static_cast<uint8_t>(each);
+    // Where it is not this, the next is asked; behind the last stands the refusal.
+    const auto to_accept = static_cast<uint8_t>(topics.size() - i);
+    code.push_back(BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, word, to_accept, 0));
+  }
+  code.push_back(BPF_STMT(BPF_RET | BPF_K, 0));
+  code.push_back(BPF_STMT(BPF_RET | BPF_K, 0xffffffff));
+  const sock_fprog program{.len = static_cast<uint16_t>(code.size()), .filter = code.data()};
+  return setsockopt(opened, SOL_SOCKET, SO_ATTACH_FILTER, &program, sizeof(program)) == 0;
+}
+
 }  // namespace
 
-DatagramListener::DatagramListener(std::span<const int> ports)
+DatagramListener::DatagramListener(std::span<const int> ports,
+                                   std::span<const std::string_view> topics)
     : epoll_(epoll_create1(EPOLL_CLOEXEC)), bytes_(kBatch * kLargest) {
-  for (const int port : ports) Open(port);
+  for (const int port : ports) Open(port, topics);
 }
 
 DatagramListener::~DatagramListener() {
@@ -38,7 +60,7 @@ DatagramListener::~DatagramListener() {
   close(epoll_);
 }
 
-void DatagramListener::Open(int port) {
+void DatagramListener::Open(int port, std::span<const std::string_view> topics) {
   const int opened = socket(AF_INET, SOCK_DGRAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
   sockets_.push_back(opened);
   const int yes = 1;
@@ -50,7 +72,8 @@ void DatagramListener::Open(int port) {
   group.imr_multiaddr.s_addr = inet_addr("239.255.76.67");
   epoll_event event{.events = EPOLLIN, .data = {.fd = opened}};
   setsockopt(opened, SOL_SOCKET, SO_RCVBUF, &buffer, sizeof(buffer));
-  if (setsockopt(opened, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof(yes)) != 0 ||
+  if ((!topics.empty() && !Filter(opened, topics)) ||
+      setsockopt(opened, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof(yes)) != 0 ||
       bind(opened, reinterpret_cast<const sockaddr*>(&address), sizeof(address)) != 0 ||
       setsockopt(opened, IPPROTO_IP, IP_ADD_MEMBERSHIP, &group, sizeof(group)) != 0 ||
       epoll_ctl(epoll_, EPOLL_CTL_ADD, opened, &event) != 0) {

@@ -17,7 +17,11 @@ namespace shoal {
 
 class DatagramListener {
  public:
-  explicit DatagramListener(std::span<const int> ports);
+  /// Hears all channels, or those that begin with one of `topics`: the kernel throws the others
+  /// away.
+  /// @pre every topic has at least four characters; the first four count
+  explicit DatagramListener(std::span<const int> ports,
+                            std::span<const std::string_view> topics = {});
   ~DatagramListener();
   DatagramListener(const DatagramListener&) = delete;
   DatagramListener& operator=(const DatagramListener&) = delete;
@@ -33,7 +37,7 @@ class DatagramListener {
   const std::string& error() const { return error_; }
 
  private:
-  void Open(int port);
+  void Open(int port, std::span<const std::string_view> topics);
   /// Hands at most one batch of `opened` to `handler`. Returns how many datagrams came.
   int Receive(int opened,
               const std::function<void(std::string_view, std::span<const uint8_t>)>& handler);
