@@ -1,6 +1,7 @@
 #include "apps/viewer/page_files.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -44,7 +45,7 @@ TEST(PageFiles, BeginWithTheIndex) {
 
 class FolderOfAPage : public ::testing::Test {
  protected:
-  FolderOfAPage() : folder_(::testing::TempDir() + "page_files_test") {
+  FolderOfAPage() : folder_(::testing::TempDir() + "page_files_test_" + std::to_string(getpid())) {
     fs::remove_all(folder_);
     fs::create_directories(folder_ / "vendor");
   }
