@@ -133,14 +133,14 @@ std::string LiveView::EventsJson() {
 Result<std::string> LiveView::LinkJson(std::string_view from, std::string_view to, double /*t_s*/) {
   const std::lock_guard lock(mutex_);
   const LinkBook& book = scene_.links();
-  const int32_t source = book.names().Find(from);
-  const int32_t destination = book.names().Find(to);
-  for (const auto& [place, name] : {std::pair(source, from), std::pair(destination, to)}) {
-    if (place < 0) return UnknownVehicle(name);
+  const std::string* source = scene_.NameOf(from);
+  const std::string* destination = scene_.NameOf(to);
+  if (source == nullptr || destination == nullptr) {
+    return UnknownVehicle(source == nullptr ? from : to);
   }
-  LinkAnswer answer{.from = book.names().at(source),
-                    .to = book.names().at(destination),
-                    .counts = book.Find(source, destination)};
+  LinkAnswer answer{.from = *source,
+                    .to = *destination,
+                    .counts = book.Find(book.names().Find(from), book.names().Find(to))};
   if (answer.counts != nullptr) {
     const auto link = static_cast<size_t>(answer.counts - book.links().data());
     answer.bins = link_histories_[link].Bins();

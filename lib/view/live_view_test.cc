@@ -232,6 +232,8 @@ TEST_F(LiveViewTest, TellsALinksHistory) {
   ASSERT_EQ(link["fates"].size(), 2U);
   EXPECT_EQ(link["fates"][0]["id"], 3);
   EXPECT_EQ(Link("alpha", "alpha")["fates"], json::array()) << "known vehicles without fates";
+  Tell("NODE_REPORT", ReportOf("Stranger", 3'000'000, 7, 8));
+  EXPECT_EQ(Link("alpha", "stranger")["to"], "Stranger") << "heard from, but not in a link yet";
   EXPECT_FALSE(view_.LinkJson("alpha", "nobody", 0).ok());
   EXPECT_FALSE(view_.LinkJson(std::string(1'000'000, 'x'), "bravo", 0).ok());
 }

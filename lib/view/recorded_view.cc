@@ -91,14 +91,8 @@ Result<std::string> RecordedView::LinkJson(std::string_view from, std::string_vi
   auto scene = SceneAt(line_us);
   auto fates = FatesAt(line_us);
   const LinkBook& links = scene->scene().links();
-  const auto name_of = [&](std::string_view name) -> const std::string* {
-    const int32_t number = links.names().Find(name);
-    if (number >= 0) return &links.names().at(number);
-    const SceneVehicle* vehicle = scene->scene().Find(name);
-    return vehicle == nullptr ? nullptr : &vehicle->name;
-  };
-  const std::string* source = name_of(from);
-  const std::string* destination = name_of(to);
+  const std::string* source = scene->scene().NameOf(from);
+  const std::string* destination = scene->scene().NameOf(to);
   Result<std::string> result = NoSuchVehicle(source == nullptr ? from : to);
   if (source != nullptr && destination != nullptr) {
     LinkAnswer answer{.from = *source,

@@ -144,6 +144,13 @@ const SceneVehicle* Scene::Find(std::string_view name) const {
   return place < 0 ? nullptr : &vehicles_[static_cast<size_t>(place)];
 }
 
+const std::string* Scene::NameOf(std::string_view name) const {
+  const int32_t number = links_.names().Find(name);
+  if (number >= 0) return &links_.names().at(number);
+  const SceneVehicle* vehicle = Find(name);
+  return vehicle == nullptr ? nullptr : &vehicle->name;
+}
+
 bool Scene::IsStale(const SceneVehicle& vehicle) const {
   if (!vehicle.report || !rules_) return false;
   RoutingRules rules;

@@ -122,6 +122,9 @@ class Scene {
   const std::vector<SceneVehicle>& vehicles() const { return vehicles_; }
   /// Returns the vehicle of this name, without regard to case, or nullptr.
   const SceneVehicle* Find(std::string_view name) const;
+  /// Returns how links and vehicles write the name that `name` is without regard to case; nullptr:
+  /// nobody has been heard of, nor heard from, by that name.
+  const std::string* NameOf(std::string_view name) const;
   /// True where the broker would count the vehicle as stale; false while it has never reported.
   bool IsStale(const SceneVehicle& vehicle) const;
   const std::optional<RulesInForce>& rules() const { return rules_; }
