@@ -199,7 +199,10 @@ TEST(Viewer, TellsWhereTheLauncherStandsStill) {
   const RunningProcess mission(folder, RunArguments({"--warp", "1", "--quiet"}));
   WatchedViewer viewer(folder);
   // Vehicles may be heard before the clock; the warp is told by the clock only.
-  ASSERT_TRUE(Await([&] { return viewer.Frame()["clock"]["warp"] == 1; })) << viewer.Frame();
+  ASSERT_TRUE(Await([&] {
+    const Json& frame = viewer.Frame();
+    return frame.is_object() && frame["clock"]["warp"] == 1;
+  })) << viewer.Frame();
   mission.Signal(SIGSTOP);
   EXPECT_TRUE(Await([&] { return viewer.State() == "silent"; })) << viewer.State();
   mission.Signal(SIGCONT);
