@@ -25,9 +25,9 @@
 #include "lib/bus/bus.h"
 #include "lib/check/result.h"
 #include "lib/orders/clock_watch.h"
+#include "lib/orders/command_record.h"
 #include "lib/orders/order.h"
 #include "lib/orders/order_watch.h"
-#include "lib/view/command_record.h"
 #include "shoal/appcast_t.hpp"
 #include "shoal/clock_state_t.hpp"
 

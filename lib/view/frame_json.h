@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "lib/view/command_record.h"
+#include "lib/orders/command_record.h"
 #include "lib/view/scene.h"
 #include "lib/view/view_clock.h"
 

@@ -16,7 +16,7 @@
 
 #include "lib/bus/channels.h"
 #include "lib/mission/mission.h"
-#include "lib/view/command_record.h"
+#include "lib/orders/command_record.h"
 #include "lib/view/event_watch.h"
 #include "lib/view/fate_history.h"
 #include "lib/view/frame_json.h"
