@@ -8,9 +8,9 @@
 #include <ostream>
 #include <string_view>
 
-#include "apps/shoal/comms_links.h"
-#include "apps/shoal/information_age.h"
-#include "apps/shoal/swarm_tally.h"
+#include "lib/analysis/comms_links.h"
+#include "lib/analysis/information_age.h"
+#include "lib/analysis/swarm_tally.h"
 #include "lib/bus/channels.h"
 #include "lib/bus/seal.h"
 #include "lib/check/result.h"

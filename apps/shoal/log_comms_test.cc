@@ -6,7 +6,7 @@
 #include <sstream>
 #include <string>
 
-#include "apps/shoal/swarm_testing.h"
+#include "lib/analysis/swarm_testing.h"
 #include "lib/bus/channels.h"
 #include "lib/check/result.h"
 #include "lib/record/test_log.h"

@@ -10,9 +10,9 @@
 #include <ostream>
 #include <utility>
 
-#include "apps/shoal/plot_figures.h"
-#include "apps/shoal/plot_gnuplot.h"
-#include "apps/shoal/plot_recording.h"
+#include "lib/analysis/plot_figures.h"
+#include "lib/analysis/plot_gnuplot.h"
+#include "lib/analysis/plot_recording.h"
 #include "lib/check/result.h"
 #include "lib/record/file_descriptor.h"
 #include "lib/record/log_source.h"

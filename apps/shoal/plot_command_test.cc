@@ -6,9 +6,9 @@
 #include <filesystem>
 #include <sstream>
 
-#include "apps/shoal/plot_figures.h"
-#include "apps/shoal/plot_gnuplot.h"
-#include "apps/shoal/plot_testing.h"
+#include "lib/analysis/plot_figures.h"
+#include "lib/analysis/plot_gnuplot.h"
+#include "lib/analysis/plot_testing.h"
 #include "lib/check/result.h"
 
 namespace shoal {

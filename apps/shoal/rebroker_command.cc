@@ -8,14 +8,15 @@
 #include <ostream>
 #include <utility>
 
-#include "apps/shoal/outside_inputs.h"
-#include "apps/shoal/rebroker.h"
-#include "apps/shoal/rebroker_text.h"
 #include "lib/acoustics/validate_options.h"
+#include "lib/analysis/outside_inputs.h"
+#include "lib/analysis/rebroker.h"
+#include "lib/analysis/rebroker_text.h"
 #include "lib/check/result.h"
 #include "lib/mission/load_comms.h"
 #include "lib/record/log_source.h"
 #include "lib/record/log_writer.h"
+#include "sim/app_factory.h"
 
 namespace shoal {
 
@@ -163,7 +164,7 @@ class RebrokerCommand {
     outcome_ = Rebroker(
         log_,
         {.setup = setup_, .with_controls = !options_.no_controls, .absences = std::move(absences)},
-        sink);
+        MakeShoreBroker, sink);
     if (writer) {
       if (const auto error = writer->Close()) return Fail(kExitEnvironment, error->message);
     }
@@ -175,12 +176,12 @@ class RebrokerCommand {
   RebrokerOutcome DecideAsRecorded(const std::vector<BrokerAbsence>& absences) {
     const RebrokerSettings settings = {
         .setup = *recorded_, .with_controls = true, .absences = absences};
-    RebrokerOutcome outcome = Rebroker(log_, settings, {});
+    RebrokerOutcome outcome = Rebroker(log_, settings, MakeShoreBroker, {});
     if (log_.fates.empty() || outcome.comparison.IsEqual()) return outcome;
     CommsLog moved = log_;
     const int64_t num_moved = MoveToTheStepsOfTheBroker(&moved);
     if (num_moved == 0) return outcome;
-    RebrokerOutcome better = Rebroker(moved, settings, {});
+    RebrokerOutcome better = Rebroker(moved, settings, MakeShoreBroker, {});
     if (better.comparison.num_reproduced() <= outcome.comparison.num_reproduced()) return outcome;
     out_ << fmt::format(
         "Outside:  {} messages from outside moved by a step, to where the broker "

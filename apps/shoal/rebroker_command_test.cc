@@ -4,8 +4,8 @@
 
 #include <sstream>
 
-#include "apps/shoal/rebroker_testing.h"
 #include "lib/check/result.h"
+#include "tests/analysis/rebroker_testing.h"
 
 namespace shoal {
 namespace {

@@ -12,16 +12,17 @@
 
 #include "apps/shoal/check_command.h"
 #include "apps/shoal/doctor.h"
-#include "apps/shoal/launcher.h"
 #include "apps/shoal/log_options.h"
 #include "apps/shoal/send_command.h"
 #include "apps/shoal/sim_command.h"
 #include "apps/shoal/status_command.h"
 #include "apps/shoal/view_command.h"
+#include "lib/launch/launcher.h"
 #include "lib/mission/load.h"
 #include "lib/orders/order_words.h"
 #include "lib/record/log_commands.h"
 #include "lib/run/version.h"
+#include "sim/app_factory.h"
 
 namespace shoal {
 
@@ -137,7 +138,7 @@ void AddRun(CLI::App& cli, Action* action) {
       }
       const LoadedMission loaded = LoadMission(run.mission_file, run.overrides);
       if (!LoadedWithoutErrors(loaded)) return static_cast<int>(kExitUsage);
-      return RunMission(run, loaded.mission);
+      return RunMission(run, loaded.mission, MakeDirectorApp);
     };
   });
 }

@@ -9,9 +9,9 @@
 #include <filesystem>
 
 #include "apps/shoal/check_command.h"
-#include "apps/shoal/whole_mission.h"
 #include "lib/mission/load.h"
 #include "lib/run/run_app.h"
+#include "sim/simulation.h"
 
 namespace shoal {
 
@@ -28,16 +28,16 @@ class ProgressLine {
  public:
   explicit ProgressLine(const Mission& mission) : mission_(mission) {}
 
-  void Show(const WholeMission& whole, int64_t wall_us) {
+  void Show(const Simulation& simulation, int64_t wall_us) {
     if (!on_terminal_ || wall_us < next_us_) return;
     next_us_ = wall_us + kProgressInterval_us;
-    const double mission_s = static_cast<double>(whole.step() * mission_.tick_us) / 1e6;
+    const double mission_s = static_cast<double>(simulation.step() * mission_.tick_us) / 1e6;
     const double wall_s = std::max(static_cast<double>(wall_us - begin_us_) / 1e6, 1e-3);
     fmt::print(
         "{}{:8.1f} of {:.1f} s  {:6.1f} x real time  {} vehicles  {} reports delivered, "
         "{} blocked",
         kClearLine, mission_s, mission_.duration_s, mission_s / wall_s, mission_.vehicles.size(),
-        whole.director().num_delivered(), whole.director().num_blocked());
+        simulation.num_delivered(), simulation.num_blocked());
     std::fflush(stdout);
     is_shown_ = true;
   }
@@ -73,34 +73,34 @@ int RunSim(const SimOptions& options) {
   signal(SIGINT, [](int) { interrupted = true; });
   signal(SIGTERM, [](int) { interrupted = true; });
 
-  WholeMission whole(mission, options.log_path);
-  std::string fault = whole.Fault();
+  Simulation simulation(mission, options.log_path);
+  std::string fault = simulation.Fault();
   if (!fault.empty()) {
     fmt::print(stderr, "shoal: {}\n", fault);
     return kExitEnvironment;
   }
   ProgressLine progress(mission);
   const int64_t begin = MonotonicMicroseconds();
-  while (whole.Step()) {
-    if (whole.step() % kStepsBetweenChecks != 0) continue;
-    fault = whole.Fault();
+  while (simulation.Step()) {
+    if (simulation.step() % kStepsBetweenChecks != 0) continue;
+    fault = simulation.Fault();
     if (interrupted || !fault.empty()) break;
-    if (!options.quiet) progress.Show(whole, MonotonicMicroseconds());
+    if (!options.quiet) progress.Show(simulation, MonotonicMicroseconds());
   }
-  whole.End();
-  if (fault.empty()) fault = whole.Fault();
+  simulation.End();
+  if (fault.empty()) fault = simulation.Fault();
   const double wall_s = static_cast<double>(MonotonicMicroseconds() - begin) / 1e6;
-  const double mission_s = static_cast<double>(whole.step() * mission.tick_us) / 1e6;
+  const double mission_s = static_cast<double>(simulation.step() * mission.tick_us) / 1e6;
 
   progress.Clear();
   if (!options.quiet) {
     fmt::print("{:.1f} s of mission in {:.3f} s ({:.0f} x real time), one process\n", mission_s,
                wall_s, mission_s / std::max(wall_s, 1e-6));
     if (!options.log_path.empty() && fault.empty()) fmt::print("Log: {}\n", options.log_path);
-    fmt::print("\n{}", whole.director().Summary(!interrupted && fault.empty()));
+    fmt::print("\n{}", simulation.Summary(!interrupted && fault.empty()));
   } else {
     const bool complete = !interrupted && fault.empty();
-    fmt::print("{}\n", !complete ? "INCOMPLETE" : whole.director().Passed() ? "PASS" : "FAIL");
+    fmt::print("{}\n", !complete ? "INCOMPLETE" : simulation.Passed() ? "PASS" : "FAIL");
   }
   if (!fault.empty()) {
     fmt::print(stderr, "shoal: {}\n", fault);
@@ -110,7 +110,7 @@ int RunSim(const SimOptions& options) {
     fmt::print(stderr, "shoal: interrupted; the mission did not run to its end\n");
     return kExitMissionFailed;
   }
-  return whole.director().Passed() ? kExitOk : kExitMissionFailed;
+  return simulation.Passed() ? kExitOk : kExitMissionFailed;
 }
 
 }  // namespace shoal

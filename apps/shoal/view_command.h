@@ -1,23 +1,9 @@
 // `shoal view`: the viewer, of a recorded mission or beside a running one.
 #pragma once
 
-#include <optional>
-#include <string>
-#include <vector>
+#include "lib/launch/viewer_arguments.h"
 
 namespace shoal {
-
-struct ViewOptions {
-  std::string log = {};  ///< A log, or the folder of a recording; empty: a running mission.
-  std::string mission_file = {};      ///< Of the log; empty: the one beside it.
-  int port_base = 0;                  ///< Of the running mission; 0: the one that runs.
-  std::optional<int> http_port = {};  ///< 0: any free one; absent: the viewer's default.
-  std::string listen = {};            ///< Empty: loopback only.
-  bool allow_commands = false;
-};
-
-/// Returns shoal-viewer's arguments.
-std::vector<std::string> ViewerArguments(const ViewOptions& options);
 
 /// Turns this process into shoal-viewer. Returns, with the exit code, only where that fails.
 int RunView(const ViewOptions& options);

@@ -21,8 +21,8 @@
 #include <unordered_map>
 #include <vector>
 
-#include "apps/shore_broker/broker_setup.h"
 #include "lib/acoustics/acoustic_network.h"
+#include "lib/broker/broker_setup.h"
 #include "lib/routing/fate.h"
 #include "lib/routing/router.h"
 

@@ -24,10 +24,11 @@
 #include <vector>
 
 #include "apps/shore_broker/acoustic_traffic.h"
-#include "apps/shore_broker/broker_setup.h"
 #include "apps/shore_broker/fate_writer.h"
 #include "apps/shore_broker/pulse_writer.h"
 #include "apps/shore_broker/repeat_memory.h"
+#include "lib/broker/broker.h"
+#include "lib/broker/broker_setup.h"
 #include "lib/bus/bus.h"
 #include "lib/bus/channels.h"
 #include "lib/mission/mission.h"
@@ -36,7 +37,7 @@
 
 namespace shoal {
 
-class ShoreBrokerApp : public App {
+class ShoreBrokerApp : public Broker {
  public:
   ShoreBrokerApp(const Mission& mission, Bus& bus) : ShoreBrokerApp(SetupOf(mission), bus) {}
   ShoreBrokerApp(BrokerSetup setup, Bus& bus);
@@ -44,6 +45,7 @@ class ShoreBrokerApp : public App {
   void OnWarp(double warp) override;
   void Tick(int64_t utime) override;
   StatusPage Status() const override;
+  std::optional<int64_t> NextArrivalUtime() const override { return water_.NextUtime(); }
 
   const Router& router() const { return router_; }
   const AcousticTraffic& water() const { return water_; }

@@ -7,8 +7,8 @@
 // The plane touches the WGS84 ellipsoid at the origin. A point of the sea surface has the x, y of
 // the point of the plane above it (along the ellipsoid's normal), so ToGeo and ToLocal undo each
 // other to well under a millimetre. Distances in the plane are longer than those on the ellipsoid
-// by about (r / R)^2 / 3: 8 mm in 10 km, 8 m in 100 km. Its reach covers the corners of what mission
-// files allow, 1000 km East and North.
+// by about (r / R)^2 / 3: 8 mm in 10 km, 8 m in 100 km. Its reach covers the corners of what
+// mission files allow, 1000 km East and North.
 #pragma once
 
 #include <Eigen/Core>

@@ -11,7 +11,7 @@ namespace {
 
 constexpr size_t kLongestName = 32;
 constexpr std::array<std::string_view, 4> kOwnProcesses = {"shoal", "shore_broker", "recorder",
-                                                          "netsim_manager"};
+                                                           "netsim_manager"};
 constexpr std::array<std::string_view, 4> kVehicleProcesses = {"vehicle_sim_", "helm_",
                                                                "node_reporter_", "acomms_"};
 

@@ -6,7 +6,7 @@
 //   };
 //
 // The same class runs in a process of its own over LCM (lib/run/run_app.h) and with all others in
-// one process (apps/shoal/whole_mission.h). It never reads a clock.
+// one process (sim/simulation.h). It never reads a clock.
 #pragma once
 
 #include <cstdint>

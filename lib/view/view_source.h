@@ -1,5 +1,5 @@
-// What the viewer's web server asks for, of a running mission or of a recorded one. Answers are JSON
-// as docs/viewer_protocol.md has it.
+// What the viewer's web server asks for, of a running mission or of a recorded one. Answers are
+// JSON as docs/viewer_protocol.md has it.
 //
 // All functions may be called from any thread.
 #pragma once

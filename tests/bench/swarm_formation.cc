@@ -19,8 +19,9 @@
 #include <string>
 #include <vector>
 
-#include "apps/shoal/whole_mission.h"
 #include "lib/mission/load.h"
+#include "sim/director_app.h"
+#include "sim/simulation.h"
 
 namespace {
 
@@ -42,11 +43,11 @@ struct Numbers {
 };
 
 Tracks Run(const Mission& mission, Numbers* numbers) {
-  shoal::WholeMission whole(mission, "");
+  shoal::Simulation simulation(mission, "");
   Tracks tracks(mission.vehicles.size());
-  while (whole.Step()) {
+  while (simulation.Step()) {
     for (size_t i = 0; i < tracks.size(); ++i) {
-      tracks[i].push_back(whole.director().judge().sighting(i).position_m);
+      tracks[i].push_back(simulation.director().judge().sighting(i).position_m);
     }
   }
   const auto share = [](const shoal::FateCounts& counts, std::string_view what) {
@@ -55,8 +56,8 @@ Tracks Run(const Mission& mission, Numbers* numbers) {
     const auto count = static_cast<double>(counts.Count(kAll, kAll, what));
     return offered > 0 ? 100 * count / offered : 0;
   };
-  numbers->delivered_pct = share(whole.director().fates(shoal::Kind::kPacket), "delivered");
-  const shoal::FateCounts& heard = whole.director().judge().swarm_counts();
+  numbers->delivered_pct = share(simulation.director().fates(shoal::Kind::kPacket), "delivered");
+  const shoal::FateCounts& heard = simulation.director().judge().swarm_counts();
   numbers->clean_pct = share(heard, "clean");
   numbers->recovered_pct = share(heard, "recovered");
   numbers->rejected_pct = share(heard, "rejected");

@@ -1,0 +1,17 @@
+// The figures of `shoal plot`: docs/plots.md shows what is on each.
+#pragma once
+
+#include <vector>
+
+#include "lib/analysis/plot_data.h"
+#include "lib/analysis/plot_script.h"
+#include "lib/analysis/plot_setting.h"
+
+namespace shoal {
+
+/// Returns all seven figures: tracks, depth, track_error, distances, actuators, speed, age; those
+/// that have nothing to show say so.
+[[nodiscard]] std::vector<Figure> DrawFigures(const PlotData& data, const PlotSetting& setting,
+                                              bool png);
+
+}  // namespace shoal

@@ -1,0 +1,123 @@
+#include "lib/analysis/plot_figures.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "lib/analysis/plot_testing.h"
+#include "lib/analysis/swarm_testing.h"
+
+namespace shoal {
+namespace {
+
+bool Contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+class Figures : public ::testing::Test {
+ protected:
+  void Draw(const std::vector<TestEvent>& events, const PlotSetting& setting) {
+    PlotDataBuilder builder({}, setting);
+    for (const TestEvent& event : events) {
+      builder.Add({.utime = event.utime, .channel = event.channel, .data = event.data});
+    }
+    figures_ = DrawFigures(builder.Build(), setting, false);
+  }
+  const Figure& Of(const std::string& name) {
+    return *std::find_if(figures_.begin(), figures_.end(),
+                         [&](const Figure& figure) { return figure.name == name; });
+  }
+  static PlotSetting Berta() {
+    PlotSetting setting{.title = "berta", .seed = 3};
+    setting.vehicles = {
+        {.name = "alpha", .color = "dodgerblue", .paths = {{.legs = {{0, 0}, {200, 0}}}}}};
+    return setting;
+  }
+
+  std::vector<Figure> figures_;
+};
+
+TEST_F(Figures, ShowTracksWithEqualAxesPlanAndMarks) {
+  Draw(TwoVehicles(), Berta());
+  const Figure& tracks = Of("tracks");
+  EXPECT_EQ(tracks.why_left_out, "");
+  EXPECT_TRUE(Contains(tracks.script, "set size ratio -1\n"));
+  EXPECT_TRUE(Contains(tracks.script, "set title 'Tracks: berta, seed 3'\n"));
+  EXPECT_TRUE(Contains(tracks.script, "title 'alpha'"));
+  EXPECT_TRUE(Contains(tracks.script, "title 'every 10 s'"));
+  EXPECT_TRUE(Contains(tracks.script, "lc rgb '#1e90ff' lw 1.6"));
+  EXPECT_TRUE(Contains(tracks.data, "# alpha, plan\n0 0\n200 0\n"));
+  EXPECT_TRUE(Contains(tracks.data, "# alpha, start\n0 0\n"));
+  EXPECT_TRUE(Contains(tracks.data, "\n20 0 10\n"));
+  EXPECT_FALSE(Contains(tracks.script, "$floor"));
+}
+
+TEST_F(Figures, ShowTheWaypointsThatTheHelmToldWhereThereIsNoMission) {
+  Draw(TwoVehicles(), {.title = "log"});
+  EXPECT_TRUE(Contains(Of("tracks").script, "set title 'Tracks: log'\n"));
+  EXPECT_TRUE(Contains(Of("tracks").data, "# alpha, waypoints\n200 0\n"));
+}
+
+TEST_F(Figures, ShowTheContourOfAFloorThatIsNotFlat) {
+  PlotSetting setting = Berta();
+  setting.floor_depth_m = [](double x_m, double) { return 20 + 0.1 * x_m; };
+  Draw(TwoVehicles(), setting);
+  EXPECT_TRUE(Contains(Of("tracks").script, "set contour base\n"));
+  EXPECT_TRUE(Contains(Of("tracks").script, "plot $floor"));
+  setting.floor_depth_m = [](double, double) { return 20; };
+  Draw(TwoVehicles(), setting);
+  EXPECT_FALSE(Contains(Of("tracks").script, "$floor"));
+}
+
+TEST_F(Figures, LeaveOutWhatTheLogDoesNotHold) {
+  Draw(TwoVehicles(), Berta());
+  EXPECT_EQ(Of("depth").why_left_out, "all vehicles stay at the surface");
+  Draw({EventOf("NAV_ALPHA", NavAt(0, 0, 0, 5))}, Berta());
+  EXPECT_EQ(Of("depth").why_left_out, "");
+  EXPECT_EQ(Of("distances").why_left_out, "there is one vehicle alone");
+  EXPECT_EQ(Of("actuators").why_left_out, "no ACTUATORS of these vehicles in the log");
+  Draw({}, Berta());
+  for (const Figure& figure : figures_) EXPECT_NE(figure.why_left_out, "") << figure.name;
+}
+
+TEST_F(Figures, ShowDistancesThatALawHoldsTo) {
+  PlotSetting setting = Berta();
+  setting.distances = {{"r_safe", 10}, {"r_inner", 80}};
+  Draw(TwoVehicles(), setting);
+  EXPECT_TRUE(Contains(Of("distances").script, "title 'r_inner = 80 m'"));
+  EXPECT_TRUE(Contains(Of("distances").data, "\n0 80\n60 80\n"));
+}
+
+TEST_F(Figures, CutAHeadingThatGoesThroughNorth) {
+  nav_t before = NavAt(0, 0, 0);
+  before.heading_deg = 359;
+  nav_t after = NavAt(100'000, 0, 0);
+  after.heading_deg = 1;
+  Draw({EventOf("NAV_A", before), EventOf("NAV_A", after)}, Berta());
+  EXPECT_TRUE(Contains(Of("speed").data, "\n0 359\n\n0.1 1\n"));
+}
+
+TEST_F(Figures, ShowHowOldNewsOfTargetsAre) {
+  Draw(TwoVehicles(), Berta());
+  EXPECT_EQ(Of("age").why_left_out, "no SWARM of these vehicles in the log");
+  std::vector<TestEvent> events = TwoVehicles();
+  for (const int64_t utime : {1'000'000, 2'000'000}) {
+    events.push_back(EventOf("SWARM_BRAVO", SwarmAt(utime, "bravo", {ContactAt("alpha", 0)})));
+  }
+  Draw(events, Berta());
+  EXPECT_EQ(Of("age").why_left_out, "");
+  EXPECT_TRUE(Contains(Of("age").script, "set ylabel 'age of news of its target [s]'"));
+  EXPECT_FALSE(Contains(Of("age").script, "oldest news of another")) << "nobody heard of one";
+  EXPECT_TRUE(Contains(Of("age").data, "\n1 1\n2 2\n"));
+}
+
+TEST_F(Figures, ShowTheDepthWithTheSeaFloorBelow) {
+  nav_t nav = NavAt(0, 0, 0, 5);
+  nav.altitude_m = 15;
+  Draw({EventOf("NAV_A", nav)}, Berta());
+  EXPECT_TRUE(Contains(Of("depth").script, "reverse"));
+  EXPECT_TRUE(Contains(Of("depth").script, "title 'sea floor below'"));
+}
+
+}  // namespace
+}  // namespace shoal

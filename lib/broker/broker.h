@@ -1,0 +1,25 @@
+// A broker as the rebroker sees it (lib/analysis/rebroker.h): an app that can say when it has
+// something to deliver next. apps/shore_broker is one.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "lib/broker/broker_setup.h"
+#include "lib/bus/bus.h"
+#include "lib/run/app.h"
+
+namespace shoal {
+
+class Broker : public App {
+ public:
+  /// Returns a mission time before which nothing arrives over the acoustic network, unless more is
+  /// sent; nothing where nothing is in transit.
+  virtual std::optional<int64_t> NextArrivalUtime() const = 0;
+};
+
+using MakeBroker = std::function<std::unique_ptr<Broker>(const BrokerSetup& setup, Bus& bus)>;
+
+}  // namespace shoal

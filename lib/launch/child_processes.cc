@@ -1,0 +1,140 @@
+#include "lib/launch/child_processes.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <signal.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <deque>
+#include <fstream>
+
+extern char** environ;  // NOLINT: POSIX has it so
+
+namespace shoal {
+
+namespace {
+
+constexpr size_t kLastLines = 5;
+
+std::string Describe(int status) {
+  if (WIFSIGNALED(status)) {
+    return fmt::format("was killed by signal {} ({})", WTERMSIG(status),
+                       strsignal(WTERMSIG(status)));
+  }
+  return fmt::format("exited with code {}", WEXITSTATUS(status));
+}
+
+std::vector<char*> Pointers(const std::vector<std::string>& strings) {
+  std::vector<char*> pointers;
+  for (const std::string& each : strings) pointers.push_back(const_cast<char*>(each.c_str()));
+  pointers.push_back(nullptr);
+  return pointers;
+}
+
+/// Returns our own environment with `added` in place of what has the same names.
+std::vector<std::string> EnvironmentWith(const std::vector<std::string>& added) {
+  std::vector<std::string> environment = added;
+  for (char** entry = environ; *entry != nullptr; ++entry) {
+    const std::string_view own(*entry);
+    const std::string_view key = own.substr(0, own.find('=') + 1);
+    bool replaced = false;
+    for (const std::string& each : added) replaced = replaced || each.starts_with(key);
+    if (!replaced) environment.emplace_back(own);
+  }
+  return environment;
+}
+
+}  // namespace
+
+std::vector<std::string> LastLines(const std::string& path, size_t count) {
+  std::ifstream in(path);
+  std::deque<std::string> lines;
+  for (std::string line; std::getline(in, line);) {
+    if (line.empty()) continue;
+    lines.push_back(line);
+    if (lines.size() > count) lines.pop_front();
+  }
+  return {lines.begin(), lines.end()};
+}
+
+ChildProcesses::~ChildProcesses() {
+  SignalAll(SIGKILL);
+  for (const auto& [name, child] : running_) waitpid(child.pid, nullptr, 0);
+}
+
+Result<pid_t> ChildProcesses::Start(const ChildCommand& command) {
+  const std::vector<std::string> environment = EnvironmentWith(command.environment);
+  const std::vector<char*> argv = Pointers(command.argv);
+  const std::vector<char*> envp = Pointers(environment);
+  const int log = open(command.log_path.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC,
+                       command.is_log_private ? 0600 : 0644);
+  if (log < 0) {
+    return Error{fmt::format("cannot write {}: {}", command.log_path, std::strerror(errno))};
+  }
+  const int null = open("/dev/null", O_RDONLY | O_CLOEXEC);
+  const pid_t parent = getpid();
+  const pid_t pid = fork();
+  if (pid == 0) {
+    // Only async-signal-safe calls from here on: other threads may have held locks.
+    setpgid(0, 0);  // Ctrl-C on the terminal is for the launcher alone.
+    signal(SIGPIPE, SIG_DFL);
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    if (getppid() != parent) _exit(127);
+    sigset_t none;
+    sigemptyset(&none);
+    sigprocmask(SIG_SETMASK, &none, nullptr);
+    dup2(null, STDIN_FILENO);
+    dup2(log, STDOUT_FILENO);
+    dup2(log, STDERR_FILENO);
+    execve(argv[0], argv.data(), envp.data());
+    constexpr char kText[] = "cannot execute the program\n";
+    [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, kText, sizeof kText - 1);
+    _exit(127);
+  }
+  const int fork_error = errno;
+  close(log);
+  if (null >= 0) close(null);
+  if (pid < 0) {
+    return Error{
+        fmt::format("cannot start {}: {} (ulimit -u shows how many processes you may have)",
+                    command.name, std::strerror(fork_error))};
+  }
+  setpgid(pid, pid);  // In both processes: whoever comes first.
+  running_[command.name] = {.pid = pid, .log_path = command.log_path};
+  return pid;
+}
+
+std::vector<ChildExit> ChildProcesses::Reap() {
+  std::vector<ChildExit> exits;
+  for (auto child = running_.begin(); child != running_.end();) {
+    int status = 0;
+    if (waitpid(child->second.pid, &status, WNOHANG) != child->second.pid) {
+      ++child;
+      continue;
+    }
+    kill(-child->second.pid, SIGKILL);  // What a user's script left behind.
+    exits.push_back({.name = child->first,
+                     .pid = child->second.pid,
+                     .clean = WIFEXITED(status) && WEXITSTATUS(status) == 0,
+                     .how = Describe(status),
+                     .last_lines = LastLines(child->second.log_path, kLastLines)});
+    child = running_.erase(child);
+  }
+  return exits;
+}
+
+void ChildProcesses::Signal(const std::string& name, int signal) {
+  const auto found = running_.find(name);
+  // The whole group: a user's command may be a script with children.
+  if (found != running_.end()) kill(-found->second.pid, signal);
+}
+
+void ChildProcesses::SignalAll(int signal) {
+  for (const auto& [name, child] : running_) kill(-child.pid, signal);
+}
+
+}  // namespace shoal

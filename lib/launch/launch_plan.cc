@@ -1,0 +1,128 @@
+#include "lib/launch/launch_plan.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+
+namespace shoal {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+bool IsProgram(const fs::path& path) {
+  return fs::is_regular_file(path) && access(path.c_str(), X_OK) == 0;
+}
+
+std::vector<std::string> ArgumentsOf(const RosterEntry& entry, const LaunchContext& context) {
+  std::vector<std::string> arguments = {"--mission", context.mission.file};
+  const auto add = [&](std::string option, std::string value) {
+    arguments.push_back(std::move(option));
+    arguments.push_back(std::move(value));
+  };
+  if (!entry.vehicle.empty()) add("--vehicle", entry.vehicle);
+  for (const std::string& each : context.options.overrides) add("--set", each);
+  add("--port", std::to_string(context.ports.base()));
+  add("--layout", std::string(Name(context.ports.layout())));
+  add("--mission-id", std::to_string(context.mission_id));
+  if (entry.app == "recorder") add("--log", context.log_path);
+  if (context.options.lose > 0) add("--lose", fmt::format("{}", context.options.lose));
+  if (!context.options.lose_forever.empty()) add("--lose-forever", context.options.lose_forever);
+  return arguments;
+}
+
+}  // namespace
+
+Result<std::string> FindProgram(const std::string& program, const std::string& mission_file) {
+  std::vector<fs::path> candidates;
+  if (program.find('/') != std::string::npos) {
+    candidates = {fs::path(program), fs::path(mission_file).parent_path() / program,
+                  fs::path(ExecutableDirectory()) / program};
+  } else {
+    candidates.push_back(fs::path(ExecutableDirectory()) / program);
+    const char* variable = std::getenv("PATH");
+    const std::string path = variable == nullptr ? "" : variable;
+    for (size_t begin = 0; begin < path.size();) {
+      const size_t end = std::min(path.find(':', begin), path.size());
+      candidates.push_back(fs::path(path.substr(begin, end - begin)) / program);
+      begin = end + 1;
+    }
+  }
+  for (const fs::path& candidate : candidates) {
+    if (IsProgram(candidate)) return fs::absolute(candidate).string();
+  }
+  std::string message = fmt::format("cannot find the program '{}'; looked for", program);
+  for (size_t i = 0; i < std::min<size_t>(candidates.size(), 3); ++i) {
+    message += (i == 0 ? " " : ", ") + fs::absolute(candidates[i]).lexically_normal().string();
+  }
+  return Error{message};
+}
+
+std::vector<std::string> ParticipantEnvironment(const RosterEntry& entry,
+                                                const LaunchContext& context) {
+  std::string vehicles;
+  for (const std::string& name : VehicleNames(context.mission)) {
+    vehicles += (vehicles.empty() ? "" : ",") + name;
+  }
+  return {fmt::format("SHOAL_PORT={}", context.ports.base()),
+          fmt::format("SHOAL_LAYOUT={}", Name(context.ports.layout())),
+          fmt::format("SHOAL_MISSION_ID={}", context.mission_id),
+          fmt::format("SHOAL_PARTICIPANT={}", entry.name),
+          fmt::format("SHOAL_VEHICLES={}", vehicles),
+          fmt::format("SHOAL_MISSION_FILE={}", fs::absolute(context.mission.file).string())};
+}
+
+std::string ExecutableDirectory() {
+  std::error_code error;
+  return fs::read_symlink("/proc/self/exe", error).parent_path().string();
+}
+
+Result<ChildCommand> CommandOf(const RosterEntry& entry, const LaunchContext& context) {
+  const std::string& program = entry.command.empty() ? entry.app : entry.command.front();
+  Result<std::string> path = FindProgram(program, context.mission.file);
+  if (!path.ok()) return Error{fmt::format("{}: {}", entry.name, path.error())};
+  ChildCommand command{.name = entry.name,
+                       .argv = {*path},
+                       .environment = ParticipantEnvironment(entry, context),
+                       .log_path = fmt::format("{}/{}.txt", context.log_dir, entry.name)};
+  const std::vector<std::string> arguments =
+      entry.command.empty()
+          ? ArgumentsOf(entry, context)
+          : std::vector<std::string>(entry.command.begin() + 1, entry.command.end());
+  command.argv.insert(command.argv.end(), arguments.begin(), arguments.end());
+  return command;
+}
+
+Result<ChildCommand> ViewerCommand(const LaunchContext& context) {
+  Result<std::string> viewer = FindProgram("shoal-viewer", context.mission.file);
+  if (!viewer.ok()) return Error{viewer.error()};
+  ViewOptions view = *context.options.view;
+  view.port_base = context.ports.base();
+  ChildCommand command{.name = "shoal-viewer",
+                       .argv = ViewerArguments(view),
+                       .environment = {},
+                       .log_path = context.log_dir + "/shoal-viewer.txt",
+                       // It prints the token that lets people command the vehicles.
+                       .is_log_private = true};
+  command.argv.insert(command.argv.begin(), *viewer);
+  return command;
+}
+
+Result<std::vector<ChildCommand>> LcmLoggerCommands(const LaunchContext& context) {
+  Result<std::string> logger = FindProgram("lcm-logger", context.mission.file);
+  if (!logger.ok()) return Error{logger.error() + "; apt-get install liblcm-bin"};
+  std::vector<ChildCommand> commands;
+  for (const int port : context.ports.DataPorts()) {
+    const std::string name = fmt::format("lcm-logger-{}", port);
+    commands.push_back({.name = name,
+                        .argv = {*logger, "--quiet", "--force", "--lcm-url=" + LcmUrl(port),
+                                 fmt::format("{}/{}.lcm", context.options.record_dir, name)},
+                        .environment = {},
+                        .log_path = fmt::format("{}/{}.txt", context.log_dir, name)});
+  }
+  return commands;
+}
+
+}  // namespace shoal

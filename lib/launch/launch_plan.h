@@ -1,0 +1,66 @@
+// Which processes a mission needs, and with which command lines.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lib/bus/layout.h"
+#include "lib/check/result.h"
+#include "lib/launch/child_processes.h"
+#include "lib/launch/viewer_arguments.h"
+#include "lib/mission/mission.h"
+#include "lib/run/roster.h"
+
+namespace shoal {
+
+/// What `shoal run` was asked for.
+struct RunOptions {
+  std::string mission_file;
+  std::vector<std::string> overrides;
+  double warp = 1;               ///< 0: as fast as possible.
+  std::optional<Layout> layout;  ///< Absent: PortPlan::Suggest.
+  int port_base = 0;             ///< 0: the first free block.
+  std::string record_dir;        ///< Empty: no recording.
+  bool lcm_logger = false;       ///< Stock lcm-logger on each bus, beside the recorder.
+  double lose = 0;               ///< Fault injection, handed to every participant.
+  std::string lose_forever;
+  bool quiet = false;               ///< No progress line.
+  std::optional<ViewOptions> view;  ///< A viewer beside the mission.
+};
+
+/// A mission's place on this machine.
+struct LaunchContext {
+  const RunOptions& options;
+  const Mission& mission;
+  const PortPlan& ports;
+  int64_t mission_id = 0;
+  std::string log_dir;   ///< For the processes' output.
+  std::string log_path;  ///< Of the recorder; empty: no recording.
+};
+
+/// Returns the command of one participant that the launcher starts. The error names the program
+/// that cannot be found, and where it was looked for.
+[[nodiscard]] Result<ChildCommand> CommandOf(const RosterEntry& entry,
+                                             const LaunchContext& context);
+
+/// Returns the commands of lcm-logger, one per bus.
+[[nodiscard]] Result<std::vector<ChildCommand>> LcmLoggerCommands(const LaunchContext& context);
+
+/// Returns the command of the viewer that options.view asks for. @pre options.view
+[[nodiscard]] Result<ChildCommand> ViewerCommand(const LaunchContext& context);
+
+/// Looks for a program: with a '/', from the current folder, the mission file's or shoal's own;
+/// without, beside shoal, then on the PATH. The error names it and the places.
+[[nodiscard]] Result<std::string> FindProgram(const std::string& program,
+                                              const std::string& mission_file);
+
+/// Returns what a user's own participant is told, as "SHOAL_PORT=7665" and so on;
+/// docs/step_protocol.md.
+std::vector<std::string> ParticipantEnvironment(const RosterEntry& entry,
+                                                const LaunchContext& context);
+
+/// Returns the folder of the running executable.
+std::string ExecutableDirectory();
+
+}  // namespace shoal

@@ -1,0 +1,316 @@
+#include "lib/launch/launcher.h"
+
+#include <fmt/format.h>
+#include <signal.h>
+#include <sys/random.h>
+#include <sys/signalfd.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "lib/launch/recording.h"
+#include "lib/run/run_app.h"
+#include "lib/run/run_registry.h"
+
+namespace shoal {
+
+namespace {
+
+constexpr int64_t kSecond_us = 1'000'000;
+constexpr int64_t kIdlePoll_us = 50'000;
+
+int64_t RandomMissionId() {
+  int64_t id = 0;
+  if (getrandom(&id, sizeof id, 0) != sizeof id) id = MonotonicMicroseconds();
+  return std::max<int64_t>(id & std::numeric_limits<int64_t>::max(), 1);
+}
+
+/// Writes to standard output. A reader who has gone must not end the mission.
+void Print(const std::string& text) {
+  std::fputs(text.c_str(), stdout);
+  std::fflush(stdout);
+}
+
+/// Routes the signals that matter to a descriptor. To be called before LCM makes its threads, which
+/// inherit the mask.
+int BlockSignals() {
+  sigset_t set;
+  sigemptyset(&set);
+  signal(SIGCHLD, SIG_DFL);  // A parent that ignores it would hide the children's exits.
+  for (const int number : {SIGINT, SIGTERM, SIGCHLD}) sigaddset(&set, number);
+  struct sigaction hangup {};
+  sigaction(SIGHUP, nullptr, &hangup);
+  // Under nohup, SIGHUP stays ignored. (SIGINT too is ignored in a script's background jobs, but
+  // who sends it there means it.)
+  if (hangup.sa_handler != SIG_IGN) sigaddset(&set, SIGHUP);
+  sigprocmask(SIG_BLOCK, &set, nullptr);
+  signal(SIGPIPE, SIG_IGN);
+  return signalfd(-1, &set, SFD_CLOEXEC | SFD_NONBLOCK);
+}
+
+ClockOptions MakeClockOptions(const RunOptions& options, const Mission& mission,
+                              int64_t mission_id) {
+  return {.mission_id = mission_id,
+          .warp = options.warp,
+          .fixed_pace = mission.netsim && !mission.netsim->allow_warp
+                            ? "a mission with [netsim] keeps to the wall's clock"
+                            : "",
+          .tick_us = mission.tick_us,
+          .start_utime = mission.start_utime,
+          .last_step = mission.LastStep(),
+          .timeout_us = static_cast<int64_t>(mission.participant_timeout_s * 1e6)};
+}
+
+std::vector<std::string> ParticipantNames(const std::vector<RosterEntry>& roster) {
+  std::vector<std::string> names = {"shoal"};
+  for (const RosterEntry& entry : roster) names.push_back(entry.name);
+  return names;
+}
+
+}  // namespace
+
+Launcher::Launcher(const RunOptions& options, const Mission& mission,
+                   const MakeDirector& make_director, PortPlan ports, int64_t mission_id,
+                   std::string log_dir)
+    : options_(options),
+      mission_(mission),
+      ports_(std::move(ports)),
+      context_{.options = options,
+               .mission = mission,
+               .ports = ports_,
+               .mission_id = mission_id,
+               .log_dir = std::move(log_dir),
+               .log_path = options.record_dir.empty() ? "" : options.record_dir + "/mission.lcm"},
+      roster_(MakeRoster(mission, !options.record_dir.empty())),
+      participant_({.name = "shoal",
+                    .mission_id = mission_id,
+                    .pid = getpid(),
+                    .give_up_us = GiveUpAfter_us(mission)},
+                   ports_, transport_),
+      director_(make_director(mission, participant_)),
+      clock_(MakeClockOptions(options, mission, mission_id), ParticipantNames(roster_), ports_,
+             transport_) {
+  participant_.Attach(director_.get());
+  transport_.set_drop_filter(MakeLossFilter(options.lose, options.lose_forever));
+  transport_.set_receiver(
+      [this](int port, std::string_view channel, std::span<const uint8_t> datagram) {
+        const int64_t now = MonotonicMicroseconds();
+        if (port == ports_.done_port()) {
+          clock_.OnDatagram(port, channel, datagram, now);
+        } else {
+          participant_.OnDatagram(port, channel, datagram, now);
+        }
+      });
+}
+
+int Launcher::Run(int signal_fd) {
+  if (!transport_.error().empty()) {
+    Fail(kExitEnvironment, transport_.error());
+    return exit_code_;
+  }
+  started_us_ = MonotonicMicroseconds();
+  if (StartAll()) Loop(signal_fd);
+  ended_us_ = MonotonicMicroseconds();
+  EndChildren();
+  return Conclude();
+}
+
+// Returns what somebody has to type to play this part.
+std::string Launcher::HandCommand(const RosterEntry& entry) const {
+  const std::string mission = std::filesystem::absolute(mission_.file).lexically_normal().string();
+  if (entry.app.empty()) {
+    std::string variables;
+    for (const std::string& each : ParticipantEnvironment(entry, context_)) {
+      variables += each + " ";
+    }
+    return variables + "YOUR_PROGRAM";
+  }
+  std::string command = fmt::format("{}/{} --mission {} --port {}", ExecutableDirectory(),
+                                    entry.app, mission, ports_.base());
+  if (!entry.vehicle.empty()) command += " --vehicle " + entry.vehicle;
+  for (const std::string& each : options_.overrides) command += fmt::format(" --set '{}'", each);
+  return command;
+}
+
+bool Launcher::StartAll() {
+  // First, so that it hears what the others say only once.
+  if (options_.view && !StartViewer()) return false;
+  for (const RosterEntry& entry : roster_) {
+    if (entry.provider == Provider::kHand) continue;
+    if (!StartOne(entry)) return false;
+  }
+  if (!options_.lcm_logger) return true;
+  Result<std::vector<ChildCommand>> loggers = LcmLoggerCommands(context_);
+  if (!loggers.ok()) {
+    Fail(kExitEnvironment, loggers.error());
+    return false;
+  }
+  for (const ChildCommand& command : *loggers) {
+    const Result<pid_t> pid = children_.Start(command);
+    if (!pid.ok()) {
+      Fail(kExitEnvironment, pid.error());
+      return false;
+    }
+    loggers_.push_back(command.name);
+  }
+  return true;
+}
+
+bool Launcher::StartOne(const RosterEntry& entry) {
+  const Result<ChildCommand> command = CommandOf(entry, context_);
+  if (!command.ok()) {
+    Fail(kExitEnvironment, command.error());
+    return false;
+  }
+  const Result<pid_t> pid = children_.Start(*command);
+  if (!pid.ok()) Fail(kExitEnvironment, pid.error());
+  return pid.ok();
+}
+
+void Launcher::Loop(int signal_fd) {
+  while (clock_.state() != StepClock::State::kEnded) {
+    int64_t now = MonotonicMicroseconds();
+    participant_.OnTime(now);
+    clock_.OnTime(now);
+    CheckGathering(now);
+    CheckSilence(now);
+    CheckFaults(now);
+    AnnounceViewer(now);
+    ShowProgress(now);
+    const int64_t deadline = std::min(participant_.NextDeadline(), clock_.NextDeadline());
+    now = MonotonicMicroseconds();
+    const int64_t wait = clock_.state() == StepClock::State::kGathering
+                             ? kIdlePoll_us
+                             : std::clamp<int64_t>(deadline - now, 0, kIdlePoll_us);
+    if (transport_.Poll(wait, signal_fd)) OnSignals(signal_fd);
+  }
+}
+
+void Launcher::Fail(int exit_code, const std::string& why) {
+  Say(why);
+  exit_code_ = exit_code;
+}
+
+void Launcher::Say(const std::string& line) {
+  if (progress_shown_) Print("\n");
+  progress_shown_ = false;
+  std::fflush(stdout);
+  std::fputs((line + "\n").c_str(), stderr);
+}
+
+/// Prints a line that belongs to the results, not to what went wrong.
+void Launcher::ShowLine(const std::string& line) {
+  Print((progress_shown_ ? "\n" : "") + line + "\n");
+  progress_shown_ = false;
+}
+
+void Launcher::ShowProgress(int64_t wall_us) {
+  if (options_.quiet || running_since_us_ == 0 || wall_us < next_progress_us_) return;
+  static const bool on_terminal = isatty(STDOUT_FILENO) == 1;
+  next_progress_us_ = wall_us + (on_terminal ? kSecond_us / 4 : 5 * kSecond_us);
+  const double mission_s = static_cast<double>(clock_.utime() - mission_.start_utime) / 1e6;
+  const double wall_s = std::max(static_cast<double>(wall_us - running_since_us_) / 1e6, 1e-3);
+  const std::string line = fmt::format(
+      "{:8.1f} of {:.1f} s  {:6.1f} x real time{}  {} vehicles  {} reports delivered, {} blocked",
+      mission_s, mission_.duration_s, mission_s / wall_s, clock_.paused() ? ", paused" : "",
+      mission_.vehicles.size(), director_->num_delivered(), director_->num_blocked());
+  Print((on_terminal ? "\r\033[K" : "") + line + (on_terminal ? "" : "\n"));
+  progress_shown_ = on_terminal;
+}
+
+int Launcher::Conclude() {
+  const bool complete = exit_code_ == 0;
+  const RunCounters& counters = clock_.counters();
+  const bool reproducible =
+      complete && counters.outside == 0 && !clock_.membership_changed() && !mission_.netsim;
+  if (progress_shown_) Print("\n");
+  std::string summary;
+  if (running_since_us_ != 0) {
+    const double mission_s = static_cast<double>(clock_.utime() - mission_.start_utime) / 1e6;
+    const double wall_s = std::max(static_cast<double>(ended_us_ - running_since_us_) / 1e6, 1e-3);
+    summary = fmt::format(
+        "{:.1f} s of mission in {:.2f} s ({:.1f} x real time), {} participants, {} layout\n"
+        "Bus: {} messages, {} asked for again, {} ticks again, {} undecodable, {} of other "
+        "missions, {} from outside\n"
+        "Reproducible: {}\n\n{}",
+        mission_s, wall_s, mission_s / wall_s, roster_.size() + 1, Name(ports_.layout()),
+        counters.messages, counters.repeated, counters.ticks_again, counters.undecodable,
+        counters.foreign, counters.outside,
+        reproducible           ? "yes"
+        : counters.outside > 0 ? "no: messages came from outside the step protocol"
+        : mission_.netsim      ? "no: clients of netsim_manager come from outside"
+        : !complete            ? "no: the mission did not run to its end"
+                               : "no: not all participants took part from beginning to end",
+        director_->Summary(complete));
+  }
+  if (!options_.record_dir.empty()) {
+    if (const Result<bool> written = WriteSummary(options_.record_dir, summary); !written.ok()) {
+      Fail(kExitEnvironment, written.error());
+    }
+    Print(fmt::format("Recorded in {}: mission.lcm{}, mission.toml, run.txt, summary.txt, logs/\n",
+                      options_.record_dir, lost_.contains("recorder") ? " (cut short)" : ""));
+    if (options_.view) Print(fmt::format("To look at it: shoal view {}\n", options_.record_dir));
+  }
+  Print(summary);
+  if (exit_code_ == 0 && !director_->Passed()) exit_code_ = kExitMissionFailed;
+  return exit_code_;
+}
+
+int RunMission(const RunOptions& options, const Mission& mission,
+               const MakeDirector& make_director) {
+  const auto fail = [](const std::string& why) {
+    fmt::print(stderr, "shoal: {}\n", why);
+    return static_cast<int>(kExitEnvironment);
+  };
+  if (mission.netsim && !mission.netsim->allow_warp && options.warp != 1) {
+    fmt::print(stderr,
+               "shoal: a mission with [netsim] runs at --warp 1: modem drivers compare their clock "
+               "with the wall's. Where yours do not, write allow_warp = true in [netsim]\n");
+    return kExitUsage;
+  }
+  const std::vector<std::string> vehicles = VehicleNames(mission);
+  const Layout layout =
+      options.layout.value_or(PortPlan::Suggest(static_cast<int>(vehicles.size())));
+  const Result<int> base =
+      ClaimPorts(options.port_base, PortPlan::NumPorts(layout, static_cast<int>(vehicles.size())));
+  if (!base.ok()) return fail(base.error());
+
+  RunningMission running{
+      .name = mission.name,
+      .file = std::filesystem::absolute(mission.file).lexically_normal().string(),
+      .mission_id = RandomMissionId(),
+      .port_base = *base,
+      .layout = layout,
+      .pid = getpid(),
+      .vehicles = vehicles,
+      .overrides = options.overrides};
+  std::string log_dir = fmt::format("{}/{}-logs", RunDirectory(), *base);
+  if (!options.record_dir.empty()) {
+    if (const auto prepared = PrepareRecording(options, mission); !prepared.ok()) {
+      return fail(prepared.error());
+    }
+    log_dir = options.record_dir + "/logs";
+  }
+  std::error_code error;
+  if (options.record_dir.empty()) std::filesystem::remove_all(log_dir, error);
+  std::filesystem::create_directories(log_dir, error);
+  if (error) return fail(fmt::format("cannot make the folder {}: {}", log_dir, error.message()));
+  if (const auto registered = Register(running); !registered.ok()) return fail(registered.error());
+  Print(fmt::format("{}: {} vehicles, seed {}, LCM ports {} to {} ({})\n", mission.name,
+                    vehicles.size(), mission.seed, *base,
+                    *base + PortPlan::NumPorts(layout, static_cast<int>(vehicles.size())) - 1,
+                    Name(layout)));
+  int code = 0;
+  {
+    const int signal_fd = BlockSignals();
+    Launcher launcher(options, mission, make_director, running.Ports(), running.mission_id,
+                      log_dir);
+    code = launcher.Run(signal_fd);
+    close(signal_fd);
+  }
+  Unregister(*base);
+  return code;
+}
+
+}  // namespace shoal

@@ -1,0 +1,22 @@
+// The command line of shoal-viewer: for `shoal view`, and for `shoal run --view`.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace shoal {
+
+struct ViewOptions {
+  std::string log = {};  ///< A log, or the folder of a recording; empty: a running mission.
+  std::string mission_file = {};      ///< Of the log; empty: the one beside it.
+  int port_base = 0;                  ///< Of the running mission; 0: the one that runs.
+  std::optional<int> http_port = {};  ///< 0: any free one; absent: the viewer's default.
+  std::string listen = {};            ///< Empty: loopback only.
+  bool allow_commands = false;
+};
+
+/// Returns shoal-viewer's arguments.
+std::vector<std::string> ViewerArguments(const ViewOptions& options);
+
+}  // namespace shoal

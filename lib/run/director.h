@@ -1,0 +1,32 @@
+// What the launcher asks of the participant "shoal", which carries the mission's events out and
+// judges its expectations (sim/director_app.h): so that lib/launch knows no app.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "lib/bus/bus.h"
+#include "lib/mission/mission.h"
+#include "lib/run/app.h"
+
+namespace shoal {
+
+class Director : public App {
+ public:
+  /// Node reports so far, each counted once per destination.
+  virtual int64_t num_delivered() const = 0;
+  virtual int64_t num_blocked() const = 0;
+
+  /// Returns the mission's last page, should it end now; its last line is PASS or FAIL, or
+  /// INCOMPLETE where the mission is not `complete`.
+  virtual std::string Summary(bool complete) const = 0;
+  /// Returns true where every expectation would be met, should the mission end now.
+  virtual bool Passed() const = 0;
+};
+
+/// Makes the director of a mission, which outlives it.
+using MakeDirector = std::function<std::unique_ptr<Director>(const Mission& mission, Bus& bus)>;
+
+}  // namespace shoal

@@ -1,0 +1,32 @@
+#include "sim/app_factory.h"
+
+#include "apps/acomms/acomms_app.h"
+#include "apps/helm/helm_app.h"
+#include "apps/node_reporter/node_reporter_app.h"
+#include "apps/shore_broker/shore_broker_app.h"
+#include "apps/vehicle_sim/vehicle_sim_app.h"
+#include "lib/check/check.h"
+#include "sim/director_app.h"
+
+namespace shoal {
+
+std::unique_ptr<App> MakeApp(const RosterEntry& entry, const Mission& mission, Bus& bus) {
+  if (entry.app == "shore_broker") return std::make_unique<ShoreBrokerApp>(mission, bus);
+  const Vehicle* vehicle = mission.FindVehicle(entry.vehicle);
+  SHOAL_CHECK(vehicle != nullptr, "a roster names only vehicles of its mission");
+  if (entry.app == "vehicle_sim") return std::make_unique<VehicleSimApp>(mission, *vehicle, bus);
+  if (entry.app == "helm") return std::make_unique<HelmApp>(mission, *vehicle, bus);
+  if (entry.app == "acomms") return std::make_unique<AcommsApp>(mission, *vehicle, bus);
+  SHOAL_CHECK(entry.app == "node_reporter", "a roster names only shoal's own apps");
+  return std::make_unique<NodeReporterApp>(mission, *vehicle, bus);
+}
+
+std::unique_ptr<Director> MakeDirectorApp(const Mission& mission, Bus& bus) {
+  return std::make_unique<DirectorApp>(mission, bus);
+}
+
+std::unique_ptr<Broker> MakeShoreBroker(const BrokerSetup& setup, Bus& bus) {
+  return std::make_unique<ShoreBrokerApp>(setup, bus);
+}
+
+}  // namespace shoal

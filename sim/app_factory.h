@@ -1,0 +1,26 @@
+// Makes any of shoal's participants: the one place where all apps meet, so that they can run in one
+// process.
+#pragma once
+
+#include <memory>
+
+#include "lib/broker/broker.h"
+#include "lib/bus/bus.h"
+#include "lib/mission/mission.h"
+#include "lib/run/app.h"
+#include "lib/run/director.h"
+#include "lib/run/roster.h"
+
+namespace shoal {
+
+/// Returns the app of a roster entry.
+/// @pre entry.app is one of shoal's, and not the recorder
+std::unique_ptr<App> MakeApp(const RosterEntry& entry, const Mission& mission, Bus& bus);
+
+/// Returns the participant "shoal", which the launcher runs itself (lib/launch/launcher.h).
+std::unique_ptr<Director> MakeDirectorApp(const Mission& mission, Bus& bus);
+
+/// Returns the shore_broker alone: for deciding a recorded mission again (lib/analysis/rebroker.h).
+std::unique_ptr<Broker> MakeShoreBroker(const BrokerSetup& setup, Bus& bus);
+
+}  // namespace shoal

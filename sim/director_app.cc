@@ -1,0 +1,212 @@
+#include "sim/director_app.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string_view>
+
+#include "lib/routing/control.h"
+#include "lib/routing/vehicle_name.h"
+#include "lib/verdict/summary.h"
+
+namespace shoal {
+
+namespace {
+constexpr std::string_view kTooManyControls =
+    "UNC_* of one more vehicle not kept: a broker that starts again will not be told of it";
+
+/// False for what only a stranger says: no mission has as many messages.
+bool CanBeCount(int64_t count) { return count >= 0 && count <= 1'000'000'000'000; }
+
+}  // namespace
+
+DirectorApp::DirectorApp(const Mission& mission, Bus& bus)
+    : mission_(mission), bus_(bus), judge_(mission) {
+  for (size_t i = 0; i < mission.vehicles.size(); ++i) {
+    const std::string& name = mission.vehicles[i].name;
+    Subscribe(bus, channels::Nav(name), [this, i](const nav_t& nav) {
+      if (judge_.TakeNav(i, {nav.x_m, nav.y_m, nav.z_m}, nav.altitude_m)) return;
+      log_.Warn(fmt::format("NAV of {} dropped: it holds an impossible number",
+                            mission_.vehicles[i].name));
+    });
+    Subscribe(bus, channels::HelmState(name), [this, i](const helm_state_t& helm) {
+      HelmFacts facts = {.state = helm.state, .task = helm.task, .laps_done = helm.laps_done};
+      if (helm.waypoint_index >= 0) facts.cross_track_error_m = helm.cross_track_error_m;
+      judge_.TakeHelm(i, facts, last_utime_.value_or(mission_.start_utime));
+    });
+    if (!mission.IsInSwarm(mission.vehicles[i])) continue;
+    Subscribe(bus, channels::Swarm(name), [this, i](const swarm_t& swarm) { TakeSwarm(i, swarm); });
+  }
+  // Who is simulated elsewhere has no NAV: its own reports are all there is.
+  Subscribe(bus, channels::NodeReportFromOutside(), [this](const node_report_t& report) {
+    for (size_t i = 0; i < mission_.vehicles.size(); ++i) {
+      const Vehicle& vehicle = mission_.vehicles[i];
+      if (vehicle.sim != Provider::kNone || vehicle.name != report.name) continue;
+      judge_.TakeNav(i, {report.x_m, report.y_m, report.depth_m}, report.altitude_m);
+    }
+  });
+  bus.SubscribeBytes(channels::CommsFates().name,
+                     [this](const Message& message) { TakeFates(message); });
+  for (const ControlRow& row : ControlTable()) {
+    Subscribe(bus, channels::Control(row), [this, &row](const unc_control_t& control) {
+      if (!controls_.Keep(row, control)) log_.Warn(kTooManyControls);
+    });
+  }
+  Subscribe(bus, channels::UncControlsReq(),
+            [this](const unc_controls_req_t&) { controls_wanted_ = true; });
+}
+
+void DirectorApp::TakeSwarm(size_t vehicle, const swarm_t& swarm) {
+  for (const swarm_source_t& source : swarm.sources) {
+    const Vehicle* sender = mission_.FindVehicle(source.name);
+    if (sender == nullptr || !CanBeCount(source.clean) || !CanBeCount(source.recovered) ||
+        !CanBeCount(source.rejected)) {
+      continue;
+    }
+    judge_.TakeSwarm(
+        vehicle, sender->name,
+        {.clean = source.clean, .recovered = source.recovered, .rejected = source.rejected});
+  }
+}
+
+void DirectorApp::Tick(int64_t utime) {
+  EndLastStep();
+  last_utime_ = utime;
+  AnswerControlsRequest(utime);
+  const double now_s = static_cast<double>(utime - mission_.start_utime) / 1e6;
+  for (; next_event_ < mission_.events.size(); ++next_event_) {
+    const Event& event = mission_.events[next_event_];
+    if (now_s < event.at_s) break;
+    std::visit([&](const auto& what) { Say(utime, what); }, event.what);
+  }
+}
+
+void DirectorApp::End() { EndLastStep(); }
+
+void DirectorApp::EndLastStep() {
+  if (last_utime_) judge_.EndStep(*last_utime_);
+}
+
+void DirectorApp::TakeFates(const Message& message) {
+  if (message.publisher.empty()) {
+    log_.Warn("COMMS_FATES of a stranger dropped: only a broker of the mission decides");
+    return;
+  }
+  if (!Decode(message.data, &fates_message_)) {
+    bus_.CountUndecodable(message.channel);
+    return;
+  }
+  for (const fate_t& fate : fates_message_.fates) {
+    for (const Kind kind : {Kind::kReport, Kind::kMessage, Kind::kAck, Kind::kPacket}) {
+      if (fate.kind != KindText(kind)) continue;
+      judge_.fates(kind).Add(fate.source, fate.destination, fate.cause, fate.count);
+    }
+  }
+}
+
+void DirectorApp::Say(int64_t utime, const CommandEvent& event) {
+  helm_command_t command;
+  command.utime = utime;
+  command.command = event.command;
+  command.argument = event.argument;
+  command.num_values = static_cast<int32_t>(event.values.size());
+  command.values = event.values;
+  for (const std::string& vehicle : VehiclesNamed(event.vehicle)) {
+    Publish(bus_, channels::HelmCommand(vehicle), command);
+  }
+  log_.Event(utime, fmt::format("{} to {}", event.command, event.vehicle));
+}
+
+void DirectorApp::Say(int64_t utime, const SimCommandEvent& event) {
+  sim_command_t command;
+  command.utime = utime;
+  command.command = event.command;
+  command.num_values = static_cast<int32_t>(event.values.size());
+  command.values = event.values;
+  for (const std::string& vehicle : VehiclesNamed(event.vehicle)) {
+    Publish(bus_, channels::SimCommand(vehicle), command);
+  }
+  log_.Event(utime, fmt::format("{} to the simulator of {}", event.command, event.vehicle));
+}
+
+void DirectorApp::Say(int64_t utime, const RuleEvent& event) {
+  unc_control_t control;
+  control.utime = utime;
+  control.vehicle = event.vehicle;
+  control.value = event.value;
+  const ControlRow* row = FindControl(event.rule);
+  if (row == nullptr) {
+    log_.Warn(fmt::format("event dropped: there is no rule '{}'", event.rule));
+    return;
+  }
+  Publish(bus_, channels::Control(*row), control);  // Heard, and kept, in the next step.
+  std::string text = event.rule;
+  if (!event.vehicle.empty()) text += " of " + event.vehicle;
+  if (row->type != ControlType::kRequest) text += " = " + ControlWord(*row, event.value);
+  log_.Event(utime, text);
+}
+
+void DirectorApp::Say(int64_t utime, const MessageEvent& event) {
+  node_message_t message;
+  message.utime = utime;
+  message.src_node = event.src_node;
+  message.src_app = "shoal";
+  message.dest_node = event.dest_node;
+  message.dest_group = event.dest_group;
+  message.var_name = event.var_name;
+  message.string_val = event.string_val;
+  message.double_val = event.double_val.value_or(0);
+  message.is_double = event.double_val ? 1 : 0;
+  message.ack_requested = event.ack ? 1 : 0;
+  // Its node_reporter gives an acknowledged message its ack_id, and repeats it.
+  Publish(bus_,
+          event.ack ? channels::MediatedMessage(event.src_node) : channels::NodeMessageLocal(),
+          message);
+  log_.Event(utime, fmt::format("{} of {} to {}{}", event.var_name, event.src_node, event.dest_node,
+                                event.dest_group.empty() ? "" : " group " + event.dest_group));
+}
+
+void DirectorApp::AnswerControlsRequest(int64_t utime) {
+  if (!controls_wanted_) return;
+  controls_wanted_ = false;
+  unc_controls_t answer = controls_.All();
+  answer.utime = utime;
+  log_.Event(utime, fmt::format("UNC_CONTROLS: {} said on request", answer.num_controls));
+  Publish(bus_, channels::UncControls(), answer);
+}
+
+std::vector<std::string> DirectorApp::VehiclesNamed(const std::string& name) const {
+  if (VehicleKey(name) != "all") return {name};
+  std::vector<std::string> names;
+  for (const Vehicle& vehicle : mission_.vehicles) names.push_back(vehicle.name);
+  return names;
+}
+
+int64_t DirectorApp::num_delivered() const {
+  return fates(Kind::kReport).Count(FateCounts::kAll, FateCounts::kAll, "delivered");
+}
+
+int64_t DirectorApp::num_blocked() const {
+  return fates(Kind::kReport).CountOffered(FateCounts::kAll, FateCounts::kAll) - num_delivered();
+}
+
+std::string DirectorApp::Summary(bool complete) const {
+  return Summarize(mission_, judge_, complete);
+}
+
+bool DirectorApp::Passed() const {
+  const std::vector<ExpectationVerdict> verdicts = judge_.Verdicts();
+  return std::all_of(verdicts.begin(), verdicts.end(),
+                     [](const ExpectationVerdict& verdict) { return verdict.passed; });
+}
+
+StatusPage DirectorApp::Status() const {
+  StatusPage page;
+  page.text = fmt::format("Mission: {} ({})\nSeed: {}\nEvents said: {} of {}\n\n{}", mission_.name,
+                          mission_.file, mission_.seed, next_event_, mission_.events.size(),
+                          Summary(false));
+  log_.AppendTo(&page);
+  return page;
+}
+
+}  // namespace shoal

@@ -1,0 +1,64 @@
+// The launcher's own participant, named "shoal": says what the mission file has planned, and
+// watches what becomes of it.
+//
+// Says HELM_COMMAND_<V>, SIM_COMMAND_<V>, UNC_*, NODE_MESSAGE_LOCAL and MEDIATED_MESSAGE_<V> at the
+// times of the mission's events; hears NAV_<V>, HELM_STATE_<V> and COMMS_FATES. Keeps the controls
+// that anybody says on UNC_*, and answers UNC_CONTROLS_REQ with them on UNC_CONTROLS.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lib/bus/bus.h"
+#include "lib/bus/channels.h"
+#include "lib/mission/mission.h"
+#include "lib/run/director.h"
+#include "lib/verdict/judge.h"
+#include "sim/kept_controls.h"
+
+namespace shoal {
+
+class DirectorApp : public Director {
+ public:
+  /// `mission` must outlive this.
+  DirectorApp(const Mission& mission, Bus& bus);
+
+  void Tick(int64_t utime) override;
+  void End() override;
+  StatusPage Status() const override;
+
+  int64_t num_delivered() const override;
+  int64_t num_blocked() const override;
+  /// By link and cause.
+  const FateCounts& fates(Kind kind) const { return judge_.fates(kind); }
+  const Judge& judge() const { return judge_; }
+
+  std::string Summary(bool complete) const override;
+  bool Passed() const override;
+
+ private:
+  void TakeFates(const Message& message);
+  void TakeSwarm(size_t vehicle, const swarm_t& swarm);
+  void EndLastStep();
+  void Say(int64_t utime, const CommandEvent& event);
+  void Say(int64_t utime, const SimCommandEvent& event);
+  void Say(int64_t utime, const RuleEvent& event);
+  void Say(int64_t utime, const MessageEvent& event);
+  void AnswerControlsRequest(int64_t utime);
+  std::vector<std::string> VehiclesNamed(const std::string& name) const;
+
+  const Mission& mission_;
+  Bus& bus_;
+  StatusLog log_;
+  Judge judge_;
+  KeptControls controls_;
+  bool controls_wanted_ = false;  ///< Somebody has asked since the last step.
+  comms_fates_t fates_message_;   ///< Decoded into; keeps its strings' memory.
+  size_t next_event_ = 0;
+  /// Messages that are handled now were said in this step; absent before the first.
+  std::optional<int64_t> last_utime_;
+};
+
+}  // namespace shoal

@@ -1,0 +1,311 @@
+#include "sim/director_app.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "lib/bus/memory_bus.h"
+
+namespace shoal {
+namespace {
+
+Mission TwoVehicles() {
+  Mission mission;
+  mission.start_utime = 2'000'000;
+  mission.tick_us = 100'000;
+  mission.duration_s = 10;
+  mission.vehicles.resize(2);
+  mission.vehicles[0].name = "bravo";
+  mission.vehicles[1].name = "alpha";
+  return mission;
+}
+
+Event Command(double at_s, const std::string& vehicle, const std::string& command,
+              const std::string& argument = "") {
+  return {.at_s = at_s,
+          .what = CommandEvent{
+              .vehicle = vehicle, .command = command, .argument = argument, .values = {}}};
+}
+
+class DirectorTest : public testing::Test {
+ protected:
+  DirectorTest() {
+    for (const std::string name : {"alpha", "bravo"}) {
+      Subscribe(fleet_, channels::HelmCommand(name), [this, name](const helm_command_t& command) {
+        Note(name + " " + command.command + " " + command.argument, command.utime);
+      });
+      Subscribe(fleet_, channels::SimCommand(name), [this, name](const sim_command_t& command) {
+        Note(name + " sim " + command.command, command.utime);
+      });
+    }
+    for (const ControlRow& row : ControlTable()) {
+      Subscribe(fleet_, channels::Control(row), [this, &row](const unc_control_t& control) {
+        Note(fmt::format("{}{}{} {}", row.channel, control.vehicle.empty() ? "" : " ",
+                         control.vehicle, control.value),
+             control.utime);
+      });
+    }
+    Subscribe(fleet_, channels::NodeMessageLocal(), [this](const node_message_t& message) {
+      messages_.push_back({"local", message});
+    });
+    Subscribe(fleet_, channels::MediatedMessage("alpha"), [this](const node_message_t& message) {
+      messages_.push_back({"mediated", message});
+    });
+    Subscribe(fleet_, channels::UncControls(),
+              [this](const unc_controls_t& controls) { kept_.push_back(controls); });
+  }
+  void Note(const std::string& text, int64_t utime) {
+    heard_.push_back(std::to_string((utime - mission_.start_utime) / 1000) + " " + text);
+  }
+  DirectorApp& Director() {
+    if (!director_) director_.emplace(mission_, director_bus_);
+    return *director_;
+  }
+  /// Lets the director handle what was said in the step before, and takes a step.
+  void Step() {
+    Director();
+    hub_.NextStep();
+    hub_.HandleAll();
+    Director().Tick(mission_.UtimeOf(step_++));
+  }
+  /// Ends the mission as the launcher does.
+  void End() {
+    hub_.NextStep();
+    hub_.HandleAll();
+    Director().End();
+  }
+  void SayNav(const std::string& name, double x_m) {
+    nav_t nav = {};
+    nav.x_m = x_m;
+    Publish(fleet_, channels::Nav(name), nav);
+  }
+  void SayControl(const std::string& rule, const std::string& vehicle, double value) {
+    unc_control_t control = {};
+    control.vehicle = vehicle;
+    control.value = value;
+    Publish(fleet_, channels::Control(*FindControl(rule)), control);
+  }
+  /// Returns what the director has kept, as "CHANNEL vehicle value" each.
+  std::vector<std::string> AskForControls() {
+    kept_.clear();
+    Publish(fleet_, channels::UncControlsReq(), unc_controls_req_t{});
+    Step();
+    Step();
+    std::vector<std::string> lines;
+    EXPECT_EQ(kept_.size(), 1U);
+    for (const unc_controls_t& each : kept_) {
+      for (const kept_control_t& kept : each.controls) {
+        lines.push_back(
+            fmt::format("{} {} {}", kept.channel, kept.control.vehicle, kept.control.value));
+      }
+    }
+    return lines;
+  }
+  void SayFate(const std::string& source, const std::string& destination, const std::string& cause,
+               const std::string& kind = "report", int32_t count = 1) {
+    comms_fates_t message = {};
+    fate_t fate = {};
+    fate.kind = kind;
+    fate.source = source;
+    fate.destination = destination;
+    fate.cause = cause;
+    fate.count = count;
+    message.num_fates = 1;
+    message.fates = {fate};
+    Publish(fleet_, channels::CommsFates(), message);
+  }
+
+  Mission mission_ = TwoVehicles();
+  MemoryBus hub_;
+  Bus& director_bus_ = hub_.Join("shoal");
+  Bus& fleet_ = hub_.Join("fleet");
+  std::optional<DirectorApp> director_;
+  int64_t step_ = 0;
+  std::vector<std::string> heard_;
+  std::vector<std::pair<std::string, node_message_t>> messages_;
+  std::vector<unc_controls_t> kept_;
+};
+
+TEST_F(DirectorTest, SaysEachEventOnceInTheFirstStepAtOrAfterItsTime) {
+  mission_.events = {
+      Command(0, "alpha", "deploy"),
+      {.at_s = 0.3, .what = RuleEvent{.rule = "comms_range", .vehicle = "", .value = 50}},
+      {.at_s = 0.31, .what = SimCommandEvent{.vehicle = "bravo", .command = "pause", .values = {}}},
+      Command(99, "alpha", "park"),
+  };
+  for (int i = 0; i < 10; ++i) Step();
+  EXPECT_EQ(heard_, (std::vector<std::string>{"0 alpha deploy ", "300 UNC_COMMS_RANGE 50",
+                                              "400 bravo sim pause"}));
+}
+
+TEST_F(DirectorTest, SaysEventsOfOneTimeInTheMissionsOrder) {
+  mission_.events = {
+      Command(0.1, "alpha", "task", "b"),
+      Command(0.1, "alpha", "task", "a"),
+  };
+  for (int i = 0; i < 4; ++i) Step();
+  EXPECT_EQ(heard_, (std::vector<std::string>{"100 alpha task b", "100 alpha task a"}));
+}
+
+TEST_F(DirectorTest, SaysWhatIsForAllToEachVehicle) {
+  mission_.events = {Command(0, "all", "return")};
+  Step();
+  Step();
+  EXPECT_EQ(heard_, (std::vector<std::string>{"0 alpha return ", "0 bravo return "}));
+}
+
+TEST_F(DirectorTest, SaysEachRuleOnItsChannel) {
+  for (const ControlRow& row : ControlTable()) {
+    const auto number = static_cast<double>(mission_.events.size() + 1);
+    mission_.events.push_back(
+        {.at_s = number / 10,
+         .what = RuleEvent{.rule = std::string(row.rule),
+                           .vehicle = row.of_vehicle ? "alpha" : "",
+                           .value = row.type == ControlType::kRequest ? 0.0 : 1.0}});
+  }
+  for (size_t i = 0; i < ControlTable().size() + 2; ++i) Step();
+  ASSERT_EQ(heard_.size(), ControlTable().size());
+  EXPECT_EQ(heard_[0], "100 UNC_COMMS_RANGE 1");
+  EXPECT_EQ(heard_[2], "300 UNC_STEALTH alpha 1");
+  EXPECT_EQ(heard_.back(), "1500 UNC_FULL_REPORT_REQ alpha 0");
+}
+
+TEST_F(DirectorTest, SaysMessagesForTheirVehiclesAndLeavesAcksToThem) {
+  MessageEvent plain;
+  plain.src_node = "alpha";
+  plain.dest_node = "bravo:charlie";
+  plain.dest_group = "reds";
+  plain.var_name = "UPDATE_LOITER";
+  plain.string_val = "speed=2.4";
+  MessageEvent number = plain;
+  number.string_val = "";
+  number.double_val = 2.5;
+  number.ack = true;
+  mission_.events = {{.at_s = 0.1, .what = plain}, {.at_s = 0.2, .what = number}};
+  for (int i = 0; i < 4; ++i) Step();
+  ASSERT_EQ(messages_.size(), 2U);
+  const auto& [channel, first] = messages_[0];
+  EXPECT_EQ(channel, "local");
+  EXPECT_EQ(first.utime, mission_.UtimeOf(1));
+  EXPECT_EQ(first.src_node, "alpha");
+  EXPECT_EQ(first.dest_node, "bravo:charlie");
+  EXPECT_EQ(first.dest_group, "reds");
+  EXPECT_EQ(first.var_name, "UPDATE_LOITER");
+  EXPECT_EQ(first.string_val, "speed=2.4");
+  EXPECT_FALSE(first.is_double);
+  EXPECT_FALSE(first.ack_requested);
+  const auto& [mediated, second] = messages_[1];
+  EXPECT_EQ(mediated, "mediated");
+  EXPECT_EQ(second.double_val, 2.5);
+  EXPECT_TRUE(second.is_double);
+  EXPECT_TRUE(second.ack_requested);
+  EXPECT_EQ(second.ack_id, "");
+}
+
+TEST_F(DirectorTest, KeepsTheLastControlOfEachRuleAndVehicleForABrokerThatAsks) {
+  mission_.events = {
+      {.at_s = 0.1, .what = RuleEvent{.rule = "stealth", .vehicle = "alpha", .value = 0.5}},
+      {.at_s = 0.1, .what = RuleEvent{.rule = "full_report", .vehicle = "alpha", .value = 0}}};
+  Step();
+  EXPECT_EQ(AskForControls(), std::vector<std::string>{});
+  SayControl("comms_range", "", 300);
+  SayControl("stealth", "bravo", 0.25);
+  SayControl("stealth", "BRAVO", 0.75);
+  SayControl("comms_range", "", 250);
+  Step();
+  EXPECT_EQ(AskForControls(),
+            (std::vector<std::string>{"UNC_COMMS_RANGE  250", "UNC_STEALTH alpha 0.5",
+                                      "UNC_STEALTH BRAVO 0.75"}));
+}
+
+TEST_F(DirectorTest, WarnsOfControlsThatItHasNoRoomFor) {
+  Step();
+  for (size_t i = 0; i < KeptControls::kMost + 2; ++i) {
+    SayControl("stealth", fmt::format("v{}", i), 0.5);
+  }
+  Step();
+  EXPECT_EQ(AskForControls().size(), KeptControls::kMost);
+  ASSERT_EQ(Director().Status().run_warnings.size(), 1U);
+  EXPECT_NE(Director().Status().run_warnings[0].find("(2 times)"), std::string::npos);
+}
+
+TEST_F(DirectorTest, CountsFatesByKindAndByHowManyTheyAre) {
+  Step();
+  SayFate("alpha", "bravo", "delivered", "message");
+  SayFate("alpha", "bravo", "out_of_range", "ack");
+  SayFate("alpha", "*", "out_of_range", "report", 998);
+  SayFate("alpha", "*", "out_of_range", "report", -5);
+  SayFate("alpha", "bravo", "delivered", "rumour");
+  Step();
+  constexpr int kAll = FateCounts::kAll;
+  EXPECT_EQ(Director().fates(Kind::kMessage).CountOffered(kAll, kAll), 1);
+  EXPECT_EQ(Director().fates(Kind::kAck).Count(1, 0, "out_of_range"), 1);
+  EXPECT_EQ(Director().num_blocked(), 998);
+  EXPECT_EQ(Director().num_delivered(), 0);
+}
+
+TEST_F(DirectorTest, CountsDeliveredAndBlockedReports) {
+  Step();
+  SayFate("alpha", "bravo", "delivered");
+  SayFate("alpha", "bravo", "out_of_range");
+  SayFate("bravo", "alpha", "out_of_range");
+  SayFate("bravo", "alpha", "delivered", "message");
+  Step();
+  EXPECT_EQ(Director().num_delivered(), 1);
+  EXPECT_EQ(Director().num_blocked(), 2);
+  EXPECT_EQ(Director().fates(Kind::kReport).Count(1, 0, "out_of_range"), 1);
+}
+
+TEST_F(DirectorTest, JudgesByTheStepInWhichAVehicleWasThere) {
+  mission_.expectations = {
+      {.where = "x.toml:1",
+       .what = ArrivalExpectation{
+           .vehicle = "alpha", .point_m = Eigen::Vector2d(100, 0), .within_m = 1, .by_s = 0.2}}};
+  Step();
+  SayNav("alpha", 0);
+  Step();
+  EXPECT_FALSE(Director().Passed());
+  Step();
+  SayNav("alpha", 100);  // Said in the step of 0.2 s, heard in that of 0.3 s.
+  Step();
+  EXPECT_TRUE(Director().Passed());
+  EXPECT_NE(Director().Summary().find("there at 0.2 s"), std::string::npos) << Director().Summary();
+}
+
+TEST_F(DirectorTest, MindsWhatWasSaidInTheLastStep) {
+  mission_.expectations = {
+      {.where = "x.toml:1",
+       .what = ArrivalExpectation{.vehicle = "alpha", .point_m = Eigen::Vector2d(100, 0)}},
+      {.where = "x.toml:9",
+       .what = HelmExpectation{.vehicle = "alpha", .state = "PARK", .task = ""}},
+  };
+  Step();
+  SayNav("alpha", 0);
+  Step();
+  SayNav("alpha", 100);
+  helm_state_t helm = {};
+  helm.state = "PARK";
+  Publish(fleet_, channels::HelmState("alpha"), helm);
+  EXPECT_TRUE(Director().Summary().ends_with("FAIL: 2 of 2 expectations missed\n"));
+  End();
+  EXPECT_TRUE(Director().Passed());
+  EXPECT_TRUE(Director().Summary().ends_with("\nPASS\n"));
+}
+
+TEST_F(DirectorTest, StandsNonsense) {
+  Step();
+  SayNav("alpha", std::numeric_limits<double>::quiet_NaN());
+  fleet_.PublishBytes("COMMS_FATES", {});
+  SayFate(std::string(100'000, 'x'), "", "made up");
+  Step();
+  EXPECT_EQ(director_bus_.counters().undecodable, 1);
+  EXPECT_EQ(Director().num_blocked(), 1);
+  EXPECT_EQ(Director().Status().run_warnings.size(), 1U);
+}
+
+}  // namespace
+}  // namespace shoal

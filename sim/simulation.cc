@@ -1,0 +1,135 @@
+#include "sim/simulation.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "apps/recorder/recorder_app.h"
+#include "lib/bus/memory_bus.h"
+#include "lib/mission/load.h"
+#include "lib/run/roster.h"
+#include "sim/app_factory.h"
+#include "sim/director_app.h"
+
+namespace shoal {
+
+struct Simulation::State {
+  struct Member {
+    Bus* bus = nullptr;
+    std::unique_ptr<App> app;  ///< Null: the embedding program.
+  };
+
+  explicit State(const Mission& from) : mission(from) {}
+
+  void Add(Bus& bus, std::unique_ptr<App> app) {
+    members.push_back({.bus = &bus, .app = std::move(app)});
+  }
+
+  const Mission mission;
+  MemoryBus hub;
+  std::vector<Member> members;
+  Bus* embedder = nullptr;
+  DirectorApp* director = nullptr;
+  int64_t step = -1;
+  bool has_ended = false;
+};
+
+Simulation::Simulation(const Mission& mission, const std::string& log_path)
+    : state_(std::make_unique<State>(mission)) {
+  State& state = *state_;
+  if (!log_path.empty()) {
+    Bus& bus = state.hub.Join("recorder");
+    state.Add(bus, std::make_unique<RecorderApp>(
+                       RecorderOptions{.path = log_path, .start_utime = mission.start_utime}, bus));
+  }
+  for (const RosterEntry& entry : MakeRoster(state.mission, false)) {
+    Bus& bus = state.hub.Join(entry.name);
+    state.Add(bus, MakeApp(entry, state.mission, bus));
+  }
+  Bus& bus = state.hub.Join("shoal");
+  auto director = std::make_unique<DirectorApp>(state.mission, bus);
+  state.director = director.get();
+  state.Add(bus, std::move(director));
+  state.embedder = &state.hub.Join("embedder");
+  state.Add(*state.embedder, nullptr);
+}
+
+Simulation::~Simulation() = default;
+Simulation::Simulation(Simulation&&) noexcept = default;
+Simulation& Simulation::operator=(Simulation&&) noexcept = default;
+
+Result<Simulation> Simulation::Open(const SimulationOptions& options) {
+  std::vector<std::string> overrides = options.overrides;
+  if (options.seed) overrides.push_back(fmt::format("mission.seed={}", *options.seed));
+  const LoadedMission loaded = LoadMission(options.mission_file, overrides);
+  if (!loaded.errors.empty()) return Error{fmt::format("{}", fmt::join(loaded.errors, "\n"))};
+  if (const auto can = CanRunInOneProcess(loaded.mission); !can.ok()) return Error{can.error()};
+  Simulation simulation(loaded.mission, options.log_path);
+  if (const std::string fault = simulation.Fault(); !fault.empty()) return Error{fault};
+  return simulation;
+}
+
+bool Simulation::Step() {
+  State& state = *state_;
+  if (state.has_ended) return false;
+  if (state.step == state.mission.LastStep()) {
+    End();
+    return false;
+  }
+  ++state.step;
+  state.hub.NextStep();
+  for (const State::Member& member : state.members) {
+    state.hub.Handle(*member.bus);
+    if (member.app) member.app->Tick(utime());
+  }
+  return true;
+}
+
+void Simulation::End() {
+  State& state = *state_;
+  if (state.has_ended) return;
+  state.has_ended = true;
+  state.hub.NextStep();
+  for (const State::Member& member : state.members) {
+    state.hub.Handle(*member.bus);
+    if (member.app) member.app->End();
+  }
+}
+
+Bus& Simulation::bus() { return *state_->embedder; }
+
+std::string Simulation::Fault() const {
+  for (const State::Member& member : state_->members) {
+    if (!member.app) continue;
+    if (std::string fault = member.app->Fault(); !fault.empty()) return fault;
+  }
+  return {};
+}
+
+int64_t Simulation::step() const { return state_->step; }
+int64_t Simulation::utime() const { return state_->mission.UtimeOf(state_->step); }
+const Mission& Simulation::mission() const { return state_->mission; }
+bool Simulation::Passed() const { return state_->director->Passed(); }
+std::string Simulation::Summary(bool complete) const { return state_->director->Summary(complete); }
+int64_t Simulation::num_delivered() const { return state_->director->num_delivered(); }
+int64_t Simulation::num_blocked() const { return state_->director->num_blocked(); }
+const DirectorApp& Simulation::director() const { return *state_->director; }
+
+Result<bool> CanRunInOneProcess(const Mission& mission) {
+  if (mission.netsim) {
+    return Error{
+        fmt::format("{}: the clients of [netsim] run in wall time, so the mission "
+                    "needs `shoal run`",
+                    mission.file)};
+  }
+  for (const RosterEntry& entry : MakeRoster(mission, false)) {
+    if (entry.provider == Provider::kHand || !entry.command.empty()) {
+      return Error{fmt::format(
+          "{}: {} is not one of shoal's own processes, so the mission needs `shoal run`",
+          mission.file, entry.name)};
+    }
+  }
+  return true;
+}
+
+}  // namespace shoal
