@@ -3,11 +3,18 @@
 #   shoal_library(NAME [PURE] SOURCES a.cc ... DEPENDS other_lib Eigen3::Eigen ...
 #                 TESTS a_test.cc ... [TEST_DEPENDS lib ...])
 #   shoal_app(NAME SOURCES x_app.cc ... DEPENDS lib ... TESTS x_app_test.cc ...)
-#   shoal_test(NAME SOURCES x_test.cc ... DEPENDS lib ...)
+#   shoal_test(NAME SOURCES x_test.cc ... DEPENDS lib ...
+#              [LABEL unit|process|browser|bench-smoke] [TIMEOUT seconds] [SERIAL])
 #
 # A PURE library may depend on other PURE libraries and on the numeric libraries listed in
 # SHOAL_PURE_EXTERNALS, and on nothing else: anything more fails here, at configure time.
 # shoal_app makes a library <NAME>_app from SOURCES and, from <NAME>_main.cc, the executable.
+#
+# What builds fast is chosen by the preset (CMakePresets.json, docs/building.md): precompiled
+# headers (SHOAL_PCH), one translation unit per library (CMAKE_UNITY_BUILD), shared libraries
+# (BUILD_SHARED_LIBS). Every test has a label and a time limit in seconds, for one test case.
+
+set(SHOAL_TEST_LABELS unit process browser bench-smoke)
 
 find_package(Threads REQUIRED)
 find_package(fmt REQUIRED)
@@ -53,6 +60,43 @@ if(SHOAL_SANITIZE)
   endif()
 endif()
 
+# A linker from Debian that is several times as fast, where it is there.
+find_program(SHOAL_FAST_LINKER NAMES mold ld.lld)
+if(SHOAL_FAST_LINKER MATCHES "mold$")
+  add_link_options(-fuse-ld=mold)
+elseif(SHOAL_FAST_LINKER)
+  add_link_options(-fuse-ld=lld)
+endif()
+
+# Precompiled headers: what most sources of a kind include, none of it shoal's own. A pure library
+# sees no header in them that it may not include (fmt).
+set(SHOAL_PCH_PURE <algorithm> <array> <cmath> <cstdint> <functional> <limits> <map> <memory>
+  <optional> <set> <span> <string> <string_view> <utility> <variant> <vector> <Eigen/Core>)
+set(SHOAL_PCH_RIM ${SHOAL_PCH_PURE} <fmt/format.h>)
+set(SHOAL_PCH_TEST ${SHOAL_PCH_RIM} <gtest/gtest.h> <rapidcheck/gtest.h>)
+
+# Makes the target that holds the precompiled headers of one kind (pure, rim, test).
+function(shoal_precompiled_headers kind)
+  set(source ${CMAKE_BINARY_DIR}/gen/pch_${kind}.cc)
+  file(CONFIGURE OUTPUT ${source} CONTENT "// Holds the precompiled headers.\n")
+  add_library(shoal_pch_${kind} OBJECT ${source})
+  string(TOUPPER ${kind} upper)
+  target_precompile_headers(shoal_pch_${kind} PRIVATE ${SHOAL_PCH_${upper}})
+  target_link_libraries(shoal_pch_${kind} PRIVATE shoal_flags Eigen3::Eigen ${ARGN})
+  set_target_properties(shoal_pch_${kind} PROPERTIES UNITY_BUILD OFF)
+endfunction()
+
+if(SHOAL_PCH)
+  shoal_precompiled_headers(pure)
+  shoal_precompiled_headers(rim fmt::fmt)
+  set_target_properties(shoal_pch_pure shoal_pch_rim PROPERTIES
+    POSITION_INDEPENDENT_CODE ${BUILD_SHARED_LIBS})
+  if(SHOAL_TESTS)
+    shoal_precompiled_headers(test fmt::fmt GTest::gtest rapidcheck rapidcheck_gtest)
+    target_compile_options(shoal_pch_test PRIVATE ${SHOAL_TEST_OPTIONS})
+  endif()
+endif()
+
 function(shoal_library name)
   cmake_parse_arguments(ARG "PURE" "" "SOURCES;DEPENDS;TESTS;TEST_DEPENDS" ${ARGN})
   if(ARG_UNPARSED_ARGUMENTS)
@@ -74,9 +118,16 @@ function(shoal_library name)
     endforeach()
   endif()
   if(ARG_SOURCES)
-    add_library(${name} STATIC ${ARG_SOURCES})
+    add_library(${name} ${ARG_SOURCES})
     target_link_libraries(${name} PUBLIC ${ARG_DEPENDS} PRIVATE shoal_flags)
     target_include_directories(${name} PUBLIC ${CMAKE_SOURCE_DIR})
+    set_target_properties(${name} PROPERTIES OUTPUT_NAME shoal_${name} DEFINE_SYMBOL "")
+    if(SHOAL_PCH AND ARG_PURE)
+      target_precompile_headers(${name} REUSE_FROM shoal_pch_pure)
+    elseif(SHOAL_PCH)
+      target_precompile_headers(${name} REUSE_FROM shoal_pch_rim)
+      target_link_libraries(${name} PRIVATE fmt::fmt)
+    endif()
   else()
     add_library(${name} INTERFACE)
     target_link_libraries(${name} INTERFACE ${ARG_DEPENDS})
@@ -100,15 +151,38 @@ function(shoal_app name)
 endfunction()
 
 function(shoal_test name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS" ${ARGN})
+  cmake_parse_arguments(ARG "SERIAL" "LABEL;TIMEOUT" "SOURCES;DEPENDS" ${ARGN})
+  if(ARG_UNPARSED_ARGUMENTS)
+    message(FATAL_ERROR "shoal_test(${name}): unknown arguments ${ARG_UNPARSED_ARGUMENTS}")
+  endif()
   if(NOT SHOAL_TESTS)
     return()
   endif()
+  if(NOT ARG_LABEL)
+    set(ARG_LABEL unit)
+  endif()
+  if(NOT ARG_LABEL IN_LIST SHOAL_TEST_LABELS)
+    message(FATAL_ERROR "shoal_test(${name}): LABEL is one of ${SHOAL_TEST_LABELS}")
+  endif()
+  if(NOT ARG_TIMEOUT)
+    set(ARG_TIMEOUT 120)
+  endif()
   add_executable(${name} ${ARG_SOURCES})
-  set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
+  set_target_properties(${name} PROPERTIES
+    RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests UNITY_BUILD OFF)
   target_link_libraries(${name} PRIVATE ${ARG_DEPENDS} shoal_flags GTest::gtest_main
     rapidcheck rapidcheck_gtest)
   target_compile_definitions(${name} PRIVATE
     SHOAL_SOURCE_DIR="${CMAKE_SOURCE_DIR}" SHOAL_BINARY_DIR="${CMAKE_BINARY_DIR}")
-  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 DISCOVERY_MODE PRE_TEST)
+  target_compile_options(${name} PRIVATE ${SHOAL_TEST_OPTIONS})
+  if(SHOAL_PCH)
+    target_precompile_headers(${name} REUSE_FROM shoal_pch_test)
+    target_link_libraries(${name} PRIVATE fmt::fmt)
+  endif()
+  set(properties LABELS ${ARG_LABEL} TIMEOUT ${ARG_TIMEOUT})
+  if(ARG_SERIAL)
+    list(APPEND properties RUN_SERIAL TRUE)
+  endif()
+  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 DISCOVERY_MODE PRE_TEST
+    PROPERTIES ${properties})
 endfunction()

@@ -12,7 +12,9 @@ namespace shoal {
 
 namespace {
 
-float Seconds(int64_t time_us) { return static_cast<float>(static_cast<double>(time_us) / 1e6); }
+float FloatSeconds(int64_t time_us) {
+  return static_cast<float>(static_cast<double>(time_us) / 1e6);
+}
 
 bool IsTellable(const Motion& motion) {
   const FieldLimits limits;
@@ -34,15 +36,15 @@ ReportMessage ReportOf(const SwarmSaying& saying, MessageFlag flag) {
           .reporter_id = saying.state.own_id,
           .position_m = saying.own.position_m.cast<float>(),
           .velocity_mps = saying.own.velocity_mps.cast<float>(),
-          .time_stamp_s = Seconds(saying.now_us)};
+          .time_stamp_s = FloatSeconds(saying.now_us)};
 }
 
 BroadcastMessage BroadcastOf(const SwarmSaying& saying, int64_t response_start_us) {
   BroadcastMessage message = {.group_id = saying.state.group_id,
                               .leader = LeaderMotionOf(saying),
                               .followers = {},
-                              .response_start_s = Seconds(response_start_us),
-                              .time_stamp_s = Seconds(saying.now_us)};
+                              .response_start_s = FloatSeconds(response_start_us),
+                              .time_stamp_s = FloatSeconds(saying.now_us)};
   for (const SwarmContact& member : saying.state.members) {
     const bool is_usable = IsUsable(member);
     message.followers.push_back(
@@ -51,7 +53,7 @@ BroadcastMessage BroadcastOf(const SwarmSaying& saying, int64_t response_start_u
                                  : Eigen::Vector3f::Zero(),
          .velocity_mps = is_usable ? Eigen::Vector3f(member.report.now.velocity_mps.cast<float>())
                                    : Eigen::Vector3f::Zero(),
-         .reported_s = member.is_heard && is_usable ? Seconds(member.reported_us) : 0});
+         .reported_s = member.is_heard && is_usable ? FloatSeconds(member.reported_us) : 0});
   }
   return message;
 }
@@ -89,7 +91,7 @@ std::vector<uint8_t> SwarmBytes(const DueMessage& due, const SwarmSaying& saying
     case SwarmMessage::kLeaderReport:
       return EncodeLeaderReport({.group_id = saying.state.group_id,
                                  .leader = LeaderMotionOf(saying),
-                                 .time_stamp_s = Seconds(saying.now_us)});
+                                 .time_stamp_s = FloatSeconds(saying.now_us)});
     case SwarmMessage::kBroadcastRequest:
       break;
   }

@@ -17,6 +17,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "lib/analysis/plot_gnuplot.h"
 #include "lib/bus/lcm_transport.h"
 #include "lib/run/run_app.h"
 
@@ -101,18 +102,6 @@ MulticastTrial TryMulticast() {
   return trial;
 }
 
-std::string FindOnPath(const std::string& program) {
-  const char* variable = std::getenv("PATH");
-  const std::string path = variable == nullptr ? "" : variable;
-  for (size_t begin = 0; begin < path.size();) {
-    const size_t end = std::min(path.find(':', begin), path.size());
-    const fs::path candidate = fs::path(path.substr(begin, end - begin)) / program;
-    if (access(candidate.c_str(), X_OK) == 0) return candidate.string();
-    begin = end + 1;
-  }
-  return {};
-}
-
 bool Exists(const fs::path& path) {
   std::error_code error;
   return fs::exists(path, error);
@@ -130,7 +119,8 @@ void LookAtJava(DoctorFacts* facts) {
   facts->has_display = display != nullptr && *display != '\0';
   facts->has_lcm_jar = Exists("/usr/share/java/lcm.jar");
   facts->has_chart_jar = Exists("/usr/share/java/jchart2d.jar");
-  facts->java = FindOnPath("java");
+  const char* path = std::getenv("PATH");
+  facts->java = FindExecutable("java", path == nullptr ? "" : path);
   if (facts->java.empty()) return;
   const fs::path home = fs::canonical(facts->java, error).parent_path().parent_path();
   facts->java_has_windows = Exists(home / "lib/libawt_xawt.so");

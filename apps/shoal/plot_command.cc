@@ -86,7 +86,7 @@ class PlotCommand {
   }
 
   int FindGnuplot() {
-    gnuplot_ = FindProgram("gnuplot", options_.search_path);
+    gnuplot_ = FindExecutable("gnuplot", options_.search_path);
     if (!gnuplot_.empty()) return kExitOk;
     return Fail(kExitEnvironment,
                 "gnuplot is missing, which draws the figures. This installs it:\n"

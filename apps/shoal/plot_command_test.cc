@@ -129,7 +129,7 @@ TEST_F(Plot, NeedsALogAndAFolder) {
 
 TEST_F(Plot, DrawsTheContourOfTheSeaFloor) {
   const char* path = std::getenv("PATH");
-  const std::string gnuplot = FindProgram("gnuplot", path == nullptr ? "" : path);
+  const std::string gnuplot = FindExecutable("gnuplot", path == nullptr ? "" : path);
   if (gnuplot.empty()) GTEST_SKIP() << "no gnuplot here";
   const PlotSetting setting{.title = "m", .floor_depth_m = [](double x_m, double y_m) {
                               return 40 + 10 * std::sin(x_m / 30) * std::cos(y_m / 20);
@@ -151,7 +151,7 @@ TEST_F(Plot, DrawsTheContourOfTheSeaFloor) {
 TEST_F(Plot, MakesFiguresThatNameTheVehiclesAndRunNothing) {
   const char* path = std::getenv("PATH");
   options_.search_path = path == nullptr ? "" : path;
-  if (FindProgram("gnuplot", options_.search_path).empty()) GTEST_SKIP() << "no gnuplot here";
+  if (FindExecutable("gnuplot", options_.search_path).empty()) GTEST_SKIP() << "no gnuplot here";
   std::vector<TestEvent> events = TwoVehicles();
   const std::string evil = "X'`touch PWNED`\\\"; system 'touch PWNED'; <b>&@x\n\xff";
   for (int i = 0; i < 10; ++i) {

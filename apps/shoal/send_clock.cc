@@ -16,16 +16,15 @@ namespace shoal {
 namespace {
 
 /// The clock tells its state twice per second, and at once after an order.
-constexpr int64_t kPatience_us = 3'000'000;
+constexpr int64_t kClockPatience_us = 3'000'000;
 /// How long the first measurement of a new speed is waited for.
 constexpr int64_t kFactorPatience_us = 1'000'000;
-constexpr int64_t kPoll_us = 20'000;
 
 bool PollUntil(LcmBus& bus, int64_t patience_us, const std::function<bool()>& is_done) {
   const int64_t begin = MonotonicMicroseconds();
   while (!is_done()) {
     if (MonotonicMicroseconds() - begin > patience_us || !bus.error().empty()) return false;
-    bus.Poll(kPoll_us);
+    bus.Poll(kSendPoll_us);
   }
   return true;
 }
@@ -39,13 +38,13 @@ int SendClock(LcmBus& bus, const OrderToClock& order) {
     state = heard;
     if (watch) watch->OnState(heard);
   });
-  const bool is_there = PollUntil(bus, kPatience_us, [&] { return state.has_value(); });
+  const bool is_there = PollUntil(bus, kClockPatience_us, [&] { return state.has_value(); });
   if (!BusWorks(bus)) return kExitEnvironment;
   if (is_there) {
     watch.emplace(order.command, state);
     Publish(bus, Order(order));
   }
-  if (!is_there || !PollUntil(bus, kPatience_us, [&] { return watch->IsSettled(); })) {
+  if (!is_there || !PollUntil(bus, kClockPatience_us, [&] { return watch->IsSettled(); })) {
     fmt::print(stderr,
                "shoal: the mission's clock does not answer: it stands still, or this is a broker "
                "without a mission; `shoal status shoal` shows whether the launcher answers\n");

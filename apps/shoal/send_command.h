@@ -1,12 +1,16 @@
 // `shoal send`: speaks to a running mission from a shell.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
 #include "lib/bus/lcm_bus.h"
 
 namespace shoal {
+
+/// How long a wait for an answer sleeps at a time.
+inline constexpr int64_t kSendPoll_us = 20'000;
 
 struct SendOptions {
   int port_base = 0;               ///< 0: the one mission that runs.

@@ -16,7 +16,6 @@ namespace {
 
 /// How long an answer from the helm is waited for: a step, and the second of its own rhythm.
 constexpr int64_t kAnswerPatience_us = 1'500'000;
-constexpr int64_t kPoll_us = 20'000;
 
 /// Asks for the pages that are due, and hears what comes.
 void Listen(LcmBus& bus, OrderWatch* watch) {
@@ -25,7 +24,7 @@ void Listen(LcmBus& bus, OrderWatch* watch) {
     request.app = app;
     Publish(bus, channels::AppcastReq(), request);
   }
-  bus.Poll(kPoll_us);
+  bus.Poll(kSendPoll_us);
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ namespace {
 /// Answers come within a millisecond; a busy machine may need longer. Collecting ends after this
 /// long without a further page.
 constexpr int64_t kQuiet_us = 300'000;
-constexpr int64_t kPatience_us = 2'000'000;
+constexpr int64_t kPagePatience_us = 2'000'000;
 constexpr int64_t kRequestInterval_us = 150'000;
 constexpr int kRequestsOfAll = 2;
 
@@ -49,8 +49,8 @@ Result<std::map<std::string, appcast_t>> CollectPages(const PortPlan& ports,
       next_request = now + kRequestInterval_us;
       ++num_requests;
     }
-    const int64_t patience = pages.empty() ? kPatience_us : kQuiet_us;
-    if (now - last > patience || now - begin > 2 * kPatience_us) break;
+    const int64_t patience = pages.empty() ? kPagePatience_us : kQuiet_us;
+    if (now - last > patience || now - begin > 2 * kPagePatience_us) break;
     if (app != "all" && pages.contains(app)) break;
     bus.Poll(20'000);
   }

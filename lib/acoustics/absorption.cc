@@ -3,16 +3,12 @@
 #include <cmath>
 #include <limits>
 
+#include "lib/check/bounds.h"
+
 namespace shoal {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
 /// False for NaN.
-bool IsFrequency(double frequency_khz) {
-  return frequency_khz > 0 && frequency_khz <= kMaxFrequency_khz;
-}
-
 /// One chemical that takes up sound around its `relaxation_khz`.
 double Relaxation(double relaxation_khz, double frequency_khz) {
   const double f2 = frequency_khz * frequency_khz;

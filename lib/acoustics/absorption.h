@@ -23,6 +23,11 @@ constexpr std::array<std::pair<std::string_view, AbsorptionModel>, 2> kAbsorptio
 /// Highest frequency of both models, which is that of Francois and Garrison's measurements.
 constexpr double kMaxFrequency_khz = 1000;
 
+/// Returns true where the formulas for absorption and noise hold.
+constexpr bool IsFrequency(double frequency_khz) {
+  return frequency_khz > 0 && frequency_khz <= kMaxFrequency_khz;
+}
+
 /// Returns the absorption in dB/km at `frequency_khz`, in (0, kMaxFrequency_khz]; infinity for any
 /// other frequency, so that an impossible link carries nothing.
 /// Thorp, W. H. (1967), Analytic description of the low-frequency attenuation coefficient, J.

@@ -4,21 +4,14 @@
 #include <limits>
 
 #include "lib/acoustics/absorption.h"
+#include "lib/check/bounds.h"
 
 namespace shoal {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // Of Simpson's rule over the logarithm of frequency; even. Within 0.001 dB for a band of three
 // decades, which the tests compare with a rule fifty times as fine.
 constexpr int kIntervals = 64;
-
-/// False for NaN.
-bool IsBetween(double value, double min, double max) { return value >= min && value <= max; }
-
-bool IsFrequency(double frequency_khz) {
-  return frequency_khz > 0 && frequency_khz <= kMaxFrequency_khz;
-}
 
 double FromDecibels(double level_db) { return std::pow(10, level_db / 10); }
 

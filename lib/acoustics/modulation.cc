@@ -4,10 +4,10 @@
 #include <cmath>
 #include <limits>
 
+#include "lib/check/bounds.h"
+
 namespace shoal {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// `ratio` is Eb/N0 as a plain number, [0, infinity].
 double WithoutFading(Modulation modulation, double ratio) {

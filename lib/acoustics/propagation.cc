@@ -4,12 +4,10 @@
 #include <cmath>
 #include <limits>
 
+#include "lib/check/bounds.h"
+
 namespace shoal {
-namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-}  // namespace
+namespace {}  // namespace
 
 double TransmissionLoss(double range_m, double spreading_exponent, double absorption_dbpkm) {
   if (!(range_m >= 0 && spreading_exponent >= 0 && absorption_dbpkm >= 0)) return kInfinity;

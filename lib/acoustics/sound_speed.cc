@@ -1,13 +1,8 @@
 #include "lib/acoustics/sound_speed.h"
 
+#include "lib/check/bounds.h"
+
 namespace shoal {
-namespace {
-
-/// False for NaN.
-bool IsBetween(double value, double min, double max) { return value >= min && value <= max; }
-
-}  // namespace
-
 bool IsSeaWater(const SeaWater& water) {
   return IsBetween(water.temperature_degc, kMinTemperature_degc, kMaxTemperature_degc) &&
          IsBetween(water.salinity_ppt, kMinSalinity_ppt, kMaxSalinity_ppt) &&

@@ -4,6 +4,7 @@
 
 #include "lib/acoustics/number_text.h"
 #include "lib/acoustics/propagation.h"
+#include "lib/check/bounds.h"
 
 namespace shoal {
 
@@ -52,9 +53,6 @@ void Check(const OptionRange& range, double value, std::vector<OptionProblem>* p
                            (range.low_is_allowed ? " to " : " and at most ") +
                            RoundedText(range.high) + ", not " + RoundedText(value)});
 }
-
-/// False for NaN.
-bool IsBetween(double value, double min, double max) { return value >= min && value <= max; }
 
 bool IsSea(const Sea& sea) {
   return IsSeaWater(sea.water) && IsBetween(sea.noise.shipping, 0, 1) &&

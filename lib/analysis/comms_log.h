@@ -16,6 +16,7 @@
 
 #include "lib/bus/bus.h"
 #include "lib/bus/channels.h"
+#include "lib/check/time_units.h"
 #include "lib/record/log_format.h"
 
 namespace shoal {
@@ -86,10 +87,6 @@ size_t FatesChannel();
 size_t RulesChannel();
 size_t RequestChannel();
 size_t ReportChannel();
-
-/// Nothing of a mission, and nothing that is alive, is farther from 1970 than this: 31,700 years.
-/// Differences of such times are numbers still.
-inline constexpr int64_t kLatest_us = 1'000'000'000'000'000'000;
 
 /// Returns the time that is `steps` steps later, or nothing where no mission has it.
 [[nodiscard]] std::optional<int64_t> StepsLater(int64_t utime, int64_t steps, int64_t tick_us);

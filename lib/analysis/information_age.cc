@@ -4,14 +4,13 @@
 
 #include <algorithm>
 
+#include "lib/check/time_units.h"
 #include "lib/record/csv_rows.h"
 #include "lib/run/status_page.h"
 
 namespace shoal {
 
 namespace {
-
-constexpr int64_t kLatest_us = 1'000'000'000'000'000'000;  // Differences are numbers still.
 
 bool IsMissionTime(int64_t utime) { return utime >= -kLatest_us && utime <= kLatest_us; }
 

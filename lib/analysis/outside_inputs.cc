@@ -15,7 +15,7 @@ namespace shoal {
 namespace {
 
 /// The broker that heard it, kind, source, number.
-using Transmission = std::tuple<size_t, std::string, std::string, int64_t>;
+using TransmissionKey = std::tuple<size_t, std::string, std::string, int64_t>;
 
 /// Returns which of the log's brokers decided at `utime`.
 size_t BrokerAt(const CommsLog& log, int64_t utime) {
@@ -25,8 +25,8 @@ size_t BrokerAt(const CommsLog& log, int64_t utime) {
 }
 
 /// Returns when the broker decided each transmission.
-std::map<Transmission, int64_t> TimesDecided(const CommsLog& log) {
-  std::map<Transmission, int64_t> times;
+std::map<TransmissionKey, int64_t> TimesDecided(const CommsLog& log) {
+  std::map<TransmissionKey, int64_t> times;
   comms_fates_t message;
   for (const LoggedMessage& fates : log.fates) {
     if (!Decode(log.BytesOf(fates), &message)) continue;
@@ -37,7 +37,7 @@ std::map<Transmission, int64_t> TimesDecided(const CommsLog& log) {
           fate.path.empty() ? fates.utime
                             : StepsLater(fate.path.front().sent_utime, 1, log.tick_us);
       if (!decided_utime) continue;  // No mission has such a time.
-      times.emplace(Transmission(broker, fate.kind, VehicleKey(fate.source), fate.number),
+      times.emplace(TransmissionKey(broker, fate.kind, VehicleKey(fate.source), fate.number),
                     *decided_utime);
     }
   }
@@ -73,7 +73,7 @@ bool Move(LoggedMessage* input, int64_t utime, int64_t tick_us) {
 }
 
 int64_t MoveTransmissions(CommsLog* log) {
-  const std::map<Transmission, int64_t> decided = TimesDecided(*log);
+  const std::map<TransmissionKey, int64_t> decided = TimesDecided(*log);
   std::map<std::tuple<size_t, Kind, std::string>, int64_t> counts;
   int64_t num_moved = 0;
   for (LoggedMessage& input : log->inputs) {
@@ -83,7 +83,7 @@ int64_t MoveTransmissions(CommsLog* log) {
     const size_t broker = BrokerAt(*log, input.utime);
     const int64_t number = counts[{broker, kind, name}]++;
     const auto found =
-        decided.find(Transmission(broker, std::string(KindText(kind)), name, number));
+        decided.find(TransmissionKey(broker, std::string(KindText(kind)), name, number));
     if (found != decided.end() && Move(&input, found->second, log->tick_us)) ++num_moved;
   }
   return num_moved;

@@ -7,12 +7,12 @@
 
 #include "lib/analysis/plot_distances.h"
 #include "lib/bus/seal.h"
+#include "lib/check/time_units.h"
 
 namespace shoal {
 
 namespace {
 
-constexpr int64_t kLatest_us = 1'000'000'000'000'000'000;  // Differences are numbers still.
 /// What begins later than this counts from no mission's start: three years.
 constexpr int64_t kWallTime_us = 100'000'000'000'000;
 constexpr size_t kMostRunsOfAll = 46'000;  // Of each kind of curve: some 80 MB for all seventeen.

@@ -54,7 +54,7 @@ class SpawnActions {
 
 }  // namespace
 
-std::string FindProgram(std::string_view name, std::string_view search_path) {
+std::string FindExecutable(std::string_view name, std::string_view search_path) {
   for (size_t begin = 0; begin < search_path.size();) {
     const size_t end = std::min(search_path.find(':', begin), search_path.size());
     const std::string_view folder = search_path.substr(begin, end - begin);

@@ -11,7 +11,7 @@ namespace shoal {
 /// Returns the first executable file called `name` in the folders of `search_path`, which is
 /// written as PATH is; empty: there is none. Empty folders, which would mean the current one, do
 /// not count.
-[[nodiscard]] std::string FindProgram(std::string_view name, std::string_view search_path);
+[[nodiscard]] std::string FindExecutable(std::string_view name, std::string_view search_path);
 
 /// Runs `program` with the script of this name in `folder` and waits for its end. The error tells
 /// what gnuplot said. The script's name must not begin with a hyphen.

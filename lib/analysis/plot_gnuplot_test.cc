@@ -22,16 +22,16 @@ class Gnuplot : public ::testing::Test {
 
 TEST_F(Gnuplot, IsFoundInTheFirstFolderThatHasIt) {
   const std::string program = WriteProgram("gnuplot", "");
-  EXPECT_EQ(FindProgram("gnuplot", "/nowhere::" + directory_.File("")), program);
-  EXPECT_EQ(FindProgram("gnuplot", "/nowhere:"), "");
-  EXPECT_EQ(FindProgram("gnuplot", ""), "");
+  EXPECT_EQ(FindExecutable("gnuplot", "/nowhere::" + directory_.File("")), program);
+  EXPECT_EQ(FindExecutable("gnuplot", "/nowhere:"), "");
+  EXPECT_EQ(FindExecutable("gnuplot", ""), "");
 }
 
 TEST_F(Gnuplot, IsNoFolderAndNothingThatCannotRun) {
   std::filesystem::create_directory(directory_.File("gnuplot"));
-  EXPECT_EQ(FindProgram("gnuplot", directory_.File("")), "");
+  EXPECT_EQ(FindExecutable("gnuplot", directory_.File("")), "");
   WriteBytes(directory_.File("plain"), {});
-  EXPECT_EQ(FindProgram("plain", directory_.File("")), "");
+  EXPECT_EQ(FindExecutable("plain", directory_.File("")), "");
 }
 
 TEST_F(Gnuplot, IsGivenTheScriptInItsFolderAndNoSettings) {

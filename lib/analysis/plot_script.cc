@@ -10,8 +10,6 @@ namespace shoal {
 namespace {
 
 constexpr int kLeft_px = 84;
-constexpr int kTop_px = 44;
-constexpr int kBottom_px = 72;
 constexpr int kBetween_px = 26;
 constexpr int kRight_px = 24;
 constexpr int kLine_px = 18;  // Of the legend.

@@ -34,6 +34,10 @@ class PlotBlocks {
   int num_blocks_ = 0;
 };
 
+/// Margins above and below the panels.
+inline constexpr int kTop_px = 44;
+inline constexpr int kBottom_px = 72;
+
 /// A file of a figure, and the script that draws it.
 struct Figure {
   std::string name;  ///< "tracks": of tracks.svg, and in its folder of tracks.dat and tracks.gp.

@@ -204,15 +204,13 @@ class TracksFigure {
 
   std::string Script(const std::string& floor, bool png) const {
     constexpr int kPlot_px = 760;
-    constexpr int kLeft_px = 100;
-    constexpr int kTop_px = 44;
-    constexpr int kBottom_px = 72;
+    constexpr int kMapLeft_px = 100;
     const double aspect = bounds_.height() / bounds_.width();
     const int height_px = static_cast<int>(std::clamp(aspect * kPlot_px, 240.0, 760.0));
     const int width_px = static_cast<int>(std::clamp(height_px / aspect, 240.0, 1.0 * kPlot_px));
     Canvas canvas{.png = png, .height_px = height_px + kTop_px + kBottom_px};
     const int legend_px = LegendWidth_px(legend_, canvas.height_px);
-    canvas.width_px = kLeft_px + width_px + legend_px;
+    canvas.width_px = kMapLeft_px + width_px + legend_px;
     const auto share = [](int part, int whole) { return static_cast<double>(part) / whole; };
     std::string script = ScriptHead("tracks", canvas);
     script += floor;
@@ -222,8 +220,8 @@ class TracksFigure {
         "set lmargin at screen {:.4f}\nset rmargin at screen {:.4f}\n"
         "set tmargin at screen {:.4f}\nset bmargin at screen {:.4f}\n"
         "set xrange [{:.9g}:{:.9g}]\nset yrange [{:.9g}:{:.9g}]\n",
-        GnuplotString(TitleOf("Tracks", setting_)), share(kLeft_px, canvas.width_px),
-        share(kLeft_px + width_px, canvas.width_px), 1 - share(kTop_px, canvas.height_px),
+        GnuplotString(TitleOf("Tracks", setting_)), share(kMapLeft_px, canvas.width_px),
+        share(kMapLeft_px + width_px, canvas.width_px), 1 - share(kTop_px, canvas.height_px),
         share(kBottom_px, canvas.height_px), bounds_.left, bounds_.right, bounds_.low,
         bounds_.high);
     script += LegendPlace(canvas, legend_px, kTop_px);

@@ -19,7 +19,7 @@ namespace {
 
 constexpr size_t kMostVehiclesNamed = 10;
 
-std::string Seconds(int64_t utime) {
+std::string SecondsText(int64_t utime) {
   return fmt::format("{:.3f} s", static_cast<double>(utime) / 1e6);
 }
 
@@ -61,8 +61,8 @@ std::map<std::string, LinkFactors> FactorsOf(const BrokerSetup& setup) {
 std::string LogText(const std::vector<std::string>& paths, const CommsLog& log,
                     const std::optional<BrokerSetup>& recorded) {
   std::string text =
-      fmt::format("Log:      {}, {} to {}, {}\n", fmt::join(paths, ", "), Seconds(log.first_utime),
-                  Seconds(log.last_utime), TimeText(log.time));
+      fmt::format("Log:      {}, {} to {}, {}\n", fmt::join(paths, ", "),
+                  SecondsText(log.first_utime), SecondsText(log.last_utime), TimeText(log.time));
   std::map<std::string, int64_t> counts;
   for (const LoggedMessage& input : log.inputs) ++counts[BrokerChannels()[input.channel]];
   std::vector<std::string> words;
@@ -76,7 +76,7 @@ std::string LogText(const std::vector<std::string>& paths, const CommsLog& log,
   }
   for (size_t i = 1; i < log.starts.size(); ++i) {
     text += fmt::format("Restart:  the broker was started again at {} and knew nobody\n",
-                        Seconds(log.starts[i].utime));
+                        SecondsText(log.starts[i].utime));
   }
   return text;
 }
@@ -102,7 +102,7 @@ std::vector<std::string> WarningsOf(const CommsLog& log) {
   if (log.rules && log.rules->is_start == 0) {
     warnings.push_back(
         fmt::format("the log does not hold the broker's start: its rules are those of {}",
-                    Seconds(log.rules->utime)));
+                    SecondsText(log.rules->utime)));
   }
   return warnings;
 }
@@ -162,8 +162,8 @@ std::string AbsencesText(const CommsLog& log, const RebrokerOutcome& outcome) {
         "Away:     while the broker was away{}, after {} until {}: {} decisions more, not counted "
         "below\n",
         log.time == LogTime::kMission ? "" : " (or its decisions were lost)",
-        Seconds(absence.after_utime),
-        absence.to_the_end ? "the end of the log" : Seconds(absence.before_utime),
+        SecondsText(absence.after_utime),
+        absence.to_the_end ? "the end of the log" : SecondsText(absence.before_utime),
         absence.num_decisions);
   }
   if (outcome.num_too_early > 0) {

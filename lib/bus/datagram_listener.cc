@@ -25,7 +25,7 @@ constexpr size_t kBatch = 32;
 constexpr int kMostRounds = 32;
 constexpr size_t kLargest = 65536;
 /// Of a message in one datagram: the magic number, a sequence number, the channel, 0, the message.
-constexpr std::string_view kMagic = "LC02";
+constexpr std::string_view kLcmMagic = "LC02";
 constexpr size_t kHeaderSize = 8;
 
 /// Has the kernel drop what is not of `topics`: the first four bytes of the channel decide.
@@ -113,7 +113,7 @@ int DatagramListener::Receive(
     const std::string_view text(reinterpret_cast<const char*>(&bytes_[i * kLargest]),
                                 headers[i].msg_len);
     const size_t end = text.size() > kHeaderSize ? text.find('\0', kHeaderSize) : text.npos;
-    if (!text.starts_with(kMagic) || end == text.npos) continue;
+    if (!text.starts_with(kLcmMagic) || end == text.npos) continue;
     handler(text.substr(kHeaderSize, end - kHeaderSize),
             std::span(bytes_).subspan(i * kLargest + end + 1, text.size() - end - 1));
   }

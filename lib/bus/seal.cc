@@ -6,7 +6,7 @@ namespace shoal {
 
 namespace {
 
-constexpr uint32_t kMagic = 0x53484f4c;
+constexpr uint32_t kSealMagic = 0x53484f4c;
 constexpr size_t kFixedSize = 1 + 8 + 8 + 4 + 4;
 constexpr size_t kMaxNameSize = 100;
 
@@ -32,14 +32,14 @@ void AppendSeal(const Seal& seal, std::vector<uint8_t>* message) {
   Append(static_cast<uint64_t>(seal.mission_id), 8, message);
   Append(static_cast<uint64_t>(seal.step), 8, message);
   Append(seal.sequence, 4, message);
-  Append(kMagic, 4, message);
+  Append(kSealMagic, 4, message);
 }
 
 Unsealed Unseal(std::span<const uint8_t> datagram) {
   const Unsealed outside{.message = datagram, .seal = std::nullopt};
   if (datagram.size() < kFixedSize) return outside;
   const auto fixed = datagram.last(kFixedSize);
-  if (ReadBigEndian(fixed.subspan(21, 4)) != kMagic) return outside;
+  if (ReadBigEndian(fixed.subspan(21, 4)) != kSealMagic) return outside;
   const size_t name_size = fixed[0];
   if (name_size == 0 || name_size > kMaxNameSize || datagram.size() < kFixedSize + name_size) {
     return outside;

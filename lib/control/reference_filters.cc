@@ -9,7 +9,7 @@ namespace shoal {
 
 namespace {
 
-constexpr double kMaxRate_radps = 1e3;
+constexpr double kMaxReferenceRate_radps = 1e3;
 constexpr double kMaxRpm = 1e6;
 
 }  // namespace
@@ -18,7 +18,8 @@ void HeadingObserver::Update(double gain_hz, double psi_ref_rad, double dt_s) {
   // xi lags psi_d by r_d; the filter's time constant is that of Fossen's pole placement.
   const double time_s = 1 / (gain_hz + 2 * std::sqrt(gain_hz) + 1);
   const double keep = std::exp(-dt_s / time_s);
-  const double rate_radps = std::clamp(r_d_radps, -kMaxRate_radps, kMaxRate_radps);
+  const double rate_radps =
+      std::clamp(r_d_radps, -kMaxReferenceRate_radps, kMaxReferenceRate_radps);
   const double xi = psi_d_rad - rate_radps;
   const double next_psi_d =
       psi_d_rad + dt_s * (rate_radps + gain_hz * WrapPi(WrapPi(psi_ref_rad) - WrapPi(psi_d_rad)));

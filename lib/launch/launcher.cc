@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "lib/check/time_units.h"
 #include "lib/launch/recording.h"
 #include "lib/run/run_app.h"
 #include "lib/run/run_registry.h"
@@ -17,7 +18,6 @@ namespace shoal {
 
 namespace {
 
-constexpr int64_t kSecond_us = 1'000'000;
 constexpr int64_t kIdlePoll_us = 50'000;
 
 int64_t RandomMissionId() {

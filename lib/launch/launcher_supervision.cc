@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <fstream>
 
+#include "lib/check/time_units.h"
 #include "lib/launch/launcher.h"
 #include "lib/run/run_app.h"
 
@@ -15,7 +16,6 @@ namespace shoal {
 
 namespace {
 
-constexpr int64_t kSecond_us = 1'000'000;
 constexpr int64_t kPatience_us = 700'000;        ///< For the step under way when the end is wanted.
 constexpr int64_t kExitPatience_us = 1'000'000;  ///< For processes to leave after END.
 constexpr int64_t kStartPatience_us = 20 * kSecond_us;

@@ -17,7 +17,7 @@
 namespace shoal {
 namespace {
 
-constexpr size_t kMostPoints = 10'000;
+constexpr size_t kMostPathPoints = 10'000;
 constexpr size_t kMostGroupMembers = 1000;
 constexpr double kDeepest_m = 20'000;
 
@@ -153,7 +153,7 @@ void DescribeCascade(Fields& fields, TargetTrackTask& task) {
 
 void Describe(Fields& fields, PathFollowTask& task, const StartPose& start) {
   fields.Require("points", "points = [[0, 0, 10], [100, 0, 20]]");
-  fields.Triples("points", task.points_m, Between(-kFarthest_m, kFarthest_m), kMostPoints);
+  fields.Triples("points", task.points_m, Between(-kFarthest_m, kFarthest_m), kMostPathPoints);
   if (task.points_m.empty() && fields.Has("points", true)) {
     fields.Refuse("points", "points must hold at least one point, like [[100, 0, 20]]");
     task.points_m.emplace_back(Eigen::Vector3d::Zero());

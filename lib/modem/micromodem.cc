@@ -5,12 +5,12 @@
 #include <utility>
 
 #include "lib/check/check.h"
+#include "lib/check/time_units.h"
 #include "lib/modem/utc_time.h"
 
 namespace shoal {
 namespace {
 
-constexpr int64_t kSecond_us = 1'000'000;
 /// From the end of a cycle packet to the request for data.
 constexpr int64_t kPause_us = 100'000;
 constexpr int64_t kMaxAir_us = 3600 * kSecond_us;

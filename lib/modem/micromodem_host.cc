@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "lib/check/time_units.h"
 #include "lib/modem/micromodem.h"
 #include "lib/modem/sentence_reader.h"
 #include "lib/modem/sentence_text.h"
@@ -10,7 +11,6 @@
 namespace shoal {
 namespace {
 
-constexpr int64_t kSecond_us = 1'000'000;
 constexpr int64_t kBootTime_us = 200'000;
 constexpr size_t kMaxEarlyFrames = 8;
 

@@ -1,13 +1,13 @@
 // What a Micro-Modem makes of what it hears.
 #include <algorithm>
 
+#include "lib/check/time_units.h"
 #include "lib/modem/micromodem.h"
 #include "lib/modem/sentence_text.h"
 
 namespace shoal {
 namespace {
 
-constexpr int64_t kSecond_us = 1'000'000;
 constexpr int64_t kHour_us = 3600 * kSecond_us;
 
 std::string Text(int number) { return std::to_string(number); }

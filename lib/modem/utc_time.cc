@@ -2,12 +2,12 @@
 
 #include <algorithm>
 
+#include "lib/check/time_units.h"
 #include "lib/modem/sentence_text.h"
 
 namespace shoal {
 namespace {
 
-constexpr int64_t kSecond_us = 1'000'000;
 constexpr int64_t kDay_s = 86'400;
 constexpr int64_t kDaysIn400Years = 146'097;
 constexpr int64_t kDaysFromMarch0000To1970 = 719'468;

@@ -20,7 +20,7 @@ namespace shoal {
 namespace {
 
 constexpr std::string_view kMission = "mission";
-constexpr std::string_view kComms = "comms";
+constexpr std::string_view kCommsTable = "comms";
 constexpr std::string_view kRest = "rest";
 
 class Importer {
@@ -34,7 +34,7 @@ class Importer {
   MoosImport Run() {
     MissionDraft draft(Preamble());
     draft.AddTable(std::string(kMission), "[mission]", true);
-    draft.AddTable(std::string(kComms), "[comms]");
+    draft.AddTable(std::string(kCommsTable), "[comms]");
     NameVehicles();
     for (VehicleImport& vehicle : vehicles_) vehicle.AddTables(&draft);
     for (VehicleImport& vehicle : vehicles_) vehicle.AddEvents();
@@ -226,7 +226,7 @@ class Importer {
       return true;
     }
     const std::string reason = fmt::format("not vname=NAME, {}=NUMBER", LowerCase(line.key));
-    draft_->Remark(kComms, origin, line.text, reason);
+    draft_->Remark(kCommsTable, origin, line.text, reason);
     Warn(origin + ": " + line.text + ": " + reason);
     return true;
   }
@@ -238,7 +238,7 @@ class Importer {
       });
       if (at == vehicles_.end()) {
         const std::string reason = "none of the files is of this vehicle";
-        draft_->Remark(kComms, origin, text, reason);
+        draft_->Remark(kCommsTable, origin, text, reason);
         Warn(origin + ": " + text + ": " + reason);
         continue;
       }
@@ -253,14 +253,14 @@ class Importer {
     const SettingRule* rule = FindSetting(app_class, line.key);
     const bool is_comms = app_class == "ufldnodecomms";
     if (rule == nullptr || (!is_comms && vehicle == nullptr)) {
-      const std::string table = is_comms             ? std::string(kComms)
+      const std::string table = is_comms             ? std::string(kCommsTable)
                                 : vehicle != nullptr ? vehicle->TableOfApp(app_class)
                                                      : std::string(kRest);
       draft_->Remark(table.empty() ? kRest : std::string_view(table), origin, line.text,
                      std::string(KeyCounterpart(app_class, line.key)));
       return;
     }
-    const std::string table = is_comms ? std::string(kComms) : vehicle->TableOf(rule->place);
+    const std::string table = is_comms ? std::string(kCommsTable) : vehicle->TableOf(rule->place);
     const auto value = SettingValue(rule->kind, line.value);
     if (!value) {
       const std::string reason = fmt::format("not {}", KindText(rule->kind));

@@ -5,7 +5,7 @@ namespace shoal {
 namespace {
 
 /// Memory that a client keeps between lines.
-constexpr size_t kKept_bytes = 4096;
+constexpr size_t kKeptLine_bytes = 4096;
 
 std::string_view WithoutCr(std::string_view line) {
   if (line.ends_with('\r')) line.remove_suffix(1);
@@ -26,7 +26,7 @@ void LineFramer::Keep(std::string_view piece) {
 }
 
 void LineFramer::Forget() {
-  if (begun_.capacity() > kKept_bytes) std::string().swap(begun_);
+  if (begun_.capacity() > kKeptLine_bytes) std::string().swap(begun_);
   begun_.clear();
 }
 

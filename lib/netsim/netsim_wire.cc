@@ -1,5 +1,6 @@
 #include "lib/netsim/netsim_wire.h"
 
+#include <fmt/format.h>
 #include <netsim.pb.h>
 
 #include "lib/codec/base64.h"
@@ -79,8 +80,8 @@ std::string ResponseLine(int32_t id, NetsimStatus status) {
   response.set_request_id(id);
   response.set_status(static_cast<Response::Status>(status));
   const std::string bytes = response.SerializeAsString();
-  return std::string(kPreamble) + std::string(kResponseName) + "|" +
-         Base64(std::vector<uint8_t>(bytes.begin(), bytes.end())) + "\n";
+  return fmt::format("{}{}|{}\n", kPreamble, kResponseName,
+                     Base64(std::vector<uint8_t>(bytes.begin(), bytes.end())));
 }
 
 }  // namespace shoal

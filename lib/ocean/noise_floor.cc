@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lib/check/bounds.h"
 #include "lib/check/check.h"
 
 namespace shoal {
@@ -10,10 +11,7 @@ namespace shoal {
 namespace {
 
 constexpr double kMaxPointsPerSide = 1000;
-constexpr double kMaxCorner_m = 1e9;
-
-/// False for NaN.
-bool IsBetween(double value, double low, double high) { return value >= low && value <= high; }
+constexpr double kMaxFloorCorner_m = 1e9;
 
 }  // namespace
 
@@ -40,8 +38,8 @@ bool IsNoiseFloor(const NoiseFloorOptions& options) {
          IsBetween(options.scale_m, 1, kMaxFloorSize_m) &&
          IsBetween(options.octaves.count, 1, kMaxOctaves) &&
          IsBetween(options.octaves.persistence, 0, 1) &&
-         IsBetween(options.south_west_m.x(), -kMaxCorner_m, kMaxCorner_m) &&
-         IsBetween(options.south_west_m.y(), -kMaxCorner_m, kMaxCorner_m) &&
+         IsBetween(options.south_west_m.x(), -kMaxFloorCorner_m, kMaxFloorCorner_m) &&
+         IsBetween(options.south_west_m.y(), -kMaxFloorCorner_m, kMaxFloorCorner_m) &&
          IsBetween(options.slope.x(), -kMaxFloorSlope, kMaxFloorSlope) &&
          IsBetween(options.slope.y(), -kMaxFloorSlope, kMaxFloorSlope);
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lib/check/bounds.h"
 #include "lib/check/check.h"
 #include "lib/geometry/angles.h"
 
@@ -12,9 +13,6 @@ namespace {
 
 constexpr double kMinDistance_m = 0.01;
 constexpr double kMaxCoordinate_m = 1e9;
-
-/// False for NaN.
-bool IsBetween(double value, double low, double high) { return value >= low && value <= high; }
 
 bool IsPlace(double coordinate_m) {
   return IsBetween(coordinate_m, -kMaxCoordinate_m, kMaxCoordinate_m);

@@ -20,7 +20,6 @@ namespace shoal {
 
 namespace {
 
-constexpr int64_t kTerminalInterval_us = 1'000'000;
 constexpr int kUsefulReceiveBuffer = 4'194'304;  ///< Bytes; more is not asked for.
 
 /// The app's page, with what became of messages before they reached it.

@@ -27,7 +27,6 @@ std::atomic<bool> stop_wanted = false;
 void OnSignal(int) { stop_wanted = true; }
 
 constexpr int64_t kPollInterval_us = 100'000;
-constexpr int64_t kTerminalInterval_us = 1'000'000;
 /// After the end an app stays until nothing has come for so long: others may have missed what it
 /// said last, and ask every 50 ms. (The launcher ends its own children as soon as all have
 /// answered.)

@@ -31,6 +31,9 @@ using MissionAppFactory = std::function<std::unique_ptr<App>(const Mission& miss
 int RunVehicleApp(const AppInfo& info, int argc, char** argv, const VehicleAppFactory& make);
 int RunMissionApp(const AppInfo& info, int argc, char** argv, const MissionAppFactory& make);
 
+/// The terminal shows an app's page this often.
+inline constexpr int64_t kTerminalInterval_us = 1'000'000;
+
 /// Returns microseconds of a clock that never jumps. For the rim only: apps are given their time.
 int64_t MonotonicMicroseconds();
 /// Returns microseconds since 1970, which jump when somebody sets the clock.

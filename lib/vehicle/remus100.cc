@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lib/check/bounds.h"
 #include "lib/check/check.h"
 #include "lib/vehicle/attitude.h"
 #include "lib/vehicle/propulsion.h"
@@ -11,14 +12,12 @@ namespace shoal {
 
 namespace {
 
-constexpr double kMaxSpeed_mps = 25;
+constexpr double kMaxModelSpeed_mps = 25;
 constexpr double kMaxRate_radps = 25;
-
-double FiniteOrZero(double value) { return std::isfinite(value) ? value : 0; }
 
 Vector6d Bounded(const Vector6d& nu) {
   Vector6d bounded;
-  bounded.head<3>() = nu.head<3>().cwiseMin(kMaxSpeed_mps).cwiseMax(-kMaxSpeed_mps);
+  bounded.head<3>() = nu.head<3>().cwiseMin(kMaxModelSpeed_mps).cwiseMax(-kMaxModelSpeed_mps);
   bounded.tail<3>() = nu.tail<3>().cwiseMin(kMaxRate_radps).cwiseMax(-kMaxRate_radps);
   return bounded;
 }

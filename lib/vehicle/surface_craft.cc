@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lib/check/bounds.h"
 #include "lib/check/check.h"
 #include "lib/geometry/angles.h"
 
@@ -11,18 +12,16 @@ namespace shoal {
 namespace {
 
 // Far beyond any vessel: keeps sums finite.
-constexpr double kMaxSpeed_mps = 1e6;
+constexpr double kMaxCraftSpeed_mps = 1e6;
 constexpr double kMaxCoordinate_m = 1e300;
 constexpr double kMaxRudder_deg = 1e6;
 
 SurfaceCraftState Bounded(SurfaceCraftState state) {
   state.position_m = state.position_m.cwiseMin(kMaxCoordinate_m).cwiseMax(-kMaxCoordinate_m);
-  state.speed_mps = std::clamp(state.speed_mps, -kMaxSpeed_mps, kMaxSpeed_mps);
+  state.speed_mps = std::clamp(state.speed_mps, -kMaxCraftSpeed_mps, kMaxCraftSpeed_mps);
   state.rudder_deg = std::clamp(state.rudder_deg, -kMaxRudder_deg, kMaxRudder_deg);
   return state;
 }
-
-double FiniteOrZero(double value) { return std::isfinite(value) ? value : 0; }
 
 double Interpolate(const ThrustPoint& low, const ThrustPoint& high, double thrust_pct) {
   const double share = (thrust_pct - low.thrust_pct) / (high.thrust_pct - low.thrust_pct);
@@ -116,9 +115,10 @@ SurfaceCraftState Step(const SurfaceCraftParams& params, const SurfaceCraftState
   next.yaw_rate_radps = DegToRad(params.turn_rate_degps) * mean_rudder_share * turn_share;
   next.heading_rad = WrapTwoPi(state.heading_rad + next.yaw_rate_radps * dt_s);
 
-  next.velocity_over_ground_mps = 0.5 * (state.speed_mps * UnitVector(state.heading_rad) +
-                                         next.speed_mps * UnitVector(next.heading_rad)) +
-                                  current_mps.cwiseMin(kMaxSpeed_mps).cwiseMax(-kMaxSpeed_mps);
+  next.velocity_over_ground_mps =
+      0.5 * (state.speed_mps * UnitVector(state.heading_rad) +
+             next.speed_mps * UnitVector(next.heading_rad)) +
+      current_mps.cwiseMin(kMaxCraftSpeed_mps).cwiseMax(-kMaxCraftSpeed_mps);
   next.position_m = state.position_m + next.velocity_over_ground_mps * dt_s;
   return next;
 }

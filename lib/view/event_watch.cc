@@ -6,19 +6,27 @@
 #include <array>
 #include <cmath>
 
+#include "lib/mission/mission.h"
 #include "lib/vehicle/contact.h"
+#include "lib/view/view_limits.h"
 
 namespace shoal {
 
 namespace {
 
 constexpr size_t kMaxReason = 200;
-/// Positions of one step may overtake those of the next by less than this.
-constexpr int64_t kOvertaking_us = 1'000'000;
 /// An encounter is over where they are so many times as far apart as a collision is.
 constexpr double kParted = 2;
 
 }  // namespace
+
+std::vector<WatchedVehicle> WatchedVehiclesOf(const Mission& mission) {
+  std::vector<WatchedVehicle> vehicles;
+  for (const Vehicle& vehicle : mission.vehicles) {
+    vehicles.push_back({.name = vehicle.name, .length_m = vehicle.length_m});
+  }
+  return vehicles;
+}
 
 std::string_view EventKindText(EventKind kind) {
   constexpr std::array<std::string_view, 6> kTexts = {

@@ -19,6 +19,8 @@
 
 namespace shoal {
 
+struct Mission;
+
 enum class EventKind : uint8_t {
   kCollision,
   kAllStop,
@@ -41,6 +43,9 @@ struct WatchedVehicle {
   std::string name;
   double length_m = 0;
 };
+
+/// Returns the vehicles of a mission, in its order.
+[[nodiscard]] std::vector<WatchedVehicle> WatchedVehiclesOf(const Mission& mission);
 
 class EventWatch {
  public:

@@ -3,12 +3,11 @@
 #include <algorithm>
 
 #include "lib/routing/vehicle_name.h"
+#include "lib/view/view_limits.h"
 
 namespace shoal {
 
 namespace {
-
-constexpr size_t kMaxNameBytes = 64;
 
 bool IsName(const std::string& name, std::string_view key) {
   return name.size() == key.size() && VehicleKey(name) == key;

@@ -7,11 +7,12 @@
 #include <span>
 #include <vector>
 
+#include "lib/view/view_limits.h"
+
 namespace shoal {
 
 namespace {
 
-constexpr size_t kMaxName = 64;
 /// What acoustic_path_t says without a modem.
 constexpr float kNoSnr_db = -998;
 
@@ -20,7 +21,7 @@ std::string Joined(std::string_view first, std::string_view second) {
   return fmt::format("{}, {}", first, second);
 }
 
-std::string_view ShortName(std::string_view name) { return name.substr(0, kMaxName); }
+std::string_view ShortName(std::string_view name) { return name.substr(0, kMaxNameBytes); }
 
 std::string RangeText(const FateFacts& facts) {
   if (!(facts.range_m >= 0)) return {};

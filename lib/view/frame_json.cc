@@ -8,10 +8,6 @@ namespace shoal {
 
 namespace {
 
-constexpr int kCentimetres = 2;
-constexpr int kMilliseconds = 3;
-constexpr int kTenths = 1;
-
 template <class T, class F>
 void WriteOrNull(const std::optional<T>& value, JsonWriter* json, F write) {
   if (value) {

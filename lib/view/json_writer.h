@@ -11,6 +11,11 @@
 
 namespace shoal {
 
+/// Decimals of numbers, by what they leave of a unit.
+inline constexpr int kTenths = 1;
+inline constexpr int kCentimetres = 2;
+inline constexpr int kMilliseconds = 3;
+
 class JsonWriter {
  public:
   JsonWriter& BeginObject() { return Begin('{'); }

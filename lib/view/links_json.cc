@@ -8,8 +8,6 @@ namespace shoal {
 
 namespace {
 
-constexpr int kMilliseconds = 3;
-
 bool Hears(const Scene& scene, const LinkCounts& link) {
   if (!IsHeard(link.last.cause)) return false;
   if (!scene.rules() || !(scene.rules()->stale_time_s >= 0)) return true;

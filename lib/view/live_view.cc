@@ -13,6 +13,7 @@
 #include "lib/view/links_json.h"
 #include "lib/view/setup_json.h"
 #include "lib/view/vehicle_json.h"
+#include "lib/view/view_limits.h"
 
 namespace shoal {
 
@@ -20,18 +21,9 @@ namespace {
 
 constexpr size_t kFatesOfLink = 50;
 
-std::vector<WatchedVehicle> WatchedVehiclesOf(const Mission& mission) {
-  std::vector<WatchedVehicle> vehicles;
-  for (const Vehicle& vehicle : mission.vehicles) {
-    vehicles.push_back({.name = vehicle.name, .length_m = vehicle.length_m});
-  }
-  return vehicles;
-}
-
 Error UnknownVehicle(std::string_view name) {
-  constexpr size_t kMaxName = 64;
   return Error{fmt::format("the mission has no vehicle '{}'; /api/frame lists them",
-                           name.substr(0, kMaxName))};
+                           name.substr(0, kMaxNameBytes))};
 }
 
 }  // namespace

@@ -17,13 +17,6 @@ namespace {
 /// A pulse that lasts longer is not found again where the log is entered behind its beginning.
 constexpr double kLongestPulse_s = 60;
 
-std::vector<WatchedVehicle> WatchedVehiclesOf(const Mission& mission) {
-  std::vector<WatchedVehicle> watched;
-  for (const Vehicle& vehicle : mission.vehicles)
-    watched.push_back({vehicle.name, vehicle.length_m});
-  return watched;
-}
-
 /// What a channel is to the index.
 struct ChannelUse {
   enum class Topic { kState, kReports, kRules, kFates, kPulses };

@@ -4,12 +4,11 @@
 #include <cmath>
 
 #include "lib/view/stable_id.h"
+#include "lib/view/view_limits.h"
 
 namespace shoal {
 
 namespace {
-
-constexpr size_t kMaxNameBytes = 64;
 
 int64_t InMicroseconds(double seconds) {
   constexpr double kLongest_s = 1e6;

@@ -6,6 +6,7 @@
 
 #include "lib/view/fate_facts.h"
 #include "lib/view/stable_id.h"
+#include "lib/view/view_limits.h"
 #include "lib/view/wire_reader.h"
 #include "shoal/comms_pulses_t.hpp"
 
@@ -18,8 +19,6 @@ constexpr size_t kLeastPulseBytes = 8 * 8 + 4 * 5;
 constexpr size_t kMaxLabel = 100;
 constexpr size_t kMaxColor = 40;
 constexpr double kLongest_s = 3600;
-/// Messages of one step may overtake one another.
-constexpr int64_t kOvertaking_us = 1'000'000;
 
 /// A pulse as it is on the wire.
 struct WirePulse {

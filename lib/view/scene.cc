@@ -9,13 +9,12 @@
 #include "lib/routing/contact.h"
 #include "lib/routing/decide.h"
 #include "lib/routing/vehicle_name.h"
+#include "lib/view/view_limits.h"
 
 namespace shoal {
 
 namespace {
 
-/// Messages of one step may overtake those of the next by less than this.
-constexpr int64_t kOvertaking_us = 1'000'000;
 constexpr double kLongestVehicle_m = 1000;
 constexpr size_t kMaxRecovered = 20;
 

@@ -15,8 +15,6 @@ namespace shoal {
 
 namespace {
 
-constexpr int kCentimetres = 2;
-
 /// A task as it is drawn.
 struct TaskShape {
   std::vector<Eigen::Vector2d> points_m;

@@ -6,10 +6,6 @@ namespace shoal {
 
 namespace {
 
-constexpr int kMilliseconds = 3;
-constexpr int kCentimetres = 2;
-constexpr int kTenths = 1;
-
 void WriteColumn(std::span<const ChartPoint> points, std::string_view key,
                  float ChartPoint::*member, int decimals, JsonWriter* json) {
   json->Key(key).BeginArray();
