@@ -3,6 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
 
 #include "lib/mission/load.h"
 
@@ -48,7 +52,7 @@ TEST(Simulation, TakesEveryStepFromTheFirstToTheLast) {
   EXPECT_FALSE(simulation.Step());
 }
 
-TEST(Simulation, LetsVesselsHearEachOtherOnlyWithinRange) {
+TEST(Simulation, LetsVesselsReceiveReportsOnlyWithinRange) {
   const Mission mission = Load(kTwoVessels);
   Simulation simulation(mission, "");
   while (simulation.Step()) {
@@ -65,6 +69,90 @@ TEST(Simulation, CountsAFatePerReportAndDestination) {
   // Two vessels, 2 reports per second: each is offered to the other once both are known.
   const int64_t offered = simulation.num_delivered() + simulation.num_blocked();
   EXPECT_NEAR(static_cast<double>(offered), 2 * 2 * 30, 4);
+}
+
+std::string FileOf(const std::string& text, const std::string& name) {
+  const std::string path = testing::TempDir() + "/simulation_test_" + name;
+  std::ofstream(path) << text;
+  return path;
+}
+
+std::string ContentOf(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+}
+
+TEST(Simulation, NamesEveryErrorOfAMissionFile) {
+  const auto opened = Simulation::Open(
+      {.mission_file = FileOf("[mission]\nduration_s = -1\n[comms]\nrange = 3\n", "bad.toml")});
+  ASSERT_FALSE(opened.ok());
+  EXPECT_NE(opened.error().find("bad.toml:2:"), std::string::npos) << opened.error();
+  EXPECT_NE(opened.error().find("bad.toml:4:"), std::string::npos) << opened.error();
+  EXPECT_NE(Simulation::Open({.mission_file = "/nowhere.toml"}).error().find("/nowhere.toml"),
+            std::string::npos);
+}
+
+TEST(Simulation, NamesALogThatCannotBeWritten) {
+  const auto opened = Simulation::Open(
+      {.mission_file = FileOf(kTwoVessels, "good.toml"), .log_path = "/nowhere/at/all.lcm"});
+  ASSERT_FALSE(opened.ok());
+  EXPECT_NE(opened.error().find("/nowhere/at/all.lcm"), std::string::npos) << opened.error();
+}
+
+TEST(Simulation, TakesItsSeedAndOverrides) {
+  const auto opened = Simulation::Open({.mission_file = FileOf(kTwoVessels, "seed.toml"),
+                                        .overrides = {"comms.comms_range=50"},
+                                        .seed = 77});
+  ASSERT_TRUE(opened.ok());
+  EXPECT_EQ(opened->mission().seed, 77U);
+  EXPECT_EQ(opened->mission().comms.comms_range_m, 50);
+}
+
+TEST(Simulation, HandsTheEmbedderWhatWasPublishedInTheStepBefore) {
+  Simulation simulation(Load(kTwoVessels), "");
+  std::vector<int64_t> utimes;
+  Subscribe(simulation.bus(), channels::Nav("alpha"),
+            [&](const nav_t& nav) { utimes.push_back(nav.utime); });
+  ASSERT_TRUE(simulation.Step());
+  EXPECT_TRUE(utimes.empty());
+  ASSERT_TRUE(simulation.Step());
+  EXPECT_EQ(utimes, (std::vector<int64_t>{simulation.utime() - 100'000}));
+}
+
+TEST(Simulation, CarriesOutCommandsOfTheEmbedder) {
+  Simulation simulation(Load(kTwoVessels), "");
+  std::string state;
+  Subscribe(simulation.bus(), channels::HelmState("bravo"),
+            [&](const helm_state_t& helm) { state = helm.state; });
+  for (int i = 0; i < 20; ++i) simulation.Step();
+  EXPECT_EQ(state, "PARK");
+  helm_command_t command{};
+  command.utime = simulation.utime();
+  command.command = "deploy";
+  Publish(simulation.bus(), channels::HelmCommand("bravo"), command);
+  for (int i = 0; i < 20; ++i) simulation.Step();
+  EXPECT_EQ(state, "DRIVE");
+}
+
+TEST(Simulation, WritesTheSameLogWhereTheEmbedderOnlySubscribes) {
+  const std::string alone = testing::TempDir() + "/simulation_test_alone.lcm";
+  const std::string watched = testing::TempDir() + "/simulation_test_watched.lcm";
+  {
+    Simulation simulation(Load(kTwoVessels), alone);
+    while (simulation.Step()) {
+    }
+  }
+  int64_t num_received = 0;
+  {
+    Simulation simulation(Load(kTwoVessels), watched);
+    Subscribe(simulation.bus(), channels::CommsFates(),
+              [&](const comms_fates_t&) { ++num_received; });
+    while (simulation.Step()) {
+    }
+  }
+  EXPECT_GT(num_received, 0);
+  EXPECT_FALSE(ContentOf(alone).empty());
+  EXPECT_TRUE(ContentOf(alone) == ContentOf(watched));
 }
 
 TEST(EveryMission, OfShoalsOwnPasses) {

@@ -38,7 +38,7 @@ TEST_F(Import, LeavesAnExistingMissionAlone) {
   const std::string moos = Write("a.moos", kBlock);
   const std::string toml = Write("a.toml", "mine");
   EXPECT_EQ(RunImport({.files = {moos}, .out_path = toml}), kExitUsage);
-  EXPECT_EQ(FileText(toml), "mine");
+  EXPECT_EQ(TextOfFile(toml), "mine");
 }
 
 TEST_F(Import, RefusesAFileThatItCannotRead) {
@@ -86,7 +86,7 @@ TEST(NodeReportsAsAlog, WritesALogOfNodeReports) {
                    out, err),
             kExitOk);
   EXPECT_NE(
-      FileText(directory.File("csv/NODE_REPORT_LOCAL.alog"))
+      TextOfFile(directory.File("csv/NODE_REPORT_LOCAL.alog"))
           .find("\n0.5             NODE_REPORT_LOCAL    node_reporter        NAME=alpha,X=0,"),
       std::string::npos);
   EXPECT_NE(out.str().find("NODE_REPORT_LOCAL.alog: 1 lines"), std::string::npos);

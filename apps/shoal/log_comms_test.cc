@@ -63,14 +63,14 @@ TEST_F(LogCommsCommand, WritesTablesWithTheAgeOverTime) {
   WriteLog(options_.path, {Fates(), Swarm(2'000'000, 0), Swarm(3'000'000, 2'500'000)});
   options_.csv_dir = directory_.File("new/csv");
   EXPECT_EQ(Run(), kExitOk);
-  EXPECT_EQ(FileText(options_.csv_dir + "/age_over_time.csv"),
+  EXPECT_EQ(TextOfFile(options_.csv_dir + "/age_over_time.csv"),
             "time_s,vehicle,contact,is_target,age_s\n"
             "2.000000,bravo,alpha,1,2.000000\n"
             "3.000000,bravo,alpha,1,3.000000\n"
             "3.000000,bravo,alpha,1,0.500000\n");
   for (const char* name : {"links.csv", "losses.csv", "swarm_sources.csv", "swarm_events.csv",
                            "age.csv", "age_over_time.csv"}) {
-    EXPECT_GT(FileText(options_.csv_dir + "/" + name).size(), 20U) << name;
+    EXPECT_GT(TextOfFile(options_.csv_dir + "/" + name).size(), 20U) << name;
     EXPECT_NE(out_.str().find(options_.csv_dir + "/" + name + "\n"), std::string::npos) << name;
   }
 }

@@ -34,7 +34,7 @@ class Plot : public ::testing::Test {
     WriteBytes(directory_.File(name), Bytes(text.begin(), text.end()));
   }
   std::string Script(const std::string& figure) {
-    return FileText(directory_.File("plots/gnuplot/" + figure + ".gp"));
+    return TextOfFile(directory_.File("plots/gnuplot/" + figure + ".gp"));
   }
 
   TestDirectory directory_;
@@ -48,7 +48,7 @@ constexpr const char* kMission =
     "[[vehicle]]\nname = \"bravo\"\n";
 
 TEST_F(Plot, SaysHowToInstallGnuplot) {
-  WriteLog(options_.log, TwoVehicles());
+  WriteLog(options_.log, LogOfTwoVehicles());
   options_.search_path = directory_.File("nothing");
   EXPECT_EQ(Run(), kExitEnvironment);
   EXPECT_NE(err_.str().find("apt-get install --no-install-recommends gnuplot-nox"),
@@ -57,9 +57,9 @@ TEST_F(Plot, SaysHowToInstallGnuplot) {
 }
 
 TEST_F(Plot, NamesWhatItDrawsAndWhatItLeavesOut) {
-  WriteLog(options_.log, TwoVehicles());
+  WriteLog(options_.log, LogOfTwoVehicles());
   EXPECT_EQ(Run(), kExitOk);
-  EXPECT_EQ(FileText(directory_.File("plots/drawn")),
+  EXPECT_EQ(TextOfFile(directory_.File("plots/drawn")),
             "tracks.gp\ntrack_error.gp\ndistances.gp\nactuators.gp\nspeed.gp\n");
   EXPECT_NE(out_.str().find("plots/tracks.svg\n"), std::string::npos);
   EXPECT_NE(out_.str().find("depth is left out: all vehicles stay at the surface\n"),
@@ -71,7 +71,7 @@ TEST_F(Plot, NamesWhatItDrawsAndWhatItLeavesOut) {
 }
 
 TEST_F(Plot, KeepsScriptsAndNeverWritesOverThem) {
-  WriteLog(options_.log, TwoVehicles());
+  WriteLog(options_.log, LogOfTwoVehicles());
   options_.keep = true;
   EXPECT_EQ(Run(), kExitOk);
   EXPECT_NE(Script("tracks"), "");
@@ -80,7 +80,7 @@ TEST_F(Plot, KeepsScriptsAndNeverWritesOverThem) {
 }
 
 TEST_F(Plot, TakesTheMissionBesideTheLogWithItsOverrides) {
-  WriteLog(options_.log, TwoVehicles());
+  WriteLog(options_.log, LogOfTwoVehicles());
   WriteMission("mission.toml", kMission);
   WriteMission("run.txt", "mission_file /somewhere/berta.toml\nset mission.seed=9\n");
   options_.keep = true;
@@ -90,28 +90,28 @@ TEST_F(Plot, TakesTheMissionBesideTheLogWithItsOverrides) {
 }
 
 TEST_F(Plot, DrawsWithoutAMissionThatDoesNotLoad) {
-  WriteLog(options_.log, TwoVehicles());
+  WriteLog(options_.log, LogOfTwoVehicles());
   WriteMission("mission.toml", "[mission]\n");
   EXPECT_EQ(Run(), kExitOk);
   EXPECT_NE(err_.str().find("drawn without their mission"), std::string::npos);
 }
 
 TEST_F(Plot, RefusesAMissionThatWasNamedAndDoesNotLoad) {
-  WriteLog(options_.log, TwoVehicles());
+  WriteLog(options_.log, LogOfTwoVehicles());
   options_.mission_file = directory_.File("none.toml");
   EXPECT_EQ(Run(), kExitUsage);
   EXPECT_NE(err_.str().find("none.toml"), std::string::npos);
 }
 
 TEST_F(Plot, NamesTheVehiclesThatThereAre) {
-  WriteLog(options_.log, TwoVehicles());
+  WriteLog(options_.log, LogOfTwoVehicles());
   options_.vehicles = {"charlie"};
   EXPECT_EQ(Run(), kExitUsage);
   EXPECT_NE(err_.str().find("no vehicle 'charlie'; there are: ALPHA, BRAVO\n"), std::string::npos);
 }
 
 TEST_F(Plot, DrawsWhatCanBeReadOfADamagedLogAndSaysSo) {
-  WriteLog(options_.log, TwoVehicles());
+  WriteLog(options_.log, LogOfTwoVehicles());
   Bytes bytes = FileBytes(options_.log);
   bytes.resize(bytes.size() - 5);
   WriteBytes(options_.log, bytes);
@@ -122,7 +122,7 @@ TEST_F(Plot, DrawsWhatCanBeReadOfADamagedLogAndSaysSo) {
 
 TEST_F(Plot, NeedsALogAndAFolder) {
   EXPECT_EQ(Run(), kExitEnvironment);
-  WriteLog(options_.log, TwoVehicles());
+  WriteLog(options_.log, LogOfTwoVehicles());
   options_.out_dir = "/dev/null/plots";
   EXPECT_EQ(Run(), kExitEnvironment);
 }
@@ -135,7 +135,7 @@ TEST_F(Plot, DrawsTheContourOfTheSeaFloor) {
                               return 40 + 10 * std::sin(x_m / 30) * std::cos(y_m / 20);
                             }};
   PlotDataBuilder builder({}, setting);
-  for (const TestEvent& event : TwoVehicles()) {
+  for (const TestEvent& event : LogOfTwoVehicles()) {
     builder.Add({.utime = event.utime, .channel = event.channel, .data = event.data});
   }
   const Figure tracks = DrawFigures(builder.Build(), setting, false).at(0);
@@ -143,7 +143,7 @@ TEST_F(Plot, DrawsTheContourOfTheSeaFloor) {
   WriteMission("bin/tracks.gp", tracks.script);
   const auto drawn = RunGnuplot(gnuplot, directory_.File("bin"), "tracks.gp");
   ASSERT_TRUE(drawn.ok()) << drawn.error();
-  const std::string svg = FileText(directory_.File("tracks.svg"));
+  const std::string svg = TextOfFile(directory_.File("tracks.svg"));
   EXPECT_NE(svg.find("sea floor, depth [m]"), std::string::npos);
   EXPECT_NE(svg.find("rgb(200, 184, 154)"), std::string::npos);  // The contour's lines.
 }
@@ -152,16 +152,16 @@ TEST_F(Plot, MakesFiguresThatNameTheVehiclesAndRunNothing) {
   const char* path = std::getenv("PATH");
   options_.search_path = path == nullptr ? "" : path;
   if (FindExecutable("gnuplot", options_.search_path).empty()) GTEST_SKIP() << "no gnuplot here";
-  std::vector<TestEvent> events = TwoVehicles();
+  std::vector<TestEvent> events = LogOfTwoVehicles();
   const std::string evil = "X'`touch PWNED`\\\"; system 'touch PWNED'; <b>&@x\n\xff";
   for (int i = 0; i < 10; ++i) {
-    events.push_back(EventOf("NAV_" + evil, NavAt(i * 1'000'000, i, i, 10 + i)));
+    events.push_back(EventOf("NAV_" + evil, PlottedNav(i * 1'000'000, i, i, 10 + i)));
   }
   WriteLog(options_.log, events);
   options_.keep = true;
   ASSERT_EQ(Run(), kExitOk) << err_.str();
   for (const char* figure : {"tracks", "depth", "track_error", "distances", "actuators", "speed"}) {
-    const std::string svg = FileText(directory_.File(std::string("plots/") + figure + ".svg"));
+    const std::string svg = TextOfFile(directory_.File(std::string("plots/") + figure + ".svg"));
     EXPECT_TRUE(svg.starts_with("<?xml")) << figure;
     EXPECT_TRUE(svg.find("</svg>") != std::string::npos) << figure;
     EXPECT_NE(svg.find("<text>alpha</text>"), std::string::npos) << figure;

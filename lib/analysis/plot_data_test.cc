@@ -22,7 +22,7 @@ PlotData DataOf(const std::vector<TestEvent>& events, const PlotSelection& selec
 }
 
 TEST(PlotData, GathersWhatTheVehiclesSaid) {
-  const PlotData data = DataOf(TwoVehicles());
+  const PlotData data = DataOf(LogOfTwoVehicles());
   ASSERT_EQ(data.vehicles.size(), 2u);
   const VehicleCurves& alpha = data.vehicles[0];
   EXPECT_EQ(alpha.name, "alpha");
@@ -39,7 +39,7 @@ TEST(PlotData, GathersWhatTheVehiclesSaid) {
 }
 
 TEST(PlotData, MeasuresTheDistanceToTheNearestAtEveryTime) {
-  const PlotData data = DataOf(TwoVehicles());
+  const PlotData data = DataOf(LogOfTwoVehicles());
   const Stroke distance = data.vehicles[1].nearest_m.Strokes().at(0);
   EXPECT_EQ(distance.front(), (CurvePoint{0, 30}));
   EXPECT_EQ(distance.back().x, 60);
@@ -49,13 +49,13 @@ TEST(PlotData, MeasuresTheDistanceToTheNearestAtEveryTime) {
 TEST(PlotData, MeasuresTheDistanceToTheTarget) {
   PlotSetting setting;
   setting.vehicles = {{.name = "bravo", .color = "red", .target = "Alpha"}};
-  const PlotData data = DataOf(TwoVehicles(), {}, setting);
+  const PlotData data = DataOf(LogOfTwoVehicles(), {}, setting);
   EXPECT_TRUE(data.vehicles[0].target_m.empty());
   EXPECT_EQ(data.vehicles[1].target_m.Strokes().at(0).front(), (CurvePoint{0, 30}));
 }
 
 TEST(PlotData, MarksEqualTimes) {
-  const PlotData data = DataOf(TwoVehicles());
+  const PlotData data = DataOf(LogOfTwoVehicles());
   EXPECT_EQ(data.mark_interval_s, 10);
   const std::vector<TimeMark>& marks = data.vehicles[0].marks;
   ASSERT_EQ(marks.size(), 6u);
@@ -65,7 +65,8 @@ TEST(PlotData, MarksEqualTimes) {
 }
 
 TEST(PlotData, KeepsToTheVehiclesAndTimesAskedFor) {
-  const PlotData data = DataOf(TwoVehicles(), {.vehicles = {"Bravo"}, .from_s = 20, .to_s = 30});
+  const PlotData data =
+      DataOf(LogOfTwoVehicles(), {.vehicles = {"Bravo"}, .from_s = 20, .to_s = 30});
   ASSERT_EQ(data.vehicles.size(), 1u);
   EXPECT_EQ(data.first_s, 20);
   EXPECT_EQ(data.last_s, 30);
@@ -77,25 +78,25 @@ TEST(PlotData, KeepsToTheVehiclesAndTimesAskedFor) {
 TEST(PlotData, CountsTimeFromTheMissionsStart) {
   PlotSetting setting;
   setting.start_utime = 10'000'000;
-  EXPECT_EQ(DataOf(TwoVehicles(), {}, setting).last_s, 50);
+  EXPECT_EQ(DataOf(LogOfTwoVehicles(), {}, setting).last_s, 50);
   const int64_t wall_utime = 1'700'000'000'000'000;
-  const PlotData data = DataOf({EventOf("NAV_ALPHA", NavAt(wall_utime, 0, 0)),
-                                EventOf("NAV_ALPHA", NavAt(wall_utime + 2'000'000, 1, 0))});
+  const PlotData data = DataOf({EventOf("NAV_ALPHA", PlottedNav(wall_utime, 0, 0)),
+                                EventOf("NAV_ALPHA", PlottedNav(wall_utime + 2'000'000, 1, 0))});
   EXPECT_TRUE(data.zero_is_first);
   EXPECT_EQ(data.last_s, 2);
 }
 
 TEST(PlotData, ReadsSealedMessagesToo) {
-  std::vector<TestEvent> events = {EventOf("NAV_ALPHA", NavAt(0, 3, 4))};
+  std::vector<TestEvent> events = {EventOf("NAV_ALPHA", PlottedNav(0, 3, 4))};
   AppendSeal({.publisher = "vehicle_sim_alpha", .mission_id = 1, .step = 0, .sequence = 0},
              &events[0].data);
   EXPECT_EQ(DataOf(events).vehicles.at(0).start, (CurvePoint{3, 4}));
 }
 
 TEST(PlotData, LeavesTheFloorOutWhereItIsNotKnown) {
-  nav_t over_ground = NavAt(0, 0, 0, 5);
+  nav_t over_ground = PlottedNav(0, 0, 0, 5);
   over_ground.altitude_m = 15;
-  nav_t unknown = NavAt(100'000, 0, 0, 5);
+  nav_t unknown = PlottedNav(100'000, 0, 0, 5);
   nav_t again = over_ground;
   again.utime = 200'000;
   const PlotData data =
@@ -138,11 +139,12 @@ TEST(PlotData, DrawsNoAgeWhileNothingIsHeard) {
 
 TEST(PlotData, CountsWhatItCannotDraw) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  const PlotData data = DataOf({EventOf("NAV_A", NavAt(std::numeric_limits<int64_t>::max(), 0, 0)),
-                                EventOf("NAV_A", NavAt(0, nan, 1e300, -1e300)),
-                                {.utime = 0, .channel = "NAV_A", .data = {1, 2, 3}},
-                                {.utime = 0, .channel = "NAV_", .data = {}},
-                                {.utime = 0, .channel = "", .data = {}}});
+  const PlotData data =
+      DataOf({EventOf("NAV_A", PlottedNav(std::numeric_limits<int64_t>::max(), 0, 0)),
+              EventOf("NAV_A", PlottedNav(0, nan, 1e300, -1e300)),
+              {.utime = 0, .channel = "NAV_A", .data = {1, 2, 3}},
+              {.utime = 0, .channel = "NAV_", .data = {}},
+              {.utime = 0, .channel = "", .data = {}}});
   EXPECT_EQ(data.num_undecodable, 1);
   EXPECT_GE(data.num_impossible, 3);
   EXPECT_FALSE(data.vehicles.at(0).start);
@@ -155,7 +157,7 @@ RC_GTEST_PROP(PlotData, TakesAnyNumbersAndTimes, ()) {
   std::vector<TestEvent> events;
   const auto count = *rc::gen::inRange(0, 30);
   for (int i = 0; i < count; ++i) {
-    nav_t nav = NavAt(*rc::gen::arbitrary<int64_t>(), *number, *number, *number);
+    nav_t nav = PlottedNav(*rc::gen::arbitrary<int64_t>(), *number, *number, *number);
     nav.altitude_m = *number;
     nav.heading_deg = *number;
     nav.course_over_ground_deg = *number;

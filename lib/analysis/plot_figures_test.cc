@@ -38,7 +38,7 @@ class Figures : public ::testing::Test {
 };
 
 TEST_F(Figures, ShowTracksWithEqualAxesPlanAndMarks) {
-  Draw(TwoVehicles(), Berta());
+  Draw(LogOfTwoVehicles(), Berta());
   const Figure& tracks = Of("tracks");
   EXPECT_EQ(tracks.why_left_out, "");
   EXPECT_TRUE(Contains(tracks.script, "set size ratio -1\n"));
@@ -53,7 +53,7 @@ TEST_F(Figures, ShowTracksWithEqualAxesPlanAndMarks) {
 }
 
 TEST_F(Figures, ShowTheWaypointsThatTheHelmToldWhereThereIsNoMission) {
-  Draw(TwoVehicles(), {.title = "log"});
+  Draw(LogOfTwoVehicles(), {.title = "log"});
   EXPECT_TRUE(Contains(Of("tracks").script, "set title 'Tracks: log'\n"));
   EXPECT_TRUE(Contains(Of("tracks").data, "# alpha, waypoints\n200 0\n"));
 }
@@ -61,18 +61,18 @@ TEST_F(Figures, ShowTheWaypointsThatTheHelmToldWhereThereIsNoMission) {
 TEST_F(Figures, ShowTheContourOfAFloorThatIsNotFlat) {
   PlotSetting setting = Berta();
   setting.floor_depth_m = [](double x_m, double) { return 20 + 0.1 * x_m; };
-  Draw(TwoVehicles(), setting);
+  Draw(LogOfTwoVehicles(), setting);
   EXPECT_TRUE(Contains(Of("tracks").script, "set contour base\n"));
   EXPECT_TRUE(Contains(Of("tracks").script, "plot $floor"));
   setting.floor_depth_m = [](double, double) { return 20; };
-  Draw(TwoVehicles(), setting);
+  Draw(LogOfTwoVehicles(), setting);
   EXPECT_FALSE(Contains(Of("tracks").script, "$floor"));
 }
 
 TEST_F(Figures, LeaveOutWhatTheLogDoesNotHold) {
-  Draw(TwoVehicles(), Berta());
+  Draw(LogOfTwoVehicles(), Berta());
   EXPECT_EQ(Of("depth").why_left_out, "all vehicles stay at the surface");
-  Draw({EventOf("NAV_ALPHA", NavAt(0, 0, 0, 5))}, Berta());
+  Draw({EventOf("NAV_ALPHA", PlottedNav(0, 0, 0, 5))}, Berta());
   EXPECT_EQ(Of("depth").why_left_out, "");
   EXPECT_EQ(Of("distances").why_left_out, "there is one vehicle alone");
   EXPECT_EQ(Of("actuators").why_left_out, "no ACTUATORS of these vehicles in the log");
@@ -83,24 +83,24 @@ TEST_F(Figures, LeaveOutWhatTheLogDoesNotHold) {
 TEST_F(Figures, ShowDistancesThatALawHoldsTo) {
   PlotSetting setting = Berta();
   setting.distances = {{"r_safe", 10}, {"r_inner", 80}};
-  Draw(TwoVehicles(), setting);
+  Draw(LogOfTwoVehicles(), setting);
   EXPECT_TRUE(Contains(Of("distances").script, "title 'r_inner = 80 m'"));
   EXPECT_TRUE(Contains(Of("distances").data, "\n0 80\n60 80\n"));
 }
 
 TEST_F(Figures, CutAHeadingThatGoesThroughNorth) {
-  nav_t before = NavAt(0, 0, 0);
+  nav_t before = PlottedNav(0, 0, 0);
   before.heading_deg = 359;
-  nav_t after = NavAt(100'000, 0, 0);
+  nav_t after = PlottedNav(100'000, 0, 0);
   after.heading_deg = 1;
   Draw({EventOf("NAV_A", before), EventOf("NAV_A", after)}, Berta());
   EXPECT_TRUE(Contains(Of("speed").data, "\n0 359\n\n0.1 1\n"));
 }
 
 TEST_F(Figures, ShowHowOldNewsOfTargetsAre) {
-  Draw(TwoVehicles(), Berta());
+  Draw(LogOfTwoVehicles(), Berta());
   EXPECT_EQ(Of("age").why_left_out, "no SWARM of these vehicles in the log");
-  std::vector<TestEvent> events = TwoVehicles();
+  std::vector<TestEvent> events = LogOfTwoVehicles();
   for (const int64_t utime : {1'000'000, 2'000'000}) {
     events.push_back(EventOf("SWARM_BRAVO", SwarmAt(utime, "bravo", {ContactAt("alpha", 0)})));
   }
@@ -112,7 +112,7 @@ TEST_F(Figures, ShowHowOldNewsOfTargetsAre) {
 }
 
 TEST_F(Figures, ShowTheDepthWithTheSeaFloorBelow) {
-  nav_t nav = NavAt(0, 0, 0, 5);
+  nav_t nav = PlottedNav(0, 0, 0, 5);
   nav.altitude_m = 15;
   Draw({EventOf("NAV_A", nav)}, Berta());
   EXPECT_TRUE(Contains(Of("depth").script, "reverse"));

@@ -37,7 +37,7 @@ TEST_F(Gnuplot, IsNoFolderAndNothingThatCannotRun) {
 TEST_F(Gnuplot, IsGivenTheScriptInItsFolderAndNoSettings) {
   const std::string program = WriteProgram("fake", "#!/bin/sh\necho \"$1 $2\" > said\n");
   ASSERT_TRUE(RunGnuplot(program, directory_.File(""), "a.gp").ok());
-  EXPECT_EQ(FileText(directory_.File("said")), "-d a.gp\n");
+  EXPECT_EQ(TextOfFile(directory_.File("said")), "-d a.gp\n");
 }
 
 TEST_F(Gnuplot, TellsWhatItSaidWhereItFails) {

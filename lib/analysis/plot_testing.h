@@ -10,7 +10,7 @@
 
 namespace shoal {
 
-inline nav_t NavAt(int64_t utime, double x_m, double y_m, double z_m = 0) {
+inline nav_t PlottedNav(int64_t utime, double x_m, double y_m, double z_m = 0) {
   nav_t nav{};
   nav.utime = utime;
   nav.x_m = x_m;
@@ -26,17 +26,17 @@ TestEvent EventOf(const std::string& channel, const T& message) {
 }
 
 /// Two vehicles for a minute: alpha goes East at 2 m/s, bravo stays at (0, 30).
-inline std::vector<TestEvent> TwoVehicles() {
+inline std::vector<TestEvent> LogOfTwoVehicles() {
   std::vector<TestEvent> events;
   for (int i = 0; i <= 600; ++i) {
     const int64_t utime = i * 100'000;
-    nav_t alpha = NavAt(utime, 0.2 * i, 0);
+    nav_t alpha = PlottedNav(utime, 0.2 * i, 0);
     alpha.speed_mps = 2;
     alpha.speed_over_ground_mps = 2;
     alpha.heading_deg = 85;
     alpha.course_over_ground_deg = 90;
     events.push_back(EventOf("NAV_ALPHA", alpha));
-    events.push_back(EventOf("NAV_BRAVO", NavAt(utime, 0, 30)));
+    events.push_back(EventOf("NAV_BRAVO", PlottedNav(utime, 0, 30)));
     actuators_t actuators{};
     actuators.utime = utime;
     actuators.thrust_pct = 40;

@@ -12,7 +12,7 @@ namespace {
 const std::string kFront = "NETSIM|netsim.protobuf.NetSimManagerResponse|";
 
 NetsimReply Answered(const std::vector<uint8_t>& message) {
-  return AnswerLine(LineOf(message), "127.0.0.1", TwoVehicles());
+  return AnswerLine(LineOf(message), "127.0.0.1", TwoNetsimVehicles());
 }
 
 /// A request with id 7 for this port, from the middle of the bay.
@@ -46,7 +46,7 @@ TEST(AnswerLine, TellsWhyNot) {
   EXPECT_EQ(reply.outcome, NetsimOutcome::kOutOfDefinedRegion);
   EXPECT_EQ(reply.problem, "bruce: lat 41.5 is not from -10 to 10 (environment 'date line')");
   EXPECT_EQ(Answered(Request(0xB2)).outcome, NetsimOutcome::kInvalidModemTcpPort);
-  EXPECT_EQ(AnswerLine(LineOf(Request(0xB0)), "10.0.0.1", TwoVehicles()).outcome,
+  EXPECT_EQ(AnswerLine(LineOf(Request(0xB0)), "10.0.0.1", TwoNetsimVehicles()).outcome,
             NetsimOutcome::kInvalidSourceAddress);
 }
 
@@ -60,7 +60,7 @@ TEST(AnswerLine, HasNoAnswerForWhatIsNoRequest) {
       {LineOf({}), NetsimOutcome::kUndecodable},
   };
   for (const auto& [line, outcome] : lines) {
-    const NetsimReply reply = AnswerLine(line, "127.0.0.1", TwoVehicles());
+    const NetsimReply reply = AnswerLine(line, "127.0.0.1", TwoNetsimVehicles());
     EXPECT_EQ(reply.answer, "") << line;
     EXPECT_EQ(reply.outcome, outcome) << line;
     EXPECT_EQ(reply.problem.empty(), outcome == NetsimOutcome::kBlank) << line;

@@ -16,7 +16,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 NetsimVerdict EvaluateNavs(const std::vector<NetsimNav>& navs,
                            const std::string& address = "127.0.0.1") {
   return EvaluateRequest({.id = 1, .navs = navs, .stats = {}, .is_whole = true}, address,
-                         TwoVehicles());
+                         TwoNetsimVehicles());
 }
 
 NetsimNav With(double NetsimNav::*member, double value) {
@@ -114,7 +114,7 @@ TEST(EvaluateRequest, StopsAtTheFirstThatFails) {
 TEST(EvaluateRequest, TakesStatsWhateverBecameOfThePositions) {
   const NetsimRequest request{
       .id = 1, .navs = {WithPort(1)}, .stats = {NetsimReceiveStats{}}, .is_whole = true};
-  const NetsimVerdict verdict = EvaluateRequest(request, "127.0.0.1", TwoVehicles());
+  const NetsimVerdict verdict = EvaluateRequest(request, "127.0.0.1", TwoNetsimVehicles());
   EXPECT_EQ(verdict.status, NetsimStatus::kInvalidModemTcpPort);
   EXPECT_EQ(verdict.stats.size(), 1U);
 }
@@ -124,7 +124,7 @@ TEST(EvaluateRequest, TakesNothingOfARequestThatIsNotWhole) {
                               .navs = {AliceNav(), With(&NetsimNav::heading_deg, kNotGiven)},
                               .stats = {NetsimReceiveStats{}},
                               .is_whole = false};
-  const NetsimVerdict verdict = EvaluateRequest(request, "127.0.0.1", TwoVehicles());
+  const NetsimVerdict verdict = EvaluateRequest(request, "127.0.0.1", TwoNetsimVehicles());
   EXPECT_EQ(verdict.status, NetsimStatus::kOutOfDefinedRegion);
   EXPECT_TRUE(verdict.positions.empty());
   EXPECT_TRUE(verdict.stats.empty());
@@ -133,7 +133,7 @@ TEST(EvaluateRequest, TakesNothingOfARequestThatIsNotWhole) {
 TEST(EvaluateRequest, GivesNoStatusWhereOnlyStatsAreNotWhole) {
   const NetsimRequest request{
       .id = 1, .navs = {AliceNav()}, .stats = {NetsimReceiveStats{}}, .is_whole = false};
-  const NetsimVerdict verdict = EvaluateRequest(request, "127.0.0.1", TwoVehicles());
+  const NetsimVerdict verdict = EvaluateRequest(request, "127.0.0.1", TwoNetsimVehicles());
   EXPECT_EQ(verdict.status, std::nullopt);
   EXPECT_TRUE(verdict.positions.empty());
   EXPECT_TRUE(verdict.stats.empty());

@@ -24,10 +24,10 @@ constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 TEST(NetsimOptions, AreRightByDefault) { EXPECT_EQ(Problems({}), Places{}); }
 
-TEST(NetsimOptions, OfTheTestsAreRight) { EXPECT_EQ(Problems(TwoVehicles()), Places{}); }
+TEST(NetsimOptions, OfTheTestsAreRight) { EXPECT_EQ(Problems(TwoNetsimVehicles()), Places{}); }
 
 TEST(NetsimOptions, WantEachPortOnce) {
-  NetsimOptions options = TwoVehicles();
+  NetsimOptions options = TwoNetsimVehicles();
   options.vehicles[1].modem_tcp_port = 62000;
   EXPECT_EQ(Problems(options), Places{"netsim.vehicle 'bruce'.modem_tcp_port"});
   options.vehicles[1].modem_tcp_port = 61999;
@@ -40,7 +40,7 @@ TEST(NetsimOptions, WantEachPortOnce) {
 }
 
 TEST(NetsimOptions, WantPortsThatThereAre) {
-  NetsimOptions options = TwoVehicles();
+  NetsimOptions options = TwoNetsimVehicles();
   options.port = 65536;
   options.vehicles[0].modem_tcp_port = 0;
   options.vehicles[1].gps.tcp_port = -1;
@@ -50,7 +50,7 @@ TEST(NetsimOptions, WantPortsThatThereAre) {
 
 TEST(NetsimOptions, WantAddressesThatClientsCanHave) {
   for (const char* address : {"localhost", "", "127.0.0", "127.0.0.01", "::1", "127.0.0.1 "}) {
-    NetsimOptions options = TwoVehicles();
+    NetsimOptions options = TwoNetsimVehicles();
     options.address = address;
     options.vehicles[1].address = address;
     EXPECT_EQ(Problems(options), (Places{"netsim.address", "netsim.vehicle 'bruce'.address"}))
@@ -61,13 +61,13 @@ TEST(NetsimOptions, WantAddressesThatClientsCanHave) {
 }
 
 TEST(NetsimOptions, WantAnEnvironmentForEachVehicle) {
-  NetsimOptions options = TwoVehicles();
+  NetsimOptions options = TwoNetsimVehicles();
   options.vehicles[1].environment = "sea";
   EXPECT_EQ(Problems(options), Places{"netsim.vehicle 'bruce'.environment"});
 }
 
 TEST(NetsimOptions, WantNamesOnce) {
-  NetsimOptions options = TwoVehicles();
+  NetsimOptions options = TwoNetsimVehicles();
   options.vehicles[1].name = "alice";
   options.environments[1].name = "";
   EXPECT_EQ(Problems(options), (Places{"netsim.environment ''.name", "netsim.vehicle 'alice'.name",
@@ -75,7 +75,7 @@ TEST(NetsimOptions, WantNamesOnce) {
 }
 
 TEST(NetsimOptions, WantBoundsThatLeaveRoom) {
-  NetsimOptions options = TwoVehicles();
+  NetsimOptions options = TwoNetsimVehicles();
   NetsimEnvironment& bay = options.environments[0];
   bay.lat_max_deg = bay.lat_min_deg;
   EXPECT_EQ(Problems(options), Places{});

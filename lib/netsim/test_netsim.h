@@ -12,7 +12,7 @@ namespace shoal {
 
 /// alice (62000) swims in the bay and reports from 127.0.0.1; bruce (62001), at the date line, from
 /// anywhere.
-inline NetsimOptions TwoVehicles() {
+inline NetsimOptions TwoNetsimVehicles() {
   NetsimOptions options;
   options.environments = {{.name = "bay",
                            .lat_min_deg = 41,

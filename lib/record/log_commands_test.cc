@@ -282,9 +282,9 @@ TEST_F(LogCsv_, WritesOneTablePerChannelWithARowPerElement) {
   const std::string dir = directory_.File("csv");
   EXPECT_EQ(Csv({.path = path, .out_dir = dir}),
             dir + "/COMMS_FATES.csv: 2 messages\n" + dir + "/DESIRED_ALPHA.csv: 1 messages\n");
-  EXPECT_EQ(FileText(dir + "/DESIRED_ALPHA.csv"),
+  EXPECT_EQ(TextOfFile(dir + "/DESIRED_ALPHA.csv"),
             "time_s,utime_s,heading_deg,speed_mps,depth_m\n0.100,0.000,90,1.5,0\n");
-  EXPECT_EQ(FileText(dir + "/COMMS_FATES.csv"),
+  EXPECT_EQ(TextOfFile(dir + "/COMMS_FATES.csv"),
             "time_s,utime_s,num_fates,index,fates.kind,fates.source,fates.destination,"
             "fates.count,fates.number,fates.cause,fates.override_rule,fates.range_m,fates.limit_m,"
             "fates.age_s,fates.age_limit_s,fates.wait_s,fates.loss_pct,fates.length_bytes,"
@@ -328,7 +328,7 @@ TEST_F(LogCsv_, WritesLinesBesideTheTablesOfOneTypeWhereAskedTo) {
   EXPECT_EQ(Csv({.path = path, .out_dir = dir, .lines = lines}),
             dir + "/D.comms_fates_t.csv: 1 messages\n" + dir + "/D.csv: 2 messages\n" + dir +
                 "/D.txt: 2 lines\n" + dir + "/F.csv: 1 messages\n");
-  EXPECT_EQ(FileText(dir + "/D.txt"), "%%\n1 D 40\n3 D 40\n");
+  EXPECT_EQ(TextOfFile(dir + "/D.txt"), "%%\n1 D 40\n3 D 40\n");
 }
 
 TEST_F(LogCsv_, SaysWhatItCannotWrite) {

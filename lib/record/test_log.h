@@ -39,7 +39,7 @@ inline Bytes FileBytes(const std::string& path) {
   return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
 }
 
-inline std::string FileText(const std::string& path) {
+inline std::string TextOfFile(const std::string& path) {
   const Bytes bytes = FileBytes(path);
   return {bytes.begin(), bytes.end()};
 }

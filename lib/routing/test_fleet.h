@@ -13,12 +13,11 @@
 #include <string_view>
 #include <vector>
 
+#include "lib/check/time_units.h"
 #include "lib/routing/router.h"
 #include "lib/routing/vehicle_name.h"
 
 namespace shoal {
-
-inline constexpr int64_t kSecond_us = 1'000'000;
 
 /// Fates by the destination's name; "*" stands for others, "" for nobody.
 using Fates = std::map<std::string, Decision>;

@@ -14,7 +14,7 @@
 
 namespace shoal {
 
-inline constexpr int64_t kStep_us = 100'000;
+inline constexpr int64_t kRecordedStep_us = 100'000;
 inline const std::vector<std::string> kTrafficNames = {"alpha", "Bravo", "c3"};
 
 /// Draws the messages of a mission, in the order of a log; `seed` decides all of it.
@@ -36,7 +36,7 @@ class TrafficMaker {
   }
 
   void MakeStep(int step) {
-    utime_ = step * kStep_us;
+    utime_ = step * kRecordedStep_us;
     if (step % 3 == 1) Say("COMMS_FATES", FatesOf(utime_, MakeFates()));
     if (step == 0 || Draw(60) == 0) {
       comms_rules_t rules = RulesWith(utime_, 50 + Draw(300), 1 + Draw(4));
@@ -44,7 +44,7 @@ class TrafficMaker {
       rules.vehicles = kTrafficNames;
       rules.acoustic_addresses.resize(kTrafficNames.size());
       rules.acoustic_leaders.resize(kTrafficNames.size());
-      rules.tick_us = kStep_us;
+      rules.tick_us = kRecordedStep_us;
       rules.pulse_duration_s = 5;
       Say("COMMS_RULES", rules);
     }

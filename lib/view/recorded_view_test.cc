@@ -39,7 +39,7 @@ std::map<int, json> AnswersOfLive(const std::vector<TestEvent>& events, std::vec
   LiveView live(TrafficMission(), "boot");
   size_t next = 0;
   for (const int step : steps) {
-    for (; next < events.size() && events[next].utime <= step * kStep_us; ++next) {
+    for (; next < events.size() && events[next].utime <= step * kRecordedStep_us; ++next) {
       live.Handle(events[next].channel, events[next].data);
     }
     answers[step] = ask(live, step * 0.1);

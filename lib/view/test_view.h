@@ -8,13 +8,12 @@
 
 #include "lib/bus/bus.h"
 #include "lib/bus/channels.h"
+#include "lib/check/time_units.h"
 #include "lib/mission/mission.h"
 #include "lib/record/test_log.h"
 #include "lib/view/view_source.h"
 
 namespace shoal {
-
-inline constexpr int64_t kSecond_us = 1'000'000;
 
 /// Returns a mission of 600 s with these vehicles, 3 m long each.
 inline Mission MissionOf(const std::vector<std::string>& names) {
