@@ -169,7 +169,8 @@ function(shoal_test name)
   endif()
   add_executable(${name} ${ARG_SOURCES})
   set_target_properties(${name} PROPERTIES
-    RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests UNITY_BUILD OFF)
+    RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests
+    UNITY_BUILD_BATCH_SIZE ${SHOAL_TEST_BATCH})
   target_link_libraries(${name} PRIVATE ${ARG_DEPENDS} shoal_flags GTest::gtest_main
     rapidcheck rapidcheck_gtest)
   target_compile_definitions(${name} PRIVATE
