@@ -5,9 +5,10 @@
 //       |                            |  silence of 50 ms: the tick again
 //       +--------- Stop() -----------+--------------------------> ENDING
 //
-// CLOCK_COMMAND pauses it, lets it go on and changes its warp: when steps are taken, never what
-// comes of them. While it is paused, the step under way is answered and no other begins.
-// CLOCK_STATE tells what it does: at once after each command, and twice per second of wall time.
+// CLOCK_COMMAND pauses it, resumes it and changes its warp (lib/run/step_pace.h): when steps are
+// taken, never what comes of them. While it is paused, the step under way is answered and no other
+// begins. CLOCK_STATE shows what it does: at once after each command, and twice per second of wall
+// time.
 //
 // Time comes in as an argument (wall time, microseconds, from any epoch, never backward). Pure but
 // for the transport.
@@ -20,7 +21,7 @@
 
 #include "lib/bus/layout.h"
 #include "lib/bus/transport.h"
-#include "lib/mission/mission.h"
+#include "lib/run/step_pace.h"
 #include "shoal/clock_command_t.hpp"
 #include "shoal/step_done_t.hpp"
 #include "shoal/tick_t.hpp"
@@ -70,7 +71,7 @@ class StepClock {
   void Stop(int64_t wall_us, int64_t patience_us);
 
   State state() const { return state_; }
-  bool paused() const { return paused_; }
+  bool paused() const { return pace_.is_paused(); }
   int64_t step() const { return step_; }  ///< The last one ticked; -1 before the first.
   /// Mission time of the last step that was run.
   int64_t utime() const;
@@ -82,8 +83,8 @@ class StepClock {
   std::vector<std::string> Silent(int64_t wall_us) const;
   /// The first fault that a participant reported ("helm_alpha: ..."), or empty.
   const std::string& fault() const { return fault_; }
-  /// The first that spoke the step protocol under a name that the mission does not have, or empty.
-  const std::string& stranger() const { return stranger_; }
+  /// The first unregistered participant: the mission has none of its name; or empty.
+  const std::string& unregistered() const { return unregistered_; }
   /// True where a participant was dropped or came back while running.
   bool membership_changed() const { return membership_changed_; }
 
@@ -103,42 +104,33 @@ class StepClock {
   };
 
   void OnDone(const step_done_t& done, int64_t wall_us);
-  std::string Obey(const clock_command_t& command, int64_t wall_us);
-  void SetPace(double warp, bool paused, int64_t wall_us);
+  std::string Execute(const clock_command_t& command, int64_t wall_us);
   std::string_view StateWord(bool is_awaiting) const;
   void SendState(int64_t wall_us);
   void SendTick(int64_t wall_us);
   bool AllAnswered() const;
   void Advance(int64_t wall_us);
-  int64_t DueTime() const;
   void CountOf(const Member& member);
   void UpdateCounters();
 
   const ClockOptions options_;
   const PortPlan plan_;
   Transport& transport_;
+  StepPace pace_;
   std::map<std::string, Member, std::less<>> members_;
   State state_ = State::kGathering;
   int64_t step_ = -1;
   tick_t tick_{};
   std::vector<step_total_t> next_totals_;  ///< Of the present step, as answers come.
   std::vector<std::string> joining_;       ///< Take part from the next tick on.
-  double warp_;
-  bool paused_ = false;
   int64_t num_commands_ = 0;
-  std::string refusal_;          ///< "pause refused: ...", of the last command; or empty.
-  int64_t next_state_us_ = 0;    ///< When CLOCK_STATE is due again.
-  int64_t factor_since_us_ = 0;  ///< Where the present factor is measured from ...
-  int64_t factor_since_step_ = 0;
-  double factor_ = 0;
-  int64_t ticked_at_us_ = 0;      ///< When the present step was ticked first.
-  int64_t pace_origin_us_ = 0;    ///< Wall time at which ...
-  int64_t pace_origin_step_ = 0;  ///< ... this step was, or would have been, due.
+  std::string refusal_;        ///< "pause refused: ...", of the last command; or empty.
+  int64_t next_state_us_ = 0;  ///< When CLOCK_STATE is due again.
   int64_t stop_deadline_us_ = 0;
   bool stop_wanted_ = false;
   bool membership_changed_ = false;
   int64_t last_time_us_ = 0;
-  std::string stranger_;
+  std::string unregistered_;
   std::string fault_;
   RunCounters counters_;
 };
