@@ -44,6 +44,9 @@ struct LaunchContext {
 [[nodiscard]] Result<ChildCommand> CommandOf(const RosterEntry& entry,
                                              const LaunchContext& context);
 
+/// Returns the command line for a participant that a user starts by hand.
+std::string HandCommand(const RosterEntry& entry, const LaunchContext& context);
+
 /// Returns the commands of lcm-logger, one per bus.
 [[nodiscard]] Result<std::vector<ChildCommand>> LcmLoggerCommands(const LaunchContext& context);
 

@@ -125,7 +125,7 @@ TEST(LossForGood, EndsTheMissionWithTheRightAdvice) {
       << finished.output;
   const std::string advice = ReceiveBufferLimit() < 4'194'304
                                  ? "sudo sysctl -w net.core.rmem_max=4194304"
-                                 : "somebody floods its ports";
+                                 : "a program floods its ports";
   EXPECT_NE(finished.output.find(advice), std::string::npos) << finished.output;
 }
 
