@@ -5,6 +5,7 @@
 #include <set>
 #include <tuple>
 
+#include "lib/analysis/comms_log_survey.h"
 #include "lib/bus/seal.h"
 
 namespace shoal {
@@ -94,11 +95,11 @@ void CommsLogBuilder::Add(const LogEvent& event) {
   }
   const std::optional<size_t> channel = FindChannel(event.channel);
   if (!channel) return;
-  Item item{.utime = event.utime,
-            .step = latest_step_,
-            .channel = static_cast<uint8_t>(*channel),
-            .begin = log_.bytes.size(),
-            .size = message.size()};
+  CommsLogItem item{.utime = event.utime,
+                    .step = latest_step_,
+                    .channel = static_cast<uint8_t>(*channel),
+                    .begin = log_.bytes.size(),
+                    .size = message.size()};
   if (seal) {
     item.mission_id = seal->mission_id;
     item.sequence = seal->sequence;
@@ -111,18 +112,14 @@ void CommsLogBuilder::Add(const LogEvent& event) {
   items_.push_back(item);
 }
 
-std::span<const uint8_t> CommsLogBuilder::BytesOf(const Item& item) const {
-  return std::span(log_.bytes).subspan(item.begin, item.size);
-}
-
 /// The message's own time, of those whose sender writes the step's there.
-std::optional<int64_t> CommsLogBuilder::UtimeOf(const Item& item) const {
+std::optional<int64_t> CommsLogBuilder::UtimeOf(const CommsLogItem& item) const {
   if (item.channel == ReportChannel()) {
-    if (const auto report = DecodeItem<node_report_t>(item)) return report->utime;
+    if (const auto report = DecodeItem<node_report_t>(log_, item)) return report->utime;
   } else if (item.channel == FatesChannel()) {
-    if (const auto fates = DecodeItem<comms_fates_t>(item)) return fates->utime;
+    if (const auto fates = DecodeItem<comms_fates_t>(log_, item)) return fates->utime;
   } else if (item.channel == RulesChannel()) {
-    if (const auto rules = DecodeItem<comms_rules_t>(item)) return rules->utime;
+    if (const auto rules = DecodeItem<comms_rules_t>(log_, item)) return rules->utime;
   }
   return std::nullopt;
 }
@@ -133,12 +130,13 @@ CommsLog CommsLogBuilder::Build(std::optional<int64_t> tick_us) {
   if (log_.time == LogTime::kSeals) {
     RestoreSteps();
   } else {
-    std::stable_sort(items_.begin(), items_.end(),
-                     [](const Item& a, const Item& b) { return a.utime < b.utime; });
+    std::stable_sort(
+        items_.begin(), items_.end(),
+        [](const CommsLogItem& a, const CommsLogItem& b) { return a.utime < b.utime; });
   }
   if (log_.time == LogTime::kWall) GatherRounds();
-  FindGaps();
-  for (const Item& item : items_) {
+  FindGaps(items_, &log_);
+  for (const CommsLogItem& item : items_) {
     LoggedMessage message{
         .utime = item.utime, .channel = item.channel, .begin = item.begin, .size = item.size};
     if (item.channel == FatesChannel()) {
@@ -155,7 +153,7 @@ CommsLog CommsLogBuilder::Build(std::optional<int64_t> tick_us) {
       log_.inputs.push_back(message);
     }
   }
-  FindStarts();
+  FindStarts(items_, &log_);
   return std::move(log_);
 }
 
@@ -182,7 +180,7 @@ LogTime CommsLogBuilder::TellTime() const {
   int64_t num_sealed = 0;
   Count said_by_broker;
   Count said_by_others;
-  for (const Item& item : items_) {
+  for (const CommsLogItem& item : items_) {
     if (item.publisher != 0) ++num_sealed;
     Count& count = item.channel < NumBrokerInputs() ? said_by_others : said_by_broker;
     if (count.all == kEnough) continue;
@@ -199,9 +197,9 @@ LogTime CommsLogBuilder::TellTime() const {
 
 /// The tick is what COMMS_RULES says; else what the user says; else what the times look like.
 void CommsLogBuilder::TakeTick(std::optional<int64_t> tick_us) {
-  for (const Item& item : items_) {
+  for (const CommsLogItem& item : items_) {
     if (item.channel != RulesChannel()) continue;
-    const auto rules = DecodeItem<comms_rules_t>(item);
+    const auto rules = DecodeItem<comms_rules_t>(log_, item);
     if (!rules || !IsPossibleTick(rules->tick_us)) continue;
     log_.tick_us = rules->tick_us;
     return;
@@ -216,7 +214,7 @@ void CommsLogBuilder::TakeTick(std::optional<int64_t> tick_us) {
   }
   if (log_.time != LogTime::kSeals) return;
   std::optional<std::pair<int64_t, int64_t>> first;  // Step and time.
-  for (const Item& item : items_) {
+  for (const CommsLogItem& item : items_) {
     const auto utime = UtimeOf(item);
     if (!utime || item.publisher == 0 || *utime < -kLatest_us || *utime > kLatest_us) continue;
     if (!first) first = {item.step, *utime};
@@ -232,8 +230,8 @@ void CommsLogBuilder::TakeTick(std::optional<int64_t> tick_us) {
 /// Gives what has a seal the time of its step, and puts all into the fixed order.
 void CommsLogBuilder::RestoreSteps() {
   // The mission is that of the first broker in the log, or of the first message.
-  const Item* of_mission = nullptr;
-  for (const Item& item : items_) {
+  const CommsLogItem* of_mission = nullptr;
+  for (const CommsLogItem& item : items_) {
     if (item.publisher == 0) continue;
     if (of_mission == nullptr) of_mission = &item;
     if (item.channel != RulesChannel()) continue;
@@ -242,7 +240,7 @@ void CommsLogBuilder::RestoreSteps() {
   }
   const int64_t mission_id = of_mission->mission_id;
   int64_t zero_utime = 0;  // Of step 0.
-  for (const Item& item : items_) {
+  for (const CommsLogItem& item : items_) {
     if (item.publisher == 0 || item.mission_id != mission_id) continue;
     const auto utime = UtimeOf(item);
     if (!utime || item.step == std::numeric_limits<int64_t>::min()) continue;
@@ -251,7 +249,7 @@ void CommsLogBuilder::RestoreSteps() {
     zero_utime = *zero;
     break;
   }
-  std::erase_if(items_, [&](Item& item) {
+  std::erase_if(items_, [&](CommsLogItem& item) {
     if (item.publisher != 0 && item.mission_id != mission_id) {
       ++log_.num_foreign;
       return true;
@@ -277,14 +275,15 @@ void CommsLogBuilder::DropRepeated() {
   for (const auto& [name, place] : publishers_) ranks[place] = ++rank;
   // Channels that the broker hears are in order of their names, and the order of the others among
   // these does not matter.
-  const auto key = [&](const Item& item) {
+  const auto key = [&](const CommsLogItem& item) {
     return std::tuple(item.step, item.channel, ranks[item.publisher], item.sequence);
   };
   std::stable_sort(items_.begin(), items_.end(),
-                   [&](const Item& a, const Item& b) { return key(a) < key(b); });
-  const auto kept = std::unique(items_.begin(), items_.end(), [&](const Item& a, const Item& b) {
-    return a.publisher != 0 && key(a) == key(b);
-  });
+                   [&](const CommsLogItem& a, const CommsLogItem& b) { return key(a) < key(b); });
+  const auto kept =
+      std::unique(items_.begin(), items_.end(), [&](const CommsLogItem& a, const CommsLogItem& b) {
+        return a.publisher != 0 && key(a) == key(b);
+      });
   log_.num_repeated = items_.end() - kept;
   items_.erase(kept, items_.end());
 }

@@ -91,6 +91,26 @@ size_t ReportChannel();
 /// Returns the time that is `steps` steps later, or nothing where no mission has it.
 [[nodiscard]] std::optional<int64_t> StepsLater(int64_t utime, int64_t steps, int64_t tick_us);
 
+/// A message as it was gathered, before its time and place are known.
+struct CommsLogItem {
+  int64_t utime = 0;       ///< Of the event; later: when it was published.
+  int64_t mission_id = 0;  ///< This and the next two: of its seal.
+  int64_t step = 0;        ///< Unsealed: of the last seal before it.
+  uint32_t sequence = 0;
+  uint32_t publisher = 0;  ///< The builder's number of its name; 0: from outside, without a seal.
+  uint8_t channel = 0;
+  size_t begin = 0;
+  size_t size = 0;
+};
+
+/// Returns the item's message, nothing where it is not of this type.
+template <class T>
+[[nodiscard]] std::optional<T> DecodeItem(const CommsLog& log, const CommsLogItem& item) {
+  T message{};
+  if (!Decode(std::span(log.bytes).subspan(item.begin, item.size), &message)) return std::nullopt;
+  return message;
+}
+
 class CommsLogBuilder {
  public:
   /// What follows comes from another log. Not needed before the first.
@@ -101,35 +121,15 @@ class CommsLogBuilder {
   CommsLog Build(std::optional<int64_t> tick_us = std::nullopt);
 
  private:
-  struct Item {
-    int64_t utime = 0;       ///< Of the event; later: when it was said.
-    int64_t mission_id = 0;  ///< This and the next two: of its seal.
-    int64_t step = 0;        ///< Unsealed: of the last seal before it.
-    uint32_t sequence = 0;
-    uint32_t publisher = 0;  ///< Into publishers_; 0: from outside, without a seal.
-    uint8_t channel = 0;
-    size_t begin = 0;
-    size_t size = 0;
-  };
-
-  std::span<const uint8_t> BytesOf(const Item& item) const;
-  template <class T>
-  std::optional<T> DecodeItem(const Item& item) const {
-    T message{};
-    if (!Decode(BytesOf(item), &message)) return std::nullopt;
-    return message;
-  }
-  std::optional<int64_t> UtimeOf(const Item& item) const;
+  std::optional<int64_t> UtimeOf(const CommsLogItem& item) const;
   LogTime TellTime() const;
   void TakeTick(std::optional<int64_t> tick_us);
   void RestoreSteps();
   void GatherRounds();
   void DropRepeated();
-  void FindStarts();
-  void FindGaps();
 
   CommsLog log_;
-  std::vector<Item> items_;
+  std::vector<CommsLogItem> items_;
   std::map<std::string, uint32_t, std::less<>> publishers_;
   std::optional<int64_t> previous_utime_;  ///< Of the event before, in the same log.
   int64_t smallest_gap_us_ = 0;            ///< Between different times of events; 0: not known.
