@@ -14,12 +14,11 @@
 #include <string>
 #include <vector>
 
-#include "apps/netsim_manager/modem_port.h"
+#include "apps/netsim_manager/outside_vehicle.h"
 #include "lib/bus/bus.h"
 #include "lib/bus/channels.h"
 #include "lib/geodesy/local_frame.h"
 #include "lib/mission/mission.h"
-#include "lib/netsim/gps_output.h"
 #include "lib/netsim/line_server.h"
 #include "lib/netsim/netsim_answer.h"
 #include "lib/netsim/wait_set.h"
@@ -46,35 +45,18 @@ class NetsimManagerApp : public App {
   int GpsPortOf(std::string_view vehicle) const;
 
  private:
-  /// A vehicle that is simulated elsewhere.
-  struct Outsider {
-    NetsimVehicle options;
-    const Vehicle* vehicle = nullptr;
-    std::unique_ptr<ModemPort> modem;         ///< Null: it has none.
-    std::unique_ptr<GpsOutput> gps;           ///< Null: it has none.
-    std::vector<acoustic_rx_t> heard;         ///< In this step.
-    std::optional<NetsimReceiveStats> stats;  ///< The last that its client told.
-    std::optional<NetsimNav> nav;             ///< The last.
-    std::optional<int64_t> nav_utime;         ///< The step in which it was said on.
-    bool nav_is_new = false;
-    int64_t num_navs = 0;
-    int64_t num_sentences = 0;  ///< For GPS.
-    int64_t num_reports = 0;
-  };
-
   void Open();
   void Await(int fd);
-  bool Take(Outsider* outsider);
+  bool Take(OutsideVehicle* outsider);
   std::string OnLine(const std::string& address, std::string_view line);
   void TakePosition(const NetsimPosition& position);
   void TakeStats(const NetsimReceiveStats& stats);
   void TakeFates(const comms_fates_t& fates);
-  void HearWater(Outsider* outsider, int64_t mission_us);
-  void Report(Outsider* outsider, int64_t utime);
+  void PassReceived(OutsideVehicle* outsider, int64_t mission_us);
+  void Report(OutsideVehicle* outsider, int64_t utime);
   /// Mission time since the start, for modems: never goes back.
   int64_t MissionTime_us(int64_t wall_us);
   std::string NameOfPort(int32_t port) const;
-  std::string OutsiderText(const Outsider& outsider) const;
 
   const Mission mission_;
   const NetsimOptions options_;
@@ -82,7 +64,7 @@ class NetsimManagerApp : public App {
   Bus& bus_;
   WaitSet served_;
   std::unique_ptr<LineServer> lines_;
-  std::vector<Outsider> outsiders_;
+  std::vector<OutsideVehicle> outsiders_;
   std::vector<modem_stats_t> stats_;  ///< Of this step.
   /// Signal-to-noise ratio of what arrived in this step: by receiver, sender and packet.
   std::map<std::tuple<std::string, std::string, int64_t>, double> snrs_db_;

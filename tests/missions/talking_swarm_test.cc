@@ -22,7 +22,7 @@ TEST(Swarm, KeepsFormationWithAFollowerWhoseAcommsWasKilledAndStartedAgain) {
     page = RunShoal(folder, {"status", "acomms_bravo"}).output;
     is_back = page.find("Said: ") != std::string::npos &&
               page.find("Said: 0 messages") == std::string::npos &&
-              page.find("not heard yet") == std::string::npos;
+              page.find("nothing received yet") == std::string::npos;
   }
   EXPECT_TRUE(is_back) << page;
   const Finished finished = mission.Wait(300);
