@@ -50,7 +50,6 @@ class ModemPort {
 
   int fd() const { return server_->fd(); }
   int port() const { return server_->port(); }
-  bool has_client() const { return client_.has_value(); }
 
   /// Serves the client, and does what is due at `mission_us`, which never goes back.
   void Serve(int64_t wall_us, int64_t mission_us);
