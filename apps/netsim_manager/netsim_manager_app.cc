@@ -129,26 +129,26 @@ void NetsimManagerApp::TakeStats(const NetsimReceiveStats& stats) {
     if (outsider.options.modem_tcp_port == stats.modem_tcp_port) outsider.stats = stats;
   }
   if (stats_.size() >= kMaxStatsPerStep) {
-    log_.Warn("receive statistics: more than 1000 in a step; further ones are not said on");
+    log_.Warn("receive statistics: more than 1000 in a step; further ones are not published");
     return;
   }
-  modem_stats_t told{};
-  told.receiver = NameOfPort(stats.modem_tcp_port);
-  told.sender = NameOfPort(stats.tx_modem_tcp_port);
-  told.is_good = stats.packet_success ? 1 : 0;
+  modem_stats_t published{};
+  published.receiver = NameOfPort(stats.modem_tcp_port);
+  published.sender = NameOfPort(stats.tx_modem_tcp_port);
+  published.is_good = stats.packet_success ? 1 : 0;
   if (stats.modem) {
-    told.has_modem = 1;
-    told.mode = stats.modem->mode;
-    told.rate = stats.modem->rate;
-    told.source = stats.modem->source;
-    told.destination = stats.modem->destination;
-    told.num_frames = stats.modem->num_frames;
-    told.num_bad_frames = stats.modem->num_bad_frames;
-    told.snr_in_db = stats.modem->snr_in_db;
-    told.snr_out_db = stats.modem->snr_out_db;
-    told.mse_equalizer_db = stats.modem->mse_equalizer_db;
+    published.has_modem = 1;
+    published.mode = stats.modem->mode;
+    published.rate = stats.modem->rate;
+    published.source = stats.modem->source;
+    published.destination = stats.modem->destination;
+    published.num_frames = stats.modem->num_frames;
+    published.num_bad_frames = stats.modem->num_bad_frames;
+    published.snr_in_db = stats.modem->snr_in_db;
+    published.snr_out_db = stats.modem->snr_out_db;
+    published.mse_equalizer_db = stats.modem->mse_equalizer_db;
   }
-  stats_.push_back(told);
+  stats_.push_back(published);
 }
 
 std::string NetsimManagerApp::NameOfPort(int32_t port) const {
@@ -209,14 +209,14 @@ void NetsimManagerApp::PassReceived(OutsideVehicle* outsider, int64_t mission_us
       continue;
     }
     const int64_t start_utime = packet.arrived_utime - std::llround(air_s * 1e6);
-    HeardPacket heard{.bytes = std::move(packet.payload),
-                      .start_us = start_utime - mission_.start_utime,
-                      .travel_us = std::max<int64_t>(start_utime - packet.sent_utime, 0),
-                      .snr_db = std::nullopt};
+    ModemPacket arrival{.bytes = std::move(packet.payload),
+                        .start_us = start_utime - mission_.start_utime,
+                        .travel_us = std::max<int64_t>(start_utime - packet.sent_utime, 0),
+                        .snr_db = std::nullopt};
     const auto snr_db =
         snrs_db_.find(std::tuple(outsider->options.name, packet.source, packet.number));
-    if (snr_db != snrs_db_.end()) heard.snr_db = snr_db->second;
-    outsider->modem->Hear(heard, mission_us);
+    if (snr_db != snrs_db_.end()) arrival.snr_db = snr_db->second;
+    outsider->modem->Receive(arrival, mission_us);
   }
 }
 
@@ -224,7 +224,7 @@ void NetsimManagerApp::Report(OutsideVehicle* outsider, int64_t utime) {
   const NetsimNav& nav = *outsider->nav;
   const auto local_m = frame_.ToLocal({.lat_deg = nav.lat_deg, .lon_deg = nav.lon_deg});
   if (!local_m) {
-    log_.Warn(fmt::format("{} is more than {:g} km from the mission's origin: not said on",
+    log_.Warn(fmt::format("{} is more than {:g} km from the mission's origin: not published",
                           outsider->options.name, LocalFrame::kReach_m / 1000));
     return;
   }

@@ -1,10 +1,11 @@
 // Lets vehicle simulators from outside take part, as GobySoft's netsim does: positions come in over
-// one TCP port, and each vehicle has a modem on a port of its own. Hears ACOUSTIC_RX_<V> of these
-// vehicles and COMMS_FATES; says NODE_REPORT, ACOUSTIC_TX and MODEM_STATS.
+// one TCP port, and each vehicle has a modem on a port of its own. Subscribes to
+// ACOUSTIC_RX_<V> of these vehicles and COMMS_FATES; publishes NODE_REPORT, ACOUSTIC_TX and
+// MODEM_STATS.
 //
-// Clients are answered at once, between steps; what they bring is said in the next step, of several
-// positions of a vehicle the last. Modems keep mission time: between two steps it goes on as the
-// wall's does.
+// Clients are answered at once, between steps; what they bring is published in the next step, of
+// several positions of a vehicle the last. Modems keep mission time: between two steps it goes on
+// as the wall's does.
 #pragma once
 
 #include <cstdint>
@@ -28,7 +29,7 @@ namespace shoal {
 
 class NetsimManagerApp : public App {
  public:
-  /// @pre mission.netsim. Fault() tells of ports that could not be opened.
+  /// @pre mission.netsim. Fault() names ports that could not be opened.
   NetsimManagerApp(const Mission& mission, Bus& bus);
 
   void Tick(int64_t utime) override;
@@ -76,7 +77,7 @@ class NetsimManagerApp : public App {
   std::optional<int64_t> utime_;
   int64_t utc_us_ = 0;
   std::optional<int64_t> tick_wall_us_;  ///< When the last step was, as Serve saw it.
-  int64_t mission_us_ = 0;               ///< As told last.
+  int64_t mission_us_ = 0;               ///< As given to modems last.
   bool clocks_are_set_ = false;
   int64_t num_stats_ = 0;
 };

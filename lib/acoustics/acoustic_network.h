@@ -1,5 +1,5 @@
 // The water between the nodes: what one sends arrives at the others late, damaged or not at all,
-// and each time the network can say why.
+// and each time the network states why.
 //
 //   AcousticNetwork water(options, mission.seed, {{.name = "alpha"}, {.name = "bravo"}});
 //   water.Transmit(time_s, kAlpha, positions_m, bytes, receivers);   // for all that was sent, then
@@ -8,7 +8,7 @@
 // A packet leaves its source at `time_s`, takes `8 bytes / data_rate_bps` to be sent and, to each
 // receiver, `range / sound_speed_mps` to get there, with the positions of that moment, plus jitter.
 // What overlaps at a receiver on one channel collides, whether or not it is lost otherwise. With
-// `half_duplex`, what overlaps a transmission of the receiver's own is not heard.
+// `half_duplex`, what overlaps a transmission of the receiver's own is not received.
 //
 // Draws come from streams keyed by seed, source, the source's packet number and receiver: another
 // node, receiver or effect changes none of them. Costs grow with the logarithm of the packets in
@@ -49,7 +49,7 @@ class AcousticNetwork {
   AcousticNetwork(const AcousticOptions& options, uint64_t seed,
                   std::span<const AcousticNode> nodes);
 
-  /// Takes one more node in and returns its index, or tells why it cannot take part.
+  /// Takes one more node in and returns its index, or states why it cannot take part.
   Result<int> AddNode(const AcousticNode& node);
 
   const AcousticOptions& options() const { return options_; }
@@ -91,10 +91,10 @@ class AcousticNetwork {
   struct Node {
     Node(const std::string& name, uint64_t seed)
         : sends(StreamKey(seed, "acoustic link").With(name)),
-          hears(StreamKey(seed, "acoustic receiver").With(name).low()) {}
+          receives(StreamKey(seed, "acoustic receiver").With(name).low()) {}
 
-    StreamKey sends;  ///< Key of the draws of all that it sends.
-    uint64_t hears;   ///< Its name, as part of the keys of what it hears.
+    StreamKey sends;    ///< Key of the draws of all that it sends.
+    uint64_t receives;  ///< Its name, as part of the keys of what it receives.
     int64_t num_sent = 0;
     int64_t last_offered = -1;  ///< Turn of the transmission that it was last meant for.
     // Half duplex; these follow the events.
@@ -123,7 +123,7 @@ class AcousticNetwork {
   void Offer(const AcousticTransmission& transmission, int32_t index, int receiver,
              std::span<const Eigen::Vector3d> positions_m);
   StreamKey KeyOf(const AcousticTransmission& transmission, int receiver) const {
-    return transmission.key.With(nodes_[static_cast<size_t>(receiver)].hears);
+    return transmission.key.With(nodes_[static_cast<size_t>(receiver)].receives);
   }
 
   void StartReception(int32_t slot);

@@ -157,8 +157,8 @@ CommsLog CommsLogBuilder::Build(std::optional<int64_t> tick_us) {
   return std::move(log_);
 }
 
-/// A live broker handles what has arrived together, and says so in one go: what came shortly before
-/// COMMS_FATES was handled then.
+/// A live broker handles what has arrived together, and publishes its fates in one go: what came
+/// shortly before COMMS_FATES was handled then.
 void CommsLogBuilder::GatherRounds() {
   std::optional<int64_t> word_utime;
   for (auto item = items_.rbegin(); item != items_.rend(); ++item) {
@@ -178,11 +178,11 @@ LogTime CommsLogBuilder::TellTime() const {
   };
   constexpr int64_t kEnough = 1000;
   int64_t num_sealed = 0;
-  Count said_by_broker;
-  Count said_by_others;
+  Count published_by_broker;
+  Count published_by_others;
   for (const CommsLogItem& item : items_) {
     if (item.publisher != 0) ++num_sealed;
-    Count& count = item.channel < NumBrokerInputs() ? said_by_others : said_by_broker;
+    Count& count = item.channel < NumBrokerInputs() ? published_by_others : published_by_broker;
     if (count.all == kEnough) continue;
     const auto utime = UtimeOf(item);
     if (!utime) continue;
@@ -190,12 +190,13 @@ LogTime CommsLogBuilder::TellTime() const {
     if (*utime == item.utime) ++count.on_time;
   }
   if (2 * num_sealed > static_cast<int64_t>(items_.size())) return LogTime::kSeals;
-  // Reports may have been made long before they were said; the broker's words have its time.
-  const Count& count = said_by_broker.all > 0 ? said_by_broker : said_by_others;
+  // Reports may have been made long before they were published; the broker's messages have its
+  // time.
+  const Count& count = published_by_broker.all > 0 ? published_by_broker : published_by_others;
   return 2 * count.on_time >= count.all ? LogTime::kMission : LogTime::kWall;
 }
 
-/// The tick is what COMMS_RULES says; else what the user says; else what the times look like.
+/// The tick is that of COMMS_RULES; else the user's; else what the times look like.
 void CommsLogBuilder::TakeTick(std::optional<int64_t> tick_us) {
   for (const CommsLogItem& item : items_) {
     if (item.channel != RulesChannel()) continue;
@@ -273,8 +274,8 @@ void CommsLogBuilder::DropRepeated() {
   std::vector<uint32_t> ranks(publishers_.size() + 1);
   uint32_t rank = 0;
   for (const auto& [name, place] : publishers_) ranks[place] = ++rank;
-  // Channels that the broker hears are in order of their names, and the order of the others among
-  // these does not matter.
+  // Channels that the broker subscribes to are in order of their names, and the order of the others
+  // among these does not matter.
   const auto key = [&](const CommsLogItem& item) {
     return std::tuple(item.step, item.channel, ranks[item.publisher], item.sequence);
   };

@@ -17,7 +17,7 @@ constexpr int64_t kWallTime_us = 100'000'000'000'000;
 constexpr size_t kMostRunsOfAll = 46'000;  // Of each kind of curve: some 80 MB for all seventeen.
 constexpr size_t kFewestRuns = 32;
 constexpr size_t kMostWaypoints = 500;
-/// A position this old is nobody's neighbour any more.
+/// A position this old has no neighbours any more.
 constexpr int64_t kStale_us = 2'000'000;
 /// More slowly than this over ground there is no course.
 constexpr double kNoCourse_mps = 0.1;

@@ -32,11 +32,11 @@ struct PlotSelection {
 /// What is drawn of one vehicle. Curves over time count seconds since PlotData::zero_utime.
 struct VehicleCurves {
   std::string name;    ///< As it calls itself; else as its channels do.
-  std::string color;   ///< As its reports tell; may be empty, or anything.
+  std::string color;   ///< As its reports have it; may be empty, or anything.
   ThinnedCurve track;  ///< x East, y North.
   std::optional<CurvePoint> start, end;
   std::vector<TimeMark> marks;
-  std::vector<CurvePoint> steered_for;  ///< The waypoints that its helm told of, each once.
+  std::vector<CurvePoint> steered_for;  ///< The waypoints that its helm reported, each once.
   ThinnedCurve depth_m, floor_m;        ///< Down positive; the floor under the vehicle.
   ThinnedCurve cross_track_m, crab_deg;
   ThinnedCurve nearest_m, target_m;  ///< To the nearest other vehicle; to the one it tracks.
@@ -63,7 +63,7 @@ struct PlotData {
   bool has_too_many = false;    ///< More than kMostPlotted vehicles: the rest is left out.
 };
 
-/// So many vehicles a figure may have.
+/// A figure has no more vehicles than this.
 inline constexpr size_t kMostPlotted = 2000;
 
 class PlotDataBuilder {

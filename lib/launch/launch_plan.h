@@ -58,7 +58,7 @@ std::string HandCommand(const RosterEntry& entry, const LaunchContext& context);
 [[nodiscard]] Result<std::string> FindProgram(const std::string& program,
                                               const std::string& mission_file);
 
-/// Returns what a user's own participant is told, as "SHOAL_PORT=7665" and so on;
+/// Returns the environment of a user's own participant, as "SHOAL_PORT=7665" and so on;
 /// docs/step_protocol.md.
 std::vector<std::string> ParticipantEnvironment(const RosterEntry& entry,
                                                 const LaunchContext& context);

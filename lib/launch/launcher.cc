@@ -36,7 +36,7 @@ int BlockSignals() {
   struct sigaction hangup {};
   sigaction(SIGHUP, nullptr, &hangup);
   // Under nohup, SIGHUP stays ignored. (SIGINT too is ignored in a script's background jobs, but
-  // who sends it there means it.)
+  // it is sent there on purpose.)
   if (hangup.sa_handler != SIG_IGN) sigaddset(&set, SIGHUP);
   sigprocmask(SIG_BLOCK, &set, nullptr);
   signal(SIGPIPE, SIG_IGN);

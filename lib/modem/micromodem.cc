@@ -24,9 +24,9 @@ MicroModemOutput MicroModem::TakeBytes(std::string_view bytes, int64_t now_us) {
   return Finish();
 }
 
-MicroModemOutput MicroModem::Hear(const MicroModemHeard& heard, int64_t now_us) {
+MicroModemOutput MicroModem::Receive(const MicroModemArrival& arrival, int64_t now_us) {
   CatchUp(now_us);
-  receiver_.Receive(heard);
+  receiver_.Receive(arrival);
   return Finish();
 }
 

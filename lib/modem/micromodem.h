@@ -4,7 +4,7 @@
 //   MicroModem modem({.address = 1});
 //   Pass(modem.Advance(now_us));                             // at least in every step
 //   Pass(modem.Take("$CCMPC,1,2*5D\r\n", now_us));           // a line of the host
-//   Pass(modem.Hear({.bytes = payload, .start_us = ..., .travel_us = ...}, now_us));
+//   Pass(modem.Receive({.bytes = payload, .start_us = ..., .travel_us = ...}, now_us));
 //
 //   void Pass(const MicroModemOutput& output) {
 //     Write(output.to_host);
@@ -46,7 +46,7 @@ class MicroModem {
   /// Drops a line that has begun: its host has gone.
   void ForgetLine() { host_.ForgetLine(); }
   /// Takes a packet that has arrived.
-  [[nodiscard]] MicroModemOutput Hear(const MicroModemHeard& heard, int64_t now_us);
+  [[nodiscard]] MicroModemOutput Receive(const MicroModemArrival& arrival, int64_t now_us);
   /// Does what is due.
   [[nodiscard]] MicroModemOutput Advance(int64_t now_us);
   /// Returns when Advance will have something to do, unless something else happens before.

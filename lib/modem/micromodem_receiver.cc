@@ -27,9 +27,9 @@ std::string CycleText(const MicroModemPacket& packet) {
 
 }  // namespace
 
-void MicroModemReceiver::Receive(const MicroModemHeard& heard) {
+void MicroModemReceiver::Receive(const MicroModemArrival& arrival) {
   MicroModemPacket packet;
-  switch (DecodeMicroModemPacket(heard.bytes, &packet)) {
+  switch (DecodeMicroModemPacket(arrival.bytes, &packet)) {
     case MicroModemVerdict::kForeign:
       ++unit_.counts.foreign;
       return;
@@ -45,22 +45,22 @@ void MicroModemReceiver::Receive(const MicroModemHeard& heard) {
   } else if (packet.destination != unit_.address() && !is_for_all) {
     ++unit_.counts.overheard;
   } else {
-    Take(packet, heard);
+    Take(packet, arrival);
   }
 }
 
-void MicroModemReceiver::Take(const MicroModemPacket& packet, const MicroModemHeard& heard) {
+void MicroModemReceiver::Take(const MicroModemPacket& packet, const MicroModemArrival& arrival) {
   if (packet.kind == MicroModemKind::kData && packet.rate == 0 &&
       !(awaited_ && awaited_->source == packet.source)) {
     ++unit_.counts.no_cycle;
     return;
   }
   ++unit_.counts.understood;
-  const int64_t start_us = std::clamp(heard.start_us, unit_.now_us - kHour_us, unit_.now_us);
+  const int64_t start_us = std::clamp(arrival.start_us, unit_.now_us - kHour_us, unit_.now_us);
   const ReceptionStatistics statistics = {.arrived_utc_us = unit_.Utc_us(start_us),
                                           .source = packet.source,
                                           .destination = packet.destination,
-                                          .snr_db = heard.snr_db};
+                                          .snr_db = arrival.snr_db};
   const std::string from_to = Text(packet.source) + "," + Text(packet.destination);
   switch (packet.kind) {
     case MicroModemKind::kCycle:
@@ -75,7 +75,7 @@ void MicroModemReceiver::Take(const MicroModemPacket& packet, const MicroModemHe
       Answer(MicroModemKind::kPingReply, packet.source, 0);
       break;
     case MicroModemKind::kPingReply: {
-      const int64_t travel_us = std::clamp<int64_t>(heard.travel_us, 0, kHour_us);
+      const int64_t travel_us = std::clamp<int64_t>(arrival.travel_us, 0, kHour_us);
       unit_.Write("CAMPR," + from_to + "," + FixedText(static_cast<double>(travel_us) / 1e6, 4));
       break;
     }

@@ -15,7 +15,7 @@ class MicroModemReceiver {
  public:
   MicroModemReceiver(MicroModemUnit& unit, MicroModemAir& air) : unit_(unit), air_(air) {}
 
-  void Receive(const MicroModemHeard& heard);
+  void Receive(const MicroModemArrival& arrival);
   /// CCMSC: data that a cycle packet has announced is not awaited any more.
   void Reboot() { awaited_.reset(); }
 
@@ -32,7 +32,7 @@ class MicroModemReceiver {
     int64_t until_us = 0;
   };
 
-  void Take(const MicroModemPacket& packet, const MicroModemHeard& heard);
+  void Take(const MicroModemPacket& packet, const MicroModemArrival& arrival);
   void TakeCycle(const MicroModemPacket& packet, ReceptionStatistics statistics);
   void TakeData(const MicroModemPacket& packet, ReceptionStatistics statistics);
   void TakeAck(const MicroModemPacket& packet);

@@ -27,7 +27,7 @@ struct MicroModemOptions {
   std::array<std::optional<double>, 4> transponder_travel_s = {};
 };
 
-/// A packet to send through the water, now.
+/// A packet to transmit now.
 struct MicroModemSent {
   std::vector<uint8_t> bytes;
   int64_t air_us = 0;  ///< The modem sends nothing else for so long.
@@ -38,8 +38,8 @@ struct MicroModemOutput {
   std::vector<MicroModemSent> to_water;
 };
 
-/// A packet that has come through the water; heard whole, whatever its bytes became.
-struct MicroModemHeard {
+/// A packet that has arrived, as a whole, whatever its bytes became.
+struct MicroModemArrival {
   std::span<const uint8_t> bytes = {};
   int64_t start_us = 0;   ///< When the first byte arrived.
   int64_t travel_us = 0;  ///< How long it was under way.
@@ -51,15 +51,16 @@ struct MicroModemCounts {
   int64_t sentences_answered = 0;
   int64_t sentences_refused = 0;  ///< With CAERR.
   int64_t lines_dropped = 0;      ///< Too long, no sentence, or its checksum is wrong.
-  // From the water. Heard = understood + foreign + damaged_headers + own + overheard + no_cycle.
+  // From the network. Arrivals = understood + foreign + damaged_headers + own + overheard +
+  // no_cycle.
   int64_t understood = 0;
   int64_t foreign = 0;
   int64_t damaged_headers = 0;
   int64_t own = 0;             ///< With this modem's address as source: another has it too.
   int64_t overheard = 0;       ///< For others.
-  int64_t no_cycle = 0;        ///< Data at rate 0 whose cycle packet was not heard.
+  int64_t no_cycle = 0;        ///< Data at rate 0 whose cycle packet was not arrival.
   int64_t damaged_frames = 0;  ///< Of understood packets.
-  // To the water.
+  // To the network.
   int64_t sent = 0;
   int64_t answers_dropped = 0;  ///< Answers to other modems for which too many were waiting.
 

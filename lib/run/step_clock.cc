@@ -70,7 +70,7 @@ std::string StepClock::Execute(const clock_command_t& command, int64_t wall_us) 
   return pace_.Execute(command, wall_us);
 }
 
-/// `is_awaiting`: participants have not said hello yet.
+/// `is_awaiting`: participants have not sent hello yet.
 std::string_view StepClock::StateWord(bool is_awaiting) const {
   if (state_ == State::kEnding || state_ == State::kEnded) return "ending";
   if (is_awaiting) return "gathering";
@@ -106,7 +106,7 @@ void StepClock::OnDone(const step_done_t& done, int64_t wall_us) {
   Member& member = found->second;
   if (!done.fault.empty() && fault_.empty()) fault_ = done.participant + ": " + done.fault;
   if (!member.present) {
-    // A hello may be lost; who answers the present step is here just as well.
+    // A hello may be lost; a participant that answers the present step is here just as well.
     const bool joins = state_ == State::kGathering || done.step < 0 || done.step == step_;
     if (!joins) return;
     member.pid = done.pid;
@@ -195,7 +195,7 @@ void StepClock::SendTick(int64_t wall_us) {
 
 void StepClock::OnTime(int64_t wall_us) {
   if (wall_us - last_time_us_ > kOwnStall_us) {
-    // It was we who stood still (Ctrl-Z, a paused machine): nobody's silence counts.
+    // The launcher itself stood still (Ctrl-Z, a paused machine): no silence counts.
     for (auto& [name, member] : members_) member.asked_at_us = wall_us;
   }
   last_time_us_ = wall_us;
@@ -203,7 +203,7 @@ void StepClock::OnTime(int64_t wall_us) {
   if (wall_us >= next_state_us_) SendState(wall_us);
   if (state_ == State::kGathering) {
     if (stop_wanted_) {
-      // Nobody has begun; END tells those who are there to leave.
+      // No step has begun; END ends those that are there.
       for (auto& [name, member] : members_) member.answered_step = -1;
       state_ = State::kEnding;
       SendTick(wall_us);
@@ -220,7 +220,7 @@ void StepClock::OnTime(int64_t wall_us) {
       UpdateCounters();
       return;
     }
-    // Somebody does not answer: the others end without this step's totals.
+    // A participant does not answer: the others end without this step's totals.
     state_ = State::kEnding;
     stop_deadline_us_ = wall_us + kRepeatAfter_us * 4;
     next_totals_.clear();
@@ -269,7 +269,7 @@ void StepClock::Drop(const std::string& participant, int64_t wall_us) {
   CountOf(found->second);
   found->second = Member{};
   membership_changed_ = true;
-  // What it published in a step that it did not finish counts for nobody.
+  // What it published in a step that it did not finish does not count.
   if (state_ != State::kGathering && state_ != State::kEnded && AllAnswered()) Advance(wall_us);
 }
 

@@ -1,6 +1,6 @@
 // The clock's side of the step protocol: one TICK when all participants have answered the last.
 //
-//   GATHERING --all said hello--> RUNNING --last step answered--> ENDING --all answered--> ENDED
+//   GATHERING --all sent hello--> RUNNING --last step answered--> ENDING --all answered--> ENDED
 //       |                            |  TICK k, wait for STEP_DONE k of all, TICK k+1 with totals
 //       |                            |  silence of 50 ms: the tick again
 //       +--------- Stop() -----------+--------------------------> ENDING
@@ -62,7 +62,7 @@ class StepClock {
   /// Returns the wall time at which OnTime has something to do.
   int64_t NextDeadline() const;
 
-  /// Goes on without this participant, until it says hello again.
+  /// Goes on without this participant, until it sends hello again.
   void Drop(const std::string& participant, int64_t wall_us);
   /// Takes it that this participant has answered END: it has left, and its answer may be lost.
   void Leave(const std::string& participant, int64_t wall_us);
@@ -77,7 +77,7 @@ class StepClock {
   int64_t utime() const;
   const RunCounters& counters() const { return counters_; }
 
-  /// Participants that have not said hello yet.
+  /// Participants that have not sent hello yet.
   std::vector<std::string> Awaited() const;
   /// Participants that were silent for longer than the time-out; each is named until dropped.
   std::vector<std::string> Silent(int64_t wall_us) const;
@@ -90,13 +90,13 @@ class StepClock {
 
  private:
   struct Member {
-    bool present = false;     ///< Said hello, or answers; false after Drop.
-    bool joins_next = false;  ///< Said hello while running; takes part from the next tick on.
+    bool present = false;     ///< Sent hello, or answers; false after Drop.
+    bool joins_next = false;  ///< Sent hello while running; takes part from the next tick on.
     int32_t pid = 0;          ///< Of the process that plays it.
     int64_t answered_step = -1;
     int64_t asked_at_us = 0;  ///< When the tick it owes an answer to was sent first.
     int64_t next_repeat_us = 0;
-    // Totals since its start, as its last answer tells.
+    // Totals since its start, as its last answer has them.
     int64_t repeated = 0;
     int64_t outside = 0;
     int64_t foreign = 0;

@@ -134,7 +134,7 @@ void NoteTroubles(const LogReader& reader, const LogSurvey& survey, const LogInd
          index.num_undecodable);
   }
   if (survey.has_events && !index.has_nav) {
-    note("the log has no NAV of these vehicles: nobody knows where they were");
+    note("the log has no NAV of these vehicles: their positions are not known");
   }
   if (survey.num_left_out > 0) {
     note("{} vehicles are left out, those behind the first {}", survey.num_left_out,

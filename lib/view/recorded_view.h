@@ -33,9 +33,9 @@ struct RecordedViewOptions {
 
 class RecordedView : public ViewSource {
  public:
-  /// Opens a log, or the folder of `shoal run --record`. Damages are left out and told of in the
+  /// Opens a log, or the folder of `shoal run --record`. Damages are left out and named in the
   /// notes; a log of which nothing can be read is an error, as is a `mission_file` that does not
-  /// load. Errors say what to try.
+  /// load. Errors state what to try.
   static Result<std::unique_ptr<RecordedView>> Open(const std::string& path,
                                                     const RecordedViewOptions& options = {});
 
