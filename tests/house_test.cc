@@ -147,7 +147,7 @@ TEST(Clocks, AreReadInOnePlace) {
 /// Returns the outermost class of which a line at namespace level defines a member; else nothing.
 std::string ClassOfMember(const std::string& line) {
   static const std::regex definition(
-      R"(^(?:[\w:<>,*&\[\] ]*[*& ])?([A-Z]\w*)::(?:[A-Z]\w*::)*(?:~?\w+|operator\S+)(?:\(| = |\{))");
+      R"(^(?:\w[\w:<>,*&\[\] ]*[*& ])?([A-Z]\w*)::(?:[A-Z]\w*::)*(?:~?\w+|operator\S+)(?:\(| = |\{))");
   static const std::regex other(R"(^(?:using|return|typedef|friend|#)\b)");
   std::smatch match;
   if (line.find("::") == std::string::npos || std::regex_search(line, other) ||
