@@ -4,7 +4,9 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <map>
 #include <regex>
+#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -140,6 +142,60 @@ TEST(Clocks, AreReadInOnePlace) {
                               line.file != "lib/run/run_app.cc";
                      }),
             kNone);
+}
+
+/// Returns the outermost class of which a line at namespace level defines a member; else nothing.
+std::string ClassOfMember(const std::string& line) {
+  static const std::regex definition(
+      R"(^(?:\w[\w:<>,*&\[\] ]*[*& ])?([A-Z]\w*)::(?:[A-Z]\w*::)*(?:~?\w+|operator\S+)(?:\(| = |\{))");
+  static const std::regex other(R"(^(?:using|return|typedef|friend|#)\b)");
+  std::smatch match;
+  if (line.find("::") == std::string::npos || std::regex_search(line, other) ||
+      !std::regex_search(line, match, definition)) {
+    return {};
+  }
+  return match[1];
+}
+
+TEST(MemberDefinition, IsFoundWhateverItReturns) {
+  EXPECT_EQ(ClassOfMember("void Router::Route(int n) {"), "Router");
+  EXPECT_EQ(ClassOfMember("std::optional<std::vector<int>> Router::Table::Find(int n) const {"),
+            "Router");
+  EXPECT_EQ(ClassOfMember("Router::Router(int n) : n_(n) {}"), "Router");
+  EXPECT_EQ(ClassOfMember("Router::~Router() = default;"), "Router");
+  EXPECT_EQ(ClassOfMember("const std::array<Router::Row, 2> Router::kRows = {{"), "Router");
+  EXPECT_EQ(ClassOfMember("Router& Router::operator=(Router&& other) {"), "Router");
+  EXPECT_EQ(ClassOfMember("const Router::Row* Router::Find(std::string_view name) {"), "Router");
+}
+
+TEST(MemberDefinition, IsNotAUseOrAFreeFunction) {
+  EXPECT_EQ(ClassOfMember("Router::Row MakeRow(int n) {"), "");
+  EXPECT_EQ(ClassOfMember("constexpr auto kFirst = Router::State::kFirst;"), "");
+  EXPECT_EQ(ClassOfMember("  Router::Route(n);"), "");
+  EXPECT_EQ(ClassOfMember("return Router::Route(n);"), "");
+  EXPECT_EQ(ClassOfMember("std::string fmt::Format(int n) {"), "");
+}
+
+TEST(Classes, HaveOneSourceFile) {
+  // To be split by meaning; then this list goes.
+  const std::set<std::string> allowed = {"Router", "ShoreBrokerApp"};
+  std::map<std::string, std::set<std::string>> files_of;
+  for (const char* folder : {"lib", "apps", "sim"}) {
+    for (const Line& line : CodeBelow(folder)) {
+      if (!line.file.ends_with(".cc")) continue;
+      const std::string name = ClassOfMember(line.text);
+      if (!name.empty()) files_of[name].insert(line.file);
+    }
+  }
+  ASSERT_GT(files_of.size(), 50u);
+  std::vector<std::string> spread;
+  for (const auto& [name, files] : files_of) {
+    if (files.size() < 2 || allowed.contains(name)) continue;
+    std::string text = name + ":";
+    for (const std::string& file : files) text += " " + file;
+    spread.push_back(text);
+  }
+  EXPECT_EQ(spread, kNone);
 }
 
 }  // namespace

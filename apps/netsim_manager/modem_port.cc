@@ -19,7 +19,7 @@ class RawPort : public ModemPort {
         water_bps_(options.water_bps),
         more_bytes_(options.more_bytes) {}
 
-  void Hear(const HeardPacket& packet, int64_t) override {
+  void Receive(const ModemPacket& packet, int64_t) override {
     ++num_heard_;
     const std::vector<uint8_t> piece = EncodeRawPiece(packet.bytes);
     SendToClient({reinterpret_cast<const char*>(piece.data()), piece.size()});
@@ -28,7 +28,7 @@ class RawPort : public ModemPort {
   std::string Text() const override {
     const RawModemCounts& counts = reader_.counts();
     return fmt::format(
-        "    raw, {}; {} payloads taken, {} empty, {} too long, {} waiting, {} dropped; {} heard\n",
+        "    raw, {}; {} payloads taken, {} empty, {} too long, {} waiting, {} dropped; {} received\n",
         ClientText(), counts.delivered, counts.empty, counts.too_long, waiting_.size(),
         num_dropped_, num_heard_);
   }
@@ -75,12 +75,12 @@ class MicroModemPort : public ModemPort {
                 .water_bps = options.water_bps,
                 .max_packet_bytes = options.max_bytes}) {}
 
-  void Hear(const HeardPacket& packet, int64_t mission_us) override {
-    Pass(modem_.Hear({.bytes = packet.bytes,
-                      .start_us = packet.start_us,
-                      .travel_us = packet.travel_us,
-                      .snr_db = packet.snr_db},
-                     mission_us));
+  void Receive(const ModemPacket& packet, int64_t mission_us) override {
+    Pass(modem_.Receive({.bytes = packet.bytes,
+                         .start_us = packet.start_us,
+                         .travel_us = packet.travel_us,
+                         .snr_db = packet.snr_db},
+                        mission_us));
   }
   void SetClock(int64_t utc_us, int64_t mission_us) override {
     modem_.SetClock(utc_us, mission_us);

@@ -2,7 +2,7 @@
 //
 //   auto port = ModemPort::Open(vehicle, options);
 //   (*port)->Serve(wall_us, mission_us);             // clients
-//   (*port)->Hear(bytes, mission_us);                // what came through the water
+//   (*port)->Receive(packet, mission_us);            // what the network delivered
 //   for (auto& bytes : (*port)->TakeTransmissions()) Transmit(bytes);
 #pragma once
 
@@ -28,11 +28,11 @@ struct ModemPortOptions {
   int modem_address = 0;      ///< Of a Micro-Modem, 0 to 127.
   double water_bps = 0;       ///< The acoustic network's data rate; 0: not known.
   size_t more_bytes = 0;      ///< On the air, with each packet: a checksum.
-  size_t max_bytes = 65'535;  ///< That a packet through the water holds.
+  size_t max_bytes = 65'535;  ///< That an acoustic packet holds.
 };
 
-/// A packet that came through the water.
-struct HeardPacket {
+/// A packet that the acoustic network delivered.
+struct ModemPacket {
   std::vector<uint8_t> bytes;
   int64_t start_us = 0;   ///< Mission time at which its first byte arrived.
   int64_t travel_us = 0;  ///< From the sender to here.
@@ -50,16 +50,15 @@ class ModemPort {
 
   int fd() const { return server_->fd(); }
   int port() const { return server_->port(); }
-  bool has_client() const { return client_.has_value(); }
 
   /// Serves the client, and does what is due at `mission_us`, which never goes back.
   void Serve(int64_t wall_us, int64_t mission_us);
-  /// Takes a packet, client or not: a modem hears also while its host is away.
-  virtual void Hear(const HeardPacket& packet, int64_t mission_us) = 0;
+  /// Takes a packet, client or not: a modem receives also while its host is away.
+  virtual void Receive(const ModemPacket& packet, int64_t mission_us) = 0;
   /// Sets the modem's clock, where it has one.
   virtual void SetClock(int64_t, int64_t) {}
 
-  /// Returns what is to be sent through the water in the step at `mission_us`, and forgets it.
+  /// Returns what is to be transmitted in the step at `mission_us`, and forgets it.
   std::vector<std::vector<uint8_t>> TakeTransmissions(int64_t mission_us);
   /// Returns a line or two for a status page, four blanks before each.
   virtual std::string Text() const = 0;
@@ -71,7 +70,7 @@ class ModemPort {
   virtual void Advance(int64_t) {}
   /// Called at each step, before what is to be sent is taken.
   virtual void BeforeStep(int64_t) {}
-  /// Nothing where nobody is connected.
+  /// Nothing where no client is connected.
   void SendToClient(std::string_view bytes);
   void Transmit(std::vector<uint8_t> bytes);
   std::string ClientText() const;

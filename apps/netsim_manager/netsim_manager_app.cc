@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "lib/check/check.h"
-#include "lib/geometry/angles.h"
 #include "lib/netsim/gprmc.h"
 
 namespace shoal {
@@ -16,9 +15,8 @@ namespace shoal {
 namespace {
 
 constexpr double kNoSnr_db = -900;  ///< acoustic_path_t has -999 where there is none.
-constexpr size_t kCrcBytes = 4;
 constexpr size_t kMaxStatsPerStep = 1000;
-constexpr size_t kMaxHeardPerStep = 1000;
+constexpr size_t kMaxReceivedPerStep = 1000;
 
 /// Differences of such times are numbers still.
 bool IsMissionTime(int64_t utime) {
@@ -34,7 +32,7 @@ NetsimManagerApp::NetsimManagerApp(const Mission& mission, Bus& bus)
       frame_({.lat_deg = mission.origin_lat_deg, .lon_deg = mission.origin_lon_deg}),
       bus_(bus) {
   for (const NetsimVehicle& vehicle : options_.vehicles) {
-    Outsider outsider;
+    OutsideVehicle outsider;
     outsider.options = vehicle;
     outsider.vehicle = mission_.FindVehicle(vehicle.name);
     SHOAL_CHECK(outsider.vehicle != nullptr, "the mission file was checked");
@@ -45,8 +43,8 @@ NetsimManagerApp::NetsimManagerApp(const Mission& mission, Bus& bus)
     if (outsiders_[i].modem == nullptr) continue;
     Subscribe(bus, channels::AcousticRx(outsiders_[i].options.name),
               [this, i](const acoustic_rx_t& packet) {
-                std::vector<acoustic_rx_t>& heard = outsiders_[i].heard;
-                if (heard.size() < kMaxHeardPerStep) heard.push_back(packet);
+                std::vector<acoustic_rx_t>& received = outsiders_[i].received;
+                if (received.size() < kMaxReceivedPerStep) received.push_back(packet);
               });
   }
   Subscribe(bus, channels::CommsFates(), [this](const comms_fates_t& fates) { TakeFates(fates); });
@@ -67,42 +65,19 @@ void NetsimManagerApp::Open() {
   }
   lines_ = std::move(*lines);
   Await(lines_->fd());
-  for (Outsider& outsider : outsiders_) {
+  for (OutsideVehicle& outsider : outsiders_) {
     if (!Take(&outsider)) return;
   }
 }
 
-// Opens the ports of one vehicle; false and a fault where that cannot be.
-bool NetsimManagerApp::Take(Outsider* outsider) {
-  const NetsimVehicle& vehicle = outsider->options;
-  if (vehicle.modem != NetsimModem::kNone) {
-    const AcousticOptions& acoustics = mission_.acoustics.options;
-    const int address = outsider->vehicle->acoustic_address;
-    const int64_t limit = acoustics.modem ? acoustics.modem->max_packet_bytes : 0;
-    auto modem =
-        ModemPort::Open({.address = options_.address,
-                         .port = vehicle.modem_tcp_port,
-                         .kind = vehicle.modem,
-                         .modem_address = address <= 127 ? address : 0,
-                         .water_bps = acoustics.data_rate_bps,
-                         .more_bytes = mission_.acoustics.crc ? kCrcBytes : 0,
-                         .max_bytes = limit > 0 ? static_cast<size_t>(limit) : kMaxRawPieceBytes});
-    if (!modem.ok()) {
-      fault_ = modem.error();
-      return false;
-    }
-    outsider->modem = std::move(*modem);
-    Await(outsider->modem->fd());
+/// Opens the ports of one vehicle; false and a fault where that cannot be.
+bool NetsimManagerApp::Take(OutsideVehicle* outsider) {
+  if (const auto opened = OpenPorts(mission_, options_.address, outsider); !opened.ok()) {
+    fault_ = opened.error();
+    return false;
   }
-  if (vehicle.gps.tcp_port > 0 || !vehicle.gps.path.empty()) {
-    auto gps = GpsOutput::Open(vehicle.gps, options_.address);
-    if (!gps.ok()) {
-      fault_ = gps.error();
-      return false;
-    }
-    outsider->gps = std::move(*gps);
-    if (outsider->gps->fd() >= 0) Await(outsider->gps->fd());
-  }
+  if (outsider->modem) Await(outsider->modem->fd());
+  if (outsider->gps && outsider->gps->fd() >= 0) Await(outsider->gps->fd());
   return fault_.empty();
 }
 
@@ -111,14 +86,14 @@ void NetsimManagerApp::Await(int fd) {
 }
 
 int NetsimManagerApp::ModemPortOf(std::string_view vehicle) const {
-  for (const Outsider& outsider : outsiders_) {
+  for (const OutsideVehicle& outsider : outsiders_) {
     if (outsider.options.name == vehicle && outsider.modem) return outsider.modem->port();
   }
   return 0;
 }
 
 int NetsimManagerApp::GpsPortOf(std::string_view vehicle) const {
-  for (const Outsider& outsider : outsiders_) {
+  for (const OutsideVehicle& outsider : outsiders_) {
     if (outsider.options.name == vehicle && outsider.gps) return outsider.gps->port();
   }
   return 0;
@@ -137,7 +112,7 @@ std::string NetsimManagerApp::OnLine(const std::string& address, std::string_vie
 }
 
 void NetsimManagerApp::TakePosition(const NetsimPosition& position) {
-  for (Outsider& outsider : outsiders_) {
+  for (OutsideVehicle& outsider : outsiders_) {
     if (outsider.options.name != position.vehicle) continue;
     outsider.nav = position.nav;
     outsider.nav_is_new = true;
@@ -150,34 +125,34 @@ void NetsimManagerApp::TakePosition(const NetsimPosition& position) {
 
 void NetsimManagerApp::TakeStats(const NetsimReceiveStats& stats) {
   ++num_stats_;
-  for (Outsider& outsider : outsiders_) {
+  for (OutsideVehicle& outsider : outsiders_) {
     if (outsider.options.modem_tcp_port == stats.modem_tcp_port) outsider.stats = stats;
   }
   if (stats_.size() >= kMaxStatsPerStep) {
-    log_.Warn("receive statistics: more than 1000 in a step; further ones are not said on");
+    log_.Warn("receive statistics: more than 1000 in a step; further ones are not published");
     return;
   }
-  modem_stats_t told{};
-  told.receiver = NameOfPort(stats.modem_tcp_port);
-  told.sender = NameOfPort(stats.tx_modem_tcp_port);
-  told.is_good = stats.packet_success ? 1 : 0;
+  modem_stats_t published{};
+  published.receiver = NameOfPort(stats.modem_tcp_port);
+  published.sender = NameOfPort(stats.tx_modem_tcp_port);
+  published.is_good = stats.packet_success ? 1 : 0;
   if (stats.modem) {
-    told.has_modem = 1;
-    told.mode = stats.modem->mode;
-    told.rate = stats.modem->rate;
-    told.source = stats.modem->source;
-    told.destination = stats.modem->destination;
-    told.num_frames = stats.modem->num_frames;
-    told.num_bad_frames = stats.modem->num_bad_frames;
-    told.snr_in_db = stats.modem->snr_in_db;
-    told.snr_out_db = stats.modem->snr_out_db;
-    told.mse_equalizer_db = stats.modem->mse_equalizer_db;
+    published.has_modem = 1;
+    published.mode = stats.modem->mode;
+    published.rate = stats.modem->rate;
+    published.source = stats.modem->source;
+    published.destination = stats.modem->destination;
+    published.num_frames = stats.modem->num_frames;
+    published.num_bad_frames = stats.modem->num_bad_frames;
+    published.snr_in_db = stats.modem->snr_in_db;
+    published.snr_out_db = stats.modem->snr_out_db;
+    published.mse_equalizer_db = stats.modem->mse_equalizer_db;
   }
-  stats_.push_back(told);
+  stats_.push_back(published);
 }
 
 std::string NetsimManagerApp::NameOfPort(int32_t port) const {
-  for (const Outsider& outsider : outsiders_) {
+  for (const OutsideVehicle& outsider : outsiders_) {
     if (outsider.options.modem_tcp_port == port) return outsider.options.name;
   }
   return fmt::format("port {}", port);
@@ -188,7 +163,7 @@ void NetsimManagerApp::TakeFates(const comms_fates_t& fates) {
     if (fate.path.empty() || !(fate.path[0].snr_db > kNoSnr_db)) continue;
     const bool is_ours = std::any_of(
         outsiders_.begin(), outsiders_.end(),
-        [&](const Outsider& outsider) { return outsider.options.name == fate.destination; });
+        [&](const OutsideVehicle& outsider) { return outsider.options.name == fate.destination; });
     if (is_ours) {
       snrs_db_[{fate.destination, fate.source, fate.path[0].packet}] = fate.path[0].snr_db;
     }
@@ -199,8 +174,8 @@ void NetsimManagerApp::Tick(int64_t utime) {
   utime_ = utime;
   tick_wall_us_.reset();
   mission_us_ = std::max(mission_us_, utime - mission_.start_utime);
-  for (Outsider& outsider : outsiders_) {
-    HearWater(&outsider, mission_us_);
+  for (OutsideVehicle& outsider : outsiders_) {
+    PassReceived(&outsider, mission_us_);
     if (outsider.modem) {
       for (std::vector<uint8_t>& bytes : outsider.modem->TakeTransmissions(mission_us_)) {
         acoustic_tx_t packet{};
@@ -220,10 +195,11 @@ void NetsimManagerApp::Tick(int64_t utime) {
   snrs_db_.clear();
 }
 
-void NetsimManagerApp::HearWater(Outsider* outsider, int64_t mission_us) {
+void NetsimManagerApp::PassReceived(OutsideVehicle* outsider, int64_t mission_us) {
   const AcousticOptions& acoustics = mission_.acoustics.options;
-  for (acoustic_rx_t& packet : std::exchange(outsider->heard, {})) {
-    const size_t on_air_bytes = packet.payload.size() + (mission_.acoustics.crc ? kCrcBytes : 0);
+  for (acoustic_rx_t& packet : std::exchange(outsider->received, {})) {
+    const size_t on_air_bytes =
+        packet.payload.size() + (mission_.acoustics.crc ? kPacketCrcBytes : 0);
     const double air_s = acoustics.data_rate_bps > 0
                              ? 8 * static_cast<double>(on_air_bytes) / acoustics.data_rate_bps
                              : 0;
@@ -233,44 +209,27 @@ void NetsimManagerApp::HearWater(Outsider* outsider, int64_t mission_us) {
       continue;
     }
     const int64_t start_utime = packet.arrived_utime - std::llround(air_s * 1e6);
-    HeardPacket heard{.bytes = std::move(packet.payload),
-                      .start_us = start_utime - mission_.start_utime,
-                      .travel_us = std::max<int64_t>(start_utime - packet.sent_utime, 0),
-                      .snr_db = std::nullopt};
+    ModemPacket arrival{.bytes = std::move(packet.payload),
+                        .start_us = start_utime - mission_.start_utime,
+                        .travel_us = std::max<int64_t>(start_utime - packet.sent_utime, 0),
+                        .snr_db = std::nullopt};
     const auto snr_db =
         snrs_db_.find(std::tuple(outsider->options.name, packet.source, packet.number));
-    if (snr_db != snrs_db_.end()) heard.snr_db = snr_db->second;
-    outsider->modem->Hear(heard, mission_us);
+    if (snr_db != snrs_db_.end()) arrival.snr_db = snr_db->second;
+    outsider->modem->Receive(arrival, mission_us);
   }
 }
 
-void NetsimManagerApp::Report(Outsider* outsider, int64_t utime) {
+void NetsimManagerApp::Report(OutsideVehicle* outsider, int64_t utime) {
   const NetsimNav& nav = *outsider->nav;
   const auto local_m = frame_.ToLocal({.lat_deg = nav.lat_deg, .lon_deg = nav.lon_deg});
   if (!local_m) {
-    log_.Warn(fmt::format("{} is more than {:g} km from the mission's origin: not said on",
+    log_.Warn(fmt::format("{} is more than {:g} km from the mission's origin: not published",
                           outsider->options.name, LocalFrame::kReach_m / 1000));
     return;
   }
-  const Vehicle& vehicle = *outsider->vehicle;
-  node_report_t report{};
-  report.utime = utime;
-  report.name = vehicle.name;
-  report.type = vehicle.type;
-  report.group = vehicle.group;
-  report.color = vehicle.color;
-  report.length_m = vehicle.length_m;
-  report.x_m = local_m->x();
-  report.y_m = local_m->y();
-  report.depth_m = nav.depth_m;
-  report.altitude_m = -1;
-  report.lat_deg = nav.lat_deg;
-  report.lon_deg = nav.lon_deg;
-  report.speed_mps = report.speed_over_ground_mps = nav.speed_mps;
-  report.heading_deg = report.course_over_ground_deg = Wrap360(nav.heading_deg);
-  report.mode = "NETSIM";
-  report.all_stop = "clear";
-  report.index = outsider->num_reports++;
+  const node_report_t report = ReportOf(*outsider, *local_m, utime);
+  ++outsider->num_reports;
   outsider->nav_utime = utime;
   Publish(bus_, channels::NodeReportFromOutside(), report);
 }
@@ -289,12 +248,39 @@ void NetsimManagerApp::Serve(int64_t now_us, int64_t utc_us) {
   utc_us_ = utc_us;
   const int64_t mission_us = MissionTime_us(now_us);
   lines_->Serve(now_us);
-  for (Outsider& outsider : outsiders_) {
+  for (OutsideVehicle& outsider : outsiders_) {
     if (outsider.modem && utime_ && !clocks_are_set_) outsider.modem->SetClock(utc_us, mission_us);
     if (outsider.modem) outsider.modem->Serve(now_us, mission_us);
     if (outsider.gps) outsider.gps->Serve(now_us);
   }
   clocks_are_set_ = clocks_are_set_ || utime_.has_value();
+}
+
+StatusPage NetsimManagerApp::Status() const {
+  StatusPage page;
+  page.text =
+      fmt::format("Configuration:\n    Listens on {}:{}, {} vehicles, warp {}\n", options_.address,
+                  port(), outsiders_.size(), options_.allow_warp ? "allowed" : "1 only");
+  if (lines_) {
+    const TcpServerCounts& counts = lines_->counts();
+    page.text +=
+        fmt::format("Clients: {} now, {} so far, {} refused, {} broken off, {} idle, {} stalled\n",
+                    lines_->num_clients(), counts.accepted, counts.refused, counts.broken,
+                    counts.idle, counts.stalled);
+    page.text += fmt::format("Lines ({} too long):\n", lines_->num_too_long());
+  }
+  for (size_t i = 0; i < kNumNetsimOutcomes; ++i) {
+    const auto outcome = static_cast<NetsimOutcome>(i);
+    if (counts_.Of(outcome) == 0) continue;
+    page.text += fmt::format("    {}: {}\n", Word(outcome), counts_.Of(outcome));
+  }
+  page.text += fmt::format("Receive statistics: {}\nVehicles:\n", num_stats_);
+  for (const OutsideVehicle& outsider : outsiders_) {
+    const int32_t sender = outsider.stats ? outsider.stats->tx_modem_tcp_port : 0;
+    page.text += TextOf(outsider, utime_.value_or(0), NameOfPort(sender));
+  }
+  log_.AppendTo(&page);
+  return page;
 }
 
 }  // namespace shoal

@@ -1,10 +1,11 @@
 // Lets vehicle simulators from outside take part, as GobySoft's netsim does: positions come in over
-// one TCP port, and each vehicle has a modem on a port of its own. Hears ACOUSTIC_RX_<V> of these
-// vehicles and COMMS_FATES; says NODE_REPORT, ACOUSTIC_TX and MODEM_STATS.
+// one TCP port, and each vehicle has a modem on a port of its own. Subscribes to
+// ACOUSTIC_RX_<V> of these vehicles and COMMS_FATES; publishes NODE_REPORT, ACOUSTIC_TX and
+// MODEM_STATS.
 //
-// Clients are answered at once, between steps; what they bring is said in the next step, of several
-// positions of a vehicle the last. Modems keep mission time: between two steps it goes on as the
-// wall's does.
+// Clients are answered at once, between steps; what they bring is published in the next step, of
+// several positions of a vehicle the last. Modems keep mission time: between two steps it goes on
+// as the wall's does.
 #pragma once
 
 #include <cstdint>
@@ -14,12 +15,11 @@
 #include <string>
 #include <vector>
 
-#include "apps/netsim_manager/modem_port.h"
+#include "apps/netsim_manager/outside_vehicle.h"
 #include "lib/bus/bus.h"
 #include "lib/bus/channels.h"
 #include "lib/geodesy/local_frame.h"
 #include "lib/mission/mission.h"
-#include "lib/netsim/gps_output.h"
 #include "lib/netsim/line_server.h"
 #include "lib/netsim/netsim_answer.h"
 #include "lib/netsim/wait_set.h"
@@ -29,7 +29,7 @@ namespace shoal {
 
 class NetsimManagerApp : public App {
  public:
-  /// @pre mission.netsim. Fault() tells of ports that could not be opened.
+  /// @pre mission.netsim. Fault() names ports that could not be opened.
   NetsimManagerApp(const Mission& mission, Bus& bus);
 
   void Tick(int64_t utime) override;
@@ -46,35 +46,18 @@ class NetsimManagerApp : public App {
   int GpsPortOf(std::string_view vehicle) const;
 
  private:
-  /// A vehicle that is simulated elsewhere.
-  struct Outsider {
-    NetsimVehicle options;
-    const Vehicle* vehicle = nullptr;
-    std::unique_ptr<ModemPort> modem;         ///< Null: it has none.
-    std::unique_ptr<GpsOutput> gps;           ///< Null: it has none.
-    std::vector<acoustic_rx_t> heard;         ///< In this step.
-    std::optional<NetsimReceiveStats> stats;  ///< The last that its client told.
-    std::optional<NetsimNav> nav;             ///< The last.
-    std::optional<int64_t> nav_utime;         ///< The step in which it was said on.
-    bool nav_is_new = false;
-    int64_t num_navs = 0;
-    int64_t num_sentences = 0;  ///< For GPS.
-    int64_t num_reports = 0;
-  };
-
   void Open();
   void Await(int fd);
-  bool Take(Outsider* outsider);
+  bool Take(OutsideVehicle* outsider);
   std::string OnLine(const std::string& address, std::string_view line);
   void TakePosition(const NetsimPosition& position);
   void TakeStats(const NetsimReceiveStats& stats);
   void TakeFates(const comms_fates_t& fates);
-  void HearWater(Outsider* outsider, int64_t mission_us);
-  void Report(Outsider* outsider, int64_t utime);
+  void PassReceived(OutsideVehicle* outsider, int64_t mission_us);
+  void Report(OutsideVehicle* outsider, int64_t utime);
   /// Mission time since the start, for modems: never goes back.
   int64_t MissionTime_us(int64_t wall_us);
   std::string NameOfPort(int32_t port) const;
-  std::string OutsiderText(const Outsider& outsider) const;
 
   const Mission mission_;
   const NetsimOptions options_;
@@ -82,7 +65,7 @@ class NetsimManagerApp : public App {
   Bus& bus_;
   WaitSet served_;
   std::unique_ptr<LineServer> lines_;
-  std::vector<Outsider> outsiders_;
+  std::vector<OutsideVehicle> outsiders_;
   std::vector<modem_stats_t> stats_;  ///< Of this step.
   /// Signal-to-noise ratio of what arrived in this step: by receiver, sender and packet.
   std::map<std::tuple<std::string, std::string, int64_t>, double> snrs_db_;
@@ -94,7 +77,7 @@ class NetsimManagerApp : public App {
   std::optional<int64_t> utime_;
   int64_t utc_us_ = 0;
   std::optional<int64_t> tick_wall_us_;  ///< When the last step was, as Serve saw it.
-  int64_t mission_us_ = 0;               ///< As told last.
+  int64_t mission_us_ = 0;               ///< As given to modems last.
   bool clocks_are_set_ = false;
   int64_t num_stats_ = 0;
 };

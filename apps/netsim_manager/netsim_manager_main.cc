@@ -1,5 +1,5 @@
-// netsim's TCP interface. Hears ACOUSTIC_RX_<V> and COMMS_FATES, says NODE_REPORT, ACOUSTIC_TX and
-// MODEM_STATS. See netsim_manager --help.
+// netsim's TCP interface. Subscribes to ACOUSTIC_RX_<V> and COMMS_FATES, publishes NODE_REPORT,
+// ACOUSTIC_TX and MODEM_STATS. See netsim_manager --help.
 #include "apps/netsim_manager/netsim_manager_app.h"
 #include "lib/run/run_app.h"
 

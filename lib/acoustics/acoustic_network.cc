@@ -1,32 +1,22 @@
 #include "lib/acoustics/acoustic_network.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <utility>
 
-#include "lib/acoustics/loss_models.h"
+#include "lib/acoustics/bit_errors.h"
 #include "lib/check/check.h"
 
 namespace shoal {
 
 namespace {
 
-/// Larger buffers are given back when their packet is gone.
-constexpr size_t kKeptBufferBytes = 4096;
-
 ChannelPlan PlanOrDie(const AcousticOptions& options, std::span<const AcousticNode> nodes) {
   Result<ChannelPlan> plan = ChannelPlan::Make(options, nodes);
   SHOAL_CHECK(plan.ok(), "options and nodes were found to be sound");
   return std::move(*plan);
-}
-
-std::optional<LinkModel> MakeLink(const AcousticOptions& options) {
-  if (options.packet_loss_model != PacketLossModel::kModem &&
-      options.bit_error_model != BitErrorModel::kModem) {
-    return std::nullopt;
-  }
-  SHOAL_CHECK(options.modem.has_value(), "options and nodes were found to be sound");
-  return LinkModel(*options.modem, options.sea);
 }
 
 }  // namespace
@@ -35,7 +25,7 @@ AcousticNetwork::AcousticNetwork(const AcousticOptions& options, uint64_t seed,
                                  std::span<const AcousticNode> nodes)
     : options_(options),
       plan_(PlanOrDie(options, nodes)),
-      link_(MakeLink(options)),
+      path_(options),
       seed_(seed),
       now_s_(-std::numeric_limits<double>::infinity()) {
   SHOAL_CHECK(nodes.size() <= kMaxAcousticNodes, "events hold no larger index");
@@ -64,11 +54,11 @@ int64_t AcousticNetwork::Transmit(double time_s, int source,
   SHOAL_CHECK(source >= 0 && source < num_nodes(), "only nodes send");
   SHOAL_CHECK(positions_m.size() == nodes_.size(), "each node has a position");
   now_s_ = time_s;
-  RecycleUnused();
+  Recycle();
 
   Node& sender = nodes_[static_cast<size_t>(source)];
-  const int32_t index = TakeTransmission(bytes);
-  Transmission& transmission = transmissions_[static_cast<size_t>(index)];
+  const int32_t index = transmissions_.Take(bytes);
+  AcousticTransmission& transmission = transmissions_[index];
   transmission.packet = {source, sender.num_sent++};
   transmission.key = sender.sends.With(transmission.packet.number);
   transmission.turn = statistics_.num_transmissions++;
@@ -89,14 +79,14 @@ int64_t AcousticNetwork::Transmit(double time_s, int source,
     ++transmission.num_users;
     Offer(transmission, index, receiver, positions_m);
   }
-  Release(index);
+  transmissions_.Release(index);
   return transmission.packet.number;
 }
 
-void AcousticNetwork::Offer(const Transmission& transmission, int32_t index, int receiver,
+void AcousticNetwork::Offer(const AcousticTransmission& transmission, int32_t index, int receiver,
                             std::span<const Eigen::Vector3d> positions_m) {
-  const int32_t slot = TakePlace(&receptions_, &free_receptions_);
-  Pending& pending = receptions_[static_cast<size_t>(slot)];
+  const int32_t slot = receptions_.Take();
+  Pending& pending = receptions_[slot];
   pending = {};
   pending.start_s = transmission.sent_s;
   pending.receiver = receiver;
@@ -110,7 +100,11 @@ void AcousticNetwork::Offer(const Transmission& transmission, int32_t index, int
   } else if (!(range_m <= kMaxRange_m)) {
     pending.fate = AcousticFate::kNoPath;
   } else {
-    MeetThePath(transmission, range_m, &pending);
+    pending.range_m = range_m;
+    pending.path = path_.Draw(range_m, plan_.channel(transmission.channel).freq_khz,
+                              transmission.bytes.size(), KeyOf(transmission, receiver));
+    pending.start_s =
+        transmission.sent_s + (range_m / options_.sound_speed_mps + pending.path.jitter_s);
   }
   // Whole durations are added to the start, so that nothing arrives before it was sent.
   pending.end_s = pending.start_s + transmission.air_s;
@@ -122,51 +116,15 @@ void AcousticNetwork::Offer(const Transmission& transmission, int32_t index, int
                                   transmission.turn, receiver, slot));
 }
 
-// The first number of a reception's stream is the jitter's, the second the packet loss's, whether
-// or not there are such effects; the number of wrong bits comes from those that follow.
-void AcousticNetwork::MeetThePath(const Transmission& transmission, double range_m,
-                                  Pending* pending) const {
-  Stream stream(KeyOf(transmission, pending->receiver));
-  const double jitter_draw = stream.Uniform();
-  const double loss_draw = stream.Uniform();
-  pending->range_m = range_m;
-  pending->jitter_s =
-      options_.jitter == JitterModel::kUniform ? jitter_draw * options_.max_jitter_s : 0;
-  pending->start_s = transmission.sent_s + (range_m / options_.sound_speed_mps + pending->jitter_s);
-  const double wrong_by_modem = link_ ? MeetTheModem(range_m, pending) : 0;
-  if (options_.packet_loss_model != PacketLossModel::kOff) {
-    pending->loss_probability =
-        options_.packet_loss_model == PacketLossModel::kModem
-            ? PacketErrorRate(wrong_by_modem, transmission.bytes.size(), options_.modem->code)
-            : PacketLossProbability(options_, range_m,
-                                    plan_.channel(transmission.channel).freq_khz);
-    pending->is_lost = loss_draw < pending->loss_probability;
-  }
-  if (options_.bit_error_model != BitErrorModel::kOff) {
-    pending->bit_error_probability = options_.bit_error_model == BitErrorModel::kModem
-                                         ? wrong_by_modem
-                                         : BitErrorProbability(options_, range_m);
-    pending->num_wrong_bits = stream.Binomial(static_cast<int64_t>(8 * transmission.bytes.size()),
-                                              pending->bit_error_probability);
-  }
-}
-
-/// Returns the probability that a bit is wrong in the water.
-double AcousticNetwork::MeetTheModem(double range_m, Pending* pending) const {
-  const LinkBudget link = link_->At(range_m);
-  pending->snr_db = link.snr_db;
-  return link.bit_error_rate;
-}
-
 std::span<const Reception> AcousticNetwork::Deliver(double until_s) {
   SHOAL_CHECK(until_s >= now_s_, "time moves forward");
   now_s_ = until_s;
-  RecycleUnused();
+  Recycle();
   while (events_.HasEventUntil(until_s)) {
     const AcousticEvent event = events_.First();
     if (event.kind() == AcousticEventKind::kReceptionStarts) {
       StartReception(event.slot);
-      events_.ReplaceFirst(EndOf(event, receptions_[static_cast<size_t>(event.slot)].end_s));
+      events_.ReplaceFirst(EndOf(event, receptions_[event.slot].end_s));
       continue;
     }
     events_.PopFirst();
@@ -190,27 +148,146 @@ AcousticStatistics AcousticNetwork::statistics() const {
   return statistics;
 }
 
-int32_t AcousticNetwork::TakeTransmission(std::span<const uint8_t> bytes) {
-  const int32_t index = TakePlace(&transmissions_, &free_transmissions_);
-  transmissions_[static_cast<size_t>(index)].bytes.assign(bytes.begin(), bytes.end());
-  return index;
-}
-
-void AcousticNetwork::Release(int32_t transmission) {
-  if (--transmissions_[static_cast<size_t>(transmission)].num_users == 0) {
-    unused_transmissions_.push_back(transmission);
-  }
-}
-
-void AcousticNetwork::RecycleUnused() {
+void AcousticNetwork::Recycle() {
   results_.clear();
   num_damaged_ = 0;
-  for (const int32_t index : unused_transmissions_) {
-    std::vector<uint8_t>& bytes = transmissions_[static_cast<size_t>(index)].bytes;
-    if (bytes.capacity() > kKeptBufferBytes) bytes = {};
-    free_transmissions_.push_back(index);
+  transmissions_.Recycle();
+}
+
+void AcousticNetwork::StartTransmission(int32_t index) {
+  const AcousticTransmission& transmission = transmissions_[index];
+  const PacketId& packet = transmission.packet;
+  const double end_s = transmission.sent_s + transmission.air_s;
+  Node& node = nodes_[static_cast<size_t>(packet.source)];
+  ++node.num_started;
+  node.last_started = packet.number;
+  if (node.longest_number < 0 || end_s > node.sends_until_s) {
+    node.sends_until_s = end_s;
+    node.longest_number = packet.number;
   }
-  unused_transmissions_.clear();
+  transmissions_.Release(index);
+}
+
+void AcousticNetwork::StartReception(int32_t slot) {
+  Pending& pending = receptions_[slot];
+  const Node& receiver = nodes_[static_cast<size_t>(pending.receiver)];
+  const bool is_sending = receiver.num_started > 0 && receiver.sends_until_s > pending.start_s;
+  pending.own_number = is_sending ? receiver.longest_number : -1;
+  pending.num_own_started = receiver.num_started;
+  if (options_.collisions == CollisionModel::kOff) return;
+  AcousticTransmission& transmission = transmissions_[pending.transmission];
+  ++transmission.num_users;  // The lane.
+  pending.lane = lanes_.FindOrOpen(pending.receiver, transmission.channel, receptions_.num_used());
+  pending.ticket =
+      lanes_[pending.lane].Start({pending.start_s, pending.end_s, pending.transmission});
+}
+
+void AcousticNetwork::EndReception(int32_t slot) {
+  const Pending& pending = receptions_[slot];
+  const AcousticTransmission& transmission = transmissions_[pending.transmission];
+  Reception& reception = results_.emplace_back();
+  reception.packet = transmission.packet;
+  reception.receiver = pending.receiver;
+  reception.channel = transmission.channel;
+  reception.sent_s = transmission.sent_s;
+  reception.start_s = pending.start_s;
+  reception.end_s = pending.end_s;
+  reception.air_s = transmission.air_s;
+  reception.range_m = pending.range_m;
+  reception.jitter_s = pending.path.jitter_s;
+  reception.snr_db = pending.path.snr_db;
+  reception.loss_probability = pending.path.loss_probability;
+  reception.bit_error_probability = pending.path.bit_error_probability;
+  if (pending.range_m >= 0) reception.travel_s = pending.range_m / options_.sound_speed_mps;
+  if (pending.lane >= 0) {
+    reception.num_colliders = lanes_[pending.lane].NumOverlapping(pending.ticket);
+    if (reception.num_colliders > 0) {
+      ++statistics_.num_collided;
+      NameColliders(pending, &reception);
+    }
+  }
+  reception.fate = Decide(pending, &reception);
+  ++statistics_.num_fates[static_cast<size_t>(reception.fate)];
+  statistics_.num_bits_flipped += reception.num_bits_flipped;
+  statistics_.num_bit_errors += reception.num_bits_flipped > 0 ? 1 : 0;
+  if (pending.lane >= 0) LeaveLane(pending);
+  transmissions_.Release(pending.transmission);
+  receptions_.Free(slot);
+}
+
+AcousticFate AcousticNetwork::Decide(const Pending& pending, Reception* reception) {
+  if (pending.fate) return *pending.fate;
+  reception->own_number = OwnNumber(pending);
+  if (reception->own_number >= 0) return AcousticFate::kHalfDuplex;
+  const bool has_collided = reception->num_colliders > 0;
+  if (has_collided && options_.collisions == CollisionModel::kDrop) return AcousticFate::kCollided;
+  if (pending.path.is_lost) return AcousticFate::kLost;
+  return HandOver(pending, reception);
+}
+
+/// Returns the number of a packet that the receiver was sending meanwhile, or -1.
+int64_t AcousticNetwork::OwnNumber(const Pending& pending) const {
+  if (!options_.half_duplex || !(pending.start_s < pending.end_s)) return -1;
+  if (pending.own_number >= 0) return pending.own_number;
+  const Node& receiver = nodes_[static_cast<size_t>(pending.receiver)];
+  return receiver.num_started > pending.num_own_started ? receiver.last_started : -1;
+}
+
+void AcousticNetwork::NameColliders(const Pending& pending, Reception* reception) const {
+  size_t count = 0;
+  lanes_[pending.lane].ForOverlapping(
+      pending.ticket, kMaxNamedColliders, [&](const AirLane::Packet& other) {
+        reception->colliders[count++] = transmissions_[other.transmission].packet;
+      });
+  std::sort(reception->colliders.begin(),
+            reception->colliders.begin() + static_cast<std::ptrdiff_t>(count));
+}
+
+/// Sets the bytes that the receiver gets.
+AcousticFate AcousticNetwork::HandOver(const Pending& pending, Reception* reception) {
+  const AcousticTransmission& transmission = transmissions_[pending.transmission];
+  const std::span<const uint8_t> sent = transmission.bytes;
+  reception->bytes = sent;
+  if (reception->num_colliders == 0 && pending.path.num_wrong_bits == 0) {
+    return AcousticFate::kDelivered;
+  }
+  const std::span<uint8_t> received = CopyToDamage(sent);
+  reception->bytes = received;
+  if (reception->num_colliders > 0) XorColliders(pending, received);
+  const bool has_changed = reception->num_colliders > 0 && !std::ranges::equal(received, sent);
+  reception->num_bits_flipped = pending.path.num_wrong_bits;
+  if (pending.path.num_wrong_bits > 0) {
+    Stream stream(KeyOf(transmission, pending.receiver).With("wrong bits"));
+    FlipRandomBits(pending.path.num_wrong_bits, &stream, received, &scratch_);
+  }
+  if (has_changed) return AcousticFate::kDamagedByCollision;
+  return pending.path.num_wrong_bits > 0 ? AcousticFate::kDamagedByBitErrors
+                                         : AcousticFate::kDelivered;
+}
+
+void AcousticNetwork::XorColliders(const Pending& pending, std::span<uint8_t> received) const {
+  const double bytes_per_s = options_.data_rate_bps / 8;
+  const Arrival arrival = {pending.start_s, pending.end_s,
+                           transmissions_[pending.transmission].bytes};
+  const AirLane& lane = lanes_[pending.lane];
+  lane.ForOverlapping(
+      pending.ticket, lane.NumOverlapping(pending.ticket), [&](const AirLane::Packet& other) {
+        XorOverlap(arrival, {other.start_s, other.end_s, transmissions_[other.transmission].bytes},
+                   bytes_per_s, received);
+      });
+}
+
+std::span<uint8_t> AcousticNetwork::CopyToDamage(std::span<const uint8_t> bytes) {
+  if (num_damaged_ == damaged_.size()) damaged_.emplace_back();
+  std::vector<uint8_t>& copy = damaged_[num_damaged_++];
+  copy.assign(bytes.begin(), bytes.end());
+  return copy;
+}
+
+void AcousticNetwork::LeaveLane(const Pending& pending) {
+  unneeded_.clear();
+  lanes_[pending.lane].End(pending.ticket, &unneeded_);
+  for (const int32_t transmission : unneeded_) transmissions_.Release(transmission);
 }
 
 }  // namespace shoal

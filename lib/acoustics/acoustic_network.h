@@ -1,5 +1,5 @@
 // The water between the nodes: what one sends arrives at the others late, damaged or not at all,
-// and each time the network can say why.
+// and each time the network states why.
 //
 //   AcousticNetwork water(options, mission.seed, {{.name = "alpha"}, {.name = "bravo"}});
 //   water.Transmit(time_s, kAlpha, positions_m, bytes, receivers);   // for all that was sent, then
@@ -8,7 +8,7 @@
 // A packet leaves its source at `time_s`, takes `8 bytes / data_rate_bps` to be sent and, to each
 // receiver, `range / sound_speed_mps` to get there, with the positions of that moment, plus jitter.
 // What overlaps at a receiver on one channel collides, whether or not it is lost otherwise. With
-// `half_duplex`, what overlaps a transmission of the receiver's own is not heard.
+// `half_duplex`, what overlaps a transmission of the receiver's own is not received.
 //
 // Draws come from streams keyed by seed, source, the source's packet number and receiver: another
 // node, receiver or effect changes none of them. Costs grow with the logarithm of the packets in
@@ -22,7 +22,6 @@
 #include <set>
 #include <span>
 #include <string>
-#include <unordered_map>
 #include <vector>
 
 #include "lib/acoustics/acoustic_options.h"
@@ -30,8 +29,11 @@
 #include "lib/acoustics/air_lane.h"
 #include "lib/acoustics/channel_plan.h"
 #include "lib/acoustics/event_queue.h"
-#include "lib/acoustics/modem_preset.h"
+#include "lib/acoustics/lane_table.h"
+#include "lib/acoustics/path_effects.h"
+#include "lib/acoustics/places.h"
 #include "lib/acoustics/reception.h"
+#include "lib/acoustics/transmission_store.h"
 #include "lib/check/result.h"
 #include "lib/random/stream.h"
 
@@ -47,7 +49,7 @@ class AcousticNetwork {
   AcousticNetwork(const AcousticOptions& options, uint64_t seed,
                   std::span<const AcousticNode> nodes);
 
-  /// Takes one more node in and returns its index, or tells why it cannot take part.
+  /// Takes one more node in and returns its index, or states why it cannot take part.
   Result<int> AddNode(const AcousticNode& node);
 
   const AcousticOptions& options() const { return options_; }
@@ -78,21 +80,21 @@ class AcousticNetwork {
   /// Returns all numbers so far.
   AcousticStatistics statistics() const;
   /// Receptions without a fate yet.
-  int64_t num_in_transit() const {
-    return static_cast<int64_t>(receptions_.size() - free_receptions_.size());
-  }
+  int64_t num_in_transit() const { return static_cast<int64_t>(receptions_.num_used()); }
   /// Returns how many packets, receptions and links there is room for: what memory grows with.
   /// Packets in flight at the busiest moment so far bound it.
-  size_t NumPlaces() const { return transmissions_.size() + receptions_.size() + lanes_.size(); }
+  size_t NumPlaces() const {
+    return transmissions_.num_places() + receptions_.num_places() + lanes_.num_places();
+  }
 
  private:
   struct Node {
     Node(const std::string& name, uint64_t seed)
         : sends(StreamKey(seed, "acoustic link").With(name)),
-          hears(StreamKey(seed, "acoustic receiver").With(name).low()) {}
+          receives(StreamKey(seed, "acoustic receiver").With(name).low()) {}
 
-    StreamKey sends;  ///< Key of the draws of all that it sends.
-    uint64_t hears;   ///< Its name, as part of the keys of what it hears.
+    StreamKey sends;    ///< Key of the draws of all that it sends.
+    uint64_t receives;  ///< Its name, as part of the keys of what it receives.
     int64_t num_sent = 0;
     int64_t last_offered = -1;  ///< Turn of the transmission that it was last meant for.
     // Half duplex; these follow the events.
@@ -102,28 +104,12 @@ class AcousticNetwork {
     int64_t longest_number = -1;  ///< ... and its number.
   };
 
-  /// Something that was sent, as long as anybody needs it.
-  struct Transmission {
-    PacketId packet;
-    StreamKey key = StreamKey(0, {});
-    int64_t turn = 0;  ///< It is the network's transmission of this number.
-    double sent_s = 0;
-    double air_s = 0;
-    int32_t channel = 0;
-    int32_t num_users = 0;
-    std::vector<uint8_t> bytes;
-  };
-
   /// A reception that has no fate yet, or the place for one; Reception has the meanings.
   struct Pending {
     double start_s = 0;
     double end_s = 0;
     double range_m = -1;
-    double jitter_s = -1;
-    std::optional<double> snr_db;
-    double loss_probability = -1;
-    double bit_error_probability = -1;
-    int64_t num_wrong_bits = 0;  ///< Bits to flip if it is handed over.
+    PathEffects path;
     AirLane::Ticket ticket;
     int64_t own_number = -1;      ///< The receiver's transmission when this one began; or -1.
     int64_t num_own_started = 0;  ///< Transmissions that the receiver had begun by then.
@@ -131,29 +117,13 @@ class AcousticNetwork {
     int32_t transmission = -1;
     int32_t lane = -1;                 ///< -1: not on the air, or collisions are off.
     std::optional<AcousticFate> fate;  ///< Known from the beginning.
-    bool is_lost = false;              ///< Unless something else happens to it.
   };
 
-  /// Returns the index of a place in `places`, a free one where there is one.
-  template <class Place>
-  static int32_t TakePlace(std::vector<Place>* places, std::vector<int32_t>* free_places) {
-    if (free_places->empty()) {
-      places->emplace_back();
-      return static_cast<int32_t>(places->size() - 1);
-    }
-    const int32_t place = free_places->back();
-    free_places->pop_back();
-    return place;
-  }
-  int32_t TakeTransmission(std::span<const uint8_t> bytes);
-  void Release(int32_t transmission);
-  void RecycleUnused();
-  void Offer(const Transmission& transmission, int32_t index, int receiver,
+  void Recycle();
+  void Offer(const AcousticTransmission& transmission, int32_t index, int receiver,
              std::span<const Eigen::Vector3d> positions_m);
-  void MeetThePath(const Transmission& transmission, double range_m, Pending* pending) const;
-  double MeetTheModem(double range_m, Pending* pending) const;
-  StreamKey KeyOf(const Transmission& transmission, int receiver) const {
-    return transmission.key.With(nodes_[static_cast<size_t>(receiver)].hears);
+  StreamKey KeyOf(const AcousticTransmission& transmission, int receiver) const {
+    return transmission.key.With(nodes_[static_cast<size_t>(receiver)].receives);
   }
 
   void StartReception(int32_t slot);
@@ -165,19 +135,11 @@ class AcousticNetwork {
   AcousticFate HandOver(const Pending& pending, Reception* reception);
   void XorColliders(const Pending& pending, std::span<uint8_t> received) const;
   std::span<uint8_t> CopyToDamage(std::span<const uint8_t> bytes);
-  const Transmission& TransmissionOf(int32_t index) const {
-    return transmissions_[static_cast<size_t>(index)];
-  }
-  const AirLane& LaneOf(const Pending& pending) const {
-    return lanes_[static_cast<size_t>(pending.lane)];
-  }
-  int32_t FindOrOpenLane(int32_t receiver, int32_t channel);
-  void CloseIdleLanes();
   void LeaveLane(const Pending& pending);
 
   AcousticOptions options_;
   ChannelPlan plan_;
-  std::optional<LinkModel> link_;  ///< Where packet loss or bit errors are by the modem.
+  PathModel path_;
   uint64_t seed_;
   std::vector<Node> nodes_;
   std::set<std::string, std::less<>> names_;
@@ -185,14 +147,9 @@ class AcousticNetwork {
   AcousticStatistics statistics_;  ///< But for what is in transit.
 
   EventQueue events_;
-  std::vector<Pending> receptions_;  ///< Places, used ones and free ones.
-  std::vector<int32_t> free_receptions_;
-  std::vector<Transmission> transmissions_;
-  std::vector<int32_t> free_transmissions_;
-  std::vector<int32_t> unused_transmissions_;  ///< Free at the next call: results may point there.
-  std::vector<AirLane> lanes_;
-  std::vector<int32_t> free_lanes_;
-  std::unordered_map<uint64_t, int32_t> lane_of_;  ///< By receiver and channel; idle ones too.
+  Places<Pending> receptions_;
+  TransmissionStore transmissions_;
+  LaneTable lanes_;
 
   std::vector<Reception> results_;
   std::vector<std::vector<uint8_t>>

@@ -5,6 +5,7 @@
 #include <set>
 #include <tuple>
 
+#include "lib/analysis/comms_log_survey.h"
 #include "lib/bus/seal.h"
 
 namespace shoal {
@@ -94,11 +95,11 @@ void CommsLogBuilder::Add(const LogEvent& event) {
   }
   const std::optional<size_t> channel = FindChannel(event.channel);
   if (!channel) return;
-  Item item{.utime = event.utime,
-            .step = latest_step_,
-            .channel = static_cast<uint8_t>(*channel),
-            .begin = log_.bytes.size(),
-            .size = message.size()};
+  CommsLogItem item{.utime = event.utime,
+                    .step = latest_step_,
+                    .channel = static_cast<uint8_t>(*channel),
+                    .begin = log_.bytes.size(),
+                    .size = message.size()};
   if (seal) {
     item.mission_id = seal->mission_id;
     item.sequence = seal->sequence;
@@ -111,18 +112,14 @@ void CommsLogBuilder::Add(const LogEvent& event) {
   items_.push_back(item);
 }
 
-std::span<const uint8_t> CommsLogBuilder::BytesOf(const Item& item) const {
-  return std::span(log_.bytes).subspan(item.begin, item.size);
-}
-
 /// The message's own time, of those whose sender writes the step's there.
-std::optional<int64_t> CommsLogBuilder::UtimeOf(const Item& item) const {
+std::optional<int64_t> CommsLogBuilder::UtimeOf(const CommsLogItem& item) const {
   if (item.channel == ReportChannel()) {
-    if (const auto report = DecodeItem<node_report_t>(item)) return report->utime;
+    if (const auto report = DecodeItem<node_report_t>(log_, item)) return report->utime;
   } else if (item.channel == FatesChannel()) {
-    if (const auto fates = DecodeItem<comms_fates_t>(item)) return fates->utime;
+    if (const auto fates = DecodeItem<comms_fates_t>(log_, item)) return fates->utime;
   } else if (item.channel == RulesChannel()) {
-    if (const auto rules = DecodeItem<comms_rules_t>(item)) return rules->utime;
+    if (const auto rules = DecodeItem<comms_rules_t>(log_, item)) return rules->utime;
   }
   return std::nullopt;
 }
@@ -133,12 +130,13 @@ CommsLog CommsLogBuilder::Build(std::optional<int64_t> tick_us) {
   if (log_.time == LogTime::kSeals) {
     RestoreSteps();
   } else {
-    std::stable_sort(items_.begin(), items_.end(),
-                     [](const Item& a, const Item& b) { return a.utime < b.utime; });
+    std::stable_sort(
+        items_.begin(), items_.end(),
+        [](const CommsLogItem& a, const CommsLogItem& b) { return a.utime < b.utime; });
   }
   if (log_.time == LogTime::kWall) GatherRounds();
-  FindGaps();
-  for (const Item& item : items_) {
+  FindGaps(items_, &log_);
+  for (const CommsLogItem& item : items_) {
     LoggedMessage message{
         .utime = item.utime, .channel = item.channel, .begin = item.begin, .size = item.size};
     if (item.channel == FatesChannel()) {
@@ -155,12 +153,12 @@ CommsLog CommsLogBuilder::Build(std::optional<int64_t> tick_us) {
       log_.inputs.push_back(message);
     }
   }
-  FindStarts();
+  FindStarts(items_, &log_);
   return std::move(log_);
 }
 
-/// A live broker handles what has arrived together, and says so in one go: what came shortly before
-/// COMMS_FATES was handled then.
+/// A live broker handles what has arrived together, and publishes its fates in one go: what came
+/// shortly before COMMS_FATES was handled then.
 void CommsLogBuilder::GatherRounds() {
   std::optional<int64_t> word_utime;
   for (auto item = items_.rbegin(); item != items_.rend(); ++item) {
@@ -180,11 +178,11 @@ LogTime CommsLogBuilder::TellTime() const {
   };
   constexpr int64_t kEnough = 1000;
   int64_t num_sealed = 0;
-  Count said_by_broker;
-  Count said_by_others;
-  for (const Item& item : items_) {
+  Count published_by_broker;
+  Count published_by_others;
+  for (const CommsLogItem& item : items_) {
     if (item.publisher != 0) ++num_sealed;
-    Count& count = item.channel < NumBrokerInputs() ? said_by_others : said_by_broker;
+    Count& count = item.channel < NumBrokerInputs() ? published_by_others : published_by_broker;
     if (count.all == kEnough) continue;
     const auto utime = UtimeOf(item);
     if (!utime) continue;
@@ -192,16 +190,17 @@ LogTime CommsLogBuilder::TellTime() const {
     if (*utime == item.utime) ++count.on_time;
   }
   if (2 * num_sealed > static_cast<int64_t>(items_.size())) return LogTime::kSeals;
-  // Reports may have been made long before they were said; the broker's words have its time.
-  const Count& count = said_by_broker.all > 0 ? said_by_broker : said_by_others;
+  // Reports may have been made long before they were published; the broker's messages have its
+  // time.
+  const Count& count = published_by_broker.all > 0 ? published_by_broker : published_by_others;
   return 2 * count.on_time >= count.all ? LogTime::kMission : LogTime::kWall;
 }
 
-/// The tick is what COMMS_RULES says; else what the user says; else what the times look like.
+/// The tick is that of COMMS_RULES; else the user's; else what the times look like.
 void CommsLogBuilder::TakeTick(std::optional<int64_t> tick_us) {
-  for (const Item& item : items_) {
+  for (const CommsLogItem& item : items_) {
     if (item.channel != RulesChannel()) continue;
-    const auto rules = DecodeItem<comms_rules_t>(item);
+    const auto rules = DecodeItem<comms_rules_t>(log_, item);
     if (!rules || !IsPossibleTick(rules->tick_us)) continue;
     log_.tick_us = rules->tick_us;
     return;
@@ -216,7 +215,7 @@ void CommsLogBuilder::TakeTick(std::optional<int64_t> tick_us) {
   }
   if (log_.time != LogTime::kSeals) return;
   std::optional<std::pair<int64_t, int64_t>> first;  // Step and time.
-  for (const Item& item : items_) {
+  for (const CommsLogItem& item : items_) {
     const auto utime = UtimeOf(item);
     if (!utime || item.publisher == 0 || *utime < -kLatest_us || *utime > kLatest_us) continue;
     if (!first) first = {item.step, *utime};
@@ -232,8 +231,8 @@ void CommsLogBuilder::TakeTick(std::optional<int64_t> tick_us) {
 /// Gives what has a seal the time of its step, and puts all into the fixed order.
 void CommsLogBuilder::RestoreSteps() {
   // The mission is that of the first broker in the log, or of the first message.
-  const Item* of_mission = nullptr;
-  for (const Item& item : items_) {
+  const CommsLogItem* of_mission = nullptr;
+  for (const CommsLogItem& item : items_) {
     if (item.publisher == 0) continue;
     if (of_mission == nullptr) of_mission = &item;
     if (item.channel != RulesChannel()) continue;
@@ -242,7 +241,7 @@ void CommsLogBuilder::RestoreSteps() {
   }
   const int64_t mission_id = of_mission->mission_id;
   int64_t zero_utime = 0;  // Of step 0.
-  for (const Item& item : items_) {
+  for (const CommsLogItem& item : items_) {
     if (item.publisher == 0 || item.mission_id != mission_id) continue;
     const auto utime = UtimeOf(item);
     if (!utime || item.step == std::numeric_limits<int64_t>::min()) continue;
@@ -251,7 +250,7 @@ void CommsLogBuilder::RestoreSteps() {
     zero_utime = *zero;
     break;
   }
-  std::erase_if(items_, [&](Item& item) {
+  std::erase_if(items_, [&](CommsLogItem& item) {
     if (item.publisher != 0 && item.mission_id != mission_id) {
       ++log_.num_foreign;
       return true;
@@ -275,16 +274,17 @@ void CommsLogBuilder::DropRepeated() {
   std::vector<uint32_t> ranks(publishers_.size() + 1);
   uint32_t rank = 0;
   for (const auto& [name, place] : publishers_) ranks[place] = ++rank;
-  // Channels that the broker hears are in order of their names, and the order of the others among
-  // these does not matter.
-  const auto key = [&](const Item& item) {
+  // Channels that the broker subscribes to are in order of their names, and the order of the others
+  // among these does not matter.
+  const auto key = [&](const CommsLogItem& item) {
     return std::tuple(item.step, item.channel, ranks[item.publisher], item.sequence);
   };
   std::stable_sort(items_.begin(), items_.end(),
-                   [&](const Item& a, const Item& b) { return key(a) < key(b); });
-  const auto kept = std::unique(items_.begin(), items_.end(), [&](const Item& a, const Item& b) {
-    return a.publisher != 0 && key(a) == key(b);
-  });
+                   [&](const CommsLogItem& a, const CommsLogItem& b) { return key(a) < key(b); });
+  const auto kept =
+      std::unique(items_.begin(), items_.end(), [&](const CommsLogItem& a, const CommsLogItem& b) {
+        return a.publisher != 0 && key(a) == key(b);
+      });
   log_.num_repeated = items_.end() - kept;
   items_.erase(kept, items_.end());
 }

@@ -1,7 +1,6 @@
 #include "lib/analysis/plot_data.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
@@ -17,17 +16,12 @@ namespace {
 constexpr int64_t kWallTime_us = 100'000'000'000'000;
 constexpr size_t kMostRunsOfAll = 46'000;  // Of each kind of curve: some 80 MB for all seventeen.
 constexpr size_t kFewestRuns = 32;
-constexpr size_t kMostMarks = 15;
 constexpr size_t kMostWaypoints = 500;
-/// A position this old is nobody's neighbour any more.
+/// A position this old has no neighbours any more.
 constexpr int64_t kStale_us = 2'000'000;
 /// More slowly than this over ground there is no course.
 constexpr double kNoCourse_mps = 0.1;
 constexpr double kDives_m = 0.1;
-
-/// Between time marks; each is a multiple of the one before.
-constexpr std::array<int64_t, 13> kMarkSteps_s = {1,    2,    10,   20,    60,    120,  600,
-                                                  1200, 3600, 7200, 14400, 28800, 86400};
 
 /// Returns what follows `topic` and an underscore; nothing where `channel` is of another topic.
 std::optional<std::string_view> After(std::string_view topic, std::string_view channel) {
@@ -39,10 +33,6 @@ std::optional<std::string_view> After(std::string_view topic, std::string_view c
 }
 
 bool IsFinite(double value) { return std::isfinite(value) && std::abs(value) < 1e9; }
-
-void KeepMultiples(int64_t step_s, std::vector<TimeMark>* marks) {
-  std::erase_if(*marks, [&](const TimeMark& mark) { return mark.time_s % step_s != 0; });
-}
 
 template <class Visit>
 void ForEachCurve(VehicleCurves* curves, const Visit& visit) {
@@ -166,7 +156,7 @@ void PlotDataBuilder::AddNav(Vehicle* vehicle, const nav_t& nav) {
     const CurvePoint here{nav.x_m, nav.y_m};
     if (!curves.start) curves.start = here;
     curves.end = here;
-    AddMark(vehicle, time_s, here);
+    vehicle->marks.Add(time_s, here);
   } else {
     ++data_.num_impossible;
   }
@@ -185,23 +175,6 @@ void PlotDataBuilder::AddNav(Vehicle* vehicle, const nav_t& nav) {
   } else {
     curves.crab_deg.Break();
   }
-}
-
-void PlotDataBuilder::AddMark(Vehicle* vehicle, double time_s, CurvePoint at) {
-  const double steps = std::floor(time_s / static_cast<double>(vehicle->mark_step_s) + 1e-9);
-  if (std::abs(time_s) > 1e12) return;
-  const int64_t mark_s = static_cast<int64_t>(steps) * vehicle->mark_step_s;
-  std::vector<TimeMark>& marks = vehicle->curves.marks;
-  const int64_t last_s = marks.empty() ? 0 : marks.back().time_s;  // The start has its own mark.
-  if (mark_s <= last_s || time_s - static_cast<double>(mark_s) > 1) return;
-  marks.push_back({.time_s = mark_s, .at = at});
-  for (const int64_t step_s : kMarkSteps_s) {
-    if (marks.size() <= kMostMarks) break;
-    if (step_s <= vehicle->mark_step_s) continue;
-    vehicle->mark_step_s = step_s;
-    KeepMultiples(step_s, &marks);
-  }
-  if (marks.size() > kMostMarks) marks.pop_back();  // More than two weeks.
 }
 
 void PlotDataBuilder::AddHelmState(Vehicle* vehicle, const helm_state_t& state) {
@@ -247,6 +220,37 @@ void PlotDataBuilder::AddDesired(Vehicle* vehicle, const desired_t& desired) {
   Draw(&vehicle->curves.desired_heading_deg, *time_s, desired.heading_deg);
 }
 
+void PlotDataBuilder::AddSwarm(Vehicle* vehicle, const swarm_t& swarm) {
+  const auto time_s = TimeOf(swarm.utime);
+  if (!time_s || !vehicle->is_selected) return;
+  std::optional<int64_t> target_utime, other_utime;
+  for (const swarm_contact_t& contact : swarm.contacts) {
+    if (!contact.is_heard || !contact.is_known) continue;
+    if (contact.report_utime < -kLatest_us || contact.report_utime > kLatest_us) {
+      ++data_.num_impossible;
+      continue;
+    }
+    std::optional<int64_t>& oldest = contact.is_target ? target_utime : other_utime;
+    oldest = std::min(oldest.value_or(contact.report_utime), contact.report_utime);
+  }
+  DrawAge(*time_s, swarm.utime, target_utime, &vehicle->target_report_utime,
+          &vehicle->curves.target_age_s);
+  DrawAge(*time_s, swarm.utime, other_utime, &vehicle->other_report_utime,
+          &vehicle->curves.other_age_s);
+}
+
+/// A newer report makes the age fall: the line goes down at once, as the tooth of a saw.
+void PlotDataBuilder::DrawAge(double time_s, int64_t utime, std::optional<int64_t> report_utime,
+                              std::optional<int64_t>* before, ThinnedCurve* curve) {
+  const auto draw = [&](int64_t of_utime) {
+    Draw(curve, time_s, std::max(0.0, static_cast<double>(utime - of_utime) / 1e6));
+  };
+  if (!report_utime) curve->Break();
+  if (report_utime && *before && *before != report_utime) draw(**before);
+  if (report_utime) draw(*report_utime);
+  *before = report_utime;
+}
+
 void PlotDataBuilder::TakeReport(const node_report_t& report) {
   const auto found = vehicles_.find(UpperCase(report.name));
   if (found == vehicles_.end()) return;
@@ -284,11 +288,11 @@ PlotData PlotDataBuilder::Build() {
   if (std::exchange(round_is_open_, false)) MeasureDistances();
   data_.zero_utime = zero_utime_.value_or(0);
   for (const auto& [name, vehicle] : vehicles_) {
-    data_.mark_interval_s = std::max(data_.mark_interval_s, vehicle.mark_step_s);
+    data_.mark_interval_s = std::max(data_.mark_interval_s, vehicle.marks.step_s());
   }
   for (auto& [name, vehicle] : vehicles_) {
     if (!vehicle.is_selected) continue;
-    KeepMultiples(data_.mark_interval_s, &vehicle.curves.marks);
+    vehicle.curves.marks = vehicle.marks.MultiplesOf(data_.mark_interval_s);
     data_.vehicles.push_back(std::move(vehicle.curves));
   }
   return std::move(data_);

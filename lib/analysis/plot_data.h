@@ -16,6 +16,7 @@
 
 #include "lib/analysis/plot_curve.h"
 #include "lib/analysis/plot_setting.h"
+#include "lib/analysis/time_marks.h"
 #include "lib/bus/channels.h"
 #include "lib/record/log_format.h"
 
@@ -28,20 +29,14 @@ struct PlotSelection {
   std::optional<double> to_s;
 };
 
-/// Where a vehicle was at a whole multiple of PlotData::mark_interval_s.
-struct TimeMark {
-  int64_t time_s = 0;
-  CurvePoint at;
-};
-
 /// What is drawn of one vehicle. Curves over time count seconds since PlotData::zero_utime.
 struct VehicleCurves {
   std::string name;    ///< As it calls itself; else as its channels do.
-  std::string color;   ///< As its reports tell; may be empty, or anything.
+  std::string color;   ///< As its reports have it; may be empty, or anything.
   ThinnedCurve track;  ///< x East, y North.
   std::optional<CurvePoint> start, end;
   std::vector<TimeMark> marks;
-  std::vector<CurvePoint> steered_for;  ///< The waypoints that its helm told of, each once.
+  std::vector<CurvePoint> steered_for;  ///< The waypoints that its helm reported, each once.
   ThinnedCurve depth_m, floor_m;        ///< Down positive; the floor under the vehicle.
   ThinnedCurve cross_track_m, crab_deg;
   ThinnedCurve nearest_m, target_m;  ///< To the nearest other vehicle; to the one it tracks.
@@ -68,7 +63,7 @@ struct PlotData {
   bool has_too_many = false;    ///< More than kMostPlotted vehicles: the rest is left out.
 };
 
-/// So many vehicles a figure may have.
+/// A figure has no more vehicles than this.
 inline constexpr size_t kMostPlotted = 2000;
 
 class PlotDataBuilder {
@@ -85,8 +80,8 @@ class PlotDataBuilder {
     std::string target;  ///< Its name in channels; empty: none.
     Eigen::Vector3d position_m = Eigen::Vector3d::Zero();
     std::optional<int64_t> nav_utime;  ///< Of position_m.
-    int64_t mark_step_s = 1;           ///< Between its marks so far.
-    std::string leg;                   ///< Which leg its helm was on; empty: none.
+    TimeMarks marks;
+    std::string leg;  ///< Which leg its helm was on; empty: none.
     /// Of the reports that it knows; absent: of none.
     std::optional<int64_t> target_report_utime, other_report_utime;
   };
@@ -95,7 +90,6 @@ class PlotDataBuilder {
   std::optional<double> TimeOf(int64_t utime);
   void Draw(ThinnedCurve* curve, double x, double y);
   void AddNav(Vehicle* vehicle, const nav_t& nav);
-  void AddMark(Vehicle* vehicle, double time_s, CurvePoint at);
   void AddHelmState(Vehicle* vehicle, const helm_state_t& state);
   void AddActuators(Vehicle* vehicle, const actuators_t& actuators);
   void AddDesired(Vehicle* vehicle, const desired_t& desired);

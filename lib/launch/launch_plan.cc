@@ -110,6 +110,24 @@ Result<ChildCommand> ViewerCommand(const LaunchContext& context) {
   return command;
 }
 
+std::string HandCommand(const RosterEntry& entry, const LaunchContext& context) {
+  if (entry.app.empty()) {
+    std::string variables;
+    for (const std::string& each : ParticipantEnvironment(entry, context)) {
+      variables += each + " ";
+    }
+    return variables + "YOUR_PROGRAM";
+  }
+  const std::string mission = fs::absolute(context.mission.file).lexically_normal().string();
+  std::string command = fmt::format("{}/{} --mission {} --port {}", ExecutableDirectory(),
+                                    entry.app, mission, context.ports.base());
+  if (!entry.vehicle.empty()) command += " --vehicle " + entry.vehicle;
+  for (const std::string& each : context.options.overrides) {
+    command += fmt::format(" --set '{}'", each);
+  }
+  return command;
+}
+
 Result<std::vector<ChildCommand>> LcmLoggerCommands(const LaunchContext& context) {
   Result<std::string> logger = FindProgram("lcm-logger", context.mission.file);
   if (!logger.ok()) return Error{logger.error() + "; apt-get install liblcm-bin"};

@@ -44,6 +44,9 @@ struct LaunchContext {
 [[nodiscard]] Result<ChildCommand> CommandOf(const RosterEntry& entry,
                                              const LaunchContext& context);
 
+/// Returns the command line for a participant that a user starts by hand.
+std::string HandCommand(const RosterEntry& entry, const LaunchContext& context);
+
 /// Returns the commands of lcm-logger, one per bus.
 [[nodiscard]] Result<std::vector<ChildCommand>> LcmLoggerCommands(const LaunchContext& context);
 
@@ -55,7 +58,7 @@ struct LaunchContext {
 [[nodiscard]] Result<std::string> FindProgram(const std::string& program,
                                               const std::string& mission_file);
 
-/// Returns what a user's own participant is told, as "SHOAL_PORT=7665" and so on;
+/// Returns the environment of a user's own participant, as "SHOAL_PORT=7665" and so on;
 /// docs/step_protocol.md.
 std::vector<std::string> ParticipantEnvironment(const RosterEntry& entry,
                                                 const LaunchContext& context);

@@ -26,12 +26,6 @@ int64_t RandomMissionId() {
   return std::max<int64_t>(id & std::numeric_limits<int64_t>::max(), 1);
 }
 
-/// Writes to standard output. A reader who has gone must not end the mission.
-void Print(const std::string& text) {
-  std::fputs(text.c_str(), stdout);
-  std::fflush(stdout);
-}
-
 /// Routes the signals that matter to a descriptor. To be called before LCM makes its threads, which
 /// inherit the mask.
 int BlockSignals() {
@@ -42,7 +36,7 @@ int BlockSignals() {
   struct sigaction hangup {};
   sigaction(SIGHUP, nullptr, &hangup);
   // Under nohup, SIGHUP stays ignored. (SIGINT too is ignored in a script's background jobs, but
-  // who sends it there means it.)
+  // it is sent there on purpose.)
   if (hangup.sa_handler != SIG_IGN) sigaddset(&set, SIGHUP);
   sigprocmask(SIG_BLOCK, &set, nullptr);
   signal(SIGPIPE, SIG_IGN);
@@ -90,7 +84,8 @@ Launcher::Launcher(const RunOptions& options, const Mission& mission,
                    ports_, transport_),
       director_(make_director(mission, participant_)),
       clock_(MakeClockOptions(options, mission, mission_id), ParticipantNames(roster_), ports_,
-             transport_) {
+             transport_),
+      supervision_(context_, roster_, clock_, terminal_) {
   participant_.Attach(director_.get());
   transport_.set_drop_filter(MakeLossFilter(options.lose, options.lose_forever));
   transport_.set_receiver(
@@ -106,66 +101,13 @@ Launcher::Launcher(const RunOptions& options, const Mission& mission,
 
 int Launcher::Run(int signal_fd) {
   if (!transport_.error().empty()) {
-    Fail(kExitEnvironment, transport_.error());
-    return exit_code_;
+    supervision_.Fail(kExitEnvironment, transport_.error());
+    return supervision_.exit_code();
   }
-  started_us_ = MonotonicMicroseconds();
-  if (StartAll()) Loop(signal_fd);
+  if (supervision_.StartAll()) Loop(signal_fd);
   ended_us_ = MonotonicMicroseconds();
-  EndChildren();
+  supervision_.EndAll();
   return Conclude();
-}
-
-// Returns what somebody has to type to play this part.
-std::string Launcher::HandCommand(const RosterEntry& entry) const {
-  const std::string mission = std::filesystem::absolute(mission_.file).lexically_normal().string();
-  if (entry.app.empty()) {
-    std::string variables;
-    for (const std::string& each : ParticipantEnvironment(entry, context_)) {
-      variables += each + " ";
-    }
-    return variables + "YOUR_PROGRAM";
-  }
-  std::string command = fmt::format("{}/{} --mission {} --port {}", ExecutableDirectory(),
-                                    entry.app, mission, ports_.base());
-  if (!entry.vehicle.empty()) command += " --vehicle " + entry.vehicle;
-  for (const std::string& each : options_.overrides) command += fmt::format(" --set '{}'", each);
-  return command;
-}
-
-bool Launcher::StartAll() {
-  // First, so that it hears what the others say only once.
-  if (options_.view && !StartViewer()) return false;
-  for (const RosterEntry& entry : roster_) {
-    if (entry.provider == Provider::kHand) continue;
-    if (!StartOne(entry)) return false;
-  }
-  if (!options_.lcm_logger) return true;
-  Result<std::vector<ChildCommand>> loggers = LcmLoggerCommands(context_);
-  if (!loggers.ok()) {
-    Fail(kExitEnvironment, loggers.error());
-    return false;
-  }
-  for (const ChildCommand& command : *loggers) {
-    const Result<pid_t> pid = children_.Start(command);
-    if (!pid.ok()) {
-      Fail(kExitEnvironment, pid.error());
-      return false;
-    }
-    loggers_.push_back(command.name);
-  }
-  return true;
-}
-
-bool Launcher::StartOne(const RosterEntry& entry) {
-  const Result<ChildCommand> command = CommandOf(entry, context_);
-  if (!command.ok()) {
-    Fail(kExitEnvironment, command.error());
-    return false;
-  }
-  const Result<pid_t> pid = children_.Start(*command);
-  if (!pid.ok()) Fail(kExitEnvironment, pid.error());
-  return pid.ok();
 }
 
 void Launcher::Loop(int signal_fd) {
@@ -173,58 +115,37 @@ void Launcher::Loop(int signal_fd) {
     int64_t now = MonotonicMicroseconds();
     participant_.OnTime(now);
     clock_.OnTime(now);
-    CheckGathering(now);
-    CheckSilence(now);
-    CheckFaults(now);
-    AnnounceViewer(now);
+    if (clock_.state() == StepClock::State::kRunning && running_since_us_ == 0) {
+      running_since_us_ = now;
+    }
+    supervision_.OnTime(now, participant_.num_foreign());
     ShowProgress(now);
     const int64_t deadline = std::min(participant_.NextDeadline(), clock_.NextDeadline());
     now = MonotonicMicroseconds();
     const int64_t wait = clock_.state() == StepClock::State::kGathering
                              ? kIdlePoll_us
                              : std::clamp<int64_t>(deadline - now, 0, kIdlePoll_us);
-    if (transport_.Poll(wait, signal_fd)) OnSignals(signal_fd);
+    if (transport_.Poll(wait, signal_fd)) supervision_.OnSignals(signal_fd);
   }
-}
-
-void Launcher::Fail(int exit_code, const std::string& why) {
-  Say(why);
-  exit_code_ = exit_code;
-}
-
-void Launcher::Say(const std::string& line) {
-  if (progress_shown_) Print("\n");
-  progress_shown_ = false;
-  std::fflush(stdout);
-  std::fputs((line + "\n").c_str(), stderr);
-}
-
-/// Prints a line that belongs to the results, not to what went wrong.
-void Launcher::ShowLine(const std::string& line) {
-  Print((progress_shown_ ? "\n" : "") + line + "\n");
-  progress_shown_ = false;
 }
 
 void Launcher::ShowProgress(int64_t wall_us) {
   if (options_.quiet || running_since_us_ == 0 || wall_us < next_progress_us_) return;
-  static const bool on_terminal = isatty(STDOUT_FILENO) == 1;
-  next_progress_us_ = wall_us + (on_terminal ? kSecond_us / 4 : 5 * kSecond_us);
+  next_progress_us_ = wall_us + (terminal_.is_interactive() ? kSecond_us / 4 : 5 * kSecond_us);
   const double mission_s = static_cast<double>(clock_.utime() - mission_.start_utime) / 1e6;
   const double wall_s = std::max(static_cast<double>(wall_us - running_since_us_) / 1e6, 1e-3);
-  const std::string line = fmt::format(
+  terminal_.ShowProgress(fmt::format(
       "{:8.1f} of {:.1f} s  {:6.1f} x real time{}  {} vehicles  {} reports delivered, {} blocked",
       mission_s, mission_.duration_s, mission_s / wall_s, clock_.paused() ? ", paused" : "",
-      mission_.vehicles.size(), director_->num_delivered(), director_->num_blocked());
-  Print((on_terminal ? "\r\033[K" : "") + line + (on_terminal ? "" : "\n"));
-  progress_shown_ = on_terminal;
+      mission_.vehicles.size(), director_->num_delivered(), director_->num_blocked()));
 }
 
 int Launcher::Conclude() {
-  const bool complete = exit_code_ == 0;
+  const bool complete = supervision_.exit_code() == 0;
   const RunCounters& counters = clock_.counters();
   const bool reproducible =
       complete && counters.outside == 0 && !clock_.membership_changed() && !mission_.netsim;
-  if (progress_shown_) Print("\n");
+  terminal_.EndProgress();
   std::string summary;
   if (running_since_us_ != 0) {
     const double mission_s = static_cast<double>(clock_.utime() - mission_.start_utime) / 1e6;
@@ -246,15 +167,17 @@ int Launcher::Conclude() {
   }
   if (!options_.record_dir.empty()) {
     if (const Result<bool> written = WriteSummary(options_.record_dir, summary); !written.ok()) {
-      Fail(kExitEnvironment, written.error());
+      supervision_.Fail(kExitEnvironment, written.error());
     }
-    Print(fmt::format("Recorded in {}: mission.lcm{}, mission.toml, run.txt, summary.txt, logs/\n",
-                      options_.record_dir, lost_.contains("recorder") ? " (cut short)" : ""));
-    if (options_.view) Print(fmt::format("To look at it: shoal view {}\n", options_.record_dir));
+    terminal_.Print(
+        fmt::format("Recorded in {}: mission.lcm{}, mission.toml, run.txt, summary.txt, logs/\n",
+                    options_.record_dir, supervision_.HasLost("recorder") ? " (cut short)" : ""));
+    if (options_.view)
+      terminal_.Print(fmt::format("To look at it: shoal view {}\n", options_.record_dir));
   }
-  Print(summary);
-  if (exit_code_ == 0 && !director_->Passed()) exit_code_ = kExitMissionFailed;
-  return exit_code_;
+  terminal_.Print(summary);
+  if (supervision_.exit_code() != 0) return supervision_.exit_code();
+  return director_->Passed() ? 0 : static_cast<int>(kExitMissionFailed);
 }
 
 int RunMission(const RunOptions& options, const Mission& mission,
@@ -297,10 +220,10 @@ int RunMission(const RunOptions& options, const Mission& mission,
   std::filesystem::create_directories(log_dir, error);
   if (error) return fail(fmt::format("cannot make the folder {}: {}", log_dir, error.message()));
   if (const auto registered = Register(running); !registered.ok()) return fail(registered.error());
-  Print(fmt::format("{}: {} vehicles, seed {}, LCM ports {} to {} ({})\n", mission.name,
-                    vehicles.size(), mission.seed, *base,
-                    *base + PortPlan::NumPorts(layout, static_cast<int>(vehicles.size())) - 1,
-                    Name(layout)));
+  LaunchTerminal::Print(fmt::format(
+      "{}: {} vehicles, seed {}, LCM ports {} to {} ({})\n", mission.name, vehicles.size(),
+      mission.seed, *base,
+      *base + PortPlan::NumPorts(layout, static_cast<int>(vehicles.size())) - 1, Name(layout)));
   int code = 0;
   {
     const int signal_fd = BlockSignals();

@@ -10,7 +10,7 @@
 namespace shoal {
 namespace {
 
-/// Absent for what is no number, else within what three digits can tell.
+/// Absent for what is no number, else within three digits.
 std::optional<double> Sane(std::optional<double> snr_db) {
   if (!snr_db || std::isnan(*snr_db)) return std::nullopt;
   return std::clamp(*snr_db, -99.0, 999.0);

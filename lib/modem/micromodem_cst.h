@@ -1,4 +1,4 @@
-// CACST, what a modem tells of one reception: 29 fields, version 0.
+// CACST, what a modem reports of one reception: 29 fields, version 0.
 #pragma once
 
 #include <cstdint>

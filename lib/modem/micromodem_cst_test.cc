@@ -32,11 +32,11 @@ TEST(CstText, IsAsLongWhateverTheSignalToNoiseRatioIs) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const std::pair<std::optional<double>, const char*> ratios[] = {
       {{}, "00"}, {nan, "00"}, {infinity, "999"}, {-infinity, "-99"}, {-3.2, "-3"}, {1e300, "999"}};
-  for (const auto& [snr_db, told] : ratios) {
+  for (const auto& [snr_db, text] : ratios) {
     const auto fields = FieldsOf(CstText({.type = CstPacketType::kPsk, .snr_db = snr_db}));
     ASSERT_EQ(fields.size(), 30U);
-    EXPECT_EQ(fields[21], told);
-    EXPECT_EQ(fields[22], told);
+    EXPECT_EQ(fields[21], text);
+    EXPECT_EQ(fields[22], text);
   }
 }
 

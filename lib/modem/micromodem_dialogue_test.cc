@@ -1,4 +1,4 @@
-// The dialogue that Goby's Micro-Modem driver had with another modem, said again to ours: startup,
+// The dialogue that Goby's Micro-Modem driver had with another modem, repeated with ours: startup,
 // ping, LBL, mini packet, and data cycles with acknowledgements.
 #include <gtest/gtest.h>
 
@@ -39,12 +39,13 @@ std::string BodyOf(const nlohmann::json& row) {
   return line.substr(1, line.find('*') - 1);
 }
 
-/// Says the host's lines, each once the modem has said all that it said before in the recording.
+/// Gives the host's lines, each once the modem has written all that it wrote before in the
+/// recording.
 TEST(MicroModemDialogue, IsTheRecordedOneForAHostThatWaitsForItsAnswers) {
   const auto recording = ReadGoldenJson("netsim/micromodem_mm1.json");
   TwoModems modems({.transponder_travel_s = {0.1, 0.2}}, {});
   std::vector<std::string> expected[2];
-  std::vector<std::string> told[2];
+  std::vector<std::string> lines[2];
   int num_host_lines = 0;
   for (const auto& row : recording["lines"]) {
     const int port = row["modem_port"].get<int>() == kPorts[0] ? 0 : 1;
@@ -54,20 +55,20 @@ TEST(MicroModemDialogue, IsTheRecordedOneForAHostThatWaitsForItsAnswers) {
     }
     for (int wait = 0; wait < 3000; ++wait) {
       for (int i : {0, 1}) {
-        for (const std::string& line : modems.Lines(i)) told[i].push_back(Comparable(line));
+        for (const std::string& line : modems.Lines(i)) lines[i].push_back(Comparable(line));
       }
-      if (told[0].size() >= expected[0].size() && told[1].size() >= expected[1].size()) break;
+      if (lines[0].size() >= expected[0].size() && lines[1].size() >= expected[1].size()) break;
       modems.Run(0.01);
     }
-    ASSERT_EQ(told[0], expected[0]) << "before " << row["line"];
-    ASSERT_EQ(told[1], expected[1]) << "before " << row["line"];
-    modems.Say(port, BodyOf(row));
+    ASSERT_EQ(lines[0], expected[0]) << "before " << row["line"];
+    ASSERT_EQ(lines[1], expected[1]) << "before " << row["line"];
+    modems.Give(port, BodyOf(row));
     ++num_host_lines;
   }
   modems.Run(30);
   for (int i : {0, 1}) {
-    for (const std::string& line : modems.Lines(i)) told[i].push_back(Comparable(line));
-    EXPECT_EQ(told[i], expected[i]) << kPorts[i];
+    for (const std::string& line : modems.Lines(i)) lines[i].push_back(Comparable(line));
+    EXPECT_EQ(lines[i], expected[i]) << kPorts[i];
     EXPECT_EQ(modems.modem(i).counts().sentences_refused, 0);
     EXPECT_EQ(modems.modem(i).counts().lines_dropped, 0);
   }

@@ -1,9 +1,9 @@
-// What a Micro-Modem answers its host.
+#include "lib/modem/micromodem_host.h"
+
 #include <algorithm>
 #include <utility>
+#include <vector>
 
-#include "lib/check/time_units.h"
-#include "lib/modem/micromodem.h"
 #include "lib/modem/sentence_reader.h"
 #include "lib/modem/sentence_text.h"
 #include "lib/modem/utc_time.h"
@@ -12,7 +12,6 @@ namespace shoal {
 namespace {
 
 constexpr int64_t kBootTime_us = 200'000;
-constexpr size_t kMaxEarlyFrames = 8;
 
 /// Returns "CACFG,SRC,1" of CCCFG, SRC, 1: the first `count` fields, or all.
 std::string Echo(std::string_view address, const NmeaFields& sentence, size_t count = 99) {
@@ -25,34 +24,27 @@ std::string Echo(std::string_view address, const NmeaFields& sentence, size_t co
 
 }  // namespace
 
-const std::array<MicroModem::SentenceRow, 12> MicroModem::kSentences = {{
-    {"CCCFG", &MicroModem::SetConfiguration},
-    {"CCCFQ", &MicroModem::TellConfiguration},
-    {"CCMSC", &MicroModem::Reboot},
-    {"CCCLK", &MicroModem::SetCalendarClock},
-    {"CCTMS", &MicroModem::SetIsoClock},
-    {"CCTMQ", &MicroModem::TellClock},
-    {"CCCYC", &MicroModem::BeginCycle},
-    {"CCTXD", &MicroModem::TakeData},
-    {"CCMPC", &MicroModem::Ping},
-    {"CCMUC", &MicroModem::SendMini},
-    {"CCPDT", &MicroModem::RangeRemus},
-    {"CCPNT", &MicroModem::RangeNarrowband},
+const std::array<MicroModemHost::SentenceRow, 12> MicroModemHost::kSentences = {{
+    {"CCCFG", &MicroModemHost::SetConfiguration},
+    {"CCCFQ", &MicroModemHost::ShowConfiguration},
+    {"CCMSC", &MicroModemHost::Reboot},
+    {"CCCLK", &MicroModemHost::SetCalendarClock},
+    {"CCTMS", &MicroModemHost::SetIsoClock},
+    {"CCTMQ", &MicroModemHost::ShowClock},
+    {"CCCYC", &MicroModemHost::BeginCycle},
+    {"CCTXD", &MicroModemHost::TakeData},
+    {"CCMPC", &MicroModemHost::Ping},
+    {"CCMUC", &MicroModemHost::SendMini},
+    {"CCPDT", &MicroModemHost::RangeRemus},
+    {"CCPNT", &MicroModemHost::RangeNarrowband},
 }};
 
-MicroModemOutput MicroModem::Take(std::string_view line, int64_t now_us) {
-  CatchUp(now_us);
-  TakeLine(line);
-  return Finish();
-}
-
-void MicroModem::ForgetLine() {
+void MicroModemHost::ForgetLine() {
   line_.clear();
   is_skipping_line_ = false;
 }
 
-MicroModemOutput MicroModem::TakeBytes(std::string_view bytes, int64_t now_us) {
-  CatchUp(now_us);
+void MicroModemHost::TakeBytes(std::string_view bytes) {
   for (const char letter : bytes) {
     if (letter == '\r' || letter == '\n') {
       if (!line_.empty() && !is_skipping_line_) TakeLine(line_);
@@ -62,24 +54,23 @@ MicroModemOutput MicroModem::TakeBytes(std::string_view bytes, int64_t now_us) {
       line_ += letter;
     } else if (!is_skipping_line_) {
       is_skipping_line_ = true;
-      ++counts_.lines_dropped;
+      ++unit_.counts.lines_dropped;
     }
   }
-  return Finish();
 }
 
-void MicroModem::TakeLine(std::string_view line) {
+void MicroModemHost::TakeLine(std::string_view line) {
   const auto sentence = line.size() <= kMaxLineBytes ? ParseNmea(line) : std::nullopt;
   if (!sentence) {
-    ++counts_.lines_dropped;
+    ++unit_.counts.lines_dropped;
     return;
   }
   is_refused_ = false;
   Answer(*sentence);
-  ++(is_refused_ ? counts_.sentences_refused : counts_.sentences_answered);
+  ++(is_refused_ ? unit_.counts.sentences_refused : unit_.counts.sentences_answered);
 }
 
-void MicroModem::Answer(const NmeaFields& sentence) {
+void MicroModemHost::Answer(const NmeaFields& sentence) {
   for (const SentenceRow& row : kSentences) {
     if (row.address == sentence.address) {
       (this->*row.answer)(sentence);
@@ -87,62 +78,57 @@ void MicroModem::Answer(const NmeaFields& sentence) {
     }
   }
   is_refused_ = true;
-  SayError("NMEA", ErrorCode::kUnknown, "unknown sentence");
+  unit_.WriteError("NMEA", MicroModemError::kUnknown, "unknown sentence");
 }
 
-void MicroModem::Refuse(std::string_view reason) {
+void MicroModemHost::Refuse(std::string_view reason) {
   is_refused_ = true;
-  SayError("NMEA", ErrorCode::kBadField, reason);
+  unit_.WriteError("NMEA", MicroModemError::kBadField, reason);
 }
 
-void MicroModem::RefuseBusy(std::string_view reason) {
+void MicroModemHost::RefuseBusy(std::string_view reason) {
   is_refused_ = true;
-  SayError("BUSY", ErrorCode::kBusy, reason);
+  unit_.WriteError("BUSY", MicroModemError::kBusy, reason);
 }
 
-bool MicroModem::RefusesWhatIsWrong(const SentenceReader& reader) {
+bool MicroModemHost::RefusesWhatIsWrong(const SentenceReader& reader) {
   if (!reader.problem().empty()) Refuse(reader.problem());
   return is_refused_;
 }
 
-void MicroModem::SetConfiguration(const NmeaFields& sentence) {
+void MicroModemHost::SetConfiguration(const NmeaFields& sentence) {
   SentenceReader reader(sentence);
   const std::string_view key = reader.Text(1);
   const std::string_view value = reader.Text(2);
   if (RefusesWhatIsWrong(reader)) return;
-  const std::string problem = SetMicroModemKey(key, value, options_.address, &settings_);
+  const std::string problem = SetMicroModemKey(key, value, unit_.options.address, &unit_.settings);
   if (!problem.empty()) return Refuse(problem);
-  Say(Echo("CACFG", sentence, 2));
+  unit_.Write(Echo("CACFG", sentence, 2));
 }
 
-void MicroModem::TellConfiguration(const NmeaFields& sentence) {
+void MicroModemHost::ShowConfiguration(const NmeaFields& sentence) {
   SentenceReader reader(sentence);
-  const auto found = FindMicroModemKeys(reader.Text(1), settings_);
+  const auto found = FindMicroModemKeys(reader.Text(1), unit_.settings);
   if (found.empty()) reader.Reject(1, "ALL or TOP or a key that is set");
   if (RefusesWhatIsWrong(reader)) return;
-  for (const auto& [key, value] : found) Say("CACFG," + key + "," + value);
+  for (const auto& [key, value] : found) unit_.Write("CACFG," + key + "," + value);
 }
 
-void MicroModem::Reboot(const NmeaFields& sentence) {
+void MicroModemHost::Reboot(const NmeaFields& sentence) {
   SentenceReader reader(sentence);
   reader.Number(1, 0, kMaxMicroModemAddress);
-  reader.Number(2, address(), address());
+  reader.Number(2, unit_.address(), unit_.address());
   reader.Number(3, 0, 999'999'999);
   if (RefusesWhatIsWrong(reader)) return;
-  Say(Echo("CAMSC", sentence, 3));
-  const bool is_leaving =
-      cycle_ && on_air_ && on_air_->is_of_cycle && cycle_->state == CycleState::kSending;
-  if (cycle_ && !is_leaving) EndCycle(ErrorCode::kAbandoned, "CYCLE", "given up for CCMSC");
-  cycle_.reset();  // CATXF will tell of what is leaving.
-  waiting_.clear();
-  early_.clear();
-  awaited_.reset();
+  unit_.Write(Echo("CAMSC", sentence, 3));
+  cycle_.Reboot();
+  air_.DropWaiting();
+  receiver_.Reboot();
   transponders_us_.reset();
-  if (on_air_) on_air_->is_of_cycle = false;
-  boot_us_ = now_us_ + kBootTime_us;
+  boot_us_ = unit_.now_us + kBootTime_us;
 }
 
-void MicroModem::SetCalendarClock(const NmeaFields& sentence) {
+void MicroModemHost::SetCalendarClock(const NmeaFields& sentence) {
   SentenceReader reader(sentence);
   const CalendarTime asked = {.year = reader.Number(1, 1970, 2200),
                               .month = reader.Number(2, 1, 12),
@@ -153,139 +139,143 @@ void MicroModem::SetCalendarClock(const NmeaFields& sentence) {
   const auto utc_us = ToUtc(asked);
   if (!utc_us) reader.Reject(3, "a day of that month");
   if (RefusesWhatIsWrong(reader)) return;
-  SetClock(*utc_us, now_us_);
-  const CalendarTime time = ToCalendar(Utc_us());
-  Say("CACLK," + std::to_string(time.year) + "," + std::to_string(time.month) + "," +
-      std::to_string(time.day) + "," + std::to_string(time.hour) + "," +
-      std::to_string(time.minute) + "," + std::to_string(time.second));
+  unit_.SetClock(*utc_us, unit_.now_us);
+  const CalendarTime time = ToCalendar(unit_.Utc_us());
+  unit_.Write("CACLK," + std::to_string(time.year) + "," + std::to_string(time.month) + "," +
+              std::to_string(time.day) + "," + std::to_string(time.hour) + "," +
+              std::to_string(time.minute) + "," + std::to_string(time.second));
 }
 
-void MicroModem::SetIsoClock(const NmeaFields& sentence) {
+void MicroModemHost::SetIsoClock(const NmeaFields& sentence) {
   SentenceReader reader(sentence);
   const auto utc_us = ParseIsoTime(reader.Text(1));
   if (!utc_us) reader.Reject(1, "a time as 2026-11-21T02:25:24Z");
   reader.Number(2, 0, 1);
   if (RefusesWhatIsWrong(reader)) return;
-  SetClock(*utc_us, now_us_);
-  Say("CATMS,0," + IsoTimeText(Utc_us()));
+  unit_.SetClock(*utc_us, unit_.now_us);
+  unit_.Write("CATMS,0," + IsoTimeText(unit_.Utc_us()));
 }
 
-void MicroModem::TellClock(const NmeaFields&) {
-  Say("CATMQ," + IsoTimeText(Utc_us()) + ",RTC,RTC");
+void MicroModemHost::ShowClock(const NmeaFields&) {
+  unit_.Write("CATMQ," + IsoTimeText(unit_.Utc_us()) + ",RTC,RTC");
 }
 
-void MicroModem::BeginCycle(const NmeaFields& sentence) {
+void MicroModemHost::BeginCycle(const NmeaFields& sentence) {
   SentenceReader reader(sentence);
   reader.Number(1, 0, 999);
-  const int source = reader.Number(2, address(), address());
+  const int source = reader.Number(2, unit_.address(), unit_.address());
   const int destination = reader.Number(3, 0, kMaxMicroModemAddress);
   const int rate = reader.Number(4, 0, static_cast<int>(kMicroModemRates.size()) - 1);
   const bool wants_ack = reader.Number(5, 0, 1) == 1;
   const int num_wanted =
       reader.Number(6, 1, kMicroModemRates[static_cast<size_t>(rate)].max_frames);
   if (RefusesWhatIsWrong(reader)) return;
-  if (cycle_ && cycle_->state != CycleState::kAsking) {
+  if (cycle_.is_under_way() && !cycle_.is_asking()) {
     return RefuseBusy("a cycle is under way: wait for CATXF");
   }
-  if (cycle_) EndCycle(ErrorCode::kAbandoned, "CYCLE", "given up for another CCCYC");
-  std::erase_if(early_, [this](const EarlyFrame& early) {
-    return now_us_ - early.given_us > settings_.dto * kSecond_us;
-  });
-  Say(Echo("CACYC", sentence, 6));
-  StartCycle({.kind = MicroModemKind::kData,
-              .source = source,
-              .destination = destination,
-              .rate = rate,
-              .wants_ack = wants_ack},
-             num_wanted);
+  if (cycle_.is_under_way()) cycle_.Abandon("given up for another CCCYC");
+  cycle_.DropOldFrames();
+  unit_.Write(Echo("CACYC", sentence, 6));
+  cycle_.Start({.kind = MicroModemKind::kData,
+                .source = source,
+                .destination = destination,
+                .rate = rate,
+                .wants_ack = wants_ack},
+               num_wanted);
 }
 
-void MicroModem::TakeData(const NmeaFields& sentence) {
-  const bool is_asked = cycle_ && cycle_->state == CycleState::kAsking;
+void MicroModemHost::TakeData(const NmeaFields& sentence) {
+  const bool is_asked = cycle_.is_asking();
   SentenceReader reader(sentence);
-  reader.Number(1, address(), address());
-  const int only = is_asked ? cycle_->packet.destination : -1;
+  reader.Number(1, unit_.address(), unit_.address());
+  const int only = is_asked ? cycle_.packet().destination : -1;
   const int destination =
       reader.Number(2, std::max(only, 0), is_asked ? only : kMaxMicroModemAddress);
   const bool wants_ack = reader.Number(3, 0, 1) == 1;
   auto bytes = ParseHex(reader.Text(4));
   const int max_bytes =
-      is_asked ? kMicroModemRates[static_cast<size_t>(cycle_->packet.rate)].max_frame_bytes
+      is_asked ? kMicroModemRates[static_cast<size_t>(cycle_.packet().rate)].max_frame_bytes
                : kMaxMicroModemFrameBytes;
   if (!bytes || std::ssize(*bytes) > max_bytes) {
     reader.Reject(4, "hex digits of at most " + std::to_string(max_bytes) + " bytes");
   }
   if (RefusesWhatIsWrong(reader)) return;
 
-  std::erase_if(early_, [this](const EarlyFrame& early) {
-    return now_us_ - early.given_us > settings_.dto * kSecond_us;
-  });
-  if (!is_asked && early_.size() >= kMaxEarlyFrames) {
+  cycle_.DropOldFrames();
+  if (!is_asked && !cycle_.HasRoomForEarlyFrame()) {
     return RefuseBusy("frames without a cycle: send CCCYC");
   }
-  Say(Echo("CATXD", sentence, 3) + "," + std::to_string(bytes->size()));
-  const bool is_empty = bytes->empty();
-  MicroModemFrame frame = {.wants_ack = wants_ack, .bytes = std::move(*bytes)};
-  if (is_asked && is_empty) {
-    SendData();
-  } else if (is_asked) {
-    cycle_->packet.frames.push_back(std::move(frame));
-    AskForFrame();
-  } else if (!is_empty) {
-    early_.push_back({.destination = destination, .frame = std::move(frame), .given_us = now_us_});
-  }
+  unit_.Write(Echo("CATXD", sentence, 3) + "," + std::to_string(bytes->size()));
+  cycle_.Give(destination, {.wants_ack = wants_ack, .bytes = std::move(*bytes)});
 }
 
-void MicroModem::Ping(const NmeaFields& sentence) {
+void MicroModemHost::Ping(const NmeaFields& sentence) {
   SentenceReader reader(sentence);
-  const int source = reader.Number(1, address(), address());
+  const int source = reader.Number(1, unit_.address(), unit_.address());
   const int destination = reader.Number(2, 1, kMaxMicroModemAddress);
   if (RefusesWhatIsWrong(reader)) return;
-  if (!HasRoom()) return RefuseBusy("too much is waiting for the air");
-  Say(Echo("CAMPC", sentence, 2));
-  Send({.kind = MicroModemKind::kPing, .source = source, .destination = destination}, {}, false);
+  if (!air_.HasRoom()) return RefuseBusy("too much is waiting for the air");
+  unit_.Write(Echo("CAMPC", sentence, 2));
+  air_.Send({.kind = MicroModemKind::kPing, .source = source, .destination = destination}, {},
+            false);
 }
 
-void MicroModem::SendMini(const NmeaFields& sentence) {
+void MicroModemHost::SendMini(const NmeaFields& sentence) {
   SentenceReader reader(sentence);
-  const int source = reader.Number(1, address(), address());
+  const int source = reader.Number(1, unit_.address(), unit_.address());
   const int destination = reader.Number(2, 0, kMaxMicroModemAddress);
   const auto bytes = ParseHex(reader.Text(3));
   const int value = bytes && bytes->size() == 2 ? (*bytes)[0] << 8 | (*bytes)[1] : -1;
   if (value < 0 || value > kMaxMiniPacket) reader.Reject(3, "0000 to 1fff");
   if (RefusesWhatIsWrong(reader)) return;
-  if (!HasRoom()) return RefuseBusy("too much is waiting for the air");
-  Say(Echo("CAMUC", sentence, 3));
-  Send(
+  if (!air_.HasRoom()) return RefuseBusy("too much is waiting for the air");
+  unit_.Write(Echo("CAMUC", sentence, 3));
+  air_.Send(
       {.kind = MicroModemKind::kMini, .source = source, .destination = destination, .value = value},
       {}, false);
 }
 
-void MicroModem::RangeRemus(const NmeaFields& sentence) {
+void MicroModemHost::RangeRemus(const NmeaFields& sentence) {
   RangeTransponders(sentence, 5);
-  if (!is_refused_) Say(Echo("SNPDT", sentence));
+  if (!is_refused_) unit_.Write(Echo("SNPDT", sentence));
 }
 
-void MicroModem::RangeNarrowband(const NmeaFields& sentence) {
+void MicroModemHost::RangeNarrowband(const NmeaFields& sentence) {
   RangeTransponders(sentence, 4);
-  if (!is_refused_) Say(Echo("SNPNT", sentence));
+  if (!is_refused_) unit_.Write(Echo("SNPNT", sentence));
 }
 
-void MicroModem::RangeTransponders(const NmeaFields& sentence, size_t timeout_field) {
+void MicroModemHost::RangeTransponders(const NmeaFields& sentence, size_t timeout_field) {
   SentenceReader reader(sentence);
   const int timeout_ms = reader.Number(timeout_field, 1, 60'000);
   if (RefusesWhatIsWrong(reader)) return;
   transponder_timeout_s_ = timeout_ms / 1e3;
-  transponders_us_ = now_us_ + timeout_ms * int64_t{1000};
+  transponders_us_ = unit_.now_us + timeout_ms * int64_t{1000};
 }
 
-void MicroModem::SayTransponderTimes() {
+void MicroModemHost::WriteTransponderTimes() {
   std::string body = "SNTTA,";
-  for (const std::optional<double>& travel_s : options_.transponder_travel_s) {
-    const bool is_heard = travel_s && *travel_s > 0 && 2 * *travel_s <= transponder_timeout_s_;
-    body += (is_heard ? FixedText(*travel_s, 4) : "0.0") + ",";
+  for (const std::optional<double>& travel_s : unit_.options.transponder_travel_s) {
+    const bool is_in_time = travel_s && *travel_s > 0 && 2 * *travel_s <= transponder_timeout_s_;
+    body += (is_in_time ? FixedText(*travel_s, 4) : "0.0") + ",";
   }
-  Say(body + ClockText(Utc_us(), 2));
+  unit_.Write(body + ClockText(unit_.Utc_us(), 2));
+}
+
+void MicroModemHost::OnTime() {
+  if (boot_us_ && *boot_us_ <= unit_.now_us) {
+    boot_us_.reset();
+    unit_.WriteRevision();
+  }
+  if (transponders_us_ && *transponders_us_ <= unit_.now_us) {
+    transponders_us_.reset();
+    WriteTransponderTimes();
+  }
+}
+
+std::optional<int64_t> MicroModemHost::NextEvent_us() const {
+  if (!boot_us_) return transponders_us_;
+  return std::min(*boot_us_, transponders_us_.value_or(*boot_us_));
 }
 
 }  // namespace shoal

@@ -13,7 +13,7 @@ using Lines = std::vector<std::string>;
 class MicroModemHost : public testing::Test {
  protected:
   Lines Ask(const std::string& body) {
-    modems.Say(0, body);
+    modems.Give(0, body);
     return modems.Lines(0);
   }
   std::string AskForOne(const std::string& body) {
@@ -106,8 +106,8 @@ TEST_F(MicroModemHost, IsToldWhatIsWrongWithASentence) {
       {"CCPDT,1,2,0,0,-1", "2,field 5 must be 1 to 60000"},
       {"CCPNT,1,2,0,", "2,field 4 must be 1 to 60000"},
   };
-  for (const auto& [body, told] : wrong) {
-    EXPECT_EQ(AskForOne(body), std::string("CAERR,022524,NMEA,") + told) << body;
+  for (const auto& [body, reason] : wrong) {
+    EXPECT_EQ(AskForOne(body), std::string("CAERR,022524,NMEA,") + reason) << body;
   }
   EXPECT_EQ(modem().counts().sentences_refused, std::ssize(wrong));
   EXPECT_EQ(modem().counts().sentences_answered, 0);
@@ -136,11 +136,11 @@ TEST_F(MicroModemHost, MayCutItsStreamAnywhere) {
   const std::string expected = "$CACFG,SRC,1*33\r\n$CACFG,TAT,50*04\r\n$CACFG,BND,1*39\r\n";
   for (const size_t step : {1, 2, 7, 4000}) {
     MicroModem other({.address = 1});
-    std::string told;
+    std::string lines;
     for (size_t i = 0; i < stream.size(); i += step) {
-      told += other.TakeBytes(std::string_view(stream).substr(i, step), 0).to_host;
+      lines += other.TakeBytes(std::string_view(stream).substr(i, step), 0).to_host;
     }
-    EXPECT_EQ(told, expected) << step;
+    EXPECT_EQ(lines, expected) << step;
     EXPECT_EQ(other.counts().lines_dropped, 1) << step;
   }
 }
@@ -272,7 +272,7 @@ TEST_F(MicroModemHost, HearsNothingFromTranspondersThatAreNotThere) {
 
 TEST(MicroModemTransponders, AreHeardWhereTheyAnswerInTime) {
   TwoModems modems({.address = 1, .transponder_travel_s = {0.25, {}, 0.75}});
-  modems.Say(0, "CCPNT,26000,5,5,1000,25000,0,0,0,1");
+  modems.Give(0, "CCPNT,26000,5,5,1000,25000,0,0,0,1");
   modems.Run(2);
   EXPECT_EQ(modems.Lines(0),
             (Lines{"SNPNT,26000,5,5,1000,25000,0,0,0,1", "SNTTA,0.2500,0.0,0.0,0.0,000001.00"}));

@@ -1,4 +1,4 @@
-// What holds for a Micro-Modem whatever its host says and the water brings. TwoModems itself checks
+// What holds for a Micro-Modem whatever its host and the network send. TwoModems itself checks
 // that no packet begins while another of the same modem is on the air.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -12,7 +12,7 @@ using Bytes = std::vector<uint8_t>;
 
 std::string Digits(int low, int high) { return std::to_string(*rc::gen::inRange(low, high)); }
 
-/// Something that a host of modem `own` might say, mostly sensible.
+/// Something that a host of modem `own` might write, mostly sensible.
 std::string AnySentence(int own) {
   const std::string from = std::to_string(own);
   const std::string addresses = from + "," + Digits(0, 4);
@@ -47,13 +47,13 @@ RC_GTEST_PROP(MicroModemProperty, EveryCycleThatIsAcceptedEndsInTime, ()) {
     }
     return true;
   };
-  modems.Say(0, "CCCFG,TXF,1");
+  modems.Give(0, "CCCFG,TXF,1");
   const int num_sentences = *rc::gen::inRange(1, 15);
   int64_t num_cycles = 0;
   int64_t num_ends = 0;
   const auto count = [&] {
     for (const std::string& line : modems.Lines(0)) {
-      // A packet of a cycle that was heard has "CACYC,0,2,...".
+      // A packet of a cycle that was received has "CACYC,0,2,...".
       if (line.starts_with("CACYC,0,1,")) ++num_cycles;
       const bool is_end_of_data = line.starts_with("CATXF,") && line != "CATXF,0";
       if (is_end_of_data || line.find(",CYCLE,") != std::string::npos ||
@@ -64,7 +64,7 @@ RC_GTEST_PROP(MicroModemProperty, EveryCycleThatIsAcceptedEndsInTime, ()) {
   };
   for (int i = 0; i < num_sentences; ++i) {
     const int host = *rc::gen::inRange(0, 2);
-    modems.Say(host, AnySentence(host + 1));
+    modems.Give(host, AnySentence(host + 1));
     if (*rc::gen::arbitrary<bool>()) modems.Run(*rc::gen::inRange(0, 30) / 10.0);
     count();
   }
@@ -101,10 +101,10 @@ RC_GTEST_PROP(MicroModemProperty, AnyBytesFromTheHostAreTaken, ()) {
 RC_GTEST_PROP(MicroModemProperty, AnyBytesFromTheWaterAreCountedOnce, (Bytes bytes)) {
   if (!bytes.empty() && *rc::gen::arbitrary<bool>()) bytes[0] = 0x4D;
   MicroModem modem({.address = 1});
-  const auto output = modem.Hear({.bytes = bytes,
-                                  .start_us = *rc::gen::arbitrary<int64_t>(),
-                                  .travel_us = *rc::gen::arbitrary<int64_t>()},
-                                 *rc::gen::inRange<int64_t>(0, 1'000'000'000));
+  const auto output = modem.Receive({.bytes = bytes,
+                                     .start_us = *rc::gen::arbitrary<int64_t>(),
+                                     .travel_us = *rc::gen::arbitrary<int64_t>()},
+                                    *rc::gen::inRange<int64_t>(0, 1'000'000'000));
   const MicroModemCounts& counts = modem.counts();
   RC_ASSERT(counts.understood + counts.foreign + counts.damaged_headers + counts.own +
                 counts.overheard + counts.no_cycle ==
@@ -117,8 +117,8 @@ RC_GTEST_PROP(MicroModemProperty, IsTheSameHoweverOftenItIsAdvanced, ()) {
   MicroModem seldom({.address = 1});
   std::string told_often;
   std::string told_seldom;
-  const auto pass = [](const MicroModemOutput& output, std::string* told) {
-    *told += output.to_host;
+  const auto pass = [](const MicroModemOutput& output, std::string* lines) {
+    *lines += output.to_host;
   };
   // One thing at a time, so that nothing waits for the air: packets start when their owner looks.
   int64_t now_us = 0;

@@ -10,26 +10,26 @@
 namespace shoal {
 
 struct MicroModemSettings {
-  /// So many keys that the modem does not know are kept, so long with their values.
+  /// Unknown keys that are kept, and the longest with its value.
   static constexpr size_t kMaxOtherKeys = 32;
   static constexpr size_t kMaxTextBytes = 40;
 
   // The names are the modem's keys. Those marked with a star have an effect here, the others are
-  // kept and told.
+  // kept and shown.
   int src = 0;  ///< * This modem's address.
-  int cst = 1;  ///< * Whether it says CACST.
+  int cst = 1;  ///< * Whether it writes CACST.
   int xst = 0;
-  int rev = 1;  ///< * Whether it says CAREV.
-  int rxp = 1;  ///< * Whether it says CARXP.
+  int rev = 1;  ///< * Whether it writes CAREV.
+  int rxp = 1;  ///< * Whether it writes CARXP.
   int tat = 50;
   int bnd = 1;
   int cto = 10;
-  int dto = 2;   ///< * So many seconds it waits for CCTXD.
-  int pto = 14;  ///< * So many seconds it waits for the data after a cycle packet.
+  int dto = 2;   ///< * Seconds that it waits for CCTXD.
+  int pto = 14;  ///< * Seconds that it waits for the data after a cycle packet.
   int agc = 250;
   int agn = 250;
-  int txp = 1;                                     ///< * Whether it says CATXP.
-  int txf = 1;                                     ///< * Whether it says CATXF.
+  int txp = 1;                                     ///< * Whether it writes CATXP.
+  int txf = 1;                                     ///< * Whether it writes CATXF.
   std::map<std::string, std::string> others = {};  ///< By key.
 };
 

@@ -1,12 +1,12 @@
 // Bytes in pieces over a stream, for hosts that want a modem and no protocol: what a client sends
-// in one piece is one acoustic transmission, and what is heard comes back in pieces.
+// in one piece is one acoustic transmission, and what is received comes back in pieces.
 //
 //   2 bytes   length, the most significant byte first, 1 to 65535
 //   n bytes   the payload
 //
 //   RawModemReader reader({.max_bytes = 512});
 //   for (const std::vector<uint8_t>& payload : reader.Take(received)) Transmit(payload);
-//   socket.Write(EncodeRawPiece(heard));
+//   socket.Write(EncodeRawPiece(received));
 //
 // A piece that is longer than the limit is skipped as a whole, so that the next one is understood.
 #pragma once

@@ -36,8 +36,8 @@ class TwoModems {
     return sent_[static_cast<size_t>(index)];
   }
 
-  /// The host of this modem says "CCMPC,1,2".
-  void Say(int index, const std::string& body) {
+  /// The host of this modem writes "CCMPC,1,2".
+  void Give(int index, const std::string& body) {
     Pass(index, modem(index).Take(NmeaSentence(body), now_us_));
   }
 
@@ -50,7 +50,7 @@ class TwoModems {
     }
   }
 
-  /// Returns what the modem has told since the last call: bodies, without checksum.
+  /// Returns what the modem has written since the last call: bodies, without checksum.
   std::vector<std::string> Lines(int index) {
     return std::exchange(lines_[static_cast<size_t>(index)], {});
   }
@@ -103,11 +103,11 @@ class TwoModems {
       return true;
     });
     for (const UnderWay& packet : arrived) {
-      const MicroModemHeard heard = {.bytes = packet.bytes,
-                                     .start_us = packet.start_us,
-                                     .travel_us = travel_us,
-                                     .snr_db = snr_db};
-      Pass(packet.to, modem(packet.to).Hear(heard, now_us_));
+      const MicroModemArrival arrival = {.bytes = packet.bytes,
+                                         .start_us = packet.start_us,
+                                         .travel_us = travel_us,
+                                         .snr_db = snr_db};
+      Pass(packet.to, modem(packet.to).Receive(arrival, now_us_));
     }
   }
 

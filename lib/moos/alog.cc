@@ -35,7 +35,7 @@ std::string AlogHeader() {
 void AppendAlogLine(int64_t event_utime, std::string_view channel, const node_report_t& report,
                     std::string* out) {
   fmt::format_to(std::back_inserter(*out), "{:<15} {:<20} {:<20} {}\n", SecondsText(event_utime),
-                 Column(channel), SourceOf(channel), FormatNodeReport(report, MoosForm::kFields));
+                 Column(channel), SourceOf(channel), FormatNodeReport(report));
 }
 
 }  // namespace shoal

@@ -12,13 +12,9 @@ namespace shoal {
 /// and for infinity.
 [[nodiscard]] std::optional<double> ParseNumber(std::string_view text);
 
-/// Returns the fewest digits that read back as `number`, fit for JSON; "nan" or "inf" for what is
+/// Returns the fewest digits that read back as `number`, -0 as "-0.0"; "nan" or "inf" for what is
 /// no number.
 [[nodiscard]] std::string NumberText(double number);
-
-/// Returns decimal seconds as microseconds, exactly; what is below a microsecond is rounded.
-/// Nothing where `text` is no number, or beyond what microseconds in 64 bits can count.
-[[nodiscard]] std::optional<int64_t> ParseSeconds(std::string_view text);
 
 /// Returns microseconds as decimal seconds, exactly: "12.3", "-0.000001".
 [[nodiscard]] std::string SecondsText(int64_t utime);

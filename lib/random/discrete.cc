@@ -2,12 +2,13 @@
 // W. Hoermann, "The generation of binomial random variates", J. Statist. Comput. Simul. 46 (1993)
 // (algorithm BTRS), and "The transformed rejection method for generating Poisson random variables",
 // Insurance: Mathematics and Economics 12 (1993) (algorithm PTRS). The constants are theirs.
+#include "lib/random/discrete.h"
+
 #include <array>
 #include <cmath>
 #include <numbers>
 
 #include "lib/check/check.h"
-#include "lib/random/stream.h"
 
 namespace shoal {
 
@@ -102,19 +103,20 @@ int64_t PoissonByRejection(Stream& stream, double mean) {
 
 }  // namespace
 
-int64_t Stream::Binomial(int64_t trials, double probability) {
-  SHOAL_CHECK(trials >= 0 && probability >= 0 && probability <= 1, "no binomial distribution");
+int64_t DrawBinomial(int64_t trials, double probability, Stream* stream) {
+  SHOAL_CHECK(trials >= 0 && probability >= 0 && probability <= 1,
+              "trials >= 0, 0 <= probability <= 1");
   if (trials == 0 || probability == 0) return 0;
-  if (probability > 0.5) return trials - Binomial(trials, 1 - probability);
+  if (probability > 0.5) return trials - DrawBinomial(trials, 1 - probability, stream);
   const auto n = static_cast<double>(trials);
-  return n * probability < kLargeMean ? BinomialByInversion(*this, trials, probability)
-                                      : BinomialByRejection(*this, n, probability);
+  return n * probability < kLargeMean ? BinomialByInversion(*stream, trials, probability)
+                                      : BinomialByRejection(*stream, n, probability);
 }
 
-int64_t Stream::Poisson(double mean) {
-  SHOAL_CHECK(mean >= 0 && mean <= 1e15, "no Poisson distribution of this mean");
+int64_t DrawPoisson(double mean, Stream* stream) {
+  SHOAL_CHECK(mean >= 0 && mean <= 1e15, "0 <= mean <= 1e15");
   if (mean == 0) return 0;
-  return mean < kLargeMean ? PoissonByInversion(*this, mean) : PoissonByRejection(*this, mean);
+  return mean < kLargeMean ? PoissonByInversion(*stream, mean) : PoissonByRejection(*stream, mean);
 }
 
 }  // namespace shoal

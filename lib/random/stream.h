@@ -10,7 +10,8 @@
 //   const StreamKey link = StreamKey(seed, "loss").With("alpha").With("bravo");
 //   for (int64_t number ...) Stream(link.With(number)).Uniform();
 //
-// The distributions are our own: those of the standard library differ between libraries.
+// The distributions are our own (those that are discrete: lib/random/discrete.h): those of the
+// standard library differ between libraries.
 #pragma once
 
 #include <concepts>
@@ -62,12 +63,6 @@ class Stream {
   uint64_t UniformInt(uint64_t count);
   /// Returns a draw from the normal distribution of mean 0 and variance 1.
   double Normal();
-  /// Returns how many of `trials` independent trials succeed. Exact, in a time that does not grow
-  /// with `trials`. @pre trials >= 0, 0 <= probability <= 1
-  int64_t Binomial(int64_t trials, double probability);
-  /// Returns a draw from the Poisson distribution. Exact, in bounded time.
-  /// @pre 0 <= mean <= 1e15
-  int64_t Poisson(double mean);
 
  private:
   static StreamKey Extend(const StreamKey& key) { return key; }

@@ -8,14 +8,14 @@
 #include "lib/bus/bus.h"
 #include "lib/bus/channels.h"
 #include "lib/run/status_page.h"
+#include "shoal/clock_state_t.hpp"
 
 namespace shoal {
 
 namespace {
 
 constexpr int64_t kRepeatAfter_us = 50'000;
-/// After a stall the clock does not race to catch up by more than this.
-constexpr int64_t kMaxCatchUp_us = 200'000;
+constexpr int64_t kStateInterval_us = 500'000;
 /// OnTime is called every 50 ms at least; a longer pause was the launcher's own.
 constexpr int64_t kOwnStall_us = 1'000'000;
 constexpr int64_t kNever = std::numeric_limits<int64_t>::max();
@@ -27,7 +27,7 @@ StepClock::StepClock(ClockOptions options, std::vector<std::string> participants
     : options_(std::move(options)),
       plan_(std::move(plan)),
       transport_(transport),
-      warp_(options_.warp) {
+      pace_(options_.warp, options_.tick_us, options_.fixed_pace) {
   for (std::string& name : participants) members_[std::move(name)];
   transport_.Listen(plan_.done_port(), channels::StepDone().name);
   transport_.Listen(plan_.done_port(), channels::ClockCommand().name);
@@ -43,7 +43,7 @@ void StepClock::OnDatagram(int port, std::string_view channel, std::span<const u
       return;
     }
     ++num_commands_;
-    const std::string why_not = Obey(command, wall_us);
+    const std::string why_not = Execute(command, wall_us);
     refusal_ =
         why_not.empty() ? "" : fmt::format("{} refused: {}", Printable(command.command), why_not);
     SendState(wall_us);
@@ -64,16 +64,49 @@ void StepClock::OnDatagram(int port, std::string_view channel, std::span<const u
   OnDone(done, wall_us);
 }
 
+/// Executes a command. Returns why not, or an empty text.
+std::string StepClock::Execute(const clock_command_t& command, int64_t wall_us) {
+  if (state_ == State::kEnding || state_ == State::kEnded) return "the mission is ending";
+  return pace_.Execute(command, wall_us);
+}
+
+/// `is_awaiting`: participants have not sent hello yet.
+std::string_view StepClock::StateWord(bool is_awaiting) const {
+  if (state_ == State::kEnding || state_ == State::kEnded) return "ending";
+  if (is_awaiting) return "gathering";
+  if (pace_.is_paused()) return "paused";
+  return state_ == State::kGathering ? "gathering" : "running";
+}
+
+void StepClock::SendState(int64_t wall_us) {
+  next_state_us_ = wall_us + kStateInterval_us;
+  if (state_ == State::kRunning) pace_.MeasureFactor(wall_us);
+  clock_state_t state{};
+  state.utime = utime();
+  state.mission_id = options_.mission_id;
+  state.step = step_;
+  if (state_ == State::kGathering) state.awaited = Awaited();
+  state.state = StateWord(!state.awaited.empty());
+  state.warp = pace_.warp();
+  state.factor = pace_.factor();
+  state.num_commands = num_commands_;
+  state.refusal = refusal_;
+  state.num_awaited = static_cast<int32_t>(state.awaited.size());
+  Bytes bytes;
+  EncodeInto(state, &bytes);
+  transport_.Send(plan_.tick_port(), channels::ClockState().name, bytes);
+}
+
 void StepClock::OnDone(const step_done_t& done, int64_t wall_us) {
   const auto found = members_.find(done.participant);
   if (found == members_.end()) {
-    if (stranger_.empty()) stranger_ = Printable(done.participant);
+    if (unregistered_.empty()) unregistered_ = Printable(done.participant);
     return;
   }
   Member& member = found->second;
   if (!done.fault.empty() && fault_.empty()) fault_ = done.participant + ": " + done.fault;
   if (!member.present) {
-    // A hello may be lost; who answers the present step is here just as well.
+    // A hello may be lost; a participant that answers the present step is here just as well.
     const bool joins = state_ == State::kGathering || done.step < 0 || done.step == step_;
     if (!joins) return;
     member.pid = done.pid;
@@ -118,12 +151,10 @@ void StepClock::Advance(int64_t wall_us) {
     UpdateCounters();
     return;
   }
-  if (paused_ && !stop_wanted_) return;
+  if (pace_.is_paused() && !stop_wanted_) return;
   const bool is_last = step_ == options_.last_step || stop_wanted_;
-  if (!is_last && wall_us < DueTime()) return;
-  if (DueTime() < wall_us - kMaxCatchUp_us && warp_ > 0) {
-    pace_origin_us_ += wall_us - kMaxCatchUp_us - DueTime();
-  }
+  if (!is_last && wall_us < pace_.DueTime()) return;
+  pace_.ForgiveStall(wall_us);
   for (auto& [name, member] : members_) {
     if (member.joins_next) {
       member.present = true;
@@ -143,14 +174,14 @@ void StepClock::SendTick(int64_t wall_us) {
   tick_.mission_id = options_.mission_id;
   tick_.step = step_;
   tick_.kind = state_ == State::kEnding ? tick_t::END : tick_t::RUN;
-  tick_.warp = warp_;
+  tick_.warp = pace_.warp();
   tick_.totals = std::move(next_totals_);
   tick_.num_totals = static_cast<int32_t>(tick_.totals.size());
   next_totals_.clear();
   tick_.joined = std::move(joining_);
   tick_.num_joined = static_cast<int32_t>(tick_.joined.size());
   joining_.clear();
-  ticked_at_us_ = wall_us;
+  pace_.OnStep(step_, wall_us);
   for (auto& [name, member] : members_) {
     member.asked_at_us = wall_us;
     member.next_repeat_us = wall_us + kRepeatAfter_us;
@@ -164,7 +195,7 @@ void StepClock::SendTick(int64_t wall_us) {
 
 void StepClock::OnTime(int64_t wall_us) {
   if (wall_us - last_time_us_ > kOwnStall_us) {
-    // It was we who stood still (Ctrl-Z, a paused machine): nobody's silence counts.
+    // The launcher itself stood still (Ctrl-Z, a paused machine): no silence counts.
     for (auto& [name, member] : members_) member.asked_at_us = wall_us;
   }
   last_time_us_ = wall_us;
@@ -172,16 +203,13 @@ void StepClock::OnTime(int64_t wall_us) {
   if (wall_us >= next_state_us_) SendState(wall_us);
   if (state_ == State::kGathering) {
     if (stop_wanted_) {
-      // Nobody has begun; END tells those who are there to leave.
+      // No step has begun; END ends those that are there.
       for (auto& [name, member] : members_) member.answered_step = -1;
       state_ = State::kEnding;
       SendTick(wall_us);
-    } else if (!paused_ && Awaited().empty()) {
+    } else if (!pace_.is_paused() && Awaited().empty()) {
       state_ = State::kRunning;
-      pace_origin_us_ = wall_us;
-      pace_origin_step_ = 0;
-      factor_since_us_ = wall_us;
-      factor_since_step_ = step_;
+      pace_.Begin(wall_us);
       SendTick(wall_us);
     }
     return;
@@ -192,7 +220,7 @@ void StepClock::OnTime(int64_t wall_us) {
       UpdateCounters();
       return;
     }
-    // Somebody does not answer: the others end without this step's totals.
+    // A participant does not answer: the others end without this step's totals.
     state_ = State::kEnding;
     stop_deadline_us_ = wall_us + kRepeatAfter_us * 4;
     next_totals_.clear();
@@ -223,7 +251,7 @@ int64_t StepClock::NextDeadline() const {
   if (state_ == State::kEnded) return kNever;
   if (state_ == State::kGathering) return 0;
   int64_t next = stop_wanted_ ? stop_deadline_us_ : kNever;
-  if (AllAnswered()) return paused_ ? next : std::min(next, DueTime());
+  if (AllAnswered()) return pace_.is_paused() ? next : std::min(next, pace_.DueTime());
   for (const auto& [name, member] : members_) {
     if (member.present && member.answered_step != step_) {
       next = std::min(next, member.next_repeat_us);
@@ -241,7 +269,7 @@ void StepClock::Drop(const std::string& participant, int64_t wall_us) {
   CountOf(found->second);
   found->second = Member{};
   membership_changed_ = true;
-  // What it published in a step that it did not finish counts for nobody.
+  // What it published in a step that it did not finish does not count.
   if (state_ != State::kGathering && state_ != State::kEnded && AllAnswered()) Advance(wall_us);
 }
 

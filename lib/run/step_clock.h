@@ -1,13 +1,14 @@
 // The clock's side of the step protocol: one TICK when all participants have answered the last.
 //
-//   GATHERING --all said hello--> RUNNING --last step answered--> ENDING --all answered--> ENDED
+//   GATHERING --all sent hello--> RUNNING --last step answered--> ENDING --all answered--> ENDED
 //       |                            |  TICK k, wait for STEP_DONE k of all, TICK k+1 with totals
 //       |                            |  silence of 50 ms: the tick again
 //       +--------- Stop() -----------+--------------------------> ENDING
 //
-// CLOCK_COMMAND pauses it, lets it go on and changes its warp: when steps are taken, never what
-// comes of them. While it is paused, the step under way is answered and no other begins.
-// CLOCK_STATE tells what it does: at once after each command, and twice per second of wall time.
+// CLOCK_COMMAND pauses it, resumes it and changes its warp (lib/run/step_pace.h): when steps are
+// taken, never what comes of them. While it is paused, the step under way is answered and no other
+// begins. CLOCK_STATE shows what it does: at once after each command, and twice per second of wall
+// time.
 //
 // Time comes in as an argument (wall time, microseconds, from any epoch, never backward). Pure but
 // for the transport.
@@ -20,7 +21,7 @@
 
 #include "lib/bus/layout.h"
 #include "lib/bus/transport.h"
-#include "lib/mission/mission.h"
+#include "lib/run/step_pace.h"
 #include "shoal/clock_command_t.hpp"
 #include "shoal/step_done_t.hpp"
 #include "shoal/tick_t.hpp"
@@ -61,7 +62,7 @@ class StepClock {
   /// Returns the wall time at which OnTime has something to do.
   int64_t NextDeadline() const;
 
-  /// Goes on without this participant, until it says hello again.
+  /// Goes on without this participant, until it sends hello again.
   void Drop(const std::string& participant, int64_t wall_us);
   /// Takes it that this participant has answered END: it has left, and its answer may be lost.
   void Leave(const std::string& participant, int64_t wall_us);
@@ -70,32 +71,32 @@ class StepClock {
   void Stop(int64_t wall_us, int64_t patience_us);
 
   State state() const { return state_; }
-  bool paused() const { return paused_; }
+  bool paused() const { return pace_.is_paused(); }
   int64_t step() const { return step_; }  ///< The last one ticked; -1 before the first.
   /// Mission time of the last step that was run.
   int64_t utime() const;
   const RunCounters& counters() const { return counters_; }
 
-  /// Participants that have not said hello yet.
+  /// Participants that have not sent hello yet.
   std::vector<std::string> Awaited() const;
   /// Participants that were silent for longer than the time-out; each is named until dropped.
   std::vector<std::string> Silent(int64_t wall_us) const;
   /// The first fault that a participant reported ("helm_alpha: ..."), or empty.
   const std::string& fault() const { return fault_; }
-  /// The first that spoke the step protocol under a name that the mission does not have, or empty.
-  const std::string& stranger() const { return stranger_; }
+  /// The first unregistered participant: the mission has none of its name; or empty.
+  const std::string& unregistered() const { return unregistered_; }
   /// True where a participant was dropped or came back while running.
   bool membership_changed() const { return membership_changed_; }
 
  private:
   struct Member {
-    bool present = false;     ///< Said hello, or answers; false after Drop.
-    bool joins_next = false;  ///< Said hello while running; takes part from the next tick on.
+    bool present = false;     ///< Sent hello, or answers; false after Drop.
+    bool joins_next = false;  ///< Sent hello while running; takes part from the next tick on.
     int32_t pid = 0;          ///< Of the process that plays it.
     int64_t answered_step = -1;
     int64_t asked_at_us = 0;  ///< When the tick it owes an answer to was sent first.
     int64_t next_repeat_us = 0;
-    // Totals since its start, as its last answer tells.
+    // Totals since its start, as its last answer has them.
     int64_t repeated = 0;
     int64_t outside = 0;
     int64_t foreign = 0;
@@ -103,42 +104,33 @@ class StepClock {
   };
 
   void OnDone(const step_done_t& done, int64_t wall_us);
-  std::string Obey(const clock_command_t& command, int64_t wall_us);
-  void SetPace(double warp, bool paused, int64_t wall_us);
+  std::string Execute(const clock_command_t& command, int64_t wall_us);
   std::string_view StateWord(bool is_awaiting) const;
   void SendState(int64_t wall_us);
   void SendTick(int64_t wall_us);
   bool AllAnswered() const;
   void Advance(int64_t wall_us);
-  int64_t DueTime() const;
   void CountOf(const Member& member);
   void UpdateCounters();
 
   const ClockOptions options_;
   const PortPlan plan_;
   Transport& transport_;
+  StepPace pace_;
   std::map<std::string, Member, std::less<>> members_;
   State state_ = State::kGathering;
   int64_t step_ = -1;
   tick_t tick_{};
   std::vector<step_total_t> next_totals_;  ///< Of the present step, as answers come.
   std::vector<std::string> joining_;       ///< Take part from the next tick on.
-  double warp_;
-  bool paused_ = false;
   int64_t num_commands_ = 0;
-  std::string refusal_;          ///< "pause refused: ...", of the last command; or empty.
-  int64_t next_state_us_ = 0;    ///< When CLOCK_STATE is due again.
-  int64_t factor_since_us_ = 0;  ///< Where the present factor is measured from ...
-  int64_t factor_since_step_ = 0;
-  double factor_ = 0;
-  int64_t ticked_at_us_ = 0;      ///< When the present step was ticked first.
-  int64_t pace_origin_us_ = 0;    ///< Wall time at which ...
-  int64_t pace_origin_step_ = 0;  ///< ... this step was, or would have been, due.
+  std::string refusal_;        ///< "pause refused: ...", of the last command; or empty.
+  int64_t next_state_us_ = 0;  ///< When CLOCK_STATE is due again.
   int64_t stop_deadline_us_ = 0;
   bool stop_wanted_ = false;
   bool membership_changed_ = false;
   int64_t last_time_us_ = 0;
-  std::string stranger_;
+  std::string unregistered_;
   std::string fault_;
   RunCounters counters_;
 };

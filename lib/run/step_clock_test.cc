@@ -1,4 +1,4 @@
-// The clock alone: what it makes of orders, and what it tells of itself. With participants:
+// The clock alone: what it makes of orders, and what it shows of itself. With participants:
 // step_protocol_test.cc.
 #include "lib/run/step_clock.h"
 
@@ -19,7 +19,7 @@ namespace {
 constexpr int64_t kMissionId = 4711;
 constexpr int64_t kTick_us = 100'000;
 
-/// A clock with one participant, "a", that answers each tick at once unless it is told not to.
+/// A clock with one participant, "a", that answers each tick at once unless the test wants none.
 struct ClockAlone {
   explicit ClockAlone(ClockOptions options = {.mission_id = kMissionId, .last_step = 1'000'000})
       : clock(std::move(options), {"a"}, plan, node) {
@@ -50,7 +50,7 @@ struct ClockAlone {
     other.Send(plan.done_port(), "STEP_DONE", bytes);
   }
 
-  void Tell(const std::string& word, double warp = 0) {
+  void Order(const std::string& word, double warp = 0) {
     clock_command_t command{};
     command.command = word;
     command.warp = warp;
@@ -60,7 +60,7 @@ struct ClockAlone {
     network.DeliverAll();
   }
 
-  /// Says hello, and lets the mission begin.
+  /// Sends hello, and lets the mission begin.
   void Begin() {
     Answer(-1);
     network.DeliverAll();
@@ -120,7 +120,7 @@ TEST(StepClock, AnswersEachOrderAtOnce) {
   alone.Begin();
   alone.Run(1'234'000);
   const int num_states = alone.num_states;
-  alone.Tell("pause");
+  alone.Order("pause");
   EXPECT_EQ(alone.num_states, num_states + 1);
   EXPECT_EQ(alone.state->state, "paused");
   EXPECT_EQ(alone.state->num_commands, 1);
@@ -129,9 +129,9 @@ TEST(StepClock, AnswersEachOrderAtOnce) {
   EXPECT_EQ(alone.state->step, 12);
   alone.Run(2'000'000);
   EXPECT_EQ(alone.state->step, 12);
-  alone.Tell("warp", 4);
+  alone.Order("warp", 4);
   EXPECT_EQ(alone.state->state, "paused");
-  alone.Tell("resume");
+  alone.Order("resume");
   EXPECT_EQ(alone.state->state, "running");
   EXPECT_EQ(alone.state->warp, 4);
   EXPECT_EQ(alone.state->num_commands, 3);
@@ -142,14 +142,14 @@ TEST(StepClock, AnswersEachOrderAtOnce) {
 TEST(StepClock, RefusesWhatIsNoOrderAndGoesOn) {
   ClockAlone alone;
   alone.Begin();
-  alone.Tell("fly\x1b[2J");
+  alone.Order("fly\x1b[2J");
   EXPECT_EQ(alone.state->refusal,
             "fly?[2J refused: unknown command 'fly?[2J': pause, resume or warp");
-  alone.Tell("");
+  alone.Order("");
   EXPECT_NE(alone.state->refusal, "");
   for (const double warp :
        {-1.0, 1e-7, 1e7, std::nan(""), std::numeric_limits<double>::infinity()}) {
-    alone.Tell("warp", warp);
+    alone.Order("warp", warp);
     EXPECT_TRUE(alone.state->refusal.starts_with("warp refused: ")) << warp;
     EXPECT_EQ(alone.state->warp, 1);
   }
@@ -160,7 +160,7 @@ TEST(StepClock, RefusesWhatIsNoOrderAndGoesOn) {
   EXPECT_EQ(alone.state->num_commands, 7);
   alone.Run(1'000'000);
   EXPECT_EQ(alone.clock.step(), 10);
-  alone.Tell("pause");
+  alone.Order("pause");
   EXPECT_EQ(alone.state->refusal, "");
 }
 
@@ -169,7 +169,7 @@ TEST(StepClock, RefusesWhereThePaceIsFixedOrTheMissionEnds) {
       {.mission_id = kMissionId, .fixed_pace = "it keeps to the wall's clock", .last_step = 100});
   fixed.Begin();
   for (const char* word : {"pause", "resume", "warp"}) {
-    fixed.Tell(word, 2);
+    fixed.Order(word, 2);
     EXPECT_EQ(fixed.state->refusal, std::string(word) + " refused: it keeps to the wall's clock");
   }
   EXPECT_FALSE(fixed.clock.paused());
@@ -180,20 +180,20 @@ TEST(StepClock, RefusesWhereThePaceIsFixedOrTheMissionEnds) {
   ending.clock.Stop(ending.now, 0);
   ending.Run(10'000);
   ASSERT_EQ(ending.clock.state(), StepClock::State::kEnding);
-  ending.Tell("pause");
+  ending.Order("pause");
   EXPECT_EQ(ending.state->state, "ending");
   EXPECT_EQ(ending.state->refusal, "pause refused: the mission is ending");
 }
 
 TEST(StepClock, CanBePausedBeforeTheFirstStep) {
   ClockAlone alone;
-  alone.Tell("pause");
+  alone.Order("pause");
   EXPECT_EQ(alone.state->refusal, "");
   alone.Begin();
   alone.Run(1'000'000);
   EXPECT_EQ(alone.clock.step(), -1);
   EXPECT_EQ(alone.state->state, "paused");
-  alone.Tell("resume");
+  alone.Order("resume");
   alone.Run(1'000'000);
   EXPECT_EQ(alone.clock.step(), 10);
 }
@@ -202,10 +202,10 @@ TEST(StepClock, IsNotHurriedByAFloodOfOrders) {
   ClockAlone alone;
   alone.Begin();
   for (int i = 0; i < 2'000; ++i) {
-    alone.Tell("pause");
-    alone.Tell("resume");
-    alone.Tell("warp", 0.5);
-    alone.Tell("warp", 1);
+    alone.Order("pause");
+    alone.Order("resume");
+    alone.Order("warp", 0.5);
+    alone.Order("warp", 1);
     alone.Run(1'000);
   }
   EXPECT_LE(alone.clock.step(), 20);
@@ -217,11 +217,11 @@ TEST(StepClock, StandsTheSlowestWarpAndComesBackFromIt) {
   alone.Begin();
   alone.Run(2'000'000);
   EXPECT_EQ(alone.clock.step(), 2'000);
-  alone.Tell("warp", 1e-6);
+  alone.Order("warp", 1e-6);
   alone.Run(10'000'000);
   EXPECT_EQ(alone.clock.step(), 2'000);
   EXPECT_GT(alone.clock.NextDeadline(), alone.now + 1'000'000'000);
-  alone.Tell("warp", 100);
+  alone.Order("warp", 100);
   alone.Run(100'000);
   EXPECT_NEAR(static_cast<double>(alone.clock.step()), 2'100, 2);
 }
@@ -230,13 +230,13 @@ TEST(StepClock, BlamesWhoOwesAnAnswerAlsoWhilePaused) {
   ClockAlone alone;
   alone.Begin();
   alone.Run(1'050'000);
-  alone.Tell("pause");
+  alone.Order("pause");
   alone.Run(10'000'000);
   EXPECT_TRUE(alone.clock.Silent(alone.now).empty());
-  alone.Tell("resume");
+  alone.Order("resume");
   alone.answers = false;
   alone.Run(200'000);
-  alone.Tell("pause");
+  alone.Order("pause");
   alone.Run(6'000'000);
   EXPECT_EQ(alone.clock.Silent(alone.now), std::vector<std::string>{"a"});
 }

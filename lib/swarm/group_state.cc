@@ -97,11 +97,6 @@ bool KnowsNext(const SwarmContact& contact) {
          next.velocity_mps.x() != kSentinelSpeed_mps;
 }
 
-std::optional<int64_t> Age_us(const SwarmContact& contact, int64_t now_us) {
-  if (!contact.is_heard || contact.reported_us < 0) return std::nullopt;
-  return std::max<int64_t>(0, now_us - contact.reported_us);
-}
-
 std::optional<Motion> PredictContact(const SwarmContact& contact, int64_t now_us) {
   if (!IsUsable(contact)) return std::nullopt;
   return PredictMember(contact.report.now, SecondsSince(contact.reported_us, now_us));

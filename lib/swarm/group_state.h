@@ -95,10 +95,6 @@ inline constexpr double kSentinelTime_s = -1;
 /// leaders do, and neither is a sentinel.
 [[nodiscard]] bool KnowsNext(const SwarmContact& contact);
 
-/// Returns how long ago the contact's last report was made, by its own time stamp; nothing if it
-/// has not reported, or if that is not known. At least 0.
-[[nodiscard]] std::optional<int64_t> Age_us(const SwarmContact& contact, int64_t now_us);
-
 /// Returns where the contact is now: its last report and constant velocity since. Nothing unless
 /// IsUsable.
 [[nodiscard]] std::optional<Motion> PredictContact(const SwarmContact& contact, int64_t now_us);

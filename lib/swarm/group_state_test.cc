@@ -78,17 +78,6 @@ TEST(MotionLog, GivesItsLastEntries) {
   EXPECT_EQ(LastEntries(log, 9).size(), 5U);
 }
 
-TEST(SwarmContact, IsAsOldAsItsReportNotAsItsArrival) {
-  SwarmContact contact = ContactHeardAt(10);
-  contact.arrived_us = 12 * kSecond_us;
-  EXPECT_EQ(Age_us(contact, 15 * kSecond_us), 5 * kSecond_us);
-  EXPECT_EQ(Age_us(contact, 9 * kSecond_us), 0);
-}
-
-TEST(SwarmContact, HasNoAgeBeforeItIsHeard) {
-  EXPECT_EQ(Age_us(PlacedContact(2, 'A', {}), kSecond_us), std::nullopt);
-}
-
 TEST(Prediction, StartsAtTheTimeStampOfTheReport) {
   SwarmContact contact = ContactHeardAt(10);
   contact.arrived_us = 13 * kSecond_us;
@@ -118,7 +107,6 @@ TEST(Prediction, IsNotMadeFromASentinel) {
   adrift.report.now.velocity_mps.setConstant(kSentinelSpeed_mps);
   EXPECT_FALSE(PredictContact(adrift, 11 * kSecond_us));
   EXPECT_FALSE(PredictContact(ContactHeardAt(-1), 11 * kSecond_us));
-  EXPECT_EQ(Age_us(ContactHeardAt(-1), 11 * kSecond_us), std::nullopt);
 }
 
 TEST(Prediction, OfTheLeaderUsesWhatItToldOfItsNextWaypoint) {

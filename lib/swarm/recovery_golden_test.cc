@@ -114,7 +114,7 @@ TEST(Recovery, IsWhatTheDocumentationOfMuNetSays) {
   const Json golden = ReadGoldenJson("munet/recovery.json");
   int num_checked = 0;
   for (const Json& row : golden["cases"]) {
-    const auto field = SwarmFieldOf(row["field"].get<std::string>());
+    const auto field = FieldNamed(row["field"].get<std::string>());
     if (!field) continue;                      // "unknown_field": shoal's fields are a closed list.
     if (row["bad"] == "hex:4c5250") continue;  // A flag has four bytes, or there is no message.
     const Json& vehicle = golden["vehicles"][row["vehicle"].get<std::string>()];

@@ -75,11 +75,4 @@ void SwarmSchedule::Take(const ResponseRequest& request) {
   asked_us_ = slot_us;
 }
 
-std::optional<int64_t> SwarmSchedule::NextSlot_us(int64_t utime) const {
-  if (IsAsked()) return asked_us_ && *asked_us_ > utime ? asked_us_ : std::nullopt;
-  if (utime < first_us_) return first_us_;
-  if (utime > kLatestSlot_us) return std::nullopt;
-  return utime - (utime - first_us_) % plan_.episode_us + plan_.episode_us;
-}
-
 }  // namespace shoal

@@ -78,9 +78,6 @@ class SwarmSchedule {
   /// float32 on its way: the nearest step is meant.
   void Take(const ResponseRequest& request);
 
-  /// Returns the beginning of the next slot after `utime`; nothing where none is known.
-  [[nodiscard]] std::optional<int64_t> NextSlot_us(int64_t utime) const;
-
   /// Slots that it was asked to answer in and did not: the request, or the step, came too late, or
   /// another request came before the slot.
   int64_t num_missed() const { return num_missed_; }

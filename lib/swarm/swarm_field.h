@@ -1,8 +1,8 @@
-// The fields of a swarm's messages, the ways to mend them, and what both are called in a mission
+// The fields of a swarm's messages, the ways to recover them, and what both are called in a mission
 // file and in muNet's documentation.
 //
-//   SwarmFieldOf("reporter_pos")   -> SwarmField::kReporterPos
-//   RecoveryStrategyOf("predict")  -> RecoveryStrategy::kPredict
+//   NameOf(SwarmField::kReporterPos)  -> "reporter_pos"
+//   RecoveryStrategyOf("predict")     -> RecoveryStrategy::kPredict
 #pragma once
 
 #include <array>
@@ -54,8 +54,7 @@ inline constexpr std::array<std::string_view, kNumRecoveryStrategies> kRecoveryS
 [[nodiscard]] std::string_view NameOf(SwarmField field);
 [[nodiscard]] std::string_view NameOf(RecoveryStrategy strategy);
 
-/// Return nothing for a word that names none.
-[[nodiscard]] std::optional<SwarmField> SwarmFieldOf(std::string_view name);
+/// Returns nothing for a word that names none.
 [[nodiscard]] std::optional<RecoveryStrategy> RecoveryStrategyOf(std::string_view name);
 
 }  // namespace shoal

@@ -5,19 +5,64 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lib/view/events_json.h"
 #include "lib/view/fates_json.h"
 #include "lib/view/frame_json.h"
 #include "lib/view/links_json.h"
+#include "lib/view/recorded_log.h"
+#include "lib/view/setup_json.h"
 #include "lib/view/vehicle_json.h"
 
 namespace shoal {
 
 namespace {
 
+/// Pages at as many different moments do not disturb one another.
+constexpr size_t kMaxIdleScenes = 12;
+constexpr size_t kMaxIdleFates = 6;
 constexpr size_t kLinkFates = 50;
-constexpr size_t kMaxNamesTold = 20;
+constexpr size_t kMaxNamesShown = 20;
+
+Scene BlankScene(const Mission& mission, bool knows_rules) {
+  Scene scene(mission);
+  if (!knows_rules) scene.ForgetRules();
+  return scene;
+}
 
 }  // namespace
+
+Result<std::unique_ptr<RecordedView>> RecordedView::Open(const std::string& path,
+                                                         const RecordedViewOptions& options) {
+  Result<RecordedLog> log = OpenRecordedLog(path, options.mission_file, options.overrides);
+  if (!log.ok()) return Error{log.error()};
+  std::unique_ptr<RecordedView> view(new RecordedView(std::move(log->reader), log->survey.stamps,
+                                                      std::move(log->mission), log->knows_mission));
+  view->notes_ = std::move(log->notes);
+  Scene scene = view->blank_;
+  view->index_ = BuildLogIndex(&view->reader_, &scene, view->mission_, log->survey.stamps);
+  NoteTroubles(view->reader_, log->survey, view->index_, &view->notes_);
+  const std::string floor = FloorJson(view->mission_, &view->notes_);
+  Mission shown = view->mission_;
+  if (!log->knows_mission) shown.duration_s = view->end_s();
+  view->setup_json_ = shoal::SetupJson(shown,
+                                       {.mode = "recorded",
+                                        .boot = options.boot,
+                                        .begin_s = view->begin_s(),
+                                        .end_s = view->end_s(),
+                                        .notes = view->notes_},
+                                       floor);
+  view->trails_json_ = shoal::TrailsJson(scene, view->index_.trails);
+  view->events_json_ = shoal::EventsJson(view->index_.events, view->blank_.start_utime());
+  return view;
+}
+
+RecordedView::RecordedView(LogReader reader, LogStamps stamps, Mission mission, bool knows_rules)
+    : reader_(std::move(reader)),
+      stamps_(stamps),
+      mission_(std::move(mission)),
+      blank_(BlankScene(mission_, knows_rules)),
+      idle_scenes_(kMaxIdleScenes),
+      idle_fates_(kMaxIdleFates) {}
 
 int64_t RecordedView::LineOf(double t_s) const {
   if (std::isnan(t_s)) return index_.begin_us;
@@ -173,8 +218,8 @@ Result<std::string> RecordedView::VehicleJson(std::string_view name, double t_s,
 Error RecordedView::NoSuchVehicle(std::string_view name) const {
   std::vector<std::string_view> names;
   for (const Vehicle& vehicle : mission_.vehicles) names.push_back(vehicle.name);
-  const bool is_cut = names.size() > kMaxNamesTold;
-  if (is_cut) names.resize(kMaxNamesTold);
+  const bool is_cut = names.size() > kMaxNamesShown;
+  if (is_cut) names.resize(kMaxNamesShown);
   constexpr size_t kMaxShown = 64;
   return {fmt::format("no vehicle '{}' in the log; there are: {}{}", name.substr(0, kMaxShown),
                       names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", ")),

@@ -20,7 +20,6 @@
 #include "lib/view/link_history.h"
 #include "lib/view/log_index.h"
 #include "lib/view/recorded_cursor.h"
-#include "lib/view/recorded_survey.h"
 #include "lib/view/scene.h"
 #include "lib/view/view_source.h"
 
@@ -34,9 +33,9 @@ struct RecordedViewOptions {
 
 class RecordedView : public ViewSource {
  public:
-  /// Opens a log, or the folder of `shoal run --record`. Damages are left out and told of in the
+  /// Opens a log, or the folder of `shoal run --record`. Damages are left out and named in the
   /// notes; a log of which nothing can be read is an error, as is a `mission_file` that does not
-  /// load. Errors say what to try.
+  /// load. Errors state what to try.
   static Result<std::unique_ptr<RecordedView>> Open(const std::string& path,
                                                     const RecordedViewOptions& options = {});
 
@@ -61,7 +60,6 @@ class RecordedView : public ViewSource {
  private:
   RecordedView(LogReader reader, LogStamps stamps, Mission mission, bool knows_rules);
 
-  void Note(const LogSurvey& survey);
   int64_t LineOf(double t_s) const;
   /// Returns a cursor at `line_us`; give it back to the idle ones.
   std::unique_ptr<SceneCursor> SceneAt(int64_t line_us);

@@ -1,14 +1,17 @@
-// Reads the vehicles of munet/recovery.json and munet/receive_handlers.json: who they are and what
-// they know of their group.
+// Reads the vehicles of munet/recovery.json and munet/receive_handlers.json: what they
+// are and know of their group.
 #pragma once
 
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
+#include <string_view>
 
 #include "lib/swarm/field_checks.h"
 #include "lib/swarm/group_state.h"
+#include "lib/swarm/swarm_field.h"
 #include "tests/golden/read_golden.h"
 
 namespace shoal {
@@ -21,6 +24,14 @@ inline double GoldenNumber(const nlohmann::json& number) {
   if (number == "-inf") return -infinity;
   EXPECT_EQ(number, "nan");
   return std::nan("");
+}
+
+/// Returns nothing for a name that no field has.
+inline std::optional<SwarmField> FieldNamed(std::string_view name) {
+  for (size_t i = 0; i < kNumSwarmFields; ++i) {
+    if (kSwarmFieldNames[i] == name) return static_cast<SwarmField>(i);
+  }
+  return std::nullopt;
 }
 
 inline Eigen::Vector3d GoldenVector(const nlohmann::json& numbers) {

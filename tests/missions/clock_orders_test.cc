@@ -60,7 +60,7 @@ TEST(Clock, StandsStillForAnOrderThatIsObeyedWhenItGoesOn) {
   // Ctrl-C ends a paused mission as any other.
   ASSERT_EQ(RunShoal(folder, {"send", "clock", "pause"}).exit_code, 0);
   process.Signal(SIGINT);
-  const Finished finished = process.Wait(20);
+  const Finished finished = process.Wait();
   EXPECT_EQ(finished.exit_code, 1) << finished.output;
   EXPECT_NE(finished.output.find("INCOMPLETE"), std::string::npos) << finished.output;
 }

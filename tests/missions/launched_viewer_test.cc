@@ -16,7 +16,7 @@ TEST(View, RunsBesideTheMissionAndTellsItsAddress) {
   const std::map<std::string, pid_t> participants = process.Participants();
   ASSERT_TRUE(participants.contains("shoal-viewer"));
   process.Signal(SIGINT);
-  const Finished finished = process.Wait(20);
+  const Finished finished = process.Wait();
   EXPECT_EQ(finished.exit_code, 1) << finished.output;
   EXPECT_EQ(finished.output.find("shoal-viewer"), std::string::npos) << finished.output;
   EXPECT_TRUE(AllGone(participants));

@@ -62,15 +62,15 @@ TEST(NetsimHil, HearsAndIsHeardByAVehicleFromOutside) {
   RunningProcess mission(folder, run);
   RunningProcess outsider(folder, {Program("netsim_outsider"), "127.0.0.1", std::to_string(first),
                                    std::to_string(first + 1)});
-  ASSERT_TRUE(outsider.WaitFor("heard pong 0", 30)) << outsider.Output() << mission.Output();
+  ASSERT_TRUE(outsider.WaitFor("heard pong 0")) << outsider.Output() << mission.Output();
   const Finished page = RunShoal(folder, {"status", "netsim_manager"});
   EXPECT_NE(page.output.find("outsider: port"), std::string::npos) << page.output;
-  const Finished finished = mission.Wait(60);
+  const Finished finished = mission.Wait();
   EXPECT_EQ(finished.exit_code, 0) << finished.output;
   EXPECT_NE(finished.output.find("no: clients of netsim_manager come from outside"),
             std::string::npos)
       << finished.output;
-  EXPECT_NE(outsider.Wait(10).output.find("the other side has closed"), std::string::npos);
+  EXPECT_NE(outsider.Wait().output.find("the other side has closed"), std::string::npos);
   for (const auto& [from, to] : {std::pair("outsider", "bravo"), std::pair("bravo", "outsider")}) {
     const double worst_s = WorstTravelTime_s(dir + "/mission.lcm", from, to);
     EXPECT_GE(worst_s, 0) << "a packet went that way";
@@ -107,14 +107,14 @@ TEST(NetsimHil, SaysWhichTcpPortIsTaken) {
     for (const std::string& word : OnPorts(first)) run.push_back(word);
     return run;
   }());
-  ASSERT_TRUE(one.WaitFor("x real time", 20)) << one.Output();
+  ASSERT_TRUE(one.WaitFor("x real time")) << one.Output();
   std::vector<std::string> again = {"run", MissionFile("netsim_hil.toml")};
   for (const std::string& word : OnPorts(first)) again.push_back(word);
   const Finished second = RunShoal(folder, again);
   EXPECT_EQ(second.exit_code, 3) << second.output;
   EXPECT_NE(second.output.find(std::to_string(first)), std::string::npos) << second.output;
   one.Signal(SIGINT);
-  one.Wait(10);
+  one.Wait();
 }
 
 }  // namespace

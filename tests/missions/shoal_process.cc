@@ -41,6 +41,15 @@ std::string ParticipantOf(pid_t pid) {
   return name;
 }
 
+/// Returns the state of a process: 'R' running, 'Z' a zombie, 'T' stopped ...; 0: there is none.
+char StateOf(pid_t pid) {
+  std::ifstream in("/proc/" + std::to_string(pid) + "/stat");
+  std::string stat;
+  if (!std::getline(in, stat)) return 0;
+  const size_t close = stat.rfind(')');
+  return close != std::string::npos && stat.size() > close + 2 ? stat[close + 2] : '\0';
+}
+
 }  // namespace
 
 TestFolder::TestFolder() {
@@ -127,16 +136,31 @@ Finished RunShoal(const TestFolder& folder, std::vector<std::string> arguments, 
   return RunningProcess(folder, std::move(arguments)).Wait(patience_s);
 }
 
+bool AwaitThat(const std::function<bool()>& holds) {
+  for (const double begin = WallSeconds(); !holds();) {
+    if (WallSeconds() - begin > kPatience_s) return false;
+    SleepSeconds(0.01);
+  }
+  return true;
+}
+
+std::string AwaitPage(const TestFolder& folder, const std::string& app,
+                      const std::function<bool(const std::string& page)>& holds) {
+  std::string page;
+  AwaitThat([&] {
+    page = RunShoal(folder, {"status", app}).output;
+    return holds(page);
+  });
+  return page;
+}
+
 std::string AwaitStatus(const TestFolder& folder, const std::string& app,
                         const std::vector<std::string>& texts) {
-  std::string page;
-  const auto holds = [&](const std::string& text) { return page.find(text) != std::string::npos; };
-  for (const double begin = WallSeconds(); WallSeconds() - begin < 20;) {
-    page = RunShoal(folder, {"status", app}).output;
-    if (std::all_of(texts.begin(), texts.end(), holds)) break;
-    SleepSeconds(0.1);
-  }
-  return page;
+  return AwaitPage(folder, app, [&](const std::string& page) {
+    return std::all_of(texts.begin(), texts.end(), [&](const std::string& text) {
+      return page.find(text) != std::string::npos;
+    });
+  });
 }
 
 std::string Program(const std::string& name) {
@@ -177,22 +201,19 @@ void WriteFile(const fs::path& path, const std::string& text) {
 }
 
 bool IsAlive(pid_t pid) {
-  std::ifstream in("/proc/" + std::to_string(pid) + "/stat");
-  std::string stat;
-  if (!std::getline(in, stat)) return false;
-  const size_t close = stat.rfind(')');
-  return close != std::string::npos && stat.size() > close + 2 && stat[close + 2] != 'Z';
+  const char state = StateOf(pid);
+  return state != 0 && state != 'Z';
 }
 
-bool AllGone(const std::map<std::string, pid_t>& processes, double patience_s) {
-  const double begin = WallSeconds();
-  while (true) {
-    bool any = false;
-    for (const auto& [name, pid] : processes) any = any || IsAlive(pid);
-    if (!any) return true;
-    if (WallSeconds() - begin > patience_s) return false;
-    SleepSeconds(0.01);
-  }
+bool AllGone(const std::map<std::string, pid_t>& processes) {
+  return AwaitThat([&] {
+    return std::none_of(processes.begin(), processes.end(),
+                        [](const auto& each) { return IsAlive(each.second); });
+  });
+}
+
+bool IsStopped(pid_t pid) {
+  return AwaitThat([&] { return StateOf(pid) == 'T'; });
 }
 
 double WallSeconds() { return static_cast<double>(MonotonicMicroseconds()) / 1e6; }

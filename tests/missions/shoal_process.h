@@ -4,11 +4,16 @@
 #include <sys/types.h>
 
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
 
 namespace shoal {
+
+/// How long a test waits for what it expects: enough for a machine with many times as much to do. A
+/// test that passes waits as long as it takes.
+inline constexpr double kPatience_s = 150;
 
 /// A folder of its own for one test; removed at the end.
 class TestFolder {
@@ -44,9 +49,9 @@ class RunningProcess {
   /// Returns all that it printed so far.
   std::string Output() const;
   /// Waits until `text` was printed. Returns false after `patience_s` or where it ended before.
-  bool WaitFor(const std::string& text, double patience_s = 20) const;
+  bool WaitFor(const std::string& text, double patience_s = kPatience_s) const;
   /// Waits for the end; after `patience_s` it is killed and the exit code is -1.
-  Finished Wait(double patience_s = 100);
+  Finished Wait(double patience_s = kPatience_s);
 
   /// Returns its children by their participants' names ("helm_alpha").
   std::map<std::string, pid_t> Participants() const;
@@ -62,10 +67,16 @@ class RunningProcess {
 
 /// Runs `shoal` with `arguments` to its end.
 Finished RunShoal(const TestFolder& folder, std::vector<std::string> arguments,
-                  double patience_s = 100);
+                  double patience_s = kPatience_s);
 
-/// Asks `app` for its status page until that holds all of `texts`, for 20 s at most; returns the
-/// last page. A test that expects something of a running mission waits for it in this way.
+/// Waits until `holds` returns true, for kPatience_s at most; returns whether it did.
+bool AwaitThat(const std::function<bool()>& holds);
+
+/// Asks `app` for its status page until `holds` returns true for it, for kPatience_s at most;
+/// returns the last page. A test that expects something of a running mission waits for it so.
+std::string AwaitPage(const TestFolder& folder, const std::string& app,
+                      const std::function<bool(const std::string& page)>& holds);
+/// Awaits a page that holds all of `texts`.
 std::string AwaitStatus(const TestFolder& folder, const std::string& app,
                         const std::vector<std::string>& texts);
 
@@ -83,7 +94,9 @@ void WriteFile(const std::filesystem::path& path, const std::string& text);
 /// True where the process exists (zombies count as gone).
 bool IsAlive(pid_t pid);
 /// Waits until none of these processes exists.
-bool AllGone(const std::map<std::string, pid_t>& processes, double patience_s = 3);
+bool AllGone(const std::map<std::string, pid_t>& processes);
+/// Waits until the process has been stopped by SIGSTOP.
+bool IsStopped(pid_t pid);
 
 double WallSeconds();
 void SleepSeconds(double seconds);

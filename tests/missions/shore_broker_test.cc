@@ -42,20 +42,22 @@ BrokerHistory ReadHistory(const std::string& path) {
 TEST(KilledBroker, ComesBackWithItsControlsAfterOneReportOfEachVehicleAndItsStartIsInTheLog) {
   const TestFolder folder;
   const std::string dir = (folder / "rec").string();
-  RunningProcess mission(folder, {Program("shoal"), "run", MissionFile("berta.toml"), "--warp",
-                                  "20", "--record", dir, "--set", "mission.on_loss=restart"});
+  RunningProcess mission(folder, {Program("shoal"), "run", MissionFile("berta.toml"), "--warp", "5",
+                                  "--record", dir, "--set", "mission.on_loss=restart"});
   ASSERT_TRUE(mission.WaitFor("x real time")) << mission.Output();
   ASSERT_EQ(RunShoal(folder, {"send", "comms_range", "90"}).exit_code, 0);
   ASSERT_EQ(RunShoal(folder, {"send", "stealth", "alpha", "0.5"}).exit_code, 0);
-  SleepSeconds(0.5);
-  kill(mission.Participants().at("shore_broker"), SIGKILL);
-  ASSERT_TRUE(mission.WaitFor("shore_broker starts again", 20)) << mission.Output();
   const std::vector<std::string> texts = {"Comms Range: 90\n", "ALPHA: stealth 0.5",
                                           "Known Vehicles: 2"};
-  const std::string page = AwaitStatus(folder, "shore_broker", texts);
-  for (const std::string& text : texts) EXPECT_NE(page.find(text), std::string::npos) << page;
+  const auto expect_all = [&](const std::string& page) {
+    for (const std::string& text : texts) EXPECT_NE(page.find(text), std::string::npos) << page;
+  };
+  expect_all(AwaitStatus(folder, "shore_broker", texts));
+  kill(mission.Participants().at("shore_broker"), SIGKILL);
+  ASSERT_TRUE(mission.WaitFor("shore_broker starts again")) << mission.Output();
+  expect_all(AwaitStatus(folder, "shore_broker", texts));
   mission.Signal(SIGINT);
-  mission.Wait(10);
+  mission.Wait();
 
   const BrokerHistory history = ReadHistory(dir + "/mission.lcm");
   ASSERT_GE(history.rules.size(), 3U) << "two at least before, one at the new start";
@@ -75,7 +77,7 @@ TEST(KilledBroker, ComesBackWithItsControlsAfterOneReportOfEachVehicleAndItsStar
       << "reports come at 2 Hz, and one of each vehicle is enough";
 }
 
-/// A broker without a clock, on ports of its own, and a bus to speak with it.
+/// A broker without a clock, on ports of its own, and a bus to it.
 class LiveBroker : public testing::Test {
  protected:
   LiveBroker() {
@@ -88,7 +90,7 @@ class LiveBroker : public testing::Test {
     EXPECT_TRUE(broker_->WaitFor("live on")) << broker_->Output();
     for (const std::string name : {"alpha", "bravo"}) {
       Subscribe(bus_, channels::NodeReport(name),
-                [this, name](const node_report_t&) { ++heard_[name]; });
+                [this, name](const node_report_t&) { ++received_[name]; });
     }
     Subscribe(bus_, channels::CommsFates(), [this](const comms_fates_t& message) {
       fates_.insert(fates_.end(), message.fates.begin(), message.fates.end());
@@ -102,10 +104,10 @@ class LiveBroker : public testing::Test {
     report.x_m = x_m;
     Publish(bus_, channels::NodeReportFromOutside(), report);
   }
-  /// Listens until `done`, or for two seconds.
+  /// Receives until `done`, or for `patience_s`.
   template <class F>
-  bool Hear(F done) {
-    for (const double begin = WallSeconds(); WallSeconds() - begin < 2;) {
+  bool Receive(F done, double patience_s = kPatience_s) {
+    for (const double begin = WallSeconds(); WallSeconds() - begin < patience_s;) {
       bus_.Poll(10'000);
       if (done()) return true;
     }
@@ -119,11 +121,12 @@ class LiveBroker : public testing::Test {
     return base.ok() ? *base : 0;
   }
 
+  const int64_t began_s_ = time(nullptr);
   const int base_ = ClaimBase();
   TestFolder folder_;
   std::unique_ptr<RunningProcess> broker_;
   LcmBus bus_{PortPlan(base_, Layout::kShared, {"alpha", "bravo"})};
-  std::map<std::string, int> heard_;
+  std::map<std::string, int> received_;
   std::vector<fate_t> fates_;
   int64_t fate_utime_ = 0;
 };
@@ -132,12 +135,13 @@ TEST_F(LiveBroker, TakesReportsAsTheyComeAndTellsTheirFates) {
   Report("alpha", 0);
   bus_.Poll(50'000);
   Report("bravo", 100);
-  ASSERT_TRUE(Hear([&] { return heard_["alpha"] == 1; })) << broker_->Output();
+  ASSERT_TRUE(Receive([&] { return received_["alpha"] == 1; })) << broker_->Output();
   Report("alpha", 0);
-  ASSERT_TRUE(Hear([&] { return heard_["bravo"] == 1; }));
-  EXPECT_TRUE(Hear([&] { return fates_.size() >= 2; }));
-  const auto now_us = static_cast<double>(time(nullptr)) * 1e6;
-  EXPECT_NEAR(static_cast<double>(fate_utime_), now_us, 5e6) << "the wall's time";
+  ASSERT_TRUE(Receive([&] { return received_["bravo"] == 1; }));
+  EXPECT_TRUE(Receive([&] { return fates_.size() >= 2; }));
+  constexpr int64_t kSecondOfTime_us = 1'000'000;
+  EXPECT_GE(fate_utime_, began_s_ * kSecondOfTime_us) << "the wall's time";
+  EXPECT_LE(fate_utime_, (time(nullptr) + 1) * kSecondOfTime_us) << "the wall's time";
 }
 
 TEST_F(LiveBroker, CarriesPacketsThroughTheWaterInRealTime) {
@@ -146,14 +150,14 @@ TEST_F(LiveBroker, CarriesPacketsThroughTheWaterInRealTime) {
             [&](const acoustic_rx_t& packet) { packets.push_back(packet); });
   Report("alpha", 0);
   Report("bravo", 150);
-  ASSERT_TRUE(Hear([&] { return heard_["alpha"] == 1; }));
+  ASSERT_TRUE(Receive([&] { return received_["alpha"] == 1; }));
   acoustic_tx_t packet = {};
   packet.source = "alpha";
   packet.num_bytes = 8;
   packet.payload = {1, 2, 3, 4, 5, 6, 7, 8};
-  for (int i = 0; i < 5 && packets.empty(); ++i) {  // 2 % are lost, 10 % damaged.
+  for (int i = 0; i < 30 && packets.empty(); ++i) {  // 2 % are lost, 10 % damaged.
     Publish(bus_, channels::AcousticTx(), packet);
-    Hear([&] { return !packets.empty(); });
+    Receive([&] { return !packets.empty(); }, 5);
   }
   ASSERT_FALSE(packets.empty());
   EXPECT_EQ(packets[0].payload, packet.payload);
@@ -166,12 +170,11 @@ TEST_F(LiveBroker, CarriesPacketsThroughTheWaterInRealTime) {
 TEST_F(LiveBroker, IsFoundBySendAndStatusAndEndsOnASignal) {
   Report("alpha", 0);
   EXPECT_EQ(RunShoal(folder_, {"send", "comms_range", "77"}).exit_code, 0);
-  SleepSeconds(0.3);
-  const Finished page = RunShoal(folder_, {"status", "shore_broker"});
-  EXPECT_NE(page.output.find("Comms Range: 77\n"), std::string::npos) << page.output;
-  EXPECT_NE(page.output.find("ALPHA: 1 "), std::string::npos) << page.output;
+  const std::vector<std::string> texts = {"Comms Range: 77\n", "ALPHA: 1 "};
+  const std::string page = AwaitStatus(folder_, "shore_broker", texts);
+  for (const std::string& text : texts) EXPECT_NE(page.find(text), std::string::npos) << page;
   broker_->Signal(SIGTERM);
-  EXPECT_EQ(broker_->Wait(5).exit_code, 0);
+  EXPECT_EQ(broker_->Wait().exit_code, 0);
   EXPECT_NE(RunShoal(folder_, {"status"}).exit_code, 0) << "nothing runs any more";
 }
 
@@ -182,17 +185,17 @@ TEST_F(LiveBroker, OutlivesBytesThatAreNoMessagesAndCountsThem) {
   }
   Report("alpha", 0);
   Report("bravo", 0);
-  EXPECT_TRUE(Hear([&] { return heard_["alpha"] == 1; }));
-  const Finished page = RunShoal(folder_, {"status", "shore_broker"});
-  EXPECT_NE(page.output.find("1 undecodable messages on UNC_STEALTH"), std::string::npos)
-      << page.output;
-  EXPECT_NE(page.output.find("1 undecodable messages on NODE_MESSAGE_LOCAL"), std::string::npos);
+  EXPECT_TRUE(Receive([&] { return received_["alpha"] == 1; }));
+  const std::vector<std::string> texts = {"1 undecodable messages on UNC_STEALTH",
+                                          "1 undecodable messages on NODE_MESSAGE_LOCAL"};
+  const std::string page = AwaitStatus(folder_, "shore_broker", texts);
+  for (const std::string& text : texts) EXPECT_NE(page.find(text), std::string::npos) << page;
 }
 
 TEST_F(LiveBroker, RefusesPortsThatAnotherHas) {
   RunningProcess second(folder_, {Program("shore_broker"), "--live", "--mission",
                                   folder_ / "live.toml", "--port", std::to_string(base_ + 1)});
-  const Finished finished = second.Wait(5);
+  const Finished finished = second.Wait();
   EXPECT_EQ(finished.exit_code, 3) << finished.output;
   EXPECT_NE(finished.output.find("choose others with --port"), std::string::npos)
       << finished.output;

@@ -2,11 +2,11 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 
-#include <functional>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "tests/missions/fair_stopwatch.h"
 #include "tests/missions/shoal_process.h"
 #include "tests/netsim/tcp_client.h"
 
@@ -14,16 +14,6 @@ namespace shoal {
 namespace {
 
 using Json = nlohmann::json;
-
-/// Waits until `holds`, for a time that a busy machine may need.
-bool Await(const std::function<bool()>& holds, double patience_s = 60) {
-  const double begin_s = WallSeconds();
-  while (!holds()) {
-    if (WallSeconds() - begin_s > patience_s) return false;
-    SleepSeconds(0.01);
-  }
-  return true;
-}
 
 /// A viewer, its address, and a page that watches its stream.
 class WatchedViewer {
@@ -70,7 +60,7 @@ class WatchedViewer {
     client.Send(method + " " + path + " HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n" +
                 "Content-Length: " + std::to_string(body.size()) + "\r\n" + headers + "\r\n" +
                 body);
-    EXPECT_TRUE(Await([&] {
+    EXPECT_TRUE(AwaitThat([&] {
       client.Receive();
       return client.has_ended();
     }));
@@ -117,12 +107,12 @@ TEST(Viewer, ShowsVehiclesThatMoveAndTheRulesInForce) {
       folder, RunArguments({"--warp", "5", "--set", "comms.comms_range=123.5", "--quiet"}));
   WatchedViewer viewer(folder);
   std::optional<std::pair<double, double>> first;
-  ASSERT_TRUE(Await([&] {
+  ASSERT_TRUE(AwaitThat([&] {
     first = PlaceOf(viewer.Frame());
     return first.has_value();
   })) << viewer.process().Output();
-  EXPECT_TRUE(Await([&] { return PlaceOf(viewer.Frame()) != first; }));
-  EXPECT_TRUE(Await([&] { return viewer.State() == "running"; })) << viewer.State();
+  EXPECT_TRUE(AwaitThat([&] { return PlaceOf(viewer.Frame()) != first; }));
+  EXPECT_TRUE(AwaitThat([&] { return viewer.State() == "running"; })) << viewer.State();
   const Json setup = viewer.AskJson("/api/setup");
   EXPECT_EQ(setup["mission"], "berta") << setup;
   EXPECT_EQ(setup["commands"], false);
@@ -137,7 +127,7 @@ TEST(Viewer, ShowsRulesThatWereChangedBeforeItCame) {
   ASSERT_EQ(sent.exit_code, 0) << sent.output;
   AwaitStatus(folder, "shore_broker", {"Comms Range: 77\n"});
   WatchedViewer viewer(folder);
-  EXPECT_TRUE(Await([&] {
+  EXPECT_TRUE(AwaitThat([&] {
     const Json& frame = viewer.Frame();
     return frame.is_object() && frame["rules"].is_object() && frame["rules"]["comms_range_m"] == 77;
   })) << viewer.Frame();
@@ -146,15 +136,15 @@ TEST(Viewer, ShowsRulesThatWereChangedBeforeItCame) {
 TEST(Viewer, ChangesNothingOfAMissionAndStaysWhenItHasEnded) {
   const TestFolder folder;
   WatchedViewer viewer(folder);
-  ASSERT_TRUE(Await([&] { return viewer.State() == "waiting"; })) << viewer.Frame();
+  ASSERT_TRUE(AwaitThat([&] { return viewer.State() == "waiting"; })) << viewer.Frame();
   const std::string boot = viewer.AskJson("/api/setup")["boot"];
   const std::string log = (folder / "sim.lcm").string();
   ASSERT_EQ(RunShoal(folder, {"sim", MissionFile("berta.toml"), "--log", log}).exit_code, 0);
 
   const std::string dir = (folder / "recorded").string();
   RunningProcess mission(folder, RunArguments({"--warp", "60", "--record", dir}));
-  // Somebody looks at everything all the time, and tries to send a command.
-  EXPECT_TRUE(Await([&] {
+  // A page asks for everything all the time, and tries to send a command.
+  EXPECT_TRUE(AwaitThat([&] {
     viewer.AskJson("/api/status");
     viewer.AskJson("/api/links");
     const std::string refused =
@@ -181,17 +171,17 @@ TEST(Viewer, TurnsToTheNextMissionAndTellsWhereALauncherDied) {
   std::string boot;
   {
     RunningProcess mission(folder, RunArguments({"--warp", "1", "--quiet"}));
-    ASSERT_TRUE(Await([&] { return viewer.State() == "running"; })) << viewer.Frame();
+    ASSERT_TRUE(AwaitThat([&] { return viewer.State() == "running"; })) << viewer.Frame();
     boot = viewer.AskJson("/api/setup")["boot"];
     mission.Signal(SIGKILL);
     mission.Wait();
-    ASSERT_TRUE(Await([&] { return viewer.State() == "lost"; })) << viewer.State();
+    ASSERT_TRUE(AwaitThat([&] { return viewer.State() == "lost"; })) << viewer.State();
   }
   RunningProcess next(folder, {Program("shoal"), "run", MissionFile("alpha.toml"), "--quiet"});
-  EXPECT_TRUE(Await([&] { return viewer.State() == "running"; })) << viewer.Frame();
-  EXPECT_TRUE(Await([&] { return viewer.AskJson("/api/setup")["boot"] != boot; }));
+  EXPECT_TRUE(AwaitThat([&] { return viewer.State() == "running"; })) << viewer.Frame();
+  EXPECT_TRUE(AwaitThat([&] { return viewer.AskJson("/api/setup")["boot"] != boot; }));
   next.Signal(SIGINT);
-  EXPECT_TRUE(Await([&] { return viewer.State() == "ended"; })) << viewer.State();
+  EXPECT_TRUE(AwaitThat([&] { return viewer.State() == "ended"; })) << viewer.State();
 }
 
 TEST(Viewer, TellsWhereTheLauncherStandsStill) {
@@ -199,14 +189,14 @@ TEST(Viewer, TellsWhereTheLauncherStandsStill) {
   const RunningProcess mission(folder, RunArguments({"--warp", "1", "--quiet"}));
   WatchedViewer viewer(folder);
   // Vehicles may be heard before the clock; the warp is told by the clock only.
-  ASSERT_TRUE(Await([&] {
+  ASSERT_TRUE(AwaitThat([&] {
     const Json& frame = viewer.Frame();
     return frame.is_object() && frame["clock"]["warp"] == 1;
   })) << viewer.Frame();
   mission.Signal(SIGSTOP);
-  EXPECT_TRUE(Await([&] { return viewer.State() == "silent"; })) << viewer.State();
+  EXPECT_TRUE(AwaitThat([&] { return viewer.State() == "silent"; })) << viewer.State();
   mission.Signal(SIGCONT);
-  EXPECT_TRUE(Await([&] { return viewer.State() == "running"; })) << viewer.State();
+  EXPECT_TRUE(AwaitThat([&] { return viewer.State() == "running"; })) << viewer.State();
 }
 
 TEST(Viewer, SendsCommandsForWhoHasTheToken) {
@@ -214,7 +204,7 @@ TEST(Viewer, SendsCommandsForWhoHasTheToken) {
   const RunningProcess mission(folder, RunArguments({"--warp", "2", "--quiet"}));
   WatchedViewer viewer(folder, {"--allow-commands"});
   ASSERT_EQ(viewer.token().size(), 32U) << viewer.process().Output();
-  ASSERT_TRUE(Await([&] { return viewer.State() == "running"; })) << viewer.Frame();
+  ASSERT_TRUE(AwaitThat([&] { return viewer.State() == "running"; })) << viewer.Frame();
   const std::string body = R"({"target": "all", "words": ["return"]})";
   const std::string json = "Content-Type: application/json\r\n";
   EXPECT_TRUE(viewer.Ask("POST", "/api/command", json, body).starts_with("HTTP/1.1 403"));
@@ -223,7 +213,7 @@ TEST(Viewer, SendsCommandsForWhoHasTheToken) {
                   .starts_with("HTTP/1.1 400"));
   const std::string answer = viewer.Ask("POST", "/api/command", with_token, body);
   ASSERT_TRUE(answer.starts_with("HTTP/1.1 200")) << answer;
-  EXPECT_TRUE(Await([&] {
+  EXPECT_TRUE(AwaitThat([&] {
     const Json& frame = viewer.Frame();
     return !frame["commands"].empty() && frame["commands"].back()["state"] == "taken";
   })) << viewer.Frame()["commands"];
@@ -234,18 +224,18 @@ TEST(Viewer, EndsAtOnceWithPagesOpen) {
   const TestFolder folder;
   const RunningProcess mission(folder, RunArguments({"--warp", "1", "--quiet"}));
   WatchedViewer viewer(folder);
-  ASSERT_TRUE(Await([&] { return PlaceOf(viewer.Frame()).has_value(); }));
-  const double begin_s = WallSeconds();
+  ASSERT_TRUE(AwaitThat([&] { return PlaceOf(viewer.Frame()).has_value(); }));
+  const FairStopwatch since_signal;
   viewer.process().Signal(SIGINT);
-  EXPECT_EQ(viewer.process().Wait(20).exit_code, 0);
-  EXPECT_LT(WallSeconds() - begin_s, 1.5);
+  EXPECT_EQ(viewer.process().Wait().exit_code, 0);
+  EXPECT_LT(since_signal.Seconds(), 1.5);
 }
 
 TEST(Viewer, SaysWhatIsWrongWithItsCommandLine) {
   const TestFolder folder;
   const auto run = [&](std::vector<std::string> argv) {
     argv.insert(argv.begin(), Program("shoal-viewer"));
-    return RunningProcess(folder, std::move(argv)).Wait(20);
+    return RunningProcess(folder, std::move(argv)).Wait();
   };
   EXPECT_EQ(run({"--help"}).exit_code, 0);
   EXPECT_NE(run({"--interface"}).output.find("COMMS_FATES"), std::string::npos);

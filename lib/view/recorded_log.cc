@@ -1,14 +1,14 @@
+#include "lib/view/recorded_log.h"
+
 #include <fmt/format.h>
 
 #include <cmath>
 #include <filesystem>
+#include <optional>
+#include <utility>
 
 #include "lib/mission/load.h"
 #include "lib/mission/recorded_mission.h"
-#include "lib/view/events_json.h"
-#include "lib/view/recorded_view.h"
-#include "lib/view/setup_json.h"
-#include "lib/view/vehicle_json.h"
 
 namespace shoal {
 
@@ -16,10 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// As many pages may look at moments of their own without disturbing one another.
-constexpr size_t kMaxIdleScenes = 12;
-constexpr size_t kMaxIdleFates = 6;
-/// A mission does not begin so long before or after its log.
+/// A mission begins no more than a day before or after its log.
 constexpr int64_t kMissionsApart_us = 86'400'000'000;
 
 struct FoundMission {
@@ -27,10 +24,11 @@ struct FoundMission {
   std::vector<std::string> notes;
 };
 
-Result<FoundMission> FindMission(const std::string& log, const RecordedViewOptions& options) {
+Result<FoundMission> FindMission(const std::string& log, const std::string& mission_file,
+                                 const std::vector<std::string>& overrides) {
   FoundMission found;
-  if (!options.mission_file.empty()) {
-    LoadedMission loaded = LoadMission(options.mission_file, options.overrides);
+  if (!mission_file.empty()) {
+    LoadedMission loaded = LoadMission(mission_file, overrides);
     if (!loaded.errors.empty()) return Error{fmt::format("{}", fmt::join(loaded.errors, "\n"))};
     found.mission = std::move(loaded.mission);
     return found;
@@ -58,22 +56,16 @@ Result<std::string> LogFileOf(const std::string& path) {
       path)};
 }
 
-/// Fills in what no message tells.
+/// Replaces what no message shows.
 void NameUnknown(const std::string& log, Mission* mission) {
   mission->name = fs::path(log).stem().string();
   for (Vehicle& vehicle : mission->vehicles) vehicle.model.clear();
 }
 
-Scene BlankScene(const Mission& mission, bool knows_rules) {
-  Scene scene(mission);
-  if (!knows_rules) scene.ForgetRules();
-  return scene;
-}
-
 }  // namespace
 
-Result<std::unique_ptr<RecordedView>> RecordedView::Open(const std::string& path,
-                                                         const RecordedViewOptions& options) {
+Result<RecordedLog> OpenRecordedLog(const std::string& path, const std::string& mission_file,
+                                    const std::vector<std::string>& overrides) {
   const Result<std::string> file = LogFileOf(path);
   if (!file.ok()) return Error{file.error()};
   Result<LogReader> reader = LogReader::Open(*file, OnDamage::kSkip);
@@ -83,7 +75,7 @@ Result<std::unique_ptr<RecordedView>> RecordedView::Open(const std::string& path
                     "lcm-logger",
                     reader.error())};
   }
-  Result<FoundMission> found = FindMission(*file, options);
+  Result<FoundMission> found = FindMission(*file, mission_file, overrides);
   if (!found.ok()) return Error{found.error()};
 
   LogSurvey survey = SurveyLog(reader->Another(), !found->mission);
@@ -104,66 +96,45 @@ Result<std::unique_ptr<RecordedView>> RecordedView::Open(const std::string& path
         static_cast<double>(apart_us) / 1e6, mission.file));
     mission.start_utime = survey.first_utime;
   }
-  std::unique_ptr<RecordedView> view(
-      new RecordedView(std::move(*reader), survey.stamps, std::move(mission), knows_mission));
-  view->notes_ = std::move(found->notes);
-  Scene scene = view->blank_;
-  view->index_ = BuildLogIndex(&view->reader_, &scene, view->mission_, survey.stamps);
-  view->Note(survey);
-  const std::string floor = FloorJson(view->mission_, &view->notes_);
-  Mission shown = view->mission_;
-  if (!knows_mission) shown.duration_s = view->end_s();
-  view->setup_json_ = shoal::SetupJson(shown,
-                                       {.mode = "recorded",
-                                        .boot = options.boot,
-                                        .begin_s = view->begin_s(),
-                                        .end_s = view->end_s(),
-                                        .notes = view->notes_},
-                                       floor);
-  view->trails_json_ = shoal::TrailsJson(scene, view->index_.trails);
-  view->events_json_ = shoal::EventsJson(view->index_.events, view->blank_.start_utime());
-  return view;
+  return RecordedLog{.reader = std::move(*reader),
+                     .survey = std::move(survey),
+                     .mission = std::move(mission),
+                     .knows_mission = knows_mission,
+                     .notes = std::move(found->notes)};
 }
 
-RecordedView::RecordedView(LogReader reader, LogStamps stamps, Mission mission, bool knows_rules)
-    : reader_(std::move(reader)),
-      stamps_(stamps),
-      mission_(std::move(mission)),
-      blank_(BlankScene(mission_, knows_rules)),
-      idle_scenes_(kMaxIdleScenes),
-      idle_fates_(kMaxIdleFates) {}
-
-void RecordedView::Note(const LogSurvey& survey) {
+void NoteTroubles(const LogReader& reader, const LogSurvey& survey, const LogIndex& index,
+                  std::vector<std::string>* notes) {
   const auto note = [&]<class... Args>(fmt::format_string<Args...> text, Args&&... args) {
-    notes_.push_back(fmt::format(text, std::forward<Args>(args)...));
+    notes->push_back(fmt::format(text, std::forward<Args>(args)...));
   };
-  if (reader_.size() == 0) note("the log is empty");
-  if (const int64_t count = reader_.num_damages(); count > 0) {
+  if (reader.size() == 0) note("the log is empty");
+  if (const int64_t count = reader.num_damages(); count > 0) {
     uint64_t skipped = 0;
-    for (const LogDamage& damage : reader_.damages()) skipped += damage.end - damage.begin;
+    for (const LogDamage& damage : reader.damages()) skipped += damage.end - damage.begin;
     note("the log is damaged in {} place{}; {}{} bytes were skipped, the first at byte {}: {}",
          count, count == 1 ? "" : "s",
-         count > static_cast<int64_t>(reader_.damages().size()) ? "more than " : "", skipped,
-         reader_.damages().front().begin, reader_.damages().front().what);
+         count > static_cast<int64_t>(reader.damages().size()) ? "more than " : "", skipped,
+         reader.damages().front().begin, reader.damages().front().what);
   }
-  if (!reader_.error().empty()) note("{}", reader_.error());
-  if (stamps_ == LogStamps::kWall) {
+  if (!reader.error().empty()) note("{}", reader.error());
+  if (survey.stamps == LogStamps::kWall) {
     note(
         "the log has wall times, as lcm-logger writes them: times shown are those in the messages");
   }
-  if (index_.num_shifts > 0) {
+  if (index.num_shifts > 0) {
     note("the log's clock jumped in {} place{}: what follows is shown right behind",
-         index_.num_shifts, index_.num_shifts == 1 ? "" : "s");
+         index.num_shifts, index.num_shifts == 1 ? "" : "s");
   }
-  if (index_.num_odd_times > 0) {
-    note("{} events have times that do not fit between the others", index_.num_odd_times);
+  if (index.num_odd_times > 0) {
+    note("{} events have times that do not fit between the others", index.num_odd_times);
   }
-  if (index_.num_undecodable > 0) {
+  if (index.num_undecodable > 0) {
     note("{} messages do not decode: was the log recorded by another version of shoal?",
-         index_.num_undecodable);
+         index.num_undecodable);
   }
-  if (survey.has_events && !index_.has_nav) {
-    note("the log has no NAV of these vehicles: nobody knows where they were");
+  if (survey.has_events && !index.has_nav) {
+    note("the log has no NAV of these vehicles: their positions are not known");
   }
   if (survey.num_left_out > 0) {
     note("{} vehicles are left out, those behind the first {}", survey.num_left_out,

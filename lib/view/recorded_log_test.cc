@@ -1,4 +1,4 @@
-// What RecordedView::Open makes of logs that are not as they should be.
+// Logs that are not as they should be, as RecordedView::Open shows them.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 #include <unistd.h>

@@ -17,7 +17,7 @@ std::string Hex(size_t num_bytes, const std::string& pair = "5a") {
 
 TEST(MicroModemPair, CarriesDataAtRate0BehindACyclePacket) {
   TwoModems modems;
-  modems.Say(0, "CCCYC,0,1,2,0,1,1");
+  modems.Give(0, "CCCYC,0,1,2,0,1,1");
   EXPECT_EQ(modems.Lines(0), (Lines{"CACYC,0,1,2,0,1,1", "CATXP,0"}));
   modems.Run(0.8);
   EXPECT_EQ(modems.Lines(0), Lines{}) << "9 bytes take 0.9 s at 80 bit/s";
@@ -27,12 +27,12 @@ TEST(MicroModemPair, CarriesDataAtRate0BehindACyclePacket) {
   const Lines asked = modems.Lines(0);
   ASSERT_EQ(Names(asked), (Lines{"CADRQ"}));
   EXPECT_EQ(asked[0].substr(12), ",1,2,1,32,1");
-  modems.Say(0, "CCTXD,1,2,1," + Hex(32));
+  modems.Give(0, "CCTXD,1,2,1," + Hex(32));
   EXPECT_EQ(modems.Lines(0), (Lines{"CATXD,1,2,1,32", "CATXP,32"}));
   modems.Run(12);
-  const Lines heard = modems.Lines(1);
-  EXPECT_EQ(Names(heard), (Lines{"CARXP", "CACYC", "CACST", "CARXP", "CARXD", "CACST"}));
-  EXPECT_EQ(heard[4], "CARXD,1,2,1,1," + Hex(32));
+  const Lines received = modems.Lines(1);
+  EXPECT_EQ(Names(received), (Lines{"CARXP", "CACYC", "CACST", "CARXP", "CARXD", "CACST"}));
+  EXPECT_EQ(received[4], "CARXD,1,2,1,1," + Hex(32));
   const Lines sender = modems.Lines(0);
   ASSERT_EQ(Names(sender), (Lines{"CATXF", "CAACK", "CACST"}));
   EXPECT_EQ(sender[1], "CAACK,2,1,1,1");
@@ -43,13 +43,13 @@ TEST(MicroModemPair, CarriesAsManyAndAsLongFramesAsEachRateHolds) {
   for (size_t rate = 1; rate < kMicroModemRates.size(); ++rate) {
     const MicroModemRate& row = kMicroModemRates[rate];
     TwoModems modems;
-    modems.Say(0, "CCCYC,0,1,2," + std::to_string(rate) + ",1," + std::to_string(row.max_frames));
+    modems.Give(0, "CCCYC,0,1,2," + std::to_string(rate) + ",1," + std::to_string(row.max_frames));
     for (int i = 0; i < row.max_frames; ++i) {
       const Lines asked = modems.Lines(0, "CADRQ");
       ASSERT_EQ(asked.size(), 1U) << "rate " << rate << ", frame " << i + 1;
       EXPECT_EQ(asked[0].substr(12),
                 ",1,2,1," + std::to_string(row.max_frame_bytes) + "," + std::to_string(i + 1));
-      modems.Say(0, "CCTXD,1,2,1," + Hex(static_cast<size_t>(row.max_frame_bytes)));
+      modems.Give(0, "CCTXD,1,2,1," + Hex(static_cast<size_t>(row.max_frame_bytes)));
     }
     modems.Run(10);
     EXPECT_EQ(modems.Lines(1, "CARXD").size(), static_cast<size_t>(row.max_frames)) << rate;
@@ -68,13 +68,13 @@ TEST(MicroModemPair, TellsTheFramesThatAreDamagedAndAcknowledgesTheOthers) {
     if (from == 0) (*bytes)[bytes->size() - 4 - 64 - 4 - 1] ^= 0x10;  // Last byte of frame 2.
     return true;
   };
-  modems.Say(0, "CCCYC,0,1,2,1,1,3");
-  for (int i = 0; i < 3; ++i) modems.Say(0, "CCTXD,1,2,1," + Hex(64));
+  modems.Give(0, "CCCYC,0,1,2,1,1,3");
+  for (int i = 0; i < 3; ++i) modems.Give(0, "CCTXD,1,2,1," + Hex(64));
   modems.Run(20);
-  const Lines heard = modems.Lines(1);
-  ASSERT_EQ(Names(heard), (Lines{"CARXP", "CACYC", "CARXD", "CAMSG", "CARXD", "CACST"}));
-  EXPECT_EQ(heard[3], "CAMSG,BAD_CRC,2");
-  const Lines cst = FieldsOf(heard[5]);
+  const Lines received = modems.Lines(1);
+  ASSERT_EQ(Names(received), (Lines{"CARXP", "CACYC", "CARXD", "CAMSG", "CARXD", "CACST"}));
+  EXPECT_EQ(received[3], "CAMSG,BAD_CRC,2");
+  const Lines cst = FieldsOf(received[5]);
   EXPECT_EQ(cst[1], "1") << "mode";
   EXPECT_EQ(cst[18], "3") << "frames";
   EXPECT_EQ(cst[19], "1") << "bad frames";
@@ -86,7 +86,7 @@ TEST(MicroModemPair, TellsTheFramesThatAreDamagedAndAcknowledgesTheOthers) {
 TEST(MicroModemPair, MeasuresTheTravelTimeOfAPing) {
   TwoModems modems;
   modems.travel_us = 1'234'567;
-  modems.Say(0, "CCMPC,1,2");
+  modems.Give(0, "CCMPC,1,2");
   modems.Run(10);
   const Lines pinged = modems.Lines(1);
   ASSERT_EQ(Names(pinged), (Lines{"CAMPA", "CACST"}));
@@ -98,9 +98,9 @@ TEST(MicroModemPair, MeasuresTheTravelTimeOfAPing) {
 
 TEST(MicroModemPair, CarriesMiniPacketsToOneAndToAll) {
   TwoModems modems;
-  modems.Say(0, "CCMUC,1,2,1Fff");
-  modems.Say(0, "CCMUC,1,0,0001");
-  modems.Say(0, "CCMUC,1,3,0002");
+  modems.Give(0, "CCMUC,1,2,1Fff");
+  modems.Give(0, "CCMUC,1,0,0001");
+  modems.Give(0, "CCMUC,1,3,0002");
   EXPECT_EQ(modems.Lines(0), (Lines{"CAMUC,1,2,1Fff", "CAMUC,1,0,0001", "CAMUC,1,3,0002"}));
   modems.Run(10);
   EXPECT_EQ(modems.Lines(1, "CAMUA"), (Lines{"CAMUA,1,2,1fff", "CAMUA,1,0,0001"}));
@@ -111,7 +111,7 @@ TEST(MicroModemPair, TellsWhenAPacketBeganToArriveByItsClock) {
   const int64_t utc_us = *ToUtc({.year = 2026, .month = 11, .day = 21, .hour = 23, .minute = 59});
   TwoModems modems({.address = 1}, {.address = 2, .utc_at_zero_us = utc_us});
   modems.travel_us = 61'234'567;
-  modems.Say(0, "CCMUC,1,2,0001");
+  modems.Give(0, "CCMUC,1,2,0001");
   modems.Run(70);
   const Lines cst = modems.Lines(1, "CACST");
   ASSERT_EQ(cst.size(), 1U);
@@ -120,25 +120,25 @@ TEST(MicroModemPair, TellsWhenAPacketBeganToArriveByItsClock) {
 
 TEST(MicroModemPair, TellsThatAnnouncedDataDidNotCome) {
   TwoModems modems;
-  modems.Say(0, "CCCYC,0,1,2,0,0,1");
+  modems.Give(0, "CCCYC,0,1,2,0,0,1");
   modems.Run(1.2);
   modems.water = [](int, auto*) { return false; };
-  modems.Say(0, "CCTXD,1,2,0,aa");
+  modems.Give(0, "CCTXD,1,2,0,aa");
   modems.Run(13);
   EXPECT_EQ(Names(modems.Lines(1)), (Lines{"CARXP", "CACYC", "CACST"}));
   modems.Run(5);
-  const Lines told = modems.Lines(1);
-  ASSERT_EQ(Names(told), (Lines{"CAMSG", "CACST"}));
-  EXPECT_EQ(told[0], "CAMSG,PACKET_TIMEOUT,14");
-  EXPECT_EQ(FieldsOf(told[1])[1], "2");
+  const Lines lines = modems.Lines(1);
+  ASSERT_EQ(Names(lines), (Lines{"CAMSG", "CACST"}));
+  EXPECT_EQ(lines[0], "CAMSG,PACKET_TIMEOUT,14");
+  EXPECT_EQ(FieldsOf(lines[1])[1], "2");
 }
 
 TEST(MicroModemPair, HearsNoDataAtRate0WhoseCyclePacketIsLost) {
   TwoModems modems;
   modems.water = [](int, std::vector<uint8_t>* bytes) { return bytes->size() > 9; };
-  modems.Say(0, "CCCYC,0,1,2,0,1,1");
+  modems.Give(0, "CCCYC,0,1,2,0,1,1");
   modems.Run(1.2);
-  modems.Say(0, "CCTXD,1,2,1,aa");
+  modems.Give(0, "CCTXD,1,2,1,aa");
   modems.Run(30);
   EXPECT_EQ(modems.Lines(1), Lines{});
   EXPECT_EQ(modems.modem(1).counts().no_cycle, 1);
@@ -148,8 +148,8 @@ TEST(MicroModemPair, HearsNoDataAtRate0WhoseCyclePacketIsLost) {
 
 TEST(MicroModemPair, SendsToAllWithoutAcknowledgements) {
   TwoModems modems;
-  modems.Say(0, "CCCYC,0,1,0,2,1,1");
-  modems.Say(0, "CCTXD,1,0,1,abcd");
+  modems.Give(0, "CCCYC,0,1,0,2,1,1");
+  modems.Give(0, "CCTXD,1,0,1,abcd");
   modems.Run(10);
   EXPECT_EQ(modems.Lines(1, "CARXD"), (Lines{"CARXD,1,0,1,1,abcd"}));
   EXPECT_TRUE(modems.sent(1).empty());
@@ -157,9 +157,9 @@ TEST(MicroModemPair, SendsToAllWithoutAcknowledgements) {
 
 TEST(MicroModemPair, AcknowledgesNoFrameThatDoesNotAskForIt) {
   TwoModems modems;
-  modems.Say(0, "CCCYC,0,1,2,2,1,2");
-  modems.Say(0, "CCTXD,1,2,0,01");
-  modems.Say(0, "CCTXD,1,2,1,02");
+  modems.Give(0, "CCCYC,0,1,2,2,1,2");
+  modems.Give(0, "CCTXD,1,2,0,01");
+  modems.Give(0, "CCTXD,1,2,1,02");
   modems.Run(10);
   EXPECT_EQ(modems.Lines(0, "CAACK"), (Lines{"CAACK,2,1,2,1"}));
 }
@@ -167,7 +167,7 @@ TEST(MicroModemPair, AcknowledgesNoFrameThatDoesNotAskForIt) {
 TEST(MicroModemPair, AnswersNoPingThatIsForAll) {
   TwoModems modems;
   const auto ping = EncodeMicroModemPacket({.kind = MicroModemKind::kPing, .source = 1});
-  const auto output = modems.modem(1).Hear({.bytes = ping}, 0);
+  const auto output = modems.modem(1).Receive({.bytes = ping}, 0);
   EXPECT_EQ(output.to_host, "");
   EXPECT_TRUE(output.to_water.empty());
   EXPECT_EQ(modems.modem(1).counts().overheard, 1);
@@ -175,8 +175,8 @@ TEST(MicroModemPair, AnswersNoPingThatIsForAll) {
 
 TEST(MicroModemPair, AwaitsDataOnlyUntilTheyCome) {
   TwoModems modems;
-  modems.Say(0, "CCTXD,1,2,0,aa");
-  modems.Say(0, "CCCYC,0,1,2,0,0,1");
+  modems.Give(0, "CCTXD,1,2,0,aa");
+  modems.Give(0, "CCCYC,0,1,2,0,0,1");
   modems.Run(30);
   EXPECT_EQ(modems.Lines(1, "CAMSG"), Lines{});
 }
@@ -186,16 +186,16 @@ TEST(MicroModemPair, AwaitsDataOfTheirOwnOnlyAtRate0) {
     MicroModem modem({.address = 2});
     const auto cycle = EncodeMicroModemPacket(
         {.kind = MicroModemKind::kCycle, .source = 1, .rate = rate, .num_frames = 1});
-    EXPECT_NE(modem.Hear({.bytes = cycle}, 0).to_host, "");
+    EXPECT_NE(modem.Receive({.bytes = cycle}, 0).to_host, "");
     EXPECT_EQ(modem.NextEvent_us().has_value(), rate == 0);
   }
 }
 
 TEST(MicroModemPair, AwaitsNothingAfterAReboot) {
   TwoModems modems;
-  modems.Say(0, "CCCYC,0,1,2,0,0,1");
+  modems.Give(0, "CCCYC,0,1,2,0,0,1");
   modems.Run(1.5);
-  modems.Say(1, "CCMSC,2,2,0");
+  modems.Give(1, "CCMSC,2,2,0");
   modems.Run(30);
   EXPECT_EQ(modems.Lines(1, "CAMSG"), Lines{});
 }
@@ -205,31 +205,31 @@ TEST(MicroModemPair, DropsAnswersForWhichTheAirHasNoTime) {
   const auto ping =
       EncodeMicroModemPacket({.kind = MicroModemKind::kPing, .source = 1, .destination = 2});
   for (size_t i = 0; i < MicroModem::kMaxWaiting + 3; ++i) {
-    EXPECT_NE(modem.Hear({.bytes = ping}, 0).to_host, "");
+    EXPECT_NE(modem.Receive({.bytes = ping}, 0).to_host, "");
   }
   EXPECT_EQ(modem.counts().answers_dropped, 2) << "one is on the air, 8 wait";
 }
 
 TEST(MicroModemPair, IgnoresOtherProgramsAndItsOwnAddress) {
   TwoModems modems({.address = 2}, {.address = 2});
-  modems.Say(0, "CCMUC,2,0,0001");
+  modems.Give(0, "CCMUC,2,0,0001");
   modems.Run(5);
   EXPECT_EQ(modems.Lines(1), Lines{});
   EXPECT_EQ(modems.modem(1).counts().own, 1);
   const std::vector<uint8_t> foreign = {'p', 'i', 'n', 'g'};
-  const auto output = modems.modem(1).Hear({.bytes = foreign}, modems.now_us());
+  const auto output = modems.modem(1).Receive({.bytes = foreign}, modems.now_us());
   EXPECT_EQ(output.to_host, "");
   EXPECT_EQ(modems.modem(1).counts().foreign, 1);
 }
 
 TEST(MicroModemPair, SaysAsMuchAsItsHostHasAskedFor) {
   TwoModems modems;
-  for (const char* key : {"CST", "RXP"}) modems.Say(1, std::string("CCCFG,") + key + ",0");
-  for (const char* key : {"TXP", "TXF"}) modems.Say(0, std::string("CCCFG,") + key + ",0");
+  for (const char* key : {"CST", "RXP"}) modems.Give(1, std::string("CCCFG,") + key + ",0");
+  for (const char* key : {"TXP", "TXF"}) modems.Give(0, std::string("CCCFG,") + key + ",0");
   modems.Lines(0);
   modems.Lines(1);
-  modems.Say(0, "CCCYC,0,1,2,2,0,1");
-  modems.Say(0, "CCTXD,1,2,0,01");
+  modems.Give(0, "CCCYC,0,1,2,2,0,1");
+  modems.Give(0, "CCTXD,1,2,0,01");
   modems.Run(10);
   EXPECT_EQ(Names(modems.Lines(0)), (Lines{"CACYC", "CADRQ", "CATXD"}));
   EXPECT_EQ(Names(modems.Lines(1)), (Lines{"CACYC", "CARXD"}));
@@ -237,7 +237,7 @@ TEST(MicroModemPair, SaysAsMuchAsItsHostHasAskedFor) {
 
 TEST(MicroModemAir, TakesAsLongAsTheRateWhereTheNetworkIsFaster) {
   TwoModems modems({.address = 1, .water_bps = 1000});
-  modems.Say(0, "CCMUC,1,2,0123");
+  modems.Give(0, "CCMUC,1,2,0123");
   modems.Run(5);
   const MicroModemSent& packet = modems.sent(0).at(0);
   EXPECT_EQ(packet.bytes.size(), 112U) << "9 bytes at 80 bit/s, in bytes at 1000 bit/s";
@@ -247,20 +247,20 @@ TEST(MicroModemAir, TakesAsLongAsTheRateWhereTheNetworkIsFaster) {
 
 TEST(MicroModemAir, IsNotFilledUpBeyondWhatTheNetworkTakes) {
   TwoModems modems({.address = 1, .water_bps = 1000, .max_packet_bytes = 64});
-  modems.Say(0, "CCMUC,1,2,0123");
+  modems.Give(0, "CCMUC,1,2,0123");
   EXPECT_EQ(modems.sent(0).at(0).bytes.size(), 64U);
 }
 
 TEST(MicroModemAir, TakesAsLongAsTheNetworkWhereThatIsSlower) {
   TwoModems modems({.address = 1, .water_bps = 20});
-  modems.Say(0, "CCMUC,1,2,0123");
+  modems.Give(0, "CCMUC,1,2,0123");
   EXPECT_EQ(modems.sent(0).at(0).bytes.size(), 9U);
   EXPECT_EQ(modems.sent(0).at(0).air_us, 3'600'000);
 }
 
 TEST(MicroModemAir, IsWaitedForByTheNextPacket) {
   TwoModems modems;
-  for (int i = 0; i < 4; ++i) modems.Say(0, "CCMPC,1,2");
+  for (int i = 0; i < 4; ++i) modems.Give(0, "CCMPC,1,2");
   EXPECT_EQ(modems.sent(0).size(), 1U);
   modems.Run(10);
   EXPECT_EQ(modems.sent(0).size(), 4U);

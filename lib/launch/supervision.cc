@@ -1,0 +1,250 @@
+#include "lib/launch/supervision.h"
+
+#include <fmt/format.h>
+#include <signal.h>
+#include <sys/signalfd.h>
+#include <unistd.h>
+
+#include <algorithm>
+
+#include "lib/check/time_units.h"
+#include "lib/run/run_app.h"
+
+namespace shoal {
+
+namespace {
+
+constexpr int64_t kPatience_us = 700'000;        ///< For the step under way when the end is wanted.
+constexpr int64_t kExitPatience_us = 1'000'000;  ///< For processes to leave after END.
+constexpr int64_t kStartPatience_us = 20 * kSecond_us;
+constexpr int64_t kWaitingLine_us = 10 * kSecond_us;  ///< While a user has to start a program.
+constexpr int kMaxRestarts = 5;                       ///< Of one participant; more is a crash loop.
+
+constexpr char kViewer[] = "shoal-viewer";
+
+/// Explains a message that was lost for good.
+std::string LossAdvice() {
+  constexpr int kUsefulReceiveBuffer = 4'194'304;
+  std::string advice = "\nThe bus loses messages for good: --warp is more than this machine can, ";
+  advice += ReceiveBufferLimit() < kUsefulReceiveBuffer
+                ? fmt::format(
+                      "or the receive buffer is too small (now {} bytes):\n    sudo sysctl "
+                      "-w net.core.rmem_max={}\n",
+                      ReceiveBufferLimit(), kUsefulReceiveBuffer)
+                : std::string("or a program floods its ports. ");
+  return advice + "`shoal doctor` looks for more.";
+}
+
+}  // namespace
+
+Supervision::Supervision(const LaunchContext& context, const std::vector<RosterEntry>& roster,
+                         StepClock& clock, LaunchTerminal& terminal)
+    : context_(context), roster_(roster), clock_(clock), terminal_(terminal) {}
+
+bool Supervision::StartAll() {
+  started_us_ = MonotonicMicroseconds();
+  // First, so that it receives each message of the others' start only once.
+  if (context_.options.view && !StartViewer()) return false;
+  for (const RosterEntry& entry : roster_) {
+    if (entry.provider == Provider::kHand) continue;
+    if (!StartParticipant(entry)) return false;
+  }
+  return !context_.options.lcm_logger || StartLoggers();
+}
+
+bool Supervision::StartParticipant(const RosterEntry& entry) {
+  return Start(CommandOf(entry, context_));
+}
+
+bool Supervision::Start(const Result<ChildCommand>& command) {
+  if (!command.ok()) {
+    Fail(kExitEnvironment, command.error());
+    return false;
+  }
+  const Result<pid_t> pid = children_.Start(*command);
+  if (!pid.ok()) Fail(kExitEnvironment, pid.error());
+  return pid.ok();
+}
+
+bool Supervision::StartViewer() {
+  const Result<ChildCommand> command = ViewerCommand(context_);
+  if (!Start(command)) return false;
+  viewer_address_.Await(command->log_path, started_us_);
+  return true;
+}
+
+bool Supervision::StartLoggers() {
+  Result<std::vector<ChildCommand>> loggers = LcmLoggerCommands(context_);
+  if (!loggers.ok()) {
+    Fail(kExitEnvironment, loggers.error());
+    return false;
+  }
+  for (const ChildCommand& command : *loggers) {
+    if (!Start(command)) return false;
+    loggers_.push_back(command.name);
+  }
+  return true;
+}
+
+void Supervision::Fail(int exit_code, const std::string& why) {
+  terminal_.Warn(why);
+  exit_code_ = exit_code;
+}
+
+void Supervision::OnTime(int64_t wall_us, int64_t num_foreign) {
+  CheckGathering(wall_us);
+  CheckSilence(wall_us);
+  CheckFaults(wall_us, num_foreign);
+  viewer_address_.OnTime(wall_us, &terminal_);
+}
+
+void Supervision::OnSignals(int signal_fd) {
+  signalfd_siginfo info{};
+  while (read(signal_fd, &info, sizeof info) == sizeof info) {
+    if (info.ssi_signo == SIGCHLD) continue;  // Several may share one; Reap finds all.
+    if (is_interrupted_) {
+      is_killing_ = true;  // Asked twice: wait no longer.
+      children_.SignalAll(SIGKILL);
+    } else {
+      is_interrupted_ = true;
+      Fail(kExitMissionFailed, "interrupted: ending the mission");
+    }
+  }
+  OnChildExits();
+}
+
+void Supervision::OnChildExits() {
+  for (const ChildExit& exit : children_.Reap()) {
+    const bool is_logger = std::find(loggers_.begin(), loggers_.end(), exit.name) != loggers_.end();
+    const bool is_over = clock_.state() == StepClock::State::kEnded;
+    if (exit.name == kViewer) {
+      viewer_address_.Forget();
+      if (is_over || is_killing_) continue;
+      terminal_.Warn(fmt::format("{} {}; the mission goes on", exit.name, exit.how));
+      for (const std::string& line : exit.last_lines) terminal_.Warn("    " + line);
+    } else if (is_killing_ || ((is_logger || is_over) && exit.clean)) {
+      clock_.Drop(exit.name, MonotonicMicroseconds());
+    } else if (is_logger) {
+      terminal_.Warn(fmt::format("{} {}; the recorder goes on", exit.name, exit.how));
+    } else if (is_over) {
+      terminal_.Warn(fmt::format("{} {} after the end", exit.name, exit.how));
+    } else if (clock_.state() == StepClock::State::kEnding && exit.clean) {
+      clock_.Leave(exit.name, MonotonicMicroseconds());
+    } else {
+      OnLost(exit.name, fmt::format("{} (pid {}) {}", exit.name, exit.pid, exit.how),
+             exit.last_lines);
+    }
+  }
+}
+
+void Supervision::CheckSilence(int64_t wall_us) {
+  for (const std::string& name : clock_.Silent(wall_us)) {
+    children_.Signal(name, SIGKILL);
+    OnLost(name,
+           fmt::format("{} has not answered step {} for {} s of wall time (stopped, or hung)", name,
+                       clock_.step(), context_.mission.participant_timeout_s),
+           {});
+  }
+}
+
+void Supervision::OnLost(const std::string& name, const std::string& how,
+                         const std::vector<std::string>& last_lines) {
+  const bool is_new = lost_.insert(name).second;
+  if (is_new) {
+    terminal_.Warn("LOST: " + how);
+    for (const std::string& line : last_lines) terminal_.Warn("    " + line);
+  }
+  const bool is_running = clock_.state() == StepClock::State::kRunning;
+  clock_.Drop(name, MonotonicMicroseconds());
+  if (exit_code_ != 0) return;
+  // A second recorder would empty the log of the first, and none would leave it cut.
+  if (context_.mission.on_loss == OnLoss::kEnd || !is_running || name == "recorder") {
+    Fail(kExitEnvironment, fmt::format("the mission ends without {}", name));
+    return;
+  }
+  const auto entry = std::find_if(roster_.begin(), roster_.end(),
+                                  [&](const RosterEntry& each) { return each.name == name; });
+  const bool restarts = context_.mission.on_loss == OnLoss::kRestart && entry != roster_.end() &&
+                        entry->provider == Provider::kShoal;
+  if (!restarts) {
+    if (is_new) terminal_.Warn(fmt::format("the mission goes on without {}", name));
+  } else if (children_.IsRunning(name)) {
+    return;  // It has been killed; its exit comes next.
+  } else if (++num_restarts_[name] > kMaxRestarts) {
+    Fail(kExitEnvironment, fmt::format("{} was restarted {} times already", name, kMaxRestarts));
+  } else if (StartParticipant(*entry)) {
+    lost_.erase(name);
+    terminal_.Warn(fmt::format("{} starts again", name));
+  }
+}
+
+void Supervision::CheckGathering(int64_t wall_us) {
+  if (clock_.state() != StepClock::State::kGathering) return;
+  if (exit_code_ != 0) return;
+  const std::vector<std::string> awaited = clock_.Awaited();
+  const bool shows = wall_us >= next_waiting_line_us_;
+  if (shows) next_waiting_line_us_ = wall_us + kWaitingLine_us;
+  for (const RosterEntry& entry : roster_) {
+    if (std::find(awaited.begin(), awaited.end(), entry.name) == awaited.end()) continue;
+    if (entry.provider == Provider::kHand) {
+      if (!shows) continue;
+      terminal_.Warn(fmt::format("waiting for {}: {}", entry.name, HandCommand(entry, context_)));
+    } else if (wall_us - started_us_ > kStartPatience_us) {
+      Fail(kExitEnvironment,
+           fmt::format("{} did not report within {} s; its output: {}/{}.txt", entry.name,
+                       kStartPatience_us / kSecond_us, context_.log_dir, entry.name));
+      return;
+    }
+  }
+}
+
+void Supervision::CheckFaults(int64_t wall_us, int64_t num_foreign) {
+  if (!clock_.fault().empty() && exit_code_ == 0) {
+    std::string why = clock_.fault();
+    if (why.find("never reached") != std::string::npos) why += LossAdvice();
+    Fail(kExitEnvironment, why);
+  }
+  if (!has_shown_unregistered_ && !clock_.unregistered().empty()) {
+    has_shown_unregistered_ = true;
+    const std::vector<std::string> awaited = clock_.Awaited();
+    terminal_.Warn(
+        fmt::format("{} is an unregistered participant: the mission has none of this name; {}",
+                    clock_.unregistered(),
+                    awaited.empty() ? "it waits for no other"
+                                    : fmt::format("it waits for {}", fmt::join(awaited, ", "))));
+  }
+  if (!has_shown_foreign_ && clock_.counters().foreign + num_foreign > 0) {
+    has_shown_foreign_ = true;
+    terminal_.Warn(
+        fmt::format("messages of another mission arrive on ports {} to {} and are rejected: choose "
+                    "other ports with --port",
+                    context_.ports.base(), context_.ports.base() + context_.ports.num_ports() - 1));
+  }
+  if (exit_code_ != 0) clock_.Stop(wall_us, kPatience_us);
+}
+
+void Supervision::EndAll() {
+  // lcm-logger ends on SIGINT. Shoal's own have answered END, or receive a signal now; a user's get
+  // the time to leave by themselves.
+  children_.Signal(kViewer, SIGTERM);
+  for (const std::string& name : loggers_) children_.Signal(name, SIGINT);
+  for (const RosterEntry& entry : roster_) {
+    if (!entry.app.empty()) children_.Signal(entry.name, SIGTERM);
+  }
+  const int64_t begin = MonotonicMicroseconds();
+  while (children_.num_running() > 0) {
+    OnChildExits();
+    const int64_t waited = MonotonicMicroseconds() - begin;
+    if (waited > kExitPatience_us / 2 && !is_killing_) {
+      is_killing_ = true;
+      children_.SignalAll(SIGTERM);
+    }
+    if (waited > kExitPatience_us) {
+      children_.SignalAll(SIGKILL);
+      break;
+    }
+    usleep(2'000);
+  }
+}
+
+}  // namespace shoal

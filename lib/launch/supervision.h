@@ -1,0 +1,75 @@
+// The processes of a mission, from their start to their exits: losses, restarts, signals, faults of
+// the bus.
+//
+//   start all -> await their hellos -> watch: exits, silence, faults -> end all
+//                                        |
+//                                        +-- lost --> end the mission, go on without it, restart it
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "lib/launch/child_processes.h"
+#include "lib/launch/launch_plan.h"
+#include "lib/launch/launch_terminal.h"
+#include "lib/launch/viewer_address.h"
+#include "lib/run/roster.h"
+#include "lib/run/step_clock.h"
+
+namespace shoal {
+
+class Supervision {
+ public:
+  /// All arguments must outlive this.
+  Supervision(const LaunchContext& context, const std::vector<RosterEntry>& roster,
+              StepClock& clock, LaunchTerminal& terminal);
+
+  /// Starts all processes; false after Fail.
+  bool StartAll();
+  /// Reads a signalfd for SIGINT, SIGTERM, SIGHUP and SIGCHLD.
+  void OnSignals(int signal_fd);
+  /// Does what is due. `num_foreign`: messages of other missions that were rejected so far.
+  void OnTime(int64_t wall_us, int64_t num_foreign);
+  /// Ends all processes: asks, waits for a second, then kills.
+  void EndAll();
+
+  /// The mission ends with this exit code; OnTime stops the clock.
+  void Fail(int exit_code, const std::string& why);
+  /// Not 0: something other than the verdict decided.
+  int exit_code() const { return exit_code_; }
+  bool HasLost(const std::string& name) const { return lost_.contains(name); }
+
+ private:
+  bool StartParticipant(const RosterEntry& entry);
+  bool Start(const Result<ChildCommand>& command);
+  bool StartViewer();
+  bool StartLoggers();
+  void OnChildExits();
+  void CheckGathering(int64_t wall_us);
+  void CheckSilence(int64_t wall_us);
+  void CheckFaults(int64_t wall_us, int64_t num_foreign);
+  void OnLost(const std::string& name, const std::string& how,
+              const std::vector<std::string>& last_lines);
+
+  const LaunchContext& context_;
+  const std::vector<RosterEntry>& roster_;
+  StepClock& clock_;
+  LaunchTerminal& terminal_;
+  ChildProcesses children_;
+  ViewerAddress viewer_address_;
+  std::vector<std::string> loggers_;
+  std::set<std::string> lost_;  ///< Named already; not to be named again.
+  std::map<std::string, int> num_restarts_;
+  int exit_code_ = 0;
+  int64_t started_us_ = 0;
+  int64_t next_waiting_line_us_ = 0;
+  bool is_interrupted_ = false;
+  bool is_killing_ = false;  ///< Processes that still run have been signalled to end.
+  bool has_shown_foreign_ = false;
+  bool has_shown_unregistered_ = false;
+};
+
+}  // namespace shoal
