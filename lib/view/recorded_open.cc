@@ -58,12 +58,6 @@ Result<std::string> LogFileOf(const std::string& path) {
       path)};
 }
 
-/// Fills in what no message tells.
-void NameUnknown(const std::string& log, Mission* mission) {
-  mission->name = fs::path(log).stem().string();
-  for (Vehicle& vehicle : mission->vehicles) vehicle.model.clear();
-}
-
 Scene BlankScene(const Mission& mission, bool knows_rules) {
   Scene scene(mission);
   if (!knows_rules) scene.ForgetRules();
@@ -95,7 +89,7 @@ Result<std::unique_ptr<RecordedView>> RecordedView::Open(const std::string& path
   }
   const bool knows_mission = found->mission.has_value();
   Mission mission = knows_mission ? std::move(*found->mission) : std::move(survey.mission);
-  if (!knows_mission) NameUnknown(*file, &mission);
+  if (!knows_mission) mission.name = fs::path(*file).stem().string();
   const int64_t apart_us = survey.first_utime - PlausibleUtime(mission.start_utime);
   if (survey.has_events && std::abs(apart_us) > kMissionsApart_us) {
     found->notes.push_back(fmt::format(
@@ -116,6 +110,7 @@ Result<std::unique_ptr<RecordedView>> RecordedView::Open(const std::string& path
   view->setup_json_ = shoal::SetupJson(shown,
                                        {.mode = "recorded",
                                         .boot = options.boot,
+                                        .knows_models = knows_mission,
                                         .begin_s = view->begin_s(),
                                         .end_s = view->end_s(),
                                         .notes = view->notes_},
