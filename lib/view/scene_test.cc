@@ -67,7 +67,7 @@ TEST_F(SceneTest, TakesWhatVehiclesSayOfThemselves) {
   EXPECT_EQ(scene_.vehicles()[1].nav->y_m, 6);
   ASSERT_TRUE(scene_.vehicles()[0].helm);
   EXPECT_EQ(scene_.vehicles()[0].helm->task.size(), Scene::kMaxText);
-  EXPECT_EQ(scene_.vehicles()[0].desired->heading_deg, 90);
+  EXPECT_EQ(LastOf<ShownDesired>(scene_.vehicles()[0].shown)->heading_deg, 90);
   EXPECT_EQ(scene_.vehicles()[0].swarm->num_said, 14);
   EXPECT_EQ(scene_.now_s(), 3);
   EXPECT_EQ(witness.num_navs, 1);
