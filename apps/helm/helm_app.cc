@@ -15,7 +15,7 @@ namespace {
 
 constexpr char kBadNav[] = "NAV with values that cannot be: ignored";
 /// The variable of node messages that are orders.
-constexpr char kCommandVariable[] = "HELM_COMMAND";
+constexpr std::string_view kCommandVariable = topics::kHelmCommand;
 constexpr char kBadReport[] = "NODE_REPORT with a position that cannot be: ignored";
 constexpr char kManyContacts[] = "more than 1000 contacts: new ones are ignored";
 constexpr size_t kMaxContacts = 1000;

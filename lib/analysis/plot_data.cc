@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "lib/analysis/plot_distances.h"
+#include "lib/bus/channels.h"
 #include "lib/bus/seal.h"
 #include "lib/check/time_units.h"
 
@@ -28,15 +29,6 @@ constexpr double kDives_m = 0.1;
 /// Between time marks; each is a multiple of the one before.
 constexpr std::array<int64_t, 13> kMarkSteps_s = {1,    2,    10,   20,    60,    120,  600,
                                                   1200, 3600, 7200, 14400, 28800, 86400};
-
-/// Returns what follows `topic` and an underscore; nothing where `channel` is of another topic.
-std::optional<std::string_view> After(std::string_view topic, std::string_view channel) {
-  if (channel.size() <= topic.size() + 1 || !channel.starts_with(topic) ||
-      channel[topic.size()] != '_') {
-    return std::nullopt;
-  }
-  return channel.substr(topic.size() + 1);
-}
 
 bool IsFinite(double value) { return std::isfinite(value) && std::abs(value) < 1e9; }
 
@@ -76,22 +68,22 @@ void PlotDataBuilder::Add(const LogEvent& event) {
   };
   const auto take_of_vehicle = [&]<class T>(std::string_view topic, T message,
                                             void (PlotDataBuilder::*add)(Vehicle*, const T&)) {
-    const auto name = After(topic, event.channel);
-    if (!name) return false;
+    const std::string_view name = VehicleOfChannel(event.channel, topic);
+    if (name.empty()) return false;
     take(message, [&](const T& decoded) {
-      if (Vehicle* vehicle = Find(*name)) (this->*add)(vehicle, decoded);
+      if (Vehicle* vehicle = Find(name)) (this->*add)(vehicle, decoded);
     });
     return true;
   };
-  if (event.channel == "NODE_REPORT_LOCAL" || event.channel == "NODE_REPORT") {
+  if (event.channel == topics::kNodeReportLocal || event.channel == topics::kNodeReport) {
     take(node_report_t{}, [&](const node_report_t& report) { TakeReport(report); });
     return;
   }
-  take_of_vehicle("NAV", nav_t{}, &PlotDataBuilder::AddNav) ||
-      take_of_vehicle("HELM_STATE", helm_state_t{}, &PlotDataBuilder::AddHelmState) ||
-      take_of_vehicle("ACTUATORS", actuators_t{}, &PlotDataBuilder::AddActuators) ||
-      take_of_vehicle("DESIRED", desired_t{}, &PlotDataBuilder::AddDesired) ||
-      take_of_vehicle("SWARM", swarm_t{}, &PlotDataBuilder::AddSwarm);
+  take_of_vehicle(topics::kNav, nav_t{}, &PlotDataBuilder::AddNav) ||
+      take_of_vehicle(topics::kHelmState, helm_state_t{}, &PlotDataBuilder::AddHelmState) ||
+      take_of_vehicle(topics::kActuators, actuators_t{}, &PlotDataBuilder::AddActuators) ||
+      take_of_vehicle(topics::kDesired, desired_t{}, &PlotDataBuilder::AddDesired) ||
+      take_of_vehicle(topics::kSwarm, swarm_t{}, &PlotDataBuilder::AddSwarm);
 }
 
 /// Returns the vehicle of this name in channels, nullptr where there are too many.
