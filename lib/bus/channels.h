@@ -142,8 +142,8 @@ struct ChannelRow {
   std::string_view topic;  ///< Without the vehicle's name.
   ChannelHome home;
   std::string_view type;
-  std::string_view said_by;
-  std::string_view heard_by;
+  std::string_view publishers;
+  std::string_view subscribers;
   std::string_view rate;
   bool logged;  ///< False: made for eyes or for stepping, left out of a mission's log.
 };

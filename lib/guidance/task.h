@@ -110,7 +110,7 @@ struct PathFollowTask {
 
 /// Where a vehicle's knowledge of its swarm comes from.
 enum class SwarmKnowledge {
-  kDirect,    ///< The truth, a step old: as if everybody saw everybody.
+  kDirect,    ///< The truth, a step old: as if every vehicle saw every other.
   kAcoustic,  ///< What the acoustic network let through, and what is predicted from that.
 };
 
@@ -126,7 +126,7 @@ struct TargetTrackTask {
   static constexpr std::string_view kKind = "target_track";
 
   std::string target;              ///< The vehicle that is followed.
-  std::vector<std::string> group;  ///< Those to keep clear of; empty: all who follow the target.
+  std::vector<std::string> group;  ///< Those to keep clear of; empty: all that follow the target.
   SwarmKnowledge swarm = SwarmKnowledge::kDirect;
   SilenceRule on_silence = SilenceRule::kPredict;  ///< kAcoustic.
   /// Steers so that the velocity that the law wants comes about over ground. False: as if there

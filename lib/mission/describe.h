@@ -28,9 +28,8 @@ constexpr double kFastest_mps = 50;
 /// No mission is longer: 115 days.
 constexpr double kLongest_s = 1e7;
 
-/// The whole file but its templates and fleets (expand.h), every table by itself; what tables say
-/// of each other is checked afterwards (validate.h). `mission.file` is set: modems are looked for
-/// beside it.
+/// The whole file but its templates and fleets (expand.h), every table by itself; what spans tables
+/// is checked afterwards (validate.h). `mission.file` is set: modems are looked for beside it.
 void Describe(Fields& file, Mission& mission);
 
 /// [environment].

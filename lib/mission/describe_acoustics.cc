@@ -80,8 +80,8 @@ void DescribeModem(Fields& fields, std::optional<ModemPreset>& modem,
   *modem = std::move(named.modem);
 }
 
-/// What a network of modems is unless the file says otherwise: one channel as wide as the modem's
-/// band, its loss by the modem's signal-to-noise ratio.
+/// What a network of modems is unless the file has its own values: one channel as wide as the
+/// modem's band, its loss by the modem's signal-to-noise ratio.
 void SetDefaults(const ModemPreset& modem, AcousticOptions& options) {
   options.access_mode = AccessMode::kShared;
   options.packet_loss_model = PacketLossModel::kModem;

@@ -22,7 +22,7 @@ struct CommandRule {
   size_t num_values;
   std::string_view values;
   bool values_optional = false;
-  size_t most_values = 0;  ///< More than num_values: so many may be given.
+  size_t most_values = 0;  ///< More than num_values: up to this number may be given.
 };
 
 constexpr std::array<CommandRule, 9> kHelmCommands = {{

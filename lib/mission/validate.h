@@ -1,6 +1,6 @@
-// What tables of a mission file say of each other: names are looked up, what is left open is filled
-// in from other tables, and what does not fit together is refused. What a table says by itself is
-// checked where it is described (describe.h).
+// Checks that span tables of a mission file: names are looked up, what is left open is filled in
+// from other tables, and what does not fit together is refused. A table by itself is checked where
+// it is described (describe.h).
 //
 //   TableReader reader(root, "the file", problems);
 //   Describe(reader, mission);

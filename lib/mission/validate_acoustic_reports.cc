@@ -71,11 +71,11 @@ void ValidateAcousticReports(const Mission& mission, const TablePlace& file) {
     comms.Warn(
         "reports_over",
         fmt::format(
-            "{} and {} report at the same moments, every {:g} s, {}: many will not be heard; "
+            "{} and {} report at the same moments, every {:g} s, {}: many will not be received; "
             "write rate_hz = 10, blackout_interval_s = 10 and blackout_variance_s = 8 in "
             "[vehicle.reporter], so that chance parts them{}",
             one->name, other->name, ReportInterval_s(one->reporter_options),
-            options.half_duplex ? "and do not hear while they send (half_duplex)"
+            options.half_duplex ? "and do not receive while they send (half_duplex)"
                                 : "and send on one channel",
             options.half_duplex || options.access_mode == AccessMode::kTdmaLf
                 ? ""

@@ -1,4 +1,4 @@
-// What an [[event]] says of vehicles, their tasks and groups.
+// Whether the vehicles of an [[event]] have the tasks and groups that it names.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// What an [[expect]] says of vehicles, their tasks, the swarm and the sea floor.
+// Whether an [[expect]] can hold: vehicles and their tasks, the swarm, the sea floor.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -81,7 +81,8 @@ struct CheckExpectation {
 
   void operator()(const SwarmExpectation& swarm) const {
     if (!mission.swarm.exists) {
-      place.Refuse("kind", "nobody tells what became of a swarm's messages without [swarm]");
+      place.Refuse("kind",
+                   "outcomes of swarm messages are published only where there is a [swarm]");
       return;
     }
     for (const auto& [key, name] : {std::pair("from", swarm.from), std::pair("to", swarm.to)}) {
@@ -91,7 +92,7 @@ struct CheckExpectation {
       }
     }
     if (swarm.from == swarm.to && swarm.from != "all") {
-      place.Refuse("to", swarm.to + " does not hear itself: this can never hold");
+      place.Refuse("to", swarm.to + " does not receive its own messages: this can never hold");
     }
   }
 
@@ -107,7 +108,7 @@ struct CheckExpectation {
   void operator()(const AltitudeExpectation&) const {
     if (mission.environment.floor.style != "none") return;
     place.Refuse("",
-                 "nobody knows an altitude without a sea floor: write [environment] floor = "
+                 "there is no altitude without a sea floor: write [environment] floor = "
                  "{style = \"flat\", depth_m = 50}");
   }
 };

@@ -23,7 +23,7 @@ void CheckNetsimVehicle(const NetsimVehicle& vehicle, const Mission& mission,
                              vehicle.name));
   }
   if (vehicle.modem != NetsimModem::kNone && !mission.acoustics.is_used) {
-    place.Refuse("modem", "a modem talks through the water: write [acoustics] as well");
+    place.Refuse("modem", "a modem sends over the acoustic network: write [acoustics] as well");
   }
 }
 

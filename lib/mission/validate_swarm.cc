@@ -28,7 +28,8 @@ void CheckFollowers(const TablePlace& place, const Mission& mission) {
   }
   if (mission.swarm.followers.empty()) {
     place.Refuse("followers",
-                 "nobody follows: write followers = [\"bravo\"], or give a vehicle a task of kind "
+                 "the swarm has no followers: write followers = [\"bravo\"], or give a vehicle a "
+                 "task of kind "
                  "= \"target_track\" and swarm = \"acoustic\"");
   }
 }
@@ -51,7 +52,7 @@ void CheckMemberAddresses(const TablePlace& place, const Mission& mission) {
                   low->name, low->acoustic_address, high->name, high->acoustic_address, limit));
 }
 
-/// What a member has to be so that the others hear of it.
+/// What a member needs so that the others receive its messages.
 void CheckMembers(const TablePlace& place, const Mission& mission) {
   const double limit_m = FieldLimits().max_position_m;
   for (const Vehicle& vehicle : mission.vehicles) {
@@ -60,18 +61,19 @@ void CheckMembers(const TablePlace& place, const Mission& mission) {
     const std::string_view key = leads ? "leader" : "followers";
     if (std::max(std::abs(vehicle.start.x_m), std::abs(vehicle.start.y_m)) > limit_m) {
       place.Refuse(key, fmt::format("{} starts more than {:g} km from the origin, farther than the "
-                                    "messages of a swarm can tell: move [mission] origin",
+                                    "messages of a swarm can encode: move [mission] origin",
                                     vehicle.name, limit_m / 1000));
     }
     if (!leads && vehicle.acoustic_leader &&
         mission.acoustics.options.access_mode == AccessMode::kTdmaLf) {
-      place.Refuse(key, fmt::format("{} has acoustic_leader = true: it would not hear {}; only the "
-                                    "leader of [swarm] may have it",
-                                    vehicle.name, mission.swarm.leader));
+      place.Refuse(key,
+                   fmt::format("{} has acoustic_leader = true: it would not receive {}; only the "
+                               "leader of [swarm] may have it",
+                               vehicle.name, mission.swarm.leader));
     }
     if (vehicle.sim == Provider::kNone && vehicle.acomms == Provider::kShoal) {
-      place.Warn(key, fmt::format("vehicle_sim of {} is \"none\": unless a program of yours says "
-                                  "its NAV, it never speaks",
+      place.Warn(key, fmt::format("vehicle_sim of {} is \"none\": unless a program of yours "
+                                  "publishes its NAV, it never sends",
                                   vehicle.name));
     }
   }
@@ -84,7 +86,7 @@ void WarnOfLateSlots(const TablePlace& place, const Mission& mission) {
   const double last_s = static_cast<double>(plan.offset_us) / 1e6 *
                         static_cast<double>(mission.swarm.followers.size());
   if (plan.scheme != SwarmScheme::kTdmaLf && last_s > mission.duration_s) {
-    place.Warn("offset_s", fmt::format("{} speaks first after {:g} s, when the mission is over",
+    place.Warn("offset_s", fmt::format("{} sends first after {:g} s, when the mission is over",
                                        mission.swarm.followers.back(), last_s));
   }
   if (episode_s > mission.duration_s) {
@@ -92,10 +94,11 @@ void WarnOfLateSlots(const TablePlace& place, const Mission& mission) {
                fmt::format("an episode takes {:g} s, longer than the mission", episode_s));
   }
   if (mission.swarm.silent_after_s < episode_s) {
-    place.Warn("silent_after_s",
-               fmt::format("everybody counts as silent {:g} s after a message, and the next comes "
-                           "after {:g} s",
-                           mission.swarm.silent_after_s, episode_s));
+    place.Warn(
+        "silent_after_s",
+        fmt::format("every member counts as silent {:g} s after a message, and the next comes "
+                    "after {:g} s",
+                    mission.swarm.silent_after_s, episode_s));
   }
   if (mission.duration_s > FieldLimits().max_time_s) {
     place.Warn("leader",
@@ -140,7 +143,7 @@ void ValidateSwarm(const Mission& mission, const TablePlace& file) {
   const TablePlace swarm = file.Below("swarm");
   CheckFollowers(swarm, mission);
   if (!mission.acoustics.is_used) {
-    swarm.Refuse("leader", "a swarm talks through the water: write [acoustics] as well");
+    swarm.Refuse("leader", "a swarm sends over the acoustic network: write [acoustics] as well");
   }
   if (!swarm.IsSound()) return;
   CheckMemberAddresses(swarm, mission);

@@ -49,14 +49,14 @@ void CheckAcousticTask(const TablePlace& place, const TargetTrackTask& track,
                        const Vehicle& vehicle, const Mission& mission) {
   if (track.swarm != SwarmKnowledge::kAcoustic) return;
   if (!mission.swarm.exists) {
-    place.Refuse("swarm", fmt::format("swarm = \"acoustic\" needs a swarm that talks: write "
+    place.Refuse("swarm", fmt::format("swarm = \"acoustic\" needs an acoustic swarm: write "
                                       "[swarm] and leader = \"{}\", or swarm = \"direct\"",
                                       track.target));
   } else if (mission.swarm.leader.empty()) {
     return;  // That is refused in [swarm].
   } else if (track.target != mission.swarm.leader) {
-    place.Refuse("target", fmt::format("only the leader of [swarm], {}, tells its followers where "
-                                       "it is through the water",
+    place.Refuse("target", fmt::format("only the leader of [swarm], {}, reports its position "
+                                       "to followers over the acoustic network",
                                        mission.swarm.leader));
   } else if (!mission.IsInSwarm(vehicle)) {
     place.Refuse("swarm", fmt::format("{} is not among the followers of [swarm]: add it, or leave "

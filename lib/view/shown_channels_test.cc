@@ -24,7 +24,7 @@ TEST(ShownChannels, AreChannelsOfAVehicleToWhichTheViewerSubscribes) {
       if (VehicleOfChannel(channel, row.topic) != "ALPHA") continue;
       is_found = true;
       EXPECT_EQ(row.type, Row::Message::getTypeName()) << channel;
-      EXPECT_NE(row.heard_by.find("viewer"), std::string_view::npos)
+      EXPECT_NE(row.subscribers.find("viewer"), std::string_view::npos)
           << "lib/bus/channels.cc does not name the viewer among the subscribers of " << row.topic;
     }
     EXPECT_TRUE(is_found) << channel;
