@@ -43,8 +43,9 @@ TEST(TaskFacts, CountLapsOnlyWhereTheTaskHasPointsToPass) {
   EXPECT_EQ(most_laps(WaypointsTask{.points_m = {{0, 0}}, .laps = 0}), std::nullopt);
   EXPECT_EQ(most_laps(LoiterTask{}), std::nullopt);
   EXPECT_EQ(most_laps(StationKeepTask{}), 0);
-  EXPECT_EQ(most_laps(PathFollowTask{.end = PathTaskEnd::kHold}), 1);
-  EXPECT_EQ(most_laps(PathFollowTask{.end = PathTaskEnd::kReturnToFirst}), std::nullopt);
+  EXPECT_EQ(most_laps(PathFollowTask{.points_m = {}, .end = PathTaskEnd::kHold}), 1);
+  EXPECT_EQ(most_laps(PathFollowTask{.points_m = {}, .end = PathTaskEnd::kReturnToFirst}),
+            std::nullopt);
 }
 
 TEST(TaskFacts, OutlineALoiterByItsCornersAndItsCircle) {
