@@ -19,7 +19,7 @@ namespace {
 Vehicle Auv(const std::string& name, const StartPose& start, const decltype(Task::what)& what) {
   Vehicle vehicle;
   vehicle.name = name;
-  vehicle.model = "remus100";
+  vehicle.model = Remus100Options{};
   vehicle.start = start;
   vehicle.helm_options.deploy_at_start = true;
   vehicle.tasks = {{.name = "task", .what = what}};
@@ -104,7 +104,7 @@ TEST_P(UnderwaterLoop, HoldsTrackAndDepthInACurrentFromTheSide) {
   PathFollowTask path;
   path.points_m = {{0, 0, 20}, {2000, 0, 30}};
   mission.vehicles = {Auv("alpha", {.heading_deg = 90, .speed_mps = 2, .depth_m = 20}, path)};
-  mission.vehicles[0].remus100.parameters = GetParam();
+  mission.vehicles[0].model = Remus100Options{.parameters = GetParam()};
   Loop loop(mission);
   double worst_track_m = 0;
   double worst_depth_m = 0;

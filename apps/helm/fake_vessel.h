@@ -79,7 +79,7 @@ class HelmAndVessel {
     hub_.HandleAll();
     helm_.Tick(utime);
     if (actuators) {
-      vessel = shoal::Step(vehicle_.surface_craft, vessel,
+      vessel = shoal::Step(std::get<SurfaceCraftParams>(vehicle_.model), vessel,
                            {actuators->thrust_pct, actuators->rudder_deg}, current_mps,
                            static_cast<double>(tick_us_) / 1e6);
     }

@@ -17,7 +17,7 @@ namespace {
 
 constexpr char kBadNav[] = "NAV with values that cannot be: ignored";
 /// The variable of node messages that are orders.
-constexpr char kCommandVariable[] = "HELM_COMMAND";
+constexpr std::string_view kCommandVariable = topics::kHelmCommand;
 constexpr char kBadReport[] = "NODE_REPORT with a position that cannot be: ignored";
 constexpr char kManyContacts[] = "more than 1000 contacts: new ones are ignored";
 constexpr size_t kMaxContacts = 1000;
@@ -231,7 +231,7 @@ StatusPage HelmApp::Status() const {
       "    Return point: x {:.1f} m, y {:.1f} m\n"
       "    NAV time-out: {:.1f} s, deploy at start: {}\n"
       "    {}\n",
-      vehicle_.name, vehicle_.model, TasksText(vehicle_), vehicle_.return_task.point_m.x(),
+      vehicle_.name, FactsOfModel(vehicle_.model).name, TasksText(vehicle_), vehicle_.return_task.point_m.x(),
       vehicle_.return_task.point_m.y(), vehicle_.helm_options.nav_timeout_s,
       vehicle_.helm_options.deploy_at_start ? "yes" : "no", pilot_->GainsText());
   page.text += fmt::format(

@@ -1,13 +1,30 @@
 #include "apps/helm/pilot.h"
 
+#include <variant>
+
 #include "apps/helm/surface_pilot.h"
 #include "apps/helm/underwater_pilot.h"
 
 namespace shoal {
 
+namespace {
+
+/// One line for each model of AnyModel.
+struct PilotOfModel {
+  const Vehicle& vehicle;
+
+  std::unique_ptr<Pilot> operator()(const SurfaceCraftParams& craft) const {
+    return std::make_unique<SurfacePilot>(craft, vehicle.autopilot);
+  }
+  std::unique_ptr<Pilot> operator()(const Remus100Options& options) const {
+    return std::make_unique<UnderwaterPilot>(options);
+  }
+};
+
+}  // namespace
+
 std::unique_ptr<Pilot> MakePilot(const Vehicle& vehicle) {
-  if (vehicle.model == "remus100") return std::make_unique<UnderwaterPilot>(vehicle.remus100);
-  return std::make_unique<SurfacePilot>(vehicle);
+  return std::visit(PilotOfModel{vehicle}, vehicle.model);
 }
 
 }  // namespace shoal

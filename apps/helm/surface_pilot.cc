@@ -15,20 +15,20 @@ HeadingGains HeadingGainsOf(const AutopilotOptions& options) {
           .integral_limit_pct = options.heading_integral_limit_deg};
 }
 
-SpeedGains SpeedGainsOf(const Vehicle& vehicle) {
-  return {.kp = vehicle.autopilot.speed_kp,
-          .ki = vehicle.autopilot.speed_ki,
-          .integral_limit_pct = vehicle.autopilot.speed_integral_limit_pct,
-          .acceleration_mps2 = vehicle.surface_craft.max_acceleration_mps2};
+SpeedGains SpeedGainsOf(const AutopilotOptions& options, const SurfaceCraftParams& craft) {
+  return {.kp = options.speed_kp,
+          .ki = options.speed_ki,
+          .integral_limit_pct = options.speed_integral_limit_pct,
+          .acceleration_mps2 = craft.max_acceleration_mps2};
 }
 
 }  // namespace
 
-SurfacePilot::SurfacePilot(const Vehicle& vehicle)
-    : craft_(vehicle.surface_craft),
-      options_(vehicle.autopilot),
-      heading_pid_(HeadingGainsOf(vehicle.autopilot)),
-      speed_controller_(SpeedGainsOf(vehicle)) {}
+SurfacePilot::SurfacePilot(const SurfaceCraftParams& craft, const AutopilotOptions& options)
+    : craft_(craft),
+      options_(options),
+      heading_pid_(HeadingGainsOf(options)),
+      speed_controller_(SpeedGainsOf(options, craft)) {}
 
 void SurfacePilot::Steer(const Guidance& guidance, const nav_t& nav, double dt_s,
                          desired_t* desired, actuators_t* actuators) {

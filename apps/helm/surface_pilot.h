@@ -11,7 +11,7 @@ namespace shoal {
 
 class SurfacePilot : public Pilot {
  public:
-  explicit SurfacePilot(const Vehicle& vehicle);
+  SurfacePilot(const SurfaceCraftParams& craft, const AutopilotOptions& options);
 
   void Steer(const Guidance& guidance, const nav_t& nav, double dt_s, desired_t* desired,
              actuators_t* actuators) override;

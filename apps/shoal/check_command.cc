@@ -49,11 +49,11 @@ std::string ChannelsMarkdown() {
       "# Channels\n\n"
       "Made by `shoal channels` from `lib/bus/channels.cc`; a test compares the two. `_<V>` "
       "stands\n"
-      "for a vehicle's name in upper case. Home says where a channel lives: in the `communities`\n"
+      "for a vehicle's name in upper case. Home is where a channel lives: in the `communities`\n"
       "layout each vehicle has an LCM port of its own, in the `shared` layout shore and vehicles\n"
       "have one together. Message types are in `lcmtypes/`. Channels that are not logged are made\n"
       "for eyes or for stepping.\n\n"
-      "| channel | type | home | said by | heard by | rate | logged |\n"
+      "| channel | type | home | published by | subscribed to by | rate | logged |\n"
       "|---|---|---|---|---|---|---|\n";
   for (const ChannelRow& row : ChannelTable()) {
     std::string_view home;
@@ -73,7 +73,7 @@ std::string ChannelsMarkdown() {
     }
     text += fmt::format("| `{}{}` | `{}` | {} | {} | {} | {} | {} |\n", row.topic,
                         row.home == ChannelHome::kVehicle ? "_<V>" : "", row.type, home,
-                        row.said_by, row.heard_by, row.rate, row.logged ? "yes" : "no");
+                        row.publishers, row.subscribers, row.rate, row.logged ? "yes" : "no");
   }
   return text;
 }

@@ -102,7 +102,7 @@ class CommsSummary {
         Take<comms_fates_t>(*event, [&](const comms_fates_t& fates) {
           for (const fate_t& fate : fates.fates) links_.Add(fate);
         });
-      } else if (event->channel.starts_with("SWARM_")) {
+      } else if (!VehicleOfChannel(event->channel, topics::kSwarm).empty()) {
         Take<swarm_t>(*event, [&](const swarm_t& swarm) {
           tally_.Add(swarm);
           ages_.Add(swarm);

@@ -24,7 +24,7 @@ Mission TwoAuvs() {
   for (const std::string name : {"alpha", "bravo"}) {
     Vehicle vehicle;
     vehicle.name = name;
-    vehicle.model = "remus100";
+    vehicle.model = Remus100Options{};
     vehicle.length_m = 1.6;
     vehicle.start = {.x_m = name == "alpha" ? 0.0 : 40.0, .heading_deg = 90, .depth_m = 60};
     mission.vehicles.push_back(vehicle);

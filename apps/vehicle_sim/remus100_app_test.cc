@@ -27,7 +27,7 @@ class Remus100AppTest : public testing::Test {
     Mission mission;
     Vehicle vehicle;
     vehicle.name = "alpha";
-    vehicle.model = "remus100";
+    vehicle.model = Remus100Options{};
     vehicle.start = {.x_m = 10, .y_m = -20, .heading_deg = 90, .speed_mps = 1.5, .depth_m = 12};
     mission.vehicles = {vehicle};
     mission.environment.current = {.speed_mps = "0.2", .direction_deg = "0"};

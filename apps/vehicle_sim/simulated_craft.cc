@@ -1,13 +1,29 @@
 #include "apps/vehicle_sim/simulated_craft.h"
 
+#include <variant>
+
 #include "apps/vehicle_sim/simulated_remus100.h"
 #include "apps/vehicle_sim/simulated_surface_craft.h"
 
 namespace shoal {
 
+namespace {
+
+/// One line for each model of AnyModel.
+struct CraftOfModel {
+  using Craft = std::unique_ptr<SimulatedCraft>;
+  Craft operator()(const SurfaceCraftParams& params) const {
+    return std::make_unique<SimulatedSurfaceCraft>(params);
+  }
+  Craft operator()(const Remus100Options& options) const {
+    return std::make_unique<SimulatedRemus100>(options);
+  }
+};
+
+}  // namespace
+
 std::unique_ptr<SimulatedCraft> MakeSimulatedCraft(const Vehicle& vehicle) {
-  if (vehicle.model == "remus100") return std::make_unique<SimulatedRemus100>(vehicle.remus100);
-  return std::make_unique<SimulatedSurfaceCraft>(vehicle.surface_craft);
+  return std::visit(CraftOfModel(), vehicle.model);
 }
 
 }  // namespace shoal

@@ -1,5 +1,5 @@
-// A vehicle model as vehicle_sim runs it: told by ACTUATORS, shown as NAV. One class per model; a
-// new one is added in MakeSimulatedCraft and in lib/mission (docs/vehicles.md).
+// A vehicle model as vehicle_sim runs it: commanded by ACTUATORS, published as NAV. One class per
+// model; CONTRIBUTING.md has the recipe for a new one.
 #pragma once
 
 #include <Eigen/Core>

@@ -221,8 +221,8 @@ StatusPage VehicleSimApp::Status() const {
       "Heard:\n"
       "    ACTUATORS: {}\n"
       "    SIM_COMMAND: {} ({} refused)\n",
-      vehicle_.name, vehicle_.model, vehicle_.start.x_m, vehicle_.start.y_m, vehicle_.start.depth_m,
-      vehicle_.start.heading_deg,
+      vehicle_.name, FactsOfModel(vehicle_.model).name, vehicle_.start.x_m, vehicle_.start.y_m,
+      vehicle_.start.depth_m, vehicle_.start.heading_deg,
       !touched_by_.empty() ? " stopped, ran into " + touched_by_
       : paused_            ? " paused"
                            : "",

@@ -7,6 +7,7 @@
 #include <string>
 #include <tuple>
 
+#include "lib/bus/channels.h"
 #include "lib/routing/fate.h"
 #include "lib/routing/vehicle_name.h"
 
@@ -49,10 +50,10 @@ std::optional<std::pair<Kind, std::string>> SourceOf(const CommsLog& log,
                                                      const LoggedMessage& input) {
   const std::string& channel = BrokerChannels()[input.channel];
   const auto data = log.BytesOf(input);
-  if (channel.starts_with("NODE_REPORT")) {
+  if (channel.starts_with(topics::kNodeReport)) {
     node_report_t report;
     if (Decode(data, &report)) return std::pair(Kind::kReport, VehicleKey(report.name));
-  } else if (channel.starts_with("NODE_MESSAGE")) {
+  } else if (channel.starts_with(topics::kNodeMessage)) {
     node_message_t message;
     if (Decode(data, &message)) return std::pair(Kind::kMessage, VehicleKey(message.src_node));
   } else if (channel == channels::AckMessage().name) {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "lib/analysis/plot_distances.h"
+#include "lib/bus/channels.h"
 #include "lib/bus/seal.h"
 #include "lib/check/time_units.h"
 
@@ -23,14 +24,6 @@ constexpr int64_t kStale_us = 2'000'000;
 constexpr double kNoCourse_mps = 0.1;
 constexpr double kDives_m = 0.1;
 
-/// Returns what follows `topic` and an underscore; nothing where `channel` is of another topic.
-std::optional<std::string_view> After(std::string_view topic, std::string_view channel) {
-  if (channel.size() <= topic.size() + 1 || !channel.starts_with(topic) ||
-      channel[topic.size()] != '_') {
-    return std::nullopt;
-  }
-  return channel.substr(topic.size() + 1);
-}
 
 bool IsFinite(double value) { return std::isfinite(value) && std::abs(value) < 1e9; }
 
@@ -66,22 +59,22 @@ void PlotDataBuilder::Add(const LogEvent& event) {
   };
   const auto take_of_vehicle = [&]<class T>(std::string_view topic, T message,
                                             void (PlotDataBuilder::*add)(Vehicle*, const T&)) {
-    const auto name = After(topic, event.channel);
-    if (!name) return false;
+    const std::string_view name = VehicleOfChannel(event.channel, topic);
+    if (name.empty()) return false;
     take(message, [&](const T& decoded) {
-      if (Vehicle* vehicle = Find(*name)) (this->*add)(vehicle, decoded);
+      if (Vehicle* vehicle = Find(name)) (this->*add)(vehicle, decoded);
     });
     return true;
   };
-  if (event.channel == "NODE_REPORT_LOCAL" || event.channel == "NODE_REPORT") {
+  if (event.channel == topics::kNodeReportLocal || event.channel == topics::kNodeReport) {
     take(node_report_t{}, [&](const node_report_t& report) { TakeReport(report); });
     return;
   }
-  take_of_vehicle("NAV", nav_t{}, &PlotDataBuilder::AddNav) ||
-      take_of_vehicle("HELM_STATE", helm_state_t{}, &PlotDataBuilder::AddHelmState) ||
-      take_of_vehicle("ACTUATORS", actuators_t{}, &PlotDataBuilder::AddActuators) ||
-      take_of_vehicle("DESIRED", desired_t{}, &PlotDataBuilder::AddDesired) ||
-      take_of_vehicle("SWARM", swarm_t{}, &PlotDataBuilder::AddSwarm);
+  take_of_vehicle(topics::kNav, nav_t{}, &PlotDataBuilder::AddNav) ||
+      take_of_vehicle(topics::kHelmState, helm_state_t{}, &PlotDataBuilder::AddHelmState) ||
+      take_of_vehicle(topics::kActuators, actuators_t{}, &PlotDataBuilder::AddActuators) ||
+      take_of_vehicle(topics::kDesired, desired_t{}, &PlotDataBuilder::AddDesired) ||
+      take_of_vehicle(topics::kSwarm, swarm_t{}, &PlotDataBuilder::AddSwarm);
 }
 
 /// Returns the vehicle of this name in channels, nullptr where there are too many.

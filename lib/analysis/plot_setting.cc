@@ -12,41 +12,24 @@ namespace {
 
 CurvePoint PointOf(const Eigen::Vector2d& point_m) { return {point_m.x(), point_m.y()}; }
 
-PlannedPath PathOf(const WaypointsTask& task) {
-  PlannedPath path;
-  for (const Eigen::Vector2d& point_m : task.points_m) path.legs.push_back(PointOf(point_m));
-  if (task.laps != 1 && path.legs.size() > 2) path.legs.push_back(path.legs.front());
-  return path;
-}
-
-PlannedPath PathOf(const LoiterTask& task) {
-  constexpr int kPoints = 72;
-  PlannedPath path{.has_points = false};
-  for (int i = 0; i <= kPoints; ++i) {
-    const double angle_rad = 2 * std::numbers::pi * i / kPoints;
-    path.legs.push_back({task.center_m.x() + task.radius_m * std::cos(angle_rad),
-                         task.center_m.y() + task.radius_m * std::sin(angle_rad)});
+/// Returns the path of a task; empty where it has none of its own.
+PlannedPath PathOf(const TaskOutline& outline) {
+  if (outline.circle) {
+    constexpr int kPoints = 72;
+    PlannedPath circle{.has_points = false};
+    for (int i = 0; i <= kPoints; ++i) {
+      const double angle_rad = 2 * std::numbers::pi * i / kPoints;
+      circle.legs.push_back(
+          {outline.circle->center_m.x() + outline.circle->radius_m * std::cos(angle_rad),
+           outline.circle->center_m.y() + outline.circle->radius_m * std::sin(angle_rad)});
+    }
+    return circle;
   }
-  return path;
-}
-
-PlannedPath PathOf(const StationKeepTask& task) {
-  if (task.here) return {};
-  return {.legs = {PointOf(task.point_m)}};
-}
-
-PlannedPath PathOf(const ReturnTask& task) { return {.legs = {PointOf(task.point_m)}}; }
-
-PlannedPath PathOf(const PathFollowTask& task) {
   PlannedPath path;
-  for (const Eigen::Vector3d& point_m : task.points_m) {
-    path.legs.push_back(PointOf(point_m.head<2>()));
-  }
+  for (const Eigen::Vector2d& point_m : outline.points_m) path.legs.push_back(PointOf(point_m));
+  if (outline.closed && path.legs.size() > 2) path.legs.push_back(path.legs.front());
   return path;
 }
-
-/// A vehicle that follows another has no path of its own.
-PlannedPath PathOf(const TargetTrackTask&) { return {}; }
 
 void AddDistances(const VelocityLaw& law, std::vector<DistanceMark>* marks) {
   if (const auto* bearing = std::get_if<ConstantBearingLaw>(&law)) {
@@ -70,7 +53,7 @@ PlotSetting SettingOf(const Mission& mission) {
   for (const Vehicle& vehicle : mission.vehicles) {
     PlannedVehicle planned{.name = vehicle.name, .color = vehicle.color};
     for (const Task& task : vehicle.tasks) {
-      PlannedPath path = std::visit([](const auto& what) { return PathOf(what); }, task.what);
+      PlannedPath path = PathOf(FactsOf(task).outline);
       if (!path.legs.empty()) planned.paths.push_back(std::move(path));
       if (const auto* tracking = std::get_if<TargetTrackTask>(&task.what)) {
         planned.target = tracking->target;

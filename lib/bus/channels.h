@@ -1,5 +1,5 @@
-// Every channel of shoal: its name, its type, who speaks and who listens. docs/channels.md is made
-// from the table here (`shoal channels`).
+// Every channel of shoal: its name, its type, which apps publish it and which subscribe to it.
+// docs/channels.md is made from the table here (`shoal channels`).
 //
 // A name is <TOPIC> or <TOPIC>_<VEHICLE>, upper case. A channel with a vehicle's name lives in that
 // vehicle's community, one without lives at the shore: that alone decides which LCM port carries it
@@ -43,8 +43,49 @@
 
 namespace shoal {
 
+/// Names of channels without the vehicle's. They stand nowhere else in the code
+/// (tests/house_test.cc sees to it), but for those of the broker's rules, which ControlTable() has.
+namespace topics {
+inline constexpr std::string_view kNav = "NAV";
+inline constexpr std::string_view kMeasuredNav = "MEASURED_NAV";
+inline constexpr std::string_view kSonar = "SONAR";
+inline constexpr std::string_view kWaterSample = "WATER_SAMPLE";
+inline constexpr std::string_view kActuators = "ACTUATORS";
+inline constexpr std::string_view kDesired = "DESIRED";
+inline constexpr std::string_view kHelmState = "HELM_STATE";
+inline constexpr std::string_view kHelmCommand = "HELM_COMMAND";
+inline constexpr std::string_view kSimCommand = "SIM_COMMAND";
+inline constexpr std::string_view kNodeReport = "NODE_REPORT";
+inline constexpr std::string_view kNodeMessage = "NODE_MESSAGE";
+inline constexpr std::string_view kMediatedMessage = "MEDIATED_MESSAGE";
+inline constexpr std::string_view kAckMessage = "ACK_MESSAGE";
+inline constexpr std::string_view kAcousticRx = "ACOUSTIC_RX";
+inline constexpr std::string_view kSwarm = "SWARM";
+inline constexpr std::string_view kNodeReportLocal = "NODE_REPORT_LOCAL";
+inline constexpr std::string_view kNodeMessageLocal = "NODE_MESSAGE_LOCAL";
+inline constexpr std::string_view kAcousticTx = "ACOUSTIC_TX";
+inline constexpr std::string_view kUncControls = "UNC_CONTROLS";
+inline constexpr std::string_view kUncControlsReq = "UNC_CONTROLS_REQ";
+inline constexpr std::string_view kNodeReportUnc = "NODE_REPORT_UNC";
+inline constexpr std::string_view kCommsFates = "COMMS_FATES";
+inline constexpr std::string_view kCommsRules = "COMMS_RULES";
+inline constexpr std::string_view kViewCommsPulse = "VIEW_COMMS_PULSE";
+inline constexpr std::string_view kModemStats = "MODEM_STATS";
+inline constexpr std::string_view kAppcast = "APPCAST";
+inline constexpr std::string_view kTick = "TICK";
+inline constexpr std::string_view kResend = "RESEND";
+inline constexpr std::string_view kAppcastReq = "APPCAST_REQ";
+inline constexpr std::string_view kClockState = "CLOCK_STATE";
+inline constexpr std::string_view kStepDone = "STEP_DONE";
+inline constexpr std::string_view kClockCommand = "CLOCK_COMMAND";
+}  // namespace topics
+
 /// Returns `name` in upper case (ASCII), as channel names write vehicles.
 std::string UpperCase(std::string_view name);
+
+/// Returns the vehicle, in upper case, where `channel` is that of `topic` for one vehicle ("ALPHA"
+/// of NAV_ALPHA for kNav); empty for all others, NODE_REPORT_LOCAL and NODE_REPORT_UNC included.
+std::string_view VehicleOfChannel(std::string_view channel, std::string_view topic);
 
 namespace channels {
 
@@ -101,8 +142,8 @@ struct ChannelRow {
   std::string_view topic;  ///< Without the vehicle's name.
   ChannelHome home;
   std::string_view type;
-  std::string_view said_by;
-  std::string_view heard_by;
+  std::string_view publishers;
+  std::string_view subscribers;
   std::string_view rate;
   bool logged;  ///< False: made for eyes or for stepping, left out of a mission's log.
 };

@@ -59,6 +59,27 @@ TEST(ChannelTable, FitsLcmsLimitWithTheLongestVehicleName) {
   for (const ChannelRow& row : ChannelTable()) EXPECT_LE(row.topic.size() + 1 + 32, 63U);
 }
 
+TEST(VehicleOfChannel, IsWhatFollowsTheTopic) {
+  EXPECT_EQ(VehicleOfChannel("NAV_ALPHA", topics::kNav), "ALPHA");
+  EXPECT_EQ(VehicleOfChannel(channels::NodeReport("my_boat").name, topics::kNodeReport), "MY_BOAT");
+}
+
+TEST(VehicleOfChannel, IsEmptyForOtherTopics) {
+  EXPECT_EQ(VehicleOfChannel("NAV_ALPHA", topics::kDesired), "");
+  EXPECT_EQ(VehicleOfChannel("MEASURED_NAV_ALPHA", topics::kNav), "");
+  EXPECT_EQ(VehicleOfChannel("NAVY_ALPHA", topics::kNav), "");
+  EXPECT_EQ(VehicleOfChannel("NAV", topics::kNav), "");
+  EXPECT_EQ(VehicleOfChannel("NAV_", topics::kNav), "");
+}
+
+TEST(VehicleOfChannel, IsEmptyForChannelsOfTheShoreThatBeginWithTheTopic) {
+  for (const ChannelRow& shore : ChannelTable()) {
+    for (const ChannelRow& row : ChannelTable()) {
+      EXPECT_EQ(VehicleOfChannel(shore.topic, row.topic), "") << shore.topic << ' ' << row.topic;
+    }
+  }
+}
+
 TEST(IsLogged, LeavesOutWhatIsMadeForEyesAndStepping) {
   EXPECT_TRUE(IsLogged("NAV_ALPHA"));
   EXPECT_TRUE(IsLogged("MY_CAMERA"));

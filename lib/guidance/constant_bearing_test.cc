@@ -16,7 +16,7 @@ constexpr double kUMax_mps = 2.5;
 const ConstantBearingLaw kLaw{.lookahead_m = 50, .r_safe_m = 10};
 
 Vector3d Velocity(const Vector3d& target_m, const Vector3d& v_t_mps) {
-  Scene scene;
+  TargetScene scene;
   scene.target = {.id = 0, .position_m = target_m, .velocity_mps = v_t_mps};
   return DesiredVelocity(kLaw, kUMax_mps, scene.Seen());
 }
@@ -69,7 +69,7 @@ RC_GTEST_PROP(ConstantBearing, KeepsTheBearingOfATargetItCanFollow, ()) {
 }
 
 RC_GTEST_PROP(ConstantBearing, TurnsWithTheWorldAndKeepsToTheGreatestSpeed, ()) {
-  const Scene scene = AnyScene();
+  const TargetScene scene = AnyTargetScene();
   const double angle_rad = Between(-3.1, 3.1);
   const Vector3d v_mps = DesiredVelocity(kLaw, kUMax_mps, scene.Seen());
   const Vector3d turned_mps = DesiredVelocity(kLaw, kUMax_mps, scene.Turned(angle_rad).Seen());
@@ -79,7 +79,7 @@ RC_GTEST_PROP(ConstantBearing, TurnsWithTheWorldAndKeepsToTheGreatestSpeed, ()) 
 
 // A pursuit: comes to the safe distance and never nearer.
 RC_GTEST_PROP(ConstantBearing, EndsAtTheSafeDistance, ()) {
-  Scene scene;
+  TargetScene scene;
   scene.target.position_m = VectorWithin(200);
   scene.target.velocity_mps = VectorWithin(0.8);
   RC_PRE(scene.target.position_m.norm() > 15);

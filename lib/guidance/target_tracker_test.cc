@@ -26,7 +26,7 @@ TEST(TargetTracker, BoundsThePitch) { EXPECT_EQ(CommandOf({0.1, 0, 2}, 0, 0.5).t
 TEST(TargetTracker, HoldsItsCourseWhenNothingIsWanted) {
   TargetTracker tracker({.law = VelocityCascade{{FeedForwardLayer{}}}}, 0.4);
   EXPECT_EQ(tracker.Update({}).psi_d_rad, 0.4);
-  Scene scene;
+  TargetScene scene;
   scene.own.position_m.z() = 50;
   scene.target.velocity_mps = {-1, 1, 0};
   EXPECT_NEAR(tracker.Update(scene.Seen()).psi_d_rad, 0.75 * kPi, 1e-15);
@@ -44,13 +44,13 @@ TEST(TargetTracker, HoldsItsCourseOnTheWayStraightDown) {
 }
 
 TEST(TargetTracker, KeepsOffTheFloorByEitherLaw) {
-  Scene scene;
+  TargetScene scene;
   scene.own.position_m = {0, 0, 98};
   scene.target = {.id = 0, .position_m = {100, 0, 150}, .velocity_mps = {1, 0, 0.5}};
   scene.seabed_z_m = 100;
   const std::vector<VelocityLaw> laws = {VelocityCascade{}, ConstantBearingLaw{}};
   for (const VelocityLaw& law : laws) {
-    Scene deep_water = scene;
+    TargetScene deep_water = scene;
     deep_water.seabed_z_m = 6000;
     const TargetTrackParams params{.law = law, .depth = {.z_max_m = 200}};
     const double wanted_mps = TargetTracker(params, 0).Update(deep_water.Seen()).velocity_mps.z();
@@ -64,7 +64,7 @@ TEST(TargetTracker, KeepsOffTheFloorByEitherLaw) {
 TEST(TargetTracker, SharesNothingWithItsCopy) {
   TargetTracker one({.law = VelocityCascade{{FeedForwardLayer{}}}}, 0);
   TargetTracker other = one;
-  Scene scene;
+  TargetScene scene;
   scene.target.velocity_mps = {0, 1, 0};
   (void)one.Update(scene.Seen());
   EXPECT_EQ(other.Update({}).psi_d_rad, 0);
@@ -116,7 +116,7 @@ RC_GTEST_PROP(TargetTracker, CommandsWhatAnAutopilotCanTakeForAnyFiniteScene, ()
   const TargetTrackParams params{.law = law};
   TargetTracker tracker(params, AnyFinite());
   for (int i = 0; i < 4; ++i) {
-    const TrackCommand command = tracker.Update(AnyFiniteScene().Seen());
+    const TrackCommand command = tracker.Update(AnyFiniteTargetScene().Seen());
     RC_ASSERT(std::abs(command.psi_d_rad) <= kPi);
     RC_ASSERT(std::abs(command.theta_d_rad) <= params.max_pitch_rad);
     RC_ASSERT(std::isfinite(command.speed_mps) && command.speed_mps >= 0);

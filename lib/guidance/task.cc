@@ -1,20 +1,83 @@
 #include "lib/guidance/task.h"
 
+#include <algorithm>
+#include <cstddef>
+#include <type_traits>
+#include <utility>
+
+#include "lib/geometry/angles.h"
+
 namespace shoal {
 
 namespace {
 
-struct Kind {
-  std::string_view operator()(const WaypointsTask&) const { return "waypoints"; }
-  std::string_view operator()(const LoiterTask&) const { return "loiter"; }
-  std::string_view operator()(const StationKeepTask&) const { return "station_keep"; }
-  std::string_view operator()(const ReturnTask&) const { return "return"; }
-  std::string_view operator()(const PathFollowTask&) const { return "path_follow"; }
-  std::string_view operator()(const TargetTrackTask&) const { return "target_track"; }
-};
+TaskFacts FactsOfKind(const WaypointsTask& task) {
+  TaskFacts facts{.ends = task.laps != 0,
+                  .outline = {.points_m = task.points_m, .closed = task.laps != 1}};
+  if (task.laps != 0) facts.most_laps = task.laps;
+  return facts;
+}
+
+TaskFacts FactsOfKind(const LoiterTask& task) {
+  return {.ends = task.duration_s != 0,
+          .outline = {.points_m = CornersOf(task),
+                      .closed = true,
+                      .circle = {{.center_m = task.center_m, .radius_m = task.radius_m}}}};
+}
+
+TaskFacts FactsOfKind(const StationKeepTask& task) {
+  TaskFacts facts{.most_laps = 0, .outline = {.radius_m = task.outer_radius_m}};
+  if (!task.here) facts.outline.points_m.push_back(task.point_m);
+  return facts;
+}
+
+TaskFacts FactsOfKind(const ReturnTask& task) {
+  return {.most_laps = 1, .outline = {.points_m = {task.point_m}}};
+}
+
+TaskFacts FactsOfKind(const PathFollowTask& task) {
+  const bool repeats = task.end == PathTaskEnd::kReturnToFirst;
+  TaskFacts facts{.is_underwater = true,
+                  .ends = task.end == PathTaskEnd::kDone || task.end == PathTaskEnd::kSurface,
+                  .outline = {.closed = repeats}};
+  if (!repeats) facts.most_laps = 1;
+  for (const Eigen::Vector3d& point_m : task.points_m) {
+    facts.outline.points_m.emplace_back(point_m.head<2>());
+  }
+  return facts;
+}
+
+TaskFacts FactsOfKind(const TargetTrackTask&) { return {.is_underwater = true, .most_laps = 0}; }
+
+template <size_t... kPlaces>
+std::vector<Task> TasksAt(std::index_sequence<kPlaces...> /*places*/) {
+  using What = decltype(Task::what);
+  return {Task{.name = {}, .what = What(std::in_place_index<kPlaces>)}...};
+}
 
 }  // namespace
 
-std::string_view KindOf(const Task& task) { return std::visit(Kind{}, task.what); }
+std::string_view KindOf(const Task& task) {
+  return std::visit([](const auto& what) { return std::decay_t<decltype(what)>::kKind; },
+                    task.what);
+}
+
+TaskFacts FactsOf(const Task& task) {
+  return std::visit([](const auto& what) { return FactsOfKind(what); }, task.what);
+}
+
+std::vector<Task> OneTaskOfEachKind() {
+  return TasksAt(std::make_index_sequence<std::variant_size_v<decltype(Task::what)>>());
+}
+
+std::vector<Eigen::Vector2d> CornersOf(const LoiterTask& task) {
+  std::vector<Eigen::Vector2d> corners_m;
+  const int num_points = std::max(task.num_points, 3);
+  const double step_rad = (task.clockwise ? 2 : -2) * kPi / num_points;
+  for (int i = 0; i < num_points; ++i) {
+    corners_m.push_back(task.center_m + task.radius_m * UnitVector(i * step_rad));
+  }
+  return corners_m;
+}
 
 }  // namespace shoal

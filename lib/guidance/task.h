@@ -1,7 +1,11 @@
-// What a helm can be told to do, as data: one struct for every kind of task.
+// The tasks of a helm as data: one struct for every kind. A new kind is a struct here with its
+// kKind, one more alternative of Task::what and one FactsOf in task.cc; CONTRIBUTING.md has the
+// whole recipe.
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -23,6 +27,8 @@ struct CaptureRule {
 
 /// Follows the legs between points.
 struct WaypointsTask {
+  static constexpr std::string_view kKind = "waypoints";
+
   std::vector<Eigen::Vector2d> points_m;  ///< x East, y North; at least one.
   double speed_mps = 1.5;
   CaptureRule capture = {};
@@ -35,6 +41,8 @@ struct WaypointsTask {
 
 /// Circles a point on a regular polygon.
 struct LoiterTask {
+  static constexpr std::string_view kKind = "loiter";
+
   Eigen::Vector2d center_m = Eigen::Vector2d::Zero();
   double radius_m = 50;  ///< Of the circumscribed circle; > 0.
   int num_points = 8;    ///< At least 3.
@@ -50,6 +58,8 @@ struct LoiterTask {
 
 /// Stays near a point: drifts inside the inner radius, returns when outside the outer.
 struct StationKeepTask {
+  static constexpr std::string_view kKind = "station_keep";
+
   Eigen::Vector2d point_m = Eigen::Vector2d::Zero();
   bool here = true;  ///< Keep the place where the task starts, instead of point_m.
   double inner_radius_m = 4;
@@ -61,6 +71,8 @@ struct StationKeepTask {
 
 /// Goes home and stays there.
 struct ReturnTask {
+  static constexpr std::string_view kKind = "return";
+
   Eigen::Vector2d point_m = Eigen::Vector2d::Zero();
   double speed_mps = 1.5;
   CaptureRule capture = {};
@@ -80,6 +92,8 @@ enum class PathTaskEnd {
 
 /// Follows the legs between points in three dimensions; for underwater vehicles.
 struct PathFollowTask {
+  static constexpr std::string_view kKind = "path_follow";
+
   std::vector<Eigen::Vector3d> points_m;  ///< x East, y North, z down; at least one.
   double speed_mps = 2;
   double propeller_rpm = 0;  ///< More than 0: this, instead of what speed_mps takes.
@@ -96,7 +110,7 @@ struct PathFollowTask {
 
 /// Where a vehicle's knowledge of its swarm comes from.
 enum class SwarmKnowledge {
-  kDirect,    ///< The truth, a step old: as if everybody saw everybody.
+  kDirect,    ///< The truth, a step old: as if every vehicle saw every other.
   kAcoustic,  ///< What the acoustic network let through, and what is predicted from that.
 };
 
@@ -109,8 +123,10 @@ enum class SilenceRule {
 
 /// Follows a leader, in formation or by constant bearing; for underwater vehicles.
 struct TargetTrackTask {
+  static constexpr std::string_view kKind = "target_track";
+
   std::string target;              ///< The vehicle that is followed.
-  std::vector<std::string> group;  ///< Those to keep clear of; empty: all who follow the target.
+  std::vector<std::string> group;  ///< Those to keep clear of; empty: all that follow the target.
   SwarmKnowledge swarm = SwarmKnowledge::kDirect;
   SilenceRule on_silence = SilenceRule::kPredict;  ///< kAcoustic.
   /// Steers so that the velocity that the law wants comes about over ground. False: as if there
@@ -134,8 +150,38 @@ struct Task {
   bool operator==(const Task&) const = default;
 };
 
-/// Returns "waypoints", "loiter", "station_keep", "return", "path_follow" or "target_track": the
-/// mission file's word for it.
+/// A task as it is drawn.
+struct TaskOutline {
+  struct Circle {
+    Eigen::Vector2d center_m = Eigen::Vector2d::Zero();
+    double radius_m = 0;
+  };
+
+  std::vector<Eigen::Vector2d> points_m = {};  ///< In the order of HELM_STATE's waypoint_index.
+  bool closed = false;                         ///< A leg leads from the last point to the first.
+  double radius_m = 0;                         ///< Around each point; 0: none.
+  std::optional<Circle> circle = {};           ///< The points lie on it.
+};
+
+/// What checks, pages and plots must know of a task.
+struct TaskFacts {
+  bool is_underwater = false;  ///< Only a vehicle whose model dives can do it.
+  bool ends = false;           ///< It is done at some time; then the next of the list follows.
+  /// How often its points can be passed, 0: it has none that count; absent: without limit.
+  std::optional<int64_t> most_laps = {};
+  TaskOutline outline = {};
+};
+
+/// Returns the mission file's word for the kind of the task: its kKind.
 std::string_view KindOf(const Task& task);
+
+[[nodiscard]] TaskFacts FactsOf(const Task& task);
+
+/// Returns one task of each kind with its defaults, in the order of Task::what; without a name.
+[[nodiscard]] std::vector<Task> OneTaskOfEachKind();
+
+/// Returns the corners of the polygon in the order in which they are passed, the first one North of
+/// the centre.
+[[nodiscard]] std::vector<Eigen::Vector2d> CornersOf(const LoiterTask& task);
 
 }  // namespace shoal

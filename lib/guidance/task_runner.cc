@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <utility>
 
 #include "lib/geometry/angles.h"
 #include "lib/guidance/plausible.h"
@@ -10,15 +12,6 @@
 namespace shoal {
 
 namespace {
-
-std::vector<Eigen::Vector2d> Corners(const LoiterTask& task) {
-  std::vector<Eigen::Vector2d> corners_m;
-  const double step_rad = (task.clockwise ? 2 : -2) * kPi / task.num_points;
-  for (int i = 0; i < task.num_points; ++i) {
-    corners_m.push_back(task.center_m + task.radius_m * UnitVector(i * step_rad));
-  }
-  return corners_m;
-}
 
 // Returns the corner at which entering costs least: the way there, and a diameter for every radian
 // that the vessel would then have to turn into the sense of rotation. From outside that is the
@@ -114,7 +107,7 @@ void WaypointsRunner::Rejoin(const Fix& fix) {
 
 LoiterRunner::LoiterRunner(const LoiterTask& task, const Fix& start)
     : task_(task),
-      corners_m_(Corners(task)),
+      corners_m_(CornersOf(task)),
       next_(EntryCorner(task, corners_m_, start.position_m)),
       follower_({.lookahead_m = task.lookahead_m, .crab_gain = task.crab_gain}, LoiterCapture(task),
                 start.position_m, corners_m_.at(next_)),
@@ -181,22 +174,25 @@ void ReturnRunner::Rejoin(const Fix& fix) {
 
 namespace {
 
-struct StartRunner {
-  Fix start;
-  using Runner = std::variant<WaypointsRunner, LoiterRunner, StationKeepRunner, ReturnRunner,
-                              PathFollowRunner, TargetTrackRunner>;
-  Runner operator()(const WaypointsTask& task) const { return WaypointsRunner(task, start); }
-  Runner operator()(const LoiterTask& task) const { return LoiterRunner(task, start); }
-  Runner operator()(const StationKeepTask& task) const { return StationKeepRunner(task, start); }
-  Runner operator()(const ReturnTask& task) const { return ReturnRunner(task, start); }
-  Runner operator()(const PathFollowTask& task) const { return PathFollowRunner(task, start); }
-  Runner operator()(const TargetTrackTask& task) const { return TargetTrackRunner(task, start); }
-};
+using What = TaskRunner::What;
+using Runner = TaskRunner::Runner;
+
+static_assert(std::variant_size_v<What> == std::variant_size_v<Runner>,
+              "every kind of task has a runner");
+
+/// Starts the runner that has the place of the task's kind.
+template <size_t kPlace = 0>
+Runner StartRunner(const What& what, const Fix& start) {
+  if constexpr (kPlace + 1 < std::variant_size_v<What>) {
+    if (what.index() != kPlace) return StartRunner<kPlace + 1>(what, start);
+  }
+  return Runner(std::in_place_index<kPlace>, std::get<kPlace>(what), start);
+}
 
 }  // namespace
 
 TaskRunner::TaskRunner(const What& what, const Fix& start)
-    : runner_(std::visit(StartRunner{PlausibleFix(start)}, what)) {}
+    : runner_(StartRunner(what, PlausibleFix(start))) {}
 
 Guidance TaskRunner::Update(const Fix& fix) {
   const Fix bounded = PlausibleFix(fix);

@@ -3,8 +3,8 @@
 //   TaskRunner runner(task.what, {.position_m = p, .heading_rad = h, .time_s = t});
 //   Guidance guidance = runner.Update({.position_m = p, .heading_rad = h, .time_s = t});
 //
-// Each kind of task is a class of its own with Start (the constructor), Update and Rejoin. A new
-// kind is one more class and one more alternative of the variants here and in task.h. Those of
+// Each kind of task has a runner of its own: a class with a constructor, Update and Rejoin, which
+// is an alternative of TaskRunner::Runner at the place that the kind has in Task::what. Those of
 // underwater vehicles are in auv_task_runners.cc.
 #pragma once
 
@@ -159,9 +159,13 @@ class TaskRunner {
  public:
   using What = decltype(Task::what);
 
+  /// One for each kind, in the order of Task::what.
+  using Runner = std::variant<WaypointsRunner, LoiterRunner, StationKeepRunner, ReturnRunner,
+                              PathFollowRunner, TargetTrackRunner>;
+
   TaskRunner(const What& what, const Fix& start);
 
-  /// Returns the guidance at `fix`. A task that is done says so from then on.
+  /// Returns the guidance at `fix`. Once a task is done it stays done.
   /// @pre fix is finite, times do not decrease
   Guidance Update(const Fix& fix);
 
@@ -169,9 +173,7 @@ class TaskRunner {
   void Rejoin(const Fix& fix);
 
  private:
-  std::variant<WaypointsRunner, LoiterRunner, StationKeepRunner, ReturnRunner, PathFollowRunner,
-               TargetTrackRunner>
-      runner_;
+  Runner runner_;
 };
 
 }  // namespace shoal

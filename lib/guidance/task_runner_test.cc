@@ -5,6 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <set>
+#include <string_view>
+#include <variant>
 
 #include "lib/guidance/ideal_vessel.h"
 
@@ -20,6 +24,38 @@ TEST(Task, IsNamedAsInTheMissionFile) {
   EXPECT_EQ(KindOf({.name = "", .what = LoiterTask{}}), "loiter");
   EXPECT_EQ(KindOf({.name = "", .what = StationKeepTask{}}), "station_keep");
   EXPECT_EQ(KindOf({.name = "", .what = ReturnTask{}}), "return");
+}
+
+TEST(Task, OfEachKindHasANameOfItsOwn) {
+  std::set<std::string_view> names;
+  for (const Task& task : OneTaskOfEachKind()) {
+    EXPECT_FALSE(KindOf(task).empty());
+    EXPECT_TRUE(names.insert(KindOf(task)).second) << KindOf(task);
+  }
+  EXPECT_EQ(names.size(), std::variant_size_v<decltype(Task::what)>);
+}
+
+TEST(TaskFacts, CountLapsOnlyWhereTheTaskHasPointsToPass) {
+  const auto most_laps = [](const decltype(Task::what)& what) {
+    return FactsOf({.name = "", .what = what}).most_laps;
+  };
+  EXPECT_EQ(most_laps(WaypointsTask{.points_m = {{0, 0}}, .laps = 3}), 3);
+  EXPECT_EQ(most_laps(WaypointsTask{.points_m = {{0, 0}}, .laps = 0}), std::nullopt);
+  EXPECT_EQ(most_laps(LoiterTask{}), std::nullopt);
+  EXPECT_EQ(most_laps(StationKeepTask{}), 0);
+  EXPECT_EQ(most_laps(PathFollowTask{.points_m = {}, .end = PathTaskEnd::kHold}), 1);
+  EXPECT_EQ(most_laps(PathFollowTask{.points_m = {}, .end = PathTaskEnd::kReturnToFirst}),
+            std::nullopt);
+}
+
+TEST(TaskFacts, OutlineALoiterByItsCornersAndItsCircle) {
+  const LoiterTask task{.center_m = {5, 7}, .radius_m = 20, .num_points = 4};
+  const TaskOutline outline = FactsOf({.name = "", .what = task}).outline;
+  ASSERT_EQ(outline.points_m.size(), 4U);
+  EXPECT_LT((outline.points_m[1] - Eigen::Vector2d(25, 7)).norm(), 1e-9);
+  EXPECT_TRUE(outline.closed);
+  ASSERT_TRUE(outline.circle.has_value());
+  EXPECT_EQ(outline.circle->radius_m, 20);
 }
 
 TEST(Waypoints, ArePassedInOrderAndThenDone) {

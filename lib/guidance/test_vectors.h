@@ -34,7 +34,7 @@ inline Eigen::Matrix3d AboutZ(double angle_rad) {
 }
 
 /// Owns what Surroundings only point to.
-struct Scene {
+struct TargetScene {
   Neighbour own{.id = 1};
   Neighbour target{.id = 0};
   std::vector<Neighbour> group = {};
@@ -45,14 +45,14 @@ struct Scene {
     return {.own = own, .target = target, .group = group, .sonar = sonar, .seabed_z_m = seabed_z_m};
   }
 
-  Scene Turned(double angle_rad) const {
+  TargetScene Turned(double angle_rad) const {
     const Eigen::Matrix3d turn = AboutZ(angle_rad);
     const auto turned = [&](Neighbour neighbour) {
       neighbour.position_m = turn * neighbour.position_m;
       neighbour.velocity_mps = turn * neighbour.velocity_mps;
       return neighbour;
     };
-    Scene scene = *this;
+    TargetScene scene = *this;
     scene.own = turned(own);
     scene.target = turned(target);
     for (Neighbour& member : scene.group) member = turned(member);
@@ -62,8 +62,8 @@ struct Scene {
 };
 
 /// Returns a scene of a few hundred metres.
-inline Scene AnyScene() {
-  Scene scene;
+inline TargetScene AnyTargetScene() {
+  TargetScene scene;
   scene.own.position_m = VectorWithin(50) + Eigen::Vector3d(0, 0, 50);
   scene.own.velocity_mps = VectorWithin(2);
   scene.target.position_m = VectorWithin(150) + Eigen::Vector3d(0, 0, 50);
@@ -82,8 +82,8 @@ inline Scene AnyScene() {
 }
 
 /// Returns a scene of extremes; vehicles coincide often.
-inline Scene AnyFiniteScene() {
-  Scene scene;
+inline TargetScene AnyFiniteTargetScene() {
+  TargetScene scene;
   scene.own = {.id = *rc::gen::inRange(0, 3),
                .position_m = AnyFiniteVector(),
                .velocity_mps = AnyFiniteVector()};

@@ -35,7 +35,7 @@ TEST(BudgetSum, WithoutABudgetStandsStill) {
 }
 
 TEST(VelocityCascade, HearsNothingElseWhenANeighbourIsTooNear) {
-  Scene scene;
+  TargetScene scene;
   scene.target = {.id = 0, .position_m = {500, 0, 0}, .velocity_mps = {2, 0, 0}};
   scene.group = {{.id = 2, .position_m = {8, 0, 0}}};
   EXPECT_EQ(DesiredVelocity(VelocityCascade{}, kUMax_mps, scene.Seen()),
@@ -43,13 +43,13 @@ TEST(VelocityCascade, HearsNothingElseWhenANeighbourIsTooNear) {
 }
 
 TEST(VelocityCascade, MovesAsTheTargetDoesWhereNothingElseIsWanted) {
-  Scene scene;
+  TargetScene scene;
   scene.target = {.id = 0, .position_m = {100, 0, 0}, .velocity_mps = {1.5, 0.5, 0.1}};
   EXPECT_EQ(DesiredVelocity(VelocityCascade{}, kUMax_mps, scene.Seen()), Vector3d(1.5, 0.5, 0.1));
 }
 
 TEST(VelocityCascade, OfAnyNumberOfLayersIsTheirSumByRank) {
-  Scene scene;
+  TargetScene scene;
   scene.target = {.id = 0, .position_m = {155, 0, 0}, .velocity_mps = {0, 1, 0}};
   scene.group = {{.id = 2, .position_m = {0, 25, 0}}};
   EXPECT_EQ(DesiredVelocity(VelocityCascade{{}}, kUMax_mps, scene.Seen()), Vector3d::Zero());
@@ -63,7 +63,7 @@ TEST(VelocityCascade, OfAnyNumberOfLayersIsTheirSumByRank) {
 
 // Two followers with layers of their own: what one is given never changes the other.
 TEST(VelocityCascade, BelongsToOneVehicle) {
-  Scene scene;
+  TargetScene scene;
   scene.target = {.id = 0, .position_m = {60, 0, 0}};
   const VelocityCascade one;
   VelocityCascade other = one;
@@ -73,7 +73,7 @@ TEST(VelocityCascade, BelongsToOneVehicle) {
 }
 
 RC_GTEST_PROP(VelocityCascade, TurnsWithTheWorldAndKeepsToTheGreatestSpeed, ()) {
-  const Scene scene = AnyScene();
+  const TargetScene scene = AnyTargetScene();
   const double angle_rad = Between(-3.1, 3.1);
   const Vector3d v_mps = DesiredVelocity(VelocityCascade{}, kUMax_mps, scene.Seen());
   const Vector3d turned_mps =

@@ -17,7 +17,7 @@ constexpr double kUMax_mps = 2.5;
 
 // Returns the speed toward a target `range_m` to the East.
 double FormationSpeed(double range_m) {
-  Scene scene;
+  TargetScene scene;
   scene.target.position_m = {range_m, 0, 0};
   const Vector3d v_mps = LayerVelocity(FormationLayer{}, kUMax_mps, scene.Seen());
   EXPECT_EQ(v_mps.y(), 0);
@@ -43,7 +43,7 @@ RC_GTEST_PROP(FormationLayer, HasNoJumpAtItsBorders, ()) {
 }
 
 TEST(FormationLayer, PartsVehiclesThatCoincideInOppositeDirections) {
-  Scene scene;
+  TargetScene scene;
   scene.own.id = 1;
   scene.target.id = 2;
   const Vector3d one_mps = LayerVelocity(FormationLayer{}, kUMax_mps, scene.Seen());
@@ -61,13 +61,13 @@ TEST(Layers, DoNothingWithoutAnybodyThere) {
 }
 
 TEST(FeedForwardLayer, MovesAsTheTargetDoes) {
-  Scene scene;
+  TargetScene scene;
   scene.target.velocity_mps = {1, -2, 0.3};
   EXPECT_EQ(LayerVelocity(FeedForwardLayer{}, kUMax_mps, scene.Seen()), Vector3d(1, -2, 0.3));
 }
 
 TEST(SurvivalGroupLayer, RepelsAtFullSpeedInsideTheSafeDistance) {
-  Scene scene;
+  TargetScene scene;
   scene.group = {{.id = 2, .position_m = {0, 9, 0}}};
   EXPECT_EQ(LayerVelocity(SurvivalGroupLayer{}, kUMax_mps, scene.Seen()),
             Vector3d(0, -kUMax_mps, 0));
@@ -77,13 +77,13 @@ TEST(SurvivalGroupLayer, RepelsAtFullSpeedInsideTheSafeDistance) {
 }
 
 TEST(SurvivalGroupLayer, StandsStillBetweenTwoThatAreEquallyNear) {
-  Scene scene;
+  TargetScene scene;
   scene.group = {{.id = 2, .position_m = {0, 15, 0}}, {.id = 3, .position_m = {0, -15, 0}}};
   EXPECT_NEAR(LayerVelocity(SurvivalGroupLayer{}, kUMax_mps, scene.Seen()).norm(), 0, 1e-12);
 }
 
 TEST(SurvivalGroupLayer, PartsVehiclesThatCoincide) {
-  Scene scene;
+  TargetScene scene;
   scene.group = {{.id = 7}};
   const Vector3d v_mps = LayerVelocity(SurvivalGroupLayer{}, kUMax_mps, scene.Seen());
   EXPECT_EQ(v_mps, Vector3d(-kUMax_mps, 0, 0));
@@ -92,7 +92,7 @@ TEST(SurvivalGroupLayer, PartsVehiclesThatCoincide) {
 }
 
 RC_GTEST_PROP(SurvivalGroupLayer, DoesNothingOutsideItsZone, ()) {
-  Scene scene = AnyScene();
+  TargetScene scene = AnyTargetScene();
   scene.sonar.clear();
   for (Neighbour& member : scene.group) {
     const Vector3d offset_m = member.position_m - scene.own.position_m;
@@ -103,7 +103,7 @@ RC_GTEST_PROP(SurvivalGroupLayer, DoesNothingOutsideItsZone, ()) {
 }
 
 TEST(SurvivalSonarLayer, MovesAwayFromTheEcho) {
-  Scene scene;
+  TargetScene scene;
   scene.sonar = {{.direction = Vector3d::UnitX(), .range_m = 20}};
   EXPECT_NEAR(LayerVelocity(SurvivalSonarLayer{}, kUMax_mps, scene.Seen()).x(), -kUMax_mps / 8,
               1e-12);
@@ -112,7 +112,7 @@ TEST(SurvivalSonarLayer, MovesAwayFromTheEcho) {
 }
 
 RC_GTEST_PROP(SurvivalSonarLayer, IsNoStrongerForMoreBeamsOnTheSameObstacle, ()) {
-  Scene scene = AnyScene();
+  TargetScene scene = AnyTargetScene();
   const Vector3d once_mps = LayerVelocity(SurvivalSonarLayer{}, kUMax_mps, scene.Seen());
   const std::vector<SonarEcho> echoes = scene.sonar;
   scene.sonar.insert(scene.sonar.end(), echoes.begin(), echoes.end());
@@ -121,14 +121,14 @@ RC_GTEST_PROP(SurvivalSonarLayer, IsNoStrongerForMoreBeamsOnTheSameObstacle, ())
 }
 
 RC_GTEST_PROP(Layers, TurnWithTheWorldAndKeepToTheirLimit, ()) {
-  const Scene scene = AnyScene();
+  const TargetScene scene = AnyTargetScene();
   const double angle_rad = Between(-3.1, 3.1);
-  const Scene turned = scene.Turned(angle_rad);
+  const TargetScene turned = scene.Turned(angle_rad);
   const std::vector<VelocityLayer> layers = {FeedForwardLayer{}, FormationLayer{},
                                              SurvivalGroupLayer{}, SurvivalSonarLayer{},
                                              SurvivalLayer{}};
   for (const VelocityLayer& layer : layers) {
-    const auto velocity = [&](const Scene& seen) {
+    const auto velocity = [&](const TargetScene& seen) {
       return std::visit(
           [&](const auto& which) { return LayerVelocity(which, kUMax_mps, seen.Seen()); }, layer);
     };
@@ -140,7 +140,7 @@ RC_GTEST_PROP(Layers, TurnWithTheWorldAndKeepToTheirLimit, ()) {
 }
 
 TEST(Layers, RefuseWhatIsNoNumber) {
-  Scene scene;
+  TargetScene scene;
   scene.group = {{.id = 2, .position_m = {0, std::numeric_limits<double>::quiet_NaN(), 0}}};
   EXPECT_DEATH((void)LayerVelocity(SurvivalGroupLayer{}, kUMax_mps, scene.Seen()),
                "NaN or infinity");

@@ -1,21 +1,20 @@
-// What each table of a mission file holds: keys, ranges and what must fit together. Used to read
-// (TableReader) and to write (TableWriter), so that the two cannot differ.
+// What each table of a mission file holds: keys, ranges and what must fit together within it. Used
+// to read (TableReader) and to write (TableWriter), so that the two cannot differ.
 //
 // To add a block, say [netsim]:
 //   1. mission.h: a struct with its defaults, and a member of Mission;
 //   2. a file describe_netsim.cc: void Describe(Fields&, NetsimOptions&), one line per key;
 //   3. here its declaration, and one line in Describe(Fields&, Mission&):
 //        file.Below("netsim", [&](Fields& fields) { Describe(fields, mission.netsim); });
-//   4. docs/mission_file.md: its keys (a test tells which are missing there).
+//   4. where it names vehicles or depends on other tables: a check in validate.h;
+//   5. docs/mission_file.md: its keys (a test shows which are missing there).
 // Reading, unknown keys, suggestions, overrides, templates, --explain follow from these.
 #pragma once
 
 #include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
 
-#include "lib/acoustics/channel_plan.h"
 #include "lib/mission/fields.h"
 #include "lib/mission/mission.h"
 #include "lib/routing/control.h"
@@ -29,11 +28,12 @@ constexpr double kFastest_mps = 50;
 /// No mission is longer: 115 days.
 constexpr double kLongest_s = 1e7;
 
-/// The whole file but its templates and fleets (expand.h).
+/// The whole file but its templates and fleets (expand.h), every table by itself; what spans tables
+/// is checked afterwards (validate.h). `mission.file` is set: modems are looked for beside it.
 void Describe(Fields& file, Mission& mission);
 
-/// [environment]. The seed and the path of `mission` are known.
-void DescribeEnvironment(Fields& file, Mission& mission);
+/// [environment].
+void Describe(Fields& fields, Environment& environment);
 
 /// [comms].
 void Describe(Fields& fields, RoutingRules& rules);
@@ -41,66 +41,35 @@ void Describe(Fields& fields, RoutingRules& rules);
 void DescribeControlValue(Fields& fields, std::string_view key, const ControlRow& row,
                           double& value);
 
-/// [acoustics] of a network of `nodes`. A modem's file is looked for in `folder` and among those
-/// that come with shoal; where there is no folder, a modem must be a table.
-void Describe(Fields& fields, Acoustics& acoustics, const std::optional<std::string>& folder,
-              const std::vector<AcousticNode>& nodes);
-/// [acoustics] of a whole file. The vehicles and the rules of `mission` are known.
-void DescribeAcoustics(Fields& file, Mission& mission);
-/// Refuses, in [comms], traffic over an acoustic network that the file does not describe and whose
-/// defaults do not fit the vehicles of `mission`.
-void CheckTrafficOverWater(Fields& comms, const Mission& mission);
-/// Refuses, in [comms], reports that the modem's packets cannot hold; warns of vehicles whose own
-/// reports overlap in the water, and of those that report in step with each other and so are not
-/// heard. All else of `mission` is known.
-void CheckReportsOverWater(Fields& file, const Mission& mission);
-/// Gives an acoustic address to the vehicles that name none, and refuses what is not unique.
-void CheckAcousticAddresses(Fields& file, Mission& mission);
+/// [acoustics]. A modem's file is looked for in `folder` and among those that come with shoal;
+/// where there is no folder, a modem must be a table.
+void Describe(Fields& fields, Acoustics& acoustics, const std::optional<std::string>& folder);
 
-/// One [[vehicle]], or a template, whose name is empty.
+/// One [[vehicle]], or a template, whose name is empty. A model's own table is declared beside its
+/// parameters (remus100_model.h).
 void Describe(Fields& fields, Vehicle& vehicle);
+/// [vehicle.sensors] and [vehicle.sonar].
+void DescribeInstruments(Fields& fields, Vehicle& vehicle);
+/// [vehicle.recovery].
+void Describe(Fields& fields, RecoveryPlan& plan);
 
 /// One [[vehicle.task]] of a vehicle that starts at `start`.
 void Describe(Fields& fields, Task& task, const StartPose& start);
 /// [vehicle.return]; without a point it is the start position.
 void Describe(Fields& fields, ReturnTask& task, const StartPose& start);
-
 /// The same for tasks of underwater vehicles.
 void Describe(Fields& fields, PathFollowTask& task, const StartPose& start);
 void Describe(Fields& fields, TargetTrackTask& task, const StartPose& start);
-/// [vehicle.sensors] and [vehicle.sonar].
-void DescribeInstruments(Fields& fields, Vehicle& vehicle);
-/// [vehicle.remus100].
-void Describe(Fields& fields, Remus100Options& options);
-/// Refuses what only underwater vehicles can do where a vehicle is none, and target_track tasks of
-/// vehicles that are not there. All vehicles of `mission` are known.
-void CheckUnderwaterTasks(Fields& file, Mission& mission);
 
-/// [swarm]. The vehicles and the acoustic network of `mission` are known. Followers that it does
-/// not name are those whose tasks follow the leader by the acoustic network.
-void DescribeSwarm(Fields& file, Mission& mission);
-/// Makes the leader of [swarm] one of the acoustic network too, before that is looked at.
-void MarkSwarmLeader(Fields& file, Mission& mission);
-/// [vehicle.recovery].
-void Describe(Fields& fields, RecoveryPlan& plan);
+/// [swarm].
+void Describe(Fields& fields, SwarmOptions& swarm);
 
-/// [netsim]. The vehicles and the acoustic network of `mission` are known.
-void DescribeNetsim(Fields& file, Mission& mission);
+/// [netsim].
+void Describe(Fields& fields, NetsimOptions& options);
 
-/// One [[event]]. The vehicles, tasks and duration of `mission` are known.
-void Describe(Fields& fields, Event& event, const Mission& mission);
+/// One [[event]] of a mission that ends at `end_s`.
+void Describe(Fields& fields, Event& event, double end_s);
 /// One [[expect]], likewise.
-void Describe(Fields& fields, Expectation& expectation, const Mission& mission);
-
-/// Warns of tasks behind one that never ends, where no event starts them.
-void WarnOfIdleTasks(Fields& file, const Mission& mission);
-
-/// Refuses the name under `key` where no vehicle of `mission` has it; else writes it as the
-/// vehicle's table does. "all" is left alone where `or_all`.
-void ResolveVehicle(Fields& fields, std::string_view key, std::string& name, const Mission& mission,
-                    bool or_all);
-
-/// Returns the named vehicle, or all of them.
-std::vector<const Vehicle*> VehiclesNamed(const Mission& mission, std::string_view name_or_all);
+void Describe(Fields& fields, Expectation& expectation, double end_s);
 
 }  // namespace shoal

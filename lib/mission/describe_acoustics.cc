@@ -1,9 +1,6 @@
-// The table [acoustics], and what of the acoustic network stands at the vehicles.
+// The table [acoustics].
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <filesystem>
-#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -15,12 +12,9 @@
 #include "lib/mission/describe.h"
 #include "lib/mission/find_modem.h"
 #include "lib/mission/load_modem.h"
-#include "lib/mission/suggest.h"
 
 namespace shoal {
 namespace {
-
-constexpr size_t kMaxNamesShown = 5;
 
 /// What muNet calls these keys.
 constexpr std::pair<std::string_view, std::string_view> kMunetNames[] = {
@@ -86,8 +80,8 @@ void DescribeModem(Fields& fields, std::optional<ModemPreset>& modem,
   *modem = std::move(named.modem);
 }
 
-/// What a network of modems is unless the file says otherwise: one channel as wide as the modem's
-/// band, its loss by the modem's signal-to-noise ratio.
+/// What a network of modems is unless the file has its own values: one channel as wide as the
+/// modem's band, its loss by the modem's signal-to-noise ratio.
 void SetDefaults(const ModemPreset& modem, AcousticOptions& options) {
   options.access_mode = AccessMode::kShared;
   options.packet_loss_model = PacketLossModel::kModem;
@@ -113,47 +107,9 @@ void SetSoundSpeed(Fields& fields, AcousticOptions& options) {
   }
 }
 
-/// Everything that is wrong with a network of these nodes is told of `fields`, at its key there.
-void CheckNetwork(Fields& fields, const AcousticOptions& options,
-                  const std::vector<AcousticNode>& nodes, std::string_view instead_of_key = "") {
-  for (const OptionProblem& problem : FindProblems(options, nodes)) {
-    std::string text = problem.message;
-    if (text.starts_with("must be ")) text = problem.option + " " + text;
-    if (problem.option == "access_mode") {
-      text += "; write acoustic_leader = true in the [[vehicle]] that leads";
-    }
-    if (!instead_of_key.empty()) text += " (in [acoustics])";
-    fields.Refuse(instead_of_key.empty() ? problem.option : instead_of_key, std::move(text));
-  }
-}
-
-std::vector<AcousticNode> NodesOf(const Mission& mission) {
-  std::vector<AcousticNode> nodes;
-  for (const Vehicle& vehicle : mission.vehicles) {
-    nodes.push_back({.name = vehicle.name,
-                     .address = vehicle.acoustic_address,
-                     .is_leader = vehicle.acoustic_leader});
-  }
-  return nodes;
-}
-
-bool IsOverWater(const RoutingRules& rules) {
-  return rules.reports_over == Medium::kAcoustic || rules.messages_over == Medium::kAcoustic;
-}
-
-/// Returns "'alpha', 'bravo' and 3 more".
-std::string Listed(const std::vector<std::string_view>& names) {
-  const size_t shown = std::min(names.size(), kMaxNamesShown);
-  std::string text;
-  for (size_t i = 0; i < shown; ++i) text += (i == 0 ? "" : ", ") + Quoted(names[i]);
-  if (shown < names.size()) text += fmt::format(" and {} more", names.size() - shown);
-  return text;
-}
-
 }  // namespace
 
-void Describe(Fields& fields, Acoustics& acoustics, const std::optional<std::string>& folder,
-              const std::vector<AcousticNode>& nodes) {
+void Describe(Fields& fields, Acoustics& acoustics, const std::optional<std::string>& folder) {
   AcousticOptions& options = acoustics.options;
   for (const auto& [key, munet_name] : kMunetNames) fields.CalledElsewhere(key, munet_name);
   DescribeModem(fields, options.modem, folder);
@@ -177,53 +133,6 @@ void Describe(Fields& fields, Acoustics& acoustics, const std::optional<std::str
     fields.Number(range.option, options.*range.value,
                   {range.low, range.high, !range.low_is_allowed});
   }
-  if (fields.reading() && fields.IsSound()) CheckNetwork(fields, options, nodes);
-}
-
-void DescribeAcoustics(Fields& file, Mission& mission) {
-  Acoustics& acoustics = mission.acoustics;
-  const bool has_table = file.Has("acoustics", acoustics.is_used);
-  if (file.reading()) acoustics.is_used = has_table || IsOverWater(mission.comms);
-  if (!has_table) return;
-  file.Below("acoustics", [&](Fields& fields) {
-    Describe(fields, acoustics, std::filesystem::path(mission.file).parent_path().string(),
-             NodesOf(mission));
-  });
-}
-
-void CheckTrafficOverWater(Fields& comms, const Mission& mission) {
-  if (!IsOverWater(mission.comms)) return;
-  const bool reports = mission.comms.reports_over == Medium::kAcoustic;
-  CheckNetwork(comms, mission.acoustics.options, NodesOf(mission),
-               reports ? "reports_over" : "messages_over");
-}
-
-void CheckAcousticAddresses(Fields& file, Mission& mission) {
-  const int broadcast = mission.acoustics.options.broadcast_address;
-  std::map<int, std::vector<std::string_view>> users;
-  for (size_t i = 0; i < mission.vehicles.size(); ++i) {
-    int& address = mission.vehicles[i].acoustic_address;
-    const int place = static_cast<int>(i) + 1;
-    if (address == 0) address = place + (broadcast >= 1 && place >= broadcast ? 1 : 0);
-    users[address].push_back(mission.vehicles[i].name);
-  }
-  file.List("vehicle", mission.vehicles, [&](Fields& fields, Vehicle& vehicle) {
-    fields.SkipRest();
-    std::vector<std::string_view>& names = users[vehicle.acoustic_address];
-    const bool is_second = names.size() > 1 && names[1] == vehicle.name;
-    if (is_second) {
-      fields.Refuse("acoustic_address",
-                    fmt::format("several vehicles have the acoustic_address {}: {}; give each one "
-                                "of its own (the default is the vehicle's place in the mission)",
-                                vehicle.acoustic_address, Listed(names)));
-    }
-    if (vehicle.acoustic_address == broadcast) {
-      fields.Refuse("acoustic_address",
-                    fmt::format("acoustic_address = {} is the broadcast_address of [acoustics]; "
-                                "choose another of the two",
-                                broadcast));
-    }
-  });
 }
 
 }  // namespace shoal

@@ -22,7 +22,7 @@ void DescribeControlValue(Fields& fields, std::string_view key, const ControlRow
 }
 
 void Describe(Fields& fields, RoutingRules& rules) {
-  const Range seconds = Between(-1, kLongest_s);
+  const NumberLimits seconds = Between(-1, kLongest_s);
   fields.NumberOrWord("comms_range", rules.comms_range_m, 1e7, "nolimit", -1);
   fields.Number("critical_range", rules.critical_range_m, Between(0, 1e7));
   fields.NumberOrWord("stale_time", rules.stale_time_s, kLongest_s, "nolimit", -1);

@@ -1,6 +1,5 @@
 // The table [environment].
 #include <array>
-#include <filesystem>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -11,7 +10,7 @@
 namespace shoal {
 namespace {
 
-/// What a preset says of the current; muNet's seas by their zones.
+/// The current of a preset; muNet's seas by their zones.
 struct CurrentPreset {
   std::string_view name;
   CurrentWords words;
@@ -81,24 +80,17 @@ void Describe(Fields& fields, PlumeOptions& plume) {
 
 }  // namespace
 
-void DescribeEnvironment(Fields& file, Mission& mission) {
+void Describe(Fields& fields, Environment& environment) {
   constexpr std::array<std::pair<std::string_view, ContactRule>, 2> kContactRules = {{
       {"ignore", ContactRule::kIgnore},
       {"stop", ContactRule::kStop},
   }};
-  Environment& environment = mission.environment;
-  file.Below("environment", [&](Fields& fields) {
-    fields.Choice("contact", environment.contact, kContactRules);
-    fields.Inline("current", [&](Fields& current) { Describe(current, environment.current); });
-    fields.Inline("floor", [&](Fields& floor) { Describe(floor, environment.floor); });
-    if (fields.Has("plume", environment.plume.exists)) {
-      fields.Inline("plume", [&](Fields& plume) { Describe(plume, environment.plume); });
-    }
-    if (!fields.reading() || !fields.IsSound()) return;
-    if (const Result<Ocean> ocean = OceanOf(mission); !ocean.ok()) {
-      fields.Refuse("floor", ocean.error());
-    }
-  });
+  fields.Choice("contact", environment.contact, kContactRules);
+  fields.Inline("current", [&](Fields& current) { Describe(current, environment.current); });
+  fields.Inline("floor", [&](Fields& floor) { Describe(floor, environment.floor); });
+  if (fields.Has("plume", environment.plume.exists)) {
+    fields.Inline("plume", [&](Fields& plume) { Describe(plume, environment.plume); });
+  }
 }
 
 }  // namespace shoal

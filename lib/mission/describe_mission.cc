@@ -1,20 +1,16 @@
 // The whole file, and the tables that every mission has once.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <limits>
-#include <map>
-#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
 
 #include "lib/mission/describe.h"
-#include "lib/mission/names.h"
 #include "lib/mission/providers.h"
-#include "lib/mission/suggest.h"
 
 namespace shoal {
 namespace {
@@ -82,155 +78,41 @@ void DescribeRun(Fields& fields, Mission& mission) {
   fields.Choice("shore_broker", mission.broker, kProviders);
 }
 
-/// A group that nobody has is most likely misspelt.
-void CheckIgnoredGroup(Fields& fields, const Mission& mission) {
-  const std::string ignored = LowerCase(mission.comms.ignore_group);
-  if (!fields.reading() || ignored.empty()) return;
-  std::vector<std::string_view> groups;
-  for (const Vehicle& vehicle : mission.vehicles) {
-    if (LowerCase(vehicle.group) == ignored) return;
-    if (!vehicle.group.empty()) groups.push_back(vehicle.group);
-  }
-  fields.Warn("ignore_group", fmt::format("no vehicle of the mission is of group {}{}",
-                                          Quoted(mission.comms.ignore_group),
-                                          DidYouMean(mission.comms.ignore_group, groups)));
-}
-
-/// The names of a mission's vehicles: legal, and unique without regard to case.
-class VehicleNames {
- public:
-  void Check(Fields& fields, const std::string& name) {
-    fields.Require("name", "name = \"alpha\"");
-    if (!fields.Has("name", true)) return;
-    const std::string problem = NameProblem(name);
-    if (!problem.empty()) {
-      fields.Refuse("name", problem);
-    } else if (const auto [at, is_new] = first_.emplace(LowerCase(name), name); !is_new) {
-      fields.Refuse("name", "a vehicle " + Quoted(at->second) +
-                                " exists already; names must differ in more than case");
-    }
-  }
-
- private:
-  std::map<std::string, std::string> first_;  ///< By lower case, as first written.
-};
-
-/// The names of participants, which must not be those of shoal's own processes.
-class ParticipantNames {
- public:
-  explicit ParticipantNames(const Mission& mission) : mission_(mission) {}
-
-  void Check(Fields& fields, const std::string& name) {
-    fields.Require("name", "name = \"my_planner\"");
-    if (!fields.Has("name", true)) return;
-    const std::string_view vehicle = VehicleOfProcess(name);
-    const std::string problem = NameProblem(name);
-    if (!problem.empty()) {
-      fields.Refuse("name", problem);
-    } else if (IsOwnProcess(name) || mission_.FindVehicle(vehicle) != nullptr) {
-      fields.Refuse("name", "the name " + Quoted(name) + " is shoal's own: choose another");
-    } else if (!taken_.insert(LowerCase(name)).second) {
-      fields.Refuse("name", "a participant " + Quoted(name) +
-                                " exists already; names must differ in more than case");
-    }
-  }
-
- private:
-  const Mission& mission_;
-  std::set<std::string> taken_;
-};
-
 }  // namespace
-
-void ResolveVehicle(Fields& fields, std::string_view key, std::string& name, const Mission& mission,
-                    bool or_all) {
-  if (!fields.reading() || name.empty()) return;
-  if (or_all && LowerCase(name) == "all") {
-    name = "all";
-    return;
-  }
-  if (const Vehicle* vehicle = mission.FindVehicle(name)) {
-    name = vehicle->name;
-    return;
-  }
-  std::vector<std::string_view> names;
-  for (const Vehicle& vehicle : mission.vehicles) names.push_back(vehicle.name);
-  std::string hint = DidYouMean(name, names);
-  if (hint.empty()) {
-    names.resize(std::min(names.size(), size_t{5}));
-    hint = "; the mission has " + Joined(names) + (mission.vehicles.size() > 5 ? ", ..." : "");
-    if (or_all) hint += ", or \"all\"";
-  }
-  fields.Refuse(key, "unknown vehicle " + Quoted(name) + hint);
-}
-
-std::vector<const Vehicle*> VehiclesNamed(const Mission& mission, std::string_view name_or_all) {
-  std::vector<const Vehicle*> found;
-  if (name_or_all != "all") {
-    if (const Vehicle* vehicle = mission.FindVehicle(name_or_all)) found.push_back(vehicle);
-    return found;
-  }
-  for (const Vehicle& vehicle : mission.vehicles) found.push_back(&vehicle);
-  return found;
-}
 
 void Describe(Fields& file, Mission& mission) {
   file.Require("mission", "[mission], followed by duration_s = 600");
   file.Below("mission", [&](Fields& fields) { DescribeRun(fields, mission); });
-  DescribeEnvironment(file, mission);
-  const auto describe_comms = [&] {
-    file.Below("comms", [&](Fields& fields) {
-      Describe(fields, mission.comms);
-      CheckIgnoredGroup(fields, mission);
-      const bool has_acoustics = file.Has("acoustics", mission.acoustics.is_used);
-      if (fields.reading() && !has_acoustics) CheckTrafficOverWater(fields, mission);
-    });
-  };
-  file.Skip("comms");
-  file.Skip("acoustics");
-  if (!file.reading()) {
-    describe_comms();
-    DescribeAcoustics(file, mission);
+  const double end_s = mission.duration_s > 0 ? mission.duration_s : kLongest_s;
+  file.Below("environment", [&](Fields& fields) { Describe(fields, mission.environment); });
+  file.Below("comms", [&](Fields& fields) { Describe(fields, mission.comms); });
+  if (file.Has("acoustics", mission.acoustics.is_used)) {
+    const std::string folder = std::filesystem::path(mission.file).parent_path().string();
+    file.Below("acoustics", [&](Fields& fields) { Describe(fields, mission.acoustics, folder); });
   }
-
   file.Skip("template");
   file.Require("vehicle", "[[vehicle]], followed by name = \"alpha\"; or a [[fleet]]");
-  VehicleNames vehicle_names;
-  file.List("vehicle", mission.vehicles, [&](Fields& fields, Vehicle& vehicle) {
+  file.List("vehicle", mission.vehicles, [](Fields& fields, Vehicle& vehicle) {
     Describe(fields, vehicle);
-    vehicle_names.Check(fields, vehicle.name);
+    fields.Require("name", "name = \"alpha\"");
   });
   file.Skip("fleet");
-  if (file.reading()) {  // These name groups of the vehicles, and ask how many they are.
-    MarkSwarmLeader(file, mission);
-    describe_comms();
-    DescribeAcoustics(file, mission);
-    CheckAcousticAddresses(file, mission);
-    CheckReportsOverWater(file, mission);
-    DescribeSwarm(file, mission);
-    DescribeNetsim(file, mission);
-    CheckUnderwaterTasks(file, mission);
+  if (file.Has("swarm", mission.swarm.exists)) {
+    file.Below("swarm", [&](Fields& fields) { Describe(fields, mission.swarm); });
   }
-
-  if (!file.reading()) {
-    DescribeSwarm(file, mission);
-    DescribeNetsim(file, mission);
+  if (file.Has("netsim", mission.netsim.has_value())) {
+    if (!mission.netsim) mission.netsim.emplace();
+    file.Below("netsim", [&](Fields& fields) { Describe(fields, *mission.netsim); });
   }
   file.List("event", mission.events,
-            [&](Fields& fields, Event& event) { Describe(fields, event, mission); });
-  std::stable_sort(mission.events.begin(), mission.events.end(),
-                   [](const Event& a, const Event& b) { return a.at_s < b.at_s; });
-  WarnOfIdleTasks(file, mission);
-
-  ParticipantNames participant_names(mission);
-  file.List("participant", mission.participants, [&](Fields& fields, Participant& participant) {
+            [&](Fields& fields, Event& event) { Describe(fields, event, end_s); });
+  file.List("participant", mission.participants, [](Fields& fields, Participant& participant) {
     fields.Text("name", participant.name, {.max_length = 1000});
+    fields.Require("name", "name = \"my_planner\"");
     fields.Texts("command", participant.command, kMostArguments);
-    participant_names.Check(fields, participant.name);
   });
-
   file.List("expect", mission.expectations, [&](Fields& fields, Expectation& expectation) {
-    Describe(fields, expectation, mission);
+    Describe(fields, expectation, end_s);
   });
 }
 

@@ -3,6 +3,7 @@
 #include <string>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 #include "lib/mission/describe.h"
 
@@ -10,7 +11,7 @@ namespace shoal {
 namespace {
 
 constexpr size_t kMostPoints = 10'000;
-constexpr Range kPlace = Between(-kFarthest_m, kFarthest_m);
+constexpr NumberLimits kPlace = Between(-kFarthest_m, kFarthest_m);
 
 /// Returns what is to be added to the points of this table: nothing, or the vehicle's start.
 Eigen::Vector2d DescribeFrame(Fields& fields, const StartPose& start) {
@@ -102,23 +103,21 @@ void Describe(Fields& fields, ReturnTask& task, const StartPose& start) {
 }
 
 void Describe(Fields& fields, Task& task, const StartPose& start) {
-  constexpr std::array<std::string_view, 6> kKinds = {"waypoints", "loiter",      "station_keep",
-                                                      "return",    "path_follow", "target_track"};
-  std::string kind(fields.reading() ? "" : kKinds.at(task.what.index()));
+  const std::vector<Task> kinds = OneTaskOfEachKind();
+  std::vector<std::string_view> words;
+  for (const Task& each : kinds) words.push_back(KindOf(each));
+  std::string kind(fields.reading() ? "" : KindOf(task));
   fields.Require("kind", "kind = \"waypoints\"");
-  fields.Word("kind", kind, kKinds);
+  fields.Word("kind", kind, words);
   if (fields.reading()) {
-    if (kind == "waypoints") task.what = WaypointsTask();
-    if (kind == "loiter") task.what = LoiterTask();
-    if (kind == "station_keep") task.what = StationKeepTask();
-    if (kind == "return") task.what = ReturnTask();
-    if (kind == "path_follow") task.what = PathFollowTask();
-    if (kind == "target_track") task.what = TargetTrackTask();
+    for (const Task& each : kinds) {
+      if (kind == KindOf(each)) task.what = each.what;
+    }
     task.name = kind;
   }
   fields.Text("name", task.name, {.min_length = 1});
   if (kind.empty()) {
-    fields.SkipRest();  // Without the kind, nobody knows which keys are right.
+    fields.SkipRest();  // Which keys are right depends on the kind.
     return;
   }
   std::visit([&](auto& what) { Describe(fields, what, start); }, task.what);

@@ -1,5 +1,4 @@
-// What a [[vehicle]] of model remus100 has: [vehicle.remus100], and the tasks path_follow and
-// target_track.
+// The tasks of underwater vehicles: path_follow and target_track.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,7 +11,6 @@
 #include "lib/geometry/angles.h"
 #include "lib/mission/describe.h"
 #include "lib/mission/suggest.h"
-#include "lib/vehicle/remus100.h"
 
 namespace shoal {
 namespace {
@@ -98,18 +96,8 @@ void ReadRadii(const VelocityLayer& layer, Radii* radii) {
   }
 }
 
-bool NeedsSonar(const TargetTrackTask& task) {
-  const auto* cascade = std::get_if<VelocityCascade>(&task.track.law);
-  return cascade != nullptr &&
-         std::any_of(cascade->layers.begin(), cascade->layers.end(),
-                     [](const VelocityLayer& layer) {
-                       return std::holds_alternative<SurvivalSonarLayer>(layer) ||
-                              std::holds_alternative<SurvivalLayer>(layer);
-                     });
-}
-
 void DescribeRadii(Fields& fields, Radii& radii) {
-  const Range distance = Above(0, 1e5);
+  const NumberLimits distance = Above(0, 1e5);
   fields.Number("r_safe_m", radii.r_safe_m, distance);
   fields.Number("r_avoid_m", radii.r_avoid_m, distance);
   fields.Number("r_sonar_m", radii.r_sonar_m, distance);
@@ -219,82 +207,6 @@ void Describe(Fields& fields, TargetTrackTask& task, const StartPose&) {
   double max_pitch_deg = RadToDeg(track.max_pitch_rad);
   fields.Number("max_pitch_deg", max_pitch_deg, Above(0, 90));
   if (fields.reading()) track.max_pitch_rad = DegToRad(max_pitch_deg);
-}
-
-void Describe(Fields& fields, Remus100Options& options) {
-  constexpr std::array<std::string_view, 3> kParameters = {"default", "munet", "fossen"};
-  fields.Word("parameters", options.parameters, kParameters);
-  fields.Number("model_step_s", options.model_step_s, {1e-4, kMaxRemus100Step_s});
-  fields.Number("cruise_depth_m", options.cruise_depth_m, Between(0, kDeepest_m));
-  fields.Number("max_depth_m", options.max_depth_m, Above(0, kDeepest_m));
-  fields.Number("seabed_clearance_m", options.seabed_clearance_m, Between(0, 1000));
-  fields.Number("depth_filter_s", options.depth_filter_s, Between(0, 1000));
-  fields.Number("max_propeller_rate_rpmps", options.max_propeller_rate_rpmps, Between(0, 1e6));
-}
-
-namespace {
-
-/// What a task with swarm = "acoustic" needs of [swarm].
-void CheckAcousticTask(Fields& table, const TargetTrackTask& track, const Vehicle& vehicle,
-                       const Mission& mission) {
-  if (track.swarm != SwarmKnowledge::kAcoustic) return;
-  if (!mission.swarm.exists) {
-    table.Refuse("swarm", fmt::format("swarm = \"acoustic\" needs a swarm that talks: write "
-                                      "[swarm] and leader = \"{}\", or swarm = \"direct\"",
-                                      track.target));
-  } else if (mission.swarm.leader.empty()) {
-    return;  // That was told already.
-  } else if (track.target != mission.swarm.leader) {
-    table.Refuse("target", fmt::format("only the leader of [swarm], {}, tells its followers where "
-                                       "it is through the water",
-                                       mission.swarm.leader));
-  } else if (!mission.IsInSwarm(vehicle)) {
-    table.Refuse("swarm", fmt::format("{} is not among the followers of [swarm]: add it, or leave "
-                                      "followers out",
-                                      vehicle.name));
-  }
-}
-
-}  // namespace
-
-void CheckUnderwaterTasks(Fields& file, Mission& mission) {
-  constexpr double kSlowestControl_s = 0.2;
-  file.List("vehicle", mission.vehicles, [&](Fields& fields, Vehicle& vehicle) {
-    fields.SkipRest();
-    const bool is_underwater = vehicle.model == "remus100";
-    if (is_underwater && static_cast<double>(mission.tick_us) > kSlowestControl_s * 1e6) {
-      fields.Refuse("model", fmt::format("a remus100 must be steered every {:g} s or faster: write "
-                                         "tick_s = 0.1 in [mission]",
-                                         kSlowestControl_s));
-    }
-    if (!is_underwater && vehicle.start.depth_m > 0) {
-      fields.Refuse("start", "only a vehicle of model = \"remus100\" can start under water");
-    }
-    fields.List("task", vehicle.tasks, [&](Fields& table, Task& task) {
-      table.SkipRest();
-      auto* track = std::get_if<TargetTrackTask>(&task.what);
-      if (track == nullptr && !std::holds_alternative<PathFollowTask>(task.what)) return;
-      if (!is_underwater) {
-        table.Refuse("kind", fmt::format("{} is a task of underwater vehicles: write model = "
-                                         "\"remus100\" in the [[vehicle]], or kind = \"waypoints\"",
-                                         KindOf(task)));
-      }
-      if (track == nullptr) return;
-      ResolveVehicle(table, "target", track->target, mission, false);
-      if (NeedsSonar(*track) && !vehicle.sonar.is_fitted) {
-        table.Refuse("layers",
-                     "the layers that keep away from what a sonar sees need one: write "
-                     "[vehicle.sonar] under the [[vehicle]]");
-      }
-      if (track->target == vehicle.name) {
-        table.Refuse("target", "a vehicle cannot follow itself");
-      }
-      for (std::string& member : track->group) {
-        ResolveVehicle(table, "group", member, mission, false);
-      }
-      CheckAcousticTask(table, *track, vehicle, mission);
-    });
-  });
 }
 
 }  // namespace shoal

@@ -1,10 +1,10 @@
 // The tables [[vehicle]] and [template.NAME].
-#include <array>
 #include <limits>
 #include <set>
 #include <string>
 #include <string_view>
-#include <utility>
+#include <variant>
+#include <vector>
 
 #include "lib/mission/describe.h"
 #include "lib/mission/providers.h"
@@ -14,7 +14,6 @@ namespace shoal {
 namespace {
 
 constexpr size_t kMostTasks = 1000;
-constexpr size_t kMostThrustPoints = 100;
 constexpr size_t kMostExtraFields = 100;
 constexpr int kLargestAddress = std::numeric_limits<int>::max();
 
@@ -26,46 +25,6 @@ void Describe(Fields& fields, StartPose& start) {
   fields.Number("depth_m", start.depth_m, Between(0, 20'000));
 }
 
-/// Returns what is wrong with a thrust map, empty where nothing is.
-std::string ThrustMapProblem(const std::vector<ThrustPoint>& map) {
-  if (map.empty() || map.back().thrust_pct <= 0 || map.back().speed_mps <= 0) {
-    return "thrust_map must end with a point of positive thrust and speed, like [[100, 5]]";
-  }
-  for (size_t i = 0; i < map.size(); ++i) {
-    const auto& [thrust_pct, speed_mps] = map[i];
-    if (thrust_pct * speed_mps < 0 || (thrust_pct == 0 && speed_mps != 0)) {
-      return "thrust_map must give speed ahead for positive thrust, astern for negative, 0 for 0";
-    }
-    if (i == 0) continue;
-    if (thrust_pct <= map[i - 1].thrust_pct || speed_mps < map[i - 1].speed_mps) {
-      return "thrust_map must rise: thrust from point to point, and speed must not fall";
-    }
-  }
-  return "";
-}
-
-void DescribeThrustMap(Fields& fields, std::vector<ThrustPoint>& map) {
-  std::vector<Eigen::Vector2d> pairs;
-  for (const ThrustPoint& point : map) pairs.emplace_back(point.thrust_pct, point.speed_mps);
-  fields.Pairs("thrust_map", pairs, Between(-100, 100), kMostThrustPoints);
-  map.clear();
-  for (const Eigen::Vector2d& pair : pairs) map.push_back({pair.x(), pair.y()});
-  const std::string problem = ThrustMapProblem(map);
-  if (!problem.empty()) fields.Refuse("thrust_map", problem);
-}
-
-void Describe(Fields& fields, SurfaceCraftParams& params) {
-  DescribeThrustMap(fields, params.thrust_map);
-  fields.Number("reverse_ratio", params.reverse_ratio, Between(0, 1));
-  fields.Number("max_acceleration_mps2", params.max_acceleration_mps2, Above(0, 100));
-  fields.Number("max_deceleration_mps2", params.max_deceleration_mps2, Above(0, 100));
-  fields.Number("max_rudder_deg", params.max_rudder_deg, Above(0, 180));
-  fields.Number("max_rudder_rate_degps", params.max_rudder_rate_degps, Above(0, 100'000));
-  fields.Number("turn_rate_degps", params.turn_rate_degps, Above(0, 360));
-  fields.Number("full_turn_speed_mps", params.full_turn_speed_mps, Above(0, kFastest_mps));
-  fields.Number("turn_speed_loss", params.turn_speed_loss, Between(0, 0.99));
-}
-
 void Describe(Fields& fields, HelmOptions& options) {
   fields.Number("nav_timeout_s", options.nav_timeout_s, Above(0, 3600));
   fields.Flag("deploy_at_start", options.deploy_at_start);
@@ -73,7 +32,7 @@ void Describe(Fields& fields, HelmOptions& options) {
 }
 
 void Describe(Fields& fields, AutopilotOptions& options) {
-  const Range gain = Between(0, 1000);
+  const NumberLimits gain = Between(0, 1000);
   fields.Number("heading_kp", options.heading_kp, gain);
   fields.Number("heading_ki", options.heading_ki, gain);
   fields.Number("heading_kd", options.heading_kd, gain);
@@ -84,7 +43,7 @@ void Describe(Fields& fields, AutopilotOptions& options) {
 }
 
 void Describe(Fields& fields, ReporterOptions& options) {
-  const Range seconds = Between(0, 100'000);
+  const NumberLimits seconds = Between(0, 100'000);
   fields.Number("rate_hz", options.rate_hz, Above(0, 1000));
   fields.Number("nav_grace_period_s", options.nav_grace_period_s, seconds);
   fields.Number("nohelm_threshold_s", options.nohelm_threshold_s, seconds);
@@ -121,16 +80,37 @@ void DescribeTasks(Fields& fields, Vehicle& vehicle) {
   }
 }
 
+/// Returns the name of the vehicle's model.
+std::string DescribeModelName(Fields& fields, const Vehicle& vehicle) {
+  std::vector<std::string_view> names;
+  for (const AnyModel& model : EachModel()) names.push_back(FactsOfModel(model).name);
+  std::string name(FactsOfModel(vehicle.model).name);
+  fields.Word("model", name, names);
+  return name;
+}
+
+/// The table of every model, so that a template can have them for vehicles of several models; the
+/// vehicle keeps that of `chosen`.
+void DescribeModels(Fields& fields, std::string_view chosen, Vehicle& vehicle) {
+  for (AnyModel& model : EachModel()) {
+    const std::string_view name = FactsOfModel(model).name;
+    if (FactsOfModel(vehicle.model).name == name) model = vehicle.model;
+    fields.Below(name, [&](Fields& table) {
+      std::visit([&](auto& parameters) { Describe(table, parameters); }, model);
+    });
+    if (chosen == name) vehicle.model = model;
+  }
+}
+
 }  // namespace
 
 void Describe(Fields& fields, Vehicle& vehicle) {
-  constexpr std::array<std::string_view, 2> kModels = {"surface_craft", "remus100"};
   fields.Text("name", vehicle.name, {.max_length = 1000});
   if (fields.Has("template", false)) {
     fields.Refuse("template", "only a [[vehicle]] or a [[fleet]] of the file can have a template");
   }
   fields.Text("type", vehicle.type, {.min_length = 1});
-  fields.Word("model", vehicle.model, kModels);
+  const std::string model_name = DescribeModelName(fields, vehicle);
   fields.Text("group", vehicle.group, {});
   fields.Text("color", vehicle.color, {.min_length = 1});
   fields.Number("length_m", vehicle.length_m, Above(0, 500));
@@ -145,8 +125,7 @@ void Describe(Fields& fields, Vehicle& vehicle) {
   fields.Choice("helm", vehicle.helm, kProviders);
   fields.Choice("node_reporter", vehicle.reporter, kProviders);
   fields.Choice("acomms", vehicle.acomms, kProviders);
-  fields.Below("surface_craft", [&](Fields& table) { Describe(table, vehicle.surface_craft); });
-  fields.Below("remus100", [&](Fields& table) { Describe(table, vehicle.remus100); });
+  DescribeModels(fields, model_name, vehicle);
   DescribeInstruments(fields, vehicle);
   fields.Below("helm_options", [&](Fields& table) { Describe(table, vehicle.helm_options); });
   fields.Below("autopilot", [&](Fields& table) { Describe(table, vehicle.autopilot); });

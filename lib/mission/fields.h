@@ -24,13 +24,13 @@
 namespace shoal {
 
 /// Allowed numbers; never NaN, never infinite.
-struct Range {
+struct NumberLimits {
   double min = 0;
   double max = 0;
   bool excludes_min = false;
 };
-constexpr Range Between(double min, double max) { return {min, max, false}; }
-constexpr Range Above(double min, double max) { return {min, max, true}; }
+constexpr NumberLimits Between(double min, double max) { return {min, max, false}; }
+constexpr NumberLimits Above(double min, double max) { return {min, max, true}; }
 
 /// Allowed texts. Control characters never are, but line breaks and tabs in a text of many lines.
 struct TextRule {
@@ -45,7 +45,7 @@ class Fields {
 
   virtual ~Fields() = default;
 
-  virtual void Number(std::string_view key, double& value, Range range) = 0;
+  virtual void Number(std::string_view key, double& value, NumberLimits range) = 0;
   /// A number, or `word`, which stands for `meaning`. Any negative number means the same.
   virtual void NumberOrWord(std::string_view key, double& value, double max, std::string_view word,
                             double meaning) = 0;
@@ -59,15 +59,15 @@ class Fields {
                     std::span<const std::string_view> words) = 0;
   virtual void Numbers(std::string_view key, std::vector<double>& values, size_t max_count) = 0;
   /// [x, y].
-  virtual void Pair(std::string_view key, Eigen::Vector2d& pair, Range range) = 0;
+  virtual void Pair(std::string_view key, Eigen::Vector2d& pair, NumberLimits range) = 0;
   /// [[x, y], ...].
-  virtual void Pairs(std::string_view key, std::vector<Eigen::Vector2d>& pairs, Range range,
+  virtual void Pairs(std::string_view key, std::vector<Eigen::Vector2d>& pairs, NumberLimits range,
                      size_t max_count) = 0;
   /// [x, y, z].
-  virtual void Triple(std::string_view key, Eigen::Vector3d& triple, Range range) = 0;
+  virtual void Triple(std::string_view key, Eigen::Vector3d& triple, NumberLimits range) = 0;
   /// [[x, y, z], ...].
-  virtual void Triples(std::string_view key, std::vector<Eigen::Vector3d>& triples, Range range,
-                       size_t max_count) = 0;
+  virtual void Triples(std::string_view key, std::vector<Eigen::Vector3d>& triples,
+                       NumberLimits range, size_t max_count) = 0;
   virtual void Texts(std::string_view key, std::vector<std::string>& texts, size_t max_count) = 0;
   /// {key = "text", ...}.
   virtual void TextMap(std::string_view key, std::map<std::string, std::string>& texts,

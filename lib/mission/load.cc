@@ -12,6 +12,7 @@
 #include "lib/mission/read_file.h"
 #include "lib/mission/table_reader.h"
 #include "lib/mission/table_writer.h"
+#include "lib/mission/validate.h"
 #include "lib/mission/value.h"
 
 namespace shoal {
@@ -60,8 +61,11 @@ Mission Read(Value& root, const std::vector<Override>& overrides, const std::str
   Mission mission;
   mission.file = name;
   mission.name = std::filesystem::path(name).stem().string();
-  TableReader reader(root, "the file", problems);
-  Describe(reader, mission);
+  {
+    TableReader reader(root, "the file", problems);
+    Describe(reader, mission);
+  }
+  Validate(mission, TablePlace(root, problems));
   return mission;
 }
 

@@ -7,6 +7,7 @@
 #include "lib/mission/problems.h"
 #include "lib/mission/table_reader.h"
 #include "lib/mission/table_writer.h"
+#include "lib/mission/validate.h"
 
 namespace shoal {
 namespace {
@@ -14,8 +15,7 @@ namespace {
 void DescribeAlone(Fields& file, Acoustics& acoustics) {
   if (file.Has("is_used", !acoustics.is_used)) file.Flag("is_used", acoustics.is_used);
   file.Require("acoustics", "[acoustics], followed by crc = true");
-  file.Below("acoustics",
-             [&](Fields& fields) { Describe(fields, acoustics, std::nullopt, AnyNode()); });
+  file.Below("acoustics", [&](Fields& fields) { Describe(fields, acoustics, std::nullopt); });
 }
 
 }  // namespace
@@ -36,6 +36,8 @@ LoadedAcoustics LoadAcousticsText(std::string_view text, const std::string& name
   if (const std::optional<Value> root = ParseToml(text, problems)) {
     TableReader file(*root, "the text", problems);
     DescribeAlone(file, loaded.acoustics);
+    const TablePlace place = TablePlace(*root, problems).Below("acoustics");
+    if (place.IsSound()) ValidateNetwork(place, loaded.acoustics.options, AnyNode());
   }
   loaded.errors = problems.InOrder();
   return loaded;

@@ -14,9 +14,9 @@
 
 #include "lib/acoustics/acoustic_network.h"
 #include "lib/mission/load_comms.h"
-#include "lib/mission/load_modem.h"
 #include "lib/mission/load_testing.h"
 #include "lib/mission/mission_draw.h"
+#include "lib/mission/modem_testing.h"
 
 namespace shoal {
 namespace {
@@ -138,7 +138,7 @@ class ModemFolder : public testing::Test {
   void Write(const std::string& file, double source_level_db) {
     ModemPreset modem = Modem("nanomodem_v3");
     modem.source_level_db = source_level_db;
-    std::ofstream(folder_ / file) << ExplainModem(modem);
+    std::ofstream(folder_ / file) << ModemFileOf(modem);
   }
   /// Returns the source level of the modem that a mission in the folder names.
   double LevelOf(const std::string& name) {

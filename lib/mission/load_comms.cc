@@ -12,6 +12,7 @@
 #include "lib/mission/read_file.h"
 #include "lib/mission/table_reader.h"
 #include "lib/mission/table_writer.h"
+#include "lib/mission/validate.h"
 
 namespace shoal {
 
@@ -35,9 +36,10 @@ LoadedComms LoadCommsText(std::string_view text, const std::string& name) {
     if (file.Has("acoustics", true)) {
       loaded.acoustics = {.is_used = true, .crc = true, .options = {}};
       file.Below("acoustics", [&](Fields& fields) {
-        Describe(fields, *loaded.acoustics, std::filesystem::path(name).parent_path().string(),
-                 AnyNode());
+        Describe(fields, *loaded.acoustics, std::filesystem::path(name).parent_path().string());
       });
+      const TablePlace place = TablePlace(*root, problems).Below("acoustics");
+      if (place.IsSound()) ValidateNetwork(place, loaded.acoustics->options, AnyNode());
     }
   }
   loaded.errors = problems.InOrder();

@@ -9,7 +9,6 @@
 #include "lib/mission/read_file.h"
 #include "lib/mission/suggest.h"
 #include "lib/mission/table_reader.h"
-#include "lib/mission/table_writer.h"
 
 namespace shoal {
 namespace {
@@ -100,13 +99,6 @@ LoadedModem LoadModem(const std::string& path) {
   Problems problems(path, {});
   problems.Add({}, read.problem);
   return {.modem = {}, .errors = problems.InOrder(), .warnings = {}};
-}
-
-std::string ExplainModem(const ModemPreset& modem) {
-  TableWriter writer;
-  ModemPreset copy = modem;
-  Describe(writer, copy);
-  return writer.TakeText();
 }
 
 }  // namespace shoal

@@ -1,4 +1,4 @@
-// Reads acoustic modems from files, data/modems/*.toml; docs/acoustics_models.md tells their keys.
+// Reads acoustic modems from files, data/modems/*.toml; docs/acoustics_models.md has their keys.
 //
 //   LoadedModem loaded = LoadModem("data/modems/nanomodem_v3.toml");
 //   if (!loaded.errors.empty()) { print them; exit 2; }
@@ -16,7 +16,7 @@ namespace shoal {
 struct LoadedModem {
   ModemPreset modem;                  ///< Usable only where `errors` is empty.
   std::vector<std::string> errors;    ///< "file:line:column: what is wrong", in file order.
-  std::vector<std::string> warnings;  ///< The same for what is hardly meant.
+  std::vector<std::string> warnings;  ///< The same for what is legal but suspicious.
 };
 
 /// Reads `path`.
@@ -24,9 +24,6 @@ struct LoadedModem {
 
 /// The same for text that is already in memory; `name` stands for the file in messages.
 [[nodiscard]] LoadedModem LoadModemText(std::string_view text, const std::string& name);
-
-/// Returns the modem as a file of its own. Loading that text gives an equal modem.
-[[nodiscard]] std::string ExplainModem(const ModemPreset& modem);
 
 /// The whole file of a modem. Every number must have its source.
 void Describe(Fields& file, ModemPreset& modem);

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "lib/mission/modem_testing.h"
 #include "lib/mission/parse.h"
 
 namespace shoal {
@@ -153,18 +154,18 @@ TEST(LoadModem, StandsNonsense) {
   }
 }
 
-TEST(ExplainModem, WritesWhatReadsBackTheSame) {
+TEST(ModemFile, WritesWhatReadsBackTheSame) {
   const ModemPreset modem = LoadModemText(kSound, "m.toml").modem;
-  const LoadedModem again = LoadModemText(ExplainModem(modem), "again");
+  const LoadedModem again = LoadModemText(ModemFileOf(modem), "again");
   EXPECT_EQ(again.errors, std::vector<std::string>());
   EXPECT_EQ(again.modem, modem);
 }
 
-TEST(ExplainModem, WritesNoKeyThatTheDocumentationDoesNotHave) {
+TEST(ModemFile, WritesNoKeyThatTheDocumentationDoesNotHave) {
   const std::string page = PageOf("acoustics_models.md");
   Problems problems("", {});
   const std::optional<Value> root =
-      ParseToml(ExplainModem(LoadModemText(kSound, "m.toml").modem), problems);
+      ParseToml(ModemFileOf(LoadModemText(kSound, "m.toml").modem), problems);
   ASSERT_TRUE(root.has_value());
   std::set<std::string> keys = {"block_bits", "data_bits", "corrected_bits"};
   for (const Entry& entry : std::get<Table>(root->data)) keys.insert(entry.key);

@@ -100,7 +100,8 @@ TEST(LoadNetsim, TellsOfAModemWithoutWater) {
   std::string text = std::string(kTwo) + std::string(kBay) + std::string(kOutsider);
   text.erase(text.find("[acoustics]"),
              std::string_view("[acoustics]\naccess_mode = \"shared\"\n").size());
-  EXPECT_EQ(ErrorsOf(text), "23:9: a modem talks through the water: write [acoustics] as well\n");
+  EXPECT_EQ(ErrorsOf(text),
+            "23:9: a modem sends over the acoustic network: write [acoustics] as well\n");
 }
 
 }  // namespace

@@ -76,7 +76,7 @@ TEST(LoadSwarm, TellsOfAnUnknownLeaderWithoutWhatFollowsFromIt) {
 
 TEST(LoadSwarm, TellsOfTasksWithoutOne) {
   EXPECT_EQ(ErrorsWith(""),
-            "12:9: swarm = \"acoustic\" needs a swarm that talks: write [swarm] and leader = "
+            "12:9: swarm = \"acoustic\" needs an acoustic swarm: write [swarm] and leader = "
             "\"alpha\", or swarm = \"direct\"\n");
 }
 
@@ -87,8 +87,8 @@ TEST(LoadSwarm, TellsOfFollowersWhoAreNone) {
             "20:13: bravo is named twice\n"
             "20:13: unknown vehicle 'delta'; the mission has alpha, bravo, charlie\n");
   EXPECT_EQ(ErrorsWith("[swarm]\nleader = \"charlie\"\nfollowers = [\"alpha\"]\n"),
-            "11:10: only the leader of [swarm], charlie, tells its followers where it is through "
-            "the water\n");
+            "11:10: only the leader of [swarm], charlie, reports its position to followers over "
+            "the acoustic network\n");
   EXPECT_EQ(ErrorsWith("[swarm]\nleader = \"alpha\"\nfollowers = [\"charlie\"]\n"),
             "12:9: bravo is not among the followers of [swarm]: add it, or leave followers out\n");
 }
@@ -120,11 +120,12 @@ TEST(LoadSwarm, TellsOfAddressesTooFarApart) {
 TEST(LoadSwarm, TellsOfMembersWhoCannotBeHeardOf) {
   EXPECT_EQ(ErrorsWith("[swarm]\nleader = \"alpha\"\n", {"vehicle.alpha.start.x_m=150000"}),
             "19:10: alpha starts more than 100 km from the origin, farther than the messages of a "
-            "swarm can tell: move [mission] origin\n");
-  EXPECT_EQ(ErrorsWith("[swarm]\nleader = \"alpha\"\n",
-                       {"vehicle.bravo.acoustic_leader=true", "acoustics.access_mode=tdma_lf"}),
-            "18:1: bravo has acoustic_leader = true: it would not hear alpha; only the leader of "
-            "[swarm] may have it\n");
+            "swarm can encode: move [mission] origin\n");
+  EXPECT_EQ(
+      ErrorsWith("[swarm]\nleader = \"alpha\"\n",
+                 {"vehicle.bravo.acoustic_leader=true", "acoustics.access_mode=tdma_lf"}),
+      "18:1: bravo has acoustic_leader = true: it would not receive alpha; only the leader of "
+      "[swarm] may have it\n");
 }
 
 TEST(LoadSwarm, WarnsOfSlotsThatComeTooLate) {
@@ -137,13 +138,13 @@ TEST(LoadSwarm, WarnsOfSlotsThatComeTooLate) {
   EXPECT_TRUE(warnings("").empty());
   EXPECT_EQ(warnings("offset_s = 100\n"),
             std::vector<std::string>{
-                "m.toml:20:12: warning: bravo speaks first after 100 s, when the mission is over"});
+                "m.toml:20:12: warning: bravo sends first after 100 s, when the mission is over"});
   EXPECT_EQ(warnings("episode_s = 70\nsilent_after_s = 80\n"),
             std::vector<std::string>{
                 "m.toml:20:13: warning: an episode takes 70 s, longer than the mission"});
   EXPECT_EQ(warnings("silent_after_s = 3\n"),
             std::vector<std::string>{
-                "m.toml:20:18: warning: everybody counts as silent 3 s after a message, "
+                "m.toml:20:18: warning: every member counts as silent 3 s after a message, "
                 "and the next comes after 5 s"});
 }
 

@@ -44,6 +44,17 @@ TEST(Load, FindsVehiclesWithoutRegardToCase) {
   EXPECT_EQ(mission.FindVehicle(""), nullptr);
 }
 
+TEST(Load, TakesAPresetForTheWholeCurrentWithWhatStandsBesideIt) {
+  const auto current = [](const std::string& words) {
+    return LoadAfter("[environment]\ncurrent = {" + words + "}").environment.current;
+  };
+  EXPECT_EQ(current("preset = \"calm\""),
+            (CurrentWords{"typical", "northeast", "steady", "steady", "calm", "calm"}));
+  EXPECT_EQ(current("preset = \"dead\"").speed_mps, "dead");
+  EXPECT_EQ(current("preset = \"stormy\", speed_mps = 0.25"),
+            (CurrentWords{"0.25", "any", "unsteady", "unsteady", "choppy", "choppy"}));
+}
+
 TEST(Load, TakesNolimitAndNegativeRangesForTheSame) {
   EXPECT_EQ(LoadAfter("[comms]\ncomms_range = \"nolimit\"").comms.comms_range_m, -1);
   EXPECT_EQ(LoadAfter("[comms]\ncomms_range = -7").comms.comms_range_m, -1);

@@ -288,7 +288,7 @@ TEST(LoadUnderwaterErrors, TellOfExpectationsThatCanNeverHold) {
                           "min_m = 5\nmax_m = 4\n"),
             "14:9: max_m is less than min_m: this can never hold\n");
   EXPECT_EQ(ErrorsInSwarm("[[expect]]\nkind = \"altitude\"\nvehicle = \"alpha\"\nmin_m = 5\n"),
-            "9:1: nobody knows an altitude without a sea floor: write [environment] floor = {style "
+            "9:1: there is no altitude without a sea floor: write [environment] floor = {style "
             "= \"flat\", depth_m = 50}\n");
 }
 

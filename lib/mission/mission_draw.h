@@ -184,15 +184,14 @@ class MissionDraw {
 
   /// Makes an underwater vehicle of it, with the tasks that these have.
   void Submerge(Vehicle* vehicle) {
-    vehicle->model = "remus100";
     vehicle->start.depth_m = Number(0, 20'000);
-    vehicle->remus100 = {.parameters = Coin() ? "munet" : "fossen",
-                         .model_step_s = Number(1e-4, 0.2),
-                         .cruise_depth_m = Number(0, 20'000),
-                         .max_depth_m = Positive(20'000),
-                         .seabed_clearance_m = Number(0, 1000),
-                         .depth_filter_s = Number(0, 1000),
-                         .max_propeller_rate_rpmps = Number(0, 1e6)};
+    vehicle->model = Remus100Options{.parameters = Coin() ? "munet" : "fossen",
+                                     .model_step_s = Number(1e-4, 0.2),
+                                     .cruise_depth_m = Number(0, 20'000),
+                                     .max_depth_m = Positive(20'000),
+                                     .seabed_clearance_m = Number(0, 1000),
+                                     .depth_filter_s = Number(0, 1000),
+                                     .max_propeller_rate_rpmps = Number(0, 1e6)};
     const double acceptance_m = Number(0, 1000);
     PathFollowTask path = {.points_m = {DeepPoint(), DeepPoint()},
                            .speed_mps = Positive(50),
@@ -299,7 +298,7 @@ class MissionDraw {
     vehicle.color = Text();
     vehicle.length_m = Positive(500);
     vehicle.start = {Number(-1e6, 1e6), Number(-1e6, 1e6), Number(-360, 360), Number(0, 50), 0};
-    vehicle.surface_craft = {
+    vehicle.model = SurfaceCraftParams{
         .thrust_map = {{-Positive(100), -Number(0, 50)}, {0, 0}, {50, Number(0, 3)}, {100, 4}},
         .reverse_ratio = Number(0, 1),
         .max_acceleration_mps2 = Positive(100),

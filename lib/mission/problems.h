@@ -1,4 +1,4 @@
-// Everything that is wrong, or looks wrong, with a mission file, gathered and told in one go.
+// Everything that is wrong, or suspicious, with a mission file, gathered and reported in one go.
 #pragma once
 
 #include <cstddef>
@@ -17,11 +17,15 @@ class Problems {
   /// `file` and `overrides` as the user gave them: messages repeat them.
   Problems(std::string file, std::vector<std::string> overrides);
 
-  /// Notes what is wrong at `place` and how to mend it. A template's error that many vehicles
-  /// inherit is told once.
+  /// Notes what is wrong at `place` and how to fix it. A template's error that many vehicles
+  /// inherit is noted once.
   void Add(const Place& place, std::string text);
-  /// Notes what is no error but hardly meant.
+  /// Notes what is legal but suspicious.
   void Warn(const Place& place, std::string text);
+
+  /// Notes that something of `table`, or below it, was refused.
+  void MarkUnsound(const Value& table) { unsound_.insert(&table); }
+  bool IsSound(const Value& table) const { return !unsound_.contains(&table); }
 
   bool empty() const { return problems_.empty(); }
   size_t size() const { return problems_.size(); }
@@ -45,6 +49,7 @@ class Problems {
   std::vector<std::string> overrides_;
   Told problems_;
   Told warnings_;
+  std::set<const Value*> unsound_;
 };
 
 }  // namespace shoal

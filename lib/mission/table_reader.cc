@@ -14,12 +14,12 @@ namespace {
 
 constexpr double kLargestNumber = 1e9;  // Of the values of commands, which have no range here.
 
-std::string Allowed(Range range) {
+std::string Allowed(NumberLimits range) {
   return range.excludes_min ? fmt::format("greater than {}, at most {}", range.min, range.max)
                             : fmt::format("{} to {}", range.min, range.max);
 }
 
-bool Contains(Range range, double number) {
+bool Contains(NumberLimits range, double number) {
   if (!std::isfinite(number) || number > range.max) return false;
   return range.excludes_min ? number > range.min : number >= range.min;
 }
@@ -57,6 +57,7 @@ TableReader::TableReader(const Value& table, std::string title, Problems& proble
 }
 
 TableReader::~TableReader() {
+  if (!IsSound()) problems_.MarkUnsound(source_);
   if (table_ == nullptr || skips_rest_) return;
   const std::vector<std::string_view> known(known_.begin(), known_.end());
   for (const Entry& entry : *table_) {
@@ -90,7 +91,7 @@ const Array* TableReader::TakeArray(std::string_view key, size_t max_count, std:
 }
 
 std::optional<double> TableReader::AsNumber(const Value& value, const std::string& name,
-                                            Range range) {
+                                            NumberLimits range) {
   const std::optional<double> number = NumberOf(value);
   if (!number) {
     problems_.Add(value.place, fmt::format("{} must be a number, not {}", name, WhatIs(value)));
@@ -123,7 +124,7 @@ std::optional<std::string> TableReader::AsText(const Value& value, const std::st
 }
 
 std::optional<Eigen::VectorXd> TableReader::AsVector(const Value& value, const std::string& name,
-                                                     Range range, Eigen::Index size,
+                                                     NumberLimits range, Eigen::Index size,
                                                      std::string_view example) {
   const auto* array = std::get_if<Array>(&value.data);
   if (array == nullptr || static_cast<Eigen::Index>(array->size()) != size) {
@@ -147,13 +148,13 @@ std::optional<Eigen::VectorXd> TableReader::AsVector(const Value& value, const s
 }
 
 std::optional<Eigen::Vector2d> TableReader::AsPair(const Value& value, const std::string& name,
-                                                   Range range) {
+                                                   NumberLimits range) {
   const auto vector = AsVector(value, name, range, 2, "two numbers like [10, 20]");
   if (!vector) return std::nullopt;
   return Eigen::Vector2d(*vector);
 }
 
-void TableReader::Number(std::string_view key, double& value, Range range) {
+void TableReader::Number(std::string_view key, double& value, NumberLimits range) {
   const Value* found = Take(key);
   if (found != nullptr) value = AsNumber(*found, std::string(key), range).value_or(value);
 }
@@ -252,13 +253,13 @@ void TableReader::Numbers(std::string_view key, std::vector<double>& values, siz
   }
 }
 
-void TableReader::Pair(std::string_view key, Eigen::Vector2d& pair, Range range) {
+void TableReader::Pair(std::string_view key, Eigen::Vector2d& pair, NumberLimits range) {
   const Value* found = Take(key);
   if (found != nullptr) pair = AsPair(*found, std::string(key), range).value_or(pair);
 }
 
-void TableReader::Pairs(std::string_view key, std::vector<Eigen::Vector2d>& pairs, Range range,
-                        size_t max_count) {
+void TableReader::Pairs(std::string_view key, std::vector<Eigen::Vector2d>& pairs,
+                        NumberLimits range, size_t max_count) {
   const Array* array = TakeArray(key, max_count, "an array of pairs like [[0, 0], [10, 20]]");
   if (array == nullptr) return;
   pairs.clear();
@@ -268,7 +269,7 @@ void TableReader::Pairs(std::string_view key, std::vector<Eigen::Vector2d>& pair
   }
 }
 
-void TableReader::Triple(std::string_view key, Eigen::Vector3d& triple, Range range) {
+void TableReader::Triple(std::string_view key, Eigen::Vector3d& triple, NumberLimits range) {
   const Value* found = Take(key);
   if (found == nullptr) return;
   const auto numbers =
@@ -276,8 +277,8 @@ void TableReader::Triple(std::string_view key, Eigen::Vector3d& triple, Range ra
   if (numbers) triple = *numbers;
 }
 
-void TableReader::Triples(std::string_view key, std::vector<Eigen::Vector3d>& triples, Range range,
-                          size_t max_count) {
+void TableReader::Triples(std::string_view key, std::vector<Eigen::Vector3d>& triples,
+                          NumberLimits range, size_t max_count) {
   const Array* array =
       TakeArray(key, max_count, "an array of points like [[0, 0, 10], [50, 0, 20]]");
   if (array == nullptr) return;

@@ -23,7 +23,7 @@ class TableReader final : public Fields {
   TableReader(const TableReader&) = delete;
   TableReader& operator=(const TableReader&) = delete;
 
-  void Number(std::string_view key, double& value, Range range) override;
+  void Number(std::string_view key, double& value, NumberLimits range) override;
   void NumberOrWord(std::string_view key, double& value, double max, std::string_view word,
                     double meaning) override;
   void Scalar(std::string_view key, std::string& word) override;
@@ -33,11 +33,11 @@ class TableReader final : public Fields {
   void Word(std::string_view key, std::string& value,
             std::span<const std::string_view> words) override;
   void Numbers(std::string_view key, std::vector<double>& values, size_t max_count) override;
-  void Pair(std::string_view key, Eigen::Vector2d& pair, Range range) override;
-  void Triple(std::string_view key, Eigen::Vector3d& triple, Range range) override;
-  void Triples(std::string_view key, std::vector<Eigen::Vector3d>& triples, Range range,
+  void Pair(std::string_view key, Eigen::Vector2d& pair, NumberLimits range) override;
+  void Triple(std::string_view key, Eigen::Vector3d& triple, NumberLimits range) override;
+  void Triples(std::string_view key, std::vector<Eigen::Vector3d>& triples, NumberLimits range,
                size_t max_count) override;
-  void Pairs(std::string_view key, std::vector<Eigen::Vector2d>& pairs, Range range,
+  void Pairs(std::string_view key, std::vector<Eigen::Vector2d>& pairs, NumberLimits range,
              size_t max_count) override;
   void Texts(std::string_view key, std::vector<std::string>& texts, size_t max_count) override;
   void TextMap(std::string_view key, std::map<std::string, std::string>& texts,
@@ -67,12 +67,14 @@ class TableReader final : public Fields {
   const Place& PlaceOf(std::string_view key) const;
   // These return the value where it is right, and tell what is wrong otherwise. `name` is the key,
   // or the key and the number of the element.
-  std::optional<double> AsNumber(const Value& value, const std::string& name, Range range);
+  std::optional<double> AsNumber(const Value& value, const std::string& name, NumberLimits range);
   std::optional<std::string> AsText(const Value& value, const std::string& name, TextRule rule);
   /// An array of numbers, `example` of which tells how many.
-  std::optional<Eigen::VectorXd> AsVector(const Value& value, const std::string& name, Range range,
-                                          Eigen::Index size, std::string_view example);
-  std::optional<Eigen::Vector2d> AsPair(const Value& value, const std::string& name, Range range);
+  std::optional<Eigen::VectorXd> AsVector(const Value& value, const std::string& name,
+                                          NumberLimits range, Eigen::Index size,
+                                          std::string_view example);
+  std::optional<Eigen::Vector2d> AsPair(const Value& value, const std::string& name,
+                                        NumberLimits range);
 
   const Value& source_;
   const Table* table_;  ///< Null where the source is no table, which has been told.

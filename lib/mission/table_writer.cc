@@ -73,7 +73,7 @@ std::string TableWriter::PathOf(std::string_view key) const {
   return path_.empty() ? std::string(key) : path_ + "." + std::string(key);
 }
 
-void TableWriter::Number(std::string_view key, double& value, Range) {
+void TableWriter::Number(std::string_view key, double& value, NumberLimits) {
   Line(key, TomlNumber(value));
 }
 
@@ -110,19 +110,20 @@ void TableWriter::Numbers(std::string_view key, std::vector<double>& values, siz
   Line(key, TomlArray(values, TomlNumber));
 }
 
-void TableWriter::Pair(std::string_view key, Eigen::Vector2d& pair, Range) {
+void TableWriter::Pair(std::string_view key, Eigen::Vector2d& pair, NumberLimits) {
   Line(key, TomlPair(pair));
 }
 
-void TableWriter::Pairs(std::string_view key, std::vector<Eigen::Vector2d>& pairs, Range, size_t) {
+void TableWriter::Pairs(std::string_view key, std::vector<Eigen::Vector2d>& pairs, NumberLimits,
+                        size_t) {
   Line(key, TomlArray(pairs, TomlPair));
 }
 
-void TableWriter::Triple(std::string_view key, Eigen::Vector3d& triple, Range) {
+void TableWriter::Triple(std::string_view key, Eigen::Vector3d& triple, NumberLimits) {
   Line(key, TomlTriple(triple));
 }
 
-void TableWriter::Triples(std::string_view key, std::vector<Eigen::Vector3d>& triples, Range,
+void TableWriter::Triples(std::string_view key, std::vector<Eigen::Vector3d>& triples, NumberLimits,
                           size_t) {
   Line(key, TomlArray(triples, TomlTriple));
 }

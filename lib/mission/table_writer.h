@@ -16,7 +16,7 @@ class TableWriter final : public Fields {
   /// Returns all that has been described: first the table's own keys, then the tables below.
   std::string TakeText() { return std::move(lines_) + std::move(tables_); }
 
-  void Number(std::string_view key, double& value, Range range) override;
+  void Number(std::string_view key, double& value, NumberLimits range) override;
   void NumberOrWord(std::string_view key, double& value, double max, std::string_view word,
                     double meaning) override;
   void Scalar(std::string_view key, std::string& word) override;
@@ -26,11 +26,11 @@ class TableWriter final : public Fields {
   void Word(std::string_view key, std::string& value,
             std::span<const std::string_view> words) override;
   void Numbers(std::string_view key, std::vector<double>& values, size_t max_count) override;
-  void Pair(std::string_view key, Eigen::Vector2d& pair, Range range) override;
-  void Triple(std::string_view key, Eigen::Vector3d& triple, Range range) override;
-  void Triples(std::string_view key, std::vector<Eigen::Vector3d>& triples, Range range,
+  void Pair(std::string_view key, Eigen::Vector2d& pair, NumberLimits range) override;
+  void Triple(std::string_view key, Eigen::Vector3d& triple, NumberLimits range) override;
+  void Triples(std::string_view key, std::vector<Eigen::Vector3d>& triples, NumberLimits range,
                size_t max_count) override;
-  void Pairs(std::string_view key, std::vector<Eigen::Vector2d>& pairs, Range range,
+  void Pairs(std::string_view key, std::vector<Eigen::Vector2d>& pairs, NumberLimits range,
              size_t max_count) override;
   void Texts(std::string_view key, std::vector<std::string>& texts, size_t max_count) override;
   void TextMap(std::string_view key, std::map<std::string, std::string>& texts,

@@ -4,12 +4,15 @@
 #include <cstdint>
 #include <map>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "lib/guidance/task.h"
+#include "lib/mission/model_facts.h"
+#include "lib/mission/remus100_model.h"
+#include "lib/mission/surface_craft_model.h"
 #include "lib/routing/rules.h"
 #include "lib/swarm/recovery.h"
-#include "lib/vehicle/surface_craft.h"
 
 namespace shoal {
 
@@ -42,19 +45,6 @@ struct AutopilotOptions {
   double speed_integral_limit_pct = 20;
 
   bool operator==(const AutopilotOptions&) const = default;
-};
-
-/// `[vehicle.remus100]`: the underwater vehicle and its autopilots.
-struct Remus100Options {
-  std::string parameters = "default";  ///< default, munet or fossen: docs/vehicles.md.
-  double model_step_s = 0.02;          ///< The longest step of integration within a tick.
-  double cruise_depth_m = 0;           ///< Of tasks that know of no depth.
-  double max_depth_m = 100;
-  double seabed_clearance_m = 5;
-  double depth_filter_s = 20;           ///< Time constant of the commanded depth; 0: one step.
-  double max_propeller_rate_rpmps = 0;  ///< 0: the propeller is told at once.
-
-  bool operator==(const Remus100Options&) const = default;
 };
 
 /// `[vehicle.sensors]`: how badly the vehicle measures where it is and how it moves. Standard
@@ -121,16 +111,18 @@ struct MessageOptions {
   bool operator==(const MessageOptions&) const = default;
 };
 
+/// One alternative for each vehicle model, the default first: its parameters, of which FactsOf
+/// knows the rest. CONTRIBUTING.md has the recipe for a new one.
+using AnyModel = std::variant<SurfaceCraftParams, Remus100Options>;
+
 struct Vehicle {
   std::string name;
   std::string type = "kayak";
-  std::string model = "surface_craft";  ///< Or "remus100".
+  AnyModel model;  ///< How it moves.
   std::string group;
   std::string color = "yellow";
   double length_m = 3;
   StartPose start;
-  SurfaceCraftParams surface_craft;
-  Remus100Options remus100;
   SensorOptions sensors;
   SonarOptions sonar;
   Provider sim = Provider::kShoal;       ///< `vehicle_sim = "shoal" | "hand" | "none"`
@@ -150,5 +142,10 @@ struct Vehicle {
 
   bool operator==(const Vehicle&) const = default;
 };
+
+[[nodiscard]] ModelFacts FactsOfModel(const AnyModel& model);
+
+/// Returns each model with its default parameters, in the order of AnyModel.
+[[nodiscard]] std::vector<AnyModel> EachModel();
 
 }  // namespace shoal

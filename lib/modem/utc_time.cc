@@ -1,6 +1,7 @@
 #include "lib/modem/utc_time.h"
 
 #include <algorithm>
+#include <chrono>
 
 #include "lib/check/time_units.h"
 #include "lib/modem/sentence_text.h"
@@ -8,53 +9,27 @@
 namespace shoal {
 namespace {
 
-constexpr int64_t kDay_s = 86'400;
-constexpr int64_t kDaysIn400Years = 146'097;
-constexpr int64_t kDaysFromMarch0000To1970 = 719'468;
-
-int64_t FloorDivide(int64_t number, int64_t by) { return number / by - (number % by < 0 ? 1 : 0); }
-
-// Years are counted from March here, so that the leap day is a year's last.
-int64_t DaysBeforeMonth(int64_t months_since_march) { return (153 * months_since_march + 2) / 5; }
-int64_t DaysBeforeYear(int64_t year) {
-  return 365 * year + FloorDivide(year, 4) - FloorDivide(year, 100) + FloorDivide(year, 400);
-}
-
-int64_t DaysSince1970(int64_t year, int month, int day) {
-  const int64_t year_from_march = month <= 2 ? year - 1 : year;
-  const int64_t months_since_march = (month + 9) % 12;
-  return DaysBeforeYear(year_from_march) + DaysBeforeMonth(months_since_march) + day - 1 -
-         kDaysFromMarch0000To1970;
-}
-
-void SetDate(int64_t days_since_1970, CalendarTime* time) {
-  const int64_t days = days_since_1970 + kDaysFromMarch0000To1970;
-  int64_t year = FloorDivide(days, kDaysIn400Years) * 400;
-  const int64_t in_400_years = days - DaysBeforeYear(year);
-  year += std::min<int64_t>(in_400_years / 365, 399);
-  while (DaysBeforeYear(year) > days) --year;
-  const int64_t in_year = days - DaysBeforeYear(year);
-  const int64_t months_since_march = (5 * in_year + 2) / 153;
-  time->month = static_cast<int>((months_since_march + 2) % 12 + 1);
-  time->day = static_cast<int>(in_year - DaysBeforeMonth(months_since_march) + 1);
-  time->year = time->month <= 2 ? year + 1 : year;
-}
-
 bool IsWithin(int number, int low, int high) { return number >= low && number <= high; }
 
 }  // namespace
 
 CalendarTime ToCalendar(int64_t utc_us) {
-  const int64_t utc_s = FloorDivide(utc_us, kSecond_us);
-  const int64_t days = FloorDivide(utc_s, kDay_s);
-  const auto in_day_s = static_cast<int>(utc_s - days * kDay_s);
-  CalendarTime time;
-  SetDate(days, &time);
-  time.hour = in_day_s / 3600;
-  time.minute = in_day_s / 60 % 60;
-  time.second = in_day_s % 60;
-  time.microsecond = static_cast<int>(utc_us - utc_s * kSecond_us);
-  return time;
+  using std::chrono::sys_days;
+  constexpr sys_days kFirst = std::chrono::year::min() / std::chrono::January / 1;
+  constexpr sys_days kLast = std::chrono::year::max() / std::chrono::December / 31;
+  const int64_t microsecond = (utc_us % kSecond_us + kSecond_us) % kSecond_us;
+  const int64_t second = utc_us / kSecond_us - (utc_us % kSecond_us < 0 ? 1 : 0);
+  const std::chrono::sys_seconds time{std::chrono::seconds(second)};
+  const auto day = std::chrono::floor<std::chrono::days>(time);
+  const std::chrono::hh_mm_ss in_day(time - day);
+  const std::chrono::year_month_day date(std::clamp(day, kFirst, kLast));
+  return {.year = static_cast<int>(date.year()),
+          .month = static_cast<int>(static_cast<unsigned>(date.month())),
+          .day = static_cast<int>(static_cast<unsigned>(date.day())),
+          .hour = static_cast<int>(in_day.hours().count()),
+          .minute = static_cast<int>(in_day.minutes().count()),
+          .second = static_cast<int>(in_day.seconds().count()),
+          .microsecond = static_cast<int>(microsecond)};
 }
 
 std::optional<int64_t> ToUtc(const CalendarTime& time) {
@@ -64,12 +39,15 @@ std::optional<int64_t> ToUtc(const CalendarTime& time) {
   if (!IsWithin(time.second, 0, 60) || !IsWithin(time.microsecond, 0, 999'999)) {
     return std::nullopt;
   }
-  const int64_t days = DaysSince1970(time.year, time.month, time.day);
-  CalendarTime date;
-  SetDate(days, &date);
-  if (date.month != time.month) return std::nullopt;  // 31 April is in May.
-  const int64_t in_day_s = time.hour * 3600 + time.minute * 60 + time.second;
-  return (days * kDay_s + in_day_s) * kSecond_us + time.microsecond;
+  const std::chrono::year_month_day date(std::chrono::year(static_cast<int>(time.year)),
+                                         std::chrono::month(static_cast<unsigned>(time.month)),
+                                         std::chrono::day(static_cast<unsigned>(time.day)));
+  if (!date.ok()) return std::nullopt;  // 31 April.
+  const std::chrono::sys_time<std::chrono::microseconds> utc =
+      std::chrono::sys_days(date) + std::chrono::hours(time.hour) +
+      std::chrono::minutes(time.minute) + std::chrono::seconds(time.second) +
+      std::chrono::microseconds(time.microsecond);
+  return utc.time_since_epoch().count();
 }
 
 std::string ClockText(int64_t utc_us, int decimals) {

@@ -20,7 +20,8 @@ struct CalendarTime {
   bool operator==(const CalendarTime&) const = default;
 };
 
-/// Returns the calendar's time of a number of microseconds since 1970.
+/// Returns the calendar's time of a number of microseconds since 1970. Dates before the year -32767
+/// and after 32767 are those years' first and last.
 [[nodiscard]] CalendarTime ToCalendar(int64_t utc_us);
 
 /// Returns the microseconds since 1970. A second 60 is the next minute's first. Nothing for a day

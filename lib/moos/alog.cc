@@ -4,6 +4,7 @@
 
 #include <iterator>
 
+#include "lib/bus/channels.h"
 #include "lib/moos/node_report_text.h"
 #include "lib/moos/numbers.h"
 
@@ -20,8 +21,9 @@ std::string Column(std::string_view text) {
 }
 
 std::string_view SourceOf(std::string_view channel) {
-  if (channel == "NODE_REPORT_LOCAL") return "node_reporter";
-  if (channel.starts_with("NODE_REPORT_")) return "shore_broker";
+  if (channel == topics::kNodeReportLocal) return "node_reporter";
+  if (channel == topics::kNodeReportUnc) return "shore_broker";
+  if (!VehicleOfChannel(channel, topics::kNodeReport).empty()) return "shore_broker";
   return "outside";
 }
 

@@ -106,8 +106,9 @@ TEST(ImportMoos, MergesShoreAndVehiclesIntoOneMission) {
   EXPECT_EQ(abe.start, (StartPose{10, -20, 180, 0.5}));
   EXPECT_EQ(abe.link_factors.stealth, 0.8);
   EXPECT_EQ(mission.vehicles[1].link_factors.earange, 4.5);
-  EXPECT_EQ(abe.surface_craft.turn_rate_degps, 40);
-  EXPECT_EQ(abe.surface_craft.thrust_map, (std::vector<ThrustPoint>{{0, 0}, {20, 1}, {60, 3}}));
+  EXPECT_EQ(std::get<SurfaceCraftParams>(abe.model).turn_rate_degps, 40);
+  EXPECT_EQ(std::get<SurfaceCraftParams>(abe.model).thrust_map,
+            (std::vector<ThrustPoint>{{0, 0}, {20, 1}, {60, 3}}));
   EXPECT_EQ(abe.autopilot.heading_kp, 1.2);
   EXPECT_EQ(abe.reporter_options.rate_hz, 4);
   EXPECT_EQ(abe.reporter_options.extra.at("CREW"), "none, yet");
@@ -223,7 +224,7 @@ TEST(ImportMoos, ReadsAllWaysToWriteAStart) {
 TEST(ImportMoos, MakesAThrustMapOfAThrustFactor) {
   const MoosImport import =
       Import({{"a.moos", "Community=a\nProcessConfig = uSimMarine\n{\nthrust_factor = 20\n}\n"}});
-  EXPECT_EQ(Loaded(import).mission.vehicles.at(0).surface_craft.thrust_map,
+  EXPECT_EQ(std::get<SurfaceCraftParams>(Loaded(import).mission.vehicles.at(0).model).thrust_map,
             (std::vector<ThrustPoint>{{100, 5}}));
 }
 

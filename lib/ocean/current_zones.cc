@@ -37,31 +37,6 @@ constexpr Zone kHalfPeriods[] = {{"calm", {600, 600}},
                                  {"choppy", {10, 30}},
                                  {"any", {10, 600}}};
 
-constexpr OceanPreset kPresets[] = {
-    {.name = "calm",
-     .current = {.speed_mps = {0.05, 0.5},
-                 .speed_deviation_mps = {0.01, 0.1},
-                 .speed_half_period_s = {600, 600},
-                 .direction_rad = {kPi / 8, 3 * kPi / 8},
-                 .direction_deviation_rad = {0.01, kPi / 18},
-                 .direction_half_period_s = {600, 600}},
-     .floor_z_m = 200},
-    {.name = "dead",
-     .current = {.speed_mps = {0, 0},
-                 .speed_deviation_mps = {0, 0},
-                 .speed_half_period_s = {600, 600},
-                 .direction_rad = {0, 0},
-                 .direction_deviation_rad = {0, 0},
-                 .direction_half_period_s = {600, 600}}},
-    {.name = "stormy",
-     .current = {.speed_mps = {1.8, 2.5},
-                 .speed_deviation_mps = {0.5, 1.5},
-                 .speed_half_period_s = {10, 30},
-                 .direction_rad = {-kPi, kPi},
-                 .direction_deviation_rad = {kPi / 8, kPi / 2},
-                 .direction_half_period_s = {10, 30}}},
-};
-
 template <class Named>
 const Named* FindNamed(std::span<const Named> all, std::string_view name) {
   const auto found =
@@ -69,7 +44,7 @@ const Named* FindNamed(std::span<const Named> all, std::string_view name) {
   return found == all.end() ? nullptr : &*found;
 }
 
-double Draw(const Range& range, const StreamKey& key) {
+double Draw(const DrawRange& range, const StreamKey& key) {
   return range.low + (range.high - range.low) * Stream(key).Uniform();
 }
 
@@ -95,12 +70,6 @@ CurrentParams DrawCurrent(const CurrentRanges& ranges, const StreamKey& key) {
               .deviation = Draw(ranges.direction_deviation_rad, key.With("direction_deviation")),
               .half_period_s =
                   Draw(ranges.direction_half_period_s, key.With("direction_half_period"))}};
-}
-
-std::span<const OceanPreset> OceanPresets() { return kPresets; }
-
-const OceanPreset* FindOceanPreset(std::string_view name) {
-  return FindNamed(OceanPresets(), name);
 }
 
 }  // namespace shoal

@@ -24,7 +24,6 @@ TEST(CurrentZones, OfNoNameAreNone) {
   EXPECT_EQ(FindZone(CurrentSpeedZones(), ""), nullptr);
   EXPECT_EQ(FindZone(CurrentSpeedZones(), "Typical"), nullptr);
   EXPECT_EQ(FindZone(CurrentSpeedZones(), "north"), nullptr);
-  EXPECT_EQ(FindOceanPreset("choppy"), nullptr);
 }
 
 TEST(CurrentZones, OfDirectionsCoverTheCircleOnce) {
@@ -35,39 +34,35 @@ TEST(CurrentZones, OfDirectionsCoverTheCircleOnce) {
   EXPECT_NEAR(covered_rad, 2 * kPi, 1e-12);
 }
 
-TEST(OceanPresets, AreMadeOfZones) {
-  const auto expect_zone = [](const Range& range, std::span<const Zone> zones, const char* name) {
-    EXPECT_EQ(range.low, FindZone(zones, name)->range.low) << name;
-    EXPECT_EQ(range.high, FindZone(zones, name)->range.high) << name;
-  };
-  const OceanPreset& calm = *FindOceanPreset("calm");
-  expect_zone(calm.current.speed_mps, CurrentSpeedZones(), "typical");
-  expect_zone(calm.current.speed_half_period_s, CurrentHalfPeriodZones(), "calm");
-  expect_zone(calm.current.direction_rad, CurrentDirectionZones(), "northeast");
-  EXPECT_EQ(calm.floor_z_m, 200);
-  const OceanPreset& stormy = *FindOceanPreset("stormy");
-  expect_zone(stormy.current.speed_mps, CurrentSpeedZones(), "fast");
-  expect_zone(stormy.current.speed_deviation_mps, CurrentSpeedDeviationZones(), "unsteady");
-  expect_zone(stormy.current.direction_deviation_rad, CurrentDirectionDeviationZones(), "unsteady");
-  expect_zone(stormy.current.direction_half_period_s, CurrentHalfPeriodZones(), "choppy");
+CurrentRanges StormyRanges() {
+  return {.speed_mps = FindZone(CurrentSpeedZones(), "fast")->range,
+          .speed_deviation_mps = FindZone(CurrentSpeedDeviationZones(), "unsteady")->range,
+          .speed_half_period_s = FindZone(CurrentHalfPeriodZones(), "choppy")->range,
+          .direction_rad = FindZone(CurrentDirectionZones(), "any")->range,
+          .direction_deviation_rad = FindZone(CurrentDirectionDeviationZones(), "unsteady")->range,
+          .direction_half_period_s = FindZone(CurrentHalfPeriodZones(), "choppy")->range};
+}
+
+CurrentRanges DeadRanges() {
+  const DrawRange still = FindZone(CurrentSpeedZones(), "dead")->range;
+  return {.speed_mps = still, .speed_deviation_mps = still, .direction_deviation_rad = still};
 }
 
 TEST(DrawnCurrent, LiesInItsRanges) {
-  for (const OceanPreset& preset : OceanPresets()) {
+  for (const CurrentRanges& ranges : {CurrentRanges(), DeadRanges(), StormyRanges()}) {
     for (uint64_t seed = 0; seed < 50; ++seed) {
-      const CurrentParams params = DrawCurrent(preset.current, StreamKey(seed, "current"));
-      EXPECT_TRUE(IsCurrent(params)) << preset.name;
-      EXPECT_GE(params.speed_mps.mean, preset.current.speed_mps.low) << preset.name;
-      EXPECT_LE(params.speed_mps.mean, preset.current.speed_mps.high) << preset.name;
-      EXPECT_GE(params.speed_mps.half_period_s, preset.current.speed_half_period_s.low);
-      EXPECT_LE(params.direction_rad.deviation, preset.current.direction_deviation_rad.high);
+      const CurrentParams params = DrawCurrent(ranges, StreamKey(seed, "current"));
+      EXPECT_TRUE(IsCurrent(params));
+      EXPECT_GE(params.speed_mps.mean, ranges.speed_mps.low);
+      EXPECT_LE(params.speed_mps.mean, ranges.speed_mps.high);
+      EXPECT_GE(params.speed_mps.half_period_s, ranges.speed_half_period_s.low);
+      EXPECT_LE(params.direction_rad.deviation, ranges.direction_deviation_rad.high);
     }
   }
 }
 
 TEST(DrawnCurrent, OfADeadSeaIsStill) {
-  const CurrentParams params =
-      DrawCurrent(FindOceanPreset("dead")->current, StreamKey(4, "current"));
+  const CurrentParams params = DrawCurrent(DeadRanges(), StreamKey(4, "current"));
   EXPECT_EQ(Velocity(Current(params, StreamKey(4, "current")).At(123)), Eigen::Vector2d(0, 0));
 }
 

@@ -19,7 +19,7 @@ namespace shoal::oracle {
 
 inline constexpr uint64_t kSeed = 7;
 
-struct Vehicle {
+struct OracleVehicle {
   bool known = false;
   Eigen::Vector3d position_m = Eigen::Vector3d::Zero();
   std::string group;
@@ -74,7 +74,7 @@ class Oracle {
     if (!rules.ignore_group.empty() && Lower(rules.ignore_group) == admitted.group) {
       return refuse(Cause::kIgnoredGroup);
     }
-    Vehicle& source = vehicles_[admitted.source];
+    OracleVehicle& source = vehicles_[admitted.source];
     source.known = true;
     source.position_m = report.position_m;
     source.group = admitted.group;
@@ -172,7 +172,7 @@ class Oracle {
 
   double Since(int64_t utime) const { return static_cast<double>(now - utime) / 1e6; }
 
-  bool Stale(const Vehicle& vehicle) const {
+  bool Stale(const OracleVehicle& vehicle) const {
     return rules.stale_time_s >= 0 && Since(vehicle.reported) >= rules.stale_time_s;
   }
 
@@ -200,7 +200,7 @@ class Oracle {
   }
 
   /// True where stale; tells the age.
-  bool StopsAsStale(const Vehicle& receiver, Decision* d) const {
+  bool StopsAsStale(const OracleVehicle& receiver, Decision* d) const {
     d->age_s = Since(receiver.reported);
     if (rules.stale_time_s >= 0) d->age_limit_s = rules.stale_time_s;
     return Stale(receiver);
@@ -213,7 +213,7 @@ class Oracle {
     return range_m >= d->limit_m;
   }
 
-  void DecideReport(const OracleReport& report, const Vehicle& receiver, Fate* fate) {
+  void DecideReport(const OracleReport& report, const OracleVehicle& receiver, Fate* fate) {
     Decision* d = &fate->numbers;
     const double range_m = Range(report.position_m, receiver.position_m);
     if (wanted_.erase({fate->destination, report.source}) > 0) {
@@ -247,7 +247,7 @@ class Oracle {
     d->wait_s = rules.min_rpt_interval_s - Since(heard->second);
   }
 
-  void RefuseSource(const Vehicle& source, Decision* d) const {
+  void RefuseSource(const OracleVehicle& source, Decision* d) const {
     if (!source.known) {
       d->cause = Cause::kUnknownSource;
     } else if (Stale(source)) {
@@ -257,7 +257,7 @@ class Oracle {
     }
   }
 
-  void RefuseMessage(const RandomMessage& message, Vehicle* source, Decision* d) const {
+  void RefuseMessage(const RandomMessage& message, OracleVehicle* source, Decision* d) const {
     if (source->messaged && Since(*source->messaged) < rules.min_msg_interval_s) {
       d->cause = Cause::kTooSoon;
       d->wait_s = rules.min_msg_interval_s - Since(*source->messaged);
@@ -297,7 +297,7 @@ class Oracle {
     return fates;
   }
 
-  void DecideMessage(const Vehicle& source, const Vehicle& receiver, Fate* fate) const {
+  void DecideMessage(const OracleVehicle& source, const OracleVehicle& receiver, Fate* fate) const {
     Decision* d = &fate->numbers;
     d->cause = Cause::kUnknownDestination;
     if (!receiver.known) return;
@@ -313,8 +313,8 @@ class Oracle {
   }
 
   std::set<std::string> mission_;
-  std::map<std::string, Vehicle> vehicles_;
-  Vehicle nobody_;
+  std::map<std::string, OracleVehicle> vehicles_;
+  OracleVehicle nobody_;
   std::map<std::pair<std::string, std::string>, int64_t> heard_;  ///< (source, receiver)
   std::set<std::pair<std::string, std::string>> wanted_;          ///< (receiver, source)
 };

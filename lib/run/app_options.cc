@@ -24,10 +24,10 @@ bool Names(std::string_view list, std::string_view app) {
   return false;
 }
 
-std::string Rows(std::string_view app, bool said) {
+std::string Rows(std::string_view app, bool published) {
   std::string text;
   for (const ChannelRow& row : ChannelTable()) {
-    if (!Names(said ? row.said_by : row.heard_by, app)) continue;
+    if (!Names(published ? row.publishers : row.subscribers, app)) continue;
     const std::string channel =
         std::string(row.topic) + (row.home == ChannelHome::kVehicle ? "_<VEHICLE>" : "");
     text += fmt::format("  {:<26} {:<16} {}\n", channel, row.type, row.rate);

@@ -62,16 +62,16 @@ void StepParticipant::SubscribeAll(Handler handler) {
 void StepParticipant::OnDatagram(int port, std::string_view channel,
                                  std::span<const uint8_t> datagram, int64_t wall_us) {
   if (port == plan_.tick_port()) {
-    if (channel == "TICK") {
+    if (channel == topics::kTick) {
       tick_t tick;
       if (Decode(datagram, &tick)) {
         OnTick(tick, wall_us);
       } else {
         CountUndecodable(channel);
       }
-    } else if (channel == "RESEND") {
+    } else if (channel == topics::kResend) {
       OnResend(datagram, wall_us);
-    } else if (channel == "APPCAST_REQ") {
+    } else if (channel == topics::kAppcastReq) {
       OnAppcastRequest(datagram, wall_us);
     }
     return;
@@ -225,7 +225,7 @@ void StepParticipant::RequestMissing(const std::vector<MissingMessages>& missing
 void StepParticipant::OnResend(std::span<const uint8_t> datagram, int64_t wall_us) {
   resend_t request;
   if (!Decode(datagram, &request)) {
-    CountUndecodable("RESEND");
+    CountUndecodable(topics::kResend);
     return;
   }
   if (request.mission_id != mission_id_ || request.publisher != options_.name) return;
@@ -250,7 +250,7 @@ void StepParticipant::OnResend(std::span<const uint8_t> datagram, int64_t wall_u
 void StepParticipant::OnAppcastRequest(std::span<const uint8_t> datagram, int64_t wall_us) {
   appcast_req_t request;
   if (!Decode(datagram, &request)) {
-    CountUndecodable("APPCAST_REQ");
+    CountUndecodable(topics::kAppcastReq);
     return;
   }
   if (request.app != "all" && request.app != options_.name) return;

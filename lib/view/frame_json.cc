@@ -84,14 +84,6 @@ void WriteHelm(const Scene& scene, const helm_state_t& helm, JsonWriter* json) {
       .EndObject();
 }
 
-void WriteDesired(const desired_t& desired, JsonWriter* json) {
-  json->BeginObject()
-      .Number("heading", desired.heading_deg, kTenths)
-      .Number("speed", desired.speed_mps, 2)
-      .Number("depth", desired.depth_m, kCentimetres)
-      .EndObject();
-}
-
 void WriteVehicle(const Scene& scene, const SceneVehicle& vehicle, JsonWriter* json) {
   json->BeginObject()
       .Text("name", vehicle.name)
@@ -106,9 +98,11 @@ void WriteVehicle(const Scene& scene, const SceneVehicle& vehicle, JsonWriter* j
               [&](const HeardReport& report) { WriteReport(scene, report, json); });
   json->Boolean("stale", scene.IsStale(vehicle)).Key("helm");
   WriteOrNull(vehicle.helm, json, [&](const helm_state_t& helm) { WriteHelm(scene, helm, json); });
-  json->Key("desired");
-  WriteOrNull(vehicle.desired, json,
-              [&](const desired_t& desired) { WriteDesired(desired, json); });
+  ForEachShownChannel([&]<class Row, size_t kRow>() {
+    json->Key(Row::kKey);
+    WriteOrNull(std::get<kRow>(vehicle.shown), json,
+                [&](const auto& message) { Row::Write(message, json); });
+  });
   json->Text("mode", vehicle.report ? std::string_view(vehicle.report->mode) : "")
       .Boolean("outside", vehicle.outside)
       .EndObject();

@@ -158,7 +158,7 @@ Result<std::string> LiveView::VehicleJson(std::string_view name, double /*t_s*/,
 void LiveView::OnNav(size_t vehicle, const nav_t& nav) {
   const double t_s = scene_.SecondsOf(nav.utime);
   trails_[vehicle].Add(t_s, nav.x_m, nav.y_m);
-  vehicle_histories_[vehicle].Add(t_s, nav, scene_.vehicles()[vehicle].desired);
+  vehicle_histories_[vehicle].Add(t_s, nav, LastOf<ShownDesired>(scene_.vehicles()[vehicle].shown));
   events_.OnNav(vehicle, nav.utime, nav.x_m, nav.y_m, nav.z_m);
   events_.OnTime(scene_.now_utime());
 }

@@ -6,6 +6,7 @@
 #include <unordered_map>
 
 #include "lib/bus/bus.h"
+#include "lib/bus/channels.h"
 #include "lib/bus/seal.h"
 #include "lib/routing/vehicle_name.h"
 #include "lib/view/wire_reader.h"
@@ -26,10 +27,10 @@ struct ChannelUse {
 
 ChannelUse::Topic TopicOf(std::string_view channel) {
   using enum ChannelUse::Topic;
-  if (channel == "NODE_REPORT_LOCAL" || channel == "NODE_REPORT") return kReports;
-  if (channel == "COMMS_RULES") return kRules;
-  if (channel == "COMMS_FATES") return kFates;
-  if (channel == "VIEW_COMMS_PULSE") return kPulses;
+  if (channel == topics::kNodeReportLocal || channel == topics::kNodeReport) return kReports;
+  if (channel == topics::kCommsRules) return kRules;
+  if (channel == topics::kCommsFates) return kFates;
+  if (channel == topics::kViewCommsPulse) return kPulses;
   return kState;
 }
 
@@ -146,7 +147,7 @@ class IndexBuilder : private SceneObserver {
   void OnNav(size_t vehicle, const nav_t& nav) override {
     index_.has_nav = true;
     index_.trails[vehicle].Add(Line_s(), nav.x_m, nav.y_m);
-    index_.charts[vehicle].Add(Line_s(), nav, scene_.vehicles()[vehicle].desired);
+    index_.charts[vehicle].Add(Line_s(), nav, LastOf<ShownDesired>(scene_.vehicles()[vehicle].shown));
     watch_.OnNav(vehicle, nav.utime, nav.x_m, nav.y_m, nav.z_m);
   }
 

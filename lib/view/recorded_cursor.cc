@@ -1,5 +1,6 @@
 #include "lib/view/recorded_cursor.h"
 
+#include "lib/bus/channels.h"
 #include "lib/bus/seal.h"
 
 namespace shoal {
@@ -43,7 +44,7 @@ FateCursor::FateCursor(LogReader reader, LogStamps stamps, const Keyframe& keyfr
 
 void FateCursor::GoTo(int64_t line_us) {
   walk_.ReadUpTo(line_us, [this](const LogEvent& event) {
-    if (event.channel != "COMMS_FATES") return;
+    if (event.channel != topics::kCommsFates) return;
     if (!ReadFates(Unseal(event.data).message, &message_)) return;
     for (const FateView& fate : message_.all()) fates_.Add(fate);
   });

@@ -56,12 +56,6 @@ Result<std::string> LogFileOf(const std::string& path) {
       path)};
 }
 
-/// Replaces what no message shows.
-void NameUnknown(const std::string& log, Mission* mission) {
-  mission->name = fs::path(log).stem().string();
-  for (Vehicle& vehicle : mission->vehicles) vehicle.model.clear();
-}
-
 }  // namespace
 
 Result<RecordedLog> OpenRecordedLog(const std::string& path, const std::string& mission_file,
@@ -87,7 +81,7 @@ Result<RecordedLog> OpenRecordedLog(const std::string& path, const std::string& 
   }
   const bool knows_mission = found->mission.has_value();
   Mission mission = knows_mission ? std::move(*found->mission) : std::move(survey.mission);
-  if (!knows_mission) NameUnknown(*file, &mission);
+  if (!knows_mission) mission.name = fs::path(*file).stem().string();
   const int64_t apart_us = survey.first_utime - PlausibleUtime(mission.start_utime);
   if (survey.has_events && std::abs(apart_us) > kMissionsApart_us) {
     found->notes.push_back(fmt::format(

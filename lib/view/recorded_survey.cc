@@ -1,12 +1,14 @@
 #include "lib/view/recorded_survey.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 #include <unordered_map>
 #include <unordered_set>
 
 #include "lib/bus/bus.h"
+#include "lib/bus/channels.h"
 #include "lib/bus/seal.h"
 #include "lib/routing/vehicle_name.h"
 #include "lib/view/fate_facts.h"
@@ -23,18 +25,22 @@ constexpr int kMaxVotes = 64;
 constexpr int64_t kMaxEventsForVotes = 100'000;
 constexpr int64_t kClocksApart_us = 3'600'000'000;
 constexpr size_t kMaxText = 200;
-constexpr std::string_view kNavPrefix = "NAV_";
 
-/// True for messages that begin with the time of the step in which they were said.
-bool TellsStepTime(std::string_view channel) {
-  return channel.starts_with(kNavPrefix) || channel.starts_with("DESIRED_") ||
-         channel.starts_with("HELM_STATE_") || channel == "COMMS_FATES" ||
-         channel == "COMMS_RULES" || channel == "VIEW_COMMS_PULSE";
+/// True for messages that begin with the time of the step in which they were published.
+bool BeginsWithStepTime(std::string_view channel) {
+  constexpr std::array kOfVehicles = {topics::kNav, topics::kDesired, topics::kHelmState};
+  constexpr std::array kOfShore = {topics::kCommsFates, topics::kCommsRules,
+                                   topics::kViewCommsPulse};
+  return std::find(kOfShore.begin(), kOfShore.end(), channel) != kOfShore.end() ||
+         std::any_of(kOfVehicles.begin(), kOfVehicles.end(), [&](std::string_view topic) {
+           return !VehicleOfChannel(channel, topic).empty();
+         });
 }
 
 std::optional<int64_t> MessageUtime(const LogEvent& event) {
   constexpr size_t kFingerprint = 8;
-  if (!TellsStepTime(event.channel) || event.data.size() < 2 * kFingerprint) return std::nullopt;
+  if (!BeginsWithStepTime(event.channel) || event.data.size() < 2 * kFingerprint)
+    return std::nullopt;
   uint64_t utime = 0;
   for (const uint8_t byte : event.data.subspan(kFingerprint, 8)) utime = utime << 8 | byte;
   return static_cast<int64_t>(utime);
@@ -51,12 +57,13 @@ double FiniteOr(double value, double otherwise) { return std::isfinite(value) ? 
 class MissionFinder {
  public:
   void Take(const LogEvent& event) {
-    if (event.channel == "COMMS_RULES") {
+    if (event.channel == topics::kCommsRules) {
       TakeRules(event);
-    } else if (event.channel == "NODE_REPORT_LOCAL") {
+    } else if (event.channel == topics::kNodeReportLocal) {
       TakeReport(event);
-    } else if (event.channel.starts_with(kNavPrefix)) {
-      TakeNav(event);
+    } else if (const auto vehicle = VehicleOfChannel(event.channel, topics::kNav);
+               !vehicle.empty()) {
+      TakeNav(vehicle, event);
     }
   }
 
@@ -121,9 +128,9 @@ class MissionFinder {
     Complete(found, &Found::has_report);
   }
 
-  void TakeNav(const LogEvent& event) {
+  void TakeNav(std::string_view vehicle_of_channel, const LogEvent& event) {
     // In a channel's name a vehicle is in upper case; most are called in lower case.
-    Found* found = FindOrAdd(VehicleKey(event.channel.substr(kNavPrefix.size())));
+    Found* found = FindOrAdd(VehicleKey(vehicle_of_channel));
     if (found == nullptr || found->has_nav) return;
     nav_t nav{};
     if (!DecodeLogged(event, &nav)) return;

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "lib/bus/channels.h"
 #include "lib/bus/seal.h"
 #include "lib/record/test_log.h"
 #include "lib/view/recorded_view.h"
@@ -37,7 +38,7 @@ class TrafficMaker {
 
   void MakeStep(int step) {
     utime_ = step * kRecordedStep_us;
-    if (step % 3 == 1) Say("COMMS_FATES", FatesOf(utime_, MakeFates()));
+    if (step % 3 == 1) Say(channels::CommsFates().name, FatesOf(utime_, MakeFates()));
     if (step == 0 || Draw(60) == 0) {
       comms_rules_t rules = RulesWith(utime_, 50 + Draw(300), 1 + Draw(4));
       rules.num_vehicles = static_cast<int32_t>(kTrafficNames.size());
@@ -46,20 +47,21 @@ class TrafficMaker {
       rules.acoustic_leaders.resize(kTrafficNames.size());
       rules.tick_us = kRecordedStep_us;
       rules.pulse_duration_s = 5;
-      Say("COMMS_RULES", rules);
+      Say(channels::CommsRules().name, rules);
     }
     for (const std::string& name : kTrafficNames) MakeVehicle(step, name);
     if (step > 120 && Draw(30) == 0) {
-      Say("NODE_REPORT", ReportOf(Draw(1) == 0 ? "ship" : "Zodiac", utime_, Draw(100), 7));
+      Say(channels::NodeReportFromOutside().name,
+          ReportOf(Draw(1) == 0 ? "ship" : "Zodiac", utime_, Draw(100), 7));
     }
     for (const std::string& name : kTrafficNames) {
       // A vehicle that is silent for a while becomes stale.
       if (step % 5 == 2 && Draw(9) > 1) {
-        Say("NODE_REPORT_LOCAL", ReportOf(name, utime_, Draw(100), Draw(100)));
+        Say(channels::NodeReportLocal().name, ReportOf(name, utime_, Draw(100), Draw(100)));
       }
     }
     if (step % 3 == 1) {
-      Say("VIEW_COMMS_PULSE",
+      Say(channels::ViewCommsPulse().name,
           PulsesOf(utime_, {PulseOf("ALPHA2BRAVO", "nrep", 1 + Draw(4)),
                             PulseOf("C32BRAVO_" + std::to_string(Draw(3)), "msg", 5)}));
     }

@@ -47,6 +47,7 @@ Result<std::unique_ptr<RecordedView>> RecordedView::Open(const std::string& path
   view->setup_json_ = shoal::SetupJson(shown,
                                        {.mode = "recorded",
                                         .boot = options.boot,
+                                        .knows_models = log->knows_mission,
                                         .begin_s = view->begin_s(),
                                         .end_s = view->end_s(),
                                         .notes = view->notes_},

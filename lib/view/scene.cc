@@ -82,8 +82,10 @@ Scene::Scene(const Mission& mission)
     const size_t place = vehicles_.size();
     channels_[channels::Nav(vehicle.name).name] = {Topic::kNav, place};
     channels_[channels::HelmState(vehicle.name).name] = {Topic::kHelm, place};
-    channels_[channels::Desired(vehicle.name).name] = {Topic::kDesired, place};
     channels_[channels::Swarm(vehicle.name).name] = {Topic::kSwarm, place};
+    ForEachShownChannel([&]<class Row, size_t kRow>() {
+      channels_[Row::ChannelOf(vehicle.name).name] = {Topic::kShown, place, kRow};
+    });
     names_.Add(vehicle.name);
     vehicles_.push_back({.name = vehicle.name,
                          .type = vehicle.type,
@@ -116,10 +118,10 @@ void Scene::Handle(std::string_view channel, std::span<const uint8_t> data,
         return HandleNav(place, data, observer);
       case Topic::kHelm:
         return HandleHelm(place, data, observer);
-      case Topic::kDesired:
-        return HandleDesired(place, data);
       case Topic::kSwarm:
         return HandleSwarm(place, data);
+      case Topic::kShown:
+        return HandleShown(place, known->second.shown, data);
       case Topic::kReport:
         return HandleReport(data, observer);
       case Topic::kFates:
@@ -181,14 +183,6 @@ bool Scene::HandleHelm(size_t vehicle, std::span<const uint8_t> data, SceneObser
   return true;
 }
 
-bool Scene::HandleDesired(size_t vehicle, std::span<const uint8_t> data) {
-  const desired_t* desired = DecodeAgain<desired_t>(data);
-  if (desired == nullptr) return false;
-  MoveNow(PlausibleUtime(desired->utime));
-  vehicles_[vehicle].desired = *desired;
-  return true;
-}
-
 bool Scene::HandleSwarm(size_t vehicle, std::span<const uint8_t> data) {
   swarm_t* swarm = DecodeAgain<swarm_t>(data);
   if (swarm == nullptr) return false;
@@ -208,6 +202,20 @@ bool Scene::HandleSwarm(size_t vehicle, std::span<const uint8_t> data) {
   swarm->num_sources = swarm->num_counts = 0;
   vehicles_[vehicle].swarm = *swarm;
   return true;
+}
+
+bool Scene::HandleShown(size_t vehicle, size_t row, std::span<const uint8_t> data) {
+  bool is_understood = false;
+  ForEachShownChannel([&]<class Row, size_t kRow>() {
+    if (kRow != row) return;
+    auto* message = DecodeAgain<typename Row::Message>(data);
+    if (message == nullptr) return;
+    is_understood = true;
+    MoveNow(PlausibleUtime(message->utime));
+    Row::Bound(message);
+    std::get<kRow>(vehicles_[vehicle].shown) = *message;
+  });
+  return is_understood;
 }
 
 bool Scene::HandleReport(std::span<const uint8_t> data, SceneObserver* observer) {

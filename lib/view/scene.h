@@ -23,9 +23,9 @@
 #include "lib/view/link_book.h"
 #include "lib/view/packet_book.h"
 #include "lib/view/pulse_book.h"
+#include "lib/view/shown_channels.h"
 #include "shoal/clock_state_t.hpp"
 #include "shoal/comms_rules_t.hpp"
-#include "shoal/desired_t.hpp"
 #include "shoal/helm_state_t.hpp"
 #include "shoal/nav_t.hpp"
 #include "shoal/node_report_t.hpp"
@@ -56,8 +56,8 @@ struct SceneVehicle {
   std::optional<nav_t> nav = {};
   std::optional<HeardReport> report = {};
   std::optional<helm_state_t> helm = {};
-  std::optional<desired_t> desired = {};
   std::optional<swarm_t> swarm = {};
+  ShownMessages shown = {};
 };
 
 /// The broker's rules, as far as viewers show them.
@@ -89,8 +89,8 @@ class Scene {
   /// Begins with the mission's vehicles, in its order, and its rules.
   explicit Scene(const Mission& mission);
 
-  /// Takes one encoded message. Channels: NAV_V, HELM_STATE_V, DESIRED_V, SWARM_V of the mission's
-  /// vehicles, NODE_REPORT_LOCAL, NODE_REPORT, COMMS_FATES, COMMS_RULES, VIEW_COMMS_PULSE; all
+  /// Takes one encoded message. Channels: NAV_V, HELM_STATE_V, SWARM_V and those of
+  /// shown_channels.h of the mission's vehicles, NODE_REPORT_LOCAL, NODE_REPORT, COMMS_FATES, COMMS_RULES, VIEW_COMMS_PULSE; all
   /// others are ignored.
   void Handle(std::string_view channel, std::span<const uint8_t> data,
               SceneObserver* observer = nullptr);
@@ -138,10 +138,11 @@ class Scene {
   int64_t num_left_out() const { return num_left_out_; }  ///< Reports of too many outside vehicles.
 
  private:
-  enum class Topic : uint8_t { kNav, kHelm, kDesired, kSwarm, kReport, kFates, kRules, kPulses };
+  enum class Topic : uint8_t { kNav, kHelm, kSwarm, kShown, kReport, kFates, kRules, kPulses };
   struct ChannelPlace {
     Topic topic = Topic::kNav;
     size_t vehicle = 0;
+    size_t shown = 0;  ///< kShown: the place of its row.
   };
   struct TextHash {
     using is_transparent = void;
@@ -151,7 +152,7 @@ class Scene {
   // Return false for bytes that are no such message.
   bool HandleNav(size_t vehicle, std::span<const uint8_t> data, SceneObserver* observer);
   bool HandleHelm(size_t vehicle, std::span<const uint8_t> data, SceneObserver* observer);
-  bool HandleDesired(size_t vehicle, std::span<const uint8_t> data);
+  bool HandleShown(size_t vehicle, size_t row, std::span<const uint8_t> data);
   bool HandleSwarm(size_t vehicle, std::span<const uint8_t> data);
   bool HandleReport(std::span<const uint8_t> data, SceneObserver* observer);
   bool HandleFates(std::span<const uint8_t> data, SceneObserver* observer);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 
 #include "lib/view/test_view.h"
@@ -67,7 +68,7 @@ TEST_F(SceneTest, TakesWhatVehiclesSayOfThemselves) {
   EXPECT_EQ(scene_.vehicles()[1].nav->y_m, 6);
   ASSERT_TRUE(scene_.vehicles()[0].helm);
   EXPECT_EQ(scene_.vehicles()[0].helm->task.size(), Scene::kMaxText);
-  EXPECT_EQ(scene_.vehicles()[0].desired->heading_deg, 90);
+  EXPECT_EQ(LastOf<ShownDesired>(scene_.vehicles()[0].shown)->heading_deg, 90);
   EXPECT_EQ(scene_.vehicles()[0].swarm->num_said, 14);
   EXPECT_EQ(scene_.now_s(), 3);
   EXPECT_EQ(witness.num_navs, 1);
@@ -195,12 +196,15 @@ TEST_F(SceneTest, IsCopiedByValue) {
   EXPECT_EQ(scene_.vehicles().size(), 2U);
 }
 
-TEST(SceneChannels, AreThoseThatItListensTo) {
-  const auto channels = Scene::Channels(MissionOf({"alpha"}));
-  EXPECT_EQ(channels,
-            (std::vector<std::string>{"COMMS_FATES", "COMMS_RULES", "DESIRED_ALPHA",
-                                      "HELM_STATE_ALPHA", "NAV_ALPHA", "NODE_REPORT",
-                                      "NODE_REPORT_LOCAL", "SWARM_ALPHA", "VIEW_COMMS_PULSE"}));
+TEST(SceneChannels, AreThoseToWhichItSubscribes) {
+  std::vector<std::string> expected = {"COMMS_FATES", "COMMS_RULES",     "HELM_STATE_ALPHA",
+                                       "NAV_ALPHA",   "NODE_REPORT",     "NODE_REPORT_LOCAL",
+                                       "SWARM_ALPHA", "VIEW_COMMS_PULSE"};
+  ForEachShownChannel(
+      [&]<class Row, size_t kRow>() { expected.push_back(Row::ChannelOf("alpha").name); });
+  std::sort(expected.begin(), expected.end());
+  EXPECT_NE(std::find(expected.begin(), expected.end(), "DESIRED_ALPHA"), expected.end());
+  EXPECT_EQ(Scene::Channels(MissionOf({"alpha"})), expected);
 }
 
 }  // namespace

@@ -4,9 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <variant>
 
-#include "lib/geometry/angles.h"
 #include "lib/mission/ocean_of.h"
 #include "lib/run/version.h"
 #include "lib/view/json_writer.h"
@@ -14,43 +12,6 @@
 namespace shoal {
 
 namespace {
-
-/// A task as it is drawn.
-struct TaskShape {
-  std::vector<Eigen::Vector2d> points_m;
-  bool closed = false;
-  double radius_m = 0;
-};
-
-struct ShapeOf {
-  TaskShape operator()(const WaypointsTask& task) const {
-    return {.points_m = task.points_m, .closed = task.laps != 1};
-  }
-  TaskShape operator()(const LoiterTask& task) const {
-    TaskShape shape{.points_m = {}, .closed = true};
-    const double step_rad = (task.clockwise ? 2 : -2) * kPi / std::max(task.num_points, 3);
-    for (int i = 0; i < task.num_points; ++i) {
-      shape.points_m.push_back(task.center_m + task.radius_m * UnitVector(i * step_rad));
-    }
-    return shape;
-  }
-  TaskShape operator()(const StationKeepTask& task) const {
-    TaskShape shape{.points_m = {}, .radius_m = task.outer_radius_m};
-    if (!task.here) shape.points_m.push_back(task.point_m);
-    return shape;
-  }
-  TaskShape operator()(const ReturnTask& task) const { return {.points_m = {task.point_m}}; }
-  TaskShape operator()(const PathFollowTask& task) const {
-    TaskShape shape{.points_m = {}, .closed = task.end == PathTaskEnd::kReturnToFirst};
-    for (const Eigen::Vector3d& point_m : task.points_m) {
-      shape.points_m.emplace_back(point_m.head<2>());
-    }
-    return shape;
-  }
-  TaskShape operator()(const TargetTrackTask&) const { return {}; }
-};
-
-TaskShape ShapeOfTask(const Task& task) { return std::visit(ShapeOf{}, task.what); }
 
 void WritePoint(const Eigen::Vector2d& point_m, JsonWriter* json) {
   json->BeginArray().Number(point_m.x(), kCentimetres).Number(point_m.y(), kCentimetres).EndArray();
@@ -63,22 +24,23 @@ void WritePoints(const std::vector<Eigen::Vector2d>& points_m, JsonWriter* json)
 }
 
 void WriteTask(const Task& task, JsonWriter* json) {
-  const TaskShape shape = ShapeOfTask(task);
+  const TaskOutline outline = FactsOf(task).outline;
   json->BeginObject().Text("name", task.name).Text("kind", KindOf(task)).Key("points");
-  WritePoints(shape.points_m, json);
-  json->Boolean("closed", shape.closed)
-      .Number("radius_m", shape.radius_m, kCentimetres)
+  WritePoints(outline.points_m, json);
+  json->Boolean("closed", outline.closed)
+      .Number("radius_m", outline.radius_m, kCentimetres)
       .EndObject();
 }
 
-void WriteVehicle(const Mission& mission, const Vehicle& vehicle, JsonWriter* json) {
+void WriteVehicle(const Mission& mission, const Vehicle& vehicle, bool knows_models,
+                  JsonWriter* json) {
   json->BeginObject()
       .Text("name", vehicle.name)
       .Text("type", vehicle.type)
       .Text("color", vehicle.color)
       .Text("group", vehicle.group)
       .Number("length_m", vehicle.length_m, kCentimetres)
-      .Text("model", vehicle.model)
+      .Text("model", knows_models ? FactsOfModel(vehicle.model).name : "")
       .Boolean("in_swarm", mission.IsInSwarm(vehicle))
       .Key("start");
   WritePoint({vehicle.start.x_m, vehicle.start.y_m}, json);
@@ -134,7 +96,7 @@ Eigen::AlignedBox2d AreaOf(const Mission& mission) {
     add({vehicle.start.x_m, vehicle.start.y_m});
     add(vehicle.return_task.point_m);
     for (const Task& task : vehicle.tasks) {
-      for (const Eigen::Vector2d& point_m : ShapeOfTask(task).points_m) add(point_m);
+      for (const Eigen::Vector2d& point_m : FactsOf(task).outline.points_m) add(point_m);
     }
   }
   if (area_m.isEmpty()) area_m.extend(Eigen::Vector2d(0, 0));
@@ -170,7 +132,9 @@ std::string SetupJson(const Mission& mission, const SetupFacts& facts,
       .Key("op_area");
   WritePoints(mission.op_area_m, &json);
   json.Key("vehicles").BeginArray();
-  for (const Vehicle& vehicle : mission.vehicles) WriteVehicle(mission, vehicle, &json);
+  for (const Vehicle& vehicle : mission.vehicles) {
+    WriteVehicle(mission, vehicle, facts.knows_models, &json);
+  }
   json.EndArray().Key("floor").Raw(floor_json).Key("notes").BeginArray();
   for (const std::string& note : facts.notes) json.Text(note);
   json.EndArray().EndObject();

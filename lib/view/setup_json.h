@@ -12,7 +12,8 @@ namespace shoal {
 struct SetupFacts {
   std::string mode = "live";  ///< Or "recorded".
   std::string boot;
-  bool commands = false;  ///< Whoever asks may send commands.
+  bool commands = false;     ///< The client may send commands.
+  bool knows_models = true;  ///< False: the mission was found in a log, which shows no models.
   double begin_s = 0;
   double end_s = 0;
   std::vector<std::string> notes;

@@ -99,7 +99,7 @@ void TickOfHelm(benchmark::State& state, bool hears) {
   const auto add = [&](const std::string& name, const decltype(Task::what)& what) {
     Vehicle vehicle;
     vehicle.name = name;
-    vehicle.model = "remus100";
+    vehicle.model = Remus100Options{};
     vehicle.helm_options.deploy_at_start = true;
     vehicle.helm_options.nav_timeout_s = 1e9;
     vehicle.tasks = {{.name = "task", .what = what}};

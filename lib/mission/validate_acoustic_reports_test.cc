@@ -33,14 +33,14 @@ TEST(LoadWarnings, TellReportsThatAreSaidAllAtOnce) {
   EXPECT_EQ(Warnings(kThree, "access_mode = \"tdma\"", slow),
             std::vector<std::string>{
                 "m.toml:4:16: warning: alpha and bravo report at the same moments, every 10 s, and "
-                "send on one channel: many will not be heard; write rate_hz = 10, "
+                "send on one channel: many will not be received; write rate_hz = 10, "
                 "blackout_interval_s = 10 and blackout_variance_s = 8 in [vehicle.reporter], so "
                 "that chance parts them, or "
                 "access_mode = \"fdma\" in [acoustics]"});
   EXPECT_EQ(Warnings(kThree, "modem = \"nanomodem_v3\"", slow),
             std::vector<std::string>{
                 "m.toml:4:16: warning: alpha and bravo report at the same moments, every 10 s, and "
-                "do not hear while they send (half_duplex): many will not be heard; write "
+                "do not receive while they send (half_duplex): many will not be received; write "
                 "rate_hz = 10, blackout_interval_s = 10 and blackout_variance_s = 8 in "
                 "[vehicle.reporter], so "
                 "that chance parts them"});

@@ -1,0 +1,145 @@
+// What of a mission follows from other tables: names as the vehicles write them, and what the file
+// leaves open.
+#include <algorithm>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "lib/mission/validate.h"
+#include "lib/routing/destinations.h"
+
+namespace shoal {
+namespace {
+
+struct ResolveEvent {
+  const TablePlace& place;
+  const Mission& mission;
+
+  void operator()(CommandEvent& event) const {
+    ResolveVehicle(place, "vehicle", event.vehicle, mission, true);
+  }
+  void operator()(SimCommandEvent& event) const {
+    ResolveVehicle(place, "vehicle", event.vehicle, mission, true);
+  }
+  void operator()(RuleEvent& event) const {
+    ResolveVehicle(place, "vehicle", event.vehicle, mission, false);
+  }
+  void operator()(MessageEvent& event) const {
+    const TablePlace message = place.Below("message");
+    ResolveVehicle(message, "src_node", event.src_node, mission, false);
+    // Others can never be reached; the broker takes names in any case, so that they stay as
+    // written.
+    for (std::string name : ParseDestinations(event.dest_node).names) {
+      ResolveVehicle(message, "dest_node", name, mission, true);
+    }
+  }
+};
+
+struct ResolveExpectation {
+  const TablePlace& place;
+  const Mission& mission;
+
+  template <class OfOneVehicle>
+  void operator()(OfOneVehicle& expectation) const {
+    ResolveVehicle(place, "vehicle", expectation.vehicle, mission, true);
+  }
+  void operator()(SeparationExpectation&) const {}
+  void operator()(CommsExpectation& comms) const { ResolveLink(comms); }
+  void operator()(SwarmExpectation& swarm) const { ResolveLink(swarm); }
+  void operator()(DistanceExpectation& distance) const {
+    ResolveVehicle(place, "vehicle", distance.vehicle, mission, true);
+    ResolveVehicle(place, "to", distance.to, mission, true);
+  }
+
+  template <class OfLinks>
+  void ResolveLink(OfLinks& expectation) const {
+    ResolveVehicle(place, "from", expectation.from, mission, true);
+    ResolveVehicle(place, "to", expectation.to, mission, true);
+  }
+};
+
+void ResolveTargets(Mission& mission, const TablePlace& file) {
+  for (size_t i = 0; i < mission.vehicles.size(); ++i) {
+    std::vector<Task>& tasks = mission.vehicles[i].tasks;
+    for (size_t k = 0; k < tasks.size(); ++k) {
+      auto* track = std::get_if<TargetTrackTask>(&tasks[k].what);
+      if (track == nullptr) continue;
+      const TablePlace place = file.Below("vehicle", i).Below("task", k);
+      ResolveVehicle(place, "target", track->target, mission, false);
+      for (std::string& member : track->group) {
+        ResolveVehicle(place, "group", member, mission, false);
+      }
+    }
+  }
+}
+
+/// Returns the vehicles that follow the leader by what the acoustic network lets through.
+std::vector<std::string> AcousticFollowers(const Mission& mission) {
+  std::vector<std::string> followers;
+  for (const Vehicle& vehicle : mission.vehicles) {
+    const bool follows =
+        std::any_of(vehicle.tasks.begin(), vehicle.tasks.end(), [&](const Task& task) {
+          const auto* track = std::get_if<TargetTrackTask>(&task.what);
+          if (track == nullptr || track->swarm != SwarmKnowledge::kAcoustic) return false;
+          return mission.FindVehicle(track->target) == mission.FindVehicle(mission.swarm.leader);
+        });
+    if (follows && vehicle.name != mission.swarm.leader) followers.push_back(vehicle.name);
+  }
+  return followers;
+}
+
+bool UsesAcoustics(const RoutingRules& rules) {
+  return rules.reports_over == Medium::kAcoustic || rules.messages_over == Medium::kAcoustic;
+}
+
+/// A vehicle's place in the mission, without the address that all receive.
+void FillInAddresses(Mission& mission) {
+  const int broadcast = mission.acoustics.options.broadcast_address;
+  for (size_t i = 0; i < mission.vehicles.size(); ++i) {
+    int& address = mission.vehicles[i].acoustic_address;
+    const int place = static_cast<int>(i) + 1;
+    if (address == 0) address = place + (broadcast >= 1 && place >= broadcast ? 1 : 0);
+  }
+}
+
+}  // namespace
+
+void ResolveNames(Mission& mission, const TablePlace& file) {
+  ResolveTargets(mission, file);
+  if (mission.swarm.exists) {
+    const TablePlace swarm = file.Below("swarm");
+    ResolveVehicle(swarm, "leader", mission.swarm.leader, mission, false);
+    if (mission.FindVehicle(mission.swarm.leader) != nullptr) {
+      for (std::string& follower : mission.swarm.followers) {
+        ResolveVehicle(swarm, "followers", follower, mission, false);
+      }
+    }
+  }
+  if (mission.netsim) {
+    const TablePlace netsim = file.Below("netsim");
+    for (size_t i = 0; i < mission.netsim->vehicles.size(); ++i) {
+      ResolveVehicle(netsim.Below("vehicle", i), "name", mission.netsim->vehicles[i].name, mission,
+                     false);
+    }
+  }
+  for (size_t i = 0; i < mission.events.size(); ++i) {
+    std::visit(ResolveEvent{file.Below("event", i), mission}, mission.events[i].what);
+  }
+  for (size_t i = 0; i < mission.expectations.size(); ++i) {
+    std::visit(ResolveExpectation{file.Below("expect", i), mission}, mission.expectations[i].what);
+  }
+}
+
+void CompleteMission(Mission& mission, const TablePlace& file) {
+  mission.acoustics.is_used = file.Has("acoustics") || UsesAcoustics(mission.comms);
+  FillInAddresses(mission);
+  if (!mission.swarm.exists) return;
+  const Vehicle* leader = mission.FindVehicle(mission.swarm.leader);
+  if (leader == nullptr) return;
+  for (Vehicle& vehicle : mission.vehicles) {
+    if (&vehicle == leader) vehicle.acoustic_leader = true;
+  }
+  if (!file.Below("swarm").Has("followers")) mission.swarm.followers = AcousticFollowers(mission);
+}
+
+}  // namespace shoal

@@ -1,0 +1,22 @@
+// The table [vehicle.remus100].
+#include <array>
+#include <string_view>
+
+#include "lib/mission/describe.h"
+#include "lib/vehicle/remus100.h"
+
+namespace shoal {
+
+void Describe(Fields& fields, Remus100Options& options) {
+  constexpr double kDeepest_m = 20'000;
+  constexpr std::array<std::string_view, 3> kParameters = {"default", "munet", "fossen"};
+  fields.Word("parameters", options.parameters, kParameters);
+  fields.Number("model_step_s", options.model_step_s, Between(1e-4, kMaxRemus100Step_s));
+  fields.Number("cruise_depth_m", options.cruise_depth_m, Between(0, kDeepest_m));
+  fields.Number("max_depth_m", options.max_depth_m, Above(0, kDeepest_m));
+  fields.Number("seabed_clearance_m", options.seabed_clearance_m, Between(0, 1000));
+  fields.Number("depth_filter_s", options.depth_filter_s, Between(0, 1000));
+  fields.Number("max_propeller_rate_rpmps", options.max_propeller_rate_rpmps, Between(0, 1e6));
+}
+
+}  // namespace shoal

@@ -1,0 +1,14 @@
+// What checks and pages must know of a vehicle model, whatever its parameters are.
+#pragma once
+
+#include <string_view>
+
+namespace shoal {
+
+struct ModelFacts {
+  std::string_view name;       ///< model = "remus100" and [vehicle.remus100] in mission files.
+  bool is_underwater = false;  ///< It dives: it can start at a depth and do underwater tasks.
+  double longest_tick_s = 0;   ///< A longer tick_s cannot steer it; 0: any can.
+};
+
+}  // namespace shoal

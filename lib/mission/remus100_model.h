@@ -1,0 +1,32 @@
+// The underwater vehicle in mission files: model = "remus100" and its table [vehicle.remus100].
+#pragma once
+
+#include <string>
+
+#include "lib/mission/model_facts.h"
+
+namespace shoal {
+
+class Fields;
+
+/// `[vehicle.remus100]`: the underwater vehicle and its autopilots.
+struct Remus100Options {
+  std::string parameters = "default";  ///< default, munet or fossen: docs/vehicles.md.
+  double model_step_s = 0.02;          ///< The longest step of integration within a tick.
+  double cruise_depth_m = 0;           ///< Of tasks that name no depth.
+  double max_depth_m = 100;
+  double seabed_clearance_m = 5;
+  double depth_filter_s = 20;           ///< Time constant of the commanded depth; 0: one step.
+  double max_propeller_rate_rpmps = 0;  ///< 0: the propeller is commanded at once.
+
+  bool operator==(const Remus100Options&) const = default;
+};
+
+constexpr ModelFacts FactsOf(const Remus100Options& /*model*/) {
+  return {.name = "remus100", .is_underwater = true, .longest_tick_s = 0.2};
+}
+
+/// [vehicle.remus100].
+void Describe(Fields& fields, Remus100Options& options);
+
+}  // namespace shoal

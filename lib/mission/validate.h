@@ -1,0 +1,64 @@
+// Checks that span tables of a mission file: names are looked up, what is left open is filled in
+// from other tables, and what does not fit together is refused. A table by itself is checked where
+// it is described (describe.h).
+//
+//   TableReader reader(root, "the file", problems);
+//   Describe(reader, mission);
+//   Validate(mission, TablePlace(root, problems));
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lib/acoustics/channel_plan.h"
+#include "lib/mission/mission.h"
+#include "lib/mission/table_place.h"
+
+namespace shoal {
+
+/// Completes `mission`, all of which has been read from `file`, and finds everything that is wrong
+/// between its tables. Puts the events in order of time.
+void Validate(Mission& mission, const TablePlace& file);
+
+/// Refuses, at its key in [acoustics], what is wrong with a network of `nodes`. Where the file has
+/// no such table, all of it is refused at `instead_of_key` of the table `place`.
+void ValidateNetwork(const TablePlace& place, const AcousticOptions& options,
+                     const std::vector<AcousticNode>& nodes, std::string_view instead_of_key = "");
+
+// The parts of Validate. The first two write into the mission; the others only look at what is
+// complete, and may come in any order.
+
+/// Writes names of vehicles as their tables do, and refuses those that no vehicle has.
+void ResolveNames(Mission& mission, const TablePlace& file);
+/// Fills in what a table leaves open and another decides: whether there is an acoustic network,
+/// acoustic addresses, the leader of the network, the followers of the swarm.
+void CompleteMission(Mission& mission, const TablePlace& file);
+
+/// Names of vehicles and participants; groups.
+void ValidateNames(const Mission& mission, const TablePlace& file);
+/// Whether [environment] can be made with the mission's seed and folder.
+void ValidateEnvironment(const Mission& mission, const TablePlace& file);
+/// The acoustic network, its addresses, and what [comms] sends over it.
+void ValidateAcoustics(const Mission& mission, const TablePlace& file);
+/// Reports that the modem's packets cannot hold; warns of vehicles whose own reports overlap, and
+/// of those that report in step with each other and so are not received.
+void ValidateAcousticReports(const Mission& mission, const TablePlace& file);
+void ValidateSwarm(const Mission& mission, const TablePlace& file);
+void ValidateNetsim(const Mission& mission, const TablePlace& file);
+/// Models and tasks of underwater vehicles.
+void ValidateUnderwater(const Mission& mission, const TablePlace& file);
+void ValidateEvents(const Mission& mission, const TablePlace& file);
+/// Warns of tasks behind one that never ends, where no event starts them.
+void WarnOfIdleTasks(const Mission& mission, const TablePlace& file);
+void ValidateExpectations(const Mission& mission, const TablePlace& file);
+
+/// Refuses the name under `key` where no vehicle of `mission` has it; else writes it as the
+/// vehicle's table does. "all" is left alone where `or_all`.
+void ResolveVehicle(const TablePlace& place, std::string_view key, std::string& name,
+                    const Mission& mission, bool or_all);
+
+/// Returns the named vehicle, or all of them.
+std::vector<const Vehicle*> VehiclesNamed(const Mission& mission, std::string_view name_or_all);
+
+}  // namespace shoal

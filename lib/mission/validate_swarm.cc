@@ -1,0 +1,156 @@
+// Whether the members of [swarm] can receive each other's messages.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <string>
+#include <string_view>
+
+#include "lib/mission/swarm_plan.h"
+#include "lib/mission/validate.h"
+#include "lib/swarm/broadcast_message.h"
+#include "lib/swarm/field_checks.h"
+#include "lib/swarm/message_frame.h"
+
+namespace shoal {
+namespace {
+
+void CheckFollowers(const TablePlace& place, const Mission& mission) {
+  if (mission.FindVehicle(mission.swarm.leader) == nullptr) return;  // That is refused already.
+  std::set<std::string_view> seen;
+  for (const std::string& follower : mission.swarm.followers) {
+    if (follower == mission.swarm.leader) {
+      place.Refuse("followers", fmt::format("{} leads; it is no follower", follower));
+    } else if (!seen.insert(follower).second) {
+      place.Refuse("followers", fmt::format("{} is named twice", follower));
+    }
+  }
+  if (mission.swarm.followers.empty()) {
+    place.Refuse("followers",
+                 "the swarm has no followers: write followers = [\"bravo\"], or give a vehicle a "
+                 "task of kind "
+                 "= \"target_track\" and swarm = \"acoustic\"");
+  }
+}
+
+/// Members know each other by their acoustic addresses, which muNet wants to lie near each other.
+void CheckMemberAddresses(const TablePlace& place, const Mission& mission) {
+  const Vehicle* low = nullptr;
+  const Vehicle* high = nullptr;
+  for (const Vehicle& vehicle : mission.vehicles) {
+    if (!mission.IsInSwarm(vehicle)) continue;
+    if (low == nullptr || vehicle.acoustic_address < low->acoustic_address) low = &vehicle;
+    if (high == nullptr || vehicle.acoustic_address > high->acoustic_address) high = &vehicle;
+  }
+  const int64_t limit = FieldLimits().max_id_distance;
+  if (low == nullptr || high->acoustic_address - low->acoustic_address <= limit) return;
+  place.Refuse(
+      "leader",
+      fmt::format("the acoustic_address of {} is {} and that of {} {}: members farther "
+                  "than {} apart take each other's messages for damaged",
+                  low->name, low->acoustic_address, high->name, high->acoustic_address, limit));
+}
+
+/// What a member needs so that the others receive its messages.
+void CheckMembers(const TablePlace& place, const Mission& mission) {
+  const double limit_m = FieldLimits().max_position_m;
+  for (const Vehicle& vehicle : mission.vehicles) {
+    if (!mission.IsInSwarm(vehicle)) continue;
+    const bool leads = vehicle.name == mission.swarm.leader;
+    const std::string_view key = leads ? "leader" : "followers";
+    if (std::max(std::abs(vehicle.start.x_m), std::abs(vehicle.start.y_m)) > limit_m) {
+      place.Refuse(key, fmt::format("{} starts more than {:g} km from the origin, farther than the "
+                                    "messages of a swarm can encode: move [mission] origin",
+                                    vehicle.name, limit_m / 1000));
+    }
+    if (!leads && vehicle.acoustic_leader &&
+        mission.acoustics.options.access_mode == AccessMode::kTdmaLf) {
+      place.Refuse(key,
+                   fmt::format("{} has acoustic_leader = true: it would not receive {}; only the "
+                               "leader of [swarm] may have it",
+                               vehicle.name, mission.swarm.leader));
+    }
+    if (vehicle.sim == Provider::kNone && vehicle.acomms == Provider::kShoal) {
+      place.Warn(key, fmt::format("vehicle_sim of {} is \"none\": unless a program of yours "
+                                  "publishes its NAV, it never sends",
+                                  vehicle.name));
+    }
+  }
+}
+
+/// Slots that come too late to be of use.
+void WarnOfLateSlots(const TablePlace& place, const Mission& mission) {
+  const SlotPlan plan = PlanSwarm(mission).plan;
+  const double episode_s = static_cast<double>(plan.episode_us) / 1e6;
+  const double last_s = static_cast<double>(plan.offset_us) / 1e6 *
+                        static_cast<double>(mission.swarm.followers.size());
+  if (plan.scheme != SwarmScheme::kTdmaLf && last_s > mission.duration_s) {
+    place.Warn("offset_s", fmt::format("{} sends first after {:g} s, when the mission is over",
+                                       mission.swarm.followers.back(), last_s));
+  }
+  if (episode_s > mission.duration_s) {
+    place.Warn("episode_s",
+               fmt::format("an episode takes {:g} s, longer than the mission", episode_s));
+  }
+  if (mission.swarm.silent_after_s < episode_s) {
+    place.Warn(
+        "silent_after_s",
+        fmt::format("every member counts as silent {:g} s after a message, and the next comes "
+                    "after {:g} s",
+                    mission.swarm.silent_after_s, episode_s));
+  }
+  if (mission.duration_s > FieldLimits().max_time_s) {
+    place.Warn("leader",
+               fmt::format("time stamps of messages end at {:g} s: from then on all count "
+                           "as damaged",
+                           FieldLimits().max_time_s));
+  }
+}
+
+/// A message must fit into a packet of the modem.
+void CheckPackets(const TablePlace& place, const Mission& mission) {
+  const std::optional<ModemPreset>& modem = mission.acoustics.options.modem;
+  if (!modem || modem->max_packet_bytes <= 0) return;
+  const bool asks = SwarmSchemeOf(mission) == SwarmScheme::kTdmaLf;
+  const size_t longest =
+      (asks ? BroadcastBytes(mission.swarm.followers.size()) : kLeaderReportBytes) +
+      (mission.swarm.frames ? kFrameBytes : 0);
+  if (static_cast<int64_t>(longest) <= modem->max_packet_bytes) return;
+  place.Refuse("leader", fmt::format("the leader's message takes {} bytes, and a packet of the {} "
+                                     "holds {}: choose another modem{}",
+                                     longest, modem->name, modem->max_packet_bytes,
+                                     asks ? ", fewer followers, or scheduler = \"tdma\"" : ""));
+}
+
+void CheckSlots(const TablePlace& place, const Mission& mission) {
+  const bool needs_channels = mission.swarm.scheduler == "fdma_lf";
+  if (needs_channels && mission.acoustics.options.access_mode != AccessMode::kFdma) {
+    place.Refuse("scheduler",
+                 "fdma_lf needs a channel for each vehicle: write access_mode = "
+                 "\"fdma\" in [acoustics], or scheduler = \"tdma\"");
+    return;
+  }
+  for (const TimingProblem& problem : PlanSwarm(mission).problems) {
+    place.Refuse(problem.key, problem.message);
+  }
+}
+
+}  // namespace
+
+void ValidateSwarm(const Mission& mission, const TablePlace& file) {
+  if (!mission.swarm.exists) return;
+  const TablePlace swarm = file.Below("swarm");
+  CheckFollowers(swarm, mission);
+  if (!mission.acoustics.is_used) {
+    swarm.Refuse("leader", "a swarm sends over the acoustic network: write [acoustics] as well");
+  }
+  if (!swarm.IsSound()) return;
+  CheckMemberAddresses(swarm, mission);
+  CheckMembers(swarm, mission);
+  CheckPackets(swarm, mission);
+  CheckSlots(swarm, mission);
+  if (swarm.IsSound()) WarnOfLateSlots(swarm, mission);
+}
+
+}  // namespace shoal

@@ -1,0 +1,101 @@
+// What only underwater vehicles can do, and whether those that follow each other can.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+#include <variant>
+
+#include "lib/mission/validate.h"
+
+namespace shoal {
+namespace {
+
+bool NeedsSonar(const TargetTrackTask& task) {
+  const auto* cascade = std::get_if<VelocityCascade>(&task.track.law);
+  return cascade != nullptr &&
+         std::any_of(cascade->layers.begin(), cascade->layers.end(),
+                     [](const VelocityLayer& layer) {
+                       return std::holds_alternative<SurvivalSonarLayer>(layer) ||
+                              std::holds_alternative<SurvivalLayer>(layer);
+                     });
+}
+
+/// Returns "model = "remus100"" for messages: every model that dives.
+std::string UnderwaterModels() {
+  std::string text;
+  for (const AnyModel& model : EachModel()) {
+    const ModelFacts facts = FactsOfModel(model);
+    if (!facts.is_underwater) continue;
+    text += fmt::format("{}\"{}\"", text.empty() ? "model = " : " or ", facts.name);
+  }
+  return text;
+}
+
+void CheckModel(const TablePlace& place, const Vehicle& vehicle, int64_t tick_us) {
+  const ModelFacts facts = FactsOfModel(vehicle.model);
+  if (facts.longest_tick_s > 0 && static_cast<double>(tick_us) > facts.longest_tick_s * 1e6) {
+    place.Refuse("model", fmt::format("a {} must be steered every {:g} s or faster: write tick_s = "
+                                      "0.1 in [mission]",
+                                      facts.name, facts.longest_tick_s));
+  }
+  if (!facts.is_underwater && vehicle.start.depth_m > 0) {
+    place.Refuse("start",
+                 fmt::format("only a vehicle of {} can start under water", UnderwaterModels()));
+  }
+}
+
+/// What a task with swarm = "acoustic" needs of [swarm].
+void CheckAcousticTask(const TablePlace& place, const TargetTrackTask& track,
+                       const Vehicle& vehicle, const Mission& mission) {
+  if (track.swarm != SwarmKnowledge::kAcoustic) return;
+  if (!mission.swarm.exists) {
+    place.Refuse("swarm", fmt::format("swarm = \"acoustic\" needs an acoustic swarm: write "
+                                      "[swarm] and leader = \"{}\", or swarm = \"direct\"",
+                                      track.target));
+  } else if (mission.swarm.leader.empty()) {
+    return;  // That is refused in [swarm].
+  } else if (track.target != mission.swarm.leader) {
+    place.Refuse("target", fmt::format("only the leader of [swarm], {}, reports its position "
+                                       "to followers over the acoustic network",
+                                       mission.swarm.leader));
+  } else if (!mission.IsInSwarm(vehicle)) {
+    place.Refuse("swarm", fmt::format("{} is not among the followers of [swarm]: add it, or leave "
+                                      "followers out",
+                                      vehicle.name));
+  }
+}
+
+void CheckTargetTracking(const TablePlace& place, const TargetTrackTask& track,
+                         const Vehicle& vehicle, const Mission& mission) {
+  if (NeedsSonar(track) && !vehicle.sonar.is_fitted) {
+    place.Refuse("layers",
+                 "the layers that keep away from what a sonar sees need one: write "
+                 "[vehicle.sonar] under the [[vehicle]]");
+  }
+  if (track.target == vehicle.name) place.Refuse("target", "a vehicle cannot follow itself");
+  CheckAcousticTask(place, track, vehicle, mission);
+}
+
+}  // namespace
+
+void ValidateUnderwater(const Mission& mission, const TablePlace& file) {
+  for (size_t i = 0; i < mission.vehicles.size(); ++i) {
+    const Vehicle& vehicle = mission.vehicles[i];
+    const TablePlace place = file.Below("vehicle", i);
+    CheckModel(place, vehicle, mission.tick_us);
+    for (size_t k = 0; k < vehicle.tasks.size(); ++k) {
+      const Task& task = vehicle.tasks[k];
+      if (FactsOf(task).is_underwater && !FactsOfModel(vehicle.model).is_underwater) {
+        place.Below("task", k).Refuse(
+            "kind", fmt::format("{} is a task of underwater vehicles: write {} in the [[vehicle]], "
+                                "or kind = \"waypoints\"",
+                                KindOf(task), UnderwaterModels()));
+      }
+      if (const auto* track = std::get_if<TargetTrackTask>(&task.what)) {
+        CheckTargetTracking(place.Below("task", k), *track, vehicle, mission);
+      }
+    }
+  }
+}
+
+}  // namespace shoal
