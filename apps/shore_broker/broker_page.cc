@@ -34,7 +34,7 @@ void AppendRows(const Router& router, Wanted wanted, Row row, std::string* text)
 std::string Configuration(const Router& router) {
   const RoutingRules& rules = router.rules();
   std::string text = "Configuration:\n";
-  for (const RuleRow& row : kRules) {
+  for (const RuleRow& row : kRuleTable) {
     if (row.of_vehicle) continue;
     const std::string shown = ShownValue(row, rules);
     if (row.is_shown_always || shown != ShownValue(row, {})) {
@@ -141,7 +141,7 @@ std::string Blocked(const Router& router, Kind kind, std::string_view what) {
   const CauseCounts& counts = router.counts(kind);
   int64_t total = 0;
   std::string rows;
-  for (const CauseRow& row : kCauses) {
+  for (const CauseRow& row : kCauseTable) {
     if (row.outcome != Outcome::kStopped) continue;
     const int64_t count = CountOf(counts, row.cause);
     total += count;

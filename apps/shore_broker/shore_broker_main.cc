@@ -8,7 +8,8 @@ namespace {
 const shoal::AppInfo kInfo = {
     .name = "shore_broker",
     .purpose =
-        "Decides which vehicle receives which node reports, messages and acoustic packets, and why.",
+        "Decides which vehicle receives which node reports, messages and acoustic packets, and "
+        "why.",
     .per_vehicle = false,
     .can_live = true,
     .example = "# In a mission file. These are the defaults.\n" + shoal::CommsExample() + R"(

@@ -13,10 +13,10 @@ std::string CommsExample() {
   std::string text = "[comms]\n";
   for (const std::string& line : ExplainComms({})) {
     const std::string_view key = std::string_view(line).substr(0, line.find(' '));
-    for (const RuleRow& row : kRules) {
+    for (const RuleRow& row : kRuleTable) {
       if (row.rule != key) continue;
-      text += fmt::format("{:<37} # {}{}{}\n", line, row.unit, row.unit.empty() ? "" : ": ",
-                          row.about);
+      text +=
+          fmt::format("{:<37} # {}{}{}\n", line, row.unit, row.unit.empty() ? "" : ": ", row.about);
     }
   }
   return text;

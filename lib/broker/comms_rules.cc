@@ -55,19 +55,19 @@ constexpr bool IsOnTheWire(const RuleRow& row) {
 
 consteval bool HasEachRuleOnce() {
   size_t place = 0;
-  for (const RuleRow& row : kRules) {
+  for (const RuleRow& row : kRuleTable) {
     if (!IsOnTheWire(row)) continue;
     if (place == kWire.size() || kWire[place++].rule != row.rule) return false;
   }
   return place == kWire.size();
 }
-static_assert(HasEachRuleOnce(), "COMMS_RULES carries each rule of kRules, in its order");
+static_assert(HasEachRuleOnce(), "COMMS_RULES carries each rule of kRuleTable, in its order");
 
 /// Calls `use(row, wire)` for each rule that COMMS_RULES carries.
 template <class Use>
 void EachRule(const Use& use) {
   size_t place = 0;
-  for (const RuleRow& row : kRules) {
+  for (const RuleRow& row : kRuleTable) {
     if (IsOnTheWire(row)) use(row, kWire[place++]);
   }
 }
@@ -104,7 +104,7 @@ void EachMember(const Copy& copy) {
   EachRule([&](const RuleRow& row, const WireRow& wire) {
     std::visit(
         [&]<class R, class F>(R rule, F field) {
-          if constexpr (requires(RoutingRules& r, comms_rules_t& m) { r.*rule, m.*field; }) {
+          if constexpr (requires(RoutingRules & r, comms_rules_t & m) { r.*rule, m.*field; }) {
             using Rule = std::remove_reference_t<decltype(std::declval<RoutingRules&>().*rule)>;
             using Field = std::remove_reference_t<decltype(std::declval<comms_rules_t&>().*field)>;
             if constexpr (kFit<Rule, Field>) return copy(rule, field);

@@ -58,6 +58,7 @@ Channel<unc_controls_req_t> UncControlsReq() { return {"UNC_CONTROLS_REQ"}; }
 Channel<node_report_t> NodeReportUnc() { return {"NODE_REPORT_UNC"}; }
 Channel<comms_fates_t> CommsFates() { return {"COMMS_FATES"}; }
 Channel<comms_rules_t> CommsRules() { return {"COMMS_RULES"}; }
+Channel<comms_rules_t> CommsRulesNow() { return {"COMMS_RULES_NOW"}; }
 Channel<comms_pulses_t> ViewCommsPulse() { return {"VIEW_COMMS_PULSE"}; }
 Channel<modem_stats_t> ModemStats() { return {"MODEM_STATS"}; }
 Channel<appcast_t> Appcast() { return {"APPCAST"}; }
@@ -65,6 +66,7 @@ Channel<appcast_t> Appcast() { return {"APPCAST"}; }
 Channel<tick_t> Tick() { return {"TICK"}; }
 Channel<resend_t> Resend() { return {"RESEND"}; }
 Channel<appcast_req_t> AppcastReq() { return {"APPCAST_REQ"}; }
+Channel<comms_rules_req_t> CommsRulesReq() { return {"COMMS_RULES_REQ"}; }
 Channel<clock_state_t> ClockState() { return {"CLOCK_STATE"}; }
 Channel<step_done_t> StepDone() { return {"STEP_DONE"}; }
 Channel<clock_command_t> ClockCommand() { return {"CLOCK_COMMAND"}; }
@@ -136,12 +138,17 @@ std::vector<ChannelRow> MakeTable() {
       {"UNC_CONTROLS_REQ", kShore, "unc_controls_req_t", "shore_broker", "shoal",
        "when it starts in the midst of a mission", true},
       {"UNC_CONTROLS", kShore, "unc_controls_t", "shoal", "shore_broker", "when asked", true},
-      {"APPCAST", kShore, "appcast_t", "every app", "shoal status, viewer", "when asked", false},
+      {"APPCAST", kShore, "appcast_t", "every app", "shoal status, viewer", "when asked", false,
+       true},
+      {"COMMS_RULES_NOW", kShore, "comms_rules_t", "shore_broker", "viewer", "when asked", false,
+       true},
       {"TICK", kTickPort, "tick_t", "shoal", "every participant", "every step", false},
       {"RESEND", kTickPort, "resend_t", "participants", "participants", "when a message is missing",
        false},
       {"APPCAST_REQ", kTickPort, "appcast_req_t", "shoal status, viewer", "every app",
        "when needed", false},
+      {"COMMS_RULES_REQ", kTickPort, "comms_rules_req_t", "viewer", "shore_broker",
+       "when a viewer joins", false},
       {"CLOCK_STATE", kTickPort, "clock_state_t", "shoal", "shoal send, viewer",
        "on change, and 2 Hz of wall time", false},
       {"STEP_DONE", kDonePort, "step_done_t", "every participant", "shoal", "every step", false},
@@ -162,6 +169,11 @@ const std::vector<ChannelRow>& ChannelTable() {
 bool IsLogged(std::string_view channel) {
   return std::none_of(ChannelTable().begin(), ChannelTable().end(),
                       [&](const ChannelRow& row) { return !row.logged && row.topic == channel; });
+}
+
+bool IsAnswer(std::string_view channel) {
+  return std::any_of(ChannelTable().begin(), ChannelTable().end(),
+                     [&](const ChannelRow& row) { return row.is_answer && row.topic == channel; });
 }
 
 }  // namespace shoal

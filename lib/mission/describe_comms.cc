@@ -65,7 +65,7 @@ struct RuleField {
 }  // namespace
 
 void Describe(Fields& fields, RoutingRules& rules) {
-  for (const RuleRow& row : kRules) std::visit(RuleField{fields, row, rules}, row.member);
+  for (const RuleRow& row : kRuleTable) std::visit(RuleField{fields, row, rules}, row.member);
 }
 
 }  // namespace shoal

@@ -111,9 +111,8 @@ void Describe(Fields& fields, CommsExpectation& comms, const Mission& mission) {
   fields.Text("to", comms.to, {.min_length = 1});
   ResolveVehicle(fields, "to", comms.to, mission, true);
   std::vector<std::string_view> causes;
-  for (int i = 0; i < kNumCauses; ++i) {
-    const auto cause = static_cast<Cause>(i);
-    if (CanHave(comms.kind, cause)) causes.push_back(CauseText(cause));
+  for (const CauseRow& row : kCauseTable) {
+    if (CanHave(comms.kind, row.cause)) causes.push_back(row.key);
   }
   fields.Word("cause", comms.cause, causes);
   DescribeCount(fields, "at_least", comms.at_least);

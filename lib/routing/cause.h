@@ -148,11 +148,11 @@ static_assert(IsComplete(), "each Cause has a row at its place, with key, label,
 }  // namespace cause_table
 
 /// All causes, by their numbers.
-inline constexpr const auto& kCauses = cause_table::kRows;
-inline constexpr int kNumCauses = static_cast<int>(kCauses.size());
+inline constexpr const auto& kCauseTable = cause_table::kRows;
+inline constexpr int kNumCauses = static_cast<int>(kCauseTable.size());
 
 [[nodiscard]] constexpr const CauseRow& RowOf(Cause cause) {
-  return kCauses[static_cast<size_t>(cause)];
+  return kCauseTable[static_cast<size_t>(cause)];
 }
 /// Returns the cause's key: "out_of_range".
 [[nodiscard]] constexpr std::string_view CauseText(Cause cause) { return RowOf(cause).key; }

@@ -16,7 +16,7 @@ constexpr Kind kKinds[] = {Kind::kReport, Kind::kMessage, Kind::kAck, Kind::kPac
 
 TEST(Causes, HaveKeysOfTheirOwnLikeOnesInMissionFiles) {
   std::set<std::string_view> keys;
-  for (const CauseRow& row : kCauses) keys.insert(row.key);
+  for (const CauseRow& row : kCauseTable) keys.insert(row.key);
   for (const Kind kind : kKinds) keys.insert(KindText(kind));
   keys.insert(OverrideText(OverrideRule::kCriticalRange));
   keys.insert(OverrideText(OverrideRule::kFullReport));
@@ -31,7 +31,7 @@ TEST(Causes, HaveKeysOfTheirOwnLikeOnesInMissionFiles) {
 TEST(Causes, HaveLabelsAndTextsOfTheirOwnAndColoursInHexadecimal) {
   std::set<std::string_view> labels;
   std::set<std::string_view> texts;
-  for (const CauseRow& row : kCauses) {
+  for (const CauseRow& row : kCauseTable) {
     EXPECT_TRUE(labels.insert(row.label).second) << row.label;
     EXPECT_TRUE(texts.insert(row.text.substr(0, row.text.find(','))).second) << row.text;
     EXPECT_EQ(row.text.substr(0, row.text.find(',')).find('{'), row.text.npos)
@@ -43,7 +43,7 @@ TEST(Causes, HaveLabelsAndTextsOfTheirOwnAndColoursInHexadecimal) {
 TEST(Causes, BelongToTheKindsWhoseRulesAskForThem) {
   const auto count = [](Kind kind) {
     int num = 0;
-    for (const CauseRow& row : kCauses) num += CanHave(kind, row.cause) ? 1 : 0;
+    for (const CauseRow& row : kCauseTable) num += CanHave(kind, row.cause) ? 1 : 0;
     return num;
   };
   EXPECT_EQ(count(Kind::kReport), 19);

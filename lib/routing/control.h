@@ -15,7 +15,7 @@
 
 namespace shoal {
 
-/// A row of kRules that has a channel.
+/// A row of kRuleTable that has a channel.
 using ControlRow = RuleRow;
 using ControlType = RuleType;
 

@@ -139,7 +139,7 @@ TEST(Router, AgreesWithAnOracleOverAHundredThousandRandomSteps) {
     comparison.Step(step % 50 == 0);
     ASSERT_FALSE(HasFatalFailure()) << "seed " << kTrafficSeed << ", step " << step;
   }
-  for (const CauseRow& row : kCauses) {
+  for (const CauseRow& row : kCauseTable) {
     if (row.of_rules.empty() || row.cause == Cause::kTooManyVehicles) continue;
     EXPECT_GT(comparison.seen()[static_cast<size_t>(row.cause)], 100)
         << row.key << " was hardly tried";

@@ -399,6 +399,6 @@ inline constexpr std::array kControls = Controls();
 }  // namespace rule_table
 
 /// All rules.
-inline constexpr const auto& kRules = rule_table::kRows;
+inline constexpr const auto& kRuleTable = rule_table::kRows;
 
 }  // namespace shoal

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <tuple>
 
+#include "lib/bus/channels.h"
+
 namespace shoal {
 
 namespace {
@@ -22,7 +24,7 @@ void StepInbox::Add(std::string_view channel, std::span<const uint8_t> datagram,
   const auto [message, seal] = Unseal(datagram);
   if (!seal) {
     // Pages for people are no input to a mission.
-    if (channel != "APPCAST") ++counters_.outside;
+    if (!IsAnswer(channel)) ++counters_.outside;
     if (outside_.size() >= kMaxOutside || outside_bytes_ + message.size() > kMaxOutsideBytes) {
       ++counters_.dropped;
       return;

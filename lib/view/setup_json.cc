@@ -8,7 +8,10 @@
 
 #include "lib/geometry/angles.h"
 #include "lib/mission/ocean_of.h"
+#include "lib/routing/cause.h"
+#include "lib/routing/control.h"
 #include "lib/run/version.h"
+#include "lib/view/fate_text.h"
 #include "lib/view/json_writer.h"
 
 namespace shoal {
@@ -87,6 +90,30 @@ void WriteVehicle(const Mission& mission, const Vehicle& vehicle, JsonWriter* js
   json->Key("tasks").BeginArray();
   for (const Task& task : vehicle.tasks) WriteTask(task, json);
   json->EndArray().EndObject();
+}
+
+void WriteCause(const CauseRow& row, JsonWriter* json) {
+  constexpr std::array<std::string_view, 4> kOutcomes = {"whole", "damaged", "stopped", "pending"};
+  json->BeginObject()
+      .Text("key", row.key)
+      .Text("text", CauseWords(row.cause))
+      .Text("color", row.color)
+      .Text("outcome", kOutcomes.at(static_cast<size_t>(row.outcome)))
+      .EndObject();
+}
+
+/// A rule that can change while the mission runs.
+void WriteRule(const ControlRow& row, JsonWriter* json) {
+  json->BeginObject()
+      .Text("rule", row.rule)
+      .Text("label", row.label)
+      .Text("unit", row.unit)
+      .Boolean("of_vehicle", row.of_vehicle)
+      .Boolean("takes_value", row.type != ControlType::kRequest)
+      .Text("values", row.values)
+      .Text("example", row.example)
+      .Text("about", row.about)
+      .EndObject();
 }
 
 /// A square grid of samples.
@@ -171,6 +198,10 @@ std::string SetupJson(const Mission& mission, const SetupFacts& facts,
   WritePoints(mission.op_area_m, &json);
   json.Key("vehicles").BeginArray();
   for (const Vehicle& vehicle : mission.vehicles) WriteVehicle(mission, vehicle, &json);
+  json.EndArray().Key("causes").BeginArray();
+  for (const CauseRow& row : kCauseTable) WriteCause(row, &json);
+  json.EndArray().Key("rules").BeginArray();
+  for (const ControlRow& row : ControlTable()) WriteRule(row, &json);
   json.EndArray().Key("floor").Raw(floor_json).Key("notes").BeginArray();
   for (const std::string& note : facts.notes) json.Text(note);
   json.EndArray().EndObject();
