@@ -142,7 +142,7 @@ std::string Blocked(const Router& router, Kind kind, std::string_view what) {
   int64_t total = 0;
   std::string rows;
   for (const CauseRow& row : kCauseTable) {
-    if (row.outcome != Outcome::kStopped) continue;
+    if (row.outcome != CauseOutcome::kStopped) continue;
     const int64_t count = CountOf(counts, row.cause);
     total += count;
     if (count > 0 || row.of_rules.Has(kind)) {

@@ -76,7 +76,7 @@ TEST(CommsExample, HasEachRuleWithItsDefaultAndLoads) {
     const bool is_of_comms = !row.of_vehicle && row.type != RuleType::kRequest;
     EXPECT_EQ(example.find("\n" + std::string(row.rule) + " = ") != example.npos, is_of_comms)
         << row.rule;
-    if (is_of_comms) EXPECT_NE(example.find(row.about), example.npos) << row.rule;
+    EXPECT_EQ(example.find(row.about) != example.npos, is_of_comms) << row.rule;
   }
   const LoadedComms loaded = LoadCommsText(example, "example");
   EXPECT_TRUE(loaded.errors.empty());

@@ -44,7 +44,7 @@ enum class Cause : uint8_t {
 };
 
 /// What a cause means for the destination.
-enum class Outcome : uint8_t { kWhole, kDamaged, kStopped, kPending };
+enum class CauseOutcome : uint8_t { kWhole, kDamaged, kStopped, kPending };
 
 struct CauseRow {
   Cause cause;
@@ -57,7 +57,7 @@ struct CauseRow {
   std::string_view color;  ///< In the viewer: "#rrggbb", of the palette of Okabe and Ito (2008).
   KindSet of_rules;        ///< The kinds to which the broker's rules can give it.
   KindSet of_network;      ///< The kinds to which the acoustic network can give it.
-  Outcome outcome = Outcome::kStopped;
+  CauseOutcome outcome = CauseOutcome::kStopped;
 };
 
 namespace cause_table {
@@ -80,7 +80,7 @@ inline constexpr KindSet kAllButPackets{kReport, kMessage, kAck};
 inline constexpr std::array kRows = {
     CauseRow{Cause::kDelivered, "delivered", "Delivered",
              "delivered, {range}, by {override}, {delay} by sound", kGreen, kAll, kAll,
-             Outcome::kWhole},
+             CauseOutcome::kWhole},
     CauseRow{Cause::kInvalid, "invalid", "Invalid", "invalid", kBlue, kAll, kNone},
     CauseRow{Cause::kTooManyVehicles, "too_many_vehicles", "Too Many Vehicles", "too many vehicles",
              kBlue, KindSet(kReport, kMessage), kNone},
@@ -107,7 +107,7 @@ inline constexpr std::array kRows = {
     CauseRow{Cause::kDropped, "dropped", "Dropped", "dropped at random, {loss} are", kPurple,
              kAllButPackets, kNone},
     CauseRow{Cause::kInTransit, "in_transit", "In Transit", "in transit", kGrey, kNone, kNone,
-             Outcome::kPending},
+             CauseOutcome::kPending},
     CauseRow{Cause::kNoChannel, "no_channel", "No Channel", "no acoustic channel", kSkyBlue, kNone,
              kAll},
     CauseRow{Cause::kNotListening, "not_listening", "Not Listening",
@@ -128,7 +128,7 @@ inline constexpr std::array kRows = {
              kAllButPackets},
     CauseRow{Cause::kDamaged, "damaged", "Delivered Damaged",
              "delivered damaged, {bits} flipped, with {colliders}", kYellow, kNone, kAll,
-             Outcome::kDamaged},
+             CauseOutcome::kDamaged},
 };
 
 /// True where each row stands at its cause's number and lacks nothing.
@@ -139,7 +139,7 @@ consteval bool IsComplete() {
     if (row.key.empty() || row.label.empty() || row.text.empty()) return false;
     if (row.color.size() != 7 || row.color.front() != '#') return false;
     const bool has_kind = !row.of_rules.empty() || !row.of_network.empty();
-    if (has_kind == (row.outcome == Outcome::kPending)) return false;
+    if (has_kind == (row.outcome == CauseOutcome::kPending)) return false;
   }
   return true;
 }
@@ -164,8 +164,8 @@ inline constexpr int kNumCauses = static_cast<int>(kCauseTable.size());
 
 /// Returns true where the destination has received something, whole or damaged.
 [[nodiscard]] constexpr bool IsReceived(Cause cause) {
-  const Outcome outcome = RowOf(cause).outcome;
-  return outcome == Outcome::kWhole || outcome == Outcome::kDamaged;
+  const CauseOutcome outcome = RowOf(cause).outcome;
+  return outcome == CauseOutcome::kWhole || outcome == CauseOutcome::kDamaged;
 }
 
 }  // namespace shoal

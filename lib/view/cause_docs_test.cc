@@ -73,7 +73,7 @@ TEST(FatesPage, NamesTheNumbersThatATextOfACauseShows) {
   const std::vector<PageTable> tables = TablesOf(PageText("docs/fates.md"), "cause");
   ASSERT_EQ(tables.size(), 2U);
   for (const CauseRow& row : kCauseTable) {
-    if (row.outcome == Outcome::kPending) continue;
+    if (row.outcome == CauseOutcome::kPending) continue;
     std::string rows;
     for (const PageTable& table : tables) {
       const auto found = table.find(std::string(row.key));
