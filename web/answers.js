@@ -36,6 +36,8 @@ export function tidySetup(setup) {
     begin_s,
     end_s,
     vehicles: named(known.vehicles),
+    causes: arrayOf(known.causes).filter((row) => isObject(row) && typeof row.key === 'string'),
+    rules: arrayOf(known.rules).filter((row) => isObject(row) && typeof row.rule === 'string'),
     notes: arrayOf(known.notes).filter((note) => typeof note === 'string'),
   };
 }

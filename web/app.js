@@ -2,6 +2,7 @@
 // another.
 
 import {tidyEvents, tidySetup} from './answers.js';
+import {setCauses} from './causes.js';
 import {vehicleColor} from './colors.js';
 import {Commands} from './commands.js';
 import {setText} from './dom.js';
@@ -55,6 +56,7 @@ class Page {
   /** Begins with the mission that `setup` tells of. */
   begin(setup) {
     this.setup = setup;
+    setCauses(setup.causes);
     this.isRecorded = setup.mode === 'recorded';
     const listener = {
       onFrame: (frame) => this.#takeFrame(frame),
@@ -188,6 +190,7 @@ class Page {
       return;
     }
     this.setup = setup;
+    setCauses(setup.causes);
     this.frame = null;
     this.numEvents = null;
     this.openLink(null, null);

@@ -98,22 +98,6 @@ export function vehicleColor(name, color, onLight = isLightTheme()) {
   });
 }
 
-const kCauseColors = {
-  delivered: 'green',
-  damaged: 'yellow', bit_errors: 'yellow', rejected: 'yellow',
-  out_of_range: 'vermillion', no_path: 'vermillion',
-  dropped: 'purple', packet_loss: 'purple',
-  collision: 'orange', half_duplex: 'orange',
-  no_channel: 'skyBlue', not_listening: 'skyBlue', other_group: 'skyBlue',
-  stale_source: 'grey', stale_receiver: 'grey', unknown_source: 'grey',
-  unknown_destination: 'grey', no_destination: 'grey', in_transit: 'grey',
-};
-
-/** Returns the colour of a fate's cause; what stops it at intake is blue. */
-export function causeColor(cause, onLight = isLightTheme()) {
-  return paletteColor(Object.hasOwn(kCauseColors, cause) ? kCauseColors[cause] : 'blue', onLight);
-}
-
 const kKindColors = {report: 'orange', message: 'skyBlue', ack: 'green', packet: 'purple'};
 
 /** Returns the colour of report, message, ack or packet; grey for others. */

@@ -76,9 +76,9 @@ export class Commands {
     const {clock, rules} = frame;
     setText(this.clockState, clock.state === 'paused' ? 'Paused.'
       : `${clock.state}, ${quantity(clock.factor, 2)} × real time. ${clip(clock.note ?? '', 200)}`);
-    const range = rules?.comms_range_m;
-    setText(this.rangeNow, `now ${range < 0 ? 'no limit' : quantity(range, 0, 'm')}`);
-    setText(this.dropNow, `now ${quantity(rules?.drop_percentage, 0, '%')}`);
+    for (const {rule, of_vehicle: ofVehicle, now} of this.ruleFields) {
+      if (!ofVehicle) setText(now, `now ${clip(rules?.shown?.[rule] ?? '–', 40)}`);
+    }
     this.#showFactors();
     this.#ageMark(frame.commands);
   }
@@ -162,44 +162,41 @@ export class Commands {
       element('div', {class: 'buttons'}, buttons));
   }
 
+  /** One field for each rule that can change: the server sends their table. */
   #rules() {
-    const field = (rule, label, unit, attributes, send) => {
-      const id = `rule-${rule}`;
-      const input = element('input',
-        {id, type: 'number', step: 'any', required: true, ...attributes});
-      const now = element('span', {class: 'dim now'});
-      const form = element('form', {onsubmit: (event) => {
-        event.preventDefault();
-        send(input.value);
-      }}, element('label', {for: id}, label), input, element('span', {}, unit),
-      element('button', {type: 'submit', 'data-rule': rule}, 'Set'), now);
-      return {form, now};
-    };
-    const range = field('comms_range', 'Comms range', 'm', {min: 0, placeholder: '250'},
-      (value) => this.send('comms_range', [value]));
-    const drop = field('drop_percentage', 'Drop', '%', {min: 0, max: 100, placeholder: '10'},
-      (value) => this.send('drop_percentage', [value]));
-    const stealth = field('stealth', 'Stealth', 'of 1', {min: 0, max: 1, placeholder: '0.5'},
-      (value) => this.send('stealth', [this.target.value, value]));
-    const earange = field('earange', 'Earange', '1–10', {min: 1, max: 10, placeholder: '2'},
-      (value) => this.send('earange', [this.target.value, value]));
-    this.rangeNow = range.now;
-    this.dropNow = drop.now;
-    this.stealthNow = stealth.now;
-    this.earangeNow = earange.now;
+    this.ruleFields = this.page.setup.rules.map((row) => this.#ruleField(row));
+    const forms = (ofVehicle) => this.ruleFields
+      .filter((field) => field.of_vehicle === ofVehicle).map(({form}) => form);
     this.factorsOf = element('h4');
-    return element('section', {class: 'rules'}, element('h3', {}, 'Who may hear whom'), range.form,
-      this.#button('nolimit', 'Comms range: no limit', 'everybody hears everybody',
+    return element('section', {class: 'rules'}, element('h3', {}, 'Rules of the broker'),
+      this.#button('nolimit', 'Comms range: no limit', 'every vehicle receives every other',
         () => this.send('comms_range', ['nolimit'])),
-      drop.form, this.factorsOf, stealth.form, earange.form);
+      ...forms(false), this.factorsOf, ...forms(true));
+  }
+
+  #ruleField(row) {
+    const id = `rule-${row.rule}`;
+    const now = element('span', {class: 'dim now'});
+    const input = row.takes_value ? element('input', {id, type: 'text', required: true,
+      autocomplete: 'off', placeholder: clip(row.example, 40), title: clip(row.values, 200)}) : null;
+    const form = element('form', {title: clip(row.about, 200), onsubmit: (event) => {
+      event.preventDefault();
+      this.send(row.rule, [...(row.of_vehicle ? [this.target.value] : []),
+        ...(input ? [input.value.trim()] : [])]);
+    }}, element('label', {for: id}, clip(row.label, 40)), ...(input ? [input] : []),
+    element('span', {}, clip(row.unit, 20)),
+    element('button', {type: 'submit', 'data-rule': row.rule}, input ? 'Set' : 'Ask'), now);
+    return {rule: row.rule, of_vehicle: Boolean(row.of_vehicle), takesValue: Boolean(input), form,
+      now};
   }
 
   #showFactors() {
     const name = this.target.value;
     const factors = this.last?.rules?.factors?.[name];
     setText(this.factorsOf, name ? `Of ${name}` : '');
-    setText(this.stealthNow, `now ${quantity(factors?.stealth ?? 1, 2)}`);
-    setText(this.earangeNow, `now ${quantity(factors?.earange ?? 1, 2)}`);
+    for (const {rule, of_vehicle: ofVehicle, takesValue, now} of this.ruleFields) {
+      if (ofVehicle && takesValue) setText(now, `now ${quantity(factors?.[rule] ?? 1, 2)}`);
+    }
   }
 
   #clockButton(order, label, title) {

@@ -1,9 +1,10 @@
 // The running list of fates, with filters; the newest first.
 
+import {causeWords} from './causes.js';
 import {element, KeyedList, setText} from './dom.js';
 import {fateRow} from './panel_link.js';
 import {Poller} from './poller.js';
-import {clip, words} from './text.js';
+import {clip} from './text.js';
 
 const kShown = 200;
 
@@ -118,7 +119,7 @@ export class FatesPanel {
     this.rows.sync(this.kept, (fate) => String(fate.id));
     this.vehicle.offer(this.page.names());
     this.kind.offer(answer.kinds ?? []);
-    this.cause.offer(answer.causes ?? [], (cause) => clip(words(cause), 40));
+    this.cause.offer(answer.causes ?? [], (cause) => clip(causeWords(cause), 40));
     setText(this.note, this.#noteOn(answer));
   }
 

@@ -1,9 +1,10 @@
 // The history of one link: why it failed how often, its ratio and range over time, its last fates.
 
+import {causeWords, fateSign, isBlocked} from './causes.js';
 import {TimeChart} from './charts.js';
 import {element, KeyedList, setText} from './dom.js';
 import {Poller} from './poller.js';
-import {clip, fateSign, isBlocked, missionTime, ratio, words} from './text.js';
+import {clip, missionTime, ratio} from './text.js';
 
 /** The causes with their counts, the most frequent first. */
 export function causeCounts(causes) {
@@ -106,7 +107,7 @@ export class LinkPanel {
     const count = element('td', {class: 'number'});
     const bar = element('i', {class: isBlocked(cause) ? 'bar blocked' : 'bar'});
     const root = element('tr', {'data-cause': cause},
-      element('th', {scope: 'row'}, `${fateSign(cause)} ${clip(words(cause), 40)}`), count,
+      element('th', {scope: 'row'}, `${fateSign(cause)} ${clip(causeWords(cause), 40)}`), count,
       element('td', {class: 'bars'}, bar));
     return {
       root,

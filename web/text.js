@@ -59,17 +59,6 @@ export function words(name) {
   return String(name ?? '').replaceAll('_', ' ');
 }
 
-/** A sign for what became of a transmission, which says without colour what colour says. */
-export function fateSign(cause) {
-  if (cause === 'delivered') return '✓';
-  return cause === 'damaged' ? '≈' : '✗';
-}
-
-/** Is this a fate that kept something from its receiver? */
-export function isBlocked(cause) {
-  return cause !== 'delivered' && cause !== 'damaged';
-}
-
 /** At most `length` characters of a text that came in a message. */
 export function clip(text, length = 300) {
   const whole = String(text ?? '');

@@ -131,7 +131,7 @@ std::vector<AcousticTraffic::Refusal> AcousticTraffic::Send(int64_t utime, Shipm
   return refusals;
 }
 
-void AcousticTraffic::Deliver(int64_t utime, const std::function<void(const Arrival&)>& take) {
+void AcousticTraffic::Deliver(int64_t utime, const std::function<void(const LegEnd&)>& take) {
   delivered_utime_ = delivered_utime_ ? std::max(utime, *delivered_utime_) : utime;
   for (const Reception& reception : network_.Deliver(SecondsOf(*delivered_utime_))) {
     const auto found = under_way_.find(reception.packet);

@@ -1,12 +1,12 @@
-// What the broker sends through the water, from the moment at which the rules let it pass to its
-// arrival: frames, receivers, and what is needed to deliver it then.
+// What the broker sends over the acoustic network, from the moment at which the rules let it pass
+// to its arrival: frames, receivers, and what is needed to deliver it then.
 //
 //   AcousticTraffic traffic(setup);
 //   traffic.Place("alpha", position_m);                  // with every report
-//   traffic.Send(utime, std::move(shipment));            // legs: those whom it is meant for
-//   traffic.Deliver(utime, [&](const Arrival& arrival) { ... });
+//   traffic.Send(utime, std::move(shipment));            // legs: one for each receiver
+//   traffic.Deliver(utime, [&](const LegEnd& end) { ... });
 //
-// What the broker handles at `utime` was said one step before, and leaves its source then.
+// What the broker handles at `utime` was published one step before, and leaves its source then.
 #pragma once
 
 #include <Eigen/Core>
@@ -50,7 +50,7 @@ struct Shipment {
 };
 
 /// A shipment that has come to the end of one leg.
-struct Arrival {
+struct LegEnd {
   const Shipment& shipment;
   const ShipmentLeg& leg;
   const Reception& reception;
@@ -90,7 +90,7 @@ class AcousticTraffic {
   std::vector<Refusal> Send(int64_t utime, Shipment shipment);
 
   /// Calls `take` for each leg that ended until `utime`, in order of arrival.
-  void Deliver(int64_t utime, const std::function<void(const Arrival&)>& take);
+  void Deliver(int64_t utime, const std::function<void(const LegEnd&)>& take);
 
   /// Counts what arrived damaged and was thrown away by its receiver.
   void CountRejection() { network_.CountRejection(); }

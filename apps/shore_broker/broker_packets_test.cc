@@ -50,9 +50,9 @@ TEST_F(CalmPackets, AreShownOnThePageWhileTheyAreInTheWater) {
   Step();
   EXPECT_TRUE(fates_.empty());
   EXPECT_TRUE(PageHas("Total Packets Received: 1")) << broker_.Status().text;
-  EXPECT_TRUE(PageHas("In The Water: 1"));
+  EXPECT_TRUE(PageHas("In Transit: 1"));
   StepUntilFates();
-  EXPECT_FALSE(PageHas("In The Water"));
+  EXPECT_FALSE(PageHas("In Transit"));
   EXPECT_TRUE(PageHas("    transmissions                    1")) << broker_.Status().text;
 }
 

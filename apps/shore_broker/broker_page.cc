@@ -2,10 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
 #include <numeric>
-#include <span>
 #include <sstream>
 
 #include "lib/acoustics/acoustic_statistics.h"
@@ -17,66 +14,14 @@ namespace shoal {
 
 namespace {
 
-constexpr int kMaxRows = 200;  ///< Of each list; the totals above it always count everybody.
+constexpr int kMaxRows = 200;  ///< Of each list; the totals above it always count all.
 constexpr std::string_view kRule = "    ------------------\n";
-
-/// What the manual's page calls a cause, or nearly: it knows fewer.
-struct CauseLabel {
-  Cause cause;
-  std::string_view label;
-};
-
-constexpr std::array kReportCauses = {
-    CauseLabel{Cause::kInvalid, "Invalid"},
-    CauseLabel{Cause::kTooManyVehicles, "Too Many Vehicles"},
-    CauseLabel{Cause::kIgnoredGroup, "Ignored Group"},
-    CauseLabel{Cause::kStaleReceiver, "Stale Receiver"},
-    CauseLabel{Cause::kOutOfRange, "Range Too Far"},
-    CauseLabel{Cause::kOtherGroup, "Other Group"},
-    CauseLabel{Cause::kDropped, "Dropped"},
-    CauseLabel{Cause::kTooSoon, "Too Recent"},
-};
-
-constexpr std::array kMessageCauses = {
-    CauseLabel{Cause::kInvalid, "Invalid"},
-    CauseLabel{Cause::kTooManyVehicles, "Too Many Vehicles"},
-    CauseLabel{Cause::kUnknownSource, "Missing Info (source)"},
-    CauseLabel{Cause::kStaleSource, "Stale Source"},
-    CauseLabel{Cause::kNoDestination, "No Destination"},
-    CauseLabel{Cause::kUnknownDestination, "Missing Info (destination)"},
-    CauseLabel{Cause::kStaleReceiver, "Stale Receiver"},
-    CauseLabel{Cause::kTooSoon, "Too Recent"},
-    CauseLabel{Cause::kTooLong, "Msg Too Long"},
-    CauseLabel{Cause::kOutOfRange, "Range Too Far"},
-    CauseLabel{Cause::kOtherGroup, "Other Group"},
-    CauseLabel{Cause::kDropped, "Dropped"},
-};
-
-constexpr std::array kPacketCauses = {
-    CauseLabel{Cause::kInvalid, "Invalid"},
-    CauseLabel{Cause::kUnknownSource, "Missing Info (source)"},
-    CauseLabel{Cause::kNoDestination, "No Destination"},
-    CauseLabel{Cause::kTooLong, "Too Long"},
-    CauseLabel{Cause::kOutOfRange, "Range Too Far"},
-};
-
-/// Listed where they happened.
-constexpr std::array kWaterCauses = {
-    CauseLabel{Cause::kNoChannel, "No Channel"}, CauseLabel{Cause::kNotListening, "Not Listening"},
-    CauseLabel{Cause::kNoPath, "No Path"},       CauseLabel{Cause::kHalfDuplex, "Half Duplex"},
-    CauseLabel{Cause::kCollision, "Collision"},  CauseLabel{Cause::kPacketLoss, "Packet Loss"},
-    CauseLabel{Cause::kBitErrors, "Bit Errors"}, CauseLabel{Cause::kRejected, "Rejected"},
-};
-
-std::string Limit(double value, std::string_view negative) {
-  return value < 0 ? std::string(negative) : fmt::format("{:g}", value);
-}
 
 int64_t CountOf(const CauseCounts& counts, Cause cause) {
   return counts[static_cast<size_t>(cause)];
 }
 
-/// Calls `row` for the first contacts that `wanted` picks, and says how many more there are.
+/// Calls `row` for the first contacts that `wanted` picks, and states how many more there are.
 template <class Wanted, class Row>
 void AppendRows(const Router& router, Wanted wanted, Row row, std::string* text) {
   int num_rows = 0;
@@ -88,35 +33,13 @@ void AppendRows(const Router& router, Wanted wanted, Row row, std::string* text)
 
 std::string Configuration(const Router& router) {
   const RoutingRules& rules = router.rules();
-  std::string shared = "false";
-  if (rules.shared_node_reports_s >= 0) {
-    shared = fmt::format("true ({:g})", rules.shared_node_reports_s);
-  }
-  std::string text = fmt::format(
-      "Configuration:\n"
-      "    Comms Range: {}\n"
-      "    Critical Range: {:g}\n"
-      "    Stale Drop: {}\n"
-      "    Stale Forget: {}\n"
-      "    Max Message Len: {}\n"
-      "    Min Message Int: {}\n"
-      "    Min Report Int: {}\n"
-      "    Apply Group: {}\n"
-      "    Apply Msg Group: {}\n"
-      "    Drop Percentage: {:g}\n"
-      "    Share Reports: {}\n",
-      Limit(rules.comms_range_m, "nolimit"), rules.critical_range_m,
-      Limit(rules.stale_time_s, "never"), Limit(rules.stale_forget_s, "never"),
-      rules.max_msg_length_bytes == 0 ? "nolimit" : fmt::format("{}", rules.max_msg_length_bytes),
-      Limit(rules.min_msg_interval_s, "off"), Limit(rules.min_rpt_interval_s, "off"), rules.groups,
-      rules.msg_groups, rules.drop_percentage, shared);
-  if (rules.reports_over == Medium::kAcoustic || rules.messages_over == Medium::kAcoustic) {
-    text += fmt::format("    Reports Over: {}\n    Messages Over: {}\n",
-                        kMedia.at(static_cast<size_t>(rules.reports_over)).first,
-                        kMedia.at(static_cast<size_t>(rules.messages_over)).first);
-  }
-  if (!rules.ignore_group.empty()) {
-    text += fmt::format("    Ignore Group: {}\n", rules.ignore_group);
+  std::string text = "Configuration:\n";
+  for (const RuleRow& row : kRuleTable) {
+    if (row.of_vehicle) continue;
+    const std::string shown = ShownValue(row, rules);
+    if (row.is_shown_always || shown != ShownValue(row, {})) {
+      text += fmt::format("    {}: {}\n", row.label, shown);
+    }
   }
   AppendRows(
       router, [](const Contact& contact) { return contact.factors != LinkFactors(); },
@@ -184,13 +107,13 @@ std::string Sent(const Router& router, Kind kind) {
   if (const int64_t num_damaged = CountOf(counts, Cause::kDamaged); num_damaged > 0) {
     text += fmt::format("    Total Sent Damaged: {}\n", num_damaged);
   }
-  if (const int64_t num_in_water = CountOf(counts, Cause::kInTransit); num_in_water > 0) {
-    text += fmt::format("    In The Water: {}\n", num_in_water);
+  if (const int64_t num_in_transit = CountOf(counts, Cause::kInTransit); num_in_transit > 0) {
+    text += fmt::format("    {}: {}\n", RowOf(Cause::kInTransit).label, num_in_transit);
   }
   return text;
 }
 
-/// "12 of 40 sent, 30 of 40 heard" of each vehicle that had to do with this kind.
+/// "12 of 40" sent and received, of each vehicle that had to do with this kind.
 std::string ByVehicle(const Router& router, Kind kind) {
   const auto place = static_cast<size_t>(kind);
   const auto share = [&](const KindCounts& counts) {
@@ -199,7 +122,7 @@ std::string ByVehicle(const Router& router, Kind kind) {
                        std::accumulate(of_kind.begin(), of_kind.end(), int64_t{0}));
   };
   std::string text =
-      fmt::format("    {:<26}{:>16}{:>16}\n", "By Vehicle (delivered of)", "Sent", "Heard");
+      fmt::format("    {:<26}{:>16}{:>16}\n", "By Vehicle (delivered of)", "Sent", "Received");
   AppendRows(
       router,
       [&](const Contact& contact) {
@@ -213,26 +136,20 @@ std::string ByVehicle(const Router& router, Kind kind) {
   return text;
 }
 
-std::string Blocked(const Router& router, Kind kind, std::string_view what,
-                    std::span<const CauseLabel> labels) {
+/// A row for each cause that the rules can give to this kind, and for others that were counted.
+std::string Blocked(const Router& router, Kind kind, std::string_view what) {
   const CauseCounts& counts = router.counts(kind);
-  int64_t total = std::accumulate(counts.begin(), counts.end(), int64_t{0});
-  for (const Cause cause : {Cause::kDelivered, Cause::kDamaged, Cause::kInTransit}) {
-    total -= CountOf(counts, cause);
+  int64_t total = 0;
+  std::string rows;
+  for (const CauseRow& row : kCauseTable) {
+    if (row.outcome != CauseOutcome::kStopped) continue;
+    const int64_t count = CountOf(counts, row.cause);
+    total += count;
+    if (count > 0 || row.of_rules.Has(kind)) {
+      rows += fmt::format("        {}: {}\n", row.label, count);
+    }
   }
-  std::string text = fmt::format("    Total Blocked {}: {}\n", what, total);
-  for (const auto& [cause, label] : labels) {
-    text += fmt::format("        {}: {}\n", label, CountOf(counts, cause));
-  }
-  for (const auto& [cause, label] : kWaterCauses) {
-    const int64_t count = CountOf(counts, cause);
-    if (count > 0) text += fmt::format("        {}: {}\n", label, count);
-  }
-  const int64_t num_too_long = CountOf(counts, Cause::kTooLong);
-  const bool is_listed = std::ranges::any_of(
-      labels, [](const CauseLabel& each) { return each.cause == Cause::kTooLong; });
-  if (num_too_long > 0 && !is_listed) text += fmt::format("        Too Long: {}\n", num_too_long);
-  return text;
+  return fmt::format("    Total Blocked {}: {}\n{}", what, total, rows);
 }
 
 std::string WaterSummary(const AcousticTraffic& water) {
@@ -255,13 +172,13 @@ std::string FormatBrokerPage(const Router& router, const AcousticTraffic& water,
   text += fmt::format("{}{}", kRule, Sent(router, Kind::kReport));
   text += fmt::format("{}    Known Vehicles: {}\n    Stale Vehicles: {}\n", kRule,
                       router.num_known(), router.NumStale(facts.now_utime));
-  text += fmt::format("{}{}", kRule, Blocked(router, Kind::kReport, "Reports", kReportCauses));
+  text += fmt::format("{}{}", kRule, Blocked(router, Kind::kReport, "Reports"));
   text += fmt::format("{}{}", kRule, ByVehicle(router, Kind::kReport));
 
   text += fmt::format("\nNode Message Summary\n{}", kDoubleRule);
   text += ReceivedMessages(router, Kind::kMessage, "Msgs", facts);
   text += fmt::format("{}{}", kRule, Sent(router, Kind::kMessage));
-  text += fmt::format("{}{}", kRule, Blocked(router, Kind::kMessage, "Msgs", kMessageCauses));
+  text += fmt::format("{}{}", kRule, Blocked(router, Kind::kMessage, "Msgs"));
   if (router.num_offered(Kind::kMessage) > 0) {
     text += fmt::format("{}{}", kRule, ByVehicle(router, Kind::kMessage));
   }
@@ -270,14 +187,14 @@ std::string FormatBrokerPage(const Router& router, const AcousticTraffic& water,
     text += fmt::format("\nAck Summary\n{}", kDoubleRule);
     text += ReceivedMessages(router, Kind::kAck, "Acks", facts);
     text += fmt::format("{}{}", kRule, Sent(router, Kind::kAck));
-    text += fmt::format("{}{}", kRule, Blocked(router, Kind::kAck, "Acks", kMessageCauses));
+    text += fmt::format("{}{}", kRule, Blocked(router, Kind::kAck, "Acks"));
   }
 
   if (router.num_offered(Kind::kPacket) > 0) {
     text += fmt::format("\nPacket Summary\n{}", kDoubleRule);
     text += ReceivedMessages(router, Kind::kPacket, "Packets", facts);
     text += fmt::format("{}{}", kRule, Sent(router, Kind::kPacket));
-    text += fmt::format("{}{}", kRule, Blocked(router, Kind::kPacket, "Packets", kPacketCauses));
+    text += fmt::format("{}{}", kRule, Blocked(router, Kind::kPacket, "Packets"));
   }
   text += WaterSummary(water);
 

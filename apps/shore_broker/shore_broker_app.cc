@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "apps/shore_broker/air_text.h"
 #include "apps/shore_broker/apply_control.h"
 #include "apps/shore_broker/broker_page.h"
 #include "apps/shore_broker/message_checks.h"
@@ -18,35 +19,21 @@ namespace {
 constexpr double kHold_s = 1;
 /// `--warp max`, for those who watch: such missions run some 100 times as fast as real time.
 constexpr double kMaxWarp = 100;
+
+std::string LegalOrEmpty(const std::string& name) { return IsLegalVehicleName(name) ? name : ""; }
+
 }  // namespace
 
 ShoreBrokerApp::ShoreBrokerApp(BrokerSetup setup, Bus& bus)
     : setup_(std::move(setup)),
       bus_(bus),
+      inbox_(bus),
       router_(setup_.rules, setup_.seed, setup_.vehicles),
       water_(setup_),
-      fates_(bus),
-      pulses_(bus),
+      delivery_(setup_, bus, &router_, &water_),
       warp_(kMaxWarp) {
   for (const auto& [name, factors] : setup_.factors) router_.SetFactors(name, factors);
 
-  const auto keep_report = [this](bool from_outside) {
-    return [this, from_outside](const Message& message) {
-      reports_.push_back({.raw = Keep(message, from_outside)});
-    };
-  };
-  bus.SubscribeBytes(channels::NodeReportLocal().name, keep_report(false));
-  bus.SubscribeBytes(channels::NodeReportFromOutside().name, keep_report(true));
-  const auto keep = [this](std::vector<Waiting>* list, bool from_outside) {
-    return [this, list, from_outside](const Message& message) {
-      list->push_back(Keep(message, from_outside));
-    };
-  };
-  bus.SubscribeBytes(channels::NodeMessageLocal().name, keep(&messages_, false));
-  bus.SubscribeBytes(channels::NodeMessageFromOutside().name, keep(&messages_, true));
-  bus.SubscribeBytes(channels::AckMessage().name, keep(&acks_, false));
-  bus.SubscribeBytes(channels::AcousticTx().name, keep(&packets_, false));
-  bus.SubscribeBytes(channels::HelmCommandAll().name, keep(&commands_, false));
   for (const ControlRow& row : ControlTable()) {
     Subscribe(bus, channels::Control(row), [this, &row](const unc_control_t& control) {
       controls_.push_back({.row = &row, .control = control});
@@ -65,29 +52,26 @@ void ShoreBrokerApp::Tick(int64_t utime) {
   if (Holds(utime)) return;
 
   ApplyControls(utime);
-  std::erase_if(reports_, [&](WaitingReport& report) { return !TakeIn(utime, &report); });
-  for (const WaitingReport& report : reports_) RouteReport(utime, report);
-  for (const Waiting& message : messages_) RouteMessage(utime, message);
-  for (const Waiting& ack : acks_) RouteAck(utime, ack);
-  for (const Waiting& packet : packets_) RoutePacket(utime, packet);
-  water_.Deliver(utime, [&](const Arrival& arrival) { TakeArrival(utime, arrival); });
-  SHOAL_CHECK(router_.NumInTransit() == water_.num_in_transit(), "everything has one fate");
-  fates_.Flush(utime);
-  pulses_.Flush(utime);
+  admitted_.clear();
+  for (const BrokerInbox::Item& item : inbox_.reports()) {
+    WaitingReport report{.raw = item};
+    if (TakeIn(utime, &report)) admitted_.push_back(std::move(report));
+  }
+  for (const WaitingReport& report : admitted_) RouteReport(utime, report);
+  for (const BrokerInbox::Item& message : inbox_.messages()) RouteMessage(utime, message);
+  for (const BrokerInbox::Item& ack : inbox_.acks()) RouteAck(utime, ack);
+  for (const BrokerInbox::Item& packet : inbox_.packets()) RoutePacket(utime, packet);
+  delivery_.TakeArrivals(utime);
+  delivery_.Flush(utime);
   Forget(utime);
-
-  reports_.clear();
-  messages_.clear();
-  acks_.clear();
-  packets_.clear();
-  arena_.clear();
+  inbox_.Clear();
 }
 
 void ShoreBrokerApp::Begin(int64_t utime) {
   began_ = true;
   start_utime_ = utime;
   if (!water_.problem().empty()) {
-    log_.Warn("no vehicle can send through the water; [acoustics] " + water_.problem());
+    log_.Warn("no vehicle can send over the acoustic network; [acoustics] " + water_.problem());
   }
   rules_changed_ = true;
   holds_ = utime > setup_.start_utime;
@@ -95,18 +79,18 @@ void ShoreBrokerApp::Begin(int64_t utime) {
   unc_controls_req_t request;
   request.utime = utime;
   Publish(bus_, channels::UncControlsReq(), request);
-  log_.Event(utime, "started in the midst of the mission: asks for the rules that were changed");
+  log_.Event(utime, "started during the mission: asks for the rules that were changed");
 }
 
-/// True while the rules are still asked for: until then what was heard waits.
+/// True while the rules are still asked for: until then what came in waits.
 bool ShoreBrokerApp::Holds(int64_t utime) {
   if (!holds_) return false;
   if (!kept_controls_ && SecondsBetween(start_utime_, utime) < kHold_s) return true;
   holds_ = false;
   if (!kept_controls_) {
     log_.Warn(
-        "nobody told which rules were changed before this broker started: the mission file's "
-        "hold");
+        "no answer on UNC_CONTROLS which rules were changed before this broker started: the "
+        "mission file's hold");
     return false;
   }
   std::vector<WaitingControl> kept;
@@ -118,10 +102,11 @@ bool ShoreBrokerApp::Holds(int64_t utime) {
   return false;
 }
 
-/// The launcher's answer. A stranger's would stand in its place.
+/// The launcher's answer. One of an unregistered participant would stand in its place.
 void ShoreBrokerApp::KeepControls(const Message& message) {
   if (message.publisher.empty()) {
-    log_.Warn("UNC_CONTROLS from outside the mission ignored: say the controls themselves, UNC_*");
+    log_.Warn(
+        "UNC_CONTROLS from outside the mission ignored: publish the controls themselves, UNC_*");
     return;
   }
   unc_controls_t controls;
@@ -130,17 +115,6 @@ void ShoreBrokerApp::KeepControls(const Message& message) {
   } else {
     bus_.CountUndecodable(message.channel);
   }
-}
-
-ShoreBrokerApp::Waiting ShoreBrokerApp::Keep(const Message& message, bool from_outside) {
-  const Waiting waiting = {
-      .begin = arena_.size(), .size = message.data.size(), .from_outside = from_outside};
-  arena_.insert(arena_.end(), message.data.begin(), message.data.end());
-  return waiting;
-}
-
-std::span<const uint8_t> ShoreBrokerApp::BytesOf(const Waiting& waiting) const {
-  return std::span(arena_).subspan(waiting.begin, waiting.size);
 }
 
 void ShoreBrokerApp::ApplyControls(int64_t utime) {
@@ -158,25 +132,25 @@ void ShoreBrokerApp::ApplyControls(int64_t utime) {
 }
 
 void ShoreBrokerApp::HandOnCommands(int64_t utime) {
-  for (const Waiting& waiting : commands_) {
+  for (const BrokerInbox::Item& item : inbox_.commands()) {
     helm_command_t command;
-    if (!DecodeWaiting(waiting, channels::HelmCommandAll(), &command)) continue;
+    if (!DecodeItem(item, channels::HelmCommandAll(), &command)) continue;
     ++num_commands_handed_on_;
     log_.Event(utime, fmt::format("HELM_COMMAND handed on: {}", Printable(command.command)));
     for (const Contact* contact : router_.contacts()) {
       if (!contact->of_mission && !contact->known) continue;
-      bus_.PublishBytes(channels::HelmCommand(contact->name).name, BytesOf(waiting));
+      bus_.PublishBytes(channels::HelmCommand(contact->name).name, inbox_.BytesOf(item));
     }
   }
-  commands_.clear();
+  inbox_.ClearCommands();
 }
 
 /// Returns false where the report goes no further.
 bool ShoreBrokerApp::TakeIn(int64_t utime, WaitingReport* report) {
-  if (!DecodeWaiting(report->raw,
-                     report->raw.from_outside ? channels::NodeReportFromOutside()
-                                              : channels::NodeReportLocal(),
-                     &report_)) {
+  if (!DecodeItem(report->raw,
+                  report->raw.from_outside ? channels::NodeReportFromOutside()
+                                           : channels::NodeReportLocal(),
+                  &report_)) {
     return false;
   }
   const int num_known = router_.num_known();
@@ -201,11 +175,117 @@ bool ShoreBrokerApp::TakeIn(int64_t utime, WaitingReport* report) {
   } else if (cause == Cause::kTooManyVehicles) {
     log_.Warn("node report refused: too many vehicles that are not of the mission");
   }
-  fates_.Add(
+  delivery_.Refuse(
       utime,
       {.source = report->admission.source, .number = report->admission.number, .cause = cause},
-      IsLegalVehicleName(report_.name) ? report_.name : "", "");
+      LegalOrEmpty(report_.name));
   return false;
+}
+
+void ShoreBrokerApp::RouteReport(int64_t utime, const WaitingReport& report) {
+  router_.Route(report.admission, utime, &decisions_);
+  const Contact& source = router_.contact(report.admission.source);
+  Conclude(utime, {.written_source = source.name,
+                   .raw = inbox_.BytesOf(report.raw),
+                   .from_m = report.admission.position_m,
+                   .has_pulses = router_.rules().view_node_rpt_pulses,
+                   .color = ReportColor(source.index),
+                   .air_bytes = [&] {
+                     SHOAL_CHECK(Decode(inbox_.BytesOf(report.raw), &report_),
+                                 "it was decoded when it came");
+                     return AirBytes(report_, water_.AddressOf(source.name).value_or(0),
+                                     setup_.start_utime);
+                   }});
+  Share(utime, report);
+}
+
+void ShoreBrokerApp::RouteMessage(int64_t utime, const BrokerInbox::Item& item) {
+  if (!DecodeItem(
+          item,
+          item.from_outside ? channels::NodeMessageFromOutside() : channels::NodeMessageLocal(),
+          &message_)) {
+    return;
+  }
+  const std::string_view problem = ProblemOf(message_);
+  if (!problem.empty()) {
+    log_.Warn(fmt::format("invalid node message refused: {}", problem));
+  } else {
+    log_.Event(
+        utime,
+        fmt::format("Msg rec'd: src_node={},dest_node={},dest_group={},var_name={},{}",
+                    message_.src_node, Printable(message_.dest_node),
+                    Printable(message_.dest_group), Printable(message_.var_name),
+                    message_.is_double != 0 ? fmt::format("double_val={}", message_.double_val)
+                                            : "string_val=" + Printable(message_.string_val)));
+  }
+  router_.RouteMessage({.source = message_.src_node,
+                        .dest_node = message_.dest_node,
+                        .dest_group = message_.dest_group,
+                        .length_bytes = static_cast<int64_t>(message_.string_val.size()),
+                        .is_sound = problem.empty()},
+                       utime, &decisions_, &unknown_names_);
+  const std::string color(problem.empty() ? MessageColor(message_) : "");
+  Conclude(utime, {.written_source = LegalOrEmpty(message_.src_node),
+                   .raw = inbox_.BytesOf(item),
+                   .from_m = PositionOfSource(),
+                   .has_pulses = true,
+                   .color = color,
+                   .air_bytes = [&] { return AirBytes(message_); }});
+}
+
+/// A message whose ack_id has been here before is a repeat.
+std::string_view ShoreBrokerApp::MessageColor(const node_message_t& message) {
+  const RoutingRules& rules = router_.rules();
+  if (!message.ack_id.empty() && repeats_.IsRepeat(VehicleKey(message.src_node), message.ack_id)) {
+    return rules.msg_repeat_color;
+  }
+  constexpr size_t kLongestColor = 40;
+  const bool has_own = !message.color.empty() && message.color.size() <= kLongestColor;
+  return has_own ? std::string_view(message.color) : std::string_view(rules.msg_color);
+}
+
+void ShoreBrokerApp::RouteAck(int64_t utime, const BrokerInbox::Item& item) {
+  if (!DecodeItem(item, channels::AckMessage(), &ack_)) return;
+  const bool is_sound = !ack_.ack_id.empty();
+  router_.RouteAck({.source = ack_.src_node, .destination = ack_.dest_node, .is_sound = is_sound},
+                   utime, &decisions_, &unknown_names_);
+  if (decisions_.front().cause == Cause::kInvalid) {
+    log_.Warn("invalid ack refused: two vehicles' names and an ack_id are needed");
+  }
+  Conclude(utime, {.written_source = LegalOrEmpty(ack_.src_node),
+                   .raw = inbox_.BytesOf(item),
+                   .air_bytes = [&] { return AirBytes(ack_); }});
+}
+
+void ShoreBrokerApp::RoutePacket(int64_t utime, const BrokerInbox::Item& item) {
+  if (!DecodeItem(item, channels::AcousticTx(), &packet_)) return;
+  router_.RoutePacket({.source = packet_.source,
+                       .length_bytes = packet_.num_bytes,
+                       .length_limit_bytes = water_.max_payload_bytes(),
+                       .is_sound = packet_.num_bytes > 0},
+                      utime, &decisions_);
+  if (decisions_.front().cause == Cause::kInvalid) {
+    log_.Warn("invalid ACOUSTIC_TX refused: a vehicle's name and a payload are needed");
+  }
+  Conclude(utime, {.written_source = LegalOrEmpty(packet_.source),
+                   .raw = inbox_.BytesOf(item),
+                   .from_m = PositionOfSource(),
+                   .has_pulses = true,
+                   .color = router_.rules().msg_color,
+                   .air_bytes = [&] { return packet_.payload; }});
+}
+
+Eigen::Vector3d ShoreBrokerApp::PositionOfSource() const {
+  const int32_t source = decisions_.front().source;
+  return source == kNobody ? Eigen::Vector3d::Zero() : router_.contact(source).position_m;
+}
+
+void ShoreBrokerApp::Conclude(int64_t utime, DecidedTransmission sent) {
+  sent.decisions = decisions_;
+  sent.unknown_names = unknown_names_;
+  delivery_.Conclude(utime, sent);
+  decisions_.clear();
+  unknown_names_.clear();
 }
 
 /// NODE_REPORT_UNC, not more often than eyes can follow.
@@ -222,7 +302,7 @@ void ShoreBrokerApp::Share(int64_t utime, const WaitingReport& report) {
   whose = name;
   shared_utime = utime;
   ++num_shared_;
-  bus_.PublishBytes(channels::NodeReportUnc().name, BytesOf(report.raw));
+  bus_.PublishBytes(channels::NodeReportUnc().name, inbox_.BytesOf(report.raw));
 }
 
 void ShoreBrokerApp::Forget(int64_t utime) {
@@ -231,6 +311,22 @@ void ShoreBrokerApp::Forget(int64_t utime) {
   for (const int32_t index : forgotten) {
     log_.Event(utime, fmt::format("{} is forgotten", router_.contact(index).name));
   }
+}
+
+std::vector<std::string> ShoreBrokerApp::RequestChannels() const {
+  return {channels::CommsRulesReq().name};
+}
+
+std::optional<App::RequestAnswer> ShoreBrokerApp::Answer(std::string_view channel,
+                                                         std::span<const uint8_t> data) const {
+  comms_rules_req_t request;
+  const bool is_request = channel == channels::CommsRulesReq().name && Decode(data, &request);
+  if (!is_request || !began_to_work_) return std::nullopt;
+  comms_rules_t rules = RulesMessage(setup_, router_);
+  rules.utime = now_utime_;
+  RequestAnswer answer{.channel = channels::CommsRulesNow().name, .data = {}};
+  EncodeInto(rules, &answer.data);
+  return answer;
 }
 
 StatusPage ShoreBrokerApp::Status() const {

@@ -6,7 +6,6 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "apps/viewer/rules_of_page.h"
 #include "lib/bus/channels.h"
 #include "lib/bus/seal.h"
 #include "lib/mission/load.h"
@@ -16,9 +15,8 @@ namespace shoal {
 
 namespace {
 
-constexpr std::string_view kBroker = "shore_broker";
 constexpr int64_t kRulesRequestInterval_us = 500'000;
-/// A broker that is not shoal's own has no such page.
+/// A broker that is not shoal's own may not answer.
 constexpr int64_t kMostRulesRequests = 20;
 /// What waits for longer than this when its turn comes is dropped but for a few messages of each
 /// channel: on a machine that is too slow, the page shows less rather than what was long ago.
@@ -91,9 +89,11 @@ void MissionSession::Join(bool allow_commands) {
   }
   bus_->SubscribeBytes(channels::ClockState().name,
                        [this](const Message& message) { TakeClock(message); });
-  Subscribe(*bus_, channels::CommsRules(),
-            [this](const comms_rules_t&) { rules_are_heard_ = true; });
-  Subscribe(*bus_, channels::Appcast(), [this](const appcast_t& page) { TakePage(page); });
+  Subscribe(*bus_, channels::CommsRules(), [this](const comms_rules_t&) { has_rules_ = true; });
+  bus_->SubscribeBytes(channels::CommsRulesNow().name,
+                       [this](const Message& message) { TakeRules(message); });
+  Subscribe(*bus_, channels::Appcast(),
+            [this](const appcast_t& page) { board_.Take(page, now_us_); });
   if (!allow_commands) return;
   desk_ = std::make_unique<CommandDesk>(*bus_, OrderScope{.mission = running_.name,
                                                           .vehicles = running_.vehicles,
@@ -116,16 +116,12 @@ void MissionSession::TakeClock(const Message& message) {
   view_->Handle(message.channel, message.data);
 }
 
-void MissionSession::TakePage(const appcast_t& page) {
-  board_.Take(page, now_us_);
-  if (rules_are_heard_ || page.app != kBroker) return;
-  std::optional<comms_rules_t> rules = RulesOfPage(page.page);
-  if (!rules) return;
-  rules->utime = std::max<int64_t>(page.utime, utime_);
-  rules_are_heard_ = true;
-  Bytes bytes;
-  EncodeInto(*rules, &bytes);
-  view_->Handle(channels::CommsRules().name, bytes);
+/// A viewer that joins late has missed COMMS_RULES; what it asked for stands for it.
+void MissionSession::TakeRules(const Message& message) {
+  comms_rules_t rules{};
+  if (has_rules_ || !Decode(message.data, &rules)) return;
+  has_rules_ = true;
+  view_->Handle(channels::CommsRules().name, message.data);
 }
 
 void MissionSession::Work(int64_t now_us) {
@@ -145,18 +141,16 @@ void MissionSession::Work(int64_t now_us) {
     clock_heard_us_ = 0;
     view_->SetClockGone("silent");
   }
-  const auto ask = [this](std::string_view app) {
-    appcast_req_t request{};
-    request.app = app;
-    Publish(*bus_, channels::AppcastReq(), request);
-  };
-  if (!rules_are_heard_ && rules_requests_ < kMostRulesRequests &&
-      now_us >= next_rules_request_us_) {
+  if (!has_rules_ && rules_requests_ < kMostRulesRequests && now_us >= next_rules_request_us_) {
     next_rules_request_us_ = now_us + kRulesRequestInterval_us;
     ++rules_requests_;
-    ask(kBroker);
+    Publish(*bus_, channels::CommsRulesReq(), comms_rules_req_t{});
   }
-  if (board_.WantsPages(now_us)) ask("all");
+  if (board_.WantsPages(now_us)) {
+    appcast_req_t request{};
+    request.app = "all";
+    Publish(*bus_, channels::AppcastReq(), request);
+  }
   if (desk_ == nullptr) return;
   desk_->OnTime(now_us);
   ShowCommands();

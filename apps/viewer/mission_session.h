@@ -1,8 +1,9 @@
-// One running mission as the viewer follows it: what is heard on its bus goes to the LiveView, what
-// people want goes out. It never takes part in stepping.
+// One running mission as the viewer follows it: what it receives on the mission's bus goes to the
+// LiveView, what people want goes out. It never takes part in stepping.
 //
-// Hears what LiveView needs, CLOCK_STATE and APPCAST; says APPCAST_REQ while somebody looks at
-// the status pages, and what CommandDesk says of commands.
+// Subscribes to what LiveView needs, COMMS_RULES_NOW, CLOCK_STATE and APPCAST; publishes
+// COMMS_RULES_REQ until it has the rules, APPCAST_REQ while a page shows the status pages, and what
+// CommandDesk publishes.
 #pragma once
 
 #include <atomic>
@@ -53,7 +54,7 @@ class MissionSession {
  private:
   void Join(bool allow_commands);
   void TakeClock(const Message& message);
-  void TakePage(const appcast_t& page);
+  void TakeRules(const Message& message);
   void ShowCommands();
 
   RunningMission running_;
@@ -62,9 +63,9 @@ class MissionSession {
   std::unique_ptr<LiveView> view_;
   StatusBoard board_;
   bool joined_ = false;
-  bool is_ending_ = false;        ///< CLOCK_STATE has said so.
-  int64_t clock_heard_us_ = 0;    ///< When CLOCK_STATE came last; 0: not yet, or silence is told.
-  bool rules_are_heard_ = false;  ///< COMMS_RULES has come, or the broker's page.
+  bool is_ending_ = false;      ///< CLOCK_STATE has said so.
+  int64_t clock_heard_us_ = 0;  ///< When CLOCK_STATE came last; 0: not yet, or silence is told.
+  bool has_rules_ = false;      ///< COMMS_RULES has come, or COMMS_RULES_NOW.
   int64_t next_rules_request_us_ = 0;
   int64_t rules_requests_ = 0;
   int64_t now_us_ = 0;

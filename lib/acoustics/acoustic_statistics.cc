@@ -29,14 +29,10 @@ void AddLine(std::string_view name, int64_t count, int64_t whole, std::string* t
 
 std::string_view AcousticFateText(AcousticFate fate) {
   static constexpr std::array<std::string_view, kNumAcousticFates> kTexts = {
-      "not_listening",
-      "no_path",
-      "half_duplex",
-      "collided",
-      "lost",
-      "damaged_by_collision",
-      "damaged_by_bit_errors",
-      "delivered"};
+      "not_listening",         "no_path",
+      "half_duplex",           "collision",
+      "packet_loss",           "damaged_by_collision",
+      "damaged_by_bit_errors", "delivered"};
   return kTexts[static_cast<size_t>(fate)];
 }
 

@@ -6,6 +6,7 @@
 #include <optional>
 #include <set>
 
+#include "lib/broker/comms_rules.h"
 #include "lib/mission/load_acoustics.h"
 #include "lib/routing/control.h"
 #include "lib/routing/vehicle_name.h"
@@ -36,26 +37,8 @@ BrokerSetup SetupOf(const Mission& mission) {
 
 namespace {
 
-std::optional<Medium> MediumCalled(std::string_view text) {
-  for (const auto& [word, medium] : kMedia) {
-    if (word == text) return medium;
-  }
-  return std::nullopt;
-}
-
-std::string TextOf(Medium medium) {
-  return std::string(kMedia.at(static_cast<size_t>(medium)).first);
-}
-
-/// What the rules tell of the acoustic network and of the Earth, or why it cannot be.
+/// Takes the acoustic network and the origin, or returns why they cannot be.
 std::optional<Error> TakeAcoustics(const comms_rules_t& rules, BrokerSetup* setup) {
-  const auto reports_over = MediumCalled(rules.reports_over);
-  const auto messages_over = MediumCalled(rules.messages_over);
-  if (!reports_over || !messages_over) {
-    return Error{"COMMS_RULES: reports_over and messages_over are direct or acoustic"};
-  }
-  setup->rules.reports_over = *reports_over;
-  setup->rules.messages_over = *messages_over;
   LoadedAcoustics loaded = LoadAcousticsText(rules.acoustics, "COMMS_RULES acoustics");
   if (!loaded.errors.empty()) return Error{loaded.errors.front()};
   setup->acoustics = std::move(loaded.acoustics);
@@ -79,37 +62,14 @@ std::optional<Error> TakeAcoustics(const comms_rules_t& rules, BrokerSetup* setu
 }  // namespace
 
 Result<BrokerSetup> SetupOf(const comms_rules_t& rules) {
-  BrokerSetup setup{.rules = {.comms_range_m = rules.comms_range_m,
-                              .critical_range_m = rules.critical_range_m,
-                              .stale_time_s = rules.stale_time_s,
-                              .stale_forget_s = rules.stale_forget_s,
-                              .groups = rules.groups != 0,
-                              .msg_groups = rules.msg_groups != 0,
-                              .ignore_group = rules.ignore_group,
-                              .min_rpt_interval_s = rules.min_rpt_interval_s,
-                              .min_msg_interval_s = rules.min_msg_interval_s,
-                              .max_msg_length_bytes = rules.max_msg_length_bytes,
-                              .drop_percentage = rules.drop_percentage,
-                              .shared_node_reports_s = rules.shared_node_reports_s,
-                              .pulse_duration_s = rules.pulse_duration_s,
-                              .view_node_rpt_pulses = rules.view_node_rpt_pulses != 0,
-                              .msg_color = rules.msg_color,
-                              .msg_repeat_color = rules.msg_repeat_color,
-                              .each_fate_up_to = rules.each_fate_up_to},
+  BrokerSetup setup{.rules = RulesOf(rules),
                     .seed = static_cast<uint64_t>(rules.seed),
                     .start_utime = rules.utime,
                     .tick_us = rules.tick_us,
                     .vehicles = rules.vehicles,
                     .factors = {}};
-  for (const ControlRow& row : ControlTable()) {
-    if (row.of_vehicle) continue;
-    const double value = GetRule(row, setup.rules);
-    if (!IsPossible(row, value)) {
-      return Error{fmt::format("COMMS_RULES: {} = {} is impossible", row.rule, value)};
-    }
-  }
-  if (std::isnan(rules.stale_forget_s)) {
-    return Error{"COMMS_RULES: stale_forget_s = nan is impossible"};
+  if (const std::string impossible = ImpossibleRule(rules); !impossible.empty()) {
+    return Error{fmt::format("COMMS_RULES: {} is impossible", impossible)};
   }
   constexpr int64_t kLongestTick_us = 1'000'000'000;
   if (rules.tick_us <= 0 || rules.tick_us > kLongestTick_us) {
@@ -134,7 +94,6 @@ Result<BrokerSetup> SetupOf(const comms_rules_t& rules) {
 }
 
 comms_rules_t RulesMessage(const BrokerSetup& setup, const Router& router) {
-  const RoutingRules& rules = router.rules();
   comms_rules_t message;
   message.utime = 0;
   message.is_start = 0;
@@ -142,27 +101,9 @@ comms_rules_t RulesMessage(const BrokerSetup& setup, const Router& router) {
   message.tick_us = setup.tick_us;
   message.vehicles = setup.vehicles;
   message.num_vehicles = static_cast<int32_t>(setup.vehicles.size());
-  message.comms_range_m = rules.comms_range_m;
-  message.critical_range_m = rules.critical_range_m;
-  message.stale_time_s = rules.stale_time_s;
-  message.stale_forget_s = rules.stale_forget_s;
-  message.groups = rules.groups ? 1 : 0;
-  message.msg_groups = rules.msg_groups ? 1 : 0;
-  message.ignore_group = rules.ignore_group;
-  message.min_rpt_interval_s = rules.min_rpt_interval_s;
-  message.min_msg_interval_s = rules.min_msg_interval_s;
-  message.max_msg_length_bytes = rules.max_msg_length_bytes;
-  message.drop_percentage = rules.drop_percentage;
-  message.shared_node_reports_s = rules.shared_node_reports_s;
-  message.pulse_duration_s = rules.pulse_duration_s;
-  message.view_node_rpt_pulses = rules.view_node_rpt_pulses ? 1 : 0;
-  message.msg_color = rules.msg_color;
-  message.msg_repeat_color = rules.msg_repeat_color;
-  message.each_fate_up_to = rules.each_fate_up_to;
+  PutRules(router.rules(), &message);
   message.origin_lat_deg = setup.origin.lat_deg;
   message.origin_lon_deg = setup.origin.lon_deg;
-  message.reports_over = TextOf(rules.reports_over);
-  message.messages_over = TextOf(rules.messages_over);
   message.acoustics = ExplainAcoustics(setup.acoustics);
   for (const AcousticNode& node : setup.nodes) {
     message.acoustic_addresses.push_back(node.address);

@@ -1,4 +1,4 @@
-// What a broker needs to know before it hears anything, and how it tells that to others.
+// What a broker needs to know before its first message, and the same as COMMS_RULES.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,7 @@ namespace shoal {
 struct BrokerSetup {
   RoutingRules rules;
   uint64_t seed = 1;
-  int64_t start_utime = 0;  ///< A first step later than this means: started in the midst.
+  int64_t start_utime = 0;  ///< A first step later than this means: started during the mission.
   int64_t tick_us = 100'000;
   std::vector<std::string> vehicles;                         ///< Of the mission.
   std::vector<std::pair<std::string, LinkFactors>> factors;  ///< Others than 1.
@@ -28,13 +28,13 @@ struct BrokerSetup {
   GeoPoint origin = {};                  ///< Of the mission's plane.
 };
 
-/// Returns what a mission file says.
+/// Returns the setup of a mission file.
 [[nodiscard]] BrokerSetup SetupOf(const Mission& mission);
 
-/// Returns what a recorded COMMS_RULES says, or an error where it says something impossible.
+/// Returns the setup of a recorded COMMS_RULES, or an error where it holds something impossible.
 [[nodiscard]] Result<BrokerSetup> SetupOf(const comms_rules_t& rules);
 
-/// Returns the rules in force as COMMS_RULES; `setup` tells what does not change.
+/// Returns the rules in force as COMMS_RULES; `setup` has what does not change.
 [[nodiscard]] comms_rules_t RulesMessage(const BrokerSetup& setup, const Router& router);
 
 }  // namespace shoal

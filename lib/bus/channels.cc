@@ -78,6 +78,7 @@ Channel<unc_controls_req_t> UncControlsReq() { return {std::string(topics::kUncC
 Channel<node_report_t> NodeReportUnc() { return {std::string(topics::kNodeReportUnc)}; }
 Channel<comms_fates_t> CommsFates() { return {std::string(topics::kCommsFates)}; }
 Channel<comms_rules_t> CommsRules() { return {std::string(topics::kCommsRules)}; }
+Channel<comms_rules_t> CommsRulesNow() { return {std::string(topics::kCommsRulesNow)}; }
 Channel<comms_pulses_t> ViewCommsPulse() { return {std::string(topics::kViewCommsPulse)}; }
 Channel<modem_stats_t> ModemStats() { return {std::string(topics::kModemStats)}; }
 Channel<appcast_t> Appcast() { return {std::string(topics::kAppcast)}; }
@@ -85,6 +86,7 @@ Channel<appcast_t> Appcast() { return {std::string(topics::kAppcast)}; }
 Channel<tick_t> Tick() { return {std::string(topics::kTick)}; }
 Channel<resend_t> Resend() { return {std::string(topics::kResend)}; }
 Channel<appcast_req_t> AppcastReq() { return {std::string(topics::kAppcastReq)}; }
+Channel<comms_rules_req_t> CommsRulesReq() { return {std::string(topics::kCommsRulesReq)}; }
 Channel<clock_state_t> ClockState() { return {std::string(topics::kClockState)}; }
 Channel<step_done_t> StepDone() { return {std::string(topics::kStepDone)}; }
 Channel<clock_command_t> ClockCommand() { return {std::string(topics::kClockCommand)}; }
@@ -157,13 +159,17 @@ std::vector<ChannelRow> MakeTable() {
       {topics::kUncControlsReq, kShore, "unc_controls_req_t", "shore_broker", "shoal",
        "when it starts in the midst of a mission", true},
       {topics::kUncControls, kShore, "unc_controls_t", "shoal", "shore_broker", "when asked", true},
+      {topics::kCommsRulesNow, kShore, "comms_rules_t", "shore_broker", "viewer", "when asked",
+       false, true},
       {topics::kAppcast, kShore, "appcast_t", "every app", "shoal status, viewer", "when asked",
-       false},
+       false, true},
       {topics::kTick, kTickPort, "tick_t", "shoal", "every participant", "every step", false},
       {topics::kResend, kTickPort, "resend_t", "participants", "participants",
        "when a message is missing", false},
       {topics::kAppcastReq, kTickPort, "appcast_req_t", "shoal status, viewer", "every app",
        "when needed", false},
+      {topics::kCommsRulesReq, kTickPort, "comms_rules_req_t", "viewer", "shore_broker",
+       "when a viewer joins", false},
       {topics::kClockState, kTickPort, "clock_state_t", "shoal", "shoal send, viewer",
        "on change, and 2 Hz of wall time", false},
       {topics::kStepDone, kDonePort, "step_done_t", "every participant", "shoal", "every step",
@@ -185,6 +191,11 @@ const std::vector<ChannelRow>& ChannelTable() {
 bool IsLogged(std::string_view channel) {
   return std::none_of(ChannelTable().begin(), ChannelTable().end(),
                       [&](const ChannelRow& row) { return !row.logged && row.topic == channel; });
+}
+
+bool IsAnswer(std::string_view channel) {
+  return std::any_of(ChannelTable().begin(), ChannelTable().end(),
+                     [&](const ChannelRow& row) { return row.is_answer && row.topic == channel; });
 }
 
 }  // namespace shoal

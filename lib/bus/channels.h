@@ -22,6 +22,7 @@
 #include "shoal/clock_state_t.hpp"
 #include "shoal/comms_fates_t.hpp"
 #include "shoal/comms_pulses_t.hpp"
+#include "shoal/comms_rules_req_t.hpp"
 #include "shoal/comms_rules_t.hpp"
 #include "shoal/desired_t.hpp"
 #include "shoal/helm_command_t.hpp"
@@ -72,6 +73,8 @@ inline constexpr std::string_view kCommsRules = "COMMS_RULES";
 inline constexpr std::string_view kViewCommsPulse = "VIEW_COMMS_PULSE";
 inline constexpr std::string_view kModemStats = "MODEM_STATS";
 inline constexpr std::string_view kAppcast = "APPCAST";
+inline constexpr std::string_view kCommsRulesNow = "COMMS_RULES_NOW";
+inline constexpr std::string_view kCommsRulesReq = "COMMS_RULES_REQ";
 inline constexpr std::string_view kTick = "TICK";
 inline constexpr std::string_view kResend = "RESEND";
 inline constexpr std::string_view kAppcastReq = "APPCAST_REQ";
@@ -120,6 +123,7 @@ Channel<unc_controls_req_t> UncControlsReq();
 Channel<node_report_t> NodeReportUnc();
 Channel<comms_fates_t> CommsFates();
 Channel<comms_rules_t> CommsRules();
+Channel<comms_rules_t> CommsRulesNow();
 Channel<comms_pulses_t> ViewCommsPulse();
 Channel<modem_stats_t> ModemStats();
 Channel<appcast_t> Appcast();
@@ -128,6 +132,7 @@ Channel<appcast_t> Appcast();
 Channel<tick_t> Tick();
 Channel<resend_t> Resend();
 Channel<appcast_req_t> AppcastReq();
+Channel<comms_rules_req_t> CommsRulesReq();
 Channel<clock_state_t> ClockState();
 Channel<step_done_t> StepDone();
 Channel<clock_command_t> ClockCommand();
@@ -145,12 +150,16 @@ struct ChannelRow {
   std::string_view publishers;
   std::string_view subscribers;
   std::string_view rate;
-  bool logged;  ///< False: made for eyes or for stepping, left out of a mission's log.
+  bool logged;             ///< False: made for eyes or for stepping, left out of a mission's log.
+  bool is_answer = false;  ///< To a request outside stepping: without effect on the mission.
 };
 
 const std::vector<ChannelRow>& ChannelTable();
 
 /// True where a mission's log holds messages of `channel`; unknown channels are logged.
 bool IsLogged(std::string_view channel);
+
+/// True where `channel` holds answers to requests outside stepping, as APPCAST does.
+bool IsAnswer(std::string_view channel);
 
 }  // namespace shoal

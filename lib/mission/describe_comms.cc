@@ -1,6 +1,7 @@
 // The table [comms].
 #include <algorithm>
 #include <string>
+#include <variant>
 
 #include "lib/mission/describe.h"
 #include "lib/mission/suggest.h"
@@ -21,32 +22,50 @@ void DescribeControlValue(Fields& fields, std::string_view key, const ControlRow
   }
 }
 
-void Describe(Fields& fields, RoutingRules& rules) {
-  const NumberLimits seconds = Between(-1, kLongest_s);
-  fields.NumberOrWord("comms_range", rules.comms_range_m, 1e7, "nolimit", -1);
-  fields.Number("critical_range", rules.critical_range_m, Between(0, 1e7));
-  fields.NumberOrWord("stale_time", rules.stale_time_s, kLongest_s, "nolimit", -1);
-  if (fields.reading()) {
-    const double default_s = rules.stale_time_s < 0 ? -1 : 20 * rules.stale_time_s;
-    rules.stale_forget_s = std::min(default_s, kLongest_s);
+namespace {
+
+/// Describes one key of [comms] by its row.
+struct RuleField {
+  Fields& fields;
+  const RuleRow& row;
+  RoutingRules& rules;
+
+  void operator()(double RoutingRules::* member) const {
+    double& value = rules.*member;
+    if (row.default_of != nullptr && fields.reading()) {
+      const double of = rules.*row.default_of;
+      value = of < 0 ? -1 : std::min(row.default_factor * of, row.in_file.max);
+    }
+    if (row.true_value) {
+      DescribeControlValue(fields, row.rule, row, value);
+    } else if (!row.word.empty()) {
+      fields.NumberOrWord(row.rule, value, row.in_file.max, row.word, -1);
+    } else {
+      fields.Number(row.rule, value, Between(row.in_file.min, row.in_file.max));
+    }
   }
-  fields.Number("stale_forget_s", rules.stale_forget_s, seconds);
-  fields.Flag("groups", rules.groups);
-  fields.Flag("msg_groups", rules.msg_groups);
-  fields.Text("ignore_group", rules.ignore_group, {});
-  fields.Number("min_rpt_interval", rules.min_rpt_interval_s, seconds);
-  fields.Number("min_msg_interval", rules.min_msg_interval_s, seconds);
-  fields.Integer("max_msg_length", rules.max_msg_length_bytes, 0, 1'000'000'000);
-  fields.Number("drop_percentage", rules.drop_percentage, Between(0, 100));
-  fields.Choice("reports_over", rules.reports_over, kMedia);
-  fields.Choice("messages_over", rules.messages_over, kMedia);
-  DescribeControlValue(fields, "shared_node_reports", *FindControl("shared_node_reports"),
-                       rules.shared_node_reports_s);
-  fields.Number("pulse_duration", rules.pulse_duration_s, Between(0, kLongest_s));
-  fields.Flag("view_node_rpt_pulses", rules.view_node_rpt_pulses);
-  fields.Text("msg_color", rules.msg_color, {.min_length = 1});
-  fields.Text("msg_repeat_color", rules.msg_repeat_color, {.min_length = 1});
-  fields.Integer("each_fate_up_to", rules.each_fate_up_to, 0, 1'000'000);
+  void operator()(int64_t RoutingRules::* member) const {
+    fields.Integer(row.rule, rules.*member, static_cast<int64_t>(row.in_file.min),
+                   static_cast<int64_t>(row.in_file.max));
+  }
+  void operator()(bool RoutingRules::* member) const { fields.Flag(row.rule, rules.*member); }
+  void operator()(std::string RoutingRules::* member) const {
+    fields.Text(row.rule, rules.*member,
+                {.min_length = static_cast<size_t>(row.in_file.min),
+                 .max_length = static_cast<size_t>(row.in_file.max)});
+  }
+  void operator()(Medium RoutingRules::* member) const {
+    fields.Choice(row.rule, rules.*member, kMedia);
+  }
+  // Of a vehicle, and requests: not of [comms].
+  void operator()(double LinkFactors::*) const {}
+  void operator()(std::monostate) const {}
+};
+
+}  // namespace
+
+void Describe(Fields& fields, RoutingRules& rules) {
+  for (const RuleRow& row : kRuleTable) std::visit(RuleField{fields, row, rules}, row.member);
 }
 
 }  // namespace shoal

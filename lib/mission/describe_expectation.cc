@@ -73,9 +73,8 @@ void Describe(Fields& fields, CommsExpectation& comms, double /*end_s*/) {
   fields.Text("from", comms.from, {.min_length = 1});
   fields.Text("to", comms.to, {.min_length = 1});
   std::vector<std::string_view> causes;
-  for (int i = 0; i < kNumCauses; ++i) {
-    const auto cause = static_cast<Cause>(i);
-    if (CanHave(comms.kind, cause)) causes.push_back(CauseText(cause));
+  for (const CauseRow& row : kCauseTable) {
+    if (CanHave(comms.kind, row.cause)) causes.push_back(row.key);
   }
   fields.Word("cause", comms.cause, causes);
   DescribeCount(fields, "at_least", comms.at_least);

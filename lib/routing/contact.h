@@ -1,4 +1,4 @@
-// What the broker knows of one vehicle.
+// The last reported state of one vehicle.
 #pragma once
 
 #include <Eigen/Core>
@@ -15,15 +15,15 @@ namespace shoal {
 /// The time of what has not happened.
 inline constexpr int64_t kNever = std::numeric_limits<int64_t>::min();
 
-/// Where one vehicle was when it last told us, and what became of what it said and should hear.
+/// The last reported state of one vehicle, and the fates of what it sent and was to receive.
 struct Contact {
   std::string name;         ///< As the mission, or the vehicle itself at first, writes it.
   std::string key;          ///< VehicleKey(name).
   std::string group_key;    ///< Its group in lower case; empty: belongs to no group.
   int32_t index = 0;        ///< Its place among the router's contacts.
   int32_t rank = 0;         ///< Its place in the order of keys.
-  bool of_mission = false;  ///< Has its place kept whatever strangers do.
-  bool known = false;       ///< False: not heard of yet, or forgotten.
+  bool of_mission = false;  ///< Registered: keeps its place whatever unregistered vehicles do.
+  bool known = false;       ///< False: has not reported yet, or was forgotten.
   LinkFactors factors;      ///< Kept when it is forgotten.
 
   Eigen::Vector3d position_m = Eigen::Vector3d::Zero();  ///< x East, y North, z down.
@@ -40,7 +40,7 @@ struct Contact {
   std::array<int64_t, kNumKinds> num_sent = {};  ///< Transmissions; the next one's number.
   int64_t num_admitted = 0;                      ///< Reports that were not refused.
   KindCounts sent = {};                          ///< Fates of what it sent.
-  KindCounts heard = {};                         ///< Fates of what it was to hear.
+  KindCounts heard = {};                         ///< Fates of what it was to receive.
 };
 
 }  // namespace shoal

@@ -4,7 +4,6 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <limits>
 
 #include "lib/check/check.h"
 
@@ -12,116 +11,8 @@ namespace shoal {
 
 namespace {
 
-constexpr double kLargest = std::numeric_limits<double>::max();
-constexpr double kLargestLength = 1e9;
-
 using enum ControlType;
-
-constexpr std::array kTable = {
-    ControlRow{.rule = "comms_range",
-               .channel = "UNC_COMMS_RANGE",
-               .min = -kLargest,
-               .max = kLargest,
-               .values = "metres, or nolimit",
-               .example = "250",
-               .member = &RoutingRules::comms_range_m},
-    ControlRow{.rule = "critical_range",
-               .channel = "UNC_CRITICAL_RANGE",
-               .max = kLargest,
-               .values = "metres",
-               .example = "30",
-               .member = &RoutingRules::critical_range_m},
-    ControlRow{.rule = "stealth",
-               .channel = "UNC_STEALTH",
-               .of_vehicle = true,
-               .max = 1,
-               .values = "0 to 1",
-               .example = "0.5",
-               .member = &LinkFactors::stealth},
-    ControlRow{.rule = "earange",
-               .channel = "UNC_EARANGE",
-               .of_vehicle = true,
-               .min = 1,
-               .max = 10,
-               .values = "1 to 10",
-               .example = "2",
-               .member = &LinkFactors::earange},
-    ControlRow{.rule = "stale_time",
-               .channel = "UNC_STALE_TIME",
-               .min = -kLargest,
-               .max = kLargest,
-               .values = "seconds, or nolimit: never stale",
-               .example = "5",
-               .member = &RoutingRules::stale_time_s},
-    ControlRow{.rule = "groups",
-               .channel = "UNC_GROUPS",
-               .type = kYesNo,
-               .max = 1,
-               .values = "true or false",
-               .example = "true",
-               .member = &RoutingRules::groups},
-    ControlRow{.rule = "msg_groups",
-               .channel = "UNC_MSG_GROUPS",
-               .type = kYesNo,
-               .max = 1,
-               .values = "true or false",
-               .example = "true",
-               .member = &RoutingRules::msg_groups},
-    ControlRow{.rule = "min_rpt_interval",
-               .channel = "UNC_MIN_RPT_INTERVAL",
-               .min = -kLargest,
-               .max = kLargest,
-               .values = "seconds; -1: off",
-               .example = "10",
-               .member = &RoutingRules::min_rpt_interval_s},
-    ControlRow{.rule = "min_msg_interval",
-               .channel = "UNC_MIN_MSG_INTERVAL",
-               .min = -kLargest,
-               .max = kLargest,
-               .values = "seconds; -1: off",
-               .example = "30",
-               .member = &RoutingRules::min_msg_interval_s},
-    ControlRow{.rule = "max_msg_length",
-               .channel = "UNC_MAX_MSG_LENGTH",
-               .type = kWhole,
-               .max = kLargestLength,
-               .values = "bytes; 0: no limit",
-               .example = "1000",
-               .member = &RoutingRules::max_msg_length_bytes},
-    ControlRow{.rule = "drop_percentage",
-               .channel = "UNC_DROP_PCT",
-               .max = 100,
-               .values = "0 to 100",
-               .example = "10",
-               .member = &RoutingRules::drop_percentage},
-    ControlRow{.rule = "view_node_rpt_pulses",
-               .channel = "UNC_VIEW_NODE_RPT_PULSES",
-               .type = kYesNo,
-               .max = 1,
-               .values = "true or false",
-               .example = "false",
-               .member = &RoutingRules::view_node_rpt_pulses},
-    ControlRow{.rule = "pulse_duration",
-               .channel = "UNC_PULSE_DURATION",
-               .max = kLargest,
-               .values = "seconds; 0: no pulses",
-               .example = "10",
-               .member = &RoutingRules::pulse_duration_s},
-    ControlRow{.rule = "shared_node_reports",
-               .channel = "UNC_SHARED_NODE_REPORTS",
-               .min = -kLargest,
-               .max = kLargest,
-               .values = "true, false, or seconds of wall time between two of a vehicle",
-               .example = "true",
-               .member = &RoutingRules::shared_node_reports_s},
-    ControlRow{.rule = "full_report",
-               .channel = "UNC_FULL_REPORT_REQ",
-               .type = kRequest,
-               .of_vehicle = true,
-               .values = "no value",
-               .example = "",
-               .member = std::monostate()},
-};
+using rule_table::kControls;
 
 std::optional<double> ParseNumber(std::string_view word) {
   double value = 0;
@@ -131,20 +22,26 @@ std::optional<double> ParseNumber(std::string_view word) {
   return value;
 }
 
+/// The shortest text that is read back as the same number.
+std::string NumberWord(double value) {
+  std::array<char, 32> digits{};
+  const auto [end, error] = std::to_chars(digits.data(), digits.data() + digits.size(), value);
+  SHOAL_CHECK(error == std::errc(), "every number has at most 24 characters");
+  return {digits.data(), end};
+}
+
 }  // namespace
 
-std::span<const ControlRow> ControlTable() { return kTable; }
+std::span<const ControlRow> ControlTable() { return kControls; }
 
 const ControlRow* FindControl(std::string_view rule) {
-  const auto found = std::find_if(kTable.begin(), kTable.end(),
-                                  [&](const ControlRow& row) { return row.rule == rule; });
-  return found == kTable.end() ? nullptr : &*found;
+  const auto found = std::ranges::find(kControls, rule, &ControlRow::rule);
+  return found == kControls.end() ? nullptr : &*found;
 }
 
 const ControlRow* FindControlOnChannel(std::string_view channel) {
-  const auto found = std::find_if(kTable.begin(), kTable.end(),
-                                  [&](const ControlRow& row) { return row.channel == channel; });
-  return found == kTable.end() ? nullptr : &*found;
+  const auto found = std::ranges::find(kControls, channel, &ControlRow::channel);
+  return found == kControls.end() ? nullptr : &*found;
 }
 
 bool IsPossible(const ControlRow& row, double value) {
@@ -155,24 +52,32 @@ bool IsPossible(const ControlRow& row, double value) {
 
 std::optional<double> ParseControlValue(const ControlRow& row, std::string_view word) {
   std::optional<double> value = ParseNumber(word);
-  const bool is_shared = row.rule == "shared_node_reports";
-  if (row.type == kYesNo || is_shared) {
-    if (word == "true") value = is_shared ? kSharedReportsInterval_s : 1;
-    if (word == "false") value = is_shared ? -1 : 0;
-  }
-  if (word == "nolimit" && (row.rule == "comms_range" || row.rule == "stale_time")) value = -1;
+  if (row.type == kYesNo && word == "true") value = 1;
+  if (row.type == kYesNo && word == "false") value = 0;
+  if (row.true_value && word == "true") value = row.true_value;
+  if (!row.word.empty() && word == row.word) value = -1;
   if (!value || !IsPossible(row, *value)) return std::nullopt;
   return value;
 }
 
 std::string ControlWord(const ControlRow& row, double value) {
   if (row.type == kYesNo) return value != 0 ? "true" : "false";
-  if ((row.rule == "comms_range" || row.rule == "stale_time") && value < 0) return "nolimit";
-  if (row.rule == "shared_node_reports" && value < 0) return "false";
-  std::array<char, 32> digits{};
-  const auto [end, error] = std::to_chars(digits.data(), digits.data() + digits.size(), value);
-  SHOAL_CHECK(error == std::errc(), "every number has at most 24 characters");
-  return {digits.data(), end};
+  if (!row.word.empty() && value < 0) return std::string(row.word);
+  return NumberWord(value);
+}
+
+std::string ShownValue(const ControlRow& row, const RoutingRules& rules) {
+  if (const auto* text = std::get_if<std::string RoutingRules::*>(&row.member)) {
+    return rules.**text;
+  }
+  if (const auto* medium = std::get_if<Medium RoutingRules::*>(&row.member)) {
+    return std::string(kMedia.at(static_cast<size_t>(rules.**medium)).first);
+  }
+  const double value = GetRule(row, rules);
+  if (row.type == kYesNo) return value != 0 ? "true" : "false";
+  if (!row.negative.empty() && value < 0) return std::string(row.negative);
+  if (!row.zero.empty() && value == 0) return std::string(row.zero);
+  return row.true_value ? "true (" + NumberWord(value) + ")" : NumberWord(value);
 }
 
 double GetRule(const ControlRow& row, const RoutingRules& rules) {

@@ -10,34 +10,16 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <variant>
 
 #include "lib/routing/rules.h"
 
 namespace shoal {
 
-enum class ControlType {
-  kNumber,
-  kWhole,    ///< A number without fraction.
-  kYesNo,    ///< 1 or 0; people write true or false.
-  kRequest,  ///< Takes no value.
-};
+/// A row of kRuleTable that has a channel.
+using ControlRow = RuleRow;
+using ControlType = RuleType;
 
-struct ControlRow {
-  std::string_view rule;     ///< "comms_range"
-  std::string_view channel;  ///< "UNC_COMMS_RANGE"
-  ControlType type = ControlType::kNumber;
-  bool of_vehicle = false;  ///< Needs a vehicle; the others refuse one.
-  double min = 0;
-  double max = 0;
-  std::string_view values;   ///< "metres, or nolimit": for people.
-  std::string_view example;  ///< A value, as people write it; empty where there is none.
-  std::variant<std::monostate, double RoutingRules::*, bool RoutingRules::*,
-               int64_t RoutingRules::*, double LinkFactors::*>
-      member;
-};
-
-/// All of them, in the order in which people look for them.
+/// All of them.
 [[nodiscard]] std::span<const ControlRow> ControlTable();
 
 /// Return the row of this name or channel, or nullptr.
@@ -54,7 +36,11 @@ struct ControlRow {
 /// Returns the value as people write it: the inverse of ParseControlValue.
 [[nodiscard]] std::string ControlWord(const ControlRow& row, double value);
 
-/// Return and set the value. @pre !row.of_vehicle, and it is no request; IsPossible(row, value)
+/// Returns the value as the broker's page and the viewer show it: "250", "off", "true (0.1)".
+[[nodiscard]] std::string ShownValue(const ControlRow& row, const RoutingRules& rules);
+
+/// Return and set the value. @pre !row.of_vehicle, it is a number or a yes or no;
+/// IsPossible(row, value)
 [[nodiscard]] double GetRule(const ControlRow& row, const RoutingRules& rules);
 void SetRule(const ControlRow& row, double value, RoutingRules* rules);
 

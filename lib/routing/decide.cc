@@ -4,50 +4,113 @@ namespace shoal {
 
 namespace {
 
+/// The receiver asked for the next report of this source.
+struct FullReportRule {
+  static constexpr Cause kCause = Cause::kDelivered;
+  static constexpr Scope kScope = Scope::kWanted;
+  static Answer AskWanted(const LinkFacts& link, Decision* decision) {
+    decision->override_rule = OverrideRule::kFullReport;
+    decision->range_m = link.Range_m();
+    decision->age_s = SecondsBetween(link.receiver.received_utime, link.utime);
+    return Answer::kDelivers;
+  }
+};
+
 /// A receiver whose position is old has no position to reckon with.
-bool PassesStaleness(const RoutingRules& rules, const Contact& receiver, int64_t utime,
-                     Decision* decision) {
-  decision->age_s = SecondsBetween(receiver.received_utime, utime);
-  if (rules.stale_time_s < 0) return true;
-  decision->age_limit_s = rules.stale_time_s;
-  return decision->age_s < decision->age_limit_s;
-}
+struct StaleReceiverRule {
+  static constexpr Cause kCause = Cause::kStaleReceiver;
+  static constexpr Scope kScope = Scope::kReceiver;
+  static bool StopsAt(const RoutingRules& rules, const Contact& receiver, int64_t utime,
+                      Decision* decision) {
+    decision->age_s = SecondsBetween(receiver.received_utime, utime);
+    if (rules.stale_time_s < 0) return false;
+    decision->age_limit_s = rules.stale_time_s;
+    return !(decision->age_s < decision->age_limit_s);
+  }
+  static void FillLimits(const RoutingRules& rules, Decision* decision) {
+    decision->age_limit_s = rules.stale_time_s;
+  }
+};
+
+/// The two are so close that each must know of the other.
+struct CriticalRangeRule {
+  static constexpr Cause kCause = Cause::kDelivered;
+  static constexpr Scope kScope = Scope::kNear;
+  static double Reach_m(const RoutingRules& rules) { return rules.critical_range_m; }
+  static Answer AskNear(const LinkFacts& link, double range_m, Decision* decision) {
+    decision->range_m = range_m;
+    decision->limit_m = link.rules.critical_range_m;
+    decision->override_rule = OverrideRule::kCriticalRange;
+    return Answer::kDelivers;
+  }
+};
 
 /// Strictly less, in three dimensions.
-bool PassesRange(const RoutingRules& rules, const Transmission& sent, const Contact& receiver,
-                 Decision* decision) {
-  decision->range_m = (receiver.position_m - sent.position_m).norm();
-  if (rules.comms_range_m < 0) return true;
-  decision->limit_m = rules.comms_range_m * sent.stealth * receiver.factors.earange;
-  return decision->range_m < decision->limit_m;
-}
+struct CommsRangeRule {
+  static constexpr Cause kCause = Cause::kOutOfRange;
+  static constexpr Scope kScope = Scope::kFar;
+  static bool IsOn(const RoutingRules& rules) { return rules.comms_range_m >= 0; }
+  static double Reach_m(const RoutingRules& rules, double stealth, double earange) {
+    return rules.comms_range_m * stealth * earange;
+  }
+};
 
-bool PassesDrop(const RoutingRules& rules, const Transmission& sent, const Contact& receiver,
-                Decision* decision) {
-  if (rules.drop_percentage <= 0 || !sent.link_key) return true;
-  decision->loss_pct = rules.drop_percentage;
-  Stream stream(sent.link_key->With(receiver.key).With(sent.number));
-  return stream.Uniform() * 100 >= rules.drop_percentage;
-}
+template <bool RoutingRules::*kFlag>
+struct GroupsRule {
+  static constexpr Cause kCause = Cause::kOtherGroup;
+  static constexpr Scope kScope = Scope::kLink;
+  static bool IsOn(const RoutingRules& rules) { return rules.*kFlag; }
+  static Answer Ask(const LinkFacts& link, Decision*) {
+    return link.sent.group_key != link.receiver.group_key ? Answer::kStops : Answer::kNext;
+  }
+};
 
-bool PassesInterval(const RoutingRules& rules, int64_t delivered_utime, int64_t utime,
-                    Decision* decision) {
-  if (rules.min_rpt_interval_s < 0 || delivered_utime == kNever) return true;
-  const double elapsed_s = SecondsBetween(delivered_utime, utime);
-  if (elapsed_s >= rules.min_rpt_interval_s) return true;
-  decision->wait_s = rules.min_rpt_interval_s - elapsed_s;
-  return false;
-}
+struct DropRule {
+  static constexpr Cause kCause = Cause::kDropped;
+  static constexpr Scope kScope = Scope::kLink;
+  static bool IsOn(const RoutingRules& rules) { return rules.drop_percentage > 0; }
+  static Answer Ask(const LinkFacts& link, Decision* decision) {
+    if (!link.sent.link_key) return Answer::kNext;
+    decision->loss_pct = link.rules.drop_percentage;
+    Stream stream(link.sent.link_key->With(link.receiver.key).With(link.sent.number));
+    return stream.Uniform() * 100 >= link.rules.drop_percentage ? Answer::kNext : Answer::kStops;
+  }
+};
 
-/// True where the two are so close that each must know of the other.
-bool IsCritical(const RoutingRules& rules, const Transmission& report, const Contact& receiver,
-                Decision* decision) {
-  if (rules.critical_range_m <= 0) return false;
-  const double range_m = (receiver.position_m - report.position_m).norm();
-  if (!(range_m < rules.critical_range_m)) return false;
-  decision->range_m = range_m;
-  decision->limit_m = rules.critical_range_m;
-  return true;
+struct ReportIntervalRule {
+  static constexpr Cause kCause = Cause::kTooSoon;
+  static constexpr Scope kScope = Scope::kLink;
+  static bool IsOn(const RoutingRules& rules) { return !(rules.min_rpt_interval_s < 0); }
+  static Answer Ask(const LinkFacts& link, Decision* decision) {
+    if (link.delivered_utime == kNever) return Answer::kNext;
+    const double elapsed_s = SecondsBetween(link.delivered_utime, link.utime);
+    if (elapsed_s >= link.rules.min_rpt_interval_s) return Answer::kNext;
+    decision->wait_s = link.rules.min_rpt_interval_s - elapsed_s;
+    return Answer::kStops;
+  }
+};
+
+using ReportRules =
+    RuleSequence<FullReportRule, StaleReceiverRule, CriticalRangeRule, CommsRangeRule,
+                 GroupsRule<&RoutingRules::groups>, DropRule, ReportIntervalRule>;
+using MessageRules = RuleSequence<GroupsRule<&RoutingRules::msg_groups>, StaleReceiverRule,
+                                  CommsRangeRule, DropRule>;
+/// All else is for the acoustic network to decide.
+using PacketRules = RuleSequence<CommsRangeRule>;
+
+/// Calls `use` with the rules of a kind.
+template <class Use>
+decltype(auto) WithRulesOf(Kind kind, const Use& use) {
+  switch (kind) {
+    case Kind::kReport:
+      return use(ReportRules());
+    case Kind::kMessage:
+    case Kind::kAck:
+      return use(MessageRules());
+    case Kind::kPacket:
+      break;
+  }
+  return use(PacketRules());
 }
 
 }  // namespace
@@ -56,50 +119,52 @@ StreamKey DropKey(uint64_t seed, Kind kind, std::string_view source_key) {
   return StreamKey(seed, "drop_percentage").With(KindText(kind)).With(source_key);
 }
 
-Decision DecideReport(const RoutingRules& rules, const Transmission& report,
-                      const Contact& receiver, int64_t delivered_utime, bool is_wanted,
-                      int64_t utime) {
-  Decision decision;
-  if (is_wanted) {
-    decision.override_rule = OverrideRule::kFullReport;
-    decision.range_m = (receiver.position_m - report.position_m).norm();
-    decision.age_s = SecondsBetween(receiver.received_utime, utime);
-  } else if (!PassesStaleness(rules, receiver, utime, &decision)) {
-    decision.cause = Cause::kStaleReceiver;
-  } else if (IsCritical(rules, report, receiver, &decision)) {
-    decision.override_rule = OverrideRule::kCriticalRange;
-  } else if (!PassesRange(rules, report, receiver, &decision)) {
-    decision.cause = Cause::kOutOfRange;
-  } else if (rules.groups && report.group_key != receiver.group_key) {
-    decision.cause = Cause::kOtherGroup;
-  } else if (!PassesDrop(rules, report, receiver, &decision)) {
-    decision.cause = Cause::kDropped;
-  } else if (!PassesInterval(rules, delivered_utime, utime, &decision)) {
-    decision.cause = Cause::kTooSoon;
-  }
+Transmission TransmissionOf(const RoutingRules& rules, uint64_t seed, Kind kind, int64_t number,
+                            const Contact& source) {
+  Transmission sent = {.kind = kind,
+                       .number = number,
+                       .position_m = source.position_m,
+                       .group_key = source.group_key,
+                       .stealth = source.factors.stealth,
+                       .link_key = std::nullopt};
+  if (rules.drop_percentage > 0) sent.link_key = DropKey(seed, kind, source.key);
+  return sent;
+}
+
+Decision DecideAt(Kind kind, const LinkFacts& link) {
+  Decision decision = WithRulesOf(kind, [&](auto rules) { return decltype(rules)::Decide(link); });
+  decision.kind = kind;
   return decision;
 }
 
-Decision DecideMessage(const RoutingRules& rules, const Transmission& message,
-                       const Contact& receiver, int64_t utime) {
-  Decision decision;
-  if (rules.msg_groups && message.group_key != receiver.group_key) {
-    decision.cause = Cause::kOtherGroup;
-  } else if (!PassesStaleness(rules, receiver, utime, &decision)) {
-    decision.cause = Cause::kStaleReceiver;
-  } else if (!PassesRange(rules, message, receiver, &decision)) {
-    decision.cause = Cause::kOutOfRange;
-  } else if (!PassesDrop(rules, message, receiver, &decision)) {
-    decision.cause = Cause::kDropped;
-  }
-  return decision;
+std::span<const Cause> OrderOfCauses(Kind kind) {
+  return WithRulesOf(kind,
+                     [](auto rules) { return std::span<const Cause>(decltype(rules)::kCauses); });
 }
 
-Decision DecidePacket(const RoutingRules& rules, const Transmission& packet,
-                      const Contact& receiver) {
-  Decision decision;
-  if (!PassesRange(rules, packet, receiver, &decision)) decision.cause = Cause::kOutOfRange;
-  return decision;
+bool CountsFar(const RoutingRules& rules, Kind kind) {
+  return WithRulesOf(kind, [&](auto of_kind) { return decltype(of_kind)::CountsFar(rules); });
+}
+
+double Reach_m(const RoutingRules& rules, Kind kind, double stealth, double max_earange) {
+  return WithRulesOf(
+      kind, [&](auto of_kind) { return decltype(of_kind)::Reach_m(rules, stealth, max_earange); });
+}
+
+std::optional<Cause> CauseAt(const RoutingRules& rules, Kind kind, const Contact& receiver,
+                             int64_t utime) {
+  return WithRulesOf(
+      kind, [&](auto of_kind) { return decltype(of_kind)::CauseAt(rules, receiver, utime); });
+}
+
+void AppendFarFates(const RoutingRules& rules, Kind kind, double reach_m,
+                    std::vector<Decision>* fates) {
+  WithRulesOf(kind, [&](auto of_kind) {
+    decltype(of_kind)::EachFarFate(rules, reach_m, [&](Decision fate) {
+      fate.kind = kind;
+      fates->push_back(fate);
+    });
+  });
 }
 
 bool IsStale(const RoutingRules& rules, int64_t received_utime, int64_t utime) {

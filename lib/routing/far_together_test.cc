@@ -130,22 +130,31 @@ class Pair {
       RC_ASSERT(together_.Admit(facts, utime_).number == admissions.back().number);
     }
     for (const Admission& admission : admissions) {
-      if (!admission.refused) Compare(admission);
+      if (admission.refused) continue;
+      Compare([&](Router* router, std::vector<Decision>* decisions) {
+        router->Route(admission, utime_, decisions);
+      });
     }
+    const std::string source = traffic_.Name();
+    Compare([&](Router* router, std::vector<Decision>* decisions) {
+      router->RoutePacket({.source = source}, utime_, decisions);
+    });
     each_.ForgetSilent(utime_);
     together_.ForgetSilent(utime_);
     RC_ASSERT(each_.counts(Kind::kReport) == together_.counts(Kind::kReport));
+    RC_ASSERT(each_.counts(Kind::kPacket) == together_.counts(Kind::kPacket));
     for (size_t i = 0; i < each_.contacts().size(); ++i) {
       RC_ASSERT(each_.contacts()[i]->sent == together_.contacts()[i]->sent);
     }
   }
 
  private:
-  void Compare(const Admission& admission) {
+  template <class Route>
+  void Compare(const Route& route) {
     std::vector<Decision> each;
     std::vector<Decision> together;
-    each_.Route(admission, utime_, &each);
-    together_.Route(admission, utime_, &together);
+    route(&each_, &each);
+    route(&together_, &together);
     size_t next = 0;
     std::map<Cause, int> others;
     for (const Decision& decision : together) {
@@ -154,8 +163,6 @@ class Pair {
         continue;
       }
       while (next < each.size() && each[next].destination != decision.destination) {
-        RC_ASSERT(each[next].cause == Cause::kOutOfRange ||
-                  each[next].cause == Cause::kStaleReceiver);
         ++others[each[next++].cause];
       }
       RC_ASSERT(next < each.size());

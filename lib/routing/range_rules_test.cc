@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "lib/routing/decide.h"
+#include "lib/routing/test_decide.h"
 
 namespace shoal {
 namespace {

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "lib/routing/decide.h"
+#include "lib/routing/test_decide.h"
 
 namespace shoal {
 namespace {

@@ -10,8 +10,13 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
+#include <span>
 #include <string>
+#include <string_view>
+#include <vector>
 
+#include "lib/bus/bus.h"
 #include "lib/run/status_page.h"
 
 namespace shoal {
@@ -42,6 +47,21 @@ class App {
 
   /// Returns why the app cannot go on (disk full), or an empty string. Ends the mission.
   virtual std::string Fault() const { return {}; }
+
+  /// The channels of requests that Answer answers, at the tick port.
+  virtual std::vector<std::string> RequestChannels() const { return {}; }
+
+  /// What is published in answer to a request.
+  struct RequestAnswer {
+    std::string channel;  ///< One for which IsAnswer() is true.
+    Bytes data;
+  };
+  /// Answers a request at once, outside stepping, as APPCAST_REQ is answered: neither request nor
+  /// answer is part of the mission, and neither changes it. Nothing where `data` is no request.
+  virtual std::optional<RequestAnswer> Answer(std::string_view /*channel*/,
+                                              std::span<const uint8_t> /*data*/) const {
+    return std::nullopt;
+  }
 
   /// Returns what `shoal status` and the terminal show.
   virtual StatusPage Status() const = 0;

@@ -115,6 +115,14 @@ int RunLive(const LiveOptions& options, Mission mission,
   Subscribe(bus, channels::AppcastReq(), [&](const appcast_req_t& request) {
     is_asked = is_asked || request.app == "all" || request.app == options.name;
   });
+  std::vector<App::RequestAnswer> answers;
+  for (const std::string& channel : app->RequestChannels()) {
+    bus.SubscribeBytes(channel, [&](const Message& message) {
+      if (auto answer = app->Answer(message.channel, message.data)) {
+        answers.assign(1, std::move(*answer));
+      }
+    });
+  }
   if (!bus.error().empty()) return fail(bus.error());
   app->Tick(mission.start_utime);  // Its first step is the mission's first: it has missed nothing.
   fmt::print("{}: live on {}; Ctrl-C ends\n", options.name, LcmUrl(options.ports.shore_port()));
@@ -139,6 +147,8 @@ int RunLive(const LiveOptions& options, Mission mission,
     if (is_asked)
       Publish(bus, channels::Appcast(), ToAppcast(page(), options.name, utime(), num_rounds));
     is_asked = false;
+    for (const App::RequestAnswer& answer : answers) bus.PublishBytes(answer.channel, answer.data);
+    answers.clear();
     if (on_terminal && now_us >= next_show_us) {
       fmt::print("\033[2J\033[H{}", Format(page(), options.name, num_rounds));
       std::fflush(stdout);

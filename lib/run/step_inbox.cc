@@ -24,7 +24,7 @@ void StepInbox::Add(std::string_view channel, std::span<const uint8_t> datagram,
   const auto [message, seal] = Unseal(datagram);
   if (!seal) {
     // Pages for people are no input to a mission.
-    if (channel != topics::kAppcast) ++counters_.outside;
+    if (!IsAnswer(channel)) ++counters_.outside;
     if (outside_.size() >= kMaxOutside || outside_bytes_ + message.size() > kMaxOutsideBytes) {
       ++counters_.dropped;
       return;

@@ -34,6 +34,13 @@ StepParticipant::StepParticipant(ParticipantOptions options, PortPlan plan, Tran
   transport_.Listen(plan_.tick_port(), channels::AppcastReq().name);
 }
 
+void StepParticipant::Attach(App* app) {
+  app_ = app;
+  for (const std::string& channel : app->RequestChannels()) {
+    transport_.Listen(plan_.tick_port(), channel);
+  }
+}
+
 void StepParticipant::PublishBytes(std::string_view channel, std::span<const uint8_t> data) {
   SHOAL_CHECK(in_step_, "an app publishes only while it handles a step");
   Sent sent{.channel = std::string(channel), .datagram = Bytes(data.begin(), data.end())};
@@ -73,6 +80,8 @@ void StepParticipant::OnDatagram(int port, std::string_view channel,
       OnResend(datagram, wall_us);
     } else if (channel == topics::kAppcastReq) {
       OnAppcastRequest(datagram, wall_us);
+    } else {
+      OnAppRequest(channel, datagram, wall_us);
     }
     return;
   }
@@ -257,6 +266,15 @@ void StepParticipant::OnAppcastRequest(std::span<const uint8_t> datagram, int64_
   if (wall_us < next_page_) return;
   next_page_ = wall_us + kPageInterval_us;
   SendUnsealed(channels::Appcast(), ToAppcast(Status(), options_.name, utime_, step_));
+}
+
+void StepParticipant::OnAppRequest(std::string_view channel, std::span<const uint8_t> datagram,
+                                   int64_t wall_us) {
+  if (app_ == nullptr || wall_us < next_answer_) return;
+  const std::optional<App::RequestAnswer> answer = app_->Answer(channel, datagram);
+  if (!answer) return;
+  next_answer_ = wall_us + kPageInterval_us;
+  transport_.Send(plan_.PortOf(answer->channel), answer->channel, answer->data);
 }
 
 StatusPage StepParticipant::Status() const {

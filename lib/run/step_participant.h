@@ -46,7 +46,7 @@ class StepParticipant : public Bus {
   StepParticipant(ParticipantOptions options, PortPlan plan, Transport& transport);
 
   /// Gives it the app to step; called once, before any datagram.
-  void Attach(App* app) { app_ = app; }
+  void Attach(App* app);
 
   // Bus.
   void PublishBytes(std::string_view channel, std::span<const uint8_t> data) override;
@@ -86,6 +86,7 @@ class StepParticipant : public Bus {
   void RequestMissing(const std::vector<MissingMessages>& missing);
   void OnResend(std::span<const uint8_t> datagram, int64_t wall_us);
   void OnAppcastRequest(std::span<const uint8_t> datagram, int64_t wall_us);
+  void OnAppRequest(std::string_view channel, std::span<const uint8_t> datagram, int64_t wall_us);
   template <class T>
   void SendUnsealed(const Channel<T>& channel, const T& message);
 
@@ -105,6 +106,7 @@ class StepParticipant : public Bus {
   int64_t next_request_ = 0;
   int64_t next_hello_ = 0;
   int64_t next_page_ = 0;
+  int64_t next_answer_ = 0;
   std::map<std::string, int64_t, std::less<>> next_resends_;  ///< By channel of its own.
   bool in_step_ = false;
   uint32_t sequence_ = 0;

@@ -2,12 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
-#include <iterator>
 #include <limits>
 #include <string>
-
-#include "lib/routing/fate.h"
 
 namespace shoal {
 namespace {
@@ -71,16 +67,6 @@ TEST(FateCounts, KeepsItsSizeWhenCausesAreMadeUp) {
   for (int i = 0; i < 1000; ++i) counts.Add("alpha", "nemo", "cause " + std::to_string(i));
   EXPECT_LT(counts.Totals().size(), 40U);
   EXPECT_EQ(counts.CountOffered(kAll, kAll), 1000);
-}
-
-TEST(FatesPage, TellsWhatEveryCauseMeans) {
-  std::ifstream in(std::string(SHOAL_SOURCE_DIR) + "/docs/fates.md");
-  const std::string page{std::istreambuf_iterator<char>(in), {}};
-  for (int i = 0; i < kNumCauses; ++i) {
-    const std::string cause(CauseText(static_cast<Cause>(i)));
-    if (cause == "in_transit") continue;  // No fate yet.
-    EXPECT_NE(page.find("\n| `" + cause + "` |"), std::string::npos) << cause;
-  }
 }
 
 }  // namespace

@@ -65,7 +65,7 @@ class EventWatch {
   /// their names until the end.
   void OnFate(int32_t from, int32_t to, Cause cause, int64_t utime) {
     if (utime >= next_loss_utime_) FindLosses(utime);
-    if (IsHeard(cause)) OnDelivery(from, to, utime);
+    if (IsReceived(cause)) OnDelivery(from, to, utime);
   }
   /// Tells that it is this late: contacts are lost by silence. OnFate tells it too.
   void OnTime(int64_t utime) {

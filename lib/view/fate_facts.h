@@ -62,11 +62,6 @@ inline constexpr int64_t kFarthest_us = 100'000'000'000'000'000;
   return utime > kFarthest_us ? kFarthest_us : utime < -kFarthest_us ? -kFarthest_us : utime;
 }
 
-/// Delivered, whole or damaged: the destination has heard something.
-[[nodiscard]] inline bool IsHeard(Cause cause) {
-  return cause == Cause::kDelivered || cause == Cause::kDamaged;
-}
-
 /// A decoded message of COMMS_FATES. Its memory is used again by the next ReadFates.
 struct FatesView {
   int64_t utime = 0;

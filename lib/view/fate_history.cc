@@ -42,7 +42,7 @@ void FateHistory::Add(const FateView& fate) {
 std::vector<const KeptFate*> FateHistory::Find(const FateQuery& query) const {
   const std::string vehicle = VehicleKey(query.vehicle);
   const auto is_asked_for = [&](const KeptFate& fate) {
-    if (query.only_blocked && IsHeard(fate.facts.cause)) return false;
+    if (query.only_blocked && IsReceived(fate.facts.cause)) return false;
     if (!query.kind.empty() && KindText(fate.facts.kind) != query.kind) return false;
     if (!query.cause.empty() && CauseText(fate.facts.cause) != query.cause) return false;
     return vehicle.empty() || IsName(fate.source, vehicle) || IsName(fate.destination, vehicle);

@@ -13,7 +13,7 @@ namespace shoal {
 
 namespace {
 
-/// What acoustic_path_t says without a modem.
+/// What acoustic_path_t holds without a modem.
 constexpr float kNoSnr_db = -998;
 
 std::string Joined(std::string_view first, std::string_view second) {
@@ -29,10 +29,10 @@ std::string RangeText(const FateFacts& facts) {
   return fmt::format("{:.1f} m of {:.1f} m", facts.range_m, facts.limit_m);
 }
 
-std::string SilenceText(const FateFacts& facts) {
+std::string AgeText(const FateFacts& facts) {
   if (!(facts.age_s >= 0)) return {};
-  if (!(facts.age_limit_s >= 0)) return fmt::format("silent for {:.1f} s", facts.age_s);
-  return fmt::format("silent for {:.1f} s of {:.1f} s", facts.age_s, facts.age_limit_s);
+  if (!(facts.age_limit_s >= 0)) return fmt::format("{:.1f} s", facts.age_s);
+  return fmt::format("{:.1f} s of {:.1f} s", facts.age_s, facts.age_limit_s);
 }
 
 std::string LengthText(const FateFacts& facts) {
@@ -40,17 +40,12 @@ std::string LengthText(const FateFacts& facts) {
   return fmt::format("{} bytes of {}", facts.length_bytes, facts.length_limit_bytes);
 }
 
-std::string WaterText(const FateFacts& facts) {
-  if (!facts.has_path) return {};
-  return fmt::format("{:.2f} s through the water", facts.travel_s + facts.jitter_s + facts.air_s);
-}
-
-std::string_view OverrideWords(OverrideRule rule) {
-  switch (rule) {
+std::string OverrideWords(const FateFacts& facts) {
+  switch (facts.override_rule) {
     case OverrideRule::kCriticalRange:
-      return "by critical_range";
+      return "critical_range";
     case OverrideRule::kFullReport:
-      return "by a full report request";
+      return "a full report request";
     case OverrideRule::kNone:
       break;
   }
@@ -61,7 +56,7 @@ std::string CollidersText(const FateFacts& facts, std::span<const std::string_vi
   if (!facts.has_path || facts.num_colliders < 1) return {};
   constexpr size_t kMaxNamed = 3;
   const size_t num_named = std::min(colliders.size(), kMaxNamed);
-  std::string text = "with ";
+  std::string text;
   for (size_t i = 0; i < num_named; ++i) {
     text += fmt::format("{}{}", i > 0 ? ", " : "", ShortName(colliders[i]));
   }
@@ -73,66 +68,102 @@ std::string CollidersText(const FateFacts& facts, std::span<const std::string_vi
   return text;
 }
 
-std::string BitsText(const FateFacts& facts) {
-  if (!facts.has_path || facts.bits_flipped < 0) return {};
-  return fmt::format("{} {} flipped", facts.bits_flipped, facts.bits_flipped == 1 ? "bit" : "bits");
+using Colliders = std::span<const std::string_view>;
+
+/// Writes the numbers that `name` of a CauseRow::text stands for; empty where they played no part.
+struct NumberRow {
+  FateNumber number;
+  std::string (*text)(const FateFacts& facts, Colliders colliders);
+};
+
+constexpr std::array kNumbers = {
+    NumberRow{{"range", "range_m limit_m"},
+              [](const FateFacts& facts, Colliders) { return RangeText(facts); }},
+    NumberRow{{"age", "age_s age_limit_s"},
+              [](const FateFacts& facts, Colliders) { return AgeText(facts); }},
+    NumberRow{{"wait", "wait_s"},
+              [](const FateFacts& facts, Colliders) {
+                return facts.wait_s >= 0 ? fmt::format("{:.1f} s", facts.wait_s) : std::string();
+              }},
+    NumberRow{{"length", "length_bytes length_limit_bytes"},
+              [](const FateFacts& facts, Colliders) { return LengthText(facts); }},
+    NumberRow{{"loss", "loss_pct"},
+              [](const FateFacts& facts, Colliders) {
+                return facts.loss_pct >= 0 ? fmt::format("{:.4g} %", facts.loss_pct)
+                                           : std::string();
+              }},
+    NumberRow{{"override", "override_rule"},
+              [](const FateFacts& facts, Colliders) { return OverrideWords(facts); }},
+    NumberRow{{"delay", "travel_s jitter_s air_s"},
+              [](const FateFacts& facts, Colliders) {
+                return facts.has_path
+                           ? fmt::format("{:.2f} s", facts.travel_s + facts.jitter_s + facts.air_s)
+                           : std::string();
+              }},
+    NumberRow{{"channel", "channel"},
+              [](const FateFacts& facts, Colliders) {
+                return facts.has_path ? fmt::format("{}", facts.channel) : std::string();
+              }},
+    NumberRow{{"own_packet", "own_packet"},
+              [](const FateFacts& facts, Colliders) {
+                return facts.has_path && facts.own_packet >= 0 ? fmt::format("{}", facts.own_packet)
+                                                               : std::string();
+              }},
+    NumberRow{{"colliders", "colliders"}, CollidersText},
+    NumberRow{{"loss_probability", "loss_probability"},
+              [](const FateFacts& facts, Colliders) {
+                return facts.has_path && facts.loss_probability >= 0
+                           ? fmt::format("{:.3g}", facts.loss_probability)
+                           : std::string();
+              }},
+    NumberRow{{"snr", "snr_db"},
+              [](const FateFacts& facts, Colliders) {
+                return facts.has_path && facts.snr_db > kNoSnr_db
+                           ? fmt::format("{:.1f} dB", facts.snr_db)
+                           : std::string();
+              }},
+    NumberRow{{"bits", "bits_flipped"},
+              [](const FateFacts& facts, Colliders) {
+                return facts.has_path && facts.bits_flipped >= 0
+                           ? fmt::format("{} {}", facts.bits_flipped,
+                                         facts.bits_flipped == 1 ? "bit" : "bits")
+                           : std::string();
+              }},
+    NumberRow{{"bit_error_probability", "bit_error_probability"},
+              [](const FateFacts& facts, Colliders) {
+                return facts.has_path && facts.bit_error_probability > 0
+                           ? fmt::format("{:.3g}", facts.bit_error_probability)
+                           : std::string();
+              }},
+};
+
+/// Returns the next part of a template, and takes it and the comma behind it away.
+std::string_view TakePart(std::string_view* text) {
+  const size_t comma = std::min(text->find(", "), text->size());
+  const std::string_view part = text->substr(0, comma);
+  text->remove_prefix(std::min(comma + 2, text->size()));
+  return part;
 }
 
-std::string LossText(const FateFacts& facts) {
-  if (!facts.has_path || !(facts.loss_probability >= 0)) return {};
-  std::string text = fmt::format("probability {:.3g}", facts.loss_probability);
-  if (facts.snr_db > kNoSnr_db) text += fmt::format(", SNR {:.1f} dB", facts.snr_db);
+/// Returns a part of a template with its numbers; empty where one of them played no part.
+std::string Filled(std::string_view part, const FateFacts& facts, Colliders colliders) {
+  const size_t begin = part.find('{');
+  const size_t end = part.find('}');
+  const std::string_view name = part.substr(begin + 1, end - begin - 1);
+  const auto row =
+      std::ranges::find(kNumbers, name, [](const NumberRow& each) { return each.number.name; });
+  if (row == kNumbers.end()) return {};
+  const std::string number = row->text(facts, colliders);
+  if (number.empty()) return {};
+  return fmt::format("{}{}{}", part.substr(0, begin), number, part.substr(end + 1));
+}
+
+std::string NumbersOf(const FateFacts& facts, Colliders colliders) {
+  std::string_view rest = RowOf(facts.cause).text;
+  TakePart(&rest);
+  std::string text;
+  while (!rest.empty()) text = Joined(text, Filled(TakePart(&rest), facts, colliders));
   return text;
-}
-
-std::string BitErrorText(const FateFacts& facts) {
-  if (!facts.has_path || !(facts.bit_error_probability > 0)) return {};
-  return fmt::format("each with probability {:.3g}", facts.bit_error_probability);
-}
-
-std::string NumbersOf(const FateFacts& facts, std::span<const std::string_view> colliders) {
-  switch (facts.cause) {
-    case Cause::kDelivered:
-      return Joined(Joined(RangeText(facts), OverrideWords(facts.override_rule)), WaterText(facts));
-    case Cause::kTooSoon:
-      return facts.wait_s >= 0 ? fmt::format("{:.1f} s too early", facts.wait_s) : std::string();
-    case Cause::kTooLong:
-      return LengthText(facts);
-    case Cause::kStaleSource:
-    case Cause::kStaleReceiver:
-      return SilenceText(facts);
-    case Cause::kOutOfRange:
-      return RangeText(facts);
-    case Cause::kDropped:
-      return facts.loss_pct >= 0 ? fmt::format("{:.4g} % are", facts.loss_pct) : std::string();
-    case Cause::kNotListening:
-      return facts.has_path ? fmt::format("channel {}", facts.channel) : std::string();
-    case Cause::kHalfDuplex:
-      return facts.has_path && facts.own_packet >= 0
-                 ? fmt::format("its own packet {}", facts.own_packet)
-                 : std::string();
-    case Cause::kCollision:
-      return CollidersText(facts, colliders);
-    case Cause::kPacketLoss:
-      return LossText(facts);
-    case Cause::kBitErrors:
-      return Joined(BitsText(facts), BitErrorText(facts));
-    case Cause::kRejected:
-    case Cause::kDamaged:
-      return Joined(BitsText(facts), CollidersText(facts, colliders));
-    case Cause::kInvalid:
-    case Cause::kTooManyVehicles:
-    case Cause::kIgnoredGroup:
-    case Cause::kUnknownSource:
-    case Cause::kNoDestination:
-    case Cause::kUnknownDestination:
-    case Cause::kOtherGroup:
-    case Cause::kInTransit:
-    case Cause::kNoChannel:
-    case Cause::kNoPath:
-      break;
-  }
-  return {};
 }
 
 std::string Ends(std::string_view source, std::string_view destination, int64_t count) {
@@ -145,32 +176,15 @@ std::string Ends(std::string_view source, std::string_view destination, int64_t 
 
 }  // namespace
 
+std::vector<FateNumber> FateNumbers() {
+  std::vector<FateNumber> numbers;
+  for (const NumberRow& row : kNumbers) numbers.push_back(row.number);
+  return numbers;
+}
+
 std::string_view CauseWords(Cause cause) {
-  constexpr std::array<std::string_view, kNumCauses> kWords = {"delivered",
-                                                               "invalid",
-                                                               "too many vehicles",
-                                                               "of the ignored group",
-                                                               "too soon",
-                                                               "too long",
-                                                               "unknown source",
-                                                               "stale source",
-                                                               "no destination",
-                                                               "unknown destination",
-                                                               "other group",
-                                                               "stale receiver",
-                                                               "out of range",
-                                                               "dropped at random",
-                                                               "in the water",
-                                                               "no acoustic channel",
-                                                               "receiver not listening",
-                                                               "farther than sound comes",
-                                                               "receiver was sending",
-                                                               "collision",
-                                                               "packet loss",
-                                                               "bit errors",
-                                                               "rejected as damaged",
-                                                               "delivered damaged"};
-  return kWords.at(static_cast<size_t>(cause));
+  std::string_view text = RowOf(cause).text;
+  return TakePart(&text);
 }
 
 std::string DecidingNumbers(const FateView& fate) { return NumbersOf(fate.facts, fate.colliders); }

@@ -1,13 +1,21 @@
 // A fate in words, with the numbers that decided: "alpha to bravo: out of range, 312.4 m of 250.0
-// m".
+// m". The words are those of the table of causes (lib/routing/cause.h).
 #pragma once
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "lib/view/fate_facts.h"
 
 namespace shoal {
+
+/// What CauseRow::text may hold in braces, and the members of fate_t and of its path that it shows.
+struct FateNumber {
+  std::string_view name;
+  std::string_view members;  ///< Separated by blanks.
+};
+[[nodiscard]] std::vector<FateNumber> FateNumbers();
 
 /// Returns "out of range".
 [[nodiscard]] std::string_view CauseWords(Cause cause);
@@ -20,7 +28,7 @@ namespace shoal {
 /// Returns names, cause and numbers; "alpha to 12 others: ..." where they are not told apart,
 /// "alpha: ..." where there is no destination. Names are cut after 64 bytes.
 [[nodiscard]] std::string FateText(const FateView& fate);
-/// The same; of a kind or cause that nobody knows, what the fate calls it.
+/// The same; of an unknown kind or cause, what the fate calls it.
 [[nodiscard]] std::string FateText(const fate_t& fate);
 
 }  // namespace shoal

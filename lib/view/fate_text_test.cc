@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 
 #include "lib/view/test_view.h"
@@ -42,7 +43,7 @@ TEST(FateText, TellsRangeAndLimitOfWhatIsDelivered) {
   EXPECT_EQ(TextOf("delivered", [](fate_t* fate) { fate->override_rule = "full_report"; }),
             "alpha to bravo: delivered, by a full report request");
   EXPECT_EQ(TextOnTheWay("delivered", [](acoustic_path_t* path) { path->jitter_s = 0.01; }),
-            "alpha to bravo: delivered, 0.46 s through the water");
+            "alpha to bravo: delivered, 0.46 s by sound");
 }
 
 TEST(FateText, TellsTheNumbersThatTheRulesDecidedBy) {
@@ -77,7 +78,7 @@ TEST(FateText, TellsCausesThatNoNumberDecided) {
   EXPECT_EQ(TextOf("unknown_destination", Nothing), "alpha to bravo: unknown destination");
   EXPECT_EQ(TextOf("other_group", Nothing), "alpha to bravo: other group");
   EXPECT_EQ(TextOf("no_channel", Nothing), "alpha to bravo: no acoustic channel");
-  EXPECT_EQ(TextOf("in_transit", Nothing), "alpha to bravo: in the water");
+  EXPECT_EQ(TextOf("in_transit", Nothing), "alpha to bravo: in transit");
   EXPECT_EQ(TextOf("no_path", Nothing), "alpha to bravo: farther than sound comes");
 }
 
@@ -149,6 +150,23 @@ TEST(FateText, HasWordsOfItsOwnForEveryCause) {
         << "without numbers";
   }
   EXPECT_EQ(words.size(), static_cast<size_t>(kNumCauses));
+}
+
+TEST(FateText, KnowsEveryNumberThatATextOfACauseHolds) {
+  std::set<std::string_view> known;
+  for (const FateNumber& number : FateNumbers()) {
+    EXPECT_TRUE(known.insert(number.name).second) << number.name;
+    EXPECT_FALSE(number.members.empty()) << number.name;
+  }
+  for (const CauseRow& row : kCauseTable) {
+    std::string_view text = row.text;
+    const auto num_parts = 1 + std::ranges::count(text, ',');
+    EXPECT_EQ(std::ranges::count(text, '{'), num_parts - 1) << text << ": one number for each part";
+    while (text.find('{') != text.npos) {
+      text.remove_prefix(text.find('{') + 1);
+      EXPECT_TRUE(known.contains(text.substr(0, text.find('}')))) << row.text;
+    }
+  }
 }
 
 TEST(FateText, CutsWhatIsTooLongAndSaysWhatItDoesNotKnow) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "lib/routing/control.h"
 #include "lib/view/json_writer.h"
 
 namespace shoal {
@@ -122,6 +123,10 @@ void WriteRules(const RulesInForce& rules, JsonWriter* json) {
         .Number("stealth", factors.stealth, 3)
         .Number("earange", factors.earange, 3)
         .EndObject();
+  }
+  json->EndObject().Key("shown").BeginObject();
+  for (const ControlRow& row : ControlTable()) {
+    if (!row.of_vehicle) json->Text(row.rule, ShownValue(row, rules));
   }
   json->EndObject().EndObject();
 }

@@ -47,7 +47,7 @@ LinkPlace LinkBook::Add(const FateView& fate) {
   const auto kind = static_cast<size_t>(facts.kind);
   AddUpTo(&link.offered[kind], count);
   AddUpTo(&link.by_cause[static_cast<size_t>(facts.cause)], count);
-  if (IsHeard(facts.cause)) {
+  if (IsReceived(facts.cause)) {
     AddUpTo(&link.heard[kind], count);
     link.last_heard_utime = facts.utime;
   }

@@ -25,7 +25,7 @@ void LinkHistory::Add(const FateFacts& facts, double t_s) {
   const auto bin = static_cast<size_t>(t_s / bin_s_);
   if (bin >= bins_.size()) bins_.resize(bin + 1);
   ++bins_[bin].offered;
-  if (IsHeard(facts.cause)) ++bins_[bin].heard;
+  if (IsReceived(facts.cause)) ++bins_[bin].heard;
 
   if (!(facts.range_m >= 0)) return;
   if (ranges_.size() == kMaxRanges) ranges_.pop_front();

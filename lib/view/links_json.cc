@@ -9,7 +9,7 @@ namespace shoal {
 namespace {
 
 bool Hears(const Scene& scene, const LinkCounts& link) {
-  if (!IsHeard(link.last.cause)) return false;
+  if (!IsReceived(link.last.cause)) return false;
   if (!scene.rules() || !(scene.rules()->stale_time_s >= 0)) return true;
   return scene.now_s() - scene.SecondsOf(link.last.utime) <= scene.rules()->stale_time_s;
 }

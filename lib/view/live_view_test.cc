@@ -118,9 +118,14 @@ TEST_F(LiveViewTest, FramesTellRulesPulsesPacketsAndCommands) {
   view_.SetCommands(
       {{.id = 3, .t_s = 12, .text = "return to alpha", .state = "taken", .reason = ""}});
   json frame = Frame();
-  EXPECT_EQ(frame["rules"], json::parse(R"({
+  EXPECT_EQ(frame["rules"], json::parse(R"json({
       "comms_range_m": 250, "critical_range_m": 30, "stale_time_s": 5, "drop_percentage": 0,
-      "factors": {"alpha": {"stealth": 0.5, "earange": 2}}})"));
+      "factors": {"alpha": {"stealth": 0.5, "earange": 2}},
+      "shown": {"comms_range": "250", "critical_range": "30", "stale_time": "5", "groups": "false",
+                "msg_groups": "false", "min_rpt_interval": "0", "min_msg_interval": "0",
+                "max_msg_length": "nolimit", "drop_percentage": "0",
+                "shared_node_reports": "true (0)", "pulse_duration": "off",
+                "view_node_rpt_pulses": "false"}})json"));
   ASSERT_EQ(frame["pulses"].size(), 1U);
   EXPECT_TRUE(frame["pulses"][0]["id"].is_number_integer());
   frame["pulses"][0].erase("id");

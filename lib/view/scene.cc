@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "lib/broker/comms_rules.h"
 #include "lib/bus/bus.h"
 #include "lib/bus/channels.h"
 #include "lib/routing/contact.h"
@@ -49,12 +50,8 @@ bool AllNumbersMakeSense(const node_report_t& report) {
          std::isfinite(report.length_m);
 }
 
-RulesInForce RulesOf(const Mission& mission) {
-  RulesInForce rules{.comms_range_m = mission.comms.comms_range_m,
-                     .critical_range_m = mission.comms.critical_range_m,
-                     .stale_time_s = mission.comms.stale_time_s,
-                     .drop_percentage = mission.comms.drop_percentage,
-                     .factors = {}};
+RulesInForce RulesOfMission(const Mission& mission) {
+  RulesInForce rules{mission.comms, {}};
   for (const Vehicle& vehicle : mission.vehicles) {
     if (vehicle.link_factors == LinkFactors{}) continue;
     rules.factors.emplace_back(vehicle.name, vehicle.link_factors);
@@ -76,7 +73,7 @@ Scene::Scene(const Mission& mission)
       now_utime_(start_utime_),
       sound_mps_(mission.acoustics.options.sound_speed_mps),
       num_of_mission_(mission.vehicles.size()),
-      rules_(RulesOf(mission)),
+      rules_(RulesOfMission(mission)),
       links_(NamesOf(mission)) {
   for (const Vehicle& vehicle : mission.vehicles) {
     const size_t place = vehicles_.size();
@@ -154,9 +151,7 @@ const std::string* Scene::NameOf(std::string_view name) const {
 
 bool Scene::IsStale(const SceneVehicle& vehicle) const {
   if (!vehicle.report || !rules_) return false;
-  RoutingRules rules;
-  rules.stale_time_s = rules_->stale_time_s;
-  return shoal::IsStale(rules, vehicle.report->received_utime, now_utime_);
+  return shoal::IsStale(*rules_, vehicle.report->received_utime, now_utime_);
 }
 
 bool Scene::HandleNav(size_t vehicle, std::span<const uint8_t> data, SceneObserver* observer) {
@@ -268,11 +263,11 @@ bool Scene::HandleRules(std::span<const uint8_t> data) {
   const comms_rules_t* rules = DecodeAgain<comms_rules_t>(data);
   if (rules == nullptr) return false;
   MoveNow(PlausibleUtime(rules->utime));
-  rules_ = RulesInForce{.comms_range_m = rules->comms_range_m,
-                        .critical_range_m = rules->critical_range_m,
-                        .stale_time_s = rules->stale_time_s,
-                        .drop_percentage = rules->drop_percentage,
-                        .factors = {}};
+  rules_ = RulesInForce{RulesOf(*rules), {}};
+  for (const RuleRow& row : kRuleTable) {
+    const auto* text = std::get_if<std::string RoutingRules::*>(&row.member);
+    if (text != nullptr) Cut(&((*rules_).**text));
+  }
   for (const link_factors_t& factors : rules->factors) {
     if (rules_->factors.size() == num_of_mission_ + kMaxOutside) break;
     rules_->factors.emplace_back(

@@ -60,12 +60,8 @@ struct SceneVehicle {
   ShownMessages shown = {};
 };
 
-/// The broker's rules, as far as viewers show them.
-struct RulesInForce {
-  double comms_range_m = 0;  ///< Negative: no limit.
-  double critical_range_m = 0;
-  double stale_time_s = -1;  ///< Negative: never.
-  double drop_percentage = 0;
+/// The broker's rules, those of vehicles included.
+struct RulesInForce : RoutingRules {
   std::vector<std::pair<std::string, LinkFactors>> factors;  ///< Of vehicles that have not 1 and 1.
 };
 
@@ -99,7 +95,7 @@ class Scene {
   /// Sets the time to show, where somebody knows better than the messages; the next one that is
   /// later, or much earlier, moves it again.
   void SetNow(int64_t utime) { now_utime_ = PlausibleUtime(utime); }
-  /// Nobody knows the rules until COMMS_RULES tells them.
+  /// The rules are unknown until COMMS_RULES states them.
   void ForgetRules() { rules_.reset(); }
   /// Goes on from counters that were copied at this time.
   void SetLinks(LinkBook links) { links_ = std::move(links); }

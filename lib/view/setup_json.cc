@@ -6,7 +6,10 @@
 #include <cmath>
 
 #include "lib/mission/ocean_of.h"
+#include "lib/routing/cause.h"
+#include "lib/routing/control.h"
 #include "lib/run/version.h"
+#include "lib/view/fate_text.h"
 #include "lib/view/json_writer.h"
 
 namespace shoal {
@@ -49,6 +52,30 @@ void WriteVehicle(const Mission& mission, const Vehicle& vehicle, bool knows_mod
   json->Key("tasks").BeginArray();
   for (const Task& task : vehicle.tasks) WriteTask(task, json);
   json->EndArray().EndObject();
+}
+
+void WriteCause(const CauseRow& row, JsonWriter* json) {
+  constexpr std::array<std::string_view, 4> kOutcomes = {"whole", "damaged", "stopped", "pending"};
+  json->BeginObject()
+      .Text("key", row.key)
+      .Text("text", CauseWords(row.cause))
+      .Text("color", row.color)
+      .Text("outcome", kOutcomes.at(static_cast<size_t>(row.outcome)))
+      .EndObject();
+}
+
+/// A rule that can change while the mission runs.
+void WriteRule(const ControlRow& row, JsonWriter* json) {
+  json->BeginObject()
+      .Text("rule", row.rule)
+      .Text("label", row.label)
+      .Text("unit", row.unit)
+      .Boolean("of_vehicle", row.of_vehicle)
+      .Boolean("takes_value", row.type != ControlType::kRequest)
+      .Text("values", row.values)
+      .Text("example", row.example)
+      .Text("about", row.about)
+      .EndObject();
 }
 
 /// A square grid of samples.
@@ -135,6 +162,10 @@ std::string SetupJson(const Mission& mission, const SetupFacts& facts,
   for (const Vehicle& vehicle : mission.vehicles) {
     WriteVehicle(mission, vehicle, facts.knows_models, &json);
   }
+  json.EndArray().Key("causes").BeginArray();
+  for (const CauseRow& row : kCauseTable) WriteCause(row, &json);
+  json.EndArray().Key("rules").BeginArray();
+  for (const ControlRow& row : ControlTable()) WriteRule(row, &json);
   json.EndArray().Key("floor").Raw(floor_json).Key("notes").BeginArray();
   for (const std::string& note : facts.notes) json.Text(note);
   json.EndArray().EndObject();

@@ -1,14 +1,12 @@
-// ShoreBrokerApp: what is heard, from the rules to its receivers, at once or through the water.
-#include <fmt/format.h>
+#include "apps/shore_broker/delivery.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "apps/shore_broker/air_text.h"
-#include "apps/shore_broker/message_checks.h"
-#include "apps/shore_broker/shore_broker_app.h"
+#include "lib/bus/channels.h"
 #include "lib/check/check.h"
-#include "lib/routing/vehicle_name.h"
+#include "lib/run/status_page.h"
 
 namespace shoal {
 
@@ -17,9 +15,7 @@ namespace {
 /// acoustic_path_t: without a modem there is no such number.
 constexpr double kNoSnr_db = -999;
 
-std::string LegalOrEmpty(const std::string& name) { return IsLegalVehicleName(name) ? name : ""; }
-
-/// Returns where `vehicle` hears traffic of this kind.
+/// Returns the channel on which `vehicle` receives traffic of this kind.
 std::string ChannelOf(Kind kind, std::string_view vehicle) {
   switch (kind) {
     case Kind::kReport:
@@ -34,7 +30,7 @@ std::string ChannelOf(Kind kind, std::string_view vehicle) {
   return channels::AcousticRx(vehicle).name;
 }
 
-acoustic_path_t PathOf(const Arrival& arrival, const AcousticTraffic& water) {
+acoustic_path_t PathOf(const LegEnd& arrival, const AcousticTraffic& water) {
   const Reception& reception = arrival.reception;
   acoustic_path_t path;
   path.packet = reception.packet.number;
@@ -60,112 +56,15 @@ acoustic_path_t PathOf(const Arrival& arrival, const AcousticTraffic& water) {
 
 }  // namespace
 
-void ShoreBrokerApp::RouteReport(int64_t utime, const WaitingReport& report) {
-  router_.Route(report.admission, utime, &decisions_);
-  const Contact& source = router_.contact(report.admission.source);
-  Conclude(utime, {.written_source = source.name,
-                   .raw = report.raw,
-                   .from_m = report.admission.position_m,
-                   .has_pulses = router_.rules().view_node_rpt_pulses,
-                   .color = ReportColor(source.index),
-                   .air_bytes = [&] {
-                     SHOAL_CHECK(Decode(BytesOf(report.raw), &report_), "it did when it came");
-                     return AirBytes(report_, water_.AddressOf(source.name).value_or(0),
-                                     setup_.start_utime);
-                   }});
-  Share(utime, report);
-}
-
-void ShoreBrokerApp::RouteMessage(int64_t utime, const Waiting& waiting) {
-  if (!DecodeWaiting(
-          waiting,
-          waiting.from_outside ? channels::NodeMessageFromOutside() : channels::NodeMessageLocal(),
-          &message_)) {
-    return;
-  }
-  const std::string_view problem = ProblemOf(message_);
-  if (!problem.empty()) {
-    log_.Warn(fmt::format("invalid node message refused: {}", problem));
-  } else {
-    log_.Event(
-        utime,
-        fmt::format("Msg rec'd: src_node={},dest_node={},dest_group={},var_name={},{}",
-                    message_.src_node, Printable(message_.dest_node),
-                    Printable(message_.dest_group), Printable(message_.var_name),
-                    message_.is_double != 0 ? fmt::format("double_val={}", message_.double_val)
-                                            : "string_val=" + Printable(message_.string_val)));
-  }
-  router_.RouteMessage({.source = message_.src_node,
-                        .dest_node = message_.dest_node,
-                        .dest_group = message_.dest_group,
-                        .length_bytes = static_cast<int64_t>(message_.string_val.size()),
-                        .is_sound = problem.empty()},
-                       utime, &decisions_, &unknown_names_);
-  const std::string color(problem.empty() ? MessageColor(message_) : "");
-  Conclude(utime, {.written_source = LegalOrEmpty(message_.src_node),
-                   .raw = waiting,
-                   .from_m = PositionOfSource(),
-                   .has_pulses = true,
-                   .color = color,
-                   .air_bytes = [&] { return AirBytes(message_); }});
-}
-
-/// A message whose ack_id has been here before is a repeat.
-std::string_view ShoreBrokerApp::MessageColor(const node_message_t& message) {
-  const RoutingRules& rules = router_.rules();
-  if (!message.ack_id.empty() && repeats_.IsRepeat(VehicleKey(message.src_node), message.ack_id)) {
-    return rules.msg_repeat_color;
-  }
-  constexpr size_t kLongestColor = 40;
-  const bool has_own = !message.color.empty() && message.color.size() <= kLongestColor;
-  return has_own ? std::string_view(message.color) : std::string_view(rules.msg_color);
-}
-
-void ShoreBrokerApp::RouteAck(int64_t utime, const Waiting& waiting) {
-  if (!DecodeWaiting(waiting, channels::AckMessage(), &ack_)) return;
-  const bool is_sound = !ack_.ack_id.empty();
-  router_.RouteAck({.source = ack_.src_node, .destination = ack_.dest_node, .is_sound = is_sound},
-                   utime, &decisions_, &unknown_names_);
-  if (decisions_.front().cause == Cause::kInvalid) {
-    log_.Warn("invalid ack refused: two vehicles' names and an ack_id are needed");
-  }
-  Conclude(utime, {.written_source = LegalOrEmpty(ack_.src_node), .raw = waiting, .air_bytes = [&] {
-                     return AirBytes(ack_);
-                   }});
-}
-
-void ShoreBrokerApp::RoutePacket(int64_t utime, const Waiting& waiting) {
-  if (!DecodeWaiting(waiting, channels::AcousticTx(), &packet_)) return;
-  router_.RoutePacket({.source = packet_.source,
-                       .length_bytes = packet_.num_bytes,
-                       .length_limit_bytes = water_.max_payload_bytes(),
-                       .is_sound = packet_.num_bytes > 0},
-                      utime, &decisions_);
-  if (decisions_.front().cause == Cause::kInvalid) {
-    log_.Warn("invalid ACOUSTIC_TX refused: a vehicle's name and a payload are needed");
-  }
-  Conclude(utime, {.written_source = LegalOrEmpty(packet_.source),
-                   .raw = waiting,
-                   .from_m = PositionOfSource(),
-                   .has_pulses = true,
-                   .color = router_.rules().msg_color,
-                   .air_bytes = [&] { return packet_.payload; }});
-}
-
-Eigen::Vector3d ShoreBrokerApp::PositionOfSource() const {
-  const int32_t source = decisions_.front().source;
-  return source == kNobody ? Eigen::Vector3d::Zero() : router_.contact(source).position_m;
-}
-
-void ShoreBrokerApp::Conclude(int64_t utime, const Sent& sent) {
-  // What is delivered goes out first: nobody waits for the telling of it.
-  for (const Decision& decision : decisions_) {
+void Delivery::Conclude(int64_t utime, const DecidedTransmission& sent) {
+  // What is delivered goes out before its fates are published.
+  for (const Decision& decision : sent.decisions) {
     if (decision.cause != Cause::kDelivered) continue;
     const ReceiverChannels& receiver = ChannelsOf(decision.destination);
-    bus_.PublishBytes(receiver.names[static_cast<size_t>(decision.kind)], BytesOf(sent.raw));
+    bus_.PublishBytes(receiver.names[static_cast<size_t>(decision.kind)], sent.raw);
   }
   bool any_in_transit = false;
-  for (const Decision& decision : decisions_) {
+  for (const Decision& decision : sent.decisions) {
     if (decision.cause == Cause::kInTransit) {
       any_in_transit = true;
       continue;
@@ -176,7 +75,7 @@ void ShoreBrokerApp::Conclude(int64_t utime, const Sent& sent) {
                                         : std::string_view(router_.contact(decision.source).name);
     std::string written;
     if (decision.unknown_name >= 0) {
-      written = Printable(unknown_names_[static_cast<size_t>(decision.unknown_name)]);
+      written = Printable(sent.unknown_names[static_cast<size_t>(decision.unknown_name)]);
     }
     fates_.Add(utime, decision, source,
                has_contact ? std::string_view(router_.contact(decision.destination).name)
@@ -193,19 +92,16 @@ void ShoreBrokerApp::Conclude(int64_t utime, const Sent& sent) {
                  .color = sent.color},
                 router_.rules().pulse_duration_s);
   }
-  if (any_in_transit) SendThroughTheWater(utime, sent);
-  decisions_.clear();
-  unknown_names_.clear();
+  if (any_in_transit) SendAcoustic(utime, sent);
 }
 
-void ShoreBrokerApp::SendThroughTheWater(int64_t utime, const Sent& sent) {
+void Delivery::SendAcoustic(int64_t utime, const DecidedTransmission& sent) {
   Shipment shipment;
-  const std::span<const uint8_t> bytes = BytesOf(sent.raw);
-  shipment.message.assign(bytes.begin(), bytes.end());
+  shipment.message.assign(sent.raw.begin(), sent.raw.end());
   shipment.payload = sent.air_bytes();
   shipment.has_pulses = sent.has_pulses;
   shipment.color = sent.color;
-  for (const Decision& decision : decisions_) {
+  for (const Decision& decision : sent.decisions) {
     if (decision.cause != Cause::kInTransit) continue;
     shipment.kind = decision.kind;
     shipment.number = decision.number;
@@ -221,7 +117,17 @@ void ShoreBrokerApp::SendThroughTheWater(int64_t utime, const Sent& sent) {
   }
 }
 
-void ShoreBrokerApp::TakeArrival(int64_t utime, const Arrival& arrival) {
+void Delivery::TakeArrivals(int64_t utime) {
+  water_.Deliver(utime, [&](const LegEnd& arrival) { TakeArrival(utime, arrival); });
+  SHOAL_CHECK(router_.NumInTransit() == water_.num_in_transit(), "everything has one fate");
+}
+
+void Delivery::Flush(int64_t utime) {
+  fates_.Flush(utime);
+  pulses_.Flush(utime);
+}
+
+void Delivery::TakeArrival(int64_t utime, const LegEnd& arrival) {
   const Shipment& shipment = arrival.shipment;
   const std::string& destination = arrival.leg.destination;
   Cause cause = arrival.cause;
@@ -234,7 +140,7 @@ void ShoreBrokerApp::TakeArrival(int64_t utime, const Arrival& arrival) {
   }
   // The network handed over what a checksum, or the receiver, then threw away.
   const bool was_handed_over = HandsOver(arrival.reception.fate);
-  const bool is_delivered = cause == Cause::kDelivered || cause == Cause::kDamaged;
+  const bool is_delivered = IsReceived(cause);
   if (was_handed_over && !is_delivered) water_.CountRejection();
 
   const acoustic_path_t path = PathOf(arrival, water_);
@@ -252,7 +158,7 @@ void ShoreBrokerApp::TakeArrival(int64_t utime, const Arrival& arrival) {
               router_.rules().pulse_duration_s);
 }
 
-bool ShoreBrokerApp::DeliverDamaged(int64_t utime, const Arrival& arrival) {
+bool Delivery::DeliverDamaged(int64_t utime, const LegEnd& arrival) {
   const Shipment& shipment = arrival.shipment;
   const std::string& destination = arrival.leg.destination;
   const auto publish = [&](const auto& channel, const auto& understood) {
@@ -261,7 +167,7 @@ bool ShoreBrokerApp::DeliverDamaged(int64_t utime, const Arrival& arrival) {
     return true;
   };
   const auto decode = [&](auto* message) {
-    SHOAL_CHECK(Decode(shipment.message, message), "it did when it came");
+    SHOAL_CHECK(Decode(shipment.message, message), "it was decoded when it came");
   };
   switch (shipment.kind) {
     case Kind::kReport:
@@ -289,7 +195,7 @@ bool ShoreBrokerApp::DeliverDamaged(int64_t utime, const Arrival& arrival) {
   return true;
 }
 
-void ShoreBrokerApp::DeliverPacket(int64_t utime, const Arrival& arrival) {
+void Delivery::DeliverPacket(int64_t utime, const LegEnd& arrival) {
   acoustic_rx_t message;
   message.utime = utime;
   message.source = arrival.shipment.source;
@@ -301,7 +207,7 @@ void ShoreBrokerApp::DeliverPacket(int64_t utime, const Arrival& arrival) {
   Publish(bus_, channels::AcousticRx(arrival.leg.destination), message);
 }
 
-const ShoreBrokerApp::ReceiverChannels& ShoreBrokerApp::ChannelsOf(int32_t index) {
+const Delivery::ReceiverChannels& Delivery::ChannelsOf(int32_t index) {
   const auto place = static_cast<size_t>(index);
   if (place >= receiver_channels_.size()) receiver_channels_.resize(place + 1);
   ReceiverChannels& receiver = receiver_channels_[place];

@@ -1,7 +1,8 @@
-// Router: node messages and their acks.
+#include "lib/routing/message_router.h"
+
 #include <algorithm>
 
-#include "lib/routing/router.h"
+#include "lib/routing/decide.h"
 #include "lib/routing/vehicle_name.h"
 
 namespace shoal {
@@ -16,31 +17,31 @@ Decision Refusal(Cause cause) {
 
 }  // namespace
 
-void Router::RouteMessage(const MessageFacts& message, int64_t utime,
-                          std::vector<Decision>* decisions,
-                          std::vector<std::string>* unknown_names) {
+void MessageRouter::RouteMessage(const MessageFacts& message, int64_t utime,
+                                 std::vector<Decision>* decisions,
+                                 std::vector<std::string>* unknown_names) {
   const Destinations named = ParseDestinations(message.dest_node);
   const bool is_addressed = named.all || !named.names.empty() || !message.dest_group.empty();
   const bool has_name = IsLegalVehicleName(message.source);
   const auto refuse_at_intake = [&](Cause cause, Contact* source) {
     Decision decision = Refusal(cause);
     decision.kind = Kind::kMessage;
-    decision.number = TakeNumber(Kind::kMessage, source);
-    Record(decision, source, nullptr, decisions);
+    decision.number = ledger_.TakeNumber(Kind::kMessage, source);
+    ledger_.Record(rules_, decision, source, nullptr, decisions);
   };
   if (!message.is_sound || !has_name || !is_addressed || named.too_many) {
-    return refuse_at_intake(Cause::kInvalid, has_name ? Find(message.source) : nullptr);
+    return refuse_at_intake(Cause::kInvalid, has_name ? contacts_.Find(message.source) : nullptr);
   }
-  Contact* source = FindOrAdd(message.source);
+  Contact* source = contacts_.FindOrAdd(message.source);
   if (source == nullptr) return refuse_at_intake(Cause::kTooManyVehicles, nullptr);
 
   source->last_message_utime = utime;
   const Audience audience = Resolve(named, message.dest_group, *source);
-  const Transmission sent =
-      MakeTransmission(Kind::kMessage, TakeNumber(Kind::kMessage, source), *source);
+  const Transmission sent = TransmissionOf(rules_, seed_, Kind::kMessage,
+                                           ledger_.TakeNumber(Kind::kMessage, source), *source);
   const std::optional<Decision> refusal = RefuseMessage(message.length_bytes, source, utime);
   const size_t begin = decisions->size();
-  DecideMessageAt(sent, refusal, audience, source, utime, decisions, unknown_names);
+  DecideAll(sent, refusal, audience, source, utime, decisions, unknown_names);
   for (size_t i = begin; i < decisions->size(); ++i) {
     Decision& decision = (*decisions)[i];
     if (decision.cause == Cause::kTooSoon) continue;  // The length was not asked yet.
@@ -49,43 +50,44 @@ void Router::RouteMessage(const MessageFacts& message, int64_t utime,
   }
 }
 
-void Router::RouteAck(const AckFacts& ack, int64_t utime, std::vector<Decision>* decisions,
-                      std::vector<std::string>* unknown_names) {
+void MessageRouter::RouteAck(const AckFacts& ack, int64_t utime, std::vector<Decision>* decisions,
+                             std::vector<std::string>* unknown_names) {
   const bool has_name = IsLegalVehicleName(ack.source);
-  Contact* source = has_name ? Find(ack.source) : nullptr;
+  Contact* source = has_name ? contacts_.Find(ack.source) : nullptr;
   const Contact nobody;
-  const Transmission sent = MakeTransmission(Kind::kAck, TakeNumber(Kind::kAck, source),
-                                             source == nullptr ? nobody : *source);
+  const Transmission sent =
+      TransmissionOf(rules_, seed_, Kind::kAck, ledger_.TakeNumber(Kind::kAck, source),
+                     source == nullptr ? nobody : *source);
 
   const bool to_itself = VehicleKey(ack.source) == VehicleKey(ack.destination);
   if (!ack.is_sound || !has_name || to_itself || !IsLegalVehicleName(ack.destination)) {
     Decision decision = Refusal(Cause::kInvalid);
     decision.kind = Kind::kAck;
     decision.number = sent.number;
-    return Record(decision, source, nullptr, decisions);
+    return ledger_.Record(rules_, decision, source, nullptr, decisions);
   }
   Audience audience;
-  if (Contact* receiver = Find(ack.destination)) {
+  if (Contact* receiver = contacts_.Find(ack.destination)) {
     audience.contacts.push_back(receiver);
   } else {
     audience.names.emplace_back(ack.destination);
   }
   const std::optional<Decision> refusal =
       source == nullptr ? Refusal(Cause::kUnknownSource) : RefuseSource(*source, utime);
-  DecideMessageAt(sent, refusal, audience, source, utime, decisions, unknown_names);
+  DecideAll(sent, refusal, audience, source, utime, decisions, unknown_names);
 }
 
-Router::Audience Router::Resolve(const Destinations& named, std::string_view dest_group,
-                                 const Contact& source) {
+MessageRouter::Audience MessageRouter::Resolve(const Destinations& named,
+                                               std::string_view dest_group, const Contact& source) {
   Audience audience;
   const std::string group_key = VehicleKey(dest_group);
   const bool to_all = named.all || group_key == "all";
-  for (Contact* contact : by_rank_) {
+  for (Contact* contact : contacts_.all()) {
     const bool is_meant = to_all || (!group_key.empty() && contact->group_key == group_key);
     if (contact->known && is_meant) audience.contacts.push_back(contact);
   }
   for (const std::string& name : named.names) {
-    if (Contact* contact = Find(name)) {
+    if (Contact* contact = contacts_.Find(name)) {
       audience.contacts.push_back(contact);
     } else {
       audience.names.push_back(name);
@@ -99,9 +101,9 @@ Router::Audience Router::Resolve(const Destinations& named, std::string_view des
   return audience;
 }
 
-/// Returns what stops a message before anybody asks for whom it is.
-std::optional<Decision> Router::RefuseMessage(int64_t length_bytes, Contact* source,
-                                              int64_t utime) {
+/// Returns what stops a message before its destinations are asked for.
+std::optional<Decision> MessageRouter::RefuseMessage(int64_t length_bytes, Contact* source,
+                                                     int64_t utime) {
   if (source->message_utime != kNever) {
     const double elapsed_s = SecondsBetween(source->message_utime, utime);
     if (elapsed_s < rules_.min_msg_interval_s) {
@@ -117,7 +119,7 @@ std::optional<Decision> Router::RefuseMessage(int64_t length_bytes, Contact* sou
   return RefuseSource(*source, utime);
 }
 
-std::optional<Decision> Router::RefuseSource(const Contact& source, int64_t utime) const {
+std::optional<Decision> MessageRouter::RefuseSource(const Contact& source, int64_t utime) const {
   if (!source.known) return Refusal(Cause::kUnknownSource);
   if (!IsStale(rules_, source.received_utime, utime)) return std::nullopt;
   Decision decision = Refusal(Cause::kStaleSource);
@@ -126,14 +128,14 @@ std::optional<Decision> Router::RefuseSource(const Contact& source, int64_t utim
   return decision;
 }
 
-void Router::DecideMessageAt(const Transmission& message, const std::optional<Decision>& refusal,
-                             const Audience& audience, Contact* source, int64_t utime,
-                             std::vector<Decision>* decisions,
-                             std::vector<std::string>* unknown_names) {
+void MessageRouter::DecideAll(const Transmission& message, const std::optional<Decision>& refusal,
+                              const Audience& audience, Contact* source, int64_t utime,
+                              std::vector<Decision>* decisions,
+                              std::vector<std::string>* unknown_names) {
   const auto record = [&](Decision decision, Contact* receiver) {
     decision.kind = message.kind;
     decision.number = message.number;
-    Record(decision, source, receiver, decisions);
+    ledger_.Record(rules_, decision, source, receiver, decisions);
   };
   for (Contact* receiver : audience.contacts) {
     if (refusal) {
@@ -141,7 +143,9 @@ void Router::DecideMessageAt(const Transmission& message, const std::optional<De
     } else if (!receiver->known) {
       record(Refusal(Cause::kUnknownDestination), receiver);
     } else {
-      record(DecideMessage(rules_, message, *receiver, utime), receiver);
+      record(DecideAt(message.kind,
+                      {.rules = rules_, .sent = message, .receiver = *receiver, .utime = utime}),
+             receiver);
     }
   }
   for (const std::string& name : audience.names) {

@@ -1,0 +1,54 @@
+// What one step brings to the broker, kept until it is decided. The bytes of all messages lie in
+// one arena.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "lib/bus/bus.h"
+
+namespace shoal {
+
+class BrokerInbox {
+ public:
+  struct Item {
+    size_t begin = 0;
+    size_t size = 0;
+    bool from_outside = false;  ///< Came on the channel of vehicles from outside.
+  };
+
+  /// Subscribes to reports, messages, acks, packets and commands.
+  explicit BrokerInbox(Bus& bus);
+  BrokerInbox(const BrokerInbox&) = delete;
+  BrokerInbox& operator=(const BrokerInbox&) = delete;
+
+  std::span<const uint8_t> BytesOf(const Item& item) const {
+    return std::span(arena_).subspan(item.begin, item.size);
+  }
+
+  // In the order in which they came:
+  const std::vector<Item>& reports() const { return reports_; }
+  const std::vector<Item>& messages() const { return messages_; }
+  const std::vector<Item>& acks() const { return acks_; }
+  const std::vector<Item>& packets() const { return packets_; }
+  const std::vector<Item>& commands() const { return commands_; }
+
+  /// Commands do not wait for the others.
+  void ClearCommands() { commands_.clear(); }
+  /// Drops all else.
+  void Clear();
+
+ private:
+  void Keep(Bus& bus, const std::string& channel, bool from_outside, std::vector<Item>* list);
+
+  Bytes arena_;
+  std::vector<Item> reports_;
+  std::vector<Item> messages_;
+  std::vector<Item> acks_;
+  std::vector<Item> packets_;
+  std::vector<Item> commands_;
+};
+
+}  // namespace shoal

@@ -1,0 +1,22 @@
+// RoutingRules as COMMS_RULES carries them.
+#pragma once
+
+#include <string>
+
+#include "lib/routing/rules.h"
+#include "shoal/comms_rules_t.hpp"
+
+namespace shoal {
+
+/// Writes each rule into its member of `message`; leaves all other members as they are.
+void PutRules(const RoutingRules& rules, comms_rules_t* message);
+
+/// Returns the rules of a message, whatever their values; of a medium that does not exist, the
+/// default.
+[[nodiscard]] RoutingRules RulesOf(const comms_rules_t& message);
+
+/// Returns the first rule of `message` with a value that is impossible: "comms_range = nan"; empty:
+/// all are possible.
+[[nodiscard]] std::string ImpossibleRule(const comms_rules_t& message);
+
+}  // namespace shoal
