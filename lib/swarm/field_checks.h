@@ -2,7 +2,7 @@
 // documentation; what lies within them passes, damaged or not.
 //
 //   if (const FieldFault fault = CheckPosition(position_m, limits); fault != FieldFault::kNone)
-//     Tell(TextOf(fault));
+//     Print(TextOf(fault));
 #pragma once
 
 #include <array>

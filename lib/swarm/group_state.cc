@@ -26,7 +26,7 @@ bool operator==(const TimedMotion& a, const TimedMotion& b) {
 
 bool operator==(const SwarmContact& a, const SwarmContact& b) {
   const auto numbers = [](const SwarmContact& contact) {
-    return std::tie(contact.id, contact.group_id, contact.is_known, contact.is_heard,
+    return std::tie(contact.id, contact.group_id, contact.is_known, contact.has_reported,
                     contact.has_answered, contact.reported_us, contact.arrived_us,
                     contact.log.entries, contact.log.capacity);
   };
@@ -93,12 +93,12 @@ bool IsUsable(const SwarmContact& contact) {
 
 bool KnowsNext(const SwarmContact& contact) {
   const Motion& next = contact.report.next;
-  return contact.is_heard && next.position_m.x() != kSentinelPosition_m &&
+  return contact.has_reported && next.position_m.x() != kSentinelPosition_m &&
          next.velocity_mps.x() != kSentinelSpeed_mps;
 }
 
 std::optional<int64_t> Age_us(const SwarmContact& contact, int64_t now_us) {
-  if (!contact.is_heard || contact.reported_us < 0) return std::nullopt;
+  if (!contact.has_reported || contact.reported_us < 0) return std::nullopt;
   return std::max<int64_t>(0, now_us - contact.reported_us);
 }
 

@@ -18,7 +18,7 @@ struct PendingReport {
   std::optional<double> time_s = {};  ///< The time stamp.
 };
 
-/// Returns whether the contact has told something newer than this.
+/// Returns whether the contact has reported something newer than this.
 [[nodiscard]] bool IsOutdated(const PendingReport& report, const SwarmContact& contact);
 
 /// Takes the report. A value that is missing and was never known becomes a sentinel; a time stamp

@@ -2,11 +2,11 @@
 //
 //   RecoveryPlan plan;                                                  // muNet's
 //   plan.of(SwarmField::kReporterPos) = {RecoveryStrategy::kPrevious};
-//   if (const auto mended = Recover(plan, {field, bad, subject}, {state, limits, now_us}))
-//     Use(mended->value);
+//   if (const auto recovered = Recover(plan, {field, bad, subject}, {state, limits, now_us}))
+//     Use(recovered->value);
 //
-// Strategies are tried in the plan's order; the first that can say something is taken. A field
-// without any, and the strategy `skip`, drop the message. docs/swarm.md tells what each strategy
+// Strategies are tried in the plan's order; the first that has a value is taken. A field
+// without any, and the strategy `skip`, drop the message. docs/swarm.md shows what each strategy
 // makes of each field.
 #pragma once
 
@@ -42,7 +42,7 @@ struct RecoveryPlan {
 using FieldValue =
     std::variant<MessageFlag, uint8_t, int64_t, double, Eigen::Vector3d, std::vector<int64_t>>;
 
-/// Whom a field is about, as far as that is known.
+/// The member that a field is about, as far as that is known.
 struct FieldSubject {
   bool is_leader = false;
   std::optional<int64_t> id = {};  ///< Of a member.
@@ -55,14 +55,14 @@ struct DamagedField {
   FieldSubject subject = {};
 };
 
-/// What there is to mend it with.
+/// What there is to recover it from.
 struct RecoverySources {
   const GroupState& state;
   const FieldLimits& limits;
   int64_t now_us = 0;  ///< When the value is to hold: positions are predicted up to here.
 };
 
-struct MendedField {
+struct RecoveredField {
   FieldValue value = {};
   RecoveryStrategy strategy = RecoveryStrategy::kSkip;
 };
@@ -80,8 +80,8 @@ inline constexpr int kFlagDistanceLimit_bits = 8;
                                                   const RecoverySources& sources);
 
 /// Returns what the first strategy of the plan that has an answer makes of the field.
-[[nodiscard]] std::optional<MendedField> Recover(const RecoveryPlan& plan,
-                                                 const DamagedField& damaged,
-                                                 const RecoverySources& sources);
+[[nodiscard]] std::optional<RecoveredField> Recover(const RecoveryPlan& plan,
+                                                    const DamagedField& damaged,
+                                                    const RecoverySources& sources);
 
 }  // namespace shoal

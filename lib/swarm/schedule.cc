@@ -43,7 +43,7 @@ std::optional<DueMessage> SwarmSchedule::Due(int64_t utime) {
 std::optional<DueMessage> SwarmSchedule::DueByItself(int64_t utime) {
   if (utime < first_us_) return std::nullopt;
   const int64_t slot_us = utime - (utime - first_us_) % plan_.episode_us;
-  if (utime - slot_us >= plan_.tick_us) return std::nullopt;  // It was said one step ago or before.
+  if (utime - slot_us >= plan_.tick_us) return std::nullopt;  // It was sent one step ago or before.
   if (last_slot_us_ && slot_us <= *last_slot_us_) return std::nullopt;
   last_slot_us_ = slot_us;
   DueMessage due{.message = MessageOf(plan_.scheme, place_.is_leader), .slot_us = slot_us};

@@ -1,9 +1,9 @@
-// How long the slots of a swarm have to be: for the bytes on the air, the way through the water,
+// How long the slots of a swarm have to be: for the bytes on the air, the acoustic travel time,
 // the jitter, and the steps in which messages are handled.
 //
 //   const SwarmAir air = {.num_followers = 9, .max_distance_m = 1000};
 //   const Result<SlotPlan> plan = AutoPlan(SwarmScheme::kTdmaLf, tick_us, air);
-//   for (const TimingProblem& problem : FindTimingProblems(mine, air)) Tell(problem.message);
+//   for (const TimingProblem& problem : FindTimingProblems(mine, air)) Print(problem.message);
 //
 // A plan without problems keeps its promise: at no receiver do two messages overlap on a channel,
 // and every follower has the request when its slot begins.
@@ -21,7 +21,7 @@ namespace shoal {
 /// As many followers as a request may name.
 inline constexpr int64_t kMostFollowers = 1000;
 
-/// What the members say, and what they say it through.
+/// The members' messages and the acoustic link that carries them.
 struct SwarmAir {
   int64_t num_followers = 1;
   int64_t extra_bytes = 0;  ///< Of each message: checksum, frame.
@@ -61,7 +61,7 @@ struct TimingProblem {
 /// @pre FindAirTimes gave `times`.
 [[nodiscard]] int64_t SafeAnswerWindow_us(const SlotPlan& plan, const AirTimes& times);
 
-/// Returns all that is wrong; all remedies together mend it. Members have consecutive places.
+/// Returns all that is wrong; all remedies together fix it. Members have consecutive places.
 ///   fdma_lf  a member's message is over everywhere before its next begins
 ///   tdma     a message is over everywhere before the next slot; a frame fits into an episode
 ///   tdma_lf  the request has been handled everywhere when slot 0 begins, an answer is over before

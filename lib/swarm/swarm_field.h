@@ -1,4 +1,4 @@
-// The fields of a swarm's messages, the ways to mend them, and what both are called in a mission
+// The fields of a swarm's messages, the ways to recover them, and what both are called in a mission
 // file and in muNet's documentation.
 //
 //   SwarmFieldOf("reporter_pos")   -> SwarmField::kReporterPos

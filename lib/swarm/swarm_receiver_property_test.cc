@@ -28,7 +28,7 @@ bool IsFinite(const GroupState& state) {
   return true;
 }
 
-/// A message as somebody may have sent it, with some of its bits damaged, or cut, or just noise.
+/// A message as a vehicle may have sent it, with some of its bits damaged, or cut, or just noise.
 std::vector<uint8_t> AnyBytes() {
   std::vector<uint8_t> bytes = *rc::gen::element(
       EncodeReport(ReportOfTwo()), EncodeLeaderReport(ReportOfTheLeader()),
