@@ -1,5 +1,5 @@
-// Where vehicles will be: what a leader tells of its next waypoint, and what others make of it
-// until they hear again.
+// Where vehicles will be: what a leader reports of its next waypoint, and what others predict from
+// it until its next report.
 //
 //   MotionReport report{.now = {p, v}, .next = PredictAtPoint({p, v}, waypoint_m, {.speed_mps =
 //   2})}; Motion leader = PredictLeader(report, seconds_since_report, {}); Motion member =

@@ -82,7 +82,7 @@ TEST(PredictMember, RefusesWhatIsNoNumber) {
                "NaN or infinity");
 }
 
-// A leader that accelerates as it said it would is where it is predicted to be.
+// A leader that accelerates as it reported is where it is predicted to be.
 RC_GTEST_PROP(PredictLeader, AgreesWithWhatTheLeaderPredictsOfItself, ()) {
   const Vector3d from_m = VectorWithin(300);
   const Vector3d to_m = VectorWithin(300);

@@ -1,4 +1,4 @@
-// What a helm can be told to do, as data: one struct for every kind of task.
+// What a helm can be ordered to do, as data: one struct for every kind of task.
 #pragma once
 
 #include <Eigen/Core>
@@ -96,7 +96,7 @@ struct PathFollowTask {
 
 /// Where a vehicle's knowledge of its swarm comes from.
 enum class SwarmKnowledge {
-  kDirect,    ///< The truth, a step old: as if everybody saw everybody.
+  kDirect,    ///< The true state of every vehicle, a step old.
   kAcoustic,  ///< What the acoustic network let through, and what is predicted from that.
 };
 
@@ -110,7 +110,7 @@ enum class SilenceRule {
 /// Follows a leader, in formation or by constant bearing; for underwater vehicles.
 struct TargetTrackTask {
   std::string target;              ///< The vehicle that is followed.
-  std::vector<std::string> group;  ///< Those to keep clear of; empty: all who follow the target.
+  std::vector<std::string> group;  ///< Those to keep clear of; empty: all that follow the target.
   SwarmKnowledge swarm = SwarmKnowledge::kDirect;
   SilenceRule on_silence = SilenceRule::kPredict;  ///< kAcoustic.
   /// Steers so that the velocity that the law wants comes about over ground. False: as if there

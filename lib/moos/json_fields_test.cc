@@ -41,7 +41,7 @@ TEST(ParseJsonFields, MakesCompactJsonOfWhatIsNested) {
             (Fields{{"T", R"([{"x":1,"y":["a\"",null]},{},[],true])"}, {"Z", R"({"k":-1})"}}));
 }
 
-TEST(ParseJsonFields, SaysWhereTheJsonIsBroken) {
+TEST(ParseJsonFields, ReportsWhereTheJsonIsBroken) {
   EXPECT_EQ(ErrorOf(R"({"A":1,})"), "the JSON is broken at byte 8, near '1,}'");
   EXPECT_NE(ErrorOf(R"({"A":1} x)"), "");
   EXPECT_NE(ErrorOf(R"({"A":1e999})"), "");

@@ -29,7 +29,7 @@ struct MoosBlock {
   std::vector<MoosLine> lines;
 };
 
-/// A line that says nothing as it stands.
+/// A line that has no meaning as it stands.
 struct MoosOddLine {
   int number = 0;
   std::string text;

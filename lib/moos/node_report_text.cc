@@ -152,7 +152,7 @@ class ReportReader {
     if (!Has("NAME")) return "NAME is missing; write NAME=<vehicle>";
     if (report_.name.empty()) return "NAME is empty; write NAME=<vehicle>";
     for (const std::string_view key : {"TIME", "SPD", "HDG"}) {
-      if (!Has(key)) return fmt::format("{} is missing in the report of {}", key, Who());
+      if (!Has(key)) return fmt::format("{} is missing in the report of {}", key, QuotedName());
     }
     if (Has("X") != Has("Y")) return OneOfTwo("X", "Y");
     if (Has("LAT") != Has("LON")) return OneOfTwo("LAT", "LON");
@@ -161,7 +161,7 @@ class ReportReader {
       return fmt::format(
           "DEP is missing in the report of {}, whose TYPE is {}; write DEP=0 for one "
           "at the surface",
-          Who(), report_.type);
+          QuotedName(), report_.type);
     }
     if (!Has("SPD_OG")) report_.speed_over_ground_mps = report_.speed_mps;
     if (!Has("COG")) report_.course_over_ground_deg = report_.heading_deg;
@@ -176,25 +176,25 @@ class ReportReader {
         return fmt::format(
             "X, Y of {} are more than {} km from the origin, and LAT, LON are "
             "missing",
-            Who(), LocalFrame::kReach_m / 1000);
+            QuotedName(), LocalFrame::kReach_m / 1000);
       }
       report_.lat_deg = point.lat_deg;
       report_.lon_deg = point.lon_deg;
       return std::nullopt;
     }
-    if (!Has("LAT")) return fmt::format("X and Y are missing in the report of {}", Who());
+    if (!Has("LAT")) return fmt::format("X and Y are missing in the report of {}", QuotedName());
     if (frame_ == nullptr) {
       return fmt::format(
           "X and Y are missing in the report of {}; to take LAT and LON instead, "
           "give the mission's origin",
-          Who());
+          QuotedName());
     }
     const auto position_m = frame_->ToLocal({report_.lat_deg, report_.lon_deg});
     if (!position_m) {
       return fmt::format(
           "LAT = {}, LON = {} of {} is no place on the Earth within {} km of the "
           "origin",
-          report_.lat_deg, report_.lon_deg, Who(), LocalFrame::kReach_m / 1000);
+          report_.lat_deg, report_.lon_deg, QuotedName(), LocalFrame::kReach_m / 1000);
     }
     report_.x_m = position_m->x();
     report_.y_m = position_m->y();
@@ -203,10 +203,10 @@ class ReportReader {
 
   std::string OneOfTwo(std::string_view a, std::string_view b) const {
     return fmt::format("{} is missing in the report of {}, which has {}; write both or neither",
-                       Has(a) ? b : a, Who(), Has(a) ? a : b);
+                       Has(a) ? b : a, QuotedName(), Has(a) ? a : b);
   }
 
-  std::string Who() const { return Quoted(report_.name); }
+  std::string QuotedName() const { return Quoted(report_.name); }
 
   const LocalFrame* frame_;
   node_report_t report_{};

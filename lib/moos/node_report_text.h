@@ -26,11 +26,11 @@
 namespace shoal {
 
 enum class MoosForm {
-  kFields,  ///< NAME=alpha,X=5,... (lib/moos/fields.h tells how odd values are written.)
+  kFields,  ///< NAME=alpha,X=5,... (lib/moos/fields.h states how odd values are written.)
   kJson,    ///< {"NAME":"alpha","X":5,...}
 };
 
-/// Reads either form. The error names the key and says what to write.
+/// Reads either form. The error names the key and states what to write.
 ///
 /// Required: NAME (not empty), TIME, SPD, HDG, and X and Y or LAT and LON; DEP too where TYPE is
 /// auv, uuv or glider, whose position it is part of. Numbers must be finite. X and Y are

@@ -120,7 +120,7 @@ TEST(ParseNodeReport, ComputesOnePairOfCoordinatesFromTheOther) {
   EXPECT_EQ(both.x_m, 5);
 }
 
-TEST(ParseNodeReport, SaysWhichKeyIsMissing) {
+TEST(ParseNodeReport, NamesTheKeyThatIsMissing) {
   EXPECT_EQ(ErrorOf(""), "NAME is missing; write NAME=<vehicle>");
   EXPECT_EQ(ErrorOf("NAME=,X=1"), "NAME is empty; write NAME=<vehicle>");
   EXPECT_EQ(ErrorOf("NAME=a,X=1,Y=1,SPD=1,HDG=1"), "TIME is missing in the report of 'a'");
@@ -138,7 +138,7 @@ TEST(ParseNodeReport, SaysWhichKeyIsMissing) {
             "the surface");
 }
 
-TEST(ParseNodeReport, SaysWhichValueIsWrong) {
+TEST(ParseNodeReport, NamesTheValueThatIsWrong) {
   EXPECT_EQ(ErrorOf(With("DEP=nan")), "DEP = 'nan' is not a finite number");
   EXPECT_EQ(ErrorOf(With("LENGTH=5m")), "LENGTH = '5m' is not a finite number");
   EXPECT_EQ(ErrorOf(With("INDEX=1.5")), "INDEX = '1.5' is not a whole number");

@@ -79,7 +79,7 @@ class TcpServer {
   /// Closes when all that was sent before has left.
   void Close(ClientId client);
 
-  /// Returns all who are connected, in the order in which they came.
+  /// Returns all connected clients, in the order in which they came.
   std::vector<ClientId> Clients() const;
   const TcpServerCounts& counts() const { return counts_; }
   /// Bytes that wait for their clients.
@@ -89,7 +89,7 @@ class TcpServer {
   struct Client {
     FileDescriptor socket;
     std::string unsent = {};
-    int64_t heard_us = 0;       ///< When it last sent something.
+    int64_t received_us = 0;    ///< When it last sent something.
     int64_t progressed_us = 0;  ///< When it last took something, or had nothing to take.
     uint32_t awaited = 0;       ///< Events, as epoll knows them.
     bool is_closing = false;    ///< Nothing is read from it any more.

@@ -40,9 +40,9 @@ class CommandDesk {
   /// Subscribes to APPCAST and CLOCK_STATE. @pre no message has been handled on `bus` yet
   CommandDesk(Bus& bus, OrderScope scope);
 
-  /// Takes an order and returns its record, which says "sent"; or returns what is wrong with it, in
-  /// the words of `shoal send`, and publishes nothing. It is published in OnTime, after all that
-  /// were taken before. `t_s` is mission time. May be called from any thread.
+  /// Takes an order and returns its record, whose state is "sent"; or returns what is wrong with
+  /// it, in the words of `shoal send`, and publishes nothing. It is published in OnTime, after all
+  /// that were taken before. `t_s` is mission time. May be called from any thread.
   Result<CommandRecord> Send(std::string_view target, std::span<const std::string> words,
                              double t_s);
 

@@ -15,7 +15,8 @@ using Words = std::vector<std::string>;
 
 constexpr int64_t kRound_us = 20'000;
 
-/// A participant that answers requests for its page, and takes or refuses orders when told to.
+/// A participant that answers requests for its page, and takes or refuses orders as the test sets
+/// it.
 struct FakeApp {
   std::string name;
   StatusLog log = {};
@@ -92,7 +93,8 @@ class Desk : public testing::Test {
   }
   void Take(const std::string& app, const std::string& text) { App(app).log.Event(0, text); }
 
-  void TellClock(const std::string& word, int64_t num_commands, const std::string& refusal = "") {
+  void PublishClockState(const std::string& word, int64_t num_commands,
+                         const std::string& refusal = "") {
     clock_state_t state{};
     state.state = word;
     state.warp = 1;
@@ -117,7 +119,7 @@ class Desk : public testing::Test {
   int64_t now_us_ = 1'000'000;
 };
 
-TEST_F(Desk, TellsOfAnOrderThatWasTaken) {
+TEST_F(Desk, ReportsAnOrderThatWasTaken) {
   const Result<CommandRecord> record = desk_.Send("ALPHA", Words{"goto", "100", "-50"}, 12.5);
   ASSERT_TRUE(record.ok());
   EXPECT_EQ(record->text, "goto 100 -50 to alpha");
@@ -131,7 +133,7 @@ TEST_F(Desk, TellsOfAnOrderThatWasTaken) {
   EXPECT_EQ(StateOf(record->id), "taken");
 }
 
-TEST_F(Desk, TellsWhichOfSeveralVehiclesRefusedAndWhy) {
+TEST_F(Desk, ReportsWhichOfSeveralVehiclesRefusedAndWhy) {
   const int64_t id = Send("all", {"deploy"});
   Run();
   EXPECT_EQ(heard_, "alpha:deploy bravo:deploy ");
@@ -183,38 +185,39 @@ TEST_F(Desk, FollowsRulesAndSimulators) {
 }
 
 TEST_F(Desk, FollowsTheClock) {
-  TellClock("running", 0);
+  PublishClockState("running", 0);
   const int64_t pause = Send("clock", {"pause"});
   const int64_t resume = Send("clock", {"resume"});
   Run();
   EXPECT_EQ(heard_, "clock:pause clock:resume ");
   EXPECT_EQ(StateOf(pause), "sent");
-  TellClock("paused", 1);
+  PublishClockState("paused", 1);
   EXPECT_EQ(StateOf(pause), "taken");
   EXPECT_EQ(StateOf(resume), "sent");
-  TellClock("running", 2);
+  PublishClockState("running", 2);
   EXPECT_EQ(StateOf(resume), "taken");
   const int64_t warp = Send("clock", {"warp", "max"});
   Run();
-  TellClock("running", 3, "warp refused: a mission with [netsim] keeps to the wall's clock");
+  PublishClockState("running", 3,
+                    "warp refused: a mission with [netsim] keeps to the wall's clock");
   EXPECT_EQ(StateOf(warp), "refused: a mission with [netsim] keeps to the wall's clock");
 }
 
 TEST_F(Desk, WaitsPatientlyWhileTheMissionIsPaused) {
-  TellClock("paused", 1);
+  PublishClockState("paused", 1);
   const int64_t id = Send("alpha", {"return"});
   const int num_requests = num_requests_;
   Run(60'000'000);
   EXPECT_EQ(heard_, "alpha:return ");
   EXPECT_EQ(StateOf(id), "sent");
   EXPECT_LT(num_requests_ - num_requests, 70);
-  TellClock("running", 2);
+  PublishClockState("running", 2);
   Take("helm_alpha", "command: return");
   Run(1'200'000);
   EXPECT_EQ(StateOf(id), "taken");
 }
 
-TEST_F(Desk, SaysWhereNobodyAnswersAndStillBelievesALateAnswer) {
+TEST_F(Desk, ReportsAMissingAnswerAndStillAcceptsALateOne) {
   App("helm_bravo").is_mute = true;
   const int64_t id = Send("all", {"return"});
   Run();

@@ -21,13 +21,13 @@
 
 namespace shoal {
 
-/// Where one participant tells what it made of an order. Two orders are of one kind where `taken`
+/// Where one participant reports what it made of an order. Two orders are of one kind where `taken`
 /// and `refused` are the same.
 struct OrderTrace {
-  std::string app;      ///< The participant: "helm_alpha".
-  std::string who;      ///< For people: "alpha".
-  std::string taken;    ///< How an event begins that tells that it was taken: "command: goto".
-  std::string refused;  ///< How one begins that tells that it was refused.
+  std::string app;          ///< The participant: "helm_alpha".
+  std::string participant;  ///< For people: "alpha".
+  std::string taken;    ///< The first words of the event that reports it as taken: "command: goto".
+  std::string refused;  ///< The first words of the event that reports it as refused.
 };
 
 enum class OrderOutcome { kOpen, kTaken, kRefused };

@@ -77,7 +77,7 @@ tree_t Chain(int depth) {
   return tree;
 }
 
-TEST(Walk, TellsEveryValueThatLcmEncoded) {
+TEST(Walk, ReportsEveryValueThatLcmEncoded) {
   std::string text;
   for (const Leaf& leaf : Leaves(TestSchema(), TypeOf<shapes_t>(), Encoded(Shapes(2, 1)))) {
     text += leaf.path + "=" + leaf.text + "\n";

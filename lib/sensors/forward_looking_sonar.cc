@@ -88,7 +88,7 @@ void ForwardLookingSonar::Ping(const SonarPose& pose, const SeaFloor& floor,
     for (const SonarTarget& target : others) {
       range_m = std::min(range_m, TargetRange(target, position_m, beam.direction));
     }
-    // Each beam draws, seen or not: what one sees changes nobody else's noise.
+    // Each beam draws, seen or not: what one sees does not change the noise of others.
     const double error_m =
         params_.range_noise.sigma == 0 ? 0 : params_.range_noise.sigma * draws.Normal();
     beam.is_echo = range_m <= params_.max_range_m;

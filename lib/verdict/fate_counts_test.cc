@@ -73,7 +73,7 @@ TEST(FateCounts, KeepsItsSizeWhenCausesAreMadeUp) {
   EXPECT_EQ(counts.CountOffered(kAll, kAll), 1000);
 }
 
-TEST(FatesPage, TellsWhatEveryCauseMeans) {
+TEST(FatesPage, ExplainsEveryCause) {
   std::ifstream in(std::string(SHOAL_SOURCE_DIR) + "/docs/fates.md");
   const std::string page{std::istreambuf_iterator<char>(in), {}};
   for (int i = 0; i < kNumCauses; ++i) {

@@ -1,5 +1,5 @@
 // How long netsim's clients wait for their answers: 8 of them, 1,000 positions per second together,
-// from a process that also waits for LCM; then with 200 others who behave badly.
+// from a process that also waits for LCM; then with 200 others that behave badly.
 //
 //   netsim_bench [seconds]
 #include <fmt/format.h>

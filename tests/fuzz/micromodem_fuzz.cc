@@ -1,9 +1,9 @@
-// A Micro-Modem, whatever its host says and the water brings: it must not crash, tell sentences
-// that can be read, and send one packet at a time.
+// A Micro-Modem, for any bytes from its host and from the water: it must not crash, must write
+// readable sentences and send one packet at a time.
 //
-// An input is made of pieces: a byte of choices, a length, a byte, and so many bytes. Choices
-// modulo 4: the host's bytes; bytes from the water; the same with a header that is right; time, its
-// length in tenths of a second. All of it goes to a raw modem too.
+// An input is made of pieces: a byte of choices, a length, a byte, and that number of bytes.
+// Choices modulo 4: the host's bytes; bytes from the water; the same with a header that is right;
+// time, its length in tenths of a second. All of it goes to a raw modem too.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -30,10 +30,10 @@ class Owner {
             modem_.TakeBytes({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, now_us_));
         return;
       case 1:
-        Hear(bytes);
+        Receive(bytes);
         return;
       case 2:
-        Hear(WithRightHeader(bytes));
+        Receive(WithRightHeader(bytes));
         return;
       default:
         now_us_ += static_cast<int64_t>(bytes.size()) * 100'000;
@@ -52,7 +52,7 @@ class Owner {
   }
 
  private:
-  void Hear(std::span<const uint8_t> bytes) {
+  void Receive(std::span<const uint8_t> bytes) {
     Check(modem_.Hear({.bytes = bytes, .start_us = now_us_, .travel_us = 400'000}, now_us_));
   }
 
@@ -74,7 +74,7 @@ class Owner {
       const size_t end = rest.find("\r\n");
       SHOAL_CHECK(end != rest.npos, "each sentence ends with CR and LF");
       const auto sentence = ParseNmea(rest.substr(0, end));
-      SHOAL_CHECK(sentence && sentence->has_checksum, "what is told can be read");
+      SHOAL_CHECK(sentence && sentence->has_checksum, "every sentence to the host can be read");
       rest.remove_prefix(end + 2);
     }
     SHOAL_CHECK(output.to_water.size() <= 1, "one packet at a time");
