@@ -18,7 +18,7 @@ const kMostUnsent = 20;
 /** The words of an order to go to a place. */
 export const gotoWords = ({x, y}) => ['goto', x.toFixed(1), y.toFixed(1)];
 
-/** What a command's state and reason say, in words. */
+/** A command's state and reason in words. */
 export function commandWords({state, reason}) {
   const why = reason ? `: ${clip(reason, 300)}` : '';
   return `${kSigns[state] ?? '?'} ${state}${why}`;
@@ -188,8 +188,8 @@ export class Commands {
     this.stealthNow = stealth.now;
     this.earangeNow = earange.now;
     this.factorsOf = element('h4');
-    return element('section', {class: 'rules'}, element('h3', {}, 'Who may hear whom'), range.form,
-      this.#button('nolimit', 'Comms range: no limit', 'everybody hears everybody',
+    return element('section', {class: 'rules'}, element('h3', {}, 'Rules of communication'), range.form,
+      this.#button('nolimit', 'Comms range: no limit', 'every vehicle receives every other',
         () => this.send('comms_range', ['nolimit'])),
       drop.form, this.factorsOf, stealth.form, earange.form);
   }

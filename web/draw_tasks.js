@@ -1,5 +1,5 @@
-// What the vehicles are at (waypoints, legs, where they steer for), and how far they hear and are
-// heard.
+// What the vehicles are at (waypoints, legs, where they steer for), and how far they send and
+// receive.
 
 import {vehicleColor} from './colors.js';
 import {finite, isNumber} from './geometry.js';
@@ -125,7 +125,7 @@ export function rangesOf(rules, name) {
     critical_m: critical_m > 0 ? critical_m : null};
 }
 
-/** Draws how far each is heard; of the selected also how far it hears (dashed). */
+/** Draws how far each sends; of the selected also how far it receives (dashed). */
 export function drawRanges(ctx, camera, theme, vehicles, rules, selected) {
   if (!rules) return;
   for (const vehicle of vehicles) {
@@ -147,8 +147,8 @@ export function drawRanges(ctx, camera, theme, vehicles, rules, selected) {
     circle(critical_m, chosen ? 0.7 : 0.3, 0.8, []);
     if (!chosen) continue;
     circle(hears_m, 0.9, 1.6, [9, 6]);
-    nameCircle(ctx, camera, theme, sx, sy, heard_m, `heard within ${text(heard_m)}`, -1);
-    nameCircle(ctx, camera, theme, sx, sy, hears_m, `hears within ${text(hears_m)}`, 1);
+    nameCircle(ctx, camera, theme, sx, sy, heard_m, `sends within ${text(heard_m)}`, -1);
+    nameCircle(ctx, camera, theme, sx, sy, hears_m, `receives within ${text(hears_m)}`, 1);
   }
   ctx.setLineDash([]);
   ctx.globalAlpha = 1;

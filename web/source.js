@@ -14,7 +14,7 @@ const kFirstBackoff_ms = 250;
 const kLongestBackoff_ms = 2000;
 const kSetupTimeout_ms = 2000;
 const kRequestEvery_ms = 33;
-const kBeginsAgain_s = 1;       // A mission time so much earlier is that of another mission.
+const kBeginsAgain_s = 1;       // A time earlier by more than this is of another mission.
 
 /** Is `frame` of another mission than `before`? Only /api/setup knows for sure. */
 export function mayBeAnotherMission(before, frame) {

@@ -59,7 +59,7 @@ export function words(name) {
   return String(name ?? '').replaceAll('_', ' ');
 }
 
-/** A sign for what became of a transmission, which says without colour what colour says. */
+/** A sign for what became of a transmission, which shows without colour what colour shows. */
 export function fateSign(cause) {
   if (cause === 'delivered') return '✓';
   return cause === 'damaged' ? '≈' : '✗';
