@@ -79,7 +79,7 @@ TEST(PredictMember, KeepsItsVelocity) {
 
 TEST(PredictMember, RefusesWhatIsNoNumber) {
   EXPECT_DEATH((void)PredictMember(kEastbound, std::numeric_limits<double>::infinity()),
-               "NaN or infinity");
+               "inputs of guidance are finite");
 }
 
 // A leader that accelerates as it reported is where it is predicted to be.

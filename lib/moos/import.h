@@ -29,7 +29,7 @@ struct MoosImport {
   size_t num_vehicles = 0;  ///< Described by the sources; the mission has at least one.
 };
 
-/// Converts any text; nothing in it is an error.
+/// Converts any text; what cannot be converted becomes a comment.
 [[nodiscard]] MoosImport ImportMoos(std::span<const MoosSource> sources);
 
 }  // namespace shoal

@@ -1,4 +1,4 @@
-// A mission file in the making, each setting with the line that it came from.
+// A draft of a mission file: each setting with the line that it came from.
 //
 //   MissionDraft draft("# What this is.");
 //   draft.Require("mission", "[mission]");

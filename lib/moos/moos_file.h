@@ -1,4 +1,4 @@
-// A MOOS mission file as lines: what is written, not what it means.
+// A MOOS mission file as lines, without their meaning.
 //
 //   ServerPort = 9000            // a global
 //   ProcessConfig = uSimMarine   // a block

@@ -54,7 +54,7 @@ struct NetsimOptions {
   int max_connections = 128;
   int max_line_bytes = 1 << 20;  ///< Longer lines are dropped, their connection stays.
   double idle_timeout_s = 3600;  ///< Without a byte from a client; 0: for ever.
-  bool allow_warp = false;       ///< For clients that do not compare clocks.
+  bool allow_warp = false;       ///< For clients that do not compare their clock with mission time.
   std::vector<NetsimEnvironment> environments;
   std::vector<NetsimVehicle> vehicles;
 

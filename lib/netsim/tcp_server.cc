@@ -21,7 +21,7 @@ constexpr int kBacklog = 256;
 constexpr int kMaxRounds = 4;
 constexpr size_t kMaxEvents = 64;
 constexpr int kMaxAccepts = 64;
-/// Read from one client before it is the next one's turn.
+/// Bytes to read from one client before the next one is served.
 constexpr size_t kChunk_bytes = 16 * 1024;
 /// Memory that a client keeps when all is sent.
 constexpr size_t kKept_bytes = 4096;

@@ -105,7 +105,7 @@ class Desk : public testing::Test {
   }
 
   void Note(const std::string& target, const std::string& what) {
-    heard_ += target + ":" + what + " ";
+    published_ += target + ":" + what + " ";
   }
 
   MemoryBus hub_;
@@ -114,7 +114,7 @@ class Desk : public testing::Test {
   CommandDesk desk_{desk_bus_, {.mission = "berta", .vehicles = {"alpha", "bravo"}}};
   std::vector<FakeApp> apps_ = {
       {"helm_alpha"}, {"helm_bravo"}, {"vehicle_sim_alpha"}, {"shore_broker"}};
-  std::string heard_;  ///< Orders that were published.
+  std::string published_;  ///< Orders that were published.
   int num_requests_ = 0;
   int64_t now_us_ = 1'000'000;
 };
@@ -126,7 +126,7 @@ TEST_F(Desk, ReportsAnOrderThatWasTaken) {
   EXPECT_EQ(record->state, "sent");
   EXPECT_EQ(record->t_s, 12.5);
   Run();
-  EXPECT_EQ(heard_, "alpha:goto ");
+  EXPECT_EQ(published_, "alpha:goto ");
   EXPECT_EQ(StateOf(record->id), "sent");
   Take("helm_alpha", "command: goto");
   Run();
@@ -136,7 +136,7 @@ TEST_F(Desk, ReportsAnOrderThatWasTaken) {
 TEST_F(Desk, ReportsWhichOfSeveralVehiclesRefusedAndWhy) {
   const int64_t id = Send("all", {"deploy"});
   Run();
-  EXPECT_EQ(heard_, "alpha:deploy bravo:deploy ");
+  EXPECT_EQ(published_, "alpha:deploy bravo:deploy ");
   Take("helm_alpha", "command: deploy");
   Refuse("helm_bravo", "HELM_COMMAND refused: deploy: all-stop by command, send resume");
   Run();
@@ -156,7 +156,7 @@ TEST_F(Desk, DoesNotMistakeOverlappingOrdersForOneAnother) {
   const int64_t back = Send("alpha", {"return"});
   const int64_t good = Send("alpha", {"speed", "1"});
   Run();
-  EXPECT_EQ(heard_, "alpha:speed alpha:return alpha:speed ");
+  EXPECT_EQ(published_, "alpha:speed alpha:return alpha:speed ");
   Refuse("helm_alpha", "HELM_COMMAND refused: speed needs a number");
   Take("helm_alpha", "command: return");
   Run();
@@ -173,7 +173,7 @@ TEST_F(Desk, FollowsRulesAndSimulators) {
   const int64_t drift = Send("alpha", {"sim", "drift", "0.3", "0"});
   const int64_t reset = Send("alpha", {"sim", "reset", "1e9", "0", "0", "0"});
   Run();
-  EXPECT_EQ(heard_, "alpha:drift alpha:reset comms_range:100 ");  // In order of channels.
+  EXPECT_EQ(published_, "alpha:drift alpha:reset comms_range:100 ");  // In order of channels.
   Take("shore_broker", "UNC_COMMS_RANGE: 100 (was 250)");
   Take("vehicle_sim_alpha", "drift 0.3 0");
   Refuse("vehicle_sim_alpha", "SIM_COMMAND refused: 'reset' with 4 values; see sim_command_t");
@@ -189,7 +189,7 @@ TEST_F(Desk, FollowsTheClock) {
   const int64_t pause = Send("clock", {"pause"});
   const int64_t resume = Send("clock", {"resume"});
   Run();
-  EXPECT_EQ(heard_, "clock:pause clock:resume ");
+  EXPECT_EQ(published_, "clock:pause clock:resume ");
   EXPECT_EQ(StateOf(pause), "sent");
   PublishClockState("paused", 1);
   EXPECT_EQ(StateOf(pause), "taken");
@@ -208,7 +208,7 @@ TEST_F(Desk, WaitsPatientlyWhileTheMissionIsPaused) {
   const int64_t id = Send("alpha", {"return"});
   const int num_requests = num_requests_;
   Run(60'000'000);
-  EXPECT_EQ(heard_, "alpha:return ");
+  EXPECT_EQ(published_, "alpha:return ");
   EXPECT_EQ(StateOf(id), "sent");
   EXPECT_LT(num_requests_ - num_requests, 70);
   PublishClockState("running", 2);
@@ -221,9 +221,9 @@ TEST_F(Desk, ReportsAMissingAnswerAndStillAcceptsALateOne) {
   App("helm_bravo").is_mute = true;
   const int64_t id = Send("all", {"return"});
   Run();
-  EXPECT_EQ(heard_, "");  // It waits for bravo's page ...
+  EXPECT_EQ(published_, "");  // It waits for bravo's page ...
   Run(400'000);
-  EXPECT_EQ(heard_, "alpha:return bravo:return ");  // ... but not for long.
+  EXPECT_EQ(published_, "alpha:return bravo:return ");  // ... but not for long.
   Run(4'000'000);
   EXPECT_EQ(StateOf(id), "sent");
   Run(1'000'000);
@@ -258,7 +258,7 @@ TEST_F(Desk, PublishesNothingThatItDoesNotUnderstand) {
     EXPECT_LT(record.error().size(), 5000U);
   }
   Run(1'000'000);
-  EXPECT_EQ(heard_, "");
+  EXPECT_EQ(published_, "");
   EXPECT_EQ(num_requests_, 0);
   EXPECT_TRUE(desk_.records().empty());
 }
@@ -282,7 +282,7 @@ TEST_F(Desk, RemembersTheLastTwentyOnly) {
   EXPECT_EQ(records.back().id, first + 24);
   EXPECT_EQ(StateOf(first), "forgotten");
   Run();
-  EXPECT_EQ(heard_.size(), 25 * std::string("alpha:return ").size());  // But all were sent.
+  EXPECT_EQ(published_.size(), 25 * std::string("alpha:return ").size());  // But all were sent.
   for (int i = 0; i < 5; ++i) Take("helm_alpha", "command: return");
   Run();
   EXPECT_EQ(StateOf(records.front().id), "sent");

@@ -34,7 +34,7 @@ struct OrderToSims {
   sim_command_t command{};
 };
 
-/// A node message that vehicles send; not an order of ours to them.
+/// A node message that is published in the name of a vehicle.
 struct MessageOfVehicles {
   std::vector<std::string> vehicles;
   node_message_t message{};
@@ -53,7 +53,7 @@ struct OrderToClock {
 using Order =
     std::variant<OrderToHelms, OrderToSims, MessageOfVehicles, OrderToBroker, OrderToClock>;
 
-/// Of which mission orders are.
+/// The mission that orders are for.
 struct OrderScope {
   std::string mission;
   std::vector<std::string> vehicles;

@@ -77,7 +77,7 @@ void JudgeByWarnings(const appcast_t& page, OrderWatch::Answer* answer) {
 void Judge(const appcast_t& page, bool is_surely_later, OrderWatch::Answer* answer) {
   const PageEvents events = EventsOf(page);
   int64_t num_new = events.total - EventsOf(*answer->before).total;
-  if (page.step < answer->before->step || num_new < 0) num_new = events.total;  // It began anew.
+  if (page.step < answer->before->step || num_new < 0) num_new = events.total;  // It was restarted.
   const auto num_listed = static_cast<int64_t>(events.texts.size());
   if (num_new > num_listed) {
     if (is_surely_later) JudgeByWarnings(page, answer);

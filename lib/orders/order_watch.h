@@ -1,4 +1,4 @@
-// What became of an order, from the status pages of those who got it: before it, and after it.
+// What became of an order, from the status pages of its addressees: before it, and after it.
 //
 //   OrderWatch watch(TracesOf(order));
 //   while (!watch.IsReady(now_us)) ...   // ask for the pages of Due(now_us), hand over what comes
@@ -46,7 +46,7 @@ class OrderWatch {
 
   explicit OrderWatch(std::vector<OrderTrace> traces);
 
-  /// Returns the participants whose pages are wanted now, and takes it that they are asked.
+  /// Returns the participants whose pages are wanted now, and counts them as asked.
   /// `interval_us`: the time between two requests.
   std::vector<std::string> Due(int64_t now_us, int64_t interval_us = kRequestInterval_us);
 

@@ -103,7 +103,8 @@ int64_t PoissonByRejection(Stream& stream, double mean) {
 }  // namespace
 
 int64_t Stream::Binomial(int64_t trials, double probability) {
-  SHOAL_CHECK(trials >= 0 && probability >= 0 && probability <= 1, "no binomial distribution");
+  SHOAL_CHECK(trials >= 0 && probability >= 0 && probability <= 1,
+              "trials >= 0 and 0 <= probability <= 1");
   if (trials == 0 || probability == 0) return 0;
   if (probability > 0.5) return trials - Binomial(trials, 1 - probability);
   const auto n = static_cast<double>(trials);
@@ -112,7 +113,7 @@ int64_t Stream::Binomial(int64_t trials, double probability) {
 }
 
 int64_t Stream::Poisson(double mean) {
-  SHOAL_CHECK(mean >= 0 && mean <= 1e15, "no Poisson distribution of this mean");
+  SHOAL_CHECK(mean >= 0 && mean <= 1e15, "0 <= mean <= 1e15");
   if (mean == 0) return 0;
   return mean < kLargeMean ? PoissonByInversion(*this, mean) : PoissonByRejection(*this, mean);
 }

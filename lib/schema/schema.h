@@ -1,4 +1,4 @@
-// What LCM messages look like, learnt from the text of .lcm files.
+// The structure of LCM messages, from the text of .lcm files.
 //
 //   const Result<Schema> schema = Schema::Build({{"pose_t.lcm", text}});
 //   const StructType* type = schema->FindByFingerprint(fingerprint);
@@ -91,7 +91,7 @@ struct LcmSource {
 /// Reads the text of one .lcm file. Errors name file, line and column.
 [[nodiscard]] Result<std::vector<StructType>> ParseLcm(const LcmSource& source);
 
-/// Types deeper inside one another than this are refused, in .lcm files and in messages.
+/// Types that are nested deeper than this are refused, in .lcm files and in messages.
 inline constexpr int kMaxStructDepth = 64;
 
 class Schema {

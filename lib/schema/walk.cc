@@ -184,7 +184,7 @@ class Walker {
       case Primitive::kString:
         break;
     }
-    SHOAL_CHECK(false, "a string has no fixed number of bits");
+    SHOAL_CHECK(false, "every type but a string has a fixed number of bits");
   }
 
   /// @pre at least five bytes are left.

@@ -3,7 +3,7 @@
 //   if (auto fault = FindWireFault(schema, type, bytes)) Drop(*fault);
 //   Walk(schema, type, bytes, &visitor);
 //
-// Nothing here reads outside `bytes` or takes as much memory as a length claims.
+// Never reads outside `bytes`, and allocates no memory by a length in the message.
 #pragma once
 
 #include <cstddef>
@@ -36,15 +36,15 @@ class Visitor {
 
 /// Why bytes are not one whole message of their type.
 struct WireFault {
-  size_t offset = 0;  ///< Where in the message it shows.
+  size_t offset = 0;  ///< Where in the message it was found.
   std::string_view what;
 };
 
 /// Returns the fingerprint that a message starts with; nothing where it is shorter.
 [[nodiscard]] std::optional<int64_t> FingerprintOf(std::span<const uint8_t> message);
 
-/// Reports to `visitor` what `message` holds: fingerprint and members, no byte too few or too many,
-/// strings that end with their only NUL. On a fault the visitor has what came before it.
+/// Reports to `visitor` what `message` holds: fingerprint and members, of exactly the right length,
+/// with strings that end with their only NUL. On a fault the visitor has what came before it.
 /// @pre type is one of schema.types().
 [[nodiscard]] std::optional<WireFault> Walk(const Schema& schema, const StructType& type,
                                             std::span<const uint8_t> message, Visitor* visitor);

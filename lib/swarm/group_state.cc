@@ -56,7 +56,7 @@ void AppendToLog(const TimedMotion& entry, MotionLog* log) {
 }
 
 void ResizeLog(size_t capacity, MotionLog* log) {
-  SHOAL_CHECK(capacity > 0, "a log holds something");
+  SHOAL_CHECK(capacity > 0, "the capacity of a log is more than 0");
   log->capacity = capacity;
   std::deque<TimedMotion>& entries = log->entries;
   if (entries.size() > capacity) {

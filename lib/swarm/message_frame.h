@@ -4,7 +4,7 @@
 //   sequence         uint16: one more for each frame that the sender makes; 0 follows 65535
 //   checksum         uint32: CRC-32 of IEEE 802.3 over all bytes before it
 //
-// Numbers are little-endian. muNet has no such thing, so it is off unless a mission asks for it;
+// Numbers are little-endian. muNet has no frames, so they are off unless a mission turns them on;
 // standing behind the message, it leaves the message readable to receivers that do not know it. Six
 // bytes are 48 ms at 1000 bit/s.
 #pragma once
@@ -35,12 +35,13 @@ struct FrameCount {
   int64_t received = 0;
   int64_t lost = 0;       ///< Numbers that were left out.
   int64_t repeated = 0;   ///< Frames with the number of the one before.
-  int64_t restarted = 0;  ///< Numbers that went back: the sender began again.
+  int64_t restarted = 0;  ///< Lower numbers than before: the sender was restarted.
 
   bool operator==(const FrameCount&) const = default;
 };
 
-/// Counts a frame. A step back is a restart: no frame overtakes another of its sender in the water.
+/// Counts a frame. A lower number means a restart: frames of one sender cannot overtake one
+/// another.
 void CountFrame(uint16_t sequence, FrameCount* count);
 
 /// By the sender's id.

@@ -1,4 +1,4 @@
-// What a message is going to change about one contact, once all of it has been found good.
+// What a message is going to change about one contact, once all of it has been checked.
 #pragma once
 
 #include <Eigen/Core>

@@ -1,4 +1,4 @@
-// What the ear of a vehicle does with damaged fields of whole messages.
+// How a vehicle's receiver handles damaged fields of whole messages.
 #include <gtest/gtest.h>
 
 #include <limits>

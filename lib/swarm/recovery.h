@@ -1,4 +1,4 @@
-// What to put in place of a field that cannot be right.
+// The replacement of a field whose value is invalid.
 //
 //   RecoveryPlan plan;                                                  // muNet's
 //   plan.of(SwarmField::kReporterPos) = {RecoveryStrategy::kPrevious};
@@ -48,7 +48,7 @@ struct FieldSubject {
   std::optional<int64_t> id = {};  ///< Of a member.
 };
 
-/// A field that cannot be right. Its value has the type that FieldValue names for the field.
+/// A field whose value is invalid. It has the type that FieldValue names for the field.
 struct DamagedField {
   SwarmField field = SwarmField::kType;
   FieldValue value = {};
@@ -59,7 +59,7 @@ struct DamagedField {
 struct RecoverySources {
   const GroupState& state;
   const FieldLimits& limits;
-  int64_t now_us = 0;  ///< When the value is to hold: positions are predicted up to here.
+  int64_t now_us = 0;  ///< The time that the value is for: positions are predicted up to here.
 };
 
 struct RecoveredField {
@@ -67,19 +67,19 @@ struct RecoveredField {
   RecoveryStrategy strategy = RecoveryStrategy::kSkip;
 };
 
-/// Differences of this many bits or more are no damaged flag: a random word passes for one in 240
-/// times then. (muNet takes up to 15, and two random words of three.)
+/// With this many different bits or more a word is not taken for a damaged flag: one random word in
+/// 240 is. (muNet takes up to 15, and two random words of three.)
 inline constexpr int kFlagDistanceLimit_bits = 8;
 
 /// Returns the flag that differs least, by fewer than kFlagDistanceLimit_bits bits.
 [[nodiscard]] std::optional<MessageFlag> NearestFlag(const MessageFlag& flag);
 
-/// Returns what one strategy makes of the field; nothing where it has no answer.
+/// Returns the replacement by one strategy; nothing where it has none.
 [[nodiscard]] std::optional<FieldValue> RecoverBy(RecoveryStrategy strategy,
                                                   const DamagedField& damaged,
                                                   const RecoverySources& sources);
 
-/// Returns what the first strategy of the plan that has an answer makes of the field.
+/// Returns the replacement by the first strategy of the plan that has one.
 [[nodiscard]] std::optional<RecoveredField> Recover(const RecoveryPlan& plan,
                                                     const DamagedField& damaged,
                                                     const RecoverySources& sources);

@@ -14,8 +14,8 @@
 //   if (const auto due = schedule.Due(utime)) Send(due->message);            // in every step
 //   schedule.Take(request);                                // tdma_lf: a follower was asked
 //
-// Times are microseconds since the mission's start, and whole numbers: the millionth episode begins
-// when it should. A slot is taken in the first step that is not before it. It depends on the plan
+// Times are microseconds since the mission's start, and whole numbers: no rounding adds up over
+// episodes. A slot is taken in the first step that is not before it. It depends on the plan
 // and the time alone: a process that was started again goes on with its next slot, and a slot in
 // which it did not run is left out, never made up for.
 #pragma once
@@ -62,7 +62,7 @@ struct DueMessage {
 
 class SwarmSchedule {
  public:
-  /// No mission lasts as long, and no slot is later: 31 years.
+  /// The latest slot, 31 years: longer than any mission.
   static constexpr int64_t kLatestSlot_us = 1'000'000'000'000'000;
 
   /// @pre tick, episode and, for tdma_lf, response are positive, none is negative; place is at
@@ -74,8 +74,8 @@ class SwarmSchedule {
   [[nodiscard]] std::optional<DueMessage> Due(int64_t utime);
 
   /// tdma_lf: a request has come that gives this member a slot. It replaces the one before; one for
-  /// a slot that was used already, or that no mission reaches, does nothing. start_us was a
-  /// float32 on its way: the nearest step is meant.
+  /// a slot that was used already, or that is later than kLatestSlot_us, does nothing. start_us was
+  /// a float32 on its way: the nearest step is meant.
   void Take(const ResponseRequest& request);
 
   /// Returns the beginning of the next slot after `utime`; nothing where none is known.

@@ -5,8 +5,8 @@
 //   const Result<SlotPlan> plan = AutoPlan(SwarmScheme::kTdmaLf, tick_us, air);
 //   for (const TimingProblem& problem : FindTimingProblems(mine, air)) Print(problem.message);
 //
-// A plan without problems keeps its promise: at no receiver do two messages overlap on a channel,
-// and every follower has the request when its slot begins.
+// With a plan without problems, no two messages overlap on a channel at any receiver, and every
+// follower has the request when its slot begins.
 #pragma once
 
 #include <cstdint>
@@ -42,14 +42,15 @@ struct AirTimes {
   bool operator==(const AirTimes&) const = default;
 };
 
-/// Something that is wrong with a plan or with what it is for.
+/// An error in a plan or in its inputs.
 struct TimingProblem {
-  std::string key;          ///< What to change: "episode_s", or a member of SwarmAir.
-  int64_t at_least_us = 0;  ///< Where a length is too short, or not of whole steps: what would do.
-  std::string message;      ///< "episode_s = 5 is too short for 9 followers: ...; use at least ..."
+  std::string key;  ///< What to change: "episode_s", or a member of SwarmAir.
+  int64_t at_least_us =
+      0;  ///< Where a length is too short, or not of whole steps: the shortest that suffices.
+  std::string message;  ///< "episode_s = 5 is too short for 9 followers: ...; use at least ..."
 };
 
-/// Returns what each message takes, or the first number that cannot be.
+/// Returns what each message takes, or the first number that is out of range.
 [[nodiscard]] Result<AirTimes> FindAirTimes(const SwarmAir& air);
 
 /// Returns the shortest plan without problems, in whole steps. fdma_lf: members begin evenly spread
@@ -67,7 +68,7 @@ struct TimingProblem {
 ///   tdma_lf  the request has been handled everywhere when slot 0 begins, an answer is over before
 ///            the next slot, a request and all answers fit into an episode
 /// Whether members of fdma_lf miss what comes while they send themselves (half duplex) is not
-/// asked.
+/// checked.
 [[nodiscard]] std::vector<TimingProblem> FindTimingProblems(const SlotPlan& plan,
                                                             const SwarmAir& air);
 

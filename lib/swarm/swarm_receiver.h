@@ -1,4 +1,4 @@
-// What a vehicle makes of bytes from the water:
+// How a vehicle handles received bytes:
 //
 //   bytes -> frame, if the mission has frames -> type -> length -> group and sender
 //         -> fields, damaged ones recovered by the plan -> the group's state, all at once
@@ -31,7 +31,7 @@ enum class ReceptionResult : uint8_t { kClean, kRecovered, kRejected };
 enum class RejectReason : uint8_t {
   kNone,
   kBadFrame,       ///< Too short for a frame, or its checksum is wrong.
-  kTooShort,       ///< Not even a flag.
+  kTooShort,       ///< Too short for a flag.
   kWrongLength,    ///< Not the length that its type has.
   kUnrecoverable,  ///< A field is damaged and no strategy has an answer.
   kOwnReport,      ///< Its sender id is that of this vehicle.
@@ -82,7 +82,7 @@ struct ReceptionCounts {
   bool operator==(const ReceptionCounts&) const = default;
 };
 
-/// One vehicle's ear. Everything in it is its own.
+/// The receiver of one vehicle, with all of its state.
 struct SwarmReceiver {
   GroupState state = {};
   RecoveryPlan plan = {};

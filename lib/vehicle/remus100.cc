@@ -159,7 +159,7 @@ Eigen::Vector3d CurrentInBody(const Remus100& auv, const Vector6d& eta,
 Remus100State Step(const Remus100& auv, const Remus100State& state,
                    const Remus100Actuators& command, const Remus100Environment& environment,
                    double dt_s) {
-  SHOAL_CHECK(dt_s > 0 && dt_s <= kMaxRemus100Step_s, "the step does not suit the model");
+  SHOAL_CHECK(dt_s > 0 && dt_s <= kMaxRemus100Step_s, "0 < dt_s <= kMaxRemus100Step_s");
   Remus100State next = state;
   if (state.immobilized || state.eta[2] > environment.floor_z_m) {
     next.nu.setZero();

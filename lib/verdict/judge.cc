@@ -16,7 +16,7 @@ namespace shoal {
 namespace {
 
 constexpr size_t kMaxFailuresShown = 5;
-/// A quarter of the Earth's circumference: farther away is no place.
+/// A quarter of the Earth's circumference: positions farther away are invalid.
 constexpr double kFarthest_m = 1e7;
 
 std::vector<std::string> NamesOf(const Mission& mission) {

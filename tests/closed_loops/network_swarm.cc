@@ -176,16 +176,16 @@ void NetworkSwarm::Deliver(int64_t now_us) {
 }
 
 std::vector<Eigen::Vector3d> PositionsIn(const std::vector<uint8_t>& bytes) {
-  std::vector<Eigen::Vector3d> told_m;
+  std::vector<Eigen::Vector3d> positions_m;
   const auto add = [&](const Eigen::Vector3f& position_m) {
-    told_m.push_back(position_m.cast<double>());
+    positions_m.push_back(position_m.cast<double>());
   };
   const auto tell_leader = [&](const LeaderMotion& leader) {
     add(leader.position_m);
     add(leader.next_position_m);
   };
   const std::optional<AnySwarmMessage> message = DecodeSwarmMessage(bytes);
-  if (!message) return told_m;
+  if (!message) return positions_m;
   if (const auto* report = std::get_if<ReportMessage>(&*message)) {
     add(report->position_m);
   } else if (const auto* leader = std::get_if<LeaderMessage>(&*message)) {
@@ -194,7 +194,7 @@ std::vector<Eigen::Vector3d> PositionsIn(const std::vector<uint8_t>& bytes) {
     tell_leader(broadcast->leader);
     for (const BroadcastFollower& follower : broadcast->followers) add(follower.position_m);
   }
-  return told_m;
+  return positions_m;
 }
 
 }  // namespace shoal

@@ -97,11 +97,11 @@ test('every type has a hull, and none is drawn shorter than can be seen', () => 
 test('how far a vehicle sends and receives follows the rules in force', () => {
   const rules = {comms_range_m: 250, critical_range_m: 30,
     factors: {alpha: {stealth: 0.5, earange: 2}}};
-  assert.deepEqual(rangesOf(rules, 'alpha'), {heard_m: 125, hears_m: 500, critical_m: 30});
-  assert.deepEqual(rangesOf(rules, 'bravo'), {heard_m: 250, hears_m: 250, critical_m: 30});
+  assert.deepEqual(rangesOf(rules, 'alpha'), {sends_m: 125, receives_m: 500, critical_m: 30});
+  assert.deepEqual(rangesOf(rules, 'bravo'), {sends_m: 250, receives_m: 250, critical_m: 30});
   assert.deepEqual(rangesOf({comms_range_m: -1}, 'bravo'),
-                   {heard_m: null, hears_m: null, critical_m: null});
-  assert.equal(rangesOf(null, 'bravo').heard_m, null);
+                   {sends_m: null, receives_m: null, critical_m: null});
+  assert.equal(rangesOf(null, 'bravo').sends_m, null);
 });
 
 test('the present task is the one that the helm names', () => {
