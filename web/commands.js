@@ -188,7 +188,7 @@ export class Commands {
     this.stealthNow = stealth.now;
     this.earangeNow = earange.now;
     this.factorsOf = element('h4');
-    return element('section', {class: 'rules'}, element('h3', {}, 'Rules of communication'), range.form,
+    return element('section', {class: 'rules'}, element('h3', {}, 'Communication rules'), range.form,
       this.#button('nolimit', 'Comms range: no limit', 'every vehicle receives every other',
         () => this.send('comms_range', ['nolimit'])),
       drop.form, this.factorsOf, stealth.form, earange.form);

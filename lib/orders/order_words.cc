@@ -230,7 +230,7 @@ Result<node_message_t> ParseMessageWords(std::span<const std::string> words) {
   }
   const Destinations nodes = ParseDestinations(message.dest_node);
   if (message.dest_group.empty() && nodes.names.empty() && !nodes.all) {
-    return Error{"no vehicle to send it to;  " + std::string(kMessageUsage)};
+    return Error{"no vehicle to send it to; " + std::string(kMessageUsage)};
   }
   message.var_name = plain[1];
   if (message.is_double == 0) {
