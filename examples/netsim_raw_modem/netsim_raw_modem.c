@@ -1,7 +1,7 @@
 /* Sends acoustic bytes over a raw modem port: sends its words, and prints what it receives.
  *
- *   netsim_raw_modem 127.0.0.1 62001 hello      sends "hello", then listens
- *   netsim_raw_modem 127.0.0.1 62002            only listens
+ *   netsim_raw_modem 127.0.0.1 62001 hello      sends "hello", then receives
+ *   netsim_raw_modem 127.0.0.1 62002            only receives
  */
 #include <arpa/inet.h>
 #include <stdint.h>
