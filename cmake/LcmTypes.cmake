@@ -1,4 +1,4 @@
-# Finds Debian's LCM (it ships no CMake files, and its lcm.pc asks for glib headers that nobody
+# Finds Debian's LCM (it ships no CMake files, and its lcm.pc asks for glib headers that nothing
 # needs) and turns lcmtypes/*.lcm into C++, C and, where a JDK is there, Java.
 #
 #   shoal_lcm_types(shoal_a_t.lcm shoal_b_t.lcm ...)

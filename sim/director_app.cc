@@ -13,9 +13,9 @@ namespace shoal {
 
 namespace {
 constexpr std::string_view kTooManyControls =
-    "UNC_* of one more vehicle not kept: a broker that starts again will not be told of it";
+    "UNC_* of one more vehicle not kept: a broker that starts again will not get it";
 
-/// False for what only a stranger says: no mission has as many messages.
+/// False for what only an unregistered participant sends: no mission has as many messages.
 bool CanBeCount(int64_t count) { return count >= 0 && count <= 1'000'000'000'000; }
 
 }  // namespace
@@ -37,7 +37,7 @@ DirectorApp::DirectorApp(const Mission& mission, Bus& bus)
     if (!mission.IsInSwarm(mission.vehicles[i])) continue;
     Subscribe(bus, channels::Swarm(name), [this, i](const swarm_t& swarm) { TakeSwarm(i, swarm); });
   }
-  // Who is simulated elsewhere has no NAV: its own reports are all there is.
+  // A vehicle that is simulated elsewhere has no NAV: its own reports are all there is.
   Subscribe(bus, channels::NodeReportFromOutside(), [this](const node_report_t& report) {
     for (size_t i = 0; i < mission_.vehicles.size(); ++i) {
       const Vehicle& vehicle = mission_.vehicles[i];
@@ -77,7 +77,7 @@ void DirectorApp::Tick(int64_t utime) {
   for (; next_event_ < mission_.events.size(); ++next_event_) {
     const Event& event = mission_.events[next_event_];
     if (now_s < event.at_s) break;
-    std::visit([&](const auto& what) { Say(utime, what); }, event.what);
+    std::visit([&](const auto& what) { PublishEvent(utime, what); }, event.what);
   }
 }
 
@@ -89,7 +89,8 @@ void DirectorApp::EndLastStep() {
 
 void DirectorApp::TakeFates(const Message& message) {
   if (message.publisher.empty()) {
-    log_.Warn("COMMS_FATES of a stranger dropped: only a broker of the mission decides");
+    log_.Warn(
+        "COMMS_FATES of an unregistered participant dropped: only a broker of the mission decides");
     return;
   }
   if (!Decode(message.data, &fates_message_)) {
@@ -104,7 +105,7 @@ void DirectorApp::TakeFates(const Message& message) {
   }
 }
 
-void DirectorApp::Say(int64_t utime, const CommandEvent& event) {
+void DirectorApp::PublishEvent(int64_t utime, const CommandEvent& event) {
   helm_command_t command;
   command.utime = utime;
   command.command = event.command;
@@ -117,7 +118,7 @@ void DirectorApp::Say(int64_t utime, const CommandEvent& event) {
   log_.Event(utime, fmt::format("{} to {}", event.command, event.vehicle));
 }
 
-void DirectorApp::Say(int64_t utime, const SimCommandEvent& event) {
+void DirectorApp::PublishEvent(int64_t utime, const SimCommandEvent& event) {
   sim_command_t command;
   command.utime = utime;
   command.command = event.command;
@@ -129,7 +130,7 @@ void DirectorApp::Say(int64_t utime, const SimCommandEvent& event) {
   log_.Event(utime, fmt::format("{} to the simulator of {}", event.command, event.vehicle));
 }
 
-void DirectorApp::Say(int64_t utime, const RuleEvent& event) {
+void DirectorApp::PublishEvent(int64_t utime, const RuleEvent& event) {
   unc_control_t control;
   control.utime = utime;
   control.vehicle = event.vehicle;
@@ -139,14 +140,14 @@ void DirectorApp::Say(int64_t utime, const RuleEvent& event) {
     log_.Warn(fmt::format("event dropped: there is no rule '{}'", event.rule));
     return;
   }
-  Publish(bus_, channels::Control(*row), control);  // Heard, and kept, in the next step.
+  Publish(bus_, channels::Control(*row), control);  // Received, and kept, in the next step.
   std::string text = event.rule;
   if (!event.vehicle.empty()) text += " of " + event.vehicle;
   if (row->type != ControlType::kRequest) text += " = " + ControlWord(*row, event.value);
   log_.Event(utime, text);
 }
 
-void DirectorApp::Say(int64_t utime, const MessageEvent& event) {
+void DirectorApp::PublishEvent(int64_t utime, const MessageEvent& event) {
   node_message_t message;
   message.utime = utime;
   message.src_node = event.src_node;
@@ -171,7 +172,7 @@ void DirectorApp::AnswerControlsRequest(int64_t utime) {
   controls_wanted_ = false;
   unc_controls_t answer = controls_.All();
   answer.utime = utime;
-  log_.Event(utime, fmt::format("UNC_CONTROLS: {} said on request", answer.num_controls));
+  log_.Event(utime, fmt::format("UNC_CONTROLS: {} published on request", answer.num_controls));
   Publish(bus_, channels::UncControls(), answer);
 }
 
@@ -202,9 +203,9 @@ bool DirectorApp::Passed() const {
 
 StatusPage DirectorApp::Status() const {
   StatusPage page;
-  page.text = fmt::format("Mission: {} ({})\nSeed: {}\nEvents said: {} of {}\n\n{}", mission_.name,
-                          mission_.file, mission_.seed, next_event_, mission_.events.size(),
-                          Summary(false));
+  page.text = fmt::format("Mission: {} ({})\nSeed: {}\nEvents published: {} of {}\n\n{}",
+                          mission_.name, mission_.file, mission_.seed, next_event_,
+                          mission_.events.size(), Summary(false));
   log_.AppendTo(&page);
   return page;
 }

@@ -1,9 +1,10 @@
-// The launcher's own participant, named "shoal": says what the mission file has planned, and
-// watches what becomes of it.
-//
-// Says HELM_COMMAND_<V>, SIM_COMMAND_<V>, UNC_*, NODE_MESSAGE_LOCAL and MEDIATED_MESSAGE_<V> at the
-// times of the mission's events; hears NAV_<V>, HELM_STATE_<V> and COMMS_FATES. Keeps the controls
-// that anybody says on UNC_*, and answers UNC_CONTROLS_REQ with them on UNC_CONTROLS.
+// The launcher's own participant, named "shoal": publishes what the mission file has planned, and
+// observes the outcome.
+// Publishes HELM_COMMAND_<V>,
+// SIM_COMMAND_<V>, UNC_*, NODE_MESSAGE_LOCAL and MEDIATED_MESSAGE_<V> at the
+// times of the mission's events; subscribes to NAV_<V>, HELM_STATE_<V> and COMMS_FATES. Keeps the
+// controls that any program publishes on UNC_*, and answers UNC_CONTROLS_REQ with them on
+// UNC_CONTROLS.
 #pragma once
 
 #include <cstdint>
@@ -42,10 +43,10 @@ class DirectorApp : public Director {
   void TakeFates(const Message& message);
   void TakeSwarm(size_t vehicle, const swarm_t& swarm);
   void EndLastStep();
-  void Say(int64_t utime, const CommandEvent& event);
-  void Say(int64_t utime, const SimCommandEvent& event);
-  void Say(int64_t utime, const RuleEvent& event);
-  void Say(int64_t utime, const MessageEvent& event);
+  void PublishEvent(int64_t utime, const CommandEvent& event);
+  void PublishEvent(int64_t utime, const SimCommandEvent& event);
+  void PublishEvent(int64_t utime, const RuleEvent& event);
+  void PublishEvent(int64_t utime, const MessageEvent& event);
   void AnswerControlsRequest(int64_t utime);
   std::vector<std::string> VehiclesNamed(const std::string& name) const;
 
@@ -54,10 +55,10 @@ class DirectorApp : public Director {
   StatusLog log_;
   Judge judge_;
   KeptControls controls_;
-  bool controls_wanted_ = false;  ///< Somebody has asked since the last step.
+  bool controls_wanted_ = false;  ///< They were requested since the last step.
   comms_fates_t fates_message_;   ///< Decoded into; keeps its strings' memory.
   size_t next_event_ = 0;
-  /// Messages that are handled now were said in this step; absent before the first.
+  /// Messages that are handled now were published in this step; absent before the first.
   std::optional<int64_t> last_utime_;
 };
 

@@ -59,13 +59,13 @@ class DirectorTest : public testing::Test {
               [this](const unc_controls_t& controls) { kept_.push_back(controls); });
   }
   void Note(const std::string& text, int64_t utime) {
-    heard_.push_back(std::to_string((utime - mission_.start_utime) / 1000) + " " + text);
+    received_.push_back(std::to_string((utime - mission_.start_utime) / 1000) + " " + text);
   }
   DirectorApp& Director() {
     if (!director_) director_.emplace(mission_, director_bus_);
     return *director_;
   }
-  /// Lets the director handle what was said in the step before, and takes a step.
+  /// Lets the director handle what was published in the step before, and takes a step.
   void Step() {
     Director();
     hub_.NextStep();
@@ -78,12 +78,12 @@ class DirectorTest : public testing::Test {
     hub_.HandleAll();
     Director().End();
   }
-  void SayNav(const std::string& name, double x_m) {
+  void PublishNav(const std::string& name, double x_m) {
     nav_t nav = {};
     nav.x_m = x_m;
     Publish(fleet_, channels::Nav(name), nav);
   }
-  void SayControl(const std::string& rule, const std::string& vehicle, double value) {
+  void PublishControl(const std::string& rule, const std::string& vehicle, double value) {
     unc_control_t control = {};
     control.vehicle = vehicle;
     control.value = value;
@@ -105,8 +105,9 @@ class DirectorTest : public testing::Test {
     }
     return lines;
   }
-  void SayFate(const std::string& source, const std::string& destination, const std::string& cause,
-               const std::string& kind = "report", int32_t count = 1) {
+  void PublishFate(const std::string& source, const std::string& destination,
+                   const std::string& cause, const std::string& kind = "report",
+                   int32_t count = 1) {
     comms_fates_t message = {};
     fate_t fate = {};
     fate.kind = kind;
@@ -125,12 +126,12 @@ class DirectorTest : public testing::Test {
   Bus& fleet_ = hub_.Join("fleet");
   std::optional<DirectorApp> director_;
   int64_t step_ = 0;
-  std::vector<std::string> heard_;
+  std::vector<std::string> received_;
   std::vector<std::pair<std::string, node_message_t>> messages_;
   std::vector<unc_controls_t> kept_;
 };
 
-TEST_F(DirectorTest, SaysEachEventOnceInTheFirstStepAtOrAfterItsTime) {
+TEST_F(DirectorTest, PublishesEachEventOnceInTheFirstStepAtOrAfterItsTime) {
   mission_.events = {
       Command(0, "alpha", "deploy"),
       {.at_s = 0.3, .what = RuleEvent{.rule = "comms_range", .vehicle = "", .value = 50}},
@@ -138,27 +139,27 @@ TEST_F(DirectorTest, SaysEachEventOnceInTheFirstStepAtOrAfterItsTime) {
       Command(99, "alpha", "park"),
   };
   for (int i = 0; i < 10; ++i) Step();
-  EXPECT_EQ(heard_, (std::vector<std::string>{"0 alpha deploy ", "300 UNC_COMMS_RANGE 50",
-                                              "400 bravo sim pause"}));
+  EXPECT_EQ(received_, (std::vector<std::string>{"0 alpha deploy ", "300 UNC_COMMS_RANGE 50",
+                                                 "400 bravo sim pause"}));
 }
 
-TEST_F(DirectorTest, SaysEventsOfOneTimeInTheMissionsOrder) {
+TEST_F(DirectorTest, PublishesEventsOfOneTimeInTheMissionsOrder) {
   mission_.events = {
       Command(0.1, "alpha", "task", "b"),
       Command(0.1, "alpha", "task", "a"),
   };
   for (int i = 0; i < 4; ++i) Step();
-  EXPECT_EQ(heard_, (std::vector<std::string>{"100 alpha task b", "100 alpha task a"}));
+  EXPECT_EQ(received_, (std::vector<std::string>{"100 alpha task b", "100 alpha task a"}));
 }
 
-TEST_F(DirectorTest, SaysWhatIsForAllToEachVehicle) {
+TEST_F(DirectorTest, PublishesWhatIsForAllToEachVehicle) {
   mission_.events = {Command(0, "all", "return")};
   Step();
   Step();
-  EXPECT_EQ(heard_, (std::vector<std::string>{"0 alpha return ", "0 bravo return "}));
+  EXPECT_EQ(received_, (std::vector<std::string>{"0 alpha return ", "0 bravo return "}));
 }
 
-TEST_F(DirectorTest, SaysEachRuleOnItsChannel) {
+TEST_F(DirectorTest, PublishesEachRuleOnItsChannel) {
   for (const ControlRow& row : ControlTable()) {
     const auto number = static_cast<double>(mission_.events.size() + 1);
     mission_.events.push_back(
@@ -168,13 +169,13 @@ TEST_F(DirectorTest, SaysEachRuleOnItsChannel) {
                            .value = row.type == ControlType::kRequest ? 0.0 : 1.0}});
   }
   for (size_t i = 0; i < ControlTable().size() + 2; ++i) Step();
-  ASSERT_EQ(heard_.size(), ControlTable().size());
-  EXPECT_EQ(heard_[0], "100 UNC_COMMS_RANGE 1");
-  EXPECT_EQ(heard_[2], "300 UNC_STEALTH alpha 1");
-  EXPECT_EQ(heard_.back(), "1500 UNC_FULL_REPORT_REQ alpha 0");
+  ASSERT_EQ(received_.size(), ControlTable().size());
+  EXPECT_EQ(received_[0], "100 UNC_COMMS_RANGE 1");
+  EXPECT_EQ(received_[2], "300 UNC_STEALTH alpha 1");
+  EXPECT_EQ(received_.back(), "1500 UNC_FULL_REPORT_REQ alpha 0");
 }
 
-TEST_F(DirectorTest, SaysMessagesForTheirVehiclesAndLeavesAcksToThem) {
+TEST_F(DirectorTest, PublishesMessagesForTheirVehiclesAndLeavesAcksToThem) {
   MessageEvent plain;
   plain.src_node = "alpha";
   plain.dest_node = "bravo:charlie";
@@ -212,10 +213,10 @@ TEST_F(DirectorTest, KeepsTheLastControlOfEachRuleAndVehicleForABrokerThatAsks) 
       {.at_s = 0.1, .what = RuleEvent{.rule = "full_report", .vehicle = "alpha", .value = 0}}};
   Step();
   EXPECT_EQ(AskForControls(), std::vector<std::string>{});
-  SayControl("comms_range", "", 300);
-  SayControl("stealth", "bravo", 0.25);
-  SayControl("stealth", "BRAVO", 0.75);
-  SayControl("comms_range", "", 250);
+  PublishControl("comms_range", "", 300);
+  PublishControl("stealth", "bravo", 0.25);
+  PublishControl("stealth", "BRAVO", 0.75);
+  PublishControl("comms_range", "", 250);
   Step();
   EXPECT_EQ(AskForControls(),
             (std::vector<std::string>{"UNC_COMMS_RANGE  250", "UNC_STEALTH alpha 0.5",
@@ -225,7 +226,7 @@ TEST_F(DirectorTest, KeepsTheLastControlOfEachRuleAndVehicleForABrokerThatAsks) 
 TEST_F(DirectorTest, WarnsOfControlsThatItHasNoRoomFor) {
   Step();
   for (size_t i = 0; i < KeptControls::kMost + 2; ++i) {
-    SayControl("stealth", fmt::format("v{}", i), 0.5);
+    PublishControl("stealth", fmt::format("v{}", i), 0.5);
   }
   Step();
   EXPECT_EQ(AskForControls().size(), KeptControls::kMost);
@@ -235,11 +236,11 @@ TEST_F(DirectorTest, WarnsOfControlsThatItHasNoRoomFor) {
 
 TEST_F(DirectorTest, CountsFatesByKindAndByHowManyTheyAre) {
   Step();
-  SayFate("alpha", "bravo", "delivered", "message");
-  SayFate("alpha", "bravo", "out_of_range", "ack");
-  SayFate("alpha", "*", "out_of_range", "report", 998);
-  SayFate("alpha", "*", "out_of_range", "report", -5);
-  SayFate("alpha", "bravo", "delivered", "rumour");
+  PublishFate("alpha", "bravo", "delivered", "message");
+  PublishFate("alpha", "bravo", "out_of_range", "ack");
+  PublishFate("alpha", "*", "out_of_range", "report", 998);
+  PublishFate("alpha", "*", "out_of_range", "report", -5);
+  PublishFate("alpha", "bravo", "delivered", "rumour");
   Step();
   constexpr int kAll = FateCounts::kAll;
   EXPECT_EQ(Director().fates(Kind::kMessage).CountOffered(kAll, kAll), 1);
@@ -250,10 +251,10 @@ TEST_F(DirectorTest, CountsFatesByKindAndByHowManyTheyAre) {
 
 TEST_F(DirectorTest, CountsDeliveredAndBlockedReports) {
   Step();
-  SayFate("alpha", "bravo", "delivered");
-  SayFate("alpha", "bravo", "out_of_range");
-  SayFate("bravo", "alpha", "out_of_range");
-  SayFate("bravo", "alpha", "delivered", "message");
+  PublishFate("alpha", "bravo", "delivered");
+  PublishFate("alpha", "bravo", "out_of_range");
+  PublishFate("bravo", "alpha", "out_of_range");
+  PublishFate("bravo", "alpha", "delivered", "message");
   Step();
   EXPECT_EQ(Director().num_delivered(), 1);
   EXPECT_EQ(Director().num_blocked(), 2);
@@ -266,18 +267,18 @@ TEST_F(DirectorTest, JudgesByTheStepInWhichAVehicleWasThere) {
        .what = ArrivalExpectation{
            .vehicle = "alpha", .point_m = Eigen::Vector2d(100, 0), .within_m = 1, .by_s = 0.2}}};
   Step();
-  SayNav("alpha", 0);
+  PublishNav("alpha", 0);
   Step();
   EXPECT_FALSE(Director().Passed());
   Step();
-  SayNav("alpha", 100);  // Said in the step of 0.2 s, heard in that of 0.3 s.
+  PublishNav("alpha", 100);  // Published in the step of 0.2 s, received in that of 0.3 s.
   Step();
   EXPECT_TRUE(Director().Passed());
   EXPECT_NE(Director().Summary(true).find("there at 0.2 s"), std::string::npos)
       << Director().Summary(true);
 }
 
-TEST_F(DirectorTest, MindsWhatWasSaidInTheLastStep) {
+TEST_F(DirectorTest, JudgesWhatWasPublishedInTheLastStep) {
   mission_.expectations = {
       {.where = "x.toml:1",
        .what = ArrivalExpectation{.vehicle = "alpha", .point_m = Eigen::Vector2d(100, 0)}},
@@ -285,9 +286,9 @@ TEST_F(DirectorTest, MindsWhatWasSaidInTheLastStep) {
        .what = HelmExpectation{.vehicle = "alpha", .state = "PARK", .task = ""}},
   };
   Step();
-  SayNav("alpha", 0);
+  PublishNav("alpha", 0);
   Step();
-  SayNav("alpha", 100);
+  PublishNav("alpha", 100);
   helm_state_t helm = {};
   helm.state = "PARK";
   Publish(fleet_, channels::HelmState("alpha"), helm);
@@ -299,9 +300,9 @@ TEST_F(DirectorTest, MindsWhatWasSaidInTheLastStep) {
 
 TEST_F(DirectorTest, StandsNonsense) {
   Step();
-  SayNav("alpha", std::numeric_limits<double>::quiet_NaN());
+  PublishNav("alpha", std::numeric_limits<double>::quiet_NaN());
   fleet_.PublishBytes("COMMS_FATES", {});
-  SayFate(std::string(100'000, 'x'), "", "made up");
+  PublishFate(std::string(100'000, 'x'), "", "made up");
   Step();
   EXPECT_EQ(director_bus_.counters().undecodable, 1);
   EXPECT_EQ(Director().num_blocked(), 1);

@@ -14,7 +14,7 @@ namespace shoal {
 
 class KeptControls {
  public:
-  /// A stranger who makes names up must not fill the memory.
+  /// An unregistered participant that makes names up must not fill the memory.
   static constexpr size_t kMost = 10'000;
 
   /// Keeps `control` in place of the one before of its rule and vehicle, names without regard to

@@ -40,7 +40,7 @@ TEST(KeptControls, AreTheLastOfEachRuleAndVehicleInOrder) {
                                       "UNC_STEALTH BRAVO 0.75"}));
 }
 
-TEST(KeptControls, AreNoneThatTheBrokerRefusesOrObeysOnce) {
+TEST(KeptControls, AreNoneThatTheBrokerRefusesOrExecutesOnce) {
   KeptControls controls;
   EXPECT_TRUE(Keep(controls, "drop_percentage", "", 50));
   EXPECT_TRUE(Keep(controls, "drop_percentage", "", 101));

@@ -58,7 +58,7 @@ TEST(Simulation, LetsVesselsReceiveReportsOnlyWithinRange) {
   while (simulation.Step()) {
   }
   EXPECT_TRUE(simulation.Passed()) << simulation.Summary();
-  EXPECT_GT(simulation.num_blocked(), 0) << "at first they are 100 m apart, with 80 m to hear";
+  EXPECT_GT(simulation.num_blocked(), 0) << "at first they are 100 m apart, with a range of 80 m";
 }
 
 TEST(Simulation, CountsAFatePerReportAndDestination) {

@@ -26,7 +26,8 @@ Vehicle Auv(const std::string& name, const StartPose& start, const decltype(Task
   return vehicle;
 }
 
-/// All vehicles of a mission, each with its helm and its simulator. What they said last is here.
+/// All vehicles of a mission, each with its helm and its simulator. What they published last is
+/// here.
 class Loop {
  public:
   struct Seen {

@@ -53,7 +53,7 @@ class Page {
     listenToKeys(this);
   }
 
-  /** Begins with the mission that `setup` tells of. */
+  /** Begins with the mission that `setup` describes. */
   begin(setup) {
     this.setup = setup;
     setCauses(setup.causes);

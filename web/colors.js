@@ -1,6 +1,6 @@
 // The colours of the map and of the panels. The palette is that of Okabe and Ito (2008), which
-// colour-blind people can tell apart; every colour is made light enough for the dark theme, or dark
-// enough for the light one.
+// colour-blind people can distinguish; every colour is made light enough for the dark theme, or
+// dark enough for the light one.
 
 import {namedColors} from './color_names.js';
 

@@ -18,7 +18,7 @@ const kMostUnsent = 20;
 /** The words of an order to go to a place. */
 export const gotoWords = ({x, y}) => ['goto', x.toFixed(1), y.toFixed(1)];
 
-/** What a command's state and reason say, in words. */
+/** A command's state and reason in words. */
 export function commandWords({state, reason}) {
   const why = reason ? `: ${clip(reason, 300)}` : '';
   return `${kSigns[state] ?? '?'} ${state}${why}`;
@@ -168,7 +168,7 @@ export class Commands {
     const forms = (ofVehicle) => this.ruleFields
       .filter((field) => field.of_vehicle === ofVehicle).map(({form}) => form);
     this.factorsOf = element('h4');
-    return element('section', {class: 'rules'}, element('h3', {}, 'Rules of the broker'),
+    return element('section', {class: 'rules'}, element('h3', {}, 'Communication rules'),
       this.#button('nolimit', 'Comms range: no limit', 'every vehicle receives every other',
         () => this.send('comms_range', ['nolimit'])),
       ...forms(false), this.factorsOf, ...forms(true));

@@ -6,7 +6,7 @@ import {circleTouchesBox, pulseTriangle} from './geometry.js';
 
 // More pulses than this are drawn paler, the more the paler: else they would hide each other.
 const kCrowd = 60;
-// Edges cost more time than what they enclose: so many messages have one, the newest.
+// Edges cost more time than what they enclose: at most this many messages have one, the newest.
 const kMostEdges = 30;
 
 export function drawPulses(ctx, camera, theme, pulses) {

@@ -1,5 +1,5 @@
-// What the vehicles are at (waypoints, legs, where they steer for), and how far they hear and are
-// heard.
+// What the vehicles are at (waypoints, legs, where they steer for), and how far they send and
+// receive.
 
 import {vehicleColor} from './colors.js';
 import {finite, isNumber} from './geometry.js';
@@ -115,24 +115,24 @@ export function drawTargets(ctx, camera, theme, vehicles, selected) {
   ctx.globalAlpha = 1;
 }
 
-/** Returns {heard_m, hears_m, critical_m} of a vehicle; null for what has no limit. */
+/** Returns {sends_m, receives_m, critical_m} of a vehicle; null for what has no limit. */
 export function rangesOf(rules, name) {
   const factor = rules?.factors?.[name];
   const range_m = finite(rules?.comms_range_m, -1);
   const limit_m = (scale) => range_m < 0 ? null : range_m * finite(scale, 1);
   const critical_m = finite(rules?.critical_range_m, 0);
-  return {heard_m: limit_m(factor?.stealth), hears_m: limit_m(factor?.earange),
+  return {sends_m: limit_m(factor?.stealth), receives_m: limit_m(factor?.earange),
     critical_m: critical_m > 0 ? critical_m : null};
 }
 
-/** Draws how far each is heard; of the selected also how far it hears (dashed). */
+/** Draws how far each sends; of the selected also how far it receives (dashed). */
 export function drawRanges(ctx, camera, theme, vehicles, rules, selected) {
   if (!rules) return;
   for (const vehicle of vehicles) {
     if (vehicle.x === null) continue;
     const [sx, sy] = [camera.sx(vehicle.x), camera.sy(vehicle.y)];
     const chosen = vehicle.name === selected;
-    const {heard_m, hears_m, critical_m} = rangesOf(rules, vehicle.name);
+    const {sends_m, receives_m, critical_m} = rangesOf(rules, vehicle.name);
     ctx.strokeStyle = vehicleColor(vehicle.name, vehicle.color, theme.light);
     const circle = (radius_m, opacity, width, dash) => {
       if (radius_m === null) return;
@@ -143,12 +143,12 @@ export function drawRanges(ctx, camera, theme, vehicles, rules, selected) {
       addCircle(ctx, camera, sx, sy, radius_m / camera.metresPerPixel);
       ctx.stroke();
     };
-    circle(heard_m, chosen ? 0.95 : 0.42, chosen ? 2 : 1.1, []);
+    circle(sends_m, chosen ? 0.95 : 0.42, chosen ? 2 : 1.1, []);
     circle(critical_m, chosen ? 0.7 : 0.3, 0.8, []);
     if (!chosen) continue;
-    circle(hears_m, 0.9, 1.6, [9, 6]);
-    nameCircle(ctx, camera, theme, sx, sy, heard_m, `heard within ${text(heard_m)}`, -1);
-    nameCircle(ctx, camera, theme, sx, sy, hears_m, `hears within ${text(hears_m)}`, 1);
+    circle(receives_m, 0.9, 1.6, [9, 6]);
+    nameCircle(ctx, camera, theme, sx, sy, sends_m, `sends within ${text(sends_m)}`, -1);
+    nameCircle(ctx, camera, theme, sx, sy, receives_m, `receives within ${text(receives_m)}`, 1);
   }
   ctx.setLineDash([]);
   ctx.globalAlpha = 1;

@@ -9,10 +9,10 @@ import {kFont} from './draw_theme.js';
 export const kLeastLength = 18;
 // A line ahead shows where a vehicle will be after so long.
 const kAhead_s = 10;
-// Nearer to the truth than this, the reported position is not told apart.
+// Nearer to the truth than this, the reported position is not shown beside it.
 const kApart = 7;
 
-// Hulls, one long, bow toward +x, centred; broader than the real ones, to be told apart when small.
+// Hulls, one long, bow toward +x, centred; broader than the real ones, to be clear when small.
 const kHulls = {
   kayak: 'M.5 0C.3 .17-.25 .2-.5 0C-.25-.2.3-.17.5 0Z',
   mokai: 'M.5 0C.35 .2 .1 .24-.2 .24L-.46 .18L-.46-.18L-.2-.24C.1-.24 .35-.2 .5 0Z',

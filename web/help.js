@@ -1,4 +1,4 @@
-// The keys of the page: one table for what they do and for the sheet that tells of them.
+// The keys of the page: one table for what they do and for the sheet that shows them.
 
 import {element} from './dom.js';
 
@@ -45,7 +45,7 @@ const kActions = new Map(kKeys.flatMap(({actions}) => Object.entries(actions)));
 const kMovesInLists = /^(Arrow|Home|End|Page)/;
 
 /**
- * Returns what a pressed key asks for, or null: nothing while somebody types in a field, and no
+ * Returns what a pressed key asks for, or null: nothing while a user types in a field, and no
  * key that the element which has the focus uses itself.
  */
 export function actionOf({key, ctrlKey, metaKey, altKey, target}) {
@@ -81,8 +81,8 @@ export function fillHelp(dialog) {
     ['hollow, dashed line', 'where its last report puts it, with the age of the report'],
     ['widening beam', 'on its way from its sender to its receiver: a report (orange) or a '
       + 'message (blue, broken edge)'],
-    ['growing ring (6)', 'a packet in the water, acknowledgements green; flashes on arrival'],
-    ['circle (4)', 'how far it is heard: comms range × its stealth; broken: how far it hears'],
+    ['growing ring (6)', 'a packet in transit, acknowledgements green; flashes on arrival'],
+    ['circle (4)', 'how far it sends: comms range × its stealth; broken: how far it receives'],
     ['octagon', 'all-stop'],
     ['grey, “stale”', 'no report for longer than the broker accepts'],
     ['✓  ✗  ≈', 'delivered, kept back or lost, damaged'],

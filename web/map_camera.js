@@ -4,7 +4,7 @@ import {clamp, clipSegment, isNumber} from './geometry.js';
 
 const kLeastScale = 0.005;
 const kMostScale = 5000;
-// So much of the lower edge belongs to the scale bar and the pointer's place.
+// The height of the lower edge that belongs to the scale bar and the pointer's place.
 const kScaleBar = 44;
 // No mission goes farther from its origin (docs/mission_file.md).
 const kReach_m = 2e6;

@@ -1,5 +1,5 @@
 // Mouse, pen and fingers on the map: drag pans, wheel and pinch zoom, a click without a drag is a
-// click. What any of it means is told to `actions`:
+// click. Calls `actions` for each:
 //   pan(dx, dy), zoom(factor, sx, sy), click(sx, sy), hover(sx, sy), leave(),
 //   press(sx, sy) -> true where the drag is not to pan, dragged(sx, sy), released(sx, sy, moved)
 

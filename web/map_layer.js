@@ -4,8 +4,8 @@
 
 const kMargin = 96;
 const kRest_ms = 140;
-// While the view moves the picture is drawn anew so often, on a slow machine once in so many
-// frames; meanwhile its edge may be seen.
+// While the view moves the picture is drawn anew at this interval, on a slow machine once in this
+// many frames; meanwhile its edge may be seen.
 const kMoving_ms = 250;
 const kMovingFrames = 8;
 

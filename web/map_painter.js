@@ -14,7 +14,7 @@ import {MapLayer, Motion} from './map_layer.js';
 const kTrails_ms = 3000;
 // Many vehicles turn to another waypoint at any time.
 const kTasks_ms = 300;
-// On a slow machine once in so many frames.
+// On a slow machine once in this many frames.
 const kPulses_ms = 200;
 const kPulsesFrames = 6;
 const kFewPulses = 40;
@@ -60,7 +60,7 @@ export class MapPainter {
     this.changed();
   }
 
-  /** Has to be told when other layers are to be seen. */
+  /** To be called when other layers are to be seen. */
   changed() { ++this.#version; }
 
   /**

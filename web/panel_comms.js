@@ -10,7 +10,7 @@ export class CommsPanel {
   constructor(page, root) {
     this.page = page;
     root.replaceChildren();
-    const part = element('section', {}, element('h3', {}, 'Who hears whom'));
+    const part = element('section', {}, element('h3', {}, 'Links'));
     root.append(part);
     this.matrix = new LinkMatrix(part, (from, to) => page.openLink(from, to));
     this.link = new LinkPanel(page, root, () => page.openLink(null, null));

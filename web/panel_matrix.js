@@ -1,30 +1,30 @@
-// Who hears whom: a table with a row for each sender and a column for each receiver.
+// The links: a table with a row for each sender and a column for each receiver.
 
 import {element, setAttribute, setText} from './dom.js';
 import {age, ratio} from './text.js';
 
-const kCompactFrom = 9;  // So many vehicles leave a cell room for one sign,
+const kCompactFrom = 9;  // From this many vehicles on a cell has room for one sign,
 const kSmallFrom = 18;   // a small one in a narrow panel,
 const kTinyFrom = 31;    // or in any.
 
-/** What one cell says. `link` is of /api/links, or null where no fate is known. */
+/** What one cell shows. `link` is of /api/links, or null where no fate is known. */
 export function cellWords(link, t) {
   if (!link) {
     const words = 'nothing was sent';
-    return {state: 'unknown', sign: '·', ratio: '', heard: '', words, title: words};
+    return {state: 'unknown', sign: '·', ratio: '', received: '', words, title: words};
   }
-  const heard = link.last_heard_s === null ? 'never heard'
-    : `heard ${age(t - link.last_heard_s)} ago`;
+  const received = link.last_heard_s === null ? 'never received'
+    : `received ${age(t - link.last_heard_s)} ago`;
   const share = ratio(link.delivered, link.offered);
-  const words = link.hears ? 'hears' : 'does not hear';
+  const words = link.hears ? 'receives' : 'does not receive';
   return {
-    state: link.hears ? 'hears' : 'deaf',
+    state: link.hears ? 'receives' : 'deaf',
     sign: link.hears ? '✓' : '✗',
     ratio: share,
-    heard: link.last_heard_s === null ? 'never' : age(t - link.last_heard_s),
+        received: link.last_heard_s === null ? 'never' : age(t - link.last_heard_s),
     words,
     title: `${words}; ${link.delivered} of ${link.offered} `
-        + `delivered (${share}), ${heard}; last: ${link.text}`,
+        + `delivered (${share}), ${received}; last: ${link.text}`,
   };
 }
 
@@ -46,15 +46,15 @@ export class LinkMatrix {
     if (joined !== this.shownNames) this.#build(names);
     this.shownNames = joined;
     const byKey = new Map((links.links ?? []).map((link) => [`${link.from}>${link.to}`, link]));
-    let hearing = 0;
+    let receiving = 0;
     for (const [key, cell] of this.cells) {
       const link = byKey.get(key) ?? null;
-      if (link?.hears) ++hearing;
+      if (link?.hears) ++receiving;
       this.#show(cell, cellWords(link, links.t));
     }
     const all = names.length * (names.length - 1);
-    setText(this.count, all === 0 ? 'One vehicle: nobody to hear it.'
-      : `${hearing} of ${all} links hear now. Rows send, columns receive.`);
+    setText(this.count, all === 0 ? 'One vehicle: no link.'
+      : `${receiving} of ${all} links deliver now. Rows send, columns receive.`);
     this.choose(chosen);
   }
 
@@ -85,14 +85,14 @@ export class LinkMatrix {
   #cell(from, to, compact) {
     const sign = element('b', {'aria-hidden': 'true'});
     const share = compact ? null : element('span');
-    const heard = compact ? null : element('small');
-    const cell = {sign, share, heard, from, to};
+    const received = compact ? null : element('small');
+    const cell = {sign, share, received, from, to};
     // Thousands of tooltips that change every second would cost too much: a small cell gets its own
-    // when somebody points at it.
+    // when the pointer is on it.
     const explain = () => setAttribute(cell.button, 'title', cell.title ?? null);
     cell.button = element('button', {type: 'button', 'data-cell': `${from}>${to}`,
       onclick: () => this.onLink(from, to), onpointerenter: explain, onfocus: explain},
-    sign, share ? ' ' : null, share, heard);
+    sign, share ? ' ' : null, share, received);
     this.cells.set(`${from}>${to}`, cell);
     return cell.button;
   }
@@ -101,9 +101,9 @@ export class LinkMatrix {
     setText(cell.sign, shown.sign);
     if (cell.share) {
       setText(cell.share, shown.ratio);
-      setText(cell.heard, shown.heard);
+      setText(cell.received, shown.received);
     }
-    setAttribute(cell.button, 'data-hears', shown.state);
+    setAttribute(cell.button, 'data-receives', shown.state);
     cell.title = `${cell.from} to ${cell.to}: ${shown.title}`;
     const isOpen = cell.button.matches(':hover, :focus');
     if (!this.compact || isOpen) setAttribute(cell.button, 'title', cell.title);

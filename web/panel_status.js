@@ -29,14 +29,14 @@ export class StatusPanel {
     this.place = element('div', {id: 'status'});
     this.list = new KeyedList(this.place, (app) => this.#page(app));
     root.replaceChildren(element('section', {},
-      element('h3', {}, 'What the processes say of themselves'),
+      element('h3', {}, 'Status pages of the processes'),
       element('label', {class: 'filters', hidden: page.isRecorded},
         'Show only those with ', this.filter),
       this.note, this.place));
     this.poller = new Poller(1000, () => this.#ask());
     if (page.isRecorded) {
-      setText(this.note, 'A recorded mission has no status pages: processes send them only while '
-        + 'somebody looks, and logs leave them out. Look at them in a running mission.');
+      setText(this.note, 'A recorded mission has no status pages: processes send them only while ' +
+        'a viewer asks, and logs leave them out. Look at them in a running mission.');
     } else {
       setText(this.note, 'Asking the processes …');
     }

@@ -1,4 +1,4 @@
-// Whom a vehicle hears, and what it knows of its swarm.
+// From which vehicles a vehicle receives, and what it knows of its swarm.
 
 import {element, KeyedList, setText} from './dom.js';
 import {age, clip, missionTime, quantity} from './text.js';
@@ -8,7 +8,7 @@ export function contactWords(contact) {
   const notes = [];
   if (contact.target) notes.push('target');
   if (contact.silent) notes.push('silent');
-  if (!contact.heard) notes.push('never heard itself');
+  if (!contact.heard) notes.push('never received itself');
   for (const way of contact.recovered ?? []) notes.push(`recovered: ${way}`);
   return notes.join(', ');
 }
@@ -16,49 +16,49 @@ export function contactWords(contact) {
 /** Both as tables. */
 export class SwarmTables {
   constructor(onVehicle) {
-    this.hears = element('p', {class: 'dim'});
-    this.heard = element('tbody');
-    this.heardList = new KeyedList(this.heard, (name) => heardRow(name, onVehicle));
-    this.said = element('p', {class: 'dim'});
+    this.note = element('p', {class: 'dim'});
+    this.received = element('tbody');
+    this.receivedList = new KeyedList(this.received, (name) => receivedRow(name, onVehicle));
+    this.sent = element('p', {class: 'dim'});
     this.contacts = element('tbody');
     this.contactList = new KeyedList(this.contacts, (name) => contactRow(name));
     this.swarm = element('section', {id: 'swarm', hidden: true},
-      element('h4', {}, 'What it knows of its swarm'), this.said,
+      element('h4', {}, 'What it knows of its swarm'), this.sent,
       element('table', {class: 'plain'}, element('thead', {}, element('tr', {},
         ['Vehicle', 'Age', 'x, y (m), depth', 'Notes'].map((label) =>
           element('th', {scope: 'col'}, label)))), this.contacts));
-    this.root = element('div', {}, element('h4', {}, 'Whom it hears'), this.hears,
-      element('table', {id: 'hears', class: 'plain'}, this.heard), this.swarm);
+    this.root = element('div', {}, element('h4', {}, 'It receives from'), this.note,
+      element('table', {id: 'receives', class: 'plain'}, this.received), this.swarm);
   }
 
   clear() {
     this.heardList.clear();
     this.contactList.clear();
     this.swarm.hidden = true;
-    setText(this.hears, '');
+    setText(this.note, '');
   }
 
   /** @param answer  of /api/vehicle */
-  update({t, hears, swarm}) {
+  update({t, hears: links, swarm}) {
     const now = Array.isArray(t) && t.length > 0 ? t[t.length - 1] : null;
-    const heard = Array.isArray(hears) ? hears : [];
-    setText(this.hears, heard.length === 0 ? 'Nobody, now.' : '');
-    this.heardList.sync(heard.map((item) => ({...item, now})), ({name}) => name);
+    const received = Array.isArray(links) ? links : [];
+    setText(this.note, received.length === 0 ? 'No vehicle, now.' : '');
+    this.receivedList.sync(received.map((item) => ({...item, now})), ({name}) => name);
     this.swarm.hidden = !swarm;
     if (!swarm) return;
-    setText(this.said, `As of ${missionTime(swarm.t)}; it has said ${swarm.said} messages itself.`);
+    setText(this.sent, `As of ${missionTime(swarm.t)}; it has sent ${swarm.said} messages itself.`);
     this.contactList.sync(swarm.contacts ?? [], ({name}) => name);
   }
 }
 
-function heardRow(name, onVehicle) {
+function receivedRow(name, onVehicle) {
   const when = element('td');
   const root = element('tr', {}, element('th', {scope: 'row'}, element('button',
     {type: 'button', class: 'link', onclick: () => onVehicle(name)}, name)), when);
   return {
     root,
-    update: ({last_heard_s: heard, now}) => setText(when, heard === null || now === null
-      ? 'never' : `${age(now - heard)} ago`),
+    update: ({last_heard_s: last, now}) => setText(when, last === null || now === null
+      ? 'never' : `${age(now - last)} ago`),
   };
 }
 

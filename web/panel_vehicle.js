@@ -33,7 +33,7 @@ export function reportAge(vehicle, t) {
   return vehicle.report && Number.isFinite(vehicle.report.t) ? t - vehicle.report.t : null;
 }
 
-/** What it does: the mode that it reports, or what its helm says. */
+/** What it does: the mode that it reports, or the state of its helm. */
 export function modeOf(vehicle) {
   if (vehicle.mode) return vehicle.mode;
   return vehicle.helm ? `${vehicle.helm.state} ${vehicle.helm.task}`.trim() : '';

@@ -1,9 +1,9 @@
-// Asks the viewer again and again while somebody looks at the answer; not in a hidden tab.
+// Asks the viewer again and again while the answer is shown; not in a hidden tab.
 
 export class Poller {
   /**
    * @param interval_ms  from one question to the next
-   * @param ask  async; a RequestError is dropped: the page's top line tells of lost connections
+   * @param ask  async; a RequestError is dropped: the page's top line shows lost connections
    * @param key  names what would be asked: the same as before is not asked again; null: always ask
    */
   constructor(interval_ms, ask, key = () => null, now = () => performance.now()) {

@@ -1,7 +1,7 @@
 // Questions to the viewer, and the stream of its frames.
 
 const kTimeout_ms = 5000;
-const kAnswerEvery_ms = 3000;  // How often a page tells the shared stream that it is still there.
+const kAnswerEvery_ms = 3000;  // How often a page shows the shared stream that it is there.
 
 /** What went wrong with a request: `status` is that of HTTP, 0 where there was no answer. */
 export class RequestError extends Error {
@@ -18,7 +18,7 @@ export class Requests {
     this.fetchFrom = fetchFrom;
   }
 
-  /** Asks for JSON. Throws a RequestError that says what went wrong. */
+  /** Asks for JSON. Throws a RequestError that states what went wrong. */
   get(path, query = {}, timeout_ms = kTimeout_ms) {
     return this.#ask(this.address(path, query), {}, timeout_ms);
   }

@@ -14,7 +14,7 @@ const kFirstBackoff_ms = 250;
 const kLongestBackoff_ms = 2000;
 const kSetupTimeout_ms = 2000;
 const kRequestEvery_ms = 33;
-const kBeginsAgain_s = 1;       // A mission time so much earlier is that of another mission.
+const kBeginsAgain_s = 1;       // A time earlier by more than this is of another mission.
 
 /** Is `frame` of another mission than `before`? Only /api/setup knows for sure. */
 export function mayBeAnotherMission(before, frame) {
@@ -59,7 +59,7 @@ export class LiveSource {
 
   /** Counts silence as a lost connection; for a timer. */
   watch() {
-    if (this.stream && this.now() - this.heard_ms > kSilence_ms) this.#lose('no news');
+    if (this.stream && this.now() - this.received_ms > kSilence_ms) this.#lose('no news');
   }
 
   /** Mission time is not asked for: it is now. */
@@ -68,7 +68,7 @@ export class LiveSource {
   }
 
   #listen() {
-    this.heard_ms = this.now();
+    this.received_ms = this.now();
     const stream = {};
     this.stream = stream;
     const token = this.requests.token;
@@ -83,7 +83,7 @@ export class LiveSource {
   }
 
   #take(text) {
-    this.heard_ms = this.now();
+    this.received_ms = this.now();
     let frame = null;
     try {
       frame = tidyFrame(JSON.parse(text));

@@ -6,12 +6,12 @@
 
 const kSilence_ms = 15000;  // A page that answered no frame for so long has gone.
 
-const streams = new Map();  // address -> {events, pages: Map of port -> when it was last heard}
+const streams = new Map();  // address -> {events, pages: Map of port -> when it last answered}
 
-function tell(stream, message) {
+function send(stream, message) {
   const now = Date.now();
-  for (const [port, heard] of stream.pages) {
-    if (now - heard > kSilence_ms) stream.pages.delete(port);
+  for (const [port, last] of stream.pages) {
+    if (now - last > kSilence_ms) stream.pages.delete(port);
     else port.postMessage(message);
   }
 }
@@ -24,11 +24,11 @@ function closeStream(address) {
 function openStream(address) {
   const stream = {events: new EventSource(address), pages: new Map()};
   stream.events.onmessage = (event) => {
-    tell(stream, {data: event.data});
+    send(stream, {data: event.data});
     if (stream.pages.size === 0) closeStream(address);
   };
   stream.events.onerror = () => {
-    tell(stream, {failed: true});
+    send(stream, {failed: true});
     if (streams.get(address) === stream) closeStream(address);
     stream.events.close();
   };

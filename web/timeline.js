@@ -5,7 +5,7 @@ import {eventSign} from './panel_events.js';
 import {isGrave, kSpeeds, neighbourEvent} from './source.js';
 import {clip, missionTime, words} from './text.js';
 
-const kMarks = 400;  // More cannot be told apart on a screen.
+const kMarks = 400;  // More cannot be distinguished on a screen.
 
 /**
  * Chooses which events have a mark: all grave ones first, at most `limit`, spread over the list.

@@ -33,7 +33,7 @@ export function clockWords(clock) {
   return state + factor + wanted;
 }
 
-/** What the page says across the map, or "". */
+/** The text across the map, or "". */
 export function bannerWords(clock, connection, reason) {
   if (connection === 'lost') {
     return `Connection lost (${clip(reason, 200)}). Trying again; the page goes on by itself.`;
@@ -49,7 +49,7 @@ export function bannerWords(clock, connection, reason) {
     }
     case 'paused': return 'Paused.';
     case 'ended': return 'The mission has ended; this is how it ended.';
-    case 'silent': return 'The launcher has said nothing for three seconds: is it stopped?';
+    case 'silent': return 'The launcher has been silent for three seconds: is it stopped?';
     case 'lost': return 'The launcher has gone without an end; this is the last that was seen.';
     default: return '';
   }

@@ -19,7 +19,7 @@ export class ViewKeeper {
     document.documentElement.className = theme ?? 'dark';
   }
 
-  /** The view is another one than the address says. */
+  /** The view is another one than the address shows. */
   changed() {
     this.dirty = true;
   }

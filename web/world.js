@@ -7,7 +7,7 @@
 //   const {t, vehicles} = world.at(performance.now());   // what to draw now
 //
 // Live, the page is one frame behind: it moves from the frame before the last to the last while it
-// waits for the next. Recorded (setup.mode), frames come for any time, to and fro; setTime says
+// waits for the next. Recorded (setup.mode), frames come for any time, to and fro; setTime sets
 // which time is shown.
 
 import {clamp, finite, isNumber, mix, mixDegrees} from './geometry.js';
@@ -163,7 +163,7 @@ export class World {
 
   /**
    * Returns the acoustic packets to be seen at `t`: {x, y, kind, source, outer_m, inner_m, opacity,
-   * flashes: [{name, cause, opacity}]}. A live viewer hears of a packet when it has arrived, so its
+   * flashes: [{name, cause, opacity}]}. A live viewer knows of a packet when it has arrived, so its
    * rings start then.
    */
   rings(t) {

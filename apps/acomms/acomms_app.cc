@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "apps/acomms/swarm_bytes.h"
 #include "apps/acomms/swarm_setup.h"
-#include "apps/acomms/swarm_speech.h"
 #include "lib/check/check.h"
 #include "lib/mission/swarm_plan.h"
 #include "lib/run/own_nav.h"

@@ -84,9 +84,9 @@ swarm_contact_t SwarmWriter::WriteContact(const SwarmContact& contact, bool is_t
   swarm_contact_t written{};
   written.name = NameOfId(contact.id);
   written.is_target = is_target;
-  written.is_heard = contact.is_heard;
+  written.is_heard = contact.has_reported;
   written.is_known = IsUsable(contact);
-  const int64_t heard_us = contact.is_heard ? contact.arrived_us : 0;
+  const int64_t heard_us = contact.has_reported ? contact.arrived_us : 0;
   written.heard_utime = start_utime_ + heard_us;
   written.is_silent = utime - written.heard_utime > silent_after_us_;
   if (const auto found = recovered_.find(contact.id); found != recovered_.end()) {

@@ -105,7 +105,7 @@ void HelmApp::OnNav(const nav_t& nav) {
 }
 
 void HelmApp::OnCommand(const helm_command_t& command) {
-  Obey(ReadOrder(command.command, command.argument, command.values), "");
+  Execute(ReadOrder(command.command, command.argument, command.values), "");
 }
 
 void HelmApp::OnNodeMessage(const node_message_t& message) {
@@ -113,12 +113,12 @@ void HelmApp::OnNodeMessage(const node_message_t& message) {
   const Result<HelmOrder> order = message.is_double != 0
                                       ? Result<HelmOrder>(Error{"a number is no order"})
                                       : ReadOrderText(message.string_val);
-  Obey(order, message.src_node);
+  Execute(order, message.src_node);
 }
 
-void HelmApp::Obey(const Result<HelmOrder>& order, std::string_view from) {
+void HelmApp::Execute(const Result<HelmOrder>& order, std::string_view from) {
   const std::string sender = from.empty() ? "" : fmt::format(" of {}", Printable(from));
-  const std::string refusal = order.ok() ? states_.Obey(*order) : order.error();
+  const std::string refusal = order.ok() ? states_.Execute(*order) : order.error();
   if (!refusal.empty()) {
     ++num_refused_;
     const std::string text = fmt::format("HELM_COMMAND{} refused: {}", sender, refusal);

@@ -44,7 +44,7 @@ class HelmApp : public App {
   /// A HELM_COMMAND that another vehicle, or the shore in its name, sent as a node message.
   void OnNodeMessage(const node_message_t& message);
   /// Does what was read of an order. `from` is shown; empty: HELM_COMMAND itself.
-  void Obey(const Result<HelmOrder>& order, std::string_view from);
+  void Execute(const Result<HelmOrder>& order, std::string_view from);
   void OnNodeReport(const node_report_t& report);
   bool WatchNav(int64_t utime);
   void PublishState(int64_t utime);

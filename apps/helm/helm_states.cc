@@ -26,7 +26,7 @@ HelmStates::HelmStates(const Vehicle& vehicle)
       lost_nav_reason_(fmt::format("no NAV for {:.1f} s", vehicle.helm_options.nav_timeout_s)),
       parked_(true) {
   if (vehicle.helm_options.deploy_at_start) {
-    [[maybe_unused]] const std::string refusal = Obey({.kind = OrderKind::kDeploy});
+    [[maybe_unused]] const std::string refusal = Execute({.kind = OrderKind::kDeploy});
   }
 }
 
@@ -47,7 +47,7 @@ const Task* HelmStates::task() const {
   return current == nullptr ? nullptr : &current->task;
 }
 
-std::string HelmStates::Obey(const HelmOrder& order) {
+std::string HelmStates::Execute(const HelmOrder& order) {
   switch (order.kind) {
     case OrderKind::kAllStop:
       stopped_by_command_ = true;

@@ -42,7 +42,7 @@ class HelmStates {
   explicit HelmStates(const Vehicle& vehicle);
 
   /// Obeys `order`, or returns why not and changes nothing. An empty text: obeyed.
-  [[nodiscard]] std::string Obey(const HelmOrder& order);
+  [[nodiscard]] std::string Execute(const HelmOrder& order);
 
   /// Advances to the time of `fix`. Without a fix nothing moves on; `nav_is_lost` says that this
   /// has lasted too long.

@@ -31,7 +31,7 @@ TEST_F(HelmStatesTest, IsParkedUntilDeployed) {
   EXPECT_EQ(TaskName(helm_), "");
   EXPECT_FALSE(helm_.guidance().has_value());
 
-  EXPECT_EQ(helm_.Obey(Order(OrderKind::kDeploy)), "");
+  EXPECT_EQ(helm_.Execute(Order(OrderKind::kDeploy)), "");
   helm_.Advance(At(0, 0), false);
   EXPECT_EQ(helm_.mode(), HelmMode::kDrive);
   EXPECT_EQ(helm_.all_stop(), "clear");
@@ -40,57 +40,57 @@ TEST_F(HelmStatesTest, IsParkedUntilDeployed) {
 }
 
 TEST_F(HelmStatesTest, GoesOnWithTheListWhereItWasParked) {
-  EXPECT_EQ(helm_.Obey(Order(OrderKind::kDeploy)), "");
+  EXPECT_EQ(helm_.Execute(Order(OrderKind::kDeploy)), "");
   helm_.Advance(At(0, 0, 0), false);
   helm_.Advance(At(0, 99, 60), false);
   EXPECT_EQ(helm_.guidance()->waypoint_index, 1);
 
-  EXPECT_EQ(helm_.Obey(Order(OrderKind::kPark)), "");
+  EXPECT_EQ(helm_.Execute(Order(OrderKind::kPark)), "");
   helm_.Advance(At(0, 99, 61), false);
   EXPECT_EQ(helm_.all_stop(), "parked");
-  EXPECT_EQ(helm_.Obey(Order(OrderKind::kDeploy)), "");
+  EXPECT_EQ(helm_.Execute(Order(OrderKind::kDeploy)), "");
   helm_.Advance(At(0, 99, 62), false);
   EXPECT_EQ(helm_.guidance()->waypoint_index, 1);
 }
 
 TEST_F(HelmStatesTest, StandsStillAfterAllStopUntilResume) {
-  EXPECT_EQ(helm_.Obey(Order(OrderKind::kDeploy)), "");
+  EXPECT_EQ(helm_.Execute(Order(OrderKind::kDeploy)), "");
   helm_.Advance(At(0, 0), false);
-  EXPECT_EQ(helm_.Obey(Order(OrderKind::kAllStop)), "");
+  EXPECT_EQ(helm_.Execute(Order(OrderKind::kAllStop)), "");
   helm_.Advance(At(0, 1), false);
   EXPECT_EQ(helm_.mode(), HelmMode::kAllStop);
   EXPECT_EQ(helm_.all_stop(), "all_stop command");
   EXPECT_FALSE(helm_.guidance().has_value());
   EXPECT_EQ(TaskName(helm_), "survey");
 
-  EXPECT_EQ(helm_.Obey(Order(OrderKind::kResume)), "");
+  EXPECT_EQ(helm_.Execute(Order(OrderKind::kResume)), "");
   helm_.Advance(At(0, 2), false);
   EXPECT_EQ(helm_.mode(), HelmMode::kDrive);
   EXPECT_EQ(TaskName(helm_), "survey");
 }
 
 TEST_F(HelmStatesTest, RefusesOrdersToMoveDuringAnAllStopByCommand) {
-  EXPECT_EQ(helm_.Obey(Order(OrderKind::kDeploy)), "");
-  EXPECT_EQ(helm_.Obey(Order(OrderKind::kAllStop)), "");
+  EXPECT_EQ(helm_.Execute(Order(OrderKind::kDeploy)), "");
+  EXPECT_EQ(helm_.Execute(Order(OrderKind::kAllStop)), "");
   for (const OrderKind kind : {OrderKind::kDeploy, OrderKind::kReturn, OrderKind::kStationKeep,
                                OrderKind::kGoto, OrderKind::kSpeed, OrderKind::kTask}) {
-    EXPECT_NE(helm_.Obey(Order(kind)), "");
+    EXPECT_NE(helm_.Execute(Order(kind)), "");
     EXPECT_EQ(helm_.mode(), HelmMode::kAllStop);
   }
-  EXPECT_EQ(helm_.Obey(Order(OrderKind::kPark)), "");
+  EXPECT_EQ(helm_.Execute(Order(OrderKind::kPark)), "");
   EXPECT_EQ(helm_.mode(), HelmMode::kPark);
 }
 
 TEST_F(HelmStatesTest, IsParkedAgainAfterAnAllStopInPark) {
-  EXPECT_EQ(helm_.Obey(Order(OrderKind::kAllStop)), "");
+  EXPECT_EQ(helm_.Execute(Order(OrderKind::kAllStop)), "");
   EXPECT_EQ(helm_.mode(), HelmMode::kAllStop);
-  EXPECT_EQ(helm_.Obey(Order(OrderKind::kResume)), "");
+  EXPECT_EQ(helm_.Execute(Order(OrderKind::kResume)), "");
   EXPECT_EQ(helm_.mode(), HelmMode::kPark);
-  EXPECT_NE(helm_.Obey(Order(OrderKind::kResume)), "");
+  EXPECT_NE(helm_.Execute(Order(OrderKind::kResume)), "");
 }
 
 TEST_F(HelmStatesTest, StopsWithoutNavAndGoesOnByItself) {
-  EXPECT_EQ(helm_.Obey(Order(OrderKind::kReturn)), "");
+  EXPECT_EQ(helm_.Execute(Order(OrderKind::kReturn)), "");
   helm_.Advance(At(0, 0), false);
   helm_.Advance(std::nullopt, true);
   EXPECT_EQ(helm_.mode(), HelmMode::kAllStop);
@@ -101,7 +101,7 @@ TEST_F(HelmStatesTest, StopsWithoutNavAndGoesOnByItself) {
 }
 
 TEST_F(HelmStatesTest, KeepsStationHereWhenTheListEndsAndStartsItAgainWhenDeployed) {
-  EXPECT_EQ(helm_.Obey({.kind = OrderKind::kTask, .task = "circle"}), "");
+  EXPECT_EQ(helm_.Execute({.kind = OrderKind::kTask, .task = "circle"}), "");
   helm_.Advance(At(0, 30, 0), false);
   EXPECT_EQ(TaskName(helm_), "circle");
   helm_.Advance(At(0, 30, 61), false);
@@ -111,7 +111,7 @@ TEST_F(HelmStatesTest, KeepsStationHereWhenTheListEndsAndStartsItAgainWhenDeploy
   EXPECT_EQ(TaskName(helm_), "end_of_tasks");
   EXPECT_EQ(helm_.guidance()->waypoint_m, Eigen::Vector2d(0, 30));
 
-  EXPECT_EQ(helm_.Obey(Order(OrderKind::kDeploy)), "");
+  EXPECT_EQ(helm_.Execute(Order(OrderKind::kDeploy)), "");
   helm_.Advance(At(0, 30, 62), false);
   EXPECT_EQ(TaskName(helm_), "survey");
 }
@@ -120,14 +120,14 @@ TEST_F(HelmStatesTest, KeepsStationAtOnceWithAnEmptyList) {
   Vehicle vehicle = TestVehicle();
   vehicle.tasks.clear();
   HelmStates helm(vehicle);
-  EXPECT_EQ(helm.Obey(Order(OrderKind::kDeploy)), "");
+  EXPECT_EQ(helm.Execute(Order(OrderKind::kDeploy)), "");
   helm.Advance(At(3, 4), false);
   EXPECT_EQ(TaskName(helm), "end_of_tasks");
   EXPECT_EQ(helm.guidance()->speed_mps, 0);
 }
 
 TEST_F(HelmStatesTest, GoesToAPointAndKeepsStationThere) {
-  EXPECT_EQ(helm_.Obey({.kind = OrderKind::kGoto, .point_m = {50, 60}}), "");
+  EXPECT_EQ(helm_.Execute({.kind = OrderKind::kGoto, .point_m = {50, 60}}), "");
   helm_.Advance(At(0, 0, 0), false);
   EXPECT_EQ(TaskName(helm_), "goto");
   EXPECT_EQ(KindOf(*helm_.task()), "waypoints");
@@ -139,41 +139,41 @@ TEST_F(HelmStatesTest, GoesToAPointAndKeepsStationThere) {
 }
 
 TEST_F(HelmStatesTest, GoesOnWithTheListAfterAnInterruption) {
-  EXPECT_EQ(helm_.Obey(Order(OrderKind::kDeploy)), "");
+  EXPECT_EQ(helm_.Execute(Order(OrderKind::kDeploy)), "");
   helm_.Advance(At(0, 0, 0), false);
   helm_.Advance(At(0, 99, 60), false);
-  EXPECT_EQ(helm_.Obey(Order(OrderKind::kStationKeep)), "");
+  EXPECT_EQ(helm_.Execute(Order(OrderKind::kStationKeep)), "");
   helm_.Advance(At(7, 8, 61), false);
   EXPECT_EQ(helm_.guidance()->waypoint_m, Eigen::Vector2d(7, 8));
-  EXPECT_EQ(helm_.Obey(Order(OrderKind::kDeploy)), "");
+  EXPECT_EQ(helm_.Execute(Order(OrderKind::kDeploy)), "");
   helm_.Advance(At(7, 8, 62), false);
   EXPECT_EQ(TaskName(helm_), "survey");
   EXPECT_EQ(helm_.guidance()->waypoint_index, 1);
 }
 
 TEST_F(HelmStatesTest, SailsAtTheOrderedSpeedUntilTheNextTask) {
-  EXPECT_NE(helm_.Obey({.kind = OrderKind::kSpeed, .speed_mps = 3}), "");
-  EXPECT_EQ(helm_.Obey(Order(OrderKind::kDeploy)), "");
-  EXPECT_EQ(helm_.Obey({.kind = OrderKind::kSpeed, .speed_mps = 3}), "");
+  EXPECT_NE(helm_.Execute({.kind = OrderKind::kSpeed, .speed_mps = 3}), "");
+  EXPECT_EQ(helm_.Execute(Order(OrderKind::kDeploy)), "");
+  EXPECT_EQ(helm_.Execute({.kind = OrderKind::kSpeed, .speed_mps = 3}), "");
   helm_.Advance(At(0, 0, 0), false);
   EXPECT_EQ(helm_.guidance()->speed_mps, 3);
-  EXPECT_EQ(helm_.Obey(Order(OrderKind::kDeploy)), "");
+  EXPECT_EQ(helm_.Execute(Order(OrderKind::kDeploy)), "");
   helm_.Advance(At(0, 0, 1), false);
   EXPECT_EQ(helm_.guidance()->speed_mps, 3);
-  EXPECT_EQ(helm_.Obey({.kind = OrderKind::kTask, .task = "circle"}), "");
+  EXPECT_EQ(helm_.Execute({.kind = OrderKind::kTask, .task = "circle"}), "");
   helm_.Advance(At(0, 0, 2), false);
   EXPECT_EQ(helm_.guidance()->speed_mps, 1.5);
 }
 
 TEST_F(HelmStatesTest, DoesNotSetAKeptStationInMotionByASpeed) {
-  EXPECT_EQ(helm_.Obey(Order(OrderKind::kStationKeep)), "");
-  EXPECT_EQ(helm_.Obey({.kind = OrderKind::kSpeed, .speed_mps = 3}), "");
+  EXPECT_EQ(helm_.Execute(Order(OrderKind::kStationKeep)), "");
+  EXPECT_EQ(helm_.Execute({.kind = OrderKind::kSpeed, .speed_mps = 3}), "");
   helm_.Advance(At(0, 0, 0), false);
   EXPECT_EQ(helm_.guidance()->speed_mps, 0);
 }
 
 TEST_F(HelmStatesTest, ChangesNothingForATaskThatIsNotThere) {
-  EXPECT_EQ(helm_.Obey({.kind = OrderKind::kTask, .task = "nowhere"}),
+  EXPECT_EQ(helm_.Execute({.kind = OrderKind::kTask, .task = "nowhere"}),
             "task: there is no task 'nowhere'");
   EXPECT_EQ(helm_.mode(), HelmMode::kPark);
 }

@@ -7,9 +7,9 @@
 namespace shoal {
 
 namespace {
-/// LCM says this to itself when a process joins a bus.
+/// LCM sends this to itself when a process joins a bus.
 constexpr std::string_view kLcmSelfTest = "LCM_SELF_TEST";
-/// Anybody may speak on any number of channels; the page is to stay a page.
+/// Any program may publish on any number of channels; this bounds the page.
 constexpr size_t kMaxChannelsShown = 500;
 }  // namespace
 

@@ -1,5 +1,5 @@
-// Writes everything that is said on a bus into an LCM event log, in the fixed order, stamped with
-// mission time. In its own process (`shoal run --record`) and in `shoal sim --log`.
+// Writes everything that is published on a bus into an LCM event log, in the fixed order, stamped
+// with mission time. In its own process (`shoal run --record`) and in `shoal sim --log`.
 //
 //   RecorderApp recorder({.path = "mission.lcm", .start_utime = mission.start_utime}, bus);
 //   if (!recorder.error().empty()) ...                  // the file could not be made
@@ -26,7 +26,7 @@ struct RecorderOptions {
 
 class RecorderApp : public App {
  public:
-  /// Makes the log, or empties it; error() tells whether that worked.
+  /// Makes the log, or empties it; error() is empty if that worked.
   RecorderApp(const RecorderOptions& options, Bus& bus);
 
   /// Writes what the step before published, stamped with the time of that step.
@@ -38,8 +38,8 @@ class RecorderApp : public App {
   std::string Fault() const override { return error_; }
   StatusPage Status() const override;
 
-  /// Why the log is not complete, with the remedy; empty: it is. What is said after an error is
-  /// counted and dropped.
+  /// Why the log is not complete, with the remedy; empty: it is. What is published after an error
+  /// is counted and dropped.
   const std::string& error() const { return error_; }
 
  private:

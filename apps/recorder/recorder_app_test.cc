@@ -11,7 +11,7 @@
 namespace shoal {
 namespace {
 
-/// A recorder and somebody who talks, on one bus.
+/// A recorder and a publisher, on one bus.
 class RecorderTest : public ::testing::Test {
  protected:
   RecorderTest()
@@ -28,8 +28,8 @@ class RecorderTest : public ::testing::Test {
     recorder->Tick(utime);
   }
 
-  void Say(const std::string& channel, const Bytes& data = {1}) {
-    talker_.PublishBytes(channel, data);
+  void Publish(const std::string& channel, const Bytes& data = {1}) {
+    publisher_.PublishBytes(channel, data);
   }
 
   /// Returns the log's events as lines "number utime channel size".
@@ -48,18 +48,18 @@ class RecorderTest : public ::testing::Test {
   std::string path_;
   MemoryBus hub_;
   Bus& recorder_bus_ = hub_.Join("recorder");
-  Bus& talker_ = hub_.Join("talker");
+  Bus& publisher_ = hub_.Join("publisher");
 };
 
 TEST_F(RecorderTest, StampsMessagesWithTheStepThatPublishedThem) {
   RecorderApp recorder(Options(), recorder_bus_);
-  Say("EARLY");
+  Publish("EARLY");
   Step(&recorder, 2000);
-  Say("B", {1, 2, 3});
-  Say("A", {});
+  Publish("B", {1, 2, 3});
+  Publish("A", {});
   Step(&recorder, 3000);
   Step(&recorder, 4000);
-  Say("LAST");
+  Publish("LAST");
   hub_.NextStep();
   hub_.HandleAll();
   recorder.End();
@@ -69,7 +69,7 @@ TEST_F(RecorderTest, StampsMessagesWithTheStepThatPublishedThem) {
 
 TEST_F(RecorderTest, HasEveryStepInTheFileWhenItsTickEnds) {
   RecorderApp recorder(Options(), recorder_bus_);
-  Say("A");
+  Publish("A");
   Step(&recorder, 2000);
   EXPECT_EQ(Log(), "0 1000 A 1\n");
 }
@@ -77,7 +77,7 @@ TEST_F(RecorderTest, HasEveryStepInTheFileWhenItsTickEnds) {
 TEST_F(RecorderTest, LeavesOutWhatIsMadeForEyesAndForStepping) {
   RecorderApp recorder(Options(), recorder_bus_);
   for (const char* channel : {"APPCAST", "TICK", "STEP_DONE", "LCM_SELF_TEST", "MINE"})
-    Say(channel);
+    Publish(channel);
   Step(&recorder, 2000);
   EXPECT_EQ(Log(), "0 1000 MINE 1\n");
 }
@@ -86,16 +86,16 @@ TEST_F(RecorderTest, LogsEverythingButLcmsSelfTestWhereAsked) {
   RecorderOptions options = Options();
   options.log_all = true;
   RecorderApp recorder(options, recorder_bus_);
-  for (const char* channel : {"APPCAST", "LCM_SELF_TEST", "MINE"}) Say(channel);
+  for (const char* channel : {"APPCAST", "LCM_SELF_TEST", "MINE"}) Publish(channel);
   Step(&recorder, 2000);
   EXPECT_EQ(Log(), "0 1000 APPCAST 1\n1 1000 MINE 1\n");
 }
 
 TEST_F(RecorderTest, ShowsPathAndCountsPerChannel) {
   RecorderApp recorder(Options(), recorder_bus_);
-  Say("A");
-  Say("A");
-  Say("B");
+  Publish("A");
+  Publish("A");
+  Publish("B");
   Step(&recorder, 2000);
   const StatusPage page = recorder.Status();
   EXPECT_TRUE(page.run_warnings.empty());
@@ -106,12 +106,12 @@ TEST_F(RecorderTest, ShowsPathAndCountsPerChannel) {
       << page.text;
 }
 
-TEST_F(RecorderTest, SaysWhyTheFileCannotBeMade) {
+TEST_F(RecorderTest, ReportsWhyTheFileCannotBeMade) {
   RecorderOptions options = Options();
   options.path = path_ + "/no/such/folder.lcm";
   RecorderApp recorder(options, recorder_bus_);
   EXPECT_NE(recorder.error().find(options.path), std::string::npos);
-  Say("A");
+  Publish("A");
   Step(&recorder, 2000);
   recorder.End();
   EXPECT_NE(recorder.Status().text.find("Dropped:  1 events"), std::string::npos);
@@ -122,10 +122,10 @@ TEST_F(RecorderTest, RemembersThatTheDiskIsFullAndCountsWhatIsDropped) {
   options.path = "/dev/full";
   RecorderApp recorder(options, recorder_bus_);
   EXPECT_EQ(recorder.error(), "");
-  Say("A");
+  Publish("A");
   Step(&recorder, 2000);
   EXPECT_NE(recorder.error().find("/dev/full"), std::string::npos);
-  Say("A");
+  Publish("A");
   Step(&recorder, 3000);
   recorder.End();
   const StatusPage page = recorder.Status();

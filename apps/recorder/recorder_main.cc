@@ -1,4 +1,4 @@
-// The recorder. Hears everything, writes one log in mission time. See recorder --help.
+// The recorder. Subscribes to everything, writes one log in mission time. See recorder --help.
 #include "apps/recorder/recorder_app.h"
 #include "lib/run/run_app.h"
 

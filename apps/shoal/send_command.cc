@@ -46,7 +46,7 @@ struct Sender {
         row.type == ControlType::kRequest ? "" : " = " + ControlWord(row, order.control.value);
     fmt::print("sent {}{}{}; `shoal status shore_broker` shows the rules in force\n", row.channel,
                of, value);
-    if (order.is_stranger) TellOfStranger(scope, order.control.vehicle);
+    if (order.is_unregistered) TellOfStranger(scope, order.control.vehicle);
     return kExitOk;
   }
 

@@ -55,7 +55,7 @@ int SendHelm(LcmBus& bus, const OrderToHelms& order) {
       // Who has no page, as a helm of a user's own, can only show its state.
       const bool is_open = answer.outcome == OrderOutcome::kOpen && answer.before;
       const bool is_refused = answer.outcome == OrderOutcome::kRefused;
-      done = done && !is_open && (is_refused || states.contains(answer.trace.who));
+      done = done && !is_open && (is_refused || states.contains(answer.trace.participant));
     }
     return done;
   };
@@ -64,7 +64,7 @@ int SendHelm(LcmBus& bus, const OrderToHelms& order) {
   bool is_any_refused = false;
   size_t num_silent = 0;
   for (const OrderWatch::Answer& answer : watch.answers()) {
-    const std::string& vehicle = answer.trace.who;
+    const std::string& vehicle = answer.trace.participant;
     if (answer.outcome == OrderOutcome::kRefused) {
       is_any_refused = true;
       fmt::print(stderr, "{} refused: {}\n", vehicle, answer.reason);

@@ -27,7 +27,7 @@ class SimulatedCraft {
   virtual void Reset(const StartPose& pose, const Water& water) = 0;
 
   /// Takes a command. Returns false, and changes nothing, where it holds NaN or infinity.
-  virtual bool Obey(const actuators_t& actuators) = 0;
+  virtual bool Execute(const actuators_t& actuators) = 0;
   /// All actuators to zero.
   virtual void Rest() = 0;
 

@@ -43,7 +43,7 @@ void SimulatedRemus100::Reset(const StartPose& pose, const Water& water) {
   state_.velocity_mps.head<2>() = through_water + water.velocity_mps;
 }
 
-bool SimulatedRemus100::Obey(const actuators_t& actuators) {
+bool SimulatedRemus100::Execute(const actuators_t& actuators) {
   if (!std::isfinite(actuators.rudder_deg) || !std::isfinite(actuators.stern_plane_deg) ||
       !std::isfinite(actuators.propeller_rpm)) {
     return false;

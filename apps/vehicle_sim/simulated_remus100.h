@@ -14,7 +14,7 @@ class SimulatedRemus100 : public SimulatedCraft {
   explicit SimulatedRemus100(const Remus100Options& options);
 
   void Reset(const StartPose& pose, const Water& water) override;
-  bool Obey(const actuators_t& actuators) override;
+  bool Execute(const actuators_t& actuators) override;
   void Rest() override { command_ = {}; }
   void Step(const Water& water, double dt_s) override;
   Eigen::Vector3d position_m() const override { return state_.eta.head<3>(); }

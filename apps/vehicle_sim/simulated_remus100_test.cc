@@ -97,7 +97,7 @@ TEST_P(EveryParameterSet, StartsWhereItIsPut) {
 }
 
 TEST_P(EveryParameterSet, TurnsClockwiseUnderPositiveRudder) {
-  ASSERT_TRUE(auv_.Obey(Command(10, 0, 1200)));
+  ASSERT_TRUE(auv_.Execute(Command(10, 0, 1200)));
   Run(4);
   const nav_t nav = NavOf(auv_);
   EXPECT_GT(WrapPi(DegToRad(nav.heading_deg - 350)), DegToRad(5));
@@ -106,7 +106,7 @@ TEST_P(EveryParameterSet, TurnsClockwiseUnderPositiveRudder) {
 }
 
 TEST_P(EveryParameterSet, RaisesItsBowUnderPositiveSternPlane) {
-  ASSERT_TRUE(auv_.Obey(Command(0, 5, 1200)));
+  ASSERT_TRUE(auv_.Execute(Command(0, 5, 1200)));
   Run(1);
   EXPECT_GT(NavOf(auv_).pitch_rate_degps, 0);
   Run(4);
@@ -117,7 +117,7 @@ TEST_P(EveryParameterSet, RaisesItsBowUnderPositiveSternPlane) {
 }
 
 TEST_P(EveryParameterSet, SaysVelocitiesThatAreItsWayByTheTextbooksAngles) {
-  ASSERT_TRUE(auv_.Obey(Command(8, -3, 1300)));
+  ASSERT_TRUE(auv_.Execute(Command(8, -3, 1300)));
   Run(3);
   nav_t last = NavOf(auv_);
   for (int i = 0; i < 100; ++i) {
@@ -135,7 +135,7 @@ TEST_P(EveryParameterSet, SaysVelocitiesThatAreItsWayByTheTextbooksAngles) {
 }
 
 TEST_P(EveryParameterSet, SaysRatesThatAreItsTurningByTheTextbooksAngles) {
-  ASSERT_TRUE(auv_.Obey(Command(8, -3, 1300)));
+  ASSERT_TRUE(auv_.Execute(Command(8, -3, 1300)));
   double most_roll_rate_degps = 0;
   nav_t last = NavOf(auv_);
   for (int i = 0; i < 100; ++i) {
@@ -165,11 +165,11 @@ TEST_P(EveryParameterSet, SaysRatesThatAreItsTurningByTheTextbooksAngles) {
 TEST_P(EveryParameterSet, RefusesActuatorsThatAreNoNumbersAndKeepsTheLast) {
   SimulatedRemus100 twin({.parameters = GetParam()});
   twin.Reset({.x_m = 5, .y_m = 7, .heading_deg = 350, .speed_mps = 2, .depth_m = 30}, {});
-  ASSERT_TRUE(twin.Obey(Command(5, 2, 1000)));
-  ASSERT_TRUE(auv_.Obey(Command(5, 2, 1000)));
-  EXPECT_FALSE(auv_.Obey(Command(kNan, 0, 0)));
-  EXPECT_FALSE(auv_.Obey(Command(0, kInfinity, 0)));
-  EXPECT_FALSE(auv_.Obey(Command(0, 0, -kInfinity)));
+  ASSERT_TRUE(twin.Execute(Command(5, 2, 1000)));
+  ASSERT_TRUE(auv_.Execute(Command(5, 2, 1000)));
+  EXPECT_FALSE(auv_.Execute(Command(kNan, 0, 0)));
+  EXPECT_FALSE(auv_.Execute(Command(0, kInfinity, 0)));
+  EXPECT_FALSE(auv_.Execute(Command(0, 0, -kInfinity)));
   for (int i = 0; i < 50; ++i) twin.Step({}, kTick_s);
   Run(5);
   EXPECT_EQ(NumbersOf(NavOf(auv_)), NumbersOf(NavOf(twin)));
@@ -191,7 +191,7 @@ RC_GTEST_PROP(SimulatedRemus100, SaysFiniteNumbersWhateverItIsTold, ()) {
              .depth_m = *rc::gen::element(0.0, 20000.0)},
             water);
   for (int i = 0; i < 30; ++i) {
-    if (i % 10 == 0) RC_ASSERT(auv.Obey(Command(any(), any(), any())));
+    if (i % 10 == 0) RC_ASSERT(auv.Execute(Command(any(), any(), any())));
     auv.Step(water, 0.1);
     for (const double number : NumbersOf(NavOf(auv, water))) RC_ASSERT(std::isfinite(number));
   }
@@ -214,7 +214,7 @@ TEST(SimulatedRemus100, CutsATickIntoTheFewestEqualStepsThatAreShortEnough) {
   const auto position_with = [](double model_step_s) -> std::vector<double> {
     SimulatedRemus100 auv({.model_step_s = model_step_s});
     auv.Reset({.speed_mps = 2, .depth_m = 30}, {});
-    EXPECT_TRUE(auv.Obey(Command(10, 0, 1200)));
+    EXPECT_TRUE(auv.Execute(Command(10, 0, 1200)));
     auv.Step({}, kTick_s);
     const Eigen::Vector3d position_m = auv.position_m();
     return {position_m.x(), position_m.y(), position_m.z()};
@@ -238,7 +238,7 @@ TEST(SimulatedRemus100, TellsSpeedThroughTheWaterFromThatOverGround) {
     EXPECT_NEAR(nav.course_over_ground_deg, RadToDeg(std::atan2(0.5, 1.5)), 100 * tolerance);
   };
   expect_triangle(1e-9);
-  ASSERT_TRUE(auv.Obey(Command(0, 0, RpmForSpeed(BuildRemus100({}), 1.5))));
+  ASSERT_TRUE(auv.Execute(Command(0, 0, RpmForSpeed(BuildRemus100({}), 1.5))));
   for (int i = 0; i < 1000; ++i) auv.Step(water, kTick_s);
   expect_triangle(0.02);
 }

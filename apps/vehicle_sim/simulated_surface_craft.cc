@@ -17,7 +17,7 @@ void SimulatedSurfaceCraft::Reset(const StartPose& pose, const Water& water) {
       pose.speed_mps * UnitVector(state_.heading_rad) + water.velocity_mps;
 }
 
-bool SimulatedSurfaceCraft::Obey(const actuators_t& actuators) {
+bool SimulatedSurfaceCraft::Execute(const actuators_t& actuators) {
   if (!std::isfinite(actuators.thrust_pct) || !std::isfinite(actuators.rudder_deg)) return false;
   command_ = {.thrust_pct = actuators.thrust_pct, .rudder_deg = actuators.rudder_deg};
   return true;

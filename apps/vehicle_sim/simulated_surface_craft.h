@@ -13,7 +13,7 @@ class SimulatedSurfaceCraft : public SimulatedCraft {
   explicit SimulatedSurfaceCraft(const SurfaceCraftParams& params) : params_(params) {}
 
   void Reset(const StartPose& pose, const Water& water) override;
-  bool Obey(const actuators_t& actuators) override;
+  bool Execute(const actuators_t& actuators) override;
   void Rest() override { command_ = {}; }
   void Step(const Water& water, double dt_s) override;
   Eigen::Vector3d position_m() const override;

@@ -90,7 +90,7 @@ Water VehicleSimApp::WaterAt(int64_t utime) const {
 
 void VehicleSimApp::OnActuators(const actuators_t& actuators) {
   ++num_actuators_;
-  if (!craft_->Obey(actuators)) {
+  if (!craft_->Execute(actuators)) {
     log_.Warn("ACTUATORS with NaN or infinity refused");
     return;
   }

@@ -1,10 +1,10 @@
-/* One vehicle's end of a talk through the water, in plain C and in step with the mission.
+/* One end of an acoustic ping between two vehicles, in plain C and in step with the mission.
  *
  *   acoustic_ping VEHICLE PERIOD_S       PERIOD_S 0: it only answers
  *
- * Every PERIOD_S it says "ping N" from VEHICLE on ACOUSTIC_TX; to each "ping N" that VEHICLE hears
- * on ACOUSTIC_RX_<VEHICLE> it says "pong N". `shoal run missions/acoustic_ping.toml` starts two of
- * them.
+ * Every PERIOD_S it sends "ping N" from VEHICLE on ACOUSTIC_TX; to each "ping N" that VEHICLE gets
+ * on ACOUSTIC_RX_<VEHICLE> it answers "pong N". `shoal run missions/acoustic_ping.toml` starts two
+ * of them.
  */
 #include <stdio.h>
 #include <stdlib.h>
@@ -24,14 +24,14 @@ static struct {
   char answer[kMaxText]; /* Empty: nothing to answer. */
 } self;
 
-static void say(int64_t utime, char* text) {
+static void send_text(int64_t utime, char* text) {
   const shoal_acoustic_tx_t packet = {.utime = utime,
                                       .source = self.vehicle,
                                       .num_bytes = (int32_t)strlen(text),
                                       .payload = (uint8_t*)text};
   uint8_t bytes[200];
   const int size = shoal_acoustic_tx_t_encode(bytes, 0, sizeof bytes, &packet);
-  step_client_say(self.client, "ACOUSTIC_TX", NULL, bytes, size);
+  step_client_publish(self.client, "ACOUSTIC_TX", NULL, bytes, size);
 }
 
 static void on_packet(const char* channel, const uint8_t* data, int size, void* unused) {
@@ -43,8 +43,8 @@ static void on_packet(const char* channel, const uint8_t* data, int size, void* 
   }
   char text[kMaxText] = ""; /* The payload is bytes: it has no 0 at its end. */
   if (packet.num_bytes < kMaxText) memcpy(text, packet.payload, (size_t)packet.num_bytes);
-  printf("acoustic_ping: t=%.1f s: %s hears %s of %s, after %.2f s\n", (double)packet.utime / 1e6,
-         self.vehicle, text, packet.source,
+  printf("acoustic_ping: t=%.1f s: %s receives %s of %s, after %.2f s\n",
+         (double)packet.utime / 1e6, self.vehicle, text, packet.source,
          (double)(packet.arrived_utime - packet.sent_utime) / 1e6);
   int number;
   if (sscanf(text, "ping %d", &number) == 1) {
@@ -55,14 +55,14 @@ static void on_packet(const char* channel, const uint8_t* data, int size, void* 
 
 static void think(int64_t utime, void* unused) {
   (void)unused;
-  /* One packet per step at most: what is said in one step would collide with itself. */
+  /* One packet per step at most: two packets of one step would collide with each other. */
   if (self.answer[0] != '\0') {
-    say(utime, self.answer);
+    send_text(utime, self.answer);
     self.answer[0] = '\0';
   } else if (self.period_us > 0 && utime >= self.next_ping_utime) {
     char text[kMaxText];
     snprintf(text, sizeof text, "ping %d", self.num_pings++);
-    say(utime, text);
+    send_text(utime, text);
     self.next_ping_utime = utime + self.period_us;
   }
 }
@@ -74,10 +74,10 @@ int main(int argc, char** argv) {
   }
   self.vehicle = argv[1];
   self.period_us = (int64_t)(atof(argv[2]) * 1e6);
-  self.next_ping_utime = self.period_us; /* A vehicle can speak once it has sent a node report. */
+  self.next_ping_utime = self.period_us; /* A vehicle can send once it has reported. */
   setvbuf(stdout, NULL, _IOLBF, 0);
   self.client = step_client_create("acoustic_ping");
-  step_client_hear(self.client, step_client_channel("ACOUSTIC_RX", self.vehicle), self.vehicle,
-                   on_packet, NULL);
+  step_client_subscribe(self.client, step_client_channel("ACOUSTIC_RX", self.vehicle), self.vehicle,
+                        on_packet, NULL);
   return step_client_run(self.client, think, NULL);
 }

@@ -1,8 +1,8 @@
 /* Prints the node reports of a running mission: a listener in plain C that takes no part in
  * stepping and needs nothing but LCM and the message types.
  *
- *   c_listener "$(build/bin/shoal url)"                          what the vehicles say
- *   c_listener "$(build/bin/shoal url bravo)" NODE_REPORT_BRAVO  what bravo hears of the others
+ *   c_listener "$(build/bin/shoal url)"                          what the vehicles publish
+ *   c_listener "$(build/bin/shoal url bravo)" NODE_REPORT_BRAVO  what bravo receives of the others
  */
 #include <lcm/lcm.h>
 #include <stdio.h>
@@ -28,7 +28,7 @@ int main(int argc, char** argv) {
   setvbuf(stdout, NULL, _IOLBF, 0);
   lcm_t* lcm = lcm_create(argv[1]);
   if (lcm == NULL) {
-    fprintf(stderr, "c_listener: cannot open %s; `shoal doctor` tells why\n", argv[1]);
+    fprintf(stderr, "c_listener: cannot open %s; `shoal doctor` shows why\n", argv[1]);
     return 3;
   }
   const char* channel = argc == 3 ? argv[2] : "NODE_REPORT_LOCAL";

@@ -68,7 +68,7 @@ static void think(int64_t utime, void* unused) {
   const shoal_actuators_t command = steer(utime);
   uint8_t bytes[100];
   const int size = shoal_actuators_t_encode(bytes, 0, sizeof bytes, &command);
-  step_client_say(self.client, self.actuators_channel, self.vehicle, bytes, size);
+  step_client_publish(self.client, self.actuators_channel, self.vehicle, bytes, size);
 }
 
 static void usage(void) {
@@ -93,7 +93,7 @@ int main(int argc, char** argv) {
   self.vehicle = argv[1];
   self.actuators_channel = step_client_channel("ACTUATORS", self.vehicle);
   self.client = step_client_create("c_planner");
-  step_client_hear(self.client, step_client_channel("NAV", self.vehicle), self.vehicle, on_nav,
-                   NULL);
+  step_client_subscribe(self.client, step_client_channel("NAV", self.vehicle), self.vehicle, on_nav,
+                        NULL);
   return step_client_run(self.client, think, NULL);
 }

@@ -1,4 +1,4 @@
-/* A vehicle simulator from outside of shoal, in plain C and with nothing but sockets: says over
+/* A vehicle simulator from outside of shoal, in plain C and with nothing but sockets: reports over
  * netsim's interface where its vehicle is, and pings others through a raw modem.
  *
  *   netsim_outsider [ADDRESS [PORT [MODEM_PORT]]]      default: 127.0.0.1 61999 62000
@@ -72,7 +72,8 @@ static void send_base64_line(int s, const message_t* message) {
   if (send(s, line, n, MSG_NOSIGNAL) < 0) perror("position");
 }
 
-/* NetSimManagerRequest{id = 1, nav = 2: NavUpdate{port = 1, time, lat, lon, depth, speed, heading}}. */
+/* NetSimManagerRequest{id = 1, nav = 2: NavUpdate{port = 1, time, lat, lon, depth, speed,
+ * heading}}. */
 static void send_position(int s, int id, int modem_port) {
   message_t nav = {.size = 0};
   put_int(&nav, 1, (uint64_t)modem_port);
@@ -107,13 +108,13 @@ int main(int argc, char** argv) {
   const int manager = connect_to(address, port);
   const int modem = connect_to(address, modem_port);
   if (manager < 0 || modem < 0) {
-    fprintf(stderr, "nobody listens on %s ports %d and %d; is the mission running?\n", address, port,
+    fprintf(stderr, "no connection to %s ports %d and %d; is the mission running?\n", address, port,
             modem_port);
     return 1;
   }
   printf("netsim_outsider: connected\n");
   double next_position = now_s();
-  double next_ping = now_s() + 3; /* A vehicle is heard once it has said where it is. */
+  double next_ping = now_s() + 3; /* Packets need a position first. */
   double pinged = 0;
   int num_positions = 0, num_pings = 0;
   for (;;) {
@@ -140,7 +141,8 @@ int main(int argc, char** argv) {
       const ssize_t n = recv(modem, text, sizeof text - 1, 0);
       if (n <= 0) break;
       if (n > 2) {
-        printf("netsim_outsider: heard %.*s after %.1f s\n", (int)n - 2, text + 2, now_s() - pinged);
+        printf("netsim_outsider: received %.*s after %.1f s\n", (int)n - 2, text + 2,
+               now_s() - pinged);
       }
     }
   }

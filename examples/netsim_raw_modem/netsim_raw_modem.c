@@ -1,7 +1,7 @@
-/* Talks through the water over a raw modem port: says its words, and prints what it hears.
+/* Sends acoustic bytes over a raw modem port: sends its words, and prints what it receives.
  *
- *   netsim_raw_modem 127.0.0.1 62001 hello      says "hello", then listens
- *   netsim_raw_modem 127.0.0.1 62002            only listens
+ *   netsim_raw_modem 127.0.0.1 62001 hello      sends "hello", then receives
+ *   netsim_raw_modem 127.0.0.1 62002            only receives
  */
 #include <arpa/inet.h>
 #include <stdint.h>
@@ -10,8 +10,8 @@
 #include <string.h>
 #include <sys/socket.h>
 
-/* Each piece: two bytes of length, the most significant first, then so many bytes. */
-static int say(int modem, const char* words) {
+/* Each piece: two bytes of length, the most significant first, then the bytes. */
+static int send_words(int modem, const char* words) {
   const size_t length = strlen(words);
   if (length == 0 || length > UINT16_MAX) return 0;
   const uint8_t head[2] = {(uint8_t)(length >> 8), (uint8_t)(length & 0xFF)};
@@ -33,14 +33,14 @@ int main(int argc, char** argv) {
   }
   setvbuf(stdout, NULL, _IOLBF, 0);
   for (int i = 3; i < argc; ++i) {
-    if (!say(modem, argv[i])) return 3;
+    if (!send_words(modem, argv[i])) return 3;
   }
-  static uint8_t heard[UINT16_MAX];
+  static uint8_t received[UINT16_MAX];
   uint8_t head[2];
   while (recv(modem, head, 2, MSG_WAITALL) == 2) {
     const size_t length = (size_t)(head[0] << 8 | head[1]);
-    if (recv(modem, heard, length, MSG_WAITALL) != (ssize_t)length) break;
-    printf("heard %zu bytes: %.*s\n", length, (int)length, (const char*)heard);
+    if (recv(modem, received, length, MSG_WAITALL) != (ssize_t)length) break;
+    printf("received %zu bytes: %.*s\n", length, (int)length, (const char*)received);
   }
   return 0;
 }

@@ -1,10 +1,10 @@
-/* A referee in step with a mission, in plain C: who of a group goes slowly is hard to hear.
+/* A referee in step with a mission, in plain C: a slow vehicle of a group is hard to detect.
  *
  *   referee GROUP SLOW_MPS STEALTH      for example: referee hiders 1.0 0.4
  *
- * It hears the reports of all vehicles at the shore. A vehicle of GROUP (empty: every vehicle) that
- * goes more slowly than SLOW_MPS gets STEALTH, from UNC_STEALTH on; one that does not gets 1 again.
- * `shoal run missions/hide_and_seek.toml` starts it.
+ * It subscribes to the reports of all vehicles at the shore. A vehicle of GROUP (empty: every
+ * vehicle) that goes more slowly than SLOW_MPS gets STEALTH, from UNC_STEALTH on; one that does not
+ * gets 1 again. `shoal run missions/hide_and_seek.toml` starts it.
  */
 #include <stdio.h>
 #include <stdlib.h>
@@ -59,7 +59,7 @@ static void think(int64_t utime, void* unused) {
         .utime = utime, .vehicle = self.vehicles[i].name, .value = self.vehicles[i].stealth};
     uint8_t bytes[100];
     const int size = shoal_unc_control_t_encode(bytes, 0, sizeof bytes, &control);
-    step_client_say(self.client, "UNC_STEALTH", NULL, bytes, size);
+    step_client_publish(self.client, "UNC_STEALTH", NULL, bytes, size);
     printf("referee: t=%.1f s: %s has stealth %g\n", (double)utime / 1e6, self.vehicles[i].name,
            self.vehicles[i].stealth);
   }
@@ -75,6 +75,6 @@ int main(int argc, char** argv) {
   self.reward = atof(argv[3]);
   setvbuf(stdout, NULL, _IOLBF, 0);
   self.client = step_client_create("referee");
-  step_client_hear(self.client, "NODE_REPORT_LOCAL", NULL, on_report, NULL);
+  step_client_subscribe(self.client, "NODE_REPORT_LOCAL", NULL, on_report, NULL);
   return step_client_run(self.client, think, NULL);
 }

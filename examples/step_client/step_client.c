@@ -18,14 +18,14 @@
 #include "step_messages.h"
 
 enum {
-  kMaxChannels = 64,   /* To hear, and to say. */
+  kMaxChannels = 64,   /* To subscribe to, and to publish on. */
   kMaxOutside = 10000, /* Messages from outside the protocol in one step; more are dropped. */
 };
 
 static const int64_t kHelloInterval_ms = 200;
 static const int64_t kRepeatInterval_ms = 50;
 static const int64_t kGiveUpAfter_ms = 3000;
-static const int64_t kLinger_ms = 300; /* After END: the clock may not have heard the answer. */
+static const int64_t kLinger_ms = 300; /* After END: the clock may not have received the answer. */
 typedef struct {
   const char* channel;
   step_client_message_fn on_message;
@@ -75,14 +75,14 @@ static const char* lasting_name(step_client_t* self, const char* channel) {
   return self->names[self->num_names++];
 }
 
-/* ---- one step: take what the step before said, think, publish, answer ---- */
+/* ---- one step: take the messages of the step before, think, publish, answer ---- */
 
 static void send_done(step_client_t* self) {
   shoal_step_done_t_publish(bus_at(&self->buses, self->buses.port_base + 1), "STEP_DONE",
                             &self->done);
 }
 
-/* Who comes in the midst of a mission waits until the clock waits for its answers. */
+/* A participant that joins a running mission waits until the clock waits for its answers. */
 static int takes_part(const step_client_t* self, const shoal_tick_t* tick) {
   if (self->step >= 0 || self->pending != NULL) return 1;
   if (tick->step == 0 || tick->kind == SHOAL_TICK_T_END) return 1;
@@ -135,7 +135,7 @@ static void run_step(step_client_t* self, const shoal_tick_t* tick) {
     message_t* message = &self->waiting.items[i];
     const bool is_from_outside = message->publisher == NULL;
     if (is_from_outside) message->step = tick->step - 1; /* Of the step in which it arrived. */
-    /* What no total announces was said by somebody who was lost. */
+    /* What no total announces was published by a participant that was lost. */
     const bool counts = is_from_outside || find_total(tick, message) != NULL;
     if (message->step == tick->step - 1 && counts) handle(self, message);
   }
@@ -152,7 +152,7 @@ static void run_step(step_client_t* self, const shoal_tick_t* tick) {
   answer(self, tick->utime, tick->step, "");
 }
 
-static bool hears(const step_client_t* self, const char* channel) {
+static bool subscribes(const step_client_t* self, const char* channel) {
   for (int i = 0; i < self->num_subscriptions; ++i) {
     if (strcmp(self->subscriptions[i].channel, channel) == 0) return true;
   }
@@ -166,7 +166,7 @@ static void try_step(step_client_t* self) {
   bool complete = true;
   for (int i = 0; i < tick->num_totals; ++i) {
     const shoal_step_total_t* total = &tick->totals[i];
-    if (!hears(self, total->channel)) continue;
+    if (!subscribes(self, total->channel)) continue;
     if (count_messages(&self->waiting, total->channel, total->publisher, tick->step - 1) >=
         total->count)
       continue;
@@ -204,13 +204,13 @@ static void on_tick(const lcm_recv_buf_t* datagram, const char* channel, const s
   if (tick->mission_id != self->mission_id) {
     ++self->foreign;
   } else if (tick->step == self->step) {
-    send_done(self); /* The clock did not hear the answer. */
+    send_done(self); /* The clock did not receive the answer. */
   } else if (tick->step > self->step && !self->ended && takes_part(self, tick) &&
              (self->pending == NULL || tick->step > self->pending->step)) {
     if (self->pending != NULL) shoal_tick_t_destroy(self->pending);
     self->pending = shoal_tick_t_copy(tick);
     for (int i = 0; self->step < 0 && i < tick->num_totals; ++i) {
-      /* What a process of this name said before is gone with it. */
+      /* What a process of this name published before is gone with it. */
       shoal_step_total_t* total = &self->pending->totals[i];
       if (strcmp(total->publisher, self->name) == 0) total->count = 0;
     }
@@ -248,7 +248,7 @@ static void on_datagram(const lcm_recv_buf_t* datagram, const char* channel, voi
                 (self->step < 0 || message.step <= self->step + 2) &&
                 !holds_message(&self->waiting, &message);
   } else {
-    /* What strangers said before the first tick was said before the mission. */
+    /* What outside programs published before the first tick belongs before the mission. */
     is_wanted =
         (self->step >= 0 || self->pending != NULL) && self->num_outside < (uint32_t)kMaxOutside;
     message.step = INT64_MAX;
@@ -280,10 +280,10 @@ step_client_t* step_client_create(const char* program) {
   return self;
 }
 
-void step_client_hear(step_client_t* self, const char* channel, const char* vehicle,
-                      step_client_message_fn on_message, void* user) {
-  if (self->num_subscriptions == kMaxChannels) die(&self->buses, 2, "too many channels to hear");
-  if (!hears(self, channel)) {
+void step_client_subscribe(step_client_t* self, const char* channel, const char* vehicle,
+                           step_client_message_fn on_message, void* user) {
+  if (self->num_subscriptions == kMaxChannels) die(&self->buses, 2, "too many channels subscribed");
+  if (!subscribes(self, channel)) {
     lcm_subscription_set_queue_capacity(
         lcm_subscribe(bus_of(&self->buses, vehicle), channel, on_datagram, self), 0);
   }
@@ -293,15 +293,17 @@ void step_client_hear(step_client_t* self, const char* channel, const char* vehi
   added->user = user;
 }
 
-void step_client_say(step_client_t* self, const char* channel, const char* vehicle,
-                     const uint8_t* data, int size) {
-  if (!self->in_step) die(&self->buses, 2, "%s: messages are said within a step only", channel);
+void step_client_publish(step_client_t* self, const char* channel, const char* vehicle,
+                         const uint8_t* data, int size) {
+  if (!self->in_step)
+    die(&self->buses, 2, "%s: messages are published within a step only", channel);
   shoal_step_count_t* count = NULL;
   for (int i = 0; i < self->done.num_published; ++i) {
     if (strcmp(self->published[i].channel, channel) == 0) count = &self->published[i];
   }
   if (count == NULL) {
-    if (self->done.num_published == kMaxChannels) die(&self->buses, 2, "too many channels to say");
+    if (self->done.num_published == kMaxChannels)
+      die(&self->buses, 2, "too many channels published");
     count = &self->published[self->done.num_published++];
     count->channel = (char*)lasting_name(self, channel);
     count->count = 0;

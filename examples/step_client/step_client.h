@@ -1,9 +1,10 @@
 /* Takes part in the stepping of a mission, in plain C: LCM and shoal's message types are all that
- * it needs. docs/step_protocol.md tells the rules; this is all of them.
+ * it needs. docs/step_protocol.md has the rules; this is all of them.
  *
  *   step_client_t* client = step_client_create("my_program");     reads the SHOAL_* variables
- *   step_client_hear(client, "NAV_ALPHA", "alpha", on_nav, NULL);
- *   return step_client_run(client, think, NULL);                  think() calls step_client_say()
+ *   step_client_subscribe(client, "NAV_ALPHA", "alpha", on_nav, NULL);
+ *   return step_client_run(client, think, NULL);                  think() calls
+ * step_client_publish()
  *
  * Trouble with the environment ends the process: 2 for a variable that is missing, 3 for LCM.
  */
@@ -17,20 +18,20 @@ typedef struct step_client step_client_t;
 /* Called for each message of the step before, in the fixed order. `data` holds the LCM message. */
 typedef void (*step_client_message_fn)(const char* channel, const uint8_t* data, int size,
                                        void* user);
-/* Called once per step, after its messages. What is said here is heard by others in the next. */
+/* Called once per step, after its messages. Others receive in the next what is published here. */
 typedef void (*step_client_think_fn)(int64_t utime, void* user);
 
 /* `program` begins the lines that it prints. */
 step_client_t* step_client_create(const char* program);
 
-/* Hears a channel that lives in the community of `vehicle`, or at the shore where that is NULL.
- * To be called before step_client_run. */
-void step_client_hear(step_client_t* client, const char* channel, const char* vehicle,
-                      step_client_message_fn on_message, void* user);
+/* Subscribes to a channel that lives in the community of `vehicle`, or at the shore where that is
+ * NULL. To be called before step_client_run. */
+void step_client_subscribe(step_client_t* client, const char* channel, const char* vehicle,
+                           step_client_message_fn on_message, void* user);
 
-/* Says an encoded LCM message. Only from within a step. */
-void step_client_say(step_client_t* client, const char* channel, const char* vehicle,
-                     const uint8_t* data, int size);
+/* Publishes an encoded LCM message. Only from within a step. */
+void step_client_publish(step_client_t* client, const char* channel, const char* vehicle,
+                         const uint8_t* data, int size);
 
 /* Counts a message that did not decode. */
 void step_client_count_undecodable(step_client_t* client);

@@ -43,7 +43,7 @@ class LittleEndianReader {
   /// @pre num_left() >= sizeof(Number)
   template <class Number>
   Number Take() {
-    SHOAL_CHECK(num_left() >= sizeof(Number), "the caller has checked the length");
+    SHOAL_CHECK(num_left() >= sizeof(Number), "at least sizeof(Number) bytes are left");
     std::array<uint8_t, sizeof(Number)> raw;
     for (size_t i = 0; i < sizeof(Number); ++i) {
       const size_t place = std::endian::native == std::endian::big ? sizeof(Number) - 1 - i : i;

@@ -36,7 +36,7 @@ uint8_t NmeaChecksum(std::string_view body) {
 }
 
 std::string NmeaSentence(std::string_view body) {
-  SHOAL_CHECK(body.find_first_of("$*\r\n") == body.npos, "an NMEA body without marks");
+  SHOAL_CHECK(body.find_first_of("$*\r\n") == body.npos, "an NMEA body has no '$', '*', CR or LF");
   return "$" + std::string(body) + "*" + ChecksumText(body) + "\r\n";
 }
 

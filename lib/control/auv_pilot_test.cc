@@ -1,4 +1,4 @@
-// Autopilot and vehicle together, as nobody sees them apart.
+// Autopilot and vehicle in one closed loop.
 #include "lib/control/auv_pilot.h"
 
 #include <gtest/gtest.h>

@@ -21,7 +21,8 @@ bool IsInReach(const Eigen::Vector2d& position_m) {
 }  // namespace
 
 LocalFrame::LocalFrame(const GeoPoint& origin) {
-  SHOAL_CHECK(IsOnEarth(origin), "the mission's origin is a point of the Earth");
+  SHOAL_CHECK(IsOnEarth(origin),
+              "the origin has a latitude within +-90 and a longitude within +-180 degrees");
   plane_.Reset(origin.lat_deg, origin.lon_deg, 0);
 }
 

@@ -43,7 +43,7 @@ class Alos {
   explicit Alos(const AlosParams& params) : params_(params) {}
 
   /// Returns the heading to steer, in (-pi, pi], and adapts the crab angle over `dt_s`. Farther
-  /// from the path than the look-ahead distance the error tells of the approach and not of the
+  /// from the path than the look-ahead distance the error shows the approach and not the
   /// current, and beta_hat stands still: otherwise it winds up and the vessel overshoots.
   /// @pre arguments finite, dt_s >= 0
   double Update(double path_angle_rad, double cross_track_m, double dt_s);

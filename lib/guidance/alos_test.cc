@@ -13,7 +13,8 @@ namespace {
 
 constexpr double kStep_s = 0.1;
 
-// A vessel that points where it is told; returns its position after `duration_s` along `leg`.
+// A vessel that takes the desired heading at once; returns its position after `duration_s` along
+// `leg`.
 Eigen::Vector2d Follow(Alos& alos, const Leg& leg, Eigen::Vector2d position_m, double speed_mps,
                        const Eigen::Vector2d& current_mps, double duration_s) {
   for (double time_s = 0; time_s < duration_s; time_s += kStep_s) {

@@ -113,13 +113,13 @@ Guidance TargetTrackRunner::WaitFor(const Fix& fix) {
   return guidance;
 }
 
-// Who is heard is kept clear of; where those are who have fallen silent too, nobody knows.
+// Keeps clear of the members that still report: the positions of silent ones are unknown.
 void TargetTrackRunner::AvoidOthers(const Surroundings& surroundings, Guidance* guidance) const {
-  std::vector<Neighbour> heard;
-  std::copy_if(surroundings.group.begin(), surroundings.group.end(), std::back_inserter(heard),
+  std::vector<Neighbour> reporting;
+  std::copy_if(surroundings.group.begin(), surroundings.group.end(), std::back_inserter(reporting),
                [](const Neighbour& neighbour) { return !neighbour.is_silent; });
   Surroundings near = surroundings;
-  near.group = heard;
+  near.group = reporting;
   const double u_max_mps = tracker_.params().u_max_mps;
   const Eigen::Vector3d away_mps =
       LayerVelocity(SurvivalOf(tracker_.params().law), u_max_mps, near);

@@ -28,7 +28,7 @@ Fix At(const Eigen::Vector3d& position_m, double time_s, double heading_deg = 0)
           .z_m = position_m.z()};
 }
 
-/// A point that goes exactly where it is told, in steps of a second.
+/// A point that follows its guidance exactly, in steps of a second.
 class Follower {
  public:
   Follower(const TaskRunner::What& what, const Eigen::Vector3d& start_m)
@@ -87,7 +87,7 @@ TEST(PathFollowRunner, PassesItsPointsAndIsDone) {
   EXPECT_EQ(follower.guidance.laps_done, 1);
 }
 
-TEST(PathFollowRunner, GoesOnForEverWhereItIsTold) {
+TEST(PathFollowRunner, GoesOnForEverIfAsked) {
   Follower follower(TwoLegs(PathTaskEnd::kGoOn), {0, 0, 10});
   follower.Run(200);
   EXPECT_FALSE(follower.guidance.done);
@@ -163,9 +163,9 @@ TEST(TargetTrackRunner, StandsStillOnItsHeadingWhileNothingIsKnown) {
   EXPECT_NEAR(RadToDeg(guidance.heading_rad), 70, 1e-9);
   EXPECT_FALSE(guidance.done);
   EXPECT_EQ(guidance.waypoint_index, -1);
-  const Surroundings nobody;
+  const Surroundings empty;
   Fix fix = At({0, 0, 20}, 2, 70);
-  fix.surroundings = &nobody;
+  fix.surroundings = &empty;
   guidance = runner.Update(fix);
   EXPECT_EQ(guidance.speed_mps, 0);
   EXPECT_NEAR(RadToDeg(guidance.heading_rad), 70, 1e-9);
@@ -201,7 +201,7 @@ TEST(TargetTrackRunner, BeginsOnTheCourseThatItHas) {
   EXPECT_NEAR(RadToDeg(runner.Update(fix).heading_rad), 130, 1e-9);
 }
 
-TEST(TargetTrackRunner, TakesTheCurrentOffWhatItWantsOverGroundUnlessTold) {
+TEST(TargetTrackRunner, TakesTheCurrentOffWhatItWantsOverGroundUnlessTurnedOff) {
   Surroundings seen;
   seen.own.position_m = {0, 0, 20};
   seen.target = Neighbour{.id = 1, .position_m = {0, 100, 20}, .velocity_mps = {0, 1.2, 0}};
@@ -254,7 +254,7 @@ TEST(TargetTrackRunner, GoesOnWithThePredictionOfASilentTargetByDefault) {
   EXPECT_GT(follower.Update(true).speed_mps, 0.5);
 }
 
-TEST(TargetTrackRunner, StaysAtItsPlaceAndDepthWhileTheTargetIsSilentIfToldSo) {
+TEST(TargetTrackRunner, StaysAtItsPlaceAndDepthWhileTheTargetIsSilentIfSetSo) {
   SilentLeader follower(SilenceRule::kStationKeep);
   EXPECT_GT(follower.Update(false).speed_mps, 0.5);
   const Guidance there = follower.Update(true);
@@ -265,11 +265,11 @@ TEST(TargetTrackRunner, StaysAtItsPlaceAndDepthWhileTheTargetIsSilentIfToldSo) {
   EXPECT_GT(drifted.speed_mps, 0);
   EXPECT_NEAR(RadToDeg(drifted.heading_rad), 270, 1) << "back to where it was";
   EXPECT_EQ(drifted.z_m, 20);
-  EXPECT_GT(follower.Update(false).speed_mps, 0.5) << "heard again, it follows";
+  EXPECT_GT(follower.Update(false).speed_mps, 0.5) << "the target reports again: it follows";
   EXPECT_EQ(follower.Update(true, {7, 7, 30}).z_m, 30) << "the next silence is another";
 }
 
-TEST(TargetTrackRunner, KeepsClearOfThoseItHearsWhileItStays) {
+TEST(TargetTrackRunner, KeepsClearOfThoseItReceivesWhileItStays) {
   SilentLeader follower(SilenceRule::kStationKeep);
   std::vector<Neighbour> group = {{.id = 2, .position_m = {0, 12, 20}}};
   follower.seen.group = group;
@@ -277,10 +277,10 @@ TEST(TargetTrackRunner, KeepsClearOfThoseItHearsWhileItStays) {
   EXPECT_GT(away.speed_mps, 1);
   EXPECT_NEAR(RadToDeg(away.heading_rad), 180, 1) << "it is North of here";
   group[0].is_silent = true;
-  EXPECT_EQ(follower.Update(true).speed_mps, 0) << "nobody knows where it is";
+  EXPECT_EQ(follower.Update(true).speed_mps, 0) << "its position is unknown";
 }
 
-TEST(TargetTrackRunner, ComesUpOnItsHeadingWhileTheTargetIsSilentIfToldSo) {
+TEST(TargetTrackRunner, ComesUpOnItsHeadingWhileTheTargetIsSilentIfSetSo) {
   SilentLeader follower(SilenceRule::kSurface);
   const Guidance rising = follower.Update(true);
   EXPECT_EQ(rising.z_m, 0);
@@ -289,7 +289,7 @@ TEST(TargetTrackRunner, ComesUpOnItsHeadingWhileTheTargetIsSilentIfToldSo) {
   EXPECT_EQ(follower.Update(true, {60, 20, 0.3}).speed_mps, 0) << "it is up";
 }
 
-RC_GTEST_PROP(AuvTaskRunners, SayFiniteNumbersWhereverTheyAre, ()) {
+RC_GTEST_PROP(AuvTaskRunners, ReturnFiniteNumbersWhereverTheyAre, ()) {
   const auto coordinate = [] {
     return *rc::gen::element(0.0, 1.0, -50.0, 1e6, -1e6, 1e-300, 333.3);
   };

@@ -42,7 +42,8 @@ TEST(DepthSafetyLimit, BrakesAVehicleThatLeavesTheWater) {
 
 TEST(DepthSafetyLimit, WithoutAKnownFloorGoesByTheGreatestDepth) {
   EXPECT_NEAR(Limited(97.5, 0, 1, std::numeric_limits<double>::infinity()), 0.5, 1e-12);
-  EXPECT_DEATH(Limited(97.5, 0, 1, std::numeric_limits<double>::quiet_NaN()), "NaN or infinity");
+  EXPECT_DEATH(Limited(97.5, 0, 1, std::numeric_limits<double>::quiet_NaN()),
+               "inputs of guidance are finite");
 }
 
 TEST(DepthSafetyLimit, ClimbsOverAFloorThatRises) {

@@ -1,9 +1,9 @@
-// Where vehicles will be: what a leader tells of its next waypoint, and what others make of it
-// until they hear again.
+// Where vehicles will be: what a leader reports of its next waypoint, and what others predict from
+// it until its next report.
 //
-//   MotionReport report{.now = {p, v}, .next = PredictAtPoint({p, v}, waypoint_m, {.speed_mps =
-//   2})}; Motion leader = PredictLeader(report, seconds_since_report, {}); Motion member =
-//   PredictMember(last_heard, seconds_since_report);
+//   const Motion next = PredictAtPoint({p, v}, waypoint_m, {.speed_mps = 2});
+//   Motion leader = PredictLeader({.now = {p, v}, .next = next}, seconds_since_report, {});
+//   Motion member = PredictMember(last_report, seconds_since_report);
 //
 // All predictions count from the time stamp of the report, not from its arrival: a packet's delay
 // is part of the elapsed time.

@@ -79,10 +79,10 @@ TEST(PredictMember, KeepsItsVelocity) {
 
 TEST(PredictMember, RefusesWhatIsNoNumber) {
   EXPECT_DEATH((void)PredictMember(kEastbound, std::numeric_limits<double>::infinity()),
-               "NaN or infinity");
+               "inputs of guidance are finite");
 }
 
-// A leader that accelerates as it said it would is where it is predicted to be.
+// A leader that accelerates as it reported is where it is predicted to be.
 RC_GTEST_PROP(PredictLeader, AgreesWithWhatTheLeaderPredictsOfItself, ()) {
   const Vector3d from_m = VectorWithin(300);
   const Vector3d to_m = VectorWithin(300);

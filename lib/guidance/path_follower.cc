@@ -11,7 +11,7 @@ namespace shoal {
 
 PathFollower::PathFollower(PathFollowParams params, const Eigen::Vector3d& position_m)
     : params_(std::move(params)), progress_{.start_m = Plausible(position_m)}, alos_(params_.alos) {
-  SHOAL_CHECK(!params_.path.points_m.empty(), "a path has a waypoint");
+  SHOAL_CHECK(!params_.path.points_m.empty(), "a path has at least one waypoint");
 }
 
 PathGuidance PathFollower::Update(const Eigen::Vector3d& position_m, double dt_s) {

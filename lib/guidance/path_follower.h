@@ -22,7 +22,7 @@ struct PathFollowParams {
   AlosParams alos{.lookahead_m = 10, .crab_gain = 0.0006};
   bool guard_crab = true;        ///< The guards of Alos; false: the bare law, MuNet's.
   bool turn_crab = true;         ///< Alos::TurnBy at a waypoint; false: beta_hat goes on, MuNet's.
-  double speed_mps = 2.0;        ///< Through the water; >= 0.
+  double speed_mps = 2.0;        ///< Through water; >= 0.
   double hold_radius_m = 30;     ///< kHold: comes back from beyond; >= the acceptance radius.
   double surface_depth_m = 0.5;  ///< kSurface: from here up it has surfaced.
 };

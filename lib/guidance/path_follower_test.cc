@@ -172,7 +172,7 @@ TEST(PathFollower, SharesNothingWithItsCopy) {
 
 TEST(PathFollower, RefusesWhatIsNoPosition) {
   PathFollower follower({.path = kSquare}, {0, 0, 10});
-  EXPECT_DEATH(follower.Update({0, std::nan(""), 0}, kStep_s), "NaN or infinity");
+  EXPECT_DEATH(follower.Update({0, std::nan(""), 0}, kStep_s), "inputs of guidance are finite");
 }
 
 RC_GTEST_PROP(PathFollower, GivesFiniteGuidanceForAnyPathAndPosition, ()) {

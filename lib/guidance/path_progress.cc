@@ -35,11 +35,12 @@ double PsiOf(const WaypointPath& path, const PathProgress& progress, size_t inde
 PathLeg CurrentLeg(const WaypointPath& path, PathEnd end, const PathProgress& progress,
                    const Eigen::Vector3d& position_m) {
   const size_t size = path.points_m.size();
-  SHOAL_CHECK(size > 0, "a path has a waypoint");
-  SHOAL_CHECK(progress.previous < size, "progress belongs to this path");
+  SHOAL_CHECK(size > 0, "a path has at least one waypoint");
+  SHOAL_CHECK(progress.previous < size, "progress.previous is a waypoint of this path");
   const bool closes = end == PathEnd::kReturnToFirst && size > 1;
   if (!progress.ended) {
-    SHOAL_CHECK(closes || size == 1 || progress.previous + 1 < size, "a leg has an end");
+    SHOAL_CHECK(closes || size == 1 || progress.previous + 1 < size,
+                "the current leg has a next waypoint");
     PathLeg leg{
         .from_m = Plausible(size == 1 ? progress.start_m : path.points_m[progress.previous]),
         .to_m = Plausible(path.points_m[(progress.previous + 1) % size]),

@@ -56,7 +56,7 @@ struct PathProgress {
 };
 
 /// Past the end, `to_m` of a leg is this far ahead of the vehicle. MuNet has 1e10 m, which a peer
-/// that checks what it hears takes for damage.
+/// that checks received values takes for damage.
 inline constexpr double kOpenEnd_m = 1000;
 
 /// Returns the leg that the vehicle is on. Past the end: from the last waypoint along the last
@@ -76,8 +76,8 @@ struct TrackErrors {
 
 [[nodiscard]] TrackErrors ErrorsOn(const PathLeg& leg, const Eigen::Vector3d& position_m);
 
-/// Tells whether the end of `leg` counts as reached. A leg without length ends where it begins: it
-/// is reached within R, or past the line through that point square to its psi.
+/// Returns whether the end of `leg` counts as reached. A leg without length ends where it begins:
+/// it is reached within R, or past the line through that point square to its psi.
 [[nodiscard]] bool IsReached(const WaypointSwitch& rule, const PathLeg& leg,
                              const Eigen::Vector3d& position_m);
 

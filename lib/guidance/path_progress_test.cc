@@ -116,10 +116,11 @@ TEST(PathLeg, AtTheBeginningWithoutHorizontalLengthLooksAhead) {
 }
 
 TEST(PathLeg, RefusesAnEmptyPathAndWhatIsNoNumber) {
-  EXPECT_DEATH((void)CurrentLeg({}, PathEnd::kGoOn, {}, {0, 0, 0}), "a path has a waypoint");
-  EXPECT_DEATH((void)ErrorsOn(FirstLeg(), {kNan, 0, 0}), "NaN or infinity");
+  EXPECT_DEATH((void)CurrentLeg({}, PathEnd::kGoOn, {}, {0, 0, 0}),
+               "a path has at least one waypoint");
+  EXPECT_DEATH((void)ErrorsOn(FirstLeg(), {kNan, 0, 0}), "inputs of guidance are finite");
   EXPECT_DEATH((void)CurrentLeg({{{kNan, 0, 0}}}, PathEnd::kGoOn, {}, {0, 0, 0}),
-               "NaN or infinity");
+               "inputs of guidance are finite");
 }
 
 RC_GTEST_PROP(TrackErrors, AreThoseOfTheTurnedPath, ()) {

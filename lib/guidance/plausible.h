@@ -12,10 +12,10 @@ namespace shoal {
 /// Beyond this no coordinate (m) or velocity (m/s) goes: arithmetic on it cannot overflow.
 inline constexpr double kLargestCoordinate = 1e12;
 
-/// Returns `value` within +-kLargestCoordinate. @pre finite: what a peer or a sensor says is
-/// checked where it comes in.
+/// Returns `value` within +-kLargestCoordinate. @pre finite: values of peers and sensors are
+/// checked where they come in.
 [[nodiscard]] inline double Plausible(double value) {
-  SHOAL_CHECK(std::isfinite(value), "guidance was given NaN or infinity");
+  SHOAL_CHECK(std::isfinite(value), "inputs of guidance are finite");
   return std::clamp(value, -kLargestCoordinate, kLargestCoordinate);
 }
 

@@ -1,5 +1,5 @@
-// Predictions against MuNet's numbers (tests/golden/munet). Rows in which MuNet is wrong are told
-// apart by the fault that explains them, by its number in the notes on MuNet.
+// Predictions against MuNet's numbers (tests/golden/munet). Rows in which MuNet is wrong are marked
+// with the fault that explains them, by its number in the notes on MuNet.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -9,10 +9,10 @@ namespace shoal {
 
 /// Another vehicle, as it is known now: predicted from its last report, or the truth.
 struct Neighbour {
-  int id = 0;  ///< Unique in a mission: decides who goes where when two vehicles coincide.
+  int id = 0;  ///< Unique in a mission: decides which vehicle goes where when two coincide.
   Eigen::Vector3d position_m = Eigen::Vector3d::Zero();  ///< x East, y North, z down.
   Eigen::Vector3d velocity_mps = Eigen::Vector3d::Zero();
-  bool is_silent = false;  ///< Not heard for so long that the rest is a guess.
+  bool is_silent = false;  ///< No report for so long that the rest is a guess.
 };
 
 /// What one beam of a forward-looking sonar sees.
@@ -21,11 +21,11 @@ struct SonarEcho {
   double range_m = 0;                                    ///< >= 0.
 };
 
-/// Everything finite but where said otherwise. The spans must outlive the call they are given to.
+/// Everything is finite unless stated otherwise. The spans must outlive the call they are given to.
 struct Surroundings {
   Neighbour own = {};
-  std::optional<Neighbour> target = {};   ///< Whom it follows; none: nothing known.
-  bool target_is_silent = false;          ///< Not heard for long; `target` is a guess, or nothing.
+  std::optional<Neighbour> target = {};   ///< The vehicle that it follows; none: nothing known.
+  bool target_is_silent = false;          ///< No report for long; `target` is a guess, or nothing.
   std::span<const Neighbour> group = {};  ///< The others, without the target and itself.
   std::span<const SonarEcho> sonar = {};
   Eigen::Vector3d current_mps = Eigen::Vector3d::Zero();  ///< Of the water, over ground.

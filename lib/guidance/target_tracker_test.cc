@@ -70,8 +70,9 @@ TEST(TargetTracker, SharesNothingWithItsCopy) {
   EXPECT_EQ(other.Update({}).psi_d_rad, 0);
 }
 
-// Followers that move just as they are told, behind a leader on a straight course. Attraction dies
-// out with the third power of the distance to r_outer = 120 m, which is neared and not reached.
+// Followers that follow their guidance exactly, behind a leader on a straight course. Attraction
+// dies out with the third power of the distance to r_outer = 120 m, which is neared and not
+// reached.
 TEST(TargetTracker, FormsUpBehindALeaderAndKeepsEveryDistance) {
   constexpr int kFollowers = 6;
   constexpr double kStep_s = 0.5;

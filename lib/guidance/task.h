@@ -110,7 +110,7 @@ struct PathFollowTask {
 
 /// Where a vehicle's knowledge of its swarm comes from.
 enum class SwarmKnowledge {
-  kDirect,    ///< The truth, a step old: as if every vehicle saw every other.
+  kDirect,    ///< The true state of every vehicle, a step old.
   kAcoustic,  ///< What the acoustic network let through, and what is predicted from that.
 };
 

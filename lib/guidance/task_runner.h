@@ -34,7 +34,7 @@ struct Fix {
 /// What a task asks for, and how far it has come.
 struct Guidance {
   double heading_rad = 0;   ///< [0, 2 pi).
-  double speed_mps = 0;     ///< Through the water, >= 0.
+  double speed_mps = 0;     ///< Through water, >= 0.
   bool done = false;        ///< The task has nothing left to do.
   int waypoint_index = -1;  ///< -1: the task has no waypoints.
   int laps_done = 0;
@@ -165,7 +165,7 @@ class TaskRunner {
 
   TaskRunner(const What& what, const Fix& start);
 
-  /// Returns the guidance at `fix`. Once a task is done it stays done.
+  /// Returns the guidance at `fix`. A task that is done stays done.
   /// @pre fix is finite, times do not decrease
   Guidance Update(const Fix& fix);
 

@@ -34,7 +34,7 @@ TEST(BudgetSum, WithoutABudgetStandsStill) {
   EXPECT_EQ(sum.Velocity_mps(), Vector3d::Zero());
 }
 
-TEST(VelocityCascade, HearsNothingElseWhenANeighbourIsTooNear) {
+TEST(VelocityCascade, IgnoresAllElseWhenANeighbourIsTooNear) {
   TargetScene scene;
   scene.target = {.id = 0, .position_m = {500, 0, 0}, .velocity_mps = {2, 0, 0}};
   scene.group = {{.id = 2, .position_m = {8, 0, 0}}};

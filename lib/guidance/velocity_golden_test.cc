@@ -1,6 +1,6 @@
 // Velocity layers, cascade, constant bearing and depth safety against MuNet's numbers
-// (tests/golden/munet). Rows in which MuNet is wrong are told apart by the fault that explains
-// them, by its number in the notes on MuNet.
+// (tests/golden/munet). Rows in which MuNet is wrong are marked with the fault that explains them,
+// by its number in the notes on MuNet.
 #include <gtest/gtest.h>
 
 #include <cmath>

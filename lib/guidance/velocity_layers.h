@@ -1,4 +1,4 @@
-// The layers of velocity guidance by artificial potential fields: each says how a vehicle should
+// The layers of velocity guidance by artificial potential fields: each returns how a vehicle should
 // move for one reason, and nothing where it has none. A cascade (velocity_cascade.h) weighs them.
 //
 // All radial functions are polynomials of the normalised distance, of degree 3:

@@ -143,7 +143,7 @@ TEST(Layers, RefuseWhatIsNoNumber) {
   TargetScene scene;
   scene.group = {{.id = 2, .position_m = {0, std::numeric_limits<double>::quiet_NaN(), 0}}};
   EXPECT_DEATH((void)LayerVelocity(SurvivalGroupLayer{}, kUMax_mps, scene.Seen()),
-               "NaN or infinity");
+               "inputs of guidance are finite");
 }
 
 }  // namespace

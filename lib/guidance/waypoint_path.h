@@ -1,4 +1,4 @@
-// A path as a list of waypoints in three dimensions, and what can be told of it beforehand.
+// A path as a list of waypoints in three dimensions, and what can be estimated of it beforehand.
 //
 //   WaypointPath path{{{0, 0, 10}, {500, 0, 20}, {500, 500, 20}}};
 //   path = Concatenate(path, RandomPath({.num_waypoints = 3, .start_m = {500, 500, 20}}, stream));

@@ -12,7 +12,7 @@ namespace shoal {
 /// Returns the lines that an .alog begins with. Times count from 0: mission time.
 [[nodiscard]] std::string AlogHeader();
 
-/// Appends a line: the event's time in seconds, the channel as the variable, the app that says
+/// Appends a line: the event's time in seconds, the channel as the variable, the app that publishes
 /// reports on that channel as the source, the report as comma-separated text.
 void AppendAlogLine(int64_t event_utime, std::string_view channel,
                     const shoal::node_report_t& report, std::string* out);

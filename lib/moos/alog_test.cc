@@ -26,7 +26,7 @@ TEST(AppendAlogLine, HasTimeVariableSourceAndValueInColumns) {
   EXPECT_EQ(text.back(), '\n');
 }
 
-TEST(AppendAlogLine, NamesTheAppThatSaysReportsOnTheChannel) {
+TEST(AppendAlogLine, NamesTheAppThatPublishesReportsOnTheChannel) {
   std::string text;
   AppendAlogLine(0, "NODE_REPORT_BRAVO", Report("a"), &text);
   AppendAlogLine(0, "NODE_REPORT", Report("a"), &text);

@@ -23,8 +23,8 @@ struct MoosField {
   bool operator==(const MoosField&) const = default;
 };
 
-/// Returns the fields of `text` in order; keys may come more than once. The error says which field
-/// is wrong and how to write it.
+/// Returns the fields of `text` in order; keys may come more than once. The error names the field
+/// that is wrong and how to write it.
 [[nodiscard]] Result<std::vector<MoosField>> ParseFields(std::string_view text);
 
 /// Appends KEY=VALUE, behind a comma where `out` holds something already: one line of text,

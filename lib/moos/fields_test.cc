@@ -51,7 +51,7 @@ TEST(ParseFields, LetsBracesProtectCommas) {
   EXPECT_EQ(Parsed("T={1,2:{3,4}},B=2"), (Fields{{"T", "{1,2:{3,4}}"}, {"B", "2"}}));
 }
 
-TEST(ParseFields, SaysWhichFieldIsWrong) {
+TEST(ParseFields, NamesTheFieldThatIsWrong) {
   EXPECT_EQ(ErrorOf("A=1,hello, world"),
             "field 2, 'hello', has no '='; write KEY=VALUE, and a value that holds a comma in "
             "double quotes");
@@ -71,8 +71,8 @@ TEST(AppendField, WritesPlainWhatIsPlain) {
 }
 
 TEST(AppendField, QuotesWhatWouldBeReadOtherwise) {
-  EXPECT_EQ(Written({{"A", "x, y"}, {"B", "say \"hi\""}, {"C", " c"}, {"D", "{1"}, {"E", "a\nb"}}),
-            R"(A="x, y",B="say \"hi\"",C=" c",D="{1",E="a\nb")");
+  EXPECT_EQ(Written({{"A", "x, y"}, {"B", "a \"hi\""}, {"C", " c"}, {"D", "{1"}, {"E", "a\nb"}}),
+            R"(A="x, y",B="a \"hi\"",C=" c",D="{1",E="a\nb")");
   EXPECT_EQ(Written({{"k=v", "1"}, {"", "2"}}), R"("k=v"=1,""=2)");
 }
 

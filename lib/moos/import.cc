@@ -38,7 +38,7 @@ class Importer {
     NameVehicles();
     for (VehicleImport& vehicle : vehicles_) vehicle.AddTables(&draft);
     for (VehicleImport& vehicle : vehicles_) vehicle.AddEvents();
-    draft.AddTable(std::string(kRest), "# What else the files say.");
+    draft.AddTable(std::string(kRest), "# What else stands in the files.");
     draft_ = &draft;
     Assume(kMission, "duration_s", "600", "Assumed: MOOS missions have no end of their own.");
     for (size_t i = 0; i < files_.size(); ++i) TakeFile(files_[i], VehicleOf(i));
@@ -74,7 +74,7 @@ class Importer {
                        "\n#\n"
                        "# Settings name the line that they come from. Lines that shoal has no use "
                        "for are comments\n"
-                       "# that say why. docs/coming_from_moos.md tells the rest.\n#\n"
+                       "# that state why. docs/coming_from_moos.md explains the rest.\n#\n"
                        "# Vehicles wait for `shoal send all deploy`, or for an [[event]] with "
                        "command = \"deploy\".\n";
     if (!warp.empty()) text += "# MOOSTimeWarp: shoal run MISSION.toml --warp " + warp + "\n";
@@ -211,7 +211,7 @@ class Importer {
     std::string_view reason = "no counterpart in shoal";
     if (LowerCase(line.key) == "run") {
       const std::string_view counterpart = AppCounterpart(AppOfRun(line.value));
-      reason = counterpart.empty() ? "no counterpart in shoal; a program of yours that speaks LCM "
+      reason = counterpart.empty() ? "no counterpart in shoal; a program of yours that uses LCM "
                                      "can be a [[participant]]"
                                    : counterpart;
     }

@@ -31,7 +31,7 @@ namespace shoal {
 /// The names that a mission's vehicles have, unique without regard to case.
 class VehicleNames {
  public:
-  /// Returns a legal name near `wanted` that nobody has yet, and takes it.
+  /// Returns a legal name near `wanted` that is still free, and takes it.
   std::string Take(std::string_view wanted);
   bool IsTaken(std::string_view name) const;
 

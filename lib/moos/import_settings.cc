@@ -74,7 +74,7 @@ struct Counterpart {
 };
 
 constexpr std::array kApps = std::to_array<Counterpart>({
-    {"moosdb", "not needed: processes speak LCM, without a database between them"},
+    {"moosdb", "not needed: processes use LCM, without a database between them"},
     {"ufldnodecomms", "shore_broker, always there; its rules are in [comms]"},
     {"pnodereporter", "node_reporter, one per vehicle"},
     {"usimmarine", "vehicle_sim, one per vehicle"},
@@ -87,7 +87,7 @@ constexpr std::array kApps = std::to_array<Counterpart>({
     {"ufldnodebroker", "not needed: shore_broker knows the vehicles of the mission"},
     {"ufldshorebroker", "not needed: shore_broker knows the vehicles of the mission"},
     {"uprocesswatch", "shoal run watches its processes: on_loss in [mission]"},
-    {"utimerscript", "[[event]] says things at a time; write them by hand"},
+    {"utimerscript", "[[event]] publishes at a given time; write them by hand"},
     {"upokedb", "shoal send"},
     {"uxms", "shoal status, shoal log cat"},
     {"umac", "shoal status"},
@@ -97,7 +97,7 @@ constexpr std::array kKeys = std::to_array<Counterpart>({
     {"apptick", "every process works in each step: tick_s in [mission]"},
     {"commstick", "every process works in each step: tick_s in [mission]"},
     {"maxapptick", "every process works in each step: tick_s in [mission]"},
-    {"serverhost", "not needed: processes speak LCM, without a database between them"},
+    {"serverhost", "not needed: processes use LCM, without a database between them"},
     {"serverport", "not needed: shoal run --port BASE chooses ports"},
     {"speed_factor", "not needed: the helm takes the thrust for a speed from thrust_map"},
     {"behaviors", "behaviors are not imported: give the vehicle a [[vehicle.task]]"},

@@ -259,7 +259,7 @@ bool NamesLine(const std::string& text, const std::string& file, size_t number) 
   return false;
 }
 
-RC_GTEST_PROP(ImportMoos, NamesEveryLineThatSaysSomething, ()) {
+RC_GTEST_PROP(ImportMoos, NamesEveryLineThatIsNotEmpty, ()) {
   const auto lines = *rc::gen::container<std::vector<std::string>>(rc::gen::element<std::string>(
       "ProcessConfig = uFldNodeComms", "ProcessConfig = uSimMarine", "ProcessConfig = X",
       "ProcessConfig = pNodeReporter", "ProcessConfig = ANTLER", "{", "}", "{", "}",

@@ -285,7 +285,7 @@ void VehicleImport::Finish() {
   set("at_s", "0", false);
   set("vehicle", TomlString(name_), false);
   set("sim_command", TomlString("drift"), false);
-  // Nobody means the 1e-17 that a sine leaves.
+  // Drops the 1e-17 that a sine leaves.
   drift_mps_ = (drift_mps_ * 1e9).array().round() / 1e9;
   set("values",
       fmt::format("[{}, {}]", TomlNumber(drift_mps_.x() + 0.0), TomlNumber(drift_mps_.y() + 0.0)),

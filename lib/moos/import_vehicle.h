@@ -1,4 +1,4 @@
-// One vehicle of a mission in the making: what several lines of its MOOS file say together.
+// One vehicle of an imported mission: collects what several lines of its MOOS file set.
 #pragma once
 
 #include <Eigen/Core>

@@ -1,4 +1,4 @@
-// A mission file in the making, each setting with the line that it came from.
+// A draft of a mission file: each setting with the line that it came from.
 //
 //   MissionDraft draft("# What this is.");
 //   draft.Require("mission", "[mission]");
@@ -23,7 +23,7 @@ namespace shoal {
 struct DraftLine {
   std::string key;
   std::string value;   ///< As TOML.
-  std::string origin;  ///< "a.moos:12"; empty: nobody's line.
+  std::string origin;  ///< "a.moos:12"; empty: of no line.
   std::string text;    ///< What stands there.
   std::string reason;  ///< Of a comment: why it is no setting. Of a setting: a remark on it.
 };

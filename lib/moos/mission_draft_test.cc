@@ -71,7 +71,7 @@ TEST(MissionDraft, DropsATableThatIsWrongAsAWhole) {
   EXPECT_EQ(LoadMissionText(draft.Text(), "m").errors, std::vector<std::string>());
 }
 
-TEST(MissionDraft, TellsWhatItCannotMend) {
+TEST(MissionDraft, ReportsWhatItCannotFix) {
   MissionDraft draft("");
   draft.AddTable("mission", "[mission]", true);
   const auto refused = draft.MakeLoadable();

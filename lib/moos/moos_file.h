@@ -1,4 +1,4 @@
-// A MOOS mission file as lines: what is written, not what it means.
+// A MOOS mission file as lines, without their meaning.
 //
 //   ServerPort = 9000            // a global
 //   ProcessConfig = uSimMarine   // a block
@@ -29,7 +29,7 @@ struct MoosBlock {
   std::vector<MoosLine> lines;
 };
 
-/// A line that says nothing as it stands.
+/// A line that has no meaning as it stands.
 struct MoosOddLine {
   int number = 0;
   std::string text;

@@ -32,7 +32,7 @@ struct MoosNodeMessage {
 
 /// Keys count without regard to case; dest_name is another name of dest_node. Required: src_node,
 /// var_name, and dest_node or dest_group. A message has string_val or double_val; without either
-/// string_val is empty. The error names the key and says what to write.
+/// string_val is empty. The error names the key and states what to write.
 [[nodiscard]] Result<MoosNodeMessage> ParseNodeMessage(std::string_view text);
 
 }  // namespace shoal

@@ -48,7 +48,7 @@ TEST(ParseNodeMessage, KeepsANumberApartFromAText) {
   EXPECT_EQ(Parsed("src_node=a,dest_node=b,var_name=F").string_val, "");
 }
 
-TEST(ParseNodeMessage, SaysWhatIsMissingOrWrong) {
+TEST(ParseNodeMessage, ReportsWhatIsMissingOrWrong) {
   EXPECT_EQ(ErrorOf(""), "src_node is missing; write src_node=<vehicle>");
   EXPECT_EQ(ErrorOf("src_node=a,var_name=F"),
             "dest_node and dest_group are missing; write dest_node=<vehicle> or all");

@@ -19,7 +19,7 @@ constexpr double kTenThousandths = 1e4;
 
 /// "4130.0000,N": whole degrees, then minutes.
 std::string Coordinate(double value_deg, int num_degree_digits, char positive, char negative) {
-  SHOAL_CHECK(std::abs(value_deg) < 1000, "a place on Earth");
+  SHOAL_CHECK(std::abs(value_deg) < 1000, "latitude and longitude are below 1000 degrees");
   const double whole_deg = std::floor(std::abs(value_deg));
   const double minutes = (std::abs(value_deg) - whole_deg) * 60;
   const double cut_minutes = std::floor(minutes * kTenThousandths) / kTenThousandths;

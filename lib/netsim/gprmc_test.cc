@@ -69,7 +69,7 @@ TEST(GprmcSentence, StaysShortForAbsurdNumbers) {
   EXPECT_NE(sentence.find(",99999.9,-99999.9,"), std::string::npos) << sentence;
 }
 
-RC_GTEST_PROP(GprmcSentence, TellsThePlaceToAFewDecimetres, ()) {
+RC_GTEST_PROP(GprmcSentence, GivesThePlaceToAFewDecimetres, ()) {
   NetsimNav nav = AliceNav();
   nav.lat_deg = *rc::gen::inRange(-90'000'000, 90'000'001) / 1e6;
   nav.lon_deg = *rc::gen::inRange(-360'000'000, 360'000'001) / 1e6;

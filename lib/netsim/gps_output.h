@@ -1,5 +1,5 @@
-// Where a simulated vehicle's GPS sentences go: to all who connect to a TCP port, and into a file,
-// a serial line or a pseudo-terminal.
+// Where a simulated vehicle's GPS sentences go: to all clients that connect to a TCP port, and into
+// a file, a serial line or a pseudo-terminal.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@
 
 namespace shoal {
 
-/// Never waits: who does not read in time loses sentences, or the connection.
+/// Never waits: a client that does not read in time loses sentences, or the connection.
 class GpsOutput {
  public:
   /// Opens what `gps` names; ports listen on `address`. Files are appended to. Terminals are made

@@ -1,4 +1,4 @@
-// Clients who send lines and get answers: one after the other, in order, each once.
+// Clients that send lines and get answers: one after the other, in order, each once.
 #pragma once
 
 #include <cstddef>
@@ -17,8 +17,8 @@ namespace shoal {
 
 class LineServer {
  public:
-  /// Gets a line without its end, and who sent it (IPv4); returns what to send back, with its
-  /// ends, or nothing.
+  /// Gets a line without its end, and the sender's IPv4 address; returns what to send back, with
+  /// its ends, or nothing.
   using Answerer = std::function<std::string(const std::string& address, std::string_view line)>;
 
   /// Fails with what to try.

@@ -1,4 +1,4 @@
-// netsim_manager's side of a line, from text to text.
+// Answers one line of netsim's protocol as netsim_manager does.
 //
 //   const NetsimReply reply = AnswerLine(line, "127.0.0.1", options);
 //   counts.Add(reply.outcome);
@@ -18,7 +18,8 @@
 
 namespace shoal {
 
-/// What became of a line. Of the first five nothing is applied; of the next three, what came first.
+/// What became of a line. For the first five nothing is applied; for the next three, the positions
+/// before the failed one.
 enum class NetsimOutcome {
   kBlank,
   kNoMessage,

@@ -40,7 +40,7 @@ TEST(AnswerLine, AcceptsAPosition) {
   EXPECT_EQ(reply.positions[0].nav.lon_deg, -70.5);
 }
 
-TEST(AnswerLine, TellsWhyNot) {
+TEST(AnswerLine, StatesTheReason) {
   const NetsimReply reply = Answered(Request(0xB1));
   EXPECT_EQ(reply.answer, kFront + "CAcQBA==\n");
   EXPECT_EQ(reply.outcome, NetsimOutcome::kOutOfDefinedRegion);

@@ -112,7 +112,7 @@ NetsimVerdict EvaluateRequest(const NetsimRequest& request, std::string_view pee
   verdict.positions.clear();
   verdict.stats.clear();
   if (verdict.status != NetsimStatus::kAccepted) return verdict;
-  // All that was looked at is right, and yet nothing is applied: no status says so.
+  // All that was checked is right, and yet nothing is applied: there is no status for this.
   verdict.status.reset();
   verdict.problem = "a required field of stats is missing";
   return verdict;

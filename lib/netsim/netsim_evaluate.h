@@ -18,7 +18,7 @@ struct NetsimPosition {
 };
 
 struct NetsimVerdict {
-  /// Nothing where the request is to stay without an answer: none of the statuses would be true.
+  /// Nothing where the request gets no answer: no status fits.
   std::optional<NetsimStatus> status;
   std::vector<NetsimPosition> positions;  ///< In the request's order.
   std::vector<NetsimReceiveStats> stats;
@@ -28,8 +28,8 @@ struct NetsimVerdict {
 /// Judges a request from a client at `peer_address` (IPv4). Each nav in order: known port? right
 /// address? finite, and within the region? The first that is not stops: those before it are
 /// accepted, it gives the status, those behind it are not looked at. Stats are always accepted.
-/// Of a request that is not whole nothing is; its status is found in the same way, what is missing
-/// taken for a number that is out of the region.
+/// Of an incomplete request nothing is accepted; its status is found in the same way, with a
+/// missing number taken as one that is out of the region.
 [[nodiscard]] NetsimVerdict EvaluateRequest(const NetsimRequest& request,
                                             std::string_view peer_address,
                                             const NetsimOptions& options);

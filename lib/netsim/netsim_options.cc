@@ -60,7 +60,7 @@ void CheckEnvironment(const NetsimEnvironment& environment, Problems* problems) 
   CheckBounds(where, "depth_m", environment.depth_min_m, environment.depth_max_m, 12'000, problems);
 }
 
-/// Ports of this machine, and who has them.
+/// Ports of this machine, and their owners.
 class Ports {
  public:
   explicit Ports(Problems* problems) : problems_(problems) {}

@@ -1,5 +1,5 @@
-// `[netsim]` of a mission file: who may connect from outside, as which vehicle, and where it may
-// be. docs/netsim.md
+// `[netsim]` of a mission file: which hosts may connect from outside, as which vehicle, and where
+// it may be. docs/netsim.md
 #pragma once
 
 #include <cstdint>
@@ -21,7 +21,7 @@ struct NetsimEnvironment {
   bool operator==(const NetsimEnvironment&) const = default;
 };
 
-/// What a vehicle's modem port speaks.
+/// The protocol of a vehicle's modem port.
 enum class NetsimModem {
   kRaw,         ///< Bytes behind their length.
   kMicromodem,  ///< The sentences of a WHOI Micro-Modem.
@@ -30,7 +30,7 @@ enum class NetsimModem {
 
 /// Where $GPRMC of a vehicle goes; nowhere by default. Both are possible.
 struct NetsimGps {
-  int tcp_port = 0;       ///< All who connect to it get the sentences. 0: none.
+  int tcp_port = 0;       ///< All clients that connect to it get the sentences. 0: none.
   std::string path = {};  ///< A file, or a serial line or pseudo-terminal. Empty: none.
 
   bool operator==(const NetsimGps&) const = default;
@@ -40,7 +40,7 @@ struct NetsimGps {
 struct NetsimVehicle {
   std::string name;
   int modem_tcp_port = 0;       ///< Its number in every message.
-  std::string address = "any";  ///< IPv4, of the only host that may say where it is.
+  std::string address = "any";  ///< IPv4, of the only host that may set its position.
   std::string environment;
   NetsimModem modem = NetsimModem::kNone;
   NetsimGps gps = {};
@@ -54,14 +54,14 @@ struct NetsimOptions {
   int max_connections = 128;
   int max_line_bytes = 1 << 20;  ///< Longer lines are dropped, their connection stays.
   double idle_timeout_s = 3600;  ///< Without a byte from a client; 0: for ever.
-  bool allow_warp = false;       ///< For clients that do not compare clocks.
+  bool allow_warp = false;       ///< For clients that do not compare their clock with mission time.
   std::vector<NetsimEnvironment> environments;
   std::vector<NetsimVehicle> vehicles;
 
   bool operator==(const NetsimOptions&) const = default;
 };
 
-/// Something in NetsimOptions that cannot be, and how to mend it.
+/// An invalid setting in NetsimOptions, and how to fix it.
 struct NetsimProblem {
   std::string where;    ///< "netsim", "netsim.environment 'bay'", "netsim.vehicle 'alpha'"
   std::string key;      ///< Of that table.

@@ -1,4 +1,4 @@
-// What comes from a vehicle's simulator, and what it is told.
+// What comes from a vehicle's simulator, and the answers to it.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@ namespace shoal {
 
 inline constexpr double kNotGiven = std::numeric_limits<double>::quiet_NaN();
 
-/// Where a vehicle is, as its simulator says. What was not given is 0 (the port) or kNotGiven.
+/// Where a vehicle is, as its simulator reports. What was not given is 0 (the port) or kNotGiven.
 struct NetsimNav {
   int32_t modem_tcp_port = 0;
   double time_s = kNotGiven;  ///< Since 1970, by the client's clock: not for ordering or dating.
@@ -22,7 +22,7 @@ struct NetsimNav {
   double heading_deg = kNotGiven;  ///< From true North; may lie outside of 0 to 360.
 };
 
-/// What a Micro-Modem said of a packet that it received (CACST).
+/// What a Micro-Modem reported of a packet that it received (CACST).
 struct NetsimModemStats {
   int32_t mode = 0;  ///< 0 good, 1 bad CRC, 2 timeout.
   int32_t rate = 0;

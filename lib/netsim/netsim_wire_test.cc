@@ -47,7 +47,7 @@ TEST(ParseRequestLine, NeedsNoPadding) {
   EXPECT_EQ(Parsed(kExample.substr(0, kExample.size() - 1)).id, 66);
 }
 
-TEST(ParseRequestLine, SaysWhyALineHoldsNoRequest) {
+TEST(ParseRequestLine, ReportsWhyALineHoldsNoRequest) {
   EXPECT_EQ(Refused(""), NotARequest::kBlank);
   EXPECT_EQ(Refused("hello"), NotARequest::kNoMessage);
   EXPECT_EQ(Refused("A|B"), NotARequest::kNoMessage);

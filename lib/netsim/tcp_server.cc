@@ -17,11 +17,11 @@ namespace {
 
 constexpr ClientId kListener = 0;
 constexpr int kBacklog = 256;
-/// A Serve does so many rounds of so many clients, and accepts so many.
+/// Limits of one call of Serve: rounds, clients per round, and new connections.
 constexpr int kMaxRounds = 4;
 constexpr size_t kMaxEvents = 64;
 constexpr int kMaxAccepts = 64;
-/// Read from one client before it is the next one's turn.
+/// Bytes to read from one client before the next one is served.
 constexpr size_t kChunk_bytes = 16 * 1024;
 /// Memory that a client keeps when all is sent.
 constexpr size_t kKept_bytes = 4096;
@@ -175,7 +175,7 @@ void TcpServer::Take(int socket, const std::string& address) {
   KeepAlive(socket);
   const ClientId id = ++last_id_;
   Client client{.socket = std::move(owned)};
-  client.heard_us = now_us_;
+  client.received_us = now_us_;
   client.progressed_us = now_us_;
   client.awaited = EPOLLIN;
   Watch(epoll_.get(), EPOLL_CTL_ADD, socket, id, client.awaited);
@@ -200,7 +200,7 @@ void TcpServer::Read(ClientId id, Client* client) {
   std::array<char, kChunk_bytes> chunk;
   const ssize_t size = recv(client->socket.get(), chunk.data(), chunk.size(), 0);
   if (size > 0) {
-    client->heard_us = now_us_;
+    client->received_us = now_us_;
     if (handlers_.on_bytes) {
       handlers_.on_bytes(id, std::string_view(chunk.data(), static_cast<size_t>(size)));
     }
@@ -273,7 +273,7 @@ void TcpServer::CloseTheSilent() {
     const bool is_stalled =
         !client.unsent.empty() && now_us_ - client.progressed_us > options_.stall_timeout_us;
     const bool is_idle =
-        options_.idle_timeout_us > 0 && now_us_ - client.heard_us > options_.idle_timeout_us;
+        options_.idle_timeout_us > 0 && now_us_ - client.received_us > options_.idle_timeout_us;
     if (!is_stalled && !is_idle) continue;
     ++(is_stalled ? counts_.stalled : counts_.idle);
     client.is_gone = true;
@@ -285,7 +285,7 @@ void TcpServer::Touch(ClientId id) {
   if (touched_.empty() || touched_.back() != id) touched_.push_back(id);
 }
 
-/// Sends what waits, and forgets who has gone.
+/// Sends what waits, and forgets clients that have gone.
 void TcpServer::Settle() {
   const bool was_serving = std::exchange(is_serving_, true);
   while (!touched_.empty()) {  // on_close may touch others.

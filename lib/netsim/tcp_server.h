@@ -1,4 +1,4 @@
-// TCP clients, served between other things in one thread.
+// Serves TCP clients without waiting, beside other work in one thread.
 //
 //   auto server = TcpServer::Listen(options, {.on_bytes = [&](ClientId client, auto bytes) {
 //     (*server)->Send(client, bytes);
@@ -8,10 +8,10 @@
 //     (*server)->Serve(now_us);
 //   }
 //
-// What clients do cannot hurt: each has bounded memory; one that sends and does not read is not
-// read from any more, and closed when that lasts; one that resets its connection, before it was
-// accepted or after, is forgotten. What a client sent before it closed its side is handled, and
-// answered before ours is closed.
+// Clients cannot harm the server: each has bounded memory; from one that sends and does not read
+// nothing is read any more, and it is closed if that lasts; one that resets its connection, before
+// it was accepted or after, is removed. What a client sent before it closed its side is handled,
+// and answered before ours is closed.
 #pragma once
 
 #include <cstddef>
@@ -44,7 +44,7 @@ struct TcpServerOptions {
 struct TcpServerCounts {
   int64_t accepted = 0;
   int64_t refused = 0;         ///< More than max_connections.
-  int64_t failed_accepts = 0;  ///< Reset before we came to them, or no descriptors left.
+  int64_t failed_accepts = 0;  ///< Reset before they were accepted, or no descriptors left.
   int64_t broken = 0;          ///< Reset, or lost.
   int64_t idle = 0;            ///< Closed for it.
   int64_t stalled = 0;         ///< Closed for it.
@@ -69,7 +69,7 @@ class TcpServer {
   int fd() const { return epoll_.get(); }
   int port() const { return port_; }
 
-  /// Does what can be done without waiting, fairly, and comes back soon. `now_us` never goes back.
+  /// Serves all clients in turn without waiting, within a bounded time. `now_us` never goes back.
   void Serve(int64_t now_us);
 
   /// Sends at once what the kernel takes, and the rest when it can. Nothing where the client has
@@ -79,7 +79,7 @@ class TcpServer {
   /// Closes when all that was sent before has left.
   void Close(ClientId client);
 
-  /// Returns all who are connected, in the order in which they came.
+  /// Returns all connected clients, in the order in which they came.
   std::vector<ClientId> Clients() const;
   const TcpServerCounts& counts() const { return counts_; }
   /// Bytes that wait for their clients.
@@ -89,11 +89,11 @@ class TcpServer {
   struct Client {
     FileDescriptor socket;
     std::string unsent = {};
-    int64_t heard_us = 0;       ///< When it last sent something.
+    int64_t received_us = 0;    ///< When it last sent something.
     int64_t progressed_us = 0;  ///< When it last took something, or had nothing to take.
     uint32_t awaited = 0;       ///< Events, as epoll knows them.
     bool is_closing = false;    ///< Nothing is read from it any more.
-    bool is_gone = false;       ///< To be forgotten at the next occasion.
+    bool is_gone = false;       ///< To be removed by the next Serve.
   };
 
   TcpServer(const TcpServerOptions& options, Handlers handlers, FileDescriptor listener,

@@ -222,7 +222,7 @@ class EsriReader {
     if (number == numbers_[kNoData].value_or(-9999)) {
       if (!options_.nodata_depth_m) {
         return "column " + std::to_string(column + 1) +
-               " has no data; fill the map's gaps, or say which depth they have";
+               " has no data; fill the map's gaps, or state their depth";
       }
       depths_m_.push_back(static_cast<float>(*options_.nodata_depth_m));
       return "";

@@ -8,7 +8,7 @@ namespace shoal {
 
 namespace {
 
-/// False where the state contradicts the order: it is the answer to somebody else's.
+/// False where the state contradicts the order: it is the answer to the order of another sender.
 bool AgreesWith(const clock_state_t& state, const clock_command_t& command) {
   if (command.command == "pause") return state.state != "running";
   if (command.command == "resume") return state.state != "paused";
@@ -26,7 +26,7 @@ bool ClockWatch::OnState(const clock_state_t& state) {
       state.num_commands <= before_->num_commands) {
     return false;
   }
-  // The clock names the command that it refuses, and refuses the same command to everybody.
+  // The clock names the command that it refuses, and refuses the same command to every sender.
   const std::string refusal_of_this = command_.command + " refused: ";
   if (state.refusal.starts_with(refusal_of_this)) {
     refusal_ = state.refusal.substr(refusal_of_this.size());

@@ -11,10 +11,10 @@ namespace shoal {
 
 class ClockWatch {
  public:
-  /// `before`: the last CLOCK_STATE from before the order, if any was heard.
+  /// `before`: the last CLOCK_STATE from before the order, if any was received.
   ClockWatch(clock_command_t command, const std::optional<clock_state_t>& before);
 
-  /// Returns true where this state tells what became of the order.
+  /// Returns true where this state shows what became of the order.
   bool OnState(const clock_state_t& state);
 
   [[nodiscard]] bool IsSettled() const { return is_settled_; }

@@ -30,14 +30,14 @@ TEST(ClockWatch, TakesTheFirstStateThatAgreesAfterTheOrder) {
   EXPECT_EQ(watch.refusal(), "");
 }
 
-TEST(ClockWatch, TellsWhyTheClockRefused) {
+TEST(ClockWatch, ReportsWhyTheClockRefused) {
   ClockWatch watch(Command("warp", 5), State("running", 0, "warp refused: long ago"));
   EXPECT_FALSE(watch.OnState(State("running", 0, "warp refused: long ago")));
   EXPECT_TRUE(watch.OnState(State("running", 1, "warp refused: the mission is ending")));
   EXPECT_EQ(watch.refusal(), "the mission is ending");
 }
 
-TEST(ClockWatch, DoesNotTakeAnAnswerToSomebodyElseForItsOwn) {
+TEST(ClockWatch, DoesNotTakeAnAnswerToAnotherOrderForItsOwn) {
   ClockWatch watch(Command("resume"), State("paused", 3));
   EXPECT_FALSE(watch.OnState(State("paused", 4, "fly refused: unknown command")));
   EXPECT_FALSE(watch.OnState(State("paused", 5)));
@@ -52,7 +52,7 @@ TEST(ClockWatch, BelievesAnotherMissionsCount) {
   EXPECT_TRUE(watch.OnState(state));
 }
 
-TEST(ClockText, SaysWhatTheClockDoes) {
+TEST(ClockText, StatesWhatTheClockDoes) {
   clock_state_t state = State("paused", 1);
   state.utime = 12'300'000;
   EXPECT_EQ(ClockText(state), "paused at 12.3 s");

@@ -11,7 +11,7 @@ namespace shoal {
 
 namespace {
 
-/// Longer orders are nobody's.
+/// No order has more words.
 constexpr size_t kMaxWords = 16;
 constexpr size_t kMaxWordLength = 200;
 constexpr size_t kMaxInbox = 100;  ///< OnTime empties it.
@@ -56,7 +56,7 @@ std::string Refusals(const OrderWatch& watch) {
     if (answer.outcome != OrderOutcome::kRefused) continue;
     refusals.push_back(watch.answers().size() == 1
                            ? answer.reason
-                           : fmt::format("{}: {}", answer.trace.who, answer.reason));
+                           : fmt::format("{}: {}", answer.trace.participant, answer.reason));
   }
   return ListOf(refusals, "; ");
 }
@@ -64,7 +64,7 @@ std::string Refusals(const OrderWatch& watch) {
 std::string NoAnswer(const OrderWatch& watch) {
   std::vector<std::string> silent;
   for (const OrderWatch::Answer& answer : watch.answers()) {
-    if (answer.outcome == OrderOutcome::kOpen) silent.push_back(answer.trace.who);
+    if (answer.outcome == OrderOutcome::kOpen) silent.push_back(answer.trace.participant);
   }
   if (watch.answers().size() <= 1) return "no answer yet";
   return "no answer yet from " + ListOf(silent, ", ");
@@ -131,7 +131,7 @@ void CommandDesk::OnTime(int64_t now_us) {
   Settle();
 }
 
-/// Takes over what Send has left, and forgets what no record tells of any more.
+/// Takes over what Send has left, and forgets what no record refers to any more.
 void CommandDesk::TakeIn() {
   std::vector<std::pair<int64_t, Order>> inbox;
   int64_t first_id = 0;

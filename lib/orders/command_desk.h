@@ -1,5 +1,5 @@
-// Takes orders for a running mission and finds out what became of them: the viewer's counter, as
-// `shoal send` is the shell's.
+// Takes orders for a running mission from the viewer, as `shoal send` does from the shell, and
+// finds out what became of them.
 //
 //   CommandDesk desk(bus, {.mission = "berta", .vehicles = {"alpha", "bravo"}});
 //   const Result<CommandRecord> record = desk.Send("alpha", words, t_s);   // from any thread
@@ -40,9 +40,9 @@ class CommandDesk {
   /// Subscribes to APPCAST and CLOCK_STATE. @pre no message has been handled on `bus` yet
   CommandDesk(Bus& bus, OrderScope scope);
 
-  /// Takes an order and returns its record, which says "sent"; or returns what is wrong with it, in
-  /// the words of `shoal send`, and publishes nothing. It is published in OnTime, after all that
-  /// were taken before. `t_s` is mission time. May be called from any thread.
+  /// Takes an order and returns its record, whose state is "sent"; or returns what is wrong with
+  /// it, in the words of `shoal send`, and publishes nothing. It is published in OnTime, after all
+  /// that were taken before. `t_s` is mission time. May be called from any thread.
   Result<CommandRecord> Send(std::string_view target, std::span<const std::string> words,
                              double t_s);
 
@@ -58,7 +58,7 @@ class CommandDesk {
   struct Pending {
     int64_t id = 0;
     Order order;
-    OrderWatch watch;                 ///< Of those who show what they made of it on their pages.
+    OrderWatch watch;  ///< Of the participants that show on their pages what they made of it.
     std::optional<ClockWatch> clock;  ///< Of an order to the clock.
     bool is_published = false;
     int64_t waited_us = 0;  ///< For an answer; while the mission is paused, this stands still.

@@ -15,7 +15,8 @@ using Words = std::vector<std::string>;
 
 constexpr int64_t kRound_us = 20'000;
 
-/// A participant that answers requests for its page, and takes or refuses orders when told to.
+/// A participant that answers requests for its page, and takes or refuses orders as the test sets
+/// it.
 struct FakeApp {
   std::string name;
   StatusLog log = {};
@@ -92,7 +93,8 @@ class Desk : public testing::Test {
   }
   void Take(const std::string& app, const std::string& text) { App(app).log.Event(0, text); }
 
-  void TellClock(const std::string& word, int64_t num_commands, const std::string& refusal = "") {
+  void PublishClockState(const std::string& word, int64_t num_commands,
+                         const std::string& refusal = "") {
     clock_state_t state{};
     state.state = word;
     state.warp = 1;
@@ -103,7 +105,7 @@ class Desk : public testing::Test {
   }
 
   void Note(const std::string& target, const std::string& what) {
-    heard_ += target + ":" + what + " ";
+    published_ += target + ":" + what + " ";
   }
 
   MemoryBus hub_;
@@ -112,29 +114,29 @@ class Desk : public testing::Test {
   CommandDesk desk_{desk_bus_, {.mission = "berta", .vehicles = {"alpha", "bravo"}}};
   std::vector<FakeApp> apps_ = {
       {"helm_alpha"}, {"helm_bravo"}, {"vehicle_sim_alpha"}, {"shore_broker"}};
-  std::string heard_;  ///< Orders that were published.
+  std::string published_;  ///< Orders that were published.
   int num_requests_ = 0;
   int64_t now_us_ = 1'000'000;
 };
 
-TEST_F(Desk, TellsOfAnOrderThatWasTaken) {
+TEST_F(Desk, ReportsAnOrderThatWasTaken) {
   const Result<CommandRecord> record = desk_.Send("ALPHA", Words{"goto", "100", "-50"}, 12.5);
   ASSERT_TRUE(record.ok());
   EXPECT_EQ(record->text, "goto 100 -50 to alpha");
   EXPECT_EQ(record->state, "sent");
   EXPECT_EQ(record->t_s, 12.5);
   Run();
-  EXPECT_EQ(heard_, "alpha:goto ");
+  EXPECT_EQ(published_, "alpha:goto ");
   EXPECT_EQ(StateOf(record->id), "sent");
   Take("helm_alpha", "command: goto");
   Run();
   EXPECT_EQ(StateOf(record->id), "taken");
 }
 
-TEST_F(Desk, TellsWhichOfSeveralVehiclesRefusedAndWhy) {
+TEST_F(Desk, ReportsWhichOfSeveralVehiclesRefusedAndWhy) {
   const int64_t id = Send("all", {"deploy"});
   Run();
-  EXPECT_EQ(heard_, "alpha:deploy bravo:deploy ");
+  EXPECT_EQ(published_, "alpha:deploy bravo:deploy ");
   Take("helm_alpha", "command: deploy");
   Refuse("helm_bravo", "HELM_COMMAND refused: deploy: all-stop by command, send resume");
   Run();
@@ -154,7 +156,7 @@ TEST_F(Desk, DoesNotMistakeOverlappingOrdersForOneAnother) {
   const int64_t back = Send("alpha", {"return"});
   const int64_t good = Send("alpha", {"speed", "1"});
   Run();
-  EXPECT_EQ(heard_, "alpha:speed alpha:return alpha:speed ");
+  EXPECT_EQ(published_, "alpha:speed alpha:return alpha:speed ");
   Refuse("helm_alpha", "HELM_COMMAND refused: speed needs a number");
   Take("helm_alpha", "command: return");
   Run();
@@ -171,7 +173,7 @@ TEST_F(Desk, FollowsRulesAndSimulators) {
   const int64_t drift = Send("alpha", {"sim", "drift", "0.3", "0"});
   const int64_t reset = Send("alpha", {"sim", "reset", "1e9", "0", "0", "0"});
   Run();
-  EXPECT_EQ(heard_, "alpha:drift alpha:reset comms_range:100 ");  // In order of channels.
+  EXPECT_EQ(published_, "alpha:drift alpha:reset comms_range:100 ");  // In order of channels.
   Take("shore_broker", "UNC_COMMS_RANGE: 100 (was 250)");
   Take("vehicle_sim_alpha", "drift 0.3 0");
   Refuse("vehicle_sim_alpha", "SIM_COMMAND refused: 'reset' with 4 values; see sim_command_t");
@@ -183,44 +185,45 @@ TEST_F(Desk, FollowsRulesAndSimulators) {
 }
 
 TEST_F(Desk, FollowsTheClock) {
-  TellClock("running", 0);
+  PublishClockState("running", 0);
   const int64_t pause = Send("clock", {"pause"});
   const int64_t resume = Send("clock", {"resume"});
   Run();
-  EXPECT_EQ(heard_, "clock:pause clock:resume ");
+  EXPECT_EQ(published_, "clock:pause clock:resume ");
   EXPECT_EQ(StateOf(pause), "sent");
-  TellClock("paused", 1);
+  PublishClockState("paused", 1);
   EXPECT_EQ(StateOf(pause), "taken");
   EXPECT_EQ(StateOf(resume), "sent");
-  TellClock("running", 2);
+  PublishClockState("running", 2);
   EXPECT_EQ(StateOf(resume), "taken");
   const int64_t warp = Send("clock", {"warp", "max"});
   Run();
-  TellClock("running", 3, "warp refused: a mission with [netsim] keeps to the wall's clock");
+  PublishClockState("running", 3,
+                    "warp refused: a mission with [netsim] keeps to the wall's clock");
   EXPECT_EQ(StateOf(warp), "refused: a mission with [netsim] keeps to the wall's clock");
 }
 
 TEST_F(Desk, WaitsPatientlyWhileTheMissionIsPaused) {
-  TellClock("paused", 1);
+  PublishClockState("paused", 1);
   const int64_t id = Send("alpha", {"return"});
   const int num_requests = num_requests_;
   Run(60'000'000);
-  EXPECT_EQ(heard_, "alpha:return ");
+  EXPECT_EQ(published_, "alpha:return ");
   EXPECT_EQ(StateOf(id), "sent");
   EXPECT_LT(num_requests_ - num_requests, 70);
-  TellClock("running", 2);
+  PublishClockState("running", 2);
   Take("helm_alpha", "command: return");
   Run(1'200'000);
   EXPECT_EQ(StateOf(id), "taken");
 }
 
-TEST_F(Desk, SaysWhereNobodyAnswersAndStillBelievesALateAnswer) {
+TEST_F(Desk, ReportsAMissingAnswerAndStillAcceptsALateOne) {
   App("helm_bravo").is_mute = true;
   const int64_t id = Send("all", {"return"});
   Run();
-  EXPECT_EQ(heard_, "");  // It waits for bravo's page ...
+  EXPECT_EQ(published_, "");  // It waits for bravo's page ...
   Run(400'000);
-  EXPECT_EQ(heard_, "alpha:return bravo:return ");  // ... but not for long.
+  EXPECT_EQ(published_, "alpha:return bravo:return ");  // ... but not for long.
   Run(4'000'000);
   EXPECT_EQ(StateOf(id), "sent");
   Run(1'000'000);
@@ -255,7 +258,7 @@ TEST_F(Desk, PublishesNothingThatItDoesNotUnderstand) {
     EXPECT_LT(record.error().size(), 5000U);
   }
   Run(1'000'000);
-  EXPECT_EQ(heard_, "");
+  EXPECT_EQ(published_, "");
   EXPECT_EQ(num_requests_, 0);
   EXPECT_TRUE(desk_.records().empty());
 }
@@ -279,7 +282,7 @@ TEST_F(Desk, RemembersTheLastTwentyOnly) {
   EXPECT_EQ(records.back().id, first + 24);
   EXPECT_EQ(StateOf(first), "forgotten");
   Run();
-  EXPECT_EQ(heard_.size(), 25 * std::string("alpha:return ").size());  // But all were sent.
+  EXPECT_EQ(published_.size(), 25 * std::string("alpha:return ").size());  // But all were sent.
   for (int i = 0; i < 5; ++i) Take("helm_alpha", "command: return");
   Run();
   EXPECT_EQ(StateOf(records.front().id), "sent");

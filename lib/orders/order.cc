@@ -24,9 +24,10 @@ std::string UnknownTarget(const OrderScope& scope, std::string_view target) {
   known.insert(known.end(), rules.begin(), rules.end());
   known.push_back(kClock);
   const std::string word = std::string(target.substr(0, 64));
-  return fmt::format("no vehicle {} in {}{}; it has: {}; or say all, clock, or one of the rules {}",
-                     Quoted(word), scope.mission, DidYouMean(word, known),
-                     fmt::join(scope.vehicles, ", "), Joined(rules));
+  return fmt::format(
+      "no vehicle {} in {}{}; it has: {}; other targets: all, clock, and the rules {}",
+      Quoted(word), scope.mission, DidYouMean(word, known), fmt::join(scope.vehicles, ", "),
+      Joined(rules));
 }
 
 template <class T, class Command, class Make>
@@ -35,25 +36,25 @@ Result<Order> OrderOr(const Result<Command>& parsed, Make make) {
   return Order(T(make(*parsed)));
 }
 
-/// An order of each kind, told apart by how the events begin that tell of it;
+/// An order of each kind, distinguished by the first words of the events that report it;
 /// apps/helm/helm_app.cc, apps/vehicle_sim/vehicle_sim_app.cc, apps/shore_broker/apply_control.cc.
 OrderTrace HelmTrace(const std::string& vehicle, const helm_command_t& command) {
   return {.app = ParticipantName("helm", vehicle),
-          .who = vehicle,
+          .participant = vehicle,
           .taken = "command: " + command.command,
           .refused = "HELM_COMMAND refused: " + command.command};
 }
 
 OrderTrace SimTrace(const std::string& vehicle, const sim_command_t& command) {
   return {.app = ParticipantName("vehicle_sim", vehicle),
-          .who = vehicle,
+          .participant = vehicle,
           .taken = command.command + " ",
           .refused = fmt::format("SIM_COMMAND refused: '{}'", command.command)};
 }
 
 OrderTrace BrokerTrace(const ControlRow& row) {
   return {.app = "shore_broker",
-          .who = "shore_broker",
+          .participant = "shore_broker",
           .taken = fmt::format("{}: ", row.channel),
           .refused = fmt::format("{} refused: ", row.channel)};
 }
@@ -75,9 +76,10 @@ Result<Order> ParseOrder(const OrderScope& scope, std::string_view target,
   if (vehicles.empty()) {
     if (const ControlRow* row = FindControl(target); row != nullptr) {
       return OrderOr<OrderToBroker>(ParseRuleWords(*row, words), [&](const unc_control_t& control) {
-        return OrderToBroker{.row = row,
-                             .control = control,
-                             .is_stranger = row->of_vehicle && !HasVehicle(scope, control.vehicle)};
+        return OrderToBroker{
+            .row = row,
+            .control = control,
+            .is_unregistered = row->of_vehicle && !HasVehicle(scope, control.vehicle)};
       });
     }
     if (target == kClock) {
@@ -87,7 +89,7 @@ Result<Order> ParseOrder(const OrderScope& scope, std::string_view target,
     }
     return Error{UnknownTarget(scope, target)};
   }
-  if (words.empty()) return Error{"say what: " + SendCommandsText()};
+  if (words.empty()) return Error{"a command is missing: " + SendCommandsText()};
   if (words[0] == "sim") {
     return OrderOr<OrderToSims>(ParseSimWords(words.subspan(1)), [&](const sim_command_t& command) {
       return OrderToSims{.vehicles = vehicles, .command = command};

@@ -1,4 +1,4 @@
-// Who is told what: a target and words as `shoal send` takes them, understood.
+// An order: a target and words as `shoal send` takes them, parsed.
 //
 //   const Result<Order> order = ParseOrder({.mission = "berta", .vehicles = {"alpha"}}, "alpha",
 //                                          {"goto", "10", "-20"});
@@ -34,7 +34,7 @@ struct OrderToSims {
   sim_command_t command{};
 };
 
-/// A node message that vehicles send; not an order of ours to them.
+/// A node message that is published in the name of a vehicle.
 struct MessageOfVehicles {
   std::vector<std::string> vehicles;
   node_message_t message{};
@@ -43,7 +43,7 @@ struct MessageOfVehicles {
 struct OrderToBroker {
   const ControlRow* row = nullptr;
   unc_control_t control{};
-  bool is_stranger = false;  ///< Of a vehicle that the mission does not have.
+  bool is_unregistered = false;  ///< Of a vehicle that the mission does not have.
 };
 
 struct OrderToClock {
@@ -53,7 +53,7 @@ struct OrderToClock {
 using Order =
     std::variant<OrderToHelms, OrderToSims, MessageOfVehicles, OrderToBroker, OrderToClock>;
 
-/// Of which mission orders are.
+/// The mission that orders are for.
 struct OrderScope {
   std::string mission;
   std::vector<std::string> vehicles;
@@ -68,7 +68,7 @@ struct OrderScope {
 /// Publishes the order to each that it is for.
 void Publish(Bus& bus, const Order& order);
 
-/// Returns where on their pages those that it is for tell what they made of it; nothing for the
+/// Returns where its addressees report on their pages what they made of it; nothing for the
 /// clock, which answers by CLOCK_STATE, and for node messages.
 [[nodiscard]] std::vector<OrderTrace> TracesOf(const Order& order);
 

@@ -29,9 +29,9 @@ TEST(ParseOrder, KnowsRulesAndTheClock) {
   const Result<Order> rule = ParseOrder(kScope, "stealth", Words{"ALPHA", "0.5"});
   ASSERT_TRUE(rule.ok());
   EXPECT_EQ(std::get<OrderToBroker>(*rule).control.value, 0.5);
-  EXPECT_FALSE(std::get<OrderToBroker>(*rule).is_stranger);
-  EXPECT_TRUE(
-      std::get<OrderToBroker>(*ParseOrder(kScope, "stealth", Words{"zulu", "0.5"})).is_stranger);
+  EXPECT_FALSE(std::get<OrderToBroker>(*rule).is_unregistered);
+  EXPECT_TRUE(std::get<OrderToBroker>(*ParseOrder(kScope, "stealth", Words{"zulu", "0.5"}))
+                  .is_unregistered);
   EXPECT_EQ(std::get<OrderToClock>(*ParseOrder(kScope, "clock", Words{"warp", "3"})).command.warp,
             3);
 }
@@ -47,14 +47,14 @@ TEST(ParseOrder, ExplainsWhatItDoesNotUnderstand) {
   EXPECT_EQ(
       ErrorOf("alhpa", {"return"}).find("no vehicle 'alhpa' in berta (did you mean 'alpha'?)"), 0U);
   EXPECT_NE(ErrorOf("clokc", {"pause"}).find("did you mean 'clock'?"), std::string::npos);
-  EXPECT_NE(ErrorOf("alpha", {}).find("say what: "), std::string::npos);
+  EXPECT_NE(ErrorOf("alpha", {}).find("a command is missing: "), std::string::npos);
   EXPECT_NE(ErrorOf("alpha", {"fly"}).find("unknown command 'fly'"), std::string::npos);
   EXPECT_NE(ErrorOf("alpha", {"message"}).find("usage: message"), std::string::npos);
   EXPECT_NE(ErrorOf("", {""}), "");
   EXPECT_LT(ErrorOf(std::string(100'000, 'x'), {"y"}).size(), 2000U);
 }
 
-TEST(TracesOf, NameTheParticipantsThatObey) {
+TEST(TracesOf, NameTheParticipantsThatExecuteTheOrder) {
   const auto traces = TracesOf(*ParseOrder(kScope, "all", Words{"sim", "pause"}));
   ASSERT_EQ(traces.size(), 2U);
   EXPECT_EQ(traces[1].app, "vehicle_sim_Bravo");
@@ -66,9 +66,9 @@ TEST(Publish, SendsAnOrderToEachThatItIsFor) {
   MemoryBus hub;
   Bus& sender = hub.Join("sender");
   Bus& listener = hub.Join("listener");
-  std::string heard;
+  std::string published;
   listener.SubscribeAll(
-      [&](const Message& message) { heard += std::string(message.channel) + " "; });
+      [&](const Message& message) { published += std::string(message.channel) + " "; });
   for (const auto& [target, words] : std::vector<std::pair<std::string, Words>>{
            {"all", {"return"}},
            {"alpha", {"sim", "pause"}},
@@ -79,7 +79,7 @@ TEST(Publish, SendsAnOrderToEachThatItIsFor) {
   }
   hub.NextStep();
   hub.HandleAll();
-  EXPECT_EQ(heard,
+  EXPECT_EQ(published,
             "CLOCK_COMMAND HELM_COMMAND_ALPHA HELM_COMMAND_BRAVO MEDIATED_MESSAGE_ALPHA "
             "SIM_COMMAND_ALPHA UNC_COMMS_RANGE ");
 }

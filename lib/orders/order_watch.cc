@@ -11,9 +11,9 @@ namespace {
 /// How long a page from before an order is waited for; it comes within a millisecond.
 constexpr int64_t kPagePatience_us = 300'000;
 /// An order arrives in the step that the page of before names, or the next; it is handled one later
-/// at most. What a page says earlier may have been said before it arrived: datagrams on different
-/// ports may overtake one another.
-constexpr int64_t kStepsToObey = 2;
+/// at most. An earlier page may have been published before the order arrived: datagrams on
+/// different ports may overtake one another.
+constexpr int64_t kStepsToExecute = 2;
 constexpr int64_t kDelivery_us = 100'000;
 constexpr size_t kMaxReason = 300;  ///< Characters.
 
@@ -77,7 +77,7 @@ void JudgeByWarnings(const appcast_t& page, OrderWatch::Answer* answer) {
 void Judge(const appcast_t& page, bool is_surely_later, OrderWatch::Answer* answer) {
   const PageEvents events = EventsOf(page);
   int64_t num_new = events.total - EventsOf(*answer->before).total;
-  if (page.step < answer->before->step || num_new < 0) num_new = events.total;  // It began anew.
+  if (page.step < answer->before->step || num_new < 0) num_new = events.total;  // It was restarted.
   const auto num_listed = static_cast<int64_t>(events.texts.size());
   if (num_new > num_listed) {
     if (is_surely_later) JudgeByWarnings(page, answer);
@@ -121,7 +121,7 @@ void OrderWatch::OnPage(const appcast_t& page, int64_t now_us) {
       answer.before = page;
     } else if (answer.before && answer.outcome == OrderOutcome::kOpen) {
       const bool is_surely_later =
-          page.step >= answer.before->step + kStepsToObey && now_us - *sent_us_ >= kDelivery_us;
+          page.step >= answer.before->step + kStepsToExecute && now_us - *sent_us_ >= kDelivery_us;
       Judge(page, is_surely_later, &answer);
     }
   }

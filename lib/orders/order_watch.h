@@ -1,4 +1,4 @@
-// What became of an order, from the status pages of those who got it: before it, and after it.
+// What became of an order, from the status pages of its addressees: before it, and after it.
 //
 //   OrderWatch watch(TracesOf(order));
 //   while (!watch.IsReady(now_us)) ...   // ask for the pages of Due(now_us), hand over what comes
@@ -21,13 +21,13 @@
 
 namespace shoal {
 
-/// Where one participant tells what it made of an order. Two orders are of one kind where `taken`
+/// Where one participant reports what it made of an order. Two orders are of one kind where `taken`
 /// and `refused` are the same.
 struct OrderTrace {
-  std::string app;      ///< The participant: "helm_alpha".
-  std::string who;      ///< For people: "alpha".
-  std::string taken;    ///< How an event begins that tells that it was taken: "command: goto".
-  std::string refused;  ///< How one begins that tells that it was refused.
+  std::string app;          ///< The participant: "helm_alpha".
+  std::string participant;  ///< For people: "alpha".
+  std::string taken;    ///< The first words of the event that reports it as taken: "command: goto".
+  std::string refused;  ///< The first words of the event that reports it as refused.
 };
 
 enum class OrderOutcome { kOpen, kTaken, kRefused };
@@ -46,7 +46,7 @@ class OrderWatch {
 
   explicit OrderWatch(std::vector<OrderTrace> traces);
 
-  /// Returns the participants whose pages are wanted now, and takes it that they are asked.
+  /// Returns the participants whose pages are wanted now, and counts them as asked.
   /// `interval_us`: the time between two requests.
   std::vector<std::string> Due(int64_t now_us, int64_t interval_us = kRequestInterval_us);
 

@@ -11,7 +11,7 @@ constexpr int64_t kSecond_us = 1'000'000;
 
 OrderTrace Trace(const std::string& vehicle, const std::string& command) {
   return {.app = "helm_" + vehicle,
-          .who = vehicle,
+          .participant = vehicle,
           .taken = "command: " + command,
           .refused = "HELM_COMMAND refused: " + command};
 }
@@ -45,7 +45,7 @@ OrderWatch SentTo(const Helm& helm, const std::string& command,
   return watch;
 }
 
-TEST(OrderWatch, SaysThatAnOrderWasTaken) {
+TEST(OrderWatch, ReportsThatAnOrderWasTaken) {
   Helm helm{.vehicle = "alpha", .log = {}};
   helm.Take("goto");
   OrderWatch watch = SentTo(helm, "goto");
@@ -58,7 +58,7 @@ TEST(OrderWatch, SaysThatAnOrderWasTaken) {
   EXPECT_EQ(watch.answers()[0].outcome, OrderOutcome::kTaken);
 }
 
-TEST(OrderWatch, SaysWhyAnOrderWasRefusedAlsoForTheSecondTime) {
+TEST(OrderWatch, ReportsWhyAnOrderWasRefusedAlsoForTheSecondTime) {
   Helm helm{.vehicle = "alpha", .log = {}};
   helm.Refuse("speed: no task runs");
   OrderWatch watch = SentTo(helm, "speed");
@@ -69,7 +69,7 @@ TEST(OrderWatch, SaysWhyAnOrderWasRefusedAlsoForTheSecondTime) {
   EXPECT_EQ(watch.answers()[0].reason, "speed: no task runs");
 }
 
-TEST(OrderWatch, TellsOverlappingOrdersOfOneKindApart) {
+TEST(OrderWatch, DistinguishesOverlappingOrdersOfOneKind) {
   Helm helm{.vehicle = "alpha", .log = {}};
   OrderWatch first = SentTo(helm, "speed");
   OrderWatch second = SentTo(helm, "speed", {&first});
@@ -106,7 +106,7 @@ TEST(OrderWatch, JudgesByWarningsWhereMoreHappenedThanAPageLists) {
 
 TEST(OrderWatch, WaitsForPagesFromBeforeButNotForever) {
   OrderWatch watch({Trace("alpha", "goto"), Trace("bravo", "goto")});
-  EXPECT_FALSE(watch.IsReady(kSecond_us));  // Nobody was asked yet.
+  EXPECT_FALSE(watch.IsReady(kSecond_us));  // No participant was asked yet.
   EXPECT_EQ(watch.Due(0).size(), 2U);
   EXPECT_TRUE(watch.Due(50'000).empty());
   const Helm alpha{.vehicle = "alpha", .log = {}};

@@ -152,7 +152,7 @@ Result<helm_command_t> ParseHelmWords(std::span<const std::string> words) {
 }
 
 Result<sim_command_t> ParseSimWords(std::span<const std::string> words) {
-  if (words.empty()) return Error{"say what:\n" + Rows("sim ", SimCommands())};
+  if (words.empty()) return Error{"a command is missing:\n" + Rows("sim ", SimCommands())};
   Result<Arguments> arguments = ParseArguments(SimCommands(), words[0], words.subspan(1));
   if (!arguments.ok()) return Error{arguments.error()};
   sim_command_t command{};
@@ -185,7 +185,7 @@ Result<unc_control_t> ParseRuleWords(const ControlRow& row, std::span<const std:
 }
 
 Result<clock_command_t> ParseClockWords(std::span<const std::string> words) {
-  if (words.empty()) return Error{"say what:\n" + Rows("clock ", ClockCommands())};
+  if (words.empty()) return Error{"a command is missing:\n" + Rows("clock ", ClockCommands())};
   Result<Arguments> arguments = ParseArguments(ClockCommands(), words[0], words.subspan(1));
   if (!arguments.ok()) return Error{arguments.error()};
   clock_command_t command{};
@@ -230,7 +230,7 @@ Result<node_message_t> ParseMessageWords(std::span<const std::string> words) {
   }
   const Destinations nodes = ParseDestinations(message.dest_node);
   if (message.dest_group.empty() && nodes.names.empty() && !nodes.all) {
-    return Error{"nobody to send it to; " + std::string(kMessageUsage)};
+    return Error{"no vehicle to send it to; " + std::string(kMessageUsage)};
   }
   message.var_name = plain[1];
   if (message.is_double == 0) {

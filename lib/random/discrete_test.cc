@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kDraws = 20'000;
 
-/// Returns the value that chi-square of so many degrees of freedom exceeds once in a thousand
+/// Returns the value that chi-square of this many degrees of freedom exceeds once in a thousand
 /// (Wilson and Hilferty, 1931).
 double ChiSquareLimit(double degrees) {
   const double variance = 2 / (9 * degrees);

@@ -76,7 +76,7 @@ uint64_t Stream::Bits() {
 double Stream::Uniform() { return static_cast<double>(Bits() >> 11) * 0x1p-53; }
 
 uint64_t Stream::UniformInt(uint64_t count) {
-  SHOAL_CHECK(count > 0, "no integer lies in an empty range");
+  SHOAL_CHECK(count > 0, "count > 0");
   if (count == 1) return 0;
   const int unused_bits = std::countl_zero(count - 1);
   for (;;) {  // At least every second try succeeds.

@@ -4,8 +4,8 @@
 //   const double delay_s = 2 * stream.Uniform();
 //
 // A stream is named by the mission's seed, a purpose and ids: a link's two ends, a packet's number.
-// Streams of different names are independent, so that one more vehicle, receiver or draw changes
-// nobody else's numbers. Where many streams share the front of their names, hash that once:
+// Streams of different names are independent, so that one more vehicle, receiver or draw changes no
+// other numbers. Where many streams share the front of their names, hash that once:
 //
 //   const StreamKey link = StreamKey(seed, "loss").With("alpha").With("bravo");
 //   for (int64_t number ...) Stream(link.With(number)).Uniform();
@@ -26,7 +26,7 @@ namespace shoal {
 /// it: the state starts at zero; each part is cut into 64-bit words w_1 .. w_n; for each the state
 /// becomes Philox4x32(state xor (w_i, tag)) under the fixed key of stream.cc. An integer is one
 /// word with tag 1. A text of n bytes is max(1, ceil(n / 8)) words, bytes little-endian and padded
-/// with zeros, with tag 2 + 256 n. Tags tell where a part ends, so ("ab", "c") is not ("a", "bc").
+/// with zeros, with tag 2 + 256 n. Tags mark where a part ends, so ("ab", "c") is not ("a", "bc").
 class StreamKey {
  public:
   StreamKey(uint64_t seed, std::string_view purpose);

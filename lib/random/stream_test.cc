@@ -26,7 +26,7 @@ TEST(Philox, GivesThePublishedAnswers) {
 
 // Recorded missions depend on these bits, worked out from the contract of StreamKey by a second
 // implementation.
-TEST(Stream, HashesItsNameAsItsContractSays) {
+TEST(Stream, HashesItsNameAsDocumented) {
   Stream stream(7, "blackout", "alpha", 3);
   EXPECT_EQ(stream.Bits(), 0x2f18e6b023551f8eU);
   EXPECT_EQ(stream.Bits(), 0x641c93fc0711496dU);
@@ -67,7 +67,7 @@ RC_GTEST_PROP(Stream, HasNoTwinAmongOtherNames, (const std::string& a, const std
   RC_ASSERT(first.Bits() != second.Bits());
 }
 
-TEST(Stream, DoesNotHearOfOtherStreamsDraws) {
+TEST(Stream, IsIndependentOfOtherStreamsDraws) {
   Stream alone(5, "loss", "alpha", "bravo");
   Stream beside(5, "loss", "alpha", "bravo");
   Stream newcomer(5, "loss", "alpha", "charlie");

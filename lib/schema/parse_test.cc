@@ -47,7 +47,7 @@ struct second_t { })"});
   EXPECT_TRUE((*parsed)[1].members.empty());
 }
 
-TEST(ParseLcm, SaysWhereAndWhatIsWrong) {
+TEST(ParseLcm, ReportsWhereAndWhatIsWrong) {
   EXPECT_EQ(ErrorOf("struct t {\n  int32_t a\n}"), "a.lcm:3:1: expected ';', found '}'");
   EXPECT_EQ(ErrorOf("struct t { int32_t 1a; }"),
             "a.lcm:1:20: expected the name of a member, found '1a'");

@@ -185,7 +185,7 @@ int64_t MinWireSize(Primitive primitive) {
     case Primitive::kString:
       return 5;
   }
-  SHOAL_CHECK(false, "an unknown primitive");
+  SHOAL_CHECK(false, "every primitive type is handled");
 }
 
 Result<Schema> Schema::Build(const std::vector<LcmSource>& sources) {

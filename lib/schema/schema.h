@@ -1,4 +1,4 @@
-// What LCM messages look like, learnt from the text of .lcm files.
+// The structure of LCM messages, from the text of .lcm files.
 //
 //   const Result<Schema> schema = Schema::Build({{"pose_t.lcm", text}});
 //   const StructType* type = schema->FindByFingerprint(fingerprint);
@@ -56,9 +56,9 @@ struct Member {
   // What Schema::Build works out, of one element where the member is an array.
   int64_t min_wire_size = 0;
   bool has_fixed_size = false;  ///< Then all elements have min_wire_size.
-  /// From this member on, so many are numbers, no arrays, and no lengths of arrays ...
+  /// The number of members from this one on that are numbers, no arrays, and no lengths of arrays.
   size_t num_fixed_run = 0;
-  int64_t fixed_run_size = 0;  ///< ... and together take so many bytes.
+  int64_t fixed_run_size = 0;  ///< The bytes that these take together.
 };
 
 struct Constant {
@@ -91,7 +91,7 @@ struct LcmSource {
 /// Reads the text of one .lcm file. Errors name file, line and column.
 [[nodiscard]] Result<std::vector<StructType>> ParseLcm(const LcmSource& source);
 
-/// Types deeper inside one another than this are refused, in .lcm files and in messages.
+/// Types that are nested deeper than this are refused, in .lcm files and in messages.
 inline constexpr int kMaxStructDepth = 64;
 
 class Schema {

@@ -20,14 +20,14 @@ void AppendNumber(T value, std::string* out) {
   }
   std::array<char, 32> digits;
   const auto [end, error] = std::to_chars(digits.data(), digits.data() + digits.size(), value);
-  SHOAL_CHECK(error == std::errc(), "a number longer than 32 characters");
+  SHOAL_CHECK(error == std::errc(), "a number has at most 32 characters");
   out->append(digits.data(), end);
 }
 
 bool IsPlain(std::string_view text) {
   for (const char c : text) {
     const auto byte = static_cast<unsigned char>(c);
-    // Behind 0xc2 may stand the C1 control characters, which terminals obey.
+    // Behind 0xc2 may stand the C1 control characters, which terminals execute.
     if (byte <= ' ' || byte == 0x7f || byte == 0xc2) return false;
     if (std::string_view("\"\\=[]{}").find(c) != std::string_view::npos) return false;
   }
@@ -213,7 +213,7 @@ std::string MessageText(const Schema& schema, const StructType& type,
   TextWriter writer(&text, true);
   writer.Skip(skip);
   const auto fault = Walk(schema, type, message, &writer);
-  SHOAL_CHECK(!fault, "text of a message that nobody checked");
+  SHOAL_CHECK(!fault, "FindWireFault() finds no fault in the message");
   return text;
 }
 
@@ -221,7 +221,7 @@ std::vector<Leaf> Leaves(const Schema& schema, const StructType& type,
                          std::span<const uint8_t> message) {
   LeafCollector collector;
   const auto fault = Walk(schema, type, message, &collector);
-  SHOAL_CHECK(!fault, "leaves of a message that nobody checked");
+  SHOAL_CHECK(!fault, "FindWireFault() finds no fault in the message");
   return std::move(collector.leaves);
 }
 

@@ -37,8 +37,8 @@ uint64_t ReadBigEndian(const uint8_t* bytes, int64_t num_bytes) {
   }
 }
 
-/// Takes the place of a Visitor where nobody listens.
-struct Nobody {
+/// Takes the place of a Visitor where there is none.
+struct NoListener {
   void StructBegin(const StructType&) {}
   void StructEnd() {}
   void MemberBegin(const Member&) {}
@@ -66,7 +66,7 @@ class Walker {
   }
 
  private:
-  static constexpr bool kIsHeard = !std::is_same_v<Listener, Nobody>;
+  static constexpr bool kHasListener = !std::is_same_v<Listener, NoListener>;
 
   int64_t BytesLeft() const { return static_cast<int64_t>(bytes_.size() - position_); }
 
@@ -78,7 +78,7 @@ class Walker {
   bool WalkStruct(const StructType& type, int depth) {
     if (depth > kMaxStructDepth) return Fail("structs inside one another without end");
     if (type.min_wire_size > BytesLeft()) return Fail("the message ends too early");
-    if constexpr (!kIsHeard) {
+    if constexpr (!kHasListener) {
       if (type.has_fixed_size) {
         position_ += static_cast<size_t>(type.min_wire_size);
         return true;
@@ -89,7 +89,7 @@ class Walker {
     listener_.StructBegin(type);
     for (size_t i = 0; i < type.members.size(); ++i) {
       const Member& member = type.members[i];
-      if (!kIsHeard && member.num_fixed_run > 0) {
+      if (!kHasListener && member.num_fixed_run > 0) {
         if (member.fixed_run_size > BytesLeft()) return Fail("the message ends too early");
         position_ += static_cast<size_t>(member.fixed_run_size);
         i += member.num_fixed_run - 1;
@@ -140,9 +140,10 @@ class Walker {
     return true;
   }
 
-  /// Passes the innermost dimension at once where nobody listens and the elements have one size.
+  /// Passes the innermost dimension at once where there is no visitor and the elements have one
+  /// size.
   bool JumpOver(const Member& member, size_t d, int64_t count, int64_t element_size) {
-    if (kIsHeard || d + 1 != member.dimensions.size()) return false;
+    if (kHasListener || d + 1 != member.dimensions.size()) return false;
     if (!member.has_fixed_size) return false;
     position_ += static_cast<size_t>(count * element_size);
     return true;
@@ -155,7 +156,7 @@ class Walker {
     if (*member.primitive == Primitive::kString) return WalkString();
     const uint64_t bits = ReadBigEndian(bytes_.data() + position_, size);
     position_ += static_cast<size_t>(size);
-    if (!kIsHeard && !member.length_slot) return true;
+    if (!kHasListener && !member.length_slot) return true;
     const Scalar value = ScalarOf(*member.primitive, bits);
     if (member.length_slot)
       lengths_[lengths_begin + *member.length_slot] = std::get<int64_t>(value);
@@ -183,7 +184,7 @@ class Walker {
       case Primitive::kString:
         break;
     }
-    SHOAL_CHECK(false, "a string has no fixed number of bits");
+    SHOAL_CHECK(false, "every type but a string has a fixed number of bits");
   }
 
   /// @pre at least five bytes are left.
@@ -226,8 +227,8 @@ std::optional<WireFault> Walk(const Schema& schema, const StructType& type,
 
 std::optional<WireFault> FindWireFault(const Schema& schema, const StructType& type,
                                        std::span<const uint8_t> message) {
-  Nobody nobody;
-  return Walker<Nobody>(schema, message, &nobody).Run(type);
+  NoListener none;
+  return Walker<NoListener>(schema, message, &none).Run(type);
 }
 
 }  // namespace shoal

@@ -77,7 +77,7 @@ tree_t Chain(int depth) {
   return tree;
 }
 
-TEST(Walk, TellsEveryValueThatLcmEncoded) {
+TEST(Walk, ReportsEveryValueThatLcmEncoded) {
   std::string text;
   for (const Leaf& leaf : Leaves(TestSchema(), TypeOf<shapes_t>(), Encoded(Shapes(2, 1)))) {
     text += leaf.path + "=" + leaf.text + "\n";
@@ -125,8 +125,8 @@ TEST(Walk, RefusesAMessageThatIsCutAnywhereOrTooLong) {
   for (size_t size = 0; size < bytes.size(); ++size) {
     const auto cut = std::span(bytes).first(size);
     EXPECT_FALSE(IsSane<shapes_t>(cut)) << size;
-    Visitor deaf;
-    EXPECT_TRUE(Walk(TestSchema(), TypeOf<shapes_t>(), cut, &deaf)) << size;
+    Visitor ignored;
+    EXPECT_TRUE(Walk(TestSchema(), TypeOf<shapes_t>(), cut, &ignored)) << size;
   }
   bytes.push_back(0);
   EXPECT_FALSE(IsSane<shapes_t>(bytes));
@@ -200,8 +200,8 @@ RC_GTEST_PROP(Walk, PassesOnlyWhatLcmDecodesAndEncodesToTheSameBytes, ()) {
     bytes[where] = *rc::gen::element<uint8_t>(0, 1, 2, 3, 5, 127, 128, 255);
   }
   const bool is_sane = IsSane<shapes_t>(bytes);
-  Visitor deaf;
-  RC_ASSERT(is_sane == !Walk(TestSchema(), TypeOf<shapes_t>(), bytes, &deaf));
+  Visitor ignored;
+  RC_ASSERT(is_sane == !Walk(TestSchema(), TypeOf<shapes_t>(), bytes, &ignored));
   if (num_damages == 0) RC_ASSERT(is_sane);
   if (!is_sane) return;
   shapes_t decoded;
@@ -215,9 +215,9 @@ RC_GTEST_PROP(Walk, EndsWhateverTheBytes, (Bytes bytes)) {
   for (size_t i = 0; i < std::min<size_t>(8, bytes.size()); ++i) {
     bytes[i] = static_cast<uint8_t>(static_cast<uint64_t>(type.fingerprint) >> (56 - 8 * i));
   }
-  Visitor deaf;
+  Visitor ignored;
   RC_ASSERT(FindWireFault(TestSchema(), type, bytes).has_value() ==
-            Walk(TestSchema(), type, bytes, &deaf).has_value());
+            Walk(TestSchema(), type, bytes, &ignored).has_value());
 }
 
 }  // namespace

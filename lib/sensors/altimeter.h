@@ -1,4 +1,4 @@
-// Looks straight down and tells how far the sea floor is.
+// Looks straight down and returns how far the sea floor is.
 #pragma once
 
 #include <Eigen/Core>

@@ -12,17 +12,17 @@
 namespace shoal {
 namespace {
 
-TEST(Altimeter, TellsTheTrueDistanceWithoutNoise) {
+TEST(Altimeter, ReturnsTheTrueDistanceWithoutNoise) {
   EXPECT_EQ(MeasureAltitude({}, FlatFloor(60), {5, 6, 45}, 0), 15.0);
   EXPECT_EQ(DepthBelow(FlatFloor(60), {5, 6, 45}), 15);
 }
 
-TEST(Altimeter, TellsZeroOnAndBelowTheFloor) {
+TEST(Altimeter, ReturnsZeroOnAndBelowTheFloor) {
   EXPECT_EQ(MeasureAltitude({}, FlatFloor(60), {0, 0, 60}, 0), 0.0);
   EXPECT_EQ(MeasureAltitude({}, FlatFloor(60), {0, 0, 75}, 0), 0.0);
 }
 
-TEST(Altimeter, TellsNothingBeyondItsRange) {
+TEST(Altimeter, ReturnsNothingBeyondItsRange) {
   const Altimeter altimeter{.max_range_m = 20};
   EXPECT_EQ(MeasureAltitude(altimeter, FlatFloor(60), {0, 0, 40}, 0), 20.0);
   EXPECT_EQ(MeasureAltitude(altimeter, FlatFloor(60), {0, 0, 39.9}, 0), std::nullopt);

@@ -1,4 +1,4 @@
-// Tells how the water moves.
+// Measures how the water moves.
 #pragma once
 
 #include <Eigen/Core>

@@ -12,7 +12,7 @@ namespace {
 
 const Current kEastward({.speed_mps = {0.4}}, StreamKey(1, "current"));
 
-TEST(CurrentMeter, TellsTheTruthWithoutNoise) {
+TEST(CurrentMeter, ReturnsTheTruthWithoutNoise) {
   EXPECT_EQ(MeasureCurrent({}, kEastward, 12, 0), Eigen::Vector2d(0.4, 0));
 }
 

@@ -63,7 +63,7 @@ bool IsSonar(const SonarParams& params) {
 }
 
 ForwardLookingSonar::ForwardLookingSonar(const SonarParams& params) : params_(params) {
-  SHOAL_CHECK(IsSonar(params), "a sonar of impossible parameters");
+  SHOAL_CHECK(IsSonar(params), "IsSonar() holds for the parameters");
   for (int i = 0; i < params.azimuth_beams; ++i) {
     const double azimuth = Spread(0, params.width_rad, i, params.azimuth_beams);
     for (int j = 0; j < params.elevation_beams; ++j) {
@@ -77,7 +77,7 @@ ForwardLookingSonar::ForwardLookingSonar(const SonarParams& params) : params_(pa
 void ForwardLookingSonar::Ping(const SonarPose& pose, const SeaFloor& floor,
                                std::span<const SonarTarget> others, int64_t number,
                                std::span<SonarBeam> beams) const {
-  SHOAL_CHECK(beams.size() == beams_.size(), "room for another number of beams");
+  SHOAL_CHECK(beams.size() == beams_.size(), "beams.size() == beam_count()");
   const Eigen::Matrix3d rotation = BodyToWorld(pose.phi_rad, pose.theta_rad, pose.psi_rad);
   const Eigen::Vector3d position_m = Bounded(pose.position_m);
   Stream draws = params_.range_noise.Measurement(number);
@@ -88,7 +88,7 @@ void ForwardLookingSonar::Ping(const SonarPose& pose, const SeaFloor& floor,
     for (const SonarTarget& target : others) {
       range_m = std::min(range_m, TargetRange(target, position_m, beam.direction));
     }
-    // Each beam draws, seen or not: what one sees changes nobody else's noise.
+    // Each beam draws, seen or not: what one sees does not change the noise of others.
     const double error_m =
         params_.range_noise.sigma == 0 ? 0 : params_.range_noise.sigma * draws.Normal();
     beam.is_echo = range_m <= params_.max_range_m;

@@ -33,7 +33,7 @@ struct SonarParams {
 inline constexpr int kMaxSonarBeams = 256;
 inline constexpr int kMaxRangeSteps = 10'000;
 
-/// Tells whether a sonar can be made of these: finite numbers, counts as said there, 0 < max_range
+/// Returns whether these are valid: finite numbers, counts as stated there, 0 < max_range
 /// <= 1e5, angles within +-pi, width and height >= 0, 0 < rate, sigma >= 0.
 [[nodiscard]] bool IsSonar(const SonarParams& params);
 

@@ -1,5 +1,5 @@
 // Noise of a sensor: Gaussian, of mean 0, and the same for the same measurement of the same sensor,
-// however often and by whom it is computed.
+// however often and in whichever process it is computed.
 //
 //   MeasurementNoise noise{.sigma = 0.1, .key = StreamKey(seed, "altimeter").With("alpha")};
 //   Stream stream = noise.Measurement(number);

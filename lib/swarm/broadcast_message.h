@@ -1,4 +1,4 @@
-// muNet's BROADCAST/REQUEST: a leader tells all it knows of its group and asks for answers, in 65 +
+// muNet's BROADCAST/REQUEST: a leader sends all it knows of its group and asks for answers, in 65 +
 // 32 N bytes for N followers.
 //
 //   byte  0        type, four letters: BCRQ
@@ -59,14 +59,15 @@ struct BroadcastMessage {
 /// Returns BroadcastBytes(N) bytes.
 [[nodiscard]] std::vector<uint8_t> EncodeBroadcast(const BroadcastMessage& message);
 
-/// Returns what the bytes say, whatever it is; bytes behind the last do not matter. Nothing where
-/// there are fewer than its number of followers asks for, or where they do not begin with BCRQ.
+/// Returns the values in the bytes, valid or not; bytes behind the last do not matter. Nothing
+/// where there are fewer than its number of followers asks for, or where they do not begin with
+/// BCRQ.
 [[nodiscard]] std::optional<BroadcastMessage> DecodeBroadcast(std::span<const uint8_t> bytes);
 
 /// Any message of a swarm.
 using AnySwarmMessage = std::variant<ReportMessage, LeaderMessage, BroadcastMessage>;
 
-/// Returns what the bytes say by the flag that they begin with; nothing where it is none of RPRT,
+/// Returns the message by the flag that the bytes begin with; nothing where it is none of RPRT,
 /// RSPN, LRPT and BCRQ, or where there are too few.
 [[nodiscard]] std::optional<AnySwarmMessage> DecodeSwarmMessage(std::span<const uint8_t> bytes);
 

@@ -1,8 +1,8 @@
-// Whether a value can be what a member of the swarm sent. Limits are those of muNet's
+// Checks whether a member of the swarm can have sent a value. Limits are those of muNet's
 // documentation; what lies within them passes, damaged or not.
 //
 //   if (const FieldFault fault = CheckPosition(position_m, limits); fault != FieldFault::kNone)
-//     Tell(TextOf(fault));
+//     Print(TextOf(fault));
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@
 
 namespace shoal {
 
-/// Why a value cannot be right.
+/// Why a value is invalid.
 enum class FieldFault : uint8_t {
   kNone,
   kWrongLength,
@@ -45,8 +45,8 @@ struct FieldLimits {
   double max_time_s = 1e6;  ///< All times are below it.
   /// A time stamp may be later than now by this: as much as float32 rounds at 1e6 s, and more.
   int64_t future_tolerance_us = 100'000;
-  /// The answers that a request asks for may have begun so long ago when it arrives. muNet does not
-  /// look: with its default slots the first is over before a request to many has arrived.
+  /// The answers that a request asks for may have begun up to this long ago when it arrives. muNet
+  /// does not check: with its default slots the first is over before a request to many has arrived.
   int64_t late_start_us = 0;
 
   bool operator==(const FieldLimits&) const = default;

@@ -101,7 +101,7 @@ TEST(ResponseStartCheck, WantsATimeThatIsStillToCome) {
   EXPECT_EQ(CheckResponseStart(-1, std::nullopt, kLimits), FieldFault::kNegativeTime);
 }
 
-TEST(ResponseStartCheck, TakesALateStartIfTheMissionSaysSo) {
+TEST(ResponseStartCheck, TakesALateStartIfTheMissionAllowsIt) {
   const FieldLimits lenient{.late_start_us = 2'000'000};
   EXPECT_EQ(CheckResponseStart(14.02, kNow_us, lenient), FieldFault::kNone);
   EXPECT_EQ(CheckResponseStart(14.01, kNow_us, lenient), FieldFault::kInThePast);

@@ -26,7 +26,7 @@ bool operator==(const TimedMotion& a, const TimedMotion& b) {
 
 bool operator==(const SwarmContact& a, const SwarmContact& b) {
   const auto numbers = [](const SwarmContact& contact) {
-    return std::tie(contact.id, contact.group_id, contact.is_known, contact.is_heard,
+    return std::tie(contact.id, contact.group_id, contact.is_known, contact.has_reported,
                     contact.has_answered, contact.reported_us, contact.arrived_us,
                     contact.log.entries, contact.log.capacity);
   };
@@ -56,7 +56,7 @@ void AppendToLog(const TimedMotion& entry, MotionLog* log) {
 }
 
 void ResizeLog(size_t capacity, MotionLog* log) {
-  SHOAL_CHECK(capacity > 0, "a log holds something");
+  SHOAL_CHECK(capacity > 0, "the capacity of a log is more than 0");
   log->capacity = capacity;
   std::deque<TimedMotion>& entries = log->entries;
   if (entries.size() > capacity) {
@@ -93,7 +93,7 @@ bool IsUsable(const SwarmContact& contact) {
 
 bool KnowsNext(const SwarmContact& contact) {
   const Motion& next = contact.report.next;
-  return contact.is_heard && next.position_m.x() != kSentinelPosition_m &&
+  return contact.has_reported && next.position_m.x() != kSentinelPosition_m &&
          next.velocity_mps.x() != kSentinelSpeed_mps;
 }
 

@@ -1,4 +1,4 @@
-// What one vehicle knows of its group: its own, shared with nobody.
+// What one vehicle knows of its group: its own, not shared.
 //
 //   GroupState state{.own_id = 3, .group_id = 'A', .target = SwarmContact{.id = 1}};
 //   state.members.push_back({.id = 2});
@@ -49,10 +49,10 @@ void ResizeLog(size_t capacity, MotionLog* log);
 struct SwarmContact {
   uint32_t id = 0;
   uint8_t group_id = 'A';
-  bool is_known = false;  ///< `report` holds something: the mission said where it starts, or heard.
-  bool is_heard = false;  ///< It has reported, itself or by its leader.
+  bool is_known = false;  ///< `report` holds something: its start by the mission file, or a report.
+  bool has_reported = false;  ///< It has reported, itself or by its leader.
   bool has_answered = false;  ///< It has reported itself since the leader's last request.
-  MotionReport report = {};   ///< `next` is told by leaders only.
+  MotionReport report = {};   ///< Only leaders report `next`.
   int64_t reported_us = 0;    ///< The report's own time stamp.
   int64_t arrived_us = 0;     ///< When it came.
   MotionLog log = {};
@@ -91,16 +91,16 @@ inline constexpr double kSentinelTime_s = -1;
 /// none of them is a sentinel.
 [[nodiscard]] bool IsUsable(const SwarmContact& contact);
 
-/// Returns whether the contact has told of its next waypoint, and of how it will move there:
-/// leaders do, and neither is a sentinel.
+/// Returns whether the contact has reported its next waypoint, and how it will move there: leaders
+/// do, and neither is a sentinel.
 [[nodiscard]] bool KnowsNext(const SwarmContact& contact);
 
 /// Returns where the contact is now: its last report and constant velocity since. Nothing unless
 /// IsUsable.
 [[nodiscard]] std::optional<Motion> PredictContact(const SwarmContact& contact, int64_t now_us);
 
-/// Returns where the leader is now, by what it told of its next waypoint. Nothing unless there is a
-/// target and it IsUsable.
+/// Returns where the leader is now, by what it reported of its next waypoint. Nothing unless there
+/// is a target and it IsUsable.
 [[nodiscard]] std::optional<Motion> PredictTarget(const GroupState& state, int64_t now_us,
                                                   const PredictionLimits& limits);
 

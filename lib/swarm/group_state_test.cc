@@ -15,10 +15,10 @@ MotionLog LogOf(int64_t num_entries) {
   return log;
 }
 
-SwarmContact ContactHeardAt(double time_s) {
+SwarmContact ContactReportedAt(double time_s) {
   SwarmContact contact =
       PlacedContact(2, 'A', {.position_m = {10, 20, 5}, .velocity_mps = {2, -1, 0.5}});
-  contact.is_heard = true;
+  contact.has_reported = true;
   contact.reported_us = static_cast<int64_t>(time_s * 1e6);
   return contact;
 }
@@ -79,7 +79,7 @@ TEST(MotionLog, GivesItsLastEntries) {
 }
 
 TEST(Prediction, StartsAtTheTimeStampOfTheReport) {
-  SwarmContact contact = ContactHeardAt(10);
+  SwarmContact contact = ContactReportedAt(10);
   contact.arrived_us = 13 * kSecond_us;
   const auto motion = PredictContact(contact, 14 * kSecond_us);
   ASSERT_TRUE(motion);
@@ -88,29 +88,29 @@ TEST(Prediction, StartsAtTheTimeStampOfTheReport) {
 }
 
 TEST(Prediction, IsTheReportItselfUntilTimeHasPassed) {
-  const auto motion = PredictContact(ContactHeardAt(10), 9 * kSecond_us);
+  const auto motion = PredictContact(ContactReportedAt(10), 9 * kSecond_us);
   ASSERT_TRUE(motion);
   EXPECT_EQ(motion->position_m, Eigen::Vector3d(10, 20, 5));
 }
 
-TEST(Prediction, KnowsNothingOfAContactThatIsNeitherPlacedNorHeard) {
+TEST(Prediction, KnowsNothingOfAContactThatIsNeitherPlacedNorReported) {
   EXPECT_FALSE(PredictContact(SwarmContact{.id = 2}, kSecond_us));
   EXPECT_FALSE(PredictTarget(GroupState{.target = SwarmContact{.id = 1}}, kSecond_us, {}));
   EXPECT_FALSE(PredictTarget(GroupState{}, kSecond_us, {}));
 }
 
 TEST(Prediction, IsNotMadeFromASentinel) {
-  SwarmContact lost = ContactHeardAt(10);
+  SwarmContact lost = ContactReportedAt(10);
   lost.report.now.position_m.setConstant(kSentinelPosition_m);
   EXPECT_FALSE(PredictContact(lost, 11 * kSecond_us));
-  SwarmContact adrift = ContactHeardAt(10);
+  SwarmContact adrift = ContactReportedAt(10);
   adrift.report.now.velocity_mps.setConstant(kSentinelSpeed_mps);
   EXPECT_FALSE(PredictContact(adrift, 11 * kSecond_us));
-  EXPECT_FALSE(PredictContact(ContactHeardAt(-1), 11 * kSecond_us));
+  EXPECT_FALSE(PredictContact(ContactReportedAt(-1), 11 * kSecond_us));
 }
 
-TEST(Prediction, OfTheLeaderUsesWhatItToldOfItsNextWaypoint) {
-  SwarmContact leader = ContactHeardAt(0);
+TEST(Prediction, OfTheLeaderUsesTheNextWaypointThatItReported) {
+  SwarmContact leader = ContactReportedAt(0);
   leader.report = {.now = {.position_m = {0, 0, 10}, .velocity_mps = {1, 0, 0}},
                    .next = {.position_m = {8, 0, 10}, .velocity_mps = {0, 2, 0}}};
   const auto after = PredictTarget(GroupState{.target = leader}, 20 * kSecond_us, {});
@@ -120,14 +120,14 @@ TEST(Prediction, OfTheLeaderUsesWhatItToldOfItsNextWaypoint) {
 }
 
 TEST(Prediction, OfALeaderWithoutNextWaypointIsAtConstantVelocity) {
-  SwarmContact leader = ContactHeardAt(0);
+  SwarmContact leader = ContactReportedAt(0);
   leader.report.next.position_m.setConstant(kSentinelPosition_m);
   const auto motion = PredictTarget(GroupState{.target = leader}, 2 * kSecond_us, {});
   ASSERT_TRUE(motion);
   EXPECT_TRUE(motion->position_m.isApprox(Eigen::Vector3d(14, 18, 6)));
 }
 
-TEST(GroupState, FindsItsMembersAndNobodyElse) {
+TEST(GroupState, FindsItsMembersOnly) {
   GroupState state{.own_id = 3, .members = {SwarmContact{.id = 2}}};
   EXPECT_EQ(FindMember(state, 2), &state.members[0]);
   EXPECT_EQ(FindMember(state, 3), nullptr);

@@ -9,8 +9,8 @@
 //        41  leader_next_vel  3 x float32, m/s
 //        53  time_stamp       float32, s
 //
-// Numbers are little-endian. Nothing in it tells whether it was damaged on its way, nor who the
-// leader is: a group has one.
+// Numbers are little-endian. Nothing in it shows whether it was damaged on its way, nor which
+// vehicle the leader is: a group has one.
 #pragma once
 
 #include <Eigen/Core>
@@ -27,7 +27,7 @@ namespace shoal {
 inline constexpr size_t kLeaderReportBytes = 57;
 inline constexpr MessageFlag kLeaderReportFlag = {'L', 'R', 'P', 'T'};
 
-/// What a leader tells of itself. Vectors are x East, y North, z down.
+/// What a leader reports of itself. Vectors are x East, y North, z down.
 struct LeaderMotion {
   Eigen::Vector3f position_m = Eigen::Vector3f::Zero();
   Eigen::Vector3f velocity_mps = Eigen::Vector3f::Zero();
@@ -48,8 +48,8 @@ struct LeaderMessage {
 /// Returns kLeaderReportBytes bytes.
 [[nodiscard]] std::vector<uint8_t> EncodeLeaderReport(const LeaderMessage& message);
 
-/// Returns what the bytes say, whatever it is; bytes behind the 57th do not matter. Nothing where
-/// there are fewer, or where they do not begin with LRPT.
+/// Returns the values in the bytes, valid or not; bytes behind the 57th do not matter. Nothing
+/// where there are fewer, or where they do not begin with LRPT.
 [[nodiscard]] std::optional<LeaderMessage> DecodeLeaderReport(std::span<const uint8_t> bytes);
 
 /// Writes and reads the 48 bytes of a leader's motion. @pre Take: at least 48 bytes are left

@@ -26,17 +26,17 @@ std::optional<Value> ValueOf(const TakenField<Value>& taken) {
   return taken.value;
 }
 
-/// Reads one message against what is known, and changes nothing but the account of it.
+/// Reads one message against what is known, and changes nothing but `reception`.
 class Examination {
  public:
   Examination(const SwarmReceiver& receiver, int64_t now_us, SwarmReception* reception)
       : receiver_(receiver),
         state_(receiver.state),
         now_us_(now_us),
-        mend_at_us_(now_us),
+        recover_at_us_(now_us),
         reception_(reception) {}
 
-  /// Returns what to change; nothing where the message is rejected, `reception` says why.
+  /// Returns what to change; nothing where the message is rejected, `reception` holds the reason.
   std::optional<PendingUpdate> Examine(std::span<const uint8_t> message) {
     if (message.size() < std::tuple_size_v<MessageFlag>) {
       return Reject<PendingUpdate>(RejectReason::kTooShort);
@@ -76,13 +76,13 @@ class Examination {
   std::optional<TakenField<Value>> Take(SwarmField field, FieldFault fault, const Value& value,
                                         const FieldSubject& subject) {
     if (fault == FieldFault::kNone) return TakenField<Value>{.value = value};
-    const auto mended =
-        Recover(receiver_.plan, {field, value, subject}, {state_, receiver_.limits, mend_at_us_});
-    if (!mended) return Unrecoverable<TakenField<Value>>(field, fault);
+    const auto recovered = Recover(receiver_.plan, {field, value, subject},
+                                   {state_, receiver_.limits, recover_at_us_});
+    if (!recovered) return Unrecoverable<TakenField<Value>>(field, fault);
     reception_->recoveries.push_back(
-        {.field = field, .fault = fault, .strategy = mended->strategy, .id = subject.id});
-    return TakenField<Value>{.value = std::get<Value>(mended->value),
-                             .is_left_out = mended->strategy == RecoveryStrategy::kSkipField};
+        {.field = field, .fault = fault, .strategy = recovered->strategy, .id = subject.id});
+    return TakenField<Value>{.value = std::get<Value>(recovered->value),
+                             .is_left_out = recovered->strategy == RecoveryStrategy::kSkipField};
   }
 
   std::optional<TakenField<Eigen::Vector3d>> TakePosition(SwarmField field,
@@ -100,13 +100,13 @@ class Examination {
                 subject);
   }
 
-  /// Positions and velocities that are checked after this belong to the time, if it is a good one.
+  /// Positions and velocities that are checked after this hold at this time, if it is valid.
   std::optional<TakenField<double>> TakeTime(SwarmField field, float time_s,
                                              const FieldSubject& subject) {
     const auto fault = CheckTimeStamp(time_s, now_us_, receiver_.limits);
-    mend_at_us_ = now_us_;
+    recover_at_us_ = now_us_;
     const auto taken = Take(field, fault, static_cast<double>(time_s), subject);
-    if (fault == FieldFault::kNone) mend_at_us_ = MicrosecondsOf(time_s);
+    if (fault == FieldFault::kNone) recover_at_us_ = MicrosecondsOf(time_s);
     return taken;
   }
 
@@ -187,8 +187,8 @@ class Examination {
     return PendingUpdate{.report = *report};
   }
 
-  /// Puts right the number that all later places depend on; the length of the message proves it.
-  bool MendNumFollowers(std::vector<uint8_t>* bytes) {
+  /// Corrects the number that all later offsets depend on; the length of the message gives it.
+  bool RecoverNumFollowers(std::vector<uint8_t>* bytes) {
     const std::span<const uint8_t> at_number = std::span(*bytes).subspan(kNumFollowersOffset);
     const auto raw = int64_t{LittleEndianReader(at_number).Take<uint32_t>()};
     FieldFault fault = CheckNumFollowers(raw, receiver_.limits);
@@ -211,14 +211,14 @@ class Examination {
 
   std::optional<PendingUpdate> ExamineBroadcast(std::vector<uint8_t> bytes) {
     if (bytes.size() < BroadcastBytes(0)) return Reject<PendingUpdate>(RejectReason::kWrongLength);
-    if (!MendNumFollowers(&bytes)) return std::nullopt;
+    if (!RecoverNumFollowers(&bytes)) return std::nullopt;
     const auto message = DecodeBroadcast(bytes);
     if (!message) return Reject<PendingUpdate>(RejectReason::kWrongLength);
     const auto leader = TakeLeader(message->group_id, message->leader, message->time_stamp_s);
     if (!leader) return std::nullopt;
 
     PendingUpdate update{.report = *leader, .is_request = true};
-    mend_at_us_ = now_us_;
+    recover_at_us_ = now_us_;
     std::vector<int64_t> ids;
     for (const BroadcastFollower& follower : message->followers) ids.push_back(follower.id);
     const auto order =
@@ -243,8 +243,9 @@ class Examination {
     return update;
   }
 
-  /// Checks what the leader says of a member. Of oneself, of strangers and of members that the
-  /// leader never heard it says nothing that could be used. Returns false to reject the message.
+  /// Checks what the leader reports of a member. What it reports of the receiver, of ids outside
+  /// the group and of members that it never received from is not used. Returns false to reject the
+  /// message.
   bool TakeFollower(const BroadcastFollower& follower, int64_t id, PendingUpdate* update) {
     if (!FindMember(state_, id) || follower.reported_s == 0) return true;
     const FieldSubject subject{.id = id};
@@ -265,7 +266,7 @@ class Examination {
   const SwarmReceiver& receiver_;
   const GroupState& state_;
   int64_t now_us_;
-  int64_t mend_at_us_;  ///< When the values of the message held, as far as that is known.
+  int64_t recover_at_us_;  ///< When the values of the message held, as far as that is known.
   SwarmReception* reception_;
 };
 

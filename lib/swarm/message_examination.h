@@ -21,11 +21,11 @@ struct PendingUpdate {
 
   bool is_request = false;             ///< The rest counts for requests only.
   std::vector<int64_t> order = {};     ///< Ids, in the order of their answers.
-  bool is_order_known = false;         ///< Worth keeping: not damaged, or mended.
+  bool is_order_known = false;         ///< Worth keeping: not damaged, or recovered.
   std::optional<double> start_s = {};  ///< Of the first answer.
 };
 
-/// Checks and mends the message, without its frame. Returns what is to be changed; nothing where
+/// Checks and recovers the message, without its frame. Returns what is to be changed; nothing where
 /// the message is rejected. `reception` gets everything but the result.
 [[nodiscard]] std::optional<PendingUpdate> ExamineMessage(std::span<const uint8_t> message,
                                                           int64_t now_us,

@@ -1,12 +1,12 @@
-// A trailer that tells whether a message was damaged, and which were lost.
+// A trailer that shows whether a message was damaged, and which were lost.
 //
 //   message          n bytes, as it is without a frame
 //   sequence         uint16: one more for each frame that the sender makes; 0 follows 65535
 //   checksum         uint32: CRC-32 of IEEE 802.3 over all bytes before it
 //
-// Numbers are little-endian. muNet has no such thing, so it is off unless a mission asks for it;
-// standing behind the message, it leaves the message readable to who knows nothing of it. Six bytes
-// are 48 ms at 1000 bit/s.
+// Numbers are little-endian. muNet has no frames, so they are off unless a mission turns them on;
+// standing behind the message, it leaves the message readable to receivers that do not know it. Six
+// bytes are 48 ms at 1000 bit/s.
 #pragma once
 
 #include <cstdint>
@@ -29,18 +29,19 @@ struct OpenedFrame {
 /// Returns the message of a frame whose checksum is right.
 [[nodiscard]] std::optional<OpenedFrame> OpenFrame(std::span<const uint8_t> bytes);
 
-/// What the sequence numbers of one sender tell.
+/// What the sequence numbers of one sender show.
 struct FrameCount {
   std::optional<uint16_t> last_sequence = {};  ///< Nothing before the first frame.
   int64_t received = 0;
   int64_t lost = 0;       ///< Numbers that were left out.
   int64_t repeated = 0;   ///< Frames with the number of the one before.
-  int64_t restarted = 0;  ///< Numbers that went back: the sender began again.
+  int64_t restarted = 0;  ///< Lower numbers than before: the sender was restarted.
 
   bool operator==(const FrameCount&) const = default;
 };
 
-/// Counts a frame. A step back is a restart: no frame overtakes another of its sender in the water.
+/// Counts a frame. A lower number means a restart: frames of one sender cannot overtake one
+/// another.
 void CountFrame(uint16_t sequence, FrameCount* count);
 
 /// By the sender's id.

@@ -58,7 +58,7 @@ TEST(FrameCount, CountsOnAcrossTheEndOfTheNumbers) {
   EXPECT_EQ(CountOf({65534, 65535, 0, 2}).restarted, 0);
 }
 
-TEST(FrameCount, TellsARepeatedFrameFromALostOne) {
+TEST(FrameCount, DistinguishesARepeatedFrameFromALostOne) {
   EXPECT_EQ(CountOf({3, 3, 4}).repeated, 1);
   EXPECT_EQ(CountOf({3, 3, 4}).lost, 0);
 }

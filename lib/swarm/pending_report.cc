@@ -13,7 +13,7 @@ constexpr int64_t kSentinelTime_us = -1'000'000;
 }  // namespace
 
 bool IsOutdated(const PendingReport& report, const SwarmContact& contact) {
-  if (!contact.is_heard || !report.time_s || *report.time_s < 0) return false;
+  if (!contact.has_reported || !report.time_s || *report.time_s < 0) return false;
   return MicrosecondsOf(*report.time_s) < contact.reported_us;
 }
 
@@ -40,7 +40,7 @@ void ApplyReport(const PendingReport& report, bool is_leader, int64_t now_us,
   }
   contact->arrived_us = now_us;
   contact->is_known = true;
-  contact->is_heard = true;
+  contact->has_reported = true;
   const bool is_whole = report.position_m && report.velocity_mps && report.time_s;
   if (is_whole && IsUsable(*contact)) {
     AppendToLog({.time_us = contact->reported_us, .motion = now}, &contact->log);

@@ -1,4 +1,4 @@
-// What a message is going to change about one contact, once all of it has been found good.
+// What a message is going to change about one contact, once all of it has been checked.
 #pragma once
 
 #include <Eigen/Core>
@@ -18,7 +18,7 @@ struct PendingReport {
   std::optional<double> time_s = {};  ///< The time stamp.
 };
 
-/// Returns whether the contact has told something newer than this.
+/// Returns whether the contact has reported something newer than this.
 [[nodiscard]] bool IsOutdated(const PendingReport& report, const SwarmContact& contact);
 
 /// Takes the report. A value that is missing and was never known becomes a sentinel; a time stamp

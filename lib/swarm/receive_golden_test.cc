@@ -1,5 +1,5 @@
 // Every row of munet/receive_handlers.json: what whole messages, good and damaged, change in the
-// state of who receives them.
+// state of the receiver.
 #include <gtest/gtest.h>
 
 #include <map>

@@ -270,12 +270,12 @@ std::optional<FieldValue> RecoverBy(RecoveryStrategy strategy, const DamagedFiel
   return std::nullopt;
 }
 
-std::optional<MendedField> Recover(const RecoveryPlan& plan, const DamagedField& damaged,
-                                   const RecoverySources& sources) {
+std::optional<RecoveredField> Recover(const RecoveryPlan& plan, const DamagedField& damaged,
+                                      const RecoverySources& sources) {
   for (const RecoveryStrategy strategy : plan.of(damaged.field)) {
     if (strategy == RecoveryStrategy::kSkip) return std::nullopt;
     if (auto value = RecoverBy(strategy, damaged, sources)) {
-      return MendedField{.value = *std::move(value), .strategy = strategy};
+      return RecoveredField{.value = *std::move(value), .strategy = strategy};
     }
   }
   return std::nullopt;

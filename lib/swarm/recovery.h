@@ -1,12 +1,12 @@
-// What to put in place of a field that cannot be right.
+// The replacement of a field whose value is invalid.
 //
 //   RecoveryPlan plan;                                                  // muNet's
 //   plan.of(SwarmField::kReporterPos) = {RecoveryStrategy::kPrevious};
-//   if (const auto mended = Recover(plan, {field, bad, subject}, {state, limits, now_us}))
-//     Use(mended->value);
+//   if (const auto recovered = Recover(plan, {field, bad, subject}, {state, limits, now_us}))
+//     Use(recovered->value);
 //
-// Strategies are tried in the plan's order; the first that can say something is taken. A field
-// without any, and the strategy `skip`, drop the message. docs/swarm.md tells what each strategy
+// Strategies are tried in the plan's order; the first that has a value is taken. A field
+// without any, and the strategy `skip`, drop the message. docs/swarm.md shows what each strategy
 // makes of each field.
 #pragma once
 
@@ -42,46 +42,46 @@ struct RecoveryPlan {
 using FieldValue =
     std::variant<MessageFlag, uint8_t, int64_t, double, Eigen::Vector3d, std::vector<int64_t>>;
 
-/// Whom a field is about, as far as that is known.
+/// The member that a field is about, as far as that is known.
 struct FieldSubject {
   bool is_leader = false;
   std::optional<int64_t> id = {};  ///< Of a member.
 };
 
-/// A field that cannot be right. Its value has the type that FieldValue names for the field.
+/// A field whose value is invalid. It has the type that FieldValue names for the field.
 struct DamagedField {
   SwarmField field = SwarmField::kType;
   FieldValue value = {};
   FieldSubject subject = {};
 };
 
-/// What there is to mend it with.
+/// What there is to recover it from.
 struct RecoverySources {
   const GroupState& state;
   const FieldLimits& limits;
-  int64_t now_us = 0;  ///< When the value is to hold: positions are predicted up to here.
+  int64_t now_us = 0;  ///< The time that the value is for: positions are predicted up to here.
 };
 
-struct MendedField {
+struct RecoveredField {
   FieldValue value = {};
   RecoveryStrategy strategy = RecoveryStrategy::kSkip;
 };
 
-/// Differences of this many bits or more are no damaged flag: a random word passes for one in 240
-/// times then. (muNet takes up to 15, and two random words of three.)
+/// With this many different bits or more a word is not taken for a damaged flag: one random word in
+/// 240 is. (muNet takes up to 15, and two random words of three.)
 inline constexpr int kFlagDistanceLimit_bits = 8;
 
 /// Returns the flag that differs least, by fewer than kFlagDistanceLimit_bits bits.
 [[nodiscard]] std::optional<MessageFlag> NearestFlag(const MessageFlag& flag);
 
-/// Returns what one strategy makes of the field; nothing where it has no answer.
+/// Returns the replacement by one strategy; nothing where it has none.
 [[nodiscard]] std::optional<FieldValue> RecoverBy(RecoveryStrategy strategy,
                                                   const DamagedField& damaged,
                                                   const RecoverySources& sources);
 
-/// Returns what the first strategy of the plan that has an answer makes of the field.
-[[nodiscard]] std::optional<MendedField> Recover(const RecoveryPlan& plan,
-                                                 const DamagedField& damaged,
-                                                 const RecoverySources& sources);
+/// Returns the replacement by the first strategy of the plan that has one.
+[[nodiscard]] std::optional<RecoveredField> Recover(const RecoveryPlan& plan,
+                                                    const DamagedField& damaged,
+                                                    const RecoverySources& sources);
 
 }  // namespace shoal

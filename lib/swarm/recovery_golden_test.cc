@@ -110,7 +110,7 @@ std::optional<FieldValue> ExpectedOf(const Json& row, SwarmField field, const Fi
   return ValueOf(field, row["peer_value"]);
 }
 
-TEST(Recovery, IsWhatTheDocumentationOfMuNetSays) {
+TEST(Recovery, AgreesWithTheDocumentationOfMuNet) {
   const Json golden = ReadGoldenJson("munet/recovery.json");
   int num_checked = 0;
   for (const Json& row : golden["cases"]) {
@@ -127,7 +127,7 @@ TEST(Recovery, IsWhatTheDocumentationOfMuNetSays) {
     const std::string strategy = row["strategy"];
     std::optional<FieldValue> found;
     if (strategy == "default") {
-      if (auto mended = Recover({}, damaged, sources)) found = mended->value;
+      if (auto recovered = Recover({}, damaged, sources)) found = recovered->value;
     } else {
       found = RecoverBy(RecoveryStrategyOf(strategy).value(), damaged, sources);
     }

@@ -34,7 +34,7 @@ TEST(RecoverPrevious, KnowsMembersThoughThereIsALeader) {
   EXPECT_EQ(RecoveredBy<uint8_t>(kPrevious, {SwarmField::kGroupId, uint8_t{0}, kTwo}, state), 'A');
 }
 
-TEST(RecoverPrevious, HasNothingOfAContactThatNobodyKnows) {
+TEST(RecoverPrevious, HasNothingOfAnUnknownContact) {
   GroupState state = FollowerThree().state;
   state.members[0] = SwarmContact{.id = 2};
   EXPECT_FALSE(
@@ -112,7 +112,7 @@ TEST(RecoverNeutral, NumbersTheScheduleAsMuNetNumbersItsVehicles) {
             (std::vector<int64_t>{2, 3, 4}));
 }
 
-TEST(NearestFlag, MendsUpToSevenBits) {
+TEST(NearestFlag, RecoversUpToSevenBits) {
   EXPECT_EQ(NearestFlag({'S', 'P', 'R', 'T'}), kReportFlag);
   EXPECT_EQ(NearestFlag({'Z', 'Z', 'Z', 'Z'}), kReportFlag);          // 7 bits.
   EXPECT_EQ(NearestFlag({'Z', 'Z', 'Z', 'Z' ^ 0x20}), std::nullopt);  // 8 bits.

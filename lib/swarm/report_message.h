@@ -7,7 +7,7 @@
 //        21  reporter_vel     3 x float32, m/s
 //        33  time_stamp       float32, s
 //
-// Numbers are little-endian. Nothing in it tells whether it was damaged on its way.
+// Numbers are little-endian. Nothing in it shows whether it was damaged on its way.
 #pragma once
 
 #include <Eigen/Core>
@@ -40,8 +40,8 @@ struct ReportMessage {
 /// Returns kReportBytes bytes.
 [[nodiscard]] std::vector<uint8_t> EncodeReport(const ReportMessage& report);
 
-/// Returns what the bytes say, whatever it is; bytes behind the 37th do not matter. Nothing where
-/// there are fewer.
+/// Returns the values in the bytes, valid or not; bytes behind the 37th do not matter. Nothing
+/// where there are fewer.
 [[nodiscard]] std::optional<ReportMessage> DecodeReport(std::span<const uint8_t> bytes);
 
 }  // namespace shoal

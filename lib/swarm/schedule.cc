@@ -22,17 +22,19 @@ SwarmMessage MessageOf(SwarmScheme scheme, bool is_leader) {
 
 SwarmSchedule::SwarmSchedule(const SlotPlan& plan, const SwarmPlace& place)
     : plan_(plan), place_(place), first_us_(0) {
-  SHOAL_CHECK(plan.tick_us > 0 && IsLength(plan.tick_us), "steps take time");
-  SHOAL_CHECK(plan.episode_us > 0 && IsLength(plan.episode_us), "episodes take time");
+  SHOAL_CHECK(plan.tick_us > 0 && IsLength(plan.tick_us), "tick_us is from 1 to kLatestSlot_us");
+  SHOAL_CHECK(plan.episode_us > 0 && IsLength(plan.episode_us),
+              "episode_us is from 1 to kLatestSlot_us");
   if (plan.scheme == SwarmScheme::kTdmaLf) {
-    SHOAL_CHECK(plan.response_us > 0 && IsLength(plan.response_us), "slots take time");
-    SHOAL_CHECK(IsLength(plan.broadcast_us), "a request is before its answers");
+    SHOAL_CHECK(plan.response_us > 0 && IsLength(plan.response_us),
+                "response_us is from 1 to kLatestSlot_us");
+    SHOAL_CHECK(IsLength(plan.broadcast_us), "broadcast_us is from 0 to kLatestSlot_us");
     return;
   }
-  SHOAL_CHECK(IsLength(plan.offset_us), "later places are later");
+  SHOAL_CHECK(IsLength(plan.offset_us), "offset_us is from 0 to kLatestSlot_us");
   SHOAL_CHECK(
       place.place >= 0 && (plan.offset_us == 0 || place.place <= kLatestSlot_us / plan.offset_us),
-      "the first slot lies in the mission");
+      "place * offset_us is from 0 to kLatestSlot_us");
   first_us_ = plan.offset_us * place.place;
 }
 
@@ -43,7 +45,7 @@ std::optional<DueMessage> SwarmSchedule::Due(int64_t utime) {
 std::optional<DueMessage> SwarmSchedule::DueByItself(int64_t utime) {
   if (utime < first_us_) return std::nullopt;
   const int64_t slot_us = utime - (utime - first_us_) % plan_.episode_us;
-  if (utime - slot_us >= plan_.tick_us) return std::nullopt;  // It was said one step ago or before.
+  if (utime - slot_us >= plan_.tick_us) return std::nullopt;  // It was sent one step ago or before.
   if (last_slot_us_ && slot_us <= *last_slot_us_) return std::nullopt;
   last_slot_us_ = slot_us;
   DueMessage due{.message = MessageOf(plan_.scheme, place_.is_leader), .slot_us = slot_us};

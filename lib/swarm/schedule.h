@@ -1,4 +1,4 @@
-// When a member of a swarm says something through the water, so that nobody talks over another.
+// When a member of a swarm sends an acoustic message, so that messages do not overlap.
 //
 //   fdma_lf  every member on a channel of its own: the leader its LEADER-REPORT, the others their
 //            REPORT, once per episode; place times `offset` after the beginning
@@ -11,13 +11,13 @@
 //                 |<------------------------- episode --------------------------->|
 //
 //   SwarmSchedule schedule(plan, {.is_leader = false, .place = 2});
-//   if (const auto due = schedule.Due(utime)) Say(due->message);            // in every step
+//   if (const auto due = schedule.Due(utime)) Send(due->message);            // in every step
 //   schedule.Take(request);                                // tdma_lf: a follower was asked
 //
-// Times are microseconds since the mission's start, and whole numbers: the millionth episode begins
-// when it should. A slot is taken in the first step that is not before it. It depends on the plan
-// and the time alone: a process that was started again goes on with its next slot, and a slot that
-// nobody was there for is left out, never made up for.
+// Times are microseconds since the mission's start, and whole numbers: no rounding adds up over
+// episodes. A slot is taken in the first step that is not before it. It depends on the plan
+// and the time alone: a process that was started again goes on with its next slot, and a slot in
+// which it did not run is left out, never made up for.
 #pragma once
 
 #include <cstdint>
@@ -44,7 +44,7 @@ struct SlotPlan {
   bool operator==(const SlotPlan&) const = default;
 };
 
-/// Who a schedule is for.
+/// The member that a schedule is for.
 struct SwarmPlace {
   bool is_leader = false;
   int64_t place = 0;  ///< fdma_lf, tdma: its first slot begins at place * offset. muNet: its id.
@@ -62,20 +62,20 @@ struct DueMessage {
 
 class SwarmSchedule {
  public:
-  /// No mission lasts as long, and no slot is later: 31 years.
+  /// The latest slot, 31 years: longer than any mission.
   static constexpr int64_t kLatestSlot_us = 1'000'000'000'000'000;
 
   /// @pre tick, episode and, for tdma_lf, response are positive, none is negative; place is at
   /// least 0; nothing is more than kLatestSlot_us.
   SwarmSchedule(const SlotPlan& plan, const SwarmPlace& place);
 
-  /// Returns what has to be said in the step at `utime`; one message at most. Asked twice for a
+  /// Returns what has to be sent in the step at `utime`; one message at most. Asked twice for a
   /// step, or for an earlier one, it has nothing more.
   [[nodiscard]] std::optional<DueMessage> Due(int64_t utime);
 
   /// tdma_lf: a request has come that gives this member a slot. It replaces the one before; one for
-  /// a slot that was used already, or that no mission reaches, does nothing. start_us was a
-  /// float32 on its way: the nearest step is meant.
+  /// a slot that was used already, or that is later than kLatestSlot_us, does nothing. start_us was
+  /// a float32 on its way: the nearest step is meant.
   void Take(const ResponseRequest& request);
 
   /// Slots that it was asked to answer in and did not: the request, or the step, came too late, or
@@ -91,7 +91,7 @@ class SwarmSchedule {
 
   SlotPlan plan_;
   SwarmPlace place_;
-  int64_t first_us_;                     ///< Its first slot, where nobody has to ask.
+  int64_t first_us_;                     ///< Its first slot, where no request is needed.
   std::optional<int64_t> asked_us_;      ///< The slot to answer in.
   std::optional<int64_t> last_slot_us_;  ///< The slot that was used last.
   int64_t num_missed_ = 0;

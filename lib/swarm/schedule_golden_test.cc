@@ -1,8 +1,8 @@
-// The time lines of muNet: tests/golden/munet/schedules.json, and who spoke when in its whole
-// simulations. Where shoal differs, the test names the fault of muNet that explains it:
+// The time lines of muNet: tests/golden/munet/schedules.json, and the times of all messages in its
+// whole simulations. Where shoal differs, the test names the fault of muNet that explains it:
 //   S1  it asks `t % episode == 0` of floats, and most episodes pass without a request
 //   S2  it does not check that a request fits into its time, nor an episode
-//   S3  members of fdma speak one step after their slot, and one more by rounding
+//   S3  members of fdma send one step after their slot, and one more by rounding
 #include <gtest/gtest.h>
 
 #include <array>
@@ -53,7 +53,7 @@ TimeLine TimeLineOf(const Json& scenario) {
   return line;
 }
 
-/// Lets the schedules of a scenario speak, and followers hear requests when they have come to them.
+/// Lets the schedules of a scenario send, and followers take requests when they have arrived.
 TimeLine PlayScenario(const Json& scenario, const SlotPlan& plan) {
   struct Request {
     double arrives_us = 0;
@@ -97,7 +97,7 @@ TimeLine PlayScenario(const Json& scenario, const SlotPlan& plan) {
 
 class ExactGolden : public testing::TestWithParam<const char*> {};
 
-TEST_P(ExactGolden, IsSaidInTheSameSteps) {
+TEST_P(ExactGolden, IsSentInTheSameSteps) {
   const Json scenario = Scenario(GetParam());
   const TimeLine expected = TimeLineOf(scenario);
   EXPECT_GE(expected.size(), 4U);
@@ -109,7 +109,7 @@ INSTANTIATE_TEST_SUITE_P(Schedules, ExactGolden,
                                          "tdma_lf_9_proper", "tdma_3_default"),
                          [](const auto& name) { return std::string(name.param); });
 
-/// muNet is later by 1 or 2 steps (S3); what is due in its last two steps it never says.
+/// muNet is later by 1 or 2 steps (S3); what is due in its last two steps it never sends.
 void ExpectEarlierByAStepOrTwo(const TimeLine& exact, const TimeLine& golden, int64_t tick_us,
                                int64_t end_us) {
   ASSERT_EQ(exact.size(), golden.size());
@@ -127,7 +127,7 @@ void ExpectEarlierByAStepOrTwo(const TimeLine& exact, const TimeLine& golden, in
   }
 }
 
-TEST(FdmaGolden, IsSaidInTheSlotAndNotAStepOrTwoLater) {
+TEST(FdmaGolden, IsSentInTheSlotAndNotAStepOrTwoLater) {
   for (const char* name : {"fdma_4", "fdma_10"}) {
     const Json scenario = Scenario(name);
     const SlotPlan plan = PlanOf(scenario);

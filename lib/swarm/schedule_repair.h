@@ -1,4 +1,4 @@
-// Mends an order of answers by the one before it.
+// Recovers an order of answers by the one before it.
 #pragma once
 
 #include <cstdint>

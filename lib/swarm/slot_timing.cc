@@ -22,7 +22,7 @@ constexpr double kLongest_s = 1e5;
 constexpr int64_t kLongestPlan_us = 900'000'000'000;
 constexpr int64_t kLongestStep_us = 3'600'000'000;
 
-/// Returns so many seconds, exactly: "12.05".
+/// Returns a length in seconds, exactly: "12.05".
 std::string LengthText(int64_t length_us) {
   constexpr int64_t kSecond_us = 1'000'000;
   std::string text = length_us < 0 ? "-" : "";
@@ -48,7 +48,7 @@ std::string Followers(int64_t count) {
   return std::to_string(count) + (count == 1 ? " follower" : " followers");
 }
 
-/// Returns what is wrong with numbers that no plan can mend; empty: nothing.
+/// Returns what is wrong with numbers that no plan can fix; empty: nothing.
 std::vector<TimingProblem> FindAirProblems(const SwarmAir& air) {
   std::vector<TimingProblem> problems;
   const auto check = [&](bool is_right, std::string_view key, const std::string& should,
@@ -171,9 +171,9 @@ class PlanCheck {
           Followers(air_.num_followers),
           LengthText(broadcast_us) + " s for the request + " + std::to_string(air_.num_followers) +
               " x " + LengthText(response_us) + " s of answers");
-    SlotPlan mended = plan_;
-    mended.response_us = response_us;
-    const int64_t window_us = SafeAnswerWindow_us(mended, times_);
+    SlotPlan fixed = plan_;
+    fixed.response_us = response_us;
+    const int64_t window_us = SafeAnswerWindow_us(fixed, times_);
     if (plan_.answer_window_us >= 0 && plan_.answer_window_us <= window_us) return;
     problems_.push_back({.key = "answer_window_s",
                          .at_least_us = 0,

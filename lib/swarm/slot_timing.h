@@ -1,12 +1,12 @@
-// How long the slots of a swarm have to be: for the bytes on the air, the way through the water,
+// How long the slots of a swarm have to be: for the bytes on the air, the acoustic travel time,
 // the jitter, and the steps in which messages are handled.
 //
 //   const SwarmAir air = {.num_followers = 9, .max_distance_m = 1000};
 //   const Result<SlotPlan> plan = AutoPlan(SwarmScheme::kTdmaLf, tick_us, air);
-//   for (const TimingProblem& problem : FindTimingProblems(mine, air)) Tell(problem.message);
+//   for (const TimingProblem& problem : FindTimingProblems(mine, air)) Print(problem.message);
 //
-// A plan without problems keeps its promise: at no receiver do two messages overlap on a channel,
-// and every follower has the request when its slot begins.
+// With a plan without problems, no two messages overlap on a channel at any receiver, and every
+// follower has the request when its slot begins.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +21,7 @@ namespace shoal {
 /// As many followers as a request may name.
 inline constexpr int64_t kMostFollowers = 1000;
 
-/// What the members say, and what they say it through.
+/// The members' messages and the acoustic link that carries them.
 struct SwarmAir {
   int64_t num_followers = 1;
   int64_t extra_bytes = 0;  ///< Of each message: checksum, frame.
@@ -42,14 +42,15 @@ struct AirTimes {
   bool operator==(const AirTimes&) const = default;
 };
 
-/// Something that is wrong with a plan or with what it is for.
+/// An error in a plan or in its inputs.
 struct TimingProblem {
-  std::string key;          ///< What to change: "episode_s", or a member of SwarmAir.
-  int64_t at_least_us = 0;  ///< Where a length is too short, or not of whole steps: what would do.
-  std::string message;      ///< "episode_s = 5 is too short for 9 followers: ...; use at least ..."
+  std::string key;  ///< What to change: "episode_s", or a member of SwarmAir.
+  int64_t at_least_us =
+      0;  ///< Where a length is too short, or not of whole steps: the shortest that suffices.
+  std::string message;  ///< "episode_s = 5 is too short for 9 followers: ...; use at least ..."
 };
 
-/// Returns what each message takes, or the first number that cannot be.
+/// Returns what each message takes, or the first number that is out of range.
 [[nodiscard]] Result<AirTimes> FindAirTimes(const SwarmAir& air);
 
 /// Returns the shortest plan without problems, in whole steps. fdma_lf: members begin evenly spread
@@ -61,13 +62,13 @@ struct TimingProblem {
 /// @pre FindAirTimes gave `times`.
 [[nodiscard]] int64_t SafeAnswerWindow_us(const SlotPlan& plan, const AirTimes& times);
 
-/// Returns all that is wrong; all remedies together mend it. Members have consecutive places.
+/// Returns all that is wrong; all remedies together fix it. Members have consecutive places.
 ///   fdma_lf  a member's message is over everywhere before its next begins
 ///   tdma     a message is over everywhere before the next slot; a frame fits into an episode
 ///   tdma_lf  the request has been handled everywhere when slot 0 begins, an answer is over before
 ///            the next slot, a request and all answers fit into an episode
 /// Whether members of fdma_lf miss what comes while they send themselves (half duplex) is not
-/// asked.
+/// checked.
 [[nodiscard]] std::vector<TimingProblem> FindTimingProblems(const SlotPlan& plan,
                                                             const SwarmAir& air);
 

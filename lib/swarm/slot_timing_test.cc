@@ -46,7 +46,7 @@ TEST(AirTimes, CountChecksumAndFrame) {
   EXPECT_EQ(times.request_us, 840'000);
 }
 
-TEST(TimingProblems, TellThatNineFollowersDoNotFitIntoMuNetsDefaults) {
+TEST(TimingProblems, ShowThatNineFollowersDoNotFitIntoMuNetsDefaults) {
   EXPECT_EQ(
       MessagesOf(FindTimingProblems(MuNetPlan(), {.num_followers = 9})),
       (std::vector<std::string>{
@@ -60,7 +60,7 @@ TEST(TimingProblems, TellThatNineFollowersDoNotFitIntoMuNetsDefaults) {
           "answers = 14.6 s; use at least 14.6, or episode_s = \"auto\""}));
 }
 
-TEST(TimingProblems, TellWhatDoesNotFitIntoFdmaAndTdma) {
+TEST(TimingProblems, ShowWhatDoesNotFitIntoFdmaAndTdma) {
   const SwarmAir air = {.num_followers = 1, .max_distance_m = 150, .max_jitter_s = 0};
   SlotPlan plan = {.scheme = SwarmScheme::kFdmaLf, .episode_us = 500'000, .offset_us = 50'000};
   EXPECT_EQ(MessagesOf(FindTimingProblems(plan, air)),
@@ -77,7 +77,7 @@ TEST(TimingProblems, TellWhatDoesNotFitIntoFdmaAndTdma) {
                                       "\"auto\""}));
 }
 
-TEST(TimingProblems, TellThatLateAnswersWouldRunIntoTheNextSlot) {
+TEST(TimingProblems, ShowThatLateAnswersWouldRunIntoTheNextSlot) {
   const SwarmAir air = {.num_followers = 2, .max_distance_m = 150, .max_jitter_s = 0};
   SlotPlan plan = {.scheme = SwarmScheme::kTdmaLf,
                    .episode_us = 5'000'000,
@@ -91,7 +91,7 @@ TEST(TimingProblems, TellThatLateAnswersWouldRunIntoTheNextSlot) {
                                      "next slot; use at most 0.604001"});
 }
 
-TEST(TimingProblems, TellNumbersThatCannotBe) {
+TEST(TimingProblems, ListNumbersThatAreOutOfRange) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const double infinity = std::numeric_limits<double>::infinity();
   SwarmAir air = {.num_followers = 0,
@@ -116,7 +116,7 @@ TEST(TimingProblems, TellNumbersThatCannotBe) {
   EXPECT_FALSE(AutoPlan(SwarmScheme::kTdma, 0, {}).ok());
 }
 
-TEST(TimingProblems, TellOfBytesThatTakeForEver) {
+TEST(TimingProblems, ShowMessagesThatTakeTooLong) {
   const SwarmAir air = {.num_followers = 1000, .data_rate_bps = 1e-300};
   ASSERT_EQ(FindTimingProblems(MuNetPlan(), air).size(), 1U);
   EXPECT_FALSE(AutoPlan(SwarmScheme::kTdmaLf, kTick_us, air).ok());
@@ -175,7 +175,7 @@ RC_GTEST_PROP(AutoPlan, HasNoProblemsAndNothingToSpare, ()) {
   }
 }
 
-RC_GTEST_PROP(TimingProblems, AreMendedByAllRemediesTogether, ()) {
+RC_GTEST_PROP(TimingProblems, AreFixedByAllRemediesTogether, ()) {
   const SwarmAir air = AnyAir();
   SlotPlan plan = {.scheme = AnyScheme(),
                    .episode_us = *rc::gen::inRange<int64_t>(-10, 20'000'000),

@@ -1,4 +1,4 @@
-// What lib/swarm/slot_timing.h promises, played through: members that speak by their schedules over
+// What lib/swarm/slot_timing.h promises, played through: members that send by their schedules over
 // a sea of their own, at its worst.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -15,8 +15,8 @@
 namespace shoal {
 namespace {
 
-/// Something that a receiver hears, in microseconds.
-struct Heard {
+/// A message at a receiver, in microseconds.
+struct ReceivedSignal {
   double begin_us = 0;
   double end_us = 0;
   int64_t source = 0;
@@ -54,7 +54,7 @@ class Play {
       travel_us_.push_back(AnyUpTo(1e6 * air.max_distance_m / air.sound_speed_mps));
     }
     requests_.resize(members_.size());
-    num_said_.resize(members_.size());
+    num_sent_.resize(members_.size());
   }
 
   void Run(int64_t until_us) {
@@ -64,31 +64,32 @@ class Play {
           members_[i].Take({requests_[i]->start_us, static_cast<int>(i) - 1});
           requests_[i].reset();
         }
-        if (const auto due = members_[i].Due(utime)) Say(i, utime, *due);
+        if (const auto due = members_[i].Due(utime)) Send(i, utime, *due);
       }
     }
   }
 
-  const std::vector<int64_t>& num_said() const { return num_said_; }
+  const std::vector<int64_t>& num_sent() const { return num_sent_; }
 
   /// Returns how often two messages overlapped at a receiver, on one channel.
   int64_t NumOverlaps() {
     int64_t num_overlaps = 0;
-    for (auto& [where, heard] : heard_) {
-      std::sort(heard.begin(), heard.end(), [](const Heard& a, const Heard& b) {
-        return std::pair(a.begin_us, a.end_us) < std::pair(b.begin_us, b.end_us);
-      });
+    for (auto& [where, signals] : signals_) {
+      std::sort(signals.begin(), signals.end(),
+                [](const ReceivedSignal& a, const ReceivedSignal& b) {
+                  return std::pair(a.begin_us, a.end_us) < std::pair(b.begin_us, b.end_us);
+                });
       constexpr double kRounding_us = 0.01;
-      for (size_t i = 1; i < heard.size(); ++i) {
-        if (heard[i].begin_us < heard[i - 1].end_us - kRounding_us) ++num_overlaps;
+      for (size_t i = 1; i < signals.size(); ++i) {
+        if (signals[i].begin_us < signals[i - 1].end_us - kRounding_us) ++num_overlaps;
       }
     }
     return num_overlaps;
   }
 
  private:
-  void Say(size_t source, int64_t utime, const DueMessage& due) {
-    ++num_said_[source];
+  void Send(size_t source, int64_t utime, const DueMessage& due) {
+    ++num_sent_[source];
     for (size_t receiver = 0; receiver < members_.size(); ++receiver) {
       if (receiver == source) continue;
       const double begin_us = static_cast<double>(utime) +
@@ -96,7 +97,7 @@ class Play {
                               AnyUpTo(1e6 * air_.max_jitter_s);
       const double end_us = begin_us + AirTime_us(air_, due.message);
       const size_t channel = plan_.scheme == SwarmScheme::kFdmaLf ? source : 0;
-      heard_[{receiver, channel}].push_back({begin_us, end_us, static_cast<int64_t>(source)});
+      signals_[{receiver, channel}].push_back({begin_us, end_us, static_cast<int64_t>(source)});
       if (due.message != SwarmMessage::kBroadcastRequest) continue;
       // Handed over in the first step after it has arrived, handled in the next.
       const double arrived_steps = std::ceil(end_us / static_cast<double>(plan_.tick_us));
@@ -111,8 +112,9 @@ class Play {
   std::vector<SwarmSchedule> members_;
   std::vector<double> travel_us_;  ///< By source and receiver.
   std::vector<std::optional<Request>> requests_;
-  std::vector<int64_t> num_said_;
-  std::map<std::pair<size_t, size_t>, std::vector<Heard>> heard_;  ///< By receiver and channel.
+  std::vector<int64_t> num_sent_;
+  std::map<std::pair<size_t, size_t>, std::vector<ReceivedSignal>>
+      signals_;  ///< By receiver and channel.
 };
 
 SwarmAir AnySea() {
@@ -135,7 +137,7 @@ RC_GTEST_PROP(AutoPlan, KeepsAllMessagesApartAndLetsAllAnswer, ()) {
   Play play(plan, air);
   play.Run(kNumEpisodes * plan.episode_us);
   RC_ASSERT(play.NumOverlaps() == 0);
-  RC_ASSERT(play.num_said() ==
+  RC_ASSERT(play.num_sent() ==
             std::vector<int64_t>(static_cast<size_t>(air.num_followers) + 1, kNumEpisodes));
 }
 
@@ -156,12 +158,12 @@ RC_GTEST_PROP(PlansWithoutProblems, KeepAllMessagesApartAndLetAllAnswer, ()) {
   play.Run(kNumEpisodes * plan.episode_us);
   RC_ASSERT(play.NumOverlaps() == 0);
   if (scheme != SwarmScheme::kFdmaLf) {
-    RC_ASSERT(std::all_of(play.num_said().begin(), play.num_said().end(),
-                          [](int64_t num_said) { return num_said == kNumEpisodes; }));
+    RC_ASSERT(std::all_of(play.num_sent().begin(), play.num_sent().end(),
+                          [](int64_t num_sent) { return num_sent == kNumEpisodes; }));
   }
 }
 
-TEST(MuNetsDefaults, LetNineFollowersTalkOverEachOther) {
+TEST(MuNetsDefaults, LetTheMessagesOfNineFollowersOverlap) {
   const SlotPlan plan = {.scheme = SwarmScheme::kTdmaLf,
                          .tick_us = 20'000,
                          .broadcast_us = 1'000'000,

@@ -33,7 +33,7 @@ enum class SwarmField : uint8_t {
 inline constexpr size_t kNumSwarmFields = 16;
 
 enum class RecoveryStrategy : uint8_t {
-  kPredict,    ///< Work it out of what is known.
+  kPredict,    ///< Predict it from what is known.
   kPrevious,   ///< Take the last known value.
   kNeutral,    ///< Take a harmless value.
   kSentinel,   ///< Mark it as unusable.

@@ -43,7 +43,7 @@ void ApplyUpdate(const PendingUpdate& update, int64_t now_us, GroupState* state)
   ApplyReport(update.report, true, now_us, &*state->target);
   for (const auto& [id, report] : update.followers) {
     SwarmContact* member = FindMember(state, id);
-    // The vehicle may have heard the member itself, or the message may name it twice.
+    // The vehicle may have received from the member itself, or the message may name it twice.
     if (!IsOutdated(report, *member)) ApplyReport(report, false, now_us, member);
   }
   if (update.is_request) TakeRequest(update, state);

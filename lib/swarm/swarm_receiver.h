@@ -1,11 +1,11 @@
-// What a vehicle makes of bytes from the water:
+// How a vehicle handles received bytes:
 //
 //   bytes -> frame, if the mission has frames -> type -> length -> group and sender
-//         -> fields, damaged ones mended by the plan -> the group's state, all at once
+//         -> fields, damaged ones recovered by the plan -> the group's state, all at once
 //
 //   SwarmReceiver receiver{.state = state};
 //   const SwarmReception reception = Receive(bytes, utime, &receiver);
-//   if (reception.result == ReceptionResult::kRejected) Tell(TextOf(reception.reason));
+//   if (reception.result == ReceptionResult::kRejected) Print(TextOf(reception.reason));
 //
 // A message is applied as a whole or not at all. received = clean + recovered + rejected.
 #pragma once
@@ -31,10 +31,10 @@ enum class ReceptionResult : uint8_t { kClean, kRecovered, kRejected };
 enum class RejectReason : uint8_t {
   kNone,
   kBadFrame,       ///< Too short for a frame, or its checksum is wrong.
-  kTooShort,       ///< Not even a flag.
+  kTooShort,       ///< Too short for a flag.
   kWrongLength,    ///< Not the length that its type has.
   kUnrecoverable,  ///< A field is damaged and no strategy has an answer.
-  kOwnReport,      ///< It says that this vehicle has sent it.
+  kOwnReport,      ///< Its sender id is that of this vehicle.
   kOtherGroup,
   kUnknownReporter,  ///< Its sender is not in the mission's list.
   kNoLeader,         ///< A leader's message, and this vehicle follows none.
@@ -45,12 +45,12 @@ inline constexpr size_t kNumRejectReasons = 10;
 /// Returns the reason in words, "checksum is wrong"; "nothing" for kNone.
 [[nodiscard]] std::string_view TextOf(RejectReason reason);
 
-/// A field that was damaged, and what mended it.
+/// A field that was damaged, and what recovered it.
 struct FieldRecovery {
   SwarmField field = SwarmField::kType;
   FieldFault fault = FieldFault::kNone;
   RecoveryStrategy strategy = RecoveryStrategy::kSkip;
-  std::optional<int64_t> id = {};  ///< Whom a followers_* field is about.
+  std::optional<int64_t> id = {};  ///< The member that a followers_* field is about.
 
   bool operator==(const FieldRecovery&) const = default;
 };
@@ -59,7 +59,7 @@ struct FieldRecovery {
 struct SwarmReception {
   ReceptionResult result = ReceptionResult::kRejected;
   RejectReason reason = RejectReason::kNone;
-  std::optional<MessageFlag> flag = {};   ///< As mended; nothing if it could not be read.
+  std::optional<MessageFlag> flag = {};   ///< As recovered; nothing if it could not be read.
   std::optional<int64_t> sender = {};     ///< If it was found out.
   std::vector<FieldRecovery> recoveries;  ///< As they were checked; of a rejected message too.
   /// kUnrecoverable: which field, and why.
@@ -82,7 +82,7 @@ struct ReceptionCounts {
   bool operator==(const ReceptionCounts&) const = default;
 };
 
-/// One vehicle's ear. Everything in it is its own.
+/// The receiver of one vehicle, with all of its state.
 struct SwarmReceiver {
   GroupState state = {};
   RecoveryPlan plan = {};

@@ -28,7 +28,7 @@ bool IsFinite(const GroupState& state) {
   return true;
 }
 
-/// A message as somebody may have sent it, with some of its bits damaged, or cut, or just noise.
+/// A message as a vehicle may have sent it, with some of its bits damaged, or cut, or just noise.
 std::vector<uint8_t> AnyBytes() {
   std::vector<uint8_t> bytes = *rc::gen::element(
       EncodeReport(ReportOfTwo()), EncodeLeaderReport(ReportOfTheLeader()),
@@ -85,12 +85,12 @@ RC_GTEST_PROP(SwarmReceiver, IsNotHarmedByAnyBytes, ()) {
 RC_GTEST_PROP(SwarmReceiver, CountsEachMessageOnce, ()) {
   SwarmReceiver receiver = FollowerThree();
   receiver.plan = AnyPlan();
-  int64_t num_mended = 0;
+  int64_t num_recovered = 0;
   const int num_messages = *rc::gen::inRange(0, 8);
   for (int i = 0; i < num_messages; ++i) {
     const SwarmReception reception = Receive(AnyBytes(), kTestNow_us, &receiver);
     if (reception.result != ReceptionResult::kRecovered) continue;
-    num_mended += std::ssize(reception.recoveries);
+    num_recovered += std::ssize(reception.recoveries);
   }
   const ReceptionCounts& counts = receiver.counts;
   RC_ASSERT(counts.received == num_messages);
@@ -101,7 +101,7 @@ RC_GTEST_PROP(SwarmReceiver, CountsEachMessageOnce, ()) {
   for (const auto& by_strategy : counts.recovered_by) {
     num_counted += std::accumulate(by_strategy.begin(), by_strategy.end(), int64_t{0});
   }
-  RC_ASSERT(num_counted == num_mended);
+  RC_ASSERT(num_counted == num_recovered);
 }
 
 RC_GTEST_PROP(SwarmReceiver, GivesTheSameForTheSame, ()) {

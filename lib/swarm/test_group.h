@@ -1,5 +1,5 @@
-// A group for tests: leader 1, followers 2, 3, 4 and 5, of whom 3 listens. Everybody has been heard
-// twice, at 5 and 10 s; it is 16 s now.
+// A group for tests: leader 1, followers 2, 3, 4 and 5, of which 3 receives. Every member has
+// reported twice, at 5 and 10 s; it is 16 s now.
 #pragma once
 
 #include <vector>
@@ -11,12 +11,12 @@ namespace shoal {
 
 inline constexpr int64_t kTestNow_us = 16'000'000;
 
-inline SwarmContact HeardContact(uint32_t id) {
+inline SwarmContact ReportedContact(uint32_t id) {
   const double east_m = 100.0 * id;
   const Motion first{.position_m = {east_m, 0, 10}, .velocity_mps = {1, 0, 0}};
   const Motion second{.position_m = {east_m + 5, 0, 10}, .velocity_mps = {1.5, 0, 0}};
   SwarmContact contact = PlacedContact(id, 'A', second);
-  contact.is_heard = true;
+  contact.has_reported = true;
   contact.reported_us = 10'000'000;
   contact.arrived_us = 10'500'000;
   AppendToLog({.time_us = 5'000'000, .motion = first}, &contact.log);
@@ -26,8 +26,8 @@ inline SwarmContact HeardContact(uint32_t id) {
 
 inline SwarmReceiver FollowerThree() {
   return {.state = {.own_id = 3,
-                    .members = {HeardContact(2), HeardContact(4), HeardContact(5)},
-                    .target = HeardContact(1),
+                    .members = {ReportedContact(2), ReportedContact(4), ReportedContact(5)},
+                    .target = ReportedContact(1),
                     .response_order = {2, 3, 4, 5},
                     .response_start_us = 12'000'000}};
 }
@@ -65,16 +65,16 @@ inline BroadcastMessage RequestToFour() {
 }
 
 /// What FollowerThree makes of a message at kTestNow_us.
-struct Heard {
+struct Received {
   SwarmReceiver receiver = FollowerThree();
   SwarmReception reception = {};
 
   const SwarmContact& two() const { return receiver.state.members[0]; }
 };
 
-inline Heard Hear(const std::vector<uint8_t>& bytes, Heard heard = {}) {
-  heard.reception = Receive(bytes, kTestNow_us, &heard.receiver);
-  return heard;
+inline Received ReceiveBytes(const std::vector<uint8_t>& bytes, Received received = {}) {
+  received.reception = Receive(bytes, kTestNow_us, &received.receiver);
+  return received;
 }
 
 }  // namespace shoal

@@ -16,12 +16,12 @@ struct PropellerForce {
 [[nodiscard]] PropellerForce ForceOf(const Propeller& propeller, double density_kgpm3, double rpm,
                                      double speed_mps);
 
-/// Returns the revolutions at which thrust and drag balance at `speed_mps` through the water,
+/// Returns the revolutions at which thrust and drag balance at `speed_mps` through water,
 /// straight on, on an even keel; negative astern. Not limited to what the propeller can do: see
 /// Propeller::max_rpm. Continuous and strictly increasing. @pre speed_mps finite
 [[nodiscard]] double RpmForSpeed(const Remus100& auv, double speed_mps);
 
-/// Returns the steady speed through the water at `rpm`, limited to what the propeller can do; the
+/// Returns the steady speed through water at `rpm`, limited to what the propeller can do; the
 /// inverse of RpmForSpeed. @pre rpm finite
 [[nodiscard]] double SteadySpeed(const Remus100& auv, double rpm);
 

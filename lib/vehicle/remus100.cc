@@ -159,7 +159,7 @@ Eigen::Vector3d CurrentInBody(const Remus100& auv, const Vector6d& eta,
 Remus100State Step(const Remus100& auv, const Remus100State& state,
                    const Remus100Actuators& command, const Remus100Environment& environment,
                    double dt_s) {
-  SHOAL_CHECK(dt_s > 0 && dt_s <= kMaxRemus100Step_s, "the step does not suit the model");
+  SHOAL_CHECK(dt_s > 0 && dt_s <= kMaxRemus100Step_s, "0 < dt_s <= kMaxRemus100Step_s");
   Remus100State next = state;
   if (state.immobilized || state.eta[2] > environment.floor_z_m) {
     next.nu.setZero();
@@ -188,8 +188,8 @@ Remus100State Step(const Remus100& auv, const Remus100State& state,
 
   next.actuators = MoveActuators(auv.params, actuators, finite_command, dt_s);
   if (is_through_water) {
-    // Integrated through the water and carried by it: the track over ground is that in still water
-    // plus the current's way, to rounding.
+    // Integrated relative to the water and carried by it: the track over ground is that in still
+    // water plus the current's way, to rounding.
     const Vector6d next_nu_r = Bounded(nu_r + dt_s * acceleration);
     next.velocity_mps = rotation * next_nu_r.head<3>() + current_mps;
     next.eta.tail<3>() = TurnedBy(angles_rad, next_nu_r, dt_s);

@@ -18,7 +18,7 @@
 
 namespace shoal {
 
-/// Positions of the actuators, and what they are told to take.
+/// Positions of the actuators, and the commanded ones.
 struct Remus100Actuators {
   double rudder_rad = 0;       ///< Positive turns toward +psi.
   double stern_plane_rad = 0;  ///< Positive: bow down. (The `munet` set: bow up.)
@@ -62,8 +62,8 @@ inline constexpr double kMaxRemus100Step_s = 0.2;
 [[nodiscard]] Eigen::Vector3d CurrentInBody(const Remus100& auv, const Vector6d& eta,
                                             const Eigen::Vector3d& current_mps);
 
-/// Returns kinetic energy through the water, added mass included, and the potential energy of the
-/// heeled and pitched hull, in joule; none in a neutral vehicle at rest on an even keel.
+/// Returns kinetic energy relative to the water, added mass included, and the potential energy of
+/// the heeled and pitched hull, in joule; none in a neutral vehicle at rest on an even keel.
 [[nodiscard]] double Energy(const Remus100& auv, const Remus100State& state,
                             const Remus100Environment& environment);
 

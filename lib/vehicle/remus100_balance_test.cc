@@ -1,4 +1,4 @@
-// Physics that no table tells, of all parameter sets: balances and decays worked out by hand from
+// Physics of all parameter sets that no table gives: balances and decays worked out by hand from
 // what the sets are made of.
 #include <gtest/gtest.h>
 
@@ -28,7 +28,7 @@ Remus100State Sail(const Remus100& auv, Remus100State state, const Remus100Actua
   return state;
 }
 
-/// Returns in how many of many motions `auv` gains energy, through the water, without input.
+/// Returns in how many of many motions `auv` gains energy, relative to the water, without input.
 int CountEnergyGains(const Remus100& auv, const Eigen::Vector3d& current_mps) {
   constexpr double kShort_s = 1e-6;
   constexpr double kIntegrator_w = 1e-2;  // What is left of the integrator's second order.

@@ -49,8 +49,9 @@ std::optional<Remus100Params> Remus100ParamsByName(std::string_view name) {
 
 Remus100 BuildRemus100(const Remus100Params& params) {
   SHOAL_CHECK(params.length_m > params.diameter_m && params.diameter_m > 0,
-              "a Remus is longer than it is thick");
-  SHOAL_CHECK(params.fin_time_s > 0 && params.propeller.time_s > 0, "actuators need time");
+              "length_m > diameter_m > 0");
+  SHOAL_CHECK(params.fin_time_s > 0 && params.propeller.time_s > 0,
+              "fin_time_s and propeller.time_s are more than 0");
   Remus100 auv;
   auv.params = params;
   const double a = params.length_m / 2;

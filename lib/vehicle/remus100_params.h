@@ -4,7 +4,7 @@
 //   const Remus100 original = BuildRemus100(MunetRemus100());
 //
 // After Fossen's Remus 100 (Python Vehicle Simulator; Fossen 2021, section 8.4.2; propulsion from
-// Allen, Vorus and Prestero, OCEANS 2000). docs/vehicles.md tells the sets apart.
+// Allen, Vorus and Prestero, OCEANS 2000). docs/vehicles.md explains how the sets differ.
 #pragma once
 
 #include <Eigen/Core>
@@ -29,7 +29,7 @@ struct TailFin {
 struct Propeller {
   double diameter_m = 0.14;
   double thrust_deduction = 0.1;      ///< t: the share of the thrust that its suction costs.
-  double inflow_share = 0.944;        ///< 1 - w: speed at the propeller by speed through the water.
+  double inflow_share = 0.944;        ///< 1 - w: speed at the propeller by speed through water.
   double max_advance_ratio = 0.6632;  ///< Where `thrust_at_max` and `torque_at_max` hold.
   double thrust_at_rest = 0.4566;     ///< KT_0.
   double thrust_at_max = 0.1798;
@@ -60,7 +60,7 @@ struct Remus100Variants {
   } surface = Surface::kShare;
 
   /// The current is turned into the body's frame by yaw alone, and the speed over ground is
-  /// integrated instead of that through the water: a rolled, pitched or turning vehicle feels a
+  /// integrated instead of that through water: a rolled, pitched or turning vehicle feels a
   /// current that is not there.
   bool current_by_yaw_only = false;
 

@@ -1,4 +1,4 @@
-// Physics that no table tells, of the default parameters: energy, symmetry, drift, convergence.
+// Physics of the default parameters that no table gives: energy, symmetry, drift, convergence.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 

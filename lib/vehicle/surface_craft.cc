@@ -93,7 +93,7 @@ double ThrustForSpeed(const SurfaceCraftParams& params, double speed_mps) {
 SurfaceCraftState Step(const SurfaceCraftParams& params, const SurfaceCraftState& start,
                        const SurfaceCraftCommand& command, const Eigen::Vector2d& current_mps,
                        double dt_s) {
-  SHOAL_CHECK(dt_s > 0, "a step moves time forward");
+  SHOAL_CHECK(dt_s > 0, "dt_s > 0");
   const SurfaceCraftState state = Bounded(start);
   const double thrust_pct = std::clamp(FiniteOrZero(command.thrust_pct), -100.0, 100.0);
   const double rudder_goal_deg =

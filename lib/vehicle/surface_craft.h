@@ -5,7 +5,7 @@
 //
 // The model of uSimMarine's users: thrust sets a target speed through a piecewise linear map,
 // turning costs speed, acceleration and deceleration are limited, the rudder turns the vessel in
-// proportion to its speed through the water, astern the other way round. Unlike there, the turn
+// proportion to its speed through water, astern the other way round. Unlike there, the turn
 // rate does not depend on the thrust: a rudder works by the water that flows past it.
 #pragma once
 
@@ -23,7 +23,7 @@ struct ThrustPoint {
 };
 
 struct SurfaceCraftParams {
-  /// Speed through the water by thrust: linear between the points and (0, 0), flat beyond the first
+  /// Speed through water by thrust: linear between the points and (0, 0), flat beyond the first
   /// and the last. Strictly increasing in thrust. Negative thrusts may be given; without them the
   /// vessel goes astern at `reverse_ratio` of its speed ahead.
   std::vector<ThrustPoint> thrust_map = {{100, 5.0}};
@@ -44,7 +44,7 @@ struct SurfaceCraftParams {
 struct SurfaceCraftState {
   Eigen::Vector2d position_m = Eigen::Vector2d::Zero();
   double heading_rad = 0;     ///< [0, 2 pi).
-  double speed_mps = 0;       ///< Through the water, ahead positive.
+  double speed_mps = 0;       ///< Through water, ahead positive.
   double rudder_deg = 0;      ///< Where the rudder stands.
   double yaw_rate_radps = 0;  ///< Over the last step; clockwise.
   Eigen::Vector2d velocity_over_ground_mps = Eigen::Vector2d::Zero();  ///< Over the last step.
@@ -64,7 +64,7 @@ struct SurfaceCraftCommand {
                                      const SurfaceCraftCommand& command,
                                      const Eigen::Vector2d& current_mps, double dt_s);
 
-/// Returns the speed through the water that `thrust_pct` keeps up on a straight course.
+/// Returns the speed through water that `thrust_pct` keeps up on a straight course.
 [[nodiscard]] double SteadySpeed(const SurfaceCraftParams& params, double thrust_pct);
 
 /// Returns the thrust in [0, 100] that keeps up `speed_mps`; 100 where the vessel is not that fast.

@@ -9,9 +9,9 @@
 
 namespace shoal {
 
-/// Params: what it is, never changed. State: where it is, copied. Command: what it is told.
-/// Environment: the sea around it. Step is a pure function of these: it reads no clock, draws no
-/// random number, and gives a finite state for finite ones.
+/// Params: what it is, never changed. State: where it is, copied. Command: what it is ordered to
+/// do. Environment: the sea around it. Step is a pure function of these: it reads no clock, draws
+/// no random number, and gives a finite state for finite ones.
 template <class Params, class State, class Command, class Environment>
 concept VehicleModel = std::copyable<State> && std::default_initializable<State> &&
     std::default_initializable<Command> &&

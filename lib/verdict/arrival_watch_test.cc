@@ -26,7 +26,7 @@ TEST(ArrivalWatch, PassesAVehicleThatIsJustThereJustInTime) {
   EXPECT_EQ(watch.Find().numbers, "there at 600.0 s");
 }
 
-TEST(ArrivalWatch, TellsByHowMuchAVehicleIsLate) {
+TEST(ArrivalWatch, ShowsByHowMuchAVehicleIsLate) {
   ArrivalWatch watch = Watch(false);
   watch.Look(kFarAway, 600);
   watch.Look(kThere, 600.1);
@@ -34,7 +34,7 @@ TEST(ArrivalWatch, TellsByHowMuchAVehicleIsLate) {
   EXPECT_EQ(watch.Find().numbers, "there at 600.1 s, 0.1 s late");
 }
 
-TEST(ArrivalWatch, TellsByHowMuchAVehicleIsTooFar) {
+TEST(ArrivalWatch, ShowsByHowMuchAVehicleIsTooFar) {
   ArrivalWatch watch = Watch(false);
   watch.Look(kFarAway, 1);
   watch.Look(kJustNotThere, 2);
@@ -54,7 +54,7 @@ TEST(ArrivalWatch, WantsAVehicleToStayWhereThatIsAsked) {
   EXPECT_EQ(watch.Find().numbers, "there from 600.0 s on");
 }
 
-TEST(ArrivalWatch, TellsHowFarAwayAVehicleEnds) {
+TEST(ArrivalWatch, ShowsHowFarAwayAVehicleEnds) {
   ArrivalWatch watch = Watch(true);
   watch.Look(kThere, 500);
   watch.Look(kFarAway, 900);

@@ -12,7 +12,7 @@ namespace shoal {
 
 namespace {
 
-std::string Who(std::string_view vehicle) {
+std::string VehicleText(std::string_view vehicle) {
   return VehicleKey(vehicle) == "all" ? "every vehicle" : std::string(vehicle);
 }
 
@@ -23,7 +23,7 @@ struct Describer {
 
   std::string operator()(const ArrivalExpectation& arrival) const {
     return fmt::format(
-        "{} within {:g} m of {} by {:g} s{}", Who(arrival.vehicle), arrival.within_m,
+        "{} within {:g} m of {} by {:g} s{}", VehicleText(arrival.vehicle), arrival.within_m,
         arrival.point_m ? fmt::format("({:g}, {:g})", arrival.point_m->x(), arrival.point_m->y())
                         : std::string("its return point"),
         LimitSeconds(mission, arrival.by_s), arrival.stays ? ", and stays there" : "");
@@ -50,28 +50,28 @@ struct Describer {
                        swarm.from, swarm.outcome, swarm.to);
   }
   std::string operator()(const HelmExpectation& helm) const {
-    return fmt::format("{} ends in {}{}", Who(helm.vehicle),
+    return fmt::format("{} ends in {}{}", VehicleText(helm.vehicle),
                        helm.state.empty() ? "any state" : helm.state,
                        helm.task.empty() ? "" : " with task " + helm.task);
   }
   std::string operator()(const LapsExpectation& laps) const {
-    return fmt::format("{} does at least {} lap{} of {} by {:g} s", Who(laps.vehicle),
+    return fmt::format("{} does at least {} lap{} of {} by {:g} s", VehicleText(laps.vehicle),
                        laps.at_least, laps.at_least == 1 ? "" : "s", laps.task,
                        LimitSeconds(mission, laps.by_s));
   }
   std::string operator()(const TrackExpectation& track) const {
-    return fmt::format("{} at most {:g} m off its track{}", Who(track.vehicle), track.max_m,
+    return fmt::format("{} at most {:g} m off its track{}", VehicleText(track.vehicle), track.max_m,
                        From(track.from_s));
   }
   std::string operator()(const DistanceExpectation& distance) const {
     std::vector<std::string> limits;
     if (distance.min_m) limits.push_back(fmt::format("at least {:g} m", *distance.min_m));
     if (distance.max_m) limits.push_back(fmt::format("at most {:g} m", *distance.max_m));
-    return fmt::format("{} {} from {}{}", Who(distance.vehicle), fmt::join(limits, " and "),
-                       Who(distance.to), From(distance.from_s));
+    return fmt::format("{} {} from {}{}", VehicleText(distance.vehicle), fmt::join(limits, " and "),
+                       VehicleText(distance.to), From(distance.from_s));
   }
   std::string operator()(const AltitudeExpectation& altitude) const {
-    return fmt::format("{} at least {:g} m above the sea floor", Who(altitude.vehicle),
+    return fmt::format("{} at least {:g} m above the sea floor", VehicleText(altitude.vehicle),
                        altitude.min_m);
   }
 };

@@ -1,4 +1,4 @@
-// Says in words what a mission must achieve.
+// Describes in words what a mission must achieve.
 #pragma once
 
 #include <string>

@@ -12,7 +12,7 @@ struct Extreme {
 
 class ExtremeWatch {
  public:
-  /// Takes note of a value. NaN says nothing.
+  /// Takes note of a value. NaN is ignored.
   void Look(double value, double time_s) {
     if (value < smallest_.value) smallest_ = {value, time_s};
     if (value > largest_.value) largest_ = {value, time_s};

@@ -51,7 +51,7 @@ class ExtremesTest : public testing::Test {
     mission_.expectations = {{.where = "m.toml:8", .what = what}};
     return judge_.emplace(mission_);
   }
-  /// One step in which a helm says its cross-track error.
+  /// One step in which a helm reports its cross-track error.
   void Track(size_t vehicle, std::optional<double> cross_track_error_m, double time_s) {
     judge_->TakeHelm(vehicle,
                      {.state = "DRIVE", .task = "path", .cross_track_error_m = cross_track_error_m},
@@ -73,7 +73,7 @@ TEST_F(ExtremesTest, PassesATrackThatIsKeptOnEitherSide) {
   EXPECT_EQ(Only().numbers, "most 3.00 m at 20.0 s");
 }
 
-TEST_F(ExtremesTest, FailsATrackThatWasLeftOnceAndTellsByHowMuch) {
+TEST_F(ExtremesTest, FailsATrackThatWasLeftOnceAndShowsByHowMuch) {
   For(TrackExpectation{.vehicle = "alpha", .max_m = 3});
   Track(0, -3.5, 20);
   Track(0, 0, 30);
@@ -92,7 +92,7 @@ TEST_F(ExtremesTest, JudgesATrackFromItsTimeOn) {
   EXPECT_FALSE(Only().passed);
 }
 
-TEST_F(ExtremesTest, DoesNotPassATrackThatNobodySaw) {
+TEST_F(ExtremesTest, DoesNotPassATrackThatWasNeverReported) {
   For(TrackExpectation{.vehicle = "alpha", .max_m = 3, .from_s = 60});
   EXPECT_EQ(Only().numbers, "no track was seen");
   Track(0, 0, 30);

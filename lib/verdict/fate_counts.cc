@@ -7,7 +7,7 @@
 namespace shoal {
 
 namespace {
-/// Far more than there are; a stranger who makes causes up shares the last one.
+/// Far more than there are; causes that an unregistered sender invents share the last one.
 constexpr size_t kMaxCauses = 32;
 }  // namespace
 

@@ -22,8 +22,8 @@ class FateCounts {
   explicit FateCounts(const std::vector<std::string>& vehicles);
 
   /// Counts a fate of `count` destinations; nothing where that is less than 1. Names without regard
-  /// to case; vehicles that are not of the mission, no vehicle, and those that a fate does not tell
-  /// apart ("*") count as one and the same other.
+  /// to case; vehicles that are not of the mission, no vehicle, and those that a fate gives
+  /// together ("*") count as one and the same other.
   void Add(std::string_view source, std::string_view destination, std::string_view cause,
            int32_t count = 1);
 

@@ -16,7 +16,7 @@ namespace shoal {
 namespace {
 
 constexpr size_t kMaxFailuresShown = 5;
-/// A quarter of the Earth's circumference: farther away is no place.
+/// A quarter of the Earth's circumference: positions farther away are invalid.
 constexpr double kFarthest_m = 1e7;
 
 std::vector<std::string> NamesOf(const Mission& mission) {
@@ -75,7 +75,8 @@ Judge::Judge(const Mission& mission)
     each.vehicles = VehiclesNamed(PutTo(expectation));
     if (const auto* distance = std::get_if<DistanceExpectation>(&expectation.what);
         distance != nullptr && VehicleKey(distance->to) != "all") {
-      std::erase(each.vehicles, VehiclesNamed(distance->to).at(0));  // Nobody is far from himself.
+      std::erase(each.vehicles,
+                 VehiclesNamed(distance->to).at(0));  // No vehicle is far from itself.
     }
     if (const auto* arrival = std::get_if<ArrivalExpectation>(&expectation.what)) {
       for (const size_t vehicle : each.vehicles) {
@@ -228,7 +229,7 @@ Outcome Judge::FindComms(const CommsExpectation& comms) const {
 
 Outcome Judge::FindHelm(const HelmExpectation& helm, size_t vehicle) const {
   const std::optional<HelmFacts>& facts = helms_[vehicle];
-  if (!facts) return {.passed = false, .strain = 0, .numbers = "no helm was heard"};
+  if (!facts) return {.passed = false, .strain = 0, .numbers = "no helm state was received"};
   const bool state_fits = helm.state.empty() || VehicleKey(helm.state) == VehicleKey(facts->state);
   const bool task_fits = helm.task.empty() || helm.task == facts->task;
   return {.passed = state_fits && task_fits,

@@ -1,7 +1,7 @@
 // Decides whether a mission achieves what it must, from what its vehicles did.
 //
 //   Judge judge(mission);
-//   judge.TakeNav(0, position_m);              // what was said in the step of utime,
+//   judge.TakeNav(0, position_m);              // what was published in the step of utime,
 //   judge.TakeHelm(0, helm, utime);            // in any order,
 //   judge.fates(Kind::kReport).Add("alpha", "bravo", "delivered");
 //   judge.EndStep(utime);                      // then this, once per step
@@ -36,7 +36,7 @@ struct ExpectationVerdict {
   std::string numbers;  ///< What decided; on failure by how much: "closest: alpha-bravo 7.3 m ...".
 };
 
-/// What a helm said last.
+/// What a helm reported last.
 struct HelmFacts {
   std::string state;
   std::string task;
@@ -44,7 +44,7 @@ struct HelmFacts {
   std::optional<double> cross_track_error_m = {};  ///< Absent: the task has no track.
 };
 
-/// What became of the messages that a member of the swarm heard from one sender, so far.
+/// What became of the messages that a member of the swarm received from one sender, so far.
 struct SwarmShares {
   int64_t clean = 0;
   int64_t recovered = 0;
@@ -58,7 +58,7 @@ class Judge {
 
   /// Takes a vehicle's true position (x East, y North, z down). Ignores numbers that are not finite
   /// or no place on Earth, and returns false then. `altitude_m` above the sea floor, negative where
-  /// nobody knows.
+  /// unknown.
   bool TakeNav(size_t vehicle, const Eigen::Vector3d& position_m, double altitude_m = -1);
   void TakeHelm(size_t vehicle, const HelmFacts& helm, int64_t utime);
   /// Takes what a member's acomms counts of one sender.
@@ -68,7 +68,7 @@ class Judge {
   FateCounts& fates(Kind kind) { return fates_[static_cast<size_t>(kind)]; }
   const FateCounts& fates(Kind kind) const { return fates_[static_cast<size_t>(kind)]; }
 
-  /// Looks at where everybody is.
+  /// Evaluates the positions of all vehicles.
   void EndStep(int64_t utime);
 
   /// Returns one verdict per expectation, in the mission's order, should the mission end now.
@@ -77,7 +77,7 @@ class Judge {
   const Sighting& sighting(size_t vehicle) const { return sightings_[vehicle]; }
   /// Returns how far the vehicle went, from one position taken to the next.
   double travelled_m(size_t vehicle) const { return travelled_m_[vehicle]; }
-  /// Returns what the vehicle's helm said last, or nothing.
+  /// Returns what the vehicle's helm reported last, or nothing.
   const std::optional<HelmFacts>& helm(size_t vehicle) const { return helms_[vehicle]; }
 
  private:

@@ -38,7 +38,7 @@ class JudgeTest : public testing::Test {
   std::optional<Judge> judge_;
 };
 
-TEST_F(JudgeTest, SaysWhereAndWhatWasExpected) {
+TEST_F(JudgeTest, StatesWhereAndWhatWasExpected) {
   For(SeparationExpectation{.min_m = 5});
   EXPECT_EQ(Only().where, "berta.toml:88");
   EXPECT_EQ(Only().text, "no two vehicles closer than 5 m");
@@ -64,7 +64,7 @@ TEST_F(JudgeTest, FailsASeparationJustBroken) {
   EXPECT_EQ(Only().numbers, "closest: alpha-Bravo 5.0 m at 1.0 s, 0.01 m too close");
 }
 
-TEST_F(JudgeTest, DoesNotPassASeparationThatNobodyWatched) {
+TEST_F(JudgeTest, DoesNotPassASeparationThatWasNeverMeasured) {
   For(SeparationExpectation{.min_m = 5}).TakeNav(0, {0, 0, 0});
   judge_->EndStep(At(1));
   EXPECT_FALSE(Only().passed);
@@ -157,7 +157,7 @@ TEST_F(JudgeTest, CountsReportsOfAllLinksAndOneCause) {
   EXPECT_EQ(Only().numbers, "2, 1 too many");
 }
 
-TEST_F(JudgeTest, TellsReportsMessagesAndAcksApart) {
+TEST_F(JudgeTest, DistinguishesReportsMessagesAndAcks) {
   Judge& judge = For(CommsExpectation{.kind = Kind::kMessage, .at_least = 3, .at_most = {}});
   EXPECT_EQ(Only().text, "at least 3 messages delivered from all to all");
   judge.fates(Kind::kReport).Add("alpha", "Bravo", "delivered", 10);
@@ -230,7 +230,7 @@ TEST_F(JudgeTest, FailsAtLeastAShareOfNothing) {
   EXPECT_EQ(Only().numbers, "nothing was offered on these links");
 }
 
-TEST_F(JudgeTest, CountsDestinationsThatAreNotToldApartForAllAndForNobody) {
+TEST_F(JudgeTest, CountsDestinationsGivenTogetherForAllAndForNone) {
   Judge& judge =
       For(CommsExpectation{.to = "bravo", .cause = "out_of_range", .at_least = {}, .at_most = 0});
   judge.fates(Kind::kReport).Add("alpha", "*", "out_of_range", 998);
@@ -240,7 +240,7 @@ TEST_F(JudgeTest, CountsDestinationsThatAreNotToldApartForAllAndForNobody) {
 
 TEST_F(JudgeTest, ComparesTheHelmsLastStateAndTask) {
   Judge& judge = For(HelmExpectation{.vehicle = "alpha", .state = "DRIVE", .task = "home"});
-  EXPECT_EQ(Only().numbers, "no helm was heard");
+  EXPECT_EQ(Only().numbers, "no helm state was received");
   judge.TakeHelm(0, {.state = "DRIVE", .task = "home"}, At(1));
   EXPECT_TRUE(Only().passed);
   judge.TakeHelm(0, {.state = "DRIVE", .task = "survey"}, At(2));

@@ -11,7 +11,7 @@ struct Outcome {
   std::string numbers;  ///< What decided, and by how much: "there at 612.3 s, 12.3 s late".
 };
 
-/// Returns by how much a limit was missed, with digits enough to tell it from zero: "12.3",
+/// Returns by how much a limit was missed, with digits enough to distinguish it from zero: "12.3",
 /// "0.0051".
 [[nodiscard]] std::string FormatExcess(double excess);
 

@@ -13,7 +13,7 @@ Sighting At(double x_m, double y_m, double z_m = 0) {
   return {.seen = true, .position_m = {x_m, y_m, z_m}};
 }
 
-TEST(SeparationWatch, FindsNobodyWhereFewerThanTwoWereSeen) {
+TEST(SeparationWatch, FindsNoPairWhereFewerThanTwoWereSeen) {
   SeparationWatch watch;
   const std::vector<Sighting> vehicles = {At(0, 0), {}};
   watch.Look(vehicles, 0);

@@ -47,7 +47,7 @@ std::string VehicleTable(const Mission& mission, const Judge& judge) {
   return text;
 }
 
-/// Who heard whom, where that is not too wide.
+/// Sender by receiver, where that is not too wide.
 std::string LinkMatrix(const Mission& mission, const FateCounts& fates) {
   std::string text = fmt::format("    {:<16}", "from \\ to");
   for (const Vehicle& vehicle : mission.vehicles) text += fmt::format(" {:>14}", vehicle.name);
@@ -63,9 +63,9 @@ std::string LinkMatrix(const Mission& mission, const FateCounts& fates) {
   return text;
 }
 
-/// What each vehicle sent and heard in all.
+/// What each vehicle sent and received in all.
 std::string LinkList(const Mission& mission, const FateCounts& fates) {
-  std::string text = fmt::format("    {:<16} {:>20} {:>20}\n", "name", "sent", "heard");
+  std::string text = fmt::format("    {:<16} {:>20} {:>20}\n", "name", "sent", "received");
   const size_t num_rows = std::min(mission.vehicles.size(), kMaxVehicleRows);
   for (size_t i = 0; i < num_rows; ++i) {
     const int vehicle = static_cast<int>(i);

@@ -1,4 +1,4 @@
-// The last page of a mission: where everybody ended, who heard whom, what was achieved.
+// The last page of a mission: where each vehicle ended, which received which, what was achieved.
 #pragma once
 
 #include <string>

@@ -88,7 +88,7 @@ TEST(Summarize, EndsWithFailWhereAnExpectationWasMissed) {
   EXPECT_TRUE(summary.ends_with("\nFAIL: 1 of 2 expectations missed\n"));
 }
 
-TEST(Summarize, ListsSentAndHeardWhereAMatrixWouldBeTooWide) {
+TEST(Summarize, ListsSentAndReceivedWhereAMatrixWouldBeTooWide) {
   Mission mission = TwoVehicles();
   mission.vehicles.resize(100);
   for (size_t i = 2; i < 100; ++i) mission.vehicles[i].name = fmt::format("v{}", i);

@@ -30,7 +30,7 @@ std::vector<AcousticNode> Nodes(int count) {
   return nodes;
 }
 
-/// A fleet on a grid of 50 m, unless said otherwise, five to a row, whose vehicles take turns to
+/// A fleet on a grid of 50 m by default, five to a row, whose vehicles take turns to
 /// send.
 class Fleet {
  public:
@@ -171,7 +171,7 @@ void MunetWorkload(benchmark::State& state, const Workload& workload) {
                                                   benchmark::Counter::kIsRate);
 }
 
-/// Ten nodes have so many receptions in flight, which then all end: time per reception must not
+/// Ten nodes have this many receptions in flight, which then all end: time per reception must not
 /// grow faster than the logarithm of their number (and what the processor's caches make of it).
 void DrainQueue(benchmark::State& state, AccessMode mode, CollisionModel collisions) {
   AcousticOptions options;
@@ -182,11 +182,11 @@ void DrainQueue(benchmark::State& state, AccessMode mode, CollisionModel collisi
   options.bit_error_model = BitErrorModel::kOff;
   constexpr int kNodes = 10;
   AcousticNetwork water(options, kSeed, Nodes(kNodes));
-  std::vector<int> everybody(kNodes);
-  std::iota(everybody.begin(), everybody.end(), 0);
+  std::vector<int> all_nodes(kNodes);
+  std::iota(all_nodes.begin(), all_nodes.end(), 0);
   std::vector<Eigen::Vector3d> positions_m;
   // A vehicle is far away, so that what it is sent stays in the water meanwhile.
-  for (const int i : everybody) positions_m.emplace_back(2'000'000.0 * i, 0, 0);
+  for (const int i : all_nodes) positions_m.emplace_back(2'000'000.0 * i, 0, 0);
   const std::vector<uint8_t> bytes(kReportBytes, 0x5a);
   const int64_t num_transmissions = state.range(0) / (kNodes - 1);
   double now_s = 0;
@@ -194,7 +194,7 @@ void DrainQueue(benchmark::State& state, AccessMode mode, CollisionModel collisi
   for (auto _ : state) {
     for (int64_t i = 0; i < num_transmissions; ++i) {
       now_s += 0.1;
-      water.Transmit(now_s, static_cast<int>(i % kNodes), positions_m, bytes, everybody);
+      water.Transmit(now_s, static_cast<int>(i % kNodes), positions_m, bytes, all_nodes);
     }
     now_s += 1e5;
     count += static_cast<int64_t>(water.Deliver(now_s).size());

@@ -78,7 +78,7 @@ void SleepUntil(int64_t monotonic_us) {
   clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &at, nullptr);
 }
 
-/// One who is sent to.
+/// An address that is sent to.
 struct Target {
   LcmBus bus;
   int pid = 0;
@@ -216,7 +216,7 @@ int Receive(const PortPlan& ports, int num_vehicles) {
   return 0;
 }
 
-/// Hands each report to every other vehicle at once, whatever it says.
+/// Hands each report to every other vehicle at once, without decoding it.
 int Relay(const PortPlan& ports, int num_vehicles) {
   std::vector<std::string> receivers;
   for (const std::string& name : Names(num_vehicles)) {

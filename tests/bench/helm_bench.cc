@@ -59,7 +59,7 @@ BENCHMARK_CAPTURE(LawsOfFollower, cascade,
                   VelocityCascade{{SurvivalGroupLayer{}, FormationLayer{}, FeedForwardLayer{}}});
 BENCHMARK_CAPTURE(LawsOfFollower, constant_bearing, ConstantBearingLaw{});
 
-/// Hands over messages straight away and forgets what is said.
+/// Hands over messages straight away and drops what is published.
 class DirectBus : public Bus {
  public:
   void PublishBytes(std::string_view, std::span<const uint8_t> data) override {
@@ -89,8 +89,8 @@ Bytes NavAt(const Eigen::Vector3d& position_m) {
   return bytes;
 }
 
-/// The whole app: one step of one follower. `hears`: with the NAV of all, decoded and noted.
-void TickOfHelm(benchmark::State& state, bool hears) {
+/// The whole app: one step of one follower. `receives`: with the NAV of all, decoded and noted.
+void TickOfHelm(benchmark::State& state, bool receives) {
   Mission mission;
   PathFollowTask path;
   path.points_m = {{100, 0, 20}, {1e5, 0, 20}};
@@ -105,12 +105,12 @@ void TickOfHelm(benchmark::State& state, bool hears) {
     vehicle.tasks = {{.name = "task", .what = what}};
     mission.vehicles.push_back(vehicle);
   };
-  struct Said {
+  struct EncodedNav {
     std::string channel;
     Bytes bytes;
     Bus::Handler handler;
   };
-  std::vector<Said> navs;
+  std::vector<EncodedNav> navs;
   const auto put = [&](const std::string& name, const Eigen::Vector3d& position_m) {
     navs.push_back({channels::Nav(name).name, NavAt(position_m), {}});
   };
@@ -125,16 +125,16 @@ void TickOfHelm(benchmark::State& state, bool hears) {
   }
   DirectBus bus;
   HelmApp helm(mission, mission.vehicles[1], bus);
-  for (Said& nav : navs) nav.handler = bus.HandlerOf(nav.channel);
-  const auto hear = [&] {
-    for (const Said& nav : navs) {
+  for (EncodedNav& nav : navs) nav.handler = bus.HandlerOf(nav.channel);
+  const auto receive = [&] {
+    for (const EncodedNav& nav : navs) {
       nav.handler({.channel = nav.channel, .publisher = "sim", .data = nav.bytes});
     }
   };
-  hear();
+  receive();
   int64_t utime = 0;
   for (auto _ : state) {
-    if (hears) hear();
+    if (receives) receive();
     helm.Tick(utime);
     utime += 20'000;
   }

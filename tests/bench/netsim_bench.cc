@@ -1,5 +1,5 @@
 // How long netsim's clients wait for their answers: 8 of them, 1,000 positions per second together,
-// from a process that also waits for LCM; then with 200 others who behave badly.
+// from a process that also waits for LCM; then with 200 others that behave badly.
 //
 //   netsim_bench [seconds]
 #include <fmt/format.h>
@@ -43,8 +43,8 @@ const std::string kRequest =
 /// What netsim_manager's loop is: LCM and clients in one thread.
 void Serve(LineServer* server, const std::atomic<bool>& stopped) {
   LcmTransport transport;
-  int64_t num_heard = 0;
-  transport.set_receiver([&](int, std::string_view, std::span<const uint8_t>) { ++num_heard; });
+  int64_t num_received = 0;
+  transport.set_receiver([&](int, std::string_view, std::span<const uint8_t>) { ++num_received; });
   transport.ListenToAll(kLcmPort);
   if (!transport.error().empty()) fmt::print(stderr, "{}\n", transport.error());
   while (!stopped) {

@@ -16,7 +16,7 @@
 namespace shoal {
 namespace {
 
-constexpr int64_t kStep_us = 250'000;  ///< Everybody reports at 4 Hz.
+constexpr int64_t kStep_us = 250'000;  ///< Every vehicle reports at 4 Hz.
 constexpr uint64_t kSeed = 1;
 
 /// All vehicles of a mission, and where they are.
@@ -39,7 +39,7 @@ Fleet MakeFleet(int64_t count, double side_m) {
   return fleet;
 }
 
-/// One step of the broker: all reports in, all routed, who is silent forgotten. Vehicles move a
+/// One step of the broker: all reports in, all routed, silent vehicles forgotten. Vehicles move a
 /// metre per step. Returns how many fates there were.
 int64_t RouteAStep(const Fleet& fleet, int64_t utime, Router* router,
                    std::vector<Admission>* admissions, std::vector<Decision>* decisions) {
@@ -80,7 +80,7 @@ void RouteReports(benchmark::State& state, const RoutingRules& rules, double sid
 
 constexpr int64_t kListEachFate = 1'000'000;
 
-/// The rules under which every vehicle hears every other.
+/// The rules under which every vehicle receives every other.
 RoutingRules AllInRange() {
   return {.comms_range_m = 10'000, .critical_range_m = 0, .each_fate_up_to = kListEachFate};
 }

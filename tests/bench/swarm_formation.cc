@@ -6,7 +6,7 @@
 //
 // Prints one line of numbers, separated by blanks: the formation error in m (mean over the seeds,
 // and standard deviation over them), how far followers were outside their zone of rest, in m, the
-// smallest separation, in m, and in per cent of all packets what arrived, and of what was heard
+// smallest separation, in m, and in per cent of all packets what arrived, and of what was received
 // what was clean, recovered and rejected. tests/bench/swarm makes tables of it.
 //
 // The formation error is the root mean square, over the followers and all steps from kFormedUp_s
@@ -57,10 +57,10 @@ Tracks Run(const Mission& mission, Numbers* numbers) {
     return offered > 0 ? 100 * count / offered : 0;
   };
   numbers->delivered_pct = share(simulation.director().fates(shoal::Kind::kPacket), "delivered");
-  const shoal::FateCounts& heard = simulation.director().judge().swarm_counts();
-  numbers->clean_pct = share(heard, "clean");
-  numbers->recovered_pct = share(heard, "recovered");
-  numbers->rejected_pct = share(heard, "rejected");
+  const shoal::FateCounts& counts = simulation.director().judge().swarm_counts();
+  numbers->clean_pct = share(counts, "clean");
+  numbers->recovered_pct = share(counts, "recovered");
+  numbers->rejected_pct = share(counts, "rejected");
   return tracks;
 }
 

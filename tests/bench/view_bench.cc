@@ -3,7 +3,7 @@
 //   tests/bench/view_bench                      a log of 20 vehicles and 10 minutes, made in /tmp
 //   SHOAL_BENCH_LOG=x.lcm tests/bench/view_bench
 //
-// The reference is a plain pass of LogReader over the same file: `plain_passes` tells how many of
+// The reference is a plain pass of LogReader over the same file: `plain_passes` shows how many of
 // them one opening takes (about 3, with a file that is in memory).
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
@@ -60,7 +60,7 @@ class BenchLog {
 
   static void WriteStep(int step, LogWriter* log) {
     const int64_t utime = step * kTick_us;
-    const auto say = [&](const std::string& channel, const auto& message) {
+    const auto publish = [&](const std::string& channel, const auto& message) {
       log->Append(utime, channel, Encoded(message));
     };
     std::vector<fate_t> fates;
@@ -68,28 +68,28 @@ class BenchLog {
     for (int i = 0; i < kVehicles; ++i) {
       const std::string name = fmt::format("v{:02}", i);
       const double x_m = 100.0 * i + 0.1 * step;
-      say(channels::Nav(name).name, NavAt(utime, x_m, 0));
-      say(channels::Desired(name).name, desired_t{utime, 90, 1, 0});
+      publish(channels::Nav(name).name, NavAt(utime, x_m, 0));
+      publish(channels::Desired(name).name, desired_t{utime, 90, 1, 0});
       helm_state_t helm{};
       helm.utime = utime;
       helm.vehicle = name;
       helm.state = "DRIVE";
-      say(channels::HelmState(name).name, helm);
+      publish(channels::HelmState(name).name, helm);
       if (step % 5 != 0) continue;
       const node_report_t report = ReportOf(name, utime, x_m, 0);
-      say("NODE_REPORT_LOCAL", report);
+      publish("NODE_REPORT_LOCAL", report);
       for (int j = 0; j < kVehicles; ++j) {
         if (i == j) continue;
         const std::string other = fmt::format("v{:02}", j);
         fates.push_back(
             FateOf(name, other, (i + j + step) % 3 == 0 ? "out_of_range" : "delivered"));
         pulses.push_back(PulseOf(UpperCase(name) + "2" + UpperCase(other), "nrep", 10));
-        say(channels::NodeReport(other).name, report);
+        publish(channels::NodeReport(other).name, report);
       }
     }
     if (fates.empty()) return;
-    say("COMMS_FATES", FatesOf(utime, std::move(fates)));
-    say("VIEW_COMMS_PULSE", PulsesOf(utime, std::move(pulses)));
+    publish("COMMS_FATES", FatesOf(utime, std::move(fates)));
+    publish("VIEW_COMMS_PULSE", PulsesOf(utime, std::move(pulses)));
     if (log->Flush()) std::exit(3);
   }
 

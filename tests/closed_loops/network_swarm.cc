@@ -6,7 +6,7 @@
 #include <utility>
 #include <variant>
 
-#include "apps/acomms/swarm_speech.h"
+#include "apps/acomms/swarm_bytes.h"
 #include "lib/check/check.h"
 #include "lib/swarm/broadcast_message.h"
 #include "lib/vehicle/propulsion.h"
@@ -72,7 +72,7 @@ NetworkSwarm::NetworkSwarm(NetworkSwarmSetup setup, const std::vector<Remus100St
 void NetworkSwarm::Step() {
   const int64_t now_us = step_ * kMunetStep_us;
   for (int i = 0; i < num_members(); ++i) {
-    if (const auto due = Due(i, now_us)) Say(i, *due, now_us);
+    if (const auto due = Due(i, now_us)) Send(i, *due, now_us);
     if (setup_.has_sonar && i > 0 && step_ % kStepsPerPing == 0) Ping(i);
     Decide(i, now_us);
     auvs_[static_cast<size_t>(i)].Step(
@@ -89,11 +89,11 @@ std::optional<DueMessage> NetworkSwarm::Due(int index, int64_t now_us) {
 NetworkSwarm::Others NetworkSwarm::Expect(int index, int64_t now_us) {
   const GroupState& state = ReceiverOf(index).state;
   const std::optional<Motion> target = PredictTarget(state, now_us, {});
-  SHOAL_CHECK(target.has_value(), "the mission says where the leader begins");
+  SHOAL_CHECK(target.has_value(), "the start of the leader is known");
   Others others{.target = *target, .group = {}};
   for (const SwarmContact& member : state.members) {
     const std::optional<Motion> motion = PredictContact(member, now_us);
-    SHOAL_CHECK(motion.has_value(), "the mission says where everybody begins");
+    SHOAL_CHECK(motion.has_value(), "the start of every member is known");
     others.group.push_back({static_cast<int>(member.id), motion->position_m, motion->velocity_mps});
   }
   return others;
@@ -109,7 +109,7 @@ Motion NetworkSwarm::NextOfLeader() const {
                         {.speed_mps = MunetSpeedFromRpm(setup_.rpm)});
 }
 
-void NetworkSwarm::Say(int index, const DueMessage& due, int64_t now_us) {
+void NetworkSwarm::Send(int index, const DueMessage& due, int64_t now_us) {
   const std::vector<uint8_t> bytes =
       SwarmBytes(due, {.own = MotionOf(index),
                        .next = index == 0 ? NextOfLeader() : Motion(),
@@ -171,30 +171,30 @@ void NetworkSwarm::Deliver(int64_t now_us) {
     if (reception.result == ReceptionResult::kRejected) continue;
     const std::optional<ResponseRequest>& request = receiver.state.request;
     if (request && request != before) schedules_[static_cast<size_t>(index)].Take(*request);
-    Hear(index, reception, now_us);
+    OnReception(index, reception, now_us);
   }
 }
 
-std::vector<Eigen::Vector3d> PositionsTold(const std::vector<uint8_t>& bytes) {
-  std::vector<Eigen::Vector3d> told_m;
-  const auto tell = [&](const Eigen::Vector3f& position_m) {
-    told_m.push_back(position_m.cast<double>());
+std::vector<Eigen::Vector3d> PositionsIn(const std::vector<uint8_t>& bytes) {
+  std::vector<Eigen::Vector3d> positions_m;
+  const auto add = [&](const Eigen::Vector3f& position_m) {
+    positions_m.push_back(position_m.cast<double>());
   };
   const auto tell_leader = [&](const LeaderMotion& leader) {
-    tell(leader.position_m);
-    tell(leader.next_position_m);
+    add(leader.position_m);
+    add(leader.next_position_m);
   };
   const std::optional<AnySwarmMessage> message = DecodeSwarmMessage(bytes);
-  if (!message) return told_m;
+  if (!message) return positions_m;
   if (const auto* report = std::get_if<ReportMessage>(&*message)) {
-    tell(report->position_m);
+    add(report->position_m);
   } else if (const auto* leader = std::get_if<LeaderMessage>(&*message)) {
     tell_leader(leader->leader);
   } else if (const auto* broadcast = std::get_if<BroadcastMessage>(&*message)) {
     tell_leader(broadcast->leader);
-    for (const BroadcastFollower& follower : broadcast->followers) tell(follower.position_m);
+    for (const BroadcastFollower& follower : broadcast->followers) add(follower.position_m);
   }
-  return told_m;
+  return positions_m;
 }
 
 }  // namespace shoal

@@ -1,8 +1,8 @@
-// A leader on a path and its followers, who know of each other what the acoustic network let
+// A leader on a path and its followers, which know of each other what the acoustic network let
 // through: shoal's model, laws, messages, slots and water in the order of muNet's loop. In a step
 // each vehicle in turn sends what is due, decides and moves, so that a packet leaves from where its
-// sender is at the step's beginning and those before it at its end; then everybody hears what has
-// arrived.
+// sender is at the step's beginning and those before it at its end; then every vehicle receives
+// what has arrived.
 //
 //   NetworkSwarm swarm(setup, start);
 //   swarm.Step();
@@ -26,11 +26,11 @@ namespace shoal {
 
 inline constexpr int64_t kMunetStep_us = 20'000;
 
-/// Something that a member said or heard; ids count from 1, the leader's.
+/// A message that a member sent or received; ids count from 1, the leader's.
 struct SwarmEvent {
   bool is_send = false;
   int64_t utime = 0;
-  int id = 0;       ///< Who said it, or heard it.
+  int id = 0;       ///< The member that sent or received it.
   int channel = 0;  ///< Its id.
   std::vector<uint8_t> bytes = {};
 };
@@ -74,7 +74,8 @@ class NetworkSwarm {
   /// Called once per step and follower.
   virtual Others Expect(int index, int64_t now_us);
   /// `index` has taken in a message.
-  virtual void Hear(int /*index*/, const SwarmReception& /*reception*/, int64_t /*now_us*/) {}
+  virtual void OnReception(int /*index*/, const SwarmReception& /*reception*/, int64_t /*now_us*/) {
+  }
 
   const SwarmReceiver& ReceiverOf(int index) const {
     return receivers_.at(static_cast<size_t>(index));
@@ -85,7 +86,7 @@ class NetworkSwarm {
 
  private:
   Motion MotionOf(int index) const;
-  void Say(int index, const DueMessage& due, int64_t now_us);
+  void Send(int index, const DueMessage& due, int64_t now_us);
   void Ping(int index);
   void Decide(int index, int64_t now_us);
   void Deliver(int64_t now_us);
@@ -103,7 +104,7 @@ class NetworkSwarm {
   int64_t step_ = 0;
 };
 
-/// Returns all positions that a message tells, in its order; nothing where it is none.
-[[nodiscard]] std::vector<Eigen::Vector3d> PositionsTold(const std::vector<uint8_t>& bytes);
+/// Returns all positions in a message, in its order; nothing where it is none.
+[[nodiscard]] std::vector<Eigen::Vector3d> PositionsIn(const std::vector<uint8_t>& bytes);
 
 }  // namespace shoal

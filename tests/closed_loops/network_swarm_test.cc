@@ -2,10 +2,10 @@
 // by shoal's vehicles, laws, messages, slots and water in the order of muNet's loop. Once as shoal
 // is, and once with what is otherwise in muNet, to show that this is all that lies between them:
 //
-//   S3     members of fdma speak one step after their slot, and one more by rounding
+//   S3     members of fdma send one step after their slot, and one more by rounding
 //   delay  a message is brought up to the time of its arrival, in the step after that; and each
 //          step goes on from what the last one expected
-//   start  followers know the leader's first waypoint before they have heard of it, and expect it
+//   start  followers know the leader's first waypoint before they have received it, and expect it
 //          to set out
 //
 // Followers never come so near to each other that it matters where they expect each other (S5).
@@ -112,7 +112,7 @@ double FarthestApart(const Golden& golden, NetworkSwarm* swarm) {
 struct EventsApart {
   int64_t latest_us = 0;    ///< How much later muNet's are, at most ...
   int64_t earliest_us = 0;  ///< ... and at least.
-  double told_m = 0;        ///< Positions in their messages.
+  double sent_m = 0;        ///< Positions in their messages.
   int num_swapped = 0;      ///< In another order than muNet's, within a step of it.
 };
 
@@ -137,16 +137,16 @@ EventsApart CompareEvents(const std::vector<SwarmEvent>& events, std::vector<Swa
       std::swap(golden[i], golden[j]);
       break;
     }
-    const std::vector<Eigen::Vector3d> told_m = PositionsTold(mine.bytes);
-    const std::vector<Eigen::Vector3d> golden_m = PositionsTold(golden[i].bytes);
-    if (!AreAlike(mine, golden[i]) || told_m.empty() || told_m.size() != golden_m.size()) {
+    const std::vector<Eigen::Vector3d> sent_m = PositionsIn(mine.bytes);
+    const std::vector<Eigen::Vector3d> golden_m = PositionsIn(golden[i].bytes);
+    if (!AreAlike(mine, golden[i]) || sent_m.empty() || sent_m.size() != golden_m.size()) {
       ADD_FAILURE() << "event " << i << ": " << mine.utime << " us, " << mine.id << " "
                     << TypeIn(mine) << "; muNet's: " << golden[i].utime << " us, " << golden[i].id
                     << " " << TypeIn(golden[i]);
       break;
     }
-    for (size_t j = 0; j < told_m.size(); ++j) {
-      apart.told_m = std::max(apart.told_m, (told_m[j] - golden_m[j]).norm());
+    for (size_t j = 0; j < sent_m.size(); ++j) {
+      apart.sent_m = std::max(apart.sent_m, (sent_m[j] - golden_m[j]).norm());
     }
     apart.latest_us = std::max(apart.latest_us, golden[i].utime - mine.utime);
     apart.earliest_us = std::min(apart.earliest_us, golden[i].utime - mine.utime);
@@ -177,7 +177,7 @@ void ExpectLikeMunet(const Golden& golden, NetworkSwarm* swarm, int64_t latest_u
   const Likeness like = Compare(golden, swarm);
   EXPECT_LT(like.farthest_m, kNear_m);
   EXPECT_GT(like.farthest_m, 0.01) << "then muNet's faults no longer make a difference";
-  EXPECT_LT(like.events.told_m, kNear_m);
+  EXPECT_LT(like.events.sent_m, kNear_m);
   EXPECT_GE(like.events.earliest_us, 0);
   EXPECT_LE(like.events.latest_us, latest_us);
 }
@@ -207,7 +207,7 @@ class FaultySwarm : public NetworkSwarm {
     return others;
   }
 
-  void Hear(int index, const SwarmReception& reception, int64_t now_us) override {
+  void OnReception(int index, const SwarmReception& reception, int64_t now_us) override {
     const GroupState& state = ReceiverOf(index).state;
     const bool is_from_leader =
         *reception.flag == kLeaderReportFlag || *reception.flag == kBroadcastFlag;
@@ -244,7 +244,7 @@ class FaultySwarm : public NetworkSwarm {
 /// Two steps for S3, and one where what was sent earlier just makes it into a step.
 constexpr int64_t kFdmaLatest_us = 3 * kMunetStep_us;
 
-TEST(NetworkSwarmAsMunet, ByFdmaSaysAndHearsTheSameAtMostThreeStepsEarlierAndKeepsToItsTracks) {
+TEST(NetworkSwarmAsMunet, ByFdmaSendsAndReceivesTheSameAtMostThreeStepsEarlierAndKeepsToItsTracks) {
   const Golden golden("sim_fdma_apf");
   NetworkSwarm swarm(AsMunet(), golden.start);
   ExpectLikeMunet(golden, &swarm, kFdmaLatest_us);
@@ -259,7 +259,7 @@ TEST(NetworkSwarmAsMunet, ByFdmaWithSonarInACurrentItDoesSoToo) {
   EXPECT_LT(swarm.nearest_echo_m(), SonarParams().max_range_m);
 }
 
-TEST(NetworkSwarmAsMunet, ByTdmaSaysAndHearsTheSameInTheSameStepsAndKeepsToItsTracks) {
+TEST(NetworkSwarmAsMunet, ByTdmaSendsAndReceivesTheSameInTheSameStepsAndKeepsToItsTracks) {
   const Golden golden("sim_tdma_lf_apf");
   NetworkSwarm swarm(TdmaLf(), golden.start);
   ExpectLikeMunet(golden, &swarm, /*latest_us=*/0);
@@ -270,21 +270,21 @@ void ExpectMunet(const std::string& name, const NetworkSwarmSetup& setup) {
   FaultySwarm swarm(setup, golden.start);
   const Likeness like = Compare(golden, &swarm);
   EXPECT_LT(like.farthest_m, 1e-6);
-  EXPECT_LT(like.events.told_m, 1e-5) << "the last digit of a float32";
+  EXPECT_LT(like.events.sent_m, 1e-5) << "the last digit of a float32";
   EXPECT_EQ(like.events.latest_us, 0);
   EXPECT_EQ(like.events.earliest_us, 0);
   EXPECT_EQ(like.events.num_swapped, 0);
 }
 
-TEST(NetworkSwarmWithMunetsFaults, SaysAndMovesExactlyTheSameByFdma) {
+TEST(NetworkSwarmWithMunetsFaults, SendsAndMovesExactlyTheSameByFdma) {
   ExpectMunet("sim_fdma_apf", AsMunet());
 }
 
-TEST(NetworkSwarmWithMunetsFaults, SaysAndMovesExactlyTheSameWithSonarInACurrent) {
+TEST(NetworkSwarmWithMunetsFaults, SendsAndMovesExactlyTheSameWithSonarInACurrent) {
   ExpectMunet("sim_fdma_apf_fls_current", FdmaWithSonarInACurrent());
 }
 
-TEST(NetworkSwarmWithMunetsFaults, SaysAndMovesExactlyTheSameByTdma) {
+TEST(NetworkSwarmWithMunetsFaults, SendsAndMovesExactlyTheSameByTdma) {
   ExpectMunet("sim_tdma_lf_apf", TdmaLf());
 }
 

@@ -1,6 +1,7 @@
 // muNet's whole simulations by the processes of a mission: mission file, NAV and ACTUATORS over a
-// bus. What is heard in a step was said in the step before, so that every command takes effect one
-// step of 0.02 s later than in muNet's loop (direct_swarm_test.cc has its order, and its numbers).
+// bus. What is received in a step was published in the step before, so that every command takes
+// effect one step of 0.02 s later than in muNet's loop (direct_swarm_test.cc has its order, and its
+// numbers).
 #include <gtest/gtest.h>
 
 #include <memory>

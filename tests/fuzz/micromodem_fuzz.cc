@@ -1,9 +1,9 @@
-// A Micro-Modem, whatever its host and the network send: it must not crash, write sentences
-// that can be read, and send one packet at a time.
+// A Micro-Modem, for any bytes from its host and from the water: it must not crash, must write
+// readable sentences and send one packet at a time.
 //
-// An input is made of pieces: a byte of choices, a length, a byte, and as many bytes. Choices
-// modulo 4: the host's bytes; bytes from the water; the same with a header that is right; time, its
-// length in tenths of a second. All of it goes to a raw modem too.
+// An input is made of pieces: a byte of choices, a length, a byte, and that number of bytes.
+// Choices modulo 4: the host's bytes; bytes from the water; the same with a header that is right;
+// time, its length in tenths of a second. All of it goes to a raw modem too.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -74,7 +74,7 @@ class Owner {
       const size_t end = rest.find("\r\n");
       SHOAL_CHECK(end != rest.npos, "each sentence ends with CR and LF");
       const auto sentence = ParseNmea(rest.substr(0, end));
-      SHOAL_CHECK(sentence && sentence->has_checksum, "what is written can be read");
+      SHOAL_CHECK(sentence && sentence->has_checksum, "every sentence to the host can be read");
       rest.remove_prefix(end + 2);
     }
     SHOAL_CHECK(output.to_water.size() <= 1, "one packet at a time");

@@ -41,7 +41,7 @@ void CheckReply(std::string_view line) {
   SHOAL_CHECK(!is_whole || !reply.answer.empty(), "a whole request is answered");
   const bool is_silent =
       reply.outcome == NetsimOutcome::kBlank || reply.outcome == NetsimOutcome::kAccepted;
-  SHOAL_CHECK(is_silent == reply.problem.empty(), "what is wrong is told");
+  SHOAL_CHECK(is_silent == reply.problem.empty(), "every refusal has a problem text");
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     return 0;
   }
   SHOAL_CHECK(request->is_whole == (reply.outcome != shoal::NetsimOutcome::kIncomplete),
-              "what lacks a field is told");
+              "a request that lacks a field is reported as incomplete");
   SHOAL_CHECK(reply.positions.size() <= request->navs.size(), "no position of nowhere");
   SHOAL_CHECK(!request->is_whole || reply.stats.size() == request->stats.size(),
               "all stats are accepted");

@@ -15,6 +15,6 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   const auto again = shoal::ParseNmea(shoal::NmeaSentence(body));
   SHOAL_CHECK(again && again->has_checksum, "a sentence of what was read is a sentence");
   SHOAL_CHECK(again->address == sentence->address && again->fields == sentence->fields,
-              "it says the same");
+              "the written sentence parses to the same");
   return 0;
 }

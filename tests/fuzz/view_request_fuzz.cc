@@ -1,5 +1,5 @@
-// Any bytes as what comes to the viewer: the head of a request and its body. First a letter that
-// tells what it is: h a head, b a command's body, q a query ("name=value&..."), o a Host.
+// Any bytes as what comes to the viewer: the head of a request and its body. First a letter for its
+// kind: h a head, b a command's body, q a query ("name=value&..."), o a Host.
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -30,7 +30,7 @@ void TryHead(std::string_view bytes) {
   const CheckedHead checked = CheckHead(bytes);
   if (checked.status != 200) {
     SHOAL_CHECK(checked.head.empty() && checked.message.empty() == (checked.status == 0),
-                "a refusal says why");
+                "a refusal has a message");
     return;
   }
   SHOAL_CHECK(checked.size <= bytes.size() && checked.size <= kMostHeadBytes, "it has an end");

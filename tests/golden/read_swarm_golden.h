@@ -47,7 +47,7 @@ inline SwarmContact GoldenContact(const nlohmann::json& model) {
   SwarmContact contact = PlacedContact(model["id"], static_cast<uint8_t>(group[0]),
                                        GoldenMotion(model["eta"], model["velocity"]));
   contact.report.next = GoldenMotion(model["nextEta"], model["nextVel"]);
-  contact.is_heard = !model["log"].empty();
+  contact.has_reported = !model["log"].empty();
   contact.reported_us = MicrosecondsOf(GoldenNumber(model["timeLastMsg"]));
   for (const nlohmann::json& entry : model["log"]) {
     AppendToLog({.time_us = MicrosecondsOf(GoldenNumber(entry["t"])),

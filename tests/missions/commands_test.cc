@@ -188,7 +188,7 @@ TEST(AcousticPing, TalksThroughTheWaterFromTwoProgramsInC) {
                                               "max", "--record", dir, "--lose", "0.002"});
   EXPECT_EQ(finished.exit_code, 0) << finished.output;
   EXPECT_NE(finished.output.find("Reproducible: yes"), std::string::npos) << finished.output;
-  EXPECT_NE(ReadFile(dir + "/logs/alpha_modem.txt").find("alpha hears pong 7 of bravo"),
+  EXPECT_NE(ReadFile(dir + "/logs/alpha_modem.txt").find("alpha receives pong 7 of bravo"),
             std::string::npos);
 }
 

@@ -59,7 +59,7 @@ TEST_F(GpsOutputTest, WritesToAPseudoTerminalAsItIs) {
   EXPECT_EQ(std::string(text, text + std::max<ssize_t>(size, 0)), kSentence);
 }
 
-TEST_F(GpsOutputTest, CountsWhatNobodyReads) {
+TEST_F(GpsOutputTest, CountsWhatIsNeverRead) {
   const std::string path = folder_ / "pipe";
   ASSERT_EQ(mkfifo(path.c_str(), 0600), 0);
   const auto output = Open({.path = path});
@@ -68,7 +68,7 @@ TEST_F(GpsOutputTest, CountsWhatNobodyReads) {
   EXPECT_GT(output->num_lost(), 0);
 }
 
-TEST_F(GpsOutputTest, WritesToAllWhoConnect) {
+TEST_F(GpsOutputTest, WritesToAllClientsThatConnect) {
   // A port that was free a moment ago.
   const int port = (*TcpServer::Listen({}, {}))->port();
   const auto output = Open({.tcp_port = port});
@@ -93,7 +93,7 @@ TEST_F(GpsOutputTest, WritesNowhereByDefault) {
   EXPECT_EQ(output->num_lost(), 0);
 }
 
-TEST_F(GpsOutputTest, SaysWhatItCannotOpen) {
+TEST_F(GpsOutputTest, NamesWhatItCannotOpen) {
   const auto missing = GpsOutput::Open({.path = folder_ / "no" / "gps.txt"}, "127.0.0.1");
   ASSERT_FALSE(missing.ok());
   EXPECT_NE(missing.error().find("no/gps.txt: cannot be written: No such file"), std::string::npos);

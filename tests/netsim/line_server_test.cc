@@ -155,7 +155,7 @@ TEST_F(EchoServer, KeepsNoMoreThanALineOfAClientThatNeverEndsOne) {
   EXPECT_TRUE(IsAnswered(Connect()));
 }
 
-TEST_F(EchoServer, ForgetsAClientThatSaysNothing) {
+TEST_F(EchoServer, ForgetsAClientThatSendsNothing) {
   Listen({.idle_timeout_us = 10 * kSecond_us});
   TcpClient& client = Connect();
   EXPECT_TRUE(IsAnswered(client));
@@ -184,7 +184,7 @@ std::string Repeated(const std::string& line) {
   return lines;
 }
 
-/// Sends and never reads, until so much waits in the server and nothing moves any more; returns how
+/// Sends and never reads, until the server is full and nothing moves any more; returns how
 /// much was sent.
 size_t Stall(LineServer* server, TcpClient* client, const std::string& lines,
              size_t num_waiting_bytes) {
@@ -266,7 +266,7 @@ TEST_F(EchoServer, IsWaitedForTogetherWithOthers) {
   EXPECT_EQ(poll(&waited, 1, 0), 0);
 }
 
-TEST_F(EchoServer, SaysWhyItCannotListen) {
+TEST_F(EchoServer, ReportsWhyItCannotListen) {
   Listen();
   const auto second = LineServer::Listen({.port = server_->port()}, 1000, {});
   ASSERT_FALSE(second.ok());

@@ -1,4 +1,4 @@
-// netsim_manager between real sockets and a bus in memory: what a client says reaches the mission,
+// netsim_manager between real sockets and a bus in memory: what a client sends reaches the mission,
 // and what the water brings reaches the client.
 #include <gtest/gtest.h>
 #include <poll.h>
@@ -58,7 +58,7 @@ Mission OutsideMission(NetsimModem modem) {
   return mission;
 }
 
-/// netsim_manager on a bus with a test that hears what it says.
+/// netsim_manager on a bus with a test that subscribes to what it publishes.
 class Manager {
  public:
   explicit Manager(const Mission& mission) : app_(mission, hub_.Join("netsim_manager")) {
@@ -98,10 +98,10 @@ class Manager {
       return client->received().size() >= num_bytes;
     });
   }
-  /// Lets a packet of alpha arrive, at 1000 bit/s and, if `snr_db` is given, with a fate that
-  /// tells.
-  void SayInWater(const std::vector<uint8_t>& bytes, int64_t travel_us,
-                  std::optional<double> snr_db = std::nullopt) {
+  /// Lets a packet of alpha arrive, at 1000 bit/s and, if `snr_db` is given, with a fate that holds
+  /// it.
+  void SendAcoustically(const std::vector<uint8_t>& bytes, int64_t travel_us,
+                        std::optional<double> snr_db = std::nullopt) {
     acoustic_rx_t packet{};
     packet.utime = utime_;
     packet.source = "alpha";
@@ -140,7 +140,7 @@ class Manager {
   int64_t utc_us_ = 1'795'000'000'000'000;
 };
 
-TEST(NetsimManager, SaysOnWhereAVehicleIs) {
+TEST(NetsimManager, PublishesWhereAVehicleIs) {
   Manager manager(OutsideMission(NetsimModem::kNone));
   TcpClient client(manager.app().port());
   client.Send(kDocumented);
@@ -197,7 +197,7 @@ TEST(NetsimManager, CarriesRawPayloadsThroughTheWaterBothWays) {
   EXPECT_EQ(std::string(manager.packets_[0].payload.begin(), manager.packets_[0].payload.end()),
             "hello");
   const std::string welcome = "welcome";
-  manager.SayInWater({welcome.begin(), welcome.end()}, 500'000);
+  manager.SendAcoustically({welcome.begin(), welcome.end()}, 500'000);
   ASSERT_TRUE(manager.Receive(&modem, 9));
   EXPECT_EQ(modem.received(), std::string("\0\7welcome", 9));
 }
@@ -226,14 +226,14 @@ TEST(NetsimManager, AnswersTheHostOfAMicroModemAndPings) {
   EXPECT_EQ(manager.packets_.size(), 1U);
 }
 
-TEST(NetsimManager, TellsTheHostTheTravelTimeAndTheNoiseOfWhatTheWaterBrought) {
+TEST(NetsimManager, ReportsTravelTimeAndNoiseOfReceivedPacketsToTheHost) {
   Manager manager(OutsideMission(NetsimModem::kMicromodem));
   TcpClient host(manager.app().ModemPortOf("outsider"));
   host.Send("$CCCFG,SRC,5\r\n$CCMPC,5,9\r\n");
   ASSERT_TRUE(manager.StepUntil([&] { return !manager.packets_.empty(); }));
   const MicroModemPacket reply = {
       .kind = MicroModemKind::kPingReply, .source = 9, .destination = 5};
-  manager.SayInWater(EncodeMicroModemPacket(reply), 750'000, 23.0);
+  manager.SendAcoustically(EncodeMicroModemPacket(reply), 750'000, 23.0);
   EXPECT_TRUE(manager.StepUntil([&] {
     host.Receive();
     return host.received().find("$CACST") != std::string::npos;
@@ -261,12 +261,12 @@ TEST(NetsimManager, ForgetsTheHalfLineOfAHostThatHasGone) {
 
 TEST(NetsimManager, PassesOverTimesThatCannotBe) {
   Manager manager(OutsideMission(NetsimModem::kRaw));
-  manager.SayInWater({1, 2, 3}, std::numeric_limits<int64_t>::min() / 2);
+  manager.SendAcoustically({1, 2, 3}, std::numeric_limits<int64_t>::min() / 2);
   for (int i = 0; i < 5; ++i) manager.Step();
   EXPECT_FALSE(manager.app().Status().run_warnings.empty());
 }
 
-TEST(NetsimManager, SaysWhichPortItCannotHave) {
+TEST(NetsimManager, NamesThePortThatItCannotHave) {
   Manager manager(OutsideMission(NetsimModem::kNone));
   Mission mission = OutsideMission(NetsimModem::kNone);
   mission.netsim->port = manager.app().port();

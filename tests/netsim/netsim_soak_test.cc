@@ -1,4 +1,4 @@
-// Two hundred clients who behave as badly as they can, and one who does not.
+// Two hundred clients that behave as badly as they can, and one that does not.
 #include <gtest/gtest.h>
 
 #include "lib/netsim/netsim_answer.h"

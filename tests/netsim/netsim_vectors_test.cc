@@ -1,4 +1,5 @@
-// netsim's protocol over a real socket, held against what the original program said and published.
+// netsim's protocol over a real socket, compared with what the original program answered and
+// published.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -82,7 +83,7 @@ void SendStep(const Json& step, Manager* manager, TcpClient* client) {
   }
 }
 
-/// Plays a recorded connection; returns all that the server ever said on it, or nothing where the
+/// Plays a recorded connection; returns all that the server sent on it, or nothing where the
 /// client went without listening.
 std::string Play(const Json& connection, Manager* manager) {
   TcpClient client(manager->server->port(), connection["source_ip"]);
@@ -165,7 +166,7 @@ std::string Responses(const Lines& base64) {
   return text;
 }
 
-/// What shoal says where the original is wrong.
+/// What shoal answers where the original is wrong.
 struct Advised {
   Lines responses;
   size_t num_positions;
@@ -173,7 +174,7 @@ struct Advised {
 
 const std::map<std::string, Advised> kAdvised = {
     {"accepted_id_over_32_bits", {{"CAUQAQ=="}, 1}},
-    // Missing fields of stats: no status says so.
+    // Missing fields of stats: there is no status for this.
     {"stats_missing_required", {{}, 0}},
     {"stats_mm_stats_incomplete", {{}, 0}},
     // Strictly by line.
@@ -189,7 +190,7 @@ const std::map<std::string, Advised> kAdvised = {
     {"b64_wrapped_high_bytes", {{}, 0}},
     {"missing_id", {{}, 0}},
     {"preamble_ignored", {{}, 0}},
-    // Nothing of an incomplete request is applied, and the answer says where it failed.
+    // Nothing of an incomplete request is applied, and the answer shows where it failed.
     {"nav_missing_lat", {{"CG8QBA=="}, 0}},
     {"nav_missing_port", {{"CHAQAg=="}, 0}},
     {"nav_missing_heading_then_good", {{"CHEQBA=="}, 0}},

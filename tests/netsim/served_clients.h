@@ -1,4 +1,4 @@
-// A server and its clients in one thread: everything happens when a test says so, and no test
+// A server and its clients in one thread: everything happens when a test calls it, and no test
 // waits for a while to see that nothing comes.
 #pragma once
 
@@ -39,7 +39,7 @@ inline std::string ReceiveAll(LineServer* server, int64_t now_us, TcpClient* cli
   return client->received();
 }
 
-/// Serves until the client has received so many bytes, or for ever is over.
+/// Serves until the client has received this many bytes, or the time limit is over.
 inline bool ReceiveBytes(LineServer* server, int64_t now_us, TcpClient* client, size_t num_bytes) {
   return ServeUntil(server, now_us, [&] {
     client->Receive();

@@ -9,7 +9,7 @@
 
 namespace shoal {
 
-/// Never blocks. What goes wrong on the way is told by false and by is_open().
+/// Never blocks. Errors show as false and in is_open().
 class TcpClient {
  public:
   /// Connects to 127.0.0.1; over loopback that is done at once. `source_port` 0: any.

@@ -26,10 +26,10 @@ async function factor(withViewer) {
     if (withViewer) client = follow((await stage.view()).url);
     await run.over;
     client?.stop();
-    const said = /([\d.]+) s of mission in ([\d.]+) s/.exec(run.said);
-    if (!said) throw new Error(`the mission did not run: ${run.said}`);
+    const speeds = /([\d.]+) s of mission in ([\d.]+) s/.exec(run.output);
+    if (!speeds) throw new Error(`the mission did not run: ${run.output}`);
     if (withViewer) console.log(`      ${Math.round(client.bytes / 1000)} kB of frames`);
-    return Number(said[1]) / Number(said[2]);
+    return Number(speeds[1]) / Number(speeds[2]);
   } finally {
     await stage.end();
   }

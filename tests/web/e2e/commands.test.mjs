@@ -1,4 +1,4 @@
-// Commands from the page: what becomes of them, and that nobody else can give any.
+// Commands from the page: what becomes of them, and that no other client can give any.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { Stage, until } from './support.mjs';
@@ -18,14 +18,14 @@ after(() => stage.end());
 const vehicle = (name) => page.evaluate((wanted) =>
   globalThis.shoalViewer.world?.at(performance.now()).vehicles.find((each) => each.name === wanted),
 name);
-const said = (text) => until(`"${text}" in the list of commands`, async () =>
+const isListed = (text) => until(`"${text}" in the list of commands`, async () =>
   (await page.textContent('#commands')).includes(text));
 
 test('a command turns a vehicle round', async () => {
   await page.click('[data-tab=commands]');
   await page.selectOption('#command-target', 'alpha');
   await page.click('[data-command=return]');
-  await said('return to alpha');
+  await isListed('return to alpha');
   await until('the command was taken', async () =>
     /return to alpha[\s\S]*taken/.test(await page.textContent('#commands')));
   // Home is (150, 0): its course over ground comes to point there.
@@ -47,7 +47,7 @@ test('a rule changes, and the map knows', async () => {
 
 test('the clock pauses, goes on and changes its pace', async () => {
   await page.click('[data-clock=pause]');
-  await until('the clock says paused', async () => /paused/i.test(await page.textContent('#clock')));
+  await until('the clock shows paused', async () => /paused/i.test(await page.textContent('#clock')));
   await page.click('[data-clock=resume]');
   await until('the clock runs', async () => !/paused/i.test(await page.textContent('#clock')));
 });
@@ -69,7 +69,7 @@ test('without the token nothing can be commanded', async () => {
   const token = url.searchParams.get('token');
   assert.equal((await post({})).status, 403);
   assert.equal((await post({ 'X-Shoal-Token': 'f'.repeat(32) })).status, 403);
-  assert.equal((await post({ 'X-Shoal-Token': token }, { target: 'nobody', words: ['deploy'] })).status, 400);
+  assert.equal((await post({ 'X-Shoal-Token': token }, { target: 'zulu', words: ['deploy'] })).status, 400);
   const stopped = await vehicle('alpha');
   assert.notEqual(stopped.helm.all_stop, 'clear');
   const reader = await stage.page(url.origin);

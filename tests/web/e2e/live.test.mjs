@@ -1,4 +1,4 @@
-// A running mission in the page: what a person sees who looks for the first time.
+// A running mission in the page: what a user sees at the first look.
 import assert from 'node:assert/strict';
 import { mkdirSync } from 'node:fs';
 import { after, before, test } from 'node:test';
@@ -10,7 +10,7 @@ let page;
 before(async () => {
   const run = stage.run('missions/berta.toml', '--warp', '10', '--view');
   const url = await until('the address in the output of shoal run',
-    () => /viewer: (http\S+)/.exec(run.said)?.[1]);
+    () => /viewer: (http\S+)/.exec(run.output)?.[1]);
   page = await stage.page(url);
 });
 after(() => stage.end());
@@ -54,7 +54,7 @@ test('a blocked link shows its reason with the numbers', async () => {
   await until('the causes of the link', async () =>
     /out of range/.test(await page.textContent('#link')));
   await until('the same in the matrix', () =>
-    page.locator('[data-cell="alpha>bravo"][data-hears=deaf]').count());
+    page.locator('[data-cell="alpha>bravo"][data-receives=deaf]').count());
   if (process.env.SHOAL_SCREENSHOTS) {
     await page.keyboard.press('4'); // The ranges.
     await page.waitForTimeout(300);
@@ -92,11 +92,11 @@ test('a key saves the map as a picture', async () => {
   assert.match((await saved).suggestedFilename(), /berta.*\.png$/);
 });
 
-test('nothing was said to refuse commands, and none can be given', async () => {
+test('commands are refused by default, and none can be given', async () => {
   assert.equal(await page.locator('[data-command=return]').count(), 0);
 });
 
-test('nobody outside was asked, and nothing went wrong', () => {
+test('no other host was asked, and nothing went wrong', () => {
   assert.deepEqual(stage.outside, []);
   assert.deepEqual(stage.errors, []);
 });

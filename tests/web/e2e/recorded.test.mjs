@@ -11,9 +11,9 @@ let page;
 before(async () => {
   const folder = join(stage.folder, 'recording');
   const run = stage.run('missions/berta.toml', '--warp', 'max', '--record', folder);
-  assert.equal(await run.over, 0, run.said);
+  assert.equal(await run.over, 0, run.output);
   const view = stage.start('shoal', 'view', folder);
-  const url = await until('the address', () => /viewer: (http\S+)/.exec(view.said)?.[1]);
+  const url = await until('the address', () => /viewer: (http\S+)/.exec(view.output)?.[1]);
   page = await stage.page(url);
   await until('the first frame', () => page.evaluate(() => globalThis.shoalViewer?.source?.frame));
 });
@@ -86,7 +86,7 @@ test('the matrix is that of the moment', async () => {
     /out of range, 3\d\d\.\d m of 250\.0 m/.test(await page.textContent('#fates')));
 });
 
-test('nobody outside was asked, and nothing went wrong', () => {
+test('no other host was asked, and nothing went wrong', () => {
   assert.deepEqual(stage.outside, []);
   assert.deepEqual(stage.errors, []);
 });

@@ -1,5 +1,5 @@
-// What the tests in a browser share: missions and viewers of their own, and a browser that tells
-// whom its pages asked.
+// What the tests in a browser share: missions and viewers of their own, and a browser that records
+// which hosts its pages asked.
 import { chromium } from 'playwright-core';
 import { spawn } from 'node:child_process';
 import { mkdtempSync, rmSync } from 'node:fs';
@@ -31,19 +31,19 @@ export class Stage {
     this.folder = mkdtempSync(join(tmpdir(), 'shoal-web-'));
     this.children = [];
     this.outside = []; // What pages asked of other hosts.
-    this.errors = []; // What pages said of themselves.
+    this.errors = []; // What pages reported of themselves.
   }
 
-  /** Starts a program; `said` holds its output so far. */
+  /** Starts a program; `output` holds its output so far. */
   start(program, ...args) {
     const child = spawn(join(bin, program), args, {
       cwd: root,
       env: { ...process.env, SHOAL_RUN_DIR: this.folder },
       stdio: ['ignore', 'pipe', 'pipe'],
     });
-    child.said = '';
-    child.stdout.on('data', (data) => { child.said += data; });
-    child.stderr.on('data', (data) => { child.said += data; });
+    child.output = '';
+    child.stdout.on('data', (data) => { child.output += data; });
+    child.stderr.on('data', (data) => { child.output += data; });
     child.over = new Promise((done) => child.on('close', (code) => done(code)));
     this.children.push(child);
     return child;
@@ -57,8 +57,8 @@ export class Stage {
   async view(...args) {
     const viewer = this.start('shoal-viewer', ...args);
     viewer.url = await until('the address of the viewer', () => {
-      if (viewer.exitCode !== null) throw new Error(`the viewer has ended: ${viewer.said}`);
-      return /viewer: (http\S+)/.exec(viewer.said)?.[1];
+      if (viewer.exitCode !== null) throw new Error(`the viewer has ended: ${viewer.output}`);
+      return /viewer: (http\S+)/.exec(viewer.output)?.[1];
     });
     return viewer;
   }

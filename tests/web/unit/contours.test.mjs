@@ -33,7 +33,7 @@ test('around a cone each contour is one closed circle', () => {
   assert.ok(points.some(([x]) => x < -100) && points.some(([x]) => x > 100));
 });
 
-test('every point of a contour lies on an edge of the grid, at the depth it says', () => {
+test('every point of a contour lies on an edge of the grid, at its depth', () => {
   const depthAt = (x, y) => 50 + 20 * Math.sin(x / 37) * Math.cos(y / 29) + 0.02 * x;
   const floor = floorOf(30, 25, depthAt);
   for (const {level, lines} of floorContours(floor)) {

@@ -111,7 +111,7 @@ test('a circle is drawn only where its line crosses the picture', () => {
   assert.ok(circleTouchesBox(100, 5, 95, 0, 0, 10, 10));
 });
 
-test('a pulse is a point at the source and as wide as it says at the receiver', () => {
+test('a pulse is a point at the source and as wide as given at the receiver', () => {
   const [x0, y0, x1, y1, x2, y2] = pulseTriangle({from: [0, 0], to: [100, 0], width: 10});
   assert.deepEqual([x0, y0, x1, y1, x2, y2], [0, 0, 100, 5, 100, -5]);
   const slant = pulseTriangle({from: [10, 10], to: [40, 50], width: 8});

@@ -5,7 +5,7 @@ import {actionOf, kKeys} from '../../../web/help.js';
 
 const press = (key, target = {tagName: 'BODY'}, more = {}) => actionOf({key, target, ...more});
 
-test('keys do what the sheet says', () => {
+test('keys do what the sheet shows', () => {
   assert.equal(press('f'), 'fit');
   assert.equal(press('V'), 'unfollow');
   assert.equal(press('0'), 'layer9');
@@ -18,7 +18,7 @@ test('no key means two things', () => {
   assert.equal(new Set(keys).size, keys.length);
 });
 
-test('nothing happens while somebody types in a field', () => {
+test('nothing happens while a user types in a field', () => {
   for (const type of ['text', 'search', 'number']) {
     assert.equal(press('f', {tagName: 'INPUT', type}), null);
     assert.equal(press('X', {tagName: 'INPUT', type}), null);

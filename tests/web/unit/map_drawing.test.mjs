@@ -48,7 +48,7 @@ test('the selected vehicle has its whole label whatever it covers', () => {
   assert.equal(placeLabels(items, 200, 200)[4].form, 0);
 });
 
-test('who is stopped chooses before the others', () => {
+test('a stopped vehicle chooses before the others', () => {
   const room = [item(100, 100), item(112, 104)];
   const later = placeLabels(room)[1];
   room[1].first = true;
@@ -63,7 +63,7 @@ test('a label keeps its side while there is room, and stays in the picture', () 
   assert.equal(edge.side, 1);
 });
 
-test('a label says what a user has to know first', () => {
+test('a label shows what a user has to know first', () => {
   const vehicle = {name: 'alpha', mode: 'DRIVE survey', depth: 12.34, stale: false,
     helm: {state: 'DRIVE', all_stop: 'clear'}};
   assert.deepEqual(labelLines(vehicle, 20).map(({text}) => text),
@@ -94,14 +94,14 @@ test('every type has a hull, and none is drawn shorter than can be seen', () => 
   assert.ok(drawnLength({length_m: 1e300}, camera) < 1e5);
 });
 
-test('how far a vehicle is heard and hears follows the rules in force', () => {
+test('how far a vehicle sends and receives follows the rules in force', () => {
   const rules = {comms_range_m: 250, critical_range_m: 30,
     factors: {alpha: {stealth: 0.5, earange: 2}}};
-  assert.deepEqual(rangesOf(rules, 'alpha'), {heard_m: 125, hears_m: 500, critical_m: 30});
-  assert.deepEqual(rangesOf(rules, 'bravo'), {heard_m: 250, hears_m: 250, critical_m: 30});
+  assert.deepEqual(rangesOf(rules, 'alpha'), {sends_m: 125, receives_m: 500, critical_m: 30});
+  assert.deepEqual(rangesOf(rules, 'bravo'), {sends_m: 250, receives_m: 250, critical_m: 30});
   assert.deepEqual(rangesOf({comms_range_m: -1}, 'bravo'),
-                   {heard_m: null, hears_m: null, critical_m: null});
-  assert.equal(rangesOf(null, 'bravo').heard_m, null);
+                   {sends_m: null, receives_m: null, critical_m: null});
+  assert.equal(rangesOf(null, 'bravo').sends_m, null);
 });
 
 test('the present task is the one that the helm names', () => {

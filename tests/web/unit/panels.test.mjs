@@ -32,7 +32,7 @@ test('an axis covers its values and never less than its span', () => {
   assert.deepEqual(axisRange(null, null, 5), [0, 5]);
 });
 
-test('fates are merged newest first, each once, and only so many', () => {
+test('fates are merged newest first, each once, and only the newest', () => {
   const fate = (id) => ({id});
   const merged = mergeFates([fate(2), fate(1)], [fate(4), fate(2)], 3);
   assert.deepEqual(merged.map(({id}) => id), [4, 2, 1]);
@@ -46,17 +46,17 @@ test('causes come with the most frequent first', () => {
   assert.deepEqual(causeCounts(undefined), []);
 });
 
-test('a cell of the matrix says in signs and words what its colour says', () => {
+test('a cell of the matrix shows in signs and words what its colour shows', () => {
   const link = {hears: false, delivered: 3, offered: 12, last_heard_s: 2, text: '300 m of 250 m'};
   const cell = cellWords(link, 10);
-  assert.deepEqual([cell.state, cell.sign, cell.ratio, cell.heard], ['deaf', '✗', '25%', '8.0 s']);
-  assert.match(cell.title, /does not hear; 3 of 12 .* 300 m of 250 m/);
+  assert.deepEqual([cell.state, cell.sign, cell.ratio, cell.received], ['deaf', '✗', '25%', '8.0 s']);
+  assert.match(cell.title, /does not receive; 3 of 12 .* 300 m of 250 m/);
   assert.equal(cellWords({...link, hears: true}, 10).sign, '✓');
-  assert.equal(cellWords({...link, last_heard_s: null}, 10).heard, 'never');
+  assert.equal(cellWords({...link, last_heard_s: null}, 10).received, 'never');
   assert.equal(cellWords(null, 10).state, 'unknown');
 });
 
-test('an all-stop is grave, parked and stale are told, and an empty entry says nothing', () => {
+test('an all-stop is grave, parked and stale are shown, and an empty entry shows nothing', () => {
   const stopped = alarmsOf({helm: {state: 'ALL-STOP', all_stop: 'no NAV for 2.0 s'}, stale: true});
   assert.deepEqual(stopped.map(({grave}) => grave), [true, false]);
   assert.match(stopped[0].text, /no NAV for 2.0 s/);
@@ -76,9 +76,9 @@ test('a vehicle has the mode of its report, or that of its helm', () => {
   assert.equal(reportAge({report: null}, 5), null);
 });
 
-test('what a vehicle knows of another is told in words', () => {
+test('what a vehicle knows of another is shown in words', () => {
   assert.equal(contactWords({target: true, heard: false, recovered: ['reporter_pos predict']}),
-    'target, never heard itself, recovered: reporter_pos predict');
+    'target, never received itself, recovered: reporter_pos predict');
   assert.equal(contactWords({heard: true}), '');
 });
 
@@ -89,7 +89,7 @@ test('the filter of status pages looks for all words, everywhere', () => {
   assert.ok(!pageMatches(page, 'bravo'));
 });
 
-test('a command tells its state and the reason', () => {
+test('a command shows its state and the reason', () => {
   assert.equal(commandWords({state: 'refused', reason: 'resume first'}), '✗ refused: resume first');
   assert.equal(commandWords({state: 'taken', reason: ''}), '✓ taken');
   assert.deepEqual(gotoWords({x: 100.04, y: -50}), ['goto', '100.0', '-50.0']);
@@ -105,7 +105,7 @@ test('grave events have their marks before all others', () => {
   assert.deepEqual(marksOf([], 10), []);
 });
 
-test('the top line tells how fast the mission goes', () => {
+test('the top line shows how fast the mission goes', () => {
   assert.equal(clockWords({state: 'running', warp: 5, factor: 4.98}),
     '● running 4.98 × real time (of 5 ×)');
   assert.equal(clockWords({state: 'running', warp: 0, factor: 80}),
@@ -114,7 +114,7 @@ test('the top line tells how fast the mission goes', () => {
   assert.equal(clockWords({state: 'paused', warp: 5}), '❚❚ paused');
 });
 
-test('the banner says what is the matter, and nothing where all is well', () => {
+test('the banner shows what is the matter, and nothing where all is well', () => {
   assert.equal(bannerWords({state: 'running'}, 'live', ''), '');
   assert.match(bannerWords({state: 'running'}, 'lost', 'no news'), /Connection lost \(no news\)/);
   assert.match(bannerWords({state: 'gathering', awaited: ['helm_alpha']}, 'live', ''),

@@ -30,72 +30,72 @@ function fakeViewer(boot = 'one') {
 const skip = Number(process.versions.node.split('.')[0]) < 20 && 'needs Node.js 20';
 
 function listen(viewer, timers) {
-  const heard = {frames: [], setups: [], states: [], reconnected: 0};
+  const received = {frames: [], setups: [], states: [], reconnected: 0};
   const source = new LiveSource({mode: 'live', boot: viewer.boot}, viewer, {
-    onFrame: (frame) => heard.frames.push(frame.t),
-    onSetup: (setup) => heard.setups.push(setup.boot),
-    onReconnected: () => { heard.reconnected += 1; },
-    onConnection: (state) => heard.states.push(state),
+    onFrame: (frame) => received.frames.push(frame.t),
+    onSetup: (setup) => received.setups.push(setup.boot),
+    onReconnected: () => { received.reconnected += 1; },
+    onConnection: (state) => received.states.push(state),
   }, viewer.openStream, () => viewer.now_ms);
   source.start();
   timers.after(() => source.stop());
-  return {source, heard};
+  return {source, received};
 }
 
 test('a live source is connected with its first frame, and asks with its token', {skip}, (timers) => {
   timers.mock.timers.enable({apis: ['setTimeout', 'setInterval']});
   const viewer = fakeViewer();
-  const {heard} = listen(viewer, timers);
+  const {received} = listen(viewer, timers);
   assert.equal(viewer.streams[0].address, '/api/stream?token=k');
   viewer.streams[0].onText(JSON.stringify(frameAt(1)));
-  assert.deepEqual([heard.frames, heard.states], [[1], ['live']]);
+  assert.deepEqual([received.frames, received.states], [[1], ['live']]);
 });
 
 test('frames that are none are passed over', {skip}, (timers) => {
   timers.mock.timers.enable({apis: ['setTimeout', 'setInterval']});
   const viewer = fakeViewer();
-  const {heard} = listen(viewer, timers);
+  const {received} = listen(viewer, timers);
   for (const text of ['', '{', 'null', '7', '{"t": null}', '{"t": 1}', '{"t": 1, "vehicles": 3}']) {
     viewer.streams[0].onText(text);
   }
-  assert.deepEqual(heard.frames, []);
+  assert.deepEqual(received.frames, []);
 });
 
-test('silence is told within three seconds, and the page comes back by itself', {skip}, async (timers) => {
+test('silence shows within three seconds, and the page comes back by itself', {skip}, async (timers) => {
   timers.mock.timers.enable({apis: ['setTimeout', 'setInterval']});
   const viewer = fakeViewer();
-  const {heard} = listen(viewer, timers);
+  const {received} = listen(viewer, timers);
   viewer.streams[0].onText(JSON.stringify(frameAt(1)));
   viewer.now_ms = 3000;
   timers.mock.timers.tick(250);
-  assert.equal(heard.states.at(-1), 'lost');
+  assert.equal(received.states.at(-1), 'lost');
   assert.equal(viewer.streams[0].isOpen, false);
   timers.mock.timers.tick(250);
   await settle();
   assert.equal(viewer.streams.length, 2);
-  assert.equal(heard.reconnected, 1);
+  assert.equal(received.reconnected, 1);
   viewer.streams[1].onText(JSON.stringify(frameAt(4)));
-  assert.equal(heard.states.at(-1), 'live');
+  assert.equal(received.states.at(-1), 'live');
   viewer.streams[0].onText(JSON.stringify(frameAt(2)));
-  assert.deepEqual(heard.frames, [1, 4]);
+  assert.deepEqual(received.frames, [1, 4]);
 });
 
 test('a viewer that was started again is asked everything again', {skip}, async (timers) => {
   timers.mock.timers.enable({apis: ['setTimeout', 'setInterval']});
   const viewer = fakeViewer();
-  const {heard} = listen(viewer, timers);
+  const {received} = listen(viewer, timers);
   viewer.streams[0].onFailure();
   viewer.boot = 'two';
   timers.mock.timers.tick(250);
   await settle();
-  assert.deepEqual(heard.setups, ['two']);
-  assert.equal(heard.reconnected, 0);
+  assert.deepEqual(received.setups, ['two']);
+  assert.equal(received.reconnected, 0);
 });
 
 test('a viewer that stays away is asked every two seconds at least', {skip}, async (timers) => {
   timers.mock.timers.enable({apis: ['setTimeout', 'setInterval']});
   const viewer = fakeViewer();
-  const {heard} = listen(viewer, timers);
+  const {received} = listen(viewer, timers);
   viewer.isDown = true;
   viewer.streams[0].onFailure();
   for (let i = 0; i < 200; ++i) {
@@ -107,7 +107,7 @@ test('a viewer that stays away is asked every two seconds at least', {skip}, asy
   timers.mock.timers.tick(2000);
   await settle();
   viewer.streams.at(-1).onText(JSON.stringify(frameAt(9)));
-  assert.equal(heard.states.at(-1), 'live');
+  assert.equal(received.states.at(-1), 'live');
 });
 
 test('a stream that failed twice is opened without the shared worker', {skip}, async (timers) => {
@@ -131,12 +131,12 @@ test('a time that goes back or a clock that wakes may be another mission', {skip
   assert.equal(mayBeAnotherMission(frameAt(9, 'paused'), frameAt(9, 'running')), false);
   timers.mock.timers.enable({apis: ['setTimeout', 'setInterval']});
   const viewer = fakeViewer();
-  const {heard} = listen(viewer, timers);
+  const {received} = listen(viewer, timers);
   viewer.boot = 'two';
   viewer.streams[0].onText(JSON.stringify(frameAt(100)));
   viewer.streams[0].onText(JSON.stringify(frameAt(0)));
   await settle();
-  assert.deepEqual(heard.setups, ['two']);
+  assert.deepEqual(received.setups, ['two']);
 });
 
 const kSetup = {mode: 'recorded', boot: 'one', begin_s: 0, end_s: 100, tick_s: 0.1};
@@ -250,7 +250,7 @@ test('the next event is the nearest beyond the present time, grave or of any kin
   assert.equal(neighbourEvent([], 0, 1, false), null);
 });
 
-test('a page that nobody sees asks nothing again', async () => {
+test('a hidden page asks nothing again', async () => {
   let asked = 0;
   const poller = new Poller(100, async () => { asked += 1; }, () => null, () => 1000 * asked + 1e6);
   globalThis.document = {hidden: true};

@@ -14,7 +14,7 @@ test('what is written is read again', () => {
   assert.deepEqual(readHash(writeHash(state), kLayers), state);
 });
 
-test('what is not said stays open', () => {
+test('what is not given stays open', () => {
   const nothing = readHash('', kLayers);
   assert.ok(Object.values(nothing).every((value) => value === null));
   assert.equal(writeHash(nothing), '#');

@@ -78,7 +78,7 @@ test('trails end at the time that is shown', () => {
   assert.equal(world.trail('alpha', 15).count, 2);
   assert.equal(world.trail('alpha', -1).count, 0);
   assert.equal(world.trail('alpha', 1e9).count, 3);
-  assert.equal(world.trail('nobody', 1), null);
+  assert.equal(world.trail('unknown', 1), null);
   world.addFrame(frameAt(500, {x: 9, y: 9, heading: 0}), 0);
   assert.equal(world.trail('alpha', 1e9).count, 3, 'frames of a recorded mission add nothing');
 });
@@ -162,14 +162,14 @@ test('a ring grows with the sound and each receiver flashes when it arrives', ()
   assert.equal(world.rings(14).length, 0);
 });
 
-test('a live ring begins when the viewer has heard of it', () => {
+test('a live ring begins when the viewer knows of it', () => {
   const world = new World({mode: 'live'});
   world.addFrame(frameAt(12, null, {packets: [kPacket], sound_mps: 1500}), 0);
   near(world.rings(12)[0].outer_m, 0);
   near(world.rings(12.5)[0].outer_m, 750);
 });
 
-test('a live ring goes on to receivers that are told of later', () => {
+test('a live ring goes on to receivers that are added later', () => {
   const world = new World({mode: 'live'});
   const early = {...kPacket, to: kPacket.to.slice(0, 1)};
   world.addFrame(frameAt(11, null, {packets: [early], sound_mps: 1500}), 0);

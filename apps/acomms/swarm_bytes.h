@@ -1,4 +1,4 @@
-// What a member of the swarm says when its slot comes.
+// The bytes that a member of the swarm sends when its slot comes.
 #pragma once
 
 #include <cstdint>
@@ -14,22 +14,23 @@
 namespace shoal {
 
 /// Returns how a vehicle moves over ground; x East, y North, z down. Nothing where NAV is not
-/// finite or farther away than messages tell.
+/// finite or outside the encodable range.
 [[nodiscard]] std::optional<Motion> MotionOf(const nav_t& nav);
 
 /// Returns where the vehicle goes on to: its helm's waypoint, which it reaches at the speed that it
 /// has; without one itself.
 [[nodiscard]] Motion NextOf(const Motion& own, const helm_state_t& helm);
 
-/// What a message is made of.
-struct SwarmSaying {
+/// What a swarm message is made from.
+struct SwarmMessageInputs {
   Motion own = {};
   Motion next = {};         ///< Of leaders.
   int64_t now_us = 0;       ///< Mission time since the start: the time stamp.
-  const GroupState& state;  ///< Of the one who speaks.
+  const GroupState& state;  ///< Of the sender.
 };
 
 /// Returns the bytes of the message that is due, without a frame.
-[[nodiscard]] std::vector<uint8_t> SwarmBytes(const DueMessage& due, const SwarmSaying& saying);
+[[nodiscard]] std::vector<uint8_t> SwarmBytes(const DueMessage& due,
+                                              const SwarmMessageInputs& inputs);
 
 }  // namespace shoal

@@ -1,4 +1,4 @@
-#include "apps/acomms/swarm_speech.h"
+#include "apps/acomms/swarm_bytes.h"
 
 #include <gtest/gtest.h>
 
@@ -24,7 +24,7 @@ GroupState Leader() {
   GroupState state{.own_id = 1, .group_id = 'B', .is_leader = true};
   state.members = {PlacedContact(7, 'B', {.position_m = {10, 20, 30}}),
                    PlacedContact(9, 'B', {.position_m = {-1, -2, 3}})};
-  state.members[1].is_heard = true;
+  state.members[1].has_reported = true;
   state.members[1].reported_us = 2'500'000;
   return state;
 }
@@ -36,7 +36,7 @@ TEST(MotionOfNav, IsOverGroundAndDownward) {
   EXPECT_NEAR((motion->velocity_mps - Eigen::Vector3d(2, 0, 0.1)).norm(), 0, 1e-12);
 }
 
-TEST(MotionOfNav, IsNothingWhereMessagesCannotTellIt) {
+TEST(MotionOfNav, IsNothingOutsideTheEncodableRange) {
   EXPECT_FALSE(MotionOf(NavAt(100'001, 0, 0)));
   EXPECT_FALSE(MotionOf(NavAt(0, std::numeric_limits<double>::quiet_NaN(), 0)));
 }
@@ -63,14 +63,14 @@ TEST(NextOfALeader, IsItselfWithoutAWaypoint) {
   EXPECT_EQ(NextOf(own, helm).position_m, own.position_m);
 }
 
-TEST(SwarmBytesOfAReport, SayWhoAndWhereAndWhen) {
+TEST(SwarmBytesOfAReport, HoldIdPositionAndTime) {
   GroupState state{.own_id = 5, .group_id = 'C'};
-  const SwarmSaying saying = {.own = {.position_m = {1, 2, 3}, .velocity_mps = {4, 5, 6}},
-                              .now_us = 1'500'000,
-                              .state = state};
+  const SwarmMessageInputs inputs = {.own = {.position_m = {1, 2, 3}, .velocity_mps = {4, 5, 6}},
+                                     .now_us = 1'500'000,
+                                     .state = state};
   for (const auto& [due, flag] : {std::pair(SwarmMessage::kReport, kReportFlag),
                                   std::pair(SwarmMessage::kResponse, kResponseFlag)}) {
-    const auto report = DecodeReport(SwarmBytes({.message = due}, saying));
+    const auto report = DecodeReport(SwarmBytes({.message = due}, inputs));
     ASSERT_TRUE(report);
     EXPECT_EQ(report->flag, flag);
     EXPECT_EQ(report->group_id, 'C');
@@ -81,25 +81,25 @@ TEST(SwarmBytesOfAReport, SayWhoAndWhereAndWhen) {
   }
 }
 
-TEST(SwarmBytesOfALeader, TellOfItsNextWaypoint) {
+TEST(SwarmBytesOfALeader, HoldItsNextWaypoint) {
   const GroupState state = Leader();
-  const SwarmSaying saying = {.own = {.position_m = {1, 2, 3}},
-                              .next = {.position_m = {9, 8, 7}, .velocity_mps = {1, 0, 0}},
-                              .now_us = 0,
-                              .state = state};
+  const SwarmMessageInputs inputs = {.own = {.position_m = {1, 2, 3}},
+                                     .next = {.position_m = {9, 8, 7}, .velocity_mps = {1, 0, 0}},
+                                     .now_us = 0,
+                                     .state = state};
   const auto report =
-      DecodeLeaderReport(SwarmBytes({.message = SwarmMessage::kLeaderReport}, saying));
+      DecodeLeaderReport(SwarmBytes({.message = SwarmMessage::kLeaderReport}, inputs));
   ASSERT_TRUE(report);
   EXPECT_EQ(report->leader.next_position_m, Eigen::Vector3f(9, 8, 7));
   EXPECT_EQ(report->leader.next_velocity_mps, Eigen::Vector3f(1, 0, 0));
 }
 
-TEST(SwarmBytesOfARequest, TellOfAllMembersAndWhenTheFirstAnswers) {
+TEST(SwarmBytesOfARequest, HoldAllMembersAndWhenTheFirstAnswers) {
   const GroupState state = Leader();
-  const SwarmSaying saying = {
+  const SwarmMessageInputs inputs = {
       .own = {.position_m = {1, 2, 3}}, .now_us = 5'000'000, .state = state};
   const auto request = DecodeBroadcast(SwarmBytes(
-      {.message = SwarmMessage::kBroadcastRequest, .response_start_us = 8'200'000}, saying));
+      {.message = SwarmMessage::kBroadcastRequest, .response_start_us = 8'200'000}, inputs));
   ASSERT_TRUE(request);
   ASSERT_EQ(request->followers.size(), 2U);
   EXPECT_EQ(request->followers[0].id, 7U);

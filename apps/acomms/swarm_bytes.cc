@@ -1,4 +1,4 @@
-#include "apps/acomms/swarm_speech.h"
+#include "apps/acomms/swarm_bytes.h"
 
 #include <cmath>
 
@@ -16,36 +16,36 @@ float FloatSeconds(int64_t time_us) {
   return static_cast<float>(static_cast<double>(time_us) / 1e6);
 }
 
-bool IsTellable(const Motion& motion) {
+bool IsEncodable(const Motion& motion) {
   const FieldLimits limits;
   return motion.position_m.allFinite() && motion.velocity_mps.allFinite() &&
          motion.position_m.cwiseAbs().maxCoeff() <= limits.max_position_m &&
          motion.velocity_mps.cwiseAbs().maxCoeff() <= limits.max_speed_mps;
 }
 
-LeaderMotion LeaderMotionOf(const SwarmSaying& saying) {
-  return {.position_m = saying.own.position_m.cast<float>(),
-          .velocity_mps = saying.own.velocity_mps.cast<float>(),
-          .next_position_m = saying.next.position_m.cast<float>(),
-          .next_velocity_mps = saying.next.velocity_mps.cast<float>()};
+LeaderMotion LeaderMotionOf(const SwarmMessageInputs& inputs) {
+  return {.position_m = inputs.own.position_m.cast<float>(),
+          .velocity_mps = inputs.own.velocity_mps.cast<float>(),
+          .next_position_m = inputs.next.position_m.cast<float>(),
+          .next_velocity_mps = inputs.next.velocity_mps.cast<float>()};
 }
 
-ReportMessage ReportOf(const SwarmSaying& saying, MessageFlag flag) {
+ReportMessage ReportOf(const SwarmMessageInputs& inputs, MessageFlag flag) {
   return {.flag = flag,
-          .group_id = saying.state.group_id,
-          .reporter_id = saying.state.own_id,
-          .position_m = saying.own.position_m.cast<float>(),
-          .velocity_mps = saying.own.velocity_mps.cast<float>(),
-          .time_stamp_s = FloatSeconds(saying.now_us)};
+          .group_id = inputs.state.group_id,
+          .reporter_id = inputs.state.own_id,
+          .position_m = inputs.own.position_m.cast<float>(),
+          .velocity_mps = inputs.own.velocity_mps.cast<float>(),
+          .time_stamp_s = FloatSeconds(inputs.now_us)};
 }
 
-BroadcastMessage BroadcastOf(const SwarmSaying& saying, int64_t response_start_us) {
-  BroadcastMessage message = {.group_id = saying.state.group_id,
-                              .leader = LeaderMotionOf(saying),
+BroadcastMessage BroadcastOf(const SwarmMessageInputs& inputs, int64_t response_start_us) {
+  BroadcastMessage message = {.group_id = inputs.state.group_id,
+                              .leader = LeaderMotionOf(inputs),
                               .followers = {},
                               .response_start_s = FloatSeconds(response_start_us),
-                              .time_stamp_s = FloatSeconds(saying.now_us)};
-  for (const SwarmContact& member : saying.state.members) {
+                              .time_stamp_s = FloatSeconds(inputs.now_us)};
+  for (const SwarmContact& member : inputs.state.members) {
     const bool is_usable = IsUsable(member);
     message.followers.push_back(
         {.id = member.id,
@@ -53,7 +53,7 @@ BroadcastMessage BroadcastOf(const SwarmSaying& saying, int64_t response_start_u
                                  : Eigen::Vector3f::Zero(),
          .velocity_mps = is_usable ? Eigen::Vector3f(member.report.now.velocity_mps.cast<float>())
                                    : Eigen::Vector3f::Zero(),
-         .reported_s = member.is_heard && is_usable ? FloatSeconds(member.reported_us) : 0});
+         .reported_s = member.has_reported && is_usable ? FloatSeconds(member.reported_us) : 0});
   }
   return message;
 }
@@ -66,7 +66,7 @@ std::optional<Motion> MotionOf(const nav_t& nav) {
   const Motion motion = {
       .position_m = {nav.x_m, nav.y_m, nav.z_m},
       .velocity_mps = {over_ground_mps.x(), over_ground_mps.y(), nav.descent_mps}};
-  if (!IsTellable(motion)) return std::nullopt;
+  if (!IsEncodable(motion)) return std::nullopt;
   return motion;
 }
 
@@ -79,23 +79,23 @@ Motion NextOf(const Motion& own, const helm_state_t& helm) {
                                             .acceleration_mps2 = 0,
                                             .max_speed_mps = FieldLimits().max_speed_mps})
                           : own;
-  return IsTellable(next) ? next : own;
+  return IsEncodable(next) ? next : own;
 }
 
-std::vector<uint8_t> SwarmBytes(const DueMessage& due, const SwarmSaying& saying) {
+std::vector<uint8_t> SwarmBytes(const DueMessage& due, const SwarmMessageInputs& inputs) {
   switch (due.message) {
     case SwarmMessage::kReport:
-      return EncodeReport(ReportOf(saying, kReportFlag));
+      return EncodeReport(ReportOf(inputs, kReportFlag));
     case SwarmMessage::kResponse:
-      return EncodeReport(ReportOf(saying, kResponseFlag));
+      return EncodeReport(ReportOf(inputs, kResponseFlag));
     case SwarmMessage::kLeaderReport:
-      return EncodeLeaderReport({.group_id = saying.state.group_id,
-                                 .leader = LeaderMotionOf(saying),
-                                 .time_stamp_s = FloatSeconds(saying.now_us)});
+      return EncodeLeaderReport({.group_id = inputs.state.group_id,
+                                 .leader = LeaderMotionOf(inputs),
+                                 .time_stamp_s = FloatSeconds(inputs.now_us)});
     case SwarmMessage::kBroadcastRequest:
       break;
   }
-  return EncodeBroadcast(BroadcastOf(saying, due.response_start_us));
+  return EncodeBroadcast(BroadcastOf(inputs, due.response_start_us));
 }
 
 }  // namespace shoal
