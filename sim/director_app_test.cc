@@ -10,8 +10,7 @@
 
 #include "lib/bus/memory_bus.h"
 
-namespace shoal {
-namespace {
+namespace shoal::director_app_test {
 
 Mission TwoVehicles() {
   Mission mission;
@@ -309,5 +308,4 @@ TEST_F(DirectorTest, StandsNonsense) {
   EXPECT_EQ(Director().Status().run_warnings.size(), 1U);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::director_app_test

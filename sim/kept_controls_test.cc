@@ -7,8 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace shoal {
-namespace {
+namespace shoal::kept_controls_test {
 
 bool Keep(KeptControls& controls, const std::string& rule, const std::string& vehicle,
           double value) {
@@ -62,5 +61,4 @@ TEST(KeptControls, LeaveThoseOutThatThereIsNoRoomFor) {
   EXPECT_EQ(controls.All().num_controls, static_cast<int32_t>(KeptControls::kMost));
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::kept_controls_test

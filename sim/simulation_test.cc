@@ -10,8 +10,7 @@
 
 #include "lib/mission/load.h"
 
-namespace shoal {
-namespace {
+namespace shoal::simulation_test {
 
 Mission Load(const std::string& text) {
   LoadedMission loaded = LoadMissionText(text, "test.toml");
@@ -179,5 +178,4 @@ TEST(CanRunInOneProcess, RefusesAUsersOwnParticipants) {
   EXPECT_NE(can.error().find("mine is not one of shoal's own"), std::string::npos);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::simulation_test

@@ -13,8 +13,7 @@
 #include "lib/bus/memory_bus.h"
 #include "lib/geometry/angles.h"
 
-namespace shoal {
-namespace {
+namespace shoal::underwater_loop_test {
 
 Vehicle Auv(const std::string& name, const StartPose& start, const decltype(Task::what)& what) {
   Vehicle vehicle;
@@ -236,5 +235,4 @@ TEST(OverARisingFloor, AFollowerStaysOffTheGroundThatItsTargetIsNotAfraidOf) {
   EXPECT_LT(least_m, 5) << "so that it was put to the test";
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::underwater_loop_test

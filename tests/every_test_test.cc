@@ -9,8 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace shoal {
-namespace {
+namespace shoal::every_test_test {
 
 /// Returns what ctest knows of its tests, as it writes it.
 nlohmann::json ShownTests() {
@@ -45,5 +44,4 @@ TEST(EveryTest, HasALabelAndATimeLimit) {
   EXPECT_EQ(without, std::vector<std::string>());
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::every_test_test

@@ -13,8 +13,7 @@
 
 #include "lib/bus/channels.h"
 
-namespace shoal {
-namespace {
+namespace shoal::house_test {
 
 namespace fs = std::filesystem;
 
@@ -244,5 +243,4 @@ TEST(Classes, HaveOneSourceFile) {
   EXPECT_EQ(spread, kNone);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::house_test

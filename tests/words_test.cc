@@ -14,8 +14,7 @@
 #include <utility>
 #include <vector>
 
-namespace shoal {
-namespace {
+namespace shoal::words_test {
 
 namespace fs = std::filesystem;
 
@@ -138,5 +137,4 @@ TEST(OldWords, StandNowhere) {
   EXPECT_EQ(found, std::vector<std::string>());
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::words_test

@@ -10,8 +10,7 @@
 #include "lib/bus/memory_bus.h"
 #include "lib/swarm/broadcast_message.h"
 
-namespace shoal {
-namespace {
+namespace shoal::acomms_app_test {
 
 constexpr int64_t kTick_us = 100'000;
 
@@ -311,5 +310,4 @@ TEST(Acomms, OutlivesAnyBytes) {
   EXPECT_GE(received, 57);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::acomms_app_test

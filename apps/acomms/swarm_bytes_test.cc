@@ -6,8 +6,7 @@
 
 #include "lib/swarm/broadcast_message.h"
 
-namespace shoal {
-namespace {
+namespace shoal::swarm_bytes_test {
 
 nav_t NavAt(double x_m, double y_m, double z_m) {
   nav_t nav{};
@@ -110,5 +109,4 @@ TEST(SwarmBytesOfARequest, HoldAllMembersAndWhenTheFirstAnswers) {
   EXPECT_EQ(request->response_start_s, 8.2F);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::swarm_bytes_test

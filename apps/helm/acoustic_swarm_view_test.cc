@@ -7,8 +7,7 @@
 
 #include "apps/helm/swarm_testing.h"
 
-namespace shoal {
-namespace {
+namespace shoal::acoustic_swarm_view_test {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
@@ -115,5 +114,4 @@ TEST(AcousticSwarmView, PassesOverContactsThatCannotBe) {
   EXPECT_TRUE(seen->target->position_m.allFinite());
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::acoustic_swarm_view_test

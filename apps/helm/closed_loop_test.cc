@@ -8,8 +8,7 @@
 #include "apps/helm/fake_vessel.h"
 #include "lib/geometry/leg.h"
 
-namespace shoal {
-namespace {
+namespace shoal::closed_loop_test {
 
 const std::vector<Eigen::Vector2d> kSurvey = {{0, 150}, {60, 150}, {60, 0}, {120, 0}, {120, 150}};
 
@@ -139,5 +138,4 @@ TEST(ClosedLoop, GivesTheSameTrackToTheLastBitEveryTime) {
   EXPECT_EQ(one.vessel.heading_rad, other.vessel.heading_rad);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::closed_loop_test

@@ -9,8 +9,7 @@
 
 #include "apps/helm/fake_vessel.h"
 
-namespace shoal {
-namespace {
+namespace shoal::helm_app_test {
 
 Vehicle Deployed() {
   Vehicle vehicle = TestVehicle();
@@ -205,5 +204,4 @@ TEST(HelmApp, ShowsTheNearestContactsOnItsPage) {
   EXPECT_TRUE(Mentions(page, "position that cannot be"));
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::helm_app_test

@@ -7,8 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace shoal {
-namespace {
+namespace shoal::helm_order_test {
 
 std::string ErrorOf(std::string_view command, std::string_view argument,
                     const std::vector<double>& values) {
@@ -77,5 +76,4 @@ TEST(ReadOrder, ShowsOfAnUnknownCommandOnlyWhatATerminalWouldNotObey) {
   EXPECT_LT(ErrorOf(std::string(100'000, 'x'), "", {}).size(), 80u);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::helm_order_test

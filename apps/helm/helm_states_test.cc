@@ -6,8 +6,7 @@
 
 #include "apps/helm/fake_vessel.h"
 
-namespace shoal {
-namespace {
+namespace shoal::helm_states_test {
 
 Fix At(double x_m, double y_m, double time_s = 0) {
   return {.position_m = {x_m, y_m}, .heading_rad = 0, .time_s = time_s};
@@ -189,5 +188,4 @@ TEST_F(HelmStatesTest, WaitsForNavBeforeItStartsATask) {
   EXPECT_TRUE(helm.guidance().has_value());
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::helm_states_test

@@ -5,8 +5,7 @@
 
 #include <cmath>
 
-namespace shoal {
-namespace {
+namespace shoal::pilot_test {
 
 TEST(Pilot, OfEachModelSteersAndRests) {
   for (const AnyModel& model : EachModel()) {
@@ -37,5 +36,4 @@ TEST(Pilot, OfEachModelSteersAndRests) {
   }
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::pilot_test

@@ -10,8 +10,7 @@
 #include "apps/helm/swarm_testing.h"
 #include "lib/geometry/angles.h"
 
-namespace shoal {
-namespace {
+namespace shoal::swarm_view_test {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
@@ -257,5 +256,4 @@ TEST(SwarmView, PassesOverEchoesThatAreNoNumbers) {
   EXPECT_TRUE(view.Look(&mission.vehicles[1].tasks[0], At(0, 0))->sonar.empty());
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::swarm_view_test

@@ -11,8 +11,7 @@
 #include "lib/geometry/angles.h"
 #include "lib/vehicle/propulsion.h"
 
-namespace shoal {
-namespace {
+namespace shoal::underwater_pilot_test {
 
 constexpr double kTick_s = 0.1;
 
@@ -235,5 +234,4 @@ RC_GTEST_PROP(UnderwaterPilot, SaysFiniteNumbersWithinTheFinsWhateverItHears, ()
   }
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::underwater_pilot_test

@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace shoal {
-namespace {
+namespace shoal::dead_reckoning_test {
 
 constexpr ForetellLimits kLimits = {.position_m = 0.25, .heading_deg = 1, .max_gap_s = 5};
 
@@ -42,5 +41,4 @@ TEST(Foretells, NothingAfterTheLargestGap) {
   EXPECT_FALSE(Foretells(At(0, 0, 0), At(5, 5, 5), kLimits));
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::dead_reckoning_test

@@ -7,8 +7,7 @@
 
 #include "lib/bus/memory_bus.h"
 
-namespace shoal {
-namespace {
+namespace shoal::mediator_test {
 
 constexpr int64_t kSecond_us = 1'000'000;
 
@@ -233,5 +232,4 @@ TEST_F(MediatorTest, RefusesMoreThanItCanKeepInMind) {
   EXPECT_EQ(mediator_.counters().refused, 1);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::mediator_test

@@ -10,8 +10,7 @@
 
 #include "lib/bus/memory_bus.h"
 
-namespace shoal {
-namespace {
+namespace shoal::node_reporter_app_test {
 
 constexpr int64_t kTick_us = 100'000;
 
@@ -241,5 +240,4 @@ TEST_F(NodeReporterTest, KeepsTheBlackoutIntervalWithinItsVariance) {
   EXPECT_GT(longest - shortest, 500'000);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::node_reporter_app_test

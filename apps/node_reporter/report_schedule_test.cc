@@ -7,8 +7,7 @@
 #include <limits>
 #include <vector>
 
-namespace shoal {
-namespace {
+namespace shoal::report_schedule_test {
 
 std::vector<int64_t> DueTimes(double rate_hz, int64_t tick_us, int64_t num_steps,
                               int64_t start_utime = 0) {
@@ -56,5 +55,4 @@ RC_GTEST_PROP(ReportSchedule, GivesAsManyReportsAsTheRateSays, ()) {
   RC_ASSERT(static_cast<int64_t>(due.size()) == 1 + last_us * rate_mhz / 1'000'000'000);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::report_schedule_test

@@ -8,8 +8,7 @@
 #include "lib/bus/memory_bus.h"
 #include "lib/record/log_reader.h"
 
-namespace shoal {
-namespace {
+namespace shoal::recorder_app_test {
 
 /// A recorder and a publisher, on one bus.
 class RecorderTest : public ::testing::Test {
@@ -134,5 +133,4 @@ TEST_F(RecorderTest, RemembersThatTheDiskIsFullAndCountsWhatIsDropped) {
       << page.text;
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::recorder_app_test

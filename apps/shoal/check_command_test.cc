@@ -5,8 +5,7 @@
 #include <fstream>
 #include <sstream>
 
-namespace shoal {
-namespace {
+namespace shoal::check_command_test {
 
 TEST(ChannelsMarkdown, IsWhatTheDocumentationHolds) {
   std::ifstream in(std::string(SHOAL_SOURCE_DIR) + "/docs/channels.md");
@@ -15,5 +14,4 @@ TEST(ChannelsMarkdown, IsWhatTheDocumentationHolds) {
   EXPECT_EQ(text.str(), ChannelsMarkdown()) << "run `build/bin/shoal channels > docs/channels.md`";
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::check_command_test

@@ -7,8 +7,7 @@
 
 #include "lib/check/result.h"
 
-namespace shoal {
-namespace {
+namespace shoal::doctor_test {
 
 DoctorFacts HealthyMachine() {
   DoctorFacts facts;
@@ -195,5 +194,4 @@ TEST(Doctor, EndsWithAVerdictInWords) {
   EXPECT_NE(text.find("`shoal sim` needs none of this"), std::string::npos) << text;
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::doctor_test

@@ -11,8 +11,7 @@
 #include "lib/record/test_log.h"
 #include "shoal/node_report_t.hpp"
 
-namespace shoal {
-namespace {
+namespace shoal::import_command_test {
 
 class Import : public ::testing::Test {
  protected:
@@ -92,5 +91,4 @@ TEST(NodeReportsAsAlog, WritesALogOfNodeReports) {
   EXPECT_NE(out.str().find("NODE_REPORT_LOCAL.alog: 1 lines"), std::string::npos);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::import_command_test

@@ -11,8 +11,7 @@
 #include "lib/check/result.h"
 #include "lib/record/test_log.h"
 
-namespace shoal {
-namespace {
+namespace shoal::log_comms_test {
 
 class LogCommsCommand : public ::testing::Test {
  protected:
@@ -113,5 +112,4 @@ TEST_F(LogCommsCommand, EndsWithAnErrorWhereTheLogIsCutOff) {
   EXPECT_NE(out_.str().find("alpha -> bravo"), std::string::npos) << "what can be read is shown";
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::log_comms_test

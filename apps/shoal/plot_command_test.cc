@@ -11,8 +11,7 @@
 #include "lib/analysis/plot_testing.h"
 #include "lib/check/result.h"
 
-namespace shoal {
-namespace {
+namespace shoal::plot_command_test {
 
 class Plot : public ::testing::Test {
  protected:
@@ -173,5 +172,4 @@ TEST_F(Plot, MakesFiguresThatNameTheVehiclesAndRunNothing) {
   }
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::plot_command_test

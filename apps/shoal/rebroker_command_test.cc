@@ -7,8 +7,7 @@
 #include "lib/check/result.h"
 #include "tests/analysis/rebroker_testing.h"
 
-namespace shoal {
-namespace {
+namespace shoal::rebroker_command_test {
 
 struct Printed {
   int code = 0;
@@ -149,5 +148,4 @@ TEST_F(RebrokerCommandTest, ReadsADamagedLogUpToTheDamageAndSaysWhereThatIs) {
   EXPECT_NE(printed.out.find("Node reports"), std::string::npos) << printed.out;
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::rebroker_command_test

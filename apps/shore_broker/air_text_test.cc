@@ -9,8 +9,7 @@
 
 #include "lib/swarm/report_message.h"
 
-namespace shoal {
-namespace {
+namespace shoal::air_text_test {
 
 constexpr int64_t kStart_utime = 7'000'000;
 
@@ -183,5 +182,4 @@ TEST(DamagedAck, NeedsItsThreeFields) {
   }
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::air_text_test

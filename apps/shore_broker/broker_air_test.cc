@@ -8,8 +8,7 @@
 
 #include "apps/shore_broker/water_fixture.h"
 
-namespace shoal {
-namespace {
+namespace shoal::broker_air_test {
 
 class CalmReports : public WaterFixture {
  protected:
@@ -149,5 +148,4 @@ TEST_F(UncheckedReports, ThatAreDamagedAreHeardWrongOrRejected) {
   EXPECT_GT(counts.num_wrong, counts.causes.at("damaged") / 2);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::broker_air_test

@@ -6,8 +6,7 @@
 
 #include "apps/shore_broker/water_fixture.h"
 
-namespace shoal {
-namespace {
+namespace shoal::broker_collision_test {
 
 /// Collisions XOR what overlaps; nothing else happens to packets.
 Mission CorruptingWater(bool crc) {
@@ -66,5 +65,4 @@ TEST_F(UncheckedCollision, HandsOverBothPacketsXored) {
   }
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::broker_collision_test

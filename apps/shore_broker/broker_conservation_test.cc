@@ -10,8 +10,7 @@
 
 #include "apps/shore_broker/water_fixture.h"
 
-namespace shoal {
-namespace {
+namespace shoal::broker_conservation_test {
 
 RC_GTEST_PROP(Water, LosesTrackOfNothing, ()) {
   Mission mission = ReportsInWater();
@@ -92,5 +91,4 @@ RC_GTEST_PROP(Water, LosesTrackOfNothing, ()) {
   }
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::broker_conservation_test

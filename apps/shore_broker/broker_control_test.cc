@@ -7,8 +7,7 @@
 
 #include "apps/shore_broker/broker_fixture.h"
 
-namespace shoal {
-namespace {
+namespace shoal::broker_control_test {
 
 using Texts = std::vector<std::string>;
 
@@ -223,5 +222,4 @@ TEST_F(LateBrokerTest, HandsOnCommandsMeanwhile) {
   EXPECT_EQ(orders_.size(), 2U);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::broker_control_test

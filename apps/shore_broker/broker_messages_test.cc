@@ -8,8 +8,7 @@
 
 #include "apps/shore_broker/broker_fixture.h"
 
-namespace shoal {
-namespace {
+namespace shoal::broker_messages_test {
 
 using Texts = std::vector<std::string>;
 
@@ -208,5 +207,4 @@ TEST_F(BrokerMessagesTest, GivesARepeatItsColorButNotTheSecondDestination) {
   EXPECT_EQ(pulses_.at(0).fill_color, "pink");
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::broker_messages_test

@@ -7,8 +7,7 @@
 
 #include "apps/shore_broker/water_fixture.h"
 
-namespace shoal {
-namespace {
+namespace shoal::broker_network_test {
 
 Mission WithoutALeader() {
   Mission mission = CalmWater();
@@ -157,5 +156,4 @@ TEST_F(SmallModem, WithImpossibleRulesIsRefused) {
   EXPECT_TRUE(is_refused([](comms_rules_t* rules) { rules->acoustic_addresses[0] = -1; }));
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::broker_network_test

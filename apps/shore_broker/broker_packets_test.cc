@@ -6,8 +6,7 @@
 
 #include "apps/shore_broker/water_fixture.h"
 
-namespace shoal {
-namespace {
+namespace shoal::broker_packets_test {
 
 class CalmPackets : public WaterFixture {};
 
@@ -96,5 +95,4 @@ TEST_F(CalmPackets, OfOneWhoTalksFasterThanTheWaterCarriesFindNoChannel) {
   EXPECT_EQ(Fates(), std::vector<std::string>(3, "alpha>bravo no_channel"));
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::broker_packets_test

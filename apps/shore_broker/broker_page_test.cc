@@ -7,8 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace shoal {
-namespace {
+namespace shoal::broker_page_test {
 
 /// A network through which nothing went.
 AcousticTraffic NoWater() { return AcousticTraffic(BrokerSetup()); }
@@ -126,5 +125,4 @@ TEST(BrokerPage, MarksAForgottenVehicle) {
             std::string::npos);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::broker_page_test

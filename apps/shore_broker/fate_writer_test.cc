@@ -6,8 +6,7 @@
 
 #include "lib/bus/memory_bus.h"
 
-namespace shoal {
-namespace {
+namespace shoal::fate_writer_test {
 
 class FateWriterTest : public testing::Test {
  protected:
@@ -71,5 +70,4 @@ TEST_F(FateWriterTest, SplitsWhatIsTooLongForOneMessage) {
   EXPECT_EQ(heard_[2].fates[0].number, 2 * FateWriter::kMaxFatesPerMessage);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::fate_writer_test

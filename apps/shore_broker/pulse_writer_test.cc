@@ -7,8 +7,7 @@
 
 #include "lib/bus/memory_bus.h"
 
-namespace shoal {
-namespace {
+namespace shoal::pulse_writer_test {
 
 class PulseWriterTest : public testing::Test {
  protected:
@@ -110,5 +109,4 @@ TEST(ReportColor, TellsTwelveVehiclesApartAndIsNoMessagesDefault) {
   EXPECT_EQ(ReportColor(12), ReportColor(0));
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::pulse_writer_test

@@ -4,8 +4,7 @@
 
 #include <string>
 
-namespace shoal {
-namespace {
+namespace shoal::repeat_memory_test {
 
 TEST(RepeatMemory, TellsARepeatBySourceAndAckId) {
   RepeatMemory memory;
@@ -25,5 +24,4 @@ TEST(RepeatMemory, ForgetsTheOldestOnceItIsFull) {
   EXPECT_FALSE(memory.IsRepeat("alpha", "0"));
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::repeat_memory_test

@@ -8,8 +8,7 @@
 
 #include "apps/shore_broker/broker_fixture.h"
 
-namespace shoal {
-namespace {
+namespace shoal::shore_broker_app_test {
 
 class ShoreBrokerTest : public BrokerFixture {};
 
@@ -160,5 +159,4 @@ TEST_F(ShoreBrokerTest, ShowsAgesAndRatesAsTheManualDoes) {
   EXPECT_TRUE(PageHas("    Total Sent: 1\n        ALPHA: 1\n"));
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::shore_broker_app_test

@@ -10,8 +10,7 @@
 #include "lib/bus/memory_bus.h"
 #include "lib/ocean/plume.h"
 
-namespace shoal {
-namespace {
+namespace shoal::instruments_app_test {
 
 constexpr int64_t kTick_us = 100'000;
 
@@ -225,5 +224,4 @@ TEST(Contact, IsIgnoredByDefault) {
   EXPECT_NEAR(sims.nav_.x_m, 1, 0.05);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::instruments_app_test

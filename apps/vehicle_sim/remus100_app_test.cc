@@ -9,8 +9,7 @@
 #include "apps/vehicle_sim/vehicle_sim_app.h"
 #include "lib/bus/memory_bus.h"
 
-namespace shoal {
-namespace {
+namespace shoal::remus100_app_test {
 
 class Remus100AppTest : public testing::Test {
  protected:
@@ -149,5 +148,4 @@ TEST_F(Remus100AppTest, CountsActuatorsThatAreNoNumbersAsRefused) {
   EXPECT_NE(sim_.Status().run_warnings.front().find("ACTUATORS with NaN"), std::string::npos);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::remus100_app_test

@@ -6,8 +6,7 @@
 #include <cmath>
 #include <string>
 
-namespace shoal {
-namespace {
+namespace shoal::simulated_craft_test {
 
 Vehicle VehicleOf(const AnyModel& model) {
   Vehicle vehicle;
@@ -57,5 +56,4 @@ TEST(SimulatedCraft, OfEachModelRefusesACommandThatIsNoNumber) {
   }
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::simulated_craft_test

@@ -15,8 +15,7 @@
 #include "lib/geometry/angles.h"
 #include "lib/vehicle/propulsion.h"
 
-namespace shoal {
-namespace {
+namespace shoal::simulated_remus100_test {
 
 constexpr double kTick_s = 0.1;
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
@@ -264,5 +263,4 @@ TEST(SimulatedRemus100, KnowsNoAltitudeWithoutAFloor) {
   EXPECT_EQ(NavOf(auv, {.floor_z_m = 20}).altitude_m, 0) << "inside the floor";
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::simulated_remus100_test

@@ -11,8 +11,7 @@
 
 #include "lib/bus/memory_bus.h"
 
-namespace shoal {
-namespace {
+namespace shoal::vehicle_sim_app_test {
 
 constexpr int64_t kTick_us = 100'000;
 
@@ -218,5 +217,4 @@ TEST_F(VehicleSimAppTest, RefusesOrdersAndActuatorsThatCannotBe) {
   }
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::vehicle_sim_app_test

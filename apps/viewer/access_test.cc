@@ -4,8 +4,7 @@
 
 #include <set>
 
-namespace shoal {
-namespace {
+namespace shoal::access_test {
 
 constexpr const char* kToken = "0123456789abcdef0123456789abcdef";
 
@@ -194,5 +193,4 @@ TEST(Access, MakesTokensOf128BitsThatDiffer) {
   }
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::access_test

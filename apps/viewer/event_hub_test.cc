@@ -4,8 +4,7 @@
 
 #include <thread>
 
-namespace shoal {
-namespace {
+namespace shoal::event_hub_test {
 
 using std::chrono::milliseconds;
 using std::chrono::seconds;
@@ -91,5 +90,4 @@ TEST(EventHub, WakesWhoWaits) {
   stopper.join();
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::event_hub_test

@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace shoal {
-namespace {
+namespace shoal::http_head_test {
 
 std::string Head(const std::string& line, const std::string& headers = "Host: a\r\n") {
   return line + "\r\n" + headers + "\r\n";
@@ -88,5 +87,4 @@ TEST(HttpHead, EndsTheConnectionAfterStreamsBodiesAndWhereAsked) {
   EXPECT_TRUE(CheckHead(Head("GET / HTTP/1.1", "Content-Length: 0\r\n")).keeps_alive);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::http_head_test

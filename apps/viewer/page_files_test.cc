@@ -7,8 +7,7 @@
 #include <fstream>
 #include <sstream>
 
-namespace shoal {
-namespace {
+namespace shoal::page_files_test {
 
 namespace fs = std::filesystem;
 
@@ -78,5 +77,4 @@ TEST_F(FolderOfAPage, NeedsAnIndex) {
   EXPECT_FALSE(LoadPageFiles(folder_.string() + "/none").ok());
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::page_files_test

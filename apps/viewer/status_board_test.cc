@@ -4,8 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace shoal {
-namespace {
+namespace shoal::status_board_test {
 
 appcast_t Page(const std::string& app, int64_t utime, std::vector<std::string> warnings = {}) {
   appcast_t page{};
@@ -84,5 +83,4 @@ TEST(StatusBoard, HoldsNoMoreThanThePagesOfALargeMissionNeed) {
   EXPECT_EQ(board.num_pages(), StatusBoard::kMost_bytes / StatusBoard::kMostText_bytes - 1);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::status_board_test

@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace shoal {
-namespace {
+namespace shoal::view_request_test {
 
 TEST(ViewRequest, ReadsATime) {
   EXPECT_EQ(*ParseTimeQuery({{"t", "12.5"}}), 12.5);
@@ -123,5 +122,4 @@ TEST(ViewRequest, BoundsACommand) {
           .ok());
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::view_request_test

@@ -4,8 +4,7 @@
 
 #include <map>
 
-namespace shoal {
-namespace {
+namespace shoal::view_site_test {
 
 constexpr const char* kToken = "0123456789abcdef0123456789abcdef";
 
@@ -110,5 +109,4 @@ TEST(ViewSite, LetsNothingBeKeptOfWhatMoves) {
   EXPECT_EQ(site.Reply(request).cache_control, "no-cache");
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::view_site_test

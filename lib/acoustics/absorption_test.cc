@@ -7,8 +7,7 @@
 #include <limits>
 #include <vector>
 
-namespace shoal {
-namespace {
+namespace shoal::absorption_test {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -154,5 +153,4 @@ RC_GTEST_PROP(Absorption, RisesWithFrequencyAndIsPositive, ()) {
   }
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::absorption_test

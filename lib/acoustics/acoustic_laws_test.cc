@@ -10,8 +10,7 @@
 #include "lib/acoustics/loss_models.h"
 #include "lib/acoustics/test_water.h"
 
-namespace shoal {
-namespace {
+namespace shoal::acoustic_laws_test {
 
 /// A normal variate is farther from 0 than this once in a million times.
 constexpr double kNormalLimit = 4.89;
@@ -199,5 +198,4 @@ TEST(JitterAndLoss, HaveNothingToDoWithEachOther) {
   ExpectLaw(jitter_of_lost, [](double x) { return x; });
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::acoustic_laws_test

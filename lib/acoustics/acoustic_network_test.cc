@@ -8,8 +8,7 @@
 
 #include "lib/acoustics/test_water.h"
 
-namespace shoal {
-namespace {
+namespace shoal::acoustic_network_test {
 
 constexpr int kAlpha = 0;
 constexpr int kBravo = 1;
@@ -248,5 +247,4 @@ TEST(AcousticNetwork, CountsWhatReceiversReject) {
   EXPECT_EQ(water.statistics().num_rejected, 1);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::acoustic_network_test

@@ -8,8 +8,7 @@
 
 #include "lib/acoustics/validate_options.h"
 
-namespace shoal {
-namespace {
+namespace shoal::acoustic_options_test {
 
 std::vector<AcousticNode> Nodes(int count) {
   std::vector<AcousticNode> nodes;
@@ -209,5 +208,4 @@ TEST(FindProblems, RefusesModemsAndSeasThatCannotBe) {
   EXPECT_EQ(option_of(sound, {.spreading_exponent = 0}), "sea");
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::acoustic_options_test

@@ -5,8 +5,7 @@
 #include <set>
 #include <string_view>
 
-namespace shoal {
-namespace {
+namespace shoal::acoustic_statistics_test {
 
 TEST(AcousticFateText, IsDifferentForEachFate) {
   std::set<std::string_view> texts;
@@ -62,5 +61,4 @@ TEST(StatisticsText, OfNothingHasNoShares) {
   EXPECT_EQ(StatisticsText({}).find('%'), std::string::npos);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::acoustic_statistics_test

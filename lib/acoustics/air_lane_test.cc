@@ -5,8 +5,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace shoal {
-namespace {
+namespace shoal::air_lane_test {
 
 std::vector<int32_t> Overlapping(const AirLane& lane, const AirLane::Ticket& ticket,
                                  int64_t limit) {
@@ -53,5 +52,4 @@ TEST(AirLane, KeepsNoMorePacketsThanOverlapThoseOnTheAirHoweverLongItIsBusy) {
   EXPECT_EQ(std::ranges::adjacent_find(unneeded), unneeded.end());
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::air_lane_test

@@ -6,8 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace shoal {
-namespace {
+namespace shoal::ambient_noise_test {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -143,5 +142,4 @@ RC_GTEST_PROP(Noise, RisesWithWindAndShippingAndWithTheWidthOfTheBand, ()) {
   RC_ASSERT(NoiseBandLevel(noise, f, 2 * f) > NoiseBandLevel(noise, f, 1.9 * f));
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::ambient_noise_test

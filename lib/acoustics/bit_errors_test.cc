@@ -8,8 +8,7 @@
 
 #include "tests/golden/read_golden.h"
 
-namespace shoal {
-namespace {
+namespace shoal::bit_errors_test {
 
 using Bytes = std::vector<uint8_t>;
 
@@ -117,5 +116,4 @@ TEST(XorOverlap, LeavesZerosWhereAPacketMeetsItsTwin) {
   EXPECT_EQ(received, Bytes(8, 0));
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::bit_errors_test

@@ -8,8 +8,7 @@
 
 #include "tests/golden/read_golden.h"
 
-namespace shoal {
-namespace {
+namespace shoal::channel_plan_test {
 
 using Json = nlohmann::json;
 
@@ -187,5 +186,4 @@ RC_GTEST_PROP(ChannelPlan, KeepsEveryChannelInTheBandAndAGuardBandFromTheNext, (
   }
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::channel_plan_test

@@ -8,8 +8,7 @@
 
 #include "lib/acoustics/test_water.h"
 
-namespace shoal {
-namespace {
+namespace shoal::collision_oracle_test {
 
 struct Schedule {
   AcousticOptions options;
@@ -186,5 +185,4 @@ TEST(CollisionOracle, AgreesOnCorruptionWhereNodesDoNotHearWhileTheySend) {
   PlayMany(CollisionModel::kCorrupt, true);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::collision_oracle_test

@@ -9,8 +9,7 @@
 #include "lib/acoustics/test_water.h"
 #include "lib/acoustics/validate_options.h"
 
-namespace shoal {
-namespace {
+namespace shoal::conservation_test {
 
 /// Counts what goes in and what comes out, apart from the network's own counters.
 struct Ledger {
@@ -119,5 +118,4 @@ TEST(Conservation, HoldsWhereAThousandNodesHearEachOther) {
   }
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::conservation_test

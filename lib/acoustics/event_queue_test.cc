@@ -8,8 +8,7 @@
 #include <tuple>
 #include <vector>
 
-namespace shoal {
-namespace {
+namespace shoal::event_queue_test {
 
 RC_GTEST_PROP(OrderOf, GrowsWithTime, (double a_s, double b_s)) {
   RC_PRE(!std::isnan(a_s) && !std::isnan(b_s));
@@ -70,5 +69,4 @@ TEST(EventQueue, PutsAnEventThatReplacesTheFirstWhereItBelongs) {
   EXPECT_EQ(slots, (std::vector<int32_t>{1, 2, 3, 0, 4, 5, 6, 7, 8, 9}));
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::event_queue_test

@@ -12,8 +12,7 @@
 #include "lib/acoustics/validate_options.h"
 #include "tests/golden/read_golden.h"
 
-namespace shoal {
-namespace {
+namespace shoal::golden_scenarios_test {
 
 using Json = nlohmann::json;
 
@@ -179,5 +178,4 @@ TEST(GoldenScenarios, AreNineteenAndAllComeOutAsTheyShould) {
   }
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::golden_scenarios_test

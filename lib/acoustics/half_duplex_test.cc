@@ -4,8 +4,7 @@
 
 #include "lib/acoustics/test_water.h"
 
-namespace shoal {
-namespace {
+namespace shoal::half_duplex_test {
 
 constexpr int kAlpha = 0;
 constexpr int kBravo = 1;
@@ -84,5 +83,4 @@ TEST(HalfDuplex, DoesNotKeepWhatIsNotHeardFromSpoilingOtherPackets) {
   EXPECT_EQ(arrived[1].reception.fate, AcousticFate::kCollided);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::half_duplex_test

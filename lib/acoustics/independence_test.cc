@@ -10,8 +10,7 @@
 
 #include "lib/acoustics/test_water.h"
 
-namespace shoal {
-namespace {
+namespace shoal::independence_test {
 
 /// A packet at a receiver, by names.
 using Link = std::tuple<std::string, std::string, int64_t>;
@@ -197,5 +196,4 @@ RC_GTEST_PROP(Receptions, ComeInTheSameOrderHoweverOftenOneAsks, (uint64_t seed)
   }
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::independence_test

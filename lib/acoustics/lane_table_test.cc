@@ -6,8 +6,7 @@
 
 #include "lib/acoustics/transmission_store.h"
 
-namespace shoal {
-namespace {
+namespace shoal::lane_table_test {
 
 TEST(LaneTable, HasOneLaneForAReceiverAndChannel) {
   LaneTable lanes;
@@ -44,5 +43,4 @@ TEST(TransmissionStore, KeepsBytesWithoutUsersUntilItRecycles) {
   EXPECT_EQ(store.num_places(), 2U);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::lane_table_test

@@ -8,8 +8,7 @@
 
 #include "tests/golden/read_golden.h"
 
-namespace shoal {
-namespace {
+namespace shoal::loss_models_test {
 
 constexpr double kRelativeError = 1e-12;
 
@@ -74,5 +73,4 @@ TEST(LossModels, StayProbabilitiesWhateverTheyAreGiven) {
   }
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::loss_models_test

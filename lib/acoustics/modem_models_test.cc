@@ -11,8 +11,7 @@
 
 #include "lib/acoustics/test_water.h"
 
-namespace shoal {
-namespace {
+namespace shoal::modem_models_test {
 
 /// A normal variate is farther from 0 than this once in a million times.
 constexpr double kNormalLimit = 4.89;
@@ -180,5 +179,4 @@ RC_GTEST_PROP(ModemModels, LeaveHalfDuplexAlone, (uint64_t seed)) {
   }
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::modem_models_test

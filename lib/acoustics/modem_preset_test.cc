@@ -8,8 +8,7 @@
 
 #include "lib/acoustics/propagation.h"
 
-namespace shoal {
-namespace {
+namespace shoal::modem_preset_test {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -85,5 +84,4 @@ RC_GTEST_PROP(LinkModel, GetsNoBetterWithDistance, ()) {
   RC_ASSERT(PacketErrorRate(far.bit_error_rate, 37) >= PacketErrorRate(near.bit_error_rate, 37));
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::modem_preset_test

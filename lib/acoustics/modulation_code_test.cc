@@ -7,8 +7,7 @@
 #include <limits>
 #include <vector>
 
-namespace shoal {
-namespace {
+namespace shoal::modulation_code_test {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr BlockCode kHamming = {.block_bits = 7, .data_bits = 4, .corrected_bits = 1};
@@ -127,5 +126,4 @@ RC_GTEST_PROP(PacketErrorRate, RisesWithErrorsAndLengthAndFallsWithCorrection, (
   RC_ASSERT(PacketErrorRate(p, bytes, weaker) >= rate);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::modulation_code_test

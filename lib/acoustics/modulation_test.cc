@@ -6,8 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace shoal {
-namespace {
+namespace shoal::modulation_test {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -125,5 +124,4 @@ TEST(EnergyPerBitToNoise, IsNoneWhereItIsNotANumber) {
   EXPECT_EQ(EnergyPerBitToNoise(-kInfinity, kInfinity, 100), -kInfinity);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::modulation_test

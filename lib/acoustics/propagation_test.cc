@@ -5,8 +5,7 @@
 
 #include <limits>
 
-namespace shoal {
-namespace {
+namespace shoal::propagation_test {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -59,5 +58,4 @@ RC_GTEST_PROP(TransmissionLoss, NeverFallsWithRangeAndIsContinuous, ()) {
   RC_ASSERT(farther - here < 0.02);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::propagation_test

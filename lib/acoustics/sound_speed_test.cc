@@ -5,8 +5,7 @@
 
 #include <limits>
 
-namespace shoal {
-namespace {
+namespace shoal::sound_speed_test {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -67,5 +66,4 @@ RC_GTEST_PROP(SoundSpeed, RisesWithTemperatureSalinityAndDepth, ()) {
   RC_ASSERT(SpeedAt(t, s, d + 100) > SpeedAt(t, s, d));
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::sound_speed_test

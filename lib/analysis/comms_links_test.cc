@@ -7,8 +7,7 @@
 #include <limits>
 #include <string>
 
-namespace shoal {
-namespace {
+namespace shoal::comms_links_test {
 
 fate_t Fate(const std::string& destination, const std::string& cause, double delay_s = -1) {
   fate_t fate{};
@@ -139,5 +138,4 @@ RC_GTEST_PROP(LinkStatistics, SumUpToWhatWasSent, ()) {
   RC_ASSERT(sum == static_cast<int64_t>(causes.size()));
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::comms_links_test

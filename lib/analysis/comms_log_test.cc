@@ -8,8 +8,7 @@
 #include "lib/analysis/rebroker.h"
 #include "tests/analysis/rebroker_testing.h"
 
-namespace shoal {
-namespace {
+namespace shoal::comms_log_test {
 
 std::vector<TestEvent> Talk() {
   const TestDirectory directory;
@@ -186,5 +185,4 @@ TEST(StepsLater, SaysNothingWhereTheTimeIsNone) {
   EXPECT_EQ(StepsLater(0, -1, INT64_MAX), std::nullopt);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::comms_log_test

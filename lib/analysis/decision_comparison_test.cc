@@ -5,8 +5,7 @@
 #include <limits>
 #include <vector>
 
-namespace shoal {
-namespace {
+namespace shoal::decision_comparison_test {
 
 fate_t Fate(int64_t number, const std::string& destination, const std::string& cause) {
   fate_t fate{};
@@ -90,5 +89,4 @@ TEST(FateLine, ShowsStrangersTextWithoutHarm) {
   EXPECT_EQ(FateLine(fate), "report 1 alpha -> bra?vo?[2J: delivered range_m=nan");
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::decision_comparison_test

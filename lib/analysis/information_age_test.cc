@@ -10,8 +10,7 @@
 
 #include "lib/analysis/swarm_testing.h"
 
-namespace shoal {
-namespace {
+namespace shoal::information_age_test {
 
 constexpr int64_t kSecond_us = 1'000'000;
 
@@ -161,5 +160,4 @@ RC_GTEST_PROP(InformationAge, IsWhatItIsInEachMomentOnAverage, ()) {
   RC_ASSERT(std::abs(ages.Summary().age_95_s - moments[rank]) < 0.02);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::information_age_test

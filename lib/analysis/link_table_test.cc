@@ -4,8 +4,7 @@
 
 #include <string>
 
-namespace shoal {
-namespace {
+namespace shoal::link_table_test {
 
 fate_t Fate(const std::string& kind, const std::string& destination, const std::string& cause,
             int32_t count = 1) {
@@ -74,5 +73,4 @@ TEST(LinkTable, ShowsStrangersTextWithoutHarm) {
   EXPECT_EQ(text.find('\x1b'), std::string::npos);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::link_table_test

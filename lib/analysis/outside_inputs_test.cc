@@ -8,8 +8,7 @@
 #include "lib/analysis/rebroker.h"
 #include "tests/analysis/rebroker_testing.h"
 
-namespace shoal {
-namespace {
+namespace shoal::outside_inputs_test {
 
 DecisionComparison Compared(const CommsLog& log) {
   const Result<BrokerSetup> setup = SetupOf(*log.rules);
@@ -90,5 +89,4 @@ TEST(OutsideInputs, StayInALogWhoseReportsAreIncomplete) {
   EXPECT_EQ(MoveToTheStepsOfTheBroker(&log), 0);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::outside_inputs_test

@@ -6,8 +6,7 @@
 #include <algorithm>
 #include <set>
 
-namespace shoal {
-namespace {
+namespace shoal::plot_colors_test {
 
 TEST(ColorOf, KnowsCssNamesHoweverTheyAreWritten) {
   EXPECT_EQ(ColorOf("dodgerblue"), 0x1e90ffu);
@@ -56,5 +55,4 @@ RC_GTEST_PROP(AssignColors, GivesEveryVehicleAColourThatIsOne, (std::vector<std:
   for (const std::string& color : colors) RC_ASSERT(ColorOf(color).has_value());
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::plot_colors_test

@@ -6,8 +6,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace shoal {
-namespace {
+namespace shoal::plot_curve_test {
 
 Stroke AllPoints(const ThinnedCurve& curve) {
   Stroke all;
@@ -100,5 +99,4 @@ RC_GTEST_PROP(ThinnedCurve, NeverLosesAnExtremeHoweverFewRunsItMayHave, ()) {
   RC_ASSERT(std::max_element(kept.begin(), kept.end(), by_y)->y == high);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::plot_curve_test

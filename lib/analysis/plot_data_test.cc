@@ -9,8 +9,7 @@
 #include "lib/analysis/swarm_testing.h"
 #include "lib/bus/seal.h"
 
-namespace shoal {
-namespace {
+namespace shoal::plot_data_test {
 
 PlotData DataOf(const std::vector<TestEvent>& events, const PlotSelection& selection = {},
                 const PlotSetting& setting = {}) {
@@ -174,5 +173,4 @@ RC_GTEST_PROP(PlotData, TakesAnyNumbersAndTimes, ()) {
   }
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::plot_data_test

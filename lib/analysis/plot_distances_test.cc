@@ -6,8 +6,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace shoal {
-namespace {
+namespace shoal::plot_distances_test {
 
 TEST(NearestDistances, AreInfiniteForOneAlone) {
   const std::vector<Eigen::Vector3d> one = {{1, 2, 3}};
@@ -34,5 +33,4 @@ RC_GTEST_PROP(NearestDistances, AreThoseOfAllPairs, ()) {
   }
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::plot_distances_test

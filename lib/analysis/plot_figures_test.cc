@@ -7,8 +7,7 @@
 #include "lib/analysis/plot_testing.h"
 #include "lib/analysis/swarm_testing.h"
 
-namespace shoal {
-namespace {
+namespace shoal::plot_figures_test {
 
 bool Contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
@@ -119,5 +118,4 @@ TEST_F(Figures, ShowTheDepthWithTheSeaFloorBelow) {
   EXPECT_TRUE(Contains(Of("depth").script, "title 'sea floor below'"));
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::plot_figures_test

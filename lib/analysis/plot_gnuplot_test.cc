@@ -6,8 +6,7 @@
 
 #include "lib/record/test_log.h"
 
-namespace shoal {
-namespace {
+namespace shoal::plot_gnuplot_test {
 
 class Gnuplot : public ::testing::Test {
  protected:
@@ -53,5 +52,4 @@ TEST_F(Gnuplot, MustBeAProgram) {
   EXPECT_FALSE(RunGnuplot(program, directory_.File("no_folder"), "a.gp").ok());
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::plot_gnuplot_test

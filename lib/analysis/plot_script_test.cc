@@ -5,8 +5,7 @@
 
 #include <algorithm>
 
-namespace shoal {
-namespace {
+namespace shoal::plot_script_test {
 
 bool Contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
@@ -84,5 +83,4 @@ TEST(StackedScript, HasATimeAxisForOneMomentToo) {
   EXPECT_TRUE(Contains(script, "set output '../a.png'\n"));
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::plot_script_test

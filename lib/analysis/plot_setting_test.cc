@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace shoal {
-namespace {
+namespace shoal::plot_setting_test {
 
 Mission MissionWith(Task task) {
   Mission mission;
@@ -63,5 +62,4 @@ TEST(PlotSetting, NamesTheDistancesOfTargetTrackingOnce) {
   EXPECT_EQ(setting.distances, expected);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::plot_setting_test

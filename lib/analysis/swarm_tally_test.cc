@@ -7,8 +7,7 @@
 
 #include "lib/analysis/swarm_testing.h"
 
-namespace shoal {
-namespace {
+namespace shoal::swarm_tally_test {
 
 swarm_t Bravo(int64_t num_said, int64_t clean, int64_t recovered, int64_t rejected) {
   swarm_t swarm = SwarmAt(0, "bravo", {});
@@ -102,5 +101,4 @@ TEST(SwarmTally, LeavesOutCountsThatCannotBe) {
   EXPECT_TRUE(tally.Sources().empty());
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::swarm_tally_test

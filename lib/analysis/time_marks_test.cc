@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace shoal {
-namespace {
+namespace shoal::time_marks_test {
 
 std::vector<int64_t> TimesOf(const std::vector<TimeMark>& marks) {
   std::vector<int64_t> times;
@@ -56,5 +55,4 @@ TEST(TimeMarks, OfAnotherVehiclesCoarserStepAreThoseThatBothHave) {
   EXPECT_EQ(TimesOf(marks.MultiplesOf(10)), (std::vector<int64_t>{10}));
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::time_marks_test

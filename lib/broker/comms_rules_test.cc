@@ -13,8 +13,7 @@
 #include "lib/mission/load_comms.h"
 #include "lib/routing/control.h"
 
-namespace shoal {
-namespace {
+namespace shoal::comms_rules_test {
 
 std::string PageText(const std::string& path) {
   std::ifstream in(std::string(SHOAL_SOURCE_DIR) + "/" + path);
@@ -109,5 +108,4 @@ TEST(ShoreBrokerPage, HasARowForEachRuleThatCanChange) {
   }
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::comms_rules_test

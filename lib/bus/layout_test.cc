@@ -6,8 +6,7 @@
 
 #include "lib/bus/channels.h"
 
-namespace shoal {
-namespace {
+namespace shoal::layout_test {
 
 TEST(PortPlan, PutsTheShoreOnLcmsDefaultPort) {
   EXPECT_EQ(PortPlan(PortPlan::kDefaultBase, Layout::kShared, {"alpha"}).PortOf("NAV_ALPHA"), 7667);
@@ -87,5 +86,4 @@ TEST(IsLogged, LeavesOutWhatIsMadeForEyesAndStepping) {
   EXPECT_FALSE(IsLogged("TICK"));
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::layout_test

@@ -4,8 +4,7 @@
 
 #include "lib/bus/channels.h"
 
-namespace shoal {
-namespace {
+namespace shoal::memory_bus_test {
 
 unc_control_t Said(double value) {
   unc_control_t message{};
@@ -102,5 +101,4 @@ TEST(Decode, RefusesBytesTooManyAndTooFew) {
   EXPECT_FALSE(Decode(bytes, &decoded));
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::memory_bus_test

@@ -6,8 +6,7 @@
 #include "lib/bus/bus.h"
 #include "shoal/nav_t.hpp"
 
-namespace shoal {
-namespace {
+namespace shoal::seal_test {
 
 TEST(Seal, ComesBackAsItWasPut) {
   std::vector<uint8_t> bytes = {1, 2, 3};
@@ -58,5 +57,4 @@ RC_GTEST_PROP(Seal, SurvivesTruncationWithoutHarm, (std::vector<uint8_t> message
   }
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::seal_test

@@ -5,8 +5,7 @@
 #include "lib/bus/bus.h"
 #include "lib/bus/channels.h"
 
-namespace shoal {
-namespace {
+namespace shoal::wire_check_test {
 
 template <class T>
 Bytes Encoded(const T& message) {
@@ -70,5 +69,4 @@ TEST(Decode, RefusesAStringThatCouldNotBeEncodedAgain) {
   EXPECT_FALSE(Decode(bytes, &report));
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::wire_check_test

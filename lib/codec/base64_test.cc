@@ -3,8 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-namespace shoal {
-namespace {
+namespace shoal::base64_test {
 
 std::vector<uint8_t> Bytes(std::string_view text) { return {text.begin(), text.end()}; }
 
@@ -52,5 +51,4 @@ RC_GTEST_PROP(DecodeBase64, TakesNoTextThatMeansWhatAnotherMeans, (const std::st
   if (bytes) RC_ASSERT(Base64(*bytes).substr(0, text.size()) == text);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::base64_test

@@ -6,8 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace shoal {
-namespace {
+namespace shoal::crc32_test {
 
 uint32_t Crc32Of(std::string_view text) {
   return Crc32(std::vector<uint8_t>(text.begin(), text.end()));
@@ -36,5 +35,4 @@ RC_GTEST_PROP(Crc32, FindsUpToThreeWrongBits, (std::vector<uint8_t> bytes)) {
   RC_ASSERT((Crc32(damaged) == right) == (damaged == bytes));
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::crc32_test

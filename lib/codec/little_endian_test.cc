@@ -3,8 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-namespace shoal {
-namespace {
+namespace shoal::little_endian_test {
 
 TEST(LittleEndian, WritesTheLeastSignificantByteFirst) {
   std::vector<uint8_t> bytes;
@@ -26,5 +25,4 @@ RC_GTEST_PROP(LittleEndian, ReadsWhatItHasWritten, (uint32_t word, uint64_t id, 
   RC_ASSERT(reader.num_left() == 0U);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::little_endian_test

@@ -3,8 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-namespace shoal {
-namespace {
+namespace shoal::nmea_sentence_test {
 
 using Fields = std::vector<std::string>;
 
@@ -76,5 +75,4 @@ RC_GTEST_PROP(ParseNmea, FindsEveryWrongBit, ()) {
   RC_ASSERT(!ParseNmea(line).has_value());
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::nmea_sentence_test

@@ -9,8 +9,7 @@
 #include "lib/geometry/angles.h"
 #include "tests/golden/read_golden.h"
 
-namespace shoal {
-namespace {
+namespace shoal::angle_pid_test {
 
 constexpr double kTolerance = 1e-12;
 
@@ -90,5 +89,4 @@ RC_GTEST_PROP(AnglePid, StaysWithinItsLimitAndFiniteWhateverItIsGiven, ()) {
   }
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::angle_pid_test

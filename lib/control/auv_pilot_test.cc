@@ -13,8 +13,7 @@
 #include "lib/vehicle/remus100.h"
 #include "tests/golden/read_golden.h"
 
-namespace shoal {
-namespace {
+namespace shoal::auv_pilot_test {
 
 constexpr double kStep_s = 0.02;
 
@@ -221,5 +220,4 @@ TEST(DefaultPilot, KeepsTheDirectionOfTargetTracking) {
   EXPECT_NEAR(state.eta[4], 0.15, 0.01);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::auv_pilot_test

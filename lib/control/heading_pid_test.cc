@@ -5,8 +5,7 @@
 
 #include <cmath>
 
-namespace shoal {
-namespace {
+namespace shoal::heading_pid_test {
 
 TEST(HeadingPid, TurnsTheShorterWayAcrossNorth) {
   HeadingPid pid({.kp = 1});
@@ -58,5 +57,4 @@ RC_GTEST_PROP(HeadingPid, StaysWithinFullRudderAndMirrorsForTheMirroredError, ()
   }
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::heading_pid_test

@@ -9,8 +9,7 @@
 #include "lib/geometry/angles.h"
 #include "tests/golden/read_golden.h"
 
-namespace shoal {
-namespace {
+namespace shoal::reference_filters_test {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
@@ -93,5 +92,4 @@ TEST(RampRpm, ChangesNoFasterThanItsRateAndArrives) {
   EXPECT_TRUE(std::isfinite(RampRpm(-1e308, 1e308, kInfinity, 0.1)));
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::reference_filters_test

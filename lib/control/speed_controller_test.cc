@@ -4,8 +4,7 @@
 
 #include <algorithm>
 
-namespace shoal {
-namespace {
+namespace shoal::speed_controller_test {
 
 // A vessel whose speed follows thrust / 20 within an acceleration limit; `drag` is what its thrust
 // map does not know of.
@@ -65,5 +64,4 @@ TEST(SpeedController, DoesNotWindUpAtFullThrust) {
   EXPECT_NEAR(speed.Update(6, 50, 6, 0.1), 50, 1e-9);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::speed_controller_test

@@ -7,8 +7,7 @@
 #include <limits>
 #include <numbers>
 
-namespace shoal {
-namespace {
+namespace shoal::local_frame_test {
 
 constexpr double kPi = std::numbers::pi;
 constexpr GeoPoint kOrigin{.lat_deg = 43.8253, .lon_deg = -70.3304};
@@ -63,5 +62,4 @@ RC_GTEST_PROP(LocalFrame, BringsAPositionBackToWithinAMillimetre, ()) {
   RC_ASSERT((*frame.ToLocal(frame.ToGeo(position_m)) - position_m).norm() < 0.001);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::local_frame_test

@@ -6,8 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace shoal {
-namespace {
+namespace shoal::angles_test {
 
 double AnyAngle() { return *rc::gen::inRange(-1'000'000, 1'000'001) / 1000.0; }
 
@@ -79,5 +78,4 @@ RC_GTEST_PROP(Psi, DescribesTheSameVectorAsTheHeading, ()) {
   RC_ASSERT(std::abs(WrapPi(HeadingFromPsi(psi) - heading)) < 1e-9);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::angles_test

@@ -7,8 +7,7 @@
 
 #include "lib/geometry/angles.h"
 
-namespace shoal {
-namespace {
+namespace shoal::leg_test {
 
 Eigen::Vector2d AnyPoint() {
   const auto coordinate = rc::gen::inRange(-100'000, 100'001);
@@ -55,5 +54,4 @@ RC_GTEST_PROP(Leg, HasTheOppositeCrossTrackErrorWhenReversed, ()) {
   RC_ASSERT(std::abs(there.along_m + back.along_m - Length(leg)) < 1e-8);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::leg_test

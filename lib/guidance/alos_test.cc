@@ -8,8 +8,7 @@
 #include "lib/geometry/angles.h"
 #include "lib/geometry/leg.h"
 
-namespace shoal {
-namespace {
+namespace shoal::alos_test {
 
 constexpr double kStep_s = 0.1;
 
@@ -105,5 +104,4 @@ RC_GTEST_PROP(Alos, HoldsInTheGuidanceFrameAsInTheCompassFrame, ()) {
   }
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::alos_test

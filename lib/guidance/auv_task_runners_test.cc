@@ -10,8 +10,7 @@
 #include "lib/geometry/angles.h"
 #include "lib/guidance/task_runner.h"
 
-namespace shoal {
-namespace {
+namespace shoal::auv_task_runners_test {
 
 /// Two legs: North and down, then East on the level.
 PathFollowTask TwoLegs(PathTaskEnd end = PathTaskEnd::kDone) {
@@ -327,5 +326,4 @@ RC_GTEST_PROP(AuvTaskRunners, ReturnFiniteNumbersWhereverTheyAre, ()) {
   }
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::auv_task_runners_test

@@ -7,8 +7,7 @@
 
 #include "lib/guidance/test_vectors.h"
 
-namespace shoal {
-namespace {
+namespace shoal::constant_bearing_test {
 
 using Eigen::Vector3d;
 
@@ -92,5 +91,4 @@ RC_GTEST_PROP(ConstantBearing, EndsAtTheSafeDistance, ()) {
   RC_ASSERT((scene.target.position_m - scene.own.position_m).norm() < 12);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::constant_bearing_test

@@ -7,8 +7,7 @@
 
 #include "lib/guidance/test_vectors.h"
 
-namespace shoal {
-namespace {
+namespace shoal::depth_safety_test {
 
 const DepthSafety kLimits{.z_max_m = 100, .z_min_m = 0, .z_safe_m = 5};
 
@@ -71,5 +70,4 @@ RC_GTEST_PROP(DepthSafetyLimit, NeverAddsToAMotionTowardTheFloor, ()) {
   if (z_m < 0) RC_ASSERT(limited_mps.z() >= command_mps.z());
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::depth_safety_test

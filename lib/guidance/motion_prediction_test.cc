@@ -8,8 +8,7 @@
 
 #include "lib/guidance/test_vectors.h"
 
-namespace shoal {
-namespace {
+namespace shoal::motion_prediction_test {
 
 using Eigen::Vector3d;
 
@@ -132,5 +131,4 @@ RC_GTEST_PROP(Predictions, AreFiniteForAnyFiniteReport, ()) {
             plan.max_speed_mps * (1 + 1e-12));
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::motion_prediction_test

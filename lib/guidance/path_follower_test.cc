@@ -10,8 +10,7 @@
 #include "lib/geometry/angles.h"
 #include "lib/guidance/test_vectors.h"
 
-namespace shoal {
-namespace {
+namespace shoal::path_follower_test {
 
 constexpr double kStep_s = 0.1;
 
@@ -201,5 +200,4 @@ RC_GTEST_PROP(PathFollower, GivesFiniteGuidanceForAnyPathAndPosition, ()) {
   }
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::path_follower_test

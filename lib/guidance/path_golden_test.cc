@@ -7,8 +7,7 @@
 #include "lib/guidance/path_progress.h"
 #include "tests/golden/read_golden.h"
 
-namespace shoal {
-namespace {
+namespace shoal::path_golden_test {
 
 constexpr double kRelative = 1e-12;
 
@@ -129,5 +128,4 @@ TEST(WaypointPathGolden, DistancesHeadingsTimesAndAreasAreThoseOfMunet) {
   EXPECT_EQ(EstimateArea(path, 100).side_m, facts["estimateAreaRoot_100"][0]);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::path_golden_test

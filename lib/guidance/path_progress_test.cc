@@ -8,8 +8,7 @@
 
 #include "lib/guidance/test_vectors.h"
 
-namespace shoal {
-namespace {
+namespace shoal::path_progress_test {
 
 const WaypointPath kPath{{{0, 0, 10}, {100, 0, 20}, {100, 80, 30}}};
 const WaypointSwitch kDefault;
@@ -136,5 +135,4 @@ RC_GTEST_PROP(TrackErrors, AreThoseOfTheTurnedPath, ()) {
   RC_ASSERT(std::abs(errors.y_e_m - again.y_e_m) < 1e-6);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::path_progress_test

@@ -7,8 +7,7 @@
 #include "lib/guidance/motion_prediction.h"
 #include "tests/golden/read_golden.h"
 
-namespace shoal {
-namespace {
+namespace shoal::prediction_golden_test {
 
 using Eigen::Vector3d;
 
@@ -107,5 +106,4 @@ TEST(PredictSwarmGolden, IsThatOfMunetUntilTheLeaderArrives) {
   EXPECT_GT(num_other, 0);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::prediction_golden_test

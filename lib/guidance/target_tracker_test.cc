@@ -8,8 +8,7 @@
 
 #include "lib/guidance/test_vectors.h"
 
-namespace shoal {
-namespace {
+namespace shoal::target_tracker_test {
 
 using Eigen::Vector3d;
 
@@ -126,5 +125,4 @@ RC_GTEST_PROP(TargetTracker, CommandsWhatAnAutopilotCanTakeForAnyFiniteScene, ()
   }
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::target_tracker_test

@@ -12,8 +12,7 @@
 
 #include "lib/guidance/ideal_vessel.h"
 
-namespace shoal {
-namespace {
+namespace shoal::task_runner_test {
 
 WaypointsTask Square() {
   return {.points_m = {{0, 100}, {100, 100}, {100, 0}, {0, 0}}, .speed_mps = 1.5};
@@ -240,5 +239,4 @@ RC_GTEST_PROP(TaskRunner, GivesFiniteGuidanceWhereverTheVesselIsPut, ()) {
   }
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::task_runner_test

@@ -5,8 +5,7 @@
 
 #include "lib/guidance/test_vectors.h"
 
-namespace shoal {
-namespace {
+namespace shoal::velocity_cascade_test {
 
 using Eigen::Vector3d;
 
@@ -82,5 +81,4 @@ RC_GTEST_PROP(VelocityCascade, TurnsWithTheWorldAndKeepsToTheGreatestSpeed, ()) 
   RC_ASSERT(v_mps.norm() <= kUMax_mps * (1 + 1e-12));
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::velocity_cascade_test

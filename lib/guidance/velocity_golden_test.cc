@@ -9,8 +9,7 @@
 #include "lib/guidance/target_tracker.h"
 #include "tests/golden/read_golden.h"
 
-namespace shoal {
-namespace {
+namespace shoal::velocity_golden_test {
 
 using Eigen::Vector3d;
 
@@ -215,5 +214,4 @@ TEST(ConstantBearingGolden, FollowsTheDocumentedLaw) {
   EXPECT_GT(num_too_fast, 0);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::velocity_golden_test

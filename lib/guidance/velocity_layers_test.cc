@@ -8,8 +8,7 @@
 
 #include "lib/guidance/test_vectors.h"
 
-namespace shoal {
-namespace {
+namespace shoal::velocity_layers_test {
 
 using Eigen::Vector3d;
 
@@ -146,5 +145,4 @@ TEST(Layers, RefuseWhatIsNoNumber) {
                "inputs of guidance are finite");
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::velocity_layers_test

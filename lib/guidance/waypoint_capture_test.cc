@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace shoal {
-namespace {
+namespace shoal::waypoint_capture_test {
 
 constexpr CaptureRule kRule{.capture_radius_m = 5, .slip_radius_m = 15, .capture_line = false};
 const Leg kNorth{.from_m = {0, 0}, .to_m = {0, 100}};
@@ -46,5 +45,4 @@ TEST(WaypointCapture, HappensAtTheCaptureLineHoweverFarAway) {
   EXPECT_TRUE(capture.Reached({80, 100.1}));
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::waypoint_capture_test

@@ -7,8 +7,7 @@
 
 #include "lib/guidance/test_vectors.h"
 
-namespace shoal {
-namespace {
+namespace shoal::waypoint_path_test {
 
 const WaypointPath kPath{{{0, 500, 20}, {500, 500, 20}, {1000, 500, 20}}};
 
@@ -133,5 +132,4 @@ TEST(RandomPath, DependsOnTheSeedAndOnNothingElse) {
   EXPECT_NE(path(1), path(2));
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::waypoint_path_test

@@ -7,8 +7,7 @@
 #include <fstream>
 #include <string>
 
-namespace shoal {
-namespace {
+namespace shoal::viewer_address_test {
 
 constexpr int64_t kStart_us = 5'000'000;
 
@@ -56,5 +55,4 @@ TEST_F(AwaitedViewer, IsForgottenWhenItHasEnded) {
   EXPECT_EQ(ShownAt(1), "");
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::viewer_address_test

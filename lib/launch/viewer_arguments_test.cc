@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace shoal {
-namespace {
+namespace shoal::viewer_arguments_test {
 
 using Words = std::vector<std::string>;
 
@@ -15,5 +14,4 @@ TEST(ViewerArguments, NameTheLogOrTheRunningMission) {
             (Words{"--port", "7665", "--listen", "10.0.0.1", "--allow-commands"}));
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::viewer_arguments_test

@@ -9,8 +9,7 @@
 
 #include "lib/mission/load_testing.h"
 
-namespace shoal {
-namespace {
+namespace shoal::expand_test {
 
 constexpr std::string_view kFleet = R"([mission]
 duration_s = 60
@@ -240,5 +239,4 @@ TEST(Overrides, ComeAfterTheErrorsOfTheFileInTheirOwnOrder) {
             "--set mission.seed=x: seed must be a whole number, not the string 'x'\n");
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::expand_test

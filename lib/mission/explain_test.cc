@@ -17,8 +17,7 @@
 #include "lib/mission/problems.h"
 #include "lib/mission/value.h"
 
-namespace shoal {
-namespace {
+namespace shoal::explain_test {
 
 TEST(Explain, LoadsBackAsTheSameMission) {
   for (uint64_t seed = 0; seed < 20; ++seed) {
@@ -87,5 +86,4 @@ TEST(Explain, WritesNoKeyThatTheDocumentationDoesNotHave) {
   }
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::explain_test

@@ -6,8 +6,7 @@
 #include "lib/mission/load_comms.h"
 #include "lib/mission/load_testing.h"
 
-namespace shoal {
-namespace {
+namespace shoal::load_acoustics_errors_test {
 
 /// Returns the errors of kShortest with [acoustics] in line 5 and these keys from line 6 on.
 std::string ErrorsOfAcoustics(std::string_view keys) {
@@ -254,5 +253,4 @@ TEST(LoadErrors, TellWhatIsWrongWithAcousticsBesideRulesAlone) {
                         "100 / 2 = -26 kHz, below 0"});
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::load_acoustics_errors_test

@@ -18,8 +18,7 @@
 #include "lib/mission/mission_draw.h"
 #include "lib/mission/modem_testing.h"
 
-namespace shoal {
-namespace {
+namespace shoal::load_acoustics_test {
 
 namespace fs = std::filesystem;
 
@@ -284,5 +283,4 @@ TEST(LoadComms, TakesTheAcousticsOfAWholeMission) {
   EXPECT_TRUE(LoadCommsText(mission + "[acoustics]\n", "m.toml").acoustics->is_used);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::load_acoustics_test

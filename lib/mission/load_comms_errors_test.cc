@@ -6,8 +6,7 @@
 
 #include "lib/mission/load_testing.h"
 
-namespace shoal {
-namespace {
+namespace shoal::load_comms_errors_test {
 
 /// Returns the warnings of kShortest with `more` after it, one per line.
 std::string WarningsAfter(std::string_view more) {
@@ -282,5 +281,4 @@ TEST(LoadErrors, TellFatesThatAKindCannotHave) {
       "");
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::load_comms_errors_test

@@ -4,8 +4,7 @@
 
 #include <algorithm>
 
-namespace shoal {
-namespace {
+namespace shoal::load_comms_test {
 
 TEST(LoadComms, ReadsAFileThatHoldsTheTableCommsAlone) {
   const LoadedComms loaded = LoadCommsText("[comms]\ncomms_range = 50\nstale_time = 3\n", "c.toml");
@@ -56,5 +55,4 @@ TEST(ExplainComms, WritesALineForEachKey) {
   EXPECT_EQ(LoadCommsText(text, "c.toml").rules, (RoutingRules{.comms_range_m = 50}));
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::load_comms_test

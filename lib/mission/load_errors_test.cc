@@ -5,8 +5,7 @@
 
 #include "lib/mission/load_testing.h"
 
-namespace shoal {
-namespace {
+namespace shoal::load_errors_test {
 
 TEST(LoadErrors, AreNoneForTheShortestMission) { EXPECT_EQ(ErrorsOf(kShortest), ""); }
 
@@ -272,5 +271,4 @@ TEST(LoadErrors, RefuseControlCharactersAndEndlessTexts) {
             "6:9: group is 100 bytes long; allowed: at most 64\n");
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::load_errors_test

@@ -14,8 +14,7 @@
 #include "lib/mission/load.h"
 #include "lib/mission/load_testing.h"
 
-namespace shoal {
-namespace {
+namespace shoal::load_hostile_test {
 
 constexpr std::string_view kEverything = R"([mission]
 name = "m"
@@ -186,5 +185,4 @@ TEST(LoadHostile, ToldOfNothingAtAllSaysWhatAMissionNeeds) {
       "or a [[fleet]]\n");
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::load_hostile_test

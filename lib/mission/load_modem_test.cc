@@ -13,8 +13,7 @@
 #include "lib/mission/modem_testing.h"
 #include "lib/mission/parse.h"
 
-namespace shoal {
-namespace {
+namespace shoal::load_modem_test {
 
 namespace fs = std::filesystem;
 
@@ -219,5 +218,4 @@ TEST(ModemPresets, ReachTheirTypicalRangeInADeepSea) {
   }
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::load_modem_test

@@ -5,8 +5,7 @@
 
 #include "lib/mission/load_testing.h"
 
-namespace shoal {
-namespace {
+namespace shoal::load_netsim_test {
 
 /// A vehicle from outside and one of shoal's; what a test appends begins in line 14.
 constexpr std::string_view kTwo = R"([mission]
@@ -104,5 +103,4 @@ TEST(LoadNetsim, TellsOfAModemWithoutWater) {
             "23:9: a modem sends over the acoustic network: write [acoustics] as well\n");
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::load_netsim_test

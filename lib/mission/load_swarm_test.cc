@@ -7,8 +7,7 @@
 #include "lib/mission/load_testing.h"
 #include "lib/mission/swarm_plan.h"
 
-namespace shoal {
-namespace {
+namespace shoal::load_swarm_test {
 
 /// A leader and two followers; what a test appends begins in line 18.
 constexpr std::string_view kThree = R"([mission]
@@ -209,5 +208,4 @@ TEST(PlanSwarm, HasRoomForChecksumAndFrame) {
   EXPECT_EQ(SwarmAirOf(framed).extra_bytes, 10);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::load_swarm_test

@@ -6,8 +6,7 @@
 
 #include "lib/mission/load_testing.h"
 
-namespace shoal {
-namespace {
+namespace shoal::load_test {
 
 Mission Load(std::string_view text, const std::vector<std::string>& overrides = {}) {
   const LoadedMission loaded = LoadMissionText(text, "missions/m.toml", overrides);
@@ -159,5 +158,4 @@ TEST(LoadMission, LoadsTheMissionsThatComeWithShoal) {
   }
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::load_test

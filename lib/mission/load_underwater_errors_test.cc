@@ -8,8 +8,7 @@
 
 #include "lib/mission/load_testing.h"
 
-namespace shoal {
-namespace {
+namespace shoal::load_underwater_errors_test {
 
 /// An underwater vehicle and its swarm; what a test appends begins in line 9.
 constexpr std::string_view kSwarm = R"([mission]
@@ -329,5 +328,4 @@ TEST(LoadUnderwaterErrors, TellOfPlumesThatCannotBe) {
             "10:11: unknown contact 'bounce'; one of: ignore, stop\n");
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::load_underwater_errors_test

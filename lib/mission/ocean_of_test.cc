@@ -13,8 +13,7 @@
 #include "lib/geometry/angles.h"
 #include "lib/mission/load.h"
 
-namespace shoal {
-namespace {
+namespace shoal::ocean_of_test {
 
 Current CurrentOf(const CurrentWords& words, uint64_t seed = 1) {
   Environment environment;
@@ -236,5 +235,4 @@ TEST_F(OceanOfFiles, MakesTheSeaOnceForEqualMissionsAndAnewForOthers) {
   EXPECT_EQ(OceanOf(mission)->floor->DepthAt({1, 2}), floor_m);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::ocean_of_test

@@ -5,8 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
-namespace shoal {
-namespace {
+namespace shoal::recorded_mission_test {
 
 namespace fs = std::filesystem;
 
@@ -64,5 +63,4 @@ TEST_F(RecordedMissionTest, SaysWhyItDoesNotLoad) {
   EXPECT_NE(found.errors[0].find("mission.toml:2"), std::string::npos);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::recorded_mission_test

@@ -12,8 +12,7 @@
 #include "lib/mission/load_testing.h"
 #include "lib/mission/mission_draw.h"
 
-namespace shoal {
-namespace {
+namespace shoal::rows_test {
 
 std::string PageOf(const std::string& name) {
   std::ifstream file(std::string(SHOAL_SOURCE_DIR) + "/docs/" + name);
@@ -99,5 +98,4 @@ TEST(VehicleModels, StandInTheDocumentationOfMissionFiles) {
   }
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::rows_test

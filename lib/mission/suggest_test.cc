@@ -6,8 +6,7 @@
 #include <array>
 #include <string>
 
-namespace shoal {
-namespace {
+namespace shoal::suggest_test {
 
 constexpr std::array<std::string_view, 4> kKeys = {"speed_mps", "comms_range", "stale_time",
                                                    "stale_forget_s"};
@@ -53,5 +52,4 @@ TEST(Quoted, DoesNotCutAnUtf8CharacterInTwo) {
             "'" + std::string(59, 'a') + "\xC3\xA9" + "...'");
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::suggest_test

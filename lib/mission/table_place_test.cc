@@ -9,8 +9,7 @@
 #include "lib/mission/parse.h"
 #include "lib/mission/table_reader.h"
 
-namespace shoal {
-namespace {
+namespace shoal::table_place_test {
 
 using Texts = std::vector<std::string>;
 
@@ -86,5 +85,4 @@ TEST(TablePlace, IsUnsoundWhereItsReaderFoundAWrongValue) {
   EXPECT_TRUE(read.file.Below("vehicle", 0).IsSound());
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::table_place_test

@@ -12,8 +12,7 @@
 #include "lib/mission/problems.h"
 #include "lib/mission/table_reader.h"
 
-namespace shoal {
-namespace {
+namespace shoal::table_writer_test {
 
 double ReadBack(const std::string& number) {
   const auto value = ParseTomlValue(number, {});
@@ -94,5 +93,4 @@ TEST(Scalar, ReadsWhateverHasOneValue) {
   EXPECT_NE(ReadBackScalar("2020-01-01").find("not a date or time"), std::string::npos);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::table_writer_test

@@ -7,8 +7,7 @@
 
 #include "lib/mission/load_testing.h"
 
-namespace shoal {
-namespace {
+namespace shoal::validate_acoustic_reports_test {
 
 const std::vector<std::string> kThree = {"alpha", "bravo", "charlie"};
 
@@ -69,5 +68,4 @@ TEST(LoadWarnings, LeaveReportsAloneThatDoNotSpoilEachOther) {
       << "nobody hears the two collide";
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::validate_acoustic_reports_test

@@ -7,8 +7,7 @@
 #include "lib/modem/two_modems.h"
 #include "lib/modem/utc_time.h"
 
-namespace shoal {
-namespace {
+namespace shoal::micromodem_cst_test {
 
 TEST(CstText, HasTheFieldsOfVersion0) {
   const std::string text =
@@ -40,5 +39,4 @@ TEST(CstText, IsAsLongWhateverTheSignalToNoiseRatioIs) {
   }
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::micromodem_cst_test

@@ -9,8 +9,7 @@
 #include "lib/modem/two_modems.h"
 #include "tests/golden/read_golden.h"
 
-namespace shoal {
-namespace {
+namespace shoal::micromodem_dialogue_test {
 
 constexpr int kPorts[] = {62000, 62001};
 
@@ -75,5 +74,4 @@ TEST(MicroModemDialogue, IsTheRecordedOneForAHostThatWaitsForItsAnswers) {
   EXPECT_GT(num_host_lines, 25);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::micromodem_dialogue_test

@@ -4,8 +4,7 @@
 #include "lib/modem/two_modems.h"
 #include "lib/modem/utc_time.h"
 
-namespace shoal {
-namespace {
+namespace shoal::micromodem_host_test {
 
 using Lines = std::vector<std::string>;
 
@@ -278,5 +277,4 @@ TEST(MicroModemTransponders, AreHeardWhereTheyAnswerInTime) {
             (Lines{"SNPNT,26000,5,5,1000,25000,0,0,0,1", "SNTTA,0.2500,0.0,0.0,0.0,000001.00"}));
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::micromodem_host_test

@@ -7,8 +7,7 @@
 
 #include "lib/codec/crc32.h"
 
-namespace shoal {
-namespace {
+namespace shoal::micromodem_packet_test {
 
 using Bytes = std::vector<uint8_t>;
 
@@ -146,5 +145,4 @@ TEST(MicroModemPacket, HasTheBytesThatItsHeaderTells) {
   EXPECT_EQ(EncodeMicroModemPacket({.kind = MicroModemKind::kPing, .destination = 1}).size(), 9U);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::micromodem_packet_test

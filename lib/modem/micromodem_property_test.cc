@@ -5,8 +5,7 @@
 
 #include "lib/modem/two_modems.h"
 
-namespace shoal {
-namespace {
+namespace shoal::micromodem_property_test {
 
 using Bytes = std::vector<uint8_t>;
 
@@ -135,5 +134,4 @@ RC_GTEST_PROP(MicroModemProperty, IsTheSameHoweverOftenItIsAdvanced, ()) {
   RC_ASSERT(told_often == told_seldom);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::micromodem_property_test

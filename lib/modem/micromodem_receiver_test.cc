@@ -4,8 +4,7 @@
 #include "lib/modem/two_modems.h"
 #include "lib/modem/utc_time.h"
 
-namespace shoal {
-namespace {
+namespace shoal::micromodem_receiver_test {
 
 using Lines = std::vector<std::string>;
 
@@ -267,5 +266,4 @@ TEST(MicroModemAir, IsWaitedForByTheNextPacket) {
   EXPECT_EQ(modems.Lines(0, "CAMPR").size(), 4U);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::micromodem_receiver_test

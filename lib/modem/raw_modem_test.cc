@@ -5,8 +5,7 @@
 
 #include <algorithm>
 
-namespace shoal {
-namespace {
+namespace shoal::raw_modem_test {
 
 using Bytes = std::vector<uint8_t>;
 
@@ -79,5 +78,4 @@ RC_GTEST_PROP(RawModemReaderProperty, CountsEachPieceOnceWhateverTheBytesAre,
   for (const Bytes& payload : payloads) RC_ASSERT(!payload.empty() && payload.size() <= 20);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::raw_modem_test

@@ -3,8 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-namespace shoal {
-namespace {
+namespace shoal::sentence_text_test {
 
 TEST(SentenceText, WritesNumbersInTheirWidth) {
   EXPECT_EQ(ZeroPadded(7, 3), "007");
@@ -37,5 +36,4 @@ RC_GTEST_PROP(HexProperty, ComesBackAsItWas, (const std::vector<uint8_t>& bytes)
   RC_ASSERT(ParseHex(HexText(bytes)) == bytes);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::sentence_text_test

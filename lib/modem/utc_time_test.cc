@@ -5,8 +5,7 @@
 
 #include <limits>
 
-namespace shoal {
-namespace {
+namespace shoal::utc_time_test {
 
 constexpr int64_t kSecond_us = 1'000'000;
 
@@ -76,5 +75,4 @@ TEST(IsoTime, IsReadInOneFormOnly) {
   }
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::utc_time_test

@@ -7,8 +7,7 @@
 
 #include "lib/moos/node_report_text.h"
 
-namespace shoal {
-namespace {
+namespace shoal::alog_test {
 
 node_report_t Report(const std::string& name) {
   node_report_t report{};
@@ -50,5 +49,4 @@ TEST(AlogHeader, IsCommentsOnly) {
   EXPECT_NE(header.find("%% LOGSTART        0\n"), std::string::npos);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::alog_test

@@ -7,8 +7,7 @@
 #include <utility>
 #include <vector>
 
-namespace shoal {
-namespace {
+namespace shoal::fields_test {
 
 using Fields = std::vector<MoosField>;
 
@@ -110,5 +109,4 @@ TEST(ParseFields, TakesTimeInProportionToTheLength) {
   EXPECT_LT(ErrorOf(std::string(kSize, 'k')).size(), 300U);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::fields_test

@@ -10,8 +10,7 @@
 
 #include "lib/mission/load.h"
 
-namespace shoal {
-namespace {
+namespace shoal::import_test {
 
 constexpr std::string_view kShore = R"(ServerHost = localhost
 ServerPort = 9000
@@ -278,5 +277,4 @@ RC_GTEST_PROP(ImportMoos, NamesEveryLineThatIsNotEmpty, ()) {
   }
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::import_test

@@ -7,8 +7,7 @@
 
 #include "lib/mission/load.h"
 
-namespace shoal {
-namespace {
+namespace shoal::mission_draft_test {
 
 MissionDraft Loadable() {
   MissionDraft draft("# Preamble\n");
@@ -79,5 +78,4 @@ TEST(MissionDraft, ReportsWhatItCannotFix) {
   EXPECT_TRUE(refused[0].starts_with("the mission needs care: ")) << refused[0];
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::mission_draft_test

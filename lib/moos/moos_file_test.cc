@@ -6,8 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace shoal {
-namespace {
+namespace shoal::moos_file_test {
 
 TEST(ParseMoosFile, FindsGlobalsAndBlocks) {
   const MoosFile file = ParseMoosFile(
@@ -107,5 +106,4 @@ RC_GTEST_PROP(ParseMoosFile, LosesNoLineOfAnyText, ()) {
   RC_ASSERT(num_found == num_lines);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::moos_file_test

@@ -6,8 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace shoal {
-namespace {
+namespace shoal::node_message_text_test {
 
 MoosNodeMessage Parsed(std::string_view text) {
   auto message = ParseNodeMessage(text);
@@ -72,5 +71,4 @@ RC_GTEST_PROP(ParseNodeMessage, GivesBackAnyTextThatAppendFieldWrote, (const std
   RC_ASSERT(message->string_val == value);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::node_message_text_test

@@ -13,8 +13,7 @@
 #include "lib/moos/fields.h"
 #include "lib/moos/numbers.h"
 
-namespace shoal {
-namespace {
+namespace shoal::node_report_text_test {
 
 node_report_t SmallReport() {
   node_report_t report{};
@@ -138,5 +137,4 @@ RC_GTEST_PROP(FormatNodeReport, IsReadBackFieldByFieldWhateverTheTextsHold, ()) 
   }
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::node_report_text_test

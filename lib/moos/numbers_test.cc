@@ -10,8 +10,7 @@
 #include <string>
 #include <system_error>
 
-namespace shoal {
-namespace {
+namespace shoal::numbers_test {
 
 constexpr int64_t kMin = std::numeric_limits<int64_t>::min();
 constexpr int64_t kMax = std::numeric_limits<int64_t>::max();
@@ -54,5 +53,4 @@ TEST(ParseNumber, RefusesWhatIsNoFiniteNumber) {
   EXPECT_EQ(ParseNumber(" +1.5\t"), std::optional(1.5));
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::numbers_test

@@ -9,8 +9,7 @@
 #include "lib/netsim/test_netsim.h"
 #include "tests/golden/read_golden.h"
 
-namespace shoal {
-namespace {
+namespace shoal::gprmc_test {
 
 /// The time that a recorded sentence was made at, from its own fields.
 int64_t UnixTime_us(const std::string& sentence) {
@@ -86,5 +85,4 @@ RC_GTEST_PROP(GprmcSentence, GivesThePlaceToAFewDecimetres, ()) {
   RC_ASSERT(std::abs(degrees(4, 3, "W") - nav.lon_deg) < 2e-6);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::gprmc_test

@@ -5,8 +5,7 @@
 
 #include <vector>
 
-namespace shoal {
-namespace {
+namespace shoal::line_framer_test {
 
 using Lines = std::vector<std::string>;
 
@@ -71,5 +70,4 @@ RC_GTEST_PROP(LineFramer, GivesTheSameLinesInWhateverPieces, ()) {
   RC_ASSERT(Frame(pieces) == Frame({text}));
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::line_framer_test

@@ -6,8 +6,7 @@
 
 #include "lib/netsim/test_netsim.h"
 
-namespace shoal {
-namespace {
+namespace shoal::netsim_answer_test {
 
 const std::string kFront = "NETSIM|netsim.protobuf.NetSimManagerResponse|";
 
@@ -98,5 +97,4 @@ TEST(NetsimCounts, CountEachOutcome) {
   EXPECT_EQ(counts.Of(NetsimOutcome::kUndecodable), 0);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::netsim_answer_test

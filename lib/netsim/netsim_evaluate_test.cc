@@ -8,8 +8,7 @@
 
 #include "lib/netsim/test_netsim.h"
 
-namespace shoal {
-namespace {
+namespace shoal::netsim_evaluate_test {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
@@ -153,5 +152,4 @@ RC_GTEST_PROP(EvaluateRequest, AcceptsAllUpToTheFirstThatFails, ()) {
   RC_ASSERT((verdict.status == NetsimStatus::kAccepted) == (num_right == navs.size()));
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::netsim_evaluate_test

@@ -6,8 +6,7 @@
 
 #include "lib/netsim/test_netsim.h"
 
-namespace shoal {
-namespace {
+namespace shoal::netsim_options_test {
 
 /// "where.key" of each problem.
 std::vector<std::string> Problems(const NetsimOptions& options) {
@@ -96,5 +95,4 @@ TEST(NetsimOptions, WantLimitsThatLetSomeoneIn) {
             (Places{"netsim.max_connections", "netsim.max_line_bytes", "netsim.idle_timeout_s"}));
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::netsim_options_test

@@ -6,8 +6,7 @@
 
 #include "lib/netsim/test_netsim.h"
 
-namespace shoal {
-namespace {
+namespace shoal::netsim_wire_test {
 
 /// The request of netsim's documentation, without its end.
 const std::string kExample =
@@ -142,5 +141,4 @@ TEST(ResponseLine, IsOneLineOfBothFields) {
   EXPECT_EQ(ResponseLine(-1, NetsimStatus::kOutOfDefinedRegion), front + "CP///////////wEQBA==\n");
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::netsim_wire_test

@@ -12,8 +12,7 @@
 #include "lib/ocean/distribution_testing.h"
 #include "tests/golden/read_golden.h"
 
-namespace shoal {
-namespace {
+namespace shoal::current_test {
 
 CurrentParams Swinging(double deviation_mps, double half_period_s) {
   return {.speed_mps = {1, deviation_mps, half_period_s}, .direction_rad = {0.5, 0.2, 7}};
@@ -188,5 +187,4 @@ TEST(CurrentParameters, ThatAreNonsenseAreFound) {
   EXPECT_FALSE(IsCurrent(params));
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::current_test

@@ -8,8 +8,7 @@
 
 #include "lib/ocean/distribution_testing.h"
 
-namespace shoal {
-namespace {
+namespace shoal::current_zones_test {
 
 TEST(CurrentZones, HaveTheNumbersOfMunet) {
   EXPECT_EQ(FindZone(CurrentSpeedZones(), "typical")->range.low, 0.05);
@@ -99,5 +98,4 @@ TEST(DrawnCurrent, IsUniformInItsRange) {
             kKolmogorov999);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::current_zones_test

@@ -10,8 +10,7 @@
 
 #include "lib/ocean/sea_floor.h"
 
-namespace shoal {
-namespace {
+namespace shoal::depth_grid_test {
 
 // 30 40 50     in the North
 // 10 20 60     in the South
@@ -81,5 +80,4 @@ TEST(SeaFloor, IsDeepByDefaultAndSharesItsGrid) {
   EXPECT_EQ(grid.use_count(), 3);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::depth_grid_test

@@ -8,8 +8,7 @@
 #include <limits>
 #include <string>
 
-namespace shoal {
-namespace {
+namespace shoal::esri_grid_test {
 
 constexpr const char* kHeader = "ncols 3\nnrows 2\nxllcorner 500\nyllcorner 6000\ncellsize 10\n";
 const std::string kGood = std::string(kHeader) + "-30 -40 -50\n-10 -20 -60\n";
@@ -134,5 +133,4 @@ RC_GTEST_PROP(EsriGrid, SurvivesAnyDamage, ()) {
   RC_ASSERT(depth_m <= 20'000);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::esri_grid_test

@@ -9,8 +9,7 @@
 #include "lib/ocean/noise_floor.h"
 #include "tests/golden/read_golden.h"
 
-namespace shoal {
-namespace {
+namespace shoal::floor_golden_test {
 
 struct GoldenFloor {
   NoiseFloorOptions options;
@@ -90,5 +89,4 @@ TEST(GoldenFloor, FindsMunetsBoundsOnAMapOf1000Metres) {
   EXPECT_NEAR(floor.bounds().span, given.bounds.span, 1e-12);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::floor_golden_test

@@ -9,8 +9,7 @@
 #include <cmath>
 #include <limits>
 
-namespace shoal {
-namespace {
+namespace shoal::noise_floor_test {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
@@ -155,5 +154,4 @@ TEST(NoiseFloorOptions, ThatAreNonsenseAreFound) {
   EXPECT_FALSE(IsNoiseFloor(options));
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::noise_floor_test

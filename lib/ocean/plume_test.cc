@@ -10,8 +10,7 @@
 #include "lib/geometry/angles.h"
 #include "tests/golden/read_golden.h"
 
-namespace shoal {
-namespace {
+namespace shoal::plume_test {
 
 TEST(Plume, IsThatOfMunet) {
   for (const GoldenRow& row : ReadGoldenCsv("munet/pollution_plume.csv")) {
@@ -97,5 +96,4 @@ TEST(PlumeParameters, ThatAreNonsenseAreFound) {
   }
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::plume_test

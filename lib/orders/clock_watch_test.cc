@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace shoal {
-namespace {
+namespace shoal::clock_watch_test {
 
 clock_command_t Command(const std::string& word, double warp = 0) {
   clock_command_t command{};
@@ -67,5 +66,4 @@ TEST(ClockText, StatesWhatTheClockDoes) {
   EXPECT_EQ(ClockText(state), "ga?[2Jthering at 12.3 s");
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::clock_watch_test

@@ -8,8 +8,7 @@
 #include "lib/bus/memory_bus.h"
 #include "lib/run/appcast.h"
 
-namespace shoal {
-namespace {
+namespace shoal::command_desk_test {
 
 using Words = std::vector<std::string>;
 
@@ -288,5 +287,4 @@ TEST_F(Desk, RemembersTheLastTwentyOnly) {
   EXPECT_EQ(StateOf(records.front().id), "sent");
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::command_desk_test

@@ -5,8 +5,7 @@
 #include "lib/bus/channels.h"
 #include "lib/bus/memory_bus.h"
 
-namespace shoal {
-namespace {
+namespace shoal::order_test {
 
 using Words = std::vector<std::string>;
 const OrderScope kScope = {.mission = "berta", .vehicles = {"alpha", "Bravo"}};
@@ -84,5 +83,4 @@ TEST(Publish, SendsAnOrderToEachThatItIsFor) {
             "SIM_COMMAND_ALPHA UNC_COMMS_RANGE ");
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::order_test

@@ -4,8 +4,7 @@
 
 #include "lib/run/appcast.h"
 
-namespace shoal {
-namespace {
+namespace shoal::order_watch_test {
 
 constexpr int64_t kSecond_us = 1'000'000;
 
@@ -159,5 +158,4 @@ TEST(OrderWatch, SurvivesPagesThatNoAppWrites) {
   }
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::order_watch_test

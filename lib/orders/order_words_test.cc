@@ -5,8 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace shoal {
-namespace {
+namespace shoal::order_words_test {
 
 using Words = std::vector<std::string>;
 
@@ -131,5 +130,4 @@ TEST(SendCommandsText, ListsEveryRule) {
   EXPECT_NE(text.find("  clock pause "), std::string::npos);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::order_words_test

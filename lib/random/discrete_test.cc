@@ -9,8 +9,7 @@
 
 #include "lib/random/stream.h"
 
-namespace shoal {
-namespace {
+namespace shoal::discrete_test {
 
 constexpr int kDraws = 20'000;
 
@@ -107,5 +106,4 @@ TEST(Poisson, OfMeanZeroIsZero) {
   EXPECT_EQ(DrawPoisson(0, &stream), 0);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::discrete_test

@@ -11,8 +11,7 @@
 
 #include "lib/random/philox.h"
 
-namespace shoal {
-namespace {
+namespace shoal::stream_test {
 
 // Vectors of Random123's kat_vectors, philox4x32 with 10 rounds.
 TEST(Philox, GivesThePublishedAnswers) {
@@ -141,5 +140,4 @@ RC_GTEST_PROP(UniformInt, StaysBelowItsBound, (uint64_t seed, uint64_t bound)) {
   RC_ASSERT(stream.UniformInt(bound) < bound);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::stream_test

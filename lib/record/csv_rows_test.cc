@@ -8,8 +8,7 @@
 #include <sstream>
 #include <utility>
 
-namespace shoal {
-namespace {
+namespace shoal::csv_rows_test {
 
 /// Writes members of a message as LCM does.
 class Wire {
@@ -211,5 +210,4 @@ TEST(AppendCsvCell, QuotesAsRfc4180Asks) {
   EXPECT_EQ(cell("two\nlines"), "\"two\nlines\"");
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::csv_rows_test

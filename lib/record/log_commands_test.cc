@@ -11,8 +11,7 @@
 #include "lib/record/test_log.h"
 #include "lib/schema/schema.h"
 
-namespace shoal {
-namespace {
+namespace shoal::log_commands_test {
 
 Bytes Desired(int64_t utime, double heading_deg) {
   desired_t desired{};
@@ -338,5 +337,4 @@ TEST_F(LogCsv_, SaysWhatItCannotWrite) {
   EXPECT_NE(err_.str().find("cannot make /dev/null/x"), std::string::npos);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::log_commands_test

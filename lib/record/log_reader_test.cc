@@ -8,8 +8,7 @@
 
 #include "lib/record/test_log.h"
 
-namespace shoal {
-namespace {
+namespace shoal::log_reader_test {
 
 /// What a reader finds in a file: the channels of the events, "!" for each skipped damage, and the
 /// error.
@@ -247,5 +246,4 @@ RC_GTEST_PROP(LogReader, EndsWhateverTheBytesAndSkipsNoneUntold, ()) {
   RC_ASSERT(total == bytes.size());
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::log_reader_test

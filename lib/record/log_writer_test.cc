@@ -9,8 +9,7 @@
 #include "lib/record/log_reader.h"
 #include "lib/record/test_log.h"
 
-namespace shoal {
-namespace {
+namespace shoal::log_writer_test {
 
 TEST(LogWriter, WritesTheBytesOfTheLcmEventLog) {
   const TestDirectory directory;
@@ -138,5 +137,4 @@ TEST(LogWriter, DropsAndCountsWhatTheFormatCannotHold) {
   EXPECT_FALSE(reader->Next());
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::log_writer_test

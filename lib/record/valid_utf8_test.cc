@@ -3,8 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-namespace shoal {
-namespace {
+namespace shoal::valid_utf8_test {
 
 const std::string kMark = "\xEF\xBF\xBD";
 
@@ -30,5 +29,4 @@ RC_GTEST_PROP(ValidUtf8, MakesTextOfAnyBytes, (const std::string& bytes)) {
   RC_ASSERT(ValidUtf8(valid) == valid);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::valid_utf8_test

@@ -8,8 +8,7 @@
 #include "lib/routing/random_traffic.h"
 #include "lib/routing/test_fleet.h"
 
-namespace shoal {
-namespace {
+namespace shoal::acoustic_routing_test {
 
 Fates SendPacket(TestFleet* fleet, std::string_view source, int64_t length_bytes = 10,
                  bool is_sound = true) {
@@ -199,5 +198,4 @@ RC_GTEST_PROP(OverTheWater, FatesAndWhatIsInTransitAreWhatWasOffered, (uint64_t 
   }
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::acoustic_routing_test

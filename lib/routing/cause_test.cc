@@ -9,8 +9,7 @@
 #include "lib/routing/decide.h"
 #include "lib/routing/fate.h"
 
-namespace shoal {
-namespace {
+namespace shoal::cause_test {
 
 constexpr Kind kKinds[] = {Kind::kReport, Kind::kMessage, Kind::kAck, Kind::kPacket};
 
@@ -80,5 +79,4 @@ TEST(Causes, StateWhatReachesTheDestination) {
   EXPECT_FALSE(IsReceived(Cause::kRejected));
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::cause_test

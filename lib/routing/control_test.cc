@@ -9,8 +9,7 @@
 #include <set>
 #include <string>
 
-namespace shoal {
-namespace {
+namespace shoal::control_test {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -162,5 +161,4 @@ RC_GTEST_PROP(ControlWords, AreReadBackAsTheSameNumber, (double value)) {
   }
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::control_test

@@ -8,8 +8,7 @@
 
 #include "lib/routing/test_fleet.h"
 
-namespace shoal {
-namespace {
+namespace shoal::destinations_test {
 
 using Names = std::vector<std::string>;
 
@@ -158,5 +157,4 @@ TEST(Destinations, AreRefusedOneByOneWhereTheWholeMessageIs) {
   EXPECT_EQ(fates.at("dory").cause, Cause::kUnknownSource);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::destinations_test

@@ -9,8 +9,7 @@
 
 #include "lib/routing/test_fleet.h"
 
-namespace shoal {
-namespace {
+namespace shoal::drop_percentage_test {
 
 TestFleet MakeFleet(double drop_percentage, uint64_t seed = 1,
                     const std::vector<std::string>& vehicles = {"alpha", "bravo", "charlie"}) {
@@ -128,5 +127,4 @@ TEST(DropPercentage, RaisedNeverSavesWhatWasLost) {
   for (size_t i = 0; i < lost_at_20.size(); ++i) EXPECT_LE(lost_at_20[i], lost_at_60[i]) << i;
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::drop_percentage_test

@@ -10,8 +10,7 @@
 #include "lib/routing/random_traffic.h"
 #include "lib/routing/test_fleet.h"
 
-namespace shoal {
-namespace {
+namespace shoal::far_together_test {
 
 RoutingRules Together(int64_t each_fate_up_to) {
   RoutingRules rules;
@@ -185,5 +184,4 @@ RC_GTEST_PROP(FarTogether, ChangesNoFateThatIsListedAndNoSum, (uint64_t seed)) {
   for (int i = 0; i < steps; ++i) pair.Step();
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::far_together_test

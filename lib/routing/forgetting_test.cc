@@ -5,8 +5,7 @@
 
 #include "lib/routing/test_fleet.h"
 
-namespace shoal {
-namespace {
+namespace shoal::forgetting_test {
 
 RoutingRules ForgetAfter(double stale_forget_s) {
   RoutingRules rules;
@@ -192,5 +191,4 @@ TEST(Strangers, InAPlaceThatWasAnothersInheritNothing) {
       << "alpha asked for the report of who had this place before";
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::forgetting_test

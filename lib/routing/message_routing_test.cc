@@ -7,8 +7,7 @@
 
 #include "lib/routing/test_fleet.h"
 
-namespace shoal {
-namespace {
+namespace shoal::message_routing_test {
 
 /// alpha, bravo and charlie within 50 m of each other, all fresh and never stale.
 TestFleet MakeFleet(double min_msg_interval_s = -1) {
@@ -226,5 +225,4 @@ TEST(Acks, NeedBothEndsKnownAndDifferent) {
   EXPECT_EQ(Total(fleet.router.counts(Kind::kAck)), 9);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::message_routing_test

@@ -6,8 +6,7 @@
 
 #include "lib/routing/test_decide.h"
 
-namespace shoal {
-namespace {
+namespace shoal::range_rules_test {
 
 constexpr int64_t kNow = 1'000'000'000;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -241,5 +240,4 @@ TEST(StaleTime, AlwaysHoldsWhereZero) {
   EXPECT_TRUE(IsStale(rules, kNow, kNow));
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::range_rules_test

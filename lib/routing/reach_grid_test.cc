@@ -10,8 +10,7 @@
 
 #include "lib/routing/random_traffic.h"
 
-namespace shoal {
-namespace {
+namespace shoal::reach_grid_test {
 
 constexpr double kLargest = std::numeric_limits<double>::max();
 
@@ -114,5 +113,4 @@ RC_GTEST_PROP(ReachGrid, NeverMissesWhoIsInReach, (uint64_t seed)) {
   }
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::reach_grid_test

@@ -7,8 +7,7 @@
 
 #include "lib/routing/test_fleet.h"
 
-namespace shoal {
-namespace {
+namespace shoal::report_routing_test {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -269,5 +268,4 @@ TEST(FullReportRequest, IsRefusedForWhoIsNeitherKnownNorOfTheMission) {
   EXPECT_TRUE(fleet.router.RequestFullReports("nemo"));
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::report_routing_test

@@ -8,8 +8,7 @@
 #include "lib/routing/random_traffic.h"
 #include "lib/routing/router.h"
 
-namespace shoal {
-namespace {
+namespace shoal::router_oracle_test {
 
 using oracle::Fate;
 using oracle::Oracle;
@@ -146,5 +145,4 @@ TEST(Router, AgreesWithAnOracleOverAHundredThousandRandomSteps) {
   }
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::router_oracle_test

@@ -11,8 +11,7 @@
 #include "lib/routing/random_traffic.h"
 #include "lib/routing/test_fleet.h"
 
-namespace shoal {
-namespace {
+namespace shoal::router_properties_test {
 
 const std::vector<std::string> kMission = {"alpha", "bravo", "charlie"};
 const std::vector<std::string> kNames = {"alpha", "bravo", "charlie", "nemo", "dory"};
@@ -239,5 +238,4 @@ RC_GTEST_PROP(Forgetting, LeavesNoTraceInWhatBecomesOfLaterTraffic, (uint64_t se
   RC_ASSERT(AfterNemoIsForgotten(seed, true) == AfterNemoIsForgotten(seed, false));
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::router_properties_test

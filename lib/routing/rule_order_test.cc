@@ -7,8 +7,7 @@
 
 #include "lib/routing/test_decide.h"
 
-namespace shoal {
-namespace {
+namespace shoal::rule_order_test {
 
 constexpr int64_t kNow = 1'000'000'000;
 
@@ -148,5 +147,4 @@ TEST(Groups, DoNotTouchMessagesAndMsgGroupsDoNotTouchReports) {
   EXPECT_EQ(DecideReport(rules, sent, receiver, kNever, false, kNow).cause, Cause::kDelivered);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::rule_order_test

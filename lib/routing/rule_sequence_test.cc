@@ -6,8 +6,7 @@
 
 #include <vector>
 
-namespace shoal {
-namespace {
+namespace shoal::rule_sequence_test {
 
 struct StopsFar {
   static constexpr Cause kCause = Cause::kOutOfRange;
@@ -108,5 +107,4 @@ TEST(RuleSequence, DecidesByTheFirstRuleThatStopsOrDelivers) {
   EXPECT_EQ(cause_at(10), Cause::kOtherGroup);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::rule_sequence_test

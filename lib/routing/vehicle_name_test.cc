@@ -4,8 +4,7 @@
 
 #include <string>
 
-namespace shoal {
-namespace {
+namespace shoal::vehicle_name_test {
 
 TEST(VehicleName, MayHaveLettersDigitsAndUnderscores) {
   EXPECT_TRUE(IsLegalVehicleName("a"));
@@ -32,5 +31,4 @@ TEST(VehicleName, MayNotBeAReservedWordInAnyCase) {
 
 TEST(VehicleKey, IsOneForAllSpellings) { EXPECT_EQ(VehicleKey("Alpha_B"), VehicleKey("aLPHA_b")); }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::vehicle_name_test

@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace shoal {
-namespace {
+namespace shoal::round_size_test {
 
 TEST(RoundSize, IsLargeBeforeAnythingIsKnown) { EXPECT_EQ(RoundSize().most(), RoundSize::kMost); }
 
@@ -44,5 +43,4 @@ TEST(RoundSize, LearnsNothingFromAnEmptyRound) {
   EXPECT_EQ(size.most(), RoundSize::kMost);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::round_size_test

@@ -13,8 +13,7 @@
 #include "lib/run/fake_network.h"
 #include "shoal/clock_state_t.hpp"
 
-namespace shoal {
-namespace {
+namespace shoal::step_clock_test {
 
 constexpr int64_t kMissionId = 4711;
 constexpr int64_t kTick_us = 100'000;
@@ -241,5 +240,4 @@ TEST(StepClock, BlamesWhoOwesAnAnswerAlsoWhilePaused) {
   EXPECT_EQ(alone.clock.Silent(alone.now), std::vector<std::string>{"a"});
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::step_clock_test

@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace shoal {
-namespace {
+namespace shoal::step_inbox_test {
 
 constexpr int64_t kMissionId = 99;
 
@@ -115,5 +114,4 @@ TEST(StepInbox, StoresNothingForStepsFarAhead) {
   EXPECT_EQ(inbox.counters().late, 1);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::step_inbox_test

@@ -4,8 +4,7 @@
 
 #include <string>
 
-namespace shoal {
-namespace {
+namespace shoal::step_pace_test {
 
 constexpr int64_t kPaceTick_us = 100'000;
 
@@ -100,5 +99,4 @@ TEST(StepPace, RefusesWhatItCannotDo) {
   EXPECT_EQ(pace.warp(), 1);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::step_pace_test

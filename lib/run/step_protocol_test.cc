@@ -11,8 +11,7 @@
 #include "lib/run/step_clock.h"
 #include "lib/run/step_participant.h"
 
-namespace shoal {
-namespace {
+namespace shoal::step_protocol_test {
 
 constexpr int64_t kMissionId = 4711;
 constexpr int64_t kLastStep = 40;
@@ -409,5 +408,4 @@ TEST(StepProtocol, EndsEarlyWhenAskedAndStillCloses) {
   EXPECT_LT(outcome.wall_us, 1'000'000);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::step_protocol_test

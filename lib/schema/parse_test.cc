@@ -3,8 +3,7 @@
 
 #include "lib/schema/schema.h"
 
-namespace shoal {
-namespace {
+namespace shoal::parse_test {
 
 std::string ErrorOf(const std::string& text) {
   const auto parsed = ParseLcm({.file = "a.lcm", .text = text});
@@ -85,5 +84,4 @@ RC_GTEST_PROP(ParseLcm, EndsWhateverTheText, ()) {
   if (!parsed.ok()) RC_ASSERT(parsed.error().starts_with("a.lcm:"));
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::parse_test

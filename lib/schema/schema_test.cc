@@ -54,8 +54,7 @@
 #include "shoal_test/deep/shapes_t.hpp"
 #include "shoal_test/deep/tree_t.hpp"
 
-namespace shoal {
-namespace {
+namespace shoal::schema_test {
 
 std::string FileText(const std::string& path) {
   std::ostringstream text;
@@ -181,5 +180,4 @@ TEST(Schema, SurvivesSizesBeyondAllMeasure) {
             "");
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::schema_test

@@ -9,8 +9,7 @@
 #include "lcmtypes/lcm_sources.h"
 #include "shoal/comms_fates_t.hpp"
 
-namespace shoal {
-namespace {
+namespace shoal::text_test {
 
 std::string Text(const Scalar& value) {
   std::string text;
@@ -101,5 +100,4 @@ TEST(MessageText, ShowsEmptyArraysAndAllMembersButTheOneToSkip) {
   EXPECT_EQ(TextOf(fates, "fates"), "utime=5");
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::text_test

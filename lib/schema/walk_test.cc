@@ -10,8 +10,7 @@
 #include "shoal_test/deep/shapes_t.hpp"
 #include "shoal_test/deep/tree_t.hpp"
 
-namespace shoal {
-namespace {
+namespace shoal::walk_test {
 
 using shoal_test::deep::shapes_t;
 using shoal_test::deep::tree_t;
@@ -220,5 +219,4 @@ RC_GTEST_PROP(Walk, EndsWhateverTheBytes, (Bytes bytes)) {
             Walk(TestSchema(), type, bytes, &ignored).has_value());
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::walk_test

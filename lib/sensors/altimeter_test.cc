@@ -9,8 +9,7 @@
 
 #include "lib/ocean/distribution_testing.h"
 
-namespace shoal {
-namespace {
+namespace shoal::altimeter_test {
 
 TEST(Altimeter, ReturnsTheTrueDistanceWithoutNoise) {
   EXPECT_EQ(MeasureAltitude({}, FlatFloor(60), {5, 6, 45}, 0), 15.0);
@@ -62,5 +61,4 @@ RC_GTEST_PROP(Altimeter, ReadsWithinItsRange, ()) {
   RC_ASSERT(*reading <= 50);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::altimeter_test

@@ -7,8 +7,7 @@
 
 #include "lib/ocean/distribution_testing.h"
 
-namespace shoal {
-namespace {
+namespace shoal::current_meter_test {
 
 const Current kEastward({.speed_mps = {0.4}}, StreamKey(1, "current"));
 
@@ -41,5 +40,4 @@ TEST(CurrentMeter, HasTheSameNoiseForTheSameMeasurementOnly) {
   EXPECT_NE(MeasureCurrent(meter, kEastward, 12, 5), MeasureCurrent(meter, kEastward, 12, 6));
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::current_meter_test

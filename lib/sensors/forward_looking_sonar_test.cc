@@ -10,8 +10,7 @@
 #include "lib/ocean/distribution_testing.h"
 #include "tests/golden/read_golden.h"
 
-namespace shoal {
-namespace {
+namespace shoal::forward_looking_sonar_test {
 
 Eigen::Vector3d ReadVector(const nlohmann::json& values) {
   return {values[0].get<double>(), values[1].get<double>(), values[2].get<double>()};
@@ -202,5 +201,4 @@ TEST(SonarParameters, ThatAreNonsenseAreFound) {
   EXPECT_FALSE(IsSonar(params));
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::forward_looking_sonar_test

@@ -6,8 +6,7 @@
 
 #include "tests/golden/read_swarm_golden.h"
 
-namespace shoal {
-namespace {
+namespace shoal::field_checks_test {
 
 constexpr FieldLimits kLimits;
 constexpr int64_t kNow_us = 16'020'000;
@@ -107,5 +106,4 @@ TEST(ResponseStartCheck, TakesALateStartIfTheMissionAllowsIt) {
   EXPECT_EQ(CheckResponseStart(14.01, kNow_us, lenient), FieldFault::kInThePast);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::field_checks_test

@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace shoal {
-namespace {
+namespace shoal::group_state_test {
 
 constexpr int64_t kSecond_us = 1'000'000;
 
@@ -134,5 +133,4 @@ TEST(GroupState, FindsItsMembersOnly) {
   EXPECT_EQ(FindMember(state, -1), nullptr);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::group_state_test

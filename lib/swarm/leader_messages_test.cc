@@ -5,8 +5,7 @@
 #include "lib/swarm/leader_message.h"
 #include "tests/golden/read_golden.h"
 
-namespace shoal {
-namespace {
+namespace shoal::leader_messages_test {
 
 Eigen::Vector3f VectorOf(const nlohmann::json& numbers) {
   return {numbers[0].get<float>(), numbers[1].get<float>(), numbers[2].get<float>()};
@@ -129,5 +128,4 @@ RC_GTEST_PROP(AnySwarmMessage, AnyBytesReadAreWrittenAgain, (std::vector<uint8_t
   RC_ASSERT(std::visit(Write{}, *message) == bytes);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::leader_messages_test

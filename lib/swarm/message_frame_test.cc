@@ -3,8 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-namespace shoal {
-namespace {
+namespace shoal::message_frame_test {
 
 const std::vector<uint8_t> kMessage = {'1', '2', '3', '4', '5', '6', '7'};
 
@@ -70,5 +69,4 @@ TEST(FrameCount, TakesANumberThatGoesBackForASenderThatBeganAgain) {
   EXPECT_EQ(count.repeated, 0);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::message_frame_test

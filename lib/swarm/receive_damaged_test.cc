@@ -5,8 +5,7 @@
 
 #include "lib/swarm/test_group.h"
 
-namespace shoal {
-namespace {
+namespace shoal::receive_damaged_test {
 
 using enum RecoveryStrategy;
 
@@ -196,5 +195,4 @@ TEST(Sentinel, InTheTimesOfAnswersAsksForNone) {
   }
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::receive_damaged_test

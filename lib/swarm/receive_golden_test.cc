@@ -7,8 +7,7 @@
 #include "lib/swarm/swarm_receiver.h"
 #include "tests/golden/read_swarm_golden.h"
 
-namespace shoal {
-namespace {
+namespace shoal::receive_golden_test {
 
 using Json = nlohmann::json;
 
@@ -118,5 +117,4 @@ TEST(Receive, HasTheEffectsOfMuNetsHandlers) {
   EXPECT_GE(num_of[ReceptionResult::kRejected], 7);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::receive_golden_test

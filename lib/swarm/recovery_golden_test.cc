@@ -6,8 +6,7 @@
 #include "lib/swarm/recovery.h"
 #include "tests/golden/read_swarm_golden.h"
 
-namespace shoal {
-namespace {
+namespace shoal::recovery_golden_test {
 
 using Json = nlohmann::json;
 
@@ -148,5 +147,4 @@ TEST(Recovery, AgreesWithTheDocumentationOfMuNet) {
   EXPECT_EQ(num_checked, static_cast<int>(golden["cases"].size()) - 2);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::recovery_golden_test

@@ -9,8 +9,7 @@
 #include "lib/swarm/broadcast_message.h"
 #include "lib/swarm/test_group.h"
 
-namespace shoal {
-namespace {
+namespace shoal::recovery_test {
 
 using enum RecoveryStrategy;
 
@@ -156,5 +155,4 @@ TEST(Recover, DropsTheMessageWithoutAnyStrategyOrBySkip) {
   EXPECT_FALSE(Recover(plan, damaged, {state, {}, kTestNow_us}));
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::recovery_test

@@ -8,8 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-namespace shoal {
-namespace {
+namespace shoal::report_message_test {
 
 nlohmann::json Golden() {
   std::ifstream in(SHOAL_SOURCE_DIR "/tests/golden/munet/message_encodings.json");
@@ -72,5 +71,4 @@ RC_GTEST_PROP(ReportMessage, AnyBytesReadAreWrittenAgain, (std::vector<uint8_t> 
   RC_ASSERT(EncodeReport(*report) == bytes);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::report_message_test

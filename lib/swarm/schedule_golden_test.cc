@@ -16,8 +16,7 @@
 #include "lib/swarm/slot_timing.h"
 #include "tests/golden/read_golden.h"
 
-namespace shoal {
-namespace {
+namespace shoal::schedule_golden_test {
 
 using Json = nlohmann::json;
 /// When each member spoke, by its id.
@@ -234,5 +233,4 @@ TEST(TdmaLfGolden, IsThatOfAWholeSimulationWhoseRequestsComeLate) {
   EXPECT_EQ(exact, golden);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::schedule_golden_test

@@ -5,8 +5,7 @@
 
 #include <algorithm>
 
-namespace shoal {
-namespace {
+namespace shoal::schedule_repair_test {
 
 using Ids = std::vector<int64_t>;
 
@@ -57,5 +56,4 @@ RC_GTEST_PROP(ScheduleRepair, GivesEachIdOfTheReferenceOnce, ()) {
   RC_ASSERT(*repaired == expected);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::schedule_repair_test

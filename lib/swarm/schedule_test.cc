@@ -6,8 +6,7 @@
 #include <climits>
 #include <vector>
 
-namespace shoal {
-namespace {
+namespace shoal::schedule_test {
 
 constexpr int64_t kTick_us = 100'000;
 constexpr SwarmPlace kLeader = {.is_leader = true};
@@ -233,5 +232,4 @@ RC_GTEST_PROP(SwarmSchedule, BeginsAtItsPlaceAndLeavesNoSlotOut, ()) {
   }
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::schedule_test

@@ -8,8 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace shoal {
-namespace {
+namespace shoal::slot_timing_test {
 
 constexpr int64_t kTick_us = 100'000;
 
@@ -192,5 +191,4 @@ RC_GTEST_PROP(TimingProblems, AreFixedByAllRemediesTogether, ()) {
   RC_ASSERT(MessagesOf(FindTimingProblems(plan, air)) == kNothing);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::slot_timing_test

@@ -12,8 +12,7 @@
 
 #include "lib/swarm/slot_timing.h"
 
-namespace shoal {
-namespace {
+namespace shoal::slots_apart_test {
 
 /// A message at a receiver, in microseconds.
 struct ReceivedSignal {
@@ -175,5 +174,4 @@ TEST(MuNetsDefaults, LetTheMessagesOfNineFollowersOverlap) {
   EXPECT_GT(play.NumOverlaps(), 0);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::slots_apart_test

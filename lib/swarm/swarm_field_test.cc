@@ -5,8 +5,7 @@
 #include "lib/swarm/recovery.h"
 #include "tests/golden/read_swarm_golden.h"
 
-namespace shoal {
-namespace {
+namespace shoal::swarm_field_test {
 
 TEST(SwarmField, HasTheNameOfTheSpecification) {
   EXPECT_EQ(NameOf(SwarmField::kType), "type");
@@ -37,5 +36,4 @@ TEST(RecoveryPlan, IsMuNetsUnlessTheMissionHasAnother) {
   }
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::swarm_field_test

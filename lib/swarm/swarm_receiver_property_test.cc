@@ -5,8 +5,7 @@
 
 #include "lib/swarm/test_group.h"
 
-namespace shoal {
-namespace {
+namespace shoal::swarm_receiver_property_test {
 
 bool IsFinite(const Motion& motion) {
   return motion.position_m.allFinite() && motion.velocity_mps.allFinite();
@@ -114,5 +113,4 @@ RC_GTEST_PROP(SwarmReceiver, GivesTheSameForTheSame, ()) {
   RC_ASSERT(one.counts == other.counts);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::swarm_receiver_property_test

@@ -7,8 +7,7 @@
 
 #include "lib/swarm/test_group.h"
 
-namespace shoal {
-namespace {
+namespace shoal::swarm_receiver_test {
 
 using enum RecoveryStrategy;
 
@@ -190,5 +189,4 @@ TEST(RejectReason, HasAText) {
   EXPECT_EQ(texts.size(), kNumRejectReasons);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::swarm_receiver_test

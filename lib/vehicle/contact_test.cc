@@ -4,8 +4,7 @@
 
 #include <limits>
 
-namespace shoal {
-namespace {
+namespace shoal::contact_test {
 
 const Eigen::Vector3d kHere_m(20000, -20000, 30);
 
@@ -34,5 +33,4 @@ TEST(Contact, IsNotMadeByPositionsThatAreNoNumbers) {
   }
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::contact_test

@@ -11,8 +11,7 @@
 #include "lib/vehicle/remus100_params.h"
 #include "tests/golden/read_golden.h"
 
-namespace shoal {
-namespace {
+namespace shoal::hydrodynamics_test {
 
 constexpr double kRho = 1026;
 constexpr double kCd = 1.2;
@@ -183,5 +182,4 @@ TEST(SubmergedShare, GrowsSmoothlyFromNoneToAllAcrossTheSurface) {
               kPi * h * h * (3 * r - h) / 3 / (4.0 / 3.0 * kPi * r * r * r), 1e-12);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::hydrodynamics_test

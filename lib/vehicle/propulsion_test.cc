@@ -7,8 +7,7 @@
 
 #include "tests/golden/read_golden.h"
 
-namespace shoal {
-namespace {
+namespace shoal::propulsion_test {
 
 constexpr double kRho = 1026;
 
@@ -77,5 +76,4 @@ TEST(MunetSpeedMaps, AgreeWithTheDragBalanceAtCruisingSpeeds) {
   }
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::propulsion_test

@@ -7,8 +7,7 @@
 
 #include "lib/vehicle/remus100.h"
 
-namespace shoal {
-namespace {
+namespace shoal::remus100_balance_test {
 
 constexpr double kStep_s = 0.02;
 constexpr const char* kSets[] = {"default", "munet", "fossen"};
@@ -137,5 +136,4 @@ TEST(FreeDecay, OfPitchHasItsFrequencyAndDamping) {
   }
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::remus100_balance_test

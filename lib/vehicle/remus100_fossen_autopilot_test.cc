@@ -10,8 +10,7 @@
 #include "lib/vehicle/remus100.h"
 #include "tests/golden/read_golden.h"
 
-namespace shoal {
-namespace {
+namespace shoal::remus100_fossen_autopilot_test {
 
 constexpr double kStep_s = 0.02;
 
@@ -93,5 +92,4 @@ TEST(FossenRemus100, KeepsDepthAndHeadingInACurrentAsItsOriginal) {
   EXPECT_GT(step, 9900);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::remus100_fossen_autopilot_test

@@ -9,8 +9,7 @@
 #include "lib/vehicle/remus100.h"
 #include "tests/golden/read_golden.h"
 
-namespace shoal {
-namespace {
+namespace shoal::remus100_golden_test {
 
 constexpr const char* kEta[] = {"x", "y", "z", "phi", "theta", "psi"};
 constexpr const char* kNu[] = {"u", "v", "w", "p", "q", "r"};
@@ -175,5 +174,4 @@ TEST(FossenRemus100, AnswersStepInputsAsItsOriginal) {
   EXPECT_GT(step, 5900);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::remus100_golden_test

@@ -12,8 +12,7 @@
 #include "lib/vehicle/remus100.h"
 #include "lib/vehicle/vehicle_model.h"
 
-namespace shoal {
-namespace {
+namespace shoal::remus100_physics_test {
 
 static_assert(VehicleModel<Remus100, Remus100State, Remus100Actuators, Remus100Environment>);
 
@@ -320,5 +319,4 @@ TEST(Remus100Params, AreFoundByName) {
   EXPECT_EQ(Remus100ParamsByName("Munet"), std::nullopt);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::remus100_physics_test

@@ -9,8 +9,7 @@
 #include "lib/geometry/angles.h"
 #include "lib/vehicle/vehicle_model.h"
 
-namespace shoal {
-namespace {
+namespace shoal::surface_craft_test {
 
 static_assert(
     VehicleModel<SurfaceCraftParams, SurfaceCraftState, SurfaceCraftCommand, Eigen::Vector2d>);
@@ -179,5 +178,4 @@ RC_GTEST_PROP(SurfaceCraft, StaysFiniteAndWithinItsLimitsUnderAnyCommand,
   }
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::surface_craft_test

@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace shoal {
-namespace {
+namespace shoal::arrival_watch_test {
 
 const Eigen::Vector2d kThere(20, 0);
 const Eigen::Vector2d kJustNotThere(20.001, 0);
@@ -72,5 +71,4 @@ TEST(ArrivalWatch, FailsAVehicleThatLeavesAndComesBackLate) {
   EXPECT_EQ(watch.Find().numbers, "there from 612.0 s on, 12.0 s late");
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::arrival_watch_test

@@ -8,8 +8,7 @@
 #include "lib/verdict/extreme_watch.h"
 #include "lib/verdict/judge.h"
 
-namespace shoal {
-namespace {
+namespace shoal::extremes_test {
 
 constexpr int64_t kStart = 5'000'000;
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
@@ -231,5 +230,4 @@ TEST_F(ExtremesTest, DoesNotTakeAnUnknownAltitudeForALowOne) {
   EXPECT_EQ(Only().numbers, "no altitude was seen");
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::extremes_test

@@ -5,8 +5,7 @@
 #include <limits>
 #include <string>
 
-namespace shoal {
-namespace {
+namespace shoal::fate_counts_test {
 
 constexpr int kAll = FateCounts::kAll;
 
@@ -69,5 +68,4 @@ TEST(FateCounts, KeepsItsSizeWhenCausesAreMadeUp) {
   EXPECT_EQ(counts.CountOffered(kAll, kAll), 1000);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::fate_counts_test

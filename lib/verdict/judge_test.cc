@@ -7,8 +7,7 @@
 #include <optional>
 #include <string>
 
-namespace shoal {
-namespace {
+namespace shoal::judge_test {
 
 constexpr int64_t kStart = 5'000'000;
 
@@ -277,5 +276,4 @@ TEST_F(JudgeTest, ListsOnlySomeOfManyFailures) {
   EXPECT_NE(Only().numbers.find("; and 15 more"), std::string::npos);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::judge_test

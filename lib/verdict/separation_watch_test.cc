@@ -6,8 +6,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace shoal {
-namespace {
+namespace shoal::separation_watch_test {
 
 Sighting At(double x_m, double y_m, double z_m = 0) {
   return {.seen = true, .position_m = {x_m, y_m, z_m}};
@@ -63,5 +62,4 @@ RC_GTEST_PROP(SeparationWatch, FindsWhatComparingAllPairsFinds, ()) {
   }
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::separation_watch_test

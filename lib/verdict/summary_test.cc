@@ -5,8 +5,7 @@
 
 #include <string>
 
-namespace shoal {
-namespace {
+namespace shoal::summary_test {
 
 Mission TwoVehicles() {
   Mission mission;
@@ -103,5 +102,4 @@ TEST(Summarize, ListsSentAndReceivedWhereAMatrixWouldBeTooWide) {
   EXPECT_NE(summary.find("(and 40 more)"), std::string::npos);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::summary_test

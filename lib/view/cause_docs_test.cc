@@ -13,8 +13,7 @@
 #include "lib/routing/decide.h"
 #include "lib/view/fate_text.h"
 
-namespace shoal {
-namespace {
+namespace shoal::cause_docs_test {
 
 std::string PageText(const std::string& path) {
   std::ifstream in(std::string(SHOAL_SOURCE_DIR) + "/" + path);
@@ -114,5 +113,4 @@ TEST(AcousticNetworkPage, CallsCausesAsTheWireDoes) {
             }));
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::cause_docs_test

@@ -4,8 +4,7 @@
 
 #include <limits>
 
-namespace shoal {
-namespace {
+namespace shoal::event_watch_test {
 
 constexpr int64_t kSecond = 1'000'000;
 
@@ -178,5 +177,4 @@ TEST(EventWatch, KeepsABoundedNumberOfEvents) {
   EXPECT_EQ(watch.num_left_out(), 2000);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::event_watch_test

@@ -7,8 +7,7 @@
 
 #include "lib/view/test_view.h"
 
-namespace shoal {
-namespace {
+namespace shoal::fate_facts_test {
 
 fate_t DrawFate() {
   fate_t fate = FateOf(*rc::gen::container<std::string>(rc::gen::inRange('a', 'd')),
@@ -99,5 +98,4 @@ TEST(ReadFates, KeepsTimesAndCountsWithinWhatCanBeReckonedWith) {
   EXPECT_EQ(message.all()[0].facts.count, 0);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::fate_facts_test

@@ -7,8 +7,7 @@
 
 #include "lib/view/test_view.h"
 
-namespace shoal {
-namespace {
+namespace shoal::fate_text_test {
 
 std::string TextOf(std::string_view cause, void (*fill)(fate_t*)) {
   fate_t fate = FateOf("alpha", "bravo", cause);
@@ -174,5 +173,4 @@ TEST(FateText, CutsWhatIsTooLongAndSaysWhatItDoesNotKnow) {
   EXPECT_EQ(FateText(fate), std::string(64, 'x') + " to bravo: eaten_by_a_whale");
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::fate_text_test

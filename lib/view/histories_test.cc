@@ -8,8 +8,7 @@
 #include "lib/view/trail.h"
 #include "lib/view/vehicle_history.h"
 
-namespace shoal {
-namespace {
+namespace shoal::histories_test {
 
 FateView ViewOfFate(const fate_t& fate) {
   FateView view;
@@ -245,5 +244,4 @@ TEST(ThinEvenly, KeepsTheLast) {
   EXPECT_EQ(points[0].t_s, 1000);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::histories_test

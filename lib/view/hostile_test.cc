@@ -8,8 +8,7 @@
 #include "lib/view/live_view.h"
 #include "lib/view/test_view.h"
 
-namespace shoal {
-namespace {
+namespace shoal::hostile_test {
 
 using nlohmann::json;
 
@@ -204,5 +203,4 @@ TEST(HostileBus, CannotMakeFramesGrowWithoutEnd) {
   EXPECT_LT(view.StreamFrameJson().size(), 800'000U);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::hostile_test

@@ -6,8 +6,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-namespace shoal {
-namespace {
+namespace shoal::json_writer_test {
 
 std::string Written(double value, int decimals) {
   JsonWriter json;
@@ -73,5 +72,4 @@ RC_GTEST_PROP(JsonWriter, WritesAnyBytesAsText, ()) {
   }
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::json_writer_test

@@ -7,8 +7,7 @@
 
 #include "lib/view/test_view.h"
 
-namespace shoal {
-namespace {
+namespace shoal::link_book_test {
 
 FateView ViewAt(const fate_t& fate, int64_t utime) {
   FateView view;
@@ -119,5 +118,4 @@ RC_GTEST_PROP(LinkBook, KeepsEveryFate, ()) {
   RC_ASSERT(static_cast<int64_t>(of_links) + book.num_elsewhere() == total);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::link_book_test

@@ -8,8 +8,7 @@
 
 #include "lib/view/test_view.h"
 
-namespace shoal {
-namespace {
+namespace shoal::live_view_test {
 
 using nlohmann::json;
 
@@ -360,5 +359,4 @@ TEST_F(LiveViewTest, AnswersWhileItListens) {
   EXPECT_EQ(Frame()["num_fates"], 2000);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::live_view_test

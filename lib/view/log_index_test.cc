@@ -4,8 +4,7 @@
 
 #include "lib/view/recorded_testing.h"
 
-namespace shoal {
-namespace {
+namespace shoal::log_index_test {
 
 LogIndex IndexOf(const TestDirectory& directory, const std::vector<TestEvent>& events) {
   WriteLog(directory.File("a.lcm"), events);
@@ -74,5 +73,4 @@ TEST(LogIndex, KeepsFewKeyframesOfALongLog) {
   EXPECT_EQ(index.keyframes.back().standing.size(), 1U);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::log_index_test

@@ -4,8 +4,7 @@
 
 #include "lib/view/test_view.h"
 
-namespace shoal {
-namespace {
+namespace shoal::packet_book_test {
 
 void Tell(PacketBook* book, const fate_t& fate, int64_t utime) {
   FateView view;
@@ -74,5 +73,4 @@ TEST(PacketBook, IsBounded) {
   EXPECT_EQ(book.Since(0, 0).size(), PacketBook::kMaxPackets);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::packet_book_test

@@ -6,8 +6,7 @@
 
 #include "lib/view/test_view.h"
 
-namespace shoal {
-namespace {
+namespace shoal::pulse_book_test {
 
 void Tell(PulseBook* book, int64_t utime, std::vector<comms_pulse_t> pulses) {
   ASSERT_TRUE(book->Add(Encoded(PulsesOf(utime, std::move(pulses)))));
@@ -122,5 +121,4 @@ TEST(PulseBook, DrawsNoPulseOfImpossibleNumbers) {
   EXPECT_EQ(book.num_left_out(), 3);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::pulse_book_test

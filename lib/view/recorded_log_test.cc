@@ -7,8 +7,7 @@
 
 #include "lib/view/recorded_testing.h"
 
-namespace shoal {
-namespace {
+namespace shoal::recorded_log_test {
 
 using ::nlohmann::json;
 
@@ -253,5 +252,4 @@ RC_GTEST_PROP(OpenedLog, OfAnyBytesAndTimesIsAnsweredWithJson, ()) {
   RC_ASSERT((*view)->end_s() >= (*view)->begin_s());
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::recorded_log_test

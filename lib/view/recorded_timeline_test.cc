@@ -6,8 +6,7 @@
 #include <limits>
 #include <vector>
 
-namespace shoal {
-namespace {
+namespace shoal::recorded_timeline_test {
 
 constexpr int64_t kSecond_us = 1'000'000;
 constexpr int64_t kStart_utime = 5 * kSecond_us;
@@ -94,5 +93,4 @@ RC_GTEST_PROP(RecordedTimeline, NeverGoesBackWhateverTheTimes,
   }
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::recorded_timeline_test

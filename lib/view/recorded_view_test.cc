@@ -11,8 +11,7 @@
 #include "lib/view/live_view.h"
 #include "lib/view/recorded_testing.h"
 
-namespace shoal {
-namespace {
+namespace shoal::recorded_view_test {
 
 using nlohmann::json;
 
@@ -219,5 +218,4 @@ TEST(RecordedView, TellsTheSetupOfTheWholeLog) {
   EXPECT_EQ(setup["notes"], json::array());
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::recorded_view_test

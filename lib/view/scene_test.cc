@@ -7,8 +7,7 @@
 
 #include "lib/view/test_view.h"
 
-namespace shoal {
-namespace {
+namespace shoal::scene_test {
 
 /// Remembers what it was told.
 struct Witness : SceneObserver {
@@ -207,5 +206,4 @@ TEST(SceneChannels, AreThoseToWhichItSubscribes) {
   EXPECT_EQ(Scene::Channels(MissionOf({"alpha"})), expected);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::scene_test

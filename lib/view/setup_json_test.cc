@@ -7,8 +7,7 @@
 #include "lib/mission/ocean_of.h"
 #include "lib/view/test_view.h"
 
-namespace shoal {
-namespace {
+namespace shoal::setup_json_test {
 
 using nlohmann::json;
 
@@ -151,5 +150,4 @@ TEST(FloorJson, SaysWhyAFloorIsNotShown) {
   EXPECT_NE(setup["notes"][0].get<std::string>().find("/nowhere/at_all.asc"), std::string::npos);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::setup_json_test

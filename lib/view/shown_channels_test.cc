@@ -12,8 +12,7 @@
 #include "lib/view/frame_json.h"
 #include "lib/view/test_view.h"
 
-namespace shoal {
-namespace {
+namespace shoal::shown_channels_test {
 
 TEST(ShownChannels, AreChannelsOfAVehicleToWhichTheViewerSubscribes) {
   ForEachShownChannel([]<class Row, size_t kRow>() {
@@ -56,5 +55,4 @@ TEST(ShownChannels, HaveKeysOfTheirOwnWhichThePageOfTheProtocolHas) {
   });
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::shown_channels_test

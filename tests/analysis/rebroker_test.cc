@@ -9,8 +9,7 @@
 
 #include "tests/analysis/rebroker_runs.h"
 
-namespace shoal {
-namespace {
+namespace shoal::rebroker_test {
 
 TEST(RebrokerTestMission, HasAllSortsOfFates) {
   const std::map<std::string, int64_t> causes = CausesOf(Talk());
@@ -294,5 +293,4 @@ RC_GTEST_PROP(Rebroker, SurvivesAnyLog, ()) {
   }
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::rebroker_test

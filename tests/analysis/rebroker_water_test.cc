@@ -8,8 +8,7 @@
 #include "lib/bus/memory_bus.h"
 #include "tests/analysis/rebroker_runs.h"
 
-namespace shoal {
-namespace {
+namespace shoal::rebroker_water_test {
 
 TEST(RebrokerTestMission, HasAllSortsOfFatesInTheWater) {
   const std::map<std::string, int64_t> causes = CausesOf(Talk(kWatery));
@@ -139,5 +138,4 @@ TEST(Rebroker, PassesOverTheStepsInWhichNothingArrives) {
   EXPECT_GT(num_arrived, 0);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::rebroker_water_test

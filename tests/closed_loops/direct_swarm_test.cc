@@ -11,8 +11,7 @@
 #include "tests/closed_loops/golden_track.h"
 #include "tests/closed_loops/munet_auv.h"
 
-namespace shoal {
-namespace {
+namespace shoal::direct_swarm_test {
 
 constexpr double kLength_m = 1.6;
 
@@ -194,5 +193,4 @@ TEST(DirectSwarmAsMunet, WithItsFaultsOfConstantBearingTwoVehiclesMeetAndStayWhe
   EXPECT_TRUE(swarm.auvs[1].state.immobilized);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::direct_swarm_test

@@ -25,8 +25,7 @@
 #include "lib/swarm/broadcast_message.h"
 #include "tests/closed_loops/golden_track.h"
 
-namespace shoal {
-namespace {
+namespace shoal::network_swarm_test {
 
 const VelocityCascade kByGroup{{SurvivalGroupLayer{}, FormationLayer{}, FeedForwardLayer{}}};
 
@@ -288,5 +287,4 @@ TEST(NetworkSwarmWithMunetsFaults, SendsAndMovesExactlyTheSameByTdma) {
   ExpectMunet("sim_tdma_lf_apf", TdmaLf());
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::network_swarm_test

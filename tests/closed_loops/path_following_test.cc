@@ -8,8 +8,7 @@
 #include "tests/closed_loops/golden_track.h"
 #include "tests/closed_loops/munet_auv.h"
 
-namespace shoal {
-namespace {
+namespace shoal::path_following_test {
 
 struct PathRun {
   std::string file;
@@ -83,5 +82,4 @@ TEST(PathFollowingAsMunet, GoesOnPastTheEndOfItsPath) {
                  .rpm = 1000});
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::path_following_test

@@ -9,8 +9,7 @@
 #include "lib/vehicle/propulsion.h"
 #include "lib/vehicle/remus100.h"
 
-namespace shoal {
-namespace {
+namespace shoal::track_in_current_test {
 
 constexpr double kStep_s = 0.02;
 constexpr double kCross_mps = 0.5;
@@ -86,5 +85,4 @@ TEST(TrackInACrossCurrent, IsKeptByTheBareLawToo) { ExpectOnTrack({}, {.guard_cr
 
 TEST(TrackInACrossCurrent, IsKeptByTheRemusOfFossen) { ExpectOnTrack(FossenRemus100(), {}); }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::track_in_current_test

@@ -15,8 +15,7 @@
 #include "tests/closed_loops/golden_track.h"
 #include "tests/closed_loops/munet_auv.h"
 
-namespace shoal {
-namespace {
+namespace shoal::whole_swarm_test {
 
 /// The options that make shoal behave as muNet.
 constexpr char kAsMunet[] = R"(
@@ -200,5 +199,4 @@ TEST(WholeSwarm, MovesByConstantBearingAsItsLawDoesAStepLate) {
                  ConstantBearingLaw{.lookahead_m = 10, .r_safe_m = 10});
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::whole_swarm_test

@@ -10,8 +10,7 @@
 #include "lib/control/speed_controller.h"
 #include "lib/guidance/test_vectors.h"
 
-namespace shoal {
-namespace {
+namespace shoal::finite_control_test {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
@@ -67,5 +66,4 @@ RC_GTEST_PROP(FiniteControl, SurfaceAutopilotsStayWithinTheirActuatorsForAnyMoti
   }
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::finite_control_test

@@ -11,8 +11,7 @@
 #include "lib/guidance/task_runner.h"
 #include "lib/guidance/test_vectors.h"
 
-namespace shoal {
-namespace {
+namespace shoal::finite_guidance_test {
 
 RC_GTEST_PROP(FiniteGuidance, AlosIsFiniteForAnyErrorAndAnyTime, ()) {
   const AlosParams params{.lookahead_m = Between(0.1, 1000), .crab_gain = Between(0, 1)};
@@ -61,5 +60,4 @@ RC_GTEST_PROP(FiniteGuidance, TasksOfSurfaceCraftAskForFiniteThingsWhereverTheyA
   }
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::finite_guidance_test

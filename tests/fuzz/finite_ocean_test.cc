@@ -11,8 +11,7 @@
 #include "lib/sensors/altimeter.h"
 #include "lib/sensors/current_meter.h"
 
-namespace shoal {
-namespace {
+namespace shoal::finite_ocean_test {
 
 RC_GTEST_PROP(FiniteOcean, CurrentsAreFiniteForAnyDeviation, ()) {
   RC_ASSERT(Velocity({.speed_mps = AnyFinite(), .direction_rad = AnyFinite()}).allFinite());
@@ -39,5 +38,4 @@ RC_GTEST_PROP(FiniteSensors, ReadingsAreFiniteAnywhereAtAnyTime, ()) {
   RC_ASSERT(MeasureCurrent(meter, Current(), AnyFinite(), 7).allFinite());
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::finite_ocean_test

@@ -11,8 +11,7 @@
 #include "lib/vehicle/remus100.h"
 #include "lib/vehicle/surface_craft.h"
 
-namespace shoal {
-namespace {
+namespace shoal::finite_vehicle_test {
 
 Vector6d AnyFiniteSix() {
   Vector6d six;
@@ -82,5 +81,4 @@ RC_GTEST_PROP(FiniteVehicle, SurfaceCraftStayFiniteFromAnyState, ()) {
   RC_ASSERT(std::isfinite(ThrustForSpeed(params, AnyFinite())));
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::finite_vehicle_test

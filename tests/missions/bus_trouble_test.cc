@@ -10,8 +10,7 @@
 #include "lib/run/run_registry.h"
 #include "tests/missions/shoal_process.h"
 
-namespace shoal {
-namespace {
+namespace shoal::bus_trouble_test {
 
 /// Finds the ports of the mission that runs in this test's folder.
 PortPlan PortsOf(const TestFolder& folder) {
@@ -155,5 +154,4 @@ TEST(TwoMissions, AtOnceTakePortsOfTheirOwn) {
   }
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::bus_trouble_test

@@ -4,8 +4,7 @@
 
 #include "tests/missions/shoal_process.h"
 
-namespace shoal {
-namespace {
+namespace shoal::clock_orders_test {
 
 TEST(Clock, IsPausedResumedAndWarpedWithoutATraceInTheLog) {
   const TestFolder folder;
@@ -65,5 +64,4 @@ TEST(Clock, StandsStillForAnOrderThatIsObeyedWhenItGoesOn) {
   EXPECT_NE(finished.output.find("INCOMPLETE"), std::string::npos) << finished.output;
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::clock_orders_test

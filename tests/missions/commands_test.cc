@@ -7,8 +7,7 @@
 #include "lib/run/run_registry.h"
 #include "tests/missions/shoal_process.h"
 
-namespace shoal {
-namespace {
+namespace shoal::commands_test {
 
 constexpr char kOneVessel[] = R"(
 [mission]
@@ -244,5 +243,4 @@ TEST(EveryApp, AnswersHelpVersionExampleAndInterface) {
   }
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::commands_test

@@ -9,8 +9,7 @@
 #include "lib/run/run_registry.h"
 #include "tests/missions/shoal_process.h"
 
-namespace shoal {
-namespace {
+namespace shoal::datagram_listener_test {
 
 class DatagramListenerTest : public testing::Test {
  protected:
@@ -59,5 +58,4 @@ TEST_F(DatagramListenerTest, HearsEverythingWhereNoTopicIsNamed) {
             (std::set<std::string>{"NAV_ALPHA", "NODE_REPORT_ALPHA"}));
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::datagram_listener_test

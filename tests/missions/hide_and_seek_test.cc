@@ -3,8 +3,7 @@
 
 #include "tests/missions/shoal_process.h"
 
-namespace shoal {
-namespace {
+namespace shoal::hide_and_seek_test {
 
 /// Returns the log of the mission, run with `extra` options.
 std::string Log(const TestFolder& folder, const std::vector<std::string>& extra) {
@@ -49,5 +48,4 @@ TEST(HideAndSeek, IsRefusedByShoalSimWhichHasNoReferee) {
       << finished.output;
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::hide_and_seek_test

@@ -5,8 +5,7 @@
 
 #include "tests/missions/shoal_process.h"
 
-namespace shoal {
-namespace {
+namespace shoal::launched_viewer_test {
 
 TEST(View, RunsBesideTheMissionAndTellsItsAddress) {
   const TestFolder folder;
@@ -52,5 +51,4 @@ TEST(View, RefusesOptionsThatMakeNoSense) {
   EXPECT_EQ(RunShoal(folder, {"view", "/nowhere/a.lcm"}).exit_code, 2);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::launched_viewer_test

@@ -6,8 +6,7 @@
 #include "tests/missions/fair_stopwatch.h"
 #include "tests/missions/shoal_process.h"
 
-namespace shoal {
-namespace {
+namespace shoal::loss_of_processes_test {
 
 /// Starts berta, recorded, and waits until it is well under way. Losses are found by exits, and on
 /// no machine by silence, unless a test sets another time-out.
@@ -169,5 +168,4 @@ TEST(KilledLauncher, LeavesNoProcessBehind) {
   EXPECT_GE(berta.NumEvents(), 200);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::loss_of_processes_test

@@ -9,8 +9,7 @@
 #include "lib/record/log_reader.h"
 #include "tests/missions/shoal_process.h"
 
-namespace shoal {
-namespace {
+namespace shoal::netsim_hil_test {
 
 /// The mission, on TCP ports of its own.
 std::vector<std::string> OnPorts(int first) {
@@ -117,5 +116,4 @@ TEST(NetsimHil, SaysWhichTcpPortIsTaken) {
   one.Wait();
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::netsim_hil_test

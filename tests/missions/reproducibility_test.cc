@@ -3,8 +3,7 @@
 
 #include "tests/missions/shoal_process.h"
 
-namespace shoal {
-namespace {
+namespace shoal::reproducibility_test {
 
 /// Returns the log of `shoal sim`.
 std::string SimLog(const TestFolder& folder, const std::string& mission,
@@ -102,5 +101,4 @@ TEST(Reproducibility, ChangesWithTheSeedOnlyWhereRandomnessIsUsed) {
   EXPECT_FALSE(with_seed("1") == with_seed("2")) << "blackouts are random";
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::reproducibility_test

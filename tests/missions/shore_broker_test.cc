@@ -12,8 +12,7 @@
 #include "lib/run/run_registry.h"
 #include "tests/missions/shoal_process.h"
 
-namespace shoal {
-namespace {
+namespace shoal::shore_broker_test {
 
 /// What a log tells about the broker.
 struct BrokerHistory {
@@ -201,5 +200,4 @@ TEST_F(LiveBroker, RefusesPortsThatAnotherHas) {
       << finished.output;
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::shore_broker_test

@@ -4,8 +4,7 @@
 
 #include "tests/missions/shoal_process.h"
 
-namespace shoal {
-namespace {
+namespace shoal::talking_swarm_test {
 
 TEST(Swarm, KeepsFormationWithAFollowerWhoseAcommsWasKilledAndStartedAgain) {
   const TestFolder folder;
@@ -82,5 +81,4 @@ TEST(Acomms, IsRefusedWhereItsVehicleIsInNoSwarm) {
       << finished.output;
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::talking_swarm_test

@@ -12,8 +12,7 @@
 
 #include "tests/netsim/tcp_client.h"
 
-namespace shoal {
-namespace {
+namespace shoal::gps_output_test {
 
 namespace fs = std::filesystem;
 
@@ -102,5 +101,4 @@ TEST_F(GpsOutputTest, NamesWhatItCannotOpen) {
   EXPECT_FALSE(GpsOutput::Open({.tcp_port = (*server)->port()}, "127.0.0.1").ok());
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::gps_output_test

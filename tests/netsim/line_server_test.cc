@@ -9,8 +9,7 @@
 #include "lib/netsim/wait_set.h"
 #include "tests/netsim/served_clients.h"
 
-namespace shoal {
-namespace {
+namespace shoal::line_server_test {
 
 constexpr int64_t kSecond_us = 1'000'000;
 
@@ -276,5 +275,4 @@ TEST_F(EchoServer, ReportsWhyItCannotListen) {
   EXPECT_FALSE(LineServer::Listen({.address = "192.0.2.1"}, 1000, {}).ok());
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::line_server_test

@@ -15,8 +15,7 @@
 #include "lib/modem/micromodem_packet.h"
 #include "tests/netsim/tcp_client.h"
 
-namespace shoal {
-namespace {
+namespace shoal::netsim_manager_test {
 
 constexpr int64_t kTick_us = 100'000;
 /// The request of netsim's documentation: port 62003 at 71.17647, -142.40124, 0.3 m, 0.0011 m/s,
@@ -290,5 +289,4 @@ TEST(NetsimManager, OutlivesBytesThatAreNoLines) {
   EXPECT_EQ(manager.app().Fault(), "");
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::netsim_manager_test

@@ -6,8 +6,7 @@
 #include "tests/netsim/rude_clients.h"
 #include "tests/netsim/served_clients.h"
 
-namespace shoal {
-namespace {
+namespace shoal::netsim_soak_test {
 
 constexpr size_t kNumRude = 200;
 constexpr size_t kMaxLine_bytes = 4096;
@@ -59,5 +58,4 @@ TEST(NetsimSoak, OneClientIsAnsweredWhateverTwoHundredOthersDo) {
   EXPECT_EQ(num_positions, 0U);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::netsim_soak_test

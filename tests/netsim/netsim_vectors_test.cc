@@ -9,8 +9,7 @@
 #include "tests/golden/read_golden.h"
 #include "tests/netsim/served_clients.h"
 
-namespace shoal {
-namespace {
+namespace shoal::netsim_vectors_test {
 
 using Json = nlohmann::json;
 using Lines = std::vector<std::string>;
@@ -257,5 +256,4 @@ TEST(NetsimVectors, AreAnsweredInAnyPieces) {
   }
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::netsim_vectors_test

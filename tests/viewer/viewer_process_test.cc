@@ -10,8 +10,7 @@
 #include "tests/missions/shoal_process.h"
 #include "tests/netsim/tcp_client.h"
 
-namespace shoal {
-namespace {
+namespace shoal::viewer_process_test {
 
 using Json = nlohmann::json;
 
@@ -249,5 +248,4 @@ TEST(Viewer, SaysWhatIsWrongWithItsCommandLine) {
   EXPECT_NE(no_address.output.find("0.0.0.0 for all"), std::string::npos) << no_address.output;
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::viewer_process_test

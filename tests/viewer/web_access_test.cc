@@ -3,8 +3,7 @@
 
 #include "tests/viewer/served_site.h"
 
-namespace shoal {
-namespace {
+namespace shoal::web_access_test {
 
 const std::string kCommand = R"({"target": "alpha", "words": ["deploy"]})";
 const std::string kJson = "Content-Type: application/json\r\n";
@@ -66,5 +65,4 @@ TEST(WebAccess, ShowsDataOnlyToWhoHasTheTokenWhereItMust) {
   EXPECT_EQ(StatusOf(Ask(served.port(), "/api/stream?token=x")), 403);
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::web_access_test

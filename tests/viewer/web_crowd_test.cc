@@ -4,8 +4,7 @@
 #include "tests/netsim/rude_clients.h"
 #include "tests/viewer/served_site.h"
 
-namespace shoal {
-namespace {
+namespace shoal::web_crowd_test {
 
 using Clients = std::vector<std::unique_ptr<TcpClient>>;
 
@@ -95,5 +94,4 @@ TEST(WebPort, IsToldAsAnAddressThatABrowserTakes) {
   EXPECT_FALSE(ListenOn({.address = "203.0.113.1", .port = 0, .last_port = 0}).ok());
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::web_crowd_test

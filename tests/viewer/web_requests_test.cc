@@ -3,8 +3,7 @@
 
 #include "tests/viewer/served_site.h"
 
-namespace shoal {
-namespace {
+namespace shoal::web_requests_test {
 
 bool Has(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
@@ -182,5 +181,4 @@ TEST(WebRequests, ThatDripAreCutOff) {
   EXPECT_EQ(StatusOf(client.received()), 408) << client.received();
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::web_requests_test

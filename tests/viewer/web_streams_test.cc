@@ -6,8 +6,7 @@
 #include "tests/missions/fair_stopwatch.h"
 #include "tests/viewer/served_site.h"
 
-namespace shoal {
-namespace {
+namespace shoal::web_streams_test {
 
 /// Publishes numbered frames, 50 per second, until it goes.
 class Frames {
@@ -163,5 +162,4 @@ TEST(WebStreams, OfAHeadRequestHoldNothingUp) {
   EXPECT_TRUE(Await([&] { return served.hub().num_readers() == 0; }));
 }
 
-}  // namespace
-}  // namespace shoal
+}  // namespace shoal::web_streams_test
