@@ -231,9 +231,10 @@ StatusPage HelmApp::Status() const {
       "    Return point: x {:.1f} m, y {:.1f} m\n"
       "    NAV time-out: {:.1f} s, deploy at start: {}\n"
       "    {}\n",
-      vehicle_.name, FactsOfModel(vehicle_.model).name, TasksText(vehicle_), vehicle_.return_task.point_m.x(),
-      vehicle_.return_task.point_m.y(), vehicle_.helm_options.nav_timeout_s,
-      vehicle_.helm_options.deploy_at_start ? "yes" : "no", pilot_->GainsText());
+      vehicle_.name, FactsOfModel(vehicle_.model).name, TasksText(vehicle_),
+      vehicle_.return_task.point_m.x(), vehicle_.return_task.point_m.y(),
+      vehicle_.helm_options.nav_timeout_s, vehicle_.helm_options.deploy_at_start ? "yes" : "no",
+      pilot_->GainsText());
   page.text += fmt::format(
       "State: {} (all-stop: {})\n"
       "    Task: {} ({}), waypoint {}, laps done {}\n"

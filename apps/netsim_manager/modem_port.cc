@@ -28,7 +28,8 @@ class RawPort : public ModemPort {
   std::string Text() const override {
     const RawModemCounts& counts = reader_.counts();
     return fmt::format(
-        "    raw, {}; {} payloads taken, {} empty, {} too long, {} waiting, {} dropped; {} received\n",
+        "    raw, {}; {} payloads taken, {} empty, {} too long, {} waiting, {} dropped; {} "
+        "received\n",
         ClientText(), counts.delivered, counts.empty, counts.too_long, waiting_.size(),
         num_dropped_, num_heard_);
   }

@@ -24,7 +24,6 @@ constexpr int64_t kStale_us = 2'000'000;
 constexpr double kNoCourse_mps = 0.1;
 constexpr double kDives_m = 0.1;
 
-
 bool IsFinite(double value) { return std::isfinite(value) && std::abs(value) < 1e9; }
 
 template <class Visit>

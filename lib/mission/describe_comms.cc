@@ -30,7 +30,7 @@ struct RuleField {
   const RuleRow& row;
   RoutingRules& rules;
 
-  void operator()(double RoutingRules::* member) const {
+  void operator()(double RoutingRules::*member) const {
     double& value = rules.*member;
     if (row.default_of != nullptr && fields.reading()) {
       const double of = rules.*row.default_of;
@@ -44,17 +44,17 @@ struct RuleField {
       fields.Number(row.rule, value, Between(row.in_file.min, row.in_file.max));
     }
   }
-  void operator()(int64_t RoutingRules::* member) const {
+  void operator()(int64_t RoutingRules::*member) const {
     fields.Integer(row.rule, rules.*member, static_cast<int64_t>(row.in_file.min),
                    static_cast<int64_t>(row.in_file.max));
   }
-  void operator()(bool RoutingRules::* member) const { fields.Flag(row.rule, rules.*member); }
-  void operator()(std::string RoutingRules::* member) const {
+  void operator()(bool RoutingRules::*member) const { fields.Flag(row.rule, rules.*member); }
+  void operator()(std::string RoutingRules::*member) const {
     fields.Text(row.rule, rules.*member,
                 {.min_length = static_cast<size_t>(row.in_file.min),
                  .max_length = static_cast<size_t>(row.in_file.max)});
   }
-  void operator()(Medium RoutingRules::* member) const {
+  void operator()(Medium RoutingRules::*member) const {
     fields.Choice(row.rule, rules.*member, kMedia);
   }
   // Of a vehicle, and requests: not of [comms].

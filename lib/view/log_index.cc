@@ -147,7 +147,8 @@ class IndexBuilder : private SceneObserver {
   void OnNav(size_t vehicle, const nav_t& nav) override {
     index_.has_nav = true;
     index_.trails[vehicle].Add(Line_s(), nav.x_m, nav.y_m);
-    index_.charts[vehicle].Add(Line_s(), nav, LastOf<ShownDesired>(scene_.vehicles()[vehicle].shown));
+    index_.charts[vehicle].Add(Line_s(), nav,
+                               LastOf<ShownDesired>(scene_.vehicles()[vehicle].shown));
     watch_.OnNav(vehicle, nav.utime, nav.x_m, nav.y_m, nav.z_m);
   }
 

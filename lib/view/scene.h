@@ -86,8 +86,8 @@ class Scene {
   explicit Scene(const Mission& mission);
 
   /// Takes one encoded message. Channels: NAV_V, HELM_STATE_V, SWARM_V and those of
-  /// shown_channels.h of the mission's vehicles, NODE_REPORT_LOCAL, NODE_REPORT, COMMS_FATES, COMMS_RULES, VIEW_COMMS_PULSE; all
-  /// others are ignored.
+  /// shown_channels.h of the mission's vehicles, NODE_REPORT_LOCAL, NODE_REPORT, COMMS_FATES,
+  /// COMMS_RULES, VIEW_COMMS_PULSE; all others are ignored.
   void Handle(std::string_view channel, std::span<const uint8_t> data,
               SceneObserver* observer = nullptr);
   /// Takes the time of the clock's last step.
