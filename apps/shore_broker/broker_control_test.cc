@@ -40,6 +40,35 @@ TEST_F(BrokerControlTest, TellsTheRulesAtItsStartAndWhenOneChanges) {
   EXPECT_EQ(rules_.size(), 2U) << "nothing changed";
 }
 
+TEST_F(BrokerControlTest, AnswersARequestForTheRulesInForceOutsideStepping) {
+  const std::string channel = channels::CommsRulesReq().name;
+  EXPECT_EQ(broker_.RequestChannels(), Texts{channel});
+  Bytes request;
+  EncodeInto(comms_rules_req_t{}, &request);
+  EXPECT_FALSE(broker_.Answer(channel, request))
+      << "before its first step it has no rules in force";
+  Step();
+  Say("comms_range", 300);
+  Say("stealth", 0.5, "alpha");
+  Step();
+  const size_t num_published = rules_.size();
+  const auto answer = broker_.Answer(channel, request);
+  ASSERT_TRUE(answer);
+  EXPECT_EQ(answer->channel, channels::CommsRulesNow().name);
+  EXPECT_TRUE(IsAnswer(answer->channel));
+  comms_rules_t rules{};
+  ASSERT_TRUE(Decode(answer->data, &rules));
+  EXPECT_EQ(rules.utime, utime_);
+  EXPECT_FALSE(rules.is_start);
+  EXPECT_EQ(rules.comms_range_m, 300);
+  ASSERT_EQ(rules.num_factors, 1);
+  EXPECT_EQ(rules.factors[0].stealth, 0.5);
+  Step();
+  EXPECT_EQ(rules_.size(), num_published) << "the mission does not notice";
+  EXPECT_FALSE(broker_.Answer(channel, Bytes{1, 2, 3}));
+  EXPECT_FALSE(broker_.Answer("COMMS_RULES", request));
+}
+
 TEST_F(BrokerControlTest, TellsRulesFromWhichABrokerIsMadeThatTellsTheSame) {
   Say("stealth", 0.5, "alpha");
   Say("groups", 1);

@@ -1,5 +1,10 @@
-// Fates as the viewer keeps them: the numbers without the texts, 120 bytes each; and a reader of
-// COMMS_FATES that copies nothing, since a log of half an hour holds a million of them.
+// Fates as the viewer keeps them: the numbers without the texts; and a reader of COMMS_FATES that
+// copies nothing.
+//
+// Measured, since this is a form of a fate beside Decision and fate_t (release build, the log of
+// missions/swarm20.toml: 895 MB, 1.5 million fates): ReadFates takes 0.09 s, the generated decoder
+// with ViewOf 0.25 s, of 0.95 s that opening the log takes. 112 bytes are kept of each fate,
+// without memory of their own; fate_t has 264, its path 136, and 6 texts.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +19,7 @@
 
 namespace shoal {
 
-/// What fate_t and its path say, without names. A number that played no part is -1, or where it is
+/// What fate_t and its path hold, without names. A number that played no part is -1, or where it is
 /// of the path and there is none, whatever stands here.
 struct FateFacts {
   int64_t utime = 0;   ///< Of the step that decided; kept within kFarthest_us.
@@ -23,7 +28,7 @@ struct FateFacts {
   Kind kind = Kind::kReport;
   Cause cause = Cause::kDelivered;
   OverrideRule override_rule = OverrideRule::kNone;
-  bool has_path = false;  ///< It went through the water.
+  bool has_path = false;  ///< It went over the acoustic network.
   float range_m = -1;
   float limit_m = -1;
   float age_s = -1;
@@ -67,7 +72,7 @@ struct FatesView {
   int64_t utime = 0;
   std::vector<FateView> fates;  ///< Only the first `num_fates` are meant.
   size_t num_fates = 0;
-  int64_t num_strange = 0;  ///< Fates of a kind or cause that nobody knows: not among `fates`.
+  int64_t num_strange = 0;  ///< Fates of an unknown kind or cause: not among `fates`.
 
   std::span<const FateView> all() const { return {fates.data(), num_fates}; }
 };

@@ -5,6 +5,8 @@
 #include <nlohmann/json.hpp>
 
 #include "lib/mission/ocean_of.h"
+#include "lib/routing/cause.h"
+#include "lib/routing/control.h"
 #include "lib/view/test_view.h"
 
 namespace shoal::setup_json_test {
@@ -39,6 +41,26 @@ json SetupOf(const Mission& mission, const SetupFacts& facts = {}) {
   SetupFacts with_notes = facts;
   with_notes.notes = notes;
   return json::parse(SetupJson(mission, with_notes, floor));
+}
+
+TEST(SetupJson, HasTheTablesOfCausesAndOfRulesThatCanChange) {
+  const json setup = SetupOf(SurveyMission());
+  ASSERT_EQ(setup["causes"].size(), static_cast<size_t>(kNumCauses));
+  EXPECT_EQ(setup["causes"][static_cast<size_t>(Cause::kOutOfRange)],
+            (json{{"key", "out_of_range"},
+                  {"text", "out of range"},
+                  {"color", "#d55e00"},
+                  {"outcome", "stopped"}}));
+  EXPECT_EQ(setup["causes"][static_cast<size_t>(Cause::kDamaged)]["outcome"], "damaged");
+  ASSERT_EQ(setup["rules"].size(), ControlTable().size());
+  EXPECT_EQ(setup["rules"][0], (json{{"rule", "comms_range"},
+                                     {"label", "Comms Range"},
+                                     {"unit", "m"},
+                                     {"of_vehicle", false},
+                                     {"takes_value", true},
+                                     {"values", "metres, or nolimit"},
+                                     {"example", "250"},
+                                     {"about", "what is sent is received nearer than this"}}));
 }
 
 TEST(SetupJson, TellsTheMission) {
