@@ -24,7 +24,8 @@ class MissionDraw {
     mission.name = Text();
     mission.description = Text() + "\nsecond line\t\"quoted\" \\";
     mission.seed = static_cast<uint64_t>(Integer(0, INT64_MAX));
-    mission.tick_us = Integer(1000, 10'000'000);
+    // Underwater vehicles need short steps.
+    mission.tick_us = Integer(1000, Coin() ? 200'000 : 10'000'000);
     mission.duration_s = static_cast<double>(mission.tick_us * Integer(1, 1000)) / 1e6;
     mission.start_utime = Integer(0, 9'000'000'000'000'000);
     mission.origin_lat_deg = Number(-90, 90);
