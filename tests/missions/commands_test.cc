@@ -165,10 +165,10 @@ TEST(Helm, CanBeStartedByHand) {
   RunningProcess mission(folder, {Program("shoal"), "run", file, "--warp", "max"});
   ASSERT_TRUE(mission.WaitFor("waiting for helm_alpha")) << mission.Output();
   RunningProcess helm(folder, {Program("helm"), "--mission", file, "--vehicle", "alpha"});
-  const Finished finished = mission.Wait(20);
+  const Finished finished = mission.Wait();
   EXPECT_EQ(finished.exit_code, 0) << finished.output;
   EXPECT_NE(finished.output.find("Reproducible: yes"), std::string::npos) << finished.output;
-  EXPECT_EQ(helm.Wait(5).exit_code, 0);
+  EXPECT_EQ(helm.Wait().exit_code, 0);
 }
 
 TEST(CPlanner, SteersAVesselAsAParticipantOfItsOwn) {
@@ -197,7 +197,7 @@ TEST(Output, ThatCannotBeWrittenIsAnError) {
        {"check --explain " + MissionFile("alpha.toml"), "sim " + MissionFile("alpha.toml")}) {
     RunningProcess process(folder,
                            {"/bin/sh", "-c", Program("shoal") + " " + command + " >/dev/full"});
-    const Finished finished = process.Wait(20);
+    const Finished finished = process.Wait();
     EXPECT_EQ(finished.exit_code, 3) << finished.output;
     EXPECT_NE(finished.output.find("cannot write to standard output"), std::string::npos);
   }
@@ -222,7 +222,7 @@ TEST(Log, PlayedBackByLcmLogplayerDrivesAListenerAsTheMissionDid) {
   RunningProcess player(
       folder, {"/usr/bin/lcm-logplayer", "-s", "200", "-l", LcmUrl(plan.shore_port()), log});
   const double begin = WallSeconds();
-  while (heard < 6001 && WallSeconds() - begin < 20) listener.Poll(10'000);
+  while (heard < 6001 && WallSeconds() - begin < kPatience_s) listener.Poll(10'000);
   EXPECT_EQ(heard, 6001);
   EXPECT_TRUE(in_order);
   EXPECT_EQ(last_utime, 600'000'000);
@@ -234,12 +234,12 @@ TEST(EveryApp, AnswersHelpVersionExampleAndInterface) {
     for (const char* option :
          {"--help", "--version", "--example", "--interface", "-h", "-v", "-e", "-i"}) {
       RunningProcess process(folder, {Program(app), option});
-      const Finished finished = process.Wait(10);
+      const Finished finished = process.Wait();
       EXPECT_EQ(finished.exit_code, 0) << app << " " << option;
       EXPECT_GT(finished.output.size(), 10U) << app << " " << option;
     }
     RunningProcess process(folder, {Program(app), "--no-such-option"});
-    EXPECT_EQ(process.Wait(10).exit_code, 2) << app;
+    EXPECT_EQ(process.Wait().exit_code, 2) << app;
   }
 }
 

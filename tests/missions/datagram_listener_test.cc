@@ -25,7 +25,7 @@ class DatagramListenerTest : public testing::Test {
     EXPECT_EQ(listener->error(), "");
     const Bytes bytes = {1, 2, 3};
     std::set<std::string> heard;
-    const double end_s = WallSeconds() + 20;
+    const double end_s = WallSeconds() + kPatience_s;
     while (!heard.contains(awaited) && WallSeconds() < end_s) {
       for (const std::string& channel : channels) bus_.PublishBytes(channel, bytes);
       listener->Poll(50, [&](std::string_view channel, std::span<const uint8_t> datagram) {
