@@ -117,7 +117,7 @@ TEST(OldWords, AreFoundInProseAndLeftAloneInNames) {
   EXPECT_EQ(OldWordIn("Sent through the water."), "through the water");
   EXPECT_EQ(OldWordIn("the vehicle who sent it"), "who");
   EXPECT_EQ(OldWordIn("for users who know MOOS"), "");
-  EXPECT_EQ(OldWordIn("contact.is_heard = Saying(whole, mission_told);"), "");
+  EXPECT_EQ(OldWordIn("contact.is_heard = whole(mission_told);"), "");
 }
 
 TEST(OldWords, StandNowhere) {
