@@ -69,7 +69,7 @@ RC_GTEST_PROP(ConstantBearing, KeepsTheBearingOfATargetItCanFollow, ()) {
 
 RC_GTEST_PROP(ConstantBearing, TurnsWithTheWorldAndKeepsToTheGreatestSpeed, ()) {
   const TargetScene scene = AnyTargetScene();
-  const double angle_rad = Between(-3.1, 3.1);
+  const double angle_rad = DrawBetween(-3.1, 3.1);
   const Vector3d v_mps = DesiredVelocity(kLaw, kUMax_mps, scene.Seen());
   const Vector3d turned_mps = DesiredVelocity(kLaw, kUMax_mps, scene.Turned(angle_rad).Seen());
   RC_ASSERT((turned_mps - AboutZ(angle_rad) * v_mps).norm() < 1e-8);

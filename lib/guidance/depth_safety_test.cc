@@ -59,8 +59,8 @@ TEST(DepthSafetyLimit, ClimbsOverAFloorThatRises) {
 }
 
 RC_GTEST_PROP(DepthSafetyLimit, NeverAddsToAMotionTowardTheFloor, ()) {
-  const double z_m = Between(-10, 120);
-  const double own_mps = Between(-2, 2);
+  const double z_m = DrawBetween(-10, 120);
+  const double own_mps = DrawBetween(-2, 2);
   const Eigen::Vector3d command_mps = VectorWithin(2);
   const Eigen::Vector3d limited_mps = ApplyDepthSafety(kLimits, 90, z_m, own_mps, command_mps);
   RC_ASSERT(limited_mps.head<2>() == command_mps.head<2>());

@@ -85,8 +85,8 @@ TEST(PredictMember, RefusesWhatIsNoNumber) {
 RC_GTEST_PROP(PredictLeader, AgreesWithWhatTheLeaderPredictsOfItself, ()) {
   const Vector3d from_m = VectorWithin(300);
   const Vector3d to_m = VectorWithin(300);
-  const double speed_mps = Between(0.5, 2);
-  const double v_f_mps = Between(0.1, 2);
+  const double speed_mps = DrawBetween(0.5, 2);
+  const double v_f_mps = DrawBetween(0.1, 2);
   const double distance_m = (to_m - from_m).norm();
   RC_PRE(distance_m > 5);  // Nearer than that the acceleration is beyond its limit.
   const double a_mps2 = (v_f_mps * v_f_mps - speed_mps * speed_mps) / (2 * distance_m);
@@ -100,7 +100,7 @@ RC_GTEST_PROP(PredictLeader, AgreesWithWhatTheLeaderPredictsOfItself, ()) {
 }
 
 RC_GTEST_PROP(PredictLeader, TurnsWithTheWorld, ()) {
-  const Eigen::Matrix3d turn = AboutZ(Between(-3, 3));
+  const Eigen::Matrix3d turn = AboutZ(DrawBetween(-3, 3));
   const MotionReport report{
       .now = {.position_m = VectorWithin(100), .velocity_mps = VectorWithin(2)},
       .next = {.position_m = VectorWithin(100), .velocity_mps = VectorWithin(2)}};
@@ -108,7 +108,7 @@ RC_GTEST_PROP(PredictLeader, TurnsWithTheWorld, ()) {
     return Motion{.position_m = turn * motion.position_m,
                   .velocity_mps = turn * motion.velocity_mps};
   };
-  const double t_s = Between(0, 20);
+  const double t_s = DrawBetween(0, 20);
   const Motion after = turned(PredictLeader(report, t_s, {}));
   const Motion again =
       PredictLeader({.now = turned(report.now), .next = turned(report.next)}, t_s, {});

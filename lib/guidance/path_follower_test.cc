@@ -188,7 +188,7 @@ RC_GTEST_PROP(PathFollower, GivesFiniteGuidanceForAnyPathAndPosition, ()) {
   for (int i = 0; i < 12; ++i) {
     const Eigen::Vector3d position_m =
         i % 3 == 0 ? params.path.points_m.front() : AnyFiniteVector();
-    const PathGuidance guidance = follower.Update(position_m, Between(0, 10));
+    const PathGuidance guidance = follower.Update(position_m, DrawBetween(0, 10));
     RC_ASSERT(std::isfinite(guidance.psi_ref_rad));
     RC_ASSERT(std::abs(guidance.psi_ref_rad) <= kPi);
     RC_ASSERT(std::isfinite(guidance.z_m));

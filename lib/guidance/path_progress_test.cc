@@ -125,7 +125,7 @@ TEST(PathLeg, RefusesAnEmptyPathAndWhatIsNoNumber) {
 RC_GTEST_PROP(TrackErrors, AreThoseOfTheTurnedPath, ()) {
   const WaypointPath path{{VectorWithin(500), VectorWithin(500)}};
   const Eigen::Vector3d position_m = VectorWithin(500);
-  const Eigen::Matrix3d turn = AboutZ(Between(-3, 3));
+  const Eigen::Matrix3d turn = AboutZ(DrawBetween(-3, 3));
   const WaypointPath turned{{turn * path.points_m[0], turn * path.points_m[1]}};
   const TrackErrors errors = ErrorsOn(CurrentLeg(path, PathEnd::kGoOn, {}, position_m), position_m);
   const TrackErrors again =

@@ -11,12 +11,12 @@
 
 namespace shoal {
 
-inline double Between(double low, double high) {
+inline double DrawBetween(double low, double high) {
   return low + (high - low) * (*rc::gen::inRange(0, 1'000'001) / 1e6);
 }
 
 inline Eigen::Vector3d VectorWithin(double bound) {
-  return {Between(-bound, bound), Between(-bound, bound), Between(-bound, bound)};
+  return {DrawBetween(-bound, bound), DrawBetween(-bound, bound), DrawBetween(-bound, bound)};
 }
 
 /// Returns any finite number, extremes often.
@@ -75,8 +75,8 @@ inline TargetScene AnyTargetScene() {
   }
   for (int i = *rc::gen::inRange(0, 6); i > 0; --i) {
     const Eigen::Vector3d direction =
-        Eigen::Vector3d(1, Between(-0.4, 0.4), Between(-0.2, 0.2)).normalized();
-    scene.sonar.push_back({.direction = direction, .range_m = Between(0, 60)});
+        Eigen::Vector3d(1, DrawBetween(-0.4, 0.4), DrawBetween(-0.2, 0.2)).normalized();
+    scene.sonar.push_back({.direction = direction, .range_m = DrawBetween(0, 60)});
   }
   return scene;
 }

@@ -73,7 +73,7 @@ TEST(VelocityCascade, BelongsToOneVehicle) {
 
 RC_GTEST_PROP(VelocityCascade, TurnsWithTheWorldAndKeepsToTheGreatestSpeed, ()) {
   const TargetScene scene = AnyTargetScene();
-  const double angle_rad = Between(-3.1, 3.1);
+  const double angle_rad = DrawBetween(-3.1, 3.1);
   const Vector3d v_mps = DesiredVelocity(VelocityCascade{}, kUMax_mps, scene.Seen());
   const Vector3d turned_mps =
       DesiredVelocity(VelocityCascade{}, kUMax_mps, scene.Turned(angle_rad).Seen());

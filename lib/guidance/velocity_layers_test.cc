@@ -96,7 +96,7 @@ RC_GTEST_PROP(SurvivalGroupLayer, DoesNothingOutsideItsZone, ()) {
   for (Neighbour& member : scene.group) {
     const Vector3d offset_m = member.position_m - scene.own.position_m;
     RC_PRE(offset_m.norm() > 1e-3);
-    member.position_m = scene.own.position_m + offset_m.normalized() * Between(40.001, 1000);
+    member.position_m = scene.own.position_m + offset_m.normalized() * DrawBetween(40.001, 1000);
   }
   RC_ASSERT(LayerVelocity(SurvivalLayer{}, kUMax_mps, scene.Seen()) == Vector3d::Zero());
 }
@@ -121,7 +121,7 @@ RC_GTEST_PROP(SurvivalSonarLayer, IsNoStrongerForMoreBeamsOnTheSameObstacle, ())
 
 RC_GTEST_PROP(Layers, TurnWithTheWorldAndKeepToTheirLimit, ()) {
   const TargetScene scene = AnyTargetScene();
-  const double angle_rad = Between(-3.1, 3.1);
+  const double angle_rad = DrawBetween(-3.1, 3.1);
   const TargetScene turned = scene.Turned(angle_rad);
   const std::vector<VelocityLayer> layers = {FeedForwardLayer{}, FormationLayer{},
                                              SurvivalGroupLayer{}, SurvivalSonarLayer{},

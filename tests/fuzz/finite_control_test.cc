@@ -27,7 +27,7 @@ RC_GTEST_PROP(FiniteControl, AuvPilotsStayWithinTheirFinsInAnyMotion, ()) {
   AuvPilot pilot(params);
   pilot.Start(AnyFinite(), AnyFinite());
   for (int i = 0; i < 10; ++i) {
-    const double dt_s = Between(1e-6, 1);
+    const double dt_s = DrawBetween(1e-6, 1);
     const double seabed_z_m = *rc::gen::element(AnyFinite(), kInfinity);
     const AuvDeflections fins =
         *rc::gen::arbitrary<bool>()
@@ -45,14 +45,14 @@ RC_GTEST_PROP(FiniteControl, AuvPilotsStayWithinTheirFinsInAnyMotion, ()) {
 RC_GTEST_PROP(FiniteControl, FiltersAndRampsAreFiniteForAnyCommand, ()) {
   DepthFilter filter{.z_d_m = AnyFinite()};
   for (int i = 0; i < 5; ++i) {
-    const DepthFilterParams params{.time_s = Between(1e-3, 100),
+    const DepthFilterParams params{.time_s = DrawBetween(1e-3, 100),
                                    .settles_per_step = *rc::gen::arbitrary<bool>()};
     RC_ASSERT(std::isfinite(filter.Update(params, AnyFinite(), std::abs(AnyFinite()))));
   }
   const double limited_m = LimitDepth(AnyFinite(), {}, *rc::gen::element(AnyFinite(), kInfinity));
   RC_ASSERT(limited_m >= 0 && limited_m <= DepthLimits().max_z_m);
   const double rate_rpmps = *rc::gen::element(std::abs(AnyFinite()), kInfinity);
-  RC_ASSERT(std::isfinite(RampRpm(AnyFinite(), AnyFinite(), rate_rpmps, Between(1e-6, 1e6))));
+  RC_ASSERT(std::isfinite(RampRpm(AnyFinite(), AnyFinite(), rate_rpmps, DrawBetween(1e-6, 1e6))));
 }
 
 RC_GTEST_PROP(FiniteControl, SurfaceAutopilotsStayWithinTheirActuatorsForAnyMotion, ()) {

@@ -14,7 +14,7 @@
 namespace shoal::finite_guidance_test {
 
 RC_GTEST_PROP(FiniteGuidance, AlosIsFiniteForAnyErrorAndAnyTime, ()) {
-  const AlosParams params{.lookahead_m = Between(0.1, 1000), .crab_gain = Between(0, 1)};
+  const AlosParams params{.lookahead_m = DrawBetween(0.1, 1000), .crab_gain = DrawBetween(0, 1)};
   const AlosStep step =
       StepAlos(params, AnyFinite(), AnyFinite(), AnyFinite(), std::abs(AnyFinite()));
   RC_ASSERT(std::isfinite(step.heading_rad) && std::isfinite(step.crab_rad));
@@ -51,7 +51,7 @@ RC_GTEST_PROP(FiniteGuidance, TasksOfSurfaceCraftAskForFiniteThingsWhereverTheyA
   for (int i = 0; i < 10; ++i) {
     if (*rc::gen::arbitrary<bool>()) fix.position_m = AnyFiniteVector().head<2>();
     fix.heading_rad = AnyFinite();
-    fix.time_s += Between(0, 10);
+    fix.time_s += DrawBetween(0, 10);
     if (i == 5) runner.Rejoin(fix);
     const Guidance guidance = runner.Update(fix);
     RC_ASSERT(std::isfinite(guidance.heading_rad) && std::isfinite(guidance.speed_mps));

@@ -20,7 +20,7 @@ RC_GTEST_PROP(FiniteOcean, CurrentsAreFiniteForAnyDeviation, ()) {
   const HalfPeriod half_period{.start_amplitude = std::abs(AnyFinite()),
                                .end_amplitude = std::abs(AnyFinite()),
                                .above_mean = *rc::gen::arbitrary<bool>()};
-  RC_ASSERT(std::isfinite(DeviationAt(half_period, Between(0, 1))));
+  RC_ASSERT(std::isfinite(DeviationAt(half_period, DrawBetween(0, 1))));
 }
 
 RC_GTEST_PROP(FiniteOcean, NoiseIsFiniteAnywhere, ()) {
@@ -29,12 +29,12 @@ RC_GTEST_PROP(FiniteOcean, NoiseIsFiniteAnywhere, ()) {
 }
 
 RC_GTEST_PROP(FiniteSensors, ReadingsAreFiniteAnywhereAtAnyTime, ()) {
-  const SeaFloor floor = FlatFloor(Between(0, 1000));
+  const SeaFloor floor = FlatFloor(DrawBetween(0, 1000));
   RC_ASSERT(std::isfinite(DepthBelow(floor, AnyFiniteVector())));
-  const Altimeter altimeter{.noise = {.sigma = Between(0, 10)}};
+  const Altimeter altimeter{.noise = {.sigma = DrawBetween(0, 10)}};
   const auto reading_m = MeasureAltitude(altimeter, floor, AnyFiniteVector(), 7);
   RC_ASSERT(!reading_m || std::isfinite(*reading_m));
-  const CurrentMeter meter{.noise = {.sigma = Between(0, 10)}};
+  const CurrentMeter meter{.noise = {.sigma = DrawBetween(0, 10)}};
   RC_ASSERT(MeasureCurrent(meter, Current(), AnyFinite(), 7).allFinite());
 }
 

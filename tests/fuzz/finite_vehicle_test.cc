@@ -72,7 +72,7 @@ RC_GTEST_PROP(FiniteVehicle, SurfaceCraftStayFiniteFromAnyState, ()) {
   state.rudder_deg = AnyFinite();
   for (int i = 0; i < 5; ++i) {
     state = Step(params, state, {AnyFinite(), AnyFinite()}, AnyFiniteVector().head<2>(),
-                 Between(1e-6, 100));
+                 DrawBetween(1e-6, 100));
     RC_ASSERT(state.position_m.allFinite() && state.velocity_over_ground_mps.allFinite());
     RC_ASSERT(std::isfinite(state.heading_rad) && std::isfinite(state.speed_mps));
     RC_ASSERT(std::isfinite(state.rudder_deg) && std::isfinite(state.yaw_rate_radps));

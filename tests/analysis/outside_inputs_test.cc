@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "lib/analysis/rebroker.h"
+#include "sim/app_factory.h"
 #include "tests/analysis/rebroker_testing.h"
 
 namespace shoal::outside_inputs_test {
@@ -13,7 +14,7 @@ namespace shoal::outside_inputs_test {
 DecisionComparison Compared(const CommsLog& log) {
   const Result<BrokerSetup> setup = SetupOf(*log.rules);
   EXPECT_TRUE(setup.ok());
-  return Rebroker(log, {.setup = *setup}, {}).comparison;
+  return Rebroker(log, {.setup = *setup}, MakeShoreBroker, {}).comparison;
 }
 
 std::vector<TestEvent> Talk() {

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "lib/analysis/rebroker.h"
+#include "sim/app_factory.h"
 #include "tests/analysis/rebroker_testing.h"
 
 namespace shoal::comms_log_test {
@@ -19,7 +20,7 @@ std::vector<TestEvent> Talk() {
 RebrokerOutcome AsRecorded(const CommsLog& log) {
   const Result<BrokerSetup> setup = SetupOf(*log.rules);
   EXPECT_TRUE(setup.ok());
-  return Rebroker(log, {.setup = *setup}, {});
+  return Rebroker(log, {.setup = *setup}, MakeShoreBroker, {});
 }
 
 TEST(CommsLog, TakesTheTimesOfARecordingAsTheyAre) {
