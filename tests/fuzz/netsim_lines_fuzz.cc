@@ -30,7 +30,7 @@ void CheckPosition(const NetsimPosition& position) {
 }
 
 void CheckReply(std::string_view line) {
-  static const NetsimOptions options = TwoVehicles();
+  static const NetsimOptions options = TwoNetsimVehicles();
   const NetsimReply reply = AnswerLine(line, "127.0.0.1", options);
   for (const NetsimPosition& position : reply.positions) CheckPosition(position);
   SHOAL_CHECK(reply.answer.empty() || reply.answer.find('\n') == reply.answer.size() - 1,

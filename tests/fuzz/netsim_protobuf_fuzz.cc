@@ -13,7 +13,7 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   using shoal::NetsimRequest;
-  static const shoal::NetsimOptions options = shoal::TwoVehicles();
+  static const shoal::NetsimOptions options = shoal::TwoNetsimVehicles();
   const std::string line = shoal::LineOf(std::vector<uint8_t>(data, data + size));
   const auto parsed = shoal::ParseRequestLine(line);
   const shoal::NetsimReply reply = shoal::AnswerLine(line, "127.0.0.1", options);
