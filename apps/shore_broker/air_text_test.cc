@@ -158,7 +158,7 @@ TEST(AirBytes, OfAMessageHoldEveryDigitOfItsNumber) {
   EXPECT_EQ(understood->double_val, message.double_val);
 }
 
-TEST(DamagedMessage, SaysWhatItsTextSays) {
+TEST(DamagedMessage, HasTheContentOfItsText) {
   const auto understood = UnderstandDamaged(
       NodeMessage(), BytesOf("src_node=alpha,dest_node=bravo,var_name=SPEED,double_val=9.5"));
   ASSERT_TRUE(understood.has_value());

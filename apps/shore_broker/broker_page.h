@@ -21,7 +21,7 @@ struct BrokerPageFacts {
 /// Returns configuration; of reports, messages, acks and packets: how many were received, sent, and
 /// blocked by which cause; the vehicles that are known and stale; and what the water did, where
 /// anything went through it.
-[[nodiscard]] std::string FormatBrokerPage(const Router& router, const AcousticTraffic& water,
+[[nodiscard]] std::string FormatBrokerPage(const Router& router, const AcousticTraffic& traffic,
                                            const BrokerPageFacts& facts);
 
 }  // namespace shoal

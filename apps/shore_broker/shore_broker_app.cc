@@ -29,8 +29,8 @@ ShoreBrokerApp::ShoreBrokerApp(BrokerSetup setup, Bus& bus)
       bus_(bus),
       inbox_(bus),
       router_(setup_.rules, setup_.seed, setup_.vehicles),
-      water_(setup_),
-      delivery_(setup_, bus, &router_, &water_),
+      traffic_(setup_),
+      delivery_(setup_, bus, &router_, &traffic_),
       warp_(kMaxWarp) {
   for (const auto& [name, factors] : setup_.factors) router_.SetFactors(name, factors);
 
@@ -70,8 +70,8 @@ void ShoreBrokerApp::Tick(int64_t utime) {
 void ShoreBrokerApp::Begin(int64_t utime) {
   began_ = true;
   start_utime_ = utime;
-  if (!water_.problem().empty()) {
-    log_.Warn("no vehicle can send over the acoustic network; [acoustics] " + water_.problem());
+  if (!traffic_.problem().empty()) {
+    log_.Warn("no vehicle can send over the acoustic network; [acoustics] " + traffic_.problem());
   }
   rules_changed_ = true;
   holds_ = utime > setup_.start_utime;
@@ -165,7 +165,7 @@ bool ShoreBrokerApp::TakeIn(int64_t utime, WaitingReport* report) {
     log_.Event(utime, fmt::format("{} is known now", report_.name));
   }
   if (!report->admission.refused) {
-    water_.Place(report_.name, report->admission.position_m);
+    traffic_.Place(report_.name, report->admission.position_m);
     return true;
   }
 
@@ -193,7 +193,7 @@ void ShoreBrokerApp::RouteReport(int64_t utime, const WaitingReport& report) {
                    .air_bytes = [&] {
                      SHOAL_CHECK(Decode(inbox_.BytesOf(report.raw), &report_),
                                  "it was decoded when it came");
-                     return AirBytes(report_, water_.AddressOf(source.name).value_or(0),
+                     return AirBytes(report_, traffic_.AddressOf(source.name).value_or(0),
                                      setup_.start_utime);
                    }});
   Share(utime, report);
@@ -261,7 +261,7 @@ void ShoreBrokerApp::RoutePacket(int64_t utime, const BrokerInbox::Item& item) {
   if (!DecodeItem(item, channels::AcousticTx(), &packet_)) return;
   router_.RoutePacket({.source = packet_.source,
                        .length_bytes = packet_.num_bytes,
-                       .length_limit_bytes = water_.max_payload_bytes(),
+                       .length_limit_bytes = traffic_.max_payload_bytes(),
                        .is_sound = packet_.num_bytes > 0},
                       utime, &decisions_);
   if (decisions_.front().cause == Cause::kInvalid) {
@@ -277,7 +277,7 @@ void ShoreBrokerApp::RoutePacket(int64_t utime, const BrokerInbox::Item& item) {
 
 Eigen::Vector3d ShoreBrokerApp::PositionOfSource() const {
   const int32_t source = decisions_.front().source;
-  return source == kNobody ? Eigen::Vector3d::Zero() : router_.contact(source).position_m;
+  return source == kNoContact ? Eigen::Vector3d::Zero() : router_.contact(source).position_m;
 }
 
 void ShoreBrokerApp::Conclude(int64_t utime, DecidedTransmission sent) {
@@ -331,7 +331,7 @@ std::optional<App::RequestAnswer> ShoreBrokerApp::Answer(std::string_view channe
 
 StatusPage ShoreBrokerApp::Status() const {
   StatusPage page;
-  page.text = FormatBrokerPage(router_, water_,
+  page.text = FormatBrokerPage(router_, traffic_,
                                {.start_utime = start_utime_,
                                 .now_utime = now_utime_,
                                 .num_commands_handed_on = num_commands_handed_on_,

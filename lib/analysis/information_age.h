@@ -35,7 +35,7 @@ struct AgePoint {
 struct AgeSummary {
   bool is_target = false;
   int64_t num_reports = 0;   ///< With different time stamps.
-  double first_heard_s = 0;  ///< Mission time.
+  double first_report_s = 0;  ///< Mission time.
   double mean_s = 0;
   double age_95_s = 0;  ///< It was no older for 95 % of the time.
   double max_s = 0;
@@ -45,10 +45,10 @@ class InformationAge {
  public:
   /// Who knows, and of whom.
   using Pair = std::pair<std::string, std::string>;
-  using Tell = std::function<void(const AgePoint&)>;
+  using OnPoint = std::function<void(const AgePoint&)>;
 
   /// `tell` is called for each corner, in order of time; may be empty.
-  explicit InformationAge(Tell tell = {}) : tell_(std::move(tell)) {}
+  explicit InformationAge(OnPoint tell = {}) : on_point_(std::move(tell)) {}
 
   void Add(const swarm_t& swarm);
 
@@ -85,11 +85,11 @@ class InformationAge {
   };
 
   void AddContact(const swarm_t& swarm, const swarm_contact_t& contact, Observer* observer);
-  void TellAge(const swarm_t& swarm, const std::string& name, const Knowledge& knowledge) const;
+  void ReportAge(const swarm_t& swarm, const std::string& name, const Knowledge& knowledge) const;
   static void EndTooth(int64_t utime, Knowledge* knowledge);
   static AgeSummary Summarize(const Knowledge& knowledge, int64_t last_utime);
 
-  Tell tell_;
+  OnPoint on_point_;
   std::map<std::string, Observer> observers_;
   int64_t num_future_ = 0;
   int64_t num_impossible_ = 0;

@@ -71,7 +71,7 @@ TEST(InformationAge, IsThatOfTheOnlyMessageWhereThereIsOne) {
   EXPECT_DOUBLE_EQ(ages.Summary().max_s, 2);
 }
 
-TEST(InformationAge, IsNoneWhileAContactIsNotHeard) {
+TEST(InformationAge, IsNoneWhileAContactIsNotReceived) {
   Ages ages;
   ages.Add(0, 0);
   ages.Add(2, 0);
@@ -85,7 +85,7 @@ TEST(InformationAge, IsNoneWhileAContactIsNotHeard) {
   EXPECT_EQ(ages.Summary().num_reports, 2);
 }
 
-TEST(InformationAge, IsNoneWhileWhatAContactSaidCannotBeUsed) {
+TEST(InformationAge, IsNoneWhileTheReportsOfAContactCannotBeUsed) {
   Ages ages;
   ages.Add(0, 0);
   ages.Add(2, 0);

@@ -20,7 +20,7 @@ PlotData DataOf(const std::vector<TestEvent>& events, const PlotSelection& selec
   return builder.Build();
 }
 
-TEST(PlotData, GathersWhatTheVehiclesSaid) {
+TEST(PlotData, GathersWhatTheVehiclesPublished) {
   const PlotData data = DataOf(LogOfTwoVehicles());
   ASSERT_EQ(data.vehicles.size(), 2u);
   const VehicleCurves& alpha = data.vehicles[0];
@@ -123,7 +123,7 @@ TEST(PlotData, DrawsTheAgeOfNewsAsTheTeethOfASaw) {
       << "the oldest of all that were heard";
 }
 
-TEST(PlotData, DrawsNoAgeWhileNothingIsHeard) {
+TEST(PlotData, DrawsNoAgeWhileNothingIsReceived) {
   swarm_contact_t unheard = ContactAt("alpha", 0);
   unheard.is_heard = 0;
   const PlotData data = DataOf(

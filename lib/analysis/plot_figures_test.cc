@@ -51,7 +51,7 @@ TEST_F(Figures, ShowTracksWithEqualAxesPlanAndMarks) {
   EXPECT_FALSE(Contains(tracks.script, "$floor"));
 }
 
-TEST_F(Figures, ShowTheWaypointsThatTheHelmToldWhereThereIsNoMission) {
+TEST_F(Figures, ShowTheWaypointsThatTheHelmPublishedWhereThereIsNoMission) {
   Draw(LogOfTwoVehicles(), {.title = "log"});
   EXPECT_TRUE(Contains(Of("tracks").script, "set title 'Tracks: log'\n"));
   EXPECT_TRUE(Contains(Of("tracks").data, "# alpha, waypoints\n200 0\n"));

@@ -39,7 +39,7 @@ TEST_F(Gnuplot, IsGivenTheScriptInItsFolderAndNoSettings) {
   EXPECT_EQ(TextOfFile(directory_.File("said")), "-d a.gp\n");
 }
 
-TEST_F(Gnuplot, TellsWhatItSaidWhereItFails) {
+TEST_F(Gnuplot, ReturnsItsOutputWhereItFails) {
   const std::string program = WriteProgram("fake", "#!/bin/sh\necho 'no such thing' >&2\nexit 4\n");
   const auto drawn = RunGnuplot(program, directory_.File(""), "a.gp");
   ASSERT_FALSE(drawn.ok());

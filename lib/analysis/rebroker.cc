@@ -23,7 +23,7 @@ class Replayed {
         broker_bus_(hub_.Join(std::string(kBrokerName))),
         broker_(make_broker(setup, broker_bus_)) {
     log_bus_.SubscribeAll([this](const Message& message) {
-      if (message.publisher == kBrokerName) (*hear_)(message);
+      if (message.publisher == kBrokerName) (*on_message_)(message);
     });
   }
 
@@ -39,7 +39,7 @@ class Replayed {
     hub_.Handle(broker_bus_);
     broker_->Tick(utime);
     hub_.NextStep();
-    hear_ = &hear;
+    on_message_ = &hear;
     hub_.Handle(log_bus_);
   }
 
@@ -48,7 +48,7 @@ class Replayed {
   Bus& log_bus_;
   Bus& broker_bus_;
   std::unique_ptr<Broker> broker_;
-  const std::function<void(const Message&)>* hear_ = nullptr;
+  const std::function<void(const Message&)>* on_message_ = nullptr;
 };
 
 /// Puts events into the order of a log: by time, then by channel.

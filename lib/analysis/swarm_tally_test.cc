@@ -31,13 +31,13 @@ TEST(SwarmTally, GoesOnWhereAProcessWasStartedAgain) {
   EXPECT_EQ(tally.Sources().at({"bravo", "alpha"}), (SourceCount{13, 9, 2, 2}));
   tally.Add(SwarmAt(0, "bravo", {}));
   EXPECT_EQ(tally.Sources().at({"bravo", "alpha"}), (SourceCount{13, 9, 2, 2}));
-  swarm_t as_said = Bravo(0, 2, 0, 0);  // It had said nothing more, but heard less.
+  swarm_t restarted = Bravo(0, 2, 0, 0);  // It had said nothing more, but heard less.
   tally.Add(Bravo(0, 4, 0, 0));
-  tally.Add(as_said);
+  tally.Add(restarted);
   EXPECT_EQ(tally.Sources().at({"bravo", "alpha"}), (SourceCount{19, 15, 2, 2}));
 }
 
-TEST(SwarmTally, KnowsAnotherProcessByWhatItSaidWhereItHeardMoreSince) {
+TEST(SwarmTally, RecognizesARestartByTheCountOfPublishedMessagesWhereMoreWereReceivedSince) {
   SwarmTally tally;
   tally.Add(Bravo(5, 1, 0, 0));
   tally.Add(Bravo(0, 3, 0, 0));

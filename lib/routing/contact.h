@@ -40,7 +40,7 @@ struct Contact {
   std::array<int64_t, kNumKinds> num_sent = {};  ///< Transmissions; the next one's number.
   int64_t num_admitted = 0;                      ///< Reports that were not refused.
   KindCounts sent = {};                          ///< Fates of what it sent.
-  KindCounts heard = {};                         ///< Fates of what it was to receive.
+  KindCounts received = {};                         ///< Fates of what it was to receive.
 };
 
 }  // namespace shoal

@@ -90,7 +90,7 @@ class Oracle {
       Fate fate = report.fate;
       fate.destination = name;
       DecideReport(report, receiver, &fate);
-      if (fate.numbers.cause == Cause::kDelivered) heard_[{report.source, name}] = now;
+      if (fate.numbers.cause == Cause::kDelivered) received_[{report.source, name}] = now;
       fates.push_back(fate);
     }
     return fates;
@@ -158,7 +158,7 @@ class Oracle {
       vehicle.known = false;
       vehicle.group = "";
       vehicle.messaged = std::nullopt;
-      std::erase_if(heard_, [&](const auto& entry) {
+      std::erase_if(received_, [&](const auto& entry) {
         return entry.first.first == name || entry.first.second == name;
       });
       std::erase_if(wanted_, [&](const auto& pair) { return pair.first == name; });
@@ -240,8 +240,8 @@ class Oracle {
     if (rules.drop_percentage > 0) d->loss_pct = rules.drop_percentage;
     if (IsLost(*fate)) return;
     d->cause = Cause::kDelivered;
-    const auto heard = heard_.find({report.source, fate->destination});
-    if (rules.min_rpt_interval_s < 0 || heard == heard_.end()) return;
+    const auto heard = received_.find({report.source, fate->destination});
+    if (rules.min_rpt_interval_s < 0 || heard == received_.end()) return;
     if (Since(heard->second) >= rules.min_rpt_interval_s) return;
     d->cause = Cause::kTooSoon;
     d->wait_s = rules.min_rpt_interval_s - Since(heard->second);
@@ -315,7 +315,7 @@ class Oracle {
   std::set<std::string> mission_;
   std::map<std::string, OracleVehicle> vehicles_;
   OracleVehicle nobody_;
-  std::map<std::pair<std::string, std::string>, int64_t> heard_;  ///< (source, receiver)
+  std::map<std::pair<std::string, std::string>, int64_t> received_;  ///< (source, receiver)
   std::set<std::pair<std::string, std::string>> wanted_;          ///< (receiver, source)
 };
 

@@ -75,7 +75,7 @@ Admission Router::Refuse(std::string_view name) {
 Admission Router::RefuseBecause(Cause cause, Contact* source) {
   ledger_.RecordRefusal(Kind::kReport, cause, source);
   return {.refused = cause,
-          .source = source == nullptr ? kNobody : source->index,
+          .source = source == nullptr ? kNoContact : source->index,
           .number = ledger_.TakeNumber(Kind::kReport, source),
           .position_m = Eigen::Vector3d::Zero(),
           .group_key = {}};

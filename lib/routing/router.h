@@ -47,7 +47,7 @@ struct ReportFacts {
 /// The outcome of a report's intake.
 struct Admission {
   std::optional<Cause> refused;  ///< Absent: admitted.
-  int32_t source = kNobody;      ///< kNobody where refused and not known.
+  int32_t source = kNoContact;      ///< kNoContact where refused and not known.
   int64_t number = 0;            ///< Of the report.
   Eigen::Vector3d position_m = Eigen::Vector3d::Zero();
   std::string group_key;
@@ -63,7 +63,7 @@ struct PacketFacts {
 
 class Router {
  public:
-  static constexpr int kMaxStrangers = ContactBook::kMaxStrangers;
+  static constexpr int kMaxUnregistered = ContactBook::kMaxUnregistered;
 
   /// @pre `vehicles`: the mission's, legal names of different keys.
   Router(const RoutingRules& rules, uint64_t seed, std::span<const std::string> vehicles);

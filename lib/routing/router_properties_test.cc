@@ -48,7 +48,7 @@ struct Ledger {
     }
     for (const Contact* contact : router.contacts()) {
       RC_ASSERT(contact->sent == sent[contact->key]);
-      RC_ASSERT(contact->heard == heard[contact->key]);
+      RC_ASSERT(contact->received == heard[contact->key]);
     }
   }
 };

@@ -97,7 +97,7 @@ TEST(OrderOfRules, LeavesTheNumbersOfRulesThatWereNotAskedOut) {
   EXPECT_EQ(decision.wait_s, -1);
 }
 
-TEST(OrderOfRules, TellsTheNumbersOfAllRulesThatWereAsked) {
+TEST(OrderOfRules, ReturnsTheNumbersOfAllRulesThatWereAsked) {
   Link link;
   link.receiver.received_utime = kNow - 1'000'000;
   link.receiver.position_m.x() = 9;

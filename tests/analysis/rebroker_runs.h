@@ -43,7 +43,7 @@ inline bool IsOfBroker(const std::string& channel) {
 }
 
 /// Returns the log of a mission.
-inline std::vector<TestEvent> Talk(const std::string& mission = kTalkative) {
+inline std::vector<TestEvent> RecordedEvents(const std::string& mission = kMixedTraffic) {
   const TestDirectory directory;
   Record(mission, directory.File("m.lcm"));
   return EventsOf(directory.File("m.lcm"));

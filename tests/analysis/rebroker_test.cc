@@ -12,7 +12,7 @@
 namespace shoal::rebroker_test {
 
 TEST(RebrokerTestMission, HasAllSortsOfFates) {
-  const std::map<std::string, int64_t> causes = CausesOf(Talk());
+  const std::map<std::string, int64_t> causes = CausesOf(RecordedEvents());
   for (const char* cause :
        {"report delivered", "report out_of_range", "report dropped", "report other_group",
         "message delivered", "message too_soon", "ack delivered"}) {
@@ -21,7 +21,7 @@ TEST(RebrokerTestMission, HasAllSortsOfFates) {
 }
 
 TEST(Rebroker, DecidesAsRecordedByTheRecordedRules) {
-  const CommsLog log = LogOf(Talk());
+  const CommsLog log = LogOf(RecordedEvents());
   EXPECT_EQ(log.time, LogTime::kMission);
   const RebrokerOutcome outcome = AsRecorded(log);
   EXPECT_GT(outcome.comparison.num_recorded(), 200);
@@ -31,7 +31,7 @@ TEST(Rebroker, DecidesAsRecordedByTheRecordedRules) {
 }
 
 TEST(Rebroker, WritesTheBrokersPartOfTheLogByteForByte) {
-  std::vector<TestEvent> recorded = Talk();
+  std::vector<TestEvent> recorded = RecordedEvents();
   std::vector<TestEvent> written;
   AsRecorded(LogOf(recorded), &written);
   std::erase_if(recorded, [](const TestEvent& event) { return !IsOfBroker(event.channel); });
@@ -43,8 +43,8 @@ TEST(Rebroker, WritesTheBrokersPartOfTheLogByteForByte) {
   }
 }
 
-TEST(Rebroker, SaysTheSameOfTheLogThatItWroteByOtherRules) {
-  const CommsLog log = LogOf(Talk());
+TEST(Rebroker, DecidesTheSameFromTheLogThatItWroteByOtherRules) {
+  const CommsLog log = LogOf(RecordedEvents());
   BrokerSetup setup = SetupFor(log);
   setup.rules.drop_percentage = 60;
   setup.rules.groups = false;
@@ -93,7 +93,7 @@ PairLog RecordPair() {
   return pair;
 }
 
-TEST(Rebroker, TellsWhatIsLostWhereTheRangeIsShorter) {
+TEST(Rebroker, ReportsWhatIsLostWhereTheRangeIsShorter) {
   const PairLog pair = RecordPair();
   BrokerSetup setup = SetupFor(pair.log);
   setup.rules.comms_range_m = 50;
@@ -120,7 +120,7 @@ TEST(Rebroker, LetsRecordedControlsChangeTheOtherRules) {
 }
 
 TEST(Rebroker, KeepsTheSeedSoThatLossesFallOnTheSameReports) {
-  const CommsLog log = LogOf(Talk());
+  const CommsLog log = LogOf(RecordedEvents());
   BrokerSetup setup = SetupFor(log);
   setup.seed = 8;
   EXPECT_FALSE(Rebroker(log, {.setup = setup}, MakeShoreBroker, {}).comparison.IsEqual());
@@ -194,7 +194,7 @@ TEST(Rebroker, KnowsThatABrokerWaitedWhoseQuestionIsNotInTheLog) {
   EXPECT_TRUE(outcome.comparison.IsEqual()) << outcome.comparison.first_difference();
 }
 
-TEST(Rebroker, CountsApartWhatWasSaidAfterTheLastBrokerDied) {
+TEST(Rebroker, CountsSeparatelyWhatWasPublishedAfterTheLastBrokerDied) {
   const TestDirectory directory;
   Record(kPair, directory.File("m.lcm"));
   std::vector<TestEvent> events = EventsOf(directory.File("m.lcm"));
@@ -210,7 +210,7 @@ TEST(Rebroker, CountsApartWhatWasSaidAfterTheLastBrokerDied) {
 
 TEST(Rebroker, DecidesALiveBrokersLogAtTheTimesOfItsEvents) {
   // What a logger sees of a live broker: no seals, each decision a little later than its report.
-  std::vector<TestEvent> events = Talk();
+  std::vector<TestEvent> events = RecordedEvents();
   constexpr int64_t kBegin = 1'700'000'000'000'000;
   int64_t count = 0;
   for (TestEvent& event : events) {
@@ -245,7 +245,7 @@ TEST(Rebroker, DecidesALiveBrokersLogAtTheTimesOfItsEvents) {
 RC_GTEST_PROP(Rebroker, SurvivesAnyLog, ()) {
   const auto channel =
       rc::gen::oneOf(rc::gen::elementOf(BrokerChannels()), rc::gen::just(std::string("NAV_ALPHA")));
-  static const std::vector<TestEvent> sound = Talk();
+  static const std::vector<TestEvent> sound = RecordedEvents();
   std::vector<TestEvent> events;
   const int count = *rc::gen::inRange(0, 40);
   for (int i = 0; i < count; ++i) {
