@@ -1,4 +1,4 @@
-// Reports, messages and acks through the water: as they were said, damaged, or thrown away.
+// Reports, messages and acks over the acoustic network: unchanged, damaged, or discarded.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -35,10 +35,10 @@ TEST_F(CalmReports, TakeTheTimeOf37BytesAndArriveUnchanged) {
   Send(report);
   EXPECT_EQ(StepUntilFates(), 5) << "0.328 s and 0.1 s";
   ASSERT_EQ(received_["alpha"].size(), 1U);
-  node_report_t heard;
-  ASSERT_TRUE(Decode(received_["alpha"][0], &heard));
-  EXPECT_EQ(heard.x_m, 150);
-  EXPECT_EQ(heard.extra.size(), 1U) << "the user's own fields too";
+  node_report_t received;
+  ASSERT_TRUE(Decode(received_["alpha"][0], &received));
+  EXPECT_EQ(received.x_m, 150);
+  EXPECT_EQ(received.extra.size(), 1U) << "the user's own fields too";
   EXPECT_EQ(fates_[0].kind, "report");
   EXPECT_EQ(fates_[0].path.at(0).num_bytes, 41);
   EXPECT_EQ(fates_[0].age_limit_s, 5);
@@ -74,7 +74,7 @@ Mission WithBitErrors(bool crc) {
 struct ReportCounts {
   std::map<std::string, int> causes;
   int num_received = 0;
-  int num_wrong = 0;  ///< Heard, and not as they were said.
+  int num_wrong = 0;  ///< Received, and not as they were sent.
 };
 
 class DamagingNetwork : public AcousticFixture {
@@ -93,15 +93,15 @@ class DamagingNetwork : public AcousticFixture {
       while (!is_decided) {
         Step();
         for (const Bytes& bytes : received_["bravo"]) {
-          node_report_t heard;
-          EXPECT_TRUE(Decode(bytes, &heard));
+          node_report_t received;
+          EXPECT_TRUE(Decode(bytes, &received));
           ++counts.num_received;
-          for (const double number : {heard.x_m, heard.y_m, heard.depth_m, heard.lat_deg,
-                                      heard.lon_deg, heard.speed_mps, heard.heading_deg}) {
+          for (const double number : {received.x_m, received.y_m, received.depth_m, received.lat_deg,
+                                      received.lon_deg, received.speed_mps, received.heading_deg}) {
             EXPECT_TRUE(std::isfinite(number));
           }
-          if (heard.name != "alpha" || heard.x_m != 100 || heard.speed_mps != 0 ||
-              heard.depth_m != 0 || heard.y_m != 0 || heard.utime != 0) {
+          if (received.name != "alpha" || received.x_m != 100 || received.speed_mps != 0 ||
+              received.depth_m != 0 || received.y_m != 0 || received.utime != 0) {
             ++counts.num_wrong;
           }
         }

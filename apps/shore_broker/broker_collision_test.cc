@@ -1,4 +1,4 @@
-// Packets that meet in the water, where collisions damage instead of drop.
+// Packets that overlap at the receiver, where collisions damage instead of drop.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -20,7 +20,7 @@ class CorruptingFixture : public AcousticFixture {
  protected:
   explicit CorruptingFixture(bool crc) : AcousticFixture(CorruptingNetwork(crc)) {}
 
-  /// alpha and bravo speak at once, both 75 m from charlie; steps until that is decided.
+  /// alpha and bravo send at once, both 75 m from charlie; steps until that is decided.
   void SendAtOnce() {
     Send(ReportFrom("charlie", 75));
     Begin();

@@ -1,4 +1,4 @@
-// Whatever is said, by whatever rules: everything has one fate, or is still in the water.
+// Any traffic, by any rules: every transmission has one fate, or is still in transit.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 

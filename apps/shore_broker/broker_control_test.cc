@@ -199,7 +199,7 @@ class LateBrokerTest : public BrokerControlTest {
     return {.channel = channel, .control = {.utime = 0, .vehicle = vehicle, .value = value}};
   }
 
-  Bus& unnamed_ = hub_.Join("");  ///< Outside the step protocol nobody has a name.
+  Bus& unnamed_ = hub_.Join("");  ///< Outside the step protocol there are no names.
 };
 
 TEST_F(LateBrokerTest, IgnoresControlsFromUnregisteredParticipants) {
@@ -239,7 +239,7 @@ TEST_F(LateBrokerTest, LetsALaterControlPrevailOverWhatItMissed) {
 
 TEST_F(LateBrokerTest, GoesOnWithTheMissionsRulesWithoutAnAnswer) {
   for (int step = 0; step < 10; ++step) EXPECT_TRUE(BothReport(200).empty());
-  EXPECT_EQ(BothReport(200).size(), 22U) << "nothing that it heard meanwhile is lost";
+  EXPECT_EQ(BothReport(200).size(), 22U) << "nothing that it received meanwhile is lost";
   EXPECT_EQ(broker_.Status().run_warnings.size(), 1U);
 }
 

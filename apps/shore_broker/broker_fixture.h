@@ -1,4 +1,4 @@
-// A broker among two vehicles, bravo and alpha, that tests speak for.
+// A broker and two vehicles, bravo and alpha, for which tests publish.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -95,7 +95,7 @@ class BrokerFixture : public testing::Test {
     Publish(listener_, channels::Control(*FindControl(rule)), control);
   }
 
-  /// Lets the broker handle what was said, and hears its answers. The first step is the mission's
+  /// Lets the broker handle what was published, and receives its answers. The first step is the mission's
   /// first.
   void Step(int64_t pass_us = kStep_us) {
     utime_ = utime_ == 0 ? kStart_utime : utime_ + pass_us;
@@ -133,7 +133,7 @@ class BrokerFixture : public testing::Test {
   const Mission mission_;
   ShoreBrokerApp broker_{mission_, broker_bus_};
   int64_t utime_ = 0;
-  // What was heard in the last step, by vehicle where it is one's.
+  // What was received in the last step, by vehicle where it is one's.
   std::map<std::string, std::vector<Bytes>> received_;
   std::map<std::string, std::vector<Bytes>> messages_;
   std::map<std::string, std::vector<Bytes>> acks_;
@@ -142,7 +142,7 @@ class BrokerFixture : public testing::Test {
   std::vector<fate_t> fates_;
   std::vector<comms_pulse_t> pulses_;
   std::vector<std::string> shared_;  ///< Names.
-  // What was heard so far.
+  // What was received so far.
   std::vector<comms_rules_t> rules_;
   int num_requests_ = 0;
 

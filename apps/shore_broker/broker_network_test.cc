@@ -1,4 +1,4 @@
-// Who has a channel, what a modem changes, and how the rules of the log tell all that.
+// Which vehicles have a channel, what a modem changes, and how the log's rules show both.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -20,7 +20,7 @@ class NetworkWithoutALeader : public AcousticFixture {
   NetworkWithoutALeader() : AcousticFixture(WithoutALeader()) {}
 };
 
-TEST_F(NetworkWithoutALeader, CarriesNothing) {  // A log's COMMS_RULES may say so.
+TEST_F(NetworkWithoutALeader, CarriesNothing) {  // A log's COMMS_RULES may have no leader.
   Begin();
   SendPacket("alpha", {1});
   Step();

@@ -1,4 +1,4 @@
-// Packets through the broker and the water: what goes in, what comes out, when, and what is told.
+// Packets over broker and acoustic network: what goes in, what comes out and when, and their fates.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -15,7 +15,7 @@ TEST_F(CalmPackets, ArriveInTheStepOfTheirLastByte) {
   const Bytes payload(37, 7);
   SendPacket("alpha", payload);
   const int64_t published_utime = utime_;
-  // 41 bytes take 0.328 s, the way 0.1 s: 0.428 s after it was said.
+  // 41 bytes take 0.328 s, the way 0.1 s: 0.428 s after it was published.
   EXPECT_EQ(StepUntilFates(), 5);
   ASSERT_EQ(packets_["bravo"].size(), 1U);
   EXPECT_TRUE(packets_["alpha"].empty());
@@ -80,11 +80,11 @@ TEST_F(CalmPackets, WithoutSenderOrPayloadAreRefused) {
   Begin();
   SendPacket("alpha", {});
   SendPacket("no name", {1});
-  SendPacket("stranger", {1});
+  SendPacket("unregistered", {1});
   SendPacket("alpha", Bytes(70'000));
   Step();
   EXPECT_EQ(Fates(), (std::vector<std::string>{"alpha> invalid", "> invalid",
-                                               "stranger> unknown_source", "alpha> too_long"}));
+                                               "unregistered> unknown_source", "alpha> too_long"}));
   EXPECT_EQ(fates_[3].length_limit_bytes, 65'535);
 }
 

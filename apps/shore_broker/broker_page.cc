@@ -153,7 +153,7 @@ std::string Blocked(const Router& router, Kind kind, std::string_view what) {
 }
 
 std::string AcousticSummary(const AcousticTraffic& traffic) {
-  const AcousticStatistics statistics = water.network().statistics();
+  const AcousticStatistics statistics = traffic.network().statistics();
   if (statistics.num_transmissions == 0) return "";
   std::istringstream lines(StatisticsText(statistics));
   std::string text = "\nAcoustic Network\n======================================\n";
@@ -196,7 +196,7 @@ std::string FormatBrokerPage(const Router& router, const AcousticTraffic& traffi
     text += fmt::format("{}{}", kRule, Sent(router, Kind::kPacket));
     text += fmt::format("{}{}", kRule, Blocked(router, Kind::kPacket, "Packets"));
   }
-  text += AcousticSummary(water);
+  text += AcousticSummary(traffic);
 
   text += fmt::format(
       "\nReports Shared (NODE_REPORT_UNC): {}\n"

@@ -22,7 +22,7 @@ void BlockForEveryCause(Router* router) {
         router->Admit({.name = name, .group = group, .position_m = {x_m, 0, 0}}, utime);
     if (!admission.refused) router->Route(admission, utime, &decisions);
   };
-  const auto say = [&](std::string_view source, std::string_view dest_node, int64_t utime,
+  const auto message = [&](std::string_view source, std::string_view dest_node, int64_t utime,
                        int64_t length_bytes = 5, std::string_view dest_group = {}) {
     router->RouteMessage({.source = source,
                           .dest_node = dest_node,
@@ -39,25 +39,25 @@ void BlockForEveryCause(Router* router) {
   report("red", 0, "red", kLater_us);
   report("ghost", 0, "ghosts", kLater_us);
   report("no name", 0, "", kLater_us);
-  say("a", "", kLater_us);  // Invalid.
-  say("a", "b", kLater_us);
-  say("a", "b", kLater_us);  // Too soon.
-  say("b", "a", kLater_us, 1001);
-  say("nobody", "a", kLater_us);
-  say("mute", "a", kLater_us);  // A stale source.
-  say("c", "", kLater_us, 5, "greens");
-  say("d", "stranger:silent:far:red", kLater_us);
+  message("a", "", kLater_us);  // Invalid.
+  message("a", "b", kLater_us);
+  message("a", "b", kLater_us);  // Too soon.
+  message("b", "a", kLater_us, 1001);
+  message("unknown", "a", kLater_us);
+  message("mute", "a", kLater_us);  // A stale source.
+  message("c", "", kLater_us, 5, "greens");
+  message("d", "missing:silent:far:red", kLater_us);
   RoutingRules rules = router->rules();
   rules.drop_percentage = 100;
   router->SetRules(rules);
   report("a", 0, "", 2 * kLater_us);
   report("b", 0, "", 2 * kLater_us);
   report("e", 0, "", 2 * kLater_us);
-  say("e", "a", 2 * kLater_us);
+  message("e", "a", 2 * kLater_us);
   for (int i = 0; i <= Router::kMaxUnregistered; ++i) {
     router->Admit({.name = "nemo" + std::to_string(i)}, 2 * kLater_us);
   }
-  say("one_too_many", "a", 2 * kLater_us);
+  message("one_too_many", "a", 2 * kLater_us);
 }
 
 TEST(BrokerPage, SpellsOutRulesThatAreOff) {
@@ -83,7 +83,7 @@ TEST(BrokerPage, HasARowForEveryCauseThatBlocks) {
   BlockForEveryCause(&router);
 
   std::istringstream page(FormatBrokerPage(router, NoAcoustics(), {.now_utime = 12'000'000}));
-  std::vector<int64_t> left;  // Of each total, what its rows have not told.
+  std::vector<int64_t> left;  // Of each total, what its rows have not counted.
   bool is_row = false;
   for (std::string line; std::getline(page, line);) {
     const bool is_total = line.starts_with("    Total Blocked ");

@@ -34,9 +34,9 @@ acoustic_path_t PathOf(const LegEnd& arrival, const AcousticTraffic& traffic) {
   const Reception& reception = arrival.reception;
   acoustic_path_t path;
   path.packet = reception.packet.number;
-  path.channel = water.ChannelId(reception.channel);
+  path.channel = traffic.ChannelId(reception.channel);
   path.sent_utime = arrival.sent_utime;
-  path.num_bytes = water.FrameBytes(arrival.shipment);
+  path.num_bytes = traffic.FrameBytes(arrival.shipment);
   path.air_s = reception.air_s;
   path.travel_s = reception.travel_s;
   path.jitter_s = reception.jitter_s;
@@ -49,7 +49,7 @@ acoustic_path_t PathOf(const LegEnd& arrival, const AcousticTraffic& traffic) {
   path.num_named =
       static_cast<int32_t>(std::clamp<int64_t>(reception.num_colliders, 0, kMaxNamedColliders));
   for (int i = 0; i < path.num_named; ++i) {
-    path.colliders.push_back(water.NameOf(reception.colliders[static_cast<size_t>(i)]));
+    path.colliders.push_back(traffic.NameOf(reception.colliders[static_cast<size_t>(i)]));
   }
   return path;
 }

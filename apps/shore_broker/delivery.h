@@ -1,7 +1,7 @@
 // What the rules have decided, carried out: deliveries to the receivers, at once or over the
 // acoustic network, and every fate on COMMS_FATES, with a pulse of each delivery.
 //
-//   Delivery delivery(setup, bus, &router, &water);
+//   Delivery delivery(setup, bus, &router, &traffic);
 //   router.Route(admission, utime, &decisions);
 //   delivery.Conclude(utime, {.decisions = decisions, .raw = bytes, ...});
 //   delivery.TakeArrivals(utime);
@@ -49,7 +49,7 @@ class Delivery {
  public:
   /// All must outlive this.
   Delivery(const BrokerSetup& setup, Bus& bus, Router* router, AcousticTraffic* traffic)
-      : setup_(setup), bus_(bus), router_(*router), traffic_(*water), fates_(bus), pulses_(bus) {}
+      : setup_(setup), bus_(bus), router_(*router), traffic_(*traffic), fates_(bus), pulses_(bus) {}
 
   /// Delivers what is delivered, sends what is in transit, and writes the fates of all others.
   void Conclude(int64_t utime, const DecidedTransmission& sent);

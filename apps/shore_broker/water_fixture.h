@@ -1,4 +1,4 @@
-// For tests: a broker beside calm water.
+// For tests: a broker with an acoustic network without losses.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -8,7 +8,7 @@
 
 namespace shoal {
 
-/// By the kind's number; the last is for what a stranger has made up.
+/// By the kind's number; the last is for kinds that shoal does not publish.
 inline constexpr std::array<std::string_view, kNumKinds + 1> kKindTitles = {
     "Node reports", "Node messages", "Acks", "Packets", "Of other kinds"};
 

@@ -140,7 +140,7 @@ std::string InformationAge::Text(size_t max_pairs) const {
   const bool targets_only = summaries.size() > max_pairs && has_target;
   std::string text =
       fmt::format("{:<32} {:>8} {:>12} {:>10} {:>10} {:>10}\n", "Age of information [s]", "reports",
-                  "first heard", "mean", "95 %", "max");
+                  "first report", "mean", "95 %", "max");
   size_t num_left_out = 0;
   for (const auto& [pair, summary] : summaries) {
     if (targets_only && !summary.is_target) {
@@ -150,7 +150,7 @@ std::string InformationAge::Text(size_t max_pairs) const {
     const std::string title = Printable(pair.first) + " of " + Printable(pair.second) +
                               (summary.is_target ? ", its target" : "");
     text += fmt::format("  {:<30} {:>8} {:>12.1f} {:>10.3f} {:>10.3f} {:>10.3f}\n", title,
-                        summary.num_reports, summary.first_heard_s, summary.mean_s,
+                        summary.num_reports, summary.first_report_s, summary.mean_s,
                         summary.age_95_s, summary.max_s);
   }
   if (num_left_out > 0) {
@@ -168,7 +168,7 @@ std::string InformationAge::Csv() const {
     text += ',';
     AppendCsvCell(pair.second, &text);
     text += fmt::format(",{},{},{:.6f},{:.6f},{:.6f},{:.6f}\n", summary.is_target ? 1 : 0,
-                        summary.num_reports, summary.first_heard_s, summary.mean_s,
+                        summary.num_reports, summary.first_report_s, summary.mean_s,
                         summary.age_95_s, summary.max_s);
   }
   return text;

@@ -118,7 +118,7 @@ TEST(InformationAge, IsShownForTargetsWhereThereAreMany) {
   ages.Add(SwarmAt(4 * kSecond_us, "bravo",
                    {ContactAt("alpha", 0), ContactAt("charlie", -kSecond_us, false)}));
   EXPECT_EQ(ages.Text(50),
-            "Age of information [s]            reports  first heard       mean       95 %        "
+            "Age of information [s]            reports first report       mean       95 %        "
             "max\n"
             "  bravo of alpha, its target            1          0.0      2.000      3.800      "
             "4.000\n"

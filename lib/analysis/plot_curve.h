@@ -39,7 +39,7 @@ class ThinnedCurve {
   /// loses breaks, never extremes.
   void Break() { is_broken_ = true; }
 
-  /// From now on the curve has at most so many runs. @pre max_runs >= 2
+  /// From now on the curve has at most `max_runs` runs. @pre max_runs >= 2
   void LimitTo(size_t max_runs);
 
   bool empty() const { return runs_.empty(); }

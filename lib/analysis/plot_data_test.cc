@@ -120,7 +120,7 @@ TEST(PlotData, DrawsTheAgeOfNewsAsTheTeethOfASaw) {
   EXPECT_EQ(data.vehicles[0].target_age_s.Strokes(),
             (std::vector<Stroke>{{{1, 0.5}, {3, 2.5}, {3, 0.5}, {4, 1.5}, {4, 0}}}));
   EXPECT_EQ(data.vehicles[0].other_age_s.Strokes(), (std::vector<Stroke>{{{3, 2}, {4, 3}}}))
-      << "the oldest of all that were heard";
+      << "the oldest of all that were received";
 }
 
 TEST(PlotData, DrawsNoAgeWhileNothingIsReceived) {

@@ -133,7 +133,7 @@ std::string SwarmTally::Text(size_t max_pairs) const {
                                  "received", "clean", "recovered", "rejected");
   AppendRow("all", all, &text);
   for (const Pair& pair : shown) {
-    AppendRow(Printable(pair.first) + " heard " + Printable(pair.second), sources.at(pair), &text);
+    AppendRow(Printable(pair.first) + " from " + Printable(pair.second), sources.at(pair), &text);
   }
   if (num_shown < order.size()) {
     text += fmt::format("  ({} pairs with more clean messages not shown; --all shows them)\n",

@@ -1,4 +1,4 @@
-// What goes over the acoustic network: packets, and reports and messages where the rules say so.
+// What goes over the acoustic network: packets, and reports and messages where the rules route them there.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 

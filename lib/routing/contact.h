@@ -33,7 +33,7 @@ struct Contact {
 
   /// When a report of this vehicle was last delivered, by index of the receiver; may be shorter.
   std::vector<int64_t> delivered_utime;
-  /// Whose next report this vehicle receives whatever the rules say, by index; may be shorter.
+  /// Whose next report this vehicle receives whatever the other rules decide, by index; may be shorter.
   std::vector<uint8_t> wants_report_of;
   int32_t num_wanted = 0;  ///< How many of these.
 

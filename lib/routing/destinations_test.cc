@@ -1,4 +1,4 @@
-// To whom a message goes: lists, groups, all.
+// The destinations of a message: lists, groups, all.
 #include "lib/routing/destinations.h"
 
 #include <gtest/gtest.h>

@@ -79,7 +79,7 @@ TEST(DropPercentage, IsTheSameForTheSameSeedAndAnotherForAnother) {
 TEST(DropPercentage, DoesNotDependOnOtherVehicles) {
   TestFleet fleet = MakeFleet(50);
   TestFleet crowded = MakeFleet(50, 1, {"zulu", "charlie", "aaron", "bravo", "alpha"});
-  for (const char* other : {"aaron", "zulu", "stranger"}) {
+  for (const char* other : {"aaron", "zulu", "unregistered"}) {
     crowded.Report(other, {0, 0, 0});
     crowded.Message(other, "all");
   }

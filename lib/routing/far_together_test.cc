@@ -1,4 +1,4 @@
-// each_fate_up_to: looking only at who may be near must change no fate.
+// each_fate_up_to: looking only at the vehicles that may be near must change no fate.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 

@@ -1,4 +1,4 @@
-// Who is forgotten, what is kept of him, and how many strangers there is room for.
+// Which vehicles are forgotten, what is kept of them, and the limit of unregistered vehicles.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -129,7 +129,7 @@ TEST(Factors, AreRefusedForIllegalNames) {
   }
 }
 
-/// Brings in reports of `count` strangers; returns how many were refused.
+/// Admits reports of `count` unregistered vehicles; returns how many were refused.
 int ReportUnregistered(TestFleet* fleet, const std::string& prefix, int count) {
   int num_refused = 0;
   for (int i = 0; i < count; ++i) {
@@ -188,7 +188,7 @@ TEST(UnregisteredVehicles, InAPlaceThatWasAnothersInheritNothing) {
   fleet.router.ForgetSilent(fleet.utime);
   ReportUnregistered(&fleet, "newcomer_", Router::kMaxUnregistered - 1);
   EXPECT_EQ(fleet.Report("newcomer_0", {0, 0, 0}).at("alpha").cause, Cause::kOutOfRange)
-      << "alpha asked for the report of who had this place before";
+      << "alpha asked for the report of the vehicle that had this place before";
 }
 
 }  // namespace shoal::forgetting_test

@@ -221,7 +221,7 @@ TEST(Acks, NeedBothEndsKnownAndDifferent) {
   EXPECT_EQ(fleet.Ack("alpha", "all").cause, Cause::kInvalid);
   EXPECT_EQ(fleet.Ack("", "alpha").cause, Cause::kInvalid);
   EXPECT_EQ(fleet.Ack("alpha", "bravo", false).cause, Cause::kInvalid);
-  EXPECT_EQ(fleet.router.contacts().size(), 3U) << "an ack makes nobody known";
+  EXPECT_EQ(fleet.router.contacts().size(), 3U) << "an ack makes no vehicle known";
   EXPECT_EQ(Total(fleet.router.counts(Kind::kAck)), 9);
 }
 

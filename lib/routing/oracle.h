@@ -176,13 +176,13 @@ class Oracle {
     return rules.stale_time_s >= 0 && Since(vehicle.reported) >= rules.stale_time_s;
   }
 
-  /// Numbers a transmission. Nobody's are counted together.
+  /// Numbers a transmission. Those of unknown sources are counted together.
   Fate Start(Kind kind, const std::string& key) {
     Fate fate;
     fate.numbers.kind = kind;
-    const bool is_somebody = vehicles_.contains(key);
-    if (is_somebody) fate.source = key;
-    fate.numbers.number = (is_somebody ? vehicles_[key] : nobody_).next_number[kind]++;
+    const bool is_known = vehicles_.contains(key);
+    if (is_known) fate.source = key;
+    fate.numbers.number = (is_known ? vehicles_[key] : unknown_).next_number[kind]++;
     return fate;
   }
 
@@ -199,7 +199,7 @@ class Oracle {
            rules.drop_percentage;
   }
 
-  /// True where stale; tells the age.
+  /// True where stale; sets the age.
   bool StopsAsStale(const OracleVehicle& receiver, Decision* d) const {
     d->age_s = Since(receiver.reported);
     if (rules.stale_time_s >= 0) d->age_limit_s = rules.stale_time_s;
@@ -240,11 +240,11 @@ class Oracle {
     if (rules.drop_percentage > 0) d->loss_pct = rules.drop_percentage;
     if (IsLost(*fate)) return;
     d->cause = Cause::kDelivered;
-    const auto heard = received_.find({report.source, fate->destination});
-    if (rules.min_rpt_interval_s < 0 || heard == received_.end()) return;
-    if (Since(heard->second) >= rules.min_rpt_interval_s) return;
+    const auto delivered = received_.find({report.source, fate->destination});
+    if (rules.min_rpt_interval_s < 0 || delivered == received_.end()) return;
+    if (Since(delivered->second) >= rules.min_rpt_interval_s) return;
     d->cause = Cause::kTooSoon;
-    d->wait_s = rules.min_rpt_interval_s - Since(heard->second);
+    d->wait_s = rules.min_rpt_interval_s - Since(delivered->second);
   }
 
   void RefuseSource(const OracleVehicle& source, Decision* d) const {
@@ -314,7 +314,7 @@ class Oracle {
 
   std::set<std::string> mission_;
   std::map<std::string, OracleVehicle> vehicles_;
-  OracleVehicle nobody_;
+  OracleVehicle unknown_;
   std::map<std::pair<std::string, std::string>, int64_t> received_;  ///< (source, receiver)
   std::set<std::pair<std::string, std::string>> wanted_;          ///< (receiver, source)
 };

@@ -84,7 +84,7 @@ TEST(ReachGrid, AnswersAtOnceWhereTheReachIsOfAnySize) {
 }
 
 RC_GTEST_PROP(ReachGrid, NeverMissesAVehicleInReach, (uint64_t seed)) {
-  RandomTraffic traffic(seed, {"nobody"});
+  RandomTraffic traffic(seed, {"unused"});
   ReachGrid grid;
   const double side_m = traffic.dice.Pick({1.0, 30.0, 250.0, 1e9});
   grid.Reset(side_m);

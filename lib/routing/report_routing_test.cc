@@ -162,7 +162,7 @@ TEST(IgnoreGroup, OfNoNameDoesNotMeanVehiclesWithoutGroup) {
   EXPECT_FALSE(fleet.Report("alpha", {0, 0, 0}, "").contains(""));
 }
 
-/// A report from alpha to bravo and charlie every so many microseconds after the first.
+/// The cause of a report from alpha to bravo, sent this long after the first.
 Cause CauseAfter(int64_t elapsed_us, double min_rpt_interval_s) {
   TestFleet fleet({.critical_range_m = 0, .stale_time_s = -1});
   RoutingRules rules = fleet.router.rules();

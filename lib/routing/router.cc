@@ -104,10 +104,10 @@ void Router::RouteAck(const AckFacts& ack, int64_t utime, std::vector<Decision>*
 void Router::RoutePacket(const PacketFacts& packet, int64_t utime,
                          std::vector<Decision>* decisions) {
   Contact* source = IsLegalVehicleName(packet.source) ? contacts_.Find(packet.source) : nullptr;
-  const Contact nobody;
+  const Contact no_contact;
   const Transmission sent =
       TransmissionOf(rules_, seed_, Kind::kPacket, ledger_.TakeNumber(Kind::kPacket, source),
-                     source == nullptr ? nobody : *source);
+                     source == nullptr ? no_contact : *source);
   Decision decision = {
       .number = sent.number, .kind = Kind::kPacket, .cause = Cause::kNoDestination};
   if (!packet.is_sound || !IsLegalVehicleName(packet.source)) {

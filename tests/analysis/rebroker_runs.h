@@ -14,7 +14,7 @@
 
 namespace shoal {
 
-/// Returns what the log tells of its rules.
+/// Returns the setup by the rules in the log.
 inline BrokerSetup SetupFor(const CommsLog& log) {
   const Result<BrokerSetup> setup = SetupOf(*log.rules);
   EXPECT_TRUE(setup.ok());

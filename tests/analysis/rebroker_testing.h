@@ -64,7 +64,7 @@ rule = "full_report"
 vehicle = "charlie"
 )";
 
-/// Three vehicles that talk through the water, where all sorts of things happen.
+/// Three vehicles that send acoustically, with losses, damage and collisions.
 constexpr char kAcousticTraffic[] = R"(
 [mission]
 duration_s = 40

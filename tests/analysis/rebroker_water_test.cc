@@ -1,4 +1,4 @@
-// Rebroker, of what went through the water.
+// Rebroker, with acoustic traffic.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -52,7 +52,7 @@ TEST(Rebroker, DecidesPacketsAsRecorded) {
   for (const auto& [cause, count] : CausesOf(written)) {
     if (cause.starts_with("packet ")) num_packets += count;
   }
-  EXPECT_GE(num_packets, 4) << "the last may be in the water at the end";
+  EXPECT_GE(num_packets, 4) << "the last may be in transit at the end";
   EXPECT_LE(num_packets, 6);
   EXPECT_TRUE(AsRecorded(LogOf(written)).comparison.IsEqual());
 }
@@ -69,7 +69,7 @@ TEST(Rebroker, SendsAcousticallyWhatHadBeenSentDirectly) {
   EXPECT_GT(lost.now, 0);
 }
 
-/// What goes through the water counts its time from the mission's start, whoever brokers.
+/// Acoustic traffic counts its time from the mission's start, even after a broker's restart.
 TEST(Rebroker, KnowsAfterARestartWhenTheMissionBegan) {
   std::vector<TestEvent> events = RecordedEvents(kAcousticTraffic);
   const Mission mission = TestMission(kAcousticTraffic);
