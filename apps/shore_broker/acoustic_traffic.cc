@@ -73,8 +73,8 @@ void AcousticTraffic::Place(std::string_view name, const Eigen::Vector3d& positi
   positions_m_[static_cast<size_t>(*node)] = position_m;
 }
 
-/// The broker receives in one step what was published in the step before. Live, steps are as short as
-/// the traffic permits, and nothing is sent before what has been delivered already.
+/// The broker receives in one step what was published in the step before. Live, steps are as short
+/// as the traffic permits, and nothing is sent before what has been delivered already.
 int64_t AcousticTraffic::SentUtime(int64_t utime) const {
   const int64_t published_utime = utime - tick_us_;
   return delivered_utime_ ? std::max(published_utime, *delivered_utime_) : published_utime;

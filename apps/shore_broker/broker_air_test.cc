@@ -96,8 +96,9 @@ class DamagingNetwork : public AcousticFixture {
           node_report_t received;
           EXPECT_TRUE(Decode(bytes, &received));
           ++counts.num_received;
-          for (const double number : {received.x_m, received.y_m, received.depth_m, received.lat_deg,
-                                      received.lon_deg, received.speed_mps, received.heading_deg}) {
+          for (const double number :
+               {received.x_m, received.y_m, received.depth_m, received.lat_deg, received.lon_deg,
+                received.speed_mps, received.heading_deg}) {
             EXPECT_TRUE(std::isfinite(number));
           }
           if (received.name != "alpha" || received.x_m != 100 || received.speed_mps != 0 ||

@@ -76,7 +76,9 @@ class BrokerFixture : public testing::Test {
               [this](const unc_controls_req_t&) { ++num_requests_; });
   }
 
-  void Send(const node_report_t& report) { Publish(listener_, channels::NodeReportLocal(), report); }
+  void Send(const node_report_t& report) {
+    Publish(listener_, channels::NodeReportLocal(), report);
+  }
   void Send(const node_message_t& message) {
     Publish(listener_, channels::NodeMessageLocal(), message);
   }
@@ -95,8 +97,8 @@ class BrokerFixture : public testing::Test {
     Publish(listener_, channels::Control(*FindControl(rule)), control);
   }
 
-  /// Lets the broker handle what was published, and receives its answers. The first step is the mission's
-  /// first.
+  /// Lets the broker handle what was published, and receives its answers. The first step is the
+  /// mission's first.
   void Step(int64_t pass_us = kStep_us) {
     utime_ = utime_ == 0 ? kStart_utime : utime_ + pass_us;
     for (auto* lists : {&received_, &messages_, &acks_}) {

@@ -23,7 +23,7 @@ void BlockForEveryCause(Router* router) {
     if (!admission.refused) router->Route(admission, utime, &decisions);
   };
   const auto message = [&](std::string_view source, std::string_view dest_node, int64_t utime,
-                       int64_t length_bytes = 5, std::string_view dest_group = {}) {
+                           int64_t length_bytes = 5, std::string_view dest_group = {}) {
     router->RouteMessage({.source = source,
                           .dest_node = dest_node,
                           .dest_group = dest_group,

@@ -25,13 +25,13 @@ void InformationAge::EndTooth(int64_t utime, Knowledge* knowledge) {
 }
 
 void InformationAge::ReportAge(const swarm_t& swarm, const std::string& name,
-                             const Knowledge& knowledge) const {
+                               const Knowledge& knowledge) const {
   if (!on_point_) return;
   on_point_({.utime = swarm.utime,
-         .vehicle = swarm.vehicle,
-         .contact = name,
-         .is_target = knowledge.is_target,
-         .age_s = Seconds(knowledge.begin_us + swarm.utime - knowledge.taken_utime)});
+             .vehicle = swarm.vehicle,
+             .contact = name,
+             .is_target = knowledge.is_target,
+             .age_s = Seconds(knowledge.begin_us + swarm.utime - knowledge.taken_utime)});
 }
 
 void InformationAge::AddContact(const swarm_t& swarm, const swarm_contact_t& contact,

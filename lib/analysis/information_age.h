@@ -34,7 +34,7 @@ struct AgePoint {
 /// Of what one vehicle knows of one contact.
 struct AgeSummary {
   bool is_target = false;
-  int64_t num_reports = 0;   ///< With different time stamps.
+  int64_t num_reports = 0;    ///< With different time stamps.
   double first_report_s = 0;  ///< Mission time.
   double mean_s = 0;
   double age_95_s = 0;  ///< It was no older for 95 % of the time.
@@ -59,7 +59,8 @@ class InformationAge {
   int64_t num_impossible() const { return num_impossible_; }
 
   /// Returns a table, one line for each pair. Where there are more than `max_pairs`, only those
-  /// that follow their contact are shown, and the rest is counted. Empty where no contact was received.
+  /// that follow their contact are shown, and the rest is counted. Empty where no contact was
+  /// received.
   [[nodiscard]] std::string Text(size_t max_pairs) const;
   /// Returns the same for other programs, all of it.
   [[nodiscard]] std::string Csv() const;

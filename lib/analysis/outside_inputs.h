@@ -9,8 +9,8 @@
 namespace shoal {
 
 /// Moves inputs by one step to where the recorded decisions, or the recorded rules, show that the
-/// broker handled them. Returns how many it moved. Only for recordings in mission time, of which no reports
-/// are missing; 0 for others.
+/// broker handled them. Returns how many it moved. Only for recordings in mission time, of which no
+/// reports are missing; 0 for others.
 [[nodiscard]] int64_t MoveToTheStepsOfTheBroker(CommsLog* log);
 
 }  // namespace shoal

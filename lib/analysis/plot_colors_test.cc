@@ -49,7 +49,8 @@ TEST(AssignColors, GivesNoOtherVehicleAColourLikeARequestedOne) {
   EXPECT_EQ(std::count(colors.begin(), colors.end(), "#1f77b4"), 0);
 }
 
-RC_GTEST_PROP(AssignColors, GivesEveryVehicleAColourThatIsOne, (std::vector<std::string> requested)) {
+RC_GTEST_PROP(AssignColors, GivesEveryVehicleAColourThatIsOne,
+              (std::vector<std::string> requested)) {
   const auto colors = AssignColors(requested);
   RC_ASSERT(colors.size() == requested.size());
   for (const std::string& color : colors) RC_ASSERT(ColorOf(color).has_value());

@@ -43,7 +43,8 @@ TEST_F(Gnuplot, ReturnsItsOutputWhereItFails) {
   const std::string program = WriteProgram("fake", "#!/bin/sh\necho 'no such thing' >&2\nexit 4\n");
   const auto drawn = RunGnuplot(program, directory_.File(""), "a.gp");
   ASSERT_FALSE(drawn.ok());
-  EXPECT_EQ(drawn.error(), program + " exited with code 4 drawing a.gp; its output:\nno such thing\n");
+  EXPECT_EQ(drawn.error(),
+            program + " exited with code 4 drawing a.gp; its output:\nno such thing\n");
 }
 
 TEST_F(Gnuplot, MustBeAProgram) {

@@ -1,5 +1,5 @@
-// What a log does not contain and its mission does: names, colours, where the vehicles were sent, what
-// the sea floor is like. Figures use what is there.
+// What a log does not contain and its mission does: names, colours, where the vehicles were sent,
+// what the sea floor is like. Figures use what is there.
 #pragma once
 
 #include <cstdint>

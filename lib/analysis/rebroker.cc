@@ -85,8 +85,8 @@ class LogOrder {
 bool IsControl(std::string_view channel) { return FindControlOnChannel(channel) != nullptr; }
 
 /// Returns when the broker takes a step. It forgets the silent at the end of every step; without a
-/// report between, the step before one with inputs forgets all vehicles that would have been forgotten
-/// in the steps before.
+/// report between, the step before one with inputs forgets all vehicles that would have been
+/// forgotten in the steps before.
 std::vector<int64_t> TimesOfSteps(const CommsLog& log) {
   std::vector<int64_t> times;
   for (const LoggedMessage& input : log.inputs) {

@@ -1,4 +1,5 @@
-// What goes over the acoustic network: packets, and reports and messages where the rules route them there.
+// What goes over the acoustic network: packets, and reports and messages where the rules route them
+// there.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 

@@ -54,7 +54,8 @@ Contact* ContactBook::FindOrAdd(std::string_view name) {
 }
 
 bool ContactBook::HasRoomFor(std::string_view name) const {
-  return Find(name) != nullptr || num_unregistered_ < kMaxUnregistered || num_unknown_unregistered_ > 0;
+  return Find(name) != nullptr || num_unregistered_ < kMaxUnregistered ||
+         num_unknown_unregistered_ > 0;
 }
 
 void ContactBook::MarkKnown(Contact* contact) {

@@ -71,7 +71,7 @@ class ContactBook {
   int num_known_ = 0;
   int num_unregistered_ = 0;          ///< Contacts not of the mission.
   int num_unknown_unregistered_ = 0;  ///< Of these, the ones that are not known.
-  int num_wanting_ = 0;            ///< Contacts with num_wanted > 0.
+  int num_wanting_ = 0;               ///< Contacts with num_wanted > 0.
 };
 
 }  // namespace shoal

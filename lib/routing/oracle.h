@@ -316,7 +316,7 @@ class Oracle {
   std::map<std::string, OracleVehicle> vehicles_;
   OracleVehicle unknown_;
   std::map<std::pair<std::string, std::string>, int64_t> received_;  ///< (source, receiver)
-  std::set<std::pair<std::string, std::string>> wanted_;          ///< (receiver, source)
+  std::set<std::pair<std::string, std::string>> wanted_;             ///< (receiver, source)
 };
 
 }  // namespace shoal::oracle
