@@ -55,7 +55,7 @@ class SwarmTally {
  private:
   /// What one process counted.
   struct Counts {
-    int64_t num_said = 0;
+    int64_t num_published = 0;
     std::map<std::string, SourceCount> sources;
     std::map<std::tuple<std::string, std::string, std::string>, int64_t> events;
   };

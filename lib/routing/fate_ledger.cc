@@ -5,7 +5,7 @@ namespace shoal {
 int64_t FateLedger::TakeNumber(Kind kind, Contact* source) {
   const auto place = static_cast<size_t>(kind);
   ++num_offered_[place];
-  return source == nullptr ? num_of_nobody_[place]++ : source->num_sent[place]++;
+  return source == nullptr ? num_of_unknown_[place]++ : source->num_sent[place]++;
 }
 
 void FateLedger::Record(const RoutingRules& rules, const Decision& decision, Contact* source,

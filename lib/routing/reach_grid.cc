@@ -15,7 +15,7 @@ constexpr int64_t kLastLine = int64_t{1} << 30;
 }  // namespace
 
 void ReachGrid::Reset(double side_m) {
-  SHOAL_CHECK(side_m > 0, "side_m > 0");
+  SHOAL_CHECK(side_m > 0, "the side of a square is positive");
   side_m_ = std::min(side_m, std::numeric_limits<double>::max());
   squares_.clear();
   places_.clear();
