@@ -119,7 +119,8 @@ void Delivery::SendAcoustic(int64_t utime, const DecidedTransmission& sent) {
 
 void Delivery::TakeArrivals(int64_t utime) {
   traffic_.Deliver(utime, [&](const LegEnd& arrival) { TakeArrival(utime, arrival); });
-  SHOAL_CHECK(router_.NumInTransit() == traffic_.num_in_transit(), "everything has one fate");
+  SHOAL_CHECK(router_.NumInTransit() == traffic_.num_in_transit(),
+              "router and acoustic network have the same number in transit");
 }
 
 void Delivery::Flush(int64_t utime) {
@@ -167,7 +168,8 @@ bool Delivery::DeliverDamaged(int64_t utime, const LegEnd& arrival) {
     return true;
   };
   const auto decode = [&](auto* message) {
-    SHOAL_CHECK(Decode(shipment.message, message), "it was decoded when it came");
+    SHOAL_CHECK(Decode(shipment.message, message),
+                "a message that was decoded on arrival decodes again");
   };
   switch (shipment.kind) {
     case Kind::kReport:

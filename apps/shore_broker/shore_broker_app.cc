@@ -15,9 +15,10 @@ namespace shoal {
 
 namespace {
 
-/// A step for the question, one for the answer; the rest is for a launcher that is slow.
+/// One step for the request, one for the answer; the rest allows for a slow launcher.
 constexpr double kHold_s = 1;
-/// `--warp max`, for those who watch: such missions run some 100 times as fast as real time.
+/// Stands for `--warp max` where wall time matters: such missions run about 100 times as fast as
+/// real time.
 constexpr double kMaxWarp = 100;
 
 std::string LegalOrEmpty(const std::string& name) { return IsLegalVehicleName(name) ? name : ""; }
@@ -102,7 +103,8 @@ bool ShoreBrokerApp::Holds(int64_t utime) {
   return false;
 }
 
-/// The launcher's answer. One of an unregistered participant would stand in its place.
+/// Keeps the launcher's answer. An answer from an unregistered participant would replace it, so it
+/// is ignored.
 void ShoreBrokerApp::KeepControls(const Message& message) {
   if (message.publisher.empty()) {
     log_.Warn(
@@ -145,7 +147,7 @@ void ShoreBrokerApp::HandOnCommands(int64_t utime) {
   inbox_.ClearCommands();
 }
 
-/// Returns false where the report goes no further.
+/// Returns false where the report is refused.
 bool ShoreBrokerApp::TakeIn(int64_t utime, WaitingReport* report) {
   if (!DecodeItem(report->raw,
                   report->raw.from_outside ? channels::NodeReportFromOutside()
@@ -192,7 +194,7 @@ void ShoreBrokerApp::RouteReport(int64_t utime, const WaitingReport& report) {
                    .color = ReportColor(source.index),
                    .air_bytes = [&] {
                      SHOAL_CHECK(Decode(inbox_.BytesOf(report.raw), &report_),
-                                 "it was decoded when it came");
+                                 "a report that was decoded on arrival decodes again");
                      return AirBytes(report_, traffic_.AddressOf(source.name).value_or(0),
                                      setup_.start_utime);
                    }});
@@ -288,7 +290,7 @@ void ShoreBrokerApp::Conclude(int64_t utime, DecidedTransmission sent) {
   unknown_names_.clear();
 }
 
-/// NODE_REPORT_UNC, not more often than eyes can follow.
+/// Publishes NODE_REPORT_UNC at a limited rate, for displays.
 void ShoreBrokerApp::Share(int64_t utime, const WaitingReport& report) {
   const double interval_s = router_.rules().shared_node_reports_s;
   if (interval_s < 0) return;

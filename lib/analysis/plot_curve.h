@@ -1,4 +1,4 @@
-// A curve that stays small however long the log is, and looks as if nothing had been left out.
+// A curve of bounded size for a log of any length, drawn without visible loss.
 //
 //   ThinnedCurve depth;
 //   depth.Add(time_s, z_m);
@@ -32,7 +32,7 @@ class ThinnedCurve {
   static constexpr size_t kMostRuns = 1250;
 
   /// Appends a point. Where it is not finite, or larger than any figure shows (1e9), the line
-  /// breaks instead, and the answer is false.
+  /// breaks instead, and it returns false.
   bool Add(double x, double y);
 
   /// Ends the line; the next point begins a new one. A curve with more breaks than half its runs

@@ -12,7 +12,7 @@ ContactBook::ContactBook(std::span<const std::string> vehicles) {
   for (const std::string& name : vehicles) {
     const auto [entry, is_new] = contacts_.try_emplace(VehicleKey(name));
     SHOAL_CHECK(is_new && IsLegalVehicleName(name),
-                "the vehicles of a mission have legal names, each its own");
+                "the vehicles of a mission have legal and unique names");
     Contact& contact = entry->second;
     contact.name = name;
     contact.key = entry->first;
@@ -104,7 +104,7 @@ bool ContactBook::MakeRoom() {
   const auto may_go = [](const auto& entry) {
     return !entry.second.of_mission && !entry.second.known;
   };
-  // A vehicle that was given factors is expected; rather lose one that was not.
+  // Factors mean that a vehicle is expected: drop one without factors first.
   auto gone = std::find_if(contacts_.begin(), contacts_.end(), [&](const auto& entry) {
     return may_go(entry) && entry.second.factors == LinkFactors();
   });

@@ -126,7 +126,7 @@ void Router::RoutePacket(const PacketFacts& packet, int64_t utime,
 
 Decision Router::Conclude(const Decision& pending, std::string_view source,
                           std::string_view destination, Cause cause) {
-  SHOAL_CHECK(pending.cause == Cause::kInTransit, "only what is in transit has no fate yet");
+  SHOAL_CHECK(pending.cause == Cause::kInTransit, "the decision is in transit");
   ledger_.Conclude(pending.kind, cause, contacts_.Find(source), contacts_.Find(destination));
   Decision concluded = pending;
   concluded.cause = cause;
