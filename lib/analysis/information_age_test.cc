@@ -47,7 +47,7 @@ TEST(InformationAge, HasMeanAndPercentileOverTime) {
   const AgeSummary summary = ages.Summary();
   EXPECT_EQ(summary.num_reports, 2);
   EXPECT_TRUE(summary.is_target);
-  EXPECT_DOUBLE_EQ(summary.first_heard_s, 1);
+  EXPECT_DOUBLE_EQ(summary.first_report_s, 1);
   EXPECT_DOUBLE_EQ(summary.mean_s, 5);
   EXPECT_DOUBLE_EQ(summary.age_95_s, 9.5);
   EXPECT_DOUBLE_EQ(summary.max_s, 10);

@@ -31,8 +31,8 @@ TEST(SwarmTally, GoesOnWhereAProcessWasStartedAgain) {
   EXPECT_EQ(tally.Sources().at({"bravo", "alpha"}), (SourceCount{13, 9, 2, 2}));
   tally.Add(SwarmAt(0, "bravo", {}));
   EXPECT_EQ(tally.Sources().at({"bravo", "alpha"}), (SourceCount{13, 9, 2, 2}));
-  swarm_t restarted =
-      Bravo(0, 2, 0, 0);  // The same count of published messages, but fewer received.
+  // The same count of published messages, but fewer received.
+  swarm_t restarted = Bravo(0, 2, 0, 0);
   tally.Add(Bravo(0, 4, 0, 0));
   tally.Add(restarted);
   EXPECT_EQ(tally.Sources().at({"bravo", "alpha"}), (SourceCount{19, 15, 2, 2}));
