@@ -182,10 +182,10 @@ Figure DrawSpeed(StackedFigure figure, const PlotSetting& setting, bool png) {
 }
 
 Figure DrawAge(StackedFigure figure, const PlotSetting& setting, bool png) {
-  figure.BeginPanel("age of news of its target [s]", {"set yrange [0:*]"});
-  figure.AddCurves(&VehicleCurves::target_age_s, "age of news of its target", kSolid);
-  figure.BeginPanel("oldest news of another [s]", {"set yrange [0:*]"});
-  figure.AddCurves(&VehicleCurves::other_age_s, "oldest news of another", kSolid);
+  figure.BeginPanel("age of target information [s]", {"set yrange [0:*]"});
+  figure.AddCurves(&VehicleCurves::target_age_s, "age of target information", kSolid);
+  figure.BeginPanel("age of oldest information [s]", {"set yrange [0:*]"});
+  figure.AddCurves(&VehicleCurves::other_age_s, "age of oldest information", kSolid);
   return figure.Finish("Age of information", setting, png, "no SWARM of these vehicles in the log");
 }
 
