@@ -106,7 +106,8 @@ TEST_F(Figures, ShowHowOldNewsOfTargetsAre) {
   Draw(events, Berta());
   EXPECT_EQ(Of("age").why_left_out, "");
   EXPECT_TRUE(Contains(Of("age").script, "set ylabel 'age of target information [s]'"));
-  EXPECT_FALSE(Contains(Of("age").script, "age of oldest information")) << "no contact was received";
+  EXPECT_FALSE(Contains(Of("age").script, "age of oldest information"))
+      << "no contact was received";
   EXPECT_TRUE(Contains(Of("age").data, "\n1 1\n2 2\n"));
 }
 
