@@ -48,7 +48,7 @@ AcousticTraffic::AcousticTraffic(const BrokerSetup& setup)
     nodes_.push_back({.name = node.name, .address = static_cast<uint32_t>(node.address)});
   }
   positions_m_.assign(nodes_.size(), Eigen::Vector3d::Constant(kNaN));
-  max_nodes_ = nodes_.size() + Router::kMaxStrangers;
+  max_nodes_ = nodes_.size() + Router::kMaxUnregistered;
   if (const auto& modem = setup.acoustics.options.modem) {
     max_payload_bytes_ = std::min(kMaxPayload_bytes, modem->max_packet_bytes);
   }
@@ -73,11 +73,11 @@ void AcousticTraffic::Place(std::string_view name, const Eigen::Vector3d& positi
   positions_m_[static_cast<size_t>(*node)] = position_m;
 }
 
-/// The broker hears in one step what was said in the step before. Live, steps are as short as the
-/// traffic lets them be, and nothing is sent before what has been delivered already.
+/// The broker receives in one step what was published in the step before. Live, steps are as short
+/// as the traffic permits, and nothing is sent before what has been delivered already.
 int64_t AcousticTraffic::SentUtime(int64_t utime) const {
-  const int64_t said_utime = utime - tick_us_;
-  return delivered_utime_ ? std::max(said_utime, *delivered_utime_) : said_utime;
+  const int64_t published_utime = utime - tick_us_;
+  return delivered_utime_ ? std::max(published_utime, *delivered_utime_) : published_utime;
 }
 
 std::vector<AcousticTraffic::Refusal> AcousticTraffic::Send(int64_t utime, Shipment shipment) {
@@ -142,7 +142,7 @@ void AcousticTraffic::Deliver(int64_t utime, const std::function<void(const LegE
         legs.begin(), legs.end(), reception.receiver,
         [](const ShipmentLeg& each, int32_t receiver) { return each.node < receiver; });
     SHOAL_CHECK(leg != legs.end() && leg->node == reception.receiver,
-                "it was meant for whom it reaches");
+                "what arrives was addressed to its receiver");
     std::span<const uint8_t> payload;
     if (HandsOver(reception.fate))
       payload = reception.bytes.first(under_way.shipment.payload.size());

@@ -63,10 +63,10 @@ class AcousticTraffic {
  public:
   /// No payload is longer, whatever the modem.
   static constexpr int64_t kMaxPayload_bytes = 65'535;
-  /// What is kept in the water is what its sender said, texts included that do not go over the air:
-  /// nothing longer is taken.
+  /// A packet in transit is kept with its whole message, also the texts that do not go over the
+  /// air: nothing longer is accepted.
   static constexpr int64_t kMaxMessage_bytes = 2 * kMaxPayload_bytes;
-  /// A vehicle that talks faster than the water carries it has at most so many packets in it.
+  /// A vehicle that sends faster than the network carries has at most this many packets in transit.
   static constexpr int kMaxPacketsOfOne = 256;
 
   explicit AcousticTraffic(const BrokerSetup& setup);
@@ -78,7 +78,8 @@ class AcousticTraffic {
   /// The most that a packet holds.
   int64_t max_payload_bytes() const { return max_payload_bytes_; }
 
-  /// Says where a vehicle is. One that is not of the mission joins the network, if it has room.
+  /// Sets the position of a vehicle. One that is not of the mission joins the network, if it has
+  /// room.
   void Place(std::string_view name, const Eigen::Vector3d& position_m);
 
   /// Sends it, at the time of the step before `utime`. Returns the legs that it cannot go, with
@@ -103,8 +104,8 @@ class AcousticTraffic {
   int64_t UtimeOf(double time_s) const { return epoch_utime_ + std::llround(time_s * 1e6); }
   /// Legs without a fate.
   int64_t num_in_transit() const { return network_.num_in_transit(); }
-  /// Returns a mission time before which Deliver has nothing to tell, unless more is sent; nothing
-  /// where nothing is in transit.
+  /// Returns a mission time before which Deliver has nothing to report, unless more is sent;
+  /// nothing where nothing is in transit.
   std::optional<int64_t> NextUtime() const;
 
   /// Returns a number that names a vehicle of the network, or nothing.
@@ -121,7 +122,7 @@ class AcousticTraffic {
   struct Node {
     std::string name;
     uint32_t address = 0;
-    int num_packets = 0;  ///< In the water.
+    int num_packets = 0;  ///< In transit.
   };
   struct PacketHash {
     size_t operator()(const PacketId& packet) const {

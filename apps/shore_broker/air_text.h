@@ -1,5 +1,5 @@
-// What goes over the air for what vehicles say to each other, and what a receiver makes of it where
-// it arrives damaged.
+// The bytes on the air of what vehicles send to each other, and what a receiver decodes where they
+// arrive damaged.
 //
 //   node report    muNet's REPORT, 37 bytes (lib/swarm/report_message.h)
 //   node message   its text, as MOOS writes it: src_node=alpha,dest_node=bravo,var_name=...
@@ -35,7 +35,7 @@ inline constexpr double kPlausibleSpeed_mps = 100;
 [[nodiscard]] std::vector<uint8_t> AirBytes(const node_message_t& message);
 [[nodiscard]] std::vector<uint8_t> AirBytes(const ack_message_t& ack);
 
-/// What it takes to understand a damaged report.
+/// What is needed to decode a damaged report.
 struct ReportContext {
   std::string_view receiver;
   int64_t start_utime = 0;
@@ -54,8 +54,8 @@ struct ReportContext {
                                                              std::span<const uint8_t> arrived,
                                                              const ReportContext& context);
 
-/// Returns what the damaged text says, or nothing where it is no message (MOOS's syntax, and what
-/// the broker asks of every message). `message` lends what the air does not carry.
+/// Returns the message in the damaged text, or nothing where it is no message (MOOS's syntax, and
+/// what the broker requires of every message). `message` supplies what the air does not carry.
 [[nodiscard]] std::optional<node_message_t> UnderstandDamaged(const node_message_t& message,
                                                               std::span<const uint8_t> arrived);
 [[nodiscard]] std::optional<ack_message_t> UnderstandDamaged(const ack_message_t& ack,

@@ -101,7 +101,7 @@ TEST(DamagedReport, IsRejectedWhereAReceiverSeesThatItIsWrong) {
   EXPECT_FALSE(WithByte(0, 'X')) << "no report";
   EXPECT_FALSE(WithByte(4, 1)) << "no letter";
   EXPECT_FALSE(WithByte(5, 2)) << "the receiver itself";
-  EXPECT_FALSE(WithByte(5, 4)) << "nobody's address";
+  EXPECT_FALSE(WithByte(5, 4)) << "an unused address";
   EXPECT_FALSE(WithFloat(9, 100'001));
   EXPECT_TRUE(WithFloat(9, -100'000));
   EXPECT_FALSE(WithFloat(9, NAN));
@@ -158,7 +158,7 @@ TEST(AirBytes, OfAMessageHoldEveryDigitOfItsNumber) {
   EXPECT_EQ(understood->double_val, message.double_val);
 }
 
-TEST(DamagedMessage, SaysWhatItsTextSays) {
+TEST(DamagedMessage, HasTheContentOfItsText) {
   const auto understood = UnderstandDamaged(
       NodeMessage(), BytesOf("src_node=alpha,dest_node=bravo,var_name=SPEED,double_val=9.5"));
   ASSERT_TRUE(understood.has_value());

@@ -10,9 +10,9 @@
 
 namespace shoal {
 
-/// Changes the rule of `row` as `control` says, and notes it as an event; or leaves it as it is and
-/// warns, where the value is impossible or a vehicle is named for a rule of all. Returns true where
-/// something changed that COMMS_RULES tells.
+/// Sets the rule of `row` to the value of `control` and logs it as an event; or leaves it as it is
+/// and warns, where the value is impossible or a vehicle is named for a rule of all. Returns true
+/// where a value of COMMS_RULES changed.
 bool ApplyControl(const ControlRow& row, const unc_control_t& control, int64_t utime,
                   Router* router, StatusLog* log);
 

@@ -1,4 +1,4 @@
-// Reports, messages and acks through the water: as they were said, damaged, or thrown away.
+// Reports, messages and acks over the acoustic network: unchanged, damaged, or discarded.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -10,35 +10,35 @@
 
 namespace shoal::broker_air_test {
 
-class CalmReports : public WaterFixture {
+class CalmReports : public AcousticFixture {
  protected:
-  CalmReports() : WaterFixture(ReportsInWater()) {}
+  CalmReports() : AcousticFixture(AcousticReports()) {}
 };
 
-TEST_F(CalmReports, WithGiantTextsStayOutOfTheWater) {
+TEST_F(CalmReports, WithGiantTextsAreNotSent) {
   Begin();
   for (int i = 0; i < 20; ++i) Step();
   node_report_t report = ReportFrom("bravo", 150);
   report.mode.assign(200'000, 'z');
-  Say(report);
+  Send(report);
   Step();
   ASSERT_EQ(Fates(), std::vector<std::string>(1, "bravo>alpha too_long"));
   EXPECT_GT(fates_[0].length_bytes, 200'000);
   EXPECT_EQ(fates_[0].length_limit_bytes, AcousticTraffic::kMaxMessage_bytes);
 }
 
-TEST_F(CalmReports, TakeTheTimeOf37BytesAndArriveAsTheyWereSaid) {
+TEST_F(CalmReports, TakeTheTimeOf37BytesAndArriveUnchanged) {
   Begin();
-  EXPECT_TRUE(heard_["alpha"].empty());
+  EXPECT_TRUE(received_["alpha"].empty());
   for (int i = 0; i < 20; ++i) Step();
   const node_report_t report = ReportFrom("bravo", 150);
-  Say(report);
+  Send(report);
   EXPECT_EQ(StepUntilFates(), 5) << "0.328 s and 0.1 s";
-  ASSERT_EQ(heard_["alpha"].size(), 1U);
-  node_report_t heard;
-  ASSERT_TRUE(Decode(heard_["alpha"][0], &heard));
-  EXPECT_EQ(heard.x_m, 150);
-  EXPECT_EQ(heard.extra.size(), 1U) << "the user's own fields too";
+  ASSERT_EQ(received_["alpha"].size(), 1U);
+  node_report_t received;
+  ASSERT_TRUE(Decode(received_["alpha"][0], &received));
+  EXPECT_EQ(received.x_m, 150);
+  EXPECT_EQ(received.extra.size(), 1U) << "the user's own fields too";
   EXPECT_EQ(fates_[0].kind, "report");
   EXPECT_EQ(fates_[0].path.at(0).num_bytes, 41);
   EXPECT_EQ(fates_[0].age_limit_s, 5);
@@ -47,7 +47,7 @@ TEST_F(CalmReports, TakeTheTimeOf37BytesAndArriveAsTheyWereSaid) {
 TEST_F(CalmReports, CarryMessagesAsTheirTextAndTheirAcks) {
   Begin();
   for (int i = 0; i < 20; ++i) Step();
-  Say(MessageFrom("alpha", "bravo"));
+  Send(MessageFrom("alpha", "bravo"));
   StepUntilFates();
   ASSERT_EQ(messages_["bravo"].size(), 1U);
   const std::string text = "src_node=alpha,dest_node=bravo,var_name=FOOBAR,string_val=hello";
@@ -56,14 +56,14 @@ TEST_F(CalmReports, CarryMessagesAsTheirTextAndTheirAcks) {
   ack.src_node = "bravo";
   ack.dest_node = "alpha";
   ack.ack_id = "m1";
-  Say(ack);
+  Send(ack);
   StepUntilFates();
   EXPECT_EQ(acks_["alpha"].size(), 1U);
   EXPECT_EQ(Fates(), std::vector<std::string>{"bravo>alpha delivered"});
 }
 
-Mission ErrorsInWater(bool crc) {
-  Mission mission = ReportsInWater();
+Mission WithBitErrors(bool crc) {
+  Mission mission = AcousticReports();
   mission.acoustics.crc = crc;
   mission.acoustics.options.bit_error_model = BitErrorModel::kPoisson;
   mission.acoustics.options.bit_error_rate = 0.01;
@@ -73,35 +73,36 @@ Mission ErrorsInWater(bool crc) {
 /// Counts what becomes of 400 reports of alpha at bravo.
 struct ReportCounts {
   std::map<std::string, int> causes;
-  int num_heard = 0;
-  int num_wrong = 0;  ///< Heard, and not as they were said.
+  int num_received = 0;
+  int num_wrong = 0;  ///< Received, and not as they were sent.
 };
 
-class DamagingWater : public WaterFixture {
+class DamagingNetwork : public AcousticFixture {
  protected:
-  explicit DamagingWater(bool crc) : WaterFixture(ErrorsInWater(crc)) {}
+  explicit DamagingNetwork(bool crc) : AcousticFixture(WithBitErrors(crc)) {}
 
   ReportCounts SendReports() {
     ReportCounts counts;
     Begin();
-    while (broker_.water().num_in_transit() > 0) Step();
+    while (broker_.traffic().num_in_transit() > 0) Step();
     for (int i = 0; i < 400; ++i) {
-      Say(ReportFrom("bravo", 150));  // So that it is not stale.
-      while (broker_.water().num_in_transit() > 0) Step();
-      Say(ReportFrom("alpha", 100));
+      Send(ReportFrom("bravo", 150));  // So that it is not stale.
+      while (broker_.traffic().num_in_transit() > 0) Step();
+      Send(ReportFrom("alpha", 100));
       bool is_decided = false;
       while (!is_decided) {
         Step();
-        for (const Bytes& bytes : heard_["bravo"]) {
-          node_report_t heard;
-          EXPECT_TRUE(Decode(bytes, &heard));
-          ++counts.num_heard;
-          for (const double number : {heard.x_m, heard.y_m, heard.depth_m, heard.lat_deg,
-                                      heard.lon_deg, heard.speed_mps, heard.heading_deg}) {
+        for (const Bytes& bytes : received_["bravo"]) {
+          node_report_t received;
+          EXPECT_TRUE(Decode(bytes, &received));
+          ++counts.num_received;
+          for (const double number :
+               {received.x_m, received.y_m, received.depth_m, received.lat_deg, received.lon_deg,
+                received.speed_mps, received.heading_deg}) {
             EXPECT_TRUE(std::isfinite(number));
           }
-          if (heard.name != "alpha" || heard.x_m != 100 || heard.speed_mps != 0 ||
-              heard.depth_m != 0 || heard.y_m != 0 || heard.utime != 0) {
+          if (received.name != "alpha" || received.x_m != 100 || received.speed_mps != 0 ||
+              received.depth_m != 0 || received.y_m != 0 || received.utime != 0) {
             ++counts.num_wrong;
           }
         }
@@ -118,9 +119,9 @@ class DamagingWater : public WaterFixture {
   }
 };
 
-class CheckedReports : public DamagingWater {
+class CheckedReports : public DamagingNetwork {
  protected:
-  CheckedReports() : DamagingWater(true) {}
+  CheckedReports() : DamagingNetwork(true) {}
 };
 
 TEST_F(CheckedReports, ThatAreDamagedAreThrownAwayForTheirBitErrors) {
@@ -129,22 +130,22 @@ TEST_F(CheckedReports, ThatAreDamagedAreThrownAwayForTheirBitErrors) {
   EXPECT_EQ(counts.causes.size(), 2U);
   EXPECT_NEAR(counts.causes.at("delivered"), 14.8, 19);
   EXPECT_EQ(counts.causes.at("bit_errors"), 400 - counts.causes.at("delivered"));
-  EXPECT_EQ(counts.num_heard, counts.causes.at("delivered"));
+  EXPECT_EQ(counts.num_received, counts.causes.at("delivered"));
   EXPECT_EQ(counts.num_wrong, 0);
   EXPECT_TRUE(PageHas("Bit Errors: "));
 }
 
-class UncheckedReports : public DamagingWater {
+class UncheckedReports : public DamagingNetwork {
  protected:
-  UncheckedReports() : DamagingWater(false) {}
+  UncheckedReports() : DamagingNetwork(false) {}
 };
 
-TEST_F(UncheckedReports, ThatAreDamagedAreHeardWrongOrRejected) {
+TEST_F(UncheckedReports, ThatAreDamagedArriveWrongOrAreRejected) {
   const ReportCounts counts = SendReports();
   EXPECT_EQ(counts.causes.size(), 3U);
   EXPECT_GT(counts.causes.at("damaged"), 20);
   EXPECT_GT(counts.causes.at("rejected"), 20);
-  EXPECT_EQ(counts.num_heard, counts.causes.at("delivered") + counts.causes.at("damaged"));
+  EXPECT_EQ(counts.num_received, counts.causes.at("delivered") + counts.causes.at("damaged"));
   EXPECT_GT(counts.num_wrong, counts.causes.at("damaged") / 2);
 }
 

@@ -1,4 +1,4 @@
-// Packets that meet in the water, where collisions damage instead of drop.
+// Packets that overlap at the receiver, where collisions damage instead of drop.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -9,23 +9,23 @@
 namespace shoal::broker_collision_test {
 
 /// Collisions XOR what overlaps; nothing else happens to packets.
-Mission CorruptingWater(bool crc) {
-  Mission mission = CalmWater();
+Mission CorruptingNetwork(bool crc) {
+  Mission mission = QuietNetwork();
   mission.acoustics.crc = crc;
   mission.acoustics.options.collisions = CollisionModel::kCorrupt;
   return mission;
 }
 
-class CorruptingFixture : public WaterFixture {
+class CorruptingFixture : public AcousticFixture {
  protected:
-  explicit CorruptingFixture(bool crc) : WaterFixture(CorruptingWater(crc)) {}
+  explicit CorruptingFixture(bool crc) : AcousticFixture(CorruptingNetwork(crc)) {}
 
-  /// alpha and bravo speak at once, both 75 m from charlie; steps until that is decided.
-  void SpeakAtOnce() {
-    Say(ReportFrom("charlie", 75));
+  /// alpha and bravo send at once, both 75 m from charlie; steps until that is decided.
+  void SendAtOnce() {
+    Send(ReportFrom("charlie", 75));
     Begin();
-    SayPacket("alpha", {0x0f, 0x0f});
-    SayPacket("bravo", {0x33, 0x33});
+    SendPacket("alpha", {0x0f, 0x0f});
+    SendPacket("bravo", {0x33, 0x33});
     StepUntilFates();
   }
 
@@ -45,7 +45,7 @@ class CheckedCollision : public CorruptingFixture {
 };
 
 TEST_F(CheckedCollision, IsTheCauseOfWhatItsChecksumThrowsAway) {
-  SpeakAtOnce();
+  SendAtOnce();
   EXPECT_EQ(CausesAtCharlie(), (std::vector<std::string>{"collision", "collision"}));
   EXPECT_TRUE(packets_["charlie"].empty());
   EXPECT_TRUE(PageHas("rejected by receivers            2")) << broker_.Status().text;
@@ -57,7 +57,7 @@ class UncheckedCollision : public CorruptingFixture {
 };
 
 TEST_F(UncheckedCollision, HandsOverBothPacketsXored) {
-  SpeakAtOnce();
+  SendAtOnce();
   EXPECT_EQ(CausesAtCharlie(), (std::vector<std::string>{"damaged", "damaged"}));
   ASSERT_EQ(packets_["charlie"].size(), 2U);
   for (const acoustic_rx_t& packet : packets_["charlie"]) {

@@ -1,4 +1,4 @@
-// Whatever is said, by whatever rules: everything has one fate, or is still in the water.
+// Any traffic, by any rules: every transmission has one fate, or is still in transit.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -12,8 +12,8 @@
 
 namespace shoal::broker_conservation_test {
 
-RC_GTEST_PROP(Water, LosesTrackOfNothing, ()) {
-  Mission mission = ReportsInWater();
+RC_GTEST_PROP(BrokerAcoustics, LosesTrackOfNothing, ()) {
+  Mission mission = AcousticReports();
   AcousticOptions& options = mission.acoustics.options;
   const auto choose = [](auto* choice, int num) {
     *choice = static_cast<std::remove_pointer_t<decltype(choice)>>(*rc::gen::inRange(0, num));
@@ -32,30 +32,30 @@ RC_GTEST_PROP(Water, LosesTrackOfNothing, ()) {
   Bus& broker_bus = hub.Join("shore_broker");
   Bus& others = hub.Join("others");
   ShoreBrokerApp broker(mission, broker_bus);
-  std::array<int64_t, kNumKinds> num_told = {};
+  std::array<int64_t, kNumKinds> num_published = {};
   int64_t num_handed_over = 0;
   Subscribe(others, channels::CommsFates(), [&](const comms_fates_t& message) {
     for (const fate_t& fate : message.fates) {
       for (int kind = 0; kind < kNumKinds; ++kind) {
         if (fate.kind == KindText(static_cast<Kind>(kind))) {
-          num_told[static_cast<size_t>(kind)] += fate.count;
+          num_published[static_cast<size_t>(kind)] += fate.count;
         }
       }
       if (fate.cause == "delivered" || fate.cause == "damaged") ++num_handed_over;
     }
   });
-  int64_t num_heard = 0;
+  int64_t num_received = 0;
   others.SubscribeAll([&](const Message& message) {
     const bool is_for_a_vehicle =
         message.channel.ends_with("_ALPHA") || message.channel.ends_with("_BRAVO") ||
         message.channel.ends_with("_NEMO") || message.channel.ends_with("_DORY");
-    if (message.publisher == "shore_broker" && is_for_a_vehicle) ++num_heard;
+    if (message.publisher == "shore_broker" && is_for_a_vehicle) ++num_received;
   });
   const std::vector<std::string> names = {"alpha", "bravo", "nemo", "dory"};
   const auto name = [&] { return *rc::gen::elementOf(names); };
   for (int step = 0; step < 60; ++step) {
-    const int num_said = *rc::gen::inRange(0, 4);
-    for (int i = 0; i < num_said; ++i) {
+    const int num_inputs = *rc::gen::inRange(0, 4);
+    for (int i = 0; i < num_inputs; ++i) {
       switch (*rc::gen::inRange(0, 4)) {
         case 0:
           Publish(others, channels::NodeReportLocal(),
@@ -85,9 +85,9 @@ RC_GTEST_PROP(Water, LosesTrackOfNothing, ()) {
       const CauseCounts& counts = broker.router().counts(static_cast<Kind>(kind));
       const int64_t in_transit = counts[static_cast<size_t>(Cause::kInTransit)];
       RC_ASSERT(std::accumulate(counts.begin(), counts.end(), int64_t{0}) - in_transit ==
-                num_told[static_cast<size_t>(kind)]);
+                num_published[static_cast<size_t>(kind)]);
     }
-    RC_ASSERT(num_heard == num_handed_over);
+    RC_ASSERT(num_received == num_handed_over);
   }
 }
 

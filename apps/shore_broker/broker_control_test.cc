@@ -15,14 +15,14 @@ class BrokerControlTest : public BrokerFixture {
  protected:
   /// Both report from where they are; returns the fates.
   Texts BothReport(double apart_m) {
-    Say(ReportFrom("alpha", 0));
-    Say(ReportFrom("bravo", apart_m));
+    Send(ReportFrom("alpha", 0));
+    Send(ReportFrom("bravo", apart_m));
     Step();
     return Fates();
   }
 };
 
-TEST_F(BrokerControlTest, TellsTheRulesAtItsStartAndWhenOneChanges) {
+TEST_F(BrokerControlTest, PublishesTheRulesAtItsStartAndWhenOneChanges) {
   Step();
   ASSERT_EQ(rules_.size(), 1U);
   EXPECT_TRUE(rules_[0].is_start);
@@ -30,12 +30,12 @@ TEST_F(BrokerControlTest, TellsTheRulesAtItsStartAndWhenOneChanges) {
   EXPECT_EQ(rules_[0].vehicles, (Texts{"alpha", "bravo"}));
   Step();
   EXPECT_EQ(rules_.size(), 1U);
-  Say("comms_range", 300);
+  Send("comms_range", 300);
   Step();
   ASSERT_EQ(rules_.size(), 2U);
   EXPECT_FALSE(rules_[1].is_start);
   EXPECT_EQ(rules_[1].comms_range_m, 300);
-  Say("comms_range", 300);
+  Send("comms_range", 300);
   Step();
   EXPECT_EQ(rules_.size(), 2U) << "nothing changed";
 }
@@ -48,8 +48,8 @@ TEST_F(BrokerControlTest, AnswersARequestForTheRulesInForceOutsideStepping) {
   EXPECT_FALSE(broker_.Answer(channel, request))
       << "before its first step it has no rules in force";
   Step();
-  Say("comms_range", 300);
-  Say("stealth", 0.5, "alpha");
+  Send("comms_range", 300);
+  Send("stealth", 0.5, "alpha");
   Step();
   const size_t num_published = rules_.size();
   const auto answer = broker_.Answer(channel, request);
@@ -69,9 +69,9 @@ TEST_F(BrokerControlTest, AnswersARequestForTheRulesInForceOutsideStepping) {
   EXPECT_FALSE(broker_.Answer("COMMS_RULES", request));
 }
 
-TEST_F(BrokerControlTest, TellsRulesFromWhichABrokerIsMadeThatTellsTheSame) {
-  Say("stealth", 0.5, "alpha");
-  Say("groups", 1);
+TEST_F(BrokerControlTest, PublishesRulesFromWhichAnEqualBrokerIsMade) {
+  Send("stealth", 0.5, "alpha");
+  Send("groups", 1);
   Step();
   const auto setup = SetupOf(rules_.at(0));
   ASSERT_TRUE(setup.ok()) << setup.error();
@@ -105,7 +105,7 @@ TEST_F(BrokerControlTest, FollowsEveryChannelOfTheTable) {
   for (const ControlRow& row : ControlTable()) {
     if (row.type == ControlType::kRequest) continue;
     const double value = row.min > -1 && row.min > 0 ? row.min : std::min(1.0, row.max);
-    Say(row.rule, value, row.of_vehicle ? "alpha" : "");
+    Send(row.rule, value, row.of_vehicle ? "alpha" : "");
   }
   Step();
   EXPECT_TRUE(broker_.Status().run_warnings.empty());
@@ -114,67 +114,67 @@ TEST_F(BrokerControlTest, FollowsEveryChannelOfTheTable) {
   EXPECT_TRUE(broker_.router().rules().groups);
 }
 
-TEST_F(BrokerControlTest, MakesAVehicleHardToHear) {
+TEST_F(BrokerControlTest, ShortensTheRangeOfASource) {
   EXPECT_EQ(BothReport(200), (Texts{"alpha>bravo delivered", "bravo>alpha delivered"}));
-  Say("stealth", 0.8, "ALPHA");
+  Send("stealth", 0.8, "ALPHA");
   EXPECT_EQ(BothReport(200), (Texts{"alpha>bravo out_of_range", "bravo>alpha delivered"}));
-  Say("stealth", 0.81, "alpha");
+  Send("stealth", 0.81, "alpha");
   EXPECT_EQ(BothReport(200), (Texts{"alpha>bravo delivered", "bravo>alpha delivered"}));
 }
 
 TEST_F(BrokerControlTest, KeepsTheOldFactorWhereTheNewIsImpossible) {
-  Say("earange", 2, "bravo");
+  Send("earange", 2, "bravo");
   Step();
   for (const double bad : {0.99, 10.01, std::numeric_limits<double>::quiet_NaN()}) {
-    Say("earange", bad, "bravo");
+    Send("earange", bad, "bravo");
   }
-  Say("earange", 2, "");
+  Send("earange", 2, "");
   EXPECT_EQ(BothReport(400), (Texts{"alpha>bravo delivered", "bravo>alpha out_of_range"}));
   EXPECT_EQ(broker_.Status().run_warnings.size(), 4U);
   EXPECT_TRUE(PageHas("BRAVO: stealth 1, earange 2"));
 }
 
 TEST_F(BrokerControlTest, KeepsAFactorForAVehicleThatIsNotKnownYet) {
-  Say("earange", 2, "charlie");
+  Send("earange", 2, "charlie");
   Step();
-  Say(ReportFrom("charlie", 400));
-  Say(ReportFrom("alpha", 0));
+  Send(ReportFrom("charlie", 400));
+  Send(ReportFrom("alpha", 0));
   Step();
   EXPECT_EQ(Fates(), (Texts{"charlie>alpha out_of_range", "alpha>charlie delivered"}));
 }
 
 TEST_F(BrokerControlTest, DeliversTheNextReportOfEachOtherVehicleOnRequest) {
   BothReport(5000);
-  Say("full_report", 0, "bravo");
+  Send("full_report", 0, "bravo");
   EXPECT_EQ(BothReport(5000), (Texts{"alpha>bravo delivered", "bravo>alpha out_of_range"}));
   EXPECT_EQ(fates_.at(0).override_rule, "full_report");
   EXPECT_EQ(BothReport(5000), (Texts{"alpha>bravo out_of_range", "bravo>alpha out_of_range"}));
 }
 
-TEST_F(BrokerControlTest, RefusesARequestOfNobody) {
-  Say("full_report", 0, "nemo");
+TEST_F(BrokerControlTest, RefusesARequestWithoutAVehicle) {
+  Send("full_report", 0, "nemo");
   Step();
   EXPECT_EQ(broker_.Status().run_warnings.size(), 1U);
 }
 
 TEST_F(BrokerControlTest, SharesReportsAtTheRateThatEyesCanFollow) {
   broker_.OnWarp(10);
-  Say("shared_node_reports", 0.1);
+  Send("shared_node_reports", 0.1);
   int64_t num_shared = 0;
   for (int step = 0; step < 100; ++step) {
-    Say(ReportFrom("alpha", 0));
+    Send(ReportFrom("alpha", 0));
     Step();
     num_shared += static_cast<int64_t>(shared_.size());
   }
   EXPECT_EQ(num_shared, 10) << "ten steps of 0.1 s at warp 10 are 0.1 s of wall time";
-  Say("shared_node_reports", -1);
-  Say(ReportFrom("alpha", 0));
+  Send("shared_node_reports", -1);
+  Send(ReportFrom("alpha", 0));
   Step();
   EXPECT_TRUE(shared_.empty());
 }
 
 TEST_F(BrokerControlTest, SharesEachVehicleByItself) {
-  Say("shared_node_reports", 1000);
+  Send("shared_node_reports", 1000);
   BothReport(10);
   EXPECT_EQ(shared_, (Texts{"alpha", "bravo"}));
 }
@@ -199,15 +199,15 @@ class LateBrokerTest : public BrokerControlTest {
     return {.channel = channel, .control = {.utime = 0, .vehicle = vehicle, .value = value}};
   }
 
-  Bus& stranger_ = hub_.Join("");  ///< Outside the step protocol nobody has a name.
+  Bus& unnamed_ = hub_.Join("");  ///< Outside the step protocol there are no names.
 };
 
-TEST_F(LateBrokerTest, TakesNoStrangersWordForTheControlsThatItMissed) {
+TEST_F(LateBrokerTest, IgnoresControlsFromUnregisteredParticipants) {
   BothReport(300);
   unc_controls_t answer = {};
   answer.controls = {Kept("UNC_COMMS_RANGE", 200)};
   answer.num_controls = 1;
-  Publish(stranger_, channels::UncControls(), answer);
+  Publish(unnamed_, channels::UncControls(), answer);
   Step();
   EXPECT_TRUE(Fates().empty()) << "it waits still";
   Answer({Kept("UNC_COMMS_RANGE", 400)});
@@ -216,14 +216,14 @@ TEST_F(LateBrokerTest, TakesNoStrangersWordForTheControlsThatItMissed) {
   EXPECT_EQ(broker_.Status().run_warnings.size(), 1U);
 }
 
-TEST_F(LateBrokerTest, AsksForTheControlsThatItMissedAndHoldsWhatItHearsUntilItHasThem) {
+TEST_F(LateBrokerTest, AsksForTheControlsThatItMissedAndHoldsInputsUntilItHasThem) {
   EXPECT_TRUE(BothReport(300).empty());
   EXPECT_EQ(num_requests_, 1);
   EXPECT_TRUE(rules_.empty());
   Answer({Kept("UNC_COMMS_RANGE", 400), Kept("UNC_STEALTH", 0.5, "alpha"), Kept("NONSENSE", 1)});
   Step();
   EXPECT_EQ(Fates(), (Texts{"alpha>bravo out_of_range", "bravo>alpha delivered"}));
-  EXPECT_EQ(heard_["alpha"].size(), 1U);
+  EXPECT_EQ(received_["alpha"].size(), 1U);
   ASSERT_EQ(rules_.size(), 1U);
   EXPECT_TRUE(rules_[0].is_start);
   EXPECT_EQ(rules_[0].comms_range_m, 400);
@@ -233,13 +233,13 @@ TEST_F(LateBrokerTest, AsksForTheControlsThatItMissedAndHoldsWhatItHearsUntilItH
 TEST_F(LateBrokerTest, LetsALaterControlPrevailOverWhatItMissed) {
   Step();
   Answer({Kept("UNC_COMMS_RANGE", 400)});
-  Say("comms_range", 200);
+  Send("comms_range", 200);
   EXPECT_EQ(BothReport(300), (Texts{"alpha>bravo out_of_range", "bravo>alpha out_of_range"}));
 }
 
-TEST_F(LateBrokerTest, GoesOnWithTheMissionsRulesWhereNobodyAnswers) {
+TEST_F(LateBrokerTest, GoesOnWithTheMissionsRulesWithoutAnAnswer) {
   for (int step = 0; step < 10; ++step) EXPECT_TRUE(BothReport(200).empty());
-  EXPECT_EQ(BothReport(200).size(), 22U) << "nothing that it heard meanwhile is lost";
+  EXPECT_EQ(BothReport(200).size(), 22U) << "nothing that it received meanwhile is lost";
   EXPECT_EQ(broker_.Status().run_warnings.size(), 1U);
 }
 

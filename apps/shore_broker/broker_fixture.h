@@ -1,4 +1,4 @@
-// A broker among two vehicles, bravo and alpha, that tests speak for.
+// A broker and two vehicles, bravo and alpha, for which tests publish.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -54,7 +54,7 @@ class BrokerFixture : public testing::Test {
  protected:
   explicit BrokerFixture(const Mission& mission = TwoVehicles()) : mission_(mission) {
     for (const std::string name : {"alpha", "bravo", "charlie"}) {
-      Keep(channels::NodeReport(name).name, &heard_[name]);
+      Keep(channels::NodeReport(name).name, &received_[name]);
       Keep(channels::NodeMessage(name).name, &messages_[name]);
       Keep(channels::AckMessageTo(name).name, &acks_[name]);
       Subscribe(listener_, channels::AcousticRx(name),
@@ -76,30 +76,32 @@ class BrokerFixture : public testing::Test {
               [this](const unc_controls_req_t&) { ++num_requests_; });
   }
 
-  void Say(const node_report_t& report) { Publish(listener_, channels::NodeReportLocal(), report); }
-  void Say(const node_message_t& message) {
+  void Send(const node_report_t& report) {
+    Publish(listener_, channels::NodeReportLocal(), report);
+  }
+  void Send(const node_message_t& message) {
     Publish(listener_, channels::NodeMessageLocal(), message);
   }
-  void Say(const ack_message_t& ack) { Publish(listener_, channels::AckMessage(), ack); }
-  void SayPacket(const std::string& source, const Bytes& payload) {
+  void Send(const ack_message_t& ack) { Publish(listener_, channels::AckMessage(), ack); }
+  void SendPacket(const std::string& source, const Bytes& payload) {
     acoustic_tx_t packet = {};
     packet.source = source;
     packet.num_bytes = static_cast<int32_t>(payload.size());
     packet.payload = payload;
     Publish(listener_, channels::AcousticTx(), packet);
   }
-  void Say(std::string_view rule, double value, const std::string& vehicle = "") {
+  void Send(std::string_view rule, double value, const std::string& vehicle = "") {
     unc_control_t control = {};
     control.value = value;
     control.vehicle = vehicle;
     Publish(listener_, channels::Control(*FindControl(rule)), control);
   }
 
-  /// Lets the broker handle what was said, and hears its answers. The first step is the mission's
-  /// first.
+  /// Lets the broker handle what was published, and receives its answers. The first step is the
+  /// mission's first.
   void Step(int64_t pass_us = kStep_us) {
     utime_ = utime_ == 0 ? kStart_utime : utime_ + pass_us;
-    for (auto* lists : {&heard_, &messages_, &acks_}) {
+    for (auto* lists : {&received_, &messages_, &acks_}) {
       for (auto& [name, list] : *lists) list.clear();
     }
     orders_.clear();
@@ -133,8 +135,8 @@ class BrokerFixture : public testing::Test {
   const Mission mission_;
   ShoreBrokerApp broker_{mission_, broker_bus_};
   int64_t utime_ = 0;
-  // What was heard in the last step, by vehicle where it is one's.
-  std::map<std::string, std::vector<Bytes>> heard_;
+  // What was received in the last step, by vehicle where it is one's.
+  std::map<std::string, std::vector<Bytes>> received_;
   std::map<std::string, std::vector<Bytes>> messages_;
   std::map<std::string, std::vector<Bytes>> acks_;
   std::map<std::string, std::vector<acoustic_rx_t>> packets_;
@@ -142,7 +144,7 @@ class BrokerFixture : public testing::Test {
   std::vector<fate_t> fates_;
   std::vector<comms_pulse_t> pulses_;
   std::vector<std::string> shared_;  ///< Names.
-  // What was heard so far.
+  // What was received so far.
   std::vector<comms_rules_t> rules_;
   int num_requests_ = 0;
 

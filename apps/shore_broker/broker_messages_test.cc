@@ -15,8 +15,8 @@ using Texts = std::vector<std::string>;
 class BrokerMessagesTest : public BrokerFixture {
  protected:
   BrokerMessagesTest() {
-    Say(ReportFrom("alpha", 0));
-    Say(ReportFrom("bravo", 100));
+    Send(ReportFrom("alpha", 0));
+    Send(ReportFrom("bravo", 100));
     Step();
   }
   int64_t FatesOf(const std::string& kind) const {
@@ -27,7 +27,7 @@ class BrokerMessagesTest : public BrokerFixture {
 
 TEST_F(BrokerMessagesTest, HandsOnTheVeryBytesThatCameIn) {
   const node_message_t message = MessageFrom("alpha", "bravo");
-  Say(message);
+  Send(message);
   Step();
   Bytes expected;
   EncodeInto(message, &expected);
@@ -43,38 +43,38 @@ TEST_F(BrokerMessagesTest, HandsOnTheVeryBytesThatCameIn) {
   EXPECT_EQ(fates_[0].length_limit_bytes, 1000);
 }
 
-TEST_F(BrokerMessagesTest, HearsMessagesFromOutside) {
+TEST_F(BrokerMessagesTest, ReceivesMessagesFromOutside) {
   Publish(listener_, channels::NodeMessageFromOutside(), MessageFrom("bravo", "alpha"));
   Step();
   EXPECT_EQ(messages_["alpha"].size(), 1U);
 }
 
 TEST_F(BrokerMessagesTest, NamesAnUnknownDestinationAsItWasWritten) {
-  Say(MessageFrom("alpha", "bravo:Gilda:" + std::string("x\x01y")));
+  Send(MessageFrom("alpha", "bravo:Gilda:" + std::string("x\x01y")));
   Step();
   EXPECT_EQ(Fates(), (Texts{"alpha>bravo delivered", "alpha>Gilda unknown_destination",
                             "alpha>x?y unknown_destination"}));
 }
 
-TEST_F(BrokerMessagesTest, TellsTheSecondsLeftToWait) {
-  Say(MessageFrom("alpha", "bravo"));
+TEST_F(BrokerMessagesTest, ReportsTheSecondsLeftToWait) {
+  Send(MessageFrom("alpha", "bravo"));
   Step();
-  Say(MessageFrom("alpha", "bravo"));
+  Send(MessageFrom("alpha", "bravo"));
   Step(20'000'000);
-  Say(ReportFrom("alpha", 0));
+  Send(ReportFrom("alpha", 0));
   ASSERT_EQ(Fates(), (Texts{"alpha>bravo too_soon"}));
   EXPECT_DOUBLE_EQ(fates_[0].wait_s, 10);
 }
 
 TEST_F(BrokerMessagesTest, RefusesTextsThatMaxMsgLengthDoesNotCountBeyond1000Bytes) {
-  Say("min_msg_interval", -1);
+  Send("min_msg_interval", -1);
   for (std::string node_message_t::*text :
        {&node_message_t::src_app, &node_message_t::var_name, &node_message_t::color,
         &node_message_t::ack_id, &node_message_t::dest_group}) {
     for (const size_t length : {1000U, 1001U}) {
       node_message_t message = MessageFrom("alpha", "bravo");
       message.*text = std::string(length, 'x');
-      Say(message);
+      Send(message);
       Step();
       ASSERT_EQ(fates_.size(), 1U);
       EXPECT_EQ(fates_[0].cause == "invalid", length > 1000) << fates_[0].cause;
@@ -82,7 +82,7 @@ TEST_F(BrokerMessagesTest, RefusesTextsThatMaxMsgLengthDoesNotCountBeyond1000Byt
   }
 }
 
-TEST_F(BrokerMessagesTest, RefusesWhatHasNoMeaningAndSaysWhy) {
+TEST_F(BrokerMessagesTest, RefusesInvalidMessagesAndLogsWhy) {
   std::vector<node_message_t> bad(7, MessageFrom("alpha", "bravo"));
   bad[0].dest_node = "";
   bad[1].var_name = "";
@@ -93,7 +93,7 @@ TEST_F(BrokerMessagesTest, RefusesWhatHasNoMeaningAndSaysWhy) {
   bad[4].ack_requested = 1;
   bad[5].src_node = "al pha";
   bad[6].src_node = "";
-  for (const node_message_t& message : bad) Say(message);
+  for (const node_message_t& message : bad) Send(message);
   Step();
   ASSERT_EQ(fates_.size(), bad.size());
   for (const fate_t& fate : fates_) {
@@ -110,13 +110,13 @@ TEST_F(BrokerMessagesTest, LetsANumberThrough) {
   message.string_val = "";
   message.is_double = 1;
   message.double_val = -2.5;
-  Say(message);
+  Send(message);
   Step();
   EXPECT_EQ(Fates(), (Texts{"alpha>bravo delivered"}));
 }
 
 TEST_F(BrokerMessagesTest, ShowsWhatCameInAsAnEvent) {
-  Say(MessageFrom("alpha", "bravo"));
+  Send(MessageFrom("alpha", "bravo"));
   Step();
   EXPECT_TRUE(
       PageHas("Msg rec'd: src_node=alpha,dest_node=bravo,dest_group=,var_name=FOOBAR,"
@@ -131,14 +131,14 @@ TEST_F(BrokerMessagesTest, CarriesAnAckBackUnderTheRangeRulesWithoutAnInterval) 
   ack.dest_node = "alpha";
   for (const char* id : {"a-1", "a-2"}) {
     ack.ack_id = id;
-    Say(ack);
+    Send(ack);
   }
   Step();
   EXPECT_EQ(acks_["alpha"].size(), 2U);
   EXPECT_EQ(FatesOf("ack"), 2);
-  Say(ReportFrom("bravo", 250));
+  Send(ReportFrom("bravo", 250));
   Step();
-  Say(ack);
+  Send(ack);
   Step();
   EXPECT_EQ(Fates(), (Texts{"bravo>alpha out_of_range"}));
   EXPECT_TRUE(acks_["alpha"].empty());
@@ -149,20 +149,20 @@ TEST_F(BrokerMessagesTest, RefusesAnAckOfNothingOrToOneself) {
   ack_message_t ack = {};
   ack.src_node = "bravo";
   ack.dest_node = "alpha";
-  Say(ack);
+  Send(ack);
   ack.ack_id = "a-1";
   ack.dest_node = "BRAVO";
-  Say(ack);
+  Send(ack);
   Step();
   EXPECT_EQ(Fates(), (Texts{"bravo> invalid", "bravo> invalid"}));
   EXPECT_FALSE(broker_.Status().run_warnings.empty());
 }
 
 TEST_F(BrokerMessagesTest, PulsesOncePerDelivery) {
-  Say(ReportFrom("alpha", 10));
-  Say(ReportFrom("bravo", 300));
-  Say(MessageFrom("alpha", "bravo"));
-  Say("comms_range", 1000);
+  Send(ReportFrom("alpha", 10));
+  Send(ReportFrom("bravo", 300));
+  Send(MessageFrom("alpha", "bravo"));
+  Send("comms_range", 1000);
   Step();
   ASSERT_EQ(pulses_.size(), 3U);
   EXPECT_EQ(pulses_[0].label, "ALPHA2BRAVO");
@@ -176,33 +176,33 @@ TEST_F(BrokerMessagesTest, PulsesOncePerDelivery) {
 }
 
 TEST_F(BrokerMessagesTest, PulsesOnlyMessagesWhereReportsAreNotToBeSeen) {
-  Say("view_node_rpt_pulses", 0);
-  Say(ReportFrom("alpha", 10));
-  Say(MessageFrom("alpha", "bravo"));
+  Send("view_node_rpt_pulses", 0);
+  Send(ReportFrom("alpha", 10));
+  Send(MessageFrom("alpha", "bravo"));
   Step();
   ASSERT_EQ(pulses_.size(), 1U);
   EXPECT_EQ(pulses_[0].ptype, "msg");
 }
 
 TEST_F(BrokerMessagesTest, GivesARepeatItsColorButNotTheSecondDestination) {
-  Say("min_msg_interval", -1);
-  Say(ReportFrom("charlie", 0));
+  Send("min_msg_interval", -1);
+  Send(ReportFrom("charlie", 0));
   node_message_t message = MessageFrom("alpha", "bravo:charlie");
   message.ack_requested = 1;
   message.ack_id = "a-1";
   Step();
-  Say(message);
+  Send(message);
   Step();
   ASSERT_EQ(pulses_.size(), 2U);
   EXPECT_EQ(pulses_[0].fill_color, "white");
   EXPECT_EQ(pulses_[1].fill_color, "white");
-  Say(message);
+  Send(message);
   Step();
   ASSERT_EQ(pulses_.size(), 2U);
   EXPECT_EQ(pulses_[0].fill_color, "light_green");
   message.ack_id = "a-2";
   message.color = "pink";
-  Say(message);
+  Send(message);
   Step();
   EXPECT_EQ(pulses_.at(0).fill_color, "pink");
 }

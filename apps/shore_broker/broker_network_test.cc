@@ -1,4 +1,4 @@
-// Who has a channel, what a modem changes, and how the rules of the log tell all that.
+// Which vehicles have a channel, what a modem changes, and how the log's rules show both.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,43 +10,43 @@
 namespace shoal::broker_network_test {
 
 Mission WithoutALeader() {
-  Mission mission = CalmWater();
+  Mission mission = QuietNetwork();
   mission.acoustics.options.access_mode = AccessMode::kTdmaLf;
   return mission;
 }
 
-class WaterWithoutALeader : public WaterFixture {
+class NetworkWithoutALeader : public AcousticFixture {
  protected:
-  WaterWithoutALeader() : WaterFixture(WithoutALeader()) {}
+  NetworkWithoutALeader() : AcousticFixture(WithoutALeader()) {}
 };
 
-TEST_F(WaterWithoutALeader, CarriesNothing) {  // A log's COMMS_RULES may say so.
+TEST_F(NetworkWithoutALeader, CarriesNothing) {  // A log's COMMS_RULES may have no leader.
   Begin();
-  SayPacket("alpha", {1});
+  SendPacket("alpha", {1});
   Step();
   EXPECT_EQ(Fates(), std::vector<std::string>(1, "alpha>bravo no_channel"));
 }
 
 Mission ThinBand() {
-  Mission mission = CalmWater();
+  Mission mission = QuietNetwork();
   mission.acoustics.options.access_mode = AccessMode::kFdma;
   mission.acoustics.options.bandwidth_khz = 2.75;  // Two channels.
   return mission;
 }
 
-class ThinWater : public WaterFixture {
+class NarrowBand : public AcousticFixture {
  protected:
-  ThinWater() : WaterFixture(ThinBand()) {}
+  NarrowBand() : AcousticFixture(ThinBand()) {}
 };
 
-TEST_F(ThinWater, HasNoChannelForAStranger) {
+TEST_F(NarrowBand, HasNoChannelForAnUnregisteredVehicle) {
   Begin();
-  Say(ReportFrom("nemo", 100));
+  Send(ReportFrom("nemo", 100));
   Step();
-  SayPacket("alpha", {1});
+  SendPacket("alpha", {1});
   Step();
   EXPECT_EQ(Fates(), std::vector<std::string>{"alpha>nemo no_channel"});
-  SayPacket("nemo", {1});
+  SendPacket("nemo", {1});
   StepUntilFates();
   const std::vector<std::string> fates = Fates();
   EXPECT_EQ(std::count(fates.begin(), fates.end(), "nemo>alpha no_channel"), 1);
@@ -62,14 +62,14 @@ Mission TooManyForTheBand() {
   return mission;
 }
 
-class UnusedWater : public WaterFixture {
+class UnusableNetwork : public AcousticFixture {
  protected:
-  UnusedWater() : WaterFixture(TooManyForTheBand()) {}
+  UnusableNetwork() : AcousticFixture(TooManyForTheBand()) {}
 };
 
-TEST_F(UnusedWater, ThatIsTooSmallIsToldWhenSomebodySpeaks) {
+TEST_F(UnusableNetwork, IsReportedWhenAVehicleSends) {
   Begin();
-  SayPacket("alpha", {1});
+  SendPacket("alpha", {1});
   Step();
   EXPECT_EQ(Fates(), std::vector<std::string>{"alpha>bravo no_channel"});
   const StatusPage page = broker_.Status();
@@ -78,7 +78,7 @@ TEST_F(UnusedWater, ThatIsTooSmallIsToldWhenSomebodySpeaks) {
 }
 
 Mission WithModem() {
-  Mission mission = ReportsInWater();
+  Mission mission = AcousticReports();
   AcousticOptions& options = mission.acoustics.options;
   options.modem = ModemPreset{.name = "tiny",
                               .low_khz = 20,
@@ -96,9 +96,9 @@ Mission WithModem() {
   return mission;
 }
 
-class SmallModem : public WaterFixture {
+class SmallModem : public AcousticFixture {
  protected:
-  SmallModem() : WaterFixture(WithModem()) {}
+  SmallModem() : AcousticFixture(WithModem()) {}
 };
 
 TEST_F(SmallModem, TakesNothingLongerThanItsPackets) {
@@ -106,31 +106,31 @@ TEST_F(SmallModem, TakesNothingLongerThanItsPackets) {
   EXPECT_EQ(Fates(), (std::vector<std::string>{"alpha>bravo too_long", "bravo>alpha too_long"}));
   EXPECT_EQ(fates_[0].length_bytes, 37);
   EXPECT_EQ(fates_[0].length_limit_bytes, 36);
-  SayPacket("alpha", Bytes(37));
+  SendPacket("alpha", Bytes(37));
   Step();
   EXPECT_EQ(Fates(), std::vector<std::string>{"alpha> too_long"});
 }
 
-TEST_F(SmallModem, SaysHowLoudThePacketWas) {
+TEST_F(SmallModem, ReportsTheSignalToNoiseRatioOfThePacket) {
   Begin();
-  SayPacket("alpha", {1, 2});
+  SendPacket("alpha", {1, 2});
   StepUntilFates();
   EXPECT_EQ(Fates(), std::vector<std::string>{"alpha>bravo delivered"});
   EXPECT_GT(fates_[0].path.at(0).snr_db, 20);
   EXPECT_LT(fates_[0].path.at(0).loss_probability, 0.01);
 }
 
-TEST_F(SmallModem, DoesNotHearWhileItSends) {
+TEST_F(SmallModem, ReceivesNothingWhileItSends) {
   Begin();
-  SayPacket("alpha", Bytes(30));
-  SayPacket("bravo", Bytes(30));
+  SendPacket("alpha", Bytes(30));
+  SendPacket("bravo", Bytes(30));
   StepUntilFates();
   EXPECT_EQ(Fates(),
             (std::vector<std::string>{"alpha>bravo half_duplex", "bravo>alpha half_duplex"}));
   EXPECT_EQ(fates_[0].path.at(0).own_packet, 0);
 }
 
-TEST_F(SmallModem, IsToldInTheRulesOfTheLog) {
+TEST_F(SmallModem, StandsInTheRulesOfTheLog) {
   Step();
   ASSERT_EQ(rules_.size(), 1U);
   const Result<BrokerSetup> setup = SetupOf(rules_[0]);

@@ -1,4 +1,4 @@
-// Packets through the broker and the water: what goes in, what comes out, when, and what is told.
+// Packets over broker and acoustic network: what goes in, what comes out and when, and their fates.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -8,14 +8,14 @@
 
 namespace shoal::broker_packets_test {
 
-class CalmPackets : public WaterFixture {};
+class CalmPackets : public AcousticFixture {};
 
 TEST_F(CalmPackets, ArriveInTheStepOfTheirLastByte) {
   Begin();
   const Bytes payload(37, 7);
-  SayPacket("alpha", payload);
-  const int64_t said_utime = utime_;
-  // 41 bytes take 0.328 s, the way 0.1 s: 0.428 s after it was said.
+  SendPacket("alpha", payload);
+  const int64_t published_utime = utime_;
+  // 41 bytes take 0.328 s, the way 0.1 s: 0.428 s after it was published.
   EXPECT_EQ(StepUntilFates(), 5);
   ASSERT_EQ(packets_["bravo"].size(), 1U);
   EXPECT_TRUE(packets_["alpha"].empty());
@@ -23,9 +23,9 @@ TEST_F(CalmPackets, ArriveInTheStepOfTheirLastByte) {
   EXPECT_EQ(packet.payload, payload);
   EXPECT_EQ(packet.source, "alpha");
   EXPECT_EQ(packet.number, 0);
-  EXPECT_EQ(packet.utime, said_utime + 500'000);
-  EXPECT_EQ(packet.sent_utime, said_utime);
-  EXPECT_EQ(packet.arrived_utime, said_utime + 428'000);
+  EXPECT_EQ(packet.utime, published_utime + 500'000);
+  EXPECT_EQ(packet.sent_utime, published_utime);
+  EXPECT_EQ(packet.arrived_utime, published_utime + 428'000);
   ASSERT_EQ(fates_.size(), 1U);
   EXPECT_EQ(fates_[0].kind, "packet");
   EXPECT_EQ(fates_[0].cause, "delivered");
@@ -33,7 +33,7 @@ TEST_F(CalmPackets, ArriveInTheStepOfTheirLastByte) {
   EXPECT_EQ(fates_[0].limit_m, 250);
   ASSERT_EQ(fates_[0].path.size(), 1U);
   const acoustic_path_t& path = fates_[0].path[0];
-  EXPECT_EQ(path.sent_utime, said_utime);
+  EXPECT_EQ(path.sent_utime, published_utime);
   EXPECT_EQ(path.num_bytes, 41);
   EXPECT_NEAR(path.air_s, 0.328, 1e-12);
   EXPECT_NEAR(path.travel_s, 0.1, 1e-12);
@@ -43,9 +43,9 @@ TEST_F(CalmPackets, ArriveInTheStepOfTheirLastByte) {
   EXPECT_EQ(pulses_.size(), 1U);
 }
 
-TEST_F(CalmPackets, AreShownOnThePageWhileTheyAreInTheWater) {
+TEST_F(CalmPackets, AreShownOnThePageWhileTheyAreInTransit) {
   Begin();
-  SayPacket("alpha", {1, 2, 3});
+  SendPacket("alpha", {1, 2, 3});
   Step();
   EXPECT_TRUE(fates_.empty());
   EXPECT_TRUE(PageHas("Total Packets Received: 1")) << broker_.Status().text;
@@ -57,10 +57,10 @@ TEST_F(CalmPackets, AreShownOnThePageWhileTheyAreInTheWater) {
 
 TEST_F(CalmPackets, ThatOverlapAtTheirReceiverCollideAndNameEachOther) {
   Begin();
-  Say(ReportFrom("charlie", 75));
+  Send(ReportFrom("charlie", 75));
   Step();
-  SayPacket("alpha", {1, 2, 3});
-  SayPacket("bravo", {4, 5, 6});
+  SendPacket("alpha", {1, 2, 3});
+  SendPacket("bravo", {4, 5, 6});
   StepUntilFates();
   int num_collisions = 0;
   for (const fate_t& fate : fates_) {
@@ -78,19 +78,19 @@ TEST_F(CalmPackets, ThatOverlapAtTheirReceiverCollideAndNameEachOther) {
 
 TEST_F(CalmPackets, WithoutSenderOrPayloadAreRefused) {
   Begin();
-  SayPacket("alpha", {});
-  SayPacket("no name", {1});
-  SayPacket("stranger", {1});
-  SayPacket("alpha", Bytes(70'000));
+  SendPacket("alpha", {});
+  SendPacket("no name", {1});
+  SendPacket("unregistered", {1});
+  SendPacket("alpha", Bytes(70'000));
   Step();
   EXPECT_EQ(Fates(), (std::vector<std::string>{"alpha> invalid", "> invalid",
-                                               "stranger> unknown_source", "alpha> too_long"}));
+                                               "unregistered> unknown_source", "alpha> too_long"}));
   EXPECT_EQ(fates_[3].length_limit_bytes, 65'535);
 }
 
-TEST_F(CalmPackets, OfOneWhoTalksFasterThanTheWaterCarriesFindNoChannel) {
+TEST_F(CalmPackets, OfAVehicleWithTooManyInTransitFindNoChannel) {
   Begin();
-  for (int i = 0; i < AcousticTraffic::kMaxPacketsOfOne + 3; ++i) SayPacket("alpha", Bytes(1000));
+  for (int i = 0; i < AcousticTraffic::kMaxPacketsOfOne + 3; ++i) SendPacket("alpha", Bytes(1000));
   Step();
   EXPECT_EQ(Fates(), std::vector<std::string>(3, "alpha>bravo no_channel"));
 }

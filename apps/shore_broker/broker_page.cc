@@ -97,10 +97,10 @@ std::string Sent(const Router& router, Kind kind) {
   constexpr auto kDelivered = static_cast<size_t>(Cause::kDelivered);
   std::string text = fmt::format("    Total Sent: {}\n", router.counts(kind)[kDelivered]);
   AppendRows(
-      router, [&](const Contact& contact) { return contact.heard[place][kDelivered] > 0; },
+      router, [&](const Contact& contact) { return contact.received[place][kDelivered] > 0; },
       [&](const Contact& contact) {
         return fmt::format("        {}: {}\n", UpperCase(contact.name),
-                           contact.heard[place][kDelivered]);
+                           contact.received[place][kDelivered]);
       },
       &text);
   const CauseCounts& counts = router.counts(kind);
@@ -126,11 +126,11 @@ std::string ByVehicle(const Router& router, Kind kind) {
   AppendRows(
       router,
       [&](const Contact& contact) {
-        return contact.sent[place] != CauseCounts{} || contact.heard[place] != CauseCounts{};
+        return contact.sent[place] != CauseCounts{} || contact.received[place] != CauseCounts{};
       },
       [&](const Contact& contact) {
         return fmt::format("        {:<22}{:>16}{:>16}\n", UpperCase(contact.name) + ":",
-                           share(contact.sent), share(contact.heard));
+                           share(contact.sent), share(contact.received));
       },
       &text);
   return text;
@@ -152,8 +152,8 @@ std::string Blocked(const Router& router, Kind kind, std::string_view what) {
   return fmt::format("    Total Blocked {}: {}\n{}", what, total, rows);
 }
 
-std::string WaterSummary(const AcousticTraffic& water) {
-  const AcousticStatistics statistics = water.network().statistics();
+std::string AcousticSummary(const AcousticTraffic& traffic) {
+  const AcousticStatistics statistics = traffic.network().statistics();
   if (statistics.num_transmissions == 0) return "";
   std::istringstream lines(StatisticsText(statistics));
   std::string text = "\nAcoustic Network\n======================================\n";
@@ -163,7 +163,7 @@ std::string WaterSummary(const AcousticTraffic& water) {
 
 }  // namespace
 
-std::string FormatBrokerPage(const Router& router, const AcousticTraffic& water,
+std::string FormatBrokerPage(const Router& router, const AcousticTraffic& traffic,
                              const BrokerPageFacts& facts) {
   constexpr std::string_view kDoubleRule = "======================================\n";
   std::string text = Configuration(router);
@@ -196,7 +196,7 @@ std::string FormatBrokerPage(const Router& router, const AcousticTraffic& water,
     text += fmt::format("{}{}", kRule, Sent(router, Kind::kPacket));
     text += fmt::format("{}{}", kRule, Blocked(router, Kind::kPacket, "Packets"));
   }
-  text += WaterSummary(water);
+  text += AcousticSummary(traffic);
 
   text += fmt::format(
       "\nReports Shared (NODE_REPORT_UNC): {}\n"

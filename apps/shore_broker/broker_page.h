@@ -9,7 +9,7 @@
 
 namespace shoal {
 
-/// What the page tells besides what the router knows.
+/// What the page shows besides what the router knows.
 struct BrokerPageFacts {
   int64_t start_utime = 0;  ///< Of the broker's first step; rates count from here.
   int64_t now_utime = 0;
@@ -19,9 +19,9 @@ struct BrokerPageFacts {
 };
 
 /// Returns configuration; of reports, messages, acks and packets: how many were received, sent, and
-/// blocked by which cause; the vehicles that are known and stale; and what the water did, where
-/// anything went through it.
-[[nodiscard]] std::string FormatBrokerPage(const Router& router, const AcousticTraffic& water,
+/// blocked by which cause; the vehicles that are known and stale; and the statistics of the
+/// acoustic network, where anything went over it.
+[[nodiscard]] std::string FormatBrokerPage(const Router& router, const AcousticTraffic& traffic,
                                            const BrokerPageFacts& facts);
 
 }  // namespace shoal

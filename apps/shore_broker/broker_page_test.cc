@@ -10,7 +10,7 @@
 namespace shoal::broker_page_test {
 
 /// A network through which nothing went.
-AcousticTraffic NoWater() { return AcousticTraffic(BrokerSetup()); }
+AcousticTraffic NoAcoustics() { return AcousticTraffic(BrokerSetup()); }
 
 /// Has one transmission of each kind for each cause that can block it.
 void BlockForEveryCause(Router* router) {
@@ -22,8 +22,8 @@ void BlockForEveryCause(Router* router) {
         router->Admit({.name = name, .group = group, .position_m = {x_m, 0, 0}}, utime);
     if (!admission.refused) router->Route(admission, utime, &decisions);
   };
-  const auto say = [&](std::string_view source, std::string_view dest_node, int64_t utime,
-                       int64_t length_bytes = 5, std::string_view dest_group = {}) {
+  const auto message = [&](std::string_view source, std::string_view dest_node, int64_t utime,
+                           int64_t length_bytes = 5, std::string_view dest_group = {}) {
     router->RouteMessage({.source = source,
                           .dest_node = dest_node,
                           .dest_group = dest_group,
@@ -39,25 +39,25 @@ void BlockForEveryCause(Router* router) {
   report("red", 0, "red", kLater_us);
   report("ghost", 0, "ghosts", kLater_us);
   report("no name", 0, "", kLater_us);
-  say("a", "", kLater_us);  // Invalid.
-  say("a", "b", kLater_us);
-  say("a", "b", kLater_us);  // Too soon.
-  say("b", "a", kLater_us, 1001);
-  say("nobody", "a", kLater_us);
-  say("mute", "a", kLater_us);  // A stale source.
-  say("c", "", kLater_us, 5, "greens");
-  say("d", "stranger:silent:far:red", kLater_us);
+  message("a", "", kLater_us);  // Invalid.
+  message("a", "b", kLater_us);
+  message("a", "b", kLater_us);  // Too soon.
+  message("b", "a", kLater_us, 1001);
+  message("unknown", "a", kLater_us);
+  message("mute", "a", kLater_us);  // A stale source.
+  message("c", "", kLater_us, 5, "greens");
+  message("d", "missing:silent:far:red", kLater_us);
   RoutingRules rules = router->rules();
   rules.drop_percentage = 100;
   router->SetRules(rules);
   report("a", 0, "", 2 * kLater_us);
   report("b", 0, "", 2 * kLater_us);
   report("e", 0, "", 2 * kLater_us);
-  say("e", "a", 2 * kLater_us);
-  for (int i = 0; i <= Router::kMaxStrangers; ++i) {
+  message("e", "a", 2 * kLater_us);
+  for (int i = 0; i <= Router::kMaxUnregistered; ++i) {
     router->Admit({.name = "nemo" + std::to_string(i)}, 2 * kLater_us);
   }
-  say("one_too_many", "a", 2 * kLater_us);
+  message("one_too_many", "a", 2 * kLater_us);
 }
 
 TEST(BrokerPage, SpellsOutRulesThatAreOff) {
@@ -66,7 +66,7 @@ TEST(BrokerPage, SpellsOutRulesThatAreOff) {
   rules.stale_time_s = -1;
   rules.stale_forget_s = -1;
   const Router router(rules, 1, {});
-  const std::string page = FormatBrokerPage(router, NoWater(), {});
+  const std::string page = FormatBrokerPage(router, NoAcoustics(), {});
   EXPECT_NE(page.find("Comms Range: nolimit\n"), std::string::npos);
   EXPECT_NE(page.find("Stale Drop: never\n"), std::string::npos);
   EXPECT_NE(page.find("Stale Forget: never\n"), std::string::npos);
@@ -82,8 +82,8 @@ TEST(BrokerPage, HasARowForEveryCauseThatBlocks) {
   Router router(rules, 1, {});
   BlockForEveryCause(&router);
 
-  std::istringstream page(FormatBrokerPage(router, NoWater(), {.now_utime = 12'000'000}));
-  std::vector<int64_t> left;  // Of each total, what its rows have not told.
+  std::istringstream page(FormatBrokerPage(router, NoAcoustics(), {.now_utime = 12'000'000}));
+  std::vector<int64_t> left;  // Of each total, what its rows have not counted.
   bool is_row = false;
   for (std::string line; std::getline(page, line);) {
     const bool is_total = line.starts_with("    Total Blocked ");
@@ -105,10 +105,10 @@ TEST(BrokerPage, ShowsSomeOfALargeFleetAndCountsAll) {
   for (int i = 0; i < 1000; ++i) fleet.push_back("boat_" + std::to_string(i));
   Router router({}, 1, fleet);
   for (const std::string& name : fleet) router.Admit({.name = name, .group = ""}, 0);
-  for (int i = 0; i < Router::kMaxStrangers + 5; ++i) {
+  for (int i = 0; i < Router::kMaxUnregistered + 5; ++i) {
     router.Admit({.name = "nemo" + std::to_string(i), .group = ""}, 0);
   }
-  const std::string page = FormatBrokerPage(router, NoWater(), {.now_utime = 1'000'000});
+  const std::string page = FormatBrokerPage(router, NoAcoustics(), {.now_utime = 1'000'000});
   EXPECT_NE(page.find("Total Received: 1205 "), std::string::npos) << page;
   EXPECT_NE(page.find("(and 1000 more)"), std::string::npos);
   EXPECT_NE(page.find("Known Vehicles: 1200\n"), std::string::npos);
@@ -121,7 +121,7 @@ TEST(BrokerPage, MarksAForgottenVehicle) {
   Router router(rules, 1, {});
   router.Admit({.name = "nemo", .group = ""}, 0);
   router.ForgetSilent(10'000'000);
-  EXPECT_NE(FormatBrokerPage(router, NoWater(), {.now_utime = 10'000'000}).find("(forgotten)"),
+  EXPECT_NE(FormatBrokerPage(router, NoAcoustics(), {.now_utime = 10'000'000}).find("(forgotten)"),
             std::string::npos);
 }
 

@@ -30,13 +30,13 @@ std::string ChannelOf(Kind kind, std::string_view vehicle) {
   return channels::AcousticRx(vehicle).name;
 }
 
-acoustic_path_t PathOf(const LegEnd& arrival, const AcousticTraffic& water) {
+acoustic_path_t PathOf(const LegEnd& arrival, const AcousticTraffic& traffic) {
   const Reception& reception = arrival.reception;
   acoustic_path_t path;
   path.packet = reception.packet.number;
-  path.channel = water.ChannelId(reception.channel);
+  path.channel = traffic.ChannelId(reception.channel);
   path.sent_utime = arrival.sent_utime;
-  path.num_bytes = water.FrameBytes(arrival.shipment);
+  path.num_bytes = traffic.FrameBytes(arrival.shipment);
   path.air_s = reception.air_s;
   path.travel_s = reception.travel_s;
   path.jitter_s = reception.jitter_s;
@@ -49,7 +49,7 @@ acoustic_path_t PathOf(const LegEnd& arrival, const AcousticTraffic& water) {
   path.num_named =
       static_cast<int32_t>(std::clamp<int64_t>(reception.num_colliders, 0, kMaxNamedColliders));
   for (int i = 0; i < path.num_named; ++i) {
-    path.colliders.push_back(water.NameOf(reception.colliders[static_cast<size_t>(i)]));
+    path.colliders.push_back(traffic.NameOf(reception.colliders[static_cast<size_t>(i)]));
   }
   return path;
 }
@@ -70,7 +70,7 @@ void Delivery::Conclude(int64_t utime, const DecidedTransmission& sent) {
       continue;
     }
     const bool has_contact = decision.destination >= 0;
-    const std::string_view source = decision.source == kNobody
+    const std::string_view source = decision.source == kNoContact
                                         ? sent.written_source
                                         : std::string_view(router_.contact(decision.source).name);
     std::string written;
@@ -110,7 +110,7 @@ void Delivery::SendAcoustic(int64_t utime, const DecidedTransmission& sent) {
         {.decision = decision, .destination = router_.contact(decision.destination).name});
   }
   const std::string source = shipment.source;
-  for (const AcousticTraffic::Refusal& refusal : water_.Send(utime, std::move(shipment))) {
+  for (const AcousticTraffic::Refusal& refusal : traffic_.Send(utime, std::move(shipment))) {
     const Decision concluded =
         router_.Conclude(refusal.leg.decision, source, refusal.leg.destination, refusal.cause);
     fates_.Add(utime, concluded, source, refusal.leg.destination);
@@ -118,8 +118,9 @@ void Delivery::SendAcoustic(int64_t utime, const DecidedTransmission& sent) {
 }
 
 void Delivery::TakeArrivals(int64_t utime) {
-  water_.Deliver(utime, [&](const LegEnd& arrival) { TakeArrival(utime, arrival); });
-  SHOAL_CHECK(router_.NumInTransit() == water_.num_in_transit(), "everything has one fate");
+  traffic_.Deliver(utime, [&](const LegEnd& arrival) { TakeArrival(utime, arrival); });
+  SHOAL_CHECK(router_.NumInTransit() == traffic_.num_in_transit(),
+              "router and acoustic network have the same number in transit");
 }
 
 void Delivery::Flush(int64_t utime) {
@@ -141,9 +142,9 @@ void Delivery::TakeArrival(int64_t utime, const LegEnd& arrival) {
   // The network handed over what a checksum, or the receiver, then threw away.
   const bool was_handed_over = HandsOver(arrival.reception.fate);
   const bool is_delivered = IsReceived(cause);
-  if (was_handed_over && !is_delivered) water_.CountRejection();
+  if (was_handed_over && !is_delivered) traffic_.CountRejection();
 
-  const acoustic_path_t path = PathOf(arrival, water_);
+  const acoustic_path_t path = PathOf(arrival, traffic_);
   fates_.Add(utime, router_.Conclude(arrival.leg.decision, shipment.source, destination, cause),
              shipment.source, destination, &path);
   if (!is_delivered || !shipment.has_pulses) return;
@@ -167,7 +168,8 @@ bool Delivery::DeliverDamaged(int64_t utime, const LegEnd& arrival) {
     return true;
   };
   const auto decode = [&](auto* message) {
-    SHOAL_CHECK(Decode(shipment.message, message), "it was decoded when it came");
+    SHOAL_CHECK(Decode(shipment.message, message),
+                "a message that was decoded on arrival decodes again");
   };
   switch (shipment.kind) {
     case Kind::kReport:
@@ -179,7 +181,7 @@ bool Delivery::DeliverDamaged(int64_t utime, const LegEnd& arrival) {
                                         .now_utime = utime,
                                         .origin = setup_.origin,
                                         .vehicle_at = [&](uint32_t address) {
-                                          return water_.VehicleAt(address);
+                                          return traffic_.VehicleAt(address);
                                         }}));
     case Kind::kMessage:
       decode(&message_);
@@ -201,7 +203,7 @@ void Delivery::DeliverPacket(int64_t utime, const LegEnd& arrival) {
   message.source = arrival.shipment.source;
   message.number = arrival.shipment.number;
   message.sent_utime = arrival.sent_utime;
-  message.arrived_utime = water_.UtimeOf(arrival.reception.end_s);
+  message.arrived_utime = traffic_.UtimeOf(arrival.reception.end_s);
   message.num_bytes = static_cast<int32_t>(arrival.payload.size());
   message.payload.assign(arrival.payload.begin(), arrival.payload.end());
   Publish(bus_, channels::AcousticRx(arrival.leg.destination), message);

@@ -1,7 +1,7 @@
 // What the rules have decided, carried out: deliveries to the receivers, at once or over the
 // acoustic network, and every fate on COMMS_FATES, with a pulse of each delivery.
 //
-//   Delivery delivery(setup, bus, &router, &water);
+//   Delivery delivery(setup, bus, &router, &traffic);
 //   router.Route(admission, utime, &decisions);
 //   delivery.Conclude(utime, {.decisions = decisions, .raw = bytes, ...});
 //   delivery.TakeArrivals(utime);
@@ -48,8 +48,8 @@ struct DecidedTransmission {
 class Delivery {
  public:
   /// All must outlive this.
-  Delivery(const BrokerSetup& setup, Bus& bus, Router* router, AcousticTraffic* water)
-      : setup_(setup), bus_(bus), router_(*router), water_(*water), fates_(bus), pulses_(bus) {}
+  Delivery(const BrokerSetup& setup, Bus& bus, Router* router, AcousticTraffic* traffic)
+      : setup_(setup), bus_(bus), router_(*router), traffic_(*traffic), fates_(bus), pulses_(bus) {}
 
   /// Delivers what is delivered, sends what is in transit, and writes the fates of all others.
   void Conclude(int64_t utime, const DecidedTransmission& sent);
@@ -79,7 +79,7 @@ class Delivery {
   const BrokerSetup& setup_;
   Bus& bus_;
   Router& router_;
-  AcousticTraffic& water_;
+  AcousticTraffic& traffic_;
   FateWriter fates_;
   PulseWriter pulses_;
   std::vector<ReceiverChannels> receiver_channels_;  ///< By index of contact.

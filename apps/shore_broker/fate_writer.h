@@ -1,4 +1,4 @@
-// Says on COMMS_FATES what became of every transmission.
+// Publishes on COMMS_FATES what became of every transmission.
 #pragma once
 
 #include <cstdint>
@@ -16,13 +16,13 @@ class FateWriter {
   /// Fits one datagram (64 KB) where names are of common length: LCM loses a message that it had to
   /// cut with any of its datagrams.
   static constexpr int32_t kMaxFatesPerMessage = 400;
-  /// The same for those that went through the water, which are larger.
+  /// The same for acoustic transmissions, which are larger.
   static constexpr int32_t kMaxPathsPerMessage = 150;
 
   explicit FateWriter(Bus& bus);
 
   /// Adds one fate; publishes when the message is full. `destination` is not asked for where the
-  /// decision counts several together. `path`, where it went through the water.
+  /// decision counts several together. `path`, where it was sent acoustically.
   void Add(int64_t utime, const Decision& decision, std::string_view source,
            std::string_view destination, const acoustic_path_t* path = nullptr);
 

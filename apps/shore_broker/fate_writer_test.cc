@@ -12,7 +12,7 @@ class FateWriterTest : public testing::Test {
  protected:
   FateWriterTest() {
     Subscribe(listener_, channels::CommsFates(),
-              [this](const comms_fates_t& message) { heard_.push_back(message); });
+              [this](const comms_fates_t& message) { received_.push_back(message); });
   }
   void Deliver() {
     hub_.NextStep();
@@ -22,17 +22,17 @@ class FateWriterTest : public testing::Test {
   MemoryBus hub_;
   Bus& broker_ = hub_.Join("shore_broker");
   Bus& listener_ = hub_.Join("listener");
-  std::vector<comms_fates_t> heard_;
+  std::vector<comms_fates_t> received_;
   FateWriter writer_{broker_};
 };
 
-TEST_F(FateWriterTest, SaysNothingWhereNothingWasDecided) {
+TEST_F(FateWriterTest, PublishesNothingWhereNothingWasDecided) {
   writer_.Flush(0);
   Deliver();
-  EXPECT_TRUE(heard_.empty());
+  EXPECT_TRUE(received_.empty());
 }
 
-TEST_F(FateWriterTest, TellsTheCauseAndTheNumbersThatDecided) {
+TEST_F(FateWriterTest, PublishesTheCauseAndTheNumbersThatDecided) {
   writer_.Add(7,
               {.number = 3,
                .cause = Cause::kOutOfRange,
@@ -43,10 +43,10 @@ TEST_F(FateWriterTest, TellsTheCauseAndTheNumbersThatDecided) {
               "alpha", "bravo");
   writer_.Flush(7);
   Deliver();
-  ASSERT_EQ(heard_.size(), 1U);
-  EXPECT_EQ(heard_[0].utime, 7);
-  ASSERT_EQ(heard_[0].num_fates, 1);
-  const fate_t& fate = heard_[0].fates[0];
+  ASSERT_EQ(received_.size(), 1U);
+  EXPECT_EQ(received_[0].utime, 7);
+  ASSERT_EQ(received_[0].num_fates, 1);
+  const fate_t& fate = received_[0].fates[0];
   EXPECT_EQ(fate.kind, "report");
   EXPECT_EQ(fate.source, "alpha");
   EXPECT_EQ(fate.destination, "bravo");
@@ -64,10 +64,10 @@ TEST_F(FateWriterTest, SplitsWhatIsTooLongForOneMessage) {
   }
   writer_.Flush(7);
   Deliver();
-  ASSERT_EQ(heard_.size(), 3U);
-  EXPECT_EQ(heard_[0].num_fates, FateWriter::kMaxFatesPerMessage);
-  EXPECT_EQ(heard_[2].num_fates, 1);
-  EXPECT_EQ(heard_[2].fates[0].number, 2 * FateWriter::kMaxFatesPerMessage);
+  ASSERT_EQ(received_.size(), 3U);
+  EXPECT_EQ(received_[0].num_fates, FateWriter::kMaxFatesPerMessage);
+  EXPECT_EQ(received_[2].num_fates, 1);
+  EXPECT_EQ(received_[2].fates[0].number, 2 * FateWriter::kMaxFatesPerMessage);
 }
 
 }  // namespace shoal::fate_writer_test

@@ -1,4 +1,4 @@
-// Says on VIEW_COMMS_PULSE what was delivered, for viewers.
+// Publishes on VIEW_COMMS_PULSE what was delivered, for viewers.
 #pragma once
 
 #include <Eigen/Core>

@@ -13,7 +13,7 @@ class PulseWriterTest : public testing::Test {
  protected:
   PulseWriterTest() {
     Subscribe(listener_, channels::ViewCommsPulse(),
-              [this](const comms_pulses_t& message) { heard_.push_back(message); });
+              [this](const comms_pulses_t& message) { received_.push_back(message); });
   }
   void Deliver() {
     writer_.Flush(7);
@@ -33,17 +33,17 @@ class PulseWriterTest : public testing::Test {
   MemoryBus hub_;
   Bus& broker_ = hub_.Join("shore_broker");
   Bus& listener_ = hub_.Join("listener");
-  std::vector<comms_pulses_t> heard_;
+  std::vector<comms_pulses_t> received_;
   PulseWriter writer_{broker_};
 };
 
-TEST_F(PulseWriterTest, TellsAllThatTheManualsExampleTells) {
+TEST_F(PulseWriterTest, PublishesAllThatTheManualsExampleShows) {
   writer_.Add(7, PulseOfRange(78.67), 10);
   Deliver();
-  ASSERT_EQ(heard_.size(), 1U);
-  EXPECT_EQ(heard_[0].utime, 7);
-  ASSERT_EQ(heard_[0].num_pulses, 1);
-  const comms_pulse_t& pulse = heard_[0].pulses[0];
+  ASSERT_EQ(received_.size(), 1U);
+  EXPECT_EQ(received_[0].utime, 7);
+  ASSERT_EQ(received_[0].num_pulses, 1);
+  const comms_pulse_t& pulse = received_[0].pulses[0];
   EXPECT_EQ(pulse.sx_m, 109.63);
   EXPECT_EQ(pulse.sy_m, -60.06);
   EXPECT_EQ(pulse.tx_m, 30.96);
@@ -61,10 +61,10 @@ TEST_F(PulseWriterTest, TellsAllThatTheManualsExampleTells) {
 TEST_F(PulseWriterTest, MakesNoBeamNarrowerThanFiveMetres) {
   for (const double range_m : {0.0, 49.9, 50.0, 50.1}) writer_.Add(7, PulseOfRange(range_m), 10);
   Deliver();
-  EXPECT_EQ(heard_.at(0).pulses.at(0).beam_width_m, 5);
-  EXPECT_EQ(heard_.at(0).pulses.at(1).beam_width_m, 5);
-  EXPECT_EQ(heard_.at(0).pulses.at(2).beam_width_m, 5);
-  EXPECT_DOUBLE_EQ(heard_.at(0).pulses.at(3).beam_width_m, 5.01);
+  EXPECT_EQ(received_.at(0).pulses.at(0).beam_width_m, 5);
+  EXPECT_EQ(received_.at(0).pulses.at(1).beam_width_m, 5);
+  EXPECT_EQ(received_.at(0).pulses.at(2).beam_width_m, 5);
+  EXPECT_DOUBLE_EQ(received_.at(0).pulses.at(3).beam_width_m, 5.01);
 }
 
 TEST_F(PulseWriterTest, LetsAMessageReplaceNoReport) {
@@ -72,12 +72,12 @@ TEST_F(PulseWriterTest, LetsAMessageReplaceNoReport) {
   pulse.of_message = true;
   writer_.Add(7, pulse, 10);
   Deliver();
-  EXPECT_EQ(heard_.at(0).pulses.at(0).label, "JAMES2IKE_MSG");
-  EXPECT_EQ(heard_.at(0).pulses.at(0).fill, 0.6);
-  EXPECT_EQ(heard_.at(0).pulses.at(0).ptype, "msg");
+  EXPECT_EQ(received_.at(0).pulses.at(0).label, "JAMES2IKE_MSG");
+  EXPECT_EQ(received_.at(0).pulses.at(0).fill, 0.6);
+  EXPECT_EQ(received_.at(0).pulses.at(0).ptype, "msg");
 }
 
-TEST_F(PulseWriterTest, SaysNothingWithoutDurationOrColor) {
+TEST_F(PulseWriterTest, PublishesNothingWithoutDurationOrColor) {
   writer_.Add(7, PulseOfRange(1), 0);
   for (const std::string_view color : {"off", "invisible"}) {
     Pulse pulse = PulseOfRange(1);
@@ -85,7 +85,7 @@ TEST_F(PulseWriterTest, SaysNothingWithoutDurationOrColor) {
     writer_.Add(7, pulse, 10);
   }
   Deliver();
-  EXPECT_TRUE(heard_.empty());
+  EXPECT_TRUE(received_.empty());
 }
 
 TEST_F(PulseWriterTest, SplitsWhatIsTooLongForOneMessage) {
@@ -93,14 +93,14 @@ TEST_F(PulseWriterTest, SplitsWhatIsTooLongForOneMessage) {
     writer_.Add(7, PulseOfRange(1), 10);
   }
   Deliver();
-  ASSERT_EQ(heard_.size(), 2U);
-  EXPECT_EQ(heard_[1].num_pulses, 1);
+  ASSERT_EQ(received_.size(), 2U);
+  EXPECT_EQ(received_[1].num_pulses, 1);
   Bytes bytes;
-  EncodeInto(heard_[0], &bytes);
+  EncodeInto(received_[0], &bytes);
   EXPECT_LT(bytes.size(), 65'000U) << "one datagram";
 }
 
-TEST(ReportColor, TellsTwelveVehiclesApartAndIsNoMessagesDefault) {
+TEST(ReportColor, DistinguishesTwelveVehiclesAndIsNoMessagesDefault) {
   std::set<std::string_view> colors;
   for (int32_t index = 0; index < 12; ++index) colors.insert(ReportColor(index));
   EXPECT_EQ(colors.size(), 12U);

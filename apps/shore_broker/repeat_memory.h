@@ -11,7 +11,7 @@ namespace shoal {
 
 class RepeatMemory {
  public:
-  /// So many messages are remembered, the last ones.
+  /// The number of messages that are remembered, the last ones.
   static constexpr size_t kRemembered = 1000;
 
   /// Remembers a message by its source and ack_id (of which the first 100 bytes count). Returns

@@ -6,7 +6,7 @@
 
 namespace shoal::repeat_memory_test {
 
-TEST(RepeatMemory, TellsARepeatBySourceAndAckId) {
+TEST(RepeatMemory, RecognizesARepeatBySourceAndAckId) {
   RepeatMemory memory;
   EXPECT_FALSE(memory.IsRepeat("alpha", "1"));
   EXPECT_FALSE(memory.IsRepeat("alpha", "2"));

@@ -15,9 +15,10 @@ namespace shoal {
 
 namespace {
 
-/// A step for the question, one for the answer; the rest is for a launcher that is slow.
+/// One step for the request, one for the answer; the rest allows for a slow launcher.
 constexpr double kHold_s = 1;
-/// `--warp max`, for those who watch: such missions run some 100 times as fast as real time.
+/// Stands for `--warp max` where wall time matters: such missions run about 100 times as fast as
+/// real time.
 constexpr double kMaxWarp = 100;
 
 std::string LegalOrEmpty(const std::string& name) { return IsLegalVehicleName(name) ? name : ""; }
@@ -29,8 +30,8 @@ ShoreBrokerApp::ShoreBrokerApp(BrokerSetup setup, Bus& bus)
       bus_(bus),
       inbox_(bus),
       router_(setup_.rules, setup_.seed, setup_.vehicles),
-      water_(setup_),
-      delivery_(setup_, bus, &router_, &water_),
+      traffic_(setup_),
+      delivery_(setup_, bus, &router_, &traffic_),
       warp_(kMaxWarp) {
   for (const auto& [name, factors] : setup_.factors) router_.SetFactors(name, factors);
 
@@ -70,8 +71,8 @@ void ShoreBrokerApp::Tick(int64_t utime) {
 void ShoreBrokerApp::Begin(int64_t utime) {
   began_ = true;
   start_utime_ = utime;
-  if (!water_.problem().empty()) {
-    log_.Warn("no vehicle can send over the acoustic network; [acoustics] " + water_.problem());
+  if (!traffic_.problem().empty()) {
+    log_.Warn("no vehicle can send over the acoustic network; [acoustics] " + traffic_.problem());
   }
   rules_changed_ = true;
   holds_ = utime > setup_.start_utime;
@@ -102,7 +103,8 @@ bool ShoreBrokerApp::Holds(int64_t utime) {
   return false;
 }
 
-/// The launcher's answer. One of an unregistered participant would stand in its place.
+/// Keeps the launcher's answer. An answer from an unregistered participant would replace it, so it
+/// is ignored.
 void ShoreBrokerApp::KeepControls(const Message& message) {
   if (message.publisher.empty()) {
     log_.Warn(
@@ -145,7 +147,7 @@ void ShoreBrokerApp::HandOnCommands(int64_t utime) {
   inbox_.ClearCommands();
 }
 
-/// Returns false where the report goes no further.
+/// Returns false where the report is refused.
 bool ShoreBrokerApp::TakeIn(int64_t utime, WaitingReport* report) {
   if (!DecodeItem(report->raw,
                   report->raw.from_outside ? channels::NodeReportFromOutside()
@@ -165,7 +167,7 @@ bool ShoreBrokerApp::TakeIn(int64_t utime, WaitingReport* report) {
     log_.Event(utime, fmt::format("{} is known now", report_.name));
   }
   if (!report->admission.refused) {
-    water_.Place(report_.name, report->admission.position_m);
+    traffic_.Place(report_.name, report->admission.position_m);
     return true;
   }
 
@@ -192,8 +194,8 @@ void ShoreBrokerApp::RouteReport(int64_t utime, const WaitingReport& report) {
                    .color = ReportColor(source.index),
                    .air_bytes = [&] {
                      SHOAL_CHECK(Decode(inbox_.BytesOf(report.raw), &report_),
-                                 "it was decoded when it came");
-                     return AirBytes(report_, water_.AddressOf(source.name).value_or(0),
+                                 "a report that was decoded on arrival decodes again");
+                     return AirBytes(report_, traffic_.AddressOf(source.name).value_or(0),
                                      setup_.start_utime);
                    }});
   Share(utime, report);
@@ -261,7 +263,7 @@ void ShoreBrokerApp::RoutePacket(int64_t utime, const BrokerInbox::Item& item) {
   if (!DecodeItem(item, channels::AcousticTx(), &packet_)) return;
   router_.RoutePacket({.source = packet_.source,
                        .length_bytes = packet_.num_bytes,
-                       .length_limit_bytes = water_.max_payload_bytes(),
+                       .length_limit_bytes = traffic_.max_payload_bytes(),
                        .is_sound = packet_.num_bytes > 0},
                       utime, &decisions_);
   if (decisions_.front().cause == Cause::kInvalid) {
@@ -277,7 +279,7 @@ void ShoreBrokerApp::RoutePacket(int64_t utime, const BrokerInbox::Item& item) {
 
 Eigen::Vector3d ShoreBrokerApp::PositionOfSource() const {
   const int32_t source = decisions_.front().source;
-  return source == kNobody ? Eigen::Vector3d::Zero() : router_.contact(source).position_m;
+  return source == kNoContact ? Eigen::Vector3d::Zero() : router_.contact(source).position_m;
 }
 
 void ShoreBrokerApp::Conclude(int64_t utime, DecidedTransmission sent) {
@@ -288,7 +290,7 @@ void ShoreBrokerApp::Conclude(int64_t utime, DecidedTransmission sent) {
   unknown_names_.clear();
 }
 
-/// NODE_REPORT_UNC, not more often than eyes can follow.
+/// Publishes NODE_REPORT_UNC at a limited rate, for displays.
 void ShoreBrokerApp::Share(int64_t utime, const WaitingReport& report) {
   const double interval_s = router_.rules().shared_node_reports_s;
   if (interval_s < 0) return;
@@ -331,7 +333,7 @@ std::optional<App::RequestAnswer> ShoreBrokerApp::Answer(std::string_view channe
 
 StatusPage ShoreBrokerApp::Status() const {
   StatusPage page;
-  page.text = FormatBrokerPage(router_, water_,
+  page.text = FormatBrokerPage(router_, traffic_,
                                {.start_utime = start_utime_,
                                 .now_utime = now_utime_,
                                 .num_commands_handed_on = num_commands_handed_on_,

@@ -47,10 +47,10 @@ class ShoreBrokerApp : public Broker {
   std::optional<RequestAnswer> Answer(std::string_view channel,
                                       std::span<const uint8_t> data) const override;
   StatusPage Status() const override;
-  std::optional<int64_t> NextArrivalUtime() const override { return water_.NextUtime(); }
+  std::optional<int64_t> NextArrivalUtime() const override { return traffic_.NextUtime(); }
 
   const Router& router() const { return router_; }
-  const AcousticTraffic& water() const { return water_; }
+  const AcousticTraffic& traffic() const { return traffic_; }
 
  private:
   struct WaitingReport {
@@ -92,7 +92,7 @@ class ShoreBrokerApp : public Broker {
   Bus& bus_;
   BrokerInbox inbox_;
   Router router_;
-  AcousticTraffic water_;
+  AcousticTraffic traffic_;
   Delivery delivery_;
   StatusLog log_;
 

@@ -14,20 +14,20 @@ class ShoreBrokerTest : public BrokerFixture {};
 
 TEST_F(ShoreBrokerTest, HandsOnTheVeryBytesThatCameIn) {
   const node_report_t report = ReportFrom("alpha", 0);
-  Say(report);
-  Say(ReportFrom("bravo", 249));
+  Send(report);
+  Send(ReportFrom("bravo", 249));
   Step();
   Bytes expected;
   EncodeInto(report, &expected);
-  ASSERT_EQ(heard_["bravo"].size(), 1U);
-  EXPECT_EQ(heard_["bravo"][0], expected);
-  EXPECT_EQ(heard_["alpha"].size(), 1U) << "both are known before either is routed";
+  ASSERT_EQ(received_["bravo"].size(), 1U);
+  EXPECT_EQ(received_["bravo"][0], expected);
+  EXPECT_EQ(received_["alpha"].size(), 1U) << "both are known before either is routed";
 }
 
-TEST_F(ShoreBrokerTest, TellsAFateForEveryPair) {
-  Say(ReportFrom("alpha", 0));
-  Say(ReportFrom("bravo", 249));
-  Say(ReportFrom("charlie", 251));
+TEST_F(ShoreBrokerTest, PublishesAFateForEveryPair) {
+  Send(ReportFrom("alpha", 0));
+  Send(ReportFrom("bravo", 249));
+  Send(ReportFrom("charlie", 251));
   Step();
   ASSERT_EQ(fates_.size(), 6U);
   EXPECT_EQ(fates_[0].source + ">" + fates_[0].destination, "alpha>bravo");
@@ -39,10 +39,10 @@ TEST_F(ShoreBrokerTest, TellsAFateForEveryPair) {
 }
 
 TEST_F(ShoreBrokerTest, RoutesEachOfSeveralReportsOfOneStepFromItsOwnPlace) {
-  Say(ReportFrom("bravo", 0));
+  Send(ReportFrom("bravo", 0));
   Step();
-  Say(ReportFrom("alpha", 1000));
-  Say(ReportFrom("alpha", 100));
+  Send(ReportFrom("alpha", 1000));
+  Send(ReportFrom("alpha", 100));
   Step();
   ASSERT_EQ(fates_.size(), 2U);
   EXPECT_EQ(fates_[0].cause, "out_of_range");
@@ -51,21 +51,21 @@ TEST_F(ShoreBrokerTest, RoutesEachOfSeveralReportsOfOneStepFromItsOwnPlace) {
   EXPECT_EQ(fates_[1].number, 1);
 }
 
-TEST_F(ShoreBrokerTest, HearsVehiclesFromOutside) {
-  Say(ReportFrom("alpha", 0));
+TEST_F(ShoreBrokerTest, ReceivesVehiclesFromOutside) {
+  Send(ReportFrom("alpha", 0));
   Publish(listener_, channels::NodeReportFromOutside(), ReportFrom("Charlie", 10));
   Step();
-  EXPECT_EQ(heard_["alpha"].size(), 1U);
-  EXPECT_EQ(heard_["charlie"].size(), 1U);
+  EXPECT_EQ(received_["alpha"].size(), 1U);
+  EXPECT_EQ(received_["charlie"].size(), 1U);
 }
 
 TEST_F(ShoreBrokerTest, StopsReportsToASilentVehicle) {
-  Say(ReportFrom("bravo", 0));
+  Send(ReportFrom("bravo", 0));
   Step();
-  Say(ReportFrom("alpha", 0));
+  Send(ReportFrom("alpha", 0));
   Step(4'900'000);
   EXPECT_EQ(fates_.at(0).cause, "delivered");
-  Say(ReportFrom("alpha", 0));
+  Send(ReportFrom("alpha", 0));
   Step(100'000);
   EXPECT_EQ(fates_.at(0).cause, "stale_receiver");
   EXPECT_EQ(fates_.at(0).age_s, 5);
@@ -73,25 +73,25 @@ TEST_F(ShoreBrokerTest, StopsReportsToASilentVehicle) {
 }
 
 TEST_F(ShoreBrokerTest, FollowsAChangeOfTheRangeInTheSameStep) {
-  Say(ReportFrom("alpha", 0));
-  Say(ReportFrom("bravo", 300));
-  Say("comms_range", 301);
+  Send(ReportFrom("alpha", 0));
+  Send(ReportFrom("bravo", 300));
+  Send("comms_range", 301);
   Step();
   EXPECT_EQ(fates_.at(0).cause, "delivered");
 }
 
 TEST_F(ShoreBrokerTest, RefusesAnImpossibleRuleAndKeepsTheOld) {
-  Say("comms_range", std::numeric_limits<double>::quiet_NaN());
-  Say("stale_time", std::numeric_limits<double>::infinity());
-  Say("stale_time", 1, "alpha");
+  Send("comms_range", std::numeric_limits<double>::quiet_NaN());
+  Send("stale_time", std::numeric_limits<double>::infinity());
+  Send("stale_time", 1, "alpha");
   Step();
   EXPECT_TRUE(PageHas("Comms Range: 250"));
   EXPECT_TRUE(PageHas("Stale Drop: 5"));
   EXPECT_EQ(broker_.Status().run_warnings.size(), 3U);
 }
 
-TEST_F(ShoreBrokerTest, HandsACommandOnToTheMissionAndToEveryKnownStranger) {
-  Say(ReportFrom("charlie", 0));
+TEST_F(ShoreBrokerTest, HandsACommandOnToTheMissionAndToEveryKnownUnregisteredVehicle) {
+  Send(ReportFrom("charlie", 0));
   helm_command_t command = {};
   command.command = "return";
   Publish(listener_, channels::HelmCommandAll(), command);
@@ -105,12 +105,12 @@ TEST_F(ShoreBrokerTest, HandsACommandOnToTheMissionAndToEveryKnownStranger) {
 }
 
 TEST_F(ShoreBrokerTest, GivesAnInvalidReportAFateWithoutDestination) {
-  Say(ReportFrom("bravo", 0));
-  Say(ReportFrom("alpha", std::numeric_limits<double>::quiet_NaN()));
+  Send(ReportFrom("bravo", 0));
+  Send(ReportFrom("alpha", std::numeric_limits<double>::quiet_NaN()));
   node_report_t turned = ReportFrom("bravo", 0);
   turned.heading_deg = std::numeric_limits<double>::infinity();
-  Say(turned);
-  Say(ReportFrom(std::string(10'000, 'x'), 0));
+  Send(turned);
+  Send(ReportFrom(std::string(10'000, 'x'), 0));
   Step();
   ASSERT_EQ(fates_.size(), 3U);
   EXPECT_EQ(fates_[0].source, "alpha");
@@ -138,7 +138,7 @@ TEST_F(ShoreBrokerTest, DropsAndCountsBytesThatAreNoMessage) {
 }
 
 TEST_F(ShoreBrokerTest, OutlivesABurstOfMadeUpNamesWithAFateForEveryPair) {
-  for (int i = 0; i < 100; ++i) Say(ReportFrom("nemo" + std::to_string(i), 1e300 * i));
+  for (int i = 0; i < 100; ++i) Send(ReportFrom("nemo" + std::to_string(i), 1e300 * i));
   Step();
   EXPECT_TRUE(PageHas("Known Vehicles: 100"));
   EXPECT_EQ(fates_.size(), 100U * 99);
@@ -146,10 +146,10 @@ TEST_F(ShoreBrokerTest, OutlivesABurstOfMadeUpNamesWithAFateForEveryPair) {
 
 TEST_F(ShoreBrokerTest, ShowsAgesAndRatesAsTheManualDoes) {
   for (int i = 0; i < 20; ++i) {
-    Say(ReportFrom("alpha", 0));
+    Send(ReportFrom("alpha", 0));
     Step(500'000);
   }
-  Say(ReportFrom("bravo", 0));
+  Send(ReportFrom("bravo", 0));
   Step(500'000);
   EXPECT_TRUE(
       PageHas("    Total Received: 21           Elapsed      Rate\n"

@@ -1,4 +1,4 @@
-// For tests: a broker beside calm water.
+// For tests: a broker with an acoustic network without losses.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 namespace shoal {
 
 /// One channel for both, 1000 bit/s, no loss, no errors, no jitter.
-inline Mission CalmWater() {
+inline Mission QuietNetwork() {
   Mission mission = TwoVehicles();
   mission.acoustics.is_used = true;
   AcousticOptions& options = mission.acoustics.options;
@@ -19,14 +19,14 @@ inline Mission CalmWater() {
   return mission;
 }
 
-class WaterFixture : public BrokerFixture {
+class AcousticFixture : public BrokerFixture {
  protected:
-  explicit WaterFixture(const Mission& mission = CalmWater()) : BrokerFixture(mission) {}
+  explicit AcousticFixture(const Mission& mission = QuietNetwork()) : BrokerFixture(mission) {}
 
   /// alpha at the origin, bravo 150 m from it, known to the broker.
   void Begin() {
-    Say(ReportFrom("alpha", 0));
-    Say(ReportFrom("bravo", 150));
+    Send(ReportFrom("alpha", 0));
+    Send(ReportFrom("bravo", 150));
     Step();
   }
 
@@ -41,8 +41,8 @@ class WaterFixture : public BrokerFixture {
 };
 
 /// The same, with reports, messages and acks over it.
-inline Mission ReportsInWater() {
-  Mission mission = CalmWater();
+inline Mission AcousticReports() {
+  Mission mission = QuietNetwork();
   mission.comms.reports_over = Medium::kAcoustic;
   mission.comms.messages_over = Medium::kAcoustic;
   return mission;

@@ -83,7 +83,8 @@ void AppendCsvLink(const LinkStatistics::Key& key, std::string* text) {
 }  // namespace
 
 double Percentile(std::vector<double> values, double share) {
-  SHOAL_CHECK(!values.empty() && share > 0 && share <= 1, "a share of something");
+  SHOAL_CHECK(!values.empty() && share > 0 && share <= 1,
+              "values are not empty, and 0 < share <= 1");
   const auto rank = static_cast<size_t>(std::ceil(share * static_cast<double>(values.size())));
   const auto place =
       values.begin() + static_cast<std::ptrdiff_t>(std::clamp<size_t>(rank, 1, values.size()) - 1);

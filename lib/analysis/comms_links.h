@@ -18,12 +18,12 @@ namespace shoal {
 
 /// What became of what one vehicle sent to another. sent = delivered + damaged + the sum of `lost`.
 struct LinkOutcome {
-  int64_t sent = 0;       ///< With a fate: not what was in the water when the log ended.
+  int64_t sent = 0;       ///< With a fate: not what was in transit when the log ended.
   int64_t delivered = 0;  ///< As it was sent.
   int64_t damaged = 0;    ///< Handed over with wrong bits.
-  std::map<std::string, int64_t, std::less<>> lost;  ///< By the cause that COMMS_FATES tells.
-  /// From the first byte sent to the last byte heard, of what went through the water and was handed
-  /// over; in no order.
+  std::map<std::string, int64_t, std::less<>> lost;  ///< By the cause in COMMS_FATES.
+  /// From the first byte sent to the last byte received, of acoustic traffic that was handed over;
+  /// in no order.
   std::vector<double> delays_s;
 
   [[nodiscard]] int64_t NumLost() const { return sent - delivered - damaged; }
@@ -34,7 +34,7 @@ class LinkStatistics {
   /// Kind as its number in fate_kinds.h, source, destination.
   using Key = std::tuple<int, std::string, std::string>;
 
-  /// Counts a fate as often as its count says; nothing where that is less than 1.
+  /// Adds `count` of the fate to its cause; ignores a fate whose count is less than 1.
   void Add(const fate_t& fate);
 
   const std::map<Key, LinkOutcome>& links() const { return links_; }

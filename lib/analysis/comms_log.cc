@@ -125,7 +125,7 @@ std::optional<int64_t> CommsLogBuilder::UtimeOf(const CommsLogItem& item) const 
 }
 
 CommsLog CommsLogBuilder::Build(std::optional<int64_t> tick_us) {
-  log_.time = TellTime();
+  log_.time = KindOfTime();
   TakeTick(tick_us);
   if (log_.time == LogTime::kSeals) {
     RestoreSteps();
@@ -171,7 +171,7 @@ void CommsLogBuilder::GatherRounds() {
   }
 }
 
-LogTime CommsLogBuilder::TellTime() const {
+LogTime CommsLogBuilder::KindOfTime() const {
   struct Count {
     int64_t all = 0;
     int64_t on_time = 0;

@@ -122,7 +122,7 @@ class CommsLogBuilder {
 
  private:
   std::optional<int64_t> UtimeOf(const CommsLogItem& item) const;
-  LogTime TellTime() const;
+  LogTime KindOfTime() const;
   void TakeTick(std::optional<int64_t> tick_us);
   void RestoreSteps();
   void GatherRounds();

@@ -83,7 +83,7 @@ TEST(DecisionComparison, OfALiveBrokerComparesFatesAndNothingElse) {
   EXPECT_EQ(comparison.num_reproduced(), 3);
 }
 
-TEST(FateLine, ShowsStrangersTextWithoutHarm) {
+TEST(FateLine, EscapesUnprintableText) {
   fate_t fate = Fate(1, "bra\nvo\x1b[2J", "delivered");
   fate.range_m = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(FateLine(fate), "report 1 alpha -> bra?vo?[2J: delivered range_m=nan");

@@ -24,14 +24,14 @@ void InformationAge::EndTooth(int64_t utime, Knowledge* knowledge) {
   knowledge->report_utime.reset();
 }
 
-void InformationAge::TellAge(const swarm_t& swarm, const std::string& name,
-                             const Knowledge& knowledge) const {
-  if (!tell_) return;
-  tell_({.utime = swarm.utime,
-         .vehicle = swarm.vehicle,
-         .contact = name,
-         .is_target = knowledge.is_target,
-         .age_s = Seconds(knowledge.begin_us + swarm.utime - knowledge.taken_utime)});
+void InformationAge::ReportAge(const swarm_t& swarm, const std::string& name,
+                               const Knowledge& knowledge) const {
+  if (!on_point_) return;
+  on_point_({.utime = swarm.utime,
+             .vehicle = swarm.vehicle,
+             .contact = name,
+             .is_target = knowledge.is_target,
+             .age_s = Seconds(knowledge.begin_us + swarm.utime - knowledge.taken_utime)});
 }
 
 void InformationAge::AddContact(const swarm_t& swarm, const swarm_contact_t& contact,
@@ -49,11 +49,11 @@ void InformationAge::AddContact(const swarm_t& swarm, const swarm_contact_t& con
   Knowledge& knowledge = observer->contacts[contact.name];
   knowledge.is_target = contact.is_target;
   if (knowledge.report_utime == contact.report_utime) {
-    TellAge(swarm, contact.name, knowledge);
+    ReportAge(swarm, contact.name, knowledge);
     return;
   }
   if (knowledge.report_utime) {
-    TellAge(swarm, contact.name, knowledge);
+    ReportAge(swarm, contact.name, knowledge);
     EndTooth(swarm.utime, &knowledge);
   }
   if (contact.report_utime > swarm.utime) ++num_future_;
@@ -61,7 +61,7 @@ void InformationAge::AddContact(const swarm_t& swarm, const swarm_contact_t& con
   knowledge.report_utime = contact.report_utime;
   knowledge.taken_utime = swarm.utime;
   knowledge.begin_us = std::max<int64_t>(swarm.utime - contact.report_utime, 0);
-  TellAge(swarm, contact.name, knowledge);
+  ReportAge(swarm, contact.name, knowledge);
 }
 
 void InformationAge::Add(const swarm_t& swarm) {
@@ -87,7 +87,7 @@ AgeSummary InformationAge::Summarize(const Knowledge& knowledge, int64_t last_ut
   if (ended.report_utime) EndTooth(last_utime, &ended);
   AgeSummary summary = {.is_target = knowledge.is_target,
                         .num_reports = knowledge.num_reports,
-                        .first_heard_s = Seconds(knowledge.first_utime)};
+                        .first_report_s = Seconds(knowledge.first_utime)};
   double whole_s = 0;
   double area_s2 = 0;
   std::vector<std::pair<int64_t, int>> corners;  // Age, and what becomes of the number of ramps.
@@ -140,7 +140,7 @@ std::string InformationAge::Text(size_t max_pairs) const {
   const bool targets_only = summaries.size() > max_pairs && has_target;
   std::string text =
       fmt::format("{:<32} {:>8} {:>12} {:>10} {:>10} {:>10}\n", "Age of information [s]", "reports",
-                  "first heard", "mean", "95 %", "max");
+                  "first report", "mean", "95 %", "max");
   size_t num_left_out = 0;
   for (const auto& [pair, summary] : summaries) {
     if (targets_only && !summary.is_target) {
@@ -150,7 +150,7 @@ std::string InformationAge::Text(size_t max_pairs) const {
     const std::string title = Printable(pair.first) + " of " + Printable(pair.second) +
                               (summary.is_target ? ", its target" : "");
     text += fmt::format("  {:<30} {:>8} {:>12.1f} {:>10.3f} {:>10.3f} {:>10.3f}\n", title,
-                        summary.num_reports, summary.first_heard_s, summary.mean_s,
+                        summary.num_reports, summary.first_report_s, summary.mean_s,
                         summary.age_95_s, summary.max_s);
   }
   if (num_left_out > 0) {
@@ -168,7 +168,7 @@ std::string InformationAge::Csv() const {
     text += ',';
     AppendCsvCell(pair.second, &text);
     text += fmt::format(",{},{},{:.6f},{:.6f},{:.6f},{:.6f}\n", summary.is_target ? 1 : 0,
-                        summary.num_reports, summary.first_heard_s, summary.mean_s,
+                        summary.num_reports, summary.first_report_s, summary.mean_s,
                         summary.age_95_s, summary.max_s);
   }
   return text;

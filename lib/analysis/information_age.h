@@ -1,5 +1,5 @@
-// How old is what each member of a swarm knows of the others: the time since a contact was where it
-// was last reported, by SWARM_<V> ("age of information": Kaul, Yates, Gruteser 2012, "Real-time
+// The age of what each member of a swarm knows of the others: the time since the last report of a
+// contact was made, by SWARM_<V> ("age of information": Kaul, Yates, Gruteser 2012, "Real-time
 // status: How often should one update?").
 //
 //   InformationAge ages([](const AgePoint& point) { ... });
@@ -25,8 +25,8 @@ namespace shoal {
 /// A corner of a saw tooth; a fall has two at the same time.
 struct AgePoint {
   int64_t utime = 0;
-  const std::string& vehicle;  ///< Who knows. Valid while it is told.
-  const std::string& contact;  ///< Of whom.
+  const std::string& vehicle;  ///< The receiver. Valid during the call.
+  const std::string& contact;  ///< The vehicle that it received.
   bool is_target = false;      ///< The vehicle follows it.
   double age_s = 0;
 };
@@ -34,8 +34,8 @@ struct AgePoint {
 /// Of what one vehicle knows of one contact.
 struct AgeSummary {
   bool is_target = false;
-  int64_t num_reports = 0;   ///< With different time stamps.
-  double first_heard_s = 0;  ///< Mission time.
+  int64_t num_reports = 0;    ///< With different time stamps.
+  double first_report_s = 0;  ///< Mission time.
   double mean_s = 0;
   double age_95_s = 0;  ///< It was no older for 95 % of the time.
   double max_s = 0;
@@ -43,12 +43,12 @@ struct AgeSummary {
 
 class InformationAge {
  public:
-  /// Who knows, and of whom.
+  /// Receiver and contact.
   using Pair = std::pair<std::string, std::string>;
-  using Tell = std::function<void(const AgePoint&)>;
+  using OnPoint = std::function<void(const AgePoint&)>;
 
-  /// `tell` is called for each corner, in order of time; may be empty.
-  explicit InformationAge(Tell tell = {}) : tell_(std::move(tell)) {}
+  /// `on_point` is called for each corner, in order of time; may be empty.
+  explicit InformationAge(OnPoint on_point = {}) : on_point_(std::move(on_point)) {}
 
   void Add(const swarm_t& swarm);
 
@@ -59,7 +59,8 @@ class InformationAge {
   int64_t num_impossible() const { return num_impossible_; }
 
   /// Returns a table, one line for each pair. Where there are more than `max_pairs`, only those
-  /// that follow their contact are shown, and the rest is counted. Empty where nobody was heard.
+  /// that follow their contact are shown, and the rest is counted. Empty where no contact was
+  /// received.
   [[nodiscard]] std::string Text(size_t max_pairs) const;
   /// Returns the same for other programs, all of it.
   [[nodiscard]] std::string Csv() const;
@@ -72,8 +73,8 @@ class InformationAge {
   };
   struct Knowledge {
     bool is_target = false;
-    std::optional<int64_t> report_utime;  ///< As told; absent: not heard, or not any more.
-    int64_t taken_utime = 0;              ///< When it was told first.
+    std::optional<int64_t> report_utime;  ///< As published; absent: not received, or not any more.
+    int64_t taken_utime = 0;              ///< When it was published first.
     int64_t begin_us = 0;                 ///< Its age then.
     int64_t first_utime = 0;
     int64_t num_reports = 0;
@@ -85,11 +86,11 @@ class InformationAge {
   };
 
   void AddContact(const swarm_t& swarm, const swarm_contact_t& contact, Observer* observer);
-  void TellAge(const swarm_t& swarm, const std::string& name, const Knowledge& knowledge) const;
+  void ReportAge(const swarm_t& swarm, const std::string& name, const Knowledge& knowledge) const;
   static void EndTooth(int64_t utime, Knowledge* knowledge);
   static AgeSummary Summarize(const Knowledge& knowledge, int64_t last_utime);
 
-  Tell tell_;
+  OnPoint on_point_;
   std::map<std::string, Observer> observers_;
   int64_t num_future_ = 0;
   int64_t num_impossible_ = 0;

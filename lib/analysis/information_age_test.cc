@@ -47,7 +47,7 @@ TEST(InformationAge, HasMeanAndPercentileOverTime) {
   const AgeSummary summary = ages.Summary();
   EXPECT_EQ(summary.num_reports, 2);
   EXPECT_TRUE(summary.is_target);
-  EXPECT_DOUBLE_EQ(summary.first_heard_s, 1);
+  EXPECT_DOUBLE_EQ(summary.first_report_s, 1);
   EXPECT_DOUBLE_EQ(summary.mean_s, 5);
   EXPECT_DOUBLE_EQ(summary.age_95_s, 9.5);
   EXPECT_DOUBLE_EQ(summary.max_s, 10);
@@ -71,7 +71,7 @@ TEST(InformationAge, IsThatOfTheOnlyMessageWhereThereIsOne) {
   EXPECT_DOUBLE_EQ(ages.Summary().max_s, 2);
 }
 
-TEST(InformationAge, IsNoneWhileAContactIsNotHeard) {
+TEST(InformationAge, IsNoneWhileAContactIsNotReceived) {
   Ages ages;
   ages.Add(0, 0);
   ages.Add(2, 0);
@@ -85,7 +85,7 @@ TEST(InformationAge, IsNoneWhileAContactIsNotHeard) {
   EXPECT_EQ(ages.Summary().num_reports, 2);
 }
 
-TEST(InformationAge, IsNoneWhileWhatAContactSaidCannotBeUsed) {
+TEST(InformationAge, IsNoneWhileTheReportsOfAContactCannotBeUsed) {
   Ages ages;
   ages.Add(0, 0);
   ages.Add(2, 0);
@@ -118,7 +118,7 @@ TEST(InformationAge, IsShownForTargetsWhereThereAreMany) {
   ages.Add(SwarmAt(4 * kSecond_us, "bravo",
                    {ContactAt("alpha", 0), ContactAt("charlie", -kSecond_us, false)}));
   EXPECT_EQ(ages.Text(50),
-            "Age of information [s]            reports  first heard       mean       95 %        "
+            "Age of information [s]            reports first report       mean       95 %        "
             "max\n"
             "  bravo of alpha, its target            1          0.0      2.000      3.800      "
             "4.000\n"

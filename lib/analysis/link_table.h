@@ -27,7 +27,7 @@ class LinkTable {
     bool operator==(const Change&) const = default;
   };
 
-  /// Count a fate as often as its count says; nothing where that is less than 1.
+  /// Add `count` of the fate to its cause; ignore a fate whose count is less than 1.
   void AddRecorded(const fate_t& fate);
   void AddNow(const fate_t& fate);
 

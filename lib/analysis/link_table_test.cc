@@ -65,7 +65,7 @@ TEST(LinkTable, LeavesLinksWithoutADifferenceOutWhereThereAreMany) {
   EXPECT_NE(table.Text(3).find("bravo"), std::string::npos);
 }
 
-TEST(LinkTable, ShowsStrangersTextWithoutHarm) {
+TEST(LinkTable, EscapesUnprintableText) {
   LinkTable table;
   table.AddRecorded(Fate("made up\n", "\x1b[2J", ""));
   const std::string text = table.Text(LinkTable::kAllLinks);

@@ -15,7 +15,7 @@ namespace shoal {
 
 namespace {
 
-/// The broker that heard it, kind, source, number.
+/// The broker that received it, kind, source, number.
 using TransmissionKey = std::tuple<size_t, std::string, std::string, int64_t>;
 
 /// Returns which of the log's brokers decided at `utime`.
@@ -33,7 +33,7 @@ std::map<TransmissionKey, int64_t> TimesDecided(const CommsLog& log) {
     if (!Decode(log.BytesOf(fates), &message)) continue;
     const size_t broker = BrokerAt(log, fates.utime);
     for (const fate_t& fate : message.fates) {
-      // What went through the water was decided when it was sent, a step after it was said.
+      // Acoustic traffic was decided when it was sent, a step after it was published.
       const std::optional<int64_t> decided_utime =
           fate.path.empty() ? fates.utime
                             : StepsLater(fate.path.front().sent_utime, 1, log.tick_us);

@@ -1,5 +1,5 @@
-// Messages from outside the step protocol reach broker and recorder each on its own way: what the
-// broker handled in one step may stand in the log a step earlier or later.
+// Messages from outside the step protocol reach broker and recorder independently: the log may
+// show them one step earlier or later than the step in which the broker handled them.
 #pragma once
 
 #include <cstdint>
@@ -8,9 +8,9 @@
 
 namespace shoal {
 
-/// Moves inputs by one step to where the recorded decisions, or the recorded rules, say that the
-/// broker handled them. Returns how many. Only for recordings in mission time, of which no reports
-/// are missing; 0 for others.
+/// Moves inputs by one step to where the recorded decisions, or the recorded rules, show that the
+/// broker handled them. Returns how many it moved. Only for recordings in mission time, of which no
+/// reports are missing; 0 for others.
 [[nodiscard]] int64_t MoveToTheStepsOfTheBroker(CommsLog* log);
 
 }  // namespace shoal

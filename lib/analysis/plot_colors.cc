@@ -248,16 +248,16 @@ std::optional<uint32_t> ColorOf(std::string_view name) {
   return HexColor(plain);
 }
 
-std::vector<std::string> AssignColors(const std::vector<std::string>& wished) {
+std::vector<std::string> AssignColors(const std::vector<std::string>& requested) {
   constexpr size_t kMostShades = 3;
   constexpr double kShades[kMostShades + 1][kMostShades] = {
       {}, {0, 0, 0}, {-0.3, 0.3, 0}, {-0.45, 0, 0.45}};
-  std::map<uint32_t, size_t> num_wishes;
-  for (const std::string& name : wished) {
-    if (const auto color = ColorOf(name)) ++num_wishes[*color];
+  std::map<uint32_t, size_t> num_requests;
+  for (const std::string& name : requested) {
+    if (const auto color = ColorOf(name)) ++num_requests[*color];
   }
   std::vector<Rgb> taken;
-  for (const auto& [color, count] : num_wishes) {
+  for (const auto& [color, count] : num_requests) {
     if (count <= kMostShades) taken.push_back(DarkEnough(RgbOf(color)));
   }
   const auto is_taken = [&](const Rgb& rgb) {
@@ -267,9 +267,9 @@ std::vector<std::string> AssignColors(const std::vector<std::string>& wished) {
   std::map<uint32_t, size_t> num_given;
   size_t num_from_palette = 0;
   std::vector<std::string> given;
-  for (const std::string& name : wished) {
+  for (const std::string& name : requested) {
     const auto color = ColorOf(name);
-    const size_t num_sharing = color ? num_wishes[*color] : 0;
+    const size_t num_sharing = color ? num_requests[*color] : 0;
     if (num_sharing == 0 || num_sharing > kMostShades) {
       // Beyond the palette hues come close to each other anyway.
       while (num_from_palette < kPalette.size() && is_taken(PaletteColor(num_from_palette))) {

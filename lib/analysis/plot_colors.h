@@ -13,11 +13,12 @@ namespace shoal {
 /// of "#rrggbb"; nothing for what is neither.
 [[nodiscard]] std::optional<uint32_t> ColorOf(std::string_view name);
 
-/// Returns one colour, "#rrggbb", for each of `wished`, the vehicles' own colours by name:
-/// - a colour that one vehicle wishes is given to it;
-/// - one that two or three wish is given in as many shades;
-/// - who wishes nothing that is known, or what more than three wish, gets one that differs.
+/// Returns one colour, "#rrggbb", for each of `requested`, the vehicles' own colours by name:
+/// - a colour that one vehicle requests is given to it;
+/// - one that two or three vehicles request is given in as many shades;
+/// - an unknown colour, or one that more than three vehicles request, is replaced by one that
+///   differs.
 /// Those too light for white paper are darkened.
-[[nodiscard]] std::vector<std::string> AssignColors(const std::vector<std::string>& wished);
+[[nodiscard]] std::vector<std::string> AssignColors(const std::vector<std::string>& requested);
 
 }  // namespace shoal

@@ -31,7 +31,7 @@ TEST(AssignColors, DarkensWhatWhitePaperWouldSwallow) {
   EXPECT_EQ(AssignColors({"white"}), std::vector<std::string>{"#adadad"});
 }
 
-TEST(AssignColors, GivesShadesToThoseWhoShareAColour) {
+TEST(AssignColors, GivesShadesToVehiclesOfTheSameColour) {
   const auto colors = AssignColors({"seagreen", "seagreen", "red", "seagreen"});
   EXPECT_EQ(std::set<std::string>(colors.begin(), colors.end()).size(), 4u);
   EXPECT_EQ(colors[1], "#2e8b57");
@@ -43,15 +43,16 @@ TEST(AssignColors, GivesAFleetOfOneColourManyColours) {
   EXPECT_EQ(std::set<std::string>(colors.begin(), colors.end()).size(), 40u);
 }
 
-TEST(AssignColors, GivesNobodyAColourLikeOneThatIsWished) {
+TEST(AssignColors, GivesNoOtherVehicleAColourLikeARequestedOne) {
   const auto colors = AssignColors({"red", "", "", "", "", "", "steelblue"});
   EXPECT_EQ(std::count(colors.begin(), colors.end(), "#c51b3a"), 0);
   EXPECT_EQ(std::count(colors.begin(), colors.end(), "#1f77b4"), 0);
 }
 
-RC_GTEST_PROP(AssignColors, GivesEveryVehicleAColourThatIsOne, (std::vector<std::string> wished)) {
-  const auto colors = AssignColors(wished);
-  RC_ASSERT(colors.size() == wished.size());
+RC_GTEST_PROP(AssignColors, GivesEveryVehicleAColourThatIsOne,
+              (std::vector<std::string> requested)) {
+  const auto colors = AssignColors(requested);
+  RC_ASSERT(colors.size() == requested.size());
   for (const std::string& color : colors) RC_ASSERT(ColorOf(color).has_value());
 }
 

@@ -36,7 +36,7 @@ bool ThinnedCurve::Add(double x, double y) {
 }
 
 void ThinnedCurve::LimitTo(size_t max_runs) {
-  SHOAL_CHECK(max_runs >= 2, "a curve has two runs at least");
+  SHOAL_CHECK(max_runs >= 2, "max_runs is at least 2");
   max_runs_ = max_runs;
   while (runs_.size() > max_runs_) Shrink();
 }

@@ -1,4 +1,4 @@
-// A curve that stays small however long the log is, and looks as if nothing had been left out.
+// A curve of bounded size for a log of any length, drawn without visible loss.
 //
 //   ThinnedCurve depth;
 //   depth.Add(time_s, z_m);
@@ -32,14 +32,14 @@ class ThinnedCurve {
   static constexpr size_t kMostRuns = 1250;
 
   /// Appends a point. Where it is not finite, or larger than any figure shows (1e9), the line
-  /// breaks instead, and the answer is false.
+  /// breaks instead, and it returns false.
   bool Add(double x, double y);
 
   /// Ends the line; the next point begins a new one. A curve with more breaks than half its runs
   /// loses breaks, never extremes.
   void Break() { is_broken_ = true; }
 
-  /// From now on the curve has at most so many runs. @pre max_runs >= 2
+  /// From now on the curve has at most `max_runs` runs. @pre max_runs >= 2
   void LimitTo(size_t max_runs);
 
   bool empty() const { return runs_.empty(); }

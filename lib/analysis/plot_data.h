@@ -31,7 +31,7 @@ struct PlotSelection {
 
 /// What is drawn of one vehicle. Curves over time count seconds since PlotData::zero_utime.
 struct VehicleCurves {
-  std::string name;    ///< As it calls itself; else as its channels do.
+  std::string name;    ///< By its own reports; otherwise by its channels.
   std::string color;   ///< As its reports have it; may be empty, or anything.
   ThinnedCurve track;  ///< x East, y North.
   std::optional<CurvePoint> start, end;
@@ -40,7 +40,7 @@ struct VehicleCurves {
   ThinnedCurve depth_m, floor_m;        ///< Down positive; the floor under the vehicle.
   ThinnedCurve cross_track_m, crab_deg;
   ThinnedCurve nearest_m, target_m;  ///< To the nearest other vehicle; to the one it tracks.
-  /// How old its news of the one it follows is; the oldest that it has of any other.
+  /// The age of its information about the vehicle that it follows; the oldest about any other.
   ThinnedCurve target_age_s, other_age_s;
   ThinnedCurve thrust_pct, propeller_rpm, rudder_deg, stern_plane_deg;
   ThinnedCurve speed_mps, desired_speed_mps, heading_deg, desired_heading_deg;

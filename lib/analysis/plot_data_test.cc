@@ -20,7 +20,7 @@ PlotData DataOf(const std::vector<TestEvent>& events, const PlotSelection& selec
   return builder.Build();
 }
 
-TEST(PlotData, GathersWhatTheVehiclesSaid) {
+TEST(PlotData, GathersWhatTheVehiclesPublished) {
   const PlotData data = DataOf(LogOfTwoVehicles());
   ASSERT_EQ(data.vehicles.size(), 2u);
   const VehicleCurves& alpha = data.vehicles[0];
@@ -120,10 +120,10 @@ TEST(PlotData, DrawsTheAgeOfNewsAsTheTeethOfASaw) {
   EXPECT_EQ(data.vehicles[0].target_age_s.Strokes(),
             (std::vector<Stroke>{{{1, 0.5}, {3, 2.5}, {3, 0.5}, {4, 1.5}, {4, 0}}}));
   EXPECT_EQ(data.vehicles[0].other_age_s.Strokes(), (std::vector<Stroke>{{{3, 2}, {4, 3}}}))
-      << "the oldest of all that were heard";
+      << "the oldest of all that were received";
 }
 
-TEST(PlotData, DrawsNoAgeWhileNothingIsHeard) {
+TEST(PlotData, DrawsNoAgeWhileNothingIsReceived) {
   swarm_contact_t unheard = ContactAt("alpha", 0);
   unheard.is_heard = 0;
   const PlotData data = DataOf(

@@ -167,7 +167,7 @@ Figure DrawActuators(StackedFigure figure, const PlotData& data, const PlotSetti
 }
 
 Figure DrawSpeed(StackedFigure figure, const PlotSetting& setting, bool png) {
-  figure.BeginPanel("speed through the water [m/s]");
+  figure.BeginPanel("speed through water [m/s]");
   bool has_desired = figure.AddCurves(&VehicleCurves::desired_speed_mps, "desired speed", kDashed);
   figure.AddCurves(&VehicleCurves::speed_mps, "speed", kSolid);
   figure.BeginPanel("heading [°]", {"set yrange [0:360]", "set ytics 90"});
@@ -182,23 +182,23 @@ Figure DrawSpeed(StackedFigure figure, const PlotSetting& setting, bool png) {
 }
 
 Figure DrawAge(StackedFigure figure, const PlotSetting& setting, bool png) {
-  figure.BeginPanel("age of news of its target [s]", {"set yrange [0:*]"});
-  figure.AddCurves(&VehicleCurves::target_age_s, "age of news of its target", kSolid);
-  figure.BeginPanel("oldest news of another [s]", {"set yrange [0:*]"});
-  figure.AddCurves(&VehicleCurves::other_age_s, "oldest news of another", kSolid);
+  figure.BeginPanel("age of target information [s]", {"set yrange [0:*]"});
+  figure.AddCurves(&VehicleCurves::target_age_s, "age of target information", kSolid);
+  figure.BeginPanel("age of oldest information [s]", {"set yrange [0:*]"});
+  figure.AddCurves(&VehicleCurves::other_age_s, "age of oldest information", kSolid);
   return figure.Finish("Age of information", setting, png, "no SWARM of these vehicles in the log");
 }
 
-/// The mission's colours, else what the vehicles' reports tell.
+/// The mission's colours, else those of the vehicles' reports.
 std::vector<std::string> ColorsOf(const PlotData& data, const PlotSetting& setting) {
-  std::vector<std::string> wished;
+  std::vector<std::string> requested;
   for (const VehicleCurves& vehicle : data.vehicles) {
-    wished.push_back(vehicle.color);
+    requested.push_back(vehicle.color);
     for (const PlannedVehicle& planned : setting.vehicles) {
-      if (UpperCase(planned.name) == UpperCase(vehicle.name)) wished.back() = planned.color;
+      if (UpperCase(planned.name) == UpperCase(vehicle.name)) requested.back() = planned.color;
     }
   }
-  return AssignColors(wished);
+  return AssignColors(requested);
 }
 
 }  // namespace

@@ -10,7 +10,7 @@
 namespace shoal {
 
 /// Returns all seven figures: tracks, depth, track_error, distances, actuators, speed, age; those
-/// that have nothing to show say so.
+/// without data show a note.
 [[nodiscard]] std::vector<Figure> DrawFigures(const PlotData& data, const PlotSetting& setting,
                                               bool png);
 

@@ -51,7 +51,7 @@ TEST_F(Figures, ShowTracksWithEqualAxesPlanAndMarks) {
   EXPECT_FALSE(Contains(tracks.script, "$floor"));
 }
 
-TEST_F(Figures, ShowTheWaypointsThatTheHelmToldWhereThereIsNoMission) {
+TEST_F(Figures, ShowTheWaypointsThatTheHelmPublishedWhereThereIsNoMission) {
   Draw(LogOfTwoVehicles(), {.title = "log"});
   EXPECT_TRUE(Contains(Of("tracks").script, "set title 'Tracks: log'\n"));
   EXPECT_TRUE(Contains(Of("tracks").data, "# alpha, waypoints\n200 0\n"));
@@ -105,8 +105,9 @@ TEST_F(Figures, ShowHowOldNewsOfTargetsAre) {
   }
   Draw(events, Berta());
   EXPECT_EQ(Of("age").why_left_out, "");
-  EXPECT_TRUE(Contains(Of("age").script, "set ylabel 'age of news of its target [s]'"));
-  EXPECT_FALSE(Contains(Of("age").script, "oldest news of another")) << "nobody heard of one";
+  EXPECT_TRUE(Contains(Of("age").script, "set ylabel 'age of target information [s]'"));
+  EXPECT_FALSE(Contains(Of("age").script, "age of oldest information"))
+      << "no contact was received";
   EXPECT_TRUE(Contains(Of("age").data, "\n1 1\n2 2\n"));
 }
 

@@ -19,7 +19,7 @@ namespace shoal {
 
 namespace {
 
-/// Returns what can be read until nobody writes any more; of much, the beginning.
+/// Returns what can be read until the other end is closed; of long output, the beginning.
 std::string ReadAll(int fd) {
   constexpr size_t kMost = 4000;
   std::string text;
@@ -88,7 +88,7 @@ Result<bool> RunGnuplot(const std::string& program, const std::string& folder,
   const int failure = ::posix_spawn(&pid, program.c_str(), actions.get(), nullptr, argv, environ);
   if (failure != 0) return Error{fmt::format("cannot run {}: {}", program, ErrnoText(failure))};
   to_write.Close();
-  const std::string said = ReadAll(to_read.get());
+  const std::string output = ReadAll(to_read.get());
   int status = 0;
   while (::waitpid(pid, &status, 0) < 0 && errno == EINTR) {
   }
@@ -96,7 +96,7 @@ Result<bool> RunGnuplot(const std::string& program, const std::string& folder,
   const std::string how = WIFSIGNALED(status)
                               ? fmt::format("was killed by signal {}", WTERMSIG(status))
                               : fmt::format("exited with code {}", WEXITSTATUS(status));
-  return Error{fmt::format("{} {} drawing {}; it said:\n{}", program, how, script, said)};
+  return Error{fmt::format("{} {} drawing {}; its output:\n{}", program, how, script, output)};
 }
 
 }  // namespace shoal

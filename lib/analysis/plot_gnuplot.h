@@ -13,8 +13,8 @@ namespace shoal {
 /// not count.
 [[nodiscard]] std::string FindExecutable(std::string_view name, std::string_view search_path);
 
-/// Runs `program` with the script of this name in `folder` and waits for its end. The error tells
-/// what gnuplot said. The script's name must not begin with a hyphen.
+/// Runs `program` with the script of this name in `folder` and waits for its end. The error
+/// contains gnuplot's output. The script's name must not begin with a hyphen.
 [[nodiscard]] Result<bool> RunGnuplot(const std::string& program, const std::string& folder,
                                       const std::string& script);
 

@@ -34,16 +34,17 @@ TEST_F(Gnuplot, IsNoFolderAndNothingThatCannotRun) {
 }
 
 TEST_F(Gnuplot, IsGivenTheScriptInItsFolderAndNoSettings) {
-  const std::string program = WriteProgram("fake", "#!/bin/sh\necho \"$1 $2\" > said\n");
+  const std::string program = WriteProgram("fake", "#!/bin/sh\necho \"$1 $2\" > output\n");
   ASSERT_TRUE(RunGnuplot(program, directory_.File(""), "a.gp").ok());
-  EXPECT_EQ(TextOfFile(directory_.File("said")), "-d a.gp\n");
+  EXPECT_EQ(TextOfFile(directory_.File("output")), "-d a.gp\n");
 }
 
-TEST_F(Gnuplot, TellsWhatItSaidWhereItFails) {
+TEST_F(Gnuplot, ReturnsItsOutputWhereItFails) {
   const std::string program = WriteProgram("fake", "#!/bin/sh\necho 'no such thing' >&2\nexit 4\n");
   const auto drawn = RunGnuplot(program, directory_.File(""), "a.gp");
   ASSERT_FALSE(drawn.ok());
-  EXPECT_EQ(drawn.error(), program + " exited with code 4 drawing a.gp; it said:\nno such thing\n");
+  EXPECT_EQ(drawn.error(),
+            program + " exited with code 4 drawing a.gp; its output:\nno such thing\n");
 }
 
 TEST_F(Gnuplot, MustBeAProgram) {

@@ -1,5 +1,5 @@
-// Text for gnuplot: what every figure has in common. Whatever a log or a mission calls its vehicles
-// is text to be shown here, and never anything else.
+// Text for gnuplot: what every figure has in common. Names from a log or a mission are
+// escaped: they are only ever shown as text.
 #pragma once
 
 #include <string>
@@ -43,7 +43,7 @@ struct Figure {
   std::string name;  ///< "tracks": of tracks.svg, and in its folder of tracks.dat and tracks.gp.
   std::string data = {};          ///< Of <name>.dat.
   std::string script = {};        ///< Of <name>.gp. Paths in it are relative to its folder.
-  std::string why_left_out = {};  ///< Not empty: the log has nothing to draw, and this is why.
+  std::string why_left_out = {};  ///< Why the log has nothing to draw; empty: it has.
 };
 
 /// What the figures are drawn on.

@@ -1,5 +1,5 @@
-// What a log does not tell and its mission does: names, colours, where the vehicles were sent, what
-// the sea floor is like. Figures use what is there.
+// What a log does not contain and its mission does: names, colours, where the vehicles were sent,
+// what the sea floor is like. Figures use what is there.
 #pragma once
 
 #include <cstdint>
@@ -43,7 +43,7 @@ struct PlotSetting {
   std::function<double(double x_m, double y_m)> floor_depth_m = {};  ///< May be empty.
 };
 
-/// Returns what `mission` tells, all but the sea floor.
+/// Returns the setting of `mission`, without the sea floor.
 [[nodiscard]] PlotSetting SettingOf(const Mission& mission);
 
 }  // namespace shoal

@@ -74,7 +74,7 @@ class TracksFigure {
         fmt::format("'tracks.dat' index {} with {} notitle", blocks_.Add(comment, strokes), with));
   }
 
-  /// Where it was sent: by the mission, else by what its helm told.
+  /// Where it was sent: by the mission, else by what its helm published.
   void AddPlan(size_t index) {
     const VehicleCurves& vehicle = data_.vehicles[index];
     const std::string color = PlanColor(colors_[index]);

@@ -19,7 +19,7 @@ namespace shoal {
 [[nodiscard]] std::string TitleOf(const std::string& what, const PlotSetting& setting);
 
 /// Returns the legend's entries for the vehicles; none for one vehicle alone, or for more than can
-/// be told apart.
+/// be distinguished.
 [[nodiscard]] std::vector<LegendEntry> VehicleLegend(const PlotData& data,
                                                      const std::vector<std::string>& colors);
 

@@ -23,7 +23,7 @@ class Replayed {
         broker_bus_(hub_.Join(std::string(kBrokerName))),
         broker_(make_broker(setup, broker_bus_)) {
     log_bus_.SubscribeAll([this](const Message& message) {
-      if (message.publisher == kBrokerName) (*hear_)(message);
+      if (message.publisher == kBrokerName) (*on_message_)(message);
     });
   }
 
@@ -33,13 +33,13 @@ class Replayed {
     log_bus_.PublishBytes(channel, data);
   }
 
-  /// Takes a step with what was given, and hands what the broker says to `hear`.
-  void Step(int64_t utime, const std::function<void(const Message&)>& hear) {
+  /// Takes a step with what was given, and hands what the broker publishes to `on_message`.
+  void Step(int64_t utime, const std::function<void(const Message&)>& on_message) {
     hub_.NextStep();
     hub_.Handle(broker_bus_);
     broker_->Tick(utime);
     hub_.NextStep();
-    hear_ = &hear;
+    on_message_ = &on_message;
     hub_.Handle(log_bus_);
   }
 
@@ -48,7 +48,7 @@ class Replayed {
   Bus& log_bus_;
   Bus& broker_bus_;
   std::unique_ptr<Broker> broker_;
-  const std::function<void(const Message&)>* hear_ = nullptr;
+  const std::function<void(const Message&)>* on_message_ = nullptr;
 };
 
 /// Puts events into the order of a log: by time, then by channel.
@@ -85,8 +85,8 @@ class LogOrder {
 bool IsControl(std::string_view channel) { return FindControlOnChannel(channel) != nullptr; }
 
 /// Returns when the broker takes a step. It forgets the silent at the end of every step; without a
-/// report between, the step before one with inputs forgets all who would have been forgotten in
-/// the steps before.
+/// report between, the step before one with inputs forgets all vehicles that would have been
+/// forgotten in the steps before.
 std::vector<int64_t> TimesOfSteps(const CommsLog& log) {
   std::vector<int64_t> times;
   for (const LoggedMessage& input : log.inputs) {
@@ -157,7 +157,7 @@ class Run {
   RebrokerOutcome Take() {
     if (!log_.starts.empty()) {
       std::vector<int64_t> times = TimesOfSteps(log_);
-      times.push_back(log_.last_utime + 1);  // Until then, what is in the water arrives.
+      times.push_back(log_.last_utime + 1);  // Until then, what is in transit arrives.
       for (size_t i = 0; i + 1 < times.size(); ++i) {
         Step(times[i]);
         for (auto utime = NextArrival(times[i]); utime && *utime < times[i + 1];
@@ -197,9 +197,9 @@ class Run {
     std::vector<fate_t> fates;
     broker_->Step(utime, [&](const Message& message) {
       if (message.channel == channels::CommsFates().name) {
-        comms_fates_t said;
-        SHOAL_CHECK(Decode(message.data, &said), "a broker's COMMS_FATES does not decode");
-        fates.insert(fates.end(), said.fates.begin(), said.fates.end());
+        comms_fates_t published;
+        SHOAL_CHECK(Decode(message.data, &published), "a broker's COMMS_FATES decodes");
+        fates.insert(fates.end(), published.fates.begin(), published.fates.end());
       }
       if (absence == nullptr && out_.is_wanted() && IsLogged(message.channel)) {
         out_.Add(utime, message.channel, message.data);
@@ -215,8 +215,8 @@ class Run {
     out_.Flush();
   }
 
-  /// Returns the step after `utime` in which something may arrive; nothing where nothing is in the
-  /// water. Steps in which nothing does are passed over: a packet may be there for a day.
+  /// Returns the step after `utime` in which something may arrive; nothing where nothing is in
+  /// transit. Other steps are skipped: a packet may be in transit for a day.
   std::optional<int64_t> NextArrival(int64_t utime) const {
     const std::optional<int64_t> next_utime = broker_->NextArrivalUtime();
     if (!next_utime) return std::nullopt;
@@ -225,8 +225,8 @@ class Run {
     return utime + num_steps * log_.tick_us;
   }
 
-  /// A broker asks for the controls that it has missed where the mission began before it did; and
-  /// the water, and the time stamps in it, count from the mission's start.
+  /// A broker asks for the controls that it has missed where the mission began before it did; the
+  /// acoustic network and its time stamps count from the mission's start.
   int64_t MissionStart(const BrokerStart& start) const {
     if (!start.in_the_midst) return start.utime;
     const BrokerStart& first = log_.starts.front();
@@ -254,7 +254,7 @@ class Run {
     return bytes_;
   }
 
-  /// Inputs were said a step before they were handled.
+  /// Inputs were published a step before they were handled.
   void WriteInputsUntil(int64_t utime) {
     for (; next_written_ < log_.inputs.size(); ++next_written_) {
       const LoggedMessage& input = log_.inputs[next_written_];

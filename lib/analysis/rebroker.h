@@ -4,8 +4,8 @@
 //   print(outcome.comparison.num_reproduced(), outcome.links.Text(50));
 //
 // The broker, which `make_broker` makes, is on a bus in memory. It is given what the recorded one
-// heard, in the order and at the times at which that one handled it. Where the recorded broker was
-// started again, a new one takes over, that knows nobody.
+// received, in the order and at the times at which that one handled it. Where the recorded broker
+// was started again, a new one takes over, which knows no vehicle yet.
 #pragma once
 
 #include <cstdint>
@@ -21,8 +21,8 @@
 
 namespace shoal {
 
-/// A time in which the recorded broker said nothing, before another was started or to the log's
-/// end.
+/// A time in which the recorded broker published nothing, before another was started or to the
+/// log's end.
 struct BrokerAbsence {
   int64_t after_utime = 0;    ///< Of its last decision.
   int64_t before_utime = 0;   ///< Of the new one's first step.
@@ -32,7 +32,7 @@ struct BrokerAbsence {
 
 struct RebrokerSettings {
   BrokerSetup setup;          ///< At the mission's start; start_utime is not asked for.
-  bool with_controls = true;  ///< What was said on UNC_* holds.
+  bool with_controls = true;  ///< Recorded messages on UNC_* change the rules.
   /// The times whose decisions are counted apart: AbsencesIn(log).
   std::vector<BrokerAbsence> absences = {};
 };
@@ -41,7 +41,7 @@ struct RebrokerOutcome {
   LinkTable links;  ///< Recorded and now.
   DecisionComparison comparison{SameDecision::kWhole};
   std::vector<BrokerAbsence> absences;  ///< Those that cost decisions.
-  int64_t num_too_early = 0;            ///< Inputs that were said before the first broker began.
+  int64_t num_too_early = 0;            ///< Inputs published before the first broker began.
   int64_t num_undecodable = 0;          ///< Recorded COMMS_FATES.
 };
 
@@ -53,8 +53,8 @@ using EventSink =
 /// COMMS_FATES at all.
 [[nodiscard]] std::vector<BrokerAbsence> AbsencesIn(const CommsLog& log);
 
-/// Runs the broker. `sink`, where given, takes what the broker was given and what it said as a log
-/// of mission time in the fixed order, of which Rebroker says the same.
+/// Runs the broker. `sink`, where given, takes what the broker was given and what it published as
+/// a log of mission time in the fixed order, from which Rebroker decides the same.
 RebrokerOutcome Rebroker(const CommsLog& log, const RebrokerSettings& settings,
                          const MakeBroker& make_broker, const EventSink& sink);
 

@@ -69,13 +69,13 @@ std::string LogText(const std::vector<std::string>& paths, const CommsLog& log,
   for (const auto& [channel, count] : counts) {
     words.push_back(fmt::format("{} {}", count, channel));
   }
-  text += fmt::format("Heard:    {}\n", fmt::join(words, ", "));
+  text += fmt::format("Received: {}\n", fmt::join(words, ", "));
   if (recorded) {
     text += fmt::format("Mission:  {} vehicles, seed {}, tick {} s\n", recorded->vehicles.size(),
                         recorded->seed, static_cast<double>(log.tick_us) / 1e6);
   }
   for (size_t i = 1; i < log.starts.size(); ++i) {
-    text += fmt::format("Restart:  the broker was started again at {} and knew nobody\n",
+    text += fmt::format("Restart:  the broker was started again at {} and knew no vehicle\n",
                         SecondsText(log.starts[i].utime));
   }
   return text;
@@ -96,7 +96,7 @@ std::vector<std::string> WarningsOf(const CommsLog& log) {
     if (count > 0) warnings.push_back(fmt::format("{} {}", count, what));
   }
   if (log.tick_is_guessed) {
-    warnings.push_back(fmt::format("the log does not tell the tick; {} s is a guess",
+    warnings.push_back(fmt::format("the log does not contain the tick; {} s is a guess",
                                    static_cast<double>(log.tick_us) / 1e6));
   }
   if (log.rules && log.rules->is_start == 0) {
@@ -167,7 +167,7 @@ std::string AbsencesText(const CommsLog& log, const RebrokerOutcome& outcome) {
         absence.num_decisions);
   }
   if (outcome.num_too_early > 0) {
-    text += fmt::format("Early:    {} messages were said before the broker began\n",
+    text += fmt::format("Early:    {} messages were published before the broker began\n",
                         outcome.num_too_early);
   }
   return text;

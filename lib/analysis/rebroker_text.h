@@ -1,4 +1,4 @@
-// What `shoal rebroker` says about a log and about the decisions; the table is in link_table.h.
+// What `shoal rebroker` prints about a log and about the decisions; the table is in link_table.h.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace shoal {
 
-/// Returns what the log holds, a line for each; `recorded` where it tells its rules.
+/// Returns what the log holds, a line for each; `recorded` where it contains its rules.
 [[nodiscard]] std::string LogText(const std::vector<std::string>& paths, const CommsLog& log,
                                   const std::optional<BrokerSetup>& recorded);
 
@@ -21,8 +21,8 @@ namespace shoal {
 /// Returns "reproduced N of N decisions", and the first difference where there is one.
 [[nodiscard]] std::string ReproducedText(const CommsLog& log, const RebrokerOutcome& outcome);
 
-/// Returns a line for each rule and each vehicle's factors that differ, or one that says that none
-/// do.
+/// Returns a line for each rule and each vehicle's factors that differ, or one that states that
+/// none do.
 [[nodiscard]] std::string ChangesText(const BrokerSetup& then, const BrokerSetup& now);
 
 /// Returns the times in which the recorded broker was away, and what came too early.

@@ -73,7 +73,7 @@ void SwarmTally::Add(const swarm_t& swarm) {
     ++num_impossible_;
     return;
   }
-  Counts now{.num_said = swarm.num_said, .sources = {}, .events = {}};
+  Counts now{.num_published = swarm.num_said, .sources = {}, .events = {}};
   for (const swarm_source_t& source : swarm.sources) {
     AddSource({source.received, source.clean, source.recovered, source.rejected},
               &now.sources[source.name]);
@@ -83,7 +83,7 @@ void SwarmTally::Add(const swarm_t& swarm) {
     total = std::min(total + count.count, int64_t{1} << 60);
   }
   Receiver& receiver = receivers_[swarm.vehicle];
-  bool began_again = now.num_said < receiver.last.num_said;
+  bool began_again = now.num_published < receiver.last.num_published;
   for (const auto& [source, count] : receiver.last.sources) {
     const auto found = now.sources.find(source);
     began_again |= found == now.sources.end() || found->second.received < count.received;
@@ -133,7 +133,7 @@ std::string SwarmTally::Text(size_t max_pairs) const {
                                  "received", "clean", "recovered", "rejected");
   AppendRow("all", all, &text);
   for (const Pair& pair : shown) {
-    AppendRow(Printable(pair.first) + " heard " + Printable(pair.second), sources.at(pair), &text);
+    AppendRow(Printable(pair.first) + " from " + Printable(pair.second), sources.at(pair), &text);
   }
   if (num_shown < order.size()) {
     text += fmt::format("  ({} pairs with more clean messages not shown; --all shows them)\n",

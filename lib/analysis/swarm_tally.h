@@ -1,4 +1,4 @@
-// What became of the acoustic messages of a swarm at those who heard them: how many were applied as
+// What became of the acoustic messages of a swarm at their receivers: how many were applied as
 // they came, repaired, or refused, by SWARM_<V>.
 //
 //   SwarmTally tally;
@@ -20,7 +20,7 @@
 namespace shoal {
 
 struct SourceCount {
-  int64_t received = 0;  ///< = clean + recovered + rejected, where the log is honest.
+  int64_t received = 0;  ///< = clean + recovered + rejected, in a consistent log.
   int64_t clean = 0;
   int64_t recovered = 0;
   int64_t rejected = 0;
@@ -55,7 +55,7 @@ class SwarmTally {
  private:
   /// What one process counted.
   struct Counts {
-    int64_t num_said = 0;
+    int64_t num_published = 0;
     std::map<std::string, SourceCount> sources;
     std::map<std::tuple<std::string, std::string, std::string>, int64_t> events;
   };

@@ -31,13 +31,14 @@ TEST(SwarmTally, GoesOnWhereAProcessWasStartedAgain) {
   EXPECT_EQ(tally.Sources().at({"bravo", "alpha"}), (SourceCount{13, 9, 2, 2}));
   tally.Add(SwarmAt(0, "bravo", {}));
   EXPECT_EQ(tally.Sources().at({"bravo", "alpha"}), (SourceCount{13, 9, 2, 2}));
-  swarm_t as_said = Bravo(0, 2, 0, 0);  // It had said nothing more, but heard less.
+  // The same count of published messages, but fewer received.
+  swarm_t restarted = Bravo(0, 2, 0, 0);
   tally.Add(Bravo(0, 4, 0, 0));
-  tally.Add(as_said);
+  tally.Add(restarted);
   EXPECT_EQ(tally.Sources().at({"bravo", "alpha"}), (SourceCount{19, 15, 2, 2}));
 }
 
-TEST(SwarmTally, KnowsAnotherProcessByWhatItSaidWhereItHeardMoreSince) {
+TEST(SwarmTally, RecognizesARestartByTheCountOfPublishedMessagesWhereMoreWereReceivedSince) {
   SwarmTally tally;
   tally.Add(Bravo(5, 1, 0, 0));
   tally.Add(Bravo(0, 3, 0, 0));
@@ -58,8 +59,8 @@ TEST(SwarmTally, ShowsSharesAndWhatWasRepairedHow) {
       tally.Text(50),
       R"(Swarm messages                   received            clean        recovered         rejected
   all                                 101        90  89.1%         9   8.9%         2   2.0%
-  bravo heard alpha                   100        90  90.0%         8   8.0%         2   2.0%
-  charlie heard alpha                   1         0   0.0%         1 100.0%         0   0.0%
+  bravo from alpha                    100        90  90.0%         8   8.0%         2   2.0%
+  charlie from alpha                    1         0   0.0%         1 100.0%         0   0.0%
 
 Recovered and rejected field              by                                          times
   recovered            reporter_pos       predict                                         9
@@ -75,8 +76,8 @@ TEST(SwarmTally, ShowsTheWorstPairsWhereThereAreMany) {
   AddSourceTo(&other, "alpha", 1, 9, 0);
   tally.Add(other);
   const std::string text = tally.Text(1);
-  EXPECT_NE(text.find("charlie heard alpha"), std::string::npos) << text;
-  EXPECT_EQ(text.find("bravo heard alpha"), std::string::npos) << text;
+  EXPECT_NE(text.find("charlie from alpha"), std::string::npos) << text;
+  EXPECT_EQ(text.find("bravo from alpha"), std::string::npos) << text;
   EXPECT_NE(text.find("(1 pairs with more clean"), std::string::npos) << text;
   EXPECT_EQ(SwarmTally().Text(50), "");
 }

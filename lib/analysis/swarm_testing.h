@@ -8,7 +8,7 @@
 
 namespace shoal {
 
-/// A contact that was heard and was where it is at `report_utime`.
+/// A contact that was received and was where it is at `report_utime`.
 inline swarm_contact_t ContactAt(const std::string& name, int64_t report_utime,
                                  bool is_target = true) {
   swarm_contact_t contact{};

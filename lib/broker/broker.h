@@ -1,5 +1,5 @@
-// A broker as the rebroker sees it (lib/analysis/rebroker.h): an app that can say when it has
-// something to deliver next. apps/shore_broker is one.
+// A broker as the rebroker sees it (lib/analysis/rebroker.h): an app that knows when it
+// delivers something next. apps/shore_broker is one.
 #pragma once
 
 #include <cstdint>

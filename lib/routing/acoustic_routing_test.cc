@@ -1,4 +1,5 @@
-// What goes over the acoustic network: packets, and reports and messages where the rules say so.
+// What goes over the acoustic network: packets, and reports and messages where the rules route them
+// there.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -29,7 +30,7 @@ RoutingRules OverTheWater(int64_t each_fate_up_to = 200) {
   return rules;
 }
 
-TEST(Packet, IsInTransitToAllWhoAreNear) {
+TEST(Packet, IsInTransitToAllVehiclesThatAreNear) {
   TestFleet fleet;
   fleet.Report("alpha", {0, 0, 0});
   fleet.Report("bravo", {99, 0, 0});
@@ -44,7 +45,7 @@ TEST(Packet, IsInTransitToAllWhoAreNear) {
   EXPECT_EQ(SendPacket(&fleet, "alpha").at("bravo").number, 1);
 }
 
-TEST(Packet, IsHeardAsFarAsStealthAndEarangeAllow) {
+TEST(Packet, ArrivesAsFarAsStealthAndEarangeAllow) {
   TestFleet fleet;
   fleet.Report("alpha", {0, 0, 0});
   fleet.Report("bravo", {60, 0, 0});
@@ -130,7 +131,7 @@ TEST(OverTheWater, TheReportIntervalCountsFromWhatTheRulesLetPass) {
   EXPECT_EQ(fleet.Report("bravo", {50, 0, 0}).at("alpha").cause, Cause::kTooSoon);
 }
 
-TEST(Conclude, MovesTheCountOfEverybodyConcerned) {
+TEST(Conclude, MovesTheCountOfEveryVehicleConcerned) {
   TestFleet fleet(OverTheWater());
   fleet.Report("alpha", {0, 0, 0});
   const Decision pending = fleet.Report("bravo", {50, 0, 0}).at("alpha");
@@ -138,26 +139,26 @@ TEST(Conclude, MovesTheCountOfEverybodyConcerned) {
   EXPECT_EQ(concluded.cause, Cause::kCollision);
   EXPECT_EQ(concluded.range_m, 50);
   for (const CauseCounts* counts : {&fleet.router.counts(Kind::kReport), &fleet.At("bravo").sent[0],
-                                    &fleet.At("alpha").heard[0]}) {
+                                    &fleet.At("alpha").received[0]}) {
     EXPECT_EQ(CountOf(*counts, Cause::kInTransit), 0);
     EXPECT_EQ(CountOf(*counts, Cause::kCollision), 1);
     EXPECT_EQ(Total(*counts), 1);
   }
 }
 
-TEST(Conclude, LeavesOthersWhoHaveTakenTheNameAlone) {
+TEST(Conclude, LeavesOthersThatHaveTakenTheNameAlone) {
   TestFleet fleet(OverTheWater(), 1, {"alpha"});
   fleet.Report("alpha", {0, 0, 0});
   const Decision pending = fleet.Report("nemo", {50, 0, 0}).at("alpha");
   fleet.utime += 1000 * kSecond_us;
   fleet.router.ForgetSilent(fleet.utime);
   fleet.Report("alpha", {0, 0, 0});
-  for (int i = 0; i < Router::kMaxStrangers; ++i) {
+  for (int i = 0; i < Router::kMaxUnregistered; ++i) {
     fleet.Report("other" + std::to_string(i), {0, 5000, 0});
   }
   EXPECT_EQ(fleet.At("nemo").key, "") << "gone";
   fleet.router.Conclude(pending, "nemo", "alpha", Cause::kDelivered);
-  EXPECT_EQ(CountOf(fleet.At("alpha").heard[0], Cause::kDelivered), 1);
+  EXPECT_EQ(CountOf(fleet.At("alpha").received[0], Cause::kDelivered), 1);
 }
 
 RC_GTEST_PROP(OverTheWater, FatesAndWhatIsInTransitAreWhatWasOffered, (uint64_t seed)) {
@@ -193,7 +194,7 @@ RC_GTEST_PROP(OverTheWater, FatesAndWhatIsInTransitAreWhatWasOffered, (uint64_t 
                   CountOf(fleet.router.counts(Kind::kReport), Cause::kInTransit) ==
               static_cast<int64_t>(in_transit.size()));
     for (const Contact* contact : fleet.router.contacts()) {
-      for (const int64_t count : contact->heard[3]) RC_ASSERT(count >= 0);
+      for (const int64_t count : contact->received[3]) RC_ASSERT(count >= 0);
     }
   }
 }

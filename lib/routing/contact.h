@@ -33,14 +33,15 @@ struct Contact {
 
   /// When a report of this vehicle was last delivered, by index of the receiver; may be shorter.
   std::vector<int64_t> delivered_utime;
-  /// Whose next report this vehicle receives whatever the rules say, by index; may be shorter.
+  /// Whose next report this vehicle receives whatever the other rules decide, by index; may be
+  /// shorter.
   std::vector<uint8_t> wants_report_of;
   int32_t num_wanted = 0;  ///< How many of these.
 
   std::array<int64_t, kNumKinds> num_sent = {};  ///< Transmissions; the next one's number.
   int64_t num_admitted = 0;                      ///< Reports that were not refused.
   KindCounts sent = {};                          ///< Fates of what it sent.
-  KindCounts heard = {};                         ///< Fates of what it was to receive.
+  KindCounts received = {};                      ///< Fates of what it was to receive.
 };
 
 }  // namespace shoal

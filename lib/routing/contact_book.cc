@@ -12,7 +12,7 @@ ContactBook::ContactBook(std::span<const std::string> vehicles) {
   for (const std::string& name : vehicles) {
     const auto [entry, is_new] = contacts_.try_emplace(VehicleKey(name));
     SHOAL_CHECK(is_new && IsLegalVehicleName(name),
-                "the vehicles of a mission have legal names, each its own");
+                "the vehicles of a mission have legal and unique names");
     Contact& contact = entry->second;
     contact.name = name;
     contact.key = entry->first;
@@ -34,9 +34,9 @@ Contact* ContactBook::Find(std::string_view name) {
 
 Contact* ContactBook::FindOrAdd(std::string_view name) {
   if (Contact* contact = Find(name)) return contact;
-  if (num_strangers_ == kMaxStrangers && !MakeRoom()) return nullptr;
-  ++num_strangers_;
-  ++num_unknown_strangers_;
+  if (num_unregistered_ == kMaxUnregistered && !MakeRoom()) return nullptr;
+  ++num_unregistered_;
+  ++num_unknown_unregistered_;
   const auto entry = contacts_.try_emplace(VehicleKey(name)).first;
   Contact& contact = entry->second;
   contact.name = name;
@@ -54,14 +54,15 @@ Contact* ContactBook::FindOrAdd(std::string_view name) {
 }
 
 bool ContactBook::HasRoomFor(std::string_view name) const {
-  return Find(name) != nullptr || num_strangers_ < kMaxStrangers || num_unknown_strangers_ > 0;
+  return Find(name) != nullptr || num_unregistered_ < kMaxUnregistered ||
+         num_unknown_unregistered_ > 0;
 }
 
 void ContactBook::MarkKnown(Contact* contact) {
   if (contact->known) return;
   contact->known = true;
   ++num_known_;
-  if (!contact->of_mission) --num_unknown_strangers_;
+  if (!contact->of_mission) --num_unknown_unregistered_;
 }
 
 void ContactBook::Forget(Contact* contact) {
@@ -78,7 +79,7 @@ void ContactBook::Forget(Contact* contact) {
     if (place < other->delivered_utime.size()) other->delivered_utime[place] = kNever;
   }
   --num_known_;
-  if (!contact->of_mission) ++num_unknown_strangers_;
+  if (!contact->of_mission) ++num_unknown_unregistered_;
 }
 
 void ContactBook::WantReports(Contact* receiver) {
@@ -99,11 +100,11 @@ void ContactBook::GiveWanted(Contact* receiver, const Contact& source) {
 }
 
 bool ContactBook::MakeRoom() {
-  if (num_unknown_strangers_ == 0) return false;
+  if (num_unknown_unregistered_ == 0) return false;
   const auto may_go = [](const auto& entry) {
     return !entry.second.of_mission && !entry.second.known;
   };
-  // A vehicle that was given factors is expected; rather lose one that was not.
+  // Factors mean that a vehicle is expected: drop one without factors first.
   auto gone = std::find_if(contacts_.begin(), contacts_.end(), [&](const auto& entry) {
     return may_go(entry) && entry.second.factors == LinkFactors();
   });
@@ -113,8 +114,8 @@ bool ContactBook::MakeRoom() {
   }
   free_indices_.push_back(gone->second.index);
   contacts_.erase(gone);
-  --num_strangers_;
-  --num_unknown_strangers_;
+  --num_unregistered_;
+  --num_unknown_unregistered_;
   RankContacts();
   return true;
 }

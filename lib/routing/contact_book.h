@@ -17,7 +17,7 @@ class ContactBook {
   /// Vehicles that are not of the mission are remembered up to this number: made-up names must
   /// neither fill the memory, nor squeeze out the mission's own vehicles, nor make more fates than
   /// a step has time for.
-  static constexpr int kMaxStrangers = 200;
+  static constexpr int kMaxUnregistered = 200;
 
   /// @pre `vehicles`: the mission's, legal names of different keys.
   explicit ContactBook(std::span<const std::string> vehicles);
@@ -69,9 +69,9 @@ class ContactBook {
   std::vector<Contact*> by_rank_;
   std::vector<int32_t> free_indices_;
   int num_known_ = 0;
-  int num_strangers_ = 0;          ///< Contacts not of the mission.
-  int num_unknown_strangers_ = 0;  ///< Of these, the ones that are not known.
-  int num_wanting_ = 0;            ///< Contacts with num_wanted > 0.
+  int num_unregistered_ = 0;          ///< Contacts not of the mission.
+  int num_unknown_unregistered_ = 0;  ///< Of these, the ones that are not known.
+  int num_wanting_ = 0;               ///< Contacts with num_wanted > 0.
 };
 
 }  // namespace shoal

@@ -88,7 +88,7 @@ double GetRule(const ControlRow& row, const RoutingRules& rules) {
     return rules.**flag ? 1 : 0;
   }
   const auto* whole = std::get_if<int64_t RoutingRules::*>(&row.member);
-  SHOAL_CHECK(whole != nullptr, "the row is of a rule for all");
+  SHOAL_CHECK(whole != nullptr, "the rule is not per vehicle and has a value");
   return static_cast<double>(rules.**whole);
 }
 
@@ -99,20 +99,20 @@ void SetRule(const ControlRow& row, double value, RoutingRules* rules) {
     rules->** flag = value != 0;
   } else {
     const auto* whole = std::get_if<int64_t RoutingRules::*>(&row.member);
-    SHOAL_CHECK(whole != nullptr, "the row is of a rule for all");
+    SHOAL_CHECK(whole != nullptr, "the rule is not per vehicle and has a value");
     rules->** whole = static_cast<int64_t>(value);
   }
 }
 
 double GetFactor(const ControlRow& row, const LinkFactors& factors) {
   const auto* member = std::get_if<double LinkFactors::*>(&row.member);
-  SHOAL_CHECK(member != nullptr, "the row is of one vehicle's factor");
+  SHOAL_CHECK(member != nullptr, "the rule is a factor per vehicle");
   return factors.**member;
 }
 
 void SetFactor(const ControlRow& row, double value, LinkFactors* factors) {
   const auto* member = std::get_if<double LinkFactors::*>(&row.member);
-  SHOAL_CHECK(member != nullptr, "the row is of one vehicle's factor");
+  SHOAL_CHECK(member != nullptr, "the rule is a factor per vehicle");
   factors->** member = value;
 }
 

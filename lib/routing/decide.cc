@@ -16,7 +16,7 @@ struct FullReportRule {
   }
 };
 
-/// A receiver whose position is old has no position to reckon with.
+/// A receiver whose last report is too old has no usable position.
 struct StaleReceiverRule {
   static constexpr Cause kCause = Cause::kStaleReceiver;
   static constexpr Scope kScope = Scope::kReceiver;
@@ -32,7 +32,7 @@ struct StaleReceiverRule {
   }
 };
 
-/// The two are so close that each must know of the other.
+/// Vehicles this close to each other receive each other's reports.
 struct CriticalRangeRule {
   static constexpr Cause kCause = Cause::kDelivered;
   static constexpr Scope kScope = Scope::kNear;

@@ -32,7 +32,7 @@ namespace shoal {
 /// stands for a rule that delivers against those behind it.
 [[nodiscard]] std::span<const Cause> OrderOfCauses(Kind kind);
 
-/// What the rules can say of all receivers beyond a reach without looking at each: see
+/// What the rules decide for all receivers beyond a reach without looking at each: see
 /// RuleSequence.
 [[nodiscard]] bool CountsFar(const RoutingRules& rules, Kind kind);
 [[nodiscard]] double Reach_m(const RoutingRules& rules, Kind kind, double stealth,

@@ -1,4 +1,4 @@
-// To whom a node message is addressed.
+// The destinations of a node message.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// To whom a message goes: lists, groups, all.
+// The destinations of a message: lists, groups, all.
 #include "lib/routing/destinations.h"
 
 #include <gtest/gtest.h>
@@ -41,7 +41,7 @@ std::string ListOf(size_t count) {
   return list;
 }
 
-TEST(ParseDestinations, TakesAThousandNamesSomeToldTwiceAndNoMore) {
+TEST(ParseDestinations, TakesAThousandNamesSomeRepeatedAndNoMore) {
   const Destinations full = ParseDestinations(ListOf(Destinations::kMaxNames) + "v0:V1:all");
   EXPECT_FALSE(full.too_many);
   EXPECT_TRUE(full.all);
@@ -92,17 +92,17 @@ TEST(Destinations, AreTheUnionOfListAndGroupEachVehicleOnce) {
   }
 }
 
-TEST(Destinations, GiveAVehicleNotHeardOfAFateWithItsContactAndAStrangerOneWithItsName) {
+TEST(Destinations, GiveAnUnknownVehicleAFateWithItsContactAndAnUnregisteredOneAFateWithItsName) {
   Team team;
   const Fates fates = team.Message("alpha", "gilda:Nemo:a b:bravo");
   EXPECT_EQ(KeysOf(fates), (Names{"Nemo", "a b", "bravo", "gilda"}));
   EXPECT_EQ(fates.at("gilda").cause, Cause::kUnknownDestination);
   EXPECT_EQ(fates.at("gilda").destination, team.At("gilda").index);
   EXPECT_EQ(fates.at("Nemo").cause, Cause::kUnknownDestination);
-  EXPECT_EQ(fates.at("Nemo").destination, kNobody);
+  EXPECT_EQ(fates.at("Nemo").destination, kNoContact);
   EXPECT_EQ(fates.at("a b").cause, Cause::kUnknownDestination);
   EXPECT_EQ(CountOf(team.At("alpha").sent[1], Cause::kUnknownDestination), 3);
-  EXPECT_EQ(CountOf(team.At("gilda").heard[1], Cause::kUnknownDestination), 1);
+  EXPECT_EQ(CountOf(team.At("gilda").received[1], Cause::kUnknownDestination), 1);
 }
 
 TEST(Destinations, AllMeansEveryOtherKnownVehicleInEitherField) {
@@ -123,7 +123,7 @@ TEST(Destinations, AreNeverTheSource) {
   const Fates to_itself = team.Message("alpha", "alpha");
   EXPECT_EQ(KeysOf(to_itself), Names{""});
   EXPECT_EQ(to_itself.at("").cause, Cause::kNoDestination);
-  EXPECT_EQ(to_itself.at("").destination, kNobody);
+  EXPECT_EQ(to_itself.at("").destination, kNoContact);
 }
 
 TEST(Destinations, OfAGroupWithoutMembersIsOneFate) {
@@ -145,7 +145,7 @@ TEST(Destinations, MissingMakeAMessageInvalid) {
   EXPECT_EQ(team.Message("alpha", " : ").at("").cause, Cause::kInvalid);
   EXPECT_EQ(team.Message("alpha", ListOf(1001)).at("").cause, Cause::kInvalid);
   EXPECT_EQ(team.Message("not a name", "bravo").at("").cause, Cause::kInvalid);
-  EXPECT_EQ(team.Message("not a name", "bravo").at("").source, kNobody);
+  EXPECT_EQ(team.Message("not a name", "bravo").at("").source, kNoContact);
   EXPECT_EQ(CountOf(team.At("alpha").sent[1], Cause::kInvalid), 3);
 }
 

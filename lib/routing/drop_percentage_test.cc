@@ -54,7 +54,7 @@ TEST(DropPercentage, OfZeroLosesNothingAndOfAHundredAll) {
   EXPECT_EQ(NumLost(Losses(&all, 1000)), 1000);
 }
 
-TEST(DropPercentage, TellsTheProbability) {
+TEST(DropPercentage, ReturnsTheProbability) {
   TestFleet fleet = MakeFleet(100);
   fleet.Report("bravo", {0, 0, 0});
   EXPECT_EQ(fleet.Report("alpha", {0, 0, 0}).at("bravo").loss_pct, 100);
@@ -79,7 +79,7 @@ TEST(DropPercentage, IsTheSameForTheSameSeedAndAnotherForAnother) {
 TEST(DropPercentage, DoesNotDependOnOtherVehicles) {
   TestFleet fleet = MakeFleet(50);
   TestFleet crowded = MakeFleet(50, 1, {"zulu", "charlie", "aaron", "bravo", "alpha"});
-  for (const char* other : {"aaron", "zulu", "stranger"}) {
+  for (const char* other : {"aaron", "zulu", "unregistered"}) {
     crowded.Report(other, {0, 0, 0});
     crowded.Message(other, "all");
   }

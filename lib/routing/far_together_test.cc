@@ -1,4 +1,4 @@
-// each_fate_up_to: looking only at who may be near must change no fate.
+// each_fate_up_to: looking only at the vehicles that may be near must change no fate.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -33,7 +33,7 @@ TEST(FarTogether, CountsTheFarInOneFateWithTheReachThatTheyAreOutOf) {
   EXPECT_EQ(CountOf(fleet.At("alpha").sent[0], Cause::kOutOfRange), 2);
 }
 
-TEST(FarTogether, TellsTheStaleFromTheFar) {
+TEST(FarTogether, DistinguishesTheStaleFromTheFar) {
   TestFleet fleet(Together(0));
   fleet.Report("bravo", {5000, 0, 0});
   fleet.utime = 5 * kSecond_us;
@@ -62,7 +62,7 @@ TEST(FarTogether, NeverHappensWhereTheRangeHasNoLimit) {
   EXPECT_EQ(fleet.Report("alpha", {0, 0, 0}).at("bravo").cause, Cause::kDelivered);
 }
 
-TEST(FarTogether, HearsOfEarangeGivenWhileTheMissionRuns) {
+TEST(FarTogether, UsesAnEarangeGivenWhileTheMissionRuns) {
   TestFleet fleet(Together(0));
   fleet.Report("bravo", {900, 0, 0});
   EXPECT_EQ(fleet.Report("alpha", {0, 0, 0}).at("*").cause, Cause::kOutOfRange);
@@ -70,7 +70,7 @@ TEST(FarTogether, HearsOfEarangeGivenWhileTheMissionRuns) {
   EXPECT_EQ(fleet.Report("alpha", {0, 0, 0}).at("bravo").cause, Cause::kDelivered);
 }
 
-TEST(FarTogether, HearsOfAStaleTimeChangedBetweenTwoReportsOfAStep) {
+TEST(FarTogether, UsesAStaleTimeChangedBetweenTwoReportsOfAStep) {
   TestFleet fleet(Together(0));
   fleet.Report("bravo", {5000, 0, 0});
   fleet.utime = 2 * kSecond_us;

@@ -20,17 +20,17 @@ enum class OverrideRule : uint8_t { kNone, kCriticalRange, kFullReport };
 }
 
 /// The index of no vehicle.
-inline constexpr int32_t kNobody = -1;
-/// Stands for `count` destinations that are not told apart.
+inline constexpr int32_t kNoContact = -1;
+/// Stands for `count` destinations that are not distinguished.
 inline constexpr int32_t kOthers = -2;
 
 /// One fate and the numbers that decided; a number that played no part is -1.
 struct Decision {
-  int32_t source = kNobody;       ///< Index of a contact.
-  int32_t destination = kNobody;  ///< Index of a contact, kOthers, or kNobody: none that is known.
-  int32_t unknown_name = -1;      ///< Where the destination is no contact: index of its name.
-  int32_t count = 1;              ///< Destinations; more than 1 only for kOthers.
-  int64_t number = 0;             ///< Of the transmission; counts per source and kind.
+  int32_t source = kNoContact;       ///< Index of a contact.
+  int32_t destination = kNoContact;  ///< Index of a contact, kOthers, or kNoContact: none known.
+  int32_t unknown_name = -1;         ///< Where the destination is no contact: index of its name.
+  int32_t count = 1;                 ///< Destinations; more than 1 only for kOthers.
+  int64_t number = 0;                ///< Of the transmission; counts per source and kind.
   Kind kind = Kind::kReport;
   Cause cause = Cause::kDelivered;
   OverrideRule override_rule = OverrideRule::kNone;

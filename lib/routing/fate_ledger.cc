@@ -5,7 +5,7 @@ namespace shoal {
 int64_t FateLedger::TakeNumber(Kind kind, Contact* source) {
   const auto place = static_cast<size_t>(kind);
   ++num_offered_[place];
-  return source == nullptr ? num_of_nobody_[place]++ : source->num_sent[place]++;
+  return source == nullptr ? num_of_unknown_[place]++ : source->num_sent[place]++;
 }
 
 void FateLedger::Record(const RoutingRules& rules, const Decision& decision, Contact* source,
@@ -23,7 +23,7 @@ void FateLedger::Record(const RoutingRules& rules, const Decision& decision, Con
   }
   if (receiver != nullptr) {
     recorded.destination = receiver->index;
-    receiver->heard[kind][cause] += decision.count;
+    receiver->received[kind][cause] += decision.count;
   }
 }
 
@@ -42,7 +42,7 @@ void FateLedger::Conclude(Kind kind, Cause cause, Contact* source, Contact* rece
   };
   move(&counts_[place]);
   if (source != nullptr) move(&source->sent[place]);
-  if (receiver != nullptr) move(&receiver->heard[place]);
+  if (receiver != nullptr) move(&receiver->received[place]);
 }
 
 int64_t FateLedger::NumInTransit() const {

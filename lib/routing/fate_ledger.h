@@ -35,7 +35,7 @@ class FateLedger {
   int64_t NumInTransit() const;
 
  private:
-  std::array<int64_t, kNumKinds> num_of_nobody_ = {};  ///< Numbers what has no known sender.
+  std::array<int64_t, kNumKinds> num_of_unknown_ = {};  ///< Numbers what has no known sender.
   std::array<int64_t, kNumKinds> num_offered_ = {};
   KindCounts counts_ = {};
 };

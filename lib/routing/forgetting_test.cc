@@ -1,4 +1,4 @@
-// Who is forgotten, what is kept of him, and how many strangers there is room for.
+// Which vehicles are forgotten, what is kept of them, and the limit of unregistered vehicles.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -105,7 +105,7 @@ TEST(Forgetting, OfASourceLeavesTheRequestForItsReportOpen) {
   EXPECT_EQ(fleet.Report("bravo", {99, 0, 0}).at("alpha").override_rule, OverrideRule::kFullReport);
 }
 
-TEST(Factors, AreKeptForAVehicleNotHeardOfYetOfTheMissionOrNot) {
+TEST(Factors, AreKeptForAVehicleThatHasNotReportedYetOfTheMissionOrNot) {
   TestFleet fleet;
   EXPECT_TRUE(fleet.router.SetFactors("NEMO", {.stealth = 0.25, .earange = 1}));
   EXPECT_TRUE(fleet.router.SetFactors("Bravo", {.stealth = 1, .earange = 2}));
@@ -115,7 +115,7 @@ TEST(Factors, AreKeptForAVehicleNotHeardOfYetOfTheMissionOrNot) {
   EXPECT_EQ(fleet.router.FindFactors("nEMo"), (LinkFactors{.stealth = 0.25, .earange = 1}));
 }
 
-TEST(Factors, AreOnesForANameThatNobodyUsedAndAskingMakesNobodyKnown) {
+TEST(Factors, AreOnesForAnUnusedNameAndAskingMakesNoVehicleKnown) {
   const TestFleet fleet;
   EXPECT_EQ(fleet.router.FindFactors("nemo"), LinkFactors());
   EXPECT_EQ(fleet.router.contacts().size(), 3U);
@@ -129,8 +129,8 @@ TEST(Factors, AreRefusedForIllegalNames) {
   }
 }
 
-/// Brings in reports of `count` strangers; returns how many were refused.
-int ReportStrangers(TestFleet* fleet, const std::string& prefix, int count) {
+/// Admits reports of `count` unregistered vehicles; returns how many were refused.
+int ReportUnregistered(TestFleet* fleet, const std::string& prefix, int count) {
   int num_refused = 0;
   for (int i = 0; i < count; ++i) {
     const std::string name = prefix + std::to_string(i);
@@ -139,9 +139,9 @@ int ReportStrangers(TestFleet* fleet, const std::string& prefix, int count) {
   return num_refused;
 }
 
-TEST(Strangers, AreRefusedBeyondTheirNumberAndNeverSqueezeTheMissionsVehiclesOut) {
+TEST(UnregisteredVehicles, AreRefusedBeyondTheirLimitAndNeverReplaceTheMissionsVehicles) {
   TestFleet fleet(ForgetAfter(10));
-  EXPECT_EQ(ReportStrangers(&fleet, "made_up_", Router::kMaxStrangers + 7), 7);
+  EXPECT_EQ(ReportUnregistered(&fleet, "made_up_", Router::kMaxUnregistered + 7), 7);
   EXPECT_EQ(CountOf(fleet.router.counts(Kind::kReport), Cause::kTooManyVehicles), 7);
   EXPECT_FALSE(fleet.router.Admit({.name = "alpha"}, 0).refused);
   EXPECT_FALSE(fleet.router.SetFactors("one_more", {}));
@@ -150,45 +150,45 @@ TEST(Strangers, AreRefusedBeyondTheirNumberAndNeverSqueezeTheMissionsVehiclesOut
   EXPECT_EQ(fleet.Message("made_up_7", "alpha").at("alpha").cause, Cause::kDelivered);
 }
 
-TEST(Strangers, WhoAreForgottenMakeRoomForNewOnes) {
+TEST(UnregisteredVehicles, ThatAreForgottenMakeRoomForNewOnes) {
   TestFleet fleet(ForgetAfter(10));
-  ReportStrangers(&fleet, "made_up_", Router::kMaxStrangers);
+  ReportUnregistered(&fleet, "made_up_", Router::kMaxUnregistered);
   fleet.utime = 9 * kSecond_us;
   fleet.Report("made_up_7", {0, 0, 0});
   fleet.router.ForgetSilent(10 * kSecond_us);
   EXPECT_EQ(fleet.router.num_known(), 1);
-  EXPECT_EQ(ReportStrangers(&fleet, "newcomer_", Router::kMaxStrangers), 1);
-  EXPECT_EQ(fleet.router.num_known(), Router::kMaxStrangers);
+  EXPECT_EQ(ReportUnregistered(&fleet, "newcomer_", Router::kMaxUnregistered), 1);
+  EXPECT_EQ(fleet.router.num_known(), Router::kMaxUnregistered);
   EXPECT_TRUE(fleet.At("made_up_7").known);
   for (const Contact* contact : fleet.router.contacts()) {
     EXPECT_EQ(&fleet.router.contact(contact->index), contact);
   }
 }
 
-TEST(Strangers, WhoWereGivenFactorsGoLast) {
+TEST(UnregisteredVehicles, ThatWereGivenFactorsAreReplacedLast) {
   TestFleet fleet;
   fleet.router.SetFactors("a_friend", {.stealth = 0.5});
-  for (int i = 0; i < 2 * Router::kMaxStrangers; ++i) {
+  for (int i = 0; i < 2 * Router::kMaxUnregistered; ++i) {
     fleet.Message("made_up_" + std::to_string(i), "alpha");
   }
-  EXPECT_EQ(fleet.router.contacts().size(), 3U + Router::kMaxStrangers);
+  EXPECT_EQ(fleet.router.contacts().size(), 3U + Router::kMaxUnregistered);
   EXPECT_EQ(fleet.router.FindFactors("a_friend")->stealth, 0.5);
 }
 
-TEST(Strangers, InAPlaceThatWasAnothersInheritNothing) {
+TEST(UnregisteredVehicles, InAPlaceThatWasAnothersInheritNothing) {
   RoutingRules rules = ForgetAfter(10);
   rules.comms_range_m = 0;
   TestFleet fleet(rules);
   fleet.Report("alpha", {99, 0, 0});
-  ReportStrangers(&fleet, "made_up_", Router::kMaxStrangers);
+  ReportUnregistered(&fleet, "made_up_", Router::kMaxUnregistered);
   fleet.router.RequestFullReports("alpha");
   fleet.utime = 9 * kSecond_us;
   fleet.Report("alpha", {99, 0, 0});
   fleet.utime = 10 * kSecond_us;
   fleet.router.ForgetSilent(fleet.utime);
-  ReportStrangers(&fleet, "newcomer_", Router::kMaxStrangers - 1);
+  ReportUnregistered(&fleet, "newcomer_", Router::kMaxUnregistered - 1);
   EXPECT_EQ(fleet.Report("newcomer_0", {0, 0, 0}).at("alpha").cause, Cause::kOutOfRange)
-      << "alpha asked for the report of who had this place before";
+      << "alpha asked for the report of the vehicle that had this place before";
 }
 
 }  // namespace shoal::forgetting_test

@@ -54,10 +54,10 @@ void MessageRouter::RouteAck(const AckFacts& ack, int64_t utime, std::vector<Dec
                              std::vector<std::string>* unknown_names) {
   const bool has_name = IsLegalVehicleName(ack.source);
   Contact* source = has_name ? contacts_.Find(ack.source) : nullptr;
-  const Contact nobody;
+  const Contact no_contact;
   const Transmission sent =
       TransmissionOf(rules_, seed_, Kind::kAck, ledger_.TakeNumber(Kind::kAck, source),
-                     source == nullptr ? nobody : *source);
+                     source == nullptr ? no_contact : *source);
 
   const bool to_itself = VehicleKey(ack.source) == VehicleKey(ack.destination);
   if (!ack.is_sound || !has_name || to_itself || !IsLegalVehicleName(ack.destination)) {

@@ -47,7 +47,7 @@ TEST(MinMsgInterval, IsRestartedByEveryMessageThatFailedForAnotherReason) {
       {{.source = "alpha", .dest_node = "nemo"}, "nemo", Cause::kUnknownDestination},
       {{.source = "alpha", .dest_node = "bravo", .length_bytes = 1001}, "bravo", Cause::kTooLong},
       {{.source = "alpha", .dest_node = "charlie"}, "charlie", Cause::kOutOfRange},
-      {{.source = "alpha", .dest_group = "nobodys"}, "", Cause::kNoDestination}};
+      {{.source = "alpha", .dest_group = "unused_group"}, "", Cause::kNoDestination}};
   for (const Attempt& attempt : attempts) {
     TestFleet fleet = MakeFleet(60);
     ReportAll(&fleet);
@@ -221,7 +221,7 @@ TEST(Acks, NeedBothEndsKnownAndDifferent) {
   EXPECT_EQ(fleet.Ack("alpha", "all").cause, Cause::kInvalid);
   EXPECT_EQ(fleet.Ack("", "alpha").cause, Cause::kInvalid);
   EXPECT_EQ(fleet.Ack("alpha", "bravo", false).cause, Cause::kInvalid);
-  EXPECT_EQ(fleet.router.contacts().size(), 3U) << "an ack makes nobody known";
+  EXPECT_EQ(fleet.router.contacts().size(), 3U) << "an ack makes no vehicle known";
   EXPECT_EQ(Total(fleet.router.counts(Kind::kAck)), 9);
 }
 

@@ -90,7 +90,7 @@ class Oracle {
       Fate fate = report.fate;
       fate.destination = name;
       DecideReport(report, receiver, &fate);
-      if (fate.numbers.cause == Cause::kDelivered) heard_[{report.source, name}] = now;
+      if (fate.numbers.cause == Cause::kDelivered) received_[{report.source, name}] = now;
       fates.push_back(fate);
     }
     return fates;
@@ -158,7 +158,7 @@ class Oracle {
       vehicle.known = false;
       vehicle.group = "";
       vehicle.messaged = std::nullopt;
-      std::erase_if(heard_, [&](const auto& entry) {
+      std::erase_if(received_, [&](const auto& entry) {
         return entry.first.first == name || entry.first.second == name;
       });
       std::erase_if(wanted_, [&](const auto& pair) { return pair.first == name; });
@@ -176,13 +176,13 @@ class Oracle {
     return rules.stale_time_s >= 0 && Since(vehicle.reported) >= rules.stale_time_s;
   }
 
-  /// Numbers a transmission. Nobody's are counted together.
+  /// Numbers a transmission. Those of unknown sources are counted together.
   Fate Start(Kind kind, const std::string& key) {
     Fate fate;
     fate.numbers.kind = kind;
-    const bool is_somebody = vehicles_.contains(key);
-    if (is_somebody) fate.source = key;
-    fate.numbers.number = (is_somebody ? vehicles_[key] : nobody_).next_number[kind]++;
+    const bool is_known = vehicles_.contains(key);
+    if (is_known) fate.source = key;
+    fate.numbers.number = (is_known ? vehicles_[key] : unknown_).next_number[kind]++;
     return fate;
   }
 
@@ -199,7 +199,7 @@ class Oracle {
            rules.drop_percentage;
   }
 
-  /// True where stale; tells the age.
+  /// True where stale; sets the age.
   bool StopsAsStale(const OracleVehicle& receiver, Decision* d) const {
     d->age_s = Since(receiver.reported);
     if (rules.stale_time_s >= 0) d->age_limit_s = rules.stale_time_s;
@@ -240,11 +240,11 @@ class Oracle {
     if (rules.drop_percentage > 0) d->loss_pct = rules.drop_percentage;
     if (IsLost(*fate)) return;
     d->cause = Cause::kDelivered;
-    const auto heard = heard_.find({report.source, fate->destination});
-    if (rules.min_rpt_interval_s < 0 || heard == heard_.end()) return;
-    if (Since(heard->second) >= rules.min_rpt_interval_s) return;
+    const auto delivered = received_.find({report.source, fate->destination});
+    if (rules.min_rpt_interval_s < 0 || delivered == received_.end()) return;
+    if (Since(delivered->second) >= rules.min_rpt_interval_s) return;
     d->cause = Cause::kTooSoon;
-    d->wait_s = rules.min_rpt_interval_s - Since(heard->second);
+    d->wait_s = rules.min_rpt_interval_s - Since(delivered->second);
   }
 
   void RefuseSource(const OracleVehicle& source, Decision* d) const {
@@ -314,9 +314,9 @@ class Oracle {
 
   std::set<std::string> mission_;
   std::map<std::string, OracleVehicle> vehicles_;
-  OracleVehicle nobody_;
-  std::map<std::pair<std::string, std::string>, int64_t> heard_;  ///< (source, receiver)
-  std::set<std::pair<std::string, std::string>> wanted_;          ///< (receiver, source)
+  OracleVehicle unknown_;
+  std::map<std::pair<std::string, std::string>, int64_t> received_;  ///< (source, receiver)
+  std::set<std::pair<std::string, std::string>> wanted_;             ///< (receiver, source)
 };
 
 }  // namespace shoal::oracle

@@ -1,4 +1,4 @@
-// For tests: a fate as the oracle (oracle.h) tells it, and the oracle's own reading of names.
+// For tests: a fate as the oracle (oracle.h) returns it, and the oracle's own reading of names.
 #pragma once
 
 #include <Eigen/Core>

@@ -1,4 +1,4 @@
-// For tests: made-up missions, step by step, with everything in them that may come in.
+// For tests: random missions, step by step, with every kind of input.
 #pragma once
 
 #include <Eigen/Core>
@@ -56,7 +56,7 @@ struct RandomMessage {
   bool is_sound = true;
 };
 
-/// Makes things up. Positions and limits are multiples of ten, that boundaries are met.
+/// Generates random traffic. Positions and limits are multiples of ten, so that boundaries are hit.
 class RandomTraffic {
  public:
   explicit RandomTraffic(uint64_t seed, std::vector<std::string> names)

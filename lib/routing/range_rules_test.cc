@@ -66,7 +66,7 @@ TEST(CommsRange, LetsThroughJustInside) {
   EXPECT_EQ(Message(RangeOnly(250), receiver).cause, Cause::kDelivered);
 }
 
-TEST(CommsRange, StopsWhatIsExactlyAtItAndTellsTheNumbers) {
+TEST(CommsRange, StopsWhatIsExactlyAtItAndReturnsTheNumbers) {
   for (const Decision& decision : {Report(RangeOnly(250), ReceiverAt({0, -250, 0})),
                                    Message(RangeOnly(250), ReceiverAt({0, -250, 0}))}) {
     EXPECT_EQ(decision.cause, Cause::kOutOfRange);
@@ -109,7 +109,7 @@ TEST(CommsRange, StandsDistancesBeyondAllNumbers) {
   EXPECT_EQ(decision.range_m, kInfinity);
 }
 
-TEST(Stealth, ShortensTheRangeAtWhichTheSourceIsHeard) {
+TEST(Stealth, ShortensTheRangeAtWhichTheSourceIsReceived) {
   Transmission report;
   report.stealth = 0.5;
   EXPECT_EQ(Report(RangeOnly(100), ReceiverAt({49.999, 0, 0}), report).cause, Cause::kDelivered);
@@ -119,14 +119,14 @@ TEST(Stealth, ShortensTheRangeAtWhichTheSourceIsHeard) {
   EXPECT_EQ(Message(RangeOnly(100), ReceiverAt({50, 0, 0}), report).cause, Cause::kOutOfRange);
 }
 
-TEST(Stealth, OfZeroIsHeardByNobodyOutsideTheCriticalRange) {
+TEST(Stealth, OfZeroReachesNoVehicleOutsideTheCriticalRange) {
   Transmission report;
   report.stealth = 0;
   EXPECT_EQ(Report(RangeOnly(100), ReceiverAt({0, 0, 0}), report).cause, Cause::kOutOfRange);
   EXPECT_EQ(Report({}, ReceiverAt({29, 0, 0}), report).cause, Cause::kDelivered);
 }
 
-TEST(Earange, LengthensTheRangeAtWhichTheReceiverHears) {
+TEST(Earange, LengthensTheRangeAtWhichTheReceiverReceives) {
   Contact receiver = ReceiverAt({999.999, 0, 0});
   receiver.factors.earange = 10;
   EXPECT_EQ(Report(RangeOnly(100), receiver).cause, Cause::kDelivered);
@@ -152,7 +152,7 @@ TEST(Earange, OfTheSourceDoesNotMatterNorStealthOfTheReceiver) {
   EXPECT_EQ(Report(RangeOnly(100), receiver).cause, Cause::kDelivered);
 }
 
-TEST(CriticalRange, LetsReportsThroughJustInsideAndTellsSo) {
+TEST(CriticalRange, LetsReportsThroughJustInsideAndReportsSo) {
   const RoutingRules rules = {.comms_range_m = 0, .critical_range_m = 30};
   const Decision decision = Report(rules, ReceiverAt({std::nextafter(30, 0), 0, 0}));
   EXPECT_EQ(decision.cause, Cause::kDelivered);

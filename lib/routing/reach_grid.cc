@@ -9,12 +9,13 @@
 namespace shoal {
 
 namespace {
-/// Columns and rows beyond this are one: who is so far out is looked at more often than needed.
+/// Columns and rows beyond this are one: vehicles that far out are looked at more often than
+/// needed.
 constexpr int64_t kLastLine = int64_t{1} << 30;
 }  // namespace
 
 void ReachGrid::Reset(double side_m) {
-  SHOAL_CHECK(side_m > 0, "a square has a side");
+  SHOAL_CHECK(side_m > 0, "the side of a square is positive");
   side_m_ = std::min(side_m, std::numeric_limits<double>::max());
   squares_.clear();
   places_.clear();

@@ -1,4 +1,4 @@
-// Finds who may be near: vehicles by the square of the plane that they are in.
+// Finds the vehicles that may be near, by the square of the plane that they are in.
 #pragma once
 
 #include <Eigen/Core>
@@ -17,8 +17,8 @@ class ReachGrid {
   void Put(int32_t index, const Eigen::Vector3d& position_m);
   void Remove(int32_t index);
 
-  /// Appends everybody whose horizontal range to `center_m` is at most `reach_m`, and some others,
-  /// in no particular order.
+  /// Appends every vehicle whose horizontal range to `center_m` is at most `reach_m`, and some
+  /// others, in no particular order.
   void AppendNear(const Eigen::Vector3d& center_m, double reach_m,
                   std::vector<int32_t>* indices) const;
 

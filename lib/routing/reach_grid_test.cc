@@ -31,12 +31,12 @@ ReachGrid MakeRow() {
   return grid;
 }
 
-TEST(ReachGrid, FindsWhoIsNearAndNotWhoIsFar) {
+TEST(ReachGrid, FindsTheNearAndNotTheFar) {
   EXPECT_EQ(Near(MakeRow(), {3000, 0, 0}, 100), Indices{3});
   EXPECT_EQ(Near(MakeRow(), {3500, 0, 0}, 100), Indices{});
 }
 
-TEST(ReachGrid, FindsWhoIsExactlyInReach) {
+TEST(ReachGrid, FindsVehiclesExactlyInReach) {
   EXPECT_EQ(Near(MakeRow(), {3100, 0, 0}, 100), Indices{3});
   EXPECT_EQ(Near(MakeRow(), {2900, 0, 0}, 100), Indices{3});
   EXPECT_EQ(Near(MakeRow(), {3000, -100, 0}, 100), Indices{3});
@@ -46,14 +46,14 @@ TEST(ReachGrid, DoesNotAskForTheDepth) {
   EXPECT_EQ(Near(MakeRow(), {3000, 0, 1e9}, 100), Indices{3});
 }
 
-TEST(ReachGrid, FollowsWhoMoves) {
+TEST(ReachGrid, FollowsVehiclesThatMove) {
   ReachGrid grid = MakeRow();
   grid.Put(3, {3050, 5000, 0});
   EXPECT_EQ(Near(grid, {3000, 0, 0}, 100), Indices{});
   EXPECT_EQ(Near(grid, {3000, 5000, 0}, 100), Indices{3});
 }
 
-TEST(ReachGrid, LosesWhoIsRemovedAndStandsWhoWasNeverThere) {
+TEST(ReachGrid, LosesRemovedVehiclesAndAcceptsUnknownOnes) {
   ReachGrid grid = MakeRow();
   grid.Remove(3);
   grid.Remove(3);
@@ -83,8 +83,8 @@ TEST(ReachGrid, AnswersAtOnceWhereTheReachIsOfAnySize) {
   }
 }
 
-RC_GTEST_PROP(ReachGrid, NeverMissesWhoIsInReach, (uint64_t seed)) {
-  RandomTraffic traffic(seed, {"nobody"});
+RC_GTEST_PROP(ReachGrid, NeverMissesAVehicleInReach, (uint64_t seed)) {
+  RandomTraffic traffic(seed, {"unused"});
   ReachGrid grid;
   const double side_m = traffic.dice.Pick({1.0, 30.0, 250.0, 1e9});
   grid.Reset(side_m);

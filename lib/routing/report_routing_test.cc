@@ -12,7 +12,7 @@ namespace shoal::report_routing_test {
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-TEST(Reports, GoNowhereWhileNobodyElseIsKnown) {
+TEST(Reports, GoNowhereWhileNoOtherVehicleIsKnown) {
   TestFleet fleet;
   EXPECT_EQ(fleet.router.num_known(), 0);
   EXPECT_TRUE(fleet.Report("alpha", {0, 0, 0}).empty());
@@ -68,7 +68,7 @@ TEST(Reports, OfOneVehicleInOneStepAreEachHandledWhereTheyWereSent) {
   EXPECT_EQ(decisions[1].number, decisions[0].number + 1);
 }
 
-TEST(Reports, OfOneVehicleInOneStepKeepTheGroupThatEachTold) {
+TEST(Reports, OfOneVehicleInOneStepKeepTheGroupThatEachStates) {
   RoutingRules rules;
   rules.groups = true;
   TestFleet fleet(rules);
@@ -114,15 +114,15 @@ TEST(Intake, RefusesImpossibleReportsAndKeepsWhatItKnew) {
   EXPECT_EQ(CountOf(fleet.At("alpha").sent[0], Cause::kInvalid), 9);
 }
 
-TEST(Intake, RefusesIllegalNamesAndAddsNobody) {
+TEST(Intake, RefusesIllegalNamesAndAddsNoVehicle) {
   TestFleet fleet;
   const std::vector<std::string> illegal = {"",    "no spaces", "all",  "Local",
                                             "UNC", "a:b",       "\xff", std::string(33, 'x')};
   for (const std::string& name : illegal) {
     EXPECT_EQ(fleet.Report(name, {0, 0, 0}).at("").cause, Cause::kInvalid) << name;
   }
-  EXPECT_EQ(fleet.router.Admit({.name = "nemo", .position_m = {kNan, 0, 0}}, 0).source, kNobody);
-  EXPECT_EQ(fleet.router.Refuse("nemo").source, kNobody);
+  EXPECT_EQ(fleet.router.Admit({.name = "nemo", .position_m = {kNan, 0, 0}}, 0).source, kNoContact);
+  EXPECT_EQ(fleet.router.Refuse("nemo").source, kNoContact);
   EXPECT_EQ(fleet.router.num_known(), 0);
   EXPECT_EQ(fleet.router.contacts().size(), 3U);
   EXPECT_EQ(CountOf(fleet.router.counts(Kind::kReport), Cause::kInvalid), 10);
@@ -162,7 +162,7 @@ TEST(IgnoreGroup, OfNoNameDoesNotMeanVehiclesWithoutGroup) {
   EXPECT_FALSE(fleet.Report("alpha", {0, 0, 0}, "").contains(""));
 }
 
-/// A report from alpha to bravo and charlie every so many microseconds after the first.
+/// The cause of a report from alpha to bravo, sent this long after the first.
 Cause CauseAfter(int64_t elapsed_us, double min_rpt_interval_s) {
   TestFleet fleet({.critical_range_m = 0, .stale_time_s = -1});
   RoutingRules rules = fleet.router.rules();
@@ -243,7 +243,7 @@ TEST(FullReportRequest, DeliversTheNextReportOfEachOtherVehicleOnceWhateverTheRu
       << "only the one that was named receives";
 }
 
-TEST(FullReportRequest, WaitsForVehiclesOfTheMissionThatWereNotHeardOfYet) {
+TEST(FullReportRequest, WaitsForVehiclesOfTheMissionThatHaveNotReportedYet) {
   TestFleet fleet({.comms_range_m = 0});
   ASSERT_TRUE(fleet.router.RequestFullReports("alpha"));
   fleet.Report("alpha", {0, 0, 0});
@@ -260,7 +260,7 @@ TEST(FullReportRequest, AskedTwiceStillDeliversOnce) {
   EXPECT_EQ(fleet.Report("bravo", {99, 0, 0}).at("alpha").cause, Cause::kOutOfRange);
 }
 
-TEST(FullReportRequest, IsRefusedForWhoIsNeitherKnownNorOfTheMission) {
+TEST(FullReportRequest, IsRefusedForAVehicleNeitherKnownNorOfTheMission) {
   TestFleet fleet;
   EXPECT_FALSE(fleet.router.RequestFullReports("nemo"));
   EXPECT_FALSE(fleet.router.RequestFullReports("not a name"));

@@ -75,7 +75,7 @@ Admission Router::Refuse(std::string_view name) {
 Admission Router::RefuseBecause(Cause cause, Contact* source) {
   ledger_.RecordRefusal(Kind::kReport, cause, source);
   return {.refused = cause,
-          .source = source == nullptr ? kNobody : source->index,
+          .source = source == nullptr ? kNoContact : source->index,
           .number = ledger_.TakeNumber(Kind::kReport, source),
           .position_m = Eigen::Vector3d::Zero(),
           .group_key = {}};
@@ -104,10 +104,10 @@ void Router::RouteAck(const AckFacts& ack, int64_t utime, std::vector<Decision>*
 void Router::RoutePacket(const PacketFacts& packet, int64_t utime,
                          std::vector<Decision>* decisions) {
   Contact* source = IsLegalVehicleName(packet.source) ? contacts_.Find(packet.source) : nullptr;
-  const Contact nobody;
+  const Contact no_contact;
   const Transmission sent =
       TransmissionOf(rules_, seed_, Kind::kPacket, ledger_.TakeNumber(Kind::kPacket, source),
-                     source == nullptr ? nobody : *source);
+                     source == nullptr ? no_contact : *source);
   Decision decision = {
       .number = sent.number, .kind = Kind::kPacket, .cause = Cause::kNoDestination};
   if (!packet.is_sound || !IsLegalVehicleName(packet.source)) {
@@ -126,7 +126,7 @@ void Router::RoutePacket(const PacketFacts& packet, int64_t utime,
 
 Decision Router::Conclude(const Decision& pending, std::string_view source,
                           std::string_view destination, Cause cause) {
-  SHOAL_CHECK(pending.cause == Cause::kInTransit, "only what is in transit has no fate yet");
+  SHOAL_CHECK(pending.cause == Cause::kInTransit, "the decision is in transit");
   ledger_.Conclude(pending.kind, cause, contacts_.Find(source), contacts_.Find(destination));
   Decision concluded = pending;
   concluded.cause = cause;

@@ -47,7 +47,7 @@ struct ReportFacts {
 /// The outcome of a report's intake.
 struct Admission {
   std::optional<Cause> refused;  ///< Absent: admitted.
-  int32_t source = kNobody;      ///< kNobody where refused and not known.
+  int32_t source = kNoContact;   ///< kNoContact where refused and not known.
   int64_t number = 0;            ///< Of the report.
   Eigen::Vector3d position_m = Eigen::Vector3d::Zero();
   std::string group_key;
@@ -63,7 +63,7 @@ struct PacketFacts {
 
 class Router {
  public:
-  static constexpr int kMaxStrangers = ContactBook::kMaxStrangers;
+  static constexpr int kMaxUnregistered = ContactBook::kMaxUnregistered;
 
   /// @pre `vehicles`: the mission's, legal names of different keys.
   Router(const RoutingRules& rules, uint64_t seed, std::span<const std::string> vehicles);
@@ -81,11 +81,11 @@ class Router {
   bool SetFactors(std::string_view name, const LinkFactors& factors);
 
   /// From now on `name` receives the next report of each vehicle that is known, or of the mission,
-  /// whatever the rules say, even where that vehicle is forgotten meanwhile and comes back. Returns
-  /// false for a vehicle that is neither.
+  /// whatever the other rules decide, even where that vehicle is forgotten meanwhile and comes
+  /// back. Returns false for a vehicle that is neither.
   bool RequestFullReports(std::string_view name);
 
-  /// Takes a report in. Its sender is known from now on and is where the report says. Refuses
+  /// Takes a report in. Its sender is known from now on and is where the report puts it. Refuses
   /// illegal names, positions that are not finite and the ignored group; these leave all else as it
   /// was.
   Admission Admit(const ReportFacts& report, int64_t utime);
@@ -94,7 +94,7 @@ class Router {
   Admission Refuse(std::string_view name);
 
   /// Appends the fate of an admitted report at each other known vehicle, in order of keys; those
-  /// that are not told apart come last.
+  /// that are not distinguished come last.
   /// @pre !report.refused; no ForgetSilent came between.
   void Route(const Admission& report, int64_t utime, std::vector<Decision>* decisions);
 
@@ -110,7 +110,8 @@ class Router {
                 std::vector<std::string>* unknown_names);
 
   /// Appends the fates of a packet at each other known vehicle, in order of keys; those that are
-  /// not told apart come last. Asks: invalid, unknown source, too long, then at each destination.
+  /// not distinguished come last. Asks: invalid, unknown source, too long, then at each
+  /// destination.
   void RoutePacket(const PacketFacts& packet, int64_t utime, std::vector<Decision>* decisions);
 
   /// Gives a transmission that is in transit its fate, for the counts. Names, since either vehicle

@@ -91,7 +91,7 @@ class Comparison {
       const Fate& fate = expected[i].fate;
       ASSERT_EQ(admissions[i].number, fate.numbers.number);
       ASSERT_EQ(admissions[i].refused.value_or(Cause::kDelivered), fate.numbers.cause);
-      ASSERT_EQ(admissions[i].source == kNobody, fate.source.empty());
+      ASSERT_EQ(admissions[i].source == kNoContact, fate.source.empty());
       if (admissions[i].refused) {
         ++seen_[static_cast<size_t>(*admissions[i].refused)];
         continue;

@@ -22,11 +22,11 @@ int64_t SumOfCounts(const std::vector<Decision>& decisions) {
   return sum;
 }
 
-/// Counts fates as they are told, apart from the router's own counters.
+/// Counts fates as they are returned, independent of the router's own counters.
 struct Ledger {
   KindCounts all = {};
   std::map<std::string, KindCounts> sent;
-  std::map<std::string, KindCounts> heard;
+  std::map<std::string, KindCounts> received;
 
   void Add(const Router& router, const std::vector<Decision>& decisions) {
     for (const Decision& decision : decisions) {
@@ -37,7 +37,7 @@ struct Ledger {
         sent[router.contact(decision.source).key][kind][cause] += decision.count;
       }
       if (decision.destination >= 0) {
-        heard[router.contact(decision.destination).key][kind][cause] += decision.count;
+        received[router.contact(decision.destination).key][kind][cause] += decision.count;
       }
     }
   }
@@ -48,7 +48,7 @@ struct Ledger {
     }
     for (const Contact* contact : router.contacts()) {
       RC_ASSERT(contact->sent == sent[contact->key]);
-      RC_ASSERT(contact->heard == heard[contact->key]);
+      RC_ASSERT(contact->received == received[contact->key]);
     }
   }
 };
@@ -109,7 +109,7 @@ RC_GTEST_PROP(Router, GivesEachTransmissionOneFatePerDestinationAndCountsItOnce,
   }
 }
 
-/// Who heard whose report or message.
+/// Which vehicle received the report or message of which.
 using Deliveries = std::set<std::pair<std::string, std::string>>;
 
 struct Snapshot {
@@ -195,7 +195,7 @@ RC_GTEST_PROP(OrderOfArrival, WithinAStepOfDifferentVehiclesChangesNoDelivery, (
   RC_ASSERT(Play(snapshot) == Play(shuffled));
 }
 
-/// Plays events with or without what nemo said before he was forgotten; returns what came after.
+/// Plays events with or without what nemo sent before it was forgotten; returns what came after.
 std::vector<Decision> AfterNemoIsForgotten(uint64_t seed, bool nemo_was_there) {
   RandomTraffic traffic(seed, kNames);
   RoutingRules rules = traffic.Rules();
@@ -203,35 +203,35 @@ std::vector<Decision> AfterNemoIsForgotten(uint64_t seed, bool nemo_was_there) {
   rules.drop_percentage = 0;  // Numbers are kept, and with them the draws.
   TestFleet fleet(rules, 1, kMission);
   fleet.router.SetFactors("nemo", traffic.Factors());
-  std::vector<Decision> told;
-  const auto play = [&](bool nemo_speaks, bool is_told) {
+  std::vector<Decision> later;
+  const auto play = [&](bool nemo_sends, bool is_kept) {
     for (int i = 0; i < 60; ++i) {
       const RandomReport report = traffic.Report();
       const RandomMessage message = traffic.Message();
       const bool asks = traffic.dice.OneIn(5);
       fleet.utime += 250'000;
-      for (const auto& fates : {VehicleKey(report.name) == "nemo" && !nemo_speaks
+      for (const auto& fates : {VehicleKey(report.name) == "nemo" && !nemo_sends
                                     ? Fates()
                                     : fleet.Report(report.name, report.position_m, report.group),
-                                VehicleKey(message.source) == "nemo" && !nemo_speaks
+                                VehicleKey(message.source) == "nemo" && !nemo_sends
                                     ? Fates()
                                     : fleet.Message({.source = message.source,
                                       .dest_node = message.dest_node,
                                       .dest_group = message.dest_group,
                                       .length_bytes = message.length_bytes,
                                       .is_sound = message.is_sound})}) {
-        if (!is_told) continue;
-        for (const auto& [name, decision] : fates) told.push_back(decision);
+        if (!is_kept) continue;
+        for (const auto& [name, decision] : fates) later.push_back(decision);
       }
-      if (asks && nemo_speaks) fleet.router.RequestFullReports("nemo");
+      if (asks && nemo_sends) fleet.router.RequestFullReports("nemo");
     }
   };
   play(nemo_was_there, false);
   fleet.utime += 100 * kSecond_us;
   fleet.router.ForgetSilent(fleet.utime);
   play(true, true);
-  for (Decision& decision : told) decision.number = 0;
-  return told;
+  for (Decision& decision : later) decision.number = 0;
+  return later;
 }
 
 RC_GTEST_PROP(Forgetting, LeavesNoTraceInWhatBecomesOfLaterTraffic, (uint64_t seed)) {

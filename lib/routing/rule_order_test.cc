@@ -11,7 +11,7 @@ namespace shoal::rule_order_test {
 
 constexpr int64_t kNow = 1'000'000'000;
 
-/// A link on which every rule says no.
+/// A link that every rule stops.
 struct Link {
   RoutingRules rules = {.comms_range_m = 10, .critical_range_m = 5};
   Transmission sent;
@@ -97,7 +97,7 @@ TEST(OrderOfRules, LeavesTheNumbersOfRulesThatWereNotAskedOut) {
   EXPECT_EQ(decision.wait_s, -1);
 }
 
-TEST(OrderOfRules, TellsTheNumbersOfAllRulesThatWereAsked) {
+TEST(OrderOfRules, ReturnsTheNumbersOfAllRulesThatWereAsked) {
   Link link;
   link.receiver.received_utime = kNow - 1'000'000;
   link.receiver.position_m.x() = 9;

@@ -1,5 +1,5 @@
-// The rules that one kind of transmission is asked at one receiver, in their order; and, derived
-// from the same sequence, what can be counted of receivers that are too far to be looked at.
+// The rules that decide one kind of transmission at one receiver, in their order; and, derived from
+// the same sequence, what can be counted for receivers that are too far to be looked at.
 //
 //   using ReportRules = RuleSequence<FullReport, StaleReceiver, CriticalRange, CommsRange, Groups>;
 //   Decision decision = ReportRules::Decide(link);

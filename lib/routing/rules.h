@@ -68,7 +68,7 @@ struct RoutingRules {
   return Medium::kAcoustic;
 }
 
-/// What one vehicle is given or takes: section 3 of the manual.
+/// The factors of one vehicle: section 3 of the manual.
 struct LinkFactors {
   double stealth = 1;  ///< [0, 1]: as a source, it is received within comms_range x stealth.
   double earange = 1;  ///< [1, 10]: as a receiver, it receives within comms_range x earange.
@@ -93,7 +93,7 @@ using RuleMember = std::variant<std::monostate, double RoutingRules::*, bool Rou
                                 int64_t RoutingRules::*, std::string RoutingRules::*,
                                 Medium RoutingRules::*, double LinkFactors::*>;
 
-/// Both ends are possible.
+/// Both ends are included.
 struct RuleRange {
   double min = 0;
   double max = 0;

@@ -1,4 +1,4 @@
-// For tests: sends reports and messages through a router and tells their fates by name.
+// For tests: sends reports and messages through a router and returns their fates by name.
 //
 //   TestFleet fleet({.comms_range_m = 250});
 //   fleet.Report("alpha", {0, 0, 0});
@@ -19,7 +19,7 @@
 
 namespace shoal {
 
-/// Fates by the destination's name; "*" stands for others, "" for nobody.
+/// Fates by the destination's name; "*" stands for others, "" for no vehicle.
 using Fates = std::map<std::string, Decision>;
 
 class TestFleet {

@@ -11,9 +11,9 @@
 
 namespace shoal::comms_log_test {
 
-std::vector<TestEvent> Talk() {
+std::vector<TestEvent> RecordedEvents() {
   const TestDirectory directory;
-  Record(kTalkative, directory.File("m.lcm"));
+  Record(kMixedTraffic, directory.File("m.lcm"));
   return EventsOf(directory.File("m.lcm"));
 }
 
@@ -24,7 +24,7 @@ RebrokerOutcome AsRecorded(const CommsLog& log) {
 }
 
 TEST(CommsLog, TakesTheTimesOfARecordingAsTheyAre) {
-  const CommsLog log = LogOf(Talk());
+  const CommsLog log = LogOf(RecordedEvents());
   EXPECT_EQ(log.time, LogTime::kMission);
   EXPECT_EQ(log.tick_us, 100'000);
   EXPECT_FALSE(log.tick_is_guessed);
@@ -37,7 +37,7 @@ TEST(CommsLog, TakesTheTimesOfARecordingAsTheyAre) {
 }
 
 TEST(CommsLog, RestoresStepsAndOrderFromSeals) {
-  std::vector<TestEvent> events = Sealed(Talk());
+  std::vector<TestEvent> events = Sealed(RecordedEvents());
   std::shuffle(events.begin(), events.end(), std::mt19937(1));
   const CommsLog log = LogOf(events);
   EXPECT_EQ(log.time, LogTime::kSeals);
@@ -49,7 +49,7 @@ TEST(CommsLog, RestoresStepsAndOrderFromSeals) {
 }
 
 TEST(CommsLog, TakesWhatIsInTwoLogsOnce) {
-  const std::vector<TestEvent> events = Sealed(Talk());
+  const std::vector<TestEvent> events = Sealed(RecordedEvents());
   CommsLogBuilder builder;
   int64_t count = 0;
   for (int round = 0; round < 2; ++round) {
@@ -66,8 +66,8 @@ TEST(CommsLog, TakesWhatIsInTwoLogsOnce) {
 }
 
 TEST(CommsLog, LeavesOtherMissionsOut) {
-  std::vector<TestEvent> events = Sealed(Talk());
-  const std::vector<TestEvent> others = Sealed(Talk(), 100'000, 43);
+  std::vector<TestEvent> events = Sealed(RecordedEvents());
+  const std::vector<TestEvent> others = Sealed(RecordedEvents(), 100'000, 43);
   events.insert(events.end(), others.begin(), others.end());
   const CommsLog log = LogOf(events);
   EXPECT_GT(log.num_foreign, 100);
@@ -75,7 +75,7 @@ TEST(CommsLog, LeavesOtherMissionsOut) {
 }
 
 TEST(CommsLog, CountsTheReportsThatAreMissing) {
-  std::vector<TestEvent> events = Sealed(Talk());
+  std::vector<TestEvent> events = Sealed(RecordedEvents());
   int64_t num_taken = 0;
   int64_t num_reports = 0;
   std::erase_if(events, [&](const TestEvent& event) {
@@ -110,8 +110,8 @@ TEST(CommsLog, TakesAReporterThatCountsAnewForOneThatWasStartedAgain) {
   EXPECT_EQ(log.gaps[0].num_missing, 2) << "numbers 2 and 3 of the second count";
 }
 
-TEST(CommsLog, GuessesTheTickWhereNoRulesTellIt) {
-  std::vector<TestEvent> events = Talk();
+TEST(CommsLog, GuessesTheTickWhereNoRulesStateIt) {
+  std::vector<TestEvent> events = RecordedEvents();
   std::erase_if(events, [](const TestEvent& event) { return event.channel == "COMMS_RULES"; });
   const CommsLog recording = LogOf(events);
   EXPECT_TRUE(recording.tick_is_guessed);
@@ -122,7 +122,7 @@ TEST(CommsLog, GuessesTheTickWhereNoRulesTellIt) {
 }
 
 TEST(CommsLog, GivesAnUnsealedMessageTheStepOfTheMessageBefore) {
-  std::vector<TestEvent> events = Sealed(Talk());
+  std::vector<TestEvent> events = Sealed(RecordedEvents());
   size_t num_controls = 0;
   for (TestEvent& event : events) {
     if (event.channel != "UNC_COMMS_RANGE") continue;
@@ -137,7 +137,7 @@ TEST(CommsLog, GivesAnUnsealedMessageTheStepOfTheMessageBefore) {
 }
 
 TEST(CommsLog, SortsEventsThatGoBackward) {
-  std::vector<TestEvent> events = Talk();
+  std::vector<TestEvent> events = RecordedEvents();
   std::rotate(events.begin(), events.begin() + static_cast<int64_t>(events.size() / 2),
               events.end());
   while (events.back().utime == events.front().utime) events.pop_back();
@@ -149,7 +149,7 @@ TEST(CommsLog, SortsEventsThatGoBackward) {
 }
 
 TEST(CommsLog, LeavesOutTimesThatNoMissionHas) {
-  std::vector<TestEvent> events = Talk();
+  std::vector<TestEvent> events = RecordedEvents();
   events.front().utime = INT64_MIN;
   events.back().utime = INT64_MAX;
   const CommsLog log = LogOf(events);
@@ -179,7 +179,7 @@ TEST(CommsLog, HandlesTogetherWhatALiveBrokerDecidedTogether) {
   EXPECT_EQ(log.inputs[2].utime, 2'001'000);
 }
 
-TEST(StepsLater, SaysNothingWhereTheTimeIsNone) {
+TEST(StepsLater, ReturnsNothingWhereTheTimeCannotBe) {
   EXPECT_EQ(StepsLater(5, 3, 10), 35);
   EXPECT_EQ(StepsLater(0, INT64_MAX, 2), std::nullopt);
   EXPECT_EQ(StepsLater(INT64_MAX, 1, 1), std::nullopt);

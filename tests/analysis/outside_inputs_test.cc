@@ -17,16 +17,16 @@ DecisionComparison Compared(const CommsLog& log) {
   return Rebroker(log, {.setup = *setup}, MakeShoreBroker, {}).comparison;
 }
 
-std::vector<TestEvent> Talk() {
+std::vector<TestEvent> RecordedEvents() {
   const TestDirectory directory;
-  Record(kTalkative, directory.File("m.lcm"));
+  Record(kMixedTraffic, directory.File("m.lcm"));
   return EventsOf(directory.File("m.lcm"));
 }
 
 /// Puts the first message on `channel` into the log `steps` later, as a recorder that got it later
 /// would have.
 CommsLog Displaced(const std::string& channel, int64_t steps) {
-  CommsLog log = LogOf(Talk());
+  CommsLog log = LogOf(RecordedEvents());
   for (LoggedMessage& input : log.inputs) {
     if (BrokerChannels()[input.channel] != channel) continue;
     input.utime += steps * log.tick_us;
@@ -52,7 +52,7 @@ TEST(OutsideInputs, GoBackToTheStepInWhichTheBrokerHandledThem) {
 }
 
 TEST(OutsideInputs, StayWhereTheyAreRight) {
-  CommsLog log = LogOf(Talk());
+  CommsLog log = LogOf(RecordedEvents());
   EXPECT_EQ(MoveToTheStepsOfTheBroker(&log), 0);
   EXPECT_TRUE(Compared(log).IsEqual());
 }
@@ -78,7 +78,7 @@ TEST(OutsideInputs, StayWhereAFateNamesAnImpossibleTime) {
   }
   Bytes bytes;
   EncodeInto(fates, &bytes);
-  std::vector<TestEvent> events = Talk();
+  std::vector<TestEvent> events = RecordedEvents();
   events.push_back({events.back().utime, "COMMS_FATES", bytes});
   CommsLog log = LogOf(events);
   EXPECT_EQ(MoveToTheStepsOfTheBroker(&log), 0);

@@ -14,7 +14,7 @@
 
 namespace shoal {
 
-/// Returns what the log tells of its rules.
+/// Returns the setup by the rules in the log.
 inline BrokerSetup SetupFor(const CommsLog& log) {
   const Result<BrokerSetup> setup = SetupOf(*log.rules);
   EXPECT_TRUE(setup.ok());
@@ -43,7 +43,7 @@ inline bool IsOfBroker(const std::string& channel) {
 }
 
 /// Returns the log of a mission.
-inline std::vector<TestEvent> Talk(const std::string& mission = kTalkative) {
+inline std::vector<TestEvent> RecordedEvents(const std::string& mission = kMixedTraffic) {
   const TestDirectory directory;
   Record(mission, directory.File("m.lcm"));
   return EventsOf(directory.File("m.lcm"));

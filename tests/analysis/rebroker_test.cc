@@ -12,7 +12,7 @@
 namespace shoal::rebroker_test {
 
 TEST(RebrokerTestMission, HasAllSortsOfFates) {
-  const std::map<std::string, int64_t> causes = CausesOf(Talk());
+  const std::map<std::string, int64_t> causes = CausesOf(RecordedEvents());
   for (const char* cause :
        {"report delivered", "report out_of_range", "report dropped", "report other_group",
         "message delivered", "message too_soon", "ack delivered"}) {
@@ -21,7 +21,7 @@ TEST(RebrokerTestMission, HasAllSortsOfFates) {
 }
 
 TEST(Rebroker, DecidesAsRecordedByTheRecordedRules) {
-  const CommsLog log = LogOf(Talk());
+  const CommsLog log = LogOf(RecordedEvents());
   EXPECT_EQ(log.time, LogTime::kMission);
   const RebrokerOutcome outcome = AsRecorded(log);
   EXPECT_GT(outcome.comparison.num_recorded(), 200);
@@ -31,7 +31,7 @@ TEST(Rebroker, DecidesAsRecordedByTheRecordedRules) {
 }
 
 TEST(Rebroker, WritesTheBrokersPartOfTheLogByteForByte) {
-  std::vector<TestEvent> recorded = Talk();
+  std::vector<TestEvent> recorded = RecordedEvents();
   std::vector<TestEvent> written;
   AsRecorded(LogOf(recorded), &written);
   std::erase_if(recorded, [](const TestEvent& event) { return !IsOfBroker(event.channel); });
@@ -43,8 +43,8 @@ TEST(Rebroker, WritesTheBrokersPartOfTheLogByteForByte) {
   }
 }
 
-TEST(Rebroker, SaysTheSameOfTheLogThatItWroteByOtherRules) {
-  const CommsLog log = LogOf(Talk());
+TEST(Rebroker, DecidesTheSameFromTheLogThatItWroteByOtherRules) {
+  const CommsLog log = LogOf(RecordedEvents());
   BrokerSetup setup = SetupFor(log);
   setup.rules.drop_percentage = 60;
   setup.rules.groups = false;
@@ -93,7 +93,7 @@ PairLog RecordPair() {
   return pair;
 }
 
-TEST(Rebroker, TellsWhatIsLostWhereTheRangeIsShorter) {
+TEST(Rebroker, ReportsWhatIsLostWhereTheRangeIsShorter) {
   const PairLog pair = RecordPair();
   BrokerSetup setup = SetupFor(pair.log);
   setup.rules.comms_range_m = 50;
@@ -111,16 +111,16 @@ TEST(Rebroker, LetsRecordedControlsChangeTheOtherRules) {
   BrokerSetup setup = SetupFor(pair.log);
   setup.rules.comms_range_m = 50;
   const LinkTable links = Rebroker(pair.log, {.setup = setup}, MakeShoreBroker, {}).links;
-  const LinkTable::Change heard = links.Of("report", "alpha", "bravo", "delivered");
-  // comms_range = 70 was said in the step of 15 s and holds from the next on; reports said in the
-  // step of 15 s itself are decided then. At 2 Hz that leaves the last 5 s.
-  EXPECT_NEAR(static_cast<double>(heard.now), 10, 1);
-  EXPECT_EQ(heard.now + links.Of("report", "alpha", "bravo", "out_of_range").now,
+  const LinkTable::Change delivered = links.Of("report", "alpha", "bravo", "delivered");
+  // comms_range = 70 was published in the step of 15 s and holds from the next on; reports
+  // published in the step of 15 s itself are decided then. At 2 Hz that leaves the last 5 s.
+  EXPECT_NEAR(static_cast<double>(delivered.now), 10, 1);
+  EXPECT_EQ(delivered.now + links.Of("report", "alpha", "bravo", "out_of_range").now,
             pair.num_at_bravo);
 }
 
 TEST(Rebroker, KeepsTheSeedSoThatLossesFallOnTheSameReports) {
-  const CommsLog log = LogOf(Talk());
+  const CommsLog log = LogOf(RecordedEvents());
   BrokerSetup setup = SetupFor(log);
   setup.seed = 8;
   EXPECT_FALSE(Rebroker(log, {.setup = setup}, MakeShoreBroker, {}).comparison.IsEqual());
@@ -137,13 +137,13 @@ TEST(Rebroker, ShowsTheFirstDifference) {
   EXPECT_NE(difference.find("limit_m=75"), std::string::npos) << difference;
 }
 
-/// Takes what the broker said out of [from_s, to_s), and has a new broker start at to_s, whom
-/// nobody tells the controls.
+/// Removes what the broker published in [from_s, to_s), and starts a new broker at to_s, which gets
+/// no answer to its request for the controls.
 std::vector<TestEvent> WithRestart(const std::vector<TestEvent>& events, double from_s,
                                    double to_s) {
   const CommsLog log = LogOf(events);
   const auto utime_of = [](double s) { return static_cast<int64_t>(s * 1e6); };
-  // The new broker's part is what a broker says that is given the rest of the log.
+  // The new broker's part is what a broker publishes that is given the rest of the log.
   std::vector<TestEvent> early;
   std::vector<TestEvent> late;
   for (const TestEvent& event : events) {
@@ -154,14 +154,14 @@ std::vector<TestEvent> WithRestart(const std::vector<TestEvent>& events, double 
   CommsLog rest = LogOf(late, log.tick_us);
   rest.starts = {
       {.utime = utime_of(to_s), .rules_utime = utime_of(to_s + 1), .in_the_midst = true}};
-  std::vector<TestEvent> said;
+  std::vector<TestEvent> published;
   Rebroker(rest, {.setup = SetupFor(log)}, MakeShoreBroker,
            [&](int64_t utime, std::string_view channel, std::span<const uint8_t> data) {
              if (!LogOf({{utime, std::string(channel), {data.begin(), data.end()}}}).inputs.empty())
                return;
-             said.push_back({utime, std::string(channel), {data.begin(), data.end()}});
+             published.push_back({utime, std::string(channel), {data.begin(), data.end()}});
            });
-  early.insert(early.end(), said.begin(), said.end());
+  early.insert(early.end(), published.begin(), published.end());
   std::stable_sort(early.begin(), early.end(), [](const TestEvent& a, const TestEvent& b) {
     return std::tie(a.utime, a.channel) < std::tie(b.utime, b.channel);
   });
@@ -194,7 +194,7 @@ TEST(Rebroker, KnowsThatABrokerWaitedWhoseQuestionIsNotInTheLog) {
   EXPECT_TRUE(outcome.comparison.IsEqual()) << outcome.comparison.first_difference();
 }
 
-TEST(Rebroker, CountsApartWhatWasSaidAfterTheLastBrokerDied) {
+TEST(Rebroker, CountsSeparatelyWhatWasPublishedAfterTheLastBrokerDied) {
   const TestDirectory directory;
   Record(kPair, directory.File("m.lcm"));
   std::vector<TestEvent> events = EventsOf(directory.File("m.lcm"));
@@ -210,7 +210,7 @@ TEST(Rebroker, CountsApartWhatWasSaidAfterTheLastBrokerDied) {
 
 TEST(Rebroker, DecidesALiveBrokersLogAtTheTimesOfItsEvents) {
   // What a logger sees of a live broker: no seals, each decision a little later than its report.
-  std::vector<TestEvent> events = Talk();
+  std::vector<TestEvent> events = RecordedEvents();
   constexpr int64_t kBegin = 1'700'000'000'000'000;
   int64_t count = 0;
   for (TestEvent& event : events) {
@@ -245,7 +245,7 @@ TEST(Rebroker, DecidesALiveBrokersLogAtTheTimesOfItsEvents) {
 RC_GTEST_PROP(Rebroker, SurvivesAnyLog, ()) {
   const auto channel =
       rc::gen::oneOf(rc::gen::elementOf(BrokerChannels()), rc::gen::just(std::string("NAV_ALPHA")));
-  static const std::vector<TestEvent> sound = Talk();
+  static const std::vector<TestEvent> sound = RecordedEvents();
   std::vector<TestEvent> events;
   const int count = *rc::gen::inRange(0, 40);
   for (int i = 0; i < count; ++i) {

@@ -17,7 +17,7 @@
 namespace shoal {
 
 /// Groups, a far vehicle, losses, messages with and without acks, and every sort of control.
-constexpr char kTalkative[] = R"(
+constexpr char kMixedTraffic[] = R"(
 [mission]
 duration_s = 20
 seed = 7
@@ -64,8 +64,8 @@ rule = "full_report"
 vehicle = "charlie"
 )";
 
-/// Three vehicles that talk through the water, where all sorts of things happen.
-constexpr char kWatery[] = R"(
+/// Three vehicles that send acoustically, with losses, damage and collisions.
+constexpr char kAcousticTraffic[] = R"(
 [mission]
 duration_s = 40
 seed = 7

@@ -1,4 +1,4 @@
-// Rebroker, of what went through the water.
+// Rebroker, with acoustic traffic.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,16 +10,16 @@
 
 namespace shoal::rebroker_water_test {
 
-TEST(RebrokerTestMission, HasAllSortsOfFatesInTheWater) {
-  const std::map<std::string, int64_t> causes = CausesOf(Talk(kWatery));
+TEST(RebrokerTestMission, HasAllSortsOfAcousticFates) {
+  const std::map<std::string, int64_t> causes = CausesOf(RecordedEvents(kAcousticTraffic));
   for (const char* cause : {"report delivered", "report damaged", "report rejected",
                             "report half_duplex", "report packet_loss"}) {
     EXPECT_TRUE(causes.contains(cause)) << cause;
   }
 }
 
-TEST(Rebroker, DecidesAsRecordedWhatWentThroughTheWater) {
-  std::vector<TestEvent> recorded = Talk(kWatery);
+TEST(Rebroker, DecidesAcousticTrafficAsRecorded) {
+  std::vector<TestEvent> recorded = RecordedEvents(kAcousticTraffic);
   std::vector<TestEvent> written;
   const RebrokerOutcome outcome = AsRecorded(LogOf(recorded), &written);
   EXPECT_GT(outcome.comparison.num_recorded(), 100);
@@ -33,8 +33,8 @@ TEST(Rebroker, DecidesAsRecordedWhatWentThroughTheWater) {
   EXPECT_TRUE(AsRecorded(LogOf(Sealed(recorded))).comparison.IsEqual()) << "lcm-logger's, too";
 }
 
-TEST(Rebroker, HearsPacketsAndSaysTheSameOfThemAgain) {
-  std::vector<TestEvent> recorded = Talk(kWatery);
+TEST(Rebroker, DecidesPacketsAsRecorded) {
+  std::vector<TestEvent> recorded = RecordedEvents(kAcousticTraffic);
   acoustic_tx_t packet = {};
   packet.source = "alpha";
   packet.num_bytes = 20;
@@ -52,13 +52,13 @@ TEST(Rebroker, HearsPacketsAndSaysTheSameOfThemAgain) {
   for (const auto& [cause, count] : CausesOf(written)) {
     if (cause.starts_with("packet ")) num_packets += count;
   }
-  EXPECT_GE(num_packets, 4) << "the last may be in the water at the end";
+  EXPECT_GE(num_packets, 4) << "the last may be in transit at the end";
   EXPECT_LE(num_packets, 6);
   EXPECT_TRUE(AsRecorded(LogOf(written)).comparison.IsEqual());
 }
 
-TEST(Rebroker, SendsThroughTheWaterWhatHadGoneWithoutIt) {
-  const CommsLog log = LogOf(Talk());
+TEST(Rebroker, SendsAcousticallyWhatHadBeenSentDirectly) {
+  const CommsLog log = LogOf(RecordedEvents());
   BrokerSetup setup = SetupFor(log);
   setup.rules.reports_over = Medium::kAcoustic;
   setup.rules.groups = false;
@@ -69,10 +69,10 @@ TEST(Rebroker, SendsThroughTheWaterWhatHadGoneWithoutIt) {
   EXPECT_GT(lost.now, 0);
 }
 
-/// What goes through the water counts its time from the mission's start, whoever brokers.
+/// Acoustic traffic counts its time from the mission's start, even after a broker's restart.
 TEST(Rebroker, KnowsAfterARestartWhenTheMissionBegan) {
-  std::vector<TestEvent> events = Talk(kWatery);
-  const Mission mission = TestMission(kWatery);
+  std::vector<TestEvent> events = RecordedEvents(kAcousticTraffic);
+  const Mission mission = TestMission(kAcousticTraffic);
   constexpr int64_t kFrom_utime = 19'900'000;
   constexpr int64_t kRestart_utime = 20'000'000;
   std::vector<TestEvent> late;
@@ -114,10 +114,10 @@ TEST(Rebroker, KnowsAfterARestartWhenTheMissionBegan) {
 
 /// One step each would take this test for ever.
 TEST(Rebroker, PassesOverTheStepsInWhichNothingArrives) {
-  std::string slow = kWatery;
+  std::string slow = kAcousticTraffic;
   slow.replace(slow.find("data_rate_bps = 3000"), 20, "data_rate_bps = 0.1\nsound_speed_mps = 1");
   slow.replace(slow.find("duration_s = 40"), 15, "duration_s = 20");
-  std::vector<TestEvent> events = Talk(slow);
+  std::vector<TestEvent> events = RecordedEvents(slow);
   comms_rules_t rules;
   for (TestEvent& event : events) {
     if (event.channel != "COMMS_RULES" || !Decode(event.data, &rules)) continue;
