@@ -46,7 +46,7 @@ bool Advises(const Diagnosis& diagnosis, std::string_view command) {
          diagnosis.remedies.end();
 }
 
-TEST(Doctor, HasNothingToSayAgainstAHealthyMachine) {
+TEST(Doctor, FindsNothingWrongWithAHealthyMachine) {
   const std::vector<Diagnosis> diagnoses = Diagnose(HealthyMachine());
   EXPECT_TRUE(Complaints(HealthyMachine()).empty()) << FormatDiagnoses(diagnoses);
   EXPECT_EQ(DoctorExitCode(diagnoses), kExitOk);
@@ -54,7 +54,7 @@ TEST(Doctor, HasNothingToSayAgainstAHealthyMachine) {
     EXPECT_TRUE(diagnosis.remedies.empty()) << diagnosis.text;
 }
 
-TEST(Doctor, GivesTheTwoCommandsThatMendAMissingRoute) {
+TEST(Doctor, GivesTheTwoCommandsThatFixAMissingRoute) {
   DoctorFacts facts = HealthyMachine();
   facts.multicast = {.sent = 100, .opened = false, .received = 0};
   const Diagnosis diagnosis = OnlyComplaint(facts);
@@ -80,7 +80,7 @@ TEST(Doctor, FailsWhenOneMessageOfAHundredIsLost) {
   EXPECT_NE(diagnosis.text.find("99 of 100"), std::string::npos) << diagnosis.text;
 }
 
-TEST(Doctor, WarnsOfDebiansReceiveBufferAndSaysHowManyMessagesItHolds) {
+TEST(Doctor, WarnsOfDebiansReceiveBufferAndStatesHowManyMessagesItHolds) {
   DoctorFacts facts = HealthyMachine();
   facts.receive_buffer_limit_bytes = 212992;
   const Diagnosis diagnosis = OnlyComplaint(facts);
@@ -141,7 +141,7 @@ TEST(Doctor, WarnsBeforeTheDiskIsFullAndFailsWhenItIs) {
   EXPECT_EQ(OnlyComplaint(facts).health, Health::kWarn);
 }
 
-TEST(Doctor, SaysHowToRaiseTheLimitsOfTheShell) {
+TEST(Doctor, StatesHowToRaiseTheLimitsOfTheShell) {
   DoctorFacts facts = HealthyMachine();
   facts.max_open_files = 256;
   EXPECT_TRUE(Advises(OnlyComplaint(facts), "ulimit -n 1024"));

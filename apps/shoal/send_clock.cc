@@ -15,7 +15,7 @@ namespace shoal {
 
 namespace {
 
-/// The clock tells its state twice per second, and at once after an order.
+/// The clock publishes its state twice per second, and at once after an order.
 constexpr int64_t kClockPatience_us = 3'000'000;
 /// How long the first measurement of a new speed is waited for.
 constexpr int64_t kFactorPatience_us = 1'000'000;
@@ -34,9 +34,9 @@ bool PollUntil(LcmBus& bus, int64_t patience_us, const std::function<bool()>& is
 int SendClock(LcmBus& bus, const OrderToClock& order) {
   std::optional<clock_state_t> state;
   std::optional<ClockWatch> watch;
-  Subscribe(bus, channels::ClockState(), [&](const clock_state_t& heard) {
-    state = heard;
-    if (watch) watch->OnState(heard);
+  Subscribe(bus, channels::ClockState(), [&](const clock_state_t& received) {
+    state = received;
+    if (watch) watch->OnState(received);
   });
   const bool is_there = PollUntil(bus, kClockPatience_us, [&] { return state.has_value(); });
   if (!BusWorks(bus)) return kExitEnvironment;

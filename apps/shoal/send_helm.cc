@@ -18,7 +18,7 @@ namespace {
 constexpr int64_t kAnswerPatience_us = 1'500'000;
 
 /// Asks for the pages that are due, and hears what comes.
-void Listen(LcmBus& bus, OrderWatch* watch) {
+void ReceivePages(LcmBus& bus, OrderWatch* watch) {
   for (const std::string& app : watch->Due(MonotonicMicroseconds())) {
     appcast_req_t request{};
     request.app = app;
@@ -41,7 +41,7 @@ int SendHelm(LcmBus& bus, const OrderToHelms& order) {
   Subscribe(bus, channels::Appcast(),
             [&](const appcast_t& page) { watch.OnPage(page, MonotonicMicroseconds()); });
 
-  while (!watch.IsReady(MonotonicMicroseconds()) && bus.error().empty()) Listen(bus, &watch);
+  while (!watch.IsReady(MonotonicMicroseconds()) && bus.error().empty()) ReceivePages(bus, &watch);
   Publish(bus, Order(order));
   if (!BusWorks(bus)) return kExitEnvironment;
   const int64_t sent_us = MonotonicMicroseconds();
@@ -59,7 +59,7 @@ int SendHelm(LcmBus& bus, const OrderToHelms& order) {
     }
     return done;
   };
-  while (!is_done() && MonotonicMicroseconds() - sent_us < kAnswerPatience_us) Listen(bus, &watch);
+  while (!is_done() && MonotonicMicroseconds() - sent_us < kAnswerPatience_us) ReceivePages(bus, &watch);
 
   bool is_any_refused = false;
   size_t num_silent = 0;

@@ -86,12 +86,12 @@ void MissionFollower::LookAfterMission() {
 void MissionFollower::LookForMission() {
   const Result<RunningMission> found = FindRunningMission(options_.port_base);
   if (!found.ok()) {
-    if (found.error() != told_) fmt::print(stderr, "shoal-viewer: waiting: {}\n", found.error());
-    told_ = found.error();
+    if (found.error() != printed_) fmt::print(stderr, "shoal-viewer: waiting: {}\n", found.error());
+    printed_ = found.error();
     return;
   }
   if (found->mission_id == last_mission_id_) return;
-  told_.clear();
+  printed_.clear();
   fmt::print(stderr, "shoal-viewer: {} ({}), LCM ports from {}\n", found->name, found->file,
              found->port_base);
   TurnTo(std::make_shared<MissionSession>(*found, NewToken(), options_.allow_commands));

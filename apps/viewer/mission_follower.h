@@ -50,7 +50,7 @@ class MissionFollower {
   const FollowOptions options_;
   EventHub& hub_;
   std::atomic<bool> stopped_ = false;
-  std::string told_;             ///< What was printed last about waiting.
+  std::string printed_;             ///< What was printed last about waiting.
   int64_t last_mission_id_ = 0;  ///< Of the one that has ended, or cannot be joined.
   int64_t next_look_us_ = 0;
   int64_t last_frame_us_ = 0;

@@ -112,7 +112,7 @@ void MissionSession::TakeClock(const Message& message) {
   if (!Decode(message.data, &clock) || clock.mission_id != running_.mission_id) return;
   utime_ = clock.utime;
   is_ending_ = clock.state == "ending";
-  clock_heard_us_ = now_us_;
+  clock_received_us_ = now_us_;
   view_->Handle(message.channel, message.data);
 }
 
@@ -137,8 +137,8 @@ void MissionSession::Work(int64_t now_us) {
       view_->Handle(channel, unsealed.message);
     });
   }
-  if (clock_heard_us_ != 0 && now_us - clock_heard_us_ > kClockSilence_us) {
-    clock_heard_us_ = 0;
+  if (clock_received_us_ != 0 && now_us - clock_received_us_ > kClockSilence_us) {
+    clock_received_us_ = 0;
     view_->SetClockGone("silent");
   }
   if (!has_rules_ && rules_requests_ < kMostRulesRequests && now_us >= next_rules_request_us_) {

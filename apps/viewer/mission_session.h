@@ -64,7 +64,7 @@ class MissionSession {
   StatusBoard board_;
   bool joined_ = false;
   bool is_ending_ = false;      ///< CLOCK_STATE has said so.
-  int64_t clock_heard_us_ = 0;  ///< When CLOCK_STATE came last; 0: not yet, or silence is told.
+  int64_t clock_received_us_ = 0;  ///< When CLOCK_STATE came last; 0: not yet, or silence is told.
   bool has_rules_ = false;      ///< COMMS_RULES has come, or COMMS_RULES_NOW.
   int64_t next_rules_request_us_ = 0;
   int64_t rules_requests_ = 0;

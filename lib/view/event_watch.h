@@ -88,7 +88,7 @@ class EventWatch {
  private:
   enum class Contact : uint8_t { kNone, kNow, kLost };
   struct Pair {
-    int64_t heard_utime = 0;
+    int64_t received_utime = 0;
     Contact contact = Contact::kNone;
   };
 

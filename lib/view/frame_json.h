@@ -17,7 +17,7 @@ struct FrameParts {
   ViewClock clock;
   std::vector<const ViewPulse*> pulses;
   int64_t pulses_left_out = 0;
-  std::vector<const WaterPacket*> packets;
+  std::vector<const AcousticPacket*> packets;
   std::span<const CommandRecord> commands = {};
   int64_t num_events = 0;
   int64_t num_fates = 0;

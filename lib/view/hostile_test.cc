@@ -142,7 +142,7 @@ Bytes DrawMessage(const std::string& channel) {
   return Encoded(desired);
 }
 
-RC_GTEST_PROP(HostileBus, LeavesAnswersJsonWhateverMessagesSay, ()) {
+RC_GTEST_PROP(HostileBus, AnswersWithJsonWhateverMessagesHold, ()) {
   const Mission mission = MissionOf({"alpha", "bravo"});
   LiveView view(mission, "boot");
   const std::vector<std::string> channels = AllChannels(mission);

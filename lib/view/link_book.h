@@ -25,14 +25,14 @@ struct LinkCounts {
   int32_t from = -1;  ///< Index of a name.
   int32_t to = -1;
   std::array<uint32_t, kNumKinds> offered = {};  ///< By kind.
-  std::array<uint32_t, kNumKinds> heard = {};    ///< By kind: delivered, whole or damaged.
+  std::array<uint32_t, kNumKinds> received = {};    ///< By kind: delivered, whole or damaged.
   std::array<uint32_t, kNumCauses> by_cause = {};
-  int64_t last_heard_utime = kNeverHeard;  ///< Of the last step in which something was heard.
+  int64_t last_received_utime = kNeverReceived;  ///< Of the last step in which something was heard.
   FateFacts last;                          ///< The last fate of all.
 
-  static constexpr int64_t kNeverHeard = -kFarthest_us - 1;
+  static constexpr int64_t kNeverReceived = -kFarthest_us - 1;
   uint64_t Offered() const;
-  uint64_t Heard() const;
+  uint64_t Received() const;
 };
 
 /// Where a fate was counted; -1: no link.
@@ -45,7 +45,7 @@ struct LinkPlace {
 class LinkBook {
  public:
   /// Names beyond the first ones, and links, that are kept; fates of others count as elsewhere.
-  static constexpr size_t kMaxStrangers = 200;
+  static constexpr size_t kMaxUnregistered = 200;
   static constexpr size_t kMaxLinks = 20'000;
 
   LinkBook() : LinkBook(std::vector<std::string>()) {}

@@ -64,7 +64,7 @@ class LiveView : public ViewSource, private SceneObserver {
  private:
   void OnNav(size_t vehicle, const nav_t& nav) override;
   void OnHelm(size_t vehicle, const helm_state_t& helm) override;
-  void OnReport(size_t vehicle, const HeardReport& report) override;
+  void OnReport(size_t vehicle, const ReceivedReport& report) override;
   void OnFate(const FateView& fate, const LinkPlace& place) override;
   void FollowRules();
   FrameParts PartsOfNow() const;
@@ -85,8 +85,8 @@ class LiveView : public ViewSource, private SceneObserver {
   std::vector<Trail> trails_;
   EventWatch events_;
   double stale_time_s_ = -2;  ///< What events_ goes by.
-  int64_t pulses_told_ = 0;   ///< Order of the last that went with a stream's frame.
-  int64_t packets_told_ = 0;
+  int64_t pulses_sent_ = 0;   ///< Order of the last that went with a stream's frame.
+  int64_t packets_sent_ = 0;
   int64_t num_changes_ = 0;
 };
 

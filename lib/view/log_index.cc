@@ -156,7 +156,7 @@ class IndexBuilder : private SceneObserver {
     watch_.OnHelm(vehicle, helm.utime, helm.state, helm.all_stop);
   }
 
-  void OnReport(size_t vehicle, const HeardReport& report) override {
+  void OnReport(size_t vehicle, const ReceivedReport& report) override {
     if (index_.trails.size() <= vehicle) index_.trails.resize(vehicle + 1);
     if (scene_.vehicles()[vehicle].nav) return;
     index_.trails[vehicle].Add(Line_s(), report.x_m, report.y_m);

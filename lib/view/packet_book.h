@@ -13,7 +13,7 @@
 namespace shoal {
 
 /// One transmission, as far as its fates have been told.
-struct WaterPacket {
+struct AcousticPacket {
   struct Arrival {
     std::string name;
     int64_t utime = 0;  ///< The last byte was there, or would have been.
@@ -27,7 +27,7 @@ struct WaterPacket {
   int64_t number = 0;
   int64_t sent_utime = 0;
   double air_s = 0;
-  int64_t told_utime = 0;  ///< Of the last fate.
+  int64_t last_fate_utime = 0;  ///< Of the last fate.
   std::optional<std::pair<double, double>> from_m =
       {};  ///< Where the source was; absent: not known.
   std::vector<Arrival> to = {};
@@ -43,11 +43,11 @@ class PacketBook {
   void Add(const FateView& fate, const std::optional<std::pair<double, double>>& from_m);
 
   /// Returns those with an order > `order` that are not forgotten at `utime`, the oldest first.
-  std::vector<const WaterPacket*> Since(int64_t order, int64_t utime) const;
+  std::vector<const AcousticPacket*> Since(int64_t order, int64_t utime) const;
   int64_t last_order() const { return last_order_; }
 
  private:
-  std::deque<WaterPacket> packets_;  ///< In the order of their first fates.
+  std::deque<AcousticPacket> packets_;  ///< In the order of their first fates.
   int64_t last_order_ = 0;
 };
 

@@ -165,7 +165,7 @@ Result<std::string> RecordedView::LinkJson(std::string_view from, std::string_vi
 std::vector<RatioBin> RecordedView::RatioBins(const LinkCounts& link, int64_t line_us) const {
   struct Sum {
     int64_t line_us = 0;
-    uint64_t heard = 0;
+    uint64_t received = 0;
     uint64_t offered = 0;
   };
   // Sums at keyframes up to now, not more than there may be bins, and now.
@@ -178,18 +178,18 @@ std::vector<RatioBin> RecordedView::RatioBins(const LinkCounts& link, int64_t li
     const LinkCounts* then = keyframe.links.Find(link.from, link.to);
     Sum sum{.line_us = i == 0 ? index_.begin_us : keyframe.timeline.now_us()};
     if (then != nullptr) {
-      sum.heard = then->Heard();
+      sum.received = then->Received();
       sum.offered = then->Offered();
     }
     sums.push_back(sum);
   }
-  sums.push_back({.line_us = line_us, .heard = link.Heard(), .offered = link.Offered()});
+  sums.push_back({.line_us = line_us, .received = link.Received(), .offered = link.Offered()});
   std::vector<RatioBin> bins;
   for (size_t i = 0; i + 1 < sums.size(); ++i) {
     const auto offered = static_cast<int64_t>(sums[i + 1].offered - sums[i].offered);
     if (offered == 0) continue;
     bins.push_back({.begin_s = static_cast<double>(sums[i].line_us) / 1e6,
-                    .heard = static_cast<int64_t>(sums[i + 1].heard - sums[i].heard),
+                    .received = static_cast<int64_t>(sums[i + 1].received - sums[i].received),
                     .offered = offered});
   }
   return bins;

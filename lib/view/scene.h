@@ -34,7 +34,7 @@
 namespace shoal {
 
 /// A node report as the broker knows it.
-struct HeardReport {
+struct ReceivedReport {
   int64_t utime = 0;           ///< When it was made, by the vehicle.
   int64_t received_utime = 0;  ///< When it was heard, by the scene; staleness counts from here.
   double x_m = 0;
@@ -54,7 +54,7 @@ struct SceneVehicle {
   double length_m = 0;
   bool outside = false;  ///< Not of the mission.
   std::optional<nav_t> nav = {};
-  std::optional<HeardReport> report = {};
+  std::optional<ReceivedReport> report = {};
   std::optional<helm_state_t> helm = {};
   std::optional<swarm_t> swarm = {};
   ShownMessages shown = {};
@@ -72,7 +72,7 @@ class SceneObserver {
   virtual ~SceneObserver() = default;
   virtual void OnNav(size_t /*vehicle*/, const nav_t& /*nav*/) {}
   virtual void OnHelm(size_t /*vehicle*/, const helm_state_t& /*helm*/) {}
-  virtual void OnReport(size_t /*vehicle*/, const HeardReport& /*report*/) {}
+  virtual void OnReport(size_t /*vehicle*/, const ReceivedReport& /*report*/) {}
   virtual void OnFate(const FateView& /*fate*/, const LinkPlace& /*place*/) {}
 };
 

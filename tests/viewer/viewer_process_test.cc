@@ -164,7 +164,7 @@ TEST(Viewer, ChangesNothingOfAMissionAndStaysWhenItHasEnded) {
   EXPECT_GT(viewer.Frame()["t"].get<double>(), 500) << viewer.Frame()["t"];
 }
 
-TEST(Viewer, TurnsToTheNextMissionAndTellsWhereALauncherDied) {
+TEST(Viewer, TurnsToTheNextMissionAndShowsWhereALauncherDied) {
   const TestFolder folder;
   WatchedViewer viewer(folder);
   std::string boot;
@@ -183,7 +183,7 @@ TEST(Viewer, TurnsToTheNextMissionAndTellsWhereALauncherDied) {
   EXPECT_TRUE(AwaitThat([&] { return viewer.State() == "ended"; })) << viewer.State();
 }
 
-TEST(Viewer, TellsWhereTheLauncherStandsStill) {
+TEST(Viewer, ShowsWhereTheLauncherStandsStill) {
   const TestFolder folder;
   const RunningProcess mission(folder, RunArguments({"--warp", "1", "--quiet"}));
   WatchedViewer viewer(folder);
@@ -198,7 +198,7 @@ TEST(Viewer, TellsWhereTheLauncherStandsStill) {
   EXPECT_TRUE(AwaitThat([&] { return viewer.State() == "running"; })) << viewer.State();
 }
 
-TEST(Viewer, SendsCommandsForWhoHasTheToken) {
+TEST(Viewer, SendsCommandsWithTheToken) {
   const TestFolder folder;
   const RunningProcess mission(folder, RunArguments({"--warp", "2", "--quiet"}));
   WatchedViewer viewer(folder, {"--allow-commands"});
@@ -230,7 +230,7 @@ TEST(Viewer, EndsAtOnceWithPagesOpen) {
   EXPECT_LT(since_signal.Seconds(), 1.5);
 }
 
-TEST(Viewer, SaysWhatIsWrongWithItsCommandLine) {
+TEST(Viewer, StatesWhatIsWrongWithItsCommandLine) {
   const TestFolder folder;
   const auto run = [&](std::vector<std::string> argv) {
     argv.insert(argv.begin(), Program("shoal-viewer"));

@@ -18,7 +18,7 @@ Clients Connect(int port, int number, const std::string& text) {
   return clients;
 }
 
-TEST(WebCrowd, Of200ThatSayHalfARequestLeavesTheNextItsAnswer) {
+TEST(WebCrowd, Of200ThatSendHalfARequestLeavesTheNextItsAnswer) {
   const ServedSite served;
   const Clients rude = Connect(served.port(), 200, "GET / HTTP/1.1\r\nHost: loc");
   EXPECT_EQ(StatusOf(Ask(served.port(), "/")), 200);
@@ -36,7 +36,7 @@ TEST(WebCrowd, ThatFillsAllPlacesMakesRoomForTheNext) {
   EXPECT_LE(served.server().num_connections(), 25U);
 }
 
-TEST(WebCrowd, OfStreamsThatFillsAllPlacesHasTheNextToldSo) {
+TEST(WebCrowd, OfStreamsThatFillsAllPlacesRefusesTheNext) {
   WebServerOptions options = ServedSite::Hasty();
   options.most_connections = 10;
   ServedSite served({}, options);
@@ -71,7 +71,7 @@ TEST(WebCrowd, ThatIsRudeLeavesNothingOpenBehind) {
   EXPECT_EQ(NumDescriptors(), before);
 }
 
-TEST(WebPort, IsSharedWithNobody) {
+TEST(WebPort, IsNotShared) {
   const ServedSite served;
   const auto taken = ListenOn({.port = served.port(), .last_port = served.port()});
   ASSERT_FALSE(taken.ok());
@@ -82,7 +82,7 @@ TEST(WebPort, IsSharedWithNobody) {
   EXPECT_GT(next->port, served.port());
 }
 
-TEST(WebPort, IsToldAsAnAddressThatABrowserTakes) {
+TEST(WebPort, IsShownAsAnAddressThatABrowserTakes) {
   EXPECT_EQ(PageUrl("127.0.0.1", 8765, "", "shore"), "http://127.0.0.1:8765/");
   EXPECT_EQ(PageUrl("0.0.0.0", 8765, "abc", "shore"), "http://shore:8765/?token=abc");
   EXPECT_EQ(PageUrl("::1", 80, "", "shore"), "http://[::1]:80/");
