@@ -33,8 +33,8 @@ Diagnosis DiagnoseMulticast(const DoctorFacts& facts) {
   if (!trial.opened) {
     return {.health = Health::kFail,
             .text =
-                "multicast: there is no route to LCM's group 239.255.76.67, so no process hears "
-                "another",
+                "multicast: there is no route to LCM's group 239.255.76.67, so processes receive "
+                "nothing from each other",
             .remedies = {"sudo ip link set lo up multicast on",
                          "sudo ip route add 224.0.0.0/4 dev lo"}};
   }
@@ -107,7 +107,7 @@ Diagnosis DiagnoseRunning(const DoctorFacts& facts) {
 Diagnosis DiagnoseDisk(const DoctorFacts& facts) {
   if (!facts.folder_free_bytes) {
     return {.health = Health::kWarn,
-            .text = fmt::format("disk: cannot tell how much is free in {}", facts.folder),
+            .text = fmt::format("disk: cannot find out how much is free in {}", facts.folder),
             .remedies = {"df -h ."}};
   }
   const int64_t free_bytes = *facts.folder_free_bytes;
@@ -187,7 +187,7 @@ std::vector<Diagnosis> Diagnose(const DoctorFacts& facts) {
           DiagnoseRunning(facts),
           DiagnoseDisk(facts),
           DiagnoseLimit("open files", facts.max_open_files, kNeededOpenFiles, kWantedOpenFiles,
-                        "a process needs six for each LCM port it hears, one port per vehicle in "
+                        "a process needs six for each LCM port it receives on, one port per vehicle in "
                         "the communities layout",
                         "-n"),
           DiagnoseLimit("processes and threads", facts.max_threads, kNeededThreads, kWantedThreads,

@@ -1,5 +1,5 @@
-// `shoal doctor`: looks at the machine and says what keeps missions from running here, with the
-// commands that mend it. Facts are gathered in one place and judged in another, so that the
+// `shoal doctor`: looks at the machine and reports what keeps missions from running here, with
+// the commands that fix it. Facts are gathered in one place and judged in another, so that the
 // judgement can be tested without a broken machine.
 #pragma once
 

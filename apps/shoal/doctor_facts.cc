@@ -32,7 +32,7 @@ constexpr int64_t kTrialPatience_us = 2'000'000;
 /// A mission of two vehicles in the shared layout has this many ports.
 constexpr int kPortsOfASmallMission = 3;
 
-/// Returns a UDP port that nobody has, or 0.
+/// Returns a UDP port that is free, or 0.
 int FreeUdpPort() {
   const int fd = socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);
   if (fd < 0) return 0;
@@ -50,7 +50,7 @@ void WriteTrial(int fd, const MulticastTrial& trial) {
   [[maybe_unused]] const ssize_t written = write(fd, &trial, sizeof trial);
 }
 
-/// Sends messages to itself; tells `fd` how far it has come: opened, and at the end how many came.
+/// Sends messages to itself; writes its progress to `fd`: opened, and at the end how many came.
 void TryMulticastHere(int fd) {
   LcmTransport transport;
   MulticastTrial trial{.sent = kTrialMessages, .opened = false, .received = 0};

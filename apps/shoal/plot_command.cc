@@ -41,7 +41,7 @@ class ScriptFolder {
   ScriptFolder(const ScriptFolder&) = delete;
   ScriptFolder& operator=(const ScriptFolder&) = delete;
 
-  /// Returns whether it could be made; errno tells why not.
+  /// Returns whether it could be made; errno holds the reason where not.
   bool Make(const fs::path& out_dir, bool keep) {
     is_kept_ = keep;
     if (keep) {

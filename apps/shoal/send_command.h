@@ -1,4 +1,4 @@
-// `shoal send`: speaks to a running mission from a shell.
+// `shoal send`: sends commands to a running mission from a shell.
 #pragma once
 
 #include <cstdint>

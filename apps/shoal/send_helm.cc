@@ -17,7 +17,7 @@ namespace {
 /// How long an answer from the helm is waited for: a step, and the second of its own rhythm.
 constexpr int64_t kAnswerPatience_us = 1'500'000;
 
-/// Asks for the pages that are due, and hears what comes.
+/// Asks for the pages that are due, and receives what comes.
 void ReceivePages(LcmBus& bus, OrderWatch* watch) {
   for (const std::string& app : watch->Due(MonotonicMicroseconds())) {
     appcast_req_t request{};
@@ -52,7 +52,7 @@ int SendHelm(LcmBus& bus, const OrderToHelms& order) {
   const auto is_done = [&] {
     bool done = true;
     for (const OrderWatch::Answer& answer : watch.answers()) {
-      // Who has no page, as a helm of a user's own, can only show its state.
+      // A helm without a status page, such as a user's own, can only show its state.
       const bool is_open = answer.outcome == OrderOutcome::kOpen && answer.before;
       const bool is_refused = answer.outcome == OrderOutcome::kRefused;
       done = done && !is_open && (is_refused || states.contains(answer.trace.participant));
@@ -77,8 +77,8 @@ int SendHelm(LcmBus& bus, const OrderToHelms& order) {
   }
   if (num_silent > 0) {
     fmt::print(
-        "{} of {} helms have said nothing since; `shoal status` shows who is there, and where the "
-        "mission is paused\n",
+        "{} of {} helms have published nothing since; `shoal status` shows which participants "
+        "run, and whether the mission is paused\n",
         num_silent, order.vehicles.size());
   }
   return is_any_refused ? kExitUsage : kExitOk;

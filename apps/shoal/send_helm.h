@@ -6,7 +6,7 @@
 
 namespace shoal {
 
-/// Publishes to each vehicle and prints what its helm says next. Returns the exit code: kExitUsage
+/// Publishes to each vehicle and prints what its helm publishes next. Returns the exit code: kExitUsage
 /// where a helm refused.
 int SendHelm(LcmBus& bus, const OrderToHelms& order);
 

@@ -3,7 +3,7 @@
 
 namespace shoal {
 
-/// Parses the command line, does what it says, returns the exit code.
+/// Parses and executes the command line, returns the exit code.
 int RunShoalCommand(int argc, char** argv);
 
 }  // namespace shoal

@@ -11,7 +11,7 @@
 namespace shoal {
 
 /// Asks a participant ("all": every one) for its page and collects what comes, by name; none where
-/// nobody answers within two seconds. The error: the bus does not work.
+/// no participant answers within two seconds. The error: the bus does not work.
 [[nodiscard]] Result<std::map<std::string, appcast_t>> CollectPages(const PortPlan& ports,
                                                                     const std::string& app);
 

@@ -39,7 +39,7 @@ bool IsFromOwnPage(const WebRequest& request) {
     return false;
   }
   return request.origin.empty() || request.origin == "http://" + request.host ||
-         request.origin == "https://" + request.host;  // Behind somebody's TLS.
+         request.origin == "https://" + request.host;  // Behind a TLS proxy.
 }
 
 bool IsJson(std::string_view content_type) {

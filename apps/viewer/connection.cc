@@ -53,7 +53,7 @@ CheckedHead Connection::AwaitHead() {
   is_waiting_ = true;
   since_ = Clock::now();
   const bool was_first = std::exchange(is_first_, false);
-  // An idle client that has begun to speak has as long as a new one.
+  // An idle client that has begun to send has as long as a new one.
   auto deadline = Clock::now() + (was_first ? patience_.head : patience_.idle);
   bool has_begun = was_first || !received_.empty();
   CheckedHead checked = CheckHead(received_);

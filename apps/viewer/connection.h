@@ -39,7 +39,7 @@ class Connection {
   /// Writes all of it, or returns false: the client has gone or is too slow.
   bool Write(std::string_view bytes);
 
-  /// True where the client has closed its side or reset the connection, and has said nothing more.
+  /// True where the client has closed its side or reset the connection, and nothing more has come from it.
   bool HasGone() const;
 
   /// Ends what the client can still get, so that it gets the last answer although it went on

@@ -54,7 +54,7 @@ CheckedHead CheckRequestLine(std::string_view line, RequestLine* parts) {
   }
   *parts = {line.substr(0, first), line.substr(first + 1, last - first - 1), line.substr(last + 1)};
   if (parts->version != "HTTP/1.1" && parts->version != "HTTP/1.0") {
-    return Refused(400, "this server speaks HTTP/1.1");
+    return Refused(400, "this server supports HTTP/1.1");
   }
   if (!parts->target.starts_with('/') || parts->target.find(' ') != std::string_view::npos) {
     return Refused(400, "a path begins with / and holds no blank");
@@ -72,7 +72,7 @@ CheckedHead CheckRequestLine(std::string_view line, RequestLine* parts) {
 /// Takes the header lines one by one, and keeps those that the viewer knows.
 class HeaderLines {
  public:
-  int64_t content_length = -1;  ///< Negative: not told.
+  int64_t content_length = -1;  ///< Negative: not given.
   bool asks_to_close = false;
   bool asks_to_stay = false;
   std::string kept;

@@ -90,7 +90,7 @@ Result<ListeningSocket> ListenOn(const ListeningOptions& options) {
                              options.port, options.last_port)};
   }
   return Error{
-      fmt::format("TCP port {0} is taken (`ss -tlnp 'sport = :{0}'` shows by whom); choose another "
+      fmt::format("TCP port {0} is taken (`ss -tlnp 'sport = :{0}'` shows by which program); choose another "
                   "with --http (`shoal run`: --view-http), or leave it out",
                   options.port)};
 }

@@ -22,13 +22,13 @@ constexpr int64_t kMostRulesRequests = 20;
 /// channel: on a machine that is too slow, the page shows less rather than what was long ago.
 constexpr int64_t kLongestQueue_us = 1'000'000;
 constexpr int64_t kMostMessagesAtOnce = 20'000;
-/// The launcher says CLOCK_STATE twice per second, unless it is stopped or starved.
+/// The launcher publishes CLOCK_STATE twice per second, unless it is stopped or starved.
 constexpr int64_t kClockSilence_us = 3'000'000;
-/// What the vehicles' processes say among themselves is most of a mission's traffic, and of little
+/// What the vehicles' processes publish for each other is most of a mission's traffic, and of little
 /// use more often than frames are made: it is read in large batches.
 constexpr int64_t kCommunitiesInterval_us = 50'000;
 
-/// Loads the mission as it runs; or makes one of what the registry tells of it.
+/// Loads the mission as it runs; or makes one of what the registry holds of it.
 Mission MissionOf(const RunningMission& running, std::vector<std::string>* notes) {
   LoadedMission loaded = LoadMission(running.file, running.overrides);
   if (loaded.errors.empty()) return std::move(loaded.mission);

@@ -1,5 +1,5 @@
 // Reads what a request to the viewer asks for. All input may be hostile: whatever comes gives a
-// value within the stated bounds, or an Error whose text tells what to send instead. Never throws.
+// value within the stated bounds, or an Error whose text states what to send instead. Never throws.
 #pragma once
 
 #include <string>

@@ -15,7 +15,7 @@
 
 namespace shoal {
 
-/// Functions may be called from any thread. Those that are absent have no mission to speak with:
+/// Functions may be called from any thread. Those that need a running mission are absent where
 /// the viewer shows a log.
 struct ViewSiteParts {
   PageFiles files = {};

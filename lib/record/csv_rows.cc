@@ -11,7 +11,7 @@ namespace shoal {
 
 namespace {
 
-/// Fixed arrays of up to so many elements have a column for each.
+/// Fixed arrays of at most this many elements have a column for each.
 constexpr int64_t kMaxExpandedElements = 64;
 
 enum class Shape {
@@ -25,7 +25,7 @@ enum class Shape {
 /// The structs around a member, outermost first.
 using OpenTypes = std::vector<const StructType*>;
 
-/// Tells whether an array within an array may be rows: columns of structs that hold themselves
+/// Returns whether an array within an array may be rows: columns of structs that hold themselves
 /// would have no end. Messages do not go deeper than kMaxStructDepth, nor need columns.
 bool MayNest(const StructType& type, const OpenTypes& open) {
   return open.size() <= kMaxStructDepth && std::find(open.begin(), open.end(), &type) == open.end();
@@ -292,7 +292,7 @@ void CsvLayout::AppendRows(int64_t event_utime, std::span<const uint8_t> bytes,
                            std::string* out) const {
   RowCollector collector(schema_);
   const auto fault = Walk(schema_, type_, bytes, &collector);
-  SHOAL_CHECK(!fault, "rows of a message that nobody checked");
+  SHOAL_CHECK(!fault, "a message of which rows are made decodes (FindWireFault() finds none)");
   const Element& message = collector.message();
   for (size_t row = 0; row < message.num_rows(); ++row) {
     const Place place = FindPlace(message, row);

@@ -1,7 +1,6 @@
-// What `shoal log info|cat|diff|csv` do. Each reads files, writes text to `out`, complaints to
-// `err`, and returns the process's exit code: 0, or kExitEnvironment for a file that cannot be read
-// (or is damaged, where nobody asked for what is left of it), kExitUsage for types that make no
-// sense.
+// What `shoal log info|cat|diff|csv` do. Each reads files, writes text to `out`, warnings and errors
+// to `err`, and returns the process's exit code: 0, or kExitEnvironment for a file that cannot be read
+// (or is damaged, without skip_damage), kExitUsage for types that are not valid.
 #pragma once
 
 #include <cstdint>
@@ -77,7 +76,7 @@ struct LogCsvOptions {
   std::optional<LogLines> lines = std::nullopt;  ///< Written beside the tables.
 };
 
-/// Writes <CHANNEL>.csv for every channel (lib/record/csv_rows.h tells the columns), and
+/// Writes <CHANNEL>.csv for every channel (lib/record/csv_rows.h describes the columns), and
 /// <CHANNEL>.<type>.csv for further types on one channel; with `lines`, beside each table of that
 /// type a file of the same name with their extension. Names the files in `out`.
 int LogCsv(const LogCsvOptions& options, std::ostream& out, std::ostream& err);

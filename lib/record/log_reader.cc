@@ -67,7 +67,7 @@ bool LogReader::EventMayBeginAt(uint64_t offset) const {
   return offset == file_.size() || file_.PeekUint32(offset) == kLogMagic;
 }
 
-/// Tells whether a whole event with a printable channel stands at `offset`.
+/// Returns whether a whole event with a printable channel stands at `offset`.
 bool LogReader::IsEventAt(uint64_t offset) {
   const Header header = ReadHeader(offset);
   if (!header.wrong.empty()) return false;

@@ -17,7 +17,7 @@
 namespace shoal {
 
 enum class OnDamage {
-  kStop,  ///< The first damage ends the reading; error() says where and what.
+  kStop,  ///< The first damage ends the reading; error() states where and what.
   kSkip,  ///< Reads all whole events, before and behind the damages, which damages() lists.
 };
 
@@ -34,7 +34,7 @@ class LogReader {
   static Result<LogReader> Open(const std::string& path, OnDamage on_damage = OnDamage::kStop);
 
   /// Returns a reader of the same open file, whatever its path names by now, from the start on;
-  /// `buffer_size`: so many bytes are read at a time. Each reader may have a thread of its own.
+  /// it reads `buffer_size` bytes at a time. Each reader may have a thread of its own.
   LogReader Another(size_t buffer_size = FileWindow::kBufferSize) const {
     return {path_, file_.Another(buffer_size), on_damage_};
   }

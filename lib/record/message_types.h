@@ -18,7 +18,7 @@ Result<Schema> LoadMessageTypes(const std::vector<std::string>& lcm_files);
 /// A logged message without the seal that it may have (logs of lcm-logger hold sealed messages).
 struct RecognisedMessage {
   std::span<const uint8_t> data;
-  const StructType* type = nullptr;  ///< nullptr: nobody knows its fingerprint.
+  const StructType* type = nullptr;  ///< nullptr: its fingerprint is unknown.
   std::optional<WireFault> fault;    ///< Of a message whose type is known.
 
   bool IsDecodable() const { return type != nullptr && !fault; }

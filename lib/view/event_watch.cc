@@ -15,7 +15,7 @@ namespace shoal {
 namespace {
 
 constexpr size_t kMaxReason = 200;
-/// An encounter is over where they are so many times as far apart as a collision is.
+/// An encounter is over where they are this many times as far apart as a collision is.
 constexpr double kParted = 2;
 
 }  // namespace

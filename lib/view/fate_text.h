@@ -25,7 +25,7 @@ struct FateNumber {
 [[nodiscard]] std::string DecidingNumbers(const FateView& fate);
 [[nodiscard]] std::string DecidingNumbers(const FateFacts& facts);
 
-/// Returns names, cause and numbers; "alpha to 12 others: ..." where they are not told apart,
+/// Returns names, cause and numbers; "alpha to 12 others: ..." where their fates are counted together,
 /// "alpha: ..." where there is no destination. Names are cut after 64 bytes.
 [[nodiscard]] std::string FateText(const FateView& fate);
 /// The same; of an unknown kind or cause, what the fate calls it.

@@ -11,7 +11,7 @@
 
 namespace shoal {
 
-/// What a frame says beside the scene.
+/// What a frame shows beside the scene.
 struct FrameParts {
   double t_s = 0;
   ViewClock clock;

@@ -1,4 +1,5 @@
-// Who heard whom so far, and what became of the last try: counters of fates per link.
+// Counters of fates per link: what each vehicle received from each other one so far, and the last
+// fate.
 //
 //   LinkBook book({"alpha", "bravo"});
 //   for (const FateView& fate : message.all()) book.Add(fate);
@@ -27,7 +28,7 @@ struct LinkCounts {
   std::array<uint32_t, kNumKinds> offered = {};  ///< By kind.
   std::array<uint32_t, kNumKinds> received = {};    ///< By kind: delivered, whole or damaged.
   std::array<uint32_t, kNumCauses> by_cause = {};
-  int64_t last_received_utime = kNeverReceived;  ///< Of the last step in which something was heard.
+  int64_t last_received_utime = kNeverReceived;  ///< Of the last step in which something was received.
   FateFacts last;                          ///< The last fate of all.
 
   static constexpr int64_t kNeverReceived = -kFarthest_us - 1;

@@ -31,20 +31,20 @@ namespace shoal {
 
 class LiveView : public ViewSource, private SceneObserver {
  public:
-  /// So many pulses a frame of the stream holds; more are counted.
+  /// A frame of the stream holds at most this many pulses; more are counted.
   static constexpr size_t kMaxStreamPulses = 200;
 
   /// No mission yet: state "waiting". `boot` names this start of the viewer.
   explicit LiveView(std::string boot);
   /// `notes`: what a user should know, for the page. State "gathering" until the clock or a message
-  /// tells more.
+  /// states another.
   LiveView(const Mission& mission, std::string boot, std::vector<std::string> notes = {});
 
   /// Takes one encoded message; channels as Scene::Handle, and CLOCK_STATE.
   void Handle(std::string_view channel, std::span<const uint8_t> data);
   /// Takes what became of the commands, the newest last.
   void SetCommands(std::vector<CommandRecord> commands);
-  /// Tells that no clock will speak any more: "waiting", "ended" or "lost".
+  /// States that the clock will publish nothing more: "waiting", "ended" or "lost".
   void SetClockGone(std::string_view state);
 
   /// Returns the next frame for all clients of the stream: pulses and packets since the last call.
@@ -77,7 +77,7 @@ class LiveView : public ViewSource, private SceneObserver {
   mutable std::mutex mutex_;  ///< Of all below.
   Scene scene_;
   ViewClock clock_;
-  bool has_clock_ = false;  ///< The clock was heard of.
+  bool has_clock_ = false;  ///< CLOCK_STATE was received.
   std::vector<CommandRecord> commands_;
   FateHistory fates_;
   std::vector<LinkHistory> link_histories_;  ///< By the link's place in the scene's LinkBook.

@@ -1,4 +1,4 @@
-// What went through the water lately, and where it arrived: for expanding rings.
+// Recent acoustic packets and where they arrived: pages draw them as expanding rings.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace shoal {
 
-/// One transmission, as far as its fates have been told.
+/// One transmission, as far as its fates are known.
 struct AcousticPacket {
   struct Arrival {
     std::string name;
@@ -21,7 +21,7 @@ struct AcousticPacket {
   };
 
   int64_t id = 0;     ///< Of source, kind and number; below 2^53.
-  int64_t order = 0;  ///< Counts what this book was told; grows with each further arrival.
+  int64_t order = 0;  ///< Counts what was added to the book; grows with each further arrival.
   std::string source = {};
   Kind kind = Kind::kPacket;
   int64_t number = 0;
@@ -37,7 +37,7 @@ class PacketBook {
  public:
   static constexpr size_t kMaxPackets = 500;
   static constexpr size_t kMaxArrivals = 300;        ///< Of each.
-  static constexpr int64_t kMemory_us = 10'000'000;  ///< Forgotten so long after the last fate.
+  static constexpr int64_t kMemory_us = 10'000'000;  ///< Forgotten this long after the last fate.
 
   /// Takes a fate; those without a path are ignored.
   void Add(const FateView& fate, const std::optional<std::pair<double, double>>& from_m);

@@ -76,7 +76,7 @@ Result<RecordedLog> OpenRecordedLog(const std::string& path, const std::string& 
   if (!survey.has_events && reader->size() > 0) {
     return Error{
         fmt::format("{} holds no event of an LCM log: is it one? `shoal log info {}` "
-                    "tells more",
+                    "shows more",
                     *file, *file)};
   }
   const bool knows_mission = found->mission.has_value();

@@ -141,7 +141,7 @@ inline std::unique_ptr<RecordedView> OpenTraffic(const TestDirectory& directory,
   return std::move(*view);
 }
 
-/// A frame without what a recorded one says differently: the clock, and events that a running
+/// A frame without what differs in a recorded one: the clock, and events that a running
 /// mission learns of later.
 inline nlohmann::json ComparableFrame(const std::string& text) {
   nlohmann::json frame = nlohmann::json::parse(text);

@@ -43,7 +43,7 @@ class RecordedTimeline {
   int64_t now_us_ = 0;
   bool is_begun_ = false;
   int num_witnesses_ = 0;
-  int64_t witness_us_ = 0;  ///< What the last of them said.
+  int64_t witness_us_ = 0;  ///< The time of the last of them.
   int64_t num_odd_ = 0;
   int64_t num_shifts_ = 0;
 };

@@ -29,7 +29,7 @@ std::vector<int> DrawSteps(uint32_t seed, int count) {
   return steps;
 }
 
-/// What a running mission's view says after each of some steps.
+/// What a running mission's view answers after each of some steps.
 template <class Ask>
 std::map<int, json> AnswersOfLive(const std::vector<TestEvent>& events, std::vector<int> steps,
                                   Ask ask) {

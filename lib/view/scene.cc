@@ -30,7 +30,7 @@ void Cut(std::string* text) {
   if (text->size() > Scene::kMaxText) text->resize(Scene::kMaxText);
 }
 
-/// A text that says nothing leaves what was known before.
+/// An empty text leaves what was known before.
 void Learn(const std::string& text, std::string* known) {
   if (!text.empty()) known->assign(text, 0, Scene::kMaxText);
 }

@@ -92,7 +92,7 @@ std::vector<std::string> RunArguments(const std::vector<std::string>& more) {
   return argv;
 }
 
-/// Where the first vehicle is by this frame, if it tells.
+/// Where the first vehicle is by this frame, if it shows it.
 std::optional<std::pair<double, double>> PlaceOf(const Json& frame) {
   if (!frame.is_object() || frame["vehicles"].empty()) return std::nullopt;
   const Json& nav = frame["vehicles"][0]["nav"];
@@ -187,7 +187,7 @@ TEST(Viewer, ShowsWhereTheLauncherStandsStill) {
   const TestFolder folder;
   const RunningProcess mission(folder, RunArguments({"--warp", "1", "--quiet"}));
   WatchedViewer viewer(folder);
-  // Vehicles may be heard before the clock; the warp is told by the clock only.
+  // Vehicles may be received before the clock; only the clock states the warp.
   ASSERT_TRUE(AwaitThat([&] {
     const Json& frame = viewer.Frame();
     return frame.is_object() && frame["clock"]["warp"] == 1;

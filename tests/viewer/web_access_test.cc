@@ -1,4 +1,4 @@
-// Who gets what from the viewer's web server, over real sockets.
+// Which requests the viewer's web server allows, over real sockets.
 #include <gtest/gtest.h>
 
 #include "tests/viewer/served_site.h"

@@ -28,7 +28,7 @@ TEST(WebCrowd, Of200ThatSendHalfARequestLeavesTheNextItsAnswer) {
 TEST(WebCrowd, ThatFillsAllPlacesMakesRoomForTheNext) {
   WebServerOptions options = ServedSite::Hasty();
   options.most_connections = 20;
-  // Nobody goes for being slow: what is tested is that room is made.
+  // No client is cut for being slow: what is tested is that room is made.
   options.patience.head = options.patience.idle = std::chrono::minutes(5);
   ServedSite served({}, options);
   const Clients rude = Connect(served.port(), 60, "GET / HTTP/1.1\r\n");

@@ -54,7 +54,7 @@ TEST(WebStreams, StayLiveWhileOneDoesNotRead) {
     clients.back()->Send(GetText("/api/stream"));
   }
   ASSERT_TRUE(Await([&] { return served.hub().num_readers() == 13; }));
-  // All hear news until the mute one has been given up, and after that.
+  // All receive frames until the client that does not read has been cut, and after that.
   ASSERT_TRUE(Await([&] {
     for (const auto& client : clients) client->Receive();
     return served.hub().num_readers() == 12;
