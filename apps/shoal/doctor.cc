@@ -181,18 +181,19 @@ int64_t Count(const std::vector<Diagnosis>& diagnoses, Health health) {
 }  // namespace
 
 std::vector<Diagnosis> Diagnose(const DoctorFacts& facts) {
-  return {DiagnoseMulticast(facts),
-          DiagnoseReceiveBuffer(facts),
-          DiagnosePorts(facts),
-          DiagnoseRunning(facts),
-          DiagnoseDisk(facts),
-          DiagnoseLimit("open files", facts.max_open_files, kNeededOpenFiles, kWantedOpenFiles,
-                        "a process needs six for each LCM port it receives on, one port per vehicle in "
-                        "the communities layout",
-                        "-n"),
-          DiagnoseLimit("processes and threads", facts.max_threads, kNeededThreads, kWantedThreads,
-                        "a mission needs about twelve per vehicle", "-u"),
-          DiagnoseSpy(facts)};
+  return {
+      DiagnoseMulticast(facts),
+      DiagnoseReceiveBuffer(facts),
+      DiagnosePorts(facts),
+      DiagnoseRunning(facts),
+      DiagnoseDisk(facts),
+      DiagnoseLimit("open files", facts.max_open_files, kNeededOpenFiles, kWantedOpenFiles,
+                    "a process needs six for each LCM port it receives on, one port per vehicle in "
+                    "the communities layout",
+                    "-n"),
+      DiagnoseLimit("processes and threads", facts.max_threads, kNeededThreads, kWantedThreads,
+                    "a mission needs about twelve per vehicle", "-u"),
+      DiagnoseSpy(facts)};
 }
 
 std::string FormatDiagnoses(const std::vector<Diagnosis>& diagnoses) {

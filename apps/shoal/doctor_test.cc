@@ -34,7 +34,7 @@ std::vector<Diagnosis> Complaints(const DoctorFacts& facts) {
   return diagnoses;
 }
 
-/// Returns the only complaint; a test fails where there is none or a second one.
+/// Returns the only diagnosis that is not OK; a test fails where there is none or a second one.
 Diagnosis OnlyComplaint(const DoctorFacts& facts) {
   const std::vector<Diagnosis> complaints = Complaints(facts);
   EXPECT_EQ(complaints.size(), 1U) << FormatDiagnoses(complaints);

@@ -24,7 +24,7 @@ namespace {
 /// Of more links, pairs or contacts than this, only those that matter most are shown.
 constexpr size_t kMostShown = 50;
 
-/// What the command works with, as far as it has come.
+/// The state of the command while it runs.
 class CommsSummary {
  public:
   CommsSummary(const LogCommsOptions& options, std::ostream& out, std::ostream& err)

@@ -52,7 +52,8 @@ TEST_F(LogCommsCommand, ShowsLinksMessagesAndAges) {
   WriteLog(options_.path, {Fates(), Swarm(2'000'000, 0), Swarm(3'000'000, 0)});
   EXPECT_EQ(Run(), kExitOk);
   EXPECT_EQ(err_.str(), "");
-  for (const char* part : {"Packets ", "alpha -> bravo", "collision 1", "bravo of alpha, its target"}) {
+  for (const char* part : {"Packets ", "alpha -> bravo", "collision 1", "bravo from alpha",
+                           "bravo of alpha, its target"}) {
     EXPECT_NE(out_.str().find(part), std::string::npos) << part << "\n" << out_.str();
   }
 }

@@ -29,7 +29,7 @@ std::string Joined(const std::vector<std::string>& words) {
   return fmt::format("{}", fmt::join(words, ", "));
 }
 
-/// What the command works with, as far as it has come.
+/// The state of the command while it runs.
 class RebrokerCommand {
  public:
   RebrokerCommand(const RebrokerOptions& options, std::ostream& out, std::ostream& err)
@@ -100,7 +100,7 @@ class RebrokerCommand {
                             log_.num_events));
   }
 
-  /// What the log holds, and then what the user wants instead.
+  /// Sets the rules: those of the log, then those of the user.
   int ChooseSetup() {
     if (log_.rules) {
       Result<BrokerSetup> recorded = SetupOf(*log_.rules);
@@ -145,7 +145,7 @@ class RebrokerCommand {
         PrintRules();
         return kExitOk;
       }
-      // By other rules there may be decisions where the recorded broker had none to make.
+      // With other rules there may be decisions that the recorded broker did not make.
       absences = before.absences;
       for (BrokerAbsence& absence : absences) absence.num_decisions = 0;
     }

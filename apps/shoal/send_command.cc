@@ -21,7 +21,7 @@ void WarnOfUnregistered(const OrderScope& scope, const std::string& name) {
   fmt::print("{} is no vehicle of {}: it must come from outside\n", name, scope.mission);
 }
 
-/// Sends an order in a way of its kind, and returns the exit code.
+/// Sends an order of each kind, and returns the exit code.
 struct Sender {
   LcmBus& bus;
   const OrderScope& scope;

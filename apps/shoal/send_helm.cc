@@ -14,7 +14,7 @@ namespace shoal {
 
 namespace {
 
-/// How long an answer from the helm is waited for: a step, and the second of its own rhythm.
+/// The time to wait for an answer from the helm: a step, and its publishing interval of 1 s.
 constexpr int64_t kAnswerPatience_us = 1'500'000;
 
 /// Asks for the pages that are due, and receives what comes.
@@ -59,7 +59,8 @@ int SendHelm(LcmBus& bus, const OrderToHelms& order) {
     }
     return done;
   };
-  while (!is_done() && MonotonicMicroseconds() - sent_us < kAnswerPatience_us) ReceivePages(bus, &watch);
+  while (!is_done() && MonotonicMicroseconds() - sent_us < kAnswerPatience_us)
+    ReceivePages(bus, &watch);
 
   bool is_any_refused = false;
   size_t num_silent = 0;

@@ -49,7 +49,7 @@ CLI::Option* AddPort(CLI::App* command, int* port_base) {
 constexpr char kAllowCommands[] =
     "The page may command vehicles, broker and clock, with the token in its address";
 
-/// Where the viewer listens. `needed`: an option without which these have no sense, or nullptr.
+/// Where the viewer listens. `needed`: an option that these require, or nullptr.
 void AddAddress(CLI::App* command, const std::string& http, const std::string& listen,
                 ViewOptions* view, CLI::Option* needed) {
   constexpr int kLastPort = 65535;
@@ -145,7 +145,7 @@ void AddRun(CLI::App& cli, Action* action) {
 
 void AddSim(CLI::App& cli, Action* action) {
   CLI::App* command = cli.add_subcommand(
-      "sim", "Run a mission in one process, as fast as it goes; the same result");
+      "sim", "Run a mission in one process, as fast as possible; the same result");
   auto options = std::make_shared<SimOptions>();
   AddMission(command, &options->mission_file, &options->overrides);
   command->add_option("--log", options->log_path, "Write a log of the mission");
@@ -175,7 +175,7 @@ void AddSend(CLI::App& cli, Action* action) {
   AddPort(command, &options->port_base);
   command->footer(SendCommandsText());
   command->add_option("TARGET", options->target, "A vehicle, all, clock, or a rule")->required();
-  command->add_option("WORDS", options->words, "What to do, and with what");
+  command->add_option("WORDS", options->words, "Command and arguments, or vehicle and value");
   // Negative numbers are values here, not options.
   command->prefix_command();
   command->callback([options, command, action] {
@@ -248,8 +248,7 @@ bool ReaderHasLeft() {
 }  // namespace
 
 int RunShoalCommand(int argc, char** argv) {
-  CLI::App cli("shoal runs missions of several vehicles over a lossy acoustic network.",
-               "shoal");
+  CLI::App cli("shoal runs missions of several vehicles over a lossy acoustic network.", "shoal");
   cli.set_version_flag("--version", std::string("shoal ") + kVersion);
   cli.require_subcommand(1);
   Action action;
@@ -275,7 +274,7 @@ int RunShoalCommand(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return cli.exit(error) == 0 ? kExitOk : kExitUsage;
   }
-  // What was printed may not have reached its place: fmt throws, the streams only remember.
+  // What was printed may not have been written: fmt throws, the streams only set a flag.
   bool written = true;
   int code = kExitEnvironment;
   try {

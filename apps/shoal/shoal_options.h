@@ -1,4 +1,4 @@
-// The command line of shoal: one subcommand per thing to do, each in a file of its own.
+// The command line of shoal: its subcommands are in files of their own.
 #pragma once
 
 namespace shoal {

@@ -1,4 +1,4 @@
-// `shoal status` and `shoal url`: asks a running mission what it does and where.
+// `shoal status` and `shoal url`: the status pages and the LCM URLs of a running mission.
 #pragma once
 
 #include <map>

@@ -137,7 +137,7 @@ TEST(Access, TakesCommandsWithTheToken) {
     request.token = token;
     EXPECT_EQ(StatusOf(Commanding(), request), 403) << token;
     EXPECT_FALSE(MaySendCommands(Commanding(), request));
-    // Reading goes without.
+    // Reading needs no token.
     request.path = "/api/setup";
     request.method = "GET";
     EXPECT_EQ(StatusOf(Commanding(), request), 200);

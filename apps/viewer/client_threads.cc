@@ -60,7 +60,7 @@ void ClientThreads::Run() {
       const std::lock_guard lock(mutex_);
       if (clients_.empty()) return;
     }
-    // Whoever was admitted while Stop() went through the list is cut here.
+    // Clients that were admitted during Stop() are cut here.
     Stop();
     Reap();
     std::this_thread::sleep_for(std::chrono::milliseconds(1));

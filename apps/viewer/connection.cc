@@ -12,8 +12,8 @@ namespace shoal {
 
 namespace {
 
-/// What the kernel holds of frames that a client has not taken: enough for some, so that those it
-/// sees are fresh.
+/// The size of the socket's send buffer: it holds only a few frames, so that a slow client gets
+/// recent ones.
 constexpr int kSendBuffer = 256 * 1024;
 constexpr size_t kReadAtOnce = 4096;
 
@@ -112,7 +112,7 @@ bool Connection::HasGone() const {
 
 void Connection::Linger() {
   // A socket that is closed with bytes unread resets the connection, and the client's kernel then
-  // throws away the answer that it has not yet read.
+  // discards the answer that it has not yet read.
   constexpr size_t kMostDiscarded = 16'000'000;
   shutdown(socket_.get(), SHUT_WR);
   const auto deadline = Clock::now() + patience_.linger;

@@ -29,8 +29,8 @@ class EventHub {
     Reader(const Reader&) = delete;
     Reader& operator=(const Reader&) = delete;
 
-    /// Waits at most `patience` for an event that is newer than the last. Returns it, null where there
-    /// is none yet, or nothing where the stream has ended.
+    /// Waits at most `patience` for an event that is newer than the last. Returns it, null where
+    /// there is none yet, or nothing where the stream has ended.
     std::optional<Event> Next(std::chrono::milliseconds patience);
 
    private:
@@ -44,7 +44,7 @@ class EventHub {
 
   /// Ends the streams of all readers there are now; one that comes again gets a new stream.
   void EndStreams();
-  /// The same, for readers to come too.
+  /// The same, also for later readers.
   void Stop();
 
   int num_readers() const;

@@ -18,14 +18,14 @@ namespace {
 constexpr int64_t kRulesRequestInterval_us = 500'000;
 /// A broker that is not shoal's own may not answer.
 constexpr int64_t kMostRulesRequests = 20;
-/// What waits for longer than this when its turn comes is dropped but for a few messages of each
-/// channel: on a machine that is too slow, the page shows less rather than what was long ago.
+/// Messages that have waited for longer than this are dropped, but for a few of each channel: on a
+/// machine that is too slow, the page shows fewer messages, not old ones.
 constexpr int64_t kLongestQueue_us = 1'000'000;
 constexpr int64_t kMostMessagesAtOnce = 20'000;
 /// The launcher publishes CLOCK_STATE twice per second, unless it is stopped or starved.
 constexpr int64_t kClockSilence_us = 3'000'000;
-/// What the vehicles' processes publish for each other is most of a mission's traffic, and of little
-/// use more often than frames are made: it is read in large batches.
+/// What the vehicles' processes publish for each other is most of a mission's traffic, and is
+/// needed only once per frame: it is read in large batches.
 constexpr int64_t kCommunitiesInterval_us = 50'000;
 
 /// Loads the mission as it runs; or makes one of what the registry holds of it.
@@ -116,7 +116,7 @@ void MissionSession::TakeClock(const Message& message) {
   view_->Handle(message.channel, message.data);
 }
 
-/// A viewer that joins late has missed COMMS_RULES; what it asked for stands for it.
+/// A viewer that joins late has missed COMMS_RULES; the answer to its request replaces it.
 void MissionSession::TakeRules(const Message& message) {
   comms_rules_t rules{};
   if (has_rules_ || !Decode(message.data, &rules)) return;

@@ -55,7 +55,8 @@ bool StatusBoard::HasRoom(const std::string& app, size_t size) const {
   return num_bytes_ - SizeOf(known->second.appcast) + size <= kMost_bytes;
 }
 
-/// Drops the pages of those participants that have not answered for long: unregistered ones, or dead ones.
+/// Drops the pages of those participants that have not answered for long: unregistered or dead
+/// ones.
 void StatusBoard::DropSilent(int64_t now_us) {
   if (dropped_us_ != INT64_MIN && now_us - dropped_us_ < kAskInterval_us) return;
   dropped_us_ = now_us;

@@ -38,7 +38,7 @@ ViewSiteParts Parts(bool is_live) {
   return parts;
 }
 
-/// "200 body", or what status it is.
+/// "200 body", or the status alone.
 std::string Ask(ViewSite& site, const std::string& path, const QueryWords& query = {},
                 const std::string& body = "") {
   const WebRequest request = {.method = body.empty() ? "GET" : "POST",

@@ -21,7 +21,7 @@
 
 namespace shoal {
 
-/// Knows the answers. Called from any thread.
+/// Answers requests. Called from any thread.
 class WebSite {
  public:
   virtual ~WebSite() = default;

@@ -26,7 +26,7 @@ enum class Shape {
 using OpenTypes = std::vector<const StructType*>;
 
 /// Returns whether an array within an array may be rows: columns of structs that hold themselves
-/// would have no end. Messages do not go deeper than kMaxStructDepth, nor need columns.
+/// would have no end. Messages are nested at most kMaxStructDepth deep; columns need no more.
 bool MayNest(const StructType& type, const OpenTypes& open) {
   return open.size() <= kMaxStructDepth && std::find(open.begin(), open.end(), &type) == open.end();
 }
@@ -51,7 +51,7 @@ bool IsUtime(const Member& member) {
          (member.name == "utime" || member.name.ends_with("_utime"));
 }
 
-/// The names of the columns of a struct, in the order in which a walk comes to them.
+/// The names of the columns of a struct, in the order of a walk.
 struct Columns {
   std::vector<std::string> names;  ///< Outside of its arrays of structs.
   std::vector<Columns> tables;     ///< One for each of these arrays.

@@ -32,7 +32,7 @@ class FileDescriptor {
   int fd_ = -1;
 };
 
-/// Returns what an errno means, in words.
+/// Returns the text of an errno.
 inline std::string ErrnoText(int error) { return std::generic_category().message(error); }
 
 }  // namespace shoal

@@ -1,6 +1,6 @@
-// What `shoal log info|cat|diff|csv` do. Each reads files, writes text to `out`, warnings and errors
-// to `err`, and returns the process's exit code: 0, or kExitEnvironment for a file that cannot be read
-// (or is damaged, without skip_damage), kExitUsage for types that are not valid.
+// What `shoal log info|cat|diff|csv` do. Each reads files, writes text to `out`, warnings and
+// errors to `err`, and returns the process's exit code: 0, or kExitEnvironment for a file that
+// cannot be read (or is damaged, without skip_damage), kExitUsage for types that are not valid.
 #pragma once
 
 #include <cstdint>
@@ -56,7 +56,7 @@ inline constexpr int kLogsDiffer = 1;
 /// and which channels have unlike numbers of events. Returns 0 for equal logs, else kLogsDiffer.
 int LogDiff(const LogDiffOptions& options, std::ostream& out, std::ostream& err);
 
-/// Messages of one type as lines of text, in a form that lib/record knows nothing of.
+/// Messages of one type as lines of text, in a form that lib/record does not define.
 struct LogLines {
   std::string type;       ///< Such as "node_report_t".
   std::string extension;  ///< Of the files: ".alog".

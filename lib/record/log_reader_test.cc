@@ -162,7 +162,7 @@ void SetDataLength(uint32_t length, size_t event_offset, Bytes* bytes) {
   }
 }
 
-TEST(LogReader, LosesOnlyTheEventWhoseLengthLies) {
+TEST(LogReader, LosesOnlyTheEventWhoseLengthIsWrong) {
   const TestDirectory directory;
   const std::string path = directory.File("a.lcm");
   for (const uint32_t lie : {0xffffffffU, 0x7fffffffU, 1000U, 50U}) {
@@ -173,7 +173,7 @@ TEST(LogReader, LosesOnlyTheEventWhoseLengthLies) {
   }
 }
 
-TEST(LogReader, TakesNoMemoryForALengthThatLies) {
+TEST(LogReader, TakesNoMemoryForAWrongLength) {
   const TestDirectory directory;
   const std::string path = directory.File("a.lcm");
   Bytes bytes = LogBytes(path, "ab");
@@ -222,7 +222,7 @@ TEST(LogReader, ReadsEventsLargerThanItsBuffer) {
   }
 }
 
-RC_GTEST_PROP(LogReader, EndsWhateverTheBytesAndSkipsNoneUntold, ()) {
+RC_GTEST_PROP(LogReader, EndsForAnyBytesAndReportsAllThatItSkips, ()) {
   MemoryFile file;
   Bytes bytes = LogBytes(file.path(), std::string(*rc::gen::inRange<size_t>(0, 6), 'x'));
   const auto num_damages = *rc::gen::inRange(0, 5);

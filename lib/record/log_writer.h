@@ -29,7 +29,7 @@ class LogWriter {
   static Result<LogWriter> Create(const std::string& path);
 
   LogWriter(LogWriter&&) = default;
-  /// Flushes; whoever wants to know whether that worked calls Close() before.
+  /// Flushes; call Close() before to get its errors.
   ~LogWriter();
 
   /// Takes one event, numbered from 0, into memory.

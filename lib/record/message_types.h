@@ -29,7 +29,7 @@ RecognisedMessage Recognise(const Schema& schema, std::span<const uint8_t> logge
 /// Returns "nav_t" for shoal's own types, "their.package.pose_t" for others.
 std::string DisplayName(const StructType& type);
 
-/// Returns what stands for the type of a message that is of none: "fingerprint 0x0123456789abcdef",
+/// Returns a description of a message of unknown type: "fingerprint 0x0123456789abcdef",
 /// or "no fingerprint" where there are less than eight bytes.
 std::string DescribeFingerprint(std::span<const uint8_t> message);
 

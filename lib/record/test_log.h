@@ -15,7 +15,7 @@
 
 namespace shoal {
 
-/// A directory of one test's own, which goes with it.
+/// A directory for one test, removed with this object.
 class TestDirectory {
  public:
   TestDirectory() {

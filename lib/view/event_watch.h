@@ -1,11 +1,11 @@
-// Finds what a user wants to jump to: collisions, all-stops, contacts won and lost
+// Finds the events of a mission: collisions, all-stops, contacts won and lost
 // (docs/viewer_protocol.md).
 //
 //   EventWatch watch({{"alpha", 3}, {"bravo", 3}});
 //   watch.OnNav(0, utime, x_m, y_m, z_m);
 //   watch.OnFate(0, 1, Cause::kDelivered, utime);
 //
-// The parts know nothing of each other: positions, helms and fates may each be left out.
+// The parts are independent: positions, helms and fates may each be left out.
 #pragma once
 
 #include <Eigen/Core>

@@ -40,7 +40,7 @@ class FateHistory {
     causes_seen_ = causes;
   }
 
-  /// Returns those that are asked for, the newest first. With `after` >= 0 the oldest `limit` of
+  /// Returns the fates that match, the newest first. With `after` >= 0 the oldest `limit` of
   /// those behind it are taken, so that a client that asks again and again misses none; else the
   /// newest.
   /// Pointers are valid until the next Add.

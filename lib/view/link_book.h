@@ -25,11 +25,12 @@ namespace shoal {
 struct LinkCounts {
   int32_t from = -1;  ///< Index of a name.
   int32_t to = -1;
-  std::array<uint32_t, kNumKinds> offered = {};  ///< By kind.
-  std::array<uint32_t, kNumKinds> received = {};    ///< By kind: delivered, whole or damaged.
+  std::array<uint32_t, kNumKinds> offered = {};   ///< By kind.
+  std::array<uint32_t, kNumKinds> received = {};  ///< By kind: delivered, whole or damaged.
   std::array<uint32_t, kNumCauses> by_cause = {};
-  int64_t last_received_utime = kNeverReceived;  ///< Of the last step in which something was received.
-  FateFacts last;                          ///< The last fate of all.
+  int64_t last_received_utime =
+      kNeverReceived;  ///< Of the last step in which something was received.
+  FateFacts last;      ///< The last fate of all.
 
   static constexpr int64_t kNeverReceived = -kFarthest_us - 1;
   uint64_t Offered() const;

@@ -1,4 +1,4 @@
-// How one link did over time, for its charts: bounded, however long the mission.
+// The deliveries of one link over time, for its charts: of bounded size for any mission.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// A running mission as the viewer's page sees it.
+// A running mission as the viewer's page shows it.
 //
 //   LiveView view(mission, boot);
 //   view.Handle(message.channel, message.data);      // from the bus's thread
@@ -42,7 +42,7 @@ class LiveView : public ViewSource, private SceneObserver {
 
   /// Takes one encoded message; channels as Scene::Handle, and CLOCK_STATE.
   void Handle(std::string_view channel, std::span<const uint8_t> data);
-  /// Takes what became of the commands, the newest last.
+  /// Takes the commands and their states, the newest last.
   void SetCommands(std::vector<CommandRecord> commands);
   /// States that the clock will publish nothing more: "waiting", "ended" or "lost".
   void SetClockGone(std::string_view state);
@@ -70,8 +70,8 @@ class LiveView : public ViewSource, private SceneObserver {
   FrameParts PartsOfNow() const;
 
   // Do not change once constructed.
-  std::string setup_json_;           ///< For those who may only look.
-  std::string setup_json_commands_;  ///< For those who may send commands.
+  std::string setup_json_;           ///< For clients that may only read.
+  std::string setup_json_commands_;  ///< For clients that may send commands.
   std::string clock_channel_ = channels::ClockState().name;
 
   mutable std::mutex mutex_;  ///< Of all below.
@@ -84,7 +84,7 @@ class LiveView : public ViewSource, private SceneObserver {
   std::vector<VehicleHistory> vehicle_histories_;
   std::vector<Trail> trails_;
   EventWatch events_;
-  double stale_time_s_ = -2;  ///< What events_ goes by.
+  double stale_time_s_ = -2;  ///< The value that events_ uses.
   int64_t pulses_sent_ = 0;   ///< Order of the last that went with a stream's frame.
   int64_t packets_sent_ = 0;
   int64_t num_changes_ = 0;

@@ -281,7 +281,7 @@ TEST_F(LiveViewTest, ChartsAVehicle) {
   swarm.contacts[1].name = "charlie";
   Handle("SWARM_ALPHA", swarm);
   Handle("COMMS_FATES", FatesOf(9 * kSecond_us, {FateOf("bravo", "alpha", "delivered"),
-                                               FateOf("bravo", "alpha", "dropped")}));
+                                                 FateOf("bravo", "alpha", "dropped")}));
   const auto answer = view_.VehicleJson("Alpha", 0, 3);
   ASSERT_TRUE(answer.ok());
   const json vehicle = json::parse(*answer);
@@ -338,12 +338,12 @@ TEST_F(LiveViewTest, ShowsEvents) {
   EXPECT_EQ(json::parse(view_.EventsJson())["events"][3]["kind"], "lost_contact");
 }
 
-TEST_F(LiveViewTest, AnswersWhileItListens) {
+TEST_F(LiveViewTest, AnswersWhileItReceives) {
   std::thread bus([this] {
     for (int i = 0; i < 2000; ++i) {
       Handle("NAV_ALPHA", NavAt(i * 100'000, i, 0));
       Handle("COMMS_FATES",
-           FatesOf(i * 100'000, {FateOf("v" + std::to_string(i % 300), "bravo", "delivered")}));
+             FatesOf(i * 100'000, {FateOf("v" + std::to_string(i % 300), "bravo", "delivered")}));
     }
   });
   int64_t last_fates = 0;

@@ -15,10 +15,10 @@ namespace shoal {
 
 namespace {
 
-/// A pulse that lasts longer is not found again where the log is entered behind its beginning.
+/// A pulse that lasts longer is not shown after a seek behind its begin.
 constexpr double kLongestPulse_s = 60;
 
-/// What a channel is to the index.
+/// How the index treats a channel.
 struct ChannelUse {
   enum class Topic { kState, kReports, kRules, kFates, kPulses };
   Topic topic = Topic::kState;

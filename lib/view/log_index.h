@@ -1,4 +1,4 @@
-// What is remembered of a whole log after one reading, so that any moment of it can be shown by
+// An index of a whole log, built in one reading, so that any moment of the log can be shown by
 // reading a small part of it again.
 //
 //   Result<LogReader> reader = LogReader::Open(path, OnDamage::kSkip);

@@ -17,7 +17,7 @@ int64_t InMicroseconds(double seconds) {
              : 0;
 }
 
-/// One number for both; unsigned, since numbers may be anything.
+/// One number for both. The product is unsigned, since numbers of any size come.
 int64_t KindAndNumber(const FateFacts& facts) {
   return static_cast<int64_t>(kNumKinds * static_cast<uint64_t>(facts.number) +
                               static_cast<uint64_t>(facts.kind));
@@ -60,7 +60,8 @@ void PacketBook::Add(const FateView& fate, const std::optional<std::pair<double,
 std::vector<const AcousticPacket*> PacketBook::Since(int64_t order, int64_t utime) const {
   std::vector<const AcousticPacket*> found;
   for (const AcousticPacket& packet : packets_) {
-    if (packet.order > order && utime <= packet.last_fate_utime + kMemory_us) found.push_back(&packet);
+    if (packet.order > order && utime <= packet.last_fate_utime + kMemory_us)
+      found.push_back(&packet);
   }
   return found;
 }

@@ -12,7 +12,7 @@ namespace shoal {
 
 /// One delivery as it is drawn.
 struct ViewPulse {
-  int64_t id = 0;     ///< Of label and time: the same however it came to be known. Below 2^53.
+  int64_t id = 0;     ///< Of label and time: the same in live and recorded views. Below 2^53.
   int64_t order = 0;  ///< Counts what was added to the book.
   int64_t utime = 0;
   float sx_m = 0;  ///< From here ...
@@ -43,7 +43,7 @@ class PulseBook {
 
   /// The order of the last one added, 0 before the first.
   int64_t last_order() const { return last_order_; }
-  /// Pulses there was no room for.
+  /// Pulses for which there was no room.
   int64_t num_left_out() const { return num_left_out_; }
   /// The time of the last message.
   int64_t last_utime() const { return last_utime_; }

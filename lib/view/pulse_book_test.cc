@@ -52,7 +52,8 @@ TEST(PulseBook, ReturnsNewMessagesBeforeNewReports) {
   PulseBook book;
   AddPulses(&book, 0, {PulseOf("OLD", "nrep", 10)});
   const int64_t order = book.last_order();
-  AddPulses(&book, 0, {PulseOf("R1", "nrep", 10), PulseOf("M1", "msg", 10), PulseOf("R2", "nrep", 10)});
+  AddPulses(&book, 0,
+            {PulseOf("R1", "nrep", 10), PulseOf("M1", "msg", 10), PulseOf("R2", "nrep", 10)});
   const auto pulses = book.Since(order, 0);
   ASSERT_EQ(pulses.size(), 3U);
   EXPECT_EQ(pulses[0]->label, "M1");
@@ -80,7 +81,7 @@ TEST(PulseBook, MakesRoomAgainAfterAllWereOverAtOnce) {
   for (const int64_t t_s : {0, 20, 40}) {
     for (size_t i = 0; i <= PulseBook::kMaxPulses; ++i) {
       AddPulses(&book, t_s * kSecond_us,
-           {PulseOf(std::to_string(t_s) + "_" + std::to_string(i), "nrep", 10)});
+                {PulseOf(std::to_string(t_s) + "_" + std::to_string(i), "nrep", 10)});
     }
     EXPECT_EQ(book.NotOver(t_s * kSecond_us).size(), PulseBook::kMaxPulses) << t_s;
   }
@@ -114,8 +115,8 @@ TEST(PulseBook, DrawsNoPulseOfImpossibleNumbers) {
   nowhere.tx_m = std::numeric_limits<double>::quiet_NaN();
   comms_pulse_t endless = PulseOf("C2D", "nrep", std::numeric_limits<double>::infinity());
   AddPulses(&book, 0,
-       {nowhere, PulseOf("E2F", "nrep", std::numeric_limits<double>::quiet_NaN()),
-        PulseOf("G2H", "nrep", -1), endless});
+            {nowhere, PulseOf("E2F", "nrep", std::numeric_limits<double>::quiet_NaN()),
+             PulseOf("G2H", "nrep", -1), endless});
   ASSERT_EQ(book.NotOver(0).size(), 1U);
   EXPECT_EQ(book.NotOver(0)[0]->duration_s, 3600) << "an hour is the longest";
   EXPECT_EQ(book.num_left_out(), 3);

@@ -1,4 +1,4 @@
-// Places in a log that is read on, or again, to show a moment of it.
+// Cursors in a log: each reads on from a keyframe to a moment.
 #pragma once
 
 #include <cstdint>

@@ -67,7 +67,7 @@ class MissionFinder {
     }
   }
 
-  /// Nothing new is to be expected.
+  /// True where later messages add nothing.
   bool IsComplete() const { return has_rules_ && num_open_ == 0; }
 
   Mission mission;

@@ -1,4 +1,4 @@
-// What must be known of a log before it can be read as a mission.
+// Finds which clock stamped a log, and the mission that its messages show.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// Logs of missions that never were, for tests of recorded views.
+// Generated logs, for tests of recorded views.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -18,7 +18,7 @@ namespace shoal {
 inline constexpr int64_t kRecordedStep_us = 100'000;
 inline const std::vector<std::string> kTrafficNames = {"alpha", "Bravo", "c3"};
 
-/// Draws the messages of a mission, in the order of a log; `seed` decides all of it.
+/// Draws the messages of a mission, in the order of a log; all of it follows from `seed`.
 class TrafficMaker {
  public:
   explicit TrafficMaker(uint32_t seed) : random_(seed) {}
@@ -52,7 +52,7 @@ class TrafficMaker {
     for (const std::string& name : kTrafficNames) MakeVehicle(step, name);
     if (step > 120 && Draw(30) == 0) {
       Append(channels::NodeReportFromOutside().name,
-          ReportOf(Draw(1) == 0 ? "ship" : "Zodiac", utime_, Draw(100), 7));
+             ReportOf(Draw(1) == 0 ? "ship" : "Zodiac", utime_, Draw(100), 7));
     }
     for (const std::string& name : kTrafficNames) {
       // A vehicle that is silent for a while becomes stale.
@@ -62,8 +62,8 @@ class TrafficMaker {
     }
     if (step % 3 == 1) {
       Append(channels::ViewCommsPulse().name,
-          PulsesOf(utime_, {PulseOf("ALPHA2BRAVO", "nrep", 1 + Draw(4)),
-                            PulseOf("C32BRAVO_" + std::to_string(Draw(3)), "msg", 5)}));
+             PulsesOf(utime_, {PulseOf("ALPHA2BRAVO", "nrep", 1 + Draw(4)),
+                               PulseOf("C32BRAVO_" + std::to_string(Draw(3)), "msg", 5)}));
     }
   }
 

@@ -1,12 +1,12 @@
-// Makes one line of time, which never goes back, of the times in a log.
+// Makes a monotonic timeline of the times in a log.
 //
 //   RecordedTimeline line(start_utime);
 //   while (const auto event = reader.Next()) line.Advance(event->utime);
 //   line.now_us();    // since the mission's start
 //
-// A time that is earlier by more than a second, or later by more than an hour, is believed only
+// A time that is earlier by more than a second, or later by more than an hour, is accepted only
 // when kWitnesses in a row agree; until then, and where they do not, nothing moves. A clock that
-// went back, or ahead by more than a day, goes on from where it was.
+// went back, or ahead by more than a day, continues on the timeline where it was.
 #pragma once
 
 #include <cstdint>

@@ -17,7 +17,7 @@ namespace shoal {
 
 namespace {
 
-/// Pages at as many different moments do not disturb one another.
+/// At most this many pages at different moments do not slow each other.
 constexpr size_t kMaxIdleScenes = 12;
 constexpr size_t kMaxIdleFates = 6;
 constexpr size_t kLinkFates = 50;
@@ -92,7 +92,7 @@ std::unique_ptr<FateCursor> RecordedView::FatesAt(int64_t line_us) {
       index_.keyframes.begin() + 1, index_.keyframes.end(),
       [&](const Keyframe& keyframe) { return keyframe.num_fates <= first_kept; });
   const Keyframe& keyframe = *(behind - 1);
-  // One that begins with a later fate, or is behind, cannot go on.
+  // A cursor that begins with a later fate, or is behind, cannot be used.
   auto cursor = idle_fates_.Take(line_us, keyframe.offset);
   if (!cursor) cursor = std::make_unique<FateCursor>(reader_.Another(), stamps_, keyframe);
   cursor->GoTo(line_us);

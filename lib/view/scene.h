@@ -1,10 +1,10 @@
-// What is true at one moment of a mission, as far as its messages show.
+// The state of a mission at one moment, as far as its messages show.
 //
 //   Scene scene(mission);
 //   scene.Handle("NAV_ALPHA", bytes);
 //   scene.vehicles()[0].nav->x_m;
 //
-// Copyable. Messages may hold anything: what makes no sense is dropped and counted, texts are cut
+// Copyable. Messages may hold any values: impossible ones are dropped and counted, texts are cut
 // (kMaxText), and nothing grows without bound.
 #pragma once
 

@@ -147,9 +147,9 @@ TEST_F(SceneTest, CountsFatesAndKeepsPackets) {
   Witness witness;
   Handle("NAV_ALPHA", NavAt(kSecond_us, 1, -3));
   Handle("COMMS_FATES",
-       FatesOf(2 * kSecond_us, {FateOf("alpha", "Bravo", "delivered"),
-                                Through(FateOf("alpha", "bravo", "packet_loss"), CalmPath(0))}),
-       &witness);
+         FatesOf(2 * kSecond_us, {FateOf("alpha", "Bravo", "delivered"),
+                                  Through(FateOf("alpha", "bravo", "packet_loss"), CalmPath(0))}),
+         &witness);
   EXPECT_EQ(scene_.links().num_fates(), 2);
   EXPECT_EQ(witness.num_fates, 2);
   EXPECT_EQ(scene_.now_s(), 2);

@@ -1,4 +1,4 @@
-// shoal-viewer itself, beside missions that run as a user runs them.
+// shoal-viewer itself, beside missions that `shoal run` runs.
 #include <gtest/gtest.h>
 #include <signal.h>
 
@@ -118,7 +118,7 @@ TEST(Viewer, ShowsVehiclesThatMoveAndTheRulesInForce) {
   EXPECT_EQ(viewer.Frame()["rules"]["comms_range_m"], 123.5) << viewer.Frame()["rules"];
 }
 
-TEST(Viewer, ShowsRulesThatWereChangedBeforeItCame) {
+TEST(Viewer, ShowsRulesThatWereChangedBeforeItJoined) {
   const TestFolder folder;
   const RunningProcess mission(folder, RunArguments({"--warp", "1", "--quiet"}));
   EXPECT_NE(AwaitStatus(folder, "shore_broker", {"Comms Range"}), "");

@@ -1,4 +1,4 @@
-// Crowds of clients that are slow, rude or gone.
+// Many clients that are slow, malformed or disconnected.
 #include <gtest/gtest.h>
 
 #include "tests/netsim/rude_clients.h"

@@ -1,4 +1,4 @@
-// What the viewer's web server makes of requests, whole, broken and endless.
+// How the viewer's web server answers requests: valid, malformed and endless.
 #include <gtest/gtest.h>
 
 #include "tests/viewer/served_site.h"
