@@ -18,7 +18,8 @@ namespace shoal {
 namespace {
 
 void WarnOfUnregistered(const OrderScope& scope, const std::string& name) {
-  fmt::print("{} is no vehicle of {}: it must come from outside\n", name, scope.mission);
+  fmt::print("{} is not a vehicle of {}: it must be an unregistered vehicle\n", name,
+             scope.mission);
 }
 
 /// Sends an order of each kind, and returns the exit code.

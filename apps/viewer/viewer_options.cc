@@ -17,9 +17,8 @@ ViewerOptions ParseViewerOptionsOrExit(int argc, char** argv) {
   int http_port = -1;
   CLI::App cli(
       "Shows a mission in the browser: a running one, or with --log a recorded one.\n"
-      "`shoal run FILE --view` and `shoal view LOG` start it; by hand it looks at the mission "
-      "that\n"
-      "runs, and waits where there is none.",
+      "`shoal run FILE --view` and `shoal view LOG` start it; without --log it shows the running\n"
+      "mission, or waits for one.",
       "shoal-viewer");
   cli.set_version_flag("-v,--version", std::string("shoal-viewer ") + kVersion);
   cli.add_flag("-i,--interface", interface,
