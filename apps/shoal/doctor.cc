@@ -45,10 +45,12 @@ Diagnosis DiagnoseMulticast(const DoctorFacts& facts) {
                                 trial.received, trial.sent),
             .remedies = {"sudo sysctl -w net.core.rmem_max=4194304"}};
   }
-  return {.health = Health::kFail,
-          .text = "multicast: messages leave and none comes back; most often a firewall drops them",
-          .remedies = {"sudo iptables -I INPUT -d 239.255.76.67 -p udp -j ACCEPT",
-                       "sudo ip route add 224.0.0.0/4 dev lo"}};
+  return {
+      .health = Health::kFail,
+      .text =
+          "multicast: messages are sent, but none is received; most often a firewall drops them",
+      .remedies = {"sudo iptables -I INPUT -d 239.255.76.67 -p udp -j ACCEPT",
+                   "sudo ip route add 224.0.0.0/4 dev lo"}};
 }
 
 Diagnosis DiagnoseReceiveBuffer(const DoctorFacts& facts) {
@@ -152,11 +154,10 @@ Diagnosis DiagnoseSpy(const DoctorFacts& facts) {
     diagnosis.text = fmt::format("lcm-spy: missing {}; missions run without", missing);
   } else if (!facts.has_display) {
     diagnosis.health = Health::kWarn;
-    diagnosis.text = "lcm-spy: all is there but a screen (DISPLAY is not set)";
+    diagnosis.text = "lcm-spy: installed, but there is no screen (DISPLAY is not set)";
     diagnosis.remedies = {"ssh -X THIS_MACHINE"};
   } else {
-    diagnosis.text =
-        fmt::format("lcm-spy: all is there; {}/scripts/spy starts it", facts.source_dir);
+    diagnosis.text = fmt::format("lcm-spy: installed; {}/scripts/spy starts it", facts.source_dir);
   }
   return diagnosis;
 }

@@ -57,7 +57,7 @@ WebAnswer WrongMethod(std::string_view allow) {
 std::optional<WebAnswer> FindCommandDenial(const AccessRules& rules, const WebRequest& request) {
   if (!rules.allow_commands) {
     return ErrorAnswer(403,
-                       "this viewer only looks; to send commands, start it with --allow-commands "
+                       "this viewer is read-only; to send commands, start it with --allow-commands "
                        "and open the address that it prints");
   }
   if (!TokensMatch(rules.token, TokenOf(request))) {

@@ -175,7 +175,7 @@ TEST(Access, NeedsTheTokenForDataBeyondLoopbackButNotForThePage) {
   EXPECT_EQ(StatusOf(Listening(), stream), 200);
 }
 
-TEST(Access, HasNoTokenThatIsEmpty) {
+TEST(Access, AcceptsNoEmptyToken) {
   EXPECT_FALSE(TokensMatch("", ""));
   EXPECT_EQ(StatusOf({.reading_needs_token = true}, Get("/api/setup")), 403);
   WebRequest request = Command();

@@ -60,7 +60,7 @@ CheckedHead Connection::AwaitHead() {
   while (checked.status == 0) {
     if (!Receive(deadline)) {
       if (Clock::now() < deadline || received_.empty()) return {};
-      return {.status = 408, .message = "the request took too long to come"};
+      return {.status = 408, .message = "the request came too slowly"};
     }
     if (!has_begun) deadline = Clock::now() + patience_.head;
     has_begun = true;

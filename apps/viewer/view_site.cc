@@ -78,7 +78,7 @@ WebAnswer ViewSite::ReplyWithData(const WebRequest& request) {
     if (path == "/api/links") return Json(source->LinksJson(t_s));
     if (path == "/api/events") return Json(source->EventsJson());
     if (!parts_.is_live && (path == kStreamPath || path == "/api/status")) {
-      return ErrorAnswer(404, "a recorded mission has no such thing");
+      return ErrorAnswer(404, "not available for a recorded mission");
     }
     return NoSuchPath(path);
   });

@@ -101,7 +101,7 @@ TEST(ViewSite, HasNothingLiveOfALog) {
   EXPECT_EQ(Ask(site, "/api/command", {}, R"({"target": "a", "words": []})"), "404");
 }
 
-TEST(ViewSite, LetsNothingBeKeptOfWhatMoves) {
+TEST(ViewSite, ForbidsCachingOfData) {
   ViewSite site(Parts(true));
   WebRequest request = {.method = "GET", .path = "/api/frame", .host = "localhost"};
   EXPECT_EQ(site.Reply(request).cache_control, "no-store");

@@ -116,7 +116,7 @@ struct Element {
   size_t num_rows() const { return row_ends.empty() ? 1 : row_ends.back(); }
 
   /// Fills row_ends.
-  /// @pre those of the elements within are there.
+  /// @pre row_ends of the inner elements are filled.
   void CountRows() {
     for (size_t i = 0;; ++i) {
       size_t num_rows_of_index = 0;
@@ -183,7 +183,7 @@ class RowCollector : public Visitor {
   }
 
  private:
-  /// What an open struct or array is to the table.
+  /// The role of an open struct or array in the table.
   enum class Part { kCells, kText, kTable, kRow };
 
   Part PartThatBegins() const {

@@ -53,7 +53,7 @@ inline constexpr int kLogsDiffer = 1;
 
 /// Compares times, channels and messages in order (not event numbers, not seals). Prints the first
 /// difference with step (index of distinct times, from 0), time, channel, field and both values,
-/// and which channels have unlike numbers of events. Returns 0 for equal logs, else kLogsDiffer.
+/// and which channels have different numbers of events. Returns 0 for equal logs, else kLogsDiffer.
 int LogDiff(const LogDiffOptions& options, std::ostream& out, std::ostream& err);
 
 /// Messages of one type as lines of text, in a form that lib/record does not define.

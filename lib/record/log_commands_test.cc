@@ -235,7 +235,7 @@ TEST_F(LogDiff_, FindsAMissingMessageAndCountsItsChannel) {
   const std::string line = " desired_t heading_deg=1 speed_mps=1.5 depth_m=0\n";
   EXPECT_EQ(Diff(a, b), "first difference: step 0, 0.000 s, other messages follow\n  " + a +
                             ": 0.000 D" + line + "  " + b + ": 0.000 E" + line +
-                            "unlike numbers of events:\n  D: 1 in " + a + ", 0 in " + b + "\n");
+                            "different numbers of events:\n  D: 1 in " + a + ", 0 in " + b + "\n");
 }
 
 TEST_F(LogDiff_, FindsThatOneLogEnds) {
@@ -243,7 +243,7 @@ TEST_F(LogDiff_, FindsThatOneLogEnds) {
   const std::string b = Log("b.lcm", {{0, "D", Desired(0, 1)}, {5, "E", {}}});
   EXPECT_EQ(Diff(a, b), "first difference: step 1, 0.000005 s, one log ends\n  " + a +
                             ": (ends here)\n  " + b + ": 0.000005 E ? (no fingerprint, 0 bytes)\n" +
-                            "unlike numbers of events:\n  E: 0 in " + a + ", 1 in " + b + "\n");
+                            "different numbers of events:\n  E: 0 in " + a + ", 1 in " + b + "\n");
 }
 
 TEST_F(LogDiff_, NamesTheByteWhereItKnowsNoField) {

@@ -64,8 +64,7 @@ class TextFile {
   bool is_new_ = true;
 };
 
-/// What the messages of one type on one channel become: a table, and lines where they are asked
-/// for.
+/// The output for the messages of one type on one channel: a table, and lines if requested.
 class ChannelFiles {
  public:
   ChannelFiles(const std::string& stem, const Schema& schema, const StructType& type,

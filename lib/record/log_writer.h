@@ -35,7 +35,7 @@ class LogWriter {
   /// Takes one event, numbered from 0, into memory.
   void Append(int64_t utime, std::string_view channel, std::span<const uint8_t> data);
 
-  /// Gives what was appended to the file, whole events in one write(2), so that a process that is
+  /// Writes what was appended, whole events in one write(2), so that a process that is
   /// killed between two calls leaves a whole log. Where the file cannot take all, it is cut back to
   /// the events of the calls before; from then on everything is dropped and each call returns the
   /// same error, which names the path and what to try.

@@ -57,7 +57,7 @@ Bytes Encoded(const T& message) {
   return bytes;
 }
 
-/// One event of a log to be.
+/// One event to write.
 struct TestEvent {
   int64_t utime = 0;
   std::string channel;

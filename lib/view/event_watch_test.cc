@@ -76,7 +76,7 @@ TEST(EventWatch, FindsAllPairsOfAFleet) {
   }
 }
 
-TEST(EventWatch, IgnoresPositionsThatAreNone) {
+TEST(EventWatch, IgnoresPositionsThatAreNotFinite) {
   EventWatch watch = TwoKayaks();
   watch.OnNav(0, 1, std::numeric_limits<double>::quiet_NaN(), 0, 0);
   watch.OnNav(1, 1, std::numeric_limits<double>::infinity(), 0, 0);

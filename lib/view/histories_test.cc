@@ -189,7 +189,7 @@ TEST(Trail, BeginsAnewWhenTimeGoesBack) {
   EXPECT_EQ(trail.points().size(), 2U) << "as dense as at first";
 }
 
-TEST(Trail, IgnoresWhatIsNoPosition) {
+TEST(Trail, IgnoresPositionsThatAreNotFinite) {
   Trail trail;
   trail.Add(0, std::numeric_limits<double>::quiet_NaN(), 0);
   trail.Add(std::numeric_limits<double>::infinity(), 0, 0);

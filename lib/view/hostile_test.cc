@@ -142,7 +142,7 @@ Bytes DrawMessage(const std::string& channel) {
   return Encoded(desired);
 }
 
-RC_GTEST_PROP(HostileBus, AnswersWithJsonWhateverMessagesHold, ()) {
+RC_GTEST_PROP(HostileBus, AnswersWithJsonForAnyMessages, ()) {
   const Mission mission = MissionOf({"alpha", "bravo"});
   LiveView view(mission, "boot");
   const std::vector<std::string> channels = AllChannels(mission);
@@ -154,7 +154,7 @@ RC_GTEST_PROP(HostileBus, AnswersWithJsonWhateverMessagesHold, ()) {
   RC_ASSERT(AnswersAreJson(&view));
 }
 
-RC_GTEST_PROP(HostileBus, LeavesAnswersJsonWhateverBytesCome, ()) {
+RC_GTEST_PROP(HostileBus, AnswersWithJsonForAnyBytes, ()) {
   const Mission mission = MissionOf({"alpha", "bravo"});
   LiveView view(mission, "boot");
   for (const std::string& channel : AllChannels(mission)) {

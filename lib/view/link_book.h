@@ -21,7 +21,7 @@
 
 namespace shoal {
 
-/// One ordered pair of vehicles. Counters stop at their type's end.
+/// One ordered pair of vehicles. Counters saturate.
 struct LinkCounts {
   int32_t from = -1;  ///< Index of a name.
   int32_t to = -1;
@@ -46,7 +46,8 @@ struct LinkPlace {
 
 class LinkBook {
  public:
-  /// Names beyond the first ones, and links, that are kept; fates of others count as elsewhere.
+  /// At most this many names are added to the first ones, and this many links kept; fates of others
+  /// count as elsewhere.
   static constexpr size_t kMaxUnregistered = 200;
   static constexpr size_t kMaxLinks = 20'000;
 

@@ -29,7 +29,7 @@ class RecordedTimeline {
   bool is_begun() const { return is_begun_; }
   /// The time of the last event; 0 before the first.
   int64_t now_us() const { return now_us_; }
-  /// Returns the time of the log's clock that is `line_us` by now.
+  /// Returns the time of the log's clock at `line_us`, by the current shift.
   int64_t UtimeOf(int64_t line_us) const { return line_us + start_utime_ - shift_us_; }
 
   int64_t num_odd() const { return num_odd_; }        ///< Times that did not move the line.

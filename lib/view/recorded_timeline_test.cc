@@ -47,7 +47,7 @@ TEST(RecordedTimeline, IgnoresASingleOddTime) {
   EXPECT_EQ(line.num_shifts(), 0);
 }
 
-TEST(RecordedTimeline, FindsTheStartBehindAFirstTimeThatIsNone) {
+TEST(RecordedTimeline, FindsTheStartAfterAnImpossibleFirstTime) {
   RecordedTimeline line(kStart_utime);
   line.Advance(std::numeric_limits<int64_t>::max());
   Advance(&line, 3, 2);

@@ -75,7 +75,7 @@ TEST_F(SceneTest, TakesWhatVehiclesPublish) {
   EXPECT_EQ(scene_.num_undecodable(), 0);
 }
 
-TEST_F(SceneTest, IgnoresUnknownChannelsAndCountsBytesThatMakeNoSense) {
+TEST_F(SceneTest, IgnoresUnknownChannelsAndCountsBytesThatDoNotDecode) {
   Handle("NAV_CHARLIE", NavAt(0, 1, 1));
   scene_.Handle("", {});
   EXPECT_EQ(scene_.num_undecodable(), 0);

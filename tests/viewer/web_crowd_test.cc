@@ -47,14 +47,14 @@ TEST(WebCrowd, OfStreamsThatFillsAllPlacesRefusesTheNext) {
   EXPECT_TRUE(Await([&] { return StatusOf(Ask(served.port(), "/")) == 200; }));
 }
 
-TEST(WebCrowd, ThatReadsNothingGoes) {
+TEST(WebCrowd, ThatReadsNothingIsCut) {
   ServedSite served;
   const Clients mute = Connect(served.port(), 20, GetText("/api/trails"));
   EXPECT_EQ(StatusOf(Ask(served.port(), "/")), 200);
   EXPECT_TRUE(Await([&] { return served.server().num_connections() == 0; }, 60));
 }
 
-TEST(WebCrowd, ThatIsRudeLeavesNothingOpenBehind) {
+TEST(WebCrowd, OfRudeClientsLeavesNoDescriptorOpen) {
   const size_t before = NumDescriptors();
   {
     ServedSite served;

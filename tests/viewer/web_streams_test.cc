@@ -84,7 +84,7 @@ TEST(WebStreams, BeginWithHeadersThatAStreamHas) {
   EXPECT_NE(client.received().find("Cache-Control: no-store\r\n"), std::string::npos);
 }
 
-TEST(WebStreams, BeatWhereThereIsNoNews) {
+TEST(WebStreams, SendHeartbeatsWhereThereIsNoNews) {
   ServedSite served;
   TcpClient client(served.port());
   client.Send(GetText("/api/stream"));
@@ -154,7 +154,7 @@ TEST(WebStreams, EndAtOnceWhenTheServerStops) {
   EXPECT_LT(since_stop->Seconds(), 1);
 }
 
-TEST(WebStreams, OfAHeadRequestHoldNothingUp) {
+TEST(WebStreams, OfAHeadRequestLeaveNoReader) {
   ServedSite served;
   const std::string answer =
       Exchange(served.port(), "HEAD /api/stream HTTP/1.1\r\nHost: localhost\r\n\r\n");
