@@ -1,4 +1,4 @@
-// `shoal check` and `shoal channels`: what can be told without running anything.
+// `shoal check` and `shoal channels`: what can be found out without running anything.
 #pragma once
 
 #include <string>

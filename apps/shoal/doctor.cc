@@ -33,8 +33,8 @@ Diagnosis DiagnoseMulticast(const DoctorFacts& facts) {
   if (!trial.opened) {
     return {.health = Health::kFail,
             .text =
-                "multicast: there is no route to LCM's group 239.255.76.67, so no process hears "
-                "another",
+                "multicast: there is no route to LCM's group 239.255.76.67, so processes receive "
+                "nothing from each other",
             .remedies = {"sudo ip link set lo up multicast on",
                          "sudo ip route add 224.0.0.0/4 dev lo"}};
   }
@@ -45,10 +45,12 @@ Diagnosis DiagnoseMulticast(const DoctorFacts& facts) {
                                 trial.received, trial.sent),
             .remedies = {"sudo sysctl -w net.core.rmem_max=4194304"}};
   }
-  return {.health = Health::kFail,
-          .text = "multicast: messages leave and none comes back; most often a firewall drops them",
-          .remedies = {"sudo iptables -I INPUT -d 239.255.76.67 -p udp -j ACCEPT",
-                       "sudo ip route add 224.0.0.0/4 dev lo"}};
+  return {
+      .health = Health::kFail,
+      .text =
+          "multicast: messages are sent, but none is received; most often a firewall drops them",
+      .remedies = {"sudo iptables -I INPUT -d 239.255.76.67 -p udp -j ACCEPT",
+                   "sudo ip route add 224.0.0.0/4 dev lo"}};
 }
 
 Diagnosis DiagnoseReceiveBuffer(const DoctorFacts& facts) {
@@ -107,7 +109,7 @@ Diagnosis DiagnoseRunning(const DoctorFacts& facts) {
 Diagnosis DiagnoseDisk(const DoctorFacts& facts) {
   if (!facts.folder_free_bytes) {
     return {.health = Health::kWarn,
-            .text = fmt::format("disk: cannot tell how much is free in {}", facts.folder),
+            .text = fmt::format("disk: cannot find out how much is free in {}", facts.folder),
             .remedies = {"df -h ."}};
   }
   const int64_t free_bytes = *facts.folder_free_bytes;
@@ -152,11 +154,10 @@ Diagnosis DiagnoseSpy(const DoctorFacts& facts) {
     diagnosis.text = fmt::format("lcm-spy: missing {}; missions run without", missing);
   } else if (!facts.has_display) {
     diagnosis.health = Health::kWarn;
-    diagnosis.text = "lcm-spy: all is there but a screen (DISPLAY is not set)";
+    diagnosis.text = "lcm-spy: installed, but there is no screen (DISPLAY is not set)";
     diagnosis.remedies = {"ssh -X THIS_MACHINE"};
   } else {
-    diagnosis.text =
-        fmt::format("lcm-spy: all is there; {}/scripts/spy starts it", facts.source_dir);
+    diagnosis.text = fmt::format("lcm-spy: installed; {}/scripts/spy starts it", facts.source_dir);
   }
   return diagnosis;
 }
@@ -181,18 +182,19 @@ int64_t Count(const std::vector<Diagnosis>& diagnoses, Health health) {
 }  // namespace
 
 std::vector<Diagnosis> Diagnose(const DoctorFacts& facts) {
-  return {DiagnoseMulticast(facts),
-          DiagnoseReceiveBuffer(facts),
-          DiagnosePorts(facts),
-          DiagnoseRunning(facts),
-          DiagnoseDisk(facts),
-          DiagnoseLimit("open files", facts.max_open_files, kNeededOpenFiles, kWantedOpenFiles,
-                        "a process needs six for each LCM port it hears, one port per vehicle in "
-                        "the communities layout",
-                        "-n"),
-          DiagnoseLimit("processes and threads", facts.max_threads, kNeededThreads, kWantedThreads,
-                        "a mission needs about twelve per vehicle", "-u"),
-          DiagnoseSpy(facts)};
+  return {
+      DiagnoseMulticast(facts),
+      DiagnoseReceiveBuffer(facts),
+      DiagnosePorts(facts),
+      DiagnoseRunning(facts),
+      DiagnoseDisk(facts),
+      DiagnoseLimit("open files", facts.max_open_files, kNeededOpenFiles, kWantedOpenFiles,
+                    "a process needs six for each LCM port it receives on, one port per vehicle in "
+                    "the communities layout",
+                    "-n"),
+      DiagnoseLimit("processes and threads", facts.max_threads, kNeededThreads, kWantedThreads,
+                    "a mission needs about twelve per vehicle", "-u"),
+      DiagnoseSpy(facts)};
 }
 
 std::string FormatDiagnoses(const std::vector<Diagnosis>& diagnoses) {

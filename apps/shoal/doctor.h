@@ -1,5 +1,5 @@
-// `shoal doctor`: looks at the machine and says what keeps missions from running here, with the
-// commands that mend it. Facts are gathered in one place and judged in another, so that the
+// `shoal doctor`: looks at the machine and reports what keeps missions from running here, with
+// the commands that fix it. Facts are gathered in one place and judged in another, so that the
 // judgement can be tested without a broken machine.
 #pragma once
 
@@ -12,14 +12,14 @@
 
 namespace shoal {
 
-/// What came of sending messages to ourselves over LCM.
+/// The result of sending messages to this process over LCM.
 struct MulticastTrial {
   int sent = 0;
-  bool opened = false;  ///< False: there is no way to the multicast group at all.
+  bool opened = false;  ///< False: there is no route to the multicast group.
   int received = 0;     ///< Within two seconds.
 };
 
-/// What one can know of this machine. A path is empty, and an optional absent, where there is none.
+/// Facts about this machine. A path is empty, and an optional absent, where there is none.
 struct DoctorFacts {
   MulticastTrial multicast;
   bool in_container = false;
@@ -43,11 +43,11 @@ struct DoctorFacts {
 
 enum class Health { kOk, kWarn, kFail };
 
-/// One thing looked at.
+/// The result of one check.
 struct Diagnosis {
   Health health = Health::kOk;
   std::string text;
-  /// Commands, to be typed as they are.
+  /// Commands that fix it.
   std::vector<std::string> remedies = {};
 };
 

@@ -32,7 +32,7 @@ constexpr int64_t kTrialPatience_us = 2'000'000;
 /// A mission of two vehicles in the shared layout has this many ports.
 constexpr int kPortsOfASmallMission = 3;
 
-/// Returns a UDP port that nobody has, or 0.
+/// Returns a UDP port that is free, or 0.
 int FreeUdpPort() {
   const int fd = socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);
   if (fd < 0) return 0;
@@ -50,7 +50,7 @@ void WriteTrial(int fd, const MulticastTrial& trial) {
   [[maybe_unused]] const ssize_t written = write(fd, &trial, sizeof trial);
 }
 
-/// Sends messages to itself; tells `fd` how far it has come: opened, and at the end how many came.
+/// Sends messages to itself; writes its progress to `fd`: opened, and at the end how many came.
 void TryMulticastHere(int fd) {
   LcmTransport transport;
   MulticastTrial trial{.sent = kTrialMessages, .opened = false, .received = 0};
@@ -71,7 +71,7 @@ void TryMulticastHere(int fd) {
   }
 }
 
-/// Tries in a child process: where multicast is broken, LCM blocks, and prints.
+/// Tries in a child process: where multicast does not work, LCM blocks and prints.
 MulticastTrial TryMulticast() {
   MulticastTrial trial{.sent = kTrialMessages, .opened = false, .received = 0};
   int ends[2];
@@ -109,7 +109,7 @@ bool Exists(const fs::path& path) {
 
 void LookAtJava(DoctorFacts* facts) {
   std::error_code error;
-  // Of build/bin/shoal; both hold where it was built.
+  // Relative to build/bin/shoal; both exist where it was built.
   const fs::path build = fs::read_symlink("/proc/self/exe", error).parent_path().parent_path();
   facts->source_dir = build.parent_path().string();
   const fs::path types = build / "shoal_types.jar";
@@ -146,7 +146,7 @@ std::optional<int64_t> ThreadLimit() {
 
 DoctorFacts CollectDoctorFacts() {
   DoctorFacts facts;
-  // First of all, while this process has but one thread: it forks.
+  // First, while this process has only one thread: it forks.
   facts.multicast = TryMulticast();
   facts.in_container = Exists("/.dockerenv") || Exists("/run/.containerenv");
   facts.receive_buffer_limit_bytes = ReceiveBufferLimit();

@@ -1,4 +1,4 @@
-// What `shoal doctor` looks at: the only part of it that touches the machine.
+// Gathers the facts that `shoal doctor` judges: the only part of it that accesses the machine.
 #pragma once
 
 #include "apps/shoal/doctor.h"

@@ -28,15 +28,15 @@ DoctorFacts HealthyMachine() {
 }
 
 /// Returns the diagnoses that are not OK.
-std::vector<Diagnosis> Complaints(const DoctorFacts& facts) {
+std::vector<Diagnosis> Findings(const DoctorFacts& facts) {
   std::vector<Diagnosis> diagnoses = Diagnose(facts);
   std::erase_if(diagnoses, [](const Diagnosis& each) { return each.health == Health::kOk; });
   return diagnoses;
 }
 
-/// Returns the only complaint; a test fails where there is none or a second one.
-Diagnosis OnlyComplaint(const DoctorFacts& facts) {
-  const std::vector<Diagnosis> complaints = Complaints(facts);
+/// Returns the only diagnosis that is not OK; a test fails where there is none or a second one.
+Diagnosis OnlyFinding(const DoctorFacts& facts) {
+  const std::vector<Diagnosis> complaints = Findings(facts);
   EXPECT_EQ(complaints.size(), 1U) << FormatDiagnoses(complaints);
   return complaints.empty() ? Diagnosis{} : complaints.front();
 }
@@ -46,18 +46,18 @@ bool Advises(const Diagnosis& diagnosis, std::string_view command) {
          diagnosis.remedies.end();
 }
 
-TEST(Doctor, HasNothingToSayAgainstAHealthyMachine) {
+TEST(Doctor, FindsNothingWrongWithAHealthyMachine) {
   const std::vector<Diagnosis> diagnoses = Diagnose(HealthyMachine());
-  EXPECT_TRUE(Complaints(HealthyMachine()).empty()) << FormatDiagnoses(diagnoses);
+  EXPECT_TRUE(Findings(HealthyMachine()).empty()) << FormatDiagnoses(diagnoses);
   EXPECT_EQ(DoctorExitCode(diagnoses), kExitOk);
   for (const Diagnosis& diagnosis : diagnoses)
     EXPECT_TRUE(diagnosis.remedies.empty()) << diagnosis.text;
 }
 
-TEST(Doctor, GivesTheTwoCommandsThatMendAMissingRoute) {
+TEST(Doctor, GivesTheTwoCommandsThatFixAMissingRoute) {
   DoctorFacts facts = HealthyMachine();
   facts.multicast = {.sent = 100, .opened = false, .received = 0};
-  const Diagnosis diagnosis = OnlyComplaint(facts);
+  const Diagnosis diagnosis = OnlyFinding(facts);
   EXPECT_EQ(diagnosis.health, Health::kFail);
   EXPECT_TRUE(Advises(diagnosis, "sudo ip link set lo up multicast on"));
   EXPECT_TRUE(Advises(diagnosis, "sudo ip route add 224.0.0.0/4 dev lo"));
@@ -67,7 +67,7 @@ TEST(Doctor, GivesTheTwoCommandsThatMendAMissingRoute) {
 TEST(Doctor, SuspectsAFirewallWhenNothingComesBack) {
   DoctorFacts facts = HealthyMachine();
   facts.multicast.received = 0;
-  const Diagnosis diagnosis = OnlyComplaint(facts);
+  const Diagnosis diagnosis = OnlyFinding(facts);
   EXPECT_EQ(diagnosis.health, Health::kFail);
   EXPECT_NE(diagnosis.text.find("firewall"), std::string::npos);
 }
@@ -75,38 +75,38 @@ TEST(Doctor, SuspectsAFirewallWhenNothingComesBack) {
 TEST(Doctor, FailsWhenOneMessageOfAHundredIsLost) {
   DoctorFacts facts = HealthyMachine();
   facts.multicast.received = 99;
-  const Diagnosis diagnosis = OnlyComplaint(facts);
+  const Diagnosis diagnosis = OnlyFinding(facts);
   EXPECT_EQ(diagnosis.health, Health::kFail);
   EXPECT_NE(diagnosis.text.find("99 of 100"), std::string::npos) << diagnosis.text;
 }
 
-TEST(Doctor, WarnsOfDebiansReceiveBufferAndSaysHowManyMessagesItHolds) {
+TEST(Doctor, WarnsOfDebiansReceiveBufferAndStatesHowManyMessagesItHolds) {
   DoctorFacts facts = HealthyMachine();
   facts.receive_buffer_limit_bytes = 212992;
-  const Diagnosis diagnosis = OnlyComplaint(facts);
+  const Diagnosis diagnosis = OnlyFinding(facts);
   EXPECT_EQ(diagnosis.health, Health::kWarn);
   EXPECT_NE(diagnosis.text.find("about 332 messages"), std::string::npos) << diagnosis.text;
   EXPECT_TRUE(Advises(diagnosis, "sudo sysctl -w net.core.rmem_max=4194304"));
   EXPECT_EQ(diagnosis.text.find("host"), std::string::npos);
   facts.in_container = true;
-  EXPECT_NE(OnlyComplaint(facts).text.find("on the host"), std::string::npos);
+  EXPECT_NE(OnlyFinding(facts).text.find("on the host"), std::string::npos);
 }
 
-TEST(Doctor, IsContentWithTwoMebibytesAndNoByteLess) {
+TEST(Doctor, AcceptsTwoMebibytesAndNoByteLess) {
   DoctorFacts facts = HealthyMachine();
   facts.receive_buffer_limit_bytes = 2 * 1024 * 1024;
-  EXPECT_TRUE(Complaints(facts).empty());
+  EXPECT_TRUE(Findings(facts).empty());
   --facts.receive_buffer_limit_bytes;
-  EXPECT_EQ(OnlyComplaint(facts).health, Health::kWarn);
+  EXPECT_EQ(OnlyFinding(facts).health, Health::kWarn);
 }
 
-TEST(Doctor, TakesOtherFreePortsForGranted) {
+TEST(Doctor, AcceptsOtherFreePorts) {
   DoctorFacts facts = HealthyMachine();
   facts.port_base = 7805;
-  EXPECT_TRUE(Complaints(facts).empty());
+  EXPECT_TRUE(Findings(facts).empty());
   EXPECT_NE(FormatDiagnoses(Diagnose(facts)).find("gets those from 7805 on"), std::string::npos);
   facts.port_base.reset();
-  EXPECT_EQ(OnlyComplaint(facts).health, Health::kFail);
+  EXPECT_EQ(OnlyFinding(facts).health, Health::kFail);
 }
 
 TEST(Doctor, ListsTheMissionsThatRun) {
@@ -126,7 +126,7 @@ TEST(Doctor, ListsTheMissionsThatRun) {
 TEST(Doctor, FailsWhereMissionsCannotLeaveTheirAddress) {
   DoctorFacts facts = HealthyMachine();
   facts.run_dir_writable = false;
-  const Diagnosis diagnosis = OnlyComplaint(facts);
+  const Diagnosis diagnosis = OnlyFinding(facts);
   EXPECT_EQ(diagnosis.health, Health::kFail);
   EXPECT_NE(diagnosis.text.find(facts.run_dir), std::string::npos);
 }
@@ -134,24 +134,24 @@ TEST(Doctor, FailsWhereMissionsCannotLeaveTheirAddress) {
 TEST(Doctor, WarnsBeforeTheDiskIsFullAndFailsWhenItIs) {
   DoctorFacts facts = HealthyMachine();
   facts.folder_free_bytes = int64_t{500} << 20;
-  EXPECT_EQ(OnlyComplaint(facts).health, Health::kWarn);
+  EXPECT_EQ(OnlyFinding(facts).health, Health::kWarn);
   facts.folder_free_bytes = int64_t{10} << 20;
-  EXPECT_EQ(OnlyComplaint(facts).health, Health::kFail);
+  EXPECT_EQ(OnlyFinding(facts).health, Health::kFail);
   facts.folder_free_bytes.reset();
-  EXPECT_EQ(OnlyComplaint(facts).health, Health::kWarn);
+  EXPECT_EQ(OnlyFinding(facts).health, Health::kWarn);
 }
 
-TEST(Doctor, SaysHowToRaiseTheLimitsOfTheShell) {
+TEST(Doctor, StatesHowToRaiseTheLimitsOfTheShell) {
   DoctorFacts facts = HealthyMachine();
   facts.max_open_files = 256;
-  EXPECT_TRUE(Advises(OnlyComplaint(facts), "ulimit -n 1024"));
-  EXPECT_EQ(OnlyComplaint(facts).health, Health::kWarn);
+  EXPECT_TRUE(Advises(OnlyFinding(facts), "ulimit -n 1024"));
+  EXPECT_EQ(OnlyFinding(facts).health, Health::kWarn);
   facts.max_open_files = 32;
-  EXPECT_EQ(OnlyComplaint(facts).health, Health::kFail);
+  EXPECT_EQ(OnlyFinding(facts).health, Health::kFail);
   facts.max_open_files.reset();
-  EXPECT_TRUE(Complaints(facts).empty());
+  EXPECT_TRUE(Findings(facts).empty());
   facts.max_threads = 200;
-  EXPECT_TRUE(Advises(OnlyComplaint(facts), "ulimit -u 1000"));
+  EXPECT_TRUE(Advises(OnlyFinding(facts), "ulimit -u 1000"));
 }
 
 TEST(Doctor, NamesAllThatLcmSpyLacksAndWarnsNoMore) {
@@ -159,7 +159,7 @@ TEST(Doctor, NamesAllThatLcmSpyLacksAndWarnsNoMore) {
   facts.java.clear();
   facts.java_has_windows = facts.has_lcm_jar = facts.has_chart_jar = facts.has_display = false;
   facts.types_jar.clear();
-  const Diagnosis diagnosis = OnlyComplaint(facts);
+  const Diagnosis diagnosis = OnlyFinding(facts);
   EXPECT_EQ(diagnosis.health, Health::kWarn);
   EXPECT_NE(diagnosis.text.find("missing Java, lcm.jar, jchart2d.jar, shoal_types.jar"),
             std::string::npos)
@@ -172,15 +172,15 @@ TEST(Doctor, NamesAllThatLcmSpyLacksAndWarnsNoMore) {
 TEST(Doctor, DoesNotAskForPackagesWhereOnlyTheJarIsNotBuilt) {
   DoctorFacts facts = HealthyMachine();
   facts.types_jar.clear();
-  const Diagnosis diagnosis = OnlyComplaint(facts);
+  const Diagnosis diagnosis = OnlyFinding(facts);
   ASSERT_EQ(diagnosis.remedies.size(), 1U);
   EXPECT_NE(diagnosis.remedies.front().find("--target shoal_types_jar"), std::string::npos);
 }
 
-TEST(Doctor, KnowsAHeadlessJava) {
+TEST(Doctor, RecognisesAHeadlessJava) {
   DoctorFacts facts = HealthyMachine();
   facts.java_has_windows = false;
-  EXPECT_NE(OnlyComplaint(facts).text.find("a Java that can open windows"), std::string::npos);
+  EXPECT_NE(OnlyFinding(facts).text.find("a Java that can open windows"), std::string::npos);
 }
 
 TEST(Doctor, EndsWithAVerdictInWords) {

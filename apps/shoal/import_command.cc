@@ -43,7 +43,7 @@ Result<std::string> ReadMoosFile(const std::string& path) {
   return text;
 }
 
-/// Returns what went wrong; nothing where the file is written. An existing file is left alone: "x".
+/// Returns the error; nothing where the file is written. "x": an existing file is not changed.
 std::optional<Error> WriteNewFile(const std::string& path, std::string_view text, int* code) {
   File file(std::fopen(path.c_str(), "wx"), &std::fclose);
   if (file == nullptr && errno == EEXIST) {

@@ -24,7 +24,7 @@ namespace {
 /// Of more links, pairs or contacts than this, only those that matter most are shown.
 constexpr size_t kMostShown = 50;
 
-/// What the command works with, as far as it has come.
+/// The state of the command while it runs.
 class CommsSummary {
  public:
   CommsSummary(const LogCommsOptions& options, std::ostream& out, std::ostream& err)
@@ -67,7 +67,7 @@ class CommsSummary {
     return kExitOk;
   }
 
-  void TellAge(const AgePoint& point) {
+  void WriteAge(const AgePoint& point) {
     if (options_.csv_dir.empty()) return;
     if (!ages_csv_.is_open()) {
       ages_csv_.open(PathOf("age_over_time.csv"), std::ios::binary);
@@ -169,7 +169,7 @@ class CommsSummary {
   std::ostream& err_;
   LinkStatistics links_;
   SwarmTally tally_;
-  InformationAge ages_{[this](const AgePoint& point) { TellAge(point); }};
+  InformationAge ages_{[this](const AgePoint& point) { WriteAge(point); }};
   std::ofstream ages_csv_;
   int64_t num_messages_ = 0;
   int64_t num_undecodable_ = 0;

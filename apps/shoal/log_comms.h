@@ -1,4 +1,5 @@
-// `shoal log comms`: what a log tells of who heard whom, how late, and how old what they know is.
+// `shoal log comms`: what a log shows of deliveries between vehicles: which vehicle received
+// which, with what delay, and the age of what each vehicle knows.
 #pragma once
 
 #include <iosfwd>

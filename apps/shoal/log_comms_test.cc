@@ -83,7 +83,7 @@ TEST_F(LogCommsCommand, LeavesOutWhatTheLogDoesNotHold) {
   EXPECT_FALSE(std::filesystem::exists(options_.csv_dir + "/age.csv"));
 }
 
-TEST_F(LogCommsCommand, SaysThatALogHoldsNothingOfTheKind) {
+TEST_F(LogCommsCommand, RefusesALogThatHoldsNothingOfTheKind) {
   WriteLog(options_.path, {{.utime = 0, .channel = "NAV_ALPHA", .data = Encoded(nav_t{})}});
   EXPECT_EQ(Run(), kExitUsage);
   EXPECT_NE(err_.str().find("holds neither COMMS_FATES nor SWARM_*"), std::string::npos);
@@ -95,7 +95,7 @@ TEST_F(LogCommsCommand, CountsWhatDoesNotDecode) {
   EXPECT_NE(err_.str().find("1 messages do not decode"), std::string::npos) << err_.str();
 }
 
-TEST_F(LogCommsCommand, SaysWhatItCannotReadOrWrite) {
+TEST_F(LogCommsCommand, StatesWhatItCannotReadOrWrite) {
   EXPECT_EQ(Run(), kExitEnvironment);
   WriteLog(options_.path, {Fates()});
   options_.csv_dir = options_.path + "/csv";

@@ -95,8 +95,8 @@ void AddLog(CLI::App& cli, Action* action) {
     };
   });
 
-  CLI::App* comms =
-      log->add_subcommand("comms", "Who heard whom, what was lost and why, how old news are");
+  CLI::App* comms = log->add_subcommand(
+      "comms", "Show what was delivered and lost per link, why, and the age of information");
   auto comms_options = std::make_shared<LogCommsOptions>();
   comms->add_option("LOG", comms_options->path, "LCM event log")->required();
   comms->add_option("--csv", comms_options->csv_dir, "Also write tables into this folder");
@@ -151,14 +151,15 @@ void AddPlot(CLI::App& cli, Action* action) {
 
 void AddRebroker(CLI::App& cli, Action* action) {
   CLI::App* command =
-      cli.add_subcommand("rebroker", "Who would have heard whom: a log's reports, other rules");
+      cli.add_subcommand("rebroker", "Route the recorded reports again, by other rules");
   auto options = std::make_shared<RebrokerOptions>();
   command->add_option("LOG", options->logs, "LCM event log; several: of loggers of one mission")
       ->required();
   command->add_option("--comms", options->comms_file,
                       "Rules: a mission file, or one with [comms] alone; default: the recorded");
-  command->add_option("--log", options->out_path, "Write what was heard instead as an LCM log");
-  command->add_flag("--no-controls", options->no_controls, "Leave out what was said on UNC_*");
+  command->add_option("--log", options->out_path,
+                      "Write what is delivered by these rules as an LCM log");
+  command->add_flag("--no-controls", options->no_controls, "Leave out what was published on UNC_*");
   command->add_flag("--all", options->all_links, "Show all links, however many there are");
   command->add_flag("--skip-damage", options->skip_damage, "Read what can be read of a bad log");
   command->callback([options, action] {

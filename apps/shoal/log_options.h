@@ -10,7 +10,7 @@ class App;
 
 namespace shoal {
 
-/// Adds them; the one that is chosen puts what it does into `action`.
+/// Adds them; the chosen one sets `action` to what it runs.
 void AddLogCommands(CLI::App& cli, std::function<int()>* action);
 
 }  // namespace shoal

@@ -30,7 +30,7 @@ bool WriteFile(const fs::path& path, const std::string& text) {
   return out.good();
 }
 
-/// Where data and scripts lie while gnuplot works, and with --keep for ever.
+/// The folder of data and scripts while gnuplot runs; --keep keeps it.
 class ScriptFolder {
  public:
   ScriptFolder() = default;
@@ -41,7 +41,7 @@ class ScriptFolder {
   ScriptFolder(const ScriptFolder&) = delete;
   ScriptFolder& operator=(const ScriptFolder&) = delete;
 
-  /// Returns whether it could be made; errno tells why not.
+  /// Returns whether it could be made; errno holds the reason where not.
   bool Make(const fs::path& out_dir, bool keep) {
     is_kept_ = keep;
     if (keep) {
@@ -64,7 +64,7 @@ class ScriptFolder {
   bool is_kept_ = false;
 };
 
-/// What the command works with, as far as it has come.
+/// The state of the command while it runs.
 class PlotCommand {
  public:
   PlotCommand(const PlotOptions& options, std::ostream& out, std::ostream& err)

@@ -21,7 +21,7 @@ struct PlotOptions {
   std::string search_path;  ///< Where gnuplot is looked for: PATH.
 };
 
-/// Draws what the log holds, names the files in `out`, and what is left out and why; complaints go
+/// Draws what the log holds, names the files in `out`, and what is left out and why; errors go
 /// to `err`. Returns the exit code: kExitUsage for a mission file that does not load, vehicles that
 /// the log does not have, a folder of scripts that is there already; kExitEnvironment where gnuplot
 /// is missing, the log cannot be read to its end (what can be read is drawn), or nothing can be

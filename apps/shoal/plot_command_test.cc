@@ -46,7 +46,7 @@ constexpr const char* kMission =
     "[mission]\nduration_s = 60\nseed = 5\n[[vehicle]]\nname = \"alpha\"\ncolor = \"red\"\n"
     "[[vehicle]]\nname = \"bravo\"\n";
 
-TEST_F(Plot, SaysHowToInstallGnuplot) {
+TEST_F(Plot, StatesHowToInstallGnuplot) {
   WriteLog(options_.log, LogOfTwoVehicles());
   options_.search_path = directory_.File("nothing");
   EXPECT_EQ(Run(), kExitEnvironment);
@@ -109,7 +109,7 @@ TEST_F(Plot, NamesTheVehiclesThatThereAre) {
   EXPECT_NE(err_.str().find("no vehicle 'charlie'; there are: ALPHA, BRAVO\n"), std::string::npos);
 }
 
-TEST_F(Plot, DrawsWhatCanBeReadOfADamagedLogAndSaysSo) {
+TEST_F(Plot, DrawsWhatCanBeReadOfADamagedLogAndReportsTheDamage) {
   WriteLog(options_.log, LogOfTwoVehicles());
   Bytes bytes = FileBytes(options_.log);
   bytes.resize(bytes.size() - 5);

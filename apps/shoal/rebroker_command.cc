@@ -29,7 +29,7 @@ std::string Joined(const std::vector<std::string>& words) {
   return fmt::format("{}", fmt::join(words, ", "));
 }
 
-/// What the command works with, as far as it has come.
+/// The state of the command while it runs.
 class RebrokerCommand {
  public:
   RebrokerCommand(const RebrokerOptions& options, std::ostream& out, std::ostream& err)
@@ -96,11 +96,11 @@ class RebrokerCommand {
                             channels::NodeReportLocal().name + ", " +
                                 channels::NodeReportFromOutside().name +
                                 " or another channel that "
-                                "the broker hears",
+                                "the broker subscribes to",
                             log_.num_events));
   }
 
-  /// What the log holds, and then what the user wants instead.
+  /// Sets the rules: those of the log, then those of the user.
   int ChooseSetup() {
     if (log_.rules) {
       Result<BrokerSetup> recorded = SetupOf(*log_.rules);
@@ -109,7 +109,7 @@ class RebrokerCommand {
       setup_ = *recorded_;
     } else if (!comms_) {
       return Fail(kExitUsage,
-                  fmt::format("{}: the log does not tell the rules (it holds no COMMS_RULES); give "
+                  fmt::format("{}: the log does not hold the rules (no COMMS_RULES); give "
                               "the mission file: --comms FILE.toml",
                               Joined(options_.logs)));
     }
@@ -145,7 +145,7 @@ class RebrokerCommand {
         PrintRules();
         return kExitOk;
       }
-      // By other rules there may be decisions where the recorded broker had none to make.
+      // With other rules there may be decisions that the recorded broker did not make.
       absences = before.absences;
       for (BrokerAbsence& absence : absences) absence.num_decisions = 0;
     }
@@ -158,7 +158,7 @@ class RebrokerCommand {
       sink = [&](int64_t utime, std::string_view channel, std::span<const uint8_t> data) {
         writer->Append(utime, channel, data);
         constexpr int64_t kFlushEvery = 10'000;
-        if (++num_written_ % kFlushEvery == 0) (void)writer->Flush();  // Close() tells what failed.
+        if (++num_written_ % kFlushEvery == 0) (void)writer->Flush();  // Close() returns the error.
       };
     }
     outcome_ = Rebroker(
@@ -172,7 +172,7 @@ class RebrokerCommand {
     return kExitOk;
   }
 
-  /// Says what comes of the recorded rules, and moves what came from outside to its step.
+  /// Decides by the recorded rules, and moves what came from outside to its step.
   RebrokerOutcome DecideAsRecorded(const std::vector<BrokerAbsence>& absences) {
     const RebrokerSettings settings = {
         .setup = *recorded_, .with_controls = true, .absences = absences};

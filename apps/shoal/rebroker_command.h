@@ -1,4 +1,4 @@
-// `shoal rebroker`: what would have been heard with other rules.
+// `shoal rebroker`: what would have been delivered with other rules.
 #pragma once
 
 #include <iosfwd>
@@ -8,10 +8,10 @@
 namespace shoal {
 
 struct RebrokerOptions {
-  std::vector<std::string> logs = {};  ///< More than one: of loggers that heard the same mission.
+  std::vector<std::string> logs = {};  ///< More than one: of loggers of the same mission.
   std::string comms_file = {};         ///< Empty: the rules that the log holds.
   std::string out_path = {};           ///< Empty: no new log.
-  bool no_controls = false;            ///< Leave out what was said on UNC_*.
+  bool no_controls = false;            ///< Leave out what was published on UNC_*.
   bool all_links = false;    ///< Show links without a difference too, however many there are.
   bool skip_damage = false;  ///< Read what can be read of a damaged log.
 };

@@ -38,7 +38,7 @@ class RebrokerCommandTest : public ::testing::Test {
   TestDirectory directory_;
 };
 
-TEST_F(RebrokerCommandTest, SaysThatAllIsReproducedAndAlsoOfItsOwnLog) {
+TEST_F(RebrokerCommandTest, ReproducesARecordingAndItsOwnLog) {
   const Printed first = Rebrokered({.logs = {log()}, .out_path = File("out.lcm")});
   EXPECT_EQ(first.code, kExitOk) << first.out << first.err;
   EXPECT_EQ(first.err, "");
@@ -49,7 +49,7 @@ TEST_F(RebrokerCommandTest, SaysThatAllIsReproducedAndAlsoOfItsOwnLog) {
   EXPECT_EQ(FileBytes(File("out.lcm")), FileBytes(File("again.lcm")));
 }
 
-TEST_F(RebrokerCommandTest, TellsWhichRulesAreOthersAndWhatChanges) {
+TEST_F(RebrokerCommandTest, ShowsWhichRulesDifferAndWhatChanges) {
   WriteText(File("c.toml"), "[comms]\ncomms_range = 300\ncritical_range = 10\n");
   const Printed printed = Rebrokered({.logs = {log()}, .comms_file = File("c.toml")});
   EXPECT_EQ(printed.code, kExitOk) << printed.err;
@@ -123,7 +123,7 @@ TEST_F(RebrokerCommandTest, RefusesToOverwriteTheLogThatItReads) {
   EXPECT_EQ(Rebrokered({.logs = {log()}}).code, kExitOk) << "it is still there";
 }
 
-TEST_F(RebrokerCommandTest, SaysWhatIsWrongWithItsFiles) {
+TEST_F(RebrokerCommandTest, StatesWhatIsWrongWithItsFiles) {
   WriteText(File("c.toml"), "[comms]\ncoms_range = 300\n");
   const Printed unknown_key = Rebrokered({.logs = {log()}, .comms_file = File("c.toml")});
   EXPECT_EQ(unknown_key.code, kExitUsage);
@@ -138,7 +138,7 @@ TEST_F(RebrokerCommandTest, SaysWhatIsWrongWithItsFiles) {
   EXPECT_NE(empty.err.find("nothing to broker"), std::string::npos) << empty.err;
 }
 
-TEST_F(RebrokerCommandTest, ReadsADamagedLogUpToTheDamageAndSaysWhereThatIs) {
+TEST_F(RebrokerCommandTest, ReadsADamagedLogUpToTheDamageAndStatesWhereThatIs) {
   Bytes bytes = FileBytes(log());
   bytes.resize(bytes.size() * 3 / 4 + 5);
   WriteBytes(File("cut.lcm"), bytes);

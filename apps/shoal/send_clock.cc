@@ -15,9 +15,9 @@ namespace shoal {
 
 namespace {
 
-/// The clock tells its state twice per second, and at once after an order.
+/// The clock publishes its state twice per second, and at once after an order.
 constexpr int64_t kClockPatience_us = 3'000'000;
-/// How long the first measurement of a new speed is waited for.
+/// The time to wait for the first measurement of a new speed.
 constexpr int64_t kFactorPatience_us = 1'000'000;
 
 bool PollUntil(LcmBus& bus, int64_t patience_us, const std::function<bool()>& is_done) {
@@ -34,9 +34,9 @@ bool PollUntil(LcmBus& bus, int64_t patience_us, const std::function<bool()>& is
 int SendClock(LcmBus& bus, const OrderToClock& order) {
   std::optional<clock_state_t> state;
   std::optional<ClockWatch> watch;
-  Subscribe(bus, channels::ClockState(), [&](const clock_state_t& heard) {
-    state = heard;
-    if (watch) watch->OnState(heard);
+  Subscribe(bus, channels::ClockState(), [&](const clock_state_t& received) {
+    state = received;
+    if (watch) watch->OnState(received);
   });
   const bool is_there = PollUntil(bus, kClockPatience_us, [&] { return state.has_value(); });
   if (!BusWorks(bus)) return kExitEnvironment;
@@ -46,7 +46,7 @@ int SendClock(LcmBus& bus, const OrderToClock& order) {
   }
   if (!is_there || !PollUntil(bus, kClockPatience_us, [&] { return watch->IsSettled(); })) {
     fmt::print(stderr,
-               "shoal: the mission's clock does not answer: it stands still, or this is a broker "
+               "shoal: the mission's clock does not answer: it is stopped, or this is a broker "
                "without a mission; `shoal status shoal` shows whether the launcher answers\n");
     return kExitEnvironment;
   }

@@ -1,4 +1,4 @@
-// `shoal send clock COMMAND`: pauses the mission, lets it go on, changes its warp.
+// `shoal send clock COMMAND`: pauses and resumes the mission, changes its warp.
 #pragma once
 
 #include "lib/bus/lcm_bus.h"
@@ -6,7 +6,7 @@
 
 namespace shoal {
 
-/// Publishes the order and prints what the clock does now. Returns the exit code: kExitUsage where
+/// Publishes the order and prints the state of the clock. Returns the exit code: kExitUsage where
 /// the clock refused, kExitEnvironment where it does not answer.
 int SendClock(LcmBus& bus, const OrderToClock& order);
 

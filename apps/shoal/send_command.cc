@@ -17,11 +17,12 @@ namespace shoal {
 
 namespace {
 
-void TellOfStranger(const OrderScope& scope, const std::string& name) {
-  fmt::print("{} is no vehicle of {}: it must come from outside\n", name, scope.mission);
+void WarnOfUnregistered(const OrderScope& scope, const std::string& name) {
+  fmt::print("{} is not a vehicle of {}: it must be an unregistered vehicle\n", name,
+             scope.mission);
 }
 
-/// Sends an order in a way of its kind, and returns the exit code.
+/// Sends an order of each kind, and returns the exit code.
 struct Sender {
   LcmBus& bus;
   const OrderScope& scope;
@@ -46,7 +47,7 @@ struct Sender {
         row.type == ControlType::kRequest ? "" : " = " + ControlWord(row, order.control.value);
     fmt::print("sent {}{}{}; `shoal status shore_broker` shows the rules in force\n", row.channel,
                of, value);
-    if (order.is_unregistered) TellOfStranger(scope, order.control.vehicle);
+    if (order.is_unregistered) WarnOfUnregistered(scope, order.control.vehicle);
     return kExitOk;
   }
 
@@ -58,7 +59,7 @@ struct Sender {
                message.var_name, fmt::join(order.vehicles, ", "),
                message.dest_group.empty() ? message.dest_node : "group " + message.dest_group);
     for (const std::string& name : ParseDestinations(message.dest_node).names) {
-      if (!HasVehicle(scope, name)) TellOfStranger(scope, name);
+      if (!HasVehicle(scope, name)) WarnOfUnregistered(scope, name);
     }
     if (message.ack_requested != 0) {
       fmt::print("`shoal status {}` shows whether it was acknowledged\n",

@@ -1,4 +1,4 @@
-// `shoal send`: speaks to a running mission from a shell.
+// `shoal send`: sends commands to a running mission from a shell.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace shoal {
 
-/// How long a wait for an answer sleeps at a time.
+/// The period at which a wait for an answer polls the bus.
 inline constexpr int64_t kSendPoll_us = 20'000;
 
 struct SendOptions {
@@ -19,10 +19,10 @@ struct SendOptions {
 };
 
 /// Returns the exit code: kExitUsage also where a helm or the clock refused. Prints what was sent,
-/// and what came of it where that can be seen.
+/// and the result where it can be seen.
 int RunSend(const SendOptions& options);
 
-/// Prints why nothing can have left, where that is so. Returns true where the bus works.
+/// Returns true where the bus works; else prints the error.
 bool BusWorks(const LcmBus& bus);
 
 }  // namespace shoal

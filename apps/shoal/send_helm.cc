@@ -14,11 +14,11 @@ namespace shoal {
 
 namespace {
 
-/// How long an answer from the helm is waited for: a step, and the second of its own rhythm.
+/// The time to wait for an answer from the helm: a step, and its publishing interval of 1 s.
 constexpr int64_t kAnswerPatience_us = 1'500'000;
 
-/// Asks for the pages that are due, and hears what comes.
-void Listen(LcmBus& bus, OrderWatch* watch) {
+/// Asks for the pages that are due, and receives what comes.
+void ReceivePages(LcmBus& bus, OrderWatch* watch) {
   for (const std::string& app : watch->Due(MonotonicMicroseconds())) {
     appcast_req_t request{};
     request.app = app;
@@ -41,7 +41,7 @@ int SendHelm(LcmBus& bus, const OrderToHelms& order) {
   Subscribe(bus, channels::Appcast(),
             [&](const appcast_t& page) { watch.OnPage(page, MonotonicMicroseconds()); });
 
-  while (!watch.IsReady(MonotonicMicroseconds()) && bus.error().empty()) Listen(bus, &watch);
+  while (!watch.IsReady(MonotonicMicroseconds()) && bus.error().empty()) ReceivePages(bus, &watch);
   Publish(bus, Order(order));
   if (!BusWorks(bus)) return kExitEnvironment;
   const int64_t sent_us = MonotonicMicroseconds();
@@ -52,14 +52,15 @@ int SendHelm(LcmBus& bus, const OrderToHelms& order) {
   const auto is_done = [&] {
     bool done = true;
     for (const OrderWatch::Answer& answer : watch.answers()) {
-      // Who has no page, as a helm of a user's own, can only show its state.
+      // A helm without a status page, such as a user's own, can only show its state.
       const bool is_open = answer.outcome == OrderOutcome::kOpen && answer.before;
       const bool is_refused = answer.outcome == OrderOutcome::kRefused;
       done = done && !is_open && (is_refused || states.contains(answer.trace.participant));
     }
     return done;
   };
-  while (!is_done() && MonotonicMicroseconds() - sent_us < kAnswerPatience_us) Listen(bus, &watch);
+  while (!is_done() && MonotonicMicroseconds() - sent_us < kAnswerPatience_us)
+    ReceivePages(bus, &watch);
 
   bool is_any_refused = false;
   size_t num_silent = 0;
@@ -77,8 +78,8 @@ int SendHelm(LcmBus& bus, const OrderToHelms& order) {
   }
   if (num_silent > 0) {
     fmt::print(
-        "{} of {} helms have said nothing since; `shoal status` shows who is there, and where the "
-        "mission is paused\n",
+        "{} of {} helms have published nothing since; `shoal status` shows which participants "
+        "run, and whether the mission is paused\n",
         num_silent, order.vehicles.size());
   }
   return is_any_refused ? kExitUsage : kExitOk;

@@ -1,4 +1,4 @@
-// `shoal send VEHICLE COMMAND`: an order to helms, and what they answer.
+// `shoal send VEHICLE COMMAND`: an order to helms, and their answers.
 #pragma once
 
 #include "lib/bus/lcm_bus.h"
@@ -6,8 +6,8 @@
 
 namespace shoal {
 
-/// Publishes to each vehicle and prints what its helm says next. Returns the exit code: kExitUsage
-/// where a helm refused.
+/// Publishes to each vehicle and prints what its helm publishes next. Returns the exit code:
+/// kExitUsage where a helm refused.
 int SendHelm(LcmBus& bus, const OrderToHelms& order);
 
 }  // namespace shoal

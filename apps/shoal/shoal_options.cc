@@ -47,9 +47,9 @@ CLI::Option* AddPort(CLI::App* command, int* port_base) {
 }
 
 constexpr char kAllowCommands[] =
-    "People at the page who have its token may command vehicles, broker and clock";
+    "The page may command vehicles, broker and clock, with the token in its address";
 
-/// Where the viewer listens. `needed`: an option without which these have no sense, or nullptr.
+/// Where the viewer listens. `needed`: an option that these require, or nullptr.
 void AddAddress(CLI::App* command, const std::string& http, const std::string& listen,
                 ViewOptions* view, CLI::Option* needed) {
   constexpr int kLastPort = 65535;
@@ -145,7 +145,7 @@ void AddRun(CLI::App& cli, Action* action) {
 
 void AddSim(CLI::App& cli, Action* action) {
   CLI::App* command = cli.add_subcommand(
-      "sim", "Run a mission in one process, as fast as it goes; the same result");
+      "sim", "Run a mission in one process, as fast as possible; the same result");
   auto options = std::make_shared<SimOptions>();
   AddMission(command, &options->mission_file, &options->overrides);
   command->add_option("--log", options->log_path, "Write a log of the mission");
@@ -154,7 +154,7 @@ void AddSim(CLI::App& cli, Action* action) {
 }
 
 void AddCheck(CLI::App& cli, Action* action) {
-  CLI::App* command = cli.add_subcommand("check", "Say all that is wrong with a mission file");
+  CLI::App* command = cli.add_subcommand("check", "Show all that is wrong with a mission file");
   struct Parsed {
     std::string file;
     std::vector<std::string> overrides;
@@ -170,12 +170,12 @@ void AddCheck(CLI::App& cli, Action* action) {
 
 void AddSend(CLI::App& cli, Action* action) {
   CLI::App* command =
-      cli.add_subcommand("send", "Tell a vehicle, the broker or the clock what to do");
+      cli.add_subcommand("send", "Send a command to a vehicle, the broker or the clock");
   auto options = std::make_shared<SendOptions>();
   AddPort(command, &options->port_base);
   command->footer(SendCommandsText());
   command->add_option("TARGET", options->target, "A vehicle, all, clock, or a rule")->required();
-  command->add_option("WORDS", options->words, "What to do, and with what");
+  command->add_option("WORDS", options->words, "Command and arguments, or vehicle and value");
   // Negative numbers are values here, not options.
   command->prefix_command();
   command->callback([options, command, action] {
@@ -184,7 +184,7 @@ void AddSend(CLI::App& cli, Action* action) {
   });
 }
 
-/// The same as `shoal send FROM message TO VAR VALUE`, in words that say who is who.
+/// The same as `shoal send FROM message TO VAR VALUE`, with options that name each part.
 void AddMessage(CLI::App& cli, Action* action) {
   CLI::App* command =
       cli.add_subcommand("message", "Send a node message from one vehicle to others");
@@ -201,7 +201,7 @@ void AddMessage(CLI::App& cli, Action* action) {
   AddPort(command, &parsed->port_base);
   command->add_option("--from", parsed->from, "The vehicle that sends it, or all")->required();
   command->add_option("--to", parsed->to, "Vehicles joined by ':', all, or group:NAME")->required();
-  command->add_option("VAR", parsed->var, "What is told; HELM_COMMAND: an order to the helm")
+  command->add_option("VAR", parsed->var, "The variable; HELM_COMMAND: an order to the helm")
       ->required();
   command->add_option("VALUE", parsed->value, "Its value; of HELM_COMMAND: deploy, speed=1.2, ...")
       ->required();
@@ -238,8 +238,8 @@ void AddStatus(CLI::App& cli, Action* action) {
   });
 }
 
-/// True where standard output is a pipe that nobody reads any more, as behind `| head`. (Where
-/// SIGPIPE is not ignored, it has ended the process before anybody asks.)
+/// True where standard output is a pipe without a reader, as behind `| head`. (Where SIGPIPE is
+/// not ignored, it ends the process before this is called.)
 bool ReaderHasLeft() {
   pollfd output{.fd = STDOUT_FILENO, .events = POLLOUT, .revents = 0};
   return poll(&output, 1, 0) == 1 && (output.revents & POLLERR) != 0;
@@ -248,8 +248,7 @@ bool ReaderHasLeft() {
 }  // namespace
 
 int RunShoalCommand(int argc, char** argv) {
-  CLI::App cli("shoal runs missions of several vehicles over a sea that loses what they say.",
-               "shoal");
+  CLI::App cli("shoal runs missions of several vehicles over a lossy acoustic network.", "shoal");
   cli.set_version_flag("--version", std::string("shoal ") + kVersion);
   cli.require_subcommand(1);
   Action action;
@@ -261,7 +260,7 @@ int RunShoalCommand(int argc, char** argv) {
   AddStatus(cli, &action);
   AddView(cli, &action);
   AddLogCommands(cli, &action);
-  cli.add_subcommand("doctor", "Say what keeps missions from running on this machine")
+  cli.add_subcommand("doctor", "Show what keeps missions from running on this machine")
       ->callback([&action] { action = [] { return RunDoctor(); }; });
   cli.add_subcommand("channels", "Print the table of all channels (docs/channels.md)")
       ->callback([&action] {
@@ -275,7 +274,7 @@ int RunShoalCommand(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return cli.exit(error) == 0 ? kExitOk : kExitUsage;
   }
-  // What was printed may not have reached its place: fmt throws, the streams only remember.
+  // What was printed may not have been written: fmt throws, the streams only set a flag.
   bool written = true;
   int code = kExitEnvironment;
   try {

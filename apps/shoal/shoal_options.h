@@ -1,9 +1,9 @@
-// The command line of shoal: one subcommand per thing to do, each in a file of its own.
+// The command line of shoal: its subcommands are in files of their own.
 #pragma once
 
 namespace shoal {
 
-/// Parses the command line, does what it says, returns the exit code.
+/// Parses and executes the command line, returns the exit code.
 int RunShoalCommand(int argc, char** argv);
 
 }  // namespace shoal

@@ -23,7 +23,7 @@ constexpr int64_t kStepsBetweenChecks = 64;  ///< Of the clock, signals and faul
 constexpr int64_t kProgressInterval_us = 500'000;
 constexpr char kClearLine[] = "\r\033[K";
 
-/// A line on a terminal that tells how far the mission is; elsewhere nothing.
+/// A line on a terminal that shows how far the mission is; elsewhere nothing.
 class ProgressLine {
  public:
   explicit ProgressLine(const Mission& mission) : mission_(mission) {}

@@ -1,4 +1,4 @@
-// `shoal sim`: a mission in one process, as fast as it goes.
+// `shoal sim`: a mission in one process, as fast as possible.
 #pragma once
 
 #include <string>

@@ -41,7 +41,7 @@ Result<std::map<std::string, appcast_t>> CollectPages(const PortPlan& ports,
   int num_requests = 0;
   while (true) {
     const int64_t now = MonotonicMicroseconds();
-    // Who has just answered somebody else passes over a request: it is made again.
+    // A participant that has just answered another request ignores this one, so it is repeated.
     const bool is_complete = app != "all" ? pages.contains(app) : num_requests >= kRequestsOfAll;
     if (!is_complete && now >= next_request) {
       Publish(bus, channels::AppcastReq(), request);
@@ -82,7 +82,7 @@ int RunStatus(const StatusOptions& options) {
   const std::map<std::string, appcast_t>& pages = *collected;
   if (pages.empty()) {
     fmt::print(stderr,
-               "shoal: no answer from {}; `shoal status` without a name lists who is there\n",
+               "shoal: no answer from {}; `shoal status` without a name lists all participants\n",
                wanted);
     return kExitEnvironment;
   }

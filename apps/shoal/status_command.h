@@ -1,4 +1,4 @@
-// `shoal status` and `shoal url`: asks a running mission what it does and where.
+// `shoal status` and `shoal url`: the status pages and the LCM URLs of a running mission.
 #pragma once
 
 #include <map>
@@ -11,7 +11,7 @@
 namespace shoal {
 
 /// Asks a participant ("all": every one) for its page and collects what comes, by name; none where
-/// nobody answers within two seconds. The error: the bus does not work.
+/// no participant answers within two seconds. The error: the bus does not work.
 [[nodiscard]] Result<std::map<std::string, appcast_t>> CollectPages(const PortPlan& ports,
                                                                     const std::string& app);
 

@@ -39,7 +39,7 @@ bool IsFromOwnPage(const WebRequest& request) {
     return false;
   }
   return request.origin.empty() || request.origin == "http://" + request.host ||
-         request.origin == "https://" + request.host;  // Behind somebody's TLS.
+         request.origin == "https://" + request.host;  // Behind a TLS proxy.
 }
 
 bool IsJson(std::string_view content_type) {
@@ -57,7 +57,7 @@ WebAnswer WrongMethod(std::string_view allow) {
 std::optional<WebAnswer> FindCommandDenial(const AccessRules& rules, const WebRequest& request) {
   if (!rules.allow_commands) {
     return ErrorAnswer(403,
-                       "this viewer only looks; to send commands, start it with --allow-commands "
+                       "this viewer is read-only; to send commands, start it with --allow-commands "
                        "and open the address that it prints");
   }
   if (!TokensMatch(rules.token, TokenOf(request))) {

@@ -1,8 +1,8 @@
-// Who may ask the viewer for what: docs/viewer_protocol.md, "Who may ask".
+// Which requests the viewer allows: docs/viewer_protocol.md, "Access".
 //
 // The server listens on this machine, where any page of the world wide web can reach it through the
-// user's own browser. Three headers tell such requests from those of the viewer's page: Host (a
-// name that its owner lets point at 127.0.0.1: DNS rebinding), Origin and Sec-Fetch-Site.
+// user's own browser. Three headers distinguish such requests from those of the viewer's page: Host
+// (a name that its owner lets point at 127.0.0.1: DNS rebinding), Origin and Sec-Fetch-Site.
 #pragma once
 
 #include <optional>

@@ -39,7 +39,7 @@ TEST(Access, LetsThisMachineReadWithoutAToken) {
   EXPECT_EQ(StatusOf(Open(), head), 200);
 }
 
-TEST(Access, TellsAHostOfItsOwnFromAForeignName) {
+TEST(Access, DistinguishesItsOwnHostsFromForeignNames) {
   for (const char* own : {"localhost", "LOCALHOST:1", "127.0.0.1", "127.0.0.1:8765", "[::1]:80",
                           "[::1]", "192.168.1.7:8765", "10.0.0.1"}) {
     EXPECT_TRUE(IsOwnHost(own, {})) << own;
@@ -119,7 +119,7 @@ TEST(Access, HasOnlyTheMethodsOfTheProtocol) {
   }
 }
 
-TEST(Access, RefusesCommandsUnlessTheyWereAllowedAndTellsHow) {
+TEST(Access, RefusesCommandsUnlessTheyWereAllowedAndStatesHow) {
   for (const AccessRules& rules : {Open(), Listening()}) {
     const auto denial = FindDenial(rules, Command());
     ASSERT_TRUE(denial);
@@ -129,7 +129,7 @@ TEST(Access, RefusesCommandsUnlessTheyWereAllowedAndTellsHow) {
   }
 }
 
-TEST(Access, TakesCommandsFromWhoHasTheToken) {
+TEST(Access, TakesCommandsWithTheToken) {
   EXPECT_EQ(StatusOf(Commanding(), Command()), 200);
   EXPECT_TRUE(MaySendCommands(Commanding(), Command()));
   for (const std::string token : {"", "0", "0123456789abcdef0123456789abcdeF"}) {
@@ -137,7 +137,7 @@ TEST(Access, TakesCommandsFromWhoHasTheToken) {
     request.token = token;
     EXPECT_EQ(StatusOf(Commanding(), request), 403) << token;
     EXPECT_FALSE(MaySendCommands(Commanding(), request));
-    // Reading goes without.
+    // Reading needs no token.
     request.path = "/api/setup";
     request.method = "GET";
     EXPECT_EQ(StatusOf(Commanding(), request), 200);
@@ -175,7 +175,7 @@ TEST(Access, NeedsTheTokenForDataBeyondLoopbackButNotForThePage) {
   EXPECT_EQ(StatusOf(Listening(), stream), 200);
 }
 
-TEST(Access, HasNoTokenThatIsEmpty) {
+TEST(Access, AcceptsNoEmptyToken) {
   EXPECT_FALSE(TokensMatch("", ""));
   EXPECT_EQ(StatusOf({.reading_needs_token = true}, Get("/api/setup")), 403);
   WebRequest request = Command();

@@ -50,7 +50,7 @@ void ClientThreads::Run() {
       Admit(std::move(socket));
     } else if (errno == EMFILE || errno == ENFILE || errno == ENOBUFS || errno == ENOMEM) {
       // The connection stays in the queue, and would wake this loop at once again.
-      // Who was cut to make room needs a moment to go.
+      // The client that was cut to make room needs a moment to close.
       MakeRoom();
       std::this_thread::sleep_for(std::chrono::milliseconds(50));
     }
@@ -60,7 +60,7 @@ void ClientThreads::Run() {
       const std::lock_guard lock(mutex_);
       if (clients_.empty()) return;
     }
-    // Whoever was admitted while Stop() went through the list is cut here.
+    // Clients that were admitted during Stop() are cut here.
     Stop();
     Reap();
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
@@ -115,7 +115,7 @@ void ClientThreads::Reap() {
 }
 
 void ClientThreads::Refuse(FileDescriptor socket) const {
-  // What does not fit into the empty buffer of a new socket is lost; nobody is waited for.
+  // What does not fit into the empty buffer of a new socket is lost; this never waits.
   send(socket.get(), limits_.busy_answer.data(), limits_.busy_answer.size(), MSG_NOSIGNAL);
   shutdown(socket.get(), SHUT_WR);
 }

@@ -22,7 +22,7 @@ namespace shoal {
 struct CrowdLimits {
   size_t most_connections = 300;
   Patience patience;
-  std::string busy_answer = {};  ///< What who finds no room is told.
+  std::string busy_answer = {};  ///< What a client gets where there is no room.
 };
 
 class ClientThreads {
@@ -35,8 +35,8 @@ class ClientThreads {
   ClientThreads(const ClientThreads&) = delete;
   ClientThreads& operator=(const ClientThreads&) = delete;
 
-  /// Accepts until Stop(); returns when the last thread has ended. Where there is no room, who has
-  /// waited longest without a request goes; if all are being served, the new one does.
+  /// Accepts until Stop(); returns when the last thread has ended. Where there is no room, the
+  /// client that has waited longest without a request is cut; if all are being served, the new one.
   void Run();
 
   /// Ends all connections. From any thread, any number of times.

@@ -12,8 +12,8 @@ namespace shoal {
 
 namespace {
 
-/// What the kernel holds of frames that a client has not taken: enough for some, so that those it
-/// sees are fresh.
+/// The size of the socket's send buffer: it holds only a few frames, so that a slow client gets
+/// recent ones.
 constexpr int kSendBuffer = 256 * 1024;
 constexpr size_t kReadAtOnce = 4096;
 
@@ -53,14 +53,14 @@ CheckedHead Connection::AwaitHead() {
   is_waiting_ = true;
   since_ = Clock::now();
   const bool was_first = std::exchange(is_first_, false);
-  // An idle client that has begun to speak has as long as a new one.
+  // An idle client that has begun to send has as long as a new one.
   auto deadline = Clock::now() + (was_first ? patience_.head : patience_.idle);
   bool has_begun = was_first || !received_.empty();
   CheckedHead checked = CheckHead(received_);
   while (checked.status == 0) {
     if (!Receive(deadline)) {
       if (Clock::now() < deadline || received_.empty()) return {};
-      return {.status = 408, .message = "the request took too long to come"};
+      return {.status = 408, .message = "the request came too slowly"};
     }
     if (!has_begun) deadline = Clock::now() + patience_.head;
     has_begun = true;
@@ -112,7 +112,7 @@ bool Connection::HasGone() const {
 
 void Connection::Linger() {
   // A socket that is closed with bytes unread resets the connection, and the client's kernel then
-  // throws away the answer that it has not yet read.
+  // discards the answer that it has not yet read.
   constexpr size_t kMostDiscarded = 16'000'000;
   shutdown(socket_.get(), SHUT_WR);
   const auto deadline = Clock::now() + patience_.linger;

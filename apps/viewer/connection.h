@@ -1,4 +1,4 @@
-// One client's connection: reads and writes that end in time, whatever the client does.
+// One client's connection: reads and writes with time limits.
 #pragma once
 
 #include <atomic>
@@ -28,30 +28,32 @@ class Connection {
   /// Takes over an accepted, non-blocking socket.
   Connection(FileDescriptor socket, const Patience& patience);
 
-  /// Waits for the head of the next request. Status 0: the client has gone, or has been idle for
-  /// too long; 408: it began, and was too slow. A sound head is what Read gives first.
+  /// Waits for the head of the next request. Status 0: the client has disconnected, or has been
+  /// idle for too long; 408: it began, and was too slow. A sound head is what Read gives first.
   CheckedHead AwaitHead();
 
   /// Reads what is left of the head, then of the body that follows it. Returns 0 at the end of what
   /// the client sends, -1 where it was too slow.
   ssize_t Read(char* bytes, size_t size);
 
-  /// Writes all of it, or returns false: the client has gone or is too slow.
+  /// Writes all of it, or returns false: the client has disconnected or is too slow.
   bool Write(std::string_view bytes);
 
-  /// True where the client has closed its side or reset the connection, and has said nothing more.
+  /// True where the client has closed its side or reset the connection, and no bytes
+  /// wait to be read.
   bool HasGone() const;
 
-  /// Ends what the client can still get, so that it gets the last answer although it went on
-  /// sending.
+  /// Shuts down the sending side and discards what still comes, so that a client that goes on
+  /// sending gets the last answer.
   void Linger();
 
   /// Makes every wait of this connection end now. From any thread.
   void Cut();
 
-  /// True between two requests, and during a head that has not ended: nothing is lost when it goes.
+  /// True between two requests, and during a head that has not ended: closing it then loses
+  /// nothing.
   bool is_waiting() const { return is_waiting_; }
-  /// Since when it has waited, or has not.
+  /// The time of the last change of is_waiting().
   std::chrono::steady_clock::time_point since() const { return since_.load(); }
   int fd() const { return socket_.get(); }
 
@@ -59,7 +61,7 @@ class Connection {
   using Clock = std::chrono::steady_clock;
   /// Waits for `events` of poll(). False: too late.
   bool Await(short events, Clock::time_point deadline) const;
-  /// Appends what has come to received_. False: too late, or the client has gone.
+  /// Appends what has come to received_. False: too late, or the client has disconnected.
   bool Receive(Clock::time_point deadline);
 
   FileDescriptor socket_;

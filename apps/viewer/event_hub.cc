@@ -6,7 +6,7 @@ namespace shoal {
 
 EventHub::Reader::Reader(EventHub& hub) : hub_(hub) {
   const std::lock_guard lock(hub_.mutex_);
-  // While nobody looks there are no new frames; the last one may be hours old.
+  // Without readers there are no new frames; the last one may be hours old.
   if (hub_.num_readers_++ == 0) hub_.newest_.reset();
   stream_ = hub_.stream_;
 }

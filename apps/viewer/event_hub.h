@@ -1,5 +1,5 @@
-// The newest frame for all who watch. Nothing is queued: a client that is slow skips frames, and
-// delays nobody.
+// The newest frame, for all clients of the stream. Nothing is queued: a client that is slow skips
+// frames, and delays no other.
 //
 //   writer:  if (hub.num_readers() > 0) hub.Publish(frame_json);
 //   reader:  EventHub::Reader reader(hub);
@@ -29,8 +29,8 @@ class EventHub {
     Reader(const Reader&) = delete;
     Reader& operator=(const Reader&) = delete;
 
-    /// Waits at most so long for an event that is newer than the last. Returns it, null where there
-    /// is none yet, or nothing where the stream has ended.
+    /// Waits at most `patience` for an event that is newer than the last. Returns it, null where
+    /// there is none yet, or nothing where the stream has ended.
     std::optional<Event> Next(std::chrono::milliseconds patience);
 
    private:
@@ -42,9 +42,9 @@ class EventHub {
   /// Makes `json` the newest frame, as an event of text/event-stream.
   void Publish(std::string_view json);
 
-  /// Ends the streams of all readers there are now; who comes again gets a new one.
+  /// Ends the streams of all readers there are now; one that comes again gets a new stream.
   void EndStreams();
-  /// The same, for readers to come too.
+  /// The same, also for later readers.
   void Stop();
 
   int num_readers() const;

@@ -38,7 +38,7 @@ TEST(EventHub, SharesOneTextAmongReaders) {
   EXPECT_EQ(first.Next(milliseconds(0))->get(), second.Next(milliseconds(0))->get());
 }
 
-TEST(EventHub, GivesNobodyAFrameFromBeforeTheLastReaderLeft) {
+TEST(EventHub, GivesNoReaderAFrameFromBeforeTheLastReaderLeft) {
   EventHub hub;
   {
     EventHub::Reader reader(hub);
@@ -79,7 +79,7 @@ TEST(EventHub, EndsAllForGoodWhereItStops) {
   EXPECT_EQ(Next(reader), "(end)");
 }
 
-TEST(EventHub, WakesWhoWaits) {
+TEST(EventHub, WakesWaitingReaders) {
   EventHub hub;
   EventHub::Reader reader(hub);
   std::thread writer([&] { hub.Publish("1"); });

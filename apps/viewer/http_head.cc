@@ -54,7 +54,7 @@ CheckedHead CheckRequestLine(std::string_view line, RequestLine* parts) {
   }
   *parts = {line.substr(0, first), line.substr(first + 1, last - first - 1), line.substr(last + 1)};
   if (parts->version != "HTTP/1.1" && parts->version != "HTTP/1.0") {
-    return Refused(400, "this server speaks HTTP/1.1");
+    return Refused(400, "this server supports HTTP/1.1");
   }
   if (!parts->target.starts_with('/') || parts->target.find(' ') != std::string_view::npos) {
     return Refused(400, "a path begins with / and holds no blank");
@@ -69,10 +69,10 @@ CheckedHead CheckRequestLine(std::string_view line, RequestLine* parts) {
   return {.status = 200};
 }
 
-/// Takes the header lines one by one, and keeps those that the viewer knows.
+/// Takes the header lines one by one, and keeps those that the viewer uses.
 class HeaderLines {
  public:
-  int64_t content_length = -1;  ///< Negative: not told.
+  int64_t content_length = -1;  ///< Negative: not given.
   bool asks_to_close = false;
   bool asks_to_stay = false;
   std::string kept;
@@ -157,7 +157,7 @@ CheckedHead CheckHead(std::string_view bytes) {
     return Refused(400, "a POST needs Content-Length");
   }
   CheckedHead sound = {.status = 200, .size = end + 4};
-  // Whose body may stay unread, and whose answer ends with the connection, comes alone.
+  // The connection closes after a request whose body may stay unread, or whose answer ends with it.
   sound.keeps_alive = request.method != "POST" && headers.content_length <= 0 &&
                       !headers.asks_to_close &&
                       (request.version == "HTTP/1.1" || headers.asks_to_stay) &&

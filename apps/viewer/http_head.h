@@ -1,7 +1,7 @@
 // The first check of what comes over a socket, before cpp-httplib sees it: cpp-httplib sets no
 // limit on the number and total size of headers, and answers headers that the viewer has no use for
 // (ranges, compression, 100-continue, chunked bodies). It is given a head that holds only what the
-// viewer knows.
+// viewer uses.
 #pragma once
 
 #include <cstddef>

@@ -48,7 +48,7 @@ TEST(HttpHead, HasThreeMethods) {
   }
 }
 
-TEST(HttpHead, RefusesHeadersThatCouldMeanTwoThings) {
+TEST(HttpHead, RefusesAmbiguousHeaders) {
   for (const char* headers :
        {"Host: a\r\nHost: b\r\n", "Host : a\r\n", " Host: a\r\n", ": a\r\n", "Host\r\n",
         "Host: a\nOrigin: b\r\n", "Host: a\r\n folded\r\n",

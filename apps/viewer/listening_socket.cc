@@ -15,7 +15,7 @@ namespace shoal {
 namespace {
 
 /// Connections that the kernel keeps until they are accepted: a browser that opens ten pages at
-/// once, or a crowd of rude clients, must not be turned away.
+/// once, or many clients that do not read, must not be refused.
 constexpr int kBacklog = 512;
 
 /// Binds `address` with its port set. Returns the socket, closed where that failed (errno).
@@ -24,7 +24,7 @@ FileDescriptor Bind(const addrinfo& address, int port) {
       socket(address.ai_family, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, IPPROTO_TCP));
   if (!fd.is_open()) return fd;
   // A viewer that is started again must not wait for the connections of the one before. (Not
-  // SO_REUSEPORT: two viewers would share a port, and a browser would meet one or the other.)
+  // SO_REUSEPORT: two viewers would share a port, and a browser would reach one or the other.)
   const int on = 1;
   setsockopt(fd.get(), SOL_SOCKET, SO_REUSEADDR, &on, sizeof on);
   sockaddr_storage storage{};
@@ -89,10 +89,10 @@ Result<ListeningSocket> ListenOn(const ListeningOptions& options) {
     return Error{fmt::format("TCP ports {} to {} are all taken; give a free one with --http",
                              options.port, options.last_port)};
   }
-  return Error{
-      fmt::format("TCP port {0} is taken (`ss -tlnp 'sport = :{0}'` shows by whom); choose another "
-                  "with --http (`shoal run`: --view-http), or leave it out",
-                  options.port)};
+  return Error{fmt::format(
+      "TCP port {0} is taken (`ss -tlnp 'sport = :{0}'` shows by which program); choose another "
+      "with --http (`shoal run`: --view-http), or leave it out",
+      options.port)};
 }
 
 bool IsLoopback(const std::string& address) {

@@ -19,14 +19,14 @@ struct ListeningSocket {
   int port = 0;
 };
 
-/// Listens, and shares the port with nobody. The error tells what to try.
+/// Listens, and shares the port with no other program. The error states what to try.
 [[nodiscard]] Result<ListeningSocket> ListenOn(const ListeningOptions& options);
 
 /// True for an address that only this machine can reach.
 [[nodiscard]] bool IsLoopback(const std::string& address);
 
 /// Returns "http://ADDRESS:PORT/", an IPv6 address in brackets, with `?token=` where there is one.
-/// An address that stands for all of the machine's is told as `host_name`.
+/// An address that stands for all of the machine's is shown as `host_name`.
 [[nodiscard]] std::string PageUrl(const std::string& address, int port, const std::string& token,
                                   const std::string& host_name);
 

@@ -71,7 +71,7 @@ void MissionFollower::Look() {
 
 void MissionFollower::LookAfterMission() {
   const RunningMission& running = session_->running();
-  // Before the missions are listed: listing them removes what the dead left.
+  // Before the missions are listed: listing them removes the entries of missions that have died.
   std::error_code error;
   const bool has_entry = std::filesystem::exists(EntryPath(running.port_base), error);
   const std::vector<RunningMission> missions = RunningMissions();
@@ -86,12 +86,12 @@ void MissionFollower::LookAfterMission() {
 void MissionFollower::LookForMission() {
   const Result<RunningMission> found = FindRunningMission(options_.port_base);
   if (!found.ok()) {
-    if (found.error() != told_) fmt::print(stderr, "shoal-viewer: waiting: {}\n", found.error());
-    told_ = found.error();
+    if (found.error() != printed_) fmt::print(stderr, "shoal-viewer: waiting: {}\n", found.error());
+    printed_ = found.error();
     return;
   }
   if (found->mission_id == last_mission_id_) return;
-  told_.clear();
+  printed_.clear();
   fmt::print(stderr, "shoal-viewer: {} ({}), LCM ports from {}\n", found->name, found->file,
              found->port_base);
   TurnTo(std::make_shared<MissionSession>(*found, NewToken(), options_.allow_commands));
@@ -115,7 +115,7 @@ void MissionFollower::Show(int64_t now_us) {
   const bool is_due =
       num_changes != shown_changes_ ? age_us >= kFrameInterval_us : age_us >= kIdleFrameInterval_us;
   if (!is_due && !is_first) return;
-  // Kept in step with the wall, so that the pause of this loop makes no frame later than the next.
+  // Aligned with wall time, so that the pauses of this loop do not add up.
   last_frame_us_ = age_us < 2 * kFrameInterval_us ? last_frame_us_ + kFrameInterval_us : now_us;
   shown_changes_ = num_changes;
   hub_.Publish(session_->view().StreamFrameJson());

@@ -1,8 +1,8 @@
-// Finds the mission that runs, follows it, and turns to the next when it has ended.
+// Finds the running mission, follows it, and changes to the next when it has ended.
 //
 //   waiting --a mission runs--> following --its entry has gone--> ended --another runs--> following
 //                                  |                                                          ^
-//                                  +--its launcher has died without a word--> lost -----------+
+//                                  +--its launcher died, its entry stays----> lost -------------+
 //
 // A page that stays open sees each: the stream ends where a mission begins, and the page asks
 // everything again.
@@ -50,7 +50,7 @@ class MissionFollower {
   const FollowOptions options_;
   EventHub& hub_;
   std::atomic<bool> stopped_ = false;
-  std::string told_;             ///< What was printed last about waiting.
+  std::string printed_;          ///< What was printed last about waiting.
   int64_t last_mission_id_ = 0;  ///< Of the one that has ended, or cannot be joined.
   int64_t next_look_us_ = 0;
   int64_t last_frame_us_ = 0;

@@ -18,17 +18,17 @@ namespace {
 constexpr int64_t kRulesRequestInterval_us = 500'000;
 /// A broker that is not shoal's own may not answer.
 constexpr int64_t kMostRulesRequests = 20;
-/// What waits for longer than this when its turn comes is dropped but for a few messages of each
-/// channel: on a machine that is too slow, the page shows less rather than what was long ago.
+/// Messages that have waited for longer than this are dropped, but for a few of each channel: on a
+/// machine that is too slow, the page shows fewer messages, not old ones.
 constexpr int64_t kLongestQueue_us = 1'000'000;
 constexpr int64_t kMostMessagesAtOnce = 20'000;
-/// The launcher says CLOCK_STATE twice per second, unless it is stopped or starved.
+/// The launcher publishes CLOCK_STATE twice per second, unless it is stopped or starved.
 constexpr int64_t kClockSilence_us = 3'000'000;
-/// What the vehicles' processes say among themselves is most of a mission's traffic, and of little
-/// use more often than frames are made: it is read in large batches.
+/// What the vehicles' processes publish for each other is most of a mission's traffic, and is
+/// needed only once per frame: it is read in large batches.
 constexpr int64_t kCommunitiesInterval_us = 50'000;
 
-/// Loads the mission as it runs; or makes one of what the registry tells of it.
+/// Loads the mission as it runs; or makes one of what the registry holds of it.
 Mission MissionOf(const RunningMission& running, std::vector<std::string>* notes) {
   LoadedMission loaded = LoadMission(running.file, running.overrides);
   if (loaded.errors.empty()) return std::move(loaded.mission);
@@ -112,11 +112,11 @@ void MissionSession::TakeClock(const Message& message) {
   if (!Decode(message.data, &clock) || clock.mission_id != running_.mission_id) return;
   utime_ = clock.utime;
   is_ending_ = clock.state == "ending";
-  clock_heard_us_ = now_us_;
+  clock_received_us_ = now_us_;
   view_->Handle(message.channel, message.data);
 }
 
-/// A viewer that joins late has missed COMMS_RULES; what it asked for stands for it.
+/// A viewer that joins late has missed COMMS_RULES; the answer to its request replaces it.
 void MissionSession::TakeRules(const Message& message) {
   comms_rules_t rules{};
   if (has_rules_ || !Decode(message.data, &rules)) return;
@@ -137,8 +137,8 @@ void MissionSession::Work(int64_t now_us) {
       view_->Handle(channel, unsealed.message);
     });
   }
-  if (clock_heard_us_ != 0 && now_us - clock_heard_us_ > kClockSilence_us) {
-    clock_heard_us_ = 0;
+  if (clock_received_us_ != 0 && now_us - clock_received_us_ > kClockSilence_us) {
+    clock_received_us_ = 0;
     view_->SetClockGone("silent");
   }
   if (!has_rules_ && rules_requests_ < kMostRulesRequests && now_us >= next_rules_request_us_) {

@@ -1,5 +1,5 @@
 // One running mission as the viewer follows it: what it receives on the mission's bus goes to the
-// LiveView, what people want goes out. It never takes part in stepping.
+// LiveView, what users command goes out. It does not take part in stepping.
 //
 // Subscribes to what LiveView needs, COMMS_RULES_NOW, CLOCK_STATE and APPCAST; publishes
 // COMMS_RULES_REQ until it has the rules, APPCAST_REQ while a page shows the status pages, and what
@@ -37,7 +37,7 @@ class MissionSession {
   void Work(int64_t now_us);
   /// Leaves the bus, and has the view show `state`: "ended" or "lost".
   void Leave(std::string_view state);
-  /// True where the clock has said that the mission ends.
+  /// True where the clock has published that the mission ends.
   bool is_ending() const { return is_ending_; }
 
   /// False before a mission and after it.
@@ -63,9 +63,10 @@ class MissionSession {
   std::unique_ptr<LiveView> view_;
   StatusBoard board_;
   bool joined_ = false;
-  bool is_ending_ = false;      ///< CLOCK_STATE has said so.
-  int64_t clock_heard_us_ = 0;  ///< When CLOCK_STATE came last; 0: not yet, or silence is told.
-  bool has_rules_ = false;      ///< COMMS_RULES has come, or COMMS_RULES_NOW.
+  bool is_ending_ = false;  ///< CLOCK_STATE has stated so.
+  int64_t clock_received_us_ =
+      0;                    ///< When CLOCK_STATE came last; 0: not yet, or its silence is shown.
+  bool has_rules_ = false;  ///< COMMS_RULES has come, or COMMS_RULES_NOW.
   int64_t next_rules_request_us_ = 0;
   int64_t rules_requests_ = 0;
   int64_t now_us_ = 0;
@@ -75,7 +76,7 @@ class MissionSession {
   std::unique_ptr<DatagramListener> communities_;  ///< Absent in the `shared` layout.
   int64_t next_communities_us_ = 0;
 
-  std::mutex desk_mutex_;  ///< Of desk_, which goes when the mission does.
+  std::mutex desk_mutex_;  ///< Of desk_, which is destroyed when the mission ends.
   std::unique_ptr<CommandDesk> desk_;
 };
 

@@ -1,5 +1,5 @@
-// The files of the page, by the path that a request has for them. There is nothing else to be had,
-// so no path leads out of a folder.
+// The files of the page, by the path that a request has for them. Nothing else is served, so no
+// path leads out of a folder.
 #pragma once
 
 #include <map>

@@ -26,7 +26,7 @@ TEST(PageFiles, AreThoseOfTheFolderWeb) {
   EXPECT_EQ(loaded->size(), embedded.size());
 }
 
-TEST(PageFiles, HaveTheTypesThatBrowsersInsistOn) {
+TEST(PageFiles, HaveTheTypesThatBrowsersRequire) {
   EXPECT_EQ(ContentTypeOf("/app.js"), "text/javascript; charset=utf-8");
   EXPECT_EQ(ContentTypeOf("/index.html"), "text/html; charset=utf-8");
   EXPECT_EQ(ContentTypeOf("/style.css"), "text/css; charset=utf-8");

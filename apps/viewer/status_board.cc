@@ -10,9 +10,9 @@ namespace shoal {
 namespace {
 
 constexpr int64_t kAskInterval_us = 1'000'000;
-/// Somebody whose last look is older has closed the panel.
+/// A page whose last request is older has closed the panel.
 constexpr int64_t kLookLasts_us = 4'000'000;
-/// Whose page is older, while somebody looks, no longer answers.
+/// A participant whose page is older, while the panel is open, no longer answers.
 constexpr int64_t kSilence_us = 10'000'000;
 constexpr size_t kMostWarnings = 100;
 
@@ -55,7 +55,8 @@ bool StatusBoard::HasRoom(const std::string& app, size_t size) const {
   return num_bytes_ - SizeOf(known->second.appcast) + size <= kMost_bytes;
 }
 
-/// Drops the pages of those who have not answered for long: strangers, or the dead.
+/// Drops the pages of those participants that have not answered for long: unregistered or dead
+/// ones.
 void StatusBoard::DropSilent(int64_t now_us) {
   if (dropped_us_ != INT64_MIN && now_us - dropped_us_ < kAskInterval_us) return;
   dropped_us_ = now_us;
@@ -77,7 +78,7 @@ std::string StatusBoard::Json(int64_t now_us) {
   nlohmann::json list = nlohmann::json::array();
   for (const Page* page : pages) {
     const appcast_t& appcast = page->appcast;
-    // As floating point, since a stranger's time may lie anywhere.
+    // As floating point, since the time of an unregistered participant may be any number.
     const double t_s =
         (static_cast<double>(appcast.utime) - static_cast<double>(start_utime_)) / 1e6;
     list.push_back({{"app", appcast.app},

@@ -22,10 +22,10 @@ class StatusBoard {
 
   void Take(const appcast_t& page, int64_t now_us);
 
-  /// Returns all pages, those with warnings first, and notes that somebody looks.
+  /// Returns all pages, those with warnings first, and notes that a client asks for them.
   std::string Json(int64_t now_us);
 
-  /// True where the processes should be asked again: once a second, while somebody looks.
+  /// True where the processes should be asked again: once a second, while a client asks for pages.
   [[nodiscard]] bool WantsPages(int64_t now_us);
 
   size_t num_pages() const;

@@ -40,7 +40,7 @@ TEST(StatusBoard, KeepsTheLastPageOfEachApp) {
   EXPECT_TRUE(pages[0]["run_warnings"].empty());
 }
 
-TEST(StatusBoard, WantsPagesOnceASecondWhileSomebodyLooks) {
+TEST(StatusBoard, WantsPagesOnceASecondWhileTheyAreShown) {
   StatusBoard board(0);
   EXPECT_FALSE(board.WantsPages(0));
   board.Json(1'000'000);
@@ -50,7 +50,7 @@ TEST(StatusBoard, WantsPagesOnceASecondWhileSomebodyLooks) {
   EXPECT_FALSE(board.WantsPages(9'000'000));
 }
 
-TEST(StatusBoard, SurvivesWhatStrangersSay) {
+TEST(StatusBoard, SurvivesPagesOfUnregisteredParticipants) {
   StatusBoard board(INT64_MIN);
   appcast_t page =
       Page("\xff\xfe", INT64_MAX, std::vector<std::string>(1'000, std::string(5'000, 'w')));
@@ -63,7 +63,7 @@ TEST(StatusBoard, SurvivesWhatStrangersSay) {
   EXPECT_EQ(pages[0]["run_warnings"][0].get<std::string>().size(), 1'000U);
 }
 
-TEST(StatusBoard, ShowsTheMissionsPagesAgainAfterThoseOfStrangers) {
+TEST(StatusBoard, ShowsTheMissionsPagesAgainAfterThoseOfUnregisteredParticipants) {
   StatusBoard board(0);
   for (int i = 0; i < 3'000; ++i) board.Take(Page("app" + std::to_string(i), 0), 0);
   board.Take(Page("helm_alpha", 0), 11'000'000);

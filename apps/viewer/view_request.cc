@@ -51,7 +51,7 @@ class QueryReader {
       if (std::find(names.begin(), names.end(), name) == names.end()) {
         Refuse(fmt::format("unknown in this query: {}; known: {}", Quoted(name), Joined(names)));
       } else if (query.count(name) > 1) {
-        Refuse(fmt::format("'{}' stands in this query more than once", name));
+        Refuse(fmt::format("'{}' appears in this query more than once", name));
       }
     }
   }

@@ -1,5 +1,5 @@
-// Reads what a request to the viewer asks for. All input may be hostile: whatever comes gives a
-// value within the stated bounds, or an Error whose text tells what to send instead. Never throws.
+// Reads what a request to the viewer asks for. All input may be hostile: any input gives a
+// value within the stated bounds, or an Error whose text states what to send instead. Never throws.
 #pragma once
 
 #include <string>
@@ -33,8 +33,8 @@ struct TimedFateQuery {
   double t_s = kNoTimeGiven_s;
 };
 
-/// An order as `shoal send` would be given it: 1 to 64 bytes of target, at most 64 words of at most
-/// 1000 bytes, all UTF-8 without control characters.
+/// An order as on the command line of `shoal send`: 1 to 64 bytes of target, at most 64 words of at
+/// most 1000 bytes, all UTF-8 without control characters.
 struct CommandWords {
   std::string target;
   std::vector<std::string> words;

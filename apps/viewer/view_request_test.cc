@@ -20,7 +20,7 @@ TEST(ViewRequest, RefusesTimesThatAreNoNumbers) {
   EXPECT_FALSE(ParseTimeQuery({{"t", std::string(1'000'000, '1')}}).ok());
 }
 
-TEST(ViewRequest, NamesWhatAQueryDoesNotKnow) {
+TEST(ViewRequest, NamesUnknownPartsOfAQuery) {
   const auto time = ParseTimeQuery({{"time", "1"}});
   ASSERT_FALSE(time.ok());
   EXPECT_EQ(time.error(), "unknown in this query: 'time'; known: t, token");

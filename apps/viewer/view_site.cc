@@ -10,7 +10,7 @@ namespace {
 
 WebAnswer Json(std::string body) { return {.body = std::move(body)}; }
 
-/// Answers with what `make` makes of the parsed query, or with what is wrong with that.
+/// Answers with the result of `make` for the parsed query, or with the error of parsing.
 template <class T, class Make>
 WebAnswer Answer(const Result<T>& query, Make make) {
   if (!query.ok()) return ErrorAnswer(400, query.error());
@@ -28,7 +28,7 @@ WebAnswer NoSuchPath(const std::string& path) {
 }  // namespace
 
 std::optional<WebAnswer> ViewSite::Deny(const WebRequest& request) {
-  // Before the access rules, which would advise to allow commands.
+  // Before the access rules, whose error would recommend --allow-commands.
   if (request.path == kCommandPath && !parts_.command) {
     return ErrorAnswer(404, "a recorded mission takes no commands");
   }
@@ -78,7 +78,7 @@ WebAnswer ViewSite::ReplyWithData(const WebRequest& request) {
     if (path == "/api/links") return Json(source->LinksJson(t_s));
     if (path == "/api/events") return Json(source->EventsJson());
     if (!parts_.is_live && (path == kStreamPath || path == "/api/status")) {
-      return ErrorAnswer(404, "a recorded mission has no such thing");
+      return ErrorAnswer(404, "not available for a recorded mission");
     }
     return NoSuchPath(path);
   });

@@ -1,4 +1,4 @@
-// What is at which address of the viewer: docs/viewer_protocol.md. Answers the requests of
+// The addresses of the viewer: docs/viewer_protocol.md. Answers the requests of
 // WebServer from a ViewSource; knows nothing of sockets.
 #pragma once
 
@@ -15,13 +15,13 @@
 
 namespace shoal {
 
-/// Functions may be called from any thread. Those that are absent have no mission to speak with:
+/// The functions may be called from any thread. Those that need a running mission are absent where
 /// the viewer shows a log.
 struct ViewSiteParts {
   PageFiles files = {};
   AccessRules access = {};
   bool is_live = false;
-  std::function<std::shared_ptr<ViewSource>()> source = {};          ///< The one of this moment.
+  std::function<std::shared_ptr<ViewSource>()> source = {};          ///< The current one.
   std::function<std::string()> status = {};                          ///< Answers /api/status.
   std::function<WebAnswer(const CommandWords& words)> command = {};  ///< Carries out an order.
 };

@@ -38,7 +38,7 @@ ViewSiteParts Parts(bool is_live) {
   return parts;
 }
 
-/// "200 body", or what status it is.
+/// "200 body", or the status alone.
 std::string Ask(ViewSite& site, const std::string& path, const QueryWords& query = {},
                 const std::string& body = "") {
   const WebRequest request = {.method = body.empty() ? "GET" : "POST",
@@ -70,10 +70,10 @@ TEST(ViewSite, AnswersAtTheAddressesOfTheProtocol) {
   EXPECT_EQ(Ask(site, "/api/command", {}, R"({"target": "alpha", "words": []})"), "alpha");
 }
 
-TEST(ViewSite, SaysWhatIsWrong) {
+TEST(ViewSite, StatesWhatIsWrong) {
   ViewSite site(Parts(true));
   EXPECT_EQ(Ask(site, "/api/frame", {{"t", "nan"}}), "400");
-  EXPECT_EQ(Ask(site, "/api/vehicle", {{"name", "nobody"}}), "404");
+  EXPECT_EQ(Ask(site, "/api/vehicle", {{"name", "unknown"}}), "404");
   EXPECT_EQ(Ask(site, "/api/vehicle"), "400");
   EXPECT_EQ(Ask(site, "/api/nothing"), "404");
   for (const char* path : {"/api/stream", "/api/status", "/api/events"}) {
@@ -85,7 +85,7 @@ TEST(ViewSite, SaysWhatIsWrong) {
   EXPECT_EQ(Ask(site, ""), "404");
 }
 
-TEST(ViewSite, TellsWhoMaySendCommands) {
+TEST(ViewSite, ShowsWhichRequestsMaySendCommands) {
   ViewSite site(Parts(true));
   WebRequest request = {.method = "GET", .path = "/api/setup", .host = "localhost"};
   EXPECT_EQ(site.Reply(request).body, "setup");
@@ -101,7 +101,7 @@ TEST(ViewSite, HasNothingLiveOfALog) {
   EXPECT_EQ(Ask(site, "/api/command", {}, R"({"target": "a", "words": []})"), "404");
 }
 
-TEST(ViewSite, LetsNothingBeKeptOfWhatMoves) {
+TEST(ViewSite, ForbidsCachingOfData) {
   ViewSite site(Parts(true));
   WebRequest request = {.method = "GET", .path = "/api/frame", .host = "localhost"};
   EXPECT_EQ(site.Reply(request).cache_control, "no-store");

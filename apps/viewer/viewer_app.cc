@@ -38,7 +38,7 @@ std::string HostName() {
   return name.data();
 }
 
-/// Signals are waited for; to be called before there are threads, which inherit the mask.
+/// Blocks the signals, to wait for them; called before there are threads, which inherit the mask.
 sigset_t BlockStopSignals() {
   sigset_t set;
   sigemptyset(&set);
@@ -119,7 +119,7 @@ int ServeRunningMission(const ViewerOptions& options, ViewSiteParts parts) {
 
 int RunViewer(const ViewerOptions& options) {
   setpriority(PRIO_PROCESS, 0, kNiceness);
-  // A viewer that wakes never takes the processor from a participant that has it.
+  // A viewer that wakes never preempts a participant.
   const sched_param batch{};
   sched_setscheduler(0, SCHED_BATCH, &batch);
   ViewSiteParts parts = {.access = RulesOf(options)};

@@ -17,12 +17,12 @@ ViewerOptions ParseViewerOptionsOrExit(int argc, char** argv) {
   int http_port = -1;
   CLI::App cli(
       "Shows a mission in the browser: a running one, or with --log a recorded one.\n"
-      "`shoal run FILE --view` and `shoal view LOG` start it; by hand it looks at the mission "
-      "that\n"
-      "runs, and waits where there is none.",
+      "`shoal run FILE --view` and `shoal view LOG` start it; without --log it shows the running\n"
+      "mission, or waits for one.",
       "shoal-viewer");
   cli.set_version_flag("-v,--version", std::string("shoal-viewer ") + kVersion);
-  cli.add_flag("-i,--interface", interface, "Print the channels that it hears and says, then exit");
+  cli.add_flag("-i,--interface", interface,
+               "Print the channels that it subscribes to and publishes, then exit");
   CLI::Option* port =
       cli.add_option("--port", options.port_base,
                      "First LCM port of the mission (default: that of the one that runs)")
@@ -37,7 +37,7 @@ ViewerOptions ParseViewerOptionsOrExit(int argc, char** argv) {
                  "needs the token that is printed (default: 127.0.0.1)");
   CLI::Option* commands =
       cli.add_flag("--allow-commands", options.allow_commands,
-                   "Let who has the token that is printed command vehicles, broker and clock");
+                   "Allow commands to vehicles, broker and clock, with the token that is printed");
   cli.add_option("--web", options.web_folder, "Folder of the page, for those who work on it");
   CLI::Option* log =
       cli.add_option("--log", options.log,

@@ -1,5 +1,5 @@
-// A request to the viewer's web server and the answer to it, as plain data: who speaks HTTP fills
-// the one and sends the other (web_server.h), who knows what is asked has never heard of sockets.
+// A request to the viewer's web server and the answer to it, as plain data: web_server.h
+// makes the one of HTTP and sends the other; the code between knows nothing of sockets.
 #pragma once
 
 #include <map>

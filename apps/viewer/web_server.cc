@@ -15,7 +15,7 @@ namespace {
 constexpr size_t kMostRequestsPerConnection = 1'000;
 
 const httplib::Headers& SafetyHeaders() {
-  // The page has everything it needs from this server; whatever an error would smuggle in is not
+  // The page has everything it needs from this server; scripts of other sources do not
   // run, and no other site can frame it.
   static const httplib::Headers headers = {
       {"Content-Security-Policy",
@@ -29,7 +29,7 @@ const httplib::Headers& SafetyHeaders() {
   return headers;
 }
 
-/// The whole answer to what never became a request.
+/// The whole answer to bytes that are not a request.
 std::string RefusalText(int status, const std::string& message) {
   const std::string body = ErrorAnswer(status, message).body;
   std::string text =
@@ -54,7 +54,7 @@ WebRequest RequestOf(const httplib::Request& request) {
           .body = request.body};
 }
 
-/// A connection as cpp-httplib wants to see it.
+/// A connection with the interface that cpp-httplib needs.
 class ConnectionStream : public httplib::Stream {
  public:
   explicit ConnectionStream(Connection& connection) : connection_(connection) {}
@@ -79,7 +79,7 @@ class WebServer::Http : public httplib::Server {
  public:
   Http(int listening_fd, const WebServerOptions& options, EventHub& hub, WebSite& site)
       : options_(options), hub_(hub), site_(site) {
-    svr_sock_ = listening_fd;  // Else cpp-httplib takes streams for ended.
+    svr_sock_ = listening_fd;  // Else cpp-httplib ends streams.
     set_default_headers(SafetyHeaders());
     set_payload_max_length(kMostBodyBytes);
     set_keep_alive_max_count(kMostRequestsPerConnection);
@@ -114,7 +114,7 @@ class WebServer::Http : public httplib::Server {
         });
   }
 
-  /// Answers the requests of one client until it goes or has to.
+  /// Answers the requests of one client until the connection ends.
   void Converse(Connection& connection) {
     ConnectionStream stream(connection);
     for (size_t i = 0; i < kMostRequestsPerConnection; ++i) {

@@ -6,8 +6,8 @@
 //   ...
 //   server.Stop(), thread.join();
 //
-// A client that is slow, silent or says too much goes after a while (Patience) and never keeps
-// another from an answer; nothing it sends ends the server.
+// A client that is slow, silent or sends too much is cut after a while (Patience) and never delays
+// the answers of others; nothing that it sends ends the server.
 #pragma once
 
 #include <functional>
@@ -21,7 +21,7 @@
 
 namespace shoal {
 
-/// Knows the answers. Called from any thread.
+/// Answers requests. Called from any thread.
 class WebSite {
  public:
   virtual ~WebSite() = default;

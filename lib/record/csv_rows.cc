@@ -11,7 +11,7 @@ namespace shoal {
 
 namespace {
 
-/// Fixed arrays of up to so many elements have a column for each.
+/// Fixed arrays of at most this many elements have a column for each.
 constexpr int64_t kMaxExpandedElements = 64;
 
 enum class Shape {
@@ -25,8 +25,8 @@ enum class Shape {
 /// The structs around a member, outermost first.
 using OpenTypes = std::vector<const StructType*>;
 
-/// Tells whether an array within an array may be rows: columns of structs that hold themselves
-/// would have no end. Messages do not go deeper than kMaxStructDepth, nor need columns.
+/// Returns whether an array within an array may be rows: columns of structs that hold themselves
+/// would have no end. Messages are nested at most kMaxStructDepth deep; columns need no more.
 bool MayNest(const StructType& type, const OpenTypes& open) {
   return open.size() <= kMaxStructDepth && std::find(open.begin(), open.end(), &type) == open.end();
 }
@@ -51,7 +51,7 @@ bool IsUtime(const Member& member) {
          (member.name == "utime" || member.name.ends_with("_utime"));
 }
 
-/// The names of the columns of a struct, in the order in which a walk comes to them.
+/// The names of the columns of a struct, in the order of a walk.
 struct Columns {
   std::vector<std::string> names;  ///< Outside of its arrays of structs.
   std::vector<Columns> tables;     ///< One for each of these arrays.
@@ -116,7 +116,7 @@ struct Element {
   size_t num_rows() const { return row_ends.empty() ? 1 : row_ends.back(); }
 
   /// Fills row_ends.
-  /// @pre those of the elements within are there.
+  /// @pre row_ends of the inner elements are filled.
   void CountRows() {
     for (size_t i = 0;; ++i) {
       size_t num_rows_of_index = 0;
@@ -183,7 +183,7 @@ class RowCollector : public Visitor {
   }
 
  private:
-  /// What an open struct or array is to the table.
+  /// The role of an open struct or array in the table.
   enum class Part { kCells, kText, kTable, kRow };
 
   Part PartThatBegins() const {
@@ -292,7 +292,7 @@ void CsvLayout::AppendRows(int64_t event_utime, std::span<const uint8_t> bytes,
                            std::string* out) const {
   RowCollector collector(schema_);
   const auto fault = Walk(schema_, type_, bytes, &collector);
-  SHOAL_CHECK(!fault, "rows of a message that nobody checked");
+  SHOAL_CHECK(!fault, "a message of which rows are made decodes (FindWireFault() finds none)");
   const Element& message = collector.message();
   for (size_t row = 0; row < message.num_rows(); ++row) {
     const Place place = FindPlace(message, row);

@@ -206,7 +206,7 @@ TEST(AppendCsvCell, QuotesAsRfc4180Asks) {
   EXPECT_EQ(cell("plain text"), "plain text");
   EXPECT_EQ(cell(""), "");
   EXPECT_EQ(cell("a,b"), "\"a,b\"");
-  EXPECT_EQ(cell("say \"x\""), "\"say \"\"x\"\"\"");
+  EXPECT_EQ(cell("the \"x\""), "\"the \"\"x\"\"\"");
   EXPECT_EQ(cell("two\nlines"), "\"two\nlines\"");
 }
 

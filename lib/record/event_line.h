@@ -8,8 +8,8 @@
 
 namespace shoal {
 
-/// Returns `12.300 NAV_ALPHA nav_t x_m=1.5 ...`, without newline. Messages that nobody can decode
-/// are told as such, with their size and why.
+/// Returns `12.300 NAV_ALPHA nav_t x_m=1.5 ...`, without newline. Messages that
+/// cannot be decoded are shown as such, with their size and the reason.
 std::string EventLine(const Schema& schema, const LogEvent& event);
 
 }  // namespace shoal

@@ -1,4 +1,4 @@
-// An open file that is closed when nobody holds it any more.
+// An open file that is closed when its owner is destroyed.
 #pragma once
 
 #include <unistd.h>
@@ -25,14 +25,14 @@ class FileDescriptor {
   bool is_open() const { return fd_ >= 0; }
   int get() const { return fd_; }
 
-  /// Closes the file; returns false where that told of an error (errno).
+  /// Closes the file; returns false where that failed (errno).
   bool Close() { return ::close(std::exchange(fd_, -1)) == 0; }
 
  private:
   int fd_ = -1;
 };
 
-/// Returns what an errno means, in words.
+/// Returns the text of an errno.
 inline std::string ErrnoText(int error) { return std::generic_category().message(error); }
 
 }  // namespace shoal

@@ -54,7 +54,7 @@ void FileWindow::Load(uint64_t offset, size_t size) {
     if (result < 0 && errno == EINTR) continue;
     if (result <= 0) {
       if (result < 0) error_ = ErrnoText(errno);
-      size_ = offset + filled_;  // somebody cut the file, or the disk is broken here
+      size_ = offset + filled_;  // the file was cut, or the disk is damaged here
       return;
     }
     filled_ += static_cast<size_t>(result);

@@ -16,7 +16,7 @@ namespace shoal {
 
 class FileWindow {
  public:
-  /// Opens a regular file, which has from now on the length that it has now.
+  /// Opens a regular file. What is appended to it later is not read.
   static Result<FileWindow> Open(const std::string& path);
 
   static constexpr size_t kBufferSize = size_t{1} << 20;
@@ -28,7 +28,7 @@ class FileWindow {
   uint64_t size() const { return size_; }
 
   /// Returns the bytes [offset, offset + size), fewer at the end of the file. They live until the
-  /// next call. Takes as much memory as `size` says, no more than the file has.
+  /// next call. Takes `size` bytes of memory, no more than the file has.
   std::span<const uint8_t> At(uint64_t offset, size_t size);
 
   /// Returns the big-endian number at `offset` and leaves the views of At() alive.

@@ -1,7 +1,6 @@
-// What `shoal log info|cat|diff|csv` do. Each reads files, writes text to `out`, complaints to
-// `err`, and returns the process's exit code: 0, or kExitEnvironment for a file that cannot be read
-// (or is damaged, where nobody asked for what is left of it), kExitUsage for types that make no
-// sense.
+// What `shoal log info|cat|diff|csv` do. Each reads files, writes text to `out`, warnings and
+// errors to `err`, and returns the process's exit code: 0, or kExitEnvironment for a file that
+// cannot be read (or is damaged, without skip_damage), kExitUsage for types that are not valid.
 #pragma once
 
 #include <cstdint>
@@ -54,10 +53,10 @@ inline constexpr int kLogsDiffer = 1;
 
 /// Compares times, channels and messages in order (not event numbers, not seals). Prints the first
 /// difference with step (index of distinct times, from 0), time, channel, field and both values,
-/// and which channels have unlike numbers of events. Returns 0 for equal logs, else kLogsDiffer.
+/// and which channels have different numbers of events. Returns 0 for equal logs, else kLogsDiffer.
 int LogDiff(const LogDiffOptions& options, std::ostream& out, std::ostream& err);
 
-/// Messages of one type as lines of text, in a form that lib/record knows nothing of.
+/// Messages of one type as lines of text, in a form that lib/record does not define.
 struct LogLines {
   std::string type;       ///< Such as "node_report_t".
   std::string extension;  ///< Of the files: ".alog".
@@ -77,7 +76,7 @@ struct LogCsvOptions {
   std::optional<LogLines> lines = std::nullopt;  ///< Written beside the tables.
 };
 
-/// Writes <CHANNEL>.csv for every channel (lib/record/csv_rows.h tells the columns), and
+/// Writes <CHANNEL>.csv for every channel (lib/record/csv_rows.h describes the columns), and
 /// <CHANNEL>.<type>.csv for further types on one channel; with `lines`, beside each table of that
 /// type a file of the same name with their extension. Names the files in `out`.
 int LogCsv(const LogCsvOptions& options, std::ostream& out, std::ostream& err);

@@ -116,7 +116,7 @@ TEST_F(LogCat_, SelectsChannelsTimesAndLines) {
   EXPECT_EQ(std::count(all_from_to.begin(), all_from_to.end(), '\n'), 6);
 }
 
-TEST_F(LogCat_, TellsWhatItCannotDecode) {
+TEST_F(LogCat_, ShowsWhatItCannotDecode) {
   Bytes cut = Desired(0, 0);
   cut.pop_back();
   const std::string path =
@@ -186,7 +186,7 @@ MINE: 1 events of unknown type, fingerprint 0x0102030405060708 (give its .lcm fi
   EXPECT_EQ(exit_code_, kExitOk);
 }
 
-TEST_F(LogInfo_, TellsOfUndecodableEventsAndATruncatedTail) {
+TEST_F(LogInfo_, ReportsUndecodableEventsAndATruncatedTail) {
   Bytes cut = Desired(0, 0);
   cut.pop_back();
   const std::string path = Log("a.lcm", {{0, "C", cut}, {0, "C", Desired(0, 1)}, {0, "D", {}}});
@@ -210,7 +210,7 @@ TEST_F(LogInfo_, CalculatesWithTimesAtTheEndsOfTheirRange) {
             std::string::npos);
 }
 
-TEST_F(LogDiff_, SaysThatLogsAreEqual) {
+TEST_F(LogDiff_, StatesThatLogsAreEqual) {
   const std::vector<TestEvent> events = {{0, "D", Desired(0, 1)}, {100'000, "D", Desired(0, 2)}};
   EXPECT_EQ(Diff(Log("a.lcm", events), Log("b.lcm", events)), "equal: 2 events in 2 steps\n");
   EXPECT_EQ(exit_code_, kExitOk);
@@ -235,7 +235,7 @@ TEST_F(LogDiff_, FindsAMissingMessageAndCountsItsChannel) {
   const std::string line = " desired_t heading_deg=1 speed_mps=1.5 depth_m=0\n";
   EXPECT_EQ(Diff(a, b), "first difference: step 0, 0.000 s, other messages follow\n  " + a +
                             ": 0.000 D" + line + "  " + b + ": 0.000 E" + line +
-                            "unlike numbers of events:\n  D: 1 in " + a + ", 0 in " + b + "\n");
+                            "different numbers of events:\n  D: 1 in " + a + ", 0 in " + b + "\n");
 }
 
 TEST_F(LogDiff_, FindsThatOneLogEnds) {
@@ -243,7 +243,7 @@ TEST_F(LogDiff_, FindsThatOneLogEnds) {
   const std::string b = Log("b.lcm", {{0, "D", Desired(0, 1)}, {5, "E", {}}});
   EXPECT_EQ(Diff(a, b), "first difference: step 1, 0.000005 s, one log ends\n  " + a +
                             ": (ends here)\n  " + b + ": 0.000005 E ? (no fingerprint, 0 bytes)\n" +
-                            "unlike numbers of events:\n  E: 0 in " + a + ", 1 in " + b + "\n");
+                            "different numbers of events:\n  E: 0 in " + a + ", 1 in " + b + "\n");
 }
 
 TEST_F(LogDiff_, NamesTheByteWhereItKnowsNoField) {
@@ -330,7 +330,7 @@ TEST_F(LogCsv_, WritesLinesBesideTheTablesOfOneTypeWhereAskedTo) {
   EXPECT_EQ(TextOfFile(dir + "/D.txt"), "%%\n1 D 40\n3 D 40\n");
 }
 
-TEST_F(LogCsv_, SaysWhatItCannotWrite) {
+TEST_F(LogCsv_, StatesWhatItCannotWrite) {
   const std::string path = Log("a.lcm", {{0, "D", Desired(0, 1)}});
   Csv({.path = path, .out_dir = "/dev/null/x"});
   EXPECT_EQ(exit_code_, kExitEnvironment);

@@ -37,7 +37,7 @@ class TextFile {
     return pending_.size() < kPieceSize || Flush();
   }
 
-  /// Returns false where the file cannot be written; errno tells why.
+  /// Returns false where the file cannot be written; errno holds the reason.
   [[nodiscard]] bool Flush() {
     const int mode = std::exchange(is_new_, false) ? O_TRUNC : O_APPEND;
     FileDescriptor file(::open(path_.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | mode, 0644));
@@ -64,8 +64,7 @@ class TextFile {
   bool is_new_ = true;
 };
 
-/// What the messages of one type on one channel become: a table, and lines where they are asked
-/// for.
+/// The output for the messages of one type on one channel: a table, and lines if requested.
 class ChannelFiles {
  public:
   ChannelFiles(const std::string& stem, const Schema& schema, const StructType& type,
@@ -74,7 +73,7 @@ class ChannelFiles {
     if (lines != nullptr) lines_.emplace(stem + lines->extension, lines->header);
   }
 
-  /// Returns the file that cannot be written (errno tells why), nullptr where all went well.
+  /// Returns the file that cannot be written (errno holds the reason), nullptr where all went well.
   const TextFile* Append(const LogEvent& event, std::span<const uint8_t> message) {
     const auto row = [&](std::string* out) { layout_.AppendRows(event.utime, message, out); };
     if (!table_.Append(row)) return &table_;
@@ -134,7 +133,7 @@ class CsvDirectory {
   }
 
  private:
-  /// Channels come from a file that anybody may have made: nothing in them leaves the directory.
+  /// Channel names come from an untrusted file: no path made of one leaves the directory.
   static std::string SafeName(std::string_view channel) {
     constexpr size_t kMaxLength = 100;
     std::string name(channel.substr(0, kMaxLength));

@@ -7,7 +7,7 @@ namespace shoal {
 namespace {
 
 constexpr size_t kMaxDamagesListed = 1000;
-/// More data than this is believed only where another event, or the file's end, follows it.
+/// A data length above this is accepted only where another event, or the file's end, follows.
 constexpr uint64_t kMaxUnconfirmedSize = 16 << 20;
 
 uint64_t BigEndian(std::span<const uint8_t> bytes) {
@@ -67,7 +67,7 @@ bool LogReader::EventMayBeginAt(uint64_t offset) const {
   return offset == file_.size() || file_.PeekUint32(offset) == kLogMagic;
 }
 
-/// Tells whether a whole event with a printable channel stands at `offset`.
+/// Returns whether a whole event with a printable channel stands at `offset`.
 bool LogReader::IsEventAt(uint64_t offset) {
   const Header header = ReadHeader(offset);
   if (!header.wrong.empty()) return false;
@@ -107,7 +107,7 @@ std::optional<LogEvent> LogReader::Next() {
       continue;
     }
     if (on_damage_ == OnDamage::kSkip && !EventMayBeginAt(header.end)) {
-      // Either something foreign stands behind this event, or its length lies.
+      // Either foreign bytes follow this event, or its length is wrong.
       if (const auto inner = FindEvent(position_ + 1, header.end, true)) {
         Skip(*inner, "an event's length reaches over the events behind it");
         continue;

@@ -1,4 +1,4 @@
-// Reads an LCM event log of any length, event by event, whatever is in the file.
+// Reads an LCM event log of any length, event by event, even if it is damaged.
 //
 //   Result<LogReader> reader = LogReader::Open("mission.lcm");
 //   while (const auto event = reader->Next()) Use(*event);
@@ -17,7 +17,7 @@
 namespace shoal {
 
 enum class OnDamage {
-  kStop,  ///< The first damage ends the reading; error() says where and what.
+  kStop,  ///< The first damage ends the reading; error() states where and what.
   kSkip,  ///< Reads all whole events, before and behind the damages, which damages() lists.
 };
 
@@ -33,13 +33,13 @@ class LogReader {
   /// Opens a log. An empty file is a log without events.
   static Result<LogReader> Open(const std::string& path, OnDamage on_damage = OnDamage::kStop);
 
-  /// Returns a reader of the same open file, whatever its path names by now, from the start on;
-  /// `buffer_size`: so many bytes are read at a time. Each reader may have a thread of its own.
+  /// Returns a reader of the same open file, even if its path names another by now, from the start
+  /// on; it reads `buffer_size` bytes at a time. Each reader may have a thread of its own.
   LogReader Another(size_t buffer_size = FileWindow::kBufferSize) const {
     return {path_, file_.Another(buffer_size), on_damage_};
   }
 
-  /// Goes on at `offset`, an event's.
+  /// Continues at `offset`, which is the begin of an event.
   void Seek(uint64_t offset) { position_ = offset; }
 
   /// Returns the next event, or nothing at the end of what can be read.

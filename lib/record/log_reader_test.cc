@@ -93,7 +93,7 @@ TEST(LogReader, ReadsAnEmptyFileAsALogWithoutEvents) {
   EXPECT_EQ(ReadAll(directory.File("a.lcm"), OnDamage::kStop).error, "");
 }
 
-TEST(LogReader, SaysWhyAFileCannotBeRead) {
+TEST(LogReader, StatesWhyAFileCannotBeRead) {
   const TestDirectory directory;
   const std::string missing = directory.File("missing.lcm");
   EXPECT_EQ(ReadAll(missing, OnDamage::kStop).error,
@@ -102,7 +102,7 @@ TEST(LogReader, SaysWhyAFileCannotBeRead) {
             "cannot read /dev/null: not a regular file");
 }
 
-TEST(LogReader, SaysThatAForeignFileIsNoLog) {
+TEST(LogReader, StatesThatAForeignFileIsNoLog) {
   const TestDirectory directory;
   const std::string path = directory.File("a.png");
   WriteBytes(path, {0x89, 'P', 'N', 'G', 1, 2, 3, 4, 5, 6, 7, 8, 9});
@@ -110,7 +110,7 @@ TEST(LogReader, SaysThatAForeignFileIsNoLog) {
             path + ": byte 0: not an LCM event log: it does not begin with eda1da01");
 }
 
-TEST(LogReader, ReadsWholeEventsOfALogThatIsCutAnywhereAndSaysWhere) {
+TEST(LogReader, ReadsWholeEventsOfALogThatIsCutAnywhereAndStatesWhere) {
   MemoryFile file;
   const std::string path = file.path();
   const Bytes whole = LogBytes(file.path(), "abc");
@@ -162,7 +162,7 @@ void SetDataLength(uint32_t length, size_t event_offset, Bytes* bytes) {
   }
 }
 
-TEST(LogReader, LosesOnlyTheEventWhoseLengthLies) {
+TEST(LogReader, LosesOnlyTheEventWhoseLengthIsWrong) {
   const TestDirectory directory;
   const std::string path = directory.File("a.lcm");
   for (const uint32_t lie : {0xffffffffU, 0x7fffffffU, 1000U, 50U}) {
@@ -173,7 +173,7 @@ TEST(LogReader, LosesOnlyTheEventWhoseLengthLies) {
   }
 }
 
-TEST(LogReader, TakesNoMemoryForALengthThatLies) {
+TEST(LogReader, TakesNoMemoryForAWrongLength) {
   const TestDirectory directory;
   const std::string path = directory.File("a.lcm");
   Bytes bytes = LogBytes(path, "ab");
@@ -222,7 +222,7 @@ TEST(LogReader, ReadsEventsLargerThanItsBuffer) {
   }
 }
 
-RC_GTEST_PROP(LogReader, EndsWhateverTheBytesAndSkipsNoneUntold, ()) {
+RC_GTEST_PROP(LogReader, EndsForAnyBytesAndReportsAllThatItSkips, ()) {
   MemoryFile file;
   Bytes bytes = LogBytes(file.path(), std::string(*rc::gen::inRange<size_t>(0, 6), 'x'));
   const auto num_damages = *rc::gen::inRange(0, 5);

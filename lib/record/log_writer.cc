@@ -110,7 +110,7 @@ std::optional<Error> LogWriter::Close() {
 }
 
 Error LogWriter::Fail(int error_number) {
-  // Leaves whole events; where even that fails (a device, say), readers find the cut.
+  // Leaves whole events; where even that fails (such as on a device), readers find the cut.
   if (file_.is_open()) (void)!::ftruncate(file_.get(), flushed_bytes_);
   counters_.dropped += pending_events_;
   counters_.events -= pending_events_;

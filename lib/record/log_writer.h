@@ -29,13 +29,13 @@ class LogWriter {
   static Result<LogWriter> Create(const std::string& path);
 
   LogWriter(LogWriter&&) = default;
-  /// Flushes; whoever wants to know whether that worked calls Close() before.
+  /// Flushes; call Close() before to get its errors.
   ~LogWriter();
 
   /// Takes one event, numbered from 0, into memory.
   void Append(int64_t utime, std::string_view channel, std::span<const uint8_t> data);
 
-  /// Gives what was appended to the file, whole events in one write(2), so that a process that is
+  /// Writes what was appended, whole events in one write(2), so that a process that is
   /// killed between two calls leaves a whole log. Where the file cannot take all, it is cut back to
   /// the events of the calls before; from then on everything is dropped and each call returns the
   /// same error, which names the path and what to try.

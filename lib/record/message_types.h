@@ -18,7 +18,7 @@ Result<Schema> LoadMessageTypes(const std::vector<std::string>& lcm_files);
 /// A logged message without the seal that it may have (logs of lcm-logger hold sealed messages).
 struct RecognisedMessage {
   std::span<const uint8_t> data;
-  const StructType* type = nullptr;  ///< nullptr: nobody knows its fingerprint.
+  const StructType* type = nullptr;  ///< nullptr: its fingerprint is unknown.
   std::optional<WireFault> fault;    ///< Of a message whose type is known.
 
   bool IsDecodable() const { return type != nullptr && !fault; }
@@ -29,7 +29,7 @@ RecognisedMessage Recognise(const Schema& schema, std::span<const uint8_t> logge
 /// Returns "nav_t" for shoal's own types, "their.package.pose_t" for others.
 std::string DisplayName(const StructType& type);
 
-/// Returns what stands for the type of a message that is of none: "fingerprint 0x0123456789abcdef",
+/// Returns a description of a message of unknown type: "fingerprint 0x0123456789abcdef",
 /// or "no fingerprint" where there are less than eight bytes.
 std::string DescribeFingerprint(std::span<const uint8_t> message);
 

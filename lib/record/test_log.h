@@ -15,7 +15,7 @@
 
 namespace shoal {
 
-/// A directory of one test's own, which goes with it.
+/// A directory for one test, removed with this object.
 class TestDirectory {
  public:
   TestDirectory() {
@@ -57,7 +57,7 @@ Bytes Encoded(const T& message) {
   return bytes;
 }
 
-/// One event of a log to be.
+/// One event to write.
 struct TestEvent {
   int64_t utime = 0;
   std::string channel;

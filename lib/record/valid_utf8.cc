@@ -14,7 +14,7 @@ size_t LengthOfFirst(std::string_view text) {
   if (lead < 0x80) return 1;
   const size_t length = lead >= 0xF0 ? 4 : lead >= 0xE0 ? 3 : 2;
   if (lead < 0xC2 || lead > 0xF4 || text.size() < length) return 0;
-  // Neither longer than need be, nor half of a surrogate pair, nor beyond U+10FFFF.
+  // Rejects overlong forms, halves of surrogate pairs, and what is beyond U+10FFFF.
   const uint8_t low = lead == 0xE0 ? 0xA0 : lead == 0xF0 ? 0x90 : 0x80;
   const uint8_t high = lead == 0xED ? 0x9F : lead == 0xF4 ? 0x8F : 0xBF;
   if (byte(1) < low || byte(1) > high) return 0;

@@ -6,7 +6,8 @@
 namespace shoal {
 
 /// Returns `text` with each byte that is no part of well-formed UTF-8 (RFC 3629) replaced by
-/// U+FFFD: what came damaged through the water may hold any bytes, and readers of CSV want text.
+/// U+FFFD: what arrived damaged over the acoustic network may hold any bytes, and readers of CSV
+/// need text.
 [[nodiscard]] std::string ValidUtf8(std::string_view text);
 
 }  // namespace shoal

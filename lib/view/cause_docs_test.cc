@@ -106,7 +106,7 @@ TEST(FatesPage, ListsTheRulesOfEachKindInTheirOrder) {
 TEST(AcousticNetworkPage, CallsCausesAsTheWireDoes) {
   const std::vector<PageTable> tables = TablesOf(PageText("docs/acoustic_network.md"), "cause");
   ASSERT_EQ(tables.size(), 1U);
-  // What never enters the network is told of in the text below the table.
+  // What never enters the network is described in the text below the table.
   EXPECT_EQ(KeysOf(tables[0]), KeysWhere([](const CauseRow& row) {
               return !row.of_network.empty() && row.cause != Cause::kNoChannel &&
                      row.cause != Cause::kTooLong;

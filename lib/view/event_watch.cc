@@ -15,7 +15,7 @@ namespace shoal {
 namespace {
 
 constexpr size_t kMaxReason = 200;
-/// An encounter is over where they are so many times as far apart as a collision is.
+/// An encounter is over where they are this many times as far apart as a collision is.
 constexpr double kParted = 2;
 
 }  // namespace
@@ -133,7 +133,7 @@ void EventWatch::OnDelivery(int32_t from, int32_t to, int64_t utime) {
   const size_t place = later * (later - 1) / 2 + static_cast<size_t>(a);
   if (pairs_.size() <= place) pairs_.resize(later * (later + 1) / 2);
   Pair& pair = pairs_[place];
-  pair.heard_utime = utime;
+  pair.received_utime = utime;
   if (pair.contact == Contact::kNow) return;
   const bool is_first = pair.contact == Contact::kNone;
   pair.contact = Contact::kNow;
@@ -152,7 +152,7 @@ void EventWatch::FindLosses(int64_t utime) {
     for (int32_t a = 0; a < b; ++a, ++place) {
       Pair& pair = pairs_[place];
       if (pair.contact != Contact::kNow) continue;
-      const int64_t lost_utime = pair.heard_utime + silence_us_;
+      const int64_t lost_utime = pair.received_utime + silence_us_;
       if (utime < lost_utime) {
         next_loss_utime_ = std::min(next_loss_utime_, lost_utime);
         continue;
@@ -161,7 +161,7 @@ void EventWatch::FindLosses(int64_t utime) {
       const std::string first = NameOf(a);
       const std::string second = NameOf(b);
       AddEvent(lost_utime, EventKind::kLostContact, {first, second},
-               fmt::format("{} and {}: nothing heard for {:.1f} s", first, second,
+               fmt::format("{} and {}: nothing received for {:.1f} s", first, second,
                            static_cast<double>(silence_us_) / 1e6));
     }
   }

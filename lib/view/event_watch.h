@@ -1,11 +1,11 @@
-// Finds what a user wants to jump to: collisions, all-stops, contacts won and lost
+// Finds the events of a mission: collisions, all-stops, contacts won and lost
 // (docs/viewer_protocol.md).
 //
 //   EventWatch watch({{"alpha", 3}, {"bravo", 3}});
 //   watch.OnNav(0, utime, x_m, y_m, z_m);
 //   watch.OnFate(0, 1, Cause::kDelivered, utime);
 //
-// The parts know nothing of each other: positions, helms and fates may each be left out.
+// The parts are independent: positions, helms and fates may each be left out.
 #pragma once
 
 #include <Eigen/Core>
@@ -59,7 +59,7 @@ class EventWatch {
   /// Takes a position. When one of a later time comes, those of equal times have been compared:
   /// nearer than the mean of their lengths is a collision, once until they were twice as far apart.
   void OnNav(size_t vehicle, int64_t utime, double x_m, double y_m, double z_m);
-  /// Takes what HELM_STATE says; `all_stop` is the reason where `state` is "ALL-STOP".
+  /// Takes what HELM_STATE states; `all_stop` is the reason where `state` is "ALL-STOP".
   void OnHelm(size_t vehicle, int64_t utime, std::string_view state, std::string_view all_stop);
   /// Takes a fate of two vehicles (`utime` within kFarthest_us), by any numbers that stand for
   /// their names until the end.
@@ -67,7 +67,7 @@ class EventWatch {
     if (utime >= next_loss_utime_) FindLosses(utime);
     if (IsReceived(cause)) OnDelivery(from, to, utime);
   }
-  /// Tells that it is this late: contacts are lost by silence. OnFate tells it too.
+  /// Takes the time, as OnFate does too: contacts are lost by silence.
   void OnTime(int64_t utime) {
     if (utime >= next_loss_utime_) FindLosses(utime);
   }
@@ -75,9 +75,9 @@ class EventWatch {
   void Finish() { CompareAll(); }
   /// The rule in force: a contact is lost after the longer of kLeastSilence_s and twice this.
   void SetStaleTime(double stale_time_s);
-  /// Tells the name of a vehicle of OnFate, before its first fate.
+  /// Sets the name of a vehicle of OnFate, before its first fate.
   void SetName(int32_t number, std::string_view name);
-  /// Numbers below this have been told a name; at first those of the constructor.
+  /// Numbers below this have a name; at first those of the constructor.
   size_t num_names() const { return names_.size(); }
 
   /// What was found, in the order in which it was noticed: a loss of contact is noticed later than
@@ -88,7 +88,7 @@ class EventWatch {
  private:
   enum class Contact : uint8_t { kNone, kNow, kLost };
   struct Pair {
-    int64_t heard_utime = 0;
+    int64_t received_utime = 0;
     Contact contact = Contact::kNone;
   };
 

@@ -76,7 +76,7 @@ TEST(EventWatch, FindsAllPairsOfAFleet) {
   }
 }
 
-TEST(EventWatch, IgnoresPositionsThatAreNone) {
+TEST(EventWatch, IgnoresPositionsThatAreNotFinite) {
   EventWatch watch = TwoKayaks();
   watch.OnNav(0, 1, std::numeric_limits<double>::quiet_NaN(), 0, 0);
   watch.OnNav(1, 1, std::numeric_limits<double>::infinity(), 0, 0);
@@ -85,7 +85,7 @@ TEST(EventWatch, IgnoresPositionsThatAreNone) {
   EXPECT_TRUE(watch.events().empty());
 }
 
-TEST(EventWatch, TellsAllStopsAndTheirEnd) {
+TEST(EventWatch, ReportsAllStopsAndTheirEnd) {
   EventWatch watch = TwoKayaks();
   watch.OnHelm(0, 0, "PARK", "never deployed");
   watch.OnHelm(0, 1 * kSecond, "DRIVE", "clear");
@@ -114,7 +114,7 @@ TEST(EventWatch, FollowsContactsInEitherDirection) {
   ASSERT_EQ(KindsOf(watch), (std::vector{EventKind::kFirstContact, EventKind::kLostContact,
                                          EventKind::kContactAgain}));
   EXPECT_EQ(watch.events()[1].utime, 15 * kSecond) << "when it was lost, not when it was noticed";
-  EXPECT_EQ(watch.events()[1].text, "alpha and bravo: nothing heard for 10.0 s");
+  EXPECT_EQ(watch.events()[1].text, "alpha and bravo: nothing received for 10.0 s");
   EXPECT_EQ(watch.events()[2].utime, 30 * kSecond);
 }
 
@@ -155,16 +155,16 @@ TEST(EventWatch, FindsTheSameLossHoweverOftenItIsAsked) {
   EXPECT_EQ(often.events()[2].vehicles, (std::vector<std::string>{"a", "c"}));
 }
 
-TEST(EventWatch, NamesStrangersAsItWasTold) {
+TEST(EventWatch, NamesUnregisteredVehiclesAsGiven) {
   EventWatch watch = TwoKayaks();
   EXPECT_EQ(watch.num_names(), 2U);
-  watch.SetName(2, "stranger");
+  watch.SetName(2, "visitor");
   watch.OnFate(2, 1, Cause::kDelivered, 0);
   watch.OnFate(1, 1, Cause::kDelivered, 0);
   watch.OnFate(-1, 1, Cause::kDelivered, 0);
   watch.OnFate(1, 1'000'000'000, Cause::kDelivered, 0);
   ASSERT_EQ(watch.events().size(), 1U);
-  EXPECT_EQ(watch.events()[0].vehicles, (std::vector<std::string>{"bravo", "stranger"}));
+  EXPECT_EQ(watch.events()[0].vehicles, (std::vector<std::string>{"bravo", "visitor"}));
 }
 
 TEST(EventWatch, KeepsABoundedNumberOfEvents) {

@@ -10,7 +10,7 @@ namespace shoal {
 
 namespace {
 
-/// Of an empty text on the wire: its length and a zero.
+/// Size of an empty text on the wire: its length and a zero.
 constexpr size_t kLeastTextBytes = 5;
 /// Of a fate without path, its texts empty.
 constexpr size_t kLeastFateBytes = 5 * kLeastTextBytes + 4 + 8 + 6 * 8 + 3 * 4;
@@ -22,8 +22,8 @@ std::vector<std::string_view> TextsOf(std::string_view (*text_of)(T), int count)
   return texts;
 }
 
-/// Sets `value` to what a text stands for, or returns false. What it was is tried first, since
-/// neighbours are alike.
+/// Sets `value` to what a text stands for, or returns false. The previous value is tried first,
+/// since neighbours are alike.
 template <class T>
 bool FindText(const std::vector<std::string_view>& texts, std::string_view text, T* value) {
   if (texts[static_cast<size_t>(*value)] == text) return true;
@@ -50,7 +50,7 @@ OverrideRule FindOverride(std::string_view text) {
   return rule;
 }
 
-/// Reads one fate. Returns false where its kind or cause is none; reads on to its end all the same.
+/// Reads one fate. Returns false where its kind or cause is unknown, after reading to its end.
 bool ReadFate(WireReader* wire, FateView* fate) {
   FateFacts& facts = fate->facts;
   facts = {.utime = facts.utime, .kind = facts.kind, .cause = facts.cause};

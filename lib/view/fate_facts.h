@@ -19,8 +19,8 @@
 
 namespace shoal {
 
-/// What fate_t and its path hold, without names. A number that played no part is -1, or where it is
-/// of the path and there is none, whatever stands here.
+/// What fate_t and its path hold, without names. A number that was not used is -1; numbers of
+/// the path have their defaults where there is no path.
 struct FateFacts {
   int64_t utime = 0;   ///< Of the step that decided; kept within kFarthest_us.
   int64_t number = 0;  ///< Of the transmission; counts per source and kind.
@@ -60,7 +60,7 @@ struct FateView {
   std::vector<std::string_view> colliders = {};
 };
 
-/// Times farther from the epoch than this (3000 years) are taken for this, so that differences of
+/// Times farther from the epoch than this (3000 years) are clamped to it, so that differences of
 /// two never overflow.
 inline constexpr int64_t kFarthest_us = 100'000'000'000'000'000;
 [[nodiscard]] inline int64_t PlausibleUtime(int64_t utime) {
@@ -70,7 +70,7 @@ inline constexpr int64_t kFarthest_us = 100'000'000'000'000'000;
 /// A decoded message of COMMS_FATES. Its memory is used again by the next ReadFates.
 struct FatesView {
   int64_t utime = 0;
-  std::vector<FateView> fates;  ///< Only the first `num_fates` are meant.
+  std::vector<FateView> fates;  ///< Only the first `num_fates` are valid.
   size_t num_fates = 0;
   int64_t num_strange = 0;  ///< Fates of an unknown kind or cause: not among `fates`.
 
@@ -78,10 +78,10 @@ struct FatesView {
 };
 
 /// Decodes an encoded comms_fates_t, or returns false for bytes that are not one whole such
-/// message; then nothing in `message` is meant. Never allocates more than the bytes could fill.
+/// message; then `message` is not valid. Never allocates more than the bytes could fill.
 [[nodiscard]] bool ReadFates(std::span<const uint8_t> data, FatesView* message);
 
-/// Returns the same of a decoded fate; false where its kind or cause is none.
+/// Returns the same of a decoded fate; false where its kind or cause is unknown.
 [[nodiscard]] bool ViewOf(const fate_t& fate, int64_t utime, FateView* view);
 
 }  // namespace shoal

@@ -87,7 +87,7 @@ TEST(ReadFates, CountsFatesOfUnknownKindOrCauseAndReadsOn) {
   EXPECT_EQ(message.all()[0].facts.cause, Cause::kDropped);
 }
 
-TEST(ReadFates, KeepsTimesAndCountsWithinWhatCanBeReckonedWith) {
+TEST(ReadFates, ClampsTimesAndCounts) {
   fate_t fate =
       Through(FateOf("a", "b", "delivered"), CalmPath(std::numeric_limits<int64_t>::min()));
   fate.count = -5;

@@ -40,8 +40,9 @@ class FateHistory {
     causes_seen_ = causes;
   }
 
-  /// Returns those that are asked for, the newest first. With `after` >= 0 the oldest `limit` of
-  /// those behind it are taken, so that who asks again and again misses none; else the newest.
+  /// Returns the fates that match, the newest first. With `after` >= 0 the oldest `limit` of
+  /// those behind it are taken, so that a client that asks again and again misses none; else the
+  /// newest.
   /// Pointers are valid until the next Add.
   std::vector<const KeptFate*> Find(const FateQuery& query) const;
   /// Returns the last `limit` of one link, the newest first; names without regard to case.

@@ -70,7 +70,7 @@ std::string CollidersText(const FateFacts& facts, std::span<const std::string_vi
 
 using Colliders = std::span<const std::string_view>;
 
-/// Writes the numbers that `name` of a CauseRow::text stands for; empty where they played no part.
+/// Writes the numbers that `name` of a CauseRow::text stands for; empty where they were not used.
 struct NumberRow {
   FateNumber number;
   std::string (*text)(const FateFacts& facts, Colliders colliders);
@@ -137,7 +137,7 @@ constexpr std::array kNumbers = {
               }},
 };
 
-/// Returns the next part of a template, and takes it and the comma behind it away.
+/// Returns the next part of a template, and removes it and the comma behind it.
 std::string_view TakePart(std::string_view* text) {
   const size_t comma = std::min(text->find(", "), text->size());
   const std::string_view part = text->substr(0, comma);
@@ -145,7 +145,7 @@ std::string_view TakePart(std::string_view* text) {
   return part;
 }
 
-/// Returns a part of a template with its numbers; empty where one of them played no part.
+/// Returns a part of a template with its numbers; empty where one of them was not used.
 std::string Filled(std::string_view part, const FateFacts& facts, Colliders colliders) {
   const size_t begin = part.find('{');
   const size_t end = part.find('}');

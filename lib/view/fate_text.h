@@ -1,5 +1,5 @@
-// A fate in words, with the numbers that decided: "alpha to bravo: out of range, 312.4 m of 250.0
-// m". The words are those of the table of causes (lib/routing/cause.h).
+// A fate as text, with the numbers that decided: "alpha to bravo: out of range, 312.4 m of 250.0
+// m". The texts are those of the table of causes (lib/routing/cause.h).
 #pragma once
 
 #include <string>
@@ -25,8 +25,8 @@ struct FateNumber {
 [[nodiscard]] std::string DecidingNumbers(const FateView& fate);
 [[nodiscard]] std::string DecidingNumbers(const FateFacts& facts);
 
-/// Returns names, cause and numbers; "alpha to 12 others: ..." where they are not told apart,
-/// "alpha: ..." where there is no destination. Names are cut after 64 bytes.
+/// Returns names, cause and numbers; "alpha to 12 others: ..." where their fates are counted
+/// together, "alpha: ..." where there is no destination. Names are cut after 64 bytes.
 [[nodiscard]] std::string FateText(const FateView& fate);
 /// The same; of an unknown kind or cause, what the fate calls it.
 [[nodiscard]] std::string FateText(const fate_t& fate);

@@ -23,7 +23,7 @@ std::string TextOnTheWay(std::string_view cause, void (*fill)(acoustic_path_t*))
 
 void Nothing(fate_t*) {}
 
-TEST(FateText, TellsRangeAndLimitOfWhatIsDelivered) {
+TEST(FateText, StatesRangeAndLimitOfWhatIsDelivered) {
   EXPECT_EQ(TextOf("delivered",
                    [](fate_t* fate) {
                      fate->range_m = 18.24;
@@ -45,7 +45,7 @@ TEST(FateText, TellsRangeAndLimitOfWhatIsDelivered) {
             "alpha to bravo: delivered, 0.46 s by sound");
 }
 
-TEST(FateText, TellsTheNumbersThatTheRulesDecidedBy) {
+TEST(FateText, StatesTheNumbersThatTheRulesDecidedBy) {
   EXPECT_EQ(TextOf("out_of_range",
                    [](fate_t* fate) {
                      fate->range_m = 312.4;
@@ -72,7 +72,7 @@ TEST(FateText, TellsTheNumbersThatTheRulesDecidedBy) {
             "alpha to bravo: dropped at random, 12.5 % are");
 }
 
-TEST(FateText, TellsCausesThatNoNumberDecided) {
+TEST(FateText, StatesCausesThatNoNumberDecided) {
   EXPECT_EQ(TextOf("unknown_source", Nothing), "alpha to bravo: unknown source");
   EXPECT_EQ(TextOf("unknown_destination", Nothing), "alpha to bravo: unknown destination");
   EXPECT_EQ(TextOf("other_group", Nothing), "alpha to bravo: other group");
@@ -81,7 +81,7 @@ TEST(FateText, TellsCausesThatNoNumberDecided) {
   EXPECT_EQ(TextOf("no_path", Nothing), "alpha to bravo: farther than sound comes");
 }
 
-TEST(FateText, NamesNobodyWhereThereIsNoDestination) {
+TEST(FateText, NamesNoVehicleWhereThereIsNoDestination) {
   EXPECT_EQ(FateText(FateOf("alpha", "", "invalid")), "alpha: invalid");
   EXPECT_EQ(FateText(FateOf("alpha", "", "ignored_group")), "alpha: of the ignored group");
   EXPECT_EQ(FateText(FateOf("alpha", "", "too_many_vehicles")), "alpha: too many vehicles");
@@ -91,7 +91,7 @@ TEST(FateText, NamesNobodyWhereThereIsNoDestination) {
   EXPECT_EQ(FateText(far), "alpha to 12 others: out of range");
 }
 
-TEST(FateText, TellsWhatHappenedInTheWater) {
+TEST(FateText, StatesWhatHappenedInTheAcousticNetwork) {
   EXPECT_EQ(TextOnTheWay("not_listening", [](acoustic_path_t* path) { path->channel = 3; }),
             "alpha to bravo: receiver not listening, channel 3");
   EXPECT_EQ(TextOnTheWay("half_duplex", [](acoustic_path_t* path) { path->own_packet = 12; }),
@@ -168,7 +168,7 @@ TEST(FateText, KnowsEveryNumberThatATextOfACauseHolds) {
   }
 }
 
-TEST(FateText, CutsWhatIsTooLongAndSaysWhatItDoesNotKnow) {
+TEST(FateText, CutsLongNamesAndShowsUnknownCausesAsTheyAre) {
   fate_t fate = FateOf(std::string(1'000'000, 'x'), "bravo", "eaten_by_a_whale");
   EXPECT_EQ(FateText(fate), std::string(64, 'x') + " to bravo: eaten_by_a_whale");
 }

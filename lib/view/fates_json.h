@@ -11,7 +11,7 @@
 
 namespace shoal {
 
-/// Returns those of `history` that are asked for; times count from the scene's start.
+/// Returns the fates of `history` that match `query`; times count from the scene's start.
 [[nodiscard]] std::string FatesJson(const FateHistory& history, const FateQuery& query,
                                     const Scene& scene);
 

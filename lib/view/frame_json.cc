@@ -49,7 +49,7 @@ void WriteNav(const Scene& scene, const nav_t& nav, JsonWriter* json) {
   json->EndObject();
 }
 
-void WriteReport(const Scene& scene, const HeardReport& report, JsonWriter* json) {
+void WriteReport(const Scene& scene, const ReceivedReport& report, JsonWriter* json) {
   json->BeginObject()
       .Number("t", scene.SecondsOf(report.utime), kMilliseconds)
       .Number("x", report.x_m, kCentimetres)
@@ -96,7 +96,7 @@ void WriteVehicle(const Scene& scene, const SceneVehicle& vehicle, JsonWriter* j
   WriteOrNull(vehicle.nav, json, [&](const nav_t& nav) { WriteNav(scene, nav, json); });
   json->Key("report");
   WriteOrNull(vehicle.report, json,
-              [&](const HeardReport& report) { WriteReport(scene, report, json); });
+              [&](const ReceivedReport& report) { WriteReport(scene, report, json); });
   json->Boolean("stale", scene.IsStale(vehicle)).Key("helm");
   WriteOrNull(vehicle.helm, json, [&](const helm_state_t& helm) { WriteHelm(scene, helm, json); });
   ForEachShownChannel([&]<class Row, size_t kRow>() {
@@ -154,7 +154,7 @@ void WritePulse(const Scene& scene, const ViewPulse& pulse, JsonWriter* json) {
       .EndObject();
 }
 
-void WritePacket(const Scene& scene, const WaterPacket& packet, JsonWriter* json) {
+void WritePacket(const Scene& scene, const AcousticPacket& packet, JsonWriter* json) {
   json->BeginObject().Integer("id", packet.id).Text("source", packet.source).Key("from");
   WriteOrNull(packet.from_m, json, [&](const std::pair<double, double>& from_m) {
     json->BeginArray()
@@ -167,7 +167,7 @@ void WritePacket(const Scene& scene, const WaterPacket& packet, JsonWriter* json
       .Text("kind", KindText(packet.kind))
       .Key("to")
       .BeginArray();
-  for (const WaterPacket::Arrival& arrival : packet.to) {
+  for (const AcousticPacket::Arrival& arrival : packet.to) {
     json->BeginObject()
         .Text("name", arrival.name)
         .Number("arrives", scene.SecondsOf(arrival.utime), kMilliseconds)
@@ -204,7 +204,7 @@ std::string FrameJson(const Scene& scene, const FrameParts& parts) {
   json.Key("pulses").BeginArray();
   for (const ViewPulse* pulse : parts.pulses) WritePulse(scene, *pulse, &json);
   json.EndArray().Integer("pulses_left_out", parts.pulses_left_out).Key("packets").BeginArray();
-  for (const WaterPacket* packet : parts.packets) WritePacket(scene, *packet, &json);
+  for (const AcousticPacket* packet : parts.packets) WritePacket(scene, *packet, &json);
   json.EndArray().Number("sound_mps", scene.sound_mps(), 2).Key("commands").BeginArray();
   const size_t num_commands = parts.commands.size();
   for (size_t i = num_commands - std::min(num_commands, kMaxCommands); i < num_commands; ++i) {

@@ -11,13 +11,13 @@
 
 namespace shoal {
 
-/// What a frame says beside the scene.
+/// What a frame shows beside the scene.
 struct FrameParts {
   double t_s = 0;
   ViewClock clock;
   std::vector<const ViewPulse*> pulses;
   int64_t pulses_left_out = 0;
-  std::vector<const WaterPacket*> packets;
+  std::vector<const AcousticPacket*> packets;
   std::span<const CommandRecord> commands = {};
   int64_t num_events = 0;
   int64_t num_fates = 0;

@@ -56,10 +56,10 @@ TEST_F(FateHistoryTest, FiltersByVehicleKindAndCause) {
             (std::vector<int64_t>{2}));
   EXPECT_EQ(Ids(history_.Find(Asked([](FateQuery& q) { q.only_blocked = true; }))),
             (std::vector<int64_t>{4, 2}));
-  EXPECT_TRUE(history_.Find(Asked([](FateQuery& q) { q.vehicle = "nobody"; })).empty());
+  EXPECT_TRUE(history_.Find(Asked([](FateQuery& q) { q.vehicle = "unknown"; })).empty());
 }
 
-TEST_F(FateHistoryTest, MissesNoneForWhoAsksAgainAndAgain) {
+TEST_F(FateHistoryTest, MissesNoneWhenAskedAgainAndAgain) {
   EXPECT_EQ(Ids(history_.Find(Asked([](FateQuery& q) {
               q.after = 1;
               q.limit = 2;
@@ -126,18 +126,18 @@ TEST(LinkHistory, CountsInBinsThatGrow) {
   const std::vector<RatioBin> bins = history.Bins();
   EXPECT_LE(bins.size(), LinkHistory::kMaxBins);
   EXPECT_GT(bins.size(), LinkHistory::kMaxBins / 2);
-  int64_t heard = 0;
+  int64_t received = 0;
   int64_t offered = 0;
   for (const RatioBin& bin : bins) {
-    heard += bin.heard;
+    received += bin.received;
     offered += bin.offered;
   }
   EXPECT_EQ(offered, 1000);
-  EXPECT_EQ(heard, 750);
+  EXPECT_EQ(received, 750);
   EXPECT_EQ(bins[0].begin_s, 0);
   EXPECT_EQ(bins[1].begin_s, 16);
   EXPECT_EQ(bins[0].offered, 16);
-  EXPECT_EQ(bins[0].heard, 12);
+  EXPECT_EQ(bins[0].received, 12);
 }
 
 TEST(LinkHistory, LeavesOutBinsWithoutFatesAndSurvivesAnyTime) {
@@ -189,7 +189,7 @@ TEST(Trail, BeginsAnewWhenTimeGoesBack) {
   EXPECT_EQ(trail.points().size(), 2U) << "as dense as at first";
 }
 
-TEST(Trail, IgnoresWhatIsNoPosition) {
+TEST(Trail, IgnoresPositionsThatAreNotFinite) {
   Trail trail;
   trail.Add(0, std::numeric_limits<double>::quiet_NaN(), 0);
   trail.Add(std::numeric_limits<double>::infinity(), 0, 0);

@@ -1,4 +1,4 @@
-// Whatever comes over the bus, a view answers valid JSON of bounded size.
+// A view answers valid JSON of bounded size for any message on the bus.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -53,7 +53,7 @@ std::string DrawText() {
   return text;
 }
 
-/// Returns an encoded message of the channel's type with members that mean ill.
+/// Returns an encoded message of the channel's type with hostile members.
 Bytes DrawMessage(const std::string& channel) {
   if (channel.starts_with("NAV_")) {
     nav_t nav = NavAt(DrawUtime(), DrawDouble(), DrawDouble());
@@ -142,7 +142,7 @@ Bytes DrawMessage(const std::string& channel) {
   return Encoded(desired);
 }
 
-RC_GTEST_PROP(HostileBus, LeavesAnswersJsonWhateverMessagesSay, ()) {
+RC_GTEST_PROP(HostileBus, AnswersWithJsonForAnyMessages, ()) {
   const Mission mission = MissionOf({"alpha", "bravo"});
   LiveView view(mission, "boot");
   const std::vector<std::string> channels = AllChannels(mission);
@@ -154,7 +154,7 @@ RC_GTEST_PROP(HostileBus, LeavesAnswersJsonWhateverMessagesSay, ()) {
   RC_ASSERT(AnswersAreJson(&view));
 }
 
-RC_GTEST_PROP(HostileBus, LeavesAnswersJsonWhateverBytesCome, ()) {
+RC_GTEST_PROP(HostileBus, AnswersWithJsonForAnyBytes, ()) {
   const Mission mission = MissionOf({"alpha", "bravo"});
   LiveView view(mission, "boot");
   for (const std::string& channel : AllChannels(mission)) {

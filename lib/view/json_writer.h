@@ -28,7 +28,7 @@ class JsonWriter {
   /// The same of any text.
   JsonWriter& KeyText(std::string_view key);
 
-  /// Writes a number rounded to so many decimals (0 to 6); null where it is not finite, or beyond
+  /// Writes a number rounded to `decimals` (0 to 6); null where it is not finite, or beyond
   /// 1e12.
   JsonWriter& Number(double value, int decimals);
   JsonWriter& Integer(int64_t value);

@@ -45,7 +45,7 @@ TEST(JsonWriter, RoundsAndWritesNoMoreDigitsThanNeeded) {
   EXPECT_EQ(Written(43.825300, 6), "43.8253");
 }
 
-TEST(JsonWriter, WritesNullForWhatIsNoNumber) {
+TEST(JsonWriter, WritesNullForNumbersThatAreNotFinite) {
   EXPECT_EQ(Written(std::numeric_limits<double>::quiet_NaN(), 2), "null");
   EXPECT_EQ(Written(std::numeric_limits<double>::infinity(), 2), "null");
   EXPECT_EQ(Written(-std::numeric_limits<double>::infinity(), 2), "null");

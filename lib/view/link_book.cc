@@ -22,7 +22,7 @@ uint64_t Sum(const Counters& counters) {
 }  // namespace
 
 uint64_t LinkCounts::Offered() const { return Sum(offered); }
-uint64_t LinkCounts::Heard() const { return Sum(heard); }
+uint64_t LinkCounts::Received() const { return Sum(received); }
 
 LinkBook::LinkBook(const std::vector<std::string>& vehicles)
     : names_(std::make_shared<const NameTable>(vehicles)), num_first_(names_->size()) {
@@ -48,8 +48,8 @@ LinkPlace LinkBook::Add(const FateView& fate) {
   AddUpTo(&link.offered[kind], count);
   AddUpTo(&link.by_cause[static_cast<size_t>(facts.cause)], count);
   if (IsReceived(facts.cause)) {
-    AddUpTo(&link.heard[kind], count);
-    link.last_heard_utime = facts.utime;
+    AddUpTo(&link.received[kind], count);
+    link.last_received_utime = facts.utime;
   }
   link.last = facts;
   return place;
@@ -65,7 +65,7 @@ const LinkCounts* LinkBook::Find(int32_t from, int32_t to) const {
 int32_t LinkBook::PlaceOf(std::string_view name) {
   const int32_t found = names_->Find(name);
   if (found >= 0) return found;
-  if (names_->size() >= num_first_ + kMaxStrangers || !IsLegalVehicleName(name)) return -1;
+  if (names_->size() >= num_first_ + kMaxUnregistered || !IsLegalVehicleName(name)) return -1;
   auto names = std::make_shared<NameTable>(*names_);
   const int32_t added = names->Add(name);
   names_ = std::move(names);

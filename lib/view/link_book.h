@@ -1,4 +1,5 @@
-// Who heard whom so far, and what became of the last try: counters of fates per link.
+// Counters of fates per link: what each vehicle received from each other one so far, and the last
+// fate.
 //
 //   LinkBook book({"alpha", "bravo"});
 //   for (const FateView& fate : message.all()) book.Add(fate);
@@ -20,19 +21,20 @@
 
 namespace shoal {
 
-/// One ordered pair of vehicles. Counters stop at their type's end.
+/// One ordered pair of vehicles. Counters saturate.
 struct LinkCounts {
   int32_t from = -1;  ///< Index of a name.
   int32_t to = -1;
-  std::array<uint32_t, kNumKinds> offered = {};  ///< By kind.
-  std::array<uint32_t, kNumKinds> heard = {};    ///< By kind: delivered, whole or damaged.
+  std::array<uint32_t, kNumKinds> offered = {};   ///< By kind.
+  std::array<uint32_t, kNumKinds> received = {};  ///< By kind: delivered, whole or damaged.
   std::array<uint32_t, kNumCauses> by_cause = {};
-  int64_t last_heard_utime = kNeverHeard;  ///< Of the last step in which something was heard.
-  FateFacts last;                          ///< The last fate of all.
+  int64_t last_received_utime =
+      kNeverReceived;  ///< Of the last step in which something was received.
+  FateFacts last;      ///< The last fate of all.
 
-  static constexpr int64_t kNeverHeard = -kFarthest_us - 1;
+  static constexpr int64_t kNeverReceived = -kFarthest_us - 1;
   uint64_t Offered() const;
-  uint64_t Heard() const;
+  uint64_t Received() const;
 };
 
 /// Where a fate was counted; -1: no link.
@@ -44,8 +46,9 @@ struct LinkPlace {
 
 class LinkBook {
  public:
-  /// Names beyond the first ones, and links, that are kept; fates of others count as elsewhere.
-  static constexpr size_t kMaxStrangers = 200;
+  /// At most this many names are added to the first ones, and this many links kept; fates of others
+  /// count as elsewhere.
+  static constexpr size_t kMaxUnregistered = 200;
   static constexpr size_t kMaxLinks = 20'000;
 
   LinkBook() : LinkBook(std::vector<std::string>()) {}

@@ -25,10 +25,10 @@ TEST(LinkBook, CountsByKindAndCauseInEachDirection) {
   const LinkCounts* link = book.Find(0, 1);
   ASSERT_NE(link, nullptr);
   EXPECT_EQ(link->Offered(), 3U);
-  EXPECT_EQ(link->Heard(), 2U) << "what came damaged was heard";
+  EXPECT_EQ(link->Received(), 2U) << "what came damaged counts as received";
   EXPECT_EQ(link->offered[static_cast<size_t>(Kind::kPacket)], 1U);
   EXPECT_EQ(link->by_cause[static_cast<size_t>(Cause::kOutOfRange)], 1U);
-  EXPECT_EQ(link->last_heard_utime, 7);
+  EXPECT_EQ(link->last_received_utime, 7);
   EXPECT_EQ(link->last.cause, Cause::kDamaged);
   EXPECT_EQ(book.Find(1, 0), nullptr);
   EXPECT_EQ(book.Find(-1, 5), nullptr);
@@ -46,13 +46,13 @@ TEST(LinkBook, CountsFatesWithoutLinkElsewhere) {
   EXPECT_TRUE(book.links().empty());
 }
 
-TEST(LinkBook, AddsStrangersUntilThereAreTooMany) {
+TEST(LinkBook, AddsUnregisteredVehiclesUntilThereAreTooMany) {
   LinkBook book({"alpha"});
   for (int i = 0; i < 500; ++i) {
-    book.Add(ViewAt(FateOf("alpha", "stranger" + std::to_string(i), "delivered"), 0));
+    book.Add(ViewAt(FateOf("alpha", "visitor" + std::to_string(i), "delivered"), 0));
   }
-  EXPECT_EQ(book.names().size(), 1 + LinkBook::kMaxStrangers);
-  EXPECT_EQ(book.links().size(), LinkBook::kMaxStrangers);
+  EXPECT_EQ(book.names().size(), 1 + LinkBook::kMaxUnregistered);
+  EXPECT_EQ(book.links().size(), LinkBook::kMaxUnregistered);
   EXPECT_EQ(book.num_elsewhere(), 300);
   ASSERT_NE(book.Find(0, 200), nullptr);
   EXPECT_EQ(book.names().at(200), "stranger199");
@@ -75,7 +75,7 @@ TEST(LinkBook, StopsCountersAtTheirEnd) {
   fate_t fate = FateOf("a", "b", "delivered");
   fate.count = std::numeric_limits<int32_t>::max();
   for (int i = 0; i < 3; ++i) book.Add(ViewAt(fate, 0));
-  EXPECT_EQ(book.Find(0, 1)->Heard(), std::numeric_limits<uint32_t>::max());
+  EXPECT_EQ(book.Find(0, 1)->Received(), std::numeric_limits<uint32_t>::max());
 }
 
 TEST(LinkBook, IsCopiedByValue) {
@@ -84,9 +84,9 @@ TEST(LinkBook, IsCopiedByValue) {
   const LinkBook copy = book;
   book.Add(ViewAt(FateOf("a", "b", "delivered"), 0));
   book.Add(ViewAt(FateOf("a", "newcomer", "delivered"), 0));
-  EXPECT_EQ(copy.Find(0, 1)->Heard(), 1U);
+  EXPECT_EQ(copy.Find(0, 1)->Received(), 1U);
   EXPECT_EQ(copy.names().size(), 2U);
-  EXPECT_EQ(book.Find(0, 1)->Heard(), 2U);
+  EXPECT_EQ(book.Find(0, 1)->Received(), 2U);
   EXPECT_NE(book.Find(0, 2), nullptr);
 }
 

@@ -15,7 +15,7 @@ void LinkHistory::Add(const FateFacts& facts, double t_s) {
     for (size_t i = 0; 2 * i < bins_.size(); ++i) {
       Counts pair = bins_[2 * i];
       if (2 * i + 1 < bins_.size()) {
-        pair.heard += bins_[2 * i + 1].heard;
+        pair.received += bins_[2 * i + 1].received;
         pair.offered += bins_[2 * i + 1].offered;
       }
       bins_[i] = pair;
@@ -25,7 +25,7 @@ void LinkHistory::Add(const FateFacts& facts, double t_s) {
   const auto bin = static_cast<size_t>(t_s / bin_s_);
   if (bin >= bins_.size()) bins_.resize(bin + 1);
   ++bins_[bin].offered;
-  if (IsReceived(facts.cause)) ++bins_[bin].heard;
+  if (IsReceived(facts.cause)) ++bins_[bin].received;
 
   if (!(facts.range_m >= 0)) return;
   if (ranges_.size() == kMaxRanges) ranges_.pop_front();
@@ -37,7 +37,7 @@ std::vector<RatioBin> LinkHistory::Bins() const {
   for (size_t i = 0; i < bins_.size(); ++i) {
     if (bins_[i].offered == 0) continue;
     bins.push_back({.begin_s = static_cast<double>(i) * bin_s_,
-                    .heard = bins_[i].heard,
+                    .received = bins_[i].received,
                     .offered = bins_[i].offered});
   }
   return bins;

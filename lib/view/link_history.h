@@ -1,4 +1,4 @@
-// How one link did over time, for its charts: bounded, however long the mission.
+// The deliveries of one link over time, for its charts: of bounded size for any mission.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@ namespace shoal {
 /// Fates of a stretch of time.
 struct RatioBin {
   double begin_s = 0;
-  int64_t heard = 0;
+  int64_t received = 0;
   int64_t offered = 0;
 };
 
@@ -39,7 +39,7 @@ class LinkHistory {
 
  private:
   struct Counts {
-    uint32_t heard = 0;
+    uint32_t received = 0;
     uint32_t offered = 0;
   };
 

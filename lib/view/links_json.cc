@@ -8,7 +8,7 @@ namespace shoal {
 
 namespace {
 
-bool Hears(const Scene& scene, const LinkCounts& link) {
+bool Receives(const Scene& scene, const LinkCounts& link) {
   if (!IsReceived(link.last.cause)) return false;
   if (!scene.rules() || !(scene.rules()->stale_time_s >= 0)) return true;
   return scene.now_s() - scene.SecondsOf(link.last.utime) <= scene.rules()->stale_time_s;
@@ -19,14 +19,14 @@ void WriteLink(const Scene& scene, const LinkCounts& link, JsonWriter* json) {
   json->BeginObject()
       .Text("from", names.at(link.from))
       .Text("to", names.at(link.to))
-      .Boolean("hears", Hears(scene, link))
-      .Integer("delivered", static_cast<int64_t>(link.Heard()))
+      .Boolean("hears", Receives(scene, link))
+      .Integer("delivered", static_cast<int64_t>(link.Received()))
       .Integer("offered", static_cast<int64_t>(link.Offered()))
       .Key("last_heard_s");
-  if (link.last_heard_utime == LinkCounts::kNeverHeard) {
+  if (link.last_received_utime == LinkCounts::kNeverReceived) {
     json->Null();
   } else {
-    json->Number(scene.SecondsOf(link.last_heard_utime), kMilliseconds);
+    json->Number(scene.SecondsOf(link.last_received_utime), kMilliseconds);
   }
   json->Text("cause", CauseText(link.last.cause))
       .Text("text", DecidingNumbers(link.last))
@@ -45,7 +45,7 @@ void WriteCounts(const LinkCounts& counts, JsonWriter* json) {
     if (counts.offered[i] == 0) continue;
     json->Key(KindText(static_cast<Kind>(i)))
         .BeginObject()
-        .Integer("delivered", counts.heard[i])
+        .Integer("delivered", counts.received[i])
         .Integer("offered", counts.offered[i])
         .EndObject();
   }
@@ -64,7 +64,7 @@ void WriteRatio(const std::vector<RatioBin>& bins, JsonWriter* json) {
   json->Key("ratio").BeginObject();
   WriteEach(bins, "t", json,
             [&](const RatioBin& bin) { json->Number(bin.begin_s, kMilliseconds); });
-  WriteEach(bins, "delivered", json, [&](const RatioBin& bin) { json->Integer(bin.heard); });
+  WriteEach(bins, "delivered", json, [&](const RatioBin& bin) { json->Integer(bin.received); });
   WriteEach(bins, "offered", json, [&](const RatioBin& bin) { json->Integer(bin.offered); });
   json->EndObject();
 }

@@ -78,13 +78,13 @@ void LiveView::SetClockGone(std::string_view state) {
 std::string LiveView::StreamFrameJson() {
   const std::lock_guard lock(mutex_);
   FrameParts parts = PartsOfNow();
-  parts.pulses = scene_.pulses().Since(pulses_told_, scene_.now_utime());
-  const size_t num_told = std::min(parts.pulses.size(), kMaxStreamPulses);
-  parts.pulses_left_out = static_cast<int64_t>(parts.pulses.size() - num_told);
-  parts.pulses.resize(num_told);
-  parts.packets = scene_.packets().Since(packets_told_, scene_.now_utime());
-  pulses_told_ = scene_.pulses().last_order();
-  packets_told_ = scene_.packets().last_order();
+  parts.pulses = scene_.pulses().Since(pulses_sent_, scene_.now_utime());
+  const size_t num_sent = std::min(parts.pulses.size(), kMaxStreamPulses);
+  parts.pulses_left_out = static_cast<int64_t>(parts.pulses.size() - num_sent);
+  parts.pulses.resize(num_sent);
+  parts.packets = scene_.packets().Since(packets_sent_, scene_.now_utime());
+  pulses_sent_ = scene_.pulses().last_order();
+  packets_sent_ = scene_.packets().last_order();
   return shoal::FrameJson(scene_, parts);
 }
 
@@ -167,7 +167,7 @@ void LiveView::OnHelm(size_t vehicle, const helm_state_t& helm) {
   events_.OnHelm(vehicle, helm.utime, helm.state, helm.all_stop);
 }
 
-void LiveView::OnReport(size_t vehicle, const HeardReport& report) {
+void LiveView::OnReport(size_t vehicle, const ReceivedReport& report) {
   if (trails_.size() <= vehicle) trails_.resize(vehicle + 1);
   if (scene_.vehicles()[vehicle].nav) return;
   trails_[vehicle].Add(scene_.SecondsOf(report.received_utime), report.x_m, report.y_m);

@@ -1,4 +1,4 @@
-// A running mission as the viewer's page sees it.
+// A running mission as the viewer's page shows it.
 //
 //   LiveView view(mission, boot);
 //   view.Handle(message.channel, message.data);      // from the bus's thread
@@ -31,20 +31,20 @@ namespace shoal {
 
 class LiveView : public ViewSource, private SceneObserver {
  public:
-  /// So many pulses a frame of the stream holds; more are counted.
+  /// A frame of the stream holds at most this many pulses; more are counted.
   static constexpr size_t kMaxStreamPulses = 200;
 
   /// No mission yet: state "waiting". `boot` names this start of the viewer.
   explicit LiveView(std::string boot);
   /// `notes`: what a user should know, for the page. State "gathering" until the clock or a message
-  /// tells more.
+  /// states another.
   LiveView(const Mission& mission, std::string boot, std::vector<std::string> notes = {});
 
   /// Takes one encoded message; channels as Scene::Handle, and CLOCK_STATE.
   void Handle(std::string_view channel, std::span<const uint8_t> data);
-  /// Takes what became of the commands, the newest last.
+  /// Takes the commands and their states, the newest last.
   void SetCommands(std::vector<CommandRecord> commands);
-  /// Tells that no clock will speak any more: "waiting", "ended" or "lost".
+  /// States that the clock will publish nothing more: "waiting", "ended" or "lost".
   void SetClockGone(std::string_view state);
 
   /// Returns the next frame for all clients of the stream: pulses and packets since the last call.
@@ -64,29 +64,29 @@ class LiveView : public ViewSource, private SceneObserver {
  private:
   void OnNav(size_t vehicle, const nav_t& nav) override;
   void OnHelm(size_t vehicle, const helm_state_t& helm) override;
-  void OnReport(size_t vehicle, const HeardReport& report) override;
+  void OnReport(size_t vehicle, const ReceivedReport& report) override;
   void OnFate(const FateView& fate, const LinkPlace& place) override;
   void FollowRules();
   FrameParts PartsOfNow() const;
 
   // Do not change once constructed.
-  std::string setup_json_;           ///< For those who may only look.
-  std::string setup_json_commands_;  ///< For those who may send commands.
+  std::string setup_json_;           ///< For clients that may only read.
+  std::string setup_json_commands_;  ///< For clients that may send commands.
   std::string clock_channel_ = channels::ClockState().name;
 
   mutable std::mutex mutex_;  ///< Of all below.
   Scene scene_;
   ViewClock clock_;
-  bool has_clock_ = false;  ///< The clock was heard of.
+  bool has_clock_ = false;  ///< CLOCK_STATE was received.
   std::vector<CommandRecord> commands_;
   FateHistory fates_;
   std::vector<LinkHistory> link_histories_;  ///< By the link's place in the scene's LinkBook.
   std::vector<VehicleHistory> vehicle_histories_;
   std::vector<Trail> trails_;
   EventWatch events_;
-  double stale_time_s_ = -2;  ///< What events_ goes by.
-  int64_t pulses_told_ = 0;   ///< Order of the last that went with a stream's frame.
-  int64_t packets_told_ = 0;
+  double stale_time_s_ = -2;  ///< The value that events_ uses.
+  int64_t pulses_sent_ = 0;   ///< Order of the last that went with a stream's frame.
+  int64_t packets_sent_ = 0;
   int64_t num_changes_ = 0;
 };
 

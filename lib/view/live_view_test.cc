@@ -15,7 +15,7 @@ using nlohmann::json;
 class LiveViewTest : public testing::Test {
  protected:
   template <class T>
-  void Tell(const std::string& channel, const T& message) {
+  void Handle(const std::string& channel, const T& message) {
     view_.Handle(channel, Encoded(message));
   }
   json Frame() { return json::parse(view_.FrameJson(0)); }
@@ -46,20 +46,20 @@ TEST(LiveViewWithoutMission, Waits) {
   EXPECT_FALSE(view.VehicleJson("alpha", 0, 1).ok());
 }
 
-TEST_F(LiveViewTest, TellsTheSetupWithAndWithoutCommands) {
+TEST_F(LiveViewTest, ShowsTheSetupWithAndWithoutCommands) {
   EXPECT_EQ(json::parse(view_.SetupJson(true))["commands"], true);
   EXPECT_EQ(json::parse(view_.SetupJson(false))["commands"], false);
   EXPECT_EQ(json::parse(view_.SetupJson(false))["mode"], "live");
   EXPECT_EQ(json::parse(view_.SetupJson(false))["end_s"], 600);
 }
 
-TEST_F(LiveViewTest, FramesTellAllThatIsKnownOfAVehicle) {
+TEST_F(LiveViewTest, FramesShowAllThatIsKnownOfAVehicle) {
   nav_t nav = NavAt(12'300'000, 1.234, -3.4);
   nav.heading_deg = 87.14;
   nav.speed_mps = 1.5;
   nav.speed_over_ground_mps = 1.52;
   nav.course_over_ground_deg = 88;
-  Tell("NAV_ALPHA", nav);
+  Handle("NAV_ALPHA", nav);
   helm_state_t helm{};
   helm.utime = 12'300'000;
   helm.state = "DRIVE";
@@ -71,15 +71,15 @@ TEST_F(LiveViewTest, FramesTellAllThatIsKnownOfAVehicle) {
   helm.waypoint_y_m = -160;
   helm.distance_m = 44;
   helm.cross_track_error_m = -0.3;
-  Tell("HELM_STATE_ALPHA", helm);
+  Handle("HELM_STATE_ALPHA", helm);
   desired_t desired{};
   desired.utime = 12'300'000;
   desired.heading_deg = 90;
   desired.speed_mps = 1.5;
-  Tell("DESIRED_ALPHA", desired);
+  Handle("DESIRED_ALPHA", desired);
   node_report_t report = ReportOf("alpha", 12'000'000, 1, -3.3);
   report.index = 24;
-  Tell("NODE_REPORT_LOCAL", report);
+  Handle("NODE_REPORT_LOCAL", report);
   const json frame = Frame();
   EXPECT_EQ(frame["t"], 12.3);
   EXPECT_EQ(frame["step"], 123);
@@ -101,19 +101,19 @@ TEST_F(LiveViewTest, FramesTellAllThatIsKnownOfAVehicle) {
       "outside": false})"));
 }
 
-TEST_F(LiveViewTest, FramesTellRulesPulsesPacketsAndCommands) {
+TEST_F(LiveViewTest, FramesShowRulesPulsesPacketsAndCommands) {
   comms_rules_t rules = RulesWith(0, 250, 5);
   rules.num_factors = 1;
   rules.factors.resize(1);
   rules.factors[0].vehicle = "alpha";
   rules.factors[0].stealth = 0.5;
   rules.factors[0].earange = 2;
-  Tell("COMMS_RULES", rules);
-  Tell("NAV_ALPHA", NavAt(12 * kSecond_us, 1, -3));
-  Tell("VIEW_COMMS_PULSE", PulsesOf(12'100'000, {PulseOf("ALPHA2BRAVO", "nrep", 10)}));
+  Handle("COMMS_RULES", rules);
+  Handle("NAV_ALPHA", NavAt(12 * kSecond_us, 1, -3));
+  Handle("VIEW_COMMS_PULSE", PulsesOf(12'100'000, {PulseOf("ALPHA2BRAVO", "nrep", 10)}));
   fate_t packet = Through(FateOf("alpha", "bravo", "delivered"), CalmPath(12 * kSecond_us));
   packet.kind = "packet";
-  Tell("COMMS_FATES", FatesOf(12'500'000, {packet}));
+  Handle("COMMS_FATES", FatesOf(12'500'000, {packet}));
   view_.SetCommands(
       {{.id = 3, .t_s = 12, .text = "return to alpha", .state = "taken", .reason = ""}});
   json frame = Frame();
@@ -148,7 +148,7 @@ TEST_F(LiveViewTest, StreamsEachPulseOnceAndMessagesFirst) {
   std::vector<comms_pulse_t> pulses;
   for (int i = 0; i < 250; ++i) pulses.push_back(PulseOf("R" + std::to_string(i), "nrep", 10));
   pulses.push_back(PulseOf("M", "msg", 10));
-  Tell("VIEW_COMMS_PULSE", PulsesOf(0, pulses));
+  Handle("VIEW_COMMS_PULSE", PulsesOf(0, pulses));
   json frame = StreamFrame();
   EXPECT_EQ(frame["pulses"].size(), LiveView::kMaxStreamPulses);
   EXPECT_EQ(frame["pulses"][0]["label"], "M");
@@ -157,36 +157,36 @@ TEST_F(LiveViewTest, StreamsEachPulseOnceAndMessagesFirst) {
   EXPECT_TRUE(frame["pulses"].empty());
   EXPECT_EQ(frame["pulses_left_out"], 0);
   EXPECT_EQ(Frame()["pulses"].size(), 251U) << "a frame that is asked for has all";
-  Tell("VIEW_COMMS_PULSE", PulsesOf(100'000, {PulseOf("R7", "nrep", 10)}));
+  Handle("VIEW_COMMS_PULSE", PulsesOf(100'000, {PulseOf("R7", "nrep", 10)}));
   EXPECT_EQ(StreamFrame()["pulses"].size(), 1U);
 }
 
-TEST_F(LiveViewTest, TellsWhatTheClockDoes) {
+TEST_F(LiveViewTest, ShowsWhatTheClockDoes) {
   EXPECT_EQ(Frame()["clock"]["state"], "gathering");
   clock_state_t clock = Clock("gathering");
   clock.num_awaited = 1;
   clock.awaited = {"helm_alpha"};
   clock.refusal = "no";
-  Tell("CLOCK_STATE", clock);
+  Handle("CLOCK_STATE", clock);
   EXPECT_EQ(Frame()["clock"], json::parse(R"({"state": "gathering", "warp": 5, "factor": 4.98,
                                               "awaited": ["helm_alpha"], "note": "no"})"));
-  Tell("CLOCK_STATE", Clock("paused"));
+  Handle("CLOCK_STATE", Clock("paused"));
   EXPECT_EQ(Frame()["clock"]["state"], "paused");
   EXPECT_EQ(Frame()["t"], 12.3);
-  Tell("CLOCK_STATE", Clock("ending"));
+  Handle("CLOCK_STATE", Clock("ending"));
   EXPECT_EQ(Frame()["clock"]["state"], "ended");
   clock_state_t odd = Clock("dreaming");
   odd.warp = std::numeric_limits<double>::quiet_NaN();
-  Tell("CLOCK_STATE", odd);
+  Handle("CLOCK_STATE", odd);
   EXPECT_EQ(Frame()["clock"]["state"], "running");
   EXPECT_TRUE(Frame()["clock"]["warp"].is_null());
   view_.SetClockGone("lost");
-  Tell("NAV_ALPHA", NavAt(0, 0, 0));
+  Handle("NAV_ALPHA", NavAt(0, 0, 0));
   EXPECT_EQ(Frame()["clock"]["state"], "lost");
 }
 
-TEST_F(LiveViewTest, RunsWhereAnOldClockSaysNothing) {
-  Tell("NAV_ALPHA", NavAt(kSecond_us, 0, 0));
+TEST_F(LiveViewTest, IsRunningWhereAnOldClockStatesNothing) {
+  Handle("NAV_ALPHA", NavAt(kSecond_us, 0, 0));
   EXPECT_EQ(Frame()["clock"]["state"], "running");
   EXPECT_TRUE(Frame()["clock"]["warp"].is_null());
 }
@@ -195,21 +195,21 @@ TEST_F(LiveViewTest, CountsItsChanges) {
   const int64_t before = view_.num_changes();
   Frame();
   EXPECT_EQ(view_.num_changes(), before);
-  Tell("NAV_ALPHA", NavAt(kSecond_us, 0, 0));
+  Handle("NAV_ALPHA", NavAt(kSecond_us, 0, 0));
   view_.SetCommands({});
   view_.SetClockGone("ended");
   EXPECT_EQ(view_.num_changes(), before + 3);
 }
 
-TEST_F(LiveViewTest, LinksTellWhoHearsWhomAndWhy) {
-  fate_t heard = FateOf("alpha", "bravo", "delivered");
-  heard.range_m = 18.2;
-  heard.limit_m = 250;
+TEST_F(LiveViewTest, LinksShowWhichVehiclesReceiveEachOtherAndWhy) {
+  fate_t delivered = FateOf("alpha", "bravo", "delivered");
+  delivered.range_m = 18.2;
+  delivered.limit_m = 250;
   fate_t far = FateOf("bravo", "alpha", "out_of_range");
   far.range_m = 312.4;
   far.limit_m = 250;
-  Tell("COMMS_RULES", RulesWith(0, 250, 5));
-  Tell("COMMS_FATES", FatesOf(12'100'000, {heard, far}));
+  Handle("COMMS_RULES", RulesWith(0, 250, 5));
+  Handle("COMMS_FATES", FatesOf(12'100'000, {delivered, far}));
   EXPECT_EQ(json::parse(view_.LinksJson(0)), json::parse(R"({
       "t": 12.1, "names": ["alpha", "bravo"],
       "links": [{"from": "alpha", "to": "bravo", "hears": true, "delivered": 1, "offered": 1,
@@ -218,15 +218,15 @@ TEST_F(LiveViewTest, LinksTellWhoHearsWhomAndWhy) {
                 {"from": "bravo", "to": "alpha", "hears": false, "delivered": 0, "offered": 1,
                  "last_heard_s": null, "cause": "out_of_range", "text": "312.4 m of 250.0 m",
                  "t": 12.1}]})"));
-  Tell("NAV_ALPHA", NavAt(17'200'000, 0, 0));
+  Handle("NAV_ALPHA", NavAt(17'200'000, 0, 0));
   EXPECT_EQ(json::parse(view_.LinksJson(0))["links"][0]["hears"], false) << "that is long ago";
 }
 
-TEST_F(LiveViewTest, TellsALinksHistory) {
-  fate_t heard = FateOf("alpha", "bravo", "delivered");
-  heard.range_m = 18;
-  Tell("COMMS_FATES", FatesOf(500'000, {heard, FateOf("bravo", "alpha", "delivered")}));
-  Tell("COMMS_FATES", FatesOf(2'500'000, {FateOf("alpha", "bravo", "dropped")}));
+TEST_F(LiveViewTest, ShowsALinksHistory) {
+  fate_t delivered = FateOf("alpha", "bravo", "delivered");
+  delivered.range_m = 18;
+  Handle("COMMS_FATES", FatesOf(500'000, {delivered, FateOf("bravo", "alpha", "delivered")}));
+  Handle("COMMS_FATES", FatesOf(2'500'000, {FateOf("alpha", "bravo", "dropped")}));
   json link = Link("ALPHA", "bravo");
   EXPECT_EQ(link["from"], "alpha");
   EXPECT_EQ(link["causes"], (json{{"delivered", 1}, {"dropped", 1}}));
@@ -236,18 +236,18 @@ TEST_F(LiveViewTest, TellsALinksHistory) {
   ASSERT_EQ(link["fates"].size(), 2U);
   EXPECT_EQ(link["fates"][0]["id"], 3);
   EXPECT_EQ(Link("alpha", "alpha")["fates"], json::array()) << "known vehicles without fates";
-  Tell("NODE_REPORT", ReportOf("Stranger", 3'000'000, 7, 8));
-  EXPECT_EQ(Link("alpha", "stranger")["to"], "Stranger") << "heard from, but not in a link yet";
-  EXPECT_FALSE(view_.LinkJson("alpha", "nobody", 0).ok());
+  Handle("NODE_REPORT", ReportOf("Visitor", 3'000'000, 7, 8));
+  EXPECT_EQ(Link("alpha", "visitor")["to"], "Visitor") << "it has reported, but not in a link yet";
+  EXPECT_FALSE(view_.LinkJson("alpha", "unknown", 0).ok());
   EXPECT_FALSE(view_.LinkJson(std::string(1'000'000, 'x'), "bravo", 0).ok());
 }
 
-TEST_F(LiveViewTest, TellsFatesWithTheNumbersThatDecided) {
+TEST_F(LiveViewTest, ShowsFatesWithTheNumbersThatDecided) {
   fate_t far = FateOf("alpha", "bravo", "out_of_range");
   far.range_m = 312.4;
   far.limit_m = 250;
   far.number = 24;
-  Tell("COMMS_FATES", FatesOf(12'100'000, {far}));
+  Handle("COMMS_FATES", FatesOf(12'100'000, {far}));
   EXPECT_EQ(json::parse(view_.FatesJson({}, 0)), json::parse(R"({
       "fates": [{"id": 1, "t": 12.1, "kind": "report", "source": "alpha", "destination": "bravo",
                  "count": 1, "number": 24, "cause": "out_of_range", "rule": "",
@@ -261,11 +261,11 @@ TEST_F(LiveViewTest, TellsFatesWithTheNumbersThatDecided) {
 TEST_F(LiveViewTest, ChartsAVehicle) {
   desired_t desired{};
   desired.heading_deg = 90;
-  Tell("DESIRED_ALPHA", desired);
+  Handle("DESIRED_ALPHA", desired);
   for (int t = 0; t < 10; ++t) {
     nav_t nav = NavAt(t * kSecond_us, 0, 0);
     nav.heading_deg = t;
-    Tell("NAV_ALPHA", nav);
+    Handle("NAV_ALPHA", nav);
   }
   swarm_t swarm{};
   swarm.utime = 9 * kSecond_us;
@@ -279,9 +279,9 @@ TEST_F(LiveViewTest, ChartsAVehicle) {
   swarm.contacts[0].num_recovered = 1;
   swarm.contacts[0].recovered = {"reporter_pos predict"};
   swarm.contacts[1].name = "charlie";
-  Tell("SWARM_ALPHA", swarm);
-  Tell("COMMS_FATES", FatesOf(9 * kSecond_us, {FateOf("bravo", "alpha", "delivered"),
-                                               FateOf("bravo", "alpha", "dropped")}));
+  Handle("SWARM_ALPHA", swarm);
+  Handle("COMMS_FATES", FatesOf(9 * kSecond_us, {FateOf("bravo", "alpha", "delivered"),
+                                                 FateOf("bravo", "alpha", "dropped")}));
   const auto answer = view_.VehicleJson("Alpha", 0, 3);
   ASSERT_TRUE(answer.ok());
   const json vehicle = json::parse(*answer);
@@ -306,44 +306,44 @@ TEST_F(LiveViewTest, ChartsAVehicle) {
 
 TEST_F(LiveViewTest, KeepsTrailsOfAllVehicles) {
   for (int t = 0; t < 3; ++t) {
-    Tell("NAV_ALPHA", NavAt(t * kSecond_us, t, -1.126 * t));
-    Tell("NODE_REPORT", ReportOf("stranger", 0, 7, t));
+    Handle("NAV_ALPHA", NavAt(t * kSecond_us, t, -1.126 * t));
+    Handle("NODE_REPORT", ReportOf("visitor", 0, 7, t));
   }
   EXPECT_EQ(json::parse(view_.TrailsJson()), json::parse(R"({"begin_s": 0, "trails": {
       "alpha": [[0, 0, 0], [1, 1, -1.13], [2, 2, -2.25]], "bravo": [],
-      "stranger": [[0, 7, 0], [1, 7, 1], [2, 7, 2]]}})"));
+      "visitor": [[0, 7, 0], [1, 7, 1], [2, 7, 2]]}})"));
 }
 
-TEST_F(LiveViewTest, TellsEvents) {
+TEST_F(LiveViewTest, ShowsEvents) {
   helm_state_t helm{};
   helm.utime = 31'200'000;
   helm.state = "ALL-STOP";
   helm.all_stop = "all_stop command";
-  Tell("HELM_STATE_BRAVO", helm);
-  Tell("NAV_ALPHA", NavAt(31'300'000, 0, 0));
-  Tell("NAV_BRAVO", NavAt(31'300'000, 2.1, 0));
-  Tell("COMMS_FATES", FatesOf(31'400'000, {FateOf("stranger", "bravo", "delivered")}));
+  Handle("HELM_STATE_BRAVO", helm);
+  Handle("NAV_ALPHA", NavAt(31'300'000, 0, 0));
+  Handle("NAV_BRAVO", NavAt(31'300'000, 2.1, 0));
+  Handle("COMMS_FATES", FatesOf(31'400'000, {FateOf("visitor", "bravo", "delivered")}));
   EXPECT_EQ(json::parse(view_.EventsJson()), json::parse(R"({"events": [
       {"id": 1, "t": 31.2, "kind": "all_stop", "vehicles": ["bravo"],
        "text": "bravo: all-stop, all_stop command"},
       {"id": 2, "t": 31.3, "kind": "collision", "vehicles": ["alpha", "bravo"],
        "text": "alpha and bravo: 2.1 m, less than 3.0 m"},
-      {"id": 3, "t": 31.4, "kind": "first_contact", "vehicles": ["bravo", "stranger"],
-       "text": "bravo and stranger: first contact"}]})"));
+      {"id": 3, "t": 31.4, "kind": "first_contact", "vehicles": ["bravo", "visitor"],
+       "text": "bravo and visitor: first contact"}]})"));
   EXPECT_EQ(Frame()["num_events"], 3);
-  Tell("COMMS_RULES", RulesWith(31'400'000, 100, 20));
-  Tell("NAV_ALPHA", NavAt(71'300'000, 0, 0));
+  Handle("COMMS_RULES", RulesWith(31'400'000, 100, 20));
+  Handle("NAV_ALPHA", NavAt(71'300'000, 0, 0));
   EXPECT_EQ(Frame()["num_events"], 3) << "twice the stale time is not over";
-  Tell("NAV_ALPHA", NavAt(71'400'000, 0, 0));
+  Handle("NAV_ALPHA", NavAt(71'400'000, 0, 0));
   EXPECT_EQ(json::parse(view_.EventsJson())["events"][3]["kind"], "lost_contact");
 }
 
-TEST_F(LiveViewTest, AnswersWhileItListens) {
+TEST_F(LiveViewTest, AnswersWhileItReceives) {
   std::thread bus([this] {
     for (int i = 0; i < 2000; ++i) {
-      Tell("NAV_ALPHA", NavAt(i * 100'000, i, 0));
-      Tell("COMMS_FATES",
-           FatesOf(i * 100'000, {FateOf("v" + std::to_string(i % 300), "bravo", "delivered")}));
+      Handle("NAV_ALPHA", NavAt(i * 100'000, i, 0));
+      Handle("COMMS_FATES",
+             FatesOf(i * 100'000, {FateOf("v" + std::to_string(i % 300), "bravo", "delivered")}));
     }
   });
   int64_t last_fates = 0;

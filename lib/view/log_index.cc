@@ -15,10 +15,10 @@ namespace shoal {
 
 namespace {
 
-/// A pulse that lasts longer is not found again where the log is entered behind its beginning.
+/// A pulse that lasts longer is not shown after a seek behind its begin.
 constexpr double kLongestPulse_s = 60;
 
-/// What a channel is to the index.
+/// How the index treats a channel.
 struct ChannelUse {
   enum class Topic { kState, kReports, kRules, kFates, kPulses };
   Topic topic = Topic::kState;
@@ -156,7 +156,7 @@ class IndexBuilder : private SceneObserver {
     watch_.OnHelm(vehicle, helm.utime, helm.state, helm.all_stop);
   }
 
-  void OnReport(size_t vehicle, const HeardReport& report) override {
+  void OnReport(size_t vehicle, const ReceivedReport& report) override {
     if (index_.trails.size() <= vehicle) index_.trails.resize(vehicle + 1);
     if (scene_.vehicles()[vehicle].nav) return;
     index_.trails[vehicle].Add(Line_s(), report.x_m, report.y_m);

@@ -1,4 +1,4 @@
-// What is remembered of a whole log after one reading, so that any moment of it can be shown by
+// An index of a whole log, built in one reading, so that any moment of the log can be shown by
 // reading a small part of it again.
 //
 //   Result<LogReader> reader = LogReader::Open(path, OnDamage::kSkip);
@@ -22,13 +22,13 @@
 
 namespace shoal {
 
-/// A message that is still true later on.
+/// A message whose content holds until the next one of its channel and vehicle.
 struct StandingMessage {
   uint64_t offset = 0;      ///< Of its event in the log.
   int64_t scene_utime = 0;  ///< The scene's time when it was read.
 };
 
-/// Where reading can begin in the midst of a log.
+/// A position in a log from which reading can begin.
 struct Keyframe {
   uint64_t offset = 0;        ///< Of the first event that is not yet in it.
   RecordedTimeline timeline;  ///< Up to there.

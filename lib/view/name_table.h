@@ -11,7 +11,7 @@ namespace shoal {
 
 class NameTable {
  public:
-  static constexpr size_t kLongestName = 64;  ///< What comes behind is cut.
+  static constexpr size_t kLongestName = 64;  ///< Longer names are cut.
 
   NameTable() = default;
   explicit NameTable(const std::vector<std::string>& names);

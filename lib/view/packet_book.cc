@@ -17,7 +17,7 @@ int64_t InMicroseconds(double seconds) {
              : 0;
 }
 
-/// One number for both; unsigned, since numbers may be anything.
+/// One number for both. The product is unsigned, since numbers of any size come.
 int64_t KindAndNumber(const FateFacts& facts) {
   return static_cast<int64_t>(kNumKinds * static_cast<uint64_t>(facts.number) +
                               static_cast<uint64_t>(facts.kind));
@@ -28,11 +28,11 @@ int64_t KindAndNumber(const FateFacts& facts) {
 void PacketBook::Add(const FateView& fate, const std::optional<std::pair<double, double>>& from_m) {
   const FateFacts& facts = fate.facts;
   if (!facts.has_path) return;
-  while (!packets_.empty() && packets_.front().told_utime + kMemory_us < facts.utime) {
+  while (!packets_.empty() && packets_.front().last_fate_utime + kMemory_us < facts.utime) {
     packets_.pop_front();
   }
   const std::string_view source = fate.source.substr(0, kMaxNameBytes);
-  auto packet = std::find_if(packets_.rbegin(), packets_.rend(), [&](const WaterPacket& known) {
+  auto packet = std::find_if(packets_.rbegin(), packets_.rend(), [&](const AcousticPacket& known) {
     return known.number == facts.number && known.kind == facts.kind && known.source == source;
   });
   if (packet == packets_.rend()) {
@@ -43,12 +43,12 @@ void PacketBook::Add(const FateView& fate, const std::optional<std::pair<double,
                         .number = facts.number,
                         .sent_utime = facts.sent_utime,
                         .air_s = facts.air_s,
-                        .told_utime = facts.utime,
+                        .last_fate_utime = facts.utime,
                         .from_m = from_m});
     packet = packets_.rbegin();
   }
   packet->order = ++last_order_;
-  packet->told_utime = facts.utime;
+  packet->last_fate_utime = facts.utime;
   if (packet->to.size() == kMaxArrivals) return;
   const double way_s = static_cast<double>(facts.travel_s) + static_cast<double>(facts.jitter_s) +
                        static_cast<double>(facts.air_s);
@@ -57,10 +57,11 @@ void PacketBook::Add(const FateView& fate, const std::optional<std::pair<double,
                         .cause = facts.cause});
 }
 
-std::vector<const WaterPacket*> PacketBook::Since(int64_t order, int64_t utime) const {
-  std::vector<const WaterPacket*> found;
-  for (const WaterPacket& packet : packets_) {
-    if (packet.order > order && utime <= packet.told_utime + kMemory_us) found.push_back(&packet);
+std::vector<const AcousticPacket*> PacketBook::Since(int64_t order, int64_t utime) const {
+  std::vector<const AcousticPacket*> found;
+  for (const AcousticPacket& packet : packets_) {
+    if (packet.order > order && utime <= packet.last_fate_utime + kMemory_us)
+      found.push_back(&packet);
   }
   return found;
 }

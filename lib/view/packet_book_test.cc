@@ -6,7 +6,7 @@
 
 namespace shoal::packet_book_test {
 
-void Tell(PacketBook* book, const fate_t& fate, int64_t utime) {
+void AddFate(PacketBook* book, const fate_t& fate, int64_t utime) {
   FateView view;
   ASSERT_TRUE(ViewOf(fate, utime, &view));
   book->Add(view, std::pair(1.0, -3.0));
@@ -24,12 +24,12 @@ fate_t PacketFate(std::string_view destination, int64_t number, double travel_s,
 
 TEST(PacketBook, GroupsTheReceiversOfATransmission) {
   PacketBook book;
-  Tell(&book, PacketFate("bravo", 7, 0.05), 13 * kSecond_us);
-  Tell(&book, PacketFate("bravo", 8, 0.05), 13 * kSecond_us);
-  Tell(&book, PacketFate("charlie", 7, 1.5, "collision"), 14 * kSecond_us);
+  AddFate(&book, PacketFate("bravo", 7, 0.05), 13 * kSecond_us);
+  AddFate(&book, PacketFate("bravo", 8, 0.05), 13 * kSecond_us);
+  AddFate(&book, PacketFate("charlie", 7, 1.5, "collision"), 14 * kSecond_us);
   const auto packets = book.Since(0, 14 * kSecond_us);
   ASSERT_EQ(packets.size(), 2U);
-  const WaterPacket& packet = *packets[0];
+  const AcousticPacket& packet = *packets[0];
   EXPECT_EQ(packet.source, "alpha");
   EXPECT_EQ(packet.number, 7);
   EXPECT_EQ(packet.sent_utime, 12 * kSecond_us);
@@ -42,34 +42,34 @@ TEST(PacketBook, GroupsTheReceiversOfATransmission) {
   EXPECT_EQ(packet.from_m, std::pair(1.0, -3.0));
 }
 
-TEST(PacketBook, TellsAPacketAgainWhenItArrivesElsewhere) {
+TEST(PacketBook, ReturnsAPacketAgainWhenItArrivesElsewhere) {
   PacketBook book;
-  Tell(&book, PacketFate("bravo", 7, 0.05), 13 * kSecond_us);
-  const int64_t told = book.last_order();
-  EXPECT_TRUE(book.Since(told, 13 * kSecond_us).empty());
-  Tell(&book, PacketFate("charlie", 7, 1.5), 14 * kSecond_us);
-  ASSERT_EQ(book.Since(told, 14 * kSecond_us).size(), 1U);
-  EXPECT_EQ(book.Since(told, 14 * kSecond_us)[0]->to.size(), 2U);
+  AddFate(&book, PacketFate("bravo", 7, 0.05), 13 * kSecond_us);
+  const int64_t order = book.last_order();
+  EXPECT_TRUE(book.Since(order, 13 * kSecond_us).empty());
+  AddFate(&book, PacketFate("charlie", 7, 1.5), 14 * kSecond_us);
+  ASSERT_EQ(book.Since(order, 14 * kSecond_us).size(), 1U);
+  EXPECT_EQ(book.Since(order, 14 * kSecond_us)[0]->to.size(), 2U);
 }
 
 TEST(PacketBook, ForgetsAfterAWhile) {
   PacketBook book;
-  Tell(&book, PacketFate("bravo", 7, 0.05), 0);
+  AddFate(&book, PacketFate("bravo", 7, 0.05), 0);
   EXPECT_EQ(book.Since(0, PacketBook::kMemory_us).size(), 1U);
   EXPECT_TRUE(book.Since(0, PacketBook::kMemory_us + 1).empty());
 }
 
-TEST(PacketBook, IgnoresWhatNeverWasInTheWater) {
+TEST(PacketBook, IgnoresFatesWithoutAnAcousticPath) {
   PacketBook book;
-  Tell(&book, FateOf("alpha", "bravo", "delivered"), 0);
+  AddFate(&book, FateOf("alpha", "bravo", "delivered"), 0);
   EXPECT_TRUE(book.Since(0, 0).empty());
 }
 
 TEST(PacketBook, IsBounded) {
   PacketBook book;
-  for (int i = 0; i < 1000; ++i) Tell(&book, PacketFate("bravo", 7, 0.05), 0);
+  for (int i = 0; i < 1000; ++i) AddFate(&book, PacketFate("bravo", 7, 0.05), 0);
   EXPECT_EQ(book.Since(0, 0)[0]->to.size(), PacketBook::kMaxArrivals);
-  for (int i = 0; i < 2000; ++i) Tell(&book, PacketFate("bravo", i, 0.05), 0);
+  for (int i = 0; i < 2000; ++i) AddFate(&book, PacketFate("bravo", i, 0.05), 0);
   EXPECT_EQ(book.Since(0, 0).size(), PacketBook::kMaxPackets);
 }
 

@@ -12,8 +12,8 @@ namespace shoal {
 
 /// One delivery as it is drawn.
 struct ViewPulse {
-  int64_t id = 0;     ///< Of label and time: the same however it came to be known. Below 2^53.
-  int64_t order = 0;  ///< Counts what this book was told.
+  int64_t id = 0;     ///< Of label and time: the same in live and recorded views. Below 2^53.
+  int64_t order = 0;  ///< Counts what was added to the book.
   int64_t utime = 0;
   float sx_m = 0;  ///< From here ...
   float sy_m = 0;
@@ -41,9 +41,9 @@ class PulseBook {
   /// Returns those of NotOver with an order > `order`: messages first, then the newest first.
   std::vector<const ViewPulse*> Since(int64_t order, int64_t utime) const;
 
-  /// The order of the last one told, 0 before the first.
+  /// The order of the last one added, 0 before the first.
   int64_t last_order() const { return last_order_; }
-  /// Pulses there was no room for.
+  /// Pulses for which there was no room.
   int64_t num_left_out() const { return num_left_out_; }
   /// The time of the last message.
   int64_t last_utime() const { return last_utime_; }

@@ -8,13 +8,13 @@
 
 namespace shoal::pulse_book_test {
 
-void Tell(PulseBook* book, int64_t utime, std::vector<comms_pulse_t> pulses) {
+void AddPulses(PulseBook* book, int64_t utime, std::vector<comms_pulse_t> pulses) {
   ASSERT_TRUE(book->Add(Encoded(PulsesOf(utime, std::move(pulses)))));
 }
 
 TEST(PulseBook, KeepsAPulseUntilItIsOver) {
   PulseBook book;
-  Tell(&book, kSecond_us, {PulseOf("A2B", "nrep", 10)});
+  AddPulses(&book, kSecond_us, {PulseOf("A2B", "nrep", 10)});
   ASSERT_EQ(book.NotOver(kSecond_us).size(), 1U);
   const ViewPulse& pulse = *book.NotOver(kSecond_us)[0];
   EXPECT_EQ(pulse.label, "A2B");
@@ -28,9 +28,9 @@ TEST(PulseBook, KeepsAPulseUntilItIsOver) {
 
 TEST(PulseBook, ReplacesThePulseOfTheSameLabel) {
   PulseBook book;
-  Tell(&book, 0, {PulseOf("A2B", "nrep", 10), PulseOf("A2B_MSG", "msg", 10)});
+  AddPulses(&book, 0, {PulseOf("A2B", "nrep", 10), PulseOf("A2B_MSG", "msg", 10)});
   const int64_t first_id = book.NotOver(0)[0]->id;
-  Tell(&book, kSecond_us, {PulseOf("A2B", "nrep", 10)});
+  AddPulses(&book, kSecond_us, {PulseOf("A2B", "nrep", 10)});
   const auto pulses = book.NotOver(kSecond_us);
   ASSERT_EQ(pulses.size(), 2U);
   EXPECT_EQ(pulses[1]->label, "A2B");
@@ -41,19 +41,20 @@ TEST(PulseBook, ReplacesThePulseOfTheSameLabel) {
 TEST(PulseBook, GivesTheSamePulseTheSameId) {
   PulseBook first;
   PulseBook second;
-  Tell(&second, 0, {PulseOf("X2Y", "nrep", 10)});
-  Tell(&first, kSecond_us, {PulseOf("A2B", "nrep", 10)});
-  Tell(&second, kSecond_us, {PulseOf("A2B", "nrep", 10)});
+  AddPulses(&second, 0, {PulseOf("X2Y", "nrep", 10)});
+  AddPulses(&first, kSecond_us, {PulseOf("A2B", "nrep", 10)});
+  AddPulses(&second, kSecond_us, {PulseOf("A2B", "nrep", 10)});
   EXPECT_EQ(first.NotOver(kSecond_us)[0]->id, second.NotOver(kSecond_us)[1]->id);
   EXPECT_LT(first.NotOver(kSecond_us)[0]->id, int64_t{1} << 53);
 }
 
-TEST(PulseBook, TellsMessagesFirstOfWhatIsNew) {
+TEST(PulseBook, ReturnsNewMessagesBeforeNewReports) {
   PulseBook book;
-  Tell(&book, 0, {PulseOf("OLD", "nrep", 10)});
-  const int64_t told = book.last_order();
-  Tell(&book, 0, {PulseOf("R1", "nrep", 10), PulseOf("M1", "msg", 10), PulseOf("R2", "nrep", 10)});
-  const auto pulses = book.Since(told, 0);
+  AddPulses(&book, 0, {PulseOf("OLD", "nrep", 10)});
+  const int64_t order = book.last_order();
+  AddPulses(&book, 0,
+            {PulseOf("R1", "nrep", 10), PulseOf("M1", "msg", 10), PulseOf("R2", "nrep", 10)});
+  const auto pulses = book.Since(order, 0);
   ASSERT_EQ(pulses.size(), 3U);
   EXPECT_EQ(pulses[0]->label, "M1");
   EXPECT_EQ(pulses[1]->label, "R2");
@@ -63,15 +64,15 @@ TEST(PulseBook, TellsMessagesFirstOfWhatIsNew) {
 TEST(PulseBook, LetsMessagesReplaceReportsWhereThereIsNoRoom) {
   PulseBook book;
   for (size_t i = 0; i < PulseBook::kMaxPulses + 100; ++i) {
-    Tell(&book, 0, {PulseOf("R" + std::to_string(i), "nrep", 10)});
+    AddPulses(&book, 0, {PulseOf("R" + std::to_string(i), "nrep", 10)});
   }
   EXPECT_EQ(book.NotOver(0).size(), PulseBook::kMaxPulses);
   EXPECT_EQ(book.num_left_out(), 100);
-  Tell(&book, 0, {PulseOf("M", "msg", 10)});
+  AddPulses(&book, 0, {PulseOf("M", "msg", 10)});
   EXPECT_EQ(book.NotOver(0).size(), PulseBook::kMaxPulses);
   EXPECT_EQ(book.NotOver(0).back()->label, "M");
   EXPECT_EQ(book.num_left_out(), 101);
-  Tell(&book, 20 * kSecond_us, {PulseOf("LATER", "nrep", 10)});
+  AddPulses(&book, 20 * kSecond_us, {PulseOf("LATER", "nrep", 10)});
   ASSERT_EQ(book.NotOver(20 * kSecond_us).size(), 1U) << "those that are over make room";
 }
 
@@ -79,8 +80,8 @@ TEST(PulseBook, MakesRoomAgainAfterAllWereOverAtOnce) {
   PulseBook book;
   for (const int64_t t_s : {0, 20, 40}) {
     for (size_t i = 0; i <= PulseBook::kMaxPulses; ++i) {
-      Tell(&book, t_s * kSecond_us,
-           {PulseOf(std::to_string(t_s) + "_" + std::to_string(i), "nrep", 10)});
+      AddPulses(&book, t_s * kSecond_us,
+                {PulseOf(std::to_string(t_s) + "_" + std::to_string(i), "nrep", 10)});
     }
     EXPECT_EQ(book.NotOver(t_s * kSecond_us).size(), PulseBook::kMaxPulses) << t_s;
   }
@@ -89,12 +90,12 @@ TEST(PulseBook, MakesRoomAgainAfterAllWereOverAtOnce) {
 TEST(PulseBook, MakesRoomAgainAfterAMessageFromFarInTheFuture) {
   PulseBook book;
   for (size_t i = 0; i <= PulseBook::kMaxPulses; ++i) {
-    Tell(&book, 0, {PulseOf("A" + std::to_string(i), "nrep", 10)});
+    AddPulses(&book, 0, {PulseOf("A" + std::to_string(i), "nrep", 10)});
   }
   for (size_t i = 0; i <= PulseBook::kMaxPulses; ++i) {
-    Tell(&book, 1'000'000 * kSecond_us, {PulseOf("B" + std::to_string(i), "nrep", 10)});
+    AddPulses(&book, 1'000'000 * kSecond_us, {PulseOf("B" + std::to_string(i), "nrep", 10)});
   }
-  Tell(&book, kSecond_us, {PulseOf("C", "nrep", 10)});
+  AddPulses(&book, kSecond_us, {PulseOf("C", "nrep", 10)});
   EXPECT_EQ(book.NotOver(kSecond_us).size(), 1U);
 }
 
@@ -113,9 +114,9 @@ TEST(PulseBook, DrawsNoPulseOfImpossibleNumbers) {
   comms_pulse_t nowhere = PulseOf("A2B", "nrep", 10);
   nowhere.tx_m = std::numeric_limits<double>::quiet_NaN();
   comms_pulse_t endless = PulseOf("C2D", "nrep", std::numeric_limits<double>::infinity());
-  Tell(&book, 0,
-       {nowhere, PulseOf("E2F", "nrep", std::numeric_limits<double>::quiet_NaN()),
-        PulseOf("G2H", "nrep", -1), endless});
+  AddPulses(&book, 0,
+            {nowhere, PulseOf("E2F", "nrep", std::numeric_limits<double>::quiet_NaN()),
+             PulseOf("G2H", "nrep", -1), endless});
   ASSERT_EQ(book.NotOver(0).size(), 1U);
   EXPECT_EQ(book.NotOver(0)[0]->duration_s, 3600) << "an hour is the longest";
   EXPECT_EQ(book.num_left_out(), 3);

@@ -14,7 +14,7 @@ class RecordedChart {
   static constexpr size_t kMaxPoints = 16'384;
   static constexpr double kFirstStep_s = 0.1;
 
-  /// Keeps what is true at `t_s` where that is at least a step after the last point. The step
+  /// Keeps the state at `t_s` where that is at least a step after the last point. The step
   /// doubles whenever there are kMaxPoints: 0.2 s in a log of half an hour.
   /// @pre t_s is not less than in the call before
   void Add(double t_s, const nav_t& nav, const std::optional<desired_t>& desired) {

@@ -1,4 +1,4 @@
-// Places in a log that is read on, or again, to show a moment of it.
+// Cursors in a log: each reads on from a keyframe to a moment.
 #pragma once
 
 #include <cstdint>
@@ -85,7 +85,7 @@ class FateCursor {
   int64_t line_us_ = 0;
 };
 
-/// Cursors that nobody uses just now: several pages may look at several moments.
+/// Cursors that are not in use: several pages may look at several moments.
 template <class Cursor>
 class IdleCursors {
  public:

@@ -75,8 +75,8 @@ Result<RecordedLog> OpenRecordedLog(const std::string& path, const std::string& 
   LogSurvey survey = SurveyLog(reader->Another(), !found->mission);
   if (!survey.has_events && reader->size() > 0) {
     return Error{
-        fmt::format("{} holds no event of an LCM log: is it one? `shoal log info {}` "
-                    "tells more",
+        fmt::format("{} holds no event of an LCM log; `shoal log info {}` "
+                    "shows more",
                     *file, *file)};
   }
   const bool knows_mission = found->mission.has_value();

@@ -1,5 +1,4 @@
-// A log that is to be shown, with the mission that belongs to it and what a user should know about
-// both.
+// A log with its mission, and notes for the user about both.
 #pragma once
 
 #include <string>

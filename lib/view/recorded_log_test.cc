@@ -87,7 +87,7 @@ TEST(OpenedLog, TakesVehiclesFromItsMessagesWhereItHasNoMission) {
   EXPECT_EQ(frame["rules"]["critical_range_m"], 30);
 }
 
-TEST(OpenedLog, KnowsNoRulesUntilTheBrokerTellsThem) {
+TEST(OpenedLog, KnowsNoRulesUntilTheBrokerPublishesThem) {
   const TestDirectory directory;
   std::vector<TestEvent> events = TrafficMaker(2).Make(10);
   std::erase_if(events, [](const TestEvent& event) { return event.channel == "COMMS_RULES"; });
@@ -203,7 +203,7 @@ TEST(OpenedLog, OfTwoRunsShowsTheSecondBehindTheFirst) {
   EXPECT_EQ(frame["vehicles"][0]["nav"]["t"], 20);
 }
 
-TEST(OpenedLog, SaysThatItHasNoPositions) {
+TEST(OpenedLog, NotesThatItHasNoPositions) {
   const TestDirectory directory;
   const auto view =
       OpenTraffic(directory, {{.utime = 5, .channel = "HELLO", .data = Bytes{1, 2, 3}}});
@@ -217,7 +217,7 @@ void AskAll(RecordedView& view, double t_s) {
         view.FatesJson({}, t_s), view.EventsJson()}) {
     RC_ASSERT(json::accept(answer));
   }
-  for (const char* name : {"alpha", "Bravo", "ship", "nobody", ""}) {
+  for (const char* name : {"alpha", "Bravo", "ship", "unknown", ""}) {
     const auto vehicle = view.VehicleJson(name, t_s, t_s);
     const auto link = view.LinkJson("alpha", name, t_s);
     if (vehicle.ok()) RC_ASSERT(json::accept(*vehicle));

@@ -20,7 +20,7 @@ namespace shoal {
 
 namespace {
 
-/// So many messages are asked which clock stamped the log's events.
+/// The number of messages that decide which clock stamped the log's events.
 constexpr int kMaxVotes = 64;
 constexpr int64_t kMaxEventsForVotes = 100'000;
 constexpr int64_t kClocksApart_us = 3'600'000'000;
@@ -53,7 +53,7 @@ bool DecodeLogged(const LogEvent& event, T* message) {
 
 double FiniteOr(double value, double otherwise) { return std::isfinite(value) ? value : otherwise; }
 
-/// Puts a mission together of what its messages tell.
+/// Puts a mission together of what its messages hold.
 class MissionFinder {
  public:
   void Take(const LogEvent& event) {
@@ -67,7 +67,7 @@ class MissionFinder {
     }
   }
 
-  /// Nothing new is to be expected.
+  /// True where later messages add nothing.
   bool IsComplete() const { return has_rules_ && num_open_ == 0; }
 
   Mission mission;

@@ -1,4 +1,4 @@
-// What must be known of a log before it can be read as a mission.
+// Finds which clock stamped a log, and the mission that its messages show.
 #pragma once
 
 #include <cstdint>
@@ -12,10 +12,10 @@ namespace shoal {
 /// Which clock stamped the events of a log.
 enum class LogStamps {
   kMission,  ///< The mission's: the recorder's, and `shoal sim`'s.
-  kWall,     ///< The machine's: lcm-logger's. Mission time is what the messages themselves say.
+  kWall,     ///< The machine's: lcm-logger's. Mission time is what the messages themselves hold.
 };
 
-/// Returns the event's mission time; nothing where its stamp is none and the message tells none.
+/// Returns the event's mission time; nothing where its stamp is none and the message holds none.
 [[nodiscard]] std::optional<int64_t> MissionUtimeOf(const LogEvent& event, LogStamps stamps);
 
 struct LogSurvey {
@@ -24,7 +24,7 @@ struct LogSurvey {
   bool has_events = false;
   LogStamps stamps = LogStamps::kMission;
   int64_t first_utime = 0;  ///< The first mission time in the log.
-  /// What the log tells of its mission: vehicles by COMMS_RULES, NAV_<V> and NODE_REPORT_LOCAL,
+  /// What the log shows of its mission: vehicles by COMMS_RULES, NAV_<V> and NODE_REPORT_LOCAL,
   /// where they began; the rules' seed, tick and origin.
   Mission mission;
   size_t num_left_out = 0;  ///< Vehicles beyond kMaxVehicles.

@@ -1,12 +1,12 @@
-// Makes one line of time, which never goes back, of the times in a log.
+// Makes a monotonic timeline of the times in a log.
 //
 //   RecordedTimeline line(start_utime);
 //   while (const auto event = reader.Next()) line.Advance(event->utime);
 //   line.now_us();    // since the mission's start
 //
-// A time that is earlier by more than a second, or later by more than an hour, is believed only
+// A time that is earlier by more than a second, or later by more than an hour, is accepted only
 // when kWitnesses in a row agree; until then, and where they do not, nothing moves. A clock that
-// went back, or ahead by more than a day, goes on from where it was.
+// went back, or ahead by more than a day, continues on the timeline where it was.
 #pragma once
 
 #include <cstdint>
@@ -29,7 +29,7 @@ class RecordedTimeline {
   bool is_begun() const { return is_begun_; }
   /// The time of the last event; 0 before the first.
   int64_t now_us() const { return now_us_; }
-  /// Returns the time of the log's clock that is `line_us` by now.
+  /// Returns the time of the log's clock at `line_us`, by the current shift.
   int64_t UtimeOf(int64_t line_us) const { return line_us + start_utime_ - shift_us_; }
 
   int64_t num_odd() const { return num_odd_; }        ///< Times that did not move the line.
@@ -43,7 +43,7 @@ class RecordedTimeline {
   int64_t now_us_ = 0;
   bool is_begun_ = false;
   int num_witnesses_ = 0;
-  int64_t witness_us_ = 0;  ///< What the last of them said.
+  int64_t witness_us_ = 0;  ///< The time of the last of them.
   int64_t num_odd_ = 0;
   int64_t num_shifts_ = 0;
 };

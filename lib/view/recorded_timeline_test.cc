@@ -34,7 +34,7 @@ TEST(RecordedTimeline, StandsStillWhileTimesAreALittleEarlier) {
   EXPECT_EQ(line.num_odd(), 0);
 }
 
-TEST(RecordedTimeline, DoesNotBelieveASingleTime) {
+TEST(RecordedTimeline, IgnoresASingleOddTime) {
   constexpr int64_t kLeast = std::numeric_limits<int64_t>::min();
   constexpr int64_t kMost = std::numeric_limits<int64_t>::max();
   RecordedTimeline line(kStart_utime);
@@ -47,7 +47,7 @@ TEST(RecordedTimeline, DoesNotBelieveASingleTime) {
   EXPECT_EQ(line.num_shifts(), 0);
 }
 
-TEST(RecordedTimeline, FindsTheStartBehindAFirstTimeThatIsNone) {
+TEST(RecordedTimeline, FindsTheStartAfterAnImpossibleFirstTime) {
   RecordedTimeline line(kStart_utime);
   line.Advance(std::numeric_limits<int64_t>::max());
   Advance(&line, 3, 2);

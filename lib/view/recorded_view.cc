@@ -17,7 +17,7 @@ namespace shoal {
 
 namespace {
 
-/// Pages at as many different moments do not disturb one another.
+/// At most this many pages at different moments do not slow each other.
 constexpr size_t kMaxIdleScenes = 12;
 constexpr size_t kMaxIdleFates = 6;
 constexpr size_t kLinkFates = 50;
@@ -92,7 +92,7 @@ std::unique_ptr<FateCursor> RecordedView::FatesAt(int64_t line_us) {
       index_.keyframes.begin() + 1, index_.keyframes.end(),
       [&](const Keyframe& keyframe) { return keyframe.num_fates <= first_kept; });
   const Keyframe& keyframe = *(behind - 1);
-  // One that begins with a later fate, or is behind, cannot go on.
+  // A cursor that begins with a later fate, or is behind, cannot be used.
   auto cursor = idle_fates_.Take(line_us, keyframe.offset);
   if (!cursor) cursor = std::make_unique<FateCursor>(reader_.Another(), stamps_, keyframe);
   cursor->GoTo(line_us);
@@ -165,7 +165,7 @@ Result<std::string> RecordedView::LinkJson(std::string_view from, std::string_vi
 std::vector<RatioBin> RecordedView::RatioBins(const LinkCounts& link, int64_t line_us) const {
   struct Sum {
     int64_t line_us = 0;
-    uint64_t heard = 0;
+    uint64_t received = 0;
     uint64_t offered = 0;
   };
   // Sums at keyframes up to now, not more than there may be bins, and now.
@@ -178,18 +178,18 @@ std::vector<RatioBin> RecordedView::RatioBins(const LinkCounts& link, int64_t li
     const LinkCounts* then = keyframe.links.Find(link.from, link.to);
     Sum sum{.line_us = i == 0 ? index_.begin_us : keyframe.timeline.now_us()};
     if (then != nullptr) {
-      sum.heard = then->Heard();
+      sum.received = then->Received();
       sum.offered = then->Offered();
     }
     sums.push_back(sum);
   }
-  sums.push_back({.line_us = line_us, .heard = link.Heard(), .offered = link.Offered()});
+  sums.push_back({.line_us = line_us, .received = link.Received(), .offered = link.Offered()});
   std::vector<RatioBin> bins;
   for (size_t i = 0; i + 1 < sums.size(); ++i) {
     const auto offered = static_cast<int64_t>(sums[i + 1].offered - sums[i].offered);
     if (offered == 0) continue;
     bins.push_back({.begin_s = static_cast<double>(sums[i].line_us) / 1e6,
-                    .heard = static_cast<int64_t>(sums[i + 1].heard - sums[i].heard),
+                    .received = static_cast<int64_t>(sums[i + 1].received - sums[i].received),
                     .offered = offered});
   }
   return bins;

@@ -1,4 +1,4 @@
-// A recorded mission as the viewer's page sees it.
+// A recorded mission as the viewer's page shows it.
 //
 //   auto view = RecordedView::Open("runs/berta");     // or runs/berta/mission.lcm
 //   if (!view.ok()) return Fail(view.error());
@@ -6,7 +6,8 @@
 //
 // Opening reads the log once (lib/view/log_index.h). A moment is shown by reading on from the
 // keyframe before it, or from where another moment was shown a little earlier. The log is read in
-// pieces, not mapped: one that is cut while it is open is shorter then, and ends no process.
+// pieces, not mapped: if the file is cut while it is open, the view ends there and the process goes
+// on.
 #pragma once
 
 #include <cstdint>
@@ -45,7 +46,7 @@ class RecordedView : public ViewSource {
   double begin_s() const { return static_cast<double>(index_.begin_us) / 1e6; }
   double end_s() const { return static_cast<double>(index_.end_us) / 1e6; }
 
-  // Times that are not in the log are taken for the nearest that is.
+  // Times outside of the log are clamped to it.
   std::string SetupJson(bool commands) override;
   std::string FrameJson(double t_s) override;
   std::string TrailsJson() override;

@@ -29,7 +29,7 @@ std::vector<int> DrawSteps(uint32_t seed, int count) {
   return steps;
 }
 
-/// What a running mission's view says after each of some steps.
+/// What a running mission's view answers after each of some steps.
 template <class Ask>
 std::map<int, json> AnswersOfLive(const std::vector<TestEvent>& events, std::vector<int> steps,
                                   Ask ask) {
@@ -76,7 +76,7 @@ TEST(RecordedView, ListsTheFatesThatARunningMissionListed) {
   });
 }
 
-TEST(RecordedView, TellsALinksHistoryAsARunningMissionDid) {
+TEST(RecordedView, ShowsALinksHistoryAsARunningMissionDid) {
   ExpectSameAsLive(6, [](ViewSource& view, double t_s) {
     Result<std::string> answer = view.LinkJson("ALPHA", "bravo", t_s);
     EXPECT_TRUE(answer.ok());
@@ -93,7 +93,7 @@ TEST(RecordedView, TellsALinksHistoryAsARunningMissionDid) {
   });
 }
 
-TEST(RecordedView, TellsWhatAVehicleKnowsAsARunningMissionDid) {
+TEST(RecordedView, ShowsWhatAVehicleKnowsAsARunningMissionDid) {
   ExpectSameAsLive(7, [](ViewSource& view, double t_s) {
     Result<std::string> answer = view.VehicleJson("bravo", t_s, 60);
     EXPECT_TRUE(answer.ok());
@@ -206,7 +206,7 @@ TEST(RecordedView, LetsTenPagesScrubAtOnce) {
   EXPECT_EQ(num_wrong, std::vector<int>(10));
 }
 
-TEST(RecordedView, TellsTheSetupOfTheWholeLog) {
+TEST(RecordedView, ShowsTheSetupOfTheWholeLog) {
   const TestDirectory directory;
   const auto view = OpenTraffic(directory, TrafficMaker(15).Make(kSteps));
   const json setup = json::parse(view->SetupJson(true));

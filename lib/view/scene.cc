@@ -19,7 +19,7 @@ namespace {
 constexpr double kLongestVehicle_m = 1000;
 constexpr size_t kMaxRecovered = 20;
 
-/// Decodes into a message whose memory is used again; nullptr: the bytes are none such.
+/// Decodes into a message whose memory is used again; nullptr: the bytes do not decode.
 template <class T>
 T* DecodeAgain(std::span<const uint8_t> data) {
   thread_local T message;
@@ -30,7 +30,7 @@ void Cut(std::string* text) {
   if (text->size() > Scene::kMaxText) text->resize(Scene::kMaxText);
 }
 
-/// A text that says nothing leaves what was known before.
+/// An empty text leaves the known one unchanged.
 void Learn(const std::string& text, std::string* known) {
   if (!text.empty()) known->assign(text, 0, Scene::kMaxText);
 }

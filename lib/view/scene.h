@@ -1,10 +1,10 @@
-// What is true at one moment of a mission, as far as its messages tell.
+// The state of a mission at one moment, as far as its messages show.
 //
 //   Scene scene(mission);
 //   scene.Handle("NAV_ALPHA", bytes);
 //   scene.vehicles()[0].nav->x_m;
 //
-// Copyable. Messages may hold anything: what makes no sense is dropped and counted, texts are cut
+// Copyable. Messages may hold any values: impossible ones are dropped and counted, texts are cut
 // (kMaxText), and nothing grows without bound.
 #pragma once
 
@@ -34,9 +34,9 @@
 namespace shoal {
 
 /// A node report as the broker knows it.
-struct HeardReport {
+struct ReceivedReport {
   int64_t utime = 0;           ///< When it was made, by the vehicle.
-  int64_t received_utime = 0;  ///< When it was heard, by the scene; staleness counts from here.
+  int64_t received_utime = 0;  ///< When the scene received it; staleness counts from here.
   double x_m = 0;
   double y_m = 0;
   double depth_m = 0;
@@ -54,7 +54,7 @@ struct SceneVehicle {
   double length_m = 0;
   bool outside = false;  ///< Not of the mission.
   std::optional<nav_t> nav = {};
-  std::optional<HeardReport> report = {};
+  std::optional<ReceivedReport> report = {};
   std::optional<helm_state_t> helm = {};
   std::optional<swarm_t> swarm = {};
   ShownMessages shown = {};
@@ -65,14 +65,14 @@ struct RulesInForce : RoutingRules {
   std::vector<std::pair<std::string, LinkFactors>> factors;  ///< Of vehicles that have not 1 and 1.
 };
 
-/// Is told what Scene::Handle has understood, after the scene has taken it. Vehicles by their place
-/// in Scene::vehicles().
+/// Receives what Scene::Handle has decoded, after the scene has taken it. Vehicles are indices in
+/// Scene::vehicles().
 class SceneObserver {
  public:
   virtual ~SceneObserver() = default;
   virtual void OnNav(size_t /*vehicle*/, const nav_t& /*nav*/) {}
   virtual void OnHelm(size_t /*vehicle*/, const helm_state_t& /*helm*/) {}
-  virtual void OnReport(size_t /*vehicle*/, const HeardReport& /*report*/) {}
+  virtual void OnReport(size_t /*vehicle*/, const ReceivedReport& /*report*/) {}
   virtual void OnFate(const FateView& /*fate*/, const LinkPlace& /*place*/) {}
 };
 
@@ -92,15 +92,15 @@ class Scene {
               SceneObserver* observer = nullptr);
   /// Takes the time of the clock's last step.
   void HandleClock(const clock_state_t& clock);
-  /// Sets the time to show, where somebody knows better than the messages; the next one that is
-  /// later, or much earlier, moves it again.
+  /// Sets the time to show, where the caller knows it better than the messages; the next one that
+  /// is later, or much earlier, moves it again.
   void SetNow(int64_t utime) { now_utime_ = PlausibleUtime(utime); }
   /// The rules are unknown until COMMS_RULES states them.
   void ForgetRules() { rules_.reset(); }
   /// Goes on from counters that were copied at this time.
   void SetLinks(LinkBook links) { links_ = std::move(links); }
 
-  /// Channels that Handle listens to.
+  /// Channels that Handle takes messages of.
   static std::vector<std::string> Channels(const Mission& mission);
 
   /// The time of the messages' last step. Goes with them: forward, and back where they jump back by
@@ -119,7 +119,7 @@ class Scene {
   /// Returns the vehicle of this name, without regard to case, or nullptr.
   const SceneVehicle* Find(std::string_view name) const;
   /// Returns how links and vehicles write the name that `name` is without regard to case; nullptr:
-  /// nobody has been heard of, nor heard from, by that name.
+  /// no message has come of or from a vehicle of that name.
   const std::string* NameOf(std::string_view name) const;
   /// True where the broker would count the vehicle as stale; false while it has never reported.
   bool IsStale(const SceneVehicle& vehicle) const;

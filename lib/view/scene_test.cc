@@ -9,7 +9,7 @@
 
 namespace shoal::scene_test {
 
-/// Remembers what it was told.
+/// Counts the calls with the expected values.
 struct Witness : SceneObserver {
   void OnNav(size_t vehicle, const nav_t& nav) override {
     num_navs += vehicle == 1 && nav.x_m == 5;
@@ -17,7 +17,7 @@ struct Witness : SceneObserver {
   void OnHelm(size_t vehicle, const helm_state_t& helm) override {
     num_helms += vehicle == 0 && helm.state == "DRIVE";
   }
-  void OnReport(size_t vehicle, const HeardReport& report) override {
+  void OnReport(size_t vehicle, const ReceivedReport& report) override {
     num_reports += vehicle == 0 && report.x_m == 1;
   }
   void OnFate(const FateView& fate, const LinkPlace& place) override {
@@ -29,7 +29,7 @@ struct Witness : SceneObserver {
 class SceneTest : public testing::Test {
  protected:
   template <class T>
-  void Tell(const std::string& channel, const T& message, SceneObserver* observer = nullptr) {
+  void Handle(const std::string& channel, const T& message, SceneObserver* observer = nullptr) {
     scene_.Handle(channel, Encoded(message), observer);
   }
 
@@ -47,22 +47,22 @@ TEST_F(SceneTest, BeginsWithTheMissionsVehiclesAndRules) {
   EXPECT_FALSE(scene_.rules());
 }
 
-TEST_F(SceneTest, TakesWhatVehiclesSayOfThemselves) {
+TEST_F(SceneTest, TakesWhatVehiclesPublish) {
   Witness witness;
-  Tell("NAV_BRAVO", NavAt(3 * kSecond_us, 5, 6), &witness);
+  Handle("NAV_BRAVO", NavAt(3 * kSecond_us, 5, 6), &witness);
   helm_state_t helm{};
   helm.utime = 3 * kSecond_us;
   helm.state = "DRIVE";
   helm.task = std::string(1'000'000, 't');
-  Tell("HELM_STATE_ALPHA", helm, &witness);
+  Handle("HELM_STATE_ALPHA", helm, &witness);
   desired_t desired{};
   desired.heading_deg = 90;
   desired.utime = 3 * kSecond_us;
-  Tell("DESIRED_ALPHA", desired);
+  Handle("DESIRED_ALPHA", desired);
   swarm_t swarm{};
   swarm.utime = 3 * kSecond_us;
   swarm.num_said = 14;
-  Tell("SWARM_ALPHA", swarm);
+  Handle("SWARM_ALPHA", swarm);
   ASSERT_TRUE(scene_.vehicles()[1].nav);
   EXPECT_EQ(scene_.vehicles()[1].nav->y_m, 6);
   ASSERT_TRUE(scene_.vehicles()[0].helm);
@@ -75,20 +75,20 @@ TEST_F(SceneTest, TakesWhatVehiclesSayOfThemselves) {
   EXPECT_EQ(scene_.num_undecodable(), 0);
 }
 
-TEST_F(SceneTest, IgnoresUnknownChannelsAndCountsBytesThatMakeNoSense) {
-  Tell("NAV_CHARLIE", NavAt(0, 1, 1));
+TEST_F(SceneTest, IgnoresUnknownChannelsAndCountsBytesThatDoNotDecode) {
+  Handle("NAV_CHARLIE", NavAt(0, 1, 1));
   scene_.Handle("", {});
   EXPECT_EQ(scene_.num_undecodable(), 0);
   scene_.Handle("NAV_ALPHA", {});
-  Tell("NAV_ALPHA", desired_t{});
+  Handle("NAV_ALPHA", desired_t{});
   EXPECT_EQ(scene_.num_undecodable(), 2);
   EXPECT_FALSE(scene_.vehicles()[0].nav);
 }
 
-TEST_F(SceneTest, KnowsReportsAsTheBrokerHearsThem) {
+TEST_F(SceneTest, KnowsReportsAsTheBrokerReceivesThem) {
   Witness witness;
-  Tell("NAV_ALPHA", NavAt(7 * kSecond_us, 0, 0));
-  Tell("NODE_REPORT_LOCAL", ReportOf("ALPHA", 6'500'000, 1, 2), &witness);
+  Handle("NAV_ALPHA", NavAt(7 * kSecond_us, 0, 0));
+  Handle("NODE_REPORT_LOCAL", ReportOf("ALPHA", 6'500'000, 1, 2), &witness);
   ASSERT_TRUE(scene_.vehicles()[0].report);
   EXPECT_EQ(scene_.vehicles()[0].report->utime, 6'500'000);
   EXPECT_EQ(scene_.vehicles()[0].report->received_utime, 7 * kSecond_us);
@@ -96,16 +96,16 @@ TEST_F(SceneTest, KnowsReportsAsTheBrokerHearsThem) {
   EXPECT_EQ(witness.num_reports, 1);
   node_report_t impossible = ReportOf("alpha", 8 * kSecond_us, 9, 9);
   impossible.altitude_m = std::numeric_limits<double>::quiet_NaN();
-  Tell("NODE_REPORT_LOCAL", impossible);
+  Handle("NODE_REPORT_LOCAL", impossible);
   EXPECT_EQ(scene_.vehicles()[0].report->x_m, 1) << "the broker refuses such a report";
 }
 
 TEST_F(SceneTest, AddsVehiclesFromOutsideUntilThereAreTooMany) {
   for (int i = 0; i < 300; ++i) {
-    Tell("NODE_REPORT", ReportOf("out" + std::to_string(i), 0, i, 0));
+    Handle("NODE_REPORT", ReportOf("out" + std::to_string(i), 0, i, 0));
   }
-  Tell("NODE_REPORT", ReportOf("no legal name", 0, 0, 0));
-  Tell("NODE_REPORT", ReportOf(std::string(1'000'000, 'x'), 0, 0, 0));
+  Handle("NODE_REPORT", ReportOf("no legal name", 0, 0, 0));
+  Handle("NODE_REPORT", ReportOf(std::string(1'000'000, 'x'), 0, 0, 0));
   EXPECT_EQ(scene_.vehicles().size(), 2 + Scene::kMaxOutside);
   EXPECT_EQ(scene_.num_left_out(), 100);
   EXPECT_EQ(scene_.num_undecodable(), 2);
@@ -117,18 +117,18 @@ TEST_F(SceneTest, AddsVehiclesFromOutsideUntilThereAreTooMany) {
 }
 
 TEST_F(SceneTest, CountsAsStaleWhatTheBrokerCountsAsStale) {
-  Tell("COMMS_RULES", RulesWith(0, 100, 5));
-  EXPECT_FALSE(scene_.IsStale(scene_.vehicles()[0])) << "never heard of";
-  Tell("NODE_REPORT_LOCAL", ReportOf("alpha", 0, 0, 0));
-  Tell("NAV_ALPHA", NavAt(4'999'999, 0, 0));
+  Handle("COMMS_RULES", RulesWith(0, 100, 5));
+  EXPECT_FALSE(scene_.IsStale(scene_.vehicles()[0])) << "it has never reported";
+  Handle("NODE_REPORT_LOCAL", ReportOf("alpha", 0, 0, 0));
+  Handle("NAV_ALPHA", NavAt(4'999'999, 0, 0));
   EXPECT_FALSE(scene_.IsStale(scene_.vehicles()[0]));
-  Tell("NAV_ALPHA", NavAt(5'000'000, 0, 0));
+  Handle("NAV_ALPHA", NavAt(5'000'000, 0, 0));
   EXPECT_TRUE(scene_.IsStale(scene_.vehicles()[0]));
-  Tell("COMMS_RULES", RulesWith(5'000'000, 100, -1));
-  EXPECT_FALSE(scene_.IsStale(scene_.vehicles()[0])) << "nobody ever is";
+  Handle("COMMS_RULES", RulesWith(5'000'000, 100, -1));
+  EXPECT_FALSE(scene_.IsStale(scene_.vehicles()[0])) << "no vehicle becomes stale";
 }
 
-TEST_F(SceneTest, TakesTheRulesThatTheBrokerTells) {
+TEST_F(SceneTest, TakesTheRulesThatTheBrokerPublishes) {
   comms_rules_t rules = RulesWith(0, -1, 8);
   rules.drop_percentage = 12.5;
   rules.num_factors = 1;
@@ -136,7 +136,7 @@ TEST_F(SceneTest, TakesTheRulesThatTheBrokerTells) {
   rules.factors[0].vehicle = "alpha";
   rules.factors[0].stealth = 0.5;
   rules.factors[0].earange = 2;
-  Tell("COMMS_RULES", rules);
+  Handle("COMMS_RULES", rules);
   EXPECT_EQ(scene_.rules()->comms_range_m, -1);
   EXPECT_EQ(scene_.rules()->drop_percentage, 12.5);
   ASSERT_EQ(scene_.rules()->factors.size(), 1U);
@@ -145,11 +145,11 @@ TEST_F(SceneTest, TakesTheRulesThatTheBrokerTells) {
 
 TEST_F(SceneTest, CountsFatesAndKeepsPackets) {
   Witness witness;
-  Tell("NAV_ALPHA", NavAt(kSecond_us, 1, -3));
-  Tell("COMMS_FATES",
-       FatesOf(2 * kSecond_us, {FateOf("alpha", "Bravo", "delivered"),
-                                Through(FateOf("alpha", "bravo", "packet_loss"), CalmPath(0))}),
-       &witness);
+  Handle("NAV_ALPHA", NavAt(kSecond_us, 1, -3));
+  Handle("COMMS_FATES",
+         FatesOf(2 * kSecond_us, {FateOf("alpha", "Bravo", "delivered"),
+                                  Through(FateOf("alpha", "bravo", "packet_loss"), CalmPath(0))}),
+         &witness);
   EXPECT_EQ(scene_.links().num_fates(), 2);
   EXPECT_EQ(witness.num_fates, 2);
   EXPECT_EQ(scene_.now_s(), 2);
@@ -159,12 +159,12 @@ TEST_F(SceneTest, CountsFatesAndKeepsPackets) {
 }
 
 TEST_F(SceneTest, MovesTimeForwardAndBackOnlyByALongWay) {
-  Tell("NAV_ALPHA", NavAt(10 * kSecond_us, 0, 0));
-  Tell("NAV_BRAVO", NavAt(9'900'000, 0, 0));
+  Handle("NAV_ALPHA", NavAt(10 * kSecond_us, 0, 0));
+  Handle("NAV_BRAVO", NavAt(9'900'000, 0, 0));
   EXPECT_EQ(scene_.now_s(), 10) << "messages of a step may overtake one another";
-  Tell("NAV_BRAVO", NavAt(std::numeric_limits<int64_t>::max(), 0, 0));
-  Tell("NAV_BRAVO", NavAt(std::numeric_limits<int64_t>::min(), 0, 0));
-  Tell("NAV_ALPHA", NavAt(10'100'000, 0, 0));
+  Handle("NAV_BRAVO", NavAt(std::numeric_limits<int64_t>::max(), 0, 0));
+  Handle("NAV_BRAVO", NavAt(std::numeric_limits<int64_t>::min(), 0, 0));
+  Handle("NAV_ALPHA", NavAt(10'100'000, 0, 0));
   EXPECT_EQ(scene_.now_s(), 10.1) << "one liar does not stop the clock";
   clock_state_t clock{};
   clock.utime = 20 * kSecond_us;
@@ -186,10 +186,10 @@ TEST_F(SceneTest, CountsTimeFromTheMissionsStart) {
 }
 
 TEST_F(SceneTest, IsCopiedByValue) {
-  Tell("NAV_ALPHA", NavAt(kSecond_us, 1, 1));
+  Handle("NAV_ALPHA", NavAt(kSecond_us, 1, 1));
   Scene copy = scene_;
-  Tell("NAV_ALPHA", NavAt(2 * kSecond_us, 2, 2));
-  copy.Handle("NODE_REPORT", Encoded(ReportOf("stranger", 0, 0, 0)));
+  Handle("NAV_ALPHA", NavAt(2 * kSecond_us, 2, 2));
+  copy.Handle("NODE_REPORT", Encoded(ReportOf("visitor", 0, 0, 0)));
   EXPECT_EQ(copy.vehicles()[0].nav->x_m, 1);
   EXPECT_EQ(copy.vehicles().size(), 3U);
   EXPECT_EQ(scene_.vehicles().size(), 2U);

@@ -8,7 +8,7 @@
 
 namespace shoal {
 
-/// What the answer says beside the mission.
+/// What the answer shows beside the mission.
 struct SetupFacts {
   std::string mode = "live";  ///< Or "recorded".
   std::string boot;
@@ -24,8 +24,8 @@ struct SetupFacts {
                                     const std::string& floor_json);
 
 /// Returns the sea floor as the answer has it, sampled over the area of starts, points and op_area;
-/// "null" where nobody knows how deep it is. Where the mission names a floor that cannot be made,
-/// `notes` is told why. Takes some 0.1 s.
+/// "null" where the depth is not known. Where the mission names a floor that cannot be made, a note
+/// in `notes` states why. Takes some 0.1 s.
 [[nodiscard]] std::string FloorJson(const Mission& mission, std::vector<std::string>* notes);
 
 }  // namespace shoal

@@ -63,7 +63,7 @@ TEST(SetupJson, HasTheTablesOfCausesAndOfRulesThatCanChange) {
                                      {"about", "what is sent is received nearer than this"}}));
 }
 
-TEST(SetupJson, TellsTheMission) {
+TEST(SetupJson, ShowsTheMission) {
   const json setup = SetupOf(SurveyMission(), {.mode = "recorded",
                                                .boot = "5f0c",
                                                .commands = true,
@@ -87,7 +87,7 @@ TEST(SetupJson, TellsTheMission) {
   EXPECT_EQ(setup["notes"], json{"a note"});
 }
 
-TEST(SetupJson, TellsVehiclesAndTheirTasks) {
+TEST(SetupJson, ShowsVehiclesAndTheirTasks) {
   const json setup = SetupOf(SurveyMission());
   ASSERT_EQ(setup["vehicles"].size(), 2U);
   const json& alpha = setup["vehicles"][0];
@@ -109,7 +109,7 @@ TEST(SetupJson, TellsVehiclesAndTheirTasks) {
                                       "radius_m": 0})"));
   EXPECT_EQ(tasks[2]["points"], json::parse("[[1,2]]"));
   EXPECT_EQ(tasks[2]["radius_m"], 10);
-  EXPECT_EQ(tasks[3]["points"], json::array()) << "nobody knows yet where that is";
+  EXPECT_EQ(tasks[3]["points"], json::array()) << "that position is not known yet";
   EXPECT_EQ(tasks[4]["points"], json::parse("[[1,2],[3,4]]"));
   EXPECT_EQ(tasks[4]["closed"], true);
   EXPECT_EQ(tasks[5]["points"], json::parse("[[0,0]]"));
@@ -162,7 +162,7 @@ TEST(FloorJson, IsBoundedForAnyArea) {
   EXPECT_EQ(floor["depth_m"][0], 125);
 }
 
-TEST(FloorJson, SaysWhyAFloorIsNotShown) {
+TEST(FloorJson, NotesWhyAFloorIsNotShown) {
   Mission mission = MissionOf({"alpha"});
   mission.environment.floor.style = "grid";
   mission.environment.floor.grid = "/nowhere/at_all.asc";

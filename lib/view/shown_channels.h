@@ -1,5 +1,6 @@
-// Channels of a vehicle whose last message a frame shows: one row each. A row is all that a new one
-// needs beside its line in ShownChannels; the scene, live and recorded views and frames draw on it.
+// Channels of a vehicle whose last message a frame shows: one row each. A row is all that a new
+// channel needs beside its line in ShownChannels; the scene, live and recorded views and frames
+// draw on it.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// Ids that come out the same however a thing came to be known: live, or by seeking in a log.
+// Ids that are the same in a live view and after seeking in a log.
 #pragma once
 
 #include <cstdint>

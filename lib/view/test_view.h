@@ -62,7 +62,7 @@ inline fate_t FateOf(std::string_view source, std::string_view destination,
   return fate;
 }
 
-/// Returns a path through the water that nothing happened on.
+/// Returns an acoustic path without losses or errors.
 inline acoustic_path_t CalmPath(int64_t sent_utime) {
   acoustic_path_t path{};
   path.sent_utime = sent_utime;
@@ -110,7 +110,7 @@ inline comms_pulses_t PulsesOf(int64_t utime, std::vector<comms_pulse_t> pulses)
   return message;
 }
 
-/// Returns rules that a broker would tell.
+/// Returns rules as a broker publishes them.
 inline comms_rules_t RulesWith(int64_t utime, double comms_range_m, double stale_time_s) {
   comms_rules_t rules{};
   rules.utime = utime;

@@ -30,7 +30,7 @@ class VehicleHistory {
   static constexpr size_t kMaxCoarse = 2000;  ///< An hour.
   static constexpr size_t kMaxAnswer = 600;
 
-  /// Takes what is true at `t_s`, unless that is too soon after the last point. A time before the
+  /// Takes the state at `t_s`, unless that is too soon after the last point. A time before the
   /// last one begins anew.
   void Add(double t_s, const nav_t& nav, const std::optional<desired_t>& desired);
 
@@ -42,7 +42,7 @@ class VehicleHistory {
   std::deque<ChartPoint> coarse_;
 };
 
-/// Makes a point of what a vehicle is and wants.
+/// Returns the point of a vehicle's state and its desired values.
 [[nodiscard]] ChartPoint ChartPointOf(double t_s, const nav_t& nav,
                                       const std::optional<desired_t>& desired);
 /// Keeps at most `max_points`, evenly over their number, the last among them.

@@ -50,15 +50,15 @@ void WriteSwarm(const Scene& scene, const swarm_t& swarm, JsonWriter* json) {
   json->EndArray().EndObject();
 }
 
-void WriteWhomItHears(const Scene& scene, std::string_view vehicle, JsonWriter* json) {
+void WriteReceivedSources(const Scene& scene, std::string_view vehicle, JsonWriter* json) {
   const LinkBook& book = scene.links();
   const int32_t to = book.names().Find(vehicle);
   json->BeginArray();
   for (const LinkCounts& link : book.links()) {
-    if (link.to != to || link.last_heard_utime == LinkCounts::kNeverHeard) continue;
+    if (link.to != to || link.last_received_utime == LinkCounts::kNeverReceived) continue;
     json->BeginObject()
         .Text("name", book.names().at(link.from))
-        .Number("last_heard_s", scene.SecondsOf(link.last_heard_utime), kMilliseconds)
+        .Number("last_heard_s", scene.SecondsOf(link.last_received_utime), kMilliseconds)
         .EndObject();
   }
   json->EndArray();
@@ -86,7 +86,7 @@ std::string VehicleJson(const Scene& scene, const SceneVehicle& vehicle,
     json.Null();
   }
   json.Key("hears");
-  WriteWhomItHears(scene, vehicle.name, &json);
+  WriteReceivedSources(scene, vehicle.name, &json);
   json.EndObject();
   return json.Take();
 }

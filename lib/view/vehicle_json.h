@@ -13,7 +13,8 @@
 
 namespace shoal {
 
-/// Returns the vehicle's charts, its swarm's knowledge and whom it has heard, at the scene's time.
+/// Returns the vehicle's charts, its swarm's knowledge and the vehicles that it has received,
+/// at the scene's time.
 [[nodiscard]] std::string VehicleJson(const Scene& scene, const SceneVehicle& vehicle,
                                       std::span<const ChartPoint> points);
 

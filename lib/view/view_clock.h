@@ -1,4 +1,4 @@
-// What the mission's clock does, as viewers show it.
+// The state of the mission's clock, as viewers show it.
 #pragma once
 
 #include <optional>
@@ -18,7 +18,7 @@ struct ViewClock {
   std::string note = {};  ///< Why the last command was refused.
 };
 
-/// Returns the same of a message; a state that is none of the clock's counts as running.
+/// Returns the same of a message; an unknown state counts as running.
 [[nodiscard]] ViewClock ViewClockOf(const clock_state_t& clock);
 
 }  // namespace shoal

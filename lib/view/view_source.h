@@ -1,4 +1,4 @@
-// What the viewer's web server asks for, of a running mission or of a recorded one. Answers are
+// The interface of the viewer's web server to a running or a recorded mission. Answers are
 // JSON as docs/viewer_protocol.md has it.
 //
 // All functions may be called from any thread.
@@ -26,15 +26,16 @@ class ViewSource {
  public:
   virtual ~ViewSource() = default;
 
-  /// `commands`: whoever asks may send commands.
+  /// `commands`: the client may send commands.
   virtual std::string SetupJson(bool commands) = 0;
-  // `t_s` is mission time since the start; a running mission knows only now.
+  // `t_s` is mission time since the start; ignored for a running mission, which has only the
+  // current time.
   virtual std::string FrameJson(double t_s) = 0;
   virtual std::string TrailsJson() = 0;
   virtual std::string LinksJson(double t_s) = 0;
   virtual std::string FatesJson(const FateQuery& query, double t_s) = 0;
   virtual std::string EventsJson() = 0;
-  /// An error names the vehicle that the mission does not have.
+  /// The error names a vehicle that is not in the mission.
   virtual Result<std::string> LinkJson(std::string_view from, std::string_view to, double t_s) = 0;
   virtual Result<std::string> VehicleJson(std::string_view name, double t_s, double window_s) = 0;
 };

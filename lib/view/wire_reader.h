@@ -13,7 +13,7 @@ class WireReader {
  public:
   explicit WireReader(std::span<const uint8_t> data) : next_(data.data()), left_(data.size()) {}
 
-  /// False once something was asked for that is not there; all that is read then is 0 or empty.
+  /// False after a read beyond the end; all reads after it return 0 or an empty text.
   bool ok() const { return ok_; }
   bool at_end() const { return left_ == 0; }
   size_t num_left() const { return left_; }

@@ -51,7 +51,7 @@ TEST(Clock, StandsStillForAnOrderThatIsObeyedWhenItGoesOn) {
   ASSERT_EQ(RunShoal(folder, {"send", "clock", "pause"}).exit_code, 0);
   const Finished sent = RunShoal(folder, {"send", "alpha", "station_keep"});
   EXPECT_EQ(sent.exit_code, 0) << sent.output;
-  EXPECT_NE(sent.output.find("1 of 1 helms have said nothing since"), std::string::npos)
+  EXPECT_NE(sent.output.find("1 of 1 helms have published nothing since"), std::string::npos)
       << sent.output;
   ASSERT_EQ(RunShoal(folder, {"send", "clock", "resume"}).exit_code, 0);
   const std::string page = AwaitStatus(folder, "helm_alpha", {"command: station_keep"});

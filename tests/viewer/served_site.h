@@ -1,4 +1,4 @@
-// A web server with a made-up mission behind it, and clients that speak to it byte by byte.
+// A web server with a made-up mission behind it, and clients that send to it byte by byte.
 #pragma once
 
 #include <unistd.h>

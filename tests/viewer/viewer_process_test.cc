@@ -1,4 +1,4 @@
-// shoal-viewer itself, beside missions that run as a user runs them.
+// shoal-viewer itself, beside missions that `shoal run` runs.
 #include <gtest/gtest.h>
 #include <signal.h>
 
@@ -92,7 +92,7 @@ std::vector<std::string> RunArguments(const std::vector<std::string>& more) {
   return argv;
 }
 
-/// Where the first vehicle is by this frame, if it tells.
+/// Where the first vehicle is by this frame, if it shows it.
 std::optional<std::pair<double, double>> PlaceOf(const Json& frame) {
   if (!frame.is_object() || frame["vehicles"].empty()) return std::nullopt;
   const Json& nav = frame["vehicles"][0]["nav"];
@@ -118,7 +118,7 @@ TEST(Viewer, ShowsVehiclesThatMoveAndTheRulesInForce) {
   EXPECT_EQ(viewer.Frame()["rules"]["comms_range_m"], 123.5) << viewer.Frame()["rules"];
 }
 
-TEST(Viewer, ShowsRulesThatWereChangedBeforeItCame) {
+TEST(Viewer, ShowsRulesThatWereChangedBeforeItJoined) {
   const TestFolder folder;
   const RunningProcess mission(folder, RunArguments({"--warp", "1", "--quiet"}));
   EXPECT_NE(AwaitStatus(folder, "shore_broker", {"Comms Range"}), "");
@@ -164,7 +164,7 @@ TEST(Viewer, ChangesNothingOfAMissionAndStaysWhenItHasEnded) {
   EXPECT_GT(viewer.Frame()["t"].get<double>(), 500) << viewer.Frame()["t"];
 }
 
-TEST(Viewer, TurnsToTheNextMissionAndTellsWhereALauncherDied) {
+TEST(Viewer, TurnsToTheNextMissionAndShowsWhereALauncherDied) {
   const TestFolder folder;
   WatchedViewer viewer(folder);
   std::string boot;
@@ -183,11 +183,11 @@ TEST(Viewer, TurnsToTheNextMissionAndTellsWhereALauncherDied) {
   EXPECT_TRUE(AwaitThat([&] { return viewer.State() == "ended"; })) << viewer.State();
 }
 
-TEST(Viewer, TellsWhereTheLauncherStandsStill) {
+TEST(Viewer, ShowsWhereTheLauncherStandsStill) {
   const TestFolder folder;
   const RunningProcess mission(folder, RunArguments({"--warp", "1", "--quiet"}));
   WatchedViewer viewer(folder);
-  // Vehicles may be heard before the clock; the warp is told by the clock only.
+  // Vehicles may be received before the clock; only the clock states the warp.
   ASSERT_TRUE(AwaitThat([&] {
     const Json& frame = viewer.Frame();
     return frame.is_object() && frame["clock"]["warp"] == 1;
@@ -198,7 +198,7 @@ TEST(Viewer, TellsWhereTheLauncherStandsStill) {
   EXPECT_TRUE(AwaitThat([&] { return viewer.State() == "running"; })) << viewer.State();
 }
 
-TEST(Viewer, SendsCommandsForWhoHasTheToken) {
+TEST(Viewer, SendsCommandsWithTheToken) {
   const TestFolder folder;
   const RunningProcess mission(folder, RunArguments({"--warp", "2", "--quiet"}));
   WatchedViewer viewer(folder, {"--allow-commands"});
@@ -230,7 +230,7 @@ TEST(Viewer, EndsAtOnceWithPagesOpen) {
   EXPECT_LT(since_signal.Seconds(), 1.5);
 }
 
-TEST(Viewer, SaysWhatIsWrongWithItsCommandLine) {
+TEST(Viewer, StatesWhatIsWrongWithItsCommandLine) {
   const TestFolder folder;
   const auto run = [&](std::vector<std::string> argv) {
     argv.insert(argv.begin(), Program("shoal-viewer"));

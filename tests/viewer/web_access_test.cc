@@ -1,4 +1,4 @@
-// Who gets what from the viewer's web server, over real sockets.
+// Which requests the viewer's web server allows, over real sockets.
 #include <gtest/gtest.h>
 
 #include "tests/viewer/served_site.h"
@@ -33,7 +33,7 @@ TEST(WebAccess, PassesNoCommandOnThatWasNotAllowed) {
   EXPECT_EQ(served.num_commands(), 0);
 }
 
-TEST(WebAccess, PassesNoCommandOnFromStrangers) {
+TEST(WebAccess, PassesOnNoCommandWithoutTheRightHeaders) {
   ServedSite served(Commanding());
   const int port = served.port();
   EXPECT_EQ(StatusOf(Exchange(port, PostText(kCommand, kJson))), 403);
@@ -54,7 +54,7 @@ TEST(WebAccess, PassesNoCommandOnFromStrangers) {
   EXPECT_EQ(served.num_commands(), 1);
 }
 
-TEST(WebAccess, ShowsDataOnlyToWhoHasTheTokenWhereItMust) {
+TEST(WebAccess, ShowsDataOnlyWithTheTokenWhereItMust) {
   const ServedSite served({.reading_needs_token = true, .token = kTestToken});
   EXPECT_EQ(StatusOf(Ask(served.port(), "/")), 200);
   EXPECT_EQ(StatusOf(Ask(served.port(), "/app.js")), 200);

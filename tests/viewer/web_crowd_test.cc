@@ -1,4 +1,4 @@
-// Crowds of clients that are slow, rude or gone.
+// Many clients that are slow, malformed or disconnected.
 #include <gtest/gtest.h>
 
 #include "tests/netsim/rude_clients.h"
@@ -18,7 +18,7 @@ Clients Connect(int port, int number, const std::string& text) {
   return clients;
 }
 
-TEST(WebCrowd, Of200ThatSayHalfARequestLeavesTheNextItsAnswer) {
+TEST(WebCrowd, Of200ThatSendHalfARequestLeavesTheNextItsAnswer) {
   const ServedSite served;
   const Clients rude = Connect(served.port(), 200, "GET / HTTP/1.1\r\nHost: loc");
   EXPECT_EQ(StatusOf(Ask(served.port(), "/")), 200);
@@ -28,7 +28,7 @@ TEST(WebCrowd, Of200ThatSayHalfARequestLeavesTheNextItsAnswer) {
 TEST(WebCrowd, ThatFillsAllPlacesMakesRoomForTheNext) {
   WebServerOptions options = ServedSite::Hasty();
   options.most_connections = 20;
-  // Nobody goes for being slow: what is tested is that room is made.
+  // No client is cut for being slow: what is tested is that room is made.
   options.patience.head = options.patience.idle = std::chrono::minutes(5);
   ServedSite served({}, options);
   const Clients rude = Connect(served.port(), 60, "GET / HTTP/1.1\r\n");
@@ -36,7 +36,7 @@ TEST(WebCrowd, ThatFillsAllPlacesMakesRoomForTheNext) {
   EXPECT_LE(served.server().num_connections(), 25U);
 }
 
-TEST(WebCrowd, OfStreamsThatFillsAllPlacesHasTheNextToldSo) {
+TEST(WebCrowd, OfStreamsThatFillsAllPlacesRefusesTheNext) {
   WebServerOptions options = ServedSite::Hasty();
   options.most_connections = 10;
   ServedSite served({}, options);
@@ -47,14 +47,14 @@ TEST(WebCrowd, OfStreamsThatFillsAllPlacesHasTheNextToldSo) {
   EXPECT_TRUE(Await([&] { return StatusOf(Ask(served.port(), "/")) == 200; }));
 }
 
-TEST(WebCrowd, ThatReadsNothingGoes) {
+TEST(WebCrowd, ThatReadsNothingIsCut) {
   ServedSite served;
   const Clients mute = Connect(served.port(), 20, GetText("/api/trails"));
   EXPECT_EQ(StatusOf(Ask(served.port(), "/")), 200);
   EXPECT_TRUE(Await([&] { return served.server().num_connections() == 0; }, 60));
 }
 
-TEST(WebCrowd, ThatIsRudeLeavesNothingOpenBehind) {
+TEST(WebCrowd, OfRudeClientsLeavesNoDescriptorOpen) {
   const size_t before = NumDescriptors();
   {
     ServedSite served;
@@ -71,7 +71,7 @@ TEST(WebCrowd, ThatIsRudeLeavesNothingOpenBehind) {
   EXPECT_EQ(NumDescriptors(), before);
 }
 
-TEST(WebPort, IsSharedWithNobody) {
+TEST(WebPort, IsNotShared) {
   const ServedSite served;
   const auto taken = ListenOn({.port = served.port(), .last_port = served.port()});
   ASSERT_FALSE(taken.ok());
@@ -82,7 +82,7 @@ TEST(WebPort, IsSharedWithNobody) {
   EXPECT_GT(next->port, served.port());
 }
 
-TEST(WebPort, IsToldAsAnAddressThatABrowserTakes) {
+TEST(WebPort, IsShownAsAnAddressThatABrowserTakes) {
   EXPECT_EQ(PageUrl("127.0.0.1", 8765, "", "shore"), "http://127.0.0.1:8765/");
   EXPECT_EQ(PageUrl("0.0.0.0", 8765, "abc", "shore"), "http://shore:8765/?token=abc");
   EXPECT_EQ(PageUrl("::1", 80, "", "shore"), "http://[::1]:80/");

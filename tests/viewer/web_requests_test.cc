@@ -1,4 +1,4 @@
-// What the viewer's web server makes of requests, whole, broken and endless.
+// How the viewer's web server answers requests: valid, malformed and endless.
 #include <gtest/gtest.h>
 
 #include "tests/viewer/served_site.h"
@@ -93,7 +93,7 @@ TEST(WebRequests, WithOtherMethodsGet405) {
   EXPECT_EQ(StatusOf(Ask(served.port(), "/api/command")), 405);
 }
 
-TEST(WebRequests, ThatAreMalformedGetAnErrorAndNoOneElseDoes) {
+TEST(WebRequests, ThatAreMalformedGetAnErrorAndOthersDoNot) {
   const ServedSite served;
   for (const std::string& text :
        {std::string("\r\n\r\n"), std::string("GET\r\n\r\n"), std::string("GET / HTTP/9.9\r\n\r\n"),

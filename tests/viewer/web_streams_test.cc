@@ -54,7 +54,7 @@ TEST(WebStreams, StayLiveWhileOneDoesNotRead) {
     clients.back()->Send(GetText("/api/stream"));
   }
   ASSERT_TRUE(Await([&] { return served.hub().num_readers() == 13; }));
-  // All hear news until the mute one has been given up, and after that.
+  // All receive frames until the client that does not read has been cut, and after that.
   ASSERT_TRUE(Await([&] {
     for (const auto& client : clients) client->Receive();
     return served.hub().num_readers() == 12;
@@ -84,7 +84,7 @@ TEST(WebStreams, BeginWithHeadersThatAStreamHas) {
   EXPECT_NE(client.received().find("Cache-Control: no-store\r\n"), std::string::npos);
 }
 
-TEST(WebStreams, BeatWhereThereIsNoNews) {
+TEST(WebStreams, SendHeartbeatsWhereThereIsNoNews) {
   ServedSite served;
   TcpClient client(served.port());
   client.Send(GetText("/api/stream"));
@@ -154,7 +154,7 @@ TEST(WebStreams, EndAtOnceWhenTheServerStops) {
   EXPECT_LT(since_stop->Seconds(), 1);
 }
 
-TEST(WebStreams, OfAHeadRequestHoldNothingUp) {
+TEST(WebStreams, OfAHeadRequestLeaveNoReader) {
   ServedSite served;
   const std::string answer =
       Exchange(served.port(), "HEAD /api/stream HTTP/1.1\r\nHost: localhost\r\n\r\n");
