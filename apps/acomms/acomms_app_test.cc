@@ -32,8 +32,8 @@ Mission TwoInFdma() {
   return mission;
 }
 
-/// The acomms of all members of a swarm. What one says reaches all others in the next step but one,
-/// as the broker would have it without loss and travel time; unless the test takes it away.
+/// The acomms of all members of a swarm. What one sends reaches all others in the next step but
+/// one, as the broker would have it without loss and travel time; unless the test takes it away.
 class Members {
  public:
   explicit Members(const Mission& mission) : mission_(mission) {
@@ -50,7 +50,7 @@ class Members {
   }
 
   void Start(const Vehicle& vehicle) {
-    // A process that is started again has a name of its own here; nobody hears it but for that.
+    // A restarted process joins under a new name, since a name can join the bus once.
     Bus& bus = hub_.Join("acomms_" + vehicle.name + std::to_string(num_started_++));
     Subscribe(
         world_, channels::Swarm(vehicle.name),
@@ -116,7 +116,7 @@ class Members {
   int64_t utime_ = 0;
 };
 
-TEST(Acomms, SpeaksOnceInEachEpisodeInItsSlot) {
+TEST(Acomms, SendsOnceInEachEpisodeInItsSlot) {
   Members members(TwoInFdma());
   members.Run(11);
   EXPECT_EQ(members.TimesOf("alpha"), (std::vector<int64_t>{0, 50, 100}));
@@ -125,7 +125,7 @@ TEST(Acomms, SpeaksOnceInEachEpisodeInItsSlot) {
   EXPECT_TRUE(DecodeReport(members.said_[1].payload));
 }
 
-TEST(Acomms, TellsItsHelmWhatTheLeaderSaid) {
+TEST(Acomms, PublishesForItsHelmWhatTheLeaderSent) {
   Members members(TwoInFdma());
   members.Run(0.1);
   ASSERT_EQ(members.LastOf("bravo").num_contacts, 1);
@@ -133,7 +133,7 @@ TEST(Acomms, TellsItsHelmWhatTheLeaderSaid) {
   EXPECT_EQ(before.name, "alpha");
   EXPECT_TRUE(before.is_target);
   EXPECT_FALSE(before.is_heard);
-  EXPECT_TRUE(before.is_known) << "the mission says where it starts";
+  EXPECT_TRUE(before.is_known) << "the mission names its start";
   EXPECT_EQ(before.x_m, 200);
 
   members.Run(1);
@@ -150,7 +150,7 @@ TEST(Acomms, CountsWhatBecameOfEachSendersPackets) {
   Members members(TwoInFdma());
   members.Run(1);
   members.Hand("bravo", "charlie", {1, 2, 3});
-  members.Hand("bravo", "somebody", {});
+  members.Hand("bravo", "outsider", {});
   members.Run(0.2);
   const swarm_t& swarm = members.LastOf("bravo");
   ASSERT_EQ(swarm.num_sources, 3);
@@ -168,7 +168,7 @@ TEST(Acomms, CountsWhatBecameOfEachSendersPackets) {
       << members.app("bravo").Status().text;
 }
 
-TEST(Acomms, SaysWhichFieldsWereDamagedAndHowTheyWereMended) {
+TEST(Acomms, ReportsWhichFieldsWereDamagedAndHowTheyWereRecovered) {
   Mission mission = TwoInFdma();
   Members members(mission);
   members.Run(1);
@@ -195,7 +195,7 @@ TEST(Acomms, FollowsTheRecoveryPlanOfItsVehicle) {
   EXPECT_EQ(members.LastOf("bravo").sources[0].rejected, 1);
 }
 
-TEST(Acomms, ShowsWhoHasBeenSilentForLong) {
+TEST(Acomms, ShowsWhichMembersHaveBeenSilentForLong) {
   Mission mission = TwoInFdma();
   mission.swarm.silent_after_s = 7;
   Members members(mission);
@@ -218,7 +218,7 @@ TEST(Acomms, LetsSlotsPassWithoutNav) {
   EXPECT_TRUE(members.app("alpha").Status().run_warnings.empty());
 }
 
-TEST(Acomms, AnswersARequestInItsSlotAndIsHeardByTheLeader) {
+TEST(Acomms, AnswersARequestInItsSlotAndTheLeaderReceivesIt) {
   Mission mission = TwoInFdma();
   mission.acoustics.options.access_mode = AccessMode::kTdmaLf;
   mission.swarm.followers = {"charlie", "bravo"};
@@ -269,12 +269,12 @@ TEST(Acomms, ThatIsStartedAgainTakesWhatCameBeforeItsFirstStepAtThatStepsTime) {
   const swarm_contact_t& contact = members.LastOf("bravo").contacts[0];
   EXPECT_TRUE(contact.is_heard);
   EXPECT_EQ(contact.heard_utime, 50'000'000);
-  EXPECT_EQ(contact.report_utime, 45'000'000) << "as its time stamp says";
+  EXPECT_EQ(contact.report_utime, 45'000'000) << "as in its time stamp";
   EXPECT_EQ(contact.num_recovered, 0);
   EXPECT_FALSE(contact.is_silent);
 }
 
-TEST(Acomms, TellsNoNextWaypointThatIsASentinel) {
+TEST(Acomms, SendsNoNextWaypointThatIsASentinel) {
   Mission mission = TwoInFdma();
   mission.vehicles[1].recovery.of(SwarmField::kLeaderNextPos) = {RecoveryStrategy::kSentinel};
   Members members(mission);

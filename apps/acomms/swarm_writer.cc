@@ -66,7 +66,7 @@ void SwarmWriter::Count(const std::string& source, const SwarmReception& recepti
     return;
   }
   ++(reception.result == ReceptionResult::kClean ? counts.clean : counts.recovered);
-  // A message of the leader may be about everybody.
+  // A message of the leader may concern every member.
   if (reception.sender) recovered_[static_cast<uint32_t>(*reception.sender)].clear();
   for (const FieldRecovery& recovery : reception.recoveries) {
     if (recovery.id) recovered_[static_cast<uint32_t>(*recovery.id)].clear();

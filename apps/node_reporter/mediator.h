@@ -33,9 +33,9 @@ struct MediatorCounters {
   int64_t given_up = 0;      ///< Of these.
   int64_t refused = 0;       ///< Of these: not sent at all.
   int64_t repeats = 0;
-  int64_t acks_said = 0;     ///< For messages of others.
-  int64_t acks_unsaid = 0;   ///< The same, but too many in one step, or with too long an ack_id.
-  int64_t acks_unasked = 0;  ///< Heard, but for no message that waits.
+  int64_t acks_sent = 0;        ///< For messages of others.
+  int64_t acks_unsent = 0;      ///< The same, but too many in one step, or with too long an ack_id.
+  int64_t acks_unexpected = 0;  ///< Received, but for no message that waits.
 };
 
 class Mediator {
@@ -60,7 +60,7 @@ class Mediator {
  private:
   struct WaitingMessage {
     node_message_t message;
-    std::set<std::string> silent;  ///< Keys of those who have yet to acknowledge; empty: anybody.
+    std::set<std::string> silent;  ///< Keys of vehicles yet to acknowledge; empty: any vehicle.
     int64_t sent_utime = 0;
     int64_t num_repeats = 0;
   };

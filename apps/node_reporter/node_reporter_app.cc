@@ -11,7 +11,7 @@ namespace shoal {
 
 namespace {
 
-/// NAV comes in every step; after so many seconds without it a position is a guess.
+/// NAV comes in every step; after this many seconds without it a position is dead reckoned.
 constexpr double kNavTimeout_s = 2;
 constexpr std::string_view kNavWarning = "no NAV, hence no reports";
 constexpr std::string_view kBadNavWarning = "NAV dropped: it holds an impossible number";
@@ -202,8 +202,8 @@ StatusPage NodeReporterApp::Status() const {
       age(nav_utime_), age(helm_utime_), Mode(now_utime_), num_sent_, num_without_nav_,
       num_blacked_out_, num_foretold_, num_bad_nav_, mediator_.counters().given,
       mediator_.counters().acknowledged, mediator_.num_waiting(), mediator_.counters().given_up,
-      mediator_.counters().refused, mediator_.counters().repeats, mediator_.counters().acks_said,
-      mediator_.counters().acks_unsaid, mediator_.counters().acks_unasked,
+      mediator_.counters().refused, mediator_.counters().repeats, mediator_.counters().acks_sent,
+      mediator_.counters().acks_unsent, mediator_.counters().acks_unexpected,
       bus_.counters().undecodable);
   log_.AppendTo(&page);
   return page;

@@ -16,7 +16,7 @@ namespace shoal {
 /// The sea around one vehicle.
 struct Water {
   Eigen::Vector2d velocity_mps = Eigen::Vector2d::Zero();  ///< Over ground; x East, y North.
-  std::optional<double> floor_z_m;                         ///< Absent: nobody knows.
+  std::optional<double> floor_z_m;                         ///< Absent: not known.
 };
 
 class SimulatedCraft {

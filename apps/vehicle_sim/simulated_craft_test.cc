@@ -50,9 +50,9 @@ TEST(SimulatedCraft, OfEachModelRefusesACommandThatIsNoNumber) {
     const auto craft = MakeSimulatedCraft(VehicleOf(model));
     craft->Reset({}, {});
     actuators_t actuators{};
-    EXPECT_TRUE(craft->Obey(actuators)) << FactsOfModel(model).name;
+    EXPECT_TRUE(craft->Execute(actuators)) << FactsOfModel(model).name;
     actuators.rudder_deg = std::nan("");
-    EXPECT_FALSE(craft->Obey(actuators)) << FactsOfModel(model).name;
+    EXPECT_FALSE(craft->Execute(actuators)) << FactsOfModel(model).name;
   }
 }
 

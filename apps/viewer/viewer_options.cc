@@ -22,7 +22,8 @@ ViewerOptions ParseViewerOptionsOrExit(int argc, char** argv) {
       "runs, and waits where there is none.",
       "shoal-viewer");
   cli.set_version_flag("-v,--version", std::string("shoal-viewer ") + kVersion);
-  cli.add_flag("-i,--interface", interface, "Print the channels that it hears and says, then exit");
+  cli.add_flag("-i,--interface", interface,
+               "Print the channels that it subscribes to and publishes, then exit");
   CLI::Option* port =
       cli.add_option("--port", options.port_base,
                      "First LCM port of the mission (default: that of the one that runs)")

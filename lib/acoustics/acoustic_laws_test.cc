@@ -15,8 +15,8 @@ namespace shoal::acoustic_laws_test {
 /// A normal variate is farther from 0 than this once in a million times.
 constexpr double kNormalLimit = 4.89;
 
-/// Returns what chi-square with so many degrees of freedom exceeds once in a million times (Wilson
-/// and Hilferty, 1931).
+/// Returns what chi-square with `degrees` of freedom exceeds once in a million times (Wilson and
+/// Hilferty, 1931).
 double ChiSquareLimit(double degrees) {
   const double variance = 2 / (9 * degrees);
   return degrees * std::pow(1 - variance + 4.7534 * std::sqrt(variance), 3);
@@ -35,7 +35,7 @@ void ExpectLaw(std::vector<double> sample, const std::function<double(double)>& 
   EXPECT_LT(distance, std::sqrt(std::log(2e6) / (2 * n)));
 }
 
-/// Sends so many packets, one a second, from node 0 to node 1 at this range.
+/// Sends `count` packets, one a second, from node 0 to node 1 at this range.
 std::vector<Arrived> SendMany(const AcousticOptions& options, double range_m, int count,
                               int num_bytes) {
   AcousticNetwork water(options, 20261121, TestNodes(2));
@@ -79,7 +79,7 @@ TEST(InterArrivalTimes, SpreadLikeTheDifferenceOfTwoJitters) {
   });
 }
 
-TEST(PacketLoss, StrikesAsOftenAsItsProbabilitySays) {
+TEST(PacketLoss, StrikesAsOftenAsItsProbability) {
   constexpr int kPackets = 10'000;
   for (const PacketLossModel model :
        {PacketLossModel::kUniform, PacketLossModel::kExpSimple, PacketLossModel::kSonarSimple}) {
@@ -99,7 +99,7 @@ TEST(PacketLoss, StrikesAsOftenAsItsProbabilitySays) {
   }
 }
 
-/// Returns the chance of so many wrong bits of n.
+/// Returns the probability of k wrong bits of n.
 double BinomialMass(int n, int k, double p) {
   return std::exp(std::lgamma(n + 1.0) - std::lgamma(k + 1.0) - std::lgamma(n - k + 1.0) +
                   k * std::log(p) + (n - k) * std::log1p(-p));
@@ -154,7 +154,7 @@ TEST(BitErrors, StrikeEveryBitEquallyOften) {
   EXPECT_LT(chi_square, ChiSquareLimit(8 * kBytes));
 }
 
-/// Sends so many packets from node 0 to all of four nodes; returns the jitters of each receiver.
+/// Sends `count` packets from node 0 to all of four nodes; returns the jitters of each receiver.
 std::vector<std::vector<double>> JittersOfReceivers(int count) {
   AcousticOptions options = CalmWater(AccessMode::kFdma);
   options.jitter = JitterModel::kUniform;

@@ -95,7 +95,7 @@ void AcousticNetwork::Offer(const AcousticTransmission& transmission, int32_t in
   const double range_m = (positions_m[static_cast<size_t>(receiver)] -
                           positions_m[static_cast<size_t>(transmission.packet.source)])
                              .norm();
-  if (!plan_.Hears(receiver, transmission.channel)) {
+  if (!plan_.ReceivesOn(receiver, transmission.channel)) {
     pending.fate = AcousticFate::kNotListening;
   } else if (!(range_m <= kMaxRange_m)) {
     pending.fate = AcousticFate::kNoPath;

@@ -15,7 +15,7 @@ constexpr int kBravo = 1;
 
 const Positions kInARow = {{0, 0, 0}, {1500, 0, 0}, {3000, 0, 0}};
 
-TEST(AcousticNetwork, TellsTheNumbersThatDecided) {
+TEST(AcousticNetwork, ReportsTheNumbersThatDecided) {
   AcousticNetwork water(CalmWater(AccessMode::kFdma), 1, TestNodes(3));
   const Bytes bytes = {1, 2, 3, 4, 5};
   EXPECT_EQ(water.Transmit(10, kBravo, kInARow, bytes, AllOf(water)), 0);
@@ -47,7 +47,7 @@ TEST(AcousticNetwork, NumbersThePacketsOfEachSource) {
   EXPECT_EQ(water.Transmit(0, kAlpha, kInARow, Bytes(1), {}), 1);
 }
 
-TEST(AcousticNetwork, SendsToNobodyWithoutComplaint) {
+TEST(AcousticNetwork, SendsToNoReceiverWithoutComplaint) {
   AcousticNetwork water({}, 1, TestNodes(1));
   const Positions here = {Eigen::Vector3d::Zero()};
   water.Transmit(0, kAlpha, here, Bytes(37), AllOf(water));
@@ -93,7 +93,7 @@ TEST(AcousticNetwork, HasNoPathToPlacesThatAreNotKnownOrNotOnEarth) {
   }
 }
 
-TEST(AcousticNetwork, IsNotHeardOnAChannelThatNobodyListensTo) {
+TEST(AcousticNetwork, DeliversNothingOnAChannelThatNoNodeReceivesOn) {
   AcousticNetwork water(CalmWater(AccessMode::kTdmaLf), 1, TestNodes(3));  // Alpha leads.
   water.Transmit(0, kBravo, kInARow, Bytes(1), AllOf(water));
   const std::vector<Arrived> arrived = DeliverAll(&water);

@@ -49,7 +49,7 @@ TEST(FindProblems, FindsNoneInTheDefaultsForSevenNodes) {
   EXPECT_TRUE(FindProblems({}, Nodes(7)).empty());
 }
 
-TEST(FindProblems, TellsTheArithmeticOfABandThatIsTooNarrow) {
+TEST(FindProblems, ShowsTheArithmeticOfABandThatIsTooNarrow) {
   const std::vector<OptionProblem> problems = FindProblems({}, Nodes(8));
   ASSERT_EQ(problems.size(), 1U);
   EXPECT_EQ(problems[0].option, "bandwidth_khz");

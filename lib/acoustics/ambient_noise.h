@@ -11,7 +11,7 @@
 namespace shoal {
 
 struct AmbientNoise {
-  double shipping = 0.5;  ///< Distant traffic: 0 none to speak of, 1 heavy.
+  double shipping = 0.5;  ///< Distant traffic: 0 negligible, 1 heavy.
   double wind_mps = 5;    ///< [0, kMaxWind_mps].
 
   bool operator==(const AmbientNoise&) const = default;

@@ -60,11 +60,11 @@ std::vector<Arrived> Play(const Schedule& schedule, TrafficDice* dice, AcousticN
   return arrived;
 }
 
-/// What the oracle says of one reception.
+/// The oracle's result for one reception.
 struct Verdict {
   std::vector<PacketId> colliders;  ///< Sorted.
   Bytes bytes;                      ///< After collisions.
-  bool heard_itself = false;
+  bool sent_itself = false;
 };
 
 /// Returns the bytes of each packet of each source.
@@ -108,7 +108,7 @@ Verdict Judge(const Schedule& schedule, const std::vector<std::vector<Sent>>& pa
   for (const Sent& own : packets[static_cast<size_t>(mine.receiver)]) {
     const double own_end_s = own.time_s + static_cast<double>(own.bytes.size()) * byte_s;
     if (std::max(own.time_s, mine.start_s) < std::min(own_end_s, mine.end_s)) {
-      verdict.heard_itself = true;
+      verdict.sent_itself = true;
     }
   }
   return verdict;
@@ -130,7 +130,7 @@ size_t Compare(const Schedule& schedule, const std::vector<std::vector<Sent>>& p
 
   const bool drops = schedule.options.collisions == CollisionModel::kDrop;
   AcousticFate expected = AcousticFate::kDelivered;
-  if (schedule.options.half_duplex && verdict.heard_itself) {
+  if (schedule.options.half_duplex && verdict.sent_itself) {
     expected = AcousticFate::kHalfDuplex;
   } else if (drops && !verdict.colliders.empty()) {
     expected = AcousticFate::kCollided;
@@ -177,11 +177,11 @@ TEST(CollisionOracle, AgreesWhereCollisionsDrop) { PlayMany(CollisionModel::kDro
 
 TEST(CollisionOracle, AgreesWhereCollisionsCorrupt) { PlayMany(CollisionModel::kCorrupt, false); }
 
-TEST(CollisionOracle, AgreesWhereNodesDoNotHearWhileTheySend) {
+TEST(CollisionOracle, AgreesWhereNodesDoNotReceiveWhileTheySend) {
   PlayMany(CollisionModel::kDrop, true);
 }
 
-TEST(CollisionOracle, AgreesOnCorruptionWhereNodesDoNotHearWhileTheySend) {
+TEST(CollisionOracle, AgreesOnCorruptionWhereNodesDoNotReceiveWhileTheySend) {
   PlayMany(CollisionModel::kCorrupt, true);
 }
 

@@ -99,7 +99,7 @@ TEST(Conservation, HoldsForAThousandNodes) {
   }));
 }
 
-TEST(Conservation, HoldsWhereAThousandNodesHearEachOther) {
+TEST(Conservation, HoldsWhereAThousandNodesReceiveEachOther) {
   for (const CollisionModel collisions : {CollisionModel::kDrop, CollisionModel::kOff}) {
     AcousticOptions options;
     options.access_mode = AccessMode::kShared;

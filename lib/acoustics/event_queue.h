@@ -97,7 +97,7 @@ class EventQueue {
       const size_t end = std::min(child + kChildren, size);
       size_t least = child;
       for (size_t other = child + 1; other < end; ++other) {
-        // Without a branch, which nobody could predict.
+        // Without a branch, which would be unpredictable.
         least += (other - least) * static_cast<size_t>(events_[other] < events_[least]);
       }
       if (!(events_[least] < event)) break;

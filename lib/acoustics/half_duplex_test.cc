@@ -68,7 +68,7 @@ TEST(HalfDuplex, RemembersALongTransmissionBehindAShortOne) {
   EXPECT_EQ(arrived[1].reception.fate, AcousticFate::kDelivered);
 }
 
-TEST(HalfDuplex, DoesNotKeepWhatIsNotHeardFromSpoilingOtherPackets) {
+TEST(HalfDuplex, DoesNotKeepWhatIsNotReceivedFromSpoilingOtherPackets) {
   AcousticOptions options = HalfDuplex();
   options.access_mode = AccessMode::kShared;
   options.collisions = CollisionModel::kDrop;

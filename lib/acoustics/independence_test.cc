@@ -15,7 +15,7 @@ namespace shoal::independence_test {
 /// A packet at a receiver, by names.
 using Link = std::tuple<std::string, std::string, int64_t>;
 
-/// Who sends when to whom, by names, so that nodes can come and go around it.
+/// Which nodes send when and to which, by name, so that other nodes can be added or removed.
 struct Plan {
   std::vector<AcousticNode> nodes;
   AcousticOptions options;
@@ -95,7 +95,7 @@ void ExpectSameDraws(const std::map<Link, Arrived>& before, const std::map<Link,
 
 constexpr size_t kNumReceptions = 15 * 3;
 
-RC_GTEST_PROP(Draws, StayTheSameWhenNodesJoinAnywhereAndHearEverything, (uint64_t seed)) {
+RC_GTEST_PROP(Draws, StayTheSameWhenNodesJoinAnywhereAndReceiveEverything, (uint64_t seed)) {
   TrafficDice dice(seed);
   const Plan plan = BasePlan(&dice);
   Plan larger = plan;

@@ -40,7 +40,7 @@ AcousticOptions Lossy() {
   return WithModem(kCodedModem, PacketLossModel::kModem, BitErrorModel::kOff);
 }
 
-/// Sends so many packets, one a second, from node 0 to node 1 at this range.
+/// Sends `count` packets, one a second, from node 0 to node 1 at this range.
 std::vector<Arrived> SendMany(const AcousticOptions& options, double range_m, int count,
                               size_t num_bytes) {
   AcousticNetwork water(options, 20261121, TestNodes(2));
@@ -69,7 +69,7 @@ TEST(ModemLoss, IsThatOfTheLinkAndTheLengthOfThePacket) {
   }
 }
 
-TEST(ModemBitErrors, AreThoseOfTheBitsInTheWater) {
+TEST(ModemBitErrors, AreThoseOfTheBitsInTransit) {
   const AcousticOptions options =
       WithModem(PlainModem(), PacketLossModel::kOff, BitErrorModel::kModem);
   const std::vector<Arrived> arrived = SendMany(options, 4000, 1, 37);
@@ -80,7 +80,7 @@ TEST(ModemBitErrors, AreThoseOfTheBitsInTheWater) {
   EXPECT_EQ(arrived[0].reception.loss_probability, -1);
 }
 
-TEST(ModemModels, TellNoSignalToNoiseRatioWhereNoneIsAskedFor) {
+TEST(ModemModels, HaveNoSignalToNoiseRatioWhereNoneIsAskedFor) {
   const AcousticOptions options =
       WithModem(kCodedModem, PacketLossModel::kUniform, BitErrorModel::kPoisson);
   EXPECT_EQ(SendMany(options, 500, 1, 37).at(0).reception.snr_db, std::nullopt);
@@ -93,7 +93,7 @@ TEST(ModemModels, TellNoSignalToNoiseRatioWhereNoneIsAskedFor) {
   EXPECT_EQ(arrived.at(0).reception.snr_db, std::nullopt);
 }
 
-TEST(ModemLoss, StrikesAsOftenAsItsProbabilitySays) {
+TEST(ModemLoss, StrikesAsOftenAsItsProbability) {
   constexpr int kPackets = 5000;
   int num_telling = 0;
   for (const double range_m : {4500.0, 5000.0, 5500.0, 6000.0}) {
@@ -111,7 +111,7 @@ TEST(ModemLoss, StrikesAsOftenAsItsProbabilitySays) {
   EXPECT_GE(num_telling, 2);
 }
 
-TEST(ModemBitErrors, FlipAsManyBitsAsTheirProbabilitySays) {
+TEST(ModemBitErrors, FlipAsManyBitsAsTheirProbabilityPredicts) {
   constexpr int kPackets = 2000;
   constexpr double kBits = kPackets * 37 * 8;
   const AcousticOptions options =

@@ -1,4 +1,4 @@
-// An acoustic modem as its data sheet has it, and how well two of them hear each other.
+// An acoustic modem as its data sheet has it, and the link budget between two of them.
 //
 //   const LinkModel model(preset, sea);
 //   const LinkBudget link = model.At(1500);                       // metres

@@ -30,7 +30,7 @@ std::string ProblemOf(const BlockCode& code) {
   if (std::log2(patterns) > code.block_bits - code.data_bits + 1e-9) {
     return "no code of " + n + " bits with " + k + " data bits corrects " + t +
            " errors: there are " + std::to_string(code.block_bits - code.data_bits) +
-           " check bits, and telling the error patterns apart takes " +
+           " check bits, and distinguishing the error patterns takes " +
            std::to_string(static_cast<int>(std::ceil(std::log2(patterns) - 1e-9)));
   }
   return "";

@@ -27,7 +27,7 @@ struct BlockCode {
 constexpr int kMaxBlockBits = 1023;
 
 /// Returns why there can be no such code, in words for a mission's author; empty where there can.
-/// A code with so many corrected bits must leave room for every pattern of errors: sum over i <= t
+/// A code that corrects t bits must leave room for every pattern of errors: sum over i <= t
 /// of C(n, i) <= 2^(n-k) (Hamming's bound).
 [[nodiscard]] std::string ProblemOf(const BlockCode& code);
 

@@ -39,7 +39,7 @@ inline AcousticOptions CalmWater(AccessMode mode) {
           .bit_error_model = BitErrorModel::kOff};
 }
 
-/// Returns a modem that hears others up to 5 km or so.
+/// Returns a modem with a range of about 5 km.
 inline ModemPreset TestModem() {
   return {.name = "test",
           .low_khz = 24,

@@ -64,8 +64,8 @@ struct Environment {
   bool operator==(const Environment&) const = default;
 };
 
-/// `[acoustics]`: the acoustic network, which carries what `reports_over` and `messages_over` say,
-/// and ACOUSTIC_TX always.
+/// `[acoustics]`: the acoustic network, which carries what `reports_over` and `messages_over`
+/// select, and ACOUSTIC_TX always.
 struct Acoustics {
   /// The mission means to use it: it has the table, or traffic that goes over it. Only then must
   /// there be a channel for each vehicle.

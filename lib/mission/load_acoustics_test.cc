@@ -1,4 +1,4 @@
-// What a mission file may say of the acoustic network, and what is so where it says nothing.
+// The keys of the acoustic network in a mission file, and their defaults.
 #include "lib/mission/load_acoustics.h"
 
 #include <gtest/gtest.h>
@@ -34,7 +34,7 @@ ModemPreset Modem(const std::string& name) {
   return LoadModem(std::string(SHOAL_SOURCE_DIR) + "/data/modems/" + name + ".toml").modem;
 }
 
-TEST(LoadAcoustics, LeavesTheNetworkUnusedWhereTheFileSaysNothingOfIt) {
+TEST(LoadAcoustics, LeavesTheNetworkUnusedWithoutItsTable) {
   EXPECT_EQ(LoadAfter("").acoustics, Acoustics());
   EXPECT_TRUE(LoadAfter("[acoustics]\n").acoustics.is_used);
   EXPECT_TRUE(LoadAfter("[comms]\nreports_over = \"acoustic\"\n").acoustics.is_used);
@@ -164,7 +164,7 @@ TEST_F(ModemFolder, MayHaveFoldersBelow) {
   EXPECT_EQ(LevelOf("./own/../own/loud"), 199);
 }
 
-TEST_F(ModemFolder, TellsWhatIsWrongWithAModemOfItsOwn) {
+TEST_F(ModemFolder, ReportsWhatIsWrongWithAModemOfItsOwn) {
   std::ofstream(folder_ / "odd.toml") << "name = 5\n";
   const std::string file = (folder_ / "m.toml").string();
   const LoadedMission loaded =
@@ -199,7 +199,7 @@ access_mode = "tdma_lf"
   EXPECT_EQ(address(0), 1);
   EXPECT_EQ(address(1), 77);
   EXPECT_EQ(address(2), 3);
-  EXPECT_EQ(address(3), 5) << "4 is everybody's";
+  EXPECT_EQ(address(3), 5) << "4 is the broadcast address";
   EXPECT_EQ(address(4), 6);
   EXPECT_FALSE(mission.vehicles[0].acoustic_leader);
   EXPECT_TRUE(mission.vehicles[1].acoustic_leader);

@@ -1,6 +1,6 @@
-// What a mission file holds before anybody knows what it means: values, each with the place that
-// it came from. Templates, fleets and overrides work on these (expand.h, override.h); then
-// TableReader gives them meaning.
+// A mission file before its keys are interpreted: values, each with the place that it came from.
+// Templates, fleets and overrides work on these (expand.h, override.h); then TableReader gives them
+// meaning.
 #pragma once
 
 #include <compare>

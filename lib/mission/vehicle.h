@@ -30,8 +30,8 @@ struct StartPose {
 /// Where a part of a vehicle (or the broker) comes from.
 enum class Provider {
   kShoal,  ///< The launcher starts shoal's own process.
-  kHand,   ///< Somebody starts shoal's process, or one that speaks its step protocol, by hand.
-  kNone,   ///< Nobody: the clock does not wait for it.
+  kHand,   ///< A user starts shoal's process, or one that implements its step protocol.
+  kNone,   ///< Not run: the clock does not wait for it.
 };
 
 /// `[vehicle.autopilot]`: heading PID to rudder, speed to thrust.
@@ -55,7 +55,7 @@ struct SensorOptions {
   double depth_noise_m = 0;
   double attitude_noise_deg = 0;     ///< Of heading, pitch and roll.
   double rate_noise_degps = 0;       ///< Of yaw, pitch and roll rate.
-  double speed_noise_mps = 0;        ///< Of each component through the water and over ground.
+  double speed_noise_mps = 0;        ///< Of each component relative to the water and over ground.
   double altitude_noise_m = 0;       ///< Of the altimeter ...
   double altimeter_range_m = 20000;  ///< ... which sees no farther.
 

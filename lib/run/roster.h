@@ -1,4 +1,4 @@
-// Who takes part in a mission, under which name.
+// The participants of a mission and their names on the bus.
 #pragma once
 
 #include <string>
@@ -17,7 +17,7 @@ struct RosterEntry {
   std::vector<std::string> command;  ///< Of a user's own participant; empty: started by hand.
 };
 
-/// Returns all participants but the launcher's own ("shoal"), those that nobody provides left out.
+/// Returns all participants but the launcher's own ("shoal") and those whose provider is kNone.
 std::vector<RosterEntry> MakeRoster(const Mission& mission, bool with_recorder);
 
 /// Returns the name on the bus of a vehicle's app, such as "helm_alpha".

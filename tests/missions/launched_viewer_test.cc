@@ -7,7 +7,7 @@
 
 namespace shoal::launched_viewer_test {
 
-TEST(View, RunsBesideTheMissionAndTellsItsAddress) {
+TEST(View, RunsBesideTheMissionAndPrintsItsAddress) {
   const TestFolder folder;
   const std::string mission = MissionFile("berta.toml");
   RunningProcess process(folder, {Program("shoal"), "run", mission, "--view", "--view-http", "0"});
