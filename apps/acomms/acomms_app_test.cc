@@ -66,7 +66,7 @@ class Members {
     packet.num_bytes = static_cast<int32_t>(bytes.size());
     Publish(world_, channels::AcousticRx(to), packet);
   }
-  void SayNav(const std::string& vehicle, double x_m, double y_m) {
+  void PublishNav(const std::string& vehicle, double x_m, double y_m) {
     nav_t nav{};
     nav.utime = utime_;
     nav.x_m = x_m;
@@ -82,7 +82,7 @@ class Members {
     for (int i = 0; i < num_steps; ++i) {
       for (const Vehicle& vehicle : mission_.vehicles) {
         const double x_m = vehicle.start.x_m + static_cast<double>(utime_) / 1e6;
-        if (with_nav) SayNav(vehicle.name, x_m, 0);
+        if (with_nav) PublishNav(vehicle.name, x_m, 0);
       }
       hub_.NextStep();
       for (auto& [name, app] : apps_) hub_.Handle(*app.first);

@@ -61,7 +61,7 @@ TEST(NetsimHil, ExchangesPacketsWithAVehicleFromOutside) {
   RunningProcess mission(folder, run);
   RunningProcess outsider(folder, {Program("netsim_outsider"), "127.0.0.1", std::to_string(first),
                                    std::to_string(first + 1)});
-  ASSERT_TRUE(outsider.WaitFor("heard pong 0")) << outsider.Output() << mission.Output();
+  ASSERT_TRUE(outsider.WaitFor("received pong 0")) << outsider.Output() << mission.Output();
   const Finished page = RunShoal(folder, {"status", "netsim_manager"});
   EXPECT_NE(page.output.find("outsider: port"), std::string::npos) << page.output;
   const Finished finished = mission.Wait();
