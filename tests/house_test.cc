@@ -222,7 +222,7 @@ TEST(MemberDefinition, IsNotAUseOrAFreeFunction) {
 }
 
 TEST(Classes, HaveOneSourceFile) {
-  // To be split by meaning; then this list goes.
+  // To be split; then this list is removed.
   const std::set<std::string> allowed = {"Router", "ShoreBrokerApp"};
   std::map<std::string, std::set<std::string>> files_of;
   for (const char* folder : {"lib", "apps", "sim"}) {

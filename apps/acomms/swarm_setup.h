@@ -7,8 +7,8 @@
 
 namespace shoal {
 
-/// Returns the ear of `vehicle`: it knows all members by their acoustic addresses, and that they
-/// begin where the mission file has them start. @pre mission.IsInSwarm(vehicle)
+/// Returns the receiver of `vehicle`: it knows all members by their acoustic addresses, and that
+/// they begin where the mission file has them start. @pre mission.IsInSwarm(vehicle)
 [[nodiscard]] SwarmReceiver MakeSwarmReceiver(const Mission& mission, const Vehicle& vehicle);
 
 /// Returns when `vehicle` sends: the leader has place 0, the first follower 1.

@@ -1,5 +1,5 @@
 // For tests: a helm on a MemoryBus together with a vessel that follows ACTUATORS, publishes NAV,
-// with the delays of the real thing (one step from NAV to helm, one from ACTUATORS to vessel).
+// with the delays of a mission (one step from NAV to helm, one from ACTUATORS to vessel).
 #pragma once
 
 #include <cmath>

@@ -15,10 +15,10 @@ namespace shoal {
 
 namespace {
 
-constexpr char kBadNav[] = "NAV with values that cannot be: ignored";
+constexpr char kBadNav[] = "NAV with invalid values: ignored";
 /// The variable of node messages that are orders.
 constexpr std::string_view kCommandVariable = topics::kHelmCommand;
-constexpr char kBadReport[] = "NODE_REPORT with a position that cannot be: ignored";
+constexpr char kBadReport[] = "NODE_REPORT with an invalid position: ignored";
 constexpr char kManyContacts[] = "more than 1000 contacts: new ones are ignored";
 constexpr size_t kMaxContacts = 1000;
 /// After a longer gap between steps the autopilots' integrals would jump.

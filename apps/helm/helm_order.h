@@ -30,7 +30,7 @@ struct HelmOrder {
   std::string task = {};                              ///< Of kTask.
 };
 
-/// Coordinates beyond a quarter of the Earth's circumference are no places.
+/// A quarter of the Earth's circumference; larger coordinates are refused.
 inline constexpr double kMaxCoordinate_m = 1e7;
 
 /// Reads an order; the error states what is wrong with it.

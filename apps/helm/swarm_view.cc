@@ -70,7 +70,7 @@ SwarmView::SwarmView(const Mission& mission, const Vehicle& vehicle)
     : own_(mission.vehicles.size()),
       silent_after_s_(mission.swarm.silent_after_s),
       heard_(mission.vehicles.size() + 1),
-      told_(mission.vehicles.size() + 1) {
+      contacts_(mission.vehicles.size() + 1) {
   for (size_t i = 0; i < mission.vehicles.size(); ++i) places_[mission.vehicles[i].name] = i;
   // A vehicle that is not in its mission, as in tests, comes behind the others.
   own_ = places_.emplace(vehicle.name, mission.vehicles.size()).first->second;
@@ -126,14 +126,14 @@ void SwarmView::OnSwarm(const swarm_t& swarm) {
   for (const swarm_contact_t& contact : swarm.contacts) {
     const bool is_sound = IsPlausible(NeighbourOf(0, MotionOf(contact))) &&
                           IsPlausible(NeighbourOf(0, NextOf(contact)));
-    if (const auto place = PlaceOf(contact.name); place && is_sound) told_[*place] = contact;
+    if (const auto place = PlaceOf(contact.name); place && is_sound) contacts_[*place] = contact;
   }
 }
 
 std::optional<Neighbour> SwarmView::Find(const TargetTrackTask& task, Place place,
                                          int64_t utime) const {
   if (task.swarm == SwarmKnowledge::kDirect) return heard_[place];
-  const std::optional<swarm_contact_t>& contact = told_[place];
+  const std::optional<swarm_contact_t>& contact = contacts_[place];
   if (!contact || !contact->is_known) return std::nullopt;
   const double elapsed_s = std::max(0.0, SecondsBetween(contact->report_utime, utime));
   const Motion now =
@@ -178,8 +178,8 @@ const Surroundings* SwarmView::Look(const Task* task, const nav_t& own) {
   const std::optional<Place> target = PlaceOf(track->target);
   if (target) {
     surroundings_.target = Find(*track, *target, own.utime);
-    surroundings_.target_is_silent = track->swarm == SwarmKnowledge::kAcoustic && told_[*target] &&
-                                     IsSilent(*told_[*target], own.utime);
+    surroundings_.target_is_silent = track->swarm == SwarmKnowledge::kAcoustic &&
+                                     contacts_[*target] && IsSilent(*contacts_[*target], own.utime);
   }
   group_.clear();
   for (const Place place : GroupOf(*track)) {

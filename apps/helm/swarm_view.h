@@ -28,12 +28,12 @@ class SwarmView {
 
   SwarmView(const Mission& mission, const Vehicle& vehicle);
 
-  /// Whose NAV its tasks ask for: targets and groups, each once.
+  /// The vehicles whose NAV its tasks need: targets and groups, each once.
   const std::vector<std::string>& names() const { return names_; }
 
   /// Takes note of where another vehicle is. Numbers that are not finite are passed over.
   void OnNav(const std::string& name, const nav_t& nav);
-  /// Takes note of what acomms knows. Contacts with numbers that cannot be are passed over.
+  /// Takes note of what acomms knows. Contacts with invalid numbers are passed over.
   void OnSwarm(const swarm_t& swarm);
   /// Takes note of what the sonar saw; it counts for kSonarMemory_s.
   void OnSonar(const sonar_t& ping);
@@ -61,7 +61,7 @@ class SwarmView {
   std::vector<std::string> names_;
   double silent_after_s_;
   std::vector<std::optional<Neighbour>> heard_;
-  std::vector<std::optional<swarm_contact_t>> told_;  ///< By acomms.
+  std::vector<std::optional<swarm_contact_t>> contacts_;  ///< By acomms.
   std::vector<Neighbour> group_;
   sonar_t ping_{};
   std::vector<SonarEcho> echoes_;

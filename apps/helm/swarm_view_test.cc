@@ -165,7 +165,7 @@ nav_t InACurrent(const Eigen::Vector2d& current_mps) {
   return nav;
 }
 
-TEST(SwarmView, TakesTheCurrentFromVelocityOverGroundLessVelocityRelativeToTheWater) {
+TEST(SwarmView, DerivesTheCurrentFromBothVelocities) {
   const Mission mission = Swarm();
   SwarmView swarm(mission, mission.vehicles[1]);
   const Task& task = mission.vehicles[1].tasks[0];

@@ -1,4 +1,4 @@
-// What others may think where a vehicle is, from its last report alone.
+// The position that others derive from a vehicle's last report alone.
 #pragma once
 
 #include <cstdint>

@@ -10,8 +10,8 @@
 //
 // "All" are the other vehicles in dest_node; of a message to a group or to all, one is enough.
 //
-// A flood must not become a flood of acks, which would choke the bus of the whole mission: of one
-// step at most kMaxAcksPerStep messages are acknowledged. Their senders repeat the others.
+// A flood of messages must not become a flood of acks, which would overload the bus: of one step
+// at most kMaxAcksPerStep messages are acknowledged. Their senders repeat the others.
 #pragma once
 
 #include <cstdint>

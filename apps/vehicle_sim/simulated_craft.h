@@ -23,7 +23,7 @@ class SimulatedCraft {
  public:
   virtual ~SimulatedCraft() = default;
 
-  /// Puts it there, at rest over its actuators, moving with the water.
+  /// Sets the pose; actuators at rest, velocity that of the water.
   virtual void Reset(const StartPose& pose, const Water& water) = 0;
 
   /// Takes a command. Returns false, and changes nothing, where it holds NaN or infinity.

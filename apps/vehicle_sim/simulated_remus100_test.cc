@@ -1,4 +1,4 @@
-// The Remus 100 as NAV shows it: in the world's frame, obeying the world's signs.
+// The Remus 100 as NAV shows it: in the world frame, with its signs.
 #include "apps/vehicle_sim/simulated_remus100.h"
 
 #include <gtest/gtest.h>

@@ -12,7 +12,7 @@ namespace shoal {
 namespace {
 
 constexpr char kLateActuators[] = "no ACTUATORS for 2 s: thrust and rudder are zero";
-/// Beyond this a pose or a drift is a slip of the keyboard.
+/// A pose or a drift beyond this is refused as a typing error.
 constexpr double kMaxPosition_m = 1e6;
 constexpr double kMaxDepth_m = 20'000;
 constexpr double kMaxDrift_mps = 100;

@@ -39,7 +39,7 @@ class VehicleSimApp : public App {
   void OnSimCommand(const sim_command_t& command);
   void Reset(const StartPose& pose);
   void Integrate(int64_t until_utime);
-  /// Returns the water where the vehicle is.
+  /// Returns current and sea floor at the position of the vehicle.
   Water WaterAt(int64_t utime) const;
   void WatchActuators(int64_t utime);
   /// Stops for good where another vehicle touches it and the mission demands it.

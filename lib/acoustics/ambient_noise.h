@@ -20,7 +20,7 @@ struct AmbientNoise {
 constexpr double kMaxWind_mps = 40;
 
 // Each returns the level of one component's spectrum at `frequency_khz`, in (0, 1000]. Infinity
-// where an argument is out of its range: it drowns everything.
+// where an argument is out of its range: no signal is received then.
 
 /// Turbulence of the water; matters below 10 Hz.
 [[nodiscard]] double TurbulenceNoise(double frequency_khz);

@@ -34,7 +34,7 @@ struct AcousticChannel {
 
 /// Returns how many channels fit the band with a guard band beside each: n channels need
 /// n C + (n + 1) G of the band's B, so n = floor((B - G) / (C + G)). (muNet counts one guard band
-/// too many.) At most kMaxChannels; 0 where the options make no sense.
+/// too many.) At most kMaxChannels; 0 where the options are invalid.
 [[nodiscard]] int ChannelCapacity(const AcousticOptions& options);
 inline constexpr int kMaxChannels = 1'000'000;
 inline constexpr int kMaxBroadcastAddress = 1'000'000'000;

@@ -23,7 +23,7 @@ Schedule MakeSchedule(TrafficDice* dice, CollisionModel collisions, bool half_du
   Schedule schedule;
   const bool on_raster = dice->OneIn(2);
   AcousticOptions& options = schedule.options;
-  options = CalmWater(static_cast<AccessMode>(dice->Int(0, 3)));
+  options = IdealOptions(static_cast<AccessMode>(dice->Int(0, 3)));
   options.collisions = collisions;
   options.half_duplex = half_duplex;
   options.data_rate_bps = 1024;  // A byte takes 2^-7 s: sums of such times are exact.
@@ -50,13 +50,13 @@ Schedule MakeSchedule(TrafficDice* dice, CollisionModel collisions, bool half_du
 }
 
 /// Plays a schedule with deliveries in between, at moments that make no difference.
-std::vector<Arrived> Play(const Schedule& schedule, TrafficDice* dice, AcousticNetwork* water) {
+std::vector<Arrived> Play(const Schedule& schedule, TrafficDice* dice, AcousticNetwork* network) {
   std::vector<Arrived> arrived;
   for (const Sent& sent : schedule.sent) {
-    if (dice->OneIn(2)) DeliverTo(water, sent.time_s, &arrived);
-    water->Transmit(sent.time_s, sent.source, schedule.positions_m, sent.bytes, sent.receivers);
+    if (dice->OneIn(2)) DeliverTo(network, sent.time_s, &arrived);
+    network->Transmit(sent.time_s, sent.source, schedule.positions_m, sent.bytes, sent.receivers);
   }
-  DeliverTo(water, 1e6, &arrived);
+  DeliverTo(network, 1e6, &arrived);
   return arrived;
 }
 
@@ -155,8 +155,8 @@ void PlayAndCompare(CollisionModel collisions, bool half_duplex, uint64_t seed,
                     Meetings* meetings) {
   TrafficDice dice(seed);
   const Schedule schedule = MakeSchedule(&dice, collisions, half_duplex);
-  AcousticNetwork water(schedule.options, 1, TestNodes(schedule.num_nodes));
-  const std::vector<Arrived> all = Play(schedule, &dice, &water);
+  AcousticNetwork network(schedule.options, 1, TestNodes(schedule.num_nodes));
+  const std::vector<Arrived> all = Play(schedule, &dice, &network);
   const auto packets = BySource(schedule);
   for (const Arrived& arrived : all) {
     if (arrived.reception.fate == AcousticFate::kNotListening) continue;

@@ -48,7 +48,7 @@ Plan BasePlan(TrafficDice* dice) {
 }
 
 std::map<Link, Arrived> Play(const Plan& plan) {
-  AcousticNetwork water(plan.options, 42, plan.nodes);
+  AcousticNetwork network(plan.options, 42, plan.nodes);
   std::map<std::string, int> index_of;
   Positions positions_m;
   for (const AcousticNode& node : plan.nodes) {
@@ -64,11 +64,11 @@ std::map<Link, Arrived> Play(const Plan& plan) {
     for (const AcousticNode& node : plan.nodes) {
       if (node.name.starts_with("new")) receivers.push_back(index_of.at(node.name));
     }
-    water.Transmit(sent.time_s, index_of.at(kNames[static_cast<size_t>(sent.source)]), positions_m,
-                   sent.bytes, receivers);
+    network.Transmit(sent.time_s, index_of.at(kNames[static_cast<size_t>(sent.source)]),
+                     positions_m, sent.bytes, receivers);
   }
   std::map<Link, Arrived> by_link;
-  for (const Arrived& arrived : DeliverAll(&water)) {
+  for (const Arrived& arrived : DeliverAll(&network)) {
     const Reception& reception = arrived.reception;
     by_link[{name_of(reception.packet.source), name_of(reception.receiver),
              reception.packet.number}] = arrived;

@@ -42,7 +42,7 @@ double CodeRate(const BlockCode& code) {
 
 double BlockErrorRate(double bit_error_rate, const BlockCode& code) {
   SHOAL_CHECK(code.block_bits >= 1 && code.block_bits <= kMaxBlockBits && code.data_bits >= 1,
-              "codes are checked where they are read");
+              "ProblemOf(code) is empty");
   const double p = std::isnan(bit_error_rate) ? 0.5 : std::clamp(bit_error_rate, 0.0, 0.5);
   const int n = code.block_bits;
   const double odds = p / (1 - p);

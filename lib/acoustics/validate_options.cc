@@ -13,8 +13,8 @@ namespace {
 constexpr bool kFrom = true;
 constexpr bool kMoreThan = false;
 
-/// Limits only keep arithmetic finite and memory bounded; they are far beyond any modem. What
-/// travels for ever is in transit for ever.
+/// Limits only keep arithmetic finite and memory bounded; they are far beyond any modem. At speed 0
+/// a packet would be in transit for ever.
 constexpr double kMinSpeed_mps = 1;
 constexpr double kMaxSpeed_mps = 100'000;
 constexpr double kMaxFreq_khz = 100'000;

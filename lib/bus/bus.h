@@ -1,4 +1,4 @@
-// What an app sees of the world: named channels that carry LCM messages.
+// The bus as apps use it: named channels that carry LCM messages.
 //
 //   Subscribe(bus, channels::Nav("alpha"), [this](const nav_t& nav) { nav_ = nav; });
 //   Publish(bus, channels::Desired("alpha"), desired);
@@ -36,7 +36,7 @@ struct Channel {
   std::string name;
 };
 
-/// What a bus did so far. Every message that came in is counted in one of these.
+/// Counters of a bus. Every message that came in is counted in one of them.
 struct BusCounters {
   int64_t published = 0;
   int64_t handled = 0;

@@ -1,5 +1,5 @@
 // Datagrams on numbered ports: what stepping needs of a network. LcmTransport is the real one;
-// tests have one that loses what they want lost.
+// tests have one that loses chosen datagrams.
 #pragma once
 
 #include <cstdint>

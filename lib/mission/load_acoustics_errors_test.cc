@@ -73,7 +73,7 @@ temprature_degc = 3
 TEST(LoadErrors, DemandASoundSpeedForBrackishWater) {
   EXPECT_EQ(ErrorsOfAcoustics("sea = {salinity_ppt = 10}\n"),
             "6:7: no sound speed is known for water of 10 ppt, since Mackenzie's equation begins "
-            "at 25: write sound_speed_mps = 1450, or whatever it is, in [acoustics]\n");
+            "at 25: write sound_speed_mps = 1450, or the measured speed, in [acoustics]\n");
   EXPECT_EQ(ErrorsOfAcoustics("sea = {salinity_ppt = 10}\nsound_speed_mps = 1430\n"), "");
 }
 

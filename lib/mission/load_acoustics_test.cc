@@ -254,12 +254,12 @@ RC_GTEST_PROP(LoadAcousticsText, LoadsNothingThatTheNetworkCannotDo, (uint64_t s
   if (!loaded.errors.empty()) return;
   RC_ASSERT(LoadAcousticsText(ExplainAcoustics(loaded.acoustics), "log").acoustics ==
             loaded.acoustics);
-  AcousticNetwork water(loaded.acoustics.options, 1, AnyNode());
-  if (!water.AddNode({.name = "another", .address = 2}).ok()) return;
+  AcousticNetwork network(loaded.acoustics.options, 1, AnyNode());
+  if (!network.AddNode({.name = "another", .address = 2}).ok()) return;
   const std::vector<Eigen::Vector3d> positions_m = {{0, 0, 0}, {1000, 0, 0}};
   const std::vector<int> receivers = {1};
-  water.Transmit(0, 0, positions_m, std::vector<uint8_t>(37), receivers);
-  RC_ASSERT(water.Deliver(1e12).size() == 1U);
+  network.Transmit(0, 0, positions_m, std::vector<uint8_t>(37), receivers);
+  RC_ASSERT(network.Deliver(1e12).size() == 1U);
 }
 
 TEST(LoadComms, ReadsTheAcousticsBesideTheRules) {

@@ -39,7 +39,7 @@ struct SwarmOptions {
 /// `[[participant]]`: a user's own process that takes part in stepping.
 struct Participant {
   std::string name;
-  std::vector<std::string> command;  ///< Started by the launcher; empty: by hand.
+  std::vector<std::string> command;  ///< Started by the launcher; empty: by the user.
 
   bool operator==(const Participant&) const = default;
 };

@@ -27,7 +27,7 @@ struct Entry;
 using Array = std::vector<Value>;
 using Table = std::vector<Entry>;  ///< In the order of the file; keys are unique.
 
-/// TOML knows dates and times; a mission file has no use for them.
+/// A TOML date or time; no key of a mission file takes one.
 struct DateOrTime {};
 
 struct Value {

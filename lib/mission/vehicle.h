@@ -47,8 +47,8 @@ struct AutopilotOptions {
   bool operator==(const AutopilotOptions&) const = default;
 };
 
-/// `[vehicle.sensors]`: how badly the vehicle measures where it is and how it moves. Standard
-/// deviations of Gaussian noise, drawn anew for every step and each number.
+/// `[vehicle.sensors]`: measurement noise of position and motion. Standard deviations
+/// of Gaussian noise, drawn anew for every step and each number.
 struct SensorOptions {
   bool is_fitted = false;       ///< The file has the table: helm and reports go by MEASURED_NAV.
   double position_noise_m = 0;  ///< Of x and y.
@@ -105,7 +105,7 @@ struct ReporterOptions {
 
 /// `[vehicle.messages]`: how the vehicle's own messages are repeated until they are acknowledged.
 struct MessageOptions {
-  double ack_timeout_s = 30;  ///< So long an ack is waited for before each repeat.
+  double ack_timeout_s = 30;  ///< Time to wait for an ack before each repeat.
   int64_t max_repeats = 3;    ///< Then it is given up.
 
   bool operator==(const MessageOptions&) const = default;

@@ -1,4 +1,4 @@
-// A sea floor made up from a seed: hills and hollows of Perlin noise on a square map.
+// A synthetic sea floor drawn from a seed: hills and hollows of Perlin noise on a square map.
 #pragma once
 
 #include <Eigen/Core>

@@ -1,4 +1,4 @@
-// What every process of shoal is inside: a class that is given its messages and its time.
+// Base class of the apps that run in the processes of shoal: they are given messages and time.
 //
 //   class HelmApp : public App {
 //     HelmApp(const Mission& mission, const Vehicle& vehicle, Bus& bus);   // subscribes

@@ -55,7 +55,7 @@ AppOptions ParseAppOptionsOrExit(const AppInfo& info, int argc, char** argv) {
       info.name == "recorder"
           ? ""
           : fmt::format(
-                "; by hand it joins a mission that waits for it ({} = \"hand\" in the "
+                "; started by a user it joins a mission that waits for it ({} = \"hand\" in the "
                 "mission file)",
                 info.name);
   CLI::App cli(fmt::format("{}\n`shoal run` starts it{}.", info.purpose, by_hand), info.name);

@@ -14,7 +14,7 @@ struct RosterEntry {
   std::string app;      ///< Which of shoal's programs; empty: a user's own.
   std::string vehicle;  ///< As the mission writes it; empty: not of one vehicle.
   Provider provider = Provider::kShoal;
-  std::vector<std::string> command;  ///< Of a user's own participant; empty: started by hand.
+  std::vector<std::string> command;  ///< Of a user's own participant; empty: the user starts it.
 };
 
 /// Returns all participants but the launcher's own ("shoal") and those whose provider is kNone.

@@ -32,7 +32,7 @@ constexpr int64_t kPollInterval_us = 100'000;
 /// answered.)
 constexpr int64_t kLinger_us = 300'000;
 
-/// Waits until a launcher runs this mission file, for apps started by hand.
+/// Waits until a launcher runs this mission file, for apps that a user starts.
 std::optional<RunningMission> AwaitMission(const std::string& file) {
   std::error_code error;
   const std::string wanted = std::filesystem::absolute(file, error).lexically_normal().string();
@@ -173,7 +173,7 @@ std::function<bool(std::string_view)> MakeLossFilter(double lose, const std::str
   return
       [lose, lose_forever, state = uint64_t{0x9e3779b97f4a7c15}](std::string_view channel) mutable {
         if (channel == lose_forever) return true;
-        // xorshift64: which datagram falls victim must not be tied to the mission's own streams.
+        // xorshift64: the choice of lost datagrams must not be tied to the mission's own streams.
         state ^= state << 13;
         state ^= state >> 7;
         state ^= state << 17;

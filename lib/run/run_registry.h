@@ -41,7 +41,8 @@ std::string EntryPath(int port_base);
 [[nodiscard]] Result<bool> Register(const RunningMission& mission);
 void Unregister(int port_base);
 
-/// Returns the missions whose launchers are alive, in order of port; removes what the dead left.
+/// Returns the missions whose launchers are alive, in order of port; removes the entries of the
+/// others.
 std::vector<RunningMission> RunningMissions();
 
 /// Returns the one mission that runs, or the one at `port_base` (0: any); an error that lists them

@@ -1,4 +1,4 @@
-// The launcher and its tools as a user at a shell meets them.
+// The launcher and its tools as a user runs them in a shell.
 #include <gtest/gtest.h>
 #include <signal.h>
 

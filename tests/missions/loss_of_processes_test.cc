@@ -1,4 +1,5 @@
-// Processes are killed and stopped mid-mission; nothing hangs, nothing stays, logs stay readable.
+// Processes are killed and stopped mid-mission; nothing hangs, no process remains, logs stay
+// readable.
 #include <gtest/gtest.h>
 #include <signal.h>
 
