@@ -291,7 +291,7 @@ TEST(Acomms, SendsNoNextWaypointThatIsASentinel) {
   EXPECT_EQ(contact.next_x_m, 0);
 }
 
-TEST(Acomms, OutlivesAnyBytes) {
+TEST(Acomms, SurvivesAnyBytes) {
   Members members(TwoInFdma());
   members.Run(1);
   for (int length = 0; length < 400; length += 7) {

@@ -101,7 +101,7 @@ TEST(AcousticSwarmView, CallsATargetSilentAlsoWhereItsLastReportCannotBeUsed) {
   EXPECT_TRUE(seen->target_is_silent);
 }
 
-TEST(AcousticSwarmView, PassesOverContactsThatCannotBe) {
+TEST(AcousticSwarmView, PassesOverInvalidContacts) {
   const Mission mission = AcousticSwarm();
   SwarmView view(mission, mission.vehicles[1]);
   view.OnSwarm(SwarmWith({ContactOf("alpha", kNan, 2, 0)}));

@@ -41,7 +41,7 @@ TEST(ReadOrder, StatesWhatIsWrong) {
   EXPECT_EQ(ErrorOf("task", "", {}), "task needs the name of a task as its argument");
 }
 
-TEST(ReadOrder, RefusesNumbersThatCannotBe) {
+TEST(ReadOrder, RefusesInvalidNumbers) {
   const double nan = std::nan("");
   const double infinity = std::numeric_limits<double>::infinity();
   for (const double bad : {nan, infinity, -infinity, 1e300}) {

@@ -27,13 +27,13 @@ TEST(SwarmView, SubscribesToTheTargetAndToAllThatFollowItByDefault) {
   EXPECT_EQ(SwarmView(mission, mission.vehicles[1]).names(), (Names{"alpha", "charlie", "delta"}));
 }
 
-TEST(SwarmView, ListensToTheGroupThatTheTaskNames) {
+TEST(SwarmView, SubscribesToTheGroupThatTheTaskNames) {
   Mission mission = Swarm();
   mission.vehicles[1].tasks = {Following("alpha", {"echo", "bravo", "alpha"})};
   EXPECT_EQ(SwarmView(mission, mission.vehicles[1]).names(), (Names{"alpha", "echo"}));
 }
 
-TEST(SwarmView, ListensToEveryTargetOfItsTasksOnce) {
+TEST(SwarmView, SubscribesToEveryTargetOfItsTasksOnce) {
   Mission mission = Swarm();
   mission.vehicles[4].tasks = {Following("bravo"), Following("alpha"), Following("bravo")};
   EXPECT_EQ(SwarmView(mission, mission.vehicles[4]).names(),
@@ -127,7 +127,7 @@ TEST(SwarmView, KnowsTheFloorByItsOwnAltitude) {
   EXPECT_EQ(swarm.Look(&task, nav)->seabed_z_m, deep_m);
 }
 
-TEST(SwarmView, PassesOverNavThatCannotBe) {
+TEST(SwarmView, PassesOverInvalidNav) {
   const Mission mission = Swarm();
   SwarmView swarm(mission, mission.vehicles[1]);
   const Task& task = mission.vehicles[1].tasks[0];
@@ -178,7 +178,7 @@ TEST(SwarmView, DerivesTheCurrentFromBothVelocities) {
   }
 }
 
-TEST(SwarmView, TakesACurrentThatCannotBeForNone) {
+TEST(SwarmView, IgnoresAnInvalidCurrent) {
   const Mission mission = Swarm();
   SwarmView swarm(mission, mission.vehicles[1]);
   for (const double bad : {kNan, 1e300, -1e300, std::numeric_limits<double>::infinity()}) {
@@ -192,7 +192,7 @@ TEST(SwarmView, TakesACurrentThatCannotBeForNone) {
   }
 }
 
-TEST(SwarmView, DoesNotMindVehiclesThatTheMissionDoesNotHave) {
+TEST(SwarmView, IgnoresVehiclesThatTheMissionDoesNotHave) {
   const Mission mission = Swarm();
   SwarmView swarm(mission, mission.vehicles[1]);
   swarm.OnNav("zulu", At(1, 2));

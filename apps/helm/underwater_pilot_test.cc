@@ -128,7 +128,7 @@ TEST(UnderwaterPilot, TurnsThePropellerAsCommandedAtAnySpeed) {
   EXPECT_EQ(steered.actuators.propeller_rpm, 900);
 }
 
-TEST(UnderwaterPilot, AsksNoMoreOfThePropellerThanItCanDo) {
+TEST(UnderwaterPilot, CommandsThePropellerWithinItsLimits) {
   Steered steered({});
   Guidance guidance = ToHeadingAndDepth(0, 30);
   guidance.speed_mps = 50;
@@ -170,7 +170,7 @@ TEST(UnderwaterPilot, StaysAboveItsGreatestDepthAndClearOfTheFloor) {
   EXPECT_NEAR(steered.desired.depth_m, 24, 1e-9);
 }
 
-TEST(UnderwaterPilot, GoesToItsCruiseDepthWhereATaskKnowsOfNone) {
+TEST(UnderwaterPilot, GoesToItsCruiseDepthWhereATaskHasNone) {
   Steered steered({.cruise_depth_m = 15, .depth_filter_s = 0});
   Guidance guidance = ToHeadingAndDepth(0, 30);
   guidance.z_m.reset();

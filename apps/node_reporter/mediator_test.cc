@@ -202,7 +202,7 @@ TEST_F(MediatorTest, DoesNotWaitForItsOwnVehicle) {
   EXPECT_EQ(mediator_.counters().acknowledged, 1);
 }
 
-TEST_F(MediatorTest, IsContentWithOneAckOfAGroupOrOfAll) {
+TEST_F(MediatorTest, NeedsOnlyOneAckOfAGroupOrOfAll) {
   Give(MessageTo("all", "a-1"));
   node_message_t to_group = MessageTo("", "a-2");
   to_group.dest_group = "red";
@@ -225,7 +225,7 @@ TEST_F(MediatorTest, RefusesWhatIsAnothersOrWaitsAlready) {
   EXPECT_EQ(mediator_.counters().refused, 2);
 }
 
-TEST_F(MediatorTest, RefusesMoreThanItCanKeepInMind) {
+TEST_F(MediatorTest, RefusesMoreThanItCanStore) {
   for (size_t i = 0; i <= Mediator::kMaxWaiting; ++i) Give(MessageTo("bravo"));
   Step();
   EXPECT_EQ(mediator_.num_waiting(), Mediator::kMaxWaiting);

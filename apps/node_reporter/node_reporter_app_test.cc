@@ -159,7 +159,7 @@ TEST_F(NodeReporterTest, FallsSilentWhenNavIsTwoSecondsOld) {
   EXPECT_EQ(app_->Status().run_warnings.size(), 1U);
 }
 
-TEST_F(NodeReporterTest, DropsNavThatCannotBe) {
+TEST_F(NodeReporterTest, DropsInvalidNav) {
   nav_t nav = NavAt(0);
   nav.heading_deg = std::numeric_limits<double>::quiet_NaN();
   Publish(vehicle_bus_, channels::Nav("alpha"), nav);

@@ -192,7 +192,7 @@ TEST_F(InACurrent, ComesToTheSamePlaceWhenStepsAreFarApart) {
   EXPECT_NEAR(nav_.y_m, -25, 1e-9);
 }
 
-TEST_F(VehicleSimAppTest, RefusesOrdersAndActuatorsThatCannotBe) {
+TEST_F(VehicleSimAppTest, RefusesInvalidOrdersAndActuators) {
   const double nan = std::nan("");
   const double infinity = std::numeric_limits<double>::infinity();
   StepAt(0);

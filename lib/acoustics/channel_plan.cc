@@ -86,8 +86,7 @@ Result<ChannelPlan> ChannelPlan::Make(const AcousticOptions& options,
                  RoundedText(options.bandwidth_khz) + " holds " + std::to_string(capacity)};
   }
   if (is_tdma_lf && std::ranges::none_of(nodes, &AcousticNode::is_leader)) {
-    return Error{
-        "tdma_lf needs a leader, and no node is one: without one no node receives any other"};
+    return Error{"tdma_lf needs a leader, and no node is one: no node would receive another"};
   }
   plan.freqs_khz_ = ChannelFreqs_khz(options, wanted);
   if (!is_fdma) {

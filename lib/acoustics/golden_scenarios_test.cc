@@ -169,7 +169,7 @@ void CheckScenario(const Json& scenario) {
   }
 }
 
-TEST(GoldenScenarios, AreNineteenAndAllComeOutAsTheyShould) {
+TEST(GoldenScenarios, AreNineteenAndAllMatch) {
   const Json scenarios = ReadGoldenJson("munet/net_timing_scenarios.json");
   EXPECT_EQ(scenarios.size(), 19U);
   for (const Json& scenario : scenarios) {

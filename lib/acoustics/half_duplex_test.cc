@@ -20,7 +20,7 @@ AcousticOptions HalfDuplex() {
 const Positions kInARow = {{0, 0, 0}, {1500, 0, 0}, {3000, 0, 0}};
 const Bytes kOneSecond(125);
 
-TEST(HalfDuplex, SilencesWhatArrivesWhileTheReceiverSends) {
+TEST(HalfDuplex, DropsWhatArrivesWhileTheReceiverSends) {
   AcousticNetwork network(HalfDuplex(), 1, TestNodes(3));
   network.Transmit(0, kAlpha, kInARow, kOneSecond, AllOf(network));    // At bravo from 1 s to 2 s.
   network.Transmit(1.5, kBravo, kInARow, kOneSecond, AllOf(network));  // From 1.5 s to 2.5 s.

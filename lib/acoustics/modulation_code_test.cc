@@ -75,7 +75,7 @@ TEST(BlockErrorRate, OfTheLargestBlockIsANumberInRange) {
   EXPECT_LT(BlockErrorRate(0.1, largest), 1e-30);
 }
 
-TEST(BlockErrorRate, TakesNonsenseForTheWorst) {
+TEST(BlockErrorRate, TakesInvalidInputForTheWorst) {
   EXPECT_EQ(BlockErrorRate(kNaN, kGolay), BlockErrorRate(0.5, kGolay));
   EXPECT_EQ(BlockErrorRate(2, kGolay), BlockErrorRate(0.5, kGolay));
   EXPECT_EQ(BlockErrorRate(-1, kGolay), 0);

@@ -79,7 +79,7 @@ TEST(VehicleOfChannel, IsEmptyForChannelsOfTheShoreThatBeginWithTheTopic) {
   }
 }
 
-TEST(IsLogged, LeavesOutWhatIsMadeForEyesAndStepping) {
+TEST(IsLogged, LeavesOutWhatIsMadeForDisplayAndStepping) {
   EXPECT_TRUE(IsLogged("NAV_ALPHA"));
   EXPECT_TRUE(IsLogged("MY_CAMERA"));
   EXPECT_FALSE(IsLogged("APPCAST"));

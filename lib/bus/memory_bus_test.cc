@@ -80,7 +80,7 @@ TEST(Bus, CountsWhatDoesNotDecodeAndGoesOn) {
   EXPECT_EQ(a.counters().undecodable_by_channel.at("UNC_COMMS_RANGE"), 2);
 }
 
-TEST(Decode, RefusesLengthsThatLie) {
+TEST(Decode, RefusesFalseLengths) {
   comms_fates_t fates{};
   fates.num_fates = 0;
   Bytes bytes;

@@ -221,7 +221,7 @@ TEST(Overrides, WithoutAFormAreReported) {
             "than letters, digits and _-.:/ needs quotes: 'name=\"...\"'\n");
 }
 
-TEST(Overrides, CannotSmuggleInMoreThanOneValue) {
+TEST(Overrides, CannotSetMoreThanOneValue) {
   EXPECT_EQ(
       ErrorsAfter("", {"mission.seed=1\n[comms]\ncomms_range=3"}),
       "--set mission.seed=1?[comms]?comms_range=3: '1?[comms]?comms_range=3' is no TOML value; "

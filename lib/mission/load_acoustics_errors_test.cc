@@ -47,7 +47,7 @@ packet_loss_model = "sonar"
             "16:21: unknown packet_loss_model 'sonar' (did you mean 'sonar_simple'?)\n");
 }
 
-TEST(LoadErrors, ReportASeaThatIsNone) {
+TEST(LoadErrors, ReportAnInvalidSea) {
   EXPECT_EQ(ErrorsOfAcoustics(R"([acoustics.sea]
 temperature_degc = 31
 salinity_ppt = -1
@@ -104,7 +104,7 @@ TEST(LoadErrors, ReportNothingThatFollowsFromAnotherError) {
             "folder of this one\n");
 }
 
-TEST(LoadErrors, ReportAModemThatIsNotThere) {
+TEST(LoadErrors, ReportAMissingModem) {
   EXPECT_EQ(ErrorsOfAcoustics("modem = \"nanomodm_v3\"\n"),
             "6:9: unknown modem 'nanomodm_v3' (did you mean 'nanomodem_v3'?); shoal has "
             "evologics_s2cr_18_34, nanomodem_v3, water_linked_m64, whoi_micromodem2; any other "
@@ -153,10 +153,9 @@ TEST(LoadErrors, ReportModelsThatDoNotGoWithTheModem) {
 }
 
 TEST(LoadErrors, AskTdmaLfForALeader) {
-  EXPECT_EQ(
-      ErrorsOfAcoustics("access_mode = \"tdma_lf\"\n"),
-      "6:15: tdma_lf needs a leader, and no node is one: without one no node receives any other; "
-      "write acoustic_leader = true in the [[vehicle]] that leads\n");
+  EXPECT_EQ(ErrorsOfAcoustics("access_mode = \"tdma_lf\"\n"),
+            "6:15: tdma_lf needs a leader, and no node is one: no node would receive another; "
+            "write acoustic_leader = true in the [[vehicle]] that leads\n");
   EXPECT_EQ(ErrorsAfter("acoustic_leader = true\n[acoustics]\naccess_mode = \"tdma_lf\"\n"), "");
 }
 
@@ -181,7 +180,7 @@ TEST(LoadErrors, ReportAcousticAddressesThatSeveralHave) {
             "place in the mission)\n");
 }
 
-TEST(LoadErrors, ReportMediaThatAreNone) {
+TEST(LoadErrors, ReportUnknownMedia) {
   EXPECT_EQ(ErrorsAfter("[comms]\nreports_over = \"water\"\nmessages_over = 1\n"),
             "6:16: unknown reports_over 'water'; one of: direct, acoustic\n"
             "7:17: messages_over must be a string in quotes, not a whole number; one of: direct, "

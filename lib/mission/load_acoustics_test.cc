@@ -205,7 +205,7 @@ access_mode = "tdma_lf"
   EXPECT_TRUE(mission.vehicles[1].acoustic_leader);
 }
 
-TEST(LoadAcoustics, LetsALargeFleetBeThatDoesNotUseTheNetwork) {
+TEST(LoadAcoustics, AcceptsALargeFleetThatDoesNotUseTheNetwork) {
   const Mission mission = LoadAfter("[[fleet]]\ntemplate = \"t\"\ncount = 300\n[template.t]\n");
   EXPECT_EQ(mission.vehicles.at(253).acoustic_address, 254);
   EXPECT_EQ(mission.vehicles.at(254).acoustic_address, 256);

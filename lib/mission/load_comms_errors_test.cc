@@ -134,7 +134,7 @@ TEST(LoadErrors, ReportSpeedsThatTheHelmWouldRefuse) {
   EXPECT_EQ(with("51"), "9:10: speed = 51 is out of range; allowed: greater than 0, at most 50\n");
 }
 
-TEST(LoadErrors, ReportLapsThatATaskNeverHas) {
+TEST(LoadErrors, ReportMoreLapsThanATaskHas) {
   constexpr std::string_view kTasks = R"([[vehicle.task]]
 kind = "waypoints"
 points = [[1, 2]]
@@ -224,7 +224,7 @@ name = "home"
 kind = "return"
 )";
 
-TEST(LoadWarnings, ReportTasksBehindOneThatNeverEnds) {
+TEST(LoadWarnings, ReportTasksAfterOneThatNeverEnds) {
   EXPECT_EQ(WarningsAfter(kHoldThenHome),
             "m.toml:8:1: warning: the task 'away' is never reached: 'hold' before it never ends, "
             "and no event starts it\n"

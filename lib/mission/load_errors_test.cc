@@ -89,7 +89,7 @@ TEST(LoadErrors, ReportWrongBrackets) {
             "7:1: templates have names: write [template.NAME]\n");
 }
 
-TEST(LoadErrors, RefuseNumbersThatAreNone) {
+TEST(LoadErrors, RefuseInvalidNumbers) {
   EXPECT_EQ(ErrorsAfter("start = {x_m = nan, y_m = -inf, heading_deg = 361}\n"),
             "5:16: x_m = nan is out of range; allowed: -1000000 to 1000000\n"
             "5:27: y_m = -inf is out of range; allowed: -1000000 to 1000000\n"
@@ -228,7 +228,7 @@ kind = "separation"
             "23:1: expect lacks 'min_m'; for example: min_m = 5\n");
 }
 
-TEST(LoadErrors, ReportTasksThatMakeNoSense) {
+TEST(LoadErrors, ReportInvalidTasks) {
   EXPECT_EQ(ErrorsAfter(R"([[vehicle.task]]
 kind = "waypoints"
 points = []
@@ -249,7 +249,7 @@ num_points = 2
             "16:14: num_points = 2 is out of range; allowed: 3 to 360\n");
 }
 
-TEST(LoadErrors, ReportThrustMapsThatMakeNoSense) {
+TEST(LoadErrors, ReportInvalidThrustMaps) {
   const auto with = [](const std::string& map) {
     return ErrorsAfter("surface_craft = {thrust_map = " + map + "}\n");
   };

@@ -101,7 +101,7 @@ TEST(LoadModem, ReportsAllThatIsMissing) {
       "1:1: the file lacks 'typical_range_m'; for example: typical_range_m = 2000\n");
 }
 
-TEST(LoadModem, ReportsWhatCannotBe) {
+TEST(LoadModem, ReportsInvalidValues) {
   EXPECT_EQ(ErrorsOfModem(With("high_khz = 32", "high_khz = 20")),
             "3:12: high_khz must be above low_khz\n");
   EXPECT_EQ(
@@ -139,13 +139,13 @@ TEST(LoadModem, DemandsASourceOfEveryNumber) {
             "11:1: a source of 'bant', which no modem has (did you mean 'band'?)\n");
 }
 
-TEST(LoadModem, ReportsAFileThatIsNotThere) {
+TEST(LoadModem, ReportsAMissingFile) {
   const LoadedModem loaded = LoadModem("/nowhere/m.toml");
   ASSERT_EQ(loaded.errors.size(), 1U);
   EXPECT_TRUE(loaded.errors.front().starts_with("/nowhere/m.toml")) << loaded.errors.front();
 }
 
-TEST(LoadModem, StandsNonsense) {
+TEST(LoadModem, SurvivesInvalidText) {
   for (const char* nonsense : {"", "\xff", "low_khz = [", "name = {a = 1}", "code = 5",
                                "code = {block_bits = -1}", "sources = 1", "[[sources]]",
                                "[sources]\nband = 5", "low_khz = 1e999", "high_khz = true"}) {

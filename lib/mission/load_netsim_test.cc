@@ -82,7 +82,7 @@ TEST(LoadNetsim, ReportsEnvironmentsAndPortsThatDoNotFit) {
       << taken;
 }
 
-TEST(LoadNetsim, ReportsBoundsThatAreNone) {
+TEST(LoadNetsim, ReportsInvalidBounds) {
   EXPECT_EQ(ErrorsWith(std::string(kBay) + std::string(kOutsider),
                        {"netsim.environment.bay.lat_max_deg=42"}),
             "--set netsim.environment.bay.lat_max_deg=42: lat_max_deg must not be less than "

@@ -79,7 +79,7 @@ TEST(LoadSwarm, ReportsTasksWithoutOne) {
             "\"alpha\", or swarm = \"direct\"\n");
 }
 
-TEST(LoadSwarm, ReportsFollowersThatAreNone) {
+TEST(LoadSwarm, ReportsInvalidFollowers) {
   EXPECT_EQ(ErrorsWith("[swarm]\nleader = \"alpha\"\nfollowers = [\"bravo\", \"alpha\", \"bravo\", "
                        "\"delta\"]\n"),
             "20:13: alpha leads; it is no follower\n"
@@ -105,7 +105,7 @@ TEST(LoadSwarm, ReportsEpisodesThatAreTooShort) {
   EXPECT_NE(text.find("use at least"), std::string::npos) << text;
 }
 
-TEST(LoadSwarm, ReportsAGroupIdThatIsNone) {
+TEST(LoadSwarm, ReportsAnInvalidGroupId) {
   EXPECT_EQ(ErrorsWith("[swarm]\nleader = \"alpha\"\ngroup_id = \"-\"\n"),
             "20:12: group_id must be a letter or a digit\n");
 }
@@ -162,7 +162,7 @@ TEST(LoadRecovery, ReplacesTheStrategiesOfTheFieldsThatItNames) {
   EXPECT_EQ(mission.vehicles[0].recovery, RecoveryPlan());
 }
 
-TEST(LoadRecovery, ReportsStrategiesThatThereAreNot) {
+TEST(LoadRecovery, ReportsUnknownStrategies) {
   EXPECT_EQ(ErrorsOf("[mission]\nduration_s = 60\n[[vehicle]]\nname = \"alpha\"\n"
                      "[vehicle.recovery]\ntime_stamp = [\"previos\"]\npos = []\n"),
             "6:14: unknown strategy 'previos' (did you mean 'previous'?); there are: predict, "

@@ -48,7 +48,7 @@ TEST(LoadUnderwaterErrors, ReportPathsWithoutPoints) {
             "11:10: points must hold at least one point, like [[100, 0, 20]]\n");
 }
 
-TEST(LoadUnderwaterErrors, ReportPointsThatAreNone) {
+TEST(LoadUnderwaterErrors, ReportInvalidPoints) {
   EXPECT_EQ(
       ErrorsOfPath("points = [[1, 2], 3, [1, 2, \"x\"]]\n"),
       "11:11: element 1 of points must be three numbers like [10, 20, 5], not an array of 2\n"
@@ -74,7 +74,7 @@ points = [[200_000, 0, 10]]
             "from 0 to 20000 m\n");
 }
 
-TEST(LoadUnderwaterErrors, ReportWordsAndNumbersOfAPathThatCannotBe) {
+TEST(LoadUnderwaterErrors, ReportInvalidWordsAndNumbersOfAPath) {
   EXPECT_EQ(ErrorsOfPath(R"(points = [[100, 0, 20]]
 points_frame = "here"
 speed_mps = 0
@@ -98,7 +98,7 @@ acceptance_radius_m = 10
             "20:17: hold_radius_m must not be less than acceptance_radius_m\n");
 }
 
-TEST(LoadUnderwaterErrors, ReportTargetsThatCannotBe) {
+TEST(LoadUnderwaterErrors, ReportInvalidTargets) {
   EXPECT_EQ(ErrorsOfTrack(""), "9:1: task lacks 'target'; for example: target = \"alpha\"\n");
   EXPECT_EQ(ErrorsOfTrack("target = \"Alpha\"\n"), "11:10: a vehicle cannot follow itself\n");
   EXPECT_EQ(ErrorsOfTrack("target = \"zulu\"\n"),
@@ -108,7 +108,7 @@ TEST(LoadUnderwaterErrors, ReportTargetsThatCannotBe) {
             "12:9: unknown vehicle 'alfa' (did you mean 'alpha'?)\n");
 }
 
-TEST(LoadUnderwaterErrors, ReportLawsAndLayersThatAreUnknown) {
+TEST(LoadUnderwaterErrors, ReportUnknownLawsAndLayers) {
   EXPECT_EQ(ErrorsOfTrack("target = \"bravo\"\nlaw = \"cascades\"\nswarm = \"relayed\"\n"),
             "12:7: unknown law 'cascades' (did you mean 'cascade'?)\n"
             "13:9: unknown swarm 'relayed'; one of: direct, acoustic\n");
@@ -132,7 +132,7 @@ r_follow_m = 15
             "15:14: r_follow_m = 15 must be more than r_inner_m = 20\n");
 }
 
-TEST(LoadUnderwaterErrors, ReportNumbersOfATrackThatCannotBe) {
+TEST(LoadUnderwaterErrors, ReportInvalidNumbersOfATrack) {
   EXPECT_EQ(ErrorsOfTrack(R"(target = "bravo"
 u_max_mps = 0
 z_max_m = 0
@@ -155,7 +155,7 @@ TEST(LoadUnderwaterErrors, ReportKeysOfTheOtherLaw) {
   EXPECT_TRUE(errors.starts_with("13:1: unknown key 'r_avoid_m'; known here: ")) << errors;
 }
 
-TEST(LoadUnderwaterErrors, ReportAVehicleThatCannotBe) {
+TEST(LoadUnderwaterErrors, ReportAnInvalidVehicle) {
   EXPECT_EQ(ErrorsInSwarm(R"([vehicle.remus100]
 parameters = "fosen"
 model_step_s = 0.5
@@ -190,7 +190,7 @@ TEST(LoadUnderwaterErrors, ReportATickTooSlowToSteerBy) {
             "[mission]\n");
 }
 
-TEST(LoadUnderwaterErrors, ReportCurrentsThatCannotBe) {
+TEST(LoadUnderwaterErrors, ReportInvalidCurrents) {
   EXPECT_EQ(ErrorsAfter(R"([environment.current]
 speed_mps = "slow"
 direction_deg = 361
@@ -224,12 +224,12 @@ TEST(LoadUnderwaterErrors, ReportWordsThatOnlyLookLikeNumbers) {
   }
 }
 
-TEST(LoadUnderwaterErrors, ReportPresetsThatAreUnknown) {
+TEST(LoadUnderwaterErrors, ReportUnknownPresets) {
   EXPECT_EQ(ErrorsAfter("[environment]\ncurrent = {preset = \"stormi\"}\n"),
             "6:21: unknown preset 'stormi' (did you mean 'stormy'?)\n");
 }
 
-TEST(LoadUnderwaterErrors, ReportFloorsThatCannotBe) {
+TEST(LoadUnderwaterErrors, ReportInvalidFloors) {
   EXPECT_EQ(ErrorsAfter(R"([environment.floor]
 style = "shelves"
 depth_m = -1
@@ -252,14 +252,14 @@ grid_origin = [1]
             "14:15: grid_origin must be two numbers like [10, 20], not an array of 1\n");
 }
 
-TEST(LoadUnderwaterErrors, ReportAGridThatIsNotNamed) {
+TEST(LoadUnderwaterErrors, ReportAGridWithoutAPath) {
   EXPECT_EQ(ErrorsAfter("[environment]\nfloor = {style = \"grid\"}\n"),
             "6:18: style = \"grid\" needs grid = \"bay.asc\", an ESRI ASCII file\n");
   EXPECT_EQ(ErrorsAfter("[environment]\nfloor = {grid = \"\"}\n"),
             "6:17: grid must not be empty\n");
 }
 
-TEST(LoadUnderwaterErrors, ReportAGridThatIsNotThereOrNone) {
+TEST(LoadUnderwaterErrors, ReportAMissingOrInvalidGrid) {
   EXPECT_EQ(ErrorsAfter("[environment]\nfloor = {grid = \"no/such/bay.asc\"}\n"),
             "6:9: no/such/bay.asc: cannot be read: No such file or directory; a grid's path counts "
             "from the mission file's folder\n");
@@ -291,7 +291,7 @@ TEST(LoadUnderwaterErrors, ReportExpectationsThatCanNeverHold) {
             "= \"flat\", depth_m = 50}\n");
 }
 
-TEST(LoadUnderwaterErrors, ReportLapsThatATaskHasNot) {
+TEST(LoadUnderwaterErrors, ReportMoreLapsThanATaskHas) {
   EXPECT_EQ(ErrorsOfTrack("target = \"bravo\"\nname = \"follow\"\n[[expect]]\nkind = \"laps\"\n"
                           "vehicle = \"alpha\"\ntask = \"follow\"\n"),
             "16:8: 'follow' of alpha is a target_track, which has no laps\n");
@@ -313,7 +313,7 @@ TEST(LoadUnderwaterErrors, ReportDepthLimitsThatLeaveNoWater) {
             "12:11: z_min_m = 30 must be less than z_max_m = 20\n");
 }
 
-TEST(LoadUnderwaterErrors, ReportInstrumentsThatCannotBe) {
+TEST(LoadUnderwaterErrors, ReportInvalidInstruments) {
   EXPECT_EQ(ErrorsInSwarm("[vehicle.sonar]\nazimuth_beams = 0\nbeams = 3\n"),
             "10:17: azimuth_beams = 0 is out of range; allowed: 1 to 256\n"
             "11:1: unknown key 'beams' (did you mean 'azimuth_beams'?)\n");
@@ -321,7 +321,7 @@ TEST(LoadUnderwaterErrors, ReportInstrumentsThatCannotBe) {
             "10:20: position_noise_m = -1 is out of range; allowed: 0 to 10000\n");
 }
 
-TEST(LoadUnderwaterErrors, ReportPlumesThatCannotBe) {
+TEST(LoadUnderwaterErrors, ReportInvalidPlumes) {
   EXPECT_EQ(ErrorsInSwarm("[environment]\nplume = {source = [0, 0, -3]}\n"),
             "10:19: source is [x, y, depth], with a depth from 0 to 20000 m\n");
   EXPECT_EQ(ErrorsInSwarm("[environment]\ncontact = \"bounce\"\n"),

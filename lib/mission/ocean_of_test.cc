@@ -98,7 +98,7 @@ TEST(OceanOf, DrawsFromZonesByTheirNames) {
   }
 }
 
-TEST(OceanOf, FindsAProblemForEveryWordThatCannotBe) {
+TEST(OceanOf, FindsAProblemForEveryInvalidWord) {
   const std::vector<CurrentProblem> problems = FindProblems({.speed_mps = "fastest",
                                                              .direction_deg = "400",
                                                              .speed_deviation_mps = "",

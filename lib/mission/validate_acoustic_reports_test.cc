@@ -57,7 +57,7 @@ TEST(LoadWarnings, ReportJitterThatIsFinerThanThePaceOfReports) {
             1U);
 }
 
-TEST(LoadWarnings, LeaveReportsAloneThatDoNotSpoilEachOther) {
+TEST(LoadWarnings, AreNoneForReportsThatDoNotCollide) {
   const std::string slow = "rate_hz = 0.1";
   EXPECT_EQ(Warnings(kThree, "access_mode = \"fdma\"", slow).size(), 0U);
   EXPECT_EQ(Warnings(kThree, "access_mode = \"shared\"\ncollisions = \"off\"", slow).size(), 0U);

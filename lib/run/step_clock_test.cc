@@ -211,7 +211,7 @@ TEST(StepClock, IsNotHurriedByAFloodOfOrders) {
   EXPECT_GE(alone.clock.step(), 19);
 }
 
-TEST(StepClock, StandsTheSlowestWarpAndComesBackFromIt) {
+TEST(StepClock, SurvivesTheSlowestWarpAndComesBackFromIt) {
   ClockAlone alone({.mission_id = kMissionId, .warp = 100, .last_step = 1'000'000});
   alone.Begin();
   alone.Run(2'000'000);

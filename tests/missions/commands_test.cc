@@ -158,7 +158,7 @@ TEST(Recording, WorksBesideLcmLogger) {
   EXPECT_EQ(loggers, 1U);
 }
 
-TEST(Helm, CanBeStartedByHand) {
+TEST(Helm, CanBeStartedByAUser) {
   const TestFolder folder;
   const std::string file = (folder / "hand.toml").string();
   WriteFile(file, std::string(kOneVessel) + "helm = \"hand\"\n");

@@ -35,7 +35,7 @@ TEST(View, MayDieWithoutHarmToTheMission) {
   EXPECT_NE(finished.output.find("Reproducible: yes"), std::string::npos) << finished.output;
 }
 
-TEST(View, RefusesOptionsThatMakeNoSense) {
+TEST(View, RefusesInvalidOptions) {
   const TestFolder folder;
   const std::string mission = MissionFile("berta.toml");
   for (const std::vector<std::string>& arguments :

@@ -177,7 +177,7 @@ TEST_F(LiveBroker, IsFoundBySendAndStatusAndEndsOnASignal) {
   EXPECT_NE(RunShoal(folder_, {"status"}).exit_code, 0) << "nothing runs any more";
 }
 
-TEST_F(LiveBroker, OutlivesBytesThatAreNoMessagesAndCountsThem) {
+TEST_F(LiveBroker, SurvivesBytesThatAreNoMessagesAndCountsThem) {
   const Bytes garbage = {1, 2, 3};
   for (const ChannelRow& row : ChannelTable()) {
     if (row.home == ChannelHome::kShore) bus_.PublishBytes(row.topic, garbage);
