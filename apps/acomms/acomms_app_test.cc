@@ -38,7 +38,7 @@ class Members {
  public:
   explicit Members(const Mission& mission) : mission_(mission) {
     Subscribe(world_, channels::AcousticTx(), [this](const acoustic_tx_t& packet) {
-      said_.push_back(packet);
+      sent_.push_back(packet);
       if (in_air_is_quiet_) return;
       for (const Vehicle& vehicle : mission_.vehicles) {
         if (vehicle.name != packet.source) Hand(vehicle.name, packet.source, packet.payload);
@@ -95,7 +95,7 @@ class Members {
 
   std::vector<int64_t> TimesOf(const std::string& source) const {
     std::vector<int64_t> times;
-    for (const acoustic_tx_t& packet : said_) {
+    for (const acoustic_tx_t& packet : sent_) {
       if (packet.source == source) times.push_back(packet.utime / kTick_us);
     }
     return times;
@@ -104,7 +104,7 @@ class Members {
   AcommsApp& app(const std::string& vehicle) { return *apps_.at(vehicle).second; }
 
   bool in_air_is_quiet_ = false;
-  std::vector<acoustic_tx_t> said_;
+  std::vector<acoustic_tx_t> sent_;
   std::map<std::string, std::vector<swarm_t>> swarms_;
 
  private:
@@ -121,8 +121,8 @@ TEST(Acomms, SendsOnceInEachEpisodeInItsSlot) {
   members.Run(11);
   EXPECT_EQ(members.TimesOf("alpha"), (std::vector<int64_t>{0, 50, 100}));
   EXPECT_EQ(members.TimesOf("bravo"), (std::vector<int64_t>{5, 55, 105}));
-  EXPECT_TRUE(DecodeLeaderReport(members.said_[0].payload));
-  EXPECT_TRUE(DecodeReport(members.said_[1].payload));
+  EXPECT_TRUE(DecodeLeaderReport(members.sent_[0].payload));
+  EXPECT_TRUE(DecodeReport(members.sent_[1].payload));
 }
 
 TEST(Acomms, PublishesForItsHelmWhatTheLeaderSent) {
@@ -172,7 +172,7 @@ TEST(Acomms, ReportsWhichFieldsWereDamagedAndHowTheyWereRecovered) {
   Mission mission = TwoInFdma();
   Members members(mission);
   members.Run(1);
-  LeaderMessage damaged = *DecodeLeaderReport(members.said_[0].payload);
+  LeaderMessage damaged = *DecodeLeaderReport(members.sent_[0].payload);
   damaged.time_stamp_s = 0.9F;
   damaged.leader.position_m.x() = std::numeric_limits<float>::quiet_NaN();
   members.Hand("bravo", "alpha", EncodeLeaderReport(damaged));
@@ -188,7 +188,7 @@ TEST(Acomms, FollowsTheRecoveryPlanOfItsVehicle) {
   mission.vehicles[1].recovery.of(SwarmField::kLeaderPos) = {RecoveryStrategy::kSkip};
   Members members(mission);
   members.Run(1);
-  LeaderMessage damaged = *DecodeLeaderReport(members.said_[0].payload);
+  LeaderMessage damaged = *DecodeLeaderReport(members.sent_[0].payload);
   damaged.leader.position_m.x() = std::numeric_limits<float>::quiet_NaN();
   members.Hand("bravo", "alpha", EncodeLeaderReport(damaged));
   members.Run(0.2);
@@ -211,7 +211,7 @@ TEST(Acomms, ShowsWhichMembersHaveBeenSilentForLong) {
 TEST(Acomms, LetsSlotsPassWithoutNav) {
   Members members(TwoInFdma());
   members.Run(6, false);
-  EXPECT_TRUE(members.said_.empty());
+  EXPECT_TRUE(members.sent_.empty());
   EXPECT_FALSE(members.app("alpha").Status().run_warnings.empty());
   members.Run(5);
   EXPECT_EQ(members.TimesOf("alpha"), (std::vector<int64_t>{100}));
@@ -230,7 +230,7 @@ TEST(Acomms, AnswersARequestInItsSlotAndTheLeaderReceivesIt) {
   ASSERT_GE(alpha.size(), 2U);
   ASSERT_FALSE(bravo.empty());
   ASSERT_FALSE(charlie.empty());
-  EXPECT_TRUE(DecodeBroadcast(members.said_[0].payload));
+  EXPECT_TRUE(DecodeBroadcast(members.sent_[0].payload));
   EXPECT_LT(alpha[0], charlie[0]);
   EXPECT_LT(charlie[0], bravo[0]) << "in the order of [swarm] followers";
   EXPECT_LT(bravo[0], alpha[1]) << "all within the episode";
@@ -257,7 +257,7 @@ TEST(Acomms, ThatIsStartedAgainTakesWhatCameBeforeItsFirstStepAtThatStepsTime) {
   Members members(mission);
   members.Run(50);
   const std::vector<uint8_t> report = [&] {
-    for (auto it = members.said_.rbegin(); it != members.said_.rend(); ++it) {
+    for (auto it = members.sent_.rbegin(); it != members.sent_.rend(); ++it) {
       if (it->source == "alpha") return it->payload;
     }
     return std::vector<uint8_t>();
@@ -280,7 +280,7 @@ TEST(Acomms, SendsNoNextWaypointThatIsASentinel) {
   Members members(mission);
   members.Run(1);
   EXPECT_TRUE(members.LastOf("bravo").contacts[0].has_next);
-  LeaderMessage damaged = *DecodeLeaderReport(members.said_[0].payload);
+  LeaderMessage damaged = *DecodeLeaderReport(members.sent_[0].payload);
   damaged.time_stamp_s = 0.9F;
   damaged.leader.next_position_m.x() = std::numeric_limits<float>::infinity();
   members.Hand("bravo", "alpha", EncodeLeaderReport(damaged));

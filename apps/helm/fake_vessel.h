@@ -83,7 +83,7 @@ class HelmAndVessel {
                            {actuators->thrust_pct, actuators->rudder_deg}, current_mps,
                            static_cast<double>(tick_us_) / 1e6);
     }
-    if (says_nav) PublishNav(Nav());
+    if (publishes_nav) PublishNav(Nav());
     utime += tick_us_;
   }
 
@@ -96,7 +96,7 @@ class HelmAndVessel {
   size_t NumWarnings() const { return Page().run_warnings.size(); }
 
   int64_t utime = 0;
-  bool says_nav = true;
+  bool publishes_nav = true;
   Eigen::Vector2d current_mps = Eigen::Vector2d::Zero();
   SurfaceCraftState vessel = {};
   std::optional<actuators_t> actuators;

@@ -46,11 +46,11 @@ std::string TasksText(const Vehicle& vehicle) {
   return text.empty() ? " none" : text;
 }
 
-std::string CommandsText(const std::array<int64_t, kNumOrderKinds>& num_obeyed) {
+std::string CommandsText(const std::array<int64_t, kNumOrderKinds>& num_executed) {
   std::string text;
-  for (size_t i = 0; i < num_obeyed.size(); ++i) {
-    if (num_obeyed[i] == 0) continue;
-    text += fmt::format(" {} {}", Name(static_cast<OrderKind>(i)), num_obeyed[i]);
+  for (size_t i = 0; i < num_executed.size(); ++i) {
+    if (num_executed[i] == 0) continue;
+    text += fmt::format(" {} {}", Name(static_cast<OrderKind>(i)), num_executed[i]);
   }
   return text.empty() ? " none" : text;
 }
@@ -127,7 +127,7 @@ void HelmApp::Execute(const Result<HelmOrder>& order, std::string_view from) {
     log_.Event(utime_.value_or(0), text);
     return;
   }
-  ++num_obeyed_.at(static_cast<size_t>(order->kind));
+  ++num_executed_.at(static_cast<size_t>(order->kind));
   log_.Event(utime_.value_or(0), fmt::format("command{}: {}{}{}", sender, Name(order->kind),
                                              order->task.empty() ? "" : " ", order->task));
 }
@@ -259,7 +259,7 @@ StatusPage HelmApp::Status() const {
       "    NODE_REPORT: {}\n"
       "    Undecodable: {}\n"
       "{}",
-      num_navs_, num_bad_navs_, CommandsText(num_obeyed_), num_refused_, num_reports_,
+      num_navs_, num_bad_navs_, CommandsText(num_executed_), num_refused_, num_reports_,
       bus_.counters().undecodable, ContactsText());
   log_.AppendTo(&page);
   return page;

@@ -76,7 +76,7 @@ class HelmApp : public App {
 
   std::map<std::string, Contact, std::less<>> contacts_;
   StatusLog log_;
-  std::array<int64_t, kNumOrderKinds> num_obeyed_{};
+  std::array<int64_t, kNumOrderKinds> num_executed_{};
   int64_t num_refused_ = 0;
   int64_t num_navs_ = 0;
   int64_t num_bad_navs_ = 0;

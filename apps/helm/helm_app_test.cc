@@ -24,7 +24,7 @@ bool Mentions(const StatusPage& page, const std::string& words) {
 
 TEST(HelmApp, PublishesZeroActuatorsAndNoDesiredBeforeTheFirstNav) {
   HelmAndVessel loop(Deployed());
-  loop.says_nav = false;
+  loop.publishes_nav = false;
   loop.Run(0.3);
   ASSERT_TRUE(loop.actuators.has_value());
   EXPECT_EQ(loop.actuators->thrust_pct, 0);
@@ -66,7 +66,7 @@ TEST(HelmApp, StopsForALostNavAndGoesOnWhenItIsBack) {
   HelmAndVessel loop(Deployed());
   loop.Run(10);
   EXPECT_EQ(loop.state.state, "DRIVE");
-  loop.says_nav = false;
+  loop.publishes_nav = false;
   loop.Run(1.9);
   EXPECT_EQ(loop.state.state, "DRIVE");
   loop.Run(0.5);
@@ -76,7 +76,7 @@ TEST(HelmApp, StopsForALostNavAndGoesOnWhenItIsBack) {
   EXPECT_EQ(loop.actuators->thrust_pct, 0);
   EXPECT_TRUE(Mentions(loop.Page(), "no NAV for 2.0 s"));
 
-  loop.says_nav = true;
+  loop.publishes_nav = true;
   loop.Run(0.5);
   EXPECT_EQ(loop.state.state, "DRIVE");
   EXPECT_EQ(loop.state.all_stop, "clear");
@@ -86,7 +86,7 @@ TEST(HelmApp, StopsForALostNavAndGoesOnWhenItIsBack) {
 
 TEST(HelmApp, StopsWhenThereNeverWasANav) {
   HelmAndVessel loop(Deployed());
-  loop.says_nav = false;
+  loop.publishes_nav = false;
   loop.Run(2.5);
   EXPECT_EQ(loop.state.state, "ALL-STOP");
   EXPECT_EQ(loop.state.all_stop, "no NAV for 2.0 s");
@@ -96,7 +96,7 @@ TEST(HelmApp, TakesNavThatIsNotFiniteForNone) {
   const double nan = std::nan("");
   HelmAndVessel loop(Deployed());
   loop.Run(5);
-  loop.says_nav = false;
+  loop.publishes_nav = false;
   for (int i = 0; i < 30; ++i) {
     nav_t nav = loop.Nav();
     if (i % 4 == 0) nav.x_m = nan;

@@ -69,7 +69,7 @@ bool IsPlausible(const Neighbour& neighbour) {
 SwarmView::SwarmView(const Mission& mission, const Vehicle& vehicle)
     : own_(mission.vehicles.size()),
       silent_after_s_(mission.swarm.silent_after_s),
-      heard_(mission.vehicles.size() + 1),
+      neighbours_(mission.vehicles.size() + 1),
       contacts_(mission.vehicles.size() + 1) {
   for (size_t i = 0; i < mission.vehicles.size(); ++i) places_[mission.vehicles[i].name] = i;
   // A vehicle that is not in its mission, as in tests, comes behind the others.
@@ -119,7 +119,7 @@ void SwarmView::OnNav(const std::string& name, const nav_t& nav) {
   const std::optional<Place> place = PlaceOf(name);
   if (!place) return;
   const Neighbour neighbour = NeighbourOf(static_cast<int>(*place), nav);
-  if (IsPlausible(neighbour)) heard_[*place] = neighbour;
+  if (IsPlausible(neighbour)) neighbours_[*place] = neighbour;
 }
 
 void SwarmView::OnSwarm(const swarm_t& swarm) {
@@ -132,7 +132,7 @@ void SwarmView::OnSwarm(const swarm_t& swarm) {
 
 std::optional<Neighbour> SwarmView::Find(const TargetTrackTask& task, Place place,
                                          int64_t utime) const {
-  if (task.swarm == SwarmKnowledge::kDirect) return heard_[place];
+  if (task.swarm == SwarmKnowledge::kDirect) return neighbours_[place];
   const std::optional<swarm_contact_t>& contact = contacts_[place];
   if (!contact || !contact->is_known) return std::nullopt;
   const double elapsed_s = std::max(0.0, SecondsBetween(contact->report_utime, utime));

@@ -60,7 +60,7 @@ class SwarmView {
   std::map<Place, std::vector<Place>> followers_;  ///< Of each target; not itself. By name.
   std::vector<std::string> names_;
   double silent_after_s_;
-  std::vector<std::optional<Neighbour>> heard_;
+  std::vector<std::optional<Neighbour>> neighbours_;
   std::vector<std::optional<swarm_contact_t>> contacts_;  ///< By acomms.
   std::vector<Neighbour> group_;
   sonar_t ping_{};

@@ -35,7 +35,7 @@ Mediator::Mediator(std::string vehicle, const MessageOptions& options, Bus& bus,
     to_acknowledge_.push_back(std::move(ack));
   });
   Subscribe(bus, channels::AckMessageTo(vehicle_),
-            [this](const ack_message_t& ack) { heard_acks_.push_back(ack); });
+            [this](const ack_message_t& ack) { received_acks_.push_back(ack); });
 }
 
 void Mediator::Tick(int64_t utime) {
@@ -44,10 +44,10 @@ void Mediator::Tick(int64_t utime) {
     Publish(bus_, channels::AckMessage(), ack);
     ++counters_.acks_sent;
   }
-  for (const ack_message_t& ack : heard_acks_) TakeAck(utime, ack);
+  for (const ack_message_t& ack : received_acks_) TakeAck(utime, ack);
   for (node_message_t& message : to_send_) Send(utime, std::move(message));
   to_acknowledge_.clear();
-  heard_acks_.clear();
+  received_acks_.clear();
   to_send_.clear();
   Repeat(utime);
 }

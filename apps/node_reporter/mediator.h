@@ -79,7 +79,7 @@ class Mediator {
 
   std::vector<node_message_t> to_send_;
   std::vector<ack_message_t> to_acknowledge_;
-  std::vector<ack_message_t> heard_acks_;
+  std::vector<ack_message_t> received_acks_;
   std::map<std::string, WaitingMessage> waiting_;  ///< By ack_id.
   size_t waiting_bytes_ = 0;                       ///< Of these, as they are sent.
 };

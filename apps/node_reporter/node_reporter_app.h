@@ -63,7 +63,7 @@ class NodeReporterApp : public App {
   int64_t num_sent_ = 0;
   int64_t num_without_nav_ = 0;
   int64_t num_blacked_out_ = 0;
-  int64_t num_foretold_ = 0;
+  int64_t num_predicted_ = 0;
   int64_t num_bad_nav_ = 0;
 };
 

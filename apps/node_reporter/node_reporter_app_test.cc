@@ -193,7 +193,7 @@ TEST_F(NodeReporterTest, ReportsThatThereIsNoHelm) {
   EXPECT_EQ(reports_[6].mode, "NOHELM-6");
 }
 
-TEST_F(NodeReporterTest, SkipsWhatDeadReckoningForetellsButNotForTooLong) {
+TEST_F(NodeReporterTest, SkipsWhatDeadReckoningPredictsButNotForTooLong) {
   options().extrapolate = true;
   options().extrap_max_gap_s = 3;
   StepsWithNav(61);

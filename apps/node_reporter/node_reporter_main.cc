@@ -17,7 +17,7 @@ node_reporter = "shoal"               # "hand": started by you; "none": not run
 [vehicle.reporter]
 rate_hz = 2
 blackout_interval_s = 0               # at least this between reports
-extrapolate = false                   # true: skip what dead reckoning foretells
+extrapolate = false                   # true: skip what dead reckoning predicts
 extra = { PAYLOAD = "ctd" }           # your own fields
 )",
 };

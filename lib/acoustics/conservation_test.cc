@@ -44,25 +44,26 @@ struct Ledger {
 };
 
 /// Sends and delivers at random, and checks the counters after each step.
-void SendAndLook(TrafficDice* dice, AcousticNetwork* network, int num_steps, double side_m) {
+void SendAndLook(TrafficGenerator* generator, AcousticNetwork* network, int num_steps,
+                 double side_m) {
   Ledger ledger;
   double now_s = 0;
   double last_end_s = 0;
   std::vector<Reception> earlier;
   for (int step = 0; step < num_steps; ++step) {
-    now_s += dice->Double(0, 0.5);
-    const int source = dice->Int(0, network->num_nodes() - 1);
+    now_s += generator->Double(0, 0.5);
+    const int source = generator->Int(0, network->num_nodes() - 1);
     std::vector<int> receivers;
-    for (int i = dice->Int(0, 20); i > 0; --i) {
-      receivers.push_back(dice->Int(0, network->num_nodes() - 1));
+    for (int i = generator->Int(0, 20); i > 0; --i) {
+      receivers.push_back(generator->Int(0, network->num_nodes() - 1));
     }
-    Positions positions_m = dice->RandomPositions(network->num_nodes(), side_m);
-    if (dice->OneIn(10)) positions_m[0].x() = std::nan("");
-    const int64_t number = network->Transmit(now_s, source, positions_m,
-                                             dice->RandomBytes(dice->Int(0, 80)), receivers);
+    Positions positions_m = generator->RandomPositions(network->num_nodes(), side_m);
+    if (generator->OneIn(10)) positions_m[0].x() = std::nan("");
+    const int64_t number = network->Transmit(
+        now_s, source, positions_m, generator->RandomBytes(generator->Int(0, 80)), receivers);
     ledger.Offer({source, number}, receivers);
-    if (dice->OneIn(2)) continue;
-    now_s += dice->Double(0, 0.5);
+    if (generator->OneIn(2)) continue;
+    now_s += generator->Double(0, 0.5);
     for (const Reception& reception : network->Deliver(now_s)) {
       ledger.Take(reception);
       RC_ASSERT(reception.end_s >= last_end_s);
@@ -78,24 +79,24 @@ void SendAndLook(TrafficDice* dice, AcousticNetwork* network, int num_steps, dou
 }
 
 RC_GTEST_PROP(Conservation, HoldsForAnyOptionsTrafficAndPlaces, (uint64_t seed)) {
-  TrafficDice dice(seed);
-  const std::vector<AcousticNode> nodes = TestNodes(dice.Int(1, 7));
-  const AcousticOptions options = dice.RandomOptions();
+  TrafficGenerator generator(seed);
+  const std::vector<AcousticNode> nodes = TestNodes(generator.Int(1, 7));
+  const AcousticOptions options = generator.RandomOptions();
   RC_ASSERT(FindProblems(options, nodes).empty());
   AcousticNetwork network(options, seed, nodes);
-  SendAndLook(&dice, &network, dice.Int(1, 40), dice.OneIn(3) ? 1e5 : 3000);
+  SendAndLook(&generator, &network, generator.Int(1, 40), generator.OneIn(3) ? 1e5 : 3000);
 }
 
 TEST(Conservation, HoldsForAThousandNodes) {
   EXPECT_TRUE(rc::check("1,000 nodes", [](uint64_t seed) {
-    TrafficDice dice(seed);
-    AcousticOptions options = dice.RandomOptions();
+    TrafficGenerator generator(seed);
+    AcousticOptions options = generator.RandomOptions();
     options.base_freq_khz = 1000;
     options.bandwidth_khz = 1300;
     const std::vector<AcousticNode> nodes = TestNodes(1000);
     RC_ASSERT(FindProblems(options, nodes).empty());
     AcousticNetwork network(options, seed, nodes);
-    SendAndLook(&dice, &network, 5, 5000);
+    SendAndLook(&generator, &network, 5, 5000);
   }));
 }
 
@@ -105,11 +106,11 @@ TEST(Conservation, HoldsWhereAThousandNodesReceiveEachOther) {
     options.access_mode = AccessMode::kShared;
     options.collisions = collisions;
     AcousticNetwork network(options, 1, TestNodes(1000));
-    TrafficDice dice(1);
-    const Positions positions_m = dice.RandomPositions(1000, 5000);
+    TrafficGenerator generator(1);
+    const Positions positions_m = generator.RandomPositions(1000, 5000);
     const std::vector<int> all = AllOf(network);
     for (int i = 0; i < 10; ++i) {
-      network.Transmit(0.2 * i, dice.Int(0, 999), positions_m, Bytes(37), all);
+      network.Transmit(0.2 * i, generator.Int(0, 999), positions_m, Bytes(37), all);
     }
     EXPECT_EQ(network.num_in_transit(), 9990);
     EXPECT_EQ(network.Deliver(100).size(), 9990U);

@@ -133,10 +133,11 @@ TEST(ModemBitErrors, FlipAsManyBitsAsTheirProbabilityPredicts) {
 using Link = std::tuple<int, int64_t, int>;
 std::map<Link, Arrived> Play(const AcousticOptions& options, uint64_t seed) {
   AcousticNetwork network(options, seed, TestNodes(4));
-  TrafficDice dice(seed);
-  const Positions positions_m = dice.RandomPositions(4, 6000);
+  TrafficGenerator generator(seed);
+  const Positions positions_m = generator.RandomPositions(4, 6000);
   for (int i = 0; i < 20; ++i) {
-    network.Transmit(0.3 * i, dice.Int(0, 3), positions_m, dice.RandomBytes(37), AllOf(network));
+    network.Transmit(0.3 * i, generator.Int(0, 3), positions_m, generator.RandomBytes(37),
+                     AllOf(network));
   }
   std::map<Link, Arrived> by_link;
   for (const Arrived& one : DeliverAll(&network)) {

@@ -82,9 +82,9 @@ struct Sent {
 };
 
 /// Draws schedules at random; the same seed, the same schedules.
-class TrafficDice {
+class TrafficGenerator {
  public:
-  explicit TrafficDice(uint64_t seed) : stream_(seed, "test traffic") {}
+  explicit TrafficGenerator(uint64_t seed) : stream_(seed, "test traffic") {}
 
   int Int(int low, int high) {  ///< Both included.
     return low + static_cast<int>(stream_.UniformInt(static_cast<uint64_t>(high - low) + 1));

@@ -217,7 +217,7 @@ TEST(LoadErrors, ReportReportsThatAModemsPacketsCannotHold) {
       "choose another modem, or reports_over = \"direct\"\n");
 }
 
-std::vector<std::string> WarningsOverWater(const std::string& acoustics) {
+std::vector<std::string> WarningsOverAcoustics(const std::string& acoustics) {
   const LoadedMission loaded = LoadMissionText(
       "[mission]\nduration_s = 60\n[comms]\nreports_over = \"acoustic\"\n[[vehicle]]\nname = "
       "\"alpha\"\n[acoustics]\n" +
@@ -229,14 +229,14 @@ std::vector<std::string> WarningsOverWater(const std::string& acoustics) {
 
 TEST(LoadWarnings, ReportReportsThatOverlapInTransit) {
   EXPECT_EQ(
-      WarningsOverWater(""),
+      WarningsOverAcoustics(""),
       std::vector<std::string>{
           "m.toml:4:16: warning: alpha may report every 0.5 s, and a report of 41 bytes takes "
           "0.328 s at 1000 bit/s, with jitter up to 0.528 s: its own reports will collide; "
           "lower rate_hz in [vehicle.reporter], or raise data_rate_bps"});
-  EXPECT_EQ(WarningsOverWater("crc = false\nmax_jitter_s = 0.2").size(), 0U) << "0.296 + 0.2 s";
-  EXPECT_EQ(WarningsOverWater("jitter = \"off\"\n").size(), 0U);
-  EXPECT_EQ(WarningsOverWater("collisions = \"off\"\n").size(), 0U);
+  EXPECT_EQ(WarningsOverAcoustics("crc = false\nmax_jitter_s = 0.2").size(), 0U) << "0.296 + 0.2 s";
+  EXPECT_EQ(WarningsOverAcoustics("jitter = \"off\"\n").size(), 0U);
+  EXPECT_EQ(WarningsOverAcoustics("collisions = \"off\"\n").size(), 0U);
 }
 
 TEST(LoadErrors, NameTheKeyForMunetsNames) {

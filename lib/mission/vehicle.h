@@ -94,7 +94,7 @@ struct ReporterOptions {
   double nohelm_threshold_s = 5;   ///< Mode becomes NOHELM-<s> after this.
   double blackout_interval_s = 0;  ///< At least this between reports; 0: off.
   double blackout_variance_s = 0;  ///< Uniformly random addition in +- this.
-  bool extrapolate = false;        ///< Skip a report that dead reckoning foretells.
+  bool extrapolate = false;        ///< Skip a report that dead reckoning predicts.
   double extrap_position_thresh_m = 0.25;
   double extrap_heading_thresh_deg = 1;
   double extrap_max_gap_s = 5;               ///< But never stay silent longer than this.
