@@ -1,4 +1,4 @@
-// The rules of the house that a compiler does not know; docs/architecture.md tells why they are.
+// Rules of the project that a compiler does not check; docs/architecture.md states their reasons.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -88,7 +88,7 @@ TEST(PureLibraries, KnowNoClockFileThreadOrEnvironment) {
       R"(atomic|future|unistd\.h|lcm/.*|fmt/.*)>|getenv|\bstd::rand\b|\w+_clock\b|)"
       R"(\bcurrent_zone\b|\bget_tzdb|#include "lib/(bus|run|record|mission)/)");
   for (const std::string& folder : PureFolders()) {
-    if (folder == "lib/check") continue;  // A broken invariant is told on standard error.
+    if (folder == "lib/check") continue;  // It prints broken invariants on standard error.
     EXPECT_EQ(Offences(CodeBelow(folder),
                        [&](const Line& line) { return std::regex_search(line.text, forbidden); }),
               kNone)
@@ -202,7 +202,7 @@ std::string ClassOfMember(const std::string& line) {
   return match[1];
 }
 
-TEST(MemberDefinition, IsFoundWhateverItReturns) {
+TEST(MemberDefinition, IsFoundForAnyReturnType) {
   EXPECT_EQ(ClassOfMember("void Router::Route(int n) {"), "Router");
   EXPECT_EQ(ClassOfMember("std::optional<std::vector<int>> Router::Table::Find(int n) const {"),
             "Router");
@@ -222,7 +222,7 @@ TEST(MemberDefinition, IsNotAUseOrAFreeFunction) {
 }
 
 TEST(Classes, HaveOneSourceFile) {
-  // To be split by meaning; then this list goes.
+  // To be split; then this list is removed.
   const std::set<std::string> allowed = {"Router", "ShoreBrokerApp"};
   std::map<std::string, std::set<std::string>> files_of;
   for (const char* folder : {"lib", "apps", "sim"}) {

@@ -17,7 +17,7 @@ namespace shoal {
 namespace {
 
 constexpr char kNoNav[] = "no NAV: slots pass unused";
-constexpr char kBadNav[] = "NAV with values that messages cannot tell: ignored";
+constexpr char kBadNav[] = "NAV with values outside the encodable range: ignored";
 
 std::string_view Name(SwarmScheme scheme) {
   switch (scheme) {
@@ -86,7 +86,7 @@ void AcommsApp::OnNav(const nav_t& nav) {
   nav_is_new_ = true;
 }
 
-void AcommsApp::Hear(const acoustic_rx_t& packet, int64_t utime) {
+void AcommsApp::ReceivePacket(const acoustic_rx_t& packet, int64_t utime) {
   const std::optional<ResponseRequest> request_before = receiver_.state.request;
   const SwarmReception reception = Receive(packet.payload, utime - start_utime_, &receiver_);
   writer_.Count(packet.source, reception);
@@ -98,12 +98,12 @@ void AcommsApp::Hear(const acoustic_rx_t& packet, int64_t utime) {
 void AcommsApp::Tick(int64_t utime) {
   utime_ = utime;
   const std::vector<acoustic_rx_t> arrived = std::exchange(arrived_, {});
-  for (const acoustic_rx_t& packet : arrived) Hear(packet, utime);
+  for (const acoustic_rx_t& packet : arrived) ReceivePacket(packet, utime);
   if (std::exchange(nav_is_new_, false)) nav_utime_ = utime;
   const bool has_nav = nav_utime_ && utime - *nav_utime_ <= kNavTimeout_us;
   if (const auto due = schedule_.Due(utime - start_utime_)) {
     if (has_nav) {
-      Say(*due, utime);
+      Send(*due, utime);
       log_.Retract(kNoNav);
     } else {
       ++num_without_nav_;
@@ -115,7 +115,7 @@ void AcommsApp::Tick(int64_t utime) {
   }
 }
 
-void AcommsApp::Say(const DueMessage& due, int64_t utime) {
+void AcommsApp::Send(const DueMessage& due, int64_t utime) {
   const std::optional<Motion> own = MotionOf(nav_);
   SHOAL_CHECK(own.has_value(), "NAV was checked when it came");
   std::vector<uint8_t> bytes = SwarmBytes(due, {.own = *own,
@@ -129,14 +129,14 @@ void AcommsApp::Say(const DueMessage& due, int64_t utime) {
   packet.num_bytes = static_cast<int32_t>(bytes.size());
   packet.payload = std::move(bytes);
   Publish(bus_, tx_channel_, packet);
-  ++num_said_;
+  ++num_sent_;
   if (due.message != SwarmMessage::kBroadcastRequest) return;
   for (SwarmContact& member : receiver_.state.members) member.has_answered = false;
 }
 
 void AcommsApp::PublishSwarm(int64_t utime) {
   swarm_t swarm = writer_.Write(receiver_, utime);
-  swarm.num_said = num_said_;
+  swarm.num_said = num_sent_;
   Publish(bus_, swarm_channel_, swarm);
   swarm_utime_ = utime;
 }
@@ -150,12 +150,12 @@ StatusPage AcommsApp::Status() const {
       "    Vehicle: {} ({}), leader {}\n"
       "    Slots: {}\n"
       "    Frames: {}\n"
-      "Said: {} messages; {} slots passed without NAV, {} requests unanswered\n"
+      "Sent: {} messages; {} slots passed without NAV, {} requests unanswered\n"
       "Known:           role     age of report    x [m]     y [m]    z [m]\n",
       name_, receiver_.state.is_leader ? "leads" : "follows", leader_, PlanText(plan_),
-      receiver_.has_frames ? "on" : "off", num_said_, num_without_nav_, schedule_.num_missed());
+      receiver_.has_frames ? "on" : "off", num_sent_, num_without_nav_, schedule_.num_missed());
   for (const swarm_contact_t& contact : swarm.contacts) page.text += ContactText(contact, utime);
-  page.text += "Heard:           received   clean  recovered  rejected\n";
+  page.text += "Received from:   received   clean  recovered  rejected\n";
   for (const swarm_source_t& source : swarm.sources) {
     page.text += fmt::format("    {:<16} {:>4} {:>7} {:>10} {:>9}\n", source.name, source.received,
                              source.clean, source.recovered, source.rejected);

@@ -1,6 +1,7 @@
-// The acoustic voice and ear of one vehicle in a swarm. Hears NAV_<V>, HELM_STATE_<V> and
-// ACOUSTIC_RX_<V>; says ACOUSTIC_TX when its slot comes (lib/swarm/schedule.h), and SWARM_<V>, what
-// it knows of the others, in every step in which a message arrived and at least once per second.
+// Sends and receives the acoustic messages of one vehicle in a swarm. Subscribes to NAV_<V>,
+// HELM_STATE_<V> and ACOUSTIC_RX_<V>; publishes ACOUSTIC_TX in its slot (lib/swarm/schedule.h), and
+// SWARM_<V>, what it knows of the others, in every step in which a message arrived and at least
+// once per second.
 //
 // Without NAV, or with one that is older than kNavTimeout_us, its slots pass unused.
 #pragma once
@@ -33,8 +34,8 @@ class AcommsApp : public App {
 
  private:
   void OnNav(const nav_t& nav);
-  void Hear(const acoustic_rx_t& packet, int64_t utime);
-  void Say(const DueMessage& due, int64_t utime);
+  void ReceivePacket(const acoustic_rx_t& packet, int64_t utime);
+  void Send(const DueMessage& due, int64_t utime);
   void PublishSwarm(int64_t utime);
 
   const std::string name_;
@@ -58,7 +59,7 @@ class AcommsApp : public App {
   std::optional<int64_t> nav_utime_;  ///< Step in which the last NAV came.
   std::optional<int64_t> swarm_utime_;
   uint16_t sequence_ = 0;  ///< Of the next frame.
-  int64_t num_said_ = 0;
+  int64_t num_sent_ = 0;
   int64_t num_without_nav_ = 0;
 };
 

@@ -32,13 +32,13 @@ Mission TwoInFdma() {
   return mission;
 }
 
-/// The acomms of all members of a swarm. What one says reaches all others in the next step but one,
-/// as the broker would have it without loss and travel time; unless the test takes it away.
+/// The acomms of all members of a swarm. What one sends reaches all others in the next step but
+/// one, as the broker would have it without loss and travel time; unless the test takes it away.
 class Members {
  public:
   explicit Members(const Mission& mission) : mission_(mission) {
     Subscribe(world_, channels::AcousticTx(), [this](const acoustic_tx_t& packet) {
-      said_.push_back(packet);
+      sent_.push_back(packet);
       if (in_air_is_quiet_) return;
       for (const Vehicle& vehicle : mission_.vehicles) {
         if (vehicle.name != packet.source) Hand(vehicle.name, packet.source, packet.payload);
@@ -50,7 +50,7 @@ class Members {
   }
 
   void Start(const Vehicle& vehicle) {
-    // A process that is started again has a name of its own here; nobody hears it but for that.
+    // A restarted process joins under a new name, since a name can join the bus once.
     Bus& bus = hub_.Join("acomms_" + vehicle.name + std::to_string(num_started_++));
     Subscribe(
         world_, channels::Swarm(vehicle.name),
@@ -66,7 +66,7 @@ class Members {
     packet.num_bytes = static_cast<int32_t>(bytes.size());
     Publish(world_, channels::AcousticRx(to), packet);
   }
-  void SayNav(const std::string& vehicle, double x_m, double y_m) {
+  void PublishNav(const std::string& vehicle, double x_m, double y_m) {
     nav_t nav{};
     nav.utime = utime_;
     nav.x_m = x_m;
@@ -82,7 +82,7 @@ class Members {
     for (int i = 0; i < num_steps; ++i) {
       for (const Vehicle& vehicle : mission_.vehicles) {
         const double x_m = vehicle.start.x_m + static_cast<double>(utime_) / 1e6;
-        if (with_nav) SayNav(vehicle.name, x_m, 0);
+        if (with_nav) PublishNav(vehicle.name, x_m, 0);
       }
       hub_.NextStep();
       for (auto& [name, app] : apps_) hub_.Handle(*app.first);
@@ -95,7 +95,7 @@ class Members {
 
   std::vector<int64_t> TimesOf(const std::string& source) const {
     std::vector<int64_t> times;
-    for (const acoustic_tx_t& packet : said_) {
+    for (const acoustic_tx_t& packet : sent_) {
       if (packet.source == source) times.push_back(packet.utime / kTick_us);
     }
     return times;
@@ -104,7 +104,7 @@ class Members {
   AcommsApp& app(const std::string& vehicle) { return *apps_.at(vehicle).second; }
 
   bool in_air_is_quiet_ = false;
-  std::vector<acoustic_tx_t> said_;
+  std::vector<acoustic_tx_t> sent_;
   std::map<std::string, std::vector<swarm_t>> swarms_;
 
  private:
@@ -116,16 +116,16 @@ class Members {
   int64_t utime_ = 0;
 };
 
-TEST(Acomms, SpeaksOnceInEachEpisodeInItsSlot) {
+TEST(Acomms, SendsOnceInEachEpisodeInItsSlot) {
   Members members(TwoInFdma());
   members.Run(11);
   EXPECT_EQ(members.TimesOf("alpha"), (std::vector<int64_t>{0, 50, 100}));
   EXPECT_EQ(members.TimesOf("bravo"), (std::vector<int64_t>{5, 55, 105}));
-  EXPECT_TRUE(DecodeLeaderReport(members.said_[0].payload));
-  EXPECT_TRUE(DecodeReport(members.said_[1].payload));
+  EXPECT_TRUE(DecodeLeaderReport(members.sent_[0].payload));
+  EXPECT_TRUE(DecodeReport(members.sent_[1].payload));
 }
 
-TEST(Acomms, TellsItsHelmWhatTheLeaderSaid) {
+TEST(Acomms, PublishesForItsHelmWhatTheLeaderSent) {
   Members members(TwoInFdma());
   members.Run(0.1);
   ASSERT_EQ(members.LastOf("bravo").num_contacts, 1);
@@ -133,7 +133,7 @@ TEST(Acomms, TellsItsHelmWhatTheLeaderSaid) {
   EXPECT_EQ(before.name, "alpha");
   EXPECT_TRUE(before.is_target);
   EXPECT_FALSE(before.is_heard);
-  EXPECT_TRUE(before.is_known) << "the mission says where it starts";
+  EXPECT_TRUE(before.is_known) << "the mission names its start";
   EXPECT_EQ(before.x_m, 200);
 
   members.Run(1);
@@ -150,7 +150,7 @@ TEST(Acomms, CountsWhatBecameOfEachSendersPackets) {
   Members members(TwoInFdma());
   members.Run(1);
   members.Hand("bravo", "charlie", {1, 2, 3});
-  members.Hand("bravo", "somebody", {});
+  members.Hand("bravo", "outsider", {});
   members.Run(0.2);
   const swarm_t& swarm = members.LastOf("bravo");
   ASSERT_EQ(swarm.num_sources, 3);
@@ -168,11 +168,11 @@ TEST(Acomms, CountsWhatBecameOfEachSendersPackets) {
       << members.app("bravo").Status().text;
 }
 
-TEST(Acomms, SaysWhichFieldsWereDamagedAndHowTheyWereMended) {
+TEST(Acomms, ReportsWhichFieldsWereDamagedAndHowTheyWereRecovered) {
   Mission mission = TwoInFdma();
   Members members(mission);
   members.Run(1);
-  LeaderMessage damaged = *DecodeLeaderReport(members.said_[0].payload);
+  LeaderMessage damaged = *DecodeLeaderReport(members.sent_[0].payload);
   damaged.time_stamp_s = 0.9F;
   damaged.leader.position_m.x() = std::numeric_limits<float>::quiet_NaN();
   members.Hand("bravo", "alpha", EncodeLeaderReport(damaged));
@@ -188,14 +188,14 @@ TEST(Acomms, FollowsTheRecoveryPlanOfItsVehicle) {
   mission.vehicles[1].recovery.of(SwarmField::kLeaderPos) = {RecoveryStrategy::kSkip};
   Members members(mission);
   members.Run(1);
-  LeaderMessage damaged = *DecodeLeaderReport(members.said_[0].payload);
+  LeaderMessage damaged = *DecodeLeaderReport(members.sent_[0].payload);
   damaged.leader.position_m.x() = std::numeric_limits<float>::quiet_NaN();
   members.Hand("bravo", "alpha", EncodeLeaderReport(damaged));
   members.Run(0.2);
   EXPECT_EQ(members.LastOf("bravo").sources[0].rejected, 1);
 }
 
-TEST(Acomms, ShowsWhoHasBeenSilentForLong) {
+TEST(Acomms, ShowsWhichMembersHaveBeenSilentForLong) {
   Mission mission = TwoInFdma();
   mission.swarm.silent_after_s = 7;
   Members members(mission);
@@ -211,14 +211,14 @@ TEST(Acomms, ShowsWhoHasBeenSilentForLong) {
 TEST(Acomms, LetsSlotsPassWithoutNav) {
   Members members(TwoInFdma());
   members.Run(6, false);
-  EXPECT_TRUE(members.said_.empty());
+  EXPECT_TRUE(members.sent_.empty());
   EXPECT_FALSE(members.app("alpha").Status().run_warnings.empty());
   members.Run(5);
   EXPECT_EQ(members.TimesOf("alpha"), (std::vector<int64_t>{100}));
   EXPECT_TRUE(members.app("alpha").Status().run_warnings.empty());
 }
 
-TEST(Acomms, AnswersARequestInItsSlotAndIsHeardByTheLeader) {
+TEST(Acomms, AnswersARequestInItsSlotAndTheLeaderReceivesIt) {
   Mission mission = TwoInFdma();
   mission.acoustics.options.access_mode = AccessMode::kTdmaLf;
   mission.swarm.followers = {"charlie", "bravo"};
@@ -230,7 +230,7 @@ TEST(Acomms, AnswersARequestInItsSlotAndIsHeardByTheLeader) {
   ASSERT_GE(alpha.size(), 2U);
   ASSERT_FALSE(bravo.empty());
   ASSERT_FALSE(charlie.empty());
-  EXPECT_TRUE(DecodeBroadcast(members.said_[0].payload));
+  EXPECT_TRUE(DecodeBroadcast(members.sent_[0].payload));
   EXPECT_LT(alpha[0], charlie[0]);
   EXPECT_LT(charlie[0], bravo[0]) << "in the order of [swarm] followers";
   EXPECT_LT(bravo[0], alpha[1]) << "all within the episode";
@@ -257,7 +257,7 @@ TEST(Acomms, ThatIsStartedAgainTakesWhatCameBeforeItsFirstStepAtThatStepsTime) {
   Members members(mission);
   members.Run(50);
   const std::vector<uint8_t> report = [&] {
-    for (auto it = members.said_.rbegin(); it != members.said_.rend(); ++it) {
+    for (auto it = members.sent_.rbegin(); it != members.sent_.rend(); ++it) {
       if (it->source == "alpha") return it->payload;
     }
     return std::vector<uint8_t>();
@@ -269,18 +269,18 @@ TEST(Acomms, ThatIsStartedAgainTakesWhatCameBeforeItsFirstStepAtThatStepsTime) {
   const swarm_contact_t& contact = members.LastOf("bravo").contacts[0];
   EXPECT_TRUE(contact.is_heard);
   EXPECT_EQ(contact.heard_utime, 50'000'000);
-  EXPECT_EQ(contact.report_utime, 45'000'000) << "as its time stamp says";
+  EXPECT_EQ(contact.report_utime, 45'000'000) << "as in its time stamp";
   EXPECT_EQ(contact.num_recovered, 0);
   EXPECT_FALSE(contact.is_silent);
 }
 
-TEST(Acomms, TellsNoNextWaypointThatIsASentinel) {
+TEST(Acomms, SendsNoNextWaypointThatIsASentinel) {
   Mission mission = TwoInFdma();
   mission.vehicles[1].recovery.of(SwarmField::kLeaderNextPos) = {RecoveryStrategy::kSentinel};
   Members members(mission);
   members.Run(1);
   EXPECT_TRUE(members.LastOf("bravo").contacts[0].has_next);
-  LeaderMessage damaged = *DecodeLeaderReport(members.said_[0].payload);
+  LeaderMessage damaged = *DecodeLeaderReport(members.sent_[0].payload);
   damaged.time_stamp_s = 0.9F;
   damaged.leader.next_position_m.x() = std::numeric_limits<float>::infinity();
   members.Hand("bravo", "alpha", EncodeLeaderReport(damaged));
@@ -291,7 +291,7 @@ TEST(Acomms, TellsNoNextWaypointThatIsASentinel) {
   EXPECT_EQ(contact.next_x_m, 0);
 }
 
-TEST(Acomms, OutlivesAnyBytes) {
+TEST(Acomms, SurvivesAnyBytes) {
   Members members(TwoInFdma());
   members.Run(1);
   for (int length = 0; length < 400; length += 7) {

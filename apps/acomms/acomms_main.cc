@@ -1,5 +1,5 @@
-// One vehicle's acoustic messages. Hears ACOUSTIC_RX_<V>, says ACOUSTIC_TX and SWARM_<V>.
-// See acomms --help.
+// One vehicle's acoustic messages. Subscribes to ACOUSTIC_RX_<V>, publishes ACOUSTIC_TX and
+// SWARM_<V>. See acomms --help.
 #include "apps/acomms/acomms_app.h"
 #include "lib/run/run_app.h"
 
@@ -7,21 +7,22 @@ namespace {
 
 const shoal::AppInfo kInfo = {
     .name = "acomms",
-    .purpose = "Speaks and hears for one vehicle of a swarm, through the acoustic network.",
+    .purpose =
+        "Sends and receives the messages of one vehicle of a swarm over the acoustic network.",
     .per_vehicle = true,
     .example = R"(# In a mission file:
 [acoustics]
 access_mode = "fdma"                  # a channel for each vehicle
 
 [swarm]
-leader = "alpha"                      # whom the followers' target_track tasks name
-episode_s = 5                         # each speaks once in so many seconds
+leader = "alpha"                      # the target of the followers' target_track tasks
+episode_s = 5                         # each member sends once per episode
 frames = false                        # true: a sequence number and a checksum with each message
 
 [[vehicle]]
 name = "bravo"
 model = "remus100"
-acomms = "shoal"                      # "hand": started by you; "none": nobody
+acomms = "shoal"                      # "hand": started by you; "none": not run
 
 [[vehicle.task]]
 kind = "target_track"

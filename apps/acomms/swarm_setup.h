@@ -1,4 +1,4 @@
-// What a mission says of the swarm, as one of its members has it.
+// A mission's swarm as one of its members needs it: receiver and schedule.
 #pragma once
 
 #include "lib/mission/mission.h"
@@ -7,11 +7,11 @@
 
 namespace shoal {
 
-/// Returns the ear of `vehicle`: it knows all members by their acoustic addresses, and that they
-/// begin where the mission file has them start. @pre mission.IsInSwarm(vehicle)
+/// Returns the receiver of `vehicle`: it knows all members by their acoustic addresses, and that
+/// they begin where the mission file has them start. @pre mission.IsInSwarm(vehicle)
 [[nodiscard]] SwarmReceiver MakeSwarmReceiver(const Mission& mission, const Vehicle& vehicle);
 
-/// Returns when `vehicle` speaks: the leader has place 0, the first follower 1.
+/// Returns when `vehicle` sends: the leader has place 0, the first follower 1.
 /// @pre mission.IsInSwarm(vehicle), and its slots have no problems
 [[nodiscard]] SwarmSchedule MakeSwarmSchedule(const Mission& mission, const Vehicle& vehicle);
 

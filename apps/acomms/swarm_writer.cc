@@ -66,7 +66,7 @@ void SwarmWriter::Count(const std::string& source, const SwarmReception& recepti
     return;
   }
   ++(reception.result == ReceptionResult::kClean ? counts.clean : counts.recovered);
-  // A message of the leader may be about everybody.
+  // A message of the leader may concern every member.
   if (reception.sender) recovered_[static_cast<uint32_t>(*reception.sender)].clear();
   for (const FieldRecovery& recovery : reception.recoveries) {
     if (recovery.id) recovered_[static_cast<uint32_t>(*recovery.id)].clear();
@@ -86,8 +86,8 @@ swarm_contact_t SwarmWriter::WriteContact(const SwarmContact& contact, bool is_t
   written.is_target = is_target;
   written.is_heard = contact.has_reported;
   written.is_known = IsUsable(contact);
-  const int64_t heard_us = contact.has_reported ? contact.arrived_us : 0;
-  written.heard_utime = start_utime_ + heard_us;
+  const int64_t received_us = contact.has_reported ? contact.arrived_us : 0;
+  written.heard_utime = start_utime_ + received_us;
   written.is_silent = utime - written.heard_utime > silent_after_us_;
   if (const auto found = recovered_.find(contact.id); found != recovered_.end()) {
     written.recovered = found->second;

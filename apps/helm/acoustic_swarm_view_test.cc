@@ -49,19 +49,19 @@ nav_t OwnAt(int64_t utime) {
   return own;
 }
 
-TEST(AcousticSwarmView, ListensToNobodysNav) {
+TEST(AcousticSwarmView, SubscribesToNoNav) {
   const Mission mission = AcousticSwarm();
   EXPECT_TRUE(SwarmView(mission, mission.vehicles[1]).names().empty());
 }
 
-TEST(AcousticSwarmView, PredictsEverybodyFromTheTimeOfTheirReports) {
+TEST(AcousticSwarmView, PredictsEveryMemberFromTheTimeOfItsReport) {
   const Mission mission = AcousticSwarm();
   SwarmView view(mission, mission.vehicles[1]);
   swarm_contact_t leader = ContactOf("alpha", 100, 2, 1'000'000);
   leader.is_target = leader.has_next = 1;
   leader.next_x_m = 104;
   leader.next_x_mps = 2;
-  view.HearSwarm(SwarmWith({leader, ContactOf("charlie", 50, 1, 3'000'000)}));
+  view.OnSwarm(SwarmWith({leader, ContactOf("charlie", 50, 1, 3'000'000)}));
   const Surroundings* seen = view.Look(&mission.vehicles[1].tasks[0], OwnAt(4'000'000));
   ASSERT_TRUE(seen != nullptr && seen->target.has_value());
   EXPECT_NEAR(seen->target->position_m.x(), 106, 1e-9) << "3 s at 2 m/s, past its waypoint";
@@ -69,22 +69,22 @@ TEST(AcousticSwarmView, PredictsEverybodyFromTheTimeOfTheirReports) {
   EXPECT_NEAR(seen->group[0].position_m.x(), 51, 1e-9);
 }
 
-TEST(AcousticSwarmView, KnowsNobodyWhomItWasNotToldOf) {
+TEST(AcousticSwarmView, KnowsNoMemberOfWhichItReceivedNothing) {
   const Mission mission = AcousticSwarm();
   SwarmView view(mission, mission.vehicles[1]);
-  view.Hear("alpha", At(1, 2));  // The truth counts for nothing here.
+  view.OnNav("alpha", At(1, 2));  // The truth counts for nothing here.
   swarm_contact_t unknown = ContactOf("charlie", 50, 1, 0);
   unknown.is_known = 0;
-  view.HearSwarm(SwarmWith({unknown, ContactOf("stranger", 1, 1, 0)}));
+  view.OnSwarm(SwarmWith({unknown, ContactOf("outsider", 1, 1, 0)}));
   const Surroundings* seen = view.Look(&mission.vehicles[1].tasks[0], OwnAt(0));
   EXPECT_FALSE(seen->target.has_value());
   EXPECT_TRUE(seen->group.empty());
 }
 
-TEST(AcousticSwarmView, CallsATargetSilentThatWasNotHeardForSoLong) {
+TEST(AcousticSwarmView, CallsATargetSilentOfWhichNothingWasReceivedForTooLong) {
   const Mission mission = AcousticSwarm();
   SwarmView view(mission, mission.vehicles[1]);
-  view.HearSwarm(SwarmWith({ContactOf("alpha", 100, 2, 0)}));
+  view.OnSwarm(SwarmWith({ContactOf("alpha", 100, 2, 0)}));
   const Task* task = &mission.vehicles[1].tasks[0];
   EXPECT_FALSE(view.Look(task, OwnAt(20'000'000))->target_is_silent);
   EXPECT_TRUE(view.Look(task, OwnAt(20'000'001))->target_is_silent);
@@ -95,21 +95,21 @@ TEST(AcousticSwarmView, CallsATargetSilentAlsoWhereItsLastReportCannotBeUsed) {
   SwarmView view(mission, mission.vehicles[1]);
   swarm_contact_t unusable = ContactOf("alpha", 0, 0, 0);
   unusable.is_known = 0;
-  view.HearSwarm(SwarmWith({unusable}));
+  view.OnSwarm(SwarmWith({unusable}));
   const Surroundings* seen = view.Look(&mission.vehicles[1].tasks[0], OwnAt(30'000'000));
   EXPECT_FALSE(seen->target.has_value());
   EXPECT_TRUE(seen->target_is_silent);
 }
 
-TEST(AcousticSwarmView, PassesOverContactsThatCannotBe) {
+TEST(AcousticSwarmView, PassesOverInvalidContacts) {
   const Mission mission = AcousticSwarm();
   SwarmView view(mission, mission.vehicles[1]);
-  view.HearSwarm(SwarmWith({ContactOf("alpha", kNan, 2, 0)}));
+  view.OnSwarm(SwarmWith({ContactOf("alpha", kNan, 2, 0)}));
   swarm_contact_t leader = ContactOf("alpha", 0, 0, 0);
   leader.next_y_mps = kNan;
-  view.HearSwarm(SwarmWith({leader}));
+  view.OnSwarm(SwarmWith({leader}));
   EXPECT_FALSE(view.Look(&mission.vehicles[1].tasks[0], OwnAt(0))->target.has_value());
-  view.HearSwarm(SwarmWith({ContactOf("alpha", 5, 0, INT64_MIN)}));
+  view.OnSwarm(SwarmWith({ContactOf("alpha", 5, 0, INT64_MIN)}));
   const Surroundings* seen = view.Look(&mission.vehicles[1].tasks[0], OwnAt(1'000'000));
   EXPECT_TRUE(seen->target->position_m.allFinite());
 }

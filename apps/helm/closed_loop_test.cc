@@ -120,7 +120,7 @@ TEST(ClosedLoop, HoldsItsLegsInACrossCurrent) {
   EXPECT_LT(track.home_distance_m, 13);
 }
 
-TEST(ClosedLoop, SaysThatAllPointsOfATaskWerePassedBeforeTheNextTaskBegins) {
+TEST(ClosedLoop, PublishesThatAllPointsOfATaskWerePassedBeforeTheNextTaskBegins) {
   HelmAndVessel loop(Surveyor(2.5));
   loop.Run(320);
   const auto lap = std::find_if(loop.states.begin(), loop.states.end(), [](const auto& state) {

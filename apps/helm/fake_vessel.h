@@ -1,5 +1,5 @@
-// For tests: a helm on a MemoryBus together with a vessel that obeys its ACTUATORS and says NAV,
-// with the delays of the real thing (one step from NAV to helm, one from ACTUATORS to vessel).
+// For tests: a helm on a MemoryBus together with a vessel that follows ACTUATORS, publishes NAV,
+// with the delays of a mission (one step from NAV to helm, one from ACTUATORS to vessel).
 #pragma once
 
 #include <cmath>
@@ -43,8 +43,8 @@ class HelmAndVessel {
     });
   }
 
-  void Say(const std::string& command, const std::vector<double>& values = {},
-           const std::string& argument = {}) {
+  void Command(const std::string& command, const std::vector<double>& values = {},
+               const std::string& argument = {}) {
     helm_command_t message;
     message.utime = utime;
     message.command = command;
@@ -54,10 +54,10 @@ class HelmAndVessel {
     Publish(test_bus_, channels::HelmCommand("alpha"), message);
   }
 
-  void SayMessage(const node_message_t& message) {
+  void PublishMessage(const node_message_t& message) {
     Publish(test_bus_, channels::NodeMessage("alpha"), message);
   }
-  void SayNav(const nav_t& nav) { Publish(test_bus_, channels::Nav("alpha"), nav); }
+  void PublishNav(const nav_t& nav) { Publish(test_bus_, channels::Nav("alpha"), nav); }
   void SayReport(const node_report_t& report) {
     Publish(test_bus_, channels::NodeReport("alpha"), report);
   }
@@ -83,7 +83,7 @@ class HelmAndVessel {
                            {actuators->thrust_pct, actuators->rudder_deg}, current_mps,
                            static_cast<double>(tick_us_) / 1e6);
     }
-    if (says_nav) SayNav(Nav());
+    if (publishes_nav) PublishNav(Nav());
     utime += tick_us_;
   }
 
@@ -96,7 +96,7 @@ class HelmAndVessel {
   size_t NumWarnings() const { return Page().run_warnings.size(); }
 
   int64_t utime = 0;
-  bool says_nav = true;
+  bool publishes_nav = true;
   Eigen::Vector2d current_mps = Eigen::Vector2d::Zero();
   SurfaceCraftState vessel = {};
   std::optional<actuators_t> actuators;

@@ -15,10 +15,10 @@ namespace shoal {
 
 namespace {
 
-constexpr char kBadNav[] = "NAV with values that cannot be: ignored";
+constexpr char kBadNav[] = "NAV with invalid values: ignored";
 /// The variable of node messages that are orders.
 constexpr std::string_view kCommandVariable = topics::kHelmCommand;
-constexpr char kBadReport[] = "NODE_REPORT with a position that cannot be: ignored";
+constexpr char kBadReport[] = "NODE_REPORT with an invalid position: ignored";
 constexpr char kManyContacts[] = "more than 1000 contacts: new ones are ignored";
 constexpr size_t kMaxContacts = 1000;
 /// After a longer gap between steps the autopilots' integrals would jump.
@@ -30,8 +30,8 @@ bool IsPlace(double x_m, double y_m) {
   return std::abs(x_m) <= kMaxCoordinate_m && std::abs(y_m) <= kMaxCoordinate_m;
 }
 
-/// True where `next` tells something that nobody could work out from `last` and NAV.
-bool TellsMore(const helm_state_t& next, const helm_state_t& last) {
+/// True where `next` differs from `last` in more than follows from NAV.
+bool HasNews(const helm_state_t& next, const helm_state_t& last) {
   return next.state != last.state || next.task != last.task || next.task_kind != last.task_kind ||
          next.all_stop != last.all_stop || next.waypoint_index != last.waypoint_index ||
          next.laps_done != last.laps_done || next.waypoint_x_m != last.waypoint_x_m ||
@@ -46,11 +46,11 @@ std::string TasksText(const Vehicle& vehicle) {
   return text.empty() ? " none" : text;
 }
 
-std::string CommandsText(const std::array<int64_t, kNumOrderKinds>& num_obeyed) {
+std::string CommandsText(const std::array<int64_t, kNumOrderKinds>& num_executed) {
   std::string text;
-  for (size_t i = 0; i < num_obeyed.size(); ++i) {
-    if (num_obeyed[i] == 0) continue;
-    text += fmt::format(" {} {}", Name(static_cast<OrderKind>(i)), num_obeyed[i]);
+  for (size_t i = 0; i < num_executed.size(); ++i) {
+    if (num_executed[i] == 0) continue;
+    text += fmt::format(" {} {}", Name(static_cast<OrderKind>(i)), num_executed[i]);
   }
   return text.empty() ? " none" : text;
 }
@@ -78,15 +78,16 @@ HelmApp::HelmApp(const Mission& mission, const Vehicle& vehicle, Bus& bus)
   Subscribe(bus, channels::NodeMessage(vehicle.name),
             [this](const node_message_t& message) { OnNodeMessage(message); });
   for (const std::string& name : swarm_.names()) {
-    Subscribe(bus, channels::Nav(name), [this, name](const nav_t& nav) { swarm_.Hear(name, nav); });
+    Subscribe(bus, channels::Nav(name),
+              [this, name](const nav_t& nav) { swarm_.OnNav(name, nav); });
   }
   if (mission.IsInSwarm(vehicle)) {
     Subscribe(bus, channels::Swarm(vehicle.name),
-              [this](const swarm_t& swarm) { swarm_.HearSwarm(swarm); });
+              [this](const swarm_t& swarm) { swarm_.OnSwarm(swarm); });
   }
   if (vehicle.sonar.is_fitted) {
     Subscribe(bus, channels::Sonar(vehicle.name),
-              [this](const sonar_t& ping) { swarm_.HearSonar(ping); });
+              [this](const sonar_t& ping) { swarm_.OnSonar(ping); });
   }
 }
 
@@ -109,7 +110,7 @@ void HelmApp::OnCommand(const helm_command_t& command) {
 }
 
 void HelmApp::OnNodeMessage(const node_message_t& message) {
-  if (message.var_name != kCommandVariable) return;  // Somebody else's business.
+  if (message.var_name != kCommandVariable) return;  // For another program.
   const Result<HelmOrder> order = message.is_double != 0
                                       ? Result<HelmOrder>(Error{"a number is no order"})
                                       : ReadOrderText(message.string_val);
@@ -126,7 +127,7 @@ void HelmApp::Execute(const Result<HelmOrder>& order, std::string_view from) {
     log_.Event(utime_.value_or(0), text);
     return;
   }
-  ++num_obeyed_.at(static_cast<size_t>(order->kind));
+  ++num_executed_.at(static_cast<size_t>(order->kind));
   log_.Event(utime_.value_or(0), fmt::format("command{}: {}{}{}", sender, Name(order->kind),
                                              order->task.empty() ? "" : " ", order->task));
 }
@@ -210,7 +211,7 @@ void HelmApp::PublishState(int64_t utime) {
     next.waypoint_x_m = next.waypoint_y_m = next.waypoint_z_m = 0;
     next.distance_m = next.cross_track_error_m = 0;
   }
-  if (state_utime_ && !TellsMore(next, state_) && utime - *state_utime_ < state_interval_us_) {
+  if (state_utime_ && !HasNews(next, state_) && utime - *state_utime_ < state_interval_us_) {
     return;
   }
   if (next.state != state_.state || next.task != state_.task || next.all_stop != state_.all_stop) {
@@ -252,13 +253,13 @@ StatusPage HelmApp::Status() const {
       nav_.y_m, actuators_.thrust_pct, actuators_.propeller_rpm, actuators_.rudder_deg,
       actuators_.stern_plane_deg);
   page.text += fmt::format(
-      "Heard:\n"
+      "Received:\n"
       "    NAV: {} ({} refused)\n"
       "    Commands:{} ({} refused)\n"
       "    NODE_REPORT: {}\n"
       "    Undecodable: {}\n"
       "{}",
-      num_navs_, num_bad_navs_, CommandsText(num_obeyed_), num_refused_, num_reports_,
+      num_navs_, num_bad_navs_, CommandsText(num_executed_), num_refused_, num_reports_,
       bus_.counters().undecodable, ContactsText());
   log_.AppendTo(&page);
   return page;

@@ -1,7 +1,7 @@
-// Steers one vehicle. Hears NAV_<V> (MEASURED_NAV_<V> where it has sensors), SONAR_<V>,
-// HELM_COMMAND_<V>, NODE_REPORT_<V> and NODE_MESSAGE_<V>, and of those whom it follows NAV, or
-// SWARM_<V>; says DESIRED_<V> and ACTUATORS_<V> in every step, HELM_STATE_<V> on change and every
-// state_interval_s.
+// Steers one vehicle. Subscribes to NAV_<V> (MEASURED_NAV_<V> where it has sensors), SONAR_<V>,
+// HELM_COMMAND_<V>, NODE_REPORT_<V> and NODE_MESSAGE_<V>, to NAV of the vehicles that it follows,
+// or to SWARM_<V>; publishes DESIRED_<V> and ACTUATORS_<V> in every step, HELM_STATE_<V> on change
+// and every state_interval_s.
 //
 // What it does and why is decided in helm_states.h, how in pilot.h; here are the bus and the page.
 // ACTUATORS are zero in PARK, in ALL-STOP and before the first NAV; DESIRED begins with the first
@@ -76,7 +76,7 @@ class HelmApp : public App {
 
   std::map<std::string, Contact, std::less<>> contacts_;
   StatusLog log_;
-  std::array<int64_t, kNumOrderKinds> num_obeyed_{};
+  std::array<int64_t, kNumOrderKinds> num_executed_{};
   int64_t num_refused_ = 0;
   int64_t num_navs_ = 0;
   int64_t num_bad_navs_ = 0;

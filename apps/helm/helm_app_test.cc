@@ -22,9 +22,9 @@ bool Mentions(const StatusPage& page, const std::string& words) {
                      [&](const std::string& text) { return text.find(words) != text.npos; });
 }
 
-TEST(HelmApp, SaysZeroActuatorsAndNoDesiredBeforeTheFirstNav) {
+TEST(HelmApp, PublishesZeroActuatorsAndNoDesiredBeforeTheFirstNav) {
   HelmAndVessel loop(Deployed());
-  loop.says_nav = false;
+  loop.publishes_nav = false;
   loop.Run(0.3);
   ASSERT_TRUE(loop.actuators.has_value());
   EXPECT_EQ(loop.actuators->thrust_pct, 0);
@@ -43,7 +43,7 @@ TEST(HelmApp, StaysParkedWithItsHeadingDesiredUntilDeployed) {
   EXPECT_EQ(loop.actuators->thrust_pct, 0);
   EXPECT_EQ(loop.actuators->rudder_deg, 0);
 
-  loop.Say("deploy");
+  loop.Command("deploy");
   loop.Run(3);
   EXPECT_EQ(loop.state.state, "DRIVE");
   EXPECT_EQ(loop.state.task, "survey");
@@ -52,11 +52,11 @@ TEST(HelmApp, StaysParkedWithItsHeadingDesiredUntilDeployed) {
   EXPECT_GT(loop.actuators->thrust_pct, 0);
 }
 
-TEST(HelmApp, SaysItsStateOnChangeAndOncePerSecond) {
+TEST(HelmApp, PublishesItsStateOnChangeAndOncePerSecond) {
   HelmAndVessel loop(TestVehicle());
   loop.Run(5.5);
   EXPECT_EQ(loop.states.size(), 6u);
-  loop.Say("deploy");
+  loop.Command("deploy");
   loop.Run(0.3);
   EXPECT_EQ(loop.states.size(), 7u);
   EXPECT_EQ(loop.states.back().state, "DRIVE");
@@ -66,7 +66,7 @@ TEST(HelmApp, StopsForALostNavAndGoesOnWhenItIsBack) {
   HelmAndVessel loop(Deployed());
   loop.Run(10);
   EXPECT_EQ(loop.state.state, "DRIVE");
-  loop.says_nav = false;
+  loop.publishes_nav = false;
   loop.Run(1.9);
   EXPECT_EQ(loop.state.state, "DRIVE");
   loop.Run(0.5);
@@ -76,7 +76,7 @@ TEST(HelmApp, StopsForALostNavAndGoesOnWhenItIsBack) {
   EXPECT_EQ(loop.actuators->thrust_pct, 0);
   EXPECT_TRUE(Mentions(loop.Page(), "no NAV for 2.0 s"));
 
-  loop.says_nav = true;
+  loop.publishes_nav = true;
   loop.Run(0.5);
   EXPECT_EQ(loop.state.state, "DRIVE");
   EXPECT_EQ(loop.state.all_stop, "clear");
@@ -86,7 +86,7 @@ TEST(HelmApp, StopsForALostNavAndGoesOnWhenItIsBack) {
 
 TEST(HelmApp, StopsWhenThereNeverWasANav) {
   HelmAndVessel loop(Deployed());
-  loop.says_nav = false;
+  loop.publishes_nav = false;
   loop.Run(2.5);
   EXPECT_EQ(loop.state.state, "ALL-STOP");
   EXPECT_EQ(loop.state.all_stop, "no NAV for 2.0 s");
@@ -96,18 +96,18 @@ TEST(HelmApp, TakesNavThatIsNotFiniteForNone) {
   const double nan = std::nan("");
   HelmAndVessel loop(Deployed());
   loop.Run(5);
-  loop.says_nav = false;
+  loop.publishes_nav = false;
   for (int i = 0; i < 30; ++i) {
     nav_t nav = loop.Nav();
     if (i % 4 == 0) nav.x_m = nan;
     if (i % 4 == 1) nav.heading_deg = std::numeric_limits<double>::infinity();
     if (i % 4 == 2) nav.y_m = 1e300;
     if (i % 4 == 3) nav.speed_mps = nan;
-    loop.SayNav(nav);
+    loop.PublishNav(nav);
     loop.Step();
   }
   EXPECT_EQ(loop.state.state, "ALL-STOP");
-  EXPECT_TRUE(Mentions(loop.Page(), "values that cannot be"));
+  EXPECT_TRUE(Mentions(loop.Page(), "invalid values"));
   EXPECT_TRUE(std::isfinite(loop.desired->heading_deg));
 }
 
@@ -115,12 +115,12 @@ TEST(HelmApp, WarnsOfOrdersItDoesNotUnderstandAndChangesNothing) {
   HelmAndVessel loop(Deployed());
   loop.Run(2.5);
   const size_t num_states = loop.states.size();
-  loop.Say("selfdestruct");
-  loop.Say("goto", {1});
-  loop.Say("goto", {std::nan(""), 0});
-  loop.Say("speed", {-2});
-  loop.Say("task", {}, "nowhere");
-  loop.Say("");
+  loop.Command("selfdestruct");
+  loop.Command("goto", {1});
+  loop.Command("goto", {std::nan(""), 0});
+  loop.Command("speed", {-2});
+  loop.Command("task", {}, "nowhere");
+  loop.Command("");
   loop.Run(0.4);
   EXPECT_EQ(loop.NumWarnings(), 6u);
   EXPECT_EQ(loop.states.size(), num_states);
@@ -137,37 +137,37 @@ node_message_t MessageOfBravo(const std::string& var_name, const std::string& va
   return message;
 }
 
-TEST(HelmApp, ObeysOrdersThatComeAsNodeMessages) {
+TEST(HelmApp, ExecutesOrdersThatComeAsNodeMessages) {
   HelmAndVessel loop(TestVehicle());
   loop.Run(1);
-  loop.SayMessage(MessageOfBravo("UPDATE_LOITER", "deploy"));
+  loop.PublishMessage(MessageOfBravo("UPDATE_LOITER", "deploy"));
   loop.Run(1);
   EXPECT_EQ(loop.state.state, "PARK") << "other variables are no orders";
-  loop.SayMessage(MessageOfBravo("HELM_COMMAND", "deploy"));
+  loop.PublishMessage(MessageOfBravo("HELM_COMMAND", "deploy"));
   loop.Run(1);
   EXPECT_EQ(loop.state.state, "DRIVE");
-  loop.SayMessage(MessageOfBravo("HELM_COMMAND", "station_keep"));
+  loop.PublishMessage(MessageOfBravo("HELM_COMMAND", "station_keep"));
   loop.Run(1);
   EXPECT_EQ(loop.state.task, "station_keep");
 }
 
 TEST(HelmApp, WarnsOfMessagesThatAreNoOrders) {
   HelmAndVessel loop(TestVehicle());
-  loop.SayMessage(MessageOfBravo("HELM_COMMAND", "dance"));
+  loop.PublishMessage(MessageOfBravo("HELM_COMMAND", "dance"));
   loop.Run(1);
   EXPECT_TRUE(Mentions(loop.Page(), "HELM_COMMAND of bravo refused: unknown command"));
   node_message_t number = MessageOfBravo("HELM_COMMAND", "");
   number.is_double = 1;
   number.double_val = 3;
-  loop.SayMessage(number);
+  loop.PublishMessage(number);
   loop.Run(1);
   EXPECT_TRUE(Mentions(loop.Page(), "a number is no order"));
 }
 
-TEST(HelmApp, ObeysAllStopAndResume) {
+TEST(HelmApp, ExecutesAllStopAndResume) {
   HelmAndVessel loop(Deployed());
   loop.Run(20);
-  loop.Say("all_stop");
+  loop.Command("all_stop");
   loop.Run(0.3);
   EXPECT_EQ(loop.state.state, "ALL-STOP");
   EXPECT_EQ(loop.state.all_stop, "all_stop command");
@@ -175,7 +175,7 @@ TEST(HelmApp, ObeysAllStopAndResume) {
   EXPECT_EQ(loop.actuators->rudder_deg, 0);
   loop.Run(20);
   EXPECT_EQ(loop.vessel.speed_mps, 0);
-  loop.Say("resume");
+  loop.Command("resume");
   loop.Run(10);
   EXPECT_EQ(loop.state.state, "DRIVE");
   EXPECT_NEAR(loop.vessel.speed_mps, 1.5, 0.1);
@@ -201,7 +201,7 @@ TEST(HelmApp, ShowsTheNearestContactsOnItsPage) {
   EXPECT_NE(page.text.find("boat_9 "), std::string::npos);
   EXPECT_EQ(page.text.find("boat_10 "), std::string::npos);
   EXPECT_TRUE(Mentions(page, "more than 1000 contacts"));
-  EXPECT_TRUE(Mentions(page, "position that cannot be"));
+  EXPECT_TRUE(Mentions(page, "invalid position"));
 }
 
 }  // namespace shoal::helm_app_test

@@ -1,5 +1,5 @@
-// One helm. Hears NAV_<V> and HELM_COMMAND_<V>, says ACTUATORS_<V>, DESIRED_<V>, HELM_STATE_<V>.
-// See helm --help.
+// One helm. Subscribes to NAV_<V> and HELM_COMMAND_<V>, publishes ACTUATORS_<V>, DESIRED_<V> and
+// HELM_STATE_<V>. See helm --help.
 #include "apps/helm/helm_app.h"
 #include "lib/run/run_app.h"
 
@@ -12,7 +12,7 @@ const shoal::AppInfo kInfo = {
     .example = R"(# In a mission file:
 [[vehicle]]
 name = "alpha"
-helm = "shoal"                        # "hand": started by you; "none": nobody
+helm = "shoal"                        # "hand": started by you; "none": not run
 
 [vehicle.helm_options]
 nav_timeout_s = 2                     # all-stop when NAV is silent for longer

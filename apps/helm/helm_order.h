@@ -1,4 +1,4 @@
-// What a helm can be told, read from the words of a helm_command_t.
+// The orders that a helm accepts, read from the text of a helm_command_t.
 #pragma once
 
 #include <Eigen/Core>
@@ -30,10 +30,10 @@ struct HelmOrder {
   std::string task = {};                              ///< Of kTask.
 };
 
-/// Coordinates beyond a quarter of the Earth's circumference are no places.
+/// A quarter of the Earth's circumference; larger coordinates are refused.
 inline constexpr double kMaxCoordinate_m = 1e7;
 
-/// Reads an order; the error says what is wrong with it.
+/// Reads an order; the error states what is wrong with it.
 Result<HelmOrder> ReadOrder(std::string_view command, std::string_view argument,
                             std::span<const double> values);
 

@@ -32,7 +32,7 @@ TEST(ReadOrder, TakesThePointTheSpeedAndTheTask) {
   EXPECT_EQ(ReadOrder("task", "survey", {})->task, "survey");
 }
 
-TEST(ReadOrder, SaysWhatIsWrong) {
+TEST(ReadOrder, StatesWhatIsWrong) {
   EXPECT_EQ(ErrorOf("", "", {}), "unknown command ''");
   EXPECT_EQ(ErrorOf("DEPLOY", "", {}), "unknown command 'DEPLOY'");
   EXPECT_EQ(ErrorOf("goto", "", {1}), "goto takes 2 values and not 1");
@@ -41,7 +41,7 @@ TEST(ReadOrder, SaysWhatIsWrong) {
   EXPECT_EQ(ErrorOf("task", "", {}), "task needs the name of a task as its argument");
 }
 
-TEST(ReadOrder, RefusesNumbersThatCannotBe) {
+TEST(ReadOrder, RefusesInvalidNumbers) {
   const double nan = std::nan("");
   const double infinity = std::numeric_limits<double>::infinity();
   for (const double bad : {nan, infinity, -infinity, 1e300}) {
@@ -60,7 +60,7 @@ TEST(ReadOrderText, KnowsOrdersWithTheirValues) {
   EXPECT_EQ(ReadOrderText("task=survey")->task, "survey");
 }
 
-TEST(ReadOrderText, SaysWhatIsWrong) {
+TEST(ReadOrderText, StatesWhatIsWrong) {
   EXPECT_EQ(ReadOrderText("").error(), "unknown command ''");
   EXPECT_EQ(ReadOrderText("speed=").error(), "'speed=' has nothing behind the '='");
   EXPECT_EQ(ReadOrderText("speed=fast").error(), "'fast' is not a number");
@@ -71,7 +71,7 @@ TEST(ReadOrderText, SaysWhatIsWrong) {
   EXPECT_FALSE(ReadOrderText("goto=inf,0").ok());
 }
 
-TEST(ReadOrder, ShowsOfAnUnknownCommandOnlyWhatATerminalWouldNotObey) {
+TEST(ReadOrder, ShowsOfAnUnknownCommandOnlyPrintableCharacters) {
   EXPECT_EQ(ErrorOf("a\x1b[2J\nb\xff", "", {}), "unknown command 'a?[2J?b?'");
   EXPECT_LT(ErrorOf(std::string(100'000, 'x'), "", {}).size(), 80u);
 }

@@ -41,11 +41,11 @@ class HelmStates {
  public:
   explicit HelmStates(const Vehicle& vehicle);
 
-  /// Obeys `order`, or returns why not and changes nothing. An empty text: obeyed.
+  /// Executes `order`, or returns why not and changes nothing. An empty text: executed.
   [[nodiscard]] std::string Execute(const HelmOrder& order);
 
-  /// Advances to the time of `fix`. Without a fix nothing moves on; `nav_is_lost` says that this
-  /// has lasted too long.
+  /// Advances to the time of `fix`. Without a fix nothing moves on; `nav_is_lost`: this has lasted
+  /// too long.
   void Advance(const std::optional<Fix>& fix, bool nav_is_lost);
 
   HelmMode mode() const;

@@ -22,7 +22,7 @@ inline Vehicle VehicleNamed(const std::string& name, const std::vector<Task>& ta
   return vehicle;
 }
 
-/// alpha leads bravo, charlie and delta; echo is somebody else.
+/// alpha leads bravo, charlie and delta; echo is not in the swarm.
 inline Mission Swarm() {
   Mission mission;
   mission.vehicles = {VehicleNamed("alpha"), VehicleNamed("bravo", {Following("alpha")}),

@@ -12,7 +12,7 @@ namespace shoal {
 
 namespace {
 
-/// The laws' own bounds on what they are told (lib/guidance/plausible.h).
+/// The laws' own bounds on their inputs (lib/guidance/plausible.h).
 constexpr double kFarthest_m = 1e6;
 constexpr double kFastest_mps = 1000;
 
@@ -38,13 +38,13 @@ Motion NextOf(const swarm_contact_t& contact) {
           .velocity_mps = {contact.next_x_mps, contact.next_y_mps, contact.next_z_mps}};
 }
 
-/// Returns the seconds from one time to another, whatever strangers make of them.
+/// Returns the seconds from one time to another, also where the difference overflows.
 double SecondsBetween(int64_t earlier_utime, int64_t later_utime) {
   return (static_cast<double>(later_utime) - static_cast<double>(earlier_utime)) / 1e6;
 }
 
-/// Returns how the water moves: what is left of the velocity over ground without that through the
-/// water, which NAV tells in the body's frame. Horizontal; roll turns only what is small.
+/// Returns the velocity of the current: the velocity over ground less the velocity relative to the
+/// water, which NAV has in the body frame. Horizontal; roll turns only what is small.
 Eigen::Vector3d CurrentOf(const nav_t& nav, const Eigen::Vector3d& over_ground_mps) {
   const double pitch_rad = DegToRad(nav.pitch_deg);
   const double heading_rad = DegToRad(nav.heading_deg);
@@ -69,8 +69,8 @@ bool IsPlausible(const Neighbour& neighbour) {
 SwarmView::SwarmView(const Mission& mission, const Vehicle& vehicle)
     : own_(mission.vehicles.size()),
       silent_after_s_(mission.swarm.silent_after_s),
-      heard_(mission.vehicles.size() + 1),
-      told_(mission.vehicles.size() + 1) {
+      neighbours_(mission.vehicles.size() + 1),
+      contacts_(mission.vehicles.size() + 1) {
   for (size_t i = 0; i < mission.vehicles.size(); ++i) places_[mission.vehicles[i].name] = i;
   // A vehicle that is not in its mission, as in tests, comes behind the others.
   own_ = places_.emplace(vehicle.name, mission.vehicles.size()).first->second;
@@ -115,25 +115,25 @@ std::vector<SwarmView::Place> SwarmView::GroupOf(const TargetTrackTask& task) co
   return group;
 }
 
-void SwarmView::Hear(const std::string& name, const nav_t& nav) {
+void SwarmView::OnNav(const std::string& name, const nav_t& nav) {
   const std::optional<Place> place = PlaceOf(name);
   if (!place) return;
   const Neighbour neighbour = NeighbourOf(static_cast<int>(*place), nav);
-  if (IsPlausible(neighbour)) heard_[*place] = neighbour;
+  if (IsPlausible(neighbour)) neighbours_[*place] = neighbour;
 }
 
-void SwarmView::HearSwarm(const swarm_t& swarm) {
+void SwarmView::OnSwarm(const swarm_t& swarm) {
   for (const swarm_contact_t& contact : swarm.contacts) {
     const bool is_sound = IsPlausible(NeighbourOf(0, MotionOf(contact))) &&
                           IsPlausible(NeighbourOf(0, NextOf(contact)));
-    if (const auto place = PlaceOf(contact.name); place && is_sound) told_[*place] = contact;
+    if (const auto place = PlaceOf(contact.name); place && is_sound) contacts_[*place] = contact;
   }
 }
 
 std::optional<Neighbour> SwarmView::Find(const TargetTrackTask& task, Place place,
                                          int64_t utime) const {
-  if (task.swarm == SwarmKnowledge::kDirect) return heard_[place];
-  const std::optional<swarm_contact_t>& contact = told_[place];
+  if (task.swarm == SwarmKnowledge::kDirect) return neighbours_[place];
+  const std::optional<swarm_contact_t>& contact = contacts_[place];
   if (!contact || !contact->is_known) return std::nullopt;
   const double elapsed_s = std::max(0.0, SecondsBetween(contact->report_utime, utime));
   const Motion now =
@@ -149,7 +149,7 @@ bool SwarmView::IsSilent(const swarm_contact_t& contact, int64_t utime) const {
   return SecondsBetween(contact.heard_utime, utime) > silent_after_s_;
 }
 
-void SwarmView::HearSonar(const sonar_t& ping) { ping_ = ping; }
+void SwarmView::OnSonar(const sonar_t& ping) { ping_ = ping; }
 
 void SwarmView::LookAhead(const nav_t& own) {
   echoes_.clear();
@@ -178,8 +178,8 @@ const Surroundings* SwarmView::Look(const Task* task, const nav_t& own) {
   const std::optional<Place> target = PlaceOf(track->target);
   if (target) {
     surroundings_.target = Find(*track, *target, own.utime);
-    surroundings_.target_is_silent = track->swarm == SwarmKnowledge::kAcoustic && told_[*target] &&
-                                     IsSilent(*told_[*target], own.utime);
+    surroundings_.target_is_silent = track->swarm == SwarmKnowledge::kAcoustic &&
+                                     contacts_[*target] && IsSilent(*contacts_[*target], own.utime);
   }
   group_.clear();
   for (const Place place : GroupOf(*track)) {

@@ -1,10 +1,10 @@
 // What a helm knows of its swarm. By `swarm = "direct"` the truth of every other vehicle, as their
-// NAV told it a step before; by `swarm = "acoustic"` what SWARM has of them, predicted from the
+// NAV had it a step before; by `swarm = "acoustic"` what SWARM has of them, predicted from the
 // time of their reports to now.
 //
 //   SwarmView swarm(mission, vehicle);
-//   for (const std::string& name : swarm.names()) Subscribe(... swarm.Hear(name, nav));
-//   Subscribe(... swarm.HearSwarm(swarm_message));
+//   for (const std::string& name : swarm.names()) Subscribe(... swarm.OnNav(name, nav));
+//   Subscribe(... swarm.OnSwarm(swarm_message));
 //   fix.surroundings = swarm.Look(task, nav);
 #pragma once
 
@@ -28,18 +28,18 @@ class SwarmView {
 
   SwarmView(const Mission& mission, const Vehicle& vehicle);
 
-  /// Whose NAV its tasks ask for: targets and groups, each once.
+  /// The vehicles whose NAV its tasks need: targets and groups, each once.
   const std::vector<std::string>& names() const { return names_; }
 
   /// Takes note of where another vehicle is. Numbers that are not finite are passed over.
-  void Hear(const std::string& name, const nav_t& nav);
-  /// Takes note of what acomms knows. Contacts with numbers that cannot be are passed over.
-  void HearSwarm(const swarm_t& swarm);
+  void OnNav(const std::string& name, const nav_t& nav);
+  /// Takes note of what acomms knows. Contacts with invalid numbers are passed over.
+  void OnSwarm(const swarm_t& swarm);
   /// Takes note of what the sonar saw; it counts for kSonarMemory_s.
-  void HearSonar(const sonar_t& ping);
+  void OnSonar(const sonar_t& ping);
 
-  /// Returns what a task has to go by, valid until the next call; nullptr for tasks that look at
-  /// nobody.
+  /// Returns what a task has to go by, valid until the next call; nullptr for tasks that
+  /// follow no vehicle.
   const Surroundings* Look(const Task* task, const nav_t& own);
 
  private:
@@ -60,8 +60,8 @@ class SwarmView {
   std::map<Place, std::vector<Place>> followers_;  ///< Of each target; not itself. By name.
   std::vector<std::string> names_;
   double silent_after_s_;
-  std::vector<std::optional<Neighbour>> heard_;
-  std::vector<std::optional<swarm_contact_t>> told_;  ///< By acomms.
+  std::vector<std::optional<Neighbour>> neighbours_;
+  std::vector<std::optional<swarm_contact_t>> contacts_;  ///< By acomms.
   std::vector<Neighbour> group_;
   sonar_t ping_{};
   std::vector<SonarEcho> echoes_;

@@ -22,30 +22,30 @@ std::vector<int> IdsOf(const Surroundings& surroundings) {
 
 using Names = std::vector<std::string>;
 
-TEST(SwarmView, ListensToTheTargetAndToAllWhoFollowItByDefault) {
+TEST(SwarmView, SubscribesToTheTargetAndToAllThatFollowItByDefault) {
   const Mission mission = Swarm();
   EXPECT_EQ(SwarmView(mission, mission.vehicles[1]).names(), (Names{"alpha", "charlie", "delta"}));
 }
 
-TEST(SwarmView, ListensToTheGroupThatTheTaskNames) {
+TEST(SwarmView, SubscribesToTheGroupThatTheTaskNames) {
   Mission mission = Swarm();
   mission.vehicles[1].tasks = {Following("alpha", {"echo", "bravo", "alpha"})};
   EXPECT_EQ(SwarmView(mission, mission.vehicles[1]).names(), (Names{"alpha", "echo"}));
 }
 
-TEST(SwarmView, ListensToEveryTargetOfItsTasksOnce) {
+TEST(SwarmView, SubscribesToEveryTargetOfItsTasksOnce) {
   Mission mission = Swarm();
   mission.vehicles[4].tasks = {Following("bravo"), Following("alpha"), Following("bravo")};
   EXPECT_EQ(SwarmView(mission, mission.vehicles[4]).names(),
             (Names{"alpha", "bravo", "charlie", "delta"}));
 }
 
-TEST(SwarmView, ListensToNobodyWithoutATaskThatFollows) {
+TEST(SwarmView, SubscribesToNoVehicleWithoutATaskThatFollows) {
   const Mission mission = Swarm();
   EXPECT_EQ(SwarmView(mission, mission.vehicles[0]).names(), Names{});
 }
 
-TEST(SwarmView, HasNothingToShowForTasksThatLookAtNobody) {
+TEST(SwarmView, HasNothingToShowForTasksThatFollowNoVehicle) {
   const Mission mission = Swarm();
   SwarmView swarm(mission, mission.vehicles[1]);
   const Task task = {.name = "path", .what = PathFollowTask{.points_m = {{0, 0, 10}}}};
@@ -53,7 +53,7 @@ TEST(SwarmView, HasNothingToShowForTasksThatLookAtNobody) {
   EXPECT_EQ(swarm.Look(nullptr, At(0, 0)), nullptr);
 }
 
-TEST(SwarmView, KnowsNoTargetBeforeItIsHeard) {
+TEST(SwarmView, KnowsNoTargetBeforeItsFirstNav) {
   const Mission mission = Swarm();
   SwarmView swarm(mission, mission.vehicles[1]);
   const Surroundings* seen = swarm.Look(&mission.vehicles[1].tasks[0], At(5, 6, 7));
@@ -67,7 +67,7 @@ TEST(SwarmView, KnowsNoTargetBeforeItIsHeard) {
 TEST(SwarmView, SeesTheTargetApartFromTheOthersAndNeverItself) {
   const Mission mission = Swarm();
   SwarmView swarm(mission, mission.vehicles[1]);
-  for (const char* name : {"alpha", "bravo", "charlie", "delta"}) swarm.Hear(name, At(1, 2));
+  for (const char* name : {"alpha", "bravo", "charlie", "delta"}) swarm.OnNav(name, At(1, 2));
   const Surroundings* seen = swarm.Look(&mission.vehicles[1].tasks[0], At(0, 0));
   ASSERT_NE(seen, nullptr);
   ASSERT_TRUE(seen->target.has_value());
@@ -79,7 +79,7 @@ TEST(SwarmView, KeepsClearOfANamedGroupOnly) {
   Mission mission = Swarm();
   mission.vehicles[1].tasks = {Following("alpha", {"echo", "bravo", "alpha"})};
   SwarmView swarm(mission, mission.vehicles[1]);
-  for (const char* name : {"alpha", "charlie", "delta", "echo"}) swarm.Hear(name, At(1, 2));
+  for (const char* name : {"alpha", "charlie", "delta", "echo"}) swarm.OnNav(name, At(1, 2));
   const Surroundings* seen = swarm.Look(&mission.vehicles[1].tasks[0], At(0, 0));
   ASSERT_NE(seen, nullptr);
   EXPECT_EQ(IdsOf(*seen), std::vector<int>{4});
@@ -89,11 +89,11 @@ TEST(SwarmView, LooksAtTheTargetOfTheTaskThatRuns) {
   Mission mission = Swarm();
   mission.vehicles[4].tasks = {Following("alpha"), Following("bravo")};
   SwarmView swarm(mission, mission.vehicles[4]);
-  for (const char* name : {"alpha", "bravo", "charlie", "delta"}) swarm.Hear(name, At(1, 2));
+  for (const char* name : {"alpha", "bravo", "charlie", "delta"}) swarm.OnNav(name, At(1, 2));
   EXPECT_EQ(swarm.Look(&mission.vehicles[4].tasks[0], At(0, 0))->target->id, 0);
   const Surroundings* seen = swarm.Look(&mission.vehicles[4].tasks[1], At(0, 0));
   EXPECT_EQ(seen->target->id, 1);
-  EXPECT_TRUE(seen->group.empty()) << "nobody else follows bravo";
+  EXPECT_TRUE(seen->group.empty()) << "no other vehicle follows bravo";
 }
 
 TEST(SwarmView, TurnsSpeedAndCourseOverGroundIntoVelocities) {
@@ -105,7 +105,7 @@ TEST(SwarmView, TurnsSpeedAndCourseOverGroundIntoVelocities) {
   nav.course_over_ground_deg = 120;
   nav.speed_over_ground_mps = 2;
   nav.descent_mps = 0.3;
-  swarm.Hear("alpha", nav);
+  swarm.OnNav("alpha", nav);
   const Surroundings* seen = swarm.Look(&mission.vehicles[1].tasks[0], nav);
   const Eigen::Vector3d expected(2 * std::cos(DegToRad(30)), -1, 0.3);
   EXPECT_LT((seen->target->velocity_mps - expected).norm(), 1e-12);
@@ -127,17 +127,17 @@ TEST(SwarmView, KnowsTheFloorByItsOwnAltitude) {
   EXPECT_EQ(swarm.Look(&task, nav)->seabed_z_m, deep_m);
 }
 
-TEST(SwarmView, PassesOverNavThatCannotBe) {
+TEST(SwarmView, PassesOverInvalidNav) {
   const Mission mission = Swarm();
   SwarmView swarm(mission, mission.vehicles[1]);
   const Task& task = mission.vehicles[1].tasks[0];
-  swarm.Hear("alpha", At(1, 2, 3));
+  swarm.OnNav("alpha", At(1, 2, 3));
   for (const double bad : {kNan, 1e300, -1e300, 1.1e6, std::numeric_limits<double>::infinity()}) {
     for (double nav_t::*field : {&nav_t::x_m, &nav_t::y_m, &nav_t::z_m, &nav_t::descent_mps,
                                  &nav_t::speed_over_ground_mps}) {
       nav_t nav = At(50, 60, 70);
       nav.*field = bad;
-      swarm.Hear("alpha", nav);
+      swarm.OnNav("alpha", nav);
       EXPECT_EQ(swarm.Look(&task, At(0, 0))->target->position_m, Eigen::Vector3d(1, 2, 3)) << bad;
       EXPECT_EQ(swarm.Look(&task, nav), nullptr) << "nor does it trust its own";
     }
@@ -145,11 +145,11 @@ TEST(SwarmView, PassesOverNavThatCannotBe) {
   nav_t nav = At(50, 60, 70);
   nav.course_over_ground_deg = kNan;
   nav.speed_over_ground_mps = 1;
-  swarm.Hear("alpha", nav);
+  swarm.OnNav("alpha", nav);
   EXPECT_EQ(swarm.Look(&task, At(0, 0))->target->position_m, Eigen::Vector3d(1, 2, 3));
 }
 
-/// NAV of a vehicle that moves through the water as it says, in a current.
+/// NAV of a vehicle that moves relative to the water at its own velocity, in a current.
 nav_t InACurrent(const Eigen::Vector2d& current_mps) {
   nav_t nav = At(0, 0);
   nav.heading_deg = 30;
@@ -165,7 +165,7 @@ nav_t InACurrent(const Eigen::Vector2d& current_mps) {
   return nav;
 }
 
-TEST(SwarmView, KnowsTheCurrentByWhatIsOverGroundAndNotThroughTheWater) {
+TEST(SwarmView, DerivesTheCurrentFromBothVelocities) {
   const Mission mission = Swarm();
   SwarmView swarm(mission, mission.vehicles[1]);
   const Task& task = mission.vehicles[1].tasks[0];
@@ -178,7 +178,7 @@ TEST(SwarmView, KnowsTheCurrentByWhatIsOverGroundAndNotThroughTheWater) {
   }
 }
 
-TEST(SwarmView, TakesACurrentThatCannotBeForNone) {
+TEST(SwarmView, IgnoresAnInvalidCurrent) {
   const Mission mission = Swarm();
   SwarmView swarm(mission, mission.vehicles[1]);
   for (const double bad : {kNan, 1e300, -1e300, std::numeric_limits<double>::infinity()}) {
@@ -192,11 +192,11 @@ TEST(SwarmView, TakesACurrentThatCannotBeForNone) {
   }
 }
 
-TEST(SwarmView, DoesNotMindVehiclesThatTheMissionDoesNotHave) {
+TEST(SwarmView, IgnoresVehiclesThatTheMissionDoesNotHave) {
   const Mission mission = Swarm();
   SwarmView swarm(mission, mission.vehicles[1]);
-  swarm.Hear("zulu", At(1, 2));
-  swarm.Hear("", At(1, 2));
+  swarm.OnNav("zulu", At(1, 2));
+  swarm.OnNav("", At(1, 2));
   const Surroundings* seen = swarm.Look(&mission.vehicles[1].tasks[0], At(0, 0));
   ASSERT_NE(seen, nullptr);
   EXPECT_FALSE(seen->target.has_value());
@@ -217,7 +217,7 @@ sonar_t PingAt(int64_t utime) {
 TEST(SwarmView, TurnsSonarEchoesIntoDirectionsOfTheWorld) {
   const Mission mission = Swarm();
   SwarmView view(mission, mission.vehicles[1]);
-  view.HearSonar(PingAt(500'000));
+  view.OnSonar(PingAt(500'000));
   nav_t own = At(0, 0);
   own.utime = 600'000;
   own.heading_deg = 60;
@@ -238,7 +238,7 @@ TEST(SwarmView, TurnsSonarEchoesIntoDirectionsOfTheWorld) {
 TEST(SwarmView, ForgetsEchoesAfterASecond) {
   const Mission mission = Swarm();
   SwarmView view(mission, mission.vehicles[1]);
-  view.HearSonar(PingAt(500'000));
+  view.OnSonar(PingAt(500'000));
   nav_t own = At(0, 0);
   own.utime = 1'500'000;
   EXPECT_EQ(view.Look(&mission.vehicles[1].tasks[0], own)->sonar.size(), 1U);
@@ -252,7 +252,7 @@ TEST(SwarmView, PassesOverEchoesThatAreNoNumbers) {
   sonar_t ping = PingAt(0);
   ping.beams[0].azimuth_deg = kNan;
   ping.beams[1].range_m = std::numeric_limits<double>::infinity();
-  view.HearSonar(ping);
+  view.OnSonar(ping);
   EXPECT_TRUE(view.Look(&mission.vehicles[1].tasks[0], At(0, 0))->sonar.empty());
 }
 

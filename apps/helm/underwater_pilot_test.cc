@@ -31,7 +31,7 @@ Guidance ToHeadingAndDepth(double heading_deg, double z_m) {
   return guidance;
 }
 
-/// A pilot and what it said last.
+/// A pilot and what it published last.
 class Steered {
  public:
   explicit Steered(const Remus100Options& options) : pilot_(options) {}
@@ -80,7 +80,7 @@ TEST_P(EveryPilot, LowersItsBowToGoDeeperAndRaisesItToComeUp) {
   EXPECT_LT(steered_.desired.depth_m, 30);
 }
 
-TEST_P(EveryPilot, RaisesItsBowToAPitchAskedForWhateverTheDepth) {
+TEST_P(EveryPilot, RaisesItsBowToTheDesiredPitchAtAnyDepth) {
   Guidance guidance = ToHeadingAndDepth(0, 90);
   guidance.pitch_rad = DegToRad(10);
   steered_.Steer(guidance, NavAt(0, 30), 5);
@@ -120,7 +120,7 @@ TEST(UnderwaterPilot, TurnsThePropellerAsTheSpeedTakes) {
   EXPECT_DOUBLE_EQ(munet.actuators.propeller_rpm, MunetRpmFromSpeed(2));
 }
 
-TEST(UnderwaterPilot, TurnsThePropellerAsToldWhateverTheSpeed) {
+TEST(UnderwaterPilot, TurnsThePropellerAsCommandedAtAnySpeed) {
   Steered steered({});
   Guidance guidance = ToHeadingAndDepth(0, 30);
   guidance.propeller_rpm = 900;
@@ -128,7 +128,7 @@ TEST(UnderwaterPilot, TurnsThePropellerAsToldWhateverTheSpeed) {
   EXPECT_EQ(steered.actuators.propeller_rpm, 900);
 }
 
-TEST(UnderwaterPilot, AsksNoMoreOfThePropellerThanItCanDo) {
+TEST(UnderwaterPilot, CommandsThePropellerWithinItsLimits) {
   Steered steered({});
   Guidance guidance = ToHeadingAndDepth(0, 30);
   guidance.speed_mps = 50;
@@ -170,7 +170,7 @@ TEST(UnderwaterPilot, StaysAboveItsGreatestDepthAndClearOfTheFloor) {
   EXPECT_NEAR(steered.desired.depth_m, 24, 1e-9);
 }
 
-TEST(UnderwaterPilot, GoesToItsCruiseDepthWhereATaskKnowsOfNone) {
+TEST(UnderwaterPilot, GoesToItsCruiseDepthWhereATaskHasNone) {
   Steered steered({.cruise_depth_m = 15, .depth_filter_s = 0});
   Guidance guidance = ToHeadingAndDepth(0, 30);
   guidance.z_m.reset();
@@ -200,7 +200,7 @@ TEST(UnderwaterPilot, BeginsAgainWhereTheVehicleIsAfterARest) {
   EXPECT_NEAR(steered.actuators.stern_plane_deg, 0, 1e-9);
 }
 
-TEST(UnderwaterPilot, GivesNothingInItsFirstStepButSaysWhatItIsAsked) {
+TEST(UnderwaterPilot, GivesNothingInItsFirstStepButPublishesWhatIsDesired) {
   Steered steered({});
   steered.Steer(ToHeadingAndDepth(45, 60), NavAt(0, 30), 0.0);
   EXPECT_EQ(steered.actuators.propeller_rpm, 0);
@@ -208,7 +208,7 @@ TEST(UnderwaterPilot, GivesNothingInItsFirstStepButSaysWhatItIsAsked) {
   EXPECT_NEAR(steered.desired.heading_deg, 45, 1e-9);
 }
 
-RC_GTEST_PROP(UnderwaterPilot, SaysFiniteNumbersWithinTheFinsWhateverItHears, ()) {
+RC_GTEST_PROP(UnderwaterPilot, PublishesFiniteNumbersWithinTheFinLimitsForAnyInput, ()) {
   Steered steered({.parameters = *rc::gen::element<std::string>("default", "munet", "fossen"),
                    .depth_filter_s = *rc::gen::element(0.0, 20.0),
                    .max_propeller_rate_rpmps = *rc::gen::element(0.0, 50.0)});
@@ -224,11 +224,11 @@ RC_GTEST_PROP(UnderwaterPilot, SaysFiniteNumbersWithinTheFinsWhateverItHears, ()
     guidance.speed_mps = *rc::gen::element(0.0, 1.0, 1000.0);
     if (*rc::gen::arbitrary<bool>()) guidance.pitch_rad = *rc::gen::element(-1.57, 0.0, 1.57);
     steered.Steer(guidance, nav, *rc::gen::element(0.0, 1e-6, 0.1, 1.0));
-    const actuators_t& said = steered.actuators;
-    RC_ASSERT(std::abs(said.rudder_deg) <= max_fin_deg);
-    RC_ASSERT(std::abs(said.stern_plane_deg) <= max_fin_deg);
-    RC_ASSERT(std::abs(said.propeller_rpm) <= 1525);
-    RC_ASSERT(std::isfinite(said.thrust_pct));
+    const actuators_t& published = steered.actuators;
+    RC_ASSERT(std::abs(published.rudder_deg) <= max_fin_deg);
+    RC_ASSERT(std::abs(published.stern_plane_deg) <= max_fin_deg);
+    RC_ASSERT(std::abs(published.propeller_rpm) <= 1525);
+    RC_ASSERT(std::isfinite(published.thrust_pct));
     RC_ASSERT(std::isfinite(steered.desired.depth_m));
     RC_ASSERT(std::isfinite(steered.desired.heading_deg));
   }

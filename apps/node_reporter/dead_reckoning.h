@@ -1,4 +1,4 @@
-// What others may think where a vehicle is, from its last report alone.
+// The position that others derive from a vehicle's last report alone.
 #pragma once
 
 #include <cstdint>
@@ -8,15 +8,15 @@
 namespace shoal {
 
 /// How far from the truth a listener's dead reckoning may be.
-struct ForetellLimits {
+struct PredictionLimits {
   double position_m = 0.25;
   double heading_deg = 1;
-  double max_gap_s = 5;  ///< An older report foretells nothing.
+  double max_gap_s = 5;  ///< An older report predicts nothing.
 };
 
 /// Returns true where `last`, carried on along its course over ground, comes closer to `now` than
 /// the limits in place and heading, and is younger than the largest gap.
-[[nodiscard]] bool Foretells(const node_report_t& last, const node_report_t& now,
-                             const ForetellLimits& limits);
+[[nodiscard]] bool Predicts(const node_report_t& last, const node_report_t& now,
+                            const PredictionLimits& limits);
 
 }  // namespace shoal

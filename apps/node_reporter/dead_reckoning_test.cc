@@ -4,7 +4,7 @@
 
 namespace shoal::dead_reckoning_test {
 
-constexpr ForetellLimits kLimits = {.position_m = 0.25, .heading_deg = 1, .max_gap_s = 5};
+constexpr PredictionLimits kLimits = {.position_m = 0.25, .heading_deg = 1, .max_gap_s = 5};
 
 /// On its way North East at sqrt(2) m/s, heading North.
 node_report_t At(double seconds, double x_m, double y_m, double heading_deg = 0) {
@@ -18,27 +18,27 @@ node_report_t At(double seconds, double x_m, double y_m, double heading_deg = 0)
   return report;
 }
 
-TEST(Foretells, CarriesOnAlongTheCourseOverGround) {
-  EXPECT_TRUE(Foretells(At(0, 0, 0), At(2, 2, 2), kLimits));
-  EXPECT_TRUE(Foretells(At(0, 0, 0), At(2, 2.24, 2), kLimits));
-  EXPECT_FALSE(Foretells(At(0, 0, 0), At(2, 2.26, 2), kLimits));
-  EXPECT_FALSE(Foretells(At(0, 0, 0), At(2, 0, 0), kLimits));
+TEST(Predicts, CarriesOnAlongTheCourseOverGround) {
+  EXPECT_TRUE(Predicts(At(0, 0, 0), At(2, 2, 2), kLimits));
+  EXPECT_TRUE(Predicts(At(0, 0, 0), At(2, 2.24, 2), kLimits));
+  EXPECT_FALSE(Predicts(At(0, 0, 0), At(2, 2.26, 2), kLimits));
+  EXPECT_FALSE(Predicts(At(0, 0, 0), At(2, 0, 0), kLimits));
 }
 
-TEST(Foretells, MindsTheDepth) {
+TEST(Predicts, ComparesTheDepth) {
   node_report_t deeper = At(2, 2, 2);
   deeper.depth_m = 0.3;
-  EXPECT_FALSE(Foretells(At(0, 0, 0), deeper, kLimits));
+  EXPECT_FALSE(Predicts(At(0, 0, 0), deeper, kLimits));
 }
 
-TEST(Foretells, ComparesHeadingsAcrossNorth) {
-  EXPECT_TRUE(Foretells(At(0, 0, 0, 359.6), At(1, 1, 1, 0.5), kLimits));
-  EXPECT_FALSE(Foretells(At(0, 0, 0, 359.4), At(1, 1, 1, 0.5), kLimits));
+TEST(Predicts, ComparesHeadingsAcrossNorth) {
+  EXPECT_TRUE(Predicts(At(0, 0, 0, 359.6), At(1, 1, 1, 0.5), kLimits));
+  EXPECT_FALSE(Predicts(At(0, 0, 0, 359.4), At(1, 1, 1, 0.5), kLimits));
 }
 
-TEST(Foretells, NothingAfterTheLargestGap) {
-  EXPECT_TRUE(Foretells(At(0, 0, 0), At(4.999, 4.999, 4.999), kLimits));
-  EXPECT_FALSE(Foretells(At(0, 0, 0), At(5, 5, 5), kLimits));
+TEST(Predicts, NothingAfterTheLargestGap) {
+  EXPECT_TRUE(Predicts(At(0, 0, 0), At(4.999, 4.999, 4.999), kLimits));
+  EXPECT_FALSE(Predicts(At(0, 0, 0), At(5, 5, 5), kLimits));
 }
 
 }  // namespace shoal::dead_reckoning_test

@@ -24,7 +24,7 @@ Mediator::Mediator(std::string vehicle, const MessageOptions& options, Bus& bus,
   Subscribe(bus, channels::NodeMessage(vehicle_), [this](const node_message_t& message) {
     if (message.ack_requested == 0) return;
     if (to_acknowledge_.size() == kMaxAcksPerStep || message.ack_id.size() > kLongestAckId) {
-      ++counters_.acks_unsaid;
+      ++counters_.acks_unsent;
       log_->Warn("messages not acknowledged: too many in one step, or too long an ack_id");
       return;
     }
@@ -35,19 +35,19 @@ Mediator::Mediator(std::string vehicle, const MessageOptions& options, Bus& bus,
     to_acknowledge_.push_back(std::move(ack));
   });
   Subscribe(bus, channels::AckMessageTo(vehicle_),
-            [this](const ack_message_t& ack) { heard_acks_.push_back(ack); });
+            [this](const ack_message_t& ack) { received_acks_.push_back(ack); });
 }
 
 void Mediator::Tick(int64_t utime) {
   for (ack_message_t& ack : to_acknowledge_) {
     ack.utime = utime;
     Publish(bus_, channels::AckMessage(), ack);
-    ++counters_.acks_said;
+    ++counters_.acks_sent;
   }
-  for (const ack_message_t& ack : heard_acks_) TakeAck(utime, ack);
+  for (const ack_message_t& ack : received_acks_) TakeAck(utime, ack);
   for (node_message_t& message : to_send_) Send(utime, std::move(message));
   to_acknowledge_.clear();
-  heard_acks_.clear();
+  received_acks_.clear();
   to_send_.clear();
   Repeat(utime);
 }
@@ -78,7 +78,7 @@ void Mediator::Send(int64_t utime, node_message_t message) {
   WaitingMessage entry{.message = message, .silent = {}, .sent_utime = utime, .num_repeats = 0};
   if (!named.all && message.dest_group.empty()) {
     for (const std::string& name : named.names) entry.silent.insert(VehicleKey(name));
-    entry.silent.erase(VehicleKey(vehicle_));  // Nobody hears his own messages.
+    entry.silent.erase(VehicleKey(vehicle_));  // No vehicle receives its own messages.
   }
   Publish(bus_, channels::NodeMessageLocal(), message);
   waiting_bytes_ += SizeOf(message);
@@ -88,12 +88,12 @@ void Mediator::Send(int64_t utime, node_message_t message) {
 void Mediator::TakeAck(int64_t utime, const ack_message_t& ack) {
   const auto found = waiting_.find(ack.ack_id);
   if (found == waiting_.end()) {
-    ++counters_.acks_unasked;
+    ++counters_.acks_unexpected;
     return;
   }
   std::set<std::string>& silent = found->second.silent;
   if (!silent.empty() && silent.erase(VehicleKey(ack.src_node)) == 0) {
-    ++counters_.acks_unasked;
+    ++counters_.acks_unexpected;
     return;
   }
   if (!silent.empty()) return;

@@ -10,8 +10,8 @@
 //
 // "All" are the other vehicles in dest_node; of a message to a group or to all, one is enough.
 //
-// A flood must not become a flood of acks, which would choke the bus of the whole mission: of one
-// step at most kMaxAcksPerStep messages are acknowledged. Their senders repeat the others.
+// A flood of messages must not become a flood of acks, which would overload the bus: of one step
+// at most kMaxAcksPerStep messages are acknowledged. Their senders repeat the others.
 #pragma once
 
 #include <cstdint>
@@ -33,9 +33,9 @@ struct MediatorCounters {
   int64_t given_up = 0;      ///< Of these.
   int64_t refused = 0;       ///< Of these: not sent at all.
   int64_t repeats = 0;
-  int64_t acks_said = 0;     ///< For messages of others.
-  int64_t acks_unsaid = 0;   ///< The same, but too many in one step, or with too long an ack_id.
-  int64_t acks_unasked = 0;  ///< Heard, but for no message that waits.
+  int64_t acks_sent = 0;        ///< For messages of others.
+  int64_t acks_unsent = 0;      ///< The same, but too many in one step, or with too long an ack_id.
+  int64_t acks_unexpected = 0;  ///< Received, but for no message that waits.
 };
 
 class Mediator {
@@ -60,7 +60,7 @@ class Mediator {
  private:
   struct WaitingMessage {
     node_message_t message;
-    std::set<std::string> silent;  ///< Keys of those who have yet to acknowledge; empty: anybody.
+    std::set<std::string> silent;  ///< Keys of vehicles yet to acknowledge; empty: any vehicle.
     int64_t sent_utime = 0;
     int64_t num_repeats = 0;
   };
@@ -79,7 +79,7 @@ class Mediator {
 
   std::vector<node_message_t> to_send_;
   std::vector<ack_message_t> to_acknowledge_;
-  std::vector<ack_message_t> heard_acks_;
+  std::vector<ack_message_t> received_acks_;
   std::map<std::string, WaitingMessage> waiting_;  ///< By ack_id.
   size_t waiting_bytes_ = 0;                       ///< Of these, as they are sent.
 };

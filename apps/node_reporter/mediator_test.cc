@@ -32,14 +32,14 @@ class MediatorTest : public testing::Test {
   void Give(const node_message_t& message) {
     Publish(world_, channels::MediatedMessage("alpha"), message);
   }
-  void Acknowledge(const std::string& who, const std::string& ack_id) {
+  void Acknowledge(const std::string& vehicle, const std::string& ack_id) {
     ack_message_t ack{};
-    ack.src_node = who;
+    ack.src_node = vehicle;
     ack.dest_node = "alpha";
     ack.ack_id = ack_id;
     Publish(world_, channels::AckMessageTo("alpha"), ack);
   }
-  /// Lets the mediator handle what was said, and hears its answers.
+  /// Lets the mediator handle what was published, and receives its answers.
   void Step(int64_t pass_us = kSecond_us) {
     sent_.clear();
     acks_.clear();
@@ -73,7 +73,7 @@ TEST_F(MediatorTest, MakesNoFloodOfAcksOutOfAFloodOfMessages) {
   }
   Step();
   EXPECT_EQ(acks_.size(), Mediator::kMaxAcksPerStep);
-  EXPECT_EQ(mediator_.counters().acks_unsaid, kTooMany);
+  EXPECT_EQ(mediator_.counters().acks_unsent, kTooMany);
   Publish(world_, channels::NodeMessage("alpha"), message);
   Step();
   EXPECT_EQ(acks_.size(), 1U);
@@ -88,7 +88,7 @@ TEST_F(MediatorTest, SendsNoAckLongerThanAnAckIdMayBe) {
     Step();
     EXPECT_EQ(acks_.size(), length == Mediator::kLongestAckId ? 1U : 0U);
   }
-  EXPECT_EQ(mediator_.counters().acks_unsaid, 1);
+  EXPECT_EQ(mediator_.counters().acks_unsent, 1);
 }
 
 TEST_F(MediatorTest, RefusesWhatWouldMakeTheWaitingMessagesTooBigUntilSomeAreGone) {
@@ -107,7 +107,7 @@ TEST_F(MediatorTest, RefusesWhatWouldMakeTheWaitingMessagesTooBigUntilSomeAreGon
   EXPECT_EQ(mediator_.counters().refused, 1);
 }
 
-TEST_F(MediatorTest, AcknowledgesAMessageThatAsksForItEachTimeItIsHeard) {
+TEST_F(MediatorTest, AcknowledgesAMessageThatAsksForItEachTimeItIsReceived) {
   node_message_t message = MessageTo("alpha", "b-7");
   message.src_node = "bravo";
   message.ack_requested = 1;
@@ -127,7 +127,7 @@ TEST_F(MediatorTest, StaysSilentAboutAMessageThatAsksForNoAck) {
   EXPECT_TRUE(acks_.empty());
 }
 
-TEST_F(MediatorTest, FillsInWhoSendsAndWhatIsToBeAcknowledged) {
+TEST_F(MediatorTest, FillsInTheSenderAndWhatIsToBeAcknowledged) {
   Give(MessageTo("bravo"));
   Step();
   ASSERT_EQ(sent_.size(), 1U);
@@ -173,7 +173,7 @@ TEST_F(MediatorTest, StopsRepeatingOnceTheNamedVehicleHasAcknowledged) {
   Acknowledge("bravo", "a-2");
   Step();
   EXPECT_EQ(mediator_.num_waiting(), 1U) << "neither was asked for";
-  EXPECT_EQ(mediator_.counters().acks_unasked, 2);
+  EXPECT_EQ(mediator_.counters().acks_unexpected, 2);
   Acknowledge("bravo", "a-1");
   Step();
   EXPECT_EQ(mediator_.counters().acknowledged, 1);
@@ -202,7 +202,7 @@ TEST_F(MediatorTest, DoesNotWaitForItsOwnVehicle) {
   EXPECT_EQ(mediator_.counters().acknowledged, 1);
 }
 
-TEST_F(MediatorTest, IsContentWithOneAckOfAGroupOrOfAll) {
+TEST_F(MediatorTest, NeedsOnlyOneAckOfAGroupOrOfAll) {
   Give(MessageTo("all", "a-1"));
   node_message_t to_group = MessageTo("", "a-2");
   to_group.dest_group = "red";
@@ -225,7 +225,7 @@ TEST_F(MediatorTest, RefusesWhatIsAnothersOrWaitsAlready) {
   EXPECT_EQ(mediator_.counters().refused, 2);
 }
 
-TEST_F(MediatorTest, RefusesMoreThanItCanKeepInMind) {
+TEST_F(MediatorTest, RefusesMoreThanItCanStore) {
   for (size_t i = 0; i <= Mediator::kMaxWaiting; ++i) Give(MessageTo("bravo"));
   Step();
   EXPECT_EQ(mediator_.num_waiting(), Mediator::kMaxWaiting);

@@ -11,7 +11,7 @@ namespace shoal {
 
 namespace {
 
-/// NAV comes in every step; after so many seconds without it a position is a guess.
+/// NAV comes in every step; after this many seconds without it a position is dead reckoned.
 constexpr double kNavTimeout_s = 2;
 constexpr std::string_view kNavWarning = "no NAV, hence no reports";
 constexpr std::string_view kBadNavWarning = "NAV dropped: it holds an impossible number";
@@ -100,7 +100,7 @@ void NodeReporterApp::Report(int64_t utime) {
   }
   FillReport(utime);
   if (options_.extrapolate && IsForetold()) {
-    ++num_foretold_;
+    ++num_predicted_;
     return;
   }
   report_.index = num_sent_++;
@@ -148,10 +148,10 @@ std::string NodeReporterApp::Mode(int64_t utime) const {
 }
 
 bool NodeReporterApp::IsForetold() const {
-  return last_sent_ && Foretells(*last_sent_, report_,
-                                 {.position_m = options_.extrap_position_thresh_m,
-                                  .heading_deg = options_.extrap_heading_thresh_deg,
-                                  .max_gap_s = options_.extrap_max_gap_s});
+  return last_sent_ && Predicts(*last_sent_, report_,
+                                {.position_m = options_.extrap_position_thresh_m,
+                                 .heading_deg = options_.extrap_heading_thresh_deg,
+                                 .max_gap_s = options_.extrap_max_gap_s});
 }
 
 /// The next report waits for the interval and a random addition of up to the variance, either way.
@@ -179,7 +179,7 @@ StatusPage NodeReporterApp::Status() const {
       "\nReports sent: {}\n"
       "    Skipped without NAV: {}\n"
       "    Skipped in blackout: {}\n"
-      "    Skipped as foretold: {}\n"
+      "    Skipped as predicted: {}\n"
       "    NAV with impossible numbers: {}\n"
       "\nMessages to be acknowledged: {}\n"
       "    Acknowledged: {}\n"
@@ -200,10 +200,10 @@ StatusPage NodeReporterApp::Status() const {
                         options_.extrap_max_gap_s)
           : std::string("off"),
       age(nav_utime_), age(helm_utime_), Mode(now_utime_), num_sent_, num_without_nav_,
-      num_blacked_out_, num_foretold_, num_bad_nav_, mediator_.counters().given,
+      num_blacked_out_, num_predicted_, num_bad_nav_, mediator_.counters().given,
       mediator_.counters().acknowledged, mediator_.num_waiting(), mediator_.counters().given_up,
-      mediator_.counters().refused, mediator_.counters().repeats, mediator_.counters().acks_said,
-      mediator_.counters().acks_unsaid, mediator_.counters().acks_unasked,
+      mediator_.counters().refused, mediator_.counters().repeats, mediator_.counters().acks_sent,
+      mediator_.counters().acks_unsent, mediator_.counters().acks_unexpected,
       bus_.counters().undecodable);
   log_.AppendTo(&page);
   return page;

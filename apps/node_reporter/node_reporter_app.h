@@ -1,5 +1,6 @@
-// Tells the others about one vehicle. Hears NAV_<V> and HELM_STATE_<V>; says NODE_REPORT_LOCAL.
-// Acknowledges the messages that the vehicle hears, and repeats its own (mediator.h).
+// Reports the state of one vehicle. Subscribes to NAV_<V> and HELM_STATE_<V>, publishes
+// NODE_REPORT_LOCAL. Acknowledges the messages that the vehicle receives, and repeats its own
+// (mediator.h).
 //
 // No report goes out before the first NAV, nor while NAV is older than 2 s. After the grace period
 // missing NAV is a run warning, taken back when NAV is there again.
@@ -62,7 +63,7 @@ class NodeReporterApp : public App {
   int64_t num_sent_ = 0;
   int64_t num_without_nav_ = 0;
   int64_t num_blacked_out_ = 0;
-  int64_t num_foretold_ = 0;
+  int64_t num_predicted_ = 0;
   int64_t num_bad_nav_ = 0;
 };
 

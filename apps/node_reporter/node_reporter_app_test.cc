@@ -53,7 +53,7 @@ class NodeReporterTest : public testing::Test {
   }
   ReporterOptions& options() { return mission_.vehicles[0].reporter_options; }
 
-  /// Lets the app live through one step in which it hears what was published before.
+  /// Runs one step in which the app receives what was published before.
   void Step() {
     if (!app_) app_ = std::make_unique<NodeReporterApp>(mission_, mission_.vehicles[0], app_bus_);
     hub_.NextStep();
@@ -80,7 +80,7 @@ class NodeReporterTest : public testing::Test {
     helm_state_t helm = {};
     helm.state = state;
     helm.task = task;
-    helm.all_stop = "helm says so";
+    helm.all_stop = "by the helm";
     Publish(vehicle_bus_, channels::HelmState("alpha"), helm);
   }
 
@@ -93,7 +93,7 @@ class NodeReporterTest : public testing::Test {
   std::vector<node_report_t> reports_;
 };
 
-TEST_F(NodeReporterTest, ReportsWhatNavAndTheMissionSay) {
+TEST_F(NodeReporterTest, ReportsWhatNavAndTheMissionHold) {
   StepsWithNav(1);
   ASSERT_EQ(Reports().size(), 1U);
   const node_report_t& report = reports_[0];
@@ -159,7 +159,7 @@ TEST_F(NodeReporterTest, FallsSilentWhenNavIsTwoSecondsOld) {
   EXPECT_EQ(app_->Status().run_warnings.size(), 1U);
 }
 
-TEST_F(NodeReporterTest, DropsNavThatCannotBe) {
+TEST_F(NodeReporterTest, DropsInvalidNav) {
   nav_t nav = NavAt(0);
   nav.heading_deg = std::numeric_limits<double>::quiet_NaN();
   Publish(vehicle_bus_, channels::Nav("alpha"), nav);
@@ -170,18 +170,18 @@ TEST_F(NodeReporterTest, DropsNavThatCannotBe) {
   EXPECT_EQ(app_bus_.counters().undecodable, 1);
 }
 
-TEST_F(NodeReporterTest, TellsTheHelmsStateAndTask) {
+TEST_F(NodeReporterTest, ReportsTheHelmsStateAndTask) {
   SayHelm("DRIVE", "survey");
   StepsWithNav(5);
   SayHelm("PARK", "");
   StepsWithNav(1);
   ASSERT_EQ(Reports().size(), 2U);
   EXPECT_EQ(reports_[0].mode, "DRIVE:survey");
-  EXPECT_EQ(reports_[0].all_stop, "helm says so");
+  EXPECT_EQ(reports_[0].all_stop, "by the helm");
   EXPECT_EQ(reports_[1].mode, "PARK");
 }
 
-TEST_F(NodeReporterTest, TellsThatNoHelmIsThere) {
+TEST_F(NodeReporterTest, ReportsThatThereIsNoHelm) {
   options().rate_hz = 1;
   StepsWithNav(1);
   SayHelm("DRIVE", "survey");
@@ -193,7 +193,7 @@ TEST_F(NodeReporterTest, TellsThatNoHelmIsThere) {
   EXPECT_EQ(reports_[6].mode, "NOHELM-6");
 }
 
-TEST_F(NodeReporterTest, SkipsWhatDeadReckoningForetellsButNotForTooLong) {
+TEST_F(NodeReporterTest, SkipsWhatDeadReckoningPredictsButNotForTooLong) {
   options().extrapolate = true;
   options().extrap_max_gap_s = 3;
   StepsWithNav(61);

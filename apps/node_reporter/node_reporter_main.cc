@@ -1,5 +1,5 @@
-// One node reporter. Hears NAV_<V> and HELM_STATE_<V>, says NODE_REPORT_LOCAL. See node_reporter
-// --help.
+// One node reporter. Subscribes to NAV_<V> and HELM_STATE_<V>, publishes NODE_REPORT_LOCAL.
+// See node_reporter --help.
 #include "apps/node_reporter/node_reporter_app.h"
 #include "lib/run/run_app.h"
 
@@ -12,12 +12,12 @@ const shoal::AppInfo kInfo = {
     .example = R"(# In a mission file:
 [[vehicle]]
 name = "alpha"
-node_reporter = "shoal"               # "hand": started by you; "none": nobody
+node_reporter = "shoal"               # "hand": started by you; "none": not run
 
 [vehicle.reporter]
 rate_hz = 2
 blackout_interval_s = 0               # at least this between reports
-extrapolate = false                   # true: skip what dead reckoning foretells
+extrapolate = false                   # true: skip what dead reckoning predicts
 extra = { PAYLOAD = "ctd" }           # your own fields
 )",
 };

@@ -47,7 +47,7 @@ TEST(ReportSchedule, IsNeverDueAtNoRate) {
   }
 }
 
-RC_GTEST_PROP(ReportSchedule, GivesAsManyReportsAsTheRateSays, ()) {
+RC_GTEST_PROP(ReportSchedule, GivesAsManyReportsAsTheRateDemands, ()) {
   const int rate_mhz = *rc::gen::inRange(1, 20'000);
   const int num_steps = *rc::gen::inRange(1, 400);
   const std::vector<int64_t> due = DueTimes(rate_mhz / 1000.0, 50'000, num_steps);

@@ -31,7 +31,7 @@ Mission TwoAuvs() {
   return mission;
 }
 
-/// All vehicle_sims of a mission on one bus, and somebody who listens to alpha.
+/// All vehicle_sims of a mission on one bus, and a subscriber to alpha.
 class Sims {
  public:
   explicit Sims(Mission mission) : mission_(std::move(mission)) {
@@ -61,7 +61,8 @@ class Sims {
       utime_ += kTick_us;
     }
   }
-  void Say(std::string_view vehicle, const std::string& command, std::vector<double> values = {}) {
+  void Command(std::string_view vehicle, const std::string& command,
+               std::vector<double> values = {}) {
     sim_command_t message{};
     message.command = command;
     message.num_values = static_cast<int32_t>(values.size());
@@ -113,7 +114,7 @@ TEST(MeasuredNav, ScattersByTheStandardDeviationsOfTheMission) {
                                  .attitude_noise_deg = 0.5,
                                  .altitude_noise_m = 1};
   Sims sims(mission);
-  sims.Say("alpha", "pause");
+  sims.Command("alpha", "pause");
   sims.Run(2000);
   ASSERT_EQ(sims.measured_.size(), 2000U);
   const auto sigma = [&](auto error) {
@@ -186,7 +187,7 @@ TEST(SonarOfAVehicle, PingsAtItsRate) {
   EXPECT_EQ(sims.pings_[1].utime, 500'000);
 }
 
-TEST(WaterSample, TellsTheConcentrationOfThePlume) {
+TEST(WaterSample, HasTheConcentrationOfThePlume) {
   Mission mission = TwoAuvs();
   mission.environment.plume = {.exists = true, .source_m = {-50, 0, 60}, .rate_gps = 100};
   Sims sims(mission);
@@ -197,19 +198,19 @@ TEST(WaterSample, TellsTheConcentrationOfThePlume) {
   EXPECT_EQ(sims.samples_[0].concentration_gpm3, Concentration(plume, {0, 0, 60}));
 }
 
-TEST(Contact, StopsBothVehiclesForGoodWhereTheMissionSaysSo) {
+TEST(Contact, StopsBothVehiclesForGoodWhereTheMissionDemandsIt) {
   Mission mission = TwoAuvs();
   mission.environment.contact = ContactRule::kStop;
   mission.environment.current = {.speed_mps = "0.5", .direction_deg = "90"};
   mission.vehicles[1].start.x_m = 1.5;
   Sims sims(mission);
   sims.Run(20);
-  EXPECT_LT(sims.nav_.x_m, 0.1) << "what drifts until both have heard each other, no more";
+  EXPECT_LT(sims.nav_.x_m, 0.1) << "the drift until both have received each other's NAV";
   EXPECT_EQ(sims.nav_.x_m, sims.other_nav_.x_m - 1.5) << "both stopped in the same step";
   EXPECT_EQ(sims.nav_.speed_over_ground_mps, 0);
   EXPECT_NE(sims.alpha().Status().text.find("ran into bravo"), std::string::npos);
 
-  sims.Say("alpha", "reset", {-100, 0, 90, 0, 60});
+  sims.Command("alpha", "reset", {-100, 0, 90, 0, 60});
   sims.Run(20);
   EXPECT_NEAR(sims.nav_.x_m, -99, 0.1) << "put elsewhere, it drifts again";
   EXPECT_EQ(sims.nav_.z_m > 59 && sims.nav_.z_m < 61, true) << "at the depth it was put to";

@@ -14,23 +14,23 @@ OtherVehicles::OtherVehicles(const Mission& mission, const Vehicle& own) {
   }
 }
 
-void OtherVehicles::Hear(const std::string& name, const nav_t& nav) {
+void OtherVehicles::OnNav(const std::string& name, const nav_t& nav) {
   const Eigen::Vector3d position_m(nav.x_m, nav.y_m, nav.z_m);
   const auto length_m = lengths_m_.find(name);
   if (length_m == lengths_m_.end() || !position_m.allFinite()) return;
-  const auto found = std::find(heard_.begin(), heard_.end(), name);
-  if (found != heard_.end()) {
-    targets_[static_cast<size_t>(found - heard_.begin())].position_m = position_m;
+  const auto found = std::find(known_.begin(), known_.end(), name);
+  if (found != known_.end()) {
+    targets_[static_cast<size_t>(found - known_.begin())].position_m = position_m;
     return;
   }
-  heard_.push_back(name);
+  known_.push_back(name);
   targets_.push_back({.position_m = position_m, .radius_m = length_m->second});
 }
 
 std::string OtherVehicles::Touching(const Eigen::Vector3d& position_m, double length_m) const {
   for (size_t i = 0; i < targets_.size(); ++i) {
     if (InContact(position_m, length_m, targets_[i].position_m, targets_[i].radius_m)) {
-      return heard_[i];
+      return known_[i];
     }
   }
   return "";

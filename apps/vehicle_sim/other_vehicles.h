@@ -19,23 +19,24 @@ class OtherVehicles {
   /// All vehicles of `mission` but `own`.
   OtherVehicles(const Mission& mission, const Vehicle& own);
 
-  /// Returns whose NAV it wants to hear.
+  /// Returns the vehicles whose NAV it needs.
   const std::vector<std::string>& names() const { return names_; }
 
   /// Takes note of where one of them is. Positions that are not finite are passed over.
-  void Hear(const std::string& name, const nav_t& nav);
+  void OnNav(const std::string& name, const nav_t& nav);
 
-  /// Returns those heard of, as a sonar sees them: spheres whose radius is the vehicle's length.
+  /// Returns those whose NAV came, as a sonar sees them: spheres whose radius is the vehicle's
+  /// length.
   std::span<const SonarTarget> targets() const { return targets_; }
 
   /// Returns the name of one that touches a vehicle of this length at `position_m`, as they were
-  /// when last heard; empty: nobody does.
+  /// when their NAV last came; empty: none does.
   [[nodiscard]] std::string Touching(const Eigen::Vector3d& position_m, double length_m) const;
 
  private:
   std::vector<std::string> names_;
   std::map<std::string, double> lengths_m_;
-  std::vector<std::string> heard_;  ///< Names of targets_, in the same order.
+  std::vector<std::string> known_;  ///< Names of targets_, in the same order.
   std::vector<SonarTarget> targets_;
 };
 

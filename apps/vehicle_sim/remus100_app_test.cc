@@ -41,7 +41,7 @@ class Remus100AppTest : public testing::Test {
     actuators.propeller_rpm = propeller_rpm;
     Publish(test_bus_, channels::Actuators("alpha"), actuators);
   }
-  void Say(const std::string& command, const std::vector<double>& values = {}) {
+  void Command(const std::string& command, const std::vector<double>& values = {}) {
     sim_command_t message{};
     message.command = command;
     message.num_values = static_cast<int32_t>(values.size());
@@ -73,7 +73,7 @@ class Remus100AppTest : public testing::Test {
   int64_t utime_ = 0;
 };
 
-TEST_F(Remus100AppTest, SaysItsDepthAndItsHeightAboveTheFloor) {
+TEST_F(Remus100AppTest, PublishesItsDepthAndItsHeightAboveTheFloor) {
   EXPECT_EQ(nav_.z_m, 12);
   EXPECT_EQ(nav_.altitude_m, 8);
   EXPECT_NEAR(nav_.speed_mps, 1.5, 1e-12);
@@ -93,7 +93,7 @@ TEST_F(Remus100AppTest, RunsAgroundAndStaysThereUntilItIsReset) {
   const double x_m = nav_.x_m;
   Dive();
   EXPECT_EQ(nav_.x_m, x_m);
-  Say("reset");
+  Command("reset");
   Step();
   EXPECT_NEAR(nav_.z_m, 12, 0.1);
   EXPECT_EQ(sim_.Status().text.find("Aground"), std::string::npos);
@@ -104,14 +104,14 @@ TEST_F(Remus100AppTest, RunsAgroundAndStaysThereUntilItIsReset) {
 
 TEST_F(Remus100AppTest, IsResetToItsStartDepthOrToTheSurfaceOfAnotherPlace) {
   for (int i = 0; i < 20; ++i) Step();
-  Say("reset", {-50, 60, 180, 0});
+  Command("reset", {-50, 60, 180, 0});
   Step();
   EXPECT_NEAR(nav_.x_m, -50, 0.01);
   EXPECT_NEAR(nav_.y_m, 60, 0.05);
   EXPECT_NEAR(nav_.z_m, 0, 0.05);
   EXPECT_NEAR(nav_.heading_deg, 180, 0.01);
   EXPECT_NEAR(nav_.altitude_m, 20, 0.05);
-  Say("reset");
+  Command("reset");
   Step();
   EXPECT_NEAR(nav_.z_m, 12, 0.01);
   EXPECT_NEAR(nav_.heading_deg, 90, 0.01);
@@ -120,7 +120,7 @@ TEST_F(Remus100AppTest, IsResetToItsStartDepthOrToTheSurfaceOfAnotherPlace) {
 TEST_F(Remus100AppTest, StandsStillWhilePausedAndGoesOnAfterwards) {
   Actuate(-5, 1200);
   for (int i = 0; i < 15; ++i) Step();
-  Say("pause");
+  Command("pause");
   Step();
   const nav_t paused = nav_;
   EXPECT_EQ(paused.descent_mps, 0);
@@ -134,7 +134,7 @@ TEST_F(Remus100AppTest, StandsStillWhilePausedAndGoesOnAfterwards) {
                               &nav_t::pitch_deg, &nav_t::heading_deg, &nav_t::altitude_m}) {
     EXPECT_EQ(nav_.*pose, paused.*pose);
   }
-  Say("resume");
+  Command("resume");
   Actuate(-5, 1200);
   for (int i = 0; i < 10; ++i) Step();
   EXPECT_GT(nav_.z_m, paused.z_m);

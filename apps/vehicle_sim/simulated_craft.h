@@ -16,14 +16,14 @@ namespace shoal {
 /// The sea around one vehicle.
 struct Water {
   Eigen::Vector2d velocity_mps = Eigen::Vector2d::Zero();  ///< Over ground; x East, y North.
-  std::optional<double> floor_z_m;                         ///< Absent: nobody knows.
+  std::optional<double> floor_z_m;                         ///< Absent: not known.
 };
 
 class SimulatedCraft {
  public:
   virtual ~SimulatedCraft() = default;
 
-  /// Puts it there, at rest over its actuators, moving with the water.
+  /// Sets the pose; actuators at rest, velocity that of the water.
   virtual void Reset(const StartPose& pose, const Water& water) = 0;
 
   /// Takes a command. Returns false, and changes nothing, where it holds NaN or infinity.

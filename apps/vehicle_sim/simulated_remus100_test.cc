@@ -1,4 +1,4 @@
-// The Remus 100 as NAV shows it: in the world's frame, obeying the world's signs.
+// The Remus 100 as NAV shows it: in the world frame, with its signs.
 #include "apps/vehicle_sim/simulated_remus100.h"
 
 #include <gtest/gtest.h>
@@ -115,7 +115,7 @@ TEST_P(EveryParameterSet, RaisesItsBowUnderPositiveSternPlane) {
   EXPECT_LT(nav.z_m, 30);
 }
 
-TEST_P(EveryParameterSet, SaysVelocitiesThatAreItsWayByTheTextbooksAngles) {
+TEST_P(EveryParameterSet, PublishesVelocitiesThatMatchItsMotionByTheTextbooksAngles) {
   ASSERT_TRUE(auv_.Execute(Command(8, -3, 1300)));
   Run(3);
   nav_t last = NavOf(auv_);
@@ -133,7 +133,7 @@ TEST_P(EveryParameterSet, SaysVelocitiesThatAreItsWayByTheTextbooksAngles) {
   EXPECT_GT(std::abs(last.sway_mps), 0.03) << "so that its sign was put to the test";
 }
 
-TEST_P(EveryParameterSet, SaysRatesThatAreItsTurningByTheTextbooksAngles) {
+TEST_P(EveryParameterSet, PublishesRatesThatMatchItsTurningByTheTextbooksAngles) {
   ASSERT_TRUE(auv_.Execute(Command(8, -3, 1300)));
   double most_roll_rate_degps = 0;
   nav_t last = NavOf(auv_);
@@ -174,7 +174,7 @@ TEST_P(EveryParameterSet, RefusesActuatorsThatAreNoNumbersAndKeepsTheLast) {
   EXPECT_EQ(NumbersOf(NavOf(auv_)), NumbersOf(NavOf(twin)));
 }
 
-RC_GTEST_PROP(SimulatedRemus100, SaysFiniteNumbersWhateverItIsTold, ()) {
+RC_GTEST_PROP(SimulatedRemus100, PublishesFiniteNumbersForAnyCommand, ()) {
   const auto any = [] {
     return *rc::gen::element(0.0, 1.0, -30.0, 1500.0, 1e300, -1e300, 1e-300,
                              std::numeric_limits<double>::max());
@@ -226,7 +226,7 @@ TEST(SimulatedRemus100, CutsATickIntoTheFewestEqualStepsThatAreShortEnough) {
   EXPECT_NE(PositionAfterSteps(1), PositionAfterSteps(2)) << "so that this can fail";
 }
 
-TEST(SimulatedRemus100, TellsSpeedThroughTheWaterFromThatOverGround) {
+TEST(SimulatedRemus100, DistinguishesSpeedRelativeToTheWaterFromThatOverGround) {
   const Water water = {.velocity_mps = {0.5, 0}, .floor_z_m = std::nullopt};
   SimulatedRemus100 auv(Remus100Options{});
   auv.Reset({.heading_deg = 0, .speed_mps = 1.5, .depth_m = 30}, water);

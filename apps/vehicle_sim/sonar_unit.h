@@ -1,5 +1,5 @@
-// lib/sensors/forward_looking_sonar as vehicle_sim runs it: pings at its rate, and says angles as
-// the hull has them.
+// lib/sensors/forward_looking_sonar as vehicle_sim runs it: pings at its rate, with angles in the
+// body frame.
 #pragma once
 
 #include <cstdint>

@@ -12,7 +12,7 @@ namespace shoal {
 namespace {
 
 constexpr char kLateActuators[] = "no ACTUATORS for 2 s: thrust and rudder are zero";
-/// Beyond this a pose or a drift is a slip of the keyboard.
+/// A pose or a drift beyond this is refused as a typing error.
 constexpr double kMaxPosition_m = 1e6;
 constexpr double kMaxDepth_m = 20'000;
 constexpr double kMaxDrift_mps = 100;
@@ -69,7 +69,7 @@ VehicleSimApp::VehicleSimApp(const Mission& mission, const Vehicle& vehicle, Bus
   if (!sonar_ && contact_rule_ == ContactRule::kIgnore) return;
   for (const std::string& name : others_.names()) {
     Subscribe(bus, channels::Nav(name),
-              [this, name](const nav_t& nav) { others_.Hear(name, nav); });
+              [this, name](const nav_t& nav) { others_.OnNav(name, nav); });
   }
 }
 
@@ -215,10 +215,10 @@ StatusPage VehicleSimApp::Status() const {
       "    Start: x {:.1f} m, y {:.1f} m, depth {:.1f} m, heading {:.1f} deg\n"
       "State:{}\n"
       "    Position: x {:.2f} m, y {:.2f} m, depth {:.2f} m{}\n"
-      "    Heading: {:.1f} deg, speed {:.2f} m/s through the water, {:.2f} m/s over ground\n"
+      "    Heading: {:.1f} deg, speed {:.2f} m/s relative to the water, {:.2f} m/s over ground\n"
       "{}"
       "    Water: {:.2f} m/s East, {:.2f} m/s North, of it by command {:.2f} and {:.2f}\n"
-      "Heard:\n"
+      "Received:\n"
       "    ACTUATORS: {}\n"
       "    SIM_COMMAND: {} ({} refused)\n",
       vehicle_.name, FactsOfModel(vehicle_.model).name, vehicle_.start.x_m, vehicle_.start.y_m,

@@ -1,6 +1,6 @@
-// Simulates one vehicle. Hears ACTUATORS_<V> and SIM_COMMAND_<V>, says NAV_<V> in every step, and
-// what its instruments show: MEASURED_NAV_<V>, SONAR_<V>, WATER_SAMPLE_<V>. Where it has a sonar or
-// can run into others it also hears their NAV.
+// Simulates one vehicle. Subscribes to ACTUATORS_<V> and SIM_COMMAND_<V>, publishes NAV_<V> in
+// every step, and what its instruments measure: MEASURED_NAV_<V>, SONAR_<V>, WATER_SAMPLE_<V>.
+// Where it has a sonar or can run into others it also subscribes to their NAV.
 //
 // Actuators are held until the next message; after kActuatorTimeout_us without one they go to zero.
 // Step 0 shows the start pose; every later step integrates the time since the last.
@@ -39,10 +39,10 @@ class VehicleSimApp : public App {
   void OnSimCommand(const sim_command_t& command);
   void Reset(const StartPose& pose);
   void Integrate(int64_t until_utime);
-  /// Returns the water where the vehicle is.
+  /// Returns current and sea floor at the position of the vehicle.
   Water WaterAt(int64_t utime) const;
   void WatchActuators(int64_t utime);
-  /// Stops for good where another vehicle touches it and the mission says so.
+  /// Stops for good where another vehicle touches it and the mission demands it.
   void WatchContact(int64_t utime);
   void PublishNav(int64_t utime);
   void PublishInstruments(const nav_t& nav);
@@ -67,7 +67,7 @@ class VehicleSimApp : public App {
   bool paused_ = false;
   std::string touched_by_;        ///< It ran into this vehicle, and stands still; empty: into none.
   std::optional<int64_t> utime_;  ///< Of the last step.
-  std::optional<int64_t> actuators_utime_;  ///< When the last ACTUATORS were heard.
+  std::optional<int64_t> actuators_utime_;  ///< When the last ACTUATORS came.
   bool actuators_are_late_ = false;
   int64_t num_actuators_ = 0;
   int64_t num_commands_ = 0;

@@ -44,7 +44,7 @@ class VehicleSimAppTest : public testing::Test {
     Publish(test_bus_, channels::Actuators("alpha"), actuators);
   }
 
-  void Say(const std::string& command, const std::vector<double>& values = {}) {
+  void Command(const std::string& command, const std::vector<double>& values = {}) {
     sim_command_t message{};
     message.command = command;
     message.num_values = static_cast<int32_t>(values.size());
@@ -52,7 +52,7 @@ class VehicleSimAppTest : public testing::Test {
     Publish(test_bus_, channels::SimCommand("alpha"), message);
   }
 
-  // One step at `utime`; nav_ is what it said.
+  // One step at `utime`; nav_ is what it published.
   void StepAt(int64_t utime) {
     hub_.NextStep();
     hub_.Handle(sim_bus_);
@@ -91,7 +91,7 @@ class InACurrent : public VehicleSimAppTest {
   }
 };
 
-TEST_F(VehicleSimAppTest, SaysTheStartPoseInTheFirstStepWithoutMoving) {
+TEST_F(VehicleSimAppTest, PublishesTheStartPoseInTheFirstStepWithoutMoving) {
   StepAt(0);
   EXPECT_EQ(num_navs_, 1);
   EXPECT_EQ(nav_.utime, 0);
@@ -104,7 +104,7 @@ TEST_F(VehicleSimAppTest, SaysTheStartPoseInTheFirstStepWithoutMoving) {
   EXPECT_NEAR(nav_.lat_deg, mission_.origin_lat_deg - 20 / 111'000.0, 1e-5);
 }
 
-TEST_F(VehicleSimAppTest, SaysNavInEveryStepAndMovesByItsActuators) {
+TEST_F(VehicleSimAppTest, PublishesNavInEveryStepAndMovesByItsActuators) {
   StepAt(0);
   for (int i = 0; i < 100; ++i) {
     Actuate(40, 0);
@@ -143,13 +143,13 @@ TEST_F(VehicleSimAppTest, HoldsItsActuatorsForTwoSecondsAndThenStopsAndWarns) {
 TEST_F(VehicleSimAppTest, StandsStillWhilePausedAndGoesOnFromThere) {
   StepAt(0);
   Run(0.5);
-  Say("pause");
+  Command("pause");
   Run(0.1);
   const nav_t paused = nav_;
   Run(5);
   EXPECT_EQ(nav_.x_m, paused.x_m);
   EXPECT_EQ(nav_.speed_over_ground_mps, 0);
-  Say("resume");
+  Command("resume");
   Run(0.2);
   EXPECT_GT(nav_.x_m, paused.x_m);
   EXPECT_LT(nav_.x_m, paused.x_m + 0.3);
@@ -158,12 +158,12 @@ TEST_F(VehicleSimAppTest, StandsStillWhilePausedAndGoesOnFromThere) {
 TEST_F(VehicleSimAppTest, GoesBackToTheStartOrToTheValuesWhenReset) {
   StepAt(0);
   Run(1);
-  Say("pause");
-  Say("reset");
+  Command("pause");
+  Command("reset");
   Run(0.1);
   EXPECT_EQ(nav_.x_m, 10);
   EXPECT_EQ(nav_.y_m, -20);
-  Say("reset", {1, 2, 270, 0.5});
+  Command("reset", {1, 2, 270, 0.5});
   Run(0.1);
   EXPECT_EQ(nav_.x_m, 1);
   EXPECT_EQ(nav_.y_m, 2);
@@ -178,7 +178,7 @@ TEST_F(InACurrent, DriftsExactlyWithItAndWithTheDriftOfACommand) {
   EXPECT_NEAR(nav_.y_m, -25, 1e-9);
   EXPECT_EQ(nav_.speed_mps, 0);
   EXPECT_NEAR(nav_.speed_over_ground_mps, 0.5, 1e-12);
-  Say("drift", {0.25, 0.5});
+  Command("drift", {0.25, 0.5});
   Run(10);
   EXPECT_NEAR(nav_.y_m, -25, 1e-9);
   EXPECT_NEAR(nav_.x_m, 12.5, 1e-9);
@@ -192,20 +192,20 @@ TEST_F(InACurrent, ComesToTheSamePlaceWhenStepsAreFarApart) {
   EXPECT_NEAR(nav_.y_m, -25, 1e-9);
 }
 
-TEST_F(VehicleSimAppTest, RefusesOrdersAndActuatorsThatCannotBe) {
+TEST_F(VehicleSimAppTest, RefusesInvalidOrdersAndActuators) {
   const double nan = std::nan("");
   const double infinity = std::numeric_limits<double>::infinity();
   StepAt(0);
   Actuate(nan, 0);
   Actuate(0, infinity);
-  Say("jump");
-  Say(std::string("\x1b[2J\xff") + std::string(10'000, 'x'));
-  Say("pause", {1});
-  Say("drift", {1});
-  Say("drift", {nan, 0});
-  Say("reset", {1, 2, 3});
-  Say("reset", {1e300, 0, 0, 0});
-  Say("reset", {0, 0, infinity, 0});
+  Command("jump");
+  Command(std::string("\x1b[2J\xff") + std::string(10'000, 'x'));
+  Command("pause", {1});
+  Command("drift", {1});
+  Command("drift", {nan, 0});
+  Command("reset", {1, 2, 3});
+  Command("reset", {1e300, 0, 0, 0});
+  Command("reset", {0, 0, infinity, 0});
   Run(1);
   EXPECT_GE(NumWarnings(), 6u);
   EXPECT_TRUE(std::isfinite(nav_.x_m));

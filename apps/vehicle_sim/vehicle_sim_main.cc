@@ -1,4 +1,4 @@
-// One simulated vehicle. Hears ACTUATORS_<V>, says NAV_<V>. See vehicle_sim --help.
+// One simulated vehicle. Subscribes to ACTUATORS_<V>, publishes NAV_<V>. See vehicle_sim --help.
 #include "apps/vehicle_sim/vehicle_sim_app.h"
 #include "lib/run/run_app.h"
 
@@ -6,14 +6,14 @@ namespace {
 
 const shoal::AppInfo kInfo = {
     .name = "vehicle_sim",
-    .purpose = "Simulates one vehicle: hears its actuators, says where it is.",
+    .purpose = "Simulates one vehicle: subscribes to its actuators, publishes its position.",
     .per_vehicle = true,
     .example = R"(# In a mission file:
 [[vehicle]]
 name = "alpha"
 model = "surface_craft"
 start = { x_m = 0, y_m = -20, heading_deg = 180, speed_mps = 0 }
-vehicle_sim = "shoal"                 # "hand": started by you; "none": nobody
+vehicle_sim = "shoal"                 # "hand": started by you; "none": not run
 
 [vehicle.surface_craft]
 turn_rate_degps = 35                  # at full rudder

@@ -1,4 +1,4 @@
-// What sea water swallows of sound on its way, in dB per km. Spreading comes on top
+// Absorption of sound by sea water, in dB per km. Spreading is separate
 // (lib/acoustics/propagation.h).
 #pragma once
 

@@ -15,8 +15,8 @@ namespace shoal::acoustic_laws_test {
 /// A normal variate is farther from 0 than this once in a million times.
 constexpr double kNormalLimit = 4.89;
 
-/// Returns what chi-square with so many degrees of freedom exceeds once in a million times (Wilson
-/// and Hilferty, 1931).
+/// Returns what chi-square with `degrees` of freedom exceeds once in a million times (Wilson and
+/// Hilferty, 1931).
 double ChiSquareLimit(double degrees) {
   const double variance = 2 / (9 * degrees);
   return degrees * std::pow(1 - variance + 4.7534 * std::sqrt(variance), 3);
@@ -35,24 +35,24 @@ void ExpectLaw(std::vector<double> sample, const std::function<double(double)>& 
   EXPECT_LT(distance, std::sqrt(std::log(2e6) / (2 * n)));
 }
 
-/// Sends so many packets, one a second, from node 0 to node 1 at this range.
+/// Sends `count` packets, one a second, from node 0 to node 1 at this range.
 std::vector<Arrived> SendMany(const AcousticOptions& options, double range_m, int count,
                               int num_bytes) {
-  AcousticNetwork water(options, 20261121, TestNodes(2));
+  AcousticNetwork network(options, 20261121, TestNodes(2));
   const Positions positions_m = {{0, 0, 0}, {range_m, 0, 0}};
   const Bytes bytes(static_cast<size_t>(num_bytes));
   const std::vector<int> receivers = {1};
   std::vector<Arrived> arrived;
   for (int i = 0; i < count; ++i) {
-    water.Transmit(i, 0, positions_m, bytes, receivers);
-    if (i % 1000 == 0) DeliverTo(&water, i, &arrived);
+    network.Transmit(i, 0, positions_m, bytes, receivers);
+    if (i % 1000 == 0) DeliverTo(&network, i, &arrived);
   }
-  DeliverTo(&water, count + 1e3, &arrived);
+  DeliverTo(&network, count + 1e3, &arrived);
   return arrived;
 }
 
 TEST(Jitter, IsUniformUpToItsMaximum) {
-  AcousticOptions options = CalmWater(AccessMode::kFdma);
+  AcousticOptions options = IdealOptions(AccessMode::kFdma);
   options.jitter = JitterModel::kUniform;
   options.max_jitter_s = 0.3;
   std::vector<double> jitter_s;
@@ -65,7 +65,7 @@ TEST(Jitter, IsUniformUpToItsMaximum) {
 }
 
 TEST(InterArrivalTimes, SpreadLikeTheDifferenceOfTwoJitters) {
-  AcousticOptions options = CalmWater(AccessMode::kFdma);
+  AcousticOptions options = IdealOptions(AccessMode::kFdma);
   options.jitter = JitterModel::kUniform;
   const std::vector<Arrived> arrived = SendMany(options, 500, 20'000, 1);
   std::vector<double> difference;  // Of pairs that share no packet, in units of the maximum.
@@ -79,12 +79,12 @@ TEST(InterArrivalTimes, SpreadLikeTheDifferenceOfTwoJitters) {
   });
 }
 
-TEST(PacketLoss, StrikesAsOftenAsItsProbabilitySays) {
+TEST(PacketLoss, StrikesAsOftenAsItsProbability) {
   constexpr int kPackets = 10'000;
   for (const PacketLossModel model :
        {PacketLossModel::kUniform, PacketLossModel::kExpSimple, PacketLossModel::kSonarSimple}) {
     for (const double range_m : {200.0, 1000.0, 3000.0}) {
-      AcousticOptions options = CalmWater(AccessMode::kShared);
+      AcousticOptions options = IdealOptions(AccessMode::kShared);
       options.packet_loss_model = model;
       options.packet_loss = 0.05;
       int num_lost = 0;
@@ -99,7 +99,7 @@ TEST(PacketLoss, StrikesAsOftenAsItsProbabilitySays) {
   }
 }
 
-/// Returns the chance of so many wrong bits of n.
+/// Returns the probability of k wrong bits of n.
 double BinomialMass(int n, int k, double p) {
   return std::exp(std::lgamma(n + 1.0) - std::lgamma(k + 1.0) - std::lgamma(n - k + 1.0) +
                   k * std::log(p) + (n - k) * std::log1p(-p));
@@ -109,7 +109,7 @@ TEST(BitErrors, AreBinomialInNumber) {
   constexpr int kPackets = 5000;
   constexpr int kBytes = 37;
   for (const double rate : {0.001, 0.01, 0.5}) {
-    AcousticOptions options = CalmWater(AccessMode::kFdma);
+    AcousticOptions options = IdealOptions(AccessMode::kFdma);
     options.bit_error_model = BitErrorModel::kPoisson;
     options.bit_error_rate = rate;
     std::vector<double> counts(8 * kBytes + 1, 0);
@@ -137,7 +137,7 @@ TEST(BitErrors, AreBinomialInNumber) {
 TEST(BitErrors, StrikeEveryBitEquallyOften) {
   constexpr int kPackets = 20'000;
   constexpr int kBytes = 4;
-  AcousticOptions options = CalmWater(AccessMode::kFdma);
+  AcousticOptions options = IdealOptions(AccessMode::kFdma);
   options.bit_error_model = BitErrorModel::kPoisson;
   options.bit_error_rate = 0.05;
   std::vector<double> counts(8 * kBytes, 0);
@@ -154,17 +154,17 @@ TEST(BitErrors, StrikeEveryBitEquallyOften) {
   EXPECT_LT(chi_square, ChiSquareLimit(8 * kBytes));
 }
 
-/// Sends so many packets from node 0 to all of four nodes; returns the jitters of each receiver.
+/// Sends `count` packets from node 0 to all of four nodes; returns the jitters of each receiver.
 std::vector<std::vector<double>> JittersOfReceivers(int count) {
-  AcousticOptions options = CalmWater(AccessMode::kFdma);
+  AcousticOptions options = IdealOptions(AccessMode::kFdma);
   options.jitter = JitterModel::kUniform;
   options.max_jitter_s = 1;
-  AcousticNetwork water(options, 20261121, TestNodes(4));
+  AcousticNetwork network(options, 20261121, TestNodes(4));
   const Positions one_place(4, Eigen::Vector3d::Zero());
-  const std::vector<int> all = AllOf(water);
+  const std::vector<int> all = AllOf(network);
   std::vector<std::vector<double>> jitters(4);
-  for (int i = 0; i < count; ++i) water.Transmit(2 * i, 0, one_place, {}, all);
-  for (const Arrived& arrived : DeliverAll(&water)) {
+  for (int i = 0; i < count; ++i) network.Transmit(2 * i, 0, one_place, {}, all);
+  for (const Arrived& arrived : DeliverAll(&network)) {
     jitters[static_cast<size_t>(arrived.reception.receiver)].push_back(arrived.reception.jitter_s);
   }
   return jitters;
@@ -185,7 +185,7 @@ TEST(Receivers, OfOnePacketDrawIndependently) {
 }
 
 TEST(JitterAndLoss, HaveNothingToDoWithEachOther) {
-  AcousticOptions options = CalmWater(AccessMode::kFdma);
+  AcousticOptions options = IdealOptions(AccessMode::kFdma);
   options.jitter = JitterModel::kUniform;
   options.packet_loss_model = PacketLossModel::kUniform;
   options.packet_loss = 0.5;

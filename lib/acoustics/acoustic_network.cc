@@ -15,7 +15,7 @@ namespace {
 
 ChannelPlan PlanOrDie(const AcousticOptions& options, std::span<const AcousticNode> nodes) {
   Result<ChannelPlan> plan = ChannelPlan::Make(options, nodes);
-  SHOAL_CHECK(plan.ok(), "options and nodes were found to be sound");
+  SHOAL_CHECK(plan.ok(), "FindProblems(options, nodes) is empty");
   return std::move(*plan);
 }
 
@@ -28,9 +28,9 @@ AcousticNetwork::AcousticNetwork(const AcousticOptions& options, uint64_t seed,
       path_(options),
       seed_(seed),
       now_s_(-std::numeric_limits<double>::infinity()) {
-  SHOAL_CHECK(nodes.size() <= kMaxAcousticNodes, "events hold no larger index");
+  SHOAL_CHECK(nodes.size() <= kMaxAcousticNodes, "at most kMaxAcousticNodes nodes");
   for (const AcousticNode& node : nodes) {
-    SHOAL_CHECK(names_.insert(node.name).second, "a node's name names its random draws");
+    SHOAL_CHECK(names_.insert(node.name).second, "node names are unique");
     nodes_.emplace_back(node.name, seed_);
   }
 }
@@ -50,8 +50,9 @@ Result<int> AcousticNetwork::AddNode(const AcousticNode& node) {
 int64_t AcousticNetwork::Transmit(double time_s, int source,
                                   std::span<const Eigen::Vector3d> positions_m,
                                   std::span<const uint8_t> bytes, std::span<const int> receivers) {
-  SHOAL_CHECK(std::isfinite(time_s) && time_s >= now_s_, "nothing is sent in the past");
-  SHOAL_CHECK(source >= 0 && source < num_nodes(), "only nodes send");
+  SHOAL_CHECK(std::isfinite(time_s) && time_s >= now_s_,
+              "time_s is finite and not before an earlier call");
+  SHOAL_CHECK(source >= 0 && source < num_nodes(), "source is the index of a node");
   SHOAL_CHECK(positions_m.size() == nodes_.size(), "each node has a position");
   now_s_ = time_s;
   Recycle();
@@ -72,7 +73,7 @@ int64_t AcousticNetwork::Transmit(double time_s, int source,
                            source, index));
   }
   for (const int receiver : receivers) {
-    SHOAL_CHECK(receiver >= 0 && receiver < num_nodes(), "only nodes receive");
+    SHOAL_CHECK(receiver >= 0 && receiver < num_nodes(), "receivers are indices of nodes");
     int64_t* last_offered = &nodes_[static_cast<size_t>(receiver)].last_offered;
     if (receiver == source || *last_offered == transmission.turn) continue;
     *last_offered = transmission.turn;
@@ -95,7 +96,7 @@ void AcousticNetwork::Offer(const AcousticTransmission& transmission, int32_t in
   const double range_m = (positions_m[static_cast<size_t>(receiver)] -
                           positions_m[static_cast<size_t>(transmission.packet.source)])
                              .norm();
-  if (!plan_.Hears(receiver, transmission.channel)) {
+  if (!plan_.ReceivesOn(receiver, transmission.channel)) {
     pending.fate = AcousticFate::kNotListening;
   } else if (!(range_m <= kMaxRange_m)) {
     pending.fate = AcousticFate::kNoPath;
@@ -117,7 +118,7 @@ void AcousticNetwork::Offer(const AcousticTransmission& transmission, int32_t in
 }
 
 std::span<const Reception> AcousticNetwork::Deliver(double until_s) {
-  SHOAL_CHECK(until_s >= now_s_, "time moves forward");
+  SHOAL_CHECK(until_s >= now_s_, "until_s is not before an earlier call");
   now_s_ = until_s;
   Recycle();
   while (events_.HasEventUntil(until_s)) {

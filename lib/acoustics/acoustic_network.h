@@ -1,9 +1,9 @@
-// The water between the nodes: what one sends arrives at the others late, damaged or not at all,
-// and each time the network states why.
+// The acoustic network between the nodes: what one sends arrives at the others late, damaged or not
+// at all, and each reception states why.
 //
-//   AcousticNetwork water(options, mission.seed, {{.name = "alpha"}, {.name = "bravo"}});
-//   water.Transmit(time_s, kAlpha, positions_m, bytes, receivers);   // for all that was sent, then
-//   for (const Reception& reception : water.Deliver(time_s)) ...     // in order of arrival
+//   AcousticNetwork network(options, mission.seed, {{.name = "alpha"}, {.name = "bravo"}});
+//   network.Transmit(time_s, kAlpha, positions_m, bytes, receivers); // for all that was sent, then
+//   for (const Reception& reception : network.Deliver(time_s)) ...   // in order of arrival
 //
 // A packet leaves its source at `time_s`, takes `8 bytes / data_rate_bps` to be sent and, to each
 // receiver, `range / sound_speed_mps` to get there, with the positions of that moment, plus jitter.
@@ -41,7 +41,7 @@ namespace shoal {
 
 class AcousticNetwork {
  public:
-  /// No sound on Earth has farther to go than half around it.
+  /// Half the circumference of the Earth.
   static constexpr double kMaxRange_m = 2.1e7;
 
   /// Nodes have the indices 0, 1 ... in this order.

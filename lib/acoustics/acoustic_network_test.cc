@@ -15,18 +15,18 @@ constexpr int kBravo = 1;
 
 const Positions kInARow = {{0, 0, 0}, {1500, 0, 0}, {3000, 0, 0}};
 
-TEST(AcousticNetwork, TellsTheNumbersThatDecided) {
-  AcousticNetwork water(CalmWater(AccessMode::kFdma), 1, TestNodes(3));
+TEST(AcousticNetwork, ReportsTheNumbersThatDecided) {
+  AcousticNetwork network(IdealOptions(AccessMode::kFdma), 1, TestNodes(3));
   const Bytes bytes = {1, 2, 3, 4, 5};
-  EXPECT_EQ(water.Transmit(10, kBravo, kInARow, bytes, AllOf(water)), 0);
-  EXPECT_EQ(water.num_in_transit(), 2);
-  EXPECT_TRUE(water.Deliver(11.03).empty());
-  const std::vector<Arrived> arrived = DeliverAll(&water);
+  EXPECT_EQ(network.Transmit(10, kBravo, kInARow, bytes, AllOf(network)), 0);
+  EXPECT_EQ(network.num_in_transit(), 2);
+  EXPECT_TRUE(network.Deliver(11.03).empty());
+  const std::vector<Arrived> arrived = DeliverAll(&network);
   ASSERT_EQ(arrived.size(), 2U);
   const Reception& reception = arrived[0].reception;
   EXPECT_EQ(reception.packet, (PacketId{kBravo, 0}));
   EXPECT_EQ(reception.receiver, kAlpha);
-  EXPECT_EQ(water.plan().channel(reception.channel).id, 2);
+  EXPECT_EQ(network.plan().channel(reception.channel).id, 2);
   EXPECT_EQ(reception.fate, AcousticFate::kDelivered);
   EXPECT_DOUBLE_EQ(reception.sent_s, 10);
   EXPECT_DOUBLE_EQ(reception.air_s, 0.04);
@@ -41,36 +41,36 @@ TEST(AcousticNetwork, TellsTheNumbersThatDecided) {
 }
 
 TEST(AcousticNetwork, NumbersThePacketsOfEachSource) {
-  AcousticNetwork water({}, 1, TestNodes(3));
-  EXPECT_EQ(water.Transmit(0, kAlpha, kInARow, Bytes(1), {}), 0);
-  EXPECT_EQ(water.Transmit(0, kBravo, kInARow, Bytes(1), {}), 0);
-  EXPECT_EQ(water.Transmit(0, kAlpha, kInARow, Bytes(1), {}), 1);
+  AcousticNetwork network({}, 1, TestNodes(3));
+  EXPECT_EQ(network.Transmit(0, kAlpha, kInARow, Bytes(1), {}), 0);
+  EXPECT_EQ(network.Transmit(0, kBravo, kInARow, Bytes(1), {}), 0);
+  EXPECT_EQ(network.Transmit(0, kAlpha, kInARow, Bytes(1), {}), 1);
 }
 
-TEST(AcousticNetwork, SendsToNobodyWithoutComplaint) {
-  AcousticNetwork water({}, 1, TestNodes(1));
+TEST(AcousticNetwork, SendsToNoReceiverWithoutComplaint) {
+  AcousticNetwork network({}, 1, TestNodes(1));
   const Positions here = {Eigen::Vector3d::Zero()};
-  water.Transmit(0, kAlpha, here, Bytes(37), AllOf(water));
-  EXPECT_TRUE(water.Deliver(100).empty());
-  EXPECT_EQ(water.statistics().num_transmissions, 1);
-  EXPECT_EQ(water.statistics().num_offered, 0);
+  network.Transmit(0, kAlpha, here, Bytes(37), AllOf(network));
+  EXPECT_TRUE(network.Deliver(100).empty());
+  EXPECT_EQ(network.statistics().num_transmissions, 1);
+  EXPECT_EQ(network.statistics().num_offered, 0);
 }
 
 TEST(AcousticNetwork, OffersAPacketOncePerReceiverAndNotToItsSource) {
-  AcousticNetwork water(CalmWater(AccessMode::kShared), 1, TestNodes(3));
+  AcousticNetwork network(IdealOptions(AccessMode::kShared), 1, TestNodes(3));
   const std::vector<int> receivers = {kBravo, kAlpha, kBravo, kBravo};
-  water.Transmit(0, kAlpha, kInARow, Bytes(3), receivers);
-  EXPECT_EQ(water.statistics().num_offered, 1);
-  EXPECT_EQ(DeliverAll(&water).size(), 1U);
+  network.Transmit(0, kAlpha, kInARow, Bytes(3), receivers);
+  EXPECT_EQ(network.statistics().num_offered, 1);
+  EXPECT_EQ(DeliverAll(&network).size(), 1U);
 }
 
 TEST(AcousticNetwork, TakesPositionsFromTheMomentOfSending) {
-  AcousticNetwork water(CalmWater(AccessMode::kShared), 1, TestNodes(3));
+  AcousticNetwork network(IdealOptions(AccessMode::kShared), 1, TestNodes(3));
   const std::vector<int> to_bravo = {kBravo};
-  water.Transmit(0, kAlpha, kInARow, Bytes(125), to_bravo);
+  network.Transmit(0, kAlpha, kInARow, Bytes(125), to_bravo);
   const Positions elsewhere(3, Eigen::Vector3d::Zero());
-  water.Transmit(0.5, kAlpha, elsewhere, Bytes(125), to_bravo);
-  const std::vector<Arrived> arrived = DeliverAll(&water);
+  network.Transmit(0.5, kAlpha, elsewhere, Bytes(125), to_bravo);
+  const std::vector<Arrived> arrived = DeliverAll(&network);
   ASSERT_EQ(arrived.size(), 2U);
   EXPECT_EQ(arrived[0].reception.packet.number, 1);
   EXPECT_DOUBLE_EQ(arrived[0].reception.end_s, 1.5);
@@ -78,13 +78,13 @@ TEST(AcousticNetwork, TakesPositionsFromTheMomentOfSending) {
 }
 
 TEST(AcousticNetwork, HasNoPathToPlacesThatAreNotKnownOrNotOnEarth) {
-  AcousticNetwork water(CalmWater(AccessMode::kShared), 1, TestNodes(3));
+  AcousticNetwork network(IdealOptions(AccessMode::kShared), 1, TestNodes(3));
   for (const double x_m : {std::numeric_limits<double>::quiet_NaN(),
                            std::numeric_limits<double>::infinity(), -1e300, 2.2e7}) {
-    const double now_s = 10.0 * static_cast<double>(water.statistics().num_transmissions);
-    water.Transmit(now_s, kAlpha, Positions{{0, 0, 0}, {x_m, 0, 0}, {1500, 0, 0}}, Bytes(125),
-                   AllOf(water));
-    const std::vector<Arrived> arrived = DeliverAll(&water, now_s + 2);
+    const double now_s = 10.0 * static_cast<double>(network.statistics().num_transmissions);
+    network.Transmit(now_s, kAlpha, Positions{{0, 0, 0}, {x_m, 0, 0}, {1500, 0, 0}}, Bytes(125),
+                     AllOf(network));
+    const std::vector<Arrived> arrived = DeliverAll(&network, now_s + 2);
     ASSERT_EQ(arrived.size(), 2U);
     EXPECT_EQ(arrived[0].reception.fate, AcousticFate::kNoPath);
     EXPECT_DOUBLE_EQ(arrived[0].reception.end_s, now_s + 1);  // When the source is done.
@@ -93,10 +93,10 @@ TEST(AcousticNetwork, HasNoPathToPlacesThatAreNotKnownOrNotOnEarth) {
   }
 }
 
-TEST(AcousticNetwork, IsNotHeardOnAChannelThatNobodyListensTo) {
-  AcousticNetwork water(CalmWater(AccessMode::kTdmaLf), 1, TestNodes(3));  // Alpha leads.
-  water.Transmit(0, kBravo, kInARow, Bytes(1), AllOf(water));
-  const std::vector<Arrived> arrived = DeliverAll(&water);
+TEST(AcousticNetwork, DeliversNothingOnAChannelThatNoNodeReceivesOn) {
+  AcousticNetwork network(IdealOptions(AccessMode::kTdmaLf), 1, TestNodes(3));  // Alpha leads.
+  network.Transmit(0, kBravo, kInARow, Bytes(1), AllOf(network));
+  const std::vector<Arrived> arrived = DeliverAll(&network);
   ASSERT_EQ(arrived.size(), 2U);
   EXPECT_EQ(arrived[0].reception.receiver, 2);
   EXPECT_EQ(arrived[0].reception.fate, AcousticFate::kNotListening);
@@ -105,30 +105,30 @@ TEST(AcousticNetwork, IsNotHeardOnAChannelThatNobodyListensTo) {
 }
 
 TEST(AcousticNetwork, KnowsBeforeWhenNothingHappens) {
-  AcousticNetwork water(CalmWater(AccessMode::kFdma), 1, TestNodes(3));
-  EXPECT_EQ(water.NextEvent_s(), std::numeric_limits<double>::infinity());
-  water.Transmit(10, kAlpha, kInARow, Bytes(5), AllOf(water));
+  AcousticNetwork network(IdealOptions(AccessMode::kFdma), 1, TestNodes(3));
+  EXPECT_EQ(network.NextEvent_s(), std::numeric_limits<double>::infinity());
+  network.Transmit(10, kAlpha, kInARow, Bytes(5), AllOf(network));
   int num_arrived = 0;
-  while (water.num_in_transit() > 0) {
-    const double next_s = water.NextEvent_s();
-    EXPECT_TRUE(water.Deliver(std::nextafter(next_s, 0)).empty());
-    num_arrived += static_cast<int>(water.Deliver(next_s).size());
-    EXPECT_GT(water.NextEvent_s(), next_s);
+  while (network.num_in_transit() > 0) {
+    const double next_s = network.NextEvent_s();
+    EXPECT_TRUE(network.Deliver(std::nextafter(next_s, 0)).empty());
+    num_arrived += static_cast<int>(network.Deliver(next_s).size());
+    EXPECT_GT(network.NextEvent_s(), next_s);
   }
   EXPECT_EQ(num_arrived, 2);
-  EXPECT_EQ(water.NextEvent_s(), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(network.NextEvent_s(), std::numeric_limits<double>::infinity());
 }
 
 TEST(AcousticNetwork, DeliversAnEmptyPacketThatNothingCanHit) {
-  AcousticOptions options = CalmWater(AccessMode::kShared);
+  AcousticOptions options = IdealOptions(AccessMode::kShared);
   options.collisions = CollisionModel::kDrop;
   options.half_duplex = true;
-  AcousticNetwork water(options, 1, TestNodes(3));
+  AcousticNetwork network(options, 1, TestNodes(3));
   const Positions one_place(3, Eigen::Vector3d::Zero());
-  water.Transmit(0, kAlpha, one_place, Bytes(125), AllOf(water));
-  water.Transmit(0.5, kBravo, one_place, {}, AllOf(water));
+  network.Transmit(0, kAlpha, one_place, Bytes(125), AllOf(network));
+  network.Transmit(0.5, kBravo, one_place, {}, AllOf(network));
   int num_delivered = 0;
-  for (const Arrived& arrived : DeliverAll(&water)) {
+  for (const Arrived& arrived : DeliverAll(&network)) {
     EXPECT_EQ(arrived.reception.fate, AcousticFate::kDelivered);
     ++num_delivered;
   }
@@ -136,16 +136,16 @@ TEST(AcousticNetwork, DeliversAnEmptyPacketThatNothingCanHit) {
 }
 
 TEST(AcousticNetwork, LosesPacketsThatAlsoCollideToTheCollision) {
-  AcousticOptions options = CalmWater(AccessMode::kShared);
+  AcousticOptions options = IdealOptions(AccessMode::kShared);
   options.collisions = CollisionModel::kDrop;
   options.packet_loss_model = PacketLossModel::kUniform;
   options.packet_loss = 1;
-  AcousticNetwork water(options, 1, TestNodes(3));
+  AcousticNetwork network(options, 1, TestNodes(3));
   const std::vector<int> to_bravo = {kBravo};
-  water.Transmit(0, kAlpha, kInARow, Bytes(125), to_bravo);
-  water.Transmit(0.5, 2, kInARow, Bytes(125), to_bravo);
-  water.Transmit(5, kAlpha, kInARow, Bytes(125), to_bravo);
-  const std::vector<Arrived> arrived = DeliverAll(&water);
+  network.Transmit(0, kAlpha, kInARow, Bytes(125), to_bravo);
+  network.Transmit(0.5, 2, kInARow, Bytes(125), to_bravo);
+  network.Transmit(5, kAlpha, kInARow, Bytes(125), to_bravo);
+  const std::vector<Arrived> arrived = DeliverAll(&network);
   ASSERT_EQ(arrived.size(), 3U);
   EXPECT_EQ(arrived[0].reception.fate, AcousticFate::kCollided);
   EXPECT_EQ(arrived[0].reception.num_colliders, 1);
@@ -157,60 +157,60 @@ TEST(AcousticNetwork, LosesPacketsThatAlsoCollideToTheCollision) {
 }
 
 TEST(AcousticNetwork, CallsTwinsThatCancelEachOtherDamaged) {
-  AcousticOptions options = CalmWater(AccessMode::kShared);
+  AcousticOptions options = IdealOptions(AccessMode::kShared);
   options.collisions = CollisionModel::kCorrupt;
-  AcousticNetwork water(options, 1, TestNodes(4));
+  AcousticNetwork network(options, 1, TestNodes(4));
   const Positions one_place(4, Eigen::Vector3d::Zero());
   const std::vector<int> to_bravo = {kBravo};
   const Bytes bytes = {1, 2, 3};
-  water.Transmit(0, kAlpha, one_place, bytes, to_bravo);
-  water.Transmit(0, 2, one_place, bytes, to_bravo);
-  for (const Arrived& arrived : DeliverAll(&water)) {
+  network.Transmit(0, kAlpha, one_place, bytes, to_bravo);
+  network.Transmit(0, 2, one_place, bytes, to_bravo);
+  for (const Arrived& arrived : DeliverAll(&network)) {
     EXPECT_EQ(arrived.reception.fate, AcousticFate::kDamagedByCollision);
     EXPECT_EQ(arrived.bytes, Bytes(3, 0));
   }
   // A third twin restores what two of them cancelled.
-  for (const int source : {kAlpha, 2, 3}) water.Transmit(1e9, source, one_place, bytes, to_bravo);
-  const std::vector<Arrived> arrived = DeliverAll(&water, 2e9);
+  for (const int source : {kAlpha, 2, 3}) network.Transmit(1e9, source, one_place, bytes, to_bravo);
+  const std::vector<Arrived> arrived = DeliverAll(&network, 2e9);
   ASSERT_EQ(arrived.size(), 3U);
   EXPECT_EQ(arrived[0].reception.num_colliders, 2);
   EXPECT_EQ(arrived[0].reception.fate, AcousticFate::kDelivered);
-  EXPECT_EQ(water.statistics().num_collided, 5);
+  EXPECT_EQ(network.statistics().num_collided, 5);
 }
 
 TEST(AcousticNetwork, TakesNodesInLaterWhileThereAreChannels) {
-  AcousticNetwork water(CalmWater(AccessMode::kFdma), 1, TestNodes(6));
-  EXPECT_FALSE(water.AddNode({.name = "node_3"}).ok());
-  const Result<int> seventh = water.AddNode({.name = "late", .address = 9});
+  AcousticNetwork network(IdealOptions(AccessMode::kFdma), 1, TestNodes(6));
+  EXPECT_FALSE(network.AddNode({.name = "node_3"}).ok());
+  const Result<int> seventh = network.AddNode({.name = "late", .address = 9});
   ASSERT_TRUE(seventh.ok());
   EXPECT_EQ(*seventh, 6);
-  EXPECT_FALSE(water.AddNode({.name = "too_late", .address = 10}).ok());
-  EXPECT_EQ(water.num_nodes(), 7);
+  EXPECT_FALSE(network.AddNode({.name = "too_late", .address = 10}).ok());
+  EXPECT_EQ(network.num_nodes(), 7);
   const Positions one_place(7, Eigen::Vector3d::Zero());
-  water.Transmit(0, 6, one_place, Bytes(1), AllOf(water));
-  EXPECT_EQ(DeliverAll(&water).size(), 6U);
+  network.Transmit(0, 6, one_place, Bytes(1), AllOf(network));
+  EXPECT_EQ(DeliverAll(&network).size(), 6U);
 }
 
 TEST(AcousticNetwork, RemembersWhatIsOnTheAirWhileThousandsOfLinksComeAndGo) {
-  AcousticOptions options = CalmWater(AccessMode::kFdma);
+  AcousticOptions options = IdealOptions(AccessMode::kFdma);
   options.collisions = CollisionModel::kDrop;
   options.bandwidth_khz = 130;
   options.base_freq_khz = 100;
   constexpr int kNodes = 60;  // 3540 links.
-  AcousticNetwork water(options, 1, TestNodes(kNodes));
+  AcousticNetwork network(options, 1, TestNodes(kNodes));
   const Positions one_place(kNodes, Eigen::Vector3d::Zero());
-  const std::vector<int> all = AllOf(water);
-  water.Transmit(0, kAlpha, one_place, Bytes(125 * 100), all);  // Takes 100 s.
+  const std::vector<int> all = AllOf(network);
+  network.Transmit(0, kAlpha, one_place, Bytes(125 * 100), all);  // Takes 100 s.
   for (int i = 1; i < kNodes; ++i) {
-    water.Transmit(i, i, one_place, Bytes(1), all);
-    const std::vector<Arrived> short_ones = DeliverAll(&water, i + 0.5);
+    network.Transmit(i, i, one_place, Bytes(1), all);
+    const std::vector<Arrived> short_ones = DeliverAll(&network, i + 0.5);
     EXPECT_EQ(short_ones.size(), static_cast<size_t>(kNodes - 1));
     for (const Arrived& one : short_ones) {
       EXPECT_EQ(one.reception.fate, AcousticFate::kDelivered);
     }
   }
-  water.Transmit(70, kAlpha, one_place, Bytes(1), all);
-  const std::vector<Arrived> arrived = DeliverAll(&water);
+  network.Transmit(70, kAlpha, one_place, Bytes(1), all);
+  const std::vector<Arrived> arrived = DeliverAll(&network);
   EXPECT_EQ(arrived.size(), 2U * (kNodes - 1));
   for (const Arrived& one : arrived) EXPECT_EQ(one.reception.fate, AcousticFate::kCollided);
 }
@@ -220,31 +220,32 @@ TEST(AcousticNetwork, NeedsNoMoreMemoryTheLongerItRuns) {
   options.access_mode = AccessMode::kShared;
   options.collisions = CollisionModel::kCorrupt;
   options.half_duplex = true;
-  AcousticNetwork water(options, 1, TestNodes(3));
-  const std::vector<int> all = AllOf(water);
+  AcousticNetwork network(options, 1, TestNodes(3));
+  const std::vector<int> all = AllOf(network);
   for (int i = 0; i < 3000; ++i) {  // Never silent: a packet of 0.3 s every 0.1 s.
-    water.Transmit(0.1 * i, i % 3, kInARow, Bytes(37), all);
-    water.Deliver(0.1 * i);
-    EXPECT_LE(water.num_in_transit(), 60);
+    network.Transmit(0.1 * i, i % 3, kInARow, Bytes(37), all);
+    network.Deliver(0.1 * i);
+    EXPECT_LE(network.num_in_transit(), 60);
   }
-  EXPECT_LT(water.NumPlaces(), 200U);
+  EXPECT_LT(network.NumPlaces(), 200U);
 }
 
 TEST(AcousticNetwork, CarriesAPacketOfAMegabyte) {
-  AcousticOptions options = CalmWater(AccessMode::kShared);
+  AcousticOptions options = IdealOptions(AccessMode::kShared);
   options.bit_error_model = BitErrorModel::kPoisson;
-  AcousticNetwork water(options, 1, TestNodes(2));
-  water.Transmit(0, kAlpha, Positions(2, Eigen::Vector3d::Zero()), Bytes(1 << 20), AllOf(water));
-  const std::vector<Arrived> arrived = DeliverAll(&water);
+  AcousticNetwork network(options, 1, TestNodes(2));
+  network.Transmit(0, kAlpha, Positions(2, Eigen::Vector3d::Zero()), Bytes(1 << 20),
+                   AllOf(network));
+  const std::vector<Arrived> arrived = DeliverAll(&network);
   ASSERT_EQ(arrived.size(), 1U);
   EXPECT_EQ(arrived[0].bytes.size(), size_t{1} << 20);
   EXPECT_NEAR(static_cast<double>(arrived[0].reception.num_bits_flipped), 8389, 500);
 }
 
 TEST(AcousticNetwork, CountsWhatReceiversReject) {
-  AcousticNetwork water({}, 1, TestNodes(2));
-  water.CountRejection();
-  EXPECT_EQ(water.statistics().num_rejected, 1);
+  AcousticNetwork network({}, 1, TestNodes(2));
+  network.CountRejection();
+  EXPECT_EQ(network.statistics().num_rejected, 1);
 }
 
 }  // namespace shoal::acoustic_network_test

@@ -12,13 +12,13 @@
 
 namespace shoal {
 
-/// Who sends on which channel and hears which.
+/// Which nodes send and receive on which channels.
 enum class AccessMode : uint8_t {
   kShared,  ///< One channel for all.
   kTdma,    ///< One channel that takes the whole band; the senders share time by themselves.
   kTdmaLf,  ///< Leaders send on the broadcast channel, all others on the one for responses; each
-            ///< side hears the other.
-  kFdma,    ///< A channel for each sender; everybody hears all others.
+            ///< side receives the other.
+  kFdma,    ///< A channel for each sender; every node receives all others.
 };
 
 /// How the band is cut into channels.
@@ -51,7 +51,7 @@ struct AcousticOptions {
   CollisionModel collisions = CollisionModel::kDrop;                  ///< [collType]
   PacketLossModel packet_loss_model = PacketLossModel::kSonarSimple;  ///< [plrType]
   BitErrorModel bit_error_model = BitErrorModel::kPoisson;            ///< [berType]
-  bool half_duplex = false;  ///< True: a node does not hear while it sends.
+  bool half_duplex = false;  ///< True: a node does not receive while it sends.
 
   double sound_speed_mps = 1500;     ///< [C_WATER]
   double base_freq_khz = 24;         ///< The middle of the band. [BASE_FREQ]

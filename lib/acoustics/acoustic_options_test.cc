@@ -49,7 +49,7 @@ TEST(FindProblems, FindsNoneInTheDefaultsForSevenNodes) {
   EXPECT_TRUE(FindProblems({}, Nodes(7)).empty());
 }
 
-TEST(FindProblems, TellsTheArithmeticOfABandThatIsTooNarrow) {
+TEST(FindProblems, ShowsTheArithmeticOfABandThatIsTooNarrow) {
   const std::vector<OptionProblem> problems = FindProblems({}, Nodes(8));
   ASSERT_EQ(problems.size(), 1U);
   EXPECT_EQ(problems[0].option, "bandwidth_khz");
@@ -176,7 +176,7 @@ TEST(FindProblems, AsksForAModemWhereAModelNeedsOne) {
   EXPECT_EQ(problems[0].option, "bit_error_model");
 }
 
-TEST(FindProblems, RefusesModemsAndSeasThatCannotBe) {
+TEST(FindProblems, RefusesInvalidModemsAndSeas) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const ModemPreset sound = {
       .name = "m", .low_khz = 23, .high_khz = 27, .data_rate_bps = 80, .source_level_db = 180};

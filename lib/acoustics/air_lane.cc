@@ -5,7 +5,7 @@
 namespace shoal {
 
 AirLane::Ticket AirLane::Start(const Packet& packet) {
-  SHOAL_CHECK(packet.start_s < packet.end_s, "a packet on the air takes time");
+  SHOAL_CHECK(packet.start_s < packet.end_s, "start_s < end_s");
   SHOAL_CHECK(kept_.empty() || kept_.back().packet.start_s <= packet.start_s,
               "packets start in order of time");
   kept_.push_back({packet, false});

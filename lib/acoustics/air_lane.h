@@ -2,7 +2,7 @@
 //
 // Packets start and end in order of time; at the same time all ends come before all starts, so that
 // packets which only touch do not overlap. One that has ended is kept as long as it overlaps one
-// that has not: the other may have to be told, or XORed with it.
+// that has not: it may have to be reported for the other, or XORed with it.
 #pragma once
 
 #include <cstddef>
@@ -22,7 +22,7 @@ class AirLane {
   /// A packet that has started.
   struct Ticket {
     int64_t position = -1;          ///< It was the lane's packet of this number to start.
-    int64_t num_on_air_before = 0;  ///< So many were on the air when it started.
+    int64_t num_on_air_before = 0;  ///< Packets on the air when it started.
   };
 
   bool IsIdle() const { return num_on_air_ == 0; }
@@ -37,7 +37,7 @@ class AirLane {
 
   /// Calls `use` with packets that have overlapped this one until now, at most `limit` of them:
   /// those that started before it, the last first, then those that started after it. Takes time in
-  /// proportion to the packets told, and to shorter ones between them.
+  /// proportion to the packets returned, and to shorter ones between them.
   /// @pre The packet has not ended.
   template <class Use>
   void ForOverlapping(const Ticket& ticket, int64_t limit, Use use) const;

@@ -15,7 +15,7 @@ std::vector<int32_t> Overlapping(const AirLane& lane, const AirLane::Ticket& tic
   return found;
 }
 
-TEST(AirLane, TellsWhatOverlappedAPacketEvenAfterItEnded) {
+TEST(AirLane, KnowsWhatOverlappedAPacketEvenAfterItEnded) {
   AirLane lane;
   std::vector<int32_t> unneeded;
   const AirLane::Ticket early = lane.Start({0, 2, 10});

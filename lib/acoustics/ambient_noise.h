@@ -11,7 +11,7 @@
 namespace shoal {
 
 struct AmbientNoise {
-  double shipping = 0.5;  ///< Distant traffic: 0 none to speak of, 1 heavy.
+  double shipping = 0.5;  ///< Distant traffic: 0 negligible, 1 heavy.
   double wind_mps = 5;    ///< [0, kMaxWind_mps].
 
   bool operator==(const AmbientNoise&) const = default;
@@ -20,7 +20,7 @@ struct AmbientNoise {
 constexpr double kMaxWind_mps = 40;
 
 // Each returns the level of one component's spectrum at `frequency_khz`, in (0, 1000]. Infinity
-// where an argument is out of its range: it drowns everything.
+// where an argument is out of its range: no signal is received then.
 
 /// Turbulence of the water; matters below 10 Hz.
 [[nodiscard]] double TurbulenceNoise(double frequency_khz);

@@ -113,7 +113,7 @@ TEST(NoiseBandLevel, OfAnOctaveDiffersFromCentreTimesWidthByHalfADecibel) {
 
 TEST(NoiseBandLevel, OfNoWidthIsNone) { EXPECT_EQ(NoiseBandLevel({}, 25, 25), -kInfinity); }
 
-TEST(Noise, IsInfiniteWhereItsArgumentsAreNonsense) {
+TEST(Noise, IsInfiniteWhereItsArgumentsAreInvalid) {
   for (const double nonsense : {0.0, -1.0, 1000.1, kNaN, kInfinity, -kInfinity}) {
     EXPECT_EQ(TurbulenceNoise(nonsense), kInfinity);
     EXPECT_EQ(ThermalNoise(nonsense), kInfinity);

@@ -33,7 +33,7 @@ void FlipBit(std::span<uint8_t> bytes, size_t position) {
 void FlipRandomBits(int64_t count, Stream* stream, std::span<uint8_t> bytes,
                     std::vector<uint8_t>* scratch) {
   const auto num_bits = static_cast<int64_t>(bytes.size() * 8);
-  SHOAL_CHECK(count >= 0 && count <= num_bits, "no more bits can be flipped than there are");
+  SHOAL_CHECK(count >= 0 && count <= num_bits, "0 <= count <= number of bits");
   scratch->assign(bytes.size(), 0);
   const std::span<uint8_t> chosen(*scratch);
   for (int64_t last = num_bits - count; last < num_bits; ++last) {
@@ -58,7 +58,7 @@ ByteWindow FindByteWindow(const Arrival& a, const Arrival& b, double bytes_per_s
 
 void XorOverlap(const Arrival& a, const Arrival& b, double bytes_per_s,
                 std::span<uint8_t> received) {
-  SHOAL_CHECK(received.size() == a.bytes.size(), "a packet arrives as long as it was sent");
+  SHOAL_CHECK(received.size() == a.bytes.size(), "received has the size of the packet");
   const ByteWindow window = FindByteWindow(a, b, bytes_per_s);
   const std::span<uint8_t> mine = received.subspan(window.begin_a, window.count);
   const std::span<const uint8_t> theirs = b.bytes.subspan(window.begin_b, window.count);

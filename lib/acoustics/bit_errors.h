@@ -15,7 +15,8 @@ namespace shoal {
 void FlipBit(std::span<uint8_t> bytes, size_t position);
 
 /// Flips `count` different bits, every choice of them as likely as any other. Where `count` is
-/// binomial, each bit is wrong independently of all others. `scratch` is only lent for its memory.
+/// binomial, each bit is wrong independently of all others. `scratch` is reused to save
+/// allocations.
 /// @pre 0 <= count <= 8 * bytes.size()
 void FlipRandomBits(int64_t count, Stream* stream, std::span<uint8_t> bytes,
                     std::vector<uint8_t>* scratch);

@@ -29,7 +29,7 @@ TEST(FlipBit, FlipsTheBitsOfTheGoldenTable) {
   }
 }
 
-RC_GTEST_PROP(FlipRandomBits, FlipsAsManyDifferentBitsAsItIsTold, (const Bytes& sent)) {
+RC_GTEST_PROP(FlipRandomBits, FlipsAsManyDifferentBitsAsDemanded, (const Bytes& sent)) {
   const auto num_bits = static_cast<int64_t>(8 * sent.size());
   const int64_t count = *rc::gen::inRange<int64_t>(0, num_bits + 1);
   Bytes received = sent;

@@ -86,7 +86,7 @@ Result<ChannelPlan> ChannelPlan::Make(const AcousticOptions& options,
                  RoundedText(options.bandwidth_khz) + " holds " + std::to_string(capacity)};
   }
   if (is_tdma_lf && std::ranges::none_of(nodes, &AcousticNode::is_leader)) {
-    return Error{"tdma_lf needs a leader, and no node is one: nobody would hear anybody"};
+    return Error{"tdma_lf needs a leader, and no node is one: no node would receive another"};
   }
   plan.freqs_khz_ = ChannelFreqs_khz(options, wanted);
   if (!is_fdma) {
@@ -127,7 +127,7 @@ Result<int> ChannelPlan::Add(const AcousticNode& node) {
   return num_nodes() - 1;
 }
 
-bool ChannelPlan::Hears(int node, int channel) const {
+bool ChannelPlan::ReceivesOn(int node, int channel) const {
   const Place& place = nodes_[static_cast<size_t>(node)];
   switch (options_.access_mode) {
     case AccessMode::kShared:

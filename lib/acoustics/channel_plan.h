@@ -1,4 +1,4 @@
-// Which frequencies the nodes of an acoustic network send on and hear.
+// Which frequencies the nodes of an acoustic network send and receive on.
 //
 //   Result<ChannelPlan> plan = ChannelPlan::Make(options, nodes);
 //   if (!plan.ok()) return plan.error();   // "8 nodes need 10.25 kHz ..., band holds 7 channels"
@@ -16,7 +16,7 @@
 
 namespace shoal {
 
-/// One of those who share the water.
+/// One node of the acoustic network.
 struct AcousticNode {
   std::string name;        ///< Names the node's random draws; unique.
   int address = 0;         ///< fdma names the node's channel after it.
@@ -34,7 +34,7 @@ struct AcousticChannel {
 
 /// Returns how many channels fit the band with a guard band beside each: n channels need
 /// n C + (n + 1) G of the band's B, so n = floor((B - G) / (C + G)). (muNet counts one guard band
-/// too many.) At most kMaxChannels; 0 where the options make no sense.
+/// too many.) At most kMaxChannels; 0 where the options are invalid.
 [[nodiscard]] int ChannelCapacity(const AcousticOptions& options);
 inline constexpr int kMaxChannels = 1'000'000;
 inline constexpr int kMaxBroadcastAddress = 1'000'000'000;
@@ -54,7 +54,7 @@ class ChannelPlan {
   static Result<ChannelPlan> Make(const AcousticOptions& options,
                                   std::span<const AcousticNode> nodes);
 
-  /// Gives one more node its channel and returns the node's index, or tells why there is none;
+  /// Gives one more node its channel and returns the node's index, or why there is none;
   /// leaves the others' channels as they are.
   Result<int> Add(const AcousticNode& node);
 
@@ -64,7 +64,7 @@ class ChannelPlan {
 
   /// Return indices of channels, and take those of nodes.
   int SendsOn(int node) const { return nodes_[static_cast<size_t>(node)].sends_on; }
-  bool Hears(int node, int channel) const;
+  bool ReceivesOn(int node, int channel) const;
 
  private:
   struct Place {

@@ -73,14 +73,14 @@ TEST(ChannelPlan, RegistersNodesAsTheGoldenTableDoes) {
       EXPECT_EQ(channel.id, row.at("tx").at(0).get<int>());
       EXPECT_NEAR(channel.freq_khz, row.at("freq_kHz").get<double>(), kFreqError_khz);
       const Json& golden = table.at("final_node_channels").at(row.at("addr").dump());
-      std::vector<int> heard;
+      std::vector<int> received_on;
       for (int i = 0; i < static_cast<int>(plan->channels().size()); ++i) {
-        if (plan->Hears(node, i)) heard.push_back(plan->channel(i).id);
+        if (plan->ReceivesOn(node, i)) received_on.push_back(plan->channel(i).id);
       }
-      std::vector<int> golden_heard = golden.at("rx");
-      std::ranges::sort(heard);
-      std::ranges::sort(golden_heard);
-      EXPECT_EQ(heard, golden_heard);
+      std::vector<int> golden_received_on = golden.at("rx");
+      std::ranges::sort(received_on);
+      std::ranges::sort(golden_received_on);
+      EXPECT_EQ(received_on, golden_received_on);
     }
   }
   EXPECT_GT(num_confirmed, 100);
@@ -110,16 +110,16 @@ TEST(ChannelPlan, HasTheGoldenChannelsOfTheOtherModes) {
     for (int node = 0; node < 3; ++node) {
       const Json& golden = table.at("nodes").at(std::to_string(node + 1));
       EXPECT_EQ(plan->channel(plan->SendsOn(node)).id, golden.at("tx").at(0).get<int>());
-      std::vector<int> heard;
+      std::vector<int> received_on;
       for (int i = 0; i < static_cast<int>(plan->channels().size()); ++i) {
-        if (plan->Hears(node, i)) heard.push_back(plan->channel(i).id);
+        if (plan->ReceivesOn(node, i)) received_on.push_back(plan->channel(i).id);
       }
-      EXPECT_EQ(heard, golden.at("rx").get<std::vector<int>>());
+      EXPECT_EQ(received_on, golden.at("rx").get<std::vector<int>>());
     }
   }
 }
 
-TEST(ChannelPlan, SaysWhatNodesThatDoNotFitWouldNeed) {
+TEST(ChannelPlan, StatesWhatNodesThatDoNotFitWouldNeed) {
   const Result<ChannelPlan> plan = ChannelPlan::Make({}, NumberedNodes(8));
   ASSERT_FALSE(plan.ok());
   EXPECT_EQ(plan.error(),

@@ -19,29 +19,29 @@ struct Schedule {
 
 /// Makes schedules in which packets meet, in pairs and in crowds, and often only touch: half of
 /// them keep to a raster of one byte's time, with all nodes in one place.
-Schedule MakeSchedule(TrafficDice* dice, CollisionModel collisions, bool half_duplex) {
+Schedule MakeSchedule(TrafficGenerator* generator, CollisionModel collisions, bool half_duplex) {
   Schedule schedule;
-  const bool on_raster = dice->OneIn(2);
+  const bool on_raster = generator->OneIn(2);
   AcousticOptions& options = schedule.options;
-  options = CalmWater(static_cast<AccessMode>(dice->Int(0, 3)));
+  options = IdealOptions(static_cast<AccessMode>(generator->Int(0, 3)));
   options.collisions = collisions;
   options.half_duplex = half_duplex;
   options.data_rate_bps = 1024;  // A byte takes 2^-7 s: sums of such times are exact.
-  if (!on_raster && dice->OneIn(2)) options.jitter = JitterModel::kUniform;
-  schedule.num_nodes = dice->Int(2, 6);
+  if (!on_raster && generator->OneIn(2)) options.jitter = JitterModel::kUniform;
+  schedule.num_nodes = generator->Int(2, 6);
   schedule.positions_m = on_raster ? Positions(6, Eigen::Vector3d::Zero())
-                                   : dice->RandomPositions(schedule.num_nodes, 3000);
+                                   : generator->RandomPositions(schedule.num_nodes, 3000);
   schedule.positions_m.resize(static_cast<size_t>(schedule.num_nodes), Eigen::Vector3d::Zero());
-  const int duration_bytes = dice->Int(8, 400);
-  const int num_sent = dice->Int(1, 14);
+  const int duration_bytes = generator->Int(8, 400);
+  const int num_sent = generator->Int(1, 14);
   for (int i = 0; i < num_sent; ++i) {
     Sent sent;
-    sent.time_s =
-        on_raster ? dice->Int(0, duration_bytes) / 128.0 : dice->Double(0, duration_bytes / 128.0);
-    sent.source = dice->Int(0, schedule.num_nodes - 1);
-    sent.bytes = dice->RandomBytes(dice->Int(0, 60));
+    sent.time_s = on_raster ? generator->Int(0, duration_bytes) / 128.0
+                            : generator->Double(0, duration_bytes / 128.0);
+    sent.source = generator->Int(0, schedule.num_nodes - 1);
+    sent.bytes = generator->RandomBytes(generator->Int(0, 60));
     for (int node = 0; node < schedule.num_nodes; ++node) {
-      if (!dice->OneIn(8)) sent.receivers.push_back(node);
+      if (!generator->OneIn(8)) sent.receivers.push_back(node);
     }
     schedule.sent.push_back(sent);
   }
@@ -50,21 +50,22 @@ Schedule MakeSchedule(TrafficDice* dice, CollisionModel collisions, bool half_du
 }
 
 /// Plays a schedule with deliveries in between, at moments that make no difference.
-std::vector<Arrived> Play(const Schedule& schedule, TrafficDice* dice, AcousticNetwork* water) {
+std::vector<Arrived> Play(const Schedule& schedule, TrafficGenerator* generator,
+                          AcousticNetwork* network) {
   std::vector<Arrived> arrived;
   for (const Sent& sent : schedule.sent) {
-    if (dice->OneIn(2)) DeliverTo(water, sent.time_s, &arrived);
-    water->Transmit(sent.time_s, sent.source, schedule.positions_m, sent.bytes, sent.receivers);
+    if (generator->OneIn(2)) DeliverTo(network, sent.time_s, &arrived);
+    network->Transmit(sent.time_s, sent.source, schedule.positions_m, sent.bytes, sent.receivers);
   }
-  DeliverTo(water, 1e6, &arrived);
+  DeliverTo(network, 1e6, &arrived);
   return arrived;
 }
 
-/// What the oracle says of one reception.
+/// The oracle's result for one reception.
 struct Verdict {
   std::vector<PacketId> colliders;  ///< Sorted.
   Bytes bytes;                      ///< After collisions.
-  bool heard_itself = false;
+  bool sent_itself = false;
 };
 
 /// Returns the bytes of each packet of each source.
@@ -108,7 +109,7 @@ Verdict Judge(const Schedule& schedule, const std::vector<std::vector<Sent>>& pa
   for (const Sent& own : packets[static_cast<size_t>(mine.receiver)]) {
     const double own_end_s = own.time_s + static_cast<double>(own.bytes.size()) * byte_s;
     if (std::max(own.time_s, mine.start_s) < std::min(own_end_s, mine.end_s)) {
-      verdict.heard_itself = true;
+      verdict.sent_itself = true;
     }
   }
   return verdict;
@@ -130,7 +131,7 @@ size_t Compare(const Schedule& schedule, const std::vector<std::vector<Sent>>& p
 
   const bool drops = schedule.options.collisions == CollisionModel::kDrop;
   AcousticFate expected = AcousticFate::kDelivered;
-  if (schedule.options.half_duplex && verdict.heard_itself) {
+  if (schedule.options.half_duplex && verdict.sent_itself) {
     expected = AcousticFate::kHalfDuplex;
   } else if (drops && !verdict.colliders.empty()) {
     expected = AcousticFate::kCollided;
@@ -153,10 +154,10 @@ struct Meetings {
 
 void PlayAndCompare(CollisionModel collisions, bool half_duplex, uint64_t seed,
                     Meetings* meetings) {
-  TrafficDice dice(seed);
-  const Schedule schedule = MakeSchedule(&dice, collisions, half_duplex);
-  AcousticNetwork water(schedule.options, 1, TestNodes(schedule.num_nodes));
-  const std::vector<Arrived> all = Play(schedule, &dice, &water);
+  TrafficGenerator generator(seed);
+  const Schedule schedule = MakeSchedule(&generator, collisions, half_duplex);
+  AcousticNetwork network(schedule.options, 1, TestNodes(schedule.num_nodes));
+  const std::vector<Arrived> all = Play(schedule, &generator, &network);
   const auto packets = BySource(schedule);
   for (const Arrived& arrived : all) {
     if (arrived.reception.fate == AcousticFate::kNotListening) continue;
@@ -177,11 +178,11 @@ TEST(CollisionOracle, AgreesWhereCollisionsDrop) { PlayMany(CollisionModel::kDro
 
 TEST(CollisionOracle, AgreesWhereCollisionsCorrupt) { PlayMany(CollisionModel::kCorrupt, false); }
 
-TEST(CollisionOracle, AgreesWhereNodesDoNotHearWhileTheySend) {
+TEST(CollisionOracle, AgreesWhereNodesDoNotReceiveWhileTheySend) {
   PlayMany(CollisionModel::kDrop, true);
 }
 
-TEST(CollisionOracle, AgreesOnCorruptionWhereNodesDoNotHearWhileTheySend) {
+TEST(CollisionOracle, AgreesOnCorruptionWhereNodesDoNotReceiveWhileTheySend) {
   PlayMany(CollisionModel::kCorrupt, true);
 }
 

@@ -1,4 +1,4 @@
-// What is offered is decided or in transit, at every moment.
+// At every moment each offered reception is decided or in transit.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -32,8 +32,8 @@ struct Ledger {
     num_bits_flipped += reception.num_bits_flipped;
   }
 
-  void ExpectAgreement(const AcousticNetwork& water) const {
-    const AcousticStatistics statistics = water.statistics();
+  void ExpectAgreement(const AcousticNetwork& network) const {
+    const AcousticStatistics statistics = network.statistics();
     RC_ASSERT(statistics.num_transmissions == num_transmissions);
     RC_ASSERT(statistics.num_offered == num_offered);
     RC_ASSERT(statistics.num_fates == num_fates);
@@ -43,78 +43,79 @@ struct Ledger {
   }
 };
 
-/// Sends and delivers at random, and looks into the books after each step.
-void SendAndLook(TrafficDice* dice, AcousticNetwork* water, int num_steps, double side_m) {
+/// Sends and delivers at random, and checks the counters after each step.
+void SendAndLook(TrafficGenerator* generator, AcousticNetwork* network, int num_steps,
+                 double side_m) {
   Ledger ledger;
   double now_s = 0;
   double last_end_s = 0;
   std::vector<Reception> earlier;
   for (int step = 0; step < num_steps; ++step) {
-    now_s += dice->Double(0, 0.5);
-    const int source = dice->Int(0, water->num_nodes() - 1);
+    now_s += generator->Double(0, 0.5);
+    const int source = generator->Int(0, network->num_nodes() - 1);
     std::vector<int> receivers;
-    for (int i = dice->Int(0, 20); i > 0; --i) {
-      receivers.push_back(dice->Int(0, water->num_nodes() - 1));
+    for (int i = generator->Int(0, 20); i > 0; --i) {
+      receivers.push_back(generator->Int(0, network->num_nodes() - 1));
     }
-    Positions positions_m = dice->RandomPositions(water->num_nodes(), side_m);
-    if (dice->OneIn(10)) positions_m[0].x() = std::nan("");
-    const int64_t number =
-        water->Transmit(now_s, source, positions_m, dice->RandomBytes(dice->Int(0, 80)), receivers);
+    Positions positions_m = generator->RandomPositions(network->num_nodes(), side_m);
+    if (generator->OneIn(10)) positions_m[0].x() = std::nan("");
+    const int64_t number = network->Transmit(
+        now_s, source, positions_m, generator->RandomBytes(generator->Int(0, 80)), receivers);
     ledger.Offer({source, number}, receivers);
-    if (dice->OneIn(2)) continue;
-    now_s += dice->Double(0, 0.5);
-    for (const Reception& reception : water->Deliver(now_s)) {
+    if (generator->OneIn(2)) continue;
+    now_s += generator->Double(0, 0.5);
+    for (const Reception& reception : network->Deliver(now_s)) {
       ledger.Take(reception);
       RC_ASSERT(reception.end_s >= last_end_s);
       RC_ASSERT(reception.end_s <= now_s);
       RC_ASSERT(reception.start_s >= reception.sent_s);
       last_end_s = reception.end_s;
     }
-    ledger.ExpectAgreement(*water);
+    ledger.ExpectAgreement(*network);
   }
-  for (const Reception& reception : water->Deliver(1e9)) ledger.Take(reception);
-  ledger.ExpectAgreement(*water);
-  RC_ASSERT(water->num_in_transit() == 0);
+  for (const Reception& reception : network->Deliver(1e9)) ledger.Take(reception);
+  ledger.ExpectAgreement(*network);
+  RC_ASSERT(network->num_in_transit() == 0);
 }
 
 RC_GTEST_PROP(Conservation, HoldsForAnyOptionsTrafficAndPlaces, (uint64_t seed)) {
-  TrafficDice dice(seed);
-  const std::vector<AcousticNode> nodes = TestNodes(dice.Int(1, 7));
-  const AcousticOptions options = dice.RandomOptions();
+  TrafficGenerator generator(seed);
+  const std::vector<AcousticNode> nodes = TestNodes(generator.Int(1, 7));
+  const AcousticOptions options = generator.RandomOptions();
   RC_ASSERT(FindProblems(options, nodes).empty());
-  AcousticNetwork water(options, seed, nodes);
-  SendAndLook(&dice, &water, dice.Int(1, 40), dice.OneIn(3) ? 1e5 : 3000);
+  AcousticNetwork network(options, seed, nodes);
+  SendAndLook(&generator, &network, generator.Int(1, 40), generator.OneIn(3) ? 1e5 : 3000);
 }
 
 TEST(Conservation, HoldsForAThousandNodes) {
   EXPECT_TRUE(rc::check("1,000 nodes", [](uint64_t seed) {
-    TrafficDice dice(seed);
-    AcousticOptions options = dice.RandomOptions();
+    TrafficGenerator generator(seed);
+    AcousticOptions options = generator.RandomOptions();
     options.base_freq_khz = 1000;
     options.bandwidth_khz = 1300;
     const std::vector<AcousticNode> nodes = TestNodes(1000);
     RC_ASSERT(FindProblems(options, nodes).empty());
-    AcousticNetwork water(options, seed, nodes);
-    SendAndLook(&dice, &water, 5, 5000);
+    AcousticNetwork network(options, seed, nodes);
+    SendAndLook(&generator, &network, 5, 5000);
   }));
 }
 
-TEST(Conservation, HoldsWhereAThousandNodesHearEachOther) {
+TEST(Conservation, HoldsWhereAThousandNodesReceiveEachOther) {
   for (const CollisionModel collisions : {CollisionModel::kDrop, CollisionModel::kOff}) {
     AcousticOptions options;
     options.access_mode = AccessMode::kShared;
     options.collisions = collisions;
-    AcousticNetwork water(options, 1, TestNodes(1000));
-    TrafficDice dice(1);
-    const Positions positions_m = dice.RandomPositions(1000, 5000);
-    const std::vector<int> all = AllOf(water);
+    AcousticNetwork network(options, 1, TestNodes(1000));
+    TrafficGenerator generator(1);
+    const Positions positions_m = generator.RandomPositions(1000, 5000);
+    const std::vector<int> all = AllOf(network);
     for (int i = 0; i < 10; ++i) {
-      water.Transmit(0.2 * i, dice.Int(0, 999), positions_m, Bytes(37), all);
+      network.Transmit(0.2 * i, generator.Int(0, 999), positions_m, Bytes(37), all);
     }
-    EXPECT_EQ(water.num_in_transit(), 9990);
-    EXPECT_EQ(water.Deliver(100).size(), 9990U);
-    EXPECT_EQ(water.statistics().NumDecided(), 9990);
-    EXPECT_EQ(water.num_in_transit(), 0);
+    EXPECT_EQ(network.num_in_transit(), 9990);
+    EXPECT_EQ(network.Deliver(100).size(), 9990U);
+    EXPECT_EQ(network.statistics().NumDecided(), 9990);
+    EXPECT_EQ(network.num_in_transit(), 0);
   }
 }
 

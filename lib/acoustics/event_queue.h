@@ -1,4 +1,4 @@
-// What will happen in the water, in order of time.
+// Future events of the acoustic network, in order of time.
 #pragma once
 
 #include <algorithm>
@@ -35,7 +35,7 @@ struct AcousticEvent {
 
   AcousticEventKind kind() const { return static_cast<AcousticEventKind>(rank >> 62); }
 
-  /// An order that nothing else that is queued has an influence on. In whole numbers, because
+  /// An order that does not depend on the other events in the queue. In whole numbers, since
   /// comparing them takes no branch.
   bool operator<(const AcousticEvent& other) const {
     return (time_order < other.time_order) |
@@ -83,7 +83,7 @@ class EventQueue {
 
   bool IsEmpty() const { return events_.empty(); }
 
-  /// The next three want an event in the queue.
+  /// @pre the queue is not empty, for the next three.
   const AcousticEvent& First() const { return events_.front(); }
   void PopFirst() {
     const AcousticEvent last = events_.back();
@@ -97,7 +97,7 @@ class EventQueue {
       const size_t end = std::min(child + kChildren, size);
       size_t least = child;
       for (size_t other = child + 1; other < end; ++other) {
-        // Without a branch, which nobody could predict.
+        // Without a branch, which would be unpredictable.
         least += (other - least) * static_cast<size_t>(events_[other] < events_[least]);
       }
       if (!(events_[least] < event)) break;

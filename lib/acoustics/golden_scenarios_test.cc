@@ -57,7 +57,7 @@ struct ArrivedInStep {
 };
 
 /// Plays a scenario as muNet does: step by step, first what is sent, then what has arrived.
-std::vector<ArrivedInStep> Play(const Json& scenario, AcousticNetwork* water) {
+std::vector<ArrivedInStep> Play(const Json& scenario, AcousticNetwork* network) {
   std::vector<int> all_nodes;
   std::map<int, int> index_of;
   for (const Json& node : scenario.at("nodes")) {
@@ -81,10 +81,10 @@ std::vector<ArrivedInStep> Play(const Json& scenario, AcousticNetwork* water) {
       for (const Json& node : scenario.at("nodes")) {
         positions_m.emplace_back(VectorOf(node.at("pos0")) + time_s * VectorOf(node.at("vel")));
       }
-      water->Transmit(time_s, index_of.at(sent.at("src")), positions_m,
-                      FromHex(sent.at("hex").get<std::string>()), all_nodes);
+      network->Transmit(time_s, index_of.at(sent.at("src")), positions_m,
+                        FromHex(sent.at("hex").get<std::string>()), all_nodes);
     }
-    for (const Reception& reception : water->Deliver(now_s)) {
+    for (const Reception& reception : network->Deliver(now_s)) {
       arrived.push_back({reception, {reception.bytes.begin(), reception.bytes.end()}, now_s});
     }
   }
@@ -138,14 +138,14 @@ void CheckScenario(const Json& scenario) {
   const AcousticOptions options = OptionsOf(scenario.at("config"));
   const std::vector<AcousticNode> nodes = NodesOf(scenario);
   ASSERT_TRUE(FindProblems(options, nodes).empty());
-  AcousticNetwork water(options, 1, nodes);
-  ASSERT_EQ(water.plan().channels().size(), scenario.at("channels").size());
+  AcousticNetwork network(options, 1, nodes);
+  ASSERT_EQ(network.plan().channels().size(), scenario.at("channels").size());
 
-  std::vector<ArrivedInStep> arrived = Play(scenario, &water);
+  std::vector<ArrivedInStep> arrived = Play(scenario, &network);
   std::erase_if(arrived, [](const ArrivedInStep& one) {
     return one.reception.fate == AcousticFate::kNotListening;
   });
-  const AcousticStatistics statistics = water.statistics();
+  const AcousticStatistics statistics = network.statistics();
   EXPECT_EQ(statistics.num_offered - statistics.NumOf(AcousticFate::kNotListening),
             scenario.at("stats").at("packetSent").get<int64_t>());
   EXPECT_EQ(statistics.num_in_transit, 0);
@@ -158,7 +158,7 @@ void CheckScenario(const Json& scenario) {
     const Reception& reception = match.reception;
     EXPECT_TRUE(HandsOver(reception.fate));
     ExpectBytes(golden, match.bytes);
-    EXPECT_EQ(water.plan().channel(reception.channel).id, golden.at("cid").get<int>());
+    EXPECT_EQ(network.plan().channel(reception.channel).id, golden.at("cid").get<int>());
     if (!golden.contains("start_time")) continue;
     EXPECT_NEAR(reception.start_s, golden.at("start_time").get<double>(), kTimeError_s);
     EXPECT_NEAR(reception.range_m, golden.at("distance").get<double>(), 1e-9);
@@ -169,7 +169,7 @@ void CheckScenario(const Json& scenario) {
   }
 }
 
-TEST(GoldenScenarios, AreNineteenAndAllComeOutAsTheyShould) {
+TEST(GoldenScenarios, AreNineteenAndAllMatch) {
   const Json scenarios = ReadGoldenJson("munet/net_timing_scenarios.json");
   EXPECT_EQ(scenarios.size(), 19U);
   for (const Json& scenario : scenarios) {

@@ -15,7 +15,7 @@ namespace shoal::independence_test {
 /// A packet at a receiver, by names.
 using Link = std::tuple<std::string, std::string, int64_t>;
 
-/// Who sends when to whom, by names, so that nodes can come and go around it.
+/// Which nodes send when and to which, by name, so that other nodes can be added or removed.
 struct Plan {
   std::vector<AcousticNode> nodes;
   AcousticOptions options;
@@ -30,7 +30,7 @@ Eigen::Vector3d PositionOf(const std::string& name) {
   return {2000 * stream.Uniform(), 2000 * stream.Uniform(), 50 * stream.Uniform()};
 }
 
-Plan BasePlan(TrafficDice* dice) {
+Plan BasePlan(TrafficGenerator* generator) {
   Plan plan;
   for (const std::string& name : kNames) plan.nodes.push_back({.name = name, .address = 1});
   plan.options.access_mode = AccessMode::kShared;
@@ -40,15 +40,15 @@ Plan BasePlan(TrafficDice* dice) {
   plan.options.bit_error_rate = 0.01;
   double time_s = 0;
   for (int i = 0; i < 15; ++i) {
-    time_s += dice->Double(0, 0.4);
-    const int source = dice->Int(0, 3);
-    plan.sent.push_back({time_s, source, dice->RandomBytes(37), {0, 1, 2, 3}});
+    time_s += generator->Double(0, 0.4);
+    const int source = generator->Int(0, 3);
+    plan.sent.push_back({time_s, source, generator->RandomBytes(37), {0, 1, 2, 3}});
   }
   return plan;
 }
 
 std::map<Link, Arrived> Play(const Plan& plan) {
-  AcousticNetwork water(plan.options, 42, plan.nodes);
+  AcousticNetwork network(plan.options, 42, plan.nodes);
   std::map<std::string, int> index_of;
   Positions positions_m;
   for (const AcousticNode& node : plan.nodes) {
@@ -64,11 +64,11 @@ std::map<Link, Arrived> Play(const Plan& plan) {
     for (const AcousticNode& node : plan.nodes) {
       if (node.name.starts_with("new")) receivers.push_back(index_of.at(node.name));
     }
-    water.Transmit(sent.time_s, index_of.at(kNames[static_cast<size_t>(sent.source)]), positions_m,
-                   sent.bytes, receivers);
+    network.Transmit(sent.time_s, index_of.at(kNames[static_cast<size_t>(sent.source)]),
+                     positions_m, sent.bytes, receivers);
   }
   std::map<Link, Arrived> by_link;
-  for (const Arrived& arrived : DeliverAll(&water)) {
+  for (const Arrived& arrived : DeliverAll(&network)) {
     const Reception& reception = arrived.reception;
     by_link[{name_of(reception.packet.source), name_of(reception.receiver),
              reception.packet.number}] = arrived;
@@ -95,13 +95,14 @@ void ExpectSameDraws(const std::map<Link, Arrived>& before, const std::map<Link,
 
 constexpr size_t kNumReceptions = 15 * 3;
 
-RC_GTEST_PROP(Draws, StayTheSameWhenNodesJoinAnywhereAndHearEverything, (uint64_t seed)) {
-  TrafficDice dice(seed);
-  const Plan plan = BasePlan(&dice);
+RC_GTEST_PROP(Draws, StayTheSameWhenNodesJoinAnywhereAndReceiveEverything, (uint64_t seed)) {
+  TrafficGenerator generator(seed);
+  const Plan plan = BasePlan(&generator);
   Plan larger = plan;
   for (int i = 0; i < 3; ++i) {
-    larger.nodes.insert(larger.nodes.begin() + dice.Int(0, static_cast<int>(larger.nodes.size())),
-                        {.name = "new_" + std::to_string(i), .address = 1});
+    larger.nodes.insert(
+        larger.nodes.begin() + generator.Int(0, static_cast<int>(larger.nodes.size())),
+        {.name = "new_" + std::to_string(i), .address = 1});
   }
   const auto before = Play(plan);
   const auto after = Play(larger);
@@ -110,12 +111,12 @@ RC_GTEST_PROP(Draws, StayTheSameWhenNodesJoinAnywhereAndHearEverything, (uint64_
 }
 
 RC_GTEST_PROP(Draws, StayTheSameWhenReceiversAreLeftOutOrTurnedRound, (uint64_t seed)) {
-  TrafficDice dice(seed);
-  const Plan plan = BasePlan(&dice);
+  TrafficGenerator generator(seed);
+  const Plan plan = BasePlan(&generator);
   Plan changed = plan;
   size_t num_expected = 0;
   for (Sent& sent : changed.sent) {
-    std::erase_if(sent.receivers, [&](int) { return dice.OneIn(3); });
+    std::erase_if(sent.receivers, [&](int) { return generator.OneIn(3); });
     std::ranges::reverse(sent.receivers);
     num_expected += static_cast<size_t>(std::ranges::count_if(
         sent.receivers, [&](int receiver) { return receiver != sent.source; }));
@@ -124,8 +125,8 @@ RC_GTEST_PROP(Draws, StayTheSameWhenReceiversAreLeftOutOrTurnedRound, (uint64_t 
 }
 
 RC_GTEST_PROP(Draws, StayTheSameWhenOtherEffectsAreSwitched, (uint64_t seed)) {
-  TrafficDice dice(seed);
-  const Plan plan = BasePlan(&dice);
+  TrafficGenerator generator(seed);
+  const Plan plan = BasePlan(&generator);
   const auto before = Play(plan);
 
   Plan no_jitter = plan;
@@ -153,8 +154,8 @@ RC_GTEST_PROP(Draws, StayTheSameWhenOtherEffectsAreSwitched, (uint64_t seed)) {
 }
 
 RC_GTEST_PROP(Draws, StayTheSameInHalfDuplexAndWithCollisions, (uint64_t seed)) {
-  TrafficDice dice(seed);
-  const Plan plan = BasePlan(&dice);
+  TrafficGenerator generator(seed);
+  const Plan plan = BasePlan(&generator);
   Plan strict = plan;
   strict.options.half_duplex = true;
   strict.options.collisions = CollisionModel::kDrop;
@@ -173,8 +174,8 @@ RC_GTEST_PROP(Draws, StayTheSameInHalfDuplexAndWithCollisions, (uint64_t seed)) 
 }
 
 RC_GTEST_PROP(Receptions, ComeInTheSameOrderHoweverOftenOneAsks, (uint64_t seed)) {
-  TrafficDice dice(seed);
-  Plan plan = BasePlan(&dice);
+  TrafficGenerator generator(seed);
+  Plan plan = BasePlan(&generator);
   plan.options.jitter = JitterModel::kOff;
   AcousticNetwork once(plan.options, 42, plan.nodes);
   AcousticNetwork often(plan.options, 42, plan.nodes);
@@ -182,7 +183,7 @@ RC_GTEST_PROP(Receptions, ComeInTheSameOrderHoweverOftenOneAsks, (uint64_t seed)
   std::vector<Arrived> asked_often;
   for (const Sent& sent : plan.sent) {
     once.Transmit(sent.time_s, sent.source, one_place, sent.bytes, sent.receivers);
-    if (dice.OneIn(2)) DeliverTo(&often, sent.time_s, &asked_often);
+    if (generator.OneIn(2)) DeliverTo(&often, sent.time_s, &asked_often);
     often.Transmit(sent.time_s, sent.source, one_place, sent.bytes, sent.receivers);
   }
   const std::vector<Arrived> asked_once = DeliverAll(&once);

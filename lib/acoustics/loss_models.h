@@ -22,7 +22,8 @@ namespace shoal {
 ///   poisson     B (the name is muNet's; errors are independent, their number binomial)
 ///   exp_simple  B e^((range_m - nominal_distance_m) / D)
 ///   snr         B 10^(snr_slope 15 log10 d): errors grow with the decibels that practical
-///               spreading (15 dB per decade) takes off `snr_nominal_db`, which has no say itself.
+///               spreading (15 dB per decade) takes off `snr_nominal_db`, which has no effect
+///               itself.
 /// A bit that is wrong every second time carries nothing, so 0.5 is the limit. 0 for modem.
 [[nodiscard]] double BitErrorProbability(const AcousticOptions& options, double range_m);
 

@@ -51,7 +51,7 @@ TEST(BitErrorProbability, FollowsTheGoldenCurvesUpToOneHalf) {
   }
 }
 
-TEST(LossModels, StayProbabilitiesWhateverTheyAreGiven) {
+TEST(LossModels, StayProbabilitiesForAnyInput) {
   const double infinity = std::numeric_limits<double>::infinity();
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (const double range_m : {0.0, 1e-300, 1e7, 1e300, infinity, nan}) {

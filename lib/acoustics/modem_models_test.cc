@@ -28,7 +28,7 @@ const Sea kSea = {.water = {.temperature_degc = 15}, .noise = {.shipping = 1, .w
 
 AcousticOptions WithModem(const ModemPreset& modem, PacketLossModel packet_loss,
                           BitErrorModel bit_errors) {
-  AcousticOptions options = CalmWater(AccessMode::kShared);
+  AcousticOptions options = IdealOptions(AccessMode::kShared);
   options.modem = modem;
   options.sea = kSea;
   options.packet_loss_model = packet_loss;
@@ -40,16 +40,16 @@ AcousticOptions Lossy() {
   return WithModem(kCodedModem, PacketLossModel::kModem, BitErrorModel::kOff);
 }
 
-/// Sends so many packets, one a second, from node 0 to node 1 at this range.
+/// Sends `count` packets, one a second, from node 0 to node 1 at this range.
 std::vector<Arrived> SendMany(const AcousticOptions& options, double range_m, int count,
                               size_t num_bytes) {
-  AcousticNetwork water(options, 20261121, TestNodes(2));
+  AcousticNetwork network(options, 20261121, TestNodes(2));
   const Positions positions_m = {{0, 0, 0}, {range_m, 0, 0}};
   const std::vector<int> receivers = {1};
   for (int i = 0; i < count; ++i) {
-    water.Transmit(i, 0, positions_m, Bytes(num_bytes), receivers);
+    network.Transmit(i, 0, positions_m, Bytes(num_bytes), receivers);
   }
-  return DeliverAll(&water);
+  return DeliverAll(&network);
 }
 
 TEST(ModemLoss, IsThatOfTheLinkAndTheLengthOfThePacket) {
@@ -69,7 +69,7 @@ TEST(ModemLoss, IsThatOfTheLinkAndTheLengthOfThePacket) {
   }
 }
 
-TEST(ModemBitErrors, AreThoseOfTheBitsInTheWater) {
+TEST(ModemBitErrors, AreThoseOfTheBitsInTransit) {
   const AcousticOptions options =
       WithModem(PlainModem(), PacketLossModel::kOff, BitErrorModel::kModem);
   const std::vector<Arrived> arrived = SendMany(options, 4000, 1, 37);
@@ -80,20 +80,20 @@ TEST(ModemBitErrors, AreThoseOfTheBitsInTheWater) {
   EXPECT_EQ(arrived[0].reception.loss_probability, -1);
 }
 
-TEST(ModemModels, TellNoSignalToNoiseRatioWhereNoneIsAskedFor) {
+TEST(ModemModels, HaveNoSignalToNoiseRatioWhereNoneIsAskedFor) {
   const AcousticOptions options =
       WithModem(kCodedModem, PacketLossModel::kUniform, BitErrorModel::kPoisson);
   EXPECT_EQ(SendMany(options, 500, 1, 37).at(0).reception.snr_db, std::nullopt);
 
-  AcousticNetwork water(Lossy(), 1, TestNodes(2));
+  AcousticNetwork network(Lossy(), 1, TestNodes(2));
   const double nan = std::nan("");
-  water.Transmit(0, 0, Positions{{0, 0, 0}, {nan, 0, 0}}, Bytes(37), AllOf(water));
-  const std::vector<Arrived> arrived = DeliverAll(&water);
+  network.Transmit(0, 0, Positions{{0, 0, 0}, {nan, 0, 0}}, Bytes(37), AllOf(network));
+  const std::vector<Arrived> arrived = DeliverAll(&network);
   EXPECT_EQ(arrived.at(0).reception.fate, AcousticFate::kNoPath);
   EXPECT_EQ(arrived.at(0).reception.snr_db, std::nullopt);
 }
 
-TEST(ModemLoss, StrikesAsOftenAsItsProbabilitySays) {
+TEST(ModemLoss, StrikesAsOftenAsItsProbability) {
   constexpr int kPackets = 5000;
   int num_telling = 0;
   for (const double range_m : {4500.0, 5000.0, 5500.0, 6000.0}) {
@@ -111,7 +111,7 @@ TEST(ModemLoss, StrikesAsOftenAsItsProbabilitySays) {
   EXPECT_GE(num_telling, 2);
 }
 
-TEST(ModemBitErrors, FlipAsManyBitsAsTheirProbabilitySays) {
+TEST(ModemBitErrors, FlipAsManyBitsAsTheirProbabilityPredicts) {
   constexpr int kPackets = 2000;
   constexpr double kBits = kPackets * 37 * 8;
   const AcousticOptions options =
@@ -132,14 +132,15 @@ TEST(ModemBitErrors, FlipAsManyBitsAsTheirProbabilitySays) {
 /// Random traffic of four nodes under these options, by source, number and receiver.
 using Link = std::tuple<int, int64_t, int>;
 std::map<Link, Arrived> Play(const AcousticOptions& options, uint64_t seed) {
-  AcousticNetwork water(options, seed, TestNodes(4));
-  TrafficDice dice(seed);
-  const Positions positions_m = dice.RandomPositions(4, 6000);
+  AcousticNetwork network(options, seed, TestNodes(4));
+  TrafficGenerator generator(seed);
+  const Positions positions_m = generator.RandomPositions(4, 6000);
   for (int i = 0; i < 20; ++i) {
-    water.Transmit(0.3 * i, dice.Int(0, 3), positions_m, dice.RandomBytes(37), AllOf(water));
+    network.Transmit(0.3 * i, generator.Int(0, 3), positions_m, generator.RandomBytes(37),
+                     AllOf(network));
   }
   std::map<Link, Arrived> by_link;
-  for (const Arrived& one : DeliverAll(&water)) {
+  for (const Arrived& one : DeliverAll(&network)) {
     by_link[{one.reception.packet.source, one.reception.packet.number, one.reception.receiver}] =
         one;
   }
@@ -165,7 +166,7 @@ RC_GTEST_PROP(ModemModels, TakeTheSameDrawsAsAllOthers, (uint64_t seed)) {
 }
 
 RC_GTEST_PROP(ModemModels, LeaveHalfDuplexAlone, (uint64_t seed)) {
-  AcousticOptions silent = CalmWater(AccessMode::kShared);
+  AcousticOptions silent = IdealOptions(AccessMode::kShared);
   silent.half_duplex = true;
   AcousticOptions lossy = Lossy();
   lossy.half_duplex = true;

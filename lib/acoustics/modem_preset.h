@@ -1,4 +1,4 @@
-// An acoustic modem as its data sheet has it, and how well two of them hear each other.
+// An acoustic modem as its data sheet has it, and the link budget between two of them.
 //
 //   const LinkModel model(preset, sea);
 //   const LinkBudget link = model.At(1500);                       // metres
@@ -26,7 +26,7 @@ struct ModemPreset {
   double data_rate_bps = 0;      ///< Of the user's bits, a code's check bits not counted; > 0.
   int64_t max_packet_bytes = 0;  ///< Of the user's bytes; > 0.
   double source_level_db = 0;    ///< Re 1 uPa at 1 m, in the whole band.
-  double typical_range_m = 0;    ///< What the maker promises, for comparison; > 0.
+  double typical_range_m = 0;    ///< The manufacturer's figure, for comparison; > 0.
   Modulation modulation = Modulation::kNoncoherentFsk;
   Fading fading = Fading::kRayleigh;
   BlockCode code = {};
@@ -51,8 +51,8 @@ struct LinkBudget {
   double transmission_loss_db = 0;
   double noise_level_db = 0;  ///< In the modem's band.
   double snr_db = 0;          ///< In the modem's band.
-  double eb_over_n0_db = 0;   ///< Per bit in the water, a code's check bits counted.
-  double bit_error_rate = 0;  ///< In the water, before a code corrects; [0, 0.5].
+  double eb_over_n0_db = 0;   ///< Per transmitted bit, a code's check bits counted.
+  double bit_error_rate = 0;  ///< Of transmitted bits, before a code corrects; [0, 0.5].
 
   bool operator==(const LinkBudget&) const = default;
 };
@@ -62,7 +62,7 @@ class LinkModel {
  public:
   LinkModel(const ModemPreset& modem, const Sea& sea);
 
-  /// Returns the budget over `range_m`. A range, modem or sea that cannot be gives a link with a
+  /// Returns the budget over `range_m`. An invalid range, modem or sea gives a link with a
   /// bit error rate of 0.5.
   [[nodiscard]] LinkBudget At(double range_m) const;
 
@@ -73,7 +73,7 @@ class LinkModel {
  private:
   double source_level_db_;
   double bandwidth_khz_;
-  double data_rate_in_water_bps_;
+  double transmitted_rate_bps_;
   Modulation modulation_;
   Fading fading_;
   double spreading_exponent_;

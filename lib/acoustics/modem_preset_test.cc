@@ -45,7 +45,7 @@ TEST(LinkModel, SpendsEnergyOnTheCheckBitsOfACode) {
       10 * std::log10(2), 1e-12);
 }
 
-TEST(LinkModel, TellsWhatItHasComputedOnce) {
+TEST(LinkModel, ReturnsWhatItHasComputedOnce) {
   const Sea sea = {.water = {.temperature_degc = 20},
                    .noise = {.shipping = 0, .wind_mps = 10},
                    .absorption = AbsorptionModel::kThorp,
@@ -56,7 +56,7 @@ TEST(LinkModel, TellsWhatItHasComputedOnce) {
   EXPECT_EQ(model.At(100).transmission_loss_db, TransmissionLoss(100, 2, ThorpAbsorption(25)));
 }
 
-TEST(LinkModel, HearsNothingWhereAnythingIsNonsense) {
+TEST(LinkModel, ReceivesNothingWhereAnyInputIsInvalid) {
   for (const double nonsense : {kNaN, kInfinity, -1.0}) {
     EXPECT_EQ(LinkModel(kModem, {}).At(nonsense).bit_error_rate, 0.5) << nonsense;
   }

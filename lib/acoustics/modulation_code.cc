@@ -30,7 +30,7 @@ std::string ProblemOf(const BlockCode& code) {
   if (std::log2(patterns) > code.block_bits - code.data_bits + 1e-9) {
     return "no code of " + n + " bits with " + k + " data bits corrects " + t +
            " errors: there are " + std::to_string(code.block_bits - code.data_bits) +
-           " check bits, and telling the error patterns apart takes " +
+           " check bits, and distinguishing the error patterns takes " +
            std::to_string(static_cast<int>(std::ceil(std::log2(patterns) - 1e-9)));
   }
   return "";
@@ -42,7 +42,7 @@ double CodeRate(const BlockCode& code) {
 
 double BlockErrorRate(double bit_error_rate, const BlockCode& code) {
   SHOAL_CHECK(code.block_bits >= 1 && code.block_bits <= kMaxBlockBits && code.data_bits >= 1,
-              "codes are checked where they are read");
+              "ProblemOf(code) is empty");
   const double p = std::isnan(bit_error_rate) ? 0.5 : std::clamp(bit_error_rate, 0.0, 0.5);
   const int n = code.block_bits;
   const double odds = p / (1 - p);

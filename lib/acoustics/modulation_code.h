@@ -17,25 +17,25 @@ namespace shoal {
 
 /// A binary block code; the default is none.
 struct BlockCode {
-  int block_bits = 1;      ///< n: bits of a block in the water; [1, kMaxBlockBits].
+  int block_bits = 1;      ///< n: transmitted bits of a block; [1, kMaxBlockBits].
   int data_bits = 1;       ///< k: of the user's; [1, n].
-  int corrected_bits = 0;  ///< t: wrong bits in a block that do no harm.
+  int corrected_bits = 0;  ///< t: wrong bits that a block can correct.
 
   bool operator==(const BlockCode&) const = default;
 };
 
 constexpr int kMaxBlockBits = 1023;
 
-/// Returns why there can be no such code, in words for a mission's author; empty where there can.
-/// A code with so many corrected bits must leave room for every pattern of errors: sum over i <= t
+/// Returns why there can be no such code, for the author of a mission file; empty where there can.
+/// A code that corrects t bits must leave room for every pattern of errors: sum over i <= t
 /// of C(n, i) <= 2^(n-k) (Hamming's bound).
 [[nodiscard]] std::string ProblemOf(const BlockCode& code);
 
 /// Returns k / n.
 [[nodiscard]] double CodeRate(const BlockCode& code);
 
-/// Returns the probability that a block cannot be corrected. `bit_error_rate` is that of the bits
-/// in the water, clamped to [0, 0.5]; NaN counts as 0.5.
+/// Returns the probability that a block cannot be corrected. `bit_error_rate` is that of the
+/// transmitted bits, clamped to [0, 0.5]; NaN counts as 0.5.
 /// @pre ProblemOf(code) is empty
 [[nodiscard]] double BlockErrorRate(double bit_error_rate, const BlockCode& code);
 

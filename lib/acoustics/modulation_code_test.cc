@@ -75,7 +75,7 @@ TEST(BlockErrorRate, OfTheLargestBlockIsANumberInRange) {
   EXPECT_LT(BlockErrorRate(0.1, largest), 1e-30);
 }
 
-TEST(BlockErrorRate, TakesNonsenseForTheWorst) {
+TEST(BlockErrorRate, TakesInvalidInputForTheWorst) {
   EXPECT_EQ(BlockErrorRate(kNaN, kGolay), BlockErrorRate(0.5, kGolay));
   EXPECT_EQ(BlockErrorRate(2, kGolay), BlockErrorRate(0.5, kGolay));
   EXPECT_EQ(BlockErrorRate(-1, kGolay), 0);
@@ -99,7 +99,7 @@ TEST(BlockCode, IsPossibleWhereItsKindIsKnown) {
 TEST(BlockCode, IsImpossibleBeyondHammingsBound) {
   EXPECT_EQ(ProblemOf({7, 4, 2}),
             "no code of 7 bits with 4 data bits corrects 2 errors: there are 3 check bits, and "
-            "telling the error patterns apart takes 5");
+            "distinguishing the error patterns takes 5");
   EXPECT_NE(ProblemOf({23, 12, 4}), "");
   EXPECT_NE(ProblemOf({1, 1, 1}), "");
 }

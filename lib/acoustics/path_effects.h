@@ -1,5 +1,4 @@
-// What the path does to a packet on its way to one receiver, collisions apart: jitter, packet loss
-// and bit errors.
+// Effects of the path on a packet, collisions apart: jitter, packet loss and bit errors.
 #pragma once
 
 #include <cstddef>

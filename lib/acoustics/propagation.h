@@ -1,4 +1,4 @@
-// What is left of a sound at a distance: the passive sonar equation, SNR = SL - TL - NL. All levels
+// Transmission loss and the passive sonar equation, SNR = SL - TL - NL. All levels
 // re 1 uPa; source levels at 1 m.
 #pragma once
 

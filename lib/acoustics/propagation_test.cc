@@ -28,7 +28,7 @@ TEST(TransmissionLoss, HasNoSpreadingWithinAMetre) {
   EXPECT_NEAR(TransmissionLoss(0.5, 2, 10), 0.005, 1e-15);
 }
 
-TEST(TransmissionLoss, IsInfiniteWhereItsArgumentsAreNonsense) {
+TEST(TransmissionLoss, IsInfiniteWhereItsArgumentsAreInvalid) {
   EXPECT_EQ(TransmissionLoss(kInfinity, 2, 0), kInfinity);
   EXPECT_EQ(TransmissionLoss(kInfinity, 0, 0), kInfinity);
   EXPECT_EQ(TransmissionLoss(0, 2, kInfinity), kInfinity);

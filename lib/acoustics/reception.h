@@ -11,7 +11,7 @@ namespace shoal {
 
 /// Every packet gets exactly one of these at every receiver it was meant for: the first that holds.
 enum class AcousticFate : uint8_t {
-  kNotListening,  ///< The receiver does not hear this channel; only in tdma_lf.
+  kNotListening,  ///< The receiver does not receive on this channel; only in tdma_lf.
   kNoPath,        ///< A position is not known, or farther than sound can come.
   kHalfDuplex,    ///< The receiver was sending meanwhile.
   kCollided,      ///< Others on the channel overlapped it; only where collisions drop packets.
@@ -38,7 +38,7 @@ struct PacketId {
   auto operator<=>(const PacketId&) const = default;
 };
 
-/// So many of the packets that overlapped one are named; all are counted.
+/// At most this many of the packets that overlapped one are named; all are counted.
 inline constexpr int kMaxNamedColliders = 4;
 
 /// One packet at one receiver. A number that played no part is -1, or absent.

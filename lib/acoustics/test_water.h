@@ -1,4 +1,4 @@
-// What the tests of the acoustic network share: nodes, traffic, and a diary of what arrived.
+// Shared by the tests of the acoustic network: nodes, traffic, and a list of what arrived.
 #pragma once
 
 #include <Eigen/Core>
@@ -24,14 +24,14 @@ inline std::vector<AcousticNode> TestNodes(int count) {
   return nodes;
 }
 
-inline std::vector<int> AllOf(const AcousticNetwork& water) {
-  std::vector<int> nodes(static_cast<size_t>(water.num_nodes()));
+inline std::vector<int> AllOf(const AcousticNetwork& network) {
+  std::vector<int> nodes(static_cast<size_t>(network.num_nodes()));
   std::iota(nodes.begin(), nodes.end(), 0);
   return nodes;
 }
 
 /// Returns options under which everything arrives, undamaged and after its travel time.
-inline AcousticOptions CalmWater(AccessMode mode) {
+inline AcousticOptions IdealOptions(AccessMode mode) {
   return {.access_mode = mode,
           .jitter = JitterModel::kOff,
           .collisions = CollisionModel::kOff,
@@ -39,7 +39,7 @@ inline AcousticOptions CalmWater(AccessMode mode) {
           .bit_error_model = BitErrorModel::kOff};
 }
 
-/// Returns a modem that hears others up to 5 km or so.
+/// Returns a modem with a range of about 5 km.
 inline ModemPreset TestModem() {
   return {.name = "test",
           .low_khz = 24,
@@ -61,15 +61,15 @@ struct Arrived {
 };
 
 /// Delivers until then and appends what came.
-inline void DeliverTo(AcousticNetwork* water, double until_s, std::vector<Arrived>* arrived) {
-  for (const Reception& reception : water->Deliver(until_s)) {
+inline void DeliverTo(AcousticNetwork* network, double until_s, std::vector<Arrived>* arrived) {
+  for (const Reception& reception : network->Deliver(until_s)) {
     arrived->push_back({reception, {reception.bytes.begin(), reception.bytes.end()}});
   }
 }
 
-inline std::vector<Arrived> DeliverAll(AcousticNetwork* water, double until_s = 1e9) {
+inline std::vector<Arrived> DeliverAll(AcousticNetwork* network, double until_s = 1e9) {
   std::vector<Arrived> arrived;
-  DeliverTo(water, until_s, &arrived);
+  DeliverTo(network, until_s, &arrived);
   return arrived;
 }
 
@@ -81,10 +81,10 @@ struct Sent {
   std::vector<int> receivers;
 };
 
-/// Dice for schedules; the same seed, the same schedules.
-class TrafficDice {
+/// Draws schedules at random; the same seed, the same schedules.
+class TrafficGenerator {
  public:
-  explicit TrafficDice(uint64_t seed) : stream_(seed, "test traffic") {}
+  explicit TrafficGenerator(uint64_t seed) : stream_(seed, "test traffic") {}
 
   int Int(int low, int high) {  ///< Both included.
     return low + static_cast<int>(stream_.UniformInt(static_cast<uint64_t>(high - low) + 1));

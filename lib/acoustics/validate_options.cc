@@ -13,8 +13,8 @@ namespace {
 constexpr bool kFrom = true;
 constexpr bool kMoreThan = false;
 
-/// Limits only keep arithmetic finite and memory bounded; they are far beyond any modem. What
-/// travels for ever is in transit for ever.
+/// Limits only keep arithmetic finite and memory bounded; they are far beyond any modem. At speed 0
+/// a packet would be in transit for ever.
 constexpr double kMinSpeed_mps = 1;
 constexpr double kMaxSpeed_mps = 100'000;
 constexpr double kMaxFreq_khz = 100'000;
@@ -37,7 +37,7 @@ constexpr OptionRange kRanges[] = {
     {"nominal_distance_m", &Options::nominal_distance_m, 0, kMoreThan, kMaxDistance_m},
     {"packet_loss", &Options::packet_loss, 0, kFrom, 1},
     {"packet_loss_distance_m", &Options::packet_loss_distance_m, 0, kMoreThan, kMaxDistance_m},
-    // At 0.5 a bit says nothing any more; beyond, it would say the opposite.
+    // At 0.5 a bit carries no information; beyond, its complement would carry some again.
     {"bit_error_rate", &Options::bit_error_rate, 0, kFrom, 0.5},
     {"bit_error_distance_m", &Options::bit_error_distance_m, 0, kMoreThan, kMaxDistance_m},
     {"snr_nominal_db", &Options::snr_nominal_db, -kMaxDecibels, kFrom, kMaxDecibels},

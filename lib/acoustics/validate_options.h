@@ -23,7 +23,7 @@ struct OptionRange {
 /// to kMaxBroadcastAddress.
 [[nodiscard]] std::span<const OptionRange> OptionRanges();
 
-/// Something in AcousticOptions that cannot be, and how to mend it.
+/// Something in AcousticOptions that is invalid, and how to fix it.
 struct OptionProblem {
   std::string option;   ///< Its name in AcousticOptions.
   std::string message;  ///< With the numbers: "must be more than 0, not -3".

@@ -4,7 +4,7 @@ namespace shoal {
 
 void Bus::CountUndecodable(std::string_view channel) {
   ++counters_.undecodable;
-  // A stranger may make up channel names without end; the app's own subscriptions are few.
+  // An outside program may invent any number of channel names; the app's own subscriptions are few.
   const auto found = counters_.undecodable_by_channel.find(channel);
   if (found != counters_.undecodable_by_channel.end()) {
     ++found->second;

@@ -1,10 +1,10 @@
-// What an app sees of the world: named channels that carry LCM messages.
+// The bus as apps use it: named channels that carry LCM messages.
 //
 //   Subscribe(bus, channels::Nav("alpha"), [this](const nav_t& nav) { nav_ = nav; });
 //   Publish(bus, channels::Desired("alpha"), desired);
 //
-// MemoryBus connects the participants of one process, LcmBus connects processes. An app cannot tell
-// which it has. Handlers run in the thread that steps the app, never inside Publish.
+// MemoryBus connects the participants of one process, LcmBus connects processes. To an app
+// both are the same. Handlers run in the thread that steps the app, never inside Publish.
 #pragma once
 
 #include <cstdint>
@@ -36,7 +36,7 @@ struct Channel {
   std::string name;
 };
 
-/// What a bus did so far. Nothing that came in is in none of these.
+/// Counters of a bus. Every message that came in is counted in one of them.
 struct BusCounters {
   int64_t published = 0;
   int64_t handled = 0;
@@ -54,7 +54,7 @@ class Bus {
   Bus(const Bus&) = delete;
   Bus& operator=(const Bus&) = delete;
 
-  /// Sends `data`, an encoded LCM message, to all who subscribed to `channel`, at the next step.
+  /// Sends `data`, an encoded LCM message, to all subscribers of `channel`, at the next step.
   /// @pre channel has 1 to 63 characters, letters, digits, '_' and '.'.
   virtual void PublishBytes(std::string_view channel, std::span<const uint8_t> data) = 0;
 
@@ -78,7 +78,7 @@ template <class T>
 void EncodeInto(const T& message, Bytes* bytes) {
   bytes->resize(static_cast<size_t>(message.getEncodedSize()));
   const int written = message.encode(bytes->data(), 0, static_cast<int>(bytes->size()));
-  SHOAL_CHECK(written == static_cast<int>(bytes->size()), "a message does not fit its own size");
+  SHOAL_CHECK(written == static_cast<int>(bytes->size()), "a message encodes to its own size");
 }
 
 /// Decodes `data`, or returns false for bytes that are not one whole message of type T. Never

@@ -157,7 +157,7 @@ std::vector<ChannelRow> MakeTable() {
   }
   const std::vector<ChannelRow> rest = {
       {topics::kUncControlsReq, kShore, "unc_controls_req_t", "shore_broker", "shoal",
-       "when it starts in the midst of a mission", true},
+       "when it starts in mid-mission", true},
       {topics::kUncControls, kShore, "unc_controls_t", "shoal", "shore_broker", "when asked", true},
       {topics::kCommsRulesNow, kShore, "comms_rules_t", "shore_broker", "viewer", "when asked",
        false, true},

@@ -150,7 +150,7 @@ struct ChannelRow {
   std::string_view publishers;
   std::string_view subscribers;
   std::string_view rate;
-  bool logged;             ///< False: made for eyes or for stepping, left out of a mission's log.
+  bool logged;  ///< False: made for display or for stepping, left out of a mission's log.
   bool is_answer = false;  ///< To a request outside stepping: without effect on the mission.
 };
 

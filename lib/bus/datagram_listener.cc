@@ -34,7 +34,7 @@ bool Filter(int opened, std::span<const std::string_view> topics) {
   std::vector<sock_filter> code = {
       BPF_STMT(BPF_LD | BPF_W | BPF_ABS, kUdpHeader + static_cast<uint32_t>(kHeaderSize))};
   for (size_t i = 0; i < topics.size(); ++i) {
-    SHOAL_CHECK(topics[i].size() >= 4, "a topic is too short for the filter");
+    SHOAL_CHECK(topics[i].size() >= 4, "a topic has at least four characters");
     uint32_t word = 0;
     for (const char each : topics[i].substr(0, 4)) word = word << 8 | static_cast<uint8_t>(each);
     // Where it is not this, the next is asked; behind the last stands the refusal.

@@ -1,5 +1,5 @@
-// Hears LCM messages of one datagram on many ports in one thread, without LCM: for those who must
-// take as little of the machine as they can from the mission that they watch. (LCM keeps a thread
+// Receives LCM messages of one datagram on many ports in one thread, without LCM: for programs that
+// watch a mission and must leave it as much of the machine as possible. (LCM keeps a thread
 // per port, which wakes for each datagram and hands it on through a pipe.)
 //
 //   DatagramListener listener({18003, 18004});
@@ -17,7 +17,7 @@ namespace shoal {
 
 class DatagramListener {
  public:
-  /// Hears all channels, or those that begin with one of `topics`: the kernel throws the others
+  /// Receives all channels, or those that begin with one of `topics`: the kernel throws the others
   /// away.
   /// @pre every topic has at least four characters; the first four count
   explicit DatagramListener(std::span<const int> ports,

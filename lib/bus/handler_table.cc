@@ -3,7 +3,7 @@
 namespace shoal {
 
 bool HandlerTable::Add(const std::string& channel, Bus::Handler handler) {
-  const bool is_new = !Hears(channel);
+  const bool is_new = !Wants(channel);
   by_channel_[channel].push_back(std::move(handler));
   return is_new;
 }

@@ -1,4 +1,4 @@
-// Who wants which channel: the subscriptions of one participant.
+// The subscriptions of one participant.
 #pragma once
 
 #include <cstdint>
@@ -13,12 +13,12 @@ namespace shoal {
 
 class HandlerTable {
  public:
-  /// Returns true where nobody heard this channel before, so that it must be listened to.
+  /// Returns true for the first subscription to this channel: the transport must listen to it.
   bool Add(const std::string& channel, Bus::Handler handler);
-  /// Adds one that hears every channel.
+  /// Adds a handler for every channel.
   void AddForAll(Bus::Handler handler);
 
-  bool Hears(std::string_view channel) const {
+  bool Wants(std::string_view channel) const {
     return !for_all_.empty() || by_channel_.contains(channel);
   }
   bool empty() const { return for_all_.empty() && by_channel_.empty(); }

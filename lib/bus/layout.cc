@@ -32,7 +32,8 @@ std::string_view Name(Layout layout) {
 
 PortPlan::PortPlan(int base, Layout layout, const std::vector<std::string>& vehicles)
     : base_(base), layout_(layout), num_vehicles_(static_cast<int>(vehicles.size())) {
-  SHOAL_CHECK(base >= 1024 && base + num_ports() <= 65536, "the block of ports is out of range");
+  SHOAL_CHECK(base >= 1024 && base + num_ports() <= 65536,
+              "the block of ports lies within 1024 to 65535");
   if (layout == Layout::kShared) return;
   for (size_t i = 0; i < vehicles.size(); ++i) {
     community_ports_[UpperCase(vehicles[i])] =

@@ -39,7 +39,7 @@ TEST(PortPlan, IsNotMisledByVehiclesNamedLikeTopics) {
   EXPECT_EQ(plan.PortOf("NAV_B"), 8005);
 }
 
-TEST(PortPlan, SharesCommunitiesAmongMoreVehiclesThanAProcessCanHear) {
+TEST(PortPlan, SharesCommunitiesAmongMoreVehiclesThanAProcessHasPortsFor) {
   std::vector<std::string> vehicles;
   for (int i = 0; i < 1000; ++i) vehicles.push_back("v" + std::to_string(i));
   const PortPlan plan(8000, Layout::kCommunities, vehicles);
@@ -79,7 +79,7 @@ TEST(VehicleOfChannel, IsEmptyForChannelsOfTheShoreThatBeginWithTheTopic) {
   }
 }
 
-TEST(IsLogged, LeavesOutWhatIsMadeForEyesAndStepping) {
+TEST(IsLogged, LeavesOutWhatIsMadeForDisplayAndStepping) {
   EXPECT_TRUE(IsLogged("NAV_ALPHA"));
   EXPECT_TRUE(IsLogged("MY_CAMERA"));
   EXPECT_FALSE(IsLogged("APPCAST"));

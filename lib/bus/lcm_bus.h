@@ -1,5 +1,5 @@
-// A bus over LCM for those who do not take part in stepping: tools, viewers, scripts. Handlers run
-// in Poll, at arrival; what is published counts as said from outside.
+// A bus over LCM for programs that do not take part in stepping: tools, viewers, scripts. Handlers
+// run in Poll, at arrival; what is published counts as from outside.
 //
 //   LcmBus bus(plan);
 //   Subscribe(bus, channels::Appcast(), [](const appcast_t& page) { ... });

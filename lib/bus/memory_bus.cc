@@ -59,7 +59,7 @@ MemoryBus::~MemoryBus() = default;
 Bus& MemoryBus::Join(const std::string& participant) {
   SHOAL_CHECK(open_items_.empty(), "all join before anything is published");
   auto& port = ports_[participant];
-  SHOAL_CHECK(port == nullptr, "two participants of one name");
+  SHOAL_CHECK(port == nullptr, "participants have unique names");
   port = std::make_unique<Port>(*this, participant);
   names_by_rank_.clear();
   for (auto& [name, each] : ports_) {

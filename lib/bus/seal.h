@@ -1,7 +1,7 @@
 // The seal that a participant puts behind every message it publishes over LCM.
 //
-// LCM's decoders read what their type says and ignore what follows, so a sealed message stays
-// readable for lcm-spy, lcm-logger and everybody else. Behind the encoded message stand:
+// LCM's decoders read what their type holds and ignore what follows, so a sealed message stays
+// readable for lcm-spy, lcm-logger and all other programs. Behind the encoded message stand:
 //
 //   name          n bytes    the publisher's name
 //   n             1 byte

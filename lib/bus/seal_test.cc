@@ -22,7 +22,7 @@ TEST(Seal, ComesBackAsItWasPut) {
             (std::vector<uint8_t>{1, 2, 3}));
 }
 
-TEST(Seal, HasTheBytesThatTheProtocolPageTells) {
+TEST(Seal, HasTheBytesThatTheProtocolPageStates) {
   std::vector<uint8_t> bytes = {0xaa};
   AppendSeal(
       {.publisher = "ab", .mission_id = 0x0102030405060708, .step = 9, .sequence = 0x0a0b0c0d},

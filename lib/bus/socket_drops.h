@@ -7,7 +7,7 @@
 namespace shoal {
 
 /// Returns how many datagrams for these UDP ports found this process's receive buffers full, as
-/// /proc/net/udp tells; 0 where it does not tell.
+/// /proc/net/udp shows; 0 where it cannot be read.
 [[nodiscard]] int64_t DroppedDatagrams(std::span<const int> ports);
 
 }  // namespace shoal

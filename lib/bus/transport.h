@@ -1,5 +1,5 @@
 // Datagrams on numbered ports: what stepping needs of a network. LcmTransport is the real one;
-// tests have one that loses what they want lost.
+// tests have one that loses chosen datagrams.
 #pragma once
 
 #include <cstdint>
@@ -17,14 +17,14 @@ class Transport {
 
   virtual ~Transport() = default;
 
-  /// Sends a datagram to all who listen to `channel` on `port`, this object included. What is
+  /// Sends a datagram to all listeners of `channel` on `port`, this object included. What is
   /// lost comes again by the step protocol.
   virtual void Send(int port, std::string_view channel, std::span<const uint8_t> datagram) = 0;
 
-  /// Hears `channel` on `port` from now on.
+  /// Receives `channel` on `port` from now on.
   virtual void Listen(int port, const std::string& channel) = 0;
 
-  /// Hears every channel on `port` from now on.
+  /// Receives every channel on `port` from now on.
   virtual void ListenToAll(int port) = 0;
 };
 

@@ -16,7 +16,7 @@ const Schema& CompiledSchema() {
     for (const std::string_view text : LcmSources())
       sources.push_back({"lcmtypes", std::string(text)});
     Result<Schema> built = Schema::Build(sources);
-    SHOAL_CHECK(built.ok(), "lcm-gen takes shoal's own types and lib/schema does not");
+    SHOAL_CHECK(built.ok(), "lib/schema reads all of shoal's types");
     return std::move(*built);
   }();
   return schema;

@@ -1,5 +1,5 @@
-// Guards decoding against lengths that lie: LCM's generated code allocates what an array length
-// says before it looks whether so many bytes are there.
+// Guards decoding against false lengths: LCM's generated code allocates what an array length states
+// before it checks that this many bytes are there.
 #pragma once
 
 #include <cstdint>

@@ -49,7 +49,7 @@ TEST(WireLengthsAreSane, RefusesOtherTypesAndUnknownFingerprints) {
   EXPECT_FALSE(WireLengthsAreSane(12345, Encoded(nav_t{})));
 }
 
-TEST(Decode, RefusesAnArrayLengthThatLies) {
+TEST(Decode, RefusesAFalseArrayLength) {
   comms_fates_t fates;
   Bytes bytes = Encoded(comms_fates_t{});
   ASSERT_TRUE(Decode(bytes, &fates));

@@ -13,7 +13,7 @@
 
 namespace shoal {
 
-/// What went wrong, in words for the person who can mend it: what, where, what to try.
+/// What went wrong, for the person who can fix it: what, where, what to try.
 struct Error {
   std::string message;
 };

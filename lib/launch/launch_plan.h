@@ -44,7 +44,7 @@ struct LaunchContext {
 [[nodiscard]] Result<ChildCommand> CommandOf(const RosterEntry& entry,
                                              const LaunchContext& context);
 
-/// Returns the command line for a participant that a user starts by hand.
+/// Returns the command line for a participant that a user starts.
 std::string HandCommand(const RosterEntry& entry, const LaunchContext& context);
 
 /// Returns the commands of lcm-logger, one per bus.

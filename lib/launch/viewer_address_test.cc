@@ -49,7 +49,7 @@ TEST_F(AwaitedViewer, IsWarnedAboutAfterTenSecondsWithoutAnAddress) {
   EXPECT_EQ(ShownAt(10.3), "");
 }
 
-TEST_F(AwaitedViewer, IsForgottenWhenItHasEnded) {
+TEST_F(AwaitedViewer, IsNotAwaitedOnceTheViewerHasEnded) {
   Log("viewer: http://127.0.0.1:8765/\n");
   address_.Forget();
   EXPECT_EQ(ShownAt(1), "");

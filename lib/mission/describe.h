@@ -1,7 +1,7 @@
 // What each table of a mission file holds: keys, ranges and what must fit together within it. Used
 // to read (TableReader) and to write (TableWriter), so that the two cannot differ.
 //
-// To add a block, say [netsim]:
+// To add a block, for example [netsim]:
 //   1. mission.h: a struct with its defaults, and a member of Mission;
 //   2. a file describe_netsim.cc: void Describe(Fields&, NetsimOptions&), one line per key;
 //   3. here its declaration, and one line in Describe(Fields&, Mission&):

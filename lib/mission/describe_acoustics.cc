@@ -102,7 +102,7 @@ void SetSoundSpeed(Fields& fields, AcousticOptions& options) {
     fields.Refuse("sea",
                   fmt::format("no sound speed is known for water of {} ppt, since Mackenzie's "
                               "equation begins at {}: write sound_speed_mps = 1450, or "
-                              "whatever it is, in [acoustics]",
+                              "the measured speed, in [acoustics]",
                               options.sea.water.salinity_ppt, kMinSalinityForSoundSpeed_ppt));
   }
 }

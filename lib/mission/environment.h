@@ -64,13 +64,13 @@ struct Environment {
   bool operator==(const Environment&) const = default;
 };
 
-/// `[acoustics]`: the acoustic network, which carries what `reports_over` and `messages_over` say,
-/// and ACOUSTIC_TX always.
+/// `[acoustics]`: the acoustic network, which carries what `reports_over` and `messages_over`
+/// select, and ACOUSTIC_TX always.
 struct Acoustics {
-  /// The mission means to use it: it has the table, or traffic that goes over it. Only then must
+  /// The mission uses it: it has the table, or traffic that goes over it. Only then must
   /// there be a channel for each vehicle.
   bool is_used = false;
-  bool crc = true;  ///< Four more bytes on the air, by which damage is found and thrown away.
+  bool crc = true;  ///< Four more bytes on the air; receivers drop packets that fail the check.
   AcousticOptions options;
 
   bool operator==(const Acoustics&) const = default;

@@ -8,7 +8,7 @@
 
 namespace shoal {
 
-/// `[[event]]`: at a time, something is said.
+/// `[[event]]`: a message that is published at a given time.
 struct CommandEvent {
   std::string vehicle;  ///< A name, or "all".
   std::string command;  ///< A helm command: see helm_command_t.

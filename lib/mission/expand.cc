@@ -91,7 +91,7 @@ void LayOver(Table& under, const Table& over) {
 
 struct NamedFleet {
   Fleet fleet;
-  std::optional<NamePattern> names;  ///< Absent where the name is wrong, which has been told.
+  std::optional<NamePattern> names;  ///< Absent where the name is wrong, which has been reported.
 };
 
 NamedFleet ReadFleet(const Value& source, Problems& problems) {
@@ -146,7 +146,7 @@ class Expansion {
   Array TakeVehicles() { return std::move(vehicles_); }
 
  private:
-  /// Returns the template, a table, that a vehicle or fleet names; tells where there is none.
+  /// Returns the template, a table, that a vehicle or fleet names; reports where there is none.
   const Value* FindTemplate(const Table& user) {
     const Value* name = Find(user, "template");
     if (name == nullptr) return nullptr;
@@ -156,7 +156,7 @@ class Expansion {
       return nullptr;
     }
     if (const Value* found = Find(templates_, *text)) {
-      // One that is no table is told where templates are checked.
+      // One that is no table is reported where templates are checked.
       return std::holds_alternative<Table>(found->data) ? found : nullptr;
     }
     std::vector<std::string_view> known;
@@ -191,19 +191,20 @@ class Expansion {
     if (HasRoomFor(1, CountValues(vehicle), vehicle.place)) vehicles_.push_back(std::move(vehicle));
   }
 
-  /// Counts `count` more vehicles of so many values each; tells the first time that it is too much.
+  /// Counts `count` more vehicles of `values_each` values; reports the first excess.
   bool HasRoomFor(int64_t count, int64_t values_each, const Place& place) {
     if (full_) return false;
     num_vehicles_ += count;
     num_values_ += count * values_each;
     full_ = num_vehicles_ > static_cast<int64_t>(kMostVehicles) || num_values_ > kMostValues;
     if (!full_) return true;
-    problems_.Add(place, num_values_ <= kMostValues
-                             ? fmt::format("more than {} vehicles; no mission can have so many",
-                                           kMostVehicles)
-                             : fmt::format("more than {} values in all vehicles together; make the "
-                                           "templates smaller or the fleets fewer",
-                                           kMostValues));
+    problems_.Add(
+        place,
+        num_values_ <= kMostValues
+            ? fmt::format("more than {} vehicles, the most that a mission can have", kMostVehicles)
+            : fmt::format("more than {} values in all vehicles together; make the "
+                          "templates smaller or the fleets fewer",
+                          kMostValues));
     return false;
   }
 
@@ -222,7 +223,7 @@ void ExpandVehicles(Value& root, Problems& problems) {
   Expansion expansion(table, problems);
   Value* vehicles = Find(table, "vehicle");
   if (vehicles != nullptr && !std::holds_alternative<Array>(vehicles->data)) {
-    return;  // [vehicle] in single brackets: told by whoever reads the vehicles.
+    return;  // [vehicle] in single brackets: reported where vehicles are read.
   }
   if (vehicles != nullptr) {
     for (const Value& vehicle : std::get<Array>(vehicles->data)) expansion.AddVehicle(vehicle);

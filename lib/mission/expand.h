@@ -1,4 +1,4 @@
-// Templates and fleets: from what a mission file says in short to one table per vehicle.
+// Templates and fleets: expands the short forms of a mission file to one table per vehicle.
 #pragma once
 
 #include "lib/mission/problems.h"

@@ -70,19 +70,19 @@ kind = "station_keep"
   EXPECT_EQ(loaded.mission.vehicles.at(0).tasks[0].name, "own");
 }
 
-TEST(Templates, TellAnErrorOnceHoweverManyVehiclesInheritIt) {
+TEST(Templates, ReportAnErrorOnceForAllVehiclesThatInheritIt) {
   EXPECT_EQ(ErrorsAfter("[template.t]\nlenght = 3\n[[fleet]]\ntemplate = \"t\"\ncount = 9\n"),
             "6:1: unknown key 'lenght' (did you mean 'length_m'?)\n");
 }
 
-TEST(Templates, AreCheckedEvenWhereNobodyUsesThem) {
+TEST(Templates, AreCheckedEvenWhereNoVehicleUsesThem) {
   EXPECT_EQ(ErrorsAfter("[template.t]\nlength_m = 0\nname = \"a\"\ntemplate = \"u\"\n"),
             "6:12: length_m = 0 is out of range; allowed: greater than 0, at most 500\n"
             "7:8: a template must not have a name; its vehicles have\n"
             "8:12: only a [[vehicle]] or a [[fleet]] of the file can have a template\n");
 }
 
-TEST(Templates, ThatAreUnknownAreTold) {
+TEST(Templates, ThatAreUnknownAreReported) {
   EXPECT_EQ(ErrorsAfter("template = \"scuot\"\n[template.scout]\nlength_m = 1\n"),
             "5:12: unknown template 'scuot' (did you mean 'scout'?)\n");
   EXPECT_EQ(ErrorsAfter("template = \"scout\"\n"),
@@ -120,7 +120,7 @@ TEST(Fleets, StandInOneRowWithoutColumnsAndAreCalledBoatsWithoutAName) {
   EXPECT_EQ(loaded.mission.vehicles.at(11).start.y_m, 0);
 }
 
-TEST(Fleets, TellWhatIsWrongWithThem) {
+TEST(Fleets, ReportWhatIsWrongWithThem) {
   EXPECT_EQ(ErrorsAfter("[template.t]\n[[fleet]]\ntemplate = \"t\"\nname = \"boat\"\ncount = 3\n"),
             "8:8: the name 'boat' of a fleet must hold its number: boat_{n}, or boat_{n:02} for "
             "boat_01, boat_02, ...\n");
@@ -135,7 +135,7 @@ TEST(Fleets, AreLimitedToTenThousandVehicles) {
   const auto with = [](const std::string& count) {
     return ErrorsAfter("[template.t]\n[[fleet]]\ntemplate = \"t\"\ncount = " + count + "\n");
   };
-  EXPECT_EQ(with("10000"), "6:1: more than 10000 vehicles; no mission can have so many\n");
+  EXPECT_EQ(with("10000"), "6:1: more than 10000 vehicles, the most that a mission can have\n");
   EXPECT_EQ(with("10001"), "8:9: count = 10001 is out of range; allowed: 1 to 10000\n");
 }
 
@@ -148,7 +148,7 @@ TEST(Fleets, CannotMultiplyAGiantTemplate) {
             "the fleets fewer\n");
 }
 
-TEST(Overrides, ChangeWhatTheFileSaysOrAddToIt) {
+TEST(Overrides, ChangeOrAddKeysOfTheFile) {
   const Mission mission =
       LoadFleet({"mission.seed=7", "mission.name=second", "comms.comms_range=nolimit",
                  "environment.current={speed_mps = 0.5}", "fleet.1.count=2",
@@ -200,7 +200,7 @@ TEST(Overrides, AreNamedByTheirErrors) {
       "--set mission.duration_s.x=5: 'duration_s' is a whole number; nothing lies below it\n");
 }
 
-TEST(Overrides, OfTemplatesThatAreNotThereAreTold) {
+TEST(Overrides, OfTemplatesThatAreNotThereAreReported) {
   EXPECT_EQ(ErrorsAfter("[template.scout]\nlength_m = 7\n", {"template.scuot.length_m=5"}),
             "--set template.scuot.length_m=5: no template 'scuot' (did you mean 'scout'?)\n");
   EXPECT_EQ(ErrorsAfter("[template.scout]\nlength_m = 7\n", {"template.kayak.start.x_m=5"}),
@@ -210,7 +210,7 @@ TEST(Overrides, OfTemplatesThatAreNotThereAreTold) {
             "[template.NAME]\n");
 }
 
-TEST(Overrides, WithoutAFormAreTold) {
+TEST(Overrides, WithoutAFormAreReported) {
   const std::string hint =
       ": not of the form key.path=value, such as mission.seed=7 or vehicle.alpha.helm=hand\n";
   for (const std::string bad : {"", "=", "=5", "a", "a.", "a.=5", ".a=5", "a b=5", "\"a=5"}) {
@@ -221,7 +221,7 @@ TEST(Overrides, WithoutAFormAreTold) {
             "than letters, digits and _-.:/ needs quotes: 'name=\"...\"'\n");
 }
 
-TEST(Overrides, CannotSmuggleInMoreThanOneValue) {
+TEST(Overrides, CannotSetMoreThanOneValue) {
   EXPECT_EQ(
       ErrorsAfter("", {"mission.seed=1\n[comms]\ncomms_range=3"}),
       "--set mission.seed=1?[comms]?comms_range=3: '1?[comms]?comms_range=3' is no TOML value; "

@@ -39,7 +39,7 @@ struct CommsExpectation {  ///< kind = "reports", "messages", "acks" or "packets
 
   bool operator==(const CommsExpectation&) const = default;
 };
-struct SwarmExpectation {  ///< kind = "swarm": what became of the messages that members heard.
+struct SwarmExpectation {  ///< kind = "swarm": the results of the messages that members received.
   std::string from = "all";
   std::string to = "all";
   std::string outcome = "clean";                      ///< clean, recovered or rejected.

@@ -62,7 +62,7 @@ void AddKeys(const Value& value, std::set<std::string>& keys) {
 }
 
 TEST(Explain, WritesNoKeyThatTheDocumentationDoesNotHave) {
-  // A modem's keys are told where modems are.
+  // A modem's keys are documented with the modems.
   std::string page;
   for (const std::string name : {"mission_file.md", "acoustics_models.md"}) {
     std::ifstream file(std::string(SHOAL_SOURCE_DIR) + "/docs/" + name);
@@ -82,7 +82,7 @@ TEST(Explain, WritesNoKeyThatTheDocumentationDoesNotHave) {
   EXPECT_GE(keys.size(), 70U);
   for (const std::string& key : keys) {
     EXPECT_NE(page.find("`" + key + "`"), std::string::npos)
-        << "docs/mission_file.md does not tell what " << key << " means";
+        << "docs/mission_file.md does not explain " << key;
   }
 }
 

@@ -93,16 +93,16 @@ class Fields {
   virtual bool IsSound() const = 0;
   /// Demands `key`; `example` is the line that the message proposes.
   virtual void Require(std::string_view key, std::string_view example) = 0;
-  /// `name` is what another program calls `key`. It is no key; whoever writes it is told the right
+  /// `name` is what another program calls `key`. It is no key; the error for it names the right
   /// one.
   virtual void CalledElsewhere(std::string_view key, std::string_view name) = 0;
   /// Declares `key` a known one that is not read here.
   virtual void Skip(std::string_view key) = 0;
   /// Declares all keys known: for a table that is wrong in a way that leaves them without meaning.
   virtual void SkipRest() = 0;
-  /// Refuses the value of `key` (or, where it is absent, the table): says why and what to do.
+  /// Refuses the value of `key` (or, where it is absent, the table): states why and what to do.
   virtual void Refuse(std::string_view key, std::string text) = 0;
-  /// Warns of the value of `key` (or, where it is absent, of the table): it is hardly meant.
+  /// Warns of the value of `key` (or, where it is absent, of the table): legal but suspicious.
   virtual void Warn(std::string_view key, std::string text) = 0;
   /// Returns the "file:line" where this table begins; empty when writing.
   virtual std::string Where() const = 0;

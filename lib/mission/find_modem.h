@@ -11,7 +11,7 @@ namespace shoal {
 
 struct NamedModem {
   ModemPreset modem;                  ///< Usable only where `problems` is empty.
-  std::vector<std::string> problems;  ///< What is wrong, and how to mend it.
+  std::vector<std::string> problems;  ///< What is wrong, and how to fix it.
 };
 
 /// Reads the modem that a mission file names: a file relative to `folder`, the mission file's, with

@@ -15,8 +15,8 @@ namespace shoal {
 struct LoadedMission {
   Mission mission;  ///< Usable only where `errors` is empty.
   std::vector<std::string>
-      errors;  ///< "file:line:column: what is wrong and how to mend it", in file order.
-  std::vector<std::string> warnings;  ///< The same for what is hardly meant; usable with them.
+      errors;  ///< "file:line:column: what is wrong and how to fix it", in file order.
+  std::vector<std::string> warnings;  ///< The same for what is suspicious but legal.
 };
 
 /// Reads `path` and applies `overrides`, each "key.path=value" with a TOML value (a bare word is

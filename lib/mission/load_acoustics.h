@@ -20,14 +20,14 @@ struct LoadedAcoustics {
 };
 
 /// Returns the table [acoustics] with every default filled in, the modem's data included. Loading
-/// that text gives equal acoustics; where they are not used, a line before the table says so.
+/// that text gives equal acoustics; where they are not used, a line before the table states it.
 [[nodiscard]] std::string ExplainAcoustics(const Acoustics& acoustics);
 
 /// Reads such a text; `name` stands for the file in messages. Opens no file: a modem must be
 /// written as a table.
 [[nodiscard]] LoadedAcoustics LoadAcousticsText(std::string_view text, const std::string& name);
 
-/// Returns the nodes of a network of which nobody knows how large it will be.
+/// Returns the nodes of a network of unknown size.
 [[nodiscard]] std::vector<AcousticNode> AnyNode();
 
 }  // namespace shoal

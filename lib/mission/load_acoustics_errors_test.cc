@@ -21,7 +21,7 @@ count = 8
 [template.t]
 )";
 
-TEST(LoadErrors, TellAcousticNumbersOutOfTheirRange) {
+TEST(LoadErrors, ReportAcousticNumbersOutOfTheirRange) {
   EXPECT_EQ(ErrorsOfAcoustics(R"(crc = 1
 sound_speed_mps = 0
 base_freq_khz = nan
@@ -47,7 +47,7 @@ packet_loss_model = "sonar"
             "16:21: unknown packet_loss_model 'sonar' (did you mean 'sonar_simple'?)\n");
 }
 
-TEST(LoadErrors, TellASeaThatIsNone) {
+TEST(LoadErrors, ReportAnInvalidSea) {
   EXPECT_EQ(ErrorsOfAcoustics(R"([acoustics.sea]
 temperature_degc = 31
 salinity_ppt = -1
@@ -73,11 +73,11 @@ temprature_degc = 3
 TEST(LoadErrors, DemandASoundSpeedForBrackishWater) {
   EXPECT_EQ(ErrorsOfAcoustics("sea = {salinity_ppt = 10}\n"),
             "6:7: no sound speed is known for water of 10 ppt, since Mackenzie's equation begins "
-            "at 25: write sound_speed_mps = 1450, or whatever it is, in [acoustics]\n");
+            "at 25: write sound_speed_mps = 1450, or the measured speed, in [acoustics]\n");
   EXPECT_EQ(ErrorsOfAcoustics("sea = {salinity_ppt = 10}\nsound_speed_mps = 1430\n"), "");
 }
 
-TEST(LoadErrors, TellTheArithmeticOfABandThatIsTooNarrow) {
+TEST(LoadErrors, ReportTheArithmeticOfABandThatIsTooNarrow) {
   const std::string fleet(kEightVehicles);
   EXPECT_EQ(ErrorsOf(fleet), "");
   EXPECT_EQ(ErrorsOf("[acoustics]\nbandwidth_khz = 8\n" + fleet),
@@ -95,7 +95,7 @@ TEST(LoadErrors, TellTheArithmeticOfABandThatIsTooNarrow) {
             "");
 }
 
-TEST(LoadErrors, TellNothingThatFollowsFromAnotherError) {
+TEST(LoadErrors, ReportNothingThatFollowsFromAnotherError) {
   EXPECT_EQ(ErrorsOf(std::string(kEightVehicles) + "[acoustics]\nbandwidth_khz = -20\n"),
             "8:17: bandwidth_khz = -20 is out of range; allowed: greater than 0, at most 100000\n");
   EXPECT_EQ(ErrorsOfAcoustics("modem = \"none_such\"\nbit_error_model = \"modem\"\n"),
@@ -104,7 +104,7 @@ TEST(LoadErrors, TellNothingThatFollowsFromAnotherError) {
             "folder of this one\n");
 }
 
-TEST(LoadErrors, TellAModemThatIsNotThere) {
+TEST(LoadErrors, ReportAMissingModem) {
   EXPECT_EQ(ErrorsOfAcoustics("modem = \"nanomodm_v3\"\n"),
             "6:9: unknown modem 'nanomodm_v3' (did you mean 'nanomodem_v3'?); shoal has "
             "evologics_s2cr_18_34, nanomodem_v3, water_linked_m64, whoi_micromodem2; any other "
@@ -119,7 +119,7 @@ TEST(LoadErrors, TellAModemThatIsNotThere) {
             "6:9: modem must not hold control characters\n");
 }
 
-TEST(LoadErrors, TellWhatAModemsTableLacks) {
+TEST(LoadErrors, ReportWhatAModemsTableLacks) {
   const std::string errors = ErrorsOfAcoustics("[acoustics.modem]\nname = \"m\"\nlow_khz = 0\n");
   EXPECT_NE(errors.find("6:1: modem lacks 'high_khz'; for example: high_khz = 32\n"),
             std::string::npos)
@@ -127,7 +127,7 @@ TEST(LoadErrors, TellWhatAModemsTableLacks) {
   EXPECT_NE(errors.find("8:11: low_khz = 0 is out of range"), std::string::npos) << errors;
 }
 
-TEST(LoadErrors, TellModelsThatDoNotGoWithTheModem) {
+TEST(LoadErrors, ReportModelsThatDoNotGoWithTheModem) {
   EXPECT_EQ(ErrorsOfAcoustics("packet_loss_model = \"modem\"\n"),
             "6:21: packet_loss_model = \"modem\" needs a modem; name one, as in modem = "
             "\"whoi_micromodem2\", or choose another model\n");
@@ -154,12 +154,12 @@ TEST(LoadErrors, TellModelsThatDoNotGoWithTheModem) {
 
 TEST(LoadErrors, AskTdmaLfForALeader) {
   EXPECT_EQ(ErrorsOfAcoustics("access_mode = \"tdma_lf\"\n"),
-            "6:15: tdma_lf needs a leader, and no node is one: nobody would hear anybody; "
+            "6:15: tdma_lf needs a leader, and no node is one: no node would receive another; "
             "write acoustic_leader = true in the [[vehicle]] that leads\n");
   EXPECT_EQ(ErrorsAfter("acoustic_leader = true\n[acoustics]\naccess_mode = \"tdma_lf\"\n"), "");
 }
 
-TEST(LoadErrors, TellAcousticAddressesThatSeveralHave) {
+TEST(LoadErrors, ReportAcousticAddressesThatSeveralHave) {
   EXPECT_EQ(ErrorsAfter("[[vehicle]]\nname = \"bravo\"\nacoustic_address = 1\n"),
             "7:20: several vehicles have the acoustic_address 1: 'alpha', 'bravo'; give each one "
             "of its own (the default is the vehicle's place in the mission)\n");
@@ -180,14 +180,14 @@ TEST(LoadErrors, TellAcousticAddressesThatSeveralHave) {
             "place in the mission)\n");
 }
 
-TEST(LoadErrors, TellMediaThatAreNone) {
+TEST(LoadErrors, ReportUnknownMedia) {
   EXPECT_EQ(ErrorsAfter("[comms]\nreports_over = \"water\"\nmessages_over = 1\n"),
             "6:16: unknown reports_over 'water'; one of: direct, acoustic\n"
             "7:17: messages_over must be a string in quotes, not a whole number; one of: direct, "
             "acoustic\n");
 }
 
-TEST(LoadErrors, TellSharesThatNobodyCanReach) {
+TEST(LoadErrors, ReportSharesThatNoLinkCanReach) {
   const auto with = [](std::string_view keys) {
     return ErrorsAfter("[[expect]]\nkind = \"packets\"\n" + std::string(keys));
   };
@@ -208,7 +208,7 @@ TEST(LoadErrors, TellSharesThatNobodyCanReach) {
             "range are counted together: leave to out, or raise [comms] each_fate_up_to\n");
 }
 
-TEST(LoadErrors, TellReportsThatAModemsPacketsCannotHold) {
+TEST(LoadErrors, ReportReportsThatAModemsPacketsCannotHold) {
   EXPECT_EQ(
       ErrorsAfter("[comms]\nreports_over = \"acoustic\"\n[acoustics]\nmodem = "
                   "\"whoi_micromodem2\"\n"),
@@ -217,7 +217,7 @@ TEST(LoadErrors, TellReportsThatAModemsPacketsCannotHold) {
       "choose another modem, or reports_over = \"direct\"\n");
 }
 
-std::vector<std::string> WarningsOverWater(const std::string& acoustics) {
+std::vector<std::string> WarningsOverAcoustics(const std::string& acoustics) {
   const LoadedMission loaded = LoadMissionText(
       "[mission]\nduration_s = 60\n[comms]\nreports_over = \"acoustic\"\n[[vehicle]]\nname = "
       "\"alpha\"\n[acoustics]\n" +
@@ -227,26 +227,26 @@ std::vector<std::string> WarningsOverWater(const std::string& acoustics) {
   return loaded.warnings;
 }
 
-TEST(LoadWarnings, TellReportsThatOverlapInTheWater) {
+TEST(LoadWarnings, ReportReportsThatOverlapInTransit) {
   EXPECT_EQ(
-      WarningsOverWater(""),
+      WarningsOverAcoustics(""),
       std::vector<std::string>{
           "m.toml:4:16: warning: alpha may report every 0.5 s, and a report of 41 bytes takes "
           "0.328 s at 1000 bit/s, with jitter up to 0.528 s: its own reports will collide; "
           "lower rate_hz in [vehicle.reporter], or raise data_rate_bps"});
-  EXPECT_EQ(WarningsOverWater("crc = false\nmax_jitter_s = 0.2").size(), 0U) << "0.296 + 0.2 s";
-  EXPECT_EQ(WarningsOverWater("jitter = \"off\"\n").size(), 0U);
-  EXPECT_EQ(WarningsOverWater("collisions = \"off\"\n").size(), 0U);
+  EXPECT_EQ(WarningsOverAcoustics("crc = false\nmax_jitter_s = 0.2").size(), 0U) << "0.296 + 0.2 s";
+  EXPECT_EQ(WarningsOverAcoustics("jitter = \"off\"\n").size(), 0U);
+  EXPECT_EQ(WarningsOverAcoustics("collisions = \"off\"\n").size(), 0U);
 }
 
-TEST(LoadErrors, TellThoseWhoWriteMunetsNames) {
+TEST(LoadErrors, NameTheKeyForMunetsNames) {
   EXPECT_EQ(ErrorsOfAcoustics("accessMode = \"fdma\"\nPLR = 0.1\ncollType = \"drop\"\n"),
             "6:1: unknown key 'accessMode' (here it is 'access_mode')\n"
             "7:1: unknown key 'PLR' (here it is 'packet_loss')\n"
             "8:1: unknown key 'collType' (here it is 'collisions')\n");
 }
 
-TEST(LoadErrors, TellWhatIsWrongWithAcousticsBesideRulesAlone) {
+TEST(LoadErrors, ReportWhatIsWrongWithAcousticsBesideRulesAlone) {
   const auto errors = LoadCommsText("[comms]\n[acoustics]\nbandwidth_khz = 100\n", "c.toml").errors;
   EXPECT_EQ(errors, std::vector<std::string>{
                         "c.toml:3:17: the band begins at base_freq_khz - bandwidth_khz / 2 = 24 - "

@@ -1,4 +1,4 @@
-// What a mission file may say of the acoustic network, and what is so where it says nothing.
+// The keys of the acoustic network in a mission file, and their defaults.
 #include "lib/mission/load_acoustics.h"
 
 #include <gtest/gtest.h>
@@ -34,7 +34,7 @@ ModemPreset Modem(const std::string& name) {
   return LoadModem(std::string(SHOAL_SOURCE_DIR) + "/data/modems/" + name + ".toml").modem;
 }
 
-TEST(LoadAcoustics, LeavesTheNetworkUnusedWhereTheFileSaysNothingOfIt) {
+TEST(LoadAcoustics, LeavesTheNetworkUnusedWithoutItsTable) {
   EXPECT_EQ(LoadAfter("").acoustics, Acoustics());
   EXPECT_TRUE(LoadAfter("[acoustics]\n").acoustics.is_used);
   EXPECT_TRUE(LoadAfter("[comms]\nreports_over = \"acoustic\"\n").acoustics.is_used);
@@ -164,7 +164,7 @@ TEST_F(ModemFolder, MayHaveFoldersBelow) {
   EXPECT_EQ(LevelOf("./own/../own/loud"), 199);
 }
 
-TEST_F(ModemFolder, TellsWhatIsWrongWithAModemOfItsOwn) {
+TEST_F(ModemFolder, ReportsWhatIsWrongWithAModemOfItsOwn) {
   std::ofstream(folder_ / "odd.toml") << "name = 5\n";
   const std::string file = (folder_ / "m.toml").string();
   const LoadedMission loaded =
@@ -199,13 +199,13 @@ access_mode = "tdma_lf"
   EXPECT_EQ(address(0), 1);
   EXPECT_EQ(address(1), 77);
   EXPECT_EQ(address(2), 3);
-  EXPECT_EQ(address(3), 5) << "4 is everybody's";
+  EXPECT_EQ(address(3), 5) << "4 is the broadcast address";
   EXPECT_EQ(address(4), 6);
   EXPECT_FALSE(mission.vehicles[0].acoustic_leader);
   EXPECT_TRUE(mission.vehicles[1].acoustic_leader);
 }
 
-TEST(LoadAcoustics, LetsALargeFleetBeThatDoesNotUseTheNetwork) {
+TEST(LoadAcoustics, AcceptsALargeFleetThatDoesNotUseTheNetwork) {
   const Mission mission = LoadAfter("[[fleet]]\ntemplate = \"t\"\ncount = 300\n[template.t]\n");
   EXPECT_EQ(mission.vehicles.at(253).acoustic_address, 254);
   EXPECT_EQ(mission.vehicles.at(254).acoustic_address, 256);
@@ -254,12 +254,12 @@ RC_GTEST_PROP(LoadAcousticsText, LoadsNothingThatTheNetworkCannotDo, (uint64_t s
   if (!loaded.errors.empty()) return;
   RC_ASSERT(LoadAcousticsText(ExplainAcoustics(loaded.acoustics), "log").acoustics ==
             loaded.acoustics);
-  AcousticNetwork water(loaded.acoustics.options, 1, AnyNode());
-  if (!water.AddNode({.name = "another", .address = 2}).ok()) return;
+  AcousticNetwork network(loaded.acoustics.options, 1, AnyNode());
+  if (!network.AddNode({.name = "another", .address = 2}).ok()) return;
   const std::vector<Eigen::Vector3d> positions_m = {{0, 0, 0}, {1000, 0, 0}};
   const std::vector<int> receivers = {1};
-  water.Transmit(0, 0, positions_m, std::vector<uint8_t>(37), receivers);
-  RC_ASSERT(water.Deliver(1e12).size() == 1U);
+  network.Transmit(0, 0, positions_m, std::vector<uint8_t>(37), receivers);
+  RC_ASSERT(network.Deliver(1e12).size() == 1U);
 }
 
 TEST(LoadComms, ReadsTheAcousticsBesideTheRules) {

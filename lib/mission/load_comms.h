@@ -20,7 +20,7 @@ struct LoadedComms {
   std::optional<Acoustics> acoustics;  ///< Where the file has the table, or is a whole mission's.
   std::optional<Mission> mission;      ///< Where the file is a whole mission's.
   std::vector<std::string> errors;     ///< "file:line:column: what is wrong", in file order.
-  std::vector<std::string> warnings;   ///< The same for what is hardly meant.
+  std::vector<std::string> warnings;   ///< The same for what is suspicious but legal.
 };
 
 /// Reads `path`. A file with [mission], [[vehicle]] or [[fleet]] is a mission file, and must be a

@@ -1,5 +1,5 @@
-// What a mission file can get wrong about who hears whom, with the exact texts: rules, messages,
-// expectations of fates; and what is no error but hardly meant.
+// Errors and warnings about communication in mission files, with the exact texts: rules, messages,
+// expectations of fates.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -23,7 +23,7 @@ std::string ErrorsOfEvent(std::string_view keys) {
   return ErrorsAfter("[[event]]\nat_s = 1\n" + std::string(keys) + "\n");
 }
 
-TEST(LoadErrors, TellRulesOutOfTheirRange) {
+TEST(LoadErrors, ReportRulesOutOfTheirRange) {
   EXPECT_EQ(ErrorsAfter(R"(stealth = 1.1
 earange = 0.9
 [vehicle.messages]
@@ -56,7 +56,7 @@ msg_color = ""
             "19:13: msg_color must not be empty\n");
 }
 
-TEST(LoadErrors, TellImpossibleValuesOfRuleEvents) {
+TEST(LoadErrors, ReportImpossibleValuesOfRuleEvents) {
   const auto with = [](std::string_view rule, std::string_view value) {
     return ErrorsOfEvent("rule = \"" + std::string(rule) + "\"\nvalue = " + std::string(value));
   };
@@ -82,7 +82,7 @@ TEST(LoadErrors, TellImpossibleValuesOfRuleEvents) {
             "7:8: unknown rule 'comms_rnage' (did you mean 'comms_range'?)\n");
 }
 
-TEST(LoadErrors, TellWhetherARuleIsOfOneVehicle) {
+TEST(LoadErrors, ReportWhetherARuleIsOfOneVehicle) {
   EXPECT_EQ(ErrorsOfEvent("rule = \"stealth\"\nvehicle = \"ALPHA\"\nvalue = 0.5"), "");
   EXPECT_EQ(ErrorsOfEvent("rule = \"stealth\"\nvalue = 0.5"),
             "5:1: event lacks 'vehicle'; for example: vehicle = \"alpha\"\n");
@@ -97,7 +97,7 @@ TEST(LoadErrors, TellWhetherARuleIsOfOneVehicle) {
             "9:9: full_report takes no value\n");
 }
 
-TEST(LoadErrors, TellWhatAMessageLacks) {
+TEST(LoadErrors, ReportWhatAMessageLacks) {
   const auto with = [](std::string_view members) {
     return ErrorsOfEvent("message = {" + std::string(members) + "}");
   };
@@ -123,7 +123,7 @@ TEST(LoadErrors, TellWhatAMessageLacks) {
             "7:85: unknown key 'value' (did you mean 'string_val'?)\n");
 }
 
-TEST(LoadErrors, TellSpeedsThatTheHelmWouldRefuse) {
+TEST(LoadErrors, ReportSpeedsThatTheHelmWouldRefuse) {
   const auto with = [](std::string_view speed) {
     return ErrorsOfEvent("vehicle = \"alpha\"\ncommand = \"speed\"\nvalues = [" +
                          std::string(speed) + "]");
@@ -134,7 +134,7 @@ TEST(LoadErrors, TellSpeedsThatTheHelmWouldRefuse) {
   EXPECT_EQ(with("51"), "9:10: speed = 51 is out of range; allowed: greater than 0, at most 50\n");
 }
 
-TEST(LoadErrors, TellLapsThatATaskNeverHas) {
+TEST(LoadErrors, ReportMoreLapsThanATaskHas) {
   constexpr std::string_view kTasks = R"([[vehicle.task]]
 kind = "waypoints"
 points = [[1, 2]]
@@ -163,7 +163,7 @@ center = [0, 0]
             "19:8: 'station_keep' of alpha is a station_keep, which has no laps\n");
 }
 
-TEST(LoadErrors, TellExpectationsOfFatesThatNobodyCanCount) {
+TEST(LoadErrors, ReportExpectationsOfFatesThatCannotBeCounted) {
   EXPECT_EQ(ErrorsAfter("[[expect]]\nkind = \"messages\"\n[[expect]]\nkind = \"acks\"\n"),
             "5:1: an expectation of messages needs one of at_least, at_most, at_least_pct, "
             "at_most_pct, or several\n"
@@ -224,7 +224,7 @@ name = "home"
 kind = "return"
 )";
 
-TEST(LoadWarnings, TellTasksBehindOneThatNeverEnds) {
+TEST(LoadWarnings, ReportTasksAfterOneThatNeverEnds) {
   EXPECT_EQ(WarningsAfter(kHoldThenHome),
             "m.toml:8:1: warning: the task 'away' is never reached: 'hold' before it never ends, "
             "and no event starts it\n"
@@ -243,7 +243,7 @@ TEST(LoadWarnings, AreNoneForTasksThatAnEventStarts) {
             "and no event starts it\n");
 }
 
-TEST(LoadWarnings, TellGroupsThatNobodyIsOf) {
+TEST(LoadWarnings, ReportGroupsWithoutMembers) {
   const auto to = [](std::string_view group) {
     return WarningsAfter(
         "group = \"Reds\"\n[[event]]\nat_s = 1\nmessage = {src_node = 'alpha', "
@@ -264,14 +264,14 @@ TEST(LoadWarnings, AreNoneBesideErrors) {
   EXPECT_TRUE(loaded.warnings.empty());
 }
 
-TEST(LoadWarnings, TellAnIgnoredGroupThatNobodyHas) {
+TEST(LoadWarnings, ReportAnIgnoredGroupWithoutMembers) {
   EXPECT_EQ(WarningsAfter("group = \"survey\"\n[comms]\nignore_group = \"surveyy\"\n"),
             "m.toml:7:16: warning: no vehicle of the mission is of group 'surveyy' (did you mean "
             "'survey'?)\n");
   EXPECT_EQ(WarningsAfter("group = \"survey\"\n[comms]\nignore_group = \"Survey\"\n"), "");
 }
 
-TEST(LoadErrors, TellFatesThatAKindCannotHave) {
+TEST(LoadErrors, ReportFatesThatAKindCannotHave) {
   EXPECT_EQ(
       ErrorsAfter("[[expect]]\nkind = \"reports\"\ncause = \"no_destination\"\nat_least = 1\n")
           .substr(0, 20),

@@ -31,7 +31,7 @@ std::string FirstError(std::string_view text) {
   return loaded.errors.empty() ? "" : loaded.errors.front();
 }
 
-TEST(LoadComms, TellsWhatIsWrongWithFileAndLine) {
+TEST(LoadComms, ReportsWhatIsWrongWithFileAndLine) {
   EXPECT_TRUE(FirstError("[comms]\ncoms_range = 50\n").starts_with("c.toml:2:1: unknown key"))
       << FirstError("[comms]\ncoms_range = 50\n");
   EXPECT_TRUE(FirstError("[comms]\ngroups = 1\n").starts_with("c.toml:2:"));
@@ -41,7 +41,7 @@ TEST(LoadComms, TellsWhatIsWrongWithFileAndLine) {
   EXPECT_TRUE(FirstError("[comms\n").starts_with("c.toml:1:"));
 }
 
-TEST(LoadComms, SaysWhichFileItCannotRead) {
+TEST(LoadComms, NamesTheFileThatItCannotRead) {
   const LoadedComms loaded = LoadComms("/no/such/file.toml");
   ASSERT_EQ(loaded.errors.size(), 1u);
   EXPECT_TRUE(loaded.errors.front().starts_with("/no/such/file.toml")) << loaded.errors.front();

@@ -9,7 +9,7 @@ namespace shoal::load_errors_test {
 
 TEST(LoadErrors, AreNoneForTheShortestMission) { EXPECT_EQ(ErrorsOf(kShortest), ""); }
 
-TEST(LoadErrors, AreAllToldInTheOrderOfTheFile) {
+TEST(LoadErrors, AreAllReportedInTheOrderOfTheFile) {
   EXPECT_EQ(ErrorsOf(R"([mission]
 tick_s = 0.1
 colour = 3
@@ -35,7 +35,7 @@ TEST(LoadErrors, EndAfterAHundred) {
   EXPECT_EQ(errors.back(), "m.toml: and 50 more errors");
 }
 
-TEST(LoadErrors, TellTheFirstSyntaxErrorOnly) {
+TEST(LoadErrors, ReportTheFirstSyntaxErrorOnly) {
   EXPECT_EQ(ErrorsOf("[mission]\nseed = \nname = \n"),
             "2:8: not TOML: Error while parsing key-value pair: expected value, saw '\\n'\n");
   EXPECT_EQ(ErrorsOf("[mission]\nseed = 1\nseed = 2\n"),
@@ -50,7 +50,7 @@ TEST(LoadErrors, SuggestTheKeyThatWasMeant) {
   EXPECT_EQ(ErrorsAfter("[[fleat]]\n"), "5:3: unknown key 'fleat' (did you mean 'fleet'?)\n");
 }
 
-TEST(LoadErrors, TellWrongTypes) {
+TEST(LoadErrors, ReportWrongTypes) {
   EXPECT_EQ(ErrorsAfter(R"(length_m = "3"
 color = 7
 group = ["a"]
@@ -80,7 +80,7 @@ laps = 1.5
             "18:8: laps must be a whole number, not a number\n");
 }
 
-TEST(LoadErrors, TellWrongBrackets) {
+TEST(LoadErrors, ReportWrongBrackets) {
   EXPECT_EQ(ErrorsOf("[[mission]]\nduration_s = 60\n[vehicle]\nname = \"alpha\"\n"),
             "1:1: there is one table mission, not several: write [mission] in single brackets\n"
             "3:1: there may be several tables vehicle: write [[vehicle]] in double brackets\n");
@@ -89,7 +89,7 @@ TEST(LoadErrors, TellWrongBrackets) {
             "7:1: templates have names: write [template.NAME]\n");
 }
 
-TEST(LoadErrors, RefuseNumbersThatAreNone) {
+TEST(LoadErrors, RefuseInvalidNumbers) {
   EXPECT_EQ(ErrorsAfter("start = {x_m = nan, y_m = -inf, heading_deg = 361}\n"),
             "5:16: x_m = nan is out of range; allowed: -1000000 to 1000000\n"
             "5:27: y_m = -inf is out of range; allowed: -1000000 to 1000000\n"
@@ -117,7 +117,7 @@ TEST(LoadErrors, DemandWholeTicksAndMicroseconds) {
       "3:10: tick_s = 0.0010004 is not a whole number of microseconds; the nearest is 0.001\n");
 }
 
-TEST(LoadErrors, TellBadVehicleNames) {
+TEST(LoadErrors, ReportBadVehicleNames) {
   const auto named = [](const std::string& name) {
     return ErrorsAfter("[[vehicle]]\nname = \"" + name + "\"\n");
   };
@@ -133,7 +133,7 @@ TEST(LoadErrors, TellBadVehicleNames) {
             "5:1: vehicle lacks 'name'; for example: name = \"alpha\"\n");
 }
 
-TEST(LoadErrors, TellBadParticipantNames) {
+TEST(LoadErrors, ReportBadParticipantNames) {
   const auto named = [](const std::string& name) {
     return ErrorsAfter("[[participant]]\nname = \"" + name + "\"\n");
   };
@@ -147,7 +147,7 @@ TEST(LoadErrors, TellBadParticipantNames) {
             "8:8: a participant 'A' exists already; names must differ in more than case\n");
 }
 
-TEST(LoadErrors, TellUnknownVehiclesTasksAndCommands) {
+TEST(LoadErrors, ReportUnknownVehiclesTasksAndCommands) {
   EXPECT_EQ(ErrorsAfter(R"([[event]]
 at_s = 1
 vehicle = "alfa"
@@ -186,7 +186,7 @@ at_s = 2
             "29:1: an event needs one of command, sim_command, rule and message, and only one\n");
 }
 
-TEST(LoadErrors, TellUnknownKinds) {
+TEST(LoadErrors, ReportUnknownKinds) {
   EXPECT_EQ(ErrorsAfter("[[vehicle.task]]\nkind = \"waypoint\"\nanything = 1\n"),
             "6:8: unknown kind 'waypoint' (did you mean 'waypoints'?)\n");
   EXPECT_EQ(ErrorsAfter("[[expect]]\nkind = \"glory\"\n"),
@@ -196,7 +196,7 @@ TEST(LoadErrors, TellUnknownKinds) {
             "5:1: expect lacks 'kind'; for example: kind = \"arrival\"\n");
 }
 
-TEST(LoadErrors, TellExpectationsThatCanNeverHold) {
+TEST(LoadErrors, ReportExpectationsThatCanNeverHold) {
   EXPECT_EQ(ErrorsAfter(R"([[expect]]
 kind = "arrival"
 vehicle = "all"
@@ -228,7 +228,7 @@ kind = "separation"
             "23:1: expect lacks 'min_m'; for example: min_m = 5\n");
 }
 
-TEST(LoadErrors, TellTasksThatMakeNoSense) {
+TEST(LoadErrors, ReportInvalidTasks) {
   EXPECT_EQ(ErrorsAfter(R"([[vehicle.task]]
 kind = "waypoints"
 points = []
@@ -249,7 +249,7 @@ num_points = 2
             "16:14: num_points = 2 is out of range; allowed: 3 to 360\n");
 }
 
-TEST(LoadErrors, TellThrustMapsThatMakeNoSense) {
+TEST(LoadErrors, ReportInvalidThrustMaps) {
   const auto with = [](const std::string& map) {
     return ErrorsAfter("surface_craft = {thrust_map = " + map + "}\n");
   };

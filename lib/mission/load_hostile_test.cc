@@ -177,7 +177,7 @@ TEST(LoadHostile, SurvivesGiantTextsAndNumbers) {
   EXPECT_NE(ErrorsAfter("length_m = 99999999999999999999\n"), "");
 }
 
-TEST(LoadHostile, ToldOfNothingAtAllSaysWhatAMissionNeeds) {
+TEST(LoadHostile, OfAnEmptyFileStatesWhatAMissionNeeds) {
   EXPECT_EQ(
       ErrorsOf(""),
       "1:1: the file lacks 'mission'; for example: [mission], followed by duration_s = 600\n"

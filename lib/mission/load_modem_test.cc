@@ -86,7 +86,7 @@ TEST(LoadModem, ReadsEveryKey) {
   EXPECT_EQ(modem.sources.at("code"), "h");
 }
 
-TEST(LoadModem, TellsAllThatIsMissing) {
+TEST(LoadModem, ReportsAllThatIsMissing) {
   EXPECT_EQ(
       ErrorsOfModem("fading = \"none\"\n"),
       "1:1: the file lacks 'data_rate_bps'; for example: data_rate_bps = 463\n"
@@ -101,7 +101,7 @@ TEST(LoadModem, TellsAllThatIsMissing) {
       "1:1: the file lacks 'typical_range_m'; for example: typical_range_m = 2000\n");
 }
 
-TEST(LoadModem, TellsWhatCannotBe) {
+TEST(LoadModem, ReportsInvalidValues) {
   EXPECT_EQ(ErrorsOfModem(With("high_khz = 32", "high_khz = 20")),
             "3:12: high_khz must be above low_khz\n");
   EXPECT_EQ(
@@ -119,7 +119,7 @@ TEST(LoadModem, TellsWhatCannotBe) {
   EXPECT_EQ(
       ErrorsOfModem(With("corrected_bits = 5", "corrected_bits = 8")),
       "10:8: no code of 127 bits with 92 data bits corrects 8 errors: there are 35 check bits, "
-      "and telling the error patterns apart takes 41\n");
+      "and distinguishing the error patterns takes 41\n");
   EXPECT_EQ(ErrorsOfModem(With("name = \"m\"", "name = \"m\"\nsped = 1")),
             "2:1: unknown key 'sped'; known here: name, low_khz, high_khz, data_rate_bps, "
             "max_packet_bytes, source_level_db, typical_range_m, modulation, fading, code, "
@@ -139,13 +139,13 @@ TEST(LoadModem, DemandsASourceOfEveryNumber) {
             "11:1: a source of 'bant', which no modem has (did you mean 'band'?)\n");
 }
 
-TEST(LoadModem, TellsOfAFileThatIsNotThere) {
+TEST(LoadModem, ReportsAMissingFile) {
   const LoadedModem loaded = LoadModem("/nowhere/m.toml");
   ASSERT_EQ(loaded.errors.size(), 1U);
   EXPECT_TRUE(loaded.errors.front().starts_with("/nowhere/m.toml")) << loaded.errors.front();
 }
 
-TEST(LoadModem, StandsNonsense) {
+TEST(LoadModem, SurvivesInvalidText) {
   for (const char* nonsense : {"", "\xff", "low_khz = [", "name = {a = 1}", "code = 5",
                                "code = {block_bits = -1}", "sources = 1", "[[sources]]",
                                "[sources]\nband = 5", "low_khz = 1e999", "high_khz = true"}) {
@@ -198,7 +198,7 @@ int Reach(const ModemPreset& modem, const Sea& sea) {
   return static_cast<int>(std::lround(near_m / 100)) * 100;
 }
 
-TEST(ModemPresets, ReachAsFarAsTheDocumentationTells) {
+TEST(ModemPresets, ReachAsFarAsTheDocumentationStates) {
   const std::string page = PageOf("acoustics_models.md");
   for (const fs::path& path : Presets()) {
     const ModemPreset modem = LoadModem(path.string()).modem;

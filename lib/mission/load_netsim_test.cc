@@ -41,7 +41,7 @@ std::string ErrorsWith(std::string_view more, const std::vector<std::string>& ov
   return ErrorsOf(std::string(kTwo) + std::string(more), overrides);
 }
 
-TEST(LoadNetsim, TakesWhatTheFileSays) {
+TEST(LoadNetsim, TakesTheValuesOfTheFile) {
   const LoadedMission loaded =
       LoadMissionText(std::string(kTwo) + std::string(kBay) + std::string(kOutsider) +
                           "gps = {tcp_port = 62100, path = \"/tmp/gps\"}\n",
@@ -66,13 +66,13 @@ TEST(LoadNetsim, IsNothingWithoutTheTable) {
   EXPECT_FALSE(LoadMissionText(kShortest, "m.toml").mission.netsim.has_value());
 }
 
-TEST(LoadNetsim, TellsOfVehiclesThatShoalSimulatesItself) {
+TEST(LoadNetsim, ReportsVehiclesThatShoalSimulatesItself) {
   EXPECT_EQ(ErrorsWith(std::string(kBay) + std::string(kOutsider), {"netsim.vehicle.1.name=alpha"}),
             "--set netsim.vehicle.1.name=alpha: shoal simulates alpha itself: write vehicle_sim = "
             "\"none\", helm = \"none\" and node_reporter = \"none\" in its [[vehicle]]\n");
 }
 
-TEST(LoadNetsim, TellsOfEnvironmentsAndPortsThatDoNotFit) {
+TEST(LoadNetsim, ReportsEnvironmentsAndPortsThatDoNotFit) {
   EXPECT_EQ(ErrorsWith(kOutsider),
             "17:15: environment no [[netsim.environment]] has the name 'bay'\n");
   const std::string taken =
@@ -82,7 +82,7 @@ TEST(LoadNetsim, TellsOfEnvironmentsAndPortsThatDoNotFit) {
       << taken;
 }
 
-TEST(LoadNetsim, TellsOfBoundsThatAreNone) {
+TEST(LoadNetsim, ReportsInvalidBounds) {
   EXPECT_EQ(ErrorsWith(std::string(kBay) + std::string(kOutsider),
                        {"netsim.environment.bay.lat_max_deg=42"}),
             "--set netsim.environment.bay.lat_max_deg=42: lat_max_deg must not be less than "
@@ -95,7 +95,7 @@ TEST(LoadNetsim, TellsOfBoundsThatAreNone) {
             "14:1: environment lacks 'lon_min_deg'; for example: lon_min_deg = 43.8\n");
 }
 
-TEST(LoadNetsim, TellsOfAModemWithoutWater) {
+TEST(LoadNetsim, ReportsAModemWithoutWater) {
   std::string text = std::string(kTwo) + std::string(kBay) + std::string(kOutsider);
   text.erase(text.find("[acoustics]"),
              std::string_view("[acoustics]\naccess_mode = \"shared\"\n").size());

@@ -62,24 +62,24 @@ TEST(LoadSwarm, MakesTheLeaderOneInTheAccessModeThatHasLeaders) {
   EXPECT_EQ(SwarmSchemeOf(mission), SwarmScheme::kTdmaLf);
 }
 
-TEST(LoadSwarm, TellsOfASwarmWithoutALeaderOnce) {
+TEST(LoadSwarm, ReportsASwarmWithoutALeaderOnce) {
   EXPECT_EQ(ErrorsWith("[swarm]\n"),
             "18:1: swarm lacks 'leader'; for example: leader = \"alpha\"\n");
 }
 
-TEST(LoadSwarm, TellsOfAnUnknownLeaderWithoutWhatFollowsFromIt) {
+TEST(LoadSwarm, ReportsAnUnknownLeaderWithoutWhatFollowsFromIt) {
   EXPECT_EQ(ErrorsOf("[mission]\nduration_s = 60\n[acoustics]\n[[vehicle]]\nname = \"alpha\"\n"
                      "[swarm]\nleader = \"alpa\"\n"),
             "7:10: unknown vehicle 'alpa' (did you mean 'alpha'?)\n");
 }
 
-TEST(LoadSwarm, TellsOfTasksWithoutOne) {
+TEST(LoadSwarm, ReportsTasksWithoutOne) {
   EXPECT_EQ(ErrorsWith(""),
             "12:9: swarm = \"acoustic\" needs an acoustic swarm: write [swarm] and leader = "
             "\"alpha\", or swarm = \"direct\"\n");
 }
 
-TEST(LoadSwarm, TellsOfFollowersWhoAreNone) {
+TEST(LoadSwarm, ReportsInvalidFollowers) {
   EXPECT_EQ(ErrorsWith("[swarm]\nleader = \"alpha\"\nfollowers = [\"bravo\", \"alpha\", \"bravo\", "
                        "\"delta\"]\n"),
             "20:13: alpha leads; it is no follower\n"
@@ -92,31 +92,31 @@ TEST(LoadSwarm, TellsOfFollowersWhoAreNone) {
             "12:9: bravo is not among the followers of [swarm]: add it, or leave followers out\n");
 }
 
-TEST(LoadSwarm, TellsOfASchedulerThatTheChannelsDoNotAllow) {
+TEST(LoadSwarm, ReportsASchedulerThatTheChannelsDoNotAllow) {
   EXPECT_EQ(ErrorsWith("[swarm]\nleader = \"alpha\"\nscheduler = \"fdma_lf\"\n",
                        {"acoustics.access_mode=tdma"}),
             "20:13: fdma_lf needs a channel for each vehicle: write access_mode = \"fdma\" in "
             "[acoustics], or scheduler = \"tdma\"\n");
 }
 
-TEST(LoadSwarm, TellsOfEpisodesThatAreTooShort) {
+TEST(LoadSwarm, ReportsEpisodesThatAreTooShort) {
   const std::string text = ErrorsWith("[swarm]\nleader = \"alpha\"\nepisode_s = 0.5\n");
   EXPECT_TRUE(text.starts_with("20:13: episode_s = 0.5 ")) << text;
   EXPECT_NE(text.find("use at least"), std::string::npos) << text;
 }
 
-TEST(LoadSwarm, TellsOfAGroupIdThatIsNone) {
+TEST(LoadSwarm, ReportsAnInvalidGroupId) {
   EXPECT_EQ(ErrorsWith("[swarm]\nleader = \"alpha\"\ngroup_id = \"-\"\n"),
             "20:12: group_id must be a letter or a digit\n");
 }
 
-TEST(LoadSwarm, TellsOfAddressesTooFarApart) {
+TEST(LoadSwarm, ReportsAddressesTooFarApart) {
   EXPECT_EQ(ErrorsWith("[swarm]\nleader = \"alpha\"\n", {"vehicle.bravo.acoustic_address=1002"}),
             "19:10: the acoustic_address of alpha is 1 and that of bravo 1002: members farther "
             "than 1000 apart take each other's messages for damaged\n");
 }
 
-TEST(LoadSwarm, TellsOfMembersWhoCannotBeHeardOf) {
+TEST(LoadSwarm, ReportsMembersThatCannotBeReceived) {
   EXPECT_EQ(ErrorsWith("[swarm]\nleader = \"alpha\"\n", {"vehicle.alpha.start.x_m=150000"}),
             "19:10: alpha starts more than 100 km from the origin, farther than the messages of a "
             "swarm can encode: move [mission] origin\n");
@@ -147,7 +147,7 @@ TEST(LoadSwarm, WarnsOfSlotsThatComeTooLate) {
                 "and the next comes after 5 s"});
 }
 
-TEST(LoadSwarm, TellsOfExpectationsThatCanNeverHold) {
+TEST(LoadSwarm, ReportsExpectationsThatCanNeverHold) {
   EXPECT_EQ(ErrorsWith("[swarm]\nleader = \"alpha\"\n[[expect]]\nkind = \"swarm\"\nfrom = "
                        "\"charlie\"\nat_least_pct = 5\n"),
             "22:8: charlie is not in the swarm: this can never hold\n");
@@ -162,7 +162,7 @@ TEST(LoadRecovery, ReplacesTheStrategiesOfTheFieldsThatItNames) {
   EXPECT_EQ(mission.vehicles[0].recovery, RecoveryPlan());
 }
 
-TEST(LoadRecovery, TellsOfStrategiesThatThereAreNot) {
+TEST(LoadRecovery, ReportsUnknownStrategies) {
   EXPECT_EQ(ErrorsOf("[mission]\nduration_s = 60\n[[vehicle]]\nname = \"alpha\"\n"
                      "[vehicle.recovery]\ntime_stamp = [\"previos\"]\npos = []\n"),
             "6:14: unknown strategy 'previos' (did you mean 'previous'?); there are: predict, "

@@ -60,13 +60,13 @@ TEST(Load, TakesNolimitAndNegativeRangesForTheSame) {
   EXPECT_EQ(LoadAfter("[comms]\ncomms_range = 0").comms.comms_range_m, 0);
 }
 
-TEST(Load, ForgetsAContactAfterTwentyStaleTimesUnlessToldOtherwise) {
+TEST(Load, ForgetsAContactAfterTwentyStaleTimesByDefault) {
   EXPECT_EQ(LoadAfter("[comms]\nstale_time = 3").comms.stale_forget_s, 60);
   EXPECT_EQ(LoadAfter("[comms]\nstale_time = -1").comms.stale_forget_s, -1);
   EXPECT_EQ(LoadAfter("[comms]\nstale_time = 3\nstale_forget_s = 7").comms.stale_forget_s, 7);
 }
 
-TEST(Load, ReturnsToTheStartUnlessToldOtherwise) {
+TEST(Load, ReturnsToTheStartByDefault) {
   const auto home = [](std::string_view more) {
     return LoadAfter(more).vehicles.at(0).return_task.point_m;
   };
@@ -132,13 +132,13 @@ sim_command = "pause"
   EXPECT_EQ(mission.events[2].what, (decltype(Event::what)(SimCommandEvent{"alpha", "pause", {}})));
 }
 
-TEST(Load, TellsWhereAnExpectationStands) {
+TEST(Load, ReportsWhereAnExpectationStands) {
   const Mission mission = LoadAfter("[[expect]]\nkind = \"arrival\"\nvehicle = \"all\"");
   EXPECT_EQ(mission.expectations.at(0).where, "missions/m.toml:5");
   EXPECT_EQ(std::get<ArrivalExpectation>(mission.expectations.at(0).what).by_s, 60);
 }
 
-TEST(LoadMission, TellsWhyAFileCannotBeRead) {
+TEST(LoadMission, ReportsWhyAFileCannotBeRead) {
   EXPECT_EQ(LoadMission("/nowhere/m.toml").errors,
             std::vector<std::string>{"/nowhere/m.toml: cannot be read: No such file or directory"});
   EXPECT_EQ(LoadMission("/").errors,

@@ -41,14 +41,14 @@ TEST(LoadUnderwaterErrors, AreNoneForTasksWithNothingButWhatTheyNeed) {
             "");
 }
 
-TEST(LoadUnderwaterErrors, TellOfPathsWithoutPoints) {
+TEST(LoadUnderwaterErrors, ReportPathsWithoutPoints) {
   EXPECT_EQ(ErrorsOfPath(""),
             "9:1: task lacks 'points'; for example: points = [[0, 0, 10], [100, 0, 20]]\n");
   EXPECT_EQ(ErrorsOfPath("points = []\n"),
             "11:10: points must hold at least one point, like [[100, 0, 20]]\n");
 }
 
-TEST(LoadUnderwaterErrors, TellOfPointsThatAreNone) {
+TEST(LoadUnderwaterErrors, ReportInvalidPoints) {
   EXPECT_EQ(
       ErrorsOfPath("points = [[1, 2], 3, [1, 2, \"x\"]]\n"),
       "11:11: element 1 of points must be three numbers like [10, 20, 5], not an array of 2\n"
@@ -74,7 +74,7 @@ points = [[200_000, 0, 10]]
             "from 0 to 20000 m\n");
 }
 
-TEST(LoadUnderwaterErrors, TellOfWordsAndNumbersOfAPathThatCannotBe) {
+TEST(LoadUnderwaterErrors, ReportInvalidWordsAndNumbersOfAPath) {
   EXPECT_EQ(ErrorsOfPath(R"(points = [[100, 0, 20]]
 points_frame = "here"
 speed_mps = 0
@@ -98,7 +98,7 @@ acceptance_radius_m = 10
             "20:17: hold_radius_m must not be less than acceptance_radius_m\n");
 }
 
-TEST(LoadUnderwaterErrors, TellOfTargetsThatCannotBe) {
+TEST(LoadUnderwaterErrors, ReportInvalidTargets) {
   EXPECT_EQ(ErrorsOfTrack(""), "9:1: task lacks 'target'; for example: target = \"alpha\"\n");
   EXPECT_EQ(ErrorsOfTrack("target = \"Alpha\"\n"), "11:10: a vehicle cannot follow itself\n");
   EXPECT_EQ(ErrorsOfTrack("target = \"zulu\"\n"),
@@ -108,10 +108,10 @@ TEST(LoadUnderwaterErrors, TellOfTargetsThatCannotBe) {
             "12:9: unknown vehicle 'alfa' (did you mean 'alpha'?)\n");
 }
 
-TEST(LoadUnderwaterErrors, TellOfLawsAndLayersThatAreUnknown) {
-  EXPECT_EQ(ErrorsOfTrack("target = \"bravo\"\nlaw = \"cascades\"\nswarm = \"told\"\n"),
+TEST(LoadUnderwaterErrors, ReportUnknownLawsAndLayers) {
+  EXPECT_EQ(ErrorsOfTrack("target = \"bravo\"\nlaw = \"cascades\"\nswarm = \"relayed\"\n"),
             "12:7: unknown law 'cascades' (did you mean 'cascade'?)\n"
-            "13:9: unknown swarm 'told'; one of: direct, acoustic\n");
+            "13:9: unknown swarm 'relayed'; one of: direct, acoustic\n");
   EXPECT_EQ(ErrorsOfTrack("target = \"bravo\"\nlayers = [\"formations\", \"survival\"]\n"),
             "12:10: unknown layer 'formations' (did you mean 'formation'?); there are: survival, "
             "sonar, survival_and_sonar, formation, feed_forward\n");
@@ -120,7 +120,7 @@ TEST(LoadUnderwaterErrors, TellOfLawsAndLayersThatAreUnknown) {
             "feed_forward\n");
 }
 
-TEST(LoadUnderwaterErrors, TellOfRadiiOutOfOrder) {
+TEST(LoadUnderwaterErrors, ReportRadiiOutOfOrder) {
   EXPECT_EQ(ErrorsOfTrack(R"(target = "bravo"
 r_safe_m = 30
 r_avoid_m = 30
@@ -132,7 +132,7 @@ r_follow_m = 15
             "15:14: r_follow_m = 15 must be more than r_inner_m = 20\n");
 }
 
-TEST(LoadUnderwaterErrors, TellOfNumbersOfATrackThatCannotBe) {
+TEST(LoadUnderwaterErrors, ReportInvalidNumbersOfATrack) {
   EXPECT_EQ(ErrorsOfTrack(R"(target = "bravo"
 u_max_mps = 0
 z_max_m = 0
@@ -149,13 +149,13 @@ max_pitch_deg = 91
             "17:17: max_pitch_deg = 91 is out of range; allowed: greater than 0, at most 90\n");
 }
 
-TEST(LoadUnderwaterErrors, TellOfKeysOfTheOtherLaw) {
+TEST(LoadUnderwaterErrors, ReportKeysOfTheOtherLaw) {
   const std::string errors =
       ErrorsOfTrack("target = \"bravo\"\nlaw = \"constant_bearing\"\nr_avoid_m = 3\n");
   EXPECT_TRUE(errors.starts_with("13:1: unknown key 'r_avoid_m'; known here: ")) << errors;
 }
 
-TEST(LoadUnderwaterErrors, TellOfAVehicleThatCannotBe) {
+TEST(LoadUnderwaterErrors, ReportAnInvalidVehicle) {
   EXPECT_EQ(ErrorsInSwarm(R"([vehicle.remus100]
 parameters = "fosen"
 model_step_s = 0.5
@@ -174,7 +174,7 @@ max_propeller_rate_rpmps = nan
             "16:28: max_propeller_rate_rpmps = nan is out of range; allowed: 0 to 1000000\n");
 }
 
-TEST(LoadUnderwaterErrors, TellOfTasksThatASurfaceCraftCannotDo) {
+TEST(LoadUnderwaterErrors, ReportTasksThatASurfaceCraftCannotDo) {
   EXPECT_EQ(ErrorsAfter("[[vehicle.task]]\nkind = \"path_follow\"\npoints = [[1, 2, 3]]\n"),
             "6:8: path_follow is a task of underwater vehicles: write model = \"remus100\" in the "
             "[[vehicle]], or kind = \"waypoints\"\n");
@@ -182,7 +182,7 @@ TEST(LoadUnderwaterErrors, TellOfTasksThatASurfaceCraftCannotDo) {
             "5:9: only a vehicle of model = \"remus100\" can start under water\n");
 }
 
-TEST(LoadUnderwaterErrors, TellOfATickTooSlowToSteerBy) {
+TEST(LoadUnderwaterErrors, ReportATickTooSlowToSteerBy) {
   EXPECT_EQ(ErrorsInSwarm("", {"mission.tick_s=0.2"}), "");
   EXPECT_EQ(ErrorsOf("[mission]\nduration_s = 60\ntick_s = 0.25\n[[vehicle]]\nname = \"alpha\"\n"
                      "model = \"remus100\"\n"),
@@ -190,7 +190,7 @@ TEST(LoadUnderwaterErrors, TellOfATickTooSlowToSteerBy) {
             "[mission]\n");
 }
 
-TEST(LoadUnderwaterErrors, TellOfCurrentsThatCannotBe) {
+TEST(LoadUnderwaterErrors, ReportInvalidCurrents) {
   EXPECT_EQ(ErrorsAfter(R"([environment.current]
 speed_mps = "slow"
 direction_deg = 361
@@ -214,7 +214,7 @@ direction_half_period_s = "1e400"
             "1e+09, two like \"0.1..0.4\", or one of: calm, smooth, regular, choppy, any\n");
 }
 
-TEST(LoadUnderwaterErrors, TellOfWordsThatOnlyLookLikeNumbers) {
+TEST(LoadUnderwaterErrors, ReportWordsThatOnlyLookLikeNumbers) {
   for (const char* word :
        {"\"\"", "\"..\"", "\"1..\"", "\"..1\"", "\"1..2..3\"", "\"1 m/s\"", "\"nan\"", "\"inf\"",
         "\"1\\u00002\"", "nan", "inf", "true", "-1", "\"-1..0\"", "\"1...2\""}) {
@@ -224,12 +224,12 @@ TEST(LoadUnderwaterErrors, TellOfWordsThatOnlyLookLikeNumbers) {
   }
 }
 
-TEST(LoadUnderwaterErrors, TellOfPresetsThatAreUnknown) {
+TEST(LoadUnderwaterErrors, ReportUnknownPresets) {
   EXPECT_EQ(ErrorsAfter("[environment]\ncurrent = {preset = \"stormi\"}\n"),
             "6:21: unknown preset 'stormi' (did you mean 'stormy'?)\n");
 }
 
-TEST(LoadUnderwaterErrors, TellOfFloorsThatCannotBe) {
+TEST(LoadUnderwaterErrors, ReportInvalidFloors) {
   EXPECT_EQ(ErrorsAfter(R"([environment.floor]
 style = "shelves"
 depth_m = -1
@@ -252,14 +252,14 @@ grid_origin = [1]
             "14:15: grid_origin must be two numbers like [10, 20], not an array of 1\n");
 }
 
-TEST(LoadUnderwaterErrors, TellOfAGridThatIsNotNamed) {
+TEST(LoadUnderwaterErrors, ReportAGridWithoutAPath) {
   EXPECT_EQ(ErrorsAfter("[environment]\nfloor = {style = \"grid\"}\n"),
             "6:18: style = \"grid\" needs grid = \"bay.asc\", an ESRI ASCII file\n");
   EXPECT_EQ(ErrorsAfter("[environment]\nfloor = {grid = \"\"}\n"),
             "6:17: grid must not be empty\n");
 }
 
-TEST(LoadUnderwaterErrors, TellOfAGridThatIsNotThereOrNone) {
+TEST(LoadUnderwaterErrors, ReportAMissingOrInvalidGrid) {
   EXPECT_EQ(ErrorsAfter("[environment]\nfloor = {grid = \"no/such/bay.asc\"}\n"),
             "6:9: no/such/bay.asc: cannot be read: No such file or directory; a grid's path counts "
             "from the mission file's folder\n");
@@ -275,7 +275,7 @@ TEST(LoadUnderwaterErrors, TellOfAGridThatIsNotThereOrNone) {
   std::filesystem::remove(path);
 }
 
-TEST(LoadUnderwaterErrors, TellOfExpectationsThatCanNeverHold) {
+TEST(LoadUnderwaterErrors, ReportExpectationsThatCanNeverHold) {
   EXPECT_EQ(ErrorsInSwarm("[[expect]]\nkind = \"track\"\nvehicle = \"alpha\"\nmax_m = 0\n"
                           "from_s = 61\n"),
             "12:9: max_m = 0 is out of range; allowed: greater than 0, at most 100000\n"
@@ -291,7 +291,7 @@ TEST(LoadUnderwaterErrors, TellOfExpectationsThatCanNeverHold) {
             "= \"flat\", depth_m = 50}\n");
 }
 
-TEST(LoadUnderwaterErrors, TellOfLapsThatATaskHasNot) {
+TEST(LoadUnderwaterErrors, ReportMoreLapsThanATaskHas) {
   EXPECT_EQ(ErrorsOfTrack("target = \"bravo\"\nname = \"follow\"\n[[expect]]\nkind = \"laps\"\n"
                           "vehicle = \"alpha\"\ntask = \"follow\"\n"),
             "16:8: 'follow' of alpha is a target_track, which has no laps\n");
@@ -300,7 +300,7 @@ TEST(LoadUnderwaterErrors, TellOfLapsThatATaskHasNot) {
             "17:12: at_least = 2 can never hold: 'path' of alpha ends after 1 lap\n");
 }
 
-TEST(LoadUnderwaterErrors, TellOfLayersThatNeedASonar) {
+TEST(LoadUnderwaterErrors, ReportLayersThatNeedASonar) {
   const std::string text = "target = \"bravo\"\nlayers = [\"survival_and_sonar\"]\n";
   EXPECT_EQ(ErrorsOfTrack(text),
             "12:10: the layers that keep away from what a sonar sees need one: write "
@@ -308,12 +308,12 @@ TEST(LoadUnderwaterErrors, TellOfLayersThatNeedASonar) {
   EXPECT_EQ(ErrorsOfTrack(text + "[vehicle.sonar]\n"), "");
 }
 
-TEST(LoadUnderwaterErrors, TellOfDepthLimitsThatLeaveNoWater) {
+TEST(LoadUnderwaterErrors, ReportDepthLimitsThatLeaveNoWater) {
   EXPECT_EQ(ErrorsOfTrack("target = \"bravo\"\nz_min_m = 30\nz_max_m = 20\n"),
             "12:11: z_min_m = 30 must be less than z_max_m = 20\n");
 }
 
-TEST(LoadUnderwaterErrors, TellOfInstrumentsThatCannotBe) {
+TEST(LoadUnderwaterErrors, ReportInvalidInstruments) {
   EXPECT_EQ(ErrorsInSwarm("[vehicle.sonar]\nazimuth_beams = 0\nbeams = 3\n"),
             "10:17: azimuth_beams = 0 is out of range; allowed: 1 to 256\n"
             "11:1: unknown key 'beams' (did you mean 'azimuth_beams'?)\n");
@@ -321,7 +321,7 @@ TEST(LoadUnderwaterErrors, TellOfInstrumentsThatCannotBe) {
             "10:20: position_noise_m = -1 is out of range; allowed: 0 to 10000\n");
 }
 
-TEST(LoadUnderwaterErrors, TellOfPlumesThatCannotBe) {
+TEST(LoadUnderwaterErrors, ReportInvalidPlumes) {
   EXPECT_EQ(ErrorsInSwarm("[environment]\nplume = {source = [0, 0, -3]}\n"),
             "10:19: source is [x, y, depth], with a depth from 0 to 20000 m\n");
   EXPECT_EQ(ErrorsInSwarm("[environment]\ncontact = \"bounce\"\n"),

@@ -1,5 +1,5 @@
 // A mission as data, every default filled in. lib/mission/load.h makes one from a file;
-// docs/mission_file.md tells what each key means to a user.
+// docs/mission_file.md documents each key.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@
 
 namespace shoal {
 
-/// `[swarm]`: how a leader and its followers tell each other where they are, through the water.
+/// `[swarm]`: how a leader and its followers exchange their positions over the acoustic network.
 /// Lengths of time below 0 are "auto": lib/mission/swarm_plan.h finds them.
 struct SwarmOptions {
   bool exists = false;                 ///< The file has the table.
@@ -31,7 +31,7 @@ struct SwarmOptions {
   double max_distance_m = 1000;  ///< No two members are ever farther apart.
   bool frames = false;           ///< A sequence number and a checksum with each message.
   std::string group_id = "A";    ///< One letter or digit, sent with each message.
-  double silent_after_s = 60;    ///< Who was not heard for so long is shown as silent.
+  double silent_after_s = 60;    ///< After this long without a message a member is silent.
 
   bool operator==(const SwarmOptions&) const = default;
 };
@@ -39,7 +39,7 @@ struct SwarmOptions {
 /// `[[participant]]`: a user's own process that takes part in stepping.
 struct Participant {
   std::string name;
-  std::vector<std::string> command;  ///< Started by the launcher; empty: by hand.
+  std::vector<std::string> command;  ///< Started by the launcher; empty: by the user.
 
   bool operator==(const Participant&) const = default;
 };
@@ -66,7 +66,7 @@ struct Mission {
   Acoustics acoustics;
   std::vector<Vehicle> vehicles;
   SwarmOptions swarm;
-  std::optional<NetsimOptions> netsim;  ///< Who takes part over netsim's interface.
+  std::optional<NetsimOptions> netsim;  ///< Participants over netsim's interface.
   std::vector<Event> events;            ///< In order of time; equal times in file order.
   std::vector<Participant> participants;
   std::vector<Expectation> expectations;

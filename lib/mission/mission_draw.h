@@ -250,7 +250,7 @@ class MissionDraw {
                       .frames = Coin(),
                       .group_id = Coin() ? "7" : "x",
                       .silent_after_s = Positive(1e7)};
-    // The network of the draw has vehicles[0] for a leader anyway; messages tell of 100 km.
+    // The network of the draw has vehicles[0] for a leader anyway; messages encode up to 100 km.
     mission->vehicles[1].acoustic_leader = false;
     for (Vehicle& vehicle : mission->vehicles) {
       vehicle.start.x_m = Number(-1e5, 1e5);

@@ -1,4 +1,4 @@
-// The sea that a mission takes place in: its current and its floor, made from what the file says.
+// The sea that a mission takes place in: its current and its floor, made from the mission file.
 //
 //   Result<Ocean> ocean = OceanOf(mission.environment, mission.seed, folder_of_the_file);
 //   Eigen::Vector2d water_mps = Velocity(ocean->current.At(time_s));
@@ -19,7 +19,7 @@ namespace shoal {
 
 struct Ocean {
   Current current;
-  std::optional<SeaFloor> floor;  ///< Absent: nobody knows how deep it is.
+  std::optional<SeaFloor> floor;  ///< Absent: the depth is not known.
   std::optional<Plume> plume;
 };
 

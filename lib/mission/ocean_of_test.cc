@@ -98,7 +98,7 @@ TEST(OceanOf, DrawsFromZonesByTheirNames) {
   }
 }
 
-TEST(OceanOf, FindsAProblemForEveryWordThatCannotBe) {
+TEST(OceanOf, FindsAProblemForEveryInvalidWord) {
   const std::vector<CurrentProblem> problems = FindProblems({.speed_mps = "fastest",
                                                              .direction_deg = "400",
                                                              .speed_deviation_mps = "",
@@ -112,7 +112,7 @@ TEST(OceanOf, FindsAProblemForEveryWordThatCannotBe) {
   EXPECT_LT(FindProblems({.speed_mps = std::string(10'000, '9')}).at(0).text.size(), 250U);
 }
 
-RC_GTEST_PROP(OceanOf, SaysNoOrHasAFiniteCurrentWhateverTheWord, ()) {
+RC_GTEST_PROP(OceanOf, RefusesOrHasAFiniteCurrentForAnyText, ()) {
   const auto word = [] {
     return *rc::gen::container<std::string>(
         rc::gen::element('1', '0', '.', '-', 'e', 'x', ' ', '\0', 'a', 'n', 'y', '5'));

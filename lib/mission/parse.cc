@@ -52,7 +52,7 @@ class DotCounter {
         at_ += many_lines ? 3 : 1;
         return;
       } else if (!many_lines && text_[at_] == '\n') {
-        return;  // An error that the parser tells better.
+        return;  // An error that the parser describes better.
       } else {
         ++at_;
       }

@@ -10,7 +10,7 @@
 namespace shoal {
 
 /// Returns the root table of `text`, every value with its place. A syntax error, a text that is
-/// not UTF-8 or one that is nested beyond reason is told to `problems`: only the first, since
+/// not UTF-8 or one that is nested beyond reason is added to `problems`: only the first, since
 /// what follows it has no certain meaning.
 std::optional<Value> ParseToml(std::string_view text, Problems& problems);
 

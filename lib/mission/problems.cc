@@ -46,13 +46,13 @@ std::string Problems::LineOf(const Place& place) const {
   return fmt::format("{}:{}", OneLine(file_), place.line);
 }
 
-std::vector<std::string> Problems::Lines(const Told& told, std::string_view prefix,
+std::vector<std::string> Problems::Lines(const Notes& notes, std::string_view prefix,
                                          std::string_view noun) const {
   std::vector<std::string> messages;
-  for (const auto& [place, text] : told) {
+  for (const auto& [place, text] : notes) {
     if (messages.size() == kMostShown) {
       messages.push_back(
-          fmt::format("{}: and {} more {}", OneLine(file_), told.size() - kMostShown, noun));
+          fmt::format("{}: and {} more {}", OneLine(file_), notes.size() - kMostShown, noun));
       break;
     }
     messages.push_back(fmt::format("{}: {}{}", WhereIs(place), prefix, text));

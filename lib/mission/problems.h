@@ -39,16 +39,16 @@ class Problems {
   std::vector<std::string> WarningsInOrder() const;
 
  private:
-  using Told = std::set<std::pair<Place, std::string>>;
+  using Notes = std::set<std::pair<Place, std::string>>;
 
   std::string WhereIs(const Place& place) const;
-  std::vector<std::string> Lines(const Told& told, std::string_view prefix,
+  std::vector<std::string> Lines(const Notes& notes, std::string_view prefix,
                                  std::string_view noun) const;
 
   std::string file_;
   std::vector<std::string> overrides_;
-  Told problems_;
-  Told warnings_;
+  Notes problems_;
+  Notes warnings_;
   std::set<const Value*> unsound_;
 };
 

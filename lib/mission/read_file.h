@@ -1,4 +1,4 @@
-// Reads a file of the user's whole, or says in his words why not.
+// Reads a whole text file, or returns a user-readable error.
 #pragma once
 
 #include <string>

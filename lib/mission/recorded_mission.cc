@@ -11,7 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What the lines of run.txt say.
+/// The contents of run.txt.
 struct RunText {
   std::string mission_file;
   std::vector<std::string> overrides;

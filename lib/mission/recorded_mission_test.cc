@@ -55,7 +55,7 @@ TEST_F(RecordedMissionTest, KeepsTheNameThatTheFileGives) {
   EXPECT_EQ(Find().mission->name, "regatta");
 }
 
-TEST_F(RecordedMissionTest, SaysWhyItDoesNotLoad) {
+TEST_F(RecordedMissionTest, StatesWhyItDoesNotLoad) {
   Write("mission.toml", "[mission]\nduration_s = -1\n[[vehicle]]\nname = \"alpha\"\n");
   const RecordedMission found = Find();
   EXPECT_FALSE(found.mission);

@@ -1,8 +1,8 @@
-// When the members of a mission's swarm speak: its [swarm] made into slots, lengths that it leaves
-// open filled in.
+// When the members of a mission's swarm send: its [swarm] made into slots, with automatic lengths
+// filled in.
 //
 //   const SwarmSlots slots = PlanSwarm(mission);
-//   for (const TimingProblem& problem : slots.problems) Tell(problem.message);
+//   for (const TimingProblem& problem : slots.problems) Report(problem.message);
 //   SwarmSchedule schedule(slots.plan, {.is_leader = true});
 #pragma once
 
@@ -14,7 +14,7 @@
 
 namespace shoal {
 
-/// Returns what messages of the swarm are said through.
+/// Returns the properties of the acoustic network that swarm messages are sent over.
 [[nodiscard]] SwarmAir SwarmAirOf(const Mission& mission);
 
 /// Returns the scheduler that the mission names, or the one that its access mode suggests.

@@ -13,8 +13,8 @@
 
 namespace shoal {
 
-/// Reads one table. Whatever key nobody asked for by the end of its life is told to be unknown,
-/// with the nearest of those asked for. A wrong value leaves its variable as it is.
+/// Reads one table. Its destructor reports each key that was not asked for as unknown, with the
+/// nearest of those asked for. A wrong value leaves its variable as it is.
 class TableReader final : public Fields {
  public:
   /// `title` names the table in messages: "[comms]". `table` and `problems` outlive the reader.
@@ -65,11 +65,11 @@ class TableReader final : public Fields {
   const Array* TakeArray(std::string_view key, size_t max_count, std::string_view what);
   /// Returns where the value of `key` stands; where there is none, the table.
   const Place& PlaceOf(std::string_view key) const;
-  // These return the value where it is right, and tell what is wrong otherwise. `name` is the key,
-  // or the key and the number of the element.
+  // These return the value where it is right, and report what is wrong otherwise. `name` is the
+  // key, or the key and the number of the element.
   std::optional<double> AsNumber(const Value& value, const std::string& name, NumberLimits range);
   std::optional<std::string> AsText(const Value& value, const std::string& name, TextRule rule);
-  /// An array of numbers, `example` of which tells how many.
+  /// An array of numbers, as many as in `example`.
   std::optional<Eigen::VectorXd> AsVector(const Value& value, const std::string& name,
                                           NumberLimits range, Eigen::Index size,
                                           std::string_view example);
@@ -77,7 +77,7 @@ class TableReader final : public Fields {
                                         NumberLimits range);
 
   const Value& source_;
-  const Table* table_;  ///< Null where the source is no table, which has been told.
+  const Table* table_;  ///< Null where the source is no table, which was reported.
   bool skips_rest_ = false;
   std::string title_;
   Problems& problems_;

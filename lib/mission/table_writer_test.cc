@@ -47,7 +47,7 @@ TEST(TomlNumber, ReadsBackAtTheLimits) {
   }
 }
 
-RC_GTEST_PROP(TomlString, ReadsBackWhateverItHolds, ()) {
+RC_GTEST_PROP(TomlString, ReadsBackAnyText, ()) {
   // Any sequence of ASCII characters, the control characters with them.
   const auto text = *rc::gen::container<std::string>(rc::gen::inRange<char>(0, 127));
   const auto value = ParseTomlValue(TomlString(text), {});
@@ -83,7 +83,7 @@ std::string ReadBackScalar(const std::string& value) {
   return problems.empty() ? word : problems.InOrder().front();
 }
 
-TEST(Scalar, ReadsWhateverHasOneValue) {
+TEST(Scalar, ReadsEveryFieldWithOneValue) {
   EXPECT_EQ(ReadBackScalar("true"), "true");
   EXPECT_EQ(ReadBackScalar("2"), "2");
   EXPECT_EQ(ReadBackScalar("0.25"), "0.25");

@@ -1,4 +1,4 @@
-// Node reports through the water that spoil each other: the warnings, with their exact texts.
+// Acoustic node reports that collide: the warnings, with their exact texts.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -11,7 +11,8 @@ namespace shoal::validate_acoustic_reports_test {
 
 const std::vector<std::string> kThree = {"alpha", "bravo", "charlie"};
 
-/// Returns the warnings of a mission whose vehicles report through the water; `leader` leads.
+/// Returns the warnings of a mission whose vehicles report over the acoustic network; `leader`
+/// leads.
 std::vector<std::string> Warnings(const std::vector<std::string>& vehicles,
                                   const std::string& acoustics, const std::string& reporter,
                                   std::string_view leader = "") {
@@ -27,7 +28,7 @@ std::vector<std::string> Warnings(const std::vector<std::string>& vehicles,
   return loaded.warnings;
 }
 
-TEST(LoadWarnings, TellReportsThatAreSaidAllAtOnce) {
+TEST(LoadWarnings, ReportReportsThatAreSentAllAtOnce) {
   const std::string slow = "rate_hz = 0.1";
   EXPECT_EQ(Warnings(kThree, "access_mode = \"tdma\"", slow),
             std::vector<std::string>{
@@ -49,14 +50,14 @@ TEST(LoadWarnings, TellReportsThatAreSaidAllAtOnce) {
       << "the leader has the other channel";
 }
 
-TEST(LoadWarnings, TellChanceThatIsFinerThanThePaceOfReports) {
+TEST(LoadWarnings, ReportJitterThatIsFinerThanThePaceOfReports) {
   EXPECT_EQ(Warnings(kThree, "access_mode = \"shared\"",
                      "rate_hz = 0.1, blackout_interval_s = 10, blackout_variance_s = 8")
                 .size(),
             1U);
 }
 
-TEST(LoadWarnings, LeaveReportsAloneThatDoNotSpoilEachOther) {
+TEST(LoadWarnings, AreNoneForReportsThatDoNotCollide) {
   const std::string slow = "rate_hz = 0.1";
   EXPECT_EQ(Warnings(kThree, "access_mode = \"fdma\"", slow).size(), 0U);
   EXPECT_EQ(Warnings(kThree, "access_mode = \"shared\"\ncollisions = \"off\"", slow).size(), 0U);
@@ -65,7 +66,7 @@ TEST(LoadWarnings, LeaveReportsAloneThatDoNotSpoilEachOther) {
                 .size(),
             0U);
   EXPECT_EQ(Warnings({"alpha", "bravo"}, "access_mode = \"shared\"", slow).size(), 0U)
-      << "nobody hears the two collide";
+      << "no third node receives the collision";
 }
 
 }  // namespace shoal::validate_acoustic_reports_test

@@ -1,6 +1,6 @@
-// What a mission file holds before anybody knows what it means: values, each with the place that
-// it came from. Templates, fleets and overrides work on these (expand.h, override.h); then
-// TableReader gives them meaning.
+// A mission file before its keys are interpreted: values, each with the place that it came from.
+// Templates, fleets and overrides work on these (expand.h, override.h); then TableReader gives them
+// meaning.
 #pragma once
 
 #include <compare>
@@ -27,7 +27,7 @@ struct Entry;
 using Array = std::vector<Value>;
 using Table = std::vector<Entry>;  ///< In the order of the file; keys are unique.
 
-/// TOML knows dates and times; a mission file has no use for them.
+/// A TOML date or time; no key of a mission file takes one.
 struct DateOrTime {};
 
 struct Value {

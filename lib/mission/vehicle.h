@@ -30,8 +30,8 @@ struct StartPose {
 /// Where a part of a vehicle (or the broker) comes from.
 enum class Provider {
   kShoal,  ///< The launcher starts shoal's own process.
-  kHand,   ///< Somebody starts shoal's process, or one that speaks its step protocol, by hand.
-  kNone,   ///< Nobody: the clock does not wait for it.
+  kHand,   ///< A user starts shoal's process, or one that implements its step protocol.
+  kNone,   ///< Not run: the clock does not wait for it.
 };
 
 /// `[vehicle.autopilot]`: heading PID to rudder, speed to thrust.
@@ -47,15 +47,15 @@ struct AutopilotOptions {
   bool operator==(const AutopilotOptions&) const = default;
 };
 
-/// `[vehicle.sensors]`: how badly the vehicle measures where it is and how it moves. Standard
-/// deviations of Gaussian noise, drawn anew for every step and each number.
+/// `[vehicle.sensors]`: measurement noise of position and motion. Standard deviations
+/// of Gaussian noise, drawn anew for every step and each number.
 struct SensorOptions {
   bool is_fitted = false;       ///< The file has the table: helm and reports go by MEASURED_NAV.
   double position_noise_m = 0;  ///< Of x and y.
   double depth_noise_m = 0;
   double attitude_noise_deg = 0;     ///< Of heading, pitch and roll.
   double rate_noise_degps = 0;       ///< Of yaw, pitch and roll rate.
-  double speed_noise_mps = 0;        ///< Of each component through the water and over ground.
+  double speed_noise_mps = 0;        ///< Of each component relative to the water and over ground.
   double altitude_noise_m = 0;       ///< Of the altimeter ...
   double altimeter_range_m = 20000;  ///< ... which sees no farther.
 
@@ -94,7 +94,7 @@ struct ReporterOptions {
   double nohelm_threshold_s = 5;   ///< Mode becomes NOHELM-<s> after this.
   double blackout_interval_s = 0;  ///< At least this between reports; 0: off.
   double blackout_variance_s = 0;  ///< Uniformly random addition in +- this.
-  bool extrapolate = false;        ///< Skip a report that dead reckoning foretells.
+  bool extrapolate = false;        ///< Skip a report that dead reckoning predicts.
   double extrap_position_thresh_m = 0.25;
   double extrap_heading_thresh_deg = 1;
   double extrap_max_gap_s = 5;               ///< But never stay silent longer than this.
@@ -105,7 +105,7 @@ struct ReporterOptions {
 
 /// `[vehicle.messages]`: how the vehicle's own messages are repeated until they are acknowledged.
 struct MessageOptions {
-  double ack_timeout_s = 30;  ///< So long an ack is waited for before each repeat.
+  double ack_timeout_s = 30;  ///< Time to wait for an ack before each repeat.
   int64_t max_repeats = 3;    ///< Then it is given up.
 
   bool operator==(const MessageOptions&) const = default;

@@ -47,7 +47,7 @@ Flow FlowAt(const CurrentParams& params, double speed_deviation_mps,
 
 Current::Current(const CurrentParams& params, const StreamKey& key)
     : params_(params), speed_(DrawsFor(key, "speed")), direction_(DrawsFor(key, "direction")) {
-  SHOAL_CHECK(IsCurrent(params), "a current of impossible parameters");
+  SHOAL_CHECK(IsCurrent(params), "IsCurrent(params)");
   Swing& speed = params_.speed_mps;
   speed.deviation = std::min({speed.deviation, speed.mean, params_.max_speed_mps - speed.mean});
 }
@@ -74,7 +74,7 @@ double Current::Deviation(const Swing& swing, const Draws& draws, double time_s)
 }
 
 Flow Current::At(double time_s) const {
-  SHOAL_CHECK(std::isfinite(time_s), "a current at no time");
+  SHOAL_CHECK(std::isfinite(time_s), "time_s is finite");
   return FlowAt(params_, Deviation(params_.speed_mps, speed_, time_s),
                 Deviation(params_.direction_rad, direction_, time_s));
 }

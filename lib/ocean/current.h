@@ -32,7 +32,7 @@ inline constexpr double kMaxCurrent_mps = 50;
 inline constexpr double kMinHalfPeriod_s = 1e-3;
 inline constexpr double kMaxHalfPeriod_s = 1e9;
 
-/// Tells whether a current can be made of these: finite numbers, 0 <= mean speed <= max_speed <=
+/// Returns whether a current can be made of these: finite numbers, 0 <= mean speed <= max_speed <=
 /// kMaxCurrent_mps, deviations >= 0, the direction's at most pi, half periods within the limits.
 [[nodiscard]] bool IsCurrent(const CurrentParams& params);
 

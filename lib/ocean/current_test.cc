@@ -164,7 +164,7 @@ RC_GTEST_PROP(Current, IsContinuous, ()) {
             1e-7);
 }
 
-TEST(CurrentParameters, ThatAreNonsenseAreFound) {
+TEST(CurrentParameters, ThatAreInvalidAreFound) {
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
   constexpr double kInf = std::numeric_limits<double>::infinity();
   EXPECT_TRUE(IsCurrent({}));

@@ -29,13 +29,13 @@ GridPlace Locate(double offset_m, double cell_m, int count) {
 
 DepthGrid::DepthGrid(const GridFrame& frame, std::vector<float> depths_m)
     : frame_(frame), depths_m_(std::move(depths_m)) {
-  SHOAL_CHECK(frame.columns >= 1 && frame.rows >= 1, "a grid without points");
+  SHOAL_CHECK(frame.columns >= 1 && frame.rows >= 1, "a grid has at least one row and one column");
   SHOAL_CHECK(
       depths_m_.size() == static_cast<size_t>(frame.columns) * static_cast<size_t>(frame.rows),
-      "a grid with another number of depths");
+      "a grid has columns * rows finite depths");
   SHOAL_CHECK(
       frame.cell_m.minCoeff() > 0 && frame.cell_m.allFinite() && frame.south_west_m.allFinite(),
-      "a grid without a place");
+      "a grid has a finite corner and positive cells");
 }
 
 double DepthGrid::Point(int column, int row) const {

@@ -40,7 +40,7 @@ struct EsriGridOptions {
 inline constexpr int kMaxGridPoints = 16'000'000;
 
 /// Returns the grid in the mission's frame. Its points are the middles of the cells. Land counts as
-/// depth 0. Keys in any case, a row per line. An error names the line and says what to do:
+/// depth 0. Keys in any case, a row per line. An error names the line and what to do:
 /// "bay.asc: 9: ...". Takes no more memory than the text has numbers, whatever its header claims.
 /// @pre finite options
 [[nodiscard]] Result<DepthGrid> ParseEsriGrid(std::string_view text,

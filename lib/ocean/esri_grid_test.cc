@@ -64,7 +64,7 @@ TEST(EsriGrid, HoldsDepthsOrElevations) {
   EXPECT_EQ(land->DepthAt({505, 6005}), 0);
 }
 
-TEST(EsriGrid, FillsItsGapsWhereItIsToldHow) {
+TEST(EsriGrid, FillsItsGapsWhereTheMissionStatesHow) {
   const std::string text = With("-20", "-9999");
   ExpectError(text, "bay.asc:7: column 2 has no data", "fill the map's gaps");
   Result<DepthGrid> grid = ParseEsriGrid(text, {.nodata_depth_m = 15});

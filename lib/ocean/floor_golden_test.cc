@@ -1,4 +1,4 @@
-// Holds made-up floors to MuNet's, with MuNet's permutations: the random numbers differ.
+// Compares synthetic floors with MuNet's, with MuNet's permutations: the random numbers differ.
 #include <gtest/gtest.h>
 
 #include <algorithm>

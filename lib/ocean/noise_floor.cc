@@ -28,7 +28,7 @@ double FloorShare(FloorStyle style, double noise) {
       return noise < 0.5 ? 2 * noise * noise * noise : 0.5 + 2 * above * above * above;
     }
   }
-  SHOAL_CHECK(false, "unknown style of floor");
+  SHOAL_CHECK(false, "the style is one of FloorStyle");
 }
 
 bool IsNoiseFloor(const NoiseFloorOptions& options) {
@@ -55,8 +55,8 @@ NoiseFloor::NoiseFloor(const NoiseFloorOptions& options, const PerlinPermutation
 NoiseFloor::NoiseFloor(const NoiseFloorOptions& options, const PerlinPermutation& permutation,
                        const NoiseBounds& bounds)
     : options_(options), permutation_(permutation), bounds_(bounds) {
-  SHOAL_CHECK(IsNoiseFloor(options), "a floor of impossible options");
-  SHOAL_CHECK(bounds.span > 0, "noise without a span");
+  SHOAL_CHECK(IsNoiseFloor(options), "IsNoiseFloor(options)");
+  SHOAL_CHECK(bounds.span > 0, "bounds.span > 0");
 }
 
 double NoiseFloor::RawNoise(double east_m, double north_m) const {

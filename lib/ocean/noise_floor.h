@@ -1,4 +1,4 @@
-// A sea floor made up from a seed: hills and hollows of Perlin noise on a square map.
+// A synthetic sea floor drawn from a seed: hills and hollows of Perlin noise on a square map.
 #pragma once
 
 #include <Eigen/Core>
@@ -35,8 +35,8 @@ inline constexpr double kMaxFloorDepth_m = 20'000;
 inline constexpr double kMaxFloorSize_m = 1e6;
 inline constexpr double kMaxFloorSlope = 10;
 
-/// Tells whether a floor can be made of these: finite numbers, depths from 0 to kMaxFloorDepth_m,
-/// 1 m <= size <= kMaxFloorSize_m, 1 m <= scale, octaves as said there, slopes within
+/// Returns whether a floor can be made of these: finite numbers, depths from 0 to kMaxFloorDepth_m,
+/// 1 m <= size <= kMaxFloorSize_m, 1 m <= scale, octaves as stated there, slopes within
 /// +-kMaxFloorSlope.
 [[nodiscard]] bool IsNoiseFloor(const NoiseFloorOptions& options);
 

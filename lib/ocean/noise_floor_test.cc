@@ -135,7 +135,7 @@ RC_GTEST_PROP(NoiseFloor, HasNoStepsButAShelfsCliff, ()) {
   RC_ASSERT(std::abs(sigmoid.DepthAt(beside_m) - sigmoid.DepthAt(position_m)) < 1e-4);
 }
 
-TEST(NoiseFloorOptions, ThatAreNonsenseAreFound) {
+TEST(NoiseFloorOptions, ThatAreInvalidAreFound) {
   EXPECT_TRUE(IsNoiseFloor({}));
   for (const double nonsense : {kNan, std::numeric_limits<double>::infinity(), -1.0, 1e300}) {
     for (double NoiseFloorOptions::*number :

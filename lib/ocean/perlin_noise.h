@@ -11,7 +11,7 @@ namespace shoal {
 /// A permutation of 0 .. 255.
 using PerlinPermutation = std::array<uint8_t, 256>;
 
-/// Returns a random one: every permutation is as likely as any other (Fisher, Yates).
+/// Returns a random permutation, all equally likely (Fisher, Yates).
 [[nodiscard]] PerlinPermutation DrawPermutation(const StreamKey& key);
 
 /// Returns noise in [-1, 1] at a point: zero where both coordinates are integers, twice

@@ -34,7 +34,7 @@ bool IsPlume(const Plume& plume) {
 }
 
 double Concentration(const Plume& plume, const Eigen::Vector3d& position_m) {
-  SHOAL_CHECK(IsPlume(plume), "an impossible plume");
+  SHOAL_CHECK(IsPlume(plume), "IsPlume(plume)");
   const double z = position_m.z();
   if (!IsBetween(z, 0, plume.floor_z_m)) return 0;
   const double east =

@@ -16,7 +16,7 @@ struct Plume {
 /// In still water a plume that changes no more would be endless.
 inline constexpr double kMinPlumeCurrent_mps = 0.1;
 
-/// Tells whether a plume can be made of these: finite numbers, 0 <= rate <= 1e9, 0 <= current <=
+/// Returns whether a plume can be made of these: finite numbers, 0 <= rate <= 1e9, 0 <= current <=
 /// 50, coordinates within +-1e9.
 [[nodiscard]] bool IsPlume(const Plume& plume);
 

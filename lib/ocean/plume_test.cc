@@ -80,7 +80,7 @@ RC_GTEST_PROP(Plume, IsFiniteAndNotNegativeEverywhere, ()) {
   RC_ASSERT(concentration >= 0);
 }
 
-TEST(PlumeParameters, ThatAreNonsenseAreFound) {
+TEST(PlumeParameters, ThatAreInvalidAreFound) {
   EXPECT_TRUE(IsPlume({}));
   for (const double nonsense :
        {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {

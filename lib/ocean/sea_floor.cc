@@ -9,7 +9,7 @@ namespace shoal {
 SeaFloor::SeaFloor() : SeaFloor(FlatFloor(kDeepSea_m)) {}
 
 SeaFloor::SeaFloor(std::shared_ptr<const DepthGrid> grid) : floor_(std::move(grid)) {
-  SHOAL_CHECK(std::get<1>(floor_) != nullptr, "a sea floor without its grid");
+  SHOAL_CHECK(std::get<1>(floor_) != nullptr, "grid is not null");
 }
 
 double SeaFloor::DepthAt(const Eigen::Vector2d& position_m) const {

@@ -13,7 +13,7 @@
 
 namespace shoal {
 
-/// Depth of a sea whose floor nobody reaches.
+/// Depth of a sea whose floor no vehicle reaches.
 inline constexpr double kDeepSea_m = 6000;
 
 class SeaFloor {

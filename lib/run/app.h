@@ -1,8 +1,8 @@
-// What every process of shoal is inside: a class that is given its messages and its time.
+// Base class of the apps that run in the processes of shoal: they are given messages and time.
 //
 //   class HelmApp : public App {
 //     HelmApp(const Mission& mission, const Vehicle& vehicle, Bus& bus);   // subscribes
-//     void Tick(int64_t utime) override;                                    // thinks, publishes
+//     void Tick(int64_t utime) override;                                    // decides, publishes
 //   };
 //
 // The same class runs in a process of its own over LCM (lib/run/run_app.h) and with all others in
@@ -26,15 +26,15 @@ class App {
   virtual ~App() = default;
 
   /// Advances to mission time `utime` (microseconds). The handlers of all messages of the step
-  /// before have run. What is published here is heard by others in the next step.
+  /// before have run. What is published here is received by others in the next step.
   virtual void Tick(int64_t utime) = 0;
 
-  /// Told before Tick whenever it changes: the asked-for mission seconds per wall second; 0: as
-  /// fast as possible, which is also what holds where nothing is told. For what people watch only:
+  /// Called before Tick whenever it changes: the demanded mission seconds per wall second; 0: as
+  /// fast as possible, which also holds before the first call. For what people watch only:
   /// a mission's result does not depend on it.
   virtual void OnWarp(double) {}
 
-  /// A descriptor that is readable when Serve has something to do; -1: it serves nobody.
+  /// A descriptor that is readable when Serve has something to do; -1: it serves no clients.
   virtual int ServedFd() const { return -1; }
 
   /// Serves clients from outside of the mission, between steps too: when ServedFd is readable, and

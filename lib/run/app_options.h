@@ -14,7 +14,7 @@ namespace shoal {
 struct Mission;
 struct Vehicle;
 
-/// What --help, --example and --interface of an app tell.
+/// What --help, --example and --interface of an app show.
 struct AppInfo {
   std::string name;     ///< "helm"
   std::string purpose;  ///< One or two sentences.
@@ -43,7 +43,7 @@ struct AppOptions {
 /// kExitUsage where there is nothing more to do.
 AppOptions ParseAppOptionsOrExit(const AppInfo& info, int argc, char** argv);
 
-/// Returns which channels an app hears and says, from the channel table.
+/// Returns which channels an app subscribes to and publishes, from the channel table.
 std::string InterfaceText(const AppInfo& info);
 
 }  // namespace shoal

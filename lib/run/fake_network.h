@@ -1,5 +1,5 @@
 // A network in memory for tests of the step protocol: it loses what the test wants lost, and hands
-// the rest over when the test says so.
+// the rest over when the test asks for it.
 #pragma once
 
 #include <deque>

@@ -38,7 +38,7 @@ StatusPage PageWithLosses(const App& app, const LcmBus& bus, const PortPlan& por
             ? fmt::format("sudo sysctl -w net.core.rmem_max={} helps", kUsefulReceiveBuffer)
             : std::string("it is as large as is of use: fewer messages, or other ports for some");
     page.run_warnings.push_back(
-        fmt::format("{} datagrams were lost before anybody read them: receive buffer full ({}; now "
+        fmt::format("{} datagrams were lost before they were read: receive buffer full ({}; now "
                     "{} bytes)",
                     dropped, remedy, ReceiveBufferLimit()));
   }

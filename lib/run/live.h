@@ -5,7 +5,7 @@
 // (lib/run/round_size.h). What has waited for half a second when its turn comes is dropped, counted
 // and shown: a position as old as that is not worth the time that fresh ones need. A few messages
 // of each channel are handled in each round however late they are, so that a flood of reports does
-// not swallow a command. What the kernel dropped before, because nobody read it in time, is counted
+// not block a command. What the kernel dropped before, since it was not read in time, is counted
 // and shown too.
 #pragma once
 

@@ -1,4 +1,4 @@
-// By which NAV a vehicle's own processes go.
+// The NAV channel that a vehicle's own processes use.
 #pragma once
 
 #include "lib/bus/channels.h"

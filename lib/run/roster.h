@@ -1,4 +1,4 @@
-// Who takes part in a mission, under which name.
+// The participants of a mission and their names on the bus.
 #pragma once
 
 #include <string>
@@ -14,10 +14,10 @@ struct RosterEntry {
   std::string app;      ///< Which of shoal's programs; empty: a user's own.
   std::string vehicle;  ///< As the mission writes it; empty: not of one vehicle.
   Provider provider = Provider::kShoal;
-  std::vector<std::string> command;  ///< Of a user's own participant; empty: started by hand.
+  std::vector<std::string> command;  ///< Of a user's own participant; empty: the user starts it.
 };
 
-/// Returns all participants but the launcher's own ("shoal"), those that nobody provides left out.
+/// Returns all participants but the launcher's own ("shoal") and those whose provider is kNone.
 std::vector<RosterEntry> MakeRoster(const Mission& mission, bool with_recorder);
 
 /// Returns the name on the bus of a vehicle's app, such as "helm_alpha".

@@ -28,7 +28,7 @@ TEST(RoundSize, FollowsWhenMessagesBecomeCheaper) {
   EXPECT_EQ(size.most(), RoundSize::kMost);
 }
 
-TEST(RoundSize, StaysWithinItsBoundsWhateverARoundCosts) {
+TEST(RoundSize, StaysWithinItsBoundsForAnyCostOfARound) {
   RoundSize size;
   size.AfterRound(1, 3'600'000'000);
   EXPECT_EQ(size.most(), RoundSize::kLeast);

@@ -27,23 +27,23 @@ std::atomic<bool> stop_wanted = false;
 void OnSignal(int) { stop_wanted = true; }
 
 constexpr int64_t kPollInterval_us = 100'000;
-/// After the end an app stays until nothing has come for so long: others may have missed what it
-/// said last, and ask every 50 ms. (The launcher ends its own children as soon as all have
+/// After the end an app stays until nothing has come for this long: others may have missed what it
+/// published last, and ask every 50 ms. (The launcher ends its own children as soon as all have
 /// answered.)
 constexpr int64_t kLinger_us = 300'000;
 
-/// Waits until a launcher runs this mission file, for apps started by hand.
+/// Waits until a launcher runs this mission file, for apps that a user starts.
 std::optional<RunningMission> AwaitMission(const std::string& file) {
   std::error_code error;
   const std::string wanted = std::filesystem::absolute(file, error).lexically_normal().string();
-  bool told = false;
+  bool is_announced = false;
   while (!stop_wanted) {
     for (const RunningMission& mission : RunningMissions()) {
       if (mission.file == wanted) return mission;
     }
-    if (!told) {
+    if (!is_announced) {
       fmt::print(stderr, "waiting for `shoal run {}` (Ctrl-C ends)\n", file);
-      told = true;
+      is_announced = true;
     }
     usleep(kPollInterval_us);
   }
@@ -63,7 +63,7 @@ void CatchSignals() {
   sigaction(SIGTERM, &action, nullptr);
 }
 
-/// Returns the ports from `port_base` on, or says why there is no room for them.
+/// Returns the ports from `port_base` on, or prints why there is no room for them.
 std::optional<PortPlan> PlanPorts(const std::string& name, const Mission& mission, int port_base,
                                   std::optional<Layout> layout) {
   const std::vector<std::string> vehicles = VehicleNames(mission);
@@ -100,11 +100,11 @@ int Run(const AppOptions& options, const std::string& name, const Mission& missi
                                .pid = static_cast<int32_t>(getpid()),
                                .give_up_us = GiveUpAfter_us(mission)},
                               *plan, transport);
-  int64_t last_heard_us = 0;
+  int64_t last_received_us = 0;
   transport.set_receiver(
       [&](int port, std::string_view channel, std::span<const uint8_t> datagram) {
-        last_heard_us = MonotonicMicroseconds();
-        participant.OnDatagram(port, channel, datagram, last_heard_us);
+        last_received_us = MonotonicMicroseconds();
+        participant.OnDatagram(port, channel, datagram, last_received_us);
       });
   const std::unique_ptr<App> app = make(participant);
   participant.Attach(app.get());
@@ -129,7 +129,7 @@ int Run(const AppOptions& options, const std::string& name, const Mission& missi
   fmt::print("{}\n{}: {}\n", Format(participant.Status(), name, participant.step()), name,
              participant.ended() ? "the mission has ended" : "ended by a signal");
   std::fflush(stdout);
-  while (!stop_wanted && MonotonicMicroseconds() - last_heard_us < kLinger_us) {
+  while (!stop_wanted && MonotonicMicroseconds() - last_received_us < kLinger_us) {
     transport.Poll(kPollInterval_us / 2);
   }
   return kExitOk;
@@ -173,7 +173,7 @@ std::function<bool(std::string_view)> MakeLossFilter(double lose, const std::str
   return
       [lose, lose_forever, state = uint64_t{0x9e3779b97f4a7c15}](std::string_view channel) mutable {
         if (channel == lose_forever) return true;
-        // xorshift64: which datagram falls victim must not be tied to the mission's own streams.
+        // xorshift64: the choice of lost datagrams must not be tied to the mission's own streams.
         state ^= state << 13;
         state ^= state >> 7;
         state ^= state << 17;

@@ -36,7 +36,7 @@ inline constexpr int64_t kTerminalInterval_us = 1'000'000;
 
 /// Returns microseconds of a clock that never jumps. For the rim only: apps are given their time.
 int64_t MonotonicMicroseconds();
-/// Returns microseconds since 1970, which jump when somebody sets the clock.
+/// Returns microseconds since 1970, which jump when the clock is set.
 int64_t UnixMicroseconds();
 /// Returns the processor time that this thread has used, in microseconds.
 int64_t ProcessorMicroseconds();

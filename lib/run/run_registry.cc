@@ -59,7 +59,7 @@ bool BlockIsFree(int base, int num_ports) {
 }
 
 /// Locks every port of the block; locks of a block that was claimed in part stay with this process,
-/// which does harm to nobody but itself.
+/// which harms no other process.
 bool LockBlock(int base, int num_ports) {
   for (int port = base; port < base + num_ports; ++port) {
     if (!Lock(port)) return false;
@@ -114,10 +114,10 @@ Result<int> ClaimPorts(int wanted_base, int num_ports) {
     if (BlockIsFree(wanted_base, num_ports) && LockBlock(wanted_base, num_ports)) {
       return wanted_base;
     }
-    return Error{
-        fmt::format("UDP ports {} to {} are not all free (`ss -ulnp` shows who has them, `shoal "
-                    "status` which missions run); choose others with --port, or leave it out",
-                    wanted_base, wanted_base + num_ports - 1)};
+    return Error{fmt::format(
+        "UDP ports {} to {} are not all free (`ss -ulnp` shows which programs have "
+        "them, `shoal status` which missions run); choose others with --port, or leave it out",
+        wanted_base, wanted_base + num_ports - 1)};
   }
   for (int base = PortPlan::kDefaultBase; base + num_ports < kLastBase; base += kBlockDistance) {
     if (BlockIsFree(base, num_ports) && LockBlock(base, num_ports)) return base;

@@ -1,5 +1,5 @@
 // Where running missions are found: one small file per mission, so that `shoal send`, `shoal
-// status`, scripts/spy and apps started by hand need not be told ports.
+// status`, scripts/spy and apps that users start need no port numbers.
 #pragma once
 
 #include <cstdint>
@@ -29,18 +29,20 @@ struct RunningMission {
 std::string RunDirectory();
 
 /// Returns the path of the entry of the mission at `port_base`; it is there while the mission runs,
-/// and stays when its launcher dies, until somebody lists the missions.
+/// and stays when its launcher dies, until the missions are listed.
 std::string EntryPath(int port_base);
 
 /// Claims a free block of ports for as long as this process lives. `wanted_base` 0: the first
-/// free one from PortPlan::kDefaultBase on. The error names who has the ports where that is known.
+/// free one from PortPlan::kDefaultBase on. The error names the mission that has the ports where
+/// that is known.
 [[nodiscard]] Result<int> ClaimPorts(int wanted_base, int num_ports);
 
 /// Writes or removes this process's entry. A failure to write is an error with the path.
 [[nodiscard]] Result<bool> Register(const RunningMission& mission);
 void Unregister(int port_base);
 
-/// Returns the missions whose launchers are alive, in order of port; removes what the dead left.
+/// Returns the missions whose launchers are alive, in order of port; removes the entries of the
+/// others.
 std::vector<RunningMission> RunningMissions();
 
 /// Returns the one mission that runs, or the one at `port_base` (0: any); an error that lists them

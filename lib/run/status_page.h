@@ -1,4 +1,4 @@
-// The page that tells a person what an app does: MOOS users know it as an appcast.
+// The page that shows a person what an app does: MOOS users know it as an appcast.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +20,7 @@ struct StatusPage {
 /// ("helm_alpha   0/1(1822)"), warnings first, then the text.
 std::string Format(const StatusPage& page, std::string_view app, int64_t step);
 
-/// Returns what a terminal can show of a stranger's text: at most 40 characters, '?' for what is
+/// Returns what a terminal can show of a text from outside: at most 40 characters, '?' for what is
 /// not printable ASCII.
 std::string Printable(std::string_view text);
 

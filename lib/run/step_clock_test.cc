@@ -86,7 +86,7 @@ struct ClockAlone {
   int num_states = 0;
 };
 
-TEST(StepClock, TellsWhatItDoes) {
+TEST(StepClock, PublishesItsState) {
   ClockAlone alone;
   alone.Run(0);
   ASSERT_TRUE(alone.state);
@@ -105,7 +105,7 @@ TEST(StepClock, TellsWhatItDoes) {
   EXPECT_EQ(alone.state->utime, alone.state->step * kTick_us);
 }
 
-TEST(StepClock, TellsItsEnd) {
+TEST(StepClock, PublishesItsEnd) {
   ClockAlone alone({.mission_id = kMissionId, .warp = 0, .last_step = 5});
   alone.Begin();
   alone.Run(50'000);
@@ -211,7 +211,7 @@ TEST(StepClock, IsNotHurriedByAFloodOfOrders) {
   EXPECT_GE(alone.clock.step(), 19);
 }
 
-TEST(StepClock, StandsTheSlowestWarpAndComesBackFromIt) {
+TEST(StepClock, SurvivesTheSlowestWarpAndComesBackFromIt) {
   ClockAlone alone({.mission_id = kMissionId, .warp = 100, .last_step = 1'000'000});
   alone.Begin();
   alone.Run(2'000'000);
@@ -225,7 +225,7 @@ TEST(StepClock, StandsTheSlowestWarpAndComesBackFromIt) {
   EXPECT_NEAR(static_cast<double>(alone.clock.step()), 2'100, 2);
 }
 
-TEST(StepClock, BlamesWhoOwesAnAnswerAlsoWhilePaused) {
+TEST(StepClock, BlamesParticipantsThatOweAnAnswerAlsoWhilePaused) {
   ClockAlone alone;
   alone.Begin();
   alone.Run(1'050'000);

@@ -8,11 +8,11 @@
 namespace shoal {
 
 namespace {
-/// A participant is never more than one step behind another; more is a stranger's invention.
+/// A participant is never more than one step behind another; more comes from a faulty program.
 constexpr int64_t kMaxStepsAhead = 2;
 }  // namespace
 
-StepInbox::StepInbox(std::function<bool(std::string_view)> hears) : hears_(std::move(hears)) {}
+StepInbox::StepInbox(std::function<bool(std::string_view)> wants) : wants_(std::move(wants)) {}
 
 void StepInbox::StartAt(int64_t step) {
   steps_.erase(steps_.begin(), steps_.lower_bound(step));
@@ -49,10 +49,10 @@ void StepInbox::Add(std::string_view channel, std::span<const uint8_t> datagram,
   auto& publishers = steps_[seal->step];
   auto publisher = publishers.find(seal->publisher);
   if (publisher == publishers.end()) {
-    publisher = publishers.emplace(std::string(seal->publisher), Said()).first;
+    publisher = publishers.emplace(std::string(seal->publisher), Published()).first;
   }
-  Said& said = publisher->second;
-  const auto [stored, is_new] = said.by_sequence.try_emplace(seal->sequence);
+  Published& published = publisher->second;
+  const auto [stored, is_new] = published.by_sequence.try_emplace(seal->sequence);
   if (!is_new) {
     ++counters_.late;
     return;
@@ -61,14 +61,14 @@ void StepInbox::Add(std::string_view channel, std::span<const uint8_t> datagram,
                     .publisher = publisher->first,
                     .sequence = seal->sequence,
                     .data = Bytes(message.begin(), message.end())};
-  ++said.num_by_channel[stored->second.channel];
+  ++published.num_by_channel[stored->second.channel];
 }
 
 std::vector<MissingMessages> StepInbox::Missing(const tick_t& tick) const {
   std::vector<MissingMessages> missing;
   const auto step = steps_.find(tick.step - 1);
   for (const step_total_t& total : tick.totals) {
-    if (!hears_(total.channel)) continue;
+    if (!wants_(total.channel)) continue;
     int32_t received = 0;
     if (step != steps_.end()) {
       const auto publisher = step->second.find(total.publisher);
@@ -98,8 +98,8 @@ std::vector<StepInbox::Stored> StepInbox::Take(const tick_t& tick) {
     for (const step_total_t& total : tick.totals) {
       announced.emplace(total.publisher, total.channel);
     }
-    for (auto& [publisher, said] : step->second) {
-      for (auto& [sequence, message] : said.by_sequence) {
+    for (auto& [publisher, published] : step->second) {
+      for (auto& [sequence, message] : published.by_sequence) {
         if (announced.contains({message.publisher, message.channel})) {
           taken.push_back(std::move(message));
         }

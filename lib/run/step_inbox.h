@@ -36,16 +36,17 @@ struct InboxCounters {
 
 class StepInbox {
  public:
-  /// So many messages from outside are handled in a step, and so many bytes; a flood must not eat
-  /// the memory. Nor choke the bus: what a broker hands on has a seal, and is asked for again until
-  /// it is there; 5,000 acks or messages in a step were seen to end missions.
+  /// At most this many messages from outside, and this many bytes, are handled in a step; a flood
+  /// must not exhaust the memory. Nor overload the bus: what a broker hands on has a seal, and is
+  /// asked for again until it is there; 5,000 acks or messages in a step were seen to end missions.
   static constexpr size_t kMaxOutside = 2'000;
   static constexpr size_t kMaxOutsideBytes = 64 * 1024 * 1024;
 
-  /// `hears(channel)` tells which of the announced messages are meant for this participant.
-  explicit StepInbox(std::function<bool(std::string_view channel)> hears);
+  /// `wants(channel)` returns whether this participant subscribed to the channel.
+  explicit StepInbox(std::function<bool(std::string_view channel)> wants);
 
-  /// Makes `step` the first whose messages count: for one who joins or comes back mid-mission.
+  /// Makes `step` the first whose messages count: for a participant that joins or restarts in
+  /// mid-mission.
   void StartAt(int64_t step);
 
   /// Stores a datagram as it came off the bus.
@@ -69,14 +70,14 @@ class StepInbox {
   const InboxCounters& counters() const { return counters_; }
 
  private:
-  /// What one publisher said in one step.
-  struct Said {
+  /// What one publisher published in one step.
+  struct Published {
     std::map<uint32_t, Stored> by_sequence;
     std::map<std::string, int32_t, std::less<>> num_by_channel;
   };
 
-  std::function<bool(std::string_view)> hears_;
-  std::map<int64_t, std::map<std::string, Said, std::less<>>> steps_;
+  std::function<bool(std::string_view)> wants_;
+  std::map<int64_t, std::map<std::string, Published, std::less<>>> steps_;
   std::vector<Stored> outside_;
   size_t outside_bytes_ = 0;
   int64_t next_step_ = -1;  ///< Messages of steps before this are late; -1: not known yet.

@@ -23,7 +23,7 @@ tick_t TickAfter(int64_t step, std::vector<step_total_t> totals) {
   return tick;
 }
 
-StepInbox HearsAll() {
+StepInbox WantsAll() {
   return StepInbox([](std::string_view) { return true; });
 }
 
@@ -37,7 +37,7 @@ std::string Contents(const std::vector<StepInbox::Stored>& messages) {
 }
 
 TEST(StepInbox, OrdersByChannelThenPublisherThenSequence) {
-  StepInbox inbox = HearsAll();
+  StepInbox inbox = WantsAll();
   inbox.Add("Y", Sealed("b", 0, 1, '1'), kMissionId);
   inbox.Add("X", Sealed("b", 0, 0, '2'), kMissionId);
   inbox.Add("Y", Sealed("a", 0, 7, '3'), kMissionId);
@@ -49,7 +49,7 @@ TEST(StepInbox, OrdersByChannelThenPublisherThenSequence) {
   EXPECT_EQ(inbox.counters().outside, 1);
 }
 
-TEST(StepInbox, KnowsWhatIsMissingOfWhatItHears) {
+TEST(StepInbox, KnowsWhatIsMissingOfWhatItSubscribedTo) {
   StepInbox inbox([](std::string_view channel) { return channel == "Y"; });
   inbox.Add("Y", Sealed("a", 0, 0, '1'), kMissionId);
   const tick_t tick = TickAfter(0, {{"a", "Y", 3}, {"a", "NOT_MINE", 5}});
@@ -61,7 +61,7 @@ TEST(StepInbox, KnowsWhatIsMissingOfWhatItHears) {
 }
 
 TEST(StepInbox, TakesARepeatedDatagramOnce) {
-  StepInbox inbox = HearsAll();
+  StepInbox inbox = WantsAll();
   inbox.Add("Y", Sealed("a", 0, 0, '1'), kMissionId);
   inbox.Add("Y", Sealed("a", 0, 0, '1'), kMissionId);
   EXPECT_EQ(Contents(inbox.Take(TickAfter(0, {{"a", "Y", 1}}))), "Y/a/1 ");
@@ -69,14 +69,14 @@ TEST(StepInbox, TakesARepeatedDatagramOnce) {
 }
 
 TEST(StepInbox, RejectsMessagesOfAnotherMission) {
-  StepInbox inbox = HearsAll();
+  StepInbox inbox = WantsAll();
   inbox.Add("Y", Sealed("a", 0, 0, '1', 12345), kMissionId);
   EXPECT_TRUE(inbox.Take(TickAfter(0, {})).empty());
   EXPECT_EQ(inbox.counters().foreign, 1);
 }
 
-TEST(StepInbox, KeepsWhatAFasterPublisherSaidForTheNextStep) {
-  StepInbox inbox = HearsAll();
+TEST(StepInbox, KeepsWhatAFasterPublisherPublishedForTheNextStep) {
+  StepInbox inbox = WantsAll();
   inbox.Add("Y", Sealed("a", 0, 0, '1'), kMissionId);
   inbox.Add("Y", Sealed("a", 1, 0, '2'), kMissionId);
   EXPECT_EQ(Contents(inbox.Take(TickAfter(0, {{"a", "Y", 1}}))), "Y/a/1 ");
@@ -84,14 +84,14 @@ TEST(StepInbox, KeepsWhatAFasterPublisherSaidForTheNextStep) {
 }
 
 TEST(StepInbox, IgnoresWhatNoTotalAnnounced) {
-  // Its publisher died before the step was done: some heard it, some did not.
-  StepInbox inbox = HearsAll();
+  // Its publisher died before the step was done: some received it, some did not.
+  StepInbox inbox = WantsAll();
   inbox.Add("Y", Sealed("dead", 0, 0, '1'), kMissionId);
   EXPECT_TRUE(inbox.Take(TickAfter(0, {})).empty());
 }
 
 TEST(StepInbox, DropsWhatComesAfterItsStep) {
-  StepInbox inbox = HearsAll();
+  StepInbox inbox = WantsAll();
   EXPECT_TRUE(inbox.Take(TickAfter(0, {})).empty());
   inbox.Add("Y", Sealed("a", 0, 0, '1'), kMissionId);
   EXPECT_TRUE(inbox.Take(TickAfter(1, {{"a", "Y", 1}})).empty());
@@ -99,7 +99,7 @@ TEST(StepInbox, DropsWhatComesAfterItsStep) {
 }
 
 TEST(StepInbox, HoldsNoMoreFromOutsideThanAStepMayBring) {
-  StepInbox inbox = HearsAll();
+  StepInbox inbox = WantsAll();
   for (size_t i = 0; i < StepInbox::kMaxOutside + 7; ++i) inbox.Add("Y", Bytes{'1'}, kMissionId);
   EXPECT_EQ(inbox.counters().dropped, 7);
   EXPECT_EQ(inbox.Take(TickAfter(0, {})).size(), StepInbox::kMaxOutside);
@@ -108,7 +108,7 @@ TEST(StepInbox, HoldsNoMoreFromOutsideThanAStepMayBring) {
 }
 
 TEST(StepInbox, StoresNothingForStepsFarAhead) {
-  StepInbox inbox = HearsAll();
+  StepInbox inbox = WantsAll();
   EXPECT_TRUE(inbox.Take(TickAfter(0, {})).empty());
   inbox.Add("Y", Sealed("a", 1'000'000, 0, '1'), kMissionId);
   EXPECT_EQ(inbox.counters().late, 1);

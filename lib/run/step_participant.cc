@@ -27,7 +27,7 @@ StepParticipant::StepParticipant(ParticipantOptions options, PortPlan plan, Tran
     : options_(std::move(options)),
       plan_(std::move(plan)),
       transport_(transport),
-      inbox_([this](std::string_view channel) { return handlers_.Hears(channel); }),
+      inbox_([this](std::string_view channel) { return handlers_.Wants(channel); }),
       mission_id_(options_.mission_id) {
   transport_.Listen(plan_.tick_port(), channels::Tick().name);
   transport_.Listen(plan_.tick_port(), channels::Resend().name);
@@ -86,7 +86,7 @@ void StepParticipant::OnDatagram(int port, std::string_view channel,
     return;
   }
   const bool is_sealed = Unseal(datagram).seal.has_value();
-  // What strangers said before the first tick was said before the mission.
+  // What came from outside before the first tick came before the mission.
   if (!is_sealed && step_ < 0 && !pending_) return;
   inbox_.Add(channel, datagram, mission_id_);
   if (is_sealed && pending_) TryStep();
@@ -100,7 +100,7 @@ void StepParticipant::OnTick(const tick_t& tick, int64_t wall_us) {
   }
   if (pending_ && tick.step <= pending_->step) return;
   if (tick.step <= step_) {
-    // The clock did not hear the answer, be it to END: say it again.
+    // The clock did not receive the answer, be it to END: send it again.
     if (tick.step == step_) SendUnsealed(channels::StepDone(), done_);
     return;
   }
@@ -108,7 +108,7 @@ void StepParticipant::OnTick(const tick_t& tick, int64_t wall_us) {
   if (tick.step != step_ + 1) inbox_.StartAt(std::max<int64_t>(tick.step - 1, 0));
   pending_ = tick;
   if (step_ < 0) {
-    // What a process of this name said before is gone with it.
+    // What a former process of this name published is lost.
     std::erase_if(pending_->totals,
                   [this](const step_total_t& total) { return total.publisher == options_.name; });
   }
@@ -117,8 +117,8 @@ void StepParticipant::OnTick(const tick_t& tick, int64_t wall_us) {
   TryStep();
 }
 
-/// False for one who comes in the midst of a mission, until the clock waits for its answers: what
-/// it published before would be announced to nobody.
+/// False for a participant that joins in mid-mission, until the clock waits for its answers: what
+/// it published before would not be announced.
 bool StepParticipant::TakesPart(const tick_t& tick) const {
   return step_ >= 0 || pending_ || tick.step == 0 || tick.kind == tick_t::END ||
          std::find(tick.joined.begin(), tick.joined.end(), options_.name) != tick.joined.end();

@@ -1,6 +1,6 @@
 // A participant's side of the step protocol: the Bus of an app that runs in a process of its own.
 //
-//     TICK 0, or one that says it has joined      TICK k, all of step k-1 is here
+//     TICK 0, or one that names it as joined      TICK k, all of step k-1 is here
 //   HELLO ------------------> WAITING <------------------------------------------+
 //     | STEP_DONE -1,           | TICK k, something is missing                   |
 //     | every 0.2 s             v                                                |
@@ -34,10 +34,10 @@ namespace shoal {
 
 struct ParticipantOptions {
   std::string name;
-  int64_t mission_id = 0;  ///< 0: that of the first tick heard.
+  int64_t mission_id = 0;  ///< 0: that of the first tick received.
   int32_t pid = 0;
-  /// So long a missing message is asked for again. A repeat takes well under a millisecond; three
-  /// seconds in vain mean that it never gets through. Less than the clock's time-out.
+  /// For this long a missing message is asked for again. A repeat takes well under a millisecond;
+  /// three seconds in vain mean that it never gets through. Less than the clock's time-out.
   int64_t give_up_us = 3'000'000;
 };
 
@@ -100,7 +100,7 @@ class StepParticipant : public Bus {
   int64_t mission_id_ = 0;
   int64_t step_ = -1;              ///< Last step answered.
   int64_t utime_ = 0;              ///< Of that step.
-  double warp_ = 0;                ///< The app has been told.
+  double warp_ = 0;                ///< Last given to the app.
   std::optional<tick_t> pending_;  ///< The tick whose messages are being collected.
   int64_t collecting_since_ = 0;
   int64_t next_request_ = 0;

@@ -17,13 +17,14 @@ constexpr int64_t kMissionId = 4711;
 constexpr int64_t kLastStep = 40;
 const std::vector<std::string> kNames = {"a", "b", "c"};
 
-/// Says three messages per step and keeps a transcript of all it hears.
+/// Publishes three messages per step and keeps a transcript of all that it receives.
 class ChattyApp : public App {
  public:
   ChattyApp(std::string name, Bus& bus) : name_(std::move(name)), bus_(bus) {
     for (const Channel<unc_control_t>& channel : {First(), Second()}) {
-      Subscribe(bus, channel, [this, channel](const unc_control_t& said) {
-        transcript += channel.name + ":" + said.vehicle + "=" + std::to_string(said.value) + " ";
+      Subscribe(bus, channel, [this, channel](const unc_control_t& control) {
+        transcript +=
+            channel.name + ":" + control.vehicle + "=" + std::to_string(control.value) + " ";
       });
     }
   }
@@ -231,7 +232,7 @@ TEST(StepProtocol, LetsOneComeBackThatWasDropped) {
   EXPECT_TRUE(outcome.transcripts.at("b").ends_with("end"));
 }
 
-TEST(StepProtocol, LosesNothingThatANewProcessSaysFirst) {
+TEST(StepProtocol, LosesNothingThatANewProcessPublishesFirst) {
   FakeNetwork network;
   const PortPlan plan(7665, Layout::kShared, {});
   std::unique_ptr<StepParticipant> second;
@@ -257,18 +258,19 @@ TEST(StepProtocol, LosesNothingThatANewProcessSaysFirst) {
   EXPECT_EQ(outcome.fault, "");
   ASSERT_NE(second_app, nullptr);
   EXPECT_TRUE(second_app->transcript.ends_with("end"));
-  const std::string& heard = outcome.transcripts.at("a");
-  const std::string what_each_says_first = "FIRST:b=0.000000";
-  const size_t of_first_process = heard.find(what_each_says_first);
+  const std::string& received = outcome.transcripts.at("a");
+  const std::string what_each_publishes_first = "FIRST:b=0.000000";
+  const size_t of_first_process = received.find(what_each_publishes_first);
   ASSERT_NE(of_first_process, std::string::npos);
-  EXPECT_NE(heard.find(what_each_says_first, of_first_process + 1), std::string::npos) << heard;
+  EXPECT_NE(received.find(what_each_publishes_first, of_first_process + 1), std::string::npos)
+      << received;
 }
 
 TEST(StepProtocol, RefusesASecondProcessOfTheSameName) {
   FakeNetwork network;
   const PortPlan plan(7665, Layout::kShared, {});
-  FakeNetwork::Node& stranger = network.Add();
-  stranger.receiver = [](int, std::string_view, std::span<const uint8_t>) {};
+  FakeNetwork::Node& impostor = network.Add();
+  impostor.receiver = [](int, std::string_view, std::span<const uint8_t>) {};
   const Outcome outcome =
       RunOver(network, 1.0, [&](int64_t, StepClock& clock, std::vector<Member>&) {
         step_done_t done{};
@@ -278,13 +280,13 @@ TEST(StepProtocol, RefusesASecondProcessOfTheSameName) {
         done.pid = 2;
         Bytes bytes;
         EncodeInto(done, &bytes);
-        if (clock.step() == 5) stranger.Send(plan.done_port(), "STEP_DONE", bytes);
+        if (clock.step() == 5) impostor.Send(plan.done_port(), "STEP_DONE", bytes);
       });
   EXPECT_NE(outcome.fault.find("two processes call themselves b (pid 1 and 2)"), std::string::npos)
       << outcome.fault;
 }
 
-TEST(StepProtocol, BlamesNobodyWhenTheClockItselfStoodStill) {
+TEST(StepProtocol, BlamesNoParticipantWhenTheClockItselfStoodStill) {
   FakeNetwork network;
   const PortPlan plan(7665, Layout::kShared, {});
   FakeNetwork::Node& node = network.Add();
@@ -311,8 +313,8 @@ TEST(StepProtocol, PacesStepsByTheWallClock) {
   EXPECT_NEAR(static_cast<double>(outcome.wall_us), 2.0e6, 0.1e6);
 }
 
-/// Tells the clock what to do, as from outside.
-void Tell(StepClock& clock, int64_t now, const std::string& word, double warp = 0) {
+/// Sends the clock a command, as from outside.
+void Command(StepClock& clock, int64_t now, const std::string& word, double warp = 0) {
   clock_command_t command{};
   command.command = word;
   command.warp = warp;
@@ -321,7 +323,7 @@ void Tell(StepClock& clock, int64_t now, const std::string& word, double warp = 
   clock.OnDatagram(PortPlan(7665, Layout::kShared, {}).done_port(), "CLOCK_COMMAND", bytes, now);
 }
 
-TEST(StepProtocol, GivesEveryoneTheSameMessagesWhateverTheClockIsTold) {
+TEST(StepProtocol, GivesEveryParticipantTheSameMessagesForAnyClockCommands) {
   for (const double warp : {0.0, 1.0, 20.0}) {
     FakeNetwork network;
     std::mt19937 random(4);
@@ -329,14 +331,14 @@ TEST(StepProtocol, GivesEveryoneTheSameMessagesWhateverTheClockIsTold) {
         RunOver(network, warp, [&](int64_t now, StepClock& clock, std::vector<Member>&) {
           switch (random() % 20) {
             case 0:
-              Tell(clock, now, "pause");
+              Command(clock, now, "pause");
               break;
             case 1:
-              Tell(clock, now, "warp", random() % 2 == 0 ? 0 : 5);
+              Command(clock, now, "warp", random() % 2 == 0 ? 0 : 5);
               break;
             case 2:
             case 3:
-              Tell(clock, now, "resume");
+              Command(clock, now, "resume");
               break;
             default:
               break;
@@ -348,7 +350,7 @@ TEST(StepProtocol, GivesEveryoneTheSameMessagesWhateverTheClockIsTold) {
   }
 }
 
-TEST(StepProtocol, HoldsAllStepsWhilePausedAndBlamesNobody) {
+TEST(StepProtocol, HoldsAllStepsWhilePausedAndBlamesNoParticipant) {
   FakeNetwork network;
   int64_t paused_at_us = 0;
   constexpr int64_t kPause_us = 20'000'000;
@@ -356,12 +358,12 @@ TEST(StepProtocol, HoldsAllStepsWhilePausedAndBlamesNobody) {
       RunOver(network, 1.0, [&](int64_t now, StepClock& clock, std::vector<Member>&) {
         if (clock.step() == 10 && paused_at_us == 0) {
           paused_at_us = now;
-          Tell(clock, now, "pause");
+          Command(clock, now, "pause");
         }
         if (!clock.paused()) return;
         EXPECT_EQ(clock.step(), 10);
         EXPECT_TRUE(clock.Silent(now).empty());
-        if (now == paused_at_us + kPause_us) Tell(clock, now, "resume");
+        if (now == paused_at_us + kPause_us) Command(clock, now, "resume");
       });
   EXPECT_EQ(outcome.state, StepClock::State::kEnded);
   EXPECT_EQ(outcome.transcripts, RunInMemory());
@@ -373,8 +375,8 @@ TEST(StepProtocol, StepsInTheRhythmOfANewWarp) {
   FakeNetwork network;
   const Outcome outcome =
       RunOver(network, 1.0, [](int64_t now, StepClock& clock, std::vector<Member>&) {
-        if (clock.step() == 10) Tell(clock, now, "warp", 0.5);
-        if (clock.step() == 20) Tell(clock, now, "warp", 0);
+        if (clock.step() == 10) Command(clock, now, "warp", 0.5);
+        if (clock.step() == 20) Command(clock, now, "warp", 0);
       });
   EXPECT_EQ(outcome.state, StepClock::State::kEnded);
   // 10 steps at 1, 10 at 0.5, and the rest of 20 as fast as the test goes: 5 ms each.
@@ -385,7 +387,7 @@ TEST(StepProtocol, EndsEarlyWhenAskedAlsoWhilePaused) {
   FakeNetwork network;
   const Outcome outcome =
       RunOver(network, 1.0, [](int64_t now, StepClock& clock, std::vector<Member>&) {
-        if (clock.step() == 5 && !clock.paused()) Tell(clock, now, "pause");
+        if (clock.step() == 5 && !clock.paused()) Command(clock, now, "pause");
         if (now == 2'000'000) clock.Stop(now, 500'000);
       });
   EXPECT_EQ(outcome.state, StepClock::State::kEnded);

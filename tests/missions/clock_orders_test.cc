@@ -44,7 +44,7 @@ TEST(Clock, IsPausedResumedAndWarpedWithoutATraceInTheLog) {
   EXPECT_TRUE(ReadFile(sim) == ReadFile(dir + "/mission.lcm"));
 }
 
-TEST(Clock, StandsStillForAnOrderThatIsObeyedWhenItGoesOn) {
+TEST(Clock, StandsStillForAnOrderThatIsExecutedWhenItGoesOn) {
   const TestFolder folder;
   RunningProcess process(folder, {Program("shoal"), "run", MissionFile("berta.toml")});
   ASSERT_TRUE(process.WaitFor("x real time")) << process.Output();

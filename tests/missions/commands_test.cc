@@ -1,4 +1,4 @@
-// The launcher and its tools as a user at a shell meets them.
+// The launcher and its tools as a user runs them in a shell.
 #include <gtest/gtest.h>
 #include <signal.h>
 
@@ -85,7 +85,7 @@ TEST(Status, ListsEveryParticipantAndShowsItsPage) {
   EXPECT_EQ(url.output.rfind("udpm://239.255.76.67:", 0), 0U) << url.output;
 }
 
-TEST(Status, SaysSoWhenNothingRuns) {
+TEST(Status, StatesThatNothingRuns) {
   const TestFolder folder;
   const Finished finished = RunShoal(folder, {"status"});
   EXPECT_EQ(finished.exit_code, 3);
@@ -158,7 +158,7 @@ TEST(Recording, WorksBesideLcmLogger) {
   EXPECT_EQ(loggers, 1U);
 }
 
-TEST(Helm, CanBeStartedByHand) {
+TEST(Helm, CanBeStartedByAUser) {
   const TestFolder folder;
   const std::string file = (folder / "hand.toml").string();
   WriteFile(file, std::string(kOneVessel) + "helm = \"hand\"\n");
@@ -180,7 +180,7 @@ TEST(CPlanner, SteersAVesselAsAParticipantOfItsOwn) {
   EXPECT_NE(finished.output.find("Reproducible: yes"), std::string::npos) << finished.output;
 }
 
-TEST(AcousticPing, TalksThroughTheWaterFromTwoProgramsInC) {
+TEST(AcousticPing, SendsAcousticallyFromTwoProgramsInC) {
   const TestFolder folder;
   const std::string dir = (folder / "rec").string();
   const Finished finished = RunShoal(folder, {"run", MissionFile("acoustic_ping.toml"), "--warp",
@@ -211,19 +211,19 @@ TEST(Log, PlayedBackByLcmLogplayerDrivesAListenerAsTheMissionDid) {
   ASSERT_TRUE(base.ok());
   const PortPlan plan(*base, Layout::kShared, {"alpha"});
   LcmBus listener(plan);
-  int64_t heard = 0;
+  int64_t received = 0;
   int64_t last_utime = -1;
   bool in_order = true;
   Subscribe(listener, channels::Nav("alpha"), [&](const nav_t& nav) {
-    ++heard;
+    ++received;
     in_order = in_order && nav.utime > last_utime;
     last_utime = nav.utime;
   });
   RunningProcess player(
       folder, {"/usr/bin/lcm-logplayer", "-s", "200", "-l", LcmUrl(plan.shore_port()), log});
   const double begin = WallSeconds();
-  while (heard < 6001 && WallSeconds() - begin < kPatience_s) listener.Poll(10'000);
-  EXPECT_EQ(heard, 6001);
+  while (received < 6001 && WallSeconds() - begin < kPatience_s) listener.Poll(10'000);
+  EXPECT_EQ(received, 6001);
   EXPECT_TRUE(in_order);
   EXPECT_EQ(last_utime, 600'000'000);
 }

@@ -26,7 +26,7 @@ TEST(HideAndSeek, IsTheSameInBothLayoutsAndOnALossyBus) {
               Log(folder, {"--warp", "max", "--layout", "communities", "--lose", "0.0005"}));
 }
 
-TEST(HideAndSeek, FailsWhereTheRefereeRewardsNobody) {
+TEST(HideAndSeek, FailsWhereTheRefereeRewardsNoPlayer) {
   const TestFolder folder;
   const Finished finished = RunShoal(
       folder, {"run", MissionFile("hide_and_seek.toml"), "--quiet", "--warp", "max", "--set",

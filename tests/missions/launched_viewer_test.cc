@@ -7,7 +7,7 @@
 
 namespace shoal::launched_viewer_test {
 
-TEST(View, RunsBesideTheMissionAndTellsItsAddress) {
+TEST(View, RunsBesideTheMissionAndPrintsItsAddress) {
   const TestFolder folder;
   const std::string mission = MissionFile("berta.toml");
   RunningProcess process(folder, {Program("shoal"), "run", mission, "--view", "--view-http", "0"});
@@ -35,7 +35,7 @@ TEST(View, MayDieWithoutHarmToTheMission) {
   EXPECT_NE(finished.output.find("Reproducible: yes"), std::string::npos) << finished.output;
 }
 
-TEST(View, RefusesOptionsThatMakeNoSense) {
+TEST(View, RefusesInvalidOptions) {
   const TestFolder folder;
   const std::string mission = MissionFile("berta.toml");
   for (const std::vector<std::string>& arguments :

@@ -1,4 +1,5 @@
-// Processes are killed and stopped mid-mission; nothing hangs, nothing stays, logs stay readable.
+// Processes are killed and stopped mid-mission; nothing hangs, no process remains, logs stay
+// readable.
 #include <gtest/gtest.h>
 #include <signal.h>
 
@@ -99,7 +100,7 @@ TEST(LostParticipant, DoesNotEndAMissionThatShallGoOn) {
   EXPECT_TRUE(AllGone(berta.participants));
 }
 
-TEST(LostParticipant, IsStartedAgainWhereTheMissionSaysSo) {
+TEST(LostParticipant, IsStartedAgainWhereTheMissionDemandsIt) {
   Berta berta({"--set", "mission.on_loss=restart"});
   kill(berta.participants.at("shore_broker"), SIGKILL);
   ASSERT_TRUE(berta.process->WaitFor("shore_broker starts again")) << berta.process->Output();
@@ -113,7 +114,7 @@ TEST(LostParticipant, IsStartedAgainWhereTheMissionSaysSo) {
   EXPECT_TRUE(AllGone(again));
 }
 
-TEST(LostRecorder, EndsTheMissionWhateverItSaysAndKeepsItsLog) {
+TEST(LostRecorder, EndsTheMissionWithAnyOnLossAndKeepsItsLog) {
   Berta berta({"--set", "mission.on_loss=restart"});
   const int64_t before = berta.NumEvents();
   kill(berta.participants.at("recorder"), SIGKILL);

@@ -19,7 +19,7 @@ std::vector<std::string> OnPorts(int first) {
 }
 
 /// Of the packets between bravo and the outsider, either way, the largest difference between the
-/// travel time that COMMS_FATES tells and what bravo's NAV and the outsider's own reports make of
+/// travel time in COMMS_FATES and what bravo's NAV and the outsider's own reports make of
 /// it, in seconds; negative: there was no packet.
 double WorstTravelTime_s(const std::string& log, const std::string& from, const std::string& to) {
   Result<LogReader> reader = LogReader::Open(log);
@@ -50,7 +50,7 @@ double WorstTravelTime_s(const std::string& log, const std::string& from, const 
   return worst_s;
 }
 
-TEST(NetsimHil, HearsAndIsHeardByAVehicleFromOutside) {
+TEST(NetsimHil, ExchangesPacketsWithAVehicleFromOutside) {
   const TestFolder folder;
   const int first = FreeTcpPorts(3);
   const std::string dir = (folder / "rec").string();
@@ -61,7 +61,7 @@ TEST(NetsimHil, HearsAndIsHeardByAVehicleFromOutside) {
   RunningProcess mission(folder, run);
   RunningProcess outsider(folder, {Program("netsim_outsider"), "127.0.0.1", std::to_string(first),
                                    std::to_string(first + 1)});
-  ASSERT_TRUE(outsider.WaitFor("heard pong 0")) << outsider.Output() << mission.Output();
+  ASSERT_TRUE(outsider.WaitFor("received pong 0")) << outsider.Output() << mission.Output();
   const Finished page = RunShoal(folder, {"status", "netsim_manager"});
   EXPECT_NE(page.output.find("outsider: port"), std::string::npos) << page.output;
   const Finished finished = mission.Wait();
@@ -98,7 +98,7 @@ TEST(NetsimHil, IsRefusedAtAnyWarpButOneAndByShoalSim) {
   EXPECT_NE(sim.output.find("needs `shoal run`"), std::string::npos) << sim.output;
 }
 
-TEST(NetsimHil, SaysWhichTcpPortIsTaken) {
+TEST(NetsimHil, StatesWhichTcpPortIsTaken) {
   const TestFolder folder;
   const int first = FreeTcpPorts(3);
   RunningProcess one(folder, [&] {

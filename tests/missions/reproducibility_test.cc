@@ -47,7 +47,7 @@ TEST(Reproducibility, HoldsForOneVessel) {
   EXPECT_TRUE(SimLog(folder, mission) == RunLog(folder, mission));
 }
 
-TEST(Reproducibility, HoldsForWhatGoesThroughTheWater) {
+TEST(Reproducibility, HoldsForAcousticPackets) {
   const TestFolder folder;
   const std::string mission = MissionFile("acoustic.toml");
   EXPECT_TRUE(SimLog(folder, mission) == RunLog(folder, mission, {"--layout", "communities"}));
@@ -61,7 +61,7 @@ TEST(Reproducibility, HoldsForSonarsNoiseAndPlumes) {
   EXPECT_TRUE(SimLog(folder, mission) == RunLog(folder, mission, {"--layout", "shared"}));
 }
 
-TEST(Reproducibility, HoldsForASwarmThatTalks) {
+TEST(Reproducibility, HoldsForASwarmThatCommunicates) {
   const TestFolder folder;
   const std::string mission = MissionFile("swarm_lossy.toml");
   const std::string shorter = "mission.duration_s=300";
@@ -84,7 +84,7 @@ TEST(Reproducibility, HoldsWhenTheBusLosesDatagrams) {
 TEST(Reproducibility, ChangesWithTheSeedOnlyWhereRandomnessIsUsed) {
   const TestFolder folder;
   const std::string mission = MissionFile("alpha.toml");
-  // The broker tells the seed in COMMS_RULES.
+  // The broker publishes the seed in COMMS_RULES.
   const auto without_broker = [&](const std::string& seed) {
     return SimLog(folder, mission, {"--set", "mission.shore_broker=none", "--set", seed});
   };

@@ -85,7 +85,7 @@ std::string Program(const std::string& name);
 /// Returns the path of a file in missions/.
 std::string MissionFile(const std::string& name);
 
-/// Returns the first of `count` TCP ports in a row on which nobody listens now.
+/// Returns the first of `count` TCP ports in a row on which no program listens now.
 int FreeTcpPorts(int count);
 
 std::string ReadFile(const std::filesystem::path& path);

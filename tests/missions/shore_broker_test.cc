@@ -14,7 +14,7 @@
 
 namespace shoal::shore_broker_test {
 
-/// What a log tells about the broker.
+/// What a log shows about the broker.
 struct BrokerHistory {
   std::vector<comms_rules_t> rules;
   std::vector<int64_t> fate_utimes;  ///< Of each COMMS_FATES.
@@ -130,7 +130,7 @@ class LiveBroker : public testing::Test {
   int64_t fate_utime_ = 0;
 };
 
-TEST_F(LiveBroker, TakesReportsAsTheyComeAndTellsTheirFates) {
+TEST_F(LiveBroker, TakesReportsAsTheyComeAndPublishesTheirFates) {
   Report("alpha", 0);
   bus_.Poll(50'000);
   Report("bravo", 100);
@@ -143,7 +143,7 @@ TEST_F(LiveBroker, TakesReportsAsTheyComeAndTellsTheirFates) {
   EXPECT_LE(fate_utime_, (time(nullptr) + 1) * kSecondOfTime_us) << "the wall's time";
 }
 
-TEST_F(LiveBroker, CarriesPacketsThroughTheWaterInRealTime) {
+TEST_F(LiveBroker, CarriesAcousticPacketsInRealTime) {
   std::vector<acoustic_rx_t> packets;
   Subscribe(bus_, channels::AcousticRx("bravo"),
             [&](const acoustic_rx_t& packet) { packets.push_back(packet); });
@@ -177,7 +177,7 @@ TEST_F(LiveBroker, IsFoundBySendAndStatusAndEndsOnASignal) {
   EXPECT_NE(RunShoal(folder_, {"status"}).exit_code, 0) << "nothing runs any more";
 }
 
-TEST_F(LiveBroker, OutlivesBytesThatAreNoMessagesAndCountsThem) {
+TEST_F(LiveBroker, SurvivesBytesThatAreNoMessagesAndCountsThem) {
   const Bytes garbage = {1, 2, 3};
   for (const ChannelRow& row : ChannelTable()) {
     if (row.home == ChannelHome::kShore) bus_.PublishBytes(row.topic, garbage);

@@ -13,8 +13,8 @@ TEST(Swarm, KeepsFormationWithAFollowerWhoseAcommsWasKilledAndStartedAgain) {
   ASSERT_TRUE(mission.WaitFor("x real time")) << mission.Output();
   // In the schedule, and it has received something of each vehicle.
   const auto takes_part = [](const std::string& page) {
-    return page.find("Said: ") != std::string::npos &&
-           page.find("Said: 0 messages") == std::string::npos &&
+    return page.find("Sent: ") != std::string::npos &&
+           page.find("Sent: 0 messages") == std::string::npos &&
            page.find("nothing received yet") == std::string::npos;
   };
   const std::string before = AwaitPage(folder, "acomms_bravo", takes_part);
@@ -49,7 +49,7 @@ TEST(Swarm, DoesNotRunIntoEachOtherWhereTheLeaderFallsSilent) {
   }
 }
 
-TEST(Swarm, ObeysAnOrderThatOneVehicleSendsToOthers) {
+TEST(Swarm, ExecutesAnOrderThatOneVehicleSendsToOthers) {
   const TestFolder folder;
   RunningProcess mission(folder,
                          {Program("shoal"), "run", MissionFile("swarm_fdma.toml"), "--warp", "10"});
