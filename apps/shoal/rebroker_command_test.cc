@@ -31,7 +31,7 @@ void WriteText(const std::string& path, std::string_view text) {
 
 class RebrokerCommandTest : public ::testing::Test {
  protected:
-  RebrokerCommandTest() { Record(kTalkative, log()); }
+  RebrokerCommandTest() { Record(kMixedTraffic, log()); }
   std::string log() const { return directory_.File("m.lcm"); }
   std::string File(const std::string& name) const { return directory_.File(name); }
 
@@ -61,7 +61,7 @@ TEST_F(RebrokerCommandTest, ShowsWhichRulesDifferAndWhatChanges) {
 }
 
 TEST_F(RebrokerCommandTest, TakesStealthAndEarangeFromAMissionFile) {
-  std::string text = kTalkative;
+  std::string text = kMixedTraffic;
   text.replace(text.find("stealth = 0.5"), 13, "earange = 2.0");
   WriteText(File("m.toml"), text);
   const Printed printed =
@@ -111,7 +111,7 @@ TEST_F(RebrokerCommandTest, NeedsRulesForALogThatHasNone) {
   EXPECT_NE(without.err.find("--comms"), std::string::npos) << without.err;
 
   // The mission file has all that the log lacks: rules, factors and the seed.
-  WriteText(File("m.toml"), kTalkative);
+  WriteText(File("m.toml"), kMixedTraffic);
   const Printed with = Rebrokered({.logs = {File("bare.lcm")}, .comms_file = File("m.toml")});
   EXPECT_EQ(with.code, kExitOk);
   EXPECT_NE(with.err.find("no COMMS_RULES"), std::string::npos) << with.err;

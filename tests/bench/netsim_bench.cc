@@ -112,7 +112,7 @@ void Measure(const char* what, int port, int64_t seconds) {
 }
 
 int Run(int64_t seconds) {
-  NetsimOptions options = TwoVehicles();
+  NetsimOptions options = TwoNetsimVehicles();
   auto server = LineServer::Listen({.max_connections = kNumClients + kNumRude}, 4096,
                                    [&](const std::string& address, std::string_view line) {
                                      return AnswerLine(line, address, options).answer;

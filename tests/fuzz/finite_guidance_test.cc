@@ -27,7 +27,7 @@ RC_GTEST_PROP(FiniteGuidance, AlosIsFiniteForAnyErrorAndAnyTime, ()) {
 }
 
 RC_GTEST_PROP(FiniteGuidance, SightsAndTrackErrorsAreFiniteBetweenAnyTwoPlaces, ()) {
-  const TargetScene scene = AnyFiniteScene();
+  const TargetScene scene = AnyFiniteTargetScene();
   const LineOfSight sight = SightFrom(scene.target, scene.own);
   RC_ASSERT(std::isfinite(sight.range_m) && std::abs(sight.away.norm() - 1) < 1e-9);
   const WaypointPath path{{AnyFiniteVector(), AnyFiniteVector()}};

@@ -21,7 +21,7 @@ std::string ResponseToId(uint8_t id) {
 }
 
 TEST(NetsimSoak, OneClientIsAnsweredWhateverTwoHundredOthersDo) {
-  const NetsimOptions options = TwoVehicles();
+  const NetsimOptions options = TwoNetsimVehicles();
   NetsimCounts counts;
   size_t num_positions = 0;
   const auto server =
