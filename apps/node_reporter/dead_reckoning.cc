@@ -5,7 +5,8 @@
 
 namespace shoal {
 
-bool Predicts(const node_report_t& last, const node_report_t& now, const PredictionLimits& limits) {
+bool Predicts(const node_report_t& last, const node_report_t& now,
+              const DeadReckoningLimits& limits) {
   const double age_s = static_cast<double>(now.utime - last.utime) / 1e6;
   if (!(age_s < limits.max_gap_s)) return false;
   const double course_rad = last.course_over_ground_deg * std::numbers::pi / 180;

@@ -8,7 +8,7 @@
 namespace shoal {
 
 /// How far from the truth a listener's dead reckoning may be.
-struct PredictionLimits {
+struct DeadReckoningLimits {
   double position_m = 0.25;
   double heading_deg = 1;
   double max_gap_s = 5;  ///< An older report predicts nothing.
@@ -17,6 +17,6 @@ struct PredictionLimits {
 /// Returns true where `last`, carried on along its course over ground, comes closer to `now` than
 /// the limits in place and heading, and is younger than the largest gap.
 [[nodiscard]] bool Predicts(const node_report_t& last, const node_report_t& now,
-                            const PredictionLimits& limits);
+                            const DeadReckoningLimits& limits);
 
 }  // namespace shoal

@@ -4,7 +4,7 @@
 
 namespace shoal::dead_reckoning_test {
 
-constexpr PredictionLimits kLimits = {.position_m = 0.25, .heading_deg = 1, .max_gap_s = 5};
+constexpr DeadReckoningLimits kLimits = {.position_m = 0.25, .heading_deg = 1, .max_gap_s = 5};
 
 /// On its way North East at sqrt(2) m/s, heading North.
 node_report_t At(double seconds, double x_m, double y_m, double heading_deg = 0) {
