@@ -144,7 +144,9 @@ void MissionSession::Work(int64_t now_us) {
   if (!has_rules_ && rules_requests_ < kMostRulesRequests && now_us >= next_rules_request_us_) {
     next_rules_request_us_ = now_us + kRulesRequestInterval_us;
     ++rules_requests_;
-    Publish(*bus_, channels::CommsRulesReq(), comms_rules_req_t{});
+    comms_rules_req_t request{};
+    request.asked_by = "viewer";
+    Publish(*bus_, channels::CommsRulesReq(), request);
   }
   if (board_.WantsPages(now_us)) {
     appcast_req_t request{};

@@ -55,7 +55,7 @@ TEST(LinkBook, AddsUnregisteredVehiclesUntilThereAreTooMany) {
   EXPECT_EQ(book.links().size(), LinkBook::kMaxUnregistered);
   EXPECT_EQ(book.num_elsewhere(), 300);
   ASSERT_NE(book.Find(0, 200), nullptr);
-  EXPECT_EQ(book.names().at(200), "stranger199");
+  EXPECT_EQ(book.names().at(200), "visitor199");
 }
 
 TEST(LinkBook, KeepsABoundedNumberOfLinks) {
