@@ -11,7 +11,7 @@ namespace shoal {
 
 namespace {
 
-constexpr int64_t kMiB = 1024 * 1024;
+constexpr int64_t kMiB = int64_t{1024} * 1024;
 constexpr int64_t kWantedReceiveBuffer_bytes = 2 * kMiB;
 /// What the kernel charges for a datagram of 300 bytes, so that 2 MiB hold about 3,200 of them.
 constexpr int64_t kCostOfOneDatagram_bytes = 640;

@@ -21,6 +21,7 @@ int RunView(const ViewOptions& options) {
   std::vector<std::string> words = ViewerArguments(options);
   words.insert(words.begin(), *viewer);
   std::vector<char*> argv;
+  argv.reserve(words.size() + 1);
   for (std::string& word : words) argv.push_back(word.data());
   argv.push_back(nullptr);
   std::fflush(stdout);

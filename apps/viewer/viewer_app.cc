@@ -98,8 +98,8 @@ int ServeLog(const ViewerOptions& options, ViewSiteParts parts) {
   Result<std::unique_ptr<RecordedView>> view =
       RecordedView::Open(options.log, {.mission_file = options.mission_file, .boot = NewToken()});
   if (!view.ok()) return Fail(kExitUsage, view.error());
-  const std::shared_ptr<ViewSource> source = std::move(*view);
-  parts.source = [source] { return source; };
+  std::shared_ptr<ViewSource> source = std::move(*view);
+  parts.source = [source = std::move(source)] { return source; };
   EventHub hub;
   return Serve(options, std::move(parts), hub, nullptr);
 }

@@ -47,10 +47,7 @@ void Append(const Block& block, bool has_recorded, std::string* text) {
 }  // namespace
 
 LinkTable::Change& LinkTable::Find(const fate_t& fate) {
-  const std::tuple<int, std::string_view, std::string_view, std::string_view> key(
-      KindNumber(fate.kind), fate.source, fate.destination, fate.cause);
-  const auto found = changes_.find(key);
-  return found != changes_.end() ? found->second : changes_[Key(key)];
+  return changes_[Key(KindNumber(fate.kind), fate.source, fate.destination, fate.cause)];
 }
 
 void LinkTable::AddRecorded(const fate_t& fate) {
@@ -63,7 +60,7 @@ void LinkTable::AddNow(const fate_t& fate) {
 
 LinkTable::Change LinkTable::Of(std::string_view kind, std::string_view source,
                                 std::string_view destination, std::string_view cause) const {
-  const auto found = changes_.find(std::tuple(KindNumber(kind), source, destination, cause));
+  const auto found = changes_.find(Key(KindNumber(kind), source, destination, cause));
   return found == changes_.end() ? Change() : found->second;
 }
 

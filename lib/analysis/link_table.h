@@ -46,7 +46,7 @@ class LinkTable {
 
   Change& Find(const fate_t& fate);
 
-  std::map<Key, Change, std::less<>> changes_;
+  std::map<Key, Change> changes_;
 };
 
 }  // namespace shoal

@@ -34,7 +34,7 @@ TrackCommand TargetTracker::Update(const Surroundings& surroundings) {
   const Eigen::Vector3d limited_mps =
       ApplyDepthSafety(params_.depth, surroundings.seabed_z_m, surroundings.own.position_m.z(),
                        surroundings.own.velocity_mps.z(), wanted_mps);
-  const TrackCommand command = CommandOf(limited_mps, psi_d_rad_, params_.max_pitch_rad);
+  TrackCommand command = CommandOf(limited_mps, psi_d_rad_, params_.max_pitch_rad);
   psi_d_rad_ = command.psi_d_rad;
   return command;
 }

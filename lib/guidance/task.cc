@@ -74,6 +74,7 @@ std::vector<Eigen::Vector2d> CornersOf(const LoiterTask& task) {
   std::vector<Eigen::Vector2d> corners_m;
   const int num_points = std::max(task.num_points, 3);
   const double step_rad = (task.clockwise ? 2 : -2) * kPi / num_points;
+  corners_m.reserve(static_cast<size_t>(num_points));
   for (int i = 0; i < num_points; ++i) {
     corners_m.push_back(task.center_m + task.radius_m * UnitVector(i * step_rad));
   }

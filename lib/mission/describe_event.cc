@@ -48,6 +48,7 @@ template <size_t N>
 void DescribeCommand(Fields& fields, std::string_view key, std::string& command,
                      std::vector<double>& values, const std::array<CommandRule, N>& rules) {
   std::vector<std::string_view> words;
+  words.reserve(N);
   for (const CommandRule& rule : rules) words.push_back(rule.command);
   fields.Word(key, command, words);
   fields.Numbers("values", values, kMostEventValues);

@@ -29,6 +29,7 @@ std::string ThrustMapProblem(const std::vector<ThrustPoint>& map) {
 
 void DescribeThrustMap(Fields& fields, std::vector<ThrustPoint>& map) {
   std::vector<Eigen::Vector2d> pairs;
+  pairs.reserve(map.size());
   for (const ThrustPoint& point : map) pairs.emplace_back(point.thrust_pct, point.speed_mps);
   fields.Pairs("thrust_map", pairs, Between(-100, 100), kMostThrustPoints);
   map.clear();

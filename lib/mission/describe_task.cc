@@ -105,6 +105,7 @@ void Describe(Fields& fields, ReturnTask& task, const StartPose& start) {
 void Describe(Fields& fields, Task& task, const StartPose& start) {
   const std::vector<Task> kinds = OneTaskOfEachKind();
   std::vector<std::string_view> words;
+  words.reserve(kinds.size());
   for (const Task& each : kinds) words.push_back(KindOf(each));
   std::string kind(fields.reading() ? "" : KindOf(task));
   fields.Require("kind", "kind = \"waypoints\"");

@@ -51,7 +51,8 @@ NamedModem FindModem(std::string_view name, const std::string& folder) {
   const fs::path path = PathOf(name, folder);
   if (!path.empty()) {
     LoadedModem loaded = LoadModem(path.string());
-    for (std::string& error : loaded.errors) error = "modem " + Quoted(name) + ": " + error;
+    const std::string where = "modem " + Quoted(name) + ": ";
+    for (std::string& error : loaded.errors) error.insert(0, where);
     return {.modem = std::move(loaded.modem), .problems = std::move(loaded.errors)};
   }
   const std::vector<std::string> known = KnownModems();

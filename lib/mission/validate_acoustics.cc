@@ -69,7 +69,7 @@ void ValidateNetwork(const TablePlace& place, const AcousticOptions& options,
                      const std::vector<AcousticNode>& nodes, std::string_view instead_of_key) {
   for (const OptionProblem& problem : FindProblems(options, nodes)) {
     std::string text = problem.message;
-    if (text.starts_with("must be ")) text = problem.option + " " + text;
+    if (text.starts_with("must be ")) text.insert(0, problem.option + " ");
     if (problem.option == "access_mode") {
       text += "; write acoustic_leader = true in the [[vehicle]] that leads";
     }

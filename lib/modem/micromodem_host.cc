@@ -111,7 +111,11 @@ void MicroModemHost::ShowConfiguration(const NmeaFields& sentence) {
   const auto found = FindMicroModemKeys(reader.Text(1), unit_.settings);
   if (found.empty()) reader.Reject(1, "ALL or TOP or a key that is set");
   if (RefusesWhatIsWrong(reader)) return;
-  for (const auto& [key, value] : found) unit_.Write("CACFG," + key + "," + value);
+  for (const auto& [key, value] : found) {
+    std::string sentence = "CACFG,";
+    sentence.append(key).append(",").append(value);
+    unit_.Write(sentence);
+  }
 }
 
 void MicroModemHost::Reboot(const NmeaFields& sentence) {

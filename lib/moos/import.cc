@@ -197,13 +197,12 @@ class Importer {
       const std::string origin = fmt::format("{}:{}", file.name, line.number);
       if (app_class == "antler") {
         TakeAntlerLine(origin, line);
-      } else if (app_class == "ufldnodecomms" && TakeFactorLine(origin, line)) {
         continue;
-      } else if (vehicle != nullptr && vehicle->Take(app_class, origin, line, &warnings_)) {
-        continue;
-      } else {
-        TakeSetting(app_class, origin, line, vehicle);
       }
+      const bool is_taken =
+          (app_class == "ufldnodecomms" && TakeFactorLine(origin, line)) ||
+          (vehicle != nullptr && vehicle->Take(app_class, origin, line, &warnings_));
+      if (!is_taken) TakeSetting(app_class, origin, line, vehicle);
     }
   }
 
@@ -232,19 +231,21 @@ class Importer {
   }
 
   void TakeFactors() {
-    for (const auto& [origin, text, factor] : factors_) {
+    for (const auto& each : factors_) {
       const auto at = std::find_if(vehicles_.begin(), vehicles_.end(), [&](const auto& vehicle) {
-        return LowerCase(vehicle.name()) == LowerCase(factor.vehicle);
+        return LowerCase(vehicle.name()) == LowerCase(each.factor.vehicle);
       });
       if (at == vehicles_.end()) {
         const std::string reason = "none of the files is of this vehicle";
-        draft_->Remark(kCommsTable, origin, text, reason);
-        Warn(origin + ": " + text + ": " + reason);
+        draft_->Remark(kCommsTable, each.origin, each.text, reason);
+        Warn(fmt::format("{}: {}: {}", each.origin, each.text, reason));
         continue;
       }
-      draft_->Set(
-          at->table(),
-          {.key = factor.key, .value = factor.value, .origin = origin, .text = text, .reason = ""});
+      draft_->Set(at->table(), {.key = each.factor.key,
+                                .value = each.factor.value,
+                                .origin = each.origin,
+                                .text = each.text,
+                                .reason = ""});
     }
   }
 

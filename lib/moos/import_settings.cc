@@ -127,7 +127,7 @@ std::optional<std::string> NumberValue(std::string_view value) {
 }  // namespace
 
 std::string AppClass(std::string_view app) {
-  const std::string lower = LowerCase(app);
+  std::string lower = LowerCase(app);
   for (const std::string_view versions : {kSim, kPid}) {
     if (lower.starts_with(versions)) return std::string(versions);
   }

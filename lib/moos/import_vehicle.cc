@@ -252,7 +252,7 @@ void VehicleImport::SetGathered(const std::string& table, std::string key,
   if (gathered.members.empty()) return;
   std::string members;
   for (const auto& [name, value] : gathered.members) {
-    members += (members.empty() ? "" : ", ") + name + " = " + value;
+    members.append(members.empty() ? "" : ", ").append(name).append(" = ").append(value);
   }
   draft_->Set(table, {.key = std::move(key),
                       .value = "{" + members + "}",

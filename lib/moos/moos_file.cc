@@ -46,7 +46,7 @@ class MoosFileParser {
       const std::string remedy =
           "is for nsplug, which has not run: run nsplug on the file and import what it writes";
       // A block whose name or brace is on such a line is still a block.
-      if (!text.starts_with('#') && place_ == Place::kOutside && Split(number, text).key != "" &&
+      if (!text.starts_with('#') && place_ == Place::kOutside && !Split(number, text).key.empty() &&
           LowerCase(Split(number, text).key) == "processconfig") {
         OpenBlock(number, text);
       }

@@ -22,7 +22,7 @@ constexpr int kMaxRounds = 4;
 constexpr size_t kMaxEvents = 64;
 constexpr int kMaxAccepts = 64;
 /// Bytes to read from one client before the next one is served.
-constexpr size_t kChunk_bytes = 16 * 1024;
+constexpr size_t kChunk_bytes = size_t{16} * 1024;
 /// Memory that a client keeps when all is sent.
 constexpr size_t kKept_bytes = 4096;
 constexpr int64_t kAcceptPause_us = 100'000;

@@ -32,12 +32,13 @@ namespace shoal {
 using ClientId = uint64_t;
 
 struct TcpServerOptions {
-  std::string address = "127.0.0.1";     ///< IPv4.
-  int port = 0;                          ///< 0: one that is free.
-  int max_connections = 128;             ///< Further ones are closed at once.
-  size_t max_unsent_bytes = 256 * 1024;  ///< Per client, beyond what the kernel takes. Over half of
-                                         ///< it nothing is read; over all of it, it is closed.
-  int64_t idle_timeout_us = 0;           ///< Without a byte from the client; 0: for ever.
+  std::string address = "127.0.0.1";  ///< IPv4.
+  int port = 0;                       ///< 0: one that is free.
+  int max_connections = 128;          ///< Further ones are closed at once.
+  size_t max_unsent_bytes =
+      size_t{256} * 1024;       ///< Per client, beyond what the kernel takes. Over half of
+                                ///< it nothing is read; over all of it, it is closed.
+  int64_t idle_timeout_us = 0;  ///< Without a byte from the client; 0: for ever.
   int64_t stall_timeout_us = 30'000'000;  ///< With something to send, none of it taken.
 };
 

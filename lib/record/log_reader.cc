@@ -53,11 +53,10 @@ LogReader::Header LogReader::ReadHeader(uint64_t offset) {
   header.end = offset + kLogHeaderSize + header.channel_length + header.data_length;
   if (header.channel_length == 0 || header.channel_length > kMaxLogChannelLength) {
     header.wrong = "an event's channel has an impossible length";
-  } else if (header.data_length > kMaxLogDataLength) {
-    header.wrong = "an event's data has an impossible length";
-  } else if (header.end > file_.size()) {
+  } else if (header.data_length <= kMaxLogDataLength && header.end > file_.size()) {
     header.wrong = "the log ends inside an event";
-  } else if (header.data_length > kMaxUnconfirmedSize && !EventMayBeginAt(header.end)) {
+  } else if (header.data_length > kMaxLogDataLength ||
+             (header.data_length > kMaxUnconfirmedSize && !EventMayBeginAt(header.end))) {
     header.wrong = "an event's data has an impossible length";
   }
   return header;

@@ -11,7 +11,7 @@ namespace shoal {
 
 namespace {
 
-using enum ControlType;
+using enum RuleType;
 using rule_table::kControls;
 
 std::optional<double> ParseNumber(std::string_view word) {

@@ -119,7 +119,8 @@ int RunLive(const LiveOptions& options, Mission mission,
   for (const std::string& channel : app->RequestChannels()) {
     bus.SubscribeBytes(channel, [&](const Message& message) {
       if (auto answer = app->Answer(message.channel, message.data)) {
-        answers.assign(1, std::move(*answer));
+        answers.clear();
+        answers.push_back(std::move(*answer));
       }
     });
   }

@@ -40,7 +40,7 @@ class StepInbox {
   /// must not exhaust the memory. Nor overload the bus: what a broker hands on has a seal, and is
   /// asked for again until it is there; 5,000 acks or messages in a step were seen to end missions.
   static constexpr size_t kMaxOutside = 2'000;
-  static constexpr size_t kMaxOutsideBytes = 64 * 1024 * 1024;
+  static constexpr size_t kMaxOutsideBytes = size_t{64} * 1024 * 1024;
 
   /// `wants(channel)` returns whether this participant subscribed to the channel.
   explicit StepInbox(std::function<bool(std::string_view channel)> wants);

@@ -4,7 +4,7 @@ namespace shoal {
 
 Eigen::Vector2d MeasureCurrent(const CurrentMeter& meter, const Current& current, double time_s,
                                int64_t number) {
-  const Eigen::Vector2d velocity_mps = Velocity(current.At(time_s));
+  Eigen::Vector2d velocity_mps = Velocity(current.At(time_s));
   if (meter.noise.sigma == 0) return velocity_mps;
   Stream draws = meter.noise.Measurement(number);
   const double east_mps = draws.Normal();

@@ -13,11 +13,12 @@ namespace {
 /// Size of an empty text on the wire: its length and a zero.
 constexpr size_t kLeastTextBytes = 5;
 /// Of a fate without path, its texts empty.
-constexpr size_t kLeastFateBytes = 5 * kLeastTextBytes + 4 + 8 + 6 * 8 + 3 * 4;
+constexpr size_t kLeastFateBytes = 5 * kLeastTextBytes + 4 + 8 + size_t{6} * 8 + size_t{3} * 4;
 
 template <class T>
 std::vector<std::string_view> TextsOf(std::string_view (*text_of)(T), int count) {
   std::vector<std::string_view> texts;
+  texts.reserve(static_cast<size_t>(count));
   for (int i = 0; i < count; ++i) texts.push_back(text_of(static_cast<T>(i)));
   return texts;
 }

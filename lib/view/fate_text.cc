@@ -178,6 +178,7 @@ std::string Ends(std::string_view source, std::string_view destination, int64_t 
 
 std::vector<FateNumber> FateNumbers() {
   std::vector<FateNumber> numbers;
+  numbers.reserve(std::size(kNumbers));
   for (const NumberRow& row : kNumbers) numbers.push_back(row.number);
   return numbers;
 }

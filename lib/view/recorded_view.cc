@@ -196,8 +196,8 @@ std::vector<RatioBin> RecordedView::RatioBins(const LinkCounts& link, int64_t li
 }
 
 Result<std::string> RecordedView::VehicleJson(std::string_view name, double t_s, double window_s) {
-  constexpr double kShortest_s = 1;
-  constexpr double kLongest_s = 3600;
+  constexpr double kShortestWindow_s = 1;
+  constexpr double kLongestWindow_s = 3600;
   const int64_t line_us = LineOf(t_s);
   auto cursor = SceneAt(line_us);
   const Scene& scene = cursor->scene();
@@ -207,7 +207,8 @@ Result<std::string> RecordedView::VehicleJson(std::string_view name, double t_s,
     const auto place = static_cast<size_t>(vehicle - scene.vehicles().data());
     std::vector<ChartPoint> points;
     if (place < index_.charts.size()) {
-      window_s = std::isnan(window_s) ? kLongest_s : std::clamp(window_s, kShortest_s, kLongest_s);
+      window_s = std::isnan(window_s) ? kLongestWindow_s
+                                      : std::clamp(window_s, kShortestWindow_s, kLongestWindow_s);
       points = index_.charts[place].Window(static_cast<double>(line_us) / 1e6, window_s);
     }
     result = shoal::VehicleJson(scene, *vehicle, points);
