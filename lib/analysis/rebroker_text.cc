@@ -66,6 +66,7 @@ std::string LogText(const std::vector<std::string>& paths, const CommsLog& log,
   std::map<std::string, int64_t> counts;
   for (const LoggedMessage& input : log.inputs) ++counts[BrokerChannels()[input.channel]];
   std::vector<std::string> words;
+  words.reserve(counts.size());
   for (const auto& [channel, count] : counts) {
     words.push_back(fmt::format("{} {}", count, channel));
   }

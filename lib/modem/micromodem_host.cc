@@ -112,9 +112,9 @@ void MicroModemHost::ShowConfiguration(const NmeaFields& sentence) {
   if (found.empty()) reader.Reject(1, "ALL or TOP or a key that is set");
   if (RefusesWhatIsWrong(reader)) return;
   for (const auto& [key, value] : found) {
-    std::string sentence = "CACFG,";
-    sentence.append(key).append(",").append(value);
-    unit_.Write(sentence);
+    std::string answer = "CACFG,";
+    answer.append(key).append(",").append(value);
+    unit_.Write(answer);
   }
 }
 

@@ -6,7 +6,7 @@ namespace shoal {
 
 ViewClock ViewClockOf(const clock_state_t& clock) {
   constexpr size_t kMaxAwaitedShown = 100;
-  constexpr size_t kMaxText = 200;
+  constexpr size_t kMaxClockText = 200;
   ViewClock view{.state = "running"};
   if (clock.state == "gathering" || clock.state == "paused") view.state = clock.state;
   if (clock.state == "ending") view.state = "ended";
@@ -14,9 +14,9 @@ ViewClock ViewClockOf(const clock_state_t& clock) {
   if (std::isfinite(clock.factor) && clock.factor >= 0) view.factor = clock.factor;
   for (const std::string& name : clock.awaited) {
     if (view.awaited.size() == kMaxAwaitedShown) break;
-    view.awaited.push_back(name.substr(0, kMaxText));
+    view.awaited.push_back(name.substr(0, kMaxClockText));
   }
-  view.note = clock.refusal.substr(0, kMaxText);
+  view.note = clock.refusal.substr(0, kMaxClockText);
   return view;
 }
 
