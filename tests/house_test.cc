@@ -133,8 +133,7 @@ TEST(ChannelNames, StandInChannelsAndNowhereElse) {
                        // The table of the broker's rules names the channel of each rule; lib/bus
                        // takes these names from there, since lib/routing knows no bus.
                        return line.file != "lib/bus/channels.h" &&
-                              line.file != "lib/routing/rules.h" &&
-                              WritesAChannelName(line.text);
+                              line.file != "lib/routing/rules.h" && WritesAChannelName(line.text);
                      }),
             kNone);
 }
