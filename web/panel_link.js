@@ -129,9 +129,9 @@ export function fateRow() {
   return {
     root,
     update: (fate) => {
-      const text = `${fate.t} ${fate.text}`;
-      if (shown === text) return;
-      shown = text;
+      const line = `${fate.t} ${fate.text}`;
+      if (shown === line) return;
+      shown = line;
       root.dataset.cause = clip(fate.cause, 40);
       root.dataset.blocked = String(isBlocked(fate.cause));
       setText(sign, fateSign(fate.cause));
