@@ -32,7 +32,7 @@ export class SwarmTables {
   }
 
   clear() {
-    this.heardList.clear();
+    this.receivedList.clear();
     this.contactList.clear();
     this.swarm.hidden = true;
     setText(this.note, '');
