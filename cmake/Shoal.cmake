@@ -39,6 +39,12 @@ find_path(RANDOM123_INCLUDE_DIR Random123/philox.h REQUIRED)
 add_library(shoal_random123 INTERFACE)
 target_include_directories(shoal_random123 SYSTEM INTERFACE ${RANDOM123_INCLUDE_DIR})
 
+find_path(SODIUM_INCLUDE_DIR sodium.h REQUIRED)
+find_library(SODIUM_LIBRARY sodium REQUIRED)
+add_library(shoal_sodium INTERFACE)
+target_include_directories(shoal_sodium SYSTEM INTERFACE ${SODIUM_INCLUDE_DIR})
+target_link_libraries(shoal_sodium INTERFACE ${SODIUM_LIBRARY})
+
 set(SHOAL_PURE_EXTERNALS Eigen3::Eigen shoal_geographiclib shoal_random123)
 
 # Flags of our own targets; generated code and tests' frameworks come in as SYSTEM includes.

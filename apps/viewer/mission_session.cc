@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
-#include <set>
 
 #include "lib/bus/channels.h"
 #include "lib/bus/seal.h"
@@ -71,21 +70,14 @@ void MissionSession::Join(bool allow_commands) {
   bus_ = std::make_unique<LcmBus>(ports);
   bus_->set_mission_id(running_.mission_id);
   const std::vector<std::string> channel_names = Scene::Channels(mission_);
-  std::set<int> community_ports;
-  std::set<std::string_view> topics;
   for (const std::string& channel : channel_names) {
     if (ports.PortOf(channel) > ports.shore_port()) {
-      community_ports.insert(ports.PortOf(channel));
-      topics.insert(std::string_view(channel).substr(0, channel.find('_') + 1));
+      if (!communities_) communities_ = std::make_unique<LcmReceiver>();
+      communities_->Listen(ports.PortOf(channel), channel);
       continue;
     }
     bus_->SubscribeBytes(
         channel, [this](const Message& message) { view_->Handle(message.channel, message.data); });
-  }
-  if (!community_ports.empty()) {
-    communities_ = std::make_unique<DatagramListener>(
-        std::vector<int>(community_ports.begin(), community_ports.end()),
-        std::vector<std::string_view>(topics.begin(), topics.end()));
   }
   bus_->SubscribeBytes(channels::ClockState().name,
                        [this](const Message& message) { TakeClock(message); });
@@ -102,7 +94,7 @@ void MissionSession::Join(bool allow_commands) {
 
 std::string MissionSession::error() const {
   if (communities_ && !communities_->error().empty()) {
-    return communities_->error() + "; run `shoal doctor`";
+    return communities_->error();
   }
   return bus_ ? bus_->error() : "";
 }
@@ -131,11 +123,12 @@ void MissionSession::Work(int64_t now_us) {
   bus_->Poll(0);
   if (communities_ && now_us >= next_communities_us_) {
     next_communities_us_ = now_us + kCommunitiesInterval_us;
-    communities_->Poll(0, [this](std::string_view channel, std::span<const uint8_t> datagram) {
+    const auto handle = [this](int, std::string_view channel, std::span<const uint8_t> datagram) {
       const Unsealed unsealed = Unseal(datagram);
       if (unsealed.seal && unsealed.seal->mission_id != running_.mission_id) return;
       view_->Handle(channel, unsealed.message);
-    });
+    };
+    communities_->Poll(0, -1, handle);
   }
   if (clock_received_us_ != 0 && now_us - clock_received_us_ > kClockSilence_us) {
     clock_received_us_ = 0;

@@ -16,8 +16,8 @@
 #include "apps/viewer/status_board.h"
 #include "apps/viewer/view_request.h"
 #include "apps/viewer/web_request.h"
-#include "lib/bus/datagram_listener.h"
 #include "lib/bus/lcm_bus.h"
+#include "lib/bus/lcm_receiver.h"
 #include "lib/mission/mission.h"
 #include "lib/orders/command_desk.h"
 #include "lib/run/run_registry.h"
@@ -72,8 +72,8 @@ class MissionSession {
   int64_t now_us_ = 0;
   std::atomic<int64_t> utime_ = 0;  ///< Of the clock's last step.
   std::vector<CommandRecord> shown_;
-  std::unique_ptr<LcmBus> bus_;                    ///< Of the stepping ports and the shore.
-  std::unique_ptr<DatagramListener> communities_;  ///< Absent in the `shared` layout.
+  std::unique_ptr<LcmBus> bus_;               ///< Of the stepping ports and the shore.
+  std::unique_ptr<LcmReceiver> communities_;  ///< Absent in the `shared` layout.
   int64_t next_communities_us_ = 0;
 
   std::mutex desk_mutex_;  ///< Of desk_, which is destroyed when the mission ends.

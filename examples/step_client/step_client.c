@@ -36,6 +36,7 @@ struct step_client {
   step_buses_t buses;
   char* name;
   int64_t mission_id;
+  uint8_t secret[kSecretSize]; /* Of the mission. */
 
   char* names[2 * kMaxChannels]; /* Of all channels. */
   int num_names;
@@ -52,7 +53,7 @@ struct step_client {
 
   shoal_tick_t* pending; /* The tick whose messages are not all here yet. */
   int64_t pending_since_ms, next_repeat_ms;
-  int64_t repeated, foreign, undecodable, outside;
+  int64_t repeated, foreign, undecodable, outside, refused;
   uint32_t num_outside; /* Of these, the ones that wait. */
 
   step_client_think_fn think;
@@ -77,9 +78,28 @@ static const char* lasting_name(step_client_t* self, const char* channel) {
 
 /* ---- one step: take the messages of the step before, think, publish, answer ---- */
 
+/* Seals `data` in place, which has room for it, and publishes it. */
+static void publish_sealed(step_client_t* self, int port, const char* channel, uint8_t* data,
+                           int size, int64_t step) {
+  const unsigned sealed = append_seal(data, (unsigned)size, self->name, self->mission_id, step, 0,
+                                      self->secret, channel);
+  lcm_publish(bus_at(&self->buses, port), channel, data, sealed);
+}
+
 static void send_done(step_client_t* self) {
-  shoal_step_done_t_publish(bus_at(&self->buses, self->buses.port_base + 1), "STEP_DONE",
-                            &self->done);
+  const int size = shoal_step_done_t_encoded_size(&self->done);
+  uint8_t* data = allocate((size_t)size + strlen(self->name) + kSealSize);
+  shoal_step_done_t_encode(data, 0, size, &self->done);
+  publish_sealed(self, self->buses.port_base + 1, "STEP_DONE", data, size, self->done.step);
+  free(data);
+}
+
+static void send_resend(step_client_t* self, const shoal_resend_t* request) {
+  const int size = shoal_resend_t_encoded_size(request);
+  uint8_t* data = allocate((size_t)size + strlen(self->name) + kSealSize);
+  shoal_resend_t_encode(data, 0, size, request);
+  publish_sealed(self, self->buses.port_base, "RESEND", data, size, request->step);
+  free(data);
 }
 
 /* A participant that joins a running mission waits until the clock waits for its answers. */
@@ -103,6 +123,7 @@ static void answer(step_client_t* self, int64_t utime, int64_t step, char* fault
   self->done.outside = self->outside;
   self->done.foreign = self->foreign;
   self->done.undecodable = self->undecodable;
+  self->done.refused = self->refused;
   self->done.fault = fault;
   self->done.published = self->published;
   send_done(self);
@@ -179,7 +200,7 @@ static void try_step(step_client_t* self) {
                                     .requester = self->name,
                                     .publisher = total->publisher,
                                     .channel = total->channel};
-    shoal_resend_t_publish(bus_at(&self->buses, self->buses.port_base), "RESEND", &request);
+    send_resend(self, &request);
   }
   if (complete) {
     self->pending = NULL;
@@ -196,14 +217,27 @@ static void try_step(step_client_t* self) {
 
 /* ---- what comes off the bus ---- */
 
-static void on_tick(const lcm_recv_buf_t* datagram, const char* channel, const shoal_tick_t* tick,
-                    void* user) {
-  (void)datagram, (void)channel;
-  step_client_t* self = user;
-  if (self->mission_id == 0) self->mission_id = tick->mission_id;
-  if (tick->mission_id != self->mission_id) {
+/* Takes the seal off a message of the step protocol itself. Returns the size of the message within
+ * `datagram`; -1: refused, and counted. */
+static int open_sealed(step_client_t* self, const lcm_recv_buf_t* datagram, const char* channel) {
+  message_t message = {.channel = channel, .data = datagram->data, .size = datagram->data_size};
+  int64_t mission_id = 0;
+  bool is_genuine = false;
+  const bool is_sealed = read_seal(&message, &mission_id, self->secret, &is_genuine);
+  free(message.publisher);
+  if (is_sealed && self->mission_id != 0 && mission_id != self->mission_id) {
     ++self->foreign;
-  } else if (tick->step == self->step) {
+  } else if (!is_genuine) {
+    ++self->refused;
+  } else {
+    return (int)message.size;
+  }
+  return -1;
+}
+
+static void handle_tick(step_client_t* self, const shoal_tick_t* tick) {
+  if (self->mission_id == 0) self->mission_id = tick->mission_id;
+  if (tick->step == self->step) {
     send_done(self); /* The clock did not receive the answer. */
   } else if (tick->step > self->step && !self->ended && takes_part(self, tick) &&
              (self->pending == NULL || tick->step > self->pending->step)) {
@@ -219,10 +253,7 @@ static void on_tick(const lcm_recv_buf_t* datagram, const char* channel, const s
   }
 }
 
-static void on_resend(const lcm_recv_buf_t* datagram, const char* channel,
-                      const shoal_resend_t* request, void* user) {
-  (void)datagram, (void)channel;
-  step_client_t* self = user;
+static void handle_resend(const step_client_t* self, const shoal_resend_t* request) {
   if (request->mission_id != self->mission_id || strcmp(request->publisher, self->name) != 0) {
     return;
   }
@@ -233,6 +264,32 @@ static void on_resend(const lcm_recv_buf_t* datagram, const char* channel,
   }
 }
 
+static void on_tick(const lcm_recv_buf_t* datagram, const char* channel, void* user) {
+  step_client_t* self = user;
+  const int size = open_sealed(self, datagram, channel);
+  shoal_tick_t tick;
+  if (size < 0) return;
+  if (shoal_tick_t_decode(datagram->data, 0, size, &tick) < 0) {
+    ++self->undecodable;
+    return;
+  }
+  handle_tick(self, &tick);
+  shoal_tick_t_decode_cleanup(&tick);
+}
+
+static void on_resend(const lcm_recv_buf_t* datagram, const char* channel, void* user) {
+  step_client_t* self = user;
+  const int size = open_sealed(self, datagram, channel);
+  shoal_resend_t request;
+  if (size < 0) return;
+  if (shoal_resend_t_decode(datagram->data, 0, size, &request) < 0) {
+    ++self->undecodable;
+    return;
+  }
+  handle_resend(self, &request);
+  shoal_resend_t_decode_cleanup(&request);
+}
+
 static void on_datagram(const lcm_recv_buf_t* datagram, const char* channel, void* user) {
   step_client_t* self = user;
   message_t message = {0};
@@ -241,10 +298,14 @@ static void on_datagram(const lcm_recv_buf_t* datagram, const char* channel, voi
   message.data = allocate(message.size);
   memcpy(message.data, datagram->data, message.size);
   int64_t mission_id = self->mission_id;
-  bool is_wanted = true;
-  if (read_seal(&message, &mission_id)) {
-    if (mission_id != self->mission_id) ++self->foreign;
-    is_wanted = mission_id == self->mission_id && message.step >= self->step &&
+  bool is_wanted = true, is_genuine = false;
+  if (read_seal(&message, &mission_id, self->secret, &is_genuine)) {
+    if (mission_id != self->mission_id) {
+      ++self->foreign;
+    } else if (!is_genuine) {
+      ++self->refused;
+    }
+    is_wanted = mission_id == self->mission_id && is_genuine && message.step >= self->step &&
                 (self->step < 0 || message.step <= self->step + 2) &&
                 !holds_message(&self->waiting, &message);
   } else {
@@ -271,12 +332,15 @@ step_client_t* step_client_create(const char* program) {
   self->mission_id = strtoll(environment(&self->buses, "SHOAL_MISSION_ID"), NULL, 10);
   self->name = strdup(environment(&self->buses, "SHOAL_PARTICIPANT"));
   self->step = -1;
+  if (!read_secret(self->secret)) {
+    die(&self->buses, 3,
+        "no secret of the mission: neither SHOAL_SECRET_FD nor SHOAL_SECRET_FILE leads to it; "
+        "`shoal run` sets both");
+  }
   lcm_t* ticks = bus_at(&self->buses, self->buses.port_base);
   bus_at(&self->buses, self->buses.port_base + 1);
-  shoal_tick_t_subscription_set_queue_capacity(shoal_tick_t_subscribe(ticks, "TICK", on_tick, self),
-                                               0);
-  shoal_resend_t_subscription_set_queue_capacity(
-      shoal_resend_t_subscribe(ticks, "RESEND", on_resend, self), 0);
+  lcm_subscription_set_queue_capacity(lcm_subscribe(ticks, "TICK", on_tick, self), 0);
+  lcm_subscription_set_queue_capacity(lcm_subscribe(ticks, "RESEND", on_resend, self), 0);
   return self;
 }
 
@@ -313,7 +377,7 @@ void step_client_publish(step_client_t* self, const char* channel, const char* v
   sent->data = allocate((size_t)size + strlen(self->name) + kSealSize);
   memcpy(sent->data, data, (size_t)size);
   sent->size = append_seal(sent->data, (unsigned)size, self->name, self->mission_id, self->step,
-                           self->sequence++);
+                           self->sequence++, self->secret, channel);
   sent->step = self->step;
   sent->channel = count->channel;
   sent->bus = bus_of(&self->buses, vehicle);

@@ -1,10 +1,14 @@
 #define _POSIX_C_SOURCE 200809L
 #include "step_messages.h"
 
+#include <fcntl.h>
+#include <sodium.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
-static const uint64_t kMagic = 0x53484f4c; /* "SHOL" */
+static const uint64_t kMagic = 0x53484f32; /* "SHO2" */
+enum { kNumbersSize = 1 + 8 + 8 + 4, kMagicSize = 4 };
 
 void* allocate(size_t size) {
   void* memory = calloc(1, size == 0 ? 1 : size);
@@ -80,8 +84,38 @@ static uint64_t get(const uint8_t* at, int num_bytes) {
   return value;
 }
 
+static void tag_of(uint8_t tag[kTagSize], const uint8_t* tagged, size_t size,
+                   const uint8_t secret[kSecretSize], const char* channel) {
+  crypto_generichash_state state; /* BLAKE2b */
+  crypto_generichash_init(&state, secret, kSecretSize, kTagSize);
+  crypto_generichash_update(&state, (const uint8_t*)channel, strlen(channel) + 1);
+  crypto_generichash_update(&state, tagged, size);
+  crypto_generichash_final(&state, tag, kTagSize);
+}
+
+/* Reads 64 hexadecimal digits and a line break. */
+static bool read_digits(int descriptor, uint8_t secret[kSecretSize]) {
+  char text[2 * kSecretSize + 1];
+  size_t size = 0;
+  return pread(descriptor, text, sizeof text, 0) == (ssize_t)sizeof text &&
+         sodium_hex2bin(secret, kSecretSize, text, 2 * kSecretSize, NULL, &size, NULL) == 0 &&
+         size == kSecretSize;
+}
+
+bool read_secret(uint8_t secret[kSecretSize]) {
+  const char* number = getenv("SHOAL_SECRET_FD");
+  if (number != NULL && read_digits(atoi(number), secret)) return true;
+  const char* path = getenv("SHOAL_SECRET_FILE");
+  const int opened = path == NULL ? -1 : open(path, O_RDONLY);
+  if (opened < 0) return false;
+  const bool is_read = read_digits(opened, secret);
+  close(opened);
+  return is_read;
+}
+
 unsigned append_seal(uint8_t* message, unsigned size, const char* publisher, int64_t mission_id,
-                     int64_t step, uint32_t sequence) {
+                     int64_t step, uint32_t sequence, const uint8_t secret[kSecretSize],
+                     const char* channel) {
   const size_t name_size = strlen(publisher);
   uint8_t* at = message + size;
   memcpy(at, publisher, name_size);
@@ -89,22 +123,30 @@ unsigned append_seal(uint8_t* message, unsigned size, const char* publisher, int
   at = put(at, (uint64_t)mission_id, 8);
   at = put(at, (uint64_t)step, 8);
   at = put(at, sequence, 4);
-  at = put(at, kMagic, 4);
+  tag_of(at, message, (size_t)(at - message), secret, channel);
+  at = put(at + kTagSize, kMagic, kMagicSize);
   return (unsigned)(at - message);
 }
 
-bool read_seal(message_t* message, int64_t* mission_id) {
+bool read_seal(message_t* message, int64_t* mission_id, const uint8_t secret[kSecretSize],
+               bool* is_genuine) {
   if (message->size < kSealSize) return false;
-  const uint8_t* seal = message->data + message->size - kSealSize;
-  const size_t name_size = seal[0];
-  if (get(seal + 21, 4) != kMagic || name_size == 0 || message->size < kSealSize + name_size) {
+  const uint8_t* end = message->data + message->size;
+  const uint8_t* tag = end - kMagicSize - kTagSize;
+  const uint8_t* numbers = tag - kNumbersSize;
+  const size_t name_size = numbers[0];
+  if (get(end - kMagicSize, kMagicSize) != kMagic || name_size == 0 ||
+      message->size < kSealSize + name_size) {
     return false;
   }
-  message->publisher = strndup((const char*)seal - name_size, name_size);
+  uint8_t expected[kTagSize];
+  tag_of(expected, message->data, (size_t)(tag - message->data), secret, message->channel);
+  *is_genuine = sodium_memcmp(expected, tag, kTagSize) == 0;
+  message->publisher = strndup((const char*)numbers - name_size, name_size);
   if (message->publisher == NULL) abort();
-  *mission_id = (int64_t)get(seal + 1, 8);
-  message->step = (int64_t)get(seal + 9, 8);
-  message->sequence = (uint32_t)get(seal + 17, 4);
+  *mission_id = (int64_t)get(numbers + 1, 8);
+  message->step = (int64_t)get(numbers + 9, 8);
+  message->sequence = (uint32_t)get(numbers + 17, 4);
   message->size -= (unsigned)(kSealSize + name_size);
   return true;
 }

@@ -7,7 +7,11 @@
 #include <stddef.h>
 #include <stdint.h>
 
-enum { kSealSize = 25 }; /* Without the publisher's name. */
+enum {
+  kSecretSize = 32,
+  kTagSize = 16,
+  kSealSize = 41, /* Without the publisher's name. */
+};
 
 /* A message that came, or one that was sent: then `data` has its seal. */
 typedef struct {
@@ -43,13 +47,20 @@ void forget_before(messages_t* list, int64_t step);
 /* Compares for qsort: channel, then messages from outside, then publisher, then sequence. */
 int in_fixed_order(const void* left, const void* right);
 
-/* Appends publisher, length of that name, mission id, step, sequence, "SHOL"; returns the size with
- * them. */
-unsigned append_seal(uint8_t* message, unsigned size, const char* publisher, int64_t mission_id,
-                     int64_t step, uint32_t sequence);
+/* Reads the mission's secret: from the descriptor that SHOAL_SECRET_FD numbers, or the file that
+ * SHOAL_SECRET_FILE names. Returns false where neither has it. */
+bool read_secret(uint8_t secret[kSecretSize]);
 
-/* Fills publisher, step, sequence and the size without the seal. Returns false, with all as it was,
- * for a message from outside the step protocol. */
-bool read_seal(message_t* message, int64_t* mission_id);
+/* Appends publisher, length of that name, mission id, step, sequence, the tag, "SHO2"; returns the
+ * size with them. */
+unsigned append_seal(uint8_t* message, unsigned size, const char* publisher, int64_t mission_id,
+                     int64_t step, uint32_t sequence, const uint8_t secret[kSecretSize],
+                     const char* channel);
+
+/* Fills publisher, step, sequence and the size without the seal; `is_genuine`: it was made with
+ * `secret`, for the message's channel. Returns false, with all as it was, for a message from
+ * outside the step protocol. */
+bool read_seal(message_t* message, int64_t* mission_id, const uint8_t secret[kSecretSize],
+               bool* is_genuine);
 
 #endif

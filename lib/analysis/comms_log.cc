@@ -87,7 +87,8 @@ void CommsLogBuilder::Add(const LogEvent& event) {
   }
   previous_utime_ = event.utime;
 
-  const auto [message, seal] = Unseal(event.data);
+  const Unsealed unsealed = Unseal(event.data);
+  const auto& [message, seal, tagged, tag] = unsealed;
   if (seal) {
     latest_step_ = seal->step;
     auto [last, is_new] = last_steps_.emplace(seal->mission_id, seal->step);

@@ -88,7 +88,7 @@ TEST(PlotData, CountsTimeFromTheMissionsStart) {
 TEST(PlotData, ReadsSealedMessagesToo) {
   std::vector<TestEvent> events = {EventOf("NAV_ALPHA", PlottedNav(0, 3, 4))};
   AppendSeal({.publisher = "vehicle_sim_alpha", .mission_id = 1, .step = 0, .sequence = 0},
-             &events[0].data);
+             MissionSecret{}, "NAV_ALPHA", &events[0].data);
   EXPECT_EQ(DataOf(events).vehicles.at(0).start, (CurvePoint{3, 4}));
 }
 

@@ -13,7 +13,6 @@ namespace shoal {
 namespace {
 
 constexpr int kStepPorts = 2;
-constexpr int kWantedReceiveBuffer = 4 * 1024 * 1024;
 
 /// Of channels without a vehicle's name; all others are taken to have one.
 ChannelHome HomeOf(std::string_view channel) {
@@ -84,7 +83,7 @@ int ReceiveBufferLimit() {
 
 std::string LcmUrl(int port) {
   static const int buffer = std::min(kWantedReceiveBuffer, ReceiveBufferLimit());
-  return fmt::format("udpm://239.255.76.67:{}?ttl=0&recv_buf_size={}", port, buffer);
+  return fmt::format("udpm://{}:{}?ttl=0&recv_buf_size={}", kLcmGroup, port, buffer);
 }
 
 }  // namespace shoal

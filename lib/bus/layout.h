@@ -25,8 +25,8 @@ std::string_view Name(Layout layout);
 class PortPlan {
  public:
   static constexpr int kDefaultBase = 7665;
-  /// A process can hold about 170 LCM objects (six descriptors each, select()), so vehicles beyond
-  /// this many share communities, round robin.
+  /// A process of all vehicles has some six descriptors per port, and 1,024 by default, so vehicles
+  /// beyond this many share communities, round robin.
   static constexpr int kMaxCommunities = 128;
 
   /// `vehicles` in mission order, any case.
@@ -57,9 +57,20 @@ class PortPlan {
   std::map<std::string, int, std::less<>> community_ports_;  ///< By upper-case vehicle name.
 };
 
+/// All of shoal's ports are of this multicast group, LCM's own.
+inline constexpr char kLcmGroup[] = "239.255.76.67";
+
+/// Bytes: it holds some 10,000 small messages, a fifth of a second of the most that one process can
+/// take.
+inline constexpr int kWantedReceiveBuffer = 4 * 1024 * 1024;
+
+/// What helps where multicast does not work.
+inline constexpr char kMulticastRemedy[] =
+    "multicast does not work on this machine. Run `shoal doctor`; most often this helps: sudo ip "
+    "link set lo up multicast on && sudo ip route add 224.0.0.0/4 dev lo";
+
 /// Returns the LCM URL of a port: multicast that stays on this machine (ttl=0), with as large a
-/// receive buffer as the kernel allows, up to 4 MiB: it holds some 10,000 small messages, a fifth
-/// of a second of the most that one process can take.
+/// receive buffer as the kernel allows, up to kWantedReceiveBuffer.
 std::string LcmUrl(int port);
 
 /// Returns net.core.rmem_max in bytes, or 212992, the kernel's default, where it cannot be read.

@@ -4,7 +4,7 @@
 
 namespace shoal {
 
-LcmBus::LcmBus(PortPlan plan) : plan_(std::move(plan)) {
+LcmBus::LcmBus(PortPlan plan, FilterPlace place) : plan_(std::move(plan)), transport_(place) {
   transport_.set_receiver([this](int, std::string_view channel, std::span<const uint8_t> datagram) {
     Dispatch(channel, datagram);
   });
@@ -25,6 +25,11 @@ void LcmBus::SubscribeAll(Handler handler) {
   SHOAL_CHECK(handlers_.empty(), "SubscribeAll comes before any other subscription");
   handlers_.AddForAll(std::move(handler));
   for (const int port : plan_.DataPorts()) transport_.ListenToAll(port);
+}
+
+void LcmBus::set_limits(const PollLimits& limits) {
+  limits_ = limits;
+  if (limits_.most > 0) transport_.StampArrivals();
 }
 
 void LcmBus::Poll(int64_t timeout_us) {

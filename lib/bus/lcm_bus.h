@@ -30,7 +30,7 @@ struct PollLimits {
 
 class LcmBus : public Bus {
  public:
-  explicit LcmBus(PortPlan plan);
+  explicit LcmBus(PortPlan plan, FilterPlace place = FilterPlace::kKernel);
 
   void PublishBytes(std::string_view channel, std::span<const uint8_t> data) override;
   void SubscribeBytes(const std::string& channel, Handler handler) override;
@@ -44,8 +44,10 @@ class LcmBus : public Bus {
   void set_mission_id(int64_t mission_id) { mission_id_ = mission_id; }
 
   /// Holds for the Polls from now on.
-  void set_limits(const PollLimits& limits) { limits_ = limits; }
+  void set_limits(const PollLimits& limits);
 
+  /// Datagrams that were no messages, and messages that came in part.
+  int64_t num_refused() const { return transport_.num_refused(); }
   /// Messages that could not be sent, or not wholly.
   int64_t num_failed_sends() const { return transport_.num_failed_sends(); }
 

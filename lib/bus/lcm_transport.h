@@ -1,4 +1,4 @@
-// Transport over LCM: one LCM object per port, queues without limit, buffers as large as allowed.
+// Transport over LCM's UDP multicast: sends through liblcm, receives through LcmReceiver.
 //
 //   LcmTransport transport;
 //   transport.set_receiver([&](int port, std::string_view channel, auto datagram) { ... });
@@ -6,23 +6,22 @@
 //   if (!transport.error().empty()) { ...exit 3... }
 //   while (true) transport.Poll(100'000);
 //
-// One thread. (LCM itself keeps a reader thread per port that is listened to.)
+// One thread, none of its own.
 #pragma once
 
 #include <lcm/lcm.h>
-#include <poll.h>
 
-#include <memory>
+#include <map>
 #include <string>
-#include <vector>
 
+#include "lib/bus/lcm_receiver.h"
 #include "lib/bus/transport.h"
 
 namespace shoal {
 
 class LcmTransport : public Transport {
  public:
-  LcmTransport();
+  explicit LcmTransport(FilterPlace place = FilterPlace::kKernel);
   ~LcmTransport() override;
   LcmTransport(const LcmTransport&) = delete;
   LcmTransport& operator=(const LcmTransport&) = delete;
@@ -30,22 +29,21 @@ class LcmTransport : public Transport {
   void set_receiver(Receiver receiver) { receiver_ = std::move(receiver); }
 
   void Send(int port, std::string_view channel, std::span<const uint8_t> datagram) override;
-  void Listen(int port, const std::string& channel) override;
-  void ListenToAll(int port) override;
+  void Listen(int port, const std::string& channel) override {
+    lcm_receiver_.Listen(port, channel);
+  }
+  void ListenToAll(int port) override { lcm_receiver_.ListenToAll(port); }
+  int64_t num_refused() const override { return lcm_receiver_.num_refused(); }
 
-  /// Waits at most `timeout_us` for datagrams (or for `extra_fd` to be readable, if not negative),
-  /// then hands all that are there to the receiver. Returns true where `extra_fd` is readable.
+  /// As LcmReceiver's.
   bool Poll(int64_t timeout_us, int extra_fd = -1);
-  /// True where the last Poll left datagrams for the next: a flood must not starve its caller.
-  bool has_more() const { return has_more_; }
-  /// Makes the running Poll return soon, and leave the rest for the next. Called by the receiver.
-  void EndPoll() { ends_poll_ = true; }
-  /// When the datagram that the receiver is given reached this machine's socket: microseconds since
-  /// 1970.
-  int64_t arrived_utime() const { return arrived_utime_; }
+  bool has_more() const { return lcm_receiver_.has_more(); }
+  void EndPoll() { lcm_receiver_.EndPoll(); }
+  void StampArrivals() { lcm_receiver_.StampArrivals(); }
+  int64_t arrived_utime() const { return lcm_receiver_.arrived_utime(); }
 
   /// Empty, or why a port could not be opened, with what to try.
-  const std::string& error() const { return error_; }
+  const std::string& error() const { return error_.empty() ? lcm_receiver_.error() : error_; }
 
   /// Datagrams that could not be sent, or not wholly.
   int64_t num_failed_sends() const { return num_failed_sends_; }
@@ -56,21 +54,16 @@ class LcmTransport : public Transport {
   }
 
  private:
-  struct Port;
-  Port* Open(int port);
-  void Subscribe(int port, const std::string& regex);
-  static void OnLcmMessage(const lcm_recv_buf_t* buffer, const char* channel, void* user);
+  lcm_t* Open(int port);
+  void Take(int port, std::string_view channel, std::span<const uint8_t> datagram);
 
   Receiver receiver_;
   std::function<bool(std::string_view)> drop_;
-  std::vector<std::unique_ptr<Port>> ports_;  ///< In order of port number.
-  std::vector<pollfd> descriptors_;           ///< Of a Poll; kept for its memory, like the next.
-  std::vector<Port*> listening_;
+  LcmReceiver lcm_receiver_;
+  const LcmReceiver::Handler take_;
+  std::map<int, lcm_t*> senders_;  ///< By port; null: could not be opened.
   std::string error_;
   int64_t num_failed_sends_ = 0;
-  bool has_more_ = false;
-  bool ends_poll_ = false;
-  int64_t arrived_utime_ = 0;
 };
 
 }  // namespace shoal

@@ -26,6 +26,9 @@ class Transport {
 
   /// Receives every channel on `port` from now on.
   virtual void ListenToAll(int port) = 0;
+
+  /// Datagrams that were no messages, and messages that came in part.
+  virtual int64_t num_refused() const { return 0; }
 };
 
 }  // namespace shoal

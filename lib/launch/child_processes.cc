@@ -88,6 +88,7 @@ Result<pid_t> ChildProcesses::Start(const ChildCommand& command) {
     sigset_t none;
     sigemptyset(&none);
     sigprocmask(SIG_SETMASK, &none, nullptr);
+    if (command.inherited_fd >= 0) fcntl(command.inherited_fd, F_SETFD, 0);
     dup2(null, STDIN_FILENO);
     dup2(log, STDOUT_FILENO);
     dup2(log, STDERR_FILENO);

@@ -28,6 +28,7 @@ struct ChildCommand {
   std::vector<std::string> environment;  ///< "KEY=value", added to our own.
   std::string log_path;                  ///< Standard output and error, appended.
   bool is_log_private = false;           ///< A new log is for the same user's eyes only.
+  int inherited_fd = -1;                 ///< Stays open in the child, under its number.
 };
 
 class ChildProcesses {

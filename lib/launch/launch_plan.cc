@@ -6,6 +6,8 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "lib/run/run_registry.h"
+
 namespace shoal {
 
 namespace {
@@ -71,7 +73,8 @@ std::vector<std::string> ParticipantEnvironment(const RosterEntry& entry,
           fmt::format("SHOAL_MISSION_ID={}", context.mission_id),
           fmt::format("SHOAL_PARTICIPANT={}", entry.name),
           fmt::format("SHOAL_VEHICLES={}", vehicles),
-          fmt::format("SHOAL_MISSION_FILE={}", fs::absolute(context.mission.file).string())};
+          fmt::format("SHOAL_MISSION_FILE={}", fs::absolute(context.mission.file).string()),
+          fmt::format("{}={}", kSecretFileVariable, SecretPath(context.ports.base()))};
 }
 
 std::string ExecutableDirectory() {
@@ -86,7 +89,9 @@ Result<ChildCommand> CommandOf(const RosterEntry& entry, const LaunchContext& co
   ChildCommand command{.name = entry.name,
                        .argv = {*path},
                        .environment = ParticipantEnvironment(entry, context),
-                       .log_path = fmt::format("{}/{}.txt", context.log_dir, entry.name)};
+                       .log_path = fmt::format("{}/{}.txt", context.log_dir, entry.name),
+                       .inherited_fd = context.secret_fd};
+  command.environment.push_back(fmt::format("{}={}", kSecretFdVariable, context.secret_fd));
   const std::vector<std::string> arguments =
       entry.command.empty()
           ? ArgumentsOf(entry, context)

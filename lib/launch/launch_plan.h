@@ -35,6 +35,7 @@ struct LaunchContext {
   const Mission& mission;
   const PortPlan& ports;
   int64_t mission_id = 0;
+  int secret_fd = -1;    ///< A file with the mission's secret, for the participants.
   std::string log_dir;   ///< For the processes' output.
   std::string log_path;  ///< Of the recorder; empty: no recording.
 };
@@ -58,8 +59,8 @@ std::string HandCommand(const RosterEntry& entry, const LaunchContext& context);
 [[nodiscard]] Result<std::string> FindProgram(const std::string& program,
                                               const std::string& mission_file);
 
-/// Returns the environment of a user's own participant, as "SHOAL_PORT=7665" and so on;
-/// docs/step_protocol.md.
+/// Returns the environment of a participant, as "SHOAL_PORT=7665" and so on;
+/// docs/step_protocol.md. One that the launcher starts has SHOAL_SECRET_FD too.
 std::vector<std::string> ParticipantEnvironment(const RosterEntry& entry,
                                                 const LaunchContext& context);
 

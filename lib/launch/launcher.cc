@@ -43,9 +43,10 @@ int BlockSignals() {
   return signalfd(-1, &set, SFD_CLOEXEC | SFD_NONBLOCK);
 }
 
-ClockOptions MakeClockOptions(const RunOptions& options, const Mission& mission,
-                              int64_t mission_id) {
+ClockOptions MakeClockOptions(const RunOptions& options, const Mission& mission, int64_t mission_id,
+                              const MissionSecret& secret) {
   return {.mission_id = mission_id,
+          .secret = secret,
           .warp = options.warp,
           .fixed_pace = mission.netsim && !mission.netsim->allow_warp
                             ? "a mission with [netsim] keeps to the wall's clock"
@@ -66,7 +67,7 @@ std::vector<std::string> ParticipantNames(const std::vector<RosterEntry>& roster
 
 Launcher::Launcher(const RunOptions& options, const Mission& mission,
                    const MakeDirector& make_director, PortPlan ports, int64_t mission_id,
-                   std::string log_dir)
+                   const MissionSecret& secret, int secret_fd, std::string log_dir)
     : options_(options),
       mission_(mission),
       ports_(std::move(ports)),
@@ -74,17 +75,19 @@ Launcher::Launcher(const RunOptions& options, const Mission& mission,
                .mission = mission,
                .ports = ports_,
                .mission_id = mission_id,
+               .secret_fd = secret_fd,
                .log_dir = std::move(log_dir),
                .log_path = options.record_dir.empty() ? "" : options.record_dir + "/mission.lcm"},
       roster_(MakeRoster(mission, !options.record_dir.empty())),
       participant_({.name = "shoal",
                     .mission_id = mission_id,
                     .pid = getpid(),
+                    .secret = secret,
                     .give_up_us = GiveUpAfter_us(mission)},
                    ports_, transport_),
       director_(make_director(mission, participant_)),
-      clock_(MakeClockOptions(options, mission, mission_id), ParticipantNames(roster_), ports_,
-             transport_),
+      clock_(MakeClockOptions(options, mission, mission_id, secret), ParticipantNames(roster_),
+             ports_, transport_),
       supervision_(context_, roster_, clock_, terminal_) {
   participant_.Attach(director_.get());
   transport_.set_drop_filter(MakeLossFilter(options.lose, options.lose_forever));
@@ -153,11 +156,11 @@ int Launcher::Conclude() {
     summary = fmt::format(
         "{:.1f} s of mission in {:.2f} s ({:.1f} x real time), {} participants, {} layout\n"
         "Bus: {} messages, {} asked for again, {} ticks again, {} undecodable, {} of other "
-        "missions, {} from outside\n"
+        "missions, {} from outside, {} refused\n"
         "Reproducible: {}\n\n{}",
         mission_s, wall_s, mission_s / wall_s, roster_.size() + 1, Name(ports_.layout()),
         counters.messages, counters.repeated, counters.ticks_again, counters.undecodable,
-        counters.foreign, counters.outside,
+        counters.foreign, counters.outside, counters.refused,
         reproducible           ? "yes"
         : counters.outside > 0 ? "no: messages came from outside the step protocol"
         : mission_.netsim      ? "no: clients of netsim_manager come from outside"
@@ -219,6 +222,10 @@ int RunMission(const RunOptions& options, const Mission& mission,
   if (options.record_dir.empty()) std::filesystem::remove_all(log_dir, error);
   std::filesystem::create_directories(log_dir, error);
   if (error) return fail(fmt::format("cannot make the folder {}: {}", log_dir, error.message()));
+  const MissionSecret secret = RandomSecret();
+  if (const auto kept = KeepSecret(*base, secret); !kept.ok()) return fail(kept.error());
+  const Result<int> secret_fd = SecretInMemory(secret);
+  if (!secret_fd.ok()) return fail(secret_fd.error());
   if (const auto registered = Register(running); !registered.ok()) return fail(registered.error());
   LaunchTerminal::Print(fmt::format(
       "{}: {} vehicles, seed {}, LCM ports {} to {} ({})\n", mission.name, vehicles.size(),
@@ -227,11 +234,12 @@ int RunMission(const RunOptions& options, const Mission& mission,
   int code = 0;
   {
     const int signal_fd = BlockSignals();
-    Launcher launcher(options, mission, make_director, running.Ports(), running.mission_id,
-                      log_dir);
+    Launcher launcher(options, mission, make_director, running.Ports(), running.mission_id, secret,
+                      *secret_fd, log_dir);
     code = launcher.Run(signal_fd);
     close(signal_fd);
   }
+  close(*secret_fd);
   Unregister(*base);
   return code;
 }

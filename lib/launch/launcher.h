@@ -31,7 +31,8 @@ class Launcher {
  public:
   /// `ports` must be claimed. Nothing is started before Run.
   Launcher(const RunOptions& options, const Mission& mission, const MakeDirector& make_director,
-           PortPlan ports, int64_t mission_id, std::string log_dir);
+           PortPlan ports, int64_t mission_id, const MissionSecret& secret, int secret_fd,
+           std::string log_dir);
 
   /// `signal_fd`: a signalfd for SIGINT, SIGTERM, SIGHUP and SIGCHLD.
   int Run(int signal_fd);

@@ -9,6 +9,7 @@
 
 #include "lib/check/time_units.h"
 #include "lib/run/run_app.h"
+#include "lib/run/run_registry.h"
 
 namespace shoal {
 
@@ -212,6 +213,13 @@ void Supervision::CheckFaults(int64_t wall_us, int64_t num_foreign) {
                     clock_.unregistered(),
                     awaited.empty() ? "it waits for no other"
                                     : fmt::format("it waits for {}", fmt::join(awaited, ", "))));
+  }
+  if (!has_shown_refused_ && !clock_.refused().empty()) {
+    has_shown_refused_ = true;
+    terminal_.Warn(fmt::format(
+        "an answer in the name of {} was refused: its seal does not prove this mission's "
+        "secret, which is in {} (docs/step_protocol.md)",
+        clock_.refused(), SecretPath(context_.ports.base())));
   }
   if (!has_shown_foreign_ && clock_.counters().foreign + num_foreign > 0) {
     has_shown_foreign_ = true;

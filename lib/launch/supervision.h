@@ -70,6 +70,7 @@ class Supervision {
   bool is_killing_ = false;  ///< Processes that still run have been signalled to end.
   bool has_shown_foreign_ = false;
   bool has_shown_unregistered_ = false;
+  bool has_shown_refused_ = false;
 };
 
 }  // namespace shoal

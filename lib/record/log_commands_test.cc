@@ -129,7 +129,8 @@ TEST_F(LogCat_, ShowsWhatItCannotDecode) {
 
 TEST_F(LogCat_, DecodesSealedMessagesOfLcmLogger) {
   Bytes sealed = Desired(5, 90);
-  AppendSeal({.publisher = "helm_alpha", .mission_id = 1, .step = 2, .sequence = 3}, &sealed);
+  AppendSeal({.publisher = "helm_alpha", .mission_id = 1, .step = 2, .sequence = 3},
+             MissionSecret{}, "DESIRED_ALPHA", &sealed);
   const std::string path = Log("a.lcm", {{5, "D", sealed}});
   EXPECT_EQ(Cat({.path = path}), "0.000005 D desired_t heading_deg=90 speed_mps=1.5 depth_m=0\n");
 }

@@ -105,7 +105,7 @@ int RunLive(const LiveOptions& options, Mission mission,
   mission.start_utime = UnixMicroseconds();
   const auto utime = [&] { return mission.start_utime + MonotonicMicroseconds() - begin_us; };
 
-  LcmBus bus(options.ports);
+  LcmBus bus(options.ports, FilterPlace::kProcess);  // Its page counts what the kernel dropped.
   RoundSize round_size;
   const std::unique_ptr<App> app = make(mission, bus);
   app->OnWarp(1);

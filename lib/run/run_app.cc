@@ -93,11 +93,17 @@ int Run(const AppOptions& options, const std::string& name, const Mission& missi
   const std::optional<PortPlan> plan = PlanPorts(name, mission, port_base, layout);
   if (!plan) return kExitUsage;
 
+  const Result<MissionSecret> secret = FindSecret(port_base);
+  if (!secret.ok()) {
+    fmt::print(stderr, "{}: {}\n", name, secret.error());
+    return kExitEnvironment;
+  }
   LcmTransport transport;
   transport.set_drop_filter(MakeLossFilter(options.lose, options.lose_forever));
   StepParticipant participant({.name = name,
                                .mission_id = mission_id,
                                .pid = static_cast<int32_t>(getpid()),
+                               .secret = *secret,
                                .give_up_us = GiveUpAfter_us(mission)},
                               *plan, transport);
   int64_t last_received_us = 0;

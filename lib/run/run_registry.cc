@@ -1,9 +1,11 @@
 #include "lib/run/run_registry.h"
 
 #include <arpa/inet.h>
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <netinet/in.h>
 #include <signal.h>
+#include <sys/mman.h>
 #include <sys/socket.h>
 #include <sys/un.h>
 #include <unistd.h>
@@ -105,6 +107,53 @@ std::string RunDirectory() {
 
 std::string EntryPath(int port_base) { return fmt::format("{}/{}.run", RunDirectory(), port_base); }
 
+std::string SecretPath(int port_base) {
+  return fmt::format("{}/{}.secret", RunDirectory(), port_base);
+}
+
+Result<bool> KeepSecret(int port_base, const MissionSecret& secret) {
+  const std::string path = SecretPath(port_base);
+  std::error_code error;
+  fs::create_directories(RunDirectory(), error);
+  unlink(path.c_str());
+  const int opened = open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0600);
+  const std::string text = SecretText(secret);
+  const bool is_written =
+      opened >= 0 && write(opened, text.data(), text.size()) == static_cast<ssize_t>(text.size());
+  const int trouble = errno;
+  if (opened >= 0) close(opened);
+  if (!is_written) return Error{fmt::format("cannot write {}: {}", path, std::strerror(trouble))};
+  return true;
+}
+
+Result<int> SecretInMemory(const MissionSecret& secret) {
+  const std::string text = SecretText(secret);
+  const int opened = memfd_create("shoal-secret", MFD_CLOEXEC | MFD_ALLOW_SEALING);
+  if (opened < 0 || write(opened, text.data(), text.size()) != static_cast<ssize_t>(text.size()) ||
+      fcntl(opened, F_ADD_SEALS, F_SEAL_WRITE | F_SEAL_GROW | F_SEAL_SHRINK | F_SEAL_SEAL) != 0) {
+    return Error{
+        fmt::format("cannot keep the mission's secret in memory: {}", std::strerror(errno))};
+  }
+  return opened;
+}
+
+Result<MissionSecret> FindSecret(int port_base) {
+  const char* descriptor = std::getenv(kSecretFdVariable);
+  const char* file = std::getenv(kSecretFileVariable);
+  std::string why;
+  if (descriptor != nullptr) {
+    Result<MissionSecret> secret = ReadSecret(std::atoi(descriptor));
+    if (secret.ok()) return secret;
+    why = secret.error() + "; ";  // A program between may have closed it: the file is there too.
+  }
+  Result<MissionSecret> secret = ReadSecretFile(file == nullptr ? SecretPath(port_base) : file);
+  if (secret.ok()) return secret;
+  return Error{
+      fmt::format("no secret of the mission at port {}, without which it accepts no participant: "
+                  "{}{}. `shoal run` of the same user keeps it there",
+                  port_base, why, secret.error())};
+}
+
 Result<int> ClaimPorts(int wanted_base, int num_ports) {
   if (wanted_base != 0) {
     if (wanted_base < 1024 || wanted_base + num_ports > 65536) {
@@ -153,6 +202,7 @@ Result<bool> Register(const RunningMission& mission) {
 void Unregister(int port_base) {
   std::error_code error;
   fs::remove(EntryPath(port_base), error);
+  fs::remove(SecretPath(port_base), error);
 }
 
 std::vector<RunningMission> RunningMissions() {

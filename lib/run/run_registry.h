@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "lib/bus/layout.h"
+#include "lib/bus/mission_secret.h"
 #include "lib/check/result.h"
 
 namespace shoal {
@@ -31,6 +32,21 @@ std::string RunDirectory();
 /// Returns the path of the entry of the mission at `port_base`; it is there while the mission runs,
 /// and stays when its launcher dies, until the missions are listed.
 std::string EntryPath(int port_base);
+
+/// What tells a participant its mission's secret: the number of an open file, or a file's path.
+inline constexpr char kSecretFdVariable[] = "SHOAL_SECRET_FD";
+inline constexpr char kSecretFileVariable[] = "SHOAL_SECRET_FILE";
+
+/// Returns the path of the secret of the mission at `port_base`, a file of mode 0600.
+std::string SecretPath(int port_base);
+/// Writes the secret to that file, for the participants that a user starts; Unregister removes it.
+[[nodiscard]] Result<bool> KeepSecret(int port_base, const MissionSecret& secret);
+/// Returns a file in memory that holds the secret, for those that the launcher starts; the caller
+/// closes it.
+[[nodiscard]] Result<int> SecretInMemory(const MissionSecret& secret);
+/// Returns the secret of the mission at `port_base`, as this process can know it: by its variables,
+/// or from SecretPath. The error states where it was looked for.
+[[nodiscard]] Result<MissionSecret> FindSecret(int port_base);
 
 /// Claims a free block of ports for as long as this process lives. `wanted_base` 0: the first
 /// free one from PortPlan::kDefaultBase on. The error names the mission that has the ports where

@@ -7,6 +7,7 @@
 
 #include "lib/bus/bus.h"
 #include "lib/bus/channels.h"
+#include "lib/bus/seal.h"
 #include "lib/run/status_page.h"
 #include "shoal/clock_state_t.hpp"
 
@@ -18,6 +19,7 @@ constexpr int64_t kRepeatAfter_us = 50'000;
 constexpr int64_t kStateInterval_us = 500'000;
 /// OnTime is called every 50 ms at least; a longer pause was the launcher's own.
 constexpr int64_t kOwnStall_us = 1'000'000;
+constexpr char kClockName[] = "clock";  ///< In its seals.
 constexpr int64_t kNever = std::numeric_limits<int64_t>::max();
 
 }  // namespace
@@ -50,18 +52,23 @@ void StepClock::OnDatagram(int port, std::string_view channel, std::span<const u
     return;
   }
   if (channel != channels::StepDone().name) return;
+  const Unsealed unsealed = Unseal(datagram);
   step_done_t done;
-  if (!Decode(datagram, &done)) {
-    ++counters_.undecodable;
-    return;
-  }
+  const bool is_decoded = Decode(unsealed.message, &done);
   // A hello may not know the mission's id yet.
-  const bool is_hello = done.step < 0;
-  if (done.mission_id != options_.mission_id && !(is_hello && done.mission_id == 0)) {
+  const bool is_hello = is_decoded && done.step < 0;
+  const int64_t mission_id = is_decoded ? done.mission_id : options_.mission_id;
+  if (mission_id != options_.mission_id && !(is_hello && mission_id == 0)) {
     ++counters_.foreign;
-    return;
+  } else if (!is_decoded) {
+    ++counters_.undecodable;
+  } else if (!IsGenuine(unsealed, options_.secret, channel) ||
+             unsealed.seal->publisher != done.participant) {
+    ++counters_.refused;
+    if (refused_.empty()) refused_ = Printable(done.participant);
+  } else {
+    OnDone(done, wall_us);
   }
-  OnDone(done, wall_us);
 }
 
 /// Executes a command. Returns why not, or an empty text.
@@ -131,6 +138,7 @@ void StepClock::OnDone(const step_done_t& done, int64_t wall_us) {
   member.outside = done.outside;
   member.foreign = done.foreign;
   member.undecodable = done.undecodable;
+  member.refused = done.refused;
   for (const step_count_t& count : done.published) {
     next_totals_.push_back(
         {.publisher = done.participant, .channel = count.channel, .count = count.count});
@@ -186,11 +194,20 @@ void StepClock::SendTick(int64_t wall_us) {
     member.asked_at_us = wall_us;
     member.next_repeat_us = wall_us + kRepeatAfter_us;
   }
-  Bytes bytes;
-  EncodeInto(tick_, &bytes);
-  transport_.Send(plan_.tick_port(), channels::Tick().name, bytes);
+  SendTickDatagram();
   // The mission has just begun, or ends.
   if (step_ == 0 || state_ == State::kEnding) SendState(wall_us);
+}
+
+void StepClock::SendTickDatagram() {
+  Bytes bytes;
+  EncodeInto(tick_, &bytes);
+  AppendSeal({.publisher = kClockName,
+              .mission_id = options_.mission_id,
+              .step = tick_.step,
+              .sequence = 0},
+             options_.secret, topics::kTick, &bytes);
+  transport_.Send(plan_.tick_port(), topics::kTick, bytes);
 }
 
 void StepClock::OnTime(int64_t wall_us) {
@@ -241,9 +258,7 @@ void StepClock::OnTime(int64_t wall_us) {
   }
   if (repeat) {
     ++counters_.ticks_again;
-    Bytes bytes;
-    EncodeInto(tick_, &bytes);
-    transport_.Send(plan_.tick_port(), channels::Tick().name, bytes);
+    SendTickDatagram();
   }
 }
 
@@ -318,6 +333,7 @@ void StepClock::CountOf(const Member& member) {
   counters_.outside += member.outside;
   counters_.foreign += member.foreign;
   counters_.undecodable += member.undecodable;
+  counters_.refused += member.refused;
 }
 
 void StepClock::UpdateCounters() {

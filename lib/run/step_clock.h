@@ -20,6 +20,7 @@
 #include <vector>
 
 #include "lib/bus/layout.h"
+#include "lib/bus/mission_secret.h"
 #include "lib/bus/transport.h"
 #include "lib/run/step_pace.h"
 #include "shoal/clock_command_t.hpp"
@@ -36,10 +37,12 @@ struct RunCounters {
   int64_t outside = 0;      ///< Messages from outside that some participant handled.
   int64_t foreign = 0;      ///< Messages of other missions, rejected.
   int64_t undecodable = 0;  ///< Messages whose bytes make no sense, dropped.
+  int64_t refused = 0;  ///< Messages without a genuine seal, or without room; datagrams of none.
 };
 
 struct ClockOptions {
   int64_t mission_id = 0;
+  MissionSecret secret = {};
   double warp = 1;  ///< Mission seconds per wall second at first; 0: as fast as possible.
   std::string fixed_pace = {};  ///< Why pace must stay as it is; empty: it may change.
   int64_t tick_us = 100'000;
@@ -85,6 +88,8 @@ class StepClock {
   const std::string& fault() const { return fault_; }
   /// The first unregistered participant: the mission has none of its name; or empty.
   const std::string& unregistered() const { return unregistered_; }
+  /// The first participant whose answer was refused: without a genuine seal; or empty.
+  const std::string& refused() const { return refused_; }
   /// True where a participant was dropped or came back while running.
   bool membership_changed() const { return membership_changed_; }
 
@@ -101,9 +106,11 @@ class StepClock {
     int64_t outside = 0;
     int64_t foreign = 0;
     int64_t undecodable = 0;
+    int64_t refused = 0;
   };
 
   void OnDone(const step_done_t& done, int64_t wall_us);
+  void SendTickDatagram();
   std::string Execute(const clock_command_t& command, int64_t wall_us);
   std::string_view StateWord(bool is_awaiting) const;
   void SendState(int64_t wall_us);
@@ -131,6 +138,7 @@ class StepClock {
   bool membership_changed_ = false;
   int64_t last_time_us_ = 0;
   std::string unregistered_;
+  std::string refused_;
   std::string fault_;
   RunCounters counters_;
 };

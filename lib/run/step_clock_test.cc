@@ -10,6 +10,7 @@
 
 #include "lib/bus/bus.h"
 #include "lib/bus/channels.h"
+#include "lib/bus/seal.h"
 #include "lib/run/fake_network.h"
 #include "shoal/clock_state_t.hpp"
 
@@ -30,7 +31,7 @@ struct ClockAlone {
         ++num_states;
       } else if (answers) {
         tick_t tick;
-        ASSERT_TRUE(Decode(bytes, &tick));
+        ASSERT_TRUE(Decode(Unseal(bytes).message, &tick));
         Answer(tick.step);
       }
     };
@@ -46,6 +47,8 @@ struct ClockAlone {
     done.participant = "a";
     Bytes bytes;
     EncodeInto(done, &bytes);
+    AppendSeal({.publisher = "a", .mission_id = kMissionId, .step = step, .sequence = 0},
+               MissionSecret{}, topics::kStepDone, &bytes);
     other.Send(plan.done_port(), "STEP_DONE", bytes);
   }
 

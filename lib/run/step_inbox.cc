@@ -4,47 +4,72 @@
 #include <tuple>
 
 #include "lib/bus/channels.h"
+#include "lib/run/status_page.h"
 
 namespace shoal {
 
-namespace {
-/// A participant is never more than one step behind another; more comes from a faulty program.
-constexpr int64_t kMaxStepsAhead = 2;
-}  // namespace
-
-StepInbox::StepInbox(std::function<bool(std::string_view)> wants) : wants_(std::move(wants)) {}
+StepInbox::StepInbox(std::function<bool(std::string_view)> wants, const MissionSecret& secret)
+    : wants_(std::move(wants)), secret_(secret) {}
 
 void StepInbox::StartAt(int64_t step) {
-  steps_.erase(steps_.begin(), steps_.lower_bound(step));
+  ForgetBefore(step);
   next_step_ = step;
 }
 
-void StepInbox::Add(std::string_view channel, std::span<const uint8_t> datagram,
-                    int64_t mission_id) {
-  const auto [message, seal] = Unseal(datagram);
+void StepInbox::ForgetBefore(int64_t step) {
+  while (!steps_.empty() && steps_.begin()->first < step) {
+    for (const auto& [publisher, published] : steps_.begin()->second) {
+      for (const auto& [sequence, message] : published.by_sequence) {
+        --num_sealed_;
+        sealed_bytes_ -= message.size;
+      }
+    }
+    steps_.erase(steps_.begin());
+  }
+}
+
+std::optional<int64_t> StepInbox::Add(std::string_view channel, std::span<const uint8_t> datagram,
+                                      int64_t mission_id) {
+  const Unsealed unsealed = Unseal(datagram);
+  const auto& [message, seal, tagged, tag] = unsealed;
   if (!seal) {
     // Pages for people are no input to a mission.
     if (!IsAnswer(channel)) ++counters_.outside;
     if (outside_.size() >= kMaxOutside || outside_bytes_ + message.size() > kMaxOutsideBytes) {
       ++counters_.dropped;
-      return;
+      return std::nullopt;
     }
     outside_bytes_ += message.size();
     outside_.push_back({.channel = std::string(channel),
                         .publisher = {},
                         .sequence = static_cast<uint32_t>(outside_.size()),
+                        .size = message.size(),
                         .data = Bytes(message.begin(), message.end())});
-    return;
+    return std::nullopt;
   }
   if (seal->mission_id != mission_id) {
     ++counters_.foreign;
-    return;
+    return std::nullopt;
   }
-  const bool is_late = seal->step < next_step_;
-  const bool is_ahead = next_step_ >= 0 && seal->step > next_step_ + kMaxStepsAhead;
-  if (is_late || is_ahead) {
+  if (!IsGenuine(unsealed, secret_, channel)) {
+    ++counters_.forged;
+    if (first_forged_.empty()) {
+      first_forged_ = std::string(channel) + " in the name of " + Printable(seal->publisher);
+    }
+    return std::nullopt;
+  }
+  // Before the first tick the newest steps are kept: one of them is the tick's.
+  if (next_step_ < 0 && !steps_.empty()) ForgetBefore(seal->step - kMaxSteps + 1);
+  const int64_t oldest =
+      next_step_ >= 0 || steps_.empty() ? next_step_ : steps_.rbegin()->first - kMaxSteps + 1;
+  const bool is_ahead = next_step_ >= 0 && seal->step >= next_step_ + kMaxSteps;
+  if (seal->step < oldest || is_ahead) {
     ++counters_.late;
-    return;
+    return std::nullopt;
+  }
+  if (num_sealed_ >= kMaxSealed || sealed_bytes_ + message.size() > kMaxSealedBytes) {
+    ++counters_.no_room;
+    return std::nullopt;
   }
   auto& publishers = steps_[seal->step];
   auto publisher = publishers.find(seal->publisher);
@@ -55,37 +80,55 @@ void StepInbox::Add(std::string_view channel, std::span<const uint8_t> datagram,
   const auto [stored, is_new] = published.by_sequence.try_emplace(seal->sequence);
   if (!is_new) {
     ++counters_.late;
-    return;
+    return std::nullopt;
   }
   stored->second = {.channel = std::string(channel),
                     .publisher = publisher->first,
                     .sequence = seal->sequence,
+                    .size = message.size(),
                     .data = Bytes(message.begin(), message.end())};
   ++published.num_by_channel[stored->second.channel];
+  ++num_sealed_;
+  sealed_bytes_ += message.size();
+  return seal->step;
 }
 
-std::vector<MissingMessages> StepInbox::Missing(const tick_t& tick) const {
-  std::vector<MissingMessages> missing;
+/// Returns how many messages have come of what `total` announces.
+int32_t StepInbox::NumReceived(const tick_t& tick, const step_total_t& total) const {
   const auto step = steps_.find(tick.step - 1);
+  if (step == steps_.end()) return 0;
+  const auto publisher = step->second.find(total.publisher);
+  if (publisher == step->second.end()) return 0;
+  const auto& counts = publisher->second.num_by_channel;
+  const auto count = counts.find(total.channel);
+  return count == counts.end() ? 0 : count->second;
+}
+
+std::vector<MiscountedMessages> StepInbox::Missing(const tick_t& tick) const {
+  std::vector<MiscountedMessages> missing;
   for (const step_total_t& total : tick.totals) {
     if (!wants_(total.channel)) continue;
-    int32_t received = 0;
-    if (step != steps_.end()) {
-      const auto publisher = step->second.find(total.publisher);
-      if (publisher != step->second.end()) {
-        const auto& counts = publisher->second.num_by_channel;
-        const auto count = counts.find(total.channel);
-        if (count != counts.end()) received = count->second;
-      }
-    }
-    if (received < total.count) {
-      missing.push_back({.publisher = total.publisher,
-                         .channel = total.channel,
-                         .expected = total.count,
-                         .received = received});
-    }
+    const int32_t received = NumReceived(tick, total);
+    if (received >= total.count) continue;
+    missing.push_back({.publisher = total.publisher,
+                       .channel = total.channel,
+                       .expected = total.count,
+                       .received = received});
   }
   return missing;
+}
+
+std::vector<MiscountedMessages> StepInbox::Excess(const tick_t& tick) const {
+  std::vector<MiscountedMessages> excess;
+  for (const step_total_t& total : tick.totals) {
+    const int32_t received = NumReceived(tick, total);
+    if (received <= total.count) continue;
+    excess.push_back({.publisher = total.publisher,
+                      .channel = total.channel,
+                      .expected = total.count,
+                      .received = received});
+  }
+  return excess;
 }
 
 std::vector<StepInbox::Stored> StepInbox::Take(const tick_t& tick) {

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -19,8 +20,8 @@
 
 namespace shoal {
 
-/// Messages that a tick announced and that did not come.
-struct MissingMessages {
+/// Messages of which a tick announced more than came, or fewer.
+struct MiscountedMessages {
   std::string publisher;
   std::string channel;
   int32_t expected = 0;
@@ -30,6 +31,8 @@ struct MissingMessages {
 struct InboxCounters {
   int64_t late = 0;     ///< Repeats of what was already there or of steps gone by; dropped.
   int64_t foreign = 0;  ///< Of another mission; rejected.
+  int64_t forged = 0;   ///< Sealed by a program that does not know the mission's secret; refused.
+  int64_t no_room = 0;  ///< Sealed messages beyond kMaxSealed or kMaxSealedBytes; refused.
   int64_t outside = 0;  ///< Without a seal; handled, in the step in which they arrived.
   int64_t dropped = 0;  ///< Of those from outside: more than a step holds; not handled.
 };
@@ -41,25 +44,37 @@ class StepInbox {
   /// asked for again until it is there; 5,000 acks or messages in a step were seen to end missions.
   static constexpr size_t kMaxOutside = 2'000;
   static constexpr size_t kMaxOutsideBytes = size_t{64} * 1024 * 1024;
+  /// Sealed messages that wait for their step. A fleet of 1,000 that all report to all publishes a
+  /// million per step; a faulty participant must not exhaust the memory either.
+  static constexpr size_t kMaxSealed = 2'000'000;
+  static constexpr size_t kMaxSealedBytes = size_t{512} * 1024 * 1024;
+  /// A participant is never more than one step behind another: so many steps are kept at once.
+  static constexpr int64_t kMaxSteps = 3;
 
   /// `wants(channel)` returns whether this participant subscribed to the channel.
-  explicit StepInbox(std::function<bool(std::string_view channel)> wants);
+  StepInbox(std::function<bool(std::string_view channel)> wants, const MissionSecret& secret);
 
   /// Makes `step` the first whose messages count: for a participant that joins or restarts in
   /// mid-mission.
   void StartAt(int64_t step);
 
-  /// Stores a datagram as it came off the bus.
-  void Add(std::string_view channel, std::span<const uint8_t> datagram, int64_t mission_id);
+  /// Stores a datagram as it came off the bus. Returns the step of a sealed message that is new.
+  std::optional<int64_t> Add(std::string_view channel, std::span<const uint8_t> datagram,
+                             int64_t mission_id);
 
   /// Returns what is still missing of the step before `tick`.
-  [[nodiscard]] std::vector<MissingMessages> Missing(const tick_t& tick) const;
+  [[nodiscard]] std::vector<MiscountedMessages> Missing(const tick_t& tick) const;
+
+  /// Returns what came of the step before `tick` beyond the announced counts: a fault of its
+  /// publisher. (Where no total names a publisher's channel, its publisher was lost; that is none.)
+  [[nodiscard]] std::vector<MiscountedMessages> Excess(const tick_t& tick) const;
 
   /// A message with storage of its own.
   struct Stored {
     std::string channel;
     std::string publisher;  ///< Empty: from outside.
     uint32_t sequence = 0;
+    size_t size = 0;  ///< Of `data`, once it has been taken too.
     Bytes data;
   };
 
@@ -67,7 +82,11 @@ class StepInbox {
   /// in the fixed order: channel, publisher (outside first), sequence. Forgets older steps.
   [[nodiscard]] std::vector<Stored> Take(const tick_t& tick);
 
+  /// Sealed messages that wait for their step.
+  size_t num_sealed() const { return num_sealed_; }
   const InboxCounters& counters() const { return counters_; }
+  /// The first forged message, as "NAV_ALPHA in the name of vehicle_sim_alpha"; empty: none.
+  const std::string& first_forged() const { return first_forged_; }
 
  private:
   /// What one publisher published in one step.
@@ -76,11 +95,18 @@ class StepInbox {
     std::map<std::string, int32_t, std::less<>> num_by_channel;
   };
 
+  int32_t NumReceived(const tick_t& tick, const step_total_t& total) const;
+  void ForgetBefore(int64_t step);
+
   std::function<bool(std::string_view)> wants_;
+  const MissionSecret secret_;
   std::map<int64_t, std::map<std::string, Published, std::less<>>> steps_;
   std::vector<Stored> outside_;
   size_t outside_bytes_ = 0;
+  size_t num_sealed_ = 0;
+  size_t sealed_bytes_ = 0;
   int64_t next_step_ = -1;  ///< Messages of steps before this are late; -1: not known yet.
+  std::string first_forged_;
   InboxCounters counters_;
 };
 

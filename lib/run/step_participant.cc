@@ -27,7 +27,8 @@ StepParticipant::StepParticipant(ParticipantOptions options, PortPlan plan, Tran
     : options_(std::move(options)),
       plan_(std::move(plan)),
       transport_(transport),
-      inbox_([this](std::string_view channel) { return handlers_.Wants(channel); }),
+      inbox_([this](std::string_view channel) { return handlers_.Wants(channel); },
+             options_.secret),
       mission_id_(options_.mission_id) {
   transport_.Listen(plan_.tick_port(), channels::Tick().name);
   transport_.Listen(plan_.tick_port(), channels::Resend().name);
@@ -48,7 +49,7 @@ void StepParticipant::PublishBytes(std::string_view channel, std::span<const uin
               .mission_id = mission_id_,
               .step = step_,
               .sequence = sequence_++},
-             &sent.datagram);
+             options_.secret, channel, &sent.datagram);
   transport_.Send(plan_.PortOf(channel), channel, sent.datagram);
   ++counters_.published;
   sent_.back().messages.push_back(std::move(sent));
@@ -70,10 +71,11 @@ void StepParticipant::OnDatagram(int port, std::string_view channel,
                                  std::span<const uint8_t> datagram, int64_t wall_us) {
   if (port == plan_.tick_port()) {
     if (channel == topics::kTick) {
+      const auto message = Open(channel, datagram);
       tick_t tick;
-      if (Decode(datagram, &tick)) {
+      if (message && Decode(*message, &tick)) {
         OnTick(tick, wall_us);
-      } else {
+      } else if (message) {
         CountUndecodable(channel);
       }
     } else if (channel == topics::kResend) {
@@ -85,11 +87,22 @@ void StepParticipant::OnDatagram(int port, std::string_view channel,
     }
     return;
   }
-  const bool is_sealed = Unseal(datagram).seal.has_value();
   // What came from outside before the first tick came before the mission.
-  if (!is_sealed && step_ < 0 && !pending_) return;
-  inbox_.Add(channel, datagram, mission_id_);
-  if (is_sealed && pending_) TryStep();
+  if (step_ < 0 && !pending_ && !Unseal(datagram).seal) return;
+  const std::optional<int64_t> step = inbox_.Add(channel, datagram, mission_id_);
+  if (pending_ && step == pending_->step - 1 && --num_awaited_ <= 0) TryStep();
+}
+
+std::optional<std::span<const uint8_t>> StepParticipant::Open(std::string_view channel,
+                                                              std::span<const uint8_t> datagram) {
+  const Unsealed unsealed = Unseal(datagram);
+  if (unsealed.seal && mission_id_ != 0 && unsealed.seal->mission_id != mission_id_) {
+    ++num_foreign_ticks_;
+    return std::nullopt;
+  }
+  if (IsGenuine(unsealed, options_.secret, channel)) return unsealed.message;
+  ++num_forged_;
+  return std::nullopt;
 }
 
 void StepParticipant::OnTick(const tick_t& tick, int64_t wall_us) {
@@ -101,7 +114,7 @@ void StepParticipant::OnTick(const tick_t& tick, int64_t wall_us) {
   if (pending_ && tick.step <= pending_->step) return;
   if (tick.step <= step_) {
     // The clock did not receive the answer, be it to END: send it again.
-    if (tick.step == step_) SendUnsealed(channels::StepDone(), done_);
+    if (tick.step == step_) SendSealed(channels::StepDone(), done_, step_);
     return;
   }
   if (ended_ || !TakesPart(tick)) return;
@@ -125,7 +138,20 @@ bool StepParticipant::TakesPart(const tick_t& tick) const {
 }
 
 void StepParticipant::TryStep() {
-  if (inbox_.Missing(*pending_).empty()) RunStep();
+  num_awaited_ = 0;
+  for (const MiscountedMessages& each : inbox_.Missing(*pending_)) {
+    num_awaited_ += each.expected - each.received;
+  }
+  if (num_awaited_ > 0) return;
+  const std::vector<MiscountedMessages> excess = inbox_.Excess(*pending_);
+  if (excess.empty()) {
+    RunStep();
+    return;
+  }
+  const MiscountedMessages& first = excess.front();
+  SendDone(fmt::format("{} published {} messages on {} in step {} and announced {}",
+                       first.publisher, first.received, first.channel, pending_->step - 1,
+                       first.expected));
 }
 
 void StepParticipant::RunStep() {
@@ -165,6 +191,7 @@ void StepParticipant::SendDone(const std::string& fault) {
   done_.outside = inbox_.counters().outside;
   done_.foreign = num_foreign();
   done_.undecodable = counters_.undecodable;
+  done_.refused = num_refused();
   done_.fault = fault;
   if (step_ >= 0) {
     std::map<std::string_view, int32_t> counts;
@@ -174,14 +201,21 @@ void StepParticipant::SendDone(const std::string& fault) {
     }
     done_.num_published = static_cast<int32_t>(done_.published.size());
   }
-  SendUnsealed(channels::StepDone(), done_);
+  SendSealed(channels::StepDone(), done_, step_);
 }
 
 template <class T>
-void StepParticipant::SendUnsealed(const Channel<T>& channel, const T& message) {
+void StepParticipant::SendSealed(const Channel<T>& channel, const T& message, int64_t step) {
   Bytes bytes;
   EncodeInto(message, &bytes);
+  AppendSeal({.publisher = options_.name, .mission_id = mission_id_, .step = step, .sequence = 0},
+             options_.secret, channel.name, &bytes);
   transport_.Send(plan_.PortOf(channel.name), channel.name, bytes);
+}
+
+int64_t StepParticipant::num_refused() const {
+  return num_forged_ + inbox_.counters().forged + inbox_.counters().no_room +
+         transport_.num_refused();
 }
 
 void StepParticipant::OnTime(int64_t wall_us) {
@@ -193,9 +227,9 @@ void StepParticipant::OnTime(int64_t wall_us) {
     return;
   }
   if (!pending_ || wall_us < next_request_) return;
-  const std::vector<MissingMessages> missing = inbox_.Missing(*pending_);
+  const std::vector<MiscountedMessages> missing = inbox_.Missing(*pending_);
   if (missing.empty()) {
-    RunStep();
+    TryStep();
     return;
   }
   next_request_ = wall_us + kRequestInterval_us;
@@ -203,7 +237,7 @@ void StepParticipant::OnTime(int64_t wall_us) {
     RequestMissing(missing);
     return;
   }
-  const MissingMessages& first = missing.front();
+  const MiscountedMessages& first = missing.front();
   SendDone(fmt::format(
       "{} of {} messages of {} on {} in step {} never reached {}, though asked for again for "
       "{:.1f} s",
@@ -217,8 +251,8 @@ int64_t StepParticipant::NextDeadline() const {
   return std::numeric_limits<int64_t>::max();
 }
 
-void StepParticipant::RequestMissing(const std::vector<MissingMessages>& missing) {
-  for (const MissingMessages& each : missing) {
+void StepParticipant::RequestMissing(const std::vector<MiscountedMessages>& missing) {
+  for (const MiscountedMessages& each : missing) {
     num_requests_ += each.expected - each.received;
     resend_t request;
     request.utime = utime_;
@@ -227,13 +261,15 @@ void StepParticipant::RequestMissing(const std::vector<MissingMessages>& missing
     request.requester = options_.name;
     request.publisher = each.publisher;
     request.channel = each.channel;
-    SendUnsealed(channels::Resend(), request);
+    SendSealed(channels::Resend(), request, request.step);
   }
 }
 
 void StepParticipant::OnResend(std::span<const uint8_t> datagram, int64_t wall_us) {
+  const auto message = Open(topics::kResend, datagram);
   resend_t request;
-  if (!Decode(datagram, &request)) {
+  if (!message) return;
+  if (!Decode(*message, &request)) {
     CountUndecodable(topics::kResend);
     return;
   }
@@ -265,7 +301,9 @@ void StepParticipant::OnAppcastRequest(std::span<const uint8_t> datagram, int64_
   if (request.app != "all" && request.app != options_.name) return;
   if (wall_us < next_page_) return;
   next_page_ = wall_us + kPageInterval_us;
-  SendUnsealed(channels::Appcast(), ToAppcast(Status(), options_.name, utime_, step_));
+  Bytes bytes;  // Pages are read by programs that do not step; they have no seal.
+  EncodeInto(ToAppcast(Status(), options_.name, utime_, step_), &bytes);
+  transport_.Send(plan_.PortOf(topics::kAppcast), topics::kAppcast, bytes);
 }
 
 void StepParticipant::OnAppRequest(std::string_view channel, std::span<const uint8_t> datagram,
@@ -287,6 +325,16 @@ StatusPage StepParticipant::Status() const {
   for (const auto& [channel, count] : counters_.undecodable_by_channel) {
     page.run_warnings.push_back(fmt::format("{} undecodable messages on {}", count, channel));
   }
+  if (num_forged_ + inbox_.counters().forged > 0) {
+    page.run_warnings.push_back(fmt::format(
+        "{} messages refused whose seals do not prove this mission's secret{}",
+        num_forged_ + inbox_.counters().forged,
+        inbox_.first_forged().empty() ? "" : "; the first: on " + inbox_.first_forged()));
+  }
+  if (inbox_.counters().no_room > 0) {
+    page.run_warnings.push_back(fmt::format("{} sealed messages refused: more than {} wait",
+                                            inbox_.counters().no_room, StepInbox::kMaxSealed));
+  }
   if (inbox_.counters().dropped > 0) {
     page.run_warnings.push_back(
         fmt::format("{} messages from outside dropped: more than {} in one step",
@@ -294,9 +342,9 @@ StatusPage StepParticipant::Status() const {
   }
   page.text += fmt::format(
       "\nBus: {} published, {} handled, {} undecodable, {} from outside, {} asked for again, {} "
-      "late or repeated\n",
+      "late or repeated, {} refused\n",
       counters_.published, counters_.handled, counters_.undecodable, inbox_.counters().outside,
-      num_requests_, inbox_.counters().late);
+      num_requests_, inbox_.counters().late, num_refused());
   return page;
 }
 

@@ -5,7 +5,7 @@
 //     | STEP_DONE -1,           | TICK k, something is missing                   |
 //     | every 0.2 s             v                                                |
 //     +--                    COLLECTING -- RESEND every 50 ms; repeats arrive ---+
-//                               | still missing after 3 s                  handle, Tick, publish,
+//                               | still missing after 3 s, or too many     handle, Tick, publish,
 //                               v                                       STEP_DONE k
 //                            STEP_DONE with a fault; the clock ends the mission
 //
@@ -36,6 +36,7 @@ struct ParticipantOptions {
   std::string name;
   int64_t mission_id = 0;  ///< 0: that of the first tick received.
   int32_t pid = 0;
+  MissionSecret secret = {};
   /// For this long a missing message is asked for again. A repeat takes well under a millisecond;
   /// three seconds in vain mean that it never gets through. Less than the clock's time-out.
   int64_t give_up_us = 3'000'000;
@@ -80,15 +81,19 @@ class StepParticipant : public Bus {
 
   void OnTick(const tick_t& tick, int64_t wall_us);
   bool TakesPart(const tick_t& tick) const;
+  /// Takes apart a datagram of the step protocol itself. Absent: refused, and counted.
+  std::optional<std::span<const uint8_t>> Open(std::string_view channel,
+                                               std::span<const uint8_t> datagram);
   void TryStep();
   void RunStep();
   void SendDone(const std::string& fault);
-  void RequestMissing(const std::vector<MissingMessages>& missing);
+  void RequestMissing(const std::vector<MiscountedMessages>& missing);
   void OnResend(std::span<const uint8_t> datagram, int64_t wall_us);
   void OnAppcastRequest(std::span<const uint8_t> datagram, int64_t wall_us);
   void OnAppRequest(std::string_view channel, std::span<const uint8_t> datagram, int64_t wall_us);
   template <class T>
-  void SendUnsealed(const Channel<T>& channel, const T& message);
+  void SendSealed(const Channel<T>& channel, const T& message, int64_t step);
+  int64_t num_refused() const;
 
   const ParticipantOptions options_;
   const PortPlan plan_;
@@ -102,6 +107,7 @@ class StepParticipant : public Bus {
   int64_t utime_ = 0;              ///< Of that step.
   double warp_ = 0;                ///< Last given to the app.
   std::optional<tick_t> pending_;  ///< The tick whose messages are being collected.
+  int64_t num_awaited_ = 0;        ///< Of its messages; where it is 0, they are counted again.
   int64_t collecting_since_ = 0;
   int64_t next_request_ = 0;
   int64_t next_hello_ = 0;
@@ -114,6 +120,7 @@ class StepParticipant : public Bus {
   step_done_t done_{};         ///< The last answer, to be given again.
   int64_t num_requests_ = 0;   ///< Datagrams asked for again.
   int64_t num_foreign_ticks_ = 0;
+  int64_t num_forged_ = 0;  ///< Of the step protocol's own messages.
   bool ended_ = false;
 };
 

@@ -7,6 +7,7 @@
 
 #include "lib/bus/channels.h"
 #include "lib/bus/memory_bus.h"
+#include "lib/bus/seal.h"
 #include "lib/run/fake_network.h"
 #include "lib/run/step_clock.h"
 #include "lib/run/step_participant.h"
@@ -74,6 +75,18 @@ ClockOptions Options(double warp = 0) {
           .start_utime = 0,
           .last_step = kLastStep,
           .timeout_us = 5'000'000};
+}
+
+/// Returns an answer as its participant sends it.
+Bytes Sealed(const step_done_t& done) {
+  Bytes bytes;
+  EncodeInto(done, &bytes);
+  AppendSeal({.publisher = done.participant,
+              .mission_id = done.mission_id,
+              .step = done.step,
+              .sequence = 0},
+             MissionSecret{}, topics::kStepDone, &bytes);
+  return bytes;
 }
 
 /// Runs clock and participants over `network` in invented time.
@@ -177,6 +190,61 @@ TEST(StepProtocol, NamesTheMessagesThatNeverArrive) {
       << outcome.fault;
 }
 
+TEST(StepProtocol, NamesAPublisherOfMoreThanItAnnounced) {
+  FakeNetwork network;
+  const Outcome outcome =
+      RunOver(network, 1.0, [](int64_t, StepClock& clock, std::vector<Member>& members) {
+        if (clock.step() != 10) return;
+        Bytes surplus;
+        unc_control_t message{};
+        message.vehicle = "a";
+        EncodeInto(message, &surplus);
+        AppendSeal({.publisher = "a", .mission_id = kMissionId, .step = 10, .sequence = 99},
+                   MissionSecret{}, "SECOND", &surplus);
+        const int shore = PortPlan(7665, Layout::kShared, {}).shore_port();
+        members[0].node->Send(shore, "SECOND", surplus);
+      });
+  EXPECT_NE(outcome.fault.find("a published 2 messages on SECOND in step 10 and announced 1"),
+            std::string::npos)
+      << outcome.fault;
+}
+
+TEST(StepProtocol, RefusesAnswersTicksAndRequestsWithoutTheSecret) {
+  FakeNetwork network;
+  const Outcome outcome =
+      RunOver(network, 1.0, [&](int64_t, StepClock& clock, std::vector<Member>& members) {
+        if (clock.step() != 10) return;
+        MissionSecret other;
+        other.bytes[0] = 1;
+        const PortPlan plan(7665, Layout::kShared, {});
+        const auto send = [&](const auto& channel, const auto& message, bool is_sealed) {
+          Bytes bytes;
+          EncodeInto(message, &bytes);
+          if (is_sealed) {
+            AppendSeal({.publisher = "a", .mission_id = kMissionId, .step = 10, .sequence = 0},
+                       other, channel.name, &bytes);
+          }
+          members[0].node->Send(plan.PortOf(channel.name), channel.name, bytes);
+        };
+        step_done_t done{};
+        done.mission_id = kMissionId;
+        done.participant = "a";
+        done.fault = "forged";
+        tick_t tick{};
+        tick.mission_id = kMissionId;
+        tick.step = 1000;
+        tick.kind = tick_t::END;
+        for (const bool is_sealed : {false, true}) {
+          send(channels::StepDone(), done, is_sealed);
+          send(channels::Tick(), tick, is_sealed);
+        }
+      });
+  EXPECT_EQ(outcome.fault, "");
+  EXPECT_EQ(outcome.state, StepClock::State::kEnded);
+  EXPECT_EQ(outcome.transcripts, RunInMemory());
+  EXPECT_GT(outcome.counters.refused, 0);
+}
+
 TEST(StepProtocol, NamesAParticipantThatDoesNotAnswer) {
   FakeNetwork network;
   const Outcome outcome =
@@ -278,8 +346,7 @@ TEST(StepProtocol, RefusesASecondProcessOfTheSameName) {
         done.step = clock.step();
         done.participant = "b";
         done.pid = 2;
-        Bytes bytes;
-        EncodeInto(done, &bytes);
+        const Bytes bytes = Sealed(done);
         if (clock.step() == 5) impostor.Send(plan.done_port(), "STEP_DONE", bytes);
       });
   EXPECT_NE(outcome.fault.find("two processes call themselves b (pid 1 and 2)"), std::string::npos)
@@ -295,9 +362,7 @@ TEST(StepProtocol, BlamesNoParticipantWhenTheClockItselfStoodStill) {
   hello.mission_id = kMissionId;
   hello.step = -1;
   hello.participant = "a";
-  Bytes bytes;
-  EncodeInto(hello, &bytes);
-  clock.OnDatagram(plan.done_port(), "STEP_DONE", bytes, 0);
+  clock.OnDatagram(plan.done_port(), "STEP_DONE", Sealed(hello), 0);
   clock.OnTime(0);
   ASSERT_EQ(clock.state(), StepClock::State::kRunning);
   clock.OnTime(60'000'000);  // The machine slept for a minute.

@@ -106,7 +106,7 @@ TEST(OpenedLog, OfLcmLoggerIsShownInTheTimeOfItsMessages) {
     // The mission ran at twice the speed of the wall's clock.
     event.utime = 1'700'000'000'000'000 + event.utime / 2;
     AppendSeal({.publisher = "sim", .mission_id = 7, .step = 1, .sequence = ++sequence},
-               &event.data);
+               MissionSecret{}, event.channel, &event.data);
   }
   WriteLog(directory.File("wall.lcm"), events);
   const auto wall = OpenOrFail(directory.File("wall.lcm"));

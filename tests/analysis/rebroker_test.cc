@@ -265,7 +265,7 @@ RC_GTEST_PROP(Rebroker, SurvivesAnyLog, ()) {
                     .mission_id = *rc::gen::inRange<int64_t>(0, 2),
                     .step = *rc::gen::arbitrary<int64_t>(),
                     .sequence = *rc::gen::arbitrary<uint32_t>()},
-                   &event.data);
+                   MissionSecret{}, event.channel, &event.data);
         break;
       default:
         if (!event.data.empty()) {

@@ -149,7 +149,7 @@ inline std::vector<TestEvent> Sealed(std::vector<TestEvent> events, int64_t tick
                 .mission_id = mission_id,
                 .step = event.utime / tick_us,
                 .sequence = sequence++},
-               &event.data);
+               MissionSecret{}, event.channel, &event.data);
     event.utime = 1'700'000'000'000'000 + event.utime / 10 + sequence;
   }
   return events;

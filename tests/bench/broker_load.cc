@@ -31,8 +31,8 @@
 #include <vector>
 
 #include "lib/bus/channels.h"
-#include "lib/bus/datagram_listener.h"
 #include "lib/bus/lcm_bus.h"
+#include "lib/bus/lcm_receiver.h"
 #include "lib/bus/socket_drops.h"
 #include "lib/run/run_app.h"
 
@@ -169,7 +169,10 @@ int Receive(const PortPlan& ports, int num_vehicles) {
   latencies_us.reserve(4'000'000);
   // In the shared layout all deliveries come on the shore's port, else on the communities'.
   const std::vector<int> all = ports.DataPorts();
-  DatagramListener listener(std::span<const int>(all).subspan(all.size() > 1 ? 1 : 0));
+  LcmReceiver listener(FilterPlace::kProcess);
+  for (const int port : std::span<const int>(all).subspan(all.size() > 1 ? 1 : 0)) {
+    listener.ListenToAll(port);
+  }
   if (!listener.error().empty()) {
     fmt::print(stderr, "broker_load: {}\n", listener.error());
     return 3;
@@ -178,21 +181,22 @@ int Receive(const PortPlan& ports, int num_vehicles) {
   std::fflush(stdout);
   node_report_t report;
   while (!stop_wanted) {
-    listener.Poll(100, [&](std::string_view channel, std::span<const uint8_t> message) {
-      const int64_t now_us = MonotonicMicroseconds();
-      constexpr std::string_view kPrefix = "NODE_REPORT_V";
-      if (!channel.starts_with(kPrefix) || !Decode(message, &report)) return;
-      if (report.mode != kMeasured) return;
-      const size_t source = NumberOf(report.name) - 1;
-      const size_t receiver = NumberOf(channel.substr(kPrefix.size() - 1)) - 1;
-      if (source >= num || receiver >= num) return;
-      latencies_us.push_back(now_us - report.utime);
-      Pair& pair = pairs[receiver * num + source];
-      ++pair.count;
-      if (pair.first_index < 0) pair.first_index = report.index;
-      if (report.index <= pair.last_index) ++pair.out_of_order;
-      pair.last_index = std::max(pair.last_index, report.index);
-    });
+    listener.Poll(100'000, -1,
+                  [&](int, std::string_view channel, std::span<const uint8_t> message) {
+                    const int64_t now_us = MonotonicMicroseconds();
+                    constexpr std::string_view kPrefix = "NODE_REPORT_V";
+                    if (!channel.starts_with(kPrefix) || !Decode(message, &report)) return;
+                    if (report.mode != kMeasured) return;
+                    const size_t source = NumberOf(report.name) - 1;
+                    const size_t receiver = NumberOf(channel.substr(kPrefix.size() - 1)) - 1;
+                    if (source >= num || receiver >= num) return;
+                    latencies_us.push_back(now_us - report.utime);
+                    Pair& pair = pairs[receiver * num + source];
+                    ++pair.count;
+                    if (pair.first_index < 0) pair.first_index = report.index;
+                    if (report.index <= pair.last_index) ++pair.out_of_order;
+                    pair.last_index = std::max(pair.last_index, report.index);
+                  });
   }
 
   Pair sum;

@@ -1,7 +1,12 @@
 // What unregistered participants and a bad network do to a running mission.
+#include <arpa/inet.h>
 #include <gtest/gtest.h>
+#include <netinet/in.h>
 #include <signal.h>
+#include <sys/socket.h>
+#include <unistd.h>
 
+#include <fstream>
 #include <random>
 
 #include "lib/bus/channels.h"
@@ -109,13 +114,18 @@ TEST(AnotherMission, OnTheSamePortsIsRejectedAndReported) {
   nav.x_m = 1e5;
   Bytes bytes;
   EncodeInto(nav, &bytes);
-  AppendSeal({.publisher = "vehicle_sim_alpha", .mission_id = 1, .step = 5, .sequence = 0}, &bytes);
+  AppendSeal({.publisher = "vehicle_sim_alpha", .mission_id = 1, .step = 5, .sequence = 0},
+             MissionSecret{}, "NAV_ALPHA", &bytes);
   tick_t tick{};
   tick.mission_id = 1;
   tick.step = 1'000'000;
+  Bytes sealed_tick;
+  EncodeInto(tick, &sealed_tick);
+  AppendSeal({.publisher = "clock", .mission_id = 1, .step = tick.step, .sequence = 0},
+             MissionSecret{}, topics::kTick, &sealed_tick);
   for (int i = 0; i < 10; ++i) {
     bus.PublishBytes("NAV_ALPHA", bytes);
-    Publish(bus, channels::Tick(), tick);
+    bus.PublishBytes(topics::kTick, sealed_tick);
   }
   const Finished finished = process->Wait();
   EXPECT_EQ(finished.exit_code, 0) << finished.output;
@@ -123,6 +133,128 @@ TEST(AnotherMission, OnTheSamePortsIsRejectedAndReported) {
       << finished.output;
   EXPECT_NE(finished.output.find("Reproducible: yes"), std::string::npos)
       << "what was rejected must not count as input: " << finished.output;
+}
+
+/// Sends a datagram as it is, to all listeners of a port.
+void SendRaw(int port, std::string_view datagram) {
+  const int sender = socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);
+  const int ttl = 0;
+  setsockopt(sender, IPPROTO_IP, IP_MULTICAST_TTL, &ttl, sizeof ttl);
+  sockaddr_in address{};
+  address.sin_family = AF_INET;
+  address.sin_port = htons(static_cast<uint16_t>(port));
+  address.sin_addr.s_addr = inet_addr(kLcmGroup);
+  EXPECT_EQ(sendto(sender, datagram.data(), datagram.size(), 0,
+                   reinterpret_cast<const sockaddr*>(&address), sizeof address),
+            static_cast<ssize_t>(datagram.size()));
+  close(sender);
+}
+
+TEST(Attack, DatagramsThatEndLiblcmEndNoProcess) {
+  const TestFolder folder;
+  const auto process = StartAlpha(folder, "2", {"--record", folder / "record"});
+  const PortPlan ports = PortsOf(folder);
+  for (int port = ports.base(); port < ports.base() + ports.num_ports(); ++port) {
+    for (const std::string channel : {"TICK", "STEP_DONE", "NAV_ALPHA", "X"}) {
+      // A channel name without its end; a fragment whose offset and length wrap.
+      SendRaw(port, "LC02" + std::string(4, '\1') + channel);
+      SendRaw(port, "LC03" + std::string("\0\0\0\1\0\0\3\xe8\xff\xff\xff\xce\0\0\0\2", 16) +
+                        channel + std::string(101, '\0'));
+    }
+  }
+  EXPECT_EQ(RunShoal(folder, {"send", "clock", "warp", "max"}).exit_code, 0);
+  const Finished finished = process->Wait();
+  EXPECT_EQ(finished.exit_code, 0) << finished.output;
+  EXPECT_EQ(finished.output.find("LOST"), std::string::npos) << finished.output;
+  EXPECT_NE(finished.output.find("Reproducible: yes"), std::string::npos) << finished.output;
+}
+
+TEST(Attack, CopiedSealsWithOtherNumbersAreRefusedAndNamed) {
+  const TestFolder folder;
+  const auto process = StartAlpha(folder, "2", {"--record", folder / "record"});
+  const PortPlan ports = PortsOf(folder);
+  LcmTransport attacker;
+  int num_forged = 0;
+  attacker.set_receiver([&](int port, std::string_view channel, std::span<const uint8_t> datagram) {
+    Bytes forged(datagram.begin(), datagram.end());
+    if (!Unseal(forged).seal || num_forged >= 50) return;
+    forged[forged.size() - 21] ^= 0x40;  // The sequence number: another message of the same step.
+    attacker.Send(port, channel, forged);
+    ++num_forged;
+  });
+  attacker.Listen(ports.PortOf("NAV_ALPHA"), "NAV_ALPHA");
+  const double end_s = WallSeconds() + kPatience_s;
+  while (num_forged < 50 && WallSeconds() < end_s) attacker.Poll(50'000);
+  ASSERT_EQ(num_forged, 50);
+  const std::string text =
+      "messages refused whose seals do not prove this mission's secret; the "
+      "first: on NAV_ALPHA in the name of vehicle_sim_alpha";
+  EXPECT_NE(AwaitStatus(folder, "helm_alpha", {text}).find(text), std::string::npos);
+  EXPECT_EQ(RunShoal(folder, {"send", "clock", "warp", "max"}).exit_code, 0);
+  const Finished finished = process->Wait();
+  EXPECT_EQ(finished.exit_code, 0) << finished.output;
+  EXPECT_NE(finished.output.find("Reproducible: yes"), std::string::npos) << finished.output;
+  EXPECT_EQ(finished.output.find(" 0 refused"), std::string::npos) << finished.output;
+  // Nothing of it is in the log: it is that of an undisturbed run.
+  const Finished undisturbed = RunShoal(folder, {"run", MissionFile("alpha.toml"), "--warp", "max",
+                                                 "--record", folder / "undisturbed"});
+  EXPECT_EQ(undisturbed.exit_code, 0) << undisturbed.output;
+  const Finished difference = RunShoal(
+      folder, {"log", "diff", folder / "record/mission.lcm", folder / "undisturbed/mission.lcm"});
+  EXPECT_EQ(difference.exit_code, 0) << difference.output;
+}
+
+TEST(Attack, AnswersWithoutTheSecretAreRefusedAndNamed) {
+  const TestFolder folder;
+  const auto process = StartAlpha(folder, "2");
+  LcmBus bus(PortsOf(folder));
+  step_done_t done{};
+  done.step = 3;
+  done.mission_id = FindRunningMission(0)->mission_id;
+  done.participant = "helm_alpha";
+  done.fault = "forged";
+  Publish(bus, channels::StepDone(), done);
+  tick_t tick{};
+  tick.mission_id = done.mission_id;
+  tick.step = 1'000'000;
+  tick.kind = tick_t::END;
+  Publish(bus, channels::Tick(), tick);
+  EXPECT_TRUE(process->WaitFor("an answer in the name of helm_alpha was refused"))
+      << process->Output();
+  EXPECT_EQ(RunShoal(folder, {"send", "clock", "warp", "max"}).exit_code, 0);
+  const Finished finished = process->Wait();
+  EXPECT_EQ(finished.exit_code, 0) << finished.output;
+  EXPECT_NE(finished.output.find("Reproducible: yes"), std::string::npos) << finished.output;
+}
+
+TEST(Attack, AFloodOfSealedMessagesWhileTheClockIsPausedTakesNoMemory) {
+  const TestFolder folder;
+  const auto process = StartAlpha(folder, "2");
+  EXPECT_EQ(RunShoal(folder, {"send", "clock", "pause"}).exit_code, 0);
+  const PortPlan ports = PortsOf(folder);
+  const RunningMission running = *FindRunningMission(0);
+  const auto resident_kB = [&] {
+    std::ifstream in("/proc/" + std::to_string(running.pid) + "/statm");
+    int64_t pages = 0;
+    in >> pages >> pages;
+    return pages * sysconf(_SC_PAGESIZE) / 1024;
+  };
+  const int64_t before_kB = resident_kB();
+  LcmTransport attacker;
+  for (uint32_t i = 0; i < 60'000; ++i) {
+    Bytes bytes(1000);
+    AppendSeal({.publisher = "vehicle_sim_alpha",
+                .mission_id = running.mission_id,
+                .step = 1 + i % 1000,
+                .sequence = i},
+               MissionSecret{}, "NODE_REPORT_ALPHA", &bytes);
+    attacker.Send(ports.shore_port(), i % 2 == 0 ? "NODE_REPORT_ALPHA" : "HELM_STATE_ALPHA", bytes);
+  }
+  EXPECT_LT(resident_kB() - before_kB, 20'000) << "60 MB were sent";
+  EXPECT_EQ(RunShoal(folder, {"send", "clock", "resume"}).exit_code, 0);
+  EXPECT_EQ(RunShoal(folder, {"send", "clock", "warp", "max"}).exit_code, 0);
+  const Finished finished = process->Wait();
+  EXPECT_EQ(finished.exit_code, 0) << finished.output;
 }
 
 TEST(LossForGood, EndsTheMissionWithTheRightAdvice) {
