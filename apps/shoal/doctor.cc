@@ -90,12 +90,8 @@ Diagnosis DiagnosePorts(const DoctorFacts& facts) {
 }
 
 Diagnosis DiagnoseRunning(const DoctorFacts& facts) {
-  if (!facts.run_dir_writable) {
-    return {.health = Health::kFail,
-            .text = fmt::format("running missions: cannot write {}, where each mission leaves its "
-                                "address for `shoal send` and `shoal status`",
-                                facts.run_dir),
-            .remedies = {"export SHOAL_RUN_DIR=$(mktemp -d)"}};
+  if (!facts.run_folder_error.empty()) {
+    return {.health = Health::kFail, .text = "running missions: " + facts.run_folder_error};
   }
   if (facts.running.empty()) return {.text = "running missions: none"};
   std::string list;

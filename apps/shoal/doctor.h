@@ -26,9 +26,8 @@ struct DoctorFacts {
   int64_t receive_buffer_limit_bytes = 0;  ///< net.core.rmem_max
   std::vector<RunningMission> running;
   std::optional<int> port_base;  ///< Where the next mission's ports would begin.
-  std::string run_dir;
-  bool run_dir_writable = false;
-  std::string folder;  ///< The current one, where recordings go.
+  std::string run_folder_error;  ///< Empty, or why missions cannot use it, with the remedy.
+  std::string folder;            ///< The current one, where recordings go.
   std::optional<int64_t> folder_free_bytes;
   std::optional<int64_t> max_open_files;  ///< ulimit -n; absent: no limit.
   std::optional<int64_t> max_threads;     ///< ulimit -u and the container's limit; absent: none.

@@ -20,6 +20,7 @@
 #include "lib/analysis/plot_gnuplot.h"
 #include "lib/bus/lcm_transport.h"
 #include "lib/run/run_app.h"
+#include "lib/run/run_folder.h"
 
 namespace shoal {
 
@@ -148,15 +149,19 @@ DoctorFacts CollectDoctorFacts() {
   facts.multicast = TryMulticast();
   facts.in_container = Exists("/.dockerenv") || Exists("/run/.containerenv");
   facts.receive_buffer_limit_bytes = ReceiveBufferLimit();
-  facts.running = RunningMissions();
   if (const Result<int> base = ClaimPorts(0, kPortsOfASmallMission); base.ok()) {
     facts.port_base = *base;
   }
+  if (Result<std::vector<RunningMission>> running = RunningMissions(); running.ok()) {
+    facts.running = std::move(*running);
+    // What a mission does first; a full disk shows here too.
+    const Result<std::string> written = WriteRunFile("doctor", "");
+    if (!written.ok()) facts.run_folder_error = written.error();
+    RemoveRunFile("doctor");
+  } else {
+    facts.run_folder_error = running.error();
+  }
   std::error_code error;
-  facts.run_dir = RunDirectory();
-  fs::create_directories(facts.run_dir, error);
-  facts.run_dir_writable = access(facts.run_dir.c_str(), W_OK | X_OK) == 0;
-
   facts.folder = fs::current_path(error).string();
   struct statvfs disk {};
   if (statvfs(".", &disk) == 0) {

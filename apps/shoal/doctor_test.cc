@@ -14,8 +14,6 @@ DoctorFacts HealthyMachine() {
   facts.multicast = {.sent = 100, .opened = true, .received = 100};
   facts.receive_buffer_limit_bytes = 4 * 1024 * 1024;
   facts.port_base = PortPlan::kDefaultBase;
-  facts.run_dir = "/run/user/1000/shoal";
-  facts.run_dir_writable = true;
   facts.folder = "/home/ada";
   facts.folder_free_bytes = int64_t{100} << 30;
   facts.max_open_files = 1024;
@@ -125,10 +123,10 @@ TEST(Doctor, ListsTheMissionsThatRun) {
 
 TEST(Doctor, FailsWhereMissionsCannotLeaveTheirAddress) {
   DoctorFacts facts = HealthyMachine();
-  facts.run_dir_writable = false;
+  facts.run_folder_error = "the folder of running missions, /tmp/shoal-7, belongs to user 8";
   const Diagnosis diagnosis = OnlyFinding(facts);
   EXPECT_EQ(diagnosis.health, Health::kFail);
-  EXPECT_NE(diagnosis.text.find(facts.run_dir), std::string::npos);
+  EXPECT_NE(diagnosis.text.find("/tmp/shoal-7"), std::string::npos);
 }
 
 TEST(Doctor, WarnsBeforeTheDiskIsFullAndFailsWhenItIs) {

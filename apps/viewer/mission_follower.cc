@@ -74,10 +74,11 @@ void MissionFollower::LookAfterMission() {
   // Before the missions are listed: listing them removes the entries of missions that have died.
   std::error_code error;
   const bool has_entry = std::filesystem::exists(EntryPath(running.port_base), error);
-  const std::vector<RunningMission> missions = RunningMissions();
-  const bool runs = std::any_of(missions.begin(), missions.end(), [&](const RunningMission& each) {
-    return each.mission_id == running.mission_id;
-  });
+  const Result<std::vector<RunningMission>> missions = RunningMissions();
+  const bool runs = missions.ok() && std::any_of(missions->begin(), missions->end(),
+                                                 [&](const RunningMission& each) {
+                                                   return each.mission_id == running.mission_id;
+                                                 });
   if (runs) return;
   last_mission_id_ = running.mission_id;
   session_->Leave(session_->is_ending() || !has_entry ? "ended" : "lost");

@@ -15,8 +15,8 @@
 namespace shoal {
 
 /// Returns a program of at most `max_instructions` that accepts every datagram whose channel is one
-/// of `names`; the others it refuses, as far as that many instructions can tell. Empty: nothing can
-/// be told; attach no filter.
+/// of `names`; the others it refuses, as far as that many instructions can distinguish them. Empty:
+/// they cannot; attach no filter.
 /// @pre no name is empty
 std::vector<sock_filter> ChannelFilter(const std::vector<std::string>& names,
                                        size_t max_instructions);

@@ -35,7 +35,7 @@ class LcmAssembler {
   static constexpr size_t kMaxPendingBytes = size_t{16} * 1024 * 1024;
   static constexpr size_t kMaxPending = 64;  ///< Messages that wait for fragments.
 
-  /// Takes a datagram as it came. `sender` tells the senders of fragments apart: any number.
+  /// Takes a datagram as it came. `sender` distinguishes the senders of fragments: any number.
   /// Returns the message that it completes, if it completes one.
   std::optional<LcmMessage> Add(uint64_t sender, std::span<const uint8_t> datagram);
 

@@ -71,7 +71,10 @@ Result<pid_t> ChildProcesses::Start(const ChildCommand& command) {
   const std::vector<std::string> environment = EnvironmentWith(command.environment);
   const std::vector<char*> argv = Pointers(command.argv);
   const std::vector<char*> envp = Pointers(environment);
-  const int log = open(command.log_path.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC,
+  // A private log is made by this process, so that no other has opened it before.
+  const int log = open(command.log_path.c_str(),
+                       O_WRONLY | O_CREAT | O_APPEND | O_NOFOLLOW | O_CLOEXEC |
+                           (command.is_log_private ? O_EXCL : 0),
                        command.is_log_private ? 0600 : 0644);
   if (log < 0) {
     return Error{fmt::format("cannot write {}: {}", command.log_path, std::strerror(errno))};

@@ -12,6 +12,7 @@
 #include "lib/check/time_units.h"
 #include "lib/launch/recording.h"
 #include "lib/run/run_app.h"
+#include "lib/run/run_folder.h"
 #include "lib/run/run_registry.h"
 
 namespace shoal {
@@ -55,6 +56,19 @@ ClockOptions MakeClockOptions(const RunOptions& options, const Mission& mission,
           .start_utime = mission.start_utime,
           .last_step = mission.LastStep(),
           .timeout_us = static_cast<int64_t>(mission.participant_timeout_s * 1e6)};
+}
+
+/// Makes the folder for the participants' output: in the recording, or in the run folder.
+Result<std::string> MakeLogFolder(const RunOptions& options, const Mission& mission,
+                                  int port_base) {
+  if (options.record_dir.empty()) return MakeRunSubfolder(fmt::format("{}-logs", port_base));
+  const Result<bool> prepared = PrepareRecording(options, mission);
+  if (!prepared.ok()) return Error{prepared.error()};
+  std::string path = options.record_dir + "/logs";
+  std::error_code error;
+  std::filesystem::create_directory(path, error);
+  if (error) return Error{fmt::format("cannot make the folder {}: {}", path, error.message())};
+  return path;
 }
 
 std::vector<std::string> ParticipantNames(const std::vector<RosterEntry>& roster) {
@@ -211,22 +225,17 @@ int RunMission(const RunOptions& options, const Mission& mission,
       .pid = getpid(),
       .vehicles = vehicles,
       .overrides = options.overrides};
-  std::string log_dir = fmt::format("{}/{}-logs", RunDirectory(), *base);
-  if (!options.record_dir.empty()) {
-    if (const auto prepared = PrepareRecording(options, mission); !prepared.ok()) {
-      return fail(prepared.error());
-    }
-    log_dir = options.record_dir + "/logs";
-  }
-  std::error_code error;
-  if (options.record_dir.empty()) std::filesystem::remove_all(log_dir, error);
-  std::filesystem::create_directories(log_dir, error);
-  if (error) return fail(fmt::format("cannot make the folder {}: {}", log_dir, error.message()));
   const MissionSecret secret = RandomSecret();
   if (const auto kept = KeepSecret(*base, secret); !kept.ok()) return fail(kept.error());
   const Result<int> secret_fd = SecretInMemory(secret);
   if (!secret_fd.ok()) return fail(secret_fd.error());
+  // Before the recording, which would leave a folder behind.
   if (const auto registered = Register(running); !registered.ok()) return fail(registered.error());
+  const Result<std::string> log_dir = MakeLogFolder(options, mission, *base);
+  if (!log_dir.ok()) {
+    Unregister(*base);
+    return fail(log_dir.error());
+  }
   LaunchTerminal::Print(fmt::format(
       "{}: {} vehicles, seed {}, LCM ports {} to {} ({})\n", mission.name, vehicles.size(),
       mission.seed, *base,
@@ -235,7 +244,7 @@ int RunMission(const RunOptions& options, const Mission& mission,
   {
     const int signal_fd = BlockSignals();
     Launcher launcher(options, mission, make_director, running.Ports(), running.mission_id, secret,
-                      *secret_fd, log_dir);
+                      *secret_fd, *log_dir);
     code = launcher.Run(signal_fd);
     close(signal_fd);
   }

@@ -81,7 +81,9 @@ int RunLive(const LiveOptions& options, Mission mission,
     fmt::print(stderr, "{}: {}\n", options.name, why);
     return static_cast<int>(kExitEnvironment);
   };
-  for (const RunningMission& other : RunningMissions()) {
+  const Result<std::vector<RunningMission>> others = RunningMissions();
+  if (!others.ok()) return fail(others.error());
+  for (const RunningMission& other : *others) {
     const PortPlan& ours = options.ports;
     const PortPlan theirs = other.Ports();
     if (theirs.base() < ours.base() + ours.num_ports() &&

@@ -32,14 +32,17 @@ constexpr int64_t kPollInterval_us = 100'000;
 /// answered.)
 constexpr int64_t kLinger_us = 300'000;
 
-/// Waits until a launcher runs this mission file, for apps that a user starts.
-std::optional<RunningMission> AwaitMission(const std::string& file) {
+/// Waits until a launcher runs this mission file, for apps that a user starts; nothing where a
+/// signal asks for the end.
+Result<std::optional<RunningMission>> AwaitMission(const std::string& file) {
   std::error_code error;
   const std::string wanted = std::filesystem::absolute(file, error).lexically_normal().string();
   bool is_announced = false;
   while (!stop_wanted) {
-    for (const RunningMission& mission : RunningMissions()) {
-      if (mission.file == wanted) return mission;
+    const Result<std::vector<RunningMission>> missions = RunningMissions();
+    if (!missions.ok()) return Error{missions.error()};
+    for (const RunningMission& mission : *missions) {
+      if (mission.file == wanted) return std::optional(mission);
     }
     if (!is_announced) {
       fmt::print(stderr, "waiting for `shoal run {}` (Ctrl-C ends)\n", file);
@@ -47,7 +50,7 @@ std::optional<RunningMission> AwaitMission(const std::string& file) {
     }
     usleep(kPollInterval_us);
   }
-  return std::nullopt;
+  return std::optional<RunningMission>();
 }
 
 /// Shows the status page on a terminal, again once a second.
@@ -82,7 +85,12 @@ int Run(const AppOptions& options, const std::string& name, const Mission& missi
   int64_t mission_id = options.mission_id;
   std::optional<Layout> layout = options.layout;
   if (port_base == 0) {
-    const std::optional<RunningMission> running = AwaitMission(options.mission_file);
+    const Result<std::optional<RunningMission>> awaited = AwaitMission(options.mission_file);
+    if (!awaited.ok()) {
+      fmt::print(stderr, "{}: {}\n", name, awaited.error());
+      return kExitEnvironment;
+    }
+    const std::optional<RunningMission>& running = *awaited;
     if (!running) return kExitOk;
     port_base = running->port_base;
     if (mission_id == 0) mission_id = running->mission_id;

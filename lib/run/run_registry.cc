@@ -14,7 +14,9 @@
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
+#include <sstream>
+
+#include "lib/run/run_folder.h"
 
 namespace shoal {
 
@@ -69,8 +71,13 @@ bool LockBlock(int base, int num_ports) {
   return true;
 }
 
-std::optional<RunningMission> ReadEntry(const fs::path& path) {
-  std::ifstream in(path);
+std::string EntryName(int port_base) { return fmt::format("{}.run", port_base); }
+std::string SecretName(int port_base) { return fmt::format("{}.secret", port_base); }
+
+std::optional<RunningMission> ReadEntry(const std::string& name) {
+  const Result<std::string> text = ReadRunFile(name);
+  if (!text.ok()) return std::nullopt;
+  std::istringstream in(*text);
   RunningMission mission;
   std::string key;
   while (in >> key) {
@@ -97,32 +104,17 @@ std::optional<RunningMission> ReadEntry(const fs::path& path) {
 
 }  // namespace
 
-std::string RunDirectory() {
-  if (const char* own = std::getenv("SHOAL_RUN_DIR"); own != nullptr && *own != '\0') return own;
-  if (const char* xdg = std::getenv("XDG_RUNTIME_DIR"); xdg != nullptr && *xdg != '\0') {
-    return std::string(xdg) + "/shoal";
-  }
-  return fmt::format("/tmp/shoal-{}", getuid());
+std::string EntryPath(int port_base) {
+  return fmt::format("{}/{}", RunFolder(), EntryName(port_base));
 }
 
-std::string EntryPath(int port_base) { return fmt::format("{}/{}.run", RunDirectory(), port_base); }
-
 std::string SecretPath(int port_base) {
-  return fmt::format("{}/{}.secret", RunDirectory(), port_base);
+  return fmt::format("{}/{}", RunFolder(), SecretName(port_base));
 }
 
 Result<bool> KeepSecret(int port_base, const MissionSecret& secret) {
-  const std::string path = SecretPath(port_base);
-  std::error_code error;
-  fs::create_directories(RunDirectory(), error);
-  unlink(path.c_str());
-  const int opened = open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0600);
-  const std::string text = SecretText(secret);
-  const bool is_written =
-      opened >= 0 && write(opened, text.data(), text.size()) == static_cast<ssize_t>(text.size());
-  const int trouble = errno;
-  if (opened >= 0) close(opened);
-  if (!is_written) return Error{fmt::format("cannot write {}: {}", path, std::strerror(trouble))};
+  const Result<std::string> written = WriteRunFile(SecretName(port_base), SecretText(secret));
+  if (!written.ok()) return Error{written.error()};
   return true;
 }
 
@@ -176,45 +168,40 @@ Result<int> ClaimPorts(int wanted_base, int num_ports) {
 }
 
 Result<bool> Register(const RunningMission& mission) {
-  std::error_code error;
-  fs::create_directories(RunDirectory(), error);
-  const fs::path path = EntryPath(mission.port_base);
-  const fs::path draft = path.string() + ".new";
-  std::ofstream out(draft);
-  out << "name " << mission.name << "\nfile " << mission.file << "\nmission_id "
-      << mission.mission_id << "\nport_base " << mission.port_base << "\nlayout "
-      << Name(mission.layout) << "\npid " << mission.pid << "\n";
-  for (const std::string& vehicle : mission.vehicles) out << "vehicle " << vehicle << "\n";
+  std::string text = fmt::format(
+      "name {}\nfile {}\nmission_id {}\nport_base {}\nlayout {}\npid {}\n", mission.name,
+      mission.file, mission.mission_id, mission.port_base, Name(mission.layout), mission.pid);
+  for (const std::string& vehicle : mission.vehicles) text += fmt::format("vehicle {}\n", vehicle);
   for (std::string each : mission.overrides) {
     // Between TOML's values, a blank is as good as a line break.
     std::replace(each.begin(), each.end(), '\n', ' ');
-    out << "set " << each << "\n";
+    text += fmt::format("set {}\n", each);
   }
-  out.close();
-  if (out) fs::rename(draft, path, error);
-  if (!out || error) {
-    return Error{fmt::format("cannot write {}; set SHOAL_RUN_DIR to a folder that can be written",
-                             path.string())};
-  }
+  const Result<std::string> written = WriteRunFile(EntryName(mission.port_base), text);
+  if (!written.ok()) return Error{written.error()};
   return true;
 }
 
 void Unregister(int port_base) {
-  std::error_code error;
-  fs::remove(EntryPath(port_base), error);
-  fs::remove(SecretPath(port_base), error);
+  RemoveRunFile(EntryName(port_base));
+  RemoveRunFile(SecretName(port_base));
 }
 
-std::vector<RunningMission> RunningMissions() {
+Result<std::vector<RunningMission>> RunningMissions() {
+  const Result<std::string> folder = OpenRunFolder();
+  if (!folder.ok()) return Error{folder.error()};
   std::vector<RunningMission> missions;
   std::error_code error;
-  for (const auto& entry : fs::directory_iterator(RunDirectory(), error)) {
+  for (const auto& entry : fs::directory_iterator(*folder, error)) {
     if (entry.path().extension() != ".run") continue;
-    const std::optional<RunningMission> mission = ReadEntry(entry.path());
-    if (mission && (kill(mission->pid, 0) == 0 || errno == EPERM)) {
+    const std::string name = entry.path().filename().string();
+    const std::optional<RunningMission> mission = ReadEntry(name);
+    // Its launcher is this user's; EPERM means that another user's process has its number now.
+    if (mission && kill(mission->pid, 0) == 0) {
       missions.push_back(*mission);
     } else {
-      fs::remove(entry.path(), error);
+      RemoveRunFile(name);
+      RemoveRunFile(entry.path().stem().string() + ".secret");
     }
   }
   std::sort(missions.begin(), missions.end(),
@@ -223,17 +210,18 @@ std::vector<RunningMission> RunningMissions() {
 }
 
 Result<RunningMission> FindRunningMission(int port_base) {
-  const std::vector<RunningMission> missions = RunningMissions();
-  for (const RunningMission& mission : missions) {
-    if (mission.port_base == port_base || (port_base == 0 && missions.size() == 1)) return mission;
+  const Result<std::vector<RunningMission>> missions = RunningMissions();
+  if (!missions.ok()) return Error{missions.error()};
+  for (const RunningMission& mission : *missions) {
+    if (mission.port_base == port_base || (port_base == 0 && missions->size() == 1)) return mission;
   }
-  if (missions.empty()) {
+  if (missions->empty()) {
     return Error{"no mission is running on this machine; start one with `shoal run FILE`"};
   }
   std::string message = port_base == 0
                             ? "several missions are running; choose one with --port:"
                             : fmt::format("no mission runs at port {}; running:", port_base);
-  for (const RunningMission& mission : missions) {
+  for (const RunningMission& mission : *missions) {
     message += fmt::format("\n  --port {}  {} ({})", mission.port_base, mission.name, mission.file);
   }
   return Error{message};

@@ -26,14 +26,11 @@ struct RunningMission {
   PortPlan Ports() const { return PortPlan(port_base, layout, vehicles); }
 };
 
-/// Returns where the files lie: $SHOAL_RUN_DIR, $XDG_RUNTIME_DIR/shoal or /tmp/shoal-<uid>.
-std::string RunDirectory();
-
 /// Returns the path of the entry of the mission at `port_base`; it is there while the mission runs,
 /// and stays when its launcher dies, until the missions are listed.
 std::string EntryPath(int port_base);
 
-/// What tells a participant its mission's secret: the number of an open file, or a file's path.
+/// The variables that lead a participant to its mission's secret: an open file, or a file's path.
 inline constexpr char kSecretFdVariable[] = "SHOAL_SECRET_FD";
 inline constexpr char kSecretFileVariable[] = "SHOAL_SECRET_FILE";
 
@@ -53,13 +50,14 @@ std::string SecretPath(int port_base);
 /// that is known.
 [[nodiscard]] Result<int> ClaimPorts(int wanted_base, int num_ports);
 
-/// Writes or removes this process's entry. A failure to write is an error with the path.
+/// Writes or removes this process's entry in the run folder (lib/run/run_folder.h). A failure to
+/// write is an error with the path.
 [[nodiscard]] Result<bool> Register(const RunningMission& mission);
 void Unregister(int port_base);
 
-/// Returns the missions whose launchers are alive, in order of port; removes the entries of the
-/// others.
-std::vector<RunningMission> RunningMissions();
+/// Returns the missions of this user whose launchers are alive, in order of port; removes the
+/// entries of the others. An error where the run folder is not to be trusted.
+[[nodiscard]] Result<std::vector<RunningMission>> RunningMissions();
 
 /// Returns the one mission that runs, or the one at `port_base` (0: any); an error that lists them
 /// where there are none or several.

@@ -48,7 +48,8 @@ class StepInbox {
   /// million per step; a faulty participant must not exhaust the memory either.
   static constexpr size_t kMaxSealed = 2'000'000;
   static constexpr size_t kMaxSealedBytes = size_t{512} * 1024 * 1024;
-  /// A participant is never more than one step behind another: so many steps are kept at once.
+  /// A participant is never more than one step behind another: this number of steps is kept at
+  /// once.
   static constexpr int64_t kMaxSteps = 3;
 
   /// `wants(channel)` returns whether this participant subscribed to the channel.

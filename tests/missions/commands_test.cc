@@ -92,6 +92,25 @@ TEST(Status, StatesThatNothingRuns) {
   EXPECT_NE(finished.output.find("no mission is running"), std::string::npos) << finished.output;
 }
 
+TEST(RunFolder, ThatAnotherUserCouldHavePreparedIsNotUsed) {
+  const TestFolder folder;
+  const std::string file = (folder / "one.toml").string();
+  WriteFile(file, kOneVessel);
+  WriteFile(folder / "victim", "precious");
+  std::filesystem::create_directory(folder / "run");
+  std::filesystem::permissions(folder / "run", std::filesystem::perms::all);
+  std::filesystem::create_symlink(folder / "victim", folder / "run/24140.run.new");
+  for (const std::vector<std::string>& command :
+       std::vector<std::vector<std::string>>{{"run", file, "--warp", "max", "--port", "24140"},
+                                             {"status"},
+                                             {"send", "all", "stop"}}) {
+    const Finished finished = RunShoal(folder, command);
+    EXPECT_EQ(finished.exit_code, 3) << finished.output;
+    EXPECT_NE(finished.output.find("SHOAL_RUN_DIR=~/.shoal"), std::string::npos) << finished.output;
+  }
+  EXPECT_EQ(ReadFile(folder / "victim"), "precious");
+}
+
 TEST(MissionFile, WithErrorsIsRefusedByRunSimAndCheckAlike) {
   const TestFolder folder;
   const std::string file = (folder / "bad.toml").string();
