@@ -5,6 +5,8 @@
 #include <span>
 #include <string_view>
 
+#include "lib/bus/lcm_assembler.h"
+
 namespace shoal {
 
 namespace {
@@ -12,8 +14,6 @@ namespace {
 constexpr uint32_t kUdpHeader = 8;  ///< Stands before the datagram, where a filter looks.
 constexpr uint32_t kMagicAt = kUdpHeader;
 constexpr uint32_t kNameAt = kUdpHeader + 8;
-constexpr uint32_t kWholeMagic = 0x4c433032;     // "LC02"
-constexpr uint32_t kFragmentMagic = 0x4c433033;  // "LC03"
 constexpr size_t kWord = 4;
 constexpr uint32_t kAccept = 0xffffffff;
 constexpr uint32_t kRefuse = 0;
@@ -23,9 +23,9 @@ class Program {
   /// @pre `patterns` are sorted, and none begins with another
   explicit Program(std::span<const std::string> patterns) {
     Add(BPF_LD | BPF_W | BPF_ABS, kMagicAt);
-    Add(BPF_JMP | BPF_JEQ | BPF_K, kFragmentMagic, 0, 1);
+    Add(BPF_JMP | BPF_JEQ | BPF_K, kLcmFragmentMagic, 0, 1);
     Add(BPF_RET | BPF_K, kAccept);
-    Add(BPF_JMP | BPF_JEQ | BPF_K, kWholeMagic, 1, 0);
+    Add(BPF_JMP | BPF_JEQ | BPF_K, kLcmWholeMagic, 1, 0);
     Add(BPF_RET | BPF_K, kRefuse);
     AddNode(patterns, 0);
   }

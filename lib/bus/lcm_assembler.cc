@@ -3,21 +3,19 @@
 #include <algorithm>
 #include <cstring>
 
+#include "lib/bus/big_endian.h"
+
 namespace shoal {
 
 namespace {
 
-constexpr uint32_t kWholeMagic = 0x4c433032;     // "LC02"
-constexpr uint32_t kFragmentMagic = 0x4c433033;  // "LC03"
 constexpr size_t kWholeHeader = 8;
 constexpr size_t kFragmentHeader = 20;
 /// What a piece costs beside its bytes: a node of a map.
 constexpr size_t kPieceBytes = 64;
 
-uint32_t ReadBigEndian(std::span<const uint8_t> bytes) {
-  uint32_t value = 0;
-  for (const uint8_t byte : bytes) value = value << 8 | byte;
-  return value;
+uint32_t ReadWord(std::span<const uint8_t> datagram, size_t begin) {
+  return static_cast<uint32_t>(ReadBigEndian(datagram.subspan(begin, 4)));
 }
 
 /// Returns the channel name at the beginning of `bytes`; empty where none of 1 to 63 bytes ends
@@ -40,10 +38,10 @@ struct LcmAssembler::Header {
 };
 
 std::optional<LcmMessage> LcmAssembler::Add(uint64_t sender, std::span<const uint8_t> datagram) {
-  const uint32_t magic = datagram.size() < kWholeHeader ? 0 : ReadBigEndian(datagram.first(4));
-  if (magic == kFragmentMagic) return AddFragment(sender, datagram);
+  const uint32_t magic = datagram.size() < kWholeHeader ? 0 : ReadWord(datagram, 0);
+  if (magic == kLcmFragmentMagic) return AddFragment(sender, datagram);
   const std::string_view channel =
-      magic == kWholeMagic ? ReadChannel(datagram.subspan(kWholeHeader)) : std::string_view();
+      magic == kLcmWholeMagic ? ReadChannel(datagram.subspan(kWholeHeader)) : std::string_view();
   if (channel.empty()) {
     ++num_malformed_;
     return std::nullopt;
@@ -60,9 +58,9 @@ std::optional<LcmMessage> LcmAssembler::AddFragment(uint64_t sender,
   };
   if (datagram.size() <= kFragmentHeader) return refuse();
   const Header header{
-      .sequence = ReadBigEndian(datagram.subspan(4, 4)),
-      .size = ReadBigEndian(datagram.subspan(8, 4)),
-      .offset = ReadBigEndian(datagram.subspan(12, 4)),
+      .sequence = ReadWord(datagram, 4),
+      .size = ReadWord(datagram, 8),
+      .offset = ReadWord(datagram, 12),
       .fragment = static_cast<uint16_t>(ReadBigEndian(datagram.subspan(16, 2))),
       .num_fragments = static_cast<uint16_t>(ReadBigEndian(datagram.subspan(18, 2)))};
   auto part = datagram.subspan(kFragmentHeader);

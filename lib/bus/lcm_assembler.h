@@ -22,6 +22,9 @@
 
 namespace shoal {
 
+inline constexpr uint32_t kLcmWholeMagic = 0x4c433032;     ///< "LC02"
+inline constexpr uint32_t kLcmFragmentMagic = 0x4c433033;  ///< "LC03"
+
 /// A whole message. The views live until the assembler is given the next datagram.
 struct LcmMessage {
   std::string_view channel;  ///< 1 to 63 bytes.

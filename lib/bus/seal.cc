@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "lib/bus/big_endian.h"
 #include "lib/check/check.h"
 
 namespace shoal {
@@ -18,18 +19,6 @@ constexpr size_t kFixedSize = kNumbersSize + kTagSize + kMagicSize;
 constexpr size_t kMaxNameSize = 100;
 
 using Tag = std::array<uint8_t, kTagSize>;
-
-void Append(uint64_t value, int num_bytes, std::vector<uint8_t>* out) {
-  for (int shift = 8 * (num_bytes - 1); shift >= 0; shift -= 8) {
-    out->push_back(static_cast<uint8_t>(value >> shift));
-  }
-}
-
-uint64_t ReadBigEndian(std::span<const uint8_t> bytes) {
-  uint64_t value = 0;
-  for (const uint8_t byte : bytes) value = value << 8 | byte;
-  return value;
-}
 
 Tag TagOf(std::span<const uint8_t> tagged, const MissionSecret& secret, std::string_view channel) {
   // Chooses the fastest implementation for this processor, once.
@@ -55,12 +44,12 @@ void AppendSeal(const Seal& seal, const MissionSecret& secret, std::string_view 
               "a publisher's name has 1 to 100 bytes");
   message->insert(message->end(), seal.publisher.begin(), seal.publisher.end());
   message->push_back(static_cast<uint8_t>(seal.publisher.size()));
-  Append(static_cast<uint64_t>(seal.mission_id), 8, message);
-  Append(static_cast<uint64_t>(seal.step), 8, message);
-  Append(seal.sequence, 4, message);
+  AppendBigEndian(static_cast<uint64_t>(seal.mission_id), 8, message);
+  AppendBigEndian(static_cast<uint64_t>(seal.step), 8, message);
+  AppendBigEndian(seal.sequence, 4, message);
   const Tag tag = TagOf(*message, secret, channel);
   message->insert(message->end(), tag.begin(), tag.end());
-  Append(kSealMagic, kMagicSize, message);
+  AppendBigEndian(kSealMagic, kMagicSize, message);
 }
 
 Unsealed Unseal(std::span<const uint8_t> datagram) {

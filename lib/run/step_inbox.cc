@@ -59,11 +59,11 @@ std::optional<int64_t> StepInbox::Add(std::string_view channel, std::span<const 
     return std::nullopt;
   }
   // Before the first tick the newest steps are kept: one of them is the tick's.
-  if (next_step_ < 0 && !steps_.empty()) ForgetBefore(seal->step - kMaxSteps + 1);
+  if (next_step_ < 0 && seal->step >= kMaxSteps) ForgetBefore(seal->step - kMaxSteps + 1);
   const int64_t oldest =
       next_step_ >= 0 || steps_.empty() ? next_step_ : steps_.rbegin()->first - kMaxSteps + 1;
   const bool is_ahead = next_step_ >= 0 && seal->step >= next_step_ + kMaxSteps;
-  if (seal->step < oldest || is_ahead) {
+  if (seal->step < 0 || seal->step < oldest || is_ahead) {
     ++counters_.late;
     return std::nullopt;
   }
