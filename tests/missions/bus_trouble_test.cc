@@ -1,9 +1,6 @@
 // What unregistered participants and a bad network do to a running mission.
-#include <arpa/inet.h>
 #include <gtest/gtest.h>
-#include <netinet/in.h>
 #include <signal.h>
-#include <sys/socket.h>
 #include <unistd.h>
 
 #include <fstream>
@@ -135,21 +132,6 @@ TEST(AnotherMission, OnTheSamePortsIsRejectedAndReported) {
       << "what was rejected must not count as input: " << finished.output;
 }
 
-/// Sends a datagram as it is, to all listeners of a port.
-void SendRaw(int port, std::string_view datagram) {
-  const int sender = socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);
-  const int ttl = 0;
-  setsockopt(sender, IPPROTO_IP, IP_MULTICAST_TTL, &ttl, sizeof ttl);
-  sockaddr_in address{};
-  address.sin_family = AF_INET;
-  address.sin_port = htons(static_cast<uint16_t>(port));
-  address.sin_addr.s_addr = inet_addr(kLcmGroup);
-  EXPECT_EQ(sendto(sender, datagram.data(), datagram.size(), 0,
-                   reinterpret_cast<const sockaddr*>(&address), sizeof address),
-            static_cast<ssize_t>(datagram.size()));
-  close(sender);
-}
-
 TEST(Attack, DatagramsThatEndLiblcmEndNoProcess) {
   const TestFolder folder;
   const auto process = StartAlpha(folder, "2", {"--record", folder / "record"});
@@ -157,9 +139,9 @@ TEST(Attack, DatagramsThatEndLiblcmEndNoProcess) {
   for (int port = ports.base(); port < ports.base() + ports.num_ports(); ++port) {
     for (const std::string channel : {"TICK", "STEP_DONE", "NAV_ALPHA", "X"}) {
       // A channel name without its end; a fragment whose offset and length wrap.
-      SendRaw(port, "LC02" + std::string(4, '\1') + channel);
-      SendRaw(port, "LC03" + std::string("\0\0\0\1\0\0\3\xe8\xff\xff\xff\xce\0\0\0\2", 16) +
-                        channel + std::string(101, '\0'));
+      SendDatagram(port, "LC02" + std::string(4, '\1') + channel);
+      SendDatagram(port, "LC03" + std::string("\0\0\0\1\0\0\3\xe8\xff\xff\xff\xce\0\0\0\2", 16) +
+                             channel + std::string(101, '\0'));
     }
   }
   EXPECT_EQ(RunShoal(folder, {"send", "clock", "warp", "max"}).exit_code, 0);

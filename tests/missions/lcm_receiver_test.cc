@@ -2,7 +2,6 @@
 // never would.
 #include "lib/bus/lcm_receiver.h"
 
-#include <arpa/inet.h>
 #include <gtest/gtest.h>
 #include <lcm/lcm.h>
 
@@ -16,30 +15,6 @@
 #include "tests/missions/shoal_process.h"
 
 namespace shoal::lcm_receiver_test {
-
-/// Sends datagrams of any content to LCM's group.
-class RawSender {
- public:
-  RawSender() : socket_(socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0)) {
-    const int ttl = 0;
-    setsockopt(socket_, IPPROTO_IP, IP_MULTICAST_TTL, &ttl, sizeof ttl);
-  }
-  ~RawSender() { close(socket_); }
-  RawSender(const RawSender&) = delete;
-  RawSender& operator=(const RawSender&) = delete;
-
-  void Send(int port, std::span<const uint8_t> datagram) const {
-    sockaddr_in address{};
-    address.sin_family = AF_INET;
-    address.sin_port = htons(static_cast<uint16_t>(port));
-    address.sin_addr.s_addr = inet_addr(kLcmGroup);
-    sendto(socket_, datagram.data(), datagram.size(), 0,
-           reinterpret_cast<const sockaddr*>(&address), sizeof address);
-  }
-
- private:
-  int socket_;
-};
 
 class LcmReceiverTest : public testing::Test {
  protected:
@@ -145,27 +120,21 @@ TEST_F(LcmReceiverTest, SurvivesDatagramsOfEveryWrongKindAndGoesOnReceiving) {
   LcmReceiver receiver(FilterPlace::kProcess);
   receiver.Listen(base_, "NAV_ALPHA");
   receiver.Listen(base_, "DONE");
-  const RawSender sender;
-  const auto text = [](std::string_view bytes) { return Bytes(bytes.begin(), bytes.end()); };
   // A name without its end; a fragment whose offset and length wrap; one of a message too large.
-  const std::vector<Bytes> fatal = {
-      text("LC02\1\1\1\1NAV_ALPHA"),
-      [&] {
-        Bytes bytes =
-            text(std::string_view("LC03\0\0\0\1\0\0\3\xe8\xff\xff\xff\xce\0\0\0\2NAV_ALPHA\0", 30));
-        bytes.resize(bytes.size() + 100);
-        return bytes;
-      }(),
-      text(std::string_view("LC03\0\0\0\1\xff\xff\xff\xff\0\0\0\0\0\0\0\2NAV_ALPHA\0x", 31)),
-      {},
+  const std::vector<std::string> fatal = {
+      "LC02\1\1\1\1NAV_ALPHA",
+      std::string("LC03\0\0\0\1\0\0\3\xe8\xff\xff\xff\xce\0\0\0\2NAV_ALPHA\0", 30) +
+          std::string(100, 'x'),
+      std::string("LC03\0\0\0\1\xff\xff\xff\xff\0\0\0\0\0\0\0\2NAV_ALPHA\0x", 31),
+      "",
   };
   std::mt19937 random(3);
   for (int i = 0; i < 2000; ++i) {
-    sender.Send(base_, fatal[static_cast<size_t>(i) % fatal.size()]);
-    Bytes bytes = fatal[random() % 3];
+    SendDatagram(base_, fatal[static_cast<size_t>(i) % fatal.size()]);
+    std::string bytes = fatal[random() % 3];
     for (int k = 0; k < 3; ++k)
-      bytes[4 + random() % (bytes.size() - 4)] = static_cast<uint8_t>(random());
-    sender.Send(base_, bytes);
+      bytes[4 + random() % (bytes.size() - 4)] = static_cast<char>(random());
+    SendDatagram(base_, bytes);
     if (i % 100 == 0) receiver.Poll(0, -1, [](int, std::string_view, std::span<const uint8_t>) {});
   }
   const double end_s = WallSeconds() + kPatience_s;

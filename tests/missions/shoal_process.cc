@@ -1,6 +1,8 @@
 #include "tests/missions/shoal_process.h"
 
+#include <arpa/inet.h>
 #include <fcntl.h>
+#include <gtest/gtest.h>
 #include <netinet/in.h>
 #include <signal.h>
 #include <sys/prctl.h>
@@ -15,6 +17,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "lib/bus/layout.h"
 #include "lib/record/file_descriptor.h"
 #include "lib/run/run_app.h"
 
@@ -219,5 +222,19 @@ bool IsStopped(pid_t pid) {
 double WallSeconds() { return static_cast<double>(MonotonicMicroseconds()) / 1e6; }
 
 void SleepSeconds(double seconds) { usleep(static_cast<useconds_t>(seconds * 1e6)); }
+
+void SendDatagram(int port, std::string_view datagram) {
+  const int sender = socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);
+  const int ttl = 0;
+  setsockopt(sender, IPPROTO_IP, IP_MULTICAST_TTL, &ttl, sizeof ttl);
+  sockaddr_in address{};
+  address.sin_family = AF_INET;
+  address.sin_port = htons(static_cast<uint16_t>(port));
+  address.sin_addr.s_addr = inet_addr(kLcmGroup);
+  EXPECT_EQ(sendto(sender, datagram.data(), datagram.size(), 0,
+                   reinterpret_cast<const sockaddr*>(&address), sizeof address),
+            static_cast<ssize_t>(datagram.size()));
+  close(sender);
+}
 
 }  // namespace shoal

@@ -69,6 +69,9 @@ class RunningProcess {
 Finished RunShoal(const TestFolder& folder, std::vector<std::string> arguments,
                   double patience_s = kPatience_s);
 
+/// Sends a datagram of any content to LCM's group at a port, on this machine only.
+void SendDatagram(int port, std::string_view datagram);
+
 /// Waits until `holds` returns true, for kPatience_s at most; returns whether it did.
 bool AwaitThat(const std::function<bool()>& holds);
 
