@@ -42,7 +42,7 @@ CLI::Option* AddMission(CLI::App* command, std::string* file, std::vector<std::s
 
 CLI::Option* AddPort(CLI::App* command, int* port_base) {
   return command
-      ->add_option("--port", *port_base, "First port of the mission, where several are running")
+      ->add_option("--port", *port_base, "First port of the mission; default: the one started in this folder")
       ->check(CLI::Range(1024, 65535));
 }
 

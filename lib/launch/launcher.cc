@@ -216,6 +216,7 @@ int RunMission(const RunOptions& options, const Mission& mission,
   RunningMission running{
       .name = mission.name,
       .file = std::filesystem::absolute(mission.file).lexically_normal().string(),
+      .folder = WorkingFolder(),
       .mission_id = RandomMissionId(),
       .port_base = *base,
       .layout = layout,

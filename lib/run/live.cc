@@ -96,6 +96,7 @@ int RunLive(const LiveOptions& options, Mission mission,
   const Registration registration(
       {.name = mission.name,
        .file = std::filesystem::absolute(mission.file).lexically_normal().string(),
+       .folder = WorkingFolder(),
        .mission_id = 0,
        .port_base = options.ports.base(),
        .layout = options.ports.layout(),

@@ -111,6 +111,32 @@ TEST(RunFolder, ThatAnotherUserCouldHavePreparedIsNotUsed) {
   EXPECT_EQ(ReadFile(folder / "victim"), "precious");
 }
 
+TEST(Command, GoesToNoMissionThatAnotherFolderHasStartedUnlessItsPortIsNamed) {
+  const TestFolder folder;
+  RunningProcess process(folder, {Program("shoal"), "run", MissionFile("berta.toml")});
+  ASSERT_TRUE(process.WaitFor("x real time")) << process.Output();
+  const auto elsewhere = [&](const std::string& arguments) {
+    return RunningProcess(folder, {"/bin/sh", "-c", "cd / && " + Program("shoal") + arguments})
+        .Wait();
+  };
+  for (const char* command : {" send alpha return", " message --from alpha --to bravo A b"}) {
+    const Finished refused = elsewhere(command);
+    EXPECT_EQ(refused.exit_code, 3) << refused.output;
+    EXPECT_NE(refused.output.find("name its port:\n  --port "), std::string::npos)
+        << refused.output;
+  }
+  const Finished status = elsewhere(" status shore_broker");
+  EXPECT_EQ(status.exit_code, 0) << status.output;
+  const std::string chosen = "berta (" + MissionFile("berta.toml") + "), ports from ";
+  EXPECT_NE(status.output.find(chosen), std::string::npos) << status.output;
+  const size_t port = status.output.find(chosen) + chosen.size();
+  const std::string option =
+      " send --port " + status.output.substr(port, status.output.find(',', port) - port);
+  const Finished named = elsewhere(option + " alpha return");
+  EXPECT_EQ(named.exit_code, 0) << named.output;
+  EXPECT_NE(named.output.find(chosen), std::string::npos) << named.output;
+}
+
 TEST(MissionFile, WithErrorsIsRefusedByRunSimAndCheckAlike) {
   const TestFolder folder;
   const std::string file = (folder / "bad.toml").string();
