@@ -180,12 +180,12 @@ int Launcher::Conclude() {
         director_->Summary(complete));
   }
   if (!options_.record_dir.empty()) {
-    if (const Result<bool> written = WriteSummary(options_.record_dir, summary); !written.ok()) {
-      supervision_.Fail(kExitEnvironment, written.error());
-    }
-    terminal_.Print(
-        fmt::format("Recorded in {}: mission.lcm{}, mission.toml, run.txt, summary.txt, logs/\n",
-                    options_.record_dir, supervision_.HasLost("recorder") ? " (cut short)" : ""));
+    const Result<bool> written = WriteSummary(options_.record_dir, summary);
+    if (!written.ok()) supervision_.Fail(kExitEnvironment, written.error());
+    terminal_.Print(fmt::format("Recorded in {}: mission.lcm{}, mission.toml, run.txt, {}logs/\n",
+                                options_.record_dir,
+                                supervision_.HasLost("recorder") ? " (cut short)" : "",
+                                written.ok() ? "summary.txt, " : ""));
     if (options_.view)
       terminal_.Print(fmt::format("To look at it: shoal view {}\n", options_.record_dir));
   }
