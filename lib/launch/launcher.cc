@@ -1,6 +1,7 @@
 #include "lib/launch/launcher.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <signal.h>
 #include <sys/random.h>
 #include <sys/signalfd.h>
@@ -11,6 +12,7 @@
 
 #include "lib/check/time_units.h"
 #include "lib/launch/recording.h"
+#include "lib/run/multicast_fault.h"
 #include "lib/run/run_app.h"
 #include "lib/run/run_folder.h"
 #include "lib/run/run_registry.h"
@@ -190,6 +192,7 @@ int Launcher::Conclude() {
       terminal_.Print(fmt::format("To look at it: shoal view {}\n", options_.record_dir));
   }
   terminal_.Print(summary);
+  if (running_since_us_ != 0) supervision_.ShowCause();
   if (supervision_.exit_code() != 0) return supervision_.exit_code();
   return director_->Passed() ? 0 : static_cast<int>(kExitMissionFailed);
 }
@@ -200,12 +203,17 @@ int RunMission(const RunOptions& options, const Mission& mission,
     fmt::print(stderr, "shoal: {}\n", why);
     return static_cast<int>(kExitEnvironment);
   };
+  if (const std::string fault = MulticastFault(); !fault.empty()) return fail(fault);
   if (mission.netsim && !mission.netsim->allow_warp && options.warp != 1) {
     fmt::print(stderr,
                "shoal: a mission with [netsim] runs at --warp 1: modem drivers compare their clock "
                "with the wall's. Where yours do not, write allow_warp = true in [netsim]\n");
     return kExitUsage;
   }
+  // Before anything is made or started, so that nothing has to be undone.
+  const std::vector<std::string> missing =
+      MissingPrograms(mission, MakeRoster(mission, !options.record_dir.empty()));
+  if (!missing.empty()) return fail(fmt::format("{}", fmt::join(missing, "\nshoal: ")));
   const std::vector<std::string> vehicles = VehicleNames(mission);
   const Layout layout =
       options.layout.value_or(PortPlan::Suggest(static_cast<int>(vehicles.size())));

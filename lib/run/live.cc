@@ -11,6 +11,7 @@
 #include "lib/bus/socket_drops.h"
 #include "lib/check/result.h"
 #include "lib/run/appcast.h"
+#include "lib/run/multicast_fault.h"
 #include "lib/run/roster.h"
 #include "lib/run/round_size.h"
 #include "lib/run/run_app.h"
@@ -81,6 +82,7 @@ int RunLive(const LiveOptions& options, Mission mission,
     fmt::print(stderr, "{}: {}\n", options.name, why);
     return static_cast<int>(kExitEnvironment);
   };
+  if (const std::string fault = MulticastFault(); !fault.empty()) return fail(fault);
   const Result<std::vector<RunningMission>> others = RunningMissions();
   if (!others.ok()) return fail(others.error());
   for (const RunningMission& other : *others) {

@@ -14,6 +14,7 @@
 #include "lib/check/result.h"
 #include "lib/mission/load.h"
 #include "lib/run/live.h"
+#include "lib/run/multicast_fault.h"
 #include "lib/run/roster.h"
 #include "lib/run/run_registry.h"
 #include "lib/run/step_participant.h"
@@ -101,6 +102,10 @@ int Run(const AppOptions& options, const std::string& name, const Mission& missi
   const std::optional<PortPlan> plan = PlanPorts(name, mission, port_base, layout);
   if (!plan) return kExitUsage;
 
+  if (const std::string fault = MulticastFault(); !fault.empty()) {
+    fmt::print(stderr, "{}: {}\n", name, fault);
+    return kExitEnvironment;
+  }
   LcmTransport transport;
   transport.set_drop_filter(MakeLossFilter(options.lose, options.lose_forever));
   StepParticipant participant({.name = name,

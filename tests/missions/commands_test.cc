@@ -218,6 +218,7 @@ TEST(Recording, WithoutASummaryDoesNotClaimOne) {
   EXPECT_NE(finished.output.find("cannot write " + dir + "/summary.txt"), std::string::npos)
       << finished.output;
   EXPECT_NE(finished.output.find("run.txt, logs/"), std::string::npos) << finished.output;
+  EXPECT_NE(finished.output.find("\nCause: cannot write "), std::string::npos) << finished.output;
 }
 
 TEST(Words, ThatNameNoCommandAreQuotedWithASuggestionAndTheList) {
