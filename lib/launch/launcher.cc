@@ -67,7 +67,10 @@ Result<std::string> MakeLogFolder(const RunOptions& options, const Mission& miss
   if (!prepared.ok()) return Error{prepared.error()};
   std::string path = options.record_dir + "/logs";
   std::error_code error;
-  std::filesystem::create_directory(path, error);
+  // The folder was empty; what is there now has been made by another program.
+  if (!std::filesystem::create_directory(path, error) && !error) {
+    error = std::make_error_code(std::errc::file_exists);
+  }
   if (error) return Error{fmt::format("cannot make the folder {}: {}", path, error.message())};
   return path;
 }

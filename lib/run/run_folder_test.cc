@@ -10,16 +10,12 @@
 #include <optional>
 #include <vector>
 
+#include "lib/record/test_log.h"
 #include "lib/run/run_registry.h"
 
 namespace shoal::run_folder_test {
 
 namespace fs = std::filesystem;
-
-std::string TextOf(const fs::path& path) {
-  std::ifstream in(path);
-  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-}
 
 mode_t ModeOf(const fs::path& path) {
   struct stat status {};
@@ -29,19 +25,14 @@ mode_t ModeOf(const fs::path& path) {
 /// A folder of its own for each test, and the environment as it was afterwards.
 class RunFolderTest : public ::testing::Test {
  protected:
-  RunFolderTest() {
-    std::string pattern = (fs::temp_directory_path() / "shoal-run-folder-XXXXXX").string();
-    scratch_ = mkdtemp(pattern.data());
-    setenv("SHOAL_RUN_DIR", (scratch_ / "run").c_str(), 1);
-  }
+  RunFolderTest() { setenv("SHOAL_RUN_DIR", (scratch_ / "run").c_str(), 1); }
   ~RunFolderTest() override {
     Restore("SHOAL_RUN_DIR", run_dir_);
     Restore("XDG_RUNTIME_DIR", xdg_);
-    std::error_code error;
-    fs::remove_all(scratch_, error);
   }
 
-  fs::path scratch_;
+  const TestDirectory directory_;
+  const fs::path scratch_ = directory_.File("");
 
  private:
   static std::optional<std::string> Get(const char* name) {
@@ -154,7 +145,7 @@ TEST_F(RunFolderTest, FileIsPrivateAndReplacesALinkInsteadOfFollowingIt) {
     EXPECT_EQ(ModeOf(*path), 0600U);
     EXPECT_EQ(*ReadRunFile("7665.run"), text);
   }
-  EXPECT_EQ(TextOf(scratch_ / "victim"), "precious");
+  EXPECT_EQ(TextOfFile(scratch_ / "victim"), "precious");
   RemoveRunFile("7665.run");
   EXPECT_TRUE(fs::is_empty(scratch_ / "run"));
 }
@@ -196,7 +187,7 @@ TEST_F(RunFolderTest, SubfolderIsMadeAnewInPlaceOfWhatWasLaidOut) {
     EXPECT_TRUE(fs::is_empty(*logs));
     std::ofstream(fs::path(*logs) / "shoal-viewer.txt") << "token";
   }
-  EXPECT_EQ(TextOf(scratch_ / "elsewhere/kept"), "precious");
+  EXPECT_EQ(TextOfFile(scratch_ / "elsewhere/kept"), "precious");
 }
 
 /// The base ports of the mission that is chosen, 0 with an error that holds `text`.
