@@ -4,6 +4,7 @@
 
 #include "lib/bus/channels.h"
 #include "lib/check/result.h"
+#include "lib/launch/launch_plan.h"
 #include "lib/run/roster.h"
 
 namespace shoal {
@@ -35,10 +36,19 @@ int RunCheck(const std::string& mission_file, const std::vector<std::string>& ov
     return kExitOk;
   }
   const Mission& mission = loaded.mission;
+  std::vector<RosterEntry> roster = MakeRoster(mission, false);
+  const size_t num_participants = roster.size() + 1;
+  std::erase_if(roster, [](const RosterEntry& entry) { return entry.command.empty(); });
+  const std::vector<std::string> missing = MissingPrograms(mission, roster);
+  for (const std::string& each : missing) fmt::print(stderr, "{}\n", each);
+  if (!missing.empty()) {
+    fmt::print(stderr, "{}: valid, but `shoal run` cannot start it here: {} missing\n",
+               mission_file, Counted(missing.size(), "program"));
+    return kExitEnvironment;
+  }
   fmt::print("{}: ok: {}, {}, {} s in {}, {}, {}\n", mission_file,
-             Counted(mission.vehicles.size(), "vehicle"),
-             Counted(MakeRoster(mission, false).size() + 1, "participant"), mission.duration_s,
-             Counted(static_cast<size_t>(mission.LastStep() + 1), "step"),
+             Counted(mission.vehicles.size(), "vehicle"), Counted(num_participants, "participant"),
+             mission.duration_s, Counted(static_cast<size_t>(mission.LastStep() + 1), "step"),
              Counted(mission.events.size(), "event"),
              Counted(mission.expectations.size(), "expectation"));
   return kExitOk;

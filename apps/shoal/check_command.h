@@ -12,7 +12,8 @@ namespace shoal {
 [[nodiscard]] bool LoadedWithoutErrors(const LoadedMission& loaded);
 
 /// Loads a mission file and prints all that is wrong with it, or, with `explain`, the whole mission
-/// with every default. Returns the exit code.
+/// with every default. Returns the exit code: kExitEnvironment where the file is right and a
+/// program that it names is missing on this machine.
 int RunCheck(const std::string& mission_file, const std::vector<std::string>& overrides,
              bool explain);
 

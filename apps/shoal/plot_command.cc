@@ -158,11 +158,15 @@ class PlotCommand {
     const std::vector<Figure> figures = DrawFigures(data_, setting_, options_.png);
     std::error_code error;
     fs::create_directories(out_dir_, error);
+    if (error) {
+      return Fail(kExitEnvironment, fmt::format("cannot make the folder {}: {}; name another: "
+                                                "--out DIR",
+                                                out_dir_.string(), error.message()));
+    }
     ScriptFolder folder;
-    if (!fs::is_directory(out_dir_, error) || !folder.Make(out_dir_, options_.keep)) {
-      return Fail(kExitEnvironment,
-                  fmt::format("cannot make a folder in {}: {}; name another: --out DIR",
-                              out_dir_.string(), ErrnoText(errno)));
+    if (!folder.Make(out_dir_, options_.keep)) {
+      return Fail(kExitEnvironment, fmt::format("cannot write into {}: {}; name another: --out DIR",
+                                                out_dir_.string(), ErrnoText(errno)));
     }
     for (const Figure& figure : figures) {
       if (!figure.why_left_out.empty()) {

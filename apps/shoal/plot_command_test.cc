@@ -5,6 +5,8 @@
 #include <cstdlib>
 #include <filesystem>
 #include <sstream>
+#include <utility>
+#include <vector>
 
 #include "lib/analysis/plot_figures.h"
 #include "lib/analysis/plot_gnuplot.h"
@@ -122,8 +124,14 @@ TEST_F(Plot, DrawsWhatCanBeReadOfADamagedLogAndReportsTheDamage) {
 TEST_F(Plot, NeedsALogAndAFolder) {
   EXPECT_EQ(Run(), kExitEnvironment);
   WriteLog(options_.log, LogOfTwoVehicles());
-  options_.out_dir = "/dev/null/plots";
-  EXPECT_EQ(Run(), kExitEnvironment);
+  const std::vector<std::pair<std::string, std::string>> kClosed = {
+      {"/dev/null/plots", "cannot make the folder /dev/null/plots: Not a directory"},
+      {"/proc", "cannot write into /proc: No such file or directory"}};
+  for (const auto& [folder, text] : kClosed) {
+    options_.out_dir = folder;
+    EXPECT_EQ(Run(), kExitEnvironment);
+    EXPECT_NE(err_.str().find(text), std::string::npos) << err_.str();
+  }
 }
 
 TEST_F(Plot, DrawsTheContourOfTheSeaFloor) {

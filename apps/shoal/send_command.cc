@@ -77,7 +77,7 @@ bool BusWorks(const LcmBus& bus) {
 }
 
 int RunSend(const SendOptions& options) {
-  const Result<RunningMission> mission = FindRunningMission(options.port_base);
+  const Result<RunningMission> mission = FindRunningMission(options.port_base, Purpose::kCommand);
   if (!mission.ok()) {
     fmt::print(stderr, "shoal: {}\n", mission.error());
     return kExitEnvironment;
@@ -88,6 +88,8 @@ int RunSend(const SendOptions& options) {
     fmt::print(stderr, "shoal: {}\n", order.error());
     return kExitUsage;
   }
+  fmt::print("{}\n", Describe(*mission));
+  std::fflush(stdout);
   LcmBus bus(mission->Ports());
   return std::visit(Sender{bus, scope, *order}, *order);
 }

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <functional>
 #include <iostream>
+#include <optional>
+#include <span>
 #include <system_error>
 
 #include "apps/shoal/check_command.h"
@@ -19,6 +21,7 @@
 #include "apps/shoal/view_command.h"
 #include "lib/launch/launcher.h"
 #include "lib/mission/load.h"
+#include "lib/mission/suggest.h"
 #include "lib/orders/order_words.h"
 #include "lib/record/log_commands.h"
 #include "lib/run/version.h"
@@ -42,9 +45,12 @@ CLI::Option* AddMission(CLI::App* command, std::string* file, std::vector<std::s
 
 CLI::Option* AddPort(CLI::App* command, int* port_base) {
   return command
-      ->add_option("--port", *port_base, "First port of the mission, where several are running")
+      ->add_option("--port", *port_base,
+                   "First port of the mission; default: the one started in this folder")
       ->check(CLI::Range(1024, 65535));
 }
+
+constexpr char kQuiet[] = "No line of progress";
 
 constexpr char kAllowCommands[] =
     "The page may command vehicles, broker and clock, with the token in its address";
@@ -112,7 +118,7 @@ void AddRun(CLI::App& cli, Action* action) {
                    "shared: one LCM port; communities: one per vehicle (default from 10 vehicles)")
       ->check(CLI::IsMember({"shared", "communities"}));
   AddPort(command, &options.port_base)->description("First port of the block to use");
-  command->add_flag("--quiet", options.quiet, "No line of progress");
+  command->add_flag("--quiet", options.quiet, kQuiet);
   ViewOptions& view = parsed->view_options;
   CLI::Option* wants_view = command->add_flag(
       "--view", parsed->view, "Run shoal-viewer beside it: the mission in a browser");
@@ -149,7 +155,7 @@ void AddSim(CLI::App& cli, Action* action) {
   auto options = std::make_shared<SimOptions>();
   AddMission(command, &options->mission_file, &options->overrides);
   command->add_option("--log", options->log_path, "Write a log of the mission");
-  command->add_flag("--quiet", options->quiet, "Print PASS or FAIL and nothing else");
+  command->add_flag("--quiet", options->quiet, kQuiet);
   command->callback([options, action] { *action = [options] { return RunSim(*options); }; });
 }
 
@@ -245,6 +251,53 @@ bool ReaderHasLeft() {
   return poll(&output, 1, 0) == 1 && (output.revents & POLLERR) != 0;
 }
 
+/// Follows the words that name a command and its subcommands, up to the first option. Returns an
+/// exit code where one names none (the error has been printed) or is missing (the list has).
+std::optional<int> CheckCommandWords(const CLI::App& cli, std::span<char* const> words) {
+  const CLI::App* command = &cli;
+  for (const std::string_view word : words) {
+    const std::vector<const CLI::App*> subcommands = command->get_subcommands({});
+    if (subcommands.empty() || word.starts_with('-')) return std::nullopt;
+    std::vector<std::string_view> names;
+    const CLI::App* named = nullptr;
+    for (const CLI::App* each : subcommands) {
+      names.push_back(each->get_name());
+      if (each->get_name() == word) named = each;
+    }
+    if (named == nullptr) {
+      const std::string path = command == &cli ? "shoal" : "shoal " + command->get_name();
+      fmt::print(stderr, "{}: unknown command {}{}\nCommands: {}\n`{} --help` describes them\n",
+                 path, Quoted(word), DidYouMean(word, names), Joined(names), path);
+      return kExitUsage;
+    }
+    command = named;
+  }
+  if (command->get_subcommands({}).empty()) return std::nullopt;
+  fmt::print("{}", command->help(command == &cli ? "" : "shoal"));
+  return kExitUsage;
+}
+
+/// Runs `action`, and returns its exit code; kExitEnvironment, with an error, where what it printed
+/// could not be written. (fmt throws then, the streams only set a flag.)
+int WithWrittenOutput(const Action& action) {
+  bool written = true;
+  int code = kExitEnvironment;
+  try {
+    code = action();
+  } catch (const std::system_error& error) {
+    written = false;
+    if (std::ferror(stdout) == 0) {
+      std::fputs((std::string("shoal: ") + error.what() + "\n").c_str(), stderr);
+      return kExitEnvironment;
+    }
+  }
+  std::cout.flush();
+  written = std::fflush(stdout) == 0 && std::ferror(stdout) == 0 && std::cout.good() && written;
+  if (written || ReaderHasLeft()) return code;
+  std::fputs("shoal: cannot write to standard output: is the disk full?\n", stderr);
+  return kExitEnvironment;
+}
+
 }  // namespace
 
 int RunShoalCommand(int argc, char** argv) {
@@ -269,28 +322,16 @@ int RunShoalCommand(int argc, char** argv) {
           return static_cast<int>(kExitOk);
         };
       });
-  try {
-    cli.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return cli.exit(error) == 0 ? kExitOk : kExitUsage;
-  }
-  // What was printed may not have been written: fmt throws, the streams only set a flag.
-  bool written = true;
-  int code = kExitEnvironment;
-  try {
-    code = action();
-  } catch (const std::system_error& error) {
-    written = false;
-    if (std::ferror(stdout) == 0) {
-      std::fputs((std::string("shoal: ") + error.what() + "\n").c_str(), stderr);
-      return kExitEnvironment;
+  return WithWrittenOutput([&] {
+    const std::span<char* const> words(argv, static_cast<size_t>(argc));
+    if (const auto code = CheckCommandWords(cli, words.subspan(1))) return *code;
+    try {
+      cli.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+      return static_cast<int>(cli.exit(error) == 0 ? kExitOk : kExitUsage);
     }
-  }
-  std::cout.flush();
-  written = std::fflush(stdout) == 0 && std::ferror(stdout) == 0 && std::cout.good() && written;
-  if (written || ReaderHasLeft()) return code;
-  std::fputs("shoal: cannot write to standard output: is the disk full?\n", stderr);
-  return kExitEnvironment;
+    return action();
+  });
 }
 
 }  // namespace shoal

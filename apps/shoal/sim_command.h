@@ -10,7 +10,7 @@ struct SimOptions {
   std::string mission_file;
   std::vector<std::string> overrides;
   std::string log_path;  ///< Empty: no log.
-  bool quiet = false;    ///< Only the verdict: PASS, FAIL or INCOMPLETE.
+  bool quiet = false;    ///< No progress line.
 };
 
 /// Returns the exit code.

@@ -82,19 +82,19 @@ int RunStatus(const StatusOptions& options) {
   const std::map<std::string, appcast_t>& pages = *collected;
   if (pages.empty()) {
     fmt::print(stderr,
-               "shoal: no answer from {}; `shoal status` without a name lists all participants\n",
-               wanted);
+               "shoal: no answer from {} of {}; `shoal status` without a name lists all "
+               "participants\n",
+               wanted, Describe(*mission));
     return kExitEnvironment;
   }
+  fmt::print("{}, {} layout\n\n", Describe(*mission), Name(mission->layout));
   if (!one_line_each) {
     for (const auto& [name, page] : pages) {
       fmt::print("{}\n", Format(PageOf(page), name, page.step));
     }
     return kExitOk;
   }
-  fmt::print("{} ({}), ports from {}, {} layout\n\n{:<32} {:>9} {:>8}  warnings (config/run)\n",
-             mission->name, mission->file, mission->port_base, Name(mission->layout), "participant",
-             "time [s]", "step");
+  fmt::print("{:<32} {:>9} {:>8}  warnings (config/run)\n", "participant", "time [s]", "step");
   for (const auto& [name, page] : pages) {
     fmt::print("{:<32} {:>9.1f} {:>8}  {}/{}\n", name, static_cast<double>(page.utime) / 1e6,
                page.step, page.num_config_warnings, page.num_run_warnings);

@@ -16,7 +16,7 @@ namespace shoal {
                                                                     const std::string& app);
 
 struct StatusOptions {
-  int port_base = 0;  ///< 0: the one mission that runs.
+  int port_base = 0;  ///< 0: see ChooseMission.
   std::string app;    ///< A participant's name; "all": every page; empty: one line each.
 };
 

@@ -85,7 +85,8 @@ void MissionFollower::LookAfterMission() {
 }
 
 void MissionFollower::LookForMission() {
-  const Result<RunningMission> found = FindRunningMission(options_.port_base);
+  const Result<RunningMission> found = FindRunningMission(
+      options_.port_base, options_.allow_commands ? Purpose::kCommand : Purpose::kLook);
   if (!found.ok()) {
     if (found.error() != printed_) fmt::print(stderr, "shoal-viewer: waiting: {}\n", found.error());
     printed_ = found.error();

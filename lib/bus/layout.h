@@ -64,11 +64,6 @@ inline constexpr char kLcmGroup[] = "239.255.76.67";
 /// take.
 inline constexpr int kWantedReceiveBuffer = 4 * 1024 * 1024;
 
-/// What helps where multicast does not work.
-inline constexpr char kMulticastRemedy[] =
-    "multicast does not work on this machine. Run `shoal doctor`; most often this helps: sudo ip "
-    "link set lo up multicast on && sudo ip route add 224.0.0.0/4 dev lo";
-
 /// Returns the LCM URL of a port: multicast that stays on this machine (ttl=0), with as large a
 /// receive buffer as the kernel allows, up to kWantedReceiveBuffer.
 std::string LcmUrl(int port);

@@ -14,6 +14,7 @@
 
 #include "lib/bus/channel_filter.h"
 #include "lib/bus/layout.h"
+#include "lib/bus/multicast_fault.h"
 
 namespace shoal {
 
@@ -69,7 +70,8 @@ LcmReceiver::Port* LcmReceiver::Open(int number) {
   port->socket = socket(AF_INET, SOCK_DGRAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
   const int opened = port->socket;
   if (opened < 0) {
-    Close(port, "no more sockets; `ulimit -n` shows how many files a process may open");
+    Close(port, fmt::format("{}; `ulimit -n` shows how many files a process may open",
+                            std::strerror(errno)));
     return port;
   }
   sockaddr_in address{};
@@ -87,19 +89,19 @@ LcmReceiver::Port* LcmReceiver::Open(int number) {
   epoll_event event{.events = EPOLLIN, .data = {.ptr = port}};
   if (!SetOption(opened, SOL_SOCKET, SO_REUSEADDR, 1) ||
       bind(opened, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0) {
-    Close(port, "a program has the port that does not share it. Choose others with --port");
+    Close(port, fmt::format("{}: a program has the port that does not share it. Choose others with "
+                            "--port",
+                            std::strerror(errno)));
   } else if (setsockopt(opened, IPPROTO_IP, IP_ADD_MEMBERSHIP, &group, sizeof group) != 0 ||
              epoll_ctl(epoll_, EPOLL_CTL_ADD, opened, &event) != 0) {
-    Close(port, kMulticastRemedy);
+    const std::string fault = MulticastFault();
+    Close(port, fault.empty() ? "the group cannot be joined; run `shoal doctor`" : fault);
   }
   return port;
 }
 
-void LcmReceiver::Close(Port* port, const char* what) {
-  if (error_.empty()) {
-    error_ = fmt::format("cannot listen on LCM port {} ({}): {}", port->number,
-                         std::strerror(errno), what);
-  }
+void LcmReceiver::Close(Port* port, const std::string& why) {
+  if (error_.empty()) error_ = fmt::format("cannot listen on LCM port {}: {}", port->number, why);
   if (port->socket >= 0) close(port->socket);
   port->socket = -1;
 }

@@ -77,7 +77,7 @@ class LcmReceiver {
   static constexpr size_t kControlSize = 64;
 
   Port* Open(int port);
-  void Close(Port* port, const char* what);
+  void Close(Port* port, const std::string& why);
   void SetFilters();
   /// Reads a batch from the port. Returns how many datagrams came.
   size_t Read(const Port* port);

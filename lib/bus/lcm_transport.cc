@@ -1,36 +1,11 @@
 #include "lib/bus/lcm_transport.h"
 
-#include <arpa/inet.h>
 #include <fmt/format.h>
-#include <netinet/in.h>
-#include <sys/socket.h>
-#include <unistd.h>
-
-#include <cerrno>
-#include <cstring>
 
 #include "lib/bus/layout.h"
+#include "lib/bus/multicast_fault.h"
 
 namespace shoal {
-
-namespace {
-
-/// Returns 0 where the kernel has a route to LCM's group, otherwise the error number. liblcm would
-/// print pages about it.
-int MulticastTrouble(int port) {
-  const int opened = socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);
-  if (opened < 0) return errno;
-  sockaddr_in address{};
-  address.sin_family = AF_INET;
-  address.sin_port = htons(static_cast<uint16_t>(port));
-  address.sin_addr.s_addr = inet_addr(kLcmGroup);
-  const int trouble =
-      connect(opened, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0 ? 0 : errno;
-  close(opened);
-  return trouble;
-}
-
-}  // namespace
 
 LcmTransport::LcmTransport(FilterPlace place)
     : lcm_receiver_(place),
@@ -47,12 +22,11 @@ LcmTransport::~LcmTransport() {
 lcm_t* LcmTransport::Open(int port) {
   const auto [sender, is_new] = senders_.try_emplace(port, nullptr);
   if (!is_new) return sender->second;
-  const int trouble = MulticastTrouble(port);
-  if (trouble == 0) sender->second = lcm_create(LcmUrl(port).c_str());
+  const std::string fault = MulticastFault();  // liblcm would print a page about it.
+  if (fault.empty()) sender->second = lcm_create(LcmUrl(port).c_str());
   if (sender->second == nullptr && error_.empty()) {
-    error_ =
-        fmt::format("cannot open LCM port {} ({}): {}", port,
-                    trouble == 0 ? "liblcm refuses" : std::strerror(trouble), kMulticastRemedy);
+    error_ = fmt::format("cannot open LCM port {}: {}", port,
+                         fault.empty() ? "liblcm refuses it; run `shoal doctor`" : fault);
   }
   return sender->second;
 }

@@ -124,7 +124,8 @@ std::vector<ChildExit> ChildProcesses::Reap() {
     kill(-child->second.pid, SIGKILL);  // What a user's script left behind.
     exits.push_back({.name = child->first,
                      .pid = child->second.pid,
-                     .clean = WIFEXITED(status) && WEXITSTATUS(status) == 0,
+                     .clean = WIFEXITED(status) ? WEXITSTATUS(status) == 0
+                                                : WTERMSIG(status) == child->second.signal,
                      .how = Describe(status),
                      .last_lines = LastLines(child->second.log_path, kLastLines)});
     child = running_.erase(child);
@@ -135,11 +136,16 @@ std::vector<ChildExit> ChildProcesses::Reap() {
 void ChildProcesses::Signal(const std::string& name, int signal) {
   const auto found = running_.find(name);
   // The whole group: a user's command may be a script with children.
-  if (found != running_.end()) kill(-found->second.pid, signal);
+  if (found == running_.end()) return;
+  found->second.signal = signal;
+  kill(-found->second.pid, signal);
 }
 
 void ChildProcesses::SignalAll(int signal) {
-  for (const auto& [name, child] : running_) kill(-child.pid, signal);
+  for (auto& [name, child] : running_) {
+    child.signal = signal;
+    kill(-child.pid, signal);
+  }
 }
 
 }  // namespace shoal

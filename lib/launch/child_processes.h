@@ -17,7 +17,7 @@ namespace shoal {
 struct ChildExit {
   std::string name;
   pid_t pid = 0;
-  bool clean = false;  ///< Exit code 0.
+  bool clean = false;  ///< Exit code 0, or killed by the signal that this process sent it.
   std::string how;     ///< "was killed by signal 9 (Killed)", "exited with code 2".
   std::vector<std::string> last_lines;  ///< Of its log.
 };
@@ -54,6 +54,7 @@ class ChildProcesses {
   struct Child {
     pid_t pid = 0;
     std::string log_path;
+    int signal = 0;  ///< The last one that was sent to it.
   };
   std::map<std::string, Child> running_;
 };

@@ -1,8 +1,10 @@
 #include "lib/launch/launch_plan.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 
@@ -15,7 +17,8 @@ namespace {
 namespace fs = std::filesystem;
 
 bool IsProgram(const fs::path& path) {
-  return fs::is_regular_file(path) && access(path.c_str(), X_OK) == 0;
+  std::error_code error;  // Folders of PATH may be closed to us.
+  return fs::is_regular_file(path, error) && access(path.c_str(), X_OK) == 0;
 }
 
 std::vector<std::string> ArgumentsOf(const RosterEntry& entry, const LaunchContext& context) {
@@ -33,6 +36,18 @@ std::vector<std::string> ArgumentsOf(const RosterEntry& entry, const LaunchConte
   if (context.options.lose > 0) add("--lose", fmt::format("{}", context.options.lose));
   if (!context.options.lose_forever.empty()) add("--lose-forever", context.options.lose_forever);
   return arguments;
+}
+
+Result<std::string> ProgramOf(const RosterEntry& entry, const Mission& mission) {
+  Result<std::string> path =
+      FindProgram(entry.command.empty() ? entry.app : entry.command.front(), mission.file);
+  if (path.ok()) return path;
+  std::string message = fmt::format("{}: {}", entry.name, path.error());
+  if (!entry.command.empty()) {
+    message += fmt::format(". Build it, or correct the command of [[participant]] {} in {}",
+                           entry.name, mission.file);
+  }
+  return Error{message};
 }
 
 }  // namespace
@@ -55,11 +70,17 @@ Result<std::string> FindProgram(const std::string& program, const std::string& m
   for (const fs::path& candidate : candidates) {
     if (IsProgram(candidate)) return fs::absolute(candidate).string();
   }
-  std::string message = fmt::format("cannot find the program '{}'; looked for", program);
-  for (size_t i = 0; i < std::min<size_t>(candidates.size(), 3); ++i) {
-    message += (i == 0 ? " " : ", ") + fs::absolute(candidates[i]).lexically_normal().string();
+  std::vector<std::string> places;
+  for (const fs::path& candidate : candidates) {
+    std::string place = fs::absolute(candidate).lexically_normal().string();
+    if (std::find(places.begin(), places.end(), place) == places.end()) {
+      places.push_back(std::move(place));
+    }
   }
-  return Error{message};
+  constexpr size_t kMostPlaces = 3;
+  places.resize(std::min(places.size(), kMostPlaces));
+  return Error{
+      fmt::format("cannot find the program '{}'; looked for {}", program, fmt::join(places, ", "))};
 }
 
 std::vector<std::string> ParticipantEnvironment(const RosterEntry& entry,
@@ -82,10 +103,20 @@ std::string ExecutableDirectory() {
   return fs::read_symlink("/proc/self/exe", error).parent_path().string();
 }
 
+std::vector<std::string> MissingPrograms(const Mission& mission,
+                                         const std::vector<RosterEntry>& roster) {
+  std::vector<std::string> missing;
+  for (const RosterEntry& entry : roster) {
+    if (entry.provider == Provider::kHand) continue;
+    const Result<std::string> path = ProgramOf(entry, mission);
+    if (!path.ok()) missing.push_back(path.error());
+  }
+  return missing;
+}
+
 Result<ChildCommand> CommandOf(const RosterEntry& entry, const LaunchContext& context) {
-  const std::string& program = entry.command.empty() ? entry.app : entry.command.front();
-  Result<std::string> path = FindProgram(program, context.mission.file);
-  if (!path.ok()) return Error{fmt::format("{}: {}", entry.name, path.error())};
+  Result<std::string> path = ProgramOf(entry, context.mission);
+  if (!path.ok()) return Error{path.error()};
   ChildCommand command{.name = entry.name,
                        .argv = {*path},
                        .environment = ParticipantEnvironment(entry, context),

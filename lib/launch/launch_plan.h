@@ -45,6 +45,10 @@ struct LaunchContext {
 [[nodiscard]] Result<ChildCommand> CommandOf(const RosterEntry& entry,
                                              const LaunchContext& context);
 
+/// Returns an error for each participant of `roster` whose program is not there.
+std::vector<std::string> MissingPrograms(const Mission& mission,
+                                         const std::vector<RosterEntry>& roster);
+
 /// Returns the command line for a participant that a user starts.
 std::string HandCommand(const RosterEntry& entry, const LaunchContext& context);
 

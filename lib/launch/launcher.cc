@@ -1,6 +1,7 @@
 #include "lib/launch/launcher.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <signal.h>
 #include <sys/random.h>
 #include <sys/signalfd.h>
@@ -9,6 +10,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "lib/bus/multicast_fault.h"
 #include "lib/check/time_units.h"
 #include "lib/launch/recording.h"
 #include "lib/run/run_app.h"
@@ -66,7 +68,10 @@ Result<std::string> MakeLogFolder(const RunOptions& options, const Mission& miss
   if (!prepared.ok()) return Error{prepared.error()};
   std::string path = options.record_dir + "/logs";
   std::error_code error;
-  std::filesystem::create_directory(path, error);
+  // The folder was empty; what is there now has been made by another program.
+  if (!std::filesystem::create_directory(path, error) && !error) {
+    error = std::make_error_code(std::errc::file_exists);
+  }
   if (error) return Error{fmt::format("cannot make the folder {}: {}", path, error.message())};
   return path;
 }
@@ -183,16 +188,17 @@ int Launcher::Conclude() {
         director_->Summary(complete));
   }
   if (!options_.record_dir.empty()) {
-    if (const Result<bool> written = WriteSummary(options_.record_dir, summary); !written.ok()) {
-      supervision_.Fail(kExitEnvironment, written.error());
-    }
-    terminal_.Print(
-        fmt::format("Recorded in {}: mission.lcm{}, mission.toml, run.txt, summary.txt, logs/\n",
-                    options_.record_dir, supervision_.HasLost("recorder") ? " (cut short)" : ""));
+    const Result<bool> written = WriteSummary(options_.record_dir, summary);
+    if (!written.ok()) supervision_.Fail(kExitEnvironment, written.error());
+    terminal_.Print(fmt::format("Recorded in {}: mission.lcm{}, mission.toml, run.txt, {}logs/\n",
+                                options_.record_dir,
+                                supervision_.HasLost("recorder") ? " (cut short)" : "",
+                                written.ok() ? "summary.txt, " : ""));
     if (options_.view)
       terminal_.Print(fmt::format("To look at it: shoal view {}\n", options_.record_dir));
   }
   terminal_.Print(summary);
+  if (running_since_us_ != 0) supervision_.ShowCause();
   if (supervision_.exit_code() != 0) return supervision_.exit_code();
   return director_->Passed() ? 0 : static_cast<int>(kExitMissionFailed);
 }
@@ -203,12 +209,17 @@ int RunMission(const RunOptions& options, const Mission& mission,
     fmt::print(stderr, "shoal: {}\n", why);
     return static_cast<int>(kExitEnvironment);
   };
+  if (const std::string fault = MulticastFault(); !fault.empty()) return fail(fault);
   if (mission.netsim && !mission.netsim->allow_warp && options.warp != 1) {
     fmt::print(stderr,
                "shoal: a mission with [netsim] runs at --warp 1: modem drivers compare their clock "
                "with the wall's. Where yours do not, write allow_warp = true in [netsim]\n");
     return kExitUsage;
   }
+  // Before anything is made or started, so that nothing has to be undone.
+  const std::vector<std::string> missing =
+      MissingPrograms(mission, MakeRoster(mission, !options.record_dir.empty()));
+  if (!missing.empty()) return fail(fmt::format("{}", fmt::join(missing, "\nshoal: ")));
   const std::vector<std::string> vehicles = VehicleNames(mission);
   const Layout layout =
       options.layout.value_or(PortPlan::Suggest(static_cast<int>(vehicles.size())));
@@ -219,6 +230,7 @@ int RunMission(const RunOptions& options, const Mission& mission,
   RunningMission running{
       .name = mission.name,
       .file = std::filesystem::absolute(mission.file).lexically_normal().string(),
+      .folder = WorkingFolder(),
       .mission_id = RandomMissionId(),
       .port_base = *base,
       .layout = layout,

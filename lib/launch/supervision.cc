@@ -1,12 +1,14 @@
 #include "lib/launch/supervision.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <signal.h>
 #include <sys/signalfd.h>
 #include <unistd.h>
 
 #include <algorithm>
 
+#include "lib/bus/multicast_fault.h"
 #include "lib/check/time_units.h"
 #include "lib/run/run_app.h"
 #include "lib/run/run_registry.h"
@@ -17,7 +19,10 @@ namespace {
 
 constexpr int64_t kPatience_us = 700'000;        ///< For the step under way when the end is wanted.
 constexpr int64_t kExitPatience_us = 1'000'000;  ///< For processes to leave after END.
-constexpr int64_t kStartPatience_us = 20 * kSecond_us;
+constexpr double kLeastTimeout_s = 5;  ///< A short one is for steps; programs load no faster.
+constexpr double kTimeoutsToStart = 4;
+constexpr double kStartOfOne_s = 0.5;  ///< Processes that start share the machine's cores.
+constexpr size_t kMostNames = 5;       ///< In one line.
 constexpr int64_t kWaitingLine_us = 10 * kSecond_us;  ///< While a user has to start a program.
 constexpr int kMaxRestarts = 5;                       ///< Of one participant; more is a crash loop.
 
@@ -36,7 +41,21 @@ std::string LossAdvice() {
   return advice + "`shoal doctor` looks for more.";
 }
 
+/// Returns "a, b and 3 others".
+std::string Names(const std::vector<std::string>& names) {
+  const size_t shown = std::min(names.size(), kMostNames);
+  std::string text = fmt::format("{}", fmt::join(names.begin(), names.begin() + shown, ", "));
+  if (names.size() > shown) text += fmt::format(" and {} others", names.size() - shown);
+  return text;
+}
+
 }  // namespace
+
+int64_t StartLimit_us(double participant_timeout_s, size_t num_processes) {
+  const double limit_s = kTimeoutsToStart * std::max(participant_timeout_s, kLeastTimeout_s) +
+                         kStartOfOne_s * static_cast<double>(num_processes);
+  return static_cast<int64_t>(limit_s * 1e6);
+}
 
 Supervision::Supervision(const LaunchContext& context, const std::vector<RosterEntry>& roster,
                          StepClock& clock, LaunchTerminal& terminal)
@@ -89,7 +108,23 @@ bool Supervision::StartLoggers() {
 
 void Supervision::Fail(int exit_code, const std::string& why) {
   terminal_.Warn(why);
+  if (exit_code_ != kExitEnvironment) cause_ = why;
   exit_code_ = exit_code;
+}
+
+void Supervision::ShowCause() {
+  if (!lost_later_.empty()) {
+    terminal_.Warn(fmt::format("after that, {} processes were lost too ({}); their output: {}/",
+                               lost_later_.size(), Names({lost_later_.begin(), lost_later_.end()}),
+                               context_.log_dir));
+  }
+  if (exit_code_ == kExitEnvironment) terminal_.Warn("Cause: " + cause_);
+}
+
+bool Supervision::FailedByNetwork() {
+  const std::string fault = MulticastFault();
+  if (!fault.empty()) Fail(kExitEnvironment, fault);
+  return !fault.empty();
 }
 
 void Supervision::OnTime(int64_t wall_us, int64_t num_foreign) {
@@ -123,7 +158,7 @@ void Supervision::OnChildExits() {
       if (is_over || is_killing_) continue;
       terminal_.Warn(fmt::format("{} {}; the mission goes on", exit.name, exit.how));
       for (const std::string& line : exit.last_lines) terminal_.Warn("    " + line);
-    } else if (is_killing_ || ((is_logger || is_over) && exit.clean)) {
+    } else if (is_killing_ || ((is_logger || is_over || is_ending_) && exit.clean)) {
       clock_.Drop(exit.name, MonotonicMicroseconds());
     } else if (is_logger) {
       terminal_.Warn(fmt::format("{} {}; the recorder goes on", exit.name, exit.how));
@@ -150,6 +185,16 @@ void Supervision::CheckSilence(int64_t wall_us) {
 
 void Supervision::OnLost(const std::string& name, const std::string& how,
                          const std::vector<std::string>& last_lines) {
+  if (exit_code_ != 0) {
+    // A consequence of what ends the mission, most often; its line would bury the cause.
+    if (!lost_.contains(name)) lost_later_.insert(name);
+    clock_.Drop(name, MonotonicMicroseconds());
+    return;
+  }
+  if (FailedByNetwork()) {
+    OnLost(name, how, last_lines);
+    return;
+  }
   const bool is_new = lost_.insert(name).second;
   if (is_new) {
     terminal_.Warn("LOST: " + how);
@@ -157,10 +202,10 @@ void Supervision::OnLost(const std::string& name, const std::string& how,
   }
   const bool is_running = clock_.state() == StepClock::State::kRunning;
   clock_.Drop(name, MonotonicMicroseconds());
-  if (exit_code_ != 0) return;
   // A second recorder would empty the log of the first, and none would leave it cut.
   if (context_.mission.on_loss == OnLoss::kEnd || !is_running || name == "recorder") {
     Fail(kExitEnvironment, fmt::format("the mission ends without {}", name));
+    cause_ = how;
     return;
   }
   const auto entry = std::find_if(roster_.begin(), roster_.end(),
@@ -183,6 +228,8 @@ void Supervision::CheckGathering(int64_t wall_us) {
   if (clock_.state() != StepClock::State::kGathering) return;
   if (exit_code_ != 0) return;
   const std::vector<std::string> awaited = clock_.Awaited();
+  std::vector<std::string> late;
+  const int64_t limit_us = StartLimit_us(context_.mission.participant_timeout_s, roster_.size());
   const bool shows = wall_us >= next_waiting_line_us_;
   if (shows) next_waiting_line_us_ = wall_us + kWaitingLine_us;
   for (const RosterEntry& entry : roster_) {
@@ -190,17 +237,21 @@ void Supervision::CheckGathering(int64_t wall_us) {
     if (entry.provider == Provider::kHand) {
       if (!shows) continue;
       terminal_.Warn(fmt::format("waiting for {}: {}", entry.name, HandCommand(entry, context_)));
-    } else if (wall_us - started_us_ > kStartPatience_us) {
-      Fail(kExitEnvironment,
-           fmt::format("{} did not report within {} s; its output: {}/{}.txt", entry.name,
-                       kStartPatience_us / kSecond_us, context_.log_dir, entry.name));
-      return;
+    } else if (wall_us - started_us_ > limit_us) {
+      late.push_back(entry.name);
     }
   }
+  if (late.empty() || FailedByNetwork()) return;
+  Fail(kExitEnvironment,
+       fmt::format(
+           "{} of {} processes did not report within {} s of their start: {}. Their output: "
+           "{}/NAME.txt. On a slow or busy machine, raise participant_timeout_s in "
+           "[mission]",
+           late.size(), roster_.size(), limit_us / kSecond_us, Names(late), context_.log_dir));
 }
 
 void Supervision::CheckFaults(int64_t wall_us, int64_t num_foreign) {
-  if (!clock_.fault().empty() && exit_code_ == 0) {
+  if (!clock_.fault().empty() && exit_code_ == 0 && !FailedByNetwork()) {
     std::string why = clock_.fault();
     if (why.find("never reached") != std::string::npos) why += LossAdvice();
     Fail(kExitEnvironment, why);
@@ -232,6 +283,7 @@ void Supervision::CheckFaults(int64_t wall_us, int64_t num_foreign) {
 }
 
 void Supervision::EndAll() {
+  is_ending_ = true;
   // lcm-logger ends on SIGINT. Shoal's own have answered END, or receive a signal now; a user's get
   // the time to leave by themselves.
   children_.Signal(kViewer, SIGTERM);

@@ -21,6 +21,10 @@
 
 namespace shoal {
 
+/// Returns how long the processes that shoal starts may take to report, microseconds of wall time:
+/// four times `participant_timeout_s` (at least 5 s of it), and half a second for each process.
+int64_t StartLimit_us(double participant_timeout_s, size_t num_processes);
+
 class Supervision {
  public:
   /// All arguments must outlive this.
@@ -36,11 +40,17 @@ class Supervision {
   /// Ends all processes: asks, waits for a second, then kills.
   void EndAll();
 
-  /// The mission ends with this exit code; OnTime stops the clock.
+  /// The mission ends with this exit code; OnTime stops the clock. The first call with
+  /// kExitEnvironment is the cause.
   void Fail(int exit_code, const std::string& why);
+  /// Names the processes that were lost after the end had been decided, and repeats its cause where
+  /// that was the machine's, so that it is the last line as it was the first.
+  void ShowCause();
   /// Not 0: something other than the verdict decided.
   int exit_code() const { return exit_code_; }
-  bool HasLost(const std::string& name) const { return lost_.contains(name); }
+  bool HasLost(const std::string& name) const {
+    return lost_.contains(name) || lost_later_.contains(name);
+  }
 
  private:
   bool StartParticipant(const RosterEntry& entry);
@@ -51,6 +61,8 @@ class Supervision {
   void CheckGathering(int64_t wall_us);
   void CheckSilence(int64_t wall_us);
   void CheckFaults(int64_t wall_us, int64_t num_foreign);
+  /// Fails with the network's fault where it has one; returns whether it has.
+  bool FailedByNetwork();
   void OnLost(const std::string& name, const std::string& how,
               const std::vector<std::string>& last_lines);
 
@@ -61,11 +73,14 @@ class Supervision {
   ChildProcesses children_;
   ViewerAddress viewer_address_;
   std::vector<std::string> loggers_;
-  std::set<std::string> lost_;  ///< Named already; not to be named again.
+  std::set<std::string> lost_;        ///< Named already; not to be named again.
+  std::set<std::string> lost_later_;  ///< After the mission's end was decided.
+  std::string cause_;                 ///< Why the mission ends, where that is Fail's.
   std::map<std::string, int> num_restarts_;
   int exit_code_ = 0;
   int64_t started_us_ = 0;
   int64_t next_waiting_line_us_ = 0;
+  bool is_ending_ = false;  ///< EndAll has asked processes to exit.
   bool is_interrupted_ = false;
   bool is_killing_ = false;  ///< Processes that still run have been signalled to end.
   bool has_shown_foreign_ = false;

@@ -145,21 +145,48 @@ RC_GTEST_PROP(LoadHostile, AnswersAnyOverrideWithErrorsOrWithAMission,
 
 TEST(LoadHostile, KnowsThatItsOwnExampleIsRight) { EXPECT_EQ(ErrorsOf(kEverything), ""); }
 
-TEST(LoadHostile, SurvivesAKeyOfAHundredThousandParts) {
+/// A key of `parts` parts, two bytes each but for the last.
+std::string KeyOf(size_t parts) {
   std::string key = "a";
-  for (int i = 0; i < 100'000; ++i) key += ".a";
+  for (size_t i = 1; i < parts; ++i) key += ".a";
+  return key;
+}
+
+TEST(LoadHostile, SurvivesAKeyOfAHundredThousandParts) {
+  const std::string key = KeyOf(100'000);
   EXPECT_EQ(ErrorsOf("[" + key + "]\n"),
-            "1:33: a key has more than 16 parts; no key of a mission file does\n");
+            "1:1: nested deeper than 32 levels; no part of a mission file is\n");
   EXPECT_EQ(ErrorsOf("\n" + key + " = 1\n"),
-            "2:32: a key has more than 16 parts; no key of a mission file does\n");
+            "2:65: nested deeper than 32 levels; no part of a mission file is\n");
   EXPECT_EQ(ErrorsAfter("", {key + "=1"}).substr(0, 10), "--set a.a.");
 }
 
-TEST(LoadHostile, CountsNoDotsInStringsAndComments) {
-  const std::string dots(100, '.');
-  EXPECT_EQ(ErrorsOf("[mission] # " + dots + "\nduration_s = 60\ndescription = '''\n" + dots +
-                     "'\n" + dots + "'''\nname = \"\\\"" + dots + "\"\n[[vehicle]]\nname = 'a'\n"),
-            "");
+TEST(LoadHostile, SurvivesAKeyOfAHundredThousandPartsBehindAFourthQuote) {
+  // Of four quotes at the end of a text of many lines, the first belongs to the text.
+  for (const std::string quotes : {R"(""")", "'''"}) {
+    const std::string text =
+        "x = [" + quotes + "x" + quotes + quotes.front() + ", {" + KeyOf(130'000) + "=1}]\n";
+    EXPECT_EQ(ErrorsOf(text), "1:77: nested deeper than 32 levels; no part of a mission file is\n");
+    // The parser gives up behind it, and destroys what it has read.
+    EXPECT_EQ(ErrorsOf(text + "=").substr(0, 4), "2:1:");
+  }
+}
+
+TEST(LoadHostile, SurvivesTheDeepestTextOfTheLongestLength) {
+  constexpr size_t kLongest = size_t{4} << 20;
+  const std::string longest = "[" + KeyOf(kLongest / 2 - 1) + "]";
+  ASSERT_EQ(longest.size(), kLongest - 1);
+  EXPECT_EQ(ErrorsOf(longest + "\n"),
+            "1:1: nested deeper than 32 levels; no part of a mission file is\n");
+  EXPECT_EQ(ErrorsOf(longest + "\n\n"),
+            " is 4194305 bytes long; a mission file has at most 4194304\n");
+}
+
+TEST(LoadHostile, AnswersToAnArrayOfAsManyPointsAsTheLongestTextHolds) {
+  std::string points = "points = [";
+  for (int i = 0; i < 600'000; ++i) points += "[1,2],";
+  EXPECT_EQ(ErrorsAfter("[[vehicle.task]]\nkind = \"waypoints\"\n" + points + "]\n").substr(0, 60),
+            "7:10: points has 600000 elements; allowed: at most 10000\n7:1");
 }
 
 TEST(LoadHostile, SurvivesDeepBrackets) {

@@ -1,88 +1,62 @@
 #include "lib/mission/parse.h"
 
 #include <fmt/format.h>
+#include <pthread.h>
 #include <toml++/toml.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <string>
+#include <system_error>
 #include <utility>
 
 namespace shoal {
 namespace {
 
-// toml++ limits the depth of brackets but not the parts of a dotted key, and recurses on both: a
-// key of 100,000 parts would overflow the stack. No key of a mission file has more than five.
-constexpr int kMostKeyParts = 16;
-constexpr int kDeepestValue = 32;
+constexpr int kDeepestValue = 32;  ///< The deepest key of a mission file has seven levels.
+constexpr size_t kLongestText_bytes = size_t{4} << 20;
 
-/// Walks over TOML just far enough to count the dots of each key.
-class DotCounter {
- public:
-  explicit DotCounter(std::string_view text) : text_(text) {}
+// toml++ recurses once for each part of a dotted key, and knows no limit of these. The deepest text
+// of a length is one such key, two bytes per part. toml++ 3.3 needs 32 bytes of stack per byte of
+// text for it as released, 224 without optimization, 304 with the address sanitizer.
+constexpr size_t kStackPerByte = 512;
+constexpr size_t kLeastStack_bytes = size_t{8} << 20;
+/// Any stack suffices for this; a recording may have 100,000 overrides, and each thread takes time.
+constexpr size_t kShortText_bytes = 1024;
 
-  /// Returns the place of the first key with too many parts.
-  std::optional<Place> FindTooLongKey() {
-    while (at_ < text_.size()) {
-      const char c = text_[at_];
-      if (c == '"' || c == '\'') {
-        SkipString(c);
-        continue;
-      }
-      if (c == '#') {
-        at_ = std::min(text_.find('\n', at_), text_.size());
-        continue;
-      }
-      if (c == '.' && ++dots_ >= kMostKeyParts) return HerePlace();
-      if (std::string_view("[]{}=,\n").find(c) != std::string_view::npos) dots_ = 0;
-      ++at_;
-    }
-    return std::nullopt;
+/// Runs `work` to its end on a thread with this stack. Returns 0, or the errno of a thread that
+/// cannot be made. Memory is used only for the part of the stack that is touched.
+int RunOnStack(size_t size_bytes, const std::function<void()>& work) {
+  pthread_attr_t attributes;
+  pthread_t thread{};
+  pthread_attr_init(&attributes);
+  int error = pthread_attr_setstacksize(&attributes, size_bytes);
+  if (error == 0) {
+    error = pthread_create(
+        &thread, &attributes,
+        [](void* what) -> void* {
+          (*static_cast<const std::function<void()>*>(what))();
+          return nullptr;
+        },
+        const_cast<std::function<void()>*>(&work));
   }
-
- private:
-  void SkipString(char quote) {
-    const std::string three(3, quote);
-    const bool many_lines = text_.substr(at_, 3) == three;
-    at_ += many_lines ? 3 : 1;
-    while (at_ < text_.size()) {
-      if (quote == '"' && text_[at_] == '\\') {
-        at_ += 2;
-      } else if (many_lines ? text_.substr(at_, 3) == three : text_[at_] == quote) {
-        at_ += many_lines ? 3 : 1;
-        return;
-      } else if (!many_lines && text_[at_] == '\n') {
-        return;  // An error that the parser describes better.
-      } else {
-        ++at_;
-      }
-    }
-  }
-
-  Place HerePlace() const {
-    const std::string_view before = text_.substr(0, at_);
-    const size_t line_break = before.rfind('\n');
-    const size_t line_start = line_break == std::string_view::npos ? 0 : line_break + 1;
-    return {.line = 1 + std::count(before.begin(), before.end(), '\n'),
-            .column = static_cast<int64_t>(at_ - line_start) + 1};
-  }
-
-  std::string_view text_;
-  size_t at_ = 0;
-  int dots_ = 0;
-};
+  pthread_attr_destroy(&attributes);
+  if (error == 0) pthread_join(thread, nullptr);
+  return error;
+}
 
 Place PlaceOf(const toml::source_region& source) {
   return {.line = source.begin.line, .column = source.begin.column};
 }
 
 /// Converts the tree of toml++, which sorts by key, to ours, in the order of the file. Sets
-/// `too_deep` where it gives up.
+/// `too_deep` to the first place where it gives up.
 Value Convert(const toml::node& node, int depth, std::optional<Place>& too_deep) {
   Value value;
   value.place = PlaceOf(node.source());
   if (depth > kDeepestValue) {
-    too_deep = value.place;
+    if (!too_deep) too_deep = value.place;
   } else if (const auto* table = node.as_table()) {
     Table entries;
     for (const auto& [key, child] : *table) {
@@ -125,14 +99,8 @@ void Replace(Value& value, const Place& place) {
   }
 }
 
-}  // namespace
-
-std::optional<Value> ParseToml(std::string_view text, Problems& problems) {
-  if (const auto place = DotCounter(text).FindTooLongKey()) {
-    problems.Add(*place, fmt::format("a key has more than {} parts; no key of a mission file does",
-                                     kMostKeyParts));
-    return std::nullopt;
-  }
+/// Parses on the stack of the calling thread.
+std::optional<Value> ParseHere(std::string_view text, Problems& problems) {
   try {
     const toml::table parsed = toml::parse(text, std::string_view("mission"));
     std::optional<Place> too_deep;
@@ -145,6 +113,26 @@ std::optional<Value> ParseToml(std::string_view text, Problems& problems) {
     problems.Add(PlaceOf(error.source()), "not TOML: " + std::string(error.description()));
   }
   return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Value> ParseToml(std::string_view text, Problems& problems) {
+  if (text.size() > kLongestText_bytes) {
+    problems.Add({}, fmt::format("is {} bytes long; a mission file has at most {}", text.size(),
+                                 kLongestText_bytes));
+    return std::nullopt;
+  }
+  if (text.size() <= kShortText_bytes) return ParseHere(text, problems);
+  std::optional<Value> root;
+  const size_t stack_bytes = kLeastStack_bytes + kStackPerByte * text.size();
+  const int error = RunOnStack(stack_bytes, [&] { root = ParseHere(text, problems); });
+  if (error != 0) {
+    problems.Add({}, fmt::format("cannot be parsed: no thread with a stack of {} MiB can be made "
+                                 "({}); `ulimit -v` and `ulimit -u` may forbid it",
+                                 stack_bytes >> 20, std::generic_category().message(error)));
+  }
+  return root;
 }
 
 std::optional<Value> ParseTomlValue(std::string_view text, const Place& place) {

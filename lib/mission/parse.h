@@ -10,8 +10,9 @@
 namespace shoal {
 
 /// Returns the root table of `text`, every value with its place. A syntax error, a text that is
-/// not UTF-8 or one that is nested beyond reason is added to `problems`: only the first, since
-/// what follows it has no certain meaning.
+/// not UTF-8, one that is nested deeper than 32 levels (parts of dotted keys are levels too) or one
+/// of more than 4 MiB is added to `problems`: only the first, since what follows it has no certain
+/// meaning.
 std::optional<Value> ParseToml(std::string_view text, Problems& problems);
 
 /// Returns the value that `text` writes, placed at `place`, as in `key = text`; nullopt where it

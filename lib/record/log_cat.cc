@@ -53,8 +53,8 @@ int LogCat(const LogCatOptions& options, std::ostream& out, std::ostream& err) {
     ++num_lines;
   }
   if (!ReportDamage(*reader, err)) return kExitEnvironment;
-  if (is_read_to_end) ReportUnmatched(*reader, options.selection, channels, err);
-  return kExitOk;
+  if (!is_read_to_end) return kExitOk;
+  return ReportUnmatched(*reader, options.selection, channels, err) ? kExitOk : kExitUsage;
 }
 
 }  // namespace shoal

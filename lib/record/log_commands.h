@@ -1,6 +1,7 @@
 // What `shoal log info|cat|diff|csv` do. Each reads files, writes text to `out`, warnings and
 // errors to `err`, and returns the process's exit code: 0, or kExitEnvironment for a file that
-// cannot be read (or is damaged, without skip_damage), kExitUsage for types that are not valid.
+// cannot be read (or is damaged, without skip_damage), kExitUsage for types that are not valid and
+// for channels of which the log has none.
 #pragma once
 
 #include <cstdint>

@@ -116,6 +116,21 @@ TEST_F(LogCat_, SelectsChannelsTimesAndLines) {
   EXPECT_EQ(std::count(all_from_to.begin(), all_from_to.end(), '\n'), 6);
 }
 
+TEST_F(LogCat_, OfChannelsThatTheLogDoesNotHaveIsAnError) {
+  const std::string path = Log("a.lcm", {{12'300'000, "DESIRED_ALPHA", Desired(12'300'000, 90)}});
+  EXPECT_EQ(Cat({.path = path, .selection = {.channels = {"DESIRED_ALHPA", "X*"}}}), "");
+  EXPECT_EQ(exit_code_, kExitUsage);
+  EXPECT_NE(err_.str().find("no channel matches 'DESIRED_ALHPA'; there are: DESIRED_ALPHA"),
+            std::string::npos)
+      << err_.str();
+  EXPECT_NE(Cat({.path = path, .selection = {.channels = {"X*", "DESIRED_*"}}}), "");
+  EXPECT_EQ(exit_code_, kExitOk) << "one matches";
+  EXPECT_EQ(Cat({.path = path, .selection = {.channels = {"DESIRED_ALPHA"}, .from_s = 99.0}}), "");
+  EXPECT_EQ(exit_code_, kExitOk) << "the channel is there, though not then";
+  Csv({.path = path, .out_dir = directory_.File("csv"), .selection = {.channels = {"X*"}}});
+  EXPECT_EQ(exit_code_, kExitUsage);
+}
+
 TEST_F(LogCat_, ShowsWhatItCannotDecode) {
   Bytes cut = Desired(0, 0);
   cut.pop_back();

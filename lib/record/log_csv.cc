@@ -213,8 +213,7 @@ int LogCsv(const LogCsvOptions& options, std::ostream& out, std::ostream& err) {
                        shown, count);
   }
   if (!ReportDamage(*reader, err)) return kExitEnvironment;
-  ReportUnmatched(*reader, options.selection, channels, err);
-  return kExitOk;
+  return ReportUnmatched(*reader, options.selection, channels, err) ? kExitOk : kExitUsage;
 }
 
 }  // namespace shoal

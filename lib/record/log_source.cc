@@ -56,13 +56,15 @@ bool IsSelected(const LogSelection& selection, const LogEvent& event) {
                      [&](const std::string& glob) { return Matches(glob, channel); });
 }
 
-void ReportUnmatched(const LogReader& reader, const LogSelection& selection,
+bool ReportUnmatched(const LogReader& reader, const LogSelection& selection,
                      const std::set<std::string, std::less<>>& channels, std::ostream& err) {
+  size_t num_unmatched = 0;
   for (const std::string& glob : selection.channels) {
     if (std::any_of(channels.begin(), channels.end(),
                     [&](const std::string& channel) { return Matches(glob, channel); })) {
       continue;
     }
+    ++num_unmatched;
     std::string names;
     for (const std::string& channel : channels) {
       if (!names.empty()) names += ", ";
@@ -71,6 +73,7 @@ void ReportUnmatched(const LogReader& reader, const LogSelection& selection,
     err << fmt::format("{}: no channel matches '{}'; there are: {}\n", reader.path(), glob,
                        names.empty() ? "none" : names);
   }
+  return num_unmatched == 0 || num_unmatched < selection.channels.size();
 }
 
 }  // namespace shoal

@@ -21,8 +21,9 @@ bool ReportDamage(const LogReader& reader, std::ostream& err);
 
 [[nodiscard]] bool IsSelected(const LogSelection& selection, const LogEvent& event);
 
-/// Writes which globs of `selection` match none of `channels`, all those of the log.
-void ReportUnmatched(const LogReader& reader, const LogSelection& selection,
+/// Writes which globs of `selection` match none of `channels`, all those of the log. Returns false
+/// where there are globs and none matches.
+bool ReportUnmatched(const LogReader& reader, const LogSelection& selection,
                      const std::set<std::string, std::less<>>& channels, std::ostream& err);
 
 }  // namespace shoal

@@ -8,6 +8,7 @@
 
 #include "lib/bus/channels.h"
 #include "lib/bus/lcm_bus.h"
+#include "lib/bus/multicast_fault.h"
 #include "lib/bus/socket_drops.h"
 #include "lib/check/result.h"
 #include "lib/run/appcast.h"
@@ -81,6 +82,7 @@ int RunLive(const LiveOptions& options, Mission mission,
     fmt::print(stderr, "{}: {}\n", options.name, why);
     return static_cast<int>(kExitEnvironment);
   };
+  if (const std::string fault = MulticastFault(); !fault.empty()) return fail(fault);
   const Result<std::vector<RunningMission>> others = RunningMissions();
   if (!others.ok()) return fail(others.error());
   for (const RunningMission& other : *others) {
@@ -96,6 +98,7 @@ int RunLive(const LiveOptions& options, Mission mission,
   const Registration registration(
       {.name = mission.name,
        .file = std::filesystem::absolute(mission.file).lexically_normal().string(),
+       .folder = WorkingFolder(),
        .mission_id = 0,
        .port_base = options.ports.base(),
        .layout = options.ports.layout(),

@@ -11,6 +11,7 @@
 #include <optional>
 
 #include "lib/bus/lcm_transport.h"
+#include "lib/bus/multicast_fault.h"
 #include "lib/check/result.h"
 #include "lib/mission/load.h"
 #include "lib/run/live.h"
@@ -101,6 +102,10 @@ int Run(const AppOptions& options, const std::string& name, const Mission& missi
   const std::optional<PortPlan> plan = PlanPorts(name, mission, port_base, layout);
   if (!plan) return kExitUsage;
 
+  if (const std::string fault = MulticastFault(); !fault.empty()) {
+    fmt::print(stderr, "{}: {}\n", name, fault);
+    return kExitEnvironment;
+  }
   const Result<MissionSecret> secret = FindSecret(port_base);
   if (!secret.ok()) {
     fmt::print(stderr, "{}: {}\n", name, secret.error());

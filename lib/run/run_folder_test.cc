@@ -8,17 +8,14 @@
 #include <filesystem>
 #include <fstream>
 #include <optional>
+#include <vector>
 
+#include "lib/record/test_log.h"
 #include "lib/run/run_registry.h"
 
 namespace shoal::run_folder_test {
 
 namespace fs = std::filesystem;
-
-std::string TextOf(const fs::path& path) {
-  std::ifstream in(path);
-  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-}
 
 mode_t ModeOf(const fs::path& path) {
   struct stat status {};
@@ -28,19 +25,14 @@ mode_t ModeOf(const fs::path& path) {
 /// A folder of its own for each test, and the environment as it was afterwards.
 class RunFolderTest : public ::testing::Test {
  protected:
-  RunFolderTest() {
-    std::string pattern = (fs::temp_directory_path() / "shoal-run-folder-XXXXXX").string();
-    scratch_ = mkdtemp(pattern.data());
-    setenv("SHOAL_RUN_DIR", (scratch_ / "run").c_str(), 1);
-  }
+  RunFolderTest() { setenv("SHOAL_RUN_DIR", (scratch_ / "run").c_str(), 1); }
   ~RunFolderTest() override {
     Restore("SHOAL_RUN_DIR", run_dir_);
     Restore("XDG_RUNTIME_DIR", xdg_);
-    std::error_code error;
-    fs::remove_all(scratch_, error);
   }
 
-  fs::path scratch_;
+  const TestDirectory directory_;
+  const fs::path scratch_ = directory_.File("");
 
  private:
   static std::optional<std::string> Get(const char* name) {
@@ -65,6 +57,7 @@ RunningMission MissionAt(int port_base, int pid) {
   mission.port_base = port_base;
   mission.pid = pid;
   mission.vehicles = {"a", "b"};
+  mission.folder = "/home/ada";
   return mission;
 }
 
@@ -152,7 +145,7 @@ TEST_F(RunFolderTest, FileIsPrivateAndReplacesALinkInsteadOfFollowingIt) {
     EXPECT_EQ(ModeOf(*path), 0600U);
     EXPECT_EQ(*ReadRunFile("7665.run"), text);
   }
-  EXPECT_EQ(TextOf(scratch_ / "victim"), "precious");
+  EXPECT_EQ(TextOfFile(scratch_ / "victim"), "precious");
   RemoveRunFile("7665.run");
   EXPECT_TRUE(fs::is_empty(scratch_ / "run"));
 }
@@ -194,18 +187,69 @@ TEST_F(RunFolderTest, SubfolderIsMadeAnewInPlaceOfWhatWasLaidOut) {
     EXPECT_TRUE(fs::is_empty(*logs));
     std::ofstream(fs::path(*logs) / "shoal-viewer.txt") << "token";
   }
-  EXPECT_EQ(TextOf(scratch_ / "elsewhere/kept"), "precious");
+  EXPECT_EQ(TextOfFile(scratch_ / "elsewhere/kept"), "precious");
+}
+
+/// The base ports of the mission that is chosen, 0 with an error that holds `text`.
+int Chosen(const std::vector<RunningMission>& missions, int port_base, Purpose purpose,
+           const std::string& text = "") {
+  const Result<RunningMission> chosen = ChooseMission(missions, port_base, "/home/ada", purpose);
+  if (chosen.ok()) return chosen->port_base;
+  EXPECT_NE(chosen.error().find(text), std::string::npos) << chosen.error();
+  for (const RunningMission& mission : missions) {
+    const std::string option = "--port " + std::to_string(mission.port_base);
+    EXPECT_NE(chosen.error().find(option), std::string::npos) << chosen.error();
+  }
+  return 0;
+}
+
+TEST(ChooseMission, PrefersTheOneThatWasStartedInTheFolder) {
+  std::vector<RunningMission> missions = {MissionAt(7665, 1), MissionAt(7805, 1),
+                                          MissionAt(7945, 1)};
+  missions[0].folder = "/home/bob";
+  missions[1].folder = "/home/ada";
+  missions[2].folder = "/home/ada/sub";
+  for (const Purpose purpose : {Purpose::kLook, Purpose::kCommand}) {
+    EXPECT_EQ(Chosen(missions, 0, purpose), 7805);
+    EXPECT_EQ(Chosen(missions, 7665, purpose), 7665) << "a port that is named decides";
+    EXPECT_EQ(Chosen(missions, 7000, purpose, "no mission runs at port 7000"), 0);
+    EXPECT_EQ(Chosen({}, 0, purpose, "no mission is running"), 0);
+  }
+  missions[2].folder = "/home/ada";
+  EXPECT_EQ(Chosen(missions, 0, Purpose::kLook, "several missions that were started in this"), 0);
+  missions[1].folder = missions[2].folder = "/home/bob";
+  EXPECT_EQ(Chosen(missions, 0, Purpose::kLook, "none was started in this folder"), 0);
+}
+
+TEST(ChooseMission, TakesNoFolderThatWasRemovedForAnother) {
+  std::vector<RunningMission> missions = {MissionAt(7665, 1)};
+  missions[0].folder = "";
+  EXPECT_FALSE(ChooseMission(missions, 0, "", Purpose::kCommand).ok());
+}
+
+TEST(ChooseMission, TakesTheOnlyOneFromElsewhereToLookAtButNotToCommand) {
+  std::vector<RunningMission> missions = {MissionAt(7665, 1)};
+  missions[0].folder = "/home/bob";
+  EXPECT_EQ(Chosen(missions, 0, Purpose::kLook), 7665);
+  EXPECT_EQ(Chosen(missions, 0, Purpose::kCommand, "was not started in this folder (/home/ada)"),
+            0);
+  EXPECT_EQ(Chosen(missions, 7665, Purpose::kCommand), 7665);
 }
 
 TEST_F(RunFolderTest, EntriesOfMissionsAreFoundAndThoseOfDeadLaunchersRemoved) {
-  ASSERT_TRUE(Register(MissionAt(7665, getpid())).ok());
+  RunningMission mission = MissionAt(7665, getpid());
+  mission.name = "two lines\nport_base 9000";
+  ASSERT_TRUE(Register(mission).ok());
   ASSERT_TRUE(Register(MissionAt(7805, 1 << 30)).ok());  // No process has this number.
   fs::create_symlink(scratch_ / "run/7665.run", scratch_ / "run/7945.run");
   const Result<std::vector<RunningMission>> missions = RunningMissions();
   ASSERT_TRUE(missions.ok()) << missions.error();
   ASSERT_EQ(missions->size(), 1U);
   EXPECT_EQ(missions->front().port_base, 7665);
+  EXPECT_EQ(missions->front().name, "two lines port_base 9000");
+  EXPECT_EQ(missions->front().file, "");
   EXPECT_EQ(missions->front().vehicles, (std::vector<std::string>{"a", "b"}));
+  EXPECT_EQ(missions->front().folder, "/home/ada");
   EXPECT_FALSE(fs::exists(scratch_ / "run/7805.run"));
   Unregister(7665);
   EXPECT_TRUE(RunningMissions()->empty());

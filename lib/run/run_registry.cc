@@ -79,12 +79,13 @@ std::optional<RunningMission> ReadEntry(const std::string& name) {
   if (!text.ok()) return std::nullopt;
   std::istringstream in(*text);
   RunningMission mission;
-  std::string key;
-  while (in >> key) {
-    std::string value;
-    std::getline(in >> std::ws, value);
+  for (std::string line; std::getline(in, line);) {
+    const size_t blank = std::min(line.find(' '), line.size());
+    const std::string key = line.substr(0, blank);
+    const std::string value = line.substr(std::min(blank + 1, line.size()));
     if (key == "name") mission.name = value;
     if (key == "file") mission.file = value;
+    if (key == "folder") mission.folder = value;
     if (key == "mission_id") mission.mission_id = std::strtoll(value.c_str(), nullptr, 10);
     if (key == "port_base") mission.port_base = std::atoi(value.c_str());
     if (key == "layout") {
@@ -168,15 +169,21 @@ Result<int> ClaimPorts(int wanted_base, int num_ports) {
 }
 
 Result<bool> Register(const RunningMission& mission) {
-  std::string text = fmt::format(
-      "name {}\nfile {}\nmission_id {}\nport_base {}\nlayout {}\npid {}\n", mission.name,
-      mission.file, mission.mission_id, mission.port_base, Name(mission.layout), mission.pid);
-  for (const std::string& vehicle : mission.vehicles) text += fmt::format("vehicle {}\n", vehicle);
-  for (std::string each : mission.overrides) {
-    // Between TOML's values, a blank is as good as a line break.
-    std::replace(each.begin(), each.end(), '\n', ' ');
-    text += fmt::format("set {}\n", each);
-  }
+  std::string text;
+  const auto add = [&](std::string_view key, std::string value) {
+    // A line break would begin another key; between TOML's values, a blank is as good.
+    std::replace(value.begin(), value.end(), '\n', ' ');
+    text += fmt::format("{} {}\n", key, value);
+  };
+  add("name", mission.name);
+  add("file", mission.file);
+  add("folder", mission.folder);
+  add("mission_id", std::to_string(mission.mission_id));
+  add("port_base", std::to_string(mission.port_base));
+  add("layout", std::string(Name(mission.layout)));
+  add("pid", std::to_string(mission.pid));
+  for (const std::string& vehicle : mission.vehicles) add("vehicle", vehicle);
+  for (const std::string& each : mission.overrides) add("set", each);
   const Result<std::string> written = WriteRunFile(EntryName(mission.port_base), text);
   if (!written.ok()) return Error{written.error()};
   return true;
@@ -209,22 +216,56 @@ Result<std::vector<RunningMission>> RunningMissions() {
   return missions;
 }
 
-Result<RunningMission> FindRunningMission(int port_base) {
-  const Result<std::vector<RunningMission>> missions = RunningMissions();
-  if (!missions.ok()) return Error{missions.error()};
-  for (const RunningMission& mission : *missions) {
-    if (mission.port_base == port_base || (port_base == 0 && missions->size() == 1)) return mission;
-  }
-  if (missions->empty()) {
+Result<RunningMission> ChooseMission(const std::vector<RunningMission>& missions, int port_base,
+                                     const std::string& folder, Purpose purpose) {
+  if (missions.empty()) {
     return Error{"no mission is running on this machine; start one with `shoal run FILE`"};
   }
-  std::string message = port_base == 0
-                            ? "several missions are running; choose one with --port:"
-                            : fmt::format("no mission runs at port {}; running:", port_base);
-  for (const RunningMission& mission : *missions) {
-    message += fmt::format("\n  --port {}  {} ({})", mission.port_base, mission.name, mission.file);
+  const auto is_wanted = [&](const RunningMission& mission) {
+    if (port_base != 0) return mission.port_base == port_base;
+    return !folder.empty() && mission.folder == folder;  // Empty: it has been removed.
+  };
+  const auto count = std::count_if(missions.begin(), missions.end(), is_wanted);
+  if (count == 1) return *std::find_if(missions.begin(), missions.end(), is_wanted);
+  if (port_base == 0 && missions.size() == 1 && purpose == Purpose::kLook) return missions.front();
+  std::string message;
+  if (port_base != 0) {
+    message = fmt::format("no mission runs at port {}; running:", port_base);
+  } else if (count > 1) {
+    message =
+        "several missions that were started in this folder are running; choose one with "
+        "--port:";
+  } else if (missions.size() > 1) {
+    message = fmt::format(
+        "several missions are running, and none was started in this folder ({}); choose one with "
+        "--port:",
+        folder);
+  } else {
+    message = fmt::format(
+        "the mission that is running was not started in this folder ({}); to command it "
+        "nevertheless, name its port:",
+        folder);
+  }
+  for (const RunningMission& mission : missions) {
+    message += fmt::format("\n  --port {}  {} ({}), started in {}", mission.port_base, mission.name,
+                           mission.file, mission.folder);
   }
   return Error{message};
+}
+
+Result<RunningMission> FindRunningMission(int port_base, Purpose purpose) {
+  const Result<std::vector<RunningMission>> missions = RunningMissions();
+  if (!missions.ok()) return Error{missions.error()};
+  return ChooseMission(*missions, port_base, WorkingFolder(), purpose);
+}
+
+std::string Describe(const RunningMission& mission) {
+  return fmt::format("{} ({}), ports from {}", mission.name, mission.file, mission.port_base);
+}
+
+std::string WorkingFolder() {
+  std::error_code error;
+  return fs::current_path(error).string();
 }
 
 }  // namespace shoal

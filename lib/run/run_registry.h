@@ -15,7 +15,8 @@ namespace shoal {
 
 struct RunningMission {
   std::string name;
-  std::string file;  ///< Absolute path of the mission file.
+  std::string file;    ///< Absolute path of the mission file.
+  std::string folder;  ///< The working folder in which it was started.
   int64_t mission_id = 0;
   int port_base = 0;
   Layout layout = Layout::kShared;
@@ -59,8 +60,25 @@ void Unregister(int port_base);
 /// entries of the others. An error where the run folder is not to be trusted.
 [[nodiscard]] Result<std::vector<RunningMission>> RunningMissions();
 
-/// Returns the one mission that runs, or the one at `port_base` (0: any); an error that lists them
-/// where there are none or several.
-[[nodiscard]] Result<RunningMission> FindRunningMission(int port_base);
+/// What a mission is looked for.
+enum class Purpose { kLook, kCommand };
+
+/// Chooses among missions: the one at `port_base`; with 0 the one that was started in `folder`, or,
+/// to look at, the only one. The error lists them and states what chooses one. A command goes to no
+/// mission that another folder has started unless its port is named: it may be another's.
+[[nodiscard]] Result<RunningMission> ChooseMission(const std::vector<RunningMission>& missions,
+                                                   int port_base, const std::string& folder,
+                                                   Purpose purpose);
+
+/// ChooseMission among those that run, for the working folder of this process.
+[[nodiscard]] Result<RunningMission> FindRunningMission(int port_base,
+                                                        Purpose purpose = Purpose::kLook);
+
+/// Returns "berta (/home/ada/berta.toml), ports from 7665".
+std::string Describe(const RunningMission& mission);
+
+/// Returns the working folder of this process as RunningMission::folder has it; empty where it has
+/// been removed.
+std::string WorkingFolder();
 
 }  // namespace shoal

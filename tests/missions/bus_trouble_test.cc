@@ -258,7 +258,9 @@ TEST(TwoMissions, AtOnceTakePortsOfTheirOwn) {
   const auto second = StartAlpha(folder, "2");
   const Finished status = RunShoal(folder, {"status"});
   EXPECT_EQ(status.exit_code, 3);
-  EXPECT_NE(status.output.find("several missions are running"), std::string::npos) << status.output;
+  EXPECT_NE(status.output.find("several missions that were started in this folder are running"),
+            std::string::npos)
+      << status.output;
   for (const auto* process : {&first, &second}) {
     const std::string port = FirstPortOf(**process);
     EXPECT_EQ(RunShoal(folder, {"send", "--port", port, "clock", "warp", "max"}).exit_code, 0);

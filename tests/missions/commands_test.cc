@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 
+#include <utility>
+
 #include "lib/bus/channels.h"
 #include "lib/bus/lcm_bus.h"
 #include "lib/run/run_registry.h"
@@ -111,6 +113,32 @@ TEST(RunFolder, ThatAnotherUserCouldHavePreparedIsNotUsed) {
   EXPECT_EQ(ReadFile(folder / "victim"), "precious");
 }
 
+TEST(Command, GoesToNoMissionThatAnotherFolderHasStartedUnlessItsPortIsNamed) {
+  const TestFolder folder;
+  RunningProcess process(folder, {Program("shoal"), "run", MissionFile("berta.toml")});
+  ASSERT_TRUE(process.WaitFor("x real time")) << process.Output();
+  const auto elsewhere = [&](const std::string& arguments) {
+    return RunningProcess(folder, {"/bin/sh", "-c", "cd / && " + Program("shoal") + arguments})
+        .Wait();
+  };
+  for (const char* command : {" send alpha return", " message --from alpha --to bravo A b"}) {
+    const Finished refused = elsewhere(command);
+    EXPECT_EQ(refused.exit_code, 3) << refused.output;
+    EXPECT_NE(refused.output.find("name its port:\n  --port "), std::string::npos)
+        << refused.output;
+  }
+  const Finished status = elsewhere(" status shore_broker");
+  EXPECT_EQ(status.exit_code, 0) << status.output;
+  const std::string chosen = "berta (" + MissionFile("berta.toml") + "), ports from ";
+  EXPECT_NE(status.output.find(chosen), std::string::npos) << status.output;
+  const size_t port = status.output.find(chosen) + chosen.size();
+  const std::string option =
+      " send --port " + status.output.substr(port, status.output.find(',', port) - port);
+  const Finished named = elsewhere(option + " alpha return");
+  EXPECT_EQ(named.exit_code, 0) << named.output;
+  EXPECT_NE(named.output.find(chosen), std::string::npos) << named.output;
+}
+
 TEST(MissionFile, WithErrorsIsRefusedByRunSimAndCheckAlike) {
   const TestFolder folder;
   const std::string file = (folder / "bad.toml").string();
@@ -177,6 +205,60 @@ TEST(Recording, WorksBesideLcmLogger) {
   EXPECT_EQ(loggers, 1U);
 }
 
+TEST(Recording, WithoutASummaryDoesNotClaimOne) {
+  const TestFolder folder;
+  const std::string dir = (folder / "rec").string();
+  RunningProcess process(folder,
+                         {Program("shoal"), "run", MissionFile("berta.toml"), "--record", dir});
+  ASSERT_TRUE(process.WaitFor("x real time")) << process.Output();
+  std::filesystem::create_directory(dir + "/summary.txt");  // As good as a full disk.
+  process.Signal(SIGINT);
+  const Finished finished = process.Wait();
+  EXPECT_EQ(finished.exit_code, 3) << finished.output;
+  EXPECT_NE(finished.output.find("cannot write " + dir + "/summary.txt"), std::string::npos)
+      << finished.output;
+  EXPECT_NE(finished.output.find("run.txt, logs/"), std::string::npos) << finished.output;
+  EXPECT_NE(finished.output.find("\nCause: cannot write "), std::string::npos) << finished.output;
+}
+
+TEST(Words, ThatNameNoCommandAreQuotedWithASuggestionAndTheList) {
+  const TestFolder folder;
+  const std::vector<std::pair<std::vector<std::string>, std::string>> kSlips = {
+      {{"veiw"}, "shoal: unknown command 'veiw' (did you mean 'view'?)\nCommands: run, sim, "},
+      {{"rum", "x.toml"}, "shoal: unknown command 'rum' (did you mean 'run'?)\nCommands: run, "},
+      {{"log", "inf"}, "shoal log: unknown command 'inf' (did you mean 'info'?)\nCommands: info, "},
+      {{"xyzzy", "--help"}, "shoal: unknown command 'xyzzy'\nCommands: run, sim, "}};
+  for (const auto& [words, text] : kSlips) {
+    const Finished finished = RunShoal(folder, words);
+    EXPECT_EQ(finished.exit_code, 2) << finished.output;
+    EXPECT_TRUE(finished.output.starts_with(text)) << finished.output;
+  }
+}
+
+TEST(Words, ThatAreMissingPrintTheList) {
+  const TestFolder folder;
+  const Finished all = RunShoal(folder, {});
+  EXPECT_EQ(all.exit_code, 2);
+  for (const char* command : {"run", "sim", "doctor", "message"}) {
+    EXPECT_NE(all.output.find("\n  " + std::string(command) + " "), std::string::npos)
+        << all.output;
+  }
+  const Finished log = RunShoal(folder, {"log"});
+  EXPECT_EQ(log.exit_code, 2);
+  EXPECT_NE(log.output.find("\n  diff "), std::string::npos) << log.output;
+}
+
+TEST(Quiet, LeavesTheResultAndOnlyTheProgressOutOfRunAndSim) {
+  const TestFolder folder;
+  const std::string file = (folder / "one.toml").string();
+  WriteFile(file, kOneVessel);
+  const Finished run = RunShoal(folder, {"run", file, "--warp", "max", "--quiet"});
+  EXPECT_NE(run.output.find("s of mission in"), std::string::npos) << run.output;
+  const Finished sim = RunShoal(folder, {"sim", file, "--quiet"});
+  EXPECT_NE(sim.output.find("s of mission in"), std::string::npos) << sim.output;
+  EXPECT_NE(sim.output.find("PASS"), std::string::npos) << sim.output;
+}
+
 TEST(Helm, CanBeStartedByAUser) {
   const TestFolder folder;
   const std::string file = (folder / "hand.toml").string();
@@ -213,7 +295,9 @@ TEST(AcousticPing, SendsAcousticallyFromTwoProgramsInC) {
 TEST(Output, ThatCannotBeWrittenIsAnError) {
   const TestFolder folder;
   for (const std::string& command :
-       {"check --explain " + MissionFile("alpha.toml"), "sim " + MissionFile("alpha.toml")}) {
+       {"check --explain " + MissionFile("alpha.toml"), "sim " + MissionFile("alpha.toml"),
+        std::string("--help"), std::string("log --help"), std::string("--version"),
+        std::string()}) {
     RunningProcess process(folder,
                            {"/bin/sh", "-c", Program("shoal") + " " + command + " >/dev/full"});
     const Finished finished = process.Wait();
