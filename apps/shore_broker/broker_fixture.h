@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "apps/shore_broker/shore_broker_app.h"
+#include "lib/bus/control_message.h"
 #include "lib/bus/memory_bus.h"
 
 namespace shoal {
@@ -90,9 +91,9 @@ class BrokerFixture : public testing::Test {
     packet.payload = payload;
     Publish(listener_, channels::AcousticTx(), packet);
   }
-  void Send(std::string_view rule, double value, const std::string& vehicle = "") {
+  void Send(std::string_view rule, const ControlValue& value, const std::string& vehicle = "") {
     unc_control_t control = {};
-    control.value = value;
+    SetValue(value, &control);
     control.vehicle = vehicle;
     Publish(listener_, channels::Control(*FindControl(rule)), control);
   }

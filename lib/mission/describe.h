@@ -39,7 +39,7 @@ void Describe(Fields& fields, Environment& environment);
 void Describe(Fields& fields, RoutingRules& rules);
 /// The value of a rule that can change while a mission runs, under `key`.
 void DescribeControlValue(Fields& fields, std::string_view key, const ControlRow& row,
-                          double& value);
+                          ControlValue& value);
 
 /// [acoustics]. A modem's file is looked for in `folder` and among those that come with shoal;
 /// where there is no folder, a modem must be a table.

@@ -123,6 +123,23 @@ TEST(LoadErrors, ReportWhatAMessageLacks) {
             "7:85: unknown key 'value' (did you mean 'string_val'?)\n");
 }
 
+TEST(LoadErrors, LeadFromNamesOfTheManualToWhereTheyStandHere) {
+  EXPECT_EQ(ErrorsAfter("[comms]\nstealth = \"vname=alpha, stealth=0.5\"\nearange = 2\n"
+                        "verbose = true\ndebug = true\nmin_report_interval = 2\n"),
+            "6:1: unknown key 'stealth' (each vehicle has its own: write stealth = 0.5 in its "
+            "[[vehicle]])\n"
+            "7:1: unknown key 'earange' (each vehicle has its own: write earange = 2 in its "
+            "[[vehicle]])\n"
+            "8:1: unknown key 'verbose' (without meaning here: `shoal status shore_broker` shows "
+            "what the broker does)\n"
+            "9:1: unknown key 'debug' (without meaning here: `shoal status shore_broker` shows "
+            "what the broker does)\n"
+            "10:1: unknown key 'min_report_interval' (here it is 'min_rpt_interval')\n");
+  EXPECT_EQ(ErrorsOfEvent("message = {src_node = 'alpha', dest_node = 'all', dest_name = 'all', "
+                          "var_name = 'A', string_val = 'b'}"),
+            "7:51: unknown key 'dest_name' (here it is 'dest_node')\n");
+}
+
 TEST(LoadErrors, ReportSpeedsThatTheHelmWouldRefuse) {
   const auto with = [](std::string_view speed) {
     return ErrorsOfEvent("vehicle = \"alpha\"\ncommand = \"speed\"\nvalues = [" +

@@ -121,7 +121,7 @@ TEST_F(LiveViewTest, FramesShowRulesPulsesPacketsAndCommands) {
       "comms_range_m": 250, "critical_range_m": 30, "stale_time_s": 5, "drop_percentage": 0,
       "factors": {"alpha": {"stealth": 0.5, "earange": 2}},
       "shown": {"comms_range": "250", "critical_range": "30", "stale_time": "5", "groups": "false",
-                "msg_groups": "false", "min_rpt_interval": "0", "min_msg_interval": "0",
+                "msg_groups": "false", "ignore_group": "none", "min_rpt_interval": "0", "min_msg_interval": "0",
                 "max_msg_length": "nolimit", "drop_percentage": "0",
                 "shared_node_reports": "true (0)", "pulse_duration": "off",
                 "view_node_rpt_pulses": "false"}})json"));
