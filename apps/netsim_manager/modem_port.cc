@@ -37,6 +37,11 @@ class RawPort : public ModemPort {
  private:
   // A client that was cut off in the midst of a piece must not spoil the next one's.
   void OnConnect() override { reader_ = RawModemReader(options_); }
+  // What it had sent is its own: the next client must find a modem that is free.
+  void OnClose() override {
+    num_dropped_ += static_cast<int64_t>(waiting_.size());
+    waiting_.clear();
+  }
   void OnBytes(std::string_view bytes, int64_t) override {
     const auto* data = reinterpret_cast<const uint8_t*>(bytes.data());
     for (std::vector<uint8_t>& payload : reader_.Take({data, bytes.size()})) {
@@ -145,7 +150,11 @@ Result<bool> ModemPort::Listen(const ModemPortOptions& options) {
              OnConnect();
            },
        .on_bytes = [this](ClientId, std::string_view bytes) { OnBytes(bytes, mission_us_); },
-       .on_close = [this](ClientId) { client_.reset(); }});
+       .on_close =
+           [this](ClientId) {
+             client_.reset();
+             OnClose();
+           }});
   if (!server.ok()) return Error{server.error()};
   server_ = std::move(*server);
   return true;

@@ -72,6 +72,7 @@ class ModemPort {
   virtual void BeforeStep(int64_t) {}
   /// Nothing where no client is connected.
   void SendToClient(std::string_view bytes);
+  virtual void OnClose() {}
   void Transmit(std::vector<uint8_t> bytes);
   std::string ClientText() const;
 

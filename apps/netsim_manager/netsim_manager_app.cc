@@ -17,6 +17,9 @@ namespace {
 constexpr double kNoSnr_db = -900;  ///< acoustic_path_t has -999 where there is none.
 constexpr size_t kMaxStatsPerStep = 1000;
 constexpr size_t kMaxReceivedPerStep = 1000;
+/// Vehicle simulators send several times per second: what is silent for so long gives its place to
+/// a client that comes.
+constexpr int64_t kSilence_us = 10'000'000;
 
 /// Differences of such times are numbers still.
 bool IsMissionTime(int64_t utime) {
@@ -55,7 +58,8 @@ void NetsimManagerApp::Open() {
       .address = options_.address,
       .port = options_.port,
       .max_connections = options_.max_connections,
-      .idle_timeout_us = static_cast<int64_t>(options_.idle_timeout_s * 1e6)};
+      .idle_timeout_us = static_cast<int64_t>(options_.idle_timeout_s * 1e6),
+      .silence_us = kSilence_us};
   auto lines = LineServer::Listen(
       server, static_cast<size_t>(options_.max_line_bytes),
       [this](const std::string& address, std::string_view line) { return OnLine(address, line); });
@@ -103,8 +107,9 @@ std::string NetsimManagerApp::OnLine(const std::string& address, std::string_vie
   const NetsimReply reply = AnswerLine(line, address, options_);
   counts_.Add(reply.outcome);
   if (!reply.problem.empty()) {
-    log_.Event(utime_.value_or(mission_.start_utime),
-               fmt::format("{}: {}", Printable(address), Printable(reply.problem)));
+    log_.Event(
+        utime_.value_or(mission_.start_utime),
+        fmt::format("{}: {}", Printable(address), Printable(reply.problem, kLongestSentence)));
   }
   for (const NetsimPosition& position : reply.positions) TakePosition(position);
   for (const NetsimReceiveStats& stats : reply.stats) TakeStats(stats);
@@ -263,10 +268,11 @@ StatusPage NetsimManagerApp::Status() const {
                   port(), outsiders_.size(), options_.allow_warp ? "allowed" : "1 only");
   if (lines_) {
     const TcpServerCounts& counts = lines_->counts();
-    page.text +=
-        fmt::format("Clients: {} now, {} so far, {} refused, {} broken off, {} idle, {} stalled\n",
-                    lines_->num_clients(), counts.accepted, counts.refused, counts.broken,
-                    counts.idle, counts.stalled);
+    page.text += fmt::format(
+        "Clients: {} now, {} so far, {} refused, {} broken off, {} idle, {} stalled, {} "
+        "silent and closed for others\n",
+        lines_->num_clients(), counts.accepted, counts.refused, counts.broken, counts.idle,
+        counts.stalled, counts.displaced);
     page.text += fmt::format("Lines ({} too long):\n", lines_->num_too_long());
   }
   for (size_t i = 0; i < kNumNetsimOutcomes; ++i) {
