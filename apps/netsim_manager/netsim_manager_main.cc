@@ -14,9 +14,7 @@ const shoal::AppInfo kInfo = {
     .example = R"(# In a mission file:
 [[vehicle]]
 name = "outsider"
-vehicle_sim = "none"                  # it is simulated elsewhere
-helm = "none"
-node_reporter = "none"
+outside = true                        # it is simulated elsewhere
 
 [netsim]
 port = 61999                          # of NETSIM|...| lines

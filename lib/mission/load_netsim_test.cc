@@ -7,16 +7,14 @@
 
 namespace shoal::load_netsim_test {
 
-/// A vehicle from outside and one of shoal's; what a test appends begins in line 14.
+/// A vehicle from outside and one of shoal's; what a test appends begins in line 12.
 constexpr std::string_view kTwo = R"([mission]
 duration_s = 60
 [[vehicle]]
 name = "alpha"
 [[vehicle]]
 name = "outsider"
-vehicle_sim = "none"
-helm = "none"
-node_reporter = "none"
+outside = true
 [acoustics]
 access_mode = "shared"
 [netsim]
@@ -68,13 +66,13 @@ TEST(LoadNetsim, IsNothingWithoutTheTable) {
 
 TEST(LoadNetsim, ReportsVehiclesThatShoalSimulatesItself) {
   EXPECT_EQ(ErrorsWith(std::string(kBay) + std::string(kOutsider), {"netsim.vehicle.1.name=alpha"}),
-            "--set netsim.vehicle.1.name=alpha: shoal simulates alpha itself: write vehicle_sim = "
-            "\"none\", helm = \"none\" and node_reporter = \"none\" in its [[vehicle]]\n");
+            "--set netsim.vehicle.1.name=alpha: shoal simulates alpha itself: write outside = true "
+            "in its [[vehicle]]\n");
 }
 
 TEST(LoadNetsim, ReportsEnvironmentsAndPortsThatDoNotFit) {
   EXPECT_EQ(ErrorsWith(kOutsider),
-            "17:15: environment no [[netsim.environment]] has the name 'bay'\n");
+            "15:15: environment no [[netsim.environment]] has the name 'bay'\n");
   const std::string taken =
       ErrorsWith(std::string(kBay) + std::string(kOutsider), {"netsim.port=62000"});
   EXPECT_NE(taken.find("modem_tcp_port 62000 is taken by port of netsim: each port has one use"),
@@ -88,11 +86,11 @@ TEST(LoadNetsim, ReportsInvalidBounds) {
             "--set netsim.environment.bay.lat_max_deg=42: lat_max_deg must not be less than "
             "lat_min_deg, 43\n");
   EXPECT_EQ(ErrorsWith("[[netsim.environment]]\nname = \"bay\"\n"),
-            "14:1: environment lacks 'depth_max_m'; for example: depth_max_m = 43.8\n"
-            "14:1: environment lacks 'lat_max_deg'; for example: lat_max_deg = 43.8\n"
-            "14:1: environment lacks 'lat_min_deg'; for example: lat_min_deg = 43.8\n"
-            "14:1: environment lacks 'lon_max_deg'; for example: lon_max_deg = 43.8\n"
-            "14:1: environment lacks 'lon_min_deg'; for example: lon_min_deg = 43.8\n");
+            "12:1: environment lacks 'depth_max_m'; for example: depth_max_m = 43.8\n"
+            "12:1: environment lacks 'lat_max_deg'; for example: lat_max_deg = 43.8\n"
+            "12:1: environment lacks 'lat_min_deg'; for example: lat_min_deg = 43.8\n"
+            "12:1: environment lacks 'lon_max_deg'; for example: lon_max_deg = 43.8\n"
+            "12:1: environment lacks 'lon_min_deg'; for example: lon_min_deg = 43.8\n");
 }
 
 TEST(LoadNetsim, ReportsAModemWithoutWater) {

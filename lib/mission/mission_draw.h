@@ -278,6 +278,8 @@ class MissionDraw {
                             .depth_max_m = Number(0, 12'000)}};
     Vehicle& outsider = mission->vehicles[1];
     outsider.sim = outsider.reporter = Provider::kNone;
+    outsider.is_outside = Coin();
+    if (outsider.is_outside) outsider.helm = outsider.acomms = Provider::kNone;
     NetsimVehicle vehicle;
     vehicle.name = outsider.name;
     vehicle.modem_tcp_port = static_cast<int>(Integer(50'000, 60'000));

@@ -18,8 +18,7 @@ void CheckNetsimVehicle(const NetsimVehicle& vehicle, const Mission& mission,
                                                      simulated->reporter == Provider::kNone);
   if (!is_elsewhere) {
     place.Refuse("name",
-                 fmt::format("shoal simulates {} itself: write vehicle_sim = \"none\", helm = "
-                             "\"none\" and node_reporter = \"none\" in its [[vehicle]]",
+                 fmt::format("shoal simulates {} itself: write outside = true in its [[vehicle]]",
                              vehicle.name));
   }
   if (vehicle.modem != NetsimModem::kNone && !mission.acoustics.is_used) {
