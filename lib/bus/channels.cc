@@ -146,7 +146,7 @@ std::vector<ChannelRow> MakeTable() {
        "at its start and when a rule changes", true},
       {topics::kViewCommsPulse, kShore, "comms_pulses_t", "shore_broker", "viewer",
        "steps with deliveries", true},
-      {topics::kModemStats, kShore, "modem_stats_t", "netsim_manager", "(people)",
+      {topics::kModemStats, kShore, "modem_stats_t", "netsim_manager", "viewer, (people)",
        "when a client reports it", true},
       {topics::kNodeReportUnc, kShore, "node_report_t", "shore_broker", "(people)",
        "shared_node_reports", false},
