@@ -91,6 +91,14 @@ class BrokerFixture : public testing::Test {
     packet.payload = payload;
     Publish(listener_, channels::AcousticTx(), packet);
   }
+  void SendModemPacket(const std::string& source, const Bytes& payload, double data_rate_bps) {
+    modem_tx_t packet = {};
+    packet.source = source;
+    packet.data_rate_bps = data_rate_bps;
+    packet.num_bytes = static_cast<int32_t>(payload.size());
+    packet.payload = payload;
+    Publish(listener_, channels::ModemTx(), packet);
+  }
   void Send(std::string_view rule, const ControlValue& value, const std::string& vehicle = "") {
     unc_control_t control = {};
     SetValue(value, &control);

@@ -59,6 +59,7 @@ struct PacketFacts {
   int64_t length_bytes = 0;
   int64_t length_limit_bytes = 0;
   bool is_sound = true;
+  bool has_range_rule = true;  ///< False: comms_range, stealth and earange are not asked.
 };
 
 class Router {
