@@ -165,13 +165,11 @@ std::string NetsimManagerApp::NameOfPort(int32_t port) const {
 
 void NetsimManagerApp::TakeFates(const comms_fates_t& fates) {
   for (const fate_t& fate : fates.fates) {
-    if (fate.path.empty() || !(fate.path[0].snr_db > kNoSnr_db)) continue;
+    if (fate.path.empty()) continue;
     const bool is_ours = std::any_of(
         outsiders_.begin(), outsiders_.end(),
         [&](const OutsideVehicle& outsider) { return outsider.options.name == fate.destination; });
-    if (is_ours) {
-      snrs_db_[{fate.destination, fate.source, fate.path[0].packet}] = fate.path[0].snr_db;
-    }
+    if (is_ours) paths_[{fate.destination, fate.source, fate.path[0].packet}] = fate.path[0];
   }
 }
 
@@ -182,13 +180,14 @@ void NetsimManagerApp::Tick(int64_t utime) {
   for (OutsideVehicle& outsider : outsiders_) {
     PassReceived(&outsider, mission_us_);
     if (outsider.modem) {
-      for (std::vector<uint8_t>& bytes : outsider.modem->TakeTransmissions(mission_us_)) {
-        acoustic_tx_t packet{};
+      for (ModemTransmission& sent : outsider.modem->TakeTransmissions(mission_us_)) {
+        modem_tx_t packet{};
         packet.utime = utime;
         packet.source = outsider.options.name;
-        packet.num_bytes = static_cast<int32_t>(bytes.size());
-        packet.payload = std::move(bytes);
-        Publish(bus_, channels::AcousticTx(), packet);
+        packet.data_rate_bps = sent.data_rate_bps;
+        packet.num_bytes = static_cast<int32_t>(sent.bytes.size());
+        packet.payload = std::move(sent.bytes);
+        Publish(bus_, channels::ModemTx(), packet);
       }
     }
     if (std::exchange(outsider.nav_is_new, false)) Report(&outsider, utime);
@@ -197,7 +196,7 @@ void NetsimManagerApp::Tick(int64_t utime) {
     stats.utime = utime;
     Publish(bus_, channels::ModemStats(), stats);
   }
-  snrs_db_.clear();
+  paths_.clear();
 }
 
 void NetsimManagerApp::PassReceived(OutsideVehicle* outsider, int64_t mission_us) {
@@ -205,9 +204,12 @@ void NetsimManagerApp::PassReceived(OutsideVehicle* outsider, int64_t mission_us
   for (acoustic_rx_t& packet : std::exchange(outsider->received, {})) {
     const size_t on_air_bytes =
         packet.payload.size() + (mission_.acoustics.crc ? kPacketCrcBytes : 0);
-    const double air_s = acoustics.data_rate_bps > 0
-                             ? 8 * static_cast<double>(on_air_bytes) / acoustics.data_rate_bps
-                             : 0;
+    const auto path = paths_.find(std::tuple(outsider->options.name, packet.source, packet.number));
+    double air_s = acoustics.data_rate_bps > 0
+                       ? 8 * static_cast<double>(on_air_bytes) / acoustics.data_rate_bps
+                       : 0;
+    // A modem's packet has a rate of its own.
+    if (path != paths_.end() && path->second.air_s > 0) air_s = path->second.air_s;
     const bool is_sound = IsMissionTime(packet.arrived_utime) && IsMissionTime(packet.sent_utime);
     if (!is_sound) {
       log_.Warn("ACOUSTIC_RX with times that cannot be: ignored");
@@ -218,9 +220,9 @@ void NetsimManagerApp::PassReceived(OutsideVehicle* outsider, int64_t mission_us
                         .start_us = start_utime - mission_.start_utime,
                         .travel_us = std::max<int64_t>(start_utime - packet.sent_utime, 0),
                         .snr_db = std::nullopt};
-    const auto snr_db =
-        snrs_db_.find(std::tuple(outsider->options.name, packet.source, packet.number));
-    if (snr_db != snrs_db_.end()) arrival.snr_db = snr_db->second;
+    if (path != paths_.end() && path->second.snr_db > kNoSnr_db) {
+      arrival.snr_db = path->second.snr_db;
+    }
     outsider->modem->Receive(arrival, mission_us);
   }
 }

@@ -1,5 +1,5 @@
 // netsim's TCP interface. Subscribes to ACOUSTIC_RX_<V> and COMMS_FATES, publishes NODE_REPORT,
-// ACOUSTIC_TX and MODEM_STATS. See netsim_manager --help.
+// MODEM_TX and MODEM_STATS. See netsim_manager --help.
 #include "apps/netsim_manager/netsim_manager_app.h"
 #include "lib/run/run_app.h"
 
@@ -32,7 +32,7 @@ depth_max_m = 100
 name = "outsider"
 modem_tcp_port = 62000
 environment = "bay"
-modem = "micromodem"                  # or "raw", or "none"
+modem = "micromodem"                  # or "micromodem2", "raw", "none"
 )",
 };
 

@@ -43,7 +43,10 @@ void DescribeControlValue(Fields& fields, std::string_view key, const ControlRow
 
 /// [acoustics]. A modem's file is looked for in `folder` and among those that come with shoal;
 /// where there is no folder, a modem must be a table.
-void Describe(Fields& fields, Acoustics& acoustics, const std::optional<std::string>& folder);
+/// `default_modem`: the modem where the table names none and no model of loss or bit errors; empty:
+/// none.
+void Describe(Fields& fields, Acoustics& acoustics, const std::optional<std::string>& folder,
+              std::string_view default_modem = "");
 
 /// One [[vehicle]], or a template, whose name is empty. A model's own table is declared beside its
 /// parameters (remus100_model.h).

@@ -64,8 +64,8 @@ class Manager {
     EXPECT_EQ(app_.Fault(), "");
     Subscribe(test_bus_, channels::NodeReportFromOutside(),
               [this](const node_report_t& report) { reports_.push_back(report); });
-    Subscribe(test_bus_, channels::AcousticTx(),
-              [this](const acoustic_tx_t& packet) { packets_.push_back(packet); });
+    Subscribe(test_bus_, channels::ModemTx(),
+              [this](const modem_tx_t& packet) { packets_.push_back(packet); });
     Subscribe(test_bus_, channels::ModemStats(),
               [this](const modem_stats_t& stats) { stats_.push_back(stats); });
     Step();
@@ -127,7 +127,7 @@ class Manager {
 
   NetsimManagerApp& app() { return app_; }
   std::vector<node_report_t> reports_;
-  std::vector<acoustic_tx_t> packets_;
+  std::vector<modem_tx_t> packets_;
   std::vector<modem_stats_t> stats_;
 
  private:
@@ -256,7 +256,9 @@ TEST(NetsimManager, AnswersTheHostOfAMicroModemAndPings) {
   host.Receive();
   EXPECT_NE(host.received().find("$CACFG,SRC,5"), std::string::npos) << host.received();
   EXPECT_NE(host.received().find("$CAMPC,5,9"), std::string::npos) << host.received();
-  EXPECT_EQ(manager.packets_.size(), 1U);
+  ASSERT_EQ(manager.packets_.size(), 1U);
+  EXPECT_EQ(manager.packets_[0].data_rate_bps, 80);
+  EXPECT_EQ(manager.packets_[0].num_bytes, 9) << "not filled up";
 }
 
 TEST(NetsimManager, ReportsTravelTimeAndNoiseOfReceivedPacketsToTheHost) {
