@@ -64,6 +64,10 @@ TEST(LoadErrors, ReportImpossibleValuesOfRuleEvents) {
   EXPECT_EQ(with("comms_range", "250.5"), "");
   EXPECT_EQ(with("groups", "true"), "");
   EXPECT_EQ(with("shared_node_reports", "false"), "");
+  EXPECT_EQ(with("ignore_group", "\"ghosts\""), "");
+  EXPECT_EQ(with("ignore_group", "\"none\""), "");
+  EXPECT_EQ(with("ignore_group", "\"\""),
+            "8:9: value = '' is impossible; ignore_group takes a group, or none\n");
   EXPECT_EQ(with("comms_range", "\"far\""),
             "8:9: value = 'far' is impossible; comms_range takes metres, or nolimit\n");
   EXPECT_EQ(with("comms_range", "nan"),

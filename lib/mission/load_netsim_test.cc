@@ -106,7 +106,7 @@ LoadedMission LoadWith(std::string_view acoustics, std::string_view modem = "mic
   const std::string_view shared = "access_mode = \"shared\"\n";
   text.replace(text.find(shared), shared.size(), acoustics);
   text.replace(text.find("\"micromodem\""), 12, "\"" + std::string(modem) + "\"");
-  return LoadMissionText(text, "m.toml");
+  return LoadMissionText(text + "[comms]\ncomms_range = 500\n", "m.toml");
 }
 
 TEST(LoadNetsim, GivesModemsANetworkThatCarriesTheirPackets) {
@@ -142,6 +142,19 @@ TEST(LoadNetsim, WarnsOfModelsThatDamageNearlyEveryPacketOfAModem) {
   EXPECT_EQ(LoadWith("bit_error_model = \"poisson\"\ncrc = false\n").warnings,
             std::vector<std::string>());
   EXPECT_EQ(LoadWith("bit_error_model = \"off\"\n").warnings, std::vector<std::string>());
+}
+
+TEST(LoadNetsim, WarnsOfTheDefaultRangeWhereOthersAnswerAModem) {
+  const std::string text = std::string(kTwo) + std::string(kBay) + std::string(kOutsider);
+  EXPECT_EQ(
+      LoadMissionText(text, "m.toml").warnings,
+      std::vector<std::string>{
+          "m.toml:10:1: warning: comms_range is the default, 100 m: reports, and packets that "
+          "programs of the mission send on ACOUSTIC_TX, are received nearer than that only, "
+          "while what a modem sends has no range rule; write comms_range in [comms]"});
+  std::string alone = text;
+  alone.replace(alone.find("name = \"alpha\"\n"), 15, "name = \"alpha\"\noutside = true\n");
+  EXPECT_EQ(LoadMissionText(alone, "m.toml").warnings, std::vector<std::string>());
 }
 
 TEST(LoadNetsim, RefusesAnEnvironmentFartherFromTheOriginThanPositionsCanBe) {

@@ -395,6 +395,7 @@ class MissionDraw {
       case 3:
         return {at_s, RuleEvent{"stealth", "Vessel_1", Number(0, 1)}};
       case 4:
+        if (Coin()) return {at_s, RuleEvent{"ignore_group", "", std::string("Ghosts")}};
         return {at_s, RuleEvent{"groups", "", Coin() ? 1.0 : 0.0}};
       case 5:
         return {at_s, RuleEvent{"comms_range", "", Coin() ? -1 : Number(0, 1e7)}};

@@ -1,6 +1,7 @@
 // Whether the vehicles of [netsim] come from outside, and whether its table holds together.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <string_view>
@@ -85,6 +86,22 @@ void WarnOfBitErrors(const Mission& mission, const TablePlace& file) {
                 100 * share(kLong_bytes), ChoiceText(options.bit_error_model), 1 / wrong));
 }
 
+/// Warns where programs of the mission would answer a modem, and the default range stops what they
+/// send.
+void WarnOfRange(const Mission& mission, const TablePlace& file) {
+  if (file.Has("comms") && file.Below("comms").Has("comms_range")) return;
+  const bool has_others =
+      !mission.participants.empty() ||
+      std::ranges::any_of(mission.vehicles, [](const Vehicle& each) { return !each.is_outside; });
+  if (!has_others) return;
+  file.Below("netsim").Warn(
+      "",
+      fmt::format("comms_range is the default, {:g} m: reports, and packets that programs of the "
+                  "mission send on ACOUSTIC_TX, are received nearer than that only, while what "
+                  "a modem sends has no range rule; write comms_range in [comms]",
+                  mission.comms.comms_range_m));
+}
+
 /// `where`: as FindNetsimProblems names a table.
 void RefuseAt(const TablePlace& place, std::string_view where,
               const std::vector<NetsimProblem>& problems) {
@@ -108,6 +125,7 @@ void ValidateNetsim(const Mission& mission, const TablePlace& file) {
   }
   if (has_modem && file.Has("acoustics") && file.Below("acoustics").IsSound()) {
     WarnOfBitErrors(mission, file);
+    WarnOfRange(mission, file);
   }
   if (!netsim.IsSound()) return;
   for (size_t i = 0; i < options.environments.size(); ++i) {
