@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <string_view>
 
+#include "lib/bus/control_message.h"
 #include "lib/routing/control.h"
 #include "lib/routing/vehicle_name.h"
 #include "lib/verdict/summary.h"
@@ -134,7 +135,7 @@ void DirectorApp::PublishEvent(int64_t utime, const RuleEvent& event) {
   unc_control_t control;
   control.utime = utime;
   control.vehicle = event.vehicle;
-  control.value = event.value;
+  SetValue(event.value, &control);
   const ControlRow* row = FindControl(event.rule);
   if (row == nullptr) {
     log_.Warn(fmt::format("event dropped: there is no rule '{}'", event.rule));

@@ -171,7 +171,7 @@ TEST_F(DirectorTest, PublishesEachRuleOnItsChannel) {
   ASSERT_EQ(received_.size(), ControlTable().size());
   EXPECT_EQ(received_[0], "100 UNC_COMMS_RANGE 1");
   EXPECT_EQ(received_[2], "300 UNC_STEALTH alpha 1");
-  EXPECT_EQ(received_.back(), "1500 UNC_FULL_REPORT_REQ alpha 0");
+  EXPECT_EQ(received_.back(), "1600 UNC_FULL_REPORT_REQ alpha 0");
 }
 
 TEST_F(DirectorTest, PublishesMessagesForTheirVehiclesAndLeavesAcksToThem) {

@@ -1,11 +1,12 @@
 #include "sim/kept_controls.h"
 
+#include "lib/bus/control_message.h"
 #include "lib/routing/vehicle_name.h"
 
 namespace shoal {
 
 bool KeptControls::Keep(const ControlRow& row, const unc_control_t& control) {
-  if (row.type == ControlType::kRequest || !IsPossible(row, control.value)) return true;
+  if (row.type == ControlType::kRequest || !IsPossible(row, ValueOf(control))) return true;
   if (row.of_vehicle ? !IsLegalVehicleName(control.vehicle) : !control.vehicle.empty()) return true;
   const auto key = std::pair(std::string(row.channel), VehicleKey(control.vehicle));
   if (const auto found = kept_.find(key); found != kept_.end()) {

@@ -39,6 +39,15 @@ TEST(KeptControls, AreTheLastOfEachRuleAndVehicleInOrder) {
                                       "UNC_STEALTH BRAVO 0.75"}));
 }
 
+TEST(KeptControls, HoldTexts) {
+  KeptControls controls;
+  unc_control_t control{};
+  control.text = "Ghosts";
+  EXPECT_TRUE(controls.Keep(*FindControl("ignore_group"), control));
+  ASSERT_EQ(controls.All().num_controls, 1);
+  EXPECT_EQ(controls.All().controls[0].control.text, "Ghosts");
+}
+
 TEST(KeptControls, AreNoneThatTheBrokerRefusesOrExecutesOnce) {
   KeptControls controls;
   EXPECT_TRUE(Keep(controls, "drop_percentage", "", 50));

@@ -2,6 +2,7 @@
 
 import {TimeChart} from './charts.js';
 import {element, KeyedList, setAttribute, setText} from './dom.js';
+import {modemWords} from './modem.js';
 import {SwarmTables} from './panel_swarm.js';
 import {Poller} from './poller.js';
 import {age, clip, heading, quantity, words} from './text.js';
@@ -161,6 +162,7 @@ export class VehiclePanel {
       ['Kind', [vehicle.type, vehicle.group && `group ${vehicle.group}`,
         factors && `stealth ${factors.stealth}, earange ${factors.earange}`]
         .filter(Boolean).join(', ')],
+      ...(vehicle.modem ? [['Modem', modemWords(vehicle.modem, frame.t)]] : []),
     ];
     this.factList.sync(facts, ([label]) => label);
   }

@@ -37,6 +37,11 @@ class RawPort : public ModemPort {
  private:
   // A client that was cut off in the midst of a piece must not spoil the next one's.
   void OnConnect() override { reader_ = RawModemReader(options_); }
+  // What it had sent is its own: the next client must find a modem that is free.
+  void OnClose() override {
+    num_dropped_ += static_cast<int64_t>(waiting_.size());
+    waiting_.clear();
+  }
   void OnBytes(std::string_view bytes, int64_t) override {
     const auto* data = reinterpret_cast<const uint8_t*>(bytes.data());
     for (std::vector<uint8_t>& payload : reader_.Take({data, bytes.size()})) {
@@ -54,7 +59,7 @@ class RawPort : public ModemPort {
       const double num_bytes = static_cast<double>(waiting_.front().size() + more_bytes_);
       const double air_s = water_bps_ > 0 ? 8 * num_bytes / water_bps_ : 0;
       free_us_ = mission_us + std::llround(air_s * 1e6);
-      Transmit(std::move(waiting_.front()));
+      Transmit({.bytes = std::move(waiting_.front())});
       waiting_.pop_front();
     }
   }
@@ -72,9 +77,10 @@ class RawPort : public ModemPort {
 class MicroModemPort : public ModemPort {
  public:
   explicit MicroModemPort(const ModemPortOptions& options)
-      : modem_({.address = options.modem_address,
-                .water_bps = options.water_bps,
-                .max_packet_bytes = options.max_bytes}) {}
+      : version_(options.kind == NetsimModem::kMicromodem2 ? 2 : 1),
+        modem_({.address = options.modem_address,
+                .version = version_,
+                .more_bytes = options.more_bytes}) {}
 
   void Receive(const ModemPacket& packet, int64_t mission_us) override {
     Pass(modem_.Receive({.bytes = packet.bytes,
@@ -90,10 +96,10 @@ class MicroModemPort : public ModemPort {
   std::string Text() const override {
     const MicroModemCounts& counts = modem_.counts();
     return fmt::format(
-        "    micromodem {}, {}{}\n"
+        "    micromodem{} {}, {}{}\n"
         "        host: {} answered, {} refused, {} dropped; water: {} sent, {} understood ({} "
         "frames damaged), {} for others, {} damaged, {} foreign\n",
-        modem_.address(), ClientText(),
+        version_ == 2 ? "2" : "", modem_.address(), ClientText(),
         modem_.is_on_the_air()   ? ", on the air"
         : modem_.is_in_a_cycle() ? ", in a cycle"
                                  : "",
@@ -115,9 +121,12 @@ class MicroModemPort : public ModemPort {
 
   void Pass(const MicroModemOutput& output) {
     SendToClient(output.to_host);
-    for (const MicroModemSent& sent : output.to_water) Transmit(sent.bytes);
+    for (const MicroModemSent& sent : output.to_water) {
+      Transmit({.bytes = sent.bytes, .data_rate_bps = static_cast<double>(sent.bps)});
+    }
   }
 
+  int version_;
   MicroModem modem_;
 };
 
@@ -125,7 +134,7 @@ class MicroModemPort : public ModemPort {
 
 Result<std::unique_ptr<ModemPort>> ModemPort::Open(const ModemPortOptions& options) {
   std::unique_ptr<ModemPort> port;
-  if (options.kind == NetsimModem::kMicromodem) {
+  if (options.kind != NetsimModem::kRaw) {
     port = std::make_unique<MicroModemPort>(options);
   } else {
     port = std::make_unique<RawPort>(options);
@@ -145,7 +154,11 @@ Result<bool> ModemPort::Listen(const ModemPortOptions& options) {
              OnConnect();
            },
        .on_bytes = [this](ClientId, std::string_view bytes) { OnBytes(bytes, mission_us_); },
-       .on_close = [this](ClientId) { client_.reset(); }});
+       .on_close =
+           [this](ClientId) {
+             client_.reset();
+             OnClose();
+           }});
   if (!server.ok()) return Error{server.error()};
   server_ = std::move(*server);
   return true;
@@ -161,16 +174,16 @@ void ModemPort::SendToClient(std::string_view bytes) {
   if (client_ && !bytes.empty()) server_->Send(*client_, bytes);
 }
 
-void ModemPort::Transmit(std::vector<uint8_t> bytes) {
+void ModemPort::Transmit(ModemTransmission transmission) {
   if (transmissions_.size() >= kMostWaiting) {
     ++num_dropped_;
     return;
   }
   ++num_transmissions_;
-  transmissions_.push_back(std::move(bytes));
+  transmissions_.push_back(std::move(transmission));
 }
 
-std::vector<std::vector<uint8_t>> ModemPort::TakeTransmissions(int64_t mission_us) {
+std::vector<ModemTransmission> ModemPort::TakeTransmissions(int64_t mission_us) {
   BeforeStep(mission_us);
   return std::exchange(transmissions_, {});
 }

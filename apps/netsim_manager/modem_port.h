@@ -3,7 +3,7 @@
 //   auto port = ModemPort::Open(vehicle, options);
 //   (*port)->Serve(wall_us, mission_us);             // clients
 //   (*port)->Receive(packet, mission_us);            // what the network delivered
-//   for (auto& bytes : (*port)->TakeTransmissions()) Transmit(bytes);
+//   for (auto& sent : (*port)->TakeTransmissions()) Transmit(sent.bytes, sent.data_rate_bps);
 #pragma once
 
 #include <cstdint>
@@ -29,6 +29,12 @@ struct ModemPortOptions {
   double water_bps = 0;       ///< The acoustic network's data rate; 0: not known.
   size_t more_bytes = 0;      ///< On the air, with each packet: a checksum.
   size_t max_bytes = 65'535;  ///< That an acoustic packet holds.
+};
+
+/// A packet to transmit.
+struct ModemTransmission {
+  std::vector<uint8_t> bytes;
+  double data_rate_bps = 0;  ///< 0: the network's.
 };
 
 /// A packet that the acoustic network delivered.
@@ -59,20 +65,21 @@ class ModemPort {
   virtual void SetClock(int64_t, int64_t) {}
 
   /// Returns what is to be transmitted in the step at `mission_us`, and forgets it.
-  std::vector<std::vector<uint8_t>> TakeTransmissions(int64_t mission_us);
+  std::vector<ModemTransmission> TakeTransmissions(int64_t mission_us);
   /// Returns a line or two for a status page, four blanks before each.
   virtual std::string Text() const = 0;
 
  protected:
   ModemPort() = default;
   virtual void OnConnect() {}
+  virtual void OnClose() {}
   virtual void OnBytes(std::string_view bytes, int64_t mission_us) = 0;
   virtual void Advance(int64_t) {}
   /// Called at each step, before what is to be sent is taken.
   virtual void BeforeStep(int64_t) {}
   /// Nothing where no client is connected.
   void SendToClient(std::string_view bytes);
-  void Transmit(std::vector<uint8_t> bytes);
+  void Transmit(ModemTransmission transmission);
   std::string ClientText() const;
 
  private:
@@ -82,7 +89,7 @@ class ModemPort {
   std::optional<ClientId> client_;
   std::string client_address_;
   int64_t mission_us_ = 0;
-  std::vector<std::vector<uint8_t>> transmissions_;
+  std::vector<ModemTransmission> transmissions_;
   int64_t num_transmissions_ = 0;
   int64_t num_dropped_ = 0;
 };

@@ -17,6 +17,9 @@ namespace {
 constexpr double kNoSnr_db = -900;  ///< acoustic_path_t has -999 where there is none.
 constexpr size_t kMaxStatsPerStep = 1000;
 constexpr size_t kMaxReceivedPerStep = 1000;
+/// Vehicle simulators send several times per second: what is silent for so long gives its place to
+/// a client that comes.
+constexpr int64_t kSilence_us = 10'000'000;
 
 /// Differences of such times are numbers still.
 bool IsMissionTime(int64_t utime) {
@@ -55,7 +58,8 @@ void NetsimManagerApp::Open() {
       .address = options_.address,
       .port = options_.port,
       .max_connections = options_.max_connections,
-      .idle_timeout_us = static_cast<int64_t>(options_.idle_timeout_s * 1e6)};
+      .idle_timeout_us = static_cast<int64_t>(options_.idle_timeout_s * 1e6),
+      .silence_us = kSilence_us};
   auto lines = LineServer::Listen(
       server, static_cast<size_t>(options_.max_line_bytes),
       [this](const std::string& address, std::string_view line) { return OnLine(address, line); });
@@ -103,8 +107,9 @@ std::string NetsimManagerApp::OnLine(const std::string& address, std::string_vie
   const NetsimReply reply = AnswerLine(line, address, options_);
   counts_.Add(reply.outcome);
   if (!reply.problem.empty()) {
-    log_.Event(utime_.value_or(mission_.start_utime),
-               fmt::format("{}: {}", Printable(address), Printable(reply.problem)));
+    log_.Event(
+        utime_.value_or(mission_.start_utime),
+        fmt::format("{}: {}", Printable(address), Printable(reply.problem, kLongestSentence)));
   }
   for (const NetsimPosition& position : reply.positions) TakePosition(position);
   for (const NetsimReceiveStats& stats : reply.stats) TakeStats(stats);
@@ -160,13 +165,11 @@ std::string NetsimManagerApp::NameOfPort(int32_t port) const {
 
 void NetsimManagerApp::TakeFates(const comms_fates_t& fates) {
   for (const fate_t& fate : fates.fates) {
-    if (fate.path.empty() || !(fate.path[0].snr_db > kNoSnr_db)) continue;
+    if (fate.path.empty()) continue;
     const bool is_ours = std::any_of(
         outsiders_.begin(), outsiders_.end(),
         [&](const OutsideVehicle& outsider) { return outsider.options.name == fate.destination; });
-    if (is_ours) {
-      snrs_db_[{fate.destination, fate.source, fate.path[0].packet}] = fate.path[0].snr_db;
-    }
+    if (is_ours) paths_[{fate.destination, fate.source, fate.path[0].packet}] = fate.path[0];
   }
 }
 
@@ -177,13 +180,14 @@ void NetsimManagerApp::Tick(int64_t utime) {
   for (OutsideVehicle& outsider : outsiders_) {
     PassReceived(&outsider, mission_us_);
     if (outsider.modem) {
-      for (std::vector<uint8_t>& bytes : outsider.modem->TakeTransmissions(mission_us_)) {
-        acoustic_tx_t packet{};
+      for (ModemTransmission& sent : outsider.modem->TakeTransmissions(mission_us_)) {
+        modem_tx_t packet{};
         packet.utime = utime;
         packet.source = outsider.options.name;
-        packet.num_bytes = static_cast<int32_t>(bytes.size());
-        packet.payload = std::move(bytes);
-        Publish(bus_, channels::AcousticTx(), packet);
+        packet.data_rate_bps = sent.data_rate_bps;
+        packet.num_bytes = static_cast<int32_t>(sent.bytes.size());
+        packet.payload = std::move(sent.bytes);
+        Publish(bus_, channels::ModemTx(), packet);
       }
     }
     if (std::exchange(outsider.nav_is_new, false)) Report(&outsider, utime);
@@ -192,7 +196,7 @@ void NetsimManagerApp::Tick(int64_t utime) {
     stats.utime = utime;
     Publish(bus_, channels::ModemStats(), stats);
   }
-  snrs_db_.clear();
+  paths_.clear();
 }
 
 void NetsimManagerApp::PassReceived(OutsideVehicle* outsider, int64_t mission_us) {
@@ -200,9 +204,12 @@ void NetsimManagerApp::PassReceived(OutsideVehicle* outsider, int64_t mission_us
   for (acoustic_rx_t& packet : std::exchange(outsider->received, {})) {
     const size_t on_air_bytes =
         packet.payload.size() + (mission_.acoustics.crc ? kPacketCrcBytes : 0);
-    const double air_s = acoustics.data_rate_bps > 0
-                             ? 8 * static_cast<double>(on_air_bytes) / acoustics.data_rate_bps
-                             : 0;
+    const auto path = paths_.find(std::tuple(outsider->options.name, packet.source, packet.number));
+    double air_s = acoustics.data_rate_bps > 0
+                       ? 8 * static_cast<double>(on_air_bytes) / acoustics.data_rate_bps
+                       : 0;
+    // A modem's packet has a rate of its own.
+    if (path != paths_.end() && path->second.air_s > 0) air_s = path->second.air_s;
     const bool is_sound = IsMissionTime(packet.arrived_utime) && IsMissionTime(packet.sent_utime);
     if (!is_sound) {
       log_.Warn("ACOUSTIC_RX with times that cannot be: ignored");
@@ -213,9 +220,9 @@ void NetsimManagerApp::PassReceived(OutsideVehicle* outsider, int64_t mission_us
                         .start_us = start_utime - mission_.start_utime,
                         .travel_us = std::max<int64_t>(start_utime - packet.sent_utime, 0),
                         .snr_db = std::nullopt};
-    const auto snr_db =
-        snrs_db_.find(std::tuple(outsider->options.name, packet.source, packet.number));
-    if (snr_db != snrs_db_.end()) arrival.snr_db = snr_db->second;
+    if (path != paths_.end() && path->second.snr_db > kNoSnr_db) {
+      arrival.snr_db = path->second.snr_db;
+    }
     outsider->modem->Receive(arrival, mission_us);
   }
 }
@@ -263,10 +270,11 @@ StatusPage NetsimManagerApp::Status() const {
                   port(), outsiders_.size(), options_.allow_warp ? "allowed" : "1 only");
   if (lines_) {
     const TcpServerCounts& counts = lines_->counts();
-    page.text +=
-        fmt::format("Clients: {} now, {} so far, {} refused, {} broken off, {} idle, {} stalled\n",
-                    lines_->num_clients(), counts.accepted, counts.refused, counts.broken,
-                    counts.idle, counts.stalled);
+    page.text += fmt::format(
+        "Clients: {} now, {} so far, {} refused, {} broken off, {} idle, {} stalled, {} "
+        "silent and closed for others\n",
+        lines_->num_clients(), counts.accepted, counts.refused, counts.broken, counts.idle,
+        counts.stalled, counts.displaced);
     page.text += fmt::format("Lines ({} too long):\n", lines_->num_too_long());
   }
   for (size_t i = 0; i < kNumNetsimOutcomes; ++i) {

@@ -1,6 +1,6 @@
 // Lets vehicle simulators from outside take part, as GobySoft's netsim does: positions come in over
 // one TCP port, and each vehicle has a modem on a port of its own. Subscribes to
-// ACOUSTIC_RX_<V> of these vehicles and COMMS_FATES; publishes NODE_REPORT, ACOUSTIC_TX and
+// ACOUSTIC_RX_<V> of these vehicles and COMMS_FATES; publishes NODE_REPORT, MODEM_TX and
 // MODEM_STATS.
 //
 // Clients are answered at once, between steps; what they bring is published in the next step, of
@@ -67,8 +67,8 @@ class NetsimManagerApp : public App {
   std::unique_ptr<LineServer> lines_;
   std::vector<OutsideVehicle> outsiders_;
   std::vector<modem_stats_t> stats_;  ///< Of this step.
-  /// Signal-to-noise ratio of what arrived in this step: by receiver, sender and packet.
-  std::map<std::tuple<std::string, std::string, int64_t>, double> snrs_db_;
+  /// What COMMS_FATES holds of packets that arrived in this step: by receiver, sender and packet.
+  std::map<std::tuple<std::string, std::string, int64_t>, acoustic_path_t> paths_;
   NetsimCounts counts_;
   StatusLog log_;
   std::string fault_;

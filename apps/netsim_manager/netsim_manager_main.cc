@@ -1,5 +1,5 @@
 // netsim's TCP interface. Subscribes to ACOUSTIC_RX_<V> and COMMS_FATES, publishes NODE_REPORT,
-// ACOUSTIC_TX and MODEM_STATS. See netsim_manager --help.
+// MODEM_TX and MODEM_STATS. See netsim_manager --help.
 #include "apps/netsim_manager/netsim_manager_app.h"
 #include "lib/run/run_app.h"
 
@@ -14,9 +14,7 @@ const shoal::AppInfo kInfo = {
     .example = R"(# In a mission file:
 [[vehicle]]
 name = "outsider"
-vehicle_sim = "none"                  # it is simulated elsewhere
-helm = "none"
-node_reporter = "none"
+outside = true                        # it is simulated elsewhere
 
 [netsim]
 port = 61999                          # of NETSIM|...| lines
@@ -34,7 +32,7 @@ depth_max_m = 100
 name = "outsider"
 modem_tcp_port = 62000
 environment = "bay"
-modem = "micromodem"                  # or "raw", or "none"
+modem = "micromodem"                  # or "micromodem2", "raw", "none"
 )",
 };
 

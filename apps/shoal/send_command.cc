@@ -7,6 +7,7 @@
 #include "apps/shoal/send_clock.h"
 #include "apps/shoal/send_helm.h"
 #include "lib/bus/channels.h"
+#include "lib/bus/control_message.h"
 #include "lib/check/result.h"
 #include "lib/orders/order.h"
 #include "lib/routing/destinations.h"
@@ -44,7 +45,7 @@ struct Sender {
     const ControlRow& row = *order.row;
     const std::string of = row.of_vehicle ? " of " + order.control.vehicle : "";
     const std::string value =
-        row.type == ControlType::kRequest ? "" : " = " + ControlWord(row, order.control.value);
+        row.type == ControlType::kRequest ? "" : " = " + ControlWord(row, ValueOf(order.control));
     fmt::print("sent {}{}{}; `shoal status shore_broker` shows the rules in force\n", row.channel,
                of, value);
     if (order.is_unregistered) WarnOfUnregistered(scope, order.control.vehicle);

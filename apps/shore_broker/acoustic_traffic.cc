@@ -119,8 +119,8 @@ std::vector<AcousticTraffic::Refusal> AcousticTraffic::Send(int64_t utime, Shipm
   std::vector<uint8_t> frame = shipment.payload;
   if (crc_) AppendLittleEndian(Crc32(shipment.payload), &frame);
   const int64_t sent_utime = SentUtime(utime);
-  const int64_t number =
-      network_.Transmit(SecondsOf(sent_utime), *source, positions_m_, frame, receivers);
+  const int64_t number = network_.Transmit(SecondsOf(sent_utime), *source, positions_m_, frame,
+                                           receivers, shipment.data_rate_bps);
   if (receivers.empty()) return refusals;
   ++nodes_[static_cast<size_t>(*source)].num_packets;
   const size_t num_legs = receivers.size();

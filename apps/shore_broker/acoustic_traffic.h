@@ -40,9 +40,10 @@ struct ShipmentLeg {
 struct Shipment {
   Kind kind = Kind::kPacket;
   std::string source;
-  int64_t number = 0;            ///< Of its kind.
-  std::vector<uint8_t> message;  ///< As it came to the broker.
-  std::vector<uint8_t> payload;  ///< What goes over the air, without a checksum.
+  int64_t number = 0;                   ///< Of its kind.
+  std::vector<uint8_t> message;         ///< As it came to the broker.
+  std::vector<uint8_t> payload;         ///< What goes over the air, without a checksum.
+  std::optional<double> data_rate_bps;  ///< Its own; absent: the network's.
   Eigen::Vector3d from_m = Eigen::Vector3d::Zero();
   bool has_pulses = false;
   std::string color;  ///< Of its pulses.

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "lib/bus/control_message.h"
 #include "lib/routing/vehicle_name.h"
 
 namespace shoal {
@@ -59,24 +60,29 @@ bool ApplyFactor(const ControlRow& row, const unc_control_t& control, int64_t ut
 bool ApplyRule(const ControlRow& row, const unc_control_t& control, int64_t utime, Router* router,
                StatusLog* log) {
   RoutingRules rules = router->rules();
-  const double old = GetRule(row, rules);
+  const ControlValue old = GetRule(row, rules);
+  const ControlValue value = ValueOf(control);
+  const std::string word = Printable(ControlWord(row, value));
+  const std::string old_word = Printable(ControlWord(row, old));
   if (!control.vehicle.empty()) {
     Refuse(fmt::format("{} refused: it holds for all, not for one vehicle; {} stays", row.channel,
-                       ControlWord(row, old)),
+                       old_word),
            utime, log);
     return false;
   }
-  if (!IsPossible(row, control.value)) {
-    Refuse(fmt::format("{} refused: {} is impossible (allowed: {}); {} stays", row.channel,
-                       control.value, row.values, ControlWord(row, old)),
+  if (!IsPossible(row, value)) {
+    const std::string given =
+        row.type == ControlType::kText ? Printable(value.text) : fmt::format("{}", value.number);
+    Refuse(fmt::format("{} refused: {} is impossible (allowed: {}); {} stays", row.channel, given,
+                       row.values, old_word),
            utime, log);
     return false;
   }
-  SetRule(row, control.value, &rules);
+  SetRule(row, value, &rules);
+  const bool has_changed = rules != router->rules();
   router->SetRules(rules);
-  log->Event(utime, fmt::format("{}: {} (was {})", row.channel, ControlWord(row, control.value),
-                                ControlWord(row, old)));
-  return control.value != old;
+  log->Event(utime, fmt::format("{}: {} (was {})", row.channel, word, old_word));
+  return has_changed;
 }
 
 }  // namespace

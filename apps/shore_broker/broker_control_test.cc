@@ -104,14 +104,38 @@ TEST_F(BrokerControlTest, TakesNoImpossibleRecordedRules) {
 TEST_F(BrokerControlTest, FollowsEveryChannelOfTheTable) {
   for (const ControlRow& row : ControlTable()) {
     if (row.type == ControlType::kRequest) continue;
-    const double value = row.min > -1 && row.min > 0 ? row.min : std::min(1.0, row.max);
-    Send(row.rule, value, row.of_vehicle ? "alpha" : "");
+    const ControlValue value = row.min > 0 ? row.min : std::min(1.0, row.max);
+    const ControlValue word = std::string("Ghosts");
+    Send(row.rule, row.type == ControlType::kText ? word : value, row.of_vehicle ? "alpha" : "");
   }
   Step();
   EXPECT_TRUE(broker_.Status().run_warnings.empty());
   EXPECT_EQ(broker_.router().rules().comms_range_m, 1);
   EXPECT_EQ(broker_.router().rules().max_msg_length_bytes, 1);
   EXPECT_TRUE(broker_.router().rules().groups);
+  EXPECT_EQ(broker_.router().rules().ignore_group, "Ghosts");
+}
+
+TEST_F(BrokerControlTest, IgnoresAGroupFromNowOnAndTakesItInAgain) {
+  const auto report = [&] {
+    node_report_t ghost = ReportFrom("alpha", 0);
+    ghost.group = "ghosts";
+    Send(ghost);
+    Step();
+    return Fates();
+  };
+  BothReport(10);
+  EXPECT_EQ(report(), Texts{"alpha>bravo delivered"});
+  Send("ignore_group", std::string("Ghosts"));
+  EXPECT_EQ(report(), Texts{"alpha> ignored_group"});
+  EXPECT_TRUE(PageHas("Ignore Group: Ghosts\n"));
+  Send("ignore_group", std::string("two\nlines"));
+  Send("ignore_group", std::string("elves"), "alpha");
+  EXPECT_EQ(report(), Texts{"alpha> ignored_group"});
+  EXPECT_EQ(broker_.Status().run_warnings.size(), 2U);
+  Send("ignore_group", std::string());
+  EXPECT_EQ(report(), Texts{"alpha>bravo delivered"});
+  EXPECT_EQ(rules_.back().ignore_group, "");
 }
 
 TEST_F(BrokerControlTest, ShortensTheRangeOfASource) {
@@ -196,7 +220,8 @@ class LateBrokerTest : public BrokerControlTest {
   }
   static kept_control_t Kept(const std::string& channel, double value,
                              const std::string& vehicle = "") {
-    return {.channel = channel, .control = {.utime = 0, .vehicle = vehicle, .value = value}};
+    return {.channel = channel,
+            .control = {.utime = 0, .vehicle = vehicle, .value = value, .text = ""}};
   }
 
   Bus& unnamed_ = hub_.Join("");  ///< Outside the step protocol there are no names.

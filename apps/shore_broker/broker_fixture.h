@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "apps/shore_broker/shore_broker_app.h"
+#include "lib/bus/control_message.h"
 #include "lib/bus/memory_bus.h"
 
 namespace shoal {
@@ -90,9 +91,17 @@ class BrokerFixture : public testing::Test {
     packet.payload = payload;
     Publish(listener_, channels::AcousticTx(), packet);
   }
-  void Send(std::string_view rule, double value, const std::string& vehicle = "") {
+  void SendModemPacket(const std::string& source, const Bytes& payload, double data_rate_bps) {
+    modem_tx_t packet = {};
+    packet.source = source;
+    packet.data_rate_bps = data_rate_bps;
+    packet.num_bytes = static_cast<int32_t>(payload.size());
+    packet.payload = payload;
+    Publish(listener_, channels::ModemTx(), packet);
+  }
+  void Send(std::string_view rule, const ControlValue& value, const std::string& vehicle = "") {
     unc_control_t control = {};
-    control.value = value;
+    SetValue(value, &control);
     control.vehicle = vehicle;
     Publish(listener_, channels::Control(*FindControl(rule)), control);
   }

@@ -11,6 +11,7 @@ BrokerInbox::BrokerInbox(Bus& bus) {
   Keep(bus, channels::NodeMessageFromOutside().name, true, &messages_);
   Keep(bus, channels::AckMessage().name, false, &acks_);
   Keep(bus, channels::AcousticTx().name, false, &packets_);
+  Keep(bus, channels::ModemTx().name, true, &packets_);
   Keep(bus, channels::HelmCommandAll().name, false, &commands_);
 }
 

@@ -16,7 +16,8 @@ class BrokerInbox {
   struct Item {
     size_t begin = 0;
     size_t size = 0;
-    bool from_outside = false;  ///< Came on the channel of vehicles from outside.
+    bool from_outside =
+        false;  ///< Came on the channel of vehicles from outside; a packet, MODEM_TX.
   };
 
   /// Subscribes to reports, messages, acks, packets and commands.

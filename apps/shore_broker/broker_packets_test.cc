@@ -1,12 +1,15 @@
 // Packets over broker and acoustic network: what goes in, what comes out and when, and their fates.
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <string>
 #include <vector>
 
 #include "apps/shore_broker/water_fixture.h"
 
 namespace shoal::broker_packets_test {
+
+using Texts = std::vector<std::string>;
 
 class CalmPackets : public AcousticFixture {};
 
@@ -41,6 +44,29 @@ TEST_F(CalmPackets, ArriveInTheStepOfTheirLastByte) {
   EXPECT_EQ(path.loss_probability, -1);
   EXPECT_EQ(path.snr_db, -999);
   EXPECT_EQ(pulses_.size(), 1U);
+}
+
+TEST_F(CalmPackets, OfAModemGoAtItsRateAndHaveNoRange) {
+  Send(ReportFrom("alpha", 0));
+  Send(ReportFrom("bravo", 1500));
+  Step();
+  SendPacket("alpha", {1, 2, 3});
+  Step();
+  ASSERT_EQ(Fates(), Texts{"alpha>bravo out_of_range"});
+  SendModemPacket("alpha", Bytes(6, 7), 80);
+  const int64_t published_utime = utime_;
+  EXPECT_GT(StepUntilFates(), 0);
+  ASSERT_EQ(Fates(), Texts{"alpha>bravo delivered"});
+  EXPECT_EQ(fates_[0].limit_m, -1);
+  ASSERT_EQ(fates_[0].path.size(), 1U);
+  EXPECT_EQ(fates_[0].path[0].num_bytes, 10);
+  EXPECT_NEAR(fates_[0].path[0].air_s, 1, 1e-12) << "10 bytes at 80 bit/s";
+  EXPECT_EQ(packets_["bravo"].at(0).arrived_utime, published_utime + 2'000'000);
+  for (const double bad_bps : {-1.0, 0.01, std::numeric_limits<double>::quiet_NaN()}) {
+    SendModemPacket("alpha", Bytes(6, 7), bad_bps);
+    Step();
+    EXPECT_EQ(Fates(), Texts{"alpha> invalid"}) << bad_bps;
+  }
 }
 
 TEST_F(CalmPackets, AreShownOnThePageWhileTheyAreInTransit) {

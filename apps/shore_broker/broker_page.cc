@@ -56,18 +56,20 @@ std::string ReceivedReports(const Router& router, const BrokerPageFacts& facts) 
   std::string text = fmt::format(
       "    {:<26}{:>10}{:>10}\n",
       fmt::format("Total Received: {}", router.num_offered(Kind::kReport)), "Elapsed", "Rate");
+  constexpr auto kReports = static_cast<size_t>(Kind::kReport);
   AppendRows(
-      router, [](const Contact& contact) { return contact.num_admitted > 0; },
+      router, [](const Contact& contact) { return contact.num_sent[kReports] > 0; },
       [&](const Contact& contact) {
+        const int64_t num_received = contact.num_sent[kReports];
         const std::string age =
             contact.known
                 ? fmt::format("({:.1f})", SecondsBetween(contact.received_utime, facts.now_utime))
-                : "(forgotten)";
-        const double rate =
-            elapsed_s > 0 ? static_cast<double>(contact.num_admitted) / elapsed_s : 0;
+            : contact.num_admitted > 0 ? "(forgotten)"
+                                       : "(refused)";
+        const double rate = elapsed_s > 0 ? static_cast<double>(num_received) / elapsed_s : 0;
         return fmt::format("        {:<22}{:>10}{:>10}\n",
-                           fmt::format("{}: {}", UpperCase(contact.name), contact.num_admitted),
-                           age, fmt::format("[{:.2f}]", rate));
+                           fmt::format("{}: {}", UpperCase(contact.name), num_received), age,
+                           fmt::format("[{:.2f}]", rate));
       },
       &text);
   return text;

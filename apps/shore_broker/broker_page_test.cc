@@ -32,7 +32,6 @@ void BlockForEveryCause(Router* router) {
   };
   constexpr int64_t kLater_us = 6'000'000;
   report("silent", 10, "", 0);
-  report("mute", 10, "", 0);
   for (const char* name : {"a", "b", "c", "d", "e"}) report(name, 0, "", kLater_us);
   report("e", 0, "", kLater_us);  // Too soon.
   report("far", 500, "", kLater_us);
@@ -44,7 +43,6 @@ void BlockForEveryCause(Router* router) {
   message("a", "b", kLater_us);  // Too soon.
   message("b", "a", kLater_us, 1001);
   message("unknown", "a", kLater_us);
-  message("mute", "a", kLater_us);  // A stale source.
   message("c", "", kLater_us, 5, "greens");
   message("d", "missing:silent:far:red", kLater_us);
   RoutingRules rules = router->rules();
@@ -113,6 +111,21 @@ TEST(BrokerPage, ShowsSomeOfALargeFleetAndCountsAll) {
   EXPECT_NE(page.find("(and 1000 more)"), std::string::npos);
   EXPECT_NE(page.find("Known Vehicles: 1200\n"), std::string::npos);
   EXPECT_NE(page.find("Too Many Vehicles: 5\n"), std::string::npos);
+}
+
+TEST(BrokerPage, CountsTheReportsOfAVehicleOfTheIgnoredGroupAsReceived) {
+  RoutingRules rules;
+  rules.ignore_group = "ghosts";
+  Router router(rules, 1, std::vector<std::string>{"alpha", "casper"});
+  router.Admit({.name = "alpha", .group = ""}, 0);
+  router.Admit({.name = "casper", .group = "ghosts"}, 0);
+  router.Admit({.name = "casper", .group = "ghosts"}, 500'000);
+  const std::string page = FormatBrokerPage(router, NoAcoustics(), {.now_utime = 1'000'000});
+  EXPECT_NE(page.find("Total Received: 3 "), std::string::npos) << page;
+  EXPECT_NE(page.find("        ALPHA: 1                   (1.0)    [1.00]\n"), std::string::npos)
+      << page;
+  EXPECT_NE(page.find("        CASPER: 2              (refused)    [2.00]\n"), std::string::npos)
+      << page;
 }
 
 TEST(BrokerPage, MarksAForgottenVehicle) {

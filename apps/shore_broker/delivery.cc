@@ -99,6 +99,7 @@ void Delivery::SendAcoustic(int64_t utime, const DecidedTransmission& sent) {
   Shipment shipment;
   shipment.message.assign(sent.raw.begin(), sent.raw.end());
   shipment.payload = sent.air_bytes();
+  shipment.data_rate_bps = sent.data_rate_bps;
   shipment.has_pulses = sent.has_pulses;
   shipment.color = sent.color;
   for (const Decision& decision : sent.decisions) {

@@ -15,6 +15,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -43,6 +44,7 @@ struct DecidedTransmission {
   std::string_view color = {};  ///< Of its pulses.
   /// Writes it for the air; asked only for what goes over the acoustic network.
   std::function<std::vector<uint8_t>()> air_bytes = {};
+  std::optional<double> data_rate_bps = {};  ///< On the air; absent: the network's.
 };
 
 class Delivery {

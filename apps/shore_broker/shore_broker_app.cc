@@ -61,7 +61,9 @@ void ShoreBrokerApp::Tick(int64_t utime) {
   for (const WaitingReport& report : admitted_) RouteReport(utime, report);
   for (const BrokerInbox::Item& message : inbox_.messages()) RouteMessage(utime, message);
   for (const BrokerInbox::Item& ack : inbox_.acks()) RouteAck(utime, ack);
-  for (const BrokerInbox::Item& packet : inbox_.packets()) RoutePacket(utime, packet);
+  for (const BrokerInbox::Item& packet : inbox_.packets()) {
+    packet.from_outside ? RouteModemPacket(utime, packet) : RoutePacket(utime, packet);
+  }
   delivery_.TakeArrivals(utime);
   delivery_.Flush(utime);
   Forget(utime);
@@ -261,20 +263,41 @@ void ShoreBrokerApp::RouteAck(int64_t utime, const BrokerInbox::Item& item) {
 
 void ShoreBrokerApp::RoutePacket(int64_t utime, const BrokerInbox::Item& item) {
   if (!DecodeItem(item, channels::AcousticTx(), &packet_)) return;
-  router_.RoutePacket({.source = packet_.source,
-                       .length_bytes = packet_.num_bytes,
+  RouteBytes(utime, item, packet_.source, packet_.payload, std::nullopt);
+}
+
+void ShoreBrokerApp::RouteModemPacket(int64_t utime, const BrokerInbox::Item& item) {
+  if (!DecodeItem(item, channels::ModemTx(), &modem_packet_)) return;
+  RouteBytes(utime, item, modem_packet_.source, modem_packet_.payload, modem_packet_.data_rate_bps);
+}
+
+/// `data_rate_bps`: present for what a modem sends; 0: at the network's.
+void ShoreBrokerApp::RouteBytes(int64_t utime, const BrokerInbox::Item& item,
+                                const std::string& source, const std::vector<uint8_t>& payload,
+                                std::optional<double> data_rate_bps) {
+  constexpr double kSlowest_bps = 0.1;
+  constexpr double kFastest_bps = 1e9;
+  const double rate_bps = data_rate_bps.value_or(0);
+  const bool has_rate = rate_bps >= kSlowest_bps && rate_bps <= kFastest_bps;
+  router_.RoutePacket({.source = source,
+                       .length_bytes = static_cast<int64_t>(payload.size()),
                        .length_limit_bytes = traffic_.max_payload_bytes(),
-                       .is_sound = packet_.num_bytes > 0},
+                       .is_sound = !payload.empty() && (has_rate || rate_bps == 0),
+                       .has_range_rule = !data_rate_bps},
                       utime, &decisions_);
   if (decisions_.front().cause == Cause::kInvalid) {
-    log_.Warn("invalid ACOUSTIC_TX refused: a vehicle's name and a payload are needed");
+    log_.Warn(data_rate_bps ? "invalid MODEM_TX refused: a vehicle's name, a payload and a data "
+                              "rate of 0 or 0.1 to 1e9 bit/s are needed"
+                            : "invalid ACOUSTIC_TX refused: a vehicle's name and a payload are "
+                              "needed");
   }
-  Conclude(utime, {.written_source = LegalOrEmpty(packet_.source),
+  Conclude(utime, {.written_source = LegalOrEmpty(source),
                    .raw = inbox_.BytesOf(item),
                    .from_m = PositionOfSource(),
                    .has_pulses = true,
                    .color = router_.rules().msg_color,
-                   .air_bytes = [&] { return packet_.payload; }});
+                   .air_bytes = [&] { return payload; },
+                   .data_rate_bps = has_rate ? std::optional(rate_bps) : std::nullopt});
 }
 
 Eigen::Vector3d ShoreBrokerApp::PositionOfSource() const {

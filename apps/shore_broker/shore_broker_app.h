@@ -1,7 +1,7 @@
 // Decides which vehicle receives what. Subscribes to NODE_REPORT_LOCAL, NODE_REPORT,
-// NODE_MESSAGE_LOCAL, NODE_MESSAGE, ACK_MESSAGE, ACOUSTIC_TX, UNC_* and HELM_COMMAND; publishes
-// what delivery.h lists, COMMS_RULES, NODE_REPORT_UNC and HELM_COMMAND_<V>. Outside stepping it
-// answers COMMS_RULES_REQ with COMMS_RULES_NOW.
+// NODE_MESSAGE_LOCAL, NODE_MESSAGE, ACK_MESSAGE, ACOUSTIC_TX, MODEM_TX, UNC_* and HELM_COMMAND;
+// publishes what delivery.h lists, COMMS_RULES, NODE_REPORT_UNC and HELM_COMMAND_<V>. Outside
+// stepping it answers COMMS_RULES_REQ with COMMS_RULES_NOW.
 //
 // A step: commands are handed on, rules change, all reports of the step are taken in, then each is
 // routed, then messages, acks and packets, in the order in which they came; what has arrived over
@@ -80,6 +80,9 @@ class ShoreBrokerApp : public Broker {
   void RouteMessage(int64_t utime, const BrokerInbox::Item& item);
   void RouteAck(int64_t utime, const BrokerInbox::Item& item);
   void RoutePacket(int64_t utime, const BrokerInbox::Item& item);
+  void RouteModemPacket(int64_t utime, const BrokerInbox::Item& item);
+  void RouteBytes(int64_t utime, const BrokerInbox::Item& item, const std::string& source,
+                  const std::vector<uint8_t>& payload, std::optional<double> data_rate_bps);
   void Share(int64_t utime, const WaitingReport& report);
   void Forget(int64_t utime);
   /// Has decisions_ carried out, and clears them.
@@ -114,6 +117,7 @@ class ShoreBrokerApp : public Broker {
   node_message_t message_;
   ack_message_t ack_;
   acoustic_tx_t packet_;
+  modem_tx_t modem_packet_;
   std::vector<Decision> decisions_;         ///< Of one transmission.
   std::vector<std::string> unknown_names_;  ///< Destinations of one transmission.
   std::vector<std::pair<std::string, int64_t>> shared_utimes_;  ///< By index; whose, and when.

@@ -55,8 +55,10 @@ static void think(int64_t utime, void* unused) {
   for (int i = 0; i < self.num_vehicles; ++i) {
     if (self.vehicles[i].earned == self.vehicles[i].stealth) continue;
     self.vehicles[i].stealth = self.vehicles[i].earned;
-    const shoal_unc_control_t control = {
-        .utime = utime, .vehicle = self.vehicles[i].name, .value = self.vehicles[i].stealth};
+    const shoal_unc_control_t control = {.utime = utime,
+                                         .vehicle = self.vehicles[i].name,
+                                         .value = self.vehicles[i].stealth,
+                                         .text = ""};
     uint8_t bytes[100];
     const int size = shoal_unc_control_t_encode(bytes, 0, sizeof bytes, &control);
     step_client_publish(self.client, "UNC_STEALTH", NULL, bytes, size);

@@ -49,11 +49,13 @@ Result<int> AcousticNetwork::AddNode(const AcousticNode& node) {
 
 int64_t AcousticNetwork::Transmit(double time_s, int source,
                                   std::span<const Eigen::Vector3d> positions_m,
-                                  std::span<const uint8_t> bytes, std::span<const int> receivers) {
+                                  std::span<const uint8_t> bytes, std::span<const int> receivers,
+                                  std::optional<double> data_rate_bps) {
   SHOAL_CHECK(std::isfinite(time_s) && time_s >= now_s_,
               "time_s is finite and not before an earlier call");
   SHOAL_CHECK(source >= 0 && source < num_nodes(), "source is the index of a node");
   SHOAL_CHECK(positions_m.size() == nodes_.size(), "each node has a position");
+  SHOAL_CHECK(!data_rate_bps || *data_rate_bps > 0, "data_rate_bps > 0");
   now_s_ = time_s;
   Recycle();
 
@@ -64,7 +66,9 @@ int64_t AcousticNetwork::Transmit(double time_s, int source,
   transmission.key = sender.sends.With(transmission.packet.number);
   transmission.turn = statistics_.num_transmissions++;
   transmission.sent_s = time_s;
-  transmission.air_s = 8 * static_cast<double>(bytes.size()) / options_.data_rate_bps;
+  transmission.data_rate_bps = data_rate_bps;
+  transmission.air_s =
+      8 * static_cast<double>(bytes.size()) / data_rate_bps.value_or(options_.data_rate_bps);
   transmission.channel = plan_.SendsOn(source);
   transmission.num_users = 1;  // This call: the bytes outlive it.
   if (options_.half_duplex && !bytes.empty()) {
@@ -102,8 +106,9 @@ void AcousticNetwork::Offer(const AcousticTransmission& transmission, int32_t in
     pending.fate = AcousticFate::kNoPath;
   } else {
     pending.range_m = range_m;
-    pending.path = path_.Draw(range_m, plan_.channel(transmission.channel).freq_khz,
-                              transmission.bytes.size(), KeyOf(transmission, receiver));
+    pending.path =
+        path_.Draw(range_m, plan_.channel(transmission.channel).freq_khz, transmission.bytes.size(),
+                   KeyOf(transmission, receiver), transmission.data_rate_bps);
     pending.start_s =
         transmission.sent_s + (range_m / options_.sound_speed_mps + pending.path.jitter_s);
   }
@@ -267,14 +272,23 @@ AcousticFate AcousticNetwork::HandOver(const Pending& pending, Reception* recept
 }
 
 void AcousticNetwork::XorColliders(const Pending& pending, std::span<uint8_t> received) const {
-  const double bytes_per_s = options_.data_rate_bps / 8;
+  const auto bytes_per_s = [this](int32_t index) {
+    return transmissions_[index].data_rate_bps.value_or(options_.data_rate_bps) / 8;
+  };
   const Arrival arrival = {pending.start_s, pending.end_s,
                            transmissions_[pending.transmission].bytes};
+  const double own_bytes_per_s = bytes_per_s(pending.transmission);
   const AirLane& lane = lanes_[pending.lane];
   lane.ForOverlapping(
       pending.ticket, lane.NumOverlapping(pending.ticket), [&](const AirLane::Packet& other) {
-        XorOverlap(arrival, {other.start_s, other.end_s, transmissions_[other.transmission].bytes},
-                   bytes_per_s, received);
+        const Arrival their = {other.start_s, other.end_s,
+                               transmissions_[other.transmission].bytes};
+        const double their_bytes_per_s = bytes_per_s(other.transmission);
+        if (their_bytes_per_s == own_bytes_per_s) {
+          XorOverlap(arrival, their, own_bytes_per_s, received);
+        } else {
+          XorOverlapOfRates(arrival, own_bytes_per_s, their, their_bytes_per_s, received);
+        }
       });
 }
 

@@ -72,4 +72,15 @@ void XorOverlap(const Arrival& a, const Arrival& b, double bytes_per_s,
   for (; i < window.count; ++i) mine[i] ^= theirs[i];
 }
 
+void XorOverlapOfRates(const Arrival& a, double a_bytes_per_s, const Arrival& b,
+                       double b_bytes_per_s, std::span<uint8_t> received) {
+  SHOAL_CHECK(received.size() == a.bytes.size(), "received has the size of the packet");
+  for (size_t i = 0; i < received.size(); ++i) {
+    const double middle_s = a.start_s + (static_cast<double>(i) + 0.5) / a_bytes_per_s;
+    const double place = (middle_s - b.start_s) * b_bytes_per_s;
+    if (!(place >= 0 && place < static_cast<double>(b.bytes.size()))) continue;
+    received[i] ^= b.bytes[static_cast<size_t>(place)];
+  }
+}
+
 }  // namespace shoal

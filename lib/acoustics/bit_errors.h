@@ -51,4 +51,10 @@ struct ByteWindow {
 void XorOverlap(const Arrival& a, const Arrival& b, double bytes_per_s,
                 std::span<uint8_t> received);
 
+/// The same where the two have rates of their own: each byte of `a` is XORed with the byte of `b`
+/// that is there in its middle.
+/// @pre received.size() == a.bytes.size(); rates are positive
+void XorOverlapOfRates(const Arrival& a, double a_bytes_per_s, const Arrival& b,
+                       double b_bytes_per_s, std::span<uint8_t> received);
+
 }  // namespace shoal

@@ -116,4 +116,17 @@ TEST(XorOverlap, LeavesZerosWhereAPacketMeetsItsTwin) {
   EXPECT_EQ(received, Bytes(8, 0));
 }
 
+// a: 4 bytes at 1 byte per second from 0 s; b: 8 bytes at 4 bytes per second from 1 s, so that it
+// ends at 3 s.
+TEST(XorOverlapOfRates, PutsOnEachByteWhatIsThereInItsMiddle) {
+  const std::vector<uint8_t> slow = {0x10, 0x20, 0x30, 0x40};
+  const std::vector<uint8_t> fast = {1, 2, 3, 4, 5, 6, 7, 8};
+  std::vector<uint8_t> received = slow;
+  XorOverlapOfRates({0, 4, slow}, 1, {1, 3, fast}, 4, received);
+  EXPECT_EQ(received, (std::vector<uint8_t>{0x10, 0x23, 0x37, 0x40}));
+  received = fast;
+  XorOverlapOfRates({1, 3, fast}, 4, {0, 4, slow}, 1, received);
+  EXPECT_EQ(received, (std::vector<uint8_t>{0x21, 0x22, 0x23, 0x24, 0x35, 0x36, 0x37, 0x38}));
+}
+
 }  // namespace shoal::bit_errors_test

@@ -69,6 +69,25 @@ TEST(ModemLoss, IsThatOfTheLinkAndTheLengthOfThePacket) {
   }
 }
 
+TEST(ModemLoss, IsTheLessTheSlowerAPacketIs) {
+  constexpr double kRange_m = 4000;
+  const Positions positions_m = {{0, 0, 0}, {kRange_m, 0, 0}};
+  double last = -1;
+  for (const double rate_bps : {40.0, 463.0, 5000.0}) {
+    AcousticNetwork network(Lossy(), 1, TestNodes(2));
+    network.Transmit(0, 0, positions_m, Bytes(37), AllOf(network), rate_bps);
+    const Reception reception = DeliverAll(&network).at(0).reception;
+    EXPECT_DOUBLE_EQ(reception.air_s, 8 * 37 / rate_bps);
+    const LinkBudget link = LinkModel(kCodedModem, kSea).At(kRange_m, rate_bps);
+    EXPECT_EQ(reception.loss_probability,
+              PacketErrorRate(link.bit_error_rate, 37, kCodedModem.code));
+    EXPECT_GT(reception.loss_probability, last);
+    last = reception.loss_probability;
+  }
+  EXPECT_EQ(LinkModel(kCodedModem, kSea).At(kRange_m),
+            LinkModel(kCodedModem, kSea).At(kRange_m, kCodedModem.data_rate_bps));
+}
+
 TEST(ModemBitErrors, AreThoseOfTheBitsInTransit) {
   const AcousticOptions options =
       WithModem(PlainModem(), PacketLossModel::kOff, BitErrorModel::kModem);

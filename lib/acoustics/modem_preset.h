@@ -64,7 +64,10 @@ class LinkModel {
 
   /// Returns the budget over `range_m`. An invalid range, modem or sea gives a link with a
   /// bit error rate of 0.5.
-  [[nodiscard]] LinkBudget At(double range_m) const;
+  [[nodiscard]] LinkBudget At(double range_m) const { return At(range_m, data_rate_bps_); }
+  /// The same at another rate of the user's bits than the modem's own: the slower, the more energy
+  /// has each bit.
+  [[nodiscard]] LinkBudget At(double range_m, double data_rate_bps) const;
 
   /// At the middle of the band.
   double absorption_dbpkm() const { return absorption_dbpkm_; }
@@ -73,7 +76,8 @@ class LinkModel {
  private:
   double source_level_db_;
   double bandwidth_khz_;
-  double transmitted_rate_bps_;
+  double data_rate_bps_;
+  double code_rate_;
   Modulation modulation_;
   Fading fading_;
   double spreading_exponent_;

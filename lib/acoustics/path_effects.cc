@@ -22,8 +22,8 @@ std::optional<LinkModel> MakeLink(const AcousticOptions& options) {
 PathModel::PathModel(const AcousticOptions& options)
     : options_(options), link_(MakeLink(options)) {}
 
-PathEffects PathModel::Draw(double range_m, double freq_khz, size_t num_bytes,
-                            const StreamKey& key) const {
+PathEffects PathModel::Draw(double range_m, double freq_khz, size_t num_bytes, const StreamKey& key,
+                            std::optional<double> data_rate_bps) const {
   Stream stream(key);
   const double jitter_draw = stream.Uniform();
   const double loss_draw = stream.Uniform();
@@ -32,7 +32,8 @@ PathEffects PathModel::Draw(double range_m, double freq_khz, size_t num_bytes,
       options_.jitter == JitterModel::kUniform ? jitter_draw * options_.max_jitter_s : 0;
   double wrong_by_modem = 0;  // The probability that a bit is wrong.
   if (link_) {
-    const LinkBudget budget = link_->At(range_m);
+    const LinkBudget budget =
+        data_rate_bps ? link_->At(range_m, *data_rate_bps) : link_->At(range_m);
     effects.snr_db = budget.snr_db;
     wrong_by_modem = budget.bit_error_rate;
   }

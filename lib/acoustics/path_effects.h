@@ -29,8 +29,11 @@ class PathModel {
   /// Draws the effects on a packet of `num_bytes` over `range_m`; `key` is that of the packet and
   /// its receiver. The first number of its stream is the jitter's, the second the packet loss's,
   /// whether or not there are such effects; the number of wrong bits comes from those that follow.
+  /// `data_rate_bps`: of this packet; absent: the modem's own. Models that are no modem's do not
+  /// ask for it.
   [[nodiscard]] PathEffects Draw(double range_m, double freq_khz, size_t num_bytes,
-                                 const StreamKey& key) const;
+                                 const StreamKey& key,
+                                 std::optional<double> data_rate_bps = std::nullopt) const;
 
  private:
   AcousticOptions options_;

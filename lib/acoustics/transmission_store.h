@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -18,6 +19,7 @@ struct AcousticTransmission {
   int64_t turn = 0;  ///< It is the network's transmission of this number.
   double sent_s = 0;
   double air_s = 0;
+  std::optional<double> data_rate_bps;  ///< Its own; absent: the network's.
   int32_t channel = 0;
   int32_t num_users = 0;
   std::vector<uint8_t> bytes;

@@ -140,7 +140,7 @@ std::string ImpossibleRule(const comms_rules_t& message) {
       const auto& text = message.*std::get<std::string comms_rules_t::*>(wire.member);
       if (!IsMedium(text)) impossible = fmt::format("{} = '{}'", row.rule, text.substr(0, 64));
     } else if (row.type != RuleType::kText) {
-      const double value = GetRule(row, rules);
+      const double value = GetRule(row, rules).number;
       const bool is_possible = row.channel.empty() ? !std::isnan(value) : IsPossible(row, value);
       if (!is_possible) impossible = fmt::format("{} = {}", row.rule, value);
     }

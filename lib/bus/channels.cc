@@ -72,6 +72,7 @@ Channel<node_message_t> NodeMessageLocal() { return {std::string(topics::kNodeMe
 Channel<node_message_t> NodeMessageFromOutside() { return {std::string(topics::kNodeMessage)}; }
 Channel<ack_message_t> AckMessage() { return {std::string(topics::kAckMessage)}; }
 Channel<acoustic_tx_t> AcousticTx() { return {std::string(topics::kAcousticTx)}; }
+Channel<modem_tx_t> ModemTx() { return {std::string(topics::kModemTx)}; }
 Channel<unc_control_t> Control(const ControlRow& row) { return {std::string(row.channel)}; }
 Channel<unc_controls_t> UncControls() { return {std::string(topics::kUncControls)}; }
 Channel<unc_controls_req_t> UncControlsReq() { return {std::string(topics::kUncControlsReq)}; }
@@ -138,15 +139,17 @@ std::vector<ChannelRow> MakeTable() {
        "theirs", true},
       {topics::kAckMessage, kShore, "ack_message_t", "node_reporter, vehicles from outside",
        "shore_broker", "one per message received that asks for it", true},
-      {topics::kAcousticTx, kShore, "acoustic_tx_t", "acomms, netsim_manager, your programs",
-       "shore_broker", "when needed", true},
+      {topics::kAcousticTx, kShore, "acoustic_tx_t", "acomms, your programs", "shore_broker",
+       "when needed", true},
+      {topics::kModemTx, kShore, "modem_tx_t", "netsim_manager", "shore_broker", "when needed",
+       true},
       {topics::kCommsFates, kShore, "comms_fates_t", "shore_broker",
        "netsim_manager, shoal, viewer", "steps with decisions", true},
       {topics::kCommsRules, kShore, "comms_rules_t", "shore_broker", "viewer, (shoal rebroker)",
        "at its start and when a rule changes", true},
       {topics::kViewCommsPulse, kShore, "comms_pulses_t", "shore_broker", "viewer",
        "steps with deliveries", true},
-      {topics::kModemStats, kShore, "modem_stats_t", "netsim_manager", "(people)",
+      {topics::kModemStats, kShore, "modem_stats_t", "netsim_manager", "viewer, (people)",
        "when a client reports it", true},
       {topics::kNodeReportUnc, kShore, "node_report_t", "shore_broker", "(people)",
        "shared_node_reports", false},

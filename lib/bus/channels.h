@@ -28,6 +28,7 @@
 #include "shoal/helm_command_t.hpp"
 #include "shoal/helm_state_t.hpp"
 #include "shoal/modem_stats_t.hpp"
+#include "shoal/modem_tx_t.hpp"
 #include "shoal/nav_t.hpp"
 #include "shoal/node_message_t.hpp"
 #include "shoal/node_report_t.hpp"
@@ -65,6 +66,7 @@ inline constexpr std::string_view kSwarm = "SWARM";
 inline constexpr std::string_view kNodeReportLocal = "NODE_REPORT_LOCAL";
 inline constexpr std::string_view kNodeMessageLocal = "NODE_MESSAGE_LOCAL";
 inline constexpr std::string_view kAcousticTx = "ACOUSTIC_TX";
+inline constexpr std::string_view kModemTx = "MODEM_TX";
 inline constexpr std::string_view kUncControls = "UNC_CONTROLS";
 inline constexpr std::string_view kUncControlsReq = "UNC_CONTROLS_REQ";
 inline constexpr std::string_view kNodeReportUnc = "NODE_REPORT_UNC";
@@ -117,6 +119,7 @@ Channel<node_message_t> NodeMessageLocal();
 Channel<node_message_t> NodeMessageFromOutside();
 Channel<ack_message_t> AckMessage();
 Channel<acoustic_tx_t> AcousticTx();
+Channel<modem_tx_t> ModemTx();
 Channel<unc_control_t> Control(const ControlRow& row);
 Channel<unc_controls_t> UncControls();
 Channel<unc_controls_req_t> UncControlsReq();

@@ -39,11 +39,14 @@ void Describe(Fields& fields, Environment& environment);
 void Describe(Fields& fields, RoutingRules& rules);
 /// The value of a rule that can change while a mission runs, under `key`.
 void DescribeControlValue(Fields& fields, std::string_view key, const ControlRow& row,
-                          double& value);
+                          ControlValue& value);
 
 /// [acoustics]. A modem's file is looked for in `folder` and among those that come with shoal;
 /// where there is no folder, a modem must be a table.
-void Describe(Fields& fields, Acoustics& acoustics, const std::optional<std::string>& folder);
+/// `default_modem`: the modem where the table names none and no model of loss or bit errors; empty:
+/// none.
+void Describe(Fields& fields, Acoustics& acoustics, const std::optional<std::string>& folder,
+              std::string_view default_modem = "");
 
 /// One [[vehicle]], or a template, whose name is empty. A model's own table is declared beside its
 /// parameters (remus100_model.h).

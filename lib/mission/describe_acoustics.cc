@@ -65,8 +65,16 @@ void Describe(Fields& fields, Sea& sea) {
 
 /// A name, or a table with the keys of a modem's file.
 void DescribeModem(Fields& fields, std::optional<ModemPreset>& modem,
-                   const std::optional<std::string>& folder) {
-  if (!fields.Has("modem", modem.has_value())) return;
+                   const std::optional<std::string>& folder, std::string_view default_modem) {
+  if (!fields.Has("modem", modem.has_value())) {
+    const bool has_models =
+        fields.Has("packet_loss_model", true) || fields.Has("bit_error_model", true);
+    if (!fields.reading() || default_modem.empty() || has_models) return;
+    NamedModem named = FindModem(default_modem, "");
+    for (std::string& problem : named.problems) fields.Refuse("", std::move(problem));
+    if (named.problems.empty()) modem = std::move(named.modem);
+    return;
+  }
   if (!modem) modem.emplace();
   if (!folder || !fields.HoldsText("modem")) {
     fields.Below("modem", [&](Fields& table) { Describe(table, *modem); });
@@ -109,10 +117,11 @@ void SetSoundSpeed(Fields& fields, AcousticOptions& options) {
 
 }  // namespace
 
-void Describe(Fields& fields, Acoustics& acoustics, const std::optional<std::string>& folder) {
+void Describe(Fields& fields, Acoustics& acoustics, const std::optional<std::string>& folder,
+              std::string_view default_modem) {
   AcousticOptions& options = acoustics.options;
   for (const auto& [key, munet_name] : kMunetNames) fields.CalledElsewhere(key, munet_name);
-  DescribeModem(fields, options.modem, folder);
+  DescribeModem(fields, options.modem, folder, default_modem);
   const bool has_sea = fields.Has("sea", true);
   fields.Below("sea", [&](Fields& sea) { Describe(sea, options.sea); });
   if (fields.reading() && options.modem) SetDefaults(*options.modem, options);

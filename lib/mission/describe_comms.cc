@@ -10,11 +10,11 @@
 namespace shoal {
 
 void DescribeControlValue(Fields& fields, std::string_view key, const ControlRow& row,
-                          double& value) {
+                          ControlValue& value) {
   std::string word = ControlWord(row, value);
   fields.Scalar(key, word);
   if (!fields.reading() || !fields.Has(key, true)) return;
-  if (const std::optional<double> parsed = ParseControlValue(row, word)) {
+  if (const std::optional<ControlValue> parsed = ParseControlValue(row, word)) {
     value = *parsed;
   } else {
     fields.Refuse(key, std::string(key) + " = " + Quoted(word) + " is impossible; " +
@@ -37,7 +37,9 @@ struct RuleField {
       value = of < 0 ? -1 : std::min(row.default_factor * of, row.in_file.max);
     }
     if (row.true_value) {
-      DescribeControlValue(fields, row.rule, row, value);
+      ControlValue of_row = value;
+      DescribeControlValue(fields, row.rule, row, of_row);
+      value = of_row.number;
     } else if (!row.word.empty()) {
       fields.NumberOrWord(row.rule, value, row.in_file.max, row.word, -1);
     } else {
@@ -65,6 +67,16 @@ struct RuleField {
 }  // namespace
 
 void Describe(Fields& fields, RoutingRules& rules) {
+  for (const RuleRow& row : kRuleTable) {
+    if (!row.of_vehicle || row.type == RuleType::kRequest) continue;
+    fields.NoKey(row.rule, "each vehicle has its own: write " + std::string(row.rule) + " = " +
+                               std::string(row.example) + " in its [[vehicle]]");
+  }
+  fields.CalledElsewhere("min_rpt_interval", "min_report_interval");
+  for (const char* name : {"verbose", "debug"}) {
+    fields.NoKey(name,
+                 "without meaning here: `shoal status shore_broker` shows what the broker does");
+  }
   for (const RuleRow& row : kRuleTable) std::visit(RuleField{fields, row, rules}, row.member);
 }
 

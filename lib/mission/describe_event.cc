@@ -117,6 +117,7 @@ void Describe(Fields& fields, MessageEvent& event) {
     message.Require("src_node", "src_node = \"alpha\"");
     message.Text("src_node", event.src_node, {.min_length = 1});
     message.Text("dest_node", event.dest_node, {.max_length = 10'000});
+    message.CalledElsewhere("dest_node", "dest_name");
     message.Text("dest_group", event.dest_group, {});
     const Destinations nodes = ParseDestinations(event.dest_node);
     if (!nodes.all && nodes.names.empty() && event.dest_group.empty()) {

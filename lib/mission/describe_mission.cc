@@ -78,6 +78,21 @@ void DescribeRun(Fields& fields, Mission& mission) {
   fields.Choice("shore_broker", mission.broker, kProviders);
 }
 
+void DescribeNetsim(Fields& file, Mission& mission) {
+  if (!file.Has("netsim", mission.netsim.has_value())) return;
+  if (!mission.netsim) mission.netsim.emplace();
+  file.Below("netsim", [&](Fields& fields) { Describe(fields, *mission.netsim); });
+}
+
+/// The modem of [acoustics] where that names none: modems of vehicles from outside are to work.
+std::string_view DefaultModem(const Mission& mission) {
+  if (!mission.netsim) return "";
+  for (const NetsimVehicle& vehicle : mission.netsim->vehicles) {
+    if (vehicle.modem != NetsimModem::kNone) return "whoi_micromodem";
+  }
+  return "";
+}
+
 }  // namespace
 
 void Describe(Fields& file, Mission& mission) {
@@ -86,9 +101,16 @@ void Describe(Fields& file, Mission& mission) {
   const double end_s = mission.duration_s > 0 ? mission.duration_s : kLongest_s;
   file.Below("environment", [&](Fields& fields) { Describe(fields, mission.environment); });
   file.Below("comms", [&](Fields& fields) { Describe(fields, mission.comms); });
+  if (file.reading()) {
+    // What [acoustics] leaves out depends on [netsim]. Errors list tables in the order of a file.
+    for (const char* key : {"acoustics", "template", "vehicle", "fleet", "swarm"}) file.Skip(key);
+    DescribeNetsim(file, mission);
+  }
   if (file.Has("acoustics", mission.acoustics.is_used)) {
     const std::string folder = std::filesystem::path(mission.file).parent_path().string();
-    file.Below("acoustics", [&](Fields& fields) { Describe(fields, mission.acoustics, folder); });
+    file.Below("acoustics", [&](Fields& fields) {
+      Describe(fields, mission.acoustics, folder, DefaultModem(mission));
+    });
   }
   file.Skip("template");
   file.Require("vehicle", "[[vehicle]], followed by name = \"alpha\"; or a [[fleet]]");
@@ -100,10 +122,7 @@ void Describe(Fields& file, Mission& mission) {
   if (file.Has("swarm", mission.swarm.exists)) {
     file.Below("swarm", [&](Fields& fields) { Describe(fields, mission.swarm); });
   }
-  if (file.Has("netsim", mission.netsim.has_value())) {
-    if (!mission.netsim) mission.netsim.emplace();
-    file.Below("netsim", [&](Fields& fields) { Describe(fields, *mission.netsim); });
-  }
+  if (!file.reading()) DescribeNetsim(file, mission);
   file.List("event", mission.events,
             [&](Fields& fields, Event& event) { Describe(fields, event, end_s); });
   file.List("participant", mission.participants, [](Fields& fields, Participant& participant) {

@@ -33,9 +33,10 @@ void Describe(Fields& fields, NetsimGps& gps) {
 }
 
 void Describe(Fields& fields, NetsimVehicle& vehicle) {
-  constexpr std::array<std::pair<std::string_view, NetsimModem>, 3> kModems = {{
+  constexpr std::array<std::pair<std::string_view, NetsimModem>, 4> kModems = {{
       {"raw", NetsimModem::kRaw},
       {"micromodem", NetsimModem::kMicromodem},
+      {"micromodem2", NetsimModem::kMicromodem2},
       {"none", NetsimModem::kNone},
   }};
   fields.Require("name", "name = \"outsider\", a vehicle of the mission");

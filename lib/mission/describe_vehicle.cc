@@ -80,6 +80,27 @@ void DescribeTasks(Fields& fields, Vehicle& vehicle) {
   }
 }
 
+/// What provides the vehicle's parts; `outside = true` stands for "none" of each.
+void DescribeProviders(Fields& fields, Vehicle& vehicle) {
+  fields.Flag("outside", vehicle.is_outside);
+  const std::pair<std::string_view, Provider*> parts[] = {{"vehicle_sim", &vehicle.sim},
+                                                          {"helm", &vehicle.helm},
+                                                          {"node_reporter", &vehicle.reporter},
+                                                          {"acomms", &vehicle.acomms}};
+  for (const auto& [key, provider] : parts) {
+    if (!vehicle.is_outside) {
+      fields.Choice(key, *provider, kProviders);
+      continue;
+    }
+    *provider = Provider::kNone;
+    if (fields.Has(key, false)) {
+      fields.Refuse(key,
+                    "outside = true means that shoal provides no part of this vehicle: leave " +
+                        std::string(key) + " out");
+    }
+  }
+}
+
 /// Returns the name of the vehicle's model.
 std::string DescribeModelName(Fields& fields, const Vehicle& vehicle) {
   std::vector<std::string_view> names;
@@ -121,10 +142,7 @@ void Describe(Fields& fields, Vehicle& vehicle) {
   }
   fields.Flag("acoustic_leader", vehicle.acoustic_leader);
   fields.Inline("start", [&](Fields& table) { Describe(table, vehicle.start); });
-  fields.Choice("vehicle_sim", vehicle.sim, kProviders);
-  fields.Choice("helm", vehicle.helm, kProviders);
-  fields.Choice("node_reporter", vehicle.reporter, kProviders);
-  fields.Choice("acomms", vehicle.acomms, kProviders);
+  DescribeProviders(fields, vehicle);
   DescribeModels(fields, model_name, vehicle);
   DescribeInstruments(fields, vehicle);
   fields.Below("helm_options", [&](Fields& table) { Describe(table, vehicle.helm_options); });

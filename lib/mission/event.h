@@ -6,6 +6,8 @@
 #include <variant>
 #include <vector>
 
+#include "lib/routing/control.h"
+
 namespace shoal {
 
 /// `[[event]]`: a message that is published at a given time.
@@ -27,7 +29,7 @@ struct SimCommandEvent {
 struct RuleEvent {
   std::string rule;     ///< One of ControlTable(): "comms_range", "stealth", ...
   std::string vehicle;  ///< Where the rule is of one vehicle; otherwise empty.
-  double value = 0;     ///< true and false are 1 and 0; a request has none.
+  ControlValue value;   ///< A request has none.
 
   bool operator==(const RuleEvent&) const = default;
 };

@@ -93,9 +93,8 @@ class Fields {
   virtual bool IsSound() const = 0;
   /// Demands `key`; `example` is the line that the message proposes.
   virtual void Require(std::string_view key, std::string_view example) = 0;
-  /// `name` is what another program calls `key`. It is no key; the error for it names the right
-  /// one.
-  virtual void CalledElsewhere(std::string_view key, std::string_view name) = 0;
+  /// `name` is no key here, but a user may expect it; the error for it gives this hint.
+  virtual void NoKey(std::string_view name, std::string hint) = 0;
   /// Declares `key` a known one that is not read here.
   virtual void Skip(std::string_view key) = 0;
   /// Declares all keys known: for a table that is wrong in a way that leaves them without meaning.
@@ -106,6 +105,11 @@ class Fields {
   virtual void Warn(std::string_view key, std::string text) = 0;
   /// Returns the "file:line" where this table begins; empty when writing.
   virtual std::string Where() const = 0;
+
+  /// `name` is what another program calls `key`.
+  void CalledElsewhere(std::string_view key, std::string_view name) {
+    NoKey(name, "here it is '" + std::string(key) + "'");
+  }
 
   /// All tables [[key]] as `items`.
   template <class T, class DescribeItem>

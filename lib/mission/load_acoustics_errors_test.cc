@@ -100,14 +100,16 @@ TEST(LoadErrors, ReportNothingThatFollowsFromAnotherError) {
             "8:17: bandwidth_khz = -20 is out of range; allowed: greater than 0, at most 100000\n");
   EXPECT_EQ(ErrorsOfAcoustics("modem = \"none_such\"\nbit_error_model = \"modem\"\n"),
             "6:9: unknown modem 'none_such'; shoal has evologics_s2cr_18_34, nanomodem_v3, "
-            "water_linked_m64, whoi_micromodem2; any other needs a file, named relative to the "
+            "water_linked_m64, whoi_micromodem, whoi_micromodem2; any other needs a file, named "
+            "relative to the "
             "folder of this one\n");
 }
 
 TEST(LoadErrors, ReportAMissingModem) {
   EXPECT_EQ(ErrorsOfAcoustics("modem = \"nanomodm_v3\"\n"),
             "6:9: unknown modem 'nanomodm_v3' (did you mean 'nanomodem_v3'?); shoal has "
-            "evologics_s2cr_18_34, nanomodem_v3, water_linked_m64, whoi_micromodem2; any other "
+            "evologics_s2cr_18_34, nanomodem_v3, water_linked_m64, whoi_micromodem, "
+            "whoi_micromodem2; any other "
             "needs a file, named relative to the folder of this one\n");
   for (const char* name : {"", ".", "..", "/", "/nowhere/x", "../../data/modems"}) {
     EXPECT_TRUE(ErrorsOfAcoustics("modem = \"" + std::string(name) + "\"\n")

@@ -64,6 +64,10 @@ TEST(LoadErrors, ReportImpossibleValuesOfRuleEvents) {
   EXPECT_EQ(with("comms_range", "250.5"), "");
   EXPECT_EQ(with("groups", "true"), "");
   EXPECT_EQ(with("shared_node_reports", "false"), "");
+  EXPECT_EQ(with("ignore_group", "\"ghosts\""), "");
+  EXPECT_EQ(with("ignore_group", "\"none\""), "");
+  EXPECT_EQ(with("ignore_group", "\"\""),
+            "8:9: value = '' is impossible; ignore_group takes a group, or none\n");
   EXPECT_EQ(with("comms_range", "\"far\""),
             "8:9: value = 'far' is impossible; comms_range takes metres, or nolimit\n");
   EXPECT_EQ(with("comms_range", "nan"),
@@ -121,6 +125,23 @@ TEST(LoadErrors, ReportWhatAMessageLacks) {
                  "value = 1"),
             "7:80: double_val = nan is out of range; allowed: -1e+300 to 1e+300\n"
             "7:85: unknown key 'value' (did you mean 'string_val'?)\n");
+}
+
+TEST(LoadErrors, LeadFromNamesOfTheManualToWhereTheyStandHere) {
+  EXPECT_EQ(ErrorsAfter("[comms]\nstealth = \"vname=alpha, stealth=0.5\"\nearange = 2\n"
+                        "verbose = true\ndebug = true\nmin_report_interval = 2\n"),
+            "6:1: unknown key 'stealth' (each vehicle has its own: write stealth = 0.5 in its "
+            "[[vehicle]])\n"
+            "7:1: unknown key 'earange' (each vehicle has its own: write earange = 2 in its "
+            "[[vehicle]])\n"
+            "8:1: unknown key 'verbose' (without meaning here: `shoal status shore_broker` shows "
+            "what the broker does)\n"
+            "9:1: unknown key 'debug' (without meaning here: `shoal status shore_broker` shows "
+            "what the broker does)\n"
+            "10:1: unknown key 'min_report_interval' (here it is 'min_rpt_interval')\n");
+  EXPECT_EQ(ErrorsOfEvent("message = {src_node = 'alpha', dest_node = 'all', dest_name = 'all', "
+                          "var_name = 'A', string_val = 'b'}"),
+            "7:51: unknown key 'dest_name' (here it is 'dest_node')\n");
 }
 
 TEST(LoadErrors, ReportSpeedsThatTheHelmWouldRefuse) {

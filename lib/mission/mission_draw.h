@@ -270,20 +270,22 @@ class MissionDraw {
     netsim.idle_timeout_s = Number(0, 1e9);
     netsim.allow_warp = Coin();
     netsim.environments = {{.name = Text(),
-                            .lat_min_deg = Number(-90, 0),
-                            .lat_max_deg = Number(0, 90),
-                            .lon_min_deg = Number(-360, 0),
-                            .lon_max_deg = Number(0, 360),
+                            .lat_min_deg = std::max(-90.0, mission->origin_lat_deg - Number(0, 3)),
+                            .lat_max_deg = std::min(90.0, mission->origin_lat_deg + Number(0, 3)),
+                            .lon_min_deg = mission->origin_lon_deg - Number(0, 3),
+                            .lon_max_deg = mission->origin_lon_deg + Number(0, 3),
                             .depth_min_m = Number(-12'000, 0),
                             .depth_max_m = Number(0, 12'000)}};
     Vehicle& outsider = mission->vehicles[1];
     outsider.sim = outsider.reporter = Provider::kNone;
+    outsider.is_outside = Coin();
+    if (outsider.is_outside) outsider.helm = outsider.acomms = Provider::kNone;
     NetsimVehicle vehicle;
     vehicle.name = outsider.name;
     vehicle.modem_tcp_port = static_cast<int>(Integer(50'000, 60'000));
     vehicle.address = Coin() ? "any" : "10.1.2.3";
     vehicle.environment = netsim.environments[0].name;
-    if (mission->acoustics.is_used) vehicle.modem = static_cast<NetsimModem>(Integer(0, 2));
+    if (mission->acoustics.is_used) vehicle.modem = static_cast<NetsimModem>(Integer(0, 3));
     vehicle.gps = {.tcp_port = static_cast<int>(Integer(61'000, 62'000)), .path = Text()};
     netsim.vehicles = {vehicle};
     mission->netsim = netsim;
@@ -393,6 +395,7 @@ class MissionDraw {
       case 3:
         return {at_s, RuleEvent{"stealth", "Vessel_1", Number(0, 1)}};
       case 4:
+        if (Coin()) return {at_s, RuleEvent{"ignore_group", "", std::string("Ghosts")}};
         return {at_s, RuleEvent{"groups", "", Coin() ? 1.0 : 0.0}};
       case 5:
         return {at_s, RuleEvent{"comms_range", "", Coin() ? -1 : Number(0, 1e7)}};

@@ -62,10 +62,9 @@ TableReader::~TableReader() {
   const std::vector<std::string_view> known(known_.begin(), known_.end());
   for (const Entry& entry : *table_) {
     if (std::find(known.begin(), known.end(), entry.key) != known.end()) continue;
-    const auto foreign = called_elsewhere_.find(entry.key);
-    std::string hint = foreign == called_elsewhere_.end()
-                           ? DidYouMean(entry.key, known)
-                           : " (here it is " + Quoted(foreign->second) + ")";
+    const auto given = hints_.find(entry.key);
+    std::string hint =
+        given == hints_.end() ? DidYouMean(entry.key, known) : " (" + given->second + ")";
     if (hint.empty()) hint = "; known here: " + Joined(known);
     problems_.Add(entry.key_place, "unknown key " + Quoted(entry.key) + hint);
   }
@@ -371,8 +370,8 @@ void TableReader::Require(std::string_view key, std::string_view example) {
   problems_.Add(source_.place, fmt::format("{} lacks '{}'; for example: {}", title_, key, example));
 }
 
-void TableReader::CalledElsewhere(std::string_view key, std::string_view name) {
-  called_elsewhere_.emplace(name, key);
+void TableReader::NoKey(std::string_view name, std::string hint) {
+  hints_.emplace(name, std::move(hint));
 }
 
 void TableReader::Skip(std::string_view key) { Take(key); }

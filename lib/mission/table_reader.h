@@ -51,7 +51,7 @@ class TableReader final : public Fields {
   bool HoldsText(std::string_view key) override;
   bool IsSound() const override;
   void Require(std::string_view key, std::string_view example) override;
-  void CalledElsewhere(std::string_view key, std::string_view name) override;
+  void NoKey(std::string_view name, std::string hint) override;
   void Skip(std::string_view key) override;
   void SkipRest() override;
   void Refuse(std::string_view key, std::string text) override;
@@ -83,7 +83,7 @@ class TableReader final : public Fields {
   Problems& problems_;
   size_t num_problems_before_;
   std::vector<std::string> known_;  ///< In the order in which they were asked for.
-  std::map<std::string, std::string, std::less<>> called_elsewhere_;  ///< Keys by those names.
+  std::map<std::string, std::string, std::less<>> hints_;  ///< Of NoKey(), by name.
 };
 
 }  // namespace shoal

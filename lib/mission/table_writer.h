@@ -44,7 +44,7 @@ class TableWriter final : public Fields {
   bool HoldsText(std::string_view) override { return false; }
   bool IsSound() const override { return true; }
   void Require(std::string_view, std::string_view) override {}
-  void CalledElsewhere(std::string_view, std::string_view) override {}
+  void NoKey(std::string_view, std::string) override {}
   void Skip(std::string_view) override {}
   void SkipRest() override {}
   void Refuse(std::string_view, std::string) override {}

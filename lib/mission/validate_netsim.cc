@@ -1,10 +1,15 @@
 // Whether the vehicles of [netsim] come from outside, and whether its table holds together.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "lib/acoustics/loss_models.h"
+#include "lib/geodesy/local_frame.h"
+#include "lib/mission/suggest.h"
 #include "lib/mission/validate.h"
 #include "lib/netsim/netsim_options.h"
 
@@ -18,13 +23,83 @@ void CheckNetsimVehicle(const NetsimVehicle& vehicle, const Mission& mission,
                                                      simulated->reporter == Provider::kNone);
   if (!is_elsewhere) {
     place.Refuse("name",
-                 fmt::format("shoal simulates {} itself: write vehicle_sim = \"none\", helm = "
-                             "\"none\" and node_reporter = \"none\" in its [[vehicle]]",
+                 fmt::format("shoal simulates {} itself: write outside = true in its [[vehicle]]",
                              vehicle.name));
   }
   if (vehicle.modem != NetsimModem::kNone && !mission.acoustics.is_used) {
     place.Refuse("modem", "a modem sends over the acoustic network: write [acoustics] as well");
   }
+}
+
+/// Returns true where every position of an environment is within the plane's reach. The farthest of
+/// a parallel is one of its ends, or the meridian opposite of the origin; the farthest of a
+/// meridian is one of its ends.
+bool IsWithinReach(const NetsimEnvironment& environment, const Mission& mission) {
+  const LocalFrame frame({.lat_deg = mission.origin_lat_deg, .lon_deg = mission.origin_lon_deg});
+  std::vector<double> lons_deg = {environment.lon_min_deg, environment.lon_max_deg};
+  for (const int turn : {-3, -1, 1, 3}) {
+    const double opposite_deg = mission.origin_lon_deg + 180 * turn;
+    const bool is_inside =
+        opposite_deg > environment.lon_min_deg && opposite_deg < environment.lon_max_deg;
+    if (is_inside) lons_deg.push_back(opposite_deg);
+  }
+  for (const double lat_deg : {environment.lat_min_deg, environment.lat_max_deg}) {
+    for (const double lon_deg : lons_deg) {
+      const GeoPoint corner = {.lat_deg = lat_deg, .lon_deg = std::remainder(lon_deg, 360)};
+      if (!frame.ToLocal(corner)) return false;
+    }
+  }
+  return true;
+}
+
+void CheckReach(const NetsimEnvironment& environment, const Mission& mission,
+                const TablePlace& place) {
+  if (IsWithinReach(environment, mission)) return;
+  place.Refuse("name", fmt::format("environment {} lies in part more than {:g} km from the "
+                                   "mission's origin ({:.4f}, {:.4f}), where positions cannot be "
+                                   "used: move origin in [mission], or the bounds",
+                                   Quoted(environment.name), LocalFrame::kReach_m / 1000,
+                                   mission.origin_lat_deg, mission.origin_lon_deg));
+}
+
+/// Warns where models that are no modem's damage nearly every packet, and all that is damaged is
+/// thrown away.
+void WarnOfBitErrors(const Mission& mission, const TablePlace& file) {
+  constexpr int kShort_bytes = 47;   // A Micro-Modem's packet of rate 0, with 32 bytes of data.
+  constexpr int kLong_bytes = 2105;  // And one of rate 5, with 8 frames of 256.
+  constexpr double kFewest = 0.9;    // Of short packets that a user expects to arrive.
+  const AcousticOptions& options = mission.acoustics.options;
+  const bool is_of_formula = options.bit_error_model != BitErrorModel::kOff &&
+                             options.bit_error_model != BitErrorModel::kModem;
+  if (!mission.acoustics.crc || !is_of_formula) return;
+  const double wrong = BitErrorProbability(options, options.nominal_distance_m);
+  const auto share = [&](int num_bytes) { return std::pow(1 - wrong, 8.0 * (num_bytes + 4)); };
+  if (share(kShort_bytes) >= kFewest) return;
+  file.Below("acoustics")
+      .Warn("bit_error_model",
+            fmt::format(
+                "of a modem's packets of {} bytes {:.0f} % arrive whole at {:g} m, of those "
+                "of {} bytes {:.0f} %: {} flips one bit of {:.0f}, and crc = true throws "
+                "damaged packets away. Leave the models out, for those of a modem "
+                "(docs/choosing_acoustics.md)",
+                kShort_bytes, 100 * share(kShort_bytes), options.nominal_distance_m, kLong_bytes,
+                100 * share(kLong_bytes), ChoiceText(options.bit_error_model), 1 / wrong));
+}
+
+/// Warns where programs of the mission would answer a modem, and the default range stops what they
+/// send.
+void WarnOfRange(const Mission& mission, const TablePlace& file) {
+  if (file.Has("comms") && file.Below("comms").Has("comms_range")) return;
+  const bool has_others =
+      !mission.participants.empty() ||
+      std::ranges::any_of(mission.vehicles, [](const Vehicle& each) { return !each.is_outside; });
+  if (!has_others) return;
+  file.Below("netsim").Warn(
+      "",
+      fmt::format("comms_range is the default, {:g} m: reports, and packets that programs of the "
+                  "mission send on ACOUSTIC_TX, are received nearer than that only, while what "
+                  "a modem sends has no range rule; write comms_range in [comms]",
+                  mission.comms.comms_range_m));
 }
 
 /// `where`: as FindNetsimProblems names a table.
@@ -43,10 +118,19 @@ void ValidateNetsim(const Mission& mission, const TablePlace& file) {
   if (!mission.netsim) return;
   const NetsimOptions& options = *mission.netsim;
   const TablePlace netsim = file.Below("netsim");
+  bool has_modem = false;
   for (size_t i = 0; i < options.vehicles.size(); ++i) {
     CheckNetsimVehicle(options.vehicles[i], mission, netsim.Below("vehicle", i));
+    has_modem = has_modem || options.vehicles[i].modem != NetsimModem::kNone;
+  }
+  if (has_modem && file.Has("acoustics") && file.Below("acoustics").IsSound()) {
+    WarnOfBitErrors(mission, file);
+    WarnOfRange(mission, file);
   }
   if (!netsim.IsSound()) return;
+  for (size_t i = 0; i < options.environments.size(); ++i) {
+    CheckReach(options.environments[i], mission, netsim.Below("environment", i));
+  }
   const std::vector<NetsimProblem> problems = FindNetsimProblems(options);
   RefuseAt(netsim, "netsim", problems);
   for (size_t i = 0; i < options.environments.size(); ++i) {

@@ -125,6 +125,7 @@ struct Vehicle {
   StartPose start;
   SensorOptions sensors;
   SonarOptions sonar;
+  bool is_outside = false;               ///< `outside = true`: all four of these are kNone.
   Provider sim = Provider::kShoal;       ///< `vehicle_sim = "shoal" | "hand" | "none"`
   Provider helm = Provider::kShoal;      ///< `helm = ...`
   Provider reporter = Provider::kShoal;  ///< `node_reporter = ...`

@@ -8,7 +8,7 @@
 //
 //   void Pass(const MicroModemOutput& output) {
 //     Write(output.to_host);
-//     for (const MicroModemSent& sent : output.to_water) Transmit(sent.bytes);
+//     for (const MicroModemSent& sent : output.to_water) Transmit(sent.bytes, sent.bps);
 //   }
 //
 // Time is an argument, in microseconds, and never goes back. Its parts: the host's sentences

@@ -12,17 +12,8 @@ namespace {
 constexpr int64_t kMaxAir_us = 3'600'000'000;
 
 int64_t Air_us(size_t num_bytes, double bps) {
-  if (!(bps > 0)) return 1;
   const double air_us = std::ceil(8e6 * static_cast<double>(num_bytes) / bps);
   return static_cast<int64_t>(std::clamp(air_us, 1.0, static_cast<double>(kMaxAir_us)));
-}
-
-/// Returns how many bytes take as long at `water_bps` as `num_bytes` at `bps`; never fewer.
-size_t FilledUp(size_t num_bytes, double bps, double water_bps, size_t max_bytes) {
-  max_bytes = std::min<size_t>(max_bytes, 65'535);
-  const double filled = std::floor(static_cast<double>(num_bytes) * water_bps / bps);
-  if (!(filled > static_cast<double>(num_bytes)) || num_bytes >= max_bytes) return num_bytes;
-  return static_cast<size_t>(std::min(filled, static_cast<double>(max_bytes)));
 }
 
 }  // namespace
@@ -40,17 +31,14 @@ void MicroModemAir::StartNext() {
   Outgoing next = std::move(waiting_.front());
   waiting_.pop_front();
   const int bps = kMicroModemRates[static_cast<size_t>(next.rate)].bps;
-  const int64_t by_rate_us = Air_us(next.bytes.size(), bps);
-  const double water_bps = unit_.options.water_bps;
-  next.bytes.resize(FilledUp(next.bytes.size(), bps, water_bps, unit_.options.max_packet_bytes));
-  const int64_t air_us = std::max(by_rate_us, Air_us(next.bytes.size(), water_bps));
+  const int64_t air_us = Air_us(next.bytes.size() + unit_.options.more_bytes, bps);
   on_air_ = OnAir{.end_us = unit_.now_us + air_us,
                   .shown_bytes = next.shown_bytes,
                   .is_of_cycle = next.is_of_cycle};
   if (next.shown_bytes && unit_.settings.txp == 1) {
     unit_.Write("CATXP," + std::to_string(*next.shown_bytes));
   }
-  unit_.output.to_water.push_back({.bytes = std::move(next.bytes), .air_us = air_us});
+  unit_.output.to_water.push_back({.bytes = std::move(next.bytes), .bps = bps, .air_us = air_us});
   ++unit_.counts.sent;
 }
 

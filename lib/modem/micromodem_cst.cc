@@ -21,16 +21,17 @@ std::string SnrText(std::optional<double> snr_db) {
 }
 
 std::string EqualizerErrorText(CstPacketType type, std::optional<double> snr_db) {
-  if (type != CstPacketType::kPsk || !snr_db) return "-1";
+  const bool is_psk = type == CstPacketType::kPsk || type == CstPacketType::kFlexible;
+  if (!is_psk || !snr_db) return "-1";
   return "-" + FixedText(std::clamp(*snr_db, 0.0, 15.0), 1);
 }
 
 }  // namespace
 
-std::string CstText(const ReceptionStatistics& statistics) {
+std::string CstText(const ReceptionStatistics& statistics, int modem_version) {
   const std::optional<double> snr_db = Sane(statistics.snr_db);
   std::vector<std::string> fields = {
-      "CACST", std::to_string(static_cast<int>(statistics.mode)),
+      modem_version == 1 ? "CACST" : "CACST,6", std::to_string(static_cast<int>(statistics.mode)),
       ClockText(statistics.arrived_utc_us, 4),
       "1",  // Clock mode.
   };

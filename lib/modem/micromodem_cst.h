@@ -1,4 +1,5 @@
-// CACST, what a modem reports of one reception: 29 fields, version 0.
+// CACST, what a modem reports of one reception: 29 fields. Those of a Micro-Modem 2, version 6,
+// stand behind the version's number.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +9,7 @@
 namespace shoal {
 
 enum class CstMode : int { kGood = 0, kBadCrc = 1, kTimeout = 2 };
-enum class CstPacketType : int { kFsk = 1, kFskMini = 2, kPsk = 3 };
+enum class CstPacketType : int { kFsk = 1, kFskMini = 2, kPsk = 3, kFlexible = 5 };
 
 struct ReceptionStatistics {
   CstMode mode = CstMode::kGood;
@@ -27,6 +28,7 @@ struct ReceptionStatistics {
 /// Returns the sentence's body. Gains, levels, carrier and bandwidth are those of a typical
 /// reception, always the same: nothing here simulates them. Clock mode is 1, not synchronous: the
 /// time of arrival is no travel time.
-[[nodiscard]] std::string CstText(const ReceptionStatistics& statistics);
+/// `modem_version`: 1 or 2, which of the Micro-Modems writes it.
+[[nodiscard]] std::string CstText(const ReceptionStatistics& statistics, int modem_version = 1);
 
 }  // namespace shoal

@@ -24,7 +24,7 @@ std::string Echo(std::string_view address, const NmeaFields& sentence, size_t co
 
 }  // namespace
 
-const std::array<MicroModemHost::SentenceRow, 12> MicroModemHost::kSentences = {{
+const std::array<MicroModemHost::SentenceRow, 13> MicroModemHost::kSentences = {{
     {"CCCFG", &MicroModemHost::SetConfiguration},
     {"CCCFQ", &MicroModemHost::ShowConfiguration},
     {"CCMSC", &MicroModemHost::Reboot},
@@ -35,6 +35,7 @@ const std::array<MicroModemHost::SentenceRow, 12> MicroModemHost::kSentences = {
     {"CCTXD", &MicroModemHost::TakeData},
     {"CCMPC", &MicroModemHost::Ping},
     {"CCMUC", &MicroModemHost::SendMini},
+    {"CCTDP", &MicroModemHost::SendFlexible, 2},
     {"CCPDT", &MicroModemHost::RangeRemus},
     {"CCPNT", &MicroModemHost::RangeNarrowband},
 }};
@@ -72,7 +73,7 @@ void MicroModemHost::TakeLine(std::string_view line) {
 
 void MicroModemHost::Answer(const NmeaFields& sentence) {
   for (const SentenceRow& row : kSentences) {
-    if (row.address == sentence.address) {
+    if (row.address == sentence.address && row.since_version <= unit_.options.version) {
       (this->*row.answer)(sentence);
       return;
     }
@@ -237,6 +238,30 @@ void MicroModemHost::SendMini(const NmeaFields& sentence) {
   air_.Send(
       {.kind = MicroModemKind::kMini, .source = source, .destination = destination, .value = value},
       {}, false);
+}
+
+void MicroModemHost::SendFlexible(const NmeaFields& sentence) {
+  SentenceReader reader(sentence);
+  const int destination = reader.Number(1, 0, kMaxMicroModemAddress);
+  const int rate = reader.Number(2, 0, static_cast<int>(kMicroModemRates.size()) - 1);
+  const bool wants_ack = reader.Number(3, 0, 1) == 1;
+  reader.Number(4, 0, 0);
+  auto bytes = ParseHex(reader.Text(5));
+  if (!bytes || bytes->empty() || std::ssize(*bytes) > kMaxFlexibleBytes) {
+    reader.Reject(5, "hex digits of 1 to " + std::to_string(kMaxFlexibleBytes) + " bytes");
+  }
+  if (RefusesWhatIsWrong(reader)) return;
+  if (!air_.HasRoom()) return RefuseBusy("too much is waiting for the air");
+  const auto num_bytes = static_cast<int>(bytes->size());
+  unit_.Write("CATDP,0,1," + Echo("", sentence, 4).substr(1) + "," + std::to_string(num_bytes));
+  air_.Send({.kind = MicroModemKind::kFlexible,
+             .source = unit_.address(),
+             .destination = destination,
+             .rate = rate,
+             .wants_ack = wants_ack,
+             .num_frames = 1,
+             .frames = {{.wants_ack = wants_ack, .bytes = std::move(*bytes)}}},
+            num_bytes, false);
 }
 
 void MicroModemHost::RangeRemus(const NmeaFields& sentence) {

@@ -41,8 +41,9 @@ class MicroModemHost {
   struct SentenceRow {
     std::string_view address;
     void (MicroModemHost::*answer)(const NmeaFields& sentence);
+    int since_version = 1;  ///< Of the modem.
   };
-  static const std::array<SentenceRow, 12> kSentences;
+  static const std::array<SentenceRow, 13> kSentences;
 
   void Answer(const NmeaFields& sentence);
   void Refuse(std::string_view reason);
@@ -58,6 +59,7 @@ class MicroModemHost {
   void TakeData(const NmeaFields& sentence);
   void Ping(const NmeaFields& sentence);
   void SendMini(const NmeaFields& sentence);
+  void SendFlexible(const NmeaFields& sentence);
   void RangeRemus(const NmeaFields& sentence);
   void RangeNarrowband(const NmeaFields& sentence);
   void RangeTransponders(const NmeaFields& sentence, size_t timeout_field);

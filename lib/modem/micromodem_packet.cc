@@ -29,17 +29,25 @@ int MaxValue(MicroModemKind kind) {
   }
 }
 
+/// Returns how many frames a packet may have, and how long one may be.
+MicroModemRate LimitsOf(const MicroModemPacket& packet) {
+  if (packet.kind == MicroModemKind::kFlexible) {
+    return {.max_frames = 1, .max_frame_bytes = kMaxFlexibleBytes};
+  }
+  return kMicroModemRates[static_cast<size_t>(packet.rate)];
+}
+
 bool IsPossible(const MicroModemPacket& packet) {
   const auto kind = static_cast<int>(packet.kind);
-  if (kind < 1 || kind > static_cast<int>(MicroModemKind::kMini)) return false;
+  if (kind < 1 || kind > static_cast<int>(MicroModemKind::kFlexible)) return false;
   if (packet.rate < 0 || packet.rate >= static_cast<int>(kMicroModemRates.size())) return false;
   if (packet.source < 0 || packet.source > kMaxMicroModemAddress) return false;
   if (packet.destination < 0 || packet.destination > kMaxMicroModemAddress) return false;
   if (packet.value < 0 || packet.value > MaxValue(packet.kind)) return false;
-  const bool has_frames =
-      packet.kind == MicroModemKind::kData || packet.kind == MicroModemKind::kCycle;
-  const int max_frames =
-      has_frames ? kMicroModemRates[static_cast<size_t>(packet.rate)].max_frames : 0;
+  const bool has_frames = packet.kind == MicroModemKind::kData ||
+                          packet.kind == MicroModemKind::kCycle ||
+                          packet.kind == MicroModemKind::kFlexible;
+  const int max_frames = has_frames ? LimitsOf(packet).max_frames : 0;
   return packet.num_frames >= (has_frames ? 1 : 0) && packet.num_frames <= max_frames;
 }
 
@@ -102,7 +110,7 @@ MicroModemVerdict DecodeMicroModemPacket(std::span<const uint8_t> bytes, MicroMo
   read.value = reader.Take<uint16_t>();
   if (!IsPossible(read)) return MicroModemVerdict::kDamagedHeader;
 
-  const bool is_data = read.kind == MicroModemKind::kData;
+  const bool is_data = read.kind == MicroModemKind::kData || read.kind == MicroModemKind::kFlexible;
   const size_t num_entries = is_data ? static_cast<size_t>(read.num_frames) : 0;
   const size_t header_bytes = kFixedBytes + 2 * num_entries;
   if (bytes.size() < header_bytes + 2) return MicroModemVerdict::kDamagedHeader;
@@ -111,7 +119,7 @@ MicroModemVerdict DecodeMicroModemPacket(std::span<const uint8_t> bytes, MicroMo
   if (reader.Take<uint16_t>() != HeaderChecksum(bytes.first(header_bytes))) {
     return MicroModemVerdict::kDamagedHeader;
   }
-  const int max_bytes = kMicroModemRates[static_cast<size_t>(read.rate)].max_frame_bytes;
+  const int max_bytes = LimitsOf(read).max_frame_bytes;
   std::span<const uint8_t> rest = bytes.subspan(header_bytes + 2);
   for (const uint16_t entry : entries) {
     if ((entry & kFrameLengthBits) > max_bytes) return MicroModemVerdict::kDamagedHeader;

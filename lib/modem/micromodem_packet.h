@@ -6,9 +6,9 @@
 //   byte 3      destination; 0 is all
 //   byte 4      bit 7: the cycle asks for acknowledgements; bits 0 to 3: number of frames
 //   bytes 5, 6  kMini: the 13 bits; kAck: bit n-1 acknowledges frame n; else 0
-//   2 per frame kData only. Bit 15: this frame asks for an acknowledgement; bits 0 to 8: its length
-//   2 bytes     the low half of the CRC-32 of all bytes before
-//   then        kData only: each frame's bytes, followed by their CRC-32
+//   2 per frame kData and kFlexible only. Bit 15: this frame asks for an acknowledgement; bits 0 to
+//   8: its length 2 bytes     the low half of the CRC-32 of all bytes before then        kData and
+//   kFlexible only: each frame's bytes, followed by their CRC-32
 //
 // Numbers are little-endian. Bytes behind the packet do not matter. Wrong bits among the frames
 // damage single frames; wrong bits before them lose the packet. A packet without frames has 9
@@ -30,6 +30,7 @@ enum class MicroModemKind : uint8_t {
   kPing = 4,
   kPingReply = 5,
   kMini = 6,
+  kFlexible = 7,  ///< CCTDP of a Micro-Modem 2: one frame of at most kMaxFlexibleBytes.
 };
 
 struct MicroModemFrame {
@@ -46,9 +47,9 @@ struct MicroModemPacket {
   int destination = 0;
   int rate = 0;
   bool wants_ack = false;
-  int num_frames = 0;                        ///< kCycle, kData.
+  int num_frames = 0;                        ///< kCycle, kData, kFlexible.
   int value = 0;                             ///< kMini, kAck.
-  std::vector<MicroModemFrame> frames = {};  ///< kData: num_frames of them.
+  std::vector<MicroModemFrame> frames = {};  ///< kData, kFlexible: num_frames of them.
 
   bool operator==(const MicroModemPacket&) const = default;
 };

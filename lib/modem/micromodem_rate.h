@@ -22,6 +22,7 @@ inline constexpr std::array<MicroModemRate, 6> kMicroModemRates = {{
     {.max_frames = 8, .max_frame_bytes = 256, .bps = 5300},
 }};
 
+inline constexpr int kMaxFlexibleBytes = 100;  ///< Of CCTDP.
 inline constexpr int kMaxMicroModemFrames = 8;
 inline constexpr int kMaxMicroModemFrameBytes = 256;
 inline constexpr int kMaxMicroModemAddress = 127;

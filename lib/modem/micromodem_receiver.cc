@@ -17,7 +17,7 @@ std::string Text(int number) { return std::to_string(number); }
 /// Only these may be addressed to all: the answers of all modems to one ping would collide.
 bool MayBeForAll(MicroModemKind kind) {
   return kind == MicroModemKind::kCycle || kind == MicroModemKind::kData ||
-         kind == MicroModemKind::kMini;
+         kind == MicroModemKind::kMini || kind == MicroModemKind::kFlexible;
 }
 
 std::string CycleText(const MicroModemPacket& packet) {
@@ -67,6 +67,8 @@ void MicroModemReceiver::Take(const MicroModemPacket& packet, const MicroModemAr
       return TakeCycle(packet, statistics);
     case MicroModemKind::kData:
       return TakeData(packet, statistics);
+    case MicroModemKind::kFlexible:
+      return TakeFlexible(packet, statistics);
     case MicroModemKind::kAck:
       TakeAck(packet);
       break;
@@ -126,6 +128,28 @@ void MicroModemReceiver::TakeData(const MicroModemPacket& packet, ReceptionStati
   unit_.WriteStatistics(statistics);
   if (acknowledged != 0 && packet.destination != kMicroModemBroadcast) {
     Answer(MicroModemKind::kAck, packet.source, acknowledged);
+  }
+}
+
+/// A modem of any version receives it: what cannot send CCTDP gets CARDP all the same.
+void MicroModemReceiver::TakeFlexible(const MicroModemPacket& packet,
+                                      ReceptionStatistics statistics) {
+  const MicroModemFrame& frame = packet.frames.front();
+  unit_.Write("CARDP," + Text(packet.source) + "," + Text(packet.destination) + "," +
+              Text(packet.rate) + (packet.wants_ack ? ",1,0,," : ",0,0,,") +
+              (frame.is_damaged
+                   ? "0;0;"
+                   : "1;" + std::to_string(frame.bytes.size()) + ";" + HexText(frame.bytes)));
+  statistics.num_frames = 1;
+  statistics.num_bad_frames = frame.is_damaged ? 1 : 0;
+  unit_.counts.damaged_frames += statistics.num_bad_frames;
+  statistics.mode = frame.is_damaged ? CstMode::kBadCrc : CstMode::kGood;
+  statistics.rate = packet.rate;
+  statistics.type = CstPacketType::kFlexible;
+  unit_.WriteStatistics(statistics);
+  const bool acknowledges = !frame.is_damaged && frame.wants_ack;
+  if (acknowledges && packet.destination != kMicroModemBroadcast) {
+    Answer(MicroModemKind::kAck, packet.source, 1);
   }
 }
 

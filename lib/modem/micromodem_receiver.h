@@ -35,6 +35,7 @@ class MicroModemReceiver {
   void Take(const MicroModemPacket& packet, const MicroModemArrival& arrival);
   void TakeCycle(const MicroModemPacket& packet, ReceptionStatistics statistics);
   void TakeData(const MicroModemPacket& packet, ReceptionStatistics statistics);
+  void TakeFlexible(const MicroModemPacket& packet, ReceptionStatistics statistics);
   void TakeAck(const MicroModemPacket& packet);
   void Answer(MicroModemKind kind, int destination, int value);
 

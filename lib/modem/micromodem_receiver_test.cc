@@ -234,27 +234,79 @@ TEST(MicroModemPair, SaysAsMuchAsItsHostHasAskedFor) {
   EXPECT_EQ(Names(modems.Lines(1)), (Lines{"CACYC", "CARXD"}));
 }
 
-TEST(MicroModemAir, TakesAsLongAsTheRateWhereTheNetworkIsFaster) {
-  TwoModems modems({.address = 1, .water_bps = 1000});
+// Whatever the network's own rate is: the packet holds nothing but itself, and names its rate.
+TEST(MicroModemAir, IsAskedForTheRateOfThePacketAndNothingBeside) {
+  TwoModems modems;
   modems.Give(0, "CCMUC,1,2,0123");
   modems.Run(5);
   const MicroModemSent& packet = modems.sent(0).at(0);
-  EXPECT_EQ(packet.bytes.size(), 112U) << "9 bytes at 80 bit/s, in bytes at 1000 bit/s";
+  EXPECT_EQ(packet.bytes.size(), 9U);
+  EXPECT_EQ(packet.bps, 80);
   EXPECT_EQ(packet.air_us, 900'000);
   EXPECT_EQ(modems.Lines(1, "CAMUA"), (Lines{"CAMUA,1,2,0123"}));
 }
 
-TEST(MicroModemAir, IsNotFilledUpBeyondWhatTheNetworkTakes) {
-  TwoModems modems({.address = 1, .water_bps = 1000, .max_packet_bytes = 64});
-  modems.Give(0, "CCMUC,1,2,0123");
-  EXPECT_EQ(modems.sent(0).at(0).bytes.size(), 64U);
-}
-
-TEST(MicroModemAir, TakesAsLongAsTheNetworkWhereThatIsSlower) {
-  TwoModems modems({.address = 1, .water_bps = 20});
+TEST(MicroModemAir, LastsAsLongAsWhatTheNetworkPutsOnTheAir) {
+  TwoModems modems({.address = 1, .more_bytes = 4});
   modems.Give(0, "CCMUC,1,2,0123");
   EXPECT_EQ(modems.sent(0).at(0).bytes.size(), 9U);
-  EXPECT_EQ(modems.sent(0).at(0).air_us, 3'600'000);
+  EXPECT_EQ(modems.sent(0).at(0).air_us, 1'300'000);
+}
+
+TEST(MicroModem2, SendsFlexibleDataInOneSentence) {
+  TwoModems modems({.address = 1, .version = 2}, {.address = 2, .version = 2});
+  modems.Give(0, "CCTDP,2,1,1,0,0102ff");
+  EXPECT_EQ(modems.Lines(0), (Lines{"CATDP,0,1,2,1,1,0,3", "CATXP,3"}));
+  EXPECT_EQ(modems.sent(0).at(0).bps, 250);
+  modems.Run(10);
+  const Lines received = modems.Lines(1);
+  ASSERT_EQ(Names(received), (Lines{"CARDP", "CACST"}));
+  EXPECT_EQ(received[0], "CARDP,1,2,1,1,0,,1;3;0102ff");
+  EXPECT_TRUE(received[1].starts_with("CACST,6,0,")) << received[1];
+  EXPECT_EQ(FieldsOf(received[1]).size(), 31U) << "the version, 29 and the name";
+  EXPECT_EQ(FieldsOf(received[1])[18], "5") << "FDP";
+  const Lines sender = modems.Lines(0);
+  ASSERT_EQ(Names(sender), (Lines{"CATXF", "CAACK", "CACST"}));
+  EXPECT_EQ(sender[1], "CAACK,2,1,1,1");
+}
+
+TEST(MicroModem2, ReportsFlexibleDataThatArrivedDamaged) {
+  TwoModems modems({.address = 1, .version = 2}, {.address = 2, .version = 2});
+  modems.water = [](int, std::vector<uint8_t>* bytes) {
+    bytes->back() ^= 1;
+    return true;
+  };
+  modems.Give(0, "CCTDP,2,1,1,0,0102ff");
+  modems.Run(10);
+  const Lines received = modems.Lines(1);
+  ASSERT_EQ(Names(received), (Lines{"CARDP", "CACST"}));
+  EXPECT_EQ(received[0], "CARDP,1,2,1,1,0,,0;0;");
+  EXPECT_TRUE(received[1].starts_with("CACST,6,1,")) << received[1];
+  EXPECT_EQ(modems.Lines(0, "CAACK"), Lines{});
+}
+
+TEST(MicroModem2, RefusesFlexibleDataThatDoesNotFit) {
+  TwoModems modems({.address = 1, .version = 2});
+  for (const std::string& body :
+       {std::string("CCTDP,2,1,1,0,"), "CCTDP,2,1,1,0," + Hex(101), std::string("CCTDP,2,9,1,0,00"),
+        std::string("CCTDP,128,1,1,0,00"), std::string("CCTDP,2,1,1,0,0")}) {
+    modems.Give(0, body);
+    EXPECT_EQ(Names(modems.Lines(0)), Lines{"CAERR"}) << body;
+  }
+  TwoModems first_version;
+  first_version.Give(0, "CCTDP,2,1,1,0,00");
+  const Lines refused = first_version.Lines(0);
+  ASSERT_EQ(refused.size(), 1U);
+  EXPECT_TRUE(refused[0].ends_with("unknown sentence")) << refused[0];
+}
+
+TEST(MicroModem2, NamesItsFirmware) {
+  TwoModems modems({.address = 1, .version = 2});
+  modems.Give(0, "CCMSC,1,1,0");
+  modems.Run(1);
+  const Lines lines = modems.Lines(0, "CAREV");
+  ASSERT_EQ(lines.size(), 2U);
+  EXPECT_TRUE(lines[1].ends_with(",AUV,2.0.17047")) << lines[1];
 }
 
 TEST(MicroModemAir, IsWaitedForByTheNextPacket) {

@@ -18,6 +18,7 @@ constexpr int64_t kYear2200_us = 7'258'118'400'000'000;
 MicroModemUnit::MicroModemUnit(const MicroModemOptions& initial) : options(initial) {
   SHOAL_CHECK(options.address >= 0 && options.address <= kMaxMicroModemAddress,
               "options.address is 0 to kMaxMicroModemAddress");
+  SHOAL_CHECK(options.version == 1 || options.version == 2, "options.version is 1 or 2");
   settings.src = options.address;
   SetClock(options.utc_at_zero_us, 0);
 }
@@ -35,15 +36,15 @@ void MicroModemUnit::WriteError(std::string_view module, MicroModemError code,
 }
 
 void MicroModemUnit::WriteRevision() {
-  constexpr std::string_view kFirmware = "0.94.0.00";  // Of a Micro-Modem 1.
+  const std::string_view firmware = options.version == 1 ? "0.94.0.00" : "2.0.17047";
   if (settings.rev == 0) return;
   for (const char* part : {"INIT", "AUV"}) {
-    Write("CAREV," + ClockText(Utc_us()) + "," + part + "," + std::string(kFirmware));
+    Write("CAREV," + ClockText(Utc_us()) + "," + part + "," + std::string(firmware));
   }
 }
 
 void MicroModemUnit::WriteStatistics(const ReceptionStatistics& statistics) {
-  if (settings.cst == 1) Write(CstText(statistics));
+  if (settings.cst == 1) Write(CstText(statistics, options.version));
 }
 
 }  // namespace shoal

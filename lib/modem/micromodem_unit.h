@@ -18,11 +18,9 @@ namespace shoal {
 struct MicroModemOptions {
   int address = 0;             ///< 0 to 127. A host sets it with CCCFG,SRC.
   int64_t utc_at_zero_us = 0;  ///< UTC at time 0; a host sets the clock with CCCLK or CCTMS.
-  /// The acoustic network's data rate; 0: not known. A packet of a slower rate is filled up with
-  /// zeros, so that the network takes as long for it as that rate does; where the network is the
-  /// slower one, the modem counts with the network.
-  double water_bps = 0;
-  size_t max_packet_bytes = 65'535;  ///< Packets are not filled up beyond; what the network takes.
+  /// 2: a Micro-Modem 2, with its firmware's number, CCTDP and CACST of version 6.
+  int version = 1;
+  size_t more_bytes = 0;  ///< That the network puts on the air with each packet: a checksum.
   /// One-way travel times to LBL transponders A to D; absent: not there.
   std::array<std::optional<double>, 4> transponder_travel_s = {};
 };
@@ -30,6 +28,7 @@ struct MicroModemOptions {
 /// A packet to transmit now.
 struct MicroModemSent {
   std::vector<uint8_t> bytes;
+  int bps = 0;         ///< The rate at which it is sent.
   int64_t air_us = 0;  ///< The modem sends nothing else for so long.
 };
 
@@ -71,7 +70,7 @@ struct MicroModemCounts {
 enum class MicroModemError : int { kUnknown = 1, kBadField, kBusy, kNoData, kAbandoned };
 
 struct MicroModemUnit {
-  /// @pre options.address is 0 to kMaxMicroModemAddress
+  /// @pre options.address is 0 to kMaxMicroModemAddress, options.version is 1 or 2
   explicit MicroModemUnit(const MicroModemOptions& options);
 
   int address() const { return settings.src; }

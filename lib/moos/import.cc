@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <string_view>
 #include <utility>
@@ -12,6 +13,7 @@
 #include "lib/moos/fields.h"
 #include "lib/moos/import_names.h"
 #include "lib/moos/import_settings.h"
+#include "lib/moos/import_timer.h"
 #include "lib/moos/import_vehicle.h"
 #include "lib/moos/mission_draft.h"
 #include "lib/moos/moos_file.h"
@@ -38,12 +40,15 @@ class Importer {
     NameVehicles();
     for (VehicleImport& vehicle : vehicles_) vehicle.AddTables(&draft);
     for (VehicleImport& vehicle : vehicles_) vehicle.AddEvents();
+    const double last_event_s = AddTimerEvents(&draft);
     draft.AddTable(std::string(kRest), "# What else stands in the files.");
     draft_ = &draft;
-    Assume(kMission, "duration_s", "600", "Assumed: MOOS missions have no end of their own.");
+    Assume(kMission, "duration_s", TomlNumber(std::max(600.0, std::ceil(last_event_s) + 60)),
+           "Assumed: MOOS missions have no end of their own.");
     for (size_t i = 0; i < files_.size(); ++i) TakeFile(files_[i], VehicleOf(i));
     TakeFactors();
     for (VehicleImport& vehicle : vehicles_) vehicle.Finish();
+    WarnOfTasks();
     for (std::string& refused : draft.MakeLoadable()) Warn(std::move(refused));
     const auto is_imported = [](const VehicleImport& vehicle) { return vehicle.is_imported(); };
     const auto num_vehicles = std::count_if(vehicles_.begin(), vehicles_.end(), is_imported);
@@ -95,7 +100,7 @@ class Importer {
       if (name != wanted) reason = "Assumed: shoal cannot call a vehicle " + Quoted(wanted) + ".";
       if (!is_usable) reason = "Assumed: the file's name, since it has no Community.";
       if (!reason.empty()) Warn(files_[i].name + ": the vehicle is named " + name);
-      vehicles_.emplace_back(vehicles_.size(), name, reason, true);
+      vehicles_.emplace_back(vehicles_.size(), name, reason, true, IsUnderwater(files_[i], name));
       file_of_vehicle_.push_back(i);
     }
     if (!vehicles_.empty()) return;
@@ -114,7 +119,100 @@ class Importer {
     vehicles_.emplace_back(vehicles_.size(), name,
                            "Made up: no file describes a vehicle (pNodeReporter, uSimMarine, "
                            "pHelmIvP, pMarinePID).",
-                           false);
+                           false, false);
+  }
+
+  /// Returns true where pNodeReporter names a type that dives, and warns of what becomes of it.
+  bool IsUnderwater(const MoosFile& file, const std::string& name) {
+    for (const MoosBlock& block : file.blocks) {
+      if (AppClass(block.app) != "pnodereporter") continue;
+      for (const MoosLine& line : block.lines) {
+        const std::string key = LowerCase(line.key);
+        if ((key != "platform_type" && key != "vessel_type") || !IsUnderwaterType(line.value)) {
+          continue;
+        }
+        Warn(fmt::format(
+            "{}:{}: {}: {} becomes a Remus 100 (model = \"remus100\"), shoal's only underwater "
+            "vehicle: what uSimMarine and pMarinePID set for its motion is left out",
+            file.name, line.number, line.text, name));
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /// Adds an [[event]] for each event of a script that has a counterpart; the others are kept.
+  /// Returns the time of the last.
+  double AddTimerEvents(MissionDraft* draft) {
+    std::vector<std::string> names;
+    for (const VehicleImport& vehicle : vehicles_) names.push_back(vehicle.name());
+    double last_s = 0;
+    for (size_t i = 0; i < files_.size(); ++i) {
+      const VehicleImport* vehicle = VehicleOf(i);
+      for (const MoosBlock& block : files_[i].blocks) {
+        if (AppClass(block.app) != "utimerscript") continue;
+        TimerScript& script = scripts_[&block];
+        script = ReadTimerScript(block, vehicle == nullptr ? "" : vehicle->name(), names);
+        for (const TimerEvent& event : script.events) {
+          if (event.keys.empty()) continue;
+          AddTimerEvent(files_[i], event, draft);
+          last_s = std::max(last_s, event.at_s);
+        }
+      }
+    }
+    return last_s;
+  }
+
+  static void AddTimerEvent(const MoosFile& file, const TimerEvent& event, MissionDraft* draft) {
+    const std::string origin = fmt::format("{}:{}", file.name, event.line);
+    const std::string table = "event " + origin;
+    draft->AddTable(table, "[[event]]");
+    draft->Set(table, {.key = "at_s",
+                       .value = TomlNumber(event.at_s),
+                       .origin = origin,
+                       .text = "event at " + TomlNumber(event.at_s) + " s",
+                       .reason = event.assumed.empty() ? "" : "Assumed: " + event.assumed + "."});
+    for (const auto& [key, value] : event.keys) {
+      draft->Set(table, {.key = key, .value = value, .origin = "", .text = "", .reason = ""});
+    }
+  }
+
+  void TakeTimerLine(const TimerScript& script, const std::string& origin, const MoosLine& line) {
+    std::string reason = std::string(KeyCounterpart("utimerscript", line.key));
+    bool is_warning = false;
+    for (const auto& [number, loss] : script.losses) {
+      if (number != line.number) continue;
+      reason = loss;
+      is_warning = true;
+    }
+    for (const TimerEvent& event : script.events) {
+      if (event.line != line.number) continue;
+      if (!event.keys.empty()) return;
+      reason = event.reason;
+      is_warning = !event.is_needless;
+    }
+    draft_->Remark(kRest, origin, line.text, reason);
+    if (is_warning) Warn(origin + ": " + line.text + ": " + reason);
+  }
+
+  /// A vehicle without tasks does nothing, and a mission in which nothing happens passes.
+  void WarnOfTasks() {
+    for (size_t i = 0; i < file_of_vehicle_.size(); ++i) {
+      const MoosFile& file = files_[file_of_vehicle_[i]];
+      std::string where = file.name;
+      for (const MoosBlock& block : file.blocks) {
+        for (const MoosLine& line : block.lines) {
+          const bool is_helm = AppClass(block.app) == "phelmivp";
+          if (is_helm && LowerCase(line.key) == "behaviors") {
+            where = fmt::format("{}:{}: {}", file.name, line.number, line.text);
+          }
+        }
+      }
+      Warn(fmt::format(
+          "{}: behaviors are not read: {} has no tasks and stays where it is; write a "
+          "[[vehicle.task]], and an [[event]] with command = \"deploy\" where there is none",
+          where, vehicles_[i].name()));
+    }
   }
 
   VehicleImport* VehicleOf(size_t file) {
@@ -187,6 +285,7 @@ class Importer {
     const std::string app_class = AppClass(block.app);
     const std::string where = fmt::format("{}:{}", file.name, block.number);
     const bool is_known = app_class == "ufldnodecomms" || app_class == "antler" ||
+                          app_class == "utimerscript" ||
                           (vehicle != nullptr && IsVehicleApp(app_class));
     if (!is_known) {
       const std::string_view counterpart = AppCounterpart(app_class);
@@ -197,6 +296,10 @@ class Importer {
       const std::string origin = fmt::format("{}:{}", file.name, line.number);
       if (app_class == "antler") {
         TakeAntlerLine(origin, line);
+        continue;
+      }
+      if (app_class == "utimerscript") {
+        TakeTimerLine(scripts_.at(&block), origin, line);
         continue;
       }
       const bool is_taken =
@@ -262,6 +365,13 @@ class Importer {
       return;
     }
     const std::string table = is_comms ? std::string(kCommsTable) : vehicle->TableOf(rule->place);
+    const bool is_of_motion =
+        rule->place == SettingPlace::kCraft || rule->place == SettingPlace::kAutopilot;
+    if (!is_comms && is_of_motion && vehicle->is_underwater()) {
+      draft_->Remark(table, origin, line.text,
+                     "the Remus 100 has motion and autopilots of its own");
+      return;
+    }
     const auto value = SettingValue(rule->kind, line.value);
     if (!value) {
       const std::string reason = fmt::format("not {}", KindText(rule->kind));
@@ -286,6 +396,7 @@ class Importer {
   std::vector<VehicleImport> vehicles_;
   std::vector<size_t> file_of_vehicle_;
   std::vector<KeptFactor> factors_;
+  std::map<const MoosBlock*, TimerScript> scripts_;
   std::vector<std::string> warnings_;
   MissionDraft* draft_ = nullptr;
 };

@@ -23,8 +23,10 @@ struct MoosImport {
   /// A mission file that LoadMissionText accepts. Every line of the sources is a setting (which
   /// names the line) or a comment that states why it is none.
   std::string mission;
-  /// "a.moos:12: ..." where a line makes no sense, where shoal refuses a value, and where something
-  /// was missing that had to be made up. Lines without a counterpart are comments only.
+  /// "a.moos:12: ..." where a line makes no sense, where shoal refuses a value, where something was
+  /// missing that had to be made up, and where the mission changes: behaviors are not read, a
+  /// vehicle becomes another, an event of a script is lost. Other lines without a counterpart are
+  /// comments only.
   std::vector<std::string> warnings;
   size_t num_vehicles = 0;  ///< Described by the sources; the mission has at least one.
 };

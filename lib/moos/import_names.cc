@@ -17,6 +17,11 @@ bool IsVehicleApp(std::string_view app_class) {
          app_class == "pmarinepid";
 }
 
+bool IsUnderwaterType(std::string_view platform_type) {
+  const std::string type = LowerCase(platform_type.substr(0, 16));
+  return type == "uuv" || type == "auv" || type == "glider";
+}
+
 std::string AppOfRun(std::string_view value) {
   const std::string_view app = value.substr(0, value.find_first_of(" \t@~"));
   return AppClass(app);

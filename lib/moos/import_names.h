@@ -13,6 +13,9 @@ namespace shoal {
 /// True for an app that only vehicles have. `app_class` is as AppClass() writes it.
 [[nodiscard]] bool IsVehicleApp(std::string_view app_class);
 
+/// True for types of vehicles that dive, as pNodeReporter knows them.
+[[nodiscard]] bool IsUnderwaterType(std::string_view platform_type);
+
 /// Returns the class of the app that ANTLER's `Run = uXMS @ NewConsole = true ~ name` starts.
 [[nodiscard]] std::string AppOfRun(std::string_view value);
 

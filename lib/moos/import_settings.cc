@@ -87,7 +87,7 @@ constexpr std::array kApps = std::to_array<Counterpart>({
     {"ufldnodebroker", "not needed: shore_broker knows the vehicles of the mission"},
     {"ufldshorebroker", "not needed: shore_broker knows the vehicles of the mission"},
     {"uprocesswatch", "shoal run watches its processes: on_loss in [mission]"},
-    {"utimerscript", "[[event]] publishes at a given time; write them by hand"},
+    {"utimerscript", "its events that have a counterpart are an [[event]] each"},
     {"upokedb", "shoal send"},
     {"uxms", "shoal status, shoal log cat"},
     {"umac", "shoal status"},
@@ -101,7 +101,8 @@ constexpr std::array kKeys = std::to_array<Counterpart>({
     {"serverport", "not needed: shoal run --port BASE chooses ports"},
     {"speed_factor", "not needed: the helm takes the thrust for a speed from thrust_map"},
     {"behaviors", "behaviors are not imported: give the vehicle a [[vehicle.task]]"},
-    {"verbose", "shoal status shows what the broker does"},
+    {"verbose", "without meaning here: shoal status shows what each process does"},
+    {"debug", "without meaning here: shoal status shows what each process does"},
 });
 
 template <size_t N>

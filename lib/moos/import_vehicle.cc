@@ -16,6 +16,7 @@
 namespace shoal {
 namespace {
 
+constexpr std::string_view kOwnMotion = "the Remus 100 has motion and autopilots of its own";
 constexpr std::array<std::string_view, 5> kStartOrder = {"x", "y", "heading", "speed", "depth"};
 
 /// Returns the key of `start` for what uSimMarine calls it; empty: there is none.
@@ -66,11 +67,13 @@ std::optional<LinkFactorSetting> ParseLinkFactor(const MoosLine& line) {
   return setting;
 }
 
-VehicleImport::VehicleImport(size_t number, std::string name, std::string remark, bool is_imported)
+VehicleImport::VehicleImport(size_t number, std::string name, std::string remark, bool is_imported,
+                             bool is_underwater)
     : id_(fmt::format("vehicle{}", number)),
       name_(std::move(name)),
       remark_(std::move(remark)),
-      is_imported_(is_imported) {}
+      is_imported_(is_imported),
+      is_underwater_(is_underwater) {}
 
 void VehicleImport::AddTables(MissionDraft* draft) {
   draft_ = draft;
@@ -78,7 +81,16 @@ void VehicleImport::AddTables(MissionDraft* draft) {
   draft->Set(
       id_,
       {.key = "name", .value = TomlString(name_), .origin = "", .text = "", .reason = remark_});
-  draft->AddTable(TableOf(SettingPlace::kCraft), "[vehicle.surface_craft]");
+  if (is_underwater_) {
+    draft->Set(id_, {.key = "model",
+                     .value = TomlString("remus100"),
+                     .origin = "",
+                     .text = "",
+                     .reason = "Assumed: shoal's only underwater vehicle. Its motion and its "
+                               "autopilots are its own."});
+  }
+  draft->AddTable(TableOf(SettingPlace::kCraft),
+                  is_underwater_ ? "[vehicle.remus100]" : "[vehicle.surface_craft]");
   draft->AddTable(TableOf(SettingPlace::kAutopilot), "[vehicle.autopilot]");
   draft->AddTable(TableOf(SettingPlace::kReporter), "[vehicle.reporter]");
 }
@@ -88,7 +100,7 @@ void VehicleImport::AddEvents() { draft_->AddTable(id_ + ".drift", "[[event]]");
 std::string VehicleImport::TableOf(SettingPlace place) const {
   switch (place) {
     case SettingPlace::kCraft:
-      return id_ + ".surface_craft";
+      return id_ + ".craft";
     case SettingPlace::kAutopilot:
       return id_ + ".autopilot";
     case SettingPlace::kReporter:
@@ -116,8 +128,15 @@ bool VehicleImport::Take(std::string_view app_class, const std::string& origin,
   const bool is_start = is_sim && key.starts_with("start_");
   const bool is_thrust = is_sim && (key == "thrust_map" || key == "thrust_factor");
   const bool is_drift = is_sim && (key == "drift_x" || key == "drift_y" || key == "drift_vector");
+  const bool is_speed = is_sim && key == "max_speed";
+  const bool is_domain = app_class == "phelmivp" && key == "domain";
+  if (is_domain) return TakeDomain(origin, line);
   const bool is_extra = app_class == "pnodereporter" && key == "platform_aspect";
-  if (!is_start && !is_thrust && !is_drift && !is_extra) return false;
+  if (!is_start && !is_thrust && !is_drift && !is_extra && !is_speed) return false;
+  if (is_underwater_ && (is_thrust || is_speed)) {
+    draft_->Remark(TableOfApp(app_class), origin, line.text, std::string(kOwnMotion));
+    return true;
+  }
   if (is_extra) {
     const size_t equals = line.value.find('=');
     if (equals != std::string::npos) {
@@ -133,6 +152,7 @@ bool VehicleImport::Take(std::string_view app_class, const std::string& origin,
   const std::string reason = "makes no sense: " + std::string(is_extra    ? "not KEY=VALUE"
                                                               : is_start  ? "not numbers"
                                                               : is_thrust ? "not thrust:speed, ..."
+                                                              : is_speed  ? "not a positive number"
                                                                           : "not numbers");
   draft_->Remark(TableOfApp(app_class), origin, line.text, reason);
   warnings->push_back(origin + ": " + line.text + ": " + reason);
@@ -148,6 +168,7 @@ bool VehicleImport::TakeSim(std::string_view key, const std::string& origin, con
   if (key.starts_with("start_")) return TakeStart(origin, line);
   if (key == "thrust_map") return TakeThrustMap(origin, line);
   if (key == "thrust_factor") return TakeThrustFactor(origin, line);
+  if (key == "max_speed") return TakeMaxSpeed(origin, line);
   return TakeDrift(key, origin, line);
 }
 
@@ -171,6 +192,11 @@ bool VehicleImport::TakeStart(const std::string& origin, const MoosLine& line) {
     if (!number || (StartKey(key).empty() && key != "depth")) return false;
     given[key] = *number;
   }
+  if (is_underwater_ && given.contains("depth")) {
+    start_.members["depth_m"] = TomlNumber(given["depth"]);
+    given.erase("depth");
+    if (given.empty()) Gather(origin, line, &start_);
+  }
   const auto depth = given.find("depth");
   if (depth != given.end() && depth->second != 0) {
     draft_->Remark(id_, origin, line.text, "a surface craft has no depth");
@@ -189,7 +215,7 @@ bool VehicleImport::TakeStart(const std::string& origin, const MoosLine& line) {
 }
 
 bool VehicleImport::TakeThrustMap(const std::string& origin, const MoosLine& line) {
-  std::map<double, double> speeds;  // By thrust: shoal wants them in order.
+  std::map<double, double> speeds;
   for (const std::string_view part : Split(line.value, ',')) {
     const size_t colon = part.find(':');
     if (colon == std::string_view::npos) return false;
@@ -198,34 +224,98 @@ bool VehicleImport::TakeThrustMap(const std::string& origin, const MoosLine& lin
     if (!thrust || !speed) return false;
     speeds[*thrust] = *speed;
   }
-  std::string pairs;
-  for (const auto& [thrust, speed] : speeds) {
-    pairs +=
-        fmt::format("{}[{}, {}]", pairs.empty() ? "" : ", ", TomlNumber(thrust), TomlNumber(speed));
-  }
-  draft_->Set(TableOf(SettingPlace::kCraft), {.key = "thrust_map",
-                                              .value = "[" + pairs + "]",
-                                              .origin = origin,
-                                              .text = line.text,
-                                              .reason = ""});
+  ReplaceThrust(origin, line);
+  thrust_map_ = std::move(speeds);
   return true;
+}
+
+/// The map of an earlier line becomes a comment.
+void VehicleImport::ReplaceThrust(const std::string& origin, const MoosLine& line) {
+  if (!thrust_.origins.empty()) {
+    draft_->Remark(TableOf(SettingPlace::kCraft), thrust_.origins, thrust_.texts,
+                   "replaced by " + origin);
+  }
+  thrust_ = {};
+  Gather(origin, line, &thrust_);
 }
 
 bool VehicleImport::TakeThrustFactor(const std::string& origin, const MoosLine& line) {
   const auto factor = ParseNumber(line.value);
   if (!factor) return false;
   const std::string table = TableOf(SettingPlace::kCraft);
-  if (*factor <= 0 || draft_->IsSet(table, "thrust_map")) {
+  if (*factor <= 0 || !thrust_map_.empty()) {
     draft_->Remark(table, origin, line.text,
-                   *factor <= 0 ? "must be positive" : "the thrust map above is used instead");
+                   *factor <= 0 ? "must be positive" : "the thrust map is used instead");
     return true;
   }
-  draft_->Set(table, {.key = "thrust_map",
-                      .value = fmt::format("[[100, {}]]", TomlNumber(100 / *factor)),
-                      .origin = origin,
-                      .text = line.text,
-                      .reason = ""});
+  ReplaceThrust(origin, line);
+  thrust_map_ = {{100, 100 / *factor}};
   return true;
+}
+
+bool VehicleImport::TakeMaxSpeed(const std::string& origin, const MoosLine& line) {
+  const auto speed_mps = ParseNumber(line.value);
+  if (!speed_mps || *speed_mps <= 0) return false;
+  if (max_speed_mps_) {
+    draft_->Remark(TableOf(SettingPlace::kCraft), limit_.origins, limit_.texts,
+                   "replaced by " + origin);
+  }
+  limit_ = {};
+  Gather(origin, line, &limit_);
+  max_speed_mps_ = *speed_mps;
+  return true;
+}
+
+/// `Domain = depth:0:100:101` is how deep the helm may go; other domains have no counterpart.
+bool VehicleImport::TakeDomain(const std::string& origin, const MoosLine& line) {
+  const std::vector<std::string_view> parts = Split(line.value, ':');
+  if (!is_underwater_ || parts.size() < 3 || LowerCase(parts[0]) != "depth") return false;
+  const auto deepest_m = ParseNumber(parts[2]);
+  if (!deepest_m) return false;
+  draft_->Set(TableOf(SettingPlace::kCraft), {.key = "max_depth_m",
+                                              .value = TomlNumber(*deepest_m),
+                                              .origin = origin,
+                                              .text = line.text,
+                                              .reason = ""});
+  return true;
+}
+
+/// uSimMarine runs no faster than max_speed, whatever the thrust.
+void VehicleImport::LimitThrustMap() {
+  constexpr double kThrustForDefaultSpeed_pct = 20;  // uSimMarine's thrust_factor, per m/s.
+  if (thrust_map_.empty()) thrust_map_ = {{100, 100 / kThrustForDefaultSpeed_pct}};
+  std::map<double, double> limited;
+  std::pair<double, double> before = {0, 0};
+  for (const auto& [thrust_pct, speed_mps] : thrust_map_) {
+    if (speed_mps <= *max_speed_mps_) {
+      limited[thrust_pct] = speed_mps;
+    } else {
+      const double share = (*max_speed_mps_ - before.second) / (speed_mps - before.second);
+      limited[before.first + share * (thrust_pct - before.first)] = *max_speed_mps_;
+      limited[thrust_pct] = *max_speed_mps_;
+    }
+    if (thrust_pct > 0) before = {thrust_pct, std::min(speed_mps, *max_speed_mps_)};
+  }
+  thrust_map_ = std::move(limited);
+}
+
+void VehicleImport::SetThrustMap() {
+  if (max_speed_mps_) {
+    LimitThrustMap();
+    thrust_.origins += (thrust_.origins.empty() ? "" : ", ") + limit_.origins;
+    thrust_.texts += (thrust_.texts.empty() ? "" : ", ") + limit_.texts;
+  }
+  if (thrust_map_.empty()) return;
+  std::string pairs;
+  for (const auto& [thrust, speed] : thrust_map_) {
+    pairs +=
+        fmt::format("{}[{}, {}]", pairs.empty() ? "" : ", ", TomlNumber(thrust), TomlNumber(speed));
+  }
+  draft_->Set(TableOf(SettingPlace::kCraft), {.key = "thrust_map",
+                                              .value = "[" + pairs + "]",
+                                              .origin = thrust_.origins,
+                                              .text = thrust_.texts,
+                                              .reason = ""});
 }
 
 bool VehicleImport::TakeDrift(std::string_view key, const std::string& origin,
@@ -263,6 +353,7 @@ void VehicleImport::SetGathered(const std::string& table, std::string key,
 
 void VehicleImport::Finish() {
   SetGathered(id_, "start", start_);
+  SetThrustMap();
   SetGathered(TableOf(SettingPlace::kReporter), "extra", extra_);
   const std::string craft = TableOf(SettingPlace::kCraft);
   if (draft_->IsSet(craft, "turn_rate_degps")) {

@@ -30,8 +30,10 @@ struct LinkFactorSetting {
 
 class VehicleImport {
  public:
-  /// `remark` stands above its name. Made-up vehicles are not `is_imported`.
-  VehicleImport(size_t number, std::string name, std::string remark, bool is_imported);
+  /// `remark` stands above its name. Made-up vehicles are not `is_imported`. An `is_underwater` one
+  /// becomes a Remus 100.
+  VehicleImport(size_t number, std::string name, std::string remark, bool is_imported,
+                bool is_underwater);
 
   /// Adds the tables of the vehicle, with its name.
   /// @pre called once, before what follows; `draft` outlives this.
@@ -40,7 +42,8 @@ class VehicleImport {
   void AddEvents();
 
   /// Takes a line that has a meaning together with others, or a form of its own: where it starts,
-  /// its thrust map, its drift, its own fields of node reports. Returns false for any other.
+  /// its thrust map and fastest speed, its drift, its greatest depth, its own fields of node
+  /// reports. Returns false for any other.
   bool Take(std::string_view app_class, const std::string& origin, const MoosLine& line,
             std::vector<std::string>* warnings);
 
@@ -49,6 +52,7 @@ class VehicleImport {
 
   const std::string& name() const { return name_; }
   bool is_imported() const { return is_imported_; }
+  bool is_underwater() const { return is_underwater_; }
   /// The draft's table [[vehicle]] of this one.
   const std::string& table() const { return id_; }
   std::string TableOf(SettingPlace place) const;
@@ -69,17 +73,27 @@ class VehicleImport {
   bool TakeThrustMap(const std::string& origin, const MoosLine& line);
   bool TakeThrustFactor(const std::string& origin, const MoosLine& line);
   bool TakeDrift(std::string_view key, const std::string& origin, const MoosLine& line);
+  bool TakeMaxSpeed(const std::string& origin, const MoosLine& line);
+  bool TakeDomain(const std::string& origin, const MoosLine& line);
+  void ReplaceThrust(const std::string& origin, const MoosLine& line);
+  void LimitThrustMap();
+  void SetThrustMap();
   void SetGathered(const std::string& table, std::string key, const Gathered& gathered);
 
   std::string id_;
   std::string name_;
   std::string remark_;
   bool is_imported_;
+  bool is_underwater_;
   MissionDraft* draft_ = nullptr;
   Gathered start_;
   Gathered extra_;
   Gathered drift_;
   Eigen::Vector2d drift_mps_ = Eigen::Vector2d::Zero();
+  std::map<double, double> thrust_map_;  ///< Speeds by thrust in per cent.
+  Gathered thrust_;                      ///< Its lines.
+  std::optional<double> max_speed_mps_;
+  Gathered limit_;  ///< Its line.
 };
 
 }  // namespace shoal

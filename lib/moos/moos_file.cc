@@ -36,13 +36,22 @@ bool IsTemplate(std::string_view line) {
          line.find("%(") != std::string_view::npos || line.find("${") != std::string_view::npos;
 }
 
+/// True for apps that replace macros themselves while they run: $(XPOS) of a mouse click, $(IDX) of
+/// a script.
+bool HasMacrosOfItsOwn(std::string_view app) {
+  const std::string lower = LowerCase(app);
+  return lower.starts_with("pmarineviewer") || lower.starts_with("utimerscript");
+}
+
 class MoosFileParser {
  public:
   explicit MoosFileParser(std::string_view name) { file_.name = name; }
 
   void Line(int number, std::string text) {
     if (text.empty()) return;
-    if (IsTemplate(text)) {
+    const bool is_of_app = place_ == Place::kInside && !text.starts_with('#') &&
+                           HasMacrosOfItsOwn(file_.blocks.back().app);
+    if (IsTemplate(text) && !is_of_app) {
       const std::string remedy =
           "is for nsplug, which has not run: run nsplug on the file and import what it writes";
       // A block whose name or brace is on such a line is still a block.

@@ -43,7 +43,9 @@ struct MoosFile {
   std::vector<MoosOddLine> odd_lines;
 };
 
-/// Reads any text. Control characters and bytes that are not UTF-8 become '?'.
+/// Reads any text. A line that nsplug should have replaced is odd, but for $(NAME) in blocks of
+/// apps with macros of their own, pMarineViewer and uTimerScript. Control characters and bytes that
+/// are not UTF-8 become '?'.
 [[nodiscard]] MoosFile ParseMoosFile(std::string_view text, std::string_view name);
 
 /// Returns `text` as one line of UTF-8: control characters and bytes that are not UTF-8 are '?'.

@@ -23,9 +23,10 @@ struct NetsimEnvironment {
 
 /// The protocol of a vehicle's modem port.
 enum class NetsimModem {
-  kRaw,         ///< Bytes behind their length.
-  kMicromodem,  ///< The sentences of a WHOI Micro-Modem.
-  kNone,        ///< The port is only the vehicle's number.
+  kRaw,          ///< Bytes behind their length.
+  kMicromodem,   ///< The sentences of a WHOI Micro-Modem.
+  kMicromodem2,  ///< Those of a Micro-Modem 2 too.
+  kNone,         ///< The port is only the vehicle's number.
 };
 
 /// Where $GPRMC of a vehicle goes; nowhere by default. Both are possible.

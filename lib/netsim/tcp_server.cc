@@ -166,7 +166,7 @@ void TcpServer::Accept() {
 
 void TcpServer::Take(int socket, const std::string& address) {
   FileDescriptor owned(socket);
-  if (clients_.size() >= static_cast<size_t>(options_.max_connections)) {
+  if (clients_.size() >= static_cast<size_t>(options_.max_connections) && !MakeRoom()) {
     ++counts_.refused;
     return;
   }
@@ -181,6 +181,25 @@ void TcpServer::Take(int socket, const std::string& address) {
   Watch(epoll_.get(), EPOLL_CTL_ADD, socket, id, client.awaited);
   clients_.emplace(id, std::move(client));
   if (handlers_.on_connect) handlers_.on_connect(id, address);
+}
+
+/// Closes the longest silent client. Returns false where none is silent enough.
+bool TcpServer::MakeRoom() {
+  if (options_.silence_us <= 0) return false;
+  auto longest = clients_.end();
+  for (auto entry = clients_.begin(); entry != clients_.end(); ++entry) {
+    const Client& client = entry->second;
+    if (client.has_sent && now_us_ - client.received_us < options_.silence_us) continue;
+    if (longest == clients_.end() || client.received_us < longest->second.received_us) {
+      longest = entry;
+    }
+  }
+  if (longest == clients_.end()) return false;
+  ++counts_.displaced;
+  const ClientId id = longest->first;
+  clients_.erase(longest);
+  if (handlers_.on_close) handlers_.on_close(id);
+  return true;
 }
 
 void TcpServer::OnEvents(ClientId id, uint32_t events) {
@@ -201,6 +220,7 @@ void TcpServer::Read(ClientId id, Client* client) {
   const ssize_t size = recv(client->socket.get(), chunk.data(), chunk.size(), 0);
   if (size > 0) {
     client->received_us = now_us_;
+    client->has_sent = true;
     if (handlers_.on_bytes) {
       handlers_.on_bytes(id, std::string_view(chunk.data(), static_cast<size_t>(size)));
     }

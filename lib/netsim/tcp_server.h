@@ -34,12 +34,15 @@ using ClientId = uint64_t;
 struct TcpServerOptions {
   std::string address = "127.0.0.1";  ///< IPv4.
   int port = 0;                       ///< 0: one that is free.
-  int max_connections = 128;          ///< Further ones are closed at once.
+  int max_connections = 128;          ///< Further ones are closed at once, but see silence_us.
   size_t max_unsent_bytes =
       size_t{256} * 1024;       ///< Per client, beyond what the kernel takes. Over half of
                                 ///< it nothing is read; over all of it, it is closed.
   int64_t idle_timeout_us = 0;  ///< Without a byte from the client; 0: for ever.
   int64_t stall_timeout_us = 30'000'000;  ///< With something to send, none of it taken.
+  /// With max_connections clients, a further one takes the place of the longest silent, if that has
+  /// sent nothing since it connected, or nothing for so long; 0: it is closed itself.
+  int64_t silence_us = 0;
 };
 
 struct TcpServerCounts {
@@ -49,6 +52,7 @@ struct TcpServerCounts {
   int64_t broken = 0;          ///< Reset, or lost.
   int64_t idle = 0;            ///< Closed for it.
   int64_t stalled = 0;         ///< Closed for it.
+  int64_t displaced = 0;       ///< Silent ones that were closed for another client.
 };
 
 class TcpServer {
@@ -90,7 +94,8 @@ class TcpServer {
   struct Client {
     FileDescriptor socket;
     std::string unsent = {};
-    int64_t received_us = 0;    ///< When it last sent something.
+    int64_t received_us = 0;    ///< When it last sent something; at first, when it connected.
+    bool has_sent = false;      ///< Anything.
     int64_t progressed_us = 0;  ///< When it last took something, or had nothing to take.
     uint32_t awaited = 0;       ///< Events, as epoll knows them.
     bool is_closing = false;    ///< Nothing is read from it any more.
@@ -106,6 +111,7 @@ class TcpServer {
   void Read(ClientId id, Client* client);
   void Flush(Client* client);
   void Await(ClientId id, Client* client);
+  bool MakeRoom();
   void CloseTheSilent();
   void Touch(ClientId id);
   void Settle();

@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <optional>
 
+#include "lib/bus/control_message.h"
 #include "lib/mission/suggest.h"
 #include "lib/routing/destinations.h"
 #include "lib/routing/vehicle_name.h"
@@ -175,12 +176,12 @@ Result<unc_control_t> ParseRuleWords(const ControlRow& row, std::span<const std:
     }
   }
   if (!takes_value) return control;
-  const std::optional<double> value = ParseControlValue(row, words.back());
+  const std::optional<ControlValue> value = ParseControlValue(row, words.back());
   if (!value) {
     return Error{
         fmt::format("{} is no value of {}; {}", Quoted(words.back()), row.rule, RuleUsage(row))};
   }
-  control.value = *value;
+  SetValue(*value, &control);
   return control;
 }
 

@@ -222,6 +222,13 @@ class RowCollector : public Visitor {
   std::optional<TextWriter> text_;  ///< Present: inside a member that becomes one cell.
 };
 
+/// Returns the name of a column that the table has beside those of the message: `name`, or with
+/// "row_" before it where the message has a member of that name.
+std::string NameOfOwnColumn(std::string name, const Columns& columns) {
+  while (std::ranges::find(columns.names, name) != columns.names.end()) name.insert(0, "row_");
+  return name;
+}
+
 /// Appends the names' cells, and returns the layout of the columns.
 CsvTable AddToHeader(const Columns& columns, std::string* header) {
   CsvTable table{.num_columns = columns.names.size(), .tables = {}};
@@ -282,8 +289,8 @@ void AppendCsvCell(std::string_view any_text, std::string* out) {
 CsvLayout::CsvLayout(const Schema& schema, const StructType& type) : schema_(schema), type_(type) {
   Columns columns;
   ColumnFinder(schema).Add(type, "", false, &columns);
-  if (!columns.tables.empty()) columns.names.push_back("index");
-  header_ = "time_s";
+  header_ = NameOfOwnColumn("time_s", columns);
+  if (!columns.tables.empty()) columns.names.push_back(NameOfOwnColumn("index", columns));
   tables_ = AddToHeader(columns, &header_).tables;
   header_ += '\n';
 }

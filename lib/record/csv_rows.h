@@ -8,6 +8,9 @@
 // index and in their order, and one row with the inner columns empty where there is none. The inner
 // array has no index column: its length is a column, as every member is.
 //
+// Where the message has a member `index` or `time_s`, the table's own column is `row_index` or
+// `row_time_s`: no name stands in a header twice.
+//
 // Small arrays of fixed size have a column for each element, all other arrays of values one cell:
 // [1 2 3]. So have arrays within arrays whose structs would hold themselves: [{y=3} {y=4}]. Members
 // named utime or ending in _utime are seconds, in columns named ..._s.

@@ -92,6 +92,16 @@ TEST(CsvLayout, RunsThroughSeveralArraysOfStructsAtOnce) {
             "1.000,1,1,6,8,1,,,,,11\n");
 }
 
+TEST(CsvLayout, LeavesAMemberItsNameWhereTheTableHasAColumnOfThatName) {
+  const Table table(
+      "struct t { int8_t index; double time_s; int8_t row_index; int8_t n; p_t extra[n]; }"
+      "struct p_t { int8_t index; }");
+  EXPECT_EQ(table.Header(), "row_time_s,index,time_s,row_index,n,row_row_index,extra.index\n");
+  Wire wire(table.type);
+  wire.Int8(7).Double(2.5).Int8(6).Int8(1).Int8(9);
+  EXPECT_EQ(table.Rows(wire), "1.000,7,2.5,6,1,0,9\n");
+}
+
 TEST(CsvLayout, GivesEachStructOfAnArrayInAnArrayARowWithTheOthersRepeated) {
   const Table table(
       "struct t { int8_t n; p_t a[n]; }"

@@ -45,6 +45,23 @@ TEST(Packet, IsInTransitToAllVehiclesThatAreNear) {
   EXPECT_EQ(SendPacket(&fleet, "alpha").at("bravo").number, 1);
 }
 
+TEST(Packet, OfAModemHasNoRangeRule) {
+  for (const int64_t each_fate_up_to : {200, 0}) {
+    TestFleet fleet(OverTheWater(each_fate_up_to));
+    fleet.ChangeRules([](RoutingRules* rules) { rules->comms_range_m = 100; });
+    fleet.Report("alpha", {0, 0, 0});
+    fleet.Report("bravo", {5000, 0, 0});
+    std::vector<Decision> decisions;
+    fleet.router.RoutePacket(
+        {.source = "alpha", .length_bytes = 10, .length_limit_bytes = 64, .has_range_rule = false},
+        fleet.utime, &decisions);
+    ASSERT_EQ(decisions.size(), 1U);
+    EXPECT_EQ(decisions[0].cause, Cause::kInTransit);
+    EXPECT_EQ(decisions[0].range_m, 5000);
+    EXPECT_EQ(decisions[0].limit_m, -1);
+  }
+}
+
 TEST(Packet, ArrivesAsFarAsStealthAndEarangeAllow) {
   TestFleet fleet;
   fleet.Report("alpha", {0, 0, 0});

@@ -7,7 +7,8 @@ namespace shoal {
 
 void BroadcastRouter::Route(const Transmission& sent, Contact* source, int64_t utime,
                             std::vector<Decision>* decisions) {
-  if (contacts_.num_known() > rules_.each_fate_up_to && CountsFar(rules_, sent.kind)) {
+  const bool is_counted = contacts_.num_known() > rules_.each_fate_up_to;
+  if (is_counted && sent.has_range_rule && CountsFar(rules_, sent.kind)) {
     return RouteNear(sent, source, utime, decisions);
   }
   for (Contact* receiver : contacts_.all()) {
@@ -18,6 +19,8 @@ void BroadcastRouter::Route(const Transmission& sent, Contact* source, int64_t u
 }
 
 void BroadcastRouter::OnRules() {
+  rules_without_range_ = rules_;
+  rules_without_range_.comms_range_m = -1;
   grid_is_valid_ = false;
   ForgetStopped();
 }
@@ -34,7 +37,8 @@ void BroadcastRouter::OnForgotten(const Contact& contact) {
 
 void BroadcastRouter::DecideOne(const Transmission& sent, Contact* source, Contact* receiver,
                                 int64_t utime, std::vector<Decision>* decisions) {
-  LinkFacts link = {.rules = rules_, .sent = sent, .receiver = *receiver, .utime = utime};
+  const RoutingRules& rules = sent.has_range_rule ? rules_ : rules_without_range_;
+  LinkFacts link = {.rules = rules, .sent = sent, .receiver = *receiver, .utime = utime};
   int64_t* delivered_utime = nullptr;
   if (sent.kind == Kind::kReport) {
     const auto to = static_cast<size_t>(receiver->index);

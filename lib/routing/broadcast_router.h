@@ -49,6 +49,7 @@ class BroadcastRouter {
   void PrepareGrid();
 
   const RoutingRules& rules_;
+  RoutingRules rules_without_range_;  ///< For transmissions that have no range rule.
   ContactBook& contacts_;
   FateLedger& ledger_;
 

@@ -22,7 +22,6 @@ enum class Cause : uint8_t {
   kTooSoon,             ///< `min_msg_interval` of the source, `min_rpt_interval` of the pair.
   kTooLong,             ///< `max_msg_length`; acoustic: more than a packet holds.
   kUnknownSource,       ///< Of a vehicle that has sent no report, or was forgotten.
-  kStaleSource,         ///< A message of a vehicle that has been silent for too long.
   kNoDestination,       ///< To a group without other members, or to oneself; or no other is known.
   kUnknownDestination,  ///< The named vehicle has sent no report, or was forgotten.
   kOtherGroup,          ///< `groups`, `msg_groups`.
@@ -92,14 +91,12 @@ inline constexpr std::array kRows = {
              KindSet(kMessage, kPacket), kAll},
     CauseRow{Cause::kUnknownSource, "unknown_source", "Missing Info (source)", "unknown source",
              kGrey, KindSet(kMessage, kAck, kPacket), kNone},
-    CauseRow{Cause::kStaleSource, "stale_source", "Stale Source", "stale source, silent for {age}",
-             kGrey, KindSet(kMessage, kAck), kNone},
     CauseRow{Cause::kNoDestination, "no_destination", "No Destination", "no destination", kGrey,
              KindSet(kMessage, kPacket), kNone},
     CauseRow{Cause::kUnknownDestination, "unknown_destination", "Missing Info (destination)",
              "unknown destination", kGrey, KindSet(kMessage, kAck), kNone},
     CauseRow{Cause::kOtherGroup, "other_group", "Other Group", "other group", kSkyBlue,
-             kAllButPackets, kNone},
+             KindSet(kReport, kMessage), kNone},
     CauseRow{Cause::kStaleReceiver, "stale_receiver", "Stale Receiver",
              "stale receiver, silent for {age}", kGrey, kAllButPackets, kNone},
     CauseRow{Cause::kOutOfRange, "out_of_range", "Range Too Far", "out of range, {range}",

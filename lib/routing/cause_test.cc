@@ -46,8 +46,8 @@ TEST(Causes, BelongToTheKindsWhoseRulesAskForThem) {
     return num;
   };
   EXPECT_EQ(count(Kind::kReport), 19);
-  EXPECT_EQ(count(Kind::kMessage), 22);
-  EXPECT_EQ(count(Kind::kAck), 19);
+  EXPECT_EQ(count(Kind::kMessage), 21);
+  EXPECT_EQ(count(Kind::kAck), 17);
   EXPECT_EQ(count(Kind::kPacket), 14);
   EXPECT_FALSE(CanHave(Kind::kReport, Cause::kUnknownSource));
   EXPECT_FALSE(CanHave(Kind::kPacket, Cause::kStaleReceiver));

@@ -30,6 +30,8 @@ std::string NumberWord(double value) {
   return {digits.data(), end};
 }
 
+bool IsControlCharacter(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; }
+
 }  // namespace
 
 std::span<const ControlRow> ControlTable() { return kControls; }
@@ -44,63 +46,77 @@ const ControlRow* FindControlOnChannel(std::string_view channel) {
   return found == kControls.end() ? nullptr : &*found;
 }
 
-bool IsPossible(const ControlRow& row, double value) {
+bool IsPossible(const ControlRow& row, const ControlValue& value) {
   if (row.type == kRequest) return true;
-  if (!(value >= row.min && value <= row.max)) return false;
-  return row.type == kNumber || value == std::floor(value);
+  if (row.type == kText) {
+    return static_cast<double>(value.text.size()) <= row.max &&
+           std::ranges::none_of(value.text, IsControlCharacter);
+  }
+  if (!(value.number >= row.min && value.number <= row.max)) return false;
+  return row.type == kNumber || value.number == std::floor(value.number);
 }
 
-std::optional<double> ParseControlValue(const ControlRow& row, std::string_view word) {
-  std::optional<double> value = ParseNumber(word);
+std::optional<ControlValue> ParseControlValue(const ControlRow& row, std::string_view word) {
+  std::optional<ControlValue> value = ParseNumber(word);
   if (row.type == kYesNo && word == "true") value = 1;
   if (row.type == kYesNo && word == "false") value = 0;
-  if (row.true_value && word == "true") value = row.true_value;
-  if (!row.word.empty() && word == row.word) value = -1;
+  if (row.true_value && word == "true") value = *row.true_value;
+  if (row.type == kText && !word.empty()) value = std::string(word);
+  if (!row.word.empty() && word == row.word) {
+    value = row.type == kText ? ControlValue() : ControlValue(-1);
+  }
   if (!value || !IsPossible(row, *value)) return std::nullopt;
   return value;
 }
 
-std::string ControlWord(const ControlRow& row, double value) {
-  if (row.type == kYesNo) return value != 0 ? "true" : "false";
-  if (!row.word.empty() && value < 0) return std::string(row.word);
-  return NumberWord(value);
+std::string ControlWord(const ControlRow& row, const ControlValue& value) {
+  if (row.type == kText) return value.text.empty() ? std::string(row.word) : value.text;
+  if (row.type == kYesNo) return value.number != 0 ? "true" : "false";
+  if (!row.word.empty() && value.number < 0) return std::string(row.word);
+  return NumberWord(value.number);
 }
 
 std::string ShownValue(const ControlRow& row, const RoutingRules& rules) {
   if (const auto* text = std::get_if<std::string RoutingRules::*>(&row.member)) {
-    return rules.**text;
+    const std::string& shown = rules.**text;
+    return shown.empty() ? std::string(row.word) : shown;
   }
   if (const auto* medium = std::get_if<Medium RoutingRules::*>(&row.member)) {
     return std::string(kMedia.at(static_cast<size_t>(rules.**medium)).first);
   }
-  const double value = GetRule(row, rules);
+  const double value = GetRule(row, rules).number;
   if (row.type == kYesNo) return value != 0 ? "true" : "false";
   if (!row.negative.empty() && value < 0) return std::string(row.negative);
   if (!row.zero.empty() && value == 0) return std::string(row.zero);
   return row.true_value ? "true (" + NumberWord(value) + ")" : NumberWord(value);
 }
 
-double GetRule(const ControlRow& row, const RoutingRules& rules) {
+ControlValue GetRule(const ControlRow& row, const RoutingRules& rules) {
   if (const auto* number = std::get_if<double RoutingRules::*>(&row.member)) {
     return rules.**number;
   }
   if (const auto* flag = std::get_if<bool RoutingRules::*>(&row.member)) {
     return rules.**flag ? 1 : 0;
   }
+  if (const auto* text = std::get_if<std::string RoutingRules::*>(&row.member)) {
+    return rules.**text;
+  }
   const auto* whole = std::get_if<int64_t RoutingRules::*>(&row.member);
   SHOAL_CHECK(whole != nullptr, "the rule is not per vehicle and has a value");
   return static_cast<double>(rules.**whole);
 }
 
-void SetRule(const ControlRow& row, double value, RoutingRules* rules) {
+void SetRule(const ControlRow& row, const ControlValue& value, RoutingRules* rules) {
   if (const auto* number = std::get_if<double RoutingRules::*>(&row.member)) {
-    rules->** number = value;
+    rules->** number = value.number;
   } else if (const auto* flag = std::get_if<bool RoutingRules::*>(&row.member)) {
-    rules->** flag = value != 0;
+    rules->** flag = value.number != 0;
+  } else if (const auto* text = std::get_if<std::string RoutingRules::*>(&row.member)) {
+    rules->** text = value.text;
   } else {
     const auto* whole = std::get_if<int64_t RoutingRules::*>(&row.member);
     SHOAL_CHECK(whole != nullptr, "the rule is not per vehicle and has a value");
-    rules->** whole = static_cast<int64_t>(value);
+    rules->** whole = static_cast<int64_t>(value.number);
   }
 }
 

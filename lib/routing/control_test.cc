@@ -51,18 +51,19 @@ TEST(ControlTable, AsksForAVehicleWhereTheRuleIsOneVehicles) {
   }
 }
 
-double Get(const ControlRow& row, const RoutingRules& rules, const LinkFactors& factors) {
-  return row.of_vehicle ? GetFactor(row, factors) : GetRule(row, rules);
+ControlValue Get(const ControlRow& row, const RoutingRules& rules, const LinkFactors& factors) {
+  if (row.of_vehicle) return GetFactor(row, factors);
+  return GetRule(row, rules);
 }
 
 TEST(ControlTable, EveryExampleCanBeSetByItsWordAndReadBackAndChangesNothingElse) {
   for (const ControlRow& row : ControlTable()) {
     if (row.type == ControlType::kRequest) continue;
-    const std::optional<double> value = ParseControlValue(row, row.example);
+    const std::optional<ControlValue> value = ParseControlValue(row, row.example);
     ASSERT_TRUE(value) << row.rule;
     RoutingRules rules;
     LinkFactors factors;
-    row.of_vehicle ? SetFactor(row, *value, &factors) : SetRule(row, *value, &rules);
+    row.of_vehicle ? SetFactor(row, value->number, &factors) : SetRule(row, *value, &rules);
     EXPECT_EQ(Get(row, rules, factors), *value) << row.rule;
     EXPECT_EQ(ParseControlValue(row, ControlWord(row, *value)), *value) << row.rule;
     for (const ControlRow& other : ControlTable()) {
@@ -81,7 +82,7 @@ TEST(ControlTable, HoldsEveryDefaultPossible) {
 
 TEST(IsPossible, RefusesWhatIsNoNumberOrInfinite) {
   for (const ControlRow& row : ControlTable()) {
-    if (row.type == ControlType::kRequest) continue;
+    if (row.type == ControlType::kRequest || row.type == ControlType::kText) continue;
     for (const double bad : {kNan, kInfinity, -kInfinity}) {
       EXPECT_FALSE(IsPossible(row, bad)) << row.rule << " " << bad;
     }
@@ -140,6 +141,20 @@ TEST(ControlWords, StandForNumbers) {
   EXPECT_EQ(ParseControlValue(Row("min_rpt_interval"), "-1"), -1);
 }
 
+TEST(ControlWords, StandForTexts) {
+  const ControlRow& row = Row("ignore_group");
+  EXPECT_EQ(ParseControlValue(row, "Ghosts"), std::string("Ghosts"));
+  EXPECT_EQ(ParseControlValue(row, "5"), std::string("5")) << "a group, no number";
+  EXPECT_EQ(ParseControlValue(row, "none"), std::string()) << "no group is ignored";
+  EXPECT_EQ(ParseControlValue(row, ""), std::nullopt);
+  EXPECT_EQ(ParseControlValue(row, "a\nb"), std::nullopt);
+  EXPECT_EQ(ParseControlValue(row, std::string(64, 'g')), std::string(64, 'g'));
+  EXPECT_EQ(ParseControlValue(row, std::string(65, 'g')), std::nullopt);
+  EXPECT_EQ(ControlWord(row, std::string("Ghosts")), "Ghosts");
+  EXPECT_EQ(ControlWord(row, std::string()), "none");
+  EXPECT_EQ(ShownValue(row, {}), "none");
+}
+
 TEST(ControlWords, AreWhatPeopleWrite) {
   EXPECT_EQ(ControlWord(Row("comms_range"), -7), "nolimit");
   EXPECT_EQ(ControlWord(Row("stale_time"), -1), "nolimit");
@@ -153,8 +168,9 @@ TEST(ControlWords, AreWhatPeopleWrite) {
 
 RC_GTEST_PROP(ControlWords, AreReadBackAsTheSameNumber, (double value)) {
   for (const ControlRow& row : ControlTable()) {
-    if (row.type == ControlType::kRequest || !IsPossible(row, value)) continue;
-    const std::optional<double> read = ParseControlValue(row, ControlWord(row, value));
+    if (row.type == ControlType::kRequest || row.type == ControlType::kText) continue;
+    if (!IsPossible(row, value)) continue;
+    const std::optional<ControlValue> read = ParseControlValue(row, ControlWord(row, value));
     RC_ASSERT(read.has_value());
     // All negative numbers mean the same where there is a word for them.
     RC_ASSERT(*read == value || (value < 0 && *read == -1));

@@ -95,6 +95,8 @@ using ReportRules =
                  GroupsRule<&RoutingRules::groups>, DropRule, ReportIntervalRule>;
 using MessageRules = RuleSequence<GroupsRule<&RoutingRules::msg_groups>, StaleReceiverRule,
                                   CommsRangeRule, DropRule>;
+/// Without groups: its message has passed, and a vehicle may have changed its group since.
+using AckRules = RuleSequence<StaleReceiverRule, CommsRangeRule, DropRule>;
 /// All else is for the acoustic network to decide.
 using PacketRules = RuleSequence<CommsRangeRule>;
 
@@ -105,8 +107,9 @@ decltype(auto) WithRulesOf(Kind kind, const Use& use) {
     case Kind::kReport:
       return use(ReportRules());
     case Kind::kMessage:
-    case Kind::kAck:
       return use(MessageRules());
+    case Kind::kAck:
+      return use(AckRules());
     case Kind::kPacket:
       break;
   }

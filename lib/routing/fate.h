@@ -36,7 +36,7 @@ struct Decision {
   OverrideRule override_rule = OverrideRule::kNone;
   double range_m = -1;
   double limit_m = -1;      ///< The range had to be less than this.
-  double age_s = -1;        ///< Since the destination's last report; kStaleSource: the source's.
+  double age_s = -1;        ///< Since the destination's last report.
   double age_limit_s = -1;  ///< The age had to be less than this.
   double wait_s = -1;       ///< kTooSoon: time remaining until it would not be too soon.
   double loss_pct = -1;     ///< It was lost with this probability.

@@ -72,8 +72,8 @@ void MessageRouter::RouteAck(const AckFacts& ack, int64_t utime, std::vector<Dec
   } else {
     audience.names.emplace_back(ack.destination);
   }
-  const std::optional<Decision> refusal =
-      source == nullptr ? Refusal(Cause::kUnknownSource) : RefuseSource(*source, utime);
+  std::optional<Decision> refusal;
+  if (source == nullptr || !source->known) refusal = Refusal(Cause::kUnknownSource);
   DecideAll(sent, refusal, audience, source, utime, decisions, unknown_names);
 }
 
@@ -116,16 +116,8 @@ std::optional<Decision> MessageRouter::RefuseMessage(int64_t length_bytes, Conta
   if (rules_.max_msg_length_bytes > 0 && length_bytes > rules_.max_msg_length_bytes) {
     return Refusal(Cause::kTooLong);
   }
-  return RefuseSource(*source, utime);
-}
-
-std::optional<Decision> MessageRouter::RefuseSource(const Contact& source, int64_t utime) const {
-  if (!source.known) return Refusal(Cause::kUnknownSource);
-  if (!IsStale(rules_, source.received_utime, utime)) return std::nullopt;
-  Decision decision = Refusal(Cause::kStaleSource);
-  decision.age_s = SecondsBetween(source.received_utime, utime);
-  decision.age_limit_s = rules_.stale_time_s;
-  return decision;
+  if (!source->known) return Refusal(Cause::kUnknownSource);
+  return std::nullopt;
 }
 
 void MessageRouter::DecideAll(const Transmission& message, const std::optional<Decision>& refusal,

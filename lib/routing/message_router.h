@@ -52,7 +52,6 @@ class MessageRouter {
   };
   Audience Resolve(const Destinations& named, std::string_view dest_group, const Contact& source);
   std::optional<Decision> RefuseMessage(int64_t length_bytes, Contact* source, int64_t utime);
-  std::optional<Decision> RefuseSource(const Contact& source, int64_t utime) const;
   void DecideAll(const Transmission& message, const std::optional<Decision>& refusal,
                  const Audience& audience, Contact* source, int64_t utime,
                  std::vector<Decision>* decisions, std::vector<std::string>* unknown_names);

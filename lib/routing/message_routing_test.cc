@@ -132,7 +132,7 @@ TEST(MaxMsgLength, IsUnlimitedWhereZero) {
   EXPECT_EQ(decision.length_limit_bytes, -1);
 }
 
-TEST(MessageOrder, IsTooSoonTooLongUnknownOrStaleSourceThenTheDestinations) {
+TEST(MessageOrder, IsTooSoonTooLongUnknownSourceThenTheDestinations) {
   TestFleet fleet;  // The manual's defaults.
   const MessageFacts long_one = {.source = "alpha", .dest_node = "bravo", .length_bytes = 1001};
   EXPECT_EQ(fleet.Message(long_one).at("bravo").cause, Cause::kTooLong) << "before unknown source";
@@ -143,23 +143,28 @@ TEST(MessageOrder, IsTooSoonTooLongUnknownOrStaleSourceThenTheDestinations) {
       << "before unknown destination";
   fleet.Report("alpha", {0, 0, 0});
   fleet.utime = 60 * kSecond_us;
-  const Decision stale = fleet.Message("alpha", "nemo").at("nemo");
-  EXPECT_EQ(stale.cause, Cause::kStaleSource);
-  EXPECT_EQ(stale.age_s, 30);
-  EXPECT_EQ(stale.age_limit_s, 5);
+  EXPECT_EQ(fleet.Message("alpha", "nemo").at("nemo").cause, Cause::kUnknownDestination);
 }
 
-TEST(StaleSource, HoldsFromExactlyTheStaleTimeOn) {
-  for (const int64_t age_us : {4'999'999, 5'000'000}) {
-    TestFleet fleet;
-    fleet.Report("alpha", {0, 0, 0});
+// Section 2.1 of the manual is about the recipient alone: a vehicle whose reporter is quieter than
+// stale_time can send, from where its last report put it, until it is forgotten.
+TEST(StaleSource, SendsMessagesAndAcksUntilItIsForgotten) {
+  TestFleet fleet;
+  fleet.ChangeRules([](RoutingRules* rules) { rules->min_msg_interval_s = -1; });
+  fleet.Report("alpha", {0, 0, 0});
+  for (const int64_t age_us : {4'999'999, 5'000'000, 99'999'999}) {
     fleet.utime = age_us;
     fleet.Report("bravo", {50, 0, 0});
-    EXPECT_EQ(fleet.Message("alpha", "bravo").at("bravo").cause,
-              age_us < 5'000'000 ? Cause::kDelivered : Cause::kStaleSource);
-    EXPECT_EQ(fleet.Ack("alpha", "bravo").cause,
-              age_us < 5'000'000 ? Cause::kDelivered : Cause::kStaleSource);
+    EXPECT_EQ(fleet.Message("alpha", "bravo").at("bravo").cause, Cause::kDelivered) << age_us;
+    EXPECT_EQ(fleet.Ack("alpha", "bravo").cause, Cause::kDelivered) << age_us;
   }
+  fleet.Report("bravo", {150, 0, 0});
+  EXPECT_EQ(fleet.Message("alpha", "bravo").at("bravo").cause, Cause::kOutOfRange);
+  fleet.utime = 100 * kSecond_us;
+  fleet.router.ForgetSilent(fleet.utime, nullptr);
+  fleet.Report("bravo", {50, 0, 0});
+  EXPECT_EQ(fleet.Message("alpha", "bravo").at("bravo").cause, Cause::kUnknownSource);
+  EXPECT_EQ(fleet.Ack("alpha", "bravo").cause, Cause::kUnknownSource);
 }
 
 TEST(MsgGroups, StopMessagesToOtherGroupsBeforeStalenessIsAsked) {
@@ -181,7 +186,7 @@ TEST(MsgGroups, CountVehiclesWithoutGroupAsOne) {
   EXPECT_EQ(fleet.Message("alpha", "bravo").at("bravo").cause, Cause::kDelivered);
 }
 
-TEST(Acks, AskRangeStalenessGroupsAndDropButNoInterval) {
+TEST(Acks, AskRangeStalenessAndDropButNoIntervalAndNoGroups) {
   TestFleet fleet(RoutingRules{});
   ReportAll(&fleet);
   EXPECT_EQ(fleet.Ack("bravo", "alpha").cause, Cause::kDelivered);
@@ -189,14 +194,24 @@ TEST(Acks, AskRangeStalenessGroupsAndDropButNoInterval) {
   EXPECT_EQ(fleet.Ack("bravo", "alpha").number, 2);
   fleet.Report("alpha", {150, 0, 0});
   EXPECT_EQ(fleet.Ack("bravo", "alpha").cause, Cause::kOutOfRange);
-  fleet.Report("alpha", {0, 0, 0}, "red");
-  fleet.ChangeRules([](RoutingRules* rules) { rules->msg_groups = true; });
-  EXPECT_EQ(fleet.Ack("bravo", "alpha").cause, Cause::kOtherGroup);
-  EXPECT_EQ(fleet.Ack("alpha", "bravo").cause, Cause::kOtherGroup);
-  fleet.Report("bravo", {50, 0, 0}, "red");
-  EXPECT_EQ(fleet.Ack("bravo", "alpha").cause, Cause::kDelivered);
+  fleet.utime = 5 * kSecond_us;
+  fleet.Report("bravo", {50, 0, 0});
+  EXPECT_EQ(fleet.Ack("bravo", "alpha").cause, Cause::kStaleReceiver);
+  fleet.Report("alpha", {0, 0, 0});
   fleet.ChangeRules([](RoutingRules* rules) { rules->drop_percentage = 100; });
   EXPECT_EQ(fleet.Ack("bravo", "alpha").cause, Cause::kDropped);
+}
+
+// alpha changes its group between its message and the ack.
+TEST(Acks, PassBetweenThePartiesOfAMessageThatPassed) {
+  TestFleet fleet = MakeFleet();
+  fleet.ChangeRules([](RoutingRules* rules) { rules->msg_groups = true; });
+  fleet.Report("alpha", {0, 0, 0}, "red");
+  fleet.Report("bravo", {50, 0, 0}, "red");
+  EXPECT_EQ(fleet.Message("alpha", "bravo").at("bravo").cause, Cause::kDelivered);
+  fleet.Report("alpha", {0, 0, 0}, "blue");
+  EXPECT_EQ(fleet.Message("alpha", "bravo").at("bravo").cause, Cause::kOtherGroup);
+  EXPECT_EQ(fleet.Ack("bravo", "alpha").cause, Cause::kDelivered);
 }
 
 TEST(Acks, DoNotTouchTheIntervalOfMessages) {

@@ -247,14 +247,8 @@ class Oracle {
     d->wait_s = rules.min_rpt_interval_s - Since(delivered->second);
   }
 
-  void RefuseSource(const OracleVehicle& source, Decision* d) const {
-    if (!source.known) {
-      d->cause = Cause::kUnknownSource;
-    } else if (Stale(source)) {
-      d->cause = Cause::kStaleSource;
-      d->age_s = Since(source.reported);
-      d->age_limit_s = rules.stale_time_s;
-    }
+  static void RefuseSource(const OracleVehicle& source, Decision* d) {
+    if (!source.known) d->cause = Cause::kUnknownSource;
   }
 
   void RefuseMessage(const RandomMessage& message, OracleVehicle* source, Decision* d) const {
@@ -302,7 +296,8 @@ class Oracle {
     d->cause = Cause::kUnknownDestination;
     if (!receiver.known) return;
     d->cause = Cause::kOtherGroup;
-    if (rules.msg_groups && source.group != receiver.group) return;
+    const bool is_message = d->kind == Kind::kMessage;
+    if (is_message && rules.msg_groups && source.group != receiver.group) return;
     d->cause = Cause::kStaleReceiver;
     if (StopsAsStale(receiver, d)) return;
     d->cause = Cause::kOutOfRange;

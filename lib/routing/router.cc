@@ -105,9 +105,10 @@ void Router::RoutePacket(const PacketFacts& packet, int64_t utime,
                          std::vector<Decision>* decisions) {
   Contact* source = IsLegalVehicleName(packet.source) ? contacts_.Find(packet.source) : nullptr;
   const Contact no_contact;
-  const Transmission sent =
+  Transmission sent =
       TransmissionOf(rules_, seed_, Kind::kPacket, ledger_.TakeNumber(Kind::kPacket, source),
                      source == nullptr ? no_contact : *source);
+  sent.has_range_rule = packet.has_range_rule;
   Decision decision = {
       .number = sent.number, .kind = Kind::kPacket, .cause = Cause::kNoDestination};
   if (!packet.is_sound || !IsLegalVehicleName(packet.source)) {

@@ -59,6 +59,7 @@ struct PacketFacts {
   int64_t length_bytes = 0;
   int64_t length_limit_bytes = 0;
   bool is_sound = true;
+  bool has_range_rule = true;  ///< False: comms_range, stealth and earange are not asked.
 };
 
 class Router {
@@ -100,12 +101,12 @@ class Router {
 
   /// Appends the fates of a message: vehicles in order of keys, then names of no vehicle as
   /// written, which are appended to `unknown_names`. Asks in this order: invalid, too soon, too
-  /// long, unknown or stale source, then at each destination. A message that is not too soon
+  /// long, unknown source, then at each destination. A message that is not too soon
   /// restarts the source's interval, unless it is invalid.
   void RouteMessage(const MessageFacts& message, int64_t utime, std::vector<Decision>* decisions,
                     std::vector<std::string>* unknown_names);
 
-  /// Appends the one fate of an ack. Asks: invalid, unknown or stale source, then as a message.
+  /// Appends the one fate of an ack. Asks: invalid, unknown source, then as a message.
   void RouteAck(const AckFacts& ack, int64_t utime, std::vector<Decision>* decisions,
                 std::vector<std::string>* unknown_names);
 

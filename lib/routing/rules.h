@@ -81,9 +81,9 @@ inline constexpr double kSharedReportsInterval_s = 0.1;
 
 enum class RuleType : uint8_t {
   kNumber,
-  kWhole,    ///< A number without fraction.
-  kYesNo,    ///< 1 or 0; people write true or false.
-  kText,     ///< Mission file only.
+  kWhole,  ///< A number without fraction.
+  kYesNo,  ///< 1 or 0; people write true or false.
+  kText,
   kMedium,   ///< One of kMedia; mission file only.
   kRequest,  ///< Takes no value; while the mission runs only.
 };
@@ -108,15 +108,15 @@ struct RuleRow {
   RuleType type = RuleType::kNumber;
   bool of_vehicle = false;  ///< Needs a vehicle; the others refuse one.
   RuleMember member = {};
-  RuleRange in_file = {};          ///< Of a number in a mission file; of a text, its bytes.
-  std::string_view channel = {};   ///< Changes it while the mission runs; empty: nothing does.
-  double min = 0;                  ///< While the mission runs.
-  double max = 0;                  ///< While the mission runs.
-  std::string_view values = {};    ///< "metres, or nolimit": for people.
-  std::string_view example = {};   ///< A value, as people write it; empty where there is none.
-  std::string_view word = {};      ///< Stands for every negative number: "nolimit".
-  std::string_view negative = {};  ///< How the page shows negative numbers: "off".
-  std::string_view zero = {};      ///< How the page shows 0; empty: as a number.
+  RuleRange in_file = {};         ///< Of a number in a mission file; of a text, its bytes.
+  std::string_view channel = {};  ///< Changes it while the mission runs; empty: nothing does.
+  double min = 0;                 ///< While the mission runs.
+  double max = 0;                 ///< While the mission runs; of a text, its bytes.
+  std::string_view values = {};   ///< "metres, or nolimit": for people.
+  std::string_view example = {};  ///< A value, as people write it; empty where there is none.
+  std::string_view word = {};  ///< Stands for every negative number, or the empty text: "nolimit".
+  std::string_view negative = {};         ///< How the page shows negative numbers: "off".
+  std::string_view zero = {};             ///< How the page shows 0; empty: as a number.
   std::optional<double> true_value = {};  ///< A number that `true` stands for; `false`: -1.
   /// Where a mission file leaves it out, it is this many times that other rule.
   double default_factor = 0;
@@ -231,6 +231,11 @@ inline constexpr std::array kRows = {
             .type = kText,
             .member = &RoutingRules::ignore_group,
             .in_file = {0, kLongestText_bytes},
+            .channel = "UNC_IGNORE_GROUP",
+            .max = kLongestText_bytes,
+            .values = "a group, or none",
+            .example = "ghosts",
+            .word = "none",
             .about = "reports of this group are ignored"},
     RuleRow{.rule = "min_rpt_interval",
             .label = "Min Report Int",
@@ -364,7 +369,7 @@ consteval bool IsComplete(const RuleRow& row) {
   if ((row.type == kRequest) == (row.member.index() != 0)) return false;
   // What can be negative has a text for it.
   if (row.in_file.min < 0 && row.negative.empty()) return false;
-  if (!row.word.empty() && row.negative.empty()) return false;
+  if (!row.word.empty() && row.negative.empty() && row.type != kText) return false;
   if (row.channel.empty()) return row.type != kRequest && row.values.empty();
   if (!row.channel.starts_with("UNC_") || row.values.empty()) return false;
   return row.type == kRequest || (row.min < row.max && !row.example.empty());

@@ -29,8 +29,12 @@ std::string Format(const StatusPage& page, std::string_view app, int64_t step) {
   return out + page.text;
 }
 
-std::string Printable(std::string_view text) {
-  std::string shown(text.substr(0, 40));
+std::string Printable(std::string_view text, size_t max_characters) {
+  constexpr std::string_view kCut = "...";
+  std::string shown(text.substr(0, max_characters));
+  if (text.size() > max_characters && max_characters >= kCut.size()) {
+    shown.replace(shown.size() - kCut.size(), kCut.size(), kCut);
+  }
   std::replace_if(
       shown.begin(), shown.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
   return shown;

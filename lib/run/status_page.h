@@ -20,9 +20,12 @@ struct StatusPage {
 /// ("helm_alpha   0/1(1822)"), warnings first, then the text.
 std::string Format(const StatusPage& page, std::string_view app, int64_t step);
 
-/// Returns what a terminal can show of a text from outside: at most 40 characters, '?' for what is
-/// not printable ASCII.
-std::string Printable(std::string_view text);
+/// Returns what a terminal can show of a text from outside: at most `max_characters`, the last of
+/// them "..." where there are more; '?' for what is not printable ASCII.
+std::string Printable(std::string_view text, size_t max_characters = 40);
+
+/// For whole sentences about a text from outside, such as the reason of a refusal.
+inline constexpr size_t kLongestSentence = 400;
 
 /// Keeps an app's warnings (equal ones counted, not repeated) and its most recent events.
 class StatusLog {

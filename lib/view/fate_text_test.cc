@@ -64,8 +64,6 @@ TEST(FateText, StatesTheNumbersThatTheRulesDecidedBy) {
     fate->age_s = 6.04;
     fate->age_limit_s = 5;
   };
-  EXPECT_EQ(TextOf("stale_source", silence),
-            "alpha to bravo: stale source, silent for 6.0 s of 5.0 s");
   EXPECT_EQ(TextOf("stale_receiver", silence),
             "alpha to bravo: stale receiver, silent for 6.0 s of 5.0 s");
   EXPECT_EQ(TextOf("dropped", [](fate_t* fate) { fate->loss_pct = 12.5; }),

@@ -93,11 +93,12 @@ TEST_F(LiveViewTest, FramesShowAllThatIsKnownOfAVehicle) {
       "helm": {"t": 12.3, "state": "DRIVE", "task": "survey", "kind": "waypoints",
                "all_stop": "clear", "waypoint": 1, "laps": 0, "to": [60, -160, 0],
                "distance": 44, "cross_track": -0.3},
-      "desired": {"heading": 90, "speed": 1.5, "depth": 0},
+      "desired": {"heading": 90, "speed": 1.5, "depth": 0}, "modem": null,
       "mode": "DRIVE survey", "outside": false})"));
   EXPECT_EQ(frame["vehicles"][1], json::parse(R"({
       "name": "bravo", "type": "kayak", "color": "yellow", "group": "", "length_m": 3,
-      "nav": null, "report": null, "stale": false, "helm": null, "desired": null, "mode": "",
+      "nav": null, "report": null, "stale": false, "helm": null, "desired": null,
+      "modem": null, "mode": "",
       "outside": false})"));
 }
 
@@ -121,7 +122,7 @@ TEST_F(LiveViewTest, FramesShowRulesPulsesPacketsAndCommands) {
       "comms_range_m": 250, "critical_range_m": 30, "stale_time_s": 5, "drop_percentage": 0,
       "factors": {"alpha": {"stealth": 0.5, "earange": 2}},
       "shown": {"comms_range": "250", "critical_range": "30", "stale_time": "5", "groups": "false",
-                "msg_groups": "false", "min_rpt_interval": "0", "min_msg_interval": "0",
+                "msg_groups": "false", "ignore_group": "none", "min_rpt_interval": "0", "min_msg_interval": "0",
                 "max_msg_length": "nolimit", "drop_percentage": "0",
                 "shared_node_reports": "true (0)", "pulse_duration": "off",
                 "view_node_rpt_pulses": "false"}})json"));

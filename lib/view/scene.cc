@@ -208,7 +208,13 @@ bool Scene::HandleShown(size_t vehicle, size_t row, std::span<const uint8_t> dat
     is_understood = true;
     MoveNow(PlausibleUtime(message->utime));
     Row::Bound(message);
-    std::get<kRow>(vehicles_[vehicle].shown) = *message;
+    size_t place = vehicle;
+    if constexpr (requires { Row::VehicleOf(*message); }) {
+      const int32_t found = names_.Find(Row::VehicleOf(*message));
+      if (found < 0) return;
+      place = static_cast<size_t>(found);
+    }
+    std::get<kRow>(vehicles_[place].shown) = *message;
   });
   return is_understood;
 }

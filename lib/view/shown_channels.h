@@ -14,6 +14,7 @@
 #include "lib/bus/channels.h"
 #include "lib/view/json_writer.h"
 #include "shoal/desired_t.hpp"
+#include "shoal/modem_stats_t.hpp"
 
 namespace shoal {
 
@@ -33,8 +34,35 @@ struct ShownDesired {
   }
 };
 
+/// What the modem of a vehicle from outside has received last, by its client. One channel carries
+/// those of all vehicles: VehicleOf names the message's own.
+struct ShownModem {
+  using Message = modem_stats_t;
+  static constexpr std::string_view kKey = "modem";
+
+  static Channel<Message> ChannelOf(std::string_view /*vehicle*/) { return channels::ModemStats(); }
+  static std::string_view VehicleOf(const Message& stats) { return stats.receiver; }
+  static void Bound(Message* stats) {
+    constexpr size_t kLongestName = 40;
+    if (stats->sender.size() > kLongestName) stats->sender.resize(kLongestName);
+  }
+  static void Write(const Message& stats, JsonWriter* json) {
+    json->BeginObject()
+        .Number("t", static_cast<double>(stats.utime) / 1e6, kMilliseconds)
+        .Text("sender", stats.sender)
+        .Boolean("good", stats.is_good != 0)
+        .Boolean("has_numbers", stats.has_modem != 0)
+        .Integer("rate", stats.rate)
+        .Integer("frames", stats.num_frames)
+        .Integer("bad_frames", stats.num_bad_frames)
+        .Integer("snr", stats.snr_in_db)
+        .Integer("equalizer", stats.mse_equalizer_db)
+        .EndObject();
+  }
+};
+
 /// The rows, in the order in which frames have them.
-using ShownChannels = std::tuple<ShownDesired>;
+using ShownChannels = std::tuple<ShownDesired, ShownModem>;
 
 template <class Rows>
 struct LastMessages;

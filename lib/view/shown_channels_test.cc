@@ -14,13 +14,15 @@
 
 namespace shoal::shown_channels_test {
 
-TEST(ShownChannels, AreChannelsOfAVehicleToWhichTheViewerSubscribes) {
+TEST(ShownChannels, AreChannelsOfAVehicleOrNameOneAndTheViewerSubscribesToThem) {
   ForEachShownChannel([]<class Row, size_t kRow>() {
+    constexpr bool kIsOfAll = requires(const typename Row::Message& m) { Row::VehicleOf(m); };
     const std::string channel = Row::ChannelOf("alpha").name;
     bool is_found = false;
     for (const ChannelRow& row : ChannelTable()) {
-      if (row.home != ChannelHome::kVehicle) continue;
-      if (VehicleOfChannel(channel, row.topic) != "ALPHA") continue;
+      if (kIsOfAll ? row.topic != channel : VehicleOfChannel(channel, row.topic) != "ALPHA")
+        continue;
+      if ((row.home == ChannelHome::kVehicle) == kIsOfAll) continue;
       is_found = true;
       EXPECT_EQ(row.type, Row::Message::getTypeName()) << channel;
       EXPECT_NE(row.subscribers.find("viewer"), std::string_view::npos)
@@ -39,7 +41,9 @@ TEST(ShownChannels, AreNullInAFrameUntilAMessageArrivesAndThenAnObject) {
     const std::string key(Row::kKey);
     ASSERT_TRUE(vehicle().contains(key));
     EXPECT_TRUE(vehicle()[key].is_null()) << key;
-    scene.Handle(Row::ChannelOf("alpha").name, Encoded(typename Row::Message{}));
+    typename Row::Message message{};
+    if constexpr (requires { message.receiver; }) message.receiver = "ALPHA";
+    scene.Handle(Row::ChannelOf("alpha").name, Encoded(message));
     EXPECT_TRUE(vehicle()[key].is_object()) << key;
   });
 }

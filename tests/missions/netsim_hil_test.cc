@@ -43,7 +43,8 @@ double WorstTravelTime_s(const std::string& log, const std::string& from, const 
                              fate.destination == to && fate.cause == "delivered" &&
                              !fate.path.empty();
       if (!is_wanted) continue;
-      const double expected_s = (bravo_m - outsider_m).norm() / 1500;
+      constexpr double kSoundSpeed_mps = 1489.97;  // Mackenzie's, of the default sea.
+      const double expected_s = (bravo_m - outsider_m).norm() / kSoundSpeed_mps;
       worst_s = std::max(worst_s, std::abs(fate.path[0].travel_s - expected_s));
     }
   }

@@ -135,6 +135,40 @@ TEST_F(EchoServer, RefusesMoreThanItMayHave) {
   EXPECT_TRUE(IsAnswered(Connect()));
 }
 
+TEST_F(EchoServer, GivesTheLongestSilentClientsPlaceToAFurtherOne) {
+  Listen({.max_connections = 3, .silence_us = 10 * kSecond_us});
+  TcpClient& active = Connect();
+  TcpClient& never_sent = Connect();
+  TcpClient& sent_once = Connect();
+  EXPECT_TRUE(UntilClients(3));
+  EXPECT_TRUE(IsAnswered(active));
+  EXPECT_TRUE(IsAnswered(sent_once));
+  now_us_ += kSecond_us;
+  TcpClient& fourth = Connect();
+  EXPECT_TRUE(Until([&] {
+    never_sent.Receive();
+    return never_sent.has_ended();
+  })) << "it has sent nothing at all";
+  EXPECT_TRUE(IsAnswered(fourth));
+  now_us_ += 10 * kSecond_us;
+  EXPECT_TRUE(IsAnswered(active));
+  TcpClient& fifth = Connect();
+  EXPECT_TRUE(Until([&] {
+    sent_once.Receive();
+    return sent_once.has_ended();
+  })) << "silent for 11 s, longer than the fourth";
+  EXPECT_TRUE(IsAnswered(fifth));
+  EXPECT_TRUE(IsAnswered(fourth));
+  EXPECT_TRUE(IsAnswered(active));
+  TcpClient& sixth = Connect();
+  EXPECT_TRUE(Until([&] {
+    sixth.Receive();
+    return sixth.has_ended();
+  })) << "no client is silent";
+  EXPECT_EQ(server_->counts().displaced, 2);
+  EXPECT_EQ(server_->counts().refused, 1);
+}
+
 TEST_F(EchoServer, SkipsALineThatIsTooLong) {
   Listen({}, 1000);
   TcpClient& client = Connect();

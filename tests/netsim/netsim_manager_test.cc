@@ -64,8 +64,8 @@ class Manager {
     EXPECT_EQ(app_.Fault(), "");
     Subscribe(test_bus_, channels::NodeReportFromOutside(),
               [this](const node_report_t& report) { reports_.push_back(report); });
-    Subscribe(test_bus_, channels::AcousticTx(),
-              [this](const acoustic_tx_t& packet) { packets_.push_back(packet); });
+    Subscribe(test_bus_, channels::ModemTx(),
+              [this](const modem_tx_t& packet) { packets_.push_back(packet); });
     Subscribe(test_bus_, channels::ModemStats(),
               [this](const modem_stats_t& stats) { stats_.push_back(stats); });
     Step();
@@ -127,7 +127,7 @@ class Manager {
 
   NetsimManagerApp& app() { return app_; }
   std::vector<node_report_t> reports_;
-  std::vector<acoustic_tx_t> packets_;
+  std::vector<modem_tx_t> packets_;
   std::vector<modem_stats_t> stats_;
 
  private:
@@ -174,6 +174,22 @@ TEST(NetsimManager, LetsNoPositionPassThatIsRefused) {
       << manager.app().Status().text;
 }
 
+TEST(NetsimManager, StatesTheWholeReasonOfARefusal) {
+  Mission mission = OutsideMission(NetsimModem::kNone);
+  mission.netsim->environments[0].name = "the water north of Utqiagvik and its lagoons";
+  mission.netsim->vehicles[0].environment = mission.netsim->environments[0].name;
+  mission.netsim->environments[0].depth_max_m = 0.2;
+  Manager manager(mission);
+  TcpClient client(manager.app().port());
+  client.Send(kDocumented);
+  ASSERT_TRUE(manager.Receive(&client, kOutOfRegion.size()));
+  EXPECT_NE(manager.app().Status().text.find(
+                "127.0.0.1: outsider: depth 0.3 is not from 0 to 0.2 (environment 'the water north "
+                "of Utqiagvik and its lagoons')\n"),
+            std::string::npos)
+      << manager.app().Status().text;
+}
+
 TEST(NetsimManager, LetsNoPositionPassFromAnotherAddress) {
   Mission mission = OutsideMission(NetsimModem::kNone);
   mission.netsim->vehicles[0].address = "10.0.0.7";
@@ -201,6 +217,24 @@ TEST(NetsimManager, CarriesRawPayloadsThroughTheWaterBothWays) {
   EXPECT_EQ(modem.received(), std::string("\0\7welcome", 9));
 }
 
+TEST(NetsimManager, DropsWhatARawClientHadSentWhenItGoes) {
+  Manager manager(OutsideMission(NetsimModem::kRaw));
+  {
+    TcpClient first(manager.app().ModemPortOf("outsider"));
+    for (int i = 0; i < 20; ++i) first.Send(std::string("\0\175", 2) + std::string(125, 'a'));
+    ASSERT_TRUE(manager.StepUntil([&] { return !manager.packets_.empty(); }));
+  }
+  const size_t num_sent = manager.packets_.size();
+  EXPECT_LT(num_sent, 20U) << "each takes a second at 1000 bit/s";
+  ASSERT_TRUE(manager.StepUntil(
+      [&] { return manager.app().Status().text.find("no client") != std::string::npos; }));
+  TcpClient second(manager.app().ModemPortOf("outsider"));
+  second.Send(std::string("\0\1b", 3));
+  ASSERT_TRUE(manager.StepUntil(
+      [&] { return !manager.packets_.empty() && manager.packets_.back().num_bytes == 1; }));
+  EXPECT_LE(manager.packets_.size(), num_sent + 2) << "the first client's are gone";
+}
+
 TEST(NetsimManager, HasOneClientForAModem) {
   Manager manager(OutsideMission(NetsimModem::kRaw));
   TcpClient first(manager.app().ModemPortOf("outsider"));
@@ -222,7 +256,9 @@ TEST(NetsimManager, AnswersTheHostOfAMicroModemAndPings) {
   host.Receive();
   EXPECT_NE(host.received().find("$CACFG,SRC,5"), std::string::npos) << host.received();
   EXPECT_NE(host.received().find("$CAMPC,5,9"), std::string::npos) << host.received();
-  EXPECT_EQ(manager.packets_.size(), 1U);
+  ASSERT_EQ(manager.packets_.size(), 1U);
+  EXPECT_EQ(manager.packets_[0].data_rate_bps, 80);
+  EXPECT_EQ(manager.packets_[0].num_bytes, 9) << "not filled up";
 }
 
 TEST(NetsimManager, ReportsTravelTimeAndNoiseOfReceivedPacketsToTheHost) {
