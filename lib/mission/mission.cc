@@ -29,6 +29,13 @@ const Vehicle* Mission::FindVehicle(std::string_view vehicle_name) const {
   return found == vehicles.end() ? nullptr : &*found;
 }
 
+bool Mission::IsReported(const Vehicle& vehicle) const {
+  if (vehicle.reporter != Provider::kNone) return true;
+  return netsim &&
+         std::any_of(netsim->vehicles.begin(), netsim->vehicles.end(),
+                     [&](const NetsimVehicle& each) { return each.name == vehicle.name; });
+}
+
 bool Mission::IsInSwarm(const Vehicle& vehicle) const {
   if (!swarm.exists) return false;
   return vehicle.name == swarm.leader || std::find(swarm.followers.begin(), swarm.followers.end(),
