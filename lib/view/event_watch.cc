@@ -14,6 +14,8 @@ namespace shoal {
 namespace {
 
 constexpr size_t kMaxReason = 200;
+/// What a helm states of an all-stop that came without a reason.
+constexpr std::string_view kByCommand = "all_stop command";
 
 std::vector<double> LengthsOf(const std::vector<WatchedVehicle>& vehicles) {
   std::vector<double> lengths_m;
@@ -68,7 +70,8 @@ void EventWatch::OnHelm(size_t vehicle, int64_t utime, std::string_view state,
   const std::string& name = vehicles_[vehicle].name;
   if (is_stopped) {
     AddEvent(utime, EventKind::kAllStop, {name},
-             fmt::format("{}: all-stop, {}", name, all_stop.substr(0, kMaxReason)));
+             fmt::format("{}: {}", name,
+                         all_stop == kByCommand ? "by command" : all_stop.substr(0, kMaxReason)));
   } else {
     AddEvent(utime, EventKind::kCleared, {name}, fmt::format("{}: all-stop is over", name));
   }
