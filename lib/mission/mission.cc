@@ -29,6 +29,13 @@ const Vehicle* Mission::FindVehicle(std::string_view vehicle_name) const {
   return found == vehicles.end() ? nullptr : &*found;
 }
 
+bool Mission::MayBeSteeredFromOutside() const {
+  const bool has_other_helm =
+      std::any_of(vehicles.begin(), vehicles.end(),
+                  [](const Vehicle& vehicle) { return vehicle.helm != Provider::kShoal; });
+  return has_other_helm || !participants.empty() || netsim.has_value();
+}
+
 bool Mission::IsReported(const Vehicle& vehicle) const {
   if (vehicle.reporter != Provider::kNone) return true;
   return netsim &&

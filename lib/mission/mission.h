@@ -84,6 +84,8 @@ struct Mission {
   /// True for vehicles that others can receive reports of: with a node_reporter, or from outside
   /// over netsim.
   bool IsReported(const Vehicle& vehicle) const;
+  /// True where programs of the user or clients of netsim may deploy vehicles, and move them.
+  bool MayBeSteeredFromOutside() const;
   /// True for the leader and the followers of the swarm.
   bool IsInSwarm(const Vehicle& vehicle) const;
 

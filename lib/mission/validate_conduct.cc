@@ -34,16 +34,8 @@ bool EventsOrder(const Mission& mission, const std::array<std::string_view, kCou
   });
 }
 
-/// Programs of the user and clients of netsim may deploy vehicles, and move them.
-bool HasOutsideParticipants(const Mission& mission) {
-  const bool has_other_helm =
-      std::any_of(mission.vehicles.begin(), mission.vehicles.end(),
-                  [](const Vehicle& vehicle) { return vehicle.helm != Provider::kShoal; });
-  return has_other_helm || !mission.participants.empty() || mission.netsim.has_value();
-}
-
 void WarnWhereNoneMoves(const Mission& mission, const TablePlace& file) {
-  if (HasOutsideParticipants(mission)) return;
+  if (mission.MayBeSteeredFromOutside()) return;
   const auto is_deployed = [](const Vehicle& vehicle) {
     return vehicle.helm_options.deploy_at_start;
   };

@@ -248,7 +248,9 @@ std::vector<std::string> Judge::Warnings() const {
   }
   const double farthest_m =
       travelled_m_.empty() ? 0 : *std::max_element(travelled_m_.begin(), travelled_m_.end());
-  if (has_helm && !was_deployed) {
+  if (mission_.MayBeSteeredFromOutside()) {
+    // What such programs do, and leave, is their business.
+  } else if (has_helm && !was_deployed) {
     warnings.push_back("no vehicle was deployed: every helm stayed in PARK");
   } else if (farthest_m < kMoved_m) {
     warnings.push_back(fmt::format("no vehicle moved: none travelled {:g} m", kMoved_m));

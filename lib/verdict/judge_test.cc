@@ -326,6 +326,9 @@ TEST_F(JudgeTest, WarnsWhereNoVehicleWasDeployed) {
   Meet(&judge, 100, 0);
   judge.TakeHelm(0, {.state = "PARK", .task = ""}, At(0));
   EXPECT_EQ(judge.Warnings(), Warnings{"no vehicle was deployed: every helm stayed in PARK"});
+  mission_.participants = {{.name = "planner", .command = {}}};
+  EXPECT_EQ(judge.Warnings(), Warnings{}) << "a program of the user may leave them where they are";
+  mission_.participants.clear();
   judge.TakeHelm(0, {.state = "DRIVE", .task = "way"}, At(1));
   judge.TakeHelm(0, {.state = "PARK", .task = ""}, At(2));
   EXPECT_EQ(judge.Warnings(), Warnings{"no vehicle moved: none travelled 1 m"});
