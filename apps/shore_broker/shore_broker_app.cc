@@ -25,9 +25,8 @@ std::string LegalOrEmpty(const std::string& name) { return IsLegalVehicleName(na
 
 /// True for a transmission that goes over the acoustic network, as far as the rules let it.
 bool IsAcoustic(const std::vector<Decision>& decisions) {
-  return std::any_of(decisions.begin(), decisions.end(), [](const Decision& decision) {
-    return decision.cause == Cause::kInTransit;
-  });
+  return std::any_of(decisions.begin(), decisions.end(),
+                     [](const Decision& decision) { return decision.cause == Cause::kInTransit; });
 }
 
 }  // namespace
