@@ -177,8 +177,12 @@ function(shoal_test name)
   set_target_properties(${name} PROPERTIES
     RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests
     UNITY_BUILD_BATCH_SIZE ${SHOAL_TEST_BATCH})
+  if(NOT TARGET property_seed)
+    add_library(property_seed OBJECT ${CMAKE_SOURCE_DIR}/tests/property_seed.cc)
+    target_link_libraries(property_seed PRIVATE shoal_flags)
+  endif()
   target_link_libraries(${name} PRIVATE ${ARG_DEPENDS} shoal_flags GTest::gtest_main
-    rapidcheck rapidcheck_gtest)
+    rapidcheck rapidcheck_gtest property_seed)
   target_compile_definitions(${name} PRIVATE
     SHOAL_SOURCE_DIR="${CMAKE_SOURCE_DIR}" SHOAL_BINARY_DIR="${CMAKE_BINARY_DIR}")
   target_compile_options(${name} PRIVATE ${SHOAL_TEST_OPTIONS})

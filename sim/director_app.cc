@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <string_view>
 
 #include "lib/bus/control_message.h"
@@ -196,11 +195,7 @@ std::string DirectorApp::Summary(bool complete) const {
   return Summarize(mission_, judge_, complete);
 }
 
-bool DirectorApp::Passed() const {
-  const std::vector<ExpectationVerdict> verdicts = judge_.Verdicts();
-  return std::all_of(verdicts.begin(), verdicts.end(),
-                     [](const ExpectationVerdict& verdict) { return verdict.passed; });
-}
+bool DirectorApp::Passed() const { return judge_.Passed(); }
 
 StatusPage DirectorApp::Status() const {
   StatusPage page;

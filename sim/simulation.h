@@ -62,7 +62,8 @@ class Simulation {
   int64_t utime() const;
   const Mission& mission() const;
 
-  /// Returns true where every expectation of the mission would be met, should it end now.
+  /// Returns true where the mission would pass, should it end now: every expectation met, and no
+  /// collision that [mission] collisions does not allow.
   bool Passed() const;
   /// Returns the mission's last page, should it end now; its last line is PASS or FAIL, or
   /// INCOMPLETE where the mission is not `complete`.

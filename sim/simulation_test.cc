@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -152,6 +153,32 @@ TEST(Simulation, WritesTheSameLogWhereTheEmbedderOnlySubscribes) {
   EXPECT_GT(num_received, 0);
   EXPECT_FALSE(ContentOf(alone).empty());
   EXPECT_TRUE(ContentOf(alone) == ContentOf(watched));
+}
+
+TEST(Simulation, FailsByACollisionAndItsHelmsStateIt) {
+  std::string text = "[environment]\ncontact = \"stop\"\n" + std::string(kTwoVessels);
+  text.resize(text.find("[[expect]]"));
+  text.replace(text.find("= 30"), 4, "= 90");
+  text += R"(helm_options = { deploy_at_start = true }
+[[vehicle.task]]
+name = "come"
+kind = "waypoints"
+points = [[0, 0]]
+speed_mps = 2
+)";
+  Simulation simulation(Load(text), "");
+  std::map<std::string, std::string> helms;
+  for (const char* name : {"alpha", "bravo"}) {
+    Subscribe(simulation.bus(), channels::HelmState(name), [&](const helm_state_t& helm) {
+      helms[helm.vehicle] = helm.state + ": " + helm.all_stop;
+    });
+  }
+  while (simulation.Step()) {
+  }
+  EXPECT_EQ(helms["alpha"], "ALL-STOP: collision with bravo");
+  EXPECT_EQ(helms["bravo"], "ALL-STOP: collision with alpha");
+  EXPECT_FALSE(simulation.Passed());
+  EXPECT_TRUE(simulation.Summary().ends_with("\nFAIL: 1 collision\n")) << simulation.Summary();
 }
 
 TEST(EveryMission, OfShoalsOwnPasses) {

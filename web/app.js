@@ -3,7 +3,7 @@
 
 import {tidyEvents, tidySetup} from './answers.js';
 import {setCauses} from './causes.js';
-import {vehicleColor} from './colors.js';
+import {setVehicles, vehicleColor} from './colors.js';
 import {Commands} from './commands.js';
 import {setText} from './dom.js';
 import {fillHelp} from './help.js';
@@ -57,6 +57,7 @@ class Page {
   begin(setup) {
     this.setup = setup;
     setCauses(setup.causes);
+    setVehicles(setup.vehicles);
     this.isRecorded = setup.mode === 'recorded';
     const listener = {
       onFrame: (frame) => this.#takeFrame(frame),
@@ -191,6 +192,7 @@ class Page {
     }
     this.setup = setup;
     setCauses(setup.causes);
+    setVehicles(setup.vehicles);
     this.frame = null;
     this.numEvents = null;
     this.openLink(null, null);
@@ -262,7 +264,9 @@ class Page {
     this.map.setMark(this.commands.mark);
     this.map.draw(now_ms);
     if (this.frame) {
-      this.top.frame(this.frame.t, this.frame.clock, this.isRecorded ? this.source : null);
+      // Recorded, the time line moves on while a frame is asked for: one time for both clocks.
+      const t = this.isRecorded ? this.source.t : this.frame.t;
+      this.top.frame(t, this.frame.clock, this.isRecorded ? this.source : null);
       if (now_ms - this.panels_ms > kPanelEvery_ms) {
         this.panels_ms = now_ms;
         if (this.tabs.current === 'vehicle') this.panels.vehicle.frame(this.frame);

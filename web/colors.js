@@ -84,14 +84,72 @@ function hashOf(name) {
   return hash;
 }
 
+// A colour that more vehicles than this ask for, such as the default, distinguishes none of them.
+const kMostSharing = 3;
+// Squared distance in RGB, each 0 to 1, below which two colours are taken for one.
+const kAlike = 0.13;
+const kGoldenRatio = 0.61803398874989485;
+
+/** Returns 0xrrggbb no. `index` of a row in which neighbours differ: the palette, then other hues. */
+function rowColor(index) {
+  if (index < kVehicleColors.length) return parseColor(palette[kVehicleColors[index]]);
+  const hue = 6 * ((kGoldenRatio * index) % 1);
+  const value = [0.95, 0.75, 0.6][index % 3];
+  const part = (offset) => {
+    const k = (offset + hue) % 6;
+    return Math.round(255 * value * (1 - 0.75 * Math.max(0, Math.min(k, 4 - k, 1))));
+  };
+  return (part(5) << 16) | (part(3) << 8) | part(1);
+}
+
+function areAlike(a, b) {
+  const [one, other] = [partsOf(a), partsOf(b)];
+  return one.reduce((sum, part, i) => sum + (part - other[i]) ** 2, 0) < kAlike;
+}
+
+/**
+ * Chooses colours as `shoal plot` does: one that up to three vehicles ask for is theirs; those that
+ * more ask for, and unknown ones, are replaced by colours that differ.
+ * @param vehicles  [{name, color}] @returns Map of name to 0xrrggbb, of those that are replaced
+ */
+export function chosenColors(vehicles) {
+  const sharing = new Map();
+  for (const {color} of vehicles) {
+    const own = parseColor(color);
+    if (own !== null) sharing.set(own, (sharing.get(own) ?? 0) + 1);
+  }
+  const taken = [...sharing].filter(([, count]) => count <= kMostSharing).map(([rgb]) => rgb);
+  const chosen = new Map();
+  let next = 0;
+  for (const {name, color} of vehicles) {
+    if ((sharing.get(parseColor(color)) ?? Infinity) <= kMostSharing) continue;
+    while (next < kVehicleColors.length && taken.some((rgb) => areAlike(rgb, rowColor(next)))) {
+      ++next;
+    }
+    chosen.set(name, rowColor(next++));
+  }
+  return chosen;
+}
+
+let chosenOfMission = new Map();
+
+/** Sets the vehicles of the mission, among which colours are chosen. */
+export function setVehicles(vehicles) {
+  chosenOfMission = chosenColors(Array.isArray(vehicles) ? vehicles : []);
+  cache.clear();
+}
+
 function paletteColor(key, onLight) {
   return cached(`p ${key} ${onLight}`, () => readable(parseColor(palette[key]), onLight));
 }
 
-/** Returns #rrggbb: the vehicle's own colour made readable, or one of the palette by its name. */
+/**
+ * Returns #rrggbb: the colour chosen for a vehicle of the mission, or its own, made readable; for
+ * others without a colour one of the palette by the name.
+ */
 export function vehicleColor(name, color, onLight = isLightTheme()) {
   return cached(`v ${name} ${color} ${onLight}`, () => {
-    const own = parseColor(color);
+    const own = chosenOfMission.get(name) ?? parseColor(color);
     if (own !== null) return readable(own, onLight);
     const key = kVehicleColors[hashOf(String(name ?? '').slice(0, 64)) % kVehicleColors.length];
     return readable(parseColor(palette[key]), onLight);

@@ -35,6 +35,7 @@ function measure(page) {
 function escape(page) {
   const help = document.getElementById('help');
   if (help.open) help.close();
+  else if (page.top.layers.open) page.top.closeLayers();
   else if (page.commands?.aimed) page.commands.aim(null);
   else if (page.map.measuring) measure(page);
   else if (page.link && page.tabs.current === 'comms') page.openLink(null, null);

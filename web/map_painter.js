@@ -9,6 +9,7 @@ import {drawTrailEnds, drawTrails} from './draw_trails.js';
 import {drawReported, drawVehicles} from './draw_vehicles.js';
 import {isNumber} from './geometry.js';
 import {MapLayer, Motion} from './map_layer.js';
+import {acousticKinds} from './world.js';
 
 // The picture of the trails is drawn anew so often, for their fading.
 const kTrails_ms = 3000;
@@ -105,7 +106,9 @@ export class MapPainter {
 
   // Few pulses fade smoothly; many are a picture that is drawn anew some times in a second.
   #paintPulses(ctx, view, t, nowMs) {
-    const pulses = this.#world.pulses(t);
+    // Rings show the same, and how it travels.
+    const asRings = view.layers.rings ? acousticKinds(this.#world.rules) : [];
+    const pulses = this.#world.pulses(t).filter(({kind}) => !asRings.includes(kind));
     if (pulses.length <= kFewPulses) {
       drawPulses(ctx, view.camera, view.theme, pulses);
       return;

@@ -14,7 +14,7 @@ import {MapPainter} from './map_painter.js';
 import {placesToFit} from './map_places.js';
 
 const kLayers = {
-  trails: true, reported: true, tasks: true, ranges: false, pulses: true, rings: false,
+  trails: true, reported: true, tasks: true, ranges: false, pulses: true, rings: true,
   contours: true, area: true, grid: true, names: true,
 };
 const kHit = 16;

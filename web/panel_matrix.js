@@ -3,9 +3,22 @@
 import {element, setAttribute, setText} from './dom.js';
 import {age, ratio} from './text.js';
 
-const kCompactFrom = 9;  // From this many vehicles on a cell has room for one sign,
-const kSmallFrom = 18;   // a small one in a narrow panel,
-const kTinyFrom = 31;    // or in any.
+const kNames_px = 110;     // For the column of names.
+const kFull_px = 70;       // A cell with room for ratio and age; a smaller one has one sign.
+const kLeastCell_px = 14;
+const kMostCell_px = 36;
+const kGap_px = 1;
+const kNarrow_px = 388;    // The panel's width where it is not known yet.
+
+/**
+ * How large the cells of `count` vehicles are that are seen at once in `width_px`.
+ * @returns {compact, cell_px}  compact: one sign and no numbers
+ */
+export function cellSize(width_px, count) {
+  const each_px = ((width_px > 0 ? width_px : kNarrow_px) - kNames_px) / Math.max(1, count);
+  const cell_px = Math.floor(Math.min(kMostCell_px, Math.max(kLeastCell_px, each_px - kGap_px)));
+  return {compact: count > 3 && each_px < kFull_px, cell_px};
+}
 
 /** What one cell shows. `link` is of /api/links, or null where no fate is known. */
 export function cellWords(link, t) {
@@ -33,8 +46,10 @@ export class LinkMatrix {
     this.onLink = onLink;
     this.table = element('table', {id: 'matrix', class: 'matrix'});
     this.count = element('p', {class: 'dim'});
-    parent.append(this.count, element('div', {class: 'matrix-scroll', tabindex: '0',
-      'aria-label': 'Link matrix'}, this.table));
+    this.scroll = element('div', {class: 'matrix-scroll', tabindex: '0',
+      'aria-label': 'Link matrix'}, this.table);
+    parent.append(this.count, this.scroll);
+    new ResizeObserver(() => this.#fit()).observe(this.scroll);
     this.cells = new Map();
     this.shownNames = '';
   }
@@ -45,6 +60,7 @@ export class LinkMatrix {
     const joined = names.join('\n');
     if (joined !== this.shownNames) this.#build(names);
     this.shownNames = joined;
+    this.links = links;
     const byKey = new Map((links.links ?? []).map((link) => [`${link.from}>${link.to}`, link]));
     let receiving = 0;
     for (const [key, cell] of this.cells) {
@@ -66,14 +82,25 @@ export class LinkMatrix {
     this.chosen = key;
   }
 
+  /** Makes the cells as large as the panel's new width permits. */
+  #fit() {
+    if (!this.links || !(this.scroll.clientWidth > 0)) return;
+    const {compact, cell_px} = cellSize(this.scroll.clientWidth, this.links.names?.length ?? 0);
+    this.table.style.setProperty('--cell', `${cell_px}px`);
+    if (compact === this.compact) return;
+    const {chosen} = this;
+    this.shownNames = null;
+    const [from, to] = chosen?.split('>') ?? [];
+    this.update(this.links, chosen ? {from, to} : null);
+  }
+
   #build(names) {
     this.cells.clear();
     this.chosen = null;
-    const compact = names.length >= kCompactFrom;
+    const {compact, cell_px} = cellSize(this.scroll.clientWidth, names.length);
     this.compact = compact;
     this.table.classList.toggle('compact', compact);
-    this.table.classList.toggle('small', names.length >= kSmallFrom);
-    this.table.classList.toggle('tiny', names.length >= kTinyFrom);
+    this.table.style.setProperty('--cell', `${cell_px}px`);
     const head = element('tr', {}, element('th', {class: 'corner'}, compact ? '' : 'from ↓ to →'),
       names.map((name) => element('th', {scope: 'col', title: name}, element('span', {}, name))));
     const rows = names.map((from) => element('tr', {},

@@ -12,6 +12,7 @@ const kWindows_s = [60, 120, 600, 3600];
 /** Why a vehicle does not move, in words; "" where nothing holds it. */
 export function allStopWords(helm) {
   if (!helm || typeof helm.all_stop !== 'string') return '';
+  if (helm.all_stop === 'all_stop command') return 'by command';
   return helm.all_stop === 'clear' || helm.all_stop === '' ? '' : helm.all_stop;
 }
 
@@ -46,6 +47,7 @@ export const shortMode = (vehicle) => modeOf(vehicle).replace(/^DRIVE[ :](?=.)/,
 export class VehiclePanel {
   constructor(page, root) {
     this.page = page;
+    this.root = root;
     const body = element('tbody');
     this.list = new KeyedList(body, (name) => this.#row(name));
     this.facts = element('dl', {class: 'facts'});
@@ -84,6 +86,7 @@ export class VehiclePanel {
     this.hint.hidden = Boolean(name);
     this.swarm.clear();
     this.factList.clear();
+    this.root.classList.toggle('chosen', Boolean(name));
     setText(this.title, name ?? '');
     setText(this.alarm, '');
     for (const [key, row] of this.list.rows) {
@@ -116,7 +119,7 @@ export class VehiclePanel {
     const cells = Array.from({length: 4}, () => element('td'));
     const mark = element('b', {class: 'mark'});
     const choose = element('button', {type: 'button', 'data-vehicle': name,
-      onclick: () => this.page.select(name)}, swatch, name, ' ', mark);
+      onclick: () => this.page.select(name)}, swatch, element('span', {}, name), ' ', mark);
     const selected = String(name === this.page.selected);
     const root = element('tr', {'aria-selected': selected},
       element('th', {scope: 'row'}, choose), cells);
@@ -128,7 +131,7 @@ export class VehiclePanel {
         swatch.style.background = this.page.color(vehicle);
         const alarms = alarmsOf(vehicle);
         setText(mark, alarms.map(({sign}) => sign).join(''));
-        setAttribute(choose, 'title', alarms.map(({text}) => text).join('; ') || null);
+        setAttribute(choose, 'title', [name, ...alarms.map(({text}) => text)].join('; '));
         setAttribute(root, 'data-grave', alarms.some(({grave}) => grave) ? 'true' : null);
         setAttribute(root, 'data-stale', vehicle.stale ? 'true' : null);
         setText(mode, clip(shortMode(vehicle), 40) || '–');

@@ -94,6 +94,12 @@ export class TopBar {
     this.length_s = this.recorded ? setup.end_s : setup.duration_s;
   }
 
+  /** Closes the menu of layers; its button has the focus then. */
+  closeLayers() {
+    this.layers.open = false;
+    this.layers.querySelector('summary').focus();
+  }
+
   showLayers(layers) {
     for (const [name, box] of this.boxes) box.checked = Boolean(layers[name]);
   }

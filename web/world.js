@@ -33,6 +33,15 @@ export function pulseOpacity(pulse, t) {
   return clamp(finite(pulse.fill, 0.35), 0, 1) * (1 - age / duration);
 }
 
+/**
+ * Returns the kinds of transmissions that go over the acoustic network by `rules` of a frame: their
+ * packets are seen as rings.
+ */
+export function acousticKinds(rules) {
+  return [...(rules?.reports_over === 'acoustic' ? ['report'] : []),
+    ...(rules?.messages_over === 'acoustic' ? ['message', 'ack'] : [])];
+}
+
 /** The entry of a frame between two others; `a` may be missing. */
 function blend(shown, a, b, fraction, span_s) {
   Object.assign(shown, b);

@@ -14,23 +14,25 @@ namespace shoal {
 
 namespace {
 
+enum class Argument { kNone, kTask, kReason };
+
 struct Grammar {
   std::string_view word;
   size_t num_values;
-  bool takes_task;
+  Argument argument;
 };
 
 // In the order of OrderKind.
 constexpr std::array<Grammar, kNumOrderKinds> kGrammar = {{
-    {"deploy", 0, false},
-    {"return", 0, false},
-    {"station_keep", 0, false},
-    {"all_stop", 0, false},
-    {"resume", 0, false},
-    {"park", 0, false},
-    {"goto", 2, false},
-    {"speed", 1, false},
-    {"task", 0, true},
+    {"deploy", 0, Argument::kNone},
+    {"return", 0, Argument::kNone},
+    {"station_keep", 0, Argument::kNone},
+    {"all_stop", 0, Argument::kReason},
+    {"resume", 0, Argument::kNone},
+    {"park", 0, Argument::kNone},
+    {"goto", 2, Argument::kNone},
+    {"speed", 1, Argument::kNone},
+    {"task", 0, Argument::kTask},
 }};
 
 }  // namespace
@@ -46,10 +48,15 @@ Result<HelmOrder> ReadOrder(std::string_view command, std::string_view argument,
     return Error{
         fmt::format("{} takes {} values and not {}", command, grammar->num_values, values.size())};
   }
-  if (argument.empty() == grammar->takes_task) {
-    return Error{fmt::format(
-        "{} {}", command,
-        grammar->takes_task ? "needs the name of a task as its argument" : "takes no argument")};
+  if (grammar->argument == Argument::kTask && argument.empty()) {
+    return Error{fmt::format("{} needs the name of a task as its argument", command)};
+  }
+  if (grammar->argument == Argument::kNone && !argument.empty()) {
+    return Error{fmt::format("{} takes no argument", command)};
+  }
+  if (grammar->argument == Argument::kReason && argument.size() > kMaxReasonLength) {
+    return Error{fmt::format("the reason of {} has {} characters; {} are the most", command,
+                             argument.size(), kMaxReasonLength)};
   }
   HelmOrder order{.kind = static_cast<OrderKind>(grammar - kGrammar.begin())};
   if (order.kind == OrderKind::kGoto) {
@@ -64,7 +71,8 @@ Result<HelmOrder> ReadOrder(std::string_view command, std::string_view argument,
       return Error{"speed needs a number of m/s greater than zero"};
     }
   }
-  if (grammar->takes_task) order.task = argument;
+  if (grammar->argument == Argument::kTask) order.task = argument;
+  if (grammar->argument == Argument::kReason) order.reason = Printable(argument);
   return order;
 }
 

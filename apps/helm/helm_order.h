@@ -28,10 +28,14 @@ struct HelmOrder {
   Eigen::Vector2d point_m = Eigen::Vector2d::Zero();  ///< Of kGoto.
   double speed_mps = 0;                               ///< Of kSpeed; > 0.
   std::string task = {};                              ///< Of kTask.
+  std::string reason = {};                            ///< Of kAllStop; empty: none was given.
 };
 
 /// A quarter of the Earth's circumference; larger coordinates are refused.
 inline constexpr double kMaxCoordinate_m = 1e7;
+
+/// No longer reason of an all-stop is accepted.
+inline constexpr size_t kMaxReasonLength = 100;
 
 /// Reads an order; the error states what is wrong with it.
 Result<HelmOrder> ReadOrder(std::string_view command, std::string_view argument,

@@ -38,6 +38,8 @@ TEST(ReadOrder, StatesWhatIsWrong) {
   EXPECT_EQ(ErrorOf("goto", "", {1}), "goto takes 2 values and not 1");
   EXPECT_EQ(ErrorOf("deploy", "", {1}), "deploy takes 0 values and not 1");
   EXPECT_EQ(ErrorOf("deploy", "now", {}), "deploy takes no argument");
+  EXPECT_EQ(ErrorOf("all_stop", std::string(101, 'x'), {}),
+            "the reason of all_stop has 101 characters; 100 are the most");
   EXPECT_EQ(ErrorOf("task", "", {}), "task needs the name of a task as its argument");
 }
 

@@ -37,7 +37,7 @@ HelmMode HelmStates::mode() const {
 }
 
 std::string_view HelmStates::all_stop() const {
-  if (stopped_by_command_) return "all_stop command";
+  if (stopped_by_command_) return stop_reason_;
   if (parked_) return was_deployed_ ? "parked" : "never deployed";
   return nav_is_lost_ ? std::string_view(lost_nav_reason_) : "clear";
 }
@@ -51,6 +51,7 @@ std::string HelmStates::Execute(const HelmOrder& order) {
   switch (order.kind) {
     case OrderKind::kAllStop:
       stopped_by_command_ = true;
+      stop_reason_ = order.reason.empty() ? "all_stop command" : order.reason;
       return {};
     case OrderKind::kResume:
       if (!stopped_by_command_) return "resume: there is no all-stop by command";

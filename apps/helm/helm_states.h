@@ -50,7 +50,7 @@ class HelmStates {
 
   HelmMode mode() const;
   /// Returns "clear", or why the vessel does not move: "never deployed", "parked", "all_stop
-  /// command", "no NAV for 2.0 s".
+  /// command" or the reason that came with it, "no NAV for 2.0 s".
   std::string_view all_stop() const;
   /// Returns the task that runs or, in ALL-STOP, will go on; nullptr: none.
   const Task* task() const;
@@ -81,6 +81,7 @@ class HelmStates {
   bool parked_;
   bool was_deployed_ = false;
   bool stopped_by_command_ = false;
+  std::string stop_reason_;
   bool nav_is_lost_ = false;
   size_t list_index_ = 0;
   std::optional<Errand> listed_;        ///< The task of the list; absent: not begun, or ended.

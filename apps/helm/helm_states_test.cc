@@ -52,6 +52,15 @@ TEST_F(HelmStatesTest, GoesOnWithTheListWhereItWasParked) {
   EXPECT_EQ(helm_.guidance()->waypoint_index, 1);
 }
 
+TEST_F(HelmStatesTest, StatesTheReasonThatCameWithAnAllStop) {
+  EXPECT_EQ(helm_.Execute({.kind = OrderKind::kAllStop, .reason = "collision with bravo"}), "");
+  EXPECT_EQ(helm_.mode(), HelmMode::kAllStop);
+  EXPECT_EQ(helm_.all_stop(), "collision with bravo");
+  EXPECT_EQ(helm_.Execute(Order(OrderKind::kResume)), "");
+  EXPECT_EQ(helm_.Execute(Order(OrderKind::kAllStop)), "");
+  EXPECT_EQ(helm_.all_stop(), "all_stop command");
+}
+
 TEST_F(HelmStatesTest, StandsStillAfterAllStopUntilResume) {
   EXPECT_EQ(helm_.Execute(Order(OrderKind::kDeploy)), "");
   helm_.Advance(At(0, 0), false);

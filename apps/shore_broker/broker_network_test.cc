@@ -67,6 +67,13 @@ class UnusableNetwork : public AcousticFixture {
   UnusableNetwork() : AcousticFixture(TooManyForTheBand()) {}
 };
 
+TEST_F(UnusableNetwork, IsNotReportedWhereNothingIsSentOverIt) {
+  Begin();
+  Send(ReportFrom("alpha", 0));
+  Step();
+  EXPECT_EQ(broker_.Status().run_warnings, std::vector<std::string>());
+}
+
 TEST_F(UnusableNetwork, IsReportedWhenAVehicleSends) {
   Begin();
   SendPacket("alpha", {1});

@@ -23,6 +23,12 @@ constexpr double kMaxWarp = 100;
 
 std::string LegalOrEmpty(const std::string& name) { return IsLegalVehicleName(name) ? name : ""; }
 
+/// True for a transmission that goes over the acoustic network, as far as the rules let it.
+bool IsAcoustic(const std::vector<Decision>& decisions) {
+  return std::any_of(decisions.begin(), decisions.end(),
+                     [](const Decision& decision) { return decision.cause == Cause::kInTransit; });
+}
+
 }  // namespace
 
 ShoreBrokerApp::ShoreBrokerApp(BrokerSetup setup, Bus& bus)
@@ -73,9 +79,6 @@ void ShoreBrokerApp::Tick(int64_t utime) {
 void ShoreBrokerApp::Begin(int64_t utime) {
   began_ = true;
   start_utime_ = utime;
-  if (!traffic_.problem().empty()) {
-    log_.Warn("no vehicle can send over the acoustic network; [acoustics] " + traffic_.problem());
-  }
   rules_changed_ = true;
   holds_ = utime > setup_.start_utime;
   if (!holds_) return;
@@ -306,6 +309,9 @@ Eigen::Vector3d ShoreBrokerApp::PositionOfSource() const {
 }
 
 void ShoreBrokerApp::Conclude(int64_t utime, DecidedTransmission sent) {
+  if (!traffic_.problem().empty() && IsAcoustic(decisions_)) {
+    log_.Warn("no vehicle can send over the acoustic network; [acoustics] " + traffic_.problem());
+  }
   sent.decisions = decisions_;
   sent.unknown_names = unknown_names_;
   delivery_.Conclude(utime, sent);

@@ -42,6 +42,8 @@ class Sims {
     Bus& test_bus = *(test_bus_ = &hub_.Join("test"));
     Subscribe(test_bus, channels::Nav("alpha"), [this](const nav_t& nav) { nav_ = nav; });
     Subscribe(test_bus, channels::Nav("bravo"), [this](const nav_t& nav) { other_nav_ = nav; });
+    Subscribe(test_bus, channels::HelmCommand("alpha"),
+              [this](const helm_command_t& command) { helm_commands_.push_back(command); });
     Subscribe(test_bus, channels::MeasuredNav("alpha"),
               [this](const nav_t& nav) { measured_.push_back(nav); });
     Subscribe(test_bus, channels::Sonar("alpha"),
@@ -73,6 +75,7 @@ class Sims {
 
   nav_t nav_{};
   nav_t other_nav_{};
+  std::vector<helm_command_t> helm_commands_;
   std::vector<nav_t> measured_;
   std::vector<sonar_t> pings_;
   std::vector<water_sample_t> samples_;
@@ -209,6 +212,9 @@ TEST(Contact, StopsBothVehiclesForGoodWhereTheMissionDemandsIt) {
   EXPECT_EQ(sims.nav_.x_m, sims.other_nav_.x_m - 1.5) << "both stopped in the same step";
   EXPECT_EQ(sims.nav_.speed_over_ground_mps, 0);
   EXPECT_NE(sims.alpha().Status().text.find("ran into bravo"), std::string::npos);
+  ASSERT_EQ(sims.helm_commands_.size(), 1U) << "the helm is stopped once";
+  EXPECT_EQ(sims.helm_commands_[0].command, "all_stop");
+  EXPECT_EQ(sims.helm_commands_[0].argument, "collision with bravo");
 
   sims.Command("alpha", "reset", {-100, 0, 90, 0, 60});
   sims.Run(20);
@@ -223,6 +229,7 @@ TEST(Contact, IsIgnoredByDefault) {
   Sims sims(mission);
   sims.Run(21);
   EXPECT_NEAR(sims.nav_.x_m, 1, 0.05);
+  EXPECT_TRUE(sims.helm_commands_.empty());
 }
 
 }  // namespace shoal::instruments_app_test

@@ -157,6 +157,11 @@ void VehicleSimApp::WatchContact(int64_t utime) {
   const std::string text = "ran into " + touched_by_ + ": it moves no more";
   log_.Warn(text);
   log_.Event(utime, text);
+  helm_command_t stop{};
+  stop.utime = utime;
+  stop.command = "all_stop";
+  stop.argument = "collision with " + touched_by_;
+  Publish(bus_, channels::HelmCommand(vehicle_.name), stop);
 }
 
 void VehicleSimApp::Integrate(int64_t until_utime) {

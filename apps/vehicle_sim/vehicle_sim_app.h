@@ -1,6 +1,7 @@
 // Simulates one vehicle. Subscribes to ACTUATORS_<V> and SIM_COMMAND_<V>, publishes NAV_<V> in
 // every step, and what its instruments measure: MEASURED_NAV_<V>, SONAR_<V>, WATER_SAMPLE_<V>.
-// Where it has a sonar or can run into others it also subscribes to their NAV.
+// Where it has a sonar or can run into others it also subscribes to their NAV; where it has run
+// into one it publishes HELM_COMMAND_<V>, an all-stop with that reason.
 //
 // Actuators are held until the next message; after kActuatorTimeout_us without one they go to zero.
 // Step 0 shows the start pose; every later step integrates the time since the last.
@@ -42,7 +43,7 @@ class VehicleSimApp : public App {
   /// Returns current and sea floor at the position of the vehicle.
   Water WaterAt(int64_t utime) const;
   void WatchActuators(int64_t utime);
-  /// Stops for good where another vehicle touches it and the mission demands it.
+  /// Stops for good, its helm too, where another vehicle touches it and the mission demands it.
   void WatchContact(int64_t utime);
   void PublishNav(int64_t utime);
   void PublishInstruments(const nav_t& nav);

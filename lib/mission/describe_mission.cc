@@ -54,6 +54,10 @@ void DescribeRun(Fields& fields, Mission& mission) {
       {"continue", OnLoss::kContinue},
       {"restart", OnLoss::kRestart},
   }};
+  constexpr std::array<std::pair<std::string_view, CollisionVerdict>, 2> kCollisions = {{
+      {"fail", CollisionVerdict::kFail},
+      {"allowed", CollisionVerdict::kAllowed},
+  }};
   fields.Text("name", mission.name, {.min_length = 1, .max_length = 200});
   fields.Text("description", mission.description, {.max_length = 10'000, .many_lines = true});
   auto seed = static_cast<int64_t>(mission.seed);
@@ -73,6 +77,7 @@ void DescribeRun(Fields& fields, Mission& mission) {
     fields.Refuse("op_area",
                   "op_area needs three corners or more, like [[0, 0], [400, 0], [400, -300]]");
   }
+  fields.Choice("collisions", mission.collisions, kCollisions);
   fields.Choice("on_loss", mission.on_loss, kOnLoss);
   fields.Number("participant_timeout_s", mission.participant_timeout_s, Between(0.1, 3600));
   fields.Choice("shore_broker", mission.broker, kProviders);

@@ -226,7 +226,7 @@ std::vector<std::string> WarningsOverAcoustics(const std::string& acoustics) {
           acoustics,
       "m.toml");
   EXPECT_TRUE(loaded.errors.empty()) << loaded.errors.front();
-  return loaded.warnings;
+  return WarningsBesideConduct(loaded);
 }
 
 TEST(LoadWarnings, ReportReportsThatOverlapInTransit) {

@@ -14,7 +14,7 @@ std::string WarningsAfter(std::string_view more) {
   const LoadedMission loaded =
       LoadMissionText(std::string(kShortest) + std::string(more), "m.toml", {});
   EXPECT_EQ(loaded.errors, std::vector<std::string>{});
-  for (const std::string& warning : loaded.warnings) all += warning + "\n";
+  for (const std::string& warning : WarningsBesideConduct(loaded)) all += warning + "\n";
   return all;
 }
 

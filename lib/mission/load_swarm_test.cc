@@ -132,7 +132,7 @@ TEST(LoadSwarm, WarnsOfSlotsThatComeTooLate) {
     const LoadedMission loaded = LoadMissionText(
         std::string(kThree) + "[swarm]\nleader = \"alpha\"\n" + std::string(keys), "m.toml");
     EXPECT_EQ(loaded.errors, std::vector<std::string>());
-    return loaded.warnings;
+    return WarningsBesideConduct(loaded);
   };
   EXPECT_TRUE(warnings("").empty());
   EXPECT_EQ(warnings("offset_s = 100\n"),

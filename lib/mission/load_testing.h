@@ -32,4 +32,16 @@ inline std::string ErrorsAfter(std::string_view more,
   return ErrorsOf(std::string(kShortest) + std::string(more), overrides);
 }
 
+/// Returns the warnings of `loaded` without those of WarnOfConduct, which are due to tests'
+/// missions being as short as they can be: no vehicle is deployed, all start at one place.
+inline std::vector<std::string> WarningsBesideConduct(const LoadedMission& loaded) {
+  std::vector<std::string> warnings;
+  for (const std::string& warning : loaded.warnings) {
+    const bool is_of_conduct = warning.find("no vehicle is ever deployed") != std::string::npos ||
+                               warning.find(": a collision") != std::string::npos;
+    if (!is_of_conduct) warnings.push_back(warning);
+  }
+  return warnings;
+}
+
 }  // namespace shoal

@@ -29,6 +29,20 @@ const Vehicle* Mission::FindVehicle(std::string_view vehicle_name) const {
   return found == vehicles.end() ? nullptr : &*found;
 }
 
+bool Mission::MayBeSteeredFromOutside() const {
+  const bool has_other_helm =
+      std::any_of(vehicles.begin(), vehicles.end(),
+                  [](const Vehicle& vehicle) { return vehicle.helm != Provider::kShoal; });
+  return has_other_helm || !participants.empty() || netsim.has_value();
+}
+
+bool Mission::IsReported(const Vehicle& vehicle) const {
+  if (vehicle.reporter != Provider::kNone) return true;
+  return netsim &&
+         std::any_of(netsim->vehicles.begin(), netsim->vehicles.end(),
+                     [&](const NetsimVehicle& each) { return each.name == vehicle.name; });
+}
+
 bool Mission::IsInSwarm(const Vehicle& vehicle) const {
   if (!swarm.exists) return false;
   return vehicle.name == swarm.leader || std::find(swarm.followers.begin(), swarm.followers.end(),

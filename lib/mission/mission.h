@@ -47,6 +47,9 @@ struct Participant {
 /// What happens when a participant dies or hangs.
 enum class OnLoss { kEnd, kContinue, kRestart };
 
+/// What two vehicles that touch make of the mission's verdict.
+enum class CollisionVerdict { kFail, kAllowed };
+
 struct Mission {
   std::string file;  ///< As given on the command line.
   std::string name;  ///< Default: the file's stem.
@@ -59,6 +62,7 @@ struct Mission {
   double origin_lon_deg = -70.330400;
   std::vector<Eigen::Vector2d> op_area_m;  ///< Corners of the area of operations, for viewers.
   OnLoss on_loss = OnLoss::kEnd;
+  CollisionVerdict collisions = CollisionVerdict::kFail;
   double participant_timeout_s = 5;    ///< Of wall time.
   Provider broker = Provider::kShoal;  ///< `shore_broker = ...`
   Environment environment;
@@ -77,6 +81,11 @@ struct Mission {
   int64_t UtimeOf(int64_t step) const { return start_utime + step * tick_us; }
   /// Returns the vehicle of this name, without regard to case, or nullptr.
   const Vehicle* FindVehicle(std::string_view vehicle_name) const;
+  /// True for vehicles that others can receive reports of: with a node_reporter, or from outside
+  /// over netsim.
+  bool IsReported(const Vehicle& vehicle) const;
+  /// True where programs of the user or clients of netsim may deploy vehicles, and move them.
+  bool MayBeSteeredFromOutside() const;
   /// True for the leader and the followers of the swarm.
   bool IsInSwarm(const Vehicle& vehicle) const;
 

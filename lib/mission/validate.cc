@@ -51,6 +51,7 @@ void Validate(Mission& mission, const TablePlace& file) {
   ValidateEvents(mission, file);
   WarnOfIdleTasks(mission, file);
   ValidateExpectations(mission, file);
+  WarnOfConduct(mission, file);
   std::stable_sort(mission.events.begin(), mission.events.end(),
                    [](const Event& a, const Event& b) { return a.at_s < b.at_s; });
 }

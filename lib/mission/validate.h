@@ -51,6 +51,9 @@ void ValidateUnderwater(const Mission& mission, const TablePlace& file);
 void ValidateEvents(const Mission& mission, const TablePlace& file);
 /// Warns of tasks behind one that never ends, where no event starts them.
 void WarnOfIdleTasks(const Mission& mission, const TablePlace& file);
+/// Warns of missions in which nothing happens that could be judged, and of vehicles that start in
+/// contact.
+void WarnOfConduct(const Mission& mission, const TablePlace& file);
 void ValidateExpectations(const Mission& mission, const TablePlace& file);
 
 /// Refuses the name under `key` where no vehicle of `mission` has it; else writes it as the

@@ -25,7 +25,7 @@ std::vector<std::string> Warnings(const std::vector<std::string>& vehicles,
   }
   const LoadedMission loaded = LoadMissionText(text, "m.toml");
   EXPECT_EQ(loaded.errors, std::vector<std::string>{});
-  return loaded.warnings;
+  return WarningsBesideConduct(loaded);
 }
 
 TEST(LoadWarnings, ReportReportsThatAreSentAllAtOnce) {

@@ -96,6 +96,21 @@ struct CheckExpectation {
     }
   }
 
+  /// Warns of vehicles that are there before they have left.
+  void operator()(const ArrivalExpectation& arrival) const {
+    if (arrival.stays) return;
+    for (const Vehicle* vehicle : VehiclesNamed(mission, arrival.vehicle)) {
+      const Eigen::Vector2d start_m(vehicle->start.x_m, vehicle->start.y_m);
+      const Eigen::Vector2d point_m = arrival.point_m.value_or(vehicle->return_task.point_m);
+      const double range_m = (start_m - point_m).norm();
+      if (vehicle->sim != Provider::kShoal || range_m > arrival.within_m) continue;
+      place.Warn("", fmt::format("{} starts {:.1f} m from the point, so this is met before it has "
+                                 "left: write stays = true, or another point",
+                                 vehicle->name, range_m));
+      return;
+    }
+  }
+
   void operator()(const HelmExpectation& helm) const {
     CheckTask(place, helm.vehicle, helm.task, mission, kOwnTasks);
   }

@@ -22,7 +22,8 @@ class Director : public App {
   /// Returns the mission's last page, should it end now; its last line is PASS or FAIL, or
   /// INCOMPLETE where the mission is not `complete`.
   virtual std::string Summary(bool complete) const = 0;
-  /// Returns true where every expectation would be met, should the mission end now.
+  /// Returns true where the mission would pass, should it end now: every expectation met, and no
+  /// collision that [mission] collisions does not allow.
   virtual bool Passed() const = 0;
 };
 

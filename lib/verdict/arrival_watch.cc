@@ -7,7 +7,9 @@
 namespace shoal {
 
 void ArrivalWatch::Look(const Eigen::Vector2d& position_m, double time_s) {
+  const bool is_first = std::isinf(distance_m_);
   distance_m_ = (position_m - goal_.point_m).norm();
+  if (is_first) was_there_first_ = distance_m_ <= goal_.within_m;
   if (distance_m_ < closest_m_) {
     closest_m_ = distance_m_;
     closest_s_ = time_s;

@@ -25,11 +25,15 @@ class ArrivalWatch {
   /// Takes note of where the vehicle is. @pre times do not go back
   void Look(const Eigen::Vector2d& position_m, double time_s);
 
+  /// Returns true where the vehicle was there when it was first seen, and this alone counts.
+  [[nodiscard]] bool is_met_from_start() const { return was_there_first_ && !goal_.stays; }
+
   /// Returns the verdict, should the mission end now.
   [[nodiscard]] Outcome Find() const;
 
  private:
   ArrivalGoal goal_;
+  bool was_there_first_ = false;
   std::optional<double> first_there_s_;
   std::optional<double> there_since_s_;  ///< Absent while it is elsewhere.
   double distance_m_ = std::numeric_limits<double>::infinity();

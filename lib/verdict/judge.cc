@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <span>
 #include <string_view>
 
 #include "lib/routing/vehicle_name.h"
@@ -16,6 +17,9 @@ namespace shoal {
 namespace {
 
 constexpr size_t kMaxFailuresShown = 5;
+constexpr size_t kMaxNamesShown = 5;
+/// Vehicles that travelled less have not moved: a helm that keeps station or is in PARK.
+constexpr double kMoved_m = 1;
 /// A quarter of the Earth's circumference: positions farther away are invalid.
 constexpr double kFarthest_m = 1e7;
 
@@ -23,6 +27,20 @@ std::vector<std::string> NamesOf(const Mission& mission) {
   std::vector<std::string> names;
   for (const Vehicle& vehicle : mission.vehicles) names.push_back(vehicle.name);
   return names;
+}
+
+std::vector<double> LengthsOf(const Mission& mission) {
+  std::vector<double> lengths_m;
+  for (const Vehicle& vehicle : mission.vehicles) lengths_m.push_back(vehicle.length_m);
+  return lengths_m;
+}
+
+/// Returns "alpha", "alpha, bravo", or the first ones "and 12 more".
+std::string Listed(const std::vector<std::string>& names) {
+  const size_t num_shown = std::min(names.size(), kMaxNamesShown);
+  std::string text = fmt::format("{}", fmt::join(std::span(names).first(num_shown), ", "));
+  if (num_shown < names.size()) text += fmt::format(" and {} more", names.size() - num_shown);
+  return text;
 }
 
 /// Judges by the share (at_least_pct, at_most_pct) that `count` has in all that was offered.
@@ -68,7 +86,10 @@ Judge::Judge(const Mission& mission)
       travelled_m_(mission.vehicles.size()),
       helms_(mission.vehicles.size()),
       fates_(kNumKinds, FateCounts(NamesOf(mission))),
-      swarm_counts_(NamesOf(mission)) {
+      swarm_counts_(NamesOf(mission)),
+      has_left_park_(mission.vehicles.size()),
+      positions_m_(mission.vehicles.size(), Eigen::Vector3d::Zero()),
+      collision_watch_(LengthsOf(mission)) {
   for (const Expectation& expectation : mission.expectations) {
     Case& each = cases_.emplace_back();
     each.expectation = &expectation;
@@ -101,11 +122,14 @@ bool Judge::TakeNav(size_t vehicle, const Eigen::Vector3d& position_m, double al
   Sighting& sighting = sightings_[vehicle];
   if (sighting.seen) travelled_m_[vehicle] += (position_m - sighting.position_m).norm();
   sighting = {.seen = true, .position_m = position_m};
+  positions_m_[vehicle] = position_m;
+  moved_now_.push_back(static_cast<uint32_t>(vehicle));
   return true;
 }
 
 void Judge::TakeHelm(size_t vehicle, const HelmFacts& helm, int64_t utime) {
   helms_[vehicle] = helm;
+  if (helm.state != "PARK") has_left_park_[vehicle] = true;
   for (Case& each : cases_) {
     const auto* expected = std::get_if<LapsExpectation>(&each.expectation->what);
     if (expected == nullptr || expected->task != helm.task) continue;
@@ -136,7 +160,18 @@ void Judge::TakeSwarm(size_t vehicle, const std::string& sender, const SwarmShar
   last = shares;
 }
 
+void Judge::WatchCollisions(double time_s) {
+  std::sort(moved_now_.begin(), moved_now_.end());
+  moved_now_.erase(std::unique(moved_now_.begin(), moved_now_.end()), moved_now_.end());
+  for (const Collision& collision : collision_watch_.Look(moved_now_, positions_m_)) {
+    ++num_collisions_;
+    if (collisions_.size() < kMaxCollisions) collisions_.push_back({collision, time_s});
+  }
+  moved_now_.clear();
+}
+
 void Judge::EndStep(int64_t utime) {
+  WatchCollisions(SecondsSinceStart(utime));
   if (watches_separation_) separation_.Look(sightings_, utime);
   for (Case& each : cases_) {
     WatchExtremes(&each, SecondsSinceStart(utime));
@@ -194,6 +229,69 @@ std::vector<ExpectationVerdict> Judge::Verdicts() const {
                         .numbers = outcome.numbers});
   }
   return verdicts;
+}
+
+bool Judge::Passed() const {
+  if (num_collisions_ > 0 && mission_.collisions == CollisionVerdict::kFail) return false;
+  const std::vector<ExpectationVerdict> verdicts = Verdicts();
+  return std::all_of(verdicts.begin(), verdicts.end(),
+                     [](const ExpectationVerdict& verdict) { return verdict.passed; });
+}
+
+std::vector<std::string> Judge::Warnings() const {
+  std::vector<std::string> warnings;
+  bool has_helm = false;
+  bool was_deployed = false;
+  for (size_t i = 0; i < helms_.size(); ++i) {
+    has_helm |= helms_[i].has_value();
+    was_deployed |= has_left_park_[i];
+  }
+  const double farthest_m =
+      travelled_m_.empty() ? 0 : *std::max_element(travelled_m_.begin(), travelled_m_.end());
+  if (mission_.MayBeSteeredFromOutside()) {
+    // What such programs do, and leave, is their business.
+  } else if (has_helm && !was_deployed) {
+    warnings.push_back("no vehicle was deployed: every helm stayed in PARK");
+  } else if (farthest_m < kMoved_m) {
+    warnings.push_back(fmt::format("no vehicle moved: none travelled {:g} m", kMoved_m));
+  }
+  if (const std::string names = VehiclesWithoutReports(); !names.empty()) {
+    warnings.push_back("received no report of another vehicle: " + names);
+  }
+  for (const Case& each : cases_) {
+    std::vector<std::string> names;
+    for (size_t i = 0; i < each.arrivals.size(); ++i) {
+      if (each.arrivals[i].is_met_from_start()) {
+        names.push_back(mission_.vehicles[each.vehicles[i]].name);
+      }
+    }
+    if (names.empty()) continue;
+    warnings.push_back(fmt::format(
+        "an arrival was met before the vehicle had left, by {}: stays = true, or another "
+        "point, tests more [{}]",
+        Listed(names), each.expectation->where));
+  }
+  return warnings;
+}
+
+/// Returns the names of vehicles to which none of the others' reports was delivered, where others
+/// have a node_reporter and there is a broker.
+std::string Judge::VehiclesWithoutReports() const {
+  if (mission_.broker == Provider::kNone) return {};
+  size_t num_reporters = 0;
+  for (const Vehicle& vehicle : mission_.vehicles) {
+    if (mission_.IsReported(vehicle)) ++num_reporters;
+  }
+  std::vector<std::string> names;
+  for (size_t i = 0; i < mission_.vehicles.size(); ++i) {
+    const Vehicle& vehicle = mission_.vehicles[i];
+    if (num_reporters < (mission_.IsReported(vehicle) ? 2U : 1U)) continue;
+    const int place = static_cast<int>(i);
+    if (fates(Kind::kReport).Count(FateCounts::kAll, place, "delivered") == 0) {
+      names.push_back(vehicle.name);
+    }
+  }
+  return names.empty() ? std::string() : Listed(names);
 }
 
 Outcome Judge::FindSeparation(const SeparationExpectation& separation) const {

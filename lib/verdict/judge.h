@@ -20,6 +20,7 @@
 #include <vector>
 
 #include "lib/mission/mission.h"
+#include "lib/vehicle/collision_watch.h"
 #include "lib/verdict/arrival_watch.h"
 #include "lib/verdict/extreme_watch.h"
 #include "lib/verdict/fate_counts.h"
@@ -51,8 +52,16 @@ struct SwarmShares {
   int64_t rejected = 0;
 };
 
+/// Two vehicles that touched, and when.
+struct CollisionFact {
+  Collision collision;  ///< Vehicles by their places in the mission.
+  double time_s = 0;    ///< Mission time since the start.
+};
+
 class Judge {
  public:
+  static constexpr size_t kMaxCollisions = 1000;  ///< More are counted and not kept.
+
   /// `mission` must outlive this.
   explicit Judge(const Mission& mission);
 
@@ -73,6 +82,17 @@ class Judge {
 
   /// Returns one verdict per expectation, in the mission's order, should the mission end now.
   [[nodiscard]] std::vector<ExpectationVerdict> Verdicts() const;
+
+  /// Returns the collisions so far: InContact, once per encounter (lib/vehicle/collision_watch.h).
+  /// Positions are compared where both came in the same step.
+  const std::vector<CollisionFact>& collisions() const { return collisions_; }
+  int64_t num_collisions() const { return num_collisions_; }
+  /// Returns true where every expectation would be met, should the mission end now, and no vehicles
+  /// have collided, unless [mission] collisions = "allowed".
+  [[nodiscard]] bool Passed() const;
+  /// Returns why the verdict may mean little: no vehicle deployed, none that moved, vehicles that
+  /// received no report, expectations met from the start. One sentence each.
+  [[nodiscard]] std::vector<std::string> Warnings() const;
 
   const Sighting& sighting(size_t vehicle) const { return sightings_[vehicle]; }
   /// Returns how far the vehicle went, from one position taken to the next.
@@ -102,6 +122,8 @@ class Judge {
   Outcome FindSeparation(const SeparationExpectation& separation) const;
   Outcome FindComms(const CommsExpectation& comms) const;
   Outcome FindHelm(const HelmExpectation& helm, size_t vehicle) const;
+  void WatchCollisions(double time_s);
+  std::string VehiclesWithoutReports() const;
   void WatchExtremes(Case* each, double time_s) const;
   Outcome FindLaps(const LapsExpectation& expected, const LapsWatch& watch) const;
   std::vector<Outcome> FindForVehicles(const Case& each) const;
@@ -115,6 +137,12 @@ class Judge {
   std::vector<FateCounts> fates_;                                     ///< By kind.
   FateCounts swarm_counts_;                                           ///< By outcome.
   std::map<std::pair<size_t, std::string>, SwarmShares> swarm_last_;  ///< By member and sender.
+  std::vector<bool> has_left_park_;
+  std::vector<Eigen::Vector3d> positions_m_;  ///< As sightings_ has them.
+  std::vector<uint32_t> moved_now_;           ///< Vehicles whose position came in this step.
+  CollisionWatch collision_watch_;
+  std::vector<CollisionFact> collisions_;
+  int64_t num_collisions_ = 0;
   SeparationWatch separation_;
   bool watches_separation_ = false;
   std::vector<Case> cases_;

@@ -276,4 +276,101 @@ TEST_F(JudgeTest, ListsOnlySomeOfManyFailures) {
   EXPECT_NE(Only().numbers.find("; and 15 more"), std::string::npos);
 }
 
+/// Two vehicles `distance_m` apart in a step at `time_s`.
+void Meet(Judge* judge, double distance_m, double time_s) {
+  judge->TakeNav(0, {0, 0, 0});
+  judge->TakeNav(1, {distance_m, 0, 0});
+  judge->EndStep(At(time_s));
+}
+
+TEST_F(JudgeTest, FailsAMissionWithACollisionUnlessItAllowsThem) {
+  Judge& judge = For(SeparationExpectation{.min_m = 1});
+  Meet(&judge, 3, 1);
+  EXPECT_TRUE(judge.Passed()) << "the mean of their lengths is not nearer than itself";
+  Meet(&judge, 2.9, 2);
+  Meet(&judge, 2.8, 3);
+  ASSERT_EQ(judge.num_collisions(), 1);
+  EXPECT_EQ(judge.collisions().at(0).time_s, 2);
+  EXPECT_DOUBLE_EQ(judge.collisions().at(0).collision.range_m, 2.9);
+  EXPECT_FALSE(judge.Passed());
+  mission_.collisions = CollisionVerdict::kAllowed;
+  EXPECT_TRUE(judge.Passed());
+}
+
+TEST_F(JudgeTest, ComparesPositionsOfOneStepOnly) {
+  Judge& judge = For(SeparationExpectation{.min_m = 1});
+  judge.TakeNav(0, {0, 0, 0});
+  judge.EndStep(At(1));
+  judge.TakeNav(1, {1, 0, 0});
+  judge.EndStep(At(2));
+  EXPECT_EQ(judge.num_collisions(), 0);
+}
+
+TEST_F(JudgeTest, CountsMoreCollisionsThanItKeeps) {
+  Judge& judge = For(SeparationExpectation{.min_m = 0});
+  const int64_t most = Judge::kMaxCollisions;
+  for (int64_t i = 0; i < most + 1; ++i) {
+    Meet(&judge, 1, static_cast<double>(i));
+    Meet(&judge, 100, static_cast<double>(i));
+  }
+  EXPECT_EQ(judge.num_collisions(), most + 1);
+  EXPECT_EQ(judge.collisions().size(), Judge::kMaxCollisions);
+}
+
+using Warnings = std::vector<std::string>;
+
+TEST_F(JudgeTest, WarnsWhereNoVehicleWasDeployed) {
+  Judge& judge = For(CommsExpectation{});
+  judge.fates(Kind::kReport).Add("alpha", "bravo", "delivered");
+  judge.fates(Kind::kReport).Add("bravo", "alpha", "delivered");
+  Meet(&judge, 100, 0);
+  judge.TakeHelm(0, {.state = "PARK", .task = ""}, At(0));
+  EXPECT_EQ(judge.Warnings(), Warnings{"no vehicle was deployed: every helm stayed in PARK"});
+  mission_.participants = {{.name = "planner", .command = {}}};
+  EXPECT_EQ(judge.Warnings(), Warnings{}) << "a program of the user may leave them where they are";
+  mission_.participants.clear();
+  judge.TakeHelm(0, {.state = "DRIVE", .task = "way"}, At(1));
+  judge.TakeHelm(0, {.state = "PARK", .task = ""}, At(2));
+  EXPECT_EQ(judge.Warnings(), Warnings{"no vehicle moved: none travelled 1 m"});
+  Meet(&judge, 101, 3);
+  EXPECT_EQ(judge.Warnings(), Warnings{});
+}
+
+TEST_F(JudgeTest, WarnsOfVehiclesThatReceivedNoReport) {
+  Judge& judge = For(CommsExpectation{});
+  Meet(&judge, 100, 0);
+  Meet(&judge, 200, 1);
+  judge.fates(Kind::kReport).Add("alpha", "bravo", "delivered");
+  judge.fates(Kind::kReport).Add("bravo", "alpha", "out_of_range");
+  EXPECT_EQ(judge.Warnings(), Warnings{"received no report of another vehicle: alpha"});
+  mission_.vehicles[1].reporter = Provider::kNone;
+  EXPECT_EQ(judge.Warnings(), Warnings{}) << "there is none that it could receive";
+  mission_.vehicles[1].reporter = Provider::kShoal;
+  mission_.broker = Provider::kNone;
+  EXPECT_EQ(judge.Warnings(), Warnings{});
+}
+
+TEST_F(JudgeTest, WarnsOfAnArrivalThatWasMetFromTheStart) {
+  const auto warnings_of = [this](const std::string& vehicle, double first_m, bool stays = false) {
+    ArrivalExpectation arrival;
+    arrival.vehicle = vehicle;
+    arrival.stays = stays;
+    Judge& judge = For(arrival);
+    for (const auto& [from, to] : {std::pair("alpha", "bravo"), std::pair("bravo", "alpha")}) {
+      judge.fates(Kind::kReport).Add(from, to, "delivered");
+    }
+    Meet(&judge, first_m, 0);
+    Meet(&judge, 500, 1);
+    Meet(&judge, 100, 2);
+    EXPECT_TRUE(judge.Passed());
+    return judge.Warnings();
+  };
+  EXPECT_EQ(
+      warnings_of("all", 81),
+      Warnings{"an arrival was met before the vehicle had left, by alpha, Bravo: stays = true, "
+               "or another point, tests more [berta.toml:88]"});
+  EXPECT_EQ(warnings_of("Bravo", 79), Warnings{});
+  EXPECT_EQ(warnings_of("Bravo", 100, true), Warnings{});
+}
+
 }  // namespace shoal::judge_test

@@ -12,6 +12,7 @@ namespace {
 
 constexpr size_t kMaxVehicleRows = 60;
 constexpr size_t kMaxMatrixVehicles = 10;  ///< A wider matrix fits no terminal.
+constexpr size_t kMaxCollisionRows = 20;
 constexpr int kAll = FateCounts::kAll;
 
 std::string DeliveredOfOffered(const FateCounts& fates, int source, int destination) {
@@ -90,6 +91,37 @@ std::string LinkTable(const Mission& mission, const FateCounts& fates, std::stri
   return text + "\n";
 }
 
+std::string CollisionList(const Mission& mission, const Judge& judge) {
+  std::string text = fmt::format(
+      "\nCollisions: {}\n", mission.collisions == CollisionVerdict::kAllowed
+                                ? "allowed by [mission] collisions"
+                                : "the mission fails, unless [mission] collisions = \"allowed\"");
+  const size_t num_rows = std::min(judge.collisions().size(), kMaxCollisionRows);
+  for (size_t i = 0; i < num_rows; ++i) {
+    const auto& [collision, time_s] = judge.collisions()[i];
+    text +=
+        fmt::format("    {} and {} at {:.1f} s: {:.2f} m, less than {:.2f} m\n",
+                    mission.vehicles[collision.first].name, mission.vehicles[collision.second].name,
+                    time_s, collision.range_m, collision.allowed_m);
+  }
+  const int64_t num_more = judge.num_collisions() - static_cast<int64_t>(num_rows);
+  if (num_more > 0) text += fmt::format("    (and {} more)\n", num_more);
+  return text;
+}
+
+/// Returns "2 of 3 expectations missed, 1 collision": why the mission failed; empty: it did not.
+std::string Failures(const Mission& mission, const Judge& judge, int num_missed,
+                     size_t num_expectations) {
+  std::string text;
+  if (num_missed > 0)
+    text = fmt::format("{} of {} expectations missed", num_missed, num_expectations);
+  if (judge.num_collisions() > 0 && mission.collisions == CollisionVerdict::kFail) {
+    text += fmt::format("{}{} collision{}", text.empty() ? "" : ", ", judge.num_collisions(),
+                        judge.num_collisions() == 1 ? "" : "s");
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string Summarize(const Mission& mission, const Judge& judge, bool complete) {
@@ -101,6 +133,7 @@ std::string Summarize(const Mission& mission, const Judge& judge, bool complete)
     const FateCounts& fates = judge.fates(kind);
     if (fates.CountOffered(kAll, kAll) > 0) text += "\n" + LinkTable(mission, fates, title);
   }
+  if (judge.num_collisions() > 0) text += CollisionList(mission, judge);
   const std::vector<ExpectationVerdict> verdicts = judge.Verdicts();
   if (!verdicts.empty()) text += "\nExpectations\n";
   int num_failed = 0;
@@ -110,10 +143,11 @@ std::string Summarize(const Mission& mission, const Judge& judge, bool complete)
     if (!verdict.passed) ++num_failed;
   }
   if (!complete) return text + "\nINCOMPLETE: the mission did not run to its end\n";
-  text += num_failed == 0
-              ? "\nPASS\n"
-              : fmt::format("\nFAIL: {} of {} expectations missed\n", num_failed, verdicts.size());
-  return text;
+  const std::vector<std::string> warnings = judge.Warnings();
+  if (!warnings.empty()) text += "\nWarnings\n";
+  for (const std::string& warning : warnings) text += fmt::format("    {}\n", warning);
+  const std::string failures = Failures(mission, judge, num_failed, verdicts.size());
+  return text + (failures.empty() ? "\nPASS\n" : fmt::format("\nFAIL: {}\n", failures));
 }
 
 }  // namespace shoal

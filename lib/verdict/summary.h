@@ -8,8 +8,9 @@
 
 namespace shoal {
 
-/// Returns the summary; its last line is "PASS", "FAIL" with how many expectations were missed, or
-/// "INCOMPLETE" for a mission that did not run to its end.
+/// Returns the summary; its last line is "PASS", "FAIL" with how many expectations were missed and
+/// how many vehicles collided, or "INCOMPLETE" for a mission that did not run to its end.
+/// Collisions are always shown; Judge::Warnings where the mission is complete.
 [[nodiscard]] std::string Summarize(const Mission& mission, const Judge& judge,
                                     bool complete = true);
 

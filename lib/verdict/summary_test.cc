@@ -46,6 +46,10 @@ TEST(Summarize, ShowsVehiclesLinksAndVerdicts) {
       "Expectations\n"
       "    pass at least 1 reports delivered from all to bravo: 1 [a.toml:5]\n"
       "\n"
+      "Warnings\n"
+      "    no vehicle moved: none travelled 1 m\n"
+      "    received no report of another vehicle: alpha\n"
+      "\n"
       "PASS\n");
 }
 
@@ -85,6 +89,37 @@ TEST(Summarize, EndsWithFailWhereAnExpectationWasMissed) {
   EXPECT_NE(summary.find("FAIL at least 2 reports delivered from all to all: 1, 1 too few"),
             std::string::npos);
   EXPECT_TRUE(summary.ends_with("\nFAIL: 1 of 2 expectations missed\n"));
+}
+
+TEST(Summarize, ShowsCollisionsAndFailsByThemWhereTheyAreNotAllowed) {
+  Mission mission = TwoVehicles();
+  Judge judge(mission);
+  judge.TakeNav(0, {0, 0, 0});
+  judge.TakeNav(1, {2.5, 0, 0});
+  judge.EndStep(75'900'000);
+  const std::string row = "    alpha and bravo at 75.9 s: 2.50 m, less than 3.00 m\n";
+  EXPECT_NE(
+      Summarize(mission, judge)
+          .find("\nCollisions: the mission fails, unless [mission] collisions = \"allowed\"\n" +
+                row),
+      std::string::npos);
+  EXPECT_TRUE(Summarize(mission, judge).ends_with("\nFAIL: 1 collision\n"));
+  EXPECT_NE(Summarize(mission, judge, false).find(row), std::string::npos);
+
+  mission.expectations = {
+      {.where = "a.toml:5", .what = CommsExpectation{.at_least = 2, .at_most = {}}}};
+  Judge strict(mission);
+  strict.TakeNav(0, {0, 0, 0});
+  strict.TakeNav(1, {2.5, 0, 0});
+  strict.EndStep(0);
+  EXPECT_TRUE(
+      Summarize(mission, strict).ends_with("\nFAIL: 1 of 1 expectations missed, 1 collision\n"));
+
+  mission.expectations.clear();
+  mission.collisions = CollisionVerdict::kAllowed;
+  EXPECT_NE(Summarize(mission, judge).find("\nCollisions: allowed by [mission] collisions\n" + row),
+            std::string::npos);
+  EXPECT_TRUE(Summarize(mission, judge).ends_with("\nPASS\n"));
 }
 
 TEST(Summarize, ListsSentAndReceivedWhereAMatrixWouldBeTooWide) {

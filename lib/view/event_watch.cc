@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "lib/mission/mission.h"
-#include "lib/vehicle/contact.h"
 #include "lib/view/view_limits.h"
 
 namespace shoal {
@@ -15,8 +14,14 @@ namespace shoal {
 namespace {
 
 constexpr size_t kMaxReason = 200;
-/// An encounter is over where they are this many times as far apart as a collision is.
-constexpr double kParted = 2;
+/// What a helm states of an all-stop that came without a reason.
+constexpr std::string_view kByCommand = "all_stop command";
+
+std::vector<double> LengthsOf(const std::vector<WatchedVehicle>& vehicles) {
+  std::vector<double> lengths_m;
+  for (const WatchedVehicle& vehicle : vehicles) lengths_m.push_back(vehicle.length_m);
+  return lengths_m;
+}
 
 }  // namespace
 
@@ -37,6 +42,7 @@ std::string_view EventKindText(EventKind kind) {
 EventWatch::EventWatch(std::vector<WatchedVehicle> vehicles)
     : vehicles_(std::move(vehicles)),
       positions_m_(vehicles_.size(), Eigen::Vector3d::Zero()),
+      collisions_(LengthsOf(vehicles_)),
       is_stopped_(vehicles_.size()) {
   for (const WatchedVehicle& vehicle : vehicles_) names_.push_back(vehicle.name);
 }
@@ -64,7 +70,8 @@ void EventWatch::OnHelm(size_t vehicle, int64_t utime, std::string_view state,
   const std::string& name = vehicles_[vehicle].name;
   if (is_stopped) {
     AddEvent(utime, EventKind::kAllStop, {name},
-             fmt::format("{}: all-stop, {}", name, all_stop.substr(0, kMaxReason)));
+             fmt::format("{}: {}", name,
+                         all_stop == kByCommand ? "by command" : all_stop.substr(0, kMaxReason)));
   } else {
     AddEvent(utime, EventKind::kCleared, {name}, fmt::format("{}: all-stop is over", name));
   }
@@ -85,43 +92,15 @@ void EventWatch::SetName(int32_t number, std::string_view name) {
   names_[place] = name;
 }
 
-bool EventWatch::HaveParted(uint32_t first, uint32_t second) const {
-  return (positions_m_[first] - positions_m_[second]).norm() >
-         kParted * NearestAllowed_m(first, second);
-}
-
-double EventWatch::NearestAllowed_m(size_t first, size_t second) const {
-  return (vehicles_[first].length_m + vehicles_[second].length_m) / 2;
-}
-
 void EventWatch::CompareAll() {
   std::sort(seen_.begin(), seen_.end());
   seen_.erase(std::unique(seen_.begin(), seen_.end()), seen_.end());
-  const auto is_seen = [&](uint32_t vehicle) {
-    return std::binary_search(seen_.begin(), seen_.end(), vehicle);
-  };
-  std::erase_if(touching_, [&](const auto& pair) {
-    return is_seen(pair.first) && is_seen(pair.second) && HaveParted(pair.first, pair.second);
-  });
-  double longest_m = 0;
-  for (const uint32_t vehicle : seen_) {
-    longest_m = std::max(longest_m, vehicles_[vehicle].length_m);
-  }
-  for (size_t i = 0; i < seen_.size(); ++i) {
-    const Eigen::Vector3d& a_m = positions_m_[seen_[i]];
-    for (size_t j = i + 1; j < seen_.size(); ++j) {
-      const Eigen::Vector3d& b_m = positions_m_[seen_[j]];
-      if (std::abs(a_m.x() - b_m.x()) >= longest_m) continue;
-      const WatchedVehicle& a = vehicles_[seen_[i]];
-      const WatchedVehicle& b = vehicles_[seen_[j]];
-      if (!InContact(a_m, a.length_m, b_m, b.length_m)) continue;
-      const std::pair pair(seen_[i], seen_[j]);
-      if (std::find(touching_.begin(), touching_.end(), pair) != touching_.end()) continue;
-      touching_.push_back(pair);
-      AddEvent(nav_utime_, EventKind::kCollision, {a.name, b.name},
-               fmt::format("{} and {}: {:.1f} m, less than {:.1f} m", a.name, b.name,
-                           (a_m - b_m).norm(), NearestAllowed_m(seen_[i], seen_[j])));
-    }
+  for (const Collision& collision : collisions_.Look(seen_, positions_m_)) {
+    const std::string& first = vehicles_[collision.first].name;
+    const std::string& second = vehicles_[collision.second].name;
+    AddEvent(nav_utime_, EventKind::kCollision, {first, second},
+             fmt::format("{} and {}: {:.1f} m, less than {:.1f} m", first, second,
+                         collision.range_m, collision.allowed_m));
   }
   seen_.clear();
 }

@@ -15,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include "lib/vehicle/collision_watch.h"
 #include "lib/view/fate_facts.h"
 
 namespace shoal {
@@ -93,8 +94,6 @@ class EventWatch {
   };
 
   void CompareAll();
-  bool HaveParted(uint32_t first, uint32_t second) const;
-  double NearestAllowed_m(size_t first, size_t second) const;
   void OnDelivery(int32_t from, int32_t to, int64_t utime);
   void FindLosses(int64_t utime);
   void AddEvent(int64_t utime, EventKind kind, std::vector<std::string> vehicles, std::string text);
@@ -104,10 +103,10 @@ class EventWatch {
   std::vector<Eigen::Vector3d> positions_m_;
   std::vector<uint32_t> seen_;  ///< Vehicles that have a position at nav_utime_.
   int64_t nav_utime_ = 0;
-  std::vector<std::pair<uint32_t, uint32_t>> touching_;  ///< Of an encounter that is not over.
-  std::vector<bool> is_stopped_;                         ///< In ALL-STOP.
-  std::vector<std::string> names_;                       ///< Of OnFate's numbers.
-  std::vector<Pair> pairs_;                              ///< Of a < b at b * (b - 1) / 2 + a.
+  CollisionWatch collisions_;
+  std::vector<bool> is_stopped_;    ///< In ALL-STOP.
+  std::vector<std::string> names_;  ///< Of OnFate's numbers.
+  std::vector<Pair> pairs_;         ///< Of a < b at b * (b - 1) / 2 + a.
   int64_t silence_us_ = 10'000'000;
   int64_t next_loss_utime_ = 2 * kFarthest_us;  ///< No contact is lost before.
   std::vector<ViewEvent> events_;

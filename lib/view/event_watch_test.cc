@@ -95,7 +95,7 @@ TEST(EventWatch, ReportsAllStopsAndTheirEnd) {
   watch.OnHelm(0, 4 * kSecond, "DRIVE", "clear");
   watch.OnHelm(9, 4 * kSecond, "ALL-STOP", "not there");
   ASSERT_EQ(KindsOf(watch), (std::vector{EventKind::kAllStop, EventKind::kCleared}));
-  EXPECT_EQ(watch.events()[0].text, "alpha: all-stop, all_stop command");
+  EXPECT_EQ(watch.events()[0].text, "alpha: by command");
   EXPECT_EQ(watch.events()[0].utime, 2 * kSecond);
   EXPECT_EQ(watch.events()[1].vehicles, std::vector<std::string>{"alpha"});
 }

@@ -109,12 +109,21 @@ void WriteVehicle(const Scene& scene, const SceneVehicle& vehicle, JsonWriter* j
       .EndObject();
 }
 
+std::string_view TextOf(Medium medium) {
+  for (const auto& [text, each] : kMedia) {
+    if (each == medium) return text;
+  }
+  return "";
+}
+
 void WriteRules(const RulesInForce& rules, JsonWriter* json) {
   json->BeginObject()
       .Number("comms_range_m", rules.comms_range_m, kCentimetres)
       .Number("critical_range_m", rules.critical_range_m, kCentimetres)
       .Number("stale_time_s", rules.stale_time_s, kMilliseconds)
       .Number("drop_percentage", rules.drop_percentage, 3)
+      .Text("reports_over", TextOf(rules.reports_over))
+      .Text("messages_over", TextOf(rules.messages_over))
       .Key("factors")
       .BeginObject();
   for (const auto& [vehicle, factors] : rules.factors) {

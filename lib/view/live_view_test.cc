@@ -120,6 +120,7 @@ TEST_F(LiveViewTest, FramesShowRulesPulsesPacketsAndCommands) {
   json frame = Frame();
   EXPECT_EQ(frame["rules"], json::parse(R"json({
       "comms_range_m": 250, "critical_range_m": 30, "stale_time_s": 5, "drop_percentage": 0,
+      "reports_over": "direct", "messages_over": "direct",
       "factors": {"alpha": {"stealth": 0.5, "earange": 2}},
       "shown": {"comms_range": "250", "critical_range": "30", "stale_time": "5", "groups": "false",
                 "msg_groups": "false", "ignore_group": "none", "min_rpt_interval": "0", "min_msg_interval": "0",
@@ -326,7 +327,7 @@ TEST_F(LiveViewTest, ShowsEvents) {
   Handle("COMMS_FATES", FatesOf(31'400'000, {FateOf("visitor", "bravo", "delivered")}));
   EXPECT_EQ(json::parse(view_.EventsJson()), json::parse(R"({"events": [
       {"id": 1, "t": 31.2, "kind": "all_stop", "vehicles": ["bravo"],
-       "text": "bravo: all-stop, all_stop command"},
+       "text": "bravo: by command"},
       {"id": 2, "t": 31.3, "kind": "collision", "vehicles": ["alpha", "bravo"],
        "text": "alpha and bravo: 2.1 m, less than 3.0 m"},
       {"id": 3, "t": 31.4, "kind": "first_contact", "vehicles": ["bravo", "visitor"],

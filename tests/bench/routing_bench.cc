@@ -1,5 +1,4 @@
-// How many fates the router decides per second and core; see the counter items_per_second. The
-// original program decides about 65,000 pairs per second and core.
+// How many fates the router decides per second and core; see the counter items_per_second.
 //
 //   build/bin/routing_bench
 

@@ -94,16 +94,16 @@ TEST(WebRequests, WithOtherMethodsGet405) {
 }
 
 TEST(WebRequests, ThatAreMalformedGetAnErrorAndOthersDoNot) {
+  using std::string_literals::operator""s;  // It counts the text, the zero bytes in it too.
   const ServedSite served;
   for (const std::string& text :
-       {std::string("\r\n\r\n"), std::string("GET\r\n\r\n"), std::string("GET / HTTP/9.9\r\n\r\n"),
-        std::string("GET / HTTP/1.1\r\nno colon\r\n\r\n"),
-        std::string("GET / HTTP/1.1\r\nHost: a\r\nHost: b\r\n\r\n"),
-        std::string("GET http://localhost/ HTTP/1.1\r\nHost: localhost\r\n\r\n"),
-        std::string("\x16\x03\x01\x02\x00\x01\x00\x01\xfc\x03\x03\r\n\r\n", 15),
-        std::string("GET /\0 HTTP/1.1\r\nHost: localhost\r\n\r\n", 38),
-        std::string("POST /api/command HTTP/1.1\r\nHost: localhost\r\n"
-                    "Transfer-Encoding: chunked\r\n\r\n5\r\nhello\r\n0\r\n\r\n")}) {
+       {"\r\n\r\n"s, "GET\r\n\r\n"s, "GET / HTTP/9.9\r\n\r\n"s,
+        "GET / HTTP/1.1\r\nno colon\r\n\r\n"s, "GET / HTTP/1.1\r\nHost: a\r\nHost: b\r\n\r\n"s,
+        "GET http://localhost/ HTTP/1.1\r\nHost: localhost\r\n\r\n"s,
+        "\x16\x03\x01\x02\x00\x01\x00\x01\xfc\x03\x03\r\n\r\n"s,
+        "GET /\0 HTTP/1.1\r\nHost: localhost\r\n\r\n"s,
+        "POST /api/command HTTP/1.1\r\nHost: localhost\r\n"
+        "Transfer-Encoding: chunked\r\n\r\n5\r\nhello\r\n0\r\n\r\n"s}) {
     const std::string answer = Exchange(served.port(), text);
     EXPECT_EQ(StatusOf(answer), 400) << text;
     EXPECT_TRUE(Has(answer, R"({"error":)")) << answer;

@@ -76,6 +76,17 @@ test('a key opens the help', async () => {
   await page.waitForSelector('#help', { state: 'hidden' });
 });
 
+test('Esc closes the menu of layers, also from one of its boxes', async () => {
+  const isOpen = () => page.evaluate(() => document.querySelector('#layers').open);
+  for (const focused of ['#layers summary', '[data-layer=grid]']) {
+    await page.click('#layers summary');
+    await until('the open menu', isOpen);
+    await page.focus(focused);
+    await page.keyboard.press('Escape');
+    await until('the closed menu', async () => !await isOpen());
+  }
+});
+
 test('the address keeps the view', async () => {
   await page.keyboard.press('+');
   const scale = () => page.evaluate(() => globalThis.shoalViewer.map.view.metresPerPixel);

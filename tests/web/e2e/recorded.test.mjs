@@ -60,6 +60,25 @@ test('it plays, and stops', async () => {
   });
 });
 
+test('both clocks show the same time while it plays', async () => {
+  await scrub(50);
+  await page.selectOption('#speed', '64');
+  await page.keyboard.press('Space');
+  const apart = await page.evaluate(() => new Promise((done) => {
+    const text = (id) => document.getElementById(id).textContent.split(' / ')[0];
+    const pairs = [];
+    const look = () => {
+      if (text('clock-time') !== text('timeline-time')) pairs.push([text('clock-time'), text('timeline-time')]);
+      if (globalThis.shoalViewer.source.t < 120) requestAnimationFrame(look);
+      else done(pairs);
+    };
+    requestAnimationFrame(look);
+  }));
+  await page.keyboard.press('Space');
+  await page.selectOption('#speed', '1');
+  assert.deepEqual(apart, []);
+});
+
 test('it jumps to the next event', async () => {
   await scrub(1);
   await page.keyboard.press(']');

@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import {test} from 'node:test';
 
 import {
-  kindColor, luminance, palette, parseColor, readable, vehicleColor,
+  chosenColors, kindColor, luminance, palette, parseColor, readable, setVehicles, vehicleColor,
 } from '../../../web/colors.js';
 import {labelLines, placeLabels} from '../../../web/draw_labels.js';
 import {presentTask, rangesOf, tasksKey} from '../../../web/draw_tasks.js';
@@ -159,4 +159,20 @@ test('kinds have colours of their own, unknown ones too', () => {
   for (const cause of ['constructor', '', null, undefined]) {
     assert.match(kindColor(cause, true), /^#[0-9a-f]{6}$/);
   }
+});
+
+test('a colour that more than three vehicles ask for is replaced by ones that differ', () => {
+  const named = (color, ...names) => names.map((name) => ({name, color}));
+  const few = chosenColors([...named('red', 'a', 'b', 'c'), ...named('lime', 'd')]);
+  assert.equal(few.size, 0);
+  const many = chosenColors([...named('yellow', 'a', 'b', 'c', 'd'), ...named('red', 'e')]);
+  assert.deepEqual([...many.keys()], ['a', 'b', 'c', 'd']);
+  assert.equal(new Set(many.values()).size, 4);
+  assert.equal(chosenColors(named('no such colour', 'a')).size, 1);
+  const hundred = Array.from({length: 100}, (_, i) => ({name: `boat_${i}`, color: 'yellow'}));
+  setVehicles(hundred);
+  const colors = new Set(hundred.map(({name, color}) => vehicleColor(name, color, false)));
+  assert.ok(colors.size > 90, `${colors.size} colours`);
+  setVehicles([]);
+  assert.equal(vehicleColor('boat_1', 'yellow', false), vehicleColor('boat_2', 'yellow', false));
 });

@@ -5,7 +5,7 @@ import {axisRange, cleanColumns, headingStrokes} from '../../../web/charts.js';
 import {commandWords, gotoWords} from '../../../web/commands.js';
 import {mergeFates} from '../../../web/panel_fates.js';
 import {causeCounts} from '../../../web/panel_link.js';
-import {cellWords} from '../../../web/panel_matrix.js';
+import {cellSize, cellWords} from '../../../web/panel_matrix.js';
 import {pageMatches} from '../../../web/panel_status.js';
 import {contactWords} from '../../../web/panel_swarm.js';
 import {alarmsOf, modeOf, reportAge, shortMode} from '../../../web/panel_vehicle.js';
@@ -56,10 +56,22 @@ test('a cell of the matrix shows in signs and words what its colour shows', () =
   assert.equal(cellWords(null, 10).state, 'unknown');
 });
 
+test('cells of the matrix are as large as the width lets all be seen', () => {
+  assert.deepEqual(cellSize(850, 8), {compact: false, cell_px: 36});
+  assert.equal(cellSize(388, 8).compact, true);
+  assert.equal(cellSize(388, 3).compact, false);
+  assert.equal(cellSize(388, 100).cell_px, 14);
+  assert.equal(cellSize(2000, 100).cell_px, 17);
+  assert.ok(100 * (cellSize(2000, 100).cell_px + 1) <= 2000 - 100);
+  assert.deepEqual(cellSize(0, 20), cellSize(388, 20));
+});
+
 test('an all-stop is grave, parked and stale are shown, and an empty entry shows nothing', () => {
   const stopped = alarmsOf({helm: {state: 'ALL-STOP', all_stop: 'no NAV for 2.0 s'}, stale: true});
   assert.deepEqual(stopped.map(({grave}) => grave), [true, false]);
   assert.match(stopped[0].text, /no NAV for 2.0 s/);
+  assert.equal(alarmsOf({helm: {state: 'ALL-STOP', all_stop: 'all_stop command'}})[0].text,
+    'all-stop: by command');
   assert.equal(alarmsOf({helm: {state: 'PARK', all_stop: 'never deployed'}})[0].grave, false);
   assert.deepEqual(alarmsOf({helm: null}), []);
   assert.deepEqual(alarmsOf({helm: {state: 'DRIVE', all_stop: 'clear'}}), []);

@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import {test} from 'node:test';
 
 import {Trail} from '../../../web/trail.js';
-import {World, pulseOpacity} from '../../../web/world.js';
+import {World, acousticKinds, pulseOpacity} from '../../../web/world.js';
 
 const near = (actual, expected, tolerance = 1e-6) =>
   assert.ok(Math.abs(actual - expected) <= tolerance, `${actual} is not ${expected}`);
@@ -210,4 +210,12 @@ test('whatever comes, a bounded number of things is kept', () => {
   assert.ok(world.pulses(40).length <= 1000);
   assert.equal(world.trail('v39_199', 100), null, 'there is room for a thousand trails');
   assert.equal(world.at(1e6).vehicles.length, 200);
+});
+
+test('what goes over the acoustic network by the rules is to be seen as rings', () => {
+  const rules = (reports_over, messages_over) => ({reports_over, messages_over});
+  assert.deepEqual(acousticKinds(rules('direct', 'direct')), []);
+  assert.deepEqual(acousticKinds(rules('acoustic', 'direct')), ['report']);
+  assert.deepEqual(acousticKinds(rules('acoustic', 'acoustic')), ['report', 'message', 'ack']);
+  assert.deepEqual(acousticKinds(null), []);
 });
