@@ -96,11 +96,12 @@ class EventConverter {
   }
 
   static Converted DriftOf(const std::string& vehicle, std::string_view value) {
+    constexpr char kNoDrift[] = "not a vehicle's ANGLE,SPEED";
     const size_t comma = value.find(',');
     const auto angle_deg = ParseNumber(value.substr(0, comma));
-    const auto speed_mps =
-        comma == value.npos ? std::nullopt : ParseNumber(value.substr(comma + 1));
-    if (vehicle == "all" || !angle_deg || !speed_mps) return "not a vehicle's ANGLE,SPEED";
+    if (vehicle == "all" || !angle_deg || comma == value.npos) return kNoDrift;
+    const auto speed_mps = ParseNumber(value.substr(comma + 1));
+    if (!speed_mps) return kNoDrift;
     const double angle_rad = *angle_deg * std::numbers::pi / 180;
     const auto rounded = [](double number) { return std::round(number * 1e9) / 1e9 + 0.0; };
     return Keys{
