@@ -25,8 +25,8 @@ namespace {
 /// More links than this are shown only where they differ.
 constexpr size_t kMostLinksShown = 50;
 
-std::string Joined(const std::vector<std::string>& words) {
-  return fmt::format("{}", fmt::join(words, ", "));
+std::string LogNames(const std::vector<std::string>& logs) {
+  return fmt::format("{}", fmt::join(logs, ", "));
 }
 
 /// The state of the command while it runs.
@@ -92,7 +92,7 @@ class RebrokerCommand {
     return Fail(is_whole_ ? kExitUsage : kExitEnvironment,
                 fmt::format("{}: nothing to broker: no message on {} among {} events; the log of "
                             "the mission, or of the shore's port, is needed",
-                            Joined(options_.logs),
+                            LogNames(options_.logs),
                             channels::NodeReportLocal().name + ", " +
                                 channels::NodeReportFromOutside().name +
                                 " or another channel that "
@@ -104,14 +104,15 @@ class RebrokerCommand {
   int ChooseSetup() {
     if (log_.rules) {
       Result<BrokerSetup> recorded = SetupOf(*log_.rules);
-      if (!recorded.ok()) return Fail(kExitUsage, Joined(options_.logs) + ": " + recorded.error());
+      if (!recorded.ok())
+        return Fail(kExitUsage, LogNames(options_.logs) + ": " + recorded.error());
       recorded_ = std::move(*recorded);
       setup_ = *recorded_;
     } else if (!comms_) {
       return Fail(kExitUsage,
                   fmt::format("{}: the log does not hold the rules (no COMMS_RULES); give "
                               "the mission file: --comms FILE.toml",
-                              Joined(options_.logs)));
+                              LogNames(options_.logs)));
     }
     if (!comms_) return kExitOk;
     setup_.rules = comms_->rules;
