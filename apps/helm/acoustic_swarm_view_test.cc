@@ -72,7 +72,7 @@ TEST(AcousticSwarmView, PredictsEveryMemberFromTheTimeOfItsReport) {
 TEST(AcousticSwarmView, KnowsNoMemberOfWhichItReceivedNothing) {
   const Mission mission = AcousticSwarm();
   SwarmView view(mission, mission.vehicles[1]);
-  view.OnNav("alpha", At(1, 2));  // The truth counts for nothing here.
+  TakeNav(&view, "alpha", At(1, 2));  // The truth counts for nothing here.
   swarm_contact_t unknown = ContactOf("charlie", 50, 1, 0);
   unknown.is_known = 0;
   view.OnSwarm(SwarmWith({unknown, ContactOf("outsider", 1, 1, 0)}));

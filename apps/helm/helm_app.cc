@@ -77,9 +77,9 @@ HelmApp::HelmApp(const Mission& mission, const Vehicle& vehicle, Bus& bus)
             [this](const node_report_t& report) { OnNodeReport(report); });
   Subscribe(bus, channels::NodeMessage(vehicle.name),
             [this](const node_message_t& message) { OnNodeMessage(message); });
-  for (const std::string& name : swarm_.names()) {
-    Subscribe(bus, channels::Nav(name),
-              [this, name](const nav_t& nav) { swarm_.OnNav(name, nav); });
+  for (size_t i = 0; i < swarm_.names().size(); ++i) {
+    SubscribeAs<NavNeighbour>(bus, channels::Nav(swarm_.names()[i]),
+                              [this, i](const NavNeighbour& nav) { swarm_.OnNav(i, nav); });
   }
   if (mission.IsInSwarm(vehicle)) {
     Subscribe(bus, channels::Swarm(vehicle.name),

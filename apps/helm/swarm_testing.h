@@ -40,4 +40,11 @@ inline nav_t At(double x_m, double y_m, double z_m = 20) {
   return nav;
 }
 
+/// Gives `swarm` a NAV, where it subscribes to that vehicle's.
+inline void TakeNav(SwarmView* swarm, const std::string& name, const nav_t& nav) {
+  for (size_t i = 0; i < swarm->names().size(); ++i) {
+    if (swarm->names()[i] == name) swarm->OnNav(i, NavNeighbour(nav));
+  }
+}
+
 }  // namespace shoal

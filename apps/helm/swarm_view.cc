@@ -66,11 +66,18 @@ bool IsPlausible(const Neighbour& neighbour) {
 
 }  // namespace
 
+NavNeighbour::NavNeighbour(const nav_t& nav) : neighbour(NeighbourOf(-1, nav)) {
+  is_plausible = IsPlausible(neighbour);
+}
+
 SwarmView::SwarmView(const Mission& mission, const Vehicle& vehicle)
-    : own_(mission.vehicles.size()),
-      silent_after_s_(mission.swarm.silent_after_s),
-      neighbours_(mission.vehicles.size() + 1),
-      contacts_(mission.vehicles.size() + 1) {
+    : own_(mission.vehicles.size()), silent_after_s_(mission.swarm.silent_after_s) {
+  const bool follows = std::any_of(
+      vehicle.tasks.begin(), vehicle.tasks.end(),
+      [](const Task& task) { return std::holds_alternative<TargetTrackTask>(task.what); });
+  if (!follows) return;  // A thousand that follow none need no thousand tables of a thousand.
+  neighbours_.resize(mission.vehicles.size() + 1);
+  contacts_.resize(mission.vehicles.size() + 1);
   for (size_t i = 0; i < mission.vehicles.size(); ++i) places_[mission.vehicles[i].name] = i;
   // A vehicle that is not in its mission, as in tests, comes behind the others.
   own_ = places_.emplace(vehicle.name, mission.vehicles.size()).first->second;
@@ -93,6 +100,7 @@ SwarmView::SwarmView(const Mission& mission, const Vehicle& vehicle)
   }
   wanted.erase(vehicle.name);
   names_.assign(wanted.begin(), wanted.end());
+  for (const std::string& name : names_) places_of_names_.push_back(places_.at(name));
 }
 
 std::optional<SwarmView::Place> SwarmView::PlaceOf(const std::string& name) const {
@@ -115,11 +123,21 @@ std::vector<SwarmView::Place> SwarmView::GroupOf(const TargetTrackTask& task) co
   return group;
 }
 
-void SwarmView::OnNav(const std::string& name, const nav_t& nav) {
-  const std::optional<Place> place = PlaceOf(name);
-  if (!place) return;
-  const Neighbour neighbour = NeighbourOf(static_cast<int>(*place), nav);
-  if (IsPlausible(neighbour)) neighbours_[*place] = neighbour;
+const SwarmView::Cast& SwarmView::CastOf(const TargetTrackTask& task) {
+  if (cast_ && cast_->target == task.target && cast_->group == task.group) return *cast_;
+  cast_ = {.target = task.target,
+           .group = task.group,
+           .target_place = PlaceOf(task.target),
+           .group_places = GroupOf(task)};
+  if (cast_->target_place) std::erase(cast_->group_places, *cast_->target_place);
+  return *cast_;
+}
+
+void SwarmView::OnNav(size_t place_in_names, const NavNeighbour& nav) {
+  if (!nav.is_plausible) return;
+  const Place place = places_of_names_[place_in_names];
+  neighbours_[place] = nav.neighbour;
+  neighbours_[place]->id = static_cast<int>(place);
 }
 
 void SwarmView::OnSwarm(const swarm_t& swarm) {
@@ -175,15 +193,15 @@ const Surroundings* SwarmView::Look(const Task* task, const nav_t& own) {
   surroundings_ = {};
   surroundings_.own = NeighbourOf(static_cast<int>(own_), own);
   if (!IsPlausible(surroundings_.own)) return nullptr;
-  const std::optional<Place> target = PlaceOf(track->target);
+  const Cast& cast = CastOf(*track);
+  const std::optional<Place> target = cast.target_place;
   if (target) {
     surroundings_.target = Find(*track, *target, own.utime);
     surroundings_.target_is_silent = track->swarm == SwarmKnowledge::kAcoustic &&
                                      contacts_[*target] && IsSilent(*contacts_[*target], own.utime);
   }
   group_.clear();
-  for (const Place place : GroupOf(*track)) {
-    if (place == target) continue;
+  for (const Place place : cast.group_places) {
     if (const auto neighbour = Find(*track, place, own.utime)) group_.push_back(*neighbour);
   }
   surroundings_.group = group_;

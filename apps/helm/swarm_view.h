@@ -3,7 +3,9 @@
 // time of their reports to now.
 //
 //   SwarmView swarm(mission, vehicle);
-//   for (const std::string& name : swarm.names()) Subscribe(... swarm.OnNav(name, nav));
+//   for (size_t i = 0; i < swarm.names().size(); ++i) {
+//     SubscribeAs<NavNeighbour>(... swarm.OnNav(i, neighbour));
+//   }
 //   Subscribe(... swarm.OnSwarm(swarm_message));
 //   fix.surroundings = swarm.Look(task, nav);
 #pragma once
@@ -22,6 +24,14 @@
 
 namespace shoal {
 
+/// A vehicle as its NAV has it: the same for all that follow it.
+struct NavNeighbour {
+  explicit NavNeighbour(const nav_t& nav);
+
+  Neighbour neighbour;        ///< Its id is for the receiver to fill in.
+  bool is_plausible = false;  ///< Finite, and no farther or faster than the laws take.
+};
+
 class SwarmView {
  public:
   static constexpr double kSonarMemory_s = 1;
@@ -31,8 +41,9 @@ class SwarmView {
   /// The vehicles whose NAV its tasks need: targets and groups, each once.
   const std::vector<std::string>& names() const { return names_; }
 
-  /// Takes note of where another vehicle is. Numbers that are not finite are passed over.
-  void OnNav(const std::string& name, const nav_t& nav);
+  /// Takes note of where another vehicle is, by its place in names(). What is not plausible is
+  /// passed over.
+  void OnNav(size_t place_in_names, const NavNeighbour& nav);
   /// Takes note of what acomms knows. Contacts with invalid numbers are passed over.
   void OnSwarm(const swarm_t& swarm);
   /// Takes note of what the sonar saw; it counts for kSonarMemory_s.
@@ -46,8 +57,17 @@ class SwarmView {
   /// Vehicles are known by their places in the mission.
   using Place = size_t;
 
+  /// The places that a task names, as its last Look had them.
+  struct Cast {
+    std::string target;
+    std::vector<std::string> group;
+    std::optional<Place> target_place;
+    std::vector<Place> group_places;  ///< Without the target.
+  };
+
   /// Returns the members of a task's group.
   std::vector<Place> GroupOf(const TargetTrackTask& task) const;
+  const Cast& CastOf(const TargetTrackTask& task);
   std::optional<Place> PlaceOf(const std::string& name) const;
   /// Returns where another vehicle is at `utime`, by the knowledge that the task goes by.
   std::optional<Neighbour> Find(const TargetTrackTask& task, Place place, int64_t utime) const;
@@ -59,8 +79,10 @@ class SwarmView {
   Place own_;
   std::map<Place, std::vector<Place>> followers_;  ///< Of each target; not itself. By name.
   std::vector<std::string> names_;
+  std::vector<Place> places_of_names_;
+  std::optional<Cast> cast_;
   double silent_after_s_;
-  std::vector<std::optional<Neighbour>> neighbours_;
+  std::vector<std::optional<Neighbour>> neighbours_;      ///< By NAV.
   std::vector<std::optional<swarm_contact_t>> contacts_;  ///< By acomms.
   std::vector<Neighbour> group_;
   sonar_t ping_{};

@@ -67,7 +67,7 @@ TEST(SwarmView, KnowsNoTargetBeforeItsFirstNav) {
 TEST(SwarmView, SeesTheTargetApartFromTheOthersAndNeverItself) {
   const Mission mission = Swarm();
   SwarmView swarm(mission, mission.vehicles[1]);
-  for (const char* name : {"alpha", "bravo", "charlie", "delta"}) swarm.OnNav(name, At(1, 2));
+  for (const char* name : {"alpha", "bravo", "charlie", "delta"}) TakeNav(&swarm, name, At(1, 2));
   const Surroundings* seen = swarm.Look(&mission.vehicles[1].tasks[0], At(0, 0));
   ASSERT_NE(seen, nullptr);
   ASSERT_TRUE(seen->target.has_value());
@@ -79,7 +79,7 @@ TEST(SwarmView, KeepsClearOfANamedGroupOnly) {
   Mission mission = Swarm();
   mission.vehicles[1].tasks = {Following("alpha", {"echo", "bravo", "alpha"})};
   SwarmView swarm(mission, mission.vehicles[1]);
-  for (const char* name : {"alpha", "charlie", "delta", "echo"}) swarm.OnNav(name, At(1, 2));
+  for (const char* name : {"alpha", "charlie", "delta", "echo"}) TakeNav(&swarm, name, At(1, 2));
   const Surroundings* seen = swarm.Look(&mission.vehicles[1].tasks[0], At(0, 0));
   ASSERT_NE(seen, nullptr);
   EXPECT_EQ(IdsOf(*seen), std::vector<int>{4});
@@ -89,7 +89,7 @@ TEST(SwarmView, LooksAtTheTargetOfTheTaskThatRuns) {
   Mission mission = Swarm();
   mission.vehicles[4].tasks = {Following("alpha"), Following("bravo")};
   SwarmView swarm(mission, mission.vehicles[4]);
-  for (const char* name : {"alpha", "bravo", "charlie", "delta"}) swarm.OnNav(name, At(1, 2));
+  for (const char* name : {"alpha", "bravo", "charlie", "delta"}) TakeNav(&swarm, name, At(1, 2));
   EXPECT_EQ(swarm.Look(&mission.vehicles[4].tasks[0], At(0, 0))->target->id, 0);
   const Surroundings* seen = swarm.Look(&mission.vehicles[4].tasks[1], At(0, 0));
   EXPECT_EQ(seen->target->id, 1);
@@ -105,7 +105,7 @@ TEST(SwarmView, TurnsSpeedAndCourseOverGroundIntoVelocities) {
   nav.course_over_ground_deg = 120;
   nav.speed_over_ground_mps = 2;
   nav.descent_mps = 0.3;
-  swarm.OnNav("alpha", nav);
+  TakeNav(&swarm, "alpha", nav);
   const Surroundings* seen = swarm.Look(&mission.vehicles[1].tasks[0], nav);
   const Eigen::Vector3d expected(2 * std::cos(DegToRad(30)), -1, 0.3);
   EXPECT_LT((seen->target->velocity_mps - expected).norm(), 1e-12);
@@ -131,13 +131,13 @@ TEST(SwarmView, PassesOverInvalidNav) {
   const Mission mission = Swarm();
   SwarmView swarm(mission, mission.vehicles[1]);
   const Task& task = mission.vehicles[1].tasks[0];
-  swarm.OnNav("alpha", At(1, 2, 3));
+  TakeNav(&swarm, "alpha", At(1, 2, 3));
   for (const double bad : {kNan, 1e300, -1e300, 1.1e6, std::numeric_limits<double>::infinity()}) {
     for (double nav_t::*field : {&nav_t::x_m, &nav_t::y_m, &nav_t::z_m, &nav_t::descent_mps,
                                  &nav_t::speed_over_ground_mps}) {
       nav_t nav = At(50, 60, 70);
       nav.*field = bad;
-      swarm.OnNav("alpha", nav);
+      TakeNav(&swarm, "alpha", nav);
       EXPECT_EQ(swarm.Look(&task, At(0, 0))->target->position_m, Eigen::Vector3d(1, 2, 3)) << bad;
       EXPECT_EQ(swarm.Look(&task, nav), nullptr) << "nor does it trust its own";
     }
@@ -145,7 +145,7 @@ TEST(SwarmView, PassesOverInvalidNav) {
   nav_t nav = At(50, 60, 70);
   nav.course_over_ground_deg = kNan;
   nav.speed_over_ground_mps = 1;
-  swarm.OnNav("alpha", nav);
+  TakeNav(&swarm, "alpha", nav);
   EXPECT_EQ(swarm.Look(&task, At(0, 0))->target->position_m, Eigen::Vector3d(1, 2, 3));
 }
 
@@ -190,17 +190,6 @@ TEST(SwarmView, IgnoresAnInvalidCurrent) {
       EXPECT_EQ(seen->current_mps, Eigen::Vector3d(0, 0, 0)) << bad;
     }
   }
-}
-
-TEST(SwarmView, IgnoresVehiclesThatTheMissionDoesNotHave) {
-  const Mission mission = Swarm();
-  SwarmView swarm(mission, mission.vehicles[1]);
-  swarm.OnNav("zulu", At(1, 2));
-  swarm.OnNav("", At(1, 2));
-  const Surroundings* seen = swarm.Look(&mission.vehicles[1].tasks[0], At(0, 0));
-  ASSERT_NE(seen, nullptr);
-  EXPECT_FALSE(seen->target.has_value());
-  EXPECT_TRUE(seen->group.empty());
 }
 
 /// A ping of two beams: an echo 20 m ahead, 30 degrees to starboard, and one that saw nothing.

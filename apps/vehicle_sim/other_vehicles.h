@@ -3,7 +3,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <map>
 #include <span>
 #include <string>
 #include <vector>
@@ -22,8 +21,9 @@ class OtherVehicles {
   /// Returns the vehicles whose NAV it needs.
   const std::vector<std::string>& names() const { return names_; }
 
-  /// Takes note of where one of them is. Positions that are not finite are passed over.
-  void OnNav(const std::string& name, const nav_t& nav);
+  /// Takes note of where one of them is, by its place in names(). Positions that are not finite are
+  /// passed over.
+  void OnNav(size_t place, const nav_t& nav);
 
   /// Returns those whose NAV came, as a sonar sees them: spheres whose radius is the vehicle's
   /// length.
@@ -34,9 +34,12 @@ class OtherVehicles {
   [[nodiscard]] std::string Touching(const Eigen::Vector3d& position_m, double length_m) const;
 
  private:
+  static constexpr size_t kUnknown = static_cast<size_t>(-1);
+
   std::vector<std::string> names_;
-  std::map<std::string, double> lengths_m_;
-  std::vector<std::string> known_;  ///< Names of targets_, in the same order.
+  std::vector<double> lengths_m_;          ///< By place in names_.
+  std::vector<size_t> places_in_targets_;  ///< The same; kUnknown before the first NAV.
+  std::vector<size_t> known_;              ///< Places in names_ of targets_, in the same order.
   std::vector<SonarTarget> targets_;
 };
 

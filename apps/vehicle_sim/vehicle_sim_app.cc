@@ -58,7 +58,6 @@ VehicleSimApp::VehicleSimApp(const Mission& mission, const Vehicle& vehicle, Bus
       instruments_(InstrumentsOf(mission, vehicle)),
       plume_(ocean_.plume),
       sonar_(SonarOf(mission, vehicle)),
-      others_(mission, vehicle),
       bus_(bus),
       craft_(MakeSimulatedCraft(vehicle)) {
   Reset(vehicle.start);
@@ -67,9 +66,10 @@ VehicleSimApp::VehicleSimApp(const Mission& mission, const Vehicle& vehicle, Bus
   Subscribe(bus, channels::SimCommand(vehicle.name),
             [this](const sim_command_t& command) { OnSimCommand(command); });
   if (!sonar_ && contact_rule_ == ContactRule::kIgnore) return;
-  for (const std::string& name : others_.names()) {
-    Subscribe(bus, channels::Nav(name),
-              [this, name](const nav_t& nav) { others_.OnNav(name, nav); });
+  others_.emplace(mission, vehicle);
+  for (size_t i = 0; i < others_->names().size(); ++i) {
+    Subscribe(bus, channels::Nav(others_->names()[i]),
+              [this, i](const nav_t& nav) { others_->OnNav(i, nav); });
   }
 }
 
@@ -152,7 +152,7 @@ void VehicleSimApp::WatchActuators(int64_t utime) {
 void VehicleSimApp::WatchContact(int64_t utime) {
   if (contact_rule_ == ContactRule::kIgnore || !touched_by_.empty()) return;
   // Both are looked at where they were in the step before, so that both see the same distance.
-  touched_by_ = others_.Touching(craft_->position_m(), vehicle_.length_m);
+  touched_by_ = others_->Touching(craft_->position_m(), vehicle_.length_m);
   if (touched_by_.empty()) return;
   const std::string text = "ran into " + touched_by_ + ": it moves no more";
   log_.Warn(text);
@@ -198,7 +198,7 @@ void VehicleSimApp::PublishInstruments(const nav_t& nav) {
   }
   if (sonar_) {
     static const SeaFloor kDeep;
-    const auto ping = sonar_->Ping(nav, ocean_.floor ? *ocean_.floor : kDeep, others_.targets());
+    const auto ping = sonar_->Ping(nav, ocean_.floor ? *ocean_.floor : kDeep, others_->targets());
     if (ping) Publish(bus_, channels::Sonar(vehicle_.name), *ping);
   }
   if (plume_) {

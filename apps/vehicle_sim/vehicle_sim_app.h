@@ -59,7 +59,7 @@ class VehicleSimApp : public App {
   const std::optional<NavInstruments> instruments_;
   const std::optional<Plume> plume_;
   std::optional<SonarUnit> sonar_;
-  OtherVehicles others_;
+  std::optional<OtherVehicles> others_;  ///< Absent: it has no sonar and runs into none.
   Bus& bus_;
   StatusLog log_;
 

@@ -10,12 +10,14 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "lib/bus/message_views.h"
 #include "lib/bus/wire_check.h"
 #include "lib/check/check.h"
 
@@ -28,6 +30,8 @@ struct Message {
   std::string_view channel;
   std::string_view publisher;     ///< A participant's name; empty: from outside the step protocol.
   std::span<const uint8_t> data;  ///< An encoded LCM message: fingerprint and members.
+  MessageViews* views =
+      nullptr;  ///< Shared by the subscribers of one process; nullptr: not shared.
 };
 
 /// A channel's name and what it carries.
@@ -101,16 +105,63 @@ void Publish(Bus& bus, const Channel<T>& channel, const T& message) {
   bus.PublishBytes(channel.name, bytes);
 }
 
+/// A message as its type, if its bytes are one.
+template <class T>
+struct Decoded {
+  bool is_sound = false;
+  T message{};
+};
+
+/// Calls `use(const View&)` with what `make(View*)` makes of a message: once for all subscribers of
+/// a process, where the message is shared.
+template <class View, class Make, class Use>
+void WithView(const Message& raw, Make make, Use use) {
+  if (raw.views != nullptr) {
+    use(raw.views->Get<View>(make));
+  } else {
+    View view{};
+    make(&view);
+    use(view);
+  }
+}
+
 /// Hands every decodable message on `channel` to `handler(const T&)`; counts the others.
 template <class T, class F>
 void Subscribe(Bus& bus, const Channel<T>& channel, F handler) {
   bus.SubscribeBytes(channel.name, [&bus, handler = std::move(handler)](const Message& raw) {
-    T message{};
-    if (Decode(raw.data, &message)) {
-      handler(message);
-    } else {
-      bus.CountUndecodable(raw.channel);
-    }
+    WithView<Decoded<T>>(
+        raw, [&](Decoded<T>* decoded) { decoded->is_sound = Decode(raw.data, &decoded->message); },
+        [&](const Decoded<T>& decoded) {
+          if (decoded.is_sound) {
+            handler(decoded.message);
+          } else {
+            bus.CountUndecodable(raw.channel);
+          }
+        });
+  });
+}
+
+/// Hands `View(const T&)` of every decodable message on `channel` to `handler(const View&)`; counts
+/// the others. Many subscribers of one process share one View of a message.
+template <class View, class T, class F>
+void SubscribeAs(Bus& bus, const Channel<T>& channel, F handler) {
+  bus.SubscribeBytes(channel.name, [&bus, handler = std::move(handler)](const Message& raw) {
+    const auto make = [&raw](std::optional<View>* view) {
+      WithView<Decoded<T>>(
+          raw,
+          [&](Decoded<T>* decoded) { decoded->is_sound = Decode(raw.data, &decoded->message); },
+          [&](const Decoded<T>& decoded) {
+            view->reset();
+            if (decoded.is_sound) view->emplace(decoded.message);
+          });
+    };
+    WithView<std::optional<View>>(raw, make, [&](const std::optional<View>& view) {
+      if (view) {
+        handler(*view);
+      } else {
+        bus.CountUndecodable(raw.channel);
+      }
+    });
   });
 }
 

@@ -40,25 +40,31 @@ class MemoryBus {
   /// Runs the handlers of all participants, in order of their names.
   void HandleAll();
 
-  /// How many messages the step that ended last held.
-  int64_t num_messages() const { return static_cast<int64_t>(order_.size()); }
-
  private:
   class Port;
   struct Item {
     uint32_t channel_id;  ///< Into channels_.
     uint32_t port_rank;   ///< The publisher's place in order of names.
     uint32_t sequence;    ///< Counts the publisher's messages of the step.
+    uint32_t content;     ///< Messages of the same number have the same bytes.
     size_t begin;         ///< Of the bytes, in the arena.
     size_t size;
+    uint32_t channel_rank = 0;  ///< As ChannelInfo has it.
   };
   struct ChannelInfo {
     std::string name;
     std::vector<std::pair<Port*, size_t>> subscribers;  ///< Port and index of its handler.
     uint32_t rank = 0;                                  ///< Place in order of names.
   };
+  /// What several messages of a step, or several subscribers of one, have in common.
+  struct Content {
+    size_t num_readers = 0;
+    std::unique_ptr<MessageViews> views = nullptr;  ///< Its storage outlives the step.
+  };
 
   uint32_t ChannelId(std::string_view name);
+  void Publish(Item item, std::span<const uint8_t> data);
+  void RankPorts();
   void RankNames();
 
   std::map<std::string, std::unique_ptr<Port>> ports_;
@@ -68,8 +74,14 @@ class MemoryBus {
   bool ranks_valid_ = false;
   std::vector<Item> open_items_;  ///< Of the step that goes on.
   Bytes open_arena_;
-  std::vector<Item> order_;  ///< Of the step that ended, in the fixed order.
+  uint32_t num_open_contents_ = 0;
+  uint32_t step_ = 0;               ///< Counts the calls of NextStep.
+  uint32_t num_subscriptions_ = 0;  ///< Of all participants.
+  bool has_listener_ = false;       ///< A participant subscribes to all channels.
+  std::vector<Item> order_;         ///< Of the step that ended, in the fixed order.
   Bytes arena_;
+  std::vector<Content> contents_;
+  std::vector<Port*> receivers_;  ///< Ports with something in their inbox.
 };
 
 }  // namespace shoal

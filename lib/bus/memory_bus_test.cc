@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "lib/bus/channels.h"
 
 namespace shoal::memory_bus_test {
@@ -49,6 +51,88 @@ TEST(MemoryBus, OrdersByChannelThenPublisherThenSequence) {
   hub.NextStep();
   hub.HandleAll();
   EXPECT_EQ(received, "COMMS_RANGE/b2 STALE_TIME/a3 STALE_TIME/a4 STALE_TIME/b1 ");
+}
+
+/// Counts how often it is made of a message.
+struct CountedView {
+  explicit CountedView(const unc_control_t& message) : value(message.value) { ++num_made; }
+  double value;
+  static inline int num_made = 0;
+};
+
+struct ReportView {
+  explicit ReportView(const node_report_t& report) : name(report.name) { ++num_made; }
+  std::string name;
+  static inline int num_made = 0;
+};
+
+TEST(MemoryBus, MakesAViewOfAMessageOnceForAllItsSubscribers) {
+  MemoryBus hub;
+  Bus& publisher = hub.Join("publisher");
+  const auto channel = channels::Control(*FindControl("comms_range"));
+  std::vector<double> received;
+  std::set<const CountedView*> views;
+  for (const char* name : {"a", "b", "c"}) {
+    SubscribeAs<CountedView>(hub.Join(name), channel, [&](const CountedView& view) {
+      received.push_back(view.value);
+      views.insert(&view);
+    });
+  }
+  CountedView::num_made = 0;
+  for (const double value : {1, 2}) {
+    Publish(publisher, channel, ControlOf(value));
+    hub.NextStep();
+    hub.HandleAll();
+  }
+  EXPECT_EQ(received, (std::vector<double>{1, 1, 1, 2, 2, 2}));
+  EXPECT_EQ(CountedView::num_made, 2);
+  EXPECT_EQ(views.size(), 1U) << "its storage is used again";
+}
+
+TEST(MemoryBus, MakesAViewOnceForTheSameBytesOnManyChannels) {
+  MemoryBus hub;
+  Bus& broker = hub.Join("broker");
+  std::vector<std::string> received;
+  for (const char* name : {"alpha", "bravo", "charlie"}) {
+    SubscribeAs<ReportView>(hub.Join(name), channels::NodeReport(name),
+                            [&received, name](const ReportView& view) {
+                              received.push_back(name + (" " + view.name));
+                            });
+  }
+  ReportView::num_made = 0;
+  node_report_t report{};
+  for (const char* source : {"xray", "yoke"}) {
+    report.name = source;
+    for (const char* name : {"alpha", "bravo", "charlie"}) {
+      Publish(broker, channels::NodeReport(name), report);
+    }
+  }
+  hub.NextStep();
+  hub.HandleAll();
+  EXPECT_EQ(received, (std::vector<std::string>{"alpha xray", "alpha yoke", "bravo xray",
+                                                "bravo yoke", "charlie xray", "charlie yoke"}));
+  EXPECT_EQ(ReportView::num_made, 2);
+}
+
+TEST(MemoryBus, CountsABadMessageForEachOfItsSubscribers) {
+  MemoryBus hub;
+  Bus& publisher = hub.Join("publisher");
+  Bus& a = hub.Join("a");
+  Bus& b = hub.Join("b");
+  const auto channel = channels::Control(*FindControl("comms_range"));
+  int num_received = 0;
+  Subscribe(a, channel, [&](const unc_control_t&) { ++num_received; });
+  SubscribeAs<CountedView>(b, channel, [&](const CountedView&) { ++num_received; });
+  Publish(publisher, channel, ControlOf(1));
+  hub.NextStep();
+  hub.HandleAll();
+  EXPECT_EQ(num_received, 2);
+  publisher.PublishBytes(channel.name, std::vector<uint8_t>{1, 2, 3});
+  hub.NextStep();
+  hub.HandleAll();
+  EXPECT_EQ(num_received, 2) << "what the message before was is forgotten";
+  EXPECT_EQ(a.counters().undecodable, 1);
+  EXPECT_EQ(b.counters().undecodable, 1);
 }
 
 TEST(MemoryBus, LetsAnAppReceiveItsOwnMessages) {
