@@ -96,7 +96,8 @@ Bus& MemoryBus::Join(const std::string& participant) {
   auto& port = ports_[participant];
   SHOAL_CHECK(port == nullptr, "participants have unique names");
   port = std::make_unique<Port>(*this, participant);
-  names_by_rank_.clear();  // Ranked when the first of them publishes.
+  names_by_rank_.clear();  // Before the first step, ranked when the first of them publishes.
+  if (step_ > 0) RankPorts();
   return *port;
 }
 
