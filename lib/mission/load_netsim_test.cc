@@ -154,7 +154,9 @@ TEST(LoadNetsim, WarnsOfTheDefaultRangeWhereOthersAnswerAModem) {
           "while what a modem sends has no range rule; write comms_range in [comms]"});
   std::string alone = text;
   alone.replace(alone.find("name = \"alpha\"\n"), 15, "name = \"alpha\"\noutside = true\n");
-  EXPECT_EQ(LoadMissionText(alone, "m.toml").warnings, std::vector<std::string>());
+  EXPECT_EQ(LoadMissionText(alone, "m.toml").warnings,
+            std::vector<std::string>{"m.toml:6:1: warning: outsider will receive no report: no "
+                                     "other vehicle has a node_reporter"});
 }
 
 TEST(LoadNetsim, RefusesAnEnvironmentFartherFromTheOriginThanPositionsCanBe) {
