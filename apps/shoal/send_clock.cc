@@ -1,6 +1,7 @@
 #include "apps/shoal/send_clock.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <functional>
 #include <optional>
@@ -57,6 +58,13 @@ int SendClock(LcmBus& bus, const OrderToClock& order) {
   PollUntil(bus, kFactorPatience_us,
             [&] { return state->state != "running" || state->factor > 0; });
   fmt::print("clock: {}\n", ClockText(*state));
+  if (state->state == "gathering") {
+    fmt::print("the mission has not begun{}{}\n",
+               state->awaited.empty()
+                   ? ""
+                   : fmt::format("; it waits for {}", fmt::join(state->awaited, ", ")),
+               order.command.command == "pause" ? ", and then for `shoal send clock resume`" : "");
+  }
   return kExitOk;
 }
 

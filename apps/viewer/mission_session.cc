@@ -69,6 +69,11 @@ void MissionSession::Join(bool allow_commands) {
   const PortPlan ports = running_.Ports();
   bus_ = std::make_unique<LcmBus>(ports);
   bus_->set_mission_id(running_.mission_id);
+  // A viewer of the same user can verify seals; `shore_broker --live` has no secret, and none.
+  if (const auto secret = ReadSecretFile(SecretPath(running_.port_base)); secret.ok()) {
+    secret_ = *secret;
+    bus_->set_secret(*secret);
+  }
   const std::vector<std::string> channel_names = Scene::Channels(mission_);
   for (const std::string& channel : channel_names) {
     if (ports.PortOf(channel) > ports.shore_port()) {
@@ -126,6 +131,7 @@ void MissionSession::Work(int64_t now_us) {
     const auto handle = [this](int, std::string_view channel, std::span<const uint8_t> datagram) {
       const Unsealed unsealed = Unseal(datagram);
       if (unsealed.seal && unsealed.seal->mission_id != running_.mission_id) return;
+      if (secret_ && unsealed.seal && !IsGenuine(unsealed, *secret_, channel)) return;
       view_->Handle(channel, unsealed.message);
     };
     communities_->Poll(0, -1, handle);

@@ -72,7 +72,8 @@ class MissionSession {
   int64_t now_us_ = 0;
   std::atomic<int64_t> utime_ = 0;  ///< Of the clock's last step.
   std::vector<CommandRecord> shown_;
-  std::unique_ptr<LcmBus> bus_;               ///< Of the stepping ports and the shore.
+  std::unique_ptr<LcmBus> bus_;  ///< Of the stepping ports and the shore.
+  std::optional<MissionSecret> secret_;
   std::unique_ptr<LcmReceiver> communities_;  ///< Absent in the `shared` layout.
   int64_t next_communities_us_ = 0;
 

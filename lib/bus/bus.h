@@ -46,6 +46,7 @@ struct BusCounters {
   int64_t handled = 0;
   int64_t overload = 0;     ///< Dropped: had waited too long when its turn came.
   int64_t undecodable = 0;  ///< Dropped: the bytes are not a message of the channel's type.
+  int64_t forged = 0;       ///< Dropped: sealed by a process that does not know the secret.
   std::map<std::string, int64_t, std::less<>> undecodable_by_channel;
 };
 

@@ -64,6 +64,10 @@ void LcmBus::Dispatch(std::string_view channel, std::span<const uint8_t> datagra
   }
   const Unsealed unsealed = Unseal(datagram);
   if (mission_id_ != 0 && unsealed.seal && unsealed.seal->mission_id != mission_id_) return;
+  if (secret_ && unsealed.seal && !IsGenuine(unsealed, *secret_, channel)) {
+    ++counters_.forged;
+    return;
+  }
   counters_.handled +=
       handlers_.Call({.channel = channel,
                       .publisher = unsealed.seal ? unsealed.seal->publisher : std::string_view(),

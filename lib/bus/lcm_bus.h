@@ -9,12 +9,14 @@
 
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 
 #include "lib/bus/bus.h"
 #include "lib/bus/handler_table.h"
 #include "lib/bus/layout.h"
 #include "lib/bus/lcm_transport.h"
+#include "lib/bus/mission_secret.h"
 
 namespace shoal {
 
@@ -43,6 +45,10 @@ class LcmBus : public Bus {
   /// protocol has no seal.)
   void set_mission_id(int64_t mission_id) { mission_id_ = mission_id; }
 
+  /// Drops sealed messages that were not sealed with the mission's secret from now on. Without it
+  /// no seal is verified.
+  void set_secret(const MissionSecret& secret) { secret_ = secret; }
+
   /// Holds for the Polls from now on.
   void set_limits(const PollLimits& limits);
 
@@ -63,6 +69,7 @@ class LcmBus : public Bus {
   HandlerTable handlers_;
   PollLimits limits_;
   int64_t mission_id_ = 0;  ///< 0: any.
+  std::optional<MissionSecret> secret_;
   int64_t num_handled_in_poll_ = 0;
   std::map<std::string, int64_t, std::less<>> num_in_poll_;  ///< Messages, by channel.
 };

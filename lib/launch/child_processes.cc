@@ -28,6 +28,22 @@ std::string Describe(int status) {
   return fmt::format("exited with code {}", WEXITSTATUS(status));
 }
 
+/// For a child that has no more than async-signal-safe calls.
+const char* WhyNotExecuted(int error) {
+  switch (error) {
+    case ENOENT:
+      return "the interpreter that its first line names is missing (a line that ends in CR LF "
+             "names "
+             "one too many)";
+    case ENOEXEC:
+      return "it is no program of this machine; a script begins with #! and its interpreter";
+    case EACCES:
+      return "permission denied, for it or its interpreter";
+    default:
+      return "the system refuses";
+  }
+}
+
 std::vector<char*> Pointers(const std::vector<std::string>& strings) {
   std::vector<char*> pointers;
   pointers.reserve(strings.size() + 1);
@@ -91,13 +107,17 @@ Result<pid_t> ChildProcesses::Start(const ChildCommand& command) {
     sigset_t none;
     sigemptyset(&none);
     sigprocmask(SIG_SETMASK, &none, nullptr);
+    close_range(STDERR_FILENO + 1, ~0U, CLOSE_RANGE_CLOEXEC);  // liblcm's own have no such flag.
     if (command.inherited_fd >= 0) fcntl(command.inherited_fd, F_SETFD, 0);
     dup2(null, STDIN_FILENO);
     dup2(log, STDOUT_FILENO);
     dup2(log, STDERR_FILENO);
     execve(argv[0], argv.data(), envp.data());
-    constexpr char kText[] = "cannot execute the program\n";
-    [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, kText, sizeof kText - 1);
+    const char* const why = WhyNotExecuted(errno);
+    const char* const program = argv[0];
+    for (const char* text : {"cannot execute ", program, ": ", why, "\n"}) {
+      [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, text, strlen(text));
+    }
     _exit(127);
   }
   const int fork_error = errno;

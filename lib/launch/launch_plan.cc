@@ -70,6 +70,15 @@ Result<std::string> FindProgram(const std::string& program, const std::string& m
   for (const fs::path& candidate : candidates) {
     if (IsProgram(candidate)) return fs::absolute(candidate).string();
   }
+  for (const fs::path& candidate : candidates) {
+    std::error_code error;
+    if (!fs::exists(candidate, error)) continue;
+    return Error{fmt::format("{} is {}", fs::absolute(candidate).lexically_normal().string(),
+                             fs::is_directory(candidate, error)
+                                 ? "a folder, not a program"
+                                 : "not executable: `chmod +x` it, or begin the command with its "
+                                   "interpreter (command = [\"python3\", ...])")};
+  }
   std::vector<std::string> places;
   for (const fs::path& candidate : candidates) {
     std::string place = fs::absolute(candidate).lexically_normal().string();
@@ -152,7 +161,7 @@ std::string HandCommand(const RosterEntry& entry, const LaunchContext& context) 
     for (const std::string& each : ParticipantEnvironment(entry, context)) {
       variables += each + " ";
     }
-    return variables + "YOUR_PROGRAM";
+    return variables;  // To be pasted before the user's command.
   }
   const std::string mission = fs::absolute(context.mission.file).lexically_normal().string();
   std::string command = fmt::format("{}/{} --mission {} --port {}", ExecutableDirectory(),

@@ -159,7 +159,7 @@ void Supervision::OnChildExits() {
       terminal_.Warn(fmt::format("{} {}; the mission goes on", exit.name, exit.how));
       for (const std::string& line : exit.last_lines) terminal_.Warn("    " + line);
     } else if (is_killing_ || ((is_logger || is_over || is_ending_) && exit.clean)) {
-      clock_.Drop(exit.name, MonotonicMicroseconds());
+      clock_.DropExited(exit.name, MonotonicMicroseconds());
     } else if (is_logger) {
       terminal_.Warn(fmt::format("{} {}; the recorder goes on", exit.name, exit.how));
     } else if (is_over) {
@@ -167,6 +167,7 @@ void Supervision::OnChildExits() {
     } else if (clock_.state() == StepClock::State::kEnding && exit.clean) {
       clock_.Leave(exit.name, MonotonicMicroseconds());
     } else {
+      clock_.DropExited(exit.name, MonotonicMicroseconds());
       OnLost(exit.name, fmt::format("{} (pid {}) {}", exit.name, exit.pid, exit.how),
              exit.last_lines);
     }
@@ -230,6 +231,11 @@ void Supervision::CheckGathering(int64_t wall_us) {
   const std::vector<std::string> awaited = clock_.Awaited();
   std::vector<std::string> late;
   const int64_t limit_us = StartLimit_us(context_.mission.participant_timeout_s, roster_.size());
+  if (awaited.empty() && clock_.paused() && !has_shown_paused_) {
+    has_shown_paused_ = true;
+    terminal_.Warn(
+        "all participants are there, and the clock is paused: `shoal send clock resume`");
+  }
   const bool shows = wall_us >= next_waiting_line_us_;
   if (shows) next_waiting_line_us_ = wall_us + kWaitingLine_us;
   for (const RosterEntry& entry : roster_) {

@@ -86,6 +86,7 @@ class Supervision {
   bool has_shown_foreign_ = false;
   bool has_shown_unregistered_ = false;
   bool has_shown_refused_ = false;
+  bool has_shown_paused_ = false;
 };
 
 }  // namespace shoal

@@ -153,8 +153,13 @@ Result<int> ClaimPorts(int wanted_base, int num_ports) {
       return Error{fmt::format("--port {}: the block of {} ports must lie within 1024 to 65535",
                                wanted_base, num_ports)};
     }
-    if (BlockIsFree(wanted_base, num_ports) && LockBlock(wanted_base, num_ports)) {
-      return wanted_base;
+    const bool is_free = BlockIsFree(wanted_base, num_ports);
+    if (is_free && LockBlock(wanted_base, num_ports)) return wanted_base;
+    if (is_free) {
+      return Error{fmt::format(
+          "another process has claimed some of the UDP ports {} to {} (`ss -xa | grep shoal-port` "
+          "shows them); choose others with --port, or leave it out",
+          wanted_base, wanted_base + num_ports - 1)};
     }
     return Error{fmt::format(
         "UDP ports {} to {} are not all free (`ss -ulnp` shows which programs have "

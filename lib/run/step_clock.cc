@@ -19,7 +19,8 @@ constexpr int64_t kRepeatAfter_us = 50'000;
 constexpr int64_t kStateInterval_us = 500'000;
 /// OnTime is called every 50 ms at least; a longer pause was the launcher's own.
 constexpr int64_t kOwnStall_us = 1'000'000;
-constexpr char kClockName[] = "clock";  ///< In its seals.
+constexpr int64_t kHelloSilence_us = 2'000'000;  ///< Hellos come every 0.2 s.
+constexpr char kClockName[] = "clock";           ///< In its seals.
 constexpr int64_t kNever = std::numeric_limits<int64_t>::max();
 
 }  // namespace
@@ -111,12 +112,17 @@ void StepClock::OnDone(const step_done_t& done, int64_t wall_us) {
     return;
   }
   Member& member = found->second;
+  if (member.exited_pids.contains(done.pid)) {
+    ++counters_.refused;
+    return;
+  }
   if (!done.fault.empty() && fault_.empty()) fault_ = done.participant + ": " + done.fault;
   if (!member.present) {
     // A hello may be lost; a participant that answers the present step is here just as well.
     const bool joins = state_ == State::kGathering || done.step < 0 || done.step == step_;
     if (!joins) return;
     member.pid = done.pid;
+    member.hello_us = wall_us;
     if (state_ == State::kGathering) {
       member.present = true;
     } else {
@@ -124,10 +130,12 @@ void StepClock::OnDone(const step_done_t& done, int64_t wall_us) {
     }
     return;
   }
+  if (done.pid == member.pid) member.hello_us = wall_us;
   if (done.pid != member.pid) {
     if (fault_.empty()) {
       fault_ = fmt::format(
-          "two processes call themselves {} (pid {} and {}): end one, or give it another --alias",
+          "two processes call themselves {} (pid {} and {}): end one (kill PID), or start it under "
+          "another name",
           done.participant, member.pid, done.pid);
     }
     return;
@@ -199,6 +207,14 @@ void StepClock::SendTick(int64_t wall_us) {
   if (step_ == 0 || state_ == State::kEnding) SendState(wall_us);
 }
 
+/// A participant that a user starts, ends and starts again before the mission begins is awaited in
+/// between.
+void StepClock::ForgetSilentHellos(int64_t wall_us) {
+  for (auto& [name, member] : members_) {
+    if (member.present && wall_us - member.hello_us > kHelloSilence_us) member.present = false;
+  }
+}
+
 void StepClock::SendTickDatagram() {
   Bytes bytes;
   EncodeInto(tick_, &bytes);
@@ -219,6 +235,7 @@ void StepClock::OnTime(int64_t wall_us) {
   if (state_ == State::kEnded) return;
   if (wall_us >= next_state_us_) SendState(wall_us);
   if (state_ == State::kGathering) {
+    ForgetSilentHellos(wall_us);
     if (stop_wanted_) {
       // No step has begun; END ends those that are there.
       for (auto& [name, member] : members_) member.answered_step = -1;
@@ -282,10 +299,24 @@ void StepClock::Drop(const std::string& participant, int64_t wall_us) {
   found->second.joins_next = false;
   if (!found->second.present) return;
   CountOf(found->second);
-  found->second = Member{};
+  Member dropped;
+  dropped.former_pid = found->second.pid;
+  dropped.exited_pids = std::move(found->second.exited_pids);
+  found->second = std::move(dropped);
   membership_changed_ = true;
   // What it published in a step that it did not finish does not count.
   if (state_ != State::kGathering && state_ != State::kEnded && AllAnswered()) Advance(wall_us);
+}
+
+void StepClock::DropExited(const std::string& participant, int64_t wall_us) {
+  const auto found = members_.find(participant);
+  if (found != members_.end()) {
+    Member& member = found->second;
+    for (const int32_t pid : {member.pid, member.former_pid}) {
+      if (pid != 0) member.exited_pids.insert(pid);
+    }
+  }
+  Drop(participant, wall_us);
 }
 
 void StepClock::Leave(const std::string& participant, int64_t wall_us) {

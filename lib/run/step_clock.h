@@ -16,6 +16,7 @@
 
 #include <cstdint>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -67,6 +68,9 @@ class StepClock {
 
   /// Goes on without this participant, until it sends hello again.
   void Drop(const std::string& participant, int64_t wall_us);
+  /// The same for a participant whose process has exited: answers with its process id are replays
+  /// from now on, and refused.
+  void DropExited(const std::string& participant, int64_t wall_us);
   /// Takes it that this participant has answered END: it has left, and its answer may be lost.
   void Leave(const std::string& participant, int64_t wall_us);
   /// Ends the mission after the present step, or at once if that does not end within
@@ -98,6 +102,9 @@ class StepClock {
     bool present = false;     ///< Sent hello, or answers; false after Drop.
     bool joins_next = false;  ///< Sent hello while running; takes part from the next tick on.
     int32_t pid = 0;          ///< Of the process that plays it.
+    int32_t former_pid = 0;   ///< Of the one that was dropped.
+    int64_t hello_us = 0;     ///< When its last hello came, before the first step.
+    std::set<int32_t> exited_pids = {};
     int64_t answered_step = -1;
     int64_t asked_at_us = 0;  ///< When the tick it owes an answer to was sent first.
     int64_t next_repeat_us = 0;
@@ -111,6 +118,7 @@ class StepClock {
 
   void OnDone(const step_done_t& done, int64_t wall_us);
   void SendTickDatagram();
+  void ForgetSilentHellos(int64_t wall_us);
   std::string Execute(const clock_command_t& command, int64_t wall_us);
   std::string_view StateWord(bool is_awaiting) const;
   void SendState(int64_t wall_us);

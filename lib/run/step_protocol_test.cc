@@ -300,6 +300,29 @@ TEST(StepProtocol, LetsOneComeBackThatWasDropped) {
   EXPECT_TRUE(outcome.transcripts.at("b").ends_with("end"));
 }
 
+TEST(StepProtocol, RefusesReplaysOfAProcessThatHasExited) {
+  FakeNetwork network;
+  const PortPlan plan(7665, Layout::kShared, {});
+  const Outcome outcome =
+      RunOver(network, 1.0, [&](int64_t now, StepClock& clock, std::vector<Member>& members) {
+        if (clock.step() < 10) return;
+        if (clock.step() == 10) {
+          members[1].node->set_stopped(true);
+          clock.DropExited("b", now);
+        }
+        step_done_t hello{};  // Recorded when the mission began.
+        hello.mission_id = kMissionId;
+        hello.step = -1;
+        hello.participant = "b";
+        hello.pid = 1;
+        members[0].node->Send(plan.done_port(), "STEP_DONE", Sealed(hello));
+      });
+  EXPECT_EQ(outcome.state, StepClock::State::kEnded);
+  EXPECT_EQ(outcome.fault, "");
+  EXPECT_EQ(outcome.silent, std::vector<std::string>{});
+  EXPECT_GT(outcome.counters.refused, 100);
+}
+
 TEST(StepProtocol, LosesNothingThatANewProcessPublishesFirst) {
   FakeNetwork network;
   const PortPlan plan(7665, Layout::kShared, {});
@@ -351,6 +374,29 @@ TEST(StepProtocol, RefusesASecondProcessOfTheSameName) {
       });
   EXPECT_NE(outcome.fault.find("two processes call themselves b (pid 1 and 2)"), std::string::npos)
       << outcome.fault;
+}
+
+TEST(StepProtocol, AwaitsAgainAParticipantThatFallsSilentBeforeTheMission) {
+  FakeNetwork network;
+  const PortPlan plan(7665, Layout::kShared, {});
+  StepClock clock(Options(1.0), {"a", "b"}, plan, network.Add());
+  const auto send_hello = [&](const std::string& name, int32_t pid, int64_t wall_us) {
+    step_done_t hello{};
+    hello.mission_id = kMissionId;
+    hello.step = -1;
+    hello.participant = name;
+    hello.pid = pid;
+    clock.OnDatagram(plan.done_port(), "STEP_DONE", Sealed(hello), wall_us);
+    clock.OnTime(wall_us);
+  };
+  send_hello("a", 1, 0);
+  EXPECT_EQ(clock.Awaited(), std::vector<std::string>{"b"});
+  clock.OnTime(3'000'000);  // Its user has ended it.
+  EXPECT_EQ(clock.Awaited(), (std::vector<std::string>{"a", "b"}));
+  send_hello("a", 2, 4'000'000);
+  send_hello("b", 3, 4'100'000);
+  EXPECT_EQ(clock.fault(), "");
+  EXPECT_EQ(clock.state(), StepClock::State::kRunning);
 }
 
 TEST(StepProtocol, BlamesNoParticipantWhenTheClockItselfStoodStill) {

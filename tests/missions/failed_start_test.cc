@@ -43,6 +43,27 @@ TEST(Start, OfAProgramThatIsMissingStartsNothingAndNamesItOnce) {
   EXPECT_FALSE(std::filesystem::exists(dir)) << "the next run may record there";
 }
 
+TEST(Start, OfAFileThatIsNoProgramStatesWhatItLacks) {
+  const TestFolder folder;
+  const std::string file = (folder / "m.toml").string();
+  const std::string script = (folder / "planner.py").string();
+  WriteFile(file, std::string(kOneVessel) + "[[participant]]\nname = \"planner\"\ncommand = [\"" +
+                      script + "\"]\n");
+  WriteFile(script, "#!/no/such/interpreter\n");
+  const Finished not_executable = RunShoal(folder, {"check", file});
+  EXPECT_EQ(not_executable.exit_code, 3) << not_executable.output;
+  EXPECT_EQ(CountOf(not_executable.output, script + " is not executable: `chmod +x` it"), 1)
+      << not_executable.output;
+  std::filesystem::permissions(script, std::filesystem::perms::owner_all);
+  const Finished no_interpreter = RunShoal(folder, {"run", file});
+  EXPECT_EQ(no_interpreter.exit_code, 3) << no_interpreter.output;
+  EXPECT_EQ(CountOf(no_interpreter.output, "cannot execute " + script +
+                                               ": the interpreter that its first line names is "
+                                               "missing"),
+            1)
+      << no_interpreter.output;
+}
+
 TEST(Start, ThatFailsNamesItsCauseAndNotWhatShoalEnded) {
   const TestFolder folder;
   const std::string file = (folder / "m.toml").string();
