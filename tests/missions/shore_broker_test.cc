@@ -134,9 +134,10 @@ TEST_F(LiveBroker, TakesReportsAsTheyComeAndPublishesTheirFates) {
   Report("alpha", 0);
   bus_.Poll(50'000);
   Report("bravo", 100);
-  ASSERT_TRUE(Receive([&] { return received_["alpha"] == 1; })) << broker_->Output();
+  ASSERT_TRUE(Receive([&] { return received_["alpha"] >= 1; })) << broker_->Output();
   Report("alpha", 0);
-  ASSERT_TRUE(Receive([&] { return received_["bravo"] == 1; }));
+  // Where both first reports came in one round, bravo has received two of alpha's.
+  ASSERT_TRUE(Receive([&] { return received_["bravo"] >= 1; }));
   EXPECT_TRUE(Receive([&] { return fates_.size() >= 2; }));
   constexpr int64_t kSecondOfTime_us = 1'000'000;
   EXPECT_GE(fate_utime_, began_s_ * kSecondOfTime_us) << "the wall's time";
