@@ -9,6 +9,7 @@
 
 #include "lib/check/check.h"
 #include "lib/netsim/gprmc.h"
+#include "lib/routing/kind.h"
 
 namespace shoal {
 
@@ -165,11 +166,11 @@ std::string NetsimManagerApp::NameOfPort(int32_t port) const {
 
 void NetsimManagerApp::TakeFates(const comms_fates_t& fates) {
   for (const fate_t& fate : fates.fates) {
-    if (fate.path.empty()) continue;
+    if (fate.kind != KindText(Kind::kPacket) || fate.path.empty()) continue;
     const bool is_ours = std::any_of(
         outsiders_.begin(), outsiders_.end(),
         [&](const OutsideVehicle& outsider) { return outsider.options.name == fate.destination; });
-    if (is_ours) paths_[{fate.destination, fate.source, fate.path[0].packet}] = fate.path[0];
+    if (is_ours) paths_[{fate.destination, fate.source, fate.number}] = fate.path[0];
   }
 }
 
@@ -210,6 +211,14 @@ void NetsimManagerApp::PassReceived(OutsideVehicle* outsider, int64_t mission_us
                        : 0;
     // A modem's packet has a rate of its own.
     if (path != paths_.end() && path->second.air_s > 0) air_s = path->second.air_s;
+    if (path == paths_.end() && outsider->options.modem != NetsimModem::kRaw) {
+      log_.Event(
+          mission_.start_utime + mission_us,
+          fmt::format("{}: packet {} of {} has no fate in COMMS_FATES: its times assume {:g} "
+                      "bit/s, and its SNR is not known",
+                      outsider->options.name, packet.number, Printable(packet.source),
+                      acoustics.data_rate_bps));
+    }
     const bool is_sound = IsMissionTime(packet.arrived_utime) && IsMissionTime(packet.sent_utime);
     if (!is_sound) {
       log_.Warn("ACOUSTIC_RX with times that cannot be: ignored");

@@ -67,7 +67,8 @@ class NetsimManagerApp : public App {
   std::unique_ptr<LineServer> lines_;
   std::vector<OutsideVehicle> outsiders_;
   std::vector<modem_stats_t> stats_;  ///< Of this step.
-  /// What COMMS_FATES holds of packets that arrived in this step: by receiver, sender and packet.
+  /// What COMMS_FATES holds of packets that arrived in this step: by receiver, sender and the
+  /// packet's number, as ACOUSTIC_RX has it (path[0].packet counts reports and messages too).
   std::map<std::tuple<std::string, std::string, int64_t>, acoustic_path_t> paths_;
   NetsimCounts counts_;
   StatusLog log_;
