@@ -25,7 +25,7 @@ struct ModemPortOptions {
   std::string address = "127.0.0.1";  ///< To listen on.
   int port = 0;
   NetsimModem kind = NetsimModem::kRaw;
-  int modem_address = 0;      ///< Of a Micro-Modem, 0 to 127.
+  int modem_address = 0;      ///< Of a Micro-Modem at first, 1 to 127; others ignore it.
   double water_bps = 0;       ///< The acoustic network's data rate; 0: not known.
   size_t more_bytes = 0;      ///< On the air, with each packet: a checksum.
   size_t max_bytes = 65'535;  ///< That an acoustic packet holds.

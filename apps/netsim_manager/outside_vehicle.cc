@@ -13,13 +13,12 @@ Result<bool> OpenPorts(const Mission& mission, const std::string& address,
   const NetsimVehicle& vehicle = outsider->options;
   if (vehicle.modem != NetsimModem::kNone) {
     const AcousticOptions& acoustics = mission.acoustics.options;
-    const int modem_address = outsider->vehicle->acoustic_address;
     const int64_t limit = acoustics.modem ? acoustics.modem->max_packet_bytes : 0;
     auto modem =
         ModemPort::Open({.address = address,
                          .port = vehicle.modem_tcp_port,
                          .kind = vehicle.modem,
-                         .modem_address = modem_address <= 127 ? modem_address : 0,
+                         .modem_address = outsider->vehicle->acoustic_address,
                          .water_bps = acoustics.data_rate_bps,
                          .more_bytes = mission.acoustics.crc ? kPacketCrcBytes : 0,
                          .max_bytes = limit > 0 ? static_cast<size_t>(limit) : kMaxRawPieceBytes});
