@@ -118,6 +118,9 @@ class MicroModemPort : public ModemPort {
     }
   }
   void Advance(int64_t mission_us) override { Pass(modem_.Advance(mission_us)); }
+  // Not in Advance, which comes between steps too: the packet leaves in the step, and its end
+  // counts from there.
+  void BeforeStep(int64_t mission_us) override { Pass(modem_.Transmit(mission_us)); }
 
   void Pass(const MicroModemOutput& output) {
     SendToClient(output.to_host);

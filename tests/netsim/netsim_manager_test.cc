@@ -333,6 +333,27 @@ TEST(NetsimManager, ShowsWhereAPacketHasNoFate) {
       << manager.app().Status().text;
 }
 
+TEST(NetsimManager, SendsThePacketsOfAMicroModemOneAfterTheOther) {
+  Manager manager(OutsideMission(NetsimModem::kMicromodem2));
+  TcpClient host(manager.app().ModemPortOf("outsider"));
+  const std::string flexible = "$CCTDP,9,5,0,0," + std::string(200, 'a') + "\r\n";
+  host.Send(flexible + flexible + "$CCMUC,5,9,0001\r\n" + flexible);
+  // Others' bytes have it served between steps, at any time. All packets are shorter than a step,
+  // or no whole number of steps.
+  for (int i = 0; i < 400 && manager.packets_.size() < 4; ++i) {
+    manager.Step();
+    for (int part = 0; part < 6; ++part) manager.Serve(15'000);
+    pollfd served{.fd = manager.app().ServedFd(), .events = POLLIN, .revents = 0};
+    poll(&served, 1, 1);
+  }
+  ASSERT_EQ(manager.packets_.size(), 4U);
+  for (size_t i = 1; i < 4; ++i) {
+    const modem_tx_t& before = manager.packets_[i - 1];
+    const double air_us = 8e6 * before.num_bytes / before.data_rate_bps;
+    EXPECT_GE(static_cast<double>(manager.packets_[i].utime - before.utime), air_us) << i;
+  }
+}
+
 TEST(NetsimManager, ForgetsTheHalfLineOfAHostThatHasGone) {
   Manager manager(OutsideMission(NetsimModem::kMicromodem));
   {
