@@ -273,6 +273,27 @@ TEST(NetsimManager, HasOneClientForAModem) {
   EXPECT_FALSE(first.has_ended());
 }
 
+TEST(NetsimManager, KeepsTheCountsOfARawModemForItsNextClient) {
+  Manager manager(OutsideMission(NetsimModem::kRaw));
+  const auto shows = [&](std::string_view text) {
+    return manager.StepUntil(
+        [&] { return manager.app().Status().text.find(text) != std::string::npos; });
+  };
+  {
+    TcpClient first(manager.app().ModemPortOf("outsider"));
+    first.Send(std::string("\0\5hello\0\5he", 11));
+    ASSERT_TRUE(shows("2 payloads taken"));
+  }
+  ASSERT_TRUE(shows("no client"));
+  TcpClient second(manager.app().ModemPortOf("outsider"));
+  ASSERT_TRUE(shows("client at"));
+  EXPECT_TRUE(shows("1 payloads taken, 0 empty, 0 too long, 1 cut off"))
+      << manager.app().Status().text;
+  second.Send(std::string("\0\3bye", 5));
+  EXPECT_TRUE(shows("2 payloads taken, 0 empty, 0 too long, 1 cut off"))
+      << manager.app().Status().text;
+}
+
 TEST(NetsimManager, AnswersTheHostOfAMicroModemAndPings) {
   Manager manager(OutsideMission(NetsimModem::kMicromodem));
   TcpClient host(manager.app().ModemPortOf("outsider"));
