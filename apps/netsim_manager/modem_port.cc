@@ -158,7 +158,8 @@ Result<bool> ModemPort::Listen(const ModemPortOptions& options) {
            [this](ClientId) {
              client_.reset();
              OnClose();
-           }});
+           },
+       .on_refuse = options.on_refuse});
   if (!server.ok()) return Error{server.error()};
   server_ = std::move(*server);
   return true;
@@ -189,9 +190,10 @@ std::vector<ModemTransmission> ModemPort::TakeTransmissions(int64_t mission_us) 
 }
 
 std::string ModemPort::ClientText() const {
-  return fmt::format("port {}, {}; {} packets given to the water{}", port(),
+  const TcpServerCounts& counts = server_->counts();
+  return fmt::format("port {}, {}, {} refused, {} stalled; {} packets given to the water{}", port(),
                      client_ ? "client at " + client_address_ : std::string("no client"),
-                     num_transmissions_,
+                     counts.refused, counts.stalled, num_transmissions_,
                      num_dropped_ > 0 ? fmt::format(", {} too many", num_dropped_) : "");
 }
 

@@ -77,13 +77,19 @@ void NetsimManagerApp::Open() {
 
 /// Opens the ports of one vehicle; false and a fault where that cannot be.
 bool NetsimManagerApp::Take(OutsideVehicle* outsider) {
-  if (const auto opened = OpenPorts(mission_, options_.address, outsider); !opened.ok()) {
+  const auto on_event = [this](const std::string& text) { Event(text); };
+  const auto opened = OpenPorts(mission_, options_.address, on_event, outsider);
+  if (!opened.ok()) {
     fault_ = opened.error();
     return false;
   }
   if (outsider->modem) Await(outsider->modem->fd());
   if (outsider->gps && outsider->gps->fd() >= 0) Await(outsider->gps->fd());
   return fault_.empty();
+}
+
+void NetsimManagerApp::Event(const std::string& text) {
+  log_.Event(utime_.value_or(mission_.start_utime), text);
 }
 
 void NetsimManagerApp::Await(int fd) {
@@ -108,9 +114,7 @@ std::string NetsimManagerApp::OnLine(const std::string& address, std::string_vie
   const NetsimReply reply = AnswerLine(line, address, options_);
   counts_.Add(reply.outcome);
   if (!reply.problem.empty()) {
-    log_.Event(
-        utime_.value_or(mission_.start_utime),
-        fmt::format("{}: {}", Printable(address), Printable(reply.problem, kLongestSentence)));
+    Event(fmt::format("{}: {}", Printable(address), Printable(reply.problem, kLongestSentence)));
   }
   for (const NetsimPosition& position : reply.positions) TakePosition(position);
   for (const NetsimReceiveStats& stats : reply.stats) TakeStats(stats);
@@ -212,8 +216,7 @@ void NetsimManagerApp::PassReceived(OutsideVehicle* outsider, int64_t mission_us
     // A modem's packet has a rate of its own.
     if (path != paths_.end() && path->second.air_s > 0) air_s = path->second.air_s;
     if (path == paths_.end() && outsider->options.modem != NetsimModem::kRaw) {
-      log_.Event(
-          mission_.start_utime + mission_us,
+      Event(
           fmt::format("{}: packet {} of {} has no fate in COMMS_FATES: its times assume {:g} "
                       "bit/s, and its SNR is not known",
                       outsider->options.name, packet.number, Printable(packet.source),

@@ -48,6 +48,7 @@ class NetsimManagerApp : public App {
  private:
   void Open();
   void Await(int fd);
+  void Event(const std::string& text);
   bool Take(OutsideVehicle* outsider);
   std::string OnLine(const std::string& address, std::string_view line);
   void TakePosition(const NetsimPosition& position);

@@ -271,6 +271,11 @@ TEST(NetsimManager, HasOneClientForAModem) {
   }));
   first.Receive();
   EXPECT_FALSE(first.has_ended());
+  const std::string page = manager.app().Status().text;
+  EXPECT_NE(page.find("outsider: a second host at 127.0.0.1 was refused, one client per port\n"),
+            std::string::npos)
+      << page;
+  EXPECT_NE(page.find("client at 127.0.0.1, 1 refused, 0 stalled"), std::string::npos) << page;
 }
 
 TEST(NetsimManager, KeepsTheCountsOfARawModemForItsNextClient) {
