@@ -22,6 +22,9 @@ constexpr size_t kMaxReceivedPerStep = 1000;
 /// a client that comes.
 constexpr int64_t kSilence_us = 10'000'000;
 
+/// A driver such as Goby's wants its modem's clock within 1 s of its own.
+constexpr int64_t kMostLag_us = 500'000;
+
 /// Differences of such times are numbers still.
 bool IsMissionTime(int64_t utime) {
   constexpr int64_t kLatest_us = 1'000'000'000'000'000'000;
@@ -267,12 +270,33 @@ void NetsimManagerApp::Serve(int64_t now_us, int64_t utc_us) {
   utc_us_ = utc_us;
   const int64_t mission_us = MissionTime_us(now_us);
   lines_->Serve(now_us);
+  if (utime_) WatchClocks(mission_us);
   for (OutsideVehicle& outsider : outsiders_) {
-    if (outsider.modem && utime_ && !clocks_are_set_) outsider.modem->SetClock(utc_us, mission_us);
     if (outsider.modem) outsider.modem->Serve(now_us, mission_us);
     if (outsider.gps) outsider.gps->Serve(now_us);
   }
-  clocks_are_set_ = clocks_are_set_ || utime_.has_value();
+}
+
+void NetsimManagerApp::WatchClocks(int64_t mission_us) {
+  if (!utc_at_zero_us_) {
+    utc_at_zero_us_ = utc_us_ - mission_us;
+    for (OutsideVehicle& outsider : outsiders_) {
+      if (outsider.modem) outsider.modem->SetClock(utc_us_, mission_us);
+    }
+  }
+  // At another warp the mission's time is not meant to be the wall's.
+  if (warp_ != 1 || has_lagged_ || !HasMicroModem() || Lag_us() <= kMostLag_us) return;
+  has_lagged_ = true;
+  log_.Warn(
+      "the clocks of Micro-Modems fell more than 0.5 s behind this machine's, since the mission "
+      "was "
+      "paused or the machine stalled: hosts set them right with CCCLK or CCTMS");
+}
+
+bool NetsimManagerApp::HasMicroModem() const {
+  return std::any_of(outsiders_.begin(), outsiders_.end(), [](const OutsideVehicle& outsider) {
+    return outsider.modem && outsider.options.modem != NetsimModem::kRaw;
+  });
 }
 
 StatusPage NetsimManagerApp::Status() const {
@@ -294,7 +318,15 @@ StatusPage NetsimManagerApp::Status() const {
     if (counts_.Of(outcome) == 0) continue;
     page.text += fmt::format("    {}: {}\n", Word(outcome), counts_.Of(outcome));
   }
-  page.text += fmt::format("Receive statistics: {}\nVehicles:\n", num_stats_);
+  page.text += fmt::format("Receive statistics: {}\n", num_stats_);
+  if (HasMicroModem()) {
+    const double lag_s = static_cast<double>(Lag_us()) / 1e6;
+    page.text += fmt::format(
+        "Clocks of Micro-Modems: {:.1f} s {} this machine's, where no host has set them since the "
+        "start\n",
+        std::abs(lag_s), lag_s > -0.05 ? "behind" : "ahead of");
+  }
+  page.text += "Vehicles:\n";
   for (const OutsideVehicle& outsider : outsiders_) {
     const int32_t sender = outsider.stats ? outsider.stats->tx_modem_tcp_port : 0;
     page.text += TextOf(outsider, utime_.value_or(0), NameOfPort(sender));

@@ -312,6 +312,24 @@ TEST(NetsimManager, AnswersTheHostOfAMicroModemAndPings) {
   EXPECT_EQ(manager.packets_[0].num_bytes, 9) << "not filled up";
 }
 
+TEST(NetsimManager, ShowsHowFarTheModemsClocksAreBehindTheWall) {
+  Manager manager(OutsideMission(NetsimModem::kMicromodem));
+  manager.Step();
+  EXPECT_NE(manager.app().Status().text.find("Clocks of Micro-Modems: 0.0 s behind"),
+            std::string::npos)
+      << manager.app().Status().text;
+  manager.Serve(400'000);
+  manager.Step();
+  EXPECT_TRUE(manager.app().Status().run_warnings.empty());
+  manager.Serve(400'000);
+  manager.Step();
+  EXPECT_NE(manager.app().Status().text.find("Clocks of Micro-Modems: 0.8 s behind"),
+            std::string::npos)
+      << manager.app().Status().text;
+  ASSERT_EQ(manager.app().Status().run_warnings.size(), 1U);
+  EXPECT_NE(manager.app().Status().run_warnings[0].find("CCCLK"), std::string::npos);
+}
+
 TEST(NetsimManager, ReportsTravelTimeAndNoiseOfReceivedPacketsToTheHost) {
   Manager manager(OutsideMission(NetsimModem::kMicromodem));
   TcpClient host(manager.app().ModemPortOf("outsider"));
