@@ -14,8 +14,7 @@ namespace {
 class RawPort : public ModemPort {
  public:
   explicit RawPort(const ModemPortOptions& options)
-      : options_({.max_bytes = options.max_bytes}),
-        reader_(options_),
+      : reader_({.max_bytes = options.max_bytes}),
         water_bps_(options.water_bps),
         more_bytes_(options.more_bytes) {}
 
@@ -28,17 +27,16 @@ class RawPort : public ModemPort {
   std::string Text() const override {
     const RawModemCounts& counts = reader_.counts();
     return fmt::format(
-        "    raw, {}; {} payloads taken, {} empty, {} too long, {} waiting, {} dropped; {} "
-        "received\n",
-        ClientText(), counts.delivered, counts.empty, counts.too_long, waiting_.size(),
-        num_dropped_, num_heard_);
+        "    raw, {}; {} payloads taken, {} empty, {} too long, {} cut off, {} waiting, {} "
+        "dropped; {} received\n",
+        ClientText(), counts.delivered, counts.empty, counts.too_long, counts.cut_off,
+        waiting_.size(), num_dropped_, num_heard_);
   }
 
  private:
-  // A client that was cut off in the midst of a piece must not spoil the next one's.
-  void OnConnect() override { reader_ = RawModemReader(options_); }
   // What it had sent is its own: the next client must find a modem that is free.
   void OnClose() override {
+    reader_.ForgetPiece();
     num_dropped_ += static_cast<int64_t>(waiting_.size());
     waiting_.clear();
   }
@@ -64,7 +62,6 @@ class RawPort : public ModemPort {
     }
   }
 
-  RawModemOptions options_;
   RawModemReader reader_;
   double water_bps_;
   size_t more_bytes_;
@@ -118,6 +115,9 @@ class MicroModemPort : public ModemPort {
     }
   }
   void Advance(int64_t mission_us) override { Pass(modem_.Advance(mission_us)); }
+  // Not in Advance, which comes between steps too: the packet leaves in the step, and its end
+  // counts from there.
+  void BeforeStep(int64_t mission_us) override { Pass(modem_.Transmit(mission_us)); }
 
   void Pass(const MicroModemOutput& output) {
     SendToClient(output.to_host);
@@ -158,7 +158,8 @@ Result<bool> ModemPort::Listen(const ModemPortOptions& options) {
            [this](ClientId) {
              client_.reset();
              OnClose();
-           }});
+           },
+       .on_refuse = options.on_refuse});
   if (!server.ok()) return Error{server.error()};
   server_ = std::move(*server);
   return true;
@@ -189,9 +190,10 @@ std::vector<ModemTransmission> ModemPort::TakeTransmissions(int64_t mission_us) 
 }
 
 std::string ModemPort::ClientText() const {
-  return fmt::format("port {}, {}; {} packets given to the water{}", port(),
+  const TcpServerCounts& counts = server_->counts();
+  return fmt::format("port {}, {}, {} refused, {} stalled; {} packets given to the water{}", port(),
                      client_ ? "client at " + client_address_ : std::string("no client"),
-                     num_transmissions_,
+                     counts.refused, counts.stalled, num_transmissions_,
                      num_dropped_ > 0 ? fmt::format(", {} too many", num_dropped_) : "");
 }
 

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -25,10 +26,12 @@ struct ModemPortOptions {
   std::string address = "127.0.0.1";  ///< To listen on.
   int port = 0;
   NetsimModem kind = NetsimModem::kRaw;
-  int modem_address = 0;      ///< Of a Micro-Modem, 0 to 127.
+  int modem_address = 0;      ///< Of a Micro-Modem at first, 1 to 127; others ignore it.
   double water_bps = 0;       ///< The acoustic network's data rate; 0: not known.
   size_t more_bytes = 0;      ///< On the air, with each packet: a checksum.
   size_t max_bytes = 65'535;  ///< That an acoustic packet holds.
+  /// Called in Serve with the address of a second client, which is closed at once.
+  std::function<void(const std::string& address)> on_refuse = {};
 };
 
 /// A packet to transmit.

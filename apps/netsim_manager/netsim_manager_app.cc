@@ -9,6 +9,7 @@
 
 #include "lib/check/check.h"
 #include "lib/netsim/gprmc.h"
+#include "lib/routing/kind.h"
 
 namespace shoal {
 
@@ -20,6 +21,9 @@ constexpr size_t kMaxReceivedPerStep = 1000;
 /// Vehicle simulators send several times per second: what is silent for so long gives its place to
 /// a client that comes.
 constexpr int64_t kSilence_us = 10'000'000;
+
+/// A driver such as Goby's wants its modem's clock within 1 s of its own.
+constexpr int64_t kMostLag_us = 500'000;
 
 /// Differences of such times are numbers still.
 bool IsMissionTime(int64_t utime) {
@@ -76,13 +80,19 @@ void NetsimManagerApp::Open() {
 
 /// Opens the ports of one vehicle; false and a fault where that cannot be.
 bool NetsimManagerApp::Take(OutsideVehicle* outsider) {
-  if (const auto opened = OpenPorts(mission_, options_.address, outsider); !opened.ok()) {
+  const auto on_event = [this](const std::string& text) { Event(text); };
+  const auto opened = OpenPorts(mission_, options_.address, on_event, outsider);
+  if (!opened.ok()) {
     fault_ = opened.error();
     return false;
   }
   if (outsider->modem) Await(outsider->modem->fd());
   if (outsider->gps && outsider->gps->fd() >= 0) Await(outsider->gps->fd());
   return fault_.empty();
+}
+
+void NetsimManagerApp::Event(const std::string& text) {
+  log_.Event(utime_.value_or(mission_.start_utime), text);
 }
 
 void NetsimManagerApp::Await(int fd) {
@@ -107,9 +117,7 @@ std::string NetsimManagerApp::OnLine(const std::string& address, std::string_vie
   const NetsimReply reply = AnswerLine(line, address, options_);
   counts_.Add(reply.outcome);
   if (!reply.problem.empty()) {
-    log_.Event(
-        utime_.value_or(mission_.start_utime),
-        fmt::format("{}: {}", Printable(address), Printable(reply.problem, kLongestSentence)));
+    Event(fmt::format("{}: {}", Printable(address), Printable(reply.problem, kLongestSentence)));
   }
   for (const NetsimPosition& position : reply.positions) TakePosition(position);
   for (const NetsimReceiveStats& stats : reply.stats) TakeStats(stats);
@@ -165,11 +173,11 @@ std::string NetsimManagerApp::NameOfPort(int32_t port) const {
 
 void NetsimManagerApp::TakeFates(const comms_fates_t& fates) {
   for (const fate_t& fate : fates.fates) {
-    if (fate.path.empty()) continue;
+    if (fate.kind != KindText(Kind::kPacket) || fate.path.empty()) continue;
     const bool is_ours = std::any_of(
         outsiders_.begin(), outsiders_.end(),
         [&](const OutsideVehicle& outsider) { return outsider.options.name == fate.destination; });
-    if (is_ours) paths_[{fate.destination, fate.source, fate.path[0].packet}] = fate.path[0];
+    if (is_ours) paths_[{fate.destination, fate.source, fate.number}] = fate.path[0];
   }
 }
 
@@ -210,6 +218,13 @@ void NetsimManagerApp::PassReceived(OutsideVehicle* outsider, int64_t mission_us
                        : 0;
     // A modem's packet has a rate of its own.
     if (path != paths_.end() && path->second.air_s > 0) air_s = path->second.air_s;
+    if (path == paths_.end() && outsider->options.modem != NetsimModem::kRaw) {
+      Event(
+          fmt::format("{}: packet {} of {} has no fate in COMMS_FATES: its times assume {:g} "
+                      "bit/s, and its SNR is not known",
+                      outsider->options.name, packet.number, Printable(packet.source),
+                      acoustics.data_rate_bps));
+    }
     const bool is_sound = IsMissionTime(packet.arrived_utime) && IsMissionTime(packet.sent_utime);
     if (!is_sound) {
       log_.Warn("ACOUSTIC_RX with times that cannot be: ignored");
@@ -255,12 +270,33 @@ void NetsimManagerApp::Serve(int64_t now_us, int64_t utc_us) {
   utc_us_ = utc_us;
   const int64_t mission_us = MissionTime_us(now_us);
   lines_->Serve(now_us);
+  if (utime_) WatchClocks(mission_us);
   for (OutsideVehicle& outsider : outsiders_) {
-    if (outsider.modem && utime_ && !clocks_are_set_) outsider.modem->SetClock(utc_us, mission_us);
     if (outsider.modem) outsider.modem->Serve(now_us, mission_us);
     if (outsider.gps) outsider.gps->Serve(now_us);
   }
-  clocks_are_set_ = clocks_are_set_ || utime_.has_value();
+}
+
+void NetsimManagerApp::WatchClocks(int64_t mission_us) {
+  if (!utc_at_zero_us_) {
+    utc_at_zero_us_ = utc_us_ - mission_us;
+    for (OutsideVehicle& outsider : outsiders_) {
+      if (outsider.modem) outsider.modem->SetClock(utc_us_, mission_us);
+    }
+  }
+  // At another warp the mission's time is not meant to be the wall's.
+  if (warp_ != 1 || has_lagged_ || !HasMicroModem() || Lag_us() <= kMostLag_us) return;
+  has_lagged_ = true;
+  log_.Warn(
+      "the clocks of Micro-Modems fell more than 0.5 s behind this machine's, since the mission "
+      "was "
+      "paused or the machine stalled: hosts set them right with CCCLK or CCTMS");
+}
+
+bool NetsimManagerApp::HasMicroModem() const {
+  return std::any_of(outsiders_.begin(), outsiders_.end(), [](const OutsideVehicle& outsider) {
+    return outsider.modem && outsider.options.modem != NetsimModem::kRaw;
+  });
 }
 
 StatusPage NetsimManagerApp::Status() const {
@@ -282,7 +318,15 @@ StatusPage NetsimManagerApp::Status() const {
     if (counts_.Of(outcome) == 0) continue;
     page.text += fmt::format("    {}: {}\n", Word(outcome), counts_.Of(outcome));
   }
-  page.text += fmt::format("Receive statistics: {}\nVehicles:\n", num_stats_);
+  page.text += fmt::format("Receive statistics: {}\n", num_stats_);
+  if (HasMicroModem()) {
+    const double lag_s = static_cast<double>(Lag_us()) / 1e6;
+    page.text += fmt::format(
+        "Clocks of Micro-Modems: {:.1f} s {} this machine's, where no host has set them since the "
+        "start\n",
+        std::abs(lag_s), lag_s > -0.05 ? "behind" : "ahead of");
+  }
+  page.text += "Vehicles:\n";
   for (const OutsideVehicle& outsider : outsiders_) {
     const int32_t sender = outsider.stats ? outsider.stats->tx_modem_tcp_port : 0;
     page.text += TextOf(outsider, utime_.value_or(0), NameOfPort(sender));

@@ -48,6 +48,7 @@ class NetsimManagerApp : public App {
  private:
   void Open();
   void Await(int fd);
+  void Event(const std::string& text);
   bool Take(OutsideVehicle* outsider);
   std::string OnLine(const std::string& address, std::string_view line);
   void TakePosition(const NetsimPosition& position);
@@ -57,6 +58,11 @@ class NetsimManagerApp : public App {
   void Report(OutsideVehicle* outsider, int64_t utime);
   /// Mission time since the start, for modems: never goes back.
   int64_t MissionTime_us(int64_t wall_us);
+  /// Sets modems' clocks at first, and warns where they have fallen behind.
+  void WatchClocks(int64_t mission_us);
+  /// Returns how far mission time is behind the wall's since then; negative: ahead of it.
+  int64_t Lag_us() const { return utc_us_ - utc_at_zero_us_.value_or(utc_us_) - mission_us_; }
+  bool HasMicroModem() const;
   std::string NameOfPort(int32_t port) const;
 
   const Mission mission_;
@@ -67,7 +73,8 @@ class NetsimManagerApp : public App {
   std::unique_ptr<LineServer> lines_;
   std::vector<OutsideVehicle> outsiders_;
   std::vector<modem_stats_t> stats_;  ///< Of this step.
-  /// What COMMS_FATES holds of packets that arrived in this step: by receiver, sender and packet.
+  /// What COMMS_FATES holds of packets that arrived in this step: by receiver, sender and the
+  /// packet's number, as ACOUSTIC_RX has it (path[0].packet counts reports and messages too).
   std::map<std::tuple<std::string, std::string, int64_t>, acoustic_path_t> paths_;
   NetsimCounts counts_;
   StatusLog log_;
@@ -78,7 +85,9 @@ class NetsimManagerApp : public App {
   int64_t utc_us_ = 0;
   std::optional<int64_t> tick_wall_us_;  ///< When the last step was, as Serve saw it.
   int64_t mission_us_ = 0;               ///< As given to modems last.
-  bool clocks_are_set_ = false;
+  /// The wall's UTC at mission time 0, as modems' clocks were set by it.
+  std::optional<int64_t> utc_at_zero_us_;
+  bool has_lagged_ = false;  ///< The warning was given.
   int64_t num_stats_ = 0;
 };
 

@@ -9,25 +9,35 @@
 namespace shoal {
 
 Result<bool> OpenPorts(const Mission& mission, const std::string& address,
+                       const std::function<void(const std::string&)>& on_event,
                        OutsideVehicle* outsider) {
   const NetsimVehicle& vehicle = outsider->options;
   if (vehicle.modem != NetsimModem::kNone) {
     const AcousticOptions& acoustics = mission.acoustics.options;
-    const int modem_address = outsider->vehicle->acoustic_address;
     const int64_t limit = acoustics.modem ? acoustics.modem->max_packet_bytes : 0;
     auto modem =
         ModemPort::Open({.address = address,
                          .port = vehicle.modem_tcp_port,
                          .kind = vehicle.modem,
-                         .modem_address = modem_address <= 127 ? modem_address : 0,
+                         .modem_address = outsider->vehicle->acoustic_address,
                          .water_bps = acoustics.data_rate_bps,
                          .more_bytes = mission.acoustics.crc ? kPacketCrcBytes : 0,
-                         .max_bytes = limit > 0 ? static_cast<size_t>(limit) : kMaxRawPieceBytes});
+                         .max_bytes = limit > 0 ? static_cast<size_t>(limit) : kMaxRawPieceBytes,
+                         .on_refuse = [on_event, name = vehicle.name](const std::string& host) {
+                           on_event(
+                               fmt::format("{}: a second host at {} was refused, one "
+                                           "client per port",
+                                           name, host));
+                         }});
     if (!modem.ok()) return Error{modem.error()};
     outsider->modem = std::move(*modem);
   }
   if (vehicle.gps.tcp_port > 0 || !vehicle.gps.path.empty()) {
-    auto gps = GpsOutput::Open(vehicle.gps, address);
+    auto gps = GpsOutput::Open(
+        vehicle.gps, address, [on_event, name = vehicle.name](const std::string& client) {
+          on_event(fmt::format("{}: a GPS client at {} was refused, {} at most", name, client,
+                               GpsOutput::kMaxClients));
+        });
     if (!gps.ok()) return Error{gps.error()};
     outsider->gps = std::move(*gps);
   }
@@ -85,7 +95,11 @@ std::string TextOf(const OutsideVehicle& outsider, int64_t utime, std::string_vi
   }
   if (outsider.gps) {
     text += fmt::format("    GPS: {} sentences", outsider.num_sentences);
-    if (outsider.gps->port() > 0) text += fmt::format(", port {}", outsider.gps->port());
+    if (outsider.gps->port() > 0) {
+      const TcpServerCounts& counts = outsider.gps->counts();
+      text += fmt::format(", port {}, {} refused, {} stalled", outsider.gps->port(), counts.refused,
+                          counts.stalled);
+    }
     if (!options.gps.path.empty()) {
       text += fmt::format(", {} ({} not taken)", options.gps.path, outsider.gps->num_lost());
     }

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -37,7 +38,9 @@ struct OutsideVehicle {
 };
 
 /// Opens the ports of modem and GPS that the vehicle's options ask for. `address`: to listen on.
+/// `on_event`: called, while the ports are served, with a sentence about a client that was refused.
 [[nodiscard]] Result<bool> OpenPorts(const Mission& mission, const std::string& address,
+                                     const std::function<void(const std::string&)>& on_event,
                                      OutsideVehicle* outsider);
 
 /// Returns its position as a node report. @pre outsider.nav

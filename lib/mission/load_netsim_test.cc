@@ -101,6 +101,18 @@ TEST(LoadNetsim, ReportsAModemWithoutWater) {
             "21:9: a modem sends over the acoustic network: write [acoustics] as well\n");
 }
 
+TEST(LoadNetsim, RefusesAnAddressThatNoMicroModemHas) {
+  std::string text = std::string(kTwo) + std::string(kBay) + std::string(kOutsider);
+  text.replace(text.find("outside = true\n"), 15, "outside = true\nacoustic_address = 128\n");
+  const std::string error =
+      "8:20: acoustic_address = 128 of outsider: a Micro-Modem's address is 1 to 127; choose one "
+      "of these (the default is the vehicle's place in the mission)\n";
+  EXPECT_EQ(ErrorsOf(text), error);
+  EXPECT_EQ(ErrorsOf(text, {"netsim.vehicle.outsider.modem=micromodem2"}), error);
+  EXPECT_EQ(ErrorsOf(text, {"netsim.vehicle.outsider.modem=raw"}), "");
+  EXPECT_EQ(ErrorsOf(text, {"vehicle.outsider.acoustic_address=127"}), "");
+}
+
 LoadedMission LoadWith(std::string_view acoustics, std::string_view modem = "micromodem") {
   std::string text = std::string(kTwo) + std::string(kBay) + std::string(kOutsider);
   const std::string_view shared = "access_mode = \"shared\"\n";

@@ -11,6 +11,7 @@
 #include "lib/geodesy/local_frame.h"
 #include "lib/mission/suggest.h"
 #include "lib/mission/validate.h"
+#include "lib/modem/micromodem_rate.h"
 #include "lib/netsim/netsim_options.h"
 
 namespace shoal {
@@ -28,6 +29,24 @@ void CheckNetsimVehicle(const NetsimVehicle& vehicle, const Mission& mission,
   }
   if (vehicle.modem != NetsimModem::kNone && !mission.acoustics.is_used) {
     place.Refuse("modem", "a modem sends over the acoustic network: write [acoustics] as well");
+  }
+}
+
+void CheckModemAddress(const NetsimVehicle& vehicle, const Mission& mission,
+                       const TablePlace& file) {
+  if (vehicle.modem != NetsimModem::kMicromodem && vehicle.modem != NetsimModem::kMicromodem2) {
+    return;
+  }
+  for (size_t i = 0; i < mission.vehicles.size(); ++i) {
+    const Vehicle& simulated = mission.vehicles[i];
+    const bool is_it = &simulated == mission.FindVehicle(vehicle.name);
+    if (!is_it || simulated.acoustic_address <= kMaxMicroModemAddress) continue;
+    file.Below("vehicle", i)
+        .Refuse("acoustic_address",
+                fmt::format("acoustic_address = {} of {}: a Micro-Modem's address is 1 to {}; "
+                            "choose one of these (the default is the vehicle's place in the "
+                            "mission)",
+                            simulated.acoustic_address, vehicle.name, kMaxMicroModemAddress));
   }
 }
 
@@ -121,6 +140,7 @@ void ValidateNetsim(const Mission& mission, const TablePlace& file) {
   bool has_modem = false;
   for (size_t i = 0; i < options.vehicles.size(); ++i) {
     CheckNetsimVehicle(options.vehicles[i], mission, netsim.Below("vehicle", i));
+    CheckModemAddress(options.vehicles[i], mission, file);
     has_modem = has_modem || options.vehicles[i].modem != NetsimModem::kNone;
   }
   if (has_modem && file.Has("acoustics") && file.Below("acoustics").IsSound()) {

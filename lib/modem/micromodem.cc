@@ -15,24 +15,30 @@ MicroModem::MicroModem(const MicroModemOptions& options)
 MicroModemOutput MicroModem::Take(std::string_view line, int64_t now_us) {
   CatchUp(now_us);
   host_.TakeLine(line);
-  return Finish();
+  return TakeOutput();
 }
 
 MicroModemOutput MicroModem::TakeBytes(std::string_view bytes, int64_t now_us) {
   CatchUp(now_us);
   host_.TakeBytes(bytes);
-  return Finish();
+  return TakeOutput();
 }
 
 MicroModemOutput MicroModem::Receive(const MicroModemArrival& arrival, int64_t now_us) {
   CatchUp(now_us);
   receiver_.Receive(arrival);
-  return Finish();
+  return TakeOutput();
 }
 
 MicroModemOutput MicroModem::Advance(int64_t now_us) {
   CatchUp(now_us);
-  return Finish();
+  return TakeOutput();
+}
+
+MicroModemOutput MicroModem::Transmit(int64_t now_us) {
+  CatchUp(now_us);
+  air_.StartNext();
+  return TakeOutput();
 }
 
 std::optional<int64_t> MicroModem::NextEvent_us() const {
@@ -55,9 +61,6 @@ void MicroModem::CatchUp(int64_t now_us) {
   unit_.now_us = std::max(unit_.now_us, now_us);
 }
 
-MicroModemOutput MicroModem::Finish() {
-  air_.StartNext();
-  return std::exchange(unit_.output, {});
-}
+MicroModemOutput MicroModem::TakeOutput() { return std::exchange(unit_.output, {}); }
 
 }  // namespace shoal

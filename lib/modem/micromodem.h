@@ -5,10 +5,11 @@
 //   Pass(modem.Advance(now_us));                             // at least in every step
 //   Pass(modem.Take("$CCMPC,1,2*5D\r\n", now_us));           // a line of the host
 //   Pass(modem.Receive({.bytes = payload, .start_us = ..., .travel_us = ...}, now_us));
+//   Pass(modem.Transmit(step_us));                           // in the step that takes packets
 //
 //   void Pass(const MicroModemOutput& output) {
 //     Write(output.to_host);
-//     for (const MicroModemSent& sent : output.to_water) Transmit(sent.bytes, sent.bps);
+//     for (const MicroModemSent& sent : output.to_water) Publish(sent.bytes, sent.bps);
 //   }
 //
 // Time is an argument, in microseconds, and never goes back. Its parts: the host's sentences
@@ -49,7 +50,12 @@ class MicroModem {
   [[nodiscard]] MicroModemOutput Receive(const MicroModemArrival& arrival, int64_t now_us);
   /// Does what is due.
   [[nodiscard]] MicroModemOutput Advance(int64_t now_us);
-  /// Returns when Advance will have something to do, unless something else happens before.
+  /// Does what is due, and starts the next transmission where one waits and none is on the air:
+  /// alone of all it fills to_water. To be called when the network takes packets, since their time
+  /// on the air counts from `now_us`.
+  [[nodiscard]] MicroModemOutput Transmit(int64_t now_us);
+  /// Returns when Advance will have something to do, unless something else happens before. What
+  /// waits for Transmit is no event.
   [[nodiscard]] std::optional<int64_t> NextEvent_us() const;
 
   /// Sets the modem's clock, as CCCLK does.
@@ -62,7 +68,7 @@ class MicroModem {
 
  private:
   void CatchUp(int64_t now_us);
-  MicroModemOutput Finish();
+  MicroModemOutput TakeOutput();
 
   MicroModemUnit unit_;
   MicroModemAir air_;

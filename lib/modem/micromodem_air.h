@@ -23,8 +23,8 @@ class MicroModemAir {
   /// Sends a packet after those that wait. `shown_bytes` is what CATXP and CATXF show; absent:
   /// these sentences are not written.
   void Send(const MicroModemPacket& packet, std::optional<int> shown_bytes, bool is_of_cycle);
-  /// Starts the next transmission where the last has ended. To be called at the caller's time, not
-  /// at that of an event which has passed: the network counts from when it is given the bytes.
+  /// Starts the next transmission where the last has ended. To be called in the step that takes the
+  /// bytes: the network counts from there, and so does the end.
   void StartNext();
   /// Ends the transmission that is over. Returns true where it was one of the data cycle.
   bool EndWhatIsOver();

@@ -135,7 +135,7 @@ void MicroModemHost::Reboot(const NmeaFields& sentence) {
 
 void MicroModemHost::SetCalendarClock(const NmeaFields& sentence) {
   SentenceReader reader(sentence);
-  const CalendarTime asked = {.year = reader.Number(1, 1970, 2200),
+  const CalendarTime asked = {.year = reader.Number(1, 1970, kLastClockYear),
                               .month = reader.Number(2, 1, 12),
                               .day = reader.Number(3, 1, 31),
                               .hour = reader.Number(4, 0, 23),
@@ -154,7 +154,9 @@ void MicroModemHost::SetCalendarClock(const NmeaFields& sentence) {
 void MicroModemHost::SetIsoClock(const NmeaFields& sentence) {
   SentenceReader reader(sentence);
   const auto utc_us = ParseIsoTime(reader.Text(1));
-  if (!utc_us) reader.Reject(1, "a time as 2026-11-21T02:25:24Z");
+  if (!utc_us) {
+    reader.Reject(1, "a time as 2026-11-21T02:25:24Z, 1970 to " + std::to_string(kLastClockYear));
+  }
   reader.Number(2, 0, 1);
   if (RefusesWhatIsWrong(reader)) return;
   unit_.SetClock(*utc_us, unit_.now_us);

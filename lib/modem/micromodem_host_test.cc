@@ -71,6 +71,7 @@ TEST_F(MicroModemHost, SetsTheClockAndReadsIt) {
   EXPECT_EQ(AskForOne("CCTMQ,0"), "CATMQ,2026-11-21T02:25:26Z,RTC,RTC");
   EXPECT_EQ(AskForOne("CCCLK,2027,1,2,3,4,5"), "CACLK,2027,1,2,3,4,5");
   EXPECT_EQ(AskForOne("CCCLK,2026,12,31,23,59,60"), "CACLK,2027,1,1,0,0,0");
+  EXPECT_EQ(AskForOne("CCCLK,2199,12,31,23,59,58"), "CACLK,2199,12,31,23,59,58");
   EXPECT_EQ(AskForOne("CCTMS,2028-02-29T12:00:00Z,0"), "CATMS,0,2028-02-29T12:00:00Z");
   modems.Run(1);
   EXPECT_EQ(AskForOne("CCTMQ,0"), "CATMQ,2028-02-29T12:00:01Z,RTC,RTC");
@@ -86,11 +87,16 @@ TEST_F(MicroModemHost, IsToldWhatIsWrongWithASentence) {
       {"CCCFG,SRC,128", "2,SRC takes 0 to 127"},
       {"CCCFG,ALL,1", "2,ALL takes only 0"},
       {"CCCFG,SRC", "2,field 2 must be there"},
+      {"CCCFG,,1", "2,field 1 must be a key, as SRC"},
+      {"CCCLK,2200,1,1,0,0,0", "2,field 1 must be 1970 to 2199"},
+      {"CCCLK,2200,6,1,0,0,0", "2,field 1 must be 1970 to 2199"},
+      {"CCTMS,2200-06-01T00:00:00Z,0",
+       "2,field 1 must be a time as 2026-11-21T02:25:24Z, 1970 to 2199"},
       {"CCCFQ,nothing", "2,field 1 must be ALL or TOP or a key that is set"},
       {"CCMSC,1,2,0", "2,field 2 must be 1"},
       {"CCCLK,2026,2,29,0,0,0", "2,field 3 must be a day of that month"},
       {"CCCLK,2026,13,29,0,0,0", "2,field 2 must be 1 to 12"},
-      {"CCTMS,yesterday,0", "2,field 1 must be a time as 2026-11-21T02:25:24Z"},
+      {"CCTMS,yesterday,0", "2,field 1 must be a time as 2026-11-21T02:25:24Z, 1970 to 2199"},
       {"CCCYC,0,2,1,0,0,1", "2,field 2 must be 1"},
       {"CCCYC,0,1,128,0,0,1", "2,field 3 must be 0 to 127"},
       {"CCCYC,0,1,2,6,0,1", "2,field 4 must be 0 to 5"},

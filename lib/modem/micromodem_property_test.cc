@@ -93,7 +93,7 @@ RC_GTEST_PROP(MicroModemProperty, AnyBytesFromTheHostAreTaken, ()) {
                                                                        {1, '\xFF'}}));
   MicroModem modem({.address = 1});
   const auto output = modem.TakeBytes(bytes, 0);
-  RC_ASSERT(output.to_water.empty());
+  RC_ASSERT(modem.Transmit(0).to_water.empty());
   RC_ASSERT(output.to_host.empty() || output.to_host.ends_with("\r\n"));
 }
 
@@ -127,9 +127,9 @@ RC_GTEST_PROP(MicroModemProperty, IsTheSameHoweverOftenItIsAdvanced, ()) {
     const int64_t end_us = now_us + *rc::gen::inRange<int64_t>(0, 4'000'000);
     while (now_us < end_us) {
       now_us += 10'000;
-      pass(often.Advance(now_us), &told_often);
+      pass(often.Transmit(now_us), &told_often);
     }
-    pass(seldom.Advance(now_us), &told_seldom);
+    pass(seldom.Transmit(now_us), &told_seldom);
   }
   RC_ASSERT(told_often == told_seldom);
 }

@@ -168,7 +168,7 @@ TEST(MicroModemPair, AnswersNoPingThatIsForAll) {
   const auto ping = EncodeMicroModemPacket({.kind = MicroModemKind::kPing, .source = 1});
   const auto output = modems.modem(1).Receive({.bytes = ping}, 0);
   EXPECT_EQ(output.to_host, "");
-  EXPECT_TRUE(output.to_water.empty());
+  EXPECT_TRUE(modems.modem(1).Transmit(0).to_water.empty());
   EXPECT_EQ(modems.modem(1).counts().overheard, 1);
 }
 
@@ -205,6 +205,7 @@ TEST(MicroModemPair, DropsAnswersForWhichTheAirHasNoTime) {
       EncodeMicroModemPacket({.kind = MicroModemKind::kPing, .source = 1, .destination = 2});
   for (size_t i = 0; i < MicroModem::kMaxWaiting + 3; ++i) {
     EXPECT_NE(modem.Receive({.bytes = ping}, 0).to_host, "");
+    EXPECT_EQ(modem.Transmit(0).to_water.size(), i == 0 ? 1U : 0U);
   }
   EXPECT_EQ(modem.counts().answers_dropped, 2) << "one is on the air, 8 wait";
 }

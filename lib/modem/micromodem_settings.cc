@@ -37,7 +37,8 @@ constexpr std::array<Key, 14> kKeys = {{
 std::string SetOtherKey(std::string_view key, std::string_view value,
                         MicroModemSettings* settings) {
   const size_t max_bytes = MicroModemSettings::kMaxTextBytes;
-  if (key.empty() || key.size() > max_bytes || value.size() > max_bytes) {
+  if (key.empty()) return "field 1 must be a key, as SRC";
+  if (key.size() > max_bytes || value.size() > max_bytes) {
     return "key and value have at most " + std::to_string(max_bytes) + " letters";
   }
   auto& others = settings->others;

@@ -25,7 +25,7 @@ struct MicroModemOptions {
   std::array<std::optional<double>, 4> transponder_travel_s = {};
 };
 
-/// A packet to transmit now.
+/// A packet to transmit in this step.
 struct MicroModemSent {
   std::vector<uint8_t> bytes;
   int bps = 0;         ///< The rate at which it is sent.

@@ -40,6 +40,15 @@ std::vector<std::vector<uint8_t>> RawModemReader::Take(std::span<const uint8_t> 
   return payloads;
 }
 
+void RawModemReader::ForgetPiece() {
+  if (num_length_bytes_ == 2 && !is_skipping_) {
+    --counts_.delivered;
+    ++counts_.cut_off;
+  }
+  num_length_bytes_ = 0;
+  payload_.clear();
+}
+
 std::vector<uint8_t> EncodeRawPiece(std::span<const uint8_t> payload) {
   if (payload.empty() || payload.size() > kMaxRawPieceBytes) return {};
   std::vector<uint8_t> piece = {static_cast<uint8_t>(payload.size() >> 8),

@@ -24,12 +24,13 @@ struct RawModemOptions {
   size_t max_bytes = kMaxRawPieceBytes;  ///< Of a payload; what the modem's packets hold.
 };
 
-/// What a client has sent. received = delivered + empty + too_long.
+/// What clients have sent. received = delivered + empty + too_long + cut_off.
 struct RawModemCounts {
   int64_t received = 0;   ///< Pieces, once their length is known.
   int64_t delivered = 0;  ///< Of these, to the caller, or on their way.
   int64_t empty = 0;      ///< Of length 0: nothing to send.
   int64_t too_long = 0;
+  int64_t cut_off = 0;  ///< The client went in the midst of it.
 
   bool operator==(const RawModemCounts&) const = default;
 };
@@ -41,6 +42,9 @@ class RawModemReader {
 
   /// Takes what came next and returns the payloads that are complete with it.
   [[nodiscard]] std::vector<std::vector<uint8_t>> Take(std::span<const uint8_t> bytes);
+
+  /// Forgets the piece that has begun, and keeps the counts: what comes next is another client's.
+  void ForgetPiece();
 
   const RawModemCounts& counts() const { return counts_; }
   /// True at the beginning and behind a whole piece: a client that leaves now has lost nothing.

@@ -33,6 +33,22 @@ TEST(RawModem, MakesNoPieceOfWhatNoneCanHold) {
   EXPECT_TRUE(EncodeRawPiece(Bytes(65'536, 1)).empty());
 }
 
+TEST(RawModemReader, ForgetsThePieceOfAClientThatHasGoneAndKeepsTheCounts) {
+  const Bytes first = {0, 1, 'a', 0, 0, 0, 9, 'b', 'c', 'd', 'e', 'f', 'g', 'h', 'i', 'j'};
+  const Bytes second = {0, 1, 'z'};
+  for (size_t length = 0; length <= first.size(); ++length) {
+    RawModemReader reader({.max_bytes = 8});
+    (void)reader.Take(std::span<const uint8_t>(first).first(length));
+    reader.ForgetPiece();
+    EXPECT_TRUE(reader.is_between_pieces());
+    EXPECT_EQ(reader.Take(second), std::vector<Bytes>{{'z'}}) << length;
+    const RawModemCounts& counts = reader.counts();
+    EXPECT_EQ(counts.received, counts.delivered + counts.empty + counts.too_long + counts.cut_off);
+    EXPECT_EQ(counts.received, 1 + (length >= 2) + (length >= 5) + (length >= 7));
+    EXPECT_EQ(counts.cut_off, length == 2 ? 1 : 0);
+  }
+}
+
 TEST(RawModemReader, FindsPiecesHoweverTheStreamIsCut) {
   const Bytes stream = {0, 1, 'a', 0, 3, 'b', 'c', 'd', 0, 2, 'e'};
   for (size_t step = 1; step <= stream.size(); ++step) {

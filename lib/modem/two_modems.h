@@ -39,13 +39,14 @@ class TwoModems {
   /// The host of this modem writes "CCMPC,1,2".
   void Give(int index, const std::string& body) {
     Pass(index, modem(index).Take(NmeaSentence(body), now_us_));
+    Pass(index, modem(index).Transmit(now_us_));
   }
 
   void Run(double duration_s) {
     const int64_t end_us = now_us_ + static_cast<int64_t>(duration_s * 1e6);
     while (now_us_ < end_us) {
       now_us_ += kTick_us;
-      for (int index : {0, 1}) Pass(index, modem(index).Advance(now_us_));
+      for (int index : {0, 1}) Pass(index, modem(index).Transmit(now_us_));
       Deliver();
     }
   }
@@ -108,6 +109,7 @@ class TwoModems {
                                          .travel_us = travel_us,
                                          .snr_db = snr_db};
       Pass(packet.to, modem(packet.to).Receive(arrival, now_us_));
+      Pass(packet.to, modem(packet.to).Transmit(now_us_));
     }
   }
 

@@ -33,7 +33,7 @@ CalendarTime ToCalendar(int64_t utc_us) {
 }
 
 std::optional<int64_t> ToUtc(const CalendarTime& time) {
-  if (time.year < 1970 || time.year > 2200) return std::nullopt;
+  if (time.year < 1970 || time.year > kLastClockYear) return std::nullopt;
   if (!IsWithin(time.month, 1, 12) || !IsWithin(time.day, 1, 31)) return std::nullopt;
   if (!IsWithin(time.hour, 0, 23) || !IsWithin(time.minute, 0, 59)) return std::nullopt;
   if (!IsWithin(time.second, 0, 60) || !IsWithin(time.microsecond, 0, 999'999)) {

@@ -8,6 +8,8 @@
 
 namespace shoal {
 
+inline constexpr int kLastClockYear = 2199;  ///< That ToUtc takes: a modem's clock ends with it.
+
 struct CalendarTime {
   int64_t year = 1970;
   int month = 1;  ///< From 1.
@@ -25,7 +27,7 @@ struct CalendarTime {
 [[nodiscard]] CalendarTime ToCalendar(int64_t utc_us);
 
 /// Returns the microseconds since 1970. A second 60 is the next minute's first. Nothing for a day
-/// or a time that does not exist, and for years before 1970 and after 2200.
+/// or a time that does not exist, and for years before 1970 and after kLastClockYear.
 [[nodiscard]] std::optional<int64_t> ToUtc(const CalendarTime& time);
 
 /// Returns "hhmmss", with 1 to 6 decimals "hhmmss.ssss", cut off, not rounded.

@@ -28,7 +28,7 @@ TEST(UtcTime, KnowsDaysThatOthersKnow) {
 
 TEST(UtcTime, KnowsNoDaysAndTimesThatDoNotExist) {
   const CalendarTime wrong[] = {{.year = 1969},
-                                {.year = 2201},
+                                {.year = 2200},
                                 {.month = 0},
                                 {.month = 13},
                                 {.day = 0},
@@ -47,7 +47,7 @@ TEST(UtcTime, KnowsNoDaysAndTimesThatDoNotExist) {
 }
 
 RC_GTEST_PROP(UtcTimeProperty, ComesBackAsItWas, ()) {
-  const int64_t utc_us = *rc::gen::inRange<int64_t>(0, 7'289'654'400 * kSecond_us);
+  const int64_t utc_us = *rc::gen::inRange<int64_t>(0, 7'258'118'400 * kSecond_us);
   RC_ASSERT(ToUtc(ToCalendar(utc_us)) == utc_us);
   RC_ASSERT(ParseIsoTime(IsoTimeText(utc_us)) == utc_us / kSecond_us * kSecond_us);
 }

@@ -11,8 +11,6 @@ namespace shoal {
 
 namespace {
 
-constexpr int kMaxListeners = 16;
-
 /// For reading too, so that a pipe without a reader is no SIGPIPE.
 FileDescriptor OpenForLines(const std::string& path) {
   FileDescriptor file(
@@ -27,12 +25,14 @@ FileDescriptor OpenForLines(const std::string& path) {
 
 }  // namespace
 
-Result<std::unique_ptr<GpsOutput>> GpsOutput::Open(const NetsimGps& gps,
-                                                   const std::string& address) {
+Result<std::unique_ptr<GpsOutput>> GpsOutput::Open(
+    const NetsimGps& gps, const std::string& address,
+    std::function<void(const std::string& address)> on_refuse) {
   std::unique_ptr<GpsOutput> output(new GpsOutput());
   if (gps.tcp_port != 0) {
     auto server = TcpServer::Listen(
-        {.address = address, .port = gps.tcp_port, .max_connections = kMaxListeners}, {});
+        {.address = address, .port = gps.tcp_port, .max_connections = kMaxClients},
+        {.on_refuse = std::move(on_refuse)});
     if (!server.ok()) return Error{server.error()};
     output->server_ = std::move(*server);
   }

@@ -168,6 +168,7 @@ void TcpServer::Take(int socket, const std::string& address) {
   FileDescriptor owned(socket);
   if (clients_.size() >= static_cast<size_t>(options_.max_connections) && !MakeRoom()) {
     ++counts_.refused;
+    if (handlers_.on_refuse) handlers_.on_refuse(address);
     return;
   }
   ++counts_.accepted;

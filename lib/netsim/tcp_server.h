@@ -62,6 +62,8 @@ class TcpServer {
     std::function<void(ClientId, const std::string& address)> on_connect = {};
     std::function<void(ClientId, std::string_view bytes)> on_bytes = {};
     std::function<void(ClientId)> on_close = {};  ///< For whatever reason; not by the destructor.
+    /// A client that was closed at once, since there are max_connections.
+    std::function<void(const std::string& address)> on_refuse = {};
   };
 
   /// Fails with what to try.

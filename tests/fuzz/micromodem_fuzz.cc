@@ -28,18 +28,19 @@ class Owner {
       case 0:
         Check(
             modem_.TakeBytes({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, now_us_));
-        return;
+        break;
       case 1:
         Receive(bytes);
-        return;
+        break;
       case 2:
         Receive(WithRightHeader(bytes));
-        return;
+        break;
       default:
         now_us_ += static_cast<int64_t>(bytes.size()) * 100'000;
         Check(modem_.Advance(now_us_));
-        return;
+        break;
     }
+    Check(modem_.Transmit(now_us_));
   }
 
   void CheckTheEnd() {
@@ -47,7 +48,7 @@ class Owner {
     while (modem_.is_on_the_air() || modem_.is_in_a_cycle()) {
       SHOAL_CHECK(modem_.NextEvent_us().has_value(), "what has begun will end");
       now_us_ = std::max(now_us_, *modem_.NextEvent_us());
-      Check(modem_.Advance(now_us_));
+      Check(modem_.Transmit(now_us_));
     }
   }
 

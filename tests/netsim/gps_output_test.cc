@@ -67,6 +67,26 @@ TEST_F(GpsOutputTest, CountsWhatIsNeverRead) {
   EXPECT_GT(output->num_lost(), 0);
 }
 
+TEST_F(GpsOutputTest, NamesAClientTooMany) {
+  const int port = (*TcpServer::Listen({}, {}))->port();
+  std::vector<std::string> refused;
+  const auto output =
+      GpsOutput::Open({.tcp_port = port}, "127.0.0.1",
+                      [&](const std::string& address) { refused.push_back(address); });
+  ASSERT_TRUE(output.ok()) << output.error();
+  std::vector<std::unique_ptr<TcpClient>> clients;
+  for (int i = 0; i < GpsOutput::kMaxClients + 1; ++i) {
+    clients.push_back(std::make_unique<TcpClient>(port));
+  }
+  for (int turn = 0; turn < 100 && refused.empty(); ++turn) {
+    (*output)->Serve(0);
+    pollfd waited{.fd = (*output)->fd(), .events = POLLIN, .revents = 0};
+    poll(&waited, 1, 10);
+  }
+  EXPECT_EQ(refused, std::vector<std::string>{"127.0.0.1"});
+  EXPECT_EQ((*output)->counts().refused, 1);
+}
+
 TEST_F(GpsOutputTest, WritesToAllClientsThatConnect) {
   // A port that was free a moment ago.
   const int port = (*TcpServer::Listen({}, {}))->port();

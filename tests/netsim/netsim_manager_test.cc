@@ -57,6 +57,13 @@ Mission OutsideMission(NetsimModem modem) {
   return mission;
 }
 
+/// What this test sets of an acoustic_path_t.
+struct Path {
+  int64_t packet = 0;
+  double air_s = 0;
+  double snr_db = 0;
+};
+
 /// netsim_manager on a bus with a test that subscribes to what it publishes.
 class Manager {
  public:
@@ -75,10 +82,16 @@ class Manager {
     hub_.NextStep();
     hub_.HandleAll();
     app_.Tick(utime_);
-    app_.Serve(wall_us_ += kTick_us, utc_us_);
+    Serve(kTick_us);
     hub_.NextStep();
     hub_.HandleAll();
     utime_ += kTick_us;
+  }
+  /// Serves between two steps, or after a stall, once so much has passed on the wall's clock.
+  void Serve(int64_t passed_us) {
+    wall_us_ += passed_us;
+    utc_us_ += passed_us;
+    app_.Serve(wall_us_, utc_us_);
   }
   /// Steps until `is_done`; false where that does not come.
   bool StepUntil(const std::function<bool()>& is_done) {
@@ -97,10 +110,9 @@ class Manager {
       return client->received().size() >= num_bytes;
     });
   }
-  /// Lets a packet of alpha arrive, at 1000 bit/s and, if `snr_db` is given, with a fate that holds
-  /// it.
+  /// Lets packet 7 of alpha arrive and, if `snr_db` is given, with it the fates of this step.
   void SendAcoustically(const std::vector<uint8_t>& bytes, int64_t travel_us,
-                        std::optional<double> snr_db = std::nullopt) {
+                        std::optional<double> snr_db = std::nullopt, int bps = 1000) {
     acoustic_rx_t packet{};
     packet.utime = utime_;
     packet.source = "alpha";
@@ -108,20 +120,16 @@ class Manager {
     packet.sent_utime = utime_;
     packet.payload = bytes;
     packet.num_bytes = static_cast<int32_t>(bytes.size());
-    packet.arrived_utime = packet.sent_utime + travel_us + packet.num_bytes * 8'000;
+    packet.arrived_utime = packet.sent_utime + travel_us + packet.num_bytes * 8'000'000 / bps;
     Publish(test_bus_, channels::AcousticRx("outsider"), packet);
     if (!snr_db) return;
+    // Reports and messages count apart, and the network counts all of them: 7 is its number of a
+    // message, and packet 7 its ninth.
     comms_fates_t fates{};
-    fate_t fate{};
-    fate.source = "alpha";
-    fate.destination = "outsider";
-    acoustic_path_t path{};
-    path.packet = 7;
-    path.snr_db = *snr_db;
-    fate.path = {path};
-    fate.num_paths = 1;
-    fates.fates = {fate};
-    fates.num_fates = 1;
+    AddFate("packet", 7, {.packet = 9, .air_s = packet.num_bytes * 8.0 / bps, .snr_db = *snr_db},
+            &fates);
+    AddFate("report", 7, {.packet = 8, .air_s = 0.3, .snr_db = -4}, &fates);
+    AddFate("message", 1, {.packet = 7, .air_s = 0.2, .snr_db = -6}, &fates);
     Publish(test_bus_, channels::CommsFates(), fates);
   }
 
@@ -131,6 +139,23 @@ class Manager {
   std::vector<modem_stats_t> stats_;
 
  private:
+  static void AddFate(const std::string& kind, int64_t number, const Path& numbers,
+                      comms_fates_t* fates) {
+    fate_t fate{};
+    fate.kind = kind;
+    fate.source = "alpha";
+    fate.destination = "outsider";
+    fate.number = number;
+    acoustic_path_t path{};
+    path.packet = numbers.packet;
+    path.air_s = numbers.air_s;
+    path.snr_db = numbers.snr_db;
+    fate.path = {path};
+    fate.num_paths = 1;
+    fates->fates.push_back(fate);
+    ++fates->num_fates;
+  }
+
   MemoryBus hub_;
   NetsimManagerApp app_;
   Bus& test_bus_ = hub_.Join("test");
@@ -246,6 +271,32 @@ TEST(NetsimManager, HasOneClientForAModem) {
   }));
   first.Receive();
   EXPECT_FALSE(first.has_ended());
+  const std::string page = manager.app().Status().text;
+  EXPECT_NE(page.find("outsider: a second host at 127.0.0.1 was refused, one client per port\n"),
+            std::string::npos)
+      << page;
+  EXPECT_NE(page.find("client at 127.0.0.1, 1 refused, 0 stalled"), std::string::npos) << page;
+}
+
+TEST(NetsimManager, KeepsTheCountsOfARawModemForItsNextClient) {
+  Manager manager(OutsideMission(NetsimModem::kRaw));
+  const auto shows = [&](std::string_view text) {
+    return manager.StepUntil(
+        [&] { return manager.app().Status().text.find(text) != std::string::npos; });
+  };
+  {
+    TcpClient first(manager.app().ModemPortOf("outsider"));
+    first.Send(std::string("\0\5hello\0\5he", 11));
+    ASSERT_TRUE(shows("2 payloads taken"));
+  }
+  ASSERT_TRUE(shows("no client"));
+  TcpClient second(manager.app().ModemPortOf("outsider"));
+  ASSERT_TRUE(shows("client at"));
+  EXPECT_TRUE(shows("1 payloads taken, 0 empty, 0 too long, 1 cut off"))
+      << manager.app().Status().text;
+  second.Send(std::string("\0\3bye", 5));
+  EXPECT_TRUE(shows("2 payloads taken, 0 empty, 0 too long, 1 cut off"))
+      << manager.app().Status().text;
 }
 
 TEST(NetsimManager, AnswersTheHostOfAMicroModemAndPings) {
@@ -259,6 +310,24 @@ TEST(NetsimManager, AnswersTheHostOfAMicroModemAndPings) {
   ASSERT_EQ(manager.packets_.size(), 1U);
   EXPECT_EQ(manager.packets_[0].data_rate_bps, 80);
   EXPECT_EQ(manager.packets_[0].num_bytes, 9) << "not filled up";
+}
+
+TEST(NetsimManager, ShowsHowFarTheModemsClocksAreBehindTheWall) {
+  Manager manager(OutsideMission(NetsimModem::kMicromodem));
+  manager.Step();
+  EXPECT_NE(manager.app().Status().text.find("Clocks of Micro-Modems: 0.0 s behind"),
+            std::string::npos)
+      << manager.app().Status().text;
+  manager.Serve(400'000);
+  manager.Step();
+  EXPECT_TRUE(manager.app().Status().run_warnings.empty());
+  manager.Serve(400'000);
+  manager.Step();
+  EXPECT_NE(manager.app().Status().text.find("Clocks of Micro-Modems: 0.8 s behind"),
+            std::string::npos)
+      << manager.app().Status().text;
+  ASSERT_EQ(manager.app().Status().run_warnings.size(), 1U);
+  EXPECT_NE(manager.app().Status().run_warnings[0].find("CCCLK"), std::string::npos);
 }
 
 TEST(NetsimManager, ReportsTravelTimeAndNoiseOfReceivedPacketsToTheHost) {
@@ -276,6 +345,57 @@ TEST(NetsimManager, ReportsTravelTimeAndNoiseOfReceivedPacketsToTheHost) {
   EXPECT_NE(host.received().find("$CAMPR,9,5,0.7500"), std::string::npos) << host.received();
   const std::string statistics = host.received().substr(host.received().find("$CACST"));
   EXPECT_NE(statistics.find(",23,"), std::string::npos) << statistics;
+}
+
+TEST(NetsimManager, FindsThePathOfAPacketByItsNumberAmongPackets) {
+  Manager manager(OutsideMission(NetsimModem::kMicromodem));
+  TcpClient host(manager.app().ModemPortOf("outsider"));
+  host.Send("$CCMPC,5,9\r\n");
+  ASSERT_TRUE(manager.StepUntil([&] { return !manager.packets_.empty(); }));
+  const MicroModemPacket reply = {
+      .kind = MicroModemKind::kPingReply, .source = 9, .destination = 5};
+  manager.SendAcoustically(EncodeMicroModemPacket(reply), 67'500, 23.0, 80);
+  EXPECT_TRUE(manager.StepUntil([&] {
+    host.Receive();
+    return host.received().find("$CACST") != std::string::npos;
+  }));
+  EXPECT_NE(host.received().find("$CAMPR,9,5,0.0675"), std::string::npos) << host.received();
+  const std::string statistics = host.received().substr(host.received().find("$CACST"));
+  EXPECT_NE(statistics.find(",23,"), std::string::npos) << statistics;
+  EXPECT_EQ(manager.app().Status().text.find("no fate"), std::string::npos);
+}
+
+TEST(NetsimManager, ShowsWhereAPacketHasNoFate) {
+  Manager manager(OutsideMission(NetsimModem::kMicromodem));
+  const MicroModemPacket mini = {.kind = MicroModemKind::kMini, .source = 9, .destination = 5};
+  manager.SendAcoustically(EncodeMicroModemPacket(mini), 67'500);
+  for (int i = 0; i < 2; ++i) manager.Step();
+  EXPECT_NE(manager.app().Status().text.find(
+                "outsider: packet 7 of alpha has no fate in COMMS_FATES: its times assume 1000 "
+                "bit/s, and its SNR is not known\n"),
+            std::string::npos)
+      << manager.app().Status().text;
+}
+
+TEST(NetsimManager, SendsThePacketsOfAMicroModemOneAfterTheOther) {
+  Manager manager(OutsideMission(NetsimModem::kMicromodem2));
+  TcpClient host(manager.app().ModemPortOf("outsider"));
+  const std::string flexible = "$CCTDP,9,5,0,0," + std::string(200, 'a') + "\r\n";
+  host.Send(flexible + flexible + "$CCMUC,5,9,0001\r\n" + flexible);
+  // Others' bytes have it served between steps, at any time. All packets are shorter than a step,
+  // or no whole number of steps.
+  for (int i = 0; i < 400 && manager.packets_.size() < 4; ++i) {
+    manager.Step();
+    for (int part = 0; part < 6; ++part) manager.Serve(15'000);
+    pollfd served{.fd = manager.app().ServedFd(), .events = POLLIN, .revents = 0};
+    poll(&served, 1, 1);
+  }
+  ASSERT_EQ(manager.packets_.size(), 4U);
+  for (size_t i = 1; i < 4; ++i) {
+    const modem_tx_t& before = manager.packets_[i - 1];
+    const double air_us = 8e6 * before.num_bytes / before.data_rate_bps;
+    EXPECT_GE(static_cast<double>(manager.packets_[i].utime - before.utime), air_us) << i;
+  }
 }
 
 TEST(NetsimManager, ForgetsTheHalfLineOfAHostThatHasGone) {
