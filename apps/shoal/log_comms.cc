@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <fstream>
 #include <optional>
 #include <ostream>
 #include <string_view>
@@ -16,6 +15,7 @@
 #include "lib/check/result.h"
 #include "lib/record/csv_rows.h"
 #include "lib/record/log_source.h"
+#include "lib/record/text_file.h"
 
 namespace shoal {
 
@@ -69,16 +69,17 @@ class CommsSummary {
 
   void WriteAge(const AgePoint& point) {
     if (options_.csv_dir.empty()) return;
-    if (!ages_csv_.is_open()) {
-      ages_csv_.open(PathOf("age_over_time.csv"), std::ios::binary);
-      ages_csv_ << "time_s,vehicle,contact,is_target,age_s\n";
+    if (!ages_csv_) {
+      ages_csv_.emplace(PathOf("age_over_time.csv"), "time_s,vehicle,contact,is_target,age_s\n");
     }
-    std::string row = fmt::format("{:.6f},", static_cast<double>(point.utime) / 1e6);
-    AppendCsvCell(point.vehicle, &row);
-    row += ',';
-    AppendCsvCell(point.contact, &row);
-    row += fmt::format(",{},{:.6f}\n", point.is_target ? 1 : 0, point.age_s);
-    ages_csv_ << row;
+    // The last Flush() returns the error.
+    (void)ages_csv_->Append([&point](std::string* rows) {
+      *rows += fmt::format("{:.6f},", static_cast<double>(point.utime) / 1e6);
+      AppendCsvCell(point.vehicle, rows);
+      *rows += ',';
+      AppendCsvCell(point.contact, rows);
+      *rows += fmt::format(",{},{:.6f}\n", point.is_target ? 1 : 0, point.age_s);
+    });
   }
 
   template <class T, class Use>
@@ -128,13 +129,9 @@ class CommsSummary {
     return kExitOk;
   }
 
-  int WriteTable(const char* name, const std::string& text) {
-    const std::string path = PathOf(name);
-    std::ofstream file(path, std::ios::binary);
-    file << text;
-    file.close();
-    if (!file.good()) return CannotWrite(path);
-    out_ << path << '\n';
+  int Finish(TextFile& file) {
+    if (!file.Flush()) return CannotWrite(file.path());
+    out_ << file.path() << '\n';
     return kExitOk;
   }
 
@@ -153,15 +150,12 @@ class CommsSummary {
       tables.push_back({"swarm_sources.csv", tally_.SourcesCsv()});
       tables.push_back({"swarm_events.csv", tally_.EventsCsv()});
     }
-    if (ages_csv_.is_open()) tables.push_back({"age.csv", ages_.Csv()});
+    if (ages_csv_) tables.push_back({"age.csv", ages_.Csv()});
     for (const Table& table : tables) {
-      if (const int code = WriteTable(table.name, table.text); code != kExitOk) return code;
+      TextFile file(PathOf(table.name), table.text);
+      if (const int code = Finish(file); code != kExitOk) return code;
     }
-    if (!ages_csv_.is_open()) return kExitOk;
-    ages_csv_.close();
-    if (!ages_csv_.good()) return CannotWrite(PathOf("age_over_time.csv"));
-    out_ << PathOf("age_over_time.csv") << '\n';
-    return kExitOk;
+    return ages_csv_ ? Finish(*ages_csv_) : kExitOk;
   }
 
   const LogCommsOptions& options_;
@@ -170,7 +164,7 @@ class CommsSummary {
   LinkStatistics links_;
   SwarmTally tally_;
   InformationAge ages_{[this](const AgePoint& point) { WriteAge(point); }};
-  std::ofstream ages_csv_;
+  std::optional<TextFile> ages_csv_;
   int64_t num_messages_ = 0;
   int64_t num_undecodable_ = 0;
   bool is_whole_ = true;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <fstream>
 #include <sstream>
 #include <string>
 
@@ -71,6 +72,22 @@ TEST_F(LogCommsCommand, WritesTablesWithTheAgeOverTime) {
                            "age.csv", "age_over_time.csv"}) {
     EXPECT_GT(TextOfFile(options_.csv_dir + "/" + name).size(), 20U) << name;
     EXPECT_NE(out_.str().find(options_.csv_dir + "/" + name + "\n"), std::string::npos) << name;
+  }
+}
+
+TEST_F(LogCommsCommand, ReplacesLinksAndLeavesWhatTheyLeadTo) {
+  WriteLog(options_.path, {Fates(), Swarm(2'000'000, 0), Swarm(3'000'000, 2'500'000)});
+  options_.csv_dir = directory_.File("csv");
+  std::filesystem::create_directory(options_.csv_dir);
+  std::ofstream(directory_.File("victim")) << "precious";
+  for (const char* name : {"/links.csv", "/age_over_time.csv"}) {
+    std::filesystem::create_symlink("../victim", options_.csv_dir + name);
+  }
+  EXPECT_EQ(Run(), kExitOk) << err_.str();
+  EXPECT_EQ(TextOfFile(directory_.File("victim")), "precious");
+  for (const char* name : {"/links.csv", "/age_over_time.csv"}) {
+    EXPECT_FALSE(std::filesystem::is_symlink(options_.csv_dir + name)) << name;
+    EXPECT_NE(TextOfFile(options_.csv_dir + name), "") << name;
   }
 }
 

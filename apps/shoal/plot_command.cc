@@ -6,7 +6,6 @@
 
 #include <cerrno>
 #include <filesystem>
-#include <fstream>
 #include <ostream>
 #include <utility>
 
@@ -16,6 +15,7 @@
 #include "lib/check/result.h"
 #include "lib/record/file_descriptor.h"
 #include "lib/record/log_source.h"
+#include "lib/record/text_file.h"
 
 namespace shoal {
 
@@ -23,45 +23,34 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool WriteFile(const fs::path& path, const std::string& text) {
-  std::ofstream out(path, std::ios::binary);
-  out << text;
-  out.close();
-  return out.good();
-}
-
-/// The folder of data and scripts while gnuplot runs; --keep keeps it.
-class ScriptFolder {
+/// Where figures are drawn before they go to their place: a new folder there that is only the
+/// user's, with the data and scripts in `gnuplot` below it. gnuplot would write through a link.
+class DrawingFolder {
  public:
-  ScriptFolder() = default;
-  ~ScriptFolder() {
+  DrawingFolder() = default;
+  ~DrawingFolder() {
     std::error_code ignored;
-    if (!path_.empty() && !is_kept_) fs::remove_all(path_, ignored);
+    if (!path_.empty()) fs::remove_all(path_, ignored);
   }
-  ScriptFolder(const ScriptFolder&) = delete;
-  ScriptFolder& operator=(const ScriptFolder&) = delete;
+  DrawingFolder(const DrawingFolder&) = delete;
+  DrawingFolder& operator=(const DrawingFolder&) = delete;
 
   /// Returns whether it could be made; errno holds the reason where not.
-  bool Make(const fs::path& out_dir, bool keep) {
-    is_kept_ = keep;
-    if (keep) {
-      std::error_code error;
-      fs::create_directory(out_dir / "gnuplot", error);
-      if (error) errno = error.value();
-      path_ = out_dir / "gnuplot";
-      return !error;
-    }
+  bool Make(const fs::path& out_dir) {
     std::string name = (out_dir / ".gnuplot-XXXXXX").string();
     if (::mkdtemp(name.data()) == nullptr) return false;
     path_ = name;
-    return true;
+    std::error_code error;
+    fs::create_directory(scripts(), error);
+    if (error) errno = error.value();
+    return !error;
   }
 
   const fs::path& path() const { return path_; }
+  fs::path scripts() const { return path_ / "gnuplot"; }
 
  private:
   fs::path path_;
-  bool is_kept_ = false;
 };
 
 /// The state of the command while it runs.
@@ -97,7 +86,12 @@ class PlotCommand {
     out_dir_ = options_.out_dir.empty() ? fs::path(options_.log).parent_path() / "plots"
                                         : fs::path(options_.out_dir);
     std::error_code ignored;
-    if (options_.keep && fs::exists(out_dir_ / "gnuplot", ignored)) {
+    if (options_.out_dir.empty() && fs::is_symlink(out_dir_, ignored)) {
+      return Fail(kExitUsage, fmt::format("{} is a symbolic link, which could lead anywhere; name "
+                                          "the folder of the figures: --out DIR",
+                                          out_dir_.string()));
+    }
+    if (options_.keep && fs::exists(fs::symlink_status(out_dir_ / "gnuplot", ignored))) {
       return Fail(kExitUsage,
                   fmt::format("{} is there already and may hold scripts that you have changed; "
                               "rename it, remove it, or name another folder: --out DIR",
@@ -163,30 +157,47 @@ class PlotCommand {
                                                 "--out DIR",
                                                 out_dir_.string(), error.message()));
     }
-    ScriptFolder folder;
-    if (!folder.Make(out_dir_, options_.keep)) {
+    DrawingFolder folder;
+    if (!folder.Make(out_dir_)) {
       return Fail(kExitEnvironment, fmt::format("cannot write into {}: {}; name another: --out DIR",
                                                 out_dir_.string(), ErrnoText(errno)));
     }
+    int code = kExitOk;
     for (const Figure& figure : figures) {
-      if (!figure.why_left_out.empty()) {
-        out_ << fmt::format("{} is left out: {}\n", figure.name, figure.why_left_out);
-        continue;
-      }
-      if (!WriteFile(folder.path() / (figure.name + ".dat"), figure.data) ||
-          !WriteFile(folder.path() / (figure.name + ".gp"), figure.script)) {
-        return Fail(kExitEnvironment,
-                    fmt::format("cannot write into {}: is the disk full?", folder.path().string()));
-      }
-      const auto drawn = RunGnuplot(gnuplot_, folder.path().string(), figure.name + ".gp");
-      if (!drawn.ok()) return Fail(kExitEnvironment, drawn.error());
-      const fs::path file = out_dir_ / (figure.name + (options_.png ? ".png" : ".svg"));
-      out_ << file.string() << '\n';
+      if (code == kExitOk) code = DrawFigure(figure, folder);
     }
-    if (options_.keep) {
-      out_ << fmt::format("data and scripts: {}\n", folder.path().string());
+    if (!options_.keep) return code;
+    const fs::path scripts = out_dir_ / "gnuplot";
+    fs::rename(folder.scripts(), scripts, error);
+    if (error) return CannotWrite(scripts, error);
+    out_ << fmt::format("data and scripts: {}\n", scripts.string());
+    return code;
+  }
+
+  int DrawFigure(const Figure& figure, const DrawingFolder& folder) {
+    if (!figure.why_left_out.empty()) {
+      out_ << fmt::format("{} is left out: {}\n", figure.name, figure.why_left_out);
+      return kExitOk;
     }
+    const fs::path scripts = folder.scripts();
+    if (!TextFile((scripts / (figure.name + ".dat")).string(), figure.data).Flush() ||
+        !TextFile((scripts / (figure.name + ".gp")).string(), figure.script).Flush()) {
+      return Fail(kExitEnvironment,
+                  fmt::format("cannot write into {}: is the disk full?", out_dir_.string()));
+    }
+    const auto drawn = RunGnuplot(gnuplot_, scripts.string(), figure.name + ".gp");
+    if (!drawn.ok()) return Fail(kExitEnvironment, drawn.error());
+    const std::string name = figure.name + (options_.png ? ".png" : ".svg");
+    std::error_code error;
+    fs::rename(folder.path() / name, out_dir_ / name, error);
+    if (error) return CannotWrite(out_dir_ / name, error);
+    out_ << (out_dir_ / name).string() << '\n';
     return kExitOk;
+  }
+
+  int CannotWrite(const fs::path& path, const std::error_code& error) {
+    return Fail(kExitEnvironment, fmt::format("cannot write {}: {}; name another folder: --out DIR",
+                                              path.string(), error.message()));
   }
 
   const PlotOptions& options_;

@@ -23,9 +23,9 @@ struct PlotOptions {
 
 /// Draws what the log holds, names the files in `out`, and what is left out and why; errors go
 /// to `err`. Returns the exit code: kExitUsage for a mission file that does not load, vehicles that
-/// the log does not have, a folder of scripts that is there already; kExitEnvironment where gnuplot
-/// is missing, the log cannot be read to its end (what can be read is drawn), or nothing can be
-/// written.
+/// the log does not have, a folder of scripts that is there already, `plots` beside the log that is
+/// a symbolic link; kExitEnvironment where gnuplot is missing, the log cannot be read to its end
+/// (what can be read is drawn), or nothing can be written.
 int RunPlot(const PlotOptions& options, std::ostream& out, std::ostream& err);
 
 }  // namespace shoal

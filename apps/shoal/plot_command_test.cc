@@ -19,8 +19,10 @@ class Plot : public ::testing::Test {
  protected:
   void SetUp() override {
     options_.log = directory_.File("mission.lcm");
-    // A gnuplot that draws nothing and leaves its script's name.
-    const std::string program = "#!/bin/sh\necho \"$2\" >> ../drawn\n";
+    // A gnuplot that draws the name of its script.
+    const std::string drawn = std::filesystem::absolute(directory_.File("drawn")).string();
+    const std::string program =
+        "#!/bin/sh\necho \"$2\" >> '" + drawn + "'\necho \"$2\" > \"../${2%.gp}.svg\"\n";
     std::filesystem::create_directory(directory_.File("bin"));
     WriteBytes(directory_.File("bin/gnuplot"), Bytes(program.begin(), program.end()));
     std::filesystem::permissions(directory_.File("bin/gnuplot"), std::filesystem::perms::owner_all);
@@ -60,14 +62,14 @@ TEST_F(Plot, StatesHowToInstallGnuplot) {
 TEST_F(Plot, NamesWhatItDrawsAndWhatItLeavesOut) {
   WriteLog(options_.log, LogOfTwoVehicles());
   EXPECT_EQ(Run(), kExitOk);
-  EXPECT_EQ(TextOfFile(directory_.File("plots/drawn")),
+  EXPECT_EQ(TextOfFile(directory_.File("drawn")),
             "tracks.gp\ntrack_error.gp\ndistances.gp\nactuators.gp\nspeed.gp\n");
   EXPECT_NE(out_.str().find("plots/tracks.svg\n"), std::string::npos);
   EXPECT_NE(out_.str().find("depth is left out: all vehicles stay at the surface\n"),
             std::string::npos);
   EXPECT_EQ(err_.str(), "");
   for (const auto& entry : std::filesystem::directory_iterator(directory_.File("plots"))) {
-    EXPECT_EQ(entry.path().filename(), "drawn");  // No scripts are left behind.
+    EXPECT_EQ(entry.path().extension(), ".svg");  // No scripts are left behind.
   }
 }
 
@@ -78,6 +80,52 @@ TEST_F(Plot, KeepsScriptsAndNeverWritesOverThem) {
   EXPECT_NE(Script("tracks"), "");
   EXPECT_EQ(Run(), kExitUsage);
   EXPECT_NE(err_.str().find("plots/gnuplot is there already"), std::string::npos);
+}
+
+TEST_F(Plot, ReplacesLinksAndLeavesWhatTheyLeadTo) {
+  WriteLog(options_.log, LogOfTwoVehicles());
+  WriteMission("victim", "precious");
+  std::filesystem::create_directory(directory_.File("plots"));
+  std::filesystem::create_symlink("../victim", directory_.File("plots/tracks.svg"));
+  std::filesystem::create_hard_link(directory_.File("victim"), directory_.File("plots/speed.svg"));
+  EXPECT_EQ(Run(), kExitOk) << err_.str();
+  EXPECT_EQ(TextOfFile(directory_.File("victim")), "precious");
+  EXPECT_FALSE(std::filesystem::is_symlink(directory_.File("plots/tracks.svg")));
+  EXPECT_EQ(TextOfFile(directory_.File("plots/tracks.svg")), "tracks.gp\n");
+  EXPECT_EQ(TextOfFile(directory_.File("plots/speed.svg")), "speed.gp\n");
+}
+
+TEST_F(Plot, FollowsALinkToAFolderOnlyWhereTheUserNamesIt) {
+  WriteLog(options_.log, LogOfTwoVehicles());
+  std::filesystem::create_directory(directory_.File("other"));
+  std::filesystem::create_symlink("other", directory_.File("plots"));
+  EXPECT_EQ(Run(), kExitUsage);
+  EXPECT_NE(err_.str().find("plots is a symbolic link, which could lead anywhere; name the folder "
+                            "of the figures: --out DIR\n"),
+            std::string::npos)
+      << err_.str();
+  EXPECT_TRUE(std::filesystem::is_empty(directory_.File("other")));
+  options_.out_dir = directory_.File("plots");
+  EXPECT_EQ(Run(), kExitOk) << err_.str();
+  EXPECT_EQ(TextOfFile(directory_.File("other/tracks.svg")), "tracks.gp\n");
+}
+
+TEST_F(Plot, KeepsNoScriptsThroughALink) {
+  WriteLog(options_.log, LogOfTwoVehicles());
+  std::filesystem::create_directory(directory_.File("plots"));
+  std::filesystem::create_symlink("../other", directory_.File("plots/gnuplot"));
+  options_.keep = true;
+  EXPECT_EQ(Run(), kExitUsage);
+  EXPECT_NE(err_.str().find("plots/gnuplot is there already"), std::string::npos) << err_.str();
+  EXPECT_FALSE(std::filesystem::exists(directory_.File("other")));
+}
+
+TEST_F(Plot, StatesThatAFigureWasNotDrawn) {
+  WriteLog(options_.log, LogOfTwoVehicles());
+  WriteMission("bin/gnuplot", "#!/bin/sh\nexit 0\n");
+  EXPECT_EQ(Run(), kExitEnvironment);
+  EXPECT_NE(err_.str().find("plots/tracks.svg: No such file or directory"), std::string::npos)
+      << err_.str();
 }
 
 TEST_F(Plot, TakesTheMissionBesideTheLogWithItsOverrides) {

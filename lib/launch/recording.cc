@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "lib/record/text_file.h"
 #include "lib/run/version.h"
 
 namespace shoal {
@@ -14,14 +15,9 @@ namespace {
 namespace fs = std::filesystem;
 
 Result<bool> WriteText(const fs::path& path, const std::string& text) {
-  std::ofstream out(path);
-  out << text;
-  out.close();
-  if (!out) {
-    return Error{
-        fmt::format("cannot write {}: is the disk full, or the folder not yours?", path.string())};
-  }
-  return true;
+  if (TextFile(path.string(), text).Flush()) return true;
+  return Error{
+      fmt::format("cannot write {}: is the disk full, or the folder not yours?", path.string())};
 }
 
 }  // namespace

@@ -94,7 +94,7 @@ LoadedModem LoadModemText(std::string_view text, const std::string& name) {
 }
 
 LoadedModem LoadModem(const std::string& path) {
-  const FileText read = ReadFile(path);
+  const FileText read = ReadRegularFile(path);
   if (read.problem.empty()) return LoadModemText(read.text, path);
   Problems problems(path, {});
   problems.Add({}, read.problem);

@@ -1,6 +1,7 @@
 #include "lib/mission/load.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <variant>
 
@@ -143,6 +144,18 @@ TEST(LoadMission, ReportsWhyAFileCannotBeRead) {
             std::vector<std::string>{"/nowhere/m.toml: cannot be read: No such file or directory"});
   EXPECT_EQ(LoadMission("/").errors,
             std::vector<std::string>{"/: is a directory; name the .toml file in it"});
+}
+
+TEST(LoadMission, ReadsAFileThatIsAPipe) {
+  int ends[2];
+  ASSERT_EQ(pipe(ends), 0);
+  const std::string text(kShortest);
+  ASSERT_EQ(write(ends[1], text.data(), text.size()), static_cast<ssize_t>(text.size()));
+  close(ends[1]);
+  const LoadedMission loaded = LoadMission("/dev/fd/" + std::to_string(ends[0]));
+  close(ends[0]);
+  EXPECT_EQ(loaded.errors, std::vector<std::string>{});
+  EXPECT_EQ(loaded.mission.duration_s, Load(kShortest).duration_s);
 }
 
 TEST(LoadMission, LoadsTheMissionsThatComeWithShoal) {

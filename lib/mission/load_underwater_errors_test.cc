@@ -1,6 +1,7 @@
 // Every error of [environment], of [vehicle.remus100] and of the tasks of underwater vehicles, with
 // its exact text: users read these.
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <filesystem>
 #include <fstream>
@@ -273,6 +274,18 @@ TEST(LoadUnderwaterErrors, ReportAMissingOrInvalidGrid) {
   EXPECT_TRUE(errors.starts_with("6:9: " + path.string() + ":6: ")) << errors;
   EXPECT_NE(errors.find("'deep'"), std::string::npos) << errors;
   std::filesystem::remove(path);
+}
+
+TEST(LoadUnderwaterErrors, ReportAGridThatIsAPipeOrADevice) {
+  const std::string pipe = testing::TempDir() + "load_underwater_errors_test.pipe";
+  std::filesystem::remove(pipe);
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  for (const std::string& path : {std::string("/dev/zero"), pipe}) {
+    EXPECT_EQ(ErrorsAfter("[environment]\nfloor = {grid = \"" + path + "\"}\n"),
+              "6:9: " + path +
+                  ": is not a regular file; a grid's path counts from the mission file's folder\n");
+  }
+  std::filesystem::remove(pipe);
 }
 
 TEST(LoadUnderwaterErrors, ReportExpectationsThatCanNeverHold) {

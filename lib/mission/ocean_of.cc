@@ -80,7 +80,7 @@ Result<SeaFloor> FloorOf(const FloorOptions& options, uint64_t seed, const std::
     if (std::error_code ignored; std::filesystem::is_directory(path, ignored)) {
       return Error{path.string() + ": is a directory; name the grid's file in it"};
     }
-    const FileText file = ReadFile(path.string());
+    const FileText file = ReadRegularFile(path.string());
     if (!file.problem.empty()) {
       return Error{path.string() + ": " + file.problem +
                    "; a grid's path counts from the mission file's folder"};

@@ -1,35 +1,60 @@
 #include "lib/mission/read_file.h"
 
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <array>
 #include <cerrno>
-#include <cstdio>
 #include <cstring>
-#include <filesystem>
-#include <memory>
 
 namespace shoal {
 
 namespace {
-constexpr size_t kLargestFile_bytes = 100'000'000;
+
+FileText Unreadable() { return {"", std::string("cannot be read: ") + std::strerror(errno)}; }
+
+FileText Read(const std::string& path, bool is_any_kind, size_t most_bytes) {
+  const int fd =
+      open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY | (is_any_kind ? 0 : O_NONBLOCK));
+  if (fd < 0) return Unreadable();
+  struct stat status {};
+  FileText read;
+  if (fstat(fd, &status) != 0) {
+    read = Unreadable();
+  } else if (S_ISDIR(status.st_mode)) {
+    read.problem = "is a directory; name the .toml file in it";
+  } else if (!is_any_kind && !S_ISREG(status.st_mode)) {
+    read.problem = "is not a regular file";
+  } else {
+    read = ReadOpenFile(fd, most_bytes);
+  }
+  close(fd);
+  return read;
+}
+
 }  // namespace
 
-FileText ReadFile(const std::string& path) {
-  std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored)) {
-    return {"", "is a directory; name the .toml file in it"};
-  }
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"),
-                                                             &std::fclose);
-  if (file == nullptr) return {"", std::string("cannot be read: ") + std::strerror(errno)};
-  FileText read;
+FileText ReadFile(const std::string& path) { return Read(path, true, kLargestFile_bytes); }
+
+FileText ReadRegularFile(const std::string& path, size_t most_bytes) {
+  return Read(path, false, most_bytes);
+}
+
+FileText ReadOpenFile(int fd, size_t most_bytes) {
+  FileText file;
   std::array<char, 65536> buffer;
-  while (const size_t size = std::fread(buffer.data(), 1, buffer.size(), file.get())) {
-    read.text.append(buffer.data(), size);
-    if (read.text.size() > kLargestFile_bytes)
-      return {"", "is larger than 100 MB: no mission file"};
+  while (true) {
+    const ssize_t size = read(fd, buffer.data(), buffer.size());
+    if (size < 0 && errno == EINTR) continue;
+    if (size < 0) return Unreadable();
+    if (size == 0) return file;
+    file.text.append(buffer.data(), static_cast<size_t>(size));
+    if (file.text.size() > most_bytes) {
+      return {"", fmt::format("is larger than {} bytes", most_bytes)};
+    }
   }
-  if (std::ferror(file.get()) != 0) return {"", "cannot be read to its end"};
-  return read;
 }
 
 }  // namespace shoal

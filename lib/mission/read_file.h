@@ -1,6 +1,8 @@
-// Reads a whole text file, or returns a user-readable error.
+// Reads a whole text file, or returns a user-readable error. What is read is bounded, whatever the
+// path leads to.
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 namespace shoal {
@@ -10,7 +12,18 @@ struct FileText {
   std::string problem;  ///< Why there is no text; empty where there is.
 };
 
-/// Returns the text of a file of at most 100 MB.
+inline constexpr size_t kLargestFile_bytes = 100'000'000;
+inline constexpr size_t kLargestRunFile_bytes = size_t{4} << 20;  ///< Of files that shoal writes.
+
+/// Returns the text of the file that a user names, which may be a pipe: `shoal check <(...)`.
 [[nodiscard]] FileText ReadFile(const std::string& path);
+
+/// Returns the text of a file that another file names, or that lies beside one: a regular file,
+/// which a link may lead to. A pipe, for which the reader would wait, and a device are refused.
+[[nodiscard]] FileText ReadRegularFile(const std::string& path,
+                                       size_t most_bytes = kLargestFile_bytes);
+
+/// Returns the text of the open file `fd` from where it is.
+[[nodiscard]] FileText ReadOpenFile(int fd, size_t most_bytes);
 
 }  // namespace shoal

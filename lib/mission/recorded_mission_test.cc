@@ -1,9 +1,12 @@
 #include "lib/mission/recorded_mission.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <filesystem>
 #include <fstream>
+#include <string>
+#include <vector>
 
 namespace shoal::recorded_mission_test {
 
@@ -21,7 +24,8 @@ class RecordedMissionTest : public ::testing::Test {
   void Write(const std::string& name, const std::string& text) const {
     std::ofstream(folder_ / name) << text;
   }
-  RecordedMission Find() const { return FindMissionBeside((folder_ / "mission.lcm").string()); }
+  std::string Path(const std::string& name) const { return (folder_ / name).string(); }
+  RecordedMission Find() const { return FindMissionBeside(Path("mission.lcm")); }
 
  private:
   fs::path folder_ = fs::path(::testing::TempDir()) /
@@ -61,6 +65,25 @@ TEST_F(RecordedMissionTest, StatesWhyItDoesNotLoad) {
   EXPECT_FALSE(found.mission);
   ASSERT_FALSE(found.errors.empty());
   EXPECT_NE(found.errors[0].find("mission.toml:2"), std::string::npos);
+}
+
+TEST_F(RecordedMissionTest, RefusesARunTextThatNoRecordingHolds) {
+  Write("mission.toml", kMissionText);
+  const std::string path = Path("run.txt");
+  const auto expect_refused = [&](const std::string& why) {
+    const RecordedMission found = Find();
+    EXPECT_FALSE(found.mission);
+    EXPECT_EQ(found.errors, std::vector<std::string>{path + ": " + why});
+    fs::remove(path);
+  };
+  Write("run.txt", std::string((size_t{4} << 20) + 1, 'x'));
+  expect_refused("is larger than 4194304 bytes");
+  fs::create_symlink("nothing", path);
+  expect_refused("cannot be read: No such file or directory");
+  ASSERT_EQ(mkfifo(path.c_str(), 0600), 0);
+  expect_refused("is not a regular file");
+  fs::create_symlink("/dev/zero", path);
+  expect_refused("is not a regular file");
 }
 
 }  // namespace shoal::recorded_mission_test

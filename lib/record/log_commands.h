@@ -70,7 +70,7 @@ struct LogLines {
 
 struct LogCsvOptions {
   std::string path;
-  std::string out_dir;  ///< Made where it does not exist; files in it are replaced.
+  std::string out_dir;  ///< Made where it does not exist; files and links in it are replaced.
   LogSelection selection = {};
   bool skip_damage = false;
   std::vector<std::string> types = {};

@@ -346,6 +346,23 @@ TEST_F(LogCsv_, WritesLinesBesideTheTablesOfOneTypeWhereAskedTo) {
   EXPECT_EQ(TextOfFile(dir + "/D.txt"), "%%\n1 D 40\n3 D 40\n");
 }
 
+TEST_F(LogCsv_, ReplacesLinksAndLeavesWhatTheyLeadTo) {
+  const std::string path = Log("a.lcm", {{0, "A", Desired(0, 1)}, {0, "B", Desired(0, 2)}});
+  const std::string dir = directory_.File("csv");
+  const std::string victim = directory_.File("victim");
+  std::filesystem::create_directory(dir);
+  std::ofstream(victim) << "precious";
+  std::filesystem::create_symlink("../victim", dir + "/A.csv");
+  std::filesystem::create_hard_link(victim, dir + "/B.csv");
+  Csv({.path = path, .out_dir = dir});
+  EXPECT_EQ(exit_code_, kExitOk) << err_.str();
+  EXPECT_EQ(TextOfFile(victim), "precious");
+  for (const char* name : {"/A.csv", "/B.csv"}) {
+    EXPECT_TRUE(std::filesystem::is_regular_file(std::filesystem::symlink_status(dir + name)));
+    EXPECT_TRUE(TextOfFile(dir + name).starts_with("time_s,")) << name;
+  }
+}
+
 TEST_F(LogCsv_, StatesWhatItCannotWrite) {
   const std::string path = Log("a.lcm", {{0, "D", Desired(0, 1)}});
   Csv({.path = path, .out_dir = "/dev/null/x"});

@@ -1,4 +1,3 @@
-#include <fcntl.h>
 #include <fmt/format.h>
 
 #include <cerrno>
@@ -15,54 +14,12 @@
 #include "lib/record/log_commands.h"
 #include "lib/record/log_source.h"
 #include "lib/record/message_types.h"
+#include "lib/record/text_file.h"
 #include "lib/schema/text.h"
 
 namespace shoal {
 
 namespace {
-
-/// Gathers text and appends it to a file in large pieces. Open only while it writes: a log may have
-/// more channels than a process may have files.
-class TextFile {
- public:
-  TextFile(std::string path, std::string header)
-      : path_(std::move(path)), pending_(std::move(header)) {}
-
-  /// Writes what one message is into the string that it is given.
-  template <class Write>
-  [[nodiscard]] bool Append(const Write& write) {
-    constexpr size_t kPieceSize = 256 << 10;
-    write(&pending_);
-    ++num_messages_;
-    return pending_.size() < kPieceSize || Flush();
-  }
-
-  /// Returns false where the file cannot be written; errno holds the reason.
-  [[nodiscard]] bool Flush() {
-    const int mode = std::exchange(is_new_, false) ? O_TRUNC : O_APPEND;
-    FileDescriptor file(::open(path_.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | mode, 0644));
-    if (!file.is_open()) return false;
-    size_t written = 0;
-    while (written < pending_.size()) {
-      const ssize_t result =
-          ::write(file.get(), pending_.data() + written, pending_.size() - written);
-      if (result < 0 && errno == EINTR) continue;
-      if (result < 0) return false;
-      written += static_cast<size_t>(result);
-    }
-    pending_.clear();
-    return file.Close();
-  }
-
-  const std::string& path() const { return path_; }
-  int64_t num_messages() const { return num_messages_; }
-
- private:
-  std::string path_;
-  std::string pending_;
-  int64_t num_messages_ = 0;
-  bool is_new_ = true;
-};
 
 /// The output for the messages of one type on one channel: a table, and lines if requested.
 class ChannelFiles {
@@ -75,6 +32,7 @@ class ChannelFiles {
 
   /// Returns the file that cannot be written (errno holds the reason), nullptr where all went well.
   const TextFile* Append(const LogEvent& event, std::span<const uint8_t> message) {
+    ++num_messages_;
     const auto row = [&](std::string* out) { layout_.AppendRows(event.utime, message, out); };
     if (!table_.Append(row)) return &table_;
     const auto line = [&](std::string* out) {
@@ -91,8 +49,8 @@ class ChannelFiles {
 
   /// Names the files in `out`.
   void Report(std::ostream& out) const {
-    out << fmt::format("{}: {} messages\n", table_.path(), table_.num_messages());
-    if (lines_) out << fmt::format("{}: {} lines\n", lines_->path(), lines_->num_messages());
+    out << fmt::format("{}: {} messages\n", table_.path(), num_messages_);
+    if (lines_) out << fmt::format("{}: {} lines\n", lines_->path(), num_messages_);
   }
 
   const std::string& path() const { return table_.path(); }
@@ -102,6 +60,7 @@ class ChannelFiles {
   TextFile table_;
   const LogLines* line_writer_;
   std::optional<TextFile> lines_;
+  int64_t num_messages_ = 0;
 };
 
 /// The files of a directory, one for each channel and type.

@@ -8,7 +8,9 @@
 #include <cerrno>
 #include <cstdlib>
 #include <filesystem>
+#include <utility>
 
+#include "lib/mission/read_file.h"
 #include "lib/record/file_descriptor.h"
 
 namespace shoal {
@@ -19,7 +21,6 @@ namespace fs = std::filesystem;
 
 constexpr mode_t kOthers = 077;
 constexpr mode_t kWrittenByOthers = 022;
-constexpr size_t kLargestFile_bytes = size_t{4} << 20;
 
 constexpr char kOwnFolder[] =
     "use a folder of your own, in every shell that you use: mkdir -p -m 700 ~/.shoal "
@@ -144,17 +145,9 @@ Result<std::string> ReadRunFile(std::string_view name) {
       (status.st_mode & kWrittenByOthers) != 0) {
     return Error{fmt::format("{} is not a file that you alone can write; remove it", PathOf(name))};
   }
-  std::string text;
-  char buffer[4096];
-  while (text.size() <= kLargestFile_bytes) {
-    const ssize_t size = read(file.get(), buffer, sizeof buffer);
-    if (size < 0 && errno == EINTR) continue;
-    if (size < 0) return Error{fmt::format("cannot read {}: {}", PathOf(name), ErrnoText(errno))};
-    if (size == 0) return text;
-    text.append(buffer, static_cast<size_t>(size));
-  }
-  return Error{
-      fmt::format("{} is larger than {} bytes; remove it", PathOf(name), kLargestFile_bytes)};
+  FileText read = ReadOpenFile(file.get(), kLargestRunFile_bytes);
+  if (read.problem.empty()) return std::move(read.text);
+  return Error{fmt::format("{} {}; remove it", PathOf(name), read.problem)};
 }
 
 void RemoveRunFile(std::string_view name) {
