@@ -87,7 +87,7 @@ class Manager {
     hub_.HandleAll();
     utime_ += kTick_us;
   }
-  /// Serves between two steps, or after a stall, once so much has passed on the wall's clock.
+  /// Serves between two steps, or after a stall, when `passed_us` have passed on the wall's clock.
   void Serve(int64_t passed_us) {
     wall_us_ += passed_us;
     utc_us_ += passed_us;
