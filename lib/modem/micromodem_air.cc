@@ -32,7 +32,7 @@ void MicroModemAir::StartNext() {
   waiting_.pop_front();
   const int bps = kMicroModemRates[static_cast<size_t>(next.rate)].bps;
   const int64_t air_us = Air_us(next.bytes.size() + unit_.options.more_bytes, bps);
-  on_air_ = OnAir{.end_us = unit_.now_us + air_us,
+  on_air_ = OnAir{.end_us = unit_.now_us + air_us + kPacketGap_us,
                   .shown_bytes = next.shown_bytes,
                   .is_of_cycle = next.is_of_cycle};
   if (next.shown_bytes && unit_.settings.txp == 1) {

@@ -12,6 +12,10 @@
 
 namespace shoal {
 
+/// Between two packets of one modem, so that they do not overlap at a receiver to which the
+/// distance shrinks meanwhile: by up to 15 m.
+inline constexpr int64_t kPacketGap_us = 10'000;
+
 class MicroModemAir {
  public:
   static constexpr size_t kMaxWaiting = 8;
