@@ -154,7 +154,8 @@ void AddSim(CLI::App& cli, Action* action) {
       "sim", "Run a mission in one process, as fast as possible; the same result");
   auto options = std::make_shared<SimOptions>();
   AddMission(command, &options->mission_file, &options->overrides);
-  command->add_option("--log", options->log_path, "Write a log of the mission, in place of a file of this name");
+  command->add_option("--log", options->log_path,
+                      "Write a log of the mission, in place of a file of this name");
   command->add_flag("--quiet", options->quiet, kQuiet);
   command->callback([options, action] { *action = [options] { return RunSim(*options); }; });
 }
