@@ -109,6 +109,7 @@ std::vector<std::string> CutTo(size_t size, std::vector<std::string> patterns) {
 std::vector<sock_filter> ChannelFilter(const std::vector<std::string>& names,
                                        size_t max_instructions) {
   std::vector<std::string> patterns;  // With the 0 that ends a name.
+  patterns.reserve(names.size());
   for (const std::string& name : names) patterns.push_back(name + '\0');
   if (patterns.empty()) return {};
   size_t longest = 0;
