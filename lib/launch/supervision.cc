@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <span>
 
 #include "lib/bus/multicast_fault.h"
 #include "lib/check/time_units.h"
@@ -44,7 +45,7 @@ std::string LossAdvice() {
 /// Returns "a, b and 3 others".
 std::string Names(const std::vector<std::string>& names) {
   const size_t shown = std::min(names.size(), kMostNames);
-  std::string text = fmt::format("{}", fmt::join(names.begin(), names.begin() + shown, ", "));
+  std::string text = fmt::format("{}", fmt::join(std::span(names).first(shown), ", "));
   if (names.size() > shown) text += fmt::format(" and {} others", names.size() - shown);
   return text;
 }
