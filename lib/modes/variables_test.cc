@@ -48,6 +48,23 @@ TEST(Variables, KeepEverySettingUntilTheEndOfAnIteration) {
   EXPECT_EQ(variables.Find("A")->value, VariableValue(2.0));
 }
 
+TEST(Variables, KeepTheLastHundredSettingsWhileNothingReadsThem) {
+  Variables variables;
+  for (int i = 0; i < 250; ++i) variables.Set("A", static_cast<double>(i), 0);
+  EXPECT_EQ(variables.Find("A")->fresh.size(), Variables::kMostFresh);
+  EXPECT_EQ(variables.Find("A")->fresh.front(), VariableValue(150.0));
+  EXPECT_EQ(variables.Find("A")->fresh.back(), VariableValue(249.0));
+}
+
+TEST(Variables, StateWhyASettingIsRefused) {
+  Variables variables;
+  variables.Set("A", 1.0, 0);
+  EXPECT_EQ(variables.WhyNot("A", std::string("x")), "the variable is a number");
+  EXPECT_EQ(variables.WhyNot("A", 2.0), "");
+  EXPECT_EQ(variables.WhyNot("B", std::numeric_limits<double>::infinity()),
+            "the number is not finite");
+}
+
 TEST(ValueText, IsANumberOnlyAsAWhole) {
   EXPECT_EQ(NumberIn(" -2.5 "), -2.5);
   EXPECT_EQ(NumberIn("+1e3"), 1000);
