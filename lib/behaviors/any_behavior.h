@@ -97,8 +97,8 @@ struct BehaviorOptions {
 /// Returns each kind with its defaults, in the order of AnyBehavior.
 [[nodiscard]] std::vector<AnyBehavior> OneBehaviorOfEachKind();
 
-/// Starts a behavior. `name` and `pwt` are its own.
-[[nodiscard]] std::unique_ptr<Behavior> MakeBehavior(const BehaviorOptions& options);
+/// Starts a behavior.
+[[nodiscard]] std::unique_ptr<Behavior> MakeBehavior(const AnyBehavior& what);
 
 /// Gives `behavior` new options of its kind.
 /// @pre behavior was made of options with the same alternative

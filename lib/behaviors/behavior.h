@@ -64,7 +64,9 @@ struct BehaviorView {
 struct BehaviorAnswer {
   /// Absent: it runs, and has no preference now. Normalised to 0..100 (NormaliseTo100).
   std::optional<Objective> objective = {};
-  double weight = 0;                     ///< > 0 with an objective; priority weight x relevance.
+  /// > 0 and at most 1 with an objective. BehaviorSet multiplies it by the priority weight, which
+  /// updates change without the behavior's knowledge.
+  double relevance = 0;
   std::vector<VariablePost> posts = {};  ///< Its own reports (WPT_INDEX ...), without flags.
   std::vector<std::string> flags = {};  ///< Names of own flag lists that fire now ("wptflag", ...).
   bool completes = false;
