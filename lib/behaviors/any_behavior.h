@@ -98,7 +98,7 @@ struct BehaviorOptions {
 [[nodiscard]] std::vector<AnyBehavior> OneBehaviorOfEachKind();
 
 /// Starts a behavior.
-[[nodiscard]] std::unique_ptr<Behavior> MakeBehavior(const AnyBehavior& what);
+[[nodiscard]] std::unique_ptr<Behavior> MakeBehavior(const BehaviorOptions& options);
 
 /// Gives `behavior` new options of its kind.
 /// @pre behavior was made of options with the same alternative
