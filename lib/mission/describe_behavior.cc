@@ -511,12 +511,8 @@ void DescribeKind(Fields& fields, OpRegionOptions& o, bool) {
 void DescribeKind(Fields& fields, MemoryTurnLimitOptions& o, bool) {
   fields.Require("memory_time", "memory_time = 60");
   fields.Require("turn_range", "turn_range = 45");
-  if (!fields.reading() || fields.Has("memory_time", false)) {
-    fields.Number("memory_time", o.memory_time, Above(0, kLongest_s));
-  }
-  if (!fields.reading() || fields.Has("turn_range", false)) {
-    fields.Number("turn_range", o.turn_range, Above(0, 180));
-  }
+  fields.Number("memory_time", o.memory_time, Above(0, kLongest_s));
+  fields.Number("turn_range", o.turn_range, Above(0, 180));
 }
 
 void DescribeKind(Fields& fields, PeriodicSpeedOptions& o, bool) {
@@ -623,7 +619,7 @@ void DescribeAxis(Fields& fields, std::string_view key, Axis& axis, double max) 
 }  // namespace
 
 void DescribeKindOf(Fields& fields, BehaviorOptions& options) {
-  const bool is_recipe = options.templating == Templating::kSpawn || !fields.DemandsKeys();
+  const bool is_recipe = options.templating == Templating::kSpawn || !fields.demands_keys();
   std::visit([&](auto& what) { DescribeKind(fields, what, is_recipe); }, options.what);
 }
 
@@ -658,8 +654,8 @@ void Describe(Fields& fields, BehaviorOptions& options) {
   }
   fields.Text("name", options.name, {.min_length = 1});
   if (!options.name.empty() && !VariableNameProblem(options.name).empty()) {
-    fields.Refuse("name", Quoted(options.name) +
-                              " is no name of a behavior: letters, digits and _ . - are");
+    fields.Refuse(
+        "name", Quoted(options.name) + " is no name of a behavior: letters, digits and _ . - are");
   }
   if (kind.empty()) {
     fields.SkipRest();  // Which keys are right depends on the kind.

@@ -59,8 +59,9 @@ Result<std::vector<Eigen::Vector2d>> RadialPolygon(std::string_view text) {
   if (!problem.empty()) return Error{problem};
   if (!numbers.contains("x") || !numbers.contains("y") || radius_m <= 0 || count < 3 ||
       count > kMostCorners || snap_m < 0) {
-    return Error{"a radial polygon needs x, y, radius > 0 and pts of 3 to 1000, like radial:: "
-                 "x=0, y=0, radius=30, pts=8"};
+    return Error{
+        "a radial polygon needs x, y, radius > 0 and pts of 3 to 1000, like radial:: "
+        "x=0, y=0, radius=30, pts=8"};
   }
   std::vector<Eigen::Vector2d> corners;
   const int num_corners = static_cast<int>(count);
