@@ -12,10 +12,10 @@ namespace {
 
 std::vector<std::pair<std::string_view, const std::vector<std::string>*>> CommonFlags(
     const BehaviorFlags& flags) {
-  return {{"runflag", &flags.runflag},         {"runxflag", &flags.runxflag},
-          {"idleflag", &flags.idleflag},       {"activeflag", &flags.activeflag},
+  return {{"runflag", &flags.runflag},           {"runxflag", &flags.runxflag},
+          {"idleflag", &flags.idleflag},         {"activeflag", &flags.activeflag},
           {"inactiveflag", &flags.inactiveflag}, {"endflag", &flags.endflag},
-          {"spawnflag", &flags.spawnflag},     {"spawnxflag", &flags.spawnxflag},
+          {"spawnflag", &flags.spawnflag},       {"spawnxflag", &flags.spawnxflag},
           {"configflag", &flags.configflag}};
 }
 
@@ -88,10 +88,10 @@ void BehaviorRunner::Parse() {
   SHOAL_CHECK(problem.empty(), "conditions and flags of a behavior are checked before it starts");
   conditions_ = *ParseConditions(options_.condition);
   const BehaviorFlags& texts = options_.flags;
-  flags_ = {*ParseFlags(texts.runflag),    *ParseFlags(texts.runxflag),
-            *ParseFlags(texts.idleflag),   *ParseFlags(texts.activeflag),
+  flags_ = {*ParseFlags(texts.runflag),      *ParseFlags(texts.runxflag),
+            *ParseFlags(texts.idleflag),     *ParseFlags(texts.activeflag),
             *ParseFlags(texts.inactiveflag), *ParseFlags(texts.endflag),
-            *ParseFlags(texts.spawnflag),  *ParseFlags(texts.spawnxflag),
+            *ParseFlags(texts.spawnflag),    *ParseFlags(texts.spawnxflag),
             *ParseFlags(texts.configflag)};
   own_flags_.clear();
 }
@@ -195,8 +195,7 @@ void BehaviorRunner::Update(const std::string& text, std::span<const UpdateItem>
   auto updated = read(options_, items, inputs.own.motion.position_m);
   std::string problem = updated.ok() ? Problem(*updated) : updated.error();
   if (!problem.empty()) {
-    notes.warnings.push_back(options_.name + ": update '" + text +
-                             "' changes nothing: " + problem);
+    notes.warnings.push_back(options_.name + ": update '" + text + "' changes nothing: " + problem);
     return;
   }
   last_update_ = text;

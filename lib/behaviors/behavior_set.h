@@ -25,10 +25,11 @@
 //   removed, and its name is free, unless it is perpetual.
 //
 // All-stop, "clear" or a reason: NothingToDo (no behavior has a preference), MissingDecVars:speed
-// (course or speed are mentioned by none; depth may be, and then is left to others), NoGoalBehavior (with goals_mandatory), BehaviorError:<name>: <text>. The first
-// three take effect in the second iteration in a row without a decision, whatever the reasons were:
-// a change of modes leaves one empty. An error lasts as long as the behavior returns it; that of a
-// behavior which completes with it lasts until Clear().
+// (course or speed are mentioned by none; depth may be, and then is left to others), NoGoalBehavior
+// (with goals_mandatory), BehaviorError:<name>: <text>. The first three take effect in the second
+// iteration in a row without a decision, whatever the reasons were: a change of modes leaves one
+// empty. An error lasts as long as the behavior returns it; that of a behavior which completes with
+// it lasts until Clear().
 #pragma once
 
 #include <cstdint>

@@ -106,8 +106,7 @@ std::string EndReason(const BehaviorOptions& options, const BehaviorOrigin& orig
   }
   const auto range = AlertRangeOf(options.what);
   if (!range) return {};
-  const double distance_m =
-      (contact->second.now.position_m - inputs.own.motion.position_m).norm();
+  const double distance_m = (contact->second.now.position_m - inputs.own.motion.position_m).norm();
   return distance_m >= kCompletedFactor * range->cpa_m ? "its contact is far away" : "";
 }
 
