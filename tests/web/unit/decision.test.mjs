@@ -11,7 +11,7 @@ test('names course, speed and depth, and leaves out what may be any', () => {
 
 test('names the contact, the rule and the numbers that decided', () => {
   assert.equal(roleWords({contact: 'ben', role: 'give-way:stern', rule: '15/16', range: 48.2,
-    cpa: 3.1, age: 2}), 'give-way:stern toward ben (rule 15/16), 48.2 m, CPA 3.1 m, known 2 s ago');
+    cpa: 3.1, age: 2}), 'give-way:stern toward ben (rule 15/16), 48.2 m, CPA 3.1 m, known 2.0 s ago');
   assert.equal(roleWords({contact: '', role: ''}), '');
   assert.equal(roleWords({contact: 'ben', role: 'avoid', rule: '', range: -1, cpa: -1, age: -1}),
     'avoid toward ben');
