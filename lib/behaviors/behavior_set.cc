@@ -322,6 +322,7 @@ void BehaviorSet::Decide(const HelmInputs& inputs, const std::vector<RunReport>&
       aim.kind = KindOf(report.options->what);
       aim.state = Name(report.state);
       if (!report.answer.state.empty()) aim.state += ", " + report.answer.state;
+      aim.is_constraint = report.is_constraint;
       aim.role = report.answer.role;
       aim.view = report.answer.view;
     }
@@ -375,7 +376,8 @@ HelmOutcome BehaviorSet::Iterate(const HelmInputs& inputs) {
       .domain = &setup_.domain,
       .contacts = inputs.contacts != nullptr ? inputs.contacts : &kNoContacts,
       .obstacles = inputs.obstacles != nullptr ? inputs.obstacles : &kNoObstacles,
-      .variables = &variables_};
+      .variables = &variables_,
+      .goals_rest = inputs.goals_rest};
   const Iteration now = {own, notes};
   SpawnForContacts(now);
   SpawnForObstacles(now);

@@ -87,6 +87,9 @@ struct HelmInputs {
   const std::vector<Obstacle>* obstacles = nullptr;  ///< nullptr: none.
   std::vector<ReceivedSetting> settings = {};
   std::optional<TaskAim> task = {};
+  /// Behaviors that are goals are idle, avoidance and limits stay: the task is by an order of the
+  /// operator.
+  bool goals_rest = false;
 };
 
 /// A point of the grid; absent: not decided about.
@@ -102,6 +105,7 @@ struct HelmPoint {
 struct HelmAim {
   std::string name;
   std::string kind;
+  bool is_constraint = false;  ///< Avoidance, a limit: no goal by itself.
   std::string state;  ///< "active" or "running", and what it states about itself: "active, leg 3".
   double weight = 0;  ///< 0: no preference now.
   HelmPoint best = {};  ///< What it alone would have chosen.
