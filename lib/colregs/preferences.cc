@@ -1,9 +1,7 @@
 #include "lib/colregs/preferences.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstddef>
 #include <memory>
 
 #include "lib/check/check.h"
@@ -18,7 +16,6 @@ constexpr double kUtilityAtLeast = 25;
 constexpr double kOvertakingUtilityAtLeast = 15;
 constexpr double kLeastCpa_m = 1e-3;  // Vessels at one point.
 constexpr double kFullBonus = 100;
-constexpr double kRounding_mps = 1e-9;
 
 // What holding course and speed means: 25 at 20 degrees off; 50 at 0.1 m/s, and 0.4 m/s too fast.
 constexpr double kHoldWidth_deg = 20;
@@ -26,23 +23,6 @@ constexpr double kHoldCourseShoulder = 25;
 constexpr double kHoldLow_mps = 0.1;
 constexpr double kHoldFaster_mps = 0.4;
 constexpr double kHoldSpeedShoulder = 50;
-
-using CourseTable = std::array<Eigen::Vector2d, Domain::kNumCourses>;
-
-const CourseTable& CourseVectors() {
-  static const CourseTable table = [] {
-    CourseTable vectors;
-    for (int i = 0; i < Domain::kNumCourses; ++i) {
-      vectors[static_cast<size_t>(i)] = UnitVector(DegToRad(i));
-    }
-    return vectors;
-  }();
-  return table;
-}
-
-Eigen::Vector2d VelocityAt(const VesselMotion& vessel) {
-  return std::max(0.0, vessel.speed_mps) * UnitVector(DegToRad(vessel.heading_deg));
-}
 
 bool StandsOn(const ColregsState& state) {
   return (state.mode == ColregsMode::kStandOn || state.mode == ColregsMode::kOvertaken) &&
@@ -56,20 +36,13 @@ CpaUtility CpaUtilityAt(double range_m, double min_cpa_m, double max_cpa_m, doub
   return {.lo_m = lo_m, .hi_m = std::max(max_cpa_m, lo_m), .at_lo = at_lo};
 }
 
-ColregsFunction::Axis2 ColregsFunction::AxisToward(double toward_deg) {
-  const Eigen::Vector2d unit = UnitVector(DegToRad(toward_deg));
-  return {.x = unit.x(), .y = unit.y(), .toward_deg = Wrap360(toward_deg)};
-}
-
 ColregsFunction::ColregsFunction(const ColregsState& state, const VesselMotion& own,
                                  const VesselMotion& contact, const ColregsPreferences& preferences,
                                  const Domain& domain)
-    : cpa_(contact.position_m - own.position_m, VelocityAt(contact), preferences.horizon_s, domain),
+    : cpa_(contact.position_m - own.position_m, VelocityOf(contact), preferences.horizon_s, domain),
       contact_mps_(std::max(0.0, contact.speed_mps)),
       own_heading_deg_(own.heading_deg),
-      port_turns_ok_(preferences.port_turns_ok),
-      first_mps_(domain.speed_mps.first),
-      step_mps_(domain.speed_mps.step) {
+      port_turns_ok_(preferences.port_turns_ok) {
   SHOAL_CHECK(!StandsOn(state), "a vessel that stands on keeps course and speed");
   const RelativeGeometry geometry = GeometryOf(own, contact);
   double at_lo = kUtilityAtLeast;
@@ -83,10 +56,11 @@ ColregsFunction::ColregsFunction(const ColregsState& state, const VesselMotion& 
   }
   utility_ = CpaUtilityAt(geometry.range_m, preferences.min_cpa_m, preferences.max_cpa_m, at_lo);
   aspect_ = AspectOf(geometry.alpha_deg);
-  bow_ = AxisToward(contact.heading_deg);
-  to_line_ = AxisToward(contact.heading_deg + (aspect_.port ? 90 : -90));
-  right_ = AxisToward(own.heading_deg + geometry.beta_deg + 90);
-  contact_drift_mps_ = contact_mps_ * (bow_.x * right_.x + bow_.y * right_.y);
+  bow_ = SpeedAlong(contact.heading_deg, domain);
+  to_line_ = SpeedAlong(contact.heading_deg + (aspect_.port ? 90 : -90), domain);
+  const double right_deg = own.heading_deg + geometry.beta_deg + 90;
+  right_ = SpeedAlong(right_deg, domain);
+  contact_drift_mps_ = contact_mps_ * std::cos(DegToRad(contact.heading_deg - right_deg));
   head_on_drift_mps_ = -2 * contact_mps_;
 }
 
@@ -98,12 +72,12 @@ ColregsFunction::Truth ColregsFunction::And(Truth a, Truth b) { return std::min(
 
 ColregsFunction::Truth ColregsFunction::Or(Truth a, Truth b) { return std::max(a, b); }
 
-ColregsFunction::Truth ColregsFunction::Above(const Interval& value, double threshold) {
+ColregsFunction::Truth ColregsFunction::Above(const Range& value, double threshold) {
   if (value.min > threshold) return Truth::kAlways;
   return value.max > threshold ? Truth::kSometimes : Truth::kNever;
 }
 
-ColregsFunction::Truth ColregsFunction::AtLeast(const Interval& value, double threshold) {
+ColregsFunction::Truth ColregsFunction::AtLeast(const Range& value, double threshold) {
   if (value.min >= threshold) return Truth::kAlways;
   return value.max >= threshold ? Truth::kSometimes : Truth::kNever;
 }
@@ -114,17 +88,13 @@ double ColregsFunction::HeadOnBonus(double drift_mps) const {
   return kFullBonus * drift_mps / head_on_drift_mps_;
 }
 
-bool ColregsFunction::IsForbidden(int course, double own_mps) const {
+bool ColregsFunction::IsForbidden(int course, int speed) const {
   if (rule_ == Rule::kNothing) return false;
-  const Eigen::Vector2d& way = CourseVectors()[static_cast<size_t>(course)];
-  const auto along = [&](const Axis2& axis) {
-    return own_mps * (way.x() * axis.x + way.y() * axis.y);
-  };
-  const double drift_mps = contact_drift_mps_ - along(right_);
+  const double drift_mps = contact_drift_mps_ - right_.At(course, speed);
   const double turn_deg = Wrap180(course - own_heading_deg_);
-  const bool crosses = along(to_line_) > 0;
+  const bool crosses = to_line_.At(course, speed) > 0;
   const auto passes = [&] {
-    const double gain_mps = along(bow_) - contact_mps_;
+    const double gain_mps = bow_.At(course, speed) - contact_mps_;
     return (aspect_.fore ? -gain_mps : gain_mps) > 0;
   };
   switch (rule_) {
@@ -149,32 +119,12 @@ bool ColregsFunction::IsForbidden(int course, double own_mps) const {
 }
 
 double ColregsFunction::At(int course, int speed) const {
-  const double own_mps = SpeedAt(speed);
-  if (IsForbidden(course, own_mps)) return 0;
+  if (IsForbidden(course, speed)) return 0;
   const double utility = UtilityOfCpa(cpa_.At(course, speed), utility_);
   if (rule_ != Rule::kHeadOn) return utility;
   const Eigen::Vector2d& way = CourseVectors()[static_cast<size_t>(course)];
   return utility +
          HeadOnBonus(contact_drift_mps_ - own_mps * (way.x() * right_.x + way.y() * right_.y));
-}
-
-ColregsFunction::Interval ColregsFunction::Along(const Axis2& axis, const GridBox& box) const {
-  const auto cosine = [&](int course) {
-    const Eigen::Vector2d& way = CourseVectors()[static_cast<size_t>(course)];
-    return way.x() * axis.x + way.y() * axis.y;
-  };
-  const double first = cosine(box.first_course);
-  const double last = cosine(box.last_course);
-  const auto holds = [&](double course_deg) {
-    return course_deg >= box.first_course && course_deg <= box.last_course;
-  };
-  const double away_deg = axis.toward_deg < 180 ? axis.toward_deg + 180 : axis.toward_deg - 180;
-  const double most = holds(axis.toward_deg) ? 1 : std::max(first, last);
-  const double least = holds(away_deg) ? -1 : std::min(first, last);
-  const double slow_mps = SpeedAt(box.first_speed);
-  const double fast_mps = SpeedAt(box.last_speed);
-  return {.min = std::min(least * slow_mps, least * fast_mps) - kRounding_mps,
-          .max = std::max(most * slow_mps, most * fast_mps) + kRounding_mps};
 }
 
 ColregsFunction::Truth ColregsFunction::Turns(const GridBox& box, bool to_starboard) const {
@@ -189,11 +139,11 @@ ColregsFunction::Truth ColregsFunction::Turns(const GridBox& box, bool to_starbo
 
 ColregsFunction::Truth ColregsFunction::IsForbidden(const GridBox& box) const {
   if (rule_ == Rule::kNothing) return Truth::kNever;
-  const Interval across = Along(right_, box);
-  const Interval drift_mps = {.min = contact_drift_mps_ - across.max,
-                              .max = contact_drift_mps_ - across.min};
+  const Range across = right_.Bound(box);
+  const Range drift_mps = {.min = contact_drift_mps_ - across.max,
+                           .max = contact_drift_mps_ - across.min};
   const auto passes = [&] {
-    const Interval along = Along(bow_, box);
+    const Range along = bow_.Bound(box);
     return aspect_.fore
                ? Above({.min = contact_mps_ - along.max, .max = contact_mps_ - along.min}, 0)
                : Above(along, contact_mps_);
@@ -201,7 +151,7 @@ ColregsFunction::Truth ColregsFunction::IsForbidden(const GridBox& box) const {
   const auto passes_port = [&] {
     return aspect_.fore ? Not(AtLeast(drift_mps, 0)) : Above(drift_mps, 0);
   };
-  const auto crosses = [&] { return Above(Along(to_line_, box), 0); };
+  const auto crosses = [&] { return Above(to_line_.Bound(box), 0); };
   const auto bow_side = [&] {
     return aspect_.port ? AtLeast(drift_mps, 0) : Not(Above(drift_mps, 0));
   };
@@ -236,7 +186,7 @@ CourseSpeedFunction::Range ColregsFunction::Bound(const GridBox& box) const {
   if (forbidden == Truth::kAlways) return {};
   Range range = UtilityOfCpa(cpa_.Bound(box), utility_);
   if (rule_ == Rule::kHeadOn) {
-    const Interval across = Along(right_, box);
+    const Range across = right_.Bound(box);
     range.min += HeadOnBonus(contact_drift_mps_ - across.min);
     range.max += HeadOnBonus(contact_drift_mps_ - across.max);
   }

@@ -17,6 +17,7 @@
 #include "lib/colregs/passing.h"
 #include "lib/decision/cpa_function.h"
 #include "lib/decision/objective.h"
+#include "lib/decision/speed_along.h"
 
 namespace shoal {
 
@@ -46,28 +47,15 @@ class ColregsFunction final : public CourseSpeedFunction {
  private:
   /// What is forbidden.
   enum class Rule { kNothing, kHeadOn, kGiveWayStern, kGiveWayBow, kPassStarboard, kPassPort };
-  struct Axis2 {
-    double x = 0;
-    double y = 0;
-    double toward_deg = 0;
-  };
-  struct Interval {
-    double min = 0;
-    double max = 0;
-  };
   enum class Truth { kNever, kSometimes, kAlways };
 
-  static Axis2 AxisToward(double toward_deg);
   static Truth Not(Truth a);
   static Truth And(Truth a, Truth b);
   static Truth Or(Truth a, Truth b);
-  static Truth Above(const Interval& value, double threshold);
-  static Truth AtLeast(const Interval& value, double threshold);
+  static Truth Above(const Range& value, double threshold);
+  static Truth AtLeast(const Range& value, double threshold);
 
-  double SpeedAt(int speed) const { return first_mps_ + step_mps_ * speed; }
-  /// Returns the speeds along an axis of the courses and speeds of a box.
-  Interval Along(const Axis2& axis, const GridBox& box) const;
-  bool IsForbidden(int course, double own_mps) const;
+  bool IsForbidden(int course, int speed) const;
   Truth IsForbidden(const GridBox& box) const;
   Truth Turns(const GridBox& box, bool to_starboard) const;
   /// `drift_mps`: of the contact to the right, across the line of sight.
@@ -77,16 +65,14 @@ class ColregsFunction final : public CourseSpeedFunction {
   CpaGrid cpa_;
   CpaUtility utility_;
   Aspect aspect_;
-  Axis2 bow_;      ///< The contact's heading.
-  Axis2 to_line_;  ///< From own ship square to the contact's bow-stern line.
-  Axis2 right_;    ///< Square to the line of sight.
+  SpeedAlong bow_;      ///< The contact's heading.
+  SpeedAlong to_line_;  ///< From own ship square to the contact's bow-stern line.
+  SpeedAlong right_;    ///< Square to the line of sight.
   double contact_mps_ = 0;
   double contact_drift_mps_ = 0;
   double head_on_drift_mps_ = 0;  ///< < 0: drift at which the bonus is full.
   double own_heading_deg_ = 0;
   bool port_turns_ok_ = true;
-  double first_mps_;
-  double step_mps_;
 };
 
 /// Returns what the state prefers, normalised to 0..100.
