@@ -12,10 +12,10 @@ namespace {
 
 std::vector<std::pair<std::string_view, const std::vector<std::string>*>> CommonFlags(
     const BehaviorFlags& flags) {
-  return {{"runflag", &flags.runflag},         {"runxflag", &flags.runxflag},
-          {"idleflag", &flags.idleflag},       {"activeflag", &flags.activeflag},
+  return {{"runflag", &flags.runflag},           {"runxflag", &flags.runxflag},
+          {"idleflag", &flags.idleflag},         {"activeflag", &flags.activeflag},
           {"inactiveflag", &flags.inactiveflag}, {"endflag", &flags.endflag},
-          {"spawnflag", &flags.spawnflag},     {"spawnxflag", &flags.spawnxflag},
+          {"spawnflag", &flags.spawnflag},       {"spawnxflag", &flags.spawnxflag},
           {"configflag", &flags.configflag}};
 }
 
@@ -76,10 +76,7 @@ std::string Problem(const BehaviorOptions& options) {
 
 BehaviorRunner::BehaviorRunner(BehaviorOptions options, std::unique_ptr<Behavior> behavior,
                                BehaviorOrigin origin)
-    : options_(std::move(options)),
-      behavior_(std::move(behavior)),
-      origin_(std::move(origin)),
-      made_with_pwt_(options_.pwt) {
+    : options_(std::move(options)), behavior_(std::move(behavior)), origin_(std::move(origin)) {
   Parse();
 }
 
@@ -88,10 +85,10 @@ void BehaviorRunner::Parse() {
   SHOAL_CHECK(problem.empty(), "conditions and flags of a behavior are checked before it starts");
   conditions_ = *ParseConditions(options_.condition);
   const BehaviorFlags& texts = options_.flags;
-  flags_ = {*ParseFlags(texts.runflag),    *ParseFlags(texts.runxflag),
-            *ParseFlags(texts.idleflag),   *ParseFlags(texts.activeflag),
+  flags_ = {*ParseFlags(texts.runflag),      *ParseFlags(texts.runxflag),
+            *ParseFlags(texts.idleflag),     *ParseFlags(texts.activeflag),
             *ParseFlags(texts.inactiveflag), *ParseFlags(texts.endflag),
-            *ParseFlags(texts.spawnflag),  *ParseFlags(texts.spawnxflag),
+            *ParseFlags(texts.spawnflag),    *ParseFlags(texts.spawnxflag),
             *ParseFlags(texts.configflag)};
   own_flags_.clear();
 }
@@ -195,8 +192,7 @@ void BehaviorRunner::Update(const std::string& text, std::span<const UpdateItem>
   auto updated = read(options_, items, inputs.own.motion.position_m);
   std::string problem = updated.ok() ? Problem(*updated) : updated.error();
   if (!problem.empty()) {
-    notes.warnings.push_back(options_.name + ": update '" + text +
-                             "' changes nothing: " + problem);
+    notes.warnings.push_back(options_.name + ": update '" + text + "' changes nothing: " + problem);
     return;
   }
   last_update_ = text;
@@ -209,6 +205,7 @@ void BehaviorRunner::Update(const std::string& text, std::span<const UpdateItem>
 }
 
 bool BehaviorRunner::ConditionsHold(const BehaviorInputs& inputs) const {
+  if (inputs.goals_rest && !behavior_->is_constraint()) return false;
   if (!AllHold(conditions_, *inputs.variables)) return false;
   return std::all_of(
       options_.nostarve.begin(), options_.nostarve.end(), [&](const std::string& variable) {
@@ -243,14 +240,19 @@ void BehaviorRunner::CountTime(const BehaviorInputs& inputs, HelmNotes& notes) {
   }
 }
 
-RunReport BehaviorRunner::Idle(const BehaviorInputs& inputs, HelmNotes& notes) {
-  RunReport report = {.options = &options_, .state = RunState::kIdle};
-  const bool is_entered = state_ != RunState::kIdle;
-  BehaviorAnswer answer = behavior_->Idle(inputs);
+void BehaviorRunner::Publish(const BehaviorAnswer& answer, const BehaviorInputs& inputs,
+                             HelmNotes& notes) {
   Report(answer.posts, notes);
   for (const std::string& name : answer.flags) FireOwn(name, inputs, notes);
   Warn(answer.warning, notes);
-  report.answer.error = answer.error;
+}
+
+RunReport BehaviorRunner::Idle(const BehaviorInputs& inputs, HelmNotes& notes) {
+  RunReport report = {.options = &options_, .state = RunState::kIdle};
+  const bool is_entered = state_ != RunState::kIdle;
+  report.answer = behavior_->Idle(inputs);
+  report.answer.objective.reset();
+  Publish(report.answer, inputs, notes);
   if (is_entered) {
     Fire(flags_.idle, inputs, notes);
     Fire(flags_.inactive, inputs, notes);
@@ -259,12 +261,22 @@ RunReport BehaviorRunner::Idle(const BehaviorInputs& inputs, HelmNotes& notes) {
   return report;
 }
 
-void BehaviorRunner::Complete(const std::string& reason, const BehaviorInputs& inputs,
-                              HelmNotes& notes) {
+void BehaviorRunner::FireEndFlags(const std::string& reason, const BehaviorInputs& inputs,
+                                  HelmNotes& notes) {
   notes.events.push_back(
       {"end", options_.name + ": completed" + (reason.empty() ? "" : ", " + reason)});
   Fire(flags_.end, inputs, notes);
   used_s_.reset();
+}
+
+RunReport BehaviorRunner::End(const std::string& reason, const BehaviorInputs& inputs,
+                              HelmNotes& notes) {
+  RunReport report = {
+      .options = &options_, .state = RunState::kCompleted, .answer = behavior_->Complete(inputs)};
+  report.answer.objective.reset();
+  Publish(report.answer, inputs, notes);
+  FireEndFlags(reason, inputs, notes);
+  return report;
 }
 
 RunReport BehaviorRunner::Run(const BehaviorInputs& inputs, HelmNotes& notes) {
@@ -275,17 +287,16 @@ RunReport BehaviorRunner::Run(const BehaviorInputs& inputs, HelmNotes& notes) {
                       .answer = behavior_->Run(inputs),
                       .is_constraint = behavior_->is_constraint()};
   BehaviorAnswer& answer = report.answer;
-  answer.weight *= made_with_pwt_ > 0 ? options_.pwt / made_with_pwt_ : 0;
   if (answer.objective &&
-      (!std::isfinite(answer.weight) || !IsSound(*answer.objective, *inputs.domain))) {
+      (!std::isfinite(answer.relevance) || !IsSound(*answer.objective, *inputs.domain))) {
     answer.objective.reset();
     if (answer.error.empty()) answer.error = "its preferences are not finite numbers";
   }
-  if (answer.objective && answer.weight > 0) {
+  if (answer.objective) report.weight = options_.pwt * std::clamp(answer.relevance, 0.0, 1.0);
+  if (report.weight > 0) {
     report.state = RunState::kActive;
   } else {
     answer.objective.reset();
-    answer.weight = 0;
   }
   if (before == RunState::kIdle || before == RunState::kNew) Fire(flags_.run, inputs, notes);
   Fire(flags_.runx, inputs, notes);
@@ -295,9 +306,7 @@ RunReport BehaviorRunner::Run(const BehaviorInputs& inputs, HelmNotes& notes) {
   if (report.state != RunState::kActive && before == RunState::kActive) {
     Fire(flags_.inactive, inputs, notes);
   }
-  Report(answer.posts, notes);
-  for (const std::string& name : answer.flags) FireOwn(name, inputs, notes);
-  Warn(answer.warning, notes);
+  Publish(answer, inputs, notes);
   Enter(report.state, notes);
   return report;
 }
@@ -314,19 +323,17 @@ RunReport BehaviorRunner::Iterate(const BehaviorInputs& inputs, const std::strin
   CountTime(inputs, notes);
   RunReport report;
   if (!end_reason.empty()) {
-    report = {.options = &options_, .state = RunState::kCompleted};
-    Complete(end_reason, inputs, notes);
+    report = End(end_reason, inputs, notes);
     is_over_ = true;
   } else if (!ConditionsHold(inputs)) {
     report = Idle(inputs, notes);
   } else if (options_.duration && used_s_ && *used_s_ >= *options_.duration) {
-    report = {.options = &options_, .state = RunState::kCompleted};
-    Complete("its duration is over", inputs, notes);
+    report = End("its duration is over", inputs, notes);
     is_over_ = !options_.perpetual;
   } else {
     report = Run(inputs, notes);
     if (report.answer.completes) {
-      Complete("", inputs, notes);
+      FireEndFlags("", inputs, notes);
       is_over_ = !options_.perpetual;
       report.state = RunState::kCompleted;
     }

@@ -49,7 +49,8 @@ enum class RunState { kNew, kIdle, kRunning, kActive, kCompleted };
 struct RunReport {
   const BehaviorOptions* options = nullptr;
   RunState state = RunState::kIdle;
-  BehaviorAnswer answer = {};  ///< Of Run; its objective and weight are sound where it is active.
+  BehaviorAnswer answer = {};  ///< Its objective is sound, and there only where it is active.
+  double weight = 0;           ///< Priority weight x relevance; > 0 where it is active.
   bool is_constraint = false;
 };
 
@@ -66,6 +67,9 @@ class BehaviorRunner {
 
   /// One iteration. `end_reason`, not empty: it completes now.
   RunReport Iterate(const BehaviorInputs& inputs, const std::string& end_reason, HelmNotes& notes);
+
+  /// The operator has given the order to go on.
+  void Clear() { behavior_->Clear(); }
 
   /// Returns true where it is to be removed: completed, and not perpetual, or its contact is gone.
   bool is_over() const { return is_over_; }
@@ -87,14 +91,17 @@ class BehaviorRunner {
   void Enter(RunState state, HelmNotes& notes);
   bool ConditionsHold(const BehaviorInputs& inputs) const;
   void CountTime(const BehaviorInputs& inputs, HelmNotes& notes);
+  /// Posts reports and own flags of an answer.
+  void Publish(const BehaviorAnswer& answer, const BehaviorInputs& inputs, HelmNotes& notes);
   RunReport Idle(const BehaviorInputs& inputs, HelmNotes& notes);
   RunReport Run(const BehaviorInputs& inputs, HelmNotes& notes);
-  void Complete(const std::string& reason, const BehaviorInputs& inputs, HelmNotes& notes);
+  /// Ends it from outside: its duration, or a contact that is gone.
+  RunReport End(const std::string& reason, const BehaviorInputs& inputs, HelmNotes& notes);
+  void FireEndFlags(const std::string& reason, const BehaviorInputs& inputs, HelmNotes& notes);
 
   BehaviorOptions options_;
   std::unique_ptr<Behavior> behavior_;
   BehaviorOrigin origin_;
-  double made_with_pwt_;
   std::vector<Condition> conditions_;
   FlagLists flags_;
   std::map<std::string, std::vector<Flag>> own_flags_;  ///< Parsed when they fire first.

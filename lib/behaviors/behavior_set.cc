@@ -132,9 +132,9 @@ bool BehaviorSet::HasRunnerNamed(std::string_view name) const {
 void BehaviorSet::TakeSettings(const HelmInputs& inputs, HelmOutcome& outcome) {
   for (const ReceivedSetting& setting : inputs.settings) {
     if (variables_.Set(setting.variable, setting.value, inputs.time_s)) continue;
-    outcome.warnings.push_back("the setting " + setting.variable + " = " + TextOf(setting.value) +
-                               " of " + setting.source + " was refused: " +
-                               variables_.WhyNot(setting.variable, setting.value));
+    outcome.warnings.push_back(
+        "the setting " + setting.variable + " = " + TextOf(setting.value) + " of " +
+        setting.source + " was refused: " + variables_.WhyNot(setting.variable, setting.value));
   }
 }
 
@@ -143,8 +143,8 @@ void BehaviorSet::Spawn(Recipe& recipe, BehaviorOptions options, const BehaviorO
   if (recipe.num_spawned >= recipe.options.max_spawnings) {
     if (!recipe.is_exhausted) {
       now.notes.warnings.push_back(recipe.options.name + ": max_spawnings = " +
-                                   std::to_string(recipe.options.max_spawnings) +
-                                   " is reached; " + options.name + " does not begin");
+                                   std::to_string(recipe.options.max_spawnings) + " is reached; " +
+                                   options.name + " does not begin");
     }
     recipe.is_exhausted = true;
     return;
@@ -168,8 +168,8 @@ void BehaviorSet::Spawn(Recipe& recipe, BehaviorOptions options, const BehaviorO
     return place_of(recipe_name.empty() ? runner->options().name : recipe_name) > own_place;
   });
   auto behavior = Make(setup_, options);
-  runners_.insert(before, std::make_unique<BehaviorRunner>(std::move(options), std::move(behavior),
-                                                           origin));
+  runners_.insert(
+      before, std::make_unique<BehaviorRunner>(std::move(options), std::move(behavior), origin));
 }
 
 void BehaviorSet::SpawnForContacts(const Iteration& now) {
@@ -177,9 +177,8 @@ void BehaviorSet::SpawnForContacts(const Iteration& now) {
     const auto range = AlertRangeOf(recipe.options.what);
     if (!range) continue;
     const ContactOptions& filter = *ContactOptionsOf(recipe.options.what);
-    std::erase_if(recipe.on_alert, [&](const std::string& name) {
-      return !now.inputs.contacts->contains(name);
-    });
+    std::erase_if(recipe.on_alert,
+                  [&](const std::string& name) { return !now.inputs.contacts->contains(name); });
     for (const auto& [name, contact] : *now.inputs.contacts) {
       const bool alerts =
           Passes(filter, contact) && IsAlert(*range, now.inputs.own.motion, contact.now);
@@ -201,8 +200,7 @@ void BehaviorSet::SpawnForObstacles(const Iteration& now) {
     const auto* avoid = std::get_if<AvoidObstacleOptions>(&recipe.options.what);
     if (avoid == nullptr) continue;
     for (const Obstacle& obstacle : *now.inputs.obstacles) {
-      const double distance_m =
-          DistanceTo(obstacle.polygon_m, now.inputs.own.motion.position_m);
+      const double distance_m = DistanceTo(obstacle.polygon_m, now.inputs.own.motion.position_m);
       if (distance_m > avoid->pwt_outer_dist) {
         recipe.on_alert.erase(obstacle.id);
       } else if (recipe.on_alert.insert(obstacle.id).second) {
@@ -244,8 +242,7 @@ void BehaviorSet::ApplyUpdate(const std::string& variable, const std::string& te
     if (recipe.options.updates != variable) continue;
     BehaviorOptions options = recipe.options;
     options.name += *name;
-    auto updated =
-        setup_.read_update(options, *items, now.inputs.own.motion.position_m);
+    auto updated = setup_.read_update(options, *items, now.inputs.own.motion.position_m);
     if (!updated.ok()) {
       now.notes.warnings.push_back(options.name + " does not begin: " + updated.error());
       return;
@@ -283,8 +280,7 @@ void BehaviorSet::Decide(const HelmInputs& inputs, const std::vector<RunReport>&
   }
   for (const RunReport& report : reports) {
     if (report.state != RunState::kRunning && report.state != RunState::kActive) continue;
-    objectives.push_back(
-        {report.answer.weight, report.answer.objective.value_or(Objective())});
+    objectives.push_back({report.weight, report.answer.objective.value_or(Objective())});
     from.push_back(&report);
     if (report.state == RunState::kActive && !report.is_constraint) has_goal = true;
   }
@@ -304,13 +300,13 @@ void BehaviorSet::Decide(const HelmInputs& inputs, const std::vector<RunReport>&
     outcome.has_decision = true;
     outcome.commands = PointOf(decision.point, setup_.domain);
     outcome.utility = decision.utility;
-    outcome.only_task = inputs.task && std::count_if(objectives.begin(), objectives.end(),
-                                                     [](const WeightedObjective& objective) {
-                                                       return objective.weight > 0;
-                                                     }) == 1 &&
+    outcome.only_task = inputs.task &&
+                        std::count_if(objectives.begin(), objectives.end(),
+                                      [](const WeightedObjective& objective) {
+                                        return objective.weight > 0;
+                                      }) == 1 &&
                         from.front() == nullptr;
-    outcome.is_task_point =
-        inputs.task && IsNearest(decision.point, *inputs.task, setup_.domain);
+    outcome.is_task_point = inputs.task && IsNearest(decision.point, *inputs.task, setup_.domain);
   }
   const auto shares = Explain(setup_.domain, objectives, decision);
   for (size_t i = 0; i < from.size(); ++i) {
@@ -326,6 +322,7 @@ void BehaviorSet::Decide(const HelmInputs& inputs, const std::vector<RunReport>&
       aim.kind = KindOf(report.options->what);
       aim.state = Name(report.state);
       if (!report.answer.state.empty()) aim.state += ", " + report.answer.state;
+      aim.is_constraint = report.is_constraint;
       aim.role = report.answer.role;
       aim.view = report.answer.view;
     }
@@ -379,7 +376,8 @@ HelmOutcome BehaviorSet::Iterate(const HelmInputs& inputs) {
       .domain = &setup_.domain,
       .contacts = inputs.contacts != nullptr ? inputs.contacts : &kNoContacts,
       .obstacles = inputs.obstacles != nullptr ? inputs.obstacles : &kNoObstacles,
-      .variables = &variables_};
+      .variables = &variables_,
+      .goals_rest = inputs.goals_rest};
   const Iteration now = {own, notes};
   SpawnForContacts(now);
   SpawnForObstacles(now);
@@ -392,9 +390,11 @@ HelmOutcome BehaviorSet::Iterate(const HelmInputs& inputs) {
   reports.reserve(runners_.size());
   std::string error;
   for (const auto& runner : runners_) {
-    reports.push_back(runner->Iterate(own, EndReason(runner->options(), runner->origin(), own),
-                                      notes));
+    reports.push_back(
+        runner->Iterate(own, EndReason(runner->options(), runner->origin(), own), notes));
     const RunReport& report = reports.back();
+    outcome.parks = outcome.parks || report.answer.parks;
+    outcome.busy_s = std::max(outcome.busy_s, report.answer.busy_s);
     if (report.answer.error.empty()) continue;
     const std::string reason =
         "BehaviorError:" + runner->options().name + ": " + report.answer.error;
@@ -415,6 +415,9 @@ HelmOutcome BehaviorSet::Iterate(const HelmInputs& inputs) {
   return outcome;
 }
 
-void BehaviorSet::Clear() { lasting_error_.clear(); }
+void BehaviorSet::Clear() {
+  lasting_error_.clear();
+  for (const auto& runner : runners_) runner->Clear();
+}
 
 }  // namespace shoal

@@ -25,10 +25,11 @@
 //   removed, and its name is free, unless it is perpetual.
 //
 // All-stop, "clear" or a reason: NothingToDo (no behavior has a preference), MissingDecVars:speed
-// (course or speed are mentioned by none; depth may be, and then is left to others), NoGoalBehavior (with goals_mandatory), BehaviorError:<name>: <text>. The first
-// three take effect in the second iteration in a row without a decision, whatever the reasons were:
-// a change of modes leaves one empty. An error lasts as long as the behavior returns it; that of a
-// behavior which completes with it lasts until Clear().
+// (course or speed are mentioned by none; depth may be, and then is left to others), NoGoalBehavior
+// (with goals_mandatory), BehaviorError:<name>: <text>. The first three take effect in the second
+// iteration in a row without a decision, whatever the reasons were: a change of modes leaves one
+// empty. An error lasts as long as the behavior returns it; that of a behavior which completes with
+// it lasts until Clear().
 #pragma once
 
 #include <cstdint>
@@ -86,6 +87,9 @@ struct HelmInputs {
   const std::vector<Obstacle>* obstacles = nullptr;  ///< nullptr: none.
   std::vector<ReceivedSetting> settings = {};
   std::optional<TaskAim> task = {};
+  /// Behaviors that are goals are idle, avoidance and limits stay: the task is by an order of the
+  /// operator.
+  bool goals_rest = false;
 };
 
 /// A point of the grid; absent: not decided about.
@@ -101,6 +105,7 @@ struct HelmPoint {
 struct HelmAim {
   std::string name;
   std::string kind;
+  bool is_constraint = false;  ///< Avoidance, a limit: no goal by itself.
   std::string state;  ///< "active" or "running", and what it states about itself: "active, leg 3".
   double weight = 0;  ///< 0: no preference now.
   HelmPoint best = {};  ///< What it alone would have chosen.
@@ -124,6 +129,8 @@ struct HelmOutcome {
   /// count.
   bool is_task_point = false;
   std::vector<HelmAim> aims = {};  ///< Running ones in the order of the file, the task first.
+  bool parks = false;  ///< A behavior wants the helm to park, as by an operator's order.
+  double busy_s = 0;   ///< A behavior wants the helm to be busy for that long, in real time.
   /// What flags and reports set, in the order of the file; own ones are set already.
   std::vector<VariablePost> posts = {};
   std::vector<HelmEvent> events = {};

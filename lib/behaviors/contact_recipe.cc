@@ -54,7 +54,10 @@ bool IsAlert(const AlertRange& range, const VesselMotion& own, const VesselMotio
   const double distance_m = offset_m.norm();
   if (distance_m > range.cpa_m) return false;
   if (distance_m <= range.alert_m) return true;
-  const Eigen::Vector2d velocity_mps = VelocityOf(own) - VelocityOf(contact);
+  const auto velocity = [](const VesselMotion& vessel) -> Eigen::Vector2d {
+    return vessel.speed_mps * UnitVector(DegToRad(vessel.heading_deg));
+  };
+  const Eigen::Vector2d velocity_mps = velocity(own) - velocity(contact);
   return ClosestApproach(offset_m, velocity_mps, kAlertHorizon_s) <= range.alert_m;
 }
 
@@ -106,8 +109,7 @@ std::string EndReason(const BehaviorOptions& options, const BehaviorOrigin& orig
   }
   const auto range = AlertRangeOf(options.what);
   if (!range) return {};
-  const double distance_m =
-      (contact->second.now.position_m - inputs.own.motion.position_m).norm();
+  const double distance_m = (contact->second.now.position_m - inputs.own.motion.position_m).norm();
   return distance_m >= kCompletedFactor * range->cpa_m ? "its contact is far away" : "";
 }
 

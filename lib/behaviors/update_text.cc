@@ -26,8 +26,8 @@ Result<std::vector<UpdateItem>> ParseUpdate(std::string_view text) {
     if (sign == std::string_view::npos || Trimmed(part.substr(0, sign)).empty()) {
       return Error{"'" + std::string(part) + "': write key = value, and # between several"};
     }
-    items.push_back({std::string(Trimmed(part.substr(0, sign))),
-                     std::string(Trimmed(part.substr(sign + 1)))});
+    items.push_back(
+        {std::string(Trimmed(part.substr(0, sign))), std::string(Trimmed(part.substr(sign + 1)))});
     if (end == text.size()) return items;
     text.remove_prefix(end + 1);
   }
