@@ -97,7 +97,7 @@ struct BehaviorOptions {
 /// Returns each kind with its defaults, in the order of AnyBehavior.
 [[nodiscard]] std::vector<AnyBehavior> OneBehaviorOfEachKind();
 
-/// Starts a behavior. `name` and `pwt` are its own.
+/// Starts a behavior.
 [[nodiscard]] std::unique_ptr<Behavior> MakeBehavior(const BehaviorOptions& options);
 
 /// Gives `behavior` new options of its kind.

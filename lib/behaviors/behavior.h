@@ -41,6 +41,7 @@ struct BehaviorInputs {
   const Contacts* contacts = nullptr;
   const std::vector<Obstacle>* obstacles = nullptr;
   const Variables* variables = nullptr;
+  bool goals_rest = false;  ///< Behaviors that are no constraints are idle: an order steers.
 };
 
 /// What a contact behavior judges its contact to be, for pages, logs and scores.
@@ -64,11 +65,15 @@ struct BehaviorView {
 struct BehaviorAnswer {
   /// Absent: it runs, and has no preference now. Normalised to 0..100 (NormaliseTo100).
   std::optional<Objective> objective = {};
-  double weight = 0;                     ///< > 0 with an objective; priority weight x relevance.
+  /// > 0 and at most 1 with an objective. BehaviorSet multiplies it by the priority weight, which
+  /// updates change without the behavior's knowledge.
+  double relevance = 0;
   std::vector<VariablePost> posts = {};  ///< Its own reports (WPT_INDEX ...), without flags.
   std::vector<std::string> flags = {};  ///< Names of own flag lists that fire now ("wptflag", ...).
   bool completes = false;
   std::string error = {};  ///< Not empty: an all-stop with this reason.
+  bool parks = false;      ///< The helm is to park, as by an operator's order.
+  double busy_s = 0;       ///< The helm is to be busy for that long, in real time: test_failure.
   std::string warning = {};
   std::string state = {};  ///< For the page: "leg 3", "acquiring", "lane 2".
   std::optional<ContactRole> role = {};
@@ -84,6 +89,13 @@ class Behavior {
 
   /// One iteration in which they do not.
   virtual BehaviorAnswer Idle(const BehaviorInputs&) { return {}; }
+
+  /// Once, in the iteration in which something else than its answer completes it: its duration, or
+  /// that its contact is gone.
+  virtual BehaviorAnswer Complete(const BehaviorInputs&) { return {}; }
+
+  /// The operator has given the order to go on: errors that last are over.
+  virtual void Clear() {}
 
   /// True where only a goal behavior beside it makes sense of the decision (avoidance, limits).
   virtual bool is_constraint() const { return false; }
