@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <set>
 #include <string_view>
 #include <utility>
 
@@ -82,7 +83,10 @@ class Importer {
     bool is_used = false;
   };
 
-  void Warn(std::string warning) { warnings_.push_back(std::move(warning)); }
+  /// Warns once of what a file has for several vehicles.
+  void Warn(std::string warning) {
+    if (warned_.insert(warning).second) warnings_.push_back(std::move(warning));
+  }
 
   void Assume(std::string_view table, std::string key, std::string value, std::string reason) {
     draft_->Set(table, {.key = std::move(key),
@@ -496,6 +500,7 @@ class Importer {
   std::vector<KeptFactor> factors_;
   std::map<const MoosBlock*, TimerScript> scripts_;
   std::vector<std::string> warnings_;
+  std::set<std::string> warned_;
   MissionDraft* draft_ = nullptr;
 };
 

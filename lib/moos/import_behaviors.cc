@@ -351,6 +351,7 @@ class BlockImporter {
       Assume("trigger_on_poly_entry", "false",
              "As MOOS-IvP's OpRegion: a start outside is a breach.");
     }
+    TakeDistances();
     const bool is_constant = kind_.starts_with("constant_");
     if (is_constant && !has_duration_ && !gathered_.contains("duration")) {
       import_.warnings.push_back(
@@ -358,6 +359,33 @@ class BlockImporter {
                       "without end",
                       block_.origin, block_.type));
     }
+  }
+
+  /// Where the distances of avoidance cross, MOOS-IvP moves one of them, and shoal refuses.
+  void TakeDistances() {
+    const bool is_obstacle = kind_ == "avoid_obstacle";
+    if (!is_obstacle && kind_ != "avoid_collision" && kind_ != "colregs") return;
+    const bool is_plain = kind_ == "avoid_collision";
+    const double outer_m = NumberAt("pwt_outer_dist", is_obstacle ? 50 : is_plain ? 200 : 100);
+    const double inner_m = NumberAt("pwt_inner_dist", is_obstacle ? 10 : is_plain ? 50 : 90);
+    const double completed_m = NumberAt("completed_dist", is_obstacle ? 50 : is_plain ? 500 : 100);
+    if (inner_m >= outer_m) {
+      Move("pwt_inner_dist", outer_m * 0.9, "Assumed: less than pwt_outer_dist, as it must be.");
+    }
+    if (completed_m < outer_m) {
+      Move("completed_dist", outer_m, "Assumed: not less than pwt_outer_dist, as it must be.");
+    }
+  }
+
+  double NumberAt(const std::string& key, double otherwise) const {
+    const auto at = gathered_.find(key);
+    return at == gathered_.end() ? otherwise : ParseNumber(at->second.value).value_or(otherwise);
+  }
+
+  void Move(const std::string& key, double value, std::string remark) {
+    Gathered& gathered = At(key);
+    gathered.value = TomlNumber(value);
+    gathered.remark = std::move(remark);
   }
 
   void TakeRow(const BhvKey& row, const MoosLine& line, std::string_view value) {

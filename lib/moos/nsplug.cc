@@ -306,8 +306,9 @@ class Plugger {
     const auto source = find_ == nullptr ? std::nullopt : find_(name, open_files_.back());
     if (!source) {
       return Add(origin, text,
-                 fmt::format("is for nsplug, and no file {} is there: name its folder with --path",
-                             Quoted(name)),
+                 fmt::format(
+                     "is for nsplug, and no file {} is there or below: name its folder with --path",
+                     Quoted(name)),
                  true);
     }
     if (std::find(open_files_.begin(), open_files_.end(), source->name) != open_files_.end()) {

@@ -124,8 +124,9 @@ TEST(Plug, RefusesAFileThatIncludesItself) {
 
 TEST(Plug, NamesAFileThatIsNotThere) {
   EXPECT_EQ(Losses("#include no.bhv\n"),
-            (std::vector<std::string>{"a:1 is for nsplug, and no file 'no.bhv' is there: name its "
-                                      "folder with --path"}));
+            (std::vector<std::string>{
+                "a:1 is for nsplug, and no file 'no.bhv' is there or below: name its "
+                "folder with --path"}));
 }
 
 TEST(Plug, EndsWithFilesThatIncludeOneAnotherTwice) {
