@@ -45,8 +45,8 @@ struct Encounter {
   std::vector<DrawnContact> contacts = {};
 };
 
-/// Contacts anywhere inside the outer distance; every other one is on its way to own ship.
-std::vector<Encounter> DrawEncounters(int64_t num_contacts) {
+/// Contacts from 10 m on; every other one is on its way to own ship.
+std::vector<Encounter> DrawEncounters(int64_t num_contacts, double farthest_m = 78) {
   std::vector<Encounter> encounters;
   for (int i = 0; i < kNumEncounters; ++i) {
     Stream stream(1, "encounter", i);
@@ -56,7 +56,7 @@ std::vector<Encounter> DrawEncounters(int64_t num_contacts) {
       const double course_rad = k % 2 == 0 ? bearing_rad + kPi + 0.5 * (stream.Uniform() - 0.5)
                                            : 2 * kPi * stream.Uniform();
       encounter.contacts.push_back(
-          {.offset_m = (10 + 68 * stream.Uniform()) * UnitVector(bearing_rad),
+          {.offset_m = (10 + (farthest_m - 10) * stream.Uniform()) * UnitVector(bearing_rad),
            .velocity_mps = (0.5 + 2.5 * stream.Uniform()) * UnitVector(course_rad)});
     }
     encounters.push_back(encounter);
@@ -97,8 +97,7 @@ void Report(benchmark::State& state) {
       kPromise_s * static_cast<double>(state.iterations()), benchmark::Counter::kIsRate);
 }
 
-void WholeDecision(benchmark::State& state) {
-  const std::vector<Encounter> encounters = DrawEncounters(state.range(0));
+void DecideOn(benchmark::State& state, const std::vector<Encounter>& encounters) {
   const Domain domain;
   std::vector<WeightedObjective> aims;
   size_t next = 0;
@@ -108,7 +107,13 @@ void WholeDecision(benchmark::State& state) {
   }
   Report(state);
 }
+
+void WholeDecision(benchmark::State& state) { DecideOn(state, DrawEncounters(state.range(0))); }
 BENCHMARK(WholeDecision)->DenseRange(0, 5);
+
+/// All contacts within 30 m.
+void CloseQuarters(benchmark::State& state) { DecideOn(state, DrawEncounters(state.range(0), 30)); }
+BENCHMARK(CloseQuarters)->Arg(5);
 
 void ByTheRules(benchmark::State& state) {
   struct Met {
