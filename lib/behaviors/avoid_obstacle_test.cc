@@ -44,9 +44,9 @@ TEST(ClearanceOfCourses, CountsTheTurn) {
   // A wall 12 m to starboard: back toward it over starboard takes twice the radius.
   const Points wall = {{12, -50}, {12, 50}, {14, 50}, {14, -50}};
   const std::vector<double> tight =
-      ClearanceOfCourses(kNorthbound, {.turn_radius_m = 4, .reach_m = 100}, wall);
+      ClearanceOfCourses(kNorthbound, {.turn_radius_m = 4, .reach_m = 10}, wall);
   const std::vector<double> wide =
-      ClearanceOfCourses(kNorthbound, {.turn_radius_m = 8, .reach_m = 100}, wall);
+      ClearanceOfCourses(kNorthbound, {.turn_radius_m = 8, .reach_m = 10}, wall);
   EXPECT_NEAR(tight.at(179), 4, 0.2);
   EXPECT_EQ(wide.at(179), 0);
   EXPECT_NEAR(wide.at(0), 12, 1e-9);
