@@ -27,7 +27,7 @@ TEST(AnyBehavior, RunsWithTheDefaultsOfEachKind) {
   const Contacts contacts;
   const std::vector<Obstacle> obstacles;
   for (const AnyBehavior& what : OneBehaviorOfEachKind()) {
-    const std::unique_ptr<Behavior> behavior = MakeBehavior({.what = what});
+    const std::unique_ptr<Behavior> behavior = MakeBehavior({.name = "it", .what = what});
     BehaviorInputs inputs = vessel.Inputs();
     inputs.contacts = &contacts;
     inputs.obstacles = &obstacles;
@@ -42,13 +42,14 @@ TEST(AnyBehavior, RunsWithTheDefaultsOfEachKind) {
 TEST(AnyBehavior, GivesNewOptionsToARunningBehavior) {
   TestVessel vessel;
   const std::unique_ptr<Behavior> behavior =
-      MakeBehavior({.what = ConstantSpeedOptions{.speed = 1}});
+      MakeBehavior({.name = "it", .what = ConstantSpeedOptions{.speed = 1}});
   Reconfigure(*behavior, ConstantSpeedOptions{.speed = 2});
   EXPECT_DOUBLE_EQ(vessel.Best(vessel.Run(*behavior)).speed_mps, 2);
 }
 
 TEST(AnyBehaviorDeathTest, RefusesOptionsOfAnotherKind) {
-  const std::unique_ptr<Behavior> behavior = MakeBehavior({.what = ConstantSpeedOptions()});
+  const std::unique_ptr<Behavior> behavior =
+      MakeBehavior({.name = "it", .what = ConstantSpeedOptions()});
   EXPECT_DEATH(Reconfigure(*behavior, ConstantDepthOptions()), "own kind");
 }
 

@@ -11,9 +11,9 @@ TEST(FullStop, PrefersLessSpeedToMore) {
   FullStopBehavior behavior({});
   const BehaviorAnswer answer = vessel.Run(behavior);
   ASSERT_TRUE(answer.objective.has_value());
-  EXPECT_DOUBLE_EQ(Value(*answer.objective, 0, 0, 0), 100);
-  EXPECT_DOUBLE_EQ(Value(*answer.objective, 0, 20, 0), 50);
-  EXPECT_DOUBLE_EQ(Value(*answer.objective, 0, 40, 0), 0);
+  EXPECT_DOUBLE_EQ(ValueAt(*answer.objective, 0, 0), 100);
+  EXPECT_DOUBLE_EQ(ValueAt(*answer.objective, 0, 20), 50);
+  EXPECT_DOUBLE_EQ(ValueAt(*answer.objective, 0, 40), 0);
 }
 
 }  // namespace shoal::full_stop_test

@@ -12,10 +12,10 @@ TEST(MaxDepth, LikesEveryDepthAboveItsLimitAlikeAndNoneBelowItsTolerance) {
   MaxDepthBehavior behavior({.max_depth = 30, .tolerance = 10, .depth_slack_var = "SLACK"});
   const BehaviorAnswer answer = vessel.Run(behavior);
   ASSERT_TRUE(answer.objective.has_value());
-  EXPECT_DOUBLE_EQ(Value(*answer.objective, 0, 0, 0), 100);
-  EXPECT_DOUBLE_EQ(Value(*answer.objective, 0, 0, 30), 100);
-  EXPECT_DOUBLE_EQ(Value(*answer.objective, 0, 0, 35), 50);
-  EXPECT_DOUBLE_EQ(Value(*answer.objective, 0, 0, 40), 0);
+  EXPECT_DOUBLE_EQ(ValueAt(*answer.objective, 0, 0, 0), 100);
+  EXPECT_DOUBLE_EQ(ValueAt(*answer.objective, 0, 0, 30), 100);
+  EXPECT_DOUBLE_EQ(ValueAt(*answer.objective, 0, 0, 35), 50);
+  EXPECT_DOUBLE_EQ(ValueAt(*answer.objective, 0, 0, 40), 0);
   EXPECT_EQ(PostOf(answer, "SLACK"), VariableValue(18.0));
   EXPECT_TRUE(behavior.is_constraint());
 }

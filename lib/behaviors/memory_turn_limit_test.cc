@@ -10,7 +10,7 @@ const MemoryTurnLimitOptions kOptions = {.memory_time = 10, .turn_range = 40};
 
 /// The course that is liked most, and the value of another one.
 double ValueOf(const BehaviorAnswer& answer, int course) {
-  return answer.objective ? Value(*answer.objective, course, 0, 0) : -1;
+  return answer.objective ? ValueAt(*answer.objective, course, 0) : -1;
 }
 
 TEST(MemoryTurnLimit, RefusesCoursesFarFromTheMeanOfItsHeadings) {
