@@ -9,6 +9,7 @@
 
 #include "apps/shoal/import_command.h"
 #include "apps/shoal/log_comms.h"
+#include "apps/shoal/log_helm.h"
 #include "apps/shoal/plot_command.h"
 #include "apps/shoal/rebroker_command.h"
 #include "lib/check/result.h"
@@ -105,6 +106,16 @@ void AddLog(CLI::App& cli, Action* action) {
                   "Read what can be read of a bad log");
   comms->callback([comms_options, action] {
     *action = [comms_options] { return LogComms(*comms_options, std::cout, std::cerr); };
+  });
+
+  CLI::App* helm = log->add_subcommand("helm", "Show why a helm with behaviors steered as it did");
+  auto helm_options = std::make_shared<LogHelmOptions>();
+  helm->add_option("LOG", helm_options->path, "LCM event log")->required();
+  helm->add_option("--vehicle", helm_options->vehicle, "Only this vehicle");
+  helm->add_option("--at", helm_options->at_s, "In full: the decision at this time, seconds");
+  helm->add_flag("--skip-damage", helm_options->skip_damage, "Read what can be read of a bad log");
+  helm->callback([helm_options, action] {
+    *action = [helm_options] { return LogHelm(*helm_options, std::cout, std::cerr); };
   });
 }
 

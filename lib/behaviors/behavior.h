@@ -41,6 +41,7 @@ struct BehaviorInputs {
   const Contacts* contacts = nullptr;
   const std::vector<Obstacle>* obstacles = nullptr;
   const Variables* variables = nullptr;
+  bool goals_rest = false;  ///< Behaviors that are no constraints are idle: an order steers.
 };
 
 /// What a contact behavior judges its contact to be, for pages, logs and scores.

@@ -25,11 +25,11 @@
 //   removed, and its name is free, unless it is perpetual.
 //
 // All-stop, "clear" or a reason: NothingToDo (no behavior has a preference), MissingDecVars:speed
-// (a variable of the domain that none mentions; depth only where the domain has it and a behavior
-// for depth runs), NoGoalBehavior (with goals_mandatory), BehaviorError:<name>: <text>. The first
-// three take effect in the second iteration in a row without a decision, whatever the reasons were:
-// a change of modes leaves one empty. An error lasts as long as the behavior returns it; that of a
-// behavior which completes with it lasts until Clear().
+// (course or speed are mentioned by none; depth may be, and then is left to others), NoGoalBehavior
+// (with goals_mandatory), BehaviorError:<name>: <text>. The first three take effect in the second
+// iteration in a row without a decision, whatever the reasons were: a change of modes leaves one
+// empty. An error lasts as long as the behavior returns it; that of a behavior which completes with
+// it lasts until Clear().
 #pragma once
 
 #include <cstdint>
@@ -43,8 +43,8 @@
 
 #include "lib/behaviors/any_behavior.h"
 #include "lib/behaviors/behavior.h"
+#include "lib/behaviors/behavior_runner.h"
 #include "lib/behaviors/update_text.h"
-#include "lib/modes/flag.h"
 #include "lib/modes/mode_tree.h"
 
 namespace shoal {
@@ -87,6 +87,9 @@ struct HelmInputs {
   const std::vector<Obstacle>* obstacles = nullptr;  ///< nullptr: none.
   std::vector<ReceivedSetting> settings = {};
   std::optional<TaskAim> task = {};
+  /// Behaviors that are goals are idle, avoidance and limits stay: the task is by an order of the
+  /// operator.
+  bool goals_rest = false;
 };
 
 /// A point of the grid; absent: not decided about.
@@ -102,6 +105,7 @@ struct HelmPoint {
 struct HelmAim {
   std::string name;
   std::string kind;
+  bool is_constraint = false;  ///< Avoidance, a limit: no goal by itself.
   std::string state;  ///< "active" or "running", and what it states about itself: "active, leg 3".
   double weight = 0;  ///< 0: no preference now.
   HelmPoint best = {};  ///< What it alone would have chosen.
@@ -109,13 +113,6 @@ struct HelmAim {
   double loss = 0;      ///< weight x (value at best - value).
   std::optional<ContactRole> role = {};
   BehaviorView view = {};
-};
-
-struct HelmEvent {
-  std::string kind;  ///< mode, state, spawn, end, flag, update, all_stop.
-  std::string text;  ///< "waypoint_survey: idle -> active".
-
-  bool operator==(const HelmEvent&) const = default;
 };
 
 struct HelmOutcome {
@@ -132,6 +129,8 @@ struct HelmOutcome {
   /// count.
   bool is_task_point = false;
   std::vector<HelmAim> aims = {};  ///< Running ones in the order of the file, the task first.
+  bool parks = false;  ///< A behavior wants the helm to park, as by an operator's order.
+  double busy_s = 0;   ///< A behavior wants the helm to be busy for that long, in real time.
   /// What flags and reports set, in the order of the file; own ones are set already.
   std::vector<VariablePost> posts = {};
   std::vector<HelmEvent> events = {};
@@ -157,29 +156,35 @@ class BehaviorSet {
   std::vector<std::string> Names() const;
 
  private:
-  struct Runner;
   struct Recipe;
+  struct Iteration;
+
+  void TakeSettings(const HelmInputs& inputs, HelmOutcome& outcome);
+  void ApplyUpdates(const Iteration& now);
+  void ApplyUpdate(const std::string& variable, const std::string& text, const Iteration& now);
+  void SpawnForContacts(const Iteration& now);
+  void SpawnForObstacles(const Iteration& now);
+  /// Adds a behavior, or warns.
+  void Spawn(Recipe& recipe, BehaviorOptions options, const BehaviorOrigin& origin,
+             const Iteration& now);
+  bool HasRunnerNamed(std::string_view name) const;
+  void Decide(const HelmInputs& inputs, const std::vector<RunReport>& reports,
+              HelmOutcome& outcome) const;
+  void JudgeAllStop(const std::string& error, HelmOutcome& outcome);
+  void TakePosts(double time_s, HelmOutcome& outcome);
 
   HelmSetup setup_;
   Variables variables_;
   ModeTree modes_;
   std::vector<Recipe> recipes_;
-  std::vector<std::unique_ptr<Runner>> runners_;
-  std::string latched_error_;
+  std::vector<std::unique_ptr<BehaviorRunner>> runners_;  ///< In the order of the file.
+  std::string lasting_error_;
   int iterations_without_decision_ = 0;
-  std::string last_all_stop_;
+  std::string last_all_stop_ = "clear";
 };
-
-/// Returns what of `options` cannot be parsed, or is not there where it must be: conditions, flags,
-/// durations. Empty: nothing.
-[[nodiscard]] std::string Problem(const BehaviorOptions& options);
 
 /// Returns the objective that stands for a task beside behaviors: its greatest value, 100, is at
 /// the grid point that is nearest to the task's own course and speed.
 [[nodiscard]] Objective ObjectiveOf(const TaskAim& task, const Domain& domain);
-
-/// Returns the list of flags `name` ("wptflag") of the behavior's own kind, or nullptr.
-[[nodiscard]] const std::vector<std::string>* OwnFlags(const AnyBehavior& what,
-                                                       std::string_view name);
 
 }  // namespace shoal

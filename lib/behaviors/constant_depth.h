@@ -21,4 +21,10 @@ struct ConstantDepthOptions {
   bool operator==(const ConstantDepthOptions&) const = default;
 };
 
+class ConstantDepthBehavior final : public BehaviorWith<ConstantDepthOptions> {
+ public:
+  using BehaviorWith::BehaviorWith;
+  BehaviorAnswer Run(const BehaviorInputs& inputs) override;
+};
+
 }  // namespace shoal

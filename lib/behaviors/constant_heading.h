@@ -22,4 +22,10 @@ struct ConstantHeadingOptions {
   bool operator==(const ConstantHeadingOptions&) const = default;
 };
 
+class ConstantHeadingBehavior final : public BehaviorWith<ConstantHeadingOptions> {
+ public:
+  using BehaviorWith::BehaviorWith;
+  BehaviorAnswer Run(const BehaviorInputs& inputs) override;
+};
+
 }  // namespace shoal

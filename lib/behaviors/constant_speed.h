@@ -21,4 +21,10 @@ struct ConstantSpeedOptions {
   bool operator==(const ConstantSpeedOptions&) const = default;
 };
 
+class ConstantSpeedBehavior final : public BehaviorWith<ConstantSpeedOptions> {
+ public:
+  using BehaviorWith::BehaviorWith;
+  BehaviorAnswer Run(const BehaviorInputs& inputs) override;
+};
+
 }  // namespace shoal

@@ -1,6 +1,7 @@
 // Turns by an angle.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -21,6 +22,22 @@ struct FixedTurnOptions {
   std::string radius_rep_var = {};
 
   bool operator==(const FixedTurnOptions&) const = default;
+};
+
+class FixedTurnBehavior final : public BehaviorWith<FixedTurnOptions> {
+ public:
+  using BehaviorWith::BehaviorWith;
+  BehaviorAnswer Run(const BehaviorInputs& inputs) override;
+  /// The next turn begins anew.
+  BehaviorAnswer Idle(const BehaviorInputs& inputs) override;
+
+ private:
+  std::optional<double> begun_s_;
+  bool is_done_ = false;  ///< Until it has been idle.
+  double speed_mps_ = 0;
+  VesselMotion last_;      ///< In the iteration before.
+  double turned_deg_ = 0;  ///< To the side that is asked for.
+  double gone_m_ = 0;
 };
 
 }  // namespace shoal

@@ -14,4 +14,10 @@ struct FullStopOptions {
   bool operator==(const FullStopOptions&) const = default;
 };
 
+class FullStopBehavior final : public BehaviorWith<FullStopOptions> {
+ public:
+  using BehaviorWith::BehaviorWith;
+  BehaviorAnswer Run(const BehaviorInputs& inputs) override;
+};
+
 }  // namespace shoal

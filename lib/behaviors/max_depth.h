@@ -20,4 +20,11 @@ struct MaxDepthOptions {
   bool operator==(const MaxDepthOptions&) const = default;
 };
 
+class MaxDepthBehavior final : public BehaviorWith<MaxDepthOptions> {
+ public:
+  using BehaviorWith::BehaviorWith;
+  BehaviorAnswer Run(const BehaviorInputs& inputs) override;
+  bool is_constraint() const override { return true; }
+};
+
 }  // namespace shoal

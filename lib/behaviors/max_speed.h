@@ -19,4 +19,11 @@ struct MaxSpeedOptions {
   bool operator==(const MaxSpeedOptions&) const = default;
 };
 
+class MaxSpeedBehavior final : public BehaviorWith<MaxSpeedOptions> {
+ public:
+  using BehaviorWith::BehaviorWith;
+  BehaviorAnswer Run(const BehaviorInputs& inputs) override;
+  bool is_constraint() const override { return true; }
+};
+
 }  // namespace shoal

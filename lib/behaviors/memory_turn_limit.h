@@ -1,6 +1,7 @@
 // Keeps near the mean of its last headings.
 #pragma once
 
+#include <deque>
 #include <string_view>
 
 #include "lib/behaviors/behavior.h"
@@ -15,6 +16,25 @@ struct MemoryTurnLimitOptions {
   double turn_range = 0;   ///< Degrees; > 0.
 
   bool operator==(const MemoryTurnLimitOptions&) const = default;
+};
+
+class MemoryTurnLimitBehavior final : public BehaviorWith<MemoryTurnLimitOptions> {
+ public:
+  using BehaviorWith::BehaviorWith;
+  BehaviorAnswer Run(const BehaviorInputs& inputs) override;
+  /// Remembers headings too.
+  BehaviorAnswer Idle(const BehaviorInputs& inputs) override;
+  bool is_constraint() const override { return true; }
+
+ private:
+  struct Memory {
+    double time_s = 0;
+    double heading_deg = 0;
+  };
+
+  void Remember(const BehaviorInputs& inputs);
+
+  std::deque<Memory> memory_;
 };
 
 }  // namespace shoal

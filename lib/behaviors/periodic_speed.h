@@ -1,6 +1,7 @@
 // Alternates between no preference and a speed.
 #pragma once
 
+#include <optional>
 #include <string_view>
 
 #include "lib/behaviors/behavior.h"
@@ -21,6 +22,18 @@ struct PeriodicSpeedOptions {
   bool reset_upon_running = true;  ///< Begins anew after a pause.
 
   bool operator==(const PeriodicSpeedOptions&) const = default;
+};
+
+class PeriodicSpeedBehavior final : public BehaviorWith<PeriodicSpeedOptions> {
+ public:
+  using BehaviorWith::BehaviorWith;
+  BehaviorAnswer Run(const BehaviorInputs& inputs) override;
+  BehaviorAnswer Idle(const BehaviorInputs& inputs) override;
+
+ private:
+  std::optional<double> since_s_;  ///< Of the present half; absent: not begun.
+  bool is_busy_ = false;
+  int num_busy_ = 0;
 };
 
 }  // namespace shoal

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <deque>
 #include <optional>
 #include <string_view>
 
@@ -23,6 +24,29 @@ struct StationKeepOptions {
   double hibernation_radius = -1;  ///< m; no preference inside; -1: off.
 
   bool operator==(const StationKeepOptions&) const = default;
+};
+
+/// Posts PSKEEP_MODE, SEEKING_STATION or HIBERNATING, where it hibernates, and
+/// DIST_TO_STATION.
+class StationKeepBehavior final : public BehaviorWith<StationKeepOptions> {
+ public:
+  using BehaviorWith::BehaviorWith;
+  BehaviorAnswer Run(const BehaviorInputs& inputs) override;
+  BehaviorAnswer Idle(const BehaviorInputs& inputs) override;
+
+ private:
+  struct Past {
+    double time_s = 0;
+    double distance_m = 0;
+  };
+
+  double Speed(double distance_m) const;
+  void Hibernate(double time_s, double distance_m);
+
+  std::optional<double> begun_s_;  ///< Absent: idle before.
+  Eigen::Vector2d activated_at_m_ = Eigen::Vector2d::Zero();
+  bool hibernates_ = false;
+  std::deque<Past> past_;  ///< Of the last seconds awake.
 };
 
 }  // namespace shoal

@@ -19,4 +19,13 @@ struct TestFailureOptions {
   bool operator==(const TestFailureOptions&) const = default;
 };
 
+/// Fails where its duration ends. Never in a mission that is to succeed.
+class TestFailureBehavior final : public BehaviorWith<TestFailureOptions> {
+ public:
+  using BehaviorWith::BehaviorWith;
+  BehaviorAnswer Run(const BehaviorInputs&) override { return {}; }
+  /// Aborts the process, or answers busy_s.
+  BehaviorAnswer Complete(const BehaviorInputs& inputs) override;
+};
+
 }  // namespace shoal

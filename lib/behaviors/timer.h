@@ -14,4 +14,10 @@ struct TimerOptions {
   bool operator==(const TimerOptions&) const = default;
 };
 
+class TimerBehavior final : public BehaviorWith<TimerOptions> {
+ public:
+  using BehaviorWith::BehaviorWith;
+  BehaviorAnswer Run(const BehaviorInputs&) override { return {}; }
+};
+
 }  // namespace shoal

@@ -2,11 +2,16 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "lib/behaviors/behavior.h"
+#include "lib/geometry/leg.h"
+#include "lib/guidance/waypoint_capture.h"
+#include "lib/modes/condition.h"
 
 namespace shoal {
 
@@ -42,6 +47,48 @@ struct WaypointOptions {
   std::string post_suffix = {};             ///< Behind the names of what it posts.
 
   bool operator==(const WaypointOptions&) const = default;
+};
+
+/// Posts WPT_INDEX, CYCLE_INDEX and WPT_STAT, each with post_suffix.
+///
+///   new  --- first iteration --->  on the way  --- last point of the last round --->  done
+///    ^                              |      ^                                           |
+///    |                        idle  v      | the conditions hold again                 |
+///    +------- reset_on_idle ------ paused --+                                          |
+///    +---------------------------------- idle, other points ---------------------------+
+class WaypointBehavior final : public BehaviorWith<WaypointOptions> {
+ public:
+  explicit WaypointBehavior(const WaypointOptions& options);
+  BehaviorAnswer Run(const BehaviorInputs& inputs) override;
+  BehaviorAnswer Idle(const BehaviorInputs& inputs) override;
+  /// Other points, another order or another currix: begins anew. Else it goes on.
+  void Reconfigure(const WaypointOptions& options) override;
+
+ private:
+  enum class State { kNew, kOnTheWay, kPaused, kDone };
+
+  void TakeOver(const WaypointOptions& options);
+  void Begin(const BehaviorInputs& inputs, BehaviorAnswer& answer);
+  void ArrangePoints(const Eigen::Vector2d& position_m);
+  /// `from_m`: where the leg begins; absent: there is none to follow.
+  void HeadFor(size_t index, std::optional<Eigen::Vector2d> from_m,
+               const Eigen::Vector2d& position_m);
+  void Advance(const Eigen::Vector2d& position_m, BehaviorAnswer& answer);
+  bool IsLastPoint() const;
+  double Speed(double distance_m) const;
+  Eigen::Vector2d SteersFor(const BehaviorInputs& inputs) const;
+  Objective Preference(const BehaviorInputs& inputs, double course_deg, double speed_mps) const;
+  void Report(const BehaviorInputs& inputs, double distance_m, BehaviorAnswer& answer) const;
+
+  std::optional<Condition> lead_condition_;
+  State state_ = State::kNew;
+  std::vector<Eigen::Vector2d> points_m_;  ///< In the order of this round.
+  size_t index_ = 0;                       ///< Of the point on the way to.
+  Leg leg_;                                ///< To that point.
+  bool has_leg_ = false;                   ///< There is a line to follow.
+  std::optional<WaypointCapture> capture_;
+  int num_rounds_ = 0;   ///< Completed ones.
+  int num_reached_ = 0;  ///< Points, in all rounds.
 };
 
 }  // namespace shoal

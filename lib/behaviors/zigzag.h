@@ -30,4 +30,25 @@ struct ZigzagOptions {
   bool operator==(const ZigzagOptions&) const = default;
 };
 
+class ZigzagBehavior final : public BehaviorWith<ZigzagOptions> {
+ public:
+  using BehaviorWith::BehaviorWith;
+  BehaviorAnswer Run(const BehaviorInputs& inputs) override;
+  /// Begins anew with a new stem.
+  BehaviorAnswer Idle(const BehaviorInputs& inputs) override;
+
+ private:
+  void Begin(const BehaviorInputs& inputs, BehaviorAnswer& answer);
+  void StartLeg(BehaviorAnswer& answer);
+  double SetCourse() const;
+
+  bool is_begun_ = false;
+  bool is_done_ = false;  ///< Until it has been idle.
+  double stem_deg_ = 0;
+  double speed_mps_ = 0;
+  Eigen::Vector2d begun_at_m_ = Eigen::Vector2d::Zero();
+  int side_ = -1;  ///< Of this leg: -1 port, 1 starboard.
+  int num_legs_ = 0;
+};
+
 }  // namespace shoal

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <utility>
 
 #include "lib/check/check.h"
+#include "lib/decision/best_point.h"
 #include "lib/geometry/angles.h"
 
 namespace shoal {
@@ -95,6 +95,38 @@ Objective Rescaled(Objective objective, const Extent& parts) {
   objective.scale = factor * to_100;
   return objective;
 }
+
+/// The parts over course and speed of an objective, or their negative, without offset and scale.
+class SignedParts {
+ public:
+  SignedParts(const Objective& objective, double sign) : objective_(objective), sign_(sign) {}
+
+  double Value(int course, int speed) const {
+    double value = 0;
+    if (!objective_.course.empty()) value += objective_.course[static_cast<size_t>(course)];
+    if (!objective_.speed.empty()) value += objective_.speed[static_cast<size_t>(speed)];
+    return sign_ * (value + objective_.coupled->At(course, speed));
+  }
+
+  double Upper(const GridBox& box) const {
+    const CourseSpeedFunction::Range range = objective_.coupled->Bound(box);
+    double value = Extreme(objective_.course, box.first_course, box.last_course);
+    value += Extreme(objective_.speed, box.first_speed, box.last_speed);
+    return sign_ * (value + (sign_ < 0 ? range.min : range.max));
+  }
+
+  GridPoint first_guess() const { return {}; }
+
+ private:
+  double Extreme(const std::vector<double>& values, int first, int last) const {
+    if (values.empty()) return 0;
+    const auto [min, max] = std::minmax_element(values.begin() + first, values.begin() + last + 1);
+    return sign_ < 0 ? *min : *max;
+  }
+
+  const Objective& objective_;
+  double sign_;
+};
 
 }  // namespace
 
@@ -209,22 +241,16 @@ Objective Couple(const std::vector<double>& course, const std::vector<double>& s
 
 Objective NormaliseTo100(Objective objective, const Domain& domain) {
   const Extent depth = ExtentOf(objective.depth);
-  Extent level = {.min = std::numeric_limits<double>::infinity(),
-                  .max = -std::numeric_limits<double>::infinity()};
+  Extent level;
   if (objective.coupled == nullptr) {
     const Extent course = ExtentOf(objective.course);
     const Extent speed = ExtentOf(objective.speed);
     level = {.min = course.min + speed.min, .max = course.max + speed.max};
   } else {
-    for (int i = 0; i < Domain::kNumCourses; ++i) {
-      for (int j = 0; j < domain.speed_mps.count; ++j) {
-        double value = objective.coupled->At(i, j);
-        if (!objective.course.empty()) value += objective.course[static_cast<size_t>(i)];
-        if (!objective.speed.empty()) value += objective.speed[static_cast<size_t>(j)];
-        level.min = std::min(level.min, value);
-        level.max = std::max(level.max, value);
-      }
-    }
+    const GridBox whole{.last_course = Domain::kNumCourses - 1,
+                        .last_speed = domain.speed_mps.count - 1};
+    level = {.min = -BestPoint(SignedParts(objective, -1), whole).second,
+             .max = BestPoint(SignedParts(objective, 1), whole).second};
   }
   return Rescaled(std::move(objective),
                   {.min = level.min + depth.min, .max = level.max + depth.max});

@@ -28,17 +28,22 @@ class Variables {
  public:
   /// No helm keeps more variables; settings of further ones are refused.
   static constexpr size_t kMost = 1000;
+  static constexpr size_t kMostFresh = 100;
 
   struct Entry {
     VariableValue value;
     double set_s = 0;                       ///< Time of the last setting.
     int64_t num_set = 0;                    ///< How often it was set.
-    std::vector<VariableValue> fresh = {};  ///< Settings since the last ForgetFresh(), in order.
+    /// Settings since the last ForgetFresh(), in order; the last kMostFresh of them.
+    std::vector<VariableValue> fresh = {};
   };
 
   /// Sets a variable at `time_s`. Returns false, and changes nothing, where it holds the other kind
   /// (text, number), is new and there are kMost, the name is empty, or the number is not finite.
   bool Set(std::string_view variable, const VariableValue& value, double time_s);
+
+  /// Returns why Set refuses the setting; empty: it does not.
+  std::string WhyNot(std::string_view variable, const VariableValue& value) const;
 
   /// Returns the variable, or nullptr.
   const Entry* Find(std::string_view variable) const;

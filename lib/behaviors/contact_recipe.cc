@@ -1,0 +1,116 @@
+#include "lib/behaviors/contact_recipe.h"
+
+#include <algorithm>
+#include <cctype>
+#include <limits>
+
+#include "lib/geometry/angles.h"
+
+namespace shoal {
+namespace {
+
+constexpr double kAlertHorizon_s = 36'000;
+constexpr double kCompletedFactor = 1.1;  // A little behind the alert's end.
+
+bool IsAlike(const std::string& a, const std::string& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](char x, char y) {
+    return std::tolower(static_cast<unsigned char>(x)) ==
+           std::tolower(static_cast<unsigned char>(y));
+  });
+}
+
+bool Holds(const std::vector<std::string>& names, const std::string& name) {
+  return std::any_of(names.begin(), names.end(),
+                     [&](const std::string& each) { return IsAlike(each, name); });
+}
+
+bool PassesOne(const std::vector<std::string>& match, const std::vector<std::string>& ignore,
+               const std::string& value) {
+  return (match.empty() || Holds(match, value)) && !Holds(ignore, value);
+}
+
+double DistanceToEdge(const Eigen::Vector2d& a, const Eigen::Vector2d& b,
+                      const Eigen::Vector2d& point) {
+  const Eigen::Vector2d edge = b - a;
+  const double length2 = edge.squaredNorm();
+  const double along = length2 > 0 ? std::clamp((point - a).dot(edge) / length2, 0.0, 1.0) : 0;
+  return (a + along * edge - point).norm();
+}
+
+}  // namespace
+
+std::optional<AlertRange> AlertRangeOf(const AnyBehavior& what) {
+  if (const auto* avoid = std::get_if<AvoidCollisionOptions>(&what)) {
+    return AlertRange{avoid->pwt_outer_dist, avoid->completed_dist};
+  }
+  if (const auto* colregs = std::get_if<ColregsOptions>(&what)) {
+    return AlertRange{colregs->pwt_outer_dist, colregs->completed_dist};
+  }
+  return std::nullopt;
+}
+
+bool IsAlert(const AlertRange& range, const VesselMotion& own, const VesselMotion& contact) {
+  const Eigen::Vector2d offset_m = own.position_m - contact.position_m;
+  const double distance_m = offset_m.norm();
+  if (distance_m > range.cpa_m) return false;
+  if (distance_m <= range.alert_m) return true;
+  const auto velocity = [](const VesselMotion& vessel) -> Eigen::Vector2d {
+    return vessel.speed_mps * UnitVector(DegToRad(vessel.heading_deg));
+  };
+  const Eigen::Vector2d velocity_mps = velocity(own) - velocity(contact);
+  return ClosestApproach(offset_m, velocity_mps, kAlertHorizon_s) <= range.alert_m;
+}
+
+const ContactOptions* ContactOptionsOf(const AnyBehavior& what) {
+  return std::visit(
+      [](const auto& options) -> const ContactOptions* {
+        if constexpr (requires { options.contact.match_name; }) return &options.contact;
+        return nullptr;
+      },
+      what);
+}
+
+bool Passes(const ContactOptions& filter, const ContactView& contact) {
+  return PassesOne(filter.match_name, filter.ignore_name, contact.name) &&
+         PassesOne(filter.match_group, filter.ignore_group, contact.group) &&
+         PassesOne(filter.match_type, filter.ignore_type, contact.type);
+}
+
+double DistanceTo(const std::vector<Eigen::Vector2d>& polygon_m, const Eigen::Vector2d& point_m) {
+  double distance_m = std::numeric_limits<double>::infinity();
+  int sides = 0;
+  for (size_t i = 0; i < polygon_m.size(); ++i) {
+    const Eigen::Vector2d& a = polygon_m[i];
+    const Eigen::Vector2d& b = polygon_m[(i + 1) % polygon_m.size()];
+    distance_m = std::min(distance_m, DistanceToEdge(a, b, point_m));
+    const Eigen::Vector2d edge = b - a;
+    const Eigen::Vector2d to = point_m - a;
+    sides += edge.x() * to.y() - edge.y() * to.x() >= 0 ? 1 : -1;
+  }
+  const bool is_inside =
+      !polygon_m.empty() && static_cast<size_t>(std::abs(sides)) == polygon_m.size();
+  return is_inside ? 0 : distance_m;
+}
+
+std::string EndReason(const BehaviorOptions& options, const BehaviorOrigin& origin,
+                      const BehaviorInputs& inputs) {
+  if (!origin.obstacle.empty()) {
+    const auto& avoid = std::get<AvoidObstacleOptions>(options.what);
+    const double distance_m = DistanceTo(avoid.polygon, inputs.own.motion.position_m);
+    return distance_m > kCompletedFactor * avoid.completed_dist ? "the obstacle is passed" : "";
+  }
+  if (origin.contact.empty()) return {};
+  const auto contact = inputs.contacts->find(origin.contact);
+  if (contact == inputs.contacts->end()) return "its contact is no longer known";
+  const ContactOptions& filter = *ContactOptionsOf(options.what);
+  if (filter.exit_on_filter_group &&
+      !PassesOne(filter.match_group, filter.ignore_group, contact->second.group)) {
+    return "its contact has left the group";
+  }
+  const auto range = AlertRangeOf(options.what);
+  if (!range) return {};
+  const double distance_m = (contact->second.now.position_m - inputs.own.motion.position_m).norm();
+  return distance_m >= kCompletedFactor * range->cpa_m ? "its contact is far away" : "";
+}
+
+}  // namespace shoal
