@@ -27,4 +27,11 @@ struct AvoidCollisionOptions {
   bool operator==(const AvoidCollisionOptions&) const = default;
 };
 
+class AvoidCollisionBehavior final : public BehaviorWith<AvoidCollisionOptions> {
+ public:
+  using BehaviorWith::BehaviorWith;
+  BehaviorAnswer Run(const BehaviorInputs& inputs) override;
+  bool is_constraint() const override { return true; }
+};
+
 }  // namespace shoal

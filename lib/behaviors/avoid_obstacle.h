@@ -31,4 +31,26 @@ struct AvoidObstacleOptions {
   bool operator==(const AvoidObstacleOptions&) const = default;
 };
 
+/// Values each course by how far the path, a turn and then straight on, stays clear of the
+/// obstacle.
+class AvoidObstacleBehavior final : public BehaviorWith<AvoidObstacleOptions> {
+ public:
+  using BehaviorWith::BehaviorWith;
+  BehaviorAnswer Run(const BehaviorInputs& inputs) override;
+  bool is_constraint() const override { return true; }
+
+ private:
+  /// On which side the obstacle is left, once it is near.
+  enum class Side { kFree, kObstacleToPort, kObstacleToStarboard };
+
+  const std::vector<Eigen::Vector2d>* Polygon(const BehaviorInputs& inputs) const;
+  void LockSide(const Eigen::Vector2d& centre_m, const VesselMotion& own, double relevance);
+  void FireFlags(double distance_m, BehaviorAnswer& answer);
+
+  Side side_ = Side::kFree;
+  double last_distance_m_ = -1;  ///< < 0: none yet.
+  bool came_near_ = false;
+  bool passed_ = false;
+};
+
 }  // namespace shoal

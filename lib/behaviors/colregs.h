@@ -6,6 +6,7 @@
 
 #include "lib/behaviors/behavior.h"
 #include "lib/behaviors/contact_options.h"
+#include "lib/colregs/colregs_state.h"
 
 namespace shoal {
 
@@ -30,6 +31,19 @@ struct ColregsOptions {
   double min_dwell = 3;    ///< s that a mode lasts at least, but for in extremis.
 
   bool operator==(const ColregsOptions&) const = default;
+};
+
+/// Roles and preferences: lib/colregs. An iteration without conditions ends the role; it is judged
+/// anew.
+class ColregsBehavior final : public BehaviorWith<ColregsOptions> {
+ public:
+  using BehaviorWith::BehaviorWith;
+  BehaviorAnswer Run(const BehaviorInputs& inputs) override;
+  BehaviorAnswer Idle(const BehaviorInputs& inputs) override;
+  bool is_constraint() const override { return true; }
+
+ private:
+  ColregsState role_;
 };
 
 }  // namespace shoal

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cctype>
-#include <limits>
 
 #include "lib/geometry/angles.h"
+#include "lib/geometry/convex_polygon.h"
 
 namespace shoal {
 namespace {
@@ -27,14 +27,6 @@ bool Holds(const std::vector<std::string>& names, const std::string& name) {
 bool PassesOne(const std::vector<std::string>& match, const std::vector<std::string>& ignore,
                const std::string& value) {
   return (match.empty() || Holds(match, value)) && !Holds(ignore, value);
-}
-
-double DistanceToEdge(const Eigen::Vector2d& a, const Eigen::Vector2d& b,
-                      const Eigen::Vector2d& point) {
-  const Eigen::Vector2d edge = b - a;
-  const double length2 = edge.squaredNorm();
-  const double along = length2 > 0 ? std::clamp((point - a).dot(edge) / length2, 0.0, 1.0) : 0;
-  return (a + along * edge - point).norm();
 }
 
 }  // namespace
@@ -77,19 +69,7 @@ bool Passes(const ContactOptions& filter, const ContactView& contact) {
 }
 
 double DistanceTo(const std::vector<Eigen::Vector2d>& polygon_m, const Eigen::Vector2d& point_m) {
-  double distance_m = std::numeric_limits<double>::infinity();
-  int sides = 0;
-  for (size_t i = 0; i < polygon_m.size(); ++i) {
-    const Eigen::Vector2d& a = polygon_m[i];
-    const Eigen::Vector2d& b = polygon_m[(i + 1) % polygon_m.size()];
-    distance_m = std::min(distance_m, DistanceToEdge(a, b, point_m));
-    const Eigen::Vector2d edge = b - a;
-    const Eigen::Vector2d to = point_m - a;
-    sides += edge.x() * to.y() - edge.y() * to.x() >= 0 ? 1 : -1;
-  }
-  const bool is_inside =
-      !polygon_m.empty() && static_cast<size_t>(std::abs(sides)) == polygon_m.size();
-  return is_inside ? 0 : distance_m;
+  return std::max(0.0, SignedDistance(polygon_m, point_m));
 }
 
 std::string EndReason(const BehaviorOptions& options, const BehaviorOrigin& origin,

@@ -32,7 +32,7 @@ struct AlertRange {
 /// count alike.
 [[nodiscard]] bool Passes(const ContactOptions& filter, const ContactView& contact);
 
-/// Returns the distance from a point to a convex polygon, 0 inside.
+/// Returns the distance from a point to a convex polygon, 0 inside. @pre it has a corner
 [[nodiscard]] double DistanceTo(const std::vector<Eigen::Vector2d>& polygon_m,
                                 const Eigen::Vector2d& point_m);
 

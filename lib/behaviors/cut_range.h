@@ -26,4 +26,13 @@ struct CutRangeOptions {
   bool operator==(const CutRangeOptions&) const = default;
 };
 
+class CutRangeBehavior final : public BehaviorWith<CutRangeOptions> {
+ public:
+  using BehaviorWith::BehaviorWith;
+  BehaviorAnswer Run(const BehaviorInputs& inputs) override;
+
+ private:
+  bool pursues_ = false;
+};
+
 }  // namespace shoal

@@ -22,4 +22,10 @@ struct ShadowOptions {
   bool operator==(const ShadowOptions&) const = default;
 };
 
+class ShadowBehavior final : public BehaviorWith<ShadowOptions> {
+ public:
+  using BehaviorWith::BehaviorWith;
+  BehaviorAnswer Run(const BehaviorInputs& inputs) override;
+};
+
 }  // namespace shoal

@@ -24,4 +24,11 @@ struct TrailOptions {
   bool operator==(const TrailOptions&) const = default;
 };
 
+class TrailBehavior final : public BehaviorWith<TrailOptions> {
+ public:
+  using BehaviorWith::BehaviorWith;
+  BehaviorAnswer Run(const BehaviorInputs& inputs) override;
+  BehaviorAnswer Idle(const BehaviorInputs& inputs) override;
+};
+
 }  // namespace shoal

@@ -38,9 +38,8 @@ class ApproachFunction final : public CourseSpeedFunction {
     return Value(std::cos(DegToRad(delta_deg)), std::abs(delta_deg), speeds_.At(speed));
   }
 
-  // Everything in the value is monotonous in u where the angle is fixed, but for the kink at
-  // u cos(delta) = v, and in the closing speed and |delta| alike: the extremes are among the
-  // combinations of the extremes of each.
+  // Intervals of the angle, of the closing speed, and of |delta| u, each exact, put together: never
+  // narrower than the values of the box.
   Range Bound(const GridBox& box) const override {
     double least_deg = 180;
     double most_deg = 0;

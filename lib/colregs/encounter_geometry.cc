@@ -7,13 +7,9 @@
 
 namespace shoal {
 
-namespace {
-
 Eigen::Vector2d VelocityOf(const VesselMotion& vessel) {
   return std::max(0.0, vessel.speed_mps) * UnitVector(DegToRad(vessel.heading_deg));
 }
-
-}  // namespace
 
 double ClosestApproach(const Eigen::Vector2d& offset_m, const Eigen::Vector2d& velocity_mps,
                        double horizon_s) {

@@ -18,6 +18,9 @@ struct VesselMotion {
   double speed_mps = 0;  ///< >= 0.
 };
 
+/// Returns the velocity, x East, y North; a negative speed counts as 0.
+[[nodiscard]] Eigen::Vector2d VelocityOf(const VesselMotion& vessel);
+
 struct RelativeGeometry {
   double range_m = 0;
   double beta_deg = 0;

@@ -13,8 +13,8 @@ namespace {
 
 using Directions = std::array<double, 1440>;
 
-/// Boxes that are wider are bounded in halves: the tangents of a wide arc meet far outside.
-constexpr int kWidestBox_deg = 40;
+/// Boxes that are wider are not looked at: the tangents of a wide arc meet far outside.
+constexpr int kWidestBox_deg = 60;
 
 /// Of the range: far more than CPA can be off by rounding.
 constexpr double kRounding = 1e-13;
@@ -77,7 +77,7 @@ CpaGrid::CpaGrid(const Eigen::Vector2d& offset_m, const Eigen::Vector2d& contact
       directions_(&HalfDegreeDirections()) {}
 
 double CpaGrid::At(int course, int speed) const {
-  const double* direction = directions_->data() + 4 * static_cast<ptrdiff_t>(course);
+  const double* direction = DirectionOf(2 * course);
   const double own_mps = SpeedAt(speed);
   const double x_mps = contact_x_mps_ - own_mps * direction[0];
   const double y_mps = contact_y_mps_ - own_mps * direction[1];
@@ -91,68 +91,53 @@ double CpaGrid::At(int course, int speed) const {
 
 CourseSpeedFunction::Range CpaGrid::Bound(const GridBox& box) const {
   const int width_deg = box.last_course - box.first_course;
-  if (width_deg > kWidestBox_deg) {
-    GridBox left = box;
-    GridBox right = box;
-    left.last_course = box.first_course + width_deg / 2;
-    right.first_course = left.last_course + 1;
-    const auto a = Bound(left);
-    const auto b = Bound(right);
-    return {.min = std::min(a.min, b.min), .max = std::max(a.max, b.max)};
-  }
+  if (width_deg > kWidestBox_deg) return {.min = 0, .max = range_m_};
 
-  double greatest2_m2 = 0;
-  double least2_m2 = range2_m2_;  // Without horizon.
-  double fastest2_m2ps2 = 0;
-  double leftmost = kInfinity;  // Twice the areas that offset and velocity span.
-  double rightmost = -kInfinity;
-  bool closing = false;
-  const auto count_corner = [&](int half_deg, double own_mps) {
-    const double* direction = directions_->data() + 2 * static_cast<ptrdiff_t>(half_deg);
-    const double x_mps = contact_x_mps_ - own_mps * direction[0];
-    const double y_mps = contact_y_mps_ - own_mps * direction[1];
-    const double approach = -(offset_x_m_ * x_mps + offset_y_m_ * y_mps);
-    const double area = offset_x_m_ * y_mps - offset_y_m_ * x_mps;
-    const double speed2 = std::max(x_mps * x_mps + y_mps * y_mps, kTiny_m2ps2);
-    leftmost = std::min(leftmost, area);
-    rightmost = std::max(rightmost, area);
-    fastest2_m2ps2 = std::max(fastest2_m2ps2, speed2);
-    if (approach <= 0) {
-      greatest2_m2 = range2_m2_;
-      return;
-    }
-    closing = true;
-    const double time_s = std::min(approach / speed2, horizon_s_);
-    const double x_m = offset_x_m_ + x_mps * time_s;
-    const double y_m = offset_y_m_ + y_mps * time_s;
-    greatest2_m2 = std::max(greatest2_m2, x_m * x_m + y_m * y_m);
-    least2_m2 = std::min(least2_m2, area * area / speed2);
-  };
+  // Corners come in pairs, inner and outer; they are equal where the box has one speed.
+  using Pair = Eigen::Array2d;
   const double slow_mps = SpeedAt(box.first_speed);
   const double fast_mps = SpeedAt(box.last_speed);
-  count_corner(2 * box.first_course, fast_mps);
-  if (box.last_speed > box.first_speed) count_corner(2 * box.first_course, slow_mps);
-  if (width_deg > 0) {
-    count_corner(2 * box.last_course, fast_mps);
-    if (box.last_speed > box.first_speed && slow_mps > 0) {
-      count_corner(2 * box.last_course, slow_mps);
-    }
-    if (width_deg > 1) {
-      const double cosine = (*directions_)[static_cast<size_t>(2 * width_deg + 1)];
-      count_corner(box.first_course + box.last_course, fast_mps / cosine);
-    }
+  const double tangent_mps = fast_mps / DirectionOf(width_deg)[1];
+  const Pair speeds_mps[3] = {{slow_mps, fast_mps}, {slow_mps, fast_mps}, {slow_mps, tangent_mps}};
+  const int half_degrees[3] = {2 * box.first_course, 2 * box.last_course,
+                               box.first_course + box.last_course};
+  // Without grid points between its ends the arc has no tangents; one course has one pair.
+  const int num_pairs = std::min(width_deg, 2) + 1;
+
+  Pair most_approach = Pair::Constant(-kInfinity);
+  Pair leftmost = Pair::Constant(kInfinity);  // Twice the areas that offset and velocity span.
+  Pair rightmost = Pair::Constant(-kInfinity);
+  Pair fastest2_m2ps2 = Pair::Zero();
+  Pair greatest2_m2 = Pair::Zero();
+  Pair least2_m2 = Pair::Constant(range2_m2_);  // Without horizon.
+  for (int i = 0; i < num_pairs; ++i) {
+    const double* direction = DirectionOf(half_degrees[i]);
+    const Pair x_mps = contact_x_mps_ - speeds_mps[i] * direction[0];
+    const Pair y_mps = contact_y_mps_ - speeds_mps[i] * direction[1];
+    const Pair approach = -(offset_x_m_ * x_mps + offset_y_m_ * y_mps);
+    const Pair area = offset_x_m_ * y_mps - offset_y_m_ * x_mps;
+    const Pair speed2 = (x_mps * x_mps + y_mps * y_mps).max(kTiny_m2ps2);
+    const Pair closest_s = (approach / speed2).max(0.0);
+    const Pair time_s = closest_s.min(horizon_s_);
+    const Pair x_m = offset_x_m_ + x_mps * time_s;
+    const Pair y_m = offset_y_m_ + y_mps * time_s;
+    const Pair closest_x_m = offset_x_m_ + x_mps * closest_s;
+    const Pair closest_y_m = offset_y_m_ + y_mps * closest_s;
+    most_approach = most_approach.max(approach);
+    leftmost = leftmost.min(area);
+    rightmost = rightmost.max(area);
+    fastest2_m2ps2 = fastest2_m2ps2.max(speed2);
+    greatest2_m2 = greatest2_m2.max(x_m * x_m + y_m * y_m);
+    least2_m2 = least2_m2.min(closest_x_m * closest_x_m + closest_y_m * closest_y_m);
   }
-  if (!closing) return {.min = range_m_, .max = range_m_};
+  if (most_approach.maxCoeff() <= 0) return {.min = range_m_, .max = range_m_};
 
   const double margin_m = kRounding * range_m_;
-  double least_m = 0;
-  if (leftmost > 0 || rightmost < 0) {
-    least_m = std::sqrt(least2_m2);
-  } else {
-    least_m = range_m_ - horizon_s_ * std::sqrt(fastest2_m2ps2);
-  }
+  const double least_m = leftmost.minCoeff() > 0 || rightmost.maxCoeff() < 0
+                             ? std::sqrt(least2_m2.minCoeff())
+                             : range_m_ - horizon_s_ * std::sqrt(fastest2_m2ps2.maxCoeff());
   return {.min = std::max(least_m - margin_m, 0.0),
-          .max = std::min(std::sqrt(greatest2_m2) + margin_m, range_m_)};
+          .max = std::min(std::sqrt(greatest2_m2.maxCoeff()) + margin_m, range_m_)};
 }
 
 double CpaFunction::At(int course, int speed) const {

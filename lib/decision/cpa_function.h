@@ -63,6 +63,8 @@ class CpaGrid {
 
  private:
   double SpeedAt(int speed) const { return first_mps_ + step_mps_ * speed; }
+  /// Returns sine and cosine.
+  const double* DirectionOf(int half_deg) const { return directions_->data() + 2 * half_deg; }
 
   double offset_x_m_;
   double offset_y_m_;

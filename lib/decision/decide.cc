@@ -5,6 +5,8 @@
 #include <bit>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <utility>
 
 #include "lib/check/check.h"
@@ -83,38 +85,82 @@ struct CoupledTerm {
 /// Course and speed: a separable sum, and terms that couple both.
 class WeightedSum {
  public:
-  WeightedSum(const std::vector<Units>& course, const std::vector<Units>& speed,
-              std::vector<CoupledTerm> terms)
-      : course_(course),
-        speed_(speed),
-        terms_(std::move(terms)),
-        first_guess_{.course = FirstGreatest(course), .speed = FirstGreatest(speed)} {}
+  using Number = Units;
 
-  Units Value(int course, int speed) const {
-    Units sum = course_.At(course) + speed_.At(speed);
+  /// Of a box: an upper bound of each term, in a row of upper_, and which terms are constant.
+  struct Bounds {
+    size_t row = 0;
+    uint64_t constant = 0;  ///< A bit for each of the first 64 terms.
+  };
+  static constexpr bool kAnyOfEquals = false;
+
+  WeightedSum(std::vector<Units> course, std::vector<Units> speed, std::vector<CoupledTerm> terms)
+      : terms_(std::move(terms)),
+        first_guess_{GridPoint{.course = FirstGreatest(course), .speed = FirstGreatest(speed)}},
+        course_(std::move(course)),
+        speed_(std::move(speed)) {
+    // Those that matter most first: they rule a box out soonest.
+    std::stable_sort(terms_.begin(), terms_.end(), [](const CoupledTerm& a, const CoupledTerm& b) {
+      return std::abs(a.factor) > std::abs(b.factor);
+    });
+    upper_.reserve(256 * terms_.size());
+    upper_.assign(terms_.size(), std::numeric_limits<Units>::infinity());
+  }
+
+  Units Value(const GridPoint& point) const {
+    Units sum = course_.At(point.course) + speed_.At(point.speed);
     for (const CoupledTerm& term : terms_) {
-      sum += ToUnits(term.factor * term.function->At(course, speed));
+      sum += ToUnits(term.factor * term.function->At(point.course, point.speed));
     }
     return sum;
   }
 
-  Units Upper(const GridBox& box) const {
-    Units sum =
+  Units Upper(const GridBox& box, const Bounds& outer, Units worth, Bounds* bounds) {
+    const Units separable =
         course_.Of(box.first_course, box.last_course) + speed_.Of(box.first_speed, box.last_speed);
-    for (const CoupledTerm& term : terms_) {
-      const CourseSpeedFunction::Range range = term.function->Bound(box);
-      sum += ToUnits(term.factor * (term.factor < 0 ? range.min : range.max));
+    // The terms that were not bounded yet count as in the outer box.
+    Units sum = separable + SumOfRow(outer.row);
+    if (sum < worth) return sum;
+    *bounds = {.row = upper_.size(), .constant = outer.constant};
+    for (size_t i = 0; i < terms_.size(); ++i) {
+      const Units outer_upper = upper_[outer.row + i];
+      const uint64_t bit = i < 64 ? uint64_t{1} << i : 0;
+      if ((outer.constant & bit) != 0) {
+        upper_.push_back(outer_upper);
+        continue;
+      }
+      const CourseSpeedFunction::Range range = terms_[i].function->Bound(box);
+      if (range.min == range.max) bounds->constant |= bit;
+      const Units upper = std::min(
+          outer_upper, ToUnits(terms_[i].factor * (terms_[i].factor < 0 ? range.min : range.max)));
+      upper_.push_back(upper);
+      sum = outer_upper < std::numeric_limits<Units>::infinity() ? sum - outer_upper + upper : sum;
+      if (sum < worth) {
+        upper_.resize(bounds->row);
+        return sum;
+      }
     }
-    return sum;
+    return separable + SumOfRow(bounds->row);
   }
 
-  GridPoint first_guess() const { return first_guess_; }
+  bool Worthwhile(const GridPoint& point, const Bounds& bounds, Units worth) const {
+    return course_.At(point.course) + speed_.At(point.speed) + SumOfRow(bounds.row) >= worth;
+  }
+
+  const std::array<GridPoint, 1>& first_guesses() const { return first_guess_; }
 
  private:
+  Units SumOfRow(size_t row) const {
+    Units sum = 0;
+    for (size_t i = 0; i < terms_.size(); ++i) sum += upper_[row + i];
+    return sum;
+  }
+
+  std::vector<CoupledTerm> terms_;
+  std::array<GridPoint, 1> first_guess_;
   IntervalMaximum course_;
   IntervalMaximum speed_;
-  std::vector<CoupledTerm> terms_;
-  GridPoint first_guess_;
+  std::vector<Units> upper_;  ///< Rows of terms_.size(); the first one, infinite, is no box's.
 };
 
 /// Returns the best point for `objectives`, the weights of which count in units of `unit`.
@@ -149,7 +195,8 @@ DomainPoint BestFor(const Domain& domain, const Objectives& objectives, double g
   }
   const GridBox whole{.last_course = Domain::kNumCourses - 1,
                       .last_speed = domain.speed_mps.count - 1};
-  const auto [point, units] = BestPoint(WeightedSum(course, speed, std::move(terms)), whole);
+  WeightedSum sum(std::move(course), std::move(speed), std::move(terms));
+  const GridPoint point = BestPoint(&sum, whole).first;
   best.course = point.course;
   best.speed = point.speed;
   return best;

@@ -1,6 +1,7 @@
 #include "lib/decision/shapes.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -99,23 +100,35 @@ Objective Rescaled(Objective objective, const Extent& parts) {
 /// The parts over course and speed of an objective, or their negative, without offset and scale.
 class SignedParts {
  public:
-  SignedParts(const Objective& objective, double sign) : objective_(objective), sign_(sign) {}
+  using Number = double;
+  struct Bounds {};
+  static constexpr bool kAnyOfEquals = true;
 
-  double Value(int course, int speed) const {
-    double value = 0;
-    if (!objective_.course.empty()) value += objective_.course[static_cast<size_t>(course)];
-    if (!objective_.speed.empty()) value += objective_.speed[static_cast<size_t>(speed)];
-    return sign_ * (value + objective_.coupled->At(course, speed));
+  SignedParts(const Objective& objective, double sign, const Domain& domain)
+      : objective_(objective), sign_(sign) {
+    const int fastest = domain.speed_mps.count - 1;
+    for (size_t i = 0; i < first_guesses_.size(); ++i) {
+      first_guesses_[i] = {.course = 45 * static_cast<int>(i), .speed = fastest};
+    }
   }
 
-  double Upper(const GridBox& box) const {
+  double Value(const GridPoint& point) const {
+    double value = 0;
+    if (!objective_.course.empty()) value += objective_.course[static_cast<size_t>(point.course)];
+    if (!objective_.speed.empty()) value += objective_.speed[static_cast<size_t>(point.speed)];
+    return sign_ * (value + objective_.coupled->At(point.course, point.speed));
+  }
+
+  double Upper(const GridBox& box, const Bounds&, double, Bounds*) const {
     const CourseSpeedFunction::Range range = objective_.coupled->Bound(box);
     double value = Extreme(objective_.course, box.first_course, box.last_course);
     value += Extreme(objective_.speed, box.first_speed, box.last_speed);
     return sign_ * (value + (sign_ < 0 ? range.min : range.max));
   }
 
-  GridPoint first_guess() const { return {}; }
+  bool Worthwhile(const GridPoint&, const Bounds&, double) const { return true; }
+
+  const std::array<GridPoint, 8>& first_guesses() const { return first_guesses_; }
 
  private:
   double Extreme(const std::vector<double>& values, int first, int last) const {
@@ -126,6 +139,7 @@ class SignedParts {
 
   const Objective& objective_;
   double sign_;
+  std::array<GridPoint, 8> first_guesses_;
 };
 
 }  // namespace
@@ -135,10 +149,12 @@ std::vector<double> PeakOverCourse(double summit_deg, double peak_deg, double ba
   const Peak shape{.peak = peak_deg, .base = base_deg, .delta = delta, .lo = lo, .hi = hi};
   std::vector<double> values;
   values.reserve(Domain::kNumCourses);
+  const double summit = Wrap360(summit_deg);
   for (int course = 0; course < Domain::kNumCourses; ++course) {
-    values.push_back(ValueAt(shape, std::abs(Wrap180(course - summit_deg))));
+    const double apart = std::abs(course - summit);
+    values.push_back(ValueAt(shape, std::min(apart, 360 - apart)));
   }
-  const auto nearest = static_cast<size_t>(std::ceil(Wrap360(summit_deg) - 0.5));
+  const auto nearest = static_cast<size_t>(std::ceil(summit - 0.5));
   InsistOnSummit(shape, nearest % Domain::kNumCourses, &values);
   return values;
 }
@@ -249,8 +265,9 @@ Objective NormaliseTo100(Objective objective, const Domain& domain) {
   } else {
     const GridBox whole{.last_course = Domain::kNumCourses - 1,
                         .last_speed = domain.speed_mps.count - 1};
-    level = {.min = -BestPoint(SignedParts(objective, -1), whole).second,
-             .max = BestPoint(SignedParts(objective, 1), whole).second};
+    SignedParts greatest(objective, 1, domain);
+    SignedParts least(objective, -1, domain);
+    level = {.min = -BestPoint(&least, whole).second, .max = BestPoint(&greatest, whole).second};
   }
   return Rescaled(std::move(objective),
                   {.min = level.min + depth.min, .max = level.max + depth.max});

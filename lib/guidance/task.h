@@ -146,6 +146,7 @@ struct Task {
   std::variant<WaypointsTask, LoiterTask, StationKeepTask, ReturnTask, PathFollowTask,
                TargetTrackTask>
       what;
+  double pwt = 100;  ///< Priority weight beside behaviors; >= 0.
 
   bool operator==(const Task&) const = default;
 };

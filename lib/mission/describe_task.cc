@@ -117,6 +117,7 @@ void Describe(Fields& fields, Task& task, const StartPose& start) {
     task.name = kind;
   }
   fields.Text("name", task.name, {.min_length = 1});
+  fields.Number("pwt", task.pwt, Between(0, 1e6));
   if (kind.empty()) {
     fields.SkipRest();  // Which keys are right depends on the kind.
     return;
