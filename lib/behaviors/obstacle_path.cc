@@ -87,8 +87,8 @@ std::vector<double> ClearanceOfCourses(const VesselMotion& own, const TurnThenSt
       const auto course = static_cast<size_t>(std::lround(course_deg)) % clearance_m.size();
       const Eigen::Vector2d end_m =
           turn.position_m + path.reach_m * UnitVector(DegToRad(course_deg));
-      clearance_m[course] =
-          std::min(turn.clearance_m, DistanceToEdges(turn.position_m, end_m, polygon_m));
+      const double ray_m = DistanceToEdges(turn.position_m, end_m, polygon_m);
+      clearance_m[course] = std::max(clearance_m[course], std::min(turn.clearance_m, ray_m));
     }
   }
   return clearance_m;

@@ -14,7 +14,8 @@ struct TurnThenStraight {
 };
 
 /// Returns, for each of the 360 courses, the least distance, m, between the path and a convex
-/// polygon; 0 where it goes through. The vessel turns the shorter way.
+/// polygon; 0 where it goes through. The vessel turns the shorter way, and by 180 degrees the
+/// better.
 /// @pre at least three corners
 [[nodiscard]] std::vector<double> ClearanceOfCourses(const VesselMotion& own,
                                                      const TurnThenStraight& path,

@@ -153,12 +153,11 @@ void OpRegionBehavior::TurnBack(const BehaviorInputs& inputs, BehaviorAnswer& an
   answer.flags.emplace_back("savex_flag");
   answer.state = "turns back";
   const std::vector<double>& patience = options_.recover_patience;
-  const auto turn = static_cast<size_t>(num_turns_back_++);
   const BehaviorAnswer back =
       PreferBoth(inputs, CoursesBack(inputs),
                  PeakOverAxis(inputs.domain->speed_mps, InDomain(inputs, options_.recover_spd),
                               options_.recover_spd / 2, 0.2, 20),
-                 patience[turn % patience.size()]);
+                 patience[num_iterations_ % patience.size()]);
   answer.objective = back.objective;
   answer.relevance = back.relevance;
 }
@@ -190,6 +189,7 @@ void OpRegionBehavior::Report(const BehaviorInputs& inputs, BehaviorAnswer& answ
 BehaviorAnswer OpRegionBehavior::Run(const BehaviorInputs& inputs) {
   if (IsFresh(inputs, options_.reset_var)) Clear();
   if (!begun_s_) begun_s_ = inputs.time_s;
+  ++num_iterations_;
   BehaviorAnswer answer;
   const std::optional<Breach> outside = PolygonBreach(inputs);
   const std::optional<Breach> beyond = LimitBreach(inputs);

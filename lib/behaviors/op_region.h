@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -28,7 +29,7 @@ struct OpRegionOptions {
   bool trigger_on_poly_entry = true;  ///< A start outside is no breach.
   bool soft_poly_breach = false;      ///< A breach parks the helm instead of an error.
   double recover_spd = 0.8;           ///< m/s on the way back.
-  /// Per cent of course against speed on the way back, 1 to 99; of several, each for one iteration
+  /// Per cent of course against speed on the way back, 1 to 99; of several, each in one iteration,
   /// by turns.
   std::vector<double> recover_patience = {95};
   bool latch =
@@ -86,7 +87,7 @@ class OpRegionBehavior final : public BehaviorWith<OpRegionOptions> {
   bool was_in_save_ = false;
   bool is_saving_ = false;  ///< Outside the save zone.
   int side_ = 0;            ///< Turns to starboard (1) or port (-1) until its bow meets the zone.
-  int num_turns_back_ = 0;  ///< Iterations in which it turned back.
+  size_t num_iterations_ = 0;
   std::string latched_;     ///< The breach that lasts; empty: none.
   std::string last_text_;   ///< Of the breach in the iteration before.
 };

@@ -4,52 +4,20 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Core>
-#include <algorithm>
 #include <string>
 #include <vector>
 
 #include "lib/behaviors/behavior.h"
-#include "lib/check/bounds.h"
-#include "lib/decision/domain.h"
+#include "lib/decision/decide.h"
 
 namespace shoal {
 
-/// Returns the value of an objective at grid indices.
-inline double ValueAt(const Objective& objective, int course, int speed, int depth = 0) {
-  const auto part = [](const std::vector<double>& values, int index) {
-    return values.empty() ? 0 : values.at(static_cast<size_t>(index));
-  };
-  const double coupled = objective.coupled ? objective.coupled->At(course, speed) : 0;
-  return objective.offset +
-         objective.scale * (part(objective.course, course) + part(objective.speed, speed) +
-                            part(objective.depth, depth) + coupled);
-}
-
-/// The best point of an objective; the lowest course, speed and depth of several.
+/// The best point of an answer; the lowest course, speed and depth of several. -1: not mentioned.
 struct BestPoint {
-  double course_deg = 0;
-  double speed_mps = 0;
-  double depth_m = 0;
+  double course_deg = -1;
+  double speed_mps = -1;
+  double depth_m = -1;
 };
-
-inline BestPoint BestOf(const Objective& objective, const Domain& domain) {
-  BestPoint best;
-  double greatest = -kInfinity;
-  for (int depth = 0; depth < std::max(1, domain.depth_m.count); ++depth) {
-    for (int course = 0; course < Domain::kNumCourses; ++course) {
-      for (int speed = 0; speed < domain.speed_mps.count; ++speed) {
-        const double value = ValueAt(objective, course, speed, depth);
-        if (value <= greatest + 1e-9) continue;
-        greatest = value;
-        best = {.course_deg = static_cast<double>(course),
-                .speed_mps = domain.speed_mps.At(speed),
-                .depth_m = domain.depth_m.count > 0 ? domain.depth_m.At(depth) : 0};
-      }
-    }
-    if (objective.depth.empty()) break;
-  }
-  return best;
-}
 
 /// A vessel that the test moves, with a helm that decides about course, speed and depth.
 class TestVessel {
@@ -76,7 +44,14 @@ class TestVessel {
   /// What an answer likes most. A failure where it has no preference.
   BestPoint Best(const BehaviorAnswer& answer) const {
     EXPECT_TRUE(answer.objective.has_value());
-    return BestOf(answer.objective.value_or(Objective()), domain);
+    if (!answer.objective) return {};
+    const std::vector<WeightedObjective> alone = {{.weight = 1, .objective = *answer.objective}};
+    const DomainPoint point = Decide(domain, alone).point;
+    BestPoint best;
+    if (point.course) best.course_deg = *point.course;
+    if (point.speed) best.speed_mps = domain.speed_mps.At(*point.speed);
+    if (point.depth) best.depth_m = domain.depth_m.At(*point.depth);
+    return best;
   }
 };
 

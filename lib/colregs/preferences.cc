@@ -122,9 +122,7 @@ double ColregsFunction::At(int course, int speed) const {
   if (IsForbidden(course, speed)) return 0;
   const double utility = UtilityOfCpa(cpa_.At(course, speed), utility_);
   if (rule_ != Rule::kHeadOn) return utility;
-  const Eigen::Vector2d& way = CourseVectors()[static_cast<size_t>(course)];
-  return utility +
-         HeadOnBonus(contact_drift_mps_ - own_mps * (way.x() * right_.x + way.y() * right_.y));
+  return utility + HeadOnBonus(contact_drift_mps_ - right_.At(course, speed));
 }
 
 ColregsFunction::Truth ColregsFunction::Turns(const GridBox& box, bool to_starboard) const {

@@ -329,8 +329,8 @@ void DescribeKind(Fields& fields, AvoidObstacleOptions& o, bool is_recipe) {
   fields.Number("turn_radius", o.turn_radius, kDistance);
   fields.Flag("holonomic_ok", o.holonomic_ok);
   fields.Flag("allstop_on_breach", o.allstop_on_breach);
-  TextsOrOne(fields, "rng_flag", o.rng_flag, kMostFlags);
-  TextsOrOne(fields, "cpa_flag", o.cpa_flag, kMostFlags);
+  Flags(fields, "rng_flag", o.rng_flag);
+  Flags(fields, "cpa_flag", o.cpa_flag);
   fields.NoKey("use_refinery", "decisions are exact without it");
   if (o.pwt_inner_dist >= o.pwt_outer_dist) {
     fields.Refuse("pwt_inner_dist", "pwt_inner_dist must be less than pwt_outer_dist");

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "lib/colregs/encounter_geometry.h"
-#include "lib/decision/objective.h"
+#include "lib/decision/decide.h"
 #include "tests/golden/read_golden.h"
 
 namespace shoal {
@@ -45,14 +45,6 @@ inline std::vector<GoldenRow> ReadFunctions(const std::string& behavior) {
   return rows;
 }
 
-inline double ValueAt(const Objective& objective, int course, int speed) {
-  double sum = 0;
-  if (!objective.course.empty()) sum += objective.course.at(static_cast<size_t>(course));
-  if (!objective.speed.empty()) sum += objective.speed.at(static_cast<size_t>(speed));
-  if (objective.coupled) sum += objective.coupled->At(course, speed);
-  return objective.offset + objective.scale * sum;
-}
-
 /// Compares at every 10 degrees and 0.5 m/s. Returns the greatest difference.
 inline double GreatestDifference(const Objective& objective, const GoldenRow& row) {
   std::istringstream values(row.at("values"));
@@ -62,7 +54,7 @@ inline double GreatestDifference(const Objective& objective, const GoldenRow& ro
     for (int speed = 0; speed <= 40; speed += 5) {
       double golden = 0;
       if (values >> golden) ++num_values;
-      worst = std::max(worst, std::abs(ValueAt(objective, course, speed) - golden));
+      worst = std::max(worst, std::abs(Value(objective, course, speed, 0) - golden));
     }
   }
   EXPECT_EQ(num_values, 324);
