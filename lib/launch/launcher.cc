@@ -128,7 +128,7 @@ int Launcher::Run(int signal_fd) {
   }
   if (supervision_.StartAll()) Loop(signal_fd);
   ended_us_ = MonotonicMicroseconds();
-  supervision_.EndAll();
+  supervision_.EndAll(signal_fd);
   return Conclude();
 }
 
