@@ -236,7 +236,8 @@ int RunMission(const RunOptions& options, const Mission& mission,
       .layout = layout,
       .pid = getpid(),
       .vehicles = vehicles,
-      .overrides = options.overrides};
+      .overrides = options.overrides,
+      .groups = GroupsOf(mission)};
   const MissionSecret secret = RandomSecret();
   if (const auto kept = KeepSecret(*base, secret); !kept.ok()) return fail(kept.error());
   const Result<int> secret_fd = SecretInMemory(secret);

@@ -55,6 +55,7 @@ class MissionDraw {
                      .msg_color = Text(),
                      .msg_repeat_color = Text(),
                      .each_fate_up_to = Integer(0, 1'000'000)};
+    DrawSurveyArea();
     for (int64_t i = 2; i > 0; --i) mission.vehicles.push_back(DrawVehicle(i));
     if (mission.tick_us <= 200'000) Submerge(&mission.vehicles[0]);
     has_floor_ = mission.environment.floor.style != "none";
@@ -180,6 +181,19 @@ class MissionDraw {
     }
     environment.contact = static_cast<ContactRule>(Integer(0, 1));
     return environment;
+  }
+
+  void DrawSurveyArea() {
+    const double east_m = Number(1, 1e6);
+    const double north_m = Number(1, 1e6);
+    survey_area_ = {
+        .polygon_m = {{0, 0}, {east_m, 0}, {east_m, north_m}, {Number(-1e6, 0), north_m}},
+        .lane_spacing_m = Number(0.4, 1) * std::min({north_m, east_m, 1e5}),
+        .lane_ends = static_cast<LaneEnds>(Integer(0, 1))};
+    if (Coin()) survey_area_.lane_angle_deg = Number(-360, 360);
+    // A narrow strip may have more lanes than the loader takes.
+    if (CountLanes(survey_area_) > 2000) survey_area_ = {.polygon_m = {{0, 0}, {100, 0}, {0, 100}}};
+    survey_is_shared_ = CountLanes(survey_area_) >= 2 && Coin();
   }
 
   Eigen::Vector3d DeepPoint() { return {Number(-1e6, 1e6), Number(-1e6, 1e6), Number(0, 20'000)}; }
@@ -361,7 +375,8 @@ class MissionDraw {
                     Positive(50), DrawCapture(), Positive(10'000), Number(0, 1), Number(0, 1e7)}},
         {Text() + "2",
          StationKeepTask{station_m, station_m.isZero(), inner_m, inner_m * 1.1, Positive(50)}},
-        {Text() + "3", ReturnTask{Point(), Positive(50), DrawCapture(), Positive(10'000)}}};
+        {Text() + "3", ReturnTask{Point(), Positive(50), DrawCapture(), Positive(10'000)}},
+        {Text() + "4", DrawSurvey(vehicle)}};
     vehicle.return_task = {Point(), Positive(50), DrawCapture(), Positive(10'000)};
     return vehicle;
   }
@@ -418,8 +433,27 @@ class MissionDraw {
     }
   }
 
+  /// The same area for both vehicles of a mission, that they can share it.
+  SurveyTask DrawSurvey(const Vehicle& vehicle) {
+    SurveyTask survey;
+    survey.area = survey_area_;
+    survey.route = {.entry = static_cast<SurveyEntry>(Integer(0, 4)),
+                    .start_m = {vehicle.start.x_m, vehicle.start.y_m},
+                    .turn_radius_m = Number(0, 10'000),
+                    .overrun_m = Number(0, 10'000)};
+    if (survey_is_shared_) {
+      survey.divide_among = {"Vessel_2", "Vessel_1"};
+      survey.share = {.place = vehicle.name == "Vessel_1" ? 0U : 1U, .members = 2};
+    }
+    survey.speed_mps = Positive(50);
+    survey.capture = DrawCapture();
+    survey.lookahead_m = Positive(10'000);
+    survey.crab_gain = Number(0, 1);
+    return survey;
+  }
+
   Expectation DrawExpectation(double end_s) {
-    switch (Integer(0, 7)) {
+    switch (Integer(0, 8)) {
       case 0: {
         ArrivalExpectation arrival{"all", std::nullopt, Positive(100'000), Positive(end_s), Coin()};
         if (Coin()) arrival.point_m = Point();
@@ -454,7 +488,14 @@ class MissionDraw {
         distance.from_s = Number(0, end_s);
         return {"", distance};
       }
-      case 6:
+      case 6: {
+        CoverageExpectation coverage{.sensor_width_m = Positive(100'000),
+                                     .at_least_pct = Number(0, 100)};
+        if (Coin()) coverage.polygon_m = {{0, 0}, {Number(1, 1e6), 0}, {0, Number(-1e6, -1)}};
+        if (Coin()) coverage.vehicles = {"Vessel_2"};
+        return {"", coverage};
+      }
+      case 7:
         if (has_floor_) return {"", AltitudeExpectation{"all", Number(0, 20'000)}};
         [[fallthrough]];
       default:
@@ -464,6 +505,8 @@ class MissionDraw {
 
   std::mt19937_64 generator_;
   bool has_floor_ = false;
+  SurveyArea survey_area_;
+  bool survey_is_shared_ = false;
 };
 
 }  // namespace shoal
