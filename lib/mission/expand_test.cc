@@ -79,7 +79,8 @@ TEST(Templates, AreCheckedEvenWhereNoVehicleUsesThem) {
   EXPECT_EQ(ErrorsAfter("[template.t]\nlength_m = 0\nname = \"a\"\ntemplate = \"u\"\n"),
             "6:12: length_m = 0 is out of range; allowed: greater than 0, at most 500\n"
             "7:8: a template must not have a name; its vehicles have\n"
-            "8:12: unknown template 'u' (did you mean 't'?)\n");
+            "8:12: unknown template 'u'; add a table [template.NAME] with the keys that its "
+            "vehicles share\n");
 }
 
 TEST(Templates, InheritFromTemplates) {

@@ -75,10 +75,9 @@ crab_gain = 0.01
 }
 
 TEST(Survey, RefusesWhatCannotBeSurveyed) {
-  EXPECT_EQ(
-      ErrorsAfter("[[vehicle.task]]\nkind = \"survey\"\n"),
-      "5:1: [[vehicle.task]] lacks 'polygon'; for example: polygon = [[0, 0], [200, 0], [200, "
-      "100], [0, 100]]\n");
+  EXPECT_EQ(ErrorsAfter("[[vehicle.task]]\nkind = \"survey\"\n"),
+            "5:1: task lacks 'polygon'; for example: polygon = [[0, 0], [200, 0], [200, "
+            "100], [0, 100]]\n");
   EXPECT_EQ(
       ErrorsAfter("[[vehicle.task]]\nkind = \"survey\"\n"
                   "polygon = [[0, 0], [9, 9], [9, 0], [0, 9]]\n"),

@@ -270,6 +270,10 @@ class MissionDraw {
     for (Vehicle& vehicle : mission->vehicles) {
       vehicle.start.x_m = Number(-1e5, 1e5);
       vehicle.start.y_m = Number(-1e5, 1e5);
+      for (Task& task : vehicle.tasks) {
+        auto* survey = std::get_if<SurveyTask>(&task.what);
+        if (survey != nullptr) survey->route.start_m = {vehicle.start.x_m, vehicle.start.y_m};
+      }
     }
     const bool can_be = !mission->acoustics.options.modem && PlanSwarm(*mission).problems.empty();
     if (!can_be) mission->swarm = {};
