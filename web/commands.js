@@ -41,7 +41,7 @@ export class Commands {
     }
     this.target = element('select', {id: 'command-target', onchange: () => {
       this.#showFactors();
-      page.select(this.target.value);
+      if (!this.target.value.startsWith('group:')) page.select(this.target.value);
     }});
     this.list = element('ol', {id: 'command-list', class: 'commands', 'aria-live': 'polite'});
     this.rows = new KeyedList(this.list, () => commandRow());

@@ -61,7 +61,7 @@ TEST_F(Figures, ShowTheAreaThatIsSurveyedAndTheBandThatIsCovered) {
   // Discs of 8 m radius, one in every 2 m of the track.
   EXPECT_TRUE(Contains(tracks.data, "# alpha, covered\n0 0 8\n2 0 8\n4 0 8\n"));
   EXPECT_FALSE(Contains(tracks.data, "# bravo, covered"));
-  EXPECT_TRUE(Contains(tracks.script, "with circles lc rgb '#c6e2fe' fs solid noborder"));
+  EXPECT_TRUE(Contains(tracks.script, "with circles lc rgb '#c6e3fe' fs solid noborder"));
   EXPECT_TRUE(Contains(tracks.script, "title 'covered'"));
 }
 
