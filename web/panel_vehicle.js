@@ -1,6 +1,7 @@
 // The list of vehicles and, of the chosen one, what it does, its charts and what it knows.
 
 import {TimeChart} from './charts.js';
+import {DecisionTable} from './decision.js';
 import {element, KeyedList, setAttribute, setText} from './dom.js';
 import {modemWords} from './modem.js';
 import {SwarmTables} from './panel_swarm.js';
@@ -58,9 +59,10 @@ export class VehiclePanel {
       kWindows_s.map((seconds) => element('option', {value: seconds, selected: seconds === 120},
         age(seconds))));
     this.charts = element('div', {class: 'charts'});
+    this.decision = new DecisionTable((name) => page.select(name));
     this.swarm = new SwarmTables((name) => page.select(name));
     this.detail = element('section', {id: 'vehicle', hidden: true}, this.title, this.alarm,
-      this.facts, element('label', {class: 'dim'}, 'Charts of the last ', this.window),
+      this.facts, this.decision.root, element('label', {class: 'dim'}, 'Charts of the last ', this.window),
       this.charts, this.swarm.root);
     this.hint = element('p', {class: 'hint'},
       'Click a vehicle on the map or in the list, or press ', element('kbd', {}, 'n'), '.');
@@ -168,6 +170,7 @@ export class VehiclePanel {
       ...(vehicle.modem ? [['Modem', modemWords(vehicle.modem, frame.t)]] : []),
     ];
     this.factList.sync(facts, ([label]) => label);
+    this.decision.update(vehicle.decision, frame.t);
   }
 
   async #ask() {

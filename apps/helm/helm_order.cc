@@ -8,13 +8,14 @@
 #include <cmath>
 #include <vector>
 
+#include "lib/modes/flag.h"
 #include "lib/run/status_page.h"
 
 namespace shoal {
 
 namespace {
 
-enum class Argument { kNone, kTask, kReason };
+enum class Argument { kNone, kTask, kReason, kSetting };
 
 struct Grammar {
   std::string_view word;
@@ -33,7 +34,18 @@ constexpr std::array<Grammar, kNumOrderKinds> kGrammar = {{
     {"goto", 2, Argument::kNone},
     {"speed", 1, Argument::kNone},
     {"task", 0, Argument::kTask},
+    {"set", 0, Argument::kSetting},
 }};
+
+/// Reads "VARIABLE = value", as flags are written.
+Result<VariablePost> ReadSetting(std::string_view text) {
+  const Result<Flag> flag = Flag::Parse(text);
+  if (!flag.ok()) return Error{"set: " + flag.error()};
+  if (flag->condition() || !flag->destination().empty() || !flag->MacrosUsed().empty()) {
+    return Error{"set takes VARIABLE=value alone, without conditions, destinations and macros"};
+  }
+  return flag->Fire(Variables(), {}).front();
+}
 
 }  // namespace
 
@@ -71,6 +83,11 @@ Result<HelmOrder> ReadOrder(std::string_view command, std::string_view argument,
       return Error{"speed needs a number of m/s greater than zero"};
     }
   }
+  if (grammar->argument == Argument::kSetting) {
+    Result<VariablePost> setting = ReadSetting(argument);
+    if (!setting.ok()) return Error{setting.error()};
+    order.setting = *setting;
+  }
   if (grammar->argument == Argument::kTask) order.task = argument;
   if (grammar->argument == Argument::kReason) order.reason = Printable(argument);
   return order;
@@ -84,7 +101,7 @@ Result<HelmOrder> ReadOrderText(std::string_view text) {
   if (equals != std::string_view::npos && rest.empty()) {
     return Error{fmt::format("'{}' has nothing behind the '='", Printable(text))};
   }
-  if (command == kGrammar.at(static_cast<size_t>(OrderKind::kTask)).word) {
+  if (command == Name(OrderKind::kTask) || command == Name(OrderKind::kSet)) {
     return ReadOrder(command, rest, {});
   }
   std::vector<double> values;

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "lib/check/result.h"
+#include "lib/modes/variables.h"
 
 namespace shoal {
 
@@ -20,8 +21,9 @@ enum class OrderKind {
   kGoto,         ///< Go to a point and stay there.
   kSpeed,        ///< Another speed for the task that runs.
   kTask,         ///< Jump to a task of the list.
+  kSet,          ///< Set a variable of the behaviors.
 };
-inline constexpr int kNumOrderKinds = 9;
+inline constexpr int kNumOrderKinds = 10;
 
 struct HelmOrder {
   OrderKind kind = OrderKind::kPark;
@@ -29,6 +31,7 @@ struct HelmOrder {
   double speed_mps = 0;                               ///< Of kSpeed; > 0.
   std::string task = {};                              ///< Of kTask.
   std::string reason = {};                            ///< Of kAllStop; empty: none was given.
+  VariablePost setting = {};                          ///< Of kSet.
 };
 
 /// A quarter of the Earth's circumference; larger coordinates are refused.
@@ -42,7 +45,7 @@ Result<HelmOrder> ReadOrder(std::string_view command, std::string_view argument,
                             std::span<const double> values);
 
 /// Reads an order from one text, as node messages bring them: "deploy", "speed=1.2", "goto=10,-20",
-/// "task=survey".
+/// "task=survey", "set=RETURN=true".
 Result<HelmOrder> ReadOrderText(std::string_view text);
 
 /// Returns the word for it, as in helm_command_t.

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstdio>
@@ -14,9 +15,13 @@
 #include <utility>
 
 #include "lib/check/result.h"
+#include "lib/mission/suggest.h"
 #include "lib/moos/alog.h"
+#include "lib/moos/bhv_file.h"
+#include "lib/moos/fields.h"
 #include "lib/moos/import.h"
 #include "lib/moos/moos_file.h"
+#include "lib/moos/nsplug.h"
 #include "shoal/node_report_t.hpp"
 
 namespace shoal {
@@ -29,7 +34,7 @@ Result<std::string> ReadMoosFile(const std::string& path) {
   constexpr size_t kLargest_bytes = 10'000'000;
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored)) {
-    return Error{path + " is a directory; name the .moos file in it"};
+    return Error{path + " is a directory; name the .moos and .bhv files in it"};
   }
   const File file(std::fopen(path.c_str(), "rb"), &std::fclose);
   if (file == nullptr) return Error{path + " cannot be read: " + std::strerror(errno)};
@@ -57,6 +62,52 @@ std::optional<Error> WriteNewFile(const std::string& path, std::string_view text
   return Error{"cannot write " + path + " to its end: is the disk full?"};
 }
 
+/// Finds an included file in the including file's folder, then in `paths`. Only regular files below
+/// a folder that was named, however the name is written, so that a mission of others cannot have
+/// any file of this machine copied into its comments.
+std::optional<MoosSource> FindIncluded(std::string_view name, std::string_view from,
+                                       const std::vector<std::string>& paths) {
+  namespace fs = std::filesystem;
+  if (name.empty() || fs::path(name).is_absolute()) return std::nullopt;
+  std::vector<std::pair<fs::path, fs::path>> places = {{fs::path(from).parent_path(), name}};
+  for (const std::string& folder : paths) {
+    places.emplace_back(folder, name);
+    places.emplace_back(folder, fs::path(name).filename());
+  }
+  for (const auto& [folder, file] : places) {
+    const fs::path path = (folder / file).lexically_normal();
+    std::error_code error;
+    const fs::path inside = fs::relative(path, folder.empty() ? fs::path(".") : folder, error);
+    if (error || inside.empty() || *inside.begin() == "..") continue;
+    if (!fs::is_regular_file(path, error)) continue;
+    Result<std::string> text = ReadMoosFile(path.string());
+    if (text.ok()) return MoosSource{.name = path.string(), .text = std::move(*text)};
+  }
+  return std::nullopt;
+}
+
+/// Reads NAME=VALUE pairs that are separated by blanks; a value with blanks stands in double
+/// quotes. `is_one`: the whole text is one pair.
+Result<MoosDefines> ReadDefines(std::string_view text, bool is_one) {
+  const Error wrong{fmt::format("{} is not NAME=VALUE", Quoted(text))};
+  MoosDefines defines;
+  std::string_view rest = Trimmed(text);
+  while (!rest.empty()) {
+    const size_t equals = rest.find('=');
+    if (equals == 0 || equals == rest.npos) return wrong;
+    const std::string name(Trimmed(rest.substr(0, equals)));
+    if (name.find_first_of(" \t\"") != name.npos) return wrong;
+    rest.remove_prefix(equals + 1);
+    size_t end = is_one ? rest.size() : std::min(rest.find_first_of(" \t"), rest.size());
+    const bool is_quoted = rest.starts_with('"') && rest.find('"', 1) != rest.npos;
+    if (is_quoted) end = rest.find('"', 1) + 1;
+    defines[name] = rest.substr(is_quoted ? 1 : 0, end - (is_quoted ? 2 : 0));
+    rest = Trimmed(rest.substr(end));
+  }
+  if (defines.empty()) return wrong;
+  return defines;
+}
+
 int Fail(const std::string& problem, int code) {
   fmt::print(stderr, "shoal: {}\n", problem);
   return code;
@@ -65,16 +116,43 @@ int Fail(const std::string& problem, int code) {
 }  // namespace
 
 int RunImport(const ImportOptions& options) {
+  MoosImportOptions how;
+  for (const std::string& define : options.defines) {
+    const Result<MoosDefines> defines = ReadDefines(define, true);
+    if (!defines.ok()) return Fail("--define: " + defines.error(), kExitUsage);
+    for (const auto& [name, value] : *defines) how.defines.insert_or_assign(name, value);
+  }
+  for (const std::string& vehicle : options.vehicles) {
+    Result<MoosDefines> defines = ReadDefines(vehicle, false);
+    if (!defines.ok()) return Fail("--vehicle: " + defines.error(), kExitUsage);
+    how.vehicles.push_back(std::move(*defines));
+  }
+  how.find = [&options](std::string_view name, std::string_view from) {
+    return FindIncluded(name, from, options.paths);
+  };
   std::vector<MoosSource> sources;
+  bool is_any_moos = false;
   for (const std::string& path : options.files) {
     Result<std::string> text = ReadMoosFile(path);
     if (!text.ok()) return Fail(text.error(), kExitUsage);
-    if (ParseMoosFile(*text, path).blocks.empty()) {
+    MoosSource source{.name = path, .text = std::move(*text)};
+    const PluggedText plugged = Plug(source, how.defines, how.find);
+    if (IsBhvName(path)) {
+      const BhvFile file = ParseBhvFile(plugged);
+      if (file.behaviors.empty() && file.modes.empty() && file.initials.empty()) {
+        return Fail(path + " is no file of behaviors: it has no Behavior, set or initialize",
+                    kExitUsage);
+      }
+    } else if (ParseMoosFile(plugged).blocks.empty()) {
       return Fail(path + " is no MOOS mission file: it has no ProcessConfig block", kExitUsage);
     }
-    sources.push_back({.name = path, .text = std::move(*text)});
+    is_any_moos = is_any_moos || !IsBhvName(path);
+    sources.push_back(std::move(source));
   }
-  const MoosImport import = ImportMoos(sources);
+  if (!is_any_moos) {
+    return Fail("behaviors belong to a vehicle: name its .moos file too", kExitUsage);
+  }
+  const MoosImport import = ImportMoos(sources, how);
   for (const std::string& warning : import.warnings) fmt::print(stderr, "{}\n", warning);
   if (options.out_path.empty()) {
     fmt::print("{}", import.mission);

@@ -9,6 +9,7 @@
 
 #include "apps/shoal/import_command.h"
 #include "apps/shoal/log_comms.h"
+#include "apps/shoal/log_helm.h"
 #include "apps/shoal/plot_command.h"
 #include "apps/shoal/rebroker_command.h"
 #include "lib/check/result.h"
@@ -106,16 +107,44 @@ void AddLog(CLI::App& cli, Action* action) {
   comms->callback([comms_options, action] {
     *action = [comms_options] { return LogComms(*comms_options, std::cout, std::cerr); };
   });
+
+  CLI::App* helm = log->add_subcommand("helm", "Show why a helm with behaviors steered as it did");
+  auto helm_options = std::make_shared<LogHelmOptions>();
+  helm->add_option("LOG", helm_options->path, "LCM event log")->required();
+  helm->add_option("--vehicle", helm_options->vehicle, "Only this vehicle");
+  helm->add_option("--at", helm_options->at_s, "In full: the decision at this time, seconds");
+  helm->add_flag("--skip-damage", helm_options->skip_damage, "Read what can be read of a bad log");
+  helm->callback([helm_options, action] {
+    *action = [helm_options] { return LogHelm(*helm_options, std::cout, std::cerr); };
+  });
 }
 
 void AddImport(CLI::App& cli, Action* action) {
   CLI::App* command =
-      cli.add_subcommand("import", "Make a mission of MOOS-IvP mission files (.moos)");
+      cli.add_subcommand("import", "Make a mission of MOOS-IvP mission files (.moos, .bhv)");
   auto options = std::make_shared<ImportOptions>();
-  command->add_option("FILE", options->files, "All .moos files of one mission: shore and vehicles")
+  command
+      ->add_option("FILE", options->files,
+                   "All files of one mission: .moos of shore and vehicles, .bhv of vehicles")
       ->required();
   command->add_option("--out", options->out_path,
                       "Mission file to write, one that is not there yet; default: standard output");
+  command
+      ->add_option("--define", options->defines,
+                   "NAME=VALUE of a macro, as for nsplug; may be repeated")
+      ->take_all()
+      ->allow_extra_args(false);
+  command
+      ->add_option("--vehicle", options->vehicles,
+                   "\"VNAME=abe START_POS=0,0\": the vehicles' files are templates, read once for "
+                   "each of these")
+      ->take_all()
+      ->allow_extra_args(false);
+  command
+      ->add_option("--path", options->paths,
+                   "Folder of files that others #include; may be repeated")
+      ->take_all()
+      ->allow_extra_args(false);
   command->callback([options, action] { *action = [options] { return RunImport(*options); }; });
 }
 

@@ -42,6 +42,9 @@ Channel<desired_t> Desired(std::string_view vehicle) { return {Of(topics::kDesir
 Channel<helm_state_t> HelmState(std::string_view vehicle) {
   return {Of(topics::kHelmState, vehicle)};
 }
+Channel<helm_decision_t> HelmDecision(std::string_view vehicle) {
+  return {Of(topics::kHelmDecision, vehicle)};
+}
 Channel<helm_command_t> HelmCommand(std::string_view vehicle) {
   return {Of(topics::kHelmCommand, vehicle)};
 }
@@ -110,6 +113,8 @@ std::vector<ChannelRow> MakeTable() {
       {topics::kDesired, kVehicle, "desired_t", "helm", "viewer, (people)", "every step", true},
       {topics::kHelmState, kVehicle, "helm_state_t", "helm", "node_reporter, acomms, shoal, viewer",
        "on change, at least 1 Hz", true},
+      {topics::kHelmDecision, kVehicle, "helm_decision_t", "helm", "viewer, (people)",
+       "with behaviors: on change, at least 1 Hz", true},
       {topics::kHelmCommand, kVehicle, "helm_command_t",
        "shoal (events), shoal send, shore_broker, vehicle_sim (collision)", "helm", "when needed",
        true},

@@ -164,6 +164,7 @@ struct Task {
   std::variant<WaypointsTask, LoiterTask, StationKeepTask, ReturnTask, PathFollowTask,
                TargetTrackTask, SurveyTask>
       what;
+  double pwt = 100;  ///< Priority weight beside behaviors; >= 0.
 
   bool operator==(const Task&) const = default;
 };

@@ -76,6 +76,29 @@ void ResolveTargets(Mission& mission, const TablePlace& file) {
   }
 }
 
+/// Contacts that behaviors name.
+void ResolveContacts(Mission& mission, const TablePlace& file) {
+  for (size_t i = 0; i < mission.vehicles.size(); ++i) {
+    std::vector<BehaviorOptions>& behaviors = mission.vehicles[i].behaviors;
+    for (size_t k = 0; k < behaviors.size(); ++k) {
+      std::string* contact = ContactOf(behaviors[k].what);
+      if (contact == nullptr || contact->empty()) continue;
+      ResolveVehicle(file.Below("vehicle", i).Below("behavior", k), "contact", *contact, mission,
+                     false);
+    }
+  }
+}
+
+/// Behaviors of vehicles that dive decide about depth, too.
+void FillInDomains(Mission& mission) {
+  constexpr Axis kDepths = {.first = 0, .step = 1, .count = 101};
+  for (Vehicle& vehicle : mission.vehicles) {
+    Axis& depth_m = vehicle.domain.depth_m;
+    const bool dives = FactsOfModel(vehicle.model).is_underwater;
+    if (dives && !vehicle.behaviors.empty() && depth_m.count == 0) depth_m = kDepths;
+  }
+}
+
 /// Returns the vehicles that follow the leader by what the acoustic network lets through.
 std::vector<std::string> AcousticFollowers(const Mission& mission) {
   std::vector<std::string> followers;
@@ -110,6 +133,7 @@ void FillInAddresses(Mission& mission) {
 void ResolveNames(Mission& mission, const TablePlace& file) {
   ResolveTargets(mission, file);
   ResolveSurveyShares(mission, file);
+  ResolveContacts(mission, file);
   if (mission.swarm.exists) {
     const TablePlace swarm = file.Below("swarm");
     ResolveVehicle(swarm, "leader", mission.swarm.leader, mission, false);
@@ -137,6 +161,7 @@ void ResolveNames(Mission& mission, const TablePlace& file) {
 void CompleteMission(Mission& mission, const TablePlace& file) {
   mission.acoustics.is_used = file.Has("acoustics") || UsesAcoustics(mission.comms);
   FillInAddresses(mission);
+  FillInDomains(mission);
   if (!mission.swarm.exists) return;
   const Vehicle* leader = mission.FindVehicle(mission.swarm.leader);
   if (leader == nullptr) return;

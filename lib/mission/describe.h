@@ -11,6 +11,7 @@
 // Reading, unknown keys, suggestions, overrides, templates, --explain follow from these.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -65,6 +66,20 @@ void Describe(Fields& fields, PathFollowTask& task, const StartPose& start);
 void Describe(Fields& fields, TargetTrackTask& task, const StartPose& start);
 /// The same for surveys. One that is refused has no corners.
 void Describe(Fields& fields, SurveyTask& task, const StartPose& start);
+
+/// One [[vehicle.behavior]].
+void Describe(Fields& fields, BehaviorOptions& options);
+/// The keys of it that all kinds have and an update may change, and those of its kind.
+void DescribeCommon(Fields& fields, BehaviorOptions& options);
+void DescribeKindOf(Fields& fields, BehaviorOptions& options);
+/// One [[vehicle.mode]].
+void Describe(Fields& fields, ModeOptions& mode);
+/// [vehicle.variables].
+void DescribeVariables(Fields& fields, std::map<std::string, VariableValue>& variables);
+/// [vehicle.domain].
+void Describe(Fields& fields, Domain& domain);
+/// One [[obstacle]].
+void Describe(Fields& fields, Obstacle& obstacle);
 
 /// [swarm].
 void Describe(Fields& fields, SwarmOptions& swarm);

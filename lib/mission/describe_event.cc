@@ -25,7 +25,7 @@ struct CommandRule {
   size_t most_values = 0;  ///< More than num_values: up to this number may be given.
 };
 
-constexpr std::array<CommandRule, 9> kHelmCommands = {{
+constexpr std::array<CommandRule, 10> kHelmCommands = {{
     {"deploy", 0, ""},
     {"return", 0, ""},
     {"station_keep", 0, ""},
@@ -35,6 +35,7 @@ constexpr std::array<CommandRule, 9> kHelmCommands = {{
     {"goto", 2, "[x_m, y_m]"},
     {"speed", 1, "[speed_mps]"},
     {"task", 0, ""},
+    {"set", 0, ""},
 }};
 
 constexpr std::array<CommandRule, 4> kSimCommands = {{
@@ -62,13 +63,18 @@ void DescribeCommand(Fields& fields, std::string_view key, std::string& command,
   }
 }
 
-/// Only `task` takes an argument: a name.
+/// Only `task` takes an argument, a name, and `set`, a variable and its value.
 void DescribeArgument(Fields& fields, CommandEvent& event) {
-  fields.Text("argument", event.argument, {});
+  fields.Text("argument", event.argument, {.max_length = 1000});
   if (event.command == "task") {
     fields.Require("argument", "argument = \"survey\", the name of a task of the vehicle");
+  } else if (event.command == "set") {
+    fields.Require("argument", "argument = \"RETURN=true\"");
+    if (!event.argument.empty() && event.argument.find('=', 1) == std::string::npos) {
+      fields.Refuse("argument", "set needs VARIABLE=value, like argument = \"RETURN=true\"");
+    }
   } else if (!event.argument.empty()) {
-    fields.Refuse("argument", event.command + " takes no argument; only task does");
+    fields.Refuse("argument", event.command + " takes no argument; only task and set do");
   }
 }
 

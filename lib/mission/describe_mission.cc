@@ -108,7 +108,8 @@ void Describe(Fields& file, Mission& mission) {
   file.Below("comms", [&](Fields& fields) { Describe(fields, mission.comms); });
   if (file.reading()) {
     // What [acoustics] leaves out depends on [netsim]. Errors list tables in the order of a file.
-    for (const char* key : {"acoustics", "template", "vehicle", "fleet", "swarm"}) file.Skip(key);
+    for (const char* key : {"acoustics", "obstacle", "template", "vehicle", "fleet", "swarm"})
+      file.Skip(key);
     DescribeNetsim(file, mission);
   }
   if (file.Has("acoustics", mission.acoustics.is_used)) {
@@ -117,6 +118,8 @@ void Describe(Fields& file, Mission& mission) {
       Describe(fields, mission.acoustics, folder, DefaultModem(mission));
     });
   }
+  file.List("obstacle", mission.obstacles,
+            [](Fields& fields, Obstacle& obstacle) { Describe(fields, obstacle); });
   file.Skip("template");
   file.Require("vehicle", "[[vehicle]], followed by name = \"alpha\"; or a [[fleet]]");
   file.List("vehicle", mission.vehicles, [](Fields& fields, Vehicle& vehicle) {

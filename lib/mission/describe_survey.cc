@@ -33,7 +33,7 @@ constexpr std::array<std::pair<std::string_view, LaneEnds>, 2> kLaneEnds = {{
 /// An area that is refused is left without corners: nothing can be planned over it.
 void DescribeArea(Fields& fields, SurveyArea& area, const StartPose& start) {
   fields.Require("polygon", "polygon = [[0, 0], [200, 0], [200, 100], [0, 100]]");
-  fields.Pairs("polygon", area.polygon_m, kPlace, kMostPolygonCorners);
+  fields.Pairs("polygon", area.polygon_m, kTaskPlace, kMostPolygonCorners);
   const Eigen::Vector2d offset_m = DescribeFrame(fields, start);
   for (Eigen::Vector2d& corner_m : area.polygon_m) Move(fields, "polygon", corner_m, offset_m);
   fields.Number("lane_spacing_m", area.lane_spacing_m, Above(0, 100'000));

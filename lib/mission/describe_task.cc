@@ -12,7 +12,7 @@ namespace {
 
 void Describe(Fields& fields, WaypointsTask& task, const StartPose& start) {
   fields.Require("points", "points = [[0, 0], [100, 0]]");
-  fields.Pairs("points", task.points_m, kPlace, kMostPoints);
+  fields.Pairs("points", task.points_m, kTaskPlace, kMostTaskPoints);
   if (task.points_m.empty() && fields.Has("points", true)) {
     fields.Refuse("points", "points must hold at least one point, like [[100, 0]]");
   }
@@ -26,7 +26,7 @@ void Describe(Fields& fields, WaypointsTask& task, const StartPose& start) {
 
 void Describe(Fields& fields, LoiterTask& task, const StartPose& start) {
   fields.Require("center", "center = [100, -50]");
-  fields.Pair("center", task.center_m, kPlace);
+  fields.Pair("center", task.center_m, kTaskPlace);
   Move(fields, "center", task.center_m, DescribeFrame(fields, start));
   fields.Number("radius_m", task.radius_m, Above(0, 100'000));
   fields.SmallInteger("num_points", task.num_points, 3, 360);
@@ -41,7 +41,7 @@ void Describe(Fields& fields, StationKeepTask& task, const StartPose& start) {
   task.here = !fields.Has("point", !task.here);
   const Eigen::Vector2d offset_m = DescribeFrame(fields, start);
   if (!task.here) {
-    fields.Pair("point", task.point_m, kPlace);
+    fields.Pair("point", task.point_m, kTaskPlace);
     Move(fields, "point", task.point_m, offset_m);
   }
   fields.Number("inner_radius_m", task.inner_radius_m, Above(0, 10'000));
@@ -57,7 +57,7 @@ void Describe(Fields& fields, StationKeepTask& task, const StartPose& start) {
 void Describe(Fields& fields, ReturnTask& task, const StartPose& start) {
   if (fields.reading()) task.point_m = {start.x_m, start.y_m};
   const bool has_point = fields.Has("point", true);
-  fields.Pair("point", task.point_m, kPlace);
+  fields.Pair("point", task.point_m, kTaskPlace);
   const Eigen::Vector2d offset_m = DescribeFrame(fields, start);
   if (has_point) Move(fields, "point", task.point_m, offset_m);
   DescribeSpeed(fields, task.speed_mps);
@@ -80,6 +80,7 @@ void Describe(Fields& fields, Task& task, const StartPose& start) {
     task.name = kind;
   }
   fields.Text("name", task.name, {.min_length = 1});
+  fields.Number("pwt", task.pwt, Between(0, 1e6));
   if (kind.empty()) {
     fields.SkipRest();  // Which keys are right depends on the kind.
     return;

@@ -14,6 +14,7 @@ namespace shoal {
 namespace {
 
 constexpr size_t kMostTasks = 1000;
+constexpr size_t kMostBehaviors = 1000;
 constexpr size_t kMostExtraFields = 100;
 constexpr int kLargestAddress = std::numeric_limits<int>::max();
 
@@ -29,6 +30,8 @@ void Describe(Fields& fields, HelmOptions& options) {
   fields.Number("nav_timeout_s", options.nav_timeout_s, Above(0, 3600));
   fields.Flag("deploy_at_start", options.deploy_at_start);
   fields.Number("state_interval_s", options.state_interval_s, Above(0, 3600));
+  fields.Number("decide_every_s", options.decide_every_s, Between(0.01, 60));
+  fields.Flag("goals_mandatory", options.goals_mandatory);
 }
 
 void Describe(Fields& fields, AutopilotOptions& options) {
@@ -77,6 +80,26 @@ void DescribeTasks(Fields& fields, Vehicle& vehicle) {
   });
   if (vehicle.tasks.size() > kMostTasks) {
     fields.Refuse("task", "more than " + std::to_string(kMostTasks) + " tasks");
+  }
+}
+
+/// The behaviors beside the tasks, and what they depend on.
+void DescribeBehaviors(Fields& fields, Vehicle& vehicle) {
+  fields.List("behavior", vehicle.behaviors,
+              [](Fields& table, BehaviorOptions& options) { Describe(table, options); });
+  if (vehicle.behaviors.size() > kMostBehaviors) {
+    fields.Refuse("behavior", "more than " + std::to_string(kMostBehaviors) + " behaviors");
+  }
+  fields.List("mode", vehicle.modes,
+              [](Fields& table, ModeOptions& mode) { Describe(table, mode); });
+  if (vehicle.modes.size() > kMostBehaviors) {
+    fields.Refuse("mode", "more than " + std::to_string(kMostBehaviors) + " modes");
+  }
+  if (fields.Has("variables", !vehicle.variables.empty())) {
+    DescribeVariables(fields, vehicle.variables);
+  }
+  if (fields.Has("domain", vehicle.domain != Domain())) {
+    fields.Below("domain", [&](Fields& table) { Describe(table, vehicle.domain); });
   }
 }
 
@@ -154,6 +177,7 @@ void Describe(Fields& fields, Vehicle& vehicle) {
   fields.Below("return",
                [&](Fields& table) { Describe(table, vehicle.return_task, vehicle.start); });
   DescribeTasks(fields, vehicle);
+  DescribeBehaviors(fields, vehicle);
 }
 
 }  // namespace shoal

@@ -19,6 +19,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace shoal {
@@ -73,6 +74,11 @@ class Fields {
   virtual void TextMap(std::string_view key, std::map<std::string, std::string>& texts,
                        size_t max_count) = 0;
 
+  /// {key = "text", other = 2.5, third = true, ...}; true and false count as text.
+  virtual void Scalars(std::string_view key,
+                       std::map<std::string, std::variant<std::string, double>>& values,
+                       size_t max_count) = 0;
+
   /// [key], a table below this one.
   virtual void Below(std::string_view key, const DescribeTable& describe) = 0;
   /// key = {...}, a small table in one line. (A file may write either form for either.)
@@ -85,7 +91,9 @@ class Fields {
 
   /// True where variables are filled, false where they are written.
   virtual bool reading() const = 0;
-  /// When reading, true where the table has `key`; when writing, `present`.
+  /// True where Require has an effect: a table of the file, not a change of what exists.
+  virtual bool demands_keys() const { return true; }
+  /// When reading, true where the table has `key`; when writing, `present`; when changing, either.
   virtual bool Has(std::string_view key, bool present) = 0;
   /// When reading, true where the table has a string under `key`; when writing, false.
   virtual bool HoldsText(std::string_view key) = 0;

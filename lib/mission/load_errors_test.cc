@@ -183,7 +183,7 @@ at_s = 2
             "17:12: alpha has no task 'survey'\n"
             "22:10: goto needs values = [x_m, y_m]\n"
             "27:10: deploy takes no values\n"
-            "28:12: deploy takes no argument; only task does\n"
+            "28:12: deploy takes no argument; only task and set do\n"
             "29:1: an event needs one of command, sim_command, rule and message, and only one\n");
 }
 

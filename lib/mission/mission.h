@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "lib/behaviors/behavior.h"
 #include "lib/mission/environment.h"
 #include "lib/mission/event.h"
 #include "lib/mission/expectation.h"
@@ -69,6 +70,7 @@ struct Mission {
   Environment environment;
   RoutingRules comms;
   Acoustics acoustics;
+  std::vector<Obstacle> obstacles;  ///< That do not move.
   std::vector<Vehicle> vehicles;
   SwarmOptions swarm;
   std::optional<NetsimOptions> netsim;  ///< Participants over netsim's interface.

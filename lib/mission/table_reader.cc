@@ -321,6 +321,35 @@ void TableReader::TextMap(std::string_view key, std::map<std::string, std::strin
   }
 }
 
+void TableReader::Scalars(std::string_view key,
+                          std::map<std::string, std::variant<std::string, double>>& values,
+                          size_t max_count) {
+  const Value* found = Take(key);
+  if (found == nullptr) return;
+  const auto* table = std::get_if<Table>(&found->data);
+  if (table == nullptr || table->size() > max_count) {
+    problems_.Add(found->place,
+                  fmt::format("{} must be a table of at most {} numbers and strings like {{KEY = "
+                              "2.5}}",
+                              key, max_count));
+    return;
+  }
+  values.clear();
+  for (const Entry& entry : *table) {
+    const auto* flag = std::get_if<bool>(&entry.value.data);
+    const std::optional<double> number = NumberOf(entry.value);
+    if (flag != nullptr) {
+      values[entry.key] = *flag ? "true" : "false";
+    } else if (number) {
+      values[entry.key] =
+          AsNumber(entry.value, Quoted(entry.key), Between(-kLargestNumber, kLargestNumber))
+              .value_or(0);
+    } else {
+      values[entry.key] = AsText(entry.value, Quoted(entry.key), {.max_length = 4096}).value_or("");
+    }
+  }
+}
+
 void TableReader::Below(std::string_view key, const DescribeTable& describe) {
   const Value* found = Take(key);
   if (found == nullptr) return;

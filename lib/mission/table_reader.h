@@ -42,6 +42,9 @@ class TableReader final : public Fields {
   void Texts(std::string_view key, std::vector<std::string>& texts, size_t max_count) override;
   void TextMap(std::string_view key, std::map<std::string, std::string>& texts,
                size_t max_count) override;
+  void Scalars(std::string_view key,
+               std::map<std::string, std::variant<std::string, double>>& values,
+               size_t max_count) override;
   void Below(std::string_view key, const DescribeTable& describe) override;
   void Inline(std::string_view key, const DescribeTable& describe) override;
   void EachBelow(std::string_view key, size_t count, const std::function<void(size_t)>& resize,

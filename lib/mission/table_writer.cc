@@ -140,6 +140,18 @@ void TableWriter::TextMap(std::string_view key, std::map<std::string, std::strin
   Line(key, "{" + members + "}");
 }
 
+void TableWriter::Scalars(std::string_view key,
+                          std::map<std::string, std::variant<std::string, double>>& values,
+                          size_t) {
+  std::string members;
+  for (const auto& [name, value] : values) {
+    const auto* text = std::get_if<std::string>(&value);
+    members += (members.empty() ? "" : ", ") + TomlKey(name) + " = " +
+               (text != nullptr ? TomlString(*text) : TomlNumber(std::get<double>(value)));
+  }
+  Line(key, "{" + members + "}");
+}
+
 void TableWriter::Below(std::string_view key, const DescribeTable& describe) {
   TableWriter below(PathOf(key));
   describe(below);

@@ -10,8 +10,8 @@
 
 namespace shoal {
 
-constexpr size_t kMostPoints = 10'000;
-constexpr NumberLimits kPlace = Between(-kFarthest_m, kFarthest_m);
+constexpr size_t kMostTaskPoints = 10'000;
+constexpr NumberLimits kTaskPlace = Between(-kFarthest_m, kFarthest_m);
 
 /// Describes `points_frame`. Returns what is to be added to the points of the table: nothing, or
 /// the vehicle's start.

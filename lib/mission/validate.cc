@@ -68,6 +68,7 @@ void Validate(Mission& mission, const TablePlace& file) {
   ValidateSwarm(mission, file);
   ValidateNetsim(mission, file);
   ValidateUnderwater(mission, file);
+  ValidateBehaviors(mission, file);
   ValidateEvents(mission, file);
   WarnOfIdleTasks(mission, file);
   ValidateExpectations(mission, file);

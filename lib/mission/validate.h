@@ -51,6 +51,8 @@ void ValidateSwarm(const Mission& mission, const TablePlace& file);
 void ValidateNetsim(const Mission& mission, const TablePlace& file);
 /// Models and tasks of underwater vehicles.
 void ValidateUnderwater(const Mission& mission, const TablePlace& file);
+/// Behaviors, modes and obstacles.
+void ValidateBehaviors(const Mission& mission, const TablePlace& file);
 void ValidateEvents(const Mission& mission, const TablePlace& file);
 /// Warns of tasks behind one that never ends, where no event starts them.
 void WarnOfIdleTasks(const Mission& mission, const TablePlace& file);

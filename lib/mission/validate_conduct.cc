@@ -39,7 +39,9 @@ void WarnWhereNoneMoves(const Mission& mission, const TablePlace& file) {
   const auto is_deployed = [](const Vehicle& vehicle) {
     return vehicle.helm_options.deploy_at_start;
   };
-  const auto has_task = [](const Vehicle& vehicle) { return !vehicle.tasks.empty(); };
+  const auto has_task = [](const Vehicle& vehicle) {
+    return !vehicle.tasks.empty() || !vehicle.behaviors.empty();
+  };
   const std::vector<Vehicle>& vehicles = mission.vehicles;
   if (!std::any_of(vehicles.begin(), vehicles.end(), is_deployed) &&
       !EventsOrder(mission, kDeploying)) {

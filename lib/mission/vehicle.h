@@ -7,10 +7,14 @@
 #include <variant>
 #include <vector>
 
+#include "lib/behaviors/any_behavior.h"
+#include "lib/decision/domain.h"
 #include "lib/guidance/task.h"
 #include "lib/mission/model_facts.h"
 #include "lib/mission/remus100_model.h"
 #include "lib/mission/surface_craft_model.h"
+#include "lib/modes/mode_tree.h"
+#include "lib/modes/variables.h"
 #include "lib/routing/rules.h"
 #include "lib/swarm/recovery.h"
 
@@ -83,6 +87,8 @@ struct HelmOptions {
   double nav_timeout_s = 2;      ///< All-stop when no NAV came for this long.
   bool deploy_at_start = false;  ///< DRIVE from the first step; otherwise PARK until `deploy`.
   double state_interval_s = 1;   ///< HELM_STATE at least this often.
+  double decide_every_s = 0.25;  ///< With behaviors: time between decisions, in whole steps.
+  bool goals_mandatory = false;  ///< Constraints alone (avoidance, limits) stop the vehicle.
 
   bool operator==(const HelmOptions&) const = default;
 };
@@ -140,6 +146,10 @@ struct Vehicle {
   RecoveryPlan recovery;         ///< Of messages of the swarm.
   std::vector<Task> tasks;       ///< Done in this order after `deploy`; then station keeping.
   ReturnTask return_task;        ///< What `return` does. Default: the start position.
+  std::vector<BehaviorOptions> behaviors;          ///< Beside the task of the moment.
+  std::vector<ModeOptions> modes;                  ///< Evaluated in this order.
+  std::map<std::string, VariableValue> variables;  ///< Of conditions and flags, at the start.
+  Domain domain;                                   ///< What the behaviors decide about.
 
   bool operator==(const Vehicle&) const = default;
 };

@@ -5,12 +5,16 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
+#include <set>
 #include <string_view>
 #include <utility>
 
 #include "lib/mission/suggest.h"
 #include "lib/mission/table_writer.h"
+#include "lib/moos/bhv_file.h"
 #include "lib/moos/fields.h"
+#include "lib/moos/import_behaviors.h"
 #include "lib/moos/import_names.h"
 #include "lib/moos/import_settings.h"
 #include "lib/moos/import_timer.h"
@@ -27,9 +31,24 @@ constexpr std::string_view kRest = "rest";
 
 class Importer {
  public:
-  explicit Importer(std::span<const MoosSource> sources) {
+  Importer(std::span<const MoosSource> sources, const MoosImportOptions& options)
+      : options_(options) {
     for (const MoosSource& source : sources) {
-      files_.push_back(ParseMoosFile(source.text, source.name));
+      if (IsBhvName(source.name)) {
+        bhv_sources_.push_back({.source = source});
+        continue;
+      }
+      MoosFile file = ParseMoosFile(Plug(source, options.defines, options.find));
+      if (options.vehicles.empty() || !DescribesVehicle(file)) {
+        files_.push_back(std::move(file));
+        defines_.push_back(options.defines);
+        continue;
+      }
+      for (MoosDefines defines : options.vehicles) {
+        defines.insert(options.defines.begin(), options.defines.end());
+        files_.push_back(ParseMoosFile(Plug(source, defines, options.find)));
+        defines_.push_back(std::move(defines));
+      }
     }
   }
 
@@ -38,6 +57,7 @@ class Importer {
     draft.AddTable(std::string(kMission), "[mission]", true);
     draft.AddTable(std::string(kCommsTable), "[comms]");
     NameVehicles();
+    ReadBehaviors();
     for (VehicleImport& vehicle : vehicles_) vehicle.AddTables(&draft);
     for (VehicleImport& vehicle : vehicles_) vehicle.AddEvents();
     const double last_event_s = AddTimerEvents(&draft);
@@ -48,7 +68,7 @@ class Importer {
     for (size_t i = 0; i < files_.size(); ++i) TakeFile(files_[i], VehicleOf(i));
     TakeFactors();
     for (VehicleImport& vehicle : vehicles_) vehicle.Finish();
-    WarnOfTasks();
+    WarnOfBehaviors();
     for (std::string& refused : draft.MakeLoadable()) Warn(std::move(refused));
     const auto is_imported = [](const VehicleImport& vehicle) { return vehicle.is_imported(); };
     const auto num_vehicles = std::count_if(vehicles_.begin(), vehicles_.end(), is_imported);
@@ -58,7 +78,15 @@ class Importer {
   }
 
  private:
-  void Warn(std::string warning) { warnings_.push_back(std::move(warning)); }
+  struct BhvSource {
+    MoosSource source;
+    bool is_used = false;
+  };
+
+  /// Warns once of what a file has for several vehicles.
+  void Warn(std::string warning) {
+    if (warned_.insert(warning).second) warnings_.push_back(std::move(warning));
+  }
 
   void Assume(std::string_view table, std::string key, std::string value, std::string reason) {
     draft_->Set(table, {.key = std::move(key),
@@ -72,9 +100,10 @@ class Importer {
     std::string names;
     std::string warp;
     for (const MoosFile& file : files_) {
-      names += " " + file.name;
+      if (!names.ends_with(" " + file.name)) names += " " + file.name;
       if (const std::string value = GlobalValue(file, "moostimewarp"); warp.empty()) warp = value;
     }
+    for (const BhvSource& given : bhv_sources_) names += " " + CleanUtf8(given.source.name);
     std::string text = "# Made by: shoal import" + names +
                        "\n#\n"
                        "# Settings name the line that they come from. Lines that shoal has no use "
@@ -132,9 +161,9 @@ class Importer {
           continue;
         }
         Warn(fmt::format(
-            "{}:{}: {}: {} becomes a Remus 100 (model = \"remus100\"), shoal's only underwater "
+            "{}: {}: {} becomes a Remus 100 (model = \"remus100\"), shoal's only underwater "
             "vehicle: what uSimMarine and pMarinePID set for its motion is left out",
-            file.name, line.number, line.text, name));
+            line.origin, line.text, name));
         return true;
       }
     }
@@ -152,10 +181,13 @@ class Importer {
       for (const MoosBlock& block : files_[i].blocks) {
         if (AppClass(block.app) != "utimerscript") continue;
         TimerScript& script = scripts_[&block];
-        script = ReadTimerScript(block, vehicle == nullptr ? "" : vehicle->name(), names);
+        script = ReadTimerScript(block, vehicle == nullptr ? "" : vehicle->name(), names,
+                                 [this](std::string_view name, std::string_view variable) {
+                                   return HasVariable(name, variable);
+                                 });
         for (const TimerEvent& event : script.events) {
           if (event.keys.empty()) continue;
-          AddTimerEvent(files_[i], event, draft);
+          AddTimerEvent(event, draft);
           last_s = std::max(last_s, event.at_s);
         }
       }
@@ -163,8 +195,14 @@ class Importer {
     return last_s;
   }
 
-  static void AddTimerEvent(const MoosFile& file, const TimerEvent& event, MissionDraft* draft) {
-    const std::string origin = fmt::format("{}:{}", file.name, event.line);
+  bool HasVariable(std::string_view name, std::string_view variable) const {
+    return std::any_of(vehicles_.begin(), vehicles_.end(), [&](const VehicleImport& vehicle) {
+      return vehicle.name() == name && vehicle.behaviors().variables.contains(variable);
+    });
+  }
+
+  static void AddTimerEvent(const TimerEvent& event, MissionDraft* draft) {
+    const std::string& origin = event.origin;
     const std::string table = "event " + origin;
     draft->AddTable(table, "[[event]]");
     draft->Set(table, {.key = "at_s",
@@ -178,7 +216,7 @@ class Importer {
   }
 
   void TakeTimerLine(const TimerScript& script, const std::string& origin, const MoosLine& line) {
-    std::string reason = std::string(KeyCounterpart("utimerscript", line.key));
+    std::string reason = std::string(KeyCounterpart(line.key));
     bool is_warning = false;
     for (const auto& [number, loss] : script.losses) {
       if (number != line.number) continue;
@@ -195,22 +233,82 @@ class Importer {
     if (is_warning) Warn(origin + ": " + line.text + ": " + reason);
   }
 
-  /// A vehicle without tasks does nothing, and a mission in which nothing happens passes.
-  void WarnOfTasks() {
-    for (size_t i = 0; i < file_of_vehicle_.size(); ++i) {
-      const MoosFile& file = files_[file_of_vehicle_[i]];
-      std::string where = file.name;
-      for (const MoosBlock& block : file.blocks) {
-        for (const MoosLine& line : block.lines) {
-          const bool is_helm = AppClass(block.app) == "phelmivp";
-          if (is_helm && LowerCase(line.key) == "behaviors") {
-            where = fmt::format("{}:{}: {}", file.name, line.number, line.text);
-          }
-        }
+  /// Returns what pHelmIvP names as the file of behaviors; nullptr: nothing.
+  static const MoosLine* BehaviorsLine(const MoosFile& file) {
+    const MoosLine* named = nullptr;
+    for (const MoosBlock& block : file.blocks) {
+      if (AppClass(block.app) != "phelmivp") continue;
+      for (const MoosLine& line : block.lines) {
+        if (LowerCase(line.key) == "behaviors") named = &line;
       }
+    }
+    return named;
+  }
+
+  /// Returns the given file of behaviors with this name, nullptr: there is none.
+  BhvSource* GivenBhv(std::string_view name) {
+    for (BhvSource& given : bhv_sources_) {
+      if (FileName(given.source.name) == FileName(name)) return &given;
+    }
+    return nullptr;
+  }
+
+  /// Returns the file of behaviors of a vehicle's file.
+  std::optional<MoosSource> FindBhv(const MoosFile& file) {
+    std::vector<std::string> names;
+    if (const MoosLine* line = BehaviorsLine(file)) {
+      names.push_back(line->value);
+      // What nsplug writes, and what it reads.
+      const std::string written = FileName(line->value);
+      if (written.starts_with("targ_")) names.push_back("meta_" + written.substr(5));
+    }
+    names.push_back(Stem(file.name) + ".bhv");
+    for (const std::string& name : names) {
+      if (BhvSource* given = GivenBhv(name)) {
+        given->is_used = true;
+        return given->source;
+      }
+    }
+    if (bhv_sources_.size() == 1) {
+      bhv_sources_.front().is_used = true;
+      return bhv_sources_.front().source;
+    }
+    for (const std::string& name : names) {
+      const auto found = options_.find == nullptr ? std::nullopt : options_.find(name, file.name);
+      if (found) return found;
+    }
+    return std::nullopt;
+  }
+
+  void ReadBehaviors() {
+    for (size_t i = 0; i < file_of_vehicle_.size(); ++i) {
+      const auto source = FindBhv(files_[file_of_vehicle_[i]]);
+      if (!source) continue;
+      MoosDefines defines = defines_[file_of_vehicle_[i]];
+      defines.emplace("VNAME", vehicles_[i].name());
+      vehicles_[i].SetBehaviors(ImportBhv(ParseBhvFile(Plug(*source, defines, options_.find))));
+      for (const std::string& warning : vehicles_[i].behaviors().warnings) Warn(warning);
+    }
+    for (const BhvSource& given : bhv_sources_) {
+      if (given.is_used) continue;
+      Warn(
+          fmt::format("{}: no vehicle has these behaviors: name the file after the vehicle's .moos "
+                      "file, or in pHelmIvP's Behaviors",
+                      CleanUtf8(given.source.name)));
+    }
+  }
+
+  /// A vehicle that does nothing stays where it is, and a mission in which nothing happens passes.
+  void WarnOfBehaviors() {
+    for (size_t i = 0; i < file_of_vehicle_.size(); ++i) {
+      if (vehicles_[i].behaviors().num_behaviors > 0) continue;
+      const MoosFile& file = files_[file_of_vehicle_[i]];
+      const MoosLine* line = BehaviorsLine(file);
+      const std::string where =
+          line == nullptr ? file.name : fmt::format("{}: {}", line->origin, line->text);
       Warn(fmt::format(
-          "{}: behaviors are not read: {} has no tasks and stays where it is; write a "
-          "[[vehicle.task]], and an [[event]] with command = \"deploy\" where there is none",
+          "{}: no behaviors are there: {} stays where it is; name its .bhv file too, or write a "
+          "[[vehicle.behavior]] or [[vehicle.task]]",
           where, vehicles_[i].name()));
     }
   }
@@ -224,11 +322,10 @@ class Importer {
 
   void TakeFile(const MoosFile& file, VehicleImport* vehicle) {
     TakeGlobals(file, vehicle);
-    for (const MoosBlock& block : file.blocks) TakeBlock(file, block, vehicle);
+    for (const MoosBlock& block : file.blocks) TakeBlock(block, vehicle);
     for (const MoosOddLine& line : file.odd_lines) {
-      const std::string origin = fmt::format("{}:{}", file.name, line.number);
-      draft_->Remark(kRest, origin, line.text, line.reason);
-      Warn(origin + ": " + Quoted(line.text) + " " + line.reason);
+      draft_->Remark(kRest, line.origin, line.text, line.reason);
+      if (line.is_loss) Warn(line.origin + ": " + Quoted(line.text) + " " + line.reason);
     }
   }
 
@@ -236,12 +333,11 @@ class Importer {
     std::map<std::string, const MoosLine*> origin;
     for (const MoosLine& line : file.globals) {
       const std::string key = LowerCase(line.key);
-      const std::string where = fmt::format("{}:{}", file.name, line.number);
+      const std::string& where = line.origin;
       if (key == "latorigin" || key == "longorigin") {
         const MoosLine*& kept = origin[key];
         if (kept != nullptr) {
-          draft_->Remark(kMission, fmt::format("{}:{}", file.name, kept->number), kept->text,
-                         "replaced by " + where);
+          draft_->Remark(kMission, kept->origin, kept->text, "replaced by " + where);
         }
         kept = &line;
       } else if (key == "community" && vehicle != nullptr) {
@@ -251,22 +347,20 @@ class Importer {
       } else if (key == "moostimewarp") {
         draft_->Remark(kMission, where, line.text, "shoal run --warp " + line.value);
       } else {
-        draft_->Remark(kRest, where, line.text, std::string(KeyCounterpart("", key)));
+        draft_->Remark(kRest, where, line.text, std::string(KeyCounterpart(key)));
       }
     }
-    if (origin.size() == 2) TakeOrigin(file, *origin["latorigin"], *origin["longorigin"]);
+    if (origin.size() == 2) TakeOrigin(*origin["latorigin"], *origin["longorigin"]);
     if (origin.size() != 1) return;
     const MoosLine& line = *origin.begin()->second;
-    const std::string where = fmt::format("{}:{}", file.name, line.number);
-    draft_->Remark(kMission, where, line.text, "an origin needs LatOrigin and LongOrigin");
-    Warn(where + ": an origin needs LatOrigin and LongOrigin; only one of them is there");
+    draft_->Remark(kMission, line.origin, line.text, "an origin needs LatOrigin and LongOrigin");
+    Warn(line.origin + ": an origin needs LatOrigin and LongOrigin; only one of them is there");
   }
 
-  void TakeOrigin(const MoosFile& file, const MoosLine& lat, const MoosLine& lon) {
+  void TakeOrigin(const MoosLine& lat, const MoosLine& lon) {
     const auto lat_deg = SettingValue(SettingKind::kNumber, lat.value);
     const auto lon_deg = SettingValue(SettingKind::kNumber, lon.value);
-    const std::string where =
-        fmt::format("{}:{}, {}:{}", file.name, lat.number, file.name, lon.number);
+    const std::string where = lat.origin + ", " + lon.origin;
     const std::string text = lat.text + ", " + lon.text;
     if (!lat_deg || !lon_deg) {
       draft_->Remark(kMission, where, text, "not two numbers");
@@ -281,25 +375,30 @@ class Importer {
                  .reason = ""});
   }
 
-  void TakeBlock(const MoosFile& file, const MoosBlock& block, VehicleImport* vehicle) {
+  void TakeBlock(const MoosBlock& block, VehicleImport* vehicle) {
     const std::string app_class = AppClass(block.app);
-    const std::string where = fmt::format("{}:{}", file.name, block.number);
     const bool is_known = app_class == "ufldnodecomms" || app_class == "antler" ||
                           app_class == "utimerscript" ||
                           (vehicle != nullptr && IsVehicleApp(app_class));
     if (!is_known) {
       const std::string_view counterpart = AppCounterpart(app_class);
-      draft_->Remark(kRest, where, "ProcessConfig = " + block.app,
+      draft_->Remark(kRest, block.origin, "ProcessConfig = " + block.app,
                      counterpart.empty() ? "no counterpart in shoal" : std::string(counterpart));
     }
     for (const MoosLine& line : block.lines) {
-      const std::string origin = fmt::format("{}:{}", file.name, line.number);
+      const std::string& origin = line.origin;
       if (app_class == "antler") {
         TakeAntlerLine(origin, line);
         continue;
       }
       if (app_class == "utimerscript") {
         TakeTimerLine(scripts_.at(&block), origin, line);
+        continue;
+      }
+      if (app_class == "phelmivp" && vehicle != nullptr && LowerCase(line.key) == "behaviors") {
+        const bool is_found = vehicle->behaviors().num_behaviors > 0;
+        draft_->Remark(vehicle->TableOf(SettingPlace::kHelm), origin, line.text,
+                       is_found ? "[[vehicle.behavior]]" : "no behaviors are there");
         continue;
       }
       const bool is_taken =
@@ -361,7 +460,7 @@ class Importer {
                                 : vehicle != nullptr ? vehicle->TableOfApp(app_class)
                                                      : std::string(kRest);
       draft_->Remark(table.empty() ? kRest : std::string_view(table), origin, line.text,
-                     std::string(KeyCounterpart(app_class, line.key)));
+                     std::string(KeyCounterpart(line.key)));
       return;
     }
     const std::string table = is_comms ? std::string(kCommsTable) : vehicle->TableOf(rule->place);
@@ -392,17 +491,25 @@ class Importer {
     LinkFactorSetting factor;
   };
 
+  const MoosImportOptions& options_;
+  std::vector<BhvSource> bhv_sources_;
   std::vector<MoosFile> files_;
+  std::vector<MoosDefines> defines_;  ///< Of each file.
   std::vector<VehicleImport> vehicles_;
   std::vector<size_t> file_of_vehicle_;
   std::vector<KeptFactor> factors_;
   std::map<const MoosBlock*, TimerScript> scripts_;
   std::vector<std::string> warnings_;
+  std::set<std::string> warned_;
   MissionDraft* draft_ = nullptr;
 };
 
 }  // namespace
 
-MoosImport ImportMoos(std::span<const MoosSource> sources) { return Importer(sources).Run(); }
+bool IsBhvName(std::string_view name) { return LowerCase(name).ends_with(".bhv"); }
+
+MoosImport ImportMoos(std::span<const MoosSource> sources, const MoosImportOptions& options) {
+  return Importer(sources, options).Run();
+}
 
 }  // namespace shoal

@@ -18,6 +18,7 @@ constexpr std::string_view kUnc = "ufldnodecomms";
 constexpr std::string_view kSim = "usimmarine";
 constexpr std::string_view kPid = "pmarinepid";
 constexpr std::string_view kReport = "pnodereporter";
+constexpr std::string_view kHelmApp = "phelmivp";
 
 constexpr std::array kSettings = std::to_array<SettingRule>({
     {kUnc, "comms_range", kComms, "comms_range", kNumberOrNolimit, ""},
@@ -66,6 +67,8 @@ constexpr std::array kSettings = std::to_array<SettingRule>({
     {kPid, "yaw_pid_kd", kAutopilot, "heading_kd", kNumber, ""},
     {kPid, "yaw_pid_integral_limit", kAutopilot, "heading_integral_limit_deg", kNumber, ""},
     {kPid, "maxrudder", kCraft, "max_rudder_deg", kNumber, ""},
+
+    {kHelmApp, "start_in_drive", kHelm, "deploy_at_start", kFlag, ""},
 });
 
 struct Counterpart {
@@ -79,7 +82,9 @@ constexpr std::array kApps = std::to_array<Counterpart>({
     {"pnodereporter", "node_reporter, one per vehicle"},
     {"usimmarine", "vehicle_sim, one per vehicle"},
     {"pmarinepid", "part of helm, one per vehicle; its gains are in [vehicle.autopilot]"},
-    {"phelmivp", "helm, one per vehicle; behaviors are not imported: give it a [[vehicle.task]]"},
+    {"phelmivp", "helm, one per vehicle; its behaviors are [[vehicle.behavior]]"},
+    {"pcontactmgrv20", "part of helm: contacts come from the node reports that it receives"},
+    {"pobstaclemgr", "part of helm: obstacles are [[obstacle]]"},
     {"plogger", "shoal run --record DIR"},
     {"pantler", "shoal run"},
     {"pshare", "not needed: see --layout of shoal run"},
@@ -100,7 +105,6 @@ constexpr std::array kKeys = std::to_array<Counterpart>({
     {"serverhost", "not needed: processes use LCM, without a database between them"},
     {"serverport", "not needed: shoal run --port BASE chooses ports"},
     {"speed_factor", "not needed: the helm takes the thrust for a speed from thrust_map"},
-    {"behaviors", "behaviors are not imported: give the vehicle a [[vehicle.task]]"},
     {"verbose", "without meaning here: shoal status shows what each process does"},
     {"debug", "without meaning here: shoal status shows what each process does"},
 });
@@ -184,10 +188,8 @@ std::string_view KindText(SettingKind kind) {
 
 std::string_view AppCounterpart(std::string_view app_class) { return Find(kApps, app_class); }
 
-std::string_view KeyCounterpart(std::string_view app_class, std::string_view moos_key) {
-  const std::string key = LowerCase(moos_key);
-  const bool is_bhv = key == "behaviors" && app_class != "phelmivp";
-  const std::string_view text = is_bhv ? std::string_view() : Find(kKeys, key);
+std::string_view KeyCounterpart(std::string_view moos_key) {
+  const std::string_view text = Find(kKeys, LowerCase(moos_key));
   return text.empty() ? "no counterpart in shoal" : text;
 }
 

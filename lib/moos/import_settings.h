@@ -16,7 +16,7 @@ enum class SettingKind {
 };
 
 /// Which table of a mission file.
-enum class SettingPlace { kComms, kVehicle, kCraft, kAutopilot, kReporter };
+enum class SettingPlace { kComms, kVehicle, kCraft, kAutopilot, kReporter, kHelm };
 
 struct SettingRule {
   std::string_view app;  ///< As AppClass() writes it.
@@ -44,7 +44,6 @@ struct SettingRule {
 
 /// Returns what shoal has instead of a key that many apps have; "no counterpart in shoal" for all
 /// others.
-[[nodiscard]] std::string_view KeyCounterpart(std::string_view app_class,
-                                              std::string_view moos_key);
+[[nodiscard]] std::string_view KeyCounterpart(std::string_view moos_key);
 
 }  // namespace shoal

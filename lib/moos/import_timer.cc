@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -50,11 +51,13 @@ std::optional<double> ParseTime(std::string_view text, bool* is_range) {
 
 class EventConverter {
  public:
-  EventConverter(std::string_view vehicle, std::span<const std::string> vehicles)
-      : vehicle_(vehicle), vehicles_(vehicles) {}
+  EventConverter(std::string_view vehicle, std::span<const std::string> vehicles,
+                 const HasMoosVariable& has_variable)
+      : vehicle_(vehicle), vehicles_(vehicles), has_variable_(has_variable) {}
 
   Converted Convert(const std::string& variable, const std::string& value) const {
     for (const auto& [name, command] : kCommands) {
+      if (LowerCase(value) != "true" && IsVariable(variable, name)) break;
       if (const auto target = TargetOf(variable, name)) return CommandOf(*target, command, value);
     }
     for (const std::string_view name : {"MOOS_MANUAL_OVERIDE", "MOOS_MANUAL_OVERRIDE"}) {
@@ -66,10 +69,41 @@ class EventConverter {
     if (is_mediated || variable == topics::kNodeMessageLocal || variable == topics::kNodeMessage) {
       return MessageOf(is_mediated, value);
     }
-    return "no counterpart in shoal";
+    return SettingOf(variable, value);
   }
 
  private:
+  bool HasVariable(std::string_view vehicle, std::string_view variable) const {
+    return has_variable_ != nullptr && has_variable_(vehicle, variable);
+  }
+
+  bool AnyHasVariable(std::string_view variable) const {
+    return std::any_of(vehicles_.begin(), vehicles_.end(),
+                       [&](const std::string& vehicle) { return HasVariable(vehicle, variable); });
+  }
+
+  /// Returns true where `posted` sets the variable `name` of behaviors.
+  bool IsVariable(std::string_view posted, std::string_view name) const {
+    const auto target = TargetOf(posted, name);
+    return target && (*target == "all" ? AnyHasVariable(name) : HasVariable(*target, name));
+  }
+
+  /// A variable of behaviors: of the vehicle's own file, or with _ALL or _ABE of the shore's.
+  Converted SettingOf(std::string_view posted, const std::string& value) const {
+    std::string_view name = posted;
+    if (vehicle_.empty() || !HasVariable(vehicle_, name)) {
+      name = posted.substr(0, std::min(posted.rfind('_'), posted.size()));
+    }
+    while (!name.empty() && !IsVariable(posted, name)) {
+      const size_t end = name.rfind('_');  // A vehicle's name may hold '_'.
+      name = name.substr(0, end == name.npos ? 0 : end);
+    }
+    if (name.empty()) return "no counterpart in shoal";
+    return Keys{{"vehicle", TomlString(*TargetOf(posted, name))},
+                {"command", TomlString("set")},
+                {"argument", TomlString(fmt::format("{}={}", name, value))}};
+  }
+
   /// Returns the vehicle that `variable` is for: DEPLOY of its own file, DEPLOY_ALL and DEPLOY_ABE
   /// of the shore's.
   std::optional<std::string> TargetOf(std::string_view variable, std::string_view name) const {
@@ -156,10 +190,11 @@ class EventConverter {
 
   std::string_view vehicle_;
   std::span<const std::string> vehicles_;
+  const HasMoosVariable& has_variable_;
 };
 
 TimerEvent ReadEvent(const MoosLine& line, const EventConverter& converter) {
-  TimerEvent event{.line = line.number};
+  TimerEvent event{.line = line.number, .origin = line.origin};
   if (LowerCase(line.value) == "quit") {
     event.reason = "a script needs no end here";
     event.is_needless = true;
@@ -209,8 +244,9 @@ TimerEvent ReadEvent(const MoosLine& line, const EventConverter& converter) {
 }  // namespace
 
 TimerScript ReadTimerScript(const MoosBlock& block, std::string_view vehicle,
-                            std::span<const std::string> vehicles) {
-  const EventConverter converter(vehicle, vehicles);
+                            std::span<const std::string> vehicles,
+                            const HasMoosVariable& has_variable) {
+  const EventConverter converter(vehicle, vehicles, has_variable);
   TimerScript script;
   double delay_s = 0;
   double warp = 1;

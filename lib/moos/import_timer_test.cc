@@ -135,12 +135,12 @@ TEST(ImportMoos, MakesEventsOfTimerScriptsAndWarnsOfThoseThatAreLost) {
   EXPECT_EQ(mission.events[0].at_s, 10);
   EXPECT_EQ(std::get<CommandEvent>(mission.events[1].what).command, "return");
   EXPECT_EQ(mission.duration_s, 960) << "no event lies behind the end";
-  EXPECT_EQ(import.warnings,
-            (std::vector<std::string>{
-                "shore.moos:4: event = var=SENSOR, val=3, time=1000: no counterpart in shoal",
-                "abe.moos:4: Behaviors = meta_abe.bhv: behaviors are not read: abe has no tasks "
-                "and stays where it is; write a [[vehicle.task]], and an [[event]] with command = "
-                "\"deploy\" where there is none"}));
+  EXPECT_EQ(
+      import.warnings,
+      (std::vector<std::string>{
+          "shore.moos:4: event = var=SENSOR, val=3, time=1000: no counterpart in shoal",
+          "abe.moos:4: Behaviors = meta_abe.bhv: no behaviors are there: abe stays where it is; "
+          "name its .bhv file too, or write a [[vehicle.behavior]] or [[vehicle.task]]"}));
 }
 
 TEST(ImportMoos, LeavesMacrosOfViewersAndScriptsToThem) {

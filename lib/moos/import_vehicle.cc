@@ -93,6 +93,13 @@ void VehicleImport::AddTables(MissionDraft* draft) {
                   is_underwater_ ? "[vehicle.remus100]" : "[vehicle.surface_craft]");
   draft->AddTable(TableOf(SettingPlace::kAutopilot), "[vehicle.autopilot]");
   draft->AddTable(TableOf(SettingPlace::kReporter), "[vehicle.reporter]");
+  draft->AddTable(TableOf(SettingPlace::kHelm), "[vehicle.helm_options]");
+  draft->AddTable(id_ + ".domain", "[vehicle.domain]");
+  for (size_t i = 0; i < behaviors_.tables.size(); ++i) {
+    const std::string table = fmt::format("{}.behaviors{}", id_, i);
+    draft->AddTable(table, behaviors_.tables[i].header);
+    for (const DraftLine& line : behaviors_.tables[i].lines) draft->Add(table, line);
+  }
 }
 
 void VehicleImport::AddEvents() { draft_->AddTable(id_ + ".drift", "[[event]]"); }
@@ -105,6 +112,8 @@ std::string VehicleImport::TableOf(SettingPlace place) const {
       return id_ + ".autopilot";
     case SettingPlace::kReporter:
       return id_ + ".reporter";
+    case SettingPlace::kHelm:
+      return id_ + ".helm";
     case SettingPlace::kComms:
       return "comms";
     case SettingPlace::kVehicle:
@@ -117,7 +126,7 @@ std::string VehicleImport::TableOfApp(std::string_view app_class) const {
   if (app_class == "usimmarine") return TableOf(SettingPlace::kCraft);
   if (app_class == "pmarinepid") return TableOf(SettingPlace::kAutopilot);
   if (app_class == "pnodereporter") return TableOf(SettingPlace::kReporter);
-  if (app_class == "phelmivp") return id_;
+  if (app_class == "phelmivp") return TableOf(SettingPlace::kHelm);
   return "";
 }
 
@@ -266,17 +275,41 @@ bool VehicleImport::TakeMaxSpeed(const std::string& origin, const MoosLine& line
   return true;
 }
 
-/// `Domain = depth:0:100:101` is how deep the helm may go; other domains have no counterpart.
+/// `Domain = speed:0:4:41` is what the helm decides about; the depths' last is also how deep a
+/// vehicle may go.
 bool VehicleImport::TakeDomain(const std::string& origin, const MoosLine& line) {
   const std::vector<std::string_view> parts = Split(line.value, ':');
-  if (!is_underwater_ || parts.size() < 3 || LowerCase(parts[0]) != "depth") return false;
-  const auto deepest_m = ParseNumber(parts[2]);
-  if (!deepest_m) return false;
-  draft_->Set(TableOf(SettingPlace::kCraft), {.key = "max_depth_m",
-                                              .value = TomlNumber(*deepest_m),
-                                              .origin = origin,
-                                              .text = line.text,
-                                              .reason = ""});
+  if (parts.size() < 4) return false;
+  const std::string name = LowerCase(parts[0]);
+  const auto first = ParseNumber(parts[1]);
+  const auto last = ParseNumber(parts[2]);
+  const auto count = ParseNumber(parts[3]);
+  if (!first || !last || !count) return false;
+  const std::string table = id_ + ".domain";
+  if (name == "course" || name == "heading") {
+    const bool is_usual = *first == 0 && *last == 359 && *count == 360;
+    draft_->Remark(table, origin, line.text,
+                   is_usual ? "always so" : "always 360 courses, whole degrees");
+    return true;
+  }
+  if (name != "speed" && name != "depth") return false;
+  if (name == "depth" && !is_underwater_) {
+    draft_->Remark(table, origin, line.text, "a surface craft has no depth");
+    return true;
+  }
+  draft_->Set(table, {.key = name,
+                      .value = fmt::format("[{}, {}, {}]", TomlNumber(*first), TomlNumber(*last),
+                                           TomlNumber(*count)),
+                      .origin = origin,
+                      .text = line.text,
+                      .reason = ""});
+  if (name == "depth") {
+    draft_->Set(TableOf(SettingPlace::kCraft), {.key = "max_depth_m",
+                                                .value = TomlNumber(*last),
+                                                .origin = origin,
+                                                .text = line.text,
+                                                .reason = ""});
+  }
   return true;
 }
 

@@ -7,8 +7,10 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
+#include "lib/moos/import_behaviors.h"
 #include "lib/moos/import_settings.h"
 #include "lib/moos/mission_draft.h"
 #include "lib/moos/moos_file.h"
@@ -35,6 +37,9 @@ class VehicleImport {
   VehicleImport(size_t number, std::string name, std::string remark, bool is_imported,
                 bool is_underwater);
 
+  /// Gives it the behaviors of its file.
+  void SetBehaviors(BhvImport behaviors) { behaviors_ = std::move(behaviors); }
+
   /// Adds the tables of the vehicle, with its name.
   /// @pre called once, before what follows; `draft` outlives this.
   void AddTables(MissionDraft* draft);
@@ -42,8 +47,8 @@ class VehicleImport {
   void AddEvents();
 
   /// Takes a line that has a meaning together with others, or a form of its own: where it starts,
-  /// its thrust map and fastest speed, its drift, its greatest depth, its own fields of node
-  /// reports. Returns false for any other.
+  /// its thrust map and fastest speed, its drift, what its helm decides about, its own fields of
+  /// node reports. Returns false for any other.
   bool Take(std::string_view app_class, const std::string& origin, const MoosLine& line,
             std::vector<std::string>* warnings);
 
@@ -51,6 +56,8 @@ class VehicleImport {
   void Finish();
 
   const std::string& name() const { return name_; }
+  /// What its behaviors make of it; empty where SetBehaviors() was not called.
+  const BhvImport& behaviors() const { return behaviors_; }
   bool is_imported() const { return is_imported_; }
   bool is_underwater() const { return is_underwater_; }
   /// The draft's table [[vehicle]] of this one.
@@ -85,6 +92,7 @@ class VehicleImport {
   std::string remark_;
   bool is_imported_;
   bool is_underwater_;
+  BhvImport behaviors_;
   MissionDraft* draft_ = nullptr;
   Gathered start_;
   Gathered extra_;

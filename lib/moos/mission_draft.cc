@@ -41,15 +41,15 @@ size_t TakeLineNumber(std::string* error) {
 }  // namespace
 
 void MissionDraft::AddTable(std::string id, std::string header, bool is_required) {
+  index_.emplace(id, tables_.size());
   tables_.push_back(
       {.id = std::move(id), .header = std::move(header), .is_required = is_required, .lines = {}});
 }
 
 size_t MissionDraft::IndexOf(std::string_view table) const {
-  const auto at = std::find_if(tables_.begin(), tables_.end(),
-                               [&](const DraftTable& candidate) { return candidate.id == table; });
-  SHOAL_CHECK(at != tables_.end(), "a draft's table must be added before it is filled");
-  return static_cast<size_t>(at - tables_.begin());
+  const auto at = index_.find(table);
+  SHOAL_CHECK(at != index_.end(), "a draft's table must be added before it is filled");
+  return at->second;
 }
 
 void MissionDraft::Set(std::string_view table, DraftLine line) {
@@ -77,6 +77,10 @@ void MissionDraft::Remark(std::string_view table, std::string origin, std::strin
                                            .reason = std::move(reason)});
 }
 
+void MissionDraft::Add(std::string_view table, DraftLine line) {
+  tables_[IndexOf(table)].lines.push_back(std::move(line));
+}
+
 bool MissionDraft::IsSet(std::string_view table, std::string_view key) const {
   const std::vector<DraftLine>& lines = tables_[IndexOf(table)].lines;
   return std::any_of(lines.begin(), lines.end(),
@@ -88,10 +92,11 @@ bool MissionDraft::Refuse(const Owner& owner, const std::string& reason,
   if (!owner.table) return false;
   DraftTable& table = tables_[*owner.table];
   if (!owner.line && table.is_required) return false;
+  const bool is_whole = !owner.line || table.lines[*owner.line].is_essential;
   bool any = false;
   for (size_t i = 0; i < table.lines.size(); ++i) {
     DraftLine& line = table.lines[i];
-    if (line.key.empty() || (owner.line && *owner.line != i)) continue;
+    if (line.key.empty() || (!is_whole && *owner.line != i)) continue;
     line.text = line.text.empty() ? line.key + " = " + line.value : line.text;
     line.key.clear();
     line.reason = reason;

@@ -12,6 +12,8 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -26,6 +28,9 @@ struct DraftLine {
   std::string origin;  ///< "a.moos:12"; empty: of no line.
   std::string text;    ///< What stands there.
   std::string reason;  ///< Of a comment: why it is no setting. Of a setting: a remark on it.
+  /// Without this setting the others of its table would mean something else: where it is refused,
+  /// so are they.
+  bool is_essential = false;
 };
 
 class MissionDraft {
@@ -44,6 +49,9 @@ class MissionDraft {
 
   /// Adds the comment "# ORIGIN: TEXT: REASON"; empty parts are left out.
   void Remark(std::string_view table, std::string origin, std::string text, std::string reason);
+
+  /// Adds a line as it is: a comment where it has no key.
+  void Add(std::string_view table, DraftLine line);
 
   bool IsSet(std::string_view table, std::string_view key) const;
 
@@ -74,6 +82,7 @@ class MissionDraft {
 
   std::string preamble_;
   std::vector<DraftTable> tables_;
+  std::map<std::string, size_t, std::less<>> index_;  ///< Of tables_, by id.
 };
 
 }  // namespace shoal

@@ -6,34 +6,40 @@
 //     start_pos = x=0,y=-20
 //   }
 //
-// `//` begins a comment, anywhere in a line. Nothing is an error: what is neither of the above is
-// listed with the reason.
+// `//` begins a comment, anywhere in a line. nsplug's lines are resolved (nsplug.h). Nothing is an
+// error: what is none of these is listed with the reason.
 #pragma once
 
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "lib/moos/nsplug.h"
+
 namespace shoal {
 
 struct MoosLine {
-  int number = 0;     ///< Counts from 1.
-  std::string text;   ///< "KEY = VALUE".
-  std::string key;    ///< Before the first '='.
-  std::string value;  ///< Behind it, without blanks and ';' at the end.
+  int number = 0;           ///< PluggedLine::number.
+  std::string origin = {};  ///< "a.moos:12".
+  std::string text;         ///< "KEY = VALUE".
+  std::string key;          ///< Before the first '='.
+  std::string value;        ///< Behind it, without blanks and ';' at the end.
 };
 
 struct MoosBlock {
   std::string app;
-  int number = 0;  ///< Of the line that names it.
+  int number = 0;      ///< Of the line that names it.
+  std::string origin;  ///< Of that line.
   std::vector<MoosLine> lines;
 };
 
 /// A line that has no meaning as it stands.
 struct MoosOddLine {
   int number = 0;
+  std::string origin;
   std::string text;
-  std::string reason;  ///< With the remedy.
+  std::string reason;   ///< With the remedy.
+  bool is_loss = true;  ///< False: nothing of the mission is lost.
 };
 
 struct MoosFile {
@@ -43,12 +49,12 @@ struct MoosFile {
   std::vector<MoosOddLine> odd_lines;
 };
 
-/// Reads any text. A line that nsplug should have replaced is odd, but for $(NAME) in blocks of
-/// apps with macros of their own, pMarineViewer and uTimerScript. Control characters and bytes that
-/// are not UTF-8 become '?'.
-[[nodiscard]] MoosFile ParseMoosFile(std::string_view text, std::string_view name);
+/// Reads any text. A line with a macro that has no value is odd, but for $(NAME) in blocks of apps
+/// with macros of their own, pMarineViewer and uTimerScript. Control characters and bytes that are
+/// not UTF-8 become '?'.
+[[nodiscard]] MoosFile ParseMoosFile(const PluggedText& text);
 
-/// Returns `text` as one line of UTF-8: control characters and bytes that are not UTF-8 are '?'.
-[[nodiscard]] std::string CleanUtf8(std::string_view text);
+/// The same of a text that includes no other.
+[[nodiscard]] MoosFile ParseMoosFile(std::string_view text, std::string_view name);
 
 }  // namespace shoal

@@ -40,6 +40,7 @@ const std::vector<CommandShape>& HelmCommands() {
       {"goto", false, {2}, "X Y: go to a point (metres East, North) and stay there"},
       {"speed", false, {1}, "V: go at V m/s until the next task"},
       {"task", true, {0}, "NAME: jump to a task"},
+      {"set", true, {0}, "VARIABLE=VALUE: set a variable of the behaviors"},
   };
   return shapes;
 }

@@ -14,6 +14,7 @@
 #include "lib/bus/channels.h"
 #include "lib/view/json_writer.h"
 #include "shoal/desired_t.hpp"
+#include "shoal/helm_decision_t.hpp"
 #include "shoal/modem_stats_t.hpp"
 
 namespace shoal {
@@ -61,8 +62,70 @@ struct ShownModem {
   }
 };
 
+/// Why the helm of a vehicle with behaviors steers as it does.
+struct ShownDecision {
+  using Message = helm_decision_t;
+  static constexpr std::string_view kKey = "decision";
+  static constexpr size_t kMostAims = 20;
+
+  static Channel<Message> ChannelOf(std::string_view vehicle) {
+    return channels::HelmDecision(vehicle);
+  }
+  static void Bound(Message* decision) {
+    if (decision->aims.size() > kMostAims) decision->aims.resize(kMostAims);
+    decision->num_aims = static_cast<int32_t>(decision->aims.size());
+    decision->events.clear();
+    decision->num_events = 0;
+    for (std::string* text : {&decision->vehicle, &decision->mode, &decision->all_stop}) {
+      Shorten(text);
+    }
+    for (helm_aim_t& aim : decision->aims) {
+      for (std::string* text :
+           {&aim.name, &aim.kind, &aim.state, &aim.contact, &aim.role, &aim.rule}) {
+        Shorten(text);
+      }
+    }
+  }
+  static void Write(const Message& decision, JsonWriter* json) {
+    json->BeginObject()
+        .Number("t", static_cast<double>(decision.utime) / 1e6, kMilliseconds)
+        .Text("mode", decision.mode)
+        .Text("all_stop", decision.all_stop)
+        .Number("course", decision.course_deg, kTenths)
+        .Number("speed", decision.speed_mps, 2)
+        .Number("depth", decision.depth_m, kTenths)
+        .Key("aims")
+        .BeginArray();
+    for (const helm_aim_t& aim : decision.aims) {
+      json->BeginObject()
+          .Text("name", aim.name)
+          .Text("kind", aim.kind)
+          .Text("state", aim.state)
+          .Number("weight", aim.weight, kTenths)
+          .Number("course", aim.best_course_deg, kTenths)
+          .Number("speed", aim.best_speed_mps, 2)
+          .Number("value", aim.value, kTenths)
+          .Number("loss", aim.weight > 0 ? aim.loss / aim.weight : 0, kTenths)
+          .Text("contact", aim.contact)
+          .Text("role", aim.role)
+          .Text("rule", aim.rule)
+          .Number("range", aim.range_m, kTenths)
+          .Number("cpa", aim.cpa_m, kTenths)
+          .Number("age", aim.age_s, kTenths)
+          .EndObject();
+    }
+    json->EndArray().EndObject();
+  }
+
+ private:
+  static void Shorten(std::string* text) {
+    constexpr size_t kLongestText = 80;
+    if (text->size() > kLongestText) text->resize(kLongestText);
+  }
+};
+
 /// The rows, in the order in which frames have them.
-using ShownChannels = std::tuple<ShownDesired, ShownModem>;
+using ShownChannels = std::tuple<ShownDesired, ShownModem, ShownDecision>;
 
 template <class Rows>
 struct LastMessages;

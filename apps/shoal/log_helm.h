@@ -1,0 +1,22 @@
+// `shoal log helm`: why a helm steered as it did, from the HELM_DECISION messages of a log.
+#pragma once
+
+#include <iosfwd>
+#include <optional>
+#include <string>
+
+namespace shoal {
+
+struct LogHelmOptions {
+  std::string path;
+  std::string vehicle = {};         ///< Empty: all; needed with at_s where a log has several.
+  std::optional<double> at_s = {};  ///< The decision that counted at this time, in full.
+  bool skip_damage = false;         ///< Read what can be read of a damaged log.
+};
+
+/// Prints one line for each decision, or with at_s the one that counted then in full. Returns the
+/// exit code: 0, kExitUsage where the log holds no decision that was asked for, kExitEnvironment
+/// for a log that cannot be read to its end.
+int LogHelm(const LogHelmOptions& options, std::ostream& out, std::ostream& err);
+
+}  // namespace shoal

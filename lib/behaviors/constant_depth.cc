@@ -1,0 +1,18 @@
+#include "lib/behaviors/constant_depth.h"
+
+#include <cmath>
+
+#include "lib/behaviors/preference.h"
+
+namespace shoal {
+
+BehaviorAnswer ConstantDepthBehavior::Run(const BehaviorInputs& inputs) {
+  BehaviorAnswer answer = PreferDepth(
+      {options_.depth, options_.peakwidth, options_.basewidth, options_.summitdelta}, inputs);
+  if (!options_.depth_mismatch_var.empty()) {
+    Post(answer, options_.depth_mismatch_var, std::abs(options_.depth - inputs.own.depth_m));
+  }
+  return answer;
+}
+
+}  // namespace shoal
