@@ -677,7 +677,7 @@ TEST(ObjectiveOfATask, IsGreatestAtTheGridPointNearestToItsCommands) {
     for (const double speed_mps : {0.0, 0.04, 0.26, 1.5, 3.97, 9.0}) {
       const TaskAim task = {.course_deg = course_deg, .speed_mps = speed_mps, .depth_m = 12.3};
       const std::vector<WeightedObjective> alone = {{1, ObjectiveOf(task, domain)}};
-      const Decision decision = Decide(domain, alone);
+      const GridDecision decision = Decide(domain, alone);
       EXPECT_EQ(decision.point.speed, domain.speed_mps.Nearest(speed_mps));
       EXPECT_EQ(decision.point.depth, 12);
       EXPECT_NEAR(decision.utility, 100, 1e-6);

@@ -204,13 +204,13 @@ DomainPoint BestFor(const Domain& domain, const Objectives& objectives, double g
 
 }  // namespace
 
-Decision Decide(const Domain& domain, std::span<const WeightedObjective> objectives) {
+GridDecision Decide(const Domain& domain, std::span<const WeightedObjective> objectives) {
   double greatest_weight = 0;
   for (const WeightedObjective& aim : objectives) {
     CheckSizes(domain, aim.objective);
     greatest_weight = std::max(greatest_weight, aim.weight);
   }
-  Decision decision{.point = BestFor(domain, objectives, greatest_weight)};
+  GridDecision decision{.point = BestFor(domain, objectives, greatest_weight)};
   // Sorted, so that the last digit of the sum does not depend on the order either.
   std::vector<double> shares;
   for (const auto& [weight, objective] : objectives) {
@@ -244,7 +244,7 @@ double Value(const Objective& objective, int course, int speed, int depth) {
 
 std::vector<AimAtDecision> Explain(const Domain& domain,
                                    std::span<const WeightedObjective> objectives,
-                                   const Decision& decision) {
+                                   const GridDecision& decision) {
   std::vector<AimAtDecision> aims;
   aims.reserve(objectives.size());
   for (const auto& [weight, objective] : objectives) {
