@@ -25,7 +25,10 @@ DirectorApp::DirectorApp(const Mission& mission, Bus& bus)
   for (size_t i = 0; i < mission.vehicles.size(); ++i) {
     const std::string& name = mission.vehicles[i].name;
     Subscribe(bus, channels::Nav(name), [this, i](const nav_t& nav) {
-      if (judge_.TakeNav(i, {nav.x_m, nav.y_m, nav.z_m}, nav.altitude_m)) return;
+      if (judge_.TakeNav(i, {nav.x_m, nav.y_m, nav.z_m}, nav.altitude_m) &&
+          judge_.TakeMotion(i, nav.heading_deg, nav.speed_mps)) {
+        return;
+      }
       log_.Warn(fmt::format("NAV of {} dropped: it holds an impossible number",
                             mission_.vehicles[i].name));
     });
@@ -43,6 +46,7 @@ DirectorApp::DirectorApp(const Mission& mission, Bus& bus)
       const Vehicle& vehicle = mission_.vehicles[i];
       if (vehicle.sim != Provider::kNone || vehicle.name != report.name) continue;
       judge_.TakeNav(i, {report.x_m, report.y_m, report.depth_m}, report.altitude_m);
+      judge_.TakeMotion(i, report.heading_deg, report.speed_mps);
     }
   });
   bus.SubscribeBytes(channels::CommsFates().name,

@@ -14,6 +14,7 @@
 
 #include "apps/shoal/check_command.h"
 #include "apps/shoal/doctor.h"
+#include "apps/shoal/encounters_options.h"
 #include "apps/shoal/log_options.h"
 #include "apps/shoal/send_command.h"
 #include "apps/shoal/sim_command.h"
@@ -314,6 +315,7 @@ int RunShoalCommand(int argc, char** argv) {
   AddStatus(cli, &action);
   AddView(cli, &action);
   AddLogCommands(cli, &action);
+  AddEncounterCommands(cli, &action);
   cli.add_subcommand("doctor", "Show what keeps missions from running on this machine")
       ->callback([&action] { action = [] { return RunDoctor(); }; });
   cli.add_subcommand("channels", "Print the table of all channels (docs/channels.md)")

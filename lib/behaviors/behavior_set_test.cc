@@ -675,7 +675,11 @@ TEST(ObjectiveOfATask, IsGreatestAtTheGridPointNearestToItsCommands) {
   const Domain domain = {.depth_m = {.first = 0, .step = 1, .count = 101}};
   for (const double course_deg : {0.0, 0.4, 90.6, 179.5, 359.6}) {
     for (const double speed_mps : {0.0, 0.04, 0.26, 1.5, 3.97, 9.0}) {
-      const TaskAim task = {.course_deg = course_deg, .speed_mps = speed_mps, .depth_m = 12.3};
+      const TaskAim task = {.name = "",
+                            .kind = "",
+                            .course_deg = course_deg,
+                            .speed_mps = speed_mps,
+                            .depth_m = 12.3};
       const std::vector<WeightedObjective> alone = {{1, ObjectiveOf(task, domain)}};
       const GridDecision decision = Decide(domain, alone);
       EXPECT_EQ(decision.point.speed, domain.speed_mps.Nearest(speed_mps));

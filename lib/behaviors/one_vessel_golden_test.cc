@@ -66,7 +66,7 @@ class GoldenFunctions : public testing::Test {
         for (int speed = 0; speed <= 40; speed += 5) {
           double golden = 0;
           EXPECT_TRUE(numbers >> golden);
-          const double off = std::abs(Value(*answer.objective, course, speed, 0) - golden);
+          const double off = std::abs(ValueAt(*answer.objective, course, speed) - golden);
           deviations.mean += off;
           ++num_values;
           if (off <= deviations.greatest) continue;

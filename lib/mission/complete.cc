@@ -51,6 +51,14 @@ struct ResolveExpectation {
     ResolveVehicle(place, "to", distance.to, mission, true);
   }
 
+  void operator()(ClosestApproachExpectation& approach) const { ResolvePair(approach); }
+  void operator()(EncounterScoreExpectation& score) const { ResolvePair(score); }
+
+  template <class OfPairs>
+  void ResolvePair(OfPairs& expectation) const {
+    ResolveVehicle(place, "vehicle", expectation.vehicle, mission, true);
+    ResolveVehicle(place, "to", expectation.to, mission, true);
+  }
   template <class OfLinks>
   void ResolveLink(OfLinks& expectation) const {
     ResolveVehicle(place, "from", expectation.from, mission, true);

@@ -153,13 +153,48 @@ void Describe(Fields& fields, AltitudeExpectation& altitude, double /*end_s*/) {
   fields.Number("min_m", altitude.min_m, Between(0, 20'000));
 }
 
+/// When an encounter begins and ends.
+void DescribeEncounter(Fields& fields, EncounterOptions& encounter) {
+  fields.Number("entry_range_m", encounter.entry_range_m, Above(0, kFarthest_m));
+  fields.Number("risk_m", encounter.risk_m, Above(0, kFarthest_m));
+  fields.Number("end_range_m", encounter.end_range_m, Between(0, kFarthest_m));
+}
+
+void Describe(Fields& fields, ClosestApproachExpectation& approach, double /*end_s*/) {
+  fields.Text("vehicle", approach.vehicle, {.min_length = 1});
+  fields.Text("to", approach.to, {.min_length = 1});
+  fields.Require("at_least_m", "at_least_m = 10");
+  fields.Number("at_least_m", approach.at_least_m, Above(0, 100'000));
+  DescribeEncounter(fields, approach.encounter);
+}
+
+void Describe(Fields& fields, EncounterScoreExpectation& score, double /*end_s*/) {
+  constexpr std::array<std::string_view, 5> kRoles = {"overtaking", "overtaken", "head-on",
+                                                      "give-way", "stand-on"};
+  fields.Text("vehicle", score.vehicle, {.min_length = 1});
+  fields.Text("to", score.to, {.min_length = 1});
+  fields.Require("at_least", "at_least = 60");
+  fields.Number("at_least", score.at_least, Between(0, 100));
+  if (fields.Has("role", !score.role.empty())) fields.Word("role", score.role, kRoles);
+  DescribeEncounter(fields, score.encounter);
+  EncounterOptions& encounter = score.encounter;
+  fields.Number("preferred_m", encounter.preferred_m, Above(0, kFarthest_m));
+  fields.Number("acceptable_m", encounter.acceptable_m, Above(0, kFarthest_m));
+  fields.Number("near_miss_m", encounter.near_miss_m, Above(0, kFarthest_m));
+  if (encounter.near_miss_m > encounter.acceptable_m ||
+      encounter.acceptable_m > encounter.preferred_m) {
+    fields.Refuse("", "distances must grow from near_miss_m over acceptable_m to preferred_m");
+  }
+}
+
 }  // namespace
 
 void Describe(Fields& fields, Expectation& expectation, double end_s) {
   // The first ones in the order of Expectation::what.
-  constexpr std::array<std::string_view, 12> kKinds = {
-      "arrival",  "separation", "reports", "helm",     "laps", "track",
-      "distance", "altitude",   "swarm",   "messages", "acks", "packets"};
+  constexpr std::array<std::string_view, 14> kKinds = {
+      "arrival",         "separation", "reports",  "helm",   "laps",
+      "track",           "distance",   "altitude", "swarm",  "closest_approach",
+      "encounter_score", "messages",   "acks",     "packets"};
   std::string kind(fields.reading() ? "" : kKinds.at(expectation.what.index()));
   if (const auto* comms = std::get_if<CommsExpectation>(&expectation.what)) {
     kind = fields.reading() ? "" : NameOf(comms->kind);
@@ -181,6 +216,8 @@ void Describe(Fields& fields, Expectation& expectation, double end_s) {
     if (kind == "distance") expectation.what = DistanceExpectation();
     if (kind == "swarm") expectation.what = SwarmExpectation();
     if (kind == "altitude") expectation.what = AltitudeExpectation();
+    if (kind == "closest_approach") expectation.what = ClosestApproachExpectation();
+    if (kind == "encounter_score") expectation.what = EncounterScoreExpectation();
   }
   if (kind.empty()) {
     fields.SkipRest();  // Which keys are right depends on the kind.

@@ -7,6 +7,7 @@
 #include <string>
 #include <variant>
 
+#include "lib/encounters/encounter.h"
 #include "lib/routing/fate.h"
 
 namespace shoal {
@@ -85,11 +86,28 @@ struct AltitudeExpectation {  ///< kind = "altitude": above the sea floor, at le
 
   bool operator==(const AltitudeExpectation&) const = default;
 };
+struct ClosestApproachExpectation {  ///< kind = "closest_approach": in each encounter, at least.
+  std::string vehicle = "all";
+  std::string to = "all";
+  double at_least_m = 0;
+  EncounterOptions encounter = {};
+
+  bool operator==(const ClosestApproachExpectation&) const = default;
+};
+struct EncounterScoreExpectation {  ///< kind = "encounter_score": of each encounter, at least.
+  std::string vehicle = "all";
+  std::string to = "all";
+  double at_least = 0;  ///< 0 to 100.
+  std::string role;     ///< Of the vehicle at entry; empty: any.
+  EncounterOptions encounter = {};
+
+  bool operator==(const EncounterScoreExpectation&) const = default;
+};
 struct Expectation {
   std::string where;  ///< "file:line" of its table, for the verdict.
   std::variant<ArrivalExpectation, SeparationExpectation, CommsExpectation, HelmExpectation,
                LapsExpectation, TrackExpectation, DistanceExpectation, AltitudeExpectation,
-               SwarmExpectation>
+               SwarmExpectation, ClosestApproachExpectation, EncounterScoreExpectation>
       what;
 
   bool operator==(const Expectation&) const = default;

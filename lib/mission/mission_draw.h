@@ -419,7 +419,7 @@ class MissionDraw {
   }
 
   Expectation DrawExpectation(double end_s) {
-    switch (Integer(0, 7)) {
+    switch (Integer(0, 9)) {
       case 0: {
         ArrivalExpectation arrival{"all", std::nullopt, Positive(100'000), Positive(end_s), Coin()};
         if (Coin()) arrival.point_m = Point();
@@ -454,7 +454,23 @@ class MissionDraw {
         distance.from_s = Number(0, end_s);
         return {"", distance};
       }
-      case 6:
+      case 6: {
+        ClosestApproachExpectation approach;
+        approach.vehicle = "Vessel_1";
+        approach.at_least_m = Positive(100'000);
+        approach.encounter.risk_m = Positive(1e6);
+        return {"", approach};
+      }
+      case 7: {
+        EncounterScoreExpectation score;
+        score.to = Coin() ? "all" : "Vessel_2";
+        score.at_least = Number(0, 100);
+        if (Coin()) score.role = "stand-on";
+        score.encounter.entry_range_m = Positive(1e6);
+        score.encounter.near_miss_m = Number(1, 5);
+        return {"", score};
+      }
+      case 8:
         if (has_floor_) return {"", AltitudeExpectation{"all", Number(0, 20'000)}};
         [[fallthrough]];
       default:

@@ -120,6 +120,15 @@ struct CheckExpectation {
     CheckLaps(place, laps, mission);
   }
 
+  void operator()(const ClosestApproachExpectation& approach) const { CheckPair(approach); }
+  void operator()(const EncounterScoreExpectation& score) const { CheckPair(score); }
+
+  template <class OfPairs>
+  void CheckPair(const OfPairs& expectation) const {
+    if (expectation.to == "all" || expectation.to != expectation.vehicle) return;
+    place.Refuse("to", expectation.to + " does not meet itself: this can never hold");
+  }
+
   void operator()(const AltitudeExpectation&) const {
     if (mission.environment.floor.style != "none") return;
     place.Refuse("",

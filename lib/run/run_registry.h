@@ -22,7 +22,8 @@ struct RunningMission {
   Layout layout = Layout::kShared;
   int pid = 0;  ///< Of the launcher.
   std::vector<std::string> vehicles;
-  std::vector<std::string> overrides = {};  ///< `--set` of the run.
+  std::vector<std::string> without_helm = {};  ///< Those of them that have helm = "none".
+  std::vector<std::string> overrides = {};     ///< `--set` of the run.
 
   PortPlan Ports() const { return PortPlan(port_base, layout, vehicles); }
 };
