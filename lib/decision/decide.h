@@ -47,8 +47,8 @@ struct GridDecision {
                                   std::span<const WeightedObjective> objectives);
 
 /// Returns the value of an objective at a point. Parts whose variable is absent do not count.
-[[nodiscard]] double Value(const Objective& objective, const DomainPoint& point);
-[[nodiscard]] double Value(const Objective& objective, int course, int speed, int depth);
+[[nodiscard]] double ValueOf(const Objective& objective, const DomainPoint& point);
+[[nodiscard]] double ValueOf(const Objective& objective, int course, int speed, int depth);
 
 /// What a decision means for one objective.
 struct AimAtDecision {

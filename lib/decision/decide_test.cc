@@ -16,7 +16,7 @@ using Aims = std::vector<WeightedObjective>;
 double SumAt(const Aims& aims, int course, int speed) {
   double sum = 0;
   for (const auto& [weight, objective] : aims) {
-    sum += weight * Value(objective, course, speed, 0);
+    sum += weight * ValueOf(objective, course, speed, 0);
   }
   return sum;
 }
@@ -198,8 +198,8 @@ RC_GTEST_PROP(Decide, FindsTheDepthOnItsOwn, ()) {
                   .objective = {.depth = AtMost(domain.depth_m, Between(stream, 0, 60), 20)}});
   int best = 0;
   const auto value_of_depth = [&](int depth) {
-    return aims.front().weight * Value(aims.front().objective, {.depth = depth}) +
-           aims.back().weight * Value(aims.back().objective, {.depth = depth});
+    return aims.front().weight * ValueOf(aims.front().objective, {.depth = depth}) +
+           aims.back().weight * ValueOf(aims.back().objective, {.depth = depth});
   };
   for (int depth = 1; depth < 31; ++depth) {
     if (value_of_depth(depth) > value_of_depth(best)) best = depth;
@@ -267,8 +267,8 @@ RC_GTEST_PROP(NormaliseTo100, SpansContactFunctionsExactly, ()) {
   double greatest = -1e9;
   for (int course = 0; course < 360; ++course) {
     for (int speed = 0; speed < domain.speed_mps.count; ++speed) {
-      least = std::min(least, Value(objective, course, speed, 0));
-      greatest = std::max(greatest, Value(objective, course, speed, 0));
+      least = std::min(least, ValueOf(objective, course, speed, 0));
+      greatest = std::max(greatest, ValueOf(objective, course, speed, 0));
     }
   }
   if (objective.scale == 0) {

@@ -84,7 +84,7 @@ void CompareDecisions(const std::string& behavior, Objective (*contact)(const Go
                                 .speed = static_cast<int>(std::lround(10 * Number(row, "speed")))};
     double utility_of_theirs = 0;
     for (const auto& [weight, objective] : aims) {
-      utility_of_theirs += weight * Value(objective, theirs);
+      utility_of_theirs += weight * ValueOf(objective, theirs);
     }
     EXPECT_GE(decision.utility, utility_of_theirs - 1e-9) << row.at("set") << row.at("state");
     if (!exact) {
