@@ -8,7 +8,7 @@ namespace shoal::full_stop_test {
 
 TEST(FullStop, PrefersLessSpeedToMore) {
   TestVessel vessel;
-  FullStopBehavior behavior({});
+  FullStopBehavior behavior{FullStopOptions()};
   const BehaviorAnswer answer = vessel.Run(behavior);
   ASSERT_TRUE(answer.objective.has_value());
   EXPECT_DOUBLE_EQ(ValueAt(*answer.objective, 0, 0), 100);

@@ -22,8 +22,8 @@ LegRunOptions North() {
 }
 
 /// Lets the vessel go where the behavior steers, 1 m a call, until it completes.
-struct Run {
-  explicit Run(const LegRunOptions& options) : leg_run(options) {
+struct Voyage {
+  explicit Voyage(const LegRunOptions& options) : leg_run(options) {
     vessel.own.motion.position_m = {0, -50};
   }
 
@@ -46,14 +46,14 @@ struct Run {
 };
 
 TEST(LegRun, RunsThereTurnsAndComesBack) {
-  Run run(North());
+  Voyage run(North());
   EXPECT_TRUE(run.Sail(2000));
   EXPECT_EQ(run.states, std::vector<std::string>({"init", "leg1", "turn1", "leg2", ""}));
   EXPECT_LT((run.vessel.own.motion.position_m - Eigen::Vector2d(0, 0)).norm(), 4);
 }
 
 TEST(LegRun, SetsOffFlagsOncePerLegAndTurn) {
-  Run run(North());
+  Voyage run(North());
   ASSERT_TRUE(run.Sail(2000));
   EXPECT_EQ(run.flags, (std::map<std::string, int>({{"start_leg_flag", 2},
                                                     {"mid_flag", 2},
@@ -66,12 +66,12 @@ TEST(LegRun, SetsOffFlagsOncePerLegAndTurn) {
 TEST(LegRun, RunsFurtherRoundsAndForEver) {
   LegRunOptions options = North();
   options.repeat = 1;
-  Run twice(options);
+  Voyage twice(options);
   EXPECT_TRUE(twice.Sail(4000));
   EXPECT_EQ(twice.flags["leg_end_flag"], 4);
   EXPECT_EQ(twice.flags["start_turn_flag"], 3);
   options.repeat = -1;
-  Run for_ever(options);
+  Voyage for_ever(options);
   EXPECT_FALSE(for_ever.Sail(4000));
   EXPECT_GT(for_ever.flags["leg_end_flag"], 4);
 }
@@ -100,7 +100,7 @@ TEST(LegRun, LaysItsTurnToTheSideOfItsBias) {
 TEST(LegRun, HasASpeedOfItsOwnForEachLegByTurns) {
   LegRunOptions options = North();
   options.leg_spds = {1, 3};
-  Run run(options);
+  Voyage run(options);
   run.Sail(60);
   EXPECT_DOUBLE_EQ(run.vessel.Best(run.vessel.Run(run.leg_run)).speed_mps, 1);
   while (run.states.back() != "leg2") run.Sail(1);
@@ -108,14 +108,14 @@ TEST(LegRun, HasASpeedOfItsOwnForEachLegByTurns) {
 }
 
 TEST(LegRun, LeadsAlongItsLegs) {
-  Run run(North());
+  Voyage run(North());
   run.Sail(60);
   EXPECT_TRUE(
       run.vessel.RunAt(run.leg_run, {4, 100}).view.steers_for_m->isApprox(Eigen::Vector2d(0, 110)));
 }
 
 TEST(LegRun, GoesOnAfterAPauseAndBeginsAnewWithOtherEnds) {
-  Run run(North());
+  Voyage run(North());
   run.Sail(150);
   ASSERT_EQ(run.states.back(), "leg1");
   (void)run.leg_run.Idle(run.vessel.Inputs());

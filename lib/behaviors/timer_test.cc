@@ -8,7 +8,7 @@ namespace shoal::timer_test {
 
 TEST(Timer, HasNoPreferenceAndNeverEndsByItself) {
   TestVessel vessel;
-  TimerBehavior timer({});
+  TimerBehavior timer{TimerOptions()};
   for (const double time_s : {0.0, 10.0, 1e6}) {
     const BehaviorAnswer answer = vessel.RunAt(timer, time_s);
     EXPECT_FALSE(answer.objective.has_value());
