@@ -287,7 +287,7 @@ void BehaviorSet::Decide(const HelmInputs& inputs, const std::vector<RunReport>&
   const bool has_any =
       std::any_of(objectives.begin(), objectives.end(),
                   [](const WeightedObjective& objective) { return objective.weight > 0; });
-  const Decision decision = shoal::Decide(setup_.domain, objectives);
+  const GridDecision decision = shoal::Decide(setup_.domain, objectives);
   if (!has_any) {
     outcome.all_stop = "NothingToDo";
   } else if (setup_.goals_mandatory && !has_goal) {
