@@ -641,7 +641,9 @@ TEST(Decision, StatesWhatEachLost) {
 
 TEST(Decision, OfTheTaskAloneIsTheTasksOwn) {
   TestHelm helm;
-  helm.Add("survey").condition = {"GO = true"};
+  BehaviorOptions& survey = helm.Add("survey");
+  survey.condition = {"GO = true"};
+  survey.pwt = 300;
   helm.answers["survey"] = Wants90;
   helm.task = TaskAim{.name = "legs", .kind = "waypoints", .course_deg = 33.4, .speed_mps = 1.23};
   HelmOutcome outcome = helm.Tick();
@@ -653,6 +655,18 @@ TEST(Decision, OfTheTaskAloneIsTheTasksOwn) {
   outcome = helm.TickWith("GO", "true");
   EXPECT_FALSE(outcome.only_task);
   EXPECT_FALSE(outcome.is_task_point);
+}
+
+TEST(Decision, LetsATaskWithoutWeightLeadOnlyWhereNothingElseDoes) {
+  TestHelm helm;
+  helm.Add("survey").condition = {"GO = true"};
+  helm.answers["survey"] = Wants90;
+  helm.task =
+      TaskAim{.name = "legs", .kind = "waypoints", .pwt = 0, .course_deg = 33, .speed_mps = 1};
+  EXPECT_TRUE(helm.Tick().only_task);
+  const HelmOutcome outcome = helm.TickWith("GO", "true");
+  EXPECT_FALSE(outcome.only_task);
+  EXPECT_EQ(outcome.commands, (HelmPoint{.course_deg = 90, .speed_mps = 2}));
 }
 
 TEST(Decision, AgreesWithATaskBesideABehaviorThatDoesNotMind) {

@@ -167,6 +167,8 @@ void Describe(Fields& fields, ContactOptions& options, bool is_recipe) {
   fields.Flag("exit_on_filter_group", options.exit_on_filter_group);
   fields.Flag("post_per_contact_info", options.post_per_contact_info);
   TextsOrOne(fields, "cnflag", options.cnflag, kMostFlags);
+  const auto moments = ParseMomentFlags(options.cnflag);
+  if (!moments.ok()) fields.Refuse("cnflag", moments.error());
   fields.NoKey("extrapolate", "a helm always extrapolates its contacts: docs/contacts.md");
   fields.NoKey("decay", "a helm always extrapolates its contacts: docs/contacts.md");
   fields.NoKey("use_refinery", "decisions are exact without it");

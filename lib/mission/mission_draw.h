@@ -56,6 +56,7 @@ class MissionDraw {
                      .msg_repeat_color = Text(),
                      .each_fate_up_to = Integer(0, 1'000'000)};
     DrawSurveyArea();
+    mission.obstacles = {{"rock", Square()}, {"wreck", Square()}};
     for (int64_t i = 2; i > 0; --i) mission.vehicles.push_back(DrawVehicle(i));
     if (mission.tick_us <= 200'000) Submerge(&mission.vehicles[0]);
     has_floor_ = mission.environment.floor.style != "none";
@@ -349,7 +350,7 @@ class MissionDraw {
       vehicle.recovery.of(SwarmField::kReporterPos) = {RecoveryStrategy::kSentinel,
                                                        RecoveryStrategy::kSkipField};
     }
-    vehicle.helm_options = {Positive(3600), Coin(), Positive(3600)};
+    vehicle.helm_options = {Positive(3600), Coin(), Positive(3600), Number(0.01, 60), Coin()};
     vehicle.autopilot = {Number(0, 1000), Number(0, 1000), Number(0, 1000), Number(0, 180),
                          Number(0, 1000), Number(0, 1000), Number(0, 100)};
     const double blackout_s = Number(0, 100'000);
@@ -381,8 +382,90 @@ class MissionDraw {
          StationKeepTask{station_m, station_m.isZero(), inner_m, inner_m * 1.1, Positive(50)}},
         {Text() + "3", ReturnTask{Point(), Positive(50), DrawCapture(), Positive(10'000)}},
         {Text() + "4", DrawSurvey(vehicle)}};
+    for (Task& task : vehicle.tasks) task.pwt = Number(0, 1e6);
+    DrawBehaviors(&vehicle);
     vehicle.return_task = {Point(), Positive(50), DrawCapture(), Positive(10'000)};
     return vehicle;
+  }
+
+  std::vector<Eigen::Vector2d> Square() {
+    const Eigen::Vector2d corner = Point() / 2;
+    const double side = Number(1, 1000);
+    return {corner, corner + Eigen::Vector2d(side, 0), corner + Eigen::Vector2d(side, side),
+            corner + Eigen::Vector2d(0, side)};
+  }
+
+  /// A few of all kinds, with what all kinds have in common.
+  void DrawBehaviors(Vehicle* vehicle) {
+    vehicle->domain.speed_mps = {.first = 0, .step = 0.5, .count = static_cast<int>(Integer(2, 9))};
+    vehicle->domain.depth_m = {.first = 0, .step = 2, .count = static_cast<int>(Integer(2, 9))};
+    vehicle->variables = {
+        {"DEPLOY", Coin() ? "true" : "false"}, {"DEPTH.2", Number(-1e9, 1e9)}, {"PLACE", Text()}};
+    vehicle->modes = {{"MODE = ACTIVE", {"DEPLOY = true", "(DEPTH.2 > 0) or (PLACE = x)"}, ""},
+                      {"MODE = HOME", {"MODE = ACTIVE"}, "AWAY"}};
+    if (Coin()) vehicle->modes.clear();
+    int number = 0;
+    for (AnyBehavior& what : OneBehaviorOfEachKind()) {
+      if (Coin()) continue;
+      BehaviorOptions options;
+      options.name = std::string(1, static_cast<char>('a' + number++)) + "_";
+      options.what = what;
+      std::visit([&](auto& kind) { Fill(&kind); }, options.what);
+      options.pwt = Number(0, 1e6);
+      if (Coin()) options.condition = {"DEPLOY = true", "!(PLACE = \"a b\")"};
+      if (Coin()) {
+        options.flags = {.runflag = {"A = 1"},
+                         .runxflag = {"B = $[OSX]"},
+                         .idleflag = {"C = 1 [to] all+"},
+                         .activeflag = {"D = 1 [if] (A = 1)"},
+                         .inactiveflag = {"E = \"1\"", "F = 1"},
+                         .endflag = {"G = 1"},
+                         .spawnflag = {"H = 1"},
+                         .spawnxflag = {"I = 1"},
+                         .configflag = {"J = 1"}};
+      }
+      if (Coin()) options.updates = "UPDATES";
+      if (Coin()) options.duration = Number(0, 1e7);
+      options.duration_idle_decay = Coin();
+      if (Coin()) options.duration_reset = "AGAIN = true";
+      if (Coin()) options.duration_status = "LEFT";
+      if (Coin()) {
+        options.nostarve = {"A", "B"};
+        options.nostarve_s = Number(1, 1e7);
+      }
+      options.perpetual = Coin();
+      options.max_spawnings = static_cast<int>(Integer(1, 1'000'000));
+      vehicle->behaviors.push_back(std::move(options));
+    }
+    if (vehicle->behaviors.empty()) return;
+    BehaviorOptions& last = vehicle->behaviors.back();
+    last.templating = Coin() ? Templating::kSpawn : Templating::kClone;
+    last.updates = "UPDATES";
+  }
+
+  /// What the kinds cannot be without.
+  template <class Options>
+  void Fill(Options* o) {
+    if constexpr (requires { o->contact.contact; }) {
+      o->contact.contact = "Vessel_1";
+      o->contact.match_group = {Text()};
+      o->contact.ignore_name = {Text(), Text()};
+    }
+    if constexpr (requires { o->pwt_grade; }) o->pwt_grade = Coin() ? "quadratic" : "linear";
+    if constexpr (requires { o->core_poly; }) o->core_poly = Square();
+    if constexpr (requires { o->polygon; }) o->polygon = Square();
+    if constexpr (requires { o->points; }) o->points = {Point(), Point()};
+    if constexpr (requires { o->station_pt; }) o->station_pt = Point();
+    if constexpr (requires { o->p1; }) o->p1 = o->p2 = Point();
+    if constexpr (requires { o->leg_spds; }) o->leg_spds = {1, Number(0, 50)};
+    if constexpr (requires { o->depths; }) o->depths = {{Number(0, 1000), Number(0, 1e7)}};
+    if constexpr (requires { o->memory_time; }) o->memory_time = o->turn_range = Positive(180);
+    if constexpr (requires { o->period_lazy; }) o->period_lazy = o->period_busy = Positive(1e7);
+    if constexpr (requires { o->fix_turn; }) o->fix_turn = Positive(36'000);
+    if constexpr (requires { o->wptflag; }) o->wptflag = {"K = $[CTR]"};
+    if constexpr (requires { o->patience; }) o->patience = Number(1, 85);
+    if constexpr (requires { o->clockwise; }) o->clockwise = Coin() ? "best" : "false";
+    if constexpr (requires { o->speed; }) o->speed = Number(0, 50);
   }
 
   ModemPreset DrawModem() {
