@@ -151,7 +151,7 @@ max_speed = 1
 lead = 3
 )"),
             "6:8: unknown kind 'waypiont' (did you mean 'waypoint'?)\n"
-            "7:1: [[behavior]] lacks 'points'; for example: points = [[0, 0], [100, 0]]\n"
+            "7:1: behavior lacks 'points'; for example: points = [[0, 0], [100, 0]]\n"
             "9:1: unknown key 'capture' (here it is 'capture_radius')\n"
             "12:11: polygon is not convex: give at least three corners that all turn to the same "
             "side\n"
@@ -159,7 +159,7 @@ lead = 3
             "14:1: station_keep needs station_pt = [0, 0], or center_activate = true to stay where "
             "it begins\n"
             "16:11: flag 'RETURN': write it as VARIABLE = value\n"
-            "17:1: [[behavior]] lacks 'contact'; for example: contact = \"henry\", the name of a "
+            "17:1: behavior lacks 'contact'; for example: contact = \"henry\", the name of a "
             "vehicle\n"
             "19:18: pwt_inner_dist must be less than pwt_outer_dist\n"
             "20:1: op_region needs a limit: core_poly = [[-50, -50], [50, -50], [50, 50], [-50, "
@@ -229,7 +229,7 @@ id = "rock"
             "12:7: set = \"ACTIVE\": write it as \"MODE = ACTIVE\"\n"
             "15:13: condition 'A = 1 and B = 2': put each comparison in parentheses, (A = 1) and "
             "(B = 2), or text with the words and, or in quotes\n"
-            "19:1: [[obstacle]] lacks 'polygon'; for example: polygon = [[40, -10], [60, -10], "
+            "19:1: obstacle lacks 'polygon'; for example: polygon = [[40, -10], [60, -10], "
             "[60, 10], [40, 10]]\n"
             "20:6: an obstacle 'rock' exists already; give each an id of its own\n");
 }
@@ -269,11 +269,14 @@ points = [[100, 0]]
 kind = "timer"
 templating = "spawn"
 )"),
-            "m.toml:7:1: warning: avoid it\n");
+            "m.toml:5:1: warning: waypoint has speed = 0, so it leads nowhere\n"
+            "m.toml:10:14: warning: timer never begins: only avoid_collision, colregs and "
+            "avoid_obstacle do by themselves; write updates = \"VARIABLE\", and name = ... in its "
+            "texts\n");
 }
 
-TEST(BehaviorWarnings, KnowWhoSetsAVariable) {
-  EXPECT_EQ(WarningsAfter(R"([vehicle.variables]
+TEST(BehaviorWarnings, KnowWhatSetsAVariable) {
+  EXPECT_EQ(WarningsAfter(R"toml([vehicle.variables]
 A = "x"
 [[vehicle.mode]]
 set = "B = ON"
@@ -291,7 +294,7 @@ argument = "D = 1"
 [[event]]
 at_s = 3
 message = {src_node = "alpha", dest_node = "all", var_name = "E", double_val = 1}
-)"),
+)toml"),
             "");
 }
 

@@ -404,6 +404,7 @@ class MissionDraw {
     vehicle->modes = {{"MODE = ACTIVE", {"DEPLOY = true", "(DEPTH.2 > 0) or (PLACE = x)"}, ""},
                       {"MODE = HOME", {"MODE = ACTIVE"}, "AWAY"}};
     if (Coin()) vehicle->modes.clear();
+    contact_ = vehicle->name == "Vessel_1" ? "Vessel_2" : "Vessel_1";
     int number = 0;
     for (AnyBehavior& what : OneBehaviorOfEachKind()) {
       if (Coin()) continue;
@@ -447,7 +448,7 @@ class MissionDraw {
   template <class Options>
   void Fill(Options* o) {
     if constexpr (requires { o->contact.contact; }) {
-      o->contact.contact = "Vessel_1";
+      o->contact.contact = contact_;
       o->contact.match_group = {Text()};
       o->contact.ignore_name = {Text(), Text()};
     }
@@ -607,6 +608,7 @@ class MissionDraw {
   }
 
   std::mt19937_64 generator_;
+  std::string contact_;  ///< A vehicle that is not the one being drawn.
   bool has_floor_ = false;
   SurveyArea survey_area_;
   bool survey_is_shared_ = false;
