@@ -395,8 +395,8 @@ TEST_F(JudgeTest, WarnsOfAnArrivalThatWasMetFromTheStart) {
   EXPECT_EQ(warnings_of("Bravo", 100, true), Warnings{});
 }
 
-/// Two vessels that meet head-on, `aside_m` beside each other, for 100 s; the second alters course by
-/// 30 degrees to starboard at 25 s, on the spot, where it `gives_way`.
+/// Two vessels that meet head-on, `aside_m` beside each other, for 100 s; the second alters course
+/// by 30 degrees to starboard at 25 s, on the spot, where it `gives_way`.
 void MeetHeadOn(Judge* judge, double aside_m, bool gives_way = false) {
   double x_m = aside_m;
   double y_m = 240;
