@@ -130,11 +130,6 @@ class MissionText {
       return;
     }
     const bool both_act = is_of_two && !options_.others_hold;
-    text_ += "\n[[expect]]\nkind = \"closest_approach\"\n";
-    if (options_.others_hold) text_ += fmt::format("vehicle = \"{}\"\n", own.name);
-    text_ += fmt::format("at_least_m = {}\n",
-                         Length(both_act ? kLeastApproachOfTwo_m : kLeastApproach_m));
-    AddEncounterKeys(false);
     text_ += "\n[[expect]]\nkind = \"encounter_score\"\n";
     if (options_.others_hold || scenario_.role) {
       text_ += fmt::format("vehicle = \"{}\"\n", own.name);
@@ -142,6 +137,11 @@ class MissionText {
     if (scenario_.role) text_ += fmt::format("role = \"{}\"\n", Name(*scenario_.role));
     text_ += fmt::format("at_least = {}\n", Short(both_act ? kLeastScoreOfTwo : kLeastScore));
     AddEncounterKeys(true);
+    text_ += "\n[[expect]]\nkind = \"closest_approach\"\n";
+    if (options_.others_hold) text_ += fmt::format("vehicle = \"{}\"\n", own.name);
+    text_ += fmt::format("at_least_m = {}\n",
+                         Length(both_act ? kLeastApproachOfTwo_m : kLeastApproach_m));
+    AddEncounterKeys(false);
   }
 
   const EncounterScenario& scenario_;

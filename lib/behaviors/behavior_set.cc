@@ -330,7 +330,7 @@ void BehaviorSet::Decide(const HelmInputs& inputs, const std::vector<RunReport>&
   // Alone, a task without weight counts too.
   if (only_task && objectives.front().weight <= 0) objectives.front().weight = 1;
 
-  const Decision decision = shoal::Decide(setup_.domain, objectives);
+  const GridDecision decision = shoal::Decide(setup_.domain, objectives);
   const auto shares = Explain(setup_.domain, objectives, decision);
   for (size_t i = 0; i < shares.size(); ++i) {
     HelmAim& aim = outcome.aims[i];

@@ -731,7 +731,7 @@ TEST(ObjectiveOfATask, IsGreatestAtTheGridPointNearestToItsCommands) {
                             .speed_mps = speed_mps,
                             .depth_m = 12.3};
       const std::vector<WeightedObjective> alone = {{1, ObjectiveOf(task, domain)}};
-      const Decision decision = Decide(domain, alone);
+      const GridDecision decision = Decide(domain, alone);
       EXPECT_EQ(decision.point.speed, domain.speed_mps.Nearest(speed_mps));
       EXPECT_EQ(decision.point.depth, 12);
       EXPECT_NEAR(decision.utility, 100, 1e-6);

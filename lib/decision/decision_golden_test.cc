@@ -79,12 +79,12 @@ void CompareDecisions(const std::string& behavior, Objective (*contact)(const Go
     const std::vector<WeightedObjective> aims = {
         {.weight = 100, .objective = Waypoint(at)},
         {.weight = weights.at(row.at("state")), .objective = contact(at)}};
-    const Decision decision = Decide(kDomain, aims);
+    const GridDecision decision = Decide(kDomain, aims);
     const DomainPoint theirs = {.course = static_cast<int>(Number(row, "course")),
                                 .speed = static_cast<int>(std::lround(10 * Number(row, "speed")))};
     double utility_of_theirs = 0;
     for (const auto& [weight, objective] : aims) {
-      utility_of_theirs += weight * Value(objective, theirs);
+      utility_of_theirs += weight * ValueOf(objective, theirs);
     }
     EXPECT_GE(decision.utility, utility_of_theirs - 1e-9) << row.at("set") << row.at("state");
     if (!exact) {

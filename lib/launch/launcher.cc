@@ -236,7 +236,8 @@ int RunMission(const RunOptions& options, const Mission& mission,
       .layout = layout,
       .pid = getpid(),
       .vehicles = vehicles,
-      .overrides = options.overrides};
+      .overrides = options.overrides,
+      .groups = GroupsOf(mission)};
   for (const Vehicle& vehicle : mission.vehicles) {
     if (vehicle.helm == Provider::kNone) running.without_helm.push_back(vehicle.name);
   }

@@ -55,6 +55,7 @@ class MissionDraw {
                      .msg_color = Text(),
                      .msg_repeat_color = Text(),
                      .each_fate_up_to = Integer(0, 1'000'000)};
+    DrawSurveyArea();
     mission.obstacles = {{"rock", Square()}, {"wreck", Square()}};
     for (int64_t i = 2; i > 0; --i) mission.vehicles.push_back(DrawVehicle(i));
     if (mission.tick_us <= 200'000) Submerge(&mission.vehicles[0]);
@@ -183,6 +184,19 @@ class MissionDraw {
     return environment;
   }
 
+  void DrawSurveyArea() {
+    const double east_m = Number(1, 1e6);
+    const double north_m = Number(1, 1e6);
+    survey_area_ = {
+        .polygon_m = {{0, 0}, {east_m, 0}, {east_m, north_m}, {Number(-1e6, 0), north_m}},
+        .lane_spacing_m = Number(0.4, 1) * std::min({north_m, east_m, 1e5}),
+        .lane_ends = static_cast<LaneEnds>(Integer(0, 1))};
+    if (Coin()) survey_area_.lane_angle_deg = Number(-360, 360);
+    // A narrow strip may have more lanes than the loader takes.
+    if (CountLanes(survey_area_) > 2000) survey_area_ = {.polygon_m = {{0, 0}, {100, 0}, {0, 100}}};
+    survey_is_shared_ = CountLanes(survey_area_) >= 2 && Coin();
+  }
+
   Eigen::Vector3d DeepPoint() { return {Number(-1e6, 1e6), Number(-1e6, 1e6), Number(0, 20'000)}; }
 
   /// Makes an underwater vehicle of it, with the tasks that these have.
@@ -257,6 +271,10 @@ class MissionDraw {
     for (Vehicle& vehicle : mission->vehicles) {
       vehicle.start.x_m = Number(-1e5, 1e5);
       vehicle.start.y_m = Number(-1e5, 1e5);
+      for (Task& task : vehicle.tasks) {
+        auto* survey = std::get_if<SurveyTask>(&task.what);
+        if (survey != nullptr) survey->route.start_m = {vehicle.start.x_m, vehicle.start.y_m};
+      }
     }
     const bool can_be = !mission->acoustics.options.modem && PlanSwarm(*mission).problems.empty();
     if (!can_be) mission->swarm = {};
@@ -362,7 +380,8 @@ class MissionDraw {
                     Positive(50), DrawCapture(), Positive(10'000), Number(0, 1), Number(0, 1e7)}},
         {Text() + "2",
          StationKeepTask{station_m, station_m.isZero(), inner_m, inner_m * 1.1, Positive(50)}},
-        {Text() + "3", ReturnTask{Point(), Positive(50), DrawCapture(), Positive(10'000)}}};
+        {Text() + "3", ReturnTask{Point(), Positive(50), DrawCapture(), Positive(10'000)}},
+        {Text() + "4", DrawSurvey(vehicle)}};
     for (Task& task : vehicle.tasks) task.pwt = Number(0, 1e6);
     DrawBehaviors(&vehicle);
     vehicle.return_task = {Point(), Positive(50), DrawCapture(), Positive(10'000)};
@@ -502,8 +521,27 @@ class MissionDraw {
     }
   }
 
+  /// The same area for both vehicles of a mission, that they can share it.
+  SurveyTask DrawSurvey(const Vehicle& vehicle) {
+    SurveyTask survey;
+    survey.area = survey_area_;
+    survey.route = {.entry = static_cast<SurveyEntry>(Integer(0, 4)),
+                    .start_m = {vehicle.start.x_m, vehicle.start.y_m},
+                    .turn_radius_m = Number(0, 10'000),
+                    .overrun_m = Number(0, 10'000)};
+    if (survey_is_shared_) {
+      survey.divide_among = {"Vessel_2", "Vessel_1"};
+      survey.share = {.place = vehicle.name == "Vessel_1" ? 0U : 1U, .members = 2};
+    }
+    survey.speed_mps = Positive(50);
+    survey.capture = DrawCapture();
+    survey.lookahead_m = Positive(10'000);
+    survey.crab_gain = Number(0, 1);
+    return survey;
+  }
+
   Expectation DrawExpectation(double end_s) {
-    switch (Integer(0, 9)) {
+    switch (Integer(0, 10)) {
       case 0: {
         ArrivalExpectation arrival{"all", std::nullopt, Positive(100'000), Positive(end_s), Coin()};
         if (Coin()) arrival.point_m = Point();
@@ -554,7 +592,14 @@ class MissionDraw {
         score.encounter.near_miss_m = Number(1, 5);
         return {"", score};
       }
-      case 8:
+      case 8: {
+        CoverageExpectation coverage{.sensor_width_m = Positive(100'000),
+                                     .at_least_pct = Number(0, 100)};
+        if (Coin()) coverage.polygon_m = {{0, 0}, {Number(1, 1e6), 0}, {0, Number(-1e6, -1)}};
+        if (Coin()) coverage.vehicles = {"Vessel_2"};
+        return {"", coverage};
+      }
+      case 9:
         if (has_floor_) return {"", AltitudeExpectation{"all", Number(0, 20'000)}};
         [[fallthrough]];
       default:
@@ -565,6 +610,8 @@ class MissionDraw {
   std::mt19937_64 generator_;
   std::string contact_;  ///< A vehicle that is not the one being drawn.
   bool has_floor_ = false;
+  SurveyArea survey_area_;
+  bool survey_is_shared_ = false;
 };
 
 }  // namespace shoal

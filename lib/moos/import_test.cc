@@ -317,7 +317,7 @@ TEST(ImportMoos, LeavesOutABehaviorWhoseConditionIsRefused) {
   EXPECT_EQ(abe.behaviors[0].name, "t");
   EXPECT_EQ(abe.behaviors[0].pwt, 100) << "a weight that is refused is left out alone";
   EXPECT_TRUE(Warns(import, "a.bhv:4: condition = (A: "));
-  EXPECT_TRUE(Warns(import, "a.bhv:10: pwt = -1: "));
+  EXPECT_TRUE(Warns(import, "a.bhv:11: pwt = -1: "));
 }
 
 TEST(ImportMoos, SetsVariablesOfBehaviorsByTimerScripts) {

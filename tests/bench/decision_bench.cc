@@ -177,7 +177,7 @@ void ExplainDecision(benchmark::State& state) {
   const Domain domain;
   std::vector<WeightedObjective> aims;
   MakeAims(encounters[0], domain, &aims);
-  const Decision decision = Decide(domain, aims);
+  const GridDecision decision = Decide(domain, aims);
   for (auto _ : state) benchmark::DoNotOptimize(Explain(domain, aims, decision));
   state.SetItemsProcessed(state.iterations());
 }
