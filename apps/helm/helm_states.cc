@@ -23,8 +23,7 @@ std::string_view Name(HelmMode mode) {
 HelmStates::HelmStates(const Vehicle& vehicle)
     : tasks_(vehicle.tasks),
       return_task_(vehicle.return_task),
-      lost_nav_reason_(fmt::format("no NAV for {:.1f} s", vehicle.helm_options.nav_timeout_s)),
-      parked_(true) {
+      lost_nav_reason_(fmt::format("no NAV for {:.1f} s", vehicle.helm_options.nav_timeout_s)) {
   if (vehicle.helm_options.deploy_at_start) {
     [[maybe_unused]] const std::string refusal = Execute({.kind = OrderKind::kDeploy});
   }
