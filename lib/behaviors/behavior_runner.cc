@@ -220,6 +220,7 @@ void BehaviorRunner::Update(const std::string& text, std::span<const UpdateItem>
 }
 
 bool BehaviorRunner::ConditionsHold(const BehaviorInputs& inputs) const {
+  if (is_disabled_) return false;
   if (inputs.goals_rest && !behavior_->is_constraint()) return false;
   if (!AllHold(conditions_, *inputs.variables)) return false;
   return std::all_of(

@@ -69,6 +69,9 @@ class BehaviorRunner {
   /// One iteration. `end_reason`, not empty: it completes now.
   RunReport Iterate(const BehaviorInputs& inputs, const std::string& end_reason, HelmNotes& notes);
 
+  /// Makes it idle, whatever its conditions are, until it is enabled again.
+  void Disable(bool is_disabled) { is_disabled_ = is_disabled; }
+
   /// The operator has given the order to go on.
   void Clear() { behavior_->Clear(); }
 
@@ -112,6 +115,7 @@ class BehaviorRunner {
 
   RunState state_ = RunState::kNew;
   bool is_over_ = false;
+  bool is_disabled_ = false;
   double last_time_s_ = 0;
   double state_since_s_ = 0;
   std::optional<double> used_s_;  ///< Of the duration; absent: has not run yet.

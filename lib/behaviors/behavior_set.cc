@@ -217,6 +217,34 @@ void BehaviorSet::SpawnForObstacles(const Iteration& now) {
   }
 }
 
+/// "contact = henry # action = disable": behaviors that can be disabled rest while it holds.
+void BehaviorSet::TakeAbleFilter(HelmNotes* notes) {
+  constexpr size_t kMostDisabled = 1000;
+  const Variables::Entry* filter = variables_.Find("BHV_ABLE_FILTER");
+  if (filter == nullptr) return;
+  for (const VariableValue& value : filter->fresh) {
+    std::string text = TextOf(value);
+    std::replace(text.begin(), text.end(), ',', '#');
+    std::string contact;
+    std::string action;
+    const auto items = ParseUpdate(text);
+    if (items.ok()) {
+      for (const UpdateItem& item : *items) {
+        if (item.key == "contact") contact = item.value;
+        if (item.key == "action") action = item.value;
+      }
+    }
+    if (contact.empty() || (action != "disable" && action != "enable")) {
+      notes->warnings.push_back("BHV_ABLE_FILTER = " + TextOf(value) +
+                                ": write contact = NAME, action = disable or enable");
+    } else if (action == "enable") {
+      disabled_contacts_.erase(contact);
+    } else if (disabled_contacts_.size() < kMostDisabled) {
+      disabled_contacts_.insert(contact);
+    }
+  }
+}
+
 void BehaviorSet::ApplyUpdate(const std::string& variable, const std::string& text,
                               const Iteration& now) {
   auto items = ParseUpdate(text);
@@ -376,6 +404,12 @@ HelmOutcome BehaviorSet::Iterate(const HelmInputs& inputs) {
   SpawnForContacts(now);
   SpawnForObstacles(now);
   ApplyUpdates(now);
+  TakeAbleFilter(&notes);
+  for (const auto& runner : runners_) {
+    const auto* colregs = std::get_if<ColregsOptions>(&runner->options().what);
+    if (colregs == nullptr || !colregs->can_disable) continue;
+    runner->Disable(disabled_contacts_.contains(colregs->contact.contact));
+  }
   for (const std::string& change : modes_.Apply(variables_, inputs.time_s)) {
     notes.events.push_back({"mode", change});
   }

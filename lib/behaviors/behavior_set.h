@@ -37,6 +37,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -161,6 +162,7 @@ class BehaviorSet {
   struct Iteration;
 
   void TakeSettings(const HelmInputs& inputs, HelmOutcome& outcome);
+  void TakeAbleFilter(HelmNotes* notes);
   void ApplyUpdates(const Iteration& now);
   void ApplyUpdate(const std::string& variable, const std::string& text, const Iteration& now);
   void SpawnForContacts(const Iteration& now);
@@ -180,6 +182,7 @@ class BehaviorSet {
   ModeTree modes_;
   std::vector<Recipe> recipes_;
   std::vector<std::unique_ptr<BehaviorRunner>> runners_;  ///< In the order of the file.
+  std::set<std::string> disabled_contacts_;               ///< By BHV_ABLE_FILTER.
   std::string lasting_error_;
   int iterations_without_decision_ = 0;
   std::string last_all_stop_ = "clear";

@@ -492,6 +492,42 @@ TEST(Spawning, MakesOneBehaviorForEachObstacleInRange) {
   EXPECT_TRUE(HasEvent(helm.Tick(), "end", "obs_rock: completed, the obstacle is passed"));
 }
 
+TEST(AbleFilter, DisablesABehaviorThatAllowsItForItsContact) {
+  TestHelm helm;
+  for (const bool can_disable : {true, false}) {
+    ColregsOptions colregs = {.pwt_outer_dist = 80, .completed_dist = 100};
+    colregs.can_disable = can_disable;
+    helm.Add(can_disable ? "may_" : "must_", colregs).templating = Templating::kSpawn;
+  }
+  helm.answers["may_henry"] = Wants90;
+  helm.answers["must_henry"] = Wants90;
+  helm.contacts["henry"] = ContactAt("henry", 70, 0);
+  EXPECT_EQ(helm.Tick().aims.size(), 2U);
+  HelmOutcome outcome = helm.TickWith("BHV_ABLE_FILTER", "contact=henry, action=disable");
+  ASSERT_EQ(outcome.aims.size(), 1U);
+  EXPECT_EQ(outcome.aims[0].name, "must_henry");
+  // It lasts for behaviors that are spawned later.
+  helm.contacts.clear();
+  helm.Tick();
+  helm.contacts["henry"] = ContactAt("henry", 70, 0);
+  EXPECT_EQ(helm.Tick().aims.size(), 1U);
+  EXPECT_EQ(helm.TickWith("BHV_ABLE_FILTER", "contact=henry # action=enable").aims.size(), 2U);
+  EXPECT_EQ(helm.TickWith("BHV_ABLE_FILTER", "action=disable").warnings.size(), 1U);
+}
+
+TEST(ContactFlags, AreSetAtTheirMoments) {
+  TestHelm helm;
+  AvoidCollisionOptions avoid = Avoid();
+  avoid.contact.cnflag = {"@<50 NEAR = $[CONTACT] at $[RANGE]"};
+  helm.Add("avd_", avoid).templating = Templating::kSpawn;
+  helm.contacts["henry"] = ContactAt("henry", 70, 0);
+  helm.TickFor(1);
+  EXPECT_EQ(helm.ValueOf("NEAR"), "");
+  helm.contacts["henry"] = ContactAt("henry", 49, 0);
+  helm.TickFor(1);
+  EXPECT_EQ(helm.ValueOf("NEAR"), "henry at 49");
+}
+
 TEST(AllStop, ForWantOfADecisionWaitsOneIteration) {
   TestHelm helm;
   helm.Add("survey").condition = {"GO = true"};

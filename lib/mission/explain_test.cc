@@ -64,7 +64,8 @@ void AddKeys(const Value& value, std::set<std::string>& keys) {
 TEST(Explain, WritesNoKeyThatTheDocumentationDoesNotHave) {
   // A modem's keys are documented with the modems, those of each kind of behavior with these.
   std::string page;
-  for (const std::string name : {"mission_file.md", "acoustics_models.md", "behaviors.md"}) {
+  for (const std::string name : {"mission_file.md", "acoustics_models.md", "behaviors.md",
+                                 "contacts.md", "colregs.md", "modes.md"}) {
     std::ifstream file(std::string(SHOAL_SOURCE_DIR) + "/docs/" + name);
     const std::string text{std::istreambuf_iterator<char>(file), {}};
     ASSERT_FALSE(text.empty()) << name;
