@@ -70,6 +70,10 @@ HelmApp::HelmApp(const Mission& mission, const Vehicle& vehicle, Bus& bus)
       pilot_(MakePilot(vehicle)),
       swarm_(mission, vehicle) {
   state_.vehicle = vehicle.name;
+  if (!vehicle.behaviors.empty()) {
+    arbiter_.emplace(mission, vehicle);
+    if (vehicle.helm_options.deploy_at_start) arbiter_->TakeOver({.kind = OrderKind::kDeploy});
+  }
   Subscribe(bus, OwnNav(vehicle), [this](const nav_t& nav) { OnNav(nav); });
   Subscribe(bus, channels::HelmCommand(vehicle.name),
             [this](const helm_command_t& command) { OnCommand(command); });
@@ -82,12 +86,16 @@ HelmApp::HelmApp(const Mission& mission, const Vehicle& vehicle, Bus& bus)
                               [this, i](const NavNeighbour& nav) { swarm_.OnNav(i, nav); });
   }
   if (mission.IsInSwarm(vehicle)) {
-    Subscribe(bus, channels::Swarm(vehicle.name),
-              [this](const swarm_t& swarm) { swarm_.OnSwarm(swarm); });
+    Subscribe(bus, channels::Swarm(vehicle.name), [this](const swarm_t& swarm) {
+      swarm_.OnSwarm(swarm);
+      if (arbiter_) arbiter_->OnSwarm(swarm, utime_.value_or(0));
+    });
   }
   if (vehicle.sonar.is_fitted) {
-    Subscribe(bus, channels::Sonar(vehicle.name),
-              [this](const sonar_t& ping) { swarm_.OnSonar(ping); });
+    Subscribe(bus, channels::Sonar(vehicle.name), [this](const sonar_t& ping) {
+      swarm_.OnSonar(ping);
+      if (arbiter_ && had_nav_) arbiter_->OnSonar(ping, nav_, utime_.value_or(0));
+    });
   }
 }
 
@@ -110,7 +118,13 @@ void HelmApp::OnCommand(const helm_command_t& command) {
 }
 
 void HelmApp::OnNodeMessage(const node_message_t& message) {
-  if (message.var_name != kCommandVariable) return;  // For another program.
+  if (message.var_name != kCommandVariable) {  // For the behaviors, or another program.
+    if (!arbiter_) return;
+    VariablePost setting{.variable = message.var_name, .value = message.string_val};
+    if (message.is_double != 0) setting.value = message.double_val;
+    arbiter_->Set(setting, message.src_node);
+    return;
+  }
   const Result<HelmOrder> order = message.is_double != 0
                                       ? Result<HelmOrder>(Error{"a number is no order"})
                                       : ReadOrderText(message.string_val);
@@ -119,7 +133,7 @@ void HelmApp::OnNodeMessage(const node_message_t& message) {
 
 void HelmApp::Execute(const Result<HelmOrder>& order, std::string_view from) {
   const std::string sender = from.empty() ? "" : fmt::format(" of {}", Printable(from));
-  const std::string refusal = order.ok() ? states_.Execute(*order) : order.error();
+  const std::string refusal = order.ok() ? Execute(*order) : order.error();
   if (!refusal.empty()) {
     ++num_refused_;
     const std::string text = fmt::format("HELM_COMMAND{} refused: {}", sender, refusal);
@@ -130,6 +144,17 @@ void HelmApp::Execute(const Result<HelmOrder>& order, std::string_view from) {
   ++num_executed_.at(static_cast<size_t>(order->kind));
   log_.Event(utime_.value_or(0), fmt::format("command{}: {}{}{}", sender, Name(order->kind),
                                              order->task.empty() ? "" : " ", order->task));
+}
+
+std::string HelmApp::Execute(const HelmOrder& order) {
+  if (order.kind == OrderKind::kSet) {
+    if (!arbiter_) return "set: the vehicle has no behaviors, and so no variables";
+    arbiter_->Set(order.setting, "command");
+    return {};
+  }
+  std::string refusal = states_.Execute(arbiter_ ? arbiter_->Instead(order) : order);
+  if (arbiter_ && refusal.empty()) arbiter_->TakeOver(order);
+  return refusal;
 }
 
 void HelmApp::OnNodeReport(const node_report_t& report) {
@@ -164,8 +189,9 @@ void HelmApp::Tick(int64_t utime) {
               .surroundings = swarm_.Look(states_.task(), nav_)};
   }
   states_.Advance(fix, nav_is_lost);
-  if (states_.guidance()) {
-    pilot_->Steer(*states_.guidance(), nav_, dt_s, &desired_, &actuators_);
+  guidance_ = arbiter_ ? Guide(utime, fix) : states_.guidance();
+  if (guidance_) {
+    pilot_->Steer(*guidance_, nav_, dt_s, &desired_, &actuators_);
   } else {
     pilot_->Rest(nav_, &desired_, &actuators_);
   }
@@ -175,6 +201,52 @@ void HelmApp::Tick(int64_t utime) {
   if (had_nav_) Publish(bus_, desired_channel_, desired_);
   Publish(bus_, actuators_channel_, actuators_);
   PublishState(utime);
+  if (arbiter_) PublishDecision(utime);
+}
+
+std::optional<Guidance> HelmApp::Guide(int64_t utime, const std::optional<Fix>& fix) {
+  std::optional<Guidance> guidance =
+      arbiter_->Advance({.utime = utime,
+                         .drives = states_.mode() == HelmMode::kDrive,
+                         .nav = fix ? &nav_ : nullptr,
+                         .task = states_.task(),
+                         .is_interruption = states_.is_interrupted(),
+                         .alone = states_.guidance()});
+  for (const HelmEvent& event : arbiter_->TakeEvents()) {
+    log_.Event(utime, fmt::format("{}: {}", event.kind, Printable(event.text)));
+  }
+  for (const std::string& warning : arbiter_->TakeWarnings()) log_.Warn(Printable(warning));
+  if (arbiter_->TakePark()) {
+    [[maybe_unused]] const std::string refusal = states_.Execute({.kind = OrderKind::kPark});
+    guidance.reset();
+  }
+  return guidance;
+}
+
+void HelmApp::PublishDecision(int64_t utime) {
+  if (const std::optional<helm_decision_t> decision = arbiter_->TakeDecision()) {
+    Publish(bus_, channels::HelmDecision(vehicle_.name), *decision);
+  }
+  for (const VariablePost& post : arbiter_->TakeMessages()) {
+    node_message_t message{};
+    message.utime = utime;
+    message.src_node = vehicle_.name;
+    message.src_app = "helm";
+    constexpr std::string_view kGroup = "group:";
+    if (post.destination.starts_with(kGroup)) {
+      message.dest_group = post.destination.substr(kGroup.size());
+    } else {
+      message.dest_node = post.destination;
+    }
+    message.var_name = post.variable;
+    if (const double* number = std::get_if<double>(&post.value)) {
+      message.is_double = 1;
+      message.double_val = *number;
+    } else {
+      message.string_val = std::get<std::string>(post.value);
+    }
+    Publish(bus_, channels::NodeMessageLocal(), message);
+  }
 }
 
 // Returns true where the last NAV, or the first step, was too long ago.
@@ -196,8 +268,15 @@ void HelmApp::PublishState(int64_t utime) {
   next.all_stop = states_.all_stop();
   next.task = task == nullptr ? std::string_view() : std::string_view(task->name);
   next.task_kind = task == nullptr ? std::string_view() : KindOf(*task);
-  if (states_.guidance()) {
-    const Guidance& guidance = *states_.guidance();
+  if (arbiter_ && states_.mode() == HelmMode::kDrive) {
+    next.all_stop = arbiter_->all_stop();
+    if (const HelmAim* leading = arbiter_->Leading(); task == nullptr && leading != nullptr) {
+      next.task = leading->name;
+      next.task_kind = leading->kind;
+    }
+  }
+  if (guidance_) {
+    const Guidance& guidance = *guidance_;
     next.waypoint_index = guidance.waypoint_index;
     next.laps_done = guidance.laps_done;
     next.waypoint_x_m = guidance.waypoint_m.x();
@@ -205,7 +284,7 @@ void HelmApp::PublishState(int64_t utime) {
     next.waypoint_z_m = guidance.z_m.value_or(0);
     next.distance_m = guidance.distance_m;
     next.cross_track_error_m = guidance.cross_track_error_m;
-  } else if (task == nullptr || task->name != state_.task) {
+  } else if (task == nullptr || next.task != state_.task) {
     next.waypoint_index = -1;
     next.laps_done = 0;
     next.waypoint_x_m = next.waypoint_y_m = next.waypoint_z_m = 0;
@@ -261,6 +340,7 @@ StatusPage HelmApp::Status() const {
       "{}",
       num_navs_, num_bad_navs_, CommandsText(num_executed_), num_refused_, num_reports_,
       bus_.counters().undecodable, ContactsText());
+  if (arbiter_) page.text += arbiter_->Text();
   log_.AppendTo(&page);
   return page;
 }

@@ -54,6 +54,8 @@ class HelmStates {
   std::string_view all_stop() const;
   /// Returns the task that runs or, in ALL-STOP, will go on; nullptr: none.
   const Task* task() const;
+  /// True where the task is by an order, not one of the list.
+  bool is_interrupted() const { return interruption_.has_value() && !ended_; }
   /// Returns what the task asked for in the last Advance, or nothing unless the vessel is driving.
   const std::optional<Guidance>& guidance() const { return guidance_; }
 
@@ -78,6 +80,7 @@ class HelmStates {
   ReturnTask return_task_;
   std::string lost_nav_reason_;
 
+  const bool behaviors_lead_;  ///< There are behaviors and no tasks: an empty list is no end.
   bool parked_;
   bool was_deployed_ = false;
   bool stopped_by_command_ = false;
@@ -86,6 +89,7 @@ class HelmStates {
   size_t list_index_ = 0;
   std::optional<Errand> listed_;        ///< The task of the list; absent: not begun, or ended.
   std::optional<Errand> interruption_;  ///< Runs instead of it.
+  bool ended_ = false;                  ///< The interruption is what comes after the list.
   std::optional<double> speed_mps_;     ///< By the order `speed`, for the errand that runs.
   std::optional<Guidance> guidance_;
 };

@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cstdint>
+#include <filesystem>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "lib/check/result.h"
@@ -56,19 +58,117 @@ TEST_F(Import, RefusesWhatIsNoMoosMission) {
   EXPECT_EQ(RunImport({.files = {binary}, .out_path = ""}), kExitUsage);
 }
 
+const std::string kExamples = std::string(SHOAL_SOURCE_DIR) + "/examples/moos/";
+
 TEST_F(Import, TakesTheExampleOfTheDocumentation) {
-  const std::string folder = std::string(SHOAL_SOURCE_DIR) + "/examples/moos/";
   const std::string toml = directory_.File("mine.toml");
-  ASSERT_EQ(RunImport({.files = {folder + "shoreside.moos", folder + "meta_abe.moos",
-                                 folder + "meta_ben.moos"},
+  ASSERT_EQ(RunImport({.files = {kExamples + "shoreside.moos", kExamples + "meta_abe.moos",
+                                 kExamples + "meta_ben.moos", kExamples + "meta_abe.bhv",
+                                 kExamples + "meta_ben.bhv"},
                        .out_path = toml}),
             kExitOk);
   const LoadedMission loaded = LoadMission(toml);
   EXPECT_EQ(loaded.errors, std::vector<std::string>());
   ASSERT_EQ(loaded.mission.vehicles.size(), 2U);
-  EXPECT_EQ(loaded.mission.vehicles[1].name, "ben");
-  EXPECT_EQ(loaded.mission.vehicles[1].start.x_m, 40);
+  const Vehicle& ben = loaded.mission.vehicles[1];
+  EXPECT_EQ(ben.name, "ben");
+  EXPECT_EQ(ben.start.x_m, 40);
   EXPECT_EQ(loaded.mission.comms.comms_range_m, 250);
+  ASSERT_EQ(ben.behaviors.size(), 2U);
+  EXPECT_EQ(ben.modes.size(), 2U);
+  EXPECT_EQ(std::get<LoiterOptions>(ben.behaviors[0].what).polygon.size(), 8U);
+  EXPECT_EQ(loaded.mission.vehicles[0].behaviors.size(), 2U);
+}
+
+/// The command of docs/import_bhv.md.
+ImportOptions AvoidExample(const std::string& out_path) {
+  const std::string folder = kExamples + "avoid/";
+  return {.files = {folder + "meta_shoreside.moos", folder + "meta_vehicle.bhv",
+                    folder + "meta_vehicle.moos"},
+          .out_path = out_path,
+          .defines = {},
+          .vehicles = {"VNAME=gil COLOR=orange START_POS=0,-20,180 HOME=0,-20 CIRCLE=x=0,y=-60",
+                       "VNAME=hal START_POS=130,-20,180 HOME=130,-20 CIRCLE=x=130,y=-60"},
+          .paths = {}};
+}
+
+TEST_F(Import, TakesTheExampleWithAvoidanceWhole) {
+  const std::string toml = directory_.File("avoid.toml");
+  ::testing::internal::CaptureStderr();
+  ASSERT_EQ(RunImport(AvoidExample(toml)), kExitOk);
+  EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
+  const LoadedMission loaded = LoadMission(toml);
+  EXPECT_EQ(loaded.errors, std::vector<std::string>());
+  EXPECT_EQ(loaded.warnings, std::vector<std::string>());
+  const Mission& mission = loaded.mission;
+  EXPECT_EQ(mission.origin_lat_deg, 54.4) << "of an included file";
+  ASSERT_EQ(mission.vehicles.size(), 2U);
+  const Vehicle& hal = mission.vehicles[1];
+  EXPECT_EQ(hal.color, "yellow");
+  EXPECT_EQ(mission.vehicles[0].color, "orange");
+  ASSERT_EQ(hal.behaviors.size(), 4U);
+  EXPECT_EQ(hal.behaviors[1].templating, Templating::kSpawn);
+  EXPECT_EQ(std::get<ColregsOptions>(hal.behaviors[1].what).max_util_cpa_dist, 20);
+  EXPECT_EQ(hal.variables.size(), 4U);
+  EXPECT_EQ(hal.modes.size(), 3U);
+  ASSERT_EQ(mission.events.size(), 6U);
+  EXPECT_EQ(std::get<CommandEvent>(mission.events[1].what).argument,
+            "UP_CIRCLE=center_assign=130,-60");
+}
+
+TEST_F(Import, LeavesOutWhatItsMacrosLeaveOut) {
+  const std::string toml = directory_.File("calm.toml");
+  ImportOptions options = AvoidExample(toml);
+  options.defines = {"AVOIDANCE=none"};
+  ASSERT_EQ(RunImport(options), kExitOk);
+  EXPECT_EQ(LoadMission(toml).mission.vehicles.at(0).behaviors.size(), 3U);
+}
+
+TEST_F(Import, ReadsIncludedFilesOnlyBelowNamedFolders) {
+  std::filesystem::create_directories(directory_.File("in"));
+  std::filesystem::create_directories(directory_.File("plugs"));
+  Write("secret", "Community = stolen\n");
+  Write("plugs/p.moos", "Community = found\n");
+  const auto name_with = [&](const std::string& line, const std::vector<std::string>& paths) {
+    const std::string moos = Write("in/a.moos", line + "\nProcessConfig = uSimMarine\n{\n}\n");
+    const std::string toml = directory_.File("out.toml");
+    std::filesystem::remove(toml);
+    EXPECT_EQ(
+        RunImport(
+            {.files = {moos}, .out_path = toml, .defines = {}, .vehicles = {}, .paths = paths}),
+        kExitOk);
+    return LoadMission(toml).mission.vehicles.at(0).name;
+  };
+  EXPECT_EQ(name_with("#include ../secret", {}), "a");
+  EXPECT_EQ(name_with("#include " + directory_.File("secret"), {}), "a");
+  EXPECT_EQ(name_with("#include /dev/zero", {}), "a");
+  EXPECT_EQ(name_with("#include p.moos", {}), "a");
+  EXPECT_EQ(name_with("#include p.moos", {directory_.File("plugs")}), "found");
+  EXPECT_EQ(name_with("#include ../plugs/p.moos", {directory_.File("plugs")}), "found");
+  std::filesystem::create_symlink(directory_.File("secret"), directory_.File("in/link"));
+  EXPECT_EQ(name_with("#include link", {}), "a");
+}
+
+TEST_F(Import, RefusesDefinesThatAreNone) {
+  const std::string moos = Write("a.moos", kBlock);
+  for (const char* text : {"", "X", "=1", "A B=1"}) {
+    EXPECT_EQ(
+        RunImport(
+            {.files = {moos}, .out_path = "", .defines = {text}, .vehicles = {}, .paths = {}}),
+        kExitUsage)
+        << text;
+  }
+  EXPECT_EQ(
+      RunImport(
+          {.files = {moos}, .out_path = "", .defines = {}, .vehicles = {"A=1 B"}, .paths = {}}),
+      kExitUsage);
+}
+
+TEST_F(Import, RefusesBehaviorsAlone) {
+  const std::string bhv = Write("a.bhv", "Behavior = BHV_Timer\n{\n}\n");
+  EXPECT_EQ(RunImport({.files = {bhv}, .out_path = ""}), kExitUsage);
+  EXPECT_EQ(RunImport({.files = {Write("b.moos", kBlock), Write("c.bhv", "none")}, .out_path = ""}),
+            kExitUsage);
 }
 
 TEST(NodeReportsAsAlog, WritesALogOfNodeReports) {

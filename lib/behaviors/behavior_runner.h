@@ -14,6 +14,7 @@
 
 #include "lib/behaviors/any_behavior.h"
 #include "lib/behaviors/behavior.h"
+#include "lib/behaviors/contact_moments.h"
 #include "lib/behaviors/update_text.h"
 #include "lib/modes/flag.h"
 
@@ -82,6 +83,7 @@ class BehaviorRunner {
   };
 
   void Parse();
+  void FireMoments(const BehaviorInputs& inputs, HelmNotes& notes);
   void Fire(const std::vector<Flag>& flags, const BehaviorInputs& inputs, HelmNotes& notes);
   void FireOwn(const std::string& name, const BehaviorInputs& inputs, HelmNotes& notes);
   std::optional<std::string> MacroValue(std::string_view name, const BehaviorInputs& inputs);
@@ -105,6 +107,8 @@ class BehaviorRunner {
   std::vector<Condition> conditions_;
   FlagLists flags_;
   std::map<std::string, std::vector<Flag>> own_flags_;  ///< Parsed when they fire first.
+  std::vector<MomentFlag> moment_flags_;
+  ContactMoments moments_;
 
   RunState state_ = RunState::kNew;
   bool is_over_ = false;

@@ -71,8 +71,8 @@ struct ReceivedSetting {
 
 /// The task of the moment as one aim among the others.
 struct TaskAim {
-  std::string name;
-  std::string kind;
+  std::string name = {};
+  std::string kind = {};
   double pwt = 100;
   double course_deg = 0;  ///< What it commands alone.
   double speed_mps = 0;   ///< 0: any course.
@@ -103,10 +103,11 @@ struct HelmPoint {
 
 /// A running behavior's share in the decision.
 struct HelmAim {
-  std::string name;
-  std::string kind;
+  std::string name = {};
+  std::string kind = {};
   bool is_constraint = false;  ///< Avoidance, a limit: no goal by itself.
-  std::string state;  ///< "active" or "running", and what it states about itself: "active, leg 3".
+  std::string state =
+      {};             ///< "active" or "running", and what it states about itself: "active, leg 3".
   double weight = 0;  ///< 0: no preference now.
   HelmPoint best = {};  ///< What it alone would have chosen.
   double value = 0;     ///< Its value at the decision, 0 to 100.
@@ -168,6 +169,7 @@ class BehaviorSet {
   void Spawn(Recipe& recipe, BehaviorOptions options, const BehaviorOrigin& origin,
              const Iteration& now);
   bool HasRunnerNamed(std::string_view name) const;
+  static HelmAim AimOf(const RunReport& report);
   void Decide(const HelmInputs& inputs, const std::vector<RunReport>& reports,
               HelmOutcome& outcome) const;
   void JudgeAllStop(const std::string& error, HelmOutcome& outcome);

@@ -11,6 +11,7 @@
 #include <variant>
 #include <vector>
 
+#include "lib/guidance/survey_lanes.h"
 #include "lib/mission/describe.h"
 #include "lib/mission/suggest.h"
 #include "lib/routing/fate.h"
@@ -187,14 +188,29 @@ void Describe(Fields& fields, EncounterScoreExpectation& score, double /*end_s*/
   }
 }
 
+void Describe(Fields& fields, CoverageExpectation& coverage, double /*end_s*/) {
+  constexpr size_t kMostCorners = 200;
+  constexpr size_t kMostNames = 10'000;
+  if (fields.Has("polygon", !coverage.polygon_m.empty())) {
+    fields.Pairs("polygon", coverage.polygon_m, Between(-kFarthest_m, kFarthest_m), kMostCorners);
+    const std::string problem = fields.IsSound() ? PolygonProblem(coverage.polygon_m) : "";
+    if (!problem.empty()) fields.Refuse("polygon", problem);
+  }
+  fields.Require("sensor_width_m", "sensor_width_m = 20");
+  fields.Number("sensor_width_m", coverage.sensor_width_m, Above(0, 100'000));
+  fields.Require("at_least_pct", "at_least_pct = 95");
+  fields.Number("at_least_pct", coverage.at_least_pct, Between(0, 100));
+  fields.Texts("vehicles", coverage.vehicles, kMostNames);
+}
+
 }  // namespace
 
 void Describe(Fields& fields, Expectation& expectation, double end_s) {
   // The first ones in the order of Expectation::what.
-  constexpr std::array<std::string_view, 14> kKinds = {
-      "arrival",         "separation", "reports",  "helm",   "laps",
-      "track",           "distance",   "altitude", "swarm",  "closest_approach",
-      "encounter_score", "messages",   "acks",     "packets"};
+  constexpr std::array<std::string_view, 15> kKinds = {
+      "arrival",         "separation", "reports",  "helm",  "laps",
+      "track",           "distance",   "altitude", "swarm", "closest_approach",
+      "encounter_score", "coverage",   "messages", "acks",  "packets"};
   std::string kind(fields.reading() ? "" : kKinds.at(expectation.what.index()));
   if (const auto* comms = std::get_if<CommsExpectation>(&expectation.what)) {
     kind = fields.reading() ? "" : NameOf(comms->kind);
@@ -218,6 +234,7 @@ void Describe(Fields& fields, Expectation& expectation, double end_s) {
     if (kind == "altitude") expectation.what = AltitudeExpectation();
     if (kind == "closest_approach") expectation.what = ClosestApproachExpectation();
     if (kind == "encounter_score") expectation.what = EncounterScoreExpectation();
+    if (kind == "coverage") expectation.what = CoverageExpectation();
   }
   if (kind.empty()) {
     fields.SkipRest();  // Which keys are right depends on the kind.

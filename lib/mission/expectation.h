@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "lib/encounters/encounter.h"
 #include "lib/routing/fate.h"
@@ -103,11 +104,20 @@ struct EncounterScoreExpectation {  ///< kind = "encounter_score": of each encou
 
   bool operator==(const EncounterScoreExpectation&) const = default;
 };
+struct CoverageExpectation {  ///< kind = "coverage": an area passes under the vehicles' sensors.
+  std::vector<Eigen::Vector2d> polygon_m = {};  ///< Empty: the polygons of their surveys.
+  double sensor_width_m = 20;                   ///< Covered: within half of this of a track.
+  double at_least_pct = 95;                     ///< Of the area.
+  std::vector<std::string> vehicles = {};       ///< Names and "group:NAME"; empty: all.
+
+  bool operator==(const CoverageExpectation&) const = default;
+};
 struct Expectation {
   std::string where;  ///< "file:line" of its table, for the verdict.
   std::variant<ArrivalExpectation, SeparationExpectation, CommsExpectation, HelmExpectation,
                LapsExpectation, TrackExpectation, DistanceExpectation, AltitudeExpectation,
-               SwarmExpectation, ClosestApproachExpectation, EncounterScoreExpectation>
+               SwarmExpectation, ClosestApproachExpectation, EncounterScoreExpectation,
+               CoverageExpectation>
       what;
 
   bool operator==(const Expectation&) const = default;

@@ -208,12 +208,6 @@ bool IsBareValue(std::string_view value) {
 
 }  // namespace
 
-std::string_view Trimmed(std::string_view text) {
-  const size_t begin = text.find_first_not_of(kBlanks);
-  if (begin == std::string_view::npos) return {};
-  return text.substr(begin, text.find_last_not_of(kBlanks) - begin + 1);
-}
-
 Result<std::vector<MoosField>> ParseFields(std::string_view text) {
   return FieldReader(text).ReadAll();
 }

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "lib/check/result.h"
+#include "lib/modes/value_text.h"  // Trimmed
 
 namespace shoal {
 
@@ -30,8 +31,5 @@ struct MoosField {
 /// Appends KEY=VALUE, behind a comma where `out` holds something already: one line of text,
 /// whatever is in the value, that ParseFields reads back as the same field.
 void AppendField(std::string_view key, std::string_view value, std::string* out);
-
-/// Returns `text` without the blanks at its ends.
-[[nodiscard]] std::string_view Trimmed(std::string_view text);
 
 }  // namespace shoal

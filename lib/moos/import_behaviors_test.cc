@@ -3,7 +3,10 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <fstream>
 #include <map>
+#include <set>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -232,6 +235,26 @@ TEST(BhvKeys, HaveOneMeaningForEachKindAndName) {
   for (const BhvKey& row : AllBhvKeys()) {
     EXPECT_TRUE(seen.emplace(row.kinds, row.moos_key).second) << row.moos_key;
     EXPECT_FALSE(row.key.empty());
+  }
+}
+
+TEST(BhvKeys, AreInTheDocumentation) {
+  std::ifstream in(std::string(SHOAL_SOURCE_DIR) + "/docs/import_bhv.md");
+  std::map<std::string, std::string> row_of_kind;
+  for (std::string line; std::getline(in, line);) {
+    if (line.starts_with("| all | |")) row_of_kind["*"] = line;
+    if (line.starts_with("| those about a contact | |")) row_of_kind["@"] = line;
+    for (const BhvType& type : AllBhvTypes()) {
+      const std::string kind = "| `" + std::string(type.kind) + "` |";
+      if (line.find(kind) != std::string::npos) row_of_kind[std::string(type.kind)] = line;
+    }
+  }
+  for (const BhvKey& row : AllBhvKeys()) {
+    std::istringstream kinds{std::string(row.kinds)};
+    for (std::string kind; kinds >> kind;) {
+      EXPECT_NE(row_of_kind[kind].find("`" + std::string(row.moos_key) + "`"), std::string::npos)
+          << kind << " " << row.moos_key;
+    }
   }
 }
 

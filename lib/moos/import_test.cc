@@ -232,6 +232,133 @@ TEST(ImportMoos, WritesTheSameTextForTheSameFiles) {
   EXPECT_EQ(ImportMoos(sources).mission, ImportMoos(sources).mission);
 }
 
+std::string Helm(const std::string& name, const std::string& behaviors = "a.bhv") {
+  return "Community = " + name +
+         "\nProcessConfig = uSimMarine\n{\n}\nProcessConfig = pHelmIvP\n{\n" +
+         "Behaviors = " + behaviors +
+         "\nDomain = course:0:359:360\nDomain = speed:0:5:26\nstart_in_drive = true\n}\n";
+}
+
+constexpr const char* kSurvey =
+    "initialize DEPLOY = false, N = 2\n"
+    "set MODE = ACTIVE {\n DEPLOY = true\n} INACTIVE\n"
+    "Behavior = BHV_Waypoint\n{\n name = survey\n condition = MODE == ACTIVE\n"
+    " endflag = DEPLOY = false\n updates = UP\n speed = 2\n points = 0,0:100,0\n radius = 5\n}\n"
+    "Behavior = BHV_AvdColregsV22\n{\n name = avoid_\n templating = spawn\n"
+    " contact = to-be-set\n pwt = 200\n pwt_outer_dist = 80\n}\n";
+
+TEST(ImportMoos, GivesAVehicleTheBehaviorsOfItsFile) {
+  const MoosImport import = Import({{"a.moos", Helm("abe")}, {"a.bhv", kSurvey}});
+  EXPECT_EQ(import.warnings, std::vector<std::string>());
+  const shoal::Vehicle abe = Loaded(import).mission.vehicles.at(0);
+  EXPECT_TRUE(abe.helm_options.deploy_at_start);
+  EXPECT_EQ(abe.domain.speed_mps.count, 26);
+  EXPECT_EQ(abe.domain.speed_mps.Last(), 5);
+  EXPECT_EQ(abe.variables.at("DEPLOY"), VariableValue("false"));
+  EXPECT_EQ(abe.variables.at("N"), VariableValue(2.0));
+  ASSERT_EQ(abe.modes.size(), 1U);
+  EXPECT_EQ(abe.modes[0].otherwise, "INACTIVE");
+  ASSERT_EQ(abe.behaviors.size(), 2U);
+  EXPECT_EQ(abe.behaviors[0].name, "survey");
+  EXPECT_EQ(abe.behaviors[0].flags.endflag, (std::vector<std::string>{"DEPLOY = false"}));
+  const auto& waypoint = std::get<WaypointOptions>(abe.behaviors[0].what);
+  EXPECT_EQ(waypoint.capture_radius, 5);
+  EXPECT_EQ(waypoint.points.size(), 2U);
+  EXPECT_EQ(abe.behaviors[1].templating, Templating::kSpawn);
+  const auto& colregs = std::get<ColregsOptions>(abe.behaviors[1].what);
+  EXPECT_LT(colregs.pwt_inner_dist, colregs.pwt_outer_dist) << "90 by default, beyond 80";
+}
+
+TEST(ImportMoos, FindsTheBehaviorsOfEachVehicleByName) {
+  const std::string timer = "Behavior = BHV_Timer\n{\n name = ";
+  const MoosImport import = Import({{"x/a.moos", Helm("abe", "targ_abe.bhv")},
+                                    {"x/b.moos", Helm("ben", "other.bhv")},
+                                    {"x/b.bhv", timer + "of_ben\n}\n"},
+                                    {"y/meta_abe.bhv", timer + "of_abe\n}\n"},
+                                    {"y/c.bhv", timer + "of_none\n}\n"}});
+  const Mission mission = Loaded(import).mission;
+  EXPECT_EQ(mission.vehicles.at(0).behaviors.at(0).name, "of_abe");
+  EXPECT_EQ(mission.vehicles.at(1).behaviors.at(0).name, "of_ben");
+  EXPECT_TRUE(Warns(import, "y/c.bhv: no vehicle has these behaviors"));
+}
+
+TEST(ImportMoos, WarnsOfAVehicleWithoutBehaviors) {
+  EXPECT_TRUE(Warns(Import({{"a.moos", Helm("abe")}}),
+                    "a.moos:7: Behaviors = a.bhv: no behaviors are there: abe stays where it is"));
+}
+
+TEST(ImportMoos, ReadsATemplateOnceForEachVehicle) {
+  const std::vector<MoosSource> sources = {
+      {"v.moos", "Community = $(VNAME)\nProcessConfig = uSimMarine\n{\nstart_x = $(X)\n}\n"},
+      {"v.bhv",
+       "Behavior = BHV_StationKeep\n{\n name = keep_$(VNAME)\n station_pt = $(X),$(Y:=7)\n}\n"}};
+  const MoosImport import =
+      ImportMoos(sources, {.defines = {{"X", "1"}},
+                           .vehicles = {{{"VNAME", "abe"}}, {{"VNAME", "ben"}, {"X", "2"}}},
+                           .find = {}});
+  EXPECT_EQ(import.warnings, std::vector<std::string>());
+  const Mission mission = Loaded(import).mission;
+  ASSERT_EQ(mission.vehicles.size(), 2U);
+  EXPECT_EQ(mission.vehicles[0].start.x_m, 1);
+  EXPECT_EQ(mission.vehicles[1].start.x_m, 2);
+  EXPECT_EQ(mission.vehicles[1].behaviors.at(0).name, "keep_ben");
+  EXPECT_EQ(std::get<StationKeepOptions>(mission.vehicles[1].behaviors[0].what).station_pt,
+            Eigen::Vector2d(2, 7));
+}
+
+TEST(ImportMoos, LeavesOutABehaviorWhoseConditionIsRefused) {
+  const MoosImport import = Import({{"a.moos", Helm("abe")},
+                                    {"a.bhv",
+                                     "Behavior = BHV_Loiter\n{\n name = l\n condition = (A\n"
+                                     " polygon = 0,0:9,0:9,9\n speed = 1\n}\n"
+                                     "Behavior = BHV_Timer\n{\n name = t\n pwt = -1\n}\n"}});
+  const shoal::Vehicle abe = Loaded(import).mission.vehicles.at(0);
+  ASSERT_EQ(abe.behaviors.size(), 1U) << "one that always runs would be another";
+  EXPECT_EQ(abe.behaviors[0].name, "t");
+  EXPECT_EQ(abe.behaviors[0].pwt, 100) << "a weight that is refused is left out alone";
+  EXPECT_TRUE(Warns(import, "a.bhv:4: condition = (A: "));
+  EXPECT_TRUE(Warns(import, "a.bhv:11: pwt = -1: "));
+}
+
+TEST(ImportMoos, SetsVariablesOfBehaviorsByTimerScripts) {
+  const MoosImport import = Import({{"shore.moos",
+                                     "ProcessConfig = uTimerScript\n{\n"
+                                     "event = var=UP_ABE, val=\"speed=1 # points=1,2\", time=5\n"
+                                     "event = var=N_ALL, val=3, time=6\n"
+                                     "event = var=DEPLOY_ABE, val=false, time=7\n"
+                                     "event = var=DEPLOY_ABE, val=true, time=8\n"
+                                     "event = var=OTHER_ABE, val=true, time=9\n}\n"},
+                                    {"a.moos", Helm("abe")},
+                                    {"a.bhv", kSurvey}});
+  const Mission mission = Loaded(import).mission;
+  ASSERT_EQ(mission.events.size(), 4U);
+  const auto& update = std::get<CommandEvent>(mission.events[0].what);
+  EXPECT_EQ(update.vehicle, "abe");
+  EXPECT_EQ(update.command, "set");
+  EXPECT_EQ(update.argument, "UP=speed=1 # points=1,2");
+  EXPECT_EQ(std::get<CommandEvent>(mission.events[1].what).vehicle, "all");
+  EXPECT_EQ(std::get<CommandEvent>(mission.events[2].what).argument, "DEPLOY=false");
+  EXPECT_EQ(std::get<CommandEvent>(mission.events[3].what).command, "deploy");
+  EXPECT_TRUE(Warns(import, "var=OTHER_ABE, val=true, time=9: no counterpart"));
+}
+
+RC_GTEST_PROP(ImportMoos, WritesAMissionThatLoadsWhateverBehaviorsItReads, ()) {
+  const auto lines = *rc::gen::container<std::vector<std::string>>(rc::gen::element<std::string>(
+      "Behavior = BHV_Waypoint {", "Behavior = BHV_Loiter {", "Behavior = BHV_AvdColregsV22 {",
+      "Behavior = BHV_OpRegion {", "Behavior = BHV_GoToDepth {", "Behavior = BHV_AvoidObstacle {",
+      "}", "}", "name = a", "name = ab", "name = b!", "pwt = -1", "pwt = 1e300",
+      "condition = A = b", "condition = (A", "condition = not A", "endflag = X",
+      "endflag = X = $[UTC]", "points = 0,0", "points = 1e300,0", "polygon = 0,0:9,0:9,9",
+      "polygon = 0,0:9,9:9,0:0,9", "speed = 2", "speed = -2", "duration = -1", "templating = spawn",
+      "contact = c", "nostarve = A,-2", "repeat = 1.5", "updates = a b", "pwt_outer_dist = 1",
+      "completed_dist = 0", "depth = 1,-1", "set M = A {", "M = B", "} C", "initialize A = 1, B!=2",
+      "initialize A = x", "\xff\x01"));
+  std::string text;
+  for (const std::string& line : lines) text += line + "\n";
+  const MoosImport import = Import({{"a.moos", Helm("abe")}, {"a.bhv", text}});
+  RC_ASSERT(LoadMissionText(import.mission, "m").errors == std::vector<std::string>());
+}
+
 RC_GTEST_PROP(ImportMoos, WritesAMissionThatLoadsWhateverItReads, ()) {
   const auto words = *rc::gen::resize(
       30, rc::gen::container<std::vector<std::string>>(rc::gen::element<std::string>(

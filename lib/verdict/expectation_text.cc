@@ -84,6 +84,13 @@ struct Describer {
     return fmt::format("{} at least {:g} m above the sea floor", VehicleText(altitude.vehicle),
                        altitude.min_m);
   }
+  std::string operator()(const CoverageExpectation& coverage) const {
+    const bool by_all = coverage.vehicles.empty();
+    return fmt::format("at least {:g} % of the {} covered {:g} m wide{}{}", coverage.at_least_pct,
+                       coverage.polygon_m.empty() ? "surveyed area" : "polygon",
+                       coverage.sensor_width_m, by_all ? "" : " by ",
+                       fmt::join(coverage.vehicles, ", "));
+  }
 };
 
 }  // namespace

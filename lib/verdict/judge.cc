@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "lib/encounters/encounter_score.h"
+#include "lib/mission/coverage_area.h"
 #include "lib/routing/vehicle_name.h"
 #include "lib/verdict/expectation_text.h"
 
@@ -69,6 +70,16 @@ void JudgeShare(const auto& limits, int64_t count, int64_t offered, Outcome* out
   }
 }
 
+Outcome JudgeCoverage(const CoverageWatch& watch, double at_least_pct) {
+  const double missing_pct = at_least_pct - watch.covered_pct();
+  Outcome outcome = {.passed = missing_pct <= 0,
+                     .strain = missing_pct,
+                     .numbers = fmt::format("{:.2f} % of {:.0f} m2, in cells of {:.2g} m",
+                                            watch.covered_pct(), watch.area_m2(), watch.cell_m())};
+  if (missing_pct > 0) outcome.numbers += fmt::format(", {} % too low", FormatExcess(missing_pct));
+  return outcome;
+}
+
 /// Returns the name of the vehicle or vehicles that an expectation is put to, one by one; nothing
 /// where it looks at all of them together.
 std::string_view PutTo(const Expectation& expectation) {
@@ -123,6 +134,11 @@ Judge::Judge(const Mission& mission)
             .by_s = LimitSeconds(mission, arrival->by_s),
             .stays = arrival->stays});
       }
+    }
+    if (const auto* coverage = std::get_if<CoverageExpectation>(&expectation.what)) {
+      each.vehicles = VehiclesOf(mission, *coverage);
+      each.coverage.emplace(PolygonsOf(mission, *coverage), coverage->sensor_width_m,
+                            mission.vehicles.size());
     }
     if (std::holds_alternative<LapsExpectation>(expectation.what)) {
       each.laps.resize(each.vehicles.size());
@@ -220,6 +236,13 @@ void Judge::EndStep(int64_t utime) {
   if (watches_separation_) separation_.Look(sightings_, utime);
   for (Case& each : cases_) {
     WatchExtremes(&each, SecondsSinceStart(utime));
+    if (each.coverage) {
+      for (const size_t vehicle : each.vehicles) {
+        const Sighting& sighting = sightings_[vehicle];
+        if (!sighting.seen) continue;
+        each.coverage->Look(vehicle, sighting.position_m.head<2>(), SecondsSinceStart(utime));
+      }
+    }
     for (size_t i = 0; i < each.arrivals.size(); ++i) {
       const Sighting& sighting = sightings_[each.vehicles[i]];
       if (!sighting.seen) continue;
@@ -271,6 +294,8 @@ std::vector<ExpectationVerdict> Judge::Verdicts() const {
       outcome = {.passed = true, .strain = 0, .numbers = {}};
       JudgeShare(*swarm, swarm_counts_.Count(from, to, swarm->outcome),
                  swarm_counts_.CountOffered(from, to), &outcome);
+    } else if (const auto* coverage = std::get_if<CoverageExpectation>(&each.expectation->what)) {
+      outcome = JudgeCoverage(*each.coverage, coverage->at_least_pct);
     } else {
       outcome = Combine(each, FindForVehicles(each));
     }

@@ -23,6 +23,7 @@
 #include "lib/mission/mission.h"
 #include "lib/vehicle/collision_watch.h"
 #include "lib/verdict/arrival_watch.h"
+#include "lib/verdict/coverage_watch.h"
 #include "lib/verdict/extreme_watch.h"
 #include "lib/verdict/fate_counts.h"
 #include "lib/verdict/outcome.h"
@@ -121,8 +122,9 @@ class Judge {
     std::vector<size_t> vehicles;
     std::vector<ArrivalWatch> arrivals;
     std::vector<LapsWatch> laps;
-    std::vector<ExtremeWatch> extremes;  ///< Of what a track, distance or altitude is.
-    size_t encounters = 0;               ///< Which of encounters_, of expectations of these.
+    std::vector<ExtremeWatch> extremes;     ///< Of what a track, distance or altitude is.
+    size_t encounters = 0;                  ///< Which of encounters_, of expectations of these.
+    std::optional<CoverageWatch> coverage;  ///< Of all its vehicles together.
   };
 
   std::vector<size_t> VehiclesNamed(std::string_view name) const;

@@ -77,6 +77,28 @@ TEST_F(JudgeTest, IgnoresPositionsThatAreNone) {
   EXPECT_EQ(Only().numbers, "no two vehicles were seen");
 }
 
+TEST_F(JudgeTest, StatesHowMuchOfAnAreaWasCovered) {
+  Judge& judge = For(CoverageExpectation{.polygon_m = {{0, 0}, {400, 0}, {400, 100}, {0, 100}},
+                                         .sensor_width_m = 20,
+                                         .at_least_pct = 25,
+                                         .vehicles = {"alpha"}});
+  EXPECT_EQ(Only().text, "at least 25 % of the polygon covered 20 m wide by alpha");
+  for (int i = 0; i <= 250; ++i) {
+    judge.TakeNav(0, {2.0 * i - 50, 50, 0});
+    judge.TakeNav(1, {2.0 * i - 50, 20, 0});  // Of a vehicle that does not count.
+    judge.EndStep(At(i));
+  }
+  EXPECT_FALSE(Only().passed);
+  EXPECT_EQ(Only().numbers.find("20.0"), 0U) << Only().numbers;
+  EXPECT_NE(Only().numbers.find(" m2, in cells of 1 m, 5.0 % too low"), std::string::npos)
+      << Only().numbers;
+  for (int i = 0; i <= 250; ++i) {
+    judge.TakeNav(0, {2.0 * i - 50, 80, 0});
+    judge.EndStep(At(600 + i));
+  }
+  EXPECT_TRUE(Only().passed);
+}
+
 TEST_F(JudgeTest, MeasuresTheWayOfEachVehicle) {
   Judge& judge = For(SeparationExpectation{.min_m = 5});
   judge.TakeNav(0, {10, 10, 0});
