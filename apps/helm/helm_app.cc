@@ -202,6 +202,7 @@ std::string HelmApp::Execute(const HelmOrder& order) {
 
 void HelmApp::OnNodeReport(const node_report_t& report) {
   ++num_reports_;
+  if (arbiter_) arbiter_->OnNodeReport(report, utime_.value_or(report.utime));
   if (!IsPlace(report.x_m, report.y_m)) {
     log_.Warn(kBadReport);
     return;
