@@ -262,7 +262,7 @@ void Arbiter::Decide(const Moment& moment) {
   outcome_.events.clear();
   outcome_.warnings.clear();
 
-  const bool is_silent = !moment.drives || outcome_.only_task;
+  const bool is_silent = !moment.drives || moment.nav == nullptr || outcome_.only_task;
   if (is_silent && unpublished_events_.empty()) return;
   helm_decision_t next = Message(moment.utime);
   next.events = unpublished_events_;

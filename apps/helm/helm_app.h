@@ -59,37 +59,36 @@ class HelmApp : public App {
   void PublishState(int64_t utime);
   std::string ContactsText() const;
 
-  const Vehicle vehicle_;
+  // What every step needs comes first, as in vehicle_sim.
   Bus& bus_;
-  const Channel<desired_t> desired_channel_;
-  const Channel<actuators_t> actuators_channel_;
-  const Channel<helm_state_t> state_channel_;
+  const std::unique_ptr<Pilot> pilot_;
   const int64_t nav_timeout_us_;
   const int64_t state_interval_us_;
-  const std::string lost_nav_warning_;
-
-  HelmStates states_;
-  std::optional<Arbiter> arbiter_;    ///< Of vehicles with behaviors.
-  std::optional<Guidance> guidance_;  ///< Of the last step.
-  const std::unique_ptr<Pilot> pilot_;
-  SwarmView swarm_;
-
+  int64_t num_navs_ = 0;
+  std::unique_ptr<Arbiter> arbiter_;  ///< Of vehicles with behaviors; else nullptr.
   std::optional<int64_t> utime_;      ///< Of the last step.
-  nav_t nav_{};                       ///< The last that made sense.
-  bool nav_is_fresh_ = false;         ///< It came in this step.
   std::optional<int64_t> nav_utime_;  ///< The step in which it came; none came: the first step.
+  std::optional<int64_t> state_utime_;
+  bool nav_is_fresh_ = false;  ///< It came in this step.
   bool had_nav_ = false;
   bool nav_was_lost_ = false;
+  nav_t nav_{};  ///< The last that made sense.
   desired_t desired_{};
   actuators_t actuators_{};
   helm_state_t state_{};  ///< As published last.
-  std::optional<int64_t> state_utime_;
+  const Channel<desired_t> desired_channel_;
+  const Channel<actuators_t> actuators_channel_;
+  const Channel<helm_state_t> state_channel_;
+  HelmStates states_;
+  SwarmView swarm_;
+  std::optional<Guidance> guidance_;  ///< With an arbiter: of the last step.
 
+  const Vehicle vehicle_;
+  const std::string lost_nav_warning_;
   std::map<std::string, Contact, std::less<>> contacts_;
   StatusLog log_;
   std::array<int64_t, kNumOrderKinds> num_executed_{};
   int64_t num_refused_ = 0;
-  int64_t num_navs_ = 0;
   int64_t num_bad_navs_ = 0;
   int64_t num_reports_ = 0;
 };

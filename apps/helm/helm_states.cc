@@ -24,8 +24,7 @@ HelmStates::HelmStates(const Vehicle& vehicle)
     : tasks_(vehicle.tasks),
       return_task_(vehicle.return_task),
       lost_nav_reason_(fmt::format("no NAV for {:.1f} s", vehicle.helm_options.nav_timeout_s)),
-      behaviors_lead_(!vehicle.behaviors.empty() && vehicle.tasks.empty()),
-      parked_(true) {
+      behaviors_lead_(!vehicle.behaviors.empty() && vehicle.tasks.empty()) {
   if (vehicle.helm_options.deploy_at_start) {
     [[maybe_unused]] const std::string refusal = Execute({.kind = OrderKind::kDeploy});
   }

@@ -63,9 +63,9 @@ class HelmStates {
   /// A task and how far it has come.
   struct Errand {
     Task task;
-    std::optional<TaskRunner> runner = {};  ///< Absent until there is a fix to start from.
-    bool was_paused = false;                ///< Something else happened since the last update.
+    bool was_paused = false;  ///< Something else happened since the last update.
     bool is_done = false;
+    std::optional<TaskRunner> runner = {};  ///< Absent until there is a fix to start from.
   };
 
   std::string Drive(const HelmOrder& order);
@@ -76,22 +76,22 @@ class HelmStates {
   Errand* Current();
   const Errand* Current() const;
 
+  bool parked_ = true;
+  bool was_deployed_ = false;
+  bool stopped_by_command_ = false;
+  bool nav_is_lost_ = false;
+  std::optional<double> speed_mps_;  ///< By the order `speed`, for the errand that runs.
+  std::optional<Guidance> guidance_;
+  std::optional<Errand> listed_;        ///< The task of the list; absent: not begun, or ended.
+  std::optional<Errand> interruption_;  ///< Runs instead of it.
+
+  size_t list_index_ = 0;
   std::vector<Task> tasks_;
   ReturnTask return_task_;
   std::string lost_nav_reason_;
-
-  const bool behaviors_lead_;  ///< There are behaviors and no tasks: an empty list is no end.
-  bool parked_;
-  bool was_deployed_ = false;
-  bool stopped_by_command_ = false;
   std::string stop_reason_;
-  bool nav_is_lost_ = false;
-  size_t list_index_ = 0;
-  std::optional<Errand> listed_;        ///< The task of the list; absent: not begun, or ended.
-  std::optional<Errand> interruption_;  ///< Runs instead of it.
-  bool ended_ = false;                  ///< The interruption is what comes after the list.
-  std::optional<double> speed_mps_;     ///< By the order `speed`, for the errand that runs.
-  std::optional<Guidance> guidance_;
+  bool ended_ = false;         ///< The interruption is what comes after the list.
+  const bool behaviors_lead_;  ///< There are behaviors and no tasks: an empty list is no end.
 };
 
 }  // namespace shoal

@@ -1,4 +1,4 @@
-// Encounters by design: who starts where, how fast and for which goal.
+// Encounters by design: where each vessel starts, how fast and for which goal.
 //
 //   const EncounterScenario head_on = ImazuCase(1, {});
 //

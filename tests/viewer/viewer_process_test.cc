@@ -204,10 +204,14 @@ TEST(Viewer, ShowsWhereTheLauncherStandsStill) {
   EXPECT_TRUE(AwaitThat([&] { return viewer.State() == "running"; })) << viewer.State();
 }
 
-TEST(Viewer, ShowsNothingThatIsSealedWithoutTheSecret) {
+/// The viewer receives the ports of vehicles in another way than the shore's.
+class ViewerInLayout : public testing::TestWithParam<const char*> {};
+
+TEST_P(ViewerInLayout, ShowsNothingThatIsSealedWithoutTheSecret) {
   const TestFolder folder;
   setenv("SHOAL_RUN_DIR", (folder / "run").c_str(), 1);
-  const RunningProcess mission(folder, RunArguments({"--warp", "1", "--quiet"}));
+  const RunningProcess mission(folder,
+                               RunArguments({"--warp", "1", "--quiet", "--layout", GetParam()}));
   WatchedViewer viewer(folder);
   ASSERT_TRUE(AwaitThat([&] { return PlaceOf(viewer.Frame()).has_value(); }));
   ASSERT_EQ(RunShoal(folder, {"send", "clock", "pause"}).exit_code, 0);
@@ -247,6 +251,9 @@ TEST(Viewer, ShowsNothingThatIsSealedWithoutTheSecret) {
   })) << viewer.Frame();
   EXPECT_EQ(PlaceOf(viewer.Frame())->first, 777) << viewer.Frame();
 }
+
+INSTANTIATE_TEST_SUITE_P(Both, ViewerInLayout, testing::Values("shared", "communities"),
+                         [](const auto& layout) { return std::string(layout.param); });
 
 TEST(Viewer, SendsCommandsWithTheToken) {
   const TestFolder folder;
