@@ -80,7 +80,7 @@ TEST(AvoidObstacle, KeepsTheSideThatItHasBegunWith) {
   EXPECT_EQ(ValueOf(*answer.objective, 60, 20, 0), 0);
   EXPECT_GT(ValueOf(*answer.objective, 300, 20, 0), 90);
   meeting.vessel.own.motion.heading_deg = 10;
-  EXPECT_EQ(Value(*meeting.Run(behavior).objective, 60, 20, 0), 0);
+  EXPECT_EQ(ValueOf(*meeting.Run(behavior).objective, 60, 20, 0), 0);
 }
 
 TEST(AvoidObstacle, StopsTheHelmInsideOrWarns) {
