@@ -6,7 +6,6 @@
 
 #include "lib/bus/control_message.h"
 #include "lib/routing/control.h"
-#include "lib/routing/vehicle_name.h"
 #include "lib/verdict/summary.h"
 
 namespace shoal {
@@ -25,7 +24,10 @@ DirectorApp::DirectorApp(const Mission& mission, Bus& bus)
   for (size_t i = 0; i < mission.vehicles.size(); ++i) {
     const std::string& name = mission.vehicles[i].name;
     Subscribe(bus, channels::Nav(name), [this, i](const nav_t& nav) {
-      if (judge_.TakeNav(i, {nav.x_m, nav.y_m, nav.z_m}, nav.altitude_m)) return;
+      if (judge_.TakeNav(i, {nav.x_m, nav.y_m, nav.z_m}, nav.altitude_m) &&
+          judge_.TakeMotion(i, nav.heading_deg, nav.speed_mps)) {
+        return;
+      }
       log_.Warn(fmt::format("NAV of {} dropped: it holds an impossible number",
                             mission_.vehicles[i].name));
     });
@@ -43,6 +45,7 @@ DirectorApp::DirectorApp(const Mission& mission, Bus& bus)
       const Vehicle& vehicle = mission_.vehicles[i];
       if (vehicle.sim != Provider::kNone || vehicle.name != report.name) continue;
       judge_.TakeNav(i, {report.x_m, report.y_m, report.depth_m}, report.altitude_m);
+      judge_.TakeMotion(i, report.heading_deg, report.speed_mps);
     }
   });
   bus.SubscribeBytes(channels::CommsFates().name,
@@ -112,8 +115,8 @@ void DirectorApp::PublishEvent(int64_t utime, const CommandEvent& event) {
   command.argument = event.argument;
   command.num_values = static_cast<int32_t>(event.values.size());
   command.values = event.values;
-  for (const std::string& vehicle : VehiclesNamed(event.vehicle)) {
-    Publish(bus_, channels::HelmCommand(vehicle), command);
+  for (const Vehicle* vehicle : mission_.VehiclesNamed(event.vehicle)) {
+    Publish(bus_, channels::HelmCommand(vehicle->name), command);
   }
   log_.Event(utime, fmt::format("{} to {}", event.command, event.vehicle));
 }
@@ -124,8 +127,8 @@ void DirectorApp::PublishEvent(int64_t utime, const SimCommandEvent& event) {
   command.command = event.command;
   command.num_values = static_cast<int32_t>(event.values.size());
   command.values = event.values;
-  for (const std::string& vehicle : VehiclesNamed(event.vehicle)) {
-    Publish(bus_, channels::SimCommand(vehicle), command);
+  for (const Vehicle* vehicle : mission_.VehiclesNamed(event.vehicle)) {
+    Publish(bus_, channels::SimCommand(vehicle->name), command);
   }
   log_.Event(utime, fmt::format("{} to the simulator of {}", event.command, event.vehicle));
 }
@@ -174,13 +177,6 @@ void DirectorApp::AnswerControlsRequest(int64_t utime) {
   answer.utime = utime;
   log_.Event(utime, fmt::format("UNC_CONTROLS: {} published on request", answer.num_controls));
   Publish(bus_, channels::UncControls(), answer);
-}
-
-std::vector<std::string> DirectorApp::VehiclesNamed(const std::string& name) const {
-  if (VehicleKey(name) != "all") return {name};
-  std::vector<std::string> names;
-  for (const Vehicle& vehicle : mission_.vehicles) names.push_back(vehicle.name);
-  return names;
 }
 
 int64_t DirectorApp::num_delivered() const {

@@ -48,7 +48,6 @@ class DirectorApp : public Director {
   void PublishEvent(int64_t utime, const RuleEvent& event);
   void PublishEvent(int64_t utime, const MessageEvent& event);
   void AnswerControlsRequest(int64_t utime);
-  std::vector<std::string> VehiclesNamed(const std::string& name) const;
 
   const Mission& mission_;
   Bus& bus_;

@@ -142,6 +142,17 @@ TEST_F(DirectorTest, PublishesEachEventOnceInTheFirstStepAtOrAfterItsTime) {
                                                  "400 bravo sim pause"}));
 }
 
+TEST_F(DirectorTest, PublishesAnEventToEachMemberOfAGroup) {
+  mission_.vehicles[1].group = "sweepers";
+  mission_.events = {
+      Command(0.1, "group:Sweepers", "deploy"),
+      {.at_s = 0.2,
+       .what = SimCommandEvent{.vehicle = "group:sweepers", .command = "pause", .values = {}}},
+  };
+  for (int i = 0; i < 5; ++i) Step();
+  EXPECT_EQ(received_, (std::vector<std::string>{"100 bravo deploy ", "200 bravo sim pause"}));
+}
+
 TEST_F(DirectorTest, PublishesEventsOfOneTimeInTheMissionsOrder) {
   mission_.events = {
       Command(0.1, "alpha", "task", "b"),

@@ -13,6 +13,21 @@
 
 namespace shoal {
 
+namespace {
+
+/// Asks for the first lines of an object, where apps and buses keep what every step needs: a step
+/// meets each of thousands of participants once, after the caches have forgotten it.
+void Prefetch(const void* object) {
+  constexpr uintptr_t kLine_bytes = 64;
+  constexpr uintptr_t kLines = 10;
+  const auto begin = reinterpret_cast<uintptr_t>(object);
+  for (uintptr_t i = 0; i < kLines; ++i) {
+    __builtin_prefetch(reinterpret_cast<const void*>(begin + i * kLine_bytes));
+  }
+}
+
+}  // namespace
+
 struct Simulation::State {
   struct Member {
     Bus* bus = nullptr;
@@ -78,7 +93,13 @@ bool Simulation::Step() {
   }
   ++state.step;
   state.hub.NextStep();
-  for (const State::Member& member : state.members) {
+  constexpr size_t kAhead = 2;
+  for (size_t i = 0; i < state.members.size(); ++i) {
+    if (i + kAhead < state.members.size()) {
+      Prefetch(state.members[i + kAhead].bus);
+      Prefetch(state.members[i + kAhead].app.get());
+    }
+    const State::Member& member = state.members[i];
     state.hub.Handle(*member.bus);
     if (member.app) member.app->Tick(utime());
   }

@@ -41,7 +41,7 @@ export class Commands {
     }
     this.target = element('select', {id: 'command-target', onchange: () => {
       this.#showFactors();
-      page.select(this.target.value);
+      if (!this.target.value.startsWith('group:')) page.select(this.target.value);
     }});
     this.list = element('ol', {id: 'command-list', class: 'commands', 'aria-live': 'polite'});
     this.rows = new KeyedList(this.list, () => commandRow());
@@ -56,8 +56,11 @@ export class Commands {
     this.unsent = [];
     this.mark = null;
     const kept = this.target.value;
-    this.target.replaceChildren(...this.page.setup.vehicles.map(({name}) =>
-      element('option', {value: name}, name)));
+    const {vehicles} = this.page.setup;
+    const groups = new Set(vehicles.map(({group}) => group).filter((group) => group));
+    this.target.replaceChildren(...vehicles.map(({name}) => element('option', {value: name}, name)),
+      ...[...groups].map((group) =>
+        element('option', {value: `group:${group}`}, `group ${clip(group, 40)}`)));
     if (kept) this.target.value = kept;
   }
 

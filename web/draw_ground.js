@@ -69,7 +69,7 @@ function rgbOf(color) {
   return probe.getImageData(0, 0, 1, 1).data;
 }
 
-export function drawGround(ctx, camera, theme, {floor, area, layers}) {
+export function drawGround(ctx, camera, theme, {floor, area, surveys, layers}) {
   ctx.fillStyle = theme.water;
   ctx.fillRect(0, 0, camera.width, camera.height);
   if (layers.contours && floor) {
@@ -77,7 +77,9 @@ export function drawGround(ctx, camera, theme, {floor, area, layers}) {
     drawContours(ctx, camera, theme, floor.contours);
   }
   if (layers.grid) drawGrid(ctx, camera, theme);
-  if (layers.area) drawArea(ctx, camera, theme, area);
+  if (!layers.area) return;
+  drawArea(ctx, camera, theme, area);
+  drawSurveys(ctx, camera, theme, surveys);
 }
 
 function drawGrid(ctx, camera, theme) {
@@ -193,4 +195,16 @@ function drawArea(ctx, camera, theme, area) {
   ctx.setLineDash([10, 4, 2, 4]);
   ctx.stroke();
   ctx.setLineDash([]);
+}
+
+function drawSurveys(ctx, camera, theme, surveys) {
+  ctx.lineWidth = 1.2;
+  ctx.strokeStyle = theme.area;
+  ctx.globalAlpha = 0.7;
+  ctx.setLineDash([5, 5]);
+  ctx.beginPath();
+  for (const polygon of surveys) camera.addLine(ctx, polygon, true);
+  ctx.stroke();
+  ctx.setLineDash([]);
+  ctx.globalAlpha = 1;
 }

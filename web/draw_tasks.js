@@ -22,7 +22,7 @@ export function tasksKey(vehicles, selected) {
 
 /**
  * Draws waypoints and legs of the present tasks, the leg that is being sailed broader.
- * `tasksByVehicle`: name to [{name, points, closed, radius_m}], all points being finite.
+ * `tasksByVehicle`: name to [{name, points, closed, radius_m, marked}], all points being finite.
  */
 export function drawTasks(ctx, camera, theme, vehicles, tasksByVehicle, selected) {
   for (const vehicle of vehicles) {
@@ -40,7 +40,7 @@ export function drawTasks(ctx, camera, theme, vehicles, tasksByVehicle, selected
     camera.addLine(ctx, points, Boolean(task.closed));
     ctx.stroke();
     drawLeg(ctx, camera, task, points, vehicle.helm?.waypoint, chosen);
-    drawPoints(ctx, camera, points, chosen);
+    if (task.marked !== false) drawPoints(ctx, camera, points, chosen);
     if (task.radius_m > 0) {
       ctx.setLineDash([4, 4]);
       ctx.beginPath();

@@ -1,4 +1,4 @@
-// Trails, paler with age. What is older than the picture of the layer is drawn into it, what came
+// Trails, paler with age, and the swaths that sensors have covered along them. What is older than the picture of the layer is drawn into it, what came
 // since is drawn each time.
 
 import {vehicleColor} from './colors.js';
@@ -6,6 +6,7 @@ import {vehicleColor} from './colors.js';
 // Seconds of age, and how opaque what is younger than that is.
 const kFades = [[30, 0.95], [60, 0.8], [120, 0.66], [240, 0.52], [480, 0.4], [Infinity, 0.28]];
 const kWidth = 1.8;
+const kSwath = 0.2;
 
 /** Draws all trails from their beginning to `t`. */
 export function drawTrails(ctx, camera, theme, world, vehicles, t) {
@@ -74,9 +75,35 @@ function firstAfter(trail, t, end) {
   return low;
 }
 
+/**
+ * Draws what vehicles have passed within reach of their sensors until `t`, each pass as broad as
+ * its sensor sees. `coverage` is [{width_m, vehicles: [name, ...]}].
+ */
+export function drawSwaths(ctx, camera, theme, world, coverage, vehicles, t) {
+  ctx.globalAlpha = kSwath;
+  ctx.lineJoin = 'round';
+  ctx.lineCap = 'round';
+  ctx.setLineDash([]);
+  for (const {width_m: width, vehicles: names} of coverage) {
+    const margin = width / camera.metresPerPixel / 2;
+    ctx.lineWidth = 2 * margin;
+    for (const vehicle of vehicles) {
+      if (!names.has(vehicle.name)) continue;
+      const trail = world.trail(vehicle.name, t);
+      if (!trail || trail.count < 2) continue;
+      ctx.strokeStyle = vehicleColor(vehicle.name, vehicle.color, theme.light);
+      ctx.beginPath();
+      addPart(ctx, camera, trail, 0, trail.count - 1, margin);
+      ctx.stroke();
+    }
+  }
+  ctx.lineCap = 'butt';
+  ctx.globalAlpha = 1;
+}
+
 // Adds points begin..end; left out are those out of sight and those that the line through others
 // misses by less than half a pixel (Reumann and Witkam 1974): it is the corners that cost time.
-function addPart(ctx, camera, trail, begin, end) {
+function addPart(ctx, camera, trail, begin, end, margin = 0) {
   const {width, height, metresPerPixel, cx, cy} = camera;
   const scale = 1 / metresPerPixel;
   const offsetX = width / 2 - cx * scale;
@@ -86,9 +113,10 @@ function addPart(ctx, camera, trail, begin, end) {
   let ay = offsetY - trail.y[begin] * scale;
   let [lx, ly, ux, uy, along] = [ax, ay, 0, 0, 0];
   let pen = false;
+  const rim = 20 + margin;
   const lineTo = (x, y) => {
-    const seen = !((x < -20 && ax < -20) || (y < -20 && ay < -20) ||
-        (x > width + 20 && ax > width + 20) || (y > height + 20 && ay > height + 20));
+    const seen = !((x < -rim && ax < -rim) || (y < -rim && ay < -rim) ||
+        (x > width + rim && ax > width + rim) || (y > height + rim && ay > height + rim));
     if (seen) {
       if (!pen) ctx.moveTo(ax, ay);
       ctx.lineTo(x, y);

@@ -5,7 +5,7 @@ import {LabelLayer} from './draw_labels.js';
 import {drawMark, drawMeasure, drawNorth, drawScaleBar} from './draw_overlay.js';
 import {drawPulses, drawRings} from './draw_signals.js';
 import {drawRanges, drawTargets, drawTasks, tasksKey} from './draw_tasks.js';
-import {drawTrailEnds, drawTrails} from './draw_trails.js';
+import {drawSwaths, drawTrailEnds, drawTrails} from './draw_trails.js';
 import {drawReported, drawVehicles} from './draw_vehicles.js';
 import {isNumber} from './geometry.js';
 import {MapLayer, Motion} from './map_layer.js';
@@ -13,6 +13,7 @@ import {acousticKinds} from './world.js';
 
 // The picture of the trails is drawn anew so often, for their fading.
 const kTrails_ms = 3000;
+const kSwaths_ms = 1000;
 // Many vehicles turn to another waypoint at any time.
 const kTasks_ms = 300;
 // On a slow machine once in this many frames.
@@ -34,10 +35,33 @@ function tasksOf(vehicle) {
       .map((task) => ({...task, points: placesOf(task.points)}));
 }
 
+/** Returns what the setup has to be covered: [{width_m, vehicles: Set}]. */
+export function coverageOf(setup) {
+  return arrayOr(setup?.coverage)
+      .filter((each) => isNumber(each?.width_m) && each.width_m > 0)
+      .map((each) => ({width_m: each.width_m, vehicles: new Set(arrayOr(each.vehicles))}));
+}
+
+/** Returns the polygons that are surveyed or to be covered, each once. */
+export function surveysOf(setup) {
+  const polygons = new Map();
+  const add = (polygon) => {
+    const places = placesOf(polygon);
+    if (places.length > 2) polygons.set(JSON.stringify(places), places);
+  };
+  for (const vehicle of arrayOr(setup?.vehicles)) {
+    for (const task of arrayOr(vehicle?.tasks)) add(task?.area);
+  }
+  for (const each of arrayOr(setup?.coverage)) arrayOr(each?.areas).forEach(add);
+  return [...polygons.values()];
+}
+
 export class MapPainter {
   motion = new Motion();
   #world = null;
   #area = [];
+  #surveys = [];
+  #coverage = [];
   #floor = null;
   #tasksOf = new Map();
   #version = 0;   // Of the setup and the choice of layers.
@@ -47,6 +71,8 @@ export class MapPainter {
   #tasks = new MapLayer();
   #tasksKey = '';
   #tasksFor = null;
+  #swaths = new MapLayer();
+  #swathStamp = {version: -1, until: Infinity, count: 0};
   #trails = new MapLayer();
   #trailStamp = {version: -1, until: Infinity, count: 0};
   #labels = new LabelLayer();
@@ -54,10 +80,13 @@ export class MapPainter {
   setWorld(world, setup) {
     this.#world = world;
     this.#area = placesOf(setup?.op_area);
+    this.#surveys = surveysOf(setup);
+    this.#coverage = coverageOf(setup);
     this.#floor = setup?.floor ? new FloorPicture(setup.floor) : null;
     this.#tasksOf = new Map(
         arrayOr(setup?.vehicles).map((vehicle) => [vehicle?.name, tasksOf(vehicle)]));
     this.#trailStamp.version = -1;
+    this.#swathStamp.version = -1;
     this.changed();
   }
 
@@ -75,8 +104,10 @@ export class MapPainter {
     ctx.fillStyle = theme.water;
     ctx.fillRect(0, 0, camera.width, camera.height);
     this.#show(this.#ground, ctx, view, '', nowMs, (to, wide) =>
-      drawGround(to, wide, theme, {floor: this.#floor, area: this.#area, layers}));
+      drawGround(to, wide, theme,
+                 {floor: this.#floor, area: this.#area, surveys: this.#surveys, layers}));
     if (this.#world) {
+      if (layers.area && this.#coverage.length > 0) this.#paintSwaths(ctx, view, shown, nowMs);
       if (layers.pulses) this.#paintPulses(ctx, view, t, nowMs);
       if (layers.tasks) this.#paintTasks(ctx, view, vehicles, nowMs);
       if (layers.trails) this.#paintTrails(ctx, view, shown, nowMs);
@@ -129,14 +160,25 @@ export class MapPainter {
       drawTasks(to, wide, view.theme, vehicles, this.#tasksOf, selected));
   }
 
+  // A picture of trails is drawn anew where they were changed, where time has gone back, and when
+  // it is too old.
+  #renew(stamp, layer, most_ms, t, nowMs) {
+    const version = this.#world.trailsVersion;
+    if (stamp.version === version && t >= stamp.until && layer.age(nowMs) <= most_ms) return;
+    stamp.version = version;
+    stamp.until = t;
+    ++stamp.count;
+  }
+
+  #paintSwaths(ctx, view, {t, vehicles}, nowMs) {
+    this.#renew(this.#swathStamp, this.#swaths, kSwaths_ms, t, nowMs);
+    this.#show(this.#swaths, ctx, view, this.#swathStamp.count, nowMs, (to, wide) =>
+      drawSwaths(to, wide, view.theme, this.#world, this.#coverage, vehicles, t));
+  }
+
   #paintTrails(ctx, view, {t, vehicles}, nowMs) {
     const [world, stamp] = [this.#world, this.#trailStamp];
-    if (stamp.version !== world.trailsVersion || t < stamp.until ||
-        this.#trails.age(nowMs) > kTrails_ms) {
-      stamp.version = world.trailsVersion;
-      stamp.until = t;
-      ++stamp.count;
-    }
+    this.#renew(stamp, this.#trails, kTrails_ms, t, nowMs);
     this.#show(this.#trails, ctx, view, stamp.count, nowMs, (to, wide) => {
       stamp.until = t;
       drawTrails(to, wide, view.theme, world, vehicles, t);

@@ -23,6 +23,7 @@ export function placesToFit(setup, vehicles) {
     addPoints([vehicle?.start]);
     for (const task of Array.isArray(vehicle?.tasks) ? vehicle.tasks : []) {
       addPoints(task?.points, Math.max(0, task?.radius_m ?? 0));
+      addPoints(task?.area);
     }
   }
   addPoints(setup?.op_area);

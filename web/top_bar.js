@@ -18,7 +18,7 @@ export const kLayers = [
   ['pulses', 'Comms pulses'],
   ['rings', 'Acoustic packets as rings'],
   ['contours', 'Depth contours of the floor'],
-  ['area', 'Operation area'],
+  ['area', 'Areas: of operations, surveyed, covered'],
   ['grid', 'Grid'],
   ['names', 'Names, modes, depths'],
 ];

@@ -30,12 +30,55 @@ bool IsPlace(double x_m, double y_m) {
   return std::abs(x_m) <= kMaxCoordinate_m && std::abs(y_m) <= kMaxCoordinate_m;
 }
 
-/// True where `next` differs from `last` in more than follows from NAV.
-bool HasNews(const helm_state_t& next, const helm_state_t& last) {
-  return next.state != last.state || next.task != last.task || next.task_kind != last.task_kind ||
-         next.all_stop != last.all_stop || next.waypoint_index != last.waypoint_index ||
-         next.laps_done != last.laps_done || next.waypoint_x_m != last.waypoint_x_m ||
-         next.waypoint_y_m != last.waypoint_y_m || next.waypoint_z_m != last.waypoint_z_m;
+/// The words of HELM_STATE, not copied: most steps have nothing new to publish.
+struct StateWords {
+  std::string_view state;
+  std::string_view all_stop;
+  std::string_view task;
+  std::string_view task_kind;
+};
+
+StateWords WordsOf(const HelmStates& states) {
+  const Task* task = states.task();
+  return {.state = Name(states.mode()),
+          .all_stop = states.all_stop(),
+          .task = task == nullptr ? std::string_view() : std::string_view(task->name),
+          .task_kind = task == nullptr ? std::string_view() : KindOf(*task)};
+}
+
+/// Where it steers for, as HELM_STATE has it.
+struct StateNumbers {
+  int waypoint_index = -1;
+  int laps_done = 0;
+  Eigen::Vector3d waypoint_m = Eigen::Vector3d::Zero();
+  double distance_m = 0;
+  double cross_track_error_m = 0;
+};
+
+StateNumbers NumbersOf(const Guidance& guidance) {
+  return {
+      .waypoint_index = guidance.waypoint_index,
+      .laps_done = guidance.laps_done,
+      .waypoint_m = {guidance.waypoint_m.x(), guidance.waypoint_m.y(), guidance.z_m.value_or(0)},
+      .distance_m = guidance.distance_m,
+      .cross_track_error_m = guidance.cross_track_error_m};
+}
+
+StateNumbers NumbersOf(const helm_state_t& state) {
+  return {.waypoint_index = state.waypoint_index,
+          .laps_done = state.laps_done,
+          .waypoint_m = {state.waypoint_x_m, state.waypoint_y_m, state.waypoint_z_m},
+          .distance_m = state.distance_m,
+          .cross_track_error_m = state.cross_track_error_m};
+}
+
+/// True where the next HELM_STATE differs from `last` in more than follows from NAV.
+bool HasNews(const StateWords& words, const StateNumbers& numbers, const helm_state_t& last) {
+  return words.state != last.state || words.task != last.task ||
+         words.task_kind != last.task_kind || words.all_stop != last.all_stop ||
+         numbers.waypoint_index != last.waypoint_index || numbers.laps_done != last.laps_done ||
+         numbers.waypoint_m.x() != last.waypoint_x_m ||
+         numbers.waypoint_m.y() != last.waypoint_y_m || numbers.waypoint_m.z() != last.waypoint_z_m;
 }
 
 constexpr size_t kMaxContactsShown = 10;
@@ -58,18 +101,22 @@ std::string CommandsText(const std::array<int64_t, kNumOrderKinds>& num_executed
 }  // namespace
 
 HelmApp::HelmApp(const Mission& mission, const Vehicle& vehicle, Bus& bus)
-    : vehicle_(vehicle),
-      bus_(bus),
+    : bus_(bus),
+      pilot_(MakePilot(vehicle)),
+      nav_timeout_us_(Microseconds(vehicle.helm_options.nav_timeout_s)),
+      state_interval_us_(Microseconds(vehicle.helm_options.state_interval_s)),
       desired_channel_(channels::Desired(vehicle.name)),
       actuators_channel_(channels::Actuators(vehicle.name)),
       state_channel_(channels::HelmState(vehicle.name)),
-      nav_timeout_us_(Microseconds(vehicle.helm_options.nav_timeout_s)),
-      state_interval_us_(Microseconds(vehicle.helm_options.state_interval_s)),
-      lost_nav_warning_(fmt::format("no NAV for {:.1f} s", vehicle.helm_options.nav_timeout_s)),
       states_(vehicle),
-      pilot_(MakePilot(vehicle)),
-      swarm_(mission, vehicle) {
+      swarm_(mission, vehicle),
+      vehicle_(vehicle),
+      lost_nav_warning_(fmt::format("no NAV for {:.1f} s", vehicle.helm_options.nav_timeout_s)) {
   state_.vehicle = vehicle.name;
+  if (!vehicle.behaviors.empty()) {
+    arbiter_ = std::make_unique<Arbiter>(mission, vehicle);
+    if (vehicle.helm_options.deploy_at_start) arbiter_->TakeOver({.kind = OrderKind::kDeploy});
+  }
   Subscribe(bus, OwnNav(vehicle), [this](const nav_t& nav) { OnNav(nav); });
   Subscribe(bus, channels::HelmCommand(vehicle.name),
             [this](const helm_command_t& command) { OnCommand(command); });
@@ -82,12 +129,16 @@ HelmApp::HelmApp(const Mission& mission, const Vehicle& vehicle, Bus& bus)
                               [this, i](const NavNeighbour& nav) { swarm_.OnNav(i, nav); });
   }
   if (mission.IsInSwarm(vehicle)) {
-    Subscribe(bus, channels::Swarm(vehicle.name),
-              [this](const swarm_t& swarm) { swarm_.OnSwarm(swarm); });
+    Subscribe(bus, channels::Swarm(vehicle.name), [this](const swarm_t& swarm) {
+      swarm_.OnSwarm(swarm);
+      if (arbiter_) arbiter_->OnSwarm(swarm, utime_.value_or(0));
+    });
   }
   if (vehicle.sonar.is_fitted) {
-    Subscribe(bus, channels::Sonar(vehicle.name),
-              [this](const sonar_t& ping) { swarm_.OnSonar(ping); });
+    Subscribe(bus, channels::Sonar(vehicle.name), [this](const sonar_t& ping) {
+      swarm_.OnSonar(ping);
+      if (arbiter_ && had_nav_) arbiter_->OnSonar(ping, nav_, utime_.value_or(0));
+    });
   }
 }
 
@@ -110,7 +161,13 @@ void HelmApp::OnCommand(const helm_command_t& command) {
 }
 
 void HelmApp::OnNodeMessage(const node_message_t& message) {
-  if (message.var_name != kCommandVariable) return;  // For another program.
+  if (message.var_name != kCommandVariable) {  // For the behaviors, or another program.
+    if (!arbiter_) return;
+    VariablePost setting{.variable = message.var_name, .value = message.string_val};
+    if (message.is_double != 0) setting.value = message.double_val;
+    arbiter_->Set(setting, message.src_node);
+    return;
+  }
   const Result<HelmOrder> order = message.is_double != 0
                                       ? Result<HelmOrder>(Error{"a number is no order"})
                                       : ReadOrderText(message.string_val);
@@ -119,7 +176,7 @@ void HelmApp::OnNodeMessage(const node_message_t& message) {
 
 void HelmApp::Execute(const Result<HelmOrder>& order, std::string_view from) {
   const std::string sender = from.empty() ? "" : fmt::format(" of {}", Printable(from));
-  const std::string refusal = order.ok() ? states_.Execute(*order) : order.error();
+  const std::string refusal = order.ok() ? Execute(*order) : order.error();
   if (!refusal.empty()) {
     ++num_refused_;
     const std::string text = fmt::format("HELM_COMMAND{} refused: {}", sender, refusal);
@@ -132,8 +189,20 @@ void HelmApp::Execute(const Result<HelmOrder>& order, std::string_view from) {
                                              order->task.empty() ? "" : " ", order->task));
 }
 
+std::string HelmApp::Execute(const HelmOrder& order) {
+  if (order.kind == OrderKind::kSet) {
+    if (!arbiter_) return "set: the vehicle has no behaviors, and so no variables";
+    arbiter_->Set(order.setting, "command");
+    return {};
+  }
+  std::string refusal = states_.Execute(arbiter_ ? arbiter_->Instead(order) : order);
+  if (arbiter_ && refusal.empty()) arbiter_->TakeOver(order);
+  return refusal;
+}
+
 void HelmApp::OnNodeReport(const node_report_t& report) {
   ++num_reports_;
+  if (arbiter_) arbiter_->OnNodeReport(report, utime_.value_or(report.utime));
   if (!IsPlace(report.x_m, report.y_m)) {
     log_.Warn(kBadReport);
     return;
@@ -164,8 +233,10 @@ void HelmApp::Tick(int64_t utime) {
               .surroundings = swarm_.Look(states_.task(), nav_)};
   }
   states_.Advance(fix, nav_is_lost);
-  if (states_.guidance()) {
-    pilot_->Steer(*states_.guidance(), nav_, dt_s, &desired_, &actuators_);
+  if (arbiter_) guidance_ = Guide(utime, fix);
+  const std::optional<Guidance>& guidance = arbiter_ ? guidance_ : states_.guidance();
+  if (guidance) {
+    pilot_->Steer(*guidance, nav_, dt_s, &desired_, &actuators_);
   } else {
     pilot_->Rest(nav_, &desired_, &actuators_);
   }
@@ -175,6 +246,52 @@ void HelmApp::Tick(int64_t utime) {
   if (had_nav_) Publish(bus_, desired_channel_, desired_);
   Publish(bus_, actuators_channel_, actuators_);
   PublishState(utime);
+  if (arbiter_) PublishDecision(utime);
+}
+
+std::optional<Guidance> HelmApp::Guide(int64_t utime, const std::optional<Fix>& fix) {
+  std::optional<Guidance> guidance =
+      arbiter_->Advance({.utime = utime,
+                         .drives = states_.mode() == HelmMode::kDrive,
+                         .nav = fix ? &nav_ : nullptr,
+                         .task = states_.task(),
+                         .is_interruption = states_.is_interrupted(),
+                         .alone = states_.guidance()});
+  for (const HelmEvent& event : arbiter_->TakeEvents()) {
+    log_.Event(utime, fmt::format("{}: {}", event.kind, Printable(event.text)));
+  }
+  for (const std::string& warning : arbiter_->TakeWarnings()) log_.Warn(Printable(warning));
+  if (arbiter_->TakePark()) {
+    [[maybe_unused]] const std::string refusal = states_.Execute({.kind = OrderKind::kPark});
+    guidance.reset();
+  }
+  return guidance;
+}
+
+void HelmApp::PublishDecision(int64_t utime) {
+  if (const std::optional<helm_decision_t> decision = arbiter_->TakeDecision()) {
+    Publish(bus_, channels::HelmDecision(vehicle_.name), *decision);
+  }
+  for (const VariablePost& post : arbiter_->TakeMessages()) {
+    node_message_t message{};
+    message.utime = utime;
+    message.src_node = vehicle_.name;
+    message.src_app = "helm";
+    constexpr std::string_view kGroup = "group:";
+    if (post.destination.starts_with(kGroup)) {
+      message.dest_group = post.destination.substr(kGroup.size());
+    } else {
+      message.dest_node = post.destination;
+    }
+    message.var_name = post.variable;
+    if (const double* number = std::get_if<double>(&post.value)) {
+      message.is_double = 1;
+      message.double_val = *number;
+    } else {
+      message.string_val = std::get<std::string>(post.value);
+    }
+    Publish(bus_, channels::NodeMessageLocal(), message);
+  }
 }
 
 // Returns true where the last NAV, or the first step, was too long ago.
@@ -190,36 +307,43 @@ bool HelmApp::WatchNav(int64_t utime) {
 }
 
 void HelmApp::PublishState(int64_t utime) {
-  const Task* task = states_.task();
-  helm_state_t next = state_;
-  next.state = Name(states_.mode());
-  next.all_stop = states_.all_stop();
-  next.task = task == nullptr ? std::string_view() : std::string_view(task->name);
-  next.task_kind = task == nullptr ? std::string_view() : KindOf(*task);
-  if (states_.guidance()) {
-    const Guidance& guidance = *states_.guidance();
-    next.waypoint_index = guidance.waypoint_index;
-    next.laps_done = guidance.laps_done;
-    next.waypoint_x_m = guidance.waypoint_m.x();
-    next.waypoint_y_m = guidance.waypoint_m.y();
-    next.waypoint_z_m = guidance.z_m.value_or(0);
-    next.distance_m = guidance.distance_m;
-    next.cross_track_error_m = guidance.cross_track_error_m;
-  } else if (task == nullptr || task->name != state_.task) {
-    next.waypoint_index = -1;
-    next.laps_done = 0;
-    next.waypoint_x_m = next.waypoint_y_m = next.waypoint_z_m = 0;
-    next.distance_m = next.cross_track_error_m = 0;
+  StateWords words = WordsOf(states_);
+  if (arbiter_ && states_.mode() == HelmMode::kDrive) {
+    words.all_stop = arbiter_->all_stop();
+    const HelmAim* leading = arbiter_->Leading();
+    if (leading != nullptr && states_.task() == nullptr) {
+      words.task = leading->name;
+      words.task_kind = leading->kind;
+    }
   }
-  if (state_utime_ && !HasNews(next, state_) && utime - *state_utime_ < state_interval_us_) {
+  const std::optional<Guidance>& guidance = arbiter_ ? guidance_ : states_.guidance();
+  StateNumbers numbers;
+  if (guidance) {
+    numbers = NumbersOf(*guidance);
+  } else if (!words.task.empty() && words.task == state_.task) {
+    numbers = NumbersOf(state_);
+  }
+  if (state_utime_ && !HasNews(words, numbers, state_) &&
+      utime - *state_utime_ < state_interval_us_) {
     return;
   }
-  if (next.state != state_.state || next.task != state_.task || next.all_stop != state_.all_stop) {
-    log_.Event(utime, fmt::format("{} {} ({})", next.state, next.task, next.all_stop));
+  if (words.state != state_.state || words.task != state_.task ||
+      words.all_stop != state_.all_stop) {
+    log_.Event(utime, fmt::format("{} {} ({})", words.state, words.task, words.all_stop));
   }
-  next.utime = utime;
-  state_ = next;
   state_utime_ = utime;
+  state_.utime = utime;
+  state_.state = words.state;
+  state_.all_stop = words.all_stop;
+  state_.task = words.task;
+  state_.task_kind = words.task_kind;
+  state_.waypoint_index = numbers.waypoint_index;
+  state_.laps_done = numbers.laps_done;
+  state_.waypoint_x_m = numbers.waypoint_m.x();
+  state_.waypoint_y_m = numbers.waypoint_m.y();
+  state_.waypoint_z_m = numbers.waypoint_m.z();
+  state_.distance_m = numbers.distance_m;
+  state_.cross_track_error_m = numbers.cross_track_error_m;
   Publish(bus_, state_channel_, state_);
 }
 
@@ -261,6 +385,7 @@ StatusPage HelmApp::Status() const {
       "{}",
       num_navs_, num_bad_navs_, CommandsText(num_executed_), num_refused_, num_reports_,
       bus_.counters().undecodable, ContactsText());
+  if (arbiter_) page.text += arbiter_->Text();
   log_.AppendTo(&page);
   return page;
 }

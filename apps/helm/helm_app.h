@@ -1,9 +1,11 @@
 // Steers one vehicle. Subscribes to NAV_<V> (MEASURED_NAV_<V> where it has sensors), SONAR_<V>,
 // HELM_COMMAND_<V>, NODE_REPORT_<V> and NODE_MESSAGE_<V>, to NAV of the vehicles that it follows,
 // or to SWARM_<V>; publishes DESIRED_<V> and ACTUATORS_<V> in every step, HELM_STATE_<V> on change
-// and every state_interval_s.
+// and every state_interval_s; with behaviors HELM_DECISION_<V>, and NODE_MESSAGE_LOCAL for flags
+// with a destination.
 //
-// What it does and why is decided in helm_states.h, how in pilot.h; here are the bus and the page.
+// What it does and why is decided in helm_states.h, with behaviors in arbiter.h, how in pilot.h;
+// here are the bus and the page.
 // ACTUATORS are zero in PARK, in ALL-STOP and before the first NAV; DESIRED begins with the first
 // NAV.
 #pragma once
@@ -15,6 +17,7 @@
 #include <optional>
 #include <string>
 
+#include "apps/helm/arbiter.h"
 #include "apps/helm/helm_states.h"
 #include "apps/helm/pilot.h"
 #include "apps/helm/swarm_view.h"
@@ -45,40 +48,47 @@ class HelmApp : public App {
   void OnNodeMessage(const node_message_t& message);
   /// Does what was read of an order. `from` is shown; empty: HELM_COMMAND itself.
   void Execute(const Result<HelmOrder>& order, std::string_view from);
+  /// Returns why not, or an empty text.
+  std::string Execute(const HelmOrder& order);
   void OnNodeReport(const node_report_t& report);
   bool WatchNav(int64_t utime);
+  /// Returns what to steer by in this step.
+  std::optional<Guidance> Guide(int64_t utime, const std::optional<Fix>& fix);
+  /// Publishes what the arbiter has decided, and what it has for other vehicles.
+  void PublishDecision(int64_t utime);
   void PublishState(int64_t utime);
   std::string ContactsText() const;
 
-  const Vehicle vehicle_;
+  // What every step needs comes first, as in vehicle_sim.
   Bus& bus_;
-  const Channel<desired_t> desired_channel_;
-  const Channel<actuators_t> actuators_channel_;
-  const Channel<helm_state_t> state_channel_;
+  const std::unique_ptr<Pilot> pilot_;
   const int64_t nav_timeout_us_;
   const int64_t state_interval_us_;
-  const std::string lost_nav_warning_;
-
-  HelmStates states_;
-  const std::unique_ptr<Pilot> pilot_;
-  SwarmView swarm_;
-
+  int64_t num_navs_ = 0;
+  std::unique_ptr<Arbiter> arbiter_;  ///< Of vehicles with behaviors; else nullptr.
   std::optional<int64_t> utime_;      ///< Of the last step.
-  nav_t nav_{};                       ///< The last that made sense.
-  bool nav_is_fresh_ = false;         ///< It came in this step.
   std::optional<int64_t> nav_utime_;  ///< The step in which it came; none came: the first step.
+  std::optional<int64_t> state_utime_;
+  bool nav_is_fresh_ = false;  ///< It came in this step.
   bool had_nav_ = false;
   bool nav_was_lost_ = false;
+  nav_t nav_{};  ///< The last that made sense.
   desired_t desired_{};
   actuators_t actuators_{};
   helm_state_t state_{};  ///< As published last.
-  std::optional<int64_t> state_utime_;
+  const Channel<desired_t> desired_channel_;
+  const Channel<actuators_t> actuators_channel_;
+  const Channel<helm_state_t> state_channel_;
+  HelmStates states_;
+  SwarmView swarm_;
+  std::optional<Guidance> guidance_;  ///< With an arbiter: of the last step.
 
+  const Vehicle vehicle_;
+  const std::string lost_nav_warning_;
   std::map<std::string, Contact, std::less<>> contacts_;
   StatusLog log_;
   std::array<int64_t, kNumOrderKinds> num_executed_{};
   int64_t num_refused_ = 0;
-  int64_t num_navs_ = 0;
   int64_t num_bad_navs_ = 0;
   int64_t num_reports_ = 0;
 };

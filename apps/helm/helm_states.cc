@@ -24,7 +24,7 @@ HelmStates::HelmStates(const Vehicle& vehicle)
     : tasks_(vehicle.tasks),
       return_task_(vehicle.return_task),
       lost_nav_reason_(fmt::format("no NAV for {:.1f} s", vehicle.helm_options.nav_timeout_s)),
-      parked_(true) {
+      behaviors_lead_(!vehicle.behaviors.empty() && vehicle.tasks.empty()) {
   if (vehicle.helm_options.deploy_at_start) {
     [[maybe_unused]] const std::string refusal = Execute({.kind = OrderKind::kDeploy});
   }
@@ -114,6 +114,7 @@ std::string HelmStates::Drive(const HelmOrder& order) {
 void HelmStates::Interrupt(Task task) {
   if (listed_) listed_->was_paused = true;
   interruption_ = Errand{.task = std::move(task)};
+  ended_ = false;
   speed_mps_.reset();
 }
 
@@ -129,7 +130,9 @@ void HelmStates::StartListAt(size_t index) {
 
 void HelmStates::EndList() {
   listed_.reset();
+  if (behaviors_lead_) return;
   Interrupt({.name = "end_of_tasks", .what = StationKeepTask{}});
+  ended_ = true;
 }
 
 // `finished` is the current errand, and does not outlive this call.

@@ -54,6 +54,8 @@ class HelmStates {
   std::string_view all_stop() const;
   /// Returns the task that runs or, in ALL-STOP, will go on; nullptr: none.
   const Task* task() const;
+  /// True where the task is by an order, not one of the list.
+  bool is_interrupted() const { return interruption_.has_value() && !ended_; }
   /// Returns what the task asked for in the last Advance, or nothing unless the vessel is driving.
   const std::optional<Guidance>& guidance() const { return guidance_; }
 
@@ -61,9 +63,9 @@ class HelmStates {
   /// A task and how far it has come.
   struct Errand {
     Task task;
-    std::optional<TaskRunner> runner = {};  ///< Absent until there is a fix to start from.
-    bool was_paused = false;                ///< Something else happened since the last update.
+    bool was_paused = false;  ///< Something else happened since the last update.
     bool is_done = false;
+    std::optional<TaskRunner> runner = {};  ///< Absent until there is a fix to start from.
   };
 
   std::string Drive(const HelmOrder& order);
@@ -74,20 +76,22 @@ class HelmStates {
   Errand* Current();
   const Errand* Current() const;
 
+  bool parked_ = true;
+  bool was_deployed_ = false;
+  bool stopped_by_command_ = false;
+  bool nav_is_lost_ = false;
+  std::optional<double> speed_mps_;  ///< By the order `speed`, for the errand that runs.
+  std::optional<Guidance> guidance_;
+  std::optional<Errand> listed_;        ///< The task of the list; absent: not begun, or ended.
+  std::optional<Errand> interruption_;  ///< Runs instead of it.
+
+  size_t list_index_ = 0;
   std::vector<Task> tasks_;
   ReturnTask return_task_;
   std::string lost_nav_reason_;
-
-  bool parked_;
-  bool was_deployed_ = false;
-  bool stopped_by_command_ = false;
   std::string stop_reason_;
-  bool nav_is_lost_ = false;
-  size_t list_index_ = 0;
-  std::optional<Errand> listed_;        ///< The task of the list; absent: not begun, or ended.
-  std::optional<Errand> interruption_;  ///< Runs instead of it.
-  std::optional<double> speed_mps_;     ///< By the order `speed`, for the errand that runs.
-  std::optional<Guidance> guidance_;
+  bool ended_ = false;         ///< The interruption is what comes after the list.
+  const bool behaviors_lead_;  ///< There are behaviors and no tasks: an empty list is no end.
 };
 
 }  // namespace shoal

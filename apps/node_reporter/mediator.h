@@ -71,17 +71,17 @@ class Mediator {
   std::map<std::string, WaitingMessage>::iterator Remove(
       std::map<std::string, WaitingMessage>::iterator entry);
 
-  const std::string vehicle_;
-  const MessageOptions options_;
-  Bus& bus_;
-  StatusLog* log_;
-  MediatorCounters counters_;
-
   std::vector<node_message_t> to_send_;
   std::vector<ack_message_t> to_acknowledge_;
   std::vector<ack_message_t> received_acks_;
   std::map<std::string, WaitingMessage> waiting_;  ///< By ack_id.
   size_t waiting_bytes_ = 0;                       ///< Of these, as they are sent.
+
+  const std::string vehicle_;
+  const MessageOptions options_;
+  Bus& bus_;
+  StatusLog* log_;
+  MediatorCounters counters_;
 };
 
 }  // namespace shoal

@@ -33,13 +33,14 @@ bool AllReportedNumbersAreFinite(const nav_t& nav) {
 
 NodeReporterApp::NodeReporterApp(const Mission& mission, const Vehicle& vehicle, Bus& bus)
     : bus_(bus),
+      start_utime_(mission.start_utime),
+      now_utime_(mission.start_utime),
+      nav_grace_period_s_(vehicle.reporter_options.nav_grace_period_s),
+      schedule_(vehicle.reporter_options.rate_hz, mission.start_utime, mission.tick_us),
+      mediator_(vehicle.name, vehicle.message_options, bus, &log_),
       name_(vehicle.name),
       options_(vehicle.reporter_options),
-      start_utime_(mission.start_utime),
       blackout_stream_(StreamKey(mission.seed, "blackout").With(vehicle.name)),
-      schedule_(options_.rate_hz, mission.start_utime, mission.tick_us),
-      mediator_(vehicle.name, vehicle.message_options, bus, &log_),
-      now_utime_(mission.start_utime),
       silent_until_utime_(mission.start_utime) {
   report_.name = vehicle.name;
   report_.type = vehicle.type;
@@ -112,7 +113,7 @@ void NodeReporterApp::Report(int64_t utime) {
 /// Returns whether there is NAV to report from; warns and takes the warning back.
 bool NodeReporterApp::HasFreshNav(int64_t utime) {
   const bool fresh = nav_utime_ && SecondsBetween(*nav_utime_, utime) <= kNavTimeout_s;
-  const bool warn = !fresh && SecondsBetween(start_utime_, utime) >= options_.nav_grace_period_s;
+  const bool warn = !fresh && SecondsBetween(start_utime_, utime) >= nav_grace_period_s_;
   if (warn && !warned_of_nav_) {
     log_.Warn(kNavWarning);
     log_.Event(utime, kNavWarning);

@@ -38,28 +38,29 @@ class NodeReporterApp : public App {
   bool IsForetold() const;
   void StartBlackout(int64_t utime);
 
+  // What every step needs comes first, as in vehicle_sim.
   Bus& bus_;
-  const std::string name_;
-  const ReporterOptions options_;
   const int64_t start_utime_;
-  const StreamKey blackout_stream_;
-  const Channel<node_report_t> channel_ = channels::NodeReportLocal();
-  ReportSchedule schedule_;
-  StatusLog log_;
-  Mediator mediator_;
-
-  nav_t nav_ = {};
-  bool nav_is_new_ = false;           ///< Came since the last step.
-  std::optional<int64_t> nav_utime_;  ///< Step in which the last NAV came.
-  helm_state_t helm_ = {};
-  bool helm_is_new_ = false;
+  int64_t now_utime_ = 0;
+  std::optional<int64_t> nav_utime_;   ///< Step in which the last NAV came.
   std::optional<int64_t> helm_utime_;  ///< Step in which the last HELM_STATE came.
-
+  bool nav_is_new_ = false;            ///< Came since the last step.
+  bool helm_is_new_ = false;
+  bool warned_of_nav_ = false;
+  const double nav_grace_period_s_;
+  ReportSchedule schedule_;
+  Mediator mediator_;
+  nav_t nav_ = {};
+  helm_state_t helm_ = {};
   node_report_t report_ = {};               ///< The last one sent, or the next one in the making.
   std::optional<node_report_t> last_sent_;  ///< Kept only where dead reckoning needs it.
-  int64_t now_utime_ = 0;
+
+  const std::string name_;
+  const ReporterOptions options_;
+  const StreamKey blackout_stream_;
+  const Channel<node_report_t> channel_ = channels::NodeReportLocal();
+  StatusLog log_;
   int64_t silent_until_utime_ = 0;  ///< End of the blackout.
-  bool warned_of_nav_ = false;
   int64_t num_sent_ = 0;
   int64_t num_without_nav_ = 0;
   int64_t num_blacked_out_ = 0;

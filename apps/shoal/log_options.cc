@@ -9,6 +9,7 @@
 
 #include "apps/shoal/import_command.h"
 #include "apps/shoal/log_comms.h"
+#include "apps/shoal/log_encounters.h"
 #include "apps/shoal/log_helm.h"
 #include "apps/shoal/plot_command.h"
 #include "apps/shoal/rebroker_command.h"
@@ -42,6 +43,34 @@ void AddTypes(CLI::App* command, std::vector<std::string>* types) {
   command->add_option("--types", *types, "A .lcm file of message types that are not shoal's")
       ->take_all()
       ->allow_extra_args(false);
+}
+
+void AddLogEncounters(CLI::App* log, Action* action) {
+  CLI::App* command = log->add_subcommand(
+      "encounters", "Show the encounters of vessels, and how well each kept to the rules");
+  auto options = std::make_shared<LogEncountersOptions>();
+  command->add_option("LOG", options->path, "LCM event log")->required();
+  CLI::Option* csv = command->add_flag("--csv", options->csv, "Every number, as CSV");
+  command->add_flag("--explain", options->explain, "Every number, in words")->excludes(csv);
+  command->add_flag("--all", options->all, "Show all encounters, however many there are");
+  command->add_flag("--skip-damage", options->skip_damage,
+                    "Read what can be read of a damaged log");
+  const auto distance = [command](const char* name, double* value_m, const char* what) {
+    constexpr double kShortest_m = 0.1;
+    constexpr double kLongest_m = 1e6;
+    command->add_option(name, *value_m, fmt::format("{}; default: {:g} m", what, *value_m))
+        ->check(CLI::Range(kShortest_m, kLongest_m));
+  };
+  EncounterOptions& encounter = options->encounter;
+  distance("--entry-range", &encounter.entry_range_m, "Encounters begin nearer than this");
+  distance("--risk", &encounter.risk_m, "Where holding on would take them nearer than this");
+  distance("--end-range", &encounter.end_range_m, "They end farther apart than this");
+  distance("--preferred", &encounter.preferred_m, "Passing at this distance is scored in full");
+  distance("--acceptable", &encounter.acceptable_m, "Nearer than this is not safe");
+  distance("--near-miss", &encounter.near_miss_m, "Nearer than this is a near miss");
+  command->callback([options, action] {
+    *action = [options] { return LogEncounters(*options, std::cout, std::cerr); };
+  });
 }
 
 void AddLog(CLI::App& cli, Action* action) {
@@ -117,6 +146,7 @@ void AddLog(CLI::App& cli, Action* action) {
   helm->callback([helm_options, action] {
     *action = [helm_options] { return LogHelm(*helm_options, std::cout, std::cerr); };
   });
+  AddLogEncounters(log, action);
 }
 
 void AddImport(CLI::App& cli, Action* action) {

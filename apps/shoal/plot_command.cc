@@ -129,7 +129,23 @@ class PlotCommand {
     warn(data_.num_impossible, "values or times that no figure can show; left out");
     warn(data_.has_too_many ? static_cast<int64_t>(kMostPlotted) : 0,
          "vehicles are drawn, the rest is left out; choose some: --vehicle NAME");
-    return CheckVehicles();
+    const int code = CheckVehicles();
+    return code == kExitOk ? CheckTimes() : code;
+  }
+
+  /// Refuses a part of the log in which there is nothing: every figure would be left out, each with
+  /// a reason that is not the true one.
+  int CheckTimes() {
+    if (data_.has_selected_times || !data_.log_span_s) return kExitOk;
+    const auto [first_s, last_s] = *data_.log_span_s;
+    const auto bound = [](const char* option, const std::optional<double>& limit_s) {
+      return limit_s ? fmt::format(" {} {:g}", option, *limit_s) : std::string();
+    };
+    return Fail(kExitUsage,
+                fmt::format("{} has nothing in the part{}{}: it has messages of vehicles from "
+                            "{:.1f} s to {:.1f} s",
+                            options_.log, bound("--from", options_.from_s),
+                            bound("--to", options_.to_s), first_s, last_s));
   }
 
   int CheckVehicles() {

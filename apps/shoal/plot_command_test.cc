@@ -159,6 +159,18 @@ TEST_F(Plot, NamesTheVehiclesThatThereAre) {
   EXPECT_NE(err_.str().find("no vehicle 'charlie'; there are: ALPHA, BRAVO\n"), std::string::npos);
 }
 
+TEST_F(Plot, NamesTheTimesThatThereAreWhereThePartIsEmpty) {
+  WriteLog(options_.log, LogOfTwoVehicles());
+  options_.from_s = 5000;
+  options_.to_s = 6000;
+  EXPECT_EQ(Run(), kExitUsage);
+  EXPECT_NE(err_.str().find("has nothing in the part --from 5000 --to 6000: it has messages of "
+                            "vehicles from 0.0 s to "),
+            std::string::npos)
+      << err_.str();
+  EXPECT_EQ(out_.str(), "") << "no figure, and no reason of another kind";
+}
+
 TEST_F(Plot, DrawsWhatCanBeReadOfADamagedLogAndReportsTheDamage) {
   WriteLog(options_.log, LogOfTwoVehicles());
   Bytes bytes = FileBytes(options_.log);

@@ -28,8 +28,9 @@ struct Sender {
   LcmBus& bus;
   const OrderScope& scope;
   const Order& whole;
+  const std::vector<std::string>& without_helm;
 
-  int operator()(const OrderToHelms& order) const { return SendHelm(bus, order); }
+  int operator()(const OrderToHelms& order) const { return SendHelm(bus, order, without_helm); }
   int operator()(const OrderToClock& order) const { return SendClock(bus, order); }
 
   int operator()(const OrderToSims& order) const {
@@ -83,7 +84,8 @@ int RunSend(const SendOptions& options) {
     fmt::print(stderr, "shoal: {}\n", mission.error());
     return kExitEnvironment;
   }
-  const OrderScope scope = {.mission = mission->name, .vehicles = mission->vehicles};
+  const OrderScope scope = {
+      .mission = mission->name, .vehicles = mission->vehicles, .groups = mission->groups};
   const Result<Order> order = ParseOrder(scope, options.target, options.words);
   if (!order.ok()) {
     fmt::print(stderr, "shoal: {}\n", order.error());
@@ -92,7 +94,7 @@ int RunSend(const SendOptions& options) {
   fmt::print("{}\n", Describe(*mission));
   std::fflush(stdout);
   LcmBus bus(mission->Ports());
-  return std::visit(Sender{bus, scope, *order}, *order);
+  return std::visit(Sender{bus, scope, *order, mission->without_helm}, *order);
 }
 
 }  // namespace shoal

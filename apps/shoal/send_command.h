@@ -13,8 +13,8 @@ namespace shoal {
 inline constexpr int64_t kSendPoll_us = 20'000;
 
 struct SendOptions {
-  int port_base = 0;               ///< 0: the one mission that runs.
-  std::string target;              ///< A vehicle, "all", "clock", or a rule such as comms_range.
+  int port_base = 0;   ///< 0: the one mission that runs.
+  std::string target;  ///< A vehicle, "all", "group:NAME", "clock", or a rule such as comms_range.
   std::vector<std::string> words;  ///< Command and arguments, or the rule's vehicle and value.
 };
 

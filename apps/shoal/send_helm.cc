@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 
 #include "apps/shoal/send_command.h"
@@ -29,7 +30,7 @@ void ReceivePages(LcmBus& bus, OrderWatch* watch) {
 
 }  // namespace
 
-int SendHelm(LcmBus& bus, const OrderToHelms& order) {
+int SendHelm(LcmBus& bus, const OrderToHelms& order, const std::vector<std::string>& without_helm) {
   OrderWatch watch(TracesOf(order));
   bool is_sent = false;
   std::map<std::string, helm_state_t> states;  ///< The last that came after the order, by vehicle.
@@ -64,6 +65,7 @@ int SendHelm(LcmBus& bus, const OrderToHelms& order) {
 
   bool is_any_refused = false;
   size_t num_silent = 0;
+  size_t num_without = 0;
   for (const OrderWatch::Answer& answer : watch.answers()) {
     const std::string& vehicle = answer.trace.participant;
     if (answer.outcome == OrderOutcome::kRefused) {
@@ -72,6 +74,10 @@ int SendHelm(LcmBus& bus, const OrderToHelms& order) {
     } else if (const auto state = states.find(vehicle); state != states.end()) {
       fmt::print("{}: {} {} ({})\n", vehicle, state->second.state, state->second.task,
                  state->second.all_stop);
+    } else if (std::ranges::find(without_helm, vehicle) != without_helm.end()) {
+      ++num_without;
+      fmt::print(stderr, "{} has no helm (helm = \"none\"), and no program answered in its place\n",
+                 vehicle);
     } else {
       ++num_silent;
     }
@@ -80,9 +86,9 @@ int SendHelm(LcmBus& bus, const OrderToHelms& order) {
     fmt::print(
         "{} of {} helms have published nothing since; `shoal status` shows which participants "
         "run, and whether the mission is paused\n",
-        num_silent, order.vehicles.size());
+        num_silent, order.vehicles.size() - num_without);
   }
-  return is_any_refused ? kExitUsage : kExitOk;
+  return is_any_refused || num_without == order.vehicles.size() ? kExitUsage : kExitOk;
 }
 
 }  // namespace shoal

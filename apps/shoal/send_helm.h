@@ -1,13 +1,17 @@
 // `shoal send VEHICLE COMMAND`: an order to helms, and their answers.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "lib/bus/lcm_bus.h"
 #include "lib/orders/order.h"
 
 namespace shoal {
 
-/// Publishes to each vehicle and prints what its helm publishes next. Returns the exit code:
-/// kExitUsage where a helm refused.
-int SendHelm(LcmBus& bus, const OrderToHelms& order);
+/// Publishes to each vehicle and prints what its helm publishes next; of the vehicles
+/// `without_helm` that it has none, unless a program answers in its place. Returns the exit code:
+/// kExitUsage where a helm refused, or none is there.
+int SendHelm(LcmBus& bus, const OrderToHelms& order, const std::vector<std::string>& without_helm);
 
 }  // namespace shoal

@@ -14,6 +14,7 @@
 
 #include "apps/shoal/check_command.h"
 #include "apps/shoal/doctor.h"
+#include "apps/shoal/encounters_options.h"
 #include "apps/shoal/log_options.h"
 #include "apps/shoal/send_command.h"
 #include "apps/shoal/sim_command.h"
@@ -181,7 +182,7 @@ void AddSend(CLI::App& cli, Action* action) {
   auto options = std::make_shared<SendOptions>();
   AddPort(command, &options->port_base);
   command->footer(SendCommandsText());
-  command->add_option("TARGET", options->target, "A vehicle, all, clock, or a rule")->required();
+  command->add_option("TARGET", options->target, "A vehicle, group:NAME, all, clock, or a rule")->required();
   command->add_option("WORDS", options->words, "Command and arguments, or vehicle and value");
   // Negative numbers are values here, not options.
   command->prefix_command();
@@ -314,6 +315,7 @@ int RunShoalCommand(int argc, char** argv) {
   AddStatus(cli, &action);
   AddView(cli, &action);
   AddLogCommands(cli, &action);
+  AddEncounterCommands(cli, &action);
   cli.add_subcommand("doctor", "Show what keeps missions from running on this machine")
       ->callback([&action] { action = [] { return RunDoctor(); }; });
   cli.add_subcommand("channels", "Print the table of all channels (docs/channels.md)")

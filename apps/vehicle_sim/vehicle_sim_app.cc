@@ -48,18 +48,19 @@ std::optional<SonarUnit> SonarOf(const Mission& mission, const Vehicle& vehicle)
 }  // namespace
 
 VehicleSimApp::VehicleSimApp(const Mission& mission, const Vehicle& vehicle, Bus& bus)
-    : vehicle_(vehicle),
-      tick_us_(mission.tick_us),
-      frame_({.lat_deg = mission.origin_lat_deg, .lon_deg = mission.origin_lon_deg}),
-      start_utime_(mission.start_utime),
-      ocean_(OceanOrDie(mission)),
-      contact_rule_(mission.environment.contact),
-      nav_channel_(channels::Nav(vehicle.name)),
-      instruments_(InstrumentsOf(mission, vehicle)),
-      plume_(ocean_.plume),
-      sonar_(SonarOf(mission, vehicle)),
+    : craft_(MakeSimulatedCraft(vehicle)),
       bus_(bus),
-      craft_(MakeSimulatedCraft(vehicle)) {
+      tick_us_(mission.tick_us),
+      start_utime_(mission.start_utime),
+      contact_rule_(mission.environment.contact),
+      has_instruments_(vehicle.sensors.is_fitted || vehicle.sonar.is_fitted ||
+                       mission.environment.plume.exists),
+      nav_channel_(channels::Nav(vehicle.name)),
+      ocean_(OceanOrDie(mission)),
+      frame_({.lat_deg = mission.origin_lat_deg, .lon_deg = mission.origin_lon_deg}),
+      vehicle_(vehicle),
+      instruments_(InstrumentsOf(mission, vehicle)),
+      sonar_(SonarOf(mission, vehicle)) {
   Reset(vehicle.start);
   Subscribe(bus, channels::Actuators(vehicle.name),
             [this](const actuators_t& actuators) { OnActuators(actuators); });
@@ -82,7 +83,7 @@ void VehicleSimApp::Reset(const StartPose& pose) {
 
 Water VehicleSimApp::WaterAt(int64_t utime) const {
   const double time_s = static_cast<double>(utime - start_utime_) / 1e6;
-  Water water = {.velocity_mps = Velocity(ocean_.current.At(time_s)) + drift_mps_,
+  Water water = {.velocity_mps = ocean_.current.VelocityAt(time_s) + drift_mps_,
                  .floor_z_m = std::nullopt};
   if (ocean_.floor) water.floor_z_m = ocean_.floor->DepthAt(craft_->position_m().head<2>());
   return water;
@@ -189,7 +190,7 @@ void VehicleSimApp::PublishNav(int64_t utime) {
     nav.course_over_ground_deg = nav.heading_deg;
   }
   Publish(bus_, nav_channel_, nav);
-  PublishInstruments(nav);
+  if (has_instruments_) PublishInstruments(nav);
 }
 
 void VehicleSimApp::PublishInstruments(const nav_t& nav) {
@@ -201,10 +202,10 @@ void VehicleSimApp::PublishInstruments(const nav_t& nav) {
     const auto ping = sonar_->Ping(nav, ocean_.floor ? *ocean_.floor : kDeep, others_->targets());
     if (ping) Publish(bus_, channels::Sonar(vehicle_.name), *ping);
   }
-  if (plume_) {
+  if (ocean_.plume) {
     water_sample_t sample{};
     sample.utime = nav.utime;
-    sample.concentration_gpm3 = Concentration(*plume_, {nav.x_m, nav.y_m, nav.z_m});
+    sample.concentration_gpm3 = Concentration(*ocean_.plume, {nav.x_m, nav.y_m, nav.z_m});
     Publish(bus_, channels::WaterSample(vehicle_.name), sample);
   }
 }

@@ -49,28 +49,30 @@ class VehicleSimApp : public App {
   void PublishInstruments(const nav_t& nav);
   bool is_still() const { return paused_ || !touched_by_.empty(); }
 
-  const Vehicle vehicle_;
+  // What every step needs comes first: of thousands of vehicles in one process, the caches hold
+  // little else.
+  const std::unique_ptr<SimulatedCraft> craft_;
+  Bus& bus_;
   const int64_t tick_us_;
-  const LocalFrame frame_;
   const int64_t start_utime_;
-  const Ocean ocean_;
+  int64_t num_actuators_ = 0;
+  std::optional<int64_t> utime_;            ///< Of the last step.
+  std::optional<int64_t> actuators_utime_;  ///< When the last ACTUATORS came.
   const ContactRule contact_rule_;
+  const bool has_instruments_;  ///< It publishes more than NAV.
+  bool actuators_are_late_ = false;
+  bool paused_ = false;
+  Eigen::Vector2d drift_mps_ = Eigen::Vector2d::Zero();  ///< By SIM_COMMAND, on top of the current.
+  std::string touched_by_;  ///< It ran into this vehicle, and stands still; empty: into none.
   const Channel<nav_t> nav_channel_;
+  const Ocean ocean_;
+  const LocalFrame frame_;
+
+  const Vehicle vehicle_;
   const std::optional<NavInstruments> instruments_;
-  const std::optional<Plume> plume_;
   std::optional<SonarUnit> sonar_;
   std::optional<OtherVehicles> others_;  ///< Absent: it has no sonar and runs into none.
-  Bus& bus_;
   StatusLog log_;
-
-  const std::unique_ptr<SimulatedCraft> craft_;
-  Eigen::Vector2d drift_mps_ = Eigen::Vector2d::Zero();  ///< By SIM_COMMAND, on top of the current.
-  bool paused_ = false;
-  std::string touched_by_;        ///< It ran into this vehicle, and stands still; empty: into none.
-  std::optional<int64_t> utime_;  ///< Of the last step.
-  std::optional<int64_t> actuators_utime_;  ///< When the last ACTUATORS came.
-  bool actuators_are_late_ = false;
-  int64_t num_actuators_ = 0;
   int64_t num_commands_ = 0;
   int64_t num_refused_ = 0;
 };

@@ -21,8 +21,9 @@ constexpr int64_t kIdleFrameInterval_us = 500'000;
 constexpr int64_t kLookInterval_us = 250'000;
 /// While there is no mission, so that little of the next is missed.
 constexpr int64_t kWaitingLookInterval_us = 50'000;
-/// Messages are handled in batches: to wake for each would cost a mission at --warp max more than
-/// the handling.
+/// Messages are handled in batches: to wake for each, as a wait on their sockets would, costs a
+/// mission at --warp max more than the handling. Nothing else that it waits for has a descriptor:
+/// frames are due by the clock, missions come and go as files.
 constexpr useconds_t kPause_us = 15'000;
 
 }  // namespace

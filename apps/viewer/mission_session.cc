@@ -94,7 +94,8 @@ void MissionSession::Join(bool allow_commands) {
   if (!allow_commands) return;
   desk_ = std::make_unique<CommandDesk>(*bus_, OrderScope{.mission = running_.name,
                                                           .vehicles = running_.vehicles,
-                                                          .mission_id = running_.mission_id});
+                                                          .mission_id = running_.mission_id,
+                                                          .groups = running_.groups});
 }
 
 std::string MissionSession::error() const {

@@ -102,12 +102,14 @@ static void send_resend(step_client_t* self, const shoal_resend_t* request) {
   free(data);
 }
 
-/* A participant that joins a running mission waits until the clock waits for its answers. */
+/* A participant waits until the clock waits for the answers of this very process. */
 static int takes_part(const step_client_t* self, const shoal_tick_t* tick) {
   if (self->step >= 0 || self->pending != NULL) return 1;
-  if (tick->step == 0 || tick->kind == SHOAL_TICK_T_END) return 1;
+  if (tick->kind == SHOAL_TICK_T_END) return 1;
   for (int i = 0; i < tick->num_joined; ++i) {
-    if (strcmp(tick->joined[i], self->name) == 0) return 1;
+    if (strcmp(tick->joined[i], self->name) == 0 && tick->joined_pids[i] == (int32_t)getpid()) {
+      return 1;
+    }
   }
   return 0;
 }

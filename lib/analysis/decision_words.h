@@ -1,4 +1,4 @@
-// A helm's decision in words: what it chose, who wanted what, and what each gave up for it.
+// A helm's decision in words: what it chose, what each behavior wanted, and what it gave up.
 #pragma once
 
 #include <string>

@@ -116,10 +116,14 @@ std::optional<double> PlotDataBuilder::TimeOf(int64_t utime) {
     zero_utime_ = data_.zero_is_first ? utime : 0;
   }
   const double time_s = static_cast<double>(utime - *zero_utime_) / 1e6;
+  if (!data_.log_span_s) data_.log_span_s = {time_s, time_s};
+  data_.log_span_s->first = std::min(data_.log_span_s->first, time_s);
+  data_.log_span_s->second = std::max(data_.log_span_s->second, time_s);
   // Half a microsecond of tolerance: 12.3 is no whole number of microseconds in binary.
   constexpr double kTolerance_s = 0.5e-6;
   if (selection_.from_s && time_s < *selection_.from_s - kTolerance_s) return std::nullopt;
   if (selection_.to_s && time_s > *selection_.to_s + kTolerance_s) return std::nullopt;
+  data_.has_selected_times = true;
   return time_s;
 }
 

@@ -12,6 +12,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "lib/analysis/plot_curve.h"
@@ -56,6 +57,10 @@ struct PlotData {
   bool zero_is_first = false;           ///< The log's first time; otherwise the mission's start.
   double first_s = 0;                   ///< Of all that was drawn.
   double last_s = 0;
+  /// First and last time of the vehicles' messages in the log, selected or not; absent: there is
+  /// none.
+  std::optional<std::pair<double, double>> log_span_s;
+  bool has_selected_times = false;  ///< Some of them lie within what is selected.
   int64_t mark_interval_s = 1;
   std::set<std::string> seen;   ///< Names in channels of all vehicles of the log.
   int64_t num_undecodable = 0;  ///< Messages on these channels that are of another type.

@@ -51,6 +51,20 @@ TEST_F(Figures, ShowTracksWithEqualAxesPlanAndMarks) {
   EXPECT_FALSE(Contains(tracks.script, "$floor"));
 }
 
+TEST_F(Figures, ShowTheAreaThatIsSurveyedAndTheBandThatIsCovered) {
+  PlotSetting setting = Berta();
+  setting.areas = {{{-10, -20}, {130, -20}, {130, 20}, {-10, -20}}};
+  setting.coverage = {{.vehicle = "Alpha", .width_m = 16}};
+  Draw(LogOfTwoVehicles(), setting);
+  const Figure& tracks = Of("tracks");
+  EXPECT_TRUE(Contains(tracks.data, "# areas\n-10 -20\n130 -20\n130 20\n-10 -20\n"));
+  // Discs of 8 m radius, one in every 2 m of the track.
+  EXPECT_TRUE(Contains(tracks.data, "# alpha, covered\n0 0 8\n2 0 8\n4 0 8\n"));
+  EXPECT_FALSE(Contains(tracks.data, "# bravo, covered"));
+  EXPECT_TRUE(Contains(tracks.script, "with circles lc rgb '#c6e3fe' fs solid noborder"));
+  EXPECT_TRUE(Contains(tracks.script, "title 'covered'"));
+}
+
 TEST_F(Figures, ShowTheWaypointsThatTheHelmPublishedWhereThereIsNoMission) {
   Draw(LogOfTwoVehicles(), {.title = "log"});
   EXPECT_TRUE(Contains(Of("tracks").script, "set title 'Tracks: log'\n"));

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "lib/mission/coverage_area.h"
 #include "lib/mission/ocean_of.h"
 
 namespace shoal {
@@ -25,10 +26,27 @@ PlannedPath PathOf(const TaskOutline& outline) {
     }
     return circle;
   }
-  PlannedPath path;
+  PlannedPath path{.has_points = outline.marks_points};
   for (const Eigen::Vector2d& point_m : outline.points_m) path.legs.push_back(PointOf(point_m));
   if (outline.closed && path.legs.size() > 2) path.legs.push_back(path.legs.front());
   return path;
+}
+
+void AddArea(const std::vector<Eigen::Vector2d>& polygon_m, std::vector<Stroke>* areas) {
+  if (polygon_m.empty()) return;
+  Stroke area;
+  for (const Eigen::Vector2d& corner_m : polygon_m) area.push_back(PointOf(corner_m));
+  area.push_back(area.front());
+  const bool is_known = std::find(areas->begin(), areas->end(), area) != areas->end();
+  if (!is_known) areas->push_back(std::move(area));
+}
+
+void AddCoverage(const Mission& mission, const CoverageExpectation& coverage,
+                 PlotSetting* setting) {
+  for (const auto& polygon_m : PolygonsOf(mission, coverage)) AddArea(polygon_m, &setting->areas);
+  for (const size_t place : VehiclesOf(mission, coverage)) {
+    setting->coverage.push_back({mission.vehicles[place].name, coverage.sensor_width_m});
+  }
 }
 
 void AddDistances(const VelocityLaw& law, std::vector<DistanceMark>* marks) {
@@ -53,7 +71,9 @@ PlotSetting SettingOf(const Mission& mission) {
   for (const Vehicle& vehicle : mission.vehicles) {
     PlannedVehicle planned{.name = vehicle.name, .color = vehicle.color};
     for (const Task& task : vehicle.tasks) {
-      PlannedPath path = PathOf(FactsOf(task).outline);
+      const TaskOutline outline = FactsOf(task).outline;
+      AddArea(outline.area_m, &setting.areas);
+      PlannedPath path = PathOf(outline);
       if (!path.legs.empty()) planned.paths.push_back(std::move(path));
       if (const auto* tracking = std::get_if<TargetTrackTask>(&task.what)) {
         planned.target = tracking->target;
@@ -61,6 +81,11 @@ PlotSetting SettingOf(const Mission& mission) {
       }
     }
     setting.vehicles.push_back(std::move(planned));
+  }
+  for (const Expectation& expectation : mission.expectations) {
+    if (const auto* coverage = std::get_if<CoverageExpectation>(&expectation.what)) {
+      AddCoverage(mission, *coverage, &setting);
+    }
   }
   if (const Result<Ocean> ocean = OceanOf(mission); ocean.ok() && ocean->floor) {
     setting.floor_depth_m = [floor = *ocean->floor](double x_m, double y_m) {

@@ -43,6 +43,22 @@ TEST(PlotSetting, DrawsALoiterAsItsCircle) {
   }
 }
 
+TEST(PlotSetting, HasTheAreasThatAreSurveyedOnceAndWhatTheirVehiclesCover) {
+  SurveyTask task;
+  task.area = {.polygon_m = {{0, 0}, {100, 0}, {100, 40}}, .lane_spacing_m = 10};
+  task.route.turn_radius_m = 5;
+  Mission mission = MissionWith({.name = "s", .what = task});
+  mission.vehicles.push_back(mission.vehicles[0]);
+  mission.vehicles[1].name = "bravo";
+  mission.expectations = {{.where = "", .what = CoverageExpectation{.sensor_width_m = 12}}};
+  const PlotSetting setting = SettingOf(mission);
+  EXPECT_EQ(setting.areas, (std::vector<Stroke>{{{0, 0}, {100, 0}, {100, 40}, {0, 0}}}));
+  EXPECT_FALSE(setting.vehicles.at(0).paths.at(0).has_points) << "most only shape a turn";
+  ASSERT_EQ(setting.coverage.size(), 2u);
+  EXPECT_EQ(setting.coverage[1].vehicle, "bravo");
+  EXPECT_EQ(setting.coverage[1].width_m, 12);
+}
+
 TEST(PlotSetting, HasNoPlaceForAVehicleThatKeepsStationWhereverItIs) {
   StationKeepTask task;
   EXPECT_TRUE(SettingOf(MissionWith({.name = "k", .what = task})).vehicles.at(0).paths.empty());

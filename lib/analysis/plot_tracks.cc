@@ -43,6 +43,40 @@ constexpr const char* kGrey = "#707070";
 
 std::string PlanColor(const std::string& color) { return "#70" + color.substr(1); }
 
+/// Returns the colour mixed with three parts of white.
+std::string PaleColor(const std::string& color) {
+  const auto pale = [&](size_t at) {
+    return 191 + std::stoi(color.substr(at, 2), nullptr, 16) / 4;
+  };
+  return fmt::format("#{:02x}{:02x}{:02x}", pale(1), pale(3), pale(5));
+}
+
+/// More would not be seen.
+constexpr size_t kMostDiscs = 20'000;
+constexpr double kDiscsPerReach = 4;
+
+/// Returns points of a line about `step_m` apart, fewer where there would be too many.
+Stroke DenseAlong(const Stroke& stroke, double step_m) {
+  double length_m = 0;
+  for (size_t i = 1; i < stroke.size(); ++i) {
+    length_m += std::hypot(stroke[i].x - stroke[i - 1].x, stroke[i].y - stroke[i - 1].y);
+  }
+  step_m = std::max(step_m, length_m / static_cast<double>(kMostDiscs));
+  Stroke dense;
+  if (!stroke.empty()) dense.push_back(stroke.front());
+  for (size_t i = 1; i < stroke.size(); ++i) {
+    const CurvePoint from = dense.back();
+    const CurvePoint to = stroke[i];
+    const double distance_m = std::hypot(to.x - from.x, to.y - from.y);
+    const double steps = step_m > 0 ? std::floor(distance_m / step_m) : 0;
+    for (double k = 1; k <= steps; ++k) {
+      const double share = k * step_m / distance_m;
+      dense.push_back({from.x + share * (to.x - from.x), from.y + share * (to.y - from.y)});
+    }
+  }
+  return dense;
+}
+
 class TracksFigure {
  public:
   TracksFigure(const PlotData& data, const PlotSetting& setting,
@@ -57,6 +91,8 @@ class TracksFigure {
       return {.name = "tracks", .why_left_out = "no NAV of these vehicles in the log"};
     }
     legend_ = VehicleLegend(data_, colors_);
+    for (size_t i = 0; i < data_.vehicles.size(); ++i) AddSwaths(i);
+    AddAreas();
     for (size_t i = 0; i < data_.vehicles.size(); ++i) AddPlan(i);
     for (size_t i = 0; i < data_.vehicles.size(); ++i) AddTrack(i);
     for (size_t i = 0; i < data_.vehicles.size(); ++i) AddMarks(i);
@@ -72,6 +108,33 @@ class TracksFigure {
             const std::string& with) {
     items_.push_back(
         fmt::format("'tracks.dat' index {} with {} notitle", blocks_.Add(comment, strokes), with));
+  }
+
+  /// What its sensor covered, as discs so near to one another that they make a band.
+  void AddSwaths(size_t index) {
+    const VehicleCurves& vehicle = data_.vehicles[index];
+    for (const PlannedCoverage& coverage : setting_.coverage) {
+      if (UpperCase(coverage.vehicle) != UpperCase(vehicle.name) || vehicle.track.empty()) continue;
+      const double reach_m = coverage.width_m / 2;
+      std::string lines;
+      for (const Stroke& stroke : vehicle.track.Strokes()) {
+        for (const CurvePoint& point : DenseAlong(stroke, reach_m / kDiscsPerReach)) {
+          lines += fmt::format("{:.7g} {:.7g} {:.7g}\n", point.x, point.y, reach_m);
+        }
+      }
+      const int block = blocks_.AddLines(vehicle.name + ", covered", lines);
+      items_.push_back(fmt::format(
+          "'tracks.dat' index {} using 1:2:3 with circles lc rgb '{}' fs solid noborder "
+          "notitle",
+          block, PaleColor(colors_[index])));
+      has_swaths_ = true;
+    }
+  }
+
+  void AddAreas() {
+    if (setting_.areas.empty()) return;
+    for (const Stroke& area : setting_.areas) bounds_.Include(area);
+    Plot("areas", setting_.areas, fmt::format("lines lc rgb '{}' dt 3 lw 1.4", kGrey));
   }
 
   /// Where it was sent: by the mission, else by what its helm published.
@@ -158,6 +221,10 @@ class TracksFigure {
       legend_.push_back({fmt::format("every {} s", data_.mark_interval_s),
                          fmt::format("points lc rgb '{}' pt 9 ps 0.9", kGrey)});
     }
+    if (!setting_.areas.empty()) {
+      legend_.push_back({"area", fmt::format("lines lc rgb '{}' dt 3 lw 1.4", kGrey)});
+    }
+    if (has_swaths_) legend_.push_back({"covered", "lines lc rgb '#d0d0d0' lw 8"});
     if (has_waypoints_) {
       legend_.push_back({"waypoint", fmt::format("points lc rgb '{}' pt 7 ps 0.6", kGrey)});
     }
@@ -238,6 +305,7 @@ class TracksFigure {
   std::vector<CurvePoint> texts_;  ///< Where times are written.
   bool has_waypoints_ = false;
   bool has_marks_ = false;
+  bool has_swaths_ = false;
 };
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "lib/behaviors/contact_recipe.h"
 #include "lib/check/check.h"
 #include "lib/modes/value_text.h"
 
@@ -71,7 +72,10 @@ std::string Problem(const BehaviorOptions& options) {
     const auto flags = ParseFlags(*list);
     if (!flags.ok()) return flags.error();
   }
-  return {};
+  const ContactOptions* contact = ContactOptionsOf(options.what);
+  if (contact == nullptr) return {};
+  const auto moments = ParseMomentFlags(contact->cnflag);
+  return moments.ok() ? "" : moments.error();
 }
 
 BehaviorRunner::BehaviorRunner(BehaviorOptions options, std::unique_ptr<Behavior> behavior,
@@ -91,6 +95,17 @@ void BehaviorRunner::Parse() {
             *ParseFlags(texts.spawnflag),    *ParseFlags(texts.spawnxflag),
             *ParseFlags(texts.configflag)};
   own_flags_.clear();
+  const ContactOptions* contact = ContactOptionsOf(options_.what);
+  if (contact != nullptr) moment_flags_ = *ParseMomentFlags(contact->cnflag);
+}
+
+void BehaviorRunner::FireMoments(const BehaviorInputs& inputs, HelmNotes& notes) {
+  if (moment_flags_.empty()) return;
+  const auto contact = inputs.contacts->find(ContactOptionsOf(options_.what)->contact);
+  if (contact == inputs.contacts->end()) return moments_.Forget();
+  for (const Flag* flag : moments_.Update(inputs.own.motion, contact->second.now, moment_flags_)) {
+    Fire({*flag}, inputs, notes);
+  }
 }
 
 std::optional<std::string> BehaviorRunner::MacroValue(std::string_view name,
@@ -205,6 +220,7 @@ void BehaviorRunner::Update(const std::string& text, std::span<const UpdateItem>
 }
 
 bool BehaviorRunner::ConditionsHold(const BehaviorInputs& inputs) const {
+  if (is_disabled_) return false;
   if (inputs.goals_rest && !behavior_->is_constraint()) return false;
   if (!AllHold(conditions_, *inputs.variables)) return false;
   return std::all_of(
@@ -250,6 +266,7 @@ void BehaviorRunner::Publish(const BehaviorAnswer& answer, const BehaviorInputs&
 RunReport BehaviorRunner::Idle(const BehaviorInputs& inputs, HelmNotes& notes) {
   RunReport report = {.options = &options_, .state = RunState::kIdle};
   const bool is_entered = state_ != RunState::kIdle;
+  moments_.Forget();
   report.answer = behavior_->Idle(inputs);
   report.answer.objective.reset();
   Publish(report.answer, inputs, notes);
@@ -307,6 +324,7 @@ RunReport BehaviorRunner::Run(const BehaviorInputs& inputs, HelmNotes& notes) {
     Fire(flags_.inactive, inputs, notes);
   }
   Publish(answer, inputs, notes);
+  FireMoments(inputs, notes);
   Enter(report.state, notes);
   return report;
 }

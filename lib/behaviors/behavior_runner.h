@@ -14,6 +14,7 @@
 
 #include "lib/behaviors/any_behavior.h"
 #include "lib/behaviors/behavior.h"
+#include "lib/behaviors/contact_moments.h"
 #include "lib/behaviors/update_text.h"
 #include "lib/modes/flag.h"
 
@@ -68,6 +69,9 @@ class BehaviorRunner {
   /// One iteration. `end_reason`, not empty: it completes now.
   RunReport Iterate(const BehaviorInputs& inputs, const std::string& end_reason, HelmNotes& notes);
 
+  /// Makes it idle, whatever its conditions are, until it is enabled again.
+  void Disable(bool is_disabled) { is_disabled_ = is_disabled; }
+
   /// The operator has given the order to go on.
   void Clear() { behavior_->Clear(); }
 
@@ -82,6 +86,7 @@ class BehaviorRunner {
   };
 
   void Parse();
+  void FireMoments(const BehaviorInputs& inputs, HelmNotes& notes);
   void Fire(const std::vector<Flag>& flags, const BehaviorInputs& inputs, HelmNotes& notes);
   void FireOwn(const std::string& name, const BehaviorInputs& inputs, HelmNotes& notes);
   std::optional<std::string> MacroValue(std::string_view name, const BehaviorInputs& inputs);
@@ -105,9 +110,12 @@ class BehaviorRunner {
   std::vector<Condition> conditions_;
   FlagLists flags_;
   std::map<std::string, std::vector<Flag>> own_flags_;  ///< Parsed when they fire first.
+  std::vector<MomentFlag> moment_flags_;
+  ContactMoments moments_;
 
   RunState state_ = RunState::kNew;
   bool is_over_ = false;
+  bool is_disabled_ = false;
   double last_time_s_ = 0;
   double state_since_s_ = 0;
   std::optional<double> used_s_;  ///< Of the duration; absent: has not run yet.

@@ -217,6 +217,34 @@ void BehaviorSet::SpawnForObstacles(const Iteration& now) {
   }
 }
 
+/// "contact = henry # action = disable": behaviors that can be disabled rest while it holds.
+void BehaviorSet::TakeAbleFilter(HelmNotes* notes) {
+  constexpr size_t kMostDisabled = 1000;
+  const Variables::Entry* filter = variables_.Find("BHV_ABLE_FILTER");
+  if (filter == nullptr) return;
+  for (const VariableValue& value : filter->fresh) {
+    std::string text = TextOf(value);
+    std::replace(text.begin(), text.end(), ',', '#');
+    std::string contact;
+    std::string action;
+    const auto items = ParseUpdate(text);
+    if (items.ok()) {
+      for (const UpdateItem& item : *items) {
+        if (item.key == "contact") contact = item.value;
+        if (item.key == "action") action = item.value;
+      }
+    }
+    if (contact.empty() || (action != "disable" && action != "enable")) {
+      notes->warnings.push_back("BHV_ABLE_FILTER = " + TextOf(value) +
+                                ": write contact = NAME, action = disable or enable");
+    } else if (action == "enable") {
+      disabled_contacts_.erase(contact);
+    } else if (disabled_contacts_.size() < kMostDisabled) {
+      disabled_contacts_.insert(contact);
+    }
+  }
+}
+
 void BehaviorSet::ApplyUpdate(const std::string& variable, const std::string& text,
                               const Iteration& now) {
   auto items = ParseUpdate(text);
@@ -268,27 +296,51 @@ void BehaviorSet::ApplyUpdates(const Iteration& now) {
   }
 }
 
+HelmAim BehaviorSet::AimOf(const RunReport& report) {
+  HelmAim aim;
+  aim.name = report.options->name;
+  aim.kind = KindOf(report.options->what);
+  aim.state = Name(report.state);
+  if (!report.answer.state.empty()) aim.state += ", " + report.answer.state;
+  aim.is_constraint = report.is_constraint;
+  aim.role = report.answer.role;
+  aim.view = report.answer.view;
+  return aim;
+}
+
 void BehaviorSet::Decide(const HelmInputs& inputs, const std::vector<RunReport>& reports,
                          HelmOutcome& outcome) const {
   std::vector<WeightedObjective> objectives;
-  std::vector<const RunReport*> from;  // nullptr: the task's.
-  bool has_goal = false;
-  if (inputs.task && inputs.task->pwt > 0) {
+  if (inputs.task) {
     objectives.push_back({inputs.task->pwt, ObjectiveOf(*inputs.task, setup_.domain)});
-    from.push_back(nullptr);
-    has_goal = true;
+    outcome.aims.push_back(
+        {.name = inputs.task->name, .kind = inputs.task->kind, .state = "active"});
   }
+  bool has_goal = inputs.task.has_value();
+  bool has_other = false;
   for (const RunReport& report : reports) {
     if (report.state != RunState::kRunning && report.state != RunState::kActive) continue;
     objectives.push_back({report.weight, report.answer.objective.value_or(Objective())});
-    from.push_back(&report);
-    if (report.state == RunState::kActive && !report.is_constraint) has_goal = true;
+    outcome.aims.push_back(AimOf(report));
+    if (report.state != RunState::kActive) continue;
+    has_other = true;
+    has_goal = has_goal || !report.is_constraint;
   }
-  const bool has_any =
-      std::any_of(objectives.begin(), objectives.end(),
-                  [](const WeightedObjective& objective) { return objective.weight > 0; });
-  const Decision decision = shoal::Decide(setup_.domain, objectives);
-  if (!has_any) {
+  const bool only_task = inputs.task && !has_other;
+  // Alone, a task without weight counts too.
+  if (only_task && objectives.front().weight <= 0) objectives.front().weight = 1;
+
+  const GridDecision decision = shoal::Decide(setup_.domain, objectives);
+  const auto shares = Explain(setup_.domain, objectives, decision);
+  for (size_t i = 0; i < shares.size(); ++i) {
+    HelmAim& aim = outcome.aims[i];
+    aim.weight = objectives[i].weight;
+    if (aim.weight <= 0) continue;
+    aim.best = PointOf(shares[i].best_point, setup_.domain);
+    aim.value = shares[i].value;
+    aim.loss = shares[i].loss;
+  }
+  if (!only_task && !has_other) {
     outcome.all_stop = "NothingToDo";
   } else if (setup_.goals_mandatory && !has_goal) {
     outcome.all_stop = "NoGoalBehavior";
@@ -300,38 +352,8 @@ void BehaviorSet::Decide(const HelmInputs& inputs, const std::vector<RunReport>&
     outcome.has_decision = true;
     outcome.commands = PointOf(decision.point, setup_.domain);
     outcome.utility = decision.utility;
-    outcome.only_task = inputs.task &&
-                        std::count_if(objectives.begin(), objectives.end(),
-                                      [](const WeightedObjective& objective) {
-                                        return objective.weight > 0;
-                                      }) == 1 &&
-                        from.front() == nullptr;
+    outcome.only_task = only_task;
     outcome.is_task_point = inputs.task && IsNearest(decision.point, *inputs.task, setup_.domain);
-  }
-  const auto shares = Explain(setup_.domain, objectives, decision);
-  for (size_t i = 0; i < from.size(); ++i) {
-    HelmAim aim;
-    aim.weight = objectives[i].weight;
-    if (from[i] == nullptr) {
-      aim.name = inputs.task->name;
-      aim.kind = inputs.task->kind;
-      aim.state = "active";
-    } else {
-      const RunReport& report = *from[i];
-      aim.name = report.options->name;
-      aim.kind = KindOf(report.options->what);
-      aim.state = Name(report.state);
-      if (!report.answer.state.empty()) aim.state += ", " + report.answer.state;
-      aim.is_constraint = report.is_constraint;
-      aim.role = report.answer.role;
-      aim.view = report.answer.view;
-    }
-    if (aim.weight > 0) {
-      aim.best = PointOf(shares[i].best_point, setup_.domain);
-      aim.value = shares[i].value;
-      aim.loss = shares[i].loss;
-    }
-    outcome.aims.push_back(std::move(aim));
   }
 }
 
@@ -382,6 +404,12 @@ HelmOutcome BehaviorSet::Iterate(const HelmInputs& inputs) {
   SpawnForContacts(now);
   SpawnForObstacles(now);
   ApplyUpdates(now);
+  TakeAbleFilter(&notes);
+  for (const auto& runner : runners_) {
+    const auto* colregs = std::get_if<ColregsOptions>(&runner->options().what);
+    if (colregs == nullptr || !colregs->can_disable) continue;
+    runner->Disable(disabled_contacts_.contains(colregs->contact.contact));
+  }
   for (const std::string& change : modes_.Apply(variables_, inputs.time_s)) {
     notes.events.push_back({"mode", change});
   }

@@ -37,6 +37,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -71,8 +72,8 @@ struct ReceivedSetting {
 
 /// The task of the moment as one aim among the others.
 struct TaskAim {
-  std::string name;
-  std::string kind;
+  std::string name = {};
+  std::string kind = {};
   double pwt = 100;
   double course_deg = 0;  ///< What it commands alone.
   double speed_mps = 0;   ///< 0: any course.
@@ -103,10 +104,11 @@ struct HelmPoint {
 
 /// A running behavior's share in the decision.
 struct HelmAim {
-  std::string name;
-  std::string kind;
+  std::string name = {};
+  std::string kind = {};
   bool is_constraint = false;  ///< Avoidance, a limit: no goal by itself.
-  std::string state;  ///< "active" or "running", and what it states about itself: "active, leg 3".
+  std::string state =
+      {};             ///< "active" or "running", and what it states about itself: "active, leg 3".
   double weight = 0;  ///< 0: no preference now.
   HelmPoint best = {};  ///< What it alone would have chosen.
   double value = 0;     ///< Its value at the decision, 0 to 100.
@@ -160,6 +162,7 @@ class BehaviorSet {
   struct Iteration;
 
   void TakeSettings(const HelmInputs& inputs, HelmOutcome& outcome);
+  void TakeAbleFilter(HelmNotes* notes);
   void ApplyUpdates(const Iteration& now);
   void ApplyUpdate(const std::string& variable, const std::string& text, const Iteration& now);
   void SpawnForContacts(const Iteration& now);
@@ -168,6 +171,7 @@ class BehaviorSet {
   void Spawn(Recipe& recipe, BehaviorOptions options, const BehaviorOrigin& origin,
              const Iteration& now);
   bool HasRunnerNamed(std::string_view name) const;
+  static HelmAim AimOf(const RunReport& report);
   void Decide(const HelmInputs& inputs, const std::vector<RunReport>& reports,
               HelmOutcome& outcome) const;
   void JudgeAllStop(const std::string& error, HelmOutcome& outcome);
@@ -178,6 +182,7 @@ class BehaviorSet {
   ModeTree modes_;
   std::vector<Recipe> recipes_;
   std::vector<std::unique_ptr<BehaviorRunner>> runners_;  ///< In the order of the file.
+  std::set<std::string> disabled_contacts_;               ///< By BHV_ABLE_FILTER.
   std::string lasting_error_;
   int iterations_without_decision_ = 0;
   std::string last_all_stop_ = "clear";

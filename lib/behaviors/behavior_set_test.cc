@@ -492,6 +492,42 @@ TEST(Spawning, MakesOneBehaviorForEachObstacleInRange) {
   EXPECT_TRUE(HasEvent(helm.Tick(), "end", "obs_rock: completed, the obstacle is passed"));
 }
 
+TEST(AbleFilter, DisablesABehaviorThatAllowsItForItsContact) {
+  TestHelm helm;
+  for (const bool can_disable : {true, false}) {
+    ColregsOptions colregs = {.pwt_outer_dist = 80, .completed_dist = 100};
+    colregs.can_disable = can_disable;
+    helm.Add(can_disable ? "may_" : "must_", colregs).templating = Templating::kSpawn;
+  }
+  helm.answers["may_henry"] = Wants90;
+  helm.answers["must_henry"] = Wants90;
+  helm.contacts["henry"] = ContactAt("henry", 70, 0);
+  EXPECT_EQ(helm.Tick().aims.size(), 2U);
+  HelmOutcome outcome = helm.TickWith("BHV_ABLE_FILTER", "contact=henry, action=disable");
+  ASSERT_EQ(outcome.aims.size(), 1U);
+  EXPECT_EQ(outcome.aims[0].name, "must_henry");
+  // It lasts for behaviors that are spawned later.
+  helm.contacts.clear();
+  helm.Tick();
+  helm.contacts["henry"] = ContactAt("henry", 70, 0);
+  EXPECT_EQ(helm.Tick().aims.size(), 1U);
+  EXPECT_EQ(helm.TickWith("BHV_ABLE_FILTER", "contact=henry # action=enable").aims.size(), 2U);
+  EXPECT_EQ(helm.TickWith("BHV_ABLE_FILTER", "action=disable").warnings.size(), 1U);
+}
+
+TEST(ContactFlags, AreSetAtTheirMoments) {
+  TestHelm helm;
+  AvoidCollisionOptions avoid = Avoid();
+  avoid.contact.cnflag = {"@<50 NEAR = $[CONTACT] at $[RANGE]"};
+  helm.Add("avd_", avoid).templating = Templating::kSpawn;
+  helm.contacts["henry"] = ContactAt("henry", 70, 0);
+  helm.TickFor(1);
+  EXPECT_EQ(helm.ValueOf("NEAR"), "");
+  helm.contacts["henry"] = ContactAt("henry", 49, 0);
+  helm.TickFor(1);
+  EXPECT_EQ(helm.ValueOf("NEAR"), "henry at 49");
+}
+
 TEST(AllStop, ForWantOfADecisionWaitsOneIteration) {
   TestHelm helm;
   helm.Add("survey").condition = {"GO = true"};
@@ -641,7 +677,9 @@ TEST(Decision, StatesWhatEachLost) {
 
 TEST(Decision, OfTheTaskAloneIsTheTasksOwn) {
   TestHelm helm;
-  helm.Add("survey").condition = {"GO = true"};
+  BehaviorOptions& survey = helm.Add("survey");
+  survey.condition = {"GO = true"};
+  survey.pwt = 300;
   helm.answers["survey"] = Wants90;
   helm.task = TaskAim{.name = "legs", .kind = "waypoints", .course_deg = 33.4, .speed_mps = 1.23};
   HelmOutcome outcome = helm.Tick();
@@ -653,6 +691,18 @@ TEST(Decision, OfTheTaskAloneIsTheTasksOwn) {
   outcome = helm.TickWith("GO", "true");
   EXPECT_FALSE(outcome.only_task);
   EXPECT_FALSE(outcome.is_task_point);
+}
+
+TEST(Decision, LetsATaskWithoutWeightLeadOnlyWhereNothingElseDoes) {
+  TestHelm helm;
+  helm.Add("survey").condition = {"GO = true"};
+  helm.answers["survey"] = Wants90;
+  helm.task =
+      TaskAim{.name = "legs", .kind = "waypoints", .pwt = 0, .course_deg = 33, .speed_mps = 1};
+  EXPECT_TRUE(helm.Tick().only_task);
+  const HelmOutcome outcome = helm.TickWith("GO", "true");
+  EXPECT_FALSE(outcome.only_task);
+  EXPECT_EQ(outcome.commands, (HelmPoint{.course_deg = 90, .speed_mps = 2}));
 }
 
 TEST(Decision, AgreesWithATaskBesideABehaviorThatDoesNotMind) {
@@ -675,9 +725,13 @@ TEST(ObjectiveOfATask, IsGreatestAtTheGridPointNearestToItsCommands) {
   const Domain domain = {.depth_m = {.first = 0, .step = 1, .count = 101}};
   for (const double course_deg : {0.0, 0.4, 90.6, 179.5, 359.6}) {
     for (const double speed_mps : {0.0, 0.04, 0.26, 1.5, 3.97, 9.0}) {
-      const TaskAim task = {.course_deg = course_deg, .speed_mps = speed_mps, .depth_m = 12.3};
+      const TaskAim task = {.name = "",
+                            .kind = "",
+                            .course_deg = course_deg,
+                            .speed_mps = speed_mps,
+                            .depth_m = 12.3};
       const std::vector<WeightedObjective> alone = {{1, ObjectiveOf(task, domain)}};
-      const Decision decision = Decide(domain, alone);
+      const GridDecision decision = Decide(domain, alone);
       EXPECT_EQ(decision.point.speed, domain.speed_mps.Nearest(speed_mps));
       EXPECT_EQ(decision.point.depth, 12);
       EXPECT_NEAR(decision.utility, 100, 1e-6);

@@ -9,9 +9,7 @@ namespace shoal {
 BehaviorAnswer ConstantDepthBehavior::Run(const BehaviorInputs& inputs) {
   BehaviorAnswer answer = PreferDepth(
       {options_.depth, options_.peakwidth, options_.basewidth, options_.summitdelta}, inputs);
-  if (!options_.depth_mismatch_var.empty()) {
-    Post(answer, options_.depth_mismatch_var, std::abs(options_.depth - inputs.own.depth_m));
-  }
+  Post(answer, options_.depth_mismatch_var, std::abs(options_.depth - inputs.own.depth_m));
   return answer;
 }
 

@@ -11,9 +11,7 @@ BehaviorAnswer ConstantHeadingBehavior::Run(const BehaviorInputs& inputs) {
   BehaviorAnswer answer = PreferCourse(
       {options_.heading, options_.peakwidth, options_.basewidth, options_.summitdelta}, inputs);
   const double mismatch_deg = std::abs(Wrap180(options_.heading - inputs.own.motion.heading_deg));
-  if (!options_.heading_mismatch_var.empty()) {
-    Post(answer, options_.heading_mismatch_var, mismatch_deg);
-  }
+  Post(answer, options_.heading_mismatch_var, mismatch_deg);
   answer.completes = mismatch_deg <= options_.complete_thresh;
   return answer;
 }

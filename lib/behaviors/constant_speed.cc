@@ -9,10 +9,7 @@ namespace shoal {
 BehaviorAnswer ConstantSpeedBehavior::Run(const BehaviorInputs& inputs) {
   BehaviorAnswer answer = PreferSpeed(
       {options_.speed, options_.peakwidth, options_.basewidth, options_.summitdelta}, inputs);
-  if (!options_.speed_mismatch_var.empty()) {
-    Post(answer, options_.speed_mismatch_var,
-         std::abs(options_.speed - inputs.own.motion.speed_mps));
-  }
+  Post(answer, options_.speed_mismatch_var, std::abs(options_.speed - inputs.own.motion.speed_mps));
   return answer;
 }
 

@@ -13,6 +13,7 @@
 #include "lib/behaviors/shadow.h"
 #include "lib/behaviors/test_contact.h"
 #include "lib/behaviors/trail.h"
+#include "lib/decision/decide.h"
 #include "lib/geometry/angles.h"
 
 namespace shoal::contact_behaviors_test {
@@ -83,9 +84,9 @@ TEST(AvoidCollision, WidensTheDistanceToAContactByItsAge) {
   TestMeeting meeting(kNorthbound, Southbound(15, 80));
   AvoidCollisionBehavior behavior(
       {.contact = kBravo, .min_util_cpa_dist = 8, .max_util_cpa_dist = 12, .widen_per_s = 0.5});
-  EXPECT_NEAR(ValueAt(*meeting.Run(behavior).objective, 0, 20), 100, 1e-9);
+  EXPECT_NEAR(Value(*meeting.Run(behavior).objective, 0, 20, 0), 100, 1e-9);
   meeting.contact().age_s = 20;
-  EXPECT_NEAR(ValueAt(*meeting.Run(behavior).objective, 0, 20), 0, 1e-9);
+  EXPECT_NEAR(Value(*meeting.Run(behavior).objective, 0, 20, 0), 0, 1e-9);
 }
 
 TEST(AvoidCollision, IsTheMirrorImageInAMirror) {
@@ -95,7 +96,7 @@ TEST(AvoidCollision, IsTheMirrorImageInAMirror) {
   const Objective a = *meeting.Run(behavior).objective;
   const Objective b = *mirrored.Run(behavior).objective;
   for (int course = 0; course < 360; course += 5) {
-    EXPECT_NEAR(ValueAt(a, course, 20), ValueAt(b, (360 - course) % 360, 20), 1e-6) << course;
+    EXPECT_NEAR(Value(a, course, 20, 0), Value(b, (360 - course) % 360, 20, 0), 1e-6) << course;
   }
 }
 
@@ -110,7 +111,7 @@ TEST(Colregs, BreaksToStarboardHeadOnAndInItsMirrorImage) {
 }
 
 TEST(Colregs, JudgesAnewAfterAnIdleTime) {
-  TestMeeting meeting(kNorthbound, {.position_m = {40, 40}, .heading_deg = 270, .speed_mps = 2});
+  TestMeeting meeting(kNorthbound, {.position_m = {40, 40}, .heading_deg = 270, .speed_mps = 1.5});
   ColregsBehavior behavior({.contact = kBravo});
   EXPECT_EQ(meeting.Run(behavior).role->role, "give-way:bow");
   meeting.contact().now.heading_deg = 225;

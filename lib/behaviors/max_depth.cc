@@ -9,9 +9,7 @@ BehaviorAnswer MaxDepthBehavior::Run(const BehaviorInputs& inputs) {
   if (axis.count == 0) return WarnOfNoDepth();
   BehaviorAnswer answer =
       Prefer(inputs, {.depth = AtMost(axis, options_.max_depth, options_.tolerance)});
-  if (!options_.depth_slack_var.empty()) {
-    Post(answer, options_.depth_slack_var, options_.max_depth - inputs.own.depth_m);
-  }
+  Post(answer, options_.depth_slack_var, options_.max_depth - inputs.own.depth_m);
   return answer;
 }
 

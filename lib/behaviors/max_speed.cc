@@ -9,9 +9,7 @@ BehaviorAnswer MaxSpeedBehavior::Run(const BehaviorInputs& inputs) {
   if (axis.count == 0) return {};
   BehaviorAnswer answer =
       Prefer(inputs, {.speed = AtMost(axis, options_.max_speed, options_.tolerance)});
-  if (!options_.speed_slack_var.empty()) {
-    Post(answer, options_.speed_slack_var, options_.max_speed - inputs.own.motion.speed_mps);
-  }
+  Post(answer, options_.speed_slack_var, options_.max_speed - inputs.own.motion.speed_mps);
   return answer;
 }
 

@@ -5,7 +5,6 @@
 
 #include "lib/behaviors/preference.h"
 #include "lib/check/bounds.h"
-#include "lib/check/check.h"
 #include "lib/geometry/angles.h"
 #include "lib/geometry/convex_polygon.h"
 
@@ -25,7 +24,6 @@ OpRegionBehavior::OpRegionBehavior(const OpRegionOptions& options) : BehaviorWit
 }
 
 void OpRegionBehavior::TakeOver(const OpRegionOptions& options) {
-  SHOAL_CHECK(!options.recover_patience.empty(), "recover_patience has at least one value");
   options_ = options;
   save_m_ = Zone(options.save_poly, options.core_poly, options.save_dist);
   border_m_ = Zone(options.halt_poly, options.core_poly, options.halt_dist);
@@ -152,12 +150,13 @@ void OpRegionBehavior::TurnBack(const BehaviorInputs& inputs, BehaviorAnswer& an
   is_saving_ = true;
   answer.flags.emplace_back("savex_flag");
   answer.state = "turns back";
+  constexpr double kPatience = 95;
   const std::vector<double>& patience = options_.recover_patience;
   const BehaviorAnswer back =
       PreferBoth(inputs, CoursesBack(inputs),
                  PeakOverAxis(inputs.domain->speed_mps, InDomain(inputs, options_.recover_spd),
                               options_.recover_spd / 2, 0.2, 20),
-                 patience[num_iterations_ % patience.size()]);
+                 patience.empty() ? kPatience : patience[num_iterations_ % patience.size()]);
   answer.objective = back.objective;
   answer.relevance = back.relevance;
 }

@@ -88,8 +88,8 @@ class OpRegionBehavior final : public BehaviorWith<OpRegionOptions> {
   bool is_saving_ = false;  ///< Outside the save zone.
   int side_ = 0;            ///< Turns to starboard (1) or port (-1) until its bow meets the zone.
   size_t num_iterations_ = 0;
-  std::string latched_;     ///< The breach that lasts; empty: none.
-  std::string last_text_;   ///< Of the breach in the iteration before.
+  std::string latched_;    ///< The breach that lasts; empty: none.
+  std::string last_text_;  ///< Of the breach in the iteration before.
 };
 
 }  // namespace shoal

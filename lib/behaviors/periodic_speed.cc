@@ -1,5 +1,7 @@
 #include "lib/behaviors/periodic_speed.h"
 
+#include <cmath>
+
 #include "lib/behaviors/preference.h"
 
 namespace shoal {
@@ -22,7 +24,7 @@ BehaviorAnswer PeriodicSpeedBehavior::Run(const BehaviorInputs& inputs) {
         {options_.period_speed, options_.peakwidth, options_.basewidth, options_.summitdelta},
         inputs);
   }
-  const double left_s = period_s() - (inputs.time_s - *since_s_);
+  const double left_s = std::ceil(period_s() - (inputs.time_s - *since_s_));
   Post(answer, "PERIODIC_SPEED_COUNT", num_busy_);
   Post(answer, "PERIODIC_SPEED_PENDING_BUSY", is_busy_ ? 0 : left_s);
   Post(answer, "PERIODIC_SPEED_PENDING_LAZY", is_busy_ ? left_s : 0);

@@ -54,8 +54,9 @@ BehaviorAnswer PeriodicSurfaceBehavior::Run(const BehaviorInputs& inputs) {
   }
   const double in_state_s = inputs.time_s - *since_s_;
   Post(answer, options_.pending_status_var,
-       state_ == State::kWaiting ? options_.period - in_state_s : 0);
-  Post(answer, options_.atsurface_status_var, state_ == State::kAtSurface ? in_state_s : 0);
+       state_ == State::kWaiting ? std::ceil(options_.period - in_state_s) : 0);
+  Post(answer, options_.atsurface_status_var,
+       state_ == State::kAtSurface ? std::floor(in_state_s) : 0);
   Post(answer, "PERIODIC_ASCEND", state_ == State::kAscending ? "true" : "false");
   answer.state = state_ == State::kWaiting     ? "waiting"
                  : state_ == State::kAscending ? "ascending"

@@ -69,11 +69,13 @@ std::vector<double> TransitSpeed(const BehaviorInputs& inputs, double speed_mps,
 
 void Post(BehaviorAnswer& answer, std::string_view variable, double value,
           std::string_view suffix) {
+  if (variable.empty()) return;
   answer.posts.push_back({.variable = Suffixed(variable, suffix), .value = value});
 }
 
 void Post(BehaviorAnswer& answer, std::string_view variable, std::string_view value,
           std::string_view suffix) {
+  if (variable.empty()) return;
   answer.posts.push_back({.variable = Suffixed(variable, suffix), .value = std::string(value)});
 }
 

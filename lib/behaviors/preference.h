@@ -43,8 +43,8 @@ struct Peak {
 [[nodiscard]] std::vector<double> TransitSpeed(const BehaviorInputs& inputs, double speed_mps,
                                                double slow_value);
 
-/// Appends a report. `suffix` goes behind the name of the variable, after an underscore; empty:
-/// nothing does.
+/// Appends a report; none where `variable` is empty. `suffix` goes behind the name of the variable,
+/// after an underscore; empty: nothing does.
 void Post(BehaviorAnswer& answer, std::string_view variable, double value,
           std::string_view suffix = {});
 void Post(BehaviorAnswer& answer, std::string_view variable, std::string_view value,

@@ -12,6 +12,11 @@
 
 namespace shoal {
 
+/// Returns the value of an objective at grid indices.
+inline double ValueAt(const Objective& objective, int course, int speed, int depth = 0) {
+  return ValueOf(objective, course, speed, depth);
+}
+
 /// The best point of an answer; the lowest course, speed and depth of several. -1: not mentioned.
 struct BestPoint {
   double course_deg = -1;

@@ -28,9 +28,9 @@ void SortAsGreedyTour(Points& points_m, Eigen::Vector2d from_m) {
 
 // ipf_type = "roc": how fast the vessel comes nearer on a course delta off the bearing at speed u,
 // against the speed v that is asked for; 80 parts of that, 20 of |delta| u.
-class ApproachFunction final : public CourseSpeedFunction {
+class TowardPointFunction final : public CourseSpeedFunction {
  public:
-  ApproachFunction(const Domain& domain, double bearing_deg, double speed_mps)
+  TowardPointFunction(const Domain& domain, double bearing_deg, double speed_mps)
       : speeds_(domain.speed_mps), bearing_deg_(bearing_deg), speed_mps_(speed_mps) {}
 
   double At(int course, int speed) const override {
@@ -209,7 +209,7 @@ Objective WaypointBehavior::Preference(const BehaviorInputs& inputs, double cour
                                        double speed_mps) const {
   const Domain& domain = *inputs.domain;
   if (options_.ipf_type == "roc") {
-    return {.coupled = std::make_shared<ApproachFunction>(domain, course_deg, speed_mps)};
+    return {.coupled = std::make_shared<TowardPointFunction>(domain, course_deg, speed_mps)};
   }
   // A slight liking of the present heading: it moves the maximum by a degree at most.
   const std::vector<double> course =

@@ -14,6 +14,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -63,6 +64,13 @@ class Bus {
   /// @pre channel has 1 to 63 characters, letters, digits, '_' and '.'.
   virtual void PublishBytes(std::string_view channel, std::span<const uint8_t> data) = 0;
 
+  /// The same, and returns where views of the message may be left for the subscribers in this
+  /// process until the next call; nullptr: there are none.
+  virtual MessageViews* PublishShared(std::string_view channel, std::span<const uint8_t> data) {
+    PublishBytes(channel, data);
+    return nullptr;
+  }
+
   /// Calls `handler` for every message on `channel`, in the fixed order of the step.
   /// @pre called before the first step.
   virtual void SubscribeBytes(const std::string& channel, Handler handler) = 0;
@@ -99,19 +107,34 @@ template <class T>
   }
 }
 
-template <class T>
-void Publish(Bus& bus, const Channel<T>& channel, const T& message) {
-  thread_local Bytes bytes;
-  EncodeInto(message, &bytes);
-  bus.PublishBytes(channel.name, bytes);
-}
-
 /// A message as its type, if its bytes are one.
 template <class T>
 struct Decoded {
   bool is_sound = false;
   T message{};
 };
+
+template <class T>
+void Publish(Bus& bus, const Channel<T>& channel, const T& message) {
+  thread_local Bytes bytes;
+  EncodeInto(message, &bytes);
+  if constexpr (std::is_trivially_copyable_v<T>) {
+    // Numbers alone: decoding the bytes would give the same, bit for bit.
+    if (MessageViews* views = bus.PublishShared(channel.name, bytes)) {
+      *views->Made<Decoded<T>>() = {.is_sound = true, .message = message};
+    }
+  } else {
+    bus.PublishBytes(channel.name, bytes);
+  }
+}
+
+/// Decodes `data` anew: lcm-gen's decoders leave a list of numbers as it was where the message's
+/// own is empty.
+template <class T>
+void DecodeAfresh(std::span<const uint8_t> data, Decoded<T>* decoded) {
+  decoded->message = T{};
+  decoded->is_sound = Decode(data, &decoded->message);
+}
 
 /// Calls `use(const View&)` with what `make(View*)` makes of a message: once for all subscribers of
 /// a process, where the message is shared.
@@ -131,7 +154,7 @@ template <class T, class F>
 void Subscribe(Bus& bus, const Channel<T>& channel, F handler) {
   bus.SubscribeBytes(channel.name, [&bus, handler = std::move(handler)](const Message& raw) {
     WithView<Decoded<T>>(
-        raw, [&](Decoded<T>* decoded) { decoded->is_sound = Decode(raw.data, &decoded->message); },
+        raw, [&](Decoded<T>* decoded) { DecodeAfresh(raw.data, decoded); },
         [&](const Decoded<T>& decoded) {
           if (decoded.is_sound) {
             handler(decoded.message);
@@ -149,8 +172,7 @@ void SubscribeAs(Bus& bus, const Channel<T>& channel, F handler) {
   bus.SubscribeBytes(channel.name, [&bus, handler = std::move(handler)](const Message& raw) {
     const auto make = [&raw](std::optional<View>* view) {
       WithView<Decoded<T>>(
-          raw,
-          [&](Decoded<T>* decoded) { decoded->is_sound = Decode(raw.data, &decoded->message); },
+          raw, [&](Decoded<T>* decoded) { DecodeAfresh(raw.data, decoded); },
           [&](const Decoded<T>& decoded) {
             view->reset();
             if (decoded.is_sound) view->emplace(decoded.message);

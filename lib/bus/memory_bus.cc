@@ -1,38 +1,37 @@
 #include "lib/bus/memory_bus.h"
 
 #include <algorithm>
-#include <numeric>
 #include <tuple>
 
 namespace shoal {
 
 class MemoryBus::Port : public Bus {
  public:
-  Port(MemoryBus& hub, std::string participant) : hub_(hub), name(std::move(participant)) {}
+  Port(MemoryBus& hub, uint32_t place, std::string participant)
+      : hub_(hub), number(place), name(std::move(participant)) {}
 
   void PublishBytes(std::string_view channel, std::span<const uint8_t> data) override {
+    PublishShared(channel, data);
+  }
+
+  MessageViews* PublishShared(std::string_view channel, std::span<const uint8_t> data) override {
     if (hub_.names_by_rank_.empty()) hub_.RankPorts();
     if (step_ != hub_.step_) sequence_ = 0;
     step_ = hub_.step_;
     const KnownChannel& known = Find(channel);
-    // What is published before the first step may still find subscribers.
-    if (known.is_read || hub_.step_ == 0) {
-      hub_.Publish({.channel_id = known.id,
-                    .port_rank = rank,
-                    .sequence = sequence_,
-                    .content = 0,
-                    .begin = 0,
-                    .size = data.size()},
-                   data);
-    }
-    ++sequence_;
+    const Item item = {.channel = known.id, .port = rank, .sequence = sequence_++, .content = 0};
     ++counters_.published;
+    // What is published before the first step may still find subscribers.
+    return known.is_read || hub_.step_ == 0 ? hub_.Publish(item, data) : nullptr;
   }
 
   void SubscribeBytes(const std::string& channel, Handler handler) override {
-    handlers.push_back(std::move(handler));
+    const Subscriber subscriber = {.port = number,
+                                   .handler = static_cast<uint32_t>(hub_.handlers_.size())};
+    hub_.handlers_.push_back(std::move(handler));
+    hub_.channel_readers_[hub_.ChannelId(channel)].push_back(subscriber);
+    hub_.ranks_valid_ = false;
     ++hub_.num_subscriptions_;
-    hub_.channels_[hub_.ChannelId(channel)].subscribers.emplace_back(this, handlers.size() - 1);
   }
 
   void SubscribeAll(Handler handler) override {
@@ -70,34 +69,40 @@ class MemoryBus::Port : public Bus {
   }
 
   void LookForReaders(KnownChannel* known) const {
-    known->is_read = hub_.has_listener_ || !hub_.channels_[known->id].subscribers.empty();
+    known->is_read = hub_.has_listener_ || !hub_.channel_readers_[known->id].empty();
     known->num_subscriptions = hub_.num_subscriptions_;
   }
 
   MemoryBus& hub_;
+
+ public:
+  const uint32_t number;  ///< In order of joining.
+  uint32_t rank = 0;      ///< In order of names.
+
+ private:
   std::vector<KnownChannel> known_channels_;  ///< In order of their first use.
   size_t next_channel_ = 0;                   ///< The last that was used.
   uint32_t sequence_ = 0;
   uint32_t step_ = 0;  ///< Of sequence_.
 
  public:
-  const std::string name;
-  uint32_t rank = 0;
-  std::vector<Handler> handlers;
   std::vector<Handler> all_handlers;
-  std::vector<std::pair<uint32_t, size_t>> inbox;  ///< Index into order_, index into handlers.
+  const std::string name;
 };
 
 MemoryBus::MemoryBus() = default;
 MemoryBus::~MemoryBus() = default;
 
 Bus& MemoryBus::Join(const std::string& participant) {
-  SHOAL_CHECK(open_items_.empty(), "all join before anything is published");
+  SHOAL_CHECK(open_.items.empty(), "all join before anything is published");
+  const auto number = static_cast<uint32_t>(ports_.size());
   auto& port = ports_[participant];
   SHOAL_CHECK(port == nullptr, "participants have unique names");
-  port = std::make_unique<Port>(*this, participant);
+  port = std::make_unique<Port>(*this, number, participant);
   names_by_rank_.clear();  // Before the first step, ranked when the first of them publishes.
   if (step_ > 0) RankPorts();
+  deliveries_begin_.push_back(deliveries_begin_.empty() ? 0 : deliveries_begin_.back());
+  if (number == 0) deliveries_begin_.push_back(0);
   return *port;
 }
 
@@ -110,88 +115,117 @@ void MemoryBus::RankPorts() {
 }
 
 uint32_t MemoryBus::ChannelId(std::string_view name) {
-  const auto [found, is_new] =
-      channel_ids_.emplace(std::string(name), static_cast<uint32_t>(channels_.size()));
-  if (is_new) {
-    channels_.push_back({.name = std::string(name), .subscribers = {}, .rank = 0});
-    ranks_valid_ = false;
-  }
-  return found->second;
+  const auto found = channel_ids_.find(name);
+  if (found != channel_ids_.end()) return found->second;
+  const auto id = static_cast<uint32_t>(channel_names_.size());
+  const auto added = channel_ids_.emplace(std::string(name), id).first;
+  channel_names_.push_back(added->first);
+  channel_readers_.emplace_back();
+  ranks_valid_ = false;
+  return id;
 }
 
 /// A broker publishes the same bytes on the channels of many receivers: they are kept once.
-void MemoryBus::Publish(Item item, std::span<const uint8_t> data) {
-  const Item* last = open_items_.empty() ? nullptr : &open_items_.back();
-  if (last != nullptr && last->size == data.size() &&
-      std::equal(data.begin(), data.end(), open_arena_.data() + last->begin)) {
-    item.begin = last->begin;
-    item.content = last->content;
-  } else {
-    item.begin = open_arena_.size();
-    item.content = num_open_contents_++;
-    open_arena_.insert(open_arena_.end(), data.begin(), data.end());
+MessageViews* MemoryBus::Publish(Item item, std::span<const uint8_t> data) {
+  const Content* last = open_.num_contents == 0 ? nullptr : &open_.contents[open_.num_contents - 1];
+  if (last == nullptr || last->size != data.size() ||
+      !std::equal(data.begin(), data.end(), open_.arena.data() + last->begin)) {
+    if (open_.num_contents == open_.contents.size()) open_.contents.emplace_back();
+    Content& content = open_.contents[open_.num_contents++];
+    content.begin = open_.arena.size();
+    content.size = data.size();
+    content.views.Clear();
+    open_.arena.insert(open_.arena.end(), data.begin(), data.end());
   }
-  open_items_.push_back(item);
+  item.content = open_.num_contents - 1;
+  open_.items.push_back(item);
+  return &open_.contents[item.content].views;
 }
 
-void MemoryBus::RankNames() {
-  std::vector<uint32_t> by_name(channels_.size());
-  std::iota(by_name.begin(), by_name.end(), 0);
-  std::sort(by_name.begin(), by_name.end(),
-            [&](uint32_t a, uint32_t b) { return channels_[a].name < channels_[b].name; });
-  for (uint32_t rank = 0; rank < by_name.size(); ++rank) channels_[by_name[rank]].rank = rank;
+void MemoryBus::RankChannels() {
+  rank_of_channel_.resize(channel_names_.size());
+  subscribers_begin_.assign(1, 0);
+  subscribers_.clear();
+  uint32_t rank = 0;
+  for (const auto& [name, id] : channel_ids_) {
+    rank_of_channel_[id] = rank++;
+    const std::vector<Subscriber>& readers = channel_readers_[id];
+    subscribers_.insert(subscribers_.end(), readers.begin(), readers.end());
+    subscribers_begin_.push_back(static_cast<uint32_t>(subscribers_.size()));
+  }
   ranks_valid_ = true;
 }
 
-void MemoryBus::NextStep() {
-  if (!ranks_valid_) RankNames();
-  ++step_;
-  order_.swap(open_items_);
-  arena_.swap(open_arena_);
-  open_items_.clear();
-  open_arena_.clear();
-  if (contents_.size() < num_open_contents_) contents_.resize(num_open_contents_);
-  for (uint32_t i = 0; i < num_open_contents_; ++i) {
-    contents_[i].num_readers = 0;
-    if (contents_[i].views) contents_[i].views->Clear();
+/// Puts the items of the step that ended into the fixed order: by counting how many a channel has,
+/// since most have one.
+void MemoryBus::SortItems() {
+  std::vector<Item>& items = closed_.items;
+  places_.assign(rank_of_channel_.size() + 1, 0);
+  for (Item& item : items) ++places_[rank_of_channel_[item.channel] + 1];
+  for (size_t rank = 1; rank < places_.size(); ++rank) places_[rank] += places_[rank - 1];
+  sorted_.resize(items.size());
+  for (const Item& item : items) sorted_[places_[rank_of_channel_[item.channel]]++] = item;
+  items.swap(sorted_);
+  const auto comes_before = [](const Item& a, const Item& b) {
+    return std::tie(a.port, a.sequence) < std::tie(b.port, b.sequence);
+  };
+  for (auto begin = items.begin(); begin != items.end();) {
+    auto end = begin + 1;
+    while (end != items.end() && end->channel == begin->channel) ++end;
+    if (!std::is_sorted(begin, end, comes_before)) std::sort(begin, end, comes_before);
+    begin = end;
   }
-  num_open_contents_ = 0;
-  for (Item& item : order_) item.channel_rank = channels_[item.channel_id].rank;
-  std::sort(order_.begin(), order_.end(), [](const Item& a, const Item& b) {
-    return std::tuple(a.channel_rank, a.port_rank, a.sequence) <
-           std::tuple(b.channel_rank, b.port_rank, b.sequence);
-  });
-  for (Port* port : receivers_) port->inbox.clear();
-  receivers_.clear();
-  for (uint32_t i = 0; i < order_.size(); ++i) {
-    const auto& subscribers = channels_[order_[i].channel_id].subscribers;
-    contents_[order_[i].content].num_readers += subscribers.size();
-    for (const auto& [port, handler] : subscribers) {
-      if (port->inbox.empty()) receivers_.push_back(port);
-      port->inbox.emplace_back(i, handler);
+}
+
+/// Lists for every participant what it receives, in order.
+void MemoryBus::Address() {
+  places_.assign(ports_.size() + 1, 0);
+  const auto readers_of = [this](const Item& item) {
+    const uint32_t rank = rank_of_channel_[item.channel];
+    return std::span(subscribers_)
+        .subspan(subscribers_begin_[rank], subscribers_begin_[rank + 1] - subscribers_begin_[rank]);
+  };
+  for (const Item& item : closed_.items) {
+    for (const Subscriber& reader : readers_of(item)) ++places_[reader.port + 1];
+  }
+  for (size_t port = 1; port < places_.size(); ++port) places_[port] += places_[port - 1];
+  deliveries_begin_.assign(places_.begin(), places_.end());
+  deliveries_.resize(places_.back());
+  for (uint32_t i = 0; i < closed_.items.size(); ++i) {
+    for (const Subscriber& reader : readers_of(closed_.items[i])) {
+      deliveries_[places_[reader.port]++] = {.item = i, .handler = reader.handler};
     }
   }
+}
+
+void MemoryBus::NextStep() {
+  if (!ranks_valid_) RankChannels();
+  if (names_by_rank_.empty()) RankPorts();
+  ++step_;
+  std::swap(closed_, open_);
+  open_.items.clear();
+  open_.arena.clear();
+  open_.num_contents = 0;
+  SortItems();
+  Address();
 }
 
 void MemoryBus::Handle(Bus& participant_bus) {
   auto& port = static_cast<Port&>(participant_bus);
   const auto message_of = [&](const Item& item) {
-    return Message{.channel = channels_[item.channel_id].name,
-                   .publisher = names_by_rank_[item.port_rank],
-                   .data = std::span(arena_).subspan(item.begin, item.size)};
+    Content& content = closed_.contents[item.content];
+    return Message{.channel = channel_names_[item.channel],
+                   .publisher = names_by_rank_[item.port],
+                   .data = std::span(closed_.arena).subspan(content.begin, content.size),
+                   .views = &content.views};
   };
-  for (const auto& [place, handler] : port.inbox) {
-    const Item& item = order_[place];
-    Content& content = contents_[item.content];
-    Message message = message_of(item);
-    if (content.num_readers > 1) {
-      if (!content.views) content.views = std::make_unique<MessageViews>();
-      message.views = content.views.get();
-    }
-    port.Run(port.handlers[handler], message);
+  const uint32_t end = deliveries_begin_[port.number + 1];
+  for (uint32_t i = deliveries_begin_[port.number]; i < end; ++i) {
+    const Delivery& delivery = deliveries_[i];
+    port.Run(handlers_[delivery.handler], message_of(closed_.items[delivery.item]));
   }
   for (const Bus::Handler& handler : port.all_handlers) {
-    for (const Item& item : order_) port.Run(handler, message_of(item));
+    for (const Item& item : closed_.items) port.Run(handler, message_of(item));
   }
 }
 

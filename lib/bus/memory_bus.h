@@ -10,11 +10,11 @@
 //   helm.Tick(utime);
 #pragma once
 
+#include <deque>
 #include <functional>
 #include <map>
 #include <memory>
 #include <string>
-#include <unordered_map>
 #include <vector>
 
 #include "lib/bus/bus.h"
@@ -42,46 +42,63 @@ class MemoryBus {
 
  private:
   class Port;
+  /// A message, 16 bytes: a step of a large fleet has thousands.
   struct Item {
-    uint32_t channel_id;  ///< Into channels_.
-    uint32_t port_rank;   ///< The publisher's place in order of names.
-    uint32_t sequence;    ///< Counts the publisher's messages of the step.
-    uint32_t content;     ///< Messages of the same number have the same bytes.
-    size_t begin;         ///< Of the bytes, in the arena.
-    size_t size;
-    uint32_t channel_rank = 0;  ///< As ChannelInfo has it.
+    uint32_t channel = 0;   ///< Its id.
+    uint32_t port = 0;      ///< The publisher's place in order of names.
+    uint32_t sequence = 0;  ///< Counts the publisher's messages of the step.
+    uint32_t content = 0;   ///< Messages of the same number have the same bytes.
   };
-  struct ChannelInfo {
-    std::string name;
-    std::vector<std::pair<Port*, size_t>> subscribers;  ///< Port and index of its handler.
-    uint32_t rank = 0;                                  ///< Place in order of names.
-  };
-  /// What several messages of a step, or several subscribers of one, have in common.
   struct Content {
-    size_t num_readers = 0;
-    std::unique_ptr<MessageViews> views = nullptr;  ///< Its storage outlives the step.
+    size_t begin = 0;  ///< Of the bytes, in the arena.
+    size_t size = 0;
+    MessageViews views = {};  ///< Its storage outlives the step.
+  };
+  /// What is published in one step.
+  struct Traffic {
+    std::vector<Item> items;
+    Bytes arena;
+    std::vector<Content> contents;  ///< The first num_contents are of this step.
+    uint32_t num_contents = 0;
+  };
+  struct Subscriber {
+    uint32_t port = 0;     ///< In order of joining.
+    uint32_t handler = 0;  ///< Into handlers_.
+  };
+  struct Delivery {
+    uint32_t item = 0;     ///< Into closed_.items.
+    uint32_t handler = 0;  ///< Into handlers_.
   };
 
   uint32_t ChannelId(std::string_view name);
-  void Publish(Item item, std::span<const uint8_t> data);
+  MessageViews* Publish(Item item, std::span<const uint8_t> data);
   void RankPorts();
-  void RankNames();
+  void RankChannels();
+  void SortItems();
+  void Address();
 
   std::map<std::string, std::unique_ptr<Port>> ports_;
   std::vector<std::string_view> names_by_rank_;
-  std::unordered_map<std::string, uint32_t> channel_ids_;
-  std::vector<ChannelInfo> channels_;
-  bool ranks_valid_ = false;
-  std::vector<Item> open_items_;  ///< Of the step that goes on.
-  Bytes open_arena_;
-  uint32_t num_open_contents_ = 0;
-  uint32_t step_ = 0;               ///< Counts the calls of NextStep.
+  /// Participants subscribe in the order in which they are stepped, hence these are met in order.
+  std::deque<Bus::Handler> handlers_;
   uint32_t num_subscriptions_ = 0;  ///< Of all participants.
   bool has_listener_ = false;       ///< A participant subscribes to all channels.
-  std::vector<Item> order_;         ///< Of the step that ended, in the fixed order.
-  Bytes arena_;
-  std::vector<Content> contents_;
-  std::vector<Port*> receivers_;  ///< Ports with something in their inbox.
+
+  std::map<std::string, uint32_t, std::less<>> channel_ids_;
+  std::vector<std::string_view> channel_names_;           ///< By id.
+  std::vector<std::vector<Subscriber>> channel_readers_;  ///< By id.
+  bool ranks_valid_ = false;
+  std::vector<uint32_t> rank_of_channel_;    ///< Place in order of names, by id.
+  std::vector<uint32_t> subscribers_begin_;  ///< By rank, and the end.
+  std::vector<Subscriber> subscribers_;      ///< In order of rank.
+
+  uint32_t step_ = 0;  ///< Counts the calls of NextStep.
+  Traffic open_;       ///< Of the step that goes on.
+  Traffic closed_;     ///< Of the step that ended, its items in the fixed order.
+  std::vector<uint32_t> deliveries_begin_;  ///< By port in order of joining, and the end.
+  std::vector<Delivery> deliveries_;        ///< Of the step that ended: port by port.
+  std::vector<uint32_t> places_;            ///< Of SortItems and Address, kept for its storage.
+  std::vector<Item> sorted_;                ///< Likewise.
 };
 
 }  // namespace shoal

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <set>
 
 #include "lib/bus/channels.h"
@@ -79,14 +80,14 @@ TEST(MemoryBus, MakesAViewOfAMessageOnceForAllItsSubscribers) {
     });
   }
   CountedView::num_made = 0;
-  for (const double value : {1, 2}) {
+  for (const double value : {1, 2, 3, 4}) {
     Publish(publisher, channel, ControlOf(value));
     hub.NextStep();
     hub.HandleAll();
   }
-  EXPECT_EQ(received, (std::vector<double>{1, 1, 1, 2, 2, 2}));
-  EXPECT_EQ(CountedView::num_made, 2);
-  EXPECT_EQ(views.size(), 1U) << "its storage is used again";
+  EXPECT_EQ(received, (std::vector<double>{1, 1, 1, 2, 2, 2, 3, 3, 3, 4, 4, 4}));
+  EXPECT_EQ(CountedView::num_made, 4);
+  EXPECT_EQ(views.size(), 2U) << "the storage of the step before the last is used again";
 }
 
 TEST(MemoryBus, MakesAViewOnceForTheSameBytesOnManyChannels) {
@@ -133,6 +134,49 @@ TEST(MemoryBus, CountsABadMessageForEachOfItsSubscribers) {
   EXPECT_EQ(num_received, 2) << "what the message before was is forgotten";
   EXPECT_EQ(a.counters().undecodable, 1);
   EXPECT_EQ(b.counters().undecodable, 1);
+}
+
+TEST(MemoryBus, GivesAnEmptyListWhereAnEarlierMessageHadNumbers) {
+  MemoryBus hub;
+  Bus& publisher = hub.Join("publisher");
+  std::vector<size_t> sizes;
+  for (const char* name : {"a", "b"}) {
+    Subscribe(hub.Join(name), channels::SimCommand("alpha"),
+              [&](const sim_command_t& command) { sizes.push_back(command.values.size()); });
+  }
+  for (const bool is_empty : {false, false, true, true}) {
+    sim_command_t command{};
+    if (!is_empty) command.values = {1, 2, 3};
+    command.num_values = static_cast<int32_t>(command.values.size());
+    Publish(publisher, channels::SimCommand("alpha"), command);
+    hub.NextStep();
+    hub.HandleAll();
+  }
+  EXPECT_EQ(sizes, (std::vector<size_t>{3, 3, 3, 3, 0, 0, 0, 0}));
+}
+
+TEST(MemoryBus, GivesNumbersAsTheyWerePublishedAndAsTheirBytesAre) {
+  MemoryBus hub;
+  Bus& publisher = hub.Join("publisher");
+  Bus& reader = hub.Join("reader");
+  nav_t published{};
+  published.utime = -5;
+  published.x_m = std::numeric_limits<double>::quiet_NaN();
+  published.y_m = -0.0;
+  published.altitude_m = 1e-310;
+  Bytes of_bytes;
+  Bytes of_view;
+  Subscribe(reader, channels::Nav("alpha"), [&](const nav_t& nav) { EncodeInto(nav, &of_view); });
+  reader.SubscribeBytes("NAV_ALPHA", [&](const Message& message) {
+    of_bytes.assign(message.data.begin(), message.data.end());
+  });
+  Publish(publisher, channels::Nav("alpha"), published);
+  hub.NextStep();
+  hub.HandleAll();
+  Bytes expected;
+  EncodeInto(published, &expected);
+  EXPECT_EQ(of_bytes, expected);
+  EXPECT_EQ(of_view, expected);
 }
 
 TEST(MemoryBus, LetsAnAppReceiveItsOwnMessages) {

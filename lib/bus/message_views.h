@@ -5,8 +5,8 @@
 //   views.Clear();   // the next message; storage is kept
 #pragma once
 
-#include <deque>
 #include <memory>
+#include <vector>
 
 namespace shoal {
 
@@ -17,17 +17,27 @@ class MessageViews {
   /// views of other types.
   template <class View, class Make>
   const View& Get(const Make& make) {
-    Slot& slot = SlotOf(&kTypeKey<View>);
-    if (slot.value == nullptr) slot.value = std::make_shared<View>();
+    const Slot& slot = SlotOf<View>();
     View* view = static_cast<View*>(slot.value.get());
-    if (!slot.is_made) make(view);
-    slot.is_made = true;
+    if (!slot.is_made) {
+      make(view);
+      SlotOf<View>().is_made = true;  // Where it is now: `make` may have added slots.
+    }
     return *view;
+  }
+
+  /// Returns the view of this type for the caller to fill, and counts it as made.
+  template <class View>
+  View* Made() {
+    Slot& slot = SlotOf<View>();
+    slot.is_made = true;
+    return static_cast<View*>(slot.value.get());
   }
 
   /// Forgets what was made.
   void Clear() {
-    for (Slot& slot : slots_) slot.is_made = false;
+    first_.is_made = false;
+    for (Slot& slot : others_) slot.is_made = false;
   }
 
  private:
@@ -37,18 +47,25 @@ class MessageViews {
 
   struct Slot {
     const void* type = nullptr;
-    std::shared_ptr<void> value = nullptr;
     bool is_made = false;
+    std::shared_ptr<void> value = nullptr;
   };
 
-  Slot& SlotOf(const void* type) {
-    for (Slot& slot : slots_) {
+  template <class View>
+  Slot& SlotOf() {
+    const void* type = &kTypeKey<View>;
+    if (first_.type == type) return first_;
+    for (Slot& slot : others_) {
       if (slot.type == type) return slot;
     }
-    return slots_.emplace_back(Slot{.type = type});
+    Slot& slot = first_.type == nullptr ? first_ : others_.emplace_back();
+    slot.type = type;
+    slot.value = std::make_shared<View>();
+    return slot;
   }
 
-  std::deque<Slot> slots_;  ///< One or two; a slot never moves.
+  Slot first_;  ///< Most messages have no other.
+  std::vector<Slot> others_;
 };
 
 }  // namespace shoal

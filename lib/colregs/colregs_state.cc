@@ -104,7 +104,7 @@ bool Ends(const ColregsState& state, const Moment& at) {
     case ColregsMode::kGiveWay:
       return at.opens_clear() || alpha_deg > 0;
     case ColregsMode::kStandOn:
-      return at.opens_clear() || beta_deg > 0;
+      return at.opens_clear();
     case ColregsMode::kNone:
     case ColregsMode::kCpa:
       break;
@@ -119,8 +119,7 @@ ColregsSubMode GiveWaySubMode(const Moment& at) {
       limits.give_way_bow_m < 0
           ? (2 * limits.max_cpa_m + limits.min_cpa_m) / 3
           : std::clamp(limits.give_way_bow_m, limits.min_cpa_m, 2 * limits.max_cpa_m);
-  const bool clear_ahead =
-      at.own_passing.crosses_bow && CrossingDistance(at.own, at.contact) > least_m;
+  const bool clear_ahead = CrossingDistance(at.own, at.contact) > least_m;
   // Own turning circle to starboard, up to the contact's bow-stern line.
   const Eigen::Vector2d port_of_contact = UnitVector(DegToRad(at.contact.heading_deg) - kPi / 2);
   const Eigen::Vector2d centre_m =
@@ -130,8 +129,8 @@ ColregsSubMode GiveWaySubMode(const Moment& at) {
   const bool no_room_astern = gap_m < least_m;
   const bool goes_along = !at.own_passing.crosses &&
                           std::cos(DegToRad(at.own.heading_deg - at.contact.heading_deg)) > 0;
-  return clear_ahead || no_room_astern || goes_along ? ColregsSubMode::kBow
-                                                     : ColregsSubMode::kStern;
+  const bool ahead = at.own_passing.crosses_bow && (clear_ahead || no_room_astern);
+  return ahead || goes_along ? ColregsSubMode::kBow : ColregsSubMode::kStern;
 }
 
 ColregsSubMode OvertakingSubMode(ColregsSubMode before, double beta_deg) {
@@ -175,6 +174,9 @@ ColregsSubMode SubModeOf(const ColregsState& state, bool is_new, const Moment& a
       return at.geometry.alpha_deg < 180 ? ColregsSubMode::kPort : ColregsSubMode::kStarboard;
     case ColregsMode::kStandOn:
       if (state.in_extremis() || IsInExtremis(at)) return ColregsSubMode::kInExtremis;
+      if (!is_new && at.time_s - state.sub_mode_since_s < at.limits.min_dwell_s) {
+        return state.sub_mode;
+      }
       return StandOnSubMode(at);
     case ColregsMode::kHeadOn:
     case ColregsMode::kNone:
@@ -223,7 +225,9 @@ ColregsState NextColregsState(const ColregsState& before, const VesselMotion& ow
     state.entry_heading_deg = own.heading_deg;
     state.entry_speed_mps = own.speed_mps;
   }
-  state.sub_mode = SubModeOf(state, is_new, at);
+  const ColregsSubMode sub_mode = SubModeOf(state, is_new, at);
+  if (is_new || sub_mode != state.sub_mode) state.sub_mode_since_s = time_s;
+  state.sub_mode = sub_mode;
   return state;
 }
 

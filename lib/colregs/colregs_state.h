@@ -25,7 +25,7 @@
 //         head-on            opening and D > min_cpa; own ship abaft the contact's beam; both see
 //                            each other to starboard, by 17° one of them or by 31.5° in all
 //         give-way           opening and D > min_cpa; own ship on the contact's starboard side
-//         stand-on           opening and D > min_cpa; the contact on own starboard side
+//         stand-on           opening and D > min_cpa: crossing ahead alone does not end it
 //
 //   stand-on, overtaken ── D <= max_cpa and present CPA <= min_cpa ──► in extremis (17 b): keeps
 //                          clear as it can. Latched until the role ends; then opening must have
@@ -87,6 +87,7 @@ struct ColregsState {
   ColregsMode mode = ColregsMode::kNone;
   ColregsSubMode sub_mode = ColregsSubMode::kNone;
   double entered_s = 0;
+  double sub_mode_since_s = 0;
   double entry_heading_deg = 0;  ///< Own, at entry: what standing on holds.
   double entry_speed_mps = 0;
   std::optional<double> opening_since_s = {};

@@ -138,12 +138,14 @@ TEST(Rule15, MakesTheVesselWithTheOtherToStarboardGiveWay) {
 
 TEST(Rule15, CrossesAheadOnlyWithDistanceOrWhereThereIsNoRoomAstern) {
   EXPECT_EQ(RoleOnMeeting(ContactAt(60, 50, 270, 0.5), 3), "give-way:bow");
-  EXPECT_EQ(RoleOnMeeting(ContactAt(30, 50, 245, 2), 0.5), "give-way:bow");
+  // Ahead by 17 m, and the contact's line is 12 m off.
+  EXPECT_EQ(RoleOnMeeting(ContactAt(31.5, 45.7, 247.3, 1.71), 2.84), "give-way:bow");
   EXPECT_EQ(RoleOnMeeting(ContactAt(60, 45, 270, 2)), "give-way:stern");
 }
 
 TEST(Rule15, CountsTheOwnTurningCircleAsRoom) {
-  const VesselMotion contact = ContactAt(60, 45, 270, 2);
+  const VesselMotion contact = ContactAt(60, 45, 270, 1.5);
+  EXPECT_EQ(TextOf(First(Northbound(2), contact)), "give-way:stern");
   ColregsLimits limits = kLimits;
   limits.turn_radius_m = 30;
   EXPECT_EQ(TextOf(First(Northbound(2), contact, limits)), "give-way:bow");
@@ -160,8 +162,21 @@ TEST(Rule16, EndsOnceOwnShipIsOnTheOtherSide) {
   EXPECT_EQ(RolesOfHoldingOn(Northbound(2), ContactAt(60, 60, 270, 2), 60), "give-way cpa none");
 }
 
-TEST(Rule17, HoldsUntilTheOtherHasCrossed) {
+TEST(Rule17, HoldsUntilTheyOpen) {
   EXPECT_EQ(RolesOfHoldingOn(Northbound(2), ContactAt(60, 330, 90, 2), 60), "stand-on cpa none");
+}
+
+TEST(Rule17, HoldsOnAfterTheOtherHasCrossedAhead) {
+  // At first to port; after 12 s to starboard, still closing.
+  const VesselMotion own = Northbound(1);
+  const VesselMotion crossing = {.position_m = {-24, 60}, .heading_deg = 120, .speed_mps = 2.5};
+  ColregsState state = First(own, crossing);
+  ASSERT_EQ(state.mode, ColregsMode::kStandOn);
+  const VesselMotion own_then = After(own, 13);
+  const VesselMotion crossed = After(crossing, 13);
+  ASSERT_GT(crossed.position_m.x(), own_then.position_m.x());
+  state = NextColregsState(state, own_then, crossed, kLimits, 13);
+  EXPECT_EQ(state.mode, ColregsMode::kStandOn);
 }
 
 TEST(Rule17, RemembersWhatItHolds) {

@@ -151,9 +151,9 @@ TEST(Rule17, HoldsTheCourseAndSpeedOfTheEntry) {
                               .entry_heading_deg = 33,
                               .entry_speed_mps = 1.7};
   const Objective objective = ColregsObjective(state, {}, {}, kPreferences, kDomain);
-  EXPECT_NEAR(Value(objective, 33, 17, 0), 100, 1e-9);
-  EXPECT_LT(Value(objective, 34, 17, 0), 100);
-  EXPECT_LT(Value(objective, 33, 18, 0), 100);
+  EXPECT_NEAR(ValueOf(objective, 33, 17, 0), 100, 1e-9);
+  EXPECT_LT(ValueOf(objective, 34, 17, 0), 100);
+  EXPECT_LT(ValueOf(objective, 33, 18, 0), 100);
 }
 
 TEST(ClosestDistance, IsStillRaisedWhereItIsTooClose) {

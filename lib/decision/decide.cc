@@ -204,24 +204,24 @@ DomainPoint BestFor(const Domain& domain, const Objectives& objectives, double g
 
 }  // namespace
 
-Decision Decide(const Domain& domain, std::span<const WeightedObjective> objectives) {
+GridDecision Decide(const Domain& domain, std::span<const WeightedObjective> objectives) {
   double greatest_weight = 0;
   for (const WeightedObjective& aim : objectives) {
     CheckSizes(domain, aim.objective);
     greatest_weight = std::max(greatest_weight, aim.weight);
   }
-  Decision decision{.point = BestFor(domain, objectives, greatest_weight)};
+  GridDecision decision{.point = BestFor(domain, objectives, greatest_weight)};
   // Sorted, so that the last digit of the sum does not depend on the order either.
   std::vector<double> shares;
   for (const auto& [weight, objective] : objectives) {
-    if (weight > 0) shares.push_back(weight * Value(objective, decision.point));
+    if (weight > 0) shares.push_back(weight * ValueOf(objective, decision.point));
   }
   std::sort(shares.begin(), shares.end());
   for (const double share : shares) decision.utility += share;
   return decision;
 }
 
-double Value(const Objective& objective, const DomainPoint& point) {
+double ValueOf(const Objective& objective, const DomainPoint& point) {
   double value = 0;
   if (!objective.course.empty() && point.course) {
     value += objective.course[static_cast<size_t>(*point.course)];
@@ -238,13 +238,13 @@ double Value(const Objective& objective, const DomainPoint& point) {
   return objective.offset + objective.scale * value;
 }
 
-double Value(const Objective& objective, int course, int speed, int depth) {
-  return Value(objective, {.course = course, .speed = speed, .depth = depth});
+double ValueOf(const Objective& objective, int course, int speed, int depth) {
+  return ValueOf(objective, {.course = course, .speed = speed, .depth = depth});
 }
 
 std::vector<AimAtDecision> Explain(const Domain& domain,
                                    std::span<const WeightedObjective> objectives,
-                                   const Decision& decision) {
+                                   const GridDecision& decision) {
   std::vector<AimAtDecision> aims;
   aims.reserve(objectives.size());
   for (const auto& [weight, objective] : objectives) {
@@ -253,9 +253,9 @@ std::vector<AimAtDecision> Explain(const Domain& domain,
       double weight;
       const Objective& objective;
     };
-    AimAtDecision aim{.value = Value(objective, decision.point),
+    AimAtDecision aim{.value = ValueOf(objective, decision.point),
                       .best_point = BestFor(domain, std::array{Alone{1, objective}}, 1)};
-    aim.best_value = Value(objective, aim.best_point);
+    aim.best_value = ValueOf(objective, aim.best_point);
     aim.loss = std::max(weight, 0.0) * (aim.best_value - aim.value);
     aims.push_back(aim);
   }

@@ -1,7 +1,7 @@
 // The decision of a helm: the point of the grid with the greatest weighted sum, exact.
 //
 //   std::vector<WeightedObjective> aims = ...;  // One per active behavior.
-//   const Decision decision = Decide(domain, aims);
+//   const GridDecision decision = Decide(domain, aims);
 //   for (const AimAtDecision& aim : Explain(domain, aims, decision)) ...
 #pragma once
 
@@ -28,7 +28,7 @@ struct DomainPoint {
   bool operator==(const DomainPoint&) const = default;
 };
 
-struct Decision {
+struct GridDecision {
   DomainPoint point = {};  ///< Absent: no objective of weight > 0 mentions the variable.
   double utility = 0;      ///< The weighted sum at the point.
 };
@@ -43,11 +43,12 @@ struct Decision {
 ///
 /// @pre values are finite and not beyond 1e4, as NormaliseTo100 leaves them; parts have as many
 ///      values as the domain; domain.speed_mps.count > 0 where speed is mentioned
-[[nodiscard]] Decision Decide(const Domain& domain, std::span<const WeightedObjective> objectives);
+[[nodiscard]] GridDecision Decide(const Domain& domain,
+                                  std::span<const WeightedObjective> objectives);
 
 /// Returns the value of an objective at a point. Parts whose variable is absent do not count.
-[[nodiscard]] double Value(const Objective& objective, const DomainPoint& point);
-[[nodiscard]] double Value(const Objective& objective, int course, int speed, int depth);
+[[nodiscard]] double ValueOf(const Objective& objective, const DomainPoint& point);
+[[nodiscard]] double ValueOf(const Objective& objective, int course, int speed, int depth);
 
 /// What a decision means for one objective.
 struct AimAtDecision {
@@ -61,6 +62,6 @@ struct AimAtDecision {
 /// lose nothing. @pre `decision` is of the same domain and objectives
 [[nodiscard]] std::vector<AimAtDecision> Explain(const Domain& domain,
                                                  std::span<const WeightedObjective> objectives,
-                                                 const Decision& decision);
+                                                 const GridDecision& decision);
 
 }  // namespace shoal

@@ -16,7 +16,7 @@ using Aims = std::vector<WeightedObjective>;
 double SumAt(const Aims& aims, int course, int speed) {
   double sum = 0;
   for (const auto& [weight, objective] : aims) {
-    sum += weight * Value(objective, course, speed, 0);
+    sum += weight * ValueOf(objective, course, speed, 0);
   }
   return sum;
 }
@@ -55,7 +55,7 @@ RC_GTEST_PROP(Decide, FindsTheBestPointOfBruteForce, ()) {
   Stream stream = AnyStream();
   const Domain domain = SmallDomain(stream);
   const Aims aims = DrawAims(stream, domain);
-  const Decision decision = Decide(domain, aims);
+  const GridDecision decision = Decide(domain, aims);
   const Found best = BruteForce(domain, aims);
   RC_ASSERT(decision.point == (DomainPoint{.course = best.course, .speed = best.speed}));
   RC_ASSERT(std::abs(decision.utility - best.sum) < 1e-9);
@@ -91,7 +91,7 @@ RC_GTEST_PROP(Decide, TakesTheLowestCourseThenTheLowestSpeedOfEquals, ()) {
     aims.push_back({.weight = 1, .objective = DrawSteps(stream, domain)});
   }
   const Found best = BruteForce(domain, aims);
-  const Decision decision = Decide(domain, aims);
+  const GridDecision decision = Decide(domain, aims);
   RC_ASSERT(decision.point == (DomainPoint{.course = best.course, .speed = best.speed}));
   RC_ASSERT(decision.utility == best.sum);
 }
@@ -123,9 +123,9 @@ RC_GTEST_PROP(Decide, DoesNotDependOnTheOrderOfItsObjectives, ()) {
   Stream stream = AnyStream();
   const Domain domain = SmallDomain(stream);
   Aims aims = DrawAims(stream, domain);
-  const Decision decision = Decide(domain, aims);
+  const GridDecision decision = Decide(domain, aims);
   std::reverse(aims.begin(), aims.end());
-  const Decision reversed = Decide(domain, aims);
+  const GridDecision reversed = Decide(domain, aims);
   RC_ASSERT(reversed.point == decision.point);
   RC_ASSERT(reversed.utility == decision.utility);
   std::rotate(aims.begin(), aims.begin() + static_cast<ptrdiff_t>(aims.size() / 2), aims.end());
@@ -146,7 +146,7 @@ RC_GTEST_PROP(Decide, IgnoresConstantsAndFlatObjectives, ()) {
   Stream stream = AnyStream();
   const Domain domain = SmallDomain(stream);
   Aims aims = DrawAims(stream, domain);
-  const Decision decision = Decide(domain, aims);
+  const GridDecision decision = Decide(domain, aims);
   for (WeightedObjective& aim : aims) aim.objective.offset += Between(stream, -1000, 1000);
   RC_ASSERT(Decide(domain, aims).point == decision.point);
   const size_t count = aims.size();
@@ -177,8 +177,8 @@ RC_GTEST_PROP(Decide, TurnsWithTheWorld, ()) {
     aims.push_back({.weight = 200, .objective = KeepClear(contact, utility, domain)});
     turned.push_back({.weight = 200, .objective = KeepClear(contact_turned, utility, domain)});
   }
-  const Decision decision = Decide(domain, aims);
-  const Decision decision_turned = Decide(domain, turned);
+  const GridDecision decision = Decide(domain, aims);
+  const GridDecision decision_turned = Decide(domain, turned);
   RC_ASSERT(std::abs(decision.utility - decision_turned.utility) < 1e-6);
   // Ties aside: where the course is another one, it must be as good.
   const int turned_back = (*decision_turned.point.course - turn_deg + 360) % 360;
@@ -191,20 +191,20 @@ RC_GTEST_PROP(Decide, FindsTheDepthOnItsOwn, ()) {
   Domain domain = SmallDomain(stream);
   domain.depth_m = {.first = 0, .step = 2, .count = 31};
   Aims aims = DrawAims(stream, domain);
-  const Decision level = Decide(domain, aims);
+  const GridDecision level = Decide(domain, aims);
   RC_ASSERT(!level.point.depth);
   aims[0].objective.depth = PeakOverAxis(domain.depth_m, Between(stream, 0, 60), 3, 30, 10);
   aims.push_back({.weight = Between(stream, 1, 200),
                   .objective = {.depth = AtMost(domain.depth_m, Between(stream, 0, 60), 20)}});
   int best = 0;
   const auto value_of_depth = [&](int depth) {
-    return aims.front().weight * Value(aims.front().objective, {.depth = depth}) +
-           aims.back().weight * Value(aims.back().objective, {.depth = depth});
+    return aims.front().weight * ValueOf(aims.front().objective, {.depth = depth}) +
+           aims.back().weight * ValueOf(aims.back().objective, {.depth = depth});
   };
   for (int depth = 1; depth < 31; ++depth) {
     if (value_of_depth(depth) > value_of_depth(best)) best = depth;
   }
-  const Decision decision = Decide(domain, aims);
+  const GridDecision decision = Decide(domain, aims);
   RC_ASSERT(decision.point.depth == best);
   RC_ASSERT(decision.point.course == level.point.course);
   RC_ASSERT(decision.point.speed == level.point.speed);
@@ -229,7 +229,7 @@ TEST(Explain, NamesValueBestPointAndLossOfEachObjective) {
       {.weight = 300, .objective = {.course = PeakOverCourse(200, 10, 100)}},
       {.weight = 50, .objective = {.depth = PeakOverAxis(domain.depth_m, 4, 0, 10)}},
   };
-  const Decision decision = Decide(domain, aims);
+  const GridDecision decision = Decide(domain, aims);
   EXPECT_EQ(decision.point, (DomainPoint{.course = 190, .speed = 20, .depth = 4}));
   const auto explained = Explain(domain, aims, decision);
   ASSERT_EQ(explained.size(), 3U);
@@ -246,7 +246,7 @@ RC_GTEST_PROP(Explain, FindsTheBestPointOfACoupledObjective, ()) {
   Stream stream = AnyStream();
   const Domain domain = SmallDomain(stream);
   const Aims aims = DrawAims(stream, domain);
-  const Decision decision = Decide(domain, aims);
+  const GridDecision decision = Decide(domain, aims);
   const auto explained = Explain(domain, aims, decision);
   double sum = 0;
   for (size_t i = 0; i < aims.size(); ++i) {
@@ -267,8 +267,8 @@ RC_GTEST_PROP(NormaliseTo100, SpansContactFunctionsExactly, ()) {
   double greatest = -1e9;
   for (int course = 0; course < 360; ++course) {
     for (int speed = 0; speed < domain.speed_mps.count; ++speed) {
-      least = std::min(least, Value(objective, course, speed, 0));
-      greatest = std::max(greatest, Value(objective, course, speed, 0));
+      least = std::min(least, ValueOf(objective, course, speed, 0));
+      greatest = std::max(greatest, ValueOf(objective, course, speed, 0));
     }
   }
   if (objective.scale == 0) {

@@ -49,6 +49,14 @@ TaskFacts FactsOfKind(const PathFollowTask& task) {
 
 TaskFacts FactsOfKind(const TargetTrackTask&) { return {.is_underwater = true, .most_laps = 0}; }
 
+TaskFacts FactsOfKind(const SurveyTask& task) {
+  return {.ends = true,
+          .most_laps = 1,
+          .outline = {.points_m = PointsOf(task),
+                      .area_m = task.area.polygon_m,
+                      .marks_points = task.route.turn_radius_m == 0}};
+}
+
 template <size_t... kPlaces>
 std::vector<Task> TasksAt(std::index_sequence<kPlaces...> /*places*/) {
   using What = decltype(Task::what);
@@ -79,6 +87,11 @@ std::vector<Eigen::Vector2d> CornersOf(const LoiterTask& task) {
     corners_m.push_back(task.center_m + task.radius_m * UnitVector(i * step_rad));
   }
   return corners_m;
+}
+
+std::vector<Eigen::Vector2d> PointsOf(const SurveyTask& task) {
+  const std::vector<SurveyLane> lanes = LanesOver(task.area);
+  return PathAlong(ShareOf(lanes, task.share), task.route);
 }
 
 }  // namespace shoal

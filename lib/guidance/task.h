@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "lib/guidance/path_progress.h"
+#include "lib/guidance/survey_lanes.h"
 #include "lib/guidance/target_tracker.h"
 
 namespace shoal {
@@ -81,6 +82,23 @@ struct ReturnTask {
   bool operator==(const ReturnTask&) const = default;
 };
 
+/// Passes parallel lanes over a polygon, or over one vehicle's share of it.
+struct SurveyTask {
+  static constexpr std::string_view kKind = "survey";
+
+  SurveyArea area;
+  SurveyRoute route;
+  SurveyShare share;  ///< Follows from divide_among.
+  std::vector<std::string>
+      divide_among;  ///< Vehicles and "group:NAME"; empty: all of it is its own.
+  double speed_mps = 1.5;
+  CaptureRule capture = {};
+  double lookahead_m = 15;
+  double crab_gain = 0.005;
+
+  bool operator==(const SurveyTask&) const = default;
+};
+
 /// What comes after the last point of a path_follow task.
 enum class PathTaskEnd {
   kDone,           ///< The task is done; the next of the list follows.
@@ -144,7 +162,7 @@ struct TargetTrackTask {
 struct Task {
   std::string name;
   std::variant<WaypointsTask, LoiterTask, StationKeepTask, ReturnTask, PathFollowTask,
-               TargetTrackTask>
+               TargetTrackTask, SurveyTask>
       what;
   double pwt = 100;  ///< Priority weight beside behaviors; >= 0.
 
@@ -162,6 +180,8 @@ struct TaskOutline {
   bool closed = false;                         ///< A leg leads from the last point to the first.
   double radius_m = 0;                         ///< Around each point; 0: none.
   std::optional<Circle> circle = {};           ///< The points lie on it.
+  std::vector<Eigen::Vector2d> area_m = {};    ///< Corners of the polygon that it is about.
+  bool marks_points = true;                    ///< False: most points only shape a turn.
 };
 
 /// What checks, pages and plots must know of a task.
@@ -184,5 +204,9 @@ std::string_view KindOf(const Task& task);
 /// Returns the corners of the polygon in the order in which they are passed, the first one North of
 /// the centre.
 [[nodiscard]] std::vector<Eigen::Vector2d> CornersOf(const LoiterTask& task);
+
+/// Returns the points of the task's own lanes and of the turns between them, in the order in which
+/// they are passed; nothing where it has no polygon.
+[[nodiscard]] std::vector<Eigen::Vector2d> PointsOf(const SurveyTask& task);
 
 }  // namespace shoal

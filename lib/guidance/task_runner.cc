@@ -172,6 +172,14 @@ void ReturnRunner::Rejoin(const Fix& fix) {
   follower_.Rejoin(fix.position_m);
 }
 
+SurveyRunner::SurveyRunner(const SurveyTask& task, const Fix& start)
+    : points_({.points_m = PointsOf(task),
+               .speed_mps = task.speed_mps,
+               .capture = task.capture,
+               .lookahead_m = task.lookahead_m,
+               .crab_gain = task.crab_gain},
+              start) {}
+
 namespace {
 
 using What = TaskRunner::What;

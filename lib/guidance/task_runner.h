@@ -155,13 +155,25 @@ class TargetTrackRunner {
   std::optional<Silence> silence_;
 };
 
+/// Passes the points of a survey like waypoints, once.
+class SurveyRunner {
+ public:
+  /// @pre the task has a lane
+  SurveyRunner(const SurveyTask& task, const Fix& start);
+  Guidance Update(const Fix& fix) { return points_.Update(fix); }
+  void Rejoin(const Fix& fix) { points_.Rejoin(fix); }
+
+ private:
+  WaypointsRunner points_;
+};
+
 class TaskRunner {
  public:
   using What = decltype(Task::what);
 
   /// One for each kind, in the order of Task::what.
   using Runner = std::variant<WaypointsRunner, LoiterRunner, StationKeepRunner, ReturnRunner,
-                              PathFollowRunner, TargetTrackRunner>;
+                              PathFollowRunner, TargetTrackRunner, SurveyRunner>;
 
   TaskRunner(const What& what, const Fix& start);
 

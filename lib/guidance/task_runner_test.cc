@@ -130,6 +130,45 @@ TEST(Waypoints, MayLieInOnePlace) {
   EXPECT_TRUE(Sail(runner, vessel, 60).done);
 }
 
+TEST(Survey, PassesItsOwnLanesOnceAndNothingElse) {
+  SurveyTask task;
+  task.area = {.polygon_m = {{0, 0}, {200, 0}, {200, 80}, {0, 80}}, .lane_spacing_m = 20};
+  task.route.turn_radius_m = 10;
+  task.share = {.place = 1, .members = 2};  // Of the lanes at y = 70, 50, 30 and 10 the last two.
+  IdealVessel vessel{.fix = {.position_m = {-20, 60}}};
+  TaskRunner runner(task, vessel.fix);
+  double most_y_m = 0;
+  double least_y_m = 100;
+  double worst_m = 0;
+  const Guidance end = Sail(runner, vessel, 600, [&](const Guidance& guidance) {
+    const Eigen::Vector2d& position_m = vessel.fix.position_m;
+    if (position_m.x() < 20 || position_m.x() > 180) return;
+    most_y_m = std::max(most_y_m, position_m.y());
+    least_y_m = std::min(least_y_m, position_m.y());
+    if (position_m.x() > 60 && position_m.x() < 140) {
+      worst_m = std::max(worst_m, std::abs(guidance.cross_track_error_m));
+    }
+  });
+  EXPECT_TRUE(end.done);
+  EXPECT_EQ(end.laps_done, 1);
+  EXPECT_NEAR(most_y_m, 30, 5);
+  EXPECT_NEAR(least_y_m, 10, 5);
+  EXPECT_LT(worst_m, 1);
+}
+
+TEST(Survey, IsDrawnWithItsAreaAndWithoutMarksOnItsTurns) {
+  SurveyTask task;
+  task.area = {.polygon_m = {{0, 0}, {200, 0}, {200, 80}, {0, 80}}, .lane_spacing_m = 20};
+  TaskFacts facts = FactsOf({.name = "", .what = task});
+  EXPECT_EQ(facts.outline.points_m.size(), 8U);
+  EXPECT_EQ(facts.outline.area_m, task.area.polygon_m);
+  EXPECT_TRUE(facts.outline.marks_points);
+  EXPECT_TRUE(facts.ends);
+  EXPECT_EQ(facts.most_laps, 1);
+  task.route.turn_radius_m = 5;
+  EXPECT_FALSE(FactsOf({.name = "", .what = task}).outline.marks_points);
+}
+
 TEST(Loiter, IsEnteredWhereTheWayInIsATangent) {
   const LoiterTask clockwise{.radius_m = 50, .num_points = 8, .clockwise = true};
   // From the South, clockwise is entered on the West side (corner 6), the other way on the East.

@@ -144,8 +144,9 @@ std::vector<ChildExit> ChildProcesses::Reap() {
     kill(-child->second.pid, SIGKILL);  // What a user's script left behind.
     exits.push_back({.name = child->first,
                      .pid = child->second.pid,
-                     .clean = WIFEXITED(status) ? WEXITSTATUS(status) == 0
-                                                : WTERMSIG(status) == child->second.signal,
+                     .clean = WIFEXITED(status)
+                                  ? WEXITSTATUS(status) == 0
+                                  : (child->second.signals >> WTERMSIG(status) & 1) != 0,
                      .how = Describe(status),
                      .last_lines = LastLines(child->second.log_path, kLastLines)});
     child = running_.erase(child);
@@ -155,17 +156,17 @@ std::vector<ChildExit> ChildProcesses::Reap() {
 
 void ChildProcesses::Signal(const std::string& name, int signal) {
   const auto found = running_.find(name);
-  // The whole group: a user's command may be a script with children.
-  if (found == running_.end()) return;
-  found->second.signal = signal;
-  kill(-found->second.pid, signal);
+  if (found != running_.end()) Signal(&found->second, signal);
 }
 
 void ChildProcesses::SignalAll(int signal) {
-  for (auto& [name, child] : running_) {
-    child.signal = signal;
-    kill(-child.pid, signal);
-  }
+  for (auto& [name, child] : running_) Signal(&child, signal);
+}
+
+/// To the whole group: a user's command may be a script with children.
+void ChildProcesses::Signal(Child* child, int signal) {
+  child->signals |= uint64_t{1} << signal;
+  kill(-child->pid, signal);
 }
 
 }  // namespace shoal

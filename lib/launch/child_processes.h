@@ -5,6 +5,7 @@
 
 #include <sys/types.h>
 
+#include <cstdint>
 #include <map>
 #include <string>
 #include <vector>
@@ -17,7 +18,7 @@ namespace shoal {
 struct ChildExit {
   std::string name;
   pid_t pid = 0;
-  bool clean = false;  ///< Exit code 0, or killed by the signal that this process sent it.
+  bool clean = false;  ///< Exit code 0, or killed by a signal that this process sent it.
   std::string how;     ///< "was killed by signal 9 (Killed)", "exited with code 2".
   std::vector<std::string> last_lines;  ///< Of its log.
 };
@@ -54,8 +55,10 @@ class ChildProcesses {
   struct Child {
     pid_t pid = 0;
     std::string log_path;
-    int signal = 0;  ///< The last one that was sent to it.
+    uint64_t signals = 0;  ///< Those that were sent to it: bit n is signal n.
   };
+  static void Signal(Child* child, int signal);
+
   std::map<std::string, Child> running_;
 };
 

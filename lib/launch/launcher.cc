@@ -128,7 +128,7 @@ int Launcher::Run(int signal_fd) {
   }
   if (supervision_.StartAll()) Loop(signal_fd);
   ended_us_ = MonotonicMicroseconds();
-  supervision_.EndAll();
+  supervision_.EndAll(signal_fd);
   return Conclude();
 }
 
@@ -236,7 +236,11 @@ int RunMission(const RunOptions& options, const Mission& mission,
       .layout = layout,
       .pid = getpid(),
       .vehicles = vehicles,
-      .overrides = options.overrides};
+      .overrides = options.overrides,
+      .groups = GroupsOf(mission)};
+  for (const Vehicle& vehicle : mission.vehicles) {
+    if (vehicle.helm == Provider::kNone) running.without_helm.push_back(vehicle.name);
+  }
   const MissionSecret secret = RandomSecret();
   if (const auto kept = KeepSecret(*base, secret); !kept.ok()) return fail(kept.error());
   const Result<int> secret_fd = SecretInMemory(secret);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <poll.h>
 #include <signal.h>
 #include <sys/signalfd.h>
 #include <unistd.h>
@@ -48,6 +49,16 @@ std::string Names(const std::vector<std::string>& names) {
   std::string text = fmt::format("{}", fmt::join(std::span(names).first(shown), ", "));
   if (names.size() > shown) text += fmt::format(" and {} others", names.size() - shown);
   return text;
+}
+
+/// Waits for the exit of a child, which `signal_fd` reports, or for `timeout_us`. Other signals are
+/// taken off it too: all is ending already.
+void AwaitExit(int signal_fd, int64_t timeout_us) {
+  pollfd waited = {.fd = signal_fd, .events = POLLIN, .revents = 0};
+  poll(&waited, 1, static_cast<int>((timeout_us + 999) / 1000));
+  signalfd_siginfo info{};
+  while (read(signal_fd, &info, sizeof info) == sizeof info) {
+  }
 }
 
 }  // namespace
@@ -289,7 +300,7 @@ void Supervision::CheckFaults(int64_t wall_us, int64_t num_foreign) {
   if (exit_code_ != 0) clock_.Stop(wall_us, kPatience_us);
 }
 
-void Supervision::EndAll() {
+void Supervision::EndAll(int signal_fd) {
   is_ending_ = true;
   // lcm-logger ends on SIGINT. Shoal's own have answered END, or receive a signal now; a user's get
   // the time to leave by themselves.
@@ -310,7 +321,7 @@ void Supervision::EndAll() {
       children_.SignalAll(SIGKILL);
       break;
     }
-    usleep(2'000);
+    AwaitExit(signal_fd, (is_killing_ ? kExitPatience_us : kExitPatience_us / 2) - waited);
   }
 }
 

@@ -38,7 +38,7 @@ class Supervision {
   /// Does what is due. `num_foreign`: messages of other missions that were rejected so far.
   void OnTime(int64_t wall_us, int64_t num_foreign);
   /// Ends all processes: asks, waits for a second, then kills.
-  void EndAll();
+  void EndAll(int signal_fd);
 
   /// The mission ends with this exit code; OnTime stops the clock. The first call with
   /// kExitEnvironment is the cause.

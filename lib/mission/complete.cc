@@ -16,10 +16,10 @@ struct ResolveEvent {
   const Mission& mission;
 
   void operator()(CommandEvent& event) const {
-    ResolveVehicle(place, "vehicle", event.vehicle, mission, true);
+    ResolveAddressees(place, "vehicle", event.vehicle, mission);
   }
   void operator()(SimCommandEvent& event) const {
-    ResolveVehicle(place, "vehicle", event.vehicle, mission, true);
+    ResolveAddressees(place, "vehicle", event.vehicle, mission);
   }
   void operator()(RuleEvent& event) const {
     ResolveVehicle(place, "vehicle", event.vehicle, mission, false);
@@ -44,6 +44,9 @@ struct ResolveExpectation {
     ResolveVehicle(place, "vehicle", expectation.vehicle, mission, true);
   }
   void operator()(SeparationExpectation&) const {}
+  void operator()(CoverageExpectation& coverage) const {
+    for (std::string& name : coverage.vehicles) ResolveAddressees(place, "vehicles", name, mission);
+  }
   void operator()(CommsExpectation& comms) const { ResolveLink(comms); }
   void operator()(SwarmExpectation& swarm) const { ResolveLink(swarm); }
   void operator()(DistanceExpectation& distance) const {
@@ -51,6 +54,14 @@ struct ResolveExpectation {
     ResolveVehicle(place, "to", distance.to, mission, true);
   }
 
+  void operator()(ClosestApproachExpectation& approach) const { ResolvePair(approach); }
+  void operator()(EncounterScoreExpectation& score) const { ResolvePair(score); }
+
+  template <class OfPairs>
+  void ResolvePair(OfPairs& expectation) const {
+    ResolveVehicle(place, "vehicle", expectation.vehicle, mission, true);
+    ResolveVehicle(place, "to", expectation.to, mission, true);
+  }
   template <class OfLinks>
   void ResolveLink(OfLinks& expectation) const {
     ResolveVehicle(place, "from", expectation.from, mission, true);
@@ -129,6 +140,7 @@ void FillInAddresses(Mission& mission) {
 
 void ResolveNames(Mission& mission, const TablePlace& file) {
   ResolveTargets(mission, file);
+  ResolveSurveyShares(mission, file);
   ResolveContacts(mission, file);
   if (mission.swarm.exists) {
     const TablePlace swarm = file.Below("swarm");

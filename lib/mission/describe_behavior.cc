@@ -20,12 +20,12 @@
 namespace shoal {
 namespace {
 
-constexpr size_t kMostPoints = 10'000;
-constexpr size_t kMostCorners = 1000;
+constexpr size_t kMostBehaviorPoints = 10'000;
+constexpr size_t kMostBehaviorCorners = 1000;
 constexpr size_t kMostFlags = 100;
 constexpr size_t kMostVariables = 1000;
 constexpr int kMostDomainPoints = 10'001;
-constexpr NumberLimits kPlace = Between(-kFarthest_m, kFarthest_m);
+constexpr NumberLimits kBehaviorPlace = Between(-kFarthest_m, kFarthest_m);
 constexpr NumberLimits kDistance = Between(0, kFarthest_m);
 constexpr NumberLimits kSpeed = Between(0, kFastest_mps);
 constexpr NumberLimits kSeconds = Between(0, kLongest_s);
@@ -89,7 +89,7 @@ void Corners(Fields& fields, std::string_view key, std::vector<Eigen::Vector2d>&
       return;
     }
   } else {
-    fields.Pairs(key, corners, kPlace, kMostCorners);
+    fields.Pairs(key, corners, kBehaviorPlace, kMostBehaviorCorners);
   }
   if (corners.empty() && may_lack) return;
   if (corners.empty() && !fields.Has(key, true)) return;  // That was refused.
@@ -101,7 +101,7 @@ void Corners(Fields& fields, std::string_view key, std::vector<Eigen::Vector2d>&
 }
 
 void Points(Fields& fields, std::string_view key, std::vector<Eigen::Vector2d>& points) {
-  if (!fields.HoldsText(key)) return fields.Pairs(key, points, kPlace, kMostPoints);
+  if (!fields.HoldsText(key)) return fields.Pairs(key, points, kBehaviorPlace, kMostBehaviorPoints);
   std::string text;
   fields.Text(key, text, {.max_length = 100'000});
   auto read = ParsePoints(text);
@@ -116,7 +116,7 @@ void Points(Fields& fields, std::string_view key, std::vector<Eigen::Vector2d>& 
 void MayBePoint(Fields& fields, std::string_view key, std::optional<Eigen::Vector2d>& point) {
   if (!fields.Has(key, point.has_value())) return;
   Eigen::Vector2d read = point.value_or(Eigen::Vector2d(0, 0));
-  fields.Pair(key, read, kPlace);
+  fields.Pair(key, read, kBehaviorPlace);
   point = read;
 }
 
@@ -167,6 +167,8 @@ void Describe(Fields& fields, ContactOptions& options, bool is_recipe) {
   fields.Flag("exit_on_filter_group", options.exit_on_filter_group);
   fields.Flag("post_per_contact_info", options.post_per_contact_info);
   TextsOrOne(fields, "cnflag", options.cnflag, kMostFlags);
+  const auto moments = ParseMomentFlags(options.cnflag);
+  if (!moments.ok()) fields.Refuse("cnflag", moments.error());
   fields.NoKey("extrapolate", "a helm always extrapolates its contacts: docs/contacts.md");
   fields.NoKey("decay", "a helm always extrapolates its contacts: docs/contacts.md");
   fields.NoKey("use_refinery", "decisions are exact without it");
@@ -219,7 +221,7 @@ void DescribeKind(Fields& fields, WaypointOptions& o, bool is_recipe) {
   Words(fields, "order", o.order, {"normal", "reverse", "toggle"});
   fields.SmallInteger("repeat", o.repeat, -1, 1'000'000);
   fields.Flag("greedy_tour", o.greedy_tour);
-  fields.SmallInteger("currix", o.currix, 0, static_cast<int>(kMostPoints));
+  fields.SmallInteger("currix", o.currix, 0, static_cast<int>(kMostBehaviorPoints));
   Words(fields, "ipf_type", o.ipf_type, {"zaic", "zaic_spd", "roc"});
   Patience(fields, o.patience);
   Flags(fields, "wptflag", o.wptflag);
@@ -419,7 +421,7 @@ void DescribeKind(Fields& fields, ConvoyOptions& o, bool is_recipe) {
 
 void DescribeKind(Fields& fields, GoToDepthOptions& o, bool) {
   fields.Require("depths", "depths = [[10, 60], [20, 120]], depth in m and time at it in s");
-  fields.Pairs("depths", o.depths, Between(0, kLongest_s), kMostPoints);
+  fields.Pairs("depths", o.depths, Between(0, kLongest_s), kMostBehaviorPoints);
   for (const Eigen::Vector2d& level : o.depths) {
     if (level.x() > kDepth.max) {
       fields.Refuse("depths", fmt::format("a depth of {} m is out of range; allowed: 0 to {}",

@@ -79,7 +79,7 @@ void DescribeArgument(Fields& fields, CommandEvent& event) {
 }
 
 void Describe(Fields& fields, CommandEvent& event) {
-  fields.Require("vehicle", "vehicle = \"alpha\", or \"all\"");
+  fields.Require("vehicle", "vehicle = \"alpha\", \"group:NAME\" or \"all\"");
   fields.Text("vehicle", event.vehicle, {.min_length = 1});
   DescribeCommand(fields, "command", event.command, event.values, kHelmCommands);
   DescribeArgument(fields, event);

@@ -11,6 +11,7 @@
 #include <variant>
 #include <vector>
 
+#include "lib/guidance/survey_lanes.h"
 #include "lib/mission/describe.h"
 #include "lib/mission/suggest.h"
 #include "lib/routing/fate.h"
@@ -153,13 +154,63 @@ void Describe(Fields& fields, AltitudeExpectation& altitude, double /*end_s*/) {
   fields.Number("min_m", altitude.min_m, Between(0, 20'000));
 }
 
+/// When an encounter begins and ends.
+void DescribeEncounter(Fields& fields, EncounterOptions& encounter) {
+  fields.Number("entry_range_m", encounter.entry_range_m, Above(0, kFarthest_m));
+  fields.Number("risk_m", encounter.risk_m, Above(0, kFarthest_m));
+  fields.Number("end_range_m", encounter.end_range_m, Between(0, kFarthest_m));
+}
+
+void Describe(Fields& fields, ClosestApproachExpectation& approach, double /*end_s*/) {
+  fields.Text("vehicle", approach.vehicle, {.min_length = 1});
+  fields.Text("to", approach.to, {.min_length = 1});
+  fields.Require("at_least_m", "at_least_m = 10");
+  fields.Number("at_least_m", approach.at_least_m, Above(0, 100'000));
+  DescribeEncounter(fields, approach.encounter);
+}
+
+void Describe(Fields& fields, EncounterScoreExpectation& score, double /*end_s*/) {
+  constexpr std::array<std::string_view, 5> kRoles = {"overtaking", "overtaken", "head-on",
+                                                      "give-way", "stand-on"};
+  fields.Text("vehicle", score.vehicle, {.min_length = 1});
+  fields.Text("to", score.to, {.min_length = 1});
+  fields.Require("at_least", "at_least = 60");
+  fields.Number("at_least", score.at_least, Between(0, 100));
+  if (fields.Has("role", !score.role.empty())) fields.Word("role", score.role, kRoles);
+  DescribeEncounter(fields, score.encounter);
+  EncounterOptions& encounter = score.encounter;
+  fields.Number("preferred_m", encounter.preferred_m, Above(0, kFarthest_m));
+  fields.Number("acceptable_m", encounter.acceptable_m, Above(0, kFarthest_m));
+  fields.Number("near_miss_m", encounter.near_miss_m, Above(0, kFarthest_m));
+  if (encounter.near_miss_m > encounter.acceptable_m ||
+      encounter.acceptable_m > encounter.preferred_m) {
+    fields.Refuse("", "distances must grow from near_miss_m over acceptable_m to preferred_m");
+  }
+}
+
+void Describe(Fields& fields, CoverageExpectation& coverage, double /*end_s*/) {
+  constexpr size_t kMostCorners = 200;
+  constexpr size_t kMostNames = 10'000;
+  if (fields.Has("polygon", !coverage.polygon_m.empty())) {
+    fields.Pairs("polygon", coverage.polygon_m, Between(-kFarthest_m, kFarthest_m), kMostCorners);
+    const std::string problem = fields.IsSound() ? PolygonProblem(coverage.polygon_m) : "";
+    if (!problem.empty()) fields.Refuse("polygon", problem);
+  }
+  fields.Require("sensor_width_m", "sensor_width_m = 20");
+  fields.Number("sensor_width_m", coverage.sensor_width_m, Above(0, 100'000));
+  fields.Require("at_least_pct", "at_least_pct = 95");
+  fields.Number("at_least_pct", coverage.at_least_pct, Between(0, 100));
+  fields.Texts("vehicles", coverage.vehicles, kMostNames);
+}
+
 }  // namespace
 
 void Describe(Fields& fields, Expectation& expectation, double end_s) {
   // The first ones in the order of Expectation::what.
-  constexpr std::array<std::string_view, 12> kKinds = {
-      "arrival",  "separation", "reports", "helm",     "laps", "track",
-      "distance", "altitude",   "swarm",   "messages", "acks", "packets"};
+  constexpr std::array<std::string_view, 15> kKinds = {
+      "arrival",         "separation", "reports",  "helm",  "laps",
+      "track",           "distance",   "altitude", "swarm", "closest_approach",
+      "encounter_score", "coverage",   "messages", "acks",  "packets"};
   std::string kind(fields.reading() ? "" : kKinds.at(expectation.what.index()));
   if (const auto* comms = std::get_if<CommsExpectation>(&expectation.what)) {
     kind = fields.reading() ? "" : NameOf(comms->kind);
@@ -181,6 +232,9 @@ void Describe(Fields& fields, Expectation& expectation, double end_s) {
     if (kind == "distance") expectation.what = DistanceExpectation();
     if (kind == "swarm") expectation.what = SwarmExpectation();
     if (kind == "altitude") expectation.what = AltitudeExpectation();
+    if (kind == "closest_approach") expectation.what = ClosestApproachExpectation();
+    if (kind == "encounter_score") expectation.what = EncounterScoreExpectation();
+    if (kind == "coverage") expectation.what = CoverageExpectation();
   }
   if (kind.empty()) {
     fields.SkipRest();  // Which keys are right depends on the kind.

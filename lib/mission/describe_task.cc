@@ -1,55 +1,18 @@
 // The tables [[vehicle.task]] and [vehicle.return].
-#include <array>
 #include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
 
 #include "lib/mission/describe.h"
+#include "lib/mission/task_fields.h"
 
 namespace shoal {
 namespace {
 
-constexpr size_t kMostPoints = 10'000;
-constexpr NumberLimits kPlace = Between(-kFarthest_m, kFarthest_m);
-
-/// Returns what is to be added to the points of this table: nothing, or the vehicle's start.
-Eigen::Vector2d DescribeFrame(Fields& fields, const StartPose& start) {
-  constexpr std::array<std::string_view, 2> kFrames = {"mission", "start"};
-  std::string frame = "mission";
-  fields.Word("points_frame", frame, kFrames);
-  return frame == "start" ? Eigen::Vector2d(start.x_m, start.y_m) : Eigen::Vector2d(0, 0);
-}
-
-/// Moves `point_m` by `offset_m`, which must not take it out of the world.
-void Move(Fields& fields, std::string_view key, Eigen::Vector2d& point_m,
-          const Eigen::Vector2d& offset_m) {
-  point_m += offset_m;
-  if (point_m.cwiseAbs().maxCoeff() <= kFarthest_m) return;
-  fields.Refuse(key, "a point of " + std::string(key) +
-                         ", counted from the start, is more than 1000 km from the origin");
-  point_m.setZero();
-}
-
-void Describe(Fields& fields, CaptureRule& rule) {
-  fields.Number("capture_radius_m", rule.capture_radius_m, Above(0, 1000));
-  fields.Number("slip_radius_m", rule.slip_radius_m, Between(0, 1000));
-  fields.Flag("capture_line", rule.capture_line);
-}
-
-void DescribeSpeed(Fields& fields, double& speed_mps) {
-  fields.Number("speed_mps", speed_mps, Above(0, kFastest_mps));
-}
-
-template <class LineFollowing>
-void DescribeLineFollowing(Fields& fields, LineFollowing& task) {
-  fields.Number("lookahead_m", task.lookahead_m, Above(0, 10'000));
-  fields.Number("crab_gain", task.crab_gain, Between(0, 1));
-}
-
 void Describe(Fields& fields, WaypointsTask& task, const StartPose& start) {
   fields.Require("points", "points = [[0, 0], [100, 0]]");
-  fields.Pairs("points", task.points_m, kPlace, kMostPoints);
+  fields.Pairs("points", task.points_m, kTaskPlace, kMostTaskPoints);
   if (task.points_m.empty() && fields.Has("points", true)) {
     fields.Refuse("points", "points must hold at least one point, like [[100, 0]]");
   }
@@ -63,7 +26,7 @@ void Describe(Fields& fields, WaypointsTask& task, const StartPose& start) {
 
 void Describe(Fields& fields, LoiterTask& task, const StartPose& start) {
   fields.Require("center", "center = [100, -50]");
-  fields.Pair("center", task.center_m, kPlace);
+  fields.Pair("center", task.center_m, kTaskPlace);
   Move(fields, "center", task.center_m, DescribeFrame(fields, start));
   fields.Number("radius_m", task.radius_m, Above(0, 100'000));
   fields.SmallInteger("num_points", task.num_points, 3, 360);
@@ -78,7 +41,7 @@ void Describe(Fields& fields, StationKeepTask& task, const StartPose& start) {
   task.here = !fields.Has("point", !task.here);
   const Eigen::Vector2d offset_m = DescribeFrame(fields, start);
   if (!task.here) {
-    fields.Pair("point", task.point_m, kPlace);
+    fields.Pair("point", task.point_m, kTaskPlace);
     Move(fields, "point", task.point_m, offset_m);
   }
   fields.Number("inner_radius_m", task.inner_radius_m, Above(0, 10'000));
@@ -94,7 +57,7 @@ void Describe(Fields& fields, StationKeepTask& task, const StartPose& start) {
 void Describe(Fields& fields, ReturnTask& task, const StartPose& start) {
   if (fields.reading()) task.point_m = {start.x_m, start.y_m};
   const bool has_point = fields.Has("point", true);
-  fields.Pair("point", task.point_m, kPlace);
+  fields.Pair("point", task.point_m, kTaskPlace);
   const Eigen::Vector2d offset_m = DescribeFrame(fields, start);
   if (has_point) Move(fields, "point", task.point_m, offset_m);
   DescribeSpeed(fields, task.speed_mps);

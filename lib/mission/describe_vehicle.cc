@@ -150,9 +150,7 @@ void DescribeModels(Fields& fields, std::string_view chosen, Vehicle& vehicle) {
 
 void Describe(Fields& fields, Vehicle& vehicle) {
   fields.Text("name", vehicle.name, {.max_length = 1000});
-  if (fields.Has("template", false)) {
-    fields.Refuse("template", "only a [[vehicle]] or a [[fleet]] of the file can have a template");
-  }
+  fields.Skip("template");  // Laid under the vehicle already (expand.h).
   fields.Text("type", vehicle.type, {.min_length = 1});
   const std::string model_name = DescribeModelName(fields, vehicle);
   fields.Text("group", vehicle.group, {});

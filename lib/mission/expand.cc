@@ -111,6 +111,96 @@ void Remove(Table& table, std::string_view key) {
   std::erase_if(table, [&](const Entry& entry) { return entry.key == key; });
 }
 
+/// Returns the template, a table, that `user` names; reports where there is none.
+const Value* FindTemplate(const Table& templates, const Table& user, Problems& problems) {
+  const Value* name = Find(user, "template");
+  if (name == nullptr) return nullptr;
+  const auto* text = std::get_if<std::string>(&name->data);
+  if (text == nullptr) {
+    problems.Add(name->place, "template must be a string in quotes, not " + WhatIs(*name));
+    return nullptr;
+  }
+  if (const Value* found = Find(templates, *text)) {
+    // One that is no table is reported where templates are checked.
+    return std::holds_alternative<Table>(found->data) ? found : nullptr;
+  }
+  std::vector<std::string_view> known;
+  for (const Entry& entry : templates) known.push_back(entry.key);
+  std::string hint = DidYouMean(*text, known);
+  if (hint.empty()) hint = "; add a table [template.NAME] with the keys that its vehicles share";
+  problems.Add(name->place, "unknown template " + Quoted(*text) + hint);
+  return nullptr;
+}
+
+/// Lays templates over those that they inherit from.
+class Inheritance {
+ public:
+  Inheritance(const Table& templates, Problems& problems)
+      : templates_(templates), problems_(problems) {}
+
+  /// Returns the template in full, without the key `template`.
+  Table Resolve(const Entry& entry) {
+    const std::vector<const Entry*> line = LineOf(entry);
+    Table full;
+    // From the one that inherits from none to the one that is asked for.
+    for (auto each = line.rbegin(); each != line.rend(); ++each) {
+      LayOver(full, std::get<Table>((*each)->value.data));
+    }
+    Remove(full, "template");
+    num_values_ += CountValues({entry.value.place, full});
+    if (num_values_ <= kMostValues) return full;
+    problems_.Add(entry.key_place,
+                  fmt::format("more than {} values in all templates together, with "
+                              "what they inherit; make them smaller or fewer",
+                              kMostValues));
+    return {};
+  }
+
+  bool is_full() const { return num_values_ > kMostValues; }
+
+ private:
+  static constexpr size_t kMostGenerations = 100;
+
+  /// Returns the template, the one that it names, the one that this names, and so on. Where that
+  /// cannot be, it is reported, and the line ends.
+  std::vector<const Entry*> LineOf(const Entry& entry) {
+    std::vector<const Entry*> line = {&entry};
+    while (true) {
+      const Table& last = std::get<Table>(line.back()->value.data);
+      const Value* base = FindTemplate(templates_, last, problems_);
+      if (base == nullptr) return line;
+      const auto found = std::find_if(templates_.begin(), templates_.end(),
+                                      [&](const Entry& each) { return &each.value == base; });
+      const Place& place = Find(last, "template")->place;
+      const auto before = std::find(line.begin(), line.end(), &*found);
+      if (before != line.end()) {
+        // Reported once, for the templates that are in the circle themselves.
+        if (before == line.begin()) problems_.Add(place, CircleText(line));
+        return line;
+      }
+      if (line.size() == kMostGenerations) {
+        problems_.Add(place, fmt::format("more than {} templates inherit from one another",
+                                         kMostGenerations));
+        return line;
+      }
+      line.push_back(&*found);
+    }
+  }
+
+  static std::string CircleText(const std::vector<const Entry*>& line) {
+    constexpr size_t kMostShown = 5;
+    std::string way;
+    for (size_t i = 0; i < line.size() && i < kMostShown; ++i)
+      way += Quoted(line[i]->key) + " from ";
+    if (line.size() > kMostShown) way += "... from ";
+    return "a template must not inherit from itself: " + way + Quoted(line.front()->key);
+  }
+
+  const Table& templates_;
+  Problems& problems_;
+  int64_t num_values_ = 0;
+};
+
 class Expansion {
  public:
   Expansion(const Table& root, Problems& problems) : problems_(problems) {
@@ -146,25 +236,9 @@ class Expansion {
   Array TakeVehicles() { return std::move(vehicles_); }
 
  private:
-  /// Returns the template, a table, that a vehicle or fleet names; reports where there is none.
+  /// Returns the template of a vehicle or fleet.
   const Value* FindTemplate(const Table& user) {
-    const Value* name = Find(user, "template");
-    if (name == nullptr) return nullptr;
-    const auto* text = std::get_if<std::string>(&name->data);
-    if (text == nullptr) {
-      problems_.Add(name->place, "template must be a string in quotes, not " + WhatIs(*name));
-      return nullptr;
-    }
-    if (const Value* found = Find(templates_, *text)) {
-      // One that is no table is reported where templates are checked.
-      return std::holds_alternative<Table>(found->data) ? found : nullptr;
-    }
-    std::vector<std::string_view> known;
-    for (const Entry& entry : templates_) known.push_back(entry.key);
-    std::string hint = DidYouMean(*text, known);
-    if (hint.empty()) hint = "; add a table [template.NAME] with the keys that its vehicles share";
-    problems_.Add(name->place, "unknown template " + Quoted(*text) + hint);
-    return nullptr;
+    return shoal::FindTemplate(templates_, user, problems_);
   }
 
   /// Returns vehicle `i` of a fleet, counted from 0.
@@ -217,6 +291,25 @@ class Expansion {
 };
 
 }  // namespace
+
+void ExpandTemplates(Value& root, Problems& problems) {
+  Value* templates = Find(std::get<Table>(root.data), "template");
+  Table* table = templates == nullptr ? nullptr : std::get_if<Table>(&templates->data);
+  if (table == nullptr) return;
+  Inheritance inheritance(*table, problems);
+  Table full;
+  for (const Entry& entry : *table) {
+    const auto* own = std::get_if<Table>(&entry.value.data);
+    if (own == nullptr || Find(*own, "template") == nullptr) {
+      full.push_back(entry);
+      continue;
+    }
+    // Templates that no longer find room are empty: that has been reported.
+    Table resolved = inheritance.is_full() ? Table() : inheritance.Resolve(entry);
+    full.push_back({entry.key, entry.key_place, {entry.value.place, std::move(resolved)}});
+  }
+  *table = std::move(full);
+}
 
 void ExpandVehicles(Value& root, Problems& problems) {
   Table& table = std::get<Table>(root.data);

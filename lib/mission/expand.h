@@ -6,6 +6,11 @@
 
 namespace shoal {
 
+/// Lays each template of the tree over the one that it names by its own key `template`, in the same
+/// way, as often as those name another; no template has that key afterwards. Refuses templates that
+/// do not exist, and those that inherit from themselves. Called before ExpandVehicles.
+void ExpandTemplates(Value& root, Problems& problems);
+
 /// Replaces [[vehicle]] in the tree of a mission file by all vehicles in full: those of
 /// [[vehicle]] in the order of the file, then those of each [[fleet]], each laid over its
 /// template. Tables are merged key by key, anything else (also an array of tables, such as the

@@ -79,7 +79,80 @@ TEST(Templates, AreCheckedEvenWhereNoVehicleUsesThem) {
   EXPECT_EQ(ErrorsAfter("[template.t]\nlength_m = 0\nname = \"a\"\ntemplate = \"u\"\n"),
             "6:12: length_m = 0 is out of range; allowed: greater than 0, at most 500\n"
             "7:8: a template must not have a name; its vehicles have\n"
-            "8:12: only a [[vehicle]] or a [[fleet]] of the file can have a template\n");
+            "8:12: unknown template 'u'; add a table [template.NAME] with the keys that its "
+            "vehicles share\n");
+}
+
+TEST(Templates, InheritFromTemplates) {
+  const LoadedMission loaded = LoadMissionText(R"([mission]
+duration_s = 60
+[[vehicle]]
+name = "alpha"
+template = "diver"
+start = {x_m = 5}
+[template.diver]
+template = "scout"
+color = "red"
+[template.scout]
+template = "base"
+start = {speed_mps = 1}
+[[template.scout.task]]
+name = "own"
+kind = "station_keep"
+[template.base]
+length_m = 7
+color = "orange"
+start = {heading_deg = 45, speed_mps = 3}
+[[template.base.task]]
+name = "sweep"
+kind = "station_keep"
+)",
+                                               "m.toml", {"template.base.length_m=8"});
+  ASSERT_EQ(loaded.errors, std::vector<std::string>{});
+  const Vehicle& alpha = loaded.mission.vehicles.at(0);
+  EXPECT_EQ(alpha.color, "red");
+  EXPECT_EQ(alpha.length_m, 8);
+  EXPECT_EQ(alpha.start, (StartPose{.x_m = 5, .heading_deg = 45, .speed_mps = 1}));
+  ASSERT_EQ(alpha.tasks.size(), 1U);
+  EXPECT_EQ(alpha.tasks[0].name, "own");
+}
+
+TEST(Templates, ThatInheritFromThemselvesAreRefused) {
+  EXPECT_EQ(ErrorsAfter("[template.a]\ntemplate = \"a\"\n"),
+            "6:12: a template must not inherit from itself: 'a' from 'a'\n");
+  EXPECT_EQ(ErrorsAfter("template = \"c\"\n[template.a]\ntemplate = \"b\"\n"
+                        "[template.b]\ntemplate = \"a\"\n[template.c]\ntemplate = \"a\"\n"),
+            "7:12: a template must not inherit from itself: 'b' from 'a' from 'b'\n"
+            "9:12: a template must not inherit from itself: 'a' from 'b' from 'a'\n");
+}
+
+TEST(Templates, ThatInheritFromNoneThatExistsAreRefused) {
+  EXPECT_EQ(ErrorsAfter("[template.a]\ntemplate = \"base\"\n[template.bases]\n"),
+            "6:12: unknown template 'base' (did you mean 'bases'?)\n");
+  EXPECT_EQ(ErrorsAfter("[template.a]\ntemplate = 3\n"),
+            "6:12: template must be a string in quotes, not a whole number\n");
+}
+
+TEST(Templates, ReportAnErrorOfTheirBaseOnce) {
+  EXPECT_EQ(ErrorsAfter("[template.a]\ntemplate = \"b\"\n[template.b]\nlenght = 3\n"),
+            "8:1: unknown key 'lenght' (did you mean 'length_m'?)\n");
+}
+
+TEST(Templates, CannotMultiplyByInheritance) {
+  std::string text = "[[template.t0.task]]\nkind = \"waypoints\"\npoints = [[0,0]";
+  for (int i = 0; i < 9000; ++i) text += ",[0,0]";
+  text += "]\n";
+  for (int i = 1; i < 100; ++i) {
+    text += "[template.t" + std::to_string(i) + "]\ntemplate = \"t0\"\n";
+  }
+  EXPECT_NE(ErrorsAfter(text).find("more than 2000000 values in all templates together"),
+            std::string::npos);
+  std::string line = "[template.t0]\n";
+  for (int i = 1; i < 102; ++i) {
+    line +=
+        "[template.t" + std::to_string(i) + "]\ntemplate = \"t" + std::to_string(i - 1) + "\"\n";
+  }
+  EXPECT_NE(ErrorsAfter(line).find("more than 100 templates inherit"), std::string::npos);
 }
 
 TEST(Templates, ThatAreUnknownAreReported) {
@@ -230,13 +303,14 @@ TEST(Overrides, CannotSetMoreThanOneValue) {
 }
 
 TEST(Overrides, ComeAfterTheErrorsOfTheFileInTheirOwnOrder) {
-  EXPECT_EQ(ErrorsAfter("lenght = 3\n", {"mission.sed=1", "a=1", "mission.seed=x"}),
-            "5:1: unknown key 'lenght' (did you mean 'length_m'?)\n"
-            "--set mission.sed=1: unknown key 'sed' (did you mean 'seed'?)\n"
-            "--set a=1: unknown key 'a'; known here: mission, environment, comms, acoustics, "
-            "template, vehicle, "
-            "fleet, swarm, netsim, event, participant, expect\n"
-            "--set mission.seed=x: seed must be a whole number, not the string 'x'\n");
+  EXPECT_EQ(
+      ErrorsAfter("lenght = 3\n", {"mission.sed=1", "a=1", "mission.seed=x"}),
+      "5:1: unknown key 'lenght' (did you mean 'length_m'?)\n"
+      "--set mission.sed=1: unknown key 'sed' (did you mean 'seed'?)\n"
+      "--set a=1: unknown key 'a'; known here: mission, environment, comms, acoustics, obstacle, "
+      "template, vehicle, "
+      "fleet, swarm, netsim, event, participant, expect\n"
+      "--set mission.seed=x: seed must be a whole number, not the string 'x'\n");
 }
 
 }  // namespace shoal::expand_test

@@ -6,7 +6,9 @@
 #include <optional>
 #include <string>
 #include <variant>
+#include <vector>
 
+#include "lib/encounters/encounter.h"
 #include "lib/routing/fate.h"
 
 namespace shoal {
@@ -85,11 +87,37 @@ struct AltitudeExpectation {  ///< kind = "altitude": above the sea floor, at le
 
   bool operator==(const AltitudeExpectation&) const = default;
 };
+struct ClosestApproachExpectation {  ///< kind = "closest_approach": in each encounter, at least.
+  std::string vehicle = "all";
+  std::string to = "all";
+  double at_least_m = 0;
+  EncounterOptions encounter = {};
+
+  bool operator==(const ClosestApproachExpectation&) const = default;
+};
+struct EncounterScoreExpectation {  ///< kind = "encounter_score": of each encounter, at least.
+  std::string vehicle = "all";
+  std::string to = "all";
+  double at_least = 0;  ///< 0 to 100.
+  std::string role;     ///< Of the vehicle at entry; empty: any.
+  EncounterOptions encounter = {};
+
+  bool operator==(const EncounterScoreExpectation&) const = default;
+};
+struct CoverageExpectation {  ///< kind = "coverage": an area passes under the vehicles' sensors.
+  std::vector<Eigen::Vector2d> polygon_m = {};  ///< Empty: the polygons of their surveys.
+  double sensor_width_m = 20;                   ///< Covered: within half of this of a track.
+  double at_least_pct = 95;                     ///< Of the area.
+  std::vector<std::string> vehicles = {};       ///< Names and "group:NAME"; empty: all.
+
+  bool operator==(const CoverageExpectation&) const = default;
+};
 struct Expectation {
   std::string where;  ///< "file:line" of its table, for the verdict.
   std::variant<ArrivalExpectation, SeparationExpectation, CommsExpectation, HelmExpectation,
                LapsExpectation, TrackExpectation, DistanceExpectation, AltitudeExpectation,
-               SwarmExpectation>
+               SwarmExpectation, ClosestApproachExpectation, EncounterScoreExpectation,
+               CoverageExpectation>
       what;
 
   bool operator==(const Expectation&) const = default;

@@ -1,8 +1,10 @@
 // Warns of tasks that a vehicle never reaches.
+#include <algorithm>
 #include <set>
 #include <string>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 #include "lib/mission/suggest.h"
 #include "lib/mission/validate.h"
@@ -16,7 +18,8 @@ std::set<std::string_view> TasksOfEvents(const Mission& mission, const Vehicle& 
   for (const Event& event : mission.events) {
     const auto* command = std::get_if<CommandEvent>(&event.what);
     if (command == nullptr || command->command != "task") continue;
-    if (command->vehicle == "all" || command->vehicle == vehicle.name) {
+    const std::vector<const Vehicle*> named = mission.VehiclesNamed(command->vehicle);
+    if (std::find(named.begin(), named.end(), &vehicle) != named.end()) {
       names.insert(command->argument);
     }
   }

@@ -53,6 +53,7 @@ Mission Read(Value& root, const std::vector<Override>& overrides, const std::str
   for (const Override& override_ : overrides) {
     if (!IsForFinishedVehicles(override_)) Apply(override_, root, problems);
   }
+  ExpandTemplates(root, problems);
   CheckTemplates(std::get<Table>(root.data), problems);
   ExpandVehicles(root, problems);
   for (const Override& override_ : overrides) {

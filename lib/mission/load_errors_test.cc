@@ -192,7 +192,7 @@ TEST(LoadErrors, ReportUnknownKinds) {
             "6:8: unknown kind 'waypoint' (did you mean 'waypoints'?)\n");
   EXPECT_EQ(ErrorsAfter("[[expect]]\nkind = \"glory\"\n"),
             "6:8: unknown kind 'glory'; one of: arrival, separation, reports, helm, laps, track, "
-            "distance, altitude, swarm, messages, acks, packets\n");
+            "distance, altitude, swarm, coverage, messages, acks, packets\n");
   EXPECT_EQ(ErrorsAfter("[[expect]]\n"),
             "5:1: expect lacks 'kind'; for example: kind = \"arrival\"\n");
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "lib/check/check.h"
+#include "lib/mission/names.h"
 
 namespace shoal {
 namespace {
@@ -29,6 +30,18 @@ const Vehicle* Mission::FindVehicle(std::string_view vehicle_name) const {
   return found == vehicles.end() ? nullptr : &*found;
 }
 
+std::vector<const Vehicle*> Mission::VehiclesNamed(std::string_view addressees) const {
+  const std::optional<std::string_view> group = GroupNamed(addressees);
+  const bool is_all = SameName(addressees, "all");
+  std::vector<const Vehicle*> named;
+  for (const Vehicle& vehicle : vehicles) {
+    const bool is_named = group ? !vehicle.group.empty() && SameName(vehicle.group, *group)
+                                : is_all || SameName(vehicle.name, addressees);
+    if (is_named) named.push_back(&vehicle);
+  }
+  return named;
+}
+
 bool Mission::MayBeSteeredFromOutside() const {
   const bool has_other_helm =
       std::any_of(vehicles.begin(), vehicles.end(),
@@ -47,6 +60,18 @@ bool Mission::IsInSwarm(const Vehicle& vehicle) const {
   if (!swarm.exists) return false;
   return vehicle.name == swarm.leader || std::find(swarm.followers.begin(), swarm.followers.end(),
                                                    vehicle.name) != swarm.followers.end();
+}
+
+std::map<std::string, std::vector<std::string>> GroupsOf(const Mission& mission) {
+  std::map<std::string, std::vector<std::string>> groups;
+  for (const Vehicle& vehicle : mission.vehicles) {
+    if (vehicle.group.empty()) continue;
+    const auto first =
+        std::find_if(mission.vehicles.begin(), mission.vehicles.end(),
+                     [&](const Vehicle& each) { return SameName(each.group, vehicle.group); });
+    groups[first->group].push_back(vehicle.name);
+  }
+  return groups;
 }
 
 }  // namespace shoal

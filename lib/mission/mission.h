@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -83,6 +84,9 @@ struct Mission {
   int64_t UtimeOf(int64_t step) const { return start_utime + step * tick_us; }
   /// Returns the vehicle of this name, without regard to case, or nullptr.
   const Vehicle* FindVehicle(std::string_view vehicle_name) const;
+  /// Returns the vehicle of this name, all of them for "all", or for "group:NAME" the members of a
+  /// group; names are the same without regard to case.
+  std::vector<const Vehicle*> VehiclesNamed(std::string_view addressees) const;
   /// True for vehicles that others can receive reports of: with a node_reporter, or from outside
   /// over netsim.
   bool IsReported(const Vehicle& vehicle) const;
@@ -93,5 +97,9 @@ struct Mission {
 
   bool operator==(const Mission&) const = default;
 };
+
+/// Returns the members of each group, in the mission's order, by the group's name as its first
+/// member has it. Groups are the same without regard to case.
+[[nodiscard]] std::map<std::string, std::vector<std::string>> GroupsOf(const Mission& mission);
 
 }  // namespace shoal

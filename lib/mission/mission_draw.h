@@ -55,6 +55,8 @@ class MissionDraw {
                      .msg_color = Text(),
                      .msg_repeat_color = Text(),
                      .each_fate_up_to = Integer(0, 1'000'000)};
+    DrawSurveyArea();
+    mission.obstacles = {{"rock", Square()}, {"wreck", Square()}};
     for (int64_t i = 2; i > 0; --i) mission.vehicles.push_back(DrawVehicle(i));
     if (mission.tick_us <= 200'000) Submerge(&mission.vehicles[0]);
     has_floor_ = mission.environment.floor.style != "none";
@@ -182,6 +184,19 @@ class MissionDraw {
     return environment;
   }
 
+  void DrawSurveyArea() {
+    const double east_m = Number(1, 1e6);
+    const double north_m = Number(1, 1e6);
+    survey_area_ = {
+        .polygon_m = {{0, 0}, {east_m, 0}, {east_m, north_m}, {Number(-1e6, 0), north_m}},
+        .lane_spacing_m = Number(0.4, 1) * std::min({north_m, east_m, 1e5}),
+        .lane_ends = static_cast<LaneEnds>(Integer(0, 1))};
+    if (Coin()) survey_area_.lane_angle_deg = Number(-360, 360);
+    // A narrow strip may have more lanes than the loader takes.
+    if (CountLanes(survey_area_) > 2000) survey_area_ = {.polygon_m = {{0, 0}, {100, 0}, {0, 100}}};
+    survey_is_shared_ = CountLanes(survey_area_) >= 2 && Coin();
+  }
+
   Eigen::Vector3d DeepPoint() { return {Number(-1e6, 1e6), Number(-1e6, 1e6), Number(0, 20'000)}; }
 
   /// Makes an underwater vehicle of it, with the tasks that these have.
@@ -256,6 +271,10 @@ class MissionDraw {
     for (Vehicle& vehicle : mission->vehicles) {
       vehicle.start.x_m = Number(-1e5, 1e5);
       vehicle.start.y_m = Number(-1e5, 1e5);
+      for (Task& task : vehicle.tasks) {
+        auto* survey = std::get_if<SurveyTask>(&task.what);
+        if (survey != nullptr) survey->route.start_m = {vehicle.start.x_m, vehicle.start.y_m};
+      }
     }
     const bool can_be = !mission->acoustics.options.modem && PlanSwarm(*mission).problems.empty();
     if (!can_be) mission->swarm = {};
@@ -331,7 +350,7 @@ class MissionDraw {
       vehicle.recovery.of(SwarmField::kReporterPos) = {RecoveryStrategy::kSentinel,
                                                        RecoveryStrategy::kSkipField};
     }
-    vehicle.helm_options = {Positive(3600), Coin(), Positive(3600)};
+    vehicle.helm_options = {Positive(3600), Coin(), Positive(3600), Number(0.01, 60), Coin()};
     vehicle.autopilot = {Number(0, 1000), Number(0, 1000), Number(0, 1000), Number(0, 180),
                          Number(0, 1000), Number(0, 1000), Number(0, 100)};
     const double blackout_s = Number(0, 100'000);
@@ -361,9 +380,93 @@ class MissionDraw {
                     Positive(50), DrawCapture(), Positive(10'000), Number(0, 1), Number(0, 1e7)}},
         {Text() + "2",
          StationKeepTask{station_m, station_m.isZero(), inner_m, inner_m * 1.1, Positive(50)}},
-        {Text() + "3", ReturnTask{Point(), Positive(50), DrawCapture(), Positive(10'000)}}};
+        {Text() + "3", ReturnTask{Point(), Positive(50), DrawCapture(), Positive(10'000)}},
+        {Text() + "4", DrawSurvey(vehicle)}};
+    for (Task& task : vehicle.tasks) task.pwt = Number(0, 1e6);
+    DrawBehaviors(&vehicle);
     vehicle.return_task = {Point(), Positive(50), DrawCapture(), Positive(10'000)};
     return vehicle;
+  }
+
+  std::vector<Eigen::Vector2d> Square() {
+    const Eigen::Vector2d corner = Point() / 2;
+    const double side = Number(1, 1000);
+    return {corner, corner + Eigen::Vector2d(side, 0), corner + Eigen::Vector2d(side, side),
+            corner + Eigen::Vector2d(0, side)};
+  }
+
+  /// A few of all kinds, with what all kinds have in common.
+  void DrawBehaviors(Vehicle* vehicle) {
+    vehicle->domain.speed_mps = {.first = 0, .step = 0.5, .count = static_cast<int>(Integer(2, 9))};
+    vehicle->domain.depth_m = {.first = 0, .step = 2, .count = static_cast<int>(Integer(2, 9))};
+    vehicle->variables = {
+        {"DEPLOY", Coin() ? "true" : "false"}, {"DEPTH.2", Number(-1e9, 1e9)}, {"PLACE", Text()}};
+    vehicle->modes = {{"MODE = ACTIVE", {"DEPLOY = true", "(DEPTH.2 > 0) or (PLACE = x)"}, ""},
+                      {"MODE = HOME", {"MODE = ACTIVE"}, "AWAY"}};
+    if (Coin()) vehicle->modes.clear();
+    contact_ = vehicle->name == "Vessel_1" ? "Vessel_2" : "Vessel_1";
+    int number = 0;
+    for (AnyBehavior& what : OneBehaviorOfEachKind()) {
+      if (Coin()) continue;
+      BehaviorOptions options;
+      options.name = std::string(1, static_cast<char>('a' + number++)) + "_";
+      options.what = what;
+      std::visit([&](auto& kind) { Fill(&kind); }, options.what);
+      options.pwt = Number(0, 1e6);
+      if (Coin()) options.condition = {"DEPLOY = true", "!(PLACE = \"a b\")"};
+      if (Coin()) {
+        options.flags = {.runflag = {"A = 1"},
+                         .runxflag = {"B = $[OSX]"},
+                         .idleflag = {"C = 1 [to] all+"},
+                         .activeflag = {"D = 1 [if] (A = 1)"},
+                         .inactiveflag = {"E = \"1\"", "F = 1"},
+                         .endflag = {"G = 1"},
+                         .spawnflag = {"H = 1"},
+                         .spawnxflag = {"I = 1"},
+                         .configflag = {"J = 1"}};
+      }
+      if (Coin()) options.updates = "UPDATES";
+      if (Coin()) options.duration = Number(0, 1e7);
+      options.duration_idle_decay = Coin();
+      if (Coin()) options.duration_reset = "AGAIN = true";
+      if (Coin()) options.duration_status = "LEFT";
+      if (Coin()) {
+        options.nostarve = {"A", "B"};
+        options.nostarve_s = Number(1, 1e7);
+      }
+      options.perpetual = Coin();
+      options.max_spawnings = static_cast<int>(Integer(1, 1'000'000));
+      vehicle->behaviors.push_back(std::move(options));
+    }
+    if (vehicle->behaviors.empty()) return;
+    BehaviorOptions& last = vehicle->behaviors.back();
+    last.templating = Coin() ? Templating::kSpawn : Templating::kClone;
+    last.updates = "UPDATES";
+  }
+
+  /// What the kinds cannot be without.
+  template <class Options>
+  void Fill(Options* o) {
+    if constexpr (requires { o->contact.contact; }) {
+      o->contact.contact = contact_;
+      o->contact.match_group = {Text()};
+      o->contact.ignore_name = {Text(), Text()};
+    }
+    if constexpr (requires { o->pwt_grade; }) o->pwt_grade = Coin() ? "quadratic" : "linear";
+    if constexpr (requires { o->core_poly; }) o->core_poly = Square();
+    if constexpr (requires { o->polygon; }) o->polygon = Square();
+    if constexpr (requires { o->points; }) o->points = {Point(), Point()};
+    if constexpr (requires { o->station_pt; }) o->station_pt = Point();
+    if constexpr (requires { o->p1; }) o->p1 = o->p2 = Point();
+    if constexpr (requires { o->leg_spds; }) o->leg_spds = {1, Number(0, 50)};
+    if constexpr (requires { o->depths; }) o->depths = {{Number(0, 1000), Number(0, 1e7)}};
+    if constexpr (requires { o->memory_time; }) o->memory_time = o->turn_range = Positive(180);
+    if constexpr (requires { o->period_lazy; }) o->period_lazy = o->period_busy = Positive(1e7);
+    if constexpr (requires { o->fix_turn; }) o->fix_turn = Positive(36'000);
+    if constexpr (requires { o->wptflag; }) o->wptflag = {"K = $[CTR]"};
+    if constexpr (requires { o->patience; }) o->patience = Number(1, 85);
+    if constexpr (requires { o->clockwise; }) o->clockwise = Coin() ? "best" : "false";
+    if constexpr (requires { o->speed; }) o->speed = Number(0, 50);
   }
 
   ModemPreset DrawModem() {
@@ -418,8 +521,27 @@ class MissionDraw {
     }
   }
 
+  /// The same area for both vehicles of a mission, that they can share it.
+  SurveyTask DrawSurvey(const Vehicle& vehicle) {
+    SurveyTask survey;
+    survey.area = survey_area_;
+    survey.route = {.entry = static_cast<SurveyEntry>(Integer(0, 4)),
+                    .start_m = {vehicle.start.x_m, vehicle.start.y_m},
+                    .turn_radius_m = Number(0, 10'000),
+                    .overrun_m = Number(0, 10'000)};
+    if (survey_is_shared_) {
+      survey.divide_among = {"Vessel_2", "Vessel_1"};
+      survey.share = {.place = vehicle.name == "Vessel_1" ? 0U : 1U, .members = 2};
+    }
+    survey.speed_mps = Positive(50);
+    survey.capture = DrawCapture();
+    survey.lookahead_m = Positive(10'000);
+    survey.crab_gain = Number(0, 1);
+    return survey;
+  }
+
   Expectation DrawExpectation(double end_s) {
-    switch (Integer(0, 7)) {
+    switch (Integer(0, 10)) {
       case 0: {
         ArrivalExpectation arrival{"all", std::nullopt, Positive(100'000), Positive(end_s), Coin()};
         if (Coin()) arrival.point_m = Point();
@@ -454,7 +576,30 @@ class MissionDraw {
         distance.from_s = Number(0, end_s);
         return {"", distance};
       }
-      case 6:
+      case 6: {
+        ClosestApproachExpectation approach;
+        approach.vehicle = "Vessel_1";
+        approach.at_least_m = Positive(100'000);
+        approach.encounter.risk_m = Positive(1e6);
+        return {"", approach};
+      }
+      case 7: {
+        EncounterScoreExpectation score;
+        score.to = Coin() ? "all" : "Vessel_2";
+        score.at_least = Number(0, 100);
+        if (Coin()) score.role = "stand-on";
+        score.encounter.entry_range_m = Positive(1e6);
+        score.encounter.near_miss_m = Number(1, 5);
+        return {"", score};
+      }
+      case 8: {
+        CoverageExpectation coverage{.sensor_width_m = Positive(100'000),
+                                     .at_least_pct = Number(0, 100)};
+        if (Coin()) coverage.polygon_m = {{0, 0}, {Number(1, 1e6), 0}, {0, Number(-1e6, -1)}};
+        if (Coin()) coverage.vehicles = {"Vessel_2"};
+        return {"", coverage};
+      }
+      case 9:
         if (has_floor_) return {"", AltitudeExpectation{"all", Number(0, 20'000)}};
         [[fallthrough]];
       default:
@@ -463,7 +608,10 @@ class MissionDraw {
   }
 
   std::mt19937_64 generator_;
+  std::string contact_;  ///< A vehicle that is not the one being drawn.
   bool has_floor_ = false;
+  SurveyArea survey_area_;
+  bool survey_is_shared_ = false;
 };
 
 }  // namespace shoal

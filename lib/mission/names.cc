@@ -34,6 +34,12 @@ std::string NameProblem(std::string_view name) {
   return Quoted(name) + " is reserved, as local, unc and all are: choose another";
 }
 
+std::optional<std::string_view> GroupNamed(std::string_view text) {
+  constexpr std::string_view kPrefix = "group:";
+  if (!text.starts_with(kPrefix)) return std::nullopt;
+  return text.substr(kPrefix.size());
+}
+
 std::string_view VehicleOfProcess(std::string_view participant_name) {
   const std::string lower = LowerCase(participant_name);
   for (const std::string_view prefix : kVehicleProcesses) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -14,6 +15,9 @@ constexpr size_t kMostVehicles = 10'000;
 /// IsLegalVehicleName (lib/routing/vehicle_name.h). Names become parts of LCM channel names, which
 /// have 63 characters at most; NODE_REPORT_LOCAL, NODE_REPORT_UNC and "all" mean something else.
 std::string NameProblem(std::string_view name);
+
+/// Returns NAME of "group:NAME", which stands for the vehicles of a group; nothing for other text.
+std::optional<std::string_view> GroupNamed(std::string_view text);
 
 /// Returns what follows the kind of process in the name of one of shoal's own ("alpha" of
 /// "helm_alpha"); empty for other names.

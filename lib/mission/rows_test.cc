@@ -53,6 +53,27 @@ TEST(KindsOfTask, OfUnderwaterVehiclesAreRefusedForSurfaceCraft) {
   }
 }
 
+TEST(KindsOfBehavior, AreDrawnByTheTestsOfTheLoader) {
+  std::set<std::string_view> drawn;
+  for (uint64_t seed = 0; seed < 20; ++seed) {
+    for (const Vehicle& vehicle : MissionDraw(seed).Draw().vehicles) {
+      for (const BehaviorOptions& behavior : vehicle.behaviors) {
+        drawn.insert(KindOf(behavior.what));
+      }
+    }
+  }
+  for (const AnyBehavior& what : OneBehaviorOfEachKind()) {
+    EXPECT_TRUE(drawn.contains(KindOf(what))) << "mission_draw.h draws no " << KindOf(what);
+  }
+}
+
+TEST(KindsOfBehavior, StandInTheDocumentationOfMissionFiles) {
+  const std::string row = RowOf(PageOf("mission_file.md"), "kind", "### [[vehicle.behavior]]");
+  for (const AnyBehavior& what : OneBehaviorOfEachKind()) {
+    EXPECT_NE(row.find("`" + std::string(KindOf(what)) + "`"), std::string::npos) << KindOf(what);
+  }
+}
+
 TEST(VehicleModels, AreDrawnByTheTestsOfTheLoader) {
   std::set<std::string_view> drawn;
   for (uint64_t seed = 0; seed < 20; ++seed) {

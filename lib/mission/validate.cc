@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "lib/mission/names.h"
 #include "lib/mission/suggest.h"
 
 namespace shoal {
@@ -28,14 +29,33 @@ void ResolveVehicle(const TablePlace& place, std::string_view key, std::string& 
   place.Refuse(key, "unknown vehicle " + Quoted(name) + hint);
 }
 
-std::vector<const Vehicle*> VehiclesNamed(const Mission& mission, std::string_view name_or_all) {
-  std::vector<const Vehicle*> found;
-  if (name_or_all != "all") {
-    if (const Vehicle* vehicle = mission.FindVehicle(name_or_all)) found.push_back(vehicle);
-    return found;
+void ResolveAddressees(const TablePlace& place, std::string_view key, std::string& name,
+                       const Mission& mission) {
+  const std::optional<std::string_view> group = GroupNamed(name);
+  if (!group) return ResolveVehicle(place, key, name, mission, true);
+  std::vector<std::string_view> groups;
+  for (const Vehicle& vehicle : mission.vehicles) {
+    if (!group->empty() && LowerCase(vehicle.group) == LowerCase(*group)) {
+      name = "group:" + vehicle.group;
+      return;
+    }
+    const bool is_new = std::find(groups.begin(), groups.end(), vehicle.group) == groups.end();
+    if (!vehicle.group.empty() && is_new) groups.push_back(vehicle.group);
   }
-  for (const Vehicle& vehicle : mission.vehicles) found.push_back(&vehicle);
-  return found;
+  std::string hint = DidYouMean(*group, groups);
+  if (groups.empty()) {
+    hint += "; no vehicle has a group: write group = \"survey\" in its table";
+  } else {
+    constexpr size_t kMostShown = 10;
+    const bool has_more = groups.size() > kMostShown;
+    groups.resize(std::min(groups.size(), kMostShown));
+    hint += "; the mission has the groups " + Joined(groups) + (has_more ? ", ..." : "");
+  }
+  place.Refuse(key, "no vehicle is of group " + Quoted(*group) + hint);
+}
+
+std::vector<const Vehicle*> VehiclesNamed(const Mission& mission, std::string_view addressees) {
+  return mission.VehiclesNamed(addressees);
 }
 
 void Validate(Mission& mission, const TablePlace& file) {

@@ -31,6 +31,9 @@ void ValidateNetwork(const TablePlace& place, const AcousticOptions& options,
 
 /// Writes names of vehicles as their tables do, and refuses those that no vehicle has.
 void ResolveNames(Mission& mission, const TablePlace& file);
+/// Gives each member of a divided survey its share, and refuses surveys that cannot be divided so;
+/// a part of ResolveNames.
+void ResolveSurveyShares(Mission& mission, const TablePlace& file);
 /// Fills in what a table leaves open and another decides: whether there is an acoustic network,
 /// acoustic addresses, the leader of the network, the followers of the swarm.
 void CompleteMission(Mission& mission, const TablePlace& file);
@@ -63,7 +66,11 @@ void ValidateExpectations(const Mission& mission, const TablePlace& file);
 void ResolveVehicle(const TablePlace& place, std::string_view key, std::string& name,
                     const Mission& mission, bool or_all);
 
-/// Returns the named vehicle, or all of them.
-std::vector<const Vehicle*> VehiclesNamed(const Mission& mission, std::string_view name_or_all);
+/// The same for a name, "all" or "group:NAME": refuses a group of which there is no vehicle.
+void ResolveAddressees(const TablePlace& place, std::string_view key, std::string& name,
+                       const Mission& mission);
+
+/// Returns the named vehicle, all of them, or those of "group:NAME".
+std::vector<const Vehicle*> VehiclesNamed(const Mission& mission, std::string_view addressees);
 
 }  // namespace shoal

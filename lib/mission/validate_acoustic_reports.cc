@@ -52,6 +52,28 @@ std::pair<const Vehicle*, const Vehicle*> FindReportsInStep(const Mission& missi
   return {};
 }
 
+/// A client of netsim chooses how often it sends positions, and of each step the last becomes a
+/// node report: warns where these would take half of the channel's time.
+void WarnOfOutsiders(const Mission& mission, const TablePlace& comms, double air_s) {
+  constexpr double kMostOfChannel = 0.5;
+  if (!mission.netsim || mission.netsim->vehicles.empty()) return;
+  const auto num_vehicles = static_cast<double>(mission.netsim->vehicles.size());
+  const double tick_s = static_cast<double>(mission.tick_us) / 1e6;
+  const double least_s = num_vehicles * air_s / kMostOfChannel;
+  if (tick_s >= least_s) return;
+  comms.Warn(
+      "reports_over",
+      fmt::format("each position that {} sends over netsim's interface becomes a node report, at "
+                  "most one every {:g} s, which takes {:g} s at {:g} bit/s: reports fill the "
+                  "network; write reports_over = \"direct\" (what modems and messages_over = "
+                  "\"acoustic\" send stays acoustic), or let the client send a position every "
+                  "{:.2g} s or more seldom",
+                  mission.netsim->vehicles.size() == 1
+                      ? mission.netsim->vehicles.front().name
+                      : fmt::format("each of {} vehicles", mission.netsim->vehicles.size()),
+                  tick_s, air_s, mission.acoustics.options.data_rate_bps, least_s));
+}
+
 }  // namespace
 
 void ValidateAcousticReports(const Mission& mission, const TablePlace& file) {
@@ -81,9 +103,12 @@ void ValidateAcousticReports(const Mission& mission, const TablePlace& file) {
                 ? ""
                 : ", or access_mode = \"fdma\" in [acoustics]"));
   }
-  if (options.collisions == CollisionModel::kOff || !(options.data_rate_bps > 0)) return;
+  if (!(options.data_rate_bps > 0)) return;
   const int64_t frame_bytes = kReport_bytes + (mission.acoustics.crc ? 4 : 0);
   const double air_s = 8 * static_cast<double>(frame_bytes) / options.data_rate_bps;
+  const bool can_collide = options.collisions != CollisionModel::kOff;
+  if (can_collide || options.half_duplex) WarnOfOutsiders(mission, comms, air_s);
+  if (!can_collide) return;
   const double jitter_s = options.jitter == JitterModel::kUniform ? options.max_jitter_s : 0;
   for (const Vehicle& vehicle : mission.vehicles) {
     const double interval_s = ReportInterval_s(vehicle.reporter_options);

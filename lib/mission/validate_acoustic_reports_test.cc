@@ -57,6 +57,38 @@ TEST(LoadWarnings, ReportJitterThatIsFinerThanThePaceOfReports) {
             1U);
 }
 
+/// Returns the warnings of a mission with one vehicle of shoal's and one that reports its position
+/// over netsim's interface.
+std::vector<std::string> WarningsWithOutsider(const std::string& acoustics,
+                                              const std::string& reports_over) {
+  const LoadedMission loaded = LoadMissionText(
+      "[mission]\nduration_s = 60\n[comms]\ncomms_range = 5000\nreports_over = \"" + reports_over +
+          "\"\n[acoustics]\n" + acoustics +
+          "\n[[vehicle]]\nname = \"alpha\"\nreporter = {rate_hz = 0.01}\n"
+          "[[vehicle]]\nname = \"outsider\"\noutside = true\n[netsim]\nport = 62500\n"
+          "[[netsim.environment]]\nname = \"bay\"\nlat_min_deg = 43\nlat_max_deg = 44\n"
+          "lon_min_deg = -71\nlon_max_deg = -70\ndepth_max_m = 100\n"
+          "[[netsim.vehicle]]\nname = \"outsider\"\nmodem_tcp_port = 62000\n"
+          "environment = \"bay\"\nmodem = \"micromodem\"\n",
+      "m.toml");
+  EXPECT_EQ(loaded.errors, std::vector<std::string>{});
+  return WarningsBesideConduct(loaded);
+}
+
+TEST(LoadWarnings, ReportPositionsOfClientsThatFillTheNetwork) {
+  EXPECT_EQ(WarningsWithOutsider("modem = \"whoi_micromodem\"", "acoustic"),
+            std::vector<std::string>{
+                "m.toml:5:16: warning: each position that outsider sends over netsim's interface "
+                "becomes a node report, at most one every 0.1 s, which takes 0.0618868 s at 5300 "
+                "bit/s: reports fill the network; write reports_over = \"direct\" (what modems and "
+                "messages_over = \"acoustic\" send stays acoustic), or let the client send a "
+                "position every 0.12 s or more seldom"});
+  EXPECT_EQ(WarningsWithOutsider("modem = \"whoi_micromodem\"", "direct"),
+            std::vector<std::string>{});
+  EXPECT_EQ(WarningsWithOutsider("access_mode = \"shared\"\ndata_rate_bps = 1e6", "acoustic"),
+            std::vector<std::string>{});
+}
+
 TEST(LoadWarnings, AreNoneForReportsThatDoNotCollide) {
   const std::string slow = "rate_hz = 0.1";
   EXPECT_EQ(Warnings(kThree, "access_mode = \"fdma\"", slow).size(), 0U);

@@ -11,6 +11,7 @@
 #include <variant>
 #include <vector>
 
+#include "lib/mission/coverage_area.h"
 #include "lib/mission/suggest.h"
 #include "lib/mission/validate.h"
 #include "lib/routing/fate.h"
@@ -118,6 +119,22 @@ struct CheckExpectation {
   void operator()(const LapsExpectation& laps) const {
     CheckTask(place, laps.vehicle, laps.task, mission, {});
     CheckLaps(place, laps, mission);
+  }
+
+  void operator()(const ClosestApproachExpectation& approach) const { CheckPair(approach); }
+  void operator()(const EncounterScoreExpectation& score) const { CheckPair(score); }
+
+  template <class OfPairs>
+  void CheckPair(const OfPairs& expectation) const {
+    if (expectation.to == "all" || expectation.to != expectation.vehicle) return;
+    place.Refuse("to", expectation.to + " does not meet itself: this can never hold");
+  }
+
+  void operator()(const CoverageExpectation& coverage) const {
+    if (!place.IsSound() || !PolygonsOf(mission, coverage).empty()) return;
+    place.Refuse("",
+                 "there is no area to cover: none of the vehicles has a task of kind "
+                 "\"survey\"; write polygon = [[0, 0], [200, 0], [200, 100]]");
   }
 
   void operator()(const AltitudeExpectation&) const {

@@ -8,9 +8,13 @@
 #include "lib/modes/value_text.h"
 
 namespace shoal {
+
+/// How two values are compared. (Named outside the anonymous namespace: Condition::Node holds one.)
+enum class ConditionRelation { kEqual, kPartEquals, kNotEqual, kLess, kGreater, kAtMost, kAtLeast };
+
 namespace {
 
-enum class Relation { kEqual, kPartEquals, kNotEqual, kLess, kGreater, kAtMost, kAtLeast };
+using Relation = ConditionRelation;
 
 /// Two characters before one of them.
 constexpr std::pair<std::string_view, Relation> kRelations[] = {
@@ -93,7 +97,7 @@ struct Condition::Node {
   std::vector<Node> parts = {};
   // Without parts:
   std::string variable = {};
-  Relation relation = Relation::kEqual;
+  ConditionRelation relation = ConditionRelation::kEqual;
   VariableValue value = {};
   std::string other = {};  ///< A variable instead of `value`.
 

@@ -7,7 +7,7 @@
 #include "lib/mission/suggest.h"
 
 namespace shoal {
-namespace {
+namespace bhv_keys {
 
 using enum BhvValue;
 
@@ -373,6 +373,14 @@ constexpr std::array kLostKeys = std::to_array<BhvLostKey>({
     {"op_region", "dynamic_region_var", "the region is given in the file or by updates", true},
 });
 
+}  // namespace bhv_keys
+
+namespace {
+
+using bhv_keys::kContactKinds;
+using bhv_keys::kLostKeys;
+using bhv_keys::kTypes;
+
 bool HasWord(std::string_view words, std::string_view word) {
   while (!words.empty()) {
     const size_t end = std::min(words.find(' '), words.size());
@@ -415,7 +423,7 @@ std::string_view KindOfBhv(std::string_view type) {
 bool IsContactKind(std::string_view kind) { return HasWord(kContactKinds, kind); }
 
 const BhvKey* FindBhvKey(std::string_view kind, std::string_view moos_key) {
-  return FindRow(kKeys, kind, moos_key);
+  return FindRow(bhv_keys::kKeys, kind, moos_key);
 }
 
 const BhvLostKey* FindLostBhvKey(std::string_view kind, std::string_view moos_key) {
@@ -424,6 +432,6 @@ const BhvLostKey* FindLostBhvKey(std::string_view kind, std::string_view moos_ke
 
 std::vector<BhvType> AllBhvTypes() { return {kTypes.begin(), kTypes.end()}; }
 
-std::vector<BhvKey> AllBhvKeys() { return {kKeys.begin(), kKeys.end()}; }
+std::vector<BhvKey> AllBhvKeys() { return {bhv_keys::kKeys.begin(), bhv_keys::kKeys.end()}; }
 
 }  // namespace shoal

@@ -50,6 +50,9 @@ Current::Current(const CurrentParams& params, const StreamKey& key)
   SHOAL_CHECK(IsCurrent(params), "IsCurrent(params)");
   Swing& speed = params_.speed_mps;
   speed.deviation = std::min({speed.deviation, speed.mean, params_.max_speed_mps - speed.mean});
+  if (speed.deviation == 0 && params_.direction_rad.deviation == 0) {
+    constant_mps_ = Velocity(At(0));
+  }
 }
 
 Current::Draws Current::DrawsFor(const StreamKey& key, std::string_view name) {
@@ -77,6 +80,11 @@ Flow Current::At(double time_s) const {
   SHOAL_CHECK(std::isfinite(time_s), "time_s is finite");
   return FlowAt(params_, Deviation(params_.speed_mps, speed_, time_s),
                 Deviation(params_.direction_rad, direction_, time_s));
+}
+
+Eigen::Vector2d Current::VelocityAt(double time_s) const {
+  SHOAL_CHECK(std::isfinite(time_s), "time_s is finite");
+  return constant_mps_ ? *constant_mps_ : Velocity(At(time_s));
 }
 
 }  // namespace shoal

@@ -8,6 +8,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <optional>
 #include <string_view>
 
 #include "lib/random/stream.h"
@@ -72,6 +73,9 @@ class Current {
   /// clipped or the direction wraps. @pre time_s is finite
   [[nodiscard]] Flow At(double time_s) const;
 
+  /// Returns Velocity(At(time_s)). @pre time_s is finite
+  [[nodiscard]] Eigen::Vector2d VelocityAt(double time_s) const;
+
   const CurrentParams& params() const { return params_; }
 
  private:
@@ -85,6 +89,7 @@ class Current {
   static double Deviation(const Swing& swing, const Draws& draws, double time_s);
   static double Amplitude(const Swing& swing, const Draws& draws, int64_t node);
 
+  std::optional<Eigen::Vector2d> constant_mps_;  ///< Absent: it swings.
   CurrentParams params_;
   Draws speed_;
   Draws direction_;

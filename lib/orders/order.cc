@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "lib/bus/channels.h"
+#include "lib/mission/names.h"
 #include "lib/mission/suggest.h"
 #include "lib/orders/order_words.h"
 #include "lib/routing/vehicle_name.h"
@@ -25,9 +27,36 @@ std::string UnknownTarget(const OrderScope& scope, std::string_view target) {
   known.push_back(kClock);
   const std::string word = std::string(target.substr(0, 64));
   return fmt::format(
-      "no vehicle {} in {}{}; it has: {}; other targets: all, clock, and the rules {}",
+      "no vehicle {} in {}{}; it has: {}; other targets: all, group:NAME, clock, and the rules {}",
       Quoted(word), scope.mission, DidYouMean(word, known), fmt::join(scope.vehicles, ", "),
       Joined(rules));
+}
+
+std::string UnknownGroup(const OrderScope& scope, std::string_view group) {
+  if (scope.groups.empty()) {
+    return fmt::format("no group {} in {}: none of its vehicles has one",
+                       Quoted(std::string(group.substr(0, 64))), scope.mission);
+  }
+  std::vector<std::string_view> groups;
+  for (const auto& [name, members] : scope.groups) groups.push_back(name);
+  const std::string word = std::string(group.substr(0, 64));
+  return fmt::format("no group {} in {}{}; it has: {}", Quoted(word), scope.mission,
+                     DidYouMean(word, groups), Joined(groups));
+}
+
+/// Returns the vehicles that a target means: one, a group's, or all; none where it means another.
+std::vector<std::string> VehiclesOf(const OrderScope& scope, std::string_view target) {
+  std::vector<std::string> vehicles;
+  if (const std::optional<std::string_view> group = GroupNamed(target)) {
+    for (const auto& [name, members] : scope.groups) {
+      if (LowerCase(name) == LowerCase(*group)) vehicles = members;
+    }
+    return vehicles;
+  }
+  for (const std::string& name : scope.vehicles) {
+    if (target == "all" || VehicleKey(name) == VehicleKey(target)) vehicles.push_back(name);
+  }
+  return vehicles;
 }
 
 template <class T, class Command, class Make>
@@ -69,11 +98,9 @@ bool HasVehicle(const OrderScope& scope, std::string_view name) {
 
 Result<Order> ParseOrder(const OrderScope& scope, std::string_view target,
                          std::span<const std::string> words) {
-  std::vector<std::string> vehicles;
-  for (const std::string& name : scope.vehicles) {
-    if (target == "all" || VehicleKey(name) == VehicleKey(target)) vehicles.push_back(name);
-  }
+  const std::vector<std::string> vehicles = VehiclesOf(scope, target);
   if (vehicles.empty()) {
+    if (const auto group = GroupNamed(target)) return Error{UnknownGroup(scope, *group)};
     if (const ControlRow* row = FindControl(target); row != nullptr) {
       return OrderOr<OrderToBroker>(ParseRuleWords(*row, words), [&](const unc_control_t& control) {
         return OrderToBroker{

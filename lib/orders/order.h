@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <span>
 #include <string>
 #include <string_view>
@@ -58,10 +59,11 @@ struct OrderScope {
   std::string mission;
   std::vector<std::string> vehicles;
   int64_t mission_id = 0;  ///< Of the clock that answers; 0: any.
+  std::map<std::string, std::vector<std::string>> groups = {};  ///< Members by group.
 };
 
-/// Returns what target and words ask for, or what is wrong with them. A vehicle's name wins over a
-/// rule of the broker, and this over "clock".
+/// Returns what target and words ask for, or what is wrong with them. A target is a vehicle, "all",
+/// "group:NAME", a rule of the broker, or "clock"; a vehicle's name wins over a rule.
 [[nodiscard]] Result<Order> ParseOrder(const OrderScope& scope, std::string_view target,
                                        std::span<const std::string> words);
 

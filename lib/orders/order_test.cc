@@ -42,6 +42,21 @@ TEST(ParseOrder, PrefersAVehicleOfThatName) {
       std::holds_alternative<OrderToHelms>(*ParseOrder(scope, "comms_range", Words{"return"})));
 }
 
+TEST(ParseOrder, SendsToTheMembersOfAGroup) {
+  const OrderScope scope = {.mission = "m",
+                            .vehicles = {"alpha", "bravo", "charlie"},
+                            .groups = {{"Sweepers", {"bravo", "charlie"}}, {"scouts", {"alpha"}}}};
+  const Result<Order> helms = ParseOrder(scope, "group:sweepers", Words{"return"});
+  ASSERT_TRUE(helms.ok());
+  EXPECT_EQ(std::get<OrderToHelms>(*helms).vehicles, (Words{"bravo", "charlie"}));
+  const Result<Order> sims = ParseOrder(scope, "group:scouts", Words{"sim", "pause"});
+  ASSERT_TRUE(sims.ok());
+  EXPECT_EQ(std::get<OrderToSims>(*sims).vehicles, Words{"alpha"});
+  EXPECT_EQ(ParseOrder(scope, "group:sweeper", Words{"return"}).error(),
+            "no group 'sweeper' in m (did you mean 'Sweepers'?); it has: Sweepers, scouts");
+  EXPECT_EQ(ErrorOf("group:x", {"return"}), "no group 'x' in berta: none of its vehicles has one");
+}
+
 TEST(ParseOrder, ExplainsWhatItDoesNotUnderstand) {
   EXPECT_EQ(
       ErrorOf("alhpa", {"return"}).find("no vehicle 'alhpa' in berta (did you mean 'alpha'?)"), 0U);

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "lib/bus/control_message.h"
+#include "lib/mission/names.h"
 #include "lib/mission/suggest.h"
 #include "lib/routing/destinations.h"
 #include "lib/routing/vehicle_name.h"
@@ -224,9 +225,8 @@ Result<node_message_t> ParseMessageWords(std::span<const std::string> words) {
     }
   }
   if (plain.size() != 3 || plain[1].empty()) return Error{std::string(kMessageUsage)};
-  constexpr std::string_view kGroup = "group:";
-  if (plain[0].starts_with(kGroup)) {
-    message.dest_group = plain[0].substr(kGroup.size());
+  if (const auto group = GroupNamed(plain[0])) {
+    message.dest_group = *group;
   } else {
     message.dest_node = plain[0];
   }
@@ -247,8 +247,8 @@ Result<node_message_t> ParseMessageWords(std::span<const std::string> words) {
 
 std::string SendCommandsText() {
   std::string text =
-      "VEHICLE is a vehicle's name or all.\n" + Rows("VEHICLE ", HelmCommands()) +
-      Rows("VEHICLE sim ", SimCommands()) +
+      "VEHICLE is a vehicle's name, group:NAME (its members) or all.\n" +
+      Rows("VEHICLE ", HelmCommands()) + Rows("VEHICLE sim ", SimCommands()) +
       "  VEHICLE message DEST VAR VALUE [--double] [--ack]\n"
       "                               a node message of VEHICLE. DEST: names joined "
       "by ':', all, or group:NAME;\n"

@@ -49,7 +49,7 @@ Result<std::optional<RunningMission>> AwaitMission(const std::string& file) {
       fmt::print(stderr, "waiting for `shoal run {}` (Ctrl-C ends)\n", file);
       is_announced = true;
     }
-    usleep(kPollInterval_us);
+    usleep(kPollInterval_us);  // A signal ends it; a mission's entry is a file that may appear.
   }
   return std::optional<RunningMission>();
 }

@@ -93,6 +93,12 @@ std::optional<RunningMission> ReadEntry(const std::string& name) {
     }
     if (key == "pid") mission.pid = std::atoi(value.c_str());
     if (key == "vehicle") mission.vehicles.push_back(value);
+    if (key == "without_helm") mission.without_helm.push_back(value);
+    if (key == "member") {
+      const size_t end =
+          std::min(value.find(' '), value.size());  // A group's name may hold blanks.
+      mission.groups[value.substr(std::min(end + 1, value.size()))].push_back(value.substr(0, end));
+    }
     if (key == "set") mission.overrides.push_back(value);
   }
   const int num_ports =
@@ -188,6 +194,10 @@ Result<bool> Register(const RunningMission& mission) {
   add("layout", std::string(Name(mission.layout)));
   add("pid", std::to_string(mission.pid));
   for (const std::string& vehicle : mission.vehicles) add("vehicle", vehicle);
+  for (const std::string& vehicle : mission.without_helm) add("without_helm", vehicle);
+  for (const auto& [group, members] : mission.groups) {
+    for (const std::string& member : members) add("member", member + " " + group);
+  }
   for (const std::string& each : mission.overrides) add("set", each);
   const Result<std::string> written = WriteRunFile(EntryName(mission.port_base), text);
   if (!written.ok()) return Error{written.error()};

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,7 +23,9 @@ struct RunningMission {
   Layout layout = Layout::kShared;
   int pid = 0;  ///< Of the launcher.
   std::vector<std::string> vehicles;
-  std::vector<std::string> overrides = {};  ///< `--set` of the run.
+  std::vector<std::string> without_helm = {};  ///< Those of them that have helm = "none".
+  std::vector<std::string> overrides = {};     ///< `--set` of the run.
+  std::map<std::string, std::vector<std::string>> groups = {};  ///< Members by group.
 
   PortPlan Ports() const { return PortPlan(port_base, layout, vehicles); }
 };

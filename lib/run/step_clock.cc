@@ -194,7 +194,12 @@ void StepClock::SendTick(int64_t wall_us) {
   tick_.totals = std::move(next_totals_);
   tick_.num_totals = static_cast<int32_t>(tick_.totals.size());
   next_totals_.clear();
-  tick_.joined = std::move(joining_);
+  for (const auto& [name, member] : members_) {
+    const bool begins = step_ == 0 && member.present;
+    if (!begins && std::find(joining_.begin(), joining_.end(), name) == joining_.end()) continue;
+    tick_.joined.push_back(name);
+    tick_.joined_pids.push_back(member.pid);
+  }
   tick_.num_joined = static_cast<int32_t>(tick_.joined.size());
   joining_.clear();
   pace_.OnStep(step_, wall_us);

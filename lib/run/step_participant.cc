@@ -130,11 +130,14 @@ void StepParticipant::OnTick(const tick_t& tick, int64_t wall_us) {
   TryStep();
 }
 
-/// False for a participant that joins in mid-mission, until the clock waits for its answers: what
-/// it published before would not be announced.
+/// False until the clock waits for the answers of this very process: what it published before would
+/// not be announced. A tick that names a former process of this name is repeated, or replayed.
 bool StepParticipant::TakesPart(const tick_t& tick) const {
-  return step_ >= 0 || pending_ || tick.step == 0 || tick.kind == tick_t::END ||
-         std::find(tick.joined.begin(), tick.joined.end(), options_.name) != tick.joined.end();
+  if (step_ >= 0 || pending_ || tick.kind == tick_t::END) return true;
+  for (size_t i = 0; i < tick.joined.size(); ++i) {
+    if (tick.joined[i] == options_.name && tick.joined_pids[i] == options_.pid) return true;
+  }
+  return false;
 }
 
 void StepParticipant::TryStep() {

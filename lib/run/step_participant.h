@@ -1,6 +1,6 @@
 // A participant's side of the step protocol: the Bus of an app that runs in a process of its own.
 //
-//     TICK 0, or one that names it as joined      TICK k, all of step k-1 is here
+//     TICK that names it as joined                TICK k, all of step k-1 is here
 //   HELLO ------------------> WAITING <------------------------------------------+
 //     | STEP_DONE -1,           | TICK k, something is missing                   |
 //     | every 0.2 s             v                                                |

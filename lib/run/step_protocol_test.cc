@@ -482,6 +482,66 @@ TEST(StepProtocol, HoldsAllStepsWhilePausedAndBlamesNoParticipant) {
   EXPECT_NEAR(static_cast<double>(outcome.wall_us), 4.0e6 + kPause_us, 0.15e6);
 }
 
+TEST(StepProtocol, TakesNoTickThatNamesAFormerProcessOfItsName) {
+  FakeNetwork network;
+  const PortPlan plan(7665, Layout::kShared, {});
+  FakeNetwork::Node& attacker = network.Add();
+  attacker.Listen(plan.tick_port(), "TICK");
+  std::vector<Bytes> ticks;
+  attacker.receiver = [&](int, std::string_view, std::span<const uint8_t> bytes) {
+    ticks.emplace_back(bytes.begin(), bytes.end());
+  };
+  int64_t wall_us = 0;
+  std::vector<Member> later;  // The processes of b after the first.
+  const auto start_another = [&] {
+    if (!later.empty()) later.back().node->set_stopped(true);
+    Member member;
+    member.node = &network.Add();
+    member.participant = std::make_unique<StepParticipant>(
+        ParticipantOptions{
+            .name = "b", .mission_id = kMissionId, .pid = 2 + static_cast<int32_t>(later.size())},
+        plan, *member.node);
+    member.app = std::make_unique<ChattyApp>("b", *member.participant);
+    member.participant->Attach(member.app.get());
+    member.node->receiver = [&wall_us, participant = member.participant.get()](
+                                int port, std::string_view channel,
+                                std::span<const uint8_t> bytes) {
+      participant->OnDatagram(port, channel, bytes, wall_us);
+    };
+    later.push_back(std::move(member));
+  };
+  int64_t paused_at_us = 0;
+  const Outcome outcome =
+      RunOver(network, 1.0, [&](int64_t now, StepClock& clock, std::vector<Member>& members) {
+        wall_us = now;
+        if (!later.empty()) later.back().participant->OnTime(now);
+        if (clock.step() == 10 && later.empty()) {
+          members[1].node->set_stopped(true);
+          clock.DropExited("b", now);
+          start_another();
+        }
+        if (later.size() != 1 && !clock.paused()) return;
+        if (later.size() == 1 && !later[0].app->transcript.empty()) {
+          // In the very step that names the second process, the mission is paused and it dies.
+          paused_at_us = now;
+          Command(clock, now, "pause");
+          clock.DropExited("b", now);
+          start_another();
+          for (const Bytes& tick : std::vector(ticks)) {
+            attacker.Send(plan.tick_port(), "TICK", tick);
+          }
+        }
+        if (paused_at_us != 0 && now == paused_at_us + 1'000'000) {
+          EXPECT_EQ(later[1].app->transcript, "") << "the clock does not wait for it yet";
+          Command(clock, now, "resume");
+        }
+      });
+  EXPECT_EQ(outcome.state, StepClock::State::kEnded);
+  EXPECT_EQ(outcome.fault, "");
+  ASSERT_EQ(later.size(), 2U);
+  EXPECT_TRUE(later[1].app->transcript.ends_with("end"));
+}
+
 TEST(StepProtocol, StepsInTheRhythmOfANewWarp) {
   FakeNetwork network;
   const Outcome outcome =

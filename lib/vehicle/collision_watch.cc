@@ -1,6 +1,7 @@
 #include "lib/vehicle/collision_watch.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <tuple>
 
@@ -43,12 +44,16 @@ std::span<const Collision> CollisionWatch::Look(std::span<const uint32_t> seen,
   }
   const int axis = highest_m.y() - lowest_m.y() > highest_m.x() - lowest_m.x() ? 1 : 0;
   places_.clear();
-  for (const uint32_t vehicle : seen) places_.push_back({positions_m[vehicle][axis], vehicle});
+  for (const uint32_t vehicle : seen) {
+    const Eigen::Vector3d& position_m = positions_m[vehicle];
+    places_.push_back({position_m[axis], position_m[1 - axis], vehicle});
+  }
   std::sort(places_.begin(), places_.end(),
             [](const Place& a, const Place& b) { return a.along_m < b.along_m; });
   for (size_t i = 0; i < places_.size(); ++i) {
     for (size_t j = i + 1; j < places_.size(); ++j) {
       if (places_[j].along_m - places_[i].along_m >= longest_m) break;
+      if (std::abs(places_[j].across_m - places_[i].across_m) >= longest_m) continue;
       const auto [first, second] = std::minmax(places_[i].vehicle, places_[j].vehicle);
       const Eigen::Vector3d& a_m = positions_m[first];
       const Eigen::Vector3d& b_m = positions_m[second];

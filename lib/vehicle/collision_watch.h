@@ -31,14 +31,16 @@ class CollisionWatch {
   /// Takes the positions of the vehicles in `seen`, at one and the same time, and returns the
   /// encounters that begin there, in order of their numbers: InContact (lib/vehicle/contact.h),
   /// unless the two have touched before and were never twice as far apart since. Sorts along the
-  /// longer side of the area and compares only those that are near along it. Valid until the next
-  /// call. @pre `seen` holds each number once; `positions_m` has one finite position per length
+  /// longer side of the area and compares only those that are near along it and across. Valid until
+  /// the next call. @pre `seen` holds each number once; `positions_m` has one finite position per
+  /// length
   [[nodiscard]] std::span<const Collision> Look(std::span<const uint32_t> seen,
                                                 std::span<const Eigen::Vector3d> positions_m);
 
  private:
   struct Place {
     double along_m;
+    double across_m;
     uint32_t vehicle;
   };
 

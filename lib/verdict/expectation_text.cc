@@ -70,9 +70,26 @@ struct Describer {
     return fmt::format("{} {} from {}{}", VehicleText(distance.vehicle), fmt::join(limits, " and "),
                        VehicleText(distance.to), From(distance.from_s));
   }
+  std::string operator()(const ClosestApproachExpectation& approach) const {
+    return fmt::format("encounters of {} with {} not closer than {:g} m",
+                       VehicleText(approach.vehicle), VehicleText(approach.to),
+                       approach.at_least_m);
+  }
+  std::string operator()(const EncounterScoreExpectation& score) const {
+    return fmt::format("encounters of {} with {} score at least {:g}{}", VehicleText(score.vehicle),
+                       VehicleText(score.to), score.at_least,
+                       score.role.empty() ? "" : ", all as " + score.role);
+  }
   std::string operator()(const AltitudeExpectation& altitude) const {
     return fmt::format("{} at least {:g} m above the sea floor", VehicleText(altitude.vehicle),
                        altitude.min_m);
+  }
+  std::string operator()(const CoverageExpectation& coverage) const {
+    const bool by_all = coverage.vehicles.empty();
+    return fmt::format("at least {:g} % of the {} covered {:g} m wide{}{}", coverage.at_least_pct,
+                       coverage.polygon_m.empty() ? "surveyed area" : "polygon",
+                       coverage.sensor_width_m, by_all ? "" : " by ",
+                       fmt::join(coverage.vehicles, ", "));
   }
 };
 

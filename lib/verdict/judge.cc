@@ -9,6 +9,8 @@
 #include <span>
 #include <string_view>
 
+#include "lib/encounters/encounter_score.h"
+#include "lib/mission/coverage_area.h"
 #include "lib/routing/vehicle_name.h"
 #include "lib/verdict/expectation_text.h"
 
@@ -22,6 +24,8 @@ constexpr size_t kMaxNamesShown = 5;
 constexpr double kMoved_m = 1;
 /// A quarter of the Earth's circumference: positions farther away are invalid.
 constexpr double kFarthest_m = 1e7;
+/// A vehicle whose motion is older has no encounters.
+constexpr double kOldestMotion_s = 5;
 
 std::vector<std::string> NamesOf(const Mission& mission) {
   std::vector<std::string> names;
@@ -66,6 +70,16 @@ void JudgeShare(const auto& limits, int64_t count, int64_t offered, Outcome* out
   }
 }
 
+Outcome JudgeCoverage(const CoverageWatch& watch, double at_least_pct) {
+  const double missing_pct = at_least_pct - watch.covered_pct();
+  Outcome outcome = {.passed = missing_pct <= 0,
+                     .strain = missing_pct,
+                     .numbers = fmt::format("{:.2f} % of {:.0f} m2, in cells of {:.2g} m",
+                                            watch.covered_pct(), watch.area_m2(), watch.cell_m())};
+  if (missing_pct > 0) outcome.numbers += fmt::format(", {} % too low", FormatExcess(missing_pct));
+  return outcome;
+}
+
 /// Returns the name of the vehicle or vehicles that an expectation is put to, one by one; nothing
 /// where it looks at all of them together.
 std::string_view PutTo(const Expectation& expectation) {
@@ -73,6 +87,16 @@ std::string_view PutTo(const Expectation& expectation) {
       [](const auto& what) -> std::string_view {
         if constexpr (requires { what.vehicle; }) return what.vehicle;
         return {};
+      },
+      expectation.what);
+}
+
+/// Returns how an expectation's encounters begin and end; nullptr where it is not about any.
+const EncounterOptions* EncountersOf(const Expectation& expectation) {
+  return std::visit(
+      [](const auto& what) -> const EncounterOptions* {
+        if constexpr (requires { what.encounter; }) return &what.encounter;
+        return nullptr;
       },
       expectation.what);
 }
@@ -89,7 +113,10 @@ Judge::Judge(const Mission& mission)
       swarm_counts_(NamesOf(mission)),
       has_left_park_(mission.vehicles.size()),
       positions_m_(mission.vehicles.size(), Eigen::Vector3d::Zero()),
-      collision_watch_(LengthsOf(mission)) {
+      collision_watch_(LengthsOf(mission)),
+      motions_(mission.vehicles.size()),
+      motion_s_(mission.vehicles.size(), -1),
+      has_new_motion_(mission.vehicles.size()) {
   for (const Expectation& expectation : mission.expectations) {
     Case& each = cases_.emplace_back();
     each.expectation = &expectation;
@@ -108,11 +135,23 @@ Judge::Judge(const Mission& mission)
             .stays = arrival->stays});
       }
     }
+    if (const auto* coverage = std::get_if<CoverageExpectation>(&expectation.what)) {
+      each.vehicles = VehiclesOf(mission, *coverage);
+      each.coverage.emplace(PolygonsOf(mission, *coverage), coverage->sensor_width_m,
+                            mission.vehicles.size());
+    }
     if (std::holds_alternative<LapsExpectation>(expectation.what)) {
       each.laps.resize(each.vehicles.size());
     }
     if (std::holds_alternative<SeparationExpectation>(expectation.what)) watches_separation_ = true;
     each.extremes.resize(each.vehicles.size());
+    if (const EncounterOptions* options = EncountersOf(expectation)) {
+      while (each.encounters < encounters_.size() &&
+             encounters_[each.encounters].options() != *options) {
+        ++each.encounters;
+      }
+      if (each.encounters == encounters_.size()) encounters_.emplace_back(*options);
+    }
   }
 }
 
@@ -124,6 +163,18 @@ bool Judge::TakeNav(size_t vehicle, const Eigen::Vector3d& position_m, double al
   sighting = {.seen = true, .position_m = position_m};
   positions_m_[vehicle] = position_m;
   moved_now_.push_back(static_cast<uint32_t>(vehicle));
+  return true;
+}
+
+bool Judge::TakeMotion(size_t vehicle, double heading_deg, double speed_mps) {
+  if (!std::isfinite(heading_deg) || !std::isfinite(speed_mps)) return false;
+  VesselMotion& motion = motions_[vehicle].motion;
+  motion.position_m = sightings_[vehicle].position_m.head<2>();
+  motion.heading_deg = heading_deg;
+  motion.speed_mps = std::max(0.0, speed_mps);
+  motions_[vehicle].depth_m = sightings_[vehicle].position_m.z();
+  motions_[vehicle].length_m = mission_.vehicles[vehicle].length_m;
+  has_new_motion_[vehicle] = sightings_[vehicle].seen;
   return true;
 }
 
@@ -170,11 +221,28 @@ void Judge::WatchCollisions(double time_s) {
   moved_now_.clear();
 }
 
+void Judge::WatchEncounters(double time_s) {
+  for (size_t i = 0; i < motions_.size(); ++i) {
+    if (has_new_motion_[i]) motion_s_[i] = time_s;
+    has_new_motion_[i] = false;
+    motions_[i].is_seen = motion_s_[i] >= 0 && time_s - motion_s_[i] <= kOldestMotion_s;
+  }
+  for (EncounterWatch& watch : encounters_) watch.Look(time_s, motions_);
+}
+
 void Judge::EndStep(int64_t utime) {
   WatchCollisions(SecondsSinceStart(utime));
+  if (!encounters_.empty()) WatchEncounters(SecondsSinceStart(utime));
   if (watches_separation_) separation_.Look(sightings_, utime);
   for (Case& each : cases_) {
     WatchExtremes(&each, SecondsSinceStart(utime));
+    if (each.coverage) {
+      for (const size_t vehicle : each.vehicles) {
+        const Sighting& sighting = sightings_[vehicle];
+        if (!sighting.seen) continue;
+        each.coverage->Look(vehicle, sighting.position_m.head<2>(), SecondsSinceStart(utime));
+      }
+    }
     for (size_t i = 0; i < each.arrivals.size(); ++i) {
       const Sighting& sighting = sightings_[each.vehicles[i]];
       if (!sighting.seen) continue;
@@ -212,6 +280,12 @@ std::vector<ExpectationVerdict> Judge::Verdicts() const {
     Outcome outcome;
     if (const auto* what = std::get_if<SeparationExpectation>(&each.expectation->what)) {
       outcome = FindSeparation(*what);
+    } else if (const auto* approach =
+                   std::get_if<ClosestApproachExpectation>(&each.expectation->what)) {
+      outcome = FindClosestApproach(*approach, encounters_[each.encounters]);
+    } else if (const auto* score =
+                   std::get_if<EncounterScoreExpectation>(&each.expectation->what)) {
+      outcome = FindEncounterScore(*score, encounters_[each.encounters]);
     } else if (const auto* comms = std::get_if<CommsExpectation>(&each.expectation->what)) {
       outcome = FindComms(*comms);
     } else if (const auto* swarm = std::get_if<SwarmExpectation>(&each.expectation->what)) {
@@ -220,6 +294,8 @@ std::vector<ExpectationVerdict> Judge::Verdicts() const {
       outcome = {.passed = true, .strain = 0, .numbers = {}};
       JudgeShare(*swarm, swarm_counts_.Count(from, to, swarm->outcome),
                  swarm_counts_.CountOffered(from, to), &outcome);
+    } else if (const auto* coverage = std::get_if<CoverageExpectation>(&each.expectation->what)) {
+      outcome = JudgeCoverage(*each.coverage, coverage->at_least_pct);
     } else {
       outcome = Combine(each, FindForVehicles(each));
     }
@@ -304,6 +380,75 @@ Outcome Judge::FindSeparation(const SeparationExpectation& separation) const {
                                     closest.range_m, SecondsSinceStart(closest.utime));
   if (missing_m > 0) numbers += fmt::format(", {} m too close", FormatExcess(missing_m));
   return {.passed = missing_m <= 0, .strain = missing_m, .numbers = numbers};
+}
+
+bool Judge::IsNamed(std::string_view name, size_t vehicle) const {
+  const std::string key = VehicleKey(name);
+  return key == "all" || key == VehicleKey(mission_.vehicles[vehicle].name);
+}
+
+Outcome Judge::FindClosestApproach(const ClosestApproachExpectation& approach,
+                                   const EncounterWatch& watch) const {
+  const std::vector<Encounter> encounters = watch.Encounters();
+  const Encounter* closest = nullptr;
+  int64_t count = 0;
+  for (const Encounter& each : encounters) {
+    const size_t first = each.sides[0].vessel;
+    const size_t second = each.sides[1].vessel;
+    if (!(IsNamed(approach.vehicle, first) && IsNamed(approach.to, second)) &&
+        !(IsNamed(approach.vehicle, second) && IsNamed(approach.to, first))) {
+      continue;
+    }
+    ++count;
+    if (closest == nullptr || each.closest_m < closest->closest_m) closest = &each;
+  }
+  if (closest == nullptr) return {.passed = false, .numbers = "no encounter was seen"};
+  const double missing_m = approach.at_least_m - closest->closest_m;
+  std::string numbers = fmt::format(
+      "closest of {} encounter{}: {}-{} {:.1f} m at {:.1f} s", count, count == 1 ? "" : "s",
+      mission_.vehicles[closest->sides[0].vessel].name,
+      mission_.vehicles[closest->sides[1].vessel].name, closest->closest_m, closest->closest_s);
+  if (missing_m > 0) numbers += fmt::format(", {} m too close", FormatExcess(missing_m));
+  return {.passed = missing_m <= 0, .strain = missing_m, .numbers = numbers};
+}
+
+Outcome Judge::FindEncounterScore(const EncounterScoreExpectation& expected,
+                                  const EncounterWatch& watch) const {
+  const std::vector<Encounter> encounters = watch.Encounters();
+  const Encounter* lowest = nullptr;
+  size_t lowest_side = 0;
+  double lowest_score = 0;
+  int64_t count = 0;
+  std::string other_role;
+  for (const Encounter& each : encounters) {
+    for (size_t i = 0; i < 2; ++i) {
+      const EncounterSide& side = each.sides[i];
+      const size_t other = each.sides[1 - i].vessel;
+      if (!IsNamed(expected.vehicle, side.vessel) || !IsNamed(expected.to, other)) continue;
+      ++count;
+      if (!expected.role.empty() && Name(side.role) != expected.role && other_role.empty()) {
+        other_role = fmt::format("{} was {} toward {} at {:.1f} s, not {}",
+                                 mission_.vehicles[side.vessel].name, Name(side.role),
+                                 mission_.vehicles[other].name, each.begin_s, expected.role);
+      }
+      const double score = ScoreOf(each, i, watch.options()).overall;
+      if (lowest != nullptr && score >= lowest_score) continue;
+      lowest = &each;
+      lowest_side = i;
+      lowest_score = score;
+    }
+  }
+  if (lowest == nullptr) return {.passed = false, .numbers = "no encounter was seen"};
+  if (!other_role.empty()) return {.passed = false, .numbers = other_role};
+  const EncounterSide& side = lowest->sides[lowest_side];
+  const double missing = expected.at_least - lowest_score;
+  std::string numbers =
+      fmt::format("lowest of {}: {} as {} toward {} {:.1f}, closest {:.1f} m at {:.1f} s", count,
+                  mission_.vehicles[side.vessel].name, Name(side.role),
+                  mission_.vehicles[lowest->sides[1 - lowest_side].vessel].name, lowest_score,
+                  lowest->closest_m, lowest->closest_s);
+  if (missing > 0) numbers += fmt::format(", {} too low", FormatExcess(missing));
+  return {.passed = missing <= 0, .strain = missing, .numbers = numbers};
 }
 
 Outcome Judge::FindComms(const CommsExpectation& comms) const {

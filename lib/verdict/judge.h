@@ -19,9 +19,11 @@
 #include <utility>
 #include <vector>
 
+#include "lib/encounters/encounter_watch.h"
 #include "lib/mission/mission.h"
 #include "lib/vehicle/collision_watch.h"
 #include "lib/verdict/arrival_watch.h"
+#include "lib/verdict/coverage_watch.h"
 #include "lib/verdict/extreme_watch.h"
 #include "lib/verdict/fate_counts.h"
 #include "lib/verdict/outcome.h"
@@ -69,6 +71,9 @@ class Judge {
   /// or no place on Earth, and returns false then. `altitude_m` above the sea floor, negative where
   /// unknown.
   bool TakeNav(size_t vehicle, const Eigen::Vector3d& position_m, double altitude_m = -1);
+  /// Takes a vehicle's heading and speed relative to the water, after its position. Ignores numbers
+  /// that are not finite, and returns false then. Without them it has no encounters.
+  bool TakeMotion(size_t vehicle, double heading_deg, double speed_mps);
   void TakeHelm(size_t vehicle, const HelmFacts& helm, int64_t utime);
   /// Takes what a member's acomms counts of one sender.
   void TakeSwarm(size_t vehicle, const std::string& sender, const SwarmShares& shares);
@@ -94,6 +99,11 @@ class Judge {
   /// received no report, expectations met from the start. One sentence each.
   [[nodiscard]] std::vector<std::string> Warnings() const;
 
+  /// Returns what finds the encounters of the first expectation that asks for them, or nullptr.
+  const EncounterWatch* encounter_watch() const {
+    return encounters_.empty() ? nullptr : &encounters_.front();
+  }
+
   const Sighting& sighting(size_t vehicle) const { return sightings_[vehicle]; }
   /// Returns how far the vehicle went, from one position taken to the next.
   double travelled_m(size_t vehicle) const { return travelled_m_[vehicle]; }
@@ -112,7 +122,9 @@ class Judge {
     std::vector<size_t> vehicles;
     std::vector<ArrivalWatch> arrivals;
     std::vector<LapsWatch> laps;
-    std::vector<ExtremeWatch> extremes;  ///< Of what a track, distance or altitude is.
+    std::vector<ExtremeWatch> extremes;     ///< Of what a track, distance or altitude is.
+    size_t encounters = 0;                  ///< Which of encounters_, of expectations of these.
+    std::optional<CoverageWatch> coverage;  ///< Of all its vehicles together.
   };
 
   std::vector<size_t> VehiclesNamed(std::string_view name) const;
@@ -122,7 +134,13 @@ class Judge {
   Outcome FindSeparation(const SeparationExpectation& separation) const;
   Outcome FindComms(const CommsExpectation& comms) const;
   Outcome FindHelm(const HelmExpectation& helm, size_t vehicle) const;
+  Outcome FindClosestApproach(const ClosestApproachExpectation& approach,
+                              const EncounterWatch& watch) const;
+  Outcome FindEncounterScore(const EncounterScoreExpectation& score,
+                             const EncounterWatch& watch) const;
+  bool IsNamed(std::string_view name, size_t vehicle) const;
   void WatchCollisions(double time_s);
+  void WatchEncounters(double time_s);
   std::string VehiclesWithoutReports() const;
   void WatchExtremes(Case* each, double time_s) const;
   Outcome FindLaps(const LapsExpectation& expected, const LapsWatch& watch) const;
@@ -145,6 +163,10 @@ class Judge {
   int64_t num_collisions_ = 0;
   SeparationWatch separation_;
   bool watches_separation_ = false;
+  std::vector<VesselSample> motions_;       ///< For encounters.
+  std::vector<double> motion_s_;            ///< When each was taken; < 0: never.
+  std::vector<bool> has_new_motion_;        ///< Since the last step.
+  std::vector<EncounterWatch> encounters_;  ///< One for each set of options.
   std::vector<Case> cases_;
 };
 

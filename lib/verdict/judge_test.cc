@@ -77,6 +77,28 @@ TEST_F(JudgeTest, IgnoresPositionsThatAreNone) {
   EXPECT_EQ(Only().numbers, "no two vehicles were seen");
 }
 
+TEST_F(JudgeTest, StatesHowMuchOfAnAreaWasCovered) {
+  Judge& judge = For(CoverageExpectation{.polygon_m = {{0, 0}, {400, 0}, {400, 100}, {0, 100}},
+                                         .sensor_width_m = 20,
+                                         .at_least_pct = 25,
+                                         .vehicles = {"alpha"}});
+  EXPECT_EQ(Only().text, "at least 25 % of the polygon covered 20 m wide by alpha");
+  for (int i = 0; i <= 250; ++i) {
+    judge.TakeNav(0, {2.0 * i - 50, 50, 0});
+    judge.TakeNav(1, {2.0 * i - 50, 20, 0});  // Of a vehicle that does not count.
+    judge.EndStep(At(i));
+  }
+  EXPECT_FALSE(Only().passed);
+  EXPECT_EQ(Only().numbers.find("20.0"), 0U) << Only().numbers;
+  EXPECT_NE(Only().numbers.find(" m2, in cells of 1 m, 5.0 % too low"), std::string::npos)
+      << Only().numbers;
+  for (int i = 0; i <= 250; ++i) {
+    judge.TakeNav(0, {2.0 * i - 50, 80, 0});
+    judge.EndStep(At(600 + i));
+  }
+  EXPECT_TRUE(Only().passed);
+}
+
 TEST_F(JudgeTest, MeasuresTheWayOfEachVehicle) {
   Judge& judge = For(SeparationExpectation{.min_m = 5});
   judge.TakeNav(0, {10, 10, 0});
@@ -371,6 +393,89 @@ TEST_F(JudgeTest, WarnsOfAnArrivalThatWasMetFromTheStart) {
                "or another point, tests more [berta.toml:88]"});
   EXPECT_EQ(warnings_of("Bravo", 79), Warnings{});
   EXPECT_EQ(warnings_of("Bravo", 100, true), Warnings{});
+}
+
+/// Two vessels that meet head-on, `aside_m` beside each other, for 100 s; the second alters course
+/// by 30 degrees to starboard at 25 s, on the spot, where it `gives_way`.
+void MeetHeadOn(Judge* judge, double aside_m, bool gives_way = false) {
+  double x_m = aside_m;
+  double y_m = 240;
+  for (int step = 0; step <= 1000; ++step) {
+    const double heading_deg = gives_way && step >= 250 ? 210 : 180;
+    judge->TakeNav(0, {0, 0.3 * step, 0});
+    judge->TakeMotion(0, 0, 3);
+    judge->TakeNav(1, {x_m, y_m, 0});
+    judge->TakeMotion(1, heading_deg, 3);
+    judge->EndStep(At(0.1 * step));
+    x_m -= gives_way && step >= 250 ? 0.15 : 0;
+    y_m -= gives_way && step >= 250 ? 0.2598 : 0.3;
+  }
+}
+
+TEST_F(JudgeTest, MeasuresTheClosestApproachOfEncounters) {
+  ClosestApproachExpectation approach;
+  approach.at_least_m = 12;
+  MeetHeadOn(&For(approach), 12);
+  EXPECT_TRUE(Only().passed);
+  EXPECT_EQ(Only().text, "encounters of every vehicle with every vehicle not closer than 12 m");
+  EXPECT_EQ(Only().numbers, "closest of 1 encounter: alpha-Bravo 12.0 m at 40.0 s");
+  approach.vehicle = "Bravo";
+  approach.to = "alpha";
+  MeetHeadOn(&For(approach), 11.5);
+  EXPECT_FALSE(Only().passed);
+  EXPECT_EQ(Only().numbers,
+            "closest of 1 encounter: alpha-Bravo 11.5 m at 40.0 s, 0.5 m too close");
+}
+
+TEST_F(JudgeTest, DoesNotPassAnEncounterThatNeverWas) {
+  ClosestApproachExpectation approach;
+  approach.at_least_m = 12;
+  MeetHeadOn(&For(approach), 50);
+  EXPECT_FALSE(Only().passed);
+  EXPECT_EQ(Only().numbers, "no encounter was seen");
+  EncounterScoreExpectation score;
+  MeetHeadOn(&For(score), 50);
+  EXPECT_FALSE(Only().passed);
+}
+
+TEST_F(JudgeTest, BeginsEncountersWhereTheExpectationSets) {
+  ClosestApproachExpectation approach;
+  approach.at_least_m = 12;
+  approach.encounter.risk_m = 60;
+  MeetHeadOn(&For(approach), 50);
+  EXPECT_TRUE(Only().passed);
+  ASSERT_NE(judge_->encounter_watch(), nullptr);
+  EXPECT_EQ(judge_->encounter_watch()->options(), approach.encounter);
+}
+
+TEST_F(JudgeTest, ScoresAVehiclesPartInEncounters) {
+  EncounterScoreExpectation score;
+  score.vehicle = "Bravo";
+  score.at_least = 60;
+  MeetHeadOn(&For(score), 0, true);
+  EXPECT_TRUE(Only().passed) << Only().numbers;
+  EXPECT_TRUE(Only().numbers.starts_with("lowest of 1: Bravo as head-on toward alpha "))
+      << Only().numbers;
+  score.vehicle = "alpha";  // It did nothing.
+  MeetHeadOn(&For(score), 0, true);
+  EXPECT_FALSE(Only().passed) << Only().numbers;
+  EXPECT_TRUE(Only().numbers.ends_with(" too low")) << Only().numbers;
+}
+
+TEST_F(JudgeTest, FailsAScoreOfAnotherRole) {
+  EncounterScoreExpectation score;
+  score.vehicle = "alpha";
+  score.role = "give-way";
+  MeetHeadOn(&For(score), 12);
+  EXPECT_FALSE(Only().passed);
+  EXPECT_EQ(Only().numbers, "alpha was head-on toward Bravo at 15.1 s, not give-way");
+}
+
+TEST_F(JudgeTest, IgnoresMotionThatIsNone) {
+  Judge& judge = For(ClosestApproachExpectation());
+  EXPECT_FALSE(judge.TakeMotion(0, std::numeric_limits<double>::quiet_NaN(), 3));
+  EXPECT_FALSE(judge.TakeMotion(0, 0, std::numeric_limits<double>::infinity()));
+  EXPECT_TRUE(judge.TakeMotion(0, 0, -1));
 }
 
 }  // namespace shoal::judge_test

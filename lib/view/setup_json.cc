@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "lib/mission/coverage_area.h"
 #include "lib/mission/ocean_of.h"
 #include "lib/routing/cause.h"
 #include "lib/routing/control.h"
@@ -32,7 +33,22 @@ void WriteTask(const Task& task, JsonWriter* json) {
   WritePoints(outline.points_m, json);
   json->Boolean("closed", outline.closed)
       .Number("radius_m", outline.radius_m, kCentimetres)
-      .EndObject();
+      .Boolean("marked", outline.marks_points)
+      .Key("area");
+  WritePoints(outline.area_m, json);
+  json->EndObject();
+}
+
+/// An area that is to be covered.
+void WriteCoverage(const Mission& mission, const CoverageExpectation& coverage, JsonWriter* json) {
+  json->BeginObject().Number("width_m", coverage.sensor_width_m, kCentimetres).Key("areas");
+  json->BeginArray();
+  for (const auto& polygon_m : PolygonsOf(mission, coverage)) WritePoints(polygon_m, json);
+  json->EndArray().Key("vehicles").BeginArray();
+  for (const size_t place : VehiclesOf(mission, coverage)) {
+    json->Text(mission.vehicles[place].name);
+  }
+  json->EndArray().EndObject();
 }
 
 void WriteVehicle(const Mission& mission, const Vehicle& vehicle, bool knows_models,
@@ -123,7 +139,9 @@ Eigen::AlignedBox2d AreaOf(const Mission& mission) {
     add({vehicle.start.x_m, vehicle.start.y_m});
     add(vehicle.return_task.point_m);
     for (const Task& task : vehicle.tasks) {
-      for (const Eigen::Vector2d& point_m : FactsOf(task).outline.points_m) add(point_m);
+      const TaskOutline outline = FactsOf(task).outline;
+      for (const Eigen::Vector2d& point_m : outline.points_m) add(point_m);
+      for (const Eigen::Vector2d& corner_m : outline.area_m) add(corner_m);
     }
   }
   if (area_m.isEmpty()) area_m.extend(Eigen::Vector2d(0, 0));
@@ -161,6 +179,12 @@ std::string SetupJson(const Mission& mission, const SetupFacts& facts,
   json.Key("vehicles").BeginArray();
   for (const Vehicle& vehicle : mission.vehicles) {
     WriteVehicle(mission, vehicle, facts.knows_models, &json);
+  }
+  json.EndArray().Key("coverage").BeginArray();
+  for (const Expectation& expectation : mission.expectations) {
+    if (const auto* coverage = std::get_if<CoverageExpectation>(&expectation.what)) {
+      WriteCoverage(mission, *coverage, &json);
+    }
   }
   json.EndArray().Key("causes").BeginArray();
   for (const CauseRow& row : kCauseTable) WriteCause(row, &json);

@@ -103,10 +103,11 @@ TEST(SetupJson, ShowsVehiclesAndTheirTasks) {
   const json& tasks = alpha["tasks"];
   ASSERT_EQ(tasks.size(), 7U);
   EXPECT_EQ(tasks[0], json::parse(R"({"name": "survey", "kind": "waypoints", "closed": false,
-                                      "points": [[60, -40], [60, -160.13]], "radius_m": 0})"));
+                                      "points": [[60, -40], [60, -160.13]], "radius_m": 0,
+                                      "marked": true, "area": []})"));
   EXPECT_EQ(tasks[1], json::parse(R"({"name": "wait", "kind": "loiter", "closed": true,
                                       "points": [[100, 50], [150, 0], [100, -50], [50, 0]],
-                                      "radius_m": 0})"));
+                                      "radius_m": 0, "marked": true, "area": []})"));
   EXPECT_EQ(tasks[2]["points"], json::parse("[[1,2]]"));
   EXPECT_EQ(tasks[2]["radius_m"], 10);
   EXPECT_EQ(tasks[3]["points"], json::array()) << "that position is not known yet";
@@ -120,6 +121,23 @@ TEST(SetupJson, ClosesWaypointsThatArePassedAgain) {
   Mission mission = SurveyMission();
   std::get<WaypointsTask>(mission.vehicles[0].tasks[0].what).laps = 0;
   EXPECT_EQ(SetupOf(mission)["vehicles"][0]["tasks"][0]["closed"], true);
+}
+
+TEST(SetupJson, ShowsSurveysAndWhatIsToBeCovered) {
+  Mission mission = SurveyMission();
+  SurveyTask lanes;
+  lanes.area = {.polygon_m = {{0, 0}, {100, 0}, {100, 40}, {0, 40}}, .lane_spacing_m = 20};
+  lanes.route.turn_radius_m = 10;
+  mission.vehicles[1].tasks = {{"lanes", lanes}};
+  mission.expectations = {{.where = "", .what = CoverageExpectation{.sensor_width_m = 20}}};
+  const json setup = SetupOf(mission);
+  const json& task = setup["vehicles"][1]["tasks"][0];
+  EXPECT_EQ(task["area"], json::parse("[[0,0],[100,0],[100,40],[0,40]]"));
+  EXPECT_EQ(task["marked"], false) << "most points only shape a turn";
+  EXPECT_GT(task["points"].size(), 8U);
+  EXPECT_EQ(setup["coverage"], json::parse(R"([{"width_m": 20,
+      "areas": [[[0,0],[100,0],[100,40],[0,40]]], "vehicles": ["alpha", "bravo"]}])"));
+  EXPECT_EQ(SetupOf(SurveyMission())["coverage"], json::array());
 }
 
 TEST(SetupJson, SurvivesAnyText) {

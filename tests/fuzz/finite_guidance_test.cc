@@ -40,12 +40,20 @@ RC_GTEST_PROP(FiniteGuidance, SightsAndTrackErrorsAreFiniteBetweenAnyTwoPlaces, 
   RC_ASSERT(std::isfinite(errors.x_e_m) && std::isfinite(errors.y_e_m));
 }
 
+SurveyTask SurveyAt(const Eigen::Vector2d& corner_m) {
+  SurveyTask task;
+  task.area.polygon_m = {corner_m, corner_m + Eigen::Vector2d(90, 0),
+                         corner_m + Eigen::Vector2d(20, 70)};
+  task.route = {.start_m = {0, 0}, .turn_radius_m = 15};
+  return task;
+}
+
 RC_GTEST_PROP(FiniteGuidance, TasksOfSurfaceCraftAskForFiniteThingsWhereverTheyAre, ()) {
   const Eigen::Vector2d here_m = VectorWithin(1e6).head<2>();
   const TaskRunner::What what = *rc::gen::element<TaskRunner::What>(
       WaypointsTask{.points_m = {here_m, {0, 0}, here_m}}, LoiterTask{.center_m = here_m},
       StationKeepTask{.point_m = here_m, .here = false}, StationKeepTask{},
-      ReturnTask{.point_m = here_m});
+      ReturnTask{.point_m = here_m}, SurveyAt(here_m));
   Fix fix{.position_m = AnyFiniteVector().head<2>(), .heading_rad = AnyFinite()};
   TaskRunner runner(what, fix);
   for (int i = 0; i < 10; ++i) {

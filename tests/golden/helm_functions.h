@@ -54,7 +54,7 @@ inline double GreatestDifference(const Objective& objective, const GoldenRow& ro
     for (int speed = 0; speed <= 40; speed += 5) {
       double golden = 0;
       if (values >> golden) ++num_values;
-      worst = std::max(worst, std::abs(Value(objective, course, speed, 0) - golden));
+      worst = std::max(worst, std::abs(ValueOf(objective, course, speed, 0) - golden));
     }
   }
   EXPECT_EQ(num_values, 324);

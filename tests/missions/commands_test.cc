@@ -43,6 +43,25 @@ TEST(Send, ReachesAVehicleAndShowsWhatItDoes) {
   EXPECT_NE(finished.output.find("Reproducible: no"), std::string::npos) << finished.output;
 }
 
+TEST(Send, StatesThatAVehicleHasNoHelm) {
+  const TestFolder folder;
+  const std::string file = (folder / "m.toml").string();
+  WriteFile(file,
+            "[mission]\nduration_s = 600\n[[vehicle]]\nname = \"alpha\"\n"
+            "[[vehicle]]\nname = \"bravo\"\nhelm = \"none\"\n");
+  const RunningProcess process(folder, {Program("shoal"), "run", file, "--quiet"});
+  AwaitStatus(folder, "helm_alpha", {"State: PARK"});
+  const Finished alone = RunShoal(folder, {"send", "bravo", "deploy"});
+  EXPECT_EQ(alone.exit_code, 2) << alone.output;
+  EXPECT_NE(alone.output.find("bravo has no helm (helm = \"none\")"), std::string::npos)
+      << alone.output;
+  EXPECT_EQ(alone.output.find("helms have published"), std::string::npos) << alone.output;
+  const Finished all = RunShoal(folder, {"send", "all", "deploy"});
+  EXPECT_EQ(all.exit_code, 0) << all.output;
+  EXPECT_NE(all.output.find("alpha: DRIVE"), std::string::npos) << all.output;
+  EXPECT_NE(all.output.find("bravo has no helm"), std::string::npos) << all.output;
+}
+
 TEST(Send, ChangesRulesAndSendsMessages) {
   const TestFolder folder;
   RunningProcess process(folder, {Program("shoal"), "run", MissionFile("berta.toml")});

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "lib/run/run_registry.h"
 #include "tests/missions/shoal_process.h"
 
 namespace shoal::failed_start_test {
@@ -79,6 +80,21 @@ TEST(Start, ThatFailsNamesItsCauseAndNotWhatShoalEnded) {
   EXPECT_EQ(CountOf(finished.output, "\n"), 4) << finished.output;
 }
 
+TEST(Ports, ThatAnotherProcessHasClaimedAreNamedWithTheRemedy) {
+  const TestFolder folder;
+  const Result<int> base = ClaimPorts(0, 3);  // By this process; no socket is bound to them yet.
+  ASSERT_TRUE(base.ok()) << base.error();
+  const Finished finished =
+      RunShoal(folder, {"run", MissionFile("alpha.toml"), "--port", std::to_string(*base)});
+  EXPECT_EQ(finished.exit_code, 3) << finished.output;
+  EXPECT_EQ(CountOf(finished.output, "another process has claimed some of the UDP ports " +
+                                         std::to_string(*base) + " to "),
+            1)
+      << finished.output;
+  EXPECT_EQ(CountOf(finished.output, "choose others with --port, or leave it out"), 1)
+      << finished.output;
+}
+
 /// True where this user can make a network of its own, for a test without one.
 bool CanBeWithoutNetwork(const TestFolder& folder) {
   return RunningProcess(folder, {"/usr/bin/unshare", "-rn", "/bin/true"}).Wait().exit_code == 0;
@@ -113,6 +129,8 @@ TEST(Network, ThatFailsDuringAMissionIsNamedFirstAndLast) {
   EXPECT_EQ(CountOf(finished.output, "LOST"), 0) << finished.output;
   EXPECT_EQ(CountOf(finished.output, "multicast does not work on this machine"), 2)
       << finished.output;
+  EXPECT_EQ(CountOf(finished.output, "after the end"), 0)
+      << "processes that shoal itself killed: " << finished.output;
   const size_t last = finished.output.rfind("Cause: multicast does not work");
   ASSERT_NE(last, std::string::npos) << finished.output;
   EXPECT_EQ(CountOf(finished.output.substr(last), "\n"), 2) << finished.output;

@@ -9,11 +9,13 @@
 #include <string>
 #include <vector>
 
+#include "tests/patience.h"
+
 namespace shoal {
 
 /// How long a test waits for what it expects: enough for a machine with many times as much to do. A
 /// test that passes waits as long as it takes.
-inline constexpr double kPatience_s = 150;
+inline constexpr double kPatience_s = 150 * kPatienceFactor;
 
 /// A folder of its own for one test; removed at the end.
 class TestFolder {

@@ -15,13 +15,14 @@
 #include "apps/viewer/view_site.h"
 #include "apps/viewer/web_server.h"
 #include "tests/netsim/tcp_client.h"
+#include "tests/patience.h"
 
 namespace shoal {
 
 inline constexpr const char* kTestToken = "0123456789abcdef0123456789abcdef";
 
 /// Waits until `holds`, for a time that a busy machine may need.
-inline bool Await(const std::function<bool()>& holds, double patience_s = 30) {
+inline bool Await(const std::function<bool()>& holds, double patience_s = 30 * kPatienceFactor) {
   const auto deadline =
       std::chrono::steady_clock::now() + std::chrono::duration<double>(patience_s);
   while (!holds()) {
@@ -131,7 +132,8 @@ inline int StatusOf(const std::string& received) {
 
 /// Sends all of `text` as the server takes it, and returns what has come when the server closes the
 /// connection (or after `patience_s`).
-inline std::string Exchange(int port, const std::string& text, double patience_s = 30) {
+inline std::string Exchange(int port, const std::string& text,
+                            double patience_s = 30 * kPatienceFactor) {
   TcpClient client(port);
   size_t sent = 0;
   Await(

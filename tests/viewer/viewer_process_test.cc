@@ -1,11 +1,16 @@
 // shoal-viewer itself, beside missions that `shoal run` runs.
 #include <gtest/gtest.h>
 #include <signal.h>
+#include <stdlib.h>
 
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "lib/bus/channels.h"
+#include "lib/bus/lcm_transport.h"
+#include "lib/bus/seal.h"
+#include "lib/run/run_registry.h"
 #include "tests/missions/fair_stopwatch.h"
 #include "tests/missions/shoal_process.h"
 #include "tests/netsim/tcp_client.h"
@@ -198,6 +203,57 @@ TEST(Viewer, ShowsWhereTheLauncherStandsStill) {
   mission.Signal(SIGCONT);
   EXPECT_TRUE(AwaitThat([&] { return viewer.State() == "running"; })) << viewer.State();
 }
+
+/// The viewer receives the ports of vehicles in another way than the shore's.
+class ViewerInLayout : public testing::TestWithParam<const char*> {};
+
+TEST_P(ViewerInLayout, ShowsNothingThatIsSealedWithoutTheSecret) {
+  const TestFolder folder;
+  setenv("SHOAL_RUN_DIR", (folder / "run").c_str(), 1);
+  const RunningProcess mission(folder,
+                               RunArguments({"--warp", "1", "--quiet", "--layout", GetParam()}));
+  WatchedViewer viewer(folder);
+  ASSERT_TRUE(AwaitThat([&] { return PlaceOf(viewer.Frame()).has_value(); }));
+  ASSERT_EQ(RunShoal(folder, {"send", "clock", "pause"}).exit_code, 0);
+  const Result<RunningMission> running = FindRunningMission(0);
+  ASSERT_TRUE(running.ok());
+  LcmTransport attacker;
+  const auto send = [&](const auto& channel, const auto& message, bool is_sealed) {
+    Bytes bytes;
+    EncodeInto(message, &bytes);
+    if (is_sealed) {
+      AppendSeal({.publisher = "vehicle_sim_alpha",
+                  .mission_id = running->mission_id,
+                  .step = 1,
+                  .sequence = 0},
+                 MissionSecret{}, channel.name, &bytes);
+    }
+    attacker.Send(running->Ports().PortOf(channel.name), channel.name, bytes);
+  };
+  // Messages without a seal are shown: they are of programs outside the step protocol.
+  nav_t nav{};
+  nav.x_m = 777;
+  ASSERT_TRUE(AwaitThat([&] {
+    send(channels::Nav("alpha"), nav, false);
+    const auto place = PlaceOf(viewer.Frame());
+    return place && place->first == 777;
+  })) << viewer.Frame();
+  nav.x_m = 5000;
+  send(channels::Nav("alpha"), nav, true);
+  // On the same port: what comes after has come when this is shown.
+  helm_state_t helm{};
+  helm.task = "marker";
+  ASSERT_TRUE(AwaitThat([&] {
+    send(channels::HelmState("alpha"), helm, false);
+    const Json& frame = viewer.Frame();
+    return frame.is_object() && frame["vehicles"][0]["helm"].is_object() &&
+           frame["vehicles"][0]["helm"]["task"] == "marker";
+  })) << viewer.Frame();
+  EXPECT_EQ(PlaceOf(viewer.Frame())->first, 777) << viewer.Frame();
+}
+
+INSTANTIATE_TEST_SUITE_P(Both, ViewerInLayout, testing::Values("shared", "communities"),
+                         [](const auto& layout) { return std::string(layout.param); });
 
 TEST(Viewer, SendsCommandsWithTheToken) {
   const TestFolder folder;

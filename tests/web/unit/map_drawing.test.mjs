@@ -5,7 +5,10 @@ import {
   chosenColors, kindColor, luminance, palette, parseColor, readable, setVehicles, vehicleColor,
 } from '../../../web/colors.js';
 import {labelLines, placeLabels} from '../../../web/draw_labels.js';
+import {Camera} from '../../../web/map_camera.js';
+import {coverageOf, surveysOf} from '../../../web/map_painter.js';
 import {presentTask, rangesOf, tasksKey} from '../../../web/draw_tasks.js';
+import {drawSwaths} from '../../../web/draw_trails.js';
 import {drawnLength, hullOf, isStopped} from '../../../web/draw_vehicles.js';
 
 const size = (width, height = 20) => ({width, height});
@@ -175,4 +178,34 @@ test('a colour that more than three vehicles ask for is replaced by ones that di
   assert.ok(colors.size > 90, `${colors.size} colours`);
   setVehicles([]);
   assert.equal(vehicleColor('boat_1', 'yellow', false), vehicleColor('boat_2', 'yellow', false));
+});
+
+test('what sensors covered is drawn as broad as they see, for the vehicles that count', () => {
+  const coverage = coverageOf({coverage: [{width_m: 20, areas: [], vehicles: ['alpha']}, {}, null]});
+  assert.equal(coverage.length, 1);
+  const strokes = [];
+  const ctx = {globalAlpha: 1, setLineDash() {}, beginPath() { this.points = []; },
+    moveTo(x, y) { this.points.push([x, y]); }, lineTo(x, y) { this.points.push([x, y]); },
+    stroke() {
+      strokes.push({width: this.lineWidth, points: this.points, opacity: this.globalAlpha});
+    }};
+  const trail = {t: [0, 10, 20, 30], x: [-90, 0, 90, 90], y: [-60, -60, -60, 60], count: 3};
+  const world = {trail: () => trail};
+  const vehicles = ['alpha', 'bravo'].map((name) => ({name, color: 'red'}));
+  drawSwaths(ctx, new Camera(100, 100), {light: true}, world, coverage, vehicles, 25);
+  assert.equal(strokes.length, 1);
+  assert.equal(strokes[0].width, 20);
+  assert.ok(strokes[0].opacity < 0.5 && ctx.globalAlpha === 1);
+  // Half of the track lies in the picture's rim, which is as broad as the swath reaches into it.
+  assert.deepEqual(strokes[0].points, [[-40, 110], [140, 110]]);
+  drawSwaths(ctx, new Camera(100, 100, 0, 400), {light: true}, world, coverage, vehicles, 25);
+  assert.deepEqual(strokes[1].points, []);
+});
+
+test('an area that several vehicles survey is drawn once', () => {
+  const square = [[0, 0], [9, 0], [9, 9]];
+  const setup = {vehicles: [{tasks: [{area: square}]}, {tasks: [{area: square}, {area: []}]}, null],
+    coverage: [{width_m: 2, areas: [square, [[1, 1], [5, 1], [5, 5]]]}]};
+  assert.equal(surveysOf(setup).length, 2);
+  assert.deepEqual(surveysOf({}), []);
 });

@@ -1,0 +1,350 @@
+#include "apps/helm/arbiter.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "lib/geometry/angles.h"
+#include "lib/mission/update_reader.h"
+#include "lib/run/status_page.h"
+
+namespace shoal {
+
+namespace {
+
+constexpr int64_t kLongestSilence_us = 1'000'000;
+constexpr size_t kMostSettings = 1000;
+constexpr size_t kMostEvents = 100;
+constexpr char kManySettings[] = "more than 1000 settings of variables in one decision: dropped";
+
+// Variables that stand for orders of the operator, by the custom of MOOS-IvP's missions.
+constexpr char kDeploy[] = "DEPLOY";
+constexpr char kReturn[] = "RETURN";
+constexpr char kStationKeep[] = "STATION_KEEP";
+
+double Seconds(int64_t utime) { return static_cast<double>(utime) / 1e6; }
+
+HelmSetup SetupOf(const Vehicle& vehicle) {
+  HelmSetup setup{.vehicle = vehicle.name,
+                  .behaviors = vehicle.behaviors,
+                  .modes = vehicle.modes,
+                  .variables = vehicle.variables,
+                  .domain = vehicle.domain,
+                  .goals_mandatory = vehicle.helm_options.goals_mandatory};
+  setup.read_update = ReadBehaviorUpdate;
+  return setup;
+}
+
+OwnMotion OwnMotionOf(const nav_t& nav) {
+  return {.motion = {.position_m = {nav.x_m, nav.y_m},
+                     .heading_deg = Wrap360(nav.heading_deg),
+                     .speed_mps = std::max(0.0, nav.speed_mps)},
+          .depth_m = nav.z_m,
+          .altitude_m = nav.altitude_m};
+}
+
+double OrAny(const std::optional<double>& value) { return value.value_or(-1); }
+
+/// True where two decisions differ in more than their numbers.
+bool HasNews(const helm_decision_t& next, const helm_decision_t& last) {
+  if (next.num_events > 0 || next.mode != last.mode || next.course_deg != last.course_deg ||
+      next.speed_mps != last.speed_mps || next.depth_m != last.depth_m ||
+      next.all_stop != last.all_stop || next.num_aims != last.num_aims) {
+    return true;
+  }
+  for (size_t i = 0; i < next.aims.size(); ++i) {
+    const helm_aim_t& a = next.aims[i];
+    const helm_aim_t& b = last.aims[i];
+    if (a.name != b.name || a.state != b.state || a.role != b.role || a.contact != b.contact) {
+      return true;
+    }
+  }
+  return false;
+}
+
+helm_aim_t AimMessage(const HelmAim& aim) {
+  helm_aim_t message{};
+  message.name = aim.name;
+  message.kind = aim.kind;
+  message.state = aim.state;
+  message.weight = aim.weight;
+  message.best_course_deg = OrAny(aim.best.course_deg);
+  message.best_speed_mps = OrAny(aim.best.speed_mps);
+  message.best_depth_m = OrAny(aim.best.depth_m);
+  message.value = aim.value;
+  message.loss = aim.loss;
+  message.range_m = message.cpa_m = message.age_s = -1;
+  if (aim.role) {
+    message.contact = aim.role->contact;
+    message.role = aim.role->role;
+    message.rule = aim.role->rule;
+    message.range_m = aim.role->range_m;
+    message.cpa_m = aim.role->cpa_m;
+    message.age_s = aim.role->age_s;
+  }
+  return message;
+}
+
+}  // namespace
+
+Arbiter::Arbiter(const Mission& mission, const Vehicle& vehicle)
+    : vehicle_(vehicle.name),
+      obstacles_(mission.obstacles),
+      interval_us_(std::llround(vehicle.helm_options.decide_every_s * 1e6)),
+      behaviors_(SetupOf(vehicle)),
+      ledger_(vehicle.name) {}
+
+void Arbiter::OnNodeReport(const node_report_t& report, int64_t utime) {
+  Take({.name = report.name,
+        .group = report.group,
+        .type = report.type,
+        .motion = {.position_m = {report.x_m, report.y_m},
+                   .heading_deg = report.heading_deg,
+                   .speed_mps = report.speed_mps},
+        .depth_m = report.depth_m,
+        .length_m = report.length_m,
+        .made_s = Seconds(report.utime),
+        .received_s = Seconds(utime),
+        .source = ContactSource::kNodeReport});
+}
+
+void Arbiter::OnSwarm(const swarm_t& swarm, int64_t utime) {
+  for (const swarm_contact_t& contact : swarm.contacts) {
+    if (!contact.is_known || !contact.is_heard) continue;
+    const Eigen::Vector2d velocity_mps(contact.x_mps, contact.y_mps);
+    Take({.name = contact.name,
+          .motion = {.position_m = {contact.x_m, contact.y_m},
+                     .heading_deg = RadToDeg(HeadingOf(velocity_mps)),
+                     .speed_mps = velocity_mps.norm()},
+          .depth_m = contact.z_m,
+          .made_s = Seconds(contact.report_utime),
+          .received_s = Seconds(utime),
+          .source = ContactSource::kSwarm});
+  }
+}
+
+void Arbiter::OnSonar(const sonar_t& ping, const nav_t& own, int64_t utime) {
+  const sonar_beam_t* nearest = nullptr;
+  for (const sonar_beam_t& beam : ping.beams) {
+    const bool is_echo = beam.range_m >= 0 && std::isfinite(beam.range_m) &&
+                         std::isfinite(beam.azimuth_deg) && std::isfinite(beam.elevation_deg);
+    if (is_echo && (nearest == nullptr || beam.range_m < nearest->range_m)) nearest = &beam;
+  }
+  if (nearest == nullptr) return;
+  const double bearing_rad = DegToRad(own.heading_deg + nearest->azimuth_deg);
+  const double distance_m = nearest->range_m * std::cos(DegToRad(nearest->elevation_deg));
+  Take({.name = "sonar",
+        .type = "echo",
+        .motion = {.position_m = Eigen::Vector2d(own.x_m, own.y_m) +
+                                 distance_m * UnitVector(WrapTwoPi(bearing_rad))},
+        .depth_m = own.z_m,
+        .made_s = Seconds(ping.utime),
+        .received_s = Seconds(utime),
+        .source = ContactSource::kSonar});
+}
+
+void Arbiter::Take(const ContactReport& report) {
+  const ContactIntake intake = ledger_.Take(report, own_position_m_);
+  // Sonar echoes jump from one obstacle to the next; what comes late or from afar is no fault.
+  const bool is_usual = intake == ContactIntake::kTaken || intake == ContactIntake::kTooOld ||
+                        intake == ContactIntake::kOutOfOrder || intake == ContactIntake::kTooFar ||
+                        (intake == ContactIntake::kJumped && report.name == "sonar");
+  if (!is_usual) {
+    warnings_.push_back(fmt::format("contact {}: {}", Printable(report.name), TextOf(intake)));
+  }
+}
+
+void Arbiter::Set(const VariablePost& setting, std::string_view source) {
+  if (settings_.size() >= kMostSettings) {
+    warnings_.emplace_back(kManySettings);
+    return;
+  }
+  settings_.push_back(
+      {.variable = setting.variable, .value = setting.value, .source = std::string(source)});
+}
+
+bool Arbiter::HasVariable(std::string_view name) const {
+  return behaviors_.variables().Find(name) != nullptr;
+}
+
+HelmOrder Arbiter::Instead(const HelmOrder& order) const {
+  const bool by_variables = (order.kind == OrderKind::kReturn && HasVariable(kReturn)) ||
+                            (order.kind == OrderKind::kStationKeep && HasVariable(kStationKeep));
+  return by_variables ? HelmOrder{.kind = OrderKind::kDeploy} : order;
+}
+
+void Arbiter::TakeOver(const HelmOrder& order) {
+  const auto set = [&](const char* name, bool value) {
+    if (!HasVariable(name)) return;
+    Set({.variable = name, .value = std::string(value ? "true" : "false")}, "order");
+  };
+  behaviors_.Clear();
+  switch (order.kind) {
+    case OrderKind::kDeploy:
+      set(kDeploy, true);
+      set(kReturn, false);
+      set(kStationKeep, false);
+      break;
+    case OrderKind::kReturn:
+      set(kDeploy, true);
+      set(kReturn, true);
+      set(kStationKeep, false);
+      break;
+    case OrderKind::kStationKeep:
+      set(kStationKeep, true);
+      break;
+    default:
+      break;
+  }
+}
+
+std::optional<Guidance> Arbiter::Advance(const Moment& moment) {
+  if (!next_utime_ || moment.utime >= *next_utime_) {
+    Decide(moment);
+    next_utime_ = next_utime_ ? *next_utime_ + interval_us_ : moment.utime + interval_us_;
+    if (*next_utime_ <= moment.utime) next_utime_ = moment.utime + interval_us_;
+  }
+  if (!moment.drives || moment.nav == nullptr) return std::nullopt;
+  if ((outcome_.only_task || outcome_.is_task_point) && moment.alone) return moment.alone;
+  const bool is_decided = outcome_.has_decision || outcome_.keeps_last;
+  if (!is_decided || !commands_.course_deg || !commands_.speed_mps) return std::nullopt;
+
+  Guidance guidance = moment.alone.value_or(Guidance());
+  guidance.heading_rad = WrapTwoPi(DegToRad(*commands_.course_deg));
+  guidance.speed_mps = *commands_.speed_mps;
+  guidance.propeller_rpm.reset();
+  if (commands_.depth_m) {
+    guidance.z_m = *commands_.depth_m;
+    guidance.pitch_rad.reset();
+  }
+  if (const HelmAim* leading = Leading(); !moment.alone && leading != nullptr) {
+    if (leading->view.steers_for_m) {
+      guidance.waypoint_m = *leading->view.steers_for_m;
+      guidance.distance_m =
+          (guidance.waypoint_m - Eigen::Vector2d(moment.nav->x_m, moment.nav->y_m)).norm();
+    }
+  }
+  return guidance;
+}
+
+void Arbiter::Decide(const Moment& moment) {
+  const double time_s = Seconds(moment.utime);
+  if (moment.nav != nullptr) own_position_m_ = {moment.nav->x_m, moment.nav->y_m};
+  HelmInputs inputs{.time_s = time_s, .drives = moment.drives, .settings = std::move(settings_)};
+  settings_.clear();
+  if (moment.nav != nullptr) inputs.own = OwnMotionOf(*moment.nav);
+  inputs.contacts = &ledger_.At(time_s, own_position_m_);
+  inputs.obstacles = &obstacles_;
+  inputs.goals_rest = moment.is_interruption;
+  if (moment.task != nullptr && moment.alone) {
+    inputs.task = TaskAim{.name = moment.task->name,
+                          .kind = std::string(KindOf(*moment.task)),
+                          .pwt = moment.task->pwt,
+                          .course_deg = Wrap360(RadToDeg(moment.alone->heading_rad)),
+                          .speed_mps = moment.alone->speed_mps,
+                          .depth_m = moment.alone->z_m};
+  }
+  outcome_ = behaviors_.Iterate(inputs);
+  if (outcome_.has_decision) commands_ = outcome_.commands;
+  wants_park_ = wants_park_ || outcome_.parks;
+  for (const VariablePost& post : outcome_.posts) {
+    if (!post.destination.empty()) messages_.push_back(post);
+  }
+  for (HelmEvent& event : outcome_.events) {
+    if (unpublished_events_.size() < kMostEvents) {
+      unpublished_events_.push_back(event.kind + ": " + event.text);
+    }
+    events_.push_back(std::move(event));
+  }
+  for (std::string& warning : outcome_.warnings) warnings_.push_back(std::move(warning));
+  outcome_.events.clear();
+  outcome_.warnings.clear();
+
+  const bool is_silent = !moment.drives || moment.nav == nullptr || outcome_.only_task;
+  if (is_silent && unpublished_events_.empty()) return;
+  helm_decision_t next = Message(moment.utime);
+  next.events = unpublished_events_;
+  next.num_events = static_cast<int32_t>(next.events.size());
+  if (!HasNews(next, published_) && moment.utime - published_.utime < kLongestSilence_us) return;
+  unpublished_events_.clear();
+  published_ = next;
+  unpublished_ = std::move(next);
+}
+
+helm_decision_t Arbiter::Message(int64_t utime) const {
+  helm_decision_t message{};
+  message.utime = utime;
+  message.vehicle = vehicle_;
+  message.mode = outcome_.mode;
+  message.course_deg = OrAny(outcome_.commands.course_deg);
+  message.speed_mps = OrAny(outcome_.commands.speed_mps);
+  message.depth_m = OrAny(outcome_.commands.depth_m);
+  message.utility = outcome_.utility;
+  message.all_stop = outcome_.all_stop;
+  for (const HelmAim& aim : outcome_.aims) message.aims.push_back(AimMessage(aim));
+  message.num_aims = static_cast<int32_t>(message.aims.size());
+  return message;
+}
+
+bool Arbiter::TakePark() { return std::exchange(wants_park_, false); }
+
+std::optional<helm_decision_t> Arbiter::TakeDecision() {
+  return std::exchange(unpublished_, std::nullopt);
+}
+
+std::vector<VariablePost> Arbiter::TakeMessages() { return std::exchange(messages_, {}); }
+
+std::vector<HelmEvent> Arbiter::TakeEvents() { return std::exchange(events_, {}); }
+
+std::vector<std::string> Arbiter::TakeWarnings() { return std::exchange(warnings_, {}); }
+
+const HelmAim* Arbiter::Leading() const {
+  const HelmAim* leading = nullptr;
+  for (const HelmAim& aim : outcome_.aims) {
+    if (aim.is_constraint || aim.weight <= 0) continue;
+    if (leading == nullptr || aim.weight > leading->weight) leading = &aim;
+  }
+  return leading;
+}
+
+std::string Arbiter::Text() const {
+  std::string text =
+      fmt::format("Behaviors: {}{}\n", outcome_.all_stop,
+                  outcome_.mode.empty() ? "" : fmt::format(", mode {}", outcome_.mode));
+  if (outcome_.has_decision) {
+    text += fmt::format("    Decided: course {:.0f} deg, speed {:.2f} m/s",
+                        OrAny(commands_.course_deg), OrAny(commands_.speed_mps));
+    text += commands_.depth_m ? fmt::format(", depth {:.1f} m\n", *commands_.depth_m) : "\n";
+  }
+  text += fmt::format("    {:<20}{:>8}{:>8}{:>8}{:>8}{:>8}  {}\n", "", "weight", "course", "speed",
+                      "value", "loss", "state");
+  for (const HelmAim& aim : outcome_.aims) {
+    const auto number = [](const std::optional<double>& value, const char* format) {
+      return value ? fmt::format(fmt::runtime(format), *value) : std::string("-");
+    };
+    text += fmt::format("    {:<20}{:>8.1f}{:>8}{:>8}{:>8.1f}{:>8.1f}  {}", Printable(aim.name),
+                        aim.weight, number(aim.best.course_deg, "{:.0f}"),
+                        number(aim.best.speed_mps, "{:.2f}"), aim.value, aim.loss / 100, aim.state);
+    if (aim.role) {
+      text += fmt::format("; {}{}, range {:.1f} m, CPA {:.1f} m, age {:.1f} s", aim.role->role,
+                          aim.role->rule.empty() ? "" : fmt::format(" (rule {})", aim.role->rule),
+                          aim.role->range_m, aim.role->cpa_m, aim.role->age_s);
+    }
+    text += '\n';
+  }
+  constexpr size_t kMostVariablesShown = 30;
+  size_t num_shown = 0;
+  text += fmt::format("Variables: {}\n", behaviors_.variables().all().size());
+  for (const auto& [name, entry] : behaviors_.variables().all()) {
+    if (++num_shown > kMostVariablesShown) break;
+    const auto* words = std::get_if<std::string>(&entry.value);
+    text += fmt::format(
+        "    {} = {}\n", Printable(name),
+        words != nullptr ? Printable(*words) : fmt::format("{:g}", std::get<double>(entry.value)));
+  }
+  return text;
+}
+
+}  // namespace shoal
