@@ -238,6 +238,7 @@ void Arbiter::Decide(const Moment& moment) {
   inputs.contacts = &ledger_.At(time_s, own_position_m_);
   inputs.obstacles = &obstacles_;
   inputs.goals_rest = moment.is_interruption;
+  inputs.explains = false;  // Only what is published is explained.
   if (moment.task != nullptr && moment.alone) {
     inputs.task = TaskAim{.name = moment.task->name,
                           .kind = std::string(KindOf(*moment.task)),
@@ -268,6 +269,8 @@ void Arbiter::Decide(const Moment& moment) {
   next.events = unpublished_events_;
   next.num_events = static_cast<int32_t>(next.events.size());
   if (!HasNews(next, published_) && moment.utime - published_.utime < kLongestSilence_us) return;
+  behaviors_.Explain(&outcome_);
+  for (size_t i = 0; i < outcome_.aims.size(); ++i) next.aims[i] = AimMessage(outcome_.aims[i]);
   unpublished_events_.clear();
   published_ = next;
   unpublished_ = std::move(next);
@@ -313,6 +316,8 @@ std::string Arbiter::Text() const {
   std::string text =
       fmt::format("Behaviors: {}{}\n", outcome_.all_stop,
                   outcome_.mode.empty() ? "" : fmt::format(", mode {}", outcome_.mode));
+  HelmOutcome outcome = outcome_;
+  if (!outcome.aims.empty()) behaviors_.Explain(&outcome);
   if (outcome_.has_decision) {
     text += fmt::format("    Decided: course {:.0f} deg, speed {:.2f} m/s",
                         OrAny(commands_.course_deg), OrAny(commands_.speed_mps));
@@ -320,7 +325,7 @@ std::string Arbiter::Text() const {
   }
   text += fmt::format("    {:<20}{:>8}{:>8}{:>8}{:>8}{:>8}  {}\n", "", "weight", "course", "speed",
                       "value", "loss", "state");
-  for (const HelmAim& aim : outcome_.aims) {
+  for (const HelmAim& aim : outcome.aims) {
     const auto number = [](const std::optional<double>& value, const char* format) {
       return value ? fmt::format(fmt::runtime(format), *value) : std::string("-");
     };

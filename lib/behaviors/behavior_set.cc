@@ -309,10 +309,10 @@ HelmAim BehaviorSet::AimOf(const RunReport& report) {
 }
 
 void BehaviorSet::Decide(const HelmInputs& inputs, const std::vector<RunReport>& reports,
-                         HelmOutcome& outcome) const {
-  std::vector<WeightedObjective> objectives;
+                         HelmOutcome& outcome) {
+  objectives_.clear();
   if (inputs.task) {
-    objectives.push_back({inputs.task->pwt, ObjectiveOf(*inputs.task, setup_.domain)});
+    objectives_.push_back({inputs.task->pwt, ObjectiveOf(*inputs.task, setup_.domain)});
     outcome.aims.push_back(
         {.name = inputs.task->name, .kind = inputs.task->kind, .state = "active"});
   }
@@ -320,7 +320,7 @@ void BehaviorSet::Decide(const HelmInputs& inputs, const std::vector<RunReport>&
   bool has_other = false;
   for (const RunReport& report : reports) {
     if (report.state != RunState::kRunning && report.state != RunState::kActive) continue;
-    objectives.push_back({report.weight, report.answer.objective.value_or(Objective())});
+    objectives_.push_back({report.weight, report.answer.objective.value_or(Objective())});
     outcome.aims.push_back(AimOf(report));
     if (report.state != RunState::kActive) continue;
     has_other = true;
@@ -328,32 +328,36 @@ void BehaviorSet::Decide(const HelmInputs& inputs, const std::vector<RunReport>&
   }
   const bool only_task = inputs.task && !has_other;
   // Alone, a task without weight counts too.
-  if (only_task && objectives.front().weight <= 0) objectives.front().weight = 1;
+  if (only_task && objectives_.front().weight <= 0) objectives_.front().weight = 1;
 
-  const GridDecision decision = shoal::Decide(setup_.domain, objectives);
-  const auto shares = Explain(setup_.domain, objectives, decision);
-  for (size_t i = 0; i < shares.size(); ++i) {
-    HelmAim& aim = outcome.aims[i];
-    aim.weight = objectives[i].weight;
-    if (aim.weight <= 0) continue;
-    aim.best = PointOf(shares[i].best_point, setup_.domain);
-    aim.value = shares[i].value;
-    aim.loss = shares[i].loss;
-  }
+  decision_ = shoal::Decide(setup_.domain, objectives_);
+  for (size_t i = 0; i < objectives_.size(); ++i) outcome.aims[i].weight = objectives_[i].weight;
+  if (inputs.explains) Explain(&outcome);
   if (!only_task && !has_other) {
     outcome.all_stop = "NothingToDo";
   } else if (setup_.goals_mandatory && !has_goal) {
     outcome.all_stop = "NoGoalBehavior";
-  } else if (!decision.point.speed) {
+  } else if (!decision_.point.speed) {
     outcome.all_stop = "MissingDecVars:speed";
-  } else if (!decision.point.course && *decision.point.speed > 0) {
+  } else if (!decision_.point.course && *decision_.point.speed > 0) {
     outcome.all_stop = "MissingDecVars:course";
   } else {
     outcome.has_decision = true;
-    outcome.commands = PointOf(decision.point, setup_.domain);
-    outcome.utility = decision.utility;
+    outcome.commands = PointOf(decision_.point, setup_.domain);
+    outcome.utility = decision_.utility;
     outcome.only_task = only_task;
-    outcome.is_task_point = inputs.task && IsNearest(decision.point, *inputs.task, setup_.domain);
+    outcome.is_task_point = inputs.task && IsNearest(decision_.point, *inputs.task, setup_.domain);
+  }
+}
+
+void BehaviorSet::Explain(HelmOutcome* outcome) const {
+  const auto shares = shoal::Explain(setup_.domain, objectives_, decision_);
+  for (size_t i = 0; i < shares.size(); ++i) {
+    HelmAim& aim = outcome->aims.at(i);
+    if (aim.weight <= 0) continue;
+    aim.best = PointOf(shares[i].best_point, setup_.domain);
+    aim.value = shares[i].value;
+    aim.loss = shares[i].loss;
   }
 }
 
@@ -385,6 +389,8 @@ void BehaviorSet::TakePosts(double time_s, HelmOutcome& outcome) {
 
 HelmOutcome BehaviorSet::Iterate(const HelmInputs& inputs) {
   HelmOutcome outcome;
+  objectives_.clear();
+  decision_ = {};
   TakeSettings(inputs, outcome);
   if (!inputs.drives || !inputs.own) {
     outcome.keeps_last = true;

@@ -46,6 +46,7 @@
 #include "lib/behaviors/behavior.h"
 #include "lib/behaviors/behavior_runner.h"
 #include "lib/behaviors/update_text.h"
+#include "lib/decision/decide.h"
 #include "lib/modes/mode_tree.h"
 
 namespace shoal {
@@ -91,6 +92,9 @@ struct HelmInputs {
   /// Behaviors that are goals are idle, avoidance and limits stay: the task is by an order of the
   /// operator.
   bool goals_rest = false;
+  /// False: the shares of the aims (best, value, loss) are left out, which cost as much as the
+  /// decision; Explain() fills them in where they are wanted.
+  bool explains = true;
 };
 
 /// A point of the grid; absent: not decided about.
@@ -150,6 +154,10 @@ class BehaviorSet {
 
   HelmOutcome Iterate(const HelmInputs& inputs);
 
+  /// Fills in the shares of the aims of the last outcome.
+  /// @pre `outcome` is what the last Iterate returned
+  void Explain(HelmOutcome* outcome) const;
+
   /// Ends an all-stop that lasts: the operator has given the order to go on.
   void Clear();
 
@@ -173,7 +181,7 @@ class BehaviorSet {
   bool HasRunnerNamed(std::string_view name) const;
   static HelmAim AimOf(const RunReport& report);
   void Decide(const HelmInputs& inputs, const std::vector<RunReport>& reports,
-              HelmOutcome& outcome) const;
+              HelmOutcome& outcome);
   void JudgeAllStop(const std::string& error, HelmOutcome& outcome);
   void TakePosts(double time_s, HelmOutcome& outcome);
 
@@ -183,6 +191,8 @@ class BehaviorSet {
   std::vector<Recipe> recipes_;
   std::vector<std::unique_ptr<BehaviorRunner>> runners_;  ///< In the order of the file.
   std::set<std::string> disabled_contacts_;               ///< By BHV_ABLE_FILTER.
+  std::vector<WeightedObjective> objectives_;  ///< Of the last decision, as outcome.aims.
+  GridDecision decision_;
   std::string lasting_error_;
   int iterations_without_decision_ = 0;
   std::string last_all_stop_ = "clear";
