@@ -171,13 +171,21 @@ TEST_F(Import, MakesVesselsOfTheExampleExchangeTheirCirclesAndAvoidEachOther) {
   const Eigen::Vector2d west_m(0, -60);
   const Eigen::Vector2d east_m(130, -60);
   constexpr double kRadius_m = 40;
-  EXPECT_TRUE(IsNear(tracks.positions_m.at("gil").at(110), west_m, kRadius_m));
-  EXPECT_TRUE(IsNear(tracks.positions_m.at("hal").at(110), east_m, kRadius_m));
-  EXPECT_TRUE(IsNear(tracks.positions_m.at("gil").at(290), east_m, kRadius_m));
-  EXPECT_TRUE(IsNear(tracks.positions_m.at("hal").at(290), west_m, kRadius_m));
+  EXPECT_TRUE(IsNear(tracks.positions_m.at("gil").at(100), west_m, kRadius_m));
+  EXPECT_TRUE(IsNear(tracks.positions_m.at("hal").at(100), east_m, kRadius_m));
+  EXPECT_TRUE(IsNear(tracks.positions_m.at("gil").at(280), east_m, kRadius_m));
+  EXPECT_TRUE(IsNear(tracks.positions_m.at("hal").at(280), west_m, kRadius_m));
   EXPECT_TRUE(IsNear(tracks.positions_m.at("gil").back(), {0, -20}, 12)) << "home";
   EXPECT_TRUE(IsNear(tracks.positions_m.at("hal").back(), {130, -20}, 12)) << "home";
-  EXPECT_GT(tracks.closest_m, 10) << "min_util_cpa_dist";
+  EXPECT_GT(tracks.closest_m, 20) << "max_util_cpa_dist";
+}
+
+TEST_F(Import, MakesThemMeetWhereTheyDoNotAvoidEachOther) {
+  const std::string toml = directory_.File("calm.toml");
+  ImportOptions options = AvoidExample(toml);
+  options.defines = {"AVOIDANCE=none"};
+  ASSERT_EQ(RunImport(options), kExitOk);
+  EXPECT_LT(TracksOf(toml).closest_m, 5);
 }
 
 TEST_F(Import, MakesTheExampleOfTheDocumentationRun) {
