@@ -127,8 +127,12 @@ std::string_view PassedHow(const Encounter& encounter, size_t side_number) {
   if (side.role == EncounterRole::kHeadOn) {
     return Wrap180(side.beta_deg) < 0 ? "port to port" : "starboard to starboard";
   }
-  if (side.crossed_ahead_m) return "ahead";
-  if (side.crossed_astern) return "astern";
+  // An overtaken vessel leaves the other's course line by the other's turn, not by its own.
+  const bool is_overtaken = side.role == EncounterRole::kOvertaken;
+  if (side.crossed_ahead_m && !is_overtaken) return "ahead";
+  if (side.crossed_astern && !is_overtaken && side.role != EncounterRole::kOvertaking) {
+    return "astern";
+  }
   return Wrap180(side.alpha_deg) < 0 ? "on its port side" : "on its starboard side";
 }
 

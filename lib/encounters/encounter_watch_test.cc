@@ -143,6 +143,16 @@ TEST(EncounterWatch, NotesWhichOfTwoCrossesAheadOfTheOther) {
   EXPECT_FALSE(ahead.at(0).sides[1].crossed_ahead_m);
 }
 
+TEST(EncounterWatch, NotesOnWhichSideOneOvertakesTheOther) {
+  std::vector<PlannedVessel> vessels = {{.motion = {{0, -120}, 0, 3}}, {.motion = {{0, 0}, 0, 1}}};
+  vessels[0].turns = {{.at_s = 5, .course_change_deg = 15}, {.at_s = 50, .course_change_deg = -15}};
+  const auto encounters = EncountersOf(vessels, 120);
+  ASSERT_EQ(encounters.size(), 1U);
+  EXPECT_EQ(encounters[0].sides[0].role, EncounterRole::kOvertaking);
+  EXPECT_EQ(PassedHow(encounters[0], 0), "on its starboard side");
+  EXPECT_EQ(PassedHow(encounters[0], 1), "on its port side");
+}
+
 TEST(EncounterWatch, NotesInExtremisAndWhatTheVesselThatStandsOnDoesThen) {
   auto vessels = FromStarboard(0);
   vessels[1].turns = {{.at_s = 65, .course_change_deg = 60}};
