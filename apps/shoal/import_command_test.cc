@@ -2,16 +2,23 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Core>
+#include <algorithm>
 #include <cstdint>
 #include <filesystem>
+#include <limits>
+#include <map>
 #include <string>
 #include <variant>
 #include <vector>
 
+#include "lib/bus/channels.h"
 #include "lib/check/result.h"
 #include "lib/mission/load.h"
 #include "lib/record/test_log.h"
+#include "shoal/nav_t.hpp"
 #include "shoal/node_report_t.hpp"
+#include "sim/simulation.h"
 
 namespace shoal::import_command_test {
 
@@ -60,13 +67,16 @@ TEST_F(Import, RefusesWhatIsNoMoosMission) {
 
 const std::string kExamples = std::string(SHOAL_SOURCE_DIR) + "/examples/moos/";
 
+ImportOptions PlainExample(const std::string& out_path) {
+  return {.files = {kExamples + "shoreside.moos", kExamples + "meta_abe.moos",
+                    kExamples + "meta_ben.moos", kExamples + "meta_abe.bhv",
+                    kExamples + "meta_ben.bhv"},
+          .out_path = out_path};
+}
+
 TEST_F(Import, TakesTheExampleOfTheDocumentation) {
   const std::string toml = directory_.File("mine.toml");
-  ASSERT_EQ(RunImport({.files = {kExamples + "shoreside.moos", kExamples + "meta_abe.moos",
-                                 kExamples + "meta_ben.moos", kExamples + "meta_abe.bhv",
-                                 kExamples + "meta_ben.bhv"},
-                       .out_path = toml}),
-            kExitOk);
+  ASSERT_EQ(RunImport(PlainExample(toml)), kExitOk);
   const LoadedMission loaded = LoadMission(toml);
   EXPECT_EQ(loaded.errors, std::vector<std::string>());
   ASSERT_EQ(loaded.mission.vehicles.size(), 2U);
@@ -122,6 +132,77 @@ TEST_F(Import, LeavesOutWhatItsMacrosLeaveOut) {
   options.defines = {"AVOIDANCE=none"};
   ASSERT_EQ(RunImport(options), kExitOk);
   EXPECT_EQ(LoadMission(toml).mission.vehicles.at(0).behaviors.size(), 3U);
+}
+
+/// What two vessels did.
+struct Tracks {
+  std::map<std::string, std::vector<Eigen::Vector2d>> positions_m;  ///< One each second.
+  double closest_m = std::numeric_limits<double>::infinity();
+};
+
+Tracks TracksOf(const std::string& toml) {
+  Result<Simulation> opened = Simulation::Open({.mission_file = toml});
+  EXPECT_TRUE(opened.ok()) << (opened.ok() ? "" : opened.error());
+  Tracks tracks;
+  std::map<std::string, Eigen::Vector2d> now_m;
+  for (const Vehicle& vehicle : opened->mission().vehicles) {
+    Subscribe(opened->bus(), channels::Nav(vehicle.name), [&now_m, &vehicle](const nav_t& nav) {
+      now_m[vehicle.name] = {nav.x_m, nav.y_m};
+    });
+  }
+  while (opened->Step()) {
+    if (now_m.size() < 2) continue;
+    const double apart_m = (now_m.begin()->second - now_m.rbegin()->second).norm();
+    tracks.closest_m = std::min(tracks.closest_m, apart_m);
+    if (opened->step() % 10 != 0) continue;
+    for (const auto& [name, position_m] : now_m) tracks.positions_m[name].push_back(position_m);
+  }
+  return tracks;
+}
+
+bool IsNear(const Eigen::Vector2d& a_m, const Eigen::Vector2d& b_m, double limit_m) {
+  return (a_m - b_m).norm() < limit_m;
+}
+
+TEST_F(Import, MakesVesselsOfTheExampleExchangeTheirCirclesAndAvoidEachOther) {
+  const std::string toml = directory_.File("avoid.toml");
+  ASSERT_EQ(RunImport(AvoidExample(toml)), kExitOk);
+  const Tracks tracks = TracksOf(toml);
+  const Eigen::Vector2d west_m(0, -60);
+  const Eigen::Vector2d east_m(130, -60);
+  constexpr double kRadius_m = 40;
+  EXPECT_TRUE(IsNear(tracks.positions_m.at("gil").at(100), west_m, kRadius_m));
+  EXPECT_TRUE(IsNear(tracks.positions_m.at("hal").at(100), east_m, kRadius_m));
+  EXPECT_TRUE(IsNear(tracks.positions_m.at("gil").at(280), east_m, kRadius_m));
+  EXPECT_TRUE(IsNear(tracks.positions_m.at("hal").at(280), west_m, kRadius_m));
+  EXPECT_TRUE(IsNear(tracks.positions_m.at("gil").back(), {0, -20}, 12)) << "home";
+  EXPECT_TRUE(IsNear(tracks.positions_m.at("hal").back(), {130, -20}, 12)) << "home";
+  EXPECT_GT(tracks.closest_m, 20) << "max_util_cpa_dist";
+}
+
+TEST_F(Import, MakesThemMeetWhereTheyDoNotAvoidEachOther) {
+  const std::string toml = directory_.File("calm.toml");
+  ImportOptions options = AvoidExample(toml);
+  options.defines = {"AVOIDANCE=none"};
+  ASSERT_EQ(RunImport(options), kExitOk);
+  EXPECT_LT(TracksOf(toml).closest_m, 5);
+}
+
+TEST_F(Import, MakesTheExampleOfTheDocumentationRun) {
+  const std::string toml = directory_.File("mine.toml");
+  ASSERT_EQ(RunImport(PlainExample(toml)), kExitOk);
+  const Tracks tracks = TracksOf(toml);
+  const auto& abe = tracks.positions_m.at("abe");
+  for (const Eigen::Vector2d& point_m : {Eigen::Vector2d(60, -40), Eigen::Vector2d(60, -100),
+                                         Eigen::Vector2d(110, -100), Eigen::Vector2d(110, -40)}) {
+    EXPECT_TRUE(std::any_of(abe.begin(), abe.end(), [&](const Eigen::Vector2d& position_m) {
+      return IsNear(position_m, point_m, 7);
+    })) << point_m.transpose();
+  }
+  EXPECT_TRUE(IsNear(abe.back(), {0, -20}, 6)) << "the way back";
+  const auto& ben = tracks.positions_m.at("ben");
+  EXPECT_TRUE(IsNear(ben.at(250), {60, -150}, 35)) << "on its circle";
+  EXPECT_TRUE(IsNear(ben.back(), {40, -20}, 14)) << "on its station";
 }
 
 TEST_F(Import, ReadsIncludedFilesOnlyBelowNamedFolders) {

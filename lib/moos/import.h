@@ -30,8 +30,9 @@ struct MoosImportOptions {
 };
 
 struct MoosImport {
-  /// A mission file that LoadMissionText accepts. Every line of the sources is a setting (which
-  /// names the line) or a comment that states why it is none.
+  /// A mission file that LoadMissionText accepts, unless it is too long for it (a warning). Every
+  /// line of the sources is a setting (which names the line) or a comment that states why it is
+  /// none.
   std::string mission;
   /// "a.moos:12: ..." where a line makes no sense, where shoal refuses a value, where something was
   /// missing that had to be made up, and where the mission changes: a behavior or a key of one is

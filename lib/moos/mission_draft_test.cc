@@ -37,12 +37,16 @@ TEST(MissionDraft, WritesSettingsWithTheirLines) {
 
 TEST(MissionDraft, KeepsWhatALaterLineReplaces) {
   MissionDraft draft = Loadable();
-  draft.Set("comms", Line("comms_range", "50"));
-  draft.Set("comms", Line("comms_range", "50"));
+  DraftLine same = Line("comms_range", "50");
+  draft.Set("comms", same);
+  draft.Set("comms", same);
+  same.origin = "f:8";
+  draft.Set("comms", same);
   draft.Set("comms", Line("comms_range", "60"));
   EXPECT_NE(
-      draft.Text().find("[comms]\n# f:7, f:7: comms_range=50: replaced by f:7\ncomms_range = 60"),
-      std::string::npos);
+      draft.Text().find("[comms]\n# f:7, f:8: comms_range=50: replaced by f:7\ncomms_range = 60"),
+      std::string::npos)
+      << draft.Text();
 }
 
 TEST(MissionDraft, TurnsWhatTheReaderRefusesIntoComments) {
