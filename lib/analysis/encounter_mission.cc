@@ -19,6 +19,9 @@ constexpr double kLeastUtil_m = 10;
 constexpr double kUtil_m = 30;
 constexpr double kCapture_m = 5;
 constexpr double kSlip_m = 15;
+constexpr double kStationInner_m = 4;
+constexpr double kStationOuter_m = 15;
+constexpr double kStationSpeedShare = 0.4;
 constexpr double kLength_m = 3;
 constexpr double kArrival_m = 15;
 constexpr double kClear_m = 60;  // Of encounters that must not be any.
@@ -55,11 +58,13 @@ class MissionText {
   std::string Write(const std::string& words) {
     text_ = fmt::format(
         "# {}{}.\n#\n# Made by `shoal encounters {}`; docs/encounters.md.\n\n"
-        "[mission]\nname = \"{}{}\"\ndescription = \"{}\"\nduration_s = {}\nseed = {}\n\n"
+        "[mission]\nname = \"{}{}\"\ndescription = \"{}\"\nduration_s = {}\nseed = {}\n{}\n"
         "[comms]\ncomms_range = \"nolimit\"\nstale_time = \"nolimit\"\n\n",
         scenario_.description, options_.others_hold ? ", the others hold course" : "", words,
         scenario_.name, options_.others_hold ? "_hold" : "", scenario_.description, Duration_s(),
-        options_.seed);
+        options_.seed,
+        options_.others_hold ? "collisions = \"allowed\"  # Of those that hold, with each other.\n"
+                             : "");
     text_ +=
         fmt::format("[template.vessel]\nlength_m = {}\nhelm_options = {{deploy_at_start = true}}\n",
                     Short(std::min(500.0, kLength_m * stretch_)));
@@ -99,8 +104,14 @@ class MissionText {
         "slip_radius = {}\n",
         Point(vessel.goal_m), Short(vessel.start.speed_mps), Length(kCapture_m), Length(kSlip_m));
     text_ += fmt::format(
+        "\n[[vehicle.behavior]]\nkind = \"station_keep\"\npwt = 100\n"
+        "condition = [\"ARRIVED = true\"]\nstation_pt = {}\ninner_radius = {}\nouter_radius = {}\n"
+        "outer_speed = {}\ntransit_speed = {}\n",
+        Point(vessel.goal_m), Length(kStationInner_m), Length(kStationOuter_m),
+        Short(options_.scale.speed_mps * kStationSpeedShare), Short(options_.scale.speed_mps));
+    text_ += fmt::format(
         "\n[[vehicle.behavior]]\nkind = \"colregs\"\ntemplating = \"spawn\"\npwt = 200\n"
-        "condition = [\"ARRIVED = false\"]\npwt_outer_dist = {}\npwt_inner_dist = {}\n"
+        "pwt_outer_dist = {}\npwt_inner_dist = {}\n"
         "completed_dist = {}\nmin_util_cpa_dist = {}\nmax_util_cpa_dist = {}\ntime_on_leg = {}\n",
         Length(kOuter_m), Length(kInner_m), Length(kCompleted_m), Length(kLeastUtil_m),
         Length(kUtil_m), Short(kHorizon_s * pace_));
