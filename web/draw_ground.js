@@ -69,7 +69,7 @@ function rgbOf(color) {
   return probe.getImageData(0, 0, 1, 1).data;
 }
 
-export function drawGround(ctx, camera, theme, {floor, area, surveys, layers}) {
+export function drawGround(ctx, camera, theme, {floor, area, surveys, obstacles, layers}) {
   ctx.fillStyle = theme.water;
   ctx.fillRect(0, 0, camera.width, camera.height);
   if (layers.contours && floor) {
@@ -80,6 +80,7 @@ export function drawGround(ctx, camera, theme, {floor, area, surveys, layers}) {
   if (!layers.area) return;
   drawArea(ctx, camera, theme, area);
   drawSurveys(ctx, camera, theme, surveys);
+  drawObstacles(ctx, camera, theme, obstacles);
 }
 
 function drawGrid(ctx, camera, theme) {
@@ -195,6 +196,30 @@ function drawArea(ctx, camera, theme, area) {
   ctx.setLineDash([10, 4, 2, 4]);
   ctx.stroke();
   ctx.setLineDash([]);
+}
+
+/** Filled, with their names beside them where there is room. */
+function drawObstacles(ctx, camera, theme, obstacles) {
+  ctx.setLineDash([]);
+  ctx.font = `12px ${kFont}`;
+  ctx.textAlign = 'left';
+  ctx.textBaseline = 'middle';
+  for (const {id, polygon} of obstacles) {
+    if (polygon.length < 3) continue;
+    ctx.beginPath();
+    camera.addLine(ctx, polygon, true);
+    ctx.globalAlpha = 0.45;
+    ctx.fillStyle = theme.muted;
+    ctx.fill();
+    ctx.globalAlpha = 1;
+    ctx.strokeStyle = theme.muted;
+    ctx.lineWidth = 1.5;
+    ctx.stroke();
+    const right = Math.max(...polygon.map(([x]) => camera.sx(x)));
+    const ys = polygon.map(([, y]) => camera.sy(y));
+    ctx.fillStyle = theme.muted;
+    ctx.fillText(id, right + 5, (Math.min(...ys) + Math.max(...ys)) / 2);
+  }
 }
 
 function drawSurveys(ctx, camera, theme, surveys) {

@@ -61,6 +61,7 @@ export class MapPainter {
   #world = null;
   #area = [];
   #surveys = [];
+  #obstacles = [];
   #coverage = [];
   #floor = null;
   #tasksOf = new Map();
@@ -81,6 +82,8 @@ export class MapPainter {
     this.#world = world;
     this.#area = placesOf(setup?.op_area);
     this.#surveys = surveysOf(setup);
+    this.#obstacles = arrayOr(setup?.obstacles).map(({id, polygon}) => (
+      {id: String(id), polygon: placesOf(polygon)}));
     this.#coverage = coverageOf(setup);
     this.#floor = setup?.floor ? new FloorPicture(setup.floor) : null;
     this.#tasksOf = new Map(
@@ -105,7 +108,8 @@ export class MapPainter {
     ctx.fillRect(0, 0, camera.width, camera.height);
     this.#show(this.#ground, ctx, view, '', nowMs, (to, wide) =>
       drawGround(to, wide, theme,
-                 {floor: this.#floor, area: this.#area, surveys: this.#surveys, layers}));
+                 {floor: this.#floor, area: this.#area, surveys: this.#surveys,
+                  obstacles: this.#obstacles, layers}));
     if (this.#world) {
       if (layers.area && this.#coverage.length > 0) this.#paintSwaths(ctx, view, shown, nowMs);
       if (layers.pulses) this.#paintPulses(ctx, view, t, nowMs);

@@ -27,6 +27,9 @@ export function placesToFit(setup, vehicles) {
     }
   }
   addPoints(setup?.op_area);
+  for (const obstacle of Array.isArray(setup?.obstacles) ? setup.obstacles : []) {
+    addPoints(obstacle?.polygon);
+  }
   if (!(box.left <= box.right)) return null;
   const extent_m = Math.max(box.right - box.left, box.top - box.bottom);
   const missing_m = Math.max(0, kLeastExtent_m - extent_m);

@@ -37,6 +37,10 @@ class HelmAndVessel {
               [this](const actuators_t& message) { actuators = message; });
     Subscribe(test_bus_, channels::Desired("alpha"),
               [this](const desired_t& message) { desired = message; });
+    Subscribe(test_bus_, channels::HelmDecision("alpha"),
+              [this](const helm_decision_t& message) { decisions.push_back(message); });
+    Subscribe(test_bus_, channels::NodeMessageLocal(),
+              [this](const node_message_t& message) { messages.push_back(message); });
     Subscribe(test_bus_, channels::HelmState("alpha"), [this](const helm_state_t& message) {
       state = message;
       states.push_back(message);
@@ -93,6 +97,14 @@ class HelmAndVessel {
   }
 
   StatusPage Page() const { return helm_.Status(); }
+  /// The events of all decisions so far.
+  std::vector<std::string> Events() const {
+    std::vector<std::string> events;
+    for (const helm_decision_t& decision : decisions) {
+      events.insert(events.end(), decision.events.begin(), decision.events.end());
+    }
+    return events;
+  }
   size_t NumWarnings() const { return Page().run_warnings.size(); }
 
   int64_t utime = 0;
@@ -103,6 +115,8 @@ class HelmAndVessel {
   std::optional<desired_t> desired;
   helm_state_t state{};
   std::vector<helm_state_t> states;
+  std::vector<helm_decision_t> decisions;
+  std::vector<node_message_t> messages;  ///< To other vehicles.
 
  private:
   Vehicle vehicle_;

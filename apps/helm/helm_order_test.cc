@@ -19,8 +19,9 @@ TEST(ReadOrder, KnowsEveryOrderByItsName) {
   for (int i = 0; i < kNumOrderKinds; ++i) {
     const auto kind = static_cast<OrderKind>(i);
     const size_t num_values = kind == OrderKind::kGoto ? 2 : kind == OrderKind::kSpeed ? 1 : 0;
-    const Result<HelmOrder> order = ReadOrder(Name(kind), kind == OrderKind::kTask ? "x" : "",
-                                              std::vector<double>(num_values, 3.0));
+    const char* argument = kind == OrderKind::kTask ? "x" : kind == OrderKind::kSet ? "X=1" : "";
+    const Result<HelmOrder> order =
+        ReadOrder(Name(kind), argument, std::vector<double>(num_values, 3.0));
     ASSERT_TRUE(order.ok()) << order.error();
     EXPECT_EQ(order->kind, kind);
   }
@@ -30,6 +31,15 @@ TEST(ReadOrder, TakesThePointTheSpeedAndTheTask) {
   EXPECT_EQ(ReadOrder("goto", "", std::vector{5.0, -7.0})->point_m, Eigen::Vector2d(5, -7));
   EXPECT_EQ(ReadOrder("speed", "", std::vector{2.5})->speed_mps, 2.5);
   EXPECT_EQ(ReadOrder("task", "survey", {})->task, "survey");
+}
+
+TEST(ReadOrder, TakesAVariableAndItsValue) {
+  EXPECT_EQ(ReadOrder("set", "RETURN = true", {})->setting,
+            (VariablePost{.variable = "RETURN", .value = std::string("true")}));
+  EXPECT_EQ(ReadOrderText("set=DEPTH=12.5")->setting,
+            (VariablePost{.variable = "DEPTH", .value = 12.5}));
+  EXPECT_FALSE(ReadOrder("set", "RETURN", {}).ok());
+  EXPECT_FALSE(ReadOrder("set", "RETURN = true [to] all", {}).ok());
 }
 
 TEST(ReadOrder, StatesWhatIsWrong) {

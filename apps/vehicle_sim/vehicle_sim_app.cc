@@ -68,6 +68,10 @@ VehicleSimApp::VehicleSimApp(const Mission& mission, const Vehicle& vehicle, Bus
             [this](const sim_command_t& command) { OnSimCommand(command); });
   if (!sonar_ && contact_rule_ == ContactRule::kIgnore) return;
   others_.emplace(mission, vehicle);
+  for (const Obstacle& obstacle : mission.obstacles) {
+    obstacles_m_.push_back(obstacle.polygon_m);
+    obstacle_ids_.push_back(obstacle.id);
+  }
   for (size_t i = 0; i < others_->names().size(); ++i) {
     Subscribe(bus, channels::Nav(others_->names()[i]),
               [this, i](const nav_t& nav) { others_->OnNav(i, nav); });
@@ -154,6 +158,11 @@ void VehicleSimApp::WatchContact(int64_t utime) {
   if (contact_rule_ == ContactRule::kIgnore || !touched_by_.empty()) return;
   // Both are looked at where they were in the step before, so that both see the same distance.
   touched_by_ = others_->Touching(craft_->position_m(), vehicle_.length_m);
+  const int obstacle =
+      TouchedObstacle(obstacles_m_, craft_->position_m().head<2>(), vehicle_.length_m);
+  if (touched_by_.empty() && obstacle >= 0) {
+    touched_by_ = "obstacle " + obstacle_ids_.at(static_cast<size_t>(obstacle));
+  }
   if (touched_by_.empty()) return;
   const std::string text = "ran into " + touched_by_ + ": it moves no more";
   log_.Warn(text);

@@ -23,6 +23,7 @@
 #include "lib/mission/mission.h"
 #include "lib/mission/ocean_of.h"
 #include "lib/run/app.h"
+#include "lib/vehicle/obstacle_watch.h"
 
 namespace shoal {
 
@@ -71,6 +72,8 @@ class VehicleSimApp : public App {
   const Vehicle vehicle_;
   const std::optional<NavInstruments> instruments_;
   std::optional<SonarUnit> sonar_;
+  std::vector<Polygon> obstacles_m_;  ///< Of the mission, and their names.
+  std::vector<std::string> obstacle_ids_;
   std::optional<OtherVehicles> others_;  ///< Absent: it has no sonar and runs into none.
   StatusLog log_;
   int64_t num_commands_ = 0;

@@ -68,6 +68,9 @@ void AddDistances(const VelocityLaw& law, std::vector<DistanceMark>* marks) {
 PlotSetting SettingOf(const Mission& mission) {
   PlotSetting setting{
       .title = mission.name, .seed = mission.seed, .start_utime = mission.start_utime};
+  for (const Obstacle& obstacle : mission.obstacles) {
+    AddArea(obstacle.polygon_m, &setting.obstacles);
+  }
   for (const Vehicle& vehicle : mission.vehicles) {
     PlannedVehicle planned{.name = vehicle.name, .color = vehicle.color};
     for (const Task& task : vehicle.tasks) {

@@ -45,7 +45,8 @@ struct PlotSetting {
   std::optional<uint64_t> seed = {};        ///< Absent: not known.
   std::optional<int64_t> start_utime = {};  ///< When the mission began; absent: not known.
   std::vector<PlannedVehicle> vehicles = {};
-  std::vector<Stroke> areas = {};  ///< Closed lines around what is surveyed, each once.
+  std::vector<Stroke> obstacles = {};  ///< Closed lines.
+  std::vector<Stroke> areas = {};      ///< Closed lines around what is surveyed, each once.
   std::vector<PlannedCoverage> coverage = {};
   std::vector<DistanceMark> distances = {};  ///< Without repetition, in order of distance.
   std::function<double(double x_m, double y_m)> floor_depth_m = {};  ///< May be empty.

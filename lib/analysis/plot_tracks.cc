@@ -93,6 +93,7 @@ class TracksFigure {
     legend_ = VehicleLegend(data_, colors_);
     for (size_t i = 0; i < data_.vehicles.size(); ++i) AddSwaths(i);
     AddAreas();
+    AddObstacles();
     for (size_t i = 0; i < data_.vehicles.size(); ++i) AddPlan(i);
     for (size_t i = 0; i < data_.vehicles.size(); ++i) AddTrack(i);
     for (size_t i = 0; i < data_.vehicles.size(); ++i) AddMarks(i);
@@ -135,6 +136,12 @@ class TracksFigure {
     if (setting_.areas.empty()) return;
     for (const Stroke& area : setting_.areas) bounds_.Include(area);
     Plot("areas", setting_.areas, fmt::format("lines lc rgb '{}' dt 3 lw 1.4", kGrey));
+  }
+
+  void AddObstacles() {
+    if (setting_.obstacles.empty()) return;
+    for (const Stroke& obstacle : setting_.obstacles) bounds_.Include(obstacle);
+    Plot("obstacles", setting_.obstacles, fmt::format("lines lc rgb '{}' lw 2.2", kGrey));
   }
 
   /// Where it was sent: by the mission, else by what its helm published.
@@ -220,6 +227,9 @@ class TracksFigure {
     if (has_marks_) {
       legend_.push_back({fmt::format("every {} s", data_.mark_interval_s),
                          fmt::format("points lc rgb '{}' pt 9 ps 0.9", kGrey)});
+    }
+    if (!setting_.obstacles.empty()) {
+      legend_.push_back({"obstacle", fmt::format("lines lc rgb '{}' lw 2.2", kGrey)});
     }
     if (!setting_.areas.empty()) {
       legend_.push_back({"area", fmt::format("lines lc rgb '{}' dt 3 lw 1.4", kGrey)});

@@ -57,8 +57,8 @@ TEST(AvoidObstacle, TurnsAwayFromWhatIsAhead) {
   TestMeeting meeting(kNorthbound, {});
   AvoidObstacleBehavior behavior(Options(SquareAt(1, 20)));
   const BehaviorAnswer answer = meeting.Run(behavior);
-  EXPECT_NEAR(Value(*answer.objective, 0, 20, 0), 0, 1e-9);
-  EXPECT_NEAR(Value(*answer.objective, 180, 20, 0), 100, 1e-9);
+  EXPECT_NEAR(ValueOf(*answer.objective, 0, 20, 0), 0, 1e-9);
+  EXPECT_NEAR(ValueOf(*answer.objective, 180, 20, 0), 100, 1e-9);
   EXPECT_GT(answer.relevance, 0.5);
   EXPECT_TRUE(behavior.is_constraint());
 }
@@ -77,10 +77,10 @@ TEST(AvoidObstacle, KeepsTheSideThatItHasBegunWith) {
   // Near enough that the side is locked: the obstacle is to starboard.
   const BehaviorAnswer answer = meeting.Run(behavior);
   EXPECT_GT(answer.relevance, 0.6);
-  EXPECT_EQ(Value(*answer.objective, 60, 20, 0), 0);
-  EXPECT_GT(Value(*answer.objective, 300, 20, 0), 90);
+  EXPECT_EQ(ValueOf(*answer.objective, 60, 20, 0), 0);
+  EXPECT_GT(ValueOf(*answer.objective, 300, 20, 0), 90);
   meeting.vessel.own.motion.heading_deg = 10;
-  EXPECT_EQ(Value(*meeting.Run(behavior).objective, 60, 20, 0), 0);
+  EXPECT_EQ(ValueOf(*meeting.Run(behavior).objective, 60, 20, 0), 0);
 }
 
 TEST(AvoidObstacle, StopsTheHelmInsideOrWarns) {
@@ -99,7 +99,7 @@ TEST(AvoidObstacle, FindsAWayOutFromCloseBy) {
   AvoidObstacleBehavior behavior(Options(SquareAt(0, 6)));
   const BehaviorAnswer answer = meeting.Run(behavior);
   EXPECT_EQ(answer.error, "");
-  EXPECT_GT(Value(*answer.objective, 180, 20, 0), 99);
+  EXPECT_GT(ValueOf(*answer.objective, 180, 20, 0), 99);
 }
 
 TEST(AvoidObstacle, StopsTheHelmWhereNoTurnKeepsClear) {

@@ -84,9 +84,9 @@ TEST(AvoidCollision, WidensTheDistanceToAContactByItsAge) {
   TestMeeting meeting(kNorthbound, Southbound(15, 80));
   AvoidCollisionBehavior behavior(
       {.contact = kBravo, .min_util_cpa_dist = 8, .max_util_cpa_dist = 12, .widen_per_s = 0.5});
-  EXPECT_NEAR(Value(*meeting.Run(behavior).objective, 0, 20, 0), 100, 1e-9);
+  EXPECT_NEAR(ValueOf(*meeting.Run(behavior).objective, 0, 20, 0), 100, 1e-9);
   meeting.contact().age_s = 20;
-  EXPECT_NEAR(Value(*meeting.Run(behavior).objective, 0, 20, 0), 0, 1e-9);
+  EXPECT_NEAR(ValueOf(*meeting.Run(behavior).objective, 0, 20, 0), 0, 1e-9);
 }
 
 TEST(AvoidCollision, IsTheMirrorImageInAMirror) {
@@ -96,7 +96,7 @@ TEST(AvoidCollision, IsTheMirrorImageInAMirror) {
   const Objective a = *meeting.Run(behavior).objective;
   const Objective b = *mirrored.Run(behavior).objective;
   for (int course = 0; course < 360; course += 5) {
-    EXPECT_NEAR(Value(a, course, 20, 0), Value(b, (360 - course) % 360, 20, 0), 1e-6) << course;
+    EXPECT_NEAR(ValueOf(a, course, 20, 0), ValueOf(b, (360 - course) % 360, 20, 0), 1e-6) << course;
   }
 }
 

@@ -190,9 +190,11 @@ at_s = 2
 TEST(LoadErrors, ReportUnknownKinds) {
   EXPECT_EQ(ErrorsAfter("[[vehicle.task]]\nkind = \"waypoint\"\nanything = 1\n"),
             "6:8: unknown kind 'waypoint' (did you mean 'waypoints'?)\n");
-  EXPECT_EQ(ErrorsAfter("[[expect]]\nkind = \"glory\"\n"),
-            "6:8: unknown kind 'glory'; one of: arrival, separation, reports, helm, laps, track, "
-            "distance, altitude, swarm, coverage, messages, acks, packets\n");
+  EXPECT_EQ(
+      ErrorsAfter("[[expect]]\nkind = \"glory\"\n"),
+      "6:8: unknown kind 'glory'; one of: arrival, separation, reports, helm, laps, track, "
+      "distance, altitude, swarm, closest_approach, encounter_score, coverage, messages, acks, "
+      "packets\n");
   EXPECT_EQ(ErrorsAfter("[[expect]]\n"),
             "5:1: expect lacks 'kind'; for example: kind = \"arrival\"\n");
 }

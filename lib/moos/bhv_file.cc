@@ -60,12 +60,17 @@ class BhvParser {
   static MoosLine Split(const PluggedLine& line) {
     const std::string_view text = line.text;
     const size_t equals = text.find('=');
-    const std::string_view value = equals == text.npos ? "" : text.substr(equals + 1);
+    if (equals == text.npos) {
+      return {
+          .number = line.number, .origin = line.origin, .text = line.text, .key = "", .value = ""};
+    }
+    const std::string key(Trimmed(text.substr(0, equals)));
+    const std::string value(Trimmed(text.substr(equals + 1)));
     return {.number = line.number,
             .origin = line.origin,
-            .text = line.text,
-            .key = std::string(equals == text.npos ? "" : Trimmed(text.substr(0, equals))),
-            .value = std::string(Trimmed(value))};
+            .text = key + " = " + value,
+            .key = key,
+            .value = value};
   }
 
   void Odd(const PluggedLine& line, std::string reason, bool is_loss = true) {

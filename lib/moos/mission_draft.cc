@@ -57,8 +57,8 @@ void MissionDraft::Set(std::string_view table, DraftLine line) {
   for (DraftLine& earlier : lines) {
     if (earlier.key != line.key) continue;
     if (earlier.value == line.value) {
-      if (!line.origin.empty())
-        earlier.origin += (earlier.origin.empty() ? "" : ", ") + line.origin;
+      const bool is_named = earlier.origin.ends_with(line.origin);
+      if (!is_named) earlier.origin += (earlier.origin.empty() ? "" : ", ") + line.origin;
       return;
     }
     earlier.key.clear();
@@ -70,6 +70,7 @@ void MissionDraft::Set(std::string_view table, DraftLine line) {
 
 void MissionDraft::Remark(std::string_view table, std::string origin, std::string text,
                           std::string reason) {
+  if (!remarks_.insert({std::string(table), origin, text, reason}).second) return;
   tables_[IndexOf(table)].lines.push_back({.key = "",
                                            .value = "",
                                            .origin = std::move(origin),

@@ -11,10 +11,12 @@
 // into a comment with the reader's own reason, so that ranges and keys stand in one place.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -47,7 +49,7 @@ class MissionDraft {
   /// beside this.
   void Set(std::string_view table, DraftLine line);
 
-  /// Adds the comment "# ORIGIN: TEXT: REASON"; empty parts are left out.
+  /// Adds the comment "# ORIGIN: TEXT: REASON", once; empty parts are left out.
   void Remark(std::string_view table, std::string origin, std::string text, std::string reason);
 
   /// Adds a line as it is: a comment where it has no key.
@@ -82,6 +84,7 @@ class MissionDraft {
 
   std::string preamble_;
   std::vector<DraftTable> tables_;
+  std::set<std::array<std::string, 4>> remarks_;      ///< Table, origin, text, reason.
   std::map<std::string, size_t, std::less<>> index_;  ///< Of tables_, by id.
 };
 

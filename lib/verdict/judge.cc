@@ -33,6 +33,12 @@ std::vector<std::string> NamesOf(const Mission& mission) {
   return names;
 }
 
+std::vector<Polygon> PolygonsOfObstacles(const Mission& mission) {
+  std::vector<Polygon> polygons_m;
+  for (const Obstacle& obstacle : mission.obstacles) polygons_m.push_back(obstacle.polygon_m);
+  return polygons_m;
+}
+
 std::vector<double> LengthsOf(const Mission& mission) {
   std::vector<double> lengths_m;
   for (const Vehicle& vehicle : mission.vehicles) lengths_m.push_back(vehicle.length_m);
@@ -114,6 +120,7 @@ Judge::Judge(const Mission& mission)
       has_left_park_(mission.vehicles.size()),
       positions_m_(mission.vehicles.size(), Eigen::Vector3d::Zero()),
       collision_watch_(LengthsOf(mission)),
+      obstacle_watch_(LengthsOf(mission), PolygonsOfObstacles(mission)),
       motions_(mission.vehicles.size()),
       motion_s_(mission.vehicles.size(), -1),
       has_new_motion_(mission.vehicles.size()) {
@@ -217,6 +224,16 @@ void Judge::WatchCollisions(double time_s) {
   for (const Collision& collision : collision_watch_.Look(moved_now_, positions_m_)) {
     ++num_collisions_;
     if (collisions_.size() < kMaxCollisions) collisions_.push_back({collision, time_s});
+  }
+  for (const ObstacleHit& hit : obstacle_watch_.Look(moved_now_, positions_m_)) {
+    ++num_collisions_;
+    if (collisions_.size() >= kMaxCollisions) continue;
+    collisions_.push_back({.collision = {.first = hit.vehicle,
+                                         .second = hit.obstacle,
+                                         .range_m = hit.distance_m,
+                                         .allowed_m = hit.allowed_m},
+                           .time_s = time_s,
+                           .is_obstacle = true});
   }
   moved_now_.clear();
 }

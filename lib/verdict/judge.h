@@ -22,6 +22,7 @@
 #include "lib/encounters/encounter_watch.h"
 #include "lib/mission/mission.h"
 #include "lib/vehicle/collision_watch.h"
+#include "lib/vehicle/obstacle_watch.h"
 #include "lib/verdict/arrival_watch.h"
 #include "lib/verdict/coverage_watch.h"
 #include "lib/verdict/extreme_watch.h"
@@ -54,10 +55,11 @@ struct SwarmShares {
   int64_t rejected = 0;
 };
 
-/// Two vehicles that touched, and when.
+/// Two vehicles that touched, or one and an obstacle, and when.
 struct CollisionFact {
-  Collision collision;  ///< Vehicles by their places in the mission.
-  double time_s = 0;    ///< Mission time since the start.
+  Collision collision;       ///< Vehicles by their places in the mission.
+  double time_s = 0;         ///< Mission time since the start.
+  bool is_obstacle = false;  ///< collision.second is the place of an obstacle.
 };
 
 class Judge {
@@ -159,6 +161,7 @@ class Judge {
   std::vector<Eigen::Vector3d> positions_m_;  ///< As sightings_ has them.
   std::vector<uint32_t> moved_now_;           ///< Vehicles whose position came in this step.
   CollisionWatch collision_watch_;
+  ObstacleWatch obstacle_watch_;
   std::vector<CollisionFact> collisions_;
   int64_t num_collisions_ = 0;
   SeparationWatch separation_;

@@ -7,6 +7,8 @@
 #include <optional>
 #include <string>
 
+#include "lib/verdict/summary.h"
+
 namespace shoal::judge_test {
 
 constexpr int64_t kStart = 5'000'000;
@@ -317,6 +319,22 @@ TEST_F(JudgeTest, FailsAMissionWithACollisionUnlessItAllowsThem) {
   EXPECT_FALSE(judge.Passed());
   mission_.collisions = CollisionVerdict::kAllowed;
   EXPECT_TRUE(judge.Passed());
+}
+
+TEST_F(JudgeTest, FailsAMissionWhereAVehicleHitsAnObstacle) {
+  mission_.obstacles = {{"rock", {{10, -5}, {20, -5}, {20, 5}, {10, 5}}}};
+  Judge& judge = For(SeparationExpectation{.min_m = 0});
+  judge.TakeNav(0, {0, 0, 0});
+  judge.EndStep(At(1));
+  EXPECT_TRUE(judge.Passed());
+  judge.TakeNav(0, {9, 0, 0});
+  judge.EndStep(At(2));
+  ASSERT_EQ(judge.num_collisions(), 1);
+  EXPECT_TRUE(judge.collisions().at(0).is_obstacle);
+  EXPECT_FALSE(judge.Passed());
+  EXPECT_NE(Summarize(mission_, judge).find("and obstacle rock at 2.0 s: 1.00 m, less than 1.50 m"),
+            std::string::npos)
+      << Summarize(mission_, judge);
 }
 
 TEST_F(JudgeTest, ComparesPositionsOfOneStepOnly) {

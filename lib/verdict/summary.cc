@@ -98,11 +98,12 @@ std::string CollisionList(const Mission& mission, const Judge& judge) {
                                 : "the mission fails, unless [mission] collisions = \"allowed\"");
   const size_t num_rows = std::min(judge.collisions().size(), kMaxCollisionRows);
   for (size_t i = 0; i < num_rows; ++i) {
-    const auto& [collision, time_s] = judge.collisions()[i];
-    text +=
-        fmt::format("    {} and {} at {:.1f} s: {:.2f} m, less than {:.2f} m\n",
-                    mission.vehicles[collision.first].name, mission.vehicles[collision.second].name,
-                    time_s, collision.range_m, collision.allowed_m);
+    const auto& [collision, time_s, is_obstacle] = judge.collisions()[i];
+    const std::string second = is_obstacle ? "obstacle " + mission.obstacles[collision.second].id
+                                           : mission.vehicles[collision.second].name;
+    text += fmt::format("    {} and {} at {:.1f} s: {:.2f} m, less than {:.2f} m\n",
+                        mission.vehicles[collision.first].name, second, time_s, collision.range_m,
+                        collision.allowed_m);
   }
   const int64_t num_more = judge.num_collisions() - static_cast<int64_t>(num_rows);
   if (num_more > 0) text += fmt::format("    (and {} more)\n", num_more);

@@ -135,6 +135,9 @@ Eigen::AlignedBox2d AreaOf(const Mission& mission) {
     if (point_m.allFinite()) area_m.extend(point_m);
   };
   for (const Eigen::Vector2d& corner_m : mission.op_area_m) add(corner_m);
+  for (const Obstacle& obstacle : mission.obstacles) {
+    for (const Eigen::Vector2d& corner_m : obstacle.polygon_m) add(corner_m);
+  }
   for (const Vehicle& vehicle : mission.vehicles) {
     add({vehicle.start.x_m, vehicle.start.y_m});
     add(vehicle.return_task.point_m);
@@ -176,7 +179,13 @@ std::string SetupJson(const Mission& mission, const SetupFacts& facts,
       .EndObject()
       .Key("op_area");
   WritePoints(mission.op_area_m, &json);
-  json.Key("vehicles").BeginArray();
+  json.Key("obstacles").BeginArray();
+  for (const Obstacle& obstacle : mission.obstacles) {
+    json.BeginObject().Text("id", obstacle.id).Key("polygon");
+    WritePoints(obstacle.polygon_m, &json);
+    json.EndObject();
+  }
+  json.EndArray().Key("vehicles").BeginArray();
   for (const Vehicle& vehicle : mission.vehicles) {
     WriteVehicle(mission, vehicle, facts.knows_models, &json);
   }

@@ -18,6 +18,7 @@ Mission SurveyMission() {
   mission.file = "missions/survey.toml";
   mission.seed = 18'446'744'073'709'551'615U;
   mission.op_area_m = {{0, 0}, {400, 0}, {400, -300}};
+  mission.obstacles = {{"rock", {{40, -10}, {60, -10}, {60, 10}}}};
   mission.swarm.exists = true;
   mission.swarm.leader = "bravo";
   Vehicle& alpha = mission.vehicles[0];
@@ -83,6 +84,8 @@ TEST(SetupJson, ShowsTheMission) {
   EXPECT_EQ(setup["end_s"], 599.5);
   EXPECT_EQ(setup["origin"], (json{{"lat_deg", 43.8253}, {"lon_deg", -70.3304}}));
   EXPECT_EQ(setup["op_area"], json::parse("[[0,0],[400,0],[400,-300]]"));
+  EXPECT_EQ(setup["obstacles"],
+            json::parse(R"([{"id":"rock","polygon":[[40,-10],[60,-10],[60,10]]}])"));
   EXPECT_TRUE(setup["floor"].is_null());
   EXPECT_EQ(setup["notes"], json{"a note"});
 }

@@ -69,6 +69,15 @@ TEST(Reproducibility, HoldsForASwarmThatCommunicates) {
               RunLog(folder, mission, {"--set", shorter}));
 }
 
+TEST(Reproducibility, HoldsForHelmsThatWeighBehaviors) {
+  const TestFolder folder;
+  const std::string mission = MissionFile("encounters/imazu_16.toml");
+  const std::string lossy = "comms.drop_percentage=30";
+  const std::string reference = SimLog(folder, mission, {"--set", lossy});
+  EXPECT_NE(reference.find("HELM_DECISION_OWN"), std::string::npos);
+  EXPECT_TRUE(reference == RunLog(folder, mission, {"--set", lossy, "--layout", "communities"}));
+}
+
 TEST(Reproducibility, HoldsWhenTheBusLosesDatagrams) {
   const TestFolder folder;
   const std::string mission = MissionFile("alpha.toml");

@@ -1,0 +1,268 @@
+// A whole helm with behaviors: what it decides, publishes and takes from others.
+#include "apps/helm/arbiter.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "apps/helm/fake_vessel.h"
+
+namespace shoal::arbiter_test {
+
+BehaviorOptions AvoidEveryone() {
+  AvoidCollisionOptions avoid;
+  avoid.pwt_outer_dist = 80;
+  avoid.pwt_inner_dist = 20;
+  avoid.completed_dist = 100;
+  avoid.min_util_cpa_dist = 8;
+  avoid.max_util_cpa_dist = 25;
+  return {.name = "avd_", .pwt = 200, .templating = Templating::kSpawn, .what = AnyBehavior(avoid)};
+}
+
+BehaviorOptions GoTo(const char* name, const Eigen::Vector2d& point_m) {
+  WaypointOptions waypoint;
+  waypoint.points = {point_m};
+  waypoint.speed = 2;
+  return {.name = name, .what = AnyBehavior(waypoint)};
+}
+
+/// alpha at the origin, on its way north at 2 m/s.
+Vehicle Northbound() {
+  Vehicle vehicle;
+  vehicle.name = "alpha";
+  vehicle.helm_options.deploy_at_start = true;
+  vehicle.tasks = {
+      {.name = "north", .what = WaypointsTask{.points_m = {{0, 1000}}, .speed_mps = 2}}};
+  return vehicle;
+}
+
+node_report_t Report(const std::string& name, int64_t utime, double x_m, double y_m,
+                     double heading_deg) {
+  node_report_t report{};
+  report.utime = utime;
+  report.name = name;
+  report.x_m = x_m;
+  report.y_m = y_m;
+  report.heading_deg = heading_deg;
+  report.speed_mps = 2;
+  return report;
+}
+
+bool Mentions(const std::vector<std::string>& lines, const std::string& words) {
+  return std::any_of(lines.begin(), lines.end(),
+                     [&](const std::string& line) { return line.find(words) != line.npos; });
+}
+
+TEST(Arbiter, LetsATaskAloneSteerToTheLastBit) {
+  Vehicle with_behaviors = Northbound();
+  with_behaviors.behaviors = {AvoidEveryone()};
+  HelmAndVessel plain(Northbound());
+  HelmAndVessel weighed(with_behaviors);
+  for (int i = 0; i < 300; ++i) {
+    plain.Step();
+    weighed.Step();
+    ASSERT_EQ(plain.actuators->rudder_deg, weighed.actuators->rudder_deg) << "in step " << i;
+    ASSERT_EQ(plain.actuators->thrust_pct, weighed.actuators->thrust_pct) << "in step " << i;
+  }
+  EXPECT_EQ(plain.state.waypoint_y_m, weighed.state.waypoint_y_m);
+  EXPECT_TRUE(weighed.decisions.empty());
+}
+
+TEST(Arbiter, TurnsAsideForAVesselThatItReceivesReportsOfAndPublishesWhy) {
+  Vehicle vehicle = Northbound();
+  vehicle.behaviors = {AvoidEveryone()};
+  HelmAndVessel loop(vehicle);
+  double nearest_m = 1000;
+  for (int i = 0; i < 600; ++i) {
+    const double y_m = 140 - 0.2 * i;
+    if (i % 5 == 0) loop.SayReport(Report("bravo", loop.utime, 2, y_m, 180));
+    loop.Step();
+    nearest_m = std::min(nearest_m, (loop.vessel.position_m - Eigen::Vector2d(2, y_m)).norm());
+  }
+  EXPECT_GT(nearest_m, 8);
+  ASSERT_FALSE(loop.decisions.empty());
+  bool names_bravo = false;
+  for (const helm_decision_t& decision : loop.decisions) {
+    for (const helm_aim_t& aim : decision.aims) {
+      if (aim.contact != "bravo" || aim.weight <= 0) continue;
+      names_bravo = true;
+      EXPECT_EQ(aim.name, "avd_bravo");
+      EXPECT_EQ(aim.kind, "avoid_collision");
+      EXPECT_LT(aim.age_s, 1);
+    }
+  }
+  EXPECT_TRUE(names_bravo);
+  EXPECT_TRUE(Mentions(loop.Events(), "spawn"));
+}
+
+TEST(Arbiter, DoesNotAvoidWhatItReceivesNoReportOf) {
+  Vehicle vehicle = Northbound();
+  vehicle.behaviors = {AvoidEveryone()};
+  HelmAndVessel loop(vehicle);
+  loop.Run(60);
+  EXPECT_LT(std::abs(loop.vessel.position_m.x()), 0.01);
+}
+
+TEST(Arbiter, WarnsOfReportsWithImpossibleNumbersAndUnderItsOwnNameAndDrivesOn) {
+  Vehicle vehicle = Northbound();
+  vehicle.behaviors = {AvoidEveryone()};
+  HelmAndVessel loop(vehicle);
+  loop.Run(20);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (int i = 0; i < 100; ++i) {
+    node_report_t bad = Report("bravo", loop.utime, 0, loop.vessel.position_m.y() + 20, 180);
+    bad.heading_deg = nan;
+    loop.SayReport(bad);
+    loop.SayReport(Report("alpha", loop.utime, 0, loop.vessel.position_m.y() + 20, 180));
+    loop.Step();
+  }
+  EXPECT_LT(std::abs(loop.vessel.position_m.x()), 0.01);
+  EXPECT_GT(loop.vessel.position_m.y(), 50);
+  EXPECT_TRUE(Mentions(loop.Page().run_warnings, "contact bravo: "));
+  EXPECT_TRUE(Mentions(loop.Page().run_warnings, "contact alpha: "));
+}
+
+TEST(Arbiter, WarnsOfAContactThatJumpsAndGoesByItsNewPlace) {
+  Vehicle vehicle = Northbound();
+  vehicle.behaviors = {AvoidEveryone()};
+  HelmAndVessel loop(vehicle);
+  for (int i = 0; i < 300; ++i) {
+    const double y_m = i < 100 ? 900 : loop.vessel.position_m.y() + 15;
+    if (i % 5 == 0) loop.SayReport(Report("bravo", loop.utime, 0, y_m, 180));
+    loop.Step();
+  }
+  EXPECT_TRUE(Mentions(loop.Page().run_warnings, "contact bravo: "));
+  EXPECT_GT(std::abs(loop.vessel.position_m.x()), 5);
+}
+
+TEST(Arbiter, TakesVariablesFromOrdersAndNodeMessages) {
+  Vehicle vehicle = Northbound();
+  vehicle.tasks.clear();
+  vehicle.variables = {{"GO", std::string("no")}};
+  BehaviorOptions east = GoTo("east", {1000, 0});
+  east.condition = {"GO = east"};
+  BehaviorOptions west = GoTo("west", {-1000, 0});
+  west.condition = {"GO = west"};
+  vehicle.behaviors = {east, west};
+  HelmAndVessel loop(vehicle);
+  loop.Run(2);
+  EXPECT_EQ(loop.state.all_stop, "NothingToDo");
+  EXPECT_EQ(loop.actuators->thrust_pct, 0);
+
+  loop.Command("set", {}, "GO = east");
+  loop.Run(10);
+  EXPECT_EQ(loop.state.state, "DRIVE");
+  EXPECT_EQ(loop.state.task, "east");
+  EXPECT_EQ(loop.state.task_kind, "waypoint");
+  EXPECT_EQ(loop.state.all_stop, "clear");
+  EXPECT_NEAR(loop.desired->heading_deg, 90, 1);
+
+  node_message_t message{};
+  message.src_node = "bravo";
+  message.var_name = "GO";
+  message.string_val = "west";
+  loop.PublishMessage(message);
+  loop.Run(10);
+  EXPECT_EQ(loop.state.task, "west");
+  EXPECT_NEAR(loop.desired->heading_deg, 270, 3);
+}
+
+TEST(Arbiter, RefusesASettingWithoutAValueOrForAHelmWithoutBehaviors) {
+  Vehicle vehicle = Northbound();
+  HelmAndVessel plain(vehicle);
+  plain.Command("set", {}, "GO = east");
+  plain.Run(0.3);
+  EXPECT_TRUE(Mentions(plain.Page().run_warnings, "the vehicle has no behaviors"));
+  vehicle.behaviors = {AvoidEveryone()};
+  HelmAndVessel weighed(vehicle);
+  weighed.Command("set", {}, "GO");
+  weighed.Run(0.3);
+  EXPECT_TRUE(Mentions(weighed.Page().run_warnings, "HELM_COMMAND refused: set"));
+}
+
+TEST(Arbiter, SetsTheVariablesThatStandForOrders) {
+  Vehicle vehicle = Northbound();
+  vehicle.helm_options.deploy_at_start = false;
+  vehicle.tasks.clear();
+  vehicle.variables = {{"DEPLOY", std::string("false")}, {"RETURN", std::string("false")}};
+  BehaviorOptions out = GoTo("out", {1000, 0});
+  out.condition = {"DEPLOY = true", "RETURN = false"};
+  BehaviorOptions home = GoTo("home", {-1000, 0});
+  home.condition = {"RETURN = true"};
+  vehicle.behaviors = {out, home};
+  HelmAndVessel loop(vehicle);
+  loop.Run(1);
+  EXPECT_EQ(loop.state.state, "PARK");
+  loop.Command("deploy");
+  loop.Run(5);
+  EXPECT_EQ(loop.state.task, "out");
+  loop.Command("return");
+  loop.Run(5);
+  EXPECT_EQ(loop.state.task, "home");
+  loop.Command("deploy");
+  loop.Run(5);
+  EXPECT_EQ(loop.state.task, "out");
+}
+
+TEST(Arbiter, LetsGoalsRestWhileAnOrderSteers) {
+  Vehicle vehicle = Northbound();
+  vehicle.tasks.clear();
+  vehicle.behaviors = {GoTo("east", {1000, 0}), AvoidEveryone()};
+  HelmAndVessel loop(vehicle);
+  loop.Run(20);
+  EXPECT_EQ(loop.state.task, "east");
+  loop.Command("goto", {loop.vessel.position_m.x(), -500});
+  loop.Run(20);
+  EXPECT_EQ(loop.state.task, "goto");
+  EXPECT_NEAR(loop.desired->heading_deg, 180, 5);
+  loop.Command("deploy");
+  loop.Run(20);
+  EXPECT_EQ(loop.state.task, "east");
+}
+
+TEST(Arbiter, SendsFlagsWithADestinationAsNodeMessages) {
+  Vehicle vehicle = Northbound();
+  BehaviorOptions here = GoTo("here", {0, 5});
+  here.flags.endflag = {"DONE = true [to] all", "RANGE = 12.5 [to] group:scouts"};
+  vehicle.behaviors = {here};
+  HelmAndVessel loop(vehicle);
+  loop.Run(20);
+  ASSERT_EQ(loop.messages.size(), 2U);
+  EXPECT_EQ(loop.messages[0].src_node, "alpha");
+  EXPECT_EQ(loop.messages[0].dest_node, "all");
+  EXPECT_EQ(loop.messages[0].var_name, "DONE");
+  EXPECT_EQ(loop.messages[0].string_val, "true");
+  EXPECT_EQ(loop.messages[1].dest_group, "scouts");
+  EXPECT_EQ(loop.messages[1].is_double, 1);
+  EXPECT_EQ(loop.messages[1].double_val, 12.5);
+}
+
+TEST(Arbiter, IsSilentWhileParkedAndShowsItsBehaviorsOnThePage) {
+  Vehicle vehicle = Northbound();
+  vehicle.helm_options.deploy_at_start = false;
+  vehicle.behaviors = {GoTo("east", {1000, 0})};
+  HelmAndVessel loop(vehicle);
+  loop.Run(5);
+  EXPECT_TRUE(loop.decisions.empty());
+  loop.Command("deploy");
+  loop.Run(5);
+  EXPECT_FALSE(loop.decisions.empty());
+  EXPECT_NE(loop.Page().text.find("east "), std::string::npos);
+  EXPECT_NE(loop.Page().text.find("Decided: course"), std::string::npos);
+}
+
+TEST(Arbiter, PublishesADecisionThatDoesNotChangeOncePerSecond) {
+  Vehicle vehicle = Northbound();
+  vehicle.behaviors = {GoTo("far", {0, 100'000})};
+  HelmAndVessel loop(vehicle);
+  loop.Run(30);
+  const size_t before = loop.decisions.size();
+  loop.Run(10);
+  EXPECT_GE(loop.decisions.size() - before, 9U);
+  EXPECT_LE(loop.decisions.size() - before, 11U);
+}
+
+}  // namespace shoal::arbiter_test
