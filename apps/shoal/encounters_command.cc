@@ -42,27 +42,33 @@ struct TrialNumbers {
   double closest_m = std::numeric_limits<double>::infinity();
   double lowest_score = 100;
   double sum_of_scores = 0;
+  int64_t num_scores = 0;
   bool passed = false;
 };
 
-TrialNumbers RunTrial(const Mission& mission) {
+/// `only_first`: only what the first vessel was part of counts, and its own score.
+TrialNumbers RunTrial(const Mission& mission, bool only_first) {
   Simulation simulation(mission, "");
   while (simulation.Step()) {
   }
   simulation.End();
   TrialNumbers numbers;
   const Judge& judge = simulation.director().judge();
-  numbers.num_collisions = judge.num_collisions();
+  for (const CollisionFact& each : judge.collisions()) {
+    if (!only_first || each.collision.first == 0) ++numbers.num_collisions;
+  }
   numbers.passed = simulation.Passed();
   const EncounterWatch* watch = judge.encounter_watch();
   if (watch == nullptr) return numbers;
   for (const Encounter& encounter : watch->Encounters()) {
+    if (only_first && encounter.sides[0].vessel != 0) continue;
     ++numbers.num_encounters;
     numbers.closest_m = std::min(numbers.closest_m, encounter.closest_m);
-    for (size_t i = 0; i < 2; ++i) {
+    for (size_t i = 0; i < (only_first ? 1 : 2); ++i) {
       const double score = ScoreOf(encounter, i, watch->options()).overall;
       numbers.lowest_score = std::min(numbers.lowest_score, score);
-      numbers.sum_of_scores += score / 2;
+      numbers.sum_of_scores += score;
+      ++numbers.num_scores;
     }
   }
   return numbers;
@@ -171,19 +177,19 @@ int RunEncounterTrials(const EncounterTrialsOptions& options, std::ostream& out,
         for (const std::string& error : loaded.errors) err << error << '\n';
         return kExitUsage;
       }
-      const TrialNumbers numbers = RunTrial(loaded.mission);
+      const TrialNumbers numbers = RunTrial(loaded.mission, choice.mission.others_hold);
       ++num_trials;
       if (numbers.passed) ++num_passed;
       const bool has_encounter = numbers.num_encounters > 0;
-      out << fmt::format(
-          "{},{},{},{},{},{},{},{},{:d}\n", scenario.name, seed, scenario.vessels.size(),
-          numbers.num_collisions, numbers.num_encounters,
-          has_encounter ? fmt::format("{:.3f}", numbers.closest_m) : "",
-          has_encounter ? fmt::format("{:.2f}", numbers.lowest_score) : "",
-          has_encounter ? fmt::format("{:.2f}", numbers.sum_of_scores /
-                                                    static_cast<double>(numbers.num_encounters))
-                        : "",
-          numbers.passed);
+      out << fmt::format("{},{},{},{},{},{},{},{},{:d}\n", scenario.name, seed,
+                         scenario.vessels.size(), numbers.num_collisions, numbers.num_encounters,
+                         has_encounter ? fmt::format("{:.3f}", numbers.closest_m) : "",
+                         has_encounter ? fmt::format("{:.2f}", numbers.lowest_score) : "",
+                         has_encounter
+                             ? fmt::format("{:.2f}", numbers.sum_of_scores /
+                                                         static_cast<double>(numbers.num_scores))
+                             : "",
+                         numbers.passed);
       if (numbers.num_collisions == 0) continue;
       ++num_with_collision;
       constexpr int64_t kMostNamed = 20;

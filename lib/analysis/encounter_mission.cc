@@ -17,11 +17,9 @@ constexpr double kInner_m = 75;
 constexpr double kCompleted_m = 165;
 constexpr double kLeastUtil_m = 10;
 constexpr double kUtil_m = 30;
-constexpr double kCapture_m = 5;
-constexpr double kSlip_m = 15;
 constexpr double kLength_m = 3;
-constexpr double kArrival_m = 15;
-constexpr double kClear_m = 60;  // Of encounters that must not be any.
+constexpr double kArrival_m = 150;  // It may have kept clear by a detour, not run away.
+constexpr double kClear_m = 60;     // Of encounters that must not be any.
 constexpr double kLeastApproach_m = 5;
 constexpr double kLeastApproachOfTwo_m = 10;
 constexpr double kLeastScore = 30;
@@ -29,6 +27,9 @@ constexpr double kLeastScoreOfTwo = 60;
 constexpr double kHorizon_s = 120;
 /// A vessel that keeps clear takes longer than one that goes straight.
 constexpr double kDurationFactor = 2.5;
+/// Vessels steer for a point beyond their goal, this share of the way from the start farther, so
+/// that none lies still before the mission ends.
+constexpr double kBeyond = 0.4;
 /// The speed up to which the surface craft's own thrust map reaches with room to spare.
 constexpr double kDefaultTopSpeed_mps = 4;
 
@@ -44,6 +45,10 @@ std::string Point(const Eigen::Vector2d& point_m) {
   return fmt::format("[{}, {}]", Short(point_m.x()), Short(point_m.y()));
 }
 
+Eigen::Vector2d FarGoal_m(const ScenarioVessel& vessel) {
+  return vessel.goal_m + kBeyond * (vessel.goal_m - vessel.start.position_m);
+}
+
 class MissionText {
  public:
   MissionText(const EncounterScenario& scenario, const EncounterMissionOptions& options)
@@ -55,11 +60,13 @@ class MissionText {
   std::string Write(const std::string& words) {
     text_ = fmt::format(
         "# {}{}.\n#\n# Made by `shoal encounters {}`; docs/encounters.md.\n\n"
-        "[mission]\nname = \"{}{}\"\ndescription = \"{}\"\nduration_s = {}\nseed = {}\n\n"
+        "[mission]\nname = \"{}{}\"\ndescription = \"{}\"\nduration_s = {}\nseed = {}\n{}\n"
         "[comms]\ncomms_range = \"nolimit\"\nstale_time = \"nolimit\"\n\n",
         scenario_.description, options_.others_hold ? ", the others hold course" : "", words,
         scenario_.name, options_.others_hold ? "_hold" : "", scenario_.description, Duration_s(),
-        options_.seed);
+        options_.seed,
+        options_.others_hold ? "collisions = \"allowed\"  # Of those that hold, with each other.\n"
+                             : "");
     text_ +=
         fmt::format("[template.vessel]\nlength_m = {}\nhelm_options = {{deploy_at_start = true}}\n",
                     Short(std::min(500.0, kLength_m * stretch_)));
@@ -87,20 +94,17 @@ class MissionText {
     if (Holds(number)) {
       text_ +=
           fmt::format("\n[[vehicle.task]]\nkind = \"waypoints\"\npoints = [{}]\nspeed_mps = {}\n",
-                      Point(vessel.goal_m), Short(vessel.start.speed_mps));
+                      Point(FarGoal_m(vessel)), Short(vessel.start.speed_mps));
       return;
     }
-    text_ += fmt::format("domain = {{speed = [0, {}, 41]}}\nvariables = {{ARRIVED = \"false\"}}\n",
-                         Short(options_.scale.speed_mps * 4 / 3));
+    text_ +=
+        fmt::format("domain = {{speed = [0, {}, 41]}}\n", Short(options_.scale.speed_mps * 4 / 3));
     text_ += fmt::format(
-        "\n[[vehicle.behavior]]\nkind = \"waypoint\"\npwt = 100\ncondition = [\"ARRIVED = "
-        "false\"]\n"
-        "endflag = [\"ARRIVED = true\"]\npoints = [{}]\nspeed = {}\ncapture_radius = {}\n"
-        "slip_radius = {}\n",
-        Point(vessel.goal_m), Short(vessel.start.speed_mps), Length(kCapture_m), Length(kSlip_m));
+        "\n[[vehicle.behavior]]\nkind = \"waypoint\"\npwt = 100\npoints = [{}]\nspeed = {}\n",
+        Point(FarGoal_m(vessel)), Short(vessel.start.speed_mps));
     text_ += fmt::format(
         "\n[[vehicle.behavior]]\nkind = \"colregs\"\ntemplating = \"spawn\"\npwt = 200\n"
-        "condition = [\"ARRIVED = false\"]\npwt_outer_dist = {}\npwt_inner_dist = {}\n"
+        "pwt_outer_dist = {}\npwt_inner_dist = {}\n"
         "completed_dist = {}\nmin_util_cpa_dist = {}\nmax_util_cpa_dist = {}\ntime_on_leg = {}\n",
         Length(kOuter_m), Length(kInner_m), Length(kCompleted_m), Length(kLeastUtil_m),
         Length(kUtil_m), Short(kHorizon_s * pace_));

@@ -18,9 +18,9 @@ struct EncounterMissionOptions {
   bool operator==(const EncounterMissionOptions&) const = default;
 };
 
-/// Returns the mission file of an encounter: each vessel has a waypoint behavior to its goal and a
-/// recipe of COLREGS avoidance, every report is received, and what must hold is expected. `words`:
-/// the arguments of `shoal encounters` that make it.
+/// Returns the mission file of an encounter: each vessel has a waypoint behavior through its goal
+/// and a recipe of COLREGS avoidance, every report is received, and what must hold is expected.
+/// `words`: the arguments of `shoal encounters` that make it.
 [[nodiscard]] std::string MissionTextOf(const EncounterScenario& scenario,
                                         const EncounterMissionOptions& options,
                                         const std::string& words);

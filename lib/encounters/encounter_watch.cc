@@ -14,6 +14,8 @@ constexpr double kAlteration_deg = 5;
 constexpr double kAlterationShare = 0.1;
 constexpr double kExtremisAction_deg = 10;
 constexpr double kExtremisActionShare = 0.2;
+/// In extremis begins at this share of the preferred distance.
+constexpr double kExtremisShare = 1.5;
 /// Vessels that moved faster than this between two looks were put elsewhere (`sim reset`).
 constexpr double kFastest_mps = 100;
 
@@ -143,7 +145,7 @@ void EncounterWatch::UpdateSide(double time_s, const VesselSample& own,
 
   if (StandsOn(side->role)) {
     if (must_keep_clear && !side->excused_s) side->excused_s = time_s;
-    const bool is_extreme = geometry.range_m <= options_.preferred_m &&
+    const bool is_extreme = geometry.range_m <= kExtremisShare * options_.preferred_m &&
                             geometry.range_rate_mps < 0 && geometry.cpa_m < options_.acceptable_m;
     if (is_extreme && !conduct.in_extremis_s) {
       conduct.in_extremis_s = time_s;

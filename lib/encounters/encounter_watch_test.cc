@@ -159,8 +159,8 @@ TEST(EncounterWatch, NotesInExtremisAndWhatTheVesselThatStandsOnDoesThen) {
   const auto encounters = EncountersOf(vessels, 120);
   const EncounterSide& side = encounters.at(0).sides[1];
   ASSERT_EQ(side.role, EncounterRole::kStandOn);
-  // 25 m apart where each has 17.7 m to go.
-  EXPECT_NEAR(side.conduct.in_extremis_s.value_or(0), (200 - 25 / std::sqrt(2)) / 3, 0.11);
+  // 37.5 m apart where each has 26.5 m to go.
+  EXPECT_NEAR(side.conduct.in_extremis_s.value_or(0), (200 - 37.5 / std::sqrt(2)) / 3, 0.11);
   EXPECT_TRUE(side.conduct.acted_in_extremis);
   EXPECT_FALSE(side.conduct.turned_to_port_in_extremis);
   EXPECT_EQ(side.conduct.held_course_change_deg, 0);

@@ -50,7 +50,7 @@ TEST(SingleTargets, HaveTheRoleThatTheyAreMadeForWhereverTheyBegin) {
     const auto scenario = SingleTarget(name, kScale);
     ASSERT_TRUE(scenario) << name;
     EXPECT_EQ(scenario->name, name);
-    const auto encounters = EncountersOf(PlanOf(*scenario), 2 * scenario->meeting_s);
+    const auto encounters = EncountersOf(PlanOf(*scenario), 2 * scenario->meeting_s, {}, 0.5);
     if (scenario->role == EncounterRole::kNone) {
       EXPECT_TRUE(encounters.empty()) << name;
       continue;
@@ -118,7 +118,7 @@ TEST(RandomEncounters, StartApartAndPassACommonRegion) {
 TEST(RandomEncounters, HaveAnEncounterEachWhereNoVesselAlters) {
   for (uint64_t seed = 0; seed < 30; ++seed) {
     const EncounterScenario scenario = RandomEncounter(seed, 2, kScale);
-    const auto encounters = EncountersOf(PlanOf(scenario), 2 * scenario.meeting_s);
+    const auto encounters = EncountersOf(PlanOf(scenario), 2 * scenario.meeting_s, {}, 0.5);
     ASSERT_EQ(encounters.size(), 1U) << seed;
     EXPECT_TRUE(encounters[0].has_touched) << seed;
   }
