@@ -201,12 +201,16 @@ void Arbiter::TakeOver(const HelmOrder& order) {
 }
 
 std::optional<Guidance> Arbiter::Advance(const Moment& moment) {
-  if (!next_utime_ || moment.utime >= *next_utime_) {
+  const bool drives = moment.drives && moment.nav != nullptr;
+  const bool begins = drives && !drove_;
+  drove_ = drives;
+  if (begins || !next_utime_ || moment.utime >= *next_utime_) {
     Decide(moment);
-    next_utime_ = next_utime_ ? *next_utime_ + interval_us_ : moment.utime + interval_us_;
+    next_utime_ =
+        next_utime_ && !begins ? *next_utime_ + interval_us_ : moment.utime + interval_us_;
     if (*next_utime_ <= moment.utime) next_utime_ = moment.utime + interval_us_;
   }
-  if (!moment.drives || moment.nav == nullptr) return std::nullopt;
+  if (!drives) return std::nullopt;
   if ((outcome_.only_task || outcome_.is_task_point) && moment.alone) return moment.alone;
   const bool is_decided = outcome_.has_decision || outcome_.keeps_last;
   if (!is_decided || !commands_.course_deg || !commands_.speed_mps) return std::nullopt;

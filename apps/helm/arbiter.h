@@ -99,6 +99,7 @@ class Arbiter {
   HelmOutcome outcome_;
   HelmPoint commands_;  ///< The last decision.
   std::optional<int64_t> next_utime_;
+  bool drove_ = false;  ///< In the last step; a decision is due where it begins to.
   bool wants_park_ = false;
 
   std::vector<VariablePost> messages_;
