@@ -182,7 +182,8 @@ void AddSend(CLI::App& cli, Action* action) {
   auto options = std::make_shared<SendOptions>();
   AddPort(command, &options->port_base);
   command->footer(SendCommandsText());
-  command->add_option("TARGET", options->target, "A vehicle, group:NAME, all, clock, or a rule")->required();
+  command->add_option("TARGET", options->target, "A vehicle, group:NAME, all, clock, or a rule")
+      ->required();
   command->add_option("WORDS", options->words, "Command and arguments, or vehicle and value");
   // Negative numbers are values here, not options.
   command->prefix_command();

@@ -32,8 +32,8 @@ class Variables {
 
   struct Entry {
     VariableValue value;
-    double set_s = 0;                       ///< Time of the last setting.
-    int64_t num_set = 0;                    ///< How often it was set.
+    double set_s = 0;     ///< Time of the last setting.
+    int64_t num_set = 0;  ///< How often it was set.
     /// Settings since the last ForgetFresh(), in order; the last kMostFresh of them.
     std::vector<VariableValue> fresh = {};
   };

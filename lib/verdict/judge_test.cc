@@ -322,8 +322,9 @@ TEST_F(JudgeTest, FailsAMissionWithACollisionUnlessItAllowsThem) {
 }
 
 TEST_F(JudgeTest, FailsAMissionWhereAVehicleHitsAnObstacle) {
+  mission_ = TwoVehicles(SeparationExpectation{.min_m = 0});
   mission_.obstacles = {{"rock", {{10, -5}, {20, -5}, {20, 5}, {10, 5}}}};
-  Judge& judge = For(SeparationExpectation{.min_m = 0});
+  Judge& judge = judge_.emplace(mission_);
   judge.TakeNav(0, {0, 0, 0});
   judge.EndStep(At(1));
   EXPECT_TRUE(judge.Passed());
