@@ -143,7 +143,7 @@ TEST_F(DirectorTest, PublishesEachEventOnceInTheFirstStepAtOrAfterItsTime) {
 }
 
 TEST_F(DirectorTest, PublishesAnEventToEachMemberOfAGroup) {
-  mission_.vehicles[1].group = "sweepers";
+  mission_.vehicles[0].group = "sweepers";
   mission_.events = {
       Command(0.1, "group:Sweepers", "deploy"),
       {.at_s = 0.2,

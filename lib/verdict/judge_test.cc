@@ -325,8 +325,7 @@ TEST_F(JudgeTest, FailsAMissionWhereAVehicleHitsAnObstacle) {
   mission_ = TwoVehicles(SeparationExpectation{.min_m = 0});
   mission_.obstacles = {{"rock", {{10, -5}, {20, -5}, {20, 5}, {10, 5}}}};
   Judge& judge = judge_.emplace(mission_);
-  judge.TakeNav(0, {0, 0, 0});
-  judge.EndStep(At(1));
+  Meet(&judge, 100, 1);
   EXPECT_TRUE(judge.Passed());
   judge.TakeNav(0, {9, 0, 0});
   judge.EndStep(At(2));
