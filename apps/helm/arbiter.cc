@@ -47,7 +47,12 @@ OwnMotion OwnMotionOf(const nav_t& nav) {
 
 double OrAny(const std::optional<double>& value) { return value.value_or(-1); }
 
-/// True where two decisions differ in more than their numbers.
+/// Returns "active" of "active, 49 m to go": what follows changes all the time.
+std::string_view RunStateOf(const helm_aim_t& aim) {
+  return std::string_view(aim.state).substr(0, aim.state.find(','));
+}
+
+/// True where two decisions differ in more than the numbers behind them.
 bool HasNews(const helm_decision_t& next, const helm_decision_t& last) {
   if (next.num_events > 0 || next.mode != last.mode || next.course_deg != last.course_deg ||
       next.speed_mps != last.speed_mps || next.depth_m != last.depth_m ||
@@ -57,7 +62,8 @@ bool HasNews(const helm_decision_t& next, const helm_decision_t& last) {
   for (size_t i = 0; i < next.aims.size(); ++i) {
     const helm_aim_t& a = next.aims[i];
     const helm_aim_t& b = last.aims[i];
-    if (a.name != b.name || a.state != b.state || a.role != b.role || a.contact != b.contact) {
+    if (a.name != b.name || RunStateOf(a) != RunStateOf(b) || a.role != b.role ||
+        a.contact != b.contact) {
       return true;
     }
   }
