@@ -207,7 +207,9 @@ function drawObstacles(ctx, camera, theme, obstacles) {
   for (const {id, polygon} of obstacles) {
     if (polygon.length < 3) continue;
     ctx.beginPath();
-    camera.addLine(ctx, polygon, true);
+    polygon.forEach(([x, y], i) => (
+      i === 0 ? ctx.moveTo(camera.sx(x), camera.sy(y)) : ctx.lineTo(camera.sx(x), camera.sy(y))));
+    ctx.closePath();
     ctx.globalAlpha = 0.45;
     ctx.fillStyle = theme.muted;
     ctx.fill();
