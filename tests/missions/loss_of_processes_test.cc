@@ -12,10 +12,10 @@ namespace shoal::loss_of_processes_test {
 /// Starts berta, recorded, and waits until it is well under way. Losses are found by exits, and on
 /// no machine by silence, unless a test sets another time-out.
 struct Berta {
-  explicit Berta(std::vector<std::string> extra = {}) {
+  explicit Berta(std::vector<std::string> extra = {}, const std::string& file = "berta.toml") {
     std::vector<std::string> argv = {Program("shoal"),
                                      "run",
-                                     MissionFile("berta.toml"),
+                                     MissionFile(file),
                                      "--warp",
                                      "20",
                                      "--record",
@@ -112,6 +112,15 @@ TEST(LostParticipant, IsStartedAgainWhereTheMissionDemandsIt) {
   berta.process->Signal(SIGINT);
   berta.process->Wait();
   EXPECT_TRUE(AllGone(again));
+}
+
+TEST(LostHelm, KeepsClearOfOthersAgainWhenItIsStartedAgain) {
+  Berta crossing({"--set", "mission.on_loss=restart"}, "encounters/crossing_starboard_45.toml");
+  kill(crossing.participants.at("helm_own"), SIGKILL);
+  const Finished finished = crossing.process->Wait();
+  EXPECT_NE(finished.output.find("helm_own starts again"), std::string::npos) << finished.output;
+  EXPECT_NE(finished.output.find("PASS"), std::string::npos) << finished.output;
+  EXPECT_EQ(finished.exit_code, 0);
 }
 
 TEST(LostRecorder, EndsTheMissionWithAnyOnLossAndKeepsItsLog) {
