@@ -87,7 +87,7 @@ Result<Simulation> Simulation::Open(const SimulationOptions& options) {
 bool Simulation::Step() {
   State& state = *state_;
   if (state.has_ended) return false;
-  if (state.step == state.mission.LastStep()) {
+  if (state.step == state.mission.LastStep() || state.director->EndsMission()) {
     End();
     return false;
   }

@@ -46,6 +46,9 @@ AuvDeflections AuvPilot::KeepHeadingAndDepth(const AuvMotion& motion, double psi
 AuvDeflections AuvPilot::KeepHeadingAndPitch(const AuvMotion& motion, double psi_d_rad,
                                              double theta_d_rad, double dt_s) {
   theta_d_rad_ = theta_d_rad;
+  // The references of the other mode begin where the vehicle is then.
+  observer_ = {.psi_d_rad = WrapPi(motion.psi_rad)};
+  depth_filter_ = {.z_d_m = motion.z_m};
   return {.rudder_rad =
               heading_.Update(params_.heading, motion.psi_rad, psi_d_rad, motion.r_radps, dt_s),
           .stern_plane_rad =

@@ -64,6 +64,7 @@ void Describe(Fields& fields, ReturnTask& task, const StartPose& start);
 /// The same for tasks of underwater vehicles.
 void Describe(Fields& fields, PathFollowTask& task, const StartPose& start);
 void Describe(Fields& fields, TargetTrackTask& task, const StartPose& start);
+void Describe(Fields& fields, SurfaceTask& task, const StartPose& start);
 /// The same for surveys. One that is refused has no corners.
 void Describe(Fields& fields, SurveyTask& task, const StartPose& start);
 

@@ -1,8 +1,10 @@
 // The tables [[vehicle]] and [template.NAME].
+#include <array>
 #include <limits>
 #include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -16,6 +18,13 @@ namespace {
 constexpr size_t kMostTasks = 1000;
 constexpr size_t kMostBehaviors = 1000;
 constexpr size_t kMostExtraFields = 100;
+constexpr std::array<std::pair<std::string_view, Ending>, 5> kEndings = {{
+    {"hold", Ending::kHold},
+    {"surface", Ending::kSurface},
+    {"go_on", Ending::kGoOn},
+    {"loiter", Ending::kLoiter},
+    {"end_mission", Ending::kEndMission},
+}};
 constexpr int kLargestAddress = std::numeric_limits<int>::max();
 
 void Describe(Fields& fields, StartPose& start) {
@@ -32,6 +41,13 @@ void Describe(Fields& fields, HelmOptions& options) {
   fields.Number("state_interval_s", options.state_interval_s, Above(0, 3600));
   fields.Number("decide_every_s", options.decide_every_s, Between(0.01, 60));
   fields.Flag("goals_mandatory", options.goals_mandatory);
+  if (fields.Has("end_of_tasks", options.end_of_tasks.has_value())) {
+    Ending ending = options.end_of_tasks.value_or(Ending::kHold);
+    fields.Choice("end_of_tasks", ending, kEndings);
+    options.end_of_tasks = ending;
+  }
+  fields.Number("hold_radius_m", options.hold_radius_m, Above(0, 10'000));
+  fields.Number("loiter_radius_m", options.loiter_radius_m, Above(0, 10'000));
 }
 
 void Describe(Fields& fields, AutopilotOptions& options) {

@@ -215,12 +215,13 @@ class MissionDraw {
                            .propeller_rpm = Number(0, 10'000),
                            .waypoint_switch = {.rule = static_cast<SwitchRule>(Integer(0, 3)),
                                                .acceptance_radius_m = acceptance_m},
-                           .end = static_cast<PathTaskEnd>(Integer(0, 4)),
+                           .end = static_cast<PathTaskEnd>(Integer(0, 5)),
                            .lookahead_m = Positive(10'000),
                            .crab_gain = Number(0, 1),
                            .guard_crab = Coin(),
                            .turn_crab = Coin(),
-                           .hold_radius_m = acceptance_m + 1};
+                           .hold_radius_m = acceptance_m + 1,
+                           .loiter_radius_m = Positive(10'000)};
     vehicle->tasks.push_back({"path", path});
     TargetTrackTask track;
     track.target = "Vessel_2";
@@ -248,6 +249,8 @@ class MissionDraw {
       }
     }
     track.on_silence = static_cast<SilenceRule>(Integer(0, 2));
+    track.on_target_end = static_cast<TargetEndRule>(Integer(0, 3));
+    track.hold_radius_m = Positive(10'000);
     track.compensate_current = Coin();
     track.track.u_max_mps = Positive(50);
     track.track.depth = {.z_max_m = Number(1, 20'000),
@@ -255,6 +258,11 @@ class MissionDraw {
                          .z_safe_m = Positive(20'000),
                          .climb_mps = Number(0, 50)};
     vehicle->tasks.push_back({"track", track});
+    vehicle->tasks.push_back({"up", SurfaceTask{Positive(50)}});
+    for (Task& task : vehicle->tasks) {
+      if (auto* keep = std::get_if<StationKeepTask>(&task.what)) keep->stops_first = true;
+    }
+    if (Coin()) vehicle->helm_options.end_of_tasks = Ending::kSurface;
   }
 
   /// Gives it a swarm, if its acoustic network can carry one.
@@ -351,6 +359,11 @@ class MissionDraw {
                                                        RecoveryStrategy::kSkipField};
     }
     vehicle.helm_options = {Positive(3600), Coin(), Positive(3600), Number(0.01, 60), Coin()};
+    constexpr Ending kOfAllModels[] = {Ending::kHold, Ending::kGoOn, Ending::kLoiter,
+                                       Ending::kEndMission};
+    if (Coin()) vehicle.helm_options.end_of_tasks = kOfAllModels[Integer(0, 3)];
+    vehicle.helm_options.hold_radius_m = Positive(10'000);
+    vehicle.helm_options.loiter_radius_m = Positive(10'000);
     vehicle.autopilot = {Number(0, 1000), Number(0, 1000), Number(0, 1000), Number(0, 180),
                          Number(0, 1000), Number(0, 1000), Number(0, 100)};
     const double blackout_s = Number(0, 100'000);

@@ -117,6 +117,20 @@ TEST(StepClock, PublishesItsEnd) {
   EXPECT_EQ(alone.state->utime, 5 * kTick_us);
 }
 
+TEST(StepClock, EndsAfterThePresentStepWhereThatIsMadeTheLast) {
+  ClockAlone alone({.mission_id = kMissionId, .warp = 0, .last_step = 1'000'000});
+  alone.Begin();
+  alone.answers = false;
+  alone.Run(10'000);
+  const int64_t present = alone.clock.step();
+  alone.clock.MakeLast();
+  alone.Answer(present);
+  alone.answers = true;
+  alone.Run(50'000);
+  ASSERT_EQ(alone.clock.state(), StepClock::State::kEnded);
+  EXPECT_EQ(alone.state->utime, present * kTick_us);
+}
+
 TEST(StepClock, AnswersEachOrderAtOnce) {
   ClockAlone alone;
   alone.Begin();
