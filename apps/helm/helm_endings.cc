@@ -38,8 +38,7 @@ double CourseOf(const Fix& fix) {
 }  // namespace
 
 HelmEndings::HelmEndings(const Vehicle& vehicle)
-    : options_(vehicle.helm_options),
-      is_underwater_(FactsOfModel(vehicle.model).is_underwater) {}
+    : options_(vehicle.helm_options), is_underwater_(FactsOfModel(vehicle.model).is_underwater) {}
 
 Ending HelmEndings::AfterList(const Task* last) const {
   if (options_.end_of_tasks && options_.end_of_tasks != Ending::kEndMission) {

@@ -25,8 +25,7 @@ Vehicle Auv(PathTaskEnd end, const std::optional<Ending>& ending = {}) {
   vehicle.model = Remus100Options{.cruise_depth_m = 60};
   vehicle.helm_options = {
       .deploy_at_start = true, .end_of_tasks = ending, .hold_radius_m = 45, .loiter_radius_m = 50};
-  vehicle.tasks = {
-      {"path", PathFollowTask{.points_m = {{0, 0, 20}, {100, 0, 20}}, .end = end}}};
+  vehicle.tasks = {{"path", PathFollowTask{.points_m = {{0, 0, 20}, {100, 0, 20}}, .end = end}}};
   return vehicle;
 }
 
@@ -168,9 +167,10 @@ TEST(OrdersToAnAuv, DoNotChangeTheSpeedOfAFollower) {
   track.target = "bravo";
   vehicle.tasks = {{"follow", track}};
   HelmStates helm(vehicle);
-  EXPECT_EQ(helm.Execute({.kind = OrderKind::kSpeed, .speed_mps = 1.2}),
-            "speed: the task 'follow' takes its speed from its law; order the speed of bravo, which "
-            "it follows");
+  EXPECT_EQ(
+      helm.Execute({.kind = OrderKind::kSpeed, .speed_mps = 1.2}),
+      "speed: the task 'follow' takes its speed from its law; order the speed of bravo, which "
+      "it follows");
 }
 
 TEST(SurfaceCraftAtTheEndOfItsTasks, KeepsStationWithinItsRadius) {

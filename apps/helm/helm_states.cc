@@ -81,8 +81,8 @@ std::string HelmStates::Drive(const HelmOrder& order) {
       Interrupt({.task = {.name = "return", .what = return_task_}});
       break;
     case OrderKind::kStationKeep:
-      Interrupt({.task = {.name = "station_keep", .what = StationKeepTask{}},
-                 .ending = Ending::kHold});
+      Interrupt(
+          {.task = {.name = "station_keep", .what = StationKeepTask{}}, .ending = Ending::kHold});
       break;
     case OrderKind::kGoto: {
       WaypointsTask way;
@@ -115,7 +115,8 @@ std::string HelmStates::ChangeSpeed(double speed_mps) {
   if (task() == nullptr) return "speed: no task runs";
   if (const auto* track = std::get_if<TargetTrackTask>(&task()->what)) {
     return fmt::format(
-        "speed: the task '{}' takes its speed from its law; order the speed of {}, which it follows",
+        "speed: the task '{}' takes its speed from its law; order the speed of {}, which it "
+        "follows",
         task()->name, track->target);
   }
   speed_mps_ = speed_mps;
@@ -143,8 +144,8 @@ void HelmStates::EndList() {
   const Ending ending = endings_.AfterList(tasks_.empty() ? nullptr : &tasks_.back());
   listed_.reset();
   if (behaviors_lead_) return;
-  Interrupt({.task = {.name = std::string(kEndOfTasks), .what = StationKeepTask{}},
-             .ending = ending});
+  Interrupt(
+      {.task = {.name = std::string(kEndOfTasks), .what = StationKeepTask{}}, .ending = ending});
   ended_ = true;
 }
 

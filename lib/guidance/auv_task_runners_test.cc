@@ -297,9 +297,8 @@ class TargetThatComesUp {
   }
 
   Guidance Update(double target_z_m, double target_mps, double for_s = 11) {
-    seen.target = Neighbour{.id = 1,
-                            .position_m = {-400, 0, target_z_m},
-                            .velocity_mps = {0.4 + target_mps, 0, 0}};
+    seen.target = Neighbour{
+        .id = 1, .position_m = {-400, 0, target_z_m}, .velocity_mps = {0.4 + target_mps, 0, 0}};
     Guidance guidance;
     for (int i = 0; i < static_cast<int>(for_s); ++i) {
       Fix fix = At(seen.own.position_m, ++time_s_, 70);

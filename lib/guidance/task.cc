@@ -48,9 +48,8 @@ TaskFacts FactsOfKind(const PathFollowTask& task) {
 }
 
 TaskFacts FactsOfKind(const TargetTrackTask& task) {
-  return {.is_underwater = true,
-          .ends = task.on_target_end == TargetEndRule::kDone,
-          .most_laps = 0};
+  return {
+      .is_underwater = true, .ends = task.on_target_end == TargetEndRule::kDone, .most_laps = 0};
 }
 
 TaskFacts FactsOfKind(const SurfaceTask&) {

@@ -52,7 +52,7 @@ struct LoiterTask {
   CaptureRule capture = {};
   double lookahead_m = 15;
   double crab_gain = 0.005;
-  double duration_s = 0;  ///< Then the task is done, the way there included; 0: for ever.
+  double duration_s = 0;           ///< Then the task is done, the way there included; 0: for ever.
   std::optional<double> z_m = {};  ///< Depth to take; absent: the task knows of none.
 
   bool operator==(const LoiterTask&) const = default;
@@ -138,7 +138,7 @@ struct PathFollowTask {
   double crab_gain = 0.0006;  ///< ALOS adaptation gain gamma; 0: plain LOS.
   bool guard_crab = true;     ///< PathFollowParams has the meanings.
   bool turn_crab = true;
-  double hold_radius_m = 30;  ///< kHold: comes back from beyond; >= the acceptance radius.
+  double hold_radius_m = 30;    ///< kHold: comes back from beyond; >= the acceptance radius.
   double loiter_radius_m = 50;  ///< kLoiter; > 0.
 
   bool operator==(const PathFollowTask&) const = default;

@@ -26,7 +26,7 @@ struct Fix {
   Eigen::Vector2d position_m = Eigen::Vector2d::Zero();  ///< x East, y North.
   double heading_rad = 0;                                ///< Clockwise from North.
   double time_s = 0;
-  double z_m = 0;  ///< Depth.
+  double z_m = 0;                                          ///< Depth.
   Eigen::Vector2d velocity_mps = Eigen::Vector2d::Zero();  ///< Over ground.
   double speed_mps = 0;                                    ///< Relative to the water, >= 0.
   /// What it knows of the others, for target_track; else it may be null. Outlives the call.

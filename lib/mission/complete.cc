@@ -120,7 +120,8 @@ void FillInRadii(const TablePlace& place, double hold_radius_m, Task& task) {
   if (auto* home = std::get_if<ReturnTask>(&task.what); home && !place.Has("outer_radius_m")) {
     home->outer_radius_m = hold_radius_m;
   }
-  if (auto* track = std::get_if<TargetTrackTask>(&task.what); track && !place.Has("hold_radius_m")) {
+  if (auto* track = std::get_if<TargetTrackTask>(&task.what);
+      track && !place.Has("hold_radius_m")) {
     track->hold_radius_m = hold_radius_m;
   }
 }

@@ -23,7 +23,8 @@ struct Remus100Options {
 };
 
 constexpr ModelFacts FactsOf(const Remus100Options& /*model*/) {
-  return {.name = "remus100", .is_underwater = true, .longest_tick_s = 0.2, .turning_diameter_m = 45};
+  return {
+      .name = "remus100", .is_underwater = true, .longest_tick_s = 0.2, .turning_diameter_m = 45};
 }
 
 /// [vehicle.remus100].

@@ -84,8 +84,9 @@ void CheckEnding(const TablePlace& place, const Vehicle& vehicle) {
   if (options.end_of_tasks != Ending::kEndMission) return;
   for (size_t k = 0; k < vehicle.tasks.size(); ++k) {
     if (vehicle.tasks[k].name != kEndOfTasks) continue;
-    place.Below("task", k).Refuse("name", "end_of_tasks = \"end_mission\" needs this name: give "
-                                          "the task another");
+    place.Below("task", k).Refuse("name",
+                                  "end_of_tasks = \"end_mission\" needs this name: give "
+                                  "the task another");
   }
 }
 

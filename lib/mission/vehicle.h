@@ -149,14 +149,14 @@ struct Vehicle {
   AutopilotOptions autopilot;
   ReporterOptions reporter_options;
   MessageOptions message_options;
-  LinkFactors link_factors;      ///< `stealth`, `earange`
-  int acoustic_address = 0;      ///< In the acoustic network; always > 0 once loaded.
-  bool acoustic_leader = false;  ///< tdma_lf: it leads.
-  RecoveryPlan recovery;         ///< Of messages of the swarm.
-  std::vector<Task> tasks;       ///< Done in this order after `deploy`; then the ending.
-  ReturnTask return_task;        ///< What `return` does. Default: the start position.
-  std::vector<BehaviorOptions> behaviors;          ///< Beside the task of the moment.
-  std::vector<ModeOptions> modes;                  ///< Evaluated in this order.
+  LinkFactors link_factors;                ///< `stealth`, `earange`
+  int acoustic_address = 0;                ///< In the acoustic network; always > 0 once loaded.
+  bool acoustic_leader = false;            ///< tdma_lf: it leads.
+  RecoveryPlan recovery;                   ///< Of messages of the swarm.
+  std::vector<Task> tasks;                 ///< Done in this order after `deploy`; then the ending.
+  ReturnTask return_task;                  ///< What `return` does. Default: the start position.
+  std::vector<BehaviorOptions> behaviors;  ///< Beside the task of the moment.
+  std::vector<ModeOptions> modes;          ///< Evaluated in this order.
   std::map<std::string, VariableValue> variables;  ///< Of conditions and flags, at the start.
   Domain domain;                                   ///< What the behaviors decide about.
 

@@ -10,6 +10,7 @@
 
 #include "lib/mission/load.h"
 #include "lib/mission/mission.h"
+#include "lib/vehicle/remus100.h"
 #include "sim/simulation.h"
 
 namespace shoal::endings_test {
@@ -18,12 +19,13 @@ namespace shoal::endings_test {
 struct Seen {
   nav_t nav{};
   actuators_t actuators{};
+  desired_t desired{};
   helm_state_t helm{};
 };
 
 /// Runs a mission; `look(time_s, seen)` sees each step. Returns how long it lasted.
-double Run(const std::string& text,
-           const std::function<void(double, const std::vector<Seen>&)>& look) {
+double FlyMission(const std::string& text,
+                  const std::function<void(double, const std::vector<Seen>&)>& look) {
   const LoadedMission loaded = LoadMissionText(text, "endings.toml");
   for (const std::string& error : loaded.errors) ADD_FAILURE() << error;
   if (!loaded.errors.empty()) return 0;
@@ -36,6 +38,8 @@ double Run(const std::string& text,
               [&seen, i](const nav_t& nav) { seen[i].nav = nav; });
     Subscribe(simulation.bus(), channels::Actuators(name),
               [&seen, i](const actuators_t& actuators) { seen[i].actuators = actuators; });
+    Subscribe(simulation.bus(), channels::Desired(name),
+              [&seen, i](const desired_t& desired) { seen[i].desired = desired; });
     Subscribe(simulation.bus(), channels::HelmState(name),
               [&seen, i](const helm_state_t& helm) { seen[i].helm = helm; });
   }
@@ -63,6 +67,25 @@ std::string OneAuv(const std::string& options, const std::string& end, double du
 
 constexpr char kCurrent[] = "current = {speed_mps = 0.4, direction_deg = 45}\n";
 
+/// Returns the diameter of the circle of a vehicle with full rudder.
+double TurningDiameter_m(const std::string& parameters, double rpm) {
+  const Remus100 auv = BuildRemus100(*Remus100ParamsByName(parameters));
+  Remus100State state;
+  state.eta[2] = 20;
+  for (int i = 0; i < 15'000; ++i) {
+    state = Step(auv, state, {.rudder_rad = 1, .propeller_rpm = rpm}, {}, 0.02);
+  }
+  return 2 * state.velocity_mps.norm() / std::abs(state.nu[5]);
+}
+
+TEST(TurningCircle, IsNoWiderThanTheModelsFactsHaveIt) {
+  const double most_m = FactsOf(Remus100Options()).turning_diameter_m;
+  EXPECT_NEAR(TurningDiameter_m("default", 700), 42.5, 0.5);
+  EXPECT_NEAR(TurningDiameter_m("default", 1500), 34.4, 0.5);
+  EXPECT_NEAR(TurningDiameter_m("munet", 1000), 23.5, 0.5);
+  EXPECT_NEAR(TurningDiameter_m("fossen", 700), most_m, 0.5);
+}
+
 Eigen::Vector2d PlaceOf(const nav_t& nav) { return {nav.x_m, nav.y_m}; }
 
 /// What is asked of a vehicle at rest, from some time on.
@@ -84,7 +107,7 @@ struct Rest {
 void ExpectRestAtTheSurface(const std::string& text) {
   double up_at_s = -1;
   Rest rest;
-  const double end_s = Run(text, [&](double time_s, const std::vector<Seen>& seen) {
+  const double end_s = FlyMission(text, [&](double time_s, const std::vector<Seen>& seen) {
     if (up_at_s < 0 && time_s > 60 && seen[0].nav.z_m < 0.5) up_at_s = time_s;
     if (up_at_s > 0 && time_s > up_at_s + 60) rest.Look(seen[0]);
   });
@@ -120,7 +143,7 @@ Station KeepStation(const std::string& text) {
   double turn_deg = 0;
   Eigen::Vector2d last_m(0, 0);
   double last_s = 0;
-  const double end_s = Run(text, [&](double time_s, const std::vector<Seen>& seen) {
+  const double end_s = FlyMission(text, [&](double time_s, const std::vector<Seen>& seen) {
     const nav_t& nav = seen[0].nav;
     if (seen[0].helm.task != "end_of_tasks") return;
     if (since_s < 0) {
@@ -163,13 +186,13 @@ TEST(EndOfTasks, GoesOnOnItsCourseAtItsDepth) {
   Eigen::Vector2d from_m(0, 0);
   Seen last;
   double since_s = -1;
-  Run(OneAuv(", end_of_tasks = \"go_on\"", "done", 400, kCurrent),
-      [&](double time_s, const std::vector<Seen>& seen) {
-        last = seen[0];
-        if (since_s >= 0 || last.helm.task != "end_of_tasks") return;
-        since_s = time_s;
-        from_m = PlaceOf(last.nav);
-      });
+  FlyMission(OneAuv(", end_of_tasks = \"go_on\"", "done", 400, kCurrent),
+             [&](double time_s, const std::vector<Seen>& seen) {
+               last = seen[0];
+               if (since_s >= 0 || last.helm.task != "end_of_tasks") return;
+               since_s = time_s;
+               from_m = PlaceOf(last.nav);
+             });
   EXPECT_GT(last.nav.x_m, from_m.x() + 400);
   EXPECT_NEAR(last.nav.y_m, from_m.y(), 20);
   EXPECT_NEAR(last.nav.z_m, 20, 0.5);
@@ -181,16 +204,17 @@ TEST(EndOfTasks, LoitersAboutItsLastPlaceAtItsDepth) {
   double off_depth_m = 0;
   double since_s = -1;
   Eigen::Vector2d center_m(0, 0);
-  Run(OneAuv(", end_of_tasks = \"loiter\"", "done", 700),
-      [&](double time_s, const std::vector<Seen>& seen) {
-        if (seen[0].helm.task != "end_of_tasks") return;
-        if (since_s < 0) {
-          since_s = time_s;
-          center_m = PlaceOf(seen[0].nav);
-        }
-        off_depth_m = std::max(off_depth_m, std::abs(seen[0].nav.z_m - 20));
-        if (time_s > since_s + 120) distances_m.push_back((PlaceOf(seen[0].nav) - center_m).norm());
-      });
+  FlyMission(OneAuv(", end_of_tasks = \"loiter\"", "done", 700),
+             [&](double time_s, const std::vector<Seen>& seen) {
+               if (seen[0].helm.task != "end_of_tasks") return;
+               if (since_s < 0) {
+                 since_s = time_s;
+                 center_m = PlaceOf(seen[0].nav);
+               }
+               off_depth_m = std::max(off_depth_m, std::abs(seen[0].nav.z_m - 20));
+               if (time_s > since_s + 120)
+                 distances_m.push_back((PlaceOf(seen[0].nav) - center_m).norm());
+             });
   ASSERT_GT(distances_m.size(), 1000U);
   const auto [least_m, most_m] = std::minmax_element(distances_m.begin(), distances_m.end());
   EXPECT_GT(*least_m, 35);
@@ -206,10 +230,40 @@ TEST(EndOfTasks, EndsTheMissionWhenItsVehiclesAreDone) {
       "[[vehicle.task]]\nkind = \"path_follow\"\nspeed_mps = 2\n"
       "points = [[0, 200, 20], [300, 200, 20]]\n";
   const std::string option = ", end_of_tasks = \"end_mission\"";
-  const double alone_s = Run(OneAuv(option, "done", 700), [](double, const auto&) {});
-  const double both_s = Run(OneAuv(option, "done", 700) + second, [](double, const auto&) {});
+  const double alone_s = FlyMission(OneAuv(option, "done", 700), [](double, const auto&) {});
+  const double both_s =
+      FlyMission(OneAuv(option, "done", 700) + second, [](double, const auto&) {});
   EXPECT_NEAR(alone_s, 75, 10);
   EXPECT_NEAR(both_s, 150, 15);
+}
+
+/// Returns the farthest that the desired depth is from the vehicle's own in the first second of
+/// each task; `num_tasks` counts these.
+double WorstBeginning(const std::string& text, int* num_tasks) {
+  double worst_m = 0;
+  double since_s = -10;
+  std::string task;
+  FlyMission(text, [&](double time_s, const std::vector<Seen>& seen) {
+    if (seen[0].helm.task != task) {
+      task = seen[0].helm.task;
+      since_s = time_s;
+      ++*num_tasks;
+    }
+    if (time_s > since_s + 1) return;
+    worst_m = std::max(worst_m, std::abs(seen[0].desired.depth_m - seen[0].nav.z_m));
+  });
+  return worst_m;
+}
+
+TEST(TasksAtDepth, BeginAndEndWithoutAJumpOfTheDesiredDepth) {
+  const std::string orders =
+      "[[event]]\nat_s = 40\nvehicle = \"alpha\"\ncommand = \"station_keep\"\n"
+      "[[event]]\nat_s = 120\nvehicle = \"alpha\"\ncommand = \"deploy\"\n"
+      "[[event]]\nat_s = 300\nvehicle = \"alpha\"\ncommand = \"deploy\"\n";
+  int num_tasks = 0;
+  const double worst_m = WorstBeginning(OneAuv("", "done", 500, kCurrent) + orders, &num_tasks);
+  EXPECT_GE(num_tasks, 6) << "path, station, path, end, path, end";
+  EXPECT_LT(worst_m, 0.3);
 }
 
 /// A leader that comes up, and followers.
@@ -219,14 +273,16 @@ std::string SwarmThatComesUp(const std::string& knowledge) {
       "current = {speed_mps = 0.3, direction_deg = 30}\n"
       "floor = {style = \"flat\", depth_m = 80}\n";
   if (knowledge == "acoustic") {
-    text += "[acoustics]\naccess_mode = \"fdma\"\n[swarm]\nleader = \"alpha\"\n"
-            "scheduler = \"fdma_lf\"\nepisode_s = 5\n";
+    text +=
+        "[acoustics]\naccess_mode = \"fdma\"\n[swarm]\nleader = \"alpha\"\n"
+        "scheduler = \"fdma_lf\"\nepisode_s = 5\n";
   }
-  text += "[template.auv]\nmodel = \"remus100\"\nhelm_options = {deploy_at_start = true}\n"
-          "[[vehicle]]\nname = \"alpha\"\ntemplate = \"auv\"\n"
-          "start = {x_m = 0, y_m = 0, heading_deg = 90, depth_m = 20, speed_mps = 1.5}\n"
-          "[[vehicle.task]]\nkind = \"path_follow\"\nspeed_mps = 1.5\nend = \"surface\"\n"
-          "points = [[0, 0, 20], [300, 0, 25]]\n";
+  text +=
+      "[template.auv]\nmodel = \"remus100\"\nhelm_options = {deploy_at_start = true}\n"
+      "[[vehicle]]\nname = \"alpha\"\ntemplate = \"auv\"\n"
+      "start = {x_m = 0, y_m = 0, heading_deg = 90, depth_m = 20, speed_mps = 1.5}\n"
+      "[[vehicle.task]]\nkind = \"path_follow\"\nspeed_mps = 1.5\nend = \"surface\"\n"
+      "points = [[0, 0, 20], [300, 0, 25]]\n";
   const std::vector<Eigen::Vector2d> places_m = {{-85, -42}, {-85, 42}, {-110, 0}};
   for (size_t i = 0; i < places_m.size(); ++i) {
     text += "[[vehicle]]\nname = \"follower" + std::to_string(i) +
@@ -247,7 +303,7 @@ INSTANTIATE_TEST_SUITE_P(Swarm, EndOfTheLeader, testing::Values("direct", "acous
 TEST_P(EndOfTheLeader, BringsItsFollowersToTheSurfaceWhereTheyDriftApartFromEachOther) {
   std::vector<Rest> rests(4);
   double closest_m = 1e9;
-  Run(SwarmThatComesUp(GetParam()), [&](double time_s, const std::vector<Seen>& seen) {
+  FlyMission(SwarmThatComesUp(GetParam()), [&](double time_s, const std::vector<Seen>& seen) {
     for (size_t i = 0; i < seen.size() && time_s > 1; ++i) {
       for (size_t k = 0; k < i; ++k) {
         closest_m = std::min(closest_m, (PlaceOf(seen[i].nav) - PlaceOf(seen[k].nav)).norm());
