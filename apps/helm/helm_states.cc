@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "lib/run/status_page.h"
 
@@ -197,7 +198,11 @@ void HelmStates::Advance(const std::optional<Fix>& fix, bool nav_is_lost) {
     guidance_->speed_mps = *speed_mps_;
     guidance_->propeller_rpm.reset();  // The revolutions are those of the speed.
   }
-  last_guidance_ = *guidance_;
+  const Guidance before = std::exchange(last_guidance_, *guidance_);
+  if (last_guidance_.speed_mps <= 0) {  // At its end: what counts is how it was under way.
+    last_guidance_.speed_mps = before.speed_mps;
+    last_guidance_.propeller_rpm = before.propeller_rpm;
+  }
 }
 
 }  // namespace shoal
