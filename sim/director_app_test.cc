@@ -309,8 +309,8 @@ TEST_F(DirectorTest, JudgesWhatWasPublishedInTheLastStep) {
 }
 
 TEST_F(DirectorTest, EndsTheMissionWhenAllVehiclesWithThatEndingAreAtTheEndOfTheirTasks) {
-  mission_.vehicles.resize(2);
-  mission_.vehicles.push_back({.name = "charlie"});
+  mission_.vehicles.resize(3);
+  mission_.vehicles[2].name = "charlie";
   for (const size_t i : {0U, 1U}) {
     mission_.vehicles[i].helm_options.end_of_tasks = Ending::kEndMission;
   }

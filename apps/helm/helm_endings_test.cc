@@ -34,8 +34,7 @@ HelmStates Ended(const Vehicle& vehicle, const Eigen::Vector3d& place_m) {
   HelmStates helm(vehicle);
   helm.Advance(At({0, 0, 20}, 0, 2), false);
   for (int i = 1; i < 4; ++i) helm.Advance(At(place_m, 50 + i, 2), false);
-  EXPECT_NE(helm.task(), nullptr);
-  if (helm.task() != nullptr) EXPECT_EQ(helm.task()->name, "end_of_tasks");
+  EXPECT_TRUE(helm.task() != nullptr && helm.task()->name == "end_of_tasks");
   return helm;
 }
 

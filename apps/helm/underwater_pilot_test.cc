@@ -208,6 +208,17 @@ TEST(UnderwaterPilot, GivesNothingInItsFirstStepButPublishesWhatIsDesired) {
   EXPECT_NEAR(steered.desired.heading_deg, 45, 1e-9);
 }
 
+TEST(UnderwaterPilot, BeginsADepthWhereItIsAfterAPitch) {
+  Steered steered({});
+  Guidance pitch = ToHeadingAndDepth(90, 0);
+  pitch.pitch_rad = DegToRad(10);
+  steered.Steer(ToHeadingAndDepth(0, 30), NavAt(0, 30), 5);
+  steered.Steer(pitch, NavAt(90, 10), 50);
+  steered.Steer(ToHeadingAndDepth(90, 10), NavAt(90, 10));
+  EXPECT_NEAR(steered.desired.depth_m, 10, 0.3);
+  EXPECT_NEAR(steered.actuators.rudder_deg, 0, 0.5);
+}
+
 RC_GTEST_PROP(UnderwaterPilot, PublishesFiniteNumbersWithinTheFinLimitsForAnyInput, ()) {
   Steered steered({.parameters = *rc::gen::element<std::string>("default", "munet", "fossen"),
                    .depth_filter_s = *rc::gen::element(0.0, 20.0),
