@@ -114,7 +114,7 @@ TEST(AuvAtTheEndOfItsTasks, LoitersAtItsDepth) {
   EXPECT_EQ(KindOf(*helm.task()), "loiter");
   EXPECT_NEAR((helm.guidance()->waypoint_m - Eigen::Vector2d(101, 0)).norm(), 50, 1e-9);
   EXPECT_EQ(helm.guidance()->z_m, 20);
-  EXPECT_EQ(helm.guidance()->speed_mps, 1.5);
+  EXPECT_EQ(helm.guidance()->speed_mps, 2);
 }
 
 TEST(AuvAtTheEndOfItsTasks, WaitsForTheEndOfTheMissionAsByDefault) {

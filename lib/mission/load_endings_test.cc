@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <vector>
 
 #include "lib/mission/load_testing.h"
 
@@ -92,8 +93,9 @@ TEST(RadiiOfStations, AreThoseOfBeforeForSurfaceCraft) {
 
 TEST(RadiiOfStations, AreWarnedOfWhereTheVehicleCannotHoldThem) {
   const LoadedMission loaded = LoadMissionText(Auv("helm_options = {hold_radius_m = 10}\n"), "m");
-  ASSERT_FALSE(loaded.warnings.empty());
-  EXPECT_EQ(loaded.warnings.at(0),
+  const std::vector<std::string> warnings = WarningsBesideConduct(loaded);
+  ASSERT_EQ(warnings.size(), 1U);
+  EXPECT_EQ(warnings.at(0),
             "m:6:33: warning: hold_radius_m = 10 is less than the 45 m in which the vehicle turns: "
             "it will circle");
 }

@@ -119,16 +119,20 @@ TEST(StepClock, PublishesItsEnd) {
 
 TEST(StepClock, EndsAfterThePresentStepWhereThatIsMadeTheLast) {
   ClockAlone alone({.mission_id = kMissionId, .warp = 0, .last_step = 1'000'000});
-  alone.Begin();
   alone.answers = false;
-  alone.Run(10'000);
-  const int64_t present = alone.clock.step();
+  alone.Begin();
+  for (int64_t step = 0; step < 3; ++step) {
+    alone.Answer(step);
+    alone.Run(1'000);
+  }
+  ASSERT_EQ(alone.clock.step(), 3);
   alone.clock.MakeLast();
-  alone.Answer(present);
-  alone.answers = true;
-  alone.Run(50'000);
+  for (const int64_t step : {3, 4}) {  // The present one, and END.
+    alone.Answer(step);
+    alone.Run(1'000);
+  }
   ASSERT_EQ(alone.clock.state(), StepClock::State::kEnded);
-  EXPECT_EQ(alone.state->utime, present * kTick_us);
+  EXPECT_EQ(alone.state->utime, 3 * kTick_us);
 }
 
 TEST(StepClock, AnswersEachOrderAtOnce) {
