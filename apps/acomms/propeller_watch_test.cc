@@ -13,8 +13,8 @@ constexpr int64_t kTick_us = 100'000;
 const Motion kOwn = {.position_m = {0, 0, 20}, .velocity_mps = {1, 0, 0}};
 
 PropellerWatch WatchOf(const std::string& parameters, double max_rate_rpmps) {
-  return PropellerWatch(AnyModel(Remus100Options{
-      .parameters = parameters, .max_propeller_rate_rpmps = max_rate_rpmps}));
+  return PropellerWatch(AnyModel(
+      Remus100Options{.parameters = parameters, .max_propeller_rate_rpmps = max_rate_rpmps}));
 }
 
 /// Shows `watch` ACTUATORS with these revolutions, one tick after the other; returns the time of

@@ -1,5 +1,6 @@
 // Where a Remus 100 will be when a command takes effect. Between processes that is one step after
-// the NAV from which the command was decided: what is published in one step is received in the next.
+// the NAV from which the command was decided: what is published in one step is received in the
+// next.
 //
 //   Remus100Ahead ahead(auv, model_step_s);
 //   const Remus100State then = ahead.Predict(nav, dt_s);

@@ -23,8 +23,7 @@ Remus100 AuvOf(const Remus100Options& options) {
 }
 
 Remus100Gains GainsOf(const Remus100Options& options) {
-  return options.autopilot.value_or(
-      Remus100GainsNamed(GainsForParameters(options.parameters)));
+  return options.autopilot.value_or(Remus100GainsNamed(GainsForParameters(options.parameters)));
 }
 
 /// The law of pitch damps kd q + heave_kd w, and has one place for both: kd (q + this w).
@@ -48,9 +47,8 @@ AuvPilotParams PilotOf(const Remus100Options& options) {
                   .ki = plane_sign * gains.pitch_ki,
                   .kd = plane_sign * gains.pitch_kd,
                   .max_output_rad = max_fin_rad};
-  params.depth = {.kp = gains.depth_kp,
-                  .ki = gains.depth_ki,
-                  .max_pitch_rad = DegToRad(gains.max_pitch_deg)};
+  params.depth = {
+      .kp = gains.depth_kp, .ki = gains.depth_ki, .max_pitch_rad = DegToRad(gains.max_pitch_deg)};
   params.heading_observer_hz = gains.heading_observer_hz;
   params.depth_limits = {.max_z_m = options.max_depth_m,
                          .seabed_clearance_m = options.seabed_clearance_m};

@@ -12,7 +12,8 @@ namespace shoal {
 /// and pitch are its PI and PID. Its heading law (Fossen 2021, eq. 16.479) is an integral sliding
 /// mode; within its boundary layer, and for a heading at rest, that is this PID:
 ///
-///   kp = (T lambda^2 + 2 lambda (1 + k)) / K   ki = lambda^2 (1 + k) / K   kd = (2 lambda T + k) / K
+///   kp = (T lambda^2 + 2 lambda (1 + k)) / K   ki = lambda^2 (1 + k) / K   kd = (2 lambda T + k) /
+///   K
 ///
 /// with k = K_d + K_sigma / phi_b, Nomoto's T and K. `kFossenHeaveGain` goes with it.
 [[nodiscard]] AuvPilotParams FossenRemusPilot();

@@ -14,8 +14,8 @@ namespace shoal {
 namespace {
 
 constexpr std::array<std::string_view, 10> kRemus100Keys = {
-    "gains",    "heading_observer_hz", "pitch_kp", "pitch_ki",      "pitch_kd",
-    "heave_kd", "depth_kp",            "depth_ki", "max_pitch_deg", "max_fin_deg"};
+    "gains",    "heading_observer_hz", "pitch_kp",   "pitch_ki", "pitch_kd", "heave_kd", "depth_kp",
+    "depth_ki", "max_pitch_deg",       "max_fin_deg"};
 constexpr std::array<std::string_view, 4> kSurfaceCraftKeys = {
     "heading_integral_limit_deg", "speed_kp", "speed_ki", "speed_integral_limit_pct"};
 
@@ -29,7 +29,7 @@ std::string InsteadOf(std::string_view key) {
 void DescribeGains(Fields& fields, AutopilotOptions& options) {
   for (const std::string_view key : kRemus100Keys) {
     fields.NoKey(key,
-                 "it is a key of model = \"remus100\", and this is a surface craft: write that "
+                 "a key of model = \"remus100\", and this is a surface craft: write that "
                  "model, or leave it out");
   }
   const NumberLimits gain = Between(0, 1000);
@@ -44,8 +44,8 @@ void DescribeGains(Fields& fields, AutopilotOptions& options) {
 
 void DescribeGains(Fields& fields, Remus100Gains& gains) {
   for (const std::string_view key : kSurfaceCraftKeys) {
-    fields.NoKey(key, "it is a key of surface craft, and this is a remus100: leave it out; " +
-                          InsteadOf(key));
+    fields.NoKey(key,
+                 "a key of surface craft, and this is a remus100: leave it out; " + InsteadOf(key));
   }
   constexpr std::array<std::string_view, 3> kSets = {"default", "munet", "fossen"};
   fields.Word("gains", gains.gains, kSets);
@@ -77,8 +77,8 @@ struct AutopilotOfModel {
     DescribeGains(fields, vehicle.autopilot);
   }
   void operator()(Remus100Options& options) const {
-    Remus100Gains gains = options.autopilot.value_or(
-        Remus100GainsNamed(GainsForParameters(options.parameters)));
+    Remus100Gains gains =
+        options.autopilot.value_or(Remus100GainsNamed(GainsForParameters(options.parameters)));
     DescribeGains(fields, gains);
     options.autopilot = gains;
   }

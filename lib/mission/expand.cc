@@ -245,8 +245,7 @@ class Expansion {
     const Value* model = Find(full, "model");
     const auto* text = model == nullptr ? nullptr : std::get_if<std::string>(&model->data);
     if (model != nullptr && text == nullptr) return;  // Reported where vehicles are read.
-    const std::string chosen =
-        text == nullptr ? std::string(FactsOfModel(AnyModel()).name) : *text;
+    const std::string chosen = text == nullptr ? std::string(FactsOfModel(AnyModel()).name) : *text;
     for (const AnyModel& each : EachModel()) {
       const std::string_view name = FactsOfModel(each).name;
       const Value* table = name == chosen ? nullptr : Find(own, name);

@@ -129,7 +129,8 @@ TEST(WholeSwarmAsMunet, TwoFollowersByConstantBearingStayWithinTwoMetresOfItsTra
   EXPECT_LT(FarthestFromMunet("munet/sim_direct_cb.csv", kOnTheBearing), 2);
 }
 
-/// The laws by themselves, each decision put off by a step as between processes.
+/// The laws by themselves, each decision put off by a step as between processes; the autopilots
+/// look that step ahead (remus100_ahead.h).
 class LateSwarm {
  public:
   LateSwarm(const Positions& start_m, const VelocityLaw& law) {
@@ -143,16 +144,16 @@ class LateSwarm {
   }
 
   void Step() {
-    std::vector<Remus100Actuators> put_off;
-    for (const MunetAuv& auv : auvs_) put_off.push_back(auv.command);
     std::vector<Neighbour> seen;
-    for (const MunetAuv& auv : auvs_)
-      seen.push_back(auv.AsNeighbour(static_cast<int>(seen.size())));
-    for (size_t i = 0; i < auvs_.size(); ++i) Decide(i, seen);
+    std::vector<MunetAuv> next = auvs_;  // By the commands of the step before.
     for (size_t i = 0; i < auvs_.size(); ++i) {
-      std::swap(auvs_[i].command, put_off[i]);
-      auvs_[i].Step({});
-      std::swap(auvs_[i].command, put_off[i]);
+      seen.push_back(auvs_[i].AsNeighbour(static_cast<int>(i)));
+      next[i].Step({});
+      auvs_[i].seen_by_pilot = next[i].state;
+    }
+    for (size_t i = 0; i < auvs_.size(); ++i) {
+      Decide(i, seen);
+      auvs_[i].state = next[i].state;
     }
   }
 
