@@ -22,10 +22,6 @@ Remus100 AuvOf(const Remus100Options& options) {
   return BuildRemus100(*params);
 }
 
-Remus100Gains GainsOf(const Remus100Options& options) {
-  return options.autopilot.value_or(Remus100GainsNamed(GainsForParameters(options.parameters)));
-}
-
 /// The law of pitch damps kd q + heave_kd w, and has one place for both: kd (q + this w).
 double HeaveShareOf(const Remus100Options& options) {
   const Remus100Gains gains = GainsOf(options);

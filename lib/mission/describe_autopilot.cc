@@ -19,7 +19,7 @@ constexpr std::array<std::string_view, 10> kRemus100Keys = {
 constexpr std::array<std::string_view, 4> kSurfaceCraftKeys = {
     "heading_integral_limit_deg", "speed_kp", "speed_ki", "speed_integral_limit_pct"};
 
-/// What a user would write who has the other model's key in mind.
+/// What to write instead of a key of the other model.
 std::string InsteadOf(std::string_view key) {
   if (key == "heading_integral_limit_deg") return "max_fin_deg limits the whole deflection";
   if (key.starts_with("speed_")) return "its propeller turns as propeller_rpm or speed_mps take";
@@ -77,10 +77,11 @@ struct AutopilotOfModel {
     DescribeGains(fields, vehicle.autopilot);
   }
   void operator()(Remus100Options& options) const {
-    Remus100Gains gains =
-        options.autopilot.value_or(Remus100GainsNamed(GainsForParameters(options.parameters)));
+    Remus100Gains gains = GainsOf(options);
     DescribeGains(fields, gains);
-    options.autopilot = gains;
+    if (!fields.reading()) return;
+    options.autopilot.reset();
+    if (gains != GainsOf(options)) options.autopilot = gains;
   }
 };
 
@@ -111,8 +112,9 @@ Remus100Gains Remus100GainsNamed(std::string_view name) {
           .max_fin_deg = WrittenDegrees(pilot->heading.max_output_rad)};
 }
 
-std::string_view GainsForParameters(std::string_view parameters) {
-  return parameters == "munet" ? "munet" : "default";
+Remus100Gains GainsOf(const Remus100Options& options) {
+  if (options.autopilot) return *options.autopilot;
+  return Remus100GainsNamed(options.parameters == "munet" ? "munet" : "default");
 }
 
 }  // namespace shoal

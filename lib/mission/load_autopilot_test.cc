@@ -29,10 +29,10 @@ std::string AuvWithTicks(const std::string& tick_s, const std::string& more) {
 }
 
 TEST(AutopilotOfARemus100, HasTheSetThatSuitsItsParameters) {
-  EXPECT_EQ(OptionsOf("").autopilot, Remus100GainsNamed("default"));
-  EXPECT_EQ(OptionsOf("remus100 = {parameters = \"munet\"}\n").autopilot,
+  EXPECT_EQ(GainsOf(OptionsOf("")), Remus100GainsNamed("default"));
+  EXPECT_EQ(GainsOf(OptionsOf("remus100 = {parameters = \"munet\"}\n")),
             Remus100GainsNamed("munet"));
-  EXPECT_EQ(OptionsOf("remus100 = {parameters = \"fossen\"}\n").autopilot,
+  EXPECT_EQ(GainsOf(OptionsOf("remus100 = {parameters = \"fossen\"}\n")),
             Remus100GainsNamed("default"))
       << "Fossen's own need ticks of 0.05 s or less";
 }
@@ -43,7 +43,18 @@ TEST(AutopilotOfARemus100, TakesASetByNameAndSingleGainsOverIt) {
   Remus100Gains expected = Remus100GainsNamed("fossen");
   expected.heading_kd = 3;
   expected.max_pitch_deg = 12.5;
-  EXPECT_EQ(options.autopilot, expected);
+  EXPECT_EQ(GainsOf(options), expected);
+}
+
+TEST(AutopilotOfARemus100, IsTheSameAfterItWasExplained) {
+  for (const std::string more :
+       {"", "remus100 = {parameters = \"munet\"}\n", "autopilot = {gains = \"fossen\"}\n",
+        "autopilot = {heading_kp = 2}\n"}) {
+    const LoadedMission loaded = LoadMissionText(std::string(kShortest) + kAuv + more, "m.toml");
+    const LoadedMission again = LoadMissionText(Explain(loaded.mission), "m.toml");
+    ASSERT_TRUE(again.errors.empty()) << again.errors.front();
+    EXPECT_EQ(again.mission.vehicles, loaded.mission.vehicles) << more;
+  }
 }
 
 TEST(SetsOfGains, AreThoseOfTheirSources) {

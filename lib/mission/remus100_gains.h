@@ -29,7 +29,4 @@ struct Remus100Gains {
 /// Returns the set of that name. @pre "default", "munet" or "fossen"
 [[nodiscard]] Remus100Gains Remus100GainsNamed(std::string_view name);
 
-/// Returns the name of the set for the vehicle of that set of parameters.
-[[nodiscard]] std::string_view GainsForParameters(std::string_view parameters);
-
 }  // namespace shoal

@@ -29,6 +29,9 @@ constexpr ModelFacts FactsOf(const Remus100Options& /*model*/) {
   return {.name = "remus100", .is_underwater = true, .longest_tick_s = 0.2};
 }
 
+/// Returns the gains that steer it.
+[[nodiscard]] Remus100Gains GainsOf(const Remus100Options& options);
+
 /// [vehicle.remus100].
 void Describe(Fields& fields, Remus100Options& options);
 

@@ -23,8 +23,7 @@ std::string TickText(int64_t tick_us, std::string_view fin, double swing_deg) {
 }
 
 void WarnOfGains(const TablePlace& place, const Remus100Options& options, int64_t tick_us) {
-  if (!options.autopilot) return;
-  const Remus100Gains& gains = *options.autopilot;
+  const Remus100Gains gains = GainsOf(options);
   const Remus100Gains named = Remus100GainsNamed(gains.gains);
   const TablePlace table = place.Below("autopilot");
   const bool is_long = tick_us > kLongestStiffTick_us;
