@@ -123,10 +123,11 @@ void AcommsApp::Tick(int64_t utime) {
 void AcommsApp::Send(const DueMessage& due, int64_t utime) {
   const std::optional<Motion> own = MotionOf(nav_);
   SHOAL_CHECK(own.has_value(), "NAV was checked when it came");
-  std::vector<uint8_t> bytes = SwarmBytes(due, {.own = *own,
-                                                .next = NextOf(*own, helm_, propeller_.PlanOf(*own, utime)),
-                                                .now_us = utime - start_utime_,
-                                                .state = receiver_.state});
+  std::vector<uint8_t> bytes =
+      SwarmBytes(due, {.own = *own,
+                       .next = NextOf(*own, helm_, propeller_.PlanOf(*own, utime)),
+                       .now_us = utime - start_utime_,
+                       .state = receiver_.state});
   if (receiver_.has_frames) bytes = EncodeFrame(bytes, sequence_++);
   acoustic_tx_t packet{};
   packet.utime = utime;
