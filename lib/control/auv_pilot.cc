@@ -103,16 +103,19 @@ double AuvPilot::PitchAlong(const DepthBound& bound, double goal_m, double speed
 double AuvPilot::RaisedPitch(const AuvMotion& motion, double theta_d_rad, const DepthBound& bound,
                              double dt_s) {
   const double deepest_m = params_.depth_limits.max_z_m;
-  const double bound_m = std::min(deepest_m, bound.now_m);
   const double along_rad = PitchAlong(bound, deepest_m, motion.speed_mps);
-  // Far above the bound this asks for a dive steeper than any.
-  const double least_rad = params_.depth.kp * (motion.z_m - bound_m) +
+  // Compared where a pitch that is asked for now will have come about: so a dive ends in time. Far
+  // above the bound this asks for a dive steeper than any.
+  const double soon_m = std::min(deepest_m, bound.soon_m);
+  const double z_soon_m =
+      motion.z_m - motion.speed_mps * std::sin(motion.theta_rad) * DepthBound::kLead_s;
+  const double least_rad = params_.depth.kp * (z_soon_m - soon_m) +
                            params_.depth.ki * depth_.integral_ms + along_rad;
   if (theta_d_rad >= least_rad) {
     depth_ = {};
     return theta_d_rad;
   }
-  return depth_.Update(params_.depth, motion.z_m, bound_m, motion.is_driven ? dt_s : 0, along_rad);
+  return depth_.Update(params_.depth, z_soon_m, soon_m, motion.is_driven ? dt_s : 0, along_rad);
 }
 
 }  // namespace shoal

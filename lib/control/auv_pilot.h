@@ -71,6 +71,7 @@ class AuvPilot {
   AuvDeflections KeepHeadingAndPitch(const AuvMotion& motion, double psi_d_rad, double theta_d_rad,
                                      const DepthBound& bound, double dt_s);
 
+  const AuvPilotParams& params() const { return params_; }
   double desired_psi_rad() const { return observer_.psi_d_rad; }
   double desired_yaw_rate_radps() const { return observer_.r_d_radps; }
   double desired_z_m() const { return depth_filter_.z_d_m; }

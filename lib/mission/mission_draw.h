@@ -208,7 +208,8 @@ class MissionDraw {
                                      .max_depth_m = Positive(20'000),
                                      .seabed_clearance_m = Number(0, 1000),
                                      .depth_filter_s = Number(0, 1000),
-                                     .max_propeller_rate_rpmps = Number(0, 1e6)};
+                                     .max_propeller_rate_rpmps = Number(0, 1e6),
+                                     .buoyancy_by_weight = Number(0.9, 1.1)};
     const double acceptance_m = Number(0, 1000);
     PathFollowTask path = {.points_m = {DeepPoint(), DeepPoint()},
                            .speed_mps = Positive(50),
@@ -242,6 +243,7 @@ class MissionDraw {
                           .height_deg = Number(0, 180),
                           .rate_hz = Positive(1000),
                           .noise_m = Number(0, 1000)};
+        std::get<Remus100Options>(vehicle->model).floor_from = "sonar";
         track.track.law = VelocityCascade{
             {SurvivalLayer{.group = {.r_safe_m = 3, .r_avoid_m = 30}, .sonar = {.r_avoid_m = 25}},
              FeedForwardLayer{}}};
