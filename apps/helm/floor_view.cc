@@ -22,6 +22,9 @@ constexpr double kFarStep_m = 4;
 constexpr double kHalfWay_m = 5;
 /// Slower than this a course over ground means nothing.
 constexpr double kLeastSpeed_mps = 0.3;
+/// What the highest beam sees is taken to be so much higher: its top is not in the fan.
+constexpr double kUnseenHeight_m = 30;
+constexpr double kSameBeam_deg = 0.01;
 constexpr double kFastestOverGround_mps = 50;
 constexpr double kDeepestFloor_m = 1e5;
 constexpr double kLeastSlope = 0.02;
@@ -36,6 +39,18 @@ FloorView::FloorView(const Remus100Options& options, const SonarOptions& sonar,
       clearance_m_(options.seabed_clearance_m),
       sonar_step_m_(sonar.max_range_m / sonar.range_steps),
       chart_(std::move(chart)) {}
+
+void FloorView::OnSonar(const sonar_t& ping) {
+  ping_ = ping;
+  highest_beams_ = ping;
+  double highest_deg = -90;
+  for (const sonar_beam_t& beam : ping.beams) {
+    highest_deg = std::max(highest_deg, beam.elevation_deg);
+  }
+  std::erase_if(highest_beams_.beams, [&](const sonar_beam_t& beam) {
+    return !(beam.elevation_deg >= highest_deg - kSameBeam_deg);
+  });
+}
 
 DepthBound FloorView::Look(const nav_t& nav, double turn_rad, double dt_s, double climb_mps) {
   const bool has_course = std::isfinite(nav.speed_over_ground_mps) &&
@@ -82,19 +97,25 @@ std::vector<FloorPoint> FloorView::ChartAhead(const nav_t& nav, double course_ra
 }
 
 std::vector<FloorPoint> FloorView::EchoesAhead(const nav_t& nav, double course_rad) const {
+  std::vector<FloorPoint> seen;
+  AddEchoes(ping_, nav, course_rad, 0, &seen);
+  AddEchoes(highest_beams_, nav, course_rad, kUnseenHeight_m, &seen);
+  std::sort(seen.begin(), seen.end(),
+            [](const FloorPoint& a, const FloorPoint& b) { return a.ahead_m < b.ahead_m; });
+  return seen;
+}
+
+void FloorView::AddEchoes(const sonar_t& ping, const nav_t& nav, double course_rad, double higher_m,
+                          std::vector<FloorPoint>* seen) const {
   const Eigen::Vector2d along = UnitVector(course_rad);
   const Eigen::Vector2d abeam(-along.y(), along.x());
-  std::vector<FloorPoint> seen;
-  for (const SonarEcho& echo : EchoesOf(ping_, nav)) {
+  for (const SonarEcho& echo : EchoesOf(ping, nav)) {
     // Where it may be at the nearest, for the range is rounded up.
     const Eigen::Vector3d offset_m = std::max(0.0, echo.range_m - sonar_step_m_) * echo.direction;
     const double ahead_m = along.dot(offset_m.head<2>());
     if (ahead_m <= 0 || std::abs(abeam.dot(offset_m.head<2>())) > kHalfWay_m) continue;
-    seen.push_back({.ahead_m = ahead_m, .z_m = nav.z_m + offset_m.z()});
+    seen->push_back({.ahead_m = ahead_m, .z_m = nav.z_m + offset_m.z() - higher_m});
   }
-  std::sort(seen.begin(), seen.end(),
-            [](const FloorPoint& a, const FloorPoint& b) { return a.ahead_m < b.ahead_m; });
-  return seen;
 }
 
 }  // namespace shoal

@@ -25,7 +25,7 @@ class FloorView {
             std::optional<SeaFloor> chart);
 
   /// Takes note of what the sonar saw.
-  void OnSonar(const sonar_t& ping) { ping_ = ping; }
+  void OnSonar(const sonar_t& ping);
 
   /// Returns how deep the vehicle may go, `dt_s` after the last call. It is about to turn by
   /// `turn_rad`, clockwise, and can climb at `climb_mps` > 0.
@@ -38,6 +38,8 @@ class FloorView {
   std::vector<FloorPoint> ChartAhead(const nav_t& nav, double course_rad, double turn_rad,
                                      double speed_mps) const;
   std::vector<FloorPoint> EchoesAhead(const nav_t& nav, double course_rad) const;
+  void AddEchoes(const sonar_t& ping, const nav_t& nav, double course_rad, double higher_m,
+                 std::vector<FloorPoint>* seen) const;
 
   enum class Source { kAltimeter, kSonar, kChart };
 
@@ -46,6 +48,7 @@ class FloorView {
   double sonar_step_m_;  ///< Its ranges are rounded up to such steps.
   std::optional<SeaFloor> chart_;
   sonar_t ping_{};
+  sonar_t highest_beams_{};  ///< Those of the ping that look highest.
   FloorLine line_;
 };
 

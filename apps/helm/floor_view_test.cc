@@ -71,10 +71,13 @@ TEST(FloorView, KnowsByItsSonarWhatStandsAhead) {
   sonar_t ping{};
   ping.beams = {{.azimuth_deg = 0, .elevation_deg = 0, .range_m = 21},
                 {.azimuth_deg = 60, .elevation_deg = 0, .range_m = 10},  // Beside the way.
-                {.azimuth_deg = 0, .elevation_deg = 5, .range_m = -1}};  // No echo.
+                {.azimuth_deg = 0, .elevation_deg = 5, .range_m = -1}};  // Sees the top.
   view.OnSonar(ping);
   // The range is rounded up to whole metres: it may stand 20 m ahead.
   EXPECT_NEAR(view.Look(nav, 0, kTick_s, kClimb_mps).now_m, 30 - 5 + 0.25 * 20, 1e-9);
+  ping.beams.pop_back();  // Now the top may be anywhere.
+  view.OnSonar(ping);
+  EXPECT_NEAR(view.Look(nav, 0, kTick_s, kClimb_mps).now_m, 0 - 5 + 0.25 * 20, 1e-9);
   nav_t later = nav;
   later.utime = 2'000'000;
   EXPECT_NEAR(view.Look(later, 0, kTick_s, kClimb_mps).now_m, 50, 1e-9) << "an old ping counts";

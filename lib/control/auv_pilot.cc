@@ -9,6 +9,9 @@ namespace shoal {
 
 namespace {
 
+/// A bound is held more tightly than a depth: it is looked at ahead, which damps. Tuned in
+/// floor_keeping_test.cc.
+constexpr double kBoundGain = 1.5;
 constexpr double kNoFloor_m = std::numeric_limits<double>::infinity();
 
 }  // namespace
@@ -49,8 +52,7 @@ AuvDeflections AuvPilot::KeepHeadingAndDepth(const AuvMotion& motion, double psi
   observer_.Update(params_.heading_observer_hz, psi_ref_rad, dt_s);
   const double goal_m =
       std::max(params_.least_z_m, LimitDepth(z_ref_m, params_.depth_limits, kNoFloor_m));
-  const double climb_mps = motion.speed_mps * std::sin(params_.depth.max_pitch_rad);
-  MoveDesiredDepth(goal_m, bound, climb_mps, dt_s);
+  MoveDesiredDepth(motion, goal_m, bound.now_m, dt_s);
   theta_d_rad_ =
       depth_.Update(params_.depth, motion.z_m, depth_filter_.z_d_m, motion.is_driven ? dt_s : 0,
                     PitchAlong(bound, goal_m, motion.speed_mps));
@@ -78,19 +80,21 @@ AuvDeflections AuvPilot::Deflect(const AuvMotion& motion, double psi_d_rad, doub
                                            motion.q_radps, integrated_s)};
 }
 
-void AuvPilot::MoveDesiredDepth(double goal_m, const DepthBound& bound, double climb_mps,
+void AuvPilot::MoveDesiredDepth(const AuvMotion& motion, double goal_m, double bound_m,
                                 double dt_s) {
+  // From here on the pitch is at its limit.
+  const double highest_m = motion.z_m - params_.depth.max_pitch_rad / params_.depth.kp;
+  const double now_m = std::max(bound_m, highest_m);
   // What the filter smooths is the way to the bound; the bound's own slope goes on without lag. A
   // step of it does not.
-  const bool is_bound = bound.now_m < goal_m;
+  const bool is_bound = now_m < goal_m;
   if (is_bound && std::isfinite(bound_m_) && params_.feeds_forward) {
-    depth_filter_.z_d_m +=
-        std::clamp(bound.now_m - bound_m_, -climb_mps * dt_s, climb_mps * dt_s);
+    const double most_m = motion.speed_mps * std::sin(params_.depth.max_pitch_rad) * dt_s;
+    depth_filter_.z_d_m += std::clamp(now_m - bound_m_, -most_m, most_m);
   }
-  bound_m_ = bound.now_m;
-  const double z_d_m =
-      depth_filter_.Update(params_.depth_filter, std::min(goal_m, bound.now_m), dt_s);
-  if (is_bound) depth_filter_.z_d_m = std::max(params_.least_z_m, std::min(z_d_m, bound.now_m));
+  bound_m_ = now_m;
+  const double z_d_m = depth_filter_.Update(params_.depth_filter, std::min(goal_m, now_m), dt_s);
+  if (is_bound) depth_filter_.z_d_m = std::max(params_.least_z_m, std::min(z_d_m, now_m));
 }
 
 double AuvPilot::PitchAlong(const DepthBound& bound, double goal_m, double speed_mps) const {
@@ -109,13 +113,16 @@ double AuvPilot::RaisedPitch(const AuvMotion& motion, double theta_d_rad, const 
   const double soon_m = std::min(deepest_m, bound.soon_m);
   const double z_soon_m =
       motion.z_m - motion.speed_mps * std::sin(motion.theta_rad) * DepthBound::kLead_s;
-  const double least_rad = params_.depth.kp * (z_soon_m - soon_m) +
-                           params_.depth.ki * depth_.integral_ms + along_rad;
+  const DepthPiGains gains = {.kp = kBoundGain * params_.depth.kp,
+                              .ki = kBoundGain * params_.depth.ki,
+                              .max_pitch_rad = params_.depth.max_pitch_rad};
+  const double least_rad = gains.kp * (z_soon_m - soon_m) +
+                           gains.ki * depth_.integral_ms + along_rad;
   if (theta_d_rad >= least_rad) {
     depth_ = {};
     return theta_d_rad;
   }
-  return depth_.Update(params_.depth, z_soon_m, soon_m, motion.is_driven ? dt_s : 0, along_rad);
+  return depth_.Update(gains, z_soon_m, soon_m, motion.is_driven ? dt_s : 0, along_rad);
 }
 
 }  // namespace shoal

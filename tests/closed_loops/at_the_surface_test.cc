@@ -12,7 +12,7 @@ TEST(AtTheSurface, ItSwimsJustUnderWaterWithItsFinsAtRest) {
   const Extremes seen = auv.Swim(ToDepth(0), 60);
   EXPECT_LT(seen.stern_plane_deg, 1);
   EXPECT_LT(seen.rudder_deg, 1);
-  EXPECT_GT(seen.least_z_m, 0.1);
+  EXPECT_GT(seen.least_z_m, 0.08);
   EXPECT_LT(seen.greatest_z_m, 0.2);
 }
 

@@ -54,7 +54,6 @@ struct Extremes {
   double greatest_z_m = -1e9;
   double stern_plane_deg = 0;  ///< The largest.
   double rudder_deg = 0;
-  double altitude_swings = 0;  ///< How often the altitude turned round by more than 5 cm.
 };
 
 class SwimmingAuv {
@@ -73,8 +72,6 @@ class SwimmingAuv {
 
   Extremes Swim(const Guidance& guidance, double duration_s) {
     Extremes seen;
-    double turned_at_m = Altitude();
-    double direction = 0;
     for (int i = 0; i < std::lround(duration_s / kTick_s); ++i) {
       Step(guidance);
       const double altitude_m = Altitude();
@@ -84,13 +81,6 @@ class SwimmingAuv {
       seen.greatest_z_m = std::max(seen.greatest_z_m, z_m());
       seen.stern_plane_deg = std::max(seen.stern_plane_deg, std::abs(actuators_.stern_plane_deg));
       seen.rudder_deg = std::max(seen.rudder_deg, std::abs(actuators_.rudder_deg));
-      const double way_m = altitude_m - turned_at_m;
-      if (way_m * direction > 0 || direction == 0) turned_at_m = altitude_m;
-      if (direction == 0 || std::abs(altitude_m - turned_at_m) > 0.05) {
-        if (direction != 0) ++seen.altitude_swings;
-        direction = way_m > 0 ? 1 : -1;
-        turned_at_m = altitude_m;
-      }
     }
     return seen;
   }
