@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "apps/helm/sonar_echoes.h"
@@ -25,9 +26,18 @@ constexpr double kLeastSpeed_mps = 0.3;
 /// What the highest beam sees is taken to be so much higher: its top is not in the fan.
 constexpr double kUnseenHeight_m = 30;
 constexpr double kSameBeam_deg = 0.01;
+/// What was seen stays for as long as the vehicle takes to come down by it at this slope: near an
+/// edge it is out of the fan.
+constexpr double kReturnSlope = 0.1;
 constexpr double kFastestOverGround_mps = 50;
 constexpr double kDeepestFloor_m = 1e5;
 constexpr double kLeastSlope = 0.02;
+
+DepthBound Least(const DepthBound& a, const DepthBound& b) {
+  return {.now_m = std::min(a.now_m, b.now_m),
+          .soon_m = std::min(a.soon_m, b.soon_m),
+          .later_m = std::min(a.later_m, b.later_m)};
+}
 
 }  // namespace
 
@@ -40,16 +50,31 @@ FloorView::FloorView(const Remus100Options& options, const SonarOptions& sonar,
       sonar_step_m_(sonar.max_range_m / sonar.range_steps),
       chart_(std::move(chart)) {}
 
+void FloorView::Forget() {
+  line_.Lose();
+  held_m_ = std::numeric_limits<double>::infinity();
+}
+
+// The top of what a beam sees may be as high as the next beam looks.
 void FloorView::OnSonar(const sonar_t& ping) {
   ping_ = ping;
   highest_beams_ = ping;
-  double highest_deg = -90;
+  ping_.beams.clear();
+  highest_beams_.beams.clear();
   for (const sonar_beam_t& beam : ping.beams) {
-    highest_deg = std::max(highest_deg, beam.elevation_deg);
+    sonar_beam_t raised = beam;
+    raised.elevation_deg = 91;
+    for (const sonar_beam_t& other : ping.beams) {
+      if (other.elevation_deg > beam.elevation_deg + kSameBeam_deg) {
+        raised.elevation_deg = std::min(raised.elevation_deg, other.elevation_deg);
+      }
+    }
+    if (raised.elevation_deg <= 90) {
+      ping_.beams.push_back(raised);
+    } else {
+      highest_beams_.beams.push_back(beam);
+    }
   }
-  std::erase_if(highest_beams_.beams, [&](const sonar_beam_t& beam) {
-    return !(beam.elevation_deg >= highest_deg - kSameBeam_deg);
-  });
 }
 
 DepthBound FloorView::Look(const nav_t& nav, double turn_rad, double dt_s, double climb_mps) {
@@ -73,10 +98,7 @@ DepthBound FloorView::Look(const nav_t& nav, double turn_rad, double dt_s, doubl
   }
   const DepthBound below = BoundOver(line_.Ahead(kLineLength_m, speed_mps), clearance);
   if (source_ != Source::kSonar) return below;
-  const DepthBound ahead = BoundOver(EchoesAhead(nav, course_rad), clearance);
-  return {.now_m = std::min(below.now_m, ahead.now_m),
-          .soon_m = std::min(below.soon_m, ahead.soon_m),
-          .later_m = std::min(below.later_m, ahead.later_m)};
+  return Least(below, SonarBound(nav, course_rad, dt_s, clearance));
 }
 
 // Along the arc on which the vehicle turns, and straight on from its end.
@@ -96,26 +118,30 @@ std::vector<FloorPoint> FloorView::ChartAhead(const nav_t& nav, double course_ra
   }
 }
 
-std::vector<FloorPoint> FloorView::EchoesAhead(const nav_t& nav, double course_rad) const {
-  std::vector<FloorPoint> seen;
-  AddEchoes(ping_, nav, course_rad, 0, &seen);
-  AddEchoes(highest_beams_, nav, course_rad, kUnseenHeight_m, &seen);
-  std::sort(seen.begin(), seen.end(),
-            [](const FloorPoint& a, const FloorPoint& b) { return a.ahead_m < b.ahead_m; });
-  return seen;
+DepthBound FloorView::SonarBound(const nav_t& nav, double course_rad, double dt_s,
+                                 const Clearance& clearance) {
+  DepthBound seen = BoundOver(EchoesAhead(ping_, nav, course_rad, 0), clearance);
+  held_m_ = std::min(held_m_ + kReturnSlope * clearance.speed_mps * dt_s, seen.now_m);
+  seen = Least(seen, DepthBound::Level(held_m_));
+  return Least(seen, BoundOver(EchoesAhead(highest_beams_, nav, course_rad, kUnseenHeight_m),
+                               clearance));
 }
 
-void FloorView::AddEchoes(const sonar_t& ping, const nav_t& nav, double course_rad, double higher_m,
-                          std::vector<FloorPoint>* seen) const {
+std::vector<FloorPoint> FloorView::EchoesAhead(const sonar_t& ping, const nav_t& nav,
+                                               double course_rad, double higher_m) const {
   const Eigen::Vector2d along = UnitVector(course_rad);
   const Eigen::Vector2d abeam(-along.y(), along.x());
+  std::vector<FloorPoint> seen;
   for (const SonarEcho& echo : EchoesOf(ping, nav)) {
     // Where it may be at the nearest, for the range is rounded up.
     const Eigen::Vector3d offset_m = std::max(0.0, echo.range_m - sonar_step_m_) * echo.direction;
     const double ahead_m = along.dot(offset_m.head<2>());
     if (ahead_m <= 0 || std::abs(abeam.dot(offset_m.head<2>())) > kHalfWay_m) continue;
-    seen->push_back({.ahead_m = ahead_m, .z_m = nav.z_m + offset_m.z() - higher_m});
+    seen.push_back({.ahead_m = ahead_m, .z_m = nav.z_m + offset_m.z() - higher_m});
   }
+  std::sort(seen.begin(), seen.end(),
+            [](const FloorPoint& a, const FloorPoint& b) { return a.ahead_m < b.ahead_m; });
+  return seen;
 }
 
 }  // namespace shoal

@@ -7,6 +7,7 @@
 //   DepthBound bound = floor.Look(nav, turn_rad, dt_s, climb_mps);
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -31,15 +32,17 @@ class FloorView {
   /// `turn_rad`, clockwise, and can climb at `climb_mps` > 0.
   [[nodiscard]] DepthBound Look(const nav_t& nav, double turn_rad, double dt_s, double climb_mps);
 
-  /// Forgets what has passed below.
-  void Forget() { line_.Lose(); }
+  /// Forgets what has passed below and ahead.
+  void Forget();
 
  private:
   std::vector<FloorPoint> ChartAhead(const nav_t& nav, double course_rad, double turn_rad,
                                      double speed_mps) const;
-  std::vector<FloorPoint> EchoesAhead(const nav_t& nav, double course_rad) const;
-  void AddEchoes(const sonar_t& ping, const nav_t& nav, double course_rad, double higher_m,
-                 std::vector<FloorPoint>* seen) const;
+  DepthBound SonarBound(const nav_t& nav, double course_rad, double dt_s,
+                        const Clearance& clearance);
+  /// Returns the echoes on the way, raised by `higher_m`.
+  std::vector<FloorPoint> EchoesAhead(const sonar_t& ping, const nav_t& nav, double course_rad,
+                                      double higher_m) const;
 
   enum class Source { kAltimeter, kSonar, kChart };
 
@@ -47,8 +50,9 @@ class FloorView {
   double clearance_m_;
   double sonar_step_m_;  ///< Its ranges are rounded up to such steps.
   std::optional<SeaFloor> chart_;
-  sonar_t ping_{};
+  sonar_t ping_{};           ///< Each beam raised to the next above it; without the highest.
   sonar_t highest_beams_{};  ///< Those of the ping that look highest.
+  double held_m_ = std::numeric_limits<double>::infinity();  ///< By what the sonar saw.
   FloorLine line_;
 };
 

@@ -69,18 +69,22 @@ TEST(FloorView, KnowsByItsSonarWhatStandsAhead) {
   const nav_t nav = NavAt(0, 30, 25);
   EXPECT_NEAR(view.Look(nav, 0, kTick_s, kClimb_mps).now_m, 50, 1e-9);
   sonar_t ping{};
-  ping.beams = {{.azimuth_deg = 0, .elevation_deg = 0, .range_m = 21},
-                {.azimuth_deg = 60, .elevation_deg = 0, .range_m = 10},  // Beside the way.
-                {.azimuth_deg = 0, .elevation_deg = 5, .range_m = -1}};  // Sees the top.
+  ping.beams = {{.azimuth_deg = 0, .elevation_deg = -2, .range_m = 21},
+                {.azimuth_deg = 60, .elevation_deg = -2, .range_m = 10},  // Beside the way.
+                {.azimuth_deg = 0, .elevation_deg = 0, .range_m = -1}};   // Above the top.
   view.OnSonar(ping);
-  // The range is rounded up to whole metres: it may stand 20 m ahead.
+  // The range is rounded up to whole metres, the top is below the next beam: 20 m ahead, 30 m deep.
   EXPECT_NEAR(view.Look(nav, 0, kTick_s, kClimb_mps).now_m, 30 - 5 + 0.25 * 20, 1e-9);
   ping.beams.pop_back();  // Now the top may be anywhere.
   view.OnSonar(ping);
-  EXPECT_NEAR(view.Look(nav, 0, kTick_s, kClimb_mps).now_m, 0 - 5 + 0.25 * 20, 1e-9);
+  EXPECT_LT(view.Look(nav, 0, kTick_s, kClimb_mps).now_m, 10);
+  view.OnSonar({});
+  // Once it is out of sight it counts as far as 1:10 of the way since.
   nav_t later = nav;
   later.utime = 2'000'000;
-  EXPECT_NEAR(view.Look(later, 0, kTick_s, kClimb_mps).now_m, 50, 1e-9) << "an old ping counts";
+  const double held_m = 30 - 5 + 0.25 * 20;
+  EXPECT_NEAR(view.Look(later, 0, 20, kClimb_mps).now_m, held_m + 0.1 * 2 * 20.0, 0.1);
+  EXPECT_NEAR(view.Look(later, 0, 500, kClimb_mps).now_m, 50, 1e-9);
 }
 
 }  // namespace shoal::floor_view_test

@@ -88,6 +88,7 @@ class SwimmingAuv {
   double z_m() const { return craft_.position_m().z(); }
   double x_m() const { return craft_.position_m().x(); }
   double Altitude() const { return floor_.DepthAt(craft_.position_m().head<2>()) - z_m(); }
+  const desired_t& desired() const { return desired_; }
   const actuators_t& actuators() const { return actuators_; }
 
  private:
