@@ -123,8 +123,8 @@ DepthBound FloorView::SonarBound(const nav_t& nav, double course_rad, double dt_
   DepthBound seen = BoundOver(EchoesAhead(ping_, nav, course_rad, 0), clearance);
   held_m_ = std::min(held_m_ + kReturnSlope * clearance.speed_mps * dt_s, seen.now_m);
   seen = Least(seen, DepthBound::Level(held_m_));
-  return Least(seen, BoundOver(EchoesAhead(highest_beams_, nav, course_rad, kUnseenHeight_m),
-                               clearance));
+  return Least(seen,
+               BoundOver(EchoesAhead(highest_beams_, nav, course_rad, kUnseenHeight_m), clearance));
 }
 
 std::vector<FloorPoint> FloorView::EchoesAhead(const sonar_t& ping, const nav_t& nav,

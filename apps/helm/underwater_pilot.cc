@@ -90,8 +90,8 @@ void UnderwaterPilot::Steer(const Guidance& guidance, const nav_t& nav, double d
   const AuvDeflections fins =
       guidance.pitch_rad
           ? pilot_.KeepHeadingAndPitch(motion, psi_rad, *guidance.pitch_rad, bound, dt_s)
-          : pilot_.KeepHeadingAndDepth(
-                motion, psi_rad, guidance.z_m.value_or(options_.cruise_depth_m), bound, dt_s);
+          : pilot_.KeepHeadingAndDepth(motion, psi_rad,
+                                       guidance.z_m.value_or(options_.cruise_depth_m), bound, dt_s);
   desired->depth_m = guidance.pitch_rad ? nav.z_m : pilot_.desired_z_m();
   const double stern_plane_sign = IsMunet(options_) ? 1 : -1;
   actuators->rudder_deg = -RadToDeg(fins.rudder_rad);

@@ -14,6 +14,12 @@ namespace {
 constexpr double kBoundGain = 1.5;
 constexpr double kNoFloor_m = std::numeric_limits<double>::infinity();
 
+/// Returns the error from which on the pitch is at its limit: a larger one would only be taken out
+/// of the integral, which is missing when the bound is gone again.
+double MostError(const DepthPiGains& gains, double along_rad) {
+  return std::max(0.0, gains.max_pitch_rad - along_rad) / gains.kp;
+}
+
 }  // namespace
 
 // Pitch: muNet's gains, the sign of the stern plane put right. Heading: muNet's would drive a fin
@@ -52,10 +58,10 @@ AuvDeflections AuvPilot::KeepHeadingAndDepth(const AuvMotion& motion, double psi
   observer_.Update(params_.heading_observer_hz, psi_ref_rad, dt_s);
   const double goal_m =
       std::max(params_.least_z_m, LimitDepth(z_ref_m, params_.depth_limits, kNoFloor_m));
-  MoveDesiredDepth(motion, goal_m, bound.now_m, dt_s);
-  theta_d_rad_ =
-      depth_.Update(params_.depth, motion.z_m, depth_filter_.z_d_m, motion.is_driven ? dt_s : 0,
-                    PitchAlong(bound, goal_m, motion.speed_mps));
+  const double along_rad = PitchAlong(bound, goal_m, motion.speed_mps);
+  MoveDesiredDepth(motion, goal_m, bound.now_m, along_rad, dt_s);
+  theta_d_rad_ = depth_.Update(params_.depth, motion.z_m, depth_filter_.z_d_m,
+                               motion.is_driven ? dt_s : 0, along_rad);
   return Deflect(motion, observer_.psi_d_rad, dt_s);
 }
 
@@ -81,9 +87,8 @@ AuvDeflections AuvPilot::Deflect(const AuvMotion& motion, double psi_d_rad, doub
 }
 
 void AuvPilot::MoveDesiredDepth(const AuvMotion& motion, double goal_m, double bound_m,
-                                double dt_s) {
-  // From here on the pitch is at its limit.
-  const double highest_m = motion.z_m - params_.depth.max_pitch_rad / params_.depth.kp;
+                                double along_rad, double dt_s) {
+  const double highest_m = motion.z_m - MostError(params_.depth, along_rad);
   const double now_m = std::max(bound_m, highest_m);
   // What the filter smooths is the way to the bound; the bound's own slope goes on without lag. A
   // step of it does not.
@@ -110,14 +115,15 @@ double AuvPilot::RaisedPitch(const AuvMotion& motion, double theta_d_rad, const 
   const double along_rad = PitchAlong(bound, deepest_m, motion.speed_mps);
   // Compared where a pitch that is asked for now will have come about: so a dive ends in time. Far
   // above the bound this asks for a dive steeper than any.
-  const double soon_m = std::min(deepest_m, bound.soon_m);
   const double z_soon_m =
       motion.z_m - motion.speed_mps * std::sin(motion.theta_rad) * DepthBound::kLead_s;
   const DepthPiGains gains = {.kp = kBoundGain * params_.depth.kp,
                               .ki = kBoundGain * params_.depth.ki,
                               .max_pitch_rad = params_.depth.max_pitch_rad};
-  const double least_rad = gains.kp * (z_soon_m - soon_m) +
-                           gains.ki * depth_.integral_ms + along_rad;
+  const double soon_m =
+      std::max(std::min(deepest_m, bound.soon_m), z_soon_m - MostError(gains, along_rad));
+  const double least_rad =
+      gains.kp * (z_soon_m - soon_m) + gains.ki * depth_.integral_ms + along_rad;
   if (theta_d_rad >= least_rad) {
     depth_ = {};
     return theta_d_rad;

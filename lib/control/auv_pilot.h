@@ -43,8 +43,8 @@ struct AuvMotion {
   double psi_rad = 0;
   double q_radps = 0;
   double r_radps = 0;
-  double speed_mps = 0;    ///< Through water.
-  bool is_driven = true;   ///< The propeller turns; else the integrals are held.
+  double speed_mps = 0;   ///< Through water.
+  bool is_driven = true;  ///< The propeller turns; else the integrals are held.
 };
 
 struct AuvDeflections {
@@ -81,7 +81,8 @@ class AuvPilot {
   AuvDeflections Drift(const AuvMotion& motion);
   AuvDeflections Deflect(const AuvMotion& motion, double psi_d_rad, double dt_s);
   /// Moves the desired depth toward `goal_m`, along with a bound that is less deep.
-  void MoveDesiredDepth(const AuvMotion& motion, double goal_m, double bound_m, double dt_s);
+  void MoveDesiredDepth(const AuvMotion& motion, double goal_m, double bound_m, double along_rad,
+                        double dt_s);
   double RaisedPitch(const AuvMotion& motion, double theta_d_rad, const DepthBound& bound,
                      double dt_s);
   /// Returns the pitch at which the vehicle rises as `bound` does, where that limits `goal_m`.

@@ -322,9 +322,10 @@ TEST(LoadUnderwaterErrors, ReportLayersThatNeedASonar) {
 }
 
 TEST(LoadUnderwaterErrors, ReportFloorsThatAVehicleCannotKnow) {
-  EXPECT_EQ(ErrorsInSwarm("[vehicle.remus100]\nfloor_from = \"chart\"\n"),
-            "10:14: floor_from = \"chart\" needs a sea floor: write floor = {style = \"linear\"} in "
-            "[environment], or floor_from = \"altimeter\"\n");
+  EXPECT_EQ(
+      ErrorsInSwarm("[vehicle.remus100]\nfloor_from = \"chart\"\n"),
+      "10:14: floor_from = \"chart\" needs a sea floor: write floor = {style = \"linear\"} in "
+      "[environment], or floor_from = \"altimeter\"\n");
   EXPECT_EQ(ErrorsInSwarm("[vehicle.remus100]\nfloor_from = \"sonar\"\n"),
             "10:14: floor_from = \"sonar\" needs one: write [vehicle.sonar] under the [[vehicle]], "
             "or floor_from = \"altimeter\"\n");

@@ -49,15 +49,16 @@ void CheckFloorSource(const TablePlace& place, const Vehicle& vehicle, const Mis
   const auto* model = std::get_if<Remus100Options>(&vehicle.model);
   if (model == nullptr) return;
   if (model->floor_from == "chart" && mission.environment.floor.style == "none") {
-    place.Below("remus100").Refuse(
-        "floor_from",
-        "floor_from = \"chart\" needs a sea floor: write floor = {style = \"linear\"} in "
-        "[environment], or floor_from = \"altimeter\"");
+    place.Below("remus100")
+        .Refuse("floor_from",
+                "floor_from = \"chart\" needs a sea floor: write floor = {style = \"linear\"} in "
+                "[environment], or floor_from = \"altimeter\"");
   }
   if (model->floor_from == "sonar" && !vehicle.sonar.is_fitted) {
-    place.Below("remus100").Refuse("floor_from",
-                                   "floor_from = \"sonar\" needs one: write [vehicle.sonar] under "
-                                   "the [[vehicle]], or floor_from = \"altimeter\"");
+    place.Below("remus100")
+        .Refuse("floor_from",
+                "floor_from = \"sonar\" needs one: write [vehicle.sonar] under "
+                "the [[vehicle]], or floor_from = \"altimeter\"");
   }
 }
 

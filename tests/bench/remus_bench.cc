@@ -44,7 +44,8 @@ void UpdateOfPilot(benchmark::State& state) {
   AuvMotion motion = {.z_m = 50, .speed_mps = 2};
   for (auto _ : state) {
     motion.psi_rad += 1e-4;
-    benchmark::DoNotOptimize(pilot.KeepHeadingAndDepth(motion, 1, 60, DepthBound::Level(95), kStep_s));
+    benchmark::DoNotOptimize(
+        pilot.KeepHeadingAndDepth(motion, 1, 60, DepthBound::Level(95), kStep_s));
   }
   state.SetItemsProcessed(state.iterations());
 }

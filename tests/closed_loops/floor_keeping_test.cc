@@ -66,8 +66,7 @@ TEST(FloorByAltimeter, IsClearedWithinHalfAMetreOnSlopesToOneInEight) {
 // What is not seen before it is there costs the way of the first seconds.
 TEST(FloorByAltimeter, IsClearedWithinAMetreWhereASlopeOfOneInEightBegins) {
   for (const auto& [kind, dive] : kDives) {
-    const Extremes seen =
-        SwimOver("altimeter", Rising(0.125), dive, kDeep_m - kClearance_m, 200);
+    const Extremes seen = SwimOver("altimeter", Rising(0.125), dive, kDeep_m - kClearance_m, 200);
     EXPECT_GT(seen.least_altitude_m, kClearance_m - 1) << kind;
     EXPECT_LT(seen.greatest_altitude_m, kClearance_m + 0.5) << kind;
   }
@@ -126,8 +125,8 @@ TEST(Wall, IsPassedAboveByTheSonar) {
 }
 
 TEST(Wall, IsHitByAVehicleThatLooksDownOnly) {
-  EXPECT_LT(SwimOver("altimeter", Wall(), ToDepth(100), kDeep_m - kClearance_m, 220).least_altitude_m,
-            0);
+  EXPECT_LT(
+      SwimOver("altimeter", Wall(), ToDepth(100), kDeep_m - kClearance_m, 220).least_altitude_m, 0);
 }
 
 TEST(GreatestDepth, IsKeptByAVehicleThatFollowsAnother) {

@@ -38,8 +38,8 @@ void MunetAuv::TakeTarget(const VelocityLaw& law) {
 void MunetAuv::DecideOnPath() {
   path_guidance = follower_->Update(position_m(), kMunetStep_s);
   leg = follower_->progress().previous;
-  const AuvDeflections fins = pilot.KeepHeadingAndDepth(
-      Motion(), path_guidance.psi_ref_rad, path_guidance.z_m, {}, kMunetStep_s);
+  const AuvDeflections fins = pilot.KeepHeadingAndDepth(Motion(), path_guidance.psi_ref_rad,
+                                                        path_guidance.z_m, {}, kMunetStep_s);
   command = {fins.rudder_rad, fins.stern_plane_rad, rpm_};
 }
 
