@@ -7,6 +7,7 @@
 
 #include "apps/helm/floor_view.h"
 #include "apps/helm/pilot.h"
+#include "apps/helm/remus100_ahead.h"
 #include "lib/control/auv_pilot.h"
 #include "lib/vehicle/remus100.h"
 
@@ -17,6 +18,8 @@ class UnderwaterPilot : public Pilot {
   /// `chart`: the sea floor that it knows with floor_from = "chart".
   explicit UnderwaterPilot(const Remus100Options& options, const SonarOptions& sonar = {},
                            std::optional<SeaFloor> chart = {});
+  UnderwaterPilot(const UnderwaterPilot&) = delete;
+  UnderwaterPilot& operator=(const UnderwaterPilot&) = delete;
 
   void Steer(const Guidance& guidance, const nav_t& nav, double dt_s, desired_t* desired,
              actuators_t* actuators) override;
@@ -31,8 +34,10 @@ class UnderwaterPilot : public Pilot {
 
   Remus100Options options_;
   Remus100 auv_;
+  std::optional<Remus100Ahead> ahead_;  ///< With muNet's gains, which bear no delay.
   AuvPilot pilot_;
   FloorView floor_;
+  double heave_share_ = 0;  ///< Radian per metre: see HeaveShareOf.
   double rpm_ = 0;
   bool rests_ = true;
 };

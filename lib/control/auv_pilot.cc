@@ -17,6 +17,7 @@ constexpr double kNoFloor_m = std::numeric_limits<double>::infinity();
 /// Returns the error from which on the pitch is at its limit: a larger one would only be taken out
 /// of the integral, which is missing when the bound is gone again.
 double MostError(const DepthPiGains& gains, double along_rad) {
+  if (gains.kp <= 0) return std::numeric_limits<double>::infinity();
   return std::max(0.0, gains.max_pitch_rad - along_rad) / gains.kp;
 }
 

@@ -1,9 +1,11 @@
 // The underwater vehicle in mission files: model = "remus100" and its table [vehicle.remus100].
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "lib/mission/model_facts.h"
+#include "lib/mission/remus100_gains.h"
 #include "lib/vehicle/remus100_params.h"
 
 namespace shoal {
@@ -22,6 +24,7 @@ struct Remus100Options {
   double buoyancy_by_weight = 1;        ///< When submerged; 1 is neutral, above 1 floats up.
   /// What it knows of the floor ahead: altimeter, sonar (and altimeter), or chart.
   std::string floor_from = "altimeter";
+  std::optional<Remus100Gains> autopilot = {};  ///< Absent: the set that suits `parameters`.
 
   bool operator==(const Remus100Options&) const = default;
 };
@@ -32,6 +35,8 @@ constexpr ModelFacts FactsOf(const Remus100Options& /*model*/) {
 
 /// Returns what the vehicle is made of. @pre the name of the parameters is one of the three
 [[nodiscard]] Remus100Params ParamsOf(const Remus100Options& model);
+/// Returns the gains that steer it.
+[[nodiscard]] Remus100Gains GainsOf(const Remus100Options& options);
 
 /// [vehicle.remus100].
 void Describe(Fields& fields, Remus100Options& options);
