@@ -27,7 +27,7 @@ TEST(BoundOver, RisesWithASlopeThatCanBeClimbed) {
   const DepthBound bound = BoundOver(floor, kAtTwo);
   EXPECT_DOUBLE_EQ(bound.now_m, 35);
   EXPECT_DOUBLE_EQ(bound.soon_m, 35 - 0.2 * 2 * DepthBound::kLead_s);
-  EXPECT_DOUBLE_EQ(bound.soon_m - bound.later_m, 0.2 * 2);
+  EXPECT_NEAR(bound.soon_m - bound.later_m, 0.2 * 2, 1e-9);
 }
 
 TEST(BoundOver, BeginsTheClimbOverACliffAsFarAheadAsItTakes) {
