@@ -23,7 +23,7 @@ constexpr double kFarStep_m = 4;
 constexpr double kHalfWay_m = 5;
 /// Slower than this a course over ground means nothing.
 constexpr double kLeastSpeed_mps = 0.3;
-/// What the highest beam sees is taken to be so much higher: its top is not in the fan.
+/// What the highest beam sees is taken to be higher by this: its top is not in the fan.
 constexpr double kUnseenHeight_m = 30;
 constexpr double kSameBeam_deg = 0.01;
 /// What was seen stays for as long as the vehicle takes to come down by it at this slope: near an
