@@ -102,7 +102,7 @@ std::string CommandsText(const std::array<int64_t, kNumOrderKinds>& num_executed
 
 HelmApp::HelmApp(const Mission& mission, const Vehicle& vehicle, Bus& bus)
     : bus_(bus),
-      pilot_(MakePilot(vehicle)),
+      pilot_(MakePilot(mission, vehicle)),
       nav_timeout_us_(Microseconds(vehicle.helm_options.nav_timeout_s)),
       state_interval_us_(Microseconds(vehicle.helm_options.state_interval_s)),
       desired_channel_(channels::Desired(vehicle.name)),
@@ -137,6 +137,7 @@ HelmApp::HelmApp(const Mission& mission, const Vehicle& vehicle, Bus& bus)
   if (vehicle.sonar.is_fitted) {
     Subscribe(bus, channels::Sonar(vehicle.name), [this](const sonar_t& ping) {
       swarm_.OnSonar(ping);
+      pilot_->OnSonar(ping);
       if (arbiter_ && had_nav_) arbiter_->OnSonar(ping, nav_, utime_.value_or(0));
     });
   }

@@ -3,12 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <utility>
 
 #include "lib/check/check.h"
 #include "lib/control/named_pilots.h"
 #include "lib/geometry/angles.h"
 #include "lib/vehicle/propulsion.h"
+#include "lib/vehicle/trim.h"
 
 namespace shoal {
 
@@ -16,10 +19,11 @@ namespace {
 
 bool IsMunet(const Remus100Options& options) { return options.parameters == "munet"; }
 
-Remus100 AuvOf(const Remus100Options& options) {
-  const std::optional<Remus100Params> params = Remus100ParamsByName(options.parameters);
-  SHOAL_CHECK(params.has_value(), "the mission file was checked");
-  return BuildRemus100(*params);
+/// Returns the least depth to steer for: the hull just under water, and a quarter of its diameter
+/// to swing in.
+double LeastDepth(const Remus100& auv) {
+  const double z_m = FloatingDepth(auv);
+  return z_m > 0 ? z_m + auv.params.diameter_m / 4 : 0;
 }
 
 /// The law of pitch damps kd q + heave_kd w, and has one place for both: kd (q + this w).
@@ -28,7 +32,7 @@ double HeaveShareOf(const Remus100Options& options) {
   return gains.heave_kd > 0 ? gains.heave_kd / gains.pitch_kd : 0;
 }
 
-AuvPilotParams PilotOf(const Remus100Options& options) {
+AuvPilotParams PilotOf(const Remus100Options& options, const Remus100& auv) {
   const Remus100Gains gains = GainsOf(options);
   const std::optional<AuvPilotParams> named = RemusPilotByName(gains.gains);
   SHOAL_CHECK(named.has_value(), "the mission file was checked");
@@ -48,6 +52,7 @@ AuvPilotParams PilotOf(const Remus100Options& options) {
   params.heading_observer_hz = gains.heading_observer_hz;
   params.depth_limits = {.max_z_m = options.max_depth_m,
                          .seabed_clearance_m = options.seabed_clearance_m};
+  params.least_z_m = LeastDepth(auv);
   params.depth_filter.settles_per_step = options.depth_filter_s == 0;
   if (options.depth_filter_s > 0) params.depth_filter.time_s = options.depth_filter_s;
   return params;
@@ -66,17 +71,27 @@ AuvMotion MotionOf(const nav_t& nav) {
           .theta_rad = DegToRad(nav.pitch_deg),
           .psi_rad = PsiFromHeading(DegToRad(nav.heading_deg)),
           .q_radps = DegToRad(nav.pitch_rate_degps),
-          .r_radps = -DegToRad(nav.yaw_rate_degps)};
+          .r_radps = -DegToRad(nav.yaw_rate_degps),
+          .speed_mps = nav.speed_mps};
 }
 
 }  // namespace
 
-UnderwaterPilot::UnderwaterPilot(const Remus100Options& options)
+UnderwaterPilot::UnderwaterPilot(const Remus100Options& options, const SonarOptions& sonar,
+                                 std::optional<SeaFloor> chart)
     : options_(options),
-      auv_(AuvOf(options)),
-      pilot_(PilotOf(options)),
+      auv_(BuildRemus100(ParamsOf(options))),
+      pilot_(PilotOf(options, auv_)),
+      floor_(options, sonar, std::move(chart)),
       heave_share_(HeaveShareOf(options)) {
   if (GainsOf(options).gains == "munet") ahead_.emplace(auv_, options.model_step_s);
+}
+
+double UnderwaterPilot::ClimbAt(double speed_mps) const {
+  constexpr double kShare = 0.8;
+  const double held_rad =
+      std::min(pilot_.params().depth.max_pitch_rad, SteepestPitch(auv_, speed_mps));
+  return std::max(0.0, speed_mps) * std::sin(kShare * held_rad);
 }
 
 double UnderwaterPilot::RpmOf(const Guidance& guidance) const {
@@ -107,14 +122,16 @@ void UnderwaterPilot::Steer(const Guidance& guidance, const nav_t& nav, double d
                                 : std::numeric_limits<double>::infinity();
   rpm_ = RampRpm(rpm_, setpoint_rpm, rate_rpmps, dt_s);
 
+  motion.is_driven = rpm_ != 0;
+
   const double psi_rad = PsiFromHeading(guidance.heading_rad);
-  const double seabed_z_m =
-      nav.altitude_m >= 0 ? nav.z_m + nav.altitude_m : std::numeric_limits<double>::infinity();
+  const double turn_rad = WrapPi(guidance.heading_rad - DegToRad(nav.heading_deg));
+  const DepthBound bound = floor_.Look(nav, turn_rad, dt_s, ClimbAt(nav.speed_mps));
   const AuvDeflections fins =
       guidance.pitch_rad
-          ? pilot_.KeepHeadingAndPitch(motion, psi_rad, *guidance.pitch_rad, dt_s)
-          : pilot_.KeepHeadingAndDepth(
-                motion, psi_rad, guidance.z_m.value_or(options_.cruise_depth_m), seabed_z_m, dt_s);
+          ? pilot_.KeepHeadingAndPitch(motion, psi_rad, *guidance.pitch_rad, bound, dt_s)
+          : pilot_.KeepHeadingAndDepth(motion, psi_rad,
+                                       guidance.z_m.value_or(options_.cruise_depth_m), bound, dt_s);
   if (ahead_) ahead_->Command({fins.rudder_rad, fins.stern_plane_rad, rpm_});
   desired->depth_m = guidance.pitch_rad ? nav.z_m : pilot_.desired_z_m();
   const double stern_plane_sign = IsMunet(options_) ? 1 : -1;
@@ -126,6 +143,7 @@ void UnderwaterPilot::Steer(const Guidance& guidance, const nav_t& nav, double d
 
 void UnderwaterPilot::Rest(const nav_t& nav, desired_t* desired, actuators_t* actuators) {
   rests_ = true;
+  floor_.Forget();
   rpm_ = 0;
   *actuators = {};
   desired->heading_deg = Wrap360(nav.heading_deg);

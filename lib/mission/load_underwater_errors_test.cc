@@ -322,6 +322,25 @@ TEST(LoadUnderwaterErrors, ReportLayersThatNeedASonar) {
   EXPECT_EQ(ErrorsOfTrack(text + "[vehicle.sonar]\n"), "");
 }
 
+TEST(LoadUnderwaterErrors, ReportFloorsThatAVehicleCannotKnow) {
+  EXPECT_EQ(
+      ErrorsInSwarm("[vehicle.remus100]\nfloor_from = \"chart\"\n"),
+      "10:14: floor_from = \"chart\" needs a sea floor: write floor = {style = \"linear\"} in "
+      "[environment], or floor_from = \"altimeter\"\n");
+  EXPECT_EQ(ErrorsInSwarm("[vehicle.remus100]\nfloor_from = \"sonar\"\n"),
+            "10:14: floor_from = \"sonar\" needs one: write [vehicle.sonar] under the [[vehicle]], "
+            "or floor_from = \"altimeter\"\n");
+  EXPECT_EQ(ErrorsInSwarm("[vehicle.remus100]\nfloor_from = \"sonar\"\n[vehicle.sonar]\n"), "");
+  EXPECT_EQ(ErrorsInSwarm("[vehicle.remus100]\nfloor_from = \"chart\"\n"
+                          "[environment]\nfloor = {style = \"flat\"}\n"),
+            "");
+}
+
+TEST(LoadUnderwaterErrors, ReportBuoyanciesThatNoFinHolds) {
+  EXPECT_EQ(ErrorsInSwarm("[vehicle.remus100]\nbuoyancy_by_weight = 2\n"),
+            "10:22: buoyancy_by_weight = 2 is out of range; allowed: 0.9 to 1.1\n");
+}
+
 TEST(LoadUnderwaterErrors, ReportDepthLimitsThatLeaveNoWater) {
   EXPECT_EQ(ErrorsOfTrack("target = \"bravo\"\nz_min_m = 30\nz_max_m = 20\n"),
             "12:11: z_min_m = 30 must be less than z_max_m = 20\n");

@@ -209,6 +209,7 @@ class MissionDraw {
                                      .seabed_clearance_m = Number(0, 1000),
                                      .depth_filter_s = Number(0, 1000),
                                      .max_propeller_rate_rpmps = Number(0, 1e6),
+                                     .buoyancy_by_weight = Number(0.9, 1.1),
                                      .autopilot = DrawGains()};
     vehicle->autopilot = {};
     const double acceptance_m = Number(0, 1000);
@@ -245,6 +246,7 @@ class MissionDraw {
                           .height_deg = Number(0, 180),
                           .rate_hz = Positive(1000),
                           .noise_m = Number(0, 1000)};
+        std::get<Remus100Options>(vehicle->model).floor_from = "sonar";
         track.track.law = VelocityCascade{
             {SurvivalLayer{.group = {.r_safe_m = 3, .r_avoid_m = 30}, .sonar = {.r_avoid_m = 25}},
              FeedForwardLayer{}}};

@@ -44,6 +44,24 @@ void CheckModel(const TablePlace& place, const Vehicle& vehicle, int64_t tick_us
   }
 }
 
+/// What a vehicle needs to know the floor in the way that it is to.
+void CheckFloorSource(const TablePlace& place, const Vehicle& vehicle, const Mission& mission) {
+  const auto* model = std::get_if<Remus100Options>(&vehicle.model);
+  if (model == nullptr) return;
+  if (model->floor_from == "chart" && mission.environment.floor.style == "none") {
+    place.Below("remus100")
+        .Refuse("floor_from",
+                "floor_from = \"chart\" needs a sea floor: write floor = {style = \"linear\"} in "
+                "[environment], or floor_from = \"altimeter\"");
+  }
+  if (model->floor_from == "sonar" && !vehicle.sonar.is_fitted) {
+    place.Below("remus100")
+        .Refuse("floor_from",
+                "floor_from = \"sonar\" needs one: write [vehicle.sonar] under "
+                "the [[vehicle]], or floor_from = \"altimeter\"");
+  }
+}
+
 /// What a task with swarm = "acoustic" needs of [swarm].
 void CheckAcousticTask(const TablePlace& place, const TargetTrackTask& track,
                        const Vehicle& vehicle, const Mission& mission) {
@@ -109,6 +127,7 @@ void ValidateUnderwater(const Mission& mission, const TablePlace& file) {
     const TablePlace place = file.Below("vehicle", i);
     CheckModel(place, vehicle, mission.tick_us);
     CheckEnding(place, vehicle);
+    CheckFloorSource(place, vehicle, mission);
     for (size_t k = 0; k < vehicle.tasks.size(); ++k) {
       const Task& task = vehicle.tasks[k];
       if (FactsOf(task).is_underwater && !FactsOfModel(vehicle.model).is_underwater) {

@@ -38,8 +38,8 @@ void MunetAuv::TakeTarget(const VelocityLaw& law) {
 void MunetAuv::DecideOnPath() {
   path_guidance = follower_->Update(position_m(), kMunetStep_s);
   leg = follower_->progress().previous;
-  const AuvDeflections fins = pilot.KeepHeadingAndDepth(
-      Motion(), path_guidance.psi_ref_rad, path_guidance.z_m, kMunetSeabed_m, kMunetStep_s);
+  const AuvDeflections fins = pilot.KeepHeadingAndDepth(Motion(), path_guidance.psi_ref_rad,
+                                                        path_guidance.z_m, {}, kMunetStep_s);
   command = {fins.rudder_rad, fins.stern_plane_rad, rpm_};
 }
 
@@ -53,7 +53,7 @@ void MunetAuv::DecideOnVelocity(const Eigen::Vector3d& velocity_mps, double held
 
 void MunetAuv::Steer(const TrackCommand& track) {
   const AuvDeflections fins =
-      pilot.KeepHeadingAndPitch(Motion(), track.psi_d_rad, track.theta_d_rad, kMunetStep_s);
+      pilot.KeepHeadingAndPitch(Motion(), track.psi_d_rad, track.theta_d_rad, {}, kMunetStep_s);
   command = {fins.rudder_rad, fins.stern_plane_rad, track.Rpm(MunetRpmFromSpeed)};
 }
 
