@@ -482,6 +482,7 @@ void DescribeKind(Fields& fields, OpRegionOptions& o, bool) {
   fields.Number("trigger_exit_time", o.trigger_exit_time, kSeconds);
   fields.Flag("trigger_on_poly_entry", o.trigger_on_poly_entry);
   fields.Flag("soft_poly_breach", o.soft_poly_breach);
+  fields.Number("look_ahead", o.look_ahead, kSeconds);
   fields.Number("recover_spd", o.recover_spd, kSpeed);
   fields.Numbers("recover_patience", o.recover_patience, 100);
   for (const double share : o.recover_patience) {
@@ -666,6 +667,9 @@ void Describe(Fields& fields, BehaviorOptions& options) {
   DescribeCommon(fields, options);
   Variable(fields, "updates", options.updates);
   fields.Choice("templating", options.templating, kTemplating);
+  if (fields.reading() && options.templating == Templating::kSpawn && !fields.Has("name", true)) {
+    options.name += '_';  // The names of what it makes begin with it.
+  }
   fields.SmallInteger("max_spawnings", options.max_spawnings, 1, 1'000'000);
   DescribeKindOf(fields, options);
 }

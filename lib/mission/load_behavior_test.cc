@@ -127,6 +127,31 @@ template = "boat"
   EXPECT_EQ(loaded.mission.vehicles[0].variables.size(), 1U);
 }
 
+TEST(Behaviors, ThatAreRecipesHaveANameThatOthersCanBeAddedTo) {
+  const LoadedMission loaded = LoadMissionText(R"([mission]
+duration_s = 60
+[[vehicle]]
+name = "alpha"
+[[vehicle.behavior]]
+kind = "colregs"
+templating = "spawn"
+[[vehicle.behavior]]
+kind = "avoid_collision"
+templating = "spawn"
+name = "avd"
+[[vehicle.behavior]]
+kind = "avoid_obstacle"
+templating = "none"
+polygon = [[0, 0], [10, 0], [10, 10]]
+)",
+                                               "m.toml");
+  ASSERT_TRUE(loaded.errors.empty()) << loaded.errors.front();
+  const std::vector<BehaviorOptions>& behaviors = loaded.mission.vehicles[0].behaviors;
+  EXPECT_EQ(behaviors.at(0).name, "colregs_");
+  EXPECT_EQ(behaviors.at(1).name, "avd");
+  EXPECT_EQ(behaviors.at(2).name, "avoid_obstacle");
+}
+
 TEST(BehaviorErrors, StateWhatIsWrongAndWhere) {
   EXPECT_EQ(ErrorsAfter(R"([[vehicle.behavior]]
 kind = "waypiont"
