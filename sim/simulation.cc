@@ -33,8 +33,8 @@ void Prefetch(const void* object) {
 struct Simulation::State {
   struct Member {
     Bus* bus = nullptr;
-    std::unique_ptr<App> app;                  ///< Null: the embedding program, or it was lost.
-    std::optional<RosterEntry> entry = {};     ///< Of those that can be started again.
+    std::unique_ptr<App> app;               ///< Null: the embedding program, or it was lost.
+    std::optional<RosterEntry> entry = {};  ///< Of those that can be started again.
     int num_restarts = 0;
   };
 

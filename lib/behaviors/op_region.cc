@@ -174,8 +174,8 @@ Allowed OpRegionBehavior::AllowedNow(const BehaviorInputs& inputs) const {
   const Axis& depth_m = inputs.domain->depth_m;
   if (options_.max_depth > 0 && depth_m.count > 0) {
     const double last = std::floor((options_.max_depth - depth_m.first) / depth_m.step + 1e-9);
-    allowed.depths = IndexRange{
-        .first = 0, .last = static_cast<int>(std::min(last, depth_m.count - 1.0))};
+    allowed.depths =
+        IndexRange{.first = 0, .last = static_cast<int>(std::min(last, depth_m.count - 1.0))};
   }
   return allowed;
 }

@@ -27,7 +27,7 @@ struct OpRegionOptions {
   double trigger_entry_time = 1;      ///< s inside before leaving counts.
   double trigger_exit_time = 0.5;     ///< s outside before it is a breach.
   bool trigger_on_poly_entry = true;  ///< A start outside is no breach.
-  double look_ahead = 5;  ///< s; no decision leads out of the region sooner; 0: off.
+  double look_ahead = 5;              ///< s; no decision leads out of the region sooner; 0: off.
   bool soft_poly_breach = false;      ///< A breach parks the helm instead of an error.
   double recover_spd = 0.8;           ///< m/s on the way back.
   /// Per cent of course against speed on the way back, 1 to 99; of several, each in one iteration,
@@ -83,7 +83,9 @@ class OpRegionBehavior final : public BehaviorWith<OpRegionOptions> {
   std::vector<double> CoursesBack(const BehaviorInputs& inputs);
   Allowed AllowedNow(const BehaviorInputs& inputs) const;
   /// Returns the outermost zone.
-  const std::vector<Eigen::Vector2d>& Limit() const { return border_m_.empty() ? save_m_ : border_m_; }
+  const std::vector<Eigen::Vector2d>& Limit() const {
+    return border_m_.empty() ? save_m_ : border_m_;
+  }
   void Report(const BehaviorInputs& inputs, BehaviorAnswer& answer) const;
 
   std::vector<Eigen::Vector2d> save_m_;    ///< Empty: no such zone.

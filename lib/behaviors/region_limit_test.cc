@@ -103,8 +103,7 @@ Scene DrawScene(Stream& stream) {
   const double pwt = Between(stream, 0, 300);
   scene.setup.behaviors.push_back({.name = "region", .pwt = pwt, .what = scene.region});
   scene.setup.behaviors.push_back(
-      {.name = "goal",
-       .what = WaypointOptions{.points = {DrawPlace(stream, 200)}, .speed = 2}});
+      {.name = "goal", .what = WaypointOptions{.points = {DrawPlace(stream, 200)}, .speed = 2}});
   for (uint64_t i = stream.UniformInt(6); i > 0; --i) {
     scene.setup.behaviors.push_back({.name = "behavior" + std::to_string(i),
                                      .pwt = Between(stream, 0, 1000),
@@ -126,15 +125,15 @@ TEST(OpRegion, IsLeftByNoDecisionOfAnyWeightedSum) {
       const OwnMotion own = {.motion = {.position_m = DrawPlaceInside(stream),
                                         .heading_deg = Between(stream, 0, 360),
                                         .speed_mps = Between(stream, 0, 4)}};
-      const HelmOutcome outcome = set.Iterate(
-          {.time_s = 0.25 * i, .drives = true, .own = own, .contacts = &contacts});
+      const HelmOutcome outcome =
+          set.Iterate({.time_s = 0.25 * i, .drives = true, .own = own, .contacts = &contacts});
       if (!outcome.has_decision || !outcome.commands.course_deg) continue;
       ++num_decisions;
       num_held += outcome.wanted ? 1 : 0;
       const auto after = [&](const HelmPoint& point) {
-        return SignedDistance(kRegion, own.motion.position_m +
-                                           *point.speed_mps * scene.region.look_ahead *
-                                               UnitVector(DegToRad(*point.course_deg)));
+        return SignedDistance(kRegion,
+                              own.motion.position_m + *point.speed_mps * scene.region.look_ahead *
+                                                          UnitVector(DegToRad(*point.course_deg)));
       };
       EXPECT_LE(after(outcome.commands), 1e-6) << "seed " << seed << ", iteration " << i;
       if (outcome.wanted) EXPECT_GT(after(*outcome.wanted), 0) << "seed " << seed;
@@ -146,11 +145,11 @@ TEST(OpRegion, IsLeftByNoDecisionOfAnyWeightedSum) {
 
 /// A goal to the east, 10 m from the eastern border of a square.
 HelmSetup AtTheBorder(const OpRegionOptions& region) {
-  return {.vehicle = "alpha",
-          .behaviors = {{.name = "goal",
-                         .pwt = 1000,
-                         .what = WaypointOptions{.points = {{500, 0}}, .speed = 4}},
-                        {.name = "region", .what = region}}};
+  return {
+      .vehicle = "alpha",
+      .behaviors = {
+          {.name = "goal", .pwt = 1000, .what = WaypointOptions{.points = {{500, 0}}, .speed = 4}},
+          {.name = "region", .what = region}}};
 }
 
 const Polygon kSquare = {{-50, -50}, {-50, 50}, {50, 50}, {50, -50}};
@@ -162,11 +161,9 @@ TEST(OpRegion, StatesWhichDecisionItExcludes) {
   const HelmOutcome outcome = set.Iterate({.drives = true, .own = kNearTheBorder});
   ASSERT_TRUE(outcome.wanted.has_value());
   EXPECT_EQ(*outcome.wanted, (HelmPoint{.course_deg = 90, .speed_mps = 4}));
-  EXPECT_LE(*outcome.commands.speed_mps *
-                std::sin(DegToRad(*outcome.commands.course_deg)) * 5,
+  EXPECT_LE(*outcome.commands.speed_mps * std::sin(DegToRad(*outcome.commands.course_deg)) * 5,
             10 + 1e-6);
-  EXPECT_NE(outcome.aims.at(1).state.find("excludes course 90 deg speed 4 m/s"),
-            std::string::npos)
+  EXPECT_NE(outcome.aims.at(1).state.find("excludes course 90 deg speed 4 m/s"), std::string::npos)
       << outcome.aims.at(1).state;
 }
 

@@ -27,8 +27,7 @@ std::vector<Edge> EdgesOf(const Polygon& polygon_m, const Eigen::Vector2d& posit
     const Eigen::Vector2d along_m = polygon_m[(i + 1) % polygon_m.size()] - polygon_m[i];
     const double length_m = along_m.norm();
     if (length_m == 0) continue;
-    const Eigen::Vector2d normal =
-        outward / length_m * Eigen::Vector2d(-along_m.y(), along_m.x());
+    const Eigen::Vector2d normal = outward / length_m * Eigen::Vector2d(-along_m.y(), along_m.x());
     edges.push_back({.normal = normal, .room_m = normal.dot(polygon_m[i] - position_m)});
   }
   return edges;

@@ -62,8 +62,8 @@ RC_GTEST_PROP(StayInside, AllowsExactlyWhatEndsInside, ()) {
   for (size_t course = 0; course < 360; course += 5) {
     const Eigen::Vector2d ahead = UnitVector(DegToRad(static_cast<double>(course)));
     for (int speed = 0; speed < domain.speed_mps.count; ++speed) {
-      const double outside_m = SignedDistance(
-          polygon_m, position_m + domain.speed_mps.At(speed) * horizon_s * ahead);
+      const double outside_m =
+          SignedDistance(polygon_m, position_m + domain.speed_mps.At(speed) * horizon_s * ahead);
       const bool is_allowed = allowed.speeds.empty() || allowed.speeds[course].Has(speed);
       if (std::abs(outside_m) > 1e-6) RC_ASSERT(is_allowed == (outside_m < 0));
     }

@@ -249,10 +249,9 @@ DomainPoint BestOf(const Sums& sums) {
     return best;
   }
   WeightedSum sum(sums.course, sums.speed, sums.terms, nullptr);
-  const GridPoint point =
-      BestPoint(&sum, {.last_course = Domain::kNumCourses - 1,
-                       .last_speed = static_cast<int>(sums.speed.size()) - 1})
-          .first;
+  const GridPoint point = BestPoint(&sum, {.last_course = Domain::kNumCourses - 1,
+                                           .last_speed = static_cast<int>(sums.speed.size()) - 1})
+                              .first;
   best.course = point.course;
   best.speed = point.speed;
   return best;
@@ -263,9 +262,8 @@ DomainPoint BestAllowed(const Sums& sums, const Allowed& allowed, DomainPoint be
   if (best.depth && allowed.depths && !allowed.depths->empty() &&
       !allowed.depths->Has(*best.depth)) {
     const auto begin = sums.depth.begin();
-    best.depth = static_cast<int>(std::max_element(begin + allowed.depths->first,
-                                                   begin + allowed.depths->last + 1) -
-                                  begin);
+    best.depth = static_cast<int>(
+        std::max_element(begin + allowed.depths->first, begin + allowed.depths->last + 1) - begin);
   }
   if (!best.course || !best.speed || allowed.speeds.empty() || !AllowsAny(allowed.speeds) ||
       allowed.speeds[static_cast<size_t>(*best.course)].Has(*best.speed)) {
@@ -273,10 +271,9 @@ DomainPoint BestAllowed(const Sums& sums, const Allowed& allowed, DomainPoint be
   }
   const AllowedBoxes boxes(allowed.speeds);
   WeightedSum sum(sums.course, sums.speed, sums.terms, &boxes);
-  const GridPoint point =
-      BestPoint(&sum, {.last_course = Domain::kNumCourses - 1,
-                       .last_speed = static_cast<int>(sums.speed.size()) - 1})
-          .first;
+  const GridPoint point = BestPoint(&sum, {.last_course = Domain::kNumCourses - 1,
+                                           .last_speed = static_cast<int>(sums.speed.size()) - 1})
+                              .first;
   best.course = point.course;
   best.speed = point.speed;
   return best;

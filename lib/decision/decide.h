@@ -36,8 +36,8 @@ struct GridDecision {
   std::optional<DomainPoint> wanted = {};
 };
 
-/// Returns the point of the domain where  sum of weight x value  is greatest, of all points that are
-/// allowed. Where no course and speed is, all are; so with depths. Speeds of courses count only
+/// Returns the point of the domain where  sum of weight x value  is greatest, of all points that
+/// are allowed. Where no course and speed is, all are; so with depths. Speeds of courses count only
 /// where both are mentioned.
 ///
 /// Ties: of equal sums the lowest course, of those the lowest speed; of equal depths the lowest.
@@ -65,8 +65,8 @@ struct AimAtDecision {
   double loss = 0;              ///< weight x (best_value - value); >= 0 but for rounding.
 };
 
-/// Explains a decision to people, whatever is allowed: one line per objective, in their order. Objectives of weight 0
-/// lose nothing. @pre `decision` is of the same domain and objectives
+/// Explains a decision to people, whatever is allowed: one line per objective, in their order.
+/// Objectives of weight 0 lose nothing. @pre `decision` is of the same domain and objectives
 [[nodiscard]] std::vector<AimAtDecision> Explain(const Domain& domain,
                                                  std::span<const WeightedObjective> objectives,
                                                  const GridDecision& decision);

@@ -61,7 +61,8 @@ Allowed DrawAllowed(Stream& stream, const Domain& domain) {
   for (int course = 0; course < Domain::kNumCourses; ++course) {
     if (course == 0 || stream.Uniform() < 0.05) {
       const int last_speed = domain.speed_mps.count - 1;
-      range = {.first = IntBetween(stream, 0, last_speed), .last = IntBetween(stream, -1, last_speed)};
+      range = {.first = IntBetween(stream, 0, last_speed),
+               .last = IntBetween(stream, -1, last_speed)};
     }
     allowed.speeds.push_back(range);
   }
@@ -99,8 +100,7 @@ RC_GTEST_PROP(Decide, FindsTheBestPointOfThoseThatAreAllowed, ()) {
   const Found whole = BruteForce(domain, aims);
   const std::optional<Found> best = BruteForce(domain, aims, allowed);
   const Found expected = best.value_or(whole);
-  RC_ASSERT(decision.point ==
-            (DomainPoint{.course = expected.course, .speed = expected.speed}));
+  RC_ASSERT(decision.point == (DomainPoint{.course = expected.course, .speed = expected.speed}));
   RC_ASSERT(std::abs(decision.utility - expected.sum) < 1e-9);
   const bool is_held = expected.course != whole.course || expected.speed != whole.speed;
   RC_ASSERT(decision.wanted.has_value() == is_held);

@@ -141,8 +141,8 @@ HelmOutcome Decide(double time_s, Vessel* vessel, Meeting* meeting) {
     if (post.variable != "REGION" && post.variable != "WPT_INDEX") continue;
     VariableValue& last = vessel->last_posts[post.variable];
     if (std::exchange(last, post.value) == post.value) continue;
-    meeting->events.emplace_back(
-        time_s, vessel->name + ": " + post.variable + " " + TextOf(post.value));
+    meeting->events.emplace_back(time_s,
+                                 vessel->name + ": " + post.variable + " " + TextOf(post.value));
   }
   for (const HelmEvent& event : outcome.events) {
     meeting->events.emplace_back(time_s, vessel->name + ": " + event.kind + " " + event.text);
@@ -241,12 +241,12 @@ JudgedMeeting JudgeAlong(const nlohmann::json& scenario, const std::vector<Golde
       const HelmPoint theirs = {.course_deg = Number(row, "desired_heading"),
                                 .speed_mps = Number(row, "desired_speed")};
       judged.decisions.push_back({.time_s = time_s,
-                        .vessel = vessel.name,
-                        .theirs = theirs,
-                        .ours = outcome.commands,
-                        .roles = vessel.last_roles,
-                        .utility = vessel.helm.UtilityAt(outcome.commands),
-                        .utility_theirs = vessel.helm.UtilityAt(theirs)});
+                                  .vessel = vessel.name,
+                                  .theirs = theirs,
+                                  .ours = outcome.commands,
+                                  .roles = vessel.last_roles,
+                                  .utility = vessel.helm.UtilityAt(outcome.commands),
+                                  .utility_theirs = vessel.helm.UtilityAt(theirs)});
     }
   }
   return judged;

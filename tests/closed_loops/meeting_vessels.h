@@ -51,8 +51,8 @@ struct JudgedDecision {
   HelmPoint theirs = {};
   HelmPoint ours = {};
   std::map<std::string, std::string> roles = {};  ///< Ours, by contact.
-  double utility = 0;         ///< The weighted sum at ours ...
-  double utility_theirs = 0;  ///< ... and at theirs.
+  double utility = 0;                             ///< The weighted sum at ours ...
+  double utility_theirs = 0;                      ///< ... and at theirs.
 };
 
 struct JudgedMeeting {
