@@ -169,7 +169,9 @@ Allowed OpRegionBehavior::AllowedNow(const BehaviorInputs& inputs) const {
   // A start outside is the vessel's own business until it has come in.
   const bool has_been_inside = has_entered_ || was_in_save_ || !options_.trigger_on_poly_entry;
   if (!Limit().empty() && (has_been_inside || SignedDistance(Limit(), position_m) <= 0)) {
-    allowed = StayInside(Limit(), position_m, options_.look_ahead, *inputs.domain);
+    allowed = StayInside(Limit(), inputs.own.motion,
+                         {.horizon_s = options_.look_ahead, .turn_degps = options_.turn_rate},
+                         *inputs.domain);
   }
   const Axis& depth_m = inputs.domain->depth_m;
   if (options_.max_depth > 0 && depth_m.count > 0) {

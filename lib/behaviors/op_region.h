@@ -27,6 +27,7 @@ struct OpRegionOptions {
   double trigger_entry_time = 1;      ///< s inside before leaving counts.
   double trigger_exit_time = 0.5;     ///< s outside before it is a breach.
   bool trigger_on_poly_entry = true;  ///< A start outside is no breach.
+  double turn_rate = 10;              ///< deg/s, for look_ahead; 0: it turns at once.
   double look_ahead = 5;              ///< s; no decision leads out of the region sooner; 0: off.
   bool soft_poly_breach = false;      ///< A breach parks the helm instead of an error.
   double recover_spd = 0.8;           ///< m/s on the way back.
@@ -52,8 +53,8 @@ struct OpRegionOptions {
 /// all-stop. So are the limits of depth, altitude and time.
 ///
 /// Once inside, it allows no course and speed that lead out of the halt zone (where there is none:
-/// save, or core) within look_ahead, whatever the weights, while there are others; and no depth
-/// below max_depth.
+/// save, or core) within look_ahead, straight on or in the turn to that course, whatever the
+/// weights, while there are others; and no depth below max_depth.
 ///
 /// Posts OPREG_ABSOLUTE_PERIM_DIST, OPREG_ABSOLUTE_PERIM_ETA, OPREG_TRAJECTORY_PERIM_DIST,
 /// OPREG_TRAJECTORY_PERIM_ETA (whole m and s to the border that breaches; -1: never) and
