@@ -69,7 +69,7 @@ struct BehaviorAnswer {
   /// > 0 and at most 1 with an objective. BehaviorSet multiplies it by the priority weight, which
   /// updates change without the behavior's knowledge.
   double relevance = 0;
-  Allowed allowed = {};                  ///< What it lets the decision be, whatever the weights.
+  AllowedPart allowed = {};              ///< What it lets the decision be, whatever the weights.
   std::vector<VariablePost> posts = {};  ///< Its own reports (WPT_INDEX ...), without flags.
   std::vector<std::string> flags = {};  ///< Names of own flag lists that fire now ("wptflag", ...).
   bool completes = false;

@@ -52,7 +52,7 @@ int NearestCourse(double course_deg) {
 }
 
 /// Returns true where what a behavior allows excludes a point.
-bool Excludes(const Allowed& allowed, const DomainPoint& point) {
+bool Excludes(const AllowedPart& allowed, const DomainPoint& point) {
   const bool excludes_speed = point.course && point.speed && !allowed.speeds.empty() &&
                               !allowed.speeds[static_cast<size_t>(*point.course)].Has(*point.speed);
   return excludes_speed || (point.depth && allowed.depths && !allowed.depths->Has(*point.depth));
@@ -335,8 +335,8 @@ void BehaviorSet::Decide(const HelmInputs& inputs, const std::vector<RunReport>&
         {.name = inputs.task->name, .kind = inputs.task->kind, .state = "active"});
   }
   const size_t num_before = outcome.aims.size();
-  std::vector<const Allowed*> limits;  // Of the aims from num_before on.
-  Allowed allowed;
+  std::vector<const AllowedPart*> limits;  // Of the aims from num_before on.
+  AllowedPart allowed;
   bool has_goal = inputs.task.has_value();
   bool has_other = false;
   for (const RunReport& report : reports) {

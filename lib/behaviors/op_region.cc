@@ -162,10 +162,10 @@ void OpRegionBehavior::TurnBack(const BehaviorInputs& inputs, BehaviorAnswer& an
   answer.relevance = back.relevance;
 }
 
-Allowed OpRegionBehavior::AllowedNow(const BehaviorInputs& inputs) const {
+AllowedPart OpRegionBehavior::AllowedNow(const BehaviorInputs& inputs) const {
   if (options_.look_ahead <= 0) return {};
   const Eigen::Vector2d& position_m = inputs.own.motion.position_m;
-  Allowed allowed;
+  AllowedPart allowed;
   // A start outside is the vessel's own business until it has come in.
   const bool has_been_inside = has_entered_ || was_in_save_ || !options_.trigger_on_poly_entry;
   if (!Limit().empty() && (has_been_inside || SignedDistance(Limit(), position_m) <= 0)) {

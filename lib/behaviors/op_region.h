@@ -82,7 +82,7 @@ class OpRegionBehavior final : public BehaviorWith<OpRegionOptions> {
   void AnswerBreach(const std::optional<Breach>& breach, BehaviorAnswer& answer);
   void TurnBack(const BehaviorInputs& inputs, BehaviorAnswer& answer);
   std::vector<double> CoursesBack(const BehaviorInputs& inputs);
-  Allowed AllowedNow(const BehaviorInputs& inputs) const;
+  AllowedPart AllowedNow(const BehaviorInputs& inputs) const;
   /// Returns the outermost zone.
   const std::vector<Eigen::Vector2d>& Limit() const {
     return border_m_.empty() ? save_m_ : border_m_;

@@ -94,8 +94,8 @@ IndexRange Within(const SpeedLimits& limits, const Axis& speeds_mps) {
 
 }  // namespace
 
-Allowed StayInside(const Polygon& polygon_m, const VesselMotion& own, const LookAhead& ahead,
-                   const Domain& domain) {
+AllowedPart StayInside(const Polygon& polygon_m, const VesselMotion& own, const LookAhead& ahead,
+                       const Domain& domain) {
   if (domain.speed_mps.count == 0) return {};
   std::vector<Edge> edges = EdgesOf(polygon_m, own.position_m);
   const bool is_inside =
@@ -103,7 +103,7 @@ Allowed StayInside(const Polygon& polygon_m, const VesselMotion& own, const Look
   const double farthest_m = domain.speed_mps.Last() * ahead.horizon_s;
   std::erase_if(edges, [&](const Edge& edge) { return edge.room_m >= farthest_m; });
   if (edges.empty()) return {};
-  Allowed allowed;
+  AllowedPart allowed;
   allowed.speeds.reserve(Domain::kNumCourses);
   for (int course = 0; course < Domain::kNumCourses; ++course) {
     allowed.speeds.push_back(

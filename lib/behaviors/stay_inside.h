@@ -23,7 +23,7 @@ struct LookAhead {
 /// unit speed gets toward the edge. Straight at an edge at the distance d it is at most
 /// d / horizon_s: the vessel does not cross where it can slow down by v / horizon_s.
 /// @pre convex, at least three corners
-[[nodiscard]] Allowed StayInside(const Polygon& polygon_m, const VesselMotion& own,
-                                 const LookAhead& ahead, const Domain& domain);
+[[nodiscard]] AllowedPart StayInside(const Polygon& polygon_m, const VesselMotion& own,
+                                     const LookAhead& ahead, const Domain& domain);
 
 }  // namespace shoal

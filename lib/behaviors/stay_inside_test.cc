@@ -24,7 +24,7 @@ TEST(StayInside, AllowsEverythingFarFromTheBorder) {
 
 TEST(StayInside, AllowsTowardTheBorderTheDistancePerHorizon) {
   const VesselMotion own = {.position_m = {40, 0}, .heading_deg = 90};
-  const Allowed allowed = StayInside(kSquare, own, kAtOnce, kDomain);
+  const AllowedPart allowed = StayInside(kSquare, own, kAtOnce, kDomain);
   EXPECT_EQ(allowed.speeds[90], (IndexRange{.first = 0, .last = 20}));  // 2 m/s for 10 m.
   EXPECT_EQ(allowed.speeds[60], (IndexRange{.first = 0, .last = 23}));
   EXPECT_EQ(allowed.speeds[0], (IndexRange{.first = 0, .last = 40}));
@@ -33,7 +33,7 @@ TEST(StayInside, AllowsTowardTheBorderTheDistancePerHorizon) {
 
 TEST(StayInside, AllowsInATurnWhatTheTurnDoesNotTakeOut) {
   const VesselMotion own = {.position_m = {40, 0}, .heading_deg = 90};
-  const Allowed allowed = StayInside(kSquare, own, kTurning, kDomain);
+  const AllowedPart allowed = StayInside(kSquare, own, kTurning, kDomain);
   EXPECT_EQ(allowed.speeds[90].last, 20);
   EXPECT_EQ(allowed.speeds[60].last, 21);  // 3 s of turning: 10 m / (2.865 + 1.732).
   EXPECT_EQ(allowed.speeds[0].last, 22);   // It turns all the time: 10 m / 4.389.
@@ -43,7 +43,7 @@ TEST(StayInside, AllowsInATurnWhatTheTurnDoesNotTakeOut) {
 
 TEST(StayInside, AllowsOutsideOnlyWhatLeadsBackIn) {
   const VesselMotion own = {.position_m = {60, 0}, .heading_deg = 90};
-  const Allowed allowed = StayInside(kSquare, own, kTurning, kDomain);
+  const AllowedPart allowed = StayInside(kSquare, own, kTurning, kDomain);
   EXPECT_EQ(allowed.speeds[270], (IndexRange{.first = 20, .last = 40}));
   EXPECT_TRUE(allowed.speeds[0].empty());
   EXPECT_TRUE(allowed.speeds[90].empty());
@@ -94,7 +94,7 @@ RC_GTEST_PROP(StayInside, AllowsExactlyWhatStaysInside, ()) {
   const LookAhead ahead = {.horizon_s = 1 + 9 * stream.Uniform(),
                            .turn_degps = 5 + 25 * stream.Uniform()};
   const Domain domain = {.speed_mps = {.first = 0, .step = 1, .count = 5}};
-  const Allowed allowed = StayInside(polygon_m, own, ahead, domain);
+  const AllowedPart allowed = StayInside(polygon_m, own, ahead, domain);
   RC_CLASSIFY(allowed.speeds.empty());
   for (size_t course = stream.UniformInt(90); course < 360; course += 90) {
     for (int speed = 0; speed < domain.speed_mps.count; ++speed) {

@@ -5,7 +5,7 @@
 
 namespace shoal {
 
-void Restrict(Allowed* allowed, const Allowed& other) {
+void Restrict(AllowedPart* allowed, const AllowedPart& other) {
   if (!other.speeds.empty()) {
     std::vector<IndexRange> both = other.speeds;
     for (size_t i = 0; i < allowed->speeds.size(); ++i) both[i] = both[i].And(allowed->speeds[i]);

@@ -26,11 +26,11 @@ struct IndexRange {
   bool operator==(const IndexRange&) const = default;
 };
 
-struct Allowed {
+struct AllowedPart {
   std::vector<IndexRange> speeds = {};    ///< Of each course; empty: all.
   std::optional<IndexRange> depths = {};  ///< Absent: all.
 
-  bool operator==(const Allowed&) const = default;
+  bool operator==(const AllowedPart&) const = default;
 };
 
 /// Returns true where some course has a speed that is allowed.
@@ -41,6 +41,6 @@ struct Allowed {
 
 /// Restricts `allowed` to what `other` allows too, course and speed apart from depth; each stays as
 /// it is where nothing would be left.
-void Restrict(Allowed* allowed, const Allowed& other);
+void Restrict(AllowedPart* allowed, const AllowedPart& other);
 
 }  // namespace shoal

@@ -258,7 +258,7 @@ DomainPoint BestOf(const Sums& sums) {
 }
 
 /// Returns the best point of those that are allowed. `best` is the one of the whole domain.
-DomainPoint BestAllowed(const Sums& sums, const Allowed& allowed, DomainPoint best) {
+DomainPoint BestAllowed(const Sums& sums, const AllowedPart& allowed, DomainPoint best) {
   if (best.depth && allowed.depths && !allowed.depths->empty() &&
       !allowed.depths->Has(*best.depth)) {
     const auto begin = sums.depth.begin();
@@ -282,7 +282,7 @@ DomainPoint BestAllowed(const Sums& sums, const Allowed& allowed, DomainPoint be
 }  // namespace
 
 GridDecision Decide(const Domain& domain, std::span<const WeightedObjective> objectives,
-                    const Allowed& allowed) {
+                    const AllowedPart& allowed) {
   double greatest_weight = 0;
   for (const WeightedObjective& aim : objectives) {
     CheckSizes(domain, aim.objective);

@@ -51,7 +51,7 @@ struct GridDecision {
 ///      speeds of all courses or none, within the domain
 [[nodiscard]] GridDecision Decide(const Domain& domain,
                                   std::span<const WeightedObjective> objectives,
-                                  const Allowed& allowed = {});
+                                  const AllowedPart& allowed = {});
 
 /// Returns the value of an objective at a point. Parts whose variable is absent do not count.
 [[nodiscard]] double ValueOf(const Objective& objective, const DomainPoint& point);

@@ -42,7 +42,8 @@ Found BruteForce(const Domain& domain, const Aims& aims) {
 }
 
 /// Every point that is allowed; the first of equal ones stays. Nothing: none is.
-std::optional<Found> BruteForce(const Domain& domain, const Aims& aims, const Allowed& allowed) {
+std::optional<Found> BruteForce(const Domain& domain, const Aims& aims,
+                                const AllowedPart& allowed) {
   std::optional<Found> best;
   for (int course = 0; course < Domain::kNumCourses; ++course) {
     for (int speed = 0; speed < domain.speed_mps.count; ++speed) {
@@ -55,8 +56,8 @@ std::optional<Found> BruteForce(const Domain& domain, const Aims& aims, const Al
 }
 
 /// Sectors with a range of speeds each; some with none.
-Allowed DrawAllowed(Stream& stream, const Domain& domain) {
-  Allowed allowed;
+AllowedPart DrawAllowed(Stream& stream, const Domain& domain) {
+  AllowedPart allowed;
   IndexRange range;
   for (int course = 0; course < Domain::kNumCourses; ++course) {
     if (course == 0 || stream.Uniform() < 0.05) {
@@ -95,7 +96,7 @@ RC_GTEST_PROP(Decide, FindsTheBestPointOfThoseThatAreAllowed, ()) {
   Stream stream = AnyStream();
   const Domain domain = SmallDomain(stream);
   const Aims aims = DrawAims(stream, domain);
-  const Allowed allowed = DrawAllowed(stream, domain);
+  const AllowedPart allowed = DrawAllowed(stream, domain);
   const GridDecision decision = Decide(domain, aims, allowed);
   const Found whole = BruteForce(domain, aims);
   const std::optional<Found> best = BruteForce(domain, aims, allowed);
@@ -113,8 +114,8 @@ TEST(Decide, TakesWhatIsAllowedHoweverGreatAWeightIs) {
   for (int i = 0; i < 51; ++i) deep.depth.push_back(2 * i);
   const Aims aims = {{.weight = 1e6, .objective = GoToward(90, 2, domain)},
                      {.weight = 1e6, .objective = deep}};
-  Allowed allowed = {.speeds = std::vector<IndexRange>(360, {.first = 0, .last = 40}),
-                     .depths = IndexRange{.first = 3, .last = 30}};
+  AllowedPart allowed = {.speeds = std::vector<IndexRange>(360, {.first = 0, .last = 40}),
+                         .depths = IndexRange{.first = 3, .last = 30}};
   for (size_t course = 80; course <= 95; ++course) allowed.speeds[course] = {};
   const GridDecision decision = Decide(domain, aims, allowed);
   EXPECT_EQ(decision.point, (DomainPoint{.course = 96, .speed = 20, .depth = 30}));
@@ -125,8 +126,8 @@ TEST(Decide, TakesWhatIsAllowedHoweverGreatAWeightIs) {
 }
 
 TEST(Restrict, KeepsWhatBothAllowUnlessNothingIsLeft) {
-  Allowed allowed = {.depths = IndexRange{.first = 0, .last = 5}};
-  const Allowed slow = {.speeds = std::vector<IndexRange>(360, {.first = 0, .last = 10})};
+  AllowedPart allowed = {.depths = IndexRange{.first = 0, .last = 5}};
+  const AllowedPart slow = {.speeds = std::vector<IndexRange>(360, {.first = 0, .last = 10})};
   Restrict(&allowed, slow);
   EXPECT_EQ(allowed.speeds, slow.speeds);
   Restrict(&allowed, {.speeds = std::vector<IndexRange>(360, {.first = 11, .last = 12}),

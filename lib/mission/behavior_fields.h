@@ -17,12 +17,12 @@ namespace shoal {
 inline constexpr size_t kMostBehaviorPoints = 10'000;
 inline constexpr size_t kMostFlags = 100;
 inline constexpr size_t kMostVariables = 1000;
-inline constexpr NumberLimits kDistance = Between(0, kFarthest_m);
-inline constexpr NumberLimits kSpeed = Between(0, kFastest_mps);
-inline constexpr NumberLimits kSeconds = Between(0, kLongest_s);
-inline constexpr NumberLimits kDepth = Between(0, 20'000);
-inline constexpr NumberLimits kDegrees = Between(0, 180);
-inline constexpr NumberLimits kPercent = Between(0, 100);
+inline constexpr NumberLimits kDistanceRange = Between(0, kFarthest_m);
+inline constexpr NumberLimits kSpeedRange = Between(0, kFastest_mps);
+inline constexpr NumberLimits kSecondsRange = Between(0, kLongest_s);
+inline constexpr NumberLimits kDepthRange = Between(0, 20'000);
+inline constexpr NumberLimits kDegreesRange = Between(0, 180);
+inline constexpr NumberLimits kPercentRange = Between(0, 100);
 
 /// A number where -1, the default, means that it is off.
 void OrOff(Fields& fields, std::string_view key, double& value, double max);

@@ -31,14 +31,14 @@ void DescribeFlags(Fields& fields, BehaviorFlags& flags) {
 void DescribeDuration(Fields& fields, BehaviorOptions& options) {
   if (fields.Has("duration", options.duration.has_value())) {
     double duration_s = options.duration.value_or(0);
-    fields.Number("duration", duration_s, kSeconds);
+    fields.Number("duration", duration_s, kSecondsRange);
     options.duration = duration_s;
   }
   fields.Flag("duration_idle_decay", options.duration_idle_decay);
   fields.Text("duration_reset", options.duration_reset, {.max_length = 200});
   VariableName(fields, "duration_status", options.duration_status);
   TextsOrOne(fields, "nostarve", options.nostarve, kMostFlags);
-  fields.Number("nostarve_s", options.nostarve_s, kSeconds);
+  fields.Number("nostarve_s", options.nostarve_s, kSecondsRange);
   if (!options.nostarve.empty() && options.nostarve_s <= 0) {
     fields.Refuse("nostarve", "nostarve needs nostarve_s = 10, the greatest age in seconds");
   }

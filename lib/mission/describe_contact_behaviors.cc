@@ -35,10 +35,10 @@ template <class Options>
 void Avoidance(Fields& fields, Options& o, bool is_recipe) {
   Describe(fields, o.contact, is_recipe);
   fields.Number("pwt_outer_dist", o.pwt_outer_dist, Above(0, kFarthest_m));
-  fields.Number("pwt_inner_dist", o.pwt_inner_dist, kDistance);
+  fields.Number("pwt_inner_dist", o.pwt_inner_dist, kDistanceRange);
   fields.Number("completed_dist", o.completed_dist, Above(0, kFarthest_m));
-  fields.Number("min_util_cpa_dist", o.min_util_cpa_dist, kDistance);
-  fields.Number("max_util_cpa_dist", o.max_util_cpa_dist, kDistance);
+  fields.Number("min_util_cpa_dist", o.min_util_cpa_dist, kDistanceRange);
+  fields.Number("max_util_cpa_dist", o.max_util_cpa_dist, kDistanceRange);
   OneWordOf(fields, "pwt_grade", o.pwt_grade, {"linear", "quasi", "quadratic"});
   fields.Number("time_on_leg", o.time_on_leg, Above(0, 36'000));
   fields.Number("widen_per_s", o.widen_per_s, Between(0, kFastest_mps));
@@ -69,7 +69,7 @@ void DescribeKind(Fields& fields, AvoidCollisionOptions& o, bool is_recipe) {
 
 void DescribeKind(Fields& fields, ColregsOptions& o, bool is_recipe) {
   Avoidance(fields, o, is_recipe);
-  fields.Number("turn_radius", o.turn_radius, kDistance);
+  fields.Number("turn_radius", o.turn_radius, kDistanceRange);
   OrOff(fields, "giveway_bow_dist", o.giveway_bow_dist, kFarthest_m);
   fields.Flag("headon_only", o.headon_only);
   fields.Flag("pts_port_turns_ok", o.pts_port_turns_ok);
@@ -81,12 +81,12 @@ void DescribeKind(Fields& fields, AvoidObstacleOptions& o, bool is_recipe) {
   fields.Text("id", o.id, {});
   ConvexCorners(fields, "polygon", o.polygon, true);
   fields.Number("allowable_ttc", o.allowable_ttc, Above(0, 36'000));
-  fields.Number("min_util_cpa_dist", o.min_util_cpa_dist, kDistance);
-  fields.Number("max_util_cpa_dist", o.max_util_cpa_dist, kDistance);
-  fields.Number("pwt_inner_dist", o.pwt_inner_dist, kDistance);
+  fields.Number("min_util_cpa_dist", o.min_util_cpa_dist, kDistanceRange);
+  fields.Number("max_util_cpa_dist", o.max_util_cpa_dist, kDistanceRange);
+  fields.Number("pwt_inner_dist", o.pwt_inner_dist, kDistanceRange);
   fields.Number("pwt_outer_dist", o.pwt_outer_dist, Above(0, kFarthest_m));
   fields.Number("completed_dist", o.completed_dist, Above(0, kFarthest_m));
-  fields.Number("turn_radius", o.turn_radius, kDistance);
+  fields.Number("turn_radius", o.turn_radius, kDistanceRange);
   fields.Flag("holonomic_ok", o.holonomic_ok);
   fields.Flag("allstop_on_breach", o.allstop_on_breach);
   FlagTexts(fields, "rng_flag", o.rng_flag);
@@ -110,12 +110,12 @@ void DescribeKind(Fields& fields, AvoidObstacleOptions& o, bool is_recipe) {
 
 void DescribeKind(Fields& fields, TrailOptions& o, bool is_recipe) {
   Describe(fields, o.contact, is_recipe);
-  fields.Number("trail_range", o.trail_range, kDistance);
+  fields.Number("trail_range", o.trail_range, kDistanceRange);
   fields.Number("trail_angle", o.trail_angle, Between(-360, 360));
   OneWordOf(fields, "trail_angle_type", o.trail_angle_type, {"relative", "absolute"});
-  fields.Number("radius", o.radius, kDistance);
+  fields.Number("radius", o.radius, kDistanceRange);
   fields.Number("nm_radius", o.nm_radius, Above(0, kFarthest_m));
-  fields.Number("pwt_outer_dist", o.pwt_outer_dist, kDistance);
+  fields.Number("pwt_outer_dist", o.pwt_outer_dist, kDistanceRange);
   if (o.nm_radius < o.radius) {
     fields.Refuse("nm_radius", "nm_radius must not be less than radius");
   }
@@ -124,8 +124,8 @@ void DescribeKind(Fields& fields, TrailOptions& o, bool is_recipe) {
 void DescribeKind(Fields& fields, CutRangeOptions& o, bool is_recipe) {
   Describe(fields, o.contact, is_recipe);
   fields.Number("pwt_outer_dist", o.pwt_outer_dist, Above(0, kFarthest_m));
-  fields.Number("pwt_inner_dist", o.pwt_inner_dist, kDistance);
-  fields.Number("giveup_dist", o.giveup_dist, kDistance);
+  fields.Number("pwt_inner_dist", o.pwt_inner_dist, kDistanceRange);
+  fields.Number("giveup_dist", o.giveup_dist, kDistanceRange);
   fields.Number("patience", o.patience, Between(0, 85));
   fields.Number("time_on_leg", o.time_on_leg, Above(0, 36'000));
   FlagTexts(fields, "pursueflag", o.pursueflag);
@@ -148,11 +148,11 @@ void DescribeKind(Fields& fields, ConvoyOptions& o, bool is_recipe) {
 
 void DescribeKind(Fields& fields, ShadowOptions& o, bool is_recipe) {
   Describe(fields, o.contact, is_recipe);
-  fields.Number("pwt_outer_dist", o.pwt_outer_dist, kDistance);
-  fields.Number("heading_peakwidth", o.heading_peakwidth, kDegrees);
-  fields.Number("heading_basewidth", o.heading_basewidth, kDegrees);
-  fields.Number("speed_peakwidth", o.speed_peakwidth, kSpeed);
-  fields.Number("speed_basewidth", o.speed_basewidth, kSpeed);
+  fields.Number("pwt_outer_dist", o.pwt_outer_dist, kDistanceRange);
+  fields.Number("heading_peakwidth", o.heading_peakwidth, kDegreesRange);
+  fields.Number("heading_basewidth", o.heading_basewidth, kDegreesRange);
+  fields.Number("speed_peakwidth", o.speed_peakwidth, kSpeedRange);
+  fields.Number("speed_basewidth", o.speed_basewidth, kSpeedRange);
   fields.CalledElsewhere("pwt_outer_dist", "max_range");
 }
 

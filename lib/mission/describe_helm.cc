@@ -52,7 +52,7 @@ void Describe(Fields& fields, ModeOptions& mode) {
 
 void Describe(Fields& fields, Domain& domain) {
   DescribeAxis(fields, "speed", domain.speed_mps, kFastest_mps);
-  DescribeAxis(fields, "depth", domain.depth_m, kDepth.max);
+  DescribeAxis(fields, "depth", domain.depth_m, kDepthRange.max);
   fields.NoKey("course", "courses are always whole degrees");
   if (domain.speed_mps.first != 0) {
     fields.Refuse("speed", "the first speed must be 0, so that a vessel can stop");

@@ -9,20 +9,20 @@ namespace {
 void Peak(Fields& fields, double& width, double& base, double& delta, double max) {
   fields.Number("peakwidth", width, Between(0, max));
   fields.Number("basewidth", base, Between(0, max));
-  fields.Number("summitdelta", delta, kPercent);
+  fields.Number("summitdelta", delta, kPercentRange);
   fields.CalledElsewhere("summitdelta", "summit_delta");
 }
 
 }  // namespace
 
 void DescribeKind(Fields& fields, ConstantDepthOptions& o, bool) {
-  fields.Number("depth", o.depth, kDepth);
+  fields.Number("depth", o.depth, kDepthRange);
   Peak(fields, o.peakwidth, o.basewidth, o.summitdelta, 20'000);
   VariableName(fields, "depth_mismatch_var", o.depth_mismatch_var);
 }
 
 void DescribeKind(Fields& fields, ConstantSpeedOptions& o, bool) {
-  fields.Number("speed", o.speed, kSpeed);
+  fields.Number("speed", o.speed, kSpeedRange);
   Peak(fields, o.peakwidth, o.basewidth, o.summitdelta, kFastest_mps);
   VariableName(fields, "speed_mismatch_var", o.speed_mismatch_var);
   fields.CalledElsewhere("speed", "speed_mps");
@@ -39,20 +39,20 @@ void DescribeKind(Fields& fields, ConstantHeadingOptions& o, bool) {
 void DescribeKind(Fields&, TimerOptions&, bool) {}
 
 void DescribeKind(Fields& fields, PeriodicSurfaceOptions& o, bool) {
-  fields.Number("period", o.period, kSeconds);
+  fields.Number("period", o.period, kSecondsRange);
   VariableName(fields, "mark_variable", o.mark_variable);
   OrOff(fields, "ascent_speed", o.ascent_speed, kFastest_mps);
   OneWordOf(fields, "ascent_grade", o.ascent_grade, {"linear", "quadratic", "quasi", "fullspeed"});
-  fields.Number("zero_speed_depth", o.zero_speed_depth, kDepth);
-  fields.Number("max_time_at_surface", o.max_time_at_surface, kSeconds);
+  fields.Number("zero_speed_depth", o.zero_speed_depth, kDepthRange);
+  fields.Number("max_time_at_surface", o.max_time_at_surface, kSecondsRange);
   VariableName(fields, "pending_status_var", o.pending_status_var);
   VariableName(fields, "atsurface_status_var", o.atsurface_status_var);
 }
 
 void DescribeKind(Fields& fields, MaxDepthOptions& o, bool) {
   fields.Require("max_depth", "max_depth = 30");
-  fields.Number("max_depth", o.max_depth, kDepth);
-  fields.Number("tolerance", o.tolerance, kDepth);
+  fields.Number("max_depth", o.max_depth, kDepthRange);
+  fields.Number("tolerance", o.tolerance, kDepthRange);
   VariableName(fields, "depth_slack_var", o.depth_slack_var);
   fields.CalledElsewhere("max_depth", "depth");
   fields.CalledElsewhere("tolerance", "basewidth");
@@ -60,8 +60,8 @@ void DescribeKind(Fields& fields, MaxDepthOptions& o, bool) {
 
 void DescribeKind(Fields& fields, MaxSpeedOptions& o, bool) {
   fields.Require("max_speed", "max_speed = 1.5");
-  fields.Number("max_speed", o.max_speed, kSpeed);
-  fields.Number("tolerance", o.tolerance, kSpeed);
+  fields.Number("max_speed", o.max_speed, kSpeedRange);
+  fields.Number("tolerance", o.tolerance, kSpeedRange);
   VariableName(fields, "speed_slack_var", o.speed_slack_var);
   fields.CalledElsewhere("max_speed", "speed");
   fields.CalledElsewhere("tolerance", "basewidth");
@@ -71,9 +71,9 @@ void DescribeKind(Fields& fields, GoToDepthOptions& o, bool) {
   fields.Require("depths", "depths = [[10, 60], [20, 120]], depth in m and time at it in s");
   fields.Pairs("depths", o.depths, Between(0, kLongest_s), kMostBehaviorPoints);
   for (const Eigen::Vector2d& level : o.depths) {
-    if (level.x() > kDepth.max) {
+    if (level.x() > kDepthRange.max) {
       fields.Refuse("depths", fmt::format("a depth of {} m is out of range; allowed: 0 to {}",
-                                          level.x(), kDepth.max));
+                                          level.x(), kDepthRange.max));
     }
   }
   fields.SmallInteger("repeat", o.repeat, 0, 1'000'000);
@@ -88,16 +88,16 @@ void DescribeKind(Fields& fields, OpRegionOptions& o, bool) {
   ConvexCorners(fields, "halt_poly", o.halt_poly, true);
   OrOff(fields, "save_dist", o.save_dist, kFarthest_m);
   OrOff(fields, "halt_dist", o.halt_dist, kFarthest_m);
-  fields.Number("max_depth", o.max_depth, kDepth);
-  fields.Number("min_altitude", o.min_altitude, kDepth);
-  fields.Number("max_time", o.max_time, kSeconds);
-  fields.Number("trigger_entry_time", o.trigger_entry_time, kSeconds);
-  fields.Number("trigger_exit_time", o.trigger_exit_time, kSeconds);
+  fields.Number("max_depth", o.max_depth, kDepthRange);
+  fields.Number("min_altitude", o.min_altitude, kDepthRange);
+  fields.Number("max_time", o.max_time, kSecondsRange);
+  fields.Number("trigger_entry_time", o.trigger_entry_time, kSecondsRange);
+  fields.Number("trigger_exit_time", o.trigger_exit_time, kSecondsRange);
   fields.Flag("trigger_on_poly_entry", o.trigger_on_poly_entry);
   fields.Flag("soft_poly_breach", o.soft_poly_breach);
-  fields.Number("look_ahead", o.look_ahead, kSeconds);
-  fields.Number("turn_rate", o.turn_rate, kDegrees);
-  fields.Number("recover_spd", o.recover_spd, kSpeed);
+  fields.Number("look_ahead", o.look_ahead, kSecondsRange);
+  fields.Number("turn_rate", o.turn_rate, kDegreesRange);
+  fields.Number("recover_spd", o.recover_spd, kSpeedRange);
   fields.Numbers("recover_patience", o.recover_patience, 100);
   for (const double share : o.recover_patience) {
     if (share < 1 || share > 99) {
@@ -137,7 +137,7 @@ void DescribeKind(Fields& fields, PeriodicSpeedOptions& o, bool) {
   fields.Require("period_busy", "period_busy = 20");
   fields.Number("period_lazy", o.period_lazy, Above(0, kLongest_s));
   fields.Number("period_busy", o.period_busy, Above(0, kLongest_s));
-  fields.Number("period_speed", o.period_speed, kSpeed);
+  fields.Number("period_speed", o.period_speed, kSpeedRange);
   Peak(fields, o.peakwidth, o.basewidth, o.summitdelta, kFastest_mps);
   fields.Flag("initially_busy", o.initially_busy);
   fields.Flag("reset_upon_running", o.reset_upon_running);

@@ -23,7 +23,7 @@ void Capture(Fields& fields, std::string_view radius_key, double& radius, double
 }
 
 void AltSpeed(Fields& fields, double& speed, double& speed_alt, bool& use_alt_speed) {
-  fields.Number("speed", speed, kSpeed);
+  fields.Number("speed", speed, kSpeedRange);
   OrOff(fields, "speed_alt", speed_alt, kFastest_mps);
   fields.Flag("use_alt_speed", use_alt_speed);
   fields.CalledElsewhere("speed", "speed_mps");
@@ -62,8 +62,8 @@ void DescribeKind(Fields& fields, WaypointOptions& o, bool is_recipe) {
   fields.Flag("wptflag_on_start", o.wptflag_on_start);
   fields.Flag("reset_on_idle", o.reset_on_idle);
   OrOff(fields, "end_speed", o.end_speed, kFastest_mps);
-  fields.Number("end_slow_dist", o.end_slow_dist, kDistance);
-  fields.Number("end_stop_dist", o.end_stop_dist, kDistance);
+  fields.Number("end_slow_dist", o.end_slow_dist, kDistanceRange);
+  fields.Number("end_stop_dist", o.end_stop_dist, kDistanceRange);
   fields.Text("post_suffix", o.post_suffix, {});
   fields.CalledElsewhere("points", "polygon");
   fields.CalledElsewhere("end_speed", "end_spd");
@@ -86,7 +86,7 @@ void DescribeKind(Fields& fields, LoiterOptions& o, bool is_recipe) {
     o.clockwise = "true";
   }
   Capture(fields, "radius", o.radius, o.slip_radius);
-  fields.Number("acquire_dist", o.acquire_dist, kDistance);
+  fields.Number("acquire_dist", o.acquire_dist, kDistanceRange);
   fields.Flag("center_activate", o.center_activate);
   fields.Number("spiral_factor", o.spiral_factor, Between(-1000, 1000));
   Patience(fields, o.patience);
@@ -101,8 +101,8 @@ void DescribeKind(Fields& fields, StationKeepOptions& o, bool is_recipe) {
   fields.Number("swing_time", o.swing_time, Between(0, 60));
   fields.Number("inner_radius", o.inner_radius, Between(0, 10'000));
   fields.Number("outer_radius", o.outer_radius, Above(0, 10'000));
-  fields.Number("outer_speed", o.outer_speed, kSpeed);
-  fields.Number("transit_speed", o.transit_speed, kSpeed);
+  fields.Number("outer_speed", o.outer_speed, kSpeedRange);
+  fields.Number("transit_speed", o.transit_speed, kSpeedRange);
   OrOff(fields, "hibernation_radius", o.hibernation_radius, 10'000);
   fields.CalledElsewhere("station_pt", "point");
   fields.CalledElsewhere("transit_speed", "extra_speed");
@@ -123,7 +123,7 @@ void DescribeKind(Fields& fields, LegRunOptions& o, bool is_recipe) {
   }
   MayBePoint(fields, "p1", o.p1);
   MayBePoint(fields, "p2", o.p2);
-  fields.Number("speed", o.speed, kSpeed);
+  fields.Number("speed", o.speed, kSpeedRange);
   fields.Numbers("leg_spds", o.leg_spds, 1000);
   for (const double speed : o.leg_spds) {
     if (speed < 0 || speed > kFastest_mps) {
@@ -135,8 +135,8 @@ void DescribeKind(Fields& fields, LegRunOptions& o, bool is_recipe) {
   fields.Number("turn2_rad", o.turn2_rad, Above(0, kFarthest_m));
   fields.Number("turn1_bias", o.turn1_bias, Between(-100, 100));
   fields.Number("turn2_bias", o.turn2_bias, Between(-100, 100));
-  fields.Number("turn1_ext", o.turn1_ext, kDistance);
-  fields.Number("turn2_ext", o.turn2_ext, kDistance);
+  fields.Number("turn1_ext", o.turn1_ext, kDistanceRange);
+  fields.Number("turn2_ext", o.turn2_ext, kDistanceRange);
   OneWordOf(fields, "turn1_dir", o.turn1_dir, {"auto", "port", "starboard"});
   OneWordOf(fields, "turn2_dir", o.turn2_dir, {"auto", "port", "starboard"});
   Capture(fields, "capture_radius", o.capture_radius, o.slip_radius);
@@ -165,11 +165,11 @@ void DescribeKind(Fields& fields, FixedTurnOptions& o, bool) {
 void DescribeKind(Fields& fields, ZigzagOptions& o, bool) {
   fields.Number("stem_hdg", o.stem_hdg, Between(-360, 360));
   fields.Flag("stem_on_active", o.stem_on_active);
-  fields.Number("speed", o.speed, kSpeed);
+  fields.Number("speed", o.speed, kSpeedRange);
   fields.Flag("speed_on_active", o.speed_on_active);
   fields.Number("zig_angle", o.zig_angle, Between(1, 90));
   OneWordOf(fields, "zig_first", o.zig_first, {"port", "starboard"});
-  fields.Number("hdg_thresh", o.hdg_thresh, kDegrees);
+  fields.Number("hdg_thresh", o.hdg_thresh, kDegreesRange);
   fields.SmallInteger("max_zig_legs", o.max_zig_legs, 0, 1'000'000);
   OrOff(fields, "max_stem_odo", o.max_stem_odo, kFarthest_m);
   fields.Flag("fierce_zigging", o.fierce_zigging);

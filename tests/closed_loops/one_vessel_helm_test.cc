@@ -84,7 +84,7 @@ class PlainHelm {
     const BehaviorInputs inputs = {
         .time_s = time_s, .own = {.motion = motion_}, .domain = &domain_};
     std::vector<WeightedObjective> objectives;
-    Allowed allowed;
+    AllowedPart allowed;
     std::string error;
     for (Aim& aim : aims_) {
       if (aim.behavior == nullptr) continue;
