@@ -4,17 +4,24 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
+#include <span>
 #include <string_view>
 
 #include "lib/mission/coverage_area.h"
 #include "lib/routing/vehicle_name.h"
+#include "lib/verdict/encounter_outcomes.h"
 #include "lib/verdict/expectation_text.h"
 
 namespace shoal {
 
 namespace {
 
+constexpr size_t kMaxFailuresShown = 5;
+constexpr size_t kMaxNamesShown = 5;
+/// Vehicles that travelled less have not moved: a helm that keeps station or is in PARK.
+constexpr double kMoved_m = 1;
 /// A quarter of the Earth's circumference: positions farther away are invalid.
 constexpr double kFarthest_m = 1e7;
 /// A vehicle whose motion is older has no encounters.
@@ -36,6 +43,47 @@ std::vector<double> LengthsOf(const Mission& mission) {
   std::vector<double> lengths_m;
   for (const Vehicle& vehicle : mission.vehicles) lengths_m.push_back(vehicle.length_m);
   return lengths_m;
+}
+
+/// Returns "alpha", "alpha, bravo", or the first ones "and 12 more".
+std::string Listed(const std::vector<std::string>& names) {
+  const size_t num_shown = std::min(names.size(), kMaxNamesShown);
+  std::string text = fmt::format("{}", fmt::join(std::span(names).first(num_shown), ", "));
+  if (num_shown < names.size()) text += fmt::format(" and {} more", names.size() - num_shown);
+  return text;
+}
+
+/// Judges by the share (at_least_pct, at_most_pct) that `count` has in all that was offered.
+void JudgeShare(const auto& limits, int64_t count, int64_t offered, Outcome* outcome) {
+  if (offered == 0) {
+    outcome->passed = !limits.at_least_pct;
+    outcome->numbers = "nothing was offered on these links";
+    return;
+  }
+  // A share that is exactly the limit is within it, whatever binary fractions make of the limit.
+  constexpr double kRounding_pct = 1e-9;
+  const double share_pct = 100 * static_cast<double>(count) / static_cast<double>(offered);
+  outcome->numbers = fmt::format("{} of {} ({:.4g} %)", count, offered, share_pct);
+  const double missing_pct = limits.at_least_pct.value_or(0) - share_pct;
+  const double excess_pct = share_pct - limits.at_most_pct.value_or(100);
+  if (missing_pct > kRounding_pct) {
+    outcome->passed = false;
+    outcome->numbers += fmt::format(", {} % too low", FormatExcess(missing_pct));
+  }
+  if (excess_pct > kRounding_pct) {
+    outcome->passed = false;
+    outcome->numbers += fmt::format(", {} % too high", FormatExcess(excess_pct));
+  }
+}
+
+Outcome JudgeCoverage(const CoverageWatch& watch, double at_least_pct) {
+  const double missing_pct = at_least_pct - watch.covered_pct();
+  Outcome outcome = {.passed = missing_pct <= 0,
+                     .strain = missing_pct,
+                     .numbers = fmt::format("{:.2f} % of {:.0f} m2, in cells of {:.2g} m",
+                                            watch.covered_pct(), watch.area_m2(), watch.cell_m())};
+  if (missing_pct > 0) outcome.numbers += fmt::format(", {} % too low", FormatExcess(missing_pct));
+  return outcome;
 }
 
 /// Returns the name of the vehicle or vehicles that an expectation is put to, one by one; nothing
@@ -241,6 +289,229 @@ void Judge::WatchExtremes(Case* each, double time_s) const {
       }
     }
   }
+}
+
+std::vector<ExpectationVerdict> Judge::Verdicts() const {
+  std::vector<ExpectationVerdict> verdicts;
+  for (const Case& each : cases_) {
+    Outcome outcome;
+    if (const auto* what = std::get_if<SeparationExpectation>(&each.expectation->what)) {
+      outcome = FindSeparation(*what);
+    } else if (const auto* approach =
+                   std::get_if<ClosestApproachExpectation>(&each.expectation->what)) {
+      outcome = JudgeClosestApproach(mission_, *approach, encounters_[each.encounters]);
+    } else if (const auto* score =
+                   std::get_if<EncounterScoreExpectation>(&each.expectation->what)) {
+      outcome = JudgeEncounterScore(mission_, *score, encounters_[each.encounters]);
+    } else if (const auto* comms = std::get_if<CommsExpectation>(&each.expectation->what)) {
+      outcome = FindComms(*comms);
+    } else if (const auto* swarm = std::get_if<SwarmExpectation>(&each.expectation->what)) {
+      const int from = PlaceInCounts(swarm->from);
+      const int to = PlaceInCounts(swarm->to);
+      outcome = {.passed = true, .strain = 0, .numbers = {}};
+      JudgeShare(*swarm, swarm_counts_.Count(from, to, swarm->outcome),
+                 swarm_counts_.CountOffered(from, to), &outcome);
+    } else if (const auto* coverage = std::get_if<CoverageExpectation>(&each.expectation->what)) {
+      outcome = JudgeCoverage(*each.coverage, coverage->at_least_pct);
+    } else {
+      outcome = Combine(each, FindForVehicles(each));
+    }
+    verdicts.push_back({.where = each.expectation->where,
+                        .text = Describe(mission_, *each.expectation),
+                        .passed = outcome.passed,
+                        .numbers = outcome.numbers});
+  }
+  return verdicts;
+}
+
+bool Judge::Passed() const {
+  if (num_collisions_ > 0 && mission_.collisions == CollisionVerdict::kFail) return false;
+  const std::vector<ExpectationVerdict> verdicts = Verdicts();
+  return std::all_of(verdicts.begin(), verdicts.end(),
+                     [](const ExpectationVerdict& verdict) { return verdict.passed; });
+}
+
+std::vector<std::string> Judge::Warnings() const {
+  std::vector<std::string> warnings;
+  bool has_helm = false;
+  bool was_deployed = false;
+  for (size_t i = 0; i < helms_.size(); ++i) {
+    has_helm |= helms_[i].has_value();
+    was_deployed |= has_left_park_[i];
+  }
+  const double farthest_m =
+      travelled_m_.empty() ? 0 : *std::max_element(travelled_m_.begin(), travelled_m_.end());
+  if (mission_.MayBeSteeredFromOutside()) {
+    // What such programs do, and leave, is their business.
+  } else if (has_helm && !was_deployed) {
+    warnings.push_back("no vehicle was deployed: every helm stayed in PARK");
+  } else if (farthest_m < kMoved_m) {
+    warnings.push_back(fmt::format("no vehicle moved: none travelled {:g} m", kMoved_m));
+  }
+  if (const std::string names = VehiclesWithoutReports(); !names.empty()) {
+    warnings.push_back("received no report of another vehicle: " + names);
+  }
+  for (const Case& each : cases_) {
+    std::vector<std::string> names;
+    for (size_t i = 0; i < each.arrivals.size(); ++i) {
+      if (each.arrivals[i].is_met_from_start()) {
+        names.push_back(mission_.vehicles[each.vehicles[i]].name);
+      }
+    }
+    if (names.empty()) continue;
+    warnings.push_back(fmt::format(
+        "an arrival was met before the vehicle had left, by {}: stays = true, or another "
+        "point, tests more [{}]",
+        Listed(names), each.expectation->where));
+  }
+  return warnings;
+}
+
+/// Returns the names of vehicles to which none of the others' reports was delivered, where others
+/// have a node_reporter and there is a broker.
+std::string Judge::VehiclesWithoutReports() const {
+  if (mission_.broker == Provider::kNone) return {};
+  size_t num_reporters = 0;
+  for (const Vehicle& vehicle : mission_.vehicles) {
+    if (mission_.IsReported(vehicle)) ++num_reporters;
+  }
+  std::vector<std::string> names;
+  for (size_t i = 0; i < mission_.vehicles.size(); ++i) {
+    const Vehicle& vehicle = mission_.vehicles[i];
+    if (num_reporters < (mission_.IsReported(vehicle) ? 2U : 1U)) continue;
+    const int place = static_cast<int>(i);
+    if (fates(Kind::kReport).Count(FateCounts::kAll, place, "delivered") == 0) {
+      names.push_back(vehicle.name);
+    }
+  }
+  return names.empty() ? std::string() : Listed(names);
+}
+
+Outcome Judge::FindSeparation(const SeparationExpectation& separation) const {
+  const Approach& closest = separation_.closest();
+  if (closest.first < 0) return {.passed = false, .numbers = "no two vehicles were seen"};
+  const double missing_m = separation.min_m - closest.range_m;
+  std::string numbers = fmt::format("closest: {}-{} {:.1f} m at {:.1f} s",
+                                    mission_.vehicles[static_cast<size_t>(closest.first)].name,
+                                    mission_.vehicles[static_cast<size_t>(closest.second)].name,
+                                    closest.range_m, SecondsSinceStart(closest.utime));
+  if (missing_m > 0) numbers += fmt::format(", {} m too close", FormatExcess(missing_m));
+  return {.passed = missing_m <= 0, .strain = missing_m, .numbers = numbers};
+}
+
+Outcome Judge::FindComms(const CommsExpectation& comms) const {
+  const int from = PlaceInCounts(comms.from);
+  const int to = PlaceInCounts(comms.to);
+  const int64_t count = fates(comms.kind).Count(from, to, comms.cause);
+  Outcome outcome = {.passed = true, .strain = 0, .numbers = std::to_string(count)};
+  if (comms.at_least_pct || comms.at_most_pct) {
+    JudgeShare(comms, count, fates(comms.kind).CountOffered(from, to), &outcome);
+  }
+  if (comms.at_least && count < *comms.at_least) {
+    outcome.passed = false;
+    outcome.numbers += fmt::format(", {} too few", *comms.at_least - count);
+  }
+  if (comms.at_most && count > *comms.at_most) {
+    outcome.passed = false;
+    outcome.numbers += fmt::format(", {} too many", count - *comms.at_most);
+  }
+  return outcome;
+}
+
+Outcome Judge::FindHelm(const HelmExpectation& helm, size_t vehicle) const {
+  const std::optional<HelmFacts>& facts = helms_[vehicle];
+  if (!facts) return {.passed = false, .strain = 0, .numbers = "no helm state was received"};
+  const bool state_fits = helm.state.empty() || VehicleKey(helm.state) == VehicleKey(facts->state);
+  const bool task_fits = helm.task.empty() || helm.task == facts->task;
+  return {.passed = state_fits && task_fits,
+          .strain = 0,
+          .numbers = fmt::format("{} with {}", facts->state,
+                                 facts->task.empty() ? "no task" : "task " + facts->task)};
+}
+
+Outcome Judge::FindLaps(const LapsExpectation& expected, const LapsWatch& watch) const {
+  if (!watch.reached_s) {
+    return {.passed = false,
+            .strain = static_cast<double>(expected.at_least - watch.most),
+            .numbers = fmt::format("{}, {} too few", watch.most, expected.at_least - watch.most)};
+  }
+  const double late_s = *watch.reached_s - LimitSeconds(mission_, expected.by_s);
+  std::string numbers = fmt::format("{}, enough at {:.1f} s", watch.most, *watch.reached_s);
+  if (late_s > 0) numbers += fmt::format(", {} s late", FormatExcess(late_s));
+  return {.passed = late_s <= 0, .strain = *watch.reached_s, .numbers = numbers};
+}
+
+namespace {
+
+/// Judges the smallest and the largest that a quantity in metres was. Absent limits do not count.
+Outcome JudgeExtremes(const ExtremeWatch& watch, std::optional<double> min_m,
+                      std::optional<double> max_m, std::string_view quantity) {
+  if (!watch.has_seen()) {
+    return {.passed = false, .strain = 0, .numbers = fmt::format("no {} was seen", quantity)};
+  }
+  Outcome outcome = {
+      .passed = true, .strain = -std::numeric_limits<double>::infinity(), .numbers = {}};
+  const auto add = [&](std::string_view what, const Extreme& extreme, double excess_m) {
+    if (!outcome.numbers.empty()) outcome.numbers += ", ";
+    outcome.numbers += fmt::format("{} {:.2f} m at {:.1f} s", what, extreme.value, extreme.time_s);
+    if (excess_m > 0) outcome.numbers += fmt::format(", {} m beyond", FormatExcess(excess_m));
+    outcome.passed = outcome.passed && excess_m <= 0;
+    outcome.strain = std::max(outcome.strain, excess_m);
+  };
+  if (min_m) add("least", watch.smallest(), *min_m - watch.smallest().value);
+  if (max_m) add("most", watch.largest(), watch.largest().value - *max_m);
+  return outcome;
+}
+
+}  // namespace
+
+std::vector<Outcome> Judge::FindForVehicles(const Case& each) const {
+  std::vector<Outcome> outcomes;
+  for (size_t i = 0; i < each.vehicles.size(); ++i) {
+    if (const auto* helm = std::get_if<HelmExpectation>(&each.expectation->what)) {
+      outcomes.push_back(FindHelm(*helm, each.vehicles[i]));
+    } else if (const auto* laps = std::get_if<LapsExpectation>(&each.expectation->what)) {
+      outcomes.push_back(FindLaps(*laps, each.laps[i]));
+    } else if (const auto* track = std::get_if<TrackExpectation>(&each.expectation->what)) {
+      outcomes.push_back(JudgeExtremes(each.extremes[i], {}, track->max_m, "track"));
+    } else if (const auto* distance = std::get_if<DistanceExpectation>(&each.expectation->what)) {
+      outcomes.push_back(
+          JudgeExtremes(each.extremes[i], distance->min_m, distance->max_m, "distance"));
+    } else if (const auto* altitude = std::get_if<AltitudeExpectation>(&each.expectation->what)) {
+      outcomes.push_back(JudgeExtremes(each.extremes[i], altitude->min_m, {}, "altitude"));
+    } else {
+      outcomes.push_back(each.arrivals[i].Find());
+    }
+  }
+  return outcomes;
+}
+
+/// Makes one outcome of many: the failures, or where there are none the narrowest success.
+Outcome Judge::Combine(const Case& each, const std::vector<Outcome>& outcomes) const {
+  if (outcomes.empty()) return {.passed = false, .strain = 0, .numbers = "no such vehicle"};
+  if (outcomes.size() == 1) return outcomes.front();
+  const auto with_name = [&](size_t i) {
+    return mission_.vehicles[each.vehicles[i]].name + ": " + outcomes[i].numbers;
+  };
+  size_t num_failed = 0;
+  size_t narrowest = 0;
+  std::string failures;
+  for (size_t i = 0; i < outcomes.size(); ++i) {
+    if (outcomes[i].strain > outcomes[narrowest].strain) narrowest = i;
+    if (outcomes[i].passed || ++num_failed > kMaxFailuresShown) continue;
+    failures += (failures.empty() ? "" : "; ") + with_name(i);
+  }
+  if (num_failed == 0) {
+    return {.passed = true,
+            .strain = 0,
+            .numbers = fmt::format("all {}; narrowest {}", outcomes.size(), with_name(narrowest))};
+  }
+  if (num_failed > kMaxFailuresShown) {
+    failures += fmt::format("; and {} more", num_failed - kMaxFailuresShown);
+  }
+  return {.passed = false,
+          .strain = 0,
+          .numbers = fmt::format("{} of {} failed: {}", num_failed, outcomes.size(), failures)};
 }
 
 std::vector<size_t> Judge::VehiclesNamed(std::string_view name) const {
