@@ -223,6 +223,7 @@ void HelmApp::Tick(int64_t utime) {
   const double dt_s =
       utime_ ? std::clamp(static_cast<double>(utime - *utime_) / 1e6, 0.0, kMaxControlStep_s) : 0;
   utime_ = utime;
+  if (utime < busy_until_utime_) return;  // What arrives is taken, as from a queue at the end.
   const bool nav_is_lost = WatchNav(utime);
 
   std::optional<Fix> fix;
@@ -238,6 +239,7 @@ void HelmApp::Tick(int64_t utime) {
   }
   states_.Advance(fix, nav_is_lost);
   if (arbiter_) guidance_ = Guide(utime, fix);
+  if (arbiter_ && IsPrevented(utime)) return;
   const std::optional<Guidance>& guidance = arbiter_ ? guidance_ : states_.guidance();
   if (guidance) {
     pilot_->Steer(*guidance, nav_, dt_s, &desired_, &actuators_);
@@ -251,6 +253,18 @@ void HelmApp::Tick(int64_t utime) {
   Publish(bus_, actuators_channel_, actuators_);
   PublishState(utime);
   if (arbiter_) PublishDecision(utime);
+}
+
+bool HelmApp::IsPrevented(int64_t utime) {
+  if (const double busy_s = arbiter_->TakeBusy(); busy_s > 0) {
+    busy_until_utime_ = utime + Microseconds(busy_s);
+  }
+  return utime < busy_until_utime_ || !arbiter_->outcome().crash.empty();
+}
+
+std::string HelmApp::Crash() const {
+  if (!arbiter_ || arbiter_->outcome().crash.empty()) return {};
+  return fmt::format("the behavior {} crashes the helm", Printable(arbiter_->outcome().crash));
 }
 
 std::optional<Guidance> HelmApp::Guide(int64_t utime, const std::optional<Fix>& fix) {
