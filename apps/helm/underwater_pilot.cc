@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "lib/check/check.h"
@@ -36,6 +37,14 @@ AuvMotion MotionOf(const nav_t& nav) {
           .psi_rad = PsiFromHeading(DegToRad(nav.heading_deg)),
           .q_radps = DegToRad(nav.pitch_rate_degps),
           .r_radps = -DegToRad(nav.yaw_rate_degps)};
+}
+
+/// Where the desired speed and pitch lead within kDepthAhead_s: the depth wanted of a task that
+/// commands a pitch.
+double DepthAhead(const Guidance& guidance, const nav_t& nav) {
+  constexpr double kDepthAhead_s = 10;
+  const double descent_mps = -guidance.speed_mps * std::sin(*guidance.pitch_rad);
+  return std::max(0.0, nav.z_m + kDepthAhead_s * descent_mps);
 }
 
 }  // namespace
@@ -74,7 +83,7 @@ void UnderwaterPilot::Steer(const Guidance& guidance, const nav_t& nav, double d
           ? pilot_.KeepHeadingAndPitch(motion, psi_rad, *guidance.pitch_rad, dt_s)
           : pilot_.KeepHeadingAndDepth(
                 motion, psi_rad, guidance.z_m.value_or(options_.cruise_depth_m), seabed_z_m, dt_s);
-  desired->depth_m = guidance.pitch_rad ? nav.z_m : pilot_.desired_z_m();
+  desired->depth_m = guidance.pitch_rad ? DepthAhead(guidance, nav) : pilot_.desired_z_m();
   const double stern_plane_sign = IsMunet(options_) ? 1 : -1;
   actuators->rudder_deg = -RadToDeg(fins.rudder_rad);
   actuators->stern_plane_deg = stern_plane_sign * RadToDeg(fins.stern_plane_rad);

@@ -17,6 +17,7 @@ class UnderwaterPilot : public Pilot {
   void Steer(const Guidance& guidance, const nav_t& nav, double dt_s, desired_t* desired,
              actuators_t* actuators) override;
   void Rest(const nav_t& nav, desired_t* desired, actuators_t* actuators) override;
+  std::optional<double> desired_pitch_rad() const override { return pilot_.desired_theta_rad(); }
   std::string GainsText() const override;
 
  private:

@@ -22,8 +22,7 @@ constexpr double kNudge = 0.05;
 SurvivalGroupLayer SurvivalOf(const VelocityLaw& law) {
   if (const auto* cascade = std::get_if<VelocityCascade>(&law)) {
     for (const VelocityLayer& layer : cascade->layers) {
-      if (const auto* group = std::get_if<SurvivalGroupLayer>(&layer)) return *group;
-      if (const auto* both = std::get_if<SurvivalLayer>(&layer)) return both->group;
+      if (const SurvivalGroupLayer* group = GroupOf(layer)) return *group;
     }
   }
   return {};
@@ -77,7 +76,9 @@ Guidance PathFollowRunner::Update(const Fix& fix) {
   guidance.distance_m = (path.next_m - PositionOf(fix)).norm();
   guidance.cross_track_error_m = -path.y_e_m;
   guidance.z_m = path.z_m;
+  guidance.crab_rad = -path.crab_rad;
   if (task_.propeller_rpm > 0 && path.speed_mps > 0) guidance.propeller_rpm = task_.propeller_rpm;
+  if (!task_.cascade.layers.empty()) KeepClear(fix, &guidance);
   return guidance;
 }
 
@@ -143,6 +144,8 @@ Guidance TargetTrackRunner::Follow(const Fix& fix) {
   guidance.pitch_rad = command.theta_d_rad;
   guidance.waypoint_m = target_m.head<2>();
   guidance.distance_m = (target_m - PositionOf(fix)).norm();
+  guidance.layers = tracker_.shares();
+  if (!guidance.layers.empty()) guidance.u_max_mps = tracker_.params().u_max_mps;
   return guidance;
 }
 

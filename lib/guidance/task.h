@@ -99,6 +99,12 @@ struct SurveyTask {
   bool operator==(const SurveyTask&) const = default;
 };
 
+/// Where a vehicle's knowledge of its swarm comes from.
+enum class SwarmKnowledge {
+  kDirect,    ///< The true state of every vehicle, a step old.
+  kAcoustic,  ///< What the acoustic network let through, and what is predicted from that.
+};
+
 /// What comes after the last point of a path_follow task.
 enum class PathTaskEnd {
   kDone,           ///< The task is done; the next of the list follows.
@@ -122,14 +128,14 @@ struct PathFollowTask {
   bool guard_crab = true;     ///< PathFollowParams has the meanings.
   bool turn_crab = true;
   double hold_radius_m = 30;  ///< kHold; >= the acceptance radius.
+  /// Layers above the way to the waypoint, the most urgent first; none: it follows its path,
+  /// whatever is there.
+  VelocityCascade cascade = {.layers = {}};
+  double u_max_mps = 2.5;  ///< The budget of the layers.
+  std::vector<std::string> group;  ///< Those to keep clear of; empty: all other underwater vehicles.
+  SwarmKnowledge swarm = SwarmKnowledge::kDirect;  ///< Of the group.
 
   bool operator==(const PathFollowTask&) const = default;
-};
-
-/// Where a vehicle's knowledge of its swarm comes from.
-enum class SwarmKnowledge {
-  kDirect,    ///< The true state of every vehicle, a step old.
-  kAcoustic,  ///< What the acoustic network let through, and what is predicted from that.
 };
 
 /// What a follower does while its target is silent.

@@ -27,7 +27,8 @@ struct Fix {
   double heading_rad = 0;                                ///< Clockwise from North.
   double time_s = 0;
   double z_m = 0;  ///< Depth.
-  /// What it knows of the others, for target_track; else it may be null. Outlives the call.
+  /// What it knows of the others, for underwater tasks with layers; else it may be null. Outlives
+  /// the call.
   const Surroundings* surroundings = nullptr;
 };
 
@@ -44,6 +45,10 @@ struct Guidance {
   std::optional<double> z_m = {};            ///< Depth to take; absent: the task knows of none.
   std::optional<double> pitch_rad = {};      ///< Present: this pitch, bow up, instead of a depth.
   std::optional<double> propeller_rpm = {};  ///< Present: these revolutions, whatever the speed.
+  /// How far ALOS takes the course over ground to lie to starboard of the heading; 0 without ALOS.
+  double crab_rad = 0;
+  std::vector<LayerShare> layers = {};  ///< Of a cascade of velocities, the most urgent first.
+  double u_max_mps = 0;                 ///< The budget that they share.
 };
 
 /// Gives the time between updates, none across a pause.
@@ -125,6 +130,9 @@ class PathFollowRunner {
   void Rejoin(const Fix& fix) { stopwatch_.Lap(fix.time_s); }
 
  private:
+  /// Weighs the way with the layers of the task; changes nothing where they ask for nothing.
+  void KeepClear(const Fix& fix, Guidance* guidance) const;
+
   PathFollowTask task_;
   PathFollower follower_;
   Stopwatch stopwatch_;

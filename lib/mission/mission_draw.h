@@ -221,6 +221,13 @@ class MissionDraw {
                            .guard_crab = Coin(),
                            .turn_crab = Coin(),
                            .hold_radius_m = acceptance_m + 1};
+    if (Coin()) {
+      path.cascade = {
+          .layers = {SurvivalGroupLayer{.r_safe_m = 3, .r_avoid_m = 30, .r_pass_m = Number(0, 1e5)}},
+          .alpha = Number(0, 1)};
+      path.u_max_mps = 50;
+      if (Coin()) path.group = {vehicle->name == "Vessel_2" ? "Vessel_1" : "Vessel_2"};
+    }
     vehicle->tasks.push_back({"path", path});
     TargetTrackTask track;
     track.target = "Vessel_2";
@@ -243,7 +250,10 @@ class MissionDraw {
                           .rate_hz = Positive(1000),
                           .noise_m = Number(0, 1000)};
         track.track.law = VelocityCascade{
-            {SurvivalLayer{.group = {.r_safe_m = 3, .r_avoid_m = 30}, .sonar = {.r_avoid_m = 25}},
+            {SurvivalLayer{.group = {.r_safe_m = 3, .r_avoid_m = 30},
+                           .sonar = {.r_avoid_m = 25,
+                                     .r_pass_m = Number(0, 1e5),
+                                     .memory_s = Number(0, 600)}},
              FeedForwardLayer{}}};
       }
     }

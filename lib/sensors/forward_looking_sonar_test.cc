@@ -21,7 +21,7 @@ std::vector<SonarBeam> PingOnce(const SonarParams& params, const SonarPose& pose
                                 int64_t number = 0) {
   const ForwardLookingSonar sonar(params);
   std::vector<SonarBeam> beams(sonar.beam_count());
-  sonar.Ping(pose, floor, others, number, beams);
+  sonar.Ping(pose, {.floor = floor, .vehicles = others}, number, beams);
   return beams;
 }
 

@@ -164,7 +164,7 @@ void LiveView::OnNav(size_t vehicle, const nav_t& nav) {
 }
 
 void LiveView::OnHelm(size_t vehicle, const helm_state_t& helm) {
-  events_.OnHelm(vehicle, helm.utime, helm.state, helm.all_stop);
+  events_.OnHelm(vehicle, helm);
 }
 
 void LiveView::OnReport(size_t vehicle, const ReceivedReport& report) {

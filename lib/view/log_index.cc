@@ -153,7 +153,7 @@ class IndexBuilder : private SceneObserver {
   }
 
   void OnHelm(size_t vehicle, const helm_state_t& helm) override {
-    watch_.OnHelm(vehicle, helm.utime, helm.state, helm.all_stop);
+    watch_.OnHelm(vehicle, helm);
   }
 
   void OnReport(size_t vehicle, const ReceivedReport& report) override {
