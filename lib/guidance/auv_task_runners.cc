@@ -64,7 +64,9 @@ PathFollowRunner::PathFollowRunner(const PathFollowTask& task, const Fix& start)
     : task_(task), follower_(ParamsOf(task), PositionOf(start)), stopwatch_(start.time_s) {}
 
 Guidance PathFollowRunner::Update(const Fix& fix) {
-  const PathGuidance path = follower_.Update(PositionOf(fix), stopwatch_.Lap(fix.time_s));
+  // While layers steer, the cross-track error does not show the current: ALOS learns nothing.
+  const double dt_s = stopwatch_.Lap(fix.time_s);
+  const PathGuidance path = follower_.Update(PositionOf(fix), keeps_clear_ ? 0 : dt_s);
   const bool ends = task_.end == PathTaskEnd::kDone || task_.end == PathTaskEnd::kSurface;
   Guidance guidance;
   guidance.heading_rad = HeadingFromPsi(path.psi_ref_rad);
@@ -78,7 +80,7 @@ Guidance PathFollowRunner::Update(const Fix& fix) {
   guidance.z_m = path.z_m;
   guidance.crab_rad = -path.crab_rad;
   if (task_.propeller_rpm > 0 && path.speed_mps > 0) guidance.propeller_rpm = task_.propeller_rpm;
-  if (!task_.cascade.layers.empty()) KeepClear(fix, &guidance);
+  keeps_clear_ = !task_.cascade.layers.empty() && KeepClear(fix, &guidance);
   return guidance;
 }
 

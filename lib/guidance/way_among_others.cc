@@ -33,8 +33,8 @@ Eigen::Vector3d WayOf(const Guidance& path, double z_m) {
 // to the water, with the crab angle in its heading: the current is added to it, and taken off the
 // sum again. So the path alone comes out as it was, and what stands is kept clear of in a current
 // as in still water.
-void PathFollowRunner::KeepClear(const Fix& fix, Guidance* guidance) const {
-  if (fix.surroundings == nullptr) return;
+bool PathFollowRunner::KeepClear(const Fix& fix, Guidance* guidance) const {
+  if (fix.surroundings == nullptr) return false;
   const Eigen::Vector3d& current_mps = fix.surroundings->current_mps;
   guidance->u_max_mps = task_.u_max_mps;
   const Eigen::Vector3d wanted_mps =
@@ -44,13 +44,14 @@ void PathFollowRunner::KeepClear(const Fix& fix, Guidance* guidance) const {
   for (size_t i = 0; i + 1 < guidance->layers.size(); ++i) {
     asked_mps += guidance->layers[i].weight * guidance->layers[i].velocity_mps.norm();
   }
-  if (asked_mps < kIdle * task_.u_max_mps) return;
+  if (asked_mps < kIdle * task_.u_max_mps) return false;
   const TrackCommand command = CommandOf(
       wanted_mps - current_mps, PsiFromHeading(guidance->heading_rad), kSteepest_rad);
   guidance->heading_rad = HeadingFromPsi(command.psi_d_rad);
   guidance->speed_mps = command.speed_mps;
   guidance->pitch_rad = command.theta_d_rad;
   guidance->propeller_rpm.reset();
+  return true;
 }
 
 }  // namespace shoal
