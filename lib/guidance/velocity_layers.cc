@@ -14,6 +14,8 @@ double Cube(double x) { return x * x * x; }
 
 /// Slower than this there is no direction of travel to step aside from.
 constexpr double kTravels_mps = 0.1;
+/// Sides that differ by less than rounding are equally full.
+constexpr double kTie_m = 1e-6;
 
 /// Gathers what is in the way of a vehicle, and how it steps aside.
 class Sidestep {
@@ -42,7 +44,7 @@ class Sidestep {
   }
 
   Eigen::Vector3d Velocity_mps(double u_max_mps) const {
-    return (fuller_m_ > 0 ? -u_max_mps : u_max_mps) * strength_ * starboard_;
+    return (fuller_m_ > kTie_m ? -u_max_mps : u_max_mps) * strength_ * starboard_;
   }
 
  private:
