@@ -234,4 +234,16 @@ RC_GTEST_PROP(UnderwaterPilot, PublishesFiniteNumbersWithinTheFinLimitsForAnyInp
   }
 }
 
+TEST(UnderwaterPilot, WantsTheDepthToWhichACommandedPitchLeadsWithinTenSeconds) {
+  Steered steered({});
+  Guidance guidance = ToHeadingAndDepth(0, 0);
+  guidance.z_m.reset();
+  guidance.pitch_rad = DegToRad(-10);
+  steered.Steer(guidance, NavAt(0, 20));
+  EXPECT_NEAR(steered.desired.depth_m, 20 + 10 * 2 * std::sin(DegToRad(10)), 1e-9);
+  guidance.pitch_rad = DegToRad(45);
+  steered.Steer(guidance, NavAt(0, 5));
+  EXPECT_EQ(steered.desired.depth_m, 0) << "not above the surface";
+}
+
 }  // namespace shoal::underwater_pilot_test
