@@ -11,7 +11,8 @@
 
 namespace shoal::guidance_message_test {
 
-/// An AUV that goes East at 2 m/s and 20 m of depth, whatever its helm wants, 5 m North of its path.
+/// An AUV that goes East at 2 m/s and 20 m of depth, whatever its helm wants, 5 m North of its
+/// path.
 class HelmOfAuv {
  public:
   explicit HelmOfAuv(const Vehicle& vehicle)

@@ -438,9 +438,9 @@ StatusPage HelmApp::Status() const {
 
 std::string HelmApp::GuidanceText() const {
   if (!how_utime_) return {};
-  std::string text =
-      fmt::format("Guidance: pitch {:.1f} deg desired, {:.1f} actual; crab angle by ALOS {:.1f} deg\n",
-                  how_.pitch_deg, nav_.pitch_deg, how_.crab_deg);
+  std::string text = fmt::format(
+      "Guidance: pitch {:.1f} deg desired, {:.1f} actual; crab angle by ALOS {:.1f} deg\n",
+      how_.pitch_deg, nav_.pitch_deg, how_.crab_deg);
   for (const guidance_layer_t& layer : how_.layers) {
     text += fmt::format("    {:<18} asks for {:.2f} m/s, weight {:.3f}\n", layer.name,
                         layer.speed_mps, layer.weight);

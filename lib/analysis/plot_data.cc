@@ -30,13 +30,27 @@ bool IsFinite(double value) { return std::isfinite(value) && std::abs(value) < 1
 
 template <class Visit>
 void ForEachCurve(VehicleCurves* curves, const Visit& visit) {
-  for (ThinnedCurve* curve :
-       {&curves->track, &curves->depth_m, &curves->floor_m, &curves->cross_track_m,
-        &curves->crab_deg, &curves->expected_crab_deg, &curves->desired_depth_m, &curves->pitch_deg,
-        &curves->desired_pitch_deg, &curves->nearest_m, &curves->target_m, &curves->target_age_s,
-        &curves->other_age_s, &curves->thrust_pct, &curves->propeller_rpm, &curves->rudder_deg,
-        &curves->stern_plane_deg, &curves->speed_mps, &curves->desired_speed_mps,
-        &curves->heading_deg, &curves->desired_heading_deg}) {
+  for (ThinnedCurve* curve : {&curves->track,
+                              &curves->depth_m,
+                              &curves->floor_m,
+                              &curves->cross_track_m,
+                              &curves->crab_deg,
+                              &curves->expected_crab_deg,
+                              &curves->desired_depth_m,
+                              &curves->pitch_deg,
+                              &curves->desired_pitch_deg,
+                              &curves->nearest_m,
+                              &curves->target_m,
+                              &curves->target_age_s,
+                              &curves->other_age_s,
+                              &curves->thrust_pct,
+                              &curves->propeller_rpm,
+                              &curves->rudder_deg,
+                              &curves->stern_plane_deg,
+                              &curves->speed_mps,
+                              &curves->desired_speed_mps,
+                              &curves->heading_deg,
+                              &curves->desired_heading_deg}) {
     visit(curve);
   }
   for (LayerCurves& layer : curves->layers) {

@@ -115,7 +115,8 @@ Figure DrawDepth(StackedFigure figure, const PlotData& data, const PlotSetting& 
     if (figure.AddCurves(&VehicleCurves::floor_m, "sea floor", kDashed)) {
       figure.Explain("sea floor below", kGreyDashed);
     }
-    const bool has_depth = figure.AddCurves(&VehicleCurves::desired_depth_m, "desired depth", kDotted);
+    const bool has_depth =
+        figure.AddCurves(&VehicleCurves::desired_depth_m, "desired depth", kDotted);
     if (has_depth) figure.Explain("desired", kGreyDotted);
     figure.BeginPanel("pitch, bow up + [°]", {"set xzeroaxis lc rgb '#909090' lt 1"});
     if (figure.AddCurves(&VehicleCurves::desired_pitch_deg, "desired pitch", kDotted)) {

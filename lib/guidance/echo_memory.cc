@@ -20,7 +20,8 @@ int64_t CellOf(double coordinate_m) {
 void EchoMemory::Take(const Eigen::Vector3d& position_m, std::span<const SonarEcho> echoes,
                       double time_s) {
   for (const SonarEcho& echo : echoes) {
-    const Eigen::Vector3d place_m = Plausible(position_m) + Plausible(echo.range_m) * echo.direction;
+    const Eigen::Vector3d place_m =
+        Plausible(position_m) + Plausible(echo.range_m) * echo.direction;
     const std::array<int64_t, 3> cell = {CellOf(place_m.x()), CellOf(place_m.y()),
                                          CellOf(place_m.z())};
     if (places_.size() >= kMostEchoes && !places_.contains(cell)) continue;
@@ -30,9 +31,8 @@ void EchoMemory::Take(const Eigen::Vector3d& position_m, std::span<const SonarEc
 
 std::span<const SonarEcho> EchoMemory::Recall(const Eigen::Vector3d& position_m, double time_s,
                                               double for_s) {
-  std::erase_if(places_, [&](const auto& entry) {
-    return std::abs(time_s - entry.second.time_s) > for_s;
-  });
+  std::erase_if(places_,
+                [&](const auto& entry) { return std::abs(time_s - entry.second.time_s) > for_s; });
   echoes_.clear();
   for (const auto& [cell, place] : places_) {
     const Eigen::Vector3d way_m = place.position_m - Plausible(position_m);

@@ -132,7 +132,8 @@ struct PathFollowTask {
   /// whatever is there.
   VelocityCascade cascade = {.layers = {}};
   double u_max_mps = 2.5;  ///< The budget of the layers.
-  std::vector<std::string> group;  ///< Those to keep clear of; empty: all other underwater vehicles.
+  std::vector<std::string>
+      group;  ///< Those to keep clear of; empty: all other underwater vehicles.
   SwarmKnowledge swarm = SwarmKnowledge::kDirect;  ///< Of the group.
 
   bool operator==(const PathFollowTask&) const = default;

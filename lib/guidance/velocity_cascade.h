@@ -7,10 +7,10 @@
 //   s_i = min(|v_i| / u_max, 1)   w_0 = alpha   w_1 = 1 - w_0 s_0   w_(i+1) = w_i (1 - s_i), i > 0
 //   v = sum w_i v_i
 //
-// and v no longer than u_max. alpha = 1 is the law; less makes the first layer yield to those below. Brooks (1986), IEEE J. Robotics and Automation 2(1):14-23 (priority);
-// Arkin (1989), Int. J. Robotics Research 8(4):92-112 (sum of motor schemas); Antonelli,
-// Arrichiello and Chiaverini (2009), IEEE TCST 17(5):1173-1182 (what is above projects out what is
-// below).
+// and v no longer than u_max. alpha = 1 is the law; less makes the first layer yield to those
+// below. Brooks (1986), IEEE J. Robotics and Automation 2(1):14-23 (priority); Arkin (1989), Int.
+// J. Robotics Research 8(4):92-112 (sum of motor schemas); Antonelli, Arrichiello and Chiaverini
+// (2009), IEEE TCST 17(5):1173-1182 (what is above projects out what is below).
 #pragma once
 
 #include <Eigen/Core>

@@ -56,8 +56,7 @@ RC_GTEST_PROP(VelocityCascade, ShowsSharesThatAddUpToWhatItReturns, ()) {
   const VelocityCascade cascade = {.alpha = DrawBetween(0, 1)};
   const Vector3d way_mps = VectorWithin(1);
   std::vector<LayerShare> shares;
-  const Vector3d v_mps =
-      DesiredVelocityOnWay(cascade, kUMax_mps, scene.Seen(), way_mps, &shares);
+  const Vector3d v_mps = DesiredVelocityOnWay(cascade, kUMax_mps, scene.Seen(), way_mps, &shares);
   RC_ASSERT(shares.size() == 4);
   RC_ASSERT(shares.back().name == "waypoint" && shares.back().velocity_mps == way_mps);
   Vector3d sum_mps = Vector3d::Zero();

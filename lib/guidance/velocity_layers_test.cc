@@ -221,8 +221,7 @@ RC_GTEST_PROP(Sidestep, NeverAsksForMoreThanTheBudgetAndIsSymmetric, ()) {
   const Vector3d other_mps = SonarVelocity(mirrored, 10).cwiseProduct(Vector3d(1, -1, 1));
   RC_ASSERT(one_mps.norm() <= kUMax_mps * (1 + 1e-12));
   // A tie goes to starboard both times; else the mirror image does the same.
-  RC_ASSERT((one_mps - other_mps).norm() < 1e-9 ||
-            std::abs(one_mps.y() + other_mps.y()) < 1e-9);
+  RC_ASSERT((one_mps - other_mps).norm() < 1e-9 || std::abs(one_mps.y() + other_mps.y()) < 1e-9);
 }
 
 TEST(Sidestep, OfTwoVehiclesGoesToTheSameHandOfBoth) {

@@ -22,8 +22,7 @@ Eigen::Vector3d WayOf(const Guidance& path, double z_m) {
   const double descent_mps =
       path.z_m ? std::clamp((*path.z_m - z_m) / kDepthTime_s, -steepest_mps, steepest_mps) : 0;
   const double psi_rad = PsiFromHeading(path.heading_rad);
-  const double level_mps =
-      std::sqrt(path.speed_mps * path.speed_mps - descent_mps * descent_mps);
+  const double level_mps = std::sqrt(path.speed_mps * path.speed_mps - descent_mps * descent_mps);
   return {level_mps * std::cos(psi_rad), level_mps * std::sin(psi_rad), descent_mps};
 }
 
@@ -45,8 +44,8 @@ bool PathFollowRunner::KeepClear(const Fix& fix, Guidance* guidance) const {
     asked_mps += guidance->layers[i].weight * guidance->layers[i].velocity_mps.norm();
   }
   if (asked_mps < kIdle * task_.u_max_mps) return false;
-  const TrackCommand command = CommandOf(
-      wanted_mps - current_mps, PsiFromHeading(guidance->heading_rad), kSteepest_rad);
+  const TrackCommand command =
+      CommandOf(wanted_mps - current_mps, PsiFromHeading(guidance->heading_rad), kSteepest_rad);
   guidance->heading_rad = HeadingFromPsi(command.psi_d_rad);
   guidance->speed_mps = command.speed_mps;
   guidance->pitch_rad = command.theta_d_rad;

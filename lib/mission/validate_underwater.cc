@@ -67,8 +67,8 @@ void CheckSonar(const TablePlace& place, const VelocityCascade& cascade, const V
                "[vehicle.sonar] under the [[vehicle]]");
 }
 
-void CheckPathFollowing(const TablePlace& place, const PathFollowTask& path,
-                        const Vehicle& vehicle, const Mission& mission) {
+void CheckPathFollowing(const TablePlace& place, const PathFollowTask& path, const Vehicle& vehicle,
+                        const Mission& mission) {
   CheckSonar(place, path.cascade, vehicle);
   if (path.swarm == SwarmKnowledge::kAcoustic && !mission.IsInSwarm(vehicle)) {
     place.Refuse("swarm", fmt::format("swarm = \"acoustic\" is for members of [swarm], and {} is "

@@ -55,7 +55,8 @@ struct SonarTarget {
 struct SonarScene {
   const SeaFloor& floor;
   std::span<const SonarTarget> vehicles = {};  ///< Without the one that carries the sonar.
-  std::span<const Polygon> walls_m = {};  ///< Of obstacles that reach from the surface to the floor.
+  std::span<const Polygon> walls_m =
+      {};  ///< Of obstacles that reach from the surface to the floor.
 };
 
 struct SonarBeam {

@@ -131,7 +131,9 @@ struct ShownGuidance {
   static constexpr std::string_view kKey = "guidance";
   static constexpr size_t kMostLayers = 10;
 
-  static Channel<Message> ChannelOf(std::string_view vehicle) { return channels::Guidance(vehicle); }
+  static Channel<Message> ChannelOf(std::string_view vehicle) {
+    return channels::Guidance(vehicle);
+  }
   static void Bound(Message* guidance) {
     constexpr size_t kLongestText = 80;
     if (guidance->layers.size() > kMostLayers) guidance->layers.resize(kMostLayers);

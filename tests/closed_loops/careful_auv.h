@@ -33,9 +33,8 @@ class CarefulAuv {
       : sea_(sea),
         id_(id),
         memory_s_(MemoryOf(task)),
-        runner_(task, {.position_m = start_m.head<2>(),
-                       .heading_rad = heading_rad,
-                       .z_m = start_m.z()}),
+        runner_(task,
+                {.position_m = start_m.head<2>(), .heading_rad = heading_rad, .z_m = start_m.z()}),
         beams_(sonar_.beam_count()) {
     const double psi_rad = PsiFromHeading(heading_rad);
     state_.eta << start_m, 0, 0, psi_rad;

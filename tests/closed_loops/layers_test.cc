@@ -46,8 +46,7 @@ Passage PassWreck(double off_m, double speed_mps = 1.5, const Vector3d& current_
   while (auv.neighbour().position_m.x() < kWreck_m + 150) {
     auv.Step({});
     const Vector3d at_m = auv.neighbour().position_m;
-    passage.nearest_m =
-        std::min(passage.nearest_m, (at_m - sea.wrecks[0].position_m).norm());
+    passage.nearest_m = std::min(passage.nearest_m, (at_m - sea.wrecks[0].position_m).norm());
     if (at_m.x() > kWreck_m && std::abs(at_m.y()) > 2) passage.back_m = at_m.x() - kWreck_m;
     passage.widest_m = std::max(passage.widest_m, std::abs(at_m.y()));
     passage.off_depth_m = std::max(passage.off_depth_m, std::abs(at_m.z() - 20));
@@ -79,8 +78,8 @@ TEST(AWreck, IsPassedOnTheOtherSideInAMirror) {
 }
 
 TEST(AWreck, IsPassedInACurrentFromAnySide) {
-  for (const Vector3d& current_mps : {Vector3d(0.4, 0, 0), Vector3d(-0.4, 0, 0),
-                                      Vector3d(0, 0.4, 0), Vector3d(0, -0.4, 0)}) {
+  for (const Vector3d& current_mps :
+       {Vector3d(0.4, 0, 0), Vector3d(-0.4, 0, 0), Vector3d(0, 0.4, 0), Vector3d(0, -0.4, 0)}) {
     for (const double off_m : {0.0, 2.0, 10.0}) {
       EXPECT_GT(PassWreck(off_m, 1.5, current_mps).nearest_m, 4)
           << off_m << " m off, current " << current_mps.transpose();
@@ -96,22 +95,20 @@ TEST(AWreck, IsFollowedByTheTrackAgain) {
   }
 }
 
-TEST(AWreck, FarBesideIsNoReasonToLeaveTheTrack) {
-  EXPECT_LT(PassWreck(25).widest_m, 1.5);
-}
+TEST(AWreck, FarBesideIsNoReasonToLeaveTheTrack) { EXPECT_LT(PassWreck(25).widest_m, 1.5); }
 
 TEST(AWall, ThatItsPathLeadsIntoIsGoneRound) {
   for (const double middle_m : {0.0, 5.0, -5.0}) {
     SeaAround sea;
-    sea.walls_m = {{{150, middle_m - 20}, {160, middle_m - 20}, {160, middle_m + 20},
-                    {150, middle_m + 20}}};
+    sea.walls_m = {
+        {{150, middle_m - 20}, {160, middle_m - 20}, {160, middle_m + 20}, {150, middle_m + 20}}};
     CarefulAuv auv(1, Path({{0, 0, 20}, {600, 0, 20}}, 1.5, {kSonar}), {0, 0, 20}, kPi / 2, 1.5,
                    sea);
     double nearest_m = 1e9;
     for (int i = 0; i < 8000 && auv.neighbour().position_m.x() < 300; ++i) {
       auv.Step({});
-      nearest_m = std::min(
-          nearest_m, SignedDistance(sea.walls_m[0], auv.neighbour().position_m.head<2>()));
+      nearest_m =
+          std::min(nearest_m, SignedDistance(sea.walls_m[0], auv.neighbour().position_m.head<2>()));
     }
     EXPECT_GT(auv.neighbour().position_m.x(), 299) << middle_m;
     EXPECT_GT(nearest_m, 5) << middle_m;
@@ -167,8 +164,7 @@ double FollowPastWreck(double off_m, double current_mps, const SurvivalSonarLaye
   for (int i = 0; i < 4000; ++i) {
     const double lead_m = 60 + 1.5 * i * CarefulAuv::kStep_s;
     auv.Step({{.id = 0, .position_m = {lead_m, 0, 20}, .velocity_mps = {1.5, 0, 0}}}, true);
-    nearest_m =
-        std::min(nearest_m, (auv.neighbour().position_m - sea.wrecks[0].position_m).norm());
+    nearest_m = std::min(nearest_m, (auv.neighbour().position_m - sea.wrecks[0].position_m).norm());
   }
   EXPECT_GT(auv.neighbour().position_m.x(), 270) << "it has gone on after its leader";
   return nearest_m;
@@ -197,8 +193,7 @@ TEST(Weights, AreThoseOfTheSpecificationAllTheWayPastAWreck) {
     const auto& layers = auv.guidance().layers;
     ASSERT_EQ(layers.size(), 3u);
     const double u_max_mps = task.u_max_mps;
-    const double s_0 =
-        LayerVelocity(kSurvival, u_max_mps, auv.surroundings()).norm() / u_max_mps;
+    const double s_0 = LayerVelocity(kSurvival, u_max_mps, auv.surroundings()).norm() / u_max_mps;
     const double s_1 = LayerVelocity(kSonar, u_max_mps, auv.surroundings()).norm() / u_max_mps;
     EXPECT_NEAR(layers[0].weight, 0.8, 1e-12);
     EXPECT_NEAR(layers[1].weight, 1 - 0.8 * s_0, 1e-12);
