@@ -6,6 +6,7 @@
 
 #include "lib/geometry/angles.h"
 #include "lib/guidance/task_runner.h"
+#include "lib/guidance/way_among_others.h"
 
 namespace shoal {
 
@@ -80,7 +81,7 @@ Guidance PathFollowRunner::Update(const Fix& fix) {
   guidance.z_m = path.z_m;
   guidance.crab_rad = -path.crab_rad;
   if (task_.propeller_rpm > 0 && path.speed_mps > 0) guidance.propeller_rpm = task_.propeller_rpm;
-  keeps_clear_ = !task_.cascade.layers.empty() && KeepClear(fix, &guidance);
+  keeps_clear_ = !task_.cascade.layers.empty() && KeepClear(task_, fix, &guidance);
   return guidance;
 }
 

@@ -130,10 +130,6 @@ class PathFollowRunner {
   void Rejoin(const Fix& fix) { stopwatch_.Lap(fix.time_s); }
 
  private:
-  /// Weighs the way with the layers of the task; where they ask for nothing, it changes nothing and
-  /// returns false.
-  bool KeepClear(const Fix& fix, Guidance* guidance) const;
-
   PathFollowTask task_;
   PathFollower follower_;
   Stopwatch stopwatch_;

@@ -1,9 +1,9 @@
-// Path following with layers: the way to the waypoint is the least urgent of them.
+#include "lib/guidance/way_among_others.h"
+
 #include <algorithm>
 #include <cmath>
 
 #include "lib/geometry/angles.h"
-#include "lib/guidance/task_runner.h"
 
 namespace shoal {
 
@@ -32,18 +32,18 @@ Eigen::Vector3d WayOf(const Guidance& path, double z_m) {
 // to the water, with the crab angle in its heading: the current is added to it, and taken off the
 // sum again. So the path alone comes out as it was, and what stands is kept clear of in a current
 // as in still water.
-bool PathFollowRunner::KeepClear(const Fix& fix, Guidance* guidance) const {
+bool KeepClear(const PathFollowTask& task, const Fix& fix, Guidance* guidance) {
   if (fix.surroundings == nullptr) return false;
   const Eigen::Vector3d& current_mps = fix.surroundings->current_mps;
-  guidance->u_max_mps = task_.u_max_mps;
+  guidance->u_max_mps = task.u_max_mps;
   const Eigen::Vector3d wanted_mps =
-      DesiredVelocityOnWay(task_.cascade, task_.u_max_mps, *fix.surroundings,
+      DesiredVelocityOnWay(task.cascade, task.u_max_mps, *fix.surroundings,
                            WayOf(*guidance, fix.z_m) + current_mps, &guidance->layers);
   double asked_mps = 0;
   for (size_t i = 0; i + 1 < guidance->layers.size(); ++i) {
     asked_mps += guidance->layers[i].weight * guidance->layers[i].velocity_mps.norm();
   }
-  if (asked_mps < kIdle * task_.u_max_mps) return false;
+  if (asked_mps < kIdle * task.u_max_mps) return false;
   const TrackCommand command =
       CommandOf(wanted_mps - current_mps, PsiFromHeading(guidance->heading_rad), kSteepest_rad);
   guidance->heading_rad = HeadingFromPsi(command.psi_d_rad);

@@ -1,11 +1,11 @@
-// Path following with layers, as task runners do it.
+#include "lib/guidance/way_among_others.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <vector>
 
 #include "lib/geometry/angles.h"
-#include "lib/guidance/task_runner.h"
 
 namespace shoal::way_among_others_test {
 
