@@ -83,7 +83,14 @@ void Describe(Fields& fields, PathFollowTask& task, const StartPose& start) {
     fields.Refuse("hold_radius_m", "hold_radius_m must not be less than acceptance_radius_m");
   }
   DescribeLayers(fields, LayersOfPath(), task.cascade);
-  if (task.cascade.layers.empty()) return;
+  if (task.cascade.layers.empty()) {
+    for (const std::string_view key :
+         {"alpha", "r_safe_m", "r_avoid_m", "r_pass_m", "r_sonar_m", "r_sonar_pass_m",
+          "sonar_memory_s", "group", "swarm", "u_max_mps"}) {
+      fields.NoKey(key, "it is for layers: write layers = [\"survival\"] as well");
+    }
+    return;
+  }
   if (fields.Has("group", !task.group.empty())) {
     fields.Texts("group", task.group, kMostGroupMembers);
   }
