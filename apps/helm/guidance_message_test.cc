@@ -97,7 +97,7 @@ TEST(GuidanceMessage, HasWhatTheAutopilotsAreAskedFor) {
   HelmOfAuv loop(Auv({}));
   loop.Run(10.1);
   const guidance_t& last = loop.messages.back();
-  EXPECT_EQ(last.heading_deg, loop.desired.heading_deg);
+  EXPECT_NEAR(last.heading_deg, loop.desired.heading_deg, 0.2) << "DESIRED comes more often";
   EXPECT_EQ(last.depth_m, loop.desired.depth_m);
   EXPECT_EQ(last.speed_mps, 2);
   EXPECT_NEAR(last.cross_track_error_m, -5, 1e-9) << "to port of the leg";

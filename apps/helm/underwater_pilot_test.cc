@@ -85,7 +85,7 @@ TEST_P(EveryPilot, RaisesItsBowToTheDesiredPitchAtAnyDepth) {
   guidance.pitch_rad = DegToRad(10);
   steered_.Steer(guidance, NavAt(0, 30), 5);
   EXPECT_GT(steered_.actuators.stern_plane_deg, 0.1);
-  EXPECT_EQ(steered_.desired.depth_m, 30);
+  EXPECT_LT(steered_.desired.depth_m, 30) << "it is to rise";
   guidance.pitch_rad = DegToRad(-10);
   steered_.Steer(guidance, NavAt(0, 30), 50);
   EXPECT_LT(steered_.actuators.stern_plane_deg, -0.1);

@@ -150,8 +150,9 @@ enum class SilenceRule {
 struct TargetTrackTask {
   static constexpr std::string_view kKind = "target_track";
 
-  std::string target;              ///< The vehicle that is followed.
-  std::vector<std::string> group;  ///< Those to keep clear of; empty: all that follow the target.
+  std::string target;  ///< The vehicle that is followed.
+  std::vector<std::string> group =
+      {};  ///< Those to keep clear of; empty: all that follow the target.
   SwarmKnowledge swarm = SwarmKnowledge::kDirect;
   SilenceRule on_silence = SilenceRule::kPredict;  ///< kAcoustic.
   /// Steers so that the velocity that the law wants comes about over ground. False: as if there
