@@ -94,7 +94,7 @@ TEST_P(EveryPilot, RaisesItsBowToTheDesiredPitchAtAnyDepth) {
 TEST_P(EveryPilot, BrakesATurnThatIsFastEnough) {
   nav_t nav = NavAt(0, 30);
   steered_.Steer(ToHeadingAndDepth(0, 30), nav, 5);
-  EXPECT_NEAR(steered_.actuators.rudder_deg, 0, 1e-9);
+  EXPECT_NEAR(steered_.actuators.rudder_deg, 0, 0.01) << "muNet's looks a step ahead";
   nav.yaw_rate_degps = 5;
   steered_.Steer(ToHeadingAndDepth(0, 30), nav);
   EXPECT_LT(steered_.actuators.rudder_deg, -0.1);
@@ -107,6 +107,45 @@ TEST_P(EveryPilot, BrakesATurnThatIsFastEnough) {
 TEST_P(EveryPilot, NamesItsVehicle) {
   EXPECT_EQ(steered_.Gains(), std::string("Autopilot of the ") + GetParam() +
                                   " Remus 100; at most 100 m deep, 5 m above the floor");
+}
+
+TEST(UnderwaterPilot, SteersByTheGainsOfTheMission) {
+  Remus100Gains gains = Remus100GainsNamed("default");
+  gains.heading_kp = 2;
+  gains.heading_ki = 0;
+  gains.heading_kd = 0.5;
+  gains.pitch_kp = 3;
+  gains.pitch_ki = 0;
+  gains.pitch_kd = 0.2;
+  gains.heave_kd = 0.4;
+  for (const char* parameters : {"default", "fossen"}) {
+    Steered steered({.parameters = parameters, .autopilot = gains});
+    nav_t nav = NavAt(0, 30);
+    nav.yaw_rate_degps = 2;
+    nav.pitch_rate_degps = 1;
+    nav.heave_mps = 0.01;
+    Guidance guidance = ToHeadingAndDepth(3, 30);
+    guidance.pitch_rad = DegToRad(2);
+    steered.Steer(guidance, nav);
+    EXPECT_NEAR(steered.actuators.rudder_deg, 2 * 3 - 0.5 * 2, 1e-9) << parameters;
+    EXPECT_NEAR(steered.actuators.stern_plane_deg, 3 * 2 - 0.2 * 1 - RadToDeg(0.4 * 0.01), 1e-9)
+        << parameters;
+  }
+}
+
+TEST(UnderwaterPilot, TakesTheSetOfGainsThatSuitsItsParametersOrTheOneThatIsNamed) {
+  const auto rudder_deg = [](const Remus100Options& options) {
+    Steered steered(options);
+    steered.Steer(ToHeadingAndDepth(1, 30), NavAt(0, 30), 1);
+    return steered.actuators.rudder_deg;
+  };
+  const double by_default = rudder_deg({});
+  EXPECT_EQ(rudder_deg({.autopilot = Remus100GainsNamed("default")}), by_default);
+  EXPECT_EQ(rudder_deg({.parameters = "fossen"}), by_default);
+  EXPECT_NEAR(rudder_deg({.autopilot = Remus100GainsNamed("fossen")}), 1.64 * by_default, 1e-9);
+  EXPECT_NEAR(rudder_deg({.parameters = "munet"}), 7.5 * by_default, 1e-3);
+  EXPECT_EQ(rudder_deg({.parameters = "munet", .autopilot = Remus100GainsNamed("default")}),
+            by_default);
 }
 
 TEST(UnderwaterPilot, TurnsThePropellerAsTheSpeedTakes) {

@@ -131,9 +131,8 @@ struct PathFollowTask {
   /// Layers above the way to the waypoint, the most urgent first; none: it follows its path,
   /// whatever is there.
   VelocityCascade cascade = {.layers = {}};
-  double u_max_mps = 2.5;  ///< The budget of the layers.
-  std::vector<std::string>
-      group;  ///< Those to keep clear of; empty: all other underwater vehicles.
+  double u_max_mps = 2.5;                          ///< The budget of the layers.
+  std::vector<std::string> group = {};             ///< Empty: all other underwater vehicles.
   SwarmKnowledge swarm = SwarmKnowledge::kDirect;  ///< Of the group.
 
   bool operator==(const PathFollowTask&) const = default;
@@ -150,9 +149,8 @@ enum class SilenceRule {
 struct TargetTrackTask {
   static constexpr std::string_view kKind = "target_track";
 
-  std::string target;  ///< The vehicle that is followed.
-  std::vector<std::string> group =
-      {};  ///< Those to keep clear of; empty: all that follow the target.
+  std::string target;              ///< The vehicle that is followed.
+  std::vector<std::string> group;  ///< Those to keep clear of; empty: all that follow the target.
   SwarmKnowledge swarm = SwarmKnowledge::kDirect;
   SilenceRule on_silence = SilenceRule::kPredict;  ///< kAcoustic.
   /// Steers so that the velocity that the law wants comes about over ground. False: as if there

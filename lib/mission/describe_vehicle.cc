@@ -34,17 +34,6 @@ void Describe(Fields& fields, HelmOptions& options) {
   fields.Flag("goals_mandatory", options.goals_mandatory);
 }
 
-void Describe(Fields& fields, AutopilotOptions& options) {
-  const NumberLimits gain = Between(0, 1000);
-  fields.Number("heading_kp", options.heading_kp, gain);
-  fields.Number("heading_ki", options.heading_ki, gain);
-  fields.Number("heading_kd", options.heading_kd, gain);
-  fields.Number("heading_integral_limit_deg", options.heading_integral_limit_deg, Between(0, 180));
-  fields.Number("speed_kp", options.speed_kp, gain);
-  fields.Number("speed_ki", options.speed_ki, gain);
-  fields.Number("speed_integral_limit_pct", options.speed_integral_limit_pct, Between(0, 100));
-}
-
 void Describe(Fields& fields, ReporterOptions& options) {
   const NumberLimits seconds = Between(0, 100'000);
   fields.Number("rate_hz", options.rate_hz, Above(0, 1000));
@@ -167,7 +156,7 @@ void Describe(Fields& fields, Vehicle& vehicle) {
   DescribeModels(fields, model_name, vehicle);
   DescribeInstruments(fields, vehicle);
   fields.Below("helm_options", [&](Fields& table) { Describe(table, vehicle.helm_options); });
-  fields.Below("autopilot", [&](Fields& table) { Describe(table, vehicle.autopilot); });
+  fields.Below("autopilot", [&](Fields& table) { DescribeAutopilot(table, vehicle); });
   fields.Below("reporter", [&](Fields& table) { Describe(table, vehicle.reporter_options); });
   if (fields.Has("recovery", vehicle.recovery != RecoveryPlan())) {
     fields.Below("recovery", [&](Fields& table) { Describe(table, vehicle.recovery); });

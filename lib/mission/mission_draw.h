@@ -208,7 +208,9 @@ class MissionDraw {
                                      .max_depth_m = Positive(20'000),
                                      .seabed_clearance_m = Number(0, 1000),
                                      .depth_filter_s = Number(0, 1000),
-                                     .max_propeller_rate_rpmps = Number(0, 1e6)};
+                                     .max_propeller_rate_rpmps = Number(0, 1e6),
+                                     .autopilot = DrawGains()};
+    vehicle->autopilot = {};
     const double acceptance_m = Number(0, 1000);
     PathFollowTask path = {.points_m = {DeepPoint(), DeepPoint()},
                            .speed_mps = Positive(50),
@@ -264,6 +266,22 @@ class MissionDraw {
                          .z_safe_m = Positive(20'000),
                          .climb_mps = Number(0, 50)};
     vehicle->tasks.push_back({"track", track});
+  }
+
+  Remus100Gains DrawGains() {
+    return {.gains = Coin() ? "munet" : "fossen",
+            .heading_kp = Number(0, 1000),
+            .heading_ki = Number(0, 1000),
+            .heading_kd = Number(0, 1000),
+            .heading_observer_hz = Positive(100),
+            .pitch_kp = Number(0, 1000),
+            .pitch_ki = Number(0, 1000),
+            .pitch_kd = Number(1, 1000),
+            .heave_kd = Number(0, 1000),
+            .depth_kp = Number(0, 1000),
+            .depth_ki = Number(0, 1000),
+            .max_pitch_deg = Positive(80),
+            .max_fin_deg = Positive(80)};
   }
 
   /// Gives it a swarm, if its acoustic network can carry one.

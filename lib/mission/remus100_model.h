@@ -1,9 +1,11 @@
 // The underwater vehicle in mission files: model = "remus100" and its table [vehicle.remus100].
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "lib/mission/model_facts.h"
+#include "lib/mission/remus100_gains.h"
 
 namespace shoal {
 
@@ -18,6 +20,7 @@ struct Remus100Options {
   double seabed_clearance_m = 5;
   double depth_filter_s = 20;           ///< Time constant of the commanded depth; 0: one step.
   double max_propeller_rate_rpmps = 0;  ///< 0: the propeller is commanded at once.
+  std::optional<Remus100Gains> autopilot = {};  ///< Absent: the set that suits `parameters`.
 
   bool operator==(const Remus100Options&) const = default;
 };
@@ -25,6 +28,9 @@ struct Remus100Options {
 constexpr ModelFacts FactsOf(const Remus100Options& /*model*/) {
   return {.name = "remus100", .is_underwater = true, .longest_tick_s = 0.2};
 }
+
+/// Returns the gains that steer it.
+[[nodiscard]] Remus100Gains GainsOf(const Remus100Options& options);
 
 /// [vehicle.remus100].
 void Describe(Fields& fields, Remus100Options& options);

@@ -70,6 +70,8 @@ void Validate(Mission& mission, const TablePlace& file) {
   ValidateUnderwater(mission, file);
   ValidateBehaviors(mission, file);
   ValidateEvents(mission, file);
+  WarnOfAutopilots(mission, file);
+  WarnOfIdleKeys(mission, file);
   WarnOfIdleTasks(mission, file);
   ValidateExpectations(mission, file);
   WarnOfConduct(mission, file);

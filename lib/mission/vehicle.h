@@ -38,7 +38,7 @@ enum class Provider {
   kNone,   ///< Not run: the clock does not wait for it.
 };
 
-/// `[vehicle.autopilot]`: heading PID to rudder, speed to thrust.
+/// `[vehicle.autopilot]` of a surface craft: heading PID to rudder, speed to thrust.
 struct AutopilotOptions {
   double heading_kp = 2;                   ///< Degrees of rudder per degree of error.
   double heading_ki = 0.02;                ///< Per degree-second.
@@ -137,7 +137,7 @@ struct Vehicle {
   Provider reporter = Provider::kShoal;  ///< `node_reporter = ...`
   Provider acomms = Provider::kShoal;    ///< `acomms = ...`, of vehicles in the swarm.
   HelmOptions helm_options;
-  AutopilotOptions autopilot;
+  AutopilotOptions autopilot;  ///< Of surface craft; other models have their own.
   ReporterOptions reporter_options;
   MessageOptions message_options;
   LinkFactors link_factors;      ///< `stealth`, `earange`

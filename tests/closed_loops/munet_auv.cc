@@ -66,11 +66,12 @@ Neighbour MunetAuv::AsNeighbour(int id) const {
 }
 
 AuvMotion MunetAuv::Motion() const {
-  return {.z_m = state.eta[2],
-          .theta_rad = state.eta[4],
-          .psi_rad = state.eta[5],
-          .q_radps = state.nu[4],
-          .r_radps = state.nu[5]};
+  const Remus100State& seen = seen_by_pilot ? *seen_by_pilot : state;
+  return {.z_m = seen.eta[2],
+          .theta_rad = seen.eta[4],
+          .psi_rad = seen.eta[5],
+          .q_radps = seen.nu[4],
+          .r_radps = seen.nu[5]};
 }
 
 }  // namespace shoal
