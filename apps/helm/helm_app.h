@@ -60,7 +60,11 @@ class HelmApp : public App {
   /// Publishes what the arbiter has decided, and what it has for other vehicles.
   void PublishDecision(int64_t utime);
   void PublishState(int64_t utime);
+  /// Of an underwater vehicle, while it steers by `guidance`.
+  void PublishGuidance(int64_t utime, const std::optional<Guidance>& guidance);
   std::string ContactsText() const;
+  /// Returns what GUIDANCE shows, for the status page; empty of a vehicle that does not dive.
+  std::string GuidanceText() const;
 
   // What every step needs comes first, as in vehicle_sim.
   Bus& bus_;
@@ -80,9 +84,12 @@ class HelmApp : public App {
   desired_t desired_{};
   actuators_t actuators_{};
   helm_state_t state_{};  ///< As published last.
+  guidance_t how_{};      ///< The same.
+  std::optional<int64_t> how_utime_;
   const Channel<desired_t> desired_channel_;
   const Channel<actuators_t> actuators_channel_;
   const Channel<helm_state_t> state_channel_;
+  const Channel<guidance_t> guidance_channel_;
   HelmStates states_;
   SwarmView swarm_;
   std::optional<Guidance> guidance_;  ///< With an arbiter: of the last step.

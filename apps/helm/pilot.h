@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "lib/guidance/task_runner.h"
@@ -26,6 +27,9 @@ class Pilot {
 
   /// Nothing is asked for: forgets the past, and gives actuators at rest.
   virtual void Rest(const nav_t& nav, desired_t* desired, actuators_t* actuators) = 0;
+
+  /// Returns the pitch that it keeps, bow up; nothing of a vehicle that does not dive.
+  virtual std::optional<double> desired_pitch_rad() const { return std::nullopt; }
 
   /// Returns a line for the status page.
   virtual std::string GainsText() const = 0;

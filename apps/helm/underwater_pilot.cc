@@ -75,6 +75,14 @@ AuvMotion MotionOf(const nav_t& nav) {
           .speed_mps = nav.speed_mps};
 }
 
+/// Where the desired speed and pitch lead within kDepthAhead_s: the depth wanted of a task that
+/// commands a pitch.
+double DepthAhead(const Guidance& guidance, const nav_t& nav) {
+  constexpr double kDepthAhead_s = 10;
+  const double descent_mps = -guidance.speed_mps * std::sin(*guidance.pitch_rad);
+  return std::max(0.0, nav.z_m + kDepthAhead_s * descent_mps);
+}
+
 }  // namespace
 
 UnderwaterPilot::UnderwaterPilot(const Remus100Options& options, const SonarOptions& sonar,
@@ -133,7 +141,7 @@ void UnderwaterPilot::Steer(const Guidance& guidance, const nav_t& nav, double d
           : pilot_.KeepHeadingAndDepth(motion, psi_rad,
                                        guidance.z_m.value_or(options_.cruise_depth_m), bound, dt_s);
   if (ahead_) ahead_->Command({fins.rudder_rad, fins.stern_plane_rad, rpm_});
-  desired->depth_m = guidance.pitch_rad ? nav.z_m : pilot_.desired_z_m();
+  desired->depth_m = guidance.pitch_rad ? DepthAhead(guidance, nav) : pilot_.desired_z_m();
   const double stern_plane_sign = IsMunet(options_) ? 1 : -1;
   actuators->rudder_deg = -RadToDeg(fins.rudder_rad);
   actuators->stern_plane_deg = stern_plane_sign * RadToDeg(fins.stern_plane_rad);

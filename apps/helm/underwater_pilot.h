@@ -25,6 +25,7 @@ class UnderwaterPilot : public Pilot {
              actuators_t* actuators) override;
   void OnSonar(const sonar_t& ping) override { floor_.OnSonar(ping); }
   void Rest(const nav_t& nav, desired_t* desired, actuators_t* actuators) override;
+  std::optional<double> desired_pitch_rad() const override { return pilot_.desired_theta_rad(); }
   std::string GainsText() const override;
 
  private:

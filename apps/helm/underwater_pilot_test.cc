@@ -86,7 +86,7 @@ TEST_P(EveryPilot, RaisesItsBowToTheDesiredPitchAtAnyDepth) {
   guidance.pitch_rad = DegToRad(10);
   steered_.Steer(guidance, NavAt(0, 30), 5);
   EXPECT_GT(steered_.actuators.stern_plane_deg, 0.1);
-  EXPECT_EQ(steered_.desired.depth_m, 30);
+  EXPECT_LT(steered_.desired.depth_m, 30) << "it is to rise";
   guidance.pitch_rad = DegToRad(-10);
   steered_.Steer(guidance, NavAt(0, 30), 50);
   EXPECT_LT(steered_.actuators.stern_plane_deg, -0.1);
@@ -334,6 +334,18 @@ RC_GTEST_PROP(UnderwaterPilot, PublishesFiniteNumbersWithinTheFinLimitsForAnyInp
     RC_ASSERT(std::isfinite(steered.desired.depth_m));
     RC_ASSERT(std::isfinite(steered.desired.heading_deg));
   }
+}
+
+TEST(UnderwaterPilot, WantsTheDepthToWhichACommandedPitchLeadsWithinTenSeconds) {
+  Steered steered({});
+  Guidance guidance = ToHeadingAndDepth(0, 0);
+  guidance.z_m.reset();
+  guidance.pitch_rad = DegToRad(-10);
+  steered.Steer(guidance, NavAt(0, 20));
+  EXPECT_NEAR(steered.desired.depth_m, 20 + 10 * 2 * std::sin(DegToRad(10)), 1e-9);
+  guidance.pitch_rad = DegToRad(45);
+  steered.Steer(guidance, NavAt(0, 5));
+  EXPECT_EQ(steered.desired.depth_m, 0) << "not above the surface";
 }
 
 }  // namespace shoal::underwater_pilot_test

@@ -6,6 +6,7 @@
 
 #include "lib/geometry/angles.h"
 #include "lib/guidance/task_runner.h"
+#include "lib/guidance/way_among_others.h"
 
 namespace shoal {
 
@@ -27,8 +28,7 @@ constexpr double kNudge = 0.05;
 SurvivalGroupLayer SurvivalOf(const VelocityLaw& law) {
   if (const auto* cascade = std::get_if<VelocityCascade>(&law)) {
     for (const VelocityLayer& layer : cascade->layers) {
-      if (const auto* group = std::get_if<SurvivalGroupLayer>(&layer)) return *group;
-      if (const auto* both = std::get_if<SurvivalLayer>(&layer)) return both->group;
+      if (const SurvivalGroupLayer* group = GroupOf(layer)) return *group;
     }
   }
   return {};
@@ -71,7 +71,9 @@ PathFollowRunner::PathFollowRunner(const PathFollowTask& task, const Fix& start)
     : task_(task), follower_(ParamsOf(task), PositionOf(start)), stopwatch_(start.time_s) {}
 
 Guidance PathFollowRunner::Update(const Fix& fix) {
-  const PathGuidance path = follower_.Update(PositionOf(fix), stopwatch_.Lap(fix.time_s));
+  // While layers steer, the cross-track error does not show the current: ALOS learns nothing.
+  const double dt_s = stopwatch_.Lap(fix.time_s);
+  const PathGuidance path = follower_.Update(PositionOf(fix), keeps_clear_ ? 0 : dt_s);
   const bool ends = task_.end == PathTaskEnd::kDone || task_.end == PathTaskEnd::kSurface;
   Guidance guidance;
   guidance.heading_rad = HeadingFromPsi(path.psi_ref_rad);
@@ -83,12 +85,17 @@ Guidance PathFollowRunner::Update(const Fix& fix) {
   guidance.distance_m = (path.next_m - PositionOf(fix)).norm();
   guidance.cross_track_error_m = -path.y_e_m;
   guidance.z_m = path.z_m;
+  guidance.crab_rad = -path.crab_rad;
   if (task_.propeller_rpm > 0 && path.speed_mps > 0) guidance.propeller_rpm = task_.propeller_rpm;
-  if (task_.end != PathTaskEnd::kLoiter || !path.done) return guidance;
-  Guidance circle = Loiter(path.next_m, fix);
-  circle.waypoint_index = guidance.waypoint_index;  // Of the path's points it passes none again.
-  circle.laps_done = guidance.laps_done;
-  return circle;
+  if (task_.end == PathTaskEnd::kLoiter && path.done) {
+    const int index = guidance.waypoint_index;  // Of the path's points it passes none again.
+    const int laps_done = guidance.laps_done;
+    guidance = Loiter(path.next_m, fix);
+    guidance.waypoint_index = index;
+    guidance.laps_done = laps_done;
+  }
+  keeps_clear_ = !task_.cascade.layers.empty() && KeepClear(task_, fix, &guidance);
+  return guidance;
 }
 
 Guidance PathFollowRunner::Loiter(const Eigen::Vector3d& center_m, const Fix& fix) {
@@ -211,6 +218,8 @@ Guidance TargetTrackRunner::Follow(const Fix& fix) {
   guidance.pitch_rad = command.theta_d_rad;
   guidance.waypoint_m = target_m.head<2>();
   guidance.distance_m = (target_m - PositionOf(fix)).norm();
+  guidance.layers = tracker_.shares();
+  if (!guidance.layers.empty()) guidance.u_max_mps = tracker_.params().u_max_mps;
   return guidance;
 }
 

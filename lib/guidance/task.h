@@ -115,6 +115,12 @@ struct SurfaceTask {
   bool operator==(const SurfaceTask&) const = default;
 };
 
+/// Where a vehicle's knowledge of its swarm comes from.
+enum class SwarmKnowledge {
+  kDirect,    ///< The true state of every vehicle, a step old.
+  kAcoustic,  ///< What the acoustic network let through, and what is predicted from that.
+};
+
 /// What comes after the last point of a path_follow task.
 enum class PathTaskEnd {
   kDone,           ///< The task is done; the next of the list follows.
@@ -140,14 +146,14 @@ struct PathFollowTask {
   bool turn_crab = true;
   double hold_radius_m = 30;    ///< kHold: comes back from beyond; >= the acceptance radius.
   double loiter_radius_m = 50;  ///< kLoiter; > 0.
+  /// Layers above the way to the waypoint, the most urgent first; none: it follows its path,
+  /// whatever is there.
+  VelocityCascade cascade = {.layers = {}};
+  double u_max_mps = 2.5;                          ///< The budget of the layers.
+  std::vector<std::string> group = {};             ///< Empty: all other underwater vehicles.
+  SwarmKnowledge swarm = SwarmKnowledge::kDirect;  ///< Of the group.
 
   bool operator==(const PathFollowTask&) const = default;
-};
-
-/// Where a vehicle's knowledge of its swarm comes from.
-enum class SwarmKnowledge {
-  kDirect,    ///< The true state of every vehicle, a step old.
-  kAcoustic,  ///< What the acoustic network let through, and what is predicted from that.
 };
 
 /// What a follower does while its target is silent.

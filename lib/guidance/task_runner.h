@@ -29,7 +29,8 @@ struct Fix {
   double z_m = 0;                                          ///< Depth.
   Eigen::Vector2d velocity_mps = Eigen::Vector2d::Zero();  ///< Over ground.
   double speed_mps = 0;                                    ///< Relative to the water, >= 0.
-  /// What it knows of the others, for target_track; else it may be null. Outlives the call.
+  /// What it knows of the others, for underwater tasks with layers; else it may be null. Outlives
+  /// the call.
   const Surroundings* surroundings = nullptr;
 };
 
@@ -46,6 +47,10 @@ struct Guidance {
   std::optional<double> z_m = {};            ///< Depth to take; absent: the task knows of none.
   std::optional<double> pitch_rad = {};      ///< Present: this pitch, bow up, instead of a depth.
   std::optional<double> propeller_rpm = {};  ///< Present: these revolutions, whatever the speed.
+  /// How far ALOS takes the course over ground to lie to starboard of the heading; 0 without ALOS.
+  double crab_rad = 0;
+  std::vector<LayerShare> layers = {};  ///< Of a cascade of velocities, the most urgent first.
+  double u_max_mps = 0;                 ///< The budget that they share.
 };
 
 /// Gives the time between updates, none across a pause.
@@ -152,6 +157,7 @@ class PathFollowRunner {
   PathFollower follower_;
   Stopwatch stopwatch_;
   std::optional<LoiterRunner> loiter_;  ///< kLoiter, from the last point on.
+  bool keeps_clear_ = false;  ///< Layers steered in the last step.
 };
 
 /// Notices that a target which was under water has come to rest at the surface.

@@ -73,13 +73,15 @@ void ResolveTargets(Mission& mission, const TablePlace& file) {
   for (size_t i = 0; i < mission.vehicles.size(); ++i) {
     std::vector<Task>& tasks = mission.vehicles[i].tasks;
     for (size_t k = 0; k < tasks.size(); ++k) {
-      auto* track = std::get_if<TargetTrackTask>(&tasks[k].what);
-      if (track == nullptr) continue;
       const TablePlace place = file.Below("vehicle", i).Below("task", k);
-      ResolveVehicle(place, "target", track->target, mission, false);
-      for (std::string& member : track->group) {
-        ResolveVehicle(place, "group", member, mission, false);
+      std::vector<std::string>* group = nullptr;
+      if (auto* track = std::get_if<TargetTrackTask>(&tasks[k].what)) {
+        ResolveVehicle(place, "target", track->target, mission, false);
+        group = &track->group;
       }
+      if (auto* path = std::get_if<PathFollowTask>(&tasks[k].what)) group = &path->group;
+      if (group == nullptr) continue;
+      for (std::string& member : *group) ResolveVehicle(place, "group", member, mission, false);
     }
   }
 }

@@ -122,6 +122,28 @@ TEST(LoadUnderwaterErrors, ReportUnknownLawsAndLayers) {
             "feed_forward\n");
 }
 
+TEST(LoadUnderwaterErrors, ReportWhatIsWrongWithTheLayersOfAPath) {
+  const std::string points = "points = [[100, 0, 20]]\n";
+  EXPECT_EQ(ErrorsOfPath(points + "layers = [\"survival\"]\ngroup = [\"Bravo\"]\n"), "");
+  EXPECT_EQ(ErrorsOfPath(points + "layers = [\"formation\"]\n"),
+            "12:10: unknown layer 'formation'; there are: survival, sonar, survival_and_sonar\n");
+  EXPECT_EQ(ErrorsOfPath(points + "layers = [\"sonar\"]\n"),
+            "12:10: the layers that keep away from what a sonar sees need one: write "
+            "[vehicle.sonar] under the [[vehicle]]\n");
+  EXPECT_EQ(ErrorsOfPath(points + "r_safe_m = 5\n"),
+            "12:1: unknown key 'r_safe_m' (it is for layers: write layers = [\"survival\"] as "
+            "well)\n");
+  EXPECT_EQ(ErrorsOfPath(points + "layers = [\"survival\"]\nalpha = 1.5\nr_pass_m = -1\n"),
+            "13:9: alpha = 1.5 is out of range; allowed: 0 to 1\n"
+            "14:12: r_pass_m = -1 is out of range; allowed: 0 to 100000\n");
+  EXPECT_EQ(ErrorsOfPath(points + "layers = [\"survival\"]\nspeed_mps = 3\nu_max_mps = 2\n"),
+            "14:13: u_max_mps = 2, which the layers share, must not be less than speed_mps = 3\n");
+  EXPECT_EQ(
+      ErrorsOfPath(points + "layers = [\"survival\"]\nswarm = \"acoustic\"\n"),
+      "13:9: swarm = \"acoustic\" is for members of [swarm], and alpha is none: name it there, "
+      "or write swarm = \"direct\"\n");
+}
+
 TEST(LoadUnderwaterErrors, ReportRadiiOutOfOrder) {
   EXPECT_EQ(ErrorsOfTrack(R"(target = "bravo"
 r_safe_m = 30

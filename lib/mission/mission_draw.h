@@ -225,6 +225,13 @@ class MissionDraw {
                            .turn_crab = Coin(),
                            .hold_radius_m = acceptance_m + 1,
                            .loiter_radius_m = Positive(10'000)};
+    if (Coin()) {
+      path.cascade = {.layers = {SurvivalGroupLayer{
+                          .r_safe_m = 3, .r_avoid_m = 30, .r_pass_m = Number(0, 1e5)}},
+                      .alpha = Number(0, 1)};
+      path.u_max_mps = 50;
+      if (Coin()) path.group = {vehicle->name == "Vessel_2" ? "Vessel_1" : "Vessel_2"};
+    }
     vehicle->tasks.push_back({"path", path});
     TargetTrackTask track;
     track.target = "Vessel_2";
@@ -247,9 +254,11 @@ class MissionDraw {
                           .rate_hz = Positive(1000),
                           .noise_m = Number(0, 1000)};
         std::get<Remus100Options>(vehicle->model).floor_from = "sonar";
-        track.track.law = VelocityCascade{
-            {SurvivalLayer{.group = {.r_safe_m = 3, .r_avoid_m = 30}, .sonar = {.r_avoid_m = 25}},
-             FeedForwardLayer{}}};
+        track.track.law = VelocityCascade{{SurvivalLayer{.group = {.r_safe_m = 3, .r_avoid_m = 30},
+                                                         .sonar = {.r_avoid_m = 25,
+                                                                   .r_pass_m = Number(0, 1e5),
+                                                                   .memory_s = Number(0, 600)}},
+                                           FeedForwardLayer{}}};
       }
     }
     track.on_silence = static_cast<SilenceRule>(Integer(0, 2));

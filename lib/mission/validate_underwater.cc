@@ -10,14 +10,9 @@
 namespace shoal {
 namespace {
 
-bool NeedsSonar(const TargetTrackTask& task) {
-  const auto* cascade = std::get_if<VelocityCascade>(&task.track.law);
-  return cascade != nullptr &&
-         std::any_of(cascade->layers.begin(), cascade->layers.end(),
-                     [](const VelocityLayer& layer) {
-                       return std::holds_alternative<SurvivalSonarLayer>(layer) ||
-                              std::holds_alternative<SurvivalLayer>(layer);
-                     });
+bool NeedsSonar(const VelocityCascade& cascade) {
+  return std::any_of(cascade.layers.begin(), cascade.layers.end(),
+                     [](const VelocityLayer& layer) { return SonarOf(layer) != nullptr; });
 }
 
 /// Returns "model = "remus100"" for messages: every model that dives.
@@ -108,12 +103,27 @@ void CheckEnding(const TablePlace& place, const Vehicle& vehicle) {
   }
 }
 
+void CheckSonar(const TablePlace& place, const VelocityCascade& cascade, const Vehicle& vehicle) {
+  if (!NeedsSonar(cascade) || vehicle.sonar.is_fitted) return;
+  place.Refuse("layers",
+               "the layers that keep away from what a sonar sees need one: write "
+               "[vehicle.sonar] under the [[vehicle]]");
+}
+
+void CheckPathFollowing(const TablePlace& place, const PathFollowTask& path, const Vehicle& vehicle,
+                        const Mission& mission) {
+  CheckSonar(place, path.cascade, vehicle);
+  if (path.swarm == SwarmKnowledge::kAcoustic && !mission.IsInSwarm(vehicle)) {
+    place.Refuse("swarm", fmt::format("swarm = \"acoustic\" is for members of [swarm], and {} is "
+                                      "none: name it there, or write swarm = \"direct\"",
+                                      vehicle.name));
+  }
+}
+
 void CheckTargetTracking(const TablePlace& place, const TargetTrackTask& track,
                          const Vehicle& vehicle, const Mission& mission) {
-  if (NeedsSonar(track) && !vehicle.sonar.is_fitted) {
-    place.Refuse("layers",
-                 "the layers that keep away from what a sonar sees need one: write "
-                 "[vehicle.sonar] under the [[vehicle]]");
+  if (const auto* cascade = std::get_if<VelocityCascade>(&track.track.law)) {
+    CheckSonar(place, *cascade, vehicle);
   }
   if (track.target == vehicle.name) place.Refuse("target", "a vehicle cannot follow itself");
   CheckAcousticTask(place, track, vehicle, mission);
@@ -138,6 +148,9 @@ void ValidateUnderwater(const Mission& mission, const TablePlace& file) {
       }
       if (const auto* track = std::get_if<TargetTrackTask>(&task.what)) {
         CheckTargetTracking(place.Below("task", k), *track, vehicle, mission);
+      }
+      if (const auto* path = std::get_if<PathFollowTask>(&task.what)) {
+        CheckPathFollowing(place.Below("task", k), *path, vehicle, mission);
       }
     }
   }
