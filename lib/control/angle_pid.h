@@ -43,8 +43,10 @@ struct DepthPiGains {
 struct DepthPi {
   double integral_ms = 0;
 
-  /// Returns the desired pitch; anti-windup as in AnglePid. @pre arguments finite, dt_s >= 0
-  double Update(const DepthPiGains& gains, double z_m, double desired_z_m, double dt_s);
+  /// Returns the desired pitch, which is `path_pitch_rad` where the depth is right; anti-windup as
+  /// in AnglePid. @pre arguments finite, dt_s >= 0
+  double Update(const DepthPiGains& gains, double z_m, double desired_z_m, double dt_s,
+                double path_pitch_rad = 0);
 };
 
 }  // namespace shoal

@@ -32,11 +32,14 @@ void AuvPilot::Start(double psi_rad, double z_m) {
 }
 
 AuvDeflections AuvPilot::KeepHeadingAndDepth(const AuvMotion& motion, double psi_ref_rad,
-                                             double z_ref_m, double seabed_z_m, double dt_s) {
+                                             double z_ref_m, double seabed_z_m, double dt_s,
+                                             std::optional<double> path_pitch_rad) {
   observer_.Update(params_.heading_observer_hz, psi_ref_rad, dt_s);
-  const double z_d_m = depth_filter_.Update(
-      params_.depth_filter, LimitDepth(z_ref_m, params_.depth_limits, seabed_z_m), dt_s);
-  theta_d_rad_ = depth_.Update(params_.depth, motion.z_m, z_d_m, dt_s);
+  const double allowed_m = LimitDepth(z_ref_m, params_.depth_limits, seabed_z_m);
+  if (path_pitch_rad) depth_filter_.z_d_m = allowed_m;
+  const double z_d_m = depth_filter_.Update(params_.depth_filter, allowed_m, dt_s);
+  const double pitch_rad = allowed_m == z_ref_m ? path_pitch_rad.value_or(0) : 0;
+  theta_d_rad_ = depth_.Update(params_.depth, motion.z_m, z_d_m, dt_s, pitch_rad);
   return {.rudder_rad = heading_.Update(params_.heading, motion.psi_rad, observer_.psi_d_rad,
                                         motion.r_radps, dt_s),
           .stern_plane_rad =

@@ -9,6 +9,8 @@
 // limit and a filter to a PI, whose pitch a PID keeps.
 #pragma once
 
+#include <optional>
+
 #include "lib/control/angle_pid.h"
 #include "lib/control/reference_filters.h"
 
@@ -51,10 +53,12 @@ class AuvPilot {
   /// Forgets the past: the references begin where the vehicle is.
   void Start(double psi_rad, double z_m);
 
-  /// Steers for a heading of path following and a depth. `seabed_z_m` may be infinite.
+  /// Steers for a heading of path following and a depth. `seabed_z_m` may be infinite. With
+  /// `path_pitch_rad` the depth moves already, at that pitch of the path: it is not filtered.
   /// @pre other arguments finite, 0 < dt_s <= 1
   AuvDeflections KeepHeadingAndDepth(const AuvMotion& motion, double psi_ref_rad, double z_ref_m,
-                                     double seabed_z_m, double dt_s);
+                                     double seabed_z_m, double dt_s,
+                                     std::optional<double> path_pitch_rad = {});
 
   /// Steers for a direction of target tracking: heading and pitch at once, without filters.
   /// @pre arguments finite, 0 < dt_s <= 1

@@ -27,6 +27,7 @@ struct Fix {
   double heading_rad = 0;                                ///< Clockwise from North.
   double time_s = 0;
   double z_m = 0;  ///< Depth.
+  Eigen::Vector2d velocity_mps = Eigen::Vector2d::Zero();  ///< Over ground.
   /// What it knows of the others, for target_track; else it may be null. Outlives the call.
   const Surroundings* surroundings = nullptr;
 };
@@ -42,6 +43,8 @@ struct Guidance {
   double distance_m = 0;                                 ///< To there.
   double cross_track_error_m = 0;            ///< To starboard of the leg positive; 0 without a leg.
   std::optional<double> z_m = {};            ///< Depth to take; absent: the task knows of none.
+  /// Present: the path goes down this fast, and `z_m` with it: it is not to be filtered.
+  std::optional<double> z_rate_mps = {};
   std::optional<double> pitch_rad = {};      ///< Present: this pitch, bow up, instead of a depth.
   std::optional<double> propeller_rpm = {};  ///< Present: these revolutions, whatever the speed.
 };
