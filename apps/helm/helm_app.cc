@@ -230,8 +230,8 @@ void HelmApp::Tick(int64_t utime) {
               .heading_rad = WrapTwoPi(DegToRad(nav_.heading_deg)),
               .time_s = static_cast<double>(utime) / 1e6,
               .z_m = nav_.z_m,
-              .velocity_mps = nav_.speed_over_ground_mps *
-                              UnitVector(DegToRad(nav_.course_over_ground_deg)),
+              .velocity_mps =
+                  nav_.speed_over_ground_mps * UnitVector(DegToRad(nav_.course_over_ground_deg)),
               .surroundings = swarm_.Look(states_.task(), nav_)};
   }
   states_.Advance(fix, nav_is_lost);

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <optional>
 
@@ -40,12 +39,9 @@ AuvMotion MotionOf(const nav_t& nav) {
           .r_radps = -DegToRad(nav.yaw_rate_degps)};
 }
 
-/// Returns the pitch at which the vehicle follows a depth that moves, at the speed that it has.
 std::optional<double> PathPitch(const Guidance& guidance, const nav_t& nav) {
   if (!guidance.z_rate_mps) return std::nullopt;
-  constexpr double kSlowest_mps = 0.5;  // Slower, fins do not lift.
-  const double speed_mps = std::max(nav.speed_mps, kSlowest_mps);
-  return -std::asin(std::clamp(*guidance.z_rate_mps / speed_mps, -1.0, 1.0));
+  return PitchOfDescent(*guidance.z_rate_mps, nav.speed_mps);
 }
 
 }  // namespace
@@ -80,11 +76,10 @@ void UnderwaterPilot::Steer(const Guidance& guidance, const nav_t& nav, double d
   const double seabed_z_m =
       nav.altitude_m >= 0 ? nav.z_m + nav.altitude_m : std::numeric_limits<double>::infinity();
   const AuvDeflections fins =
-      guidance.pitch_rad
-          ? pilot_.KeepHeadingAndPitch(motion, psi_rad, *guidance.pitch_rad, dt_s)
-          : pilot_.KeepHeadingAndDepth(
-                motion, psi_rad, guidance.z_m.value_or(options_.cruise_depth_m), seabed_z_m, dt_s,
-                PathPitch(guidance, nav));
+      guidance.pitch_rad ? pilot_.KeepHeadingAndPitch(motion, psi_rad, *guidance.pitch_rad, dt_s)
+                         : pilot_.KeepHeadingAndDepth(
+                               motion, psi_rad, guidance.z_m.value_or(options_.cruise_depth_m),
+                               seabed_z_m, dt_s, PathPitch(guidance, nav));
   desired->depth_m = guidance.pitch_rad ? nav.z_m : pilot_.desired_z_m();
   const double stern_plane_sign = IsMunet(options_) ? 1 : -1;
   actuators->rudder_deg = -RadToDeg(fins.rudder_rad);

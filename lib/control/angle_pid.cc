@@ -43,8 +43,8 @@ double AnglePid::Update(const AnglePidGains& gains, double angle_rad, double des
 double DepthPi::Update(const DepthPiGains& gains, double z_m, double desired_z_m, double dt_s,
                        double path_pitch_rad) {
   const double error_m = std::clamp(z_m - desired_z_m, -kMaxDepthError_m, kMaxDepthError_m);
-  const PiOutput output =
-      LimitedPi(gains.kp, gains.ki, integral_ms, error_m, path_pitch_rad, gains.max_pitch_rad, dt_s);
+  const PiOutput output = LimitedPi(gains.kp, gains.ki, integral_ms, error_m, path_pitch_rad,
+                                    gains.max_pitch_rad, dt_s);
   integral_ms = output.integral;
   return output.value;
 }

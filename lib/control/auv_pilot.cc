@@ -1,5 +1,8 @@
 #include "lib/control/auv_pilot.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "lib/geometry/angles.h"
 
 namespace shoal {
@@ -20,6 +23,11 @@ AuvPilotParams MunetRemusPilot() {
           .pitch = {.kp = -0.36, .ki = -0.21, .kd = -0.13, .max_output_rad = max_fin_rad},
           .depth = {.kp = 0.054, .ki = 0.00216, .max_pitch_rad = max_fin_rad},
           .depth_filter = {.settles_per_step = true}};
+}
+
+double PitchOfDescent(double z_rate_mps, double speed_mps) {
+  constexpr double kSlowest_mps = 0.5;
+  return -std::asin(std::clamp(z_rate_mps / std::max(speed_mps, kSlowest_mps), -1.0, 1.0));
 }
 
 void AuvPilot::Start(double psi_rad, double z_m) {

@@ -46,6 +46,10 @@ struct AuvDeflections {
   double stern_plane_rad = 0;
 };
 
+/// Returns the pitch, bow up, of a vehicle that goes down by `z_rate_mps` at `speed_mps` through
+/// water. Slower than 0.5 m/s, where fins do not lift, it counts as 0.5 m/s. @pre arguments finite
+[[nodiscard]] double PitchOfDescent(double z_rate_mps, double speed_mps);
+
 class AuvPilot {
  public:
   explicit AuvPilot(const AuvPilotParams& params) : params_(params) {}

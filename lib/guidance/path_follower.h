@@ -21,7 +21,9 @@ struct PathFollowParams {
   WaypointSwitch waypoint_switch = {};
   bool approach = true;  ///< BeginPath; false: on the line of the first leg at once, MuNet's.
   DepthRule depth_rule = DepthRule::kNext;
-  double depth_lead_s = 2;  ///< kSlope: the vehicle needs this long for a new pitch; >= 0.
+  /// kSlope: a vehicle needs this long for a new pitch; >= 0. Of 0, 1, 2 and 3 s, those beside this
+  /// one let a Remus 100 miss the turning points of a yo-yo least.
+  double depth_lead_s = 1.5;
   PathEnd end = PathEnd::kGoOn;
   AlosParams alos{.lookahead_m = 10, .crab_gain = 0.0006};
   bool guard_crab = true;        ///< The guards of Alos; false: the bare law, MuNet's.
@@ -40,7 +42,7 @@ struct PathGuidance {
   std::optional<double> slope = {};
   double speed_mps = 0;
   Eigen::Vector3d next_m = Eigen::Vector3d::Zero();  ///< The waypoint steered for.
-  double psi_rad = 0;   ///< Of the leg.
+  double psi_rad = 0;                                ///< Of the leg.
   double y_e_m = 0;     ///< Cross-track error, positive toward growing psi.
   double crab_rad = 0;  ///< beta_hat.
   size_t next = 0;      ///< Its index; past the end the number of waypoints.

@@ -43,9 +43,8 @@ JoinedPath PathOfPart(const RandomPart& part, const PathSoFar& before) {
   params.min_turn_rad = -DegToRad(part.max_turn_deg);
   params.max_turn_rad = -DegToRad(part.min_turn_deg);
   params.start_m = part.start_m.value_or(before.end_m);
-  params.start_psi_rad = part.start_heading_deg
-                             ? PsiFromHeading(DegToRad(*part.start_heading_deg))
-                             : before.psi_rad;
+  params.start_psi_rad =
+      part.start_heading_deg ? PsiFromHeading(DegToRad(*part.start_heading_deg)) : before.psi_rad;
   Stream stream(part.seed, "path");
   return {.path = RandomPath(params, stream)};
 }
@@ -90,8 +89,7 @@ JoinedPath PathOfPart(const YoyoPart& part, const PathSoFar& before) {
     const double glide_m = std::min(std::abs(next_m - z_m) / slope, length_m - done_m);
     done_m += glide_m;
     z_m = done_m < length_m ? next_m : z_m + sign * glide_m * slope;
-    joined.path.points_m.push_back(
-        AtDepth(start_m.head<2>() + way_m * (done_m / length_m), z_m));
+    joined.path.points_m.push_back(AtDepth(start_m.head<2>() + way_m * (done_m / length_m), z_m));
     is_down = !is_down;
   }
   return joined;
@@ -103,8 +101,8 @@ PathSoFar Before(const std::vector<Eigen::Vector3d>& points_m, size_t place,
   PathSoFar before{.end_m = start.position_m, .psi_rad = PsiFromHeading(start.heading_rad)};
   if (place == 0) return before;
   before.end_m = points_m[place - 1];
-  const std::vector<double> psis_rad = LegPsis_rad(
-      {{points_m.begin(), points_m.begin() + static_cast<std::ptrdiff_t>(place)}});
+  const std::vector<double> psis_rad =
+      LegPsis_rad({{points_m.begin(), points_m.begin() + static_cast<std::ptrdiff_t>(place)}});
   if (!psis_rad.empty()) before.psi_rad = psis_rad.back();
   return before;
 }
@@ -131,8 +129,8 @@ std::vector<Eigen::Vector3d> ArcAt(const Eigen::Vector3d& from_m, const Eigen::V
   std::vector<Eigen::Vector3d> arc_m;
   for (int i = 0; i <= chords; ++i) {
     const double course_rad = heading_rad + turn_rad * i / chords;
-    arc_m.push_back(AtDepth(
-        center_m - side * arc_radius_m * UnitVector(course_rad + kPi / 2), corner_m.z()));
+    arc_m.push_back(
+        AtDepth(center_m - side * arc_radius_m * UnitVector(course_rad + kPi / 2), corner_m.z()));
   }
   return arc_m;
 }

@@ -32,8 +32,8 @@ struct PointsPart {
 struct RandomPart {
   static constexpr std::string_view kKind = "random";
 
-  RandomPathParams bounds = {};             ///< But for where it starts, and how it turns.
-  double min_turn_deg = -90;                ///< From leg to leg, to starboard positive.
+  RandomPathParams bounds = {};  ///< But for where it starts, and how it turns.
+  double min_turn_deg = -90;     ///< From leg to leg, to starboard positive.
   double max_turn_deg = 90;
   std::optional<Eigen::Vector3d> start_m;   ///< Absent: where the path before it ends.
   std::optional<double> start_heading_deg;  ///< Absent: the course on which it ends.

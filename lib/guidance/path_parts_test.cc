@@ -160,8 +160,7 @@ TEST(RoundedCorners, AreArcsThatTouchBothLegs) {
   double nearest_m = 1e9;
   for (size_t i = 1; i + 1 < points_m.size(); ++i) {
     EXPECT_NEAR((points_m[i].head<2>() - Eigen::Vector2d(75, 25)).norm(), 25, 1e-9);
-    nearest_m =
-        std::min(nearest_m, (points_m[i].head<2>() - Eigen::Vector2d(100, 0)).norm());
+    nearest_m = std::min(nearest_m, (points_m[i].head<2>() - Eigen::Vector2d(100, 0)).norm());
   }
   EXPECT_NEAR(nearest_m, 25 * (std::sqrt(2) - 1), 0.2) << "R (1 / cos(turn / 2) - 1)";
 }
@@ -176,7 +175,8 @@ TEST(RoundedCorners, AreAsWideAsHalfALegAllows) {
 }
 
 TEST(RoundedCorners, LeaveSlightTurnsAndTurnsRightRoundAsTheyAre) {
-  const JoinedPath path{.path = {{{0, 0, 5}, {100, 0, 9}, {200, 20, 5}, {100, 0, 9}, {100, 0, 20}}}};
+  const JoinedPath path{
+      .path = {{{0, 0, 5}, {100, 0, 9}, {200, 20, 5}, {100, 0, 9}, {100, 0, 20}}}};
   EXPECT_EQ(RoundCorners(path, 25), path);
 }
 

@@ -94,8 +94,8 @@ double SlopeOf(const PathLeg& leg) {
 
 bool IsReached(const WaypointSwitch& rule, const PathLeg& leg, const Eigen::Vector3d& position_m) {
   const bool is_curve = rule.is_within_leg && leg.length_m > 0 && rule.rule != SwitchRule::kCircle;
-  const double radius_m = is_curve ? std::min(rule.acceptance_radius_m, leg.length_m / 2)
-                                   : rule.acceptance_radius_m;
+  const double radius_m =
+      is_curve ? std::min(rule.acceptance_radius_m, leg.length_m / 2) : rule.acceptance_radius_m;
   const TrackErrors errors = ErrorsOn(leg, position_m);
   const double left_m = leg.length_m - errors.x_e_m;
   const bool passed = left_m <= 0 && std::abs(errors.y_e_m) <= rule.passed_line_within_m;

@@ -59,8 +59,8 @@ struct PathProgress {
   /// The approach begins here, and a path of one waypoint.
   Eigen::Vector3d start_m = Eigen::Vector3d::Zero();
   bool approaches = false;  ///< On the way to the first waypoint of several.
-  int laps_done = 0;                                  ///< kReturnToFirst only.
-  bool ended = false;  ///< The last waypoint is behind; never with kReturnToFirst.
+  int laps_done = 0;        ///< kReturnToFirst only.
+  bool ended = false;       ///< The last waypoint is behind; never with kReturnToFirst.
 
   bool operator==(const PathProgress&) const = default;
 };

@@ -49,8 +49,8 @@ void DescribePathPoints(Fields& fields, std::vector<Eigen::Vector3d>& points_m) 
   }
 }
 
-void RefuseDisorder(Fields& fields, std::string_view high_key, double high, std::string_view low_key,
-                    double low) {
+void RefuseDisorder(Fields& fields, std::string_view high_key, double high,
+                    std::string_view low_key, double low) {
   if (low <= high) return;
   fields.Refuse(high_key, fmt::format("{} = {:g} must not be less than {} = {:g}", high_key, high,
                                       low_key, low));
@@ -110,10 +110,10 @@ void DescribePart(Fields& fields, HelixPart& part, const Eigen::Vector2d& offset
   fields.Number("start_bearing_deg", part.start_bearing_deg, Between(-360, 360));
   fields.Flag("clockwise", part.clockwise);
   if (CountPoints(part) <= kMostPathPoints) return;
-  fields.Refuse("turns", fmt::format("turns = {:g} at radius_m = {:g} takes {:.0f} points; allowed: "
-                                     "at most {}",
-                                     part.turns, part.radius_m, CountPoints(part),
-                                     kMostPathPoints));
+  fields.Refuse("turns",
+                fmt::format("turns = {:g} at radius_m = {:g} takes {:.0f} points; allowed: "
+                            "at most {}",
+                            part.turns, part.radius_m, CountPoints(part), kMostPathPoints));
   part = HelixPart();
 }
 
@@ -139,10 +139,11 @@ void DescribePlace(Fields& fields, PathPart& part, const std::vector<Eigen::Vect
     fields.SmallInteger("insert_at", place, 0, kMostPathPoints);
     part.insert_at = static_cast<size_t>(place);
     if (*part.insert_at > so_far.size()) {
-      fields.Refuse("insert_at", fmt::format("insert_at = {} is beyond the path so far, which has {} "
-                                             "points, the first of them 0: leave it out to go on at "
-                                             "the end",
-                                             place, so_far.size()));
+      fields.Refuse("insert_at",
+                    fmt::format("insert_at = {} is beyond the path so far, which has {} "
+                                "points, the first of them 0: leave it out to go on at "
+                                "the end",
+                                place, so_far.size()));
     }
   }
   auto* yoyo = std::get_if<YoyoPart>(&part.what);
@@ -205,8 +206,9 @@ void DescribePath(Fields& fields, PathFollowTask& task, const StartPose& start) 
   const Eigen::Vector2d offset_m = DescribeFrame(fields, start);
   if (has_parts) {
     if (fields.Has("points", false)) {
-      fields.Refuse("points", "a path_follow has points or a path: write these as a part "
-                              "{kind = \"points\", points = ...} of the path");
+      fields.Refuse("points",
+                    "a path_follow has points or a path: write these as a part "
+                    "{kind = \"points\", points = ...} of the path");
     }
     DescribeParts(fields, task, offset_m);
     if (fields.reading()) task.depth_rule = DepthRule::kSlope;

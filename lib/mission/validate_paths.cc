@@ -34,13 +34,13 @@ void CheckExtent(const TablePlace& place, const PathFollowTask& task,
     place.Refuse("path", fmt::format("the parts join to {} points; allowed: at most {}",
                                      points_m.size(), kMostJoinedPoints));
   }
-  const bool leaves =
-      std::any_of(points_m.begin(), points_m.end(), [](const Eigen::Vector3d& point_m) {
-        return point_m.head<2>().cwiseAbs().maxCoeff() > 1e6;
-      });
+  const bool leaves = std::any_of(
+      points_m.begin(), points_m.end(),
+      [](const Eigen::Vector3d& point_m) { return point_m.head<2>().cwiseAbs().maxCoeff() > 1e6; });
   if (leaves && !task.parts.empty()) {
-    place.Refuse("path", "the path leads more than 1000 km from the origin: shorten its legs, or "
-                         "give it fewer points");
+    place.Refuse("path",
+                 "the path leads more than 1000 km from the origin: shorten its legs, or "
+                 "give it fewer points");
   }
 }
 
@@ -54,11 +54,13 @@ void WarnOfTime(const TablePlace& place, const PathFollowTask& task, const Waypo
                              TotalLength_m(path), time_s, task.speed_mps, duration_s));
 }
 
-void WarnOfSpeed(const TablePlace& place, const PathFollowTask& task, const Remus100Params& params) {
+void WarnOfSpeed(const TablePlace& place, const PathFollowTask& task,
+                 const Remus100Params& params) {
   const double max_rpm = params.propeller.max_rpm;
   if (task.propeller_rpm > max_rpm) {
-    place.Warn("propeller_rpm", fmt::format("propeller_rpm = {:g} is more than the propeller's {:g}",
-                                            task.propeller_rpm, max_rpm));
+    place.Warn("propeller_rpm",
+               fmt::format("propeller_rpm = {:g} is more than the propeller's {:g}",
+                           task.propeller_rpm, max_rpm));
   }
   const double fastest_mps = SteadySpeed(BuildRemus100(params), max_rpm);
   if (task.propeller_rpm == 0 && task.speed_mps > fastest_mps) {
@@ -73,17 +75,18 @@ void WarnOfDepths(const TablePlace& place, const PathFollowTask& task, const Way
   double deepest_m = 0;
   for (const Eigen::Vector3d& point_m : path.points_m) deepest_m = std::max(deepest_m, point_m.z());
   if (deepest_m > options.max_depth_m) {
-    place.Warn(KeyOf(task),
-               fmt::format("the path goes down to {:g} m, but the vehicle's max_depth_m is {:g}: it "
-                           "stays above",
-                           deepest_m, options.max_depth_m));
+    place.Warn(
+        KeyOf(task),
+        fmt::format("the path goes down to {:g} m, but the vehicle's max_depth_m is {:g}: it "
+                    "stays above",
+                    deepest_m, options.max_depth_m));
   }
   if (task.depth_rule != DepthRule::kSlope) return;
   double steepest_deg = 0;
   for (size_t i = 1; i < path.points_m.size(); ++i) {
     const Eigen::Vector3d way_m = path.points_m[i] - path.points_m[i - 1];
-    steepest_deg = std::max(
-        steepest_deg, RadToDeg(std::atan2(std::abs(way_m.z()), way_m.head<2>().norm())));
+    steepest_deg =
+        std::max(steepest_deg, RadToDeg(std::atan2(std::abs(way_m.z()), way_m.head<2>().norm())));
   }
   if (steepest_deg <= kSteepest_deg) return;
   place.Warn(KeyOf(task), fmt::format("a leg is {:.0f} degrees steep; beyond {:g} the vehicle lags "
@@ -94,9 +97,10 @@ void WarnOfDepths(const TablePlace& place, const PathFollowTask& task, const Way
 
 void WarnOfTurns(const TablePlace& place, const PathFollowTask& task) {
   if (task.turn_radius_m == 0 || task.turn_radius_m >= kTightestTurn_m) return;
-  place.Warn("turn_radius_m", fmt::format("turn_radius_m = {:g} is tighter than the {:g} m in which "
-                                          "a Remus 100 turns: it swings wide",
-                                          task.turn_radius_m, kTightestTurn_m));
+  place.Warn("turn_radius_m",
+             fmt::format("turn_radius_m = {:g} is tighter than the {:g} m in which "
+                         "a Remus 100 turns: it swings wide",
+                         task.turn_radius_m, kTightestTurn_m));
 }
 
 }  // namespace
