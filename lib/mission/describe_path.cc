@@ -26,18 +26,22 @@ constexpr std::array<std::pair<std::string_view, DepthRule>, 2> kDepthRules = {{
 }};
 constexpr NumberLimits kPartDepth = Between(0, kDeepestPoint_m);
 
-/// Returns `point_m` counted from the origin; refuses one that is outside the world.
-Eigen::Vector3d Placed(Fields& fields, std::string_view key, Eigen::Vector3d point_m,
-                       const Eigen::Vector2d& offset_m) {
-  point_m.head<2>() += offset_m;
-  if (point_m.z() >= 0 && point_m.z() <= kDeepestPoint_m &&
-      point_m.head<2>().cwiseAbs().maxCoeff() <= kFarthest_m) {
-    return point_m;
+bool IsInWorld(const Eigen::Vector3d& point_m) {
+  return point_m.z() >= 0 && point_m.z() <= kDeepestPoint_m &&
+         point_m.head<2>().cwiseAbs().maxCoeff() <= kFarthest_m;
+}
+
+/// Adds `offset_m`; refuses points that are then outside the world.
+void Place(Fields& fields, std::vector<Eigen::Vector3d>& points_m,
+           const Eigen::Vector2d& offset_m) {
+  for (Eigen::Vector3d& point_m : points_m) {
+    point_m.head<2>() += offset_m;
+    if (IsInWorld(point_m)) continue;
+    fields.Refuse("points",
+                  "points are [x, y, depth], with x and y within 1000 km of the origin "
+                  "and depths from 0 to 20000 m");
+    point_m.setZero();
   }
-  fields.Refuse(key, fmt::format("{} are [x, y, depth], with x and y within 1000 km of the origin "
-                                 "and depths from 0 to 20000 m",
-                                 key));
-  return Eigen::Vector3d::Zero();
 }
 
 void DescribePathPoints(Fields& fields, std::vector<Eigen::Vector3d>& points_m) {
@@ -58,9 +62,7 @@ void RefuseDisorder(Fields& fields, std::string_view high_key, double high,
 
 void DescribePart(Fields& fields, PointsPart& part, const Eigen::Vector2d& offset_m) {
   DescribePathPoints(fields, part.points_m);
-  for (Eigen::Vector3d& point_m : part.points_m) {
-    point_m = Placed(fields, "points", point_m, offset_m);
-  }
+  Place(fields, part.points_m, offset_m);
 }
 
 void DescribeBegin(Fields& fields, std::optional<Eigen::Vector3d>& start_m,
@@ -68,7 +70,14 @@ void DescribeBegin(Fields& fields, std::optional<Eigen::Vector3d>& start_m,
   if (!fields.Has("start", start_m.has_value())) return;
   Eigen::Vector3d point_m = start_m.value_or(Eigen::Vector3d::Zero());
   fields.Triple("start", point_m, Between(-kFarthest_m, kFarthest_m));
-  start_m = Placed(fields, "start", point_m, offset_m);
+  point_m.head<2>() += offset_m;
+  if (!IsInWorld(point_m)) {
+    fields.Refuse("start",
+                  "start must be [x, y, depth], with x and y within 1000 km of the origin and a "
+                  "depth from 0 to 20000 m");
+    point_m.setZero();
+  }
+  start_m = point_m;
 }
 
 void DescribePart(Fields& fields, RandomPart& part, const Eigen::Vector2d& offset_m) {
@@ -213,9 +222,7 @@ void DescribePath(Fields& fields, PathFollowTask& task, const StartPose& start) 
     DescribeParts(fields, task, offset_m);
     if (fields.reading()) task.depth_rule = DepthRule::kSlope;
   }
-  for (Eigen::Vector3d& point_m : task.points_m) {
-    point_m = Placed(fields, "points", point_m, offset_m);
-  }
+  Place(fields, task.points_m, offset_m);
   fields.Number("turn_radius_m", task.turn_radius_m, Between(0, 10'000));
   fields.Flag("approach", task.approach);
   fields.Choice("depth_rule", task.depth_rule, kDepthRules);
