@@ -86,7 +86,10 @@ TEST(LawnmowerPart, PassesTheLanesOfASurvey) {
   const SurveyArea area{.polygon_m = {{0, 0}, {300, 0}, {300, 140}, {0, 200}},
                         .lane_spacing_m = 30};
   const SurveyRoute route{.start_m = kStart.position_m.head<2>(), .turn_radius_m = 12};
-  const std::vector<Eigen::Vector2d> lanes_m = PointsOf(SurveyTask{.area = area, .route = route});
+  SurveyTask survey;
+  survey.area = area;
+  survey.route = route;
+  const std::vector<Eigen::Vector2d> lanes_m = PointsOf(survey);
   const Points points_m =
       Joined({{.what = LawnmowerPart{.area = area, .route = {.turn_radius_m = 12}, .depth_m = 8}}});
   ASSERT_EQ(points_m.size(), lanes_m.size());

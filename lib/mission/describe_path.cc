@@ -18,7 +18,7 @@ namespace shoal {
 namespace {
 
 constexpr int kMostPathPoints = 10'000;
-constexpr size_t kMostParts = 100;
+constexpr size_t kMostPathParts = 100;
 constexpr double kDeepestPoint_m = 20'000;
 constexpr std::array<std::pair<std::string_view, DepthRule>, 2> kDepthRules = {{
     {"next", DepthRule::kNext},
@@ -32,8 +32,8 @@ bool IsInWorld(const Eigen::Vector3d& point_m) {
 }
 
 /// Adds `offset_m`; refuses points that are then outside the world.
-void Place(Fields& fields, std::vector<Eigen::Vector3d>& points_m,
-           const Eigen::Vector2d& offset_m) {
+void PlacePoints(Fields& fields, std::vector<Eigen::Vector3d>& points_m,
+                 const Eigen::Vector2d& offset_m) {
   for (Eigen::Vector3d& point_m : points_m) {
     point_m.head<2>() += offset_m;
     if (IsInWorld(point_m)) continue;
@@ -62,7 +62,7 @@ void RefuseDisorder(Fields& fields, std::string_view high_key, double high,
 
 void DescribePart(Fields& fields, PointsPart& part, const Eigen::Vector2d& offset_m) {
   DescribePathPoints(fields, part.points_m);
-  Place(fields, part.points_m, offset_m);
+  PlacePoints(fields, part.points_m, offset_m);
 }
 
 void DescribeBegin(Fields& fields, std::optional<Eigen::Vector3d>& start_m,
@@ -195,10 +195,10 @@ void DescribeParts(Fields& fields, PathFollowTask& task, const Eigen::Vector2d& 
     before.push_back(part);
   });
   if (!fields.reading()) return;
-  if (task.parts.empty() || task.parts.size() > kMostParts) {
+  if (task.parts.empty() || task.parts.size() > kMostPathParts) {
     fields.Refuse("path", fmt::format("a path is joined of 1 to {} parts, like path = [{{kind = "
                                       "\"points\", points = [[100, 0, 20]]}}]",
-                                      kMostParts));
+                                      kMostPathParts));
   }
 }
 
@@ -222,7 +222,7 @@ void DescribePath(Fields& fields, PathFollowTask& task, const StartPose& start) 
     DescribeParts(fields, task, offset_m);
     if (fields.reading()) task.depth_rule = DepthRule::kSlope;
   }
-  Place(fields, task.points_m, offset_m);
+  PlacePoints(fields, task.points_m, offset_m);
   fields.Number("turn_radius_m", task.turn_radius_m, Between(0, 10'000));
   fields.Flag("approach", task.approach);
   fields.Choice("depth_rule", task.depth_rule, kDepthRules);
