@@ -85,10 +85,11 @@ JoinedPath PathOfPart(const YoyoPart& part, const PathSoFar& before) {
   bool is_down = z_m < part.bottom_m;
   while (done_m < length_m) {
     const double next_m = is_down ? part.bottom_m : part.top_m;
-    const double sign = next_m > z_m ? 1 : -1;
-    const double glide_m = std::min(std::abs(next_m - z_m) / slope, length_m - done_m);
-    done_m += glide_m;
-    z_m = done_m < length_m ? next_m : z_m + sign * glide_m * slope;
+    const double glide_m = std::abs(next_m - z_m) / slope;
+    const double left_m = length_m - done_m;
+    const bool is_last = glide_m >= left_m;
+    z_m = is_last ? z_m + std::copysign(left_m * slope, next_m - z_m) : next_m;
+    done_m = is_last ? length_m : done_m + glide_m;
     joined.path.points_m.push_back(AtDepth(start_m.head<2>() + way_m * (done_m / length_m), z_m));
     is_down = !is_down;
   }

@@ -35,9 +35,9 @@ struct RandomPart {
   RandomPathParams bounds = {};  ///< But for where it starts, and how it turns.
   double min_turn_deg = -90;     ///< From leg to leg, to starboard positive.
   double max_turn_deg = 90;
-  std::optional<Eigen::Vector3d> start_m;   ///< Absent: where the path before it ends.
-  std::optional<double> start_heading_deg;  ///< Absent: the course on which it ends.
-  uint64_t seed = 0;                        ///< Follows from the mission's.
+  std::optional<Eigen::Vector3d> start_m = {};   ///< Absent: where the path before it ends.
+  std::optional<double> start_heading_deg = {};  ///< Absent: the course on which it ends.
+  uint64_t seed = 0;                             ///< Follows from the mission's.
 
   bool operator==(const RandomPart&) const = default;
 };
@@ -72,7 +72,7 @@ struct HelixPart {
 struct YoyoPart {
   static constexpr std::string_view kKind = "yoyo";
 
-  std::optional<Eigen::Vector3d> start_m;  ///< Absent: where the path before it ends.
+  std::optional<Eigen::Vector3d> start_m = {};  ///< Absent: where the path before it ends.
   Eigen::Vector2d to_m = Eigen::Vector2d::Zero();
   double top_m = 5;       ///< Depth where it turns down.
   double bottom_m = 40;   ///< > top_m.
