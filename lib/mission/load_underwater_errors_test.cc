@@ -139,7 +139,7 @@ TEST(LoadUnderwaterErrors, ReportPathsThatCannotBeJoined) {
   EXPECT_EQ(ErrorsOfPath("path = [{kind = \"points\"}]\n"),
             "11:9: path lacks 'points'; for example: points = [[0, 0, 10], [100, 0, 20]]\n");
   EXPECT_EQ(ErrorsOfPath("path = [{kind = \"points\", points = [[0, 0, 1]], insert_at = 1}]\n"),
-            "11:62: insert_at = 1 is beyond the path so far, which has 0 points, the first of them "
+            "11:61: insert_at = 1 is beyond the path so far, which has 0 points, the first of them "
             "0: leave it out to go on at the end\n");
 }
 
@@ -154,13 +154,13 @@ max_turn_deg = 10
 min_leg_m = 300
 min_depth_m = 200
 )"),
+            "11:1: max_depth_m = 100 must not be less than min_depth_m = 200\n"
+            "11:1: max_leg_m = 200 must not be less than min_leg_m = 300\n"
             "13:14: num_points = 0 is out of range; allowed: 1 to 10000\n"
             "14:9: start must be [x, y, depth], with x and y within 1000 km of the origin and a "
             "depth from 0 to 20000 m\n"
             "15:21: start_heading_deg = 400 is out of range; allowed: -360 to 360\n"
-            "17:16: max_turn_deg = 10 must not be less than min_turn_deg = 20\n"
-            "11:1: max_leg_m = 200 must not be less than min_leg_m = 300\n"
-            "11:1: max_depth_m = 100 must not be less than min_depth_m = 200\n");
+            "17:16: max_turn_deg = 10 must not be less than min_turn_deg = 20\n");
   EXPECT_EQ(ErrorsOfPath(R"([[vehicle.task.path]]
 kind = "random"
 num_points = 1000
@@ -197,7 +197,7 @@ glide_deg = 0
             "22:12: bottom_m = 30 must be more than top_m = 40\n"
             "23:13: glide_deg = 0 is out of range; allowed: 1 to 60\n");
   EXPECT_EQ(ErrorsOfPath("path = [{kind = \"helix\", center = [0, 0], turns = 999}]\n"),
-            "11:51: turns = 999 at radius_m = 50 takes 31970 points; allowed: at most 10000\n");
+            "11:51: turns = 999 at radius_m = 50 takes 31969 points; allowed: at most 10000\n");
   EXPECT_EQ(
       ErrorsOfPath("path = [{kind = \"yoyo\", start = [0, 0, 1], to = [100_000, 0], top_m = 1, "
                    "bottom_m = 2}]\n"),

@@ -326,6 +326,9 @@ class MissionDraw {
       for (Task& task : vehicle.tasks) {
         auto* survey = std::get_if<SurveyTask>(&task.what);
         if (survey != nullptr) survey->route.start_m = {vehicle.start.x_m, vehicle.start.y_m};
+        auto* path = std::get_if<PathFollowTask>(&task.what);
+        if (path == nullptr) continue;
+        path->start.position_m.head<2>() = Eigen::Vector2d(vehicle.start.x_m, vehicle.start.y_m);
       }
     }
     const bool can_be = !mission->acoustics.options.modem && PlanSwarm(*mission).problems.empty();
