@@ -217,9 +217,13 @@ TEST(LoadUnderwaterWarnings, StateWhatAVehicleCannotDoOnItsPath) {
     ASSERT_EQ(warnings.size(), 1U) << keys;
     EXPECT_NE(warnings[0].find(part), std::string::npos) << warnings[0];
   };
-  expect_one("points = [[0, 0, 20], [300, 0, 20]]\n",
-             "the path is 300 m long and takes 150 s at 2 m/s, but the mission ends after 60 s: "
-             "raise duration_s or speed_mps");
+  EXPECT_EQ(WarningsOfPath("points = [[0, 0, 20], [300, 0, 20]]\n"), std::vector<std::string>{})
+      << "nothing waits for its end";
+  expect_one(
+      "points = [[0, 0, 20], [300, 0, 20]]\n[[expect]]\nkind = \"laps\"\nvehicle = "
+      "\"alpha\"\ntask = \"path_follow\"\n",
+      "the path is 300 m long and takes 150 s at 2 m/s, but the mission ends after 60 s: "
+      "raise duration_s or speed_mps");
   expect_one("points = [[0, 0, 20]]\nspeed_mps = 12\n", "speed_mps = 12 is more than the ");
   expect_one("points = [[0, 0, 20]]\npropeller_rpm = 5000\n",
              "propeller_rpm = 5000 is more than the propeller's 1525");
