@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "lib/check/check.h"
@@ -83,6 +84,11 @@ double DepthAhead(const Guidance& guidance, const nav_t& nav) {
   return std::max(0.0, nav.z_m + kDepthAhead_s * descent_mps);
 }
 
+std::optional<double> PathPitch(const Guidance& guidance, const nav_t& nav) {
+  if (!guidance.z_rate_mps) return std::nullopt;
+  return PitchOfDescent(*guidance.z_rate_mps, nav.speed_mps);
+}
+
 }  // namespace
 
 UnderwaterPilot::UnderwaterPilot(const Remus100Options& options, const SonarOptions& sonar,
@@ -139,7 +145,8 @@ void UnderwaterPilot::Steer(const Guidance& guidance, const nav_t& nav, double d
       guidance.pitch_rad
           ? pilot_.KeepHeadingAndPitch(motion, psi_rad, *guidance.pitch_rad, bound, dt_s)
           : pilot_.KeepHeadingAndDepth(motion, psi_rad,
-                                       guidance.z_m.value_or(options_.cruise_depth_m), bound, dt_s);
+                                       guidance.z_m.value_or(options_.cruise_depth_m), bound, dt_s,
+                                       PathPitch(guidance, nav));
   if (ahead_) ahead_->Command({fins.rudder_rad, fins.stern_plane_rad, rpm_});
   desired->depth_m = guidance.pitch_rad ? DepthAhead(guidance, nav) : pilot_.desired_z_m();
   const double stern_plane_sign = IsMunet(options_) ? 1 : -1;

@@ -43,6 +43,11 @@ AuvPilotParams MunetRemusPilot() {
           .feeds_forward = false};
 }
 
+double PitchOfDescent(double z_rate_mps, double speed_mps) {
+  constexpr double kSlowest_mps = 0.5;
+  return -std::asin(std::clamp(z_rate_mps / std::max(speed_mps, kSlowest_mps), -1.0, 1.0));
+}
+
 void AuvPilot::Start(double psi_rad, double z_m) {
   observer_ = {.psi_d_rad = WrapPi(psi_rad)};
   depth_filter_ = {.z_d_m = z_m};
@@ -54,12 +59,18 @@ void AuvPilot::Start(double psi_rad, double z_m) {
 }
 
 AuvDeflections AuvPilot::KeepHeadingAndDepth(const AuvMotion& motion, double psi_ref_rad,
-                                             double z_ref_m, const DepthBound& bound, double dt_s) {
+                                             double z_ref_m, const DepthBound& bound, double dt_s,
+                                             std::optional<double> path_pitch_rad) {
   if (motion.speed_mps < params_.least_speed_mps) return Drift(motion);
   observer_.Update(params_.heading_observer_hz, psi_ref_rad, dt_s);
   const double goal_m =
       std::max(params_.least_z_m, LimitDepth(z_ref_m, params_.depth_limits, kNoFloor_m));
-  const double along_rad = PitchAlong(bound, goal_m, motion.speed_mps);
+  double along_rad = PitchAlong(bound, goal_m, motion.speed_mps);
+  if (path_pitch_rad) {
+    depth_filter_.z_d_m = goal_m;
+    const double path_rad = goal_m == z_ref_m ? *path_pitch_rad : 0;
+    along_rad = along_rad == 0 ? path_rad : std::max(path_rad, along_rad);
+  }
   MoveDesiredDepth(motion, goal_m, bound.now_m, along_rad, dt_s);
   theta_d_rad_ = depth_.Update(params_.depth, motion.z_m, depth_filter_.z_d_m,
                                motion.is_driven ? dt_s : 0, along_rad);

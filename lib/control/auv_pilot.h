@@ -10,6 +10,7 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 
 #include "lib/control/angle_pid.h"
 #include "lib/control/floor_ahead.h"
@@ -52,6 +53,10 @@ struct AuvDeflections {
   double stern_plane_rad = 0;
 };
 
+/// Returns the pitch, bow up, of a vehicle that goes down by `z_rate_mps` at `speed_mps` through
+/// water. Slower than 0.5 m/s, where fins do not lift, it counts as 0.5 m/s. @pre arguments finite
+[[nodiscard]] double PitchOfDescent(double z_rate_mps, double speed_mps);
+
 class AuvPilot {
  public:
   explicit AuvPilot(const AuvPilotParams& params) : params_(params) {}
@@ -60,10 +65,12 @@ class AuvPilot {
   void Start(double psi_rad, double z_m);
 
   /// Steers for a heading of path following and a depth, no deeper than `bound`, whose slope ahead
-  /// is fed forward. Below least_speed_mps the fins are centred and it starts anew.
+  /// is fed forward. With `path_pitch_rad` the depth moves already, at that pitch of the path: it is
+  /// not filtered. Below least_speed_mps the fins are centred and it starts anew.
   /// @pre arguments finite, but for the bound; 0 < dt_s <= 1
   AuvDeflections KeepHeadingAndDepth(const AuvMotion& motion, double psi_ref_rad, double z_ref_m,
-                                     const DepthBound& bound, double dt_s);
+                                     const DepthBound& bound, double dt_s,
+                                     std::optional<double> path_pitch_rad = {});
 
   /// Steers for a direction of target tracking: heading and pitch at once, without filters; the
   /// pitch is raised where that is needed to stay above `bound` and the greatest depth. Slow as

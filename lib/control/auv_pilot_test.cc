@@ -104,6 +104,27 @@ void ExpectClosedLoop(const ClosedLoop& run) {
   EXPECT_GT(step, 2900);
 }
 
+TEST(PitchOfDescent, IsThatOfTheWayThroughTheSea) {
+  EXPECT_NEAR(PitchOfDescent(1, 2), -kPi / 6, 1e-12) << "bow down";
+  EXPECT_NEAR(PitchOfDescent(-1, 2), kPi / 6, 1e-12);
+  EXPECT_EQ(PitchOfDescent(0.25, 0.1), PitchOfDescent(0.25, 0.5)) << "fins do not lift";
+  EXPECT_NEAR(PitchOfDescent(9, 2), -kPi / 2, 1e-12);
+}
+
+TEST(DefaultPilot, TakesADepthThatMovesAsItIsAndPitchesWithIt) {
+  AuvPilot pilot(DefaultRemusPilot());
+  pilot.Start(0, 20);
+  const AuvMotion motion{.z_m = 20};
+  (void)pilot.KeepHeadingAndDepth(motion, 0, 20, 6000, kStep_s, -0.2);
+  EXPECT_NEAR(pilot.desired_theta_rad(), -0.2, 1e-12);
+  (void)pilot.KeepHeadingAndDepth(motion, 0, 21, 6000, kStep_s, -0.2);
+  EXPECT_EQ(pilot.desired_z_m(), 21) << "not filtered";
+  (void)pilot.KeepHeadingAndDepth(motion, 0, 50, 40, kStep_s, -0.2);
+  EXPECT_EQ(pilot.desired_z_m(), 35) << "kept clear of the floor";
+  (void)pilot.KeepHeadingAndDepth(motion, 0, 35, 6000, kStep_s);
+  EXPECT_EQ(pilot.desired_z_m(), 35) << "the filter goes on from there";
+}
+
 TEST(MunetPilot, ChangesDepthAsItsOriginal) {
   ExpectClosedLoop({.file = "munet/remus_step_depth.csv",
                     .waypoints_m = {{0, 0, 40}, {3000, 0, 40}},

@@ -50,9 +50,19 @@ PathEnd EndOf(PathTaskEnd end) {
   return PathEnd::kHold;
 }
 
+/// Returns how fast the vehicle moves over ground in the direction `psi_rad`, not backward.
+double SpeedAlong(double psi_rad, const Fix& fix) {
+  return std::max(0.0, fix.velocity_mps.dot(UnitVector(HeadingFromPsi(psi_rad))));
+}
+
 PathFollowParams ParamsOf(const PathFollowTask& task) {
-  return {.path = {task.points_m},
-          .waypoint_switch = task.waypoint_switch,
+  const JoinedPath joined = PathOf(task);
+  WaypointSwitch waypoint_switch = task.waypoint_switch;
+  waypoint_switch.is_within_leg = joined.has_curves;
+  return {.path = joined.path,
+          .waypoint_switch = waypoint_switch,
+          .approach = task.approach,
+          .depth_rule = task.depth_rule,
           .end = EndOf(task.end),
           .alos = {.lookahead_m = task.lookahead_m, .crab_gain = task.crab_gain},
           .guard_crab = task.guard_crab,
@@ -86,6 +96,7 @@ Guidance PathFollowRunner::Update(const Fix& fix) {
   guidance.cross_track_error_m = -path.y_e_m;
   guidance.z_m = path.z_m;
   guidance.crab_rad = -path.crab_rad;
+  if (path.slope) guidance.z_rate_mps = *path.slope * SpeedAlong(path.psi_rad, fix);
   if (task_.propeller_rpm > 0 && path.speed_mps > 0) guidance.propeller_rpm = task_.propeller_rpm;
   if (task_.end == PathTaskEnd::kLoiter && path.done) {
     const int index = guidance.waypoint_index;  // Of the path's points it passes none again.

@@ -63,11 +63,11 @@ TEST(PathFollowRunner, SteersAlongTheLegInTheFrameOfHeadings) {
 }
 
 TEST(PathFollowRunner, CountsTheCrossTrackErrorToStarboard) {
-  TaskRunner east(TwoLegs(), At({7, 50, 15}, 0));
+  TaskRunner east(TwoLegs(), At({0, 0, 10}, 0));
   const Guidance to_starboard = east.Update(At({7, 50, 15}, 1));
   EXPECT_NEAR(to_starboard.cross_track_error_m, 7, 1e-9) << "East of a leg to the North";
   EXPECT_GT(to_starboard.heading_rad, kPi) << "back to port";
-  TaskRunner west(TwoLegs(), At({-7, 50, 15}, 0));
+  TaskRunner west(TwoLegs(), At({0, 0, 10}, 0));
   const Guidance to_port = west.Update(At({-7, 50, 15}, 1));
   EXPECT_NEAR(to_port.cross_track_error_m, -7, 1e-9);
   EXPECT_LT(to_port.heading_rad, kPi / 2);

@@ -37,11 +37,12 @@ TaskFacts FactsOfKind(const ReturnTask& task) {
 
 TaskFacts FactsOfKind(const PathFollowTask& task) {
   const bool repeats = task.end == PathTaskEnd::kReturnToFirst;
+  const JoinedPath path = PathOf(task);
   TaskFacts facts{.is_underwater = true,
                   .ends = task.end == PathTaskEnd::kDone || task.end == PathTaskEnd::kSurface,
-                  .outline = {.closed = repeats}};
+                  .outline = {.closed = repeats, .marks_points = !path.has_curves}};
   if (!repeats) facts.most_laps = 1;
-  for (const Eigen::Vector3d& point_m : task.points_m) {
+  for (const Eigen::Vector3d& point_m : path.path.points_m) {
     facts.outline.points_m.emplace_back(point_m.head<2>());
   }
   return facts;
@@ -104,6 +105,13 @@ std::vector<Eigen::Vector2d> CornersOf(const LoiterTask& task) {
     corners_m.push_back(task.center_m + task.radius_m * UnitVector(i * step_rad));
   }
   return corners_m;
+}
+
+JoinedPath PathOf(const PathFollowTask& task) {
+  JoinedPath joined =
+      task.parts.empty() ? JoinedPath{.path = {task.points_m}} : Join(task.parts, task.start);
+  if (task.turn_radius_m > 0) joined = RoundCorners(joined, task.turn_radius_m);
+  return joined;
 }
 
 std::vector<Eigen::Vector2d> PointsOf(const SurveyTask& task) {

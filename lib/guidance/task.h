@@ -11,6 +11,7 @@
 #include <variant>
 #include <vector>
 
+#include "lib/guidance/path_parts.h"
 #include "lib/guidance/path_progress.h"
 #include "lib/guidance/survey_lanes.h"
 #include "lib/guidance/target_tracker.h"
@@ -135,7 +136,12 @@ enum class PathTaskEnd {
 struct PathFollowTask {
   static constexpr std::string_view kKind = "path_follow";
 
-  std::vector<Eigen::Vector3d> points_m;  ///< x East, y North, z down; at least one.
+  std::vector<Eigen::Vector3d> points_m;  ///< x East, y North, z down; empty where there are parts.
+  std::vector<PathPart> parts = {};       ///< Instead: the path is joined of these.
+  PathStart start = {};      ///< Of the vehicle: where the first part begins that names no place.
+  double turn_radius_m = 0;  ///< Corners become arcs of this radius; 0: they stay.
+  bool approach = true;      ///< PathFollowParams has the meanings.
+  DepthRule depth_rule = DepthRule::kNext;
   double speed_mps = 2;
   double propeller_rpm = 0;  ///< More than 0: this, instead of what speed_mps takes.
   WaypointSwitch waypoint_switch = {};
@@ -252,6 +258,9 @@ std::string_view KindOf(const Task& task);
 /// Returns the corners of the polygon in the order in which they are passed, the first one North of
 /// the centre.
 [[nodiscard]] std::vector<Eigen::Vector2d> CornersOf(const LoiterTask& task);
+
+/// Returns the path that the task follows: its points or joined parts, corners made round.
+[[nodiscard]] JoinedPath PathOf(const PathFollowTask& task);
 
 /// Returns the points of the task's own lanes and of the turns between them, in the order in which
 /// they are passed; nothing where it has no polygon.

@@ -45,6 +45,8 @@ struct Guidance {
   double distance_m = 0;                                 ///< To there.
   double cross_track_error_m = 0;            ///< To starboard of the leg positive; 0 without a leg.
   std::optional<double> z_m = {};            ///< Depth to take; absent: the task knows of none.
+  /// Present: the path goes down this fast, and `z_m` with it: it is not to be filtered.
+  std::optional<double> z_rate_mps = {};
   std::optional<double> pitch_rad = {};      ///< Present: this pitch, bow up, instead of a depth.
   std::optional<double> propeller_rpm = {};  ///< Present: these revolutions, whatever the speed.
   /// How far ALOS takes the course over ground to lie to starboard of the heading; 0 without ALOS.

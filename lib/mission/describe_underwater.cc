@@ -12,11 +12,11 @@
 #include "lib/mission/describe.h"
 #include "lib/mission/describe_layers.h"
 #include "lib/mission/suggest.h"
+#include "lib/mission/task_fields.h"
 
 namespace shoal {
 namespace {
 
-constexpr size_t kMostPathPoints = 10'000;
 constexpr size_t kMostGroupMembers = 1000;
 constexpr double kDeepest_m = 20'000;
 
@@ -57,30 +57,14 @@ constexpr std::array<std::pair<std::string_view, TargetEndRule>, 4> kTargetEnds 
 }  // namespace
 
 void Describe(Fields& fields, PathFollowTask& task, const StartPose& start) {
-  fields.Require("points", "points = [[0, 0, 10], [100, 0, 20]]");
-  fields.Triples("points", task.points_m, Between(-kFarthest_m, kFarthest_m), kMostPathPoints);
-  if (task.points_m.empty() && fields.Has("points", true)) {
-    fields.Refuse("points", "points must hold at least one point, like [[100, 0, 20]]");
-    task.points_m.emplace_back(Eigen::Vector3d::Zero());
-  }
-  constexpr std::array<std::string_view, 2> kFrames = {"mission", "start"};
-  std::string frame = "mission";
-  fields.Word("points_frame", frame, kFrames);
-  for (Eigen::Vector3d& point_m : task.points_m) {
-    if (frame == "start") point_m += Eigen::Vector3d(start.x_m, start.y_m, 0);
-    if (point_m.z() < 0 || point_m.z() > kDeepest_m ||
-        point_m.head<2>().cwiseAbs().maxCoeff() > kFarthest_m) {
-      fields.Refuse("points",
-                    "points are [x, y, depth], with x and y within 1000 km of the origin "
-                    "and depths from 0 to 20000 m");
-      point_m.setZero();
-    }
-  }
+  DescribePath(fields, task, start);
   fields.Number("speed_mps", task.speed_mps, Above(0, kFastest_mps));
   fields.Number("propeller_rpm", task.propeller_rpm, Between(0, 10'000));
   fields.Choice("waypoint_switch", task.waypoint_switch.rule, kSwitchRules);
   fields.Number("acceptance_radius_m", task.waypoint_switch.acceptance_radius_m,
                 Between(0, 10'000));
+  fields.Number("passed_line_within_m", task.waypoint_switch.passed_line_within_m,
+                Between(0, 1e6));
   fields.Choice("end", task.end, kPathEnds);
   fields.Number("lookahead_m", task.lookahead_m, Above(0, 10'000));
   fields.Number("crab_gain", task.crab_gain, Between(0, 1));

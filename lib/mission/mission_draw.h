@@ -9,8 +9,10 @@
 #include <random>
 #include <string>
 
+#include "lib/geometry/angles.h"
 #include "lib/mission/mission.h"
 #include "lib/mission/swarm_plan.h"
+#include "lib/mission/validate.h"
 
 namespace shoal {
 
@@ -82,6 +84,7 @@ class MissionDraw {
     for (int64_t i = Integer(0, 6); i > 0; --i) {
       mission.expectations.push_back(DrawExpectation(mission.duration_s));
     }
+    SeedPaths(mission);
     return mission;
   }
 
@@ -199,6 +202,44 @@ class MissionDraw {
 
   Eigen::Vector3d DeepPoint() { return {Number(-1e6, 1e6), Number(-1e6, 1e6), Number(0, 20'000)}; }
 
+  Eigen::Vector3d NearPoint() { return {Number(-1000, 1000), Number(-1000, 1000), Number(0, 100)}; }
+
+  /// One part of a path of each kind.
+  std::vector<PathPart> DrawParts() {
+    RandomPart random{.min_turn_deg = Number(-180, 0), .max_turn_deg = Number(0, 180)};
+    random.bounds.num_waypoints = static_cast<int>(Integer(1, 20));
+    random.bounds.min_leg_m = Number(0, 10);
+    random.bounds.max_leg_m = Number(10, 1000);
+    random.bounds.min_depth_m = Number(0, 10);
+    random.bounds.max_depth_m = Number(10, 20'000);
+    if (Coin()) random.start_m = NearPoint();
+    if (Coin()) random.start_heading_deg = Number(-360, 360);
+    const LawnmowerPart lanes{
+        .area = {.polygon_m = {{0, 0}, {500, 0}, {500, 400}}, .lane_spacing_m = Number(20, 100)},
+        .route = {.entry = static_cast<SurveyEntry>(Integer(0, 4)),
+                  .turn_radius_m = Number(0, 30),
+                  .overrun_m = Number(0, 50)},
+        .depth_m = Number(0, 20'000)};
+    const HelixPart helix{.center_m = NearPoint().head<2>(),
+                          .radius_m = Number(1, 1000),
+                          .turns = Number(0.1, 5),
+                          .start_depth_m = Number(0, 20'000),
+                          .end_depth_m = Number(0, 20'000),
+                          .start_bearing_deg = Number(-360, 360),
+                          .clockwise = Coin()};
+    YoyoPart yoyo{.to_m = NearPoint().head<2>(),
+                  .top_m = Number(0, 10),
+                  .bottom_m = Number(20, 100),
+                  .glide_deg = Number(1, 60)};
+    if (Coin()) yoyo.start_m = NearPoint();
+    return {{.what = PointsPart{{NearPoint(), NearPoint()}}},
+            {.what = helix},
+            {.what = yoyo, .insert_at = 1},
+            {.what = lanes},
+            {.what = PointsPart{{NearPoint()}}},
+            {.what = random}};
+  }
+
   /// Makes an underwater vehicle of it, with the tasks that these have.
   void Submerge(Vehicle* vehicle) {
     vehicle->start.depth_m = Number(0, 20'000);
@@ -213,11 +254,18 @@ class MissionDraw {
                                      .autopilot = DrawGains()};
     vehicle->autopilot = {};
     const double acceptance_m = Number(0, 1000);
+    const StartPose& start = vehicle->start;
     PathFollowTask path = {.points_m = {DeepPoint(), DeepPoint()},
+                           .start = {.position_m = {start.x_m, start.y_m, start.depth_m},
+                                     .heading_rad = DegToRad(start.heading_deg)},
+                           .turn_radius_m = Number(0, 10'000),
+                           .approach = Coin(),
+                           .depth_rule = static_cast<DepthRule>(Integer(0, 1)),
                            .speed_mps = Positive(50),
                            .propeller_rpm = Number(0, 10'000),
                            .waypoint_switch = {.rule = static_cast<SwitchRule>(Integer(0, 3)),
-                                               .acceptance_radius_m = acceptance_m},
+                                               .acceptance_radius_m = acceptance_m,
+                                               .passed_line_within_m = Number(0, 1e6)},
                            .end = static_cast<PathTaskEnd>(Integer(0, 5)),
                            .lookahead_m = Positive(10'000),
                            .crab_gain = Number(0, 1),
@@ -231,6 +279,10 @@ class MissionDraw {
                       .alpha = Number(0, 1)};
       path.u_max_mps = 50;
       if (Coin()) path.group = {vehicle->name == "Vessel_2" ? "Vessel_1" : "Vessel_2"};
+    }
+    if (Coin()) {
+      path.points_m.clear();
+      path.parts = DrawParts();
     }
     vehicle->tasks.push_back({"path", path});
     TargetTrackTask track;
@@ -311,6 +363,9 @@ class MissionDraw {
       for (Task& task : vehicle.tasks) {
         auto* survey = std::get_if<SurveyTask>(&task.what);
         if (survey != nullptr) survey->route.start_m = {vehicle.start.x_m, vehicle.start.y_m};
+        auto* path = std::get_if<PathFollowTask>(&task.what);
+        if (path == nullptr) continue;
+        path->start.position_m.head<2>() = Eigen::Vector2d(vehicle.start.x_m, vehicle.start.y_m);
       }
     }
     const bool can_be = !mission->acoustics.options.modem && PlanSwarm(*mission).problems.empty();
