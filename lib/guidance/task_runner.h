@@ -43,8 +43,8 @@ struct Guidance {
   int laps_done = 0;
   Eigen::Vector2d waypoint_m = Eigen::Vector2d::Zero();  ///< Where it steers for.
   double distance_m = 0;                                 ///< To there.
-  double cross_track_error_m = 0;            ///< To starboard of the leg positive; 0 without a leg.
-  std::optional<double> z_m = {};            ///< Depth to take; absent: the task knows of none.
+  double cross_track_error_m = 0;  ///< To starboard of the leg positive; 0 without a leg.
+  std::optional<double> z_m = {};  ///< Depth to take; absent: the task knows of none.
   /// Present: the path goes down this fast, and `z_m` with it: it is not to be filtered.
   std::optional<double> z_rate_mps = {};
   std::optional<double> pitch_rad = {};      ///< Present: this pitch, bow up, instead of a depth.
@@ -159,7 +159,7 @@ class PathFollowRunner {
   PathFollower follower_;
   Stopwatch stopwatch_;
   std::optional<LoiterRunner> loiter_;  ///< kLoiter, from the last point on.
-  bool keeps_clear_ = false;  ///< Layers steered in the last step.
+  bool keeps_clear_ = false;            ///< Layers steered in the last step.
 };
 
 /// Notices that a target which was under water has come to rest at the surface.

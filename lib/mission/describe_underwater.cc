@@ -63,8 +63,7 @@ void Describe(Fields& fields, PathFollowTask& task, const StartPose& start) {
   fields.Choice("waypoint_switch", task.waypoint_switch.rule, kSwitchRules);
   fields.Number("acceptance_radius_m", task.waypoint_switch.acceptance_radius_m,
                 Between(0, 10'000));
-  fields.Number("passed_line_within_m", task.waypoint_switch.passed_line_within_m,
-                Between(0, 1e6));
+  fields.Number("passed_line_within_m", task.waypoint_switch.passed_line_within_m, Between(0, 1e6));
   fields.Choice("end", task.end, kPathEnds);
   fields.Number("lookahead_m", task.lookahead_m, Above(0, 10'000));
   fields.Number("crab_gain", task.crab_gain, Between(0, 1));
