@@ -205,9 +205,9 @@ TEST(UnderwaterPilot, StaysAboveItsGreatestDepthAndClearOfTheFloor) {
   nav.altitude_m = 10;
   steered.Steer(ToHeadingAndDepth(0, 90), nav, 40);
   EXPECT_NEAR(steered.desired.depth_m, 34, 1e-9);
-  nav.altitude_m = 0;
+  nav.altitude_m = 2;
   steered.Steer(ToHeadingAndDepth(0, 90), nav, 300);
-  EXPECT_NEAR(steered.desired.depth_m, 24, 1e-6);
+  EXPECT_NEAR(steered.desired.depth_m, 26, 1e-6);
 }
 
 TEST(UnderwaterPilot, GoesToItsCruiseDepthWhereATaskHasNone) {
@@ -261,7 +261,7 @@ TEST(UnderwaterPilot, HoldsItsIntegralsWhileThePropellerStandsStill) {
   Steered steered({.depth_filter_s = 0});
   Guidance glide = ToHeadingAndDepth(0, 31);
   glide.speed_mps = 0;
-  steered.Steer(glide, NavAt(5, 30), 100);
+  steered.Steer(glide, NavAt(5, 30), 400);
   const double rudder_deg = steered.actuators.rudder_deg;
   const double stern_plane_deg = steered.actuators.stern_plane_deg;
   EXPECT_LT(rudder_deg, 0);
