@@ -102,7 +102,7 @@ std::string CommandsText(const std::array<int64_t, kNumOrderKinds>& num_executed
 
 HelmApp::HelmApp(const Mission& mission, const Vehicle& vehicle, Bus& bus)
     : bus_(bus),
-      pilot_(MakePilot(vehicle)),
+      pilot_(MakePilot(mission, vehicle)),
       nav_timeout_us_(Microseconds(vehicle.helm_options.nav_timeout_s)),
       state_interval_us_(Microseconds(vehicle.helm_options.state_interval_s)),
       desired_channel_(channels::Desired(vehicle.name)),
@@ -137,6 +137,7 @@ HelmApp::HelmApp(const Mission& mission, const Vehicle& vehicle, Bus& bus)
   if (vehicle.sonar.is_fitted) {
     Subscribe(bus, channels::Sonar(vehicle.name), [this](const sonar_t& ping) {
       swarm_.OnSonar(ping);
+      pilot_->OnSonar(ping);
       if (arbiter_ && had_nav_) arbiter_->OnSonar(ping, nav_, utime_.value_or(0));
     });
   }
@@ -222,6 +223,7 @@ void HelmApp::Tick(int64_t utime) {
   const double dt_s =
       utime_ ? std::clamp(static_cast<double>(utime - *utime_) / 1e6, 0.0, kMaxControlStep_s) : 0;
   utime_ = utime;
+  if (utime < busy_until_utime_) return;  // What arrives is taken, as from a queue at the end.
   const bool nav_is_lost = WatchNav(utime);
 
   std::optional<Fix> fix;
@@ -232,10 +234,12 @@ void HelmApp::Tick(int64_t utime) {
               .z_m = nav_.z_m,
               .velocity_mps =
                   nav_.speed_over_ground_mps * UnitVector(DegToRad(nav_.course_over_ground_deg)),
+              .speed_mps = std::max(0.0, nav_.speed_mps),
               .surroundings = swarm_.Look(states_.task(), nav_)};
   }
   states_.Advance(fix, nav_is_lost);
   if (arbiter_) guidance_ = Guide(utime, fix);
+  if (arbiter_ && IsPrevented(utime)) return;
   const std::optional<Guidance>& guidance = arbiter_ ? guidance_ : states_.guidance();
   if (guidance) {
     pilot_->Steer(*guidance, nav_, dt_s, &desired_, &actuators_);
@@ -249,6 +253,18 @@ void HelmApp::Tick(int64_t utime) {
   Publish(bus_, actuators_channel_, actuators_);
   PublishState(utime);
   if (arbiter_) PublishDecision(utime);
+}
+
+bool HelmApp::IsPrevented(int64_t utime) {
+  if (const double busy_s = arbiter_->TakeBusy(); busy_s > 0) {
+    busy_until_utime_ = utime + Microseconds(busy_s);
+  }
+  return utime < busy_until_utime_ || !arbiter_->outcome().crash.empty();
+}
+
+std::string HelmApp::Crash() const {
+  if (!arbiter_ || arbiter_->outcome().crash.empty()) return {};
+  return fmt::format("the behavior {} crashes the helm", Printable(arbiter_->outcome().crash));
 }
 
 std::optional<Guidance> HelmApp::Guide(int64_t utime, const std::optional<Fix>& fix) {

@@ -33,6 +33,7 @@ class HelmApp : public App {
   HelmApp(const Mission& mission, const Vehicle& vehicle, Bus& bus);
 
   void Tick(int64_t utime) override;
+  std::string Crash() const override;
   StatusPage Status() const override;
 
  private:
@@ -52,6 +53,8 @@ class HelmApp : public App {
   std::string Execute(const HelmOrder& order);
   void OnNodeReport(const node_report_t& report);
   bool WatchNav(int64_t utime);
+  /// Returns true where a behavior crashes the helm or keeps it busy: nothing is published then.
+  bool IsPrevented(int64_t utime);
   /// Returns what to steer by in this step.
   std::optional<Guidance> Guide(int64_t utime, const std::optional<Fix>& fix);
   /// Publishes what the arbiter has decided, and what it has for other vehicles.
@@ -69,6 +72,7 @@ class HelmApp : public App {
   std::optional<int64_t> utime_;      ///< Of the last step.
   std::optional<int64_t> nav_utime_;  ///< The step in which it came; none came: the first step.
   std::optional<int64_t> state_utime_;
+  int64_t busy_until_utime_ = 0;
   bool nav_is_fresh_ = false;  ///< It came in this step.
   bool had_nav_ = false;
   bool nav_was_lost_ = false;

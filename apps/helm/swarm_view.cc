@@ -4,9 +4,9 @@
 #include <cmath>
 #include <set>
 
+#include "apps/helm/sonar_echoes.h"
 #include "lib/geometry/angles.h"
 #include "lib/guidance/motion_prediction.h"
-#include "lib/vehicle/attitude.h"
 
 namespace shoal {
 
@@ -169,24 +169,6 @@ bool SwarmView::IsSilent(const swarm_contact_t& contact, int64_t utime) const {
 
 void SwarmView::OnSonar(const sonar_t& ping) { ping_ = ping; }
 
-void SwarmView::LookAhead(const nav_t& own) {
-  echoes_.clear();
-  const bool is_fresh = std::abs(SecondsBetween(ping_.utime, own.utime)) <= kSonarMemory_s;
-  if (!is_fresh || !std::isfinite(own.roll_deg)) return;
-  const Eigen::Matrix3d rotation = BodyToWorld(-DegToRad(own.roll_deg), DegToRad(own.pitch_deg),
-                                               PsiFromHeading(DegToRad(own.heading_deg)));
-  for (const sonar_beam_t& beam : ping_.beams) {
-    const double azimuth_rad = -DegToRad(beam.azimuth_deg);
-    const double elevation_rad = DegToRad(beam.elevation_deg);
-    const Eigen::Vector3d in_body(std::cos(azimuth_rad) * std::cos(elevation_rad),
-                                  std::sin(azimuth_rad) * std::cos(elevation_rad),
-                                  -std::sin(elevation_rad));
-    const bool is_echo = beam.range_m >= 0 && std::isfinite(beam.range_m);
-    if (!is_echo || !in_body.allFinite()) continue;
-    echoes_.push_back({.direction = rotation * in_body, .range_m = beam.range_m});
-  }
-}
-
 const Surroundings* SwarmView::Look(const Task* task, const nav_t& own) {
   const auto* track = task == nullptr ? nullptr : std::get_if<TargetTrackTask>(&task->what);
   if (track == nullptr) return nullptr;
@@ -205,7 +187,7 @@ const Surroundings* SwarmView::Look(const Task* task, const nav_t& own) {
     if (const auto neighbour = Find(*track, place, own.utime)) group_.push_back(*neighbour);
   }
   surroundings_.group = group_;
-  LookAhead(own);
+  echoes_ = EchoesOf(ping_, own);
   surroundings_.sonar = echoes_;
   surroundings_.current_mps = CurrentOf(own, surroundings_.own.velocity_mps);
   if (own.altitude_m >= 0) surroundings_.seabed_z_m = own.z_m + own.altitude_m;

@@ -34,8 +34,6 @@ struct NavNeighbour {
 
 class SwarmView {
  public:
-  static constexpr double kSonarMemory_s = 1;
-
   SwarmView(const Mission& mission, const Vehicle& vehicle);
 
   /// The vehicles whose NAV its tasks need: targets and groups, each once.
@@ -72,8 +70,6 @@ class SwarmView {
   /// Returns where another vehicle is at `utime`, by the knowledge that the task goes by.
   std::optional<Neighbour> Find(const TargetTrackTask& task, Place place, int64_t utime) const;
   bool IsSilent(const swarm_contact_t& contact, int64_t utime) const;
-  /// Fills echoes_ from the last ping, as seen with the attitude of `own`.
-  void LookAhead(const nav_t& own);
 
   std::map<std::string, Place> places_;
   Place own_;

@@ -109,7 +109,7 @@ std::vector<ChannelRow> MakeTable() {
       {topics::kSonar, kVehicle, "sonar_t", "vehicle_sim", "helm", "[vehicle.sonar] rate_hz", true},
       {topics::kWaterSample, kVehicle, "water_sample_t", "vehicle_sim", "your programs",
        "every step, with [environment.plume]", true},
-      {topics::kActuators, kVehicle, "actuators_t", "helm", "vehicle_sim", "every step", true},
+      {topics::kActuators, kVehicle, "actuators_t", "helm", "vehicle_sim, acomms", "every step", true},
       {topics::kDesired, kVehicle, "desired_t", "helm", "viewer, (people)", "every step", true},
       {topics::kHelmState, kVehicle, "helm_state_t", "helm", "node_reporter, acomms, shoal, viewer",
        "on change, at least 1 Hz", true},

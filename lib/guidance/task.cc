@@ -48,7 +48,14 @@ TaskFacts FactsOfKind(const PathFollowTask& task) {
   return facts;
 }
 
-TaskFacts FactsOfKind(const TargetTrackTask&) { return {.is_underwater = true, .most_laps = 0}; }
+TaskFacts FactsOfKind(const TargetTrackTask& task) {
+  return {
+      .is_underwater = true, .ends = task.on_target_end == TargetEndRule::kDone, .most_laps = 0};
+}
+
+TaskFacts FactsOfKind(const SurfaceTask&) {
+  return {.is_underwater = true, .ends = true, .most_laps = 0};
+}
 
 TaskFacts FactsOfKind(const SurveyTask& task) {
   return {.ends = true,
@@ -77,6 +84,16 @@ TaskFacts FactsOf(const Task& task) {
 
 std::vector<Task> OneTaskOfEachKind() {
   return TasksAt(std::make_index_sequence<std::variant_size_v<decltype(Task::what)>>());
+}
+
+StationKeepTask HoldHere(double radius_m, std::optional<double> z_m) {
+  StationKeepTask keep;
+  keep.inner_radius_m = 0.4 * radius_m;
+  keep.outer_radius_m = radius_m;
+  keep.speed_mps = 1.5;  // The fins hold it, and it makes way against a current.
+  keep.stops_first = true;
+  keep.z_m = z_m;
+  return keep;
 }
 
 std::vector<Eigen::Vector2d> CornersOf(const LoiterTask& task) {

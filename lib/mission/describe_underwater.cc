@@ -1,4 +1,4 @@
-// The tasks of underwater vehicles: path_follow and target_track.
+// The tasks of underwater vehicles: path_follow, target_track and surface.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -25,12 +25,13 @@ constexpr std::array<std::pair<std::string_view, SwitchRule>, 4> kSwitchRules = 
     {"along_track", SwitchRule::kAlongTrack},
 }};
 
-constexpr std::array<std::pair<std::string_view, PathTaskEnd>, 5> kPathEnds = {{
+constexpr std::array<std::pair<std::string_view, PathTaskEnd>, 6> kPathEnds = {{
     {"done", PathTaskEnd::kDone},
     {"go_on", PathTaskEnd::kGoOn},
     {"hold", PathTaskEnd::kHold},
     {"return_to_first", PathTaskEnd::kReturnToFirst},
     {"surface", PathTaskEnd::kSurface},
+    {"loiter", PathTaskEnd::kLoiter},
 }};
 
 constexpr std::array<std::pair<std::string_view, SwarmKnowledge>, 2> kSwarmKnowledge = {{
@@ -42,6 +43,13 @@ constexpr std::array<std::pair<std::string_view, SilenceRule>, 3> kSilenceRules 
     {"predict", SilenceRule::kPredict},
     {"station_keep", SilenceRule::kStationKeep},
     {"surface", SilenceRule::kSurface},
+}};
+
+constexpr std::array<std::pair<std::string_view, TargetEndRule>, 4> kTargetEnds = {{
+    {"surface", TargetEndRule::kSurface},
+    {"hold", TargetEndRule::kHold},
+    {"go_on", TargetEndRule::kGoOn},
+    {"done", TargetEndRule::kDone},
 }};
 
 /// The layers of a cascade by their names in mission files.
@@ -156,6 +164,11 @@ void Describe(Fields& fields, PathFollowTask& task, const StartPose& start) {
   if (task.hold_radius_m < task.waypoint_switch.acceptance_radius_m) {
     fields.Refuse("hold_radius_m", "hold_radius_m must not be less than acceptance_radius_m");
   }
+  fields.Number("loiter_radius_m", task.loiter_radius_m, Above(0, 10'000));
+}
+
+void Describe(Fields& fields, SurfaceTask& task, const StartPose&) {
+  fields.Number("speed_mps", task.speed_mps, Above(0, kFastest_mps));
 }
 
 void Describe(Fields& fields, TargetTrackTask& task, const StartPose&) {
@@ -168,6 +181,8 @@ void Describe(Fields& fields, TargetTrackTask& task, const StartPose&) {
   }
   fields.Choice("swarm", task.swarm, kSwarmKnowledge);
   fields.Choice("on_silence", task.on_silence, kSilenceRules);
+  fields.Choice("on_target_end", task.on_target_end, kTargetEnds);
+  fields.Number("hold_radius_m", task.hold_radius_m, Above(0, 10'000));
   fields.Flag("compensate_current", task.compensate_current);
   std::string law(kLaws.at(track.law.index()));
   fields.Word("law", law, kLaws);

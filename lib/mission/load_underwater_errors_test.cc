@@ -92,7 +92,8 @@ acceptance_radius_m = 10
             "13:13: speed_mps = 0 is out of range; allowed: greater than 0, at most 50\n"
             "14:17: propeller_rpm = -1 is out of range; allowed: 0 to 10000\n"
             "15:19: unknown waypoint_switch 'circles' (did you mean 'circle'?)\n"
-            "16:7: unknown end 'quit'; one of: done, go_on, hold, return_to_first, surface\n"
+            "16:7: unknown end 'quit'; one of: done, go_on, hold, return_to_first, surface, "
+            "loiter\n"
             "17:15: lookahead_m = 0 is out of range; allowed: greater than 0, at most 10000\n"
             "18:13: crab_gain = 2 is out of range; allowed: 0 to 1\n"
             "19:14: guard_crab must be true or false, not a whole number\n"
@@ -455,6 +456,25 @@ TEST(LoadUnderwaterErrors, ReportLayersThatNeedASonar) {
             "12:10: the layers that keep away from what a sonar sees need one: write "
             "[vehicle.sonar] under the [[vehicle]]\n");
   EXPECT_EQ(ErrorsOfTrack(text + "[vehicle.sonar]\n"), "");
+}
+
+TEST(LoadUnderwaterErrors, ReportFloorsThatAVehicleCannotKnow) {
+  EXPECT_EQ(
+      ErrorsInSwarm("[vehicle.remus100]\nfloor_from = \"chart\"\n"),
+      "10:14: floor_from = \"chart\" needs a sea floor: write floor = {style = \"linear\"} in "
+      "[environment], or floor_from = \"altimeter\"\n");
+  EXPECT_EQ(ErrorsInSwarm("[vehicle.remus100]\nfloor_from = \"sonar\"\n"),
+            "10:14: floor_from = \"sonar\" needs one: write [vehicle.sonar] under the [[vehicle]], "
+            "or floor_from = \"altimeter\"\n");
+  EXPECT_EQ(ErrorsInSwarm("[vehicle.remus100]\nfloor_from = \"sonar\"\n[vehicle.sonar]\n"), "");
+  EXPECT_EQ(ErrorsInSwarm("[vehicle.remus100]\nfloor_from = \"chart\"\n"
+                          "[environment]\nfloor = {style = \"flat\"}\n"),
+            "");
+}
+
+TEST(LoadUnderwaterErrors, ReportBuoyanciesThatNoFinHolds) {
+  EXPECT_EQ(ErrorsInSwarm("[vehicle.remus100]\nbuoyancy_by_weight = 2\n"),
+            "10:22: buoyancy_by_weight = 2 is out of range; allowed: 0.9 to 1.1\n");
 }
 
 TEST(LoadUnderwaterErrors, ReportDepthLimitsThatLeaveNoWater) {

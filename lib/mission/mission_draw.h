@@ -249,7 +249,10 @@ class MissionDraw {
                                      .max_depth_m = Positive(20'000),
                                      .seabed_clearance_m = Number(0, 1000),
                                      .depth_filter_s = Number(0, 1000),
-                                     .max_propeller_rate_rpmps = Number(0, 1e6)};
+                                     .max_propeller_rate_rpmps = Number(0, 1e6),
+                                     .buoyancy_by_weight = Number(0.9, 1.1),
+                                     .autopilot = DrawGains()};
+    vehicle->autopilot = {};
     const double acceptance_m = Number(0, 1000);
     const StartPose& start = vehicle->start;
     PathFollowTask path = {.points_m = {DeepPoint(), DeepPoint()},
@@ -263,12 +266,13 @@ class MissionDraw {
                            .waypoint_switch = {.rule = static_cast<SwitchRule>(Integer(0, 3)),
                                                .acceptance_radius_m = acceptance_m,
                                                .passed_line_within_m = Number(0, 1e6)},
-                           .end = static_cast<PathTaskEnd>(Integer(0, 4)),
+                           .end = static_cast<PathTaskEnd>(Integer(0, 5)),
                            .lookahead_m = Positive(10'000),
                            .crab_gain = Number(0, 1),
                            .guard_crab = Coin(),
                            .turn_crab = Coin(),
-                           .hold_radius_m = acceptance_m + 1};
+                           .hold_radius_m = acceptance_m + 1,
+                           .loiter_radius_m = Positive(10'000)};
     if (Coin()) {
       path.points_m.clear();
       path.parts = DrawParts();
@@ -294,12 +298,15 @@ class MissionDraw {
                           .height_deg = Number(0, 180),
                           .rate_hz = Positive(1000),
                           .noise_m = Number(0, 1000)};
+        std::get<Remus100Options>(vehicle->model).floor_from = "sonar";
         track.track.law = VelocityCascade{
             {SurvivalLayer{.group = {.r_safe_m = 3, .r_avoid_m = 30}, .sonar = {.r_avoid_m = 25}},
              FeedForwardLayer{}}};
       }
     }
     track.on_silence = static_cast<SilenceRule>(Integer(0, 2));
+    track.on_target_end = static_cast<TargetEndRule>(Integer(0, 3));
+    track.hold_radius_m = Positive(10'000);
     track.compensate_current = Coin();
     track.track.u_max_mps = Positive(50);
     track.track.depth = {.z_max_m = Number(1, 20'000),
@@ -307,6 +314,27 @@ class MissionDraw {
                          .z_safe_m = Positive(20'000),
                          .climb_mps = Number(0, 50)};
     vehicle->tasks.push_back({"track", track});
+    vehicle->tasks.push_back({"up", SurfaceTask{Positive(50)}});
+    for (Task& task : vehicle->tasks) {
+      if (auto* keep = std::get_if<StationKeepTask>(&task.what)) keep->stops_first = true;
+    }
+    if (Coin()) vehicle->helm_options.end_of_tasks = Ending::kSurface;
+  }
+
+  Remus100Gains DrawGains() {
+    return {.gains = Coin() ? "munet" : "fossen",
+            .heading_kp = Number(0, 1000),
+            .heading_ki = Number(0, 1000),
+            .heading_kd = Number(0, 1000),
+            .heading_observer_hz = Positive(100),
+            .pitch_kp = Number(0, 1000),
+            .pitch_ki = Number(0, 1000),
+            .pitch_kd = Number(1, 1000),
+            .heave_kd = Number(0, 1000),
+            .depth_kp = Number(0, 1000),
+            .depth_ki = Number(0, 1000),
+            .max_pitch_deg = Positive(80),
+            .max_fin_deg = Positive(80)};
   }
 
   /// Gives it a swarm, if its acoustic network can carry one.
@@ -406,6 +434,11 @@ class MissionDraw {
                                                        RecoveryStrategy::kSkipField};
     }
     vehicle.helm_options = {Positive(3600), Coin(), Positive(3600), Number(0.01, 60), Coin()};
+    constexpr Ending kOfAllModels[] = {Ending::kHold, Ending::kGoOn, Ending::kLoiter,
+                                       Ending::kEndMission};
+    if (Coin()) vehicle.helm_options.end_of_tasks = kOfAllModels[Integer(0, 3)];
+    vehicle.helm_options.hold_radius_m = Positive(10'000);
+    vehicle.helm_options.loiter_radius_m = Positive(10'000);
     vehicle.autopilot = {Number(0, 1000), Number(0, 1000), Number(0, 1000), Number(0, 180),
                          Number(0, 1000), Number(0, 1000), Number(0, 100)};
     const double blackout_s = Number(0, 100'000);

@@ -72,6 +72,8 @@ void Validate(Mission& mission, const TablePlace& file) {
   ValidatePaths(mission, file);
   ValidateBehaviors(mission, file);
   ValidateEvents(mission, file);
+  WarnOfAutopilots(mission, file);
+  WarnOfIdleKeys(mission, file);
   WarnOfIdleTasks(mission, file);
   ValidateExpectations(mission, file);
   WarnOfConduct(mission, file);

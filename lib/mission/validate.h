@@ -59,6 +59,10 @@ void ValidatePaths(const Mission& mission, const TablePlace& file);
 /// Behaviors, modes and obstacles.
 void ValidateBehaviors(const Mission& mission, const TablePlace& file);
 void ValidateEvents(const Mission& mission, const TablePlace& file);
+/// Warns of gains that swing the fins at the mission's ticks.
+void WarnOfAutopilots(const Mission& mission, const TablePlace& file);
+/// Warns of keys that have no effect beside the others of their vehicle.
+void WarnOfIdleKeys(const Mission& mission, const TablePlace& file);
 /// Warns of tasks behind one that never ends, where no event starts them.
 void WarnOfIdleTasks(const Mission& mission, const TablePlace& file);
 /// Warns of missions in which nothing happens that could be judged, and of vehicles that start in

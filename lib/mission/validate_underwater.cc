@@ -44,6 +44,24 @@ void CheckModel(const TablePlace& place, const Vehicle& vehicle, int64_t tick_us
   }
 }
 
+/// What a vehicle needs to know the floor in the way that it is to.
+void CheckFloorSource(const TablePlace& place, const Vehicle& vehicle, const Mission& mission) {
+  const auto* model = std::get_if<Remus100Options>(&vehicle.model);
+  if (model == nullptr) return;
+  if (model->floor_from == "chart" && mission.environment.floor.style == "none") {
+    place.Below("remus100")
+        .Refuse("floor_from",
+                "floor_from = \"chart\" needs a sea floor: write floor = {style = \"linear\"} in "
+                "[environment], or floor_from = \"altimeter\"");
+  }
+  if (model->floor_from == "sonar" && !vehicle.sonar.is_fitted) {
+    place.Below("remus100")
+        .Refuse("floor_from",
+                "floor_from = \"sonar\" needs one: write [vehicle.sonar] under "
+                "the [[vehicle]], or floor_from = \"altimeter\"");
+  }
+}
+
 /// What a task with swarm = "acoustic" needs of [swarm].
 void CheckAcousticTask(const TablePlace& place, const TargetTrackTask& track,
                        const Vehicle& vehicle, const Mission& mission) {
@@ -65,6 +83,31 @@ void CheckAcousticTask(const TablePlace& place, const TargetTrackTask& track,
   }
 }
 
+/// What a vehicle does when its tasks are done must be something that it can.
+void CheckEnding(const TablePlace& place, const Vehicle& vehicle) {
+  const ModelFacts facts = FactsOfModel(vehicle.model);
+  const HelmOptions& options = vehicle.helm_options;
+  const TablePlace table = place.Below("helm_options");
+  if (options.end_of_tasks == Ending::kSurface && !facts.is_underwater) {
+    table.Refuse("end_of_tasks",
+                 fmt::format("only a vehicle of {} comes up: write end_of_tasks = \"hold\"",
+                             UnderwaterModels()));
+  }
+  if (table.Has("hold_radius_m") && options.hold_radius_m < facts.turning_diameter_m) {
+    table.Warn("hold_radius_m",
+               fmt::format("hold_radius_m = {:g} is less than the {:g} m in which the vehicle "
+                           "turns: it will circle",
+                           options.hold_radius_m, facts.turning_diameter_m));
+  }
+  if (options.end_of_tasks != Ending::kEndMission) return;
+  for (size_t k = 0; k < vehicle.tasks.size(); ++k) {
+    if (vehicle.tasks[k].name != kEndOfTasks) continue;
+    place.Below("task", k).Refuse("name",
+                                  "end_of_tasks = \"end_mission\" needs this name: give "
+                                  "the task another");
+  }
+}
+
 void CheckTargetTracking(const TablePlace& place, const TargetTrackTask& track,
                          const Vehicle& vehicle, const Mission& mission) {
   if (NeedsSonar(track) && !vehicle.sonar.is_fitted) {
@@ -83,6 +126,8 @@ void ValidateUnderwater(const Mission& mission, const TablePlace& file) {
     const Vehicle& vehicle = mission.vehicles[i];
     const TablePlace place = file.Below("vehicle", i);
     CheckModel(place, vehicle, mission.tick_us);
+    CheckEnding(place, vehicle);
+    CheckFloorSource(place, vehicle, mission);
     for (size_t k = 0; k < vehicle.tasks.size(); ++k) {
       const Task& task = vehicle.tasks[k];
       if (FactsOf(task).is_underwater && !FactsOfModel(vehicle.model).is_underwater) {
