@@ -63,14 +63,15 @@ class Flight {
                            .theta_rad = state_.eta[4],
                            .psi_rad = state_.eta[5],
                            .q_radps = state_.nu[4],
-                           .r_radps = state_.nu[5]};
+                           .r_radps = state_.nu[5],
+                           .speed_mps = state_.nu[0]};
     std::optional<double> path_pitch_rad;
     if (guidance.z_rate_mps) {
       path_pitch_rad = PitchOfDescent(*guidance.z_rate_mps, state_.nu[0]);
     }
     const AuvDeflections fins =
         pilot_.KeepHeadingAndDepth(motion, PsiFromHeading(guidance.heading_rad),
-                                   guidance.z_m.value_or(0), 6000, kTick_s, path_pitch_rad);
+                                   guidance.z_m.value_or(0), {}, kTick_s, path_pitch_rad);
     const Remus100Actuators command{fins.rudder_rad, fins.stern_plane_rad, rpm_};
     const Eigen::Vector3d before_m = state_.eta.head<3>();
     for (int i = 0; i < kStepsPerTick; ++i) {
