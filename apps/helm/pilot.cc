@@ -2,6 +2,7 @@
 
 #include <variant>
 
+#include "apps/helm/moored_pilot.h"
 #include "apps/helm/surface_pilot.h"
 #include "apps/helm/underwater_pilot.h"
 
@@ -18,6 +19,9 @@ struct PilotOfModel {
   }
   std::unique_ptr<Pilot> operator()(const Remus100Options& options) const {
     return std::make_unique<UnderwaterPilot>(options);
+  }
+  std::unique_ptr<Pilot> operator()(const BuoyParams& /*params*/) const {
+    return std::make_unique<MooredPilot>();
   }
 };
 
