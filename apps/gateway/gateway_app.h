@@ -2,9 +2,9 @@
 // RELAY_RX_<V>, publishes RELAY_TX.
 //
 // Each report, message and ack that it is given either waits until the rate lets it go, or is
-// refused at once, which RELAY_TX states with the cause: the broker gives both a fate. Reports carry
-// the gateways that have forwarded them as the extra field "via", messages behind their src_app.
-// Their utime stays: a receiver sees how old they are.
+// refused at once, which RELAY_TX states with the cause: the broker gives both a fate. Reports
+// carry the gateways that have forwarded them as the extra field "via", messages behind their
+// src_app. Their utime stays: a receiver sees how old they are.
 #pragma once
 
 #include <cstdint>

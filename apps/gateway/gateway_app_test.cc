@@ -122,8 +122,7 @@ TEST_F(Gateway, StatesWhyItForwardsNotEach) {
   const auto sent = Step({Report(1), Report(1), Report(2, "a:b"), Report(3), Report(4)});
   std::vector<std::string> refused;
   for (const relay_t& relay : sent) refused.push_back(relay.refused);
-  EXPECT_EQ(refused,
-            (std::vector<std::string>{"already_received", "hop_limit", "queue_full", ""}));
+  EXPECT_EQ(refused, (std::vector<std::string>{"already_received", "hop_limit", "queue_full", ""}));
   EXPECT_EQ(Step({}).size(), 1U) << "ten in a second: one in a step";
   EXPECT_TRUE(Step({}).empty());
 }

@@ -126,7 +126,8 @@ class RebrokerCommand {
     }
     setup_.tick_us = log_.tick_us;
     if (!setup_.media.acoustics.is_used) return kExitOk;
-    for (const OptionProblem& problem : FindProblems(setup_.media.acoustics.options, setup_.nodes)) {
+    for (const OptionProblem& problem :
+         FindProblems(setup_.media.acoustics.options, setup_.nodes)) {
       return Fail(kExitUsage, fmt::format("{}: the vehicles of the log find no room: [acoustics] "
                                           "{}: {}",
                                           options_.comms_file, problem.option, problem.message));

@@ -210,8 +210,8 @@ void Delivery::HandToGateway(int64_t utime, const LegEnd& arrival) {
   if (gateway == nullptr) return;
   const Shipment& shipment = arrival.shipment;
   const bool is_wanted = shipment.kind == Kind::kReport ? gateway->reports : gateway->messages;
-  if (!is_wanted || std::ranges::find(gateway->from, arrival.leg.medium.name) ==
-                        gateway->from.end()) {
+  if (!is_wanted ||
+      std::ranges::find(gateway->from, arrival.leg.medium.name) == gateway->from.end()) {
     return;
   }
   relay_t relay;

@@ -131,8 +131,7 @@ MediaTraffic::Answer MediaTraffic::Ask(const Medium& medium, const Node& source,
   if (medium.carrier != Carrier::kRadio) return {};
   Answer answer;
   answer.radio = DecideRadio(
-      medium.radio,
-      {.position_m = source.position_m, .antenna_height_m = source.antenna_height_m},
+      medium.radio, {.position_m = source.position_m, .antenna_height_m = source.antenna_height_m},
       {.position_m = receiver.position_m, .antenna_height_m = receiver.antenna_height_m});
   if (answer.radio.fault != RadioFault::kNone) answer.cause = CauseOf(answer.radio.fault);
   return answer;

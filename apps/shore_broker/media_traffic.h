@@ -7,8 +7,8 @@
 //   traffic.Send(utime, std::move(shipment), rules.reports_over, take);
 //   traffic.Deliver(utime, take);
 //
-// A medium can carry a leg where both ends have it and its rules hold where they are at that moment:
-// direct always, an acoustic network whatever becomes of the packet there, radio by
+// A medium can carry a leg where both ends have it and its rules hold where they are at that
+// moment: direct always, an acoustic network whatever becomes of the packet there, radio by
 // lib/media/radio_link.h. Of a MediaChoice the first that can carry the leg does. Where none can,
 // the fate is that of the first that both have.
 #pragma once
@@ -66,14 +66,14 @@ class MediaTraffic {
   struct Medium {
     std::string name;
     Carrier carrier = Carrier::kDirect;
-    size_t acoustic = 0;       ///< Of kAcoustic: which of acoustics_.
-    RadioOptions radio = {};   ///< Of kRadio.
+    size_t acoustic = 0;      ///< Of kAcoustic: which of acoustics_.
+    RadioOptions radio = {};  ///< Of kRadio.
   };
   struct Node {
     std::string key;
     Eigen::Vector3d position_m = Eigen::Vector3d::Zero();
-    bool is_true = false;             ///< The position is NAV's.
-    std::vector<uint8_t> has;         ///< By medium.
+    bool is_true = false;      ///< The position is NAV's.
+    std::vector<uint8_t> has;  ///< By medium.
     double antenna_height_m = -1;
     GatewayOptions gateway;
   };
@@ -105,8 +105,8 @@ class MediaTraffic {
   std::map<std::string, Node, std::less<>> nodes_;  ///< By key of the name.
   Node unknown_node_;
   std::map<std::string, std::vector<size_t>, std::less<>> resolved_;  ///< By TextOf a choice.
-  std::optional<int64_t> delivered_utime_;  ///< Of the last Deliver.
-  int64_t num_surplus_ = 0;                 ///< Copies whose ends decide nothing.
+  std::optional<int64_t> delivered_utime_;                            ///< Of the last Deliver.
+  int64_t num_surplus_ = 0;  ///< Copies whose ends decide nothing.
 };
 
 }  // namespace shoal

@@ -37,7 +37,8 @@ class RadioTraffic {
     bool is_lost = false;
   };
 
-  std::map<std::pair<int64_t, int64_t>, UnderWay> under_way_;  ///< By arrival, and order of sending.
+  std::map<std::pair<int64_t, int64_t>, UnderWay>
+      under_way_;  ///< By arrival, and order of sending.
   int64_t num_sent_ = 0;
 };
 

@@ -22,9 +22,9 @@ class AcousticTraffic;
 /// Who made what is sent, and by whom it came: lib/media/relay_path.h.
 struct Provenance {
   std::string origin;
-  int64_t number = 0;      ///< Of its maker's transmission, of its kind.
+  int64_t number = 0;  ///< Of its maker's transmission, of its kind.
   int64_t made_utime = 0;
-  std::string via = {};    ///< Empty: its maker sends it.
+  std::string via = {};  ///< Empty: its maker sends it.
 };
 
 /// By which medium a leg goes, and the numbers that decided.
@@ -71,12 +71,12 @@ struct Shipment {
 struct LegEnd {
   const Shipment& shipment;
   const ShipmentLeg& leg;
-  Cause cause;                                 ///< Its fate, but kDamaged may be kRejected.
-  std::span<const uint8_t> payload = {};       ///< What arrived; empty where nothing did.
+  Cause cause;                            ///< Its fate, but kDamaged may be kRejected.
+  std::span<const uint8_t> payload = {};  ///< What arrived; empty where nothing did.
   int64_t sent_utime = 0;
-  int64_t arrived_utime = 0;                   ///< Rounded to a microsecond.
-  const Reception* reception = nullptr;        ///< Of an acoustic network that it went over.
-  AcousticTraffic* acoustic = nullptr;         ///< Likewise.
+  int64_t arrived_utime = 0;             ///< Rounded to a microsecond.
+  const Reception* reception = nullptr;  ///< Of an acoustic network that it went over.
+  AcousticTraffic* acoustic = nullptr;   ///< Likewise.
 };
 
 using TakeLegEnd = std::function<void(const LegEnd&)>;

@@ -214,12 +214,13 @@ void ShoreBrokerApp::RouteReport(int64_t utime, const WaitingReport& report) {
                    .from_m = report.admission.position_m,
                    .has_pulses = router_.rules().view_node_rpt_pulses,
                    .color = ReportColor(source.index),
-                   .air_bytes = [&] {
-                     SHOAL_CHECK(Decode(inbox_.BytesOf(report.raw), &report_),
-                                 "a report that was decoded on arrival decodes again");
-                     return AirBytes(report_, traffic().AddressOf(source.name).value_or(0),
-                                     setup_.start_utime);
-                   },
+                   .air_bytes =
+                       [&] {
+                         SHOAL_CHECK(Decode(inbox_.BytesOf(report.raw), &report_),
+                                     "a report that was decoded on arrival decodes again");
+                         return AirBytes(report_, traffic().AddressOf(source.name).value_or(0),
+                                         setup_.start_utime);
+                       },
                    .over = &setup_.rules.reports_over,
                    .provenance = ProvenanceAt(report.made_utime)});
   Share(utime, report);
@@ -307,9 +308,10 @@ void ShoreBrokerApp::RouteRelay(int64_t utime, const BrokerInbox::Item& item) {
   }
   const MediaChoice over = {.names = relay_.media};
   if (!kind || over.names.empty() || !RouteRelayed(utime, over)) {
-    log_.Warn(fmt::format("RELAY_TX of {} refused: it holds no report, message or ack with media "
-                          "to forward it over",
-                          relay_.gateway));
+    log_.Warn(
+        fmt::format("RELAY_TX of {} refused: it holds no report, message or ack with media "
+                    "to forward it over",
+                    relay_.gateway));
   }
 }
 
@@ -328,8 +330,7 @@ bool ShoreBrokerApp::RouteRelayed(int64_t utime, const MediaChoice& over) {
     sent.has_pulses = router_.rules().view_node_rpt_pulses;
     sent.color = ReportColor(std::max(decisions_.front().source, 0));
     sent.air_bytes = [&] {
-      return AirBytes(report_, traffic().AddressOf(relay_.origin).value_or(0),
-                      setup_.start_utime);
+      return AirBytes(report_, traffic().AddressOf(relay_.origin).value_or(0), setup_.start_utime);
     };
   } else if (relay_.kind == KindText(Kind::kMessage)) {
     if (!Decode(relay_.data, &message_)) return false;

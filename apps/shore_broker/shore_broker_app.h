@@ -6,7 +6,8 @@
 //
 // A step: commands are handed on, rules change, all reports of the step are taken in, then each is
 // routed, then messages, acks, what gateways forward, and packets, in the order in which they came;
-// what has arrived over media by now is delivered; vehicles that were silent for too long are forgotten.
+// what has arrived over media by now is delivered; vehicles that were silent for too long are
+// forgotten.
 //
 //            first step is the mission's first
 //   BEGINS ------------------------------------------------> WORKS

@@ -10,8 +10,8 @@
 #include <string_view>
 #include <utility>
 
-#include "lib/mission/load_media.h"
 #include "lib/mission/load_comms.h"
+#include "lib/mission/load_media.h"
 
 namespace shoal {
 

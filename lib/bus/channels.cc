@@ -67,9 +67,7 @@ Channel<acoustic_rx_t> AcousticRx(std::string_view vehicle) {
   return {Of(topics::kAcousticRx, vehicle)};
 }
 Channel<swarm_t> Swarm(std::string_view vehicle) { return {Of(topics::kSwarm, vehicle)}; }
-Channel<relay_t> RelayRx(std::string_view vehicle) {
-  return {Of(topics::kRelayRx, vehicle)};
-}
+Channel<relay_t> RelayRx(std::string_view vehicle) { return {Of(topics::kRelayRx, vehicle)}; }
 
 Channel<helm_command_t> HelmCommandAll() { return {std::string(topics::kHelmCommand)}; }
 Channel<node_report_t> NodeReportLocal() { return {std::string(topics::kNodeReportLocal)}; }

@@ -20,9 +20,9 @@
 namespace shoal {
 
 struct RelayLimits {
-  int64_t size = 50;    ///< At most this many wait.
-  double rate_hz = 10;  ///< > 0: at most this many are taken in a second.
-  int64_t max_hops = 3; ///< What as many gateways have forwarded is not forwarded again.
+  int64_t size = 50;     ///< At most this many wait.
+  double rate_hz = 10;   ///< > 0: at most this many are taken in a second.
+  int64_t max_hops = 3;  ///< What as many gateways have forwarded is not forwarded again.
 };
 
 enum class RelayOffer { kWaits, kRepeated, kTooManyHops, kFull };

@@ -108,7 +108,8 @@ void Describe(Fields& file, Mission& mission) {
   file.Below("comms", [&](Fields& fields) { Describe(fields, mission.comms); });
   if (file.reading()) {
     // What [acoustics] leaves out depends on [netsim]. Errors list tables in the order of a file.
-    for (const char* key : {"acoustics", "medium", "obstacle", "template", "vehicle", "fleet", "swarm"})
+    for (const char* key :
+         {"acoustics", "medium", "obstacle", "template", "vehicle", "fleet", "swarm"})
       file.Skip(key);
     DescribeNetsim(file, mission);
   }

@@ -137,8 +137,7 @@ bool IsMoored(std::string_view model_name) {
 
 /// Refuses what only a vehicle with a helm can have.
 void RefuseHelmOfMoored(Fields& fields, const Vehicle& vehicle) {
-  const std::string why = "a vehicle of model \"" +
-                          std::string(FactsOfModel(vehicle.model).name) +
+  const std::string why = "a vehicle of model \"" + std::string(FactsOfModel(vehicle.model).name) +
                           "\" is moored and has no helm: leave it out";
   if (vehicle.helm != Provider::kNone) fields.Refuse("helm", why);
   if (!vehicle.tasks.empty()) fields.Refuse("task", why);

@@ -1,6 +1,4 @@
 // The keys of the acoustic network in a mission file, and their defaults.
-#include "lib/mission/load_media.h"
-
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -14,6 +12,7 @@
 
 #include "lib/acoustics/acoustic_network.h"
 #include "lib/mission/load_comms.h"
+#include "lib/mission/load_media.h"
 #include "lib/mission/load_testing.h"
 #include "lib/mission/mission_draw.h"
 #include "lib/mission/modem_testing.h"

@@ -20,9 +20,8 @@ void DescribeAlone(Fields& file, MediaSetup& setup) {
   }
   file.Require("acoustics", "[acoustics], followed by crc = true");
   file.Below("acoustics", [&](Fields& fields) { Describe(fields, acoustics, std::nullopt); });
-  file.List("medium", setup.media, [](Fields& fields, MediumOptions& medium) {
-    Describe(fields, medium, std::nullopt);
-  });
+  file.List("medium", setup.media,
+            [](Fields& fields, MediumOptions& medium) { Describe(fields, medium, std::nullopt); });
   file.List("vehicle", setup.of_vehicles,
             [](Fields& fields, VehicleMedia& media) { Describe(fields, media); });
 }

@@ -74,7 +74,7 @@ struct Mission {
   RoutingRules comms;
   Acoustics acoustics;
   std::vector<MediumOptions> media;  ///< Besides direct and acoustic.
-  std::vector<Obstacle> obstacles;  ///< That do not move.
+  std::vector<Obstacle> obstacles;   ///< That do not move.
   std::vector<Vehicle> vehicles;
   SwarmOptions swarm;
   std::optional<NetsimOptions> netsim;  ///< Participants over netsim's interface.

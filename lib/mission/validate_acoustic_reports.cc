@@ -34,7 +34,8 @@ std::pair<const Vehicle*, const Vehicle*> FindReportsInStep(const Mission& missi
   for (const Vehicle& vehicle : mission.vehicles) {
     const ReporterOptions& reporter = vehicle.reporter_options;
     // What chance adds is rounded up to the reporter's own pace.
-    const bool has_clockwork = vehicle.HasMedium(kAcousticMedium) && vehicle.reporter == Provider::kShoal && !reporter.extrapolate &&
+    const bool has_clockwork = vehicle.HasMedium(kAcousticMedium) &&
+                               vehicle.reporter == Provider::kShoal && !reporter.extrapolate &&
                                reporter.blackout_variance_s < 1 / reporter.rate_hz;
     if (!has_clockwork) continue;
     std::vector<const Vehicle*>& others = by_interval[ReportInterval_s(reporter)];

@@ -84,11 +84,9 @@ void ValidateAcoustics(const Mission& mission, const TablePlace& file) {
   if (!file.Has("acoustics") && mission.acoustics.is_used) {
     const bool reports = mission.comms.reports_over.Has(kAcousticMedium);
     ValidateNetwork(file.Below("comms"), mission.acoustics.options,
-                    NodesOf(mission, kAcousticMedium),
-                    reports ? "reports_over" : "messages_over");
+                    NodesOf(mission, kAcousticMedium), reports ? "reports_over" : "messages_over");
   } else if (file.Has("acoustics") && acoustics.IsSound()) {
-    ValidateNetwork(acoustics, mission.acoustics.options,
-                    NodesOf(mission, kAcousticMedium));
+    ValidateNetwork(acoustics, mission.acoustics.options, NodesOf(mission, kAcousticMedium));
   }
   for (size_t i = 0; i < mission.media.size(); ++i) {
     const MediumOptions& medium = mission.media[i];

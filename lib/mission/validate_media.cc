@@ -36,10 +36,10 @@ void CheckMedium(const TablePlace& place, const std::vector<MediumOptions>& medi
   const std::string& name = media[number].name;
   if (name.empty()) return;  // Refused already.
   if (name == kDirectMedium || name == kAcousticMedium) {
-    place.Refuse("name", fmt::format("every mission has a medium {} ({}): choose another name",
-                                     Quoted(name),
-                                     name == kDirectMedium ? "at once and without loss"
-                                                           : "with the options of [acoustics]"));
+    place.Refuse(
+        "name", fmt::format("every mission has a medium {} ({}): choose another name", Quoted(name),
+                            name == kDirectMedium ? "at once and without loss"
+                                                  : "with the options of [acoustics]"));
   } else if (!IsLegalVehicleName(name)) {
     place.Refuse("name", Quoted(name) + " is no name: a medium's has letters, digits and '_'");
   }
@@ -79,10 +79,9 @@ void WarnOfDirect(const Mission& mission, const TablePlace& file) {
   const bool is_asked =
       mission.HasMedia() || !rules.reports_over.is_direct() || !rules.messages_over.is_direct();
   if (!is_asked || mission.vehicles.size() < 2) return;
-  const auto diver =
-      std::ranges::find_if(mission.vehicles, [](const Vehicle& vehicle) {
-        return FactsOfModel(vehicle.model).is_underwater;
-      });
+  const auto diver = std::ranges::find_if(mission.vehicles, [](const Vehicle& vehicle) {
+    return FactsOfModel(vehicle.model).is_underwater;
+  });
   if (diver == mission.vehicles.end()) return;
   const auto warn = [&](std::string_view key, std::string_view what, const MediaChoice& choice) {
     if (!choice.Has(kDirectMedium)) return;
@@ -130,8 +129,9 @@ void ValidateMedia(const Mission& mission, const TablePlace& file) {
     }
     if (!vehicle.media.gateway.exists) continue;
     if (vehicle.is_outside || vehicle.reporter == Provider::kNone) {
-      place.Refuse("gateway", "the broker must know where a gateway is: let it have shoal's "
-                              "node_reporter");
+      place.Refuse("gateway",
+                   "the broker must know where a gateway is: let it have shoal's "
+                   "node_reporter");
     }
   }
   WarnOfDirect(mission, file);

@@ -27,12 +27,11 @@ void MessageRouter::SetGateways(std::span<const std::string> names) {
 
 /// Gateways that a message is not for receive it too, but for the one that sends it and the vehicle
 /// that made it.
-void MessageRouter::AddGateways(const Contact& source, std::string_view maker,
-                                Audience* audience) {
+void MessageRouter::AddGateways(const Contact& source, std::string_view maker, Audience* audience) {
   const std::string maker_key = VehicleKey(maker);
   for (Contact* gateway : gateways_) {
-    const bool is_there = std::ranges::find(audience->contacts, gateway) !=
-                          audience->contacts.end();
+    const bool is_there =
+        std::ranges::find(audience->contacts, gateway) != audience->contacts.end();
     if (!is_there && gateway->known && gateway != &source && gateway->key != maker_key) {
       audience->gateways.push_back(gateway);
     }
@@ -179,10 +178,8 @@ void MessageRouter::DecideAll(const Transmission& message, const std::optional<D
   for (Contact* gateway : audience.gateways) {
     Decision decision = refusal.value_or(Decision());
     if (!refusal) {
-      decision = DecideAt(message.kind, {.rules = rules_,
-                                         .sent = message,
-                                         .receiver = *gateway,
-                                         .utime = utime});
+      decision = DecideAt(message.kind,
+                          {.rules = rules_, .sent = message, .receiver = *gateway, .utime = utime});
     }
     decision.is_overheard = true;
     record(decision, gateway);

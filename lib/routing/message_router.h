@@ -60,8 +60,8 @@ class MessageRouter {
   };
   void AddGateways(const Contact& source, std::string_view maker, Audience* audience);
   Audience Resolve(const Destinations& named, std::string_view dest_group, const Contact& source);
-  std::optional<Decision> RefuseMessage(int64_t length_bytes, bool is_forwarded,
-                                        Contact* source, int64_t utime);
+  std::optional<Decision> RefuseMessage(int64_t length_bytes, bool is_forwarded, Contact* source,
+                                        int64_t utime);
   void DecideAll(const Transmission& message, const std::optional<Decision>& refusal,
                  const Audience& audience, Contact* source, int64_t utime,
                  std::vector<Decision>* decisions, std::vector<std::string>* unknown_names);

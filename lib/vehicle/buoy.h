@@ -24,7 +24,7 @@ struct BuoyCommand {};
 /// Returns the state `dt_s` > 0 later in a current of `water_velocity_mps`. Where the mooring is
 /// taut, the component of the current away from the anchor moves it no more.
 [[nodiscard]] BuoyState Step(const BuoyParams& params, const BuoyState& state,
-                             const BuoyCommand& command,
-                             const Eigen::Vector2d& water_velocity_mps, double dt_s);
+                             const BuoyCommand& command, const Eigen::Vector2d& water_velocity_mps,
+                             double dt_s);
 
 }  // namespace shoal
