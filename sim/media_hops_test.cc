@@ -89,11 +89,13 @@ std::string Carrier(const Place& from, const Place& to, bool from_has_vhf, bool 
 class Sea {
  public:
   explicit Sea(uint64_t seed) : mission_(FiveVehicles(seed)), dice_(seed, "sea") {
-    apps_.push_back(MakeApp({.name = "shore_broker", .app = "shore_broker"}, mission_,
-                            hub_.Join("shore_broker")));
+    apps_.push_back(
+        MakeApp({.name = "shore_broker", .app = "shore_broker", .vehicle = {}, .command = {}},
+                mission_, hub_.Join("shore_broker")));
     for (const std::string gateway : {"buoy", "mast"}) {
-      apps_.push_back(MakeApp({.name = "gateway_" + gateway, .app = "gateway", .vehicle = gateway},
-                              mission_, hub_.Join("gateway_" + gateway)));
+      apps_.push_back(MakeApp(
+          {.name = "gateway_" + gateway, .app = "gateway", .vehicle = gateway, .command = {}},
+          mission_, hub_.Join("gateway_" + gateway)));
       Subscribe(log_, channels::RelayRx(gateway), [this](const relay_t& relay) {
         ++num_given;
         node_message_t message;
@@ -106,7 +108,8 @@ class Sea {
     Subscribe(log_, channels::RelayTx(), [this](const relay_t& relay) {
       ++num_sent_on;
       TakeOffer(relay);
-      if (relay.refused.empty()) EXPECT_LE(std::ranges::count(relay.via, ':'), 1) << relay.via;
+      const bool is_sent_on = relay.refused.empty();
+      EXPECT_TRUE(!is_sent_on || std::ranges::count(relay.via, ':') <= 1) << relay.via;
     });
     Subscribe(log_, channels::CommsFates(), [this](const comms_fates_t& fates) {
       for (const fate_t& fate : fates.fates) num_fates[fate.kind] += fate.count;
@@ -216,10 +219,8 @@ class Sea {
         fate.cause == "no_medium" || fate.cause == "submerged" || fate.cause == "out_of_range";
     if (!is_at_once) {
       EXPECT_TRUE(fate.medium == "vhf" || fate.medium == "acoustic") << fate.cause;
-      if (fate.medium == "vhf") EXPECT_TRUE(fate.source != "bravo" && fate.destination != "bravo");
-      if (fate.medium == "acoustic") {
-        EXPECT_TRUE(fate.source != "alpha" && fate.destination != "alpha");
-      }
+      const char* without = fate.medium == "vhf" ? "bravo" : "alpha";
+      EXPECT_TRUE(fate.source != without && fate.destination != without) << fate.medium;
       return;
     }
     ++num_compared;

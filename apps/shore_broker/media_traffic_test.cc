@@ -18,6 +18,7 @@ Mission ThreeVehicles() {
   mission.vehicles[2].name = "charlie";
   mission.vehicles[2].acoustic_address = 3;
   mission.comms.comms_range_m = -1;
+  mission.comms.stale_time_s = -1;
   mission.comms.min_msg_interval_s = -1;
   mission.acoustics.is_used = true;
   AcousticOptions& options = mission.acoustics.options;

@@ -16,7 +16,7 @@ namespace shoal {
 
 class ReceivedMemory {
  public:
-  /// The number of messages and acks that are remembered, the last ones.
+  /// The number of transmissions that are remembered, the last ones.
   static constexpr size_t kRemembered = 20'000;
 
   /// Remembers that `receiver` receives transmission `number` of `origin`. Returns false where it
@@ -25,11 +25,11 @@ class ReceivedMemory {
             bool is_forwarded);
 
  private:
-  using Message = std::tuple<Kind, std::string, int64_t, std::string>;
+  using Transmitted = std::tuple<Kind, std::string, int64_t, std::string>;
 
   std::map<std::pair<std::string, std::string>, int64_t> last_reports_;  ///< By origin, receiver.
-  std::deque<Message> recent_;                                           ///< Oldest first.
-  std::set<Message> seen_;                                               ///< The same.
+  std::deque<Transmitted> recent_;                                       ///< Oldest first.
+  std::set<Transmitted> seen_;                                           ///< The same.
 };
 
 }  // namespace shoal

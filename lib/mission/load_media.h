@@ -16,11 +16,11 @@ namespace shoal {
 
 /// All that carries traffic in a mission, and what each vehicle has of it.
 struct MediaSetup {
-  Acoustics acoustics;               ///< The medium acoustic.
-  std::vector<MediumOptions> media;  ///< [[medium]].
+  Acoustics acoustics = {};               ///< The medium acoustic.
+  std::vector<MediumOptions> media = {};  ///< [[medium]].
   MediaChoice packets_over = {.names = {std::string(kAcousticMedium)}};
   /// In the mission's order; empty: all vehicles have all media, and there is no gateway.
-  std::vector<VehicleMedia> of_vehicles;
+  std::vector<VehicleMedia> of_vehicles = {};
 
   bool operator==(const MediaSetup&) const = default;
 

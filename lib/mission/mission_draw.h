@@ -59,15 +59,6 @@ class MissionDraw {
     mission.obstacles = {{"rock", Square()}, {"wreck", Square()}};
     for (int64_t i = 2; i > 0; --i) mission.vehicles.push_back(DrawVehicle(i));
     if (mission.tick_us <= 200'000) Submerge(&mission.vehicles[0]);
-    if (Coin()) {
-      Vehicle& buoy = mission.vehicles.emplace_back();
-      buoy.name = "buoy";
-      buoy.type = "buoy";
-      buoy.model = BuoyParams{.watch_radius_m = Number(0, 10'000)};
-      buoy.helm = Provider::kNone;
-      buoy.start = {.x_m = 5000, .y_m = 5000};
-      buoy.return_task.point_m = {5000, 5000};
-    }
     has_floor_ = mission.environment.floor.style != "none";
     const bool over_water = mission.comms.reports_over.Has(kAcousticMedium) ||
                             mission.comms.messages_over.Has(kAcousticMedium);
@@ -79,8 +70,8 @@ class MissionDraw {
     }
     mission.vehicles[0].acoustic_leader = true;
     if (mission.acoustics.is_used) DrawSwarm(&mission);
-    if (Coin()) DrawMedia(&mission);
     if (Coin()) DrawNetsim(&mission);
+    if (Coin()) DrawMedia(&mission);
     double at_s = 0;
     for (int64_t i = Integer(0, 4); i > 0; --i) {
       at_s = Number(at_s, mission.duration_s);
@@ -92,6 +83,7 @@ class MissionDraw {
     for (int64_t i = Integer(0, 6); i > 0; --i) {
       mission.expectations.push_back(DrawExpectation(mission.duration_s));
     }
+    if (Coin()) AddBuoy(&mission);
     return mission;
   }
 
@@ -137,6 +129,22 @@ class MissionDraw {
   }
 
  private:
+  /// It has no task that "all" could be expected to do.
+  void AddBuoy(Mission* mission) {
+    Vehicle buoy;
+    buoy.name = "buoy";
+    buoy.type = "buoy";
+    buoy.model = BuoyParams{.watch_radius_m = Number(0, 10'000)};
+    buoy.helm = Provider::kNone;
+    buoy.start = {.x_m = 5000, .y_m = 5000};
+    buoy.return_task.point_m = {5000, 5000};
+    buoy.acoustic_address = mission->vehicles.back().acoustic_address + 1;
+    if (mission->HasMedia()) buoy.media.names = {"direct"};
+    mission->vehicles.push_back(buoy);
+    mission->events.clear();
+    mission->expectations.clear();
+  }
+
   /// Two more media, and what the vehicles have of them.
   void DrawMedia(Mission* mission) {
     MediumOptions radio = {.name = "vhf", .kind = MediumKind::kRadio};

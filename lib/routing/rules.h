@@ -56,8 +56,8 @@ struct RoutingRules {
   double min_msg_interval_s = 30;       ///< Per source; negative: none.
   int64_t max_msg_length_bytes = 1000;  ///< Of string_val; 0: no limit.
   double drop_percentage = 0;           ///< 0 to 100: this share of deliveries is lost at random.
-  MediaChoice reports_over;
-  MediaChoice messages_over;  ///< Acks too.
+  MediaChoice reports_over = {};
+  MediaChoice messages_over = {};  ///< Acks too.
 
   // What is shown of it.
   double shared_node_reports_s = -1;  ///< Wall seconds; negative: off.
