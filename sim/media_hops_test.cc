@@ -129,7 +129,7 @@ class Sea {
   void Step(bool with_traffic) {
     utime_ += kStep_us;
     if (with_traffic) Move();
-    if (with_traffic) Speak();
+    if (with_traffic) Transmit();
     hub_.NextStep();
     hub_.HandleAll();
     for (const auto& app : apps_) app->Tick(utime_);
@@ -173,7 +173,7 @@ class Sea {
     num_expected["report"] += static_cast<int64_t>(kNames.size()) - 1;
   }
 
-  void Speak() {
+  void Transmit() {
     if (utime_ == kStep_us) {  // The broker is to know all of them from the first step on.
       for (const std::string& name : kNames) Report(name);
       return;
@@ -189,7 +189,7 @@ class Sea {
     num_expected["message"] += NumAudience(source, message.dest_node, source);
   }
 
-  /// Its destination and the gateways, but for who sends it and who has made it.
+  /// Its destination and the gateways, but for its sender and its maker.
   static int64_t NumAudience(const std::string& sender, const std::string& dest_node,
                              const std::string& maker) {
     std::set<std::string> audience = {dest_node, "buoy", "mast"};

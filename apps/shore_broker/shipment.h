@@ -19,7 +19,7 @@ namespace shoal {
 
 class AcousticTraffic;
 
-/// Who made what is sent, and by whom it came: lib/media/relay_path.h.
+/// The maker of what is sent, and the gateways by which it came: lib/media/relay_path.h.
 struct Provenance {
   std::string origin;
   int64_t number = 0;  ///< Of its maker's transmission, of its kind.

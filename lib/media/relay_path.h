@@ -1,4 +1,4 @@
-// By whom a report or a message came: the gateways that have forwarded it, as a text.
+// The gateways that have forwarded a report or a message, as a text.
 //
 //   "buoy"        by the buoy
 //   "buoy:mast"   by the buoy, then by the mast
