@@ -1,6 +1,7 @@
 #include "sim/app_factory.h"
 
 #include "apps/acomms/acomms_app.h"
+#include "apps/gateway/gateway_app.h"
 #include "apps/helm/helm_app.h"
 #include "apps/node_reporter/node_reporter_app.h"
 #include "apps/shore_broker/shore_broker_app.h"
@@ -17,6 +18,7 @@ std::unique_ptr<App> MakeApp(const RosterEntry& entry, const Mission& mission, B
   if (entry.app == "vehicle_sim") return std::make_unique<VehicleSimApp>(mission, *vehicle, bus);
   if (entry.app == "helm") return std::make_unique<HelmApp>(mission, *vehicle, bus);
   if (entry.app == "acomms") return std::make_unique<AcommsApp>(mission, *vehicle, bus);
+  if (entry.app == "gateway") return std::make_unique<GatewayApp>(mission, *vehicle, bus);
   SHOAL_CHECK(entry.app == "node_reporter", "a roster names only shoal's own apps");
   return std::make_unique<NodeReporterApp>(mission, *vehicle, bus);
 }

@@ -3,6 +3,7 @@
 #include <optional>
 #include <variant>
 
+#include "apps/helm/moored_pilot.h"
 #include "apps/helm/surface_pilot.h"
 #include "apps/helm/underwater_pilot.h"
 #include "lib/check/check.h"
@@ -30,6 +31,9 @@ struct PilotOfModel {
   }
   std::unique_ptr<Pilot> operator()(const Remus100Options& options) const {
     return std::make_unique<UnderwaterPilot>(options, vehicle.sonar, ChartFor(options, mission));
+  }
+  std::unique_ptr<Pilot> operator()(const BuoyParams& /*params*/) const {
+    return std::make_unique<MooredPilot>();
   }
 };
 

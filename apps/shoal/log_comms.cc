@@ -9,6 +9,7 @@
 
 #include "lib/analysis/comms_links.h"
 #include "lib/analysis/information_age.h"
+#include "lib/analysis/media_tally.h"
 #include "lib/analysis/swarm_tally.h"
 #include "lib/bus/channels.h"
 #include "lib/bus/seal.h"
@@ -98,10 +99,15 @@ class CommsSummary {
     std::optional<LogReader> reader = OpenLog(options_.path, on_damage, err_);
     if (!reader) return kExitEnvironment;
     const std::string fates_channel = channels::CommsFates().name;
+    const std::string media_channel = channels::CommsMedia().name;
     while (const auto event = reader->Next()) {
       if (event->channel == fates_channel) {
         Take<comms_fates_t>(*event, [&](const comms_fates_t& fates) {
           for (const fate_t& fate : fates.fates) links_.Add(fate);
+        });
+      } else if (event->channel == media_channel) {
+        Take<comms_media_t>(*event, [&](const comms_media_t& media) {
+          for (const fate_medium_t& fate : media.media) media_.Add(fate);
         });
       } else if (!VehicleOfChannel(event->channel, topics::kSwarm).empty()) {
         Take<swarm_t>(*event, [&](const swarm_t& swarm) {
@@ -125,7 +131,7 @@ class CommsSummary {
 
   int Print() {
     const size_t most = options_.all ? SIZE_MAX : kMostShown;
-    out_ << links_.Text(most) << tally_.Text(most) << ages_.Text(most);
+    out_ << links_.Text(most) << media_.Text() << tally_.Text(most) << ages_.Text(most);
     return kExitOk;
   }
 
@@ -146,6 +152,7 @@ class CommsSummary {
       tables.push_back({"links.csv", links_.LinksCsv()});
       tables.push_back({"losses.csv", links_.LossesCsv()});
     }
+    if (!media_.outcomes().empty()) tables.push_back({"media.csv", media_.Csv()});
     if (!tally_.Sources().empty()) {
       tables.push_back({"swarm_sources.csv", tally_.SourcesCsv()});
       tables.push_back({"swarm_events.csv", tally_.EventsCsv()});
@@ -162,6 +169,7 @@ class CommsSummary {
   std::ostream& out_;
   std::ostream& err_;
   LinkStatistics links_;
+  MediaTally media_;
   SwarmTally tally_;
   InformationAge ages_{[this](const AgePoint& point) { WriteAge(point); }};
   std::optional<TextFile> ages_csv_;

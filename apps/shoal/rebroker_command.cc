@@ -116,16 +116,18 @@ class RebrokerCommand {
     }
     if (!comms_) return kExitOk;
     setup_.rules = comms_->rules;
-    if (comms_->acoustics) setup_.acoustics = *comms_->acoustics;
+    if (comms_->acoustics) setup_.media.acoustics = *comms_->acoustics;
     if (comms_->mission) {
       const BrokerSetup of_file = SetupOf(*comms_->mission);
       setup_.factors = of_file.factors;
+      setup_.media = of_file.media;
       setup_.nodes = of_file.nodes;
       if (!recorded_) setup_ = of_file;
     }
     setup_.tick_us = log_.tick_us;
-    if (!setup_.acoustics.is_used) return kExitOk;
-    for (const OptionProblem& problem : FindProblems(setup_.acoustics.options, setup_.nodes)) {
+    if (!setup_.media.acoustics.is_used) return kExitOk;
+    for (const OptionProblem& problem :
+         FindProblems(setup_.media.acoustics.options, setup_.nodes)) {
       return Fail(kExitUsage, fmt::format("{}: the vehicles of the log find no room: [acoustics] "
                                           "{}: {}",
                                           options_.comms_file, problem.option, problem.message));

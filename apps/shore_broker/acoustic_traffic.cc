@@ -19,37 +19,37 @@ namespace {
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 /// Why the network cannot be; empty: it can.
-std::string ProblemOf(const BrokerSetup& setup) {
-  const auto problems = FindProblems(setup.acoustics.options, setup.nodes);
+std::string ProblemOf(const Acoustics& acoustics, std::span<const AcousticNode> nodes) {
+  const auto problems = FindProblems(acoustics.options, {nodes.begin(), nodes.end()});
   return problems.empty() ? "" : problems.front().option + ": " + problems.front().message;
 }
 
 /// Some options are impossible without nodes, so that where the mission's do not fit, these take
 /// their place too.
-AcousticNetwork NetworkOf(const BrokerSetup& setup, bool fits) {
-  return fits ? AcousticNetwork(setup.acoustics.options, setup.seed, setup.nodes)
-              : AcousticNetwork(AcousticOptions(), setup.seed, {});
+AcousticNetwork NetworkOf(const Acoustics& acoustics, uint64_t seed,
+                          std::span<const AcousticNode> nodes, bool fits) {
+  return fits ? AcousticNetwork(acoustics.options, seed, {nodes.begin(), nodes.end()})
+              : AcousticNetwork(AcousticOptions(), seed, {});
 }
 
 }  // namespace
 
-AcousticTraffic::AcousticTraffic(const BrokerSetup& setup)
-    : crc_(setup.acoustics.crc),
+AcousticTraffic::AcousticTraffic(const BrokerSetup& setup, const Acoustics& acoustics,
+                                 uint64_t seed, std::span<const AcousticNode> nodes)
+    : crc_(acoustics.crc),
       tick_us_(setup.tick_us),
       epoch_utime_(setup.start_utime),
       max_payload_bytes_(kMaxPayload_bytes),
-      problem_(ProblemOf(setup)),
-      network_(NetworkOf(setup, problem_.empty())) {
-  const std::span<const AcousticNode> nodes = problem_.empty()
-                                                  ? std::span<const AcousticNode>(setup.nodes)
-                                                  : std::span<const AcousticNode>();
+      problem_(ProblemOf(acoustics, nodes)),
+      network_(NetworkOf(acoustics, seed, nodes, problem_.empty())) {
+  if (!problem_.empty()) nodes = {};
   for (const AcousticNode& node : nodes) {
     node_of_.emplace(VehicleKey(node.name), static_cast<int>(nodes_.size()));
     nodes_.push_back({.name = node.name, .address = static_cast<uint32_t>(node.address)});
   }
   positions_m_.assign(nodes_.size(), Eigen::Vector3d::Constant(kNaN));
   max_nodes_ = nodes_.size() + Router::kMaxUnregistered;
-  if (const auto& modem = setup.acoustics.options.modem) {
+  if (const auto& modem = acoustics.options.modem) {
     max_payload_bytes_ = std::min(kMaxPayload_bytes, modem->max_packet_bytes);
   }
 }
@@ -131,7 +131,7 @@ std::vector<AcousticTraffic::Refusal> AcousticTraffic::Send(int64_t utime, Shipm
   return refusals;
 }
 
-void AcousticTraffic::Deliver(int64_t utime, const std::function<void(const LegEnd&)>& take) {
+void AcousticTraffic::Deliver(int64_t utime, const TakeLegEnd& take) {
   delivered_utime_ = delivered_utime_ ? std::max(utime, *delivered_utime_) : utime;
   for (const Reception& reception : network_.Deliver(SecondsOf(*delivered_utime_))) {
     const auto found = under_way_.find(reception.packet);
@@ -148,10 +148,12 @@ void AcousticTraffic::Deliver(int64_t utime, const std::function<void(const LegE
       payload = reception.bytes.first(under_way.shipment.payload.size());
     take({.shipment = under_way.shipment,
           .leg = *leg,
-          .reception = reception,
           .cause = CauseOf(reception, under_way.shipment),
           .payload = payload,
-          .sent_utime = under_way.sent_utime});
+          .sent_utime = under_way.sent_utime,
+          .arrived_utime = UtimeOf(reception.end_s),
+          .reception = &reception,
+          .acoustic = this});
     if (--under_way.num_legs_left > 0) continue;
     --nodes_[static_cast<size_t>(reception.packet.source)].num_packets;
     under_way_.erase(found);

@@ -1,7 +1,7 @@
-// What the broker sends over the acoustic network, from the moment at which the rules let it pass
-// to its arrival: frames, receivers, and what is needed to deliver it then.
+// What the broker sends over one acoustic network, from the moment at which it is chosen for some
+// of its receivers to its arrival.
 //
-//   AcousticTraffic traffic(setup);
+//   AcousticTraffic traffic(setup, setup.media.acoustics, setup.seed, setup.nodes);
 //   traffic.Place("alpha", position_m);                  // with every report
 //   traffic.Send(utime, std::move(shipment));            // legs: one for each receiver
 //   traffic.Deliver(utime, [&](const LegEnd& end) { ... });
@@ -12,7 +12,6 @@
 #include <Eigen/Core>
 #include <cmath>
 #include <cstdint>
-#include <functional>
 #include <map>
 #include <optional>
 #include <span>
@@ -21,44 +20,13 @@
 #include <unordered_map>
 #include <vector>
 
+#include "apps/shore_broker/shipment.h"
 #include "lib/acoustics/acoustic_network.h"
 #include "lib/broker/broker_setup.h"
 #include "lib/routing/fate.h"
 #include "lib/routing/router.h"
 
 namespace shoal {
-
-/// One receiver of a shipment.
-struct ShipmentLeg {
-  Decision decision;  ///< In transit.
-  std::string destination;
-  Eigen::Vector3d to_m = Eigen::Vector3d::Zero();  ///< Where it was when the packet was sent.
-  int node = -1;                                   ///< AcousticTraffic's own.
-};
-
-/// One transmission.
-struct Shipment {
-  Kind kind = Kind::kPacket;
-  std::string source;
-  int64_t number = 0;                   ///< Of its kind.
-  std::vector<uint8_t> message;         ///< As it came to the broker.
-  std::vector<uint8_t> payload;         ///< What goes over the air, without a checksum.
-  std::optional<double> data_rate_bps;  ///< Its own; absent: the network's.
-  Eigen::Vector3d from_m = Eigen::Vector3d::Zero();
-  bool has_pulses = false;
-  std::string color;  ///< Of its pulses.
-  std::vector<ShipmentLeg> legs;
-};
-
-/// A shipment that has come to the end of one leg.
-struct LegEnd {
-  const Shipment& shipment;
-  const ShipmentLeg& leg;
-  const Reception& reception;
-  Cause cause;                       ///< Its fate, but kDamaged may turn out to be kRejected.
-  std::span<const uint8_t> payload;  ///< What arrived; empty where nothing did.
-  int64_t sent_utime;
-};
 
 class AcousticTraffic {
  public:
@@ -70,7 +38,9 @@ class AcousticTraffic {
   /// A vehicle that sends faster than the network carries has at most this many packets in transit.
   static constexpr int kMaxPacketsOfOne = 256;
 
-  explicit AcousticTraffic(const BrokerSetup& setup);
+  /// `nodes`: those of the mission's vehicles that can use it.
+  AcousticTraffic(const BrokerSetup& setup, const Acoustics& acoustics, uint64_t seed,
+                  std::span<const AcousticNode> nodes);
 
   /// Why no vehicle of the mission can take part; empty: they can.
   const std::string& problem() const { return problem_; }
@@ -92,7 +62,7 @@ class AcousticTraffic {
   std::vector<Refusal> Send(int64_t utime, Shipment shipment);
 
   /// Calls `take` for each leg that ended until `utime`, in order of arrival.
-  void Deliver(int64_t utime, const std::function<void(const LegEnd&)>& take);
+  void Deliver(int64_t utime, const TakeLegEnd& take);
 
   /// Counts what arrived damaged and was thrown away by its receiver.
   void CountRejection() { network_.CountRejection(); }

@@ -25,7 +25,7 @@ RC_GTEST_PROP(BrokerAcoustics, LosesTrackOfNothing, ()) {
   options.packet_loss = 0.3;
   options.half_duplex = *rc::gen::arbitrary<bool>();
   mission.acoustics.crc = *rc::gen::arbitrary<bool>();
-  choose(&mission.comms.reports_over, 2);
+  mission.comms.reports_over = *rc::gen::element(Over("direct"), Over("acoustic"));
   mission.comms.stale_forget_s = 3;
   mission.comms.min_msg_interval_s = -1;
   MemoryBus hub;

@@ -10,6 +10,7 @@ BrokerInbox::BrokerInbox(Bus& bus) {
   Keep(bus, channels::NodeMessageLocal().name, false, &messages_);
   Keep(bus, channels::NodeMessageFromOutside().name, true, &messages_);
   Keep(bus, channels::AckMessage().name, false, &acks_);
+  Keep(bus, channels::RelayTx().name, false, &relays_);
   Keep(bus, channels::AcousticTx().name, false, &packets_);
   Keep(bus, channels::ModemTx().name, true, &packets_);
   Keep(bus, channels::HelmCommandAll().name, false, &commands_);
@@ -28,6 +29,7 @@ void BrokerInbox::Clear() {
   reports_.clear();
   messages_.clear();
   acks_.clear();
+  relays_.clear();
   packets_.clear();
   arena_.clear();
 }

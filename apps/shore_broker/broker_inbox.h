@@ -20,7 +20,7 @@ class BrokerInbox {
         false;  ///< Came on the channel of vehicles from outside; a packet, MODEM_TX.
   };
 
-  /// Subscribes to reports, messages, acks, packets and commands.
+  /// Subscribes to reports, messages, acks, what gateways forward, packets and commands.
   explicit BrokerInbox(Bus& bus);
   BrokerInbox(const BrokerInbox&) = delete;
   BrokerInbox& operator=(const BrokerInbox&) = delete;
@@ -33,6 +33,7 @@ class BrokerInbox {
   const std::vector<Item>& reports() const { return reports_; }
   const std::vector<Item>& messages() const { return messages_; }
   const std::vector<Item>& acks() const { return acks_; }
+  const std::vector<Item>& relays() const { return relays_; }
   const std::vector<Item>& packets() const { return packets_; }
   const std::vector<Item>& commands() const { return commands_; }
 
@@ -48,6 +49,7 @@ class BrokerInbox {
   std::vector<Item> reports_;
   std::vector<Item> messages_;
   std::vector<Item> acks_;
+  std::vector<Item> relays_;
   std::vector<Item> packets_;
   std::vector<Item> commands_;
 };

@@ -142,7 +142,7 @@ TEST_F(SmallModem, StandsInTheRulesOfTheLog) {
   ASSERT_EQ(rules_.size(), 1U);
   const Result<BrokerSetup> setup = SetupOf(rules_[0]);
   ASSERT_TRUE(setup.ok()) << setup.error();
-  EXPECT_EQ(setup->acoustics, mission_.acoustics);
+  EXPECT_EQ(setup->media.acoustics, mission_.acoustics);
   EXPECT_EQ(setup->rules, mission_.comms);
   ASSERT_EQ(setup->nodes.size(), 2U);
   EXPECT_EQ(setup->nodes[1].address, 2);

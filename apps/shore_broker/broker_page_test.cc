@@ -10,7 +10,7 @@
 namespace shoal::broker_page_test {
 
 /// A network through which nothing went.
-AcousticTraffic NoAcoustics() { return AcousticTraffic(BrokerSetup()); }
+AcousticTraffic NoAcoustics() { return AcousticTraffic(BrokerSetup(), {}, 1, {}); }
 
 /// Has one transmission of each kind for each cause that can block it.
 void BlockForEveryCause(Router* router) {

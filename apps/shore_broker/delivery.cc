@@ -6,6 +6,8 @@
 #include "apps/shore_broker/air_text.h"
 #include "lib/bus/channels.h"
 #include "lib/check/check.h"
+#include "lib/media/relay_path.h"
+#include "lib/routing/vehicle_name.h"
 #include "lib/run/status_page.h"
 
 namespace shoal {
@@ -30,8 +32,10 @@ std::string ChannelOf(Kind kind, std::string_view vehicle) {
   return channels::AcousticRx(vehicle).name;
 }
 
-acoustic_path_t PathOf(const LegEnd& arrival, const AcousticTraffic& traffic) {
-  const Reception& reception = arrival.reception;
+/// @pre it went over an acoustic network
+acoustic_path_t PathOf(const LegEnd& arrival) {
+  const Reception& reception = *arrival.reception;
+  const AcousticTraffic& traffic = *arrival.acoustic;
   acoustic_path_t path;
   path.packet = reception.packet.number;
   path.channel = traffic.ChannelId(reception.channel);
@@ -92,16 +96,18 @@ void Delivery::Conclude(int64_t utime, const DecidedTransmission& sent) {
                  .color = sent.color},
                 router_.rules().pulse_duration_s);
   }
-  if (any_in_transit) SendAcoustic(utime, sent);
+  if (any_in_transit) SendOverMedia(utime, sent);
 }
 
-void Delivery::SendAcoustic(int64_t utime, const DecidedTransmission& sent) {
+void Delivery::SendOverMedia(int64_t utime, const DecidedTransmission& sent) {
   Shipment shipment;
   shipment.message.assign(sent.raw.begin(), sent.raw.end());
   shipment.payload = sent.air_bytes();
   shipment.data_rate_bps = sent.data_rate_bps;
+  shipment.from_m = sent.from_m;
   shipment.has_pulses = sent.has_pulses;
   shipment.color = sent.color;
+  shipment.provenance = sent.provenance;
   for (const Decision& decision : sent.decisions) {
     if (decision.cause != Cause::kInTransit) continue;
     shipment.kind = decision.kind;
@@ -110,54 +116,118 @@ void Delivery::SendAcoustic(int64_t utime, const DecidedTransmission& sent) {
     shipment.legs.push_back(
         {.decision = decision, .destination = router_.contact(decision.destination).name});
   }
-  const std::string source = shipment.source;
-  for (const AcousticTraffic::Refusal& refusal : traffic_.Send(utime, std::move(shipment))) {
-    const Decision concluded =
-        router_.Conclude(refusal.leg.decision, source, refusal.leg.destination, refusal.cause);
-    fates_.Add(utime, concluded, source, refusal.leg.destination);
+  if (shipment.provenance.origin.empty()) {
+    shipment.provenance.origin = shipment.source;
+    shipment.provenance.number = shipment.number;
   }
+  EndWhereItWas(utime, &shipment);
+  traffic_.Send(utime, std::move(shipment), *sent.over,
+                [&](const LegEnd& end) { TakeLegEnd(utime, end); });
+}
+
+void Delivery::EndWhereItWas(int64_t utime, Shipment* shipment) {
+  const Provenance& provenance = shipment->provenance;
+  if (provenance.via.empty()) return;
+  const auto was_there = [&](const ShipmentLeg& leg) {
+    return VehicleKey(leg.destination) == VehicleKey(provenance.origin) ||
+           IsVia(provenance.via, leg.destination);
+  };
+  for (const ShipmentLeg& leg : shipment->legs) {
+    if (!was_there(leg)) continue;
+    Conclude(utime, {.shipment = *shipment, .leg = leg, .cause = Cause::kAlreadyReceived},
+             Cause::kAlreadyReceived);
+  }
+  std::erase_if(shipment->legs, was_there);
 }
 
 void Delivery::TakeArrivals(int64_t utime) {
-  traffic_.Deliver(utime, [&](const LegEnd& arrival) { TakeArrival(utime, arrival); });
+  traffic_.Deliver(utime, [&](const LegEnd& end) { TakeLegEnd(utime, end); });
   SHOAL_CHECK(router_.NumInTransit() == traffic_.num_in_transit(),
-              "router and acoustic network have the same number in transit");
+              "router and media have the same number in transit");
 }
 
 void Delivery::Flush(int64_t utime) {
   fates_.Flush(utime);
+  media_.Flush(utime);
   pulses_.Flush(utime);
 }
 
-void Delivery::TakeArrival(int64_t utime, const LegEnd& arrival) {
-  const Shipment& shipment = arrival.shipment;
-  const std::string& destination = arrival.leg.destination;
-  Cause cause = arrival.cause;
-  if (cause == Cause::kDamaged && !DeliverDamaged(utime, arrival)) {
+void Delivery::TakeLegEnd(int64_t utime, const LegEnd& end) {
+  const Shipment& shipment = end.shipment;
+  const std::string& destination = end.leg.destination;
+  const bool is_overheard = end.leg.decision.is_overheard;
+  Cause cause = end.cause;
+  if (has_gateways_ && cause == Cause::kDelivered && shipment.kind != Kind::kPacket) {
+    const Provenance& provenance = shipment.provenance;
+    const bool is_new = received_.Take(shipment.kind, provenance.origin, provenance.number,
+                                       destination, !provenance.via.empty());
+    if (!is_new) cause = Cause::kAlreadyReceived;
+  }
+  if (cause == Cause::kDamaged && (is_overheard || !DeliverDamaged(utime, end))) {
     cause = Cause::kRejected;
   } else if (cause == Cause::kDelivered && shipment.kind == Kind::kPacket) {
-    DeliverPacket(utime, arrival);
+    DeliverPacket(utime, end);
   } else if (cause == Cause::kDelivered) {
-    bus_.PublishBytes(ChannelOf(shipment.kind, destination), shipment.message);
+    if (!is_overheard) bus_.PublishBytes(ChannelOf(shipment.kind, destination), shipment.message);
+    HandToGateway(utime, end);
   }
   // The network handed over what a checksum, or the receiver, then threw away.
-  const bool was_handed_over = HandsOver(arrival.reception.fate);
-  const bool is_delivered = IsReceived(cause);
-  if (was_handed_over && !is_delivered) traffic_.CountRejection();
+  const bool was_handed_over = end.reception != nullptr && HandsOver(end.reception->fate);
+  if (was_handed_over && !IsReceived(cause) && cause != Cause::kAlreadyReceived) {
+    end.acoustic->CountRejection();
+  }
+  Conclude(utime, end, cause);
+}
 
-  const acoustic_path_t path = PathOf(arrival, traffic_);
-  fates_.Add(utime, router_.Conclude(arrival.leg.decision, shipment.source, destination, cause),
-             shipment.source, destination, &path);
-  if (!is_delivered || !shipment.has_pulses) return;
+void Delivery::Conclude(int64_t utime, const LegEnd& end, Cause cause) {
+  const Shipment& shipment = end.shipment;
+  const std::string& destination = end.leg.destination;
+  const Decision concluded =
+      router_.Conclude(end.leg.decision, shipment.source, destination, cause);
+  if (end.reception != nullptr) {
+    const acoustic_path_t path = PathOf(end);
+    fates_.Add(utime, concluded, shipment.source, destination, &path);
+  } else {
+    fates_.Add(utime, concluded, shipment.source, destination);
+  }
+  if (traffic_.has_media()) media_.Add(utime, concluded, shipment, end);
+  if (!IsReceived(cause) || !shipment.has_pulses) return;
   pulses_.Add(utime,
               {.source = shipment.source,
                .destination = destination,
                .from_m = shipment.from_m,
-               .to_m = arrival.leg.to_m,
-               .range_m = arrival.reception.range_m,
+               .to_m = end.leg.to_m,
+               .range_m = end.reception != nullptr ? end.reception->range_m
+                                                   : (end.leg.to_m - shipment.from_m).norm(),
                .of_message = shipment.kind != Kind::kReport,
                .color = shipment.color},
               router_.rules().pulse_duration_s);
+}
+
+void Delivery::HandToGateway(int64_t utime, const LegEnd& arrival) {
+  const std::string& destination = arrival.leg.destination;
+  const GatewayOptions* gateway = has_gateways_ ? traffic_.GatewayAt(destination) : nullptr;
+  if (gateway == nullptr) return;
+  const Shipment& shipment = arrival.shipment;
+  const bool is_wanted = shipment.kind == Kind::kReport ? gateway->reports : gateway->messages;
+  if (!is_wanted ||
+      std::ranges::find(gateway->from, arrival.leg.medium.name) == gateway->from.end()) {
+    return;
+  }
+  relay_t relay;
+  relay.utime = utime;
+  relay.gateway = destination;
+  relay.kind = KindText(shipment.kind);
+  relay.origin = shipment.provenance.origin;
+  relay.number = shipment.provenance.number;
+  relay.made_utime = shipment.provenance.made_utime;
+  relay.from = shipment.source;
+  relay.medium = arrival.leg.medium.name;
+  relay.via = shipment.provenance.via;
+  relay.num_media = 0;
+  relay.data = shipment.message;
+  relay.num_bytes = static_cast<int32_t>(relay.data.size());
+  Publish(bus_, channels::RelayRx(destination), relay);
 }
 
 bool Delivery::DeliverDamaged(int64_t utime, const LegEnd& arrival) {
@@ -182,7 +252,7 @@ bool Delivery::DeliverDamaged(int64_t utime, const LegEnd& arrival) {
                                         .now_utime = utime,
                                         .origin = setup_.origin,
                                         .vehicle_at = [&](uint32_t address) {
-                                          return traffic_.VehicleAt(address);
+                                          return arrival.acoustic->VehicleAt(address);
                                         }}));
     case Kind::kMessage:
       decode(&message_);
@@ -204,7 +274,7 @@ void Delivery::DeliverPacket(int64_t utime, const LegEnd& arrival) {
   message.source = arrival.shipment.source;
   message.number = arrival.shipment.number;
   message.sent_utime = arrival.sent_utime;
-  message.arrived_utime = traffic_.UtimeOf(arrival.reception.end_s);
+  message.arrived_utime = arrival.arrived_utime;
   message.num_bytes = static_cast<int32_t>(arrival.payload.size());
   message.payload.assign(arrival.payload.begin(), arrival.payload.end());
   Publish(bus_, channels::AcousticRx(arrival.leg.destination), message);

@@ -1,5 +1,6 @@
-// What the rules have decided, carried out: deliveries to the receivers, at once or over the
-// acoustic network, and every fate on COMMS_FATES, with a pulse of each delivery.
+// What the rules have decided, carried out: deliveries to the receivers, at once or over media,
+// and every fate on COMMS_FATES, with a pulse of each delivery. What a gateway receives goes to its
+// app too.
 //
 //   Delivery delivery(setup, bus, &router, &traffic);
 //   router.Route(admission, utime, &decisions);
@@ -8,7 +9,8 @@
 //   delivery.Flush(utime);
 //
 // Publishes NODE_REPORT_<V>, NODE_MESSAGE_<V> and ACK_MESSAGE_<V> (the bytes that came in, unless
-// the acoustic network damaged them), ACOUSTIC_RX_<V>, COMMS_FATES and VIEW_COMMS_PULSE.
+// an acoustic network damaged them), ACOUSTIC_RX_<V>, RELAY_RX_<V>, COMMS_FATES, VIEW_COMMS_PULSE
+// and, where vehicles have media of their own, COMMS_MEDIA.
 #pragma once
 
 #include <Eigen/Core>
@@ -21,9 +23,11 @@
 #include <string_view>
 #include <vector>
 
-#include "apps/shore_broker/acoustic_traffic.h"
 #include "apps/shore_broker/fate_writer.h"
+#include "apps/shore_broker/media_traffic.h"
+#include "apps/shore_broker/media_writer.h"
 #include "apps/shore_broker/pulse_writer.h"
+#include "apps/shore_broker/received_memory.h"
 #include "lib/broker/broker_setup.h"
 #include "lib/bus/bus.h"
 #include "lib/routing/router.h"
@@ -42,16 +46,25 @@ struct DecidedTransmission {
   Eigen::Vector3d from_m = Eigen::Vector3d::Zero();
   bool has_pulses = false;
   std::string_view color = {};  ///< Of its pulses.
-  /// Writes it for the air; asked only for what goes over the acoustic network.
+  /// Writes it for the air; asked only for what goes over media.
   std::function<std::vector<uint8_t>()> air_bytes = {};
   std::optional<double> data_rate_bps = {};  ///< On the air; absent: the network's.
+  const MediaChoice* over = nullptr;         ///< What may carry it.
+  Provenance provenance = {};                ///< Without an origin: the source has made it.
 };
 
 class Delivery {
  public:
   /// All must outlive this.
-  Delivery(const BrokerSetup& setup, Bus& bus, Router* router, AcousticTraffic* traffic)
-      : setup_(setup), bus_(bus), router_(*router), traffic_(*traffic), fates_(bus), pulses_(bus) {}
+  Delivery(const BrokerSetup& setup, Bus& bus, Router* router, MediaTraffic* traffic)
+      : setup_(setup),
+        bus_(bus),
+        router_(*router),
+        traffic_(*traffic),
+        has_gateways_(!traffic->Gateways().empty()),
+        fates_(bus),
+        media_(bus),
+        pulses_(bus) {}
 
   /// Delivers what is delivered, sends what is in transit, and writes the fates of all others.
   void Conclude(int64_t utime, const DecidedTransmission& sent);
@@ -59,7 +72,7 @@ class Delivery {
   void Refuse(int64_t utime, const Decision& decision, std::string_view source) {
     fates_.Add(utime, decision, source, "");
   }
-  /// Delivers what has arrived over the acoustic network by now.
+  /// Delivers what has arrived over media by now.
   void TakeArrivals(int64_t utime);
   /// Publishes the fates and pulses of the step.
   void Flush(int64_t utime);
@@ -71,8 +84,13 @@ class Delivery {
     std::array<std::string, kNumKinds> names;
   };
 
-  void SendAcoustic(int64_t utime, const DecidedTransmission& sent);
-  void TakeArrival(int64_t utime, const LegEnd& arrival);
+  void SendOverMedia(int64_t utime, const DecidedTransmission& sent);
+  /// Gives the legs to vehicles that have made or forwarded it their fate, and removes them.
+  void EndWhereItWas(int64_t utime, Shipment* shipment);
+  void TakeLegEnd(int64_t utime, const LegEnd& end);
+  void Conclude(int64_t utime, const LegEnd& end, Cause cause);
+  /// Hands what the vehicle has received to its gateway, where it is one that forwards such.
+  void HandToGateway(int64_t utime, const LegEnd& arrival);
   /// Publishes what arrived damaged as its receiver understands it. False: it makes no sense to it.
   bool DeliverDamaged(int64_t utime, const LegEnd& arrival);
   void DeliverPacket(int64_t utime, const LegEnd& arrival);
@@ -81,8 +99,11 @@ class Delivery {
   const BrokerSetup& setup_;
   Bus& bus_;
   Router& router_;
-  AcousticTraffic& traffic_;
+  MediaTraffic& traffic_;
+  const bool has_gateways_;
+  ReceivedMemory received_;
   FateWriter fates_;
+  MediaWriter media_;
   PulseWriter pulses_;
   std::vector<ReceiverChannels> receiver_channels_;  ///< By index of contact.
   node_report_t report_;  ///< Decoded into, like the next two; keep their strings' memory.

@@ -23,8 +23,12 @@ constexpr double kMaxWarp = 100;
 
 std::string LegalOrEmpty(const std::string& name) { return IsLegalVehicleName(name) ? name : ""; }
 
-/// True for a transmission that goes over the acoustic network, as far as the rules let it.
-bool IsAcoustic(const std::vector<Decision>& decisions) {
+Provenance ProvenanceAt(int64_t made_utime) {
+  return {.origin = {}, .number = 0, .made_utime = made_utime};
+}
+
+/// True for a transmission that goes over media, as far as the rules let it.
+bool IsInTransit(const std::vector<Decision>& decisions) {
   return std::any_of(decisions.begin(), decisions.end(),
                      [](const Decision& decision) { return decision.cause == Cause::kInTransit; });
 }
@@ -41,6 +45,17 @@ ShoreBrokerApp::ShoreBrokerApp(BrokerSetup setup, Bus& bus)
       warp_(kMaxWarp) {
   for (const auto& [name, factors] : setup_.factors) router_.SetFactors(name, factors);
 
+  if (!setup_.rules.messages_over.is_direct()) {
+    const std::vector<std::string> gateways = traffic_.Gateways();
+    router_.SetGateways(gateways);
+  }
+  if (traffic_.has_media()) {
+    for (const std::string& name : setup_.vehicles) {
+      Subscribe(bus, channels::Nav(name), [this, name](const nav_t& nav) {
+        traffic_.PlaceTruth(name, {nav.x_m, nav.y_m, nav.z_m});
+      });
+    }
+  }
   for (const ControlRow& row : ControlTable()) {
     Subscribe(bus, channels::Control(row), [this, &row](const unc_control_t& control) {
       controls_.push_back({.row = &row, .control = control});
@@ -67,6 +82,7 @@ void ShoreBrokerApp::Tick(int64_t utime) {
   for (const WaitingReport& report : admitted_) RouteReport(utime, report);
   for (const BrokerInbox::Item& message : inbox_.messages()) RouteMessage(utime, message);
   for (const BrokerInbox::Item& ack : inbox_.acks()) RouteAck(utime, ack);
+  for (const BrokerInbox::Item& relay : inbox_.relays()) RouteRelay(utime, relay);
   for (const BrokerInbox::Item& packet : inbox_.packets()) {
     packet.from_outside ? RouteModemPacket(utime, packet) : RoutePacket(utime, packet);
   }
@@ -160,6 +176,7 @@ bool ShoreBrokerApp::TakeIn(int64_t utime, WaitingReport* report) {
                   &report_)) {
     return false;
   }
+  report->made_utime = report_.utime;
   const int num_known = router_.num_known();
   report->admission =
       AllNumbersAreFinite(report_)
@@ -197,12 +214,15 @@ void ShoreBrokerApp::RouteReport(int64_t utime, const WaitingReport& report) {
                    .from_m = report.admission.position_m,
                    .has_pulses = router_.rules().view_node_rpt_pulses,
                    .color = ReportColor(source.index),
-                   .air_bytes = [&] {
-                     SHOAL_CHECK(Decode(inbox_.BytesOf(report.raw), &report_),
-                                 "a report that was decoded on arrival decodes again");
-                     return AirBytes(report_, traffic_.AddressOf(source.name).value_or(0),
-                                     setup_.start_utime);
-                   }});
+                   .air_bytes =
+                       [&] {
+                         SHOAL_CHECK(Decode(inbox_.BytesOf(report.raw), &report_),
+                                     "a report that was decoded on arrival decodes again");
+                         return AirBytes(report_, traffic().AddressOf(source.name).value_or(0),
+                                         setup_.start_utime);
+                       },
+                   .over = &setup_.rules.reports_over,
+                   .provenance = ProvenanceAt(report.made_utime)});
   Share(utime, report);
 }
 
@@ -237,7 +257,9 @@ void ShoreBrokerApp::RouteMessage(int64_t utime, const BrokerInbox::Item& item) 
                    .from_m = PositionOfSource(),
                    .has_pulses = true,
                    .color = color,
-                   .air_bytes = [&] { return AirBytes(message_); }});
+                   .air_bytes = [&] { return AirBytes(message_); },
+                   .over = &setup_.rules.messages_over,
+                   .provenance = ProvenanceAt(message_.utime)});
 }
 
 /// A message whose ack_id has been here before is a repeat.
@@ -261,7 +283,79 @@ void ShoreBrokerApp::RouteAck(int64_t utime, const BrokerInbox::Item& item) {
   }
   Conclude(utime, {.written_source = LegalOrEmpty(ack_.src_node),
                    .raw = inbox_.BytesOf(item),
-                   .air_bytes = [&] { return AirBytes(ack_); }});
+                   .air_bytes = [&] { return AirBytes(ack_); },
+                   .over = &setup_.rules.messages_over,
+                   .provenance = ProvenanceAt(ack_.utime)});
+}
+
+void ShoreBrokerApp::RouteRelay(int64_t utime, const BrokerInbox::Item& item) {
+  if (!DecodeItem(item, channels::RelayTx(), &relay_)) return;
+  const GatewayOptions* gateway = traffic_.GatewayAt(relay_.gateway);
+  if (gateway == nullptr) {
+    log_.Warn("RELAY_TX refused: only a gateway of the mission forwards");
+    return;
+  }
+  std::optional<Kind> kind;
+  for (const Kind each : {Kind::kReport, Kind::kMessage, Kind::kAck}) {
+    if (relay_.kind == KindText(each)) kind = each;
+  }
+  if (kind && !relay_.refused.empty()) {
+    for (const Cause cause : {Cause::kAlreadyReceived, Cause::kQueueFull, Cause::kHopLimit}) {
+      if (relay_.refused != CauseText(cause)) continue;
+      router_.RefuseForwarded(*kind, relay_.gateway, cause, &decisions_);
+      return Conclude(utime, {.written_source = relay_.gateway});
+    }
+  }
+  const MediaChoice over = {.names = relay_.media};
+  if (!kind || over.names.empty() || !RouteRelayed(utime, over)) {
+    log_.Warn(
+        fmt::format("RELAY_TX of {} refused: it holds no report, message or ack with media "
+                    "to forward it over",
+                    relay_.gateway));
+  }
+}
+
+bool ShoreBrokerApp::RouteRelayed(int64_t utime, const MediaChoice& over) {
+  DecidedTransmission sent = {.written_source = relay_.gateway,
+                              .raw = relay_.data,
+                              .has_pulses = true,
+                              .over = &over,
+                              .provenance = {.origin = relay_.origin,
+                                             .number = relay_.number,
+                                             .made_utime = relay_.made_utime,
+                                             .via = relay_.via}};
+  if (relay_.kind == KindText(Kind::kReport)) {
+    if (!Decode(relay_.data, &report_) || !AllNumbersAreFinite(report_)) return false;
+    router_.RouteForwarded(relay_.gateway, report_.group, utime, &decisions_);
+    sent.has_pulses = router_.rules().view_node_rpt_pulses;
+    sent.color = ReportColor(std::max(decisions_.front().source, 0));
+    sent.air_bytes = [&] {
+      return AirBytes(report_, traffic().AddressOf(relay_.origin).value_or(0), setup_.start_utime);
+    };
+  } else if (relay_.kind == KindText(Kind::kMessage)) {
+    if (!Decode(relay_.data, &message_)) return false;
+    router_.RouteMessage({.source = message_.src_node,
+                          .dest_node = message_.dest_node,
+                          .dest_group = message_.dest_group,
+                          .length_bytes = static_cast<int64_t>(message_.string_val.size()),
+                          .is_sound = ProblemOf(message_).empty(),
+                          .gateway = relay_.gateway},
+                         utime, &decisions_, &unknown_names_);
+    sent.color = router_.rules().msg_color;
+    sent.air_bytes = [&] { return AirBytes(message_); };
+  } else {
+    if (!Decode(relay_.data, &ack_)) return false;
+    router_.RouteAck({.source = ack_.src_node,
+                      .destination = ack_.dest_node,
+                      .is_sound = !ack_.ack_id.empty(),
+                      .gateway = relay_.gateway},
+                     utime, &decisions_, &unknown_names_);
+    sent.has_pulses = false;
+    sent.air_bytes = [&] { return AirBytes(ack_); };
+  }
+  sent.from_m = PositionOfSource();
+  Conclude(utime, sent);
+  return true;
 }
 
 void ShoreBrokerApp::RoutePacket(int64_t utime, const BrokerInbox::Item& item) {
@@ -284,7 +378,7 @@ void ShoreBrokerApp::RouteBytes(int64_t utime, const BrokerInbox::Item& item,
   const bool has_rate = rate_bps >= kSlowest_bps && rate_bps <= kFastest_bps;
   router_.RoutePacket({.source = source,
                        .length_bytes = static_cast<int64_t>(payload.size()),
-                       .length_limit_bytes = traffic_.max_payload_bytes(),
+                       .length_limit_bytes = traffic().max_payload_bytes(),
                        .is_sound = !payload.empty() && (has_rate || rate_bps == 0),
                        .has_range_rule = !data_rate_bps},
                       utime, &decisions_);
@@ -300,7 +394,8 @@ void ShoreBrokerApp::RouteBytes(int64_t utime, const BrokerInbox::Item& item,
                    .has_pulses = true,
                    .color = router_.rules().msg_color,
                    .air_bytes = [&] { return payload; },
-                   .data_rate_bps = has_rate ? std::optional(rate_bps) : std::nullopt});
+                   .data_rate_bps = has_rate ? std::optional(rate_bps) : std::nullopt,
+                   .over = &setup_.media.packets_over});
 }
 
 Eigen::Vector3d ShoreBrokerApp::PositionOfSource() const {
@@ -309,8 +404,9 @@ Eigen::Vector3d ShoreBrokerApp::PositionOfSource() const {
 }
 
 void ShoreBrokerApp::Conclude(int64_t utime, DecidedTransmission sent) {
-  if (!traffic_.problem().empty() && IsAcoustic(decisions_)) {
-    log_.Warn("no vehicle can send over the acoustic network; [acoustics] " + traffic_.problem());
+  if (!traffic().problem().empty() && sent.over != nullptr && sent.over->Has(kAcousticMedium) &&
+      IsInTransit(decisions_)) {
+    log_.Warn("no vehicle can send over the acoustic network; [acoustics] " + traffic().problem());
   }
   sent.decisions = decisions_;
   sent.unknown_names = unknown_names_;
@@ -362,7 +458,7 @@ std::optional<App::RequestAnswer> ShoreBrokerApp::Answer(std::string_view channe
 
 StatusPage ShoreBrokerApp::Status() const {
   StatusPage page;
-  page.text = FormatBrokerPage(router_, traffic_,
+  page.text = FormatBrokerPage(router_, traffic(),
                                {.start_utime = start_utime_,
                                 .now_utime = now_utime_,
                                 .num_commands_handed_on = num_commands_handed_on_,

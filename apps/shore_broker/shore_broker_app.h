@@ -1,11 +1,13 @@
 // Decides which vehicle receives what. Subscribes to NODE_REPORT_LOCAL, NODE_REPORT,
-// NODE_MESSAGE_LOCAL, NODE_MESSAGE, ACK_MESSAGE, ACOUSTIC_TX, MODEM_TX, UNC_* and HELM_COMMAND;
+// NODE_MESSAGE_LOCAL, NODE_MESSAGE, ACK_MESSAGE, RELAY_TX, ACOUSTIC_TX, MODEM_TX, UNC_* and
+// HELM_COMMAND, and where vehicles have media of their own to NAV_<V>, by which these decide;
 // publishes what delivery.h lists, COMMS_RULES, NODE_REPORT_UNC and HELM_COMMAND_<V>. Outside
 // stepping it answers COMMS_RULES_REQ with COMMS_RULES_NOW.
 //
 // A step: commands are handed on, rules change, all reports of the step are taken in, then each is
-// routed, then messages, acks and packets, in the order in which they came; what has arrived over
-// the acoustic network by now is delivered; vehicles that were silent for too long are forgotten.
+// routed, then messages, acks, what gateways forward, and packets, in the order in which they came;
+// what has arrived over media by now is delivered; vehicles that were silent for too long are
+// forgotten.
 //
 //            first step is the mission's first
 //   BEGINS ------------------------------------------------> WORKS
@@ -21,9 +23,9 @@
 #include <utility>
 #include <vector>
 
-#include "apps/shore_broker/acoustic_traffic.h"
 #include "apps/shore_broker/broker_inbox.h"
 #include "apps/shore_broker/delivery.h"
+#include "apps/shore_broker/media_traffic.h"
 #include "apps/shore_broker/repeat_memory.h"
 #include "lib/broker/broker.h"
 #include "lib/broker/broker_setup.h"
@@ -50,11 +52,13 @@ class ShoreBrokerApp : public Broker {
   std::optional<int64_t> NextArrivalUtime() const override { return traffic_.NextUtime(); }
 
   const Router& router() const { return router_; }
-  const AcousticTraffic& traffic() const { return traffic_; }
+  /// The network of [acoustics].
+  const AcousticTraffic& traffic() const { return traffic_.acoustic(); }
 
  private:
   struct WaitingReport {
     BrokerInbox::Item raw;
+    int64_t made_utime = 0;
     Admission admission = {};
   };
   struct WaitingControl {
@@ -79,6 +83,9 @@ class ShoreBrokerApp : public Broker {
   void RouteReport(int64_t utime, const WaitingReport& report);
   void RouteMessage(int64_t utime, const BrokerInbox::Item& item);
   void RouteAck(int64_t utime, const BrokerInbox::Item& item);
+  void RouteRelay(int64_t utime, const BrokerInbox::Item& item);
+  /// Routes what relay_ holds. False: it is none of its kind.
+  bool RouteRelayed(int64_t utime, const MediaChoice& over);
   void RoutePacket(int64_t utime, const BrokerInbox::Item& item);
   void RouteModemPacket(int64_t utime, const BrokerInbox::Item& item);
   void RouteBytes(int64_t utime, const BrokerInbox::Item& item, const std::string& source,
@@ -95,7 +102,7 @@ class ShoreBrokerApp : public Broker {
   Bus& bus_;
   BrokerInbox inbox_;
   Router router_;
-  AcousticTraffic traffic_;
+  MediaTraffic traffic_;
   Delivery delivery_;
   StatusLog log_;
 
@@ -113,9 +120,10 @@ class ShoreBrokerApp : public Broker {
   std::vector<WaitingControl> controls_;
   std::vector<WaitingReport> admitted_;  ///< In this step.
 
-  node_report_t report_;  ///< Decoded into, like the next three; keep their strings' memory.
+  node_report_t report_;  ///< Decoded into, like the next five; keep their strings' memory.
   node_message_t message_;
   ack_message_t ack_;
+  relay_t relay_;
   acoustic_tx_t packet_;
   modem_tx_t modem_packet_;
   std::vector<Decision> decisions_;         ///< Of one transmission.

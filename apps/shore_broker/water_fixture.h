@@ -43,8 +43,8 @@ class AcousticFixture : public BrokerFixture {
 /// The same, with reports, messages and acks over it.
 inline Mission AcousticReports() {
   Mission mission = QuietNetwork();
-  mission.comms.reports_over = Medium::kAcoustic;
-  mission.comms.messages_over = Medium::kAcoustic;
+  mission.comms.reports_over = Over("acoustic");
+  mission.comms.messages_over = Over("acoustic");
   return mission;
 }
 

@@ -2,6 +2,7 @@
 
 #include <variant>
 
+#include "apps/vehicle_sim/simulated_buoy.h"
 #include "apps/vehicle_sim/simulated_remus100.h"
 #include "apps/vehicle_sim/simulated_surface_craft.h"
 
@@ -17,6 +18,9 @@ struct CraftOfModel {
   }
   Craft operator()(const Remus100Options& options) const {
     return std::make_unique<SimulatedRemus100>(options);
+  }
+  Craft operator()(const BuoyParams& params) const {
+    return std::make_unique<SimulatedBuoy>(params);
   }
 };
 

@@ -34,8 +34,9 @@ const std::vector<std::string>& BrokerChannels() {
     std::vector<std::string> made = {
         channels::NodeReportLocal().name,  channels::NodeReportFromOutside().name,
         channels::NodeMessageLocal().name, channels::NodeMessageFromOutside().name,
-        channels::AckMessage().name,       channels::AcousticTx().name,
-        channels::ModemTx().name,          channels::UncControls().name};
+        channels::AckMessage().name,       channels::RelayTx().name,
+        channels::AcousticTx().name,       channels::ModemTx().name,
+        channels::UncControls().name};
     for (const ControlRow& row : ControlTable()) made.push_back(channels::Control(row).name);
     std::sort(made.begin(), made.end());
     made.push_back(channels::CommsFates().name);

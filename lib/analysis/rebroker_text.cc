@@ -10,8 +10,8 @@
 #include <string_view>
 #include <utility>
 
-#include "lib/mission/load_acoustics.h"
 #include "lib/mission/load_comms.h"
+#include "lib/mission/load_media.h"
 
 namespace shoal {
 
@@ -137,8 +137,8 @@ std::string ChangesText(const BrokerSetup& then, const BrokerSetup& now) {
     text += fmt::format("          {} (was {})\n", new_lines[i],
                         old_lines[i].substr(old_lines[i].find('=') + 2));
   }
-  std::istringstream was(ExplainAcoustics(then.acoustics));
-  std::istringstream is(ExplainAcoustics(now.acoustics));
+  std::istringstream was(ExplainMedia(then.media));
+  std::istringstream is(ExplainMedia(now.media));
   std::set<std::string> old_acoustics;
   for (std::string line; std::getline(was, line);) old_acoustics.insert(line);
   for (std::string line; std::getline(is, line);) {

@@ -7,7 +7,6 @@
 #include <set>
 
 #include "lib/broker/comms_rules.h"
-#include "lib/mission/load_acoustics.h"
 #include "lib/routing/control.h"
 #include "lib/routing/vehicle_name.h"
 
@@ -21,7 +20,7 @@ BrokerSetup SetupOf(const Mission& mission) {
       .tick_us = mission.tick_us,
       .vehicles = {},
       .factors = {},
-      .acoustics = mission.acoustics,
+      .media = MediaOf(mission),
       .nodes = {},
       .origin = {.lat_deg = mission.origin_lat_deg, .lon_deg = mission.origin_lon_deg}};
   for (const Vehicle& vehicle : mission.vehicles) {
@@ -37,11 +36,20 @@ BrokerSetup SetupOf(const Mission& mission) {
 
 namespace {
 
-/// Takes the acoustic network and the origin, or returns why they cannot be.
-std::optional<Error> TakeAcoustics(const comms_rules_t& rules, BrokerSetup* setup) {
-  LoadedAcoustics loaded = LoadAcousticsText(rules.acoustics, "COMMS_RULES acoustics");
+/// Takes the media and the origin, or returns why they cannot be.
+std::optional<Error> TakeMedia(const comms_rules_t& rules, BrokerSetup* setup) {
+  LoadedMedia loaded = LoadMediaText(rules.acoustics, "COMMS_RULES acoustics");
   if (!loaded.errors.empty()) return Error{loaded.errors.front()};
-  setup->acoustics = std::move(loaded.acoustics);
+  setup->media = std::move(loaded.setup);
+  const size_t num_with_media = setup->media.of_vehicles.size();
+  if (num_with_media != 0 && num_with_media != setup->vehicles.size()) {
+    return Error{fmt::format("COMMS_RULES: media of {} vehicles, where there are {}",
+                             num_with_media, setup->vehicles.size())};
+  }
+  if (const std::string impossible = ImpossibleRule(rules, setup->media.Names());
+      !impossible.empty()) {
+    return Error{fmt::format("COMMS_RULES: {} is impossible", impossible)};
+  }
   for (size_t i = 0; i < setup->vehicles.size(); ++i) {
     if (rules.acoustic_addresses[i] <= 0) {
       return Error{
@@ -68,9 +76,6 @@ Result<BrokerSetup> SetupOf(const comms_rules_t& rules) {
                     .tick_us = rules.tick_us,
                     .vehicles = rules.vehicles,
                     .factors = {}};
-  if (const std::string impossible = ImpossibleRule(rules); !impossible.empty()) {
-    return Error{fmt::format("COMMS_RULES: {} is impossible", impossible)};
-  }
   constexpr int64_t kLongestTick_us = 1'000'000'000;
   if (rules.tick_us <= 0 || rules.tick_us > kLongestTick_us) {
     return Error{fmt::format("COMMS_RULES: tick_us = {} is impossible", rules.tick_us)};
@@ -89,7 +94,7 @@ Result<BrokerSetup> SetupOf(const comms_rules_t& rules) {
     }
     setup.factors.emplace_back(each.vehicle, factors);
   }
-  if (const auto error = TakeAcoustics(rules, &setup)) return *error;
+  if (const auto error = TakeMedia(rules, &setup)) return *error;
   return setup;
 }
 
@@ -104,7 +109,7 @@ comms_rules_t RulesMessage(const BrokerSetup& setup, const Router& router) {
   PutRules(router.rules(), &message);
   message.origin_lat_deg = setup.origin.lat_deg;
   message.origin_lon_deg = setup.origin.lon_deg;
-  message.acoustics = ExplainAcoustics(setup.acoustics);
+  message.acoustics = ExplainMedia(setup.media);
   for (const AcousticNode& node : setup.nodes) {
     message.acoustic_addresses.push_back(node.address);
     message.acoustic_leaders.push_back(node.is_leader ? 1 : 0);

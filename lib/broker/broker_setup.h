@@ -9,6 +9,7 @@
 #include "lib/acoustics/channel_plan.h"
 #include "lib/check/result.h"
 #include "lib/geodesy/local_frame.h"
+#include "lib/mission/load_media.h"
 #include "lib/mission/mission.h"
 #include "lib/routing/router.h"
 #include "lib/routing/rules.h"
@@ -23,7 +24,7 @@ struct BrokerSetup {
   int64_t tick_us = 100'000;
   std::vector<std::string> vehicles;                         ///< Of the mission.
   std::vector<std::pair<std::string, LinkFactors>> factors;  ///< Others than 1.
-  Acoustics acoustics = {};
+  MediaSetup media = {};
   std::vector<AcousticNode> nodes = {};  ///< The vehicles, in the same order.
   GeoPoint origin = {};                  ///< Of the mission's plane.
 };

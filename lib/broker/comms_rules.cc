@@ -76,22 +76,16 @@ void EachRule(const Use& use) {
 template <class Rule, class Field>
 constexpr bool kFit = std::is_same_v<Rule, Field> ||
                       (std::is_same_v<Rule, bool> && std::is_same_v<Field, int8_t>) ||
-                      (std::is_same_v<Rule, Medium> && std::is_same_v<Field, std::string>);
+                      (std::is_same_v<Rule, MediaChoice> && std::is_same_v<Field, std::string>);
 
-void ToWire(Medium rule, std::string* field) {
-  *field = kMedia.at(static_cast<size_t>(rule)).first;
-}
+void ToWire(const MediaChoice& rule, std::string* field) { *field = TextOf(rule); }
 void ToWire(bool rule, int8_t* field) { *field = rule ? 1 : 0; }
 template <class T>
 void ToWire(const T& rule, T* field) {
   *field = rule;
 }
 
-void FromWire(const std::string& field, Medium* rule) {
-  for (const auto& [word, medium] : kMedia) {
-    if (word == field) *rule = medium;
-  }
-}
+void FromWire(const std::string& field, MediaChoice* rule) { *rule = Over(field); }
 void FromWire(int8_t field, bool* rule) { *rule = field != 0; }
 template <class T>
 void FromWire(const T& field, T* rule) {
@@ -115,10 +109,6 @@ void EachMember(const Copy& copy) {
   });
 }
 
-bool IsMedium(std::string_view text) {
-  return std::ranges::any_of(kMedia, [&](const auto& each) { return each.first == text; });
-}
-
 }  // namespace
 
 void PutRules(const RoutingRules& rules, comms_rules_t* message) {
@@ -131,14 +121,17 @@ RoutingRules RulesOf(const comms_rules_t& message) {
   return rules;
 }
 
-std::string ImpossibleRule(const comms_rules_t& message) {
+std::string ImpossibleRule(const comms_rules_t& message, std::span<const std::string> media) {
   const RoutingRules rules = RulesOf(message);
   std::string impossible;
   EachRule([&](const RuleRow& row, const WireRow& wire) {
     if (!impossible.empty()) return;
-    if (row.type == RuleType::kMedium) {
+    if (row.type == RuleType::kMedia) {
       const auto& text = message.*std::get<std::string comms_rules_t::*>(wire.member);
-      if (!IsMedium(text)) impossible = fmt::format("{} = '{}'", row.rule, text.substr(0, 64));
+      for (const std::string& name : Over(text).names) {
+        const bool is_known = std::ranges::find(media, name) != media.end();
+        if (!is_known) impossible = fmt::format("{} = '{}'", row.rule, text.substr(0, 64));
+      }
     } else if (row.type != RuleType::kText) {
       const double value = GetRule(row, rules).number;
       const bool is_possible = row.channel.empty() ? !std::isnan(value) : IsPossible(row, value);

@@ -8,12 +8,15 @@
 #include <iterator>
 #include <limits>
 #include <string>
+#include <vector>
 
 #include "lib/broker/comms_example.h"
 #include "lib/mission/load_comms.h"
 #include "lib/routing/control.h"
 
 namespace shoal::comms_rules_test {
+
+const std::vector<std::string> kBuiltIn = {"direct", "acoustic"};
 
 std::string PageText(const std::string& path) {
   std::ifstream in(std::string(SHOAL_SOURCE_DIR) + "/" + path);
@@ -35,8 +38,8 @@ RoutingRules OtherRules() {
         [&]<class Member>(Member member) {
           if constexpr (std::is_same_v<Member, std::string RoutingRules::*>) {
             rules.*member = "other";
-          } else if constexpr (std::is_same_v<Member, Medium RoutingRules::*>) {
-            rules.*member = Medium::kAcoustic;
+          } else if constexpr (std::is_same_v<Member, MediaChoice RoutingRules::*>) {
+            rules.*member = Over("acoustic");
           } else if constexpr (std::is_same_v<Member, bool RoutingRules::*>) {
             rules.*member = !(rules.*member);
           } else if constexpr (std::is_same_v<Member, double RoutingRules::*> ||
@@ -53,20 +56,22 @@ TEST(CommsRules, CarryEachRuleAsItIs) {
   comms_rules_t message{};
   PutRules(OtherRules(), &message);
   EXPECT_EQ(RulesOf(message), OtherRules());
-  EXPECT_EQ(ImpossibleRule(message), "");
+  EXPECT_EQ(ImpossibleRule(message, kBuiltIn), "");
 }
 
 TEST(CommsRules, RefuseTheFirstImpossibleValue) {
   comms_rules_t message{};
   PutRules({}, &message);
   message.stale_forget_s = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(ImpossibleRule(message), "stale_forget_s = nan");
+  EXPECT_EQ(ImpossibleRule(message, kBuiltIn), "stale_forget_s = nan");
   message.drop_percentage = 101;
   message.stale_forget_s = 1;
-  EXPECT_EQ(ImpossibleRule(message), "drop_percentage = 101");
+  EXPECT_EQ(ImpossibleRule(message, kBuiltIn), "drop_percentage = 101");
   message.drop_percentage = 0;
   message.reports_over = "pigeon";
-  EXPECT_EQ(ImpossibleRule(message), "reports_over = 'pigeon'");
+  EXPECT_EQ(ImpossibleRule(message, kBuiltIn), "reports_over = 'pigeon'");
+  message.reports_over = "acoustic,direct";
+  EXPECT_EQ(ImpossibleRule(message, kBuiltIn), "");
 }
 
 TEST(CommsExample, HasEachRuleWithItsDefaultAndLoads) {

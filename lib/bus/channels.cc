@@ -68,6 +68,7 @@ Channel<acoustic_rx_t> AcousticRx(std::string_view vehicle) {
   return {Of(topics::kAcousticRx, vehicle)};
 }
 Channel<swarm_t> Swarm(std::string_view vehicle) { return {Of(topics::kSwarm, vehicle)}; }
+Channel<relay_t> RelayRx(std::string_view vehicle) { return {Of(topics::kRelayRx, vehicle)}; }
 
 Channel<helm_command_t> HelmCommandAll() { return {std::string(topics::kHelmCommand)}; }
 Channel<node_report_t> NodeReportLocal() { return {std::string(topics::kNodeReportLocal)}; }
@@ -77,11 +78,13 @@ Channel<node_message_t> NodeMessageFromOutside() { return {std::string(topics::k
 Channel<ack_message_t> AckMessage() { return {std::string(topics::kAckMessage)}; }
 Channel<acoustic_tx_t> AcousticTx() { return {std::string(topics::kAcousticTx)}; }
 Channel<modem_tx_t> ModemTx() { return {std::string(topics::kModemTx)}; }
+Channel<relay_t> RelayTx() { return {std::string(topics::kRelayTx)}; }
 Channel<unc_control_t> Control(const ControlRow& row) { return {std::string(row.channel)}; }
 Channel<unc_controls_t> UncControls() { return {std::string(topics::kUncControls)}; }
 Channel<unc_controls_req_t> UncControlsReq() { return {std::string(topics::kUncControlsReq)}; }
 Channel<node_report_t> NodeReportUnc() { return {std::string(topics::kNodeReportUnc)}; }
 Channel<comms_fates_t> CommsFates() { return {std::string(topics::kCommsFates)}; }
+Channel<comms_media_t> CommsMedia() { return {std::string(topics::kCommsMedia)}; }
 Channel<comms_rules_t> CommsRules() { return {std::string(topics::kCommsRules)}; }
 Channel<comms_rules_t> CommsRulesNow() { return {std::string(topics::kCommsRulesNow)}; }
 Channel<comms_pulses_t> ViewCommsPulse() { return {std::string(topics::kViewCommsPulse)}; }
@@ -104,7 +107,8 @@ std::vector<ChannelRow> MakeTable() {
   using enum ChannelHome;
   std::vector<ChannelRow> table = {
       {topics::kNav, kVehicle, "nav_t", "vehicle_sim",
-       "helm, node_reporter, acomms, vehicle_sim of others, shoal, viewer", "every step", true},
+       "helm, node_reporter, acomms, vehicle_sim of others, shore_broker, shoal, viewer",
+       "every step", true},
       {topics::kMeasuredNav, kVehicle, "nav_t", "vehicle_sim", "helm, node_reporter, acomms",
        "every step, with [vehicle.sensors]", true},
       {topics::kSonar, kVehicle, "sonar_t", "vehicle_sim", "helm", "[vehicle.sonar] rate_hz", true},
@@ -134,6 +138,8 @@ std::vector<ChannelRow> MakeTable() {
        "acomms, netsim_manager, your programs", "one per packet that arrived", true},
       {topics::kSwarm, kVehicle, "swarm_t", "acomms", "helm, shoal, viewer",
        "when a message arrives, at least 1 Hz", true},
+      {topics::kRelayRx, kVehicle, "relay_t", "shore_broker", "gateway",
+       "one per report, message or ack that a gateway receives", true},
       {topics::kMediatedMessage, kVehicle, "node_message_t",
        "shoal (events), shoal send, your programs", "node_reporter", "when needed", true},
       {topics::kHelmCommand, kShore, "helm_command_t", "any program", "shore_broker", "when needed",
@@ -153,8 +159,12 @@ std::vector<ChannelRow> MakeTable() {
        "when needed", true},
       {topics::kModemTx, kShore, "modem_tx_t", "netsim_manager", "shore_broker", "when needed",
        true},
+      {topics::kRelayTx, kShore, "relay_t", "gateway", "shore_broker",
+       "one per report, message or ack that it has received", true},
       {topics::kCommsFates, kShore, "comms_fates_t", "shore_broker",
        "netsim_manager, shoal, viewer", "steps with decisions", true},
+      {topics::kCommsMedia, kShore, "comms_media_t", "shore_broker", "(shoal log comms)",
+       "with [[medium]]: steps with decisions", true},
       {topics::kCommsRules, kShore, "comms_rules_t", "shore_broker", "viewer, (shoal rebroker)",
        "at its start and when a rule changes", true},
       {topics::kViewCommsPulse, kShore, "comms_pulses_t", "shore_broker", "viewer",

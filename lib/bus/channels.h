@@ -21,6 +21,7 @@
 #include "shoal/clock_command_t.hpp"
 #include "shoal/clock_state_t.hpp"
 #include "shoal/comms_fates_t.hpp"
+#include "shoal/comms_media_t.hpp"
 #include "shoal/comms_pulses_t.hpp"
 #include "shoal/comms_rules_req_t.hpp"
 #include "shoal/comms_rules_t.hpp"
@@ -34,6 +35,7 @@
 #include "shoal/nav_t.hpp"
 #include "shoal/node_message_t.hpp"
 #include "shoal/node_report_t.hpp"
+#include "shoal/relay_t.hpp"
 #include "shoal/resend_t.hpp"
 #include "shoal/sim_command_t.hpp"
 #include "shoal/sonar_t.hpp"
@@ -67,14 +69,17 @@ inline constexpr std::string_view kMediatedMessage = "MEDIATED_MESSAGE";
 inline constexpr std::string_view kAckMessage = "ACK_MESSAGE";
 inline constexpr std::string_view kAcousticRx = "ACOUSTIC_RX";
 inline constexpr std::string_view kSwarm = "SWARM";
+inline constexpr std::string_view kRelayRx = "RELAY_RX";
 inline constexpr std::string_view kNodeReportLocal = "NODE_REPORT_LOCAL";
 inline constexpr std::string_view kNodeMessageLocal = "NODE_MESSAGE_LOCAL";
 inline constexpr std::string_view kAcousticTx = "ACOUSTIC_TX";
 inline constexpr std::string_view kModemTx = "MODEM_TX";
+inline constexpr std::string_view kRelayTx = "RELAY_TX";
 inline constexpr std::string_view kUncControls = "UNC_CONTROLS";
 inline constexpr std::string_view kUncControlsReq = "UNC_CONTROLS_REQ";
 inline constexpr std::string_view kNodeReportUnc = "NODE_REPORT_UNC";
 inline constexpr std::string_view kCommsFates = "COMMS_FATES";
+inline constexpr std::string_view kCommsMedia = "COMMS_MEDIA";
 inline constexpr std::string_view kCommsRules = "COMMS_RULES";
 inline constexpr std::string_view kViewCommsPulse = "VIEW_COMMS_PULSE";
 inline constexpr std::string_view kModemStats = "MODEM_STATS";
@@ -116,6 +121,7 @@ Channel<node_message_t> MediatedMessage(std::string_view vehicle);
 Channel<ack_message_t> AckMessageTo(std::string_view vehicle);
 Channel<acoustic_rx_t> AcousticRx(std::string_view vehicle);
 Channel<swarm_t> Swarm(std::string_view vehicle);
+Channel<relay_t> RelayRx(std::string_view vehicle);
 
 // At the shore.
 Channel<helm_command_t> HelmCommandAll();
@@ -126,11 +132,13 @@ Channel<node_message_t> NodeMessageFromOutside();
 Channel<ack_message_t> AckMessage();
 Channel<acoustic_tx_t> AcousticTx();
 Channel<modem_tx_t> ModemTx();
+Channel<relay_t> RelayTx();
 Channel<unc_control_t> Control(const ControlRow& row);
 Channel<unc_controls_t> UncControls();
 Channel<unc_controls_req_t> UncControlsReq();
 Channel<node_report_t> NodeReportUnc();
 Channel<comms_fates_t> CommsFates();
+Channel<comms_media_t> CommsMedia();
 Channel<comms_rules_t> CommsRules();
 Channel<comms_rules_t> CommsRulesNow();
 Channel<comms_pulses_t> ViewCommsPulse();

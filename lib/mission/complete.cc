@@ -165,7 +165,7 @@ std::vector<std::string> AcousticFollowers(const Mission& mission) {
 }
 
 bool UsesAcoustics(const RoutingRules& rules) {
-  return rules.reports_over == Medium::kAcoustic || rules.messages_over == Medium::kAcoustic;
+  return rules.reports_over.Has(kAcousticMedium) || rules.messages_over.Has(kAcousticMedium);
 }
 
 /// A vehicle's place in the mission, without the address that all receive.
@@ -210,6 +210,7 @@ void ResolveNames(Mission& mission, const TablePlace& file) {
 
 void CompleteMission(Mission& mission, const TablePlace& file) {
   mission.acoustics.is_used = file.Has("acoustics") || UsesAcoustics(mission.comms);
+  FillInMedia(mission, file);
   FillInAddresses(mission);
   FillInDomains(mission);
   FillInRadii(mission, file);

@@ -36,6 +36,13 @@ void Describe(Fields& file, Mission& mission);
 /// [environment].
 void Describe(Fields& fields, Environment& environment);
 
+/// One [[medium]]; a modem's file is looked for in `folder` as that of [acoustics].
+void Describe(Fields& fields, MediumOptions& medium, const std::optional<std::string>& folder);
+/// A medium, or a list of media in order of preference.
+void DescribeMedia(Fields& fields, std::string_view key, MediaChoice& choice);
+/// What a vehicle has of them: media, antenna_height_m and [vehicle.gateway].
+void Describe(Fields& fields, VehicleMedia& media);
+
 /// [comms].
 void Describe(Fields& fields, RoutingRules& rules);
 /// The value of a rule that can change while a mission runs, under `key`.

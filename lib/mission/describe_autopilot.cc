@@ -83,6 +83,8 @@ struct AutopilotOfModel {
     options.autopilot.reset();
     if (gains != GainsOf(options)) options.autopilot = gains;
   }
+  /// It is moored.
+  void operator()(const BuoyParams& /*buoy*/) const {}
 };
 
 /// As a file writes 15 degrees.

@@ -56,8 +56,8 @@ struct RuleField {
                 {.min_length = static_cast<size_t>(row.in_file.min),
                  .max_length = static_cast<size_t>(row.in_file.max)});
   }
-  void operator()(Medium RoutingRules::*member) const {
-    fields.Choice(row.rule, rules.*member, kMedia);
+  void operator()(MediaChoice RoutingRules::*member) const {
+    DescribeMedia(fields, row.rule, rules.*member);
   }
   // Of a vehicle, and requests: not of [comms].
   void operator()(double LinkFactors::*) const {}

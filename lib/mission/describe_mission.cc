@@ -108,7 +108,8 @@ void Describe(Fields& file, Mission& mission) {
   file.Below("comms", [&](Fields& fields) { Describe(fields, mission.comms); });
   if (file.reading()) {
     // What [acoustics] leaves out depends on [netsim]. Errors list tables in the order of a file.
-    for (const char* key : {"acoustics", "obstacle", "template", "vehicle", "fleet", "swarm"})
+    for (const char* key :
+         {"acoustics", "medium", "obstacle", "template", "vehicle", "fleet", "swarm"})
       file.Skip(key);
     DescribeNetsim(file, mission);
   }
@@ -118,6 +119,9 @@ void Describe(Fields& file, Mission& mission) {
       Describe(fields, mission.acoustics, folder, DefaultModem(mission));
     });
   }
+  file.List("medium", mission.media, [&](Fields& fields, MediumOptions& medium) {
+    Describe(fields, medium, std::filesystem::path(mission.file).parent_path().string());
+  });
   file.List("obstacle", mission.obstacles,
             [](Fields& fields, Obstacle& obstacle) { Describe(fields, obstacle); });
   file.Skip("template");

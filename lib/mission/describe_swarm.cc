@@ -32,6 +32,7 @@ void Describe(Fields& fields, SwarmOptions& swarm) {
   fields.Flag("frames", swarm.frames);
   fields.Text("group_id", swarm.group_id, {.min_length = 1, .max_length = 1});
   fields.Number("silent_after_s", swarm.silent_after_s, Above(0, kLongest_s));
+  DescribeMedia(fields, "over", swarm.over);
   if (!swarm.group_id.empty() && !std::isalnum(static_cast<unsigned char>(swarm.group_id[0]))) {
     fields.Refuse("group_id", "group_id must be a letter or a digit");
   }

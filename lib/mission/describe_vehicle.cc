@@ -1,4 +1,5 @@
 // The tables [[vehicle]] and [template.NAME].
+#include <algorithm>
 #include <array>
 #include <limits>
 #include <set>
@@ -108,9 +109,11 @@ void DescribeBehaviors(Fields& fields, Vehicle& vehicle) {
   }
 }
 
-/// What provides the vehicle's parts; `outside = true` stands for "none" of each.
-void DescribeProviders(Fields& fields, Vehicle& vehicle) {
+/// What provides the vehicle's parts; `outside = true` stands for "none" of each, and what is
+/// moored has no helm.
+void DescribeProviders(Fields& fields, bool is_moored, Vehicle& vehicle) {
   fields.Flag("outside", vehicle.is_outside);
+  if (is_moored) vehicle.helm = Provider::kNone;
   const std::pair<std::string_view, Provider*> parts[] = {{"vehicle_sim", &vehicle.sim},
                                                           {"helm", &vehicle.helm},
                                                           {"node_reporter", &vehicle.reporter},
@@ -127,6 +130,23 @@ void DescribeProviders(Fields& fields, Vehicle& vehicle) {
                         std::string(key) + " out");
     }
   }
+}
+
+/// True for the name of a model that is moored.
+bool IsMoored(std::string_view model_name) {
+  const std::vector<AnyModel> models = EachModel();
+  return std::ranges::any_of(models, [&](const AnyModel& model) {
+    return FactsOfModel(model).name == model_name && FactsOfModel(model).is_moored;
+  });
+}
+
+/// Refuses what only a vehicle with a helm can have.
+void RefuseHelmOfMoored(Fields& fields, const Vehicle& vehicle) {
+  const std::string why = "a vehicle of model \"" + std::string(FactsOfModel(vehicle.model).name) +
+                          "\" is moored and has no helm: leave it out";
+  if (vehicle.helm != Provider::kNone) fields.Refuse("helm", why);
+  if (!vehicle.tasks.empty()) fields.Refuse("task", why);
+  if (!vehicle.behaviors.empty()) fields.Refuse("behavior", why);
 }
 
 /// Returns the name of the vehicle's model.
@@ -156,8 +176,10 @@ void DescribeModels(Fields& fields, std::string_view chosen, Vehicle& vehicle) {
 void Describe(Fields& fields, Vehicle& vehicle) {
   fields.Text("name", vehicle.name, {.max_length = 1000});
   fields.Skip("template");  // Laid under the vehicle already (expand.h).
-  fields.Text("type", vehicle.type, {.min_length = 1});
   const std::string model_name = DescribeModelName(fields, vehicle);
+  const bool is_moored = IsMoored(model_name);
+  if (fields.reading() && is_moored && vehicle.type == Vehicle().type) vehicle.type = model_name;
+  fields.Text("type", vehicle.type, {.min_length = 1});
   fields.Text("group", vehicle.group, {});
   fields.Text("color", vehicle.color, {.min_length = 1});
   fields.Number("length_m", vehicle.length_m, Above(0, 500));
@@ -167,8 +189,9 @@ void Describe(Fields& fields, Vehicle& vehicle) {
     fields.SmallInteger("acoustic_address", vehicle.acoustic_address, 1, kLargestAddress);
   }
   fields.Flag("acoustic_leader", vehicle.acoustic_leader);
+  Describe(fields, vehicle.media);
   fields.Inline("start", [&](Fields& table) { Describe(table, vehicle.start); });
-  DescribeProviders(fields, vehicle);
+  DescribeProviders(fields, is_moored, vehicle);
   DescribeModels(fields, model_name, vehicle);
   DescribeInstruments(fields, vehicle);
   fields.Below("helm_options", [&](Fields& table) { Describe(table, vehicle.helm_options); });
@@ -183,6 +206,7 @@ void Describe(Fields& fields, Vehicle& vehicle) {
                [&](Fields& table) { Describe(table, vehicle.return_task, vehicle.start); });
   DescribeTasks(fields, vehicle);
   DescribeBehaviors(fields, vehicle);
+  if (is_moored && fields.reading()) RefuseHelmOfMoored(fields, vehicle);
 }
 
 }  // namespace shoal

@@ -321,14 +321,14 @@ TEST(Overrides, CannotSetMoreThanOneValue) {
 }
 
 TEST(Overrides, ComeAfterTheErrorsOfTheFileInTheirOwnOrder) {
-  EXPECT_EQ(
-      ErrorsAfter("lenght = 3\n", {"mission.sed=1", "a=1", "mission.seed=x"}),
-      "5:1: unknown key 'lenght' (did you mean 'length_m'?)\n"
-      "--set mission.sed=1: unknown key 'sed' (did you mean 'seed'?)\n"
-      "--set a=1: unknown key 'a'; known here: mission, environment, comms, acoustics, obstacle, "
-      "template, vehicle, "
-      "fleet, swarm, netsim, event, participant, expect\n"
-      "--set mission.seed=x: seed must be a whole number, not the string 'x'\n");
+  EXPECT_EQ(ErrorsAfter("lenght = 3\n", {"mission.sed=1", "a=1", "mission.seed=x"}),
+            "5:1: unknown key 'lenght' (did you mean 'length_m'?)\n"
+            "--set mission.sed=1: unknown key 'sed' (did you mean 'seed'?)\n"
+            "--set a=1: unknown key 'a'; known here: mission, environment, comms, acoustics, "
+            "medium, obstacle, "
+            "template, vehicle, "
+            "fleet, swarm, netsim, event, participant, expect\n"
+            "--set mission.seed=x: seed must be a whole number, not the string 'x'\n");
 }
 
 }  // namespace shoal::expand_test

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "lib/mission/load.h"
-#include "lib/mission/load_acoustics.h"
+#include "lib/mission/load_media.h"
 #include "lib/mission/mission_draw.h"
 #include "lib/mission/parse.h"
 #include "lib/mission/problems.h"
@@ -29,15 +29,15 @@ TEST(Explain, LoadsBackAsTheSameMission) {
   }
 }
 
-TEST(ExplainAcoustics, LoadsBackAsTheSameAcoustics) {
+TEST(ExplainMedia, LoadsBackAsTheSameAcoustics) {
   for (uint64_t seed = 0; seed < 20; ++seed) {
     Acoustics acoustics = MissionDraw(seed).DrawAcoustics();
     acoustics.is_used = seed % 2 == 0;
-    const LoadedAcoustics loaded = LoadAcousticsText(ExplainAcoustics(acoustics), "log");
-    EXPECT_EQ(loaded.errors, std::vector<std::string>{}) << ExplainAcoustics(acoustics);
-    EXPECT_TRUE(loaded.acoustics == acoustics) << ExplainAcoustics(acoustics);
+    const LoadedMedia loaded = LoadMediaText(ExplainMedia({.acoustics = acoustics}), "log");
+    EXPECT_EQ(loaded.errors, std::vector<std::string>{}) << ExplainMedia({.acoustics = acoustics});
+    EXPECT_TRUE(loaded.setup.acoustics == acoustics) << ExplainMedia({.acoustics = acoustics});
   }
-  EXPECT_EQ(LoadAcousticsText(ExplainAcoustics({}), "log").acoustics, Acoustics());
+  EXPECT_EQ(LoadMediaText(ExplainMedia({}), "log").setup, MediaSetup());
 }
 
 TEST(Explain, WritesTheSameTextForTheSameMission) {

@@ -184,9 +184,8 @@ TEST(LoadErrors, ReportAcousticAddressesThatSeveralHave) {
 
 TEST(LoadErrors, ReportUnknownMedia) {
   EXPECT_EQ(ErrorsAfter("[comms]\nreports_over = \"water\"\nmessages_over = 1\n"),
-            "6:16: unknown reports_over 'water'; one of: direct, acoustic\n"
-            "7:17: messages_over must be a string in quotes, not a whole number; one of: direct, "
-            "acoustic\n");
+            "6:16: unknown medium 'water'; one of: direct, acoustic\n"
+            "7:17: messages_over must be an array of strings, not a whole number\n");
 }
 
 TEST(LoadErrors, ReportSharesThatNoLinkCanReach) {

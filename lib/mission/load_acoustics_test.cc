@@ -1,6 +1,4 @@
 // The keys of the acoustic network in a mission file, and their defaults.
-#include "lib/mission/load_acoustics.h"
-
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -14,6 +12,7 @@
 
 #include "lib/acoustics/acoustic_network.h"
 #include "lib/mission/load_comms.h"
+#include "lib/mission/load_media.h"
 #include "lib/mission/load_testing.h"
 #include "lib/mission/mission_draw.h"
 #include "lib/mission/modem_testing.h"
@@ -212,27 +211,27 @@ TEST(LoadAcoustics, AcceptsALargeFleetThatDoesNotUseTheNetwork) {
   EXPECT_EQ(mission.vehicles.at(300).acoustic_address, 302);
 }
 
-TEST(LoadAcousticsText, IsSelfContained) {
+TEST(LoadMediaText, IsSelfContained) {
   const Acoustics acoustics = LoadAfter("[acoustics]\nmodem = \"nanomodem_v3\"\n").acoustics;
-  const std::string text = ExplainAcoustics(acoustics);
+  const std::string text = ExplainMedia({.acoustics = acoustics});
   EXPECT_TRUE(text.starts_with("[acoustics]\n")) << text;
-  const LoadedAcoustics loaded = LoadAcousticsText(text, "COMMS_RULES");
+  const LoadedMedia loaded = LoadMediaText(text, "COMMS_RULES");
   EXPECT_EQ(loaded.errors, std::vector<std::string>());
-  EXPECT_EQ(loaded.acoustics, acoustics);
+  EXPECT_EQ(loaded.setup.acoustics, acoustics);
 }
 
-TEST(LoadAcousticsText, OpensNoFile) {
+TEST(LoadMediaText, OpensNoFile) {
   EXPECT_EQ(
-      LoadAcousticsText("[acoustics]\nmodem = \"nanomodem_v3\"\n", "log").errors,
+      LoadMediaText("[acoustics]\nmodem = \"nanomodem_v3\"\n", "log").errors,
       std::vector<std::string>{"log:2:9: modem must be a table, not the string 'nanomodem_v3'"});
-  EXPECT_EQ(LoadAcousticsText("", "log").errors,
+  EXPECT_EQ(LoadMediaText("", "log").errors,
             std::vector<std::string>{"log:1:1: the text lacks 'acoustics'; for example: "
                                      "[acoustics], followed by crc = true"});
-  EXPECT_EQ(LoadAcousticsText("[acoustics\n", "log").errors.size(), 1U);
+  EXPECT_EQ(LoadMediaText("[acoustics\n", "log").errors.size(), 1U);
 }
 
-TEST(LoadAcousticsText, KnowsNoNumberOfNodes) {
-  EXPECT_EQ(LoadAcousticsText("[acoustics]\naccess_mode = \"tdma_lf\"\n", "log").errors,
+TEST(LoadMediaText, KnowsNoNumberOfNodes) {
+  EXPECT_EQ(LoadMediaText("[acoustics]\naccess_mode = \"tdma_lf\"\n", "log").errors,
             std::vector<std::string>());
 }
 
@@ -241,20 +240,19 @@ std::string Edited(uint64_t seed) {
   constexpr std::array<std::string_view, 10> kValues = {"nan", "-1",  "0",       "1e-300", "1e300",
                                                         "5",   "1.5", "\"off\"", "{}",     "true"};
   std::mt19937_64 random(seed);
-  std::string text = ExplainAcoustics(MissionDraw(seed).DrawAcoustics());
+  std::string text = ExplainMedia({.acoustics = MissionDraw(seed).DrawAcoustics()});
   const size_t value = text.find("= ", random() % text.size());
   if (value == std::string::npos) return text;
   const size_t end = text.find_first_of(",}\n", value);
   return text.replace(value + 2, end - value - 2, kValues.at(random() % kValues.size()));
 }
 
-RC_GTEST_PROP(LoadAcousticsText, LoadsNothingThatTheNetworkCannotDo, (uint64_t seed)) {
-  const LoadedAcoustics loaded = LoadAcousticsText(Edited(seed), "log");
+RC_GTEST_PROP(LoadMediaText, LoadsNothingThatTheNetworkCannotDo, (uint64_t seed)) {
+  const LoadedMedia loaded = LoadMediaText(Edited(seed), "log");
   for (const std::string& error : loaded.errors) RC_ASSERT(error.starts_with("log:"));
   if (!loaded.errors.empty()) return;
-  RC_ASSERT(LoadAcousticsText(ExplainAcoustics(loaded.acoustics), "log").acoustics ==
-            loaded.acoustics);
-  AcousticNetwork network(loaded.acoustics.options, 1, AnyNode());
+  RC_ASSERT(LoadMediaText(ExplainMedia(loaded.setup), "log").setup == loaded.setup);
+  AcousticNetwork network(loaded.setup.acoustics.options, 1, AnyNode());
   if (!network.AddNode({.name = "another", .address = 2}).ok()) return;
   const std::vector<Eigen::Vector3d> positions_m = {{0, 0, 0}, {1000, 0, 0}};
   const std::vector<int> receivers = {1};
@@ -266,7 +264,7 @@ TEST(LoadComms, ReadsTheAcousticsBesideTheRules) {
   const std::string rules = "[comms]\nreports_over = \"acoustic\"\n";
   const LoadedComms without = LoadCommsText(rules, "c.toml");
   EXPECT_EQ(without.errors, std::vector<std::string>());
-  EXPECT_EQ(without.rules.reports_over, Medium::kAcoustic);
+  EXPECT_EQ(without.rules.reports_over, Over("acoustic"));
   EXPECT_FALSE(without.acoustics.has_value());
   const LoadedComms with =
       LoadCommsText(rules + "[acoustics]\ncrc = false\nmodem = \"nanomodem_v3\"\n", "c.toml");

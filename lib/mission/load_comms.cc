@@ -6,7 +6,7 @@
 
 #include "lib/mission/describe.h"
 #include "lib/mission/load.h"
-#include "lib/mission/load_acoustics.h"
+#include "lib/mission/load_media.h"
 #include "lib/mission/parse.h"
 #include "lib/mission/problems.h"
 #include "lib/mission/read_file.h"
@@ -33,6 +33,10 @@ LoadedComms LoadCommsText(std::string_view text, const std::string& name) {
     TableReader file(*root, "the file", problems);
     file.Require("comms", "[comms], followed by comms_range = 100");
     file.Below("comms", [&](Fields& fields) { Describe(fields, loaded.rules); });
+    const TablePlace comms = TablePlace(*root, problems).Below("comms");
+    const std::vector<std::string> media = MediaSetup().Names();
+    ValidateChoice(comms, "reports_over", loaded.rules.reports_over, media);
+    ValidateChoice(comms, "messages_over", loaded.rules.messages_over, media);
     if (file.Has("acoustics", true)) {
       loaded.acoustics = {.is_used = true, .crc = true, .options = {}};
       file.Below("acoustics", [&](Fields& fields) {

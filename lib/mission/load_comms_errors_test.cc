@@ -294,7 +294,7 @@ TEST(LoadWarnings, ReportAnIgnoredGroupWithoutMembers) {
 
 TEST(LoadErrors, ReportFatesThatAKindCannotHave) {
   EXPECT_EQ(
-      ErrorsAfter("[[expect]]\nkind = \"reports\"\ncause = \"no_destination\"\nat_least = 1\n")
+      ErrorsAfter("[[expect]]\nkind = \"reports\"\ncause = \"unknown_destination\"\nat_least = 1\n")
           .substr(0, 20),
       "7:9: unknown cause '");
   EXPECT_EQ(

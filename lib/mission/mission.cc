@@ -44,8 +44,9 @@ std::vector<const Vehicle*> Mission::VehiclesNamed(std::string_view addressees) 
 
 bool Mission::MayBeSteeredFromOutside() const {
   const bool has_other_helm =
-      std::any_of(vehicles.begin(), vehicles.end(),
-                  [](const Vehicle& vehicle) { return vehicle.helm != Provider::kShoal; });
+      std::any_of(vehicles.begin(), vehicles.end(), [](const Vehicle& vehicle) {
+        return vehicle.helm != Provider::kShoal && !FactsOfModel(vehicle.model).is_moored;
+      });
   return has_other_helm || !participants.empty() || netsim.has_value();
 }
 
@@ -54,6 +55,12 @@ bool Mission::IsReported(const Vehicle& vehicle) const {
   return netsim &&
          std::any_of(netsim->vehicles.begin(), netsim->vehicles.end(),
                      [&](const NetsimVehicle& each) { return each.name == vehicle.name; });
+}
+
+bool Mission::HasMedia() const {
+  return !media.empty() || std::any_of(vehicles.begin(), vehicles.end(), [](const Vehicle& each) {
+    return !each.media.names.empty() || each.media.gateway.exists;
+  });
 }
 
 bool Mission::IsInSwarm(const Vehicle& vehicle) const {

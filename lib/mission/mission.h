@@ -13,6 +13,7 @@
 #include "lib/mission/environment.h"
 #include "lib/mission/event.h"
 #include "lib/mission/expectation.h"
+#include "lib/mission/media_options.h"
 #include "lib/mission/vehicle.h"
 #include "lib/netsim/netsim_options.h"
 #include "lib/routing/rules.h"
@@ -34,6 +35,8 @@ struct SwarmOptions {
   bool frames = false;           ///< A sequence number and a checksum with each message.
   std::string group_id = "A";    ///< One letter or digit, sent with each message.
   double silent_after_s = 60;    ///< After this long without a message a member is silent.
+  /// What carries its packets, and all else on ACOUSTIC_TX.
+  MediaChoice over = {.names = {std::string(kAcousticMedium)}};
 
   bool operator==(const SwarmOptions&) const = default;
 };
@@ -70,7 +73,8 @@ struct Mission {
   Environment environment;
   RoutingRules comms;
   Acoustics acoustics;
-  std::vector<Obstacle> obstacles;  ///< That do not move.
+  std::vector<MediumOptions> media;  ///< Besides direct and acoustic.
+  std::vector<Obstacle> obstacles;   ///< That do not move.
   std::vector<Vehicle> vehicles;
   SwarmOptions swarm;
   std::optional<NetsimOptions> netsim;  ///< Participants over netsim's interface.
@@ -92,6 +96,9 @@ struct Mission {
   bool IsReported(const Vehicle& vehicle) const;
   /// True where programs of the user or clients of netsim may deploy vehicles, and move them.
   bool MayBeSteeredFromOutside() const;
+  /// True where it has media of its own or a gateway: then each vehicle has its media, and the
+  /// broker decides by where they are.
+  bool HasMedia() const;
   /// True for the leader and the followers of the swarm.
   bool IsInSwarm(const Vehicle& vehicle) const;
 

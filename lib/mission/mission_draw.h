@@ -49,8 +49,8 @@ class MissionDraw {
                      .min_msg_interval_s = Number(-1, 1e7),
                      .max_msg_length_bytes = Integer(0, 1'000'000'000),
                      .drop_percentage = Number(0, 100),
-                     .reports_over = Coin() ? Medium::kAcoustic : Medium::kDirect,
-                     .messages_over = Coin() ? Medium::kAcoustic : Medium::kDirect,
+                     .reports_over = Coin() ? Over("acoustic") : Over("direct"),
+                     .messages_over = Coin() ? Over("acoustic") : Over("direct"),
                      .shared_node_reports_s = Coin() ? -1 : Number(0, 1e7),
                      .pulse_duration_s = Number(0, 1e7),
                      .view_node_rpt_pulses = Coin(),
@@ -62,8 +62,8 @@ class MissionDraw {
     for (int64_t i = 2; i > 0; --i) mission.vehicles.push_back(DrawVehicle(i));
     if (mission.tick_us <= 200'000) Submerge(&mission.vehicles[0]);
     has_floor_ = mission.environment.floor.style != "none";
-    const bool over_water = mission.comms.reports_over == Medium::kAcoustic ||
-                            mission.comms.messages_over == Medium::kAcoustic;
+    const bool over_water = mission.comms.reports_over.Has(kAcousticMedium) ||
+                            mission.comms.messages_over.Has(kAcousticMedium);
     if (over_water || Coin()) mission.acoustics = DrawAcoustics();
     const int first_address = mission.acoustics.options.broadcast_address < 1000 ? 1000 : 1;
     for (Vehicle& vehicle : mission.vehicles) {
@@ -73,6 +73,7 @@ class MissionDraw {
     mission.vehicles[0].acoustic_leader = true;
     if (mission.acoustics.is_used) DrawSwarm(&mission);
     if (Coin()) DrawNetsim(&mission);
+    if (Coin()) DrawMedia(&mission);
     double at_s = 0;
     for (int64_t i = Integer(0, 4); i > 0; --i) {
       at_s = Number(at_s, mission.duration_s);
@@ -85,6 +86,7 @@ class MissionDraw {
       mission.expectations.push_back(DrawExpectation(mission.duration_s));
     }
     SeedPaths(mission);
+    if (Coin()) AddBuoy(&mission);
     return mission;
   }
 
@@ -130,6 +132,60 @@ class MissionDraw {
   }
 
  private:
+  /// It has no task that "all" could be expected to do.
+  void AddBuoy(Mission* mission) {
+    Vehicle buoy;
+    buoy.name = "buoy";
+    buoy.type = "buoy";
+    buoy.model = BuoyParams{.watch_radius_m = Number(0, 10'000)};
+    buoy.helm = Provider::kNone;
+    buoy.start = {.x_m = 5000, .y_m = 5000};
+    buoy.return_task.point_m = {5000, 5000};
+    buoy.acoustic_address = mission->vehicles.back().acoustic_address + 1;
+    if (mission->HasMedia()) buoy.media.names = {"direct"};
+    mission->vehicles.push_back(buoy);
+    mission->events.clear();
+    mission->expectations.clear();
+  }
+
+  /// Two more media, and what the vehicles have of them.
+  void DrawMedia(Mission* mission) {
+    MediumOptions radio = {.name = "vhf", .kind = MediumKind::kRadio};
+    radio.radio = {.range_m = Coin() ? -1 : Number(0, 1e6),
+                   .surface_depth_m = Number(0, 100),
+                   .antenna_height_m = Number(0, 1000),
+                   .horizon = Coin(),
+                   .path_loss = static_cast<PathLossModel>(Integer(0, 2)),
+                   .frequency_mhz = Number(0.01, 1e6),
+                   .power_dbm = Number(-100, 100),
+                   .sensitivity_dbm = Number(-250, 100),
+                   .exponent = Number(1, 10),
+                   .rate_bps = Number(0, 1e12),
+                   .latency_s = Number(0, 86'400),
+                   .jitter_s = Number(0, 86'400),
+                   .loss = Number(0, 1)};
+    MediumOptions sound = {.name = "sound", .kind = MediumKind::kAcoustic};
+    sound.acoustics = DrawAcoustics();
+    sound.acoustics.options.access_mode = AccessMode::kShared;
+    mission->media = {radio, sound};
+    for (Vehicle& vehicle : mission->vehicles) {
+      vehicle.media.names = {"vhf", "acoustic"};
+      if (Coin()) vehicle.media.antenna_height_m = Number(0, 1000);
+    }
+    const bool has_reporter = mission->vehicles.back().reporter != Provider::kNone;
+    if (has_reporter && !mission->vehicles.back().is_outside && Coin()) {
+      mission->vehicles.back().media.gateway = {.exists = true,
+                                                .from = {"acoustic"},
+                                                .to = {"vhf", "direct"},
+                                                .reports = Coin(),
+                                                .messages = Coin(),
+                                                .queue = Integer(1, 100'000),
+                                                .rate_hz = Positive(1000),
+                                                .max_hops = Integer(1, 16)};
+    }
+    mission->comms.reports_over = {.names = {"vhf", "sound"}, .at_once = Coin()};
+  }
+
   int64_t Integer(int64_t min, int64_t max) {
     return std::uniform_int_distribution<int64_t>(min, max)(generator_);
   }

@@ -66,6 +66,7 @@ void Validate(Mission& mission, const TablePlace& file) {
   ValidateEnvironment(mission, file);
   ValidateAcoustics(mission, file);
   ValidateAcousticReports(mission, file);
+  ValidateMedia(mission, file);
   ValidateSwarm(mission, file);
   ValidateNetsim(mission, file);
   ValidateUnderwater(mission, file);

@@ -17,6 +17,8 @@
 
 namespace shoal {
 
+struct MediaSetup;
+
 /// Completes `mission`, all of which has been read from `file`, and finds everything that is wrong
 /// between its tables. Puts the events in order of time.
 void Validate(Mission& mission, const TablePlace& file);
@@ -40,6 +42,10 @@ void SeedPaths(Mission& mission);
 /// acoustic addresses, the leader of the network, the followers of the swarm.
 void CompleteMission(Mission& mission, const TablePlace& file);
 
+/// Gives each vehicle the media that its type has, where [[medium]] blocks or gateways exist and
+/// its table names none; a part of CompleteMission.
+void FillInMedia(Mission& mission, const TablePlace& file);
+
 /// Names of vehicles and participants; groups.
 void ValidateNames(const Mission& mission, const TablePlace& file);
 /// Whether [environment] can be made with the mission's seed and folder.
@@ -49,6 +55,14 @@ void ValidateAcoustics(const Mission& mission, const TablePlace& file);
 /// Reports that the modem's packets cannot hold; warns of vehicles whose own reports overlap, and
 /// of those that report in step with each other and so are not received.
 void ValidateAcousticReports(const Mission& mission, const TablePlace& file);
+/// What [[medium]] blocks, [comms], [swarm], vehicles and gateways name, and whether they fit
+/// together; warns of vehicles that receive by direct while they dive.
+void ValidateMedia(const Mission& mission, const TablePlace& file);
+/// The part of it that a text of media has (load_media.h).
+void ValidateMedia(const MediaSetup& setup, const TablePlace& file);
+/// Refuses, at `key`, each name of a choice that is none of `media`.
+void ValidateChoice(const TablePlace& place, std::string_view key, const MediaChoice& choice,
+                    const std::vector<std::string>& media);
 void ValidateSwarm(const Mission& mission, const TablePlace& file);
 void ValidateNetsim(const Mission& mission, const TablePlace& file);
 /// Models and tasks of underwater vehicles.

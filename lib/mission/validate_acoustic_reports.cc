@@ -34,7 +34,8 @@ std::pair<const Vehicle*, const Vehicle*> FindReportsInStep(const Mission& missi
   for (const Vehicle& vehicle : mission.vehicles) {
     const ReporterOptions& reporter = vehicle.reporter_options;
     // What chance adds is rounded up to the reporter's own pace.
-    const bool has_clockwork = vehicle.reporter == Provider::kShoal && !reporter.extrapolate &&
+    const bool has_clockwork = vehicle.HasMedium(kAcousticMedium) &&
+                               vehicle.reporter == Provider::kShoal && !reporter.extrapolate &&
                                reporter.blackout_variance_s < 1 / reporter.rate_hz;
     if (!has_clockwork) continue;
     std::vector<const Vehicle*>& others = by_interval[ReportInterval_s(reporter)];
@@ -77,7 +78,7 @@ void WarnOfOutsiders(const Mission& mission, const TablePlace& comms, double air
 }  // namespace
 
 void ValidateAcousticReports(const Mission& mission, const TablePlace& file) {
-  if (mission.comms.reports_over != Medium::kAcoustic) return;
+  if (!mission.comms.reports_over.Has(kAcousticMedium)) return;
   const TablePlace comms = file.Below("comms");
   constexpr int64_t kReport_bytes = 37;
   const AcousticOptions& options = mission.acoustics.options;
@@ -112,7 +113,9 @@ void ValidateAcousticReports(const Mission& mission, const TablePlace& file) {
   const double jitter_s = options.jitter == JitterModel::kUniform ? options.max_jitter_s : 0;
   for (const Vehicle& vehicle : mission.vehicles) {
     const double interval_s = ReportInterval_s(vehicle.reporter_options);
-    if (vehicle.reporter != Provider::kShoal || interval_s >= air_s + jitter_s) continue;
+    const bool is_sender =
+        vehicle.reporter == Provider::kShoal && vehicle.HasMedium(kAcousticMedium);
+    if (!is_sender || interval_s >= air_s + jitter_s) continue;
     comms.Warn("reports_over",
                fmt::format("{} may report every {:g} s, and a report of {} bytes takes {:g} s at "
                            "{:g} bit/s, with jitter up to {:g} s: its own reports will collide; "

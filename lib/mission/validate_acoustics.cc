@@ -17,9 +17,10 @@ namespace {
 
 constexpr size_t kMaxNamesShown = 5;
 
-std::vector<AcousticNode> NodesOf(const Mission& mission) {
+std::vector<AcousticNode> NodesOf(const Mission& mission, std::string_view medium) {
   std::vector<AcousticNode> nodes;
   for (const Vehicle& vehicle : mission.vehicles) {
+    if (!vehicle.HasMedium(medium)) continue;
     nodes.push_back({.name = vehicle.name,
                      .address = vehicle.acoustic_address,
                      .is_leader = vehicle.acoustic_leader});
@@ -81,11 +82,17 @@ void ValidateNetwork(const TablePlace& place, const AcousticOptions& options,
 void ValidateAcoustics(const Mission& mission, const TablePlace& file) {
   const TablePlace acoustics = file.Below("acoustics");
   if (!file.Has("acoustics") && mission.acoustics.is_used) {
-    const bool reports = mission.comms.reports_over == Medium::kAcoustic;
-    ValidateNetwork(file.Below("comms"), mission.acoustics.options, NodesOf(mission),
-                    reports ? "reports_over" : "messages_over");
+    const bool reports = mission.comms.reports_over.Has(kAcousticMedium);
+    ValidateNetwork(file.Below("comms"), mission.acoustics.options,
+                    NodesOf(mission, kAcousticMedium), reports ? "reports_over" : "messages_over");
   } else if (file.Has("acoustics") && acoustics.IsSound()) {
-    ValidateNetwork(acoustics, mission.acoustics.options, NodesOf(mission));
+    ValidateNetwork(acoustics, mission.acoustics.options, NodesOf(mission, kAcousticMedium));
+  }
+  for (size_t i = 0; i < mission.media.size(); ++i) {
+    const MediumOptions& medium = mission.media[i];
+    const TablePlace place = file.Below("medium", i);
+    if (medium.kind != MediumKind::kAcoustic || !place.IsSound()) continue;
+    ValidateNetwork(place, medium.acoustics.options, NodesOf(mission, medium.name));
   }
   CheckAddresses(mission, file);
 }

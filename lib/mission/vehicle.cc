@@ -1,5 +1,6 @@
 #include "lib/mission/vehicle.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <utility>
 
@@ -12,6 +13,10 @@ std::vector<AnyModel> ModelsAt(std::index_sequence<kPlaces...> /*places*/) {
 }
 
 }  // namespace
+
+bool Vehicle::HasMedium(std::string_view medium) const {
+  return media.names.empty() || std::ranges::find(media.names, medium) != media.names.end();
+}
 
 ModelFacts FactsOfModel(const AnyModel& model) {
   return std::visit([](const auto& parameters) { return FactsOf(parameters); }, model);

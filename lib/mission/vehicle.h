@@ -12,6 +12,8 @@
 #include "lib/behaviors/any_behavior.h"
 #include "lib/decision/domain.h"
 #include "lib/guidance/task.h"
+#include "lib/mission/buoy_model.h"
+#include "lib/mission/media_options.h"
 #include "lib/mission/model_facts.h"
 #include "lib/mission/remus100_model.h"
 #include "lib/mission/surface_craft_model.h"
@@ -128,7 +130,7 @@ struct MessageOptions {
 
 /// One alternative for each vehicle model, the default first: its parameters, of which FactsOf
 /// knows the rest. CONTRIBUTING.md has the recipe for a new one.
-using AnyModel = std::variant<SurfaceCraftParams, Remus100Options>;
+using AnyModel = std::variant<SurfaceCraftParams, Remus100Options, BuoyParams>;
 
 struct Vehicle {
   std::string name;
@@ -150,6 +152,7 @@ struct Vehicle {
   ReporterOptions reporter_options;
   MessageOptions message_options;
   LinkFactors link_factors;                ///< `stealth`, `earange`
+  VehicleMedia media;                      ///< `media`, `antenna_height_m`, `[vehicle.gateway]`
   int acoustic_address = 0;                ///< In the acoustic network; always > 0 once loaded.
   bool acoustic_leader = false;            ///< tdma_lf: it leads.
   RecoveryPlan recovery;                   ///< Of messages of the swarm.
@@ -161,6 +164,10 @@ struct Vehicle {
   Domain domain;                                   ///< What the behaviors decide about.
 
   bool operator==(const Vehicle&) const = default;
+
+  /// True where it can send and receive by this medium; where the mission has no media of its own,
+  /// by all.
+  bool HasMedium(std::string_view medium) const;
 };
 
 [[nodiscard]] ModelFacts FactsOfModel(const AnyModel& model);

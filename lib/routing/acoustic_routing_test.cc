@@ -24,8 +24,8 @@ Fates SendPacket(TestFleet* fleet, std::string_view source, int64_t length_bytes
 
 RoutingRules OverTheWater(int64_t each_fate_up_to = 200) {
   RoutingRules rules;
-  rules.reports_over = Medium::kAcoustic;
-  rules.messages_over = Medium::kAcoustic;
+  rules.reports_over = Over("acoustic");
+  rules.messages_over = Over("acoustic");
   rules.each_fate_up_to = each_fate_up_to;
   return rules;
 }
@@ -130,7 +130,7 @@ TEST(OverTheWater, WhatTheRulesLetPassIsInTransit) {
 
 TEST(OverTheWater, ReportsAndMessagesAreChosenEachForItself) {
   RoutingRules rules;
-  rules.reports_over = Medium::kAcoustic;
+  rules.reports_over = Over("acoustic");
   TestFleet fleet(rules);
   fleet.Report("alpha", {0, 0, 0});
   EXPECT_EQ(fleet.Report("bravo", {50, 0, 0}).at("alpha").cause, Cause::kInTransit);
@@ -186,7 +186,7 @@ RC_GTEST_PROP(OverTheWater, FatesAndWhatIsInTransitAreWhatWasOffered, (uint64_t 
   for (int i = 0; i < 60; ++i) {
     fleet.utime += traffic.Pause_us();
     RoutingRules rules = traffic.Rules();
-    rules.reports_over = traffic.dice.Pick<Medium>({Medium::kDirect, Medium::kAcoustic});
+    rules.reports_over = traffic.dice.Pick<MediaChoice>({Over("direct"), Over("acoustic")});
     rules.each_fate_up_to = traffic.dice.Pick<int64_t>({0, 1000});
     if (traffic.dice.OneIn(10)) fleet.router.SetRules(rules);
     const RandomReport report = traffic.Report();

@@ -40,7 +40,7 @@ void BroadcastRouter::DecideOne(const Transmission& sent, Contact* source, Conta
   const RoutingRules& rules = sent.has_range_rule ? rules_ : rules_without_range_;
   LinkFacts link = {.rules = rules, .sent = sent, .receiver = *receiver, .utime = utime};
   int64_t* delivered_utime = nullptr;
-  if (sent.kind == Kind::kReport) {
+  if (sent.kind == Kind::kReport && !sent.is_forwarded) {
     const auto to = static_cast<size_t>(receiver->index);
     if (to >= source->delivered_utime.size()) source->delivered_utime.resize(to + 1, kNever);
     delivered_utime = &source->delivered_utime[to];

@@ -29,8 +29,17 @@ enum class Cause : uint8_t {
   kOutOfRange,
   kDropped,  ///< `drop_percentage`.
 
-  // Of the acoustic network, once the rules have let it pass.
-  kInTransit,     ///< No fate yet.
+  // Of the media, once the rules have let it pass.
+  kInTransit,        ///< No fate yet.
+  kNoMedium,         ///< The two have none in common of those that this traffic may use.
+  kSubmerged,        ///< Radio: one of the two antennas is in the water.
+  kBelowHorizon,     ///< Radio: the Earth's curvature hides one from the other.
+  kWeakSignal,       ///< Radio: the path loss is greater than the receiver bears.
+  kAlreadyReceived,  ///< Forwarded by a gateway: the destination has it, or had made it.
+  kQueueFull,        ///< At a gateway, which has as much to forward as it keeps.
+  kHopLimit,         ///< At a gateway: as many as it allows have forwarded it.
+
+  // Of an acoustic network.
   kNoChannel,     ///< The band has no channel for one of the two.
   kNotListening,  ///< The receiver does not receive on the channel; only in tdma_lf.
   kNoPath,        ///< Farther than sound can come.
@@ -55,7 +64,7 @@ struct CauseRow {
   std::string_view text;
   std::string_view color;  ///< In the viewer: "#rrggbb", of the palette of Okabe and Ito (2008).
   KindSet of_rules;        ///< The kinds to which the broker's rules can give it.
-  KindSet of_network;      ///< The kinds to which the acoustic network can give it.
+  KindSet of_network;      ///< The kinds to which media and gateways can give it.
   CauseOutcome outcome = CauseOutcome::kStopped;
 };
 
@@ -90,9 +99,9 @@ inline constexpr std::array kRows = {
     CauseRow{Cause::kTooLong, "too_long", "Too Long", "too long, {length}", kBlue,
              KindSet(kMessage, kPacket), kAll},
     CauseRow{Cause::kUnknownSource, "unknown_source", "Missing Info (source)", "unknown source",
-             kGrey, KindSet(kMessage, kAck, kPacket), kNone},
+             kGrey, KindSet(kMessage, kAck, kPacket), KindSet(kReport)},
     CauseRow{Cause::kNoDestination, "no_destination", "No Destination", "no destination", kGrey,
-             KindSet(kMessage, kPacket), kNone},
+             KindSet(kMessage, kPacket), KindSet(kReport)},
     CauseRow{Cause::kUnknownDestination, "unknown_destination", "Missing Info (destination)",
              "unknown destination", kGrey, KindSet(kMessage, kAck), kNone},
     CauseRow{Cause::kOtherGroup, "other_group", "Other Group", "other group", kSkyBlue,
@@ -100,11 +109,25 @@ inline constexpr std::array kRows = {
     CauseRow{Cause::kStaleReceiver, "stale_receiver", "Stale Receiver",
              "stale receiver, silent for {age}", kGrey, kAllButPackets, kNone},
     CauseRow{Cause::kOutOfRange, "out_of_range", "Range Too Far", "out of range, {range}",
-             kVermillion, kAll, kNone},
+             kVermillion, kAll, kAll},
     CauseRow{Cause::kDropped, "dropped", "Dropped", "dropped at random, {loss} are", kPurple,
              kAllButPackets, kNone},
     CauseRow{Cause::kInTransit, "in_transit", "In Transit", "in transit", kGrey, kNone, kNone,
              CauseOutcome::kPending},
+    CauseRow{Cause::kNoMedium, "no_medium", "No Medium", "no medium in common", kSkyBlue, kNone,
+             kAll},
+    CauseRow{Cause::kSubmerged, "submerged", "Antenna Submerged", "antenna submerged", kOrange,
+             kNone, kAll},
+    CauseRow{Cause::kBelowHorizon, "below_horizon", "Below Horizon",
+             "below the radio horizon, {range}", kVermillion, kNone, kAll},
+    CauseRow{Cause::kWeakSignal, "weak_signal", "Weak Signal", "signal too weak, {range}",
+             kVermillion, kNone, kAll},
+    CauseRow{Cause::kAlreadyReceived, "already_received", "Received Already", "received already",
+             kBlue, kNone, kAllButPackets},
+    CauseRow{Cause::kQueueFull, "queue_full", "Gateway Queue Full", "gateway's queue full", kBlue,
+             kNone, kAllButPackets},
+    CauseRow{Cause::kHopLimit, "hop_limit", "Hop Limit", "too many gateways in turn", kBlue, kNone,
+             kAllButPackets},
     CauseRow{Cause::kNoChannel, "no_channel", "No Channel", "no acoustic channel", kSkyBlue, kNone,
              kAll},
     CauseRow{Cause::kNotListening, "not_listening", "Not Listening",

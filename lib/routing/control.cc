@@ -81,8 +81,8 @@ std::string ShownValue(const ControlRow& row, const RoutingRules& rules) {
     const std::string& shown = rules.**text;
     return shown.empty() ? std::string(row.word) : shown;
   }
-  if (const auto* medium = std::get_if<Medium RoutingRules::*>(&row.member)) {
-    return std::string(kMedia.at(static_cast<size_t>(rules.**medium)).first);
+  if (const auto* media = std::get_if<MediaChoice RoutingRules::*>(&row.member)) {
+    return TextOf(rules.**media);
   }
   const double value = GetRule(row, rules).number;
   if (row.type == kYesNo) return value != 0 ? "true" : "false";

@@ -42,6 +42,7 @@ struct Decision {
   double loss_pct = -1;     ///< It was lost with this probability.
   int64_t length_bytes = -1;
   int64_t length_limit_bytes = -1;  ///< The length had to be at most this.
+  bool is_overheard = false;        ///< Of a message or an ack at a gateway that it is not for.
 
   bool operator==(const Decision&) const = default;
 };

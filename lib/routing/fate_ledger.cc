@@ -11,7 +11,7 @@ int64_t FateLedger::TakeNumber(Kind kind, Contact* source) {
 void FateLedger::Record(const RoutingRules& rules, const Decision& decision, Contact* source,
                         Contact* receiver, std::vector<Decision>* decisions) {
   Decision& recorded = decisions->emplace_back(decision);
-  if (decision.cause == Cause::kDelivered && MediumOf(rules, decision.kind) == Medium::kAcoustic) {
+  if (decision.cause == Cause::kDelivered && GoesOverMedia(rules, decision.kind)) {
     recorded.cause = Cause::kInTransit;
   }
   const auto kind = static_cast<size_t>(recorded.kind);

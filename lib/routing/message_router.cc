@@ -17,6 +17,27 @@ Decision Refusal(Cause cause) {
 
 }  // namespace
 
+void MessageRouter::SetGateways(std::span<const std::string> names) {
+  gateways_.clear();
+  for (const std::string& name : names) {
+    if (Contact* contact = contacts_.Find(name)) gateways_.push_back(contact);
+  }
+  std::ranges::sort(gateways_, {}, &Contact::rank);
+}
+
+/// Gateways that a message is not for receive it too, but for the one that sends it and the vehicle
+/// that made it.
+void MessageRouter::AddGateways(const Contact& source, std::string_view maker, Audience* audience) {
+  const std::string maker_key = VehicleKey(maker);
+  for (Contact* gateway : gateways_) {
+    const bool is_there =
+        std::ranges::find(audience->contacts, gateway) != audience->contacts.end();
+    if (!is_there && gateway->known && gateway != &source && gateway->key != maker_key) {
+      audience->gateways.push_back(gateway);
+    }
+  }
+}
+
 void MessageRouter::RouteMessage(const MessageFacts& message, int64_t utime,
                                  std::vector<Decision>* decisions,
                                  std::vector<std::string>* unknown_names) {
@@ -32,14 +53,20 @@ void MessageRouter::RouteMessage(const MessageFacts& message, int64_t utime,
   if (!message.is_sound || !has_name || !is_addressed || named.too_many) {
     return refuse_at_intake(Cause::kInvalid, has_name ? contacts_.Find(message.source) : nullptr);
   }
-  Contact* source = contacts_.FindOrAdd(message.source);
+  const bool is_forwarded = !message.gateway.empty();
+  Contact* source = contacts_.FindOrAdd(is_forwarded ? message.gateway : message.source);
   if (source == nullptr) return refuse_at_intake(Cause::kTooManyVehicles, nullptr);
 
-  source->last_message_utime = utime;
-  const Audience audience = Resolve(named, message.dest_group, *source);
-  const Transmission sent = TransmissionOf(rules_, seed_, Kind::kMessage,
-                                           ledger_.TakeNumber(Kind::kMessage, source), *source);
-  const std::optional<Decision> refusal = RefuseMessage(message.length_bytes, source, utime);
+  if (!is_forwarded) source->last_message_utime = utime;
+  Audience audience = Resolve(named, message.dest_group, *source);
+  AddGateways(*source, message.source, &audience);
+  Transmission sent = TransmissionOf(rules_, seed_, Kind::kMessage,
+                                     ledger_.TakeNumber(Kind::kMessage, source), *source);
+  if (const Contact* maker = is_forwarded ? contacts_.Find(message.source) : nullptr) {
+    sent.group_key = maker->group_key;
+  }
+  const std::optional<Decision> refusal =
+      RefuseMessage(message.length_bytes, is_forwarded, source, utime);
   const size_t begin = decisions->size();
   DecideAll(sent, refusal, audience, source, utime, decisions, unknown_names);
   for (size_t i = begin; i < decisions->size(); ++i) {
@@ -53,7 +80,8 @@ void MessageRouter::RouteMessage(const MessageFacts& message, int64_t utime,
 void MessageRouter::RouteAck(const AckFacts& ack, int64_t utime, std::vector<Decision>* decisions,
                              std::vector<std::string>* unknown_names) {
   const bool has_name = IsLegalVehicleName(ack.source);
-  Contact* source = has_name ? contacts_.Find(ack.source) : nullptr;
+  Contact* source =
+      has_name ? contacts_.Find(ack.gateway.empty() ? ack.source : ack.gateway) : nullptr;
   const Contact no_contact;
   const Transmission sent =
       TransmissionOf(rules_, seed_, Kind::kAck, ledger_.TakeNumber(Kind::kAck, source),
@@ -72,6 +100,7 @@ void MessageRouter::RouteAck(const AckFacts& ack, int64_t utime, std::vector<Dec
   } else {
     audience.names.emplace_back(ack.destination);
   }
+  if (source != nullptr) AddGateways(*source, ack.source, &audience);
   std::optional<Decision> refusal;
   if (source == nullptr || !source->known) refusal = Refusal(Cause::kUnknownSource);
   DecideAll(sent, refusal, audience, source, utime, decisions, unknown_names);
@@ -102,9 +131,9 @@ MessageRouter::Audience MessageRouter::Resolve(const Destinations& named,
 }
 
 /// Returns what stops a message before its destinations are asked for.
-std::optional<Decision> MessageRouter::RefuseMessage(int64_t length_bytes, Contact* source,
-                                                     int64_t utime) {
-  if (source->message_utime != kNever) {
+std::optional<Decision> MessageRouter::RefuseMessage(int64_t length_bytes, bool is_forwarded,
+                                                     Contact* source, int64_t utime) {
+  if (!is_forwarded && source->message_utime != kNever) {
     const double elapsed_s = SecondsBetween(source->message_utime, utime);
     if (elapsed_s < rules_.min_msg_interval_s) {
       Decision decision = Refusal(Cause::kTooSoon);
@@ -112,7 +141,7 @@ std::optional<Decision> MessageRouter::RefuseMessage(int64_t length_bytes, Conta
       return decision;
     }
   }
-  source->message_utime = utime;
+  if (!is_forwarded) source->message_utime = utime;
   if (rules_.max_msg_length_bytes > 0 && length_bytes > rules_.max_msg_length_bytes) {
     return Refusal(Cause::kTooLong);
   }
@@ -146,7 +175,16 @@ void MessageRouter::DecideAll(const Transmission& message, const std::optional<D
     unknown_names->push_back(name);
     record(decision, nullptr);
   }
-  if (audience.contacts.empty() && audience.names.empty()) {
+  for (Contact* gateway : audience.gateways) {
+    Decision decision = refusal.value_or(Decision());
+    if (!refusal) {
+      decision = DecideAt(message.kind,
+                          {.rules = rules_, .sent = message, .receiver = *gateway, .utime = utime});
+    }
+    decision.is_overheard = true;
+    record(decision, gateway);
+  }
+  if (audience.contacts.empty() && audience.names.empty() && audience.gateways.empty()) {
     record(refusal.value_or(Refusal(Cause::kNoDestination)), nullptr);
   }
 }

@@ -90,6 +90,34 @@ void Router::Route(const Admission& report, int64_t utime, std::vector<Decision>
   broadcasts_.Route(sent, source, utime, decisions);
 }
 
+void Router::RouteForwarded(std::string_view gateway, std::string_view group, int64_t utime,
+                            std::vector<Decision>* decisions) {
+  Contact* source = contacts_.Find(gateway);
+  if (source == nullptr || !source->known) {
+    return RefuseForwarded(Kind::kReport, gateway, Cause::kUnknownSource, decisions);
+  }
+  Transmission sent = TransmissionOf(rules_, seed_, Kind::kReport,
+                                     ledger_.TakeNumber(Kind::kReport, source), *source);
+  const std::string group_key = VehicleKey(group);
+  sent.group_key = group_key;
+  sent.is_forwarded = true;
+  if (num_known() > 1) return broadcasts_.Route(sent, source, utime, decisions);
+  Decision decision;
+  decision.number = sent.number;
+  decision.cause = Cause::kNoDestination;
+  ledger_.Record(rules_, decision, source, nullptr, decisions);
+}
+
+void Router::RefuseForwarded(Kind kind, std::string_view gateway, Cause cause,
+                             std::vector<Decision>* decisions) {
+  Contact* source = contacts_.Find(gateway);
+  Decision decision;
+  decision.kind = kind;
+  decision.cause = cause;
+  decision.number = ledger_.TakeNumber(kind, source);
+  ledger_.Record(rules_, decision, source, nullptr, decisions);
+}
+
 void Router::RouteMessage(const MessageFacts& message, int64_t utime,
                           std::vector<Decision>* decisions,
                           std::vector<std::string>* unknown_names) {

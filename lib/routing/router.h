@@ -99,6 +99,19 @@ class Router {
   /// @pre !report.refused; no ForgetSilent came between.
   void Route(const Admission& report, int64_t utime, std::vector<Decision>* decisions);
 
+  /// From now on these vehicles of the mission are gateways: they receive every message and ack,
+  /// whoever it is for.
+  void SetGateways(std::span<const std::string> names) { messages_.SetGateways(names); }
+
+  /// Appends the fates of a report of a member of `group` that a gateway forwards: as Route, of a
+  /// transmission of the gateway from where that is, without min_rpt_interval and requests. Of a
+  /// gateway that is not known: unknown source.
+  void RouteForwarded(std::string_view gateway, std::string_view group, int64_t utime,
+                      std::vector<Decision>* decisions);
+  /// Appends the one fate of what a gateway does not forward.
+  void RefuseForwarded(Kind kind, std::string_view gateway, Cause cause,
+                       std::vector<Decision>* decisions);
+
   /// Appends the fates of a message: vehicles in order of keys, then names of no vehicle as
   /// written, which are appended to `unknown_names`. Asks in this order: invalid, too soon, too
   /// long, unknown source, then at each destination. A message that is not too soon

@@ -3,6 +3,7 @@
 // A new rule: one member, one row, and the places that CONTRIBUTING.md names.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <limits>
@@ -11,21 +12,36 @@
 #include <string_view>
 #include <utility>
 #include <variant>
+#include <vector>
 
 #include "lib/routing/kind.h"
 
 namespace shoal {
 
+/// Two media that every mission has by these names: nothing (it arrives at once and whole), and the
+/// acoustic network of [acoustics] (late, damaged or not at all). [[medium]] adds others.
+inline constexpr std::string_view kDirectMedium = "direct";
+inline constexpr std::string_view kAcousticMedium = "acoustic";
+
 /// What carries a kind of traffic from its source to the receivers that the rules let pass.
-enum class Medium : uint8_t {
-  kDirect,    ///< Nothing: it arrives at once and whole.
-  kAcoustic,  ///< The acoustic network: late, damaged or not at all.
+struct MediaChoice {
+  std::vector<std::string> names = {std::string(kDirectMedium)};  ///< In order of preference.
+  bool at_once = false;  ///< Over all of them that can work; false: over the first that can.
+
+  bool operator==(const MediaChoice&) const = default;
+
+  bool Has(std::string_view medium) const {
+    return std::find(names.begin(), names.end(), medium) != names.end();
+  }
+  /// True where no medium decides anything.
+  bool is_direct() const { return names.size() == 1 && names.front() == kDirectMedium; }
 };
 
-inline constexpr std::array<std::pair<std::string_view, Medium>, 2> kMedia = {{
-    {"direct", Medium::kDirect},
-    {"acoustic", Medium::kAcoustic},
-}};
+/// Returns the choice that a text stands for: "radio", "radio,acoustic": the first of them that can
+/// work, or "radio+acoustic": all that can.
+[[nodiscard]] MediaChoice Over(std::string_view text);
+/// The inverse.
+[[nodiscard]] std::string TextOf(const MediaChoice& choice);
 
 struct RoutingRules {
   // Which vehicle receives what.
@@ -40,8 +56,8 @@ struct RoutingRules {
   double min_msg_interval_s = 30;       ///< Per source; negative: none.
   int64_t max_msg_length_bytes = 1000;  ///< Of string_val; 0: no limit.
   double drop_percentage = 0;           ///< 0 to 100: this share of deliveries is lost at random.
-  Medium reports_over = Medium::kDirect;
-  Medium messages_over = Medium::kDirect;  ///< Acks too.
+  MediaChoice reports_over = {};
+  MediaChoice messages_over = {};  ///< Acks too.
 
   // What is shown of it.
   double shared_node_reports_s = -1;  ///< Wall seconds; negative: off.
@@ -54,18 +70,18 @@ struct RoutingRules {
   bool operator==(const RoutingRules&) const = default;
 };
 
-/// Returns what carries transmissions of this kind.
-[[nodiscard]] inline Medium MediumOf(const RoutingRules& rules, Kind kind) {
+/// Returns true where what the rules have let pass goes over a medium that decides further.
+[[nodiscard]] inline bool GoesOverMedia(const RoutingRules& rules, Kind kind) {
   switch (kind) {
     case Kind::kReport:
-      return rules.reports_over;
+      return !rules.reports_over.is_direct();
     case Kind::kMessage:
     case Kind::kAck:
-      return rules.messages_over;
+      return !rules.messages_over.is_direct();
     case Kind::kPacket:
       break;
   }
-  return Medium::kAcoustic;
+  return true;
 }
 
 /// The factors of one vehicle: section 3 of the manual.
@@ -84,14 +100,14 @@ enum class RuleType : uint8_t {
   kWhole,  ///< A number without fraction.
   kYesNo,  ///< 1 or 0; people write true or false.
   kText,
-  kMedium,   ///< One of kMedia; mission file only.
+  kMedia,    ///< A MediaChoice; mission file only.
   kRequest,  ///< Takes no value; while the mission runs only.
 };
 
 /// Where a rule's value is. std::monostate: it has none.
 using RuleMember = std::variant<std::monostate, double RoutingRules::*, bool RoutingRules::*,
                                 int64_t RoutingRules::*, std::string RoutingRules::*,
-                                Medium RoutingRules::*, double LinkFactors::*>;
+                                MediaChoice RoutingRules::*, double LinkFactors::*>;
 
 /// Both ends are included.
 struct RuleRange {
@@ -289,12 +305,12 @@ inline constexpr std::array kRows = {
             .about = "0 to 100: lost at random"},
     RuleRow{.rule = "reports_over",
             .label = "Reports Over",
-            .type = kMedium,
+            .type = kMedia,
             .member = &RoutingRules::reports_over,
-            .about = "\"acoustic\": over the acoustic network"},
+            .about = "a medium, or a list of media in order of preference"},
     RuleRow{.rule = "messages_over",
             .label = "Messages Over",
-            .type = kMedium,
+            .type = kMedia,
             .member = &RoutingRules::messages_over,
             .about = "the same of messages and acks"},
     RuleRow{.rule = "shared_node_reports",

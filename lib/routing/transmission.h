@@ -19,6 +19,7 @@ struct Transmission {
   double stealth = 1;
   /// DropKey of the source; absent: there is no drop_percentage.
   std::optional<StreamKey> link_key;
+  bool is_forwarded = false;   ///< A gateway sends on what another has made.
   bool has_range_rule = true;  ///< False: of a modem, whose range the acoustic network decides.
 };
 

@@ -30,6 +30,7 @@ std::vector<RosterEntry> MakeRoster(const Mission& mission, bool with_recorder) 
     add("helm", vehicle.name, vehicle.helm);
     add("node_reporter", vehicle.name, vehicle.reporter);
     if (mission.IsInSwarm(vehicle)) add("acomms", vehicle.name, vehicle.acomms);
+    if (vehicle.media.gateway.exists) add("gateway", vehicle.name, Provider::kShoal);
   }
   for (const Participant& participant : mission.participants) {
     roster.push_back({.name = participant.name,

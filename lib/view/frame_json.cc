@@ -109,13 +109,6 @@ void WriteVehicle(const Scene& scene, const SceneVehicle& vehicle, JsonWriter* j
       .EndObject();
 }
 
-std::string_view TextOf(Medium medium) {
-  for (const auto& [text, each] : kMedia) {
-    if (each == medium) return text;
-  }
-  return "";
-}
-
 void WriteRules(const RulesInForce& rules, JsonWriter* json) {
   json->BeginObject()
       .Number("comms_range_m", rules.comms_range_m, kCentimetres)

@@ -60,9 +60,9 @@ TEST(Rebroker, DecidesPacketsAsRecorded) {
 TEST(Rebroker, SendsAcousticallyWhatHadBeenSentDirectly) {
   const CommsLog log = LogOf(RecordedEvents());
   BrokerSetup setup = SetupFor(log);
-  setup.rules.reports_over = Medium::kAcoustic;
+  setup.rules.reports_over = Over("acoustic");
   setup.rules.groups = false;
-  setup.acoustics.is_used = true;
+  setup.media.acoustics.is_used = true;
   const RebrokerOutcome outcome = Rebroker(log, {.setup = setup}, MakeShoreBroker, {});
   const LinkTable::Change lost = outcome.links.Of("report", "alpha", "bravo", "bit_errors");
   EXPECT_EQ(lost.recorded, 0);

@@ -1,0 +1,89 @@
+#include "lib/media/radio_link.h"
+
+#include <algorithm>
+
+#include "lib/random/stream.h"
+
+namespace shoal {
+
+namespace {
+
+/// Returns how high an antenna stands above the water; 0 where it does not.
+double HeightOf(const RadioOptions& options, const RadioEnd& end) {
+  const double own_m = end.antenna_height_m < 0 ? options.antenna_height_m : end.antenna_height_m;
+  return std::max(own_m - end.position_m.z(), 0.0);
+}
+
+void AskSignal(const RadioOptions& options, double height_m, double other_height_m,
+               RadioLink* link) {
+  link->path_loss_limit_db = options.power_dbm - options.sensitivity_dbm;
+  double reach_m = 0;
+  if (options.path_loss == PathLossModel::kTwoRay) {
+    link->path_loss_db =
+        TwoRayLoss_db(link->range_m, options.frequency_mhz, height_m, other_height_m);
+    reach_m =
+        TwoRayReach_m(link->path_loss_limit_db, options.frequency_mhz, height_m, other_height_m);
+  } else {
+    link->path_loss_db = LogDistanceLoss_db(link->range_m, options.frequency_mhz, options.exponent);
+    reach_m = LogDistanceReach_m(link->path_loss_limit_db, options.frequency_mhz, options.exponent);
+  }
+  if (link->path_loss_db > link->path_loss_limit_db) {
+    link->fault = RadioFault::kWeakSignal;
+    link->limit_m = reach_m;
+  } else {
+    link->limit_m = link->limit_m < 0 ? reach_m : std::min(link->limit_m, reach_m);
+  }
+}
+
+}  // namespace
+
+RadioLink DecideRadio(const RadioOptions& options, const RadioEnd& source,
+                      const RadioEnd& receiver) {
+  RadioLink link;
+  link.depth_m = std::max({source.position_m.z(), receiver.position_m.z(), 0.0});
+  link.depth_limit_m = options.surface_depth_m;
+  if (link.depth_m > link.depth_limit_m) {
+    link.fault = RadioFault::kSubmerged;
+    return link;
+  }
+  link.range_m = (receiver.position_m - source.position_m).norm();
+  const double height_m = HeightOf(options, source);
+  const double other_height_m = HeightOf(options, receiver);
+  if (options.horizon) {
+    link.horizon_m = RadioHorizon_m(height_m, other_height_m);
+    link.limit_m = link.horizon_m;
+    if (!(link.range_m < link.limit_m)) {
+      link.fault = RadioFault::kBelowHorizon;
+      return link;
+    }
+  }
+  if (options.range_m >= 0) {
+    const bool is_out = !(link.range_m < options.range_m);
+    link.limit_m =
+        link.limit_m < 0 || is_out ? options.range_m : std::min(link.limit_m, options.range_m);
+    if (is_out) {
+      link.fault = RadioFault::kOutOfRange;
+      return link;
+    }
+  }
+  if (options.path_loss != PathLossModel::kNone)
+    AskSignal(options, height_m, other_height_m, &link);
+  return link;
+}
+
+RadioPassage DrawPassage(const RadioOptions& options, int64_t num_bytes, const RadioDraw& draw) {
+  const auto stream = [&](std::string_view purpose) {
+    return Stream(draw.seed, purpose, draw.medium, draw.kind, draw.source, draw.receiver,
+                  draw.number);
+  };
+  RadioPassage passage;
+  if (options.rate_bps > 0) {
+    passage.air_s = 8 * static_cast<double>(num_bytes) / options.rate_bps;
+  }
+  passage.delay_s = passage.air_s + options.latency_s;
+  if (options.jitter_s > 0) passage.delay_s += options.jitter_s * stream("radio jitter").Uniform();
+  if (options.loss > 0) passage.is_lost = stream("radio loss").Uniform() < options.loss;
+  return passage;
+}
+
+}  // namespace shoal

@@ -1,0 +1,18 @@
+// Moored buoys in mission files: model = "buoy" and its table [vehicle.buoy].
+#pragma once
+
+#include "lib/mission/model_facts.h"
+#include "lib/vehicle/buoy.h"
+
+namespace shoal {
+
+class Fields;
+
+constexpr ModelFacts FactsOf(const BuoyParams& /*model*/) {
+  return {.name = "buoy", .is_moored = true};
+}
+
+/// [vehicle.buoy].
+void Describe(Fields& fields, BuoyParams& params);
+
+}  // namespace shoal
