@@ -70,12 +70,12 @@ std::optional<Error> TakeMedia(const comms_rules_t& rules, BrokerSetup* setup) {
 }  // namespace
 
 Result<BrokerSetup> SetupOf(const comms_rules_t& rules) {
-  BrokerSetup setup{.rules = RulesOf(rules),
-                    .seed = static_cast<uint64_t>(rules.seed),
-                    .start_utime = rules.utime,
-                    .tick_us = rules.tick_us,
-                    .vehicles = rules.vehicles,
-                    .factors = {}};
+  BrokerSetup setup;
+  setup.rules = RulesOf(rules);
+  setup.seed = static_cast<uint64_t>(rules.seed);
+  setup.start_utime = rules.utime;
+  setup.tick_us = rules.tick_us;
+  setup.vehicles = rules.vehicles;
   constexpr int64_t kLongestTick_us = 1'000'000'000;
   if (rules.tick_us <= 0 || rules.tick_us > kLongestTick_us) {
     return Error{fmt::format("COMMS_RULES: tick_us = {} is impossible", rules.tick_us)};
