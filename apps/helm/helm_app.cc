@@ -81,6 +81,11 @@ bool HasNews(const StateWords& words, const StateNumbers& numbers, const helm_st
          numbers.waypoint_m.y() != last.waypoint_y_m || numbers.waypoint_m.z() != last.waypoint_z_m;
 }
 
+/// Variables of behaviors that NAVIGATION sets: half of the long axis of the ellipse that holds the
+/// position with 95 %, and the number of fixes, whenever there was another (periodic_surface).
+constexpr char kUncertaintyVariable[] = "NAV_UNCERTAINTY_M";
+constexpr char kFixVariable[] = "GPS_UPDATE_RECEIVED";
+
 constexpr size_t kMaxContactsShown = 10;
 
 std::string TasksText(const Vehicle& vehicle) {
@@ -134,6 +139,10 @@ HelmApp::HelmApp(const Mission& mission, const Vehicle& vehicle, Bus& bus)
       if (arbiter_) arbiter_->OnSwarm(swarm, utime_.value_or(0));
     });
   }
+  if (vehicle.navigation.is_fitted) {
+    Subscribe(bus, channels::Navigation(vehicle.name),
+              [this](const navigation_t& navigation) { OnNavigation(navigation); });
+  }
   if (vehicle.sonar.is_fitted) {
     Subscribe(bus, channels::Sonar(vehicle.name), [this](const sonar_t& ping) {
       swarm_.OnSonar(ping);
@@ -154,6 +163,18 @@ void HelmApp::OnNav(const nav_t& nav) {
   }
   nav_ = nav;
   nav_is_fresh_ = true;
+}
+
+void HelmApp::OnNavigation(const navigation_t& navigation) {
+  if (arbiter_) {
+    arbiter_->Set({.variable = kUncertaintyVariable, .value = navigation.ellipse_major_m},
+                  "navigation");
+  }
+  if (arbiter_ && navigation.num_gps > num_gps_) {
+    arbiter_->Set({.variable = kFixVariable, .value = static_cast<double>(navigation.num_gps)},
+                  "navigation");
+  }
+  num_gps_ = navigation.num_gps;
 }
 
 void HelmApp::OnCommand(const helm_command_t& command) {
@@ -230,6 +251,7 @@ void HelmApp::Tick(int64_t utime) {
               .heading_rad = WrapTwoPi(DegToRad(nav_.heading_deg)),
               .time_s = static_cast<double>(utime) / 1e6,
               .z_m = nav_.z_m,
+              .num_gps_fixes = num_gps_,
               .surroundings = swarm_.Look(states_.task(), nav_)};
   }
   states_.Advance(fix, nav_is_lost);

@@ -28,12 +28,26 @@ bool IsFinite(double value) { return std::isfinite(value) && std::abs(value) < 1
 
 template <class Visit>
 void ForEachCurve(VehicleCurves* curves, const Visit& visit) {
-  for (ThinnedCurve* curve :
-       {&curves->track, &curves->depth_m, &curves->floor_m, &curves->cross_track_m,
-        &curves->crab_deg, &curves->nearest_m, &curves->target_m, &curves->target_age_s,
-        &curves->other_age_s, &curves->thrust_pct, &curves->propeller_rpm, &curves->rudder_deg,
-        &curves->stern_plane_deg, &curves->speed_mps, &curves->desired_speed_mps,
-        &curves->heading_deg, &curves->desired_heading_deg}) {
+  for (ThinnedCurve* curve : {&curves->track,
+                              &curves->depth_m,
+                              &curves->floor_m,
+                              &curves->cross_track_m,
+                              &curves->crab_deg,
+                              &curves->nearest_m,
+                              &curves->target_m,
+                              &curves->target_age_s,
+                              &curves->other_age_s,
+                              &curves->thrust_pct,
+                              &curves->propeller_rpm,
+                              &curves->rudder_deg,
+                              &curves->stern_plane_deg,
+                              &curves->speed_mps,
+                              &curves->desired_speed_mps,
+                              &curves->heading_deg,
+                              &curves->desired_heading_deg,
+                              &curves->navigation_error_m,
+                              &curves->navigation_bound_m,
+                              &curves->believed_track}) {
     visit(curve);
   }
 }
@@ -73,6 +87,7 @@ void PlotDataBuilder::Add(const LogEvent& event) {
       take_of_vehicle(topics::kHelmState, helm_state_t{}, &PlotDataBuilder::AddHelmState) ||
       take_of_vehicle(topics::kActuators, actuators_t{}, &PlotDataBuilder::AddActuators) ||
       take_of_vehicle(topics::kDesired, desired_t{}, &PlotDataBuilder::AddDesired) ||
+      take_of_vehicle(topics::kNavigation, navigation_t{}, &PlotDataBuilder::AddNavigation) ||
       take_of_vehicle(topics::kSwarm, swarm_t{}, &PlotDataBuilder::AddSwarm);
 }
 
@@ -141,6 +156,7 @@ void PlotDataBuilder::AddNav(Vehicle* vehicle, const nav_t& nav) {
   if (IsFinite(nav.x_m) && IsFinite(nav.y_m) && IsFinite(nav.z_m)) {
     vehicle->position_m = {nav.x_m, nav.y_m, nav.z_m};
     vehicle->nav_utime = nav.utime;
+    DrawNavigation(vehicle);
   }
   if (!vehicle->is_selected) return;
   if (!std::exchange(has_drawn_, true)) data_.first_s = data_.last_s = time_s;
@@ -214,6 +230,28 @@ void PlotDataBuilder::AddDesired(Vehicle* vehicle, const desired_t& desired) {
   if (!time_s || !vehicle->is_selected) return;
   Draw(&vehicle->curves.desired_speed_mps, *time_s, desired.speed_mps);
   Draw(&vehicle->curves.desired_heading_deg, *time_s, desired.heading_deg);
+}
+
+void PlotDataBuilder::AddNavigation(Vehicle* vehicle, const navigation_t& navigation) {
+  if (!TimeOf(navigation.utime)) return;
+  vehicle->navigation = navigation;
+  DrawNavigation(vehicle);
+}
+
+/// Draws the last estimate once the truth of the same time is known.
+void PlotDataBuilder::DrawNavigation(Vehicle* vehicle) {
+  if (!vehicle->navigation || !vehicle->is_selected ||
+      vehicle->nav_utime != vehicle->navigation->utime) {
+    return;
+  }
+  const navigation_t navigation = *std::exchange(vehicle->navigation, std::nullopt);
+  const double time_s = static_cast<double>(navigation.utime - zero_utime_.value_or(0)) / 1e6;
+  VehicleCurves& curves = vehicle->curves;
+  Draw(&curves.navigation_error_m, time_s,
+       std::hypot(navigation.x_m - vehicle->position_m.x(),
+                  navigation.y_m - vehicle->position_m.y()));
+  Draw(&curves.navigation_bound_m, time_s, navigation.ellipse_major_m);
+  Draw(&curves.believed_track, navigation.x_m, navigation.y_m);
 }
 
 void PlotDataBuilder::AddSwarm(Vehicle* vehicle, const swarm_t& swarm) {

@@ -189,6 +189,17 @@ Figure DrawAge(StackedFigure figure, const PlotSetting& setting, bool png) {
   return figure.Finish("Age of information", setting, png, "no SWARM of these vehicles in the log");
 }
 
+Figure DrawNavigation(StackedFigure figure, const PlotSetting& setting, bool png) {
+  figure.BeginPanel("error of its position [m]", {"set yrange [0:*]"});
+  if (figure.AddCurves(&VehicleCurves::navigation_bound_m, "95 % bound", kDashed)) {
+    figure.Explain("error", kGreySolid);
+    figure.Explain("95 % bound", kGreyDashed);
+  }
+  figure.AddCurves(&VehicleCurves::navigation_error_m, "error", kSolid);
+  return figure.Finish("Navigation error", setting, png,
+                       "no NAVIGATION of these vehicles in the log");
+}
+
 /// The mission's colours, else those of the vehicles' reports.
 std::vector<std::string> ColorsOf(const PlotData& data, const PlotSetting& setting) {
   std::vector<std::string> requested;
@@ -212,7 +223,8 @@ std::vector<Figure> DrawFigures(const PlotData& data, const PlotSetting& setting
           DrawDistances(stacked("distances"), setting, png),
           DrawActuators(stacked("actuators"), data, setting, png),
           DrawSpeed(stacked("speed"), setting, png),
-          DrawAge(stacked("age"), setting, png)};
+          DrawAge(stacked("age"), setting, png),
+          DrawNavigation(stacked("navigation"), setting, png)};
 }
 
 }  // namespace shoal

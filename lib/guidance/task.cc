@@ -49,6 +49,10 @@ TaskFacts FactsOfKind(const PathFollowTask& task) {
 
 TaskFacts FactsOfKind(const TargetTrackTask&) { return {.is_underwater = true, .most_laps = 0}; }
 
+TaskFacts FactsOfKind(const SurfaceForFixTask&) {
+  return {.is_underwater = true, .ends = true, .most_laps = 0};
+}
+
 TaskFacts FactsOfKind(const SurveyTask& task) {
   return {.ends = true,
           .most_laps = 1,

@@ -99,6 +99,18 @@ struct SurveyTask {
   bool operator==(const SurveyTask&) const = default;
 };
 
+/// Comes up where it is and waits for GPS; for underwater vehicles with [vehicle.navigation].
+struct SurfaceForFixTask {
+  static constexpr std::string_view kKind = "surface_for_fix";
+
+  int fixes = 10;        ///< It waits for so many, then the task is done; > 0 ...
+  double limit_s = 300;  ///< ... or when this is over since it began; > 0.
+  double speed_mps = 1;  ///< > 0: fins need it.
+  double radius_m = 20;  ///< Of the circle that it goes at the surface; > 0.
+
+  bool operator==(const SurfaceForFixTask&) const = default;
+};
+
 /// What comes after the last point of a path_follow task.
 enum class PathTaskEnd {
   kDone,           ///< The task is done; the next of the list follows.
@@ -162,7 +174,7 @@ struct TargetTrackTask {
 struct Task {
   std::string name;
   std::variant<WaypointsTask, LoiterTask, StationKeepTask, ReturnTask, PathFollowTask,
-               TargetTrackTask, SurveyTask>
+               TargetTrackTask, SurveyTask, SurfaceForFixTask>
       what;
   double pwt = 100;  ///< Priority weight beside behaviors; >= 0.
 

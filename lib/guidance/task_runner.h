@@ -9,6 +9,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <optional>
 #include <variant>
 #include <vector>
@@ -26,7 +27,8 @@ struct Fix {
   Eigen::Vector2d position_m = Eigen::Vector2d::Zero();  ///< x East, y North.
   double heading_rad = 0;                                ///< Clockwise from North.
   double time_s = 0;
-  double z_m = 0;  ///< Depth.
+  double z_m = 0;             ///< Depth.
+  int64_t num_gps_fixes = 0;  ///< That its navigation has taken since the start.
   /// What it knows of the others, for target_track; else it may be null. Outlives the call.
   const Surroundings* surroundings = nullptr;
 };
@@ -167,13 +169,31 @@ class SurveyRunner {
   WaypointsRunner points_;
 };
 
+class SurfaceForFixRunner {
+ public:
+  SurfaceForFixRunner(const SurfaceForFixTask& task, const Fix& start);
+  Guidance Update(const Fix& fix);
+  void Rejoin(const Fix& fix) { stopwatch_.Lap(fix.time_s); }
+
+ private:
+  SurfaceForFixTask task_;
+  Stopwatch stopwatch_;
+  Eigen::Vector2d start_m_;
+  double heading_rad_;
+  int64_t num_fixes_before_;
+  double elapsed_s_ = 0;
+  bool is_up_ = false;
+  bool done_ = false;
+};
+
 class TaskRunner {
  public:
   using What = decltype(Task::what);
 
   /// One for each kind, in the order of Task::what.
-  using Runner = std::variant<WaypointsRunner, LoiterRunner, StationKeepRunner, ReturnRunner,
-                              PathFollowRunner, TargetTrackRunner, SurveyRunner>;
+  using Runner =
+      std::variant<WaypointsRunner, LoiterRunner, StationKeepRunner, ReturnRunner, PathFollowRunner,
+                   TargetTrackRunner, SurveyRunner, SurfaceForFixRunner>;
 
   TaskRunner(const What& what, const Fix& start);
 

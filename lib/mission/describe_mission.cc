@@ -108,7 +108,8 @@ void Describe(Fields& file, Mission& mission) {
   file.Below("comms", [&](Fields& fields) { Describe(fields, mission.comms); });
   if (file.reading()) {
     // What [acoustics] leaves out depends on [netsim]. Errors list tables in the order of a file.
-    for (const char* key : {"acoustics", "obstacle", "template", "vehicle", "fleet", "swarm"})
+    for (const char* key :
+         {"acoustics", "obstacle", "beacon", "template", "vehicle", "fleet", "swarm"})
       file.Skip(key);
     DescribeNetsim(file, mission);
   }
@@ -120,6 +121,8 @@ void Describe(Fields& file, Mission& mission) {
   }
   file.List("obstacle", mission.obstacles,
             [](Fields& fields, Obstacle& obstacle) { Describe(fields, obstacle); });
+  file.List("beacon", mission.beacons,
+            [](Fields& fields, BeaconOptions& beacon) { Describe(fields, beacon); });
   file.Skip("template");
   file.Require("vehicle", "[[vehicle]], followed by name = \"alpha\"; or a [[fleet]]");
   file.List("vehicle", mission.vehicles, [](Fields& fields, Vehicle& vehicle) {

@@ -13,6 +13,7 @@
 #include "lib/mission/environment.h"
 #include "lib/mission/event.h"
 #include "lib/mission/expectation.h"
+#include "lib/mission/navigation_options.h"
 #include "lib/mission/vehicle.h"
 #include "lib/netsim/netsim_options.h"
 #include "lib/routing/rules.h"
@@ -70,7 +71,8 @@ struct Mission {
   Environment environment;
   RoutingRules comms;
   Acoustics acoustics;
-  std::vector<Obstacle> obstacles;  ///< That do not move.
+  std::vector<Obstacle> obstacles;     ///< That do not move.
+  std::vector<BeaconOptions> beacons;  ///< That vehicles with [vehicle.navigation] range to.
   std::vector<Vehicle> vehicles;
   SwarmOptions swarm;
   std::optional<NetsimOptions> netsim;  ///< Participants over netsim's interface.

@@ -69,6 +69,7 @@ void Validate(Mission& mission, const TablePlace& file) {
   ValidateNetsim(mission, file);
   ValidateUnderwater(mission, file);
   ValidateBehaviors(mission, file);
+  ValidateNavigation(mission, file);
   ValidateEvents(mission, file);
   WarnOfIdleTasks(mission, file);
   ValidateExpectations(mission, file);

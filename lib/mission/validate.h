@@ -53,6 +53,8 @@ void ValidateNetsim(const Mission& mission, const TablePlace& file);
 void ValidateUnderwater(const Mission& mission, const TablePlace& file);
 /// Behaviors, modes and obstacles.
 void ValidateBehaviors(const Mission& mission, const TablePlace& file);
+/// [vehicle.navigation] and [[beacon]].
+void ValidateNavigation(const Mission& mission, const TablePlace& file);
 void ValidateEvents(const Mission& mission, const TablePlace& file);
 /// Warns of tasks behind one that never ends, where no event starts them.
 void WarnOfIdleTasks(const Mission& mission, const TablePlace& file);

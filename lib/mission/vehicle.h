@@ -11,6 +11,7 @@
 #include "lib/decision/domain.h"
 #include "lib/guidance/task.h"
 #include "lib/mission/model_facts.h"
+#include "lib/mission/navigation_options.h"
 #include "lib/mission/remus100_model.h"
 #include "lib/mission/surface_craft_model.h"
 #include "lib/modes/mode_tree.h"
@@ -130,6 +131,7 @@ struct Vehicle {
   double length_m = 3;
   StartPose start;
   SensorOptions sensors;
+  NavigationOptions navigation;
   SonarOptions sonar;
   bool is_outside = false;               ///< `outside = true`: all four of these are kNone.
   Provider sim = Provider::kShoal;       ///< `vehicle_sim = "shoal" | "hand" | "none"`
