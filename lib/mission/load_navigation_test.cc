@@ -99,7 +99,7 @@ TEST(LoadBeacons, RefusesPacketsWithoutANetworkAndNamesThatExist) {
                         "[[beacon]]\nname = \"c\"\npoint = [1, 2]\nkind = \"packets\"\n"
                         "sender = \"alpha\"\n"),
             "10:8: a beacon 'A' exists already; names must differ in more than case\n"
-            "14:8: there are no packets without an acoustic network: write [acoustics], or kind = "
+            "15:8: there are no packets without an acoustic network: write [acoustics], or kind = "
             "\"one_way\"\n");
 }
 

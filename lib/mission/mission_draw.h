@@ -194,12 +194,14 @@ class MissionDraw {
                         .depth_m = Number(0, 20'000),
                         .position_sigma_m = Number(0, 10'000),
                         .kind = "two_way",
+                        .sender = {},
                         .interval_s = Number(0.1, 100'000),
                         .offset_s = Number(0, 1e7),
                         .turnaround_s = Number(0, 60)});
     beacons->push_back({.name = "sends",
                         .point_m = Point(),
                         .kind = "one_way",
+                        .sender = {},
                         .interval_s = Number(0.1, 100'000),
                         .offset_s = Number(0, 1e7)});
   }

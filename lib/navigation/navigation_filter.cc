@@ -112,6 +112,20 @@ UpdateResult NavigationFilter::Update(const Eigen::Matrix<double, kSize, 1>& inn
   return result;
 }
 
+template <int kSize>
+UpdateResult NavigationFilter::UpdateInsistent(const Eigen::Matrix<double, kSize, 1>& innovation,
+                                               const Jacobian<kSize>& jacobian,
+                                               const Eigen::Matrix<double, kSize, kSize>& noise,
+                                               int state, int most, int* count) {
+  UpdateResult result = Update<kSize>(innovation, jacobian, noise);
+  if (!result.is_accepted && ++*count >= most) {
+    covariance_.block<2, 2>(state, state) += innovation.squaredNorm() * Eigen::Matrix2d::Identity();
+    result = Update<kSize>(innovation, jacobian, noise);
+  }
+  if (result.is_accepted) *count = 0;
+  return result;
+}
+
 void NavigationFilter::Add(const StateVector& error) {
   solution_.position_m += error.segment<2>(kStateX);
   solution_.heading_rad = WrapTwoPi(solution_.heading_rad + error[kStateHeading]);
@@ -145,8 +159,10 @@ UpdateResult NavigationFilter::UpdateDvl(const Eigen::Vector2d& over_ground_mps)
   jacobian.block<2, 2>(0, kStateCurrentX) = scale * axes.transpose();
   jacobian.col(kStateHeading) = scale * (TurnOfAxes(axes).transpose() * solution_.current_mps);
   jacobian.col(kStateDvlScale) = expected_mps;
-  return Update<2>(over_ground_mps - scale * expected_mps, jacobian,
-                   options_.dvl_noise_mps * options_.dvl_noise_mps * Eigen::Matrix2d::Identity());
+  return UpdateInsistent<2>(
+      over_ground_mps - scale * expected_mps, jacobian,
+      options_.dvl_noise_mps * options_.dvl_noise_mps * Eigen::Matrix2d::Identity(), kStateForward,
+      options_.most_rejected_speeds, &rejected_dvl_);
 }
 
 UpdateResult NavigationFilter::UpdateLog(double forward_mps) {

@@ -51,11 +51,14 @@ struct FilterOptions {
   double dvl_noise_mps = 0;
   double log_noise_mps = 0;
   double gps_noise_m = 0;
-  double speed_walk_mps_per_rts = 0.1;      ///< How fast the forward speed changes.
+  double speed_walk_mps_per_rts = 0.2;      ///< How fast the forward speed changes.
   double sway_mps = 0.05;                   ///< Of the sway, which comes and goes ...
   double sway_time_s = 5;                   ///< ... within about this time; > 0.
   double current_walk_mps_per_rts = 0.002;  ///< How fast the current changes.
   double gate_probability = 0.999;          ///< Of keeping a good measurement; 0 .. 1, not 1.
+  /// So many readings of log or DVL that are rejected in a row are believed all the same: the speed
+  /// has changed faster than it assumes; > 0.
+  int most_rejected_speeds = 2;
   /// So many GPS fixes that are rejected in a row are believed all the same: the filter has lost
   /// its way, and widens its covariance by what they show; > 0.
   int most_rejected_fixes = 5;
@@ -127,13 +130,22 @@ class NavigationFilter {
   UpdateResult Update(const Eigen::Matrix<double, kSize, 1>& innovation,
                       const Jacobian<kSize>& jacobian,
                       const Eigen::Matrix<double, kSize, kSize>& noise);
+  /// Updates with a measurement of which `most` rejected in a row, as `count` counts them, are
+  /// believed: the covariance of the two states from `state` on grows by the innovation squared.
+  template <int kSize>
+  UpdateResult UpdateInsistent(const Eigen::Matrix<double, kSize, 1>& innovation,
+                               const Jacobian<kSize>& jacobian,
+                               const Eigen::Matrix<double, kSize, kSize>& noise, int state,
+                               int most, int* count);
   void Add(const StateVector& error);
 
   FilterOptions options_;
   std::array<double, 4> gates_;  ///< By the number of components.
   NavigationSolution solution_;
   StateMatrix covariance_;
-  int rejected_fixes_ = 0;
+  int rejected_fixes_ = 0;  ///< In a row; likewise the others.
+  int rejected_dvl_ = 0;
+  int rejected_log_ = 0;
 };
 
 /// An ellipse that holds the truth with a stated probability.
