@@ -20,7 +20,7 @@ bool CanBeCount(int64_t count) { return count >= 0 && count <= 1'000'000'000'000
 }  // namespace
 
 DirectorApp::DirectorApp(const Mission& mission, Bus& bus)
-    : mission_(mission), bus_(bus), judge_(mission) {
+    : mission_(mission), bus_(bus), judge_(mission), is_done_(mission.vehicles.size()) {
   for (size_t i = 0; i < mission.vehicles.size(); ++i) {
     const std::string& name = mission.vehicles[i].name;
     Subscribe(bus, channels::Nav(name), [this, i](const nav_t& nav) {
@@ -32,12 +32,14 @@ DirectorApp::DirectorApp(const Mission& mission, Bus& bus)
                             mission_.vehicles[i].name));
     });
     if (mission.vehicles[i].navigation.is_fitted) {
-      Subscribe(bus, channels::EstimatedNav(name),
-                [this, i](const nav_t& nav) { judge_.TakeEstimate(i, {nav.x_m, nav.y_m}); });
+      Subscribe(bus, channels::EstimatedNav(name), [this, i](const nav_t& nav) {
+        judge_.TakeEstimate(i, {nav.x_m, nav.y_m});
+      });
     }
     Subscribe(bus, channels::HelmState(name), [this, i](const helm_state_t& helm) {
       HelmFacts facts = {.state = helm.state, .task = helm.task, .laps_done = helm.laps_done};
       if (helm.waypoint_index >= 0) facts.cross_track_error_m = helm.cross_track_error_m;
+      is_done_[i] = helm.state == "DRIVE" && helm.task == kEndOfTasks;
       judge_.TakeHelm(i, facts, last_utime_.value_or(mission_.start_utime));
     });
     if (!mission.IsInSwarm(mission.vehicles[i])) continue;
@@ -80,6 +82,7 @@ void DirectorApp::Tick(int64_t utime) {
   EndLastStep();
   last_utime_ = utime;
   AnswerControlsRequest(utime);
+  LookForTheEnd(utime);
   const double now_s = static_cast<double>(utime - mission_.start_utime) / 1e6;
   for (; next_event_ < mission_.events.size(); ++next_event_) {
     const Event& event = mission_.events[next_event_];
@@ -89,6 +92,20 @@ void DirectorApp::Tick(int64_t utime) {
 }
 
 void DirectorApp::End() { EndLastStep(); }
+
+void DirectorApp::LookForTheEnd(int64_t utime) {
+  size_t num_waited_for = 0;
+  size_t num_done = 0;
+  for (size_t i = 0; i < mission_.vehicles.size(); ++i) {
+    if (mission_.vehicles[i].helm_options.end_of_tasks != Ending::kEndMission) continue;
+    ++num_waited_for;
+    if (is_done_[i]) ++num_done;
+  }
+  if (ends_mission_ || num_waited_for == 0 || num_done < num_waited_for) return;
+  ends_mission_ = true;
+  log_.Event(utime, fmt::format("the mission ends: the tasks of {} are done",
+                                num_done == 1 ? "its vehicle" : "its vehicles"));
+}
 
 void DirectorApp::EndLastStep() {
   if (last_utime_) judge_.EndStep(*last_utime_);

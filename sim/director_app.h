@@ -38,6 +38,7 @@ class DirectorApp : public Director {
 
   std::string Summary(bool complete) const override;
   bool Passed() const override;
+  bool EndsMission() const override { return ends_mission_; }
 
  private:
   void TakeFates(const Message& message);
@@ -48,6 +49,7 @@ class DirectorApp : public Director {
   void PublishEvent(int64_t utime, const RuleEvent& event);
   void PublishEvent(int64_t utime, const MessageEvent& event);
   void AnswerControlsRequest(int64_t utime);
+  void LookForTheEnd(int64_t utime);
 
   const Mission& mission_;
   Bus& bus_;
@@ -57,6 +59,8 @@ class DirectorApp : public Director {
   bool controls_wanted_ = false;  ///< They were requested since the last step.
   comms_fates_t fates_message_;   ///< Decoded into; keeps its strings' memory.
   size_t next_event_ = 0;
+  std::vector<bool> is_done_;  ///< Of each vehicle: it is at the end of its tasks.
+  bool ends_mission_ = false;
   /// Messages that are handled now were published in this step; absent before the first.
   std::optional<int64_t> last_utime_;
 };

@@ -308,6 +308,45 @@ TEST_F(DirectorTest, JudgesWhatWasPublishedInTheLastStep) {
   EXPECT_TRUE(Director().Summary(true).ends_with("\nPASS\n"));
 }
 
+TEST_F(DirectorTest, EndsTheMissionWhenAllVehiclesWithThatEndingAreAtTheEndOfTheirTasks) {
+  mission_.vehicles.resize(3);
+  mission_.vehicles[2].name = "charlie";
+  for (const size_t i : {0U, 1U}) {
+    mission_.vehicles[i].helm_options.end_of_tasks = Ending::kEndMission;
+  }
+  const auto publish = [&](const std::string& name, const std::string& task) {
+    helm_state_t helm{};
+    helm.state = "DRIVE";
+    helm.task = task;
+    Publish(fleet_, channels::HelmState(name), helm);
+    Step();
+    Step();
+  };
+  Step();
+  publish("alpha", "end_of_tasks");
+  EXPECT_FALSE(Director().EndsMission()) << "bravo is not done";
+  publish("alpha", "survey");
+  publish("bravo", "end_of_tasks");
+  EXPECT_FALSE(Director().EndsMission()) << "alpha was deployed again";
+  publish("alpha", "end_of_tasks");
+  EXPECT_TRUE(Director().EndsMission());
+  publish("alpha", "survey");
+  EXPECT_TRUE(Director().EndsMission()) << "what has ended has ended";
+}
+
+TEST_F(DirectorTest, LetsTheMissionRunWhereNoVehicleEndsIt) {
+  helm_state_t helm{};
+  helm.state = "DRIVE";
+  helm.task = "end_of_tasks";
+  Step();
+  for (const Vehicle& vehicle : mission_.vehicles) {
+    Publish(fleet_, channels::HelmState(vehicle.name), helm);
+  }
+  Step();
+  Step();
+  EXPECT_FALSE(Director().EndsMission());
+}
+
 TEST_F(DirectorTest, StandsNonsense) {
   Step();
   PublishNav("alpha", std::numeric_limits<double>::quiet_NaN());

@@ -15,6 +15,8 @@ namespace shoal {
 
 namespace {
 
+constexpr int kMaxRestarts = 5;  ///< Of one participant, as in `shoal run`.
+
 /// Asks for the first lines of an object, where apps and buses keep what every step needs: a step
 /// meets each of thousands of participants once, after the caches have forgotten it.
 void Prefetch(const void* object) {
@@ -31,13 +33,32 @@ void Prefetch(const void* object) {
 struct Simulation::State {
   struct Member {
     Bus* bus = nullptr;
-    std::unique_ptr<App> app;  ///< Null: the embedding program.
+    std::unique_ptr<App> app;               ///< Null: the embedding program, or it was lost.
+    std::optional<RosterEntry> entry = {};  ///< Of those that can be started again.
+    int num_restarts = 0;
   };
 
   explicit State(const Mission& from) : mission(from) {}
 
-  void Add(Bus& bus, std::unique_ptr<App> app) {
-    members.push_back({.bus = &bus, .app = std::move(app)});
+  void Add(Bus& bus, std::unique_ptr<App> app, std::optional<RosterEntry> entry = {}) {
+    members.push_back({.bus = &bus, .app = std::move(app), .entry = std::move(entry)});
+  }
+
+  /// As the supervision of `shoal run` does with a process that died.
+  void Lose(Member* member, const std::string& how) {
+    const std::string name = member->entry ? member->entry->name : "a participant";
+    hub.EndSubscriptions(*member->bus);
+    member->app.reset();
+    if (mission.on_loss == OnLoss::kEnd) {
+      fault = fmt::format("LOST: {}: {}; the mission ends without it", name, how);
+    } else if (mission.on_loss == OnLoss::kContinue || !member->entry) {
+      losses.push_back(fmt::format("LOST: {}: {}; the mission goes on without it", name, how));
+    } else if (++member->num_restarts > kMaxRestarts) {
+      fault = fmt::format("{}: {}; it was restarted {} times already", name, how, kMaxRestarts);
+    } else {
+      member->app = MakeApp(*member->entry, mission, *member->bus);
+      losses.push_back(fmt::format("LOST: {}: {}; it starts again", name, how));
+    }
   }
 
   const Mission mission;
@@ -47,6 +68,8 @@ struct Simulation::State {
   DirectorApp* director = nullptr;
   int64_t step = -1;
   bool has_ended = false;
+  std::string fault;  ///< Of a loss that ends the mission.
+  std::vector<std::string> losses;
 };
 
 Simulation::Simulation(const Mission& mission, const std::string& log_path)
@@ -59,7 +82,7 @@ Simulation::Simulation(const Mission& mission, const std::string& log_path)
   }
   for (const RosterEntry& entry : MakeRoster(state.mission, false)) {
     Bus& bus = state.hub.Join(entry.name);
-    state.Add(bus, MakeApp(entry, state.mission, bus));
+    state.Add(bus, MakeApp(entry, state.mission, bus), entry);
   }
   Bus& bus = state.hub.Join("shoal");
   auto director = std::make_unique<DirectorApp>(state.mission, bus);
@@ -87,7 +110,7 @@ Result<Simulation> Simulation::Open(const SimulationOptions& options) {
 bool Simulation::Step() {
   State& state = *state_;
   if (state.has_ended) return false;
-  if (state.step == state.mission.LastStep()) {
+  if (state.step == state.mission.LastStep() || state.director->EndsMission()) {
     End();
     return false;
   }
@@ -99,11 +122,15 @@ bool Simulation::Step() {
       Prefetch(state.members[i + kAhead].bus);
       Prefetch(state.members[i + kAhead].app.get());
     }
-    const State::Member& member = state.members[i];
+    State::Member& member = state.members[i];
     state.hub.Handle(*member.bus);
-    if (member.app) member.app->Tick(utime());
+    if (!member.app) continue;
+    member.app->Tick(utime());
+    if (const std::string how = member.app->Crash(); !how.empty()) state.Lose(&member, how);
   }
-  return true;
+  if (state.fault.empty()) return true;
+  End();
+  return false;
 }
 
 void Simulation::End() {
@@ -120,6 +147,7 @@ void Simulation::End() {
 Bus& Simulation::bus() { return *state_->embedder; }
 
 std::string Simulation::Fault() const {
+  if (!state_->fault.empty()) return state_->fault;
   for (const State::Member& member : state_->members) {
     if (!member.app) continue;
     if (std::string fault = member.app->Fault(); !fault.empty()) return fault;
@@ -127,6 +155,7 @@ std::string Simulation::Fault() const {
   return {};
 }
 
+const std::vector<std::string>& Simulation::losses() const { return state_->losses; }
 int64_t Simulation::step() const { return state_->step; }
 int64_t Simulation::utime() const { return state_->mission.UtimeOf(state_->step); }
 const Mission& Simulation::mission() const { return state_->mission; }

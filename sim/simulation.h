@@ -53,8 +53,10 @@ class Simulation {
   /// Step() reaches the others in the second. Subscribe before the first Step().
   Bus& bus();
 
-  /// Returns why the mission cannot go on (disk full), or an empty string.
+  /// Returns why the mission cannot go on (disk full, a participant is lost), or an empty string.
   std::string Fault() const;
+  /// Returns a line for each participant that crashed, and what became of it by [mission] on_loss.
+  const std::vector<std::string>& losses() const;
 
   /// The number of the last step taken, from 0; -1 before the first.
   int64_t step() const;

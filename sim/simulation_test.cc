@@ -155,6 +155,55 @@ TEST(Simulation, WritesTheSameLogWhereTheEmbedderOnlySubscribes) {
   EXPECT_TRUE(ContentOf(alone) == ContentOf(watched));
 }
 
+/// alpha's helm crashes after 5 s; bravo sails on.
+Mission WithACrash(const std::string& on_loss) {
+  std::string text = kTwoVessels;
+  text.replace(text.find("duration_s = 30"), 15, "duration_s = 30\non_loss = \"" + on_loss + "\"");
+  text.replace(text.find("[[vehicle]]\nname = \"bravo\""), 11,
+               "[[vehicle.behavior]]\nname = \"fault\"\nkind = \"test_failure\"\nduration = 5\n"
+               "[[vehicle]]");
+  return Load(text);
+}
+
+/// Counts the helm's messages by the whole second.
+std::map<int64_t, int> ActuatorsOfAlpha(Simulation* simulation) {
+  std::map<int64_t, int> counts;
+  Subscribe(simulation->bus(), channels::Actuators("alpha"),
+            [&](const actuators_t& actuators) { ++counts[actuators.utime / 1'000'000]; });
+  while (simulation->Step()) {
+  }
+  return counts;
+}
+
+TEST(Simulation, EndsWhereAHelmCrashesAsItDoesWithAProcessThatDies) {
+  Simulation simulation(WithACrash("end"), "");
+  const std::map<int64_t, int> counts = ActuatorsOfAlpha(&simulation);
+  EXPECT_EQ(simulation.Fault(),
+            "LOST: helm_alpha: the behavior fault crashes the helm; the mission ends without it");
+  EXPECT_EQ(simulation.utime() / 1'000'000, 5);
+  EXPECT_FALSE(counts.contains(6));
+}
+
+TEST(Simulation, GoesOnWithoutAHelmThatCrashed) {
+  Simulation simulation(WithACrash("continue"), "");
+  const std::map<int64_t, int> counts = ActuatorsOfAlpha(&simulation);
+  EXPECT_EQ(simulation.Fault(), "");
+  EXPECT_EQ(simulation.utime(), 30'000'000);
+  EXPECT_EQ(simulation.losses().size(), 1u);
+  EXPECT_TRUE(counts.contains(4));
+  EXPECT_FALSE(counts.contains(6));
+}
+
+TEST(Simulation, StartsAHelmThatCrashedAgainWithNothingOfWhatItDid) {
+  Simulation simulation(WithACrash("restart"), "");
+  const std::map<int64_t, int> counts = ActuatorsOfAlpha(&simulation);
+  // With deploy_at_start it goes through its list, and so the five seconds, again.
+  EXPECT_EQ(simulation.losses().size(), 5u);
+  EXPECT_EQ(simulation.Fault(),
+            "helm_alpha: the behavior fault crashes the helm; it was restarted 5 times already");
+  for (int64_t second = 0; second < 25; ++second) EXPECT_GE(counts.at(second), 9) << second;
+}
+
 TEST(Simulation, FailsByACollisionAndItsHelmsStateIt) {
   std::string text = "[environment]\ncontact = \"stop\"\n" + std::string(kTwoVessels);
   text.resize(text.find("[[expect]]"));

@@ -1,4 +1,4 @@
-// Collisions, all-stops, contacts: a list, each a place to go to.
+// Collisions, all-stops, waypoints, contacts: a list, each a place to go to.
 
 import {element, KeyedList, setAttribute, setText} from './dom.js';
 import {isGrave} from './source.js';
@@ -6,7 +6,7 @@ import {clip, missionTime, words} from './text.js';
 
 const kSigns = {
   collision: '✸', all_stop: '⊗', cleared: '▷', first_contact: '⇄', lost_contact: '⇎',
-  contact_again: '⇄',
+  contact_again: '⇄', waypoint: '⚑',
 };
 
 export const eventSign = (event) => kSigns[event.kind] ?? '•';

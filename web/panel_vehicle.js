@@ -3,6 +3,7 @@
 import {TimeChart} from './charts.js';
 import {DecisionTable} from './decision.js';
 import {element, KeyedList, setAttribute, setText} from './dom.js';
+import {guidanceFacts} from './guidance.js';
 import {modemWords} from './modem.js';
 import {SwarmTables} from './panel_swarm.js';
 import {Poller} from './poller.js';
@@ -168,6 +169,7 @@ export class VehiclePanel {
       ['Kind', [vehicle.type, vehicle.group && `group ${vehicle.group}`,
         factors && `stealth ${factors.stealth}, earange ${factors.earange}`]
         .filter(Boolean).join(', ')],
+      ...guidanceFacts(vehicle, frame.t),
       ...(vehicle.modem ? [['Modem', modemWords(vehicle.modem, frame.t)]] : []),
     ];
     this.factList.sync(facts, ([label]) => label);

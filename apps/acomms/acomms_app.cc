@@ -68,11 +68,16 @@ AcommsApp::AcommsApp(const Mission& mission, const Vehicle& vehicle, Bus& bus)
       swarm_channel_(channels::Swarm(vehicle.name)),
       receiver_(MakeSwarmReceiver(mission, vehicle)),
       schedule_(MakeSwarmSchedule(mission, vehicle)),
-      writer_(mission, vehicle) {
+      writer_(mission, vehicle),
+      propeller_(vehicle.model) {
   helm_.waypoint_index = -1;
   Subscribe(bus, OwnNav(vehicle), [this](const nav_t& nav) { OnNav(nav); });
   Subscribe(bus, channels::HelmState(vehicle.name),
             [this](const helm_state_t& helm) { helm_ = helm; });
+  if (receiver_.state.is_leader && propeller_.is_needed()) {
+    Subscribe(bus, channels::Actuators(vehicle.name),
+              [this](const actuators_t& actuators) { propeller_.OnActuators(actuators); });
+  }
   Subscribe(bus, channels::AcousticRx(vehicle.name),
             [this](const acoustic_rx_t& packet) { arrived_.push_back(packet); });
 }
@@ -118,10 +123,11 @@ void AcommsApp::Tick(int64_t utime) {
 void AcommsApp::Send(const DueMessage& due, int64_t utime) {
   const std::optional<Motion> own = MotionOf(nav_);
   SHOAL_CHECK(own.has_value(), "NAV was checked when it came");
-  std::vector<uint8_t> bytes = SwarmBytes(due, {.own = *own,
-                                                .next = NextOf(*own, helm_),
-                                                .now_us = utime - start_utime_,
-                                                .state = receiver_.state});
+  std::vector<uint8_t> bytes =
+      SwarmBytes(due, {.own = *own,
+                       .next = NextOf(*own, helm_, propeller_.PlanOf(*own, utime)),
+                       .now_us = utime - start_utime_,
+                       .state = receiver_.state});
   if (receiver_.has_frames) bytes = EncodeFrame(bytes, sequence_++);
   acoustic_tx_t packet{};
   packet.utime = utime;

@@ -1,5 +1,6 @@
 // Sends and receives the acoustic messages of one vehicle in a swarm. Subscribes to NAV_<V>,
-// HELM_STATE_<V> and ACOUSTIC_RX_<V>; publishes ACOUSTIC_TX in its slot (lib/swarm/schedule.h), and
+// HELM_STATE_<V> and ACOUSTIC_RX_<V>, and to ACTUATORS_<V> of a leader whose propeller needs time
+// to change its revolutions; publishes ACOUSTIC_TX in its slot (lib/swarm/schedule.h), and
 // SWARM_<V>, what it knows of the others, in every step in which a message arrived and at least
 // once per second.
 //
@@ -11,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "apps/acomms/propeller_watch.h"
 #include "apps/acomms/swarm_writer.h"
 #include "lib/bus/bus.h"
 #include "lib/bus/channels.h"
@@ -48,6 +50,7 @@ class AcommsApp : public App {
   SwarmReceiver receiver_;
   SwarmSchedule schedule_;
   SwarmWriter writer_;
+  PropellerWatch propeller_;
   StatusLog log_;
 
   nav_t nav_{};

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <vector>
@@ -84,6 +86,7 @@ class Members {
         const double x_m = vehicle.start.x_m + static_cast<double>(utime_) / 1e6;
         if (with_nav) PublishNav(vehicle.name, x_m, 0);
       }
+      if (before_step_) before_step_(utime_, world_);
       hub_.NextStep();
       for (auto& [name, app] : apps_) hub_.Handle(*app.first);
       for (auto& [name, app] : apps_) app.second->Tick(utime_);
@@ -104,6 +107,7 @@ class Members {
   AcommsApp& app(const std::string& vehicle) { return *apps_.at(vehicle).second; }
 
   bool in_air_is_quiet_ = false;
+  std::function<void(int64_t utime, Bus& world)> before_step_;
   std::vector<acoustic_tx_t> sent_;
   std::map<std::string, std::vector<swarm_t>> swarms_;
 
@@ -144,6 +148,33 @@ TEST(Acomms, PublishesForItsHelmWhatTheLeaderSent) {
   EXPECT_EQ(after.x_mps, 1);
   EXPECT_TRUE(after.has_next);
   EXPECT_EQ(after.num_recovered, 0);
+}
+
+TEST(Acomms, ReportsTheSpeedAtTheNextWaypointByTheRateOfALeadersRevolutions) {
+  for (const double rate_rpmps : {0.0, 10.0}) {
+    Mission mission = TwoInFdma();
+    mission.vehicles[0].model =
+        Remus100Options{.parameters = "munet", .max_propeller_rate_rpmps = rate_rpmps};
+    Members members(mission);
+    members.before_step_ = [&](int64_t utime, Bus& world) {
+      helm_state_t helm{};
+      helm.waypoint_index = 0;
+      helm.waypoint_x_m = 300;
+      helm.waypoint_z_m = 10;
+      Publish(world, channels::HelmState("alpha"), helm);
+      actuators_t actuators{};
+      actuators.utime = utime;
+      actuators.propeller_rpm = 500 + 1e-5 * static_cast<double>(utime);
+      Publish(world, channels::Actuators("alpha"), actuators);
+    };
+    members.Run(6);
+    const std::optional<LeaderMessage> report = DecodeLeaderReport(members.sent_[2].payload);
+    ASSERT_TRUE(report);
+    const LeaderMotion& leader = report->leader;
+    // 95 m to go at 1 m/s, and n = 10 rpm/s on muNet's map.
+    const double squared = 1 + 2 * 0.0016922 * rate_rpmps * (300 - leader.position_m.x());
+    EXPECT_NEAR(leader.next_velocity_mps.norm(), std::sqrt(squared), 1e-5) << rate_rpmps;
+  }
 }
 
 TEST(Acomms, CountsWhatBecameOfEachSendersPackets) {

@@ -70,15 +70,10 @@ std::optional<Motion> MotionOf(const nav_t& nav) {
   return motion;
 }
 
-Motion NextOf(const Motion& own, const helm_state_t& helm) {
+Motion NextOf(const Motion& own, const helm_state_t& helm, const SpeedPlan& plan) {
   const Eigen::Vector3d waypoint_m(helm.waypoint_x_m, helm.waypoint_y_m, helm.waypoint_z_m);
   if (helm.waypoint_index < 0) return own;
-  const Motion next = waypoint_m.allFinite()
-                          ? PredictAtPoint(own, waypoint_m,
-                                           {.speed_mps = own.velocity_mps.norm(),
-                                            .acceleration_mps2 = 0,
-                                            .max_speed_mps = FieldLimits().max_speed_mps})
-                          : own;
+  const Motion next = waypoint_m.allFinite() ? PredictAtPoint(own, waypoint_m, plan) : own;
   return IsEncodable(next) ? next : own;
 }
 

@@ -17,9 +17,9 @@ namespace shoal {
 /// finite or outside the encodable range.
 [[nodiscard]] std::optional<Motion> MotionOf(const nav_t& nav);
 
-/// Returns where the vehicle goes on to: its helm's waypoint, which it reaches at the speed that it
-/// has; without one itself.
-[[nodiscard]] Motion NextOf(const Motion& own, const helm_state_t& helm);
+/// Returns where the vehicle goes on to: its helm's waypoint, which it reaches as `plan` has it;
+/// without one itself.
+[[nodiscard]] Motion NextOf(const Motion& own, const helm_state_t& helm, const SpeedPlan& plan);
 
 /// What a swarm message is made from.
 struct SwarmMessageInputs {

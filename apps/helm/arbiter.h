@@ -19,6 +19,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "apps/helm/helm_order.h"
@@ -68,6 +69,8 @@ class Arbiter {
   const std::string& all_stop() const { return outcome_.all_stop; }
   /// True where a behavior has asked to park since the last call.
   bool TakePark();
+  /// Returns for how many seconds a behavior keeps the helm busy from now on; 0: not.
+  double TakeBusy() { return std::exchange(outcome_.busy_s, 0); }
   /// Returns what is to be published of the last step, if anything.
   std::optional<helm_decision_t> TakeDecision();
   /// Returns the settings for other vehicles since the last call.

@@ -254,6 +254,28 @@ TEST(Arbiter, IsSilentWhileParkedAndShowsItsBehaviorsOnThePage) {
   EXPECT_NE(loop.Page().text.find("Decided: course"), std::string::npos);
 }
 
+TEST(Arbiter, IsLateByTheTimeThatABehaviorKeepsItBusy) {
+  Vehicle vehicle = Northbound();
+  vehicle.behaviors = {
+      {.name = "fault",
+       .duration = 5,
+       .what = AnyBehavior(TestFailureOptions{.failure_type = "burn", .burn_time = 1.5})}};
+  HelmAndVessel loop(vehicle);
+  int num_silent = 0;
+  for (int step = 0; step < 80; ++step) {
+    loop.actuators.reset();
+    if (step == 60) loop.Command("station_keep");
+    loop.Step();
+    if (step == 0 || loop.actuators) continue;
+    ++num_silent;
+    EXPECT_GE(step, 50);
+    EXPECT_EQ(loop.state.task, "north");
+  }
+  EXPECT_EQ(num_silent, 15);
+  EXPECT_EQ(loop.state.task, "station_keep");  // What arrives meanwhile waits.
+  EXPECT_TRUE(Mentions(loop.Page().run_warnings, "busy"));
+}
+
 TEST(Arbiter, PublishesADecisionThatDoesNotChangeOncePerSecond) {
   Vehicle vehicle = Northbound();
   vehicle.behaviors = {GoTo("far", {0, 100'000})};

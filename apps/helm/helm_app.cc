@@ -7,6 +7,7 @@
 #include <tuple>
 #include <vector>
 
+#include "lib/bus/waypoint_arrival.h"
 #include "lib/geometry/angles.h"
 #include "lib/run/own_nav.h"
 #include "lib/run/status_page.h"
@@ -107,12 +108,13 @@ std::string CommandsText(const std::array<int64_t, kNumOrderKinds>& num_executed
 
 HelmApp::HelmApp(const Mission& mission, const Vehicle& vehicle, Bus& bus)
     : bus_(bus),
-      pilot_(MakePilot(vehicle)),
+      pilot_(MakePilot(mission, vehicle)),
       nav_timeout_us_(Microseconds(vehicle.helm_options.nav_timeout_s)),
       state_interval_us_(Microseconds(vehicle.helm_options.state_interval_s)),
       desired_channel_(channels::Desired(vehicle.name)),
       actuators_channel_(channels::Actuators(vehicle.name)),
       state_channel_(channels::HelmState(vehicle.name)),
+      guidance_channel_(channels::Guidance(vehicle.name)),
       states_(vehicle),
       swarm_(mission, vehicle),
       vehicle_(vehicle),
@@ -146,6 +148,7 @@ HelmApp::HelmApp(const Mission& mission, const Vehicle& vehicle, Bus& bus)
   if (vehicle.sonar.is_fitted) {
     Subscribe(bus, channels::Sonar(vehicle.name), [this](const sonar_t& ping) {
       swarm_.OnSonar(ping);
+      pilot_->OnSonar(ping);
       if (arbiter_ && had_nav_) arbiter_->OnSonar(ping, nav_, utime_.value_or(0));
     });
   }
@@ -243,6 +246,7 @@ void HelmApp::Tick(int64_t utime) {
   const double dt_s =
       utime_ ? std::clamp(static_cast<double>(utime - *utime_) / 1e6, 0.0, kMaxControlStep_s) : 0;
   utime_ = utime;
+  if (utime < busy_until_utime_) return;  // What arrives is taken, as from a queue at the end.
   const bool nav_is_lost = WatchNav(utime);
 
   std::optional<Fix> fix;
@@ -251,11 +255,15 @@ void HelmApp::Tick(int64_t utime) {
               .heading_rad = WrapTwoPi(DegToRad(nav_.heading_deg)),
               .time_s = static_cast<double>(utime) / 1e6,
               .z_m = nav_.z_m,
+              .velocity_mps =
+                  nav_.speed_over_ground_mps * UnitVector(DegToRad(nav_.course_over_ground_deg)),
+              .speed_mps = std::max(0.0, nav_.speed_mps),
               .num_gps_fixes = num_gps_,
               .surroundings = swarm_.Look(states_.task(), nav_)};
   }
   states_.Advance(fix, nav_is_lost);
   if (arbiter_) guidance_ = Guide(utime, fix);
+  if (arbiter_ && IsPrevented(utime)) return;
   const std::optional<Guidance>& guidance = arbiter_ ? guidance_ : states_.guidance();
   if (guidance) {
     pilot_->Steer(*guidance, nav_, dt_s, &desired_, &actuators_);
@@ -268,7 +276,20 @@ void HelmApp::Tick(int64_t utime) {
   if (had_nav_) Publish(bus_, desired_channel_, desired_);
   Publish(bus_, actuators_channel_, actuators_);
   PublishState(utime);
+  PublishGuidance(utime, guidance);
   if (arbiter_) PublishDecision(utime);
+}
+
+bool HelmApp::IsPrevented(int64_t utime) {
+  if (const double busy_s = arbiter_->TakeBusy(); busy_s > 0) {
+    busy_until_utime_ = utime + Microseconds(busy_s);
+  }
+  return utime < busy_until_utime_ || !arbiter_->outcome().crash.empty();
+}
+
+std::string HelmApp::Crash() const {
+  if (!arbiter_ || arbiter_->outcome().crash.empty()) return {};
+  return fmt::format("the behavior {} crashes the helm", Printable(arbiter_->outcome().crash));
 }
 
 std::optional<Guidance> HelmApp::Guide(int64_t utime, const std::optional<Fix>& fix) {
@@ -353,6 +374,7 @@ void HelmApp::PublishState(int64_t utime) {
       words.all_stop != state_.all_stop) {
     log_.Event(utime, fmt::format("{} {} ({})", words.state, words.task, words.all_stop));
   }
+  const helm_state_t before = state_;
   state_utime_ = utime;
   state_.utime = utime;
   state_.state = words.state;
@@ -367,6 +389,47 @@ void HelmApp::PublishState(int64_t utime) {
   state_.distance_m = numbers.distance_m;
   state_.cross_track_error_m = numbers.cross_track_error_m;
   Publish(bus_, state_channel_, state_);
+  if (const std::string arrival = ArrivalText(before, state_); !arrival.empty()) {
+    const double miss_m = (Eigen::Vector2d(before.waypoint_x_m, before.waypoint_y_m) -
+                           Eigen::Vector2d(nav_.x_m, nav_.y_m))
+                              .norm();
+    log_.Event(utime, fmt::format("{}, {:.1f} m from it", arrival, miss_m));
+  }
+}
+
+void HelmApp::PublishGuidance(int64_t utime, const std::optional<Guidance>& guidance) {
+  const std::optional<double> pitch_rad = pilot_->desired_pitch_rad();
+  if (!pitch_rad || !guidance) return;
+  const bool is_news = !how_utime_ || how_.task != state_.task ||
+                       how_.waypoint_index != guidance->waypoint_index ||
+                       how_.layers.size() != guidance->layers.size();
+  if (!is_news && utime - *how_utime_ < state_interval_us_) return;
+  how_utime_ = utime;
+  how_.utime = utime;
+  how_.vehicle = vehicle_.name;
+  how_.task = state_.task;
+  how_.task_kind = state_.task_kind;
+  how_.waypoint_index = guidance->waypoint_index;
+  how_.heading_deg = desired_.heading_deg;
+  how_.speed_mps = desired_.speed_mps;
+  how_.depth_m = desired_.depth_m;
+  how_.pitch_deg = RadToDeg(*pitch_rad);
+  how_.crab_deg = RadToDeg(guidance->crab_rad);
+  how_.cross_track_error_m = guidance->cross_track_error_m;
+  how_.u_max_mps = guidance->u_max_mps;
+  how_.layers.clear();
+  for (const LayerShare& share : guidance->layers) {
+    guidance_layer_t layer{};
+    layer.name = share.name;
+    layer.east_mps = share.velocity_mps.x();
+    layer.north_mps = share.velocity_mps.y();
+    layer.descent_mps = share.velocity_mps.z();
+    layer.speed_mps = share.velocity_mps.norm();
+    layer.weight = share.weight;
+    how_.layers.push_back(layer);
+  }
+  how_.num_layers = static_cast<int32_t>(how_.layers.size());
+  Publish(bus_, guidance_channel_, how_);
 }
 
 StatusPage HelmApp::Status() const {
@@ -398,6 +461,7 @@ StatusPage HelmApp::Status() const {
       nav_.heading_deg, desired_.speed_mps, nav_.speed_mps, desired_.depth_m, nav_.z_m, nav_.x_m,
       nav_.y_m, actuators_.thrust_pct, actuators_.propeller_rpm, actuators_.rudder_deg,
       actuators_.stern_plane_deg);
+  page.text += GuidanceText();
   page.text += fmt::format(
       "Received:\n"
       "    NAV: {} ({} refused)\n"
@@ -410,6 +474,18 @@ StatusPage HelmApp::Status() const {
   if (arbiter_) page.text += arbiter_->Text();
   log_.AppendTo(&page);
   return page;
+}
+
+std::string HelmApp::GuidanceText() const {
+  if (!how_utime_) return {};
+  std::string text = fmt::format(
+      "Guidance: pitch {:.1f} deg desired, {:.1f} actual; crab angle by ALOS {:.1f} deg\n",
+      how_.pitch_deg, nav_.pitch_deg, how_.crab_deg);
+  for (const guidance_layer_t& layer : how_.layers) {
+    text += fmt::format("    {:<18} asks for {:.2f} m/s, weight {:.3f}\n", layer.name,
+                        layer.speed_mps, layer.weight);
+  }
+  return text;
 }
 
 std::string HelmApp::ContactsText() const {

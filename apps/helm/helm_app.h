@@ -34,6 +34,7 @@ class HelmApp : public App {
   HelmApp(const Mission& mission, const Vehicle& vehicle, Bus& bus);
 
   void Tick(int64_t utime) override;
+  std::string Crash() const override;
   StatusPage Status() const override;
 
  private:
@@ -55,12 +56,18 @@ class HelmApp : public App {
   std::string Execute(const HelmOrder& order);
   void OnNodeReport(const node_report_t& report);
   bool WatchNav(int64_t utime);
+  /// Returns true where a behavior crashes the helm or keeps it busy: nothing is published then.
+  bool IsPrevented(int64_t utime);
   /// Returns what to steer by in this step.
   std::optional<Guidance> Guide(int64_t utime, const std::optional<Fix>& fix);
   /// Publishes what the arbiter has decided, and what it has for other vehicles.
   void PublishDecision(int64_t utime);
   void PublishState(int64_t utime);
+  /// Of an underwater vehicle, while it steers by `guidance`.
+  void PublishGuidance(int64_t utime, const std::optional<Guidance>& guidance);
   std::string ContactsText() const;
+  /// Returns what GUIDANCE shows, for the status page; empty of a vehicle that does not dive.
+  std::string GuidanceText() const;
 
   // What every step needs comes first, as in vehicle_sim.
   Bus& bus_;
@@ -72,6 +79,7 @@ class HelmApp : public App {
   std::optional<int64_t> utime_;      ///< Of the last step.
   std::optional<int64_t> nav_utime_;  ///< The step in which it came; none came: the first step.
   std::optional<int64_t> state_utime_;
+  int64_t busy_until_utime_ = 0;
   bool nav_is_fresh_ = false;  ///< It came in this step.
   bool had_nav_ = false;
   bool nav_was_lost_ = false;
@@ -79,9 +87,12 @@ class HelmApp : public App {
   desired_t desired_{};
   actuators_t actuators_{};
   helm_state_t state_{};  ///< As published last.
+  guidance_t how_{};      ///< The same.
+  std::optional<int64_t> how_utime_;
   const Channel<desired_t> desired_channel_;
   const Channel<actuators_t> actuators_channel_;
   const Channel<helm_state_t> state_channel_;
+  const Channel<guidance_t> guidance_channel_;
   HelmStates states_;
   SwarmView swarm_;
   std::optional<Guidance> guidance_;  ///< With an arbiter: of the last step.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "lib/run/status_page.h"
 
@@ -21,7 +22,8 @@ std::string_view Name(HelmMode mode) {
 }
 
 HelmStates::HelmStates(const Vehicle& vehicle)
-    : tasks_(vehicle.tasks),
+    : endings_(vehicle),
+      tasks_(vehicle.tasks),
       return_task_(vehicle.return_task),
       lost_nav_reason_(fmt::format("no NAV for {:.1f} s", vehicle.helm_options.nav_timeout_s)),
       behaviors_lead_(!vehicle.behaviors.empty() && vehicle.tasks.empty()) {
@@ -77,22 +79,21 @@ std::string HelmStates::Drive(const HelmOrder& order) {
       if (!listed_) StartListAt(0);
       break;
     case OrderKind::kReturn:
-      Interrupt({.name = "return", .what = return_task_});
+      Interrupt({.task = {.name = "return", .what = return_task_}});
       break;
     case OrderKind::kStationKeep:
-      Interrupt({.name = "station_keep", .what = StationKeepTask{}});
+      Interrupt(
+          {.task = {.name = "station_keep", .what = StationKeepTask{}}, .ending = Ending::kHold});
       break;
     case OrderKind::kGoto: {
       WaypointsTask way;
       way.points_m = {order.point_m};
       way.speed_mps = return_task_.speed_mps;
-      Interrupt({.name = "goto", .what = way});
+      Interrupt({.task = {.name = "goto", .what = way}});
       break;
     }
     case OrderKind::kSpeed:
-      if (task() == nullptr) return "speed: no task runs";
-      speed_mps_ = order.speed_mps;
-      return {};
+      return ChangeSpeed(order.speed_mps);
     case OrderKind::kTask: {
       const auto found = std::find_if(tasks_.begin(), tasks_.end(),
                                       [&](const Task& task) { return task.name == order.task; });
@@ -111,9 +112,21 @@ std::string HelmStates::Drive(const HelmOrder& order) {
   return {};
 }
 
-void HelmStates::Interrupt(Task task) {
+std::string HelmStates::ChangeSpeed(double speed_mps) {
+  if (task() == nullptr) return "speed: no task runs";
+  if (const auto* track = std::get_if<TargetTrackTask>(&task()->what)) {
+    return fmt::format(
+        "speed: the task '{}' takes its speed from its law; order the speed of {}, which it "
+        "follows",
+        task()->name, track->target);
+  }
+  speed_mps_ = speed_mps;
+  return {};
+}
+
+void HelmStates::Interrupt(Errand errand) {
   if (listed_) listed_->was_paused = true;
-  interruption_ = Errand{.task = std::move(task)};
+  interruption_ = std::move(errand);
   ended_ = false;
   speed_mps_.reset();
 }
@@ -129,23 +142,23 @@ void HelmStates::StartListAt(size_t index) {
 }
 
 void HelmStates::EndList() {
+  const Ending ending = endings_.AfterList(tasks_.empty() ? nullptr : &tasks_.back());
   listed_.reset();
   if (behaviors_lead_) return;
-  Interrupt({.name = "end_of_tasks", .what = StationKeepTask{}});
+  Interrupt(
+      {.task = {.name = std::string(kEndOfTasks), .what = StationKeepTask{}}, .ending = ending});
   ended_ = true;
 }
 
 // `finished` is the current errand, and does not outlive this call.
-void HelmStates::GoOnFrom(const Errand& finished) {
+void HelmStates::GoOnFrom(const Errand& finished, const Fix& fix) {
   if (!interruption_) {
     StartListAt(list_index_ + 1);
     return;
   }
   // Of the interruptions only the way to a point ever ends.
-  StationKeepTask keep;
-  keep.here = false;
-  keep.point_m = std::get<WaypointsTask>(finished.task.what).points_m.front();
-  Interrupt({.name = finished.task.name, .what = keep});
+  const Eigen::Vector2d& point_m = std::get<WaypointsTask>(finished.task.what).points_m.front();
+  Interrupt({.task = {.name = finished.task.name, .what = endings_.HoldAt(point_m, fix)}});
 }
 
 HelmStates::Errand* HelmStates::Current() {
@@ -164,12 +177,16 @@ void HelmStates::Advance(const std::optional<Fix>& fix, bool nav_is_lost) {
     if (Errand* paused = Current()) paused->was_paused = true;
     return;
   }
-  if (const Errand* finished = Current(); finished != nullptr && finished->is_done) {
-    GoOnFrom(*finished);
+  const bool is_ending = interruption_ && ended_;  // An ending has nothing after it.
+  if (const Errand* finished = Current(); finished != nullptr && finished->is_done && !is_ending) {
+    GoOnFrom(*finished, *fix);
   }
   Errand* current = Current();
   if (current == nullptr) return;
   if (!current->runner) {
+    if (current->ending) {
+      current->task.what = endings_.TaskFor(*current->ending, *fix, last_guidance_);
+    }
     current->runner.emplace(current->task.what, *fix);
   } else if (current->was_paused) {
     current->runner->Rejoin(*fix);
@@ -177,7 +194,15 @@ void HelmStates::Advance(const std::optional<Fix>& fix, bool nav_is_lost) {
   current->was_paused = false;
   guidance_ = current->runner->Update(*fix);
   current->is_done = guidance_->done;
-  if (speed_mps_ && guidance_->speed_mps > 0) guidance_->speed_mps = *speed_mps_;
+  if (speed_mps_ && guidance_->speed_mps > 0) {
+    guidance_->speed_mps = *speed_mps_;
+    guidance_->propeller_rpm.reset();  // The revolutions are those of the speed.
+  }
+  const Guidance before = std::exchange(last_guidance_, *guidance_);
+  if (last_guidance_.speed_mps <= 0) {  // At its end: what counts is how it was under way.
+    last_guidance_.speed_mps = before.speed_mps;
+    last_guidance_.propeller_rpm = before.propeller_rpm;
+  }
 }
 
 }  // namespace shoal

@@ -15,7 +15,7 @@
 // An all-stop by command ends by `resume` or `park` only; until then it refuses every order to
 // move. One for want of NAV ends by itself. After either the helm goes on with what it did.
 //
-// Tasks run in the order of the list; then the helm keeps station where it is ("end_of_tasks"), and
+// Tasks run in the order of the list; then comes the ending ("end_of_tasks", helm_endings.h), and
 // `deploy` starts the list again. The next task begins one step after the last was done, so that
 // its end is seen. return, station_keep and goto interrupt the list, `deploy` goes on with it where
 // it was left.
@@ -26,6 +26,7 @@
 #include <string_view>
 #include <vector>
 
+#include "apps/helm/helm_endings.h"
 #include "apps/helm/helm_order.h"
 #include "lib/guidance/task_runner.h"
 #include "lib/mission/mission.h"
@@ -66,13 +67,15 @@ class HelmStates {
     bool was_paused = false;  ///< Something else happened since the last update.
     bool is_done = false;
     std::optional<TaskRunner> runner = {};  ///< Absent until there is a fix to start from.
+    std::optional<Ending> ending = {};      ///< Present: the task is to follow from that fix.
   };
 
   std::string Drive(const HelmOrder& order);
-  void Interrupt(Task task);
+  std::string ChangeSpeed(double speed_mps);
+  void Interrupt(Errand errand);
   void StartListAt(size_t index);
   void EndList();
-  void GoOnFrom(const Errand& finished);
+  void GoOnFrom(const Errand& finished, const Fix& fix);
   Errand* Current();
   const Errand* Current() const;
 
@@ -82,9 +85,11 @@ class HelmStates {
   bool nav_is_lost_ = false;
   std::optional<double> speed_mps_;  ///< By the order `speed`, for the errand that runs.
   std::optional<Guidance> guidance_;
+  Guidance last_guidance_;              ///< The last while the vessel was driving.
   std::optional<Errand> listed_;        ///< The task of the list; absent: not begun, or ended.
   std::optional<Errand> interruption_;  ///< Runs instead of it.
 
+  HelmEndings endings_;
   size_t list_index_ = 0;
   std::vector<Task> tasks_;
   ReturnTask return_task_;

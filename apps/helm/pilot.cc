@@ -1,30 +1,42 @@
 #include "apps/helm/pilot.h"
 
+#include <optional>
 #include <variant>
 
 #include "apps/helm/surface_pilot.h"
 #include "apps/helm/underwater_pilot.h"
+#include "lib/check/check.h"
+#include "lib/mission/ocean_of.h"
 
 namespace shoal {
 
 namespace {
 
+/// Returns the floor that a vehicle with a chart knows.
+std::optional<SeaFloor> ChartFor(const Remus100Options& options, const Mission& mission) {
+  if (options.floor_from != "chart") return std::nullopt;
+  const Result<Ocean> ocean = OceanOf(mission);
+  SHOAL_CHECK(ocean.ok(), "the mission file was checked, and its grid could be read");
+  return ocean->floor;
+}
+
 /// One line for each model of AnyModel.
 struct PilotOfModel {
+  const Mission& mission;
   const Vehicle& vehicle;
 
   std::unique_ptr<Pilot> operator()(const SurfaceCraftParams& craft) const {
     return std::make_unique<SurfacePilot>(craft, vehicle.autopilot);
   }
   std::unique_ptr<Pilot> operator()(const Remus100Options& options) const {
-    return std::make_unique<UnderwaterPilot>(options);
+    return std::make_unique<UnderwaterPilot>(options, vehicle.sonar, ChartFor(options, mission));
   }
 };
 
 }  // namespace
 
-std::unique_ptr<Pilot> MakePilot(const Vehicle& vehicle) {
-  return std::visit(PilotOfModel{vehicle}, vehicle.model);
+std::unique_ptr<Pilot> MakePilot(const Mission& mission, const Vehicle& vehicle) {
+  return std::visit(PilotOfModel{mission, vehicle}, vehicle.model);
 }
 
 }  // namespace shoal

@@ -12,7 +12,7 @@ TEST(Pilot, OfEachModelSteersAndRests) {
     const std::string_view name = FactsOfModel(model).name;
     Vehicle vehicle;
     vehicle.model = model;
-    const auto pilot = MakePilot(vehicle);
+    const auto pilot = MakePilot(Mission{}, vehicle);
     ASSERT_NE(pilot, nullptr) << name;
     EXPECT_FALSE(pilot->GainsText().empty()) << name;
 

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <set>
 
+#include "apps/helm/sonar_echoes.h"
 #include "lib/geometry/angles.h"
 #include "lib/guidance/motion_prediction.h"
-#include "lib/vehicle/attitude.h"
 
 namespace shoal {
 
@@ -72,10 +72,9 @@ NavNeighbour::NavNeighbour(const nav_t& nav) : neighbour(NeighbourOf(-1, nav)) {
 
 SwarmView::SwarmView(const Mission& mission, const Vehicle& vehicle)
     : own_(mission.vehicles.size()), silent_after_s_(mission.swarm.silent_after_s) {
-  const bool follows = std::any_of(
-      vehicle.tasks.begin(), vehicle.tasks.end(),
-      [](const Task& task) { return std::holds_alternative<TargetTrackTask>(task.what); });
-  if (!follows) return;  // A thousand that follow none need no thousand tables of a thousand.
+  const bool looks = std::any_of(vehicle.tasks.begin(), vehicle.tasks.end(),
+                                 [](const Task& task) { return InterestOf(task).has_value(); });
+  if (!looks) return;  // A thousand that go by none need no thousand tables of a thousand.
   neighbours_.resize(mission.vehicles.size() + 1);
   contacts_.resize(mission.vehicles.size() + 1);
   for (size_t i = 0; i < mission.vehicles.size(); ++i) places_[mission.vehicles[i].name] = i;
@@ -83,6 +82,7 @@ SwarmView::SwarmView(const Mission& mission, const Vehicle& vehicle)
   own_ = places_.emplace(vehicle.name, mission.vehicles.size()).first->second;
   for (const auto& [name, place] : places_) {
     if (place == own_) continue;
+    if (FactsOfModel(mission.vehicles[place].model).is_underwater) divers_.push_back(place);
     for (const Task& task : mission.vehicles[place].tasks) {
       const auto* track = std::get_if<TargetTrackTask>(&task.what);
       const std::optional<Place> target = track == nullptr ? std::nullopt : PlaceOf(track->target);
@@ -93,10 +93,10 @@ SwarmView::SwarmView(const Mission& mission, const Vehicle& vehicle)
   }
   std::set<std::string> wanted;
   for (const Task& task : vehicle.tasks) {
-    const auto* track = std::get_if<TargetTrackTask>(&task.what);
-    if (track == nullptr || track->swarm == SwarmKnowledge::kAcoustic) continue;
-    wanted.insert(track->target);
-    for (const Place place : GroupOf(*track)) wanted.insert(mission.vehicles.at(place).name);
+    const std::optional<Interest> interest = InterestOf(task);
+    if (!interest || interest->swarm == SwarmKnowledge::kAcoustic) continue;
+    if (interest->target != nullptr) wanted.insert(*interest->target);
+    for (const Place place : MembersOf(*interest)) wanted.insert(mission.vehicles.at(place).name);
   }
   wanted.erase(vehicle.name);
   names_.assign(wanted.begin(), wanted.end());
@@ -108,14 +108,33 @@ std::optional<SwarmView::Place> SwarmView::PlaceOf(const std::string& name) cons
   return found == places_.end() ? std::nullopt : std::optional(found->second);
 }
 
-std::vector<SwarmView::Place> SwarmView::GroupOf(const TargetTrackTask& task) const {
+std::optional<SwarmView::Interest> SwarmView::InterestOf(const Task& task) {
+  if (const auto* track = std::get_if<TargetTrackTask>(&task.what)) {
+    return Interest{.target = &track->target,
+                    .group = &track->group,
+                    .swarm = track->swarm,
+                    .cascade = std::get_if<VelocityCascade>(&track->track.law)};
+  }
+  const auto* path = std::get_if<PathFollowTask>(&task.what);
+  if (path == nullptr || path->cascade.layers.empty()) return std::nullopt;
+  const bool knows_others =
+      std::any_of(path->cascade.layers.begin(), path->cascade.layers.end(),
+                  [](const VelocityLayer& layer) { return GroupOf(layer) != nullptr; });
+  return Interest{.group = knows_others ? &path->group : nullptr,
+                  .swarm = path->swarm,
+                  .cascade = &path->cascade};
+}
+
+std::vector<SwarmView::Place> SwarmView::MembersOf(const Interest& interest) const {
   std::vector<Place> group;
-  if (task.group.empty()) {
-    const std::optional<Place> target = PlaceOf(task.target);
+  if (interest.group == nullptr) return group;
+  if (interest.group->empty() && interest.target == nullptr) return divers_;
+  if (interest.group->empty()) {
+    const std::optional<Place> target = PlaceOf(*interest.target);
     const auto found = target ? followers_.find(*target) : followers_.end();
     if (found != followers_.end()) group = found->second;
   }
-  for (const std::string& name : task.group) {
+  for (const std::string& name : *interest.group) {
     if (const std::optional<Place> place = PlaceOf(name); place && *place != own_) {
       group.push_back(*place);
     }
@@ -123,12 +142,20 @@ std::vector<SwarmView::Place> SwarmView::GroupOf(const TargetTrackTask& task) co
   return group;
 }
 
-const SwarmView::Cast& SwarmView::CastOf(const TargetTrackTask& task) {
-  if (cast_ && cast_->target == task.target && cast_->group == task.group) return *cast_;
-  cast_ = {.target = task.target,
-           .group = task.group,
-           .target_place = PlaceOf(task.target),
-           .group_places = GroupOf(task)};
+const SwarmView::Cast& SwarmView::CastOf(const Interest& interest) {
+  static const std::string kNone;
+  static const std::vector<std::string> kNoNames;
+  const std::string& target = interest.target == nullptr ? kNone : *interest.target;
+  const bool has_group = interest.group != nullptr;
+  const std::vector<std::string>& group = has_group ? *interest.group : kNoNames;
+  if (cast_ && cast_->has_group == has_group && cast_->target == target && cast_->group == group) {
+    return *cast_;
+  }
+  cast_ = {.has_group = has_group,
+           .target = target,
+           .group = group,
+           .target_place = interest.target == nullptr ? std::nullopt : PlaceOf(target),
+           .group_places = MembersOf(interest)};
   if (cast_->target_place) std::erase(cast_->group_places, *cast_->target_place);
   return *cast_;
 }
@@ -148,9 +175,8 @@ void SwarmView::OnSwarm(const swarm_t& swarm) {
   }
 }
 
-std::optional<Neighbour> SwarmView::Find(const TargetTrackTask& task, Place place,
-                                         int64_t utime) const {
-  if (task.swarm == SwarmKnowledge::kDirect) return neighbours_[place];
+std::optional<Neighbour> SwarmView::Find(SwarmKnowledge swarm, Place place, int64_t utime) const {
+  if (swarm == SwarmKnowledge::kDirect) return neighbours_[place];
   const std::optional<swarm_contact_t>& contact = contacts_[place];
   if (!contact || !contact->is_known) return std::nullopt;
   const double elapsed_s = std::max(0.0, SecondsBetween(contact->report_utime, utime));
@@ -169,43 +195,43 @@ bool SwarmView::IsSilent(const swarm_contact_t& contact, int64_t utime) const {
 
 void SwarmView::OnSonar(const sonar_t& ping) { ping_ = ping; }
 
-void SwarmView::LookAhead(const nav_t& own) {
-  echoes_.clear();
-  const bool is_fresh = std::abs(SecondsBetween(ping_.utime, own.utime)) <= kSonarMemory_s;
-  if (!is_fresh || !std::isfinite(own.roll_deg)) return;
-  const Eigen::Matrix3d rotation = BodyToWorld(-DegToRad(own.roll_deg), DegToRad(own.pitch_deg),
-                                               PsiFromHeading(DegToRad(own.heading_deg)));
-  for (const sonar_beam_t& beam : ping_.beams) {
-    const double azimuth_rad = -DegToRad(beam.azimuth_deg);
-    const double elevation_rad = DegToRad(beam.elevation_deg);
-    const Eigen::Vector3d in_body(std::cos(azimuth_rad) * std::cos(elevation_rad),
-                                  std::sin(azimuth_rad) * std::cos(elevation_rad),
-                                  -std::sin(elevation_rad));
-    const bool is_echo = beam.range_m >= 0 && std::isfinite(beam.range_m);
-    if (!is_echo || !in_body.allFinite()) continue;
-    echoes_.push_back({.direction = rotation * in_body, .range_m = beam.range_m});
+void SwarmView::LookAhead(const VelocityCascade* cascade, const nav_t& own) {
+  double memory_s = 0;
+  for (size_t i = 0; cascade != nullptr && i < cascade->layers.size(); ++i) {
+    const SurvivalSonarLayer* sonar = SonarOf(cascade->layers[i]);
+    if (sonar != nullptr) memory_s = std::max(memory_s, sonar->memory_s);
   }
+  echoes_ = EchoesOf(ping_, own);
+  if (memory_s <= 0) return;
+  const double time_s = static_cast<double>(own.utime) / 1e6;
+  const Eigen::Vector3d& position_m = surroundings_.own.position_m;
+  if (remembered_utime_ != ping_.utime) memory_.Take(position_m, echoes_, time_s);
+  remembered_utime_ = ping_.utime;
+  const std::span<const SonarEcho> known = memory_.Recall(position_m, time_s, memory_s);
+  echoes_.insert(echoes_.end(), known.begin(), known.end());
 }
 
 const Surroundings* SwarmView::Look(const Task* task, const nav_t& own) {
-  const auto* track = task == nullptr ? nullptr : std::get_if<TargetTrackTask>(&task->what);
-  if (track == nullptr) return nullptr;
+  const std::optional<Interest> interest = task == nullptr ? std::nullopt : InterestOf(*task);
+  if (!interest) return nullptr;
   surroundings_ = {};
   surroundings_.own = NeighbourOf(static_cast<int>(own_), own);
   if (!IsPlausible(surroundings_.own)) return nullptr;
-  const Cast& cast = CastOf(*track);
+  const Cast& cast = CastOf(*interest);
   const std::optional<Place> target = cast.target_place;
   if (target) {
-    surroundings_.target = Find(*track, *target, own.utime);
-    surroundings_.target_is_silent = track->swarm == SwarmKnowledge::kAcoustic &&
+    surroundings_.target = Find(interest->swarm, *target, own.utime);
+    surroundings_.target_is_silent = interest->swarm == SwarmKnowledge::kAcoustic &&
                                      contacts_[*target] && IsSilent(*contacts_[*target], own.utime);
   }
   group_.clear();
   for (const Place place : cast.group_places) {
-    if (const auto neighbour = Find(*track, place, own.utime)) group_.push_back(*neighbour);
+    if (const auto neighbour = Find(interest->swarm, place, own.utime)) {
+      group_.push_back(*neighbour);
+    }
   }
   surroundings_.group = group_;
-  LookAhead(own);
+  LookAhead(interest->cascade, own);
   surroundings_.sonar = echoes_;
   surroundings_.current_mps = CurrentOf(own, surroundings_.own.velocity_mps);
   if (own.altitude_m >= 0) surroundings_.seabed_z_m = own.z_m + own.altitude_m;

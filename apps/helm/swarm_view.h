@@ -15,6 +15,7 @@
 #include <string>
 #include <vector>
 
+#include "lib/guidance/echo_memory.h"
 #include "lib/guidance/surroundings.h"
 #include "lib/guidance/task.h"
 #include "lib/mission/mission.h"
@@ -34,8 +35,6 @@ struct NavNeighbour {
 
 class SwarmView {
  public:
-  static constexpr double kSonarMemory_s = 1;
-
   SwarmView(const Mission& mission, const Vehicle& vehicle);
 
   /// The vehicles whose NAV its tasks need: targets and groups, each once.
@@ -49,35 +48,48 @@ class SwarmView {
   /// Takes note of what the sonar saw; it counts for kSonarMemory_s.
   void OnSonar(const sonar_t& ping);
 
-  /// Returns what a task has to go by, valid until the next call; nullptr for tasks that
-  /// follow no vehicle.
+  /// Returns what a task has to go by, valid until the next call; nullptr for tasks that neither
+  /// follow a vehicle nor keep clear of any.
   const Surroundings* Look(const Task* task, const nav_t& own);
 
  private:
   /// Vehicles are known by their places in the mission.
   using Place = size_t;
 
+  /// What a task wants to know of others. Pointers are into the task.
+  struct Interest {
+    const std::string* target = nullptr;              ///< nullptr: it follows none.
+    const std::vector<std::string>* group = nullptr;  ///< nullptr: of no group.
+    SwarmKnowledge swarm = SwarmKnowledge::kDirect;
+    const VelocityCascade* cascade = nullptr;  ///< nullptr: it has another law.
+  };
+
   /// The places that a task names, as its last Look had them.
   struct Cast {
+    bool has_group = false;
     std::string target;
     std::vector<std::string> group;
     std::optional<Place> target_place;
     std::vector<Place> group_places;  ///< Without the target.
   };
 
-  /// Returns the members of a task's group.
-  std::vector<Place> GroupOf(const TargetTrackTask& task) const;
-  const Cast& CastOf(const TargetTrackTask& task);
+  /// Returns nothing for tasks that go by no other vehicle and no sonar.
+  static std::optional<Interest> InterestOf(const Task& task);
+  /// Returns the members of the group that a task is interested in.
+  std::vector<Place> MembersOf(const Interest& interest) const;
+  const Cast& CastOf(const Interest& interest);
   std::optional<Place> PlaceOf(const std::string& name) const;
   /// Returns where another vehicle is at `utime`, by the knowledge that the task goes by.
-  std::optional<Neighbour> Find(const TargetTrackTask& task, Place place, int64_t utime) const;
+  std::optional<Neighbour> Find(SwarmKnowledge swarm, Place place, int64_t utime) const;
   bool IsSilent(const swarm_contact_t& contact, int64_t utime) const;
-  /// Fills echoes_ from the last ping, as seen with the attitude of `own`.
-  void LookAhead(const nav_t& own);
+  /// Fills echoes_ from the last ping, as seen with the attitude of `own`, and from memory for as
+  /// long as the cascade's layers want to remember.
+  void LookAhead(const VelocityCascade* cascade, const nav_t& own);
 
   std::map<std::string, Place> places_;
   Place own_;
   std::map<Place, std::vector<Place>> followers_;  ///< Of each target; not itself. By name.
+  std::vector<Place> divers_;                      ///< The other underwater vehicles, by name.
   std::vector<std::string> names_;
   std::vector<Place> places_of_names_;
   std::optional<Cast> cast_;
@@ -87,6 +99,8 @@ class SwarmView {
   std::vector<Neighbour> group_;
   sonar_t ping_{};
   std::vector<SonarEcho> echoes_;
+  EchoMemory memory_;
+  std::optional<int64_t> remembered_utime_;  ///< Of the last ping that it took.
   Surroundings surroundings_;
 };
 

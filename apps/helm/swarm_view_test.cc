@@ -53,6 +53,80 @@ TEST(SwarmView, HasNothingToShowForTasksThatFollowNoVehicle) {
   EXPECT_EQ(swarm.Look(nullptr, At(0, 0)), nullptr);
 }
 
+/// A path that keeps clear of others.
+Task AmongOthers(const std::vector<VelocityLayer>& layers,
+                 const std::vector<std::string>& group = {}) {
+  PathFollowTask path = {.points_m = {{0, 0, 10}}};
+  path.cascade.layers = layers;
+  path.group = group;
+  return {.name = "path", .what = path};
+}
+
+/// The swarm, with alpha, bravo and echo under water.
+Mission SwarmWithDivers() {
+  Mission mission = Swarm();
+  for (const size_t place : {0, 1, 4}) mission.vehicles[place].model = Remus100Options{};
+  return mission;
+}
+
+TEST(SwarmView, OfAPathWithSurvivalKnowsTheOtherUnderwaterVehicles) {
+  Mission mission = SwarmWithDivers();
+  mission.vehicles[0].tasks = {AmongOthers({SurvivalGroupLayer{}})};
+  SwarmView swarm(mission, mission.vehicles[0]);
+  EXPECT_EQ(swarm.names(), (Names{"bravo", "echo"}));
+  for (const char* name : {"bravo", "echo"}) TakeNav(&swarm, name, At(1, 2));
+  const Surroundings* seen = swarm.Look(&mission.vehicles[0].tasks[0], At(0, 0));
+  ASSERT_NE(seen, nullptr);
+  EXPECT_EQ(IdsOf(*seen), (std::vector<int>{1, 4}));
+  EXPECT_FALSE(seen->target.has_value());
+}
+
+TEST(SwarmView, OfAPathKnowsTheGroupThatTheTaskNames) {
+  Mission mission = SwarmWithDivers();
+  mission.vehicles[0].tasks = {AmongOthers({SurvivalGroupLayer{}}, {"delta", "alpha"})};
+  EXPECT_EQ(SwarmView(mission, mission.vehicles[0]).names(), Names{"delta"});
+}
+
+TEST(SwarmView, OfAPathWithASonarAloneKnowsNoVehicle) {
+  Mission mission = SwarmWithDivers();
+  mission.vehicles[0].tasks = {AmongOthers({SurvivalSonarLayer{}})};
+  SwarmView swarm(mission, mission.vehicles[0]);
+  EXPECT_EQ(swarm.names(), Names{});
+  const Surroundings* seen = swarm.Look(&mission.vehicles[0].tasks[0], At(0, 0));
+  ASSERT_NE(seen, nullptr);
+  EXPECT_TRUE(seen->group.empty());
+}
+
+sonar_t PingOf(int64_t utime, double range_m) {
+  sonar_t ping{};
+  ping.utime = utime;
+  ping.beams = {{.azimuth_deg = 0, .elevation_deg = 0, .range_m = range_m}};
+  ping.num_beams = 1;
+  return ping;
+}
+
+TEST(SwarmView, RemembersEchoesForAsLongAsALayerWants) {
+  Mission mission = SwarmWithDivers();
+  mission.vehicles[0].tasks = {AmongOthers({SurvivalSonarLayer{.memory_s = 20}}),
+                               AmongOthers({SurvivalSonarLayer{}})};
+  SwarmView swarm(mission, mission.vehicles[0]);
+  nav_t own = At(0, 0);
+  swarm.OnSonar(PingOf(0, 30));
+  const Task& remembers = mission.vehicles[0].tasks[0];
+  EXPECT_FALSE(swarm.Look(&remembers, own)->sonar.empty());
+  own.utime = 10'000'000;
+  own.y_m = 10;
+  own.heading_deg = 90;
+  const Surroundings* later = swarm.Look(&remembers, own);
+  ASSERT_EQ(later->sonar.size(), 1u);
+  EXPECT_NEAR(later->sonar[0].range_m, 20, 1e-9);
+  EXPECT_LT((later->sonar[0].direction - Eigen::Vector3d::UnitY()).norm(), 1e-9)
+      << "it was seen ahead, to the North, and lies there still";
+  EXPECT_TRUE(swarm.Look(&mission.vehicles[0].tasks[1], own)->sonar.empty());
+  own.utime = 21'000'000;
+  EXPECT_TRUE(swarm.Look(&remembers, own)->sonar.empty());
+}
+
 TEST(SwarmView, KnowsNoTargetBeforeItsFirstNav) {
   const Mission mission = Swarm();
   SwarmView swarm(mission, mission.vehicles[1]);

@@ -20,6 +20,7 @@ nav_t NavAt(double heading_deg, double z_m) {
   nav.heading_deg = heading_deg;
   nav.z_m = z_m;
   nav.altitude_m = -1;
+  nav.speed_mps = 2;
   return nav;
 }
 
@@ -85,7 +86,7 @@ TEST_P(EveryPilot, RaisesItsBowToTheDesiredPitchAtAnyDepth) {
   guidance.pitch_rad = DegToRad(10);
   steered_.Steer(guidance, NavAt(0, 30), 5);
   EXPECT_GT(steered_.actuators.stern_plane_deg, 0.1);
-  EXPECT_EQ(steered_.desired.depth_m, 30);
+  EXPECT_LT(steered_.desired.depth_m, 30) << "it is to rise";
   guidance.pitch_rad = DegToRad(-10);
   steered_.Steer(guidance, NavAt(0, 30), 50);
   EXPECT_LT(steered_.actuators.stern_plane_deg, -0.1);
@@ -94,7 +95,7 @@ TEST_P(EveryPilot, RaisesItsBowToTheDesiredPitchAtAnyDepth) {
 TEST_P(EveryPilot, BrakesATurnThatIsFastEnough) {
   nav_t nav = NavAt(0, 30);
   steered_.Steer(ToHeadingAndDepth(0, 30), nav, 5);
-  EXPECT_NEAR(steered_.actuators.rudder_deg, 0, 1e-9);
+  EXPECT_NEAR(steered_.actuators.rudder_deg, 0, 0.01) << "muNet's looks a step ahead";
   nav.yaw_rate_degps = 5;
   steered_.Steer(ToHeadingAndDepth(0, 30), nav);
   EXPECT_LT(steered_.actuators.rudder_deg, -0.1);
@@ -107,6 +108,45 @@ TEST_P(EveryPilot, BrakesATurnThatIsFastEnough) {
 TEST_P(EveryPilot, NamesItsVehicle) {
   EXPECT_EQ(steered_.Gains(), std::string("Autopilot of the ") + GetParam() +
                                   " Remus 100; at most 100 m deep, 5 m above the floor");
+}
+
+TEST(UnderwaterPilot, SteersByTheGainsOfTheMission) {
+  Remus100Gains gains = Remus100GainsNamed("default");
+  gains.heading_kp = 2;
+  gains.heading_ki = 0;
+  gains.heading_kd = 0.5;
+  gains.pitch_kp = 3;
+  gains.pitch_ki = 0;
+  gains.pitch_kd = 0.2;
+  gains.heave_kd = 0.4;
+  for (const char* parameters : {"default", "fossen"}) {
+    Steered steered({.parameters = parameters, .autopilot = gains});
+    nav_t nav = NavAt(0, 30);
+    nav.yaw_rate_degps = 2;
+    nav.pitch_rate_degps = 1;
+    nav.heave_mps = 0.01;
+    Guidance guidance = ToHeadingAndDepth(3, 30);
+    guidance.pitch_rad = DegToRad(2);
+    steered.Steer(guidance, nav);
+    EXPECT_NEAR(steered.actuators.rudder_deg, 2 * 3 - 0.5 * 2, 1e-9) << parameters;
+    EXPECT_NEAR(steered.actuators.stern_plane_deg, 3 * 2 - 0.2 * 1 - RadToDeg(0.4 * 0.01), 1e-9)
+        << parameters;
+  }
+}
+
+TEST(UnderwaterPilot, TakesTheSetOfGainsThatSuitsItsParametersOrTheOneThatIsNamed) {
+  const auto rudder_deg = [](const Remus100Options& options) {
+    Steered steered(options);
+    steered.Steer(ToHeadingAndDepth(1, 30), NavAt(0, 30), 1);
+    return steered.actuators.rudder_deg;
+  };
+  const double by_default = rudder_deg({});
+  EXPECT_EQ(rudder_deg({.autopilot = Remus100GainsNamed("default")}), by_default);
+  EXPECT_EQ(rudder_deg({.parameters = "fossen"}), by_default);
+  EXPECT_NEAR(rudder_deg({.autopilot = Remus100GainsNamed("fossen")}), 1.64 * by_default, 1e-9);
+  EXPECT_NEAR(rudder_deg({.parameters = "munet"}), 7.5 * by_default, 1e-3);
+  EXPECT_EQ(rudder_deg({.parameters = "munet", .autopilot = Remus100GainsNamed("default")}),
+            by_default);
 }
 
 TEST(UnderwaterPilot, TurnsThePropellerAsTheSpeedTakes) {
@@ -165,9 +205,9 @@ TEST(UnderwaterPilot, StaysAboveItsGreatestDepthAndClearOfTheFloor) {
   nav.altitude_m = 10;
   steered.Steer(ToHeadingAndDepth(0, 90), nav, 40);
   EXPECT_NEAR(steered.desired.depth_m, 34, 1e-9);
-  nav.altitude_m = 0;
-  steered.Steer(ToHeadingAndDepth(0, 90), nav, 40);
-  EXPECT_NEAR(steered.desired.depth_m, 24, 1e-9);
+  nav.altitude_m = 2;
+  steered.Steer(ToHeadingAndDepth(0, 90), nav, 300);
+  EXPECT_NEAR(steered.desired.depth_m, 26, 1e-6);
 }
 
 TEST(UnderwaterPilot, GoesToItsCruiseDepthWhereATaskHasNone) {
@@ -200,12 +240,71 @@ TEST(UnderwaterPilot, BeginsAgainWhereTheVehicleIsAfterARest) {
   EXPECT_NEAR(steered.actuators.stern_plane_deg, 0, 1e-9);
 }
 
+TEST(UnderwaterPilot, CentresItsFinsWithoutWaterAndBeginsAnewOnceThereIsSome) {
+  Steered steered({});
+  nav_t nav = NavAt(0, 30);
+  nav.speed_mps = 0.2;
+  steered.Steer(ToHeadingAndDepth(90, 60), nav, 1000);
+  EXPECT_EQ(steered.actuators.rudder_deg, 0);
+  EXPECT_EQ(steered.actuators.stern_plane_deg, 0);
+  EXPECT_GT(steered.actuators.propeller_rpm, 0);
+  EXPECT_EQ(steered.desired.depth_m, 30);
+  nav.speed_mps = 2;
+  Steered fresh({});
+  steered.Steer(ToHeadingAndDepth(90, 60), nav, 10);
+  fresh.Steer(ToHeadingAndDepth(90, 60), nav, 10);
+  EXPECT_EQ(steered.actuators.rudder_deg, fresh.actuators.rudder_deg);
+  EXPECT_EQ(steered.actuators.stern_plane_deg, fresh.actuators.stern_plane_deg);
+}
+
+TEST(UnderwaterPilot, HoldsItsIntegralsWhileThePropellerStandsStill) {
+  Steered steered({.depth_filter_s = 0});
+  Guidance glide = ToHeadingAndDepth(0, 31);
+  glide.speed_mps = 0;
+  steered.Steer(glide, NavAt(5, 30), 400);
+  const double rudder_deg = steered.actuators.rudder_deg;
+  const double stern_plane_deg = steered.actuators.stern_plane_deg;
+  EXPECT_LT(rudder_deg, 0);
+  EXPECT_LT(stern_plane_deg, 0);
+  steered.Steer(glide, NavAt(5, 30), 1000);
+  EXPECT_NEAR(steered.actuators.rudder_deg, rudder_deg, 1e-6);
+  EXPECT_NEAR(steered.actuators.stern_plane_deg, stern_plane_deg, 1e-6);
+}
+
+TEST(UnderwaterPilot, SteersAsMunetAtAnySpeedWithItsParameters) {
+  Steered steered({.parameters = "munet"});
+  nav_t nav = NavAt(0, 30);
+  nav.speed_mps = 0;
+  steered.Steer(ToHeadingAndDepth(90, 60), nav, 20);
+  EXPECT_GT(steered.actuators.rudder_deg, 1);
+}
+
+TEST(UnderwaterPilot, SteersNoHigherThanItsHullFloats) {
+  Steered steered({.depth_filter_s = 0});
+  steered.Steer(ToHeadingAndDepth(0, 0), NavAt(0, 1), 40);
+  EXPECT_NEAR(steered.desired.depth_m, 0.095 + 0.19 / 4, 1e-6);
+  Steered fossen({.parameters = "fossen", .depth_filter_s = 0});
+  fossen.Steer(ToHeadingAndDepth(0, 0), NavAt(0, 1), 40);
+  EXPECT_NEAR(fossen.desired.depth_m, 0, 1e-6);
+}
+
 TEST(UnderwaterPilot, GivesNothingInItsFirstStepButPublishesWhatIsDesired) {
   Steered steered({});
   steered.Steer(ToHeadingAndDepth(45, 60), NavAt(0, 30), 0.0);
   EXPECT_EQ(steered.actuators.propeller_rpm, 0);
   EXPECT_EQ(steered.actuators.rudder_deg, 0);
   EXPECT_NEAR(steered.desired.heading_deg, 45, 1e-9);
+}
+
+TEST(UnderwaterPilot, BeginsADepthWhereItIsAfterAPitch) {
+  Steered steered({});
+  Guidance pitch = ToHeadingAndDepth(90, 0);
+  pitch.pitch_rad = DegToRad(10);
+  steered.Steer(ToHeadingAndDepth(0, 30), NavAt(0, 30), 5);
+  steered.Steer(pitch, NavAt(90, 10), 50);
+  steered.Steer(ToHeadingAndDepth(90, 10), NavAt(90, 10));
+  EXPECT_NEAR(steered.desired.depth_m, 10, 0.3);
+  EXPECT_NEAR(steered.actuators.rudder_deg, 0, 0.5);
 }
 
 RC_GTEST_PROP(UnderwaterPilot, PublishesFiniteNumbersWithinTheFinLimitsForAnyInput, ()) {
@@ -217,6 +316,9 @@ RC_GTEST_PROP(UnderwaterPilot, PublishesFiniteNumbersWithinTheFinLimitsForAnyInp
     nav_t nav =
         NavAt(*rc::gen::element(0.0, -1e300, 720.0, 1e9), *rc::gen::element(0.0, -1e6, 1e6));
     nav.pitch_deg = *rc::gen::element(0.0, 90.0, -1e300, 1e300);
+    nav.speed_mps = *rc::gen::element(0.0, -0.1, 2.0, 1e300);
+    nav.speed_over_ground_mps =
+        *rc::gen::element(0.0, 2.0, 1e300, std::numeric_limits<double>::infinity());
     nav.yaw_rate_degps = *rc::gen::element(0.0, 1e300, -1e300, 3.0);
     nav.pitch_rate_degps = *rc::gen::element(0.0, 1e300, -1e300, 3.0);
     nav.altitude_m = *rc::gen::element(0.0, -1.0, 1e300, std::numeric_limits<double>::infinity());
@@ -232,6 +334,18 @@ RC_GTEST_PROP(UnderwaterPilot, PublishesFiniteNumbersWithinTheFinLimitsForAnyInp
     RC_ASSERT(std::isfinite(steered.desired.depth_m));
     RC_ASSERT(std::isfinite(steered.desired.heading_deg));
   }
+}
+
+TEST(UnderwaterPilot, WantsTheDepthToWhichACommandedPitchLeadsWithinTenSeconds) {
+  Steered steered({});
+  Guidance guidance = ToHeadingAndDepth(0, 0);
+  guidance.z_m.reset();
+  guidance.pitch_rad = DegToRad(-10);
+  steered.Steer(guidance, NavAt(0, 20));
+  EXPECT_NEAR(steered.desired.depth_m, 20 + 10 * 2 * std::sin(DegToRad(10)), 1e-9);
+  guidance.pitch_rad = DegToRad(45);
+  steered.Steer(guidance, NavAt(0, 5));
+  EXPECT_EQ(steered.desired.depth_m, 0) << "not above the surface";
 }
 
 }  // namespace shoal::underwater_pilot_test

@@ -2,9 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <variant>
+
 #include "lib/bus/channels.h"
 #include "lib/check/result.h"
 #include "lib/launch/launch_plan.h"
+#include "lib/mission/path_text.h"
 #include "lib/run/roster.h"
 
 namespace shoal {
@@ -51,6 +54,13 @@ int RunCheck(const std::string& mission_file, const std::vector<std::string>& ov
              mission.duration_s, Counted(static_cast<size_t>(mission.LastStep() + 1), "step"),
              Counted(mission.events.size(), "event"),
              Counted(mission.expectations.size(), "expectation"));
+  for (const Vehicle& vehicle : mission.vehicles) {
+    for (const Task& task : vehicle.tasks) {
+      const auto* path = std::get_if<PathFollowTask>(&task.what);
+      if (path == nullptr) continue;
+      fmt::print("{}, task {}: {}\n", vehicle.name, task.name, PathText(*path));
+    }
+  }
   return kExitOk;
 }
 

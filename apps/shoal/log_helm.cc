@@ -9,8 +9,10 @@
 #include "lib/analysis/decision_words.h"
 #include "lib/bus/channels.h"
 #include "lib/bus/seal.h"
+#include "lib/bus/waypoint_arrival.h"
 #include "lib/check/result.h"
 #include "lib/record/log_source.h"
+#include "lib/run/status_page.h"
 
 namespace shoal {
 
@@ -36,10 +38,28 @@ int LogHelm(const LogHelmOptions& options, std::ostream& out, std::ostream& err)
   const std::string wanted = UpperCase(options.vehicle);
   std::map<std::string, helm_decision_t> last;  ///< By vehicle, up to at_s.
   std::map<std::string, helm_decision_t> all;   ///< The last of each vehicle, whenever.
+  std::map<std::string, helm_state_t> states;   ///< Likewise.
+  bool has_arrivals = false;
   int64_t num_undecodable = 0;
   while (const auto event = reader->Next()) {
     const std::string vehicle(VehicleOfChannel(event->channel, topics::kHelmDecision));
-    if (vehicle.empty()) continue;
+    if (vehicle.empty()) {
+      const std::string of_state(VehicleOfChannel(event->channel, topics::kHelmState));
+      const bool is_wanted = !of_state.empty() && (wanted.empty() || of_state == wanted);
+      helm_state_t state{};
+      if (options.at_s || !is_wanted) continue;
+      if (!Decode(Unseal(event->data).message, &state)) {
+        ++num_undecodable;
+        continue;
+      }
+      const std::string arrival = ArrivalText(states[of_state], state);
+      states[of_state] = state;
+      if (arrival.empty()) continue;
+      has_arrivals = true;
+      out << fmt::format("{:>10.3f}  {:<12} {}\n", static_cast<double>(state.utime) / 1e6,
+                         Printable(state.vehicle), Printable(arrival, kLongestSentence));
+      continue;
+    }
     helm_decision_t decision{};
     if (!Decode(Unseal(event->data).message, &decision)) {
       ++num_undecodable;
@@ -60,12 +80,12 @@ int LogHelm(const LogHelmOptions& options, std::ostream& out, std::ostream& err)
   }
   const int code = is_whole ? kExitOk : kExitEnvironment;
   if (all.empty()) {
-    if (!is_whole) return code;
+    if (!is_whole || has_arrivals) return code;
     return Fail(err, fmt::format("{}: holds no HELM_DECISION_*: helms of vehicles with "
                                  "[[vehicle.behavior]] publish it",
                                  options.path));
   }
-  if (!wanted.empty() && !all.contains(wanted)) {
+  if (!wanted.empty() && !all.contains(wanted) && !has_arrivals) {
     return Fail(err, fmt::format("{}: holds no decision of '{}'; it has those of {}", options.path,
                                  options.vehicle, Names(all)));
   }

@@ -1,4 +1,5 @@
-// `shoal log helm`: why a helm steered as it did, from the HELM_DECISION messages of a log.
+// `shoal log helm`: why a helm steered as it did, from the HELM_DECISION messages of a log, and
+// which waypoints it reached, from HELM_STATE.
 #pragma once
 
 #include <iosfwd>
@@ -14,9 +15,9 @@ struct LogHelmOptions {
   bool skip_damage = false;         ///< Read what can be read of a damaged log.
 };
 
-/// Prints one line for each decision, or with at_s the one that counted then in full. Returns the
-/// exit code: 0, kExitUsage where the log holds no decision that was asked for, kExitEnvironment
-/// for a log that cannot be read to its end.
+/// Prints one line for each decision and waypoint reached, or with at_s the decision that counted
+/// then in full. Returns the exit code: 0, kExitUsage where the log holds nothing that was asked
+/// for, kExitEnvironment for a log that cannot be read to its end.
 int LogHelm(const LogHelmOptions& options, std::ostream& out, std::ostream& err);
 
 }  // namespace shoal

@@ -71,6 +71,24 @@ TEST_F(LogHelmCommand, StatesThatALogHasNoDecisions) {
   EXPECT_NE(err_.str().find("holds no HELM_DECISION_*"), std::string::npos) << err_.str();
 }
 
+TestEvent StateAt(int64_t utime, int waypoint) {
+  helm_state_t state{};
+  state.utime = utime;
+  state.vehicle = "alpha";
+  state.state = "DRIVE";
+  state.task = "survey";
+  state.waypoint_index = waypoint;
+  return {.utime = utime, .channel = channels::HelmState("alpha").name, .data = Encoded(state)};
+}
+
+TEST_F(LogHelmCommand, ListsWaypointsThatWereReachedWithAndWithoutDecisions) {
+  WriteLog(options_.path, {StateAt(1'000'000, 0), StateAt(2'000'000, 0), StateAt(3'500'000, 1)});
+  EXPECT_EQ(Run(), kExitOk) << err_.str();
+  EXPECT_EQ(out_.str(), "     3.500  alpha        waypoint 1 of survey reached\n");
+  options_.vehicle = "bravo";
+  EXPECT_EQ(Run(), kExitUsage);
+}
+
 TEST_F(LogHelmCommand, CountsWhatDoesNotDecode) {
   WriteLog(options_.path, {DecisionAt(1'000'000, "alpha", 90),
                            {.utime = 2, .channel = "HELM_DECISION_ALPHA", .data = {1, 2, 3}}});

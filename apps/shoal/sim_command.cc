@@ -93,6 +93,7 @@ int RunSim(const SimOptions& options) {
   const double mission_s = static_cast<double>(simulation.step() * mission.tick_us) / 1e6;
 
   progress.Clear();
+  for (const std::string& loss : simulation.losses()) fmt::print(stderr, "shoal: {}\n", loss);
   fmt::print("{:.1f} s of mission in {:.3f} s ({:.0f} x real time), one process\n", mission_s,
              wall_s, mission_s / std::max(wall_s, 1e-6));
   if (!options.log_path.empty() && fault.empty()) fmt::print("Log: {}\n", options.log_path);

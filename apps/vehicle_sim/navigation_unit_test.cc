@@ -96,8 +96,7 @@ TEST(NavigationUnit, ShowsWhatItsEstimateCameFrom) {
 TEST(NavigationUnit, ListsRangesTakenAndRejected) {
   Mission mission = OneAuv();
   mission.vehicles[0].navigation.ranging.dropout = 0;
-  mission.beacons = {
-      {.name = "near", .point_m = {150, 0}, .depth_m = 20, .sender = {}, .interval_s = 2}};
+  mission.beacons = {{.name = "near", .point_m = {150, 0}, .depth_m = 20, .interval_s = 2}};
   NavigationUnit unit(mission, mission.vehicles[0]);
   static_cast<void>(Rest(&unit, 0, 0, 100));
   navigation_t report = unit.Report(9'900'000).value();
@@ -137,8 +136,7 @@ TEST(NavigationUnit, TakesPacketsOfTheSenderAsRanges) {
 TEST(NavigationUnit, DriftsByTheErrorOfTheSurveyWhereABeaconIsNotWhereItIsBelieved) {
   Mission mission = OneAuv();
   mission.vehicles[0].navigation.ranging.dropout = 0;
-  mission.beacons = {
-      {.name = "near", .point_m = {150, 0}, .depth_m = 20, .sender = {}, .interval_s = 0.5}};
+  mission.beacons = {{.name = "near", .point_m = {150, 0}, .depth_m = 20, .interval_s = 0.5}};
   mission.beacons[0].position_sigma_m = 20;
   NavigationUnit unit(mission, mission.vehicles[0]);
   static_cast<void>(Rest(&unit, 0, 0, 300));

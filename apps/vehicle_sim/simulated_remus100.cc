@@ -5,18 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lib/check/check.h"
 #include "lib/geometry/angles.h"
 
 namespace shoal {
 
 namespace {
-
-Remus100Params ParamsOf(const Remus100Options& options) {
-  const std::optional<Remus100Params> params = Remus100ParamsByName(options.parameters);
-  SHOAL_CHECK(params.has_value(), "the mission file was checked");
-  return *params;
-}
 
 Remus100Environment EnvironmentOf(const Water& water) {
   Remus100Environment environment;

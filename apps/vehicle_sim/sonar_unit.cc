@@ -38,17 +38,17 @@ SonarUnit::SonarUnit(const SonarOptions& options, uint64_t seed, std::string_vie
     : sonar_(ParamsOf(options, seed, vehicle)),
       level_(sonar_.beam_count()),
       beams_(sonar_.beam_count()) {
-  sonar_.Ping({}, SeaFloor(), {}, 0, level_);
+  const SeaFloor deep;
+  sonar_.Ping({}, {.floor = deep}, 0, level_);
 }
 
-std::optional<sonar_t> SonarUnit::Ping(const nav_t& nav, const SeaFloor& floor,
-                                       std::span<const SonarTarget> others) {
+std::optional<sonar_t> SonarUnit::Ping(const nav_t& nav, const SonarScene& scene) {
   // Counted in periods since the mission's clock began, so that a restarted process keeps time.
   const auto period = static_cast<int64_t>(
       std::floor(static_cast<double>(nav.utime) * sonar_.params().rate_hz / 1e6 + 1e-9));
   if (last_ping_ == period) return std::nullopt;
   last_ping_ = period;
-  sonar_.Ping(PoseOf(nav), floor, others, nav.utime, beams_);
+  sonar_.Ping(PoseOf(nav), scene, nav.utime, beams_);
   sonar_t ping{};
   ping.utime = nav.utime;
   ping.max_range_m = sonar_.params().max_range_m;

@@ -21,9 +21,8 @@ class SonarUnit {
   SonarUnit(const SonarOptions& options, uint64_t seed, std::string_view vehicle);
 
   /// Returns what it sees from where `nav` has it, if it pings now: rate_hz times per second, once
-  /// per step at most, the first time at once. `others` are where they were a step before.
-  [[nodiscard]] std::optional<sonar_t> Ping(const nav_t& nav, const SeaFloor& floor,
-                                            std::span<const SonarTarget> others);
+  /// per step at most, the first time at once. Vehicles are where they were a step before.
+  [[nodiscard]] std::optional<sonar_t> Ping(const nav_t& nav, const SonarScene& scene);
 
  private:
   ForwardLookingSonar sonar_;

@@ -220,7 +220,9 @@ void VehicleSimApp::PublishInstruments(const nav_t& nav) {
   }
   if (sonar_) {
     static const SeaFloor kDeep;
-    const auto ping = sonar_->Ping(nav, ocean_.floor ? *ocean_.floor : kDeep, others_->targets());
+    const auto ping = sonar_->Ping(nav, {.floor = ocean_.floor ? *ocean_.floor : kDeep,
+                                         .vehicles = others_->targets(),
+                                         .walls_m = obstacles_m_});
     if (ping) Publish(bus_, channels::Sonar(vehicle_.name), *ping);
   }
   if (ocean_.plume) {

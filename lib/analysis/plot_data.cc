@@ -15,13 +15,15 @@ namespace {
 
 /// What begins later than this counts from no mission's start: three years.
 constexpr int64_t kWallTime_us = 100'000'000'000'000;
-constexpr size_t kMostRunsOfAll = 46'000;  // Of each kind of curve: some 80 MB for all seventeen.
+constexpr size_t kMostRunsOfAll = 46'000;  // Of each kind of curve: some 80 MB for seventeen.
 constexpr size_t kFewestRuns = 32;
 constexpr size_t kMostWaypoints = 500;
 /// A position this old has no neighbours any more.
 constexpr int64_t kStale_us = 2'000'000;
 /// More slowly than this over ground there is no course.
 constexpr double kNoCourse_mps = 0.1;
+/// More slowly than this relative to the water it drifts: its heading is not that of its course.
+constexpr double kDrifts_mps = 0.3;
 constexpr double kDives_m = 0.1;
 
 bool IsFinite(double value) { return std::isfinite(value) && std::abs(value) < 1e9; }
@@ -33,6 +35,10 @@ void ForEachCurve(VehicleCurves* curves, const Visit& visit) {
                               &curves->floor_m,
                               &curves->cross_track_m,
                               &curves->crab_deg,
+                              &curves->expected_crab_deg,
+                              &curves->desired_depth_m,
+                              &curves->pitch_deg,
+                              &curves->desired_pitch_deg,
                               &curves->nearest_m,
                               &curves->target_m,
                               &curves->target_age_s,
@@ -49,6 +55,10 @@ void ForEachCurve(VehicleCurves* curves, const Visit& visit) {
                               &curves->navigation_bound_m,
                               &curves->believed_track}) {
     visit(curve);
+  }
+  for (LayerCurves& layer : curves->layers) {
+    visit(&layer.weight);
+    visit(&layer.asks);
   }
 }
 
@@ -88,6 +98,7 @@ void PlotDataBuilder::Add(const LogEvent& event) {
       take_of_vehicle(topics::kActuators, actuators_t{}, &PlotDataBuilder::AddActuators) ||
       take_of_vehicle(topics::kDesired, desired_t{}, &PlotDataBuilder::AddDesired) ||
       take_of_vehicle(topics::kNavigation, navigation_t{}, &PlotDataBuilder::AddNavigation) ||
+      take_of_vehicle(topics::kGuidance, guidance_t{}, &PlotDataBuilder::AddGuidance) ||
       take_of_vehicle(topics::kSwarm, swarm_t{}, &PlotDataBuilder::AddSwarm);
 }
 
@@ -181,7 +192,10 @@ void PlotDataBuilder::AddNav(Vehicle* vehicle, const nav_t& nav) {
   }
   Draw(&curves.speed_mps, time_s, nav.speed_mps);
   Draw(&curves.heading_deg, time_s, nav.heading_deg);
-  if (nav.speed_over_ground_mps > kNoCourse_mps) {
+  if (nav.pitch_deg != 0 || !curves.pitch_deg.empty()) {
+    Draw(&curves.pitch_deg, time_s, nav.pitch_deg);
+  }
+  if (nav.speed_over_ground_mps > kNoCourse_mps && nav.speed_mps > kDrifts_mps) {
     Draw(&curves.crab_deg, time_s,
          std::remainder(nav.course_over_ground_deg - nav.heading_deg, 360.0));
   } else {
@@ -252,6 +266,32 @@ void PlotDataBuilder::DrawNavigation(Vehicle* vehicle) {
                   navigation.y_m - vehicle->position_m.y()));
   Draw(&curves.navigation_bound_m, time_s, navigation.ellipse_major_m);
   Draw(&curves.believed_track, navigation.x_m, navigation.y_m);
+}
+
+void PlotDataBuilder::AddGuidance(Vehicle* vehicle, const guidance_t& guidance) {
+  const auto time_s = TimeOf(guidance.utime);
+  if (!time_s || !vehicle->is_selected) return;
+  VehicleCurves& curves = vehicle->curves;
+  Draw(&curves.desired_depth_m, *time_s, guidance.depth_m);
+  Draw(&curves.desired_pitch_deg, *time_s, guidance.pitch_deg);
+  if (guidance.waypoint_index >= 0) {
+    Draw(&curves.expected_crab_deg, *time_s, guidance.crab_deg);
+  } else {
+    curves.expected_crab_deg.Break();
+  }
+  for (size_t i = 0; i < kPlottedLayers.size(); ++i) {
+    const auto found = std::find_if(
+        guidance.layers.begin(), guidance.layers.end(),
+        [&](const guidance_layer_t& layer) { return layer.name == kPlottedLayers.at(i); });
+    LayerCurves& layer = curves.layers.at(i);
+    if (found == guidance.layers.end() || !(guidance.u_max_mps > 0)) {
+      layer.weight.Break();
+      layer.asks.Break();
+      continue;
+    }
+    Draw(&layer.weight, *time_s, found->weight);
+    Draw(&layer.asks, *time_s, std::min(1.0, found->speed_mps / guidance.u_max_mps));
+  }
 }
 
 void PlotDataBuilder::AddSwarm(Vehicle* vehicle, const swarm_t& swarm) {

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -30,6 +31,15 @@ struct PlotSelection {
   std::optional<double> to_s;
 };
 
+/// One layer of a cascade of velocities: its weight, and the share of the budget that it asks for.
+struct LayerCurves {
+  ThinnedCurve weight, asks;
+};
+
+/// The layers that GUIDANCE can name, in the order of their figures.
+inline constexpr std::array<std::string_view, 6> kPlottedLayers = {
+    "survival", "sonar", "survival_and_sonar", "formation", "feed_forward", "waypoint"};
+
 /// What is drawn of one vehicle. Curves over time count seconds since PlotData::zero_utime.
 struct VehicleCurves {
   std::string name;    ///< By its own reports; otherwise by its channels.
@@ -40,6 +50,9 @@ struct VehicleCurves {
   std::vector<CurvePoint> steered_for;  ///< The waypoints that its helm reported, each once.
   ThinnedCurve depth_m, floor_m;        ///< Down positive; the floor under the vehicle.
   ThinnedCurve cross_track_m, crab_deg;
+  ThinnedCurve expected_crab_deg;  ///< By ALOS: beta_hat.
+  ThinnedCurve desired_depth_m, pitch_deg, desired_pitch_deg;
+  std::array<LayerCurves, kPlottedLayers.size()> layers;
   ThinnedCurve nearest_m, target_m;  ///< To the nearest other vehicle; to the one it tracks.
   /// The age of its information about the vehicle that it follows; the oldest about any other.
   ThinnedCurve target_age_s, other_age_s;
@@ -102,6 +115,7 @@ class PlotDataBuilder {
   void AddHelmState(Vehicle* vehicle, const helm_state_t& state);
   void AddActuators(Vehicle* vehicle, const actuators_t& actuators);
   void AddDesired(Vehicle* vehicle, const desired_t& desired);
+  void AddGuidance(Vehicle* vehicle, const guidance_t& guidance);
   void AddSwarm(Vehicle* vehicle, const swarm_t& swarm);
   void DrawNavigation(Vehicle* vehicle);
   void AddNavigation(Vehicle* vehicle, const navigation_t& navigation);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "lib/analysis/plot_colors.h"
 #include "lib/analysis/plot_tracks.h"
@@ -14,9 +15,10 @@ namespace {
 
 constexpr std::string_view kSolid = "lw 1.4";
 constexpr std::string_view kDashed = "dt (6,5) lw 1.2";
+constexpr std::string_view kDotted = "dt (2,4) lw 1.2";
 constexpr size_t kMostDistances = 12;
 
-using CurveOf = ThinnedCurve VehicleCurves::*;
+using CurveOf = std::function<const ThinnedCurve&(const VehicleCurves&)>;
 
 /// Cuts the lines where a bearing goes through North.
 std::vector<Stroke> CutAtNorth(const std::vector<Stroke>& strokes) {
@@ -41,14 +43,14 @@ class StackedFigure {
   }
 
   /// Draws a curve of every vehicle that has it. Returns whether any has.
-  bool AddCurves(CurveOf curve, const std::string& what, std::string_view style,
+  bool AddCurves(const CurveOf& curve, const std::string& what, std::string_view style,
                  bool is_bearing = false) {
     bool any = false;
     for (size_t i = 0; i < data_.vehicles.size(); ++i) {
       const VehicleCurves& vehicle = data_.vehicles[i];
-      if ((vehicle.*curve).empty()) continue;
+      if (curve(vehicle).empty()) continue;
       any = true;
-      const std::vector<Stroke> strokes = (vehicle.*curve).Strokes();
+      const std::vector<Stroke> strokes = curve(vehicle).Strokes();
       Item(blocks_.Add(vehicle.name + ", " + what, is_bearing ? CutAtNorth(strokes) : strokes),
            fmt::format("lines lc rgb '{}' {}", colors_[i], style));
     }
@@ -101,6 +103,7 @@ bool AnyHas(const PlotData& data, bool VehicleCurves::*what) {
 
 const std::string kGreySolid = "lines lc rgb '#707070' lw 1.4";
 const std::string kGreyDashed = "lines lc rgb '#707070' dt (6,5) lw 1.2";
+const std::string kGreyDotted = "lines lc rgb '#707070' dt (2,4) lw 1.2";
 
 Figure DrawDepth(StackedFigure figure, const PlotData& data, const PlotSetting& setting, bool png) {
   figure.BeginPanel("depth [m]", {"set yrange [*:*] reverse"});
@@ -112,6 +115,13 @@ Figure DrawDepth(StackedFigure figure, const PlotData& data, const PlotSetting& 
     if (figure.AddCurves(&VehicleCurves::floor_m, "sea floor", kDashed)) {
       figure.Explain("sea floor below", kGreyDashed);
     }
+    const bool has_depth =
+        figure.AddCurves(&VehicleCurves::desired_depth_m, "desired depth", kDotted);
+    if (has_depth) figure.Explain("desired", kGreyDotted);
+    figure.BeginPanel("pitch, bow up + [°]", {"set xzeroaxis lc rgb '#909090' lt 1"});
+    if (figure.AddCurves(&VehicleCurves::desired_pitch_deg, "desired pitch", kDotted)) {
+      figure.AddCurves(&VehicleCurves::pitch_deg, "pitch", kSolid);
+    }
   }
   return figure.Finish("Depth", setting, png, "all vehicles stay at the surface");
 }
@@ -122,6 +132,10 @@ Figure DrawTrackError(StackedFigure figure, const PlotSetting& setting, bool png
   figure.AddCurves(&VehicleCurves::cross_track_m, "cross-track error", kSolid);
   figure.BeginPanel("crab angle [°]", {zero});
   figure.AddCurves(&VehicleCurves::crab_deg, "crab angle", kSolid);
+  if (figure.AddCurves(&VehicleCurves::expected_crab_deg, "crab angle by ALOS", kDashed)) {
+    figure.Explain("is", kGreySolid);
+    figure.Explain("by ALOS", kGreyDashed);
+  }
   return figure.Finish("Cross-track error and crab angle", setting, png,
                        "no vehicle followed a leg, and none moved");
 }
@@ -200,6 +214,28 @@ Figure DrawNavigation(StackedFigure figure, const PlotSetting& setting, bool png
                        "no NAVIGATION of these vehicles in the log");
 }
 
+Figure DrawLayers(StackedFigure figure, const PlotSetting& setting, bool png) {
+  bool any = false;
+  for (size_t i = 0; i < kPlottedLayers.size(); ++i) {
+    const std::string name(kPlottedLayers.at(i));
+    figure.BeginPanel(name, {"set yrange [-0.05:1.05]", "set ytics 0.5"});
+    const auto of = [i](const VehicleCurves& vehicle) -> const LayerCurves& {
+      return vehicle.layers.at(i);
+    };
+    any |= figure.AddCurves(
+        [&](const VehicleCurves& vehicle) -> const ThinnedCurve& { return of(vehicle).weight; },
+        name + ", weight", kSolid);
+    figure.AddCurves(
+        [&](const VehicleCurves& vehicle) -> const ThinnedCurve& { return of(vehicle).asks; },
+        name + ", asks for", kDashed);
+  }
+  if (any) {
+    figure.Explain("weight", kGreySolid);
+    figure.Explain("asks for, of u_max", kGreyDashed);
+  }
+  return figure.Finish("Layers of guidance", setting, png, "no GUIDANCE with layers in the log");
+}
+
 /// The mission's colours, else those of the vehicles' reports.
 std::vector<std::string> ColorsOf(const PlotData& data, const PlotSetting& setting) {
   std::vector<std::string> requested;
@@ -224,6 +260,8 @@ std::vector<Figure> DrawFigures(const PlotData& data, const PlotSetting& setting
           DrawActuators(stacked("actuators"), data, setting, png),
           DrawSpeed(stacked("speed"), setting, png),
           DrawAge(stacked("age"), setting, png),
+          DrawLayers(stacked("layers"), setting, png),
+
           DrawNavigation(stacked("navigation"), setting, png)};
 }
 

@@ -9,8 +9,8 @@
 
 namespace shoal {
 
-/// Returns all seven figures: tracks, depth, track_error, distances, actuators, speed, age; those
-/// without data show a note.
+/// Returns all eight figures: tracks, depth, track_error, distances, actuators, speed, age, layers;
+/// those without data show a note.
 [[nodiscard]] std::vector<Figure> DrawFigures(const PlotData& data, const PlotSetting& setting,
                                               bool png);
 

@@ -145,6 +145,54 @@ TEST_F(Figures, ShowHowFarVehiclesAreFromWhereTheyBelieveToBe) {
   }
 }
 
+guidance_t GuidanceAt(int64_t utime, double weight) {
+  guidance_t guidance{};
+  guidance.utime = utime;
+  guidance.waypoint_index = 0;
+  guidance.depth_m = 12;
+  guidance.pitch_deg = -3;
+  guidance.crab_deg = 4;
+  guidance.u_max_mps = 2;
+  guidance_layer_t sonar{};
+  sonar.name = "sonar";
+  sonar.speed_mps = 1;
+  sonar.weight = weight;
+  guidance_layer_t other{};
+  other.name = "no layer of ours";
+  guidance.layers = {sonar, other};
+  guidance.num_layers = 2;
+  return guidance;
+}
+
+TEST_F(Figures, ShowWhatTheGuidanceOfAnUnderwaterVehicleWants) {
+  Draw({EventOf("NAV_A", PlottedNav(0, 0, 0, 5)), EventOf("GUIDANCE_A", GuidanceAt(0, 1)),
+        EventOf("GUIDANCE_A", GuidanceAt(1'000'000, 0.25))},
+       Berta());
+  EXPECT_TRUE(Contains(Of("depth").data, "# A, desired depth\n0 12\n1 12\n"));
+  EXPECT_TRUE(Contains(Of("depth").data, "# A, desired pitch\n0 -3\n1 -3\n"));
+  EXPECT_TRUE(Contains(Of("track_error").data, "# A, crab angle by ALOS\n0 4\n1 4\n"));
+  EXPECT_TRUE(Contains(Of("layers").data, "# A, sonar, weight\n0 1\n1 0.25\n"));
+  EXPECT_TRUE(Contains(Of("layers").data, "# A, sonar, asks for\n0 0.5\n1 0.5\n"));
+  EXPECT_FALSE(Contains(Of("layers").script, "formation")) << "no panel without a curve";
+}
+
+TEST_F(Figures, LeaveLayersOutWhereNoTaskHasThem) {
+  Draw(LogOfTwoVehicles(), Berta());
+  EXPECT_EQ(Of("layers").why_left_out, "no GUIDANCE with layers in the log");
+  EXPECT_FALSE(Contains(Of("track_error").data, "by ALOS"));
+}
+
+TEST_F(Figures, ShowNoCrabAngleOfAVehicleThatDrifts) {
+  nav_t nav = PlottedNav(0, 0, 0, 5);
+  nav.speed_over_ground_mps = 0.4;
+  nav.course_over_ground_deg = 180;
+  Draw({EventOf("NAV_A", nav)}, Berta());
+  EXPECT_FALSE(Contains(Of("track_error").data, "crab angle"));
+  nav.speed_mps = 1;
+  Draw({EventOf("NAV_A", nav)}, Berta());
+  EXPECT_TRUE(Contains(Of("track_error").data, "# A, crab angle\n0 180\n"));
+}
+
 TEST_F(Figures, ShowTheDepthWithTheSeaFloorBelow) {
   nav_t nav = PlottedNav(0, 0, 0, 5);
   nav.altitude_m = 15;

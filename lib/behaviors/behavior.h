@@ -13,6 +13,7 @@
 
 #include "lib/behaviors/contact.h"
 #include "lib/colregs/encounter_geometry.h"
+#include "lib/decision/allowed.h"
 #include "lib/decision/objective.h"
 #include "lib/modes/variables.h"
 
@@ -68,12 +69,14 @@ struct BehaviorAnswer {
   /// > 0 and at most 1 with an objective. BehaviorSet multiplies it by the priority weight, which
   /// updates change without the behavior's knowledge.
   double relevance = 0;
+  AllowedPart allowed = {};              ///< What it lets the decision be, whatever the weights.
   std::vector<VariablePost> posts = {};  ///< Its own reports (WPT_INDEX ...), without flags.
   std::vector<std::string> flags = {};  ///< Names of own flag lists that fire now ("wptflag", ...).
   bool completes = false;
   std::string error = {};  ///< Not empty: an all-stop with this reason.
   bool parks = false;      ///< The helm is to park, as by an operator's order.
-  double busy_s = 0;       ///< The helm is to be busy for that long, in real time: test_failure.
+  double busy_s = 0;       ///< The helm is to be busy for that long, in mission time: test_failure.
+  bool crashes = false;    ///< The helm's process is to abort: test_failure.
   std::string warning = {};
   std::string state = {};  ///< For the page: "leg 3", "acquiring", "lane 2".
   std::optional<ContactRole> role = {};

@@ -51,6 +51,24 @@ int NearestCourse(double course_deg) {
   return course < 0 ? course + Domain::kNumCourses : course;
 }
 
+/// Returns true where what a behavior allows excludes a point.
+bool Excludes(const AllowedPart& allowed, const DomainPoint& point) {
+  const bool excludes_speed = point.course && point.speed && !allowed.speeds.empty() &&
+                              !allowed.speeds[static_cast<size_t>(*point.course)].Has(*point.speed);
+  return excludes_speed || (point.depth && allowed.depths && !allowed.depths->Has(*point.depth));
+}
+
+std::string WordsOf(const HelmPoint& point) {
+  const auto rounded = [](double value) {
+    return TextOf(VariableValue(std::round(value * 100) / 100));
+  };
+  std::string words;
+  if (point.course_deg) words += " course " + rounded(*point.course_deg) + " deg";
+  if (point.speed_mps) words += " speed " + rounded(*point.speed_mps) + " m/s";
+  if (point.depth_m) words += " depth " + rounded(*point.depth_m) + " m";
+  return words;
+}
+
 /// Returns true where the decision is what the task commands alone, as near as the grid has it.
 bool IsNearest(const DomainPoint& point, const TaskAim& task, const Domain& domain) {
   if (!point.speed || *point.speed != domain.speed_mps.Nearest(task.speed_mps)) return false;
@@ -316,12 +334,17 @@ void BehaviorSet::Decide(const HelmInputs& inputs, const std::vector<RunReport>&
     outcome.aims.push_back(
         {.name = inputs.task->name, .kind = inputs.task->kind, .state = "active"});
   }
+  const size_t num_before = outcome.aims.size();
+  std::vector<const AllowedPart*> limits;  // Of the aims from num_before on.
+  AllowedPart allowed;
   bool has_goal = inputs.task.has_value();
   bool has_other = false;
   for (const RunReport& report : reports) {
     if (report.state != RunState::kRunning && report.state != RunState::kActive) continue;
     objectives_.push_back({report.weight, report.answer.objective.value_or(Objective())});
     outcome.aims.push_back(AimOf(report));
+    limits.push_back(&report.answer.allowed);
+    Restrict(&allowed, report.answer.allowed);
     if (report.state != RunState::kActive) continue;
     has_other = true;
     has_goal = has_goal || !report.is_constraint;
@@ -330,7 +353,7 @@ void BehaviorSet::Decide(const HelmInputs& inputs, const std::vector<RunReport>&
   // Alone, a task without weight counts too.
   if (only_task && objectives_.front().weight <= 0) objectives_.front().weight = 1;
 
-  decision_ = shoal::Decide(setup_.domain, objectives_);
+  decision_ = shoal::Decide(setup_.domain, objectives_, allowed);
   for (size_t i = 0; i < objectives_.size(); ++i) outcome.aims[i].weight = objectives_[i].weight;
   if (inputs.explains) Explain(&outcome);
   if (!only_task && !has_other) {
@@ -345,7 +368,14 @@ void BehaviorSet::Decide(const HelmInputs& inputs, const std::vector<RunReport>&
     outcome.has_decision = true;
     outcome.commands = PointOf(decision_.point, setup_.domain);
     outcome.utility = decision_.utility;
-    outcome.only_task = only_task;
+    outcome.only_task = only_task && !decision_.wanted;
+    if (decision_.wanted) {
+      outcome.wanted = PointOf(*decision_.wanted, setup_.domain);
+      for (size_t i = 0; i < limits.size(); ++i) {
+        if (!Excludes(*limits[i], *decision_.wanted)) continue;
+        outcome.aims[num_before + i].state += ", excludes" + WordsOf(*outcome.wanted);
+      }
+    }
     outcome.is_task_point = inputs.task && IsNearest(decision_.point, *inputs.task, setup_.domain);
   }
 }
@@ -359,6 +389,20 @@ void BehaviorSet::Explain(HelmOutcome* outcome) const {
     aim.value = shares[i].value;
     aim.loss = shares[i].loss;
   }
+}
+
+double BehaviorSet::UtilityAt(const HelmPoint& point) const {
+  const auto nearest = [](const std::optional<double>& value, const Axis& axis) {
+    return value && axis.count > 0 ? std::optional(axis.Nearest(*value)) : std::nullopt;
+  };
+  DomainPoint indices = {.speed = nearest(point.speed_mps, setup_.domain.speed_mps),
+                         .depth = nearest(point.depth_m, setup_.domain.depth_m)};
+  if (point.course_deg) indices.course = NearestCourse(*point.course_deg);
+  double utility = 0;
+  for (const auto& [weight, objective] : objectives_) {
+    if (weight > 0) utility += weight * ValueOf(objective, indices);
+  }
+  return utility;
 }
 
 void BehaviorSet::JudgeAllStop(const std::string& error, HelmOutcome& outcome) {
@@ -429,6 +473,7 @@ HelmOutcome BehaviorSet::Iterate(const HelmInputs& inputs) {
     const RunReport& report = reports.back();
     outcome.parks = outcome.parks || report.answer.parks;
     outcome.busy_s = std::max(outcome.busy_s, report.answer.busy_s);
+    if (report.answer.crashes) outcome.crash = runner->options().name;
     if (report.answer.error.empty()) continue;
     const std::string reason =
         "BehaviorError:" + runner->options().name + ": " + report.answer.error;

@@ -10,7 +10,8 @@
 //      range and for updates with a new name;
 //   2. the mode tree;
 //   3. each behavior in the order of the file: updates, duration, conditions, then Run or Idle;
-//   4. the decision: the grid point with the greatest weighted sum (lib/decision);
+//   4. the decision: the grid point with the greatest weighted sum (lib/decision) of those that
+//      regions allow;
 //   5. flags and reports, in the order of the file. Conditions see them in the next iteration.
 //
 // Run states of a behavior:
@@ -128,6 +129,8 @@ struct HelmOutcome {
   bool keeps_last = false;
   HelmPoint commands = {};  ///< The decision; empty in an all-stop.
   double utility = 0;       ///< The weighted sum there.
+  /// The decision without the limits of regions, where they do not allow it.
+  std::optional<HelmPoint> wanted = {};
   bool has_decision = false;
   /// The task is the only one with a preference: its own guidance counts untouched.
   bool only_task = false;
@@ -136,7 +139,10 @@ struct HelmOutcome {
   bool is_task_point = false;
   std::vector<HelmAim> aims = {};  ///< Running ones in the order of the file, the task first.
   bool parks = false;  ///< A behavior wants the helm to park, as by an operator's order.
-  double busy_s = 0;   ///< A behavior wants the helm to be busy for that long, in real time.
+  /// A behavior wants the helm to be busy for that long, in mission time: what this iteration
+  /// decided comes that much later.
+  double busy_s = 0;
+  std::string crash = {};  ///< Not empty: this behavior wants the helm's process to abort.
   /// What flags and reports set, in the order of the file; own ones are set already.
   std::vector<VariablePost> posts = {};
   std::vector<HelmEvent> events = {};
@@ -157,6 +163,10 @@ class BehaviorSet {
   /// Fills in the shares of the aims of the last outcome.
   /// @pre `outcome` is what the last Iterate returned
   void Explain(HelmOutcome* outcome) const;
+
+  /// Returns the weighted sum of the last iteration at the grid point that is nearest, for
+  /// comparisons with other decisions.
+  double UtilityAt(const HelmPoint& point) const;
 
   /// Ends an all-stop that lasts: the operator has given the order to go on.
   void Clear();

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "lib/behaviors/preference.h"
+#include "lib/behaviors/stay_inside.h"
 #include "lib/check/bounds.h"
 #include "lib/geometry/angles.h"
 #include "lib/geometry/convex_polygon.h"
@@ -161,12 +162,32 @@ void OpRegionBehavior::TurnBack(const BehaviorInputs& inputs, BehaviorAnswer& an
   answer.relevance = back.relevance;
 }
 
+AllowedPart OpRegionBehavior::AllowedNow(const BehaviorInputs& inputs) const {
+  if (options_.look_ahead <= 0) return {};
+  const Eigen::Vector2d& position_m = inputs.own.motion.position_m;
+  AllowedPart allowed;
+  // A start outside is the vessel's own business until it has come in.
+  const bool has_been_inside = has_entered_ || was_in_save_ || !options_.trigger_on_poly_entry;
+  if (!Limit().empty() && (has_been_inside || SignedDistance(Limit(), position_m) <= 0)) {
+    allowed = StayInside(Limit(), inputs.own.motion,
+                         {.horizon_s = options_.look_ahead, .turn_degps = options_.turn_rate},
+                         *inputs.domain);
+  }
+  const Axis& depth_m = inputs.domain->depth_m;
+  if (options_.max_depth > 0 && depth_m.count > 0) {
+    const double last = std::floor((options_.max_depth - depth_m.first) / depth_m.step + 1e-9);
+    allowed.depths =
+        IndexRange{.first = 0, .last = static_cast<int>(std::min(last, depth_m.count - 1.0))};
+  }
+  return allowed;
+}
+
 void OpRegionBehavior::Report(const BehaviorInputs& inputs, BehaviorAnswer& answer) const {
   const VesselMotion& own = inputs.own.motion;
   const auto seconds = [&](double distance_m) {
     return distance_m < 0 || own.speed_mps <= 0 ? -1 : std::round(distance_m / own.speed_mps);
   };
-  const Polygon& limit_m = border_m_.empty() ? save_m_ : border_m_;
+  const Polygon& limit_m = Limit();
   if (!limit_m.empty()) {
     const double nearest_m = -SignedDistance(limit_m, own.position_m);
     const double ahead_m =
@@ -194,6 +215,7 @@ BehaviorAnswer OpRegionBehavior::Run(const BehaviorInputs& inputs) {
   const std::optional<Breach> beyond = LimitBreach(inputs);
   AnswerBreach(outside ? outside : beyond, answer);
   if (answer.error.empty() && !outside) TurnBack(inputs, answer);
+  answer.allowed = AllowedNow(inputs);
   if (!answer.error.empty()) answer.state = "breached: " + answer.error;
   Report(inputs, answer);
   return answer;

@@ -27,6 +27,8 @@ struct OpRegionOptions {
   double trigger_entry_time = 1;      ///< s inside before leaving counts.
   double trigger_exit_time = 0.5;     ///< s outside before it is a breach.
   bool trigger_on_poly_entry = true;  ///< A start outside is no breach.
+  double turn_rate = 10;              ///< deg/s, for look_ahead; 0: it turns at once.
+  double look_ahead = 5;              ///< s; no decision leads out of the region sooner; 0: off.
   bool soft_poly_breach = false;      ///< A breach parks the helm instead of an error.
   double recover_spd = 0.8;           ///< m/s on the way back.
   /// Per cent of course against speed on the way back, 1 to 99; of several, each in one iteration,
@@ -49,6 +51,10 @@ struct OpRegionOptions {
 /// and halt, once it has been inside, it prefers the shortest way back to save. Outside halt (where
 /// there is none, and no save zone: outside core) for trigger_exit_time it is breached: an
 /// all-stop. So are the limits of depth, altitude and time.
+///
+/// Once inside, it allows no course and speed that lead out of the halt zone (where there is none:
+/// save, or core) within look_ahead, straight on or in the turn to that course, whatever the
+/// weights, while there are others; and no depth below max_depth.
 ///
 /// Posts OPREG_ABSOLUTE_PERIM_DIST, OPREG_ABSOLUTE_PERIM_ETA, OPREG_TRAJECTORY_PERIM_DIST,
 /// OPREG_TRAJECTORY_PERIM_ETA (whole m and s to the border that breaches; -1: never) and
@@ -76,6 +82,11 @@ class OpRegionBehavior final : public BehaviorWith<OpRegionOptions> {
   void AnswerBreach(const std::optional<Breach>& breach, BehaviorAnswer& answer);
   void TurnBack(const BehaviorInputs& inputs, BehaviorAnswer& answer);
   std::vector<double> CoursesBack(const BehaviorInputs& inputs);
+  AllowedPart AllowedNow(const BehaviorInputs& inputs) const;
+  /// Returns the outermost zone.
+  const std::vector<Eigen::Vector2d>& Limit() const {
+    return border_m_.empty() ? save_m_ : border_m_;
+  }
   void Report(const BehaviorInputs& inputs, BehaviorAnswer& answer) const;
 
   std::vector<Eigen::Vector2d> save_m_;    ///< Empty: no such zone.

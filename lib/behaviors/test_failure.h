@@ -14,7 +14,7 @@ struct TestFailureOptions {
   static constexpr std::string_view kKind = "test_failure";
 
   std::string failure_type = "crash";  ///< crash or burn (a busy helm).
-  double burn_time = 3;                ///< s.
+  double burn_time = 3;                ///< s of mission time.
 
   bool operator==(const TestFailureOptions&) const = default;
 };
@@ -24,7 +24,7 @@ class TestFailureBehavior final : public BehaviorWith<TestFailureOptions> {
  public:
   using BehaviorWith::BehaviorWith;
   BehaviorAnswer Run(const BehaviorInputs&) override { return {}; }
-  /// Aborts the process, or answers busy_s.
+  /// Answers `crashes` or `busy_s`: what becomes of the process is the helm's business.
   BehaviorAnswer Complete(const BehaviorInputs& inputs) override;
 };
 

@@ -13,11 +13,13 @@ TEST(TestFailure, KeepsTheHelmBusyOnceItCompletes) {
   EXPECT_EQ(behavior.Complete(vessel.Inputs()).busy_s, 2);
 }
 
-TEST(TestFailureDeathTest, AbortsTheHelmOnceItCompletes) {
+TEST(TestFailure, CrashesTheHelmOnceItCompletes) {
   TestVessel vessel;
   TestFailureBehavior behavior({.failure_type = "crash"});
-  (void)vessel.Run(behavior);
-  EXPECT_DEATH((void)behavior.Complete(vessel.Inputs()), "");
+  EXPECT_FALSE(vessel.Run(behavior).crashes);
+  const BehaviorAnswer answer = behavior.Complete(vessel.Inputs());
+  EXPECT_TRUE(answer.crashes);
+  EXPECT_EQ(answer.busy_s, 0);
 }
 
 }  // namespace shoal::test_failure_test

@@ -5,9 +5,11 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "lib/behaviors/behavior_set.h"
@@ -26,6 +28,26 @@ inline BehaviorAnswer Wants(double course_deg, double speed_mps, double relevanc
   return answer;
 }
 
+inline BehaviorAnswer Wants90(const BehaviorInputs&) { return Wants(90, 2); }
+
+/// Reads "speed = 2" of a waypoint, "pwt = 50" and "condition = ..."; others are refused.
+inline Result<BehaviorOptions> ReadSpeed(const BehaviorOptions& options,
+                                         std::span<const UpdateItem> items,
+                                         const Eigen::Vector2d&) {
+  BehaviorOptions updated = options;
+  for (const UpdateItem& item : items) {
+    if (item.key == "speed") {
+      std::get<WaypointOptions>(updated.what).speed = NumberIn(item.value).value_or(-1);
+    } else if (item.key == "pwt") {
+      updated.pwt = NumberIn(item.value).value_or(-1);
+    } else if (item.key == "condition") {
+      updated.condition = {item.value};
+    } else {
+      return Error{"unknown key '" + item.key + "'"};
+    }
+  }
+  return updated;
+}
 class TestHelm {
  public:
   using Answer = std::function<BehaviorAnswer(const BehaviorInputs&)>;

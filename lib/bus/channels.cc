@@ -48,6 +48,7 @@ Channel<desired_t> Desired(std::string_view vehicle) { return {Of(topics::kDesir
 Channel<helm_state_t> HelmState(std::string_view vehicle) {
   return {Of(topics::kHelmState, vehicle)};
 }
+Channel<guidance_t> Guidance(std::string_view vehicle) { return {Of(topics::kGuidance, vehicle)}; }
 Channel<helm_decision_t> HelmDecision(std::string_view vehicle) {
   return {Of(topics::kHelmDecision, vehicle)};
 }
@@ -119,10 +120,13 @@ std::vector<ChannelRow> MakeTable() {
       {topics::kSonar, kVehicle, "sonar_t", "vehicle_sim", "helm", "[vehicle.sonar] rate_hz", true},
       {topics::kWaterSample, kVehicle, "water_sample_t", "vehicle_sim", "your programs",
        "every step, with [environment.plume]", true},
-      {topics::kActuators, kVehicle, "actuators_t", "helm", "vehicle_sim", "every step", true},
+      {topics::kActuators, kVehicle, "actuators_t", "helm", "vehicle_sim, acomms", "every step",
+       true},
       {topics::kDesired, kVehicle, "desired_t", "helm", "viewer, (people)", "every step", true},
       {topics::kHelmState, kVehicle, "helm_state_t", "helm", "node_reporter, acomms, shoal, viewer",
        "on change, at least 1 Hz", true},
+      {topics::kGuidance, kVehicle, "guidance_t", "helm", "viewer, (people)",
+       "under water: on change of waypoint, at least 1 Hz", true},
       {topics::kHelmDecision, kVehicle, "helm_decision_t", "helm", "viewer, (people)",
        "with behaviors: on change, at least 1 Hz", true},
       {topics::kHelmCommand, kVehicle, "helm_command_t",

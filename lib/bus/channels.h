@@ -25,6 +25,7 @@
 #include "shoal/comms_rules_req_t.hpp"
 #include "shoal/comms_rules_t.hpp"
 #include "shoal/desired_t.hpp"
+#include "shoal/guidance_t.hpp"
 #include "shoal/helm_command_t.hpp"
 #include "shoal/helm_decision_t.hpp"
 #include "shoal/helm_state_t.hpp"
@@ -59,6 +60,7 @@ inline constexpr std::string_view kWaterSample = "WATER_SAMPLE";
 inline constexpr std::string_view kActuators = "ACTUATORS";
 inline constexpr std::string_view kDesired = "DESIRED";
 inline constexpr std::string_view kHelmState = "HELM_STATE";
+inline constexpr std::string_view kGuidance = "GUIDANCE";
 inline constexpr std::string_view kHelmDecision = "HELM_DECISION";
 inline constexpr std::string_view kHelmCommand = "HELM_COMMAND";
 inline constexpr std::string_view kSimCommand = "SIM_COMMAND";
@@ -109,6 +111,7 @@ Channel<water_sample_t> WaterSample(std::string_view vehicle);
 Channel<actuators_t> Actuators(std::string_view vehicle);
 Channel<desired_t> Desired(std::string_view vehicle);
 Channel<helm_state_t> HelmState(std::string_view vehicle);
+Channel<guidance_t> Guidance(std::string_view vehicle);
 Channel<helm_decision_t> HelmDecision(std::string_view vehicle);
 Channel<helm_command_t> HelmCommand(std::string_view vehicle);
 Channel<sim_command_t> SimCommand(std::string_view vehicle);

@@ -106,6 +106,20 @@ Bus& MemoryBus::Join(const std::string& participant) {
   return *port;
 }
 
+void MemoryBus::EndSubscriptions(Bus& participant_bus) {
+  auto& port = static_cast<Port&>(participant_bus);
+  for (std::vector<Subscriber>& readers : channel_readers_) {
+    std::erase_if(readers, [&](const Subscriber& each) {
+      if (each.port != port.number) return false;
+      handlers_[each.handler] = nullptr;
+      return true;
+    });
+  }
+  port.all_handlers.clear();
+  ++num_subscriptions_;  // So that all look for readers again.
+  ranks_valid_ = false;
+}
+
 void MemoryBus::RankPorts() {
   names_by_rank_.clear();
   for (auto& [name, each] : ports_) {

@@ -30,6 +30,10 @@ class MemoryBus {
   /// @pre no participant of this name yet, and no step was taken yet.
   Bus& Join(const std::string& participant);
 
+  /// Ends all subscriptions of a participant, whose app is gone. Another one may subscribe anew.
+  /// @pre its handlers have run for the step that ended last
+  void EndSubscriptions(Bus& participant_bus);
+
   /// Ends a step: puts what was published during it into the fixed order (channel, publisher,
   /// publisher's sequence) and makes it what the handlers see next.
   void NextStep();

@@ -33,6 +33,31 @@ TEST(MemoryBus, DeliversInTheNextStepAndNotBefore) {
   EXPECT_EQ(received, std::vector<double>{1});
 }
 
+TEST(MemoryBus, DeliversNothingToSubscriptionsThatEndedAndAgainToNewOnes) {
+  MemoryBus hub;
+  Bus& a = hub.Join("a");
+  Bus& b = hub.Join("b");
+  const Channel<unc_control_t> channel = channels::Control(*FindControl("comms_range"));
+  std::vector<double> first;
+  std::vector<double> second;
+  const auto step = [&](double value) {
+    Publish(a, channel, ControlOf(value));
+    hub.NextStep();
+    hub.HandleAll();
+  };
+  Subscribe(b, channel, [&](const unc_control_t& m) { first.push_back(m.value); });
+  step(1);
+  Publish(a, channel, ControlOf(2));
+  hub.EndSubscriptions(b);
+  hub.NextStep();
+  hub.HandleAll();
+  step(3);
+  Subscribe(b, channel, [&](const unc_control_t& m) { second.push_back(m.value); });
+  step(4);
+  EXPECT_EQ(first, std::vector<double>{1});
+  EXPECT_EQ(second, std::vector<double>{4});
+}
+
 TEST(MemoryBus, OrdersByChannelThenPublisherThenSequence) {
   MemoryBus hub;
   Bus& b = hub.Join("b");

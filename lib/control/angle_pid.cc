@@ -18,12 +18,13 @@ struct PiOutput {
   double integral = 0;
 };
 
-/// One step of kp e + ki I + `damping`, limited.
-PiOutput LimitedPi(double kp, double ki, double integral, double error, double damping,
-                   double limit, double dt_s) {
-  const double wanted = kp * error + ki * integral + damping;
+/// One step of kp e + ki I + `more`, limited.
+PiOutput LimitedPi(double kp, double ki, double integral, double error, double more, double limit,
+                   double dt_s) {
+  const double wanted = kp * error + ki * integral + more;
   const double value = std::clamp(wanted, -limit, limit);
   const bool is_limited = value != wanted;
+  if (dt_s <= 0) return {.value = value, .integral = integral};
   integral += is_limited && ki != 0 ? (value - wanted) / ki : error * dt_s;
   return {.value = value, .integral = std::clamp(integral, -kMaxIntegral, kMaxIntegral)};
 }
@@ -40,10 +41,11 @@ double AnglePid::Update(const AnglePidGains& gains, double angle_rad, double des
   return output.value;
 }
 
-double DepthPi::Update(const DepthPiGains& gains, double z_m, double desired_z_m, double dt_s) {
+double DepthPi::Update(const DepthPiGains& gains, double z_m, double desired_z_m, double dt_s,
+                       double feed_forward_rad) {
   const double error_m = std::clamp(z_m - desired_z_m, -kMaxDepthError_m, kMaxDepthError_m);
-  const PiOutput output =
-      LimitedPi(gains.kp, gains.ki, integral_ms, error_m, 0, gains.max_pitch_rad, dt_s);
+  const PiOutput output = LimitedPi(gains.kp, gains.ki, integral_ms, error_m, feed_forward_rad,
+                                    gains.max_pitch_rad, dt_s);
   integral_ms = output.integral;
   return output.value;
 }

@@ -25,8 +25,8 @@ struct AnglePid {
   double integral_rads = 0;
 
   /// Returns the deflection, and adapts the integral: it grows by the error, or, at the limit, is
-  /// set so that the law asks for just that (muNet's anti-windup, by back-calculation). Huge inputs
-  /// give a finite answer. @pre arguments finite, dt_s >= 0
+  /// set so that the law asks for just that (muNet's anti-windup, by back-calculation). With dt_s =
+  /// 0 it is held. Huge inputs give a finite answer. @pre arguments finite, dt_s >= 0
   double Update(const AnglePidGains& gains, double angle_rad, double desired_rad, double rate_radps,
                 double dt_s);
 };
@@ -43,8 +43,10 @@ struct DepthPiGains {
 struct DepthPi {
   double integral_ms = 0;
 
-  /// Returns the desired pitch; anti-windup as in AnglePid. @pre arguments finite, dt_s >= 0
-  double Update(const DepthPiGains& gains, double z_m, double desired_z_m, double dt_s);
+  /// Returns the desired pitch; anti-windup as in AnglePid. `feed_forward_rad` is the pitch that
+  /// the desired depth's own motion takes. @pre arguments finite, dt_s >= 0
+  double Update(const DepthPiGains& gains, double z_m, double desired_z_m, double dt_s,
+                double feed_forward_rad = 0);
 };
 
 }  // namespace shoal

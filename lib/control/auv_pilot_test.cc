@@ -22,7 +22,8 @@ AuvMotion MotionOf(const Remus100State& state) {
           .theta_rad = state.eta[4],
           .psi_rad = state.eta[5],
           .q_radps = state.nu[4],
-          .r_radps = state.nu[5]};
+          .r_radps = state.nu[5],
+          .speed_mps = state.nu.head<3>().norm()};
 }
 
 /// muNet's path following: ALOS whose crab angle adapts everywhere, waypoints passed along the
@@ -89,7 +90,7 @@ void ExpectClosedLoop(const ClosedLoop& run) {
       }
       path.Update(state);
       const AuvDeflections fins =
-          pilot.KeepHeadingAndDepth(MotionOf(state), path.psi_ref_rad, path.z_ref_m, 6000, kStep_s);
+          pilot.KeepHeadingAndDepth(MotionOf(state), path.psi_ref_rad, path.z_ref_m, {}, kStep_s);
       if (is_compared) {
         ASSERT_NEAR(fins.rudder_rad, Number(row, "rud_cmd"), 100 * run.tolerance) << step;
         ASSERT_NEAR(fins.stern_plane_rad, Number(row, "stern_cmd"), 100 * run.tolerance) << step;
@@ -101,6 +102,25 @@ void ExpectClosedLoop(const ClosedLoop& run) {
     }
   }
   EXPECT_GT(step, 2900);
+}
+
+TEST(PitchOfDescent, IsThatOfTheWayThroughTheSea) {
+  EXPECT_NEAR(PitchOfDescent(1, 2), -kPi / 6, 1e-12) << "bow down";
+  EXPECT_NEAR(PitchOfDescent(-1, 2), kPi / 6, 1e-12);
+  EXPECT_EQ(PitchOfDescent(0.25, 0.1), PitchOfDescent(0.25, 0.5)) << "fins do not lift";
+  EXPECT_NEAR(PitchOfDescent(9, 2), -kPi / 2, 1e-12);
+}
+
+TEST(DefaultPilot, TakesADepthThatMovesAsItIsAndPitchesWithIt) {
+  AuvPilot pilot(DefaultRemusPilot());
+  pilot.Start(0, 20);
+  const AuvMotion motion{.z_m = 20, .speed_mps = 2};
+  (void)pilot.KeepHeadingAndDepth(motion, 0, 20, {}, kStep_s, -0.2);
+  EXPECT_NEAR(pilot.desired_theta_rad(), -0.2, 1e-12);
+  (void)pilot.KeepHeadingAndDepth(motion, 0, 21, {}, kStep_s, -0.2);
+  EXPECT_EQ(pilot.desired_z_m(), 21) << "not filtered";
+  (void)pilot.KeepHeadingAndDepth(motion, 0, 21, {}, kStep_s);
+  EXPECT_EQ(pilot.desired_z_m(), 21) << "the filter goes on from there";
 }
 
 TEST(MunetPilot, ChangesDepthAsItsOriginal) {
@@ -160,7 +180,7 @@ Response RunStep(const Remus100Params& params, double rpm, double period_s, doub
     const AuvDeflections before = fins;
     if (i % steps_per_update == 0) {
       fins = pilot.KeepHeadingAndDepth(MotionOf(state), has_begun ? psi_step_rad : 0,
-                                       has_begun ? 30 + z_step_m : 30, 1000, period_s);
+                                       has_begun ? 30 + z_step_m : 30, {}, period_s);
     }
     state = Step(auv, state, {fins.rudder_rad, fins.stern_plane_rad, rpm}, {}, kStep_s);
     if (!has_begun) continue;
@@ -213,7 +233,7 @@ TEST(DefaultPilot, KeepsTheDirectionOfTargetTracking) {
   state.eta[2] = 50;
   pilot.Start(0, 50);
   for (int i = 0; i < 3000; ++i) {
-    const AuvDeflections fins = pilot.KeepHeadingAndPitch(MotionOf(state), -2, 0.15, kStep_s);
+    const AuvDeflections fins = pilot.KeepHeadingAndPitch(MotionOf(state), -2, 0.15, {}, kStep_s);
     state = Step(auv, state, {fins.rudder_rad, fins.stern_plane_rad, 1200}, {}, kStep_s);
   }
   EXPECT_NEAR(state.eta[5], -2, 0.01);

@@ -77,12 +77,45 @@ class IntervalMaximum {
   std::array<std::vector<Units>, 10> levels_;
 };
 
+/// Speeds that are allowed, by course, and what boxes hold of them.
+class AllowedBoxes {
+ public:
+  explicit AllowedBoxes(const std::vector<IndexRange>& speeds)
+      : speeds_(speeds), greatest_(Ends(speeds, 1)), least_(Ends(speeds, -1)) {}
+
+  bool Has(const GridPoint& point) const {
+    return speeds_[static_cast<size_t>(point.course)].Has(point.speed);
+  }
+  /// False: no point of the box is allowed; true: some may be.
+  bool MayHaveSome(const GridBox& box) const {
+    return greatest_.Of(box.first_course, box.last_course) >= box.first_speed &&
+           -least_.Of(box.first_course, box.last_course) <= box.last_speed;
+  }
+
+ private:
+  /// Returns the last speed of each course, or minus the first one; of none, less than any.
+  static std::vector<Units> Ends(const std::vector<IndexRange>& speeds, int sign) {
+    std::vector<Units> ends;
+    ends.reserve(speeds.size());
+    for (const IndexRange& range : speeds) {
+      ends.push_back(range.empty() ? -std::numeric_limits<Units>::infinity()
+                                   : (sign > 0 ? range.last : -range.first));
+    }
+    return ends;
+  }
+
+  const std::vector<IndexRange>& speeds_;
+  IntervalMaximum greatest_;
+  IntervalMaximum least_;
+};
+
 struct CoupledTerm {
   const CourseSpeedFunction* function = nullptr;
   double factor = 0;
 };
 
-/// Course and speed: a separable sum, and terms that couple both.
+/// Course and speed: a separable sum, and terms that couple both. What is not allowed is worth less
+/// than any sum.
 class WeightedSum {
  public:
   using Number = Units;
@@ -94,8 +127,11 @@ class WeightedSum {
   };
   static constexpr bool kAnyOfEquals = false;
 
-  WeightedSum(std::vector<Units> course, std::vector<Units> speed, std::vector<CoupledTerm> terms)
-      : terms_(std::move(terms)),
+  /// `allowed`: nullptr: everything.
+  WeightedSum(std::vector<Units> course, std::vector<Units> speed, std::vector<CoupledTerm> terms,
+              const AllowedBoxes* allowed)
+      : allowed_(allowed),
+        terms_(std::move(terms)),
         first_guess_{GridPoint{.course = FirstGreatest(course), .speed = FirstGreatest(speed)}},
         course_(std::move(course)),
         speed_(std::move(speed)) {
@@ -108,6 +144,7 @@ class WeightedSum {
   }
 
   Units Value(const GridPoint& point) const {
+    if (allowed_ != nullptr && !allowed_->Has(point)) return kNotAllowed;
     Units sum = course_.At(point.course) + speed_.At(point.speed);
     for (const CoupledTerm& term : terms_) {
       sum += ToUnits(term.factor * term.function->At(point.course, point.speed));
@@ -116,6 +153,7 @@ class WeightedSum {
   }
 
   Units Upper(const GridBox& box, const Bounds& outer, Units worth, Bounds* bounds) {
+    if (allowed_ != nullptr && !allowed_->MayHaveSome(box)) return kNotAllowed;
     const Units separable =
         course_.Of(box.first_course, box.last_course) + speed_.Of(box.first_speed, box.last_speed);
     // The terms that were not bounded yet count as in the outer box.
@@ -150,12 +188,15 @@ class WeightedSum {
   const std::array<GridPoint, 1>& first_guesses() const { return first_guess_; }
 
  private:
+  static constexpr Units kNotAllowed = -std::numeric_limits<Units>::infinity();
+
   Units SumOfRow(size_t row) const {
     Units sum = 0;
     for (size_t i = 0; i < terms_.size(); ++i) sum += upper_[row + i];
     return sum;
   }
 
+  const AllowedBoxes* allowed_;
   std::vector<CoupledTerm> terms_;
   std::array<GridPoint, 1> first_guess_;
   IntervalMaximum course_;
@@ -163,40 +204,76 @@ class WeightedSum {
   std::vector<Units> upper_;  ///< Rows of terms_.size(); the first one, infinite, is no box's.
 };
 
-/// Returns the best point for `objectives`, the weights of which count in units of `unit`.
+/// What objectives come to, in units: tables, and terms that couple course and speed.
+struct Sums {
+  std::vector<Units> course = {};  ///< Empty: not mentioned, as below.
+  std::vector<Units> speed = {};
+  std::vector<Units> depth = {};
+  std::vector<CoupledTerm> terms = {};
+};
+
 template <class Objectives>
-DomainPoint BestFor(const Domain& domain, const Objectives& objectives, double greatest_weight) {
+Sums Add(const Domain& domain, const Objectives& objectives, double greatest_weight) {
   bool any_course = false;
   bool any_speed = false;
   bool any_depth = false;
-  std::vector<Units> course(Domain::kNumCourses);
-  std::vector<Units> speed(static_cast<size_t>(domain.speed_mps.count));
-  std::vector<Units> depth(static_cast<size_t>(domain.depth_m.count));
-  std::vector<CoupledTerm> terms;
+  Sums sums = {.course = std::vector<Units>(Domain::kNumCourses),
+               .speed = std::vector<Units>(static_cast<size_t>(domain.speed_mps.count)),
+               .depth = std::vector<Units>(static_cast<size_t>(domain.depth_m.count))};
   for (const auto& [weight, objective] : objectives) {
     if (!(weight > 0)) continue;
     any_course = any_course || objective.mentions_course();
     any_speed = any_speed || objective.mentions_speed();
     any_depth = any_depth || objective.mentions_depth();
     const double factor = weight / greatest_weight * objective.scale * kUnitsOfGreatestWeight;
-    AddTo(&course, objective.course, factor);
-    AddTo(&speed, objective.speed, factor);
-    AddTo(&depth, objective.depth, factor);
+    AddTo(&sums.course, objective.course, factor);
+    AddTo(&sums.speed, objective.speed, factor);
+    AddTo(&sums.depth, objective.depth, factor);
     if (objective.coupled != nullptr && factor != 0) {
-      terms.push_back({.function = objective.coupled.get(), .factor = factor});
+      sums.terms.push_back({.function = objective.coupled.get(), .factor = factor});
     }
   }
+  if (!any_course) sums.course.clear();
+  if (!any_speed) sums.speed.clear();
+  if (!any_depth) sums.depth.clear();
+  return sums;
+}
+
+/// Returns the best point of the whole domain.
+DomainPoint BestOf(const Sums& sums) {
   DomainPoint best;
-  if (any_depth) best.depth = FirstGreatest(depth);
-  if (terms.empty()) {
-    if (any_course) best.course = FirstGreatest(course);
-    if (any_speed) best.speed = FirstGreatest(speed);
+  if (!sums.depth.empty()) best.depth = FirstGreatest(sums.depth);
+  if (sums.terms.empty()) {
+    if (!sums.course.empty()) best.course = FirstGreatest(sums.course);
+    if (!sums.speed.empty()) best.speed = FirstGreatest(sums.speed);
     return best;
   }
-  const GridBox whole{.last_course = Domain::kNumCourses - 1,
-                      .last_speed = domain.speed_mps.count - 1};
-  WeightedSum sum(std::move(course), std::move(speed), std::move(terms));
-  const GridPoint point = BestPoint(&sum, whole).first;
+  WeightedSum sum(sums.course, sums.speed, sums.terms, nullptr);
+  const GridPoint point = BestPoint(&sum, {.last_course = Domain::kNumCourses - 1,
+                                           .last_speed = static_cast<int>(sums.speed.size()) - 1})
+                              .first;
+  best.course = point.course;
+  best.speed = point.speed;
+  return best;
+}
+
+/// Returns the best point of those that are allowed. `best` is the one of the whole domain.
+DomainPoint BestAllowed(const Sums& sums, const AllowedPart& allowed, DomainPoint best) {
+  if (best.depth && allowed.depths && !allowed.depths->empty() &&
+      !allowed.depths->Has(*best.depth)) {
+    const auto begin = sums.depth.begin();
+    best.depth = static_cast<int>(
+        std::max_element(begin + allowed.depths->first, begin + allowed.depths->last + 1) - begin);
+  }
+  if (!best.course || !best.speed || allowed.speeds.empty() || !AllowsAny(allowed.speeds) ||
+      allowed.speeds[static_cast<size_t>(*best.course)].Has(*best.speed)) {
+    return best;
+  }
+  const AllowedBoxes boxes(allowed.speeds);
+  WeightedSum sum(sums.course, sums.speed, sums.terms, &boxes);
+  const GridPoint point = BestPoint(&sum, {.last_course = Domain::kNumCourses - 1,
+                                           .last_speed = static_cast<int>(sums.speed.size()) - 1})
+                              .first;
   best.course = point.course;
   best.speed = point.speed;
   return best;
@@ -204,13 +281,19 @@ DomainPoint BestFor(const Domain& domain, const Objectives& objectives, double g
 
 }  // namespace
 
-GridDecision Decide(const Domain& domain, std::span<const WeightedObjective> objectives) {
+GridDecision Decide(const Domain& domain, std::span<const WeightedObjective> objectives,
+                    const AllowedPart& allowed) {
   double greatest_weight = 0;
   for (const WeightedObjective& aim : objectives) {
     CheckSizes(domain, aim.objective);
     greatest_weight = std::max(greatest_weight, aim.weight);
   }
-  GridDecision decision{.point = BestFor(domain, objectives, greatest_weight)};
+  SHOAL_CHECK(allowed.speeds.empty() || allowed.speeds.size() == Domain::kNumCourses,
+              "speeds are allowed by course");
+  const Sums sums = Add(domain, objectives, greatest_weight);
+  const DomainPoint wanted = BestOf(sums);
+  GridDecision decision{.point = BestAllowed(sums, allowed, wanted)};
+  if (decision.point != wanted) decision.wanted = wanted;
   // Sorted, so that the last digit of the sum does not depend on the order either.
   std::vector<double> shares;
   for (const auto& [weight, objective] : objectives) {
@@ -254,7 +337,7 @@ std::vector<AimAtDecision> Explain(const Domain& domain,
       const Objective& objective;
     };
     AimAtDecision aim{.value = ValueOf(objective, decision.point),
-                      .best_point = BestFor(domain, std::array{Alone{1, objective}}, 1)};
+                      .best_point = BestOf(Add(domain, std::array{Alone{1, objective}}, 1))};
     aim.best_value = ValueOf(objective, aim.best_point);
     aim.loss = std::max(weight, 0.0) * (aim.best_value - aim.value);
     aims.push_back(aim);

@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "lib/decision/allowed.h"
 #include "lib/decision/objective.h"
 
 namespace shoal {
@@ -31,9 +32,13 @@ struct DomainPoint {
 struct GridDecision {
   DomainPoint point = {};  ///< Absent: no objective of weight > 0 mentions the variable.
   double utility = 0;      ///< The weighted sum at the point.
+  /// The best point of the whole domain, where it is not allowed.
+  std::optional<DomainPoint> wanted = {};
 };
 
-/// Returns the point of the domain where  sum of weight x value  is greatest.
+/// Returns the point of the domain where  sum of weight x value  is greatest, of all points that
+/// are allowed. Where no course and speed is, all are; so with depths. Speeds of courses count only
+/// where both are mentioned.
 ///
 /// Ties: of equal sums the lowest course, of those the lowest speed; of equal depths the lowest.
 /// Sums are equal that agree in whole units of 1e-10 of the greatest weight: each objective's share
@@ -42,9 +47,11 @@ struct GridDecision {
 /// such units, n the number of objectives, below the greatest.
 ///
 /// @pre values are finite and not beyond 1e4, as NormaliseTo100 leaves them; parts have as many
-///      values as the domain; domain.speed_mps.count > 0 where speed is mentioned
+///      values as the domain; domain.speed_mps.count > 0 where speed is mentioned; `allowed` has
+///      speeds of all courses or none, within the domain
 [[nodiscard]] GridDecision Decide(const Domain& domain,
-                                  std::span<const WeightedObjective> objectives);
+                                  std::span<const WeightedObjective> objectives,
+                                  const AllowedPart& allowed = {});
 
 /// Returns the value of an objective at a point. Parts whose variable is absent do not count.
 [[nodiscard]] double ValueOf(const Objective& objective, const DomainPoint& point);
@@ -58,8 +65,8 @@ struct AimAtDecision {
   double loss = 0;              ///< weight x (best_value - value); >= 0 but for rounding.
 };
 
-/// Explains a decision to people: one line per objective, in their order. Objectives of weight 0
-/// lose nothing. @pre `decision` is of the same domain and objectives
+/// Explains a decision to people, whatever is allowed: one line per objective, in their order.
+/// Objectives of weight 0 lose nothing. @pre `decision` is of the same domain and objectives
 [[nodiscard]] std::vector<AimAtDecision> Explain(const Domain& domain,
                                                  std::span<const WeightedObjective> objectives,
                                                  const GridDecision& decision);

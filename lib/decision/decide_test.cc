@@ -6,6 +6,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <vector>
 
 #include "lib/decision/test_decision.h"
 
@@ -39,6 +41,35 @@ Found BruteForce(const Domain& domain, const Aims& aims) {
   return best;
 }
 
+/// Every point that is allowed; the first of equal ones stays. Nothing: none is.
+std::optional<Found> BruteForce(const Domain& domain, const Aims& aims,
+                                const AllowedPart& allowed) {
+  std::optional<Found> best;
+  for (int course = 0; course < Domain::kNumCourses; ++course) {
+    for (int speed = 0; speed < domain.speed_mps.count; ++speed) {
+      if (!allowed.speeds[static_cast<size_t>(course)].Has(speed)) continue;
+      const double sum = SumAt(aims, course, speed);
+      if (!best || sum > best->sum) best = {.course = course, .speed = speed, .sum = sum};
+    }
+  }
+  return best;
+}
+
+/// Sectors with a range of speeds each; some with none.
+AllowedPart DrawAllowed(Stream& stream, const Domain& domain) {
+  AllowedPart allowed;
+  IndexRange range;
+  for (int course = 0; course < Domain::kNumCourses; ++course) {
+    if (course == 0 || stream.Uniform() < 0.05) {
+      const int last_speed = domain.speed_mps.count - 1;
+      range = {.first = IntBetween(stream, 0, last_speed),
+               .last = IntBetween(stream, -1, last_speed)};
+    }
+    allowed.speeds.push_back(range);
+  }
+  return allowed;
+}
+
 /// One that goes somewhere, and 0 to 4 contacts to keep clear of.
 Aims DrawAims(Stream& stream, const Domain& domain) {
   Aims aims;
@@ -59,6 +90,52 @@ RC_GTEST_PROP(Decide, FindsTheBestPointOfBruteForce, ()) {
   const Found best = BruteForce(domain, aims);
   RC_ASSERT(decision.point == (DomainPoint{.course = best.course, .speed = best.speed}));
   RC_ASSERT(std::abs(decision.utility - best.sum) < 1e-9);
+}
+
+RC_GTEST_PROP(Decide, FindsTheBestPointOfThoseThatAreAllowed, ()) {
+  Stream stream = AnyStream();
+  const Domain domain = SmallDomain(stream);
+  const Aims aims = DrawAims(stream, domain);
+  const AllowedPart allowed = DrawAllowed(stream, domain);
+  const GridDecision decision = Decide(domain, aims, allowed);
+  const Found whole = BruteForce(domain, aims);
+  const std::optional<Found> best = BruteForce(domain, aims, allowed);
+  const Found expected = best.value_or(whole);
+  RC_ASSERT(decision.point == (DomainPoint{.course = expected.course, .speed = expected.speed}));
+  RC_ASSERT(std::abs(decision.utility - expected.sum) < 1e-9);
+  const bool is_held = expected.course != whole.course || expected.speed != whole.speed;
+  RC_ASSERT(decision.wanted.has_value() == is_held);
+  RC_CLASSIFY(is_held);
+}
+
+TEST(Decide, TakesWhatIsAllowedHoweverGreatAWeightIs) {
+  const Domain domain = {.depth_m = {.first = 0, .step = 1, .count = 51}};
+  Objective deep;
+  for (int i = 0; i < 51; ++i) deep.depth.push_back(2 * i);
+  const Aims aims = {{.weight = 1e6, .objective = GoToward(90, 2, domain)},
+                     {.weight = 1e6, .objective = deep}};
+  AllowedPart allowed = {.speeds = std::vector<IndexRange>(360, {.first = 0, .last = 40}),
+                         .depths = IndexRange{.first = 3, .last = 30}};
+  for (size_t course = 80; course <= 95; ++course) allowed.speeds[course] = {};
+  const GridDecision decision = Decide(domain, aims, allowed);
+  EXPECT_EQ(decision.point, (DomainPoint{.course = 96, .speed = 20, .depth = 30}));
+  EXPECT_EQ(decision.wanted, (DomainPoint{.course = 90, .speed = 20, .depth = 50}));
+  allowed.speeds.assign(360, {});  // None: then all.
+  allowed.depths = IndexRange();
+  EXPECT_EQ(Decide(domain, aims, allowed).point, *decision.wanted);
+}
+
+TEST(Restrict, KeepsWhatBothAllowUnlessNothingIsLeft) {
+  AllowedPart allowed = {.depths = IndexRange{.first = 0, .last = 5}};
+  const AllowedPart slow = {.speeds = std::vector<IndexRange>(360, {.first = 0, .last = 10})};
+  Restrict(&allowed, slow);
+  EXPECT_EQ(allowed.speeds, slow.speeds);
+  Restrict(&allowed, {.speeds = std::vector<IndexRange>(360, {.first = 11, .last = 12}),
+                      .depths = IndexRange{.first = 4, .last = 9}});
+  EXPECT_EQ(allowed.speeds, slow.speeds);
+  EXPECT_EQ(allowed.depths, (IndexRange{.first = 4, .last = 5}));
+  Restrict(&allowed, {.speeds = std::vector<IndexRange>(360, {.first = 8, .last = 12})});
+  EXPECT_EQ(allowed.speeds[7], (IndexRange{.first = 8, .last = 10}));
 }
 
 /// Small integers, so that sums are exact and ties are many.

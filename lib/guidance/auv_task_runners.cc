@@ -6,6 +6,7 @@
 
 #include "lib/geometry/angles.h"
 #include "lib/guidance/task_runner.h"
+#include "lib/guidance/way_among_others.h"
 
 namespace shoal {
 
@@ -13,8 +14,13 @@ namespace {
 
 /// A vehicle this deep has come up.
 constexpr double kAtSurface_m = 0.5;
-/// How fast a follower without a leader swims up.
-constexpr double kRise_mps = 1.5;
+/// A vehicle deeper than this is under water.
+constexpr double kDeep_m = 2;
+/// A target at the surface rests when it is slower than the first, relative to the water, for
+/// kSettle_s; it has left when it is faster than the second for as long.
+constexpr double kTargetRests_mps = 0.3;
+constexpr double kTargetLeaves_mps = 0.6;
+constexpr double kSettle_s = 10;
 /// Less than this share of its speed away from others is not worth leaving a place for.
 constexpr double kNudge = 0.05;
 
@@ -22,8 +28,7 @@ constexpr double kNudge = 0.05;
 SurvivalGroupLayer SurvivalOf(const VelocityLaw& law) {
   if (const auto* cascade = std::get_if<VelocityCascade>(&law)) {
     for (const VelocityLayer& layer : cascade->layers) {
-      if (const auto* group = std::get_if<SurvivalGroupLayer>(&layer)) return *group;
-      if (const auto* both = std::get_if<SurvivalLayer>(&layer)) return both->group;
+      if (const SurvivalGroupLayer* group = GroupOf(layer)) return *group;
     }
   }
   return {};
@@ -39,14 +44,25 @@ PathEnd EndOf(PathTaskEnd end) {
       return PathEnd::kSurface;
     case PathTaskEnd::kDone:
     case PathTaskEnd::kHold:
+    case PathTaskEnd::kLoiter:
       break;
   }
   return PathEnd::kHold;
 }
 
+/// Returns how fast the vehicle moves over ground in the direction `psi_rad`, not backward.
+double SpeedAlong(double psi_rad, const Fix& fix) {
+  return std::max(0.0, fix.velocity_mps.dot(UnitVector(HeadingFromPsi(psi_rad))));
+}
+
 PathFollowParams ParamsOf(const PathFollowTask& task) {
-  return {.path = {task.points_m},
-          .waypoint_switch = task.waypoint_switch,
+  const JoinedPath joined = PathOf(task);
+  WaypointSwitch waypoint_switch = task.waypoint_switch;
+  waypoint_switch.is_within_leg = joined.has_curves;
+  return {.path = joined.path,
+          .waypoint_switch = waypoint_switch,
+          .approach = task.approach,
+          .depth_rule = task.depth_rule,
           .end = EndOf(task.end),
           .alos = {.lookahead_m = task.lookahead_m, .crab_gain = task.crab_gain},
           .guard_crab = task.guard_crab,
@@ -65,7 +81,9 @@ PathFollowRunner::PathFollowRunner(const PathFollowTask& task, const Fix& start)
     : task_(task), follower_(ParamsOf(task), PositionOf(start)), stopwatch_(start.time_s) {}
 
 Guidance PathFollowRunner::Update(const Fix& fix) {
-  const PathGuidance path = follower_.Update(PositionOf(fix), stopwatch_.Lap(fix.time_s));
+  // While layers steer, the cross-track error does not show the current: ALOS learns nothing.
+  const double dt_s = stopwatch_.Lap(fix.time_s);
+  const PathGuidance path = follower_.Update(PositionOf(fix), keeps_clear_ ? 0 : dt_s);
   const bool ends = task_.end == PathTaskEnd::kDone || task_.end == PathTaskEnd::kSurface;
   Guidance guidance;
   guidance.heading_rad = HeadingFromPsi(path.psi_ref_rad);
@@ -77,47 +95,115 @@ Guidance PathFollowRunner::Update(const Fix& fix) {
   guidance.distance_m = (path.next_m - PositionOf(fix)).norm();
   guidance.cross_track_error_m = -path.y_e_m;
   guidance.z_m = path.z_m;
+  guidance.crab_rad = -path.crab_rad;
+  if (path.slope) guidance.z_rate_mps = *path.slope * SpeedAlong(path.psi_rad, fix);
   if (task_.propeller_rpm > 0 && path.speed_mps > 0) guidance.propeller_rpm = task_.propeller_rpm;
+  if (task_.end == PathTaskEnd::kLoiter && path.done) {
+    const int index = guidance.waypoint_index;  // Of the path's points it passes none again.
+    const int laps_done = guidance.laps_done;
+    guidance = Loiter(path.next_m, fix);
+    guidance.waypoint_index = index;
+    guidance.laps_done = laps_done;
+  }
+  keeps_clear_ = !task_.cascade.layers.empty() && KeepClear(task_, fix, &guidance);
   return guidance;
+}
+
+Guidance PathFollowRunner::Loiter(const Eigen::Vector3d& center_m, const Fix& fix) {
+  if (!loiter_) {
+    const LoiterTask loiter{.center_m = center_m.head<2>(),
+                            .radius_m = task_.loiter_radius_m,
+                            .speed_mps = task_.speed_mps,
+                            .z_m = center_m.z()};
+    loiter_.emplace(loiter, fix);
+  }
+  Guidance guidance = loiter_->Update(fix);
+  if (task_.propeller_rpm > 0) guidance.propeller_rpm = task_.propeller_rpm;
+  return guidance;
+}
+
+void PathFollowRunner::Rejoin(const Fix& fix) {
+  stopwatch_.Lap(fix.time_s);
+  if (loiter_) loiter_->Rejoin(fix);
+}
+
+Guidance SurfaceRunner::Update(const Fix& fix) {
+  if (fix.z_m <= kAtSurface_m) is_up_ = true;
+  if (fix.z_m > kDeep_m) is_up_ = false;
+  Guidance guidance;
+  guidance.heading_rad = heading_rad_;
+  // Fins lift only a vehicle that moves.
+  guidance.speed_mps = is_up_ ? 0 : speed_mps_;
+  guidance.done = is_up_;
+  guidance.waypoint_m = start_m_;
+  guidance.distance_m = (start_m_ - fix.position_m).norm();
+  guidance.z_m = 0;
+  return guidance;
+}
+
+bool TargetEndWatch::Look(const Surroundings& surroundings, double time_s) {
+  if (!surroundings.target || surroundings.target_is_silent) return rests_;
+  const Neighbour& target = *surroundings.target;
+  const double speed_mps = (target.velocity_mps - surroundings.current_mps).norm();
+  const double z_m = target.position_m.z();
+  if (z_m > kDeep_m) was_deep_ = true;
+  const bool changes = rests_ ? z_m > kDeep_m || speed_mps > kTargetLeaves_mps
+                              : was_deep_ && z_m <= kAtSurface_m && speed_mps < kTargetRests_mps;
+  if (!changes) {
+    differs_since_s_.reset();
+    return rests_;
+  }
+  if (!differs_since_s_) differs_since_s_ = time_s;
+  if (time_s - *differs_since_s_ >= kSettle_s) {
+    rests_ = !rests_;
+    differs_since_s_.reset();
+  }
+  return rests_;
 }
 
 TargetTrackRunner::TargetTrackRunner(const TargetTrackTask& task, const Fix& start)
-    : tracker_(task.track, PsiFromHeading(start.heading_rad)),
-      compensate_current_(task.compensate_current),
-      on_silence_(task.on_silence) {}
+    : tracker_(task.track, PsiFromHeading(start.heading_rad)), task_(task) {}
 
 Guidance TargetTrackRunner::Update(const Fix& fix) {
-  const bool waits = on_silence_ != SilenceRule::kPredict && fix.surroundings != nullptr &&
-                     fix.surroundings->target_is_silent;
-  if (waits) return WaitFor(fix);
-  silence_.reset();
+  if (const std::optional<Wait> wait = WaitAt(fix)) return WaitFor(*wait, fix);
+  wait_.reset();
   return Follow(fix);
 }
 
-Guidance TargetTrackRunner::WaitFor(const Fix& fix) {
-  if (!silence_) {
-    silence_ = Silence{.heading_rad = fix.heading_rad,
-                       .z_m = fix.z_m,
-                       .keeper = StationKeepRunner(StationKeepTask{}, fix)};
+std::optional<TargetTrackRunner::Wait> TargetTrackRunner::WaitAt(const Fix& fix) {
+  if (fix.surroundings == nullptr) return std::nullopt;
+  const bool target_rests = end_watch_.Look(*fix.surroundings, fix.time_s);
+  if (fix.surroundings->target_is_silent && task_.on_silence != SilenceRule::kPredict) {
+    return task_.on_silence == SilenceRule::kSurface ? Wait::kSurface : Wait::kHold;
   }
-  Guidance guidance = silence_->keeper.Update(fix);
-  guidance.z_m = silence_->z_m;
-  if (on_silence_ == SilenceRule::kStationKeep) {
-    AvoidOthers(*fix.surroundings, &guidance);
-    return guidance;
+  if (!target_rests || task_.on_target_end == TargetEndRule::kGoOn) return std::nullopt;
+  return task_.on_target_end == TargetEndRule::kSurface ? Wait::kSurface : Wait::kHold;
+}
+
+Guidance TargetTrackRunner::WaitFor(Wait wait, const Fix& fix) {
+  const bool holds = wait == Wait::kHold;
+  if (!wait_ || std::holds_alternative<StationKeepRunner>(*wait_) != holds) {
+    if (holds) {
+      wait_ = StationKeepRunner(HoldHere(task_.hold_radius_m, fix.z_m), fix);
+    } else {
+      wait_ = SurfaceRunner(SurfaceTask{}, fix);
+    }
   }
-  // Fins lift only a vehicle that moves: it rises on its course, and drifts once it is up.
-  guidance.z_m = 0;
-  guidance.heading_rad = silence_->heading_rad;
-  guidance.speed_mps = fix.z_m > kAtSurface_m ? kRise_mps : 0;
+  Guidance guidance = std::visit([&](auto& runner) { return runner.Update(fix); }, *wait_);
+  guidance.done = task_.on_target_end == TargetEndRule::kDone && end_watch_.target_rests();
+  AvoidOthers(*fix.surroundings, &guidance);
   return guidance;
 }
 
-// Keeps clear of the members that still report: the positions of silent ones are unknown.
+// Keeps clear of the target and the members that still report: the positions of silent ones are
+// unknown.
 void TargetTrackRunner::AvoidOthers(const Surroundings& surroundings, Guidance* guidance) const {
   std::vector<Neighbour> reporting;
   std::copy_if(surroundings.group.begin(), surroundings.group.end(), std::back_inserter(reporting),
                [](const Neighbour& neighbour) { return !neighbour.is_silent; });
+  if (surroundings.target && !surroundings.target_is_silent) {
+    reporting.push_back(*surroundings.target);
+  }
   Surroundings near = surroundings;
   near.group = reporting;
   const double u_max_mps = tracker_.params().u_max_mps;
@@ -133,7 +219,7 @@ Guidance TargetTrackRunner::Follow(const Fix& fix) {
   guidance.heading_rad = fix.heading_rad;
   if (fix.surroundings == nullptr || !fix.surroundings->target) return guidance;
   TrackCommand command = tracker_.Update(*fix.surroundings);
-  if (compensate_current_) {
+  if (task_.compensate_current) {
     command = CommandOf(command.velocity_mps - fix.surroundings->current_mps, command.psi_d_rad,
                         tracker_.params().max_pitch_rad);
   }
@@ -143,6 +229,8 @@ Guidance TargetTrackRunner::Follow(const Fix& fix) {
   guidance.pitch_rad = command.theta_d_rad;
   guidance.waypoint_m = target_m.head<2>();
   guidance.distance_m = (target_m - PositionOf(fix)).norm();
+  guidance.layers = tracker_.shares();
+  if (!guidance.layers.empty()) guidance.u_max_mps = tracker_.params().u_max_mps;
   return guidance;
 }
 

@@ -63,11 +63,11 @@ TEST(PathFollowRunner, SteersAlongTheLegInTheFrameOfHeadings) {
 }
 
 TEST(PathFollowRunner, CountsTheCrossTrackErrorToStarboard) {
-  TaskRunner east(TwoLegs(), At({7, 50, 15}, 0));
+  TaskRunner east(TwoLegs(), At({0, 0, 10}, 0));
   const Guidance to_starboard = east.Update(At({7, 50, 15}, 1));
   EXPECT_NEAR(to_starboard.cross_track_error_m, 7, 1e-9) << "East of a leg to the North";
   EXPECT_GT(to_starboard.heading_rad, kPi) << "back to port";
-  TaskRunner west(TwoLegs(), At({-7, 50, 15}, 0));
+  TaskRunner west(TwoLegs(), At({0, 0, 10}, 0));
   const Guidance to_port = west.Update(At({-7, 50, 15}, 1));
   EXPECT_NEAR(to_port.cross_track_error_m, -7, 1e-9);
   EXPECT_LT(to_port.heading_rad, kPi / 2);
@@ -286,6 +286,100 @@ TEST(TargetTrackRunner, ComesUpOnItsHeadingWhileTheTargetIsSilentIfSetSo) {
   EXPECT_GT(rising.speed_mps, 1);
   EXPECT_NEAR(RadToDeg(rising.heading_rad), 70, 1e-9);
   EXPECT_EQ(follower.Update(true, {60, 20, 0.3}).speed_mps, 0) << "it is up";
+}
+
+/// A follower whose target comes up and leaves again; the water moves East at 0.4 m/s.
+class TargetThatComesUp {
+ public:
+  explicit TargetThatComesUp(TargetEndRule rule) : runner_(WithRule(rule), At({0, 0, 20}, 0, 70)) {
+    seen.own.position_m = {0, 0, 20};
+    seen.current_mps = {0.4, 0, 0};
+  }
+
+  Guidance Update(double target_z_m, double target_mps, double for_s = 11) {
+    seen.target = Neighbour{
+        .id = 1, .position_m = {-400, 0, target_z_m}, .velocity_mps = {0.4 + target_mps, 0, 0}};
+    Guidance guidance;
+    for (int i = 0; i < static_cast<int>(for_s); ++i) {
+      Fix fix = At(seen.own.position_m, ++time_s_, 70);
+      fix.surroundings = &seen;
+      guidance = runner_.Update(fix);
+    }
+    return guidance;
+  }
+
+  Surroundings seen;
+
+ private:
+  static TargetTrackTask WithRule(TargetEndRule rule) {
+    TargetTrackTask task = Following();
+    task.on_target_end = rule;
+    return task;
+  }
+
+  TaskRunner runner_;
+  double time_s_ = 0;
+};
+
+TEST(TargetTrackRunner, ComesUpAndDriftsWhenItsTargetRestsAtTheSurface) {
+  TargetThatComesUp follower(TargetEndRule::kSurface);
+  EXPECT_TRUE(follower.Update(20, 1.5).pitch_rad.has_value());
+  EXPECT_TRUE(follower.Update(0.2, 1.5).pitch_rad.has_value()) << "it is up, but under way";
+  EXPECT_TRUE(follower.Update(0.2, 0.1, 5).pitch_rad.has_value()) << "for no more than 5 s";
+  const Guidance rising = follower.Update(0.2, 0.1);
+  EXPECT_EQ(rising.z_m, 0);
+  EXPECT_GT(rising.speed_mps, 1);
+  EXPECT_FALSE(rising.done);
+  follower.seen.own.position_m.z() = 0.3;
+  EXPECT_EQ(follower.Update(0.2, 0.1).speed_mps, 0);
+  EXPECT_EQ(follower.Update(0.2, 0.4).speed_mps, 0) << "still slow";
+  EXPECT_TRUE(follower.Update(0.2, 1.5).pitch_rad.has_value()) << "it has left";
+}
+
+TEST(TargetTrackRunner, FollowsATargetThatWasNeverUnderWater) {
+  TargetThatComesUp follower(TargetEndRule::kSurface);
+  EXPECT_TRUE(follower.Update(0, 0, 60).pitch_rad.has_value());
+}
+
+TEST(TargetTrackRunner, KeepsClearOfTargetAndGroupWhileItIsAtTheSurface) {
+  TargetThatComesUp follower(TargetEndRule::kSurface);
+  follower.Update(20, 1.5);
+  follower.seen.own.position_m = {-400, 15, 0.3};
+  const Guidance from_target = follower.Update(0.2, 0.1);
+  EXPECT_GT(from_target.speed_mps, 0.5);
+  EXPECT_NEAR(RadToDeg(from_target.heading_rad), 0, 1) << "the target is South of it";
+  follower.seen.own.position_m = {-400, 100, 0.3};
+  EXPECT_EQ(follower.Update(0.2, 0.1).speed_mps, 0);
+}
+
+TEST(TargetTrackRunner, DoesOtherwiseWhenItsTargetRestsIfSetSo) {
+  TargetThatComesUp holds(TargetEndRule::kHold);
+  holds.Update(20, 1.5);
+  const Guidance there = holds.Update(0.2, 0.1);
+  EXPECT_EQ(there.z_m, 20);
+  EXPECT_EQ(there.speed_mps, 0);
+  TargetThatComesUp goes_on(TargetEndRule::kGoOn);
+  goes_on.Update(20, 1.5);
+  EXPECT_TRUE(goes_on.Update(0.2, 0.1).pitch_rad.has_value());
+  TargetThatComesUp is_done(TargetEndRule::kDone);
+  EXPECT_FALSE(is_done.Update(20, 1.5).done);
+  EXPECT_TRUE(is_done.Update(0.2, 0.1).done);
+}
+
+TEST(PathFollowRunner, CirclesItsLastPointAtItsDepthIfAsked) {
+  PathFollowTask task = TwoLegs(PathTaskEnd::kLoiter);
+  task.loiter_radius_m = 30;
+  task.propeller_rpm = 900;
+  Follower follower(task, {0, 0, 10});
+  follower.Run(300);
+  EXPECT_FALSE(follower.guidance.done);
+  EXPECT_EQ(follower.guidance.laps_done, 1);
+  EXPECT_EQ(follower.guidance.z_m, task.points_m.back().z());
+  EXPECT_EQ(follower.guidance.propeller_rpm, 900);
+  for (int i = 0; i < 100; ++i) {
+    follower.Step();
+    EXPECT_NEAR((follower.position_m - task.points_m.back()).head<2>().norm(), 30, 8);
+  }
 }
 
 RC_GTEST_PROP(AuvTaskRunners, ReturnFiniteNumbersWhereverTheyAre, ()) {

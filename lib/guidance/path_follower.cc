@@ -9,9 +9,18 @@
 
 namespace shoal {
 
+namespace {
+
+/// As far as this the lead of a depth looks, on curves of short legs.
+constexpr int kMostLegsOfLead = 8;
+
+}  // namespace
+
 PathFollower::PathFollower(PathFollowParams params, const Eigen::Vector3d& position_m)
-    : params_(std::move(params)), progress_{.start_m = Plausible(position_m)}, alos_(params_.alos) {
-  SHOAL_CHECK(!params_.path.points_m.empty(), "a path has at least one waypoint");
+    : params_(std::move(params)),
+      progress_(BeginPath(params_.path, position_m, params_.waypoint_switch.acceptance_radius_m)),
+      alos_(params_.alos) {
+  progress_.approaches = progress_.approaches && params_.approach;
 }
 
 PathGuidance PathFollower::Update(const Eigen::Vector3d& position_m, double dt_s) {
@@ -21,11 +30,14 @@ PathGuidance PathFollower::Update(const Eigen::Vector3d& position_m, double dt_s
   PathGuidance guidance{.z_m = leg.to_m.z(),
                         .speed_mps = params_.speed_mps,
                         .next_m = leg.to_m,
+                        .psi_rad = leg.psi_rad,
                         .y_e_m = ErrorsOn(leg, position_m).y_e_m,
                         .next = progress_.ended || !is_closing ? progress_.previous + 1 : 0,
                         .laps_done = progress_.laps_done,
                         .done = progress_.ended};
   if (size == 1) guidance.next = progress_.ended ? 1 : 0;
+  if (progress_.approaches) guidance.next = 0;
+  if (params_.depth_rule == DepthRule::kSlope) Glide(leg, position_m, &guidance);
 
   const bool holds = params_.end == PathEnd::kHold || params_.end == PathEnd::kReturnToFirst;
   if (progress_.ended && holds) {
@@ -37,7 +49,9 @@ PathGuidance PathFollower::Update(const Eigen::Vector3d& position_m, double dt_s
   guidance.crab_rad = params_.guard_crab ? alos_.crab_rad() : bare_crab_rad_;
   if (progress_.ended && params_.end == PathEnd::kSurface) Surface(position_m, &guidance);
 
+  const PathProgress before = progress_;
   progress_ = Advance(params_.path, params_.waypoint_switch, params_.end, progress_, position_m);
+  if (progress_ != before) leg_before_ = leg;
   if (params_.turn_crab) {
     const PathLeg after = CurrentLeg(params_.path, params_.end, progress_, position_m);
     const double turn_rad = WrapPi(after.psi_rad - leg.psi_rad);
@@ -54,6 +68,23 @@ double PathFollower::Steer(const PathLeg& leg, double y_e_m, double dt_s) {
   const AlosStep step = StepAlos(params_.alos, leg.psi_rad, y_e_m, bare_crab_rad_, dt_s);
   bare_crab_rad_ = step.crab_rad;
   return step.heading_rad;
+}
+
+// A waypoint is left up to R before it is abeam, where its leg still has a way to glide.
+void PathFollower::Glide(const PathLeg& leg, const Eigen::Vector3d& position_m,
+                         PathGuidance* guidance) const {
+  const bool is_on_leg_before = leg_before_ && ErrorsOn(leg, position_m).x_e_m < 0 &&
+                                ErrorsOn(*leg_before_, position_m).x_e_m < leg_before_->length_m;
+  PathLeg abeam = is_on_leg_before ? *leg_before_ : leg;
+  guidance->z_m = DepthOn(abeam, position_m);
+  double x_m = ErrorsOn(abeam, position_m).x_e_m + params_.depth_lead_s * params_.speed_mps;
+  PathProgress progress = progress_;
+  for (int i = 0; i < kMostLegsOfLead && x_m > abeam.length_m && !progress.ended; ++i) {
+    x_m -= abeam.length_m;
+    if (i > 0 || !is_on_leg_before) progress = NextLeg(params_.path, params_.end, progress);
+    abeam = CurrentLeg(params_.path, params_.end, progress, position_m);
+  }
+  guidance->slope = x_m < 0 || x_m > abeam.length_m ? 0 : SlopeOf(abeam);
 }
 
 void PathFollower::Hold(const Eigen::Vector3d& position_m, PathGuidance* guidance) {

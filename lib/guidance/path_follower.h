@@ -8,6 +8,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 
 #include "lib/guidance/alos.h"
 #include "lib/guidance/path_progress.h"
@@ -18,6 +19,11 @@ namespace shoal {
 struct PathFollowParams {
   WaypointPath path = {};  ///< At least one waypoint.
   WaypointSwitch waypoint_switch = {};
+  bool approach = true;  ///< BeginPath; false: on the line of the first leg at once, MuNet's.
+  DepthRule depth_rule = DepthRule::kNext;
+  /// kSlope: a vehicle needs this long for a new pitch; >= 0. Of 0, 1, 2 and 3 s, those beside this
+  /// one let a Remus 100 miss the turning points of a yo-yo least.
+  double depth_lead_s = 1.5;
   PathEnd end = PathEnd::kGoOn;
   AlosParams alos{.lookahead_m = 10, .crab_gain = 0.0006};
   bool guard_crab = true;        ///< The guards of Alos; false: the bare law, MuNet's.
@@ -30,9 +36,13 @@ struct PathFollowParams {
 /// What path following asks for, and how far it has come.
 struct PathGuidance {
   double psi_ref_rad = 0;  ///< In (-pi, pi].
-  double z_m = 0;          ///< Depth of the waypoint steered for, unfiltered.
+  double z_m = 0;          ///< By the depth rule, unfiltered.
+  /// kSlope: how much the path descends per horizontal metre where the vehicle is depth_lead_s from
+  /// now.
+  std::optional<double> slope = {};
   double speed_mps = 0;
   Eigen::Vector3d next_m = Eigen::Vector3d::Zero();  ///< The waypoint steered for.
+  double psi_rad = 0;                                ///< Of the leg.
   double y_e_m = 0;     ///< Cross-track error, positive toward growing psi.
   double crab_rad = 0;  ///< beta_hat.
   size_t next = 0;      ///< Its index; past the end the number of waypoints.
@@ -54,11 +64,13 @@ class PathFollower {
 
  private:
   double Steer(const PathLeg& leg, double y_e_m, double dt_s);
+  void Glide(const PathLeg& leg, const Eigen::Vector3d& position_m, PathGuidance* guidance) const;
   void Hold(const Eigen::Vector3d& position_m, PathGuidance* guidance);
   void Surface(const Eigen::Vector3d& position_m, PathGuidance* guidance);
 
   PathFollowParams params_;
   PathProgress progress_;
+  std::optional<PathLeg> leg_before_;  ///< Until its end is abeam, where it was left before.
   Alos alos_;
   double bare_crab_rad_ = 0;  ///< Without the guards.
   double held_psi_rad_ = 0;   ///< The last course steered: kept while it stands.

@@ -80,6 +80,37 @@ TEST(PathFollower, PassesTheWaypointsOfASquareInTurn) {
   EXPECT_TRUE(last.done);
 }
 
+TEST(PathFollower, GlidesDownASlopeToTheWaypointAndThenUp) {
+  const WaypointPath vee{{{0, 0, 10}, {100, 0, 30}, {200, 0, 10}}};
+  PathFollower follower({.path = vee, .depth_rule = DepthRule::kSlope, .depth_lead_s = 5},
+                        {0, 0, 10});
+  const auto at = [&](double x_m) { return follower.Update({x_m, 0, 10}, kStep_s); };
+  EXPECT_DOUBLE_EQ(at(50).z_m, 20);
+  EXPECT_DOUBLE_EQ(*at(50).slope, 0.2);
+  EXPECT_DOUBLE_EQ(*at(89).slope, 0.2);
+  EXPECT_DOUBLE_EQ(*at(91).slope, -0.2) << "five seconds from here";
+  const PathGuidance left_early = at(95);
+  EXPECT_EQ(left_early.next, 2U) << "within R of the waypoint";
+  EXPECT_DOUBLE_EQ(left_early.z_m, 29) << "the leg before glides on to it";
+  EXPECT_DOUBLE_EQ(at(150).z_m, 20);
+  EXPECT_EQ(*at(195).slope, 0) << "level past the end";
+}
+
+TEST(PathFollower, KnowsNoSlopeWithTheDepthOfTheNextWaypoint) {
+  PathFollower follower({.path = kSquare}, {0, 0, 10});
+  EXPECT_FALSE(follower.Update({50, 0, 10}, kStep_s).slope.has_value());
+}
+
+TEST(PathFollower, FliesToItsFirstWaypointUnlessItIsNotToApproach) {
+  PathFollower follower({.path = kSquare}, {0, -300, 10});
+  const PathGuidance guidance = follower.Update({0, -300, 10}, kStep_s);
+  EXPECT_EQ(guidance.next, 0U);
+  EXPECT_NEAR(guidance.psi_ref_rad, kPi / 2, 1e-9);
+  EXPECT_EQ(guidance.z_m, kSquare.points_m[0].z());
+  PathFollower munet({.path = kSquare, .approach = false}, {0, -300, 10});
+  EXPECT_EQ(munet.Update({0, -300, 10}, kStep_s).next, 1U);
+}
+
 TEST(PathFollower, GoesOnOnTheLastCourseAndDepth) {
   PathFollower follower({.path = kSquare, .end = PathEnd::kGoOn}, {0, 0, 10});
   KinematicVehicle vehicle{.position_m = {0, 0, 10}};

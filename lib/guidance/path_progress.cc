@@ -30,7 +30,23 @@ double PsiOf(const WaypointPath& path, const PathProgress& progress, size_t inde
   return 0;
 }
 
+PathLeg LegBetween(const Eigen::Vector3d& from_m, const Eigen::Vector3d& to_m, double psi_rad) {
+  return {.from_m = from_m,
+          .to_m = to_m,
+          .psi_rad = psi_rad,
+          .length_m = (to_m - from_m).head<2>().norm()};
+}
+
 }  // namespace
+
+PathProgress BeginPath(const WaypointPath& path, const Eigen::Vector3d& position_m,
+                       double acceptance_radius_m) {
+  SHOAL_CHECK(!path.points_m.empty(), "a path has at least one waypoint");
+  const Eigen::Vector3d start_m = Plausible(position_m);
+  const double distance_m = (Plausible(path.points_m.front()) - start_m).head<2>().norm();
+  return {.start_m = start_m,
+          .approaches = path.points_m.size() > 1 && distance_m > acceptance_radius_m};
+}
 
 PathLeg CurrentLeg(const WaypointPath& path, PathEnd end, const PathProgress& progress,
                    const Eigen::Vector3d& position_m) {
@@ -38,15 +54,17 @@ PathLeg CurrentLeg(const WaypointPath& path, PathEnd end, const PathProgress& pr
   SHOAL_CHECK(size > 0, "a path has at least one waypoint");
   SHOAL_CHECK(progress.previous < size, "progress.previous is a waypoint of this path");
   const bool closes = end == PathEnd::kReturnToFirst && size > 1;
+  if (progress.approaches) {
+    const Eigen::Vector3d to_m = Plausible(path.points_m.front());
+    const Eigen::Vector3d way_m = to_m - Plausible(progress.start_m);
+    return LegBetween(Plausible(progress.start_m), to_m, std::atan2(way_m.y(), way_m.x()));
+  }
   if (!progress.ended) {
     SHOAL_CHECK(closes || size == 1 || progress.previous + 1 < size,
                 "the current leg has a next waypoint");
-    PathLeg leg{
-        .from_m = Plausible(size == 1 ? progress.start_m : path.points_m[progress.previous]),
-        .to_m = Plausible(path.points_m[(progress.previous + 1) % size]),
-        .psi_rad = PsiOf(path, progress, progress.previous)};
-    leg.length_m = (leg.to_m - leg.from_m).head<2>().norm();
-    return leg;
+    return LegBetween(Plausible(size == 1 ? progress.start_m : path.points_m[progress.previous]),
+                      Plausible(path.points_m[(progress.previous + 1) % size]),
+                      PsiOf(path, progress, progress.previous));
   }
   PathLeg leg{.from_m = Plausible(path.points_m.back()),
               .psi_rad = PsiOf(path, progress, size > 1 ? size - 2 : 0)};
@@ -64,27 +82,44 @@ TrackErrors ErrorsOn(const PathLeg& leg, const Eigen::Vector3d& position_m) {
           .y_e_m = -offset_m.x() * sin_psi + offset_m.y() * cos_psi};
 }
 
+double DepthOn(const PathLeg& leg, const Eigen::Vector3d& position_m) {
+  if (leg.length_m <= 0) return leg.to_m.z();
+  const double part = std::clamp(ErrorsOn(leg, position_m).x_e_m / leg.length_m, 0.0, 1.0);
+  return leg.from_m.z() + part * (leg.to_m.z() - leg.from_m.z());
+}
+
+double SlopeOf(const PathLeg& leg) {
+  return leg.length_m > 0 ? (leg.to_m.z() - leg.from_m.z()) / leg.length_m : 0;
+}
+
 bool IsReached(const WaypointSwitch& rule, const PathLeg& leg, const Eigen::Vector3d& position_m) {
-  const double radius_m = rule.acceptance_radius_m;
-  const double left_m = leg.length_m - ErrorsOn(leg, position_m).x_e_m;
+  const bool is_curve = rule.is_within_leg && leg.length_m > 0 && rule.rule != SwitchRule::kCircle;
+  const double radius_m =
+      is_curve ? std::min(rule.acceptance_radius_m, leg.length_m / 2) : rule.acceptance_radius_m;
+  const TrackErrors errors = ErrorsOn(leg, position_m);
+  const double left_m = leg.length_m - errors.x_e_m;
+  const bool passed = left_m <= 0 && std::abs(errors.y_e_m) <= rule.passed_line_within_m;
   const double distance_m = (Plausible(leg.to_m) - Plausible(position_m)).head<2>().norm();
   switch (rule.rule) {
     case SwitchRule::kCircleOrPassedLine:
-      return distance_m <= radius_m || left_m <= 0;
+      return distance_m <= radius_m || passed;
     case SwitchRule::kCircle:
       return distance_m <= radius_m;
     case SwitchRule::kPassedLine:
-      return left_m <= 0;
+      return passed;
     case SwitchRule::kAlongTrack:
       return left_m < radius_m;
   }
   SHOAL_CHECK(false, "every switch rule is handled");
 }
 
-PathProgress Advance(const WaypointPath& path, const WaypointSwitch& rule, PathEnd end,
-                     PathProgress progress, const Eigen::Vector3d& position_m) {
+PathProgress NextLeg(const WaypointPath& path, PathEnd end, PathProgress progress) {
+  SHOAL_CHECK(!path.points_m.empty(), "a path has at least one waypoint");
   if (progress.ended) return progress;
-  if (!IsReached(rule, CurrentLeg(path, end, progress, position_m), position_m)) return progress;
+  if (progress.approaches) {
+    progress.approaches = false;
+    return progress;
+  }
   const size_t size = path.points_m.size();
   const bool closes = end == PathEnd::kReturnToFirst && size > 1;
   if (closes) {
@@ -95,6 +130,13 @@ PathProgress Advance(const WaypointPath& path, const WaypointSwitch& rule, PathE
     progress.ended = progress.previous == size - 1;
   }
   return progress;
+}
+
+PathProgress Advance(const WaypointPath& path, const WaypointSwitch& rule, PathEnd end,
+                     PathProgress progress, const Eigen::Vector3d& position_m) {
+  if (progress.ended) return progress;
+  if (!IsReached(rule, CurrentLeg(path, end, progress, position_m), position_m)) return progress;
+  return NextLeg(path, end, progress);
 }
 
 }  // namespace shoal

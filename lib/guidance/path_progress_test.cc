@@ -30,6 +30,47 @@ TEST(WaypointSwitch, HappensPastTheLineThroughTheWaypoint) {
   EXPECT_TRUE(IsReached(kDefault, FirstLeg(), {100.1, 40, 20}));
 }
 
+TEST(WaypointSwitch, HappensPastTheLineOnlyNearTheLeg) {
+  EXPECT_TRUE(IsReached(kDefault, FirstLeg(), {101, 49.9, 20}));
+  EXPECT_FALSE(IsReached(kDefault, FirstLeg(), {101, 50.1, 20}));
+  EXPECT_FALSE(IsReached({.rule = SwitchRule::kPassedLine, .passed_line_within_m = 5}, FirstLeg(),
+                         {101, -5.1, 20}));
+  EXPECT_TRUE(IsReached({.rule = SwitchRule::kAlongTrack}, FirstLeg(), {101, 300, 20}));
+}
+
+TEST(WaypointSwitch, HappensAtHalfOfAShortLegOfACurve) {
+  const PathLeg chord{.from_m = {0, 0, 0}, .to_m = {8, 0, 0}, .length_m = 8};
+  const WaypointSwitch curve{.is_within_leg = true};
+  EXPECT_FALSE(IsReached(curve, chord, {3.9, 0, 0}));
+  EXPECT_TRUE(IsReached(curve, chord, {4.1, 0, 0}));
+  EXPECT_TRUE(IsReached(kDefault, chord, {0, 0, 0}));
+  EXPECT_TRUE(IsReached({.rule = SwitchRule::kCircle, .is_within_leg = true}, chord, {0, 0, 0}));
+}
+
+TEST(PathProgress, BeginsWithAnApproachWhereTheFirstWaypointIsFar) {
+  PathProgress progress = BeginPath(kPath, {0, -40, 5}, 10);
+  EXPECT_TRUE(progress.approaches);
+  const PathLeg approach = CurrentLeg(kPath, PathEnd::kGoOn, progress, {0, -40, 5});
+  EXPECT_EQ(approach.from_m, Eigen::Vector3d(0, -40, 5));
+  EXPECT_EQ(approach.to_m, kPath.points_m[0]);
+  EXPECT_NEAR(approach.psi_rad, kPi / 2, 1e-15);
+  progress = Advance(kPath, kDefault, PathEnd::kGoOn, progress, {0, -11, 5});
+  EXPECT_TRUE(progress.approaches);
+  progress = Advance(kPath, kDefault, PathEnd::kGoOn, progress, {0, -9, 5});
+  EXPECT_FALSE(progress.approaches);
+  EXPECT_EQ(progress.previous, 0U);
+  EXPECT_FALSE(BeginPath(kPath, {0, -9, 99}, 10).approaches) << "depth does not count";
+}
+
+TEST(PathLeg, HasADepthAbeamOfTheVehicleAndASlope) {
+  EXPECT_EQ(DepthOn(FirstLeg(), {50, 30, 99}), 15);
+  EXPECT_EQ(DepthOn(FirstLeg(), {-20, 0, 0}), 10);
+  EXPECT_EQ(DepthOn(FirstLeg(), {120, 0, 0}), 20);
+  EXPECT_DOUBLE_EQ(SlopeOf(FirstLeg()), 0.1);
+  EXPECT_EQ(SlopeOf({.from_m = {0, 0, 5}, .to_m = {0, 0, 9}}), 0);
+  EXPECT_EQ(DepthOn({.from_m = {0, 0, 5}, .to_m = {0, 0, 9}}, {3, 0, 0}), 9);
+}
+
 TEST(WaypointSwitch, KeepsToTheOneCriterionThatARuleNames) {
   const auto reached = [](SwitchRule rule, const Eigen::Vector3d& position_m) {
     return IsReached({.rule = rule, .acceptance_radius_m = 10}, FirstLeg(), position_m);

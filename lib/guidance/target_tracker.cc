@@ -28,9 +28,12 @@ TargetTracker::TargetTracker(TargetTrackParams params, double psi_rad)
     : params_(std::move(params)), psi_d_rad_(WrapPi(Plausible(psi_rad))) {}
 
 TrackCommand TargetTracker::Update(const Surroundings& surroundings) {
-  const Eigen::Vector3d wanted_mps = std::visit(
-      [&](const auto& law) { return DesiredVelocity(law, params_.u_max_mps, surroundings); },
-      params_.law);
+  shares_.clear();
+  const auto* cascade = std::get_if<VelocityCascade>(&params_.law);
+  const Eigen::Vector3d wanted_mps =
+      cascade != nullptr ? DesiredVelocity(*cascade, params_.u_max_mps, surroundings, &shares_)
+                         : DesiredVelocity(std::get<ConstantBearingLaw>(params_.law),
+                                           params_.u_max_mps, surroundings);
   const Eigen::Vector3d limited_mps =
       ApplyDepthSafety(params_.depth, surroundings.seabed_z_m, surroundings.own.position_m.z(),
                        surroundings.own.velocity_mps.z(), wanted_mps);

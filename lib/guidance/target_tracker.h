@@ -10,6 +10,7 @@
 
 #include <Eigen/Core>
 #include <variant>
+#include <vector>
 
 #include "lib/geometry/angles.h"
 #include "lib/guidance/constant_bearing.h"
@@ -61,9 +62,12 @@ class TargetTracker {
   TrackCommand Update(const Surroundings& surroundings);
 
   const TargetTrackParams& params() const { return params_; }
+  /// Returns what the layers of the cascade wanted in the last Update; nothing of another law.
+  const std::vector<LayerShare>& shares() const { return shares_; }
 
  private:
   TargetTrackParams params_;
+  std::vector<LayerShare> shares_;
   double psi_d_rad_;
 };
 

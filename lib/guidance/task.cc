@@ -37,17 +37,25 @@ TaskFacts FactsOfKind(const ReturnTask& task) {
 
 TaskFacts FactsOfKind(const PathFollowTask& task) {
   const bool repeats = task.end == PathTaskEnd::kReturnToFirst;
+  const JoinedPath path = PathOf(task);
   TaskFacts facts{.is_underwater = true,
                   .ends = task.end == PathTaskEnd::kDone || task.end == PathTaskEnd::kSurface,
-                  .outline = {.closed = repeats}};
+                  .outline = {.closed = repeats, .marks_points = !path.has_curves}};
   if (!repeats) facts.most_laps = 1;
-  for (const Eigen::Vector3d& point_m : task.points_m) {
+  for (const Eigen::Vector3d& point_m : path.path.points_m) {
     facts.outline.points_m.emplace_back(point_m.head<2>());
   }
   return facts;
 }
 
-TaskFacts FactsOfKind(const TargetTrackTask&) { return {.is_underwater = true, .most_laps = 0}; }
+TaskFacts FactsOfKind(const TargetTrackTask& task) {
+  return {
+      .is_underwater = true, .ends = task.on_target_end == TargetEndRule::kDone, .most_laps = 0};
+}
+
+TaskFacts FactsOfKind(const SurfaceTask&) {
+  return {.is_underwater = true, .ends = true, .most_laps = 0};
+}
 
 TaskFacts FactsOfKind(const SurfaceForFixTask&) {
   return {.is_underwater = true, .ends = true, .most_laps = 0};
@@ -82,6 +90,16 @@ std::vector<Task> OneTaskOfEachKind() {
   return TasksAt(std::make_index_sequence<std::variant_size_v<decltype(Task::what)>>());
 }
 
+StationKeepTask HoldHere(double radius_m, std::optional<double> z_m) {
+  StationKeepTask keep;
+  keep.inner_radius_m = 0.4 * radius_m;
+  keep.outer_radius_m = radius_m;
+  keep.speed_mps = 1.5;  // The fins hold it, and it makes way against a current.
+  keep.stops_first = true;
+  keep.z_m = z_m;
+  return keep;
+}
+
 std::vector<Eigen::Vector2d> CornersOf(const LoiterTask& task) {
   std::vector<Eigen::Vector2d> corners_m;
   const int num_points = std::max(task.num_points, 3);
@@ -91,6 +109,13 @@ std::vector<Eigen::Vector2d> CornersOf(const LoiterTask& task) {
     corners_m.push_back(task.center_m + task.radius_m * UnitVector(i * step_rad));
   }
   return corners_m;
+}
+
+JoinedPath PathOf(const PathFollowTask& task) {
+  JoinedPath joined =
+      task.parts.empty() ? JoinedPath{.path = {task.points_m}} : Join(task.parts, task.start);
+  if (task.turn_radius_m > 0) joined = RoundCorners(joined, task.turn_radius_m);
+  return joined;
 }
 
 std::vector<Eigen::Vector2d> PointsOf(const SurveyTask& task) {

@@ -11,6 +11,7 @@
 #include <variant>
 #include <vector>
 
+#include "lib/guidance/path_parts.h"
 #include "lib/guidance/path_progress.h"
 #include "lib/guidance/survey_lanes.h"
 #include "lib/guidance/target_tracker.h"
@@ -52,12 +53,15 @@ struct LoiterTask {
   CaptureRule capture = {};
   double lookahead_m = 15;
   double crab_gain = 0.005;
-  double duration_s = 0;  ///< Then the task is done, the way there included; 0: for ever.
+  double duration_s = 0;           ///< Then the task is done, the way there included; 0: for ever.
+  std::optional<double> z_m = {};  ///< Depth to take; absent: the task knows of none.
 
   bool operator==(const LoiterTask&) const = default;
 };
 
-/// Stays near a point: drifts inside the inner radius, returns when outside the outer.
+/// Stays near a point: drifts inside the inner radius, returns when outside the outer. A vehicle
+/// needs room to come about: one that turns in a circle goes beyond the outer radius by about the
+/// circle's diameter.
 struct StationKeepTask {
   static constexpr std::string_view kKind = "station_keep";
 
@@ -66,6 +70,9 @@ struct StationKeepTask {
   double inner_radius_m = 4;
   double outer_radius_m = 10;  ///< > inner_radius_m.
   double speed_mps = 1.0;
+  bool stops_first = false;  ///< `here` is where it has come to rest.
+  /// Depth to keep: from 3 m away it swims back to it. Absent: the task knows of none.
+  std::optional<double> z_m = {};
 
   bool operator==(const StationKeepTask&) const = default;
 };
@@ -105,37 +112,20 @@ struct SurfaceForFixTask {
 
   int fixes = 10;        ///< It waits for so many, then the task is done; > 0 ...
   double limit_s = 300;  ///< ... or when this is over since it began; > 0.
-  double speed_mps = 1;  ///< > 0: fins need it.
+  double speed_mps = 2;  ///< > 0: fins need it.
   double radius_m = 20;  ///< Of the circle that it goes at the surface; > 0.
 
   bool operator==(const SurfaceForFixTask&) const = default;
 };
 
-/// What comes after the last point of a path_follow task.
-enum class PathTaskEnd {
-  kDone,           ///< The task is done; the next of the list follows.
-  kGoOn,           ///< Keeps course and depth, for ever.
-  kHold,           ///< Stops there, and comes back when it has drifted away; for ever.
-  kReturnToFirst,  ///< Follows the path again, for ever.
-  kSurface,        ///< Comes up on the last leg's course; done at the surface.
-};
+/// Comes up on the heading that it has, and drifts at the surface with its propeller off; for
+/// underwater vehicles. Done at the surface.
+struct SurfaceTask {
+  static constexpr std::string_view kKind = "surface";
 
-/// Follows the legs between points in three dimensions; for underwater vehicles.
-struct PathFollowTask {
-  static constexpr std::string_view kKind = "path_follow";
+  double speed_mps = 1.5;
 
-  std::vector<Eigen::Vector3d> points_m;  ///< x East, y North, z down; at least one.
-  double speed_mps = 2;
-  double propeller_rpm = 0;  ///< More than 0: this, instead of what speed_mps takes.
-  WaypointSwitch waypoint_switch = {};
-  PathTaskEnd end = PathTaskEnd::kDone;
-  double lookahead_m = 10;    ///< ALOS look-ahead distance; > 0.
-  double crab_gain = 0.0006;  ///< ALOS adaptation gain gamma; 0: plain LOS.
-  bool guard_crab = true;     ///< PathFollowParams has the meanings.
-  bool turn_crab = true;
-  double hold_radius_m = 30;  ///< kHold; >= the acceptance radius.
-
-  bool operator==(const PathFollowTask&) const = default;
+  bool operator==(const SurfaceTask&) const = default;
 };
 
 /// Where a vehicle's knowledge of its swarm comes from.
@@ -144,11 +134,60 @@ enum class SwarmKnowledge {
   kAcoustic,  ///< What the acoustic network let through, and what is predicted from that.
 };
 
+/// What comes after the last point of a path_follow task.
+enum class PathTaskEnd {
+  kDone,           ///< The task is done; the next of the list follows.
+  kGoOn,           ///< Keeps course and depth, for ever.
+  kHold,           ///< Keeps station at the last point, at its depth; for ever.
+  kReturnToFirst,  ///< Follows the path again, for ever.
+  kSurface,        ///< Comes up on the last leg's course; done at the surface.
+  kLoiter,         ///< Circles the last point at its depth, for ever.
+};
+
+/// Follows the legs between points in three dimensions; for underwater vehicles.
+struct PathFollowTask {
+  static constexpr std::string_view kKind = "path_follow";
+
+  std::vector<Eigen::Vector3d> points_m;  ///< x East, y North, z down; empty where there are parts.
+  std::vector<PathPart> parts = {};       ///< Instead: the path is joined of these.
+  PathStart start = {};      ///< Of the vehicle: where the first part begins that names no place.
+  double turn_radius_m = 0;  ///< Corners become arcs of this radius; 0: they stay.
+  bool approach = true;      ///< PathFollowParams has the meanings.
+  DepthRule depth_rule = DepthRule::kNext;
+  double speed_mps = 2;
+  double propeller_rpm = 0;  ///< More than 0: this, instead of what speed_mps takes.
+  WaypointSwitch waypoint_switch = {};
+  PathTaskEnd end = PathTaskEnd::kDone;
+  double lookahead_m = 10;    ///< ALOS look-ahead distance; > 0.
+  double crab_gain = 0.0006;  ///< ALOS adaptation gain gamma; 0: plain LOS.
+  bool guard_crab = true;     ///< PathFollowParams has the meanings.
+  bool turn_crab = true;
+  double hold_radius_m = 30;    ///< kHold: comes back from beyond; >= the acceptance radius.
+  double loiter_radius_m = 50;  ///< kLoiter; > 0.
+  /// Layers above the way to the waypoint, the most urgent first; none: it follows its path,
+  /// whatever is there.
+  VelocityCascade cascade = {.layers = {}};
+  double u_max_mps = 2.5;                          ///< The budget of the layers.
+  std::vector<std::string> group = {};             ///< Empty: all other underwater vehicles.
+  SwarmKnowledge swarm = SwarmKnowledge::kDirect;  ///< Of the group.
+
+  bool operator==(const PathFollowTask&) const = default;
+};
+
 /// What a follower does while its target is silent.
 enum class SilenceRule {
   kPredict,      ///< Follows where the target is expected to be.
   kStationKeep,  ///< Stays where it is, at its depth.
   kSurface,      ///< Comes up, and stays there.
+};
+
+/// What a follower does when its target, which was under water, rests at the surface. It follows
+/// again when the target moves.
+enum class TargetEndRule {
+  kSurface,  ///< Comes up, and drifts there clear of the others.
+  kHold,     ///< Keeps station where it is, at its depth.
+  kGoOn,     ///< Goes on following, as MuNet does: it stays z_safe below the surface.
+  kDone,     ///< The task is done; the next of the list follows.
 };
 
 /// Follows a leader, in formation or by constant bearing; for underwater vehicles.
@@ -159,6 +198,8 @@ struct TargetTrackTask {
   std::vector<std::string> group;  ///< Those to keep clear of; empty: all that follow the target.
   SwarmKnowledge swarm = SwarmKnowledge::kDirect;
   SilenceRule on_silence = SilenceRule::kPredict;  ///< kAcoustic.
+  TargetEndRule on_target_end = TargetEndRule::kSurface;
+  double hold_radius_m = 45;  ///< Where it keeps station: comes back from beyond; > 0.
   /// Steers so that the velocity that the law wants comes about over ground. False: as if there
   /// were no current, MuNet's.
   bool compensate_current = true;
@@ -170,11 +211,20 @@ struct TargetTrackTask {
   bool operator==(const TargetTrackTask&) const = default;
 };
 
+/// What a vehicle does when its tasks are done.
+enum class Ending {
+  kHold,        ///< Keeps station where it has come to rest, at its depth.
+  kSurface,     ///< Comes up, and drifts at the surface with its propeller off.
+  kGoOn,        ///< Keeps course, speed and depth.
+  kLoiter,      ///< Circles the place where it is, at its depth.
+  kEndMission,  ///< The mission ends, when all vehicles with this ending are done.
+};
+
 /// A named task of a vehicle's list.
 struct Task {
   std::string name;
   std::variant<WaypointsTask, LoiterTask, StationKeepTask, ReturnTask, PathFollowTask,
-               TargetTrackTask, SurveyTask, SurfaceForFixTask>
+               TargetTrackTask, SurveyTask, SurfaceTask, SurfaceForFixTask>
       what;
   double pwt = 100;  ///< Priority weight beside behaviors; >= 0.
 
@@ -205,6 +255,10 @@ struct TaskFacts {
   TaskOutline outline = {};
 };
 
+/// Returns the task that keeps station where a vehicle that turns in a circle has come to rest, at
+/// `z_m`. It comes back from beyond `radius_m`, > 0.
+[[nodiscard]] StationKeepTask HoldHere(double radius_m, std::optional<double> z_m);
+
 /// Returns the mission file's word for the kind of the task: its kKind.
 std::string_view KindOf(const Task& task);
 
@@ -216,6 +270,9 @@ std::string_view KindOf(const Task& task);
 /// Returns the corners of the polygon in the order in which they are passed, the first one North of
 /// the centre.
 [[nodiscard]] std::vector<Eigen::Vector2d> CornersOf(const LoiterTask& task);
+
+/// Returns the path that the task follows: its points or joined parts, corners made round.
+[[nodiscard]] JoinedPath PathOf(const PathFollowTask& task);
 
 /// Returns the points of the task's own lanes and of the turns between them, in the order in which
 /// they are passed; nothing where it has no polygon.

@@ -13,6 +13,13 @@ namespace shoal {
 
 namespace {
 
+/// A vehicle this slow has come to rest: its fins hold nothing any more.
+constexpr double kAtRest_mps = 0.3;
+/// Farther from its depth than this, a vehicle that keeps station swims ...
+constexpr double kDepthBand_m = 3;
+/// ... until it is nearer than this.
+constexpr double kAtDepth_m = 0.5;
+
 // Returns the corner at which entering costs least: the way there, and a diameter for every radian
 // that the vessel would then have to turn into the sense of rotation. From outside that is the
 // corner to which the way is a tangent, on the circle itself the next one ahead.
@@ -125,6 +132,7 @@ Guidance LoiterRunner::Update(const Fix& fix) {
   guidance.done = task_.duration_s > 0 && elapsed_s_ >= task_.duration_s;
   guidance.waypoint_index = static_cast<int>(next_);
   guidance.laps_done = corners_passed_ / task_.num_points;
+  guidance.z_m = task_.z_m;
   return guidance;
 }
 
@@ -134,15 +142,35 @@ void LoiterRunner::Rejoin(const Fix& fix) {
 }
 
 StationKeepRunner::StationKeepRunner(const StationKeepTask& task, const Fix& start)
-    : task_(task), point_m_(task.here ? start.position_m : task.point_m) {}
+    : task_(task),
+      point_m_(task.here ? start.position_m : task.point_m),
+      heading_rad_(start.heading_rad),
+      has_place_(!task.stops_first || !task.here) {}
+
+// A depth that it does not have when it has come to rest would keep it under way.
+void StationKeepRunner::TakePlace(const Fix& fix) {
+  point_m_ = fix.position_m;
+  has_place_ = fix.speed_mps < kAtRest_mps;
+  const bool is_elsewhere = task_.z_m && std::abs(*task_.z_m - fix.z_m) > kDepthBand_m;
+  if (has_place_ && is_elsewhere) task_.z_m = fix.z_m;
+}
 
 Guidance StationKeepRunner::Update(const Fix& fix) {
+  if (!has_place_) TakePlace(fix);
   Guidance guidance;
   guidance.waypoint_m = point_m_;
   guidance.distance_m = (point_m_ - fix.position_m).norm();
-  if (guidance.distance_m > task_.outer_radius_m) goes_back_ = true;
-  if (guidance.distance_m < task_.inner_radius_m) goes_back_ = false;
-  guidance.heading_rad = goes_back_ ? HeadingOf(point_m_ - fix.position_m) : fix.heading_rad;
+  guidance.z_m = task_.z_m;
+  const double off_depth_m = task_.z_m ? std::abs(*task_.z_m - fix.z_m) : 0;
+  if (guidance.distance_m > task_.outer_radius_m || (has_place_ && off_depth_m > kDepthBand_m)) {
+    goes_back_ = true;
+  }
+  const bool is_inside = guidance.distance_m < task_.inner_radius_m;
+  if (is_inside && off_depth_m < kAtDepth_m) goes_back_ = false;
+  if (!goes_back_ || !is_inside) {
+    heading_rad_ = goes_back_ ? HeadingOf(point_m_ - fix.position_m) : fix.heading_rad;
+  }
+  guidance.heading_rad = heading_rad_;
   guidance.speed_mps = goes_back_ ? task_.speed_mps : 0;
   return guidance;
 }

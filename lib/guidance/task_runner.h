@@ -27,9 +27,12 @@ struct Fix {
   Eigen::Vector2d position_m = Eigen::Vector2d::Zero();  ///< x East, y North.
   double heading_rad = 0;                                ///< Clockwise from North.
   double time_s = 0;
-  double z_m = 0;             ///< Depth.
+  double z_m = 0;                                          ///< Depth.
+  Eigen::Vector2d velocity_mps = Eigen::Vector2d::Zero();  ///< Over ground.
+  double speed_mps = 0;                                    ///< Relative to the water, >= 0.
   int64_t num_gps_fixes = 0;  ///< That its navigation has taken since the start.
-  /// What it knows of the others, for target_track; else it may be null. Outlives the call.
+  /// What it knows of the others, for underwater tasks with layers; else it may be null. Outlives
+  /// the call.
   const Surroundings* surroundings = nullptr;
 };
 
@@ -42,10 +45,16 @@ struct Guidance {
   int laps_done = 0;
   Eigen::Vector2d waypoint_m = Eigen::Vector2d::Zero();  ///< Where it steers for.
   double distance_m = 0;                                 ///< To there.
-  double cross_track_error_m = 0;            ///< To starboard of the leg positive; 0 without a leg.
-  std::optional<double> z_m = {};            ///< Depth to take; absent: the task knows of none.
+  double cross_track_error_m = 0;  ///< To starboard of the leg positive; 0 without a leg.
+  std::optional<double> z_m = {};  ///< Depth to take; absent: the task knows of none.
+  /// Present: the path goes down this fast, and `z_m` with it: it is not to be filtered.
+  std::optional<double> z_rate_mps = {};
   std::optional<double> pitch_rad = {};      ///< Present: this pitch, bow up, instead of a depth.
   std::optional<double> propeller_rpm = {};  ///< Present: these revolutions, whatever the speed.
+  /// How far ALOS takes the course over ground to lie to starboard of the heading; 0 without ALOS.
+  double crab_rad = 0;
+  std::vector<LayerShare> layers = {};  ///< Of a cascade of velocities, the most urgent first.
+  double u_max_mps = 0;                 ///< The budget that they share.
 };
 
 /// Gives the time between updates, none across a pause.
@@ -92,7 +101,8 @@ class LoiterRunner {
   int corners_passed_ = 0;
 };
 
-/// Drifts until the vessel is outside the outer radius, then goes back inside the inner one.
+/// Drifts until the vessel is outside the outer radius, or too far from its depth, then goes back
+/// inside the inner one. With stops_first it first lets the vessel come to rest.
 class StationKeepRunner {
  public:
   StationKeepRunner(const StationKeepTask& task, const Fix& start);
@@ -100,9 +110,27 @@ class StationKeepRunner {
   void Rejoin(const Fix&) {}
 
  private:
+  void TakePlace(const Fix& fix);
+
   StationKeepTask task_;
   Eigen::Vector2d point_m_;
+  double heading_rad_;  ///< Kept while it changes its depth close to the point.
+  bool has_place_;
   bool goes_back_ = false;
+};
+
+class SurfaceRunner {
+ public:
+  SurfaceRunner(const SurfaceTask& task, const Fix& start)
+      : speed_mps_(task.speed_mps), start_m_(start.position_m), heading_rad_(start.heading_rad) {}
+  Guidance Update(const Fix& fix);
+  void Rejoin(const Fix& fix) { heading_rad_ = fix.heading_rad; }
+
+ private:
+  double speed_mps_;
+  Eigen::Vector2d start_m_;
+  double heading_rad_;
+  bool is_up_ = false;
 };
 
 class ReturnRunner {
@@ -124,12 +152,29 @@ class PathFollowRunner {
   /// @pre task has a point
   PathFollowRunner(const PathFollowTask& task, const Fix& start);
   Guidance Update(const Fix& fix);
-  void Rejoin(const Fix& fix) { stopwatch_.Lap(fix.time_s); }
+  void Rejoin(const Fix& fix);
 
  private:
+  Guidance Loiter(const Eigen::Vector3d& center_m, const Fix& fix);
+
   PathFollowTask task_;
   PathFollower follower_;
   Stopwatch stopwatch_;
+  std::optional<LoiterRunner> loiter_;  ///< kLoiter, from the last point on.
+  bool keeps_clear_ = false;            ///< Layers steered in the last step.
+};
+
+/// Notices that a target which was under water has come to rest at the surface.
+class TargetEndWatch {
+ public:
+  /// Takes note of the surroundings. Returns true while the target rests.
+  bool Look(const Surroundings& surroundings, double time_s);
+  bool target_rests() const { return rests_; }
+
+ private:
+  bool was_deep_ = false;
+  bool rests_ = false;
+  std::optional<double> differs_since_s_;  ///< Since when the target does otherwise.
 };
 
 class TargetTrackRunner {
@@ -137,24 +182,22 @@ class TargetTrackRunner {
   TargetTrackRunner(const TargetTrackTask& task, const Fix& start);
   /// Stands still while nothing is known of the surroundings.
   Guidance Update(const Fix& fix);
-  void Rejoin(const Fix&) { silence_.reset(); }
+  void Rejoin(const Fix&) { wait_.reset(); }
 
  private:
-  /// Where it was when the target fell silent, and what keeps it there.
-  struct Silence {
-    double heading_rad = 0;
-    double z_m = 0;
-    StationKeepRunner keeper;
-  };
+  /// What it does instead of following.
+  enum class Wait { kHold, kSurface };
+  using Waiting = std::variant<StationKeepRunner, SurfaceRunner>;
 
+  std::optional<Wait> WaitAt(const Fix& fix);
+  Guidance WaitFor(Wait wait, const Fix& fix);
   Guidance Follow(const Fix& fix);
-  Guidance WaitFor(const Fix& fix);
   void AvoidOthers(const Surroundings& surroundings, Guidance* guidance) const;
 
   TargetTracker tracker_;
-  bool compensate_current_;
-  SilenceRule on_silence_;
-  std::optional<Silence> silence_;
+  TargetTrackTask task_;
+  TargetEndWatch end_watch_;
+  std::optional<Waiting> wait_;
 };
 
 /// Passes the points of a survey like waypoints, once.
@@ -193,7 +236,7 @@ class TaskRunner {
   /// One for each kind, in the order of Task::what.
   using Runner =
       std::variant<WaypointsRunner, LoiterRunner, StationKeepRunner, ReturnRunner, PathFollowRunner,
-                   TargetTrackRunner, SurveyRunner, SurfaceForFixRunner>;
+                   TargetTrackRunner, SurveyRunner, SurfaceRunner, SurfaceForFixRunner>;
 
   TaskRunner(const What& what, const Fix& start);
 

@@ -3,6 +3,10 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
 #include "lib/guidance/test_vectors.h"
 
 namespace shoal::velocity_cascade_test {
@@ -22,6 +26,49 @@ TEST(BudgetSum, HandsDownWhatALayerDoesNotSpend) {
   EXPECT_EQ(sum.weight(), 0);
   sum.Add({-9, 0, 0});
   EXPECT_EQ(sum.Velocity_mps(), Vector3d(1, 0.5, 0.5));
+}
+
+// The specification's pattern: w[0] = alpha, w[1] = 1 - w[0] s[0], w[2] = w[1] (1 - s[1]) ...
+TEST(BudgetSum, GivesTheFirstLayerTheWeightAlpha) {
+  BudgetSum sum(2, 0.5);
+  EXPECT_EQ(sum.weight(), 0.5);
+  sum.Add({1, 0, 0});
+  EXPECT_EQ(sum.weight(), 1 - 0.5 * 0.5);
+  sum.Add({0, 1, 0});
+  EXPECT_EQ(sum.weight(), 0.75 * 0.5);
+  sum.Add({0, 0, 0});
+  EXPECT_EQ(sum.weight(), 0.75 * 0.5);
+  EXPECT_EQ(sum.Velocity_mps(), Vector3d(0.5, 0.75, 0));
+}
+
+TEST(BudgetSum, SilencesAFirstLayerOfWeightZero) {
+  BudgetSum sum(2, 0);
+  sum.Add({2, 0, 0});
+  EXPECT_EQ(sum.weight(), 1);
+  sum.Add({0, 1, 0});
+  EXPECT_EQ(sum.Velocity_mps(), Vector3d(0, 1, 0));
+}
+
+RC_GTEST_PROP(VelocityCascade, ShowsSharesThatAddUpToWhatItReturns, ()) {
+  TargetScene scene;
+  scene.target = {.id = 0, .position_m = VectorWithin(200), .velocity_mps = VectorWithin(2)};
+  scene.group = {{.id = 2, .position_m = VectorWithin(50)}};
+  const VelocityCascade cascade = {.alpha = DrawBetween(0, 1)};
+  const Vector3d way_mps = VectorWithin(1);
+  std::vector<LayerShare> shares;
+  const Vector3d v_mps = DesiredVelocityOnWay(cascade, kUMax_mps, scene.Seen(), way_mps, &shares);
+  RC_ASSERT(shares.size() == 4);
+  RC_ASSERT(shares.back().name == "waypoint" && shares.back().velocity_mps == way_mps);
+  Vector3d sum_mps = Vector3d::Zero();
+  double weight = cascade.alpha;
+  for (size_t i = 0; i < shares.size(); ++i) {
+    RC_ASSERT(std::abs(shares[i].weight - weight) < 1e-12);
+    sum_mps += weight * shares[i].velocity_mps;
+    const double spent = std::min(shares[i].velocity_mps.norm() / kUMax_mps, 1.0);
+    weight = i == 0 ? 1 - weight * spent : weight * (1 - spent);
+  }
+  if (sum_mps.norm() > kUMax_mps) sum_mps *= kUMax_mps / sum_mps.norm();
+  RC_ASSERT((v_mps - sum_mps).norm() < 1e-12);
 }
 
 TEST(BudgetSum, WithoutABudgetStandsStill) {

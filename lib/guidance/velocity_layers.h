@@ -13,11 +13,26 @@
 //                  `-._____________________
 //       0    r_safe   r_avoid
 //
+// Where r_pass > 0, survival also steps aside: repulsion alone only slows a vehicle down that comes
+// head on. p is the way to what it keeps clear of, e the direction of its own velocity relative to
+// that, b the horizontal direction to starboard of e:
+//
+//   along = p . e     across = p . b     above or below = (p - along e)_z
+//   in the way: along > 0, |across| < r_pass, |above or below| < height
+//   v_aside = side u_max max((1 - (r / r_avoid)^2) (1 - |across| / r_pass)) b
+//   side = -1 (to port) where sum((1 - r / r_avoid) across) > 0, the fuller side being that to
+//          starboard; else +1: ties go to starboard
+//
+// Maximum and sum are over all that is in the way. The height is r_pass for vehicles, and
+// kEchoHeight_m for echoes: a floor that the vehicle flies along is not in its way. Two vehicles
+// see the same `across` of each other, so that both step to their starboard, or both to port.
+//
 // Velocities are in world axes: x East, y North, z down. Each layer is plain data of one vehicle.
 // @pre of all: everything finite, u_max_mps >= 0, radii >= 0 and in the order drawn.
 #pragma once
 
 #include <Eigen/Core>
+#include <string_view>
 #include <variant>
 
 #include "lib/guidance/surroundings.h"
@@ -45,6 +60,7 @@ struct FormationLayer {
 struct SurvivalGroupLayer {
   double r_safe_m = 10;   ///< Up to here u_max.
   double r_avoid_m = 40;  ///< From here on nothing; > r_safe_m.
+  double r_pass_m = 0;    ///< Steps aside for what would be passed nearer; 0: never, as muNet.
 
   bool operator==(const SurvivalGroupLayer&) const = default;
 };
@@ -58,6 +74,8 @@ struct SurvivalGroupLayer {
 /// strength grows with their number.)
 struct SurvivalSonarLayer {
   double r_avoid_m = 40;  ///< From here on nothing; > 0.
+  double r_pass_m = 0;    ///< Steps aside for what would be passed nearer; 0: never.
+  double memory_s = 0;    ///< So long an echo counts where it was, seen or not (echo_memory.h).
 
   bool operator==(const SurvivalSonarLayer&) const = default;
 };
@@ -69,6 +87,9 @@ struct SurvivalLayer {
 
   bool operator==(const SurvivalLayer&) const = default;
 };
+
+/// An echo this far above or below the line of travel is not in the way.
+inline constexpr double kEchoHeight_m = 3;
 
 [[nodiscard]] Eigen::Vector3d LayerVelocity(const FeedForwardLayer& layer, double u_max_mps,
                                             const Surroundings& surroundings);
@@ -83,5 +104,13 @@ struct SurvivalLayer {
 
 using VelocityLayer = std::variant<FeedForwardLayer, FormationLayer, SurvivalGroupLayer,
                                    SurvivalSonarLayer, SurvivalLayer>;
+
+/// Returns the word of mission files: survival, sonar, survival_and_sonar, formation, feed_forward.
+[[nodiscard]] std::string_view NameOf(const VelocityLayer& layer);
+
+/// Returns the part of the layer that goes by the sonar; nullptr: none.
+[[nodiscard]] const SurvivalSonarLayer* SonarOf(const VelocityLayer& layer);
+/// Returns the part of the layer that goes by the group; nullptr: none.
+[[nodiscard]] const SurvivalGroupLayer* GroupOf(const VelocityLayer& layer);
 
 }  // namespace shoal

@@ -73,6 +73,8 @@ struct RandomPathParams {
   double max_leg_m = 200;
   double min_depth_m = 0;  ///< Of each waypoint but the start.
   double max_depth_m = 100;
+
+  bool operator==(const RandomPathParams&) const = default;
 };
 
 /// Returns the start and `num_waypoints` more. The same stream gives the same path.

@@ -80,13 +80,15 @@ void ResolveTargets(Mission& mission, const TablePlace& file) {
   for (size_t i = 0; i < mission.vehicles.size(); ++i) {
     std::vector<Task>& tasks = mission.vehicles[i].tasks;
     for (size_t k = 0; k < tasks.size(); ++k) {
-      auto* track = std::get_if<TargetTrackTask>(&tasks[k].what);
-      if (track == nullptr) continue;
       const TablePlace place = file.Below("vehicle", i).Below("task", k);
-      ResolveVehicle(place, "target", track->target, mission, false);
-      for (std::string& member : track->group) {
-        ResolveVehicle(place, "group", member, mission, false);
+      std::vector<std::string>* group = nullptr;
+      if (auto* track = std::get_if<TargetTrackTask>(&tasks[k].what)) {
+        ResolveVehicle(place, "target", track->target, mission, false);
+        group = &track->group;
       }
+      if (auto* path = std::get_if<PathFollowTask>(&tasks[k].what)) group = &path->group;
+      if (group == nullptr) continue;
+      for (std::string& member : *group) ResolveVehicle(place, "group", member, mission, false);
     }
   }
 }
@@ -111,6 +113,46 @@ void FillInDomains(Mission& mission) {
     Axis& depth_m = vehicle.domain.depth_m;
     const bool dives = FactsOfModel(vehicle.model).is_underwater;
     if (dives && !vehicle.behaviors.empty() && depth_m.count == 0) depth_m = kDepths;
+  }
+}
+
+void FillInRadii(const TablePlace& place, double hold_radius_m, Task& task) {
+  if (auto* keep = std::get_if<StationKeepTask>(&task.what)) {
+    keep->stops_first = true;
+    if (place.Has("inner_radius_m") || place.Has("outer_radius_m")) return;
+    const StationKeepTask hold = HoldHere(hold_radius_m, std::nullopt);
+    keep->inner_radius_m = hold.inner_radius_m;
+    keep->outer_radius_m = hold.outer_radius_m;
+    if (!place.Has("speed_mps")) keep->speed_mps = hold.speed_mps;
+    return;
+  }
+  if (auto* home = std::get_if<ReturnTask>(&task.what); home && !place.Has("outer_radius_m")) {
+    home->outer_radius_m = hold_radius_m;
+  }
+  if (auto* track = std::get_if<TargetTrackTask>(&task.what);
+      track && !place.Has("hold_radius_m")) {
+    track->hold_radius_m = hold_radius_m;
+  }
+}
+
+/// Underwater vehicles turn in a circle: they keep station within one that is as wide, wherever the
+/// file leaves the radius open.
+void FillInRadii(Mission& mission, const TablePlace& file) {
+  for (size_t i = 0; i < mission.vehicles.size(); ++i) {
+    Vehicle& vehicle = mission.vehicles[i];
+    const double turning_diameter_m = FactsOfModel(vehicle.model).turning_diameter_m;
+    if (turning_diameter_m <= 0) continue;
+    const TablePlace place = file.Below("vehicle", i);
+    HelmOptions& options = vehicle.helm_options;
+    if (!place.Below("helm_options").Has("hold_radius_m")) {
+      options.hold_radius_m = turning_diameter_m;
+    }
+    if (!place.Below("return").Has("outer_radius_m")) {
+      vehicle.return_task.outer_radius_m = options.hold_radius_m;
+    }
+    for (size_t k = 0; k < vehicle.tasks.size(); ++k) {
+      FillInRadii(place.Below("task", k), options.hold_radius_m, vehicle.tasks[k]);
+    }
   }
 }
 
@@ -178,6 +220,7 @@ void CompleteMission(Mission& mission, const TablePlace& file) {
   mission.acoustics.is_used = file.Has("acoustics") || UsesAcoustics(mission.comms);
   FillInAddresses(mission);
   FillInDomains(mission);
+  FillInRadii(mission, file);
   if (!mission.swarm.exists) return;
   const Vehicle* leader = mission.FindVehicle(mission.swarm.leader);
   if (leader == nullptr) return;

@@ -52,6 +52,8 @@ void Describe(Fields& fields, Acoustics& acoustics, const std::optional<std::str
 /// One [[vehicle]], or a template, whose name is empty. A model's own table is declared beside its
 /// parameters (remus100_model.h).
 void Describe(Fields& fields, Vehicle& vehicle);
+/// [vehicle.autopilot], by the model of the vehicle.
+void DescribeAutopilot(Fields& fields, Vehicle& vehicle);
 /// [vehicle.sensors] and [vehicle.sonar].
 void DescribeInstruments(Fields& fields, Vehicle& vehicle);
 /// [vehicle.navigation], after [vehicle.sensors].
@@ -68,6 +70,7 @@ void Describe(Fields& fields, ReturnTask& task, const StartPose& start);
 /// The same for tasks of underwater vehicles.
 void Describe(Fields& fields, PathFollowTask& task, const StartPose& start);
 void Describe(Fields& fields, TargetTrackTask& task, const StartPose& start);
+void Describe(Fields& fields, SurfaceTask& task, const StartPose& start);
 void Describe(Fields& fields, SurfaceForFixTask& task, const StartPose& start);
 /// The same for surveys. One that is refused has no corners.
 void Describe(Fields& fields, SurveyTask& task, const StartPose& start);

@@ -30,12 +30,14 @@ constexpr std::array<std::pair<std::string_view, LaneEnds>, 2> kLaneEnds = {{
     {"inside", LaneEnds::kInside},
 }};
 
-/// An area that is refused is left without corners: nothing can be planned over it.
-void DescribeArea(Fields& fields, SurveyArea& area, const StartPose& start) {
+}  // namespace
+
+void DescribePolygon(Fields& fields, SurveyArea& area) {
   fields.Require("polygon", "polygon = [[0, 0], [200, 0], [200, 100], [0, 100]]");
   fields.Pairs("polygon", area.polygon_m, kTaskPlace, kMostPolygonCorners);
-  const Eigen::Vector2d offset_m = DescribeFrame(fields, start);
-  for (Eigen::Vector2d& corner_m : area.polygon_m) Move(fields, "polygon", corner_m, offset_m);
+}
+
+void DescribeLanes(Fields& fields, SurveyArea& area) {
   fields.Number("lane_spacing_m", area.lane_spacing_m, Above(0, 100'000));
   if (fields.Has("lane_angle_deg", area.lane_angle_deg.has_value())) {
     double angle_deg = area.lane_angle_deg.value_or(0);
@@ -59,14 +61,19 @@ void DescribeArea(Fields& fields, SurveyArea& area, const StartPose& start) {
   area.polygon_m.clear();
 }
 
-}  // namespace
+void DescribeRoute(Fields& fields, SurveyRoute& route) {
+  fields.Choice("entry", route.entry, kEntries);
+  fields.Number("turn_radius_m", route.turn_radius_m, Between(0, 10'000));
+  fields.Number("overrun_m", route.overrun_m, Between(0, 10'000));
+}
 
 void Describe(Fields& fields, SurveyTask& task, const StartPose& start) {
-  DescribeArea(fields, task.area, start);
+  DescribePolygon(fields, task.area);
+  const Eigen::Vector2d offset_m = DescribeFrame(fields, start);
+  for (Eigen::Vector2d& corner_m : task.area.polygon_m) Move(fields, "polygon", corner_m, offset_m);
+  DescribeLanes(fields, task.area);
   if (fields.reading()) task.route.start_m = {start.x_m, start.y_m};
-  fields.Choice("entry", task.route.entry, kEntries);
-  fields.Number("turn_radius_m", task.route.turn_radius_m, Between(0, 10'000));
-  fields.Number("overrun_m", task.route.overrun_m, Between(0, 10'000));
+  DescribeRoute(fields, task.route);
   fields.Texts("divide_among", task.divide_among, kMostMembers);
   DescribeSpeed(fields, task.speed_mps);
   Describe(fields, task.capture);

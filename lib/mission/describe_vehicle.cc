@@ -1,8 +1,10 @@
 // The tables [[vehicle]] and [template.NAME].
+#include <array>
 #include <limits>
 #include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -16,6 +18,13 @@ namespace {
 constexpr size_t kMostTasks = 1000;
 constexpr size_t kMostBehaviors = 1000;
 constexpr size_t kMostExtraFields = 100;
+constexpr std::array<std::pair<std::string_view, Ending>, 5> kEndings = {{
+    {"hold", Ending::kHold},
+    {"surface", Ending::kSurface},
+    {"go_on", Ending::kGoOn},
+    {"loiter", Ending::kLoiter},
+    {"end_mission", Ending::kEndMission},
+}};
 constexpr int kLargestAddress = std::numeric_limits<int>::max();
 
 void Describe(Fields& fields, StartPose& start) {
@@ -32,17 +41,13 @@ void Describe(Fields& fields, HelmOptions& options) {
   fields.Number("state_interval_s", options.state_interval_s, Above(0, 3600));
   fields.Number("decide_every_s", options.decide_every_s, Between(0.01, 60));
   fields.Flag("goals_mandatory", options.goals_mandatory);
-}
-
-void Describe(Fields& fields, AutopilotOptions& options) {
-  const NumberLimits gain = Between(0, 1000);
-  fields.Number("heading_kp", options.heading_kp, gain);
-  fields.Number("heading_ki", options.heading_ki, gain);
-  fields.Number("heading_kd", options.heading_kd, gain);
-  fields.Number("heading_integral_limit_deg", options.heading_integral_limit_deg, Between(0, 180));
-  fields.Number("speed_kp", options.speed_kp, gain);
-  fields.Number("speed_ki", options.speed_ki, gain);
-  fields.Number("speed_integral_limit_pct", options.speed_integral_limit_pct, Between(0, 100));
+  if (fields.Has("end_of_tasks", options.end_of_tasks.has_value())) {
+    Ending ending = options.end_of_tasks.value_or(Ending::kHold);
+    fields.Choice("end_of_tasks", ending, kEndings);
+    options.end_of_tasks = ending;
+  }
+  fields.Number("hold_radius_m", options.hold_radius_m, Above(0, 10'000));
+  fields.Number("loiter_radius_m", options.loiter_radius_m, Above(0, 10'000));
 }
 
 void Describe(Fields& fields, ReporterOptions& options) {
@@ -168,7 +173,7 @@ void Describe(Fields& fields, Vehicle& vehicle) {
   DescribeInstruments(fields, vehicle);
   DescribeNavigation(fields, vehicle);
   fields.Below("helm_options", [&](Fields& table) { Describe(table, vehicle.helm_options); });
-  fields.Below("autopilot", [&](Fields& table) { Describe(table, vehicle.autopilot); });
+  fields.Below("autopilot", [&](Fields& table) { DescribeAutopilot(table, vehicle); });
   fields.Below("reporter", [&](Fields& table) { Describe(table, vehicle.reporter_options); });
   if (fields.Has("recovery", vehicle.recovery != RecoveryPlan())) {
     fields.Below("recovery", [&](Fields& table) { Describe(table, vehicle.recovery); });

@@ -13,6 +13,7 @@
 #include "lib/mission/names.h"
 #include "lib/mission/suggest.h"
 #include "lib/mission/table_reader.h"
+#include "lib/mission/vehicle.h"
 
 namespace shoal {
 namespace {
@@ -212,6 +213,7 @@ class Expansion {
   void AddVehicle(const Value& vehicle) {
     const auto* own = std::get_if<Table>(&vehicle.data);
     if (own == nullptr || Find(*own, "template") == nullptr) {
+      if (own != nullptr) WarnOfOtherModels(*own, *own);
       Add(vehicle);
       return;
     }
@@ -219,6 +221,7 @@ class Expansion {
     if (const Value* base = FindTemplate(*own)) full = std::get<Table>(base->data);
     LayOver(full, *own);
     Remove(full, "template");
+    WarnOfOtherModels(*own, full);
     Add({vehicle.place, std::move(full)});
   }
 
@@ -236,6 +239,24 @@ class Expansion {
   Array TakeVehicles() { return std::move(vehicles_); }
 
  private:
+  /// A template may have tables for vehicles of several models; in a vehicle's `own` table that of
+  /// another model than `full` names has no effect.
+  void WarnOfOtherModels(const Table& own, const Table& full) {
+    const Value* model = Find(full, "model");
+    const auto* text = model == nullptr ? nullptr : std::get_if<std::string>(&model->data);
+    if (model != nullptr && text == nullptr) return;  // Reported where vehicles are read.
+    const std::string chosen = text == nullptr ? std::string(FactsOfModel(AnyModel()).name) : *text;
+    for (const AnyModel& each : EachModel()) {
+      const std::string_view name = FactsOfModel(each).name;
+      const Value* table = name == chosen ? nullptr : Find(own, name);
+      if (table == nullptr) continue;
+      problems_.Warn(table->place,
+                     fmt::format("[vehicle.{0}] has no effect, as the vehicle is a {1}: write "
+                                 "model = \"{0}\" in it, or leave the table out",
+                                 name, chosen));
+    }
+  }
+
   /// Returns the template of a vehicle or fleet.
   const Value* FindTemplate(const Table& user) {
     return shoal::FindTemplate(templates_, user, problems_);

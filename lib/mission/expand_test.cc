@@ -248,6 +248,24 @@ TEST(Overrides, NameVehiclesByTheirFinalNameAndTasksByTheirs) {
   EXPECT_EQ(mission.vehicles.at(1).length_m, 9);
 }
 
+TEST(Overrides, FindATaskOrABehaviorWithoutANameByItsKind) {
+  const std::string text = std::string(kShortest) +
+                           "[[vehicle.task]]\nkind = \"loiter\"\ncenter = [1, 2]\n"
+                           "[[vehicle.task]]\nname = \"loiter_2\"\nkind = \"loiter\"\n"
+                           "center = [1, 2]\n"
+                           "[[vehicle.behavior]]\nkind = \"max_speed\"\nmax_speed = 2\n";
+  const LoadedMission loaded = LoadMissionText(
+      text, "m", {"vehicle.alpha.task.loiter.radius_m=7", "vehicle.1.behavior.max_speed.pwt=8"});
+  EXPECT_EQ(loaded.errors, std::vector<std::string>{});
+  const Vehicle& vehicle = loaded.mission.vehicles.at(0);
+  EXPECT_EQ(std::get<LoiterTask>(vehicle.tasks.at(0).what).radius_m, 7);
+  EXPECT_EQ(std::get<LoiterTask>(vehicle.tasks.at(1).what).radius_m, LoiterTask().radius_m);
+  EXPECT_EQ(vehicle.behaviors.at(0).pwt, 8);
+  EXPECT_EQ(LoadMissionText(text, "m", {"vehicle.alpha.task.loitre.radius_m=7"}).errors.at(0),
+            "--set vehicle.alpha.task.loitre.radius_m=7: no task 'loitre' (did you mean "
+            "'loiter'?)");
+}
+
 TEST(Overrides, CanGiveAVehicleAnotherTemplate) {
   EXPECT_EQ(ErrorsAfter("[template.t]\nlength_m = 7\n", {"vehicle.alpha.template=t"}), "");
   const LoadedMission loaded = LoadMissionText(

@@ -111,6 +111,8 @@ class Fields {
   virtual void Refuse(std::string_view key, std::string text) = 0;
   /// Warns of the value of `key` (or, where it is absent, of the table): legal but suspicious.
   virtual void Warn(std::string_view key, std::string text) = 0;
+  /// When writing, a line of comment.
+  virtual void Note(std::string_view /*text*/) {}
   /// Returns the "file:line" where this table begins; empty when writing.
   virtual std::string Where() const = 0;
 

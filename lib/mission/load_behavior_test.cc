@@ -127,6 +127,31 @@ template = "boat"
   EXPECT_EQ(loaded.mission.vehicles[0].variables.size(), 1U);
 }
 
+TEST(Behaviors, ThatAreRecipesHaveANameThatOthersCanBeAddedTo) {
+  const LoadedMission loaded = LoadMissionText(R"([mission]
+duration_s = 60
+[[vehicle]]
+name = "alpha"
+[[vehicle.behavior]]
+kind = "colregs"
+templating = "spawn"
+[[vehicle.behavior]]
+kind = "avoid_collision"
+templating = "spawn"
+name = "avd"
+[[vehicle.behavior]]
+kind = "avoid_obstacle"
+templating = "none"
+polygon = [[0, 0], [10, 0], [10, 10]]
+)",
+                                               "m.toml");
+  ASSERT_TRUE(loaded.errors.empty()) << loaded.errors.front();
+  const std::vector<BehaviorOptions>& behaviors = loaded.mission.vehicles[0].behaviors;
+  EXPECT_EQ(behaviors.at(0).name, "colregs_");
+  EXPECT_EQ(behaviors.at(1).name, "avd");
+  EXPECT_EQ(behaviors.at(2).name, "avoid_obstacle");
+}
+
 TEST(BehaviorErrors, StateWhatIsWrongAndWhere) {
   EXPECT_EQ(ErrorsAfter(R"([[vehicle.behavior]]
 kind = "waypiont"
@@ -244,7 +269,8 @@ std::string WarningsAfter(std::string_view more) {
 }
 
 TEST(BehaviorWarnings, NameWhatCanNeverHappen) {
-  EXPECT_EQ(WarningsAfter(R"([[vehicle.behavior]]
+  EXPECT_EQ(
+      WarningsAfter(R"([[vehicle.behavior]]
 kind = "constant_heading"
 condition = "GO = true"
 [[vehicle.behavior]]
@@ -254,14 +280,14 @@ templating = "spawn"
 kind = "avoid_obstacle"
 templating = "spawn"
 )"),
-            "m.toml:5:1: warning: no task and no behavior gives this vehicle a speed, so it never "
-            "moves: add a waypoint, a loiter, a constant_speed ...\n"
-            "m.toml:7:13: warning: nothing in the file sets GO, so 'GO = true' is false until a "
-            "user does: write it in [vehicle.variables], or in an [[event]] with command = "
-            "\"set\"\n"
-            "m.toml:8:1: warning: avoid_collision never has a contact: no other vehicle reports "
-            "its position\n"
-            "m.toml:11:1: warning: avoid_obstacle never begins: the mission has no [[obstacle]]\n");
+      "m.toml:5:1: warning: no task and no behavior gives this vehicle a speed, so it never "
+      "moves: add a waypoint, a loiter, a constant_speed ...\n"
+      "m.toml:7:13: warning: nothing in the file sets GO, so 'GO = true' is false until a "
+      "user does: write it in [vehicle.variables], or in an [[event]] with command = "
+      "\"set\"\n"
+      "m.toml:8:1: warning: avoid_collision_ never has a contact: no other vehicle reports "
+      "its position\n"
+      "m.toml:11:1: warning: avoid_obstacle_ never begins: the mission has no [[obstacle]]\n");
   EXPECT_EQ(WarningsAfter(R"([[vehicle.behavior]]
 kind = "waypoint"
 points = [[100, 0]]
@@ -270,7 +296,7 @@ kind = "timer"
 templating = "spawn"
 )"),
             "m.toml:5:1: warning: waypoint has speed = 0, so it leads nowhere\n"
-            "m.toml:10:14: warning: timer never begins: only avoid_collision, colregs and "
+            "m.toml:10:14: warning: timer_ never begins: only avoid_collision, colregs and "
             "avoid_obstacle do by themselves; write updates = \"VARIABLE\", and name = ... in its "
             "texts\n");
 }

@@ -92,11 +92,148 @@ acceptance_radius_m = 10
             "13:13: speed_mps = 0 is out of range; allowed: greater than 0, at most 50\n"
             "14:17: propeller_rpm = -1 is out of range; allowed: 0 to 10000\n"
             "15:19: unknown waypoint_switch 'circles' (did you mean 'circle'?)\n"
-            "16:7: unknown end 'quit'; one of: done, go_on, hold, return_to_first, surface\n"
+            "16:7: unknown end 'quit'; one of: done, go_on, hold, return_to_first, surface, "
+            "loiter\n"
             "17:15: lookahead_m = 0 is out of range; allowed: greater than 0, at most 10000\n"
             "18:13: crab_gain = 2 is out of range; allowed: 0 to 1\n"
             "19:14: guard_crab must be true or false, not a whole number\n"
             "20:17: hold_radius_m must not be less than acceptance_radius_m\n");
+}
+
+TEST(LoadUnderwaterErrors, ReportInvalidWaysToFlyAPath) {
+  EXPECT_EQ(ErrorsOfPath(R"(points = [[100, 0, 20]]
+turn_radius_m = -1
+approach = 1
+depth_rule = "glide"
+passed_line_within_m = -1
+)"),
+            "12:17: turn_radius_m = -1 is out of range; allowed: 0 to 10000\n"
+            "13:12: approach must be true or false, not a whole number\n"
+            "14:14: unknown depth_rule 'glide'; one of: next, slope\n"
+            "15:24: passed_line_within_m = -1 is out of range; allowed: 0 to 1000000\n");
+}
+
+TEST(LoadUnderwaterErrors, AreNoneForPathsOfEachKindOfPart) {
+  EXPECT_EQ(ErrorsOfPath(R"(path = [
+  {kind = "points", points = [[0, 0, 5]]},
+  {kind = "yoyo", to = [600, 0]},
+  {kind = "helix", center = [600, 100]},
+  {kind = "lawnmower", polygon = [[0, 0], [200, 0], [200, 100], [0, 100]]},
+  {kind = "random"},
+  {kind = "random", start = [0, 0, 5], start_heading_deg = 90, insert_at = 0},
+]
+)"),
+            "");
+}
+
+TEST(LoadUnderwaterErrors, ReportPathsThatCannotBeJoined) {
+  EXPECT_EQ(ErrorsOfPath("path = []\n"),
+            "11:8: a path is joined of 1 to 100 parts, like path = [{kind = \"points\", points = "
+            "[[100, 0, 20]]}]\n");
+  EXPECT_EQ(ErrorsOfPath("path = [{kind = \"helix\", center = [0, 0]}]\npoints = [[0, 0, 1]]\n"),
+            "12:10: a path_follow has points or a path: write these as a part {kind = \"points\", "
+            "points = ...} of the path\n");
+  EXPECT_EQ(ErrorsOfPath("path = [{kind = \"spiral\"}]\n"),
+            "11:17: unknown kind 'spiral'; one of: points, random, lawnmower, helix, yoyo\n");
+  EXPECT_EQ(ErrorsOfPath("path = [{points = [[0, 0, 1]]}]\n"),
+            "11:9: path lacks 'kind'; for example: kind = \"points\"\n");
+  EXPECT_EQ(ErrorsOfPath("path = [{kind = \"points\"}]\n"),
+            "11:9: path lacks 'points'; for example: points = [[0, 0, 10], [100, 0, 20]]\n");
+  EXPECT_EQ(ErrorsOfPath("path = [{kind = \"points\", points = [[0, 0, 1]], insert_at = 1}]\n"),
+            "11:61: insert_at = 1 is beyond the path so far, which has 0 points, the first of them "
+            "0: leave it out to go on at the end\n");
+}
+
+TEST(LoadUnderwaterErrors, ReportInvalidRandomParts) {
+  EXPECT_EQ(ErrorsOfPath(R"([[vehicle.task.path]]
+kind = "random"
+num_points = 0
+start = [0, 0, -1]
+start_heading_deg = 400
+min_turn_deg = 20
+max_turn_deg = 10
+min_leg_m = 300
+min_depth_m = 200
+)"),
+            "11:1: max_depth_m = 100 must not be less than min_depth_m = 200\n"
+            "11:1: max_leg_m = 200 must not be less than min_leg_m = 300\n"
+            "13:14: num_points = 0 is out of range; allowed: 1 to 10000\n"
+            "14:9: start must be [x, y, depth], with x and y within 1000 km of the origin and a "
+            "depth from 0 to 20000 m\n"
+            "15:21: start_heading_deg = 400 is out of range; allowed: -360 to 360\n"
+            "17:16: max_turn_deg = 10 must not be less than min_turn_deg = 20\n");
+  EXPECT_EQ(ErrorsOfPath(R"([[vehicle.task.path]]
+kind = "random"
+num_points = 1000
+min_leg_m = 90_000
+max_leg_m = 100_000
+min_turn_deg = 0
+max_turn_deg = 0
+)"),
+            "11:1: the path leads more than 1000 km from the origin: shorten its legs, or give it "
+            "fewer points\n");
+}
+
+TEST(LoadUnderwaterErrors, ReportInvalidLawnmowersHelicesAndYoyos) {
+  EXPECT_EQ(ErrorsOfPath(R"([[vehicle.task.path]]
+kind = "lawnmower"
+polygon = [[0, 0], [10, 0]]
+[[vehicle.task.path]]
+kind = "helix"
+radius_m = 0
+turns = 0
+end_depth_m = -1
+[[vehicle.task.path]]
+kind = "yoyo"
+top_m = 40
+bottom_m = 30
+glide_deg = 0
+)"),
+            "13:11: a polygon needs three corners or more, like [[0, 0], [200, 0], [200, 100]]\n"
+            "14:1: path lacks 'center'; for example: center = [100, -50]\n"
+            "16:12: radius_m = 0 is out of range; allowed: greater than 0, at most 100000\n"
+            "17:9: turns = 0 is out of range; allowed: greater than 0, at most 1000\n"
+            "18:15: end_depth_m = -1 is out of range; allowed: 0 to 20000\n"
+            "19:1: path lacks 'to'; for example: to = [400, 0]\n"
+            "22:12: bottom_m = 30 must be more than top_m = 40\n"
+            "23:13: glide_deg = 0 is out of range; allowed: 1 to 60\n");
+  EXPECT_EQ(ErrorsOfPath("path = [{kind = \"helix\", center = [0, 0], turns = 999}]\n"),
+            "11:51: turns = 999 at radius_m = 50 takes 31969 points; allowed: at most 10000\n");
+  EXPECT_EQ(
+      ErrorsOfPath("path = [{kind = \"yoyo\", start = [0, 0, 1], to = [100_000, 0], top_m = 1, "
+                   "bottom_m = 2}]\n"),
+      "11:49: the yo-yo to here has 26798 turning points; allowed: at most 10000: glide less "
+      "steeply, or between depths farther apart\n");
+}
+
+std::vector<std::string> WarningsOfPath(std::string_view keys) {
+  return WarningsBesideConduct(LoadMissionText(
+      std::string(kSwarm) + "[[vehicle.task]]\nkind = \"path_follow\"\n" + std::string(keys), "m"));
+}
+
+TEST(LoadUnderwaterWarnings, StateWhatAVehicleCannotDoOnItsPath) {
+  EXPECT_EQ(WarningsOfPath("points = [[0, 0, 20], [100, 0, 20]]\n"), std::vector<std::string>{});
+  const auto expect_one = [](std::string_view keys, const std::string& part) {
+    const std::vector<std::string> warnings = WarningsOfPath(keys);
+    ASSERT_EQ(warnings.size(), 1U) << keys;
+    EXPECT_NE(warnings[0].find(part), std::string::npos) << warnings[0];
+  };
+  EXPECT_EQ(WarningsOfPath("points = [[0, 0, 20], [300, 0, 20]]\n"), std::vector<std::string>{})
+      << "nothing waits for its end";
+  expect_one(
+      "points = [[0, 0, 20], [300, 0, 20]]\n[[expect]]\nkind = \"laps\"\nvehicle = "
+      "\"alpha\"\ntask = \"path_follow\"\n",
+      "the path is 300 m long and takes 150 s at 2 m/s, but the mission ends after 60 s: "
+      "raise duration_s or speed_mps");
+  expect_one("points = [[0, 0, 20]]\nspeed_mps = 12\n", "speed_mps = 12 is more than the ");
+  expect_one("points = [[0, 0, 20]]\npropeller_rpm = 5000\n",
+             "propeller_rpm = 5000 is more than the propeller's 1525");
+  expect_one("points = [[0, 0, 120]]\n",
+             "the path goes down to 120 m, but the vehicle's max_depth_m is 100: it stays above");
+  expect_one("points = [[0, 0, 20], [50, 0, 70]]\ndepth_rule = \"slope\"\n",
+             "a leg is 45 degrees steep; beyond 18 the vehicle lags behind the slope");
+  expect_one("points = [[0, 0, 20]]\nturn_radius_m = 10\n",
+             "turn_radius_m = 10 is tighter than the 22.5 m");
 }
 
 TEST(LoadUnderwaterErrors, ReportInvalidTargets) {
@@ -119,6 +256,28 @@ TEST(LoadUnderwaterErrors, ReportUnknownLawsAndLayers) {
   EXPECT_EQ(ErrorsOfTrack("target = \"bravo\"\nlayers = []\n"),
             "12:10: a cascade needs a layer: survival, sonar, survival_and_sonar, formation, "
             "feed_forward\n");
+}
+
+TEST(LoadUnderwaterErrors, ReportWhatIsWrongWithTheLayersOfAPath) {
+  const std::string points = "points = [[100, 0, 20]]\n";
+  EXPECT_EQ(ErrorsOfPath(points + "layers = [\"survival\"]\ngroup = [\"Bravo\"]\n"), "");
+  EXPECT_EQ(ErrorsOfPath(points + "layers = [\"formation\"]\n"),
+            "12:10: unknown layer 'formation'; there are: survival, sonar, survival_and_sonar\n");
+  EXPECT_EQ(ErrorsOfPath(points + "layers = [\"sonar\"]\n"),
+            "12:10: the layers that keep away from what a sonar sees need one: write "
+            "[vehicle.sonar] under the [[vehicle]]\n");
+  EXPECT_EQ(ErrorsOfPath(points + "r_safe_m = 5\n"),
+            "12:1: unknown key 'r_safe_m' (it is for layers: write layers = [\"survival\"] as "
+            "well)\n");
+  EXPECT_EQ(ErrorsOfPath(points + "layers = [\"survival\"]\nalpha = 1.5\nr_pass_m = -1\n"),
+            "13:9: alpha = 1.5 is out of range; allowed: 0 to 1\n"
+            "14:12: r_pass_m = -1 is out of range; allowed: 0 to 100000\n");
+  EXPECT_EQ(ErrorsOfPath(points + "layers = [\"survival\"]\nspeed_mps = 3\nu_max_mps = 2\n"),
+            "14:13: u_max_mps = 2, which the layers share, must not be less than speed_mps = 3\n");
+  EXPECT_EQ(
+      ErrorsOfPath(points + "layers = [\"survival\"]\nswarm = \"acoustic\"\n"),
+      "13:9: swarm = \"acoustic\" is for members of [swarm], and alpha is none: name it there, "
+      "or write swarm = \"direct\"\n");
 }
 
 TEST(LoadUnderwaterErrors, ReportRadiiOutOfOrder) {
@@ -319,6 +478,25 @@ TEST(LoadUnderwaterErrors, ReportLayersThatNeedASonar) {
             "12:10: the layers that keep away from what a sonar sees need one: write "
             "[vehicle.sonar] under the [[vehicle]]\n");
   EXPECT_EQ(ErrorsOfTrack(text + "[vehicle.sonar]\n"), "");
+}
+
+TEST(LoadUnderwaterErrors, ReportFloorsThatAVehicleCannotKnow) {
+  EXPECT_EQ(
+      ErrorsInSwarm("[vehicle.remus100]\nfloor_from = \"chart\"\n"),
+      "10:14: floor_from = \"chart\" needs a sea floor: write floor = {style = \"linear\"} in "
+      "[environment], or floor_from = \"altimeter\"\n");
+  EXPECT_EQ(ErrorsInSwarm("[vehicle.remus100]\nfloor_from = \"sonar\"\n"),
+            "10:14: floor_from = \"sonar\" needs one: write [vehicle.sonar] under the [[vehicle]], "
+            "or floor_from = \"altimeter\"\n");
+  EXPECT_EQ(ErrorsInSwarm("[vehicle.remus100]\nfloor_from = \"sonar\"\n[vehicle.sonar]\n"), "");
+  EXPECT_EQ(ErrorsInSwarm("[vehicle.remus100]\nfloor_from = \"chart\"\n"
+                          "[environment]\nfloor = {style = \"flat\"}\n"),
+            "");
+}
+
+TEST(LoadUnderwaterErrors, ReportBuoyanciesThatNoFinHolds) {
+  EXPECT_EQ(ErrorsInSwarm("[vehicle.remus100]\nbuoyancy_by_weight = 2\n"),
+            "10:22: buoyancy_by_weight = 2 is out of range; allowed: 0.9 to 1.1\n");
 }
 
 TEST(LoadUnderwaterErrors, ReportDepthLimitsThatLeaveNoWater) {

@@ -9,8 +9,10 @@
 #include <random>
 #include <string>
 
+#include "lib/geometry/angles.h"
 #include "lib/mission/mission.h"
 #include "lib/mission/swarm_plan.h"
+#include "lib/mission/validate.h"
 
 namespace shoal {
 
@@ -86,6 +88,7 @@ class MissionDraw {
     for (int64_t i = Integer(0, 6); i > 0; --i) {
       mission.expectations.push_back(DrawExpectation(mission.duration_s));
     }
+    SeedPaths(mission);
     return mission;
   }
 
@@ -194,14 +197,12 @@ class MissionDraw {
                         .depth_m = Number(0, 20'000),
                         .position_sigma_m = Number(0, 10'000),
                         .kind = "two_way",
-                        .sender = {},
                         .interval_s = Number(0.1, 100'000),
                         .offset_s = Number(0, 1e7),
                         .turnaround_s = Number(0, 60)});
     beacons->push_back({.name = "sends",
                         .point_m = Point(),
                         .kind = "one_way",
-                        .sender = {},
                         .interval_s = Number(0.1, 100'000),
                         .offset_s = Number(0, 1e7)});
   }
@@ -250,6 +251,44 @@ class MissionDraw {
 
   Eigen::Vector3d DeepPoint() { return {Number(-1e6, 1e6), Number(-1e6, 1e6), Number(0, 20'000)}; }
 
+  Eigen::Vector3d NearPoint() { return {Number(-1000, 1000), Number(-1000, 1000), Number(0, 100)}; }
+
+  /// One part of a path of each kind.
+  std::vector<PathPart> DrawParts() {
+    RandomPart random{.min_turn_deg = Number(-180, 0), .max_turn_deg = Number(0, 180)};
+    random.bounds.num_waypoints = static_cast<int>(Integer(1, 20));
+    random.bounds.min_leg_m = Number(0, 10);
+    random.bounds.max_leg_m = Number(10, 1000);
+    random.bounds.min_depth_m = Number(0, 10);
+    random.bounds.max_depth_m = Number(10, 20'000);
+    if (Coin()) random.start_m = NearPoint();
+    if (Coin()) random.start_heading_deg = Number(-360, 360);
+    const LawnmowerPart lanes{
+        .area = {.polygon_m = {{0, 0}, {500, 0}, {500, 400}}, .lane_spacing_m = Number(20, 100)},
+        .route = {.entry = static_cast<SurveyEntry>(Integer(0, 4)),
+                  .turn_radius_m = Number(0, 30),
+                  .overrun_m = Number(0, 50)},
+        .depth_m = Number(0, 20'000)};
+    const HelixPart helix{.center_m = NearPoint().head<2>(),
+                          .radius_m = Number(1, 1000),
+                          .turns = Number(0.1, 5),
+                          .start_depth_m = Number(0, 20'000),
+                          .end_depth_m = Number(0, 20'000),
+                          .start_bearing_deg = Number(-360, 360),
+                          .clockwise = Coin()};
+    YoyoPart yoyo{.to_m = NearPoint().head<2>(),
+                  .top_m = Number(0, 10),
+                  .bottom_m = Number(20, 100),
+                  .glide_deg = Number(1, 60)};
+    if (Coin()) yoyo.start_m = NearPoint();
+    return {{.what = PointsPart{{NearPoint(), NearPoint()}}},
+            {.what = helix},
+            {.what = yoyo, .insert_at = 1},
+            {.what = lanes},
+            {.what = PointsPart{{NearPoint()}}},
+            {.what = random}};
+  }
+
   /// Makes an underwater vehicle of it, with the tasks that these have.
   void Submerge(Vehicle* vehicle) {
     vehicle->start.depth_m = Number(0, 20'000);
@@ -259,19 +298,41 @@ class MissionDraw {
                                      .max_depth_m = Positive(20'000),
                                      .seabed_clearance_m = Number(0, 1000),
                                      .depth_filter_s = Number(0, 1000),
-                                     .max_propeller_rate_rpmps = Number(0, 1e6)};
+                                     .max_propeller_rate_rpmps = Number(0, 1e6),
+                                     .buoyancy_by_weight = Number(0.9, 1.1),
+                                     .autopilot = DrawGains()};
+    vehicle->autopilot = {};
     const double acceptance_m = Number(0, 1000);
+    const StartPose& start = vehicle->start;
     PathFollowTask path = {.points_m = {DeepPoint(), DeepPoint()},
+                           .start = {.position_m = {start.x_m, start.y_m, start.depth_m},
+                                     .heading_rad = DegToRad(start.heading_deg)},
+                           .turn_radius_m = Number(0, 10'000),
+                           .approach = Coin(),
+                           .depth_rule = static_cast<DepthRule>(Integer(0, 1)),
                            .speed_mps = Positive(50),
                            .propeller_rpm = Number(0, 10'000),
                            .waypoint_switch = {.rule = static_cast<SwitchRule>(Integer(0, 3)),
-                                               .acceptance_radius_m = acceptance_m},
-                           .end = static_cast<PathTaskEnd>(Integer(0, 4)),
+                                               .acceptance_radius_m = acceptance_m,
+                                               .passed_line_within_m = Number(0, 1e6)},
+                           .end = static_cast<PathTaskEnd>(Integer(0, 5)),
                            .lookahead_m = Positive(10'000),
                            .crab_gain = Number(0, 1),
                            .guard_crab = Coin(),
                            .turn_crab = Coin(),
-                           .hold_radius_m = acceptance_m + 1};
+                           .hold_radius_m = acceptance_m + 1,
+                           .loiter_radius_m = Positive(10'000)};
+    if (Coin()) {
+      path.cascade = {.layers = {SurvivalGroupLayer{
+                          .r_safe_m = 3, .r_avoid_m = 30, .r_pass_m = Number(0, 1e5)}},
+                      .alpha = Number(0, 1)};
+      path.u_max_mps = 50;
+      if (Coin()) path.group = {vehicle->name == "Vessel_2" ? "Vessel_1" : "Vessel_2"};
+    }
+    if (Coin()) {
+      path.points_m.clear();
+      path.parts = DrawParts();
+    }
     vehicle->tasks.push_back({"path", path});
     if (vehicle->navigation.is_fitted && vehicle->navigation.gps.fitted) {
       vehicle->tasks.push_back({"fix", SurfaceForFixTask{.fixes = static_cast<int>(Integer(1, 99)),
@@ -299,12 +360,17 @@ class MissionDraw {
                           .height_deg = Number(0, 180),
                           .rate_hz = Positive(1000),
                           .noise_m = Number(0, 1000)};
-        track.track.law = VelocityCascade{
-            {SurvivalLayer{.group = {.r_safe_m = 3, .r_avoid_m = 30}, .sonar = {.r_avoid_m = 25}},
-             FeedForwardLayer{}}};
+        std::get<Remus100Options>(vehicle->model).floor_from = "sonar";
+        track.track.law = VelocityCascade{{SurvivalLayer{.group = {.r_safe_m = 3, .r_avoid_m = 30},
+                                                         .sonar = {.r_avoid_m = 25,
+                                                                   .r_pass_m = Number(0, 1e5),
+                                                                   .memory_s = Number(0, 600)}},
+                                           FeedForwardLayer{}}};
       }
     }
     track.on_silence = static_cast<SilenceRule>(Integer(0, 2));
+    track.on_target_end = static_cast<TargetEndRule>(Integer(0, 3));
+    track.hold_radius_m = Positive(10'000);
     track.compensate_current = Coin();
     track.track.u_max_mps = Positive(50);
     track.track.depth = {.z_max_m = Number(1, 20'000),
@@ -312,6 +378,27 @@ class MissionDraw {
                          .z_safe_m = Positive(20'000),
                          .climb_mps = Number(0, 50)};
     vehicle->tasks.push_back({"track", track});
+    vehicle->tasks.push_back({"up", SurfaceTask{Positive(50)}});
+    for (Task& task : vehicle->tasks) {
+      if (auto* keep = std::get_if<StationKeepTask>(&task.what)) keep->stops_first = true;
+    }
+    if (Coin()) vehicle->helm_options.end_of_tasks = Ending::kSurface;
+  }
+
+  Remus100Gains DrawGains() {
+    return {.gains = Coin() ? "munet" : "fossen",
+            .heading_kp = Number(0, 1000),
+            .heading_ki = Number(0, 1000),
+            .heading_kd = Number(0, 1000),
+            .heading_observer_hz = Positive(100),
+            .pitch_kp = Number(0, 1000),
+            .pitch_ki = Number(0, 1000),
+            .pitch_kd = Number(1, 1000),
+            .heave_kd = Number(0, 1000),
+            .depth_kp = Number(0, 1000),
+            .depth_ki = Number(0, 1000),
+            .max_pitch_deg = Positive(80),
+            .max_fin_deg = Positive(80)};
   }
 
   /// Gives it a swarm, if its acoustic network can carry one.
@@ -331,6 +418,9 @@ class MissionDraw {
       for (Task& task : vehicle.tasks) {
         auto* survey = std::get_if<SurveyTask>(&task.what);
         if (survey != nullptr) survey->route.start_m = {vehicle.start.x_m, vehicle.start.y_m};
+        auto* path = std::get_if<PathFollowTask>(&task.what);
+        if (path == nullptr) continue;
+        path->start.position_m.head<2>() = Eigen::Vector2d(vehicle.start.x_m, vehicle.start.y_m);
       }
     }
     const bool can_be = !mission->acoustics.options.modem && PlanSwarm(*mission).problems.empty();
@@ -411,6 +501,11 @@ class MissionDraw {
                                                        RecoveryStrategy::kSkipField};
     }
     vehicle.helm_options = {Positive(3600), Coin(), Positive(3600), Number(0.01, 60), Coin()};
+    constexpr Ending kOfAllModels[] = {Ending::kHold, Ending::kGoOn, Ending::kLoiter,
+                                       Ending::kEndMission};
+    if (Coin()) vehicle.helm_options.end_of_tasks = kOfAllModels[Integer(0, 3)];
+    vehicle.helm_options.hold_radius_m = Positive(10'000);
+    vehicle.helm_options.loiter_radius_m = Positive(10'000);
     vehicle.autopilot = {Number(0, 1000), Number(0, 1000), Number(0, 1000), Number(0, 180),
                          Number(0, 1000), Number(0, 1000), Number(0, 100)};
     const double blackout_s = Number(0, 100'000);

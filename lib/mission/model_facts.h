@@ -6,9 +6,10 @@
 namespace shoal {
 
 struct ModelFacts {
-  std::string_view name;       ///< model = "remus100" and [vehicle.remus100] in mission files.
-  bool is_underwater = false;  ///< It dives: it can start at a depth and do underwater tasks.
-  double longest_tick_s = 0;   ///< A longer tick_s cannot steer it; 0: any can.
+  std::string_view name;          ///< model = "remus100" and [vehicle.remus100] in mission files.
+  bool is_underwater = false;     ///< It dives: it can start at a depth and do underwater tasks.
+  double longest_tick_s = 0;      ///< A longer tick_s cannot steer it; 0: any can.
+  double turning_diameter_m = 0;  ///< Of its circle with full rudder; 0: the defaults suit it.
 };
 
 }  // namespace shoal

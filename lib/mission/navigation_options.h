@@ -127,12 +127,12 @@ struct NavigationOptions {
 
 /// `[[beacon]]`: a transponder or pinger at a place that vehicles know.
 struct BeaconOptions {
-  std::string name;
+  std::string name = {};
   Eigen::Vector2d point_m = Eigen::Vector2d::Zero();  ///< x East, y North.
   double depth_m = 0;
   double position_sigma_m = 0;   ///< How far off vehicles believe x and y, drawn once.
   std::string kind = "two_way";  ///< "two_way", "one_way" or "packets".
-  std::string sender;            ///< packets: the vehicle whose acoustic packets are ranges.
+  std::string sender = {};       ///< packets: the vehicle whose acoustic packets are ranges.
   double interval_s = 10;        ///< Not of packets.
   double offset_s = 0;
   double turnaround_s = 0.1;  ///< Of two_way.

@@ -74,7 +74,6 @@ auto Understand(const WordRow& row, const std::string& word)
 }
 
 Result<SeaFloor> FloorOf(const FloorOptions& options, uint64_t seed, const std::string& folder) {
-  if (options.style == "flat") return FlatFloor(options.depth_m);
   if (options.style == "grid") {
     const std::filesystem::path path = std::filesystem::path(folder) / options.grid;
     if (std::error_code ignored; std::filesystem::is_directory(path, ignored)) {
@@ -99,6 +98,7 @@ Result<SeaFloor> FloorOf(const FloorOptions& options, uint64_t seed, const std::
                              .scale_m = options.scale_m,
                              .south_west_m = Eigen::Vector2d::Constant(-options.size_m / 2),
                              .slope = {options.slope_east, options.slope_north}};
+  if (options.style == "flat") noise.style = FloorStyle::kFlat;
   if (options.style == "sigmoid") noise.style = FloorStyle::kSigmoid;
   if (options.style == "shelf") noise.style = FloorStyle::kShelf;
   if (!IsNoiseFloor(noise)) return Error{"a floor cannot be made of these numbers"};

@@ -142,6 +142,18 @@ TEST(OceanOf, MakesAFlatFloor) {
   EXPECT_EQ(ocean->floor->DepthAt({1e5, -1e5}), 42);
 }
 
+TEST(OceanOf, MakesAFlatFloorThatSlopesFromTheMiddleOfItsMap) {
+  FloorOptions floor = FloorOfStyle("flat");
+  floor.depth_m = 60;
+  floor.slope_east = -0.125;
+  floor.slope_north = 0.05;
+  const Result<Ocean> ocean = OceanWith(floor);
+  ASSERT_TRUE(ocean.ok() && ocean->floor) << ocean.error();
+  EXPECT_NEAR(ocean->floor->DepthAt({0, 0}), 60, 1e-9);
+  EXPECT_NEAR(ocean->floor->DepthAt({160, 40}), 60 - 20 + 2, 1e-9);
+  EXPECT_NEAR(ocean->floor->DepthAt({-160, 0}), 80, 1e-9);
+}
+
 TEST(OceanOf, MakesFloorsOfNoiseThatFallTowardTheSideTheySlope) {
   for (const char* style : {"linear", "sigmoid", "shelf"}) {
     FloorOptions floor = FloorOfStyle(style);

@@ -54,10 +54,18 @@ std::pair<std::vector<std::string>, size_t> SplitPath(std::string_view text) {
   return {};
 }
 
+/// Returns the name of an element of [[parent]], or nullptr. That of a task or behavior is its kind
+/// where the file gives it none.
+const std::string* NameIn(const Value& element, std::string_view parent) {
+  const std::string* name = FindText(element, "name");
+  const bool has_kind = parent == "task" || parent == "behavior";
+  return name == nullptr && has_kind ? FindText(element, "kind") : name;
+}
+
 /// Returns the element that `part` names: by its name without regard to case, or by its number.
-Value* FindElement(Array& array, const std::string& part) {
+Value* FindElement(Array& array, const std::string& part, std::string_view parent) {
   for (Value& element : array) {
-    const std::string* name = FindText(element, "name");
+    const std::string* name = NameIn(element, parent);
     if (name != nullptr && LowerCase(*name) == LowerCase(part)) return &element;
   }
   size_t number = 0;
@@ -69,7 +77,7 @@ Value* FindElement(Array& array, const std::string& part) {
 std::string NoSuchElement(const Array& array, const std::string& part, std::string_view parent) {
   std::vector<std::string_view> names;
   for (const Value& element : array) {
-    if (const std::string* name = FindText(element, "name")) names.push_back(*name);
+    if (const std::string* name = NameIn(element, parent)) names.push_back(*name);
   }
   std::string hint = DidYouMean(part, names);
   if (hint.empty()) {
@@ -117,7 +125,7 @@ void Apply(const Override& override_, Value& root, Problems& problems) {
     const std::string& part = override_.path[i];
     const bool last = i + 1 == override_.path.size();
     if (auto* array = std::get_if<Array>(&here->data)) {
-      here = FindElement(*array, part);
+      here = FindElement(*array, part, parent);
       if (here == nullptr) {
         problems.Add(override_.place, NoSuchElement(*array, part, parent));
         return;

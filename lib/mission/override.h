@@ -1,8 +1,8 @@
 // `--set key.path=value`: changes a mission from the command line before it is read.
 //
 // A path names tables by their keys, [[vehicle]], [[task]] and whatever else has a name by its
-// name, and other elements by their number from 1: comms.comms_range=300,
-// vehicle.alpha.task.survey.speed_mps=2, event.1.at_s=90.
+// name, which is that of its kind where a task or behavior has none, and other elements by their
+// number from 1: comms.comms_range=300, vehicle.alpha.task.survey.speed_mps=2, event.1.at_s=90.
 #pragma once
 
 #include <optional>

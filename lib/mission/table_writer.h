@@ -52,6 +52,7 @@ class TableWriter final : public Fields {
   void SkipRest() override {}
   void Refuse(std::string_view, std::string) override {}
   void Warn(std::string_view, std::string) override {}
+  void Note(std::string_view text) override { lines_ += "# " + std::string(text) + "\n"; }
   std::string Where() const override { return ""; }
 
  private:

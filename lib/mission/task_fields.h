@@ -21,6 +21,16 @@ Eigen::Vector2d DescribeFrame(Fields& fields, const StartPose& start);
 void Move(Fields& fields, std::string_view key, Eigen::Vector2d& point_m,
           const Eigen::Vector2d& offset_m);
 
+/// `points` or `path` of a path_follow task, and the keys about how it is flown.
+void DescribePath(Fields& fields, PathFollowTask& task, const StartPose& start);
+
+/// `polygon`, whose corners do not yet count from the origin.
+void DescribePolygon(Fields& fields, SurveyArea& area);
+/// The other keys of an area. One that is refused, here or at its polygon, is left without corners:
+/// nothing can be planned over it.
+void DescribeLanes(Fields& fields, SurveyArea& area);
+void DescribeRoute(Fields& fields, SurveyRoute& route);
+
 void Describe(Fields& fields, CaptureRule& rule);
 void DescribeSpeed(Fields& fields, double& speed_mps);
 

@@ -61,6 +61,7 @@ std::vector<const Vehicle*> VehiclesNamed(const Mission& mission, std::string_vi
 void Validate(Mission& mission, const TablePlace& file) {
   ResolveNames(mission, file);
   CompleteMission(mission, file);
+  SeedPaths(mission);
   ValidateNames(mission, file);
   ValidateEnvironment(mission, file);
   ValidateAcoustics(mission, file);
@@ -68,9 +69,12 @@ void Validate(Mission& mission, const TablePlace& file) {
   ValidateSwarm(mission, file);
   ValidateNetsim(mission, file);
   ValidateUnderwater(mission, file);
+  ValidatePaths(mission, file);
   ValidateBehaviors(mission, file);
   ValidateNavigation(mission, file);
   ValidateEvents(mission, file);
+  WarnOfAutopilots(mission, file);
+  WarnOfIdleKeys(mission, file);
   WarnOfIdleTasks(mission, file);
   ValidateExpectations(mission, file);
   WarnOfConduct(mission, file);

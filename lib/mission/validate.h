@@ -34,6 +34,8 @@ void ResolveNames(Mission& mission, const TablePlace& file);
 /// Gives each member of a divided survey its share, and refuses surveys that cannot be divided so;
 /// a part of ResolveNames.
 void ResolveSurveyShares(Mission& mission, const TablePlace& file);
+/// Gives each random part of a path its stream of the mission's seed: by vehicle, task and place.
+void SeedPaths(Mission& mission);
 /// Fills in what a table leaves open and another decides: whether there is an acoustic network,
 /// acoustic addresses, the leader of the network, the followers of the swarm.
 void CompleteMission(Mission& mission, const TablePlace& file);
@@ -51,11 +53,18 @@ void ValidateSwarm(const Mission& mission, const TablePlace& file);
 void ValidateNetsim(const Mission& mission, const TablePlace& file);
 /// Models and tasks of underwater vehicles.
 void ValidateUnderwater(const Mission& mission, const TablePlace& file);
+/// Paths of path_follow tasks: refuses those that leave the world, warns of what a vehicle, or the
+/// duration of the mission, does not allow.
+void ValidatePaths(const Mission& mission, const TablePlace& file);
 /// Behaviors, modes and obstacles.
 void ValidateBehaviors(const Mission& mission, const TablePlace& file);
 /// [vehicle.navigation] and [[beacon]].
 void ValidateNavigation(const Mission& mission, const TablePlace& file);
 void ValidateEvents(const Mission& mission, const TablePlace& file);
+/// Warns of gains that swing the fins at the mission's ticks.
+void WarnOfAutopilots(const Mission& mission, const TablePlace& file);
+/// Warns of keys that have no effect beside the others of their vehicle.
+void WarnOfIdleKeys(const Mission& mission, const TablePlace& file);
 /// Warns of tasks behind one that never ends, where no event starts them.
 void WarnOfIdleTasks(const Mission& mission, const TablePlace& file);
 /// Warns of missions in which nothing happens that could be judged, and of vehicles that start in

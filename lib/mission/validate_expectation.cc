@@ -21,7 +21,7 @@ namespace {
 
 /// Tasks that a helm does without having them from the mission.
 constexpr std::array<std::string_view, 4> kOwnTasks = {"return", "station_keep", "goto",
-                                                       "end_of_tasks"};
+                                                       kEndOfTasks};
 
 /// Refuses a task that one of the vehicles has not. `own` are the helm's, and right as well.
 void CheckTask(const TablePlace& place, const std::string& vehicle_name,

@@ -3,7 +3,9 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -39,7 +41,7 @@ enum class Provider {
   kNone,   ///< Not run: the clock does not wait for it.
 };
 
-/// `[vehicle.autopilot]`: heading PID to rudder, speed to thrust.
+/// `[vehicle.autopilot]` of a surface craft: heading PID to rudder, speed to thrust.
 struct AutopilotOptions {
   double heading_kp = 2;                   ///< Degrees of rudder per degree of error.
   double heading_ki = 0.02;                ///< Per degree-second.
@@ -83,6 +85,9 @@ struct SonarOptions {
   bool operator==(const SonarOptions&) const = default;
 };
 
+/// The task of a helm whose tasks are done.
+inline constexpr std::string_view kEndOfTasks = "end_of_tasks";
+
 /// `[vehicle.helm_options]`: the helm's own settings.
 struct HelmOptions {
   double nav_timeout_s = 2;      ///< All-stop when no NAV came for this long.
@@ -90,6 +95,10 @@ struct HelmOptions {
   double state_interval_s = 1;   ///< HELM_STATE at least this often.
   double decide_every_s = 0.25;  ///< With behaviors: time between decisions, in whole steps.
   bool goals_mandatory = false;  ///< Constraints alone (avoidance, limits) stop the vehicle.
+  /// Absent: kHold; of a vehicle whose last task brought it to the surface kSurface.
+  std::optional<Ending> end_of_tasks = {};
+  double hold_radius_m = 10;    ///< Keeping station by order or at the end: comes back from beyond.
+  double loiter_radius_m = 50;  ///< Of kLoiter.
 
   bool operator==(const HelmOptions&) const = default;
 };
@@ -139,17 +148,17 @@ struct Vehicle {
   Provider reporter = Provider::kShoal;  ///< `node_reporter = ...`
   Provider acomms = Provider::kShoal;    ///< `acomms = ...`, of vehicles in the swarm.
   HelmOptions helm_options;
-  AutopilotOptions autopilot;
+  AutopilotOptions autopilot;  ///< Of surface craft; other models have their own.
   ReporterOptions reporter_options;
   MessageOptions message_options;
-  LinkFactors link_factors;      ///< `stealth`, `earange`
-  int acoustic_address = 0;      ///< In the acoustic network; always > 0 once loaded.
-  bool acoustic_leader = false;  ///< tdma_lf: it leads.
-  RecoveryPlan recovery;         ///< Of messages of the swarm.
-  std::vector<Task> tasks;       ///< Done in this order after `deploy`; then station keeping.
-  ReturnTask return_task;        ///< What `return` does. Default: the start position.
-  std::vector<BehaviorOptions> behaviors;          ///< Beside the task of the moment.
-  std::vector<ModeOptions> modes;                  ///< Evaluated in this order.
+  LinkFactors link_factors;                ///< `stealth`, `earange`
+  int acoustic_address = 0;                ///< In the acoustic network; always > 0 once loaded.
+  bool acoustic_leader = false;            ///< tdma_lf: it leads.
+  RecoveryPlan recovery;                   ///< Of messages of the swarm.
+  std::vector<Task> tasks;                 ///< Done in this order after `deploy`; then the ending.
+  ReturnTask return_task;                  ///< What `return` does. Default: the start position.
+  std::vector<BehaviorOptions> behaviors;  ///< Beside the task of the moment.
+  std::vector<ModeOptions> modes;          ///< Evaluated in this order.
   std::map<std::string, VariableValue> variables;  ///< Of conditions and flags, at the start.
   Domain domain;                                   ///< What the behaviors decide about.
 

@@ -169,8 +169,9 @@ UpdateResult NavigationFilter::UpdateLog(double forward_mps) {
   Jacobian<1> jacobian = Jacobian<1>::Zero();
   jacobian[kStateForward] = 1;
   const Eigen::Matrix<double, 1, 1> innovation{forward_mps - solution_.in_water_mps.x()};
-  return Update<1>(innovation, jacobian,
-                   Eigen::Matrix<double, 1, 1>{options_.log_noise_mps * options_.log_noise_mps});
+  const Eigen::Matrix<double, 1, 1> noise{options_.log_noise_mps * options_.log_noise_mps};
+  return UpdateInsistent<1>(innovation, jacobian, noise, kStateForward,
+                            options_.most_rejected_speeds, &rejected_log_);
 }
 
 UpdateResult NavigationFilter::UpdateGps(const Eigen::Vector2d& position_m) {
@@ -179,16 +180,8 @@ UpdateResult NavigationFilter::UpdateGps(const Eigen::Vector2d& position_m) {
   const Eigen::Vector2d innovation_m = position_m - solution_.position_m;
   const Eigen::Matrix2d noise_m2 =
       options_.gps_noise_m * options_.gps_noise_m * Eigen::Matrix2d::Identity();
-  UpdateResult result = Update<2>(innovation_m, jacobian, noise_m2);
-  if (result.is_accepted) {
-    rejected_fixes_ = 0;
-  } else if (++rejected_fixes_ >= options_.most_rejected_fixes) {
-    rejected_fixes_ = 0;
-    covariance_.block<2, 2>(kStateX, kStateX) +=
-        innovation_m.squaredNorm() * Eigen::Matrix2d::Identity();
-    result = Update<2>(innovation_m, jacobian, noise_m2);
-  }
-  return result;
+  return UpdateInsistent<2>(innovation_m, jacobian, noise_m2, kStateX, options_.most_rejected_fixes,
+                            &rejected_fixes_);
 }
 
 UpdateResult NavigationFilter::UpdateRange(const BeaconFix& beacon, double depth_m, double range_m,

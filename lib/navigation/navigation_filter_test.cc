@@ -177,6 +177,19 @@ TEST(NavigationFilter, BelievesFixesAfterItHasLostItsWay) {
   EXPECT_NEAR(filter.solution().position_m.x(), 500, 0.1);
 }
 
+TEST(NavigationFilter, BelievesTheLogOnceTheSpeedHasChangedFasterThanItAssumes) {
+  FilterOptions options = NoNoise();
+  options.log_noise_mps = 0.05;
+  NavigationFilter filter(options, {}, Only(kStateForward, 0.05));
+  EXPECT_FALSE(filter.UpdateLog(2).is_accepted);
+  EXPECT_TRUE(filter.UpdateLog(2).is_accepted);
+  EXPECT_NEAR(filter.solution().in_water_mps.x(), 2, 0.01);
+  // One outlier alone is none.
+  EXPECT_FALSE(filter.UpdateLog(0).is_accepted);
+  EXPECT_TRUE(filter.UpdateLog(2).is_accepted);
+  EXPECT_FALSE(filter.UpdateLog(0).is_accepted);
+}
+
 TEST(NavigationFilter, ForgetsTheDeviationOfTheHeadingThatItTurnedFrom) {
   FilterOptions options = NoNoise();
   options.compass_deviation_rad = 0.1;

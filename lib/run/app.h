@@ -48,6 +48,11 @@ class App {
   /// Returns why the app cannot go on (disk full), or an empty string. Ends the mission.
   virtual std::string Fault() const { return {}; }
 
+  /// Returns why the app crashes now, for tests of missions, or an empty string. Its own process
+  /// aborts, within a simulation it alone is lost: [mission] on_loss decides what becomes of the
+  /// mission.
+  virtual std::string Crash() const { return {}; }
+
   /// The channels of requests that Answer answers, at the tick port.
   virtual std::vector<std::string> RequestChannels() const { return {}; }
 

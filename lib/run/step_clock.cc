@@ -30,7 +30,8 @@ StepClock::StepClock(ClockOptions options, std::vector<std::string> participants
     : options_(std::move(options)),
       plan_(std::move(plan)),
       transport_(transport),
-      pace_(options_.warp, options_.tick_us, options_.fixed_pace) {
+      pace_(options_.warp, options_.tick_us, options_.fixed_pace),
+      last_step_(options_.last_step) {
   for (std::string& name : participants) members_[std::move(name)];
   transport_.Listen(plan_.done_port(), channels::StepDone().name);
   transport_.Listen(plan_.done_port(), channels::ClockCommand().name);
@@ -168,7 +169,7 @@ void StepClock::Advance(int64_t wall_us) {
     return;
   }
   if (pace_.is_paused() && !stop_wanted_) return;
-  const bool is_last = step_ == options_.last_step || stop_wanted_;
+  const bool is_last = step_ >= last_step_ || stop_wanted_;
   if (!is_last && wall_us < pace_.DueTime()) return;
   pace_.ForgiveStall(wall_us);
   for (auto& [name, member] : members_) {

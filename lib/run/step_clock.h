@@ -14,6 +14,7 @@
 // for the transport.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <map>
 #include <set>
@@ -73,6 +74,8 @@ class StepClock {
   void DropExited(const std::string& participant, int64_t wall_us);
   /// Takes it that this participant has answered END: it has left, and its answer may be lost.
   void Leave(const std::string& participant, int64_t wall_us);
+  /// Makes the present step the last one: as planned, but earlier.
+  void MakeLast() { last_step_ = std::min(last_step_, std::max<int64_t>(step_, 0)); }
   /// Ends the mission after the present step, or at once if that does not end within
   /// `patience_us`.
   void Stop(int64_t wall_us, int64_t patience_us);
@@ -135,6 +138,7 @@ class StepClock {
   std::map<std::string, Member, std::less<>> members_;
   State state_ = State::kGathering;
   int64_t step_ = -1;
+  int64_t last_step_;
   tick_t tick_{};
   std::vector<step_total_t> next_totals_;  ///< Of the present step, as answers come.
   std::vector<std::string> joining_;       ///< Take part from the next tick on.

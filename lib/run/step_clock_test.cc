@@ -117,6 +117,24 @@ TEST(StepClock, PublishesItsEnd) {
   EXPECT_EQ(alone.state->utime, 5 * kTick_us);
 }
 
+TEST(StepClock, EndsAfterThePresentStepWhereThatIsMadeTheLast) {
+  ClockAlone alone({.mission_id = kMissionId, .warp = 0, .last_step = 1'000'000});
+  alone.answers = false;
+  alone.Begin();
+  for (int64_t step = 0; step < 3; ++step) {
+    alone.Answer(step);
+    alone.Run(1'000);
+  }
+  ASSERT_EQ(alone.clock.step(), 3);
+  alone.clock.MakeLast();
+  for (const int64_t step : {3, 4}) {  // The present one, and END.
+    alone.Answer(step);
+    alone.Run(1'000);
+  }
+  ASSERT_EQ(alone.clock.state(), StepClock::State::kEnded);
+  EXPECT_EQ(alone.state->utime, 3 * kTick_us);
+}
+
 TEST(StepClock, AnswersEachOrderAtOnce) {
   ClockAlone alone;
   alone.Begin();

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <limits>
 
 #include "lib/bus/channels.h"
@@ -178,6 +179,10 @@ void StepParticipant::RunStep() {
     if (warp_ != tick.warp) app_->OnWarp(tick.warp);
     warp_ = tick.warp;
     app_->Tick(utime_);
+    if (const std::string crash = app_->Crash(); !crash.empty()) {
+      fmt::print(stderr, "{}: {}\n", options_.name, crash);
+      std::abort();
+    }
   }
   in_step_ = false;
   SendDone(app_->Fault());

@@ -50,6 +50,19 @@ double TargetRange(const SonarTarget& target, const Eigen::Vector3d& position_m,
   return std::max(0.0, closest_m - std::sqrt(half_chord_m2));
 }
 
+/// A beam this near to the vertical meets no wall.
+constexpr double kLevelPart = 1e-9;
+
+double WallRange(const Polygon& wall_m, const Eigen::Vector3d& position_m,
+                 const Eigen::Vector3d& direction) {
+  if (SignedDistance(wall_m, position_m.head<2>()) < 0) return 0;
+  const double level = direction.head<2>().norm();
+  if (level < kLevelPart) return kNothing;
+  const std::optional<double> level_m =
+      RayDistance(wall_m, position_m.head<2>(), HeadingOf(direction.head<2>()));
+  return level_m ? *level_m / level : kNothing;
+}
+
 }  // namespace
 
 bool IsSonar(const SonarParams& params) {
@@ -74,8 +87,7 @@ ForwardLookingSonar::ForwardLookingSonar(const SonarParams& params) : params_(pa
   }
 }
 
-void ForwardLookingSonar::Ping(const SonarPose& pose, const SeaFloor& floor,
-                               std::span<const SonarTarget> others, int64_t number,
+void ForwardLookingSonar::Ping(const SonarPose& pose, const SonarScene& scene, int64_t number,
                                std::span<SonarBeam> beams) const {
   SHOAL_CHECK(beams.size() == beams_.size(), "beams.size() == beam_count()");
   const Eigen::Matrix3d rotation = BodyToWorld(pose.phi_rad, pose.theta_rad, pose.psi_rad);
@@ -84,9 +96,12 @@ void ForwardLookingSonar::Ping(const SonarPose& pose, const SeaFloor& floor,
   for (size_t i = 0; i < beams.size(); ++i) {
     SonarBeam& beam = beams[i];
     beam.direction = rotation * beams_[i];
-    double range_m = FloorRange(params_, floor, position_m, beam.direction);
-    for (const SonarTarget& target : others) {
+    double range_m = FloorRange(params_, scene.floor, position_m, beam.direction);
+    for (const SonarTarget& target : scene.vehicles) {
       range_m = std::min(range_m, TargetRange(target, position_m, beam.direction));
+    }
+    for (const Polygon& wall_m : scene.walls_m) {
+      range_m = std::min(range_m, WallRange(wall_m, position_m, beam.direction));
     }
     // Each beam draws, seen or not: what one sees does not change the noise of others.
     const double error_m =

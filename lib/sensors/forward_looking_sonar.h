@@ -1,8 +1,8 @@
-// Sees the sea floor and other vehicles ahead: a fan of beams, fixed to the hull.
+// Sees the sea floor, other vehicles and obstacles ahead: a fan of beams, fixed to the hull.
 //
 //   ForwardLookingSonar sonar(params);
 //   std::vector<SonarBeam> beams(sonar.beam_count());
-//   sonar.Ping(pose, floor, others, ping_number, beams);
+//   sonar.Ping(pose, {.floor = floor, .vehicles = others, .walls_m = polygons}, number, beams);
 #pragma once
 
 #include <Eigen/Core>
@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "lib/geometry/angles.h"
+#include "lib/geometry/convex_polygon.h"
 #include "lib/ocean/sea_floor.h"
 #include "lib/sensors/measurement_noise.h"
 
@@ -50,6 +51,14 @@ struct SonarTarget {
   double radius_m = 1.6;  ///< >= 0; MuNet: the vehicle's length.
 };
 
+/// What there is to be seen. Spans and floor must outlive the call.
+struct SonarScene {
+  const SeaFloor& floor;
+  std::span<const SonarTarget> vehicles = {};  ///< Without the one that carries the sonar.
+  std::span<const Polygon> walls_m =
+      {};  ///< Of obstacles that reach from the surface to the floor.
+};
+
 struct SonarBeam {
   Eigen::Vector3d direction = Eigen::Vector3d::UnitX();  ///< Unit vector, world axes.
   double range_m = 0;  ///< To the nearest of what it sees; max_range_m where it sees nothing.
@@ -68,10 +77,10 @@ class ForwardLookingSonar {
   /// The floor is seen at the first range step that lies on or below it, so its range is a multiple
   /// of max_range / range_steps, at most one step too far. A target is seen where the beam enters
   /// its sphere; from inside, by every beam, at range 0. MuNet's geometry (golden
-  /// forward_looking_sonar.json). `others` are without the vehicle that carries the sonar.
-  /// @pre finite pose and others, beams.size() == beam_count()
-  void Ping(const SonarPose& pose, const SeaFloor& floor, std::span<const SonarTarget> others,
-            int64_t number, std::span<SonarBeam> beams) const;
+  /// forward_looking_sonar.json). A wall is seen where the beam meets it; from inside at range 0.
+  /// @pre finite pose and scene, convex walls, beams.size() == beam_count()
+  void Ping(const SonarPose& pose, const SonarScene& scene, int64_t number,
+            std::span<SonarBeam> beams) const;
 
  private:
   SonarParams params_;

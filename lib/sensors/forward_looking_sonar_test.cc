@@ -21,7 +21,7 @@ std::vector<SonarBeam> PingOnce(const SonarParams& params, const SonarPose& pose
                                 int64_t number = 0) {
   const ForwardLookingSonar sonar(params);
   std::vector<SonarBeam> beams(sonar.beam_count());
-  sonar.Ping(pose, floor, others, number, beams);
+  sonar.Ping(pose, {.floor = floor, .vehicles = others}, number, beams);
   return beams;
 }
 
@@ -31,6 +31,47 @@ SonarParams OneBeam() {
           .max_range_m = 100,
           .range_steps = 20,
           .tilt_rad = 0};
+}
+
+double RangeToWall(const SonarPose& pose, const Polygon& wall_m) {
+  const ForwardLookingSonar sonar(OneBeam());
+  std::vector<SonarBeam> beams(1);
+  const SeaFloor deep;
+  const std::vector<Polygon> walls_m = {wall_m};
+  sonar.Ping(pose, {.floor = deep, .walls_m = walls_m}, 0, beams);
+  return beams[0].is_echo ? beams[0].range_m : -1;
+}
+
+const Polygon kRock = {{40, -10}, {60, -10}, {60, 10}, {40, 10}};
+
+TEST(ForwardLookingSonar, SeesAnObstacleFromTheSurfaceToTheFloor) {
+  for (const double z_m : {0.0, 20.0, 500.0}) {
+    EXPECT_NEAR(RangeToWall({.position_m = {0, 0, z_m}}, kRock), 40, 1e-9) << z_m;
+  }
+  EXPECT_NEAR(RangeToWall({.position_m = {0, 5, 20}, .theta_rad = DegToRad(60)}, kRock), 80, 1e-9)
+      << "along a beam that climbs at 60 degrees it is twice as far";
+}
+
+TEST(ForwardLookingSonar, SeesNoObstacleBesideAsternOrBeyondItsReach) {
+  EXPECT_EQ(RangeToWall({.position_m = {0, 11, 20}}, kRock), -1);
+  EXPECT_EQ(RangeToWall({.position_m = {70, 0, 20}}, kRock), -1);
+  EXPECT_EQ(RangeToWall({.position_m = {-61, 0, 20}}, kRock), -1);
+  EXPECT_NEAR(RangeToWall({.position_m = {-59, 0, 20}}, kRock), 99, 1e-9);
+}
+
+TEST(ForwardLookingSonar, InsideAnObstacleSeesItAtRangeZero) {
+  EXPECT_EQ(RangeToWall({.position_m = {50, 0, 20}}, kRock), 0);
+}
+
+TEST(ForwardLookingSonar, SeesTheNearerOfObstacleAndVehicle) {
+  const ForwardLookingSonar sonar(OneBeam());
+  std::vector<SonarBeam> beams(1);
+  const SeaFloor deep;
+  const std::vector<Polygon> walls_m = {kRock};
+  const std::vector<SonarTarget> vehicles = {{.position_m = {30, 0, 20}, .radius_m = 2}};
+  sonar.Ping({.position_m = {0, 0, 20}}, {.floor = deep, .vehicles = vehicles, .walls_m = walls_m},
+             0, beams);
+  EXPECT_NEAR(beams[0].range_m, 28, 1e-9);
 }
 
 TEST(ForwardLookingSonar, SeesWhatMunetsSees) {

@@ -75,11 +75,23 @@ double SteadySpeed(const Remus100& auv, double rpm) {
   return 0.5 * (low_mps + high_mps);
 }
 
+double SteadySpeedSlope(const Remus100& auv, double rpm) {
+  const double max_rpm = auv.params.propeller.max_rpm;
+  const double low_rpm = std::clamp(rpm - 1, -max_rpm, max_rpm - 1);
+  const double high_rpm = std::clamp(rpm + 1, 1 - max_rpm, max_rpm);
+  return (SteadySpeed(auv, high_rpm) - SteadySpeed(auv, low_rpm)) / (high_rpm - low_rpm);
+}
+
 double MunetSpeedFromRpm(double rpm) {
   const double n = std::clamp(rpm, -kMaxRpm, kMaxRpm);
-  if (n <= 100) return 0.000611108 * n;
-  if (n <= 400) return 0.00196552 * n - 0.135849;
-  return 0.0016922 * n - 0.0273616;
+  if (n <= 100) return MunetSpeedSlope(n) * n;
+  if (n <= 400) return MunetSpeedSlope(n) * n - 0.135849;
+  return MunetSpeedSlope(n) * n - 0.0273616;
+}
+
+double MunetSpeedSlope(double rpm) {
+  if (rpm <= 100) return 0.000611108;
+  return rpm <= 400 ? 0.00196552 : 0.0016922;
 }
 
 double MunetRpmFromSpeed(double speed_mps) {

@@ -25,10 +25,17 @@ struct PropellerForce {
 /// inverse of RpmForSpeed. @pre rpm finite
 [[nodiscard]] double SteadySpeed(const Remus100& auv, double rpm);
 
+/// Returns by how much SteadySpeed grows per rpm: the mean over one rpm to either side, within what
+/// the propeller can do. @pre rpm finite
+[[nodiscard]] double SteadySpeedSlope(const Remus100& auv, double rpm);
+
 /// Returns muNet's speed for `rpm`: three straight lines that do not quite meet, at 100 rpm (a fall
 /// of 0.4 mm/s) and at 400 rpm (of 0.8 mm/s); a border belongs to the line below it. To be used
 /// with the set `munet` where its results are to be had; otherwise use SteadySpeed. @pre rpm finite
 [[nodiscard]] double MunetSpeedFromRpm(double rpm);
+
+/// Returns the slope of MunetSpeedFromRpm. @pre rpm finite
+[[nodiscard]] double MunetSpeedSlope(double rpm);
 
 /// Returns muNet's revolutions for a speed: three straight lines that do not quite meet, at 0.0605
 /// m/s (a rise of 1.0 rpm) and 0.6383 m/s (a fall of 0.4 rpm); a border belongs to the line below

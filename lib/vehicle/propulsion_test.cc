@@ -44,6 +44,18 @@ RC_GTEST_PROP(SteadySpeed, IsTheInverseOfRpmForSpeedInEverySet, ()) {
   RC_ASSERT(std::abs(RpmForSpeed(auv, SteadySpeed(auv, rpm)) - rpm) < 1e-6);
 }
 
+TEST(SpeedSlopes, AreByHowMuchTheMapsGrow) {
+  const Remus100 auv = BuildRemus100({});
+  for (const double rpm : {50.0, 250.0, 900.0, 1400.0}) {
+    const double munet = (MunetSpeedFromRpm(rpm + 10) - MunetSpeedFromRpm(rpm - 10)) / 20;
+    EXPECT_NEAR(MunetSpeedSlope(rpm), munet, 1e-12) << rpm;
+    const double steady = (SteadySpeed(auv, rpm + 10) - SteadySpeed(auv, rpm - 10)) / 20;
+    EXPECT_NEAR(SteadySpeedSlope(auv, rpm), steady, 0.02 * steady) << rpm;
+  }
+  EXPECT_GT(SteadySpeedSlope(auv, 1e300), 0.0015) << "that at full revolutions";
+  EXPECT_GT(SteadySpeedSlope(auv, -1e300), 0);
+}
+
 TEST(SteadySpeed, GrowsWithTheRevolutionsAndStaysWithinThePropeller) {
   const Remus100 auv = BuildRemus100({});
   for (int rpm = -1500; rpm < 1500; rpm += 50) {

@@ -9,9 +9,9 @@
 #include <span>
 #include <string_view>
 
-#include "lib/encounters/encounter_score.h"
 #include "lib/mission/coverage_area.h"
 #include "lib/routing/vehicle_name.h"
+#include "lib/verdict/encounter_outcomes.h"
 #include "lib/verdict/expectation_text.h"
 
 namespace shoal {
@@ -308,10 +308,10 @@ std::vector<ExpectationVerdict> Judge::Verdicts() const {
       outcome = FindSeparation(*what);
     } else if (const auto* approach =
                    std::get_if<ClosestApproachExpectation>(&each.expectation->what)) {
-      outcome = FindClosestApproach(*approach, encounters_[each.encounters]);
+      outcome = JudgeClosestApproach(mission_, *approach, encounters_[each.encounters]);
     } else if (const auto* score =
                    std::get_if<EncounterScoreExpectation>(&each.expectation->what)) {
-      outcome = FindEncounterScore(*score, encounters_[each.encounters]);
+      outcome = JudgeEncounterScore(mission_, *score, encounters_[each.encounters]);
     } else if (const auto* comms = std::get_if<CommsExpectation>(&each.expectation->what)) {
       outcome = FindComms(*comms);
     } else if (const auto* swarm = std::get_if<SwarmExpectation>(&each.expectation->what)) {
@@ -406,75 +406,6 @@ Outcome Judge::FindSeparation(const SeparationExpectation& separation) const {
                                     closest.range_m, SecondsSinceStart(closest.utime));
   if (missing_m > 0) numbers += fmt::format(", {} m too close", FormatExcess(missing_m));
   return {.passed = missing_m <= 0, .strain = missing_m, .numbers = numbers};
-}
-
-bool Judge::IsNamed(std::string_view name, size_t vehicle) const {
-  const std::string key = VehicleKey(name);
-  return key == "all" || key == VehicleKey(mission_.vehicles[vehicle].name);
-}
-
-Outcome Judge::FindClosestApproach(const ClosestApproachExpectation& approach,
-                                   const EncounterWatch& watch) const {
-  const std::vector<Encounter> encounters = watch.Encounters();
-  const Encounter* closest = nullptr;
-  int64_t count = 0;
-  for (const Encounter& each : encounters) {
-    const size_t first = each.sides[0].vessel;
-    const size_t second = each.sides[1].vessel;
-    if (!(IsNamed(approach.vehicle, first) && IsNamed(approach.to, second)) &&
-        !(IsNamed(approach.vehicle, second) && IsNamed(approach.to, first))) {
-      continue;
-    }
-    ++count;
-    if (closest == nullptr || each.closest_m < closest->closest_m) closest = &each;
-  }
-  if (closest == nullptr) return {.passed = false, .numbers = "no encounter was seen"};
-  const double missing_m = approach.at_least_m - closest->closest_m;
-  std::string numbers = fmt::format(
-      "closest of {} encounter{}: {}-{} {:.1f} m at {:.1f} s", count, count == 1 ? "" : "s",
-      mission_.vehicles[closest->sides[0].vessel].name,
-      mission_.vehicles[closest->sides[1].vessel].name, closest->closest_m, closest->closest_s);
-  if (missing_m > 0) numbers += fmt::format(", {} m too close", FormatExcess(missing_m));
-  return {.passed = missing_m <= 0, .strain = missing_m, .numbers = numbers};
-}
-
-Outcome Judge::FindEncounterScore(const EncounterScoreExpectation& expected,
-                                  const EncounterWatch& watch) const {
-  const std::vector<Encounter> encounters = watch.Encounters();
-  const Encounter* lowest = nullptr;
-  size_t lowest_side = 0;
-  double lowest_score = 0;
-  int64_t count = 0;
-  std::string other_role;
-  for (const Encounter& each : encounters) {
-    for (size_t i = 0; i < 2; ++i) {
-      const EncounterSide& side = each.sides[i];
-      const size_t other = each.sides[1 - i].vessel;
-      if (!IsNamed(expected.vehicle, side.vessel) || !IsNamed(expected.to, other)) continue;
-      ++count;
-      if (!expected.role.empty() && Name(side.role) != expected.role && other_role.empty()) {
-        other_role = fmt::format("{} was {} toward {} at {:.1f} s, not {}",
-                                 mission_.vehicles[side.vessel].name, Name(side.role),
-                                 mission_.vehicles[other].name, each.begin_s, expected.role);
-      }
-      const double score = ScoreOf(each, i, watch.options()).overall;
-      if (lowest != nullptr && score >= lowest_score) continue;
-      lowest = &each;
-      lowest_side = i;
-      lowest_score = score;
-    }
-  }
-  if (lowest == nullptr) return {.passed = false, .numbers = "no encounter was seen"};
-  if (!other_role.empty()) return {.passed = false, .numbers = other_role};
-  const EncounterSide& side = lowest->sides[lowest_side];
-  const double missing = expected.at_least - lowest_score;
-  std::string numbers =
-      fmt::format("lowest of {}: {} as {} toward {} {:.1f}, closest {:.1f} m at {:.1f} s", count,
-                  mission_.vehicles[side.vessel].name, Name(side.role),
-                  mission_.vehicles[lowest->sides[1 - lowest_side].vessel].name, lowest_score,
-                  lowest->closest_m, lowest->closest_s);
-  if (missing > 0) numbers += fmt::format(", {} too low", FormatExcess(missing));
-  return {.passed = missing <= 0, .strain = missing, .numbers = numbers};
 }
 
 Outcome Judge::FindComms(const CommsExpectation& comms) const {

@@ -138,11 +138,6 @@ class Judge {
   Outcome FindSeparation(const SeparationExpectation& separation) const;
   Outcome FindComms(const CommsExpectation& comms) const;
   Outcome FindHelm(const HelmExpectation& helm, size_t vehicle) const;
-  Outcome FindClosestApproach(const ClosestApproachExpectation& approach,
-                              const EncounterWatch& watch) const;
-  Outcome FindEncounterScore(const EncounterScoreExpectation& score,
-                             const EncounterWatch& watch) const;
-  bool IsNamed(std::string_view name, size_t vehicle) const;
   void WatchCollisions(double time_s);
   void WatchEncounters(double time_s);
   std::string VehiclesWithoutReports() const;

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "lib/bus/waypoint_arrival.h"
 #include "lib/mission/mission.h"
 #include "lib/view/view_limits.h"
 
@@ -16,6 +17,7 @@ namespace {
 constexpr size_t kMaxReason = 200;
 /// What a helm states of an all-stop that came without a reason.
 constexpr std::string_view kByCommand = "all_stop command";
+constexpr std::string_view kStopped = "ALL-STOP";
 
 std::vector<double> LengthsOf(const std::vector<WatchedVehicle>& vehicles) {
   std::vector<double> lengths_m;
@@ -34,8 +36,9 @@ std::vector<WatchedVehicle> WatchedVehiclesOf(const Mission& mission) {
 }
 
 std::string_view EventKindText(EventKind kind) {
-  constexpr std::array<std::string_view, 6> kTexts = {
-      "collision", "all_stop", "cleared", "first_contact", "lost_contact", "contact_again"};
+  constexpr std::array<std::string_view, 7> kTexts = {
+      "collision",    "all_stop",      "cleared", "first_contact",
+      "lost_contact", "contact_again", "waypoint"};
   return kTexts.at(static_cast<size_t>(kind));
 }
 
@@ -43,7 +46,7 @@ EventWatch::EventWatch(std::vector<WatchedVehicle> vehicles)
     : vehicles_(std::move(vehicles)),
       positions_m_(vehicles_.size(), Eigen::Vector3d::Zero()),
       collisions_(LengthsOf(vehicles_)),
-      is_stopped_(vehicles_.size()) {
+      helms_(vehicles_.size()) {
   for (const WatchedVehicle& vehicle : vehicles_) names_.push_back(vehicle.name);
 }
 
@@ -61,20 +64,38 @@ void EventWatch::OnNav(size_t vehicle, int64_t utime, double x_m, double y_m, do
   if (seen_.size() >= vehicles_.size()) CompareAll();
 }
 
-void EventWatch::OnHelm(size_t vehicle, int64_t utime, std::string_view state,
-                        std::string_view all_stop) {
+void EventWatch::OnHelm(size_t vehicle, const helm_state_t& helm) {
   if (vehicle >= vehicles_.size()) return;
-  const bool is_stopped = state == "ALL-STOP";
-  if (is_stopped == is_stopped_[vehicle]) return;
-  is_stopped_[vehicle] = is_stopped;
+  WatchStop(vehicle, helm);
+  WatchArrival(vehicle, helm);
+  helms_[vehicle] = helm;
+}
+
+void EventWatch::WatchStop(size_t vehicle, const helm_state_t& helm) {
+  const bool is_stopped = helm.state == kStopped;
+  if (is_stopped == (helms_[vehicle].state == kStopped)) return;
   const std::string& name = vehicles_[vehicle].name;
   if (is_stopped) {
-    AddEvent(utime, EventKind::kAllStop, {name},
+    AddEvent(helm.utime, EventKind::kAllStop, {name},
              fmt::format("{}: {}", name,
-                         all_stop == kByCommand ? "by command" : all_stop.substr(0, kMaxReason)));
+                         helm.all_stop == kByCommand ? std::string("by command")
+                                                     : helm.all_stop.substr(0, kMaxReason)));
   } else {
-    AddEvent(utime, EventKind::kCleared, {name}, fmt::format("{}: all-stop is over", name));
+    AddEvent(helm.utime, EventKind::kCleared, {name}, fmt::format("{}: all-stop is over", name));
   }
+}
+
+void EventWatch::WatchArrival(size_t vehicle, const helm_state_t& helm) {
+  const std::string arrival = ArrivalText(helms_[vehicle], helm);
+  if (arrival.empty()) return;
+  if (num_arrivals_ == kMaxArrivals) {
+    ++num_left_out_;
+    return;
+  }
+  ++num_arrivals_;
+  const std::string& name = vehicles_[vehicle].name;
+  AddEvent(helm.utime, EventKind::kWaypoint, {name},
+           fmt::format("{}: {}", name, arrival.substr(0, kMaxReason)));
 }
 
 void EventWatch::SetStaleTime(double stale_time_s) {

@@ -1,4 +1,4 @@
-// Finds the events of a mission: collisions, all-stops, contacts won and lost
+// Finds the events of a mission: collisions, all-stops, waypoints reached, contacts won and lost
 // (docs/viewer_protocol.md).
 //
 //   EventWatch watch({{"alpha", 3}, {"bravo", 3}});
@@ -17,6 +17,7 @@
 
 #include "lib/vehicle/collision_watch.h"
 #include "lib/view/fate_facts.h"
+#include "shoal/helm_state_t.hpp"
 
 namespace shoal {
 
@@ -29,6 +30,7 @@ enum class EventKind : uint8_t {
   kFirstContact,
   kLostContact,
   kContactAgain,
+  kWaypoint,
 };
 [[nodiscard]] std::string_view EventKindText(EventKind kind);
 
@@ -51,6 +53,7 @@ struct WatchedVehicle {
 class EventWatch {
  public:
   static constexpr size_t kMaxEvents = 10'000;
+  static constexpr size_t kMaxArrivals = 5'000;  ///< Of them; a fleet must not crowd out the rest.
   static constexpr double kLeastSilence_s = 10;
   static constexpr size_t kMaxNames = 1000;  ///< Vehicles whose contacts are watched.
 
@@ -60,8 +63,8 @@ class EventWatch {
   /// Takes a position. When one of a later time comes, those of equal times have been compared:
   /// nearer than the mean of their lengths is a collision, once until they were twice as far apart.
   void OnNav(size_t vehicle, int64_t utime, double x_m, double y_m, double z_m);
-  /// Takes what HELM_STATE states; `all_stop` is the reason where `state` is "ALL-STOP".
-  void OnHelm(size_t vehicle, int64_t utime, std::string_view state, std::string_view all_stop);
+  /// Takes what HELM_STATE states.
+  void OnHelm(size_t vehicle, const helm_state_t& helm);
   /// Takes a fate of two vehicles (`utime` within kFarthest_us), by any numbers that stand for
   /// their names until the end.
   void OnFate(int32_t from, int32_t to, Cause cause, int64_t utime) {
@@ -93,6 +96,8 @@ class EventWatch {
     Contact contact = Contact::kNone;
   };
 
+  void WatchStop(size_t vehicle, const helm_state_t& helm);
+  void WatchArrival(size_t vehicle, const helm_state_t& helm);
   void CompareAll();
   void OnDelivery(int32_t from, int32_t to, int64_t utime);
   void FindLosses(int64_t utime);
@@ -104,7 +109,8 @@ class EventWatch {
   std::vector<uint32_t> seen_;  ///< Vehicles that have a position at nav_utime_.
   int64_t nav_utime_ = 0;
   CollisionWatch collisions_;
-  std::vector<bool> is_stopped_;    ///< In ALL-STOP.
+  std::vector<helm_state_t> helms_;  ///< As they last were.
+  size_t num_arrivals_ = 0;
   std::vector<std::string> names_;  ///< Of OnFate's numbers.
   std::vector<Pair> pairs_;         ///< Of a < b at b * (b - 1) / 2 + a.
   int64_t silence_us_ = 10'000'000;

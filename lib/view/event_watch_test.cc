@@ -85,15 +85,24 @@ TEST(EventWatch, IgnoresPositionsThatAreNotFinite) {
   EXPECT_TRUE(watch.events().empty());
 }
 
+helm_state_t HelmAt(int64_t utime, const std::string& state, const std::string& all_stop) {
+  helm_state_t helm{};
+  helm.utime = utime;
+  helm.state = state;
+  helm.all_stop = all_stop;
+  helm.waypoint_index = -1;
+  return helm;
+}
+
 TEST(EventWatch, ReportsAllStopsAndTheirEnd) {
   EventWatch watch = TwoKayaks();
-  watch.OnHelm(0, 0, "PARK", "never deployed");
-  watch.OnHelm(0, 1 * kSecond, "DRIVE", "clear");
+  watch.OnHelm(0, HelmAt(0, "PARK", "never deployed"));
+  watch.OnHelm(0, HelmAt(1 * kSecond, "DRIVE", "clear"));
   EXPECT_TRUE(watch.events().empty()) << "a parked vehicle is no event";
-  watch.OnHelm(0, 2 * kSecond, "ALL-STOP", "all_stop command");
-  watch.OnHelm(0, 3 * kSecond, "ALL-STOP", "all_stop command");
-  watch.OnHelm(0, 4 * kSecond, "DRIVE", "clear");
-  watch.OnHelm(9, 4 * kSecond, "ALL-STOP", "not there");
+  watch.OnHelm(0, HelmAt(2 * kSecond, "ALL-STOP", "all_stop command"));
+  watch.OnHelm(0, HelmAt(3 * kSecond, "ALL-STOP", "all_stop command"));
+  watch.OnHelm(0, HelmAt(4 * kSecond, "DRIVE", "clear"));
+  watch.OnHelm(9, HelmAt(4 * kSecond, "ALL-STOP", "not there"));
   ASSERT_EQ(KindsOf(watch), (std::vector{EventKind::kAllStop, EventKind::kCleared}));
   EXPECT_EQ(watch.events()[0].text, "alpha: by command");
   EXPECT_EQ(watch.events()[0].utime, 2 * kSecond);
@@ -167,11 +176,41 @@ TEST(EventWatch, NamesUnregisteredVehiclesAsGiven) {
   EXPECT_EQ(watch.events()[0].vehicles, (std::vector<std::string>{"bravo", "visitor"}));
 }
 
+helm_state_t OnLeg(int64_t utime, int waypoint, int laps = 0, const std::string& task = "survey") {
+  helm_state_t helm = HelmAt(utime, "DRIVE", "clear");
+  helm.task = task;
+  helm.waypoint_index = waypoint;
+  helm.laps_done = laps;
+  return helm;
+}
+
+TEST(EventWatch, ReportsEachWaypointThatIsReachedOnce) {
+  EventWatch watch = TwoKayaks();
+  watch.OnHelm(0, OnLeg(1 * kSecond, 0));
+  watch.OnHelm(0, OnLeg(2 * kSecond, 0));
+  EXPECT_TRUE(watch.events().empty()) << "it is on its way";
+  watch.OnHelm(0, OnLeg(3 * kSecond, 1));
+  watch.OnHelm(0, OnLeg(4 * kSecond, 1));
+  watch.OnHelm(0, OnLeg(5 * kSecond, 1, 1));
+  watch.OnHelm(0, OnLeg(6 * kSecond, 0, 0, "home"));
+  ASSERT_EQ(KindsOf(watch), (std::vector{EventKind::kWaypoint, EventKind::kWaypoint}));
+  EXPECT_EQ(watch.events()[0].text, "alpha: waypoint 1 of survey reached");
+  EXPECT_EQ(watch.events()[0].utime, 3 * kSecond);
+  EXPECT_EQ(watch.events()[1].text, "alpha: waypoint 2 of survey reached") << "it ends the lap";
+}
+
+TEST(EventWatch, LeavesRoomForOtherEventsThanWaypoints) {
+  EventWatch watch = TwoKayaks();
+  for (int i = 0; i < 6000; ++i) watch.OnHelm(0, OnLeg(i, i));
+  EXPECT_EQ(watch.events().size(), EventWatch::kMaxArrivals);
+  EXPECT_EQ(watch.num_left_out(), 999);
+}
+
 TEST(EventWatch, KeepsABoundedNumberOfEvents) {
   EventWatch watch = TwoKayaks();
   for (int i = 0; i < 6000; ++i) {
-    watch.OnHelm(0, i, "ALL-STOP", "x");
-    watch.OnHelm(0, i, "DRIVE", "clear");
+    watch.OnHelm(0, HelmAt(i, "ALL-STOP", "x"));
+    watch.OnHelm(0, HelmAt(i, "DRIVE", "clear"));
   }
   EXPECT_EQ(watch.events().size(), EventWatch::kMaxEvents);
   EXPECT_EQ(watch.num_left_out(), 2000);

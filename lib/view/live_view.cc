@@ -163,9 +163,7 @@ void LiveView::OnNav(size_t vehicle, const nav_t& nav) {
   events_.OnTime(scene_.now_utime());
 }
 
-void LiveView::OnHelm(size_t vehicle, const helm_state_t& helm) {
-  events_.OnHelm(vehicle, helm.utime, helm.state, helm.all_stop);
-}
+void LiveView::OnHelm(size_t vehicle, const helm_state_t& helm) { events_.OnHelm(vehicle, helm); }
 
 void LiveView::OnReport(size_t vehicle, const ReceivedReport& report) {
   if (trails_.size() <= vehicle) trails_.resize(vehicle + 1);

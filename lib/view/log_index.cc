@@ -152,9 +152,7 @@ class IndexBuilder : private SceneObserver {
     watch_.OnNav(vehicle, nav.utime, nav.x_m, nav.y_m, nav.z_m);
   }
 
-  void OnHelm(size_t vehicle, const helm_state_t& helm) override {
-    watch_.OnHelm(vehicle, helm.utime, helm.state, helm.all_stop);
-  }
+  void OnHelm(size_t vehicle, const helm_state_t& helm) override { watch_.OnHelm(vehicle, helm); }
 
   void OnReport(size_t vehicle, const ReceivedReport& report) override {
     if (index_.trails.size() <= vehicle) index_.trails.resize(vehicle + 1);

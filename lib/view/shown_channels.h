@@ -14,6 +14,7 @@
 #include "lib/bus/channels.h"
 #include "lib/view/json_writer.h"
 #include "shoal/desired_t.hpp"
+#include "shoal/guidance_t.hpp"
 #include "shoal/helm_decision_t.hpp"
 #include "shoal/modem_stats_t.hpp"
 #include "shoal/navigation_t.hpp"
@@ -154,8 +155,48 @@ struct ShownNavigation {
   }
 };
 
+/// How the task of an underwater vehicle comes to what it asks of the autopilots.
+struct ShownGuidance {
+  using Message = guidance_t;
+  static constexpr std::string_view kKey = "guidance";
+  static constexpr size_t kMostLayers = 10;
+
+  static Channel<Message> ChannelOf(std::string_view vehicle) {
+    return channels::Guidance(vehicle);
+  }
+  static void Bound(Message* guidance) {
+    constexpr size_t kLongestText = 80;
+    if (guidance->layers.size() > kMostLayers) guidance->layers.resize(kMostLayers);
+    guidance->num_layers = static_cast<int32_t>(guidance->layers.size());
+    const auto shorten = [](std::string* text) {
+      if (text->size() > kLongestText) text->resize(kLongestText);
+    };
+    for (std::string* text : {&guidance->vehicle, &guidance->task, &guidance->task_kind}) {
+      shorten(text);
+    }
+    for (guidance_layer_t& layer : guidance->layers) shorten(&layer.name);
+  }
+  static void Write(const Message& guidance, JsonWriter* json) {
+    json->BeginObject()
+        .Number("t", static_cast<double>(guidance.utime) / 1e6, kMilliseconds)
+        .Number("pitch", guidance.pitch_deg, kTenths)
+        .Number("crab", guidance.crab_deg, kTenths)
+        .Key("layers")
+        .BeginArray();
+    for (const guidance_layer_t& layer : guidance.layers) {
+      json->BeginObject()
+          .Text("name", layer.name)
+          .Number("speed", layer.speed_mps, 2)
+          .Number("weight", layer.weight, 3)
+          .EndObject();
+    }
+    json->EndArray().EndObject();
+  }
+};
+
 /// The rows, in the order in which frames have them.
-using ShownChannels = std::tuple<ShownDesired, ShownModem, ShownDecision, ShownNavigation>;
+using ShownChannels =
+    std::tuple<ShownDesired, ShownModem, ShownDecision, ShownGuidance, ShownNavigation>;
 
 template <class Rows>
 struct LastMessages;

@@ -44,13 +44,13 @@ void LawsOfFollower(benchmark::State& state, const VelocityLaw& law) {
       .own = At(1, {3, 2, 20}), .target = At(0, {100, 0, 20}), .group = group, .seabed_z_m = 80};
   TargetTracker tracker({.law = law, .depth = {.climb_mps = 0.5}}, 0);
   AuvPilot pilot(DefaultRemusPilot());
-  AuvMotion motion = {.z_m = 20};
+  AuvMotion motion = {.z_m = 20, .speed_mps = 2};
   for (auto _ : state) {
     around.own.position_m.x() = 3 + motion.psi_rad;
     motion.psi_rad += 1e-5;
     const TrackCommand command = tracker.Update(around);
-    benchmark::DoNotOptimize(
-        pilot.KeepHeadingAndPitch(motion, command.psi_d_rad, command.theta_d_rad, kStep_s));
+    benchmark::DoNotOptimize(pilot.KeepHeadingAndPitch(
+        motion, command.psi_d_rad, command.theta_d_rad, DepthBound::Level(75), kStep_s));
     benchmark::DoNotOptimize(RpmForSpeed(auv, command.speed_mps));
   }
   Report(state);

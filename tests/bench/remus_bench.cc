@@ -41,10 +41,11 @@ BENCHMARK_CAPTURE(StepOfRemus, fossen, FossenRemus100());
 void UpdateOfPilot(benchmark::State& state) {
   AuvPilot pilot(DefaultRemusPilot());
   pilot.Start(0, 50);
-  AuvMotion motion = {.z_m = 50};
+  AuvMotion motion = {.z_m = 50, .speed_mps = 2};
   for (auto _ : state) {
     motion.psi_rad += 1e-4;
-    benchmark::DoNotOptimize(pilot.KeepHeadingAndDepth(motion, 1, 60, 100, kStep_s));
+    benchmark::DoNotOptimize(
+        pilot.KeepHeadingAndDepth(motion, 1, 60, DepthBound::Level(95), kStep_s));
   }
   state.SetItemsProcessed(state.iterations());
 }

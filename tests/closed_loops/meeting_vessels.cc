@@ -5,10 +5,13 @@
 #include <cstdlib>
 #include <memory>
 #include <sstream>
+#include <utility>
 
 #include "lib/behaviors/behavior_set.h"
 #include "lib/check/bounds.h"
 #include "lib/check/check.h"
+#include "lib/geometry/angles.h"
+#include "lib/modes/value_text.h"
 #include "tests/closed_loops/kinematic_vessel.h"
 
 namespace shoal {
@@ -100,20 +103,24 @@ struct Vessel {
   ContactLedger ledger;
   BehaviorSet helm;
   std::map<std::string, std::string> last_roles = {};
+  std::map<std::string, VariableValue> last_posts = {};
 };
 
-void NoteRole(const Vessel& vessel, const std::string& contact, const std::string& role,
-              Meeting* meeting, std::string* last) {
+void NoteRole(double time_s, const Vessel& vessel, const std::string& contact,
+              const std::string& role, Meeting* meeting, std::string* last) {
   if (role == *last) return;
   const std::pair<std::string, std::string> pair(vessel.name, contact);
   const std::string mode = role.substr(0, role.find(':'));
   std::string& roles = meeting->roles[pair];
-  if (mode != last->substr(0, last->find(':'))) roles += (roles.empty() ? "" : " ") + mode;
+  if (mode != last->substr(0, last->find(':'))) {
+    roles += (roles.empty() ? "" : " ") + mode;
+    meeting->events.emplace_back(time_s, vessel.name + ": role " + contact + " " + mode);
+  }
   *last = role;
   ++meeting->num_role_changes[pair];
 }
 
-void Decide(double time_s, Vessel* vessel, Meeting* meeting) {
+HelmOutcome Decide(double time_s, Vessel* vessel, Meeting* meeting) {
   const Contacts& contacts = vessel->ledger.At(time_s, vessel->motion.position_m);
   const HelmOutcome outcome = vessel->helm.Iterate({.time_s = time_s,
                                                     .drives = true,
@@ -127,12 +134,20 @@ void Decide(double time_s, Vessel* vessel, Meeting* meeting) {
   }
   for (const HelmAim& aim : outcome.aims) {
     if (!aim.role) continue;
-    NoteRole(*vessel, aim.role->contact, aim.role->role, meeting,
+    NoteRole(time_s, *vessel, aim.role->contact, aim.role->role, meeting,
              &vessel->last_roles[aim.role->contact]);
+  }
+  for (const VariablePost& post : outcome.posts) {
+    if (post.variable != "REGION" && post.variable != "WPT_INDEX") continue;
+    VariableValue& last = vessel->last_posts[post.variable];
+    if (std::exchange(last, post.value) == post.value) continue;
+    meeting->events.emplace_back(time_s,
+                                 vessel->name + ": " + post.variable + " " + TextOf(post.value));
   }
   for (const HelmEvent& event : outcome.events) {
     meeting->events.emplace_back(time_s, vessel->name + ": " + event.kind + " " + event.text);
   }
+  return outcome;
 }
 
 /// "*": every vessel.
@@ -173,9 +188,7 @@ void NoteDistances(const std::vector<Vessel>& vessels, Meeting* meeting) {
   }
 }
 
-}  // namespace
-
-Meeting RunMeeting(const nlohmann::json& scenario, const MeetingOptions& options) {
+std::vector<Vessel> VesselsOf(const Json& scenario, const MeetingOptions& options) {
   std::vector<Vessel> vessels;
   for (const auto& [name, vehicle] : scenario.at("vehicles").items()) {
     const Json& start = vehicle.at("start");
@@ -189,6 +202,58 @@ Meeting RunMeeting(const nlohmann::json& scenario, const MeetingOptions& options
                        .ledger = ContactLedger(name, options.contacts),
                        .helm = BehaviorSet(SetupOf(name, vehicle, options))});
   }
+  return vessels;
+}
+
+/// Between two full seconds of a track, as if the vessel had turned evenly.
+VesselMotion MotionAt(const std::vector<const GoldenRow*>& rows, double time_s) {
+  const auto second = std::min(static_cast<size_t>(time_s), rows.size() - 1);
+  const GoldenRow& from = *rows[second];
+  const GoldenRow& to = *rows[std::min(second + 1, rows.size() - 1)];
+  const double part = time_s - static_cast<double>(second);
+  const auto between = [&](const char* title) {
+    return Number(from, title) + part * (Number(to, title) - Number(from, title));
+  };
+  const double turn_deg = Wrap180(Number(to, "heading") - Number(from, "heading"));
+  return {.position_m = {between("x"), between("y")},
+          .heading_deg = Wrap360(Number(from, "heading") + part * turn_deg),
+          .speed_mps = between("speed")};
+}
+
+}  // namespace
+
+JudgedMeeting JudgeAlong(const nlohmann::json& scenario, const std::vector<GoldenRow>& track,
+                         const MeetingOptions& options) {
+  std::map<std::string, std::vector<const GoldenRow*>> rows;
+  for (const GoldenRow& row : track) rows[row.at("vehicle")].push_back(&row);
+  std::vector<Vessel> vessels = VesselsOf(scenario, options);
+  JudgedMeeting judged;
+  constexpr int kDecisionsPerSecond = 4;
+  const size_t num_rows = rows.begin()->second.size();
+  for (size_t i = 0; i + 1 < kDecisionsPerSecond * num_rows; ++i) {
+    const double time_s = static_cast<double>(i) / kDecisionsPerSecond;
+    for (Vessel& vessel : vessels) vessel.motion = MotionAt(rows.at(vessel.name), time_s);
+    if (i % 2 == 0) ExchangeReports(scenario.at("lost_reports"), time_s, &vessels);
+    for (Vessel& vessel : vessels) {
+      const HelmOutcome outcome = Decide(time_s, &vessel, &judged.meeting);
+      if (i % kDecisionsPerSecond != 0 || !outcome.has_decision) continue;
+      const GoldenRow& row = *rows.at(vessel.name)[i / kDecisionsPerSecond];
+      const HelmPoint theirs = {.course_deg = Number(row, "desired_heading"),
+                                .speed_mps = Number(row, "desired_speed")};
+      judged.decisions.push_back({.time_s = time_s,
+                                  .vessel = vessel.name,
+                                  .theirs = theirs,
+                                  .ours = outcome.commands,
+                                  .roles = vessel.last_roles,
+                                  .utility = vessel.helm.UtilityAt(outcome.commands),
+                                  .utility_theirs = vessel.helm.UtilityAt(theirs)});
+    }
+  }
+  return judged;
+}
+
+Meeting RunMeeting(const nlohmann::json& scenario, const MeetingOptions& options) {
+  std::vector<Vessel> vessels = VesselsOf(scenario, options);
   Meeting meeting;
   const auto last =
       static_cast<int>(std::lround(scenario.at("duration_s").get<double>() / kVesselStep_s));
@@ -196,7 +261,7 @@ Meeting RunMeeting(const nlohmann::json& scenario, const MeetingOptions& options
     const double time_s = step * kVesselStep_s;
     if (step % kStepsPerReport == 0) ExchangeReports(scenario.at("lost_reports"), time_s, &vessels);
     for (Vessel& vessel : vessels) {
-      if (step % kStepsPerDecision == 0) Decide(time_s, &vessel, &meeting);
+      if (step % kStepsPerDecision == 0) (void)Decide(time_s, &vessel, &meeting);
       if (step % kStepsPerRow == 0) {
         meeting.tracks[vessel.name].push_back({.time_s = time_s, .motion = vessel.motion});
       }

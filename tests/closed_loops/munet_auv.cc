@@ -38,8 +38,8 @@ void MunetAuv::TakeTarget(const VelocityLaw& law) {
 void MunetAuv::DecideOnPath() {
   path_guidance = follower_->Update(position_m(), kMunetStep_s);
   leg = follower_->progress().previous;
-  const AuvDeflections fins = pilot.KeepHeadingAndDepth(
-      Motion(), path_guidance.psi_ref_rad, path_guidance.z_m, kMunetSeabed_m, kMunetStep_s);
+  const AuvDeflections fins = pilot.KeepHeadingAndDepth(Motion(), path_guidance.psi_ref_rad,
+                                                        path_guidance.z_m, {}, kMunetStep_s);
   command = {fins.rudder_rad, fins.stern_plane_rad, rpm_};
 }
 
@@ -53,7 +53,7 @@ void MunetAuv::DecideOnVelocity(const Eigen::Vector3d& velocity_mps, double held
 
 void MunetAuv::Steer(const TrackCommand& track) {
   const AuvDeflections fins =
-      pilot.KeepHeadingAndPitch(Motion(), track.psi_d_rad, track.theta_d_rad, kMunetStep_s);
+      pilot.KeepHeadingAndPitch(Motion(), track.psi_d_rad, track.theta_d_rad, {}, kMunetStep_s);
   command = {fins.rudder_rad, fins.stern_plane_rad, track.Rpm(MunetRpmFromSpeed)};
 }
 
@@ -66,11 +66,12 @@ Neighbour MunetAuv::AsNeighbour(int id) const {
 }
 
 AuvMotion MunetAuv::Motion() const {
-  return {.z_m = state.eta[2],
-          .theta_rad = state.eta[4],
-          .psi_rad = state.eta[5],
-          .q_radps = state.nu[4],
-          .r_radps = state.nu[5]};
+  const Remus100State& seen = seen_by_pilot ? *seen_by_pilot : state;
+  return {.z_m = seen.eta[2],
+          .theta_rad = seen.eta[4],
+          .psi_rad = seen.eta[5],
+          .q_radps = seen.nu[4],
+          .r_radps = seen.nu[5]};
 }
 
 }  // namespace shoal

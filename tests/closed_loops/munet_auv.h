@@ -1,6 +1,6 @@
 // A Remus 100 under shoal's laws, with the options that make it muNet's, in the order of muNet's
 // loop: guidance and autopilots at a state, then the model's step. (Between processes a command
-// takes two steps more: whole_swarm_test.cc.)
+// takes a step more: whole_swarm_test.cc.)
 //
 //   MunetAuv leader(state, psi_rad, z_m);
 //   leader.TakePath(waypoints_m, 1200);
@@ -46,7 +46,8 @@ class MunetAuv {
   Eigen::Vector3d position_m() const { return state.eta.head<3>(); }
 
   Remus100State state;
-  Remus100Actuators command;  ///< The last decision.
+  std::optional<Remus100State> seen_by_pilot;  ///< What its autopilots go by; absent: `state`.
+  Remus100Actuators command;                   ///< The last decision.
   AuvPilot pilot;
   PathGuidance path_guidance;  ///< Of the last DecideOnPath.
   size_t leg = 0;              ///< After it: the waypoint at which the current leg begins.

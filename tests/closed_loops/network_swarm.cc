@@ -132,8 +132,8 @@ void NetworkSwarm::Ping(int index) {
     if (i != index) others.push_back({.position_m = auv(i).position_m()});
   }
   std::vector<SonarBeam> beams(sonar_.beam_count());
-  sonar_.Ping({own.eta.head<3>(), own.eta[3], own.eta[4], own.eta[5]}, floor_, others, step_,
-              beams);
+  sonar_.Ping({own.eta.head<3>(), own.eta[3], own.eta[4], own.eta[5]},
+              {.floor = floor_, .vehicles = others}, step_, beams);
   std::vector<SonarEcho>& echoes = echoes_[static_cast<size_t>(index)];
   echoes.clear();
   for (const SonarBeam& beam : beams) {

@@ -84,6 +84,7 @@ class PlainHelm {
     const BehaviorInputs inputs = {
         .time_s = time_s, .own = {.motion = motion_}, .domain = &domain_};
     std::vector<WeightedObjective> objectives;
+    AllowedPart allowed;
     std::string error;
     for (Aim& aim : aims_) {
       if (aim.behavior == nullptr) continue;
@@ -92,6 +93,7 @@ class PlainHelm {
       for (const VariablePost& post : answer.posts) Note(time_s, post, track);
       if (!answer.error.empty()) error = answer.error;
       if (answer.completes) aim.behavior.reset();
+      Restrict(&allowed, answer.allowed);
       if (!answer.objective) continue;
       objectives.push_back(
           {.weight = aim.pwt * answer.relevance, .objective = *std::move(answer.objective)});
@@ -101,7 +103,7 @@ class PlainHelm {
       command_ = {.heading_deg = motion_.heading_deg, .speed_mps = 0};
       return;
     }
-    const DomainPoint point = shoal::Decide(domain_, objectives).point;
+    const DomainPoint point = shoal::Decide(domain_, objectives, allowed).point;
     if (point.course && point.speed) {
       num_empty_ = 0;
       command_ = {.heading_deg = static_cast<double>(*point.course),
@@ -215,7 +217,7 @@ std::vector<Aim> OutOf(const OpRegionOptions& region, double pwt) {
 const VesselMotion kEastward = {.heading_deg = 90};
 
 TEST(OneVesselHelm, StopsOutsideItsRegionAsTheOldOpRegionDoes) {
-  PlainHelm helm(OutOf({.core_poly = kRegion}, 100), kEastward);
+  PlainHelm helm(OutOf({.core_poly = kRegion, .look_ahead = 0}, 100), kEastward);
   const Track track = helm.Drive(0, 60);
   ExpectTrack(track, "opregion_old_exit", 0.5);
   ExpectTimes(track, "breached_poly_flag", {27.5});
@@ -226,6 +228,7 @@ TEST(OneVesselHelm, TurnsBackAtTheBorderAsOpRegionV24Does) {
   PlainHelm helm(OutOf({.core_poly = kRegion,
                         .save_dist = 5,
                         .halt_dist = 20,
+                        .look_ahead = 0,
                         .recover_patience = {95, 80, 50, 20, 5}},
                        300),
                  kEastward);
@@ -247,6 +250,19 @@ TEST(OneVesselHelm, StaysNearerToItsRegionWithoutTheOriginalsTurns) {
   EXPECT_NEAR(track.TimesOf("save_flag").front(), 29.5, 0.2501);
   EXPECT_TRUE(track.TimesOf("breached_poly_flag").empty());
   EXPECT_LT(farthest_m, 62.4);
+  testing::Test::RecordProperty("farthest", std::to_string(farthest_m));
+}
+
+TEST(OneVesselHelm, StaysInsideARegionThatItsGoalLiesOutsideOf) {
+  PlainHelm helm(OutOf({.core_poly = kRegion}, 100), kEastward);
+  double farthest_m = 0;
+  const Track track = helm.Drive(0, 120);
+  for (const TrackRow& row : track.rows) {
+    farthest_m = std::max(farthest_m, row.motion.position_m.cwiseAbs().maxCoeff());
+  }
+  EXPECT_GT(farthest_m, 49);  // It comes to the border, and not beyond.
+  EXPECT_LE(farthest_m, 50);
+  EXPECT_TRUE(track.TimesOf("breached_poly_flag").empty());
   testing::Test::RecordProperty("farthest", std::to_string(farthest_m));
 }
 

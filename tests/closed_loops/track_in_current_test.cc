@@ -57,9 +57,10 @@ Steady Follow(const Remus100Params& params, const CrossCurrent& sea) {
                               .theta_rad = state.eta[4],
                               .psi_rad = state.eta[5],
                               .q_radps = state.nu[4],
-                              .r_radps = state.nu[5]};
+                              .r_radps = state.nu[5],
+                              .speed_mps = sea.speed_mps};
     const AuvDeflections fins =
-        pilot.KeepHeadingAndDepth(motion, guidance.psi_ref_rad, guidance.z_m, 6000, kStep_s);
+        pilot.KeepHeadingAndDepth(motion, guidance.psi_ref_rad, guidance.z_m, {}, kStep_s);
     state = Step(auv, state, {fins.rudder_rad, fins.stern_plane_rad, rpm}, water, kStep_s);
   }
   return steady;

@@ -19,7 +19,9 @@ AuvMotion AnyMotion() {
           .theta_rad = AnyFinite(),
           .psi_rad = AnyFinite(),
           .q_radps = AnyFinite(),
-          .r_radps = AnyFinite()};
+          .r_radps = AnyFinite(),
+          .speed_mps = AnyFinite(),
+          .is_driven = *rc::gen::arbitrary<bool>()};
 }
 
 RC_GTEST_PROP(FiniteControl, AuvPilotsStayWithinTheirFinsInAnyMotion, ()) {
@@ -28,11 +30,13 @@ RC_GTEST_PROP(FiniteControl, AuvPilotsStayWithinTheirFinsInAnyMotion, ()) {
   pilot.Start(AnyFinite(), AnyFinite());
   for (int i = 0; i < 10; ++i) {
     const double dt_s = DrawBetween(1e-6, 1);
-    const double seabed_z_m = *rc::gen::element(AnyFinite(), kInfinity);
+    const DepthBound bound = {.now_m = *rc::gen::element(AnyFinite(), kInfinity),
+                              .soon_m = *rc::gen::element(AnyFinite(), kInfinity),
+                              .later_m = *rc::gen::element(AnyFinite(), kInfinity)};
     const AuvDeflections fins =
         *rc::gen::arbitrary<bool>()
-            ? pilot.KeepHeadingAndDepth(AnyMotion(), AnyFinite(), AnyFinite(), seabed_z_m, dt_s)
-            : pilot.KeepHeadingAndPitch(AnyMotion(), AnyFinite(), AnyFinite(), dt_s);
+            ? pilot.KeepHeadingAndDepth(AnyMotion(), AnyFinite(), AnyFinite(), bound, dt_s)
+            : pilot.KeepHeadingAndPitch(AnyMotion(), AnyFinite(), AnyFinite(), bound, dt_s);
     RC_ASSERT(std::abs(fins.rudder_rad) <= params.heading.max_output_rad);
     RC_ASSERT(std::abs(fins.stern_plane_rad) <= params.pitch.max_output_rad);
     RC_ASSERT(std::isfinite(pilot.desired_psi_rad()));

@@ -1,24 +1,29 @@
-// Holds the set `fossen` to Fossen's own closed loop: depth by a PI over a pitch PID, heading by an
-// integral sliding mode with a reference model of third order (Fossen 2021, eq. 16.479). The
-// autopilot is here and not in lib/control, as nothing else uses it.
+// Holds the vehicle `fossen` and the gains of that name to Fossen's own closed loop: depth by a PI
+// over a pitch PID, heading by an integral sliding mode with a reference model of third order
+// (Fossen 2021, eq. 16.479). The sliding mode is here and not in lib/control, which has its PID
+// alone.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "lib/control/named_pilots.h"
 #include "lib/geometry/angles.h"
 #include "lib/vehicle/remus100.h"
 #include "tests/golden/read_golden.h"
 
-namespace shoal::remus100_fossen_autopilot_test {
+namespace shoal::fossen_autopilot_test {
 
 constexpr double kStep_s = 0.02;
+constexpr double kNoLimit_rad = 1e9;
 
 struct FossenAutopilot {
   double z_ref_m = 0;
   double psi_ref_rad = 0;
 
-  double z_d_m = 0, z_integral = 0, theta_integral = 0;
+  double z_d_m = 0;
+  DepthPi depth = {};
+  AnglePid pitch = {};
   double psi_d_rad = 0, r_d = 0, a_d = 0, psi_integral = 0;
 
   Remus100Actuators Update(const Vector6d& eta, const Vector6d& nu) {
@@ -28,12 +33,11 @@ struct FossenAutopilot {
   double UpdateSternPlane(double z_m, double theta_rad, double w, double q) {
     const double keep = std::exp(-kStep_s * 0.02);
     z_d_m = keep * z_d_m + (1 - keep) * z_ref_m;
-    const double theta_d = 0.1 * ((z_m - z_d_m) + z_integral / 100);
-    const double error = WrapPi(theta_rad - theta_d);
-    const double plane = 5 * error + 2 * q + 0.3 * theta_integral + 5 * w;
-    z_integral += kStep_s * (z_m - z_d_m);
-    theta_integral += kStep_s * error;
-    return plane;
+    AuvPilotParams gains = FossenRemusPilot();
+    gains.depth.max_pitch_rad = gains.pitch.max_output_rad = kNoLimit_rad;  // As the original.
+    const double theta_d_rad = depth.Update(gains.depth, z_m, z_d_m, kStep_s);
+    return pitch.Update(gains.pitch, theta_rad, theta_d_rad,
+                        q + kFossenHeaveGain / gains.pitch.kd * w, kStep_s);
   }
 
   double UpdateRudder(double psi_rad, double r) {
@@ -92,4 +96,33 @@ TEST(FossenRemus100, KeepsDepthAndHeadingInACurrentAsItsOriginal) {
   EXPECT_GT(step, 9900);
 }
 
-}  // namespace shoal::remus100_fossen_autopilot_test
+TEST(FossensHeadingGains, AreItsSlidingModeWithinTheBoundaryLayer) {
+  AnglePidGains gains = FossenRemusPilot().heading;
+  gains.max_output_rad = kNoLimit_rad;
+  int num_within = 0;
+  for (const double psi_rad : {-0.15, -0.02, 0.0, 0.1, 0.2}) {
+    for (const double r_radps : {-0.03, 0.0, 0.04}) {
+      for (const double integral_rads : {-1.0, 0.0, 0.7}) {
+        FossenAutopilot sliding;
+        sliding.psi_integral = integral_rads;
+        const double sigma = r_radps + 0.2 * psi_rad + 0.01 * integral_rads;
+        if (std::abs(sigma) > 0.1) continue;
+        ++num_within;
+        AnglePid pid{.integral_rads = integral_rads};
+        EXPECT_NEAR(pid.Update(gains, psi_rad, 0, r_radps, kStep_s),
+                    sliding.UpdateRudder(psi_rad, r_radps), 1e-12)
+            << psi_rad << " " << r_radps << " " << integral_rads;
+      }
+    }
+  }
+  EXPECT_GT(num_within, 40);
+}
+
+TEST(NamedPilots, AreTheThreeThatMissionFilesKnow) {
+  EXPECT_EQ(RemusPilotByName("default")->heading, DefaultRemusPilot().heading);
+  EXPECT_EQ(RemusPilotByName("munet")->heading, MunetRemusPilot().heading);
+  EXPECT_EQ(RemusPilotByName("fossen")->pitch, FossenRemusPilot().pitch);
+  EXPECT_FALSE(RemusPilotByName("Fossen"));
+}
+
+}  // namespace shoal::fossen_autopilot_test

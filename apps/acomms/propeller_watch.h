@@ -1,0 +1,48 @@
+// How fast a leader's propeller is changing its speed: what its reports predict from
+// (PredictAtPoint, lib/guidance/motion_prediction.h).
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "lib/guidance/motion_prediction.h"
+#include "lib/mission/vehicle.h"
+#include "lib/vehicle/remus100.h"
+#include "shoal/actuators_t.hpp"
+
+namespace shoal {
+
+/// Knows the rate n of the commanded revolutions, in rpm/s. It is not 0 only while a propeller
+/// whose rate is limited (`max_propeller_rate_rpmps`) is on its way to its set point: one that is
+/// commanded at once is a constant one, as in muNet.
+class PropellerWatch {
+ public:
+  /// ACTUATORS that are older than this state no rate.
+  static constexpr int64_t kTimeout_us = 2'000'000;
+
+  explicit PropellerWatch(const AnyModel& model);
+
+  /// True where the revolutions can have a rate; the others need no ACTUATORS.
+  bool is_needed() const { return remus_.has_value(); }
+
+  void OnActuators(const actuators_t& actuators);
+
+  /// Returns the plan of a vehicle that moves as `own` does: with a rate, the acceleration is
+  /// the slope of the map from rpm to speed times n, and no speed is above that of full revolutions
+  /// (or the own one). @pre own is finite
+  [[nodiscard]] SpeedPlan PlanOf(const Motion& own, int64_t utime) const;
+
+ private:
+  struct Remus {
+    Remus100 auv;
+    bool is_munet = false;
+    double max_rate_rpmps = 0;
+  };
+
+  std::optional<Remus> remus_;  ///< With a limited rate.
+  std::optional<int64_t> utime_;
+  double rpm_ = 0;
+  double rate_rpmps_ = 0;
+};
+
+}  // namespace shoal

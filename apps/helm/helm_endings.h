@@ -1,0 +1,29 @@
+// What a vehicle does when its tasks are done, and how it keeps station by order: the tasks that
+// follow from where it is then.
+#pragma once
+
+#include "lib/guidance/task_runner.h"
+#include "lib/mission/vehicle.h"
+
+namespace shoal {
+
+class HelmEndings {
+ public:
+  explicit HelmEndings(const Vehicle& vehicle);
+
+  /// Returns the ending of the list whose last task was `last`; nullptr: the list is empty.
+  Ending AfterList(const Task* last) const;
+
+  /// Returns what to do from `fix` on, where `last` was steered before. kEndMission is the ending
+  /// that the vehicle would have without it.
+  TaskRunner::What TaskFor(Ending ending, const Fix& fix, const Guidance& last) const;
+
+  /// Returns the task that keeps station about a point, at the depth of `fix`.
+  StationKeepTask HoldAt(const Eigen::Vector2d& point_m, const Fix& fix) const;
+
+ private:
+  HelmOptions options_;
+  bool is_underwater_;
+};
+
+}  // namespace shoal
