@@ -62,12 +62,11 @@ Seen Run(const std::vector<Task>& tasks, double duration_s) {
 }
 
 const Task kLeg = {.name = "leg",
-                   .what = PathFollowTask{.points_m = {{0, 0, 10}, {2000, 0, 10}},
-                                          .speed_mps = 2}};
+                   .what = PathFollowTask{.points_m = {{0, 0, 10}, {2000, 0, 10}}, .speed_mps = 2}};
 
 TEST(NavigationLoop, IsCarriedOffByACurrentThatItDoesNotKnow) {
   const Seen seen = Run({kLeg}, 200);
-  // 0.4 m/s for 200 s, less what the filter allows for; the bound tells that it does not know.
+  // 0.4 m/s for 200 s, less what the filter allows for; the bound shows that it does not know.
   EXPECT_GT(seen.error_m(), 40);
   EXPECT_GT(seen.navigation.ellipse_major_m, 40);
   EXPECT_EQ(seen.navigation.num_gps, 0);

@@ -110,7 +110,7 @@ struct SurveyTask {
 struct SurfaceForFixTask {
   static constexpr std::string_view kKind = "surface_for_fix";
 
-  int fixes = 10;        ///< It waits for so many, then the task is done; > 0 ...
+  int fixes = 10;        ///< It waits for this many, then the task is done; > 0 ...
   double limit_s = 300;  ///< ... or when this is over since it began; > 0.
   double speed_mps = 2;  ///< > 0: fins need it.
   double radius_m = 20;  ///< Of the circle that it goes at the surface; > 0.

@@ -99,7 +99,7 @@ UpdateResult NavigationFilter::Update(const Eigen::Matrix<double, kSize, 1>& inn
   result.gate = gates_[kSize];
   result.innovation = innovation[0];
   result.distance2 = innovation.dot(inverse * innovation);
-  // False, too, where nothing is uncertain: no measurement can tell more.
+  // False, too, where nothing is uncertain: nothing can be learned.
   result.is_accepted = result.distance2 <= result.gate;
   if (!result.is_accepted) return result;
   const Eigen::Matrix<double, kNumStates, kSize> gain = cross * inverse;

@@ -56,10 +56,10 @@ struct FilterOptions {
   double sway_time_s = 5;                   ///< ... within about this time; > 0.
   double current_walk_mps_per_rts = 0.002;  ///< How fast the current changes.
   double gate_probability = 0.999;          ///< Of keeping a good measurement; 0 .. 1, not 1.
-  /// So many readings of log or DVL that are rejected in a row are believed all the same: the speed
+  /// This many readings of log or DVL rejected in a row are believed all the same: the speed
   /// has changed faster than it assumes; > 0.
   int most_rejected_speeds = 2;
-  /// So many GPS fixes that are rejected in a row are believed all the same: the filter has lost
+  /// This many GPS fixes rejected in a row are believed all the same: the filter has lost
   /// its way, and widens its covariance by what they show; > 0.
   int most_rejected_fixes = 5;
 };

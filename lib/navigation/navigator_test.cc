@@ -24,7 +24,7 @@ InstrumentOptions Perfect() {
   return options;
 }
 
-/// Runs straight along `heading_deg` at 1.5 m/s for so many seconds; returns estimate less truth.
+/// Runs straight along `heading_deg` at 1.5 m/s for `time_s`; returns estimate less truth.
 Eigen::Vector2d ErrorAfter(double time_s, double heading_deg, const InstrumentOptions& actual) {
   InstrumentOptions assumed = actual;
   assumed.compass.bias_sigma_rad = 0;
