@@ -103,7 +103,8 @@ class PlotDataBuilder {
     std::optional<int64_t> nav_utime;        ///< Of position_m.
     std::optional<navigation_t> navigation;  ///< Waits for NAV of the same time.
     TimeMarks marks;
-    std::string leg;  ///< Which leg its helm was on; empty: none.
+    std::string leg;                          ///< Which leg its helm was on; empty: none.
+    std::optional<double> desired_speed_mps;  ///< The last; absent: no DESIRED has come.
     /// Of the reports that it knows; absent: of none.
     std::optional<int64_t> target_report_utime, other_report_utime;
   };
