@@ -262,7 +262,6 @@ std::vector<Figure> DrawFigures(const PlotData& data, const PlotSetting& setting
           DrawSpeed(stacked("speed"), setting, png),
           DrawAge(stacked("age"), setting, png),
           DrawLayers(stacked("layers"), setting, png),
-
           DrawNavigation(stacked("navigation"), setting, png)};
 }
 
