@@ -108,7 +108,7 @@ TEST(LoadBeacons, WarnsWhereNoVehicleTakesRanges) {
       std::string(kShortest) + "[[beacon]]\nname = \"a\"\npoint = [1, 2]\n", "m.toml");
   EXPECT_EQ(WarningsBesideConduct(loaded),
             (std::vector<std::string>{
-                "m.toml:5:1: no vehicle takes ranges: give one [vehicle.navigation]"}));
+                "m.toml:5:1: warning: no vehicle takes ranges: give one [vehicle.navigation]"}));
 }
 
 TEST(LoadNavigation, IsNeededByTasksAndExpectationsAboutIt) {
