@@ -31,6 +31,11 @@ DirectorApp::DirectorApp(const Mission& mission, Bus& bus)
       log_.Warn(fmt::format("NAV of {} dropped: it holds an impossible number",
                             mission_.vehicles[i].name));
     });
+    if (mission.vehicles[i].navigation.is_fitted) {
+      Subscribe(bus, channels::EstimatedNav(name), [this, i](const nav_t& nav) {
+        judge_.TakeEstimate(i, {nav.x_m, nav.y_m});
+      });
+    }
     Subscribe(bus, channels::HelmState(name), [this, i](const helm_state_t& helm) {
       HelmFacts facts = {.state = helm.state, .task = helm.task, .laps_done = helm.laps_done};
       if (helm.waypoint_index >= 0) facts.cross_track_error_m = helm.cross_track_error_m;

@@ -71,6 +71,29 @@ function hatch(ctx) {
 /** True in an all-stop; a parked vehicle is at rest. */
 export const isStopped = (vehicle) => vehicle.helm?.state === 'ALL-STOP';
 
+/** Draws where vehicles believe to be: the ellipse that holds them with 95 %, and the way there. */
+export function drawBelieved(ctx, camera, theme, vehicles) {
+  for (const vehicle of vehicles) {
+    const {navigation} = vehicle;
+    if (!isNumber(navigation?.x) || !isNumber(navigation?.y)) continue;
+    const [bx, by] = [camera.sx(navigation.x), camera.sy(navigation.y)];
+    ctx.strokeStyle = vehicleColor(vehicle.name, vehicle.color, theme.light);
+    ctx.lineWidth = 1.2;
+    ctx.globalAlpha = 0.8;
+    ctx.beginPath();
+    camera.addSegment(ctx, vehicle.x, vehicle.y, navigation.x, navigation.y);
+    ctx.stroke();
+    if (isNumber(navigation.major) && isNumber(navigation.minor) && camera.sees(bx, by)) {
+      ctx.beginPath();
+      const scale = camera.metresPerPixel;
+      ctx.ellipse(bx, by, navigation.major / scale, navigation.minor / scale,
+        ((navigation.direction ?? 0) - 90) * Math.PI / 180, 0, 2 * Math.PI);
+      ctx.stroke();
+    }
+  }
+  ctx.globalAlpha = 1;
+}
+
 /** Draws the reported positions that stand apart from the truth, with their age. */
 export function drawReported(ctx, camera, theme, vehicles, t) {
   for (const vehicle of vehicles) {

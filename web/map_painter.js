@@ -6,7 +6,7 @@ import {drawMark, drawMeasure, drawNorth, drawScaleBar} from './draw_overlay.js'
 import {drawPulses, drawRings} from './draw_signals.js';
 import {drawRanges, drawTargets, drawTasks, tasksKey} from './draw_tasks.js';
 import {drawSwaths, drawTrailEnds, drawTrails} from './draw_trails.js';
-import {drawReported, drawVehicles} from './draw_vehicles.js';
+import {drawBelieved, drawReported, drawVehicles} from './draw_vehicles.js';
 import {isNumber} from './geometry.js';
 import {MapLayer, Motion} from './map_layer.js';
 import {acousticKinds} from './world.js';
@@ -124,6 +124,7 @@ export class MapPainter {
       }
       if (layers.tasks) drawTargets(ctx, camera, theme, vehicles, view.selected);
       if (layers.reported) drawReported(ctx, camera, theme, vehicles, t);
+      drawBelieved(ctx, camera, theme, vehicles);
       drawVehicles(ctx, camera, theme, vehicles, view, view.ratio);
       if (layers.names) this.#labels.draw(ctx, camera, theme, vehicles, t, view, nowMs);
     }

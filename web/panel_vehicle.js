@@ -159,6 +159,7 @@ export class VehiclePanel {
       ['Waypoint', helm?.to ? `no. ${helm.waypoint + 1}, ${quantity(helm.distance, 1, 'm')} to go, `
         + `${quantity(helm.cross_track, 1, 'm')} off the leg` : 'none'],
       ['Position', nav ? `x ${quantity(nav.x, 1)}, y ${quantity(nav.y, 1)} m` : '–'],
+      ...(vehicle.navigation ? [['Believed', navigationWords(vehicle.navigation, nav)]] : []),
       ['Depth', quantity(nav?.depth, 1, 'm') + (Number.isFinite(nav?.altitude)
         ? `, ${quantity(nav.altitude, 1, 'm')} above the floor` : '')],
       ['Heading', `${heading(nav?.heading)}, over ground ${heading(nav?.course)}`],
@@ -199,6 +200,14 @@ export class VehiclePanel {
       depth: chart({title: 'Depth', unit: 'm', digits: 1, span: 2, inverted: true}),
     };
   }
+}
+
+/** Where it believes to be, how well it knows, and how far off it is. */
+function navigationWords({x, y, major, minor, lock, fix}, nav) {
+  const error = nav ? `, ${quantity(Math.hypot(x - nav.x, y - nav.y), 1, 'm')} off` : '';
+  return `x ${quantity(x, 1)}, y ${quantity(y, 1)} m, 95 % within `
+    + `${quantity(major, 1)} × ${quantity(minor, 1, 'm')}${error}; `
+    + `bottom lock ${lock ? 'yes' : 'no'}, GPS ${fix ? 'fix' : 'none'}`;
 }
 
 function factRow(label) {

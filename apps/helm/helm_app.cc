@@ -82,6 +82,11 @@ bool HasNews(const StateWords& words, const StateNumbers& numbers, const helm_st
          numbers.waypoint_m.y() != last.waypoint_y_m || numbers.waypoint_m.z() != last.waypoint_z_m;
 }
 
+/// Variables of behaviors that NAVIGATION sets: half of the long axis of the ellipse that holds the
+/// position with 95 %, and the number of fixes, whenever there was another (periodic_surface).
+constexpr char kUncertaintyVariable[] = "NAV_UNCERTAINTY_M";
+constexpr char kFixVariable[] = "GPS_UPDATE_RECEIVED";
+
 constexpr size_t kMaxContactsShown = 10;
 
 std::string TasksText(const Vehicle& vehicle) {
@@ -136,6 +141,10 @@ HelmApp::HelmApp(const Mission& mission, const Vehicle& vehicle, Bus& bus)
       if (arbiter_) arbiter_->OnSwarm(swarm, utime_.value_or(0));
     });
   }
+  if (vehicle.navigation.is_fitted) {
+    Subscribe(bus, channels::Navigation(vehicle.name),
+              [this](const navigation_t& navigation) { OnNavigation(navigation); });
+  }
   if (vehicle.sonar.is_fitted) {
     Subscribe(bus, channels::Sonar(vehicle.name), [this](const sonar_t& ping) {
       swarm_.OnSonar(ping);
@@ -157,6 +166,18 @@ void HelmApp::OnNav(const nav_t& nav) {
   }
   nav_ = nav;
   nav_is_fresh_ = true;
+}
+
+void HelmApp::OnNavigation(const navigation_t& navigation) {
+  if (arbiter_) {
+    arbiter_->Set({.variable = kUncertaintyVariable, .value = navigation.ellipse_major_m},
+                  "navigation");
+  }
+  if (arbiter_ && navigation.num_gps > num_gps_) {
+    arbiter_->Set({.variable = kFixVariable, .value = static_cast<double>(navigation.num_gps)},
+                  "navigation");
+  }
+  num_gps_ = navigation.num_gps;
 }
 
 void HelmApp::OnCommand(const helm_command_t& command) {
@@ -237,6 +258,7 @@ void HelmApp::Tick(int64_t utime) {
               .velocity_mps =
                   nav_.speed_over_ground_mps * UnitVector(DegToRad(nav_.course_over_ground_deg)),
               .speed_mps = std::max(0.0, nav_.speed_mps),
+              .num_gps_fixes = num_gps_,
               .surroundings = swarm_.Look(states_.task(), nav_)};
   }
   states_.Advance(fix, nav_is_lost);

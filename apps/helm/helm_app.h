@@ -1,8 +1,9 @@
-// Steers one vehicle. Subscribes to NAV_<V> (MEASURED_NAV_<V> where it has sensors), SONAR_<V>,
-// HELM_COMMAND_<V>, NODE_REPORT_<V> and NODE_MESSAGE_<V>, to NAV of the vehicles that it follows,
-// or to SWARM_<V>; publishes DESIRED_<V> and ACTUATORS_<V> in every step, HELM_STATE_<V> on change
-// and every state_interval_s; with behaviors HELM_DECISION_<V>, and NODE_MESSAGE_LOCAL for flags
-// with a destination.
+// Steers one vehicle. Subscribes to NAV_<V> (MEASURED_NAV_<V> where it has sensors,
+// ESTIMATED_NAV_<V> and NAVIGATION_<V> where it navigates by them), SONAR_<V>, HELM_COMMAND_<V>,
+// NODE_REPORT_<V> and NODE_MESSAGE_<V>, to NAV of the vehicles that it follows, or to SWARM_<V>;
+// publishes DESIRED_<V> and ACTUATORS_<V> in every step, HELM_STATE_<V> on change and every
+// state_interval_s; with behaviors HELM_DECISION_<V>, and NODE_MESSAGE_LOCAL for flags with a
+// destination.
 //
 // What it does and why is decided in helm_states.h, with behaviors in arbiter.h, how in pilot.h;
 // here are the bus and the page.
@@ -44,6 +45,8 @@ class HelmApp : public App {
   };
 
   void OnNav(const nav_t& nav);
+  /// Takes note of fixes, and sets what behaviors may know of the own navigation.
+  void OnNavigation(const navigation_t& navigation);
   void OnCommand(const helm_command_t& command);
   /// A HELM_COMMAND that another vehicle, or the shore in its name, sent as a node message.
   void OnNodeMessage(const node_message_t& message);
@@ -102,6 +105,7 @@ class HelmApp : public App {
   int64_t num_refused_ = 0;
   int64_t num_bad_navs_ = 0;
   int64_t num_reports_ = 0;
+  int64_t num_gps_ = 0;  ///< Fixes, as of the last NAVIGATION.
 };
 
 }  // namespace shoal

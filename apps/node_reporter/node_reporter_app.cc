@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <utility>
 
 #include "apps/node_reporter/dead_reckoning.h"
 #include "lib/run/own_nav.h"
@@ -13,6 +14,11 @@ namespace {
 
 /// NAV comes in every step; after this many seconds without it a position is dead reckoned.
 constexpr double kNavTimeout_s = 2;
+/// Fields of a report about the ellipse that holds the vehicle's position, with 95 %: half of its
+/// long and short axis in metres, and the heading of the long one in degrees.
+constexpr std::string_view kMajorKey = "NAV_MAJOR_M";
+constexpr std::string_view kMinorKey = "NAV_MINOR_M";
+constexpr std::string_view kDirectionKey = "NAV_MAJOR_DEG";
 constexpr std::string_view kNavWarning = "no NAV, hence no reports";
 constexpr std::string_view kBadNavWarning = "NAV dropped: it holds an impossible number";
 
@@ -63,10 +69,24 @@ NodeReporterApp::NodeReporterApp(const Mission& mission, const Vehicle& vehicle,
   }
 
   Subscribe(bus, OwnNav(vehicle), [this](const nav_t& nav) { TakeNav(nav); });
+  if (vehicle.navigation.is_fitted) {
+    Subscribe(bus, channels::Navigation(vehicle.name),
+              [this](const navigation_t& navigation) { TakeUncertainty(navigation); });
+  }
   Subscribe(bus, channels::HelmState(vehicle.name), [this](const helm_state_t& state) {
     helm_ = state;
     helm_is_new_ = true;
   });
+}
+
+void NodeReporterApp::TakeUncertainty(const navigation_t& navigation) {
+  report_.extra.resize(options_.extra.size());
+  for (const auto& [key, value] : {std::pair(kMajorKey, navigation.ellipse_major_m),
+                                   std::pair(kMinorKey, navigation.ellipse_minor_m),
+                                   std::pair(kDirectionKey, navigation.ellipse_heading_deg)}) {
+    report_.extra.push_back({.key = std::string(key), .value = fmt::format("{:.1f}", value)});
+  }
+  report_.num_extra = static_cast<int32_t>(report_.extra.size());
 }
 
 void NodeReporterApp::TakeNav(const nav_t& nav) {

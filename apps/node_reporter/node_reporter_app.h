@@ -31,6 +31,8 @@ class NodeReporterApp : public App {
 
  private:
   void TakeNav(const nav_t& nav);
+  /// Reports how well the position is known, beside the position.
+  void TakeUncertainty(const navigation_t& navigation);
   void Report(int64_t utime);
   bool HasFreshNav(int64_t utime);
   void FillReport(int64_t utime);

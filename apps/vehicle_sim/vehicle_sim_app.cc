@@ -53,19 +53,24 @@ VehicleSimApp::VehicleSimApp(const Mission& mission, const Vehicle& vehicle, Bus
       tick_us_(mission.tick_us),
       start_utime_(mission.start_utime),
       contact_rule_(mission.environment.contact),
-      has_instruments_(vehicle.sensors.is_fitted || vehicle.sonar.is_fitted ||
-                       mission.environment.plume.exists),
+      has_instruments_(vehicle.sensors.is_fitted || vehicle.navigation.is_fitted ||
+                       vehicle.sonar.is_fitted || mission.environment.plume.exists),
       nav_channel_(channels::Nav(vehicle.name)),
       ocean_(OceanOrDie(mission)),
       frame_({.lat_deg = mission.origin_lat_deg, .lon_deg = mission.origin_lon_deg}),
       vehicle_(vehicle),
       instruments_(InstrumentsOf(mission, vehicle)),
       sonar_(SonarOf(mission, vehicle)) {
+  if (vehicle.navigation.is_fitted) navigation_.emplace(mission, vehicle);
   Reset(vehicle.start);
   Subscribe(bus, channels::Actuators(vehicle.name),
             [this](const actuators_t& actuators) { OnActuators(actuators); });
   Subscribe(bus, channels::SimCommand(vehicle.name),
             [this](const sim_command_t& command) { OnSimCommand(command); });
+  if (navigation_ && navigation_->takes_packets()) {
+    Subscribe(bus, channels::AcousticRx(vehicle.name),
+              [this](const acoustic_rx_t& packet) { navigation_->TakePacket(packet); });
+  }
   if (!sonar_ && contact_rule_ == ContactRule::kIgnore) return;
   others_.emplace(mission, vehicle);
   for (const Obstacle& obstacle : mission.obstacles) {
@@ -82,6 +87,7 @@ void VehicleSimApp::Reset(const StartPose& pose) {
   // The water at the new place is asked for once the vehicle is there.
   craft_->Reset(pose, {});
   craft_->Reset(pose, WaterAt(utime_.value_or(start_utime_)));
+  if (navigation_ && utime_) navigation_->Start(pose);
   touched_by_.clear();
 }
 
@@ -206,6 +212,12 @@ void VehicleSimApp::PublishInstruments(const nav_t& nav) {
   if (instruments_) {
     Publish(bus_, channels::MeasuredNav(vehicle_.name), instruments_->Measure(nav, frame_));
   }
+  if (navigation_) {
+    const nav_t estimate = navigation_->Estimate(nav, WaterAt(nav.utime).velocity_mps, frame_);
+    Publish(bus_, channels::EstimatedNav(vehicle_.name), estimate);
+    const std::optional<navigation_t> report = navigation_->Report(nav.utime);
+    if (report) Publish(bus_, channels::Navigation(vehicle_.name), *report);
+  }
   if (sonar_) {
     static const SeaFloor kDeep;
     const auto ping = sonar_->Ping(nav, {.floor = ocean_.floor ? *ocean_.floor : kDeep,
@@ -233,7 +245,7 @@ StatusPage VehicleSimApp::Status() const {
       "State:{}\n"
       "    Position: x {:.2f} m, y {:.2f} m, depth {:.2f} m{}\n"
       "    Heading: {:.1f} deg, speed {:.2f} m/s relative to the water, {:.2f} m/s over ground\n"
-      "{}"
+      "{}{}"
       "    Water: {:.2f} m/s East, {:.2f} m/s North, of it by command {:.2f} and {:.2f}\n"
       "Received:\n"
       "    ACTUATORS: {}\n"
@@ -246,8 +258,8 @@ StatusPage VehicleSimApp::Status() const {
       nav.x_m, nav.y_m, nav.z_m,
       water.floor_z_m ? fmt::format(", {:.1f} m above the floor", nav.altitude_m) : "",
       nav.heading_deg, nav.speed_mps, nav.speed_over_ground_mps, craft_->ActuatorsText(),
-      water.velocity_mps.x(), water.velocity_mps.y(), drift_mps_.x(), drift_mps_.y(),
-      num_actuators_, num_commands_, num_refused_);
+      navigation_ ? navigation_->StatusText() : "", water.velocity_mps.x(), water.velocity_mps.y(),
+      drift_mps_.x(), drift_mps_.y(), num_actuators_, num_commands_, num_refused_);
   log_.AppendTo(&page);
   return page;
 }

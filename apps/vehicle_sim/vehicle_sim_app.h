@@ -1,5 +1,7 @@
 // Simulates one vehicle. Subscribes to ACTUATORS_<V> and SIM_COMMAND_<V>, publishes NAV_<V> in
-// every step, and what its instruments measure: MEASURED_NAV_<V>, SONAR_<V>, WATER_SAMPLE_<V>.
+// every step, and what its instruments measure: MEASURED_NAV_<V>, SONAR_<V>, WATER_SAMPLE_<V>; with
+// [vehicle.navigation] what it makes of them: ESTIMATED_NAV_<V>, NAVIGATION_<V>. Where packets can
+// be ranges it subscribes to ACOUSTIC_RX_<V>.
 // Where it has a sonar or can run into others it also subscribes to their NAV; where it has run
 // into one it publishes HELM_COMMAND_<V>, an all-stop with that reason.
 //
@@ -14,6 +16,7 @@
 #include <string>
 
 #include "apps/vehicle_sim/nav_instruments.h"
+#include "apps/vehicle_sim/navigation_unit.h"
 #include "apps/vehicle_sim/other_vehicles.h"
 #include "apps/vehicle_sim/simulated_craft.h"
 #include "apps/vehicle_sim/sonar_unit.h"
@@ -71,6 +74,7 @@ class VehicleSimApp : public App {
 
   const Vehicle vehicle_;
   const std::optional<NavInstruments> instruments_;
+  std::optional<NavigationUnit> navigation_;
   std::optional<SonarUnit> sonar_;
   std::vector<Polygon> obstacles_m_;  ///< Of the mission, and their names.
   std::vector<std::string> obstacle_ids_;

@@ -50,7 +50,10 @@ void ForEachCurve(VehicleCurves* curves, const Visit& visit) {
                               &curves->speed_mps,
                               &curves->desired_speed_mps,
                               &curves->heading_deg,
-                              &curves->desired_heading_deg}) {
+                              &curves->desired_heading_deg,
+                              &curves->navigation_error_m,
+                              &curves->navigation_bound_m,
+                              &curves->believed_track}) {
     visit(curve);
   }
   for (LayerCurves& layer : curves->layers) {
@@ -94,6 +97,7 @@ void PlotDataBuilder::Add(const LogEvent& event) {
       take_of_vehicle(topics::kHelmState, helm_state_t{}, &PlotDataBuilder::AddHelmState) ||
       take_of_vehicle(topics::kActuators, actuators_t{}, &PlotDataBuilder::AddActuators) ||
       take_of_vehicle(topics::kDesired, desired_t{}, &PlotDataBuilder::AddDesired) ||
+      take_of_vehicle(topics::kNavigation, navigation_t{}, &PlotDataBuilder::AddNavigation) ||
       take_of_vehicle(topics::kGuidance, guidance_t{}, &PlotDataBuilder::AddGuidance) ||
       take_of_vehicle(topics::kSwarm, swarm_t{}, &PlotDataBuilder::AddSwarm);
 }
@@ -163,6 +167,7 @@ void PlotDataBuilder::AddNav(Vehicle* vehicle, const nav_t& nav) {
   if (IsFinite(nav.x_m) && IsFinite(nav.y_m) && IsFinite(nav.z_m)) {
     vehicle->position_m = {nav.x_m, nav.y_m, nav.z_m};
     vehicle->nav_utime = nav.utime;
+    DrawNavigation(vehicle);
   }
   if (!vehicle->is_selected) return;
   if (!std::exchange(has_drawn_, true)) data_.first_s = data_.last_s = time_s;
@@ -243,6 +248,28 @@ void PlotDataBuilder::AddDesired(Vehicle* vehicle, const desired_t& desired) {
   vehicle->desired_speed_mps = desired.speed_mps;
   Draw(&vehicle->curves.desired_speed_mps, *time_s, desired.speed_mps);
   Draw(&vehicle->curves.desired_heading_deg, *time_s, desired.heading_deg);
+}
+
+void PlotDataBuilder::AddNavigation(Vehicle* vehicle, const navigation_t& navigation) {
+  if (!TimeOf(navigation.utime)) return;
+  vehicle->navigation = navigation;
+  DrawNavigation(vehicle);
+}
+
+/// Draws the last estimate once the truth of the same time is known.
+void PlotDataBuilder::DrawNavigation(Vehicle* vehicle) {
+  if (!vehicle->navigation || !vehicle->is_selected ||
+      vehicle->nav_utime != vehicle->navigation->utime) {
+    return;
+  }
+  const navigation_t navigation = *std::exchange(vehicle->navigation, std::nullopt);
+  const double time_s = static_cast<double>(navigation.utime - zero_utime_.value_or(0)) / 1e6;
+  VehicleCurves& curves = vehicle->curves;
+  Draw(&curves.navigation_error_m, time_s,
+       std::hypot(navigation.x_m - vehicle->position_m.x(),
+                  navigation.y_m - vehicle->position_m.y()));
+  Draw(&curves.navigation_bound_m, time_s, navigation.ellipse_major_m);
+  Draw(&curves.believed_track, navigation.x_m, navigation.y_m);
 }
 
 void PlotDataBuilder::AddGuidance(Vehicle* vehicle, const guidance_t& guidance) {

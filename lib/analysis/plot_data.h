@@ -56,6 +56,9 @@ struct VehicleCurves {
   ThinnedCurve nearest_m, target_m;  ///< To the nearest other vehicle; to the one it tracks.
   /// The age of its information about the vehicle that it follows; the oldest about any other.
   ThinnedCurve target_age_s, other_age_s;
+  /// Distance from where it believes to be to where it is, and half of the long axis of the ellipse
+  /// that should hold that with 95 %; where it believes to be.
+  ThinnedCurve navigation_error_m, navigation_bound_m, believed_track;
   ThinnedCurve thrust_pct, propeller_rpm, rudder_deg, stern_plane_deg;
   ThinnedCurve speed_mps, desired_speed_mps, heading_deg, desired_heading_deg;
   bool dives = false;    ///< It was more than 0.1 m deep.
@@ -97,7 +100,8 @@ class PlotDataBuilder {
     bool is_selected = true;
     std::string target;  ///< Its name in channels; empty: none.
     Eigen::Vector3d position_m = Eigen::Vector3d::Zero();
-    std::optional<int64_t> nav_utime;  ///< Of position_m.
+    std::optional<int64_t> nav_utime;        ///< Of position_m.
+    std::optional<navigation_t> navigation;  ///< Waits for NAV of the same time.
     TimeMarks marks;
     std::string leg;                          ///< Which leg its helm was on; empty: none.
     std::optional<double> desired_speed_mps;  ///< The last; absent: no DESIRED has come.
@@ -114,6 +118,8 @@ class PlotDataBuilder {
   void AddDesired(Vehicle* vehicle, const desired_t& desired);
   void AddGuidance(Vehicle* vehicle, const guidance_t& guidance);
   void AddSwarm(Vehicle* vehicle, const swarm_t& swarm);
+  void DrawNavigation(Vehicle* vehicle);
+  void AddNavigation(Vehicle* vehicle, const navigation_t& navigation);
   void DrawAge(double time_s, int64_t utime, std::optional<int64_t> report_utime,
                std::optional<int64_t>* before, ThinnedCurve* curve);
   void TakeReport(const node_report_t& report);

@@ -204,6 +204,17 @@ Figure DrawAge(StackedFigure figure, const PlotSetting& setting, bool png) {
   return figure.Finish("Age of information", setting, png, "no SWARM of these vehicles in the log");
 }
 
+Figure DrawNavigation(StackedFigure figure, const PlotSetting& setting, bool png) {
+  figure.BeginPanel("error of its position [m]", {"set yrange [0:*]"});
+  if (figure.AddCurves(&VehicleCurves::navigation_bound_m, "95 % bound", kDashed)) {
+    figure.Explain("error", kGreySolid);
+    figure.Explain("95 % bound", kGreyDashed);
+  }
+  figure.AddCurves(&VehicleCurves::navigation_error_m, "error", kSolid);
+  return figure.Finish("Navigation error", setting, png,
+                       "no NAVIGATION of these vehicles in the log");
+}
+
 Figure DrawLayers(StackedFigure figure, const PlotSetting& setting, bool png) {
   bool any = false;
   for (size_t i = 0; i < kPlottedLayers.size(); ++i) {
@@ -250,7 +261,8 @@ std::vector<Figure> DrawFigures(const PlotData& data, const PlotSetting& setting
           DrawActuators(stacked("actuators"), data, setting, png),
           DrawSpeed(stacked("speed"), setting, png),
           DrawAge(stacked("age"), setting, png),
-          DrawLayers(stacked("layers"), setting, png)};
+          DrawLayers(stacked("layers"), setting, png),
+          DrawNavigation(stacked("navigation"), setting, png)};
 }
 
 }  // namespace shoal

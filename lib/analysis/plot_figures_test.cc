@@ -125,6 +125,26 @@ TEST_F(Figures, ShowHowOldNewsOfTargetsAre) {
   EXPECT_TRUE(Contains(Of("age").data, "\n1 1\n2 2\n"));
 }
 
+TEST_F(Figures, ShowHowFarVehiclesAreFromWhereTheyBelieveToBe) {
+  Draw(LogOfTwoVehicles(), Berta());
+  EXPECT_EQ(Of("navigation").why_left_out, "no NAVIGATION of these vehicles in the log");
+  navigation_t navigation{};
+  navigation.utime = 1'000'000;
+  navigation.x_m = 3;
+  navigation.y_m = 4;
+  navigation.ellipse_major_m = 7;
+  // In a log of a mission it stands before NAV of the same time; in others it may come after.
+  Draw({EventOf("NAVIGATION_A", navigation), EventOf("NAV_A", PlottedNav(1'000'000, 0, 0)),
+        EventOf("NAV_B", PlottedNav(1'000'000, 0, 0)), EventOf("NAVIGATION_B", navigation)},
+       Berta());
+  EXPECT_EQ(Of("navigation").why_left_out, "");
+  for (const std::string name : {"A", "B"}) {
+    EXPECT_TRUE(Contains(Of("navigation").data, "# " + name + ", error\n1 5\n")) << name;
+    EXPECT_TRUE(Contains(Of("navigation").data, "# " + name + ", 95 % bound\n1 7\n")) << name;
+    EXPECT_TRUE(Contains(Of("tracks").data, "# " + name + ", where it believed to be\n3 4\n"));
+  }
+}
+
 guidance_t GuidanceAt(int64_t utime, double weight) {
   guidance_t guidance{};
   guidance.utime = utime;

@@ -96,6 +96,7 @@ class TracksFigure {
     AddObstacles();
     for (size_t i = 0; i < data_.vehicles.size(); ++i) AddPlan(i);
     for (size_t i = 0; i < data_.vehicles.size(); ++i) AddTrack(i);
+    for (size_t i = 0; i < data_.vehicles.size(); ++i) AddBelieved(i);
     for (size_t i = 0; i < data_.vehicles.size(); ++i) AddMarks(i);
     AddLegend();
     bounds_.Widen();
@@ -173,6 +174,16 @@ class TracksFigure {
          fmt::format("points lc rgb '{}' pt 7 ps 0.6", color));
   }
 
+  /// Where it believed to be.
+  void AddBelieved(size_t index) {
+    const VehicleCurves& vehicle = data_.vehicles[index];
+    if (vehicle.believed_track.empty()) return;
+    for (const Stroke& stroke : vehicle.believed_track.Strokes()) bounds_.Include(stroke);
+    Plot(vehicle.name + ", where it believed to be", vehicle.believed_track.Strokes(),
+         fmt::format("lines lc rgb '{}' dt (2,3) lw 1.2", colors_[index]));
+    has_believed_ = true;
+  }
+
   void AddTrack(size_t index) {
     const VehicleCurves& vehicle = data_.vehicles[index];
     if (vehicle.track.empty()) return;
@@ -235,6 +246,9 @@ class TracksFigure {
       legend_.push_back({"area", fmt::format("lines lc rgb '{}' dt 3 lw 1.4", kGrey)});
     }
     if (has_swaths_) legend_.push_back({"covered", "lines lc rgb '#d0d0d0' lw 8"});
+    if (has_believed_) {
+      legend_.push_back({"believed", fmt::format("lines lc rgb '{}' dt (2,3) lw 1.2", kGrey)});
+    }
     if (has_waypoints_) {
       legend_.push_back({"waypoint", fmt::format("points lc rgb '{}' pt 7 ps 0.6", kGrey)});
     }
@@ -314,6 +328,7 @@ class TracksFigure {
   std::vector<LegendEntry> legend_;
   std::vector<CurvePoint> texts_;  ///< Where times are written.
   bool has_waypoints_ = false;
+  bool has_believed_ = false;
   bool has_marks_ = false;
   bool has_swaths_ = false;
 };

@@ -31,6 +31,12 @@ std::string Of(std::string_view topic, std::string_view vehicle) {
 
 Channel<nav_t> Nav(std::string_view vehicle) { return {Of(topics::kNav, vehicle)}; }
 Channel<nav_t> MeasuredNav(std::string_view vehicle) { return {Of(topics::kMeasuredNav, vehicle)}; }
+Channel<nav_t> EstimatedNav(std::string_view vehicle) {
+  return {Of(topics::kEstimatedNav, vehicle)};
+}
+Channel<navigation_t> Navigation(std::string_view vehicle) {
+  return {Of(topics::kNavigation, vehicle)};
+}
 Channel<sonar_t> Sonar(std::string_view vehicle) { return {Of(topics::kSonar, vehicle)}; }
 Channel<water_sample_t> WaterSample(std::string_view vehicle) {
   return {Of(topics::kWaterSample, vehicle)};
@@ -111,6 +117,10 @@ std::vector<ChannelRow> MakeTable() {
        "every step", true},
       {topics::kMeasuredNav, kVehicle, "nav_t", "vehicle_sim", "helm, node_reporter, acomms",
        "every step, with [vehicle.sensors]", true},
+      {topics::kEstimatedNav, kVehicle, "nav_t", "vehicle_sim",
+       "helm, node_reporter, acomms, shoal", "every step, with [vehicle.navigation]", true},
+      {topics::kNavigation, kVehicle, "navigation_t", "vehicle_sim", "helm, node_reporter, viewer",
+       "[vehicle.navigation] report_every_s", true},
       {topics::kSonar, kVehicle, "sonar_t", "vehicle_sim", "helm", "[vehicle.sonar] rate_hz", true},
       {topics::kWaterSample, kVehicle, "water_sample_t", "vehicle_sim", "your programs",
        "every step, with [environment.plume]", true},
@@ -135,7 +145,7 @@ std::vector<ChannelRow> MakeTable() {
       {topics::kAckMessage, kVehicle, "ack_message_t", "shore_broker",
        "node_reporter, your programs", "one per ack that got through", true},
       {topics::kAcousticRx, kVehicle, "acoustic_rx_t", "shore_broker",
-       "acomms, netsim_manager, your programs", "one per packet that arrived", true},
+       "acomms, netsim_manager, vehicle_sim, your programs", "one per packet that arrived", true},
       {topics::kSwarm, kVehicle, "swarm_t", "acomms", "helm, shoal, viewer",
        "when a message arrives, at least 1 Hz", true},
       {topics::kRelayRx, kVehicle, "relay_t", "shore_broker", "gateway",

@@ -33,6 +33,7 @@
 #include "shoal/modem_stats_t.hpp"
 #include "shoal/modem_tx_t.hpp"
 #include "shoal/nav_t.hpp"
+#include "shoal/navigation_t.hpp"
 #include "shoal/node_message_t.hpp"
 #include "shoal/node_report_t.hpp"
 #include "shoal/relay_t.hpp"
@@ -54,6 +55,8 @@ namespace shoal {
 namespace topics {
 inline constexpr std::string_view kNav = "NAV";
 inline constexpr std::string_view kMeasuredNav = "MEASURED_NAV";
+inline constexpr std::string_view kEstimatedNav = "ESTIMATED_NAV";
+inline constexpr std::string_view kNavigation = "NAVIGATION";
 inline constexpr std::string_view kSonar = "SONAR";
 inline constexpr std::string_view kWaterSample = "WATER_SAMPLE";
 inline constexpr std::string_view kActuators = "ACTUATORS";
@@ -106,6 +109,8 @@ namespace channels {
 // In a vehicle's community.
 Channel<nav_t> Nav(std::string_view vehicle);
 Channel<nav_t> MeasuredNav(std::string_view vehicle);
+Channel<nav_t> EstimatedNav(std::string_view vehicle);
+Channel<navigation_t> Navigation(std::string_view vehicle);
 Channel<sonar_t> Sonar(std::string_view vehicle);
 Channel<water_sample_t> WaterSample(std::string_view vehicle);
 Channel<actuators_t> Actuators(std::string_view vehicle);

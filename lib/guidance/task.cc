@@ -57,6 +57,10 @@ TaskFacts FactsOfKind(const SurfaceTask&) {
   return {.is_underwater = true, .ends = true, .most_laps = 0};
 }
 
+TaskFacts FactsOfKind(const SurfaceForFixTask&) {
+  return {.is_underwater = true, .ends = true, .most_laps = 0};
+}
+
 TaskFacts FactsOfKind(const SurveyTask& task) {
   return {.ends = true,
           .most_laps = 1,

@@ -106,6 +106,18 @@ struct SurveyTask {
   bool operator==(const SurveyTask&) const = default;
 };
 
+/// Comes up where it is and waits for GPS; for underwater vehicles with [vehicle.navigation].
+struct SurfaceForFixTask {
+  static constexpr std::string_view kKind = "surface_for_fix";
+
+  int fixes = 10;        ///< It waits for this many, then the task is done; > 0 ...
+  double limit_s = 300;  ///< ... or when this is over since it began; > 0.
+  double speed_mps = 2;  ///< > 0: fins need it.
+  double radius_m = 20;  ///< Of the circle that it goes at the surface; > 0.
+
+  bool operator==(const SurfaceForFixTask&) const = default;
+};
+
 /// Comes up on the heading that it has, and drifts at the surface with its propeller off; for
 /// underwater vehicles. Done at the surface.
 struct SurfaceTask {
@@ -212,7 +224,7 @@ enum class Ending {
 struct Task {
   std::string name;
   std::variant<WaypointsTask, LoiterTask, StationKeepTask, ReturnTask, PathFollowTask,
-               TargetTrackTask, SurveyTask, SurfaceTask>
+               TargetTrackTask, SurveyTask, SurfaceTask, SurfaceForFixTask>
       what;
   double pwt = 100;  ///< Priority weight beside behaviors; >= 0.
 

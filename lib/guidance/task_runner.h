@@ -9,6 +9,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <optional>
 #include <variant>
 #include <vector>
@@ -29,6 +30,7 @@ struct Fix {
   double z_m = 0;                                          ///< Depth.
   Eigen::Vector2d velocity_mps = Eigen::Vector2d::Zero();  ///< Over ground.
   double speed_mps = 0;                                    ///< Relative to the water, >= 0.
+  int64_t num_gps_fixes = 0;  ///< That its navigation has taken since the start.
   /// What it knows of the others, for underwater tasks with layers; else it may be null. Outlives
   /// the call.
   const Surroundings* surroundings = nullptr;
@@ -210,13 +212,31 @@ class SurveyRunner {
   WaypointsRunner points_;
 };
 
+class SurfaceForFixRunner {
+ public:
+  SurfaceForFixRunner(const SurfaceForFixTask& task, const Fix& start);
+  Guidance Update(const Fix& fix);
+  void Rejoin(const Fix& fix) { stopwatch_.Lap(fix.time_s); }
+
+ private:
+  SurfaceForFixTask task_;
+  Stopwatch stopwatch_;
+  Eigen::Vector2d start_m_;
+  double heading_rad_;
+  int64_t num_fixes_before_;
+  double elapsed_s_ = 0;
+  bool is_up_ = false;
+  bool done_ = false;
+};
+
 class TaskRunner {
  public:
   using What = decltype(Task::what);
 
   /// One for each kind, in the order of Task::what.
-  using Runner = std::variant<WaypointsRunner, LoiterRunner, StationKeepRunner, ReturnRunner,
-                              PathFollowRunner, TargetTrackRunner, SurveyRunner, SurfaceRunner>;
+  using Runner =
+      std::variant<WaypointsRunner, LoiterRunner, StationKeepRunner, ReturnRunner, PathFollowRunner,
+                   TargetTrackRunner, SurveyRunner, SurfaceRunner, SurfaceForFixRunner>;
 
   TaskRunner(const What& what, const Fix& start);
 

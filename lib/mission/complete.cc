@@ -69,6 +69,13 @@ struct ResolveExpectation {
   }
 };
 
+/// Vehicles whose packets are ranges.
+void ResolveBeacons(Mission& mission, const TablePlace& file) {
+  for (size_t i = 0; i < mission.beacons.size(); ++i) {
+    ResolveVehicle(file.Below("beacon", i), "sender", mission.beacons[i].sender, mission, false);
+  }
+}
+
 void ResolveTargets(Mission& mission, const TablePlace& file) {
   for (size_t i = 0; i < mission.vehicles.size(); ++i) {
     std::vector<Task>& tasks = mission.vehicles[i].tasks;
@@ -181,6 +188,7 @@ void FillInAddresses(Mission& mission) {
 }  // namespace
 
 void ResolveNames(Mission& mission, const TablePlace& file) {
+  ResolveBeacons(mission, file);
   ResolveTargets(mission, file);
   ResolveSurveyShares(mission, file);
   ResolveContacts(mission, file);

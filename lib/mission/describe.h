@@ -63,6 +63,10 @@ void Describe(Fields& fields, Vehicle& vehicle);
 void DescribeAutopilot(Fields& fields, Vehicle& vehicle);
 /// [vehicle.sensors] and [vehicle.sonar].
 void DescribeInstruments(Fields& fields, Vehicle& vehicle);
+/// [vehicle.navigation], after [vehicle.sensors].
+void DescribeNavigation(Fields& fields, Vehicle& vehicle);
+/// One [[beacon]].
+void Describe(Fields& fields, BeaconOptions& beacon);
 /// [vehicle.recovery].
 void Describe(Fields& fields, RecoveryPlan& plan);
 
@@ -74,6 +78,7 @@ void Describe(Fields& fields, ReturnTask& task, const StartPose& start);
 void Describe(Fields& fields, PathFollowTask& task, const StartPose& start);
 void Describe(Fields& fields, TargetTrackTask& task, const StartPose& start);
 void Describe(Fields& fields, SurfaceTask& task, const StartPose& start);
+void Describe(Fields& fields, SurfaceForFixTask& task, const StartPose& start);
 /// The same for surveys. One that is refused has no corners.
 void Describe(Fields& fields, SurveyTask& task, const StartPose& start);
 

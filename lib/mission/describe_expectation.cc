@@ -154,6 +154,13 @@ void Describe(Fields& fields, AltitudeExpectation& altitude, double /*end_s*/) {
   fields.Number("min_m", altitude.min_m, Between(0, 20'000));
 }
 
+void Describe(Fields& fields, NavigationErrorExpectation& error, double end_s) {
+  DescribeVehicle(fields, error.vehicle);
+  fields.Require("max_m", "max_m = 10");
+  fields.Number("max_m", error.max_m, Above(0, kFarthest_m));
+  fields.Number("from_s", error.from_s, Between(0, end_s));
+}
+
 /// When an encounter begins and ends.
 void DescribeEncounter(Fields& fields, EncounterOptions& encounter) {
   fields.Number("entry_range_m", encounter.entry_range_m, Above(0, kFarthest_m));
@@ -207,10 +214,11 @@ void Describe(Fields& fields, CoverageExpectation& coverage, double /*end_s*/) {
 
 void Describe(Fields& fields, Expectation& expectation, double end_s) {
   // The first ones in the order of Expectation::what.
-  constexpr std::array<std::string_view, 15> kKinds = {
-      "arrival",         "separation", "reports",  "helm",  "laps",
-      "track",           "distance",   "altitude", "swarm", "closest_approach",
-      "encounter_score", "coverage",   "messages", "acks",  "packets"};
+  constexpr std::array<std::string_view, 16> kKinds = {
+      "arrival",         "separation", "reports",          "helm",     "laps",
+      "track",           "distance",   "altitude",         "swarm",    "closest_approach",
+      "encounter_score", "coverage",   "navigation_error", "messages", "acks",
+      "packets"};
   std::string kind(fields.reading() ? "" : kKinds.at(expectation.what.index()));
   if (const auto* comms = std::get_if<CommsExpectation>(&expectation.what)) {
     kind = fields.reading() ? "" : NameOf(comms->kind);
@@ -235,6 +243,7 @@ void Describe(Fields& fields, Expectation& expectation, double end_s) {
     if (kind == "closest_approach") expectation.what = ClosestApproachExpectation();
     if (kind == "encounter_score") expectation.what = EncounterScoreExpectation();
     if (kind == "coverage") expectation.what = CoverageExpectation();
+    if (kind == "navigation_error") expectation.what = NavigationErrorExpectation();
   }
   if (kind.empty()) {
     fields.SkipRest();  // Which keys are right depends on the kind.

@@ -109,7 +109,7 @@ void Describe(Fields& file, Mission& mission) {
   if (file.reading()) {
     // What [acoustics] leaves out depends on [netsim]. Errors list tables in the order of a file.
     for (const char* key :
-         {"acoustics", "medium", "obstacle", "template", "vehicle", "fleet", "swarm"})
+         {"acoustics", "medium", "obstacle", "beacon", "template", "vehicle", "fleet", "swarm"})
       file.Skip(key);
     DescribeNetsim(file, mission);
   }
@@ -124,6 +124,8 @@ void Describe(Fields& file, Mission& mission) {
   });
   file.List("obstacle", mission.obstacles,
             [](Fields& fields, Obstacle& obstacle) { Describe(fields, obstacle); });
+  file.List("beacon", mission.beacons,
+            [](Fields& fields, BeaconOptions& beacon) { Describe(fields, beacon); });
   file.Skip("template");
   file.Require("vehicle", "[[vehicle]], followed by name = \"alpha\"; or a [[fleet]]");
   file.List("vehicle", mission.vehicles, [](Fields& fields, Vehicle& vehicle) {

@@ -100,6 +100,13 @@ void Describe(Fields& fields, SurfaceTask& task, const StartPose&) {
   fields.Number("speed_mps", task.speed_mps, Above(0, kFastest_mps));
 }
 
+void Describe(Fields& fields, SurfaceForFixTask& task, const StartPose&) {
+  fields.SmallInteger("fixes", task.fixes, 1, 1'000'000);
+  fields.Number("limit_s", task.limit_s, Above(0, kLongest_s));
+  fields.Number("speed_mps", task.speed_mps, Above(0, kFastest_mps));
+  fields.Number("radius_m", task.radius_m, Above(0, 10'000));
+}
+
 void Describe(Fields& fields, TargetTrackTask& task, const StartPose&) {
   constexpr std::array<std::string_view, 2> kLaws = {"cascade", "constant_bearing"};
   TargetTrackParams& track = task.track;

@@ -194,6 +194,7 @@ void Describe(Fields& fields, Vehicle& vehicle) {
   DescribeProviders(fields, is_moored, vehicle);
   DescribeModels(fields, model_name, vehicle);
   DescribeInstruments(fields, vehicle);
+  DescribeNavigation(fields, vehicle);
   fields.Below("helm_options", [&](Fields& table) { Describe(table, vehicle.helm_options); });
   fields.Below("autopilot", [&](Fields& table) { DescribeAutopilot(table, vehicle); });
   fields.Below("reporter", [&](Fields& table) { Describe(table, vehicle.reporter_options); });

@@ -87,6 +87,13 @@ struct AltitudeExpectation {  ///< kind = "altitude": above the sea floor, at le
 
   bool operator==(const AltitudeExpectation&) const = default;
 };
+struct NavigationErrorExpectation {  ///< kind = "navigation_error": of the estimated position.
+  std::string vehicle;
+  double max_m = 0;   ///< In the horizontal plane.
+  double from_s = 0;  ///< From then on.
+
+  bool operator==(const NavigationErrorExpectation&) const = default;
+};
 struct ClosestApproachExpectation {  ///< kind = "closest_approach": in each encounter, at least.
   std::string vehicle = "all";
   std::string to = "all";
@@ -117,7 +124,7 @@ struct Expectation {
   std::variant<ArrivalExpectation, SeparationExpectation, CommsExpectation, HelmExpectation,
                LapsExpectation, TrackExpectation, DistanceExpectation, AltitudeExpectation,
                SwarmExpectation, ClosestApproachExpectation, EncounterScoreExpectation,
-               CoverageExpectation>
+               CoverageExpectation, NavigationErrorExpectation>
       what;
 
   bool operator==(const Expectation&) const = default;

@@ -14,6 +14,7 @@
 #include "lib/mission/event.h"
 #include "lib/mission/expectation.h"
 #include "lib/mission/media_options.h"
+#include "lib/mission/navigation_options.h"
 #include "lib/mission/vehicle.h"
 #include "lib/netsim/netsim_options.h"
 #include "lib/routing/rules.h"
@@ -74,7 +75,8 @@ struct Mission {
   RoutingRules comms;
   Acoustics acoustics;
   std::vector<MediumOptions> media;  ///< Besides direct and acoustic.
-  std::vector<Obstacle> obstacles;   ///< That do not move.
+  std::vector<Obstacle> obstacles;     ///< That do not move.
+  std::vector<BeaconOptions> beacons;  ///< That vehicles with [vehicle.navigation] range to.
   std::vector<Vehicle> vehicles;
   SwarmOptions swarm;
   std::optional<NetsimOptions> netsim;  ///< Participants over netsim's interface.

@@ -59,8 +59,12 @@ class MissionDraw {
                      .each_fate_up_to = Integer(0, 1'000'000)};
     DrawSurveyArea();
     mission.obstacles = {{"rock", Square()}, {"wreck", Square()}};
+    DrawBeacons(&mission.beacons);
     for (int64_t i = 2; i > 0; --i) mission.vehicles.push_back(DrawVehicle(i));
     if (mission.tick_us <= 200'000) Submerge(&mission.vehicles[0]);
+    mission_navigates_ =
+        std::all_of(mission.vehicles.begin(), mission.vehicles.end(),
+                    [](const Vehicle& vehicle) { return vehicle.navigation.is_fitted; });
     has_floor_ = mission.environment.floor.style != "none";
     const bool over_water = mission.comms.reports_over.Has(kAcousticMedium) ||
                             mission.comms.messages_over.Has(kAcousticMedium);
@@ -243,6 +247,51 @@ class MissionDraw {
     return environment;
   }
 
+  void DrawBeacons(std::vector<BeaconOptions>* beacons) {
+    beacons->push_back({.name = "asks",
+                        .point_m = Point(),
+                        .depth_m = Number(0, 20'000),
+                        .position_sigma_m = Number(0, 10'000),
+                        .kind = "two_way",
+                        .interval_s = Number(0.1, 100'000),
+                        .offset_s = Number(0, 1e7),
+                        .turnaround_s = Number(0, 60)});
+    beacons->push_back({.name = "sends",
+                        .point_m = Point(),
+                        .kind = "one_way",
+                        .interval_s = Number(0.1, 100'000),
+                        .offset_s = Number(0, 1e7)});
+  }
+
+  NavigationOptions DrawNavigation() {
+    NavigationOptions options =
+        NavigationOfGrade(Coin() ? NavigationGrade::kSurvey : NavigationGrade::kLowCost);
+    options.is_fitted = true;
+    options.start_sigma_m = Number(0, 10'000);
+    options.start_heading_sigma_deg = Number(0, 90);
+    options.current_sigma_mps = Number(0, 50);
+    options.gate_probability = Number(0.5, 0.999);
+    options.report_every_s = Positive(3600);
+    options.compass = {.bias_deg = Number(-180, 180),
+                       .bias_sigma_deg = Number(0, 90),
+                       .noise_deg = Positive(90),
+                       .rate_hz = Positive(100)};
+    if (Coin()) options.compass.deviation_deg = {Number(-9, 9), Number(-9, 9), 1, 2, Number(-1, 1)};
+    options.gyro = {Number(-36'000, 36'000), Number(0, 36'000), Number(0, 1000), Number(0, 36'000)};
+    options.dvl = {Coin(),         Number(0, 10), Number(10, 20'000), Number(-0.5, 0.5),
+                   Number(0, 0.5), Positive(50),  Number(0, 1),       Positive(100)};
+    options.log = {Coin(), Positive(50), Positive(100)};
+    options.depth = {Number(-1000, 1000), Number(0, 1000), Number(0, 1000)};
+    options.gps = {Coin(),         Number(0, 100), Number(0, 1e7),   Number(0, 1e7),
+                   Number(0, 1e7), Coin(),         Positive(10'000), Positive(100)};
+    options.clock = {Number(-10'000, 10'000), Number(0, 10'000), Number(-1000, 1000),
+                     Number(0, 1000)};
+    options.ranging = {Coin(),       Positive(100'000), Positive(10'000),
+                       Number(0, 1), Number(0, 1),      Number(0, 100'000),
+                       Coin(),       Positive(180),     Positive(90)};
+    return options;
+  }
+
   void DrawSurveyArea() {
     const double east_m = Number(1, 1e6);
     const double north_m = Number(1, 1e6);
@@ -341,6 +390,12 @@ class MissionDraw {
       path.parts = DrawParts();
     }
     vehicle->tasks.push_back({"path", path});
+    if (vehicle->navigation.is_fitted && vehicle->navigation.gps.fitted) {
+      vehicle->tasks.push_back({"fix", SurfaceForFixTask{.fixes = static_cast<int>(Integer(1, 99)),
+                                                         .limit_s = Positive(1e7),
+                                                         .speed_mps = Positive(50),
+                                                         .radius_m = Positive(10'000)}});
+    }
     TargetTrackTask track;
     track.target = "Vessel_2";
     if (vehicle->name == track.target) track.target = "Vessel_1";
@@ -492,6 +547,9 @@ class MissionDraw {
                          .speed_noise_mps = Number(0, 50),
                          .altitude_noise_m = Number(0, 1000),
                          .altimeter_range_m = Positive(20'000)};
+    }
+    if (!vehicle.sensors.is_fitted && vehicle.sim != Provider::kNone) {
+      vehicle.navigation = DrawNavigation();
     }
     if (Coin()) {
       vehicle.recovery.of(SwarmField::kTimeStamp) = {};
@@ -753,6 +811,9 @@ class MissionDraw {
         return {"", coverage};
       }
       case 9:
+        if (mission_navigates_) {
+          return {"", NavigationErrorExpectation{"all", Positive(1e6), Number(0, end_s)}};
+        }
         if (has_floor_) return {"", AltitudeExpectation{"all", Number(0, 20'000)}};
         [[fallthrough]];
       default:
@@ -763,6 +824,7 @@ class MissionDraw {
   std::mt19937_64 generator_;
   std::string contact_;  ///< A vehicle that is not the one being drawn.
   bool has_floor_ = false;
+  bool mission_navigates_ = false;
   SurveyArea survey_area_;
   bool survey_is_shared_ = false;
 };

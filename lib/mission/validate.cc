@@ -72,6 +72,7 @@ void Validate(Mission& mission, const TablePlace& file) {
   ValidateUnderwater(mission, file);
   ValidatePaths(mission, file);
   ValidateBehaviors(mission, file);
+  ValidateNavigation(mission, file);
   ValidateEvents(mission, file);
   WarnOfAutopilots(mission, file);
   WarnOfIdleKeys(mission, file);

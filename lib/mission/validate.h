@@ -72,6 +72,8 @@ void ValidateUnderwater(const Mission& mission, const TablePlace& file);
 void ValidatePaths(const Mission& mission, const TablePlace& file);
 /// Behaviors, modes and obstacles.
 void ValidateBehaviors(const Mission& mission, const TablePlace& file);
+/// [vehicle.navigation] and [[beacon]].
+void ValidateNavigation(const Mission& mission, const TablePlace& file);
 void ValidateEvents(const Mission& mission, const TablePlace& file);
 /// Warns of gains that swing the fins at the mission's ticks.
 void WarnOfAutopilots(const Mission& mission, const TablePlace& file);

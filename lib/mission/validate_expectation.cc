@@ -137,6 +137,16 @@ struct CheckExpectation {
                  "\"survey\"; write polygon = [[0, 0], [200, 0], [200, 100]]");
   }
 
+  void operator()(const NavigationErrorExpectation& error) const {
+    for (const Vehicle* vehicle : VehiclesNamed(mission, error.vehicle)) {
+      if (vehicle->navigation.is_fitted) continue;
+      place.Refuse("vehicle", fmt::format("{} knows where it is: give it [vehicle.navigation], or "
+                                          "name the vehicles that have it",
+                                          vehicle->name));
+      return;
+    }
+  }
+
   void operator()(const AltitudeExpectation&) const {
     if (mission.environment.floor.style != "none") return;
     place.Refuse("",

@@ -15,6 +15,7 @@
 #include "lib/mission/buoy_model.h"
 #include "lib/mission/media_options.h"
 #include "lib/mission/model_facts.h"
+#include "lib/mission/navigation_options.h"
 #include "lib/mission/remus100_model.h"
 #include "lib/mission/surface_craft_model.h"
 #include "lib/modes/mode_tree.h"
@@ -141,6 +142,7 @@ struct Vehicle {
   double length_m = 3;
   StartPose start;
   SensorOptions sensors;
+  NavigationOptions navigation;
   SonarOptions sonar;
   bool is_outside = false;               ///< `outside = true`: all four of these are kNone.
   Provider sim = Provider::kShoal;       ///< `vehicle_sim = "shoal" | "hand" | "none"`

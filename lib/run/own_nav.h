@@ -6,9 +6,10 @@
 
 namespace shoal {
 
-/// Returns the channel on which the vehicle's processes learn where it is: what it measures, or the
-/// truth where the mission gives it no [vehicle.sensors].
+/// Returns the channel on which the vehicle's processes learn where it is: what its filter
+/// estimates ([vehicle.navigation]), what it measures ([vehicle.sensors]), or the truth.
 [[nodiscard]] inline Channel<nav_t> OwnNav(const Vehicle& vehicle) {
+  if (vehicle.navigation.is_fitted) return channels::EstimatedNav(vehicle.name);
   return vehicle.sensors.is_fitted ? channels::MeasuredNav(vehicle.name)
                                    : channels::Nav(vehicle.name);
 }

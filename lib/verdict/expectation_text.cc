@@ -84,6 +84,10 @@ struct Describer {
     return fmt::format("{} at least {:g} m above the sea floor", VehicleText(altitude.vehicle),
                        altitude.min_m);
   }
+  std::string operator()(const NavigationErrorExpectation& error) const {
+    return fmt::format("{} at most {:g} m from where it believes to be{}",
+                       VehicleText(error.vehicle), error.max_m, From(error.from_s));
+  }
   std::string operator()(const CoverageExpectation& coverage) const {
     const bool by_all = coverage.vehicles.empty();
     return fmt::format("at least {:g} % of the {} covered {:g} m wide{}{}", coverage.at_least_pct,

@@ -230,4 +230,26 @@ TEST_F(ExtremesTest, DoesNotTakeAnUnknownAltitudeForALowOne) {
   EXPECT_EQ(Only().numbers, "no altitude was seen");
 }
 
+TEST_F(ExtremesTest, JudgesHowFarAVehicleIsFromWhereItBelievesToBe) {
+  For(NavigationErrorExpectation{.vehicle = "alpha", .max_m = 5, .from_s = 60});
+  const auto step = [&](double x_m, double time_s) {
+    judge_->TakeNav(0, {3, 4, 20});
+    judge_->TakeEstimate(0, {x_m, 4});
+    judge_->EndStep(At(time_s));
+  };
+  judge_->TakeNav(0, {3, 4, 20});
+  judge_->EndStep(At(60));
+  EXPECT_EQ(Only().numbers, "no estimate was seen");
+  step(50, 59.9);
+  EXPECT_EQ(Only().numbers, "no estimate was seen");
+  step(8, 61);
+  EXPECT_TRUE(Only().passed);
+  EXPECT_EQ(Only().text, "alpha at most 5 m from where it believes to be from 60 s on");
+  EXPECT_EQ(Only().numbers, "most 5.00 m at 61.0 s");
+  judge_->TakeEstimate(0, {kNan, 4});
+  step(-2.5, 62);
+  EXPECT_FALSE(Only().passed);
+  EXPECT_EQ(Only().numbers, "most 5.50 m at 62.0 s, 0.5 m beyond");
+}
+
 }  // namespace shoal::extremes_test

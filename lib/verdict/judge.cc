@@ -113,6 +113,7 @@ Judge::Judge(const Mission& mission)
     : mission_(mission),
       sightings_(mission.vehicles.size()),
       altitudes_m_(mission.vehicles.size(), -1),
+      estimates_m_(mission.vehicles.size()),
       travelled_m_(mission.vehicles.size()),
       helms_(mission.vehicles.size()),
       fates_(kNumKinds, FateCounts(NamesOf(mission))),
@@ -171,6 +172,10 @@ bool Judge::TakeNav(size_t vehicle, const Eigen::Vector3d& position_m, double al
   positions_m_[vehicle] = position_m;
   moved_now_.push_back(static_cast<uint32_t>(vehicle));
   return true;
+}
+
+void Judge::TakeEstimate(size_t vehicle, const Eigen::Vector2d& position_m) {
+  if (position_m.allFinite()) estimates_m_[vehicle] = position_m;
 }
 
 bool Judge::TakeMotion(size_t vehicle, double heading_deg, double speed_mps) {
@@ -283,6 +288,10 @@ void Judge::WatchExtremes(Case* each, double time_s) const {
         if (other == vehicle || !sightings_[other].seen) continue;
         each->extremes[i].Look((sightings_[other].position_m - own.position_m).norm(), time_s);
       }
+    } else if (const auto* error = std::get_if<NavigationErrorExpectation>(&what)) {
+      const std::optional<Eigen::Vector2d>& estimate_m = estimates_m_[vehicle];
+      if (time_s < error->from_s || !own.seen || !estimate_m) continue;
+      each->extremes[i].Look((*estimate_m - own.position_m.head<2>()).norm(), time_s);
     } else if (std::holds_alternative<AltitudeExpectation>(what)) {
       if (own.seen && altitudes_m_[vehicle] >= 0) {
         each->extremes[i].Look(altitudes_m_[vehicle], time_s);
@@ -479,6 +488,9 @@ std::vector<Outcome> Judge::FindForVehicles(const Case& each) const {
           JudgeExtremes(each.extremes[i], distance->min_m, distance->max_m, "distance"));
     } else if (const auto* altitude = std::get_if<AltitudeExpectation>(&each.expectation->what)) {
       outcomes.push_back(JudgeExtremes(each.extremes[i], altitude->min_m, {}, "altitude"));
+    } else if (const auto* error =
+                   std::get_if<NavigationErrorExpectation>(&each.expectation->what)) {
+      outcomes.push_back(JudgeExtremes(each.extremes[i], {}, error->max_m, "estimate"));
     } else {
       outcomes.push_back(each.arrivals[i].Find());
     }

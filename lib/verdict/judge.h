@@ -76,6 +76,8 @@ class Judge {
   /// Takes a vehicle's heading and speed relative to the water, after its position. Ignores numbers
   /// that are not finite, and returns false then. Without them it has no encounters.
   bool TakeMotion(size_t vehicle, double heading_deg, double speed_mps);
+  /// Takes where a vehicle believes to be. Ignores numbers that are not finite.
+  void TakeEstimate(size_t vehicle, const Eigen::Vector2d& position_m);
   void TakeHelm(size_t vehicle, const HelmFacts& helm, int64_t utime);
   /// Takes what a member's acomms counts of one sender.
   void TakeSwarm(size_t vehicle, const std::string& sender, const SwarmShares& shares);
@@ -124,7 +126,7 @@ class Judge {
     std::vector<size_t> vehicles;
     std::vector<ArrivalWatch> arrivals;
     std::vector<LapsWatch> laps;
-    std::vector<ExtremeWatch> extremes;     ///< Of what a track, distance or altitude is.
+    std::vector<ExtremeWatch> extremes;     ///< Of a track, distance, altitude or estimate.
     size_t encounters = 0;                  ///< Which of encounters_, of expectations of these.
     std::optional<CoverageWatch> coverage;  ///< Of all its vehicles together.
   };
@@ -147,6 +149,7 @@ class Judge {
   const Mission& mission_;
   std::vector<Sighting> sightings_;
   std::vector<double> altitudes_m_;
+  std::vector<std::optional<Eigen::Vector2d>> estimates_m_;
   std::vector<double> travelled_m_;
   std::vector<std::optional<HelmFacts>> helms_;
   std::vector<FateCounts> fates_;                                     ///< By kind.

@@ -94,11 +94,11 @@ TEST_F(LiveViewTest, FramesShowAllThatIsKnownOfAVehicle) {
                "all_stop": "clear", "waypoint": 1, "laps": 0, "to": [60, -160, 0],
                "distance": 44, "cross_track": -0.3},
       "desired": {"heading": 90, "speed": 1.5, "depth": 0}, "modem": null, "decision": null, "guidance": null,
-      "mode": "DRIVE survey", "outside": false})"));
+      "navigation": null, "mode": "DRIVE survey", "outside": false})"));
   EXPECT_EQ(frame["vehicles"][1], json::parse(R"({
       "name": "bravo", "type": "kayak", "color": "yellow", "group": "", "length_m": 3,
       "nav": null, "report": null, "stale": false, "helm": null, "desired": null, "decision": null, "guidance": null,
-      "modem": null, "mode": "",
+      "modem": null, "navigation": null, "mode": "",
       "outside": false})"));
 }
 

@@ -17,6 +17,7 @@
 #include "shoal/guidance_t.hpp"
 #include "shoal/helm_decision_t.hpp"
 #include "shoal/modem_stats_t.hpp"
+#include "shoal/navigation_t.hpp"
 
 namespace shoal {
 
@@ -125,6 +126,35 @@ struct ShownDecision {
   }
 };
 
+/// Where a vehicle with [vehicle.navigation] believes to be.
+struct ShownNavigation {
+  using Message = navigation_t;
+  static constexpr std::string_view kKey = "navigation";
+
+  static Channel<Message> ChannelOf(std::string_view vehicle) {
+    return channels::Navigation(vehicle);
+  }
+  static void Bound(Message* navigation) {
+    navigation->ranges.clear();
+    navigation->num_ranges = 0;
+  }
+  static void Write(const Message& navigation, JsonWriter* json) {
+    json->BeginObject()
+        .Number("t", static_cast<double>(navigation.utime) / 1e6, kMilliseconds)
+        .Number("x", navigation.x_m, kCentimetres)
+        .Number("y", navigation.y_m, kCentimetres)
+        .Number("heading", navigation.heading_deg, kTenths)
+        .Number("major", navigation.ellipse_major_m, kCentimetres)
+        .Number("minor", navigation.ellipse_minor_m, kCentimetres)
+        .Number("direction", navigation.ellipse_heading_deg, kTenths)
+        .Boolean("lock", navigation.has_dvl_lock != 0)
+        .Boolean("fix", navigation.has_gps_fix != 0)
+        .Integer("taken", navigation.num_ranges_taken)
+        .Integer("rejected", navigation.num_ranges_rejected)
+        .EndObject();
+  }
+};
+
 /// How the task of an underwater vehicle comes to what it asks of the autopilots.
 struct ShownGuidance {
   using Message = guidance_t;
@@ -165,7 +195,8 @@ struct ShownGuidance {
 };
 
 /// The rows, in the order in which frames have them.
-using ShownChannels = std::tuple<ShownDesired, ShownModem, ShownDecision, ShownGuidance>;
+using ShownChannels =
+    std::tuple<ShownDesired, ShownModem, ShownDecision, ShownGuidance, ShownNavigation>;
 
 template <class Rows>
 struct LastMessages;

@@ -9,7 +9,7 @@ import {Camera} from '../../../web/map_camera.js';
 import {coverageOf, surveysOf} from '../../../web/map_painter.js';
 import {presentTask, rangesOf, tasksKey} from '../../../web/draw_tasks.js';
 import {drawSwaths} from '../../../web/draw_trails.js';
-import {drawnLength, hullOf, isStopped} from '../../../web/draw_vehicles.js';
+import {drawBelieved, drawnLength, hullOf, isStopped} from '../../../web/draw_vehicles.js';
 
 const size = (width, height = 20) => ({width, height});
 const item = (x, y, more = {}) => ({x, y, radius: 10, sizes: [size(100, 35), size(40)], ...more});
@@ -200,6 +200,21 @@ test('what sensors covered is drawn as broad as they see, for the vehicles that 
   assert.deepEqual(strokes[0].points, [[-40, 110], [140, 110]]);
   drawSwaths(ctx, new Camera(100, 100, 0, 400), {light: true}, world, coverage, vehicles, 25);
   assert.deepEqual(strokes[1].points, []);
+});
+
+test('where a vehicle believes to be is drawn as its ellipse, with the way there', () => {
+  const ellipses = [];
+  const points = [];
+  const ctx = {globalAlpha: 1, beginPath() {}, stroke() {},
+    moveTo(x, y) { points.push([x, y]); }, lineTo(x, y) { points.push([x, y]); },
+    ellipse(...what) { ellipses.push(what); }};
+  const navigation = {x: 10, y: 20, major: 8, minor: 4, direction: 90};
+  drawBelieved(ctx, new Camera(200, 200, 0, 0, 2), {light: true},
+               [{name: 'alpha', x: 0, y: 0, navigation}, {name: 'bravo', x: 5, y: 5}]);
+  // Two metres to a pixel; an axis to the East lies level.
+  assert.deepEqual(ellipses, [[105, 90, 4, 2, 0, 0, 2 * Math.PI]]);
+  assert.deepEqual(points, [[100, 100], [105, 90]]);
+  assert.equal(ctx.globalAlpha, 1);
 });
 
 test('an area that several vehicles survey is drawn once', () => {
