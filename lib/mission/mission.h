@@ -74,7 +74,7 @@ struct Mission {
   Environment environment;
   RoutingRules comms;
   Acoustics acoustics;
-  std::vector<MediumOptions> media;  ///< Besides direct and acoustic.
+  std::vector<MediumOptions> media;    ///< Besides direct and acoustic.
   std::vector<Obstacle> obstacles;     ///< That do not move.
   std::vector<BeaconOptions> beacons;  ///< That vehicles with [vehicle.navigation] range to.
   std::vector<Vehicle> vehicles;

@@ -34,7 +34,8 @@ TEST(Buoy, SlidesAlongItsWatchCircleWhereTheCurrentTurns) {
   BuoyState state = After(500, Moored({0, 0}), {0.3, 0}, params);
   state = After(2, state, {0, 0.3}, params);
   EXPECT_NEAR(state.position_m.norm(), 20, 1e-9);
-  // For a current across the mooring the angle t changes by dt/ds = v/R cos t: sin t = tanh(v s / R).
+  // For a current across the mooring the angle t changes by dt/ds = v/R cos t: sin t = tanh(v s /
+  // R).
   EXPECT_NEAR(state.position_m.y(), 20 * std::tanh(0.3 * 2 / 20), 2e-3);
   state = After(2000, state, {0, 0.3}, params);
   EXPECT_NEAR(state.position_m.y(), 20, 1e-3) << "downstream of its anchor";
