@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -43,6 +44,15 @@ std::string PlanText(const SlotPlan& plan) {
   return fmt::format("{}, from member to member {:g} s", episode, Seconds(plan.offset_us));
 }
 
+/// How long the first slot is kept for the first NAV, which a simulator that starts with the
+/// mission publishes one step too late for a slot at 0: a tenth of the slot, at least one step.
+int64_t LongestWait_us(const SlotPlan& plan, SwarmMessage message) {
+  int64_t slot_us = plan.scheme == SwarmScheme::kTdma ? plan.offset_us : plan.episode_us;
+  if (message == SwarmMessage::kBroadcastRequest) slot_us = plan.broadcast_us;
+  if (message == SwarmMessage::kResponse) slot_us = plan.response_us;
+  return std::max(plan.tick_us, slot_us / 10);
+}
+
 std::string ContactText(const swarm_contact_t& contact, int64_t utime) {
   std::string text =
       fmt::format("    {:<16} {:<8}", contact.name, contact.is_target ? "leader" : "follower");
@@ -66,9 +76,11 @@ AcommsApp::AcommsApp(const Mission& mission, const Vehicle& vehicle, Bus& bus)
       start_utime_(mission.start_utime),
       bus_(bus),
       swarm_channel_(channels::Swarm(vehicle.name)),
+      record_channel_(channels::Acomms(vehicle.name)),
       receiver_(MakeSwarmReceiver(mission, vehicle)),
       schedule_(MakeSwarmSchedule(mission, vehicle)),
       writer_(mission, vehicle),
+      record_(vehicle.name, writer_),
       propeller_(vehicle.model) {
   helm_.waypoint_index = -1;
   Subscribe(bus, OwnNav(vehicle), [this](const nav_t& nav) { OnNav(nav); });
@@ -83,7 +95,7 @@ AcommsApp::AcommsApp(const Mission& mission, const Vehicle& vehicle, Bus& bus)
 }
 
 void AcommsApp::OnNav(const nav_t& nav) {
-  if (!MotionOf(nav)) {
+  if (!MotionOf(nav, receiver_.limits)) {
     log_.Warn(kBadNav);
     return;
   }
@@ -95,6 +107,9 @@ void AcommsApp::ReceivePacket(const acoustic_rx_t& packet, int64_t utime) {
   const std::optional<ResponseRequest> request_before = receiver_.state.request;
   const SwarmReception reception = Receive(packet.payload, utime - start_utime_, &receiver_);
   writer_.Count(packet.source, reception);
+  for (const std::string& line : record_.Note(packet.source, reception, utime)) {
+    log_.Event(utime, line);
+  }
   if (reception.result == ReceptionResult::kRejected) return;
   const std::optional<ResponseRequest>& request = receiver_.state.request;
   if (request && request != request_before) schedule_.Take(*request);
@@ -105,29 +120,45 @@ void AcommsApp::Tick(int64_t utime) {
   const std::vector<acoustic_rx_t> arrived = std::exchange(arrived_, {});
   for (const acoustic_rx_t& packet : arrived) ReceivePacket(packet, utime);
   if (std::exchange(nav_is_new_, false)) nav_utime_ = utime;
-  const bool has_nav = nav_utime_ && utime - *nav_utime_ <= kNavTimeout_us;
-  if (const auto due = schedule_.Due(utime - start_utime_)) {
-    if (has_nav) {
-      Send(*due, utime);
-      log_.Retract(kNoNav);
-    } else {
-      ++num_without_nav_;
-      log_.Warn(kNoNav);
-    }
-  }
+  UseSlot(utime);
   if (!arrived.empty() || !swarm_utime_ || utime - *swarm_utime_ >= kSwarmInterval_us) {
     PublishSwarm(utime);
   }
+  const auto change =
+      record_.TakeChange(receiver_, num_without_nav_, schedule_.num_missed(), utime);
+  if (change) Publish(bus_, record_channel_, *change);
+}
+
+void AcommsApp::UseSlot(int64_t utime) {
+  if (const auto due = schedule_.Due(utime - start_utime_)) {
+    if (kept_) LetPass();
+    kept_ = *due;
+  }
+  if (!kept_) return;
+  const bool has_nav = nav_utime_ && utime - *nav_utime_ <= kNavTimeout_us;
+  if (has_nav) {
+    Send(*std::exchange(kept_, std::nullopt), utime);
+    log_.Retract(kNoNav);
+    return;
+  }
+  const int64_t late_us = utime - start_utime_ - kept_->slot_us;
+  if (nav_utime_ || late_us >= LongestWait_us(plan_, kept_->message)) LetPass();
+}
+
+void AcommsApp::LetPass() {
+  kept_.reset();
+  ++num_without_nav_;
+  log_.Warn(kNoNav);
 }
 
 void AcommsApp::Send(const DueMessage& due, int64_t utime) {
-  const std::optional<Motion> own = MotionOf(nav_);
+  const std::optional<Motion> own = MotionOf(nav_, receiver_.limits);
   SHOAL_CHECK(own.has_value(), "NAV was checked when it came");
-  std::vector<uint8_t> bytes =
-      SwarmBytes(due, {.own = *own,
-                       .next = NextOf(*own, helm_, propeller_.PlanOf(*own, utime)),
-                       .now_us = utime - start_utime_,
-                       .state = receiver_.state});
+  std::vector<uint8_t> bytes = SwarmBytes(
+      due, {.own = *own,
+            .next = NextOf(*own, helm_, propeller_.PlanOf(*own, utime), receiver_.limits),
+            .now_us = utime - start_utime_,
+            .state = receiver_.state});
   if (receiver_.has_frames) bytes = EncodeFrame(bytes, sequence_++);
   acoustic_tx_t packet{};
   packet.utime = utime;

@@ -13,6 +13,7 @@
 #include "lib/bus/bus.h"
 #include "lib/routing/control.h"
 #include "shoal/ack_message_t.hpp"
+#include "shoal/acomms_t.hpp"
 #include "shoal/acoustic_rx_t.hpp"
 #include "shoal/acoustic_tx_t.hpp"
 #include "shoal/actuators_t.hpp"
@@ -67,6 +68,7 @@ inline constexpr std::string_view kMediatedMessage = "MEDIATED_MESSAGE";
 inline constexpr std::string_view kAckMessage = "ACK_MESSAGE";
 inline constexpr std::string_view kAcousticRx = "ACOUSTIC_RX";
 inline constexpr std::string_view kSwarm = "SWARM";
+inline constexpr std::string_view kAcomms = "ACOMMS";
 inline constexpr std::string_view kNodeReportLocal = "NODE_REPORT_LOCAL";
 inline constexpr std::string_view kNodeMessageLocal = "NODE_MESSAGE_LOCAL";
 inline constexpr std::string_view kAcousticTx = "ACOUSTIC_TX";
@@ -116,6 +118,7 @@ Channel<node_message_t> MediatedMessage(std::string_view vehicle);
 Channel<ack_message_t> AckMessageTo(std::string_view vehicle);
 Channel<acoustic_rx_t> AcousticRx(std::string_view vehicle);
 Channel<swarm_t> Swarm(std::string_view vehicle);
+Channel<acomms_t> Acomms(std::string_view vehicle);
 
 // At the shore.
 Channel<helm_command_t> HelmCommandAll();
