@@ -36,10 +36,10 @@ struct SwarmOptions {
   bool frames = false;           ///< A sequence number and a checksum with each message.
   std::string group_id = "A";    ///< One letter or digit, sent with each message.
   double silent_after_s = 60;    ///< After this long without a message a member is silent.
-  FieldLimits limits;            ///< Its late_start_us counts only where late_start_s is 0 or more.
+  FieldLimits limits = {};       ///< Its late_start_us counts only where late_start_s is 0 or more.
   double late_start_s = -1;      ///< FieldLimits::late_start_us; below 0: a step.
-  NeutralValues neutral;
-  SentinelValues sentinel;
+  NeutralValues neutral = {};
+  SentinelValues sentinel = {};
 
   bool operator==(const SwarmOptions&) const = default;
 };
