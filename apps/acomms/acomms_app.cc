@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -44,13 +45,23 @@ std::string PlanText(const SlotPlan& plan) {
   return fmt::format("{}, from member to member {:g} s", episode, Seconds(plan.offset_us));
 }
 
-/// How long the first slot is kept for the first NAV, which a simulator that starts with the
-/// mission publishes one step too late for a slot at 0: a tenth of the slot, at least one step.
+/// How long a slot is kept at most: half of it, or a second.
 int64_t LongestWait_us(const SlotPlan& plan, SwarmMessage message) {
+  constexpr int64_t kSecond_us = 1'000'000;
   int64_t slot_us = plan.scheme == SwarmScheme::kTdma ? plan.offset_us : plan.episode_us;
   if (message == SwarmMessage::kBroadcastRequest) slot_us = plan.broadcast_us;
   if (message == SwarmMessage::kResponse) slot_us = plan.response_us;
-  return std::max(plan.tick_us, slot_us / 10);
+  return std::max(plan.tick_us, std::min(kSecond_us, slot_us / 2));
+}
+
+/// When the broker has a report of each member, in mission time: before, it sends nothing of them.
+int64_t FirstReports_us(const Mission& mission) {
+  double first_s = 0;
+  for (const Vehicle* member : SwarmMembers(mission)) {
+    if (member->reporter != Provider::kShoal) continue;
+    first_s = std::max(first_s, 1 / member->reporter_options.rate_hz);
+  }
+  return std::llround(first_s * 1e6);
 }
 
 std::string ContactText(const swarm_contact_t& contact, int64_t utime) {
@@ -81,7 +92,8 @@ AcommsApp::AcommsApp(const Mission& mission, const Vehicle& vehicle, Bus& bus)
       schedule_(MakeSwarmSchedule(mission, vehicle)),
       writer_(mission, vehicle),
       record_(vehicle.name, writer_),
-      propeller_(vehicle.model) {
+      propeller_(vehicle.model),
+      first_reports_us_(FirstReports_us(mission)) {
   helm_.waypoint_index = -1;
   Subscribe(bus, OwnNav(vehicle), [this](const nav_t& nav) { OnNav(nav); });
   Subscribe(bus, channels::HelmState(vehicle.name),
@@ -136,13 +148,19 @@ void AcommsApp::UseSlot(int64_t utime) {
   }
   if (!kept_) return;
   const bool has_nav = nav_utime_ && utime - *nav_utime_ <= kNavTimeout_us;
+  const int64_t now_us = utime - start_utime_;
+  const bool may_wait = now_us - kept_->slot_us < LongestWait_us(plan_, kept_->message);
+  if (has_nav && may_wait && now_us < first_reports_us_) return;
   if (has_nav) {
-    Send(*std::exchange(kept_, std::nullopt), utime);
+    DueMessage due = *std::exchange(kept_, std::nullopt);
+    // Followers that are asked late answer later by as much.
+    due.response_start_us +=
+        std::max<int64_t>(0, now_us - due.slot_us) / plan_.tick_us * plan_.tick_us;
+    Send(due, utime);
     log_.Retract(kNoNav);
     return;
   }
-  const int64_t late_us = utime - start_utime_ - kept_->slot_us;
-  if (nav_utime_ || late_us >= LongestWait_us(plan_, kept_->message)) LetPass();
+  if (nav_utime_ || !may_wait) LetPass();
 }
 
 void AcommsApp::LetPass() {

@@ -5,8 +5,8 @@
 // once per second. ACOMMS_<V> has what befell its messages, in every step in which that changed.
 //
 // Without NAV, or with one that is older than kNavTimeout_us, its slots pass unused. A slot that
-// comes before its first NAV is kept for it, for a tenth of the slot or one step: so the leader's
-// slot at 0 is used.
+// comes before its first NAV, or before the broker has the first node reports, is kept for up to a
+// second, at most half of the slot: so the leader's slot at 0 is used.
 #pragma once
 
 #include <cstdint>
@@ -59,6 +59,7 @@ class AcommsApp : public App {
   SwarmWriter writer_;
   AcommsRecord record_;
   PropellerWatch propeller_;
+  const int64_t first_reports_us_;  ///< From then on the broker knows the members.
   StatusLog log_;
 
   nav_t nav_{};

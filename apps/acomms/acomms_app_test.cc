@@ -26,6 +26,7 @@ Mission TwoInFdma() {
     Vehicle vehicle;
     vehicle.name = name;
     vehicle.acoustic_address = address++;
+    vehicle.reporter = Provider::kHand;  // The broker is taken to know it from the start.
     vehicle.start = {.x_m = 100.0 * address, .heading_deg = 90, .speed_mps = 1};
     mission.vehicles.push_back(vehicle);
   }
@@ -363,12 +364,38 @@ TEST(Acomms, HasAnAnswerToARequestThatWasKept) {
   EXPECT_TRUE(members.LastOf("alpha").contacts[0].is_heard);
 }
 
-TEST(Acomms, LetsASlotPassWhoseNavComesAfterATenthOfIt) {
+TEST(Acomms, KeepsTheFirstSlotForTheFirstReports) {
+  Mission mission = TwoInFdma();
+  for (Vehicle& vehicle : mission.vehicles) vehicle.reporter = Provider::kShoal;
+  Members members(mission);
+  members.Run(6);
+  EXPECT_EQ(members.TimesOf("alpha"), (std::vector<int64_t>{5, 50})) << "reports at 2 Hz";
+  EXPECT_EQ(members.TimesOf("bravo"), (std::vector<int64_t>{5, 55}));
+}
+
+TEST(Acomms, AsksForLaterAnswersWhereItAsksLater) {
+  Mission mission = TwoInFdma();
+  mission.acoustics.options.access_mode = AccessMode::kTdmaLf;
+  for (Vehicle& vehicle : mission.vehicles) vehicle.reporter = Provider::kShoal;
+  Members members(mission);
+  members.Run(8);
+  ASSERT_GE(members.TimesOf("alpha").size(), 2U);
+  EXPECT_EQ(members.TimesOf("alpha")[0], 5);
+  const auto first = DecodeBroadcast(members.sent_[0].payload);
+  ASSERT_TRUE(first);
+  ASSERT_GE(members.TimesOf("bravo").size(), 2U);
+  EXPECT_NEAR(first->response_start_s, 0.1 * static_cast<double>(members.TimesOf("bravo")[0]),
+              1e-3);
+  EXPECT_EQ(members.TimesOf("bravo")[1] - members.TimesOf("bravo")[0],
+            members.TimesOf("alpha")[1] - 5);
+}
+
+TEST(Acomms, LetsASlotPassWhoseNavComesTooLate) {
   Members members(TwoInFdma());
-  members.Run(0.6, false);
-  members.Run(1);
+  members.Run(1.1, false);
+  members.Run(0.5);
   EXPECT_TRUE(members.TimesOf("alpha").empty());
-  EXPECT_EQ(members.TimesOf("bravo"), (std::vector<int64_t>{6})) << "its slot came at 0.5 s";
+  EXPECT_EQ(members.TimesOf("bravo"), (std::vector<int64_t>{11})) << "its slot came at 0.5 s";
 }
 
 TEST(Acomms, KeepsNoSlotOnceNavHasCome) {
@@ -382,7 +409,7 @@ TEST(Acomms, KeepsNoSlotOnceNavHasCome) {
 
 TEST(Acomms, LetsSlotsPassWithoutNav) {
   Members members(TwoInFdma());
-  members.Run(6, false);
+  members.Run(6.1, false);
   EXPECT_TRUE(members.sent_.empty());
   EXPECT_FALSE(members.app("alpha").Status().run_warnings.empty());
   members.Run(5);

@@ -15,7 +15,7 @@ namespace {
 /// The laws' own bounds on their inputs (lib/guidance/plausible.h).
 constexpr double kFarthest_m = 1e6;
 constexpr double kFastest_mps = 1000;
-/// Who has not steered for the target for longer than this begins anew.
+/// A follower that has not steered for the target for longer than this begins anew.
 constexpr double kLongestPause_s = 2;
 
 Neighbour NeighbourOf(int id, const nav_t& nav) {
