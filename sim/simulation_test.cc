@@ -1,5 +1,6 @@
 #include "sim/simulation.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -156,9 +157,10 @@ TEST(Simulation, WritesTheSameLogWhereTheEmbedderOnlySubscribes) {
 }
 
 /// alpha's helm crashes after 5 s; bravo sails on.
-Mission WithACrash(const std::string& on_loss) {
+Mission WithACrash(const std::string& on_loss, int duration_s = 30) {
   std::string text = kTwoVessels;
-  text.replace(text.find("duration_s = 30"), 15, "duration_s = 30\non_loss = \"" + on_loss + "\"");
+  text.replace(text.find("duration_s = 30"), 15,
+               fmt::format("duration_s = {}\non_loss = \"{}\"", duration_s, on_loss));
   text.replace(text.find("[[vehicle]]\nname = \"bravo\""), 11,
                "[[vehicle.behavior]]\nname = \"fault\"\nkind = \"test_failure\"\nduration = 5\n"
                "[[vehicle]]");
@@ -195,7 +197,7 @@ TEST(Simulation, GoesOnWithoutAHelmThatCrashed) {
 }
 
 TEST(Simulation, StartsAHelmThatCrashedAgainWithNothingOfWhatItDid) {
-  Simulation simulation(WithACrash("restart"), "");
+  Simulation simulation(WithACrash("restart", 40), "");
   const std::map<int64_t, int> counts = ActuatorsOfAlpha(&simulation);
   // With deploy_at_start it goes through its list, and so the five seconds, again.
   EXPECT_EQ(simulation.losses().size(), 5u);

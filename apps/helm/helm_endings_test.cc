@@ -129,7 +129,8 @@ TEST(AuvAtTheEndOfItsTasks, StartsItsListAgainWhenDeployed) {
   EXPECT_EQ(helm.Execute({.kind = OrderKind::kDeploy}), "");
   helm.Advance(At({101, 0, 0.3}, 100, 0), false);
   EXPECT_EQ(helm.task()->name, "path");
-  for (int i = 0; i < 4; ++i) helm.Advance(At({101, 0, 0.3}, 160 + i, 0), false);
+  helm.Advance(At({0, 0, 0.3}, 150, 2), false);  // Back at its first point.
+  for (int i = 0; i < 4; ++i) helm.Advance(At({101, 0, 0.3}, 200 + i, 0), false);
   EXPECT_EQ(helm.task()->name, "end_of_tasks") << "the list comes to its end again";
 }
 

@@ -190,7 +190,10 @@ void PlotDataBuilder::AddNav(Vehicle* vehicle, const nav_t& nav) {
   if (nav.pitch_deg != 0 || !curves.pitch_deg.empty()) {
     Draw(&curves.pitch_deg, time_s, nav.pitch_deg);
   }
-  if (nav.speed_over_ground_mps > kNoCourse_mps && nav.speed_mps > kDrifts_mps) {
+  // Until it has half of the speed that it wants, or where it wants none, the current decides.
+  const double least_mps = std::max(kDrifts_mps, 0.5 * vehicle->desired_speed_mps.value_or(0));
+  const bool drives = vehicle->desired_speed_mps.value_or(1) > 0 && nav.speed_mps > least_mps;
+  if (nav.speed_over_ground_mps > kNoCourse_mps && drives) {
     Draw(&curves.crab_deg, time_s,
          std::remainder(nav.course_over_ground_deg - nav.heading_deg, 360.0));
   } else {
@@ -237,6 +240,7 @@ void PlotDataBuilder::AddActuators(Vehicle* vehicle, const actuators_t& actuator
 void PlotDataBuilder::AddDesired(Vehicle* vehicle, const desired_t& desired) {
   const auto time_s = TimeOf(desired.utime);
   if (!time_s || !vehicle->is_selected) return;
+  vehicle->desired_speed_mps = desired.speed_mps;
   Draw(&vehicle->curves.desired_speed_mps, *time_s, desired.speed_mps);
   Draw(&vehicle->curves.desired_heading_deg, *time_s, desired.heading_deg);
 }

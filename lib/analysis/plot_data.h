@@ -99,7 +99,8 @@ class PlotDataBuilder {
     Eigen::Vector3d position_m = Eigen::Vector3d::Zero();
     std::optional<int64_t> nav_utime;  ///< Of position_m.
     TimeMarks marks;
-    std::string leg;  ///< Which leg its helm was on; empty: none.
+    std::string leg;                          ///< Which leg its helm was on; empty: none.
+    std::optional<double> desired_speed_mps;  ///< The last; absent: no DESIRED has come.
     /// Of the reports that it knows; absent: of none.
     std::optional<int64_t> target_report_utime, other_report_utime;
   };

@@ -118,7 +118,8 @@ Figure DrawDepth(StackedFigure figure, const PlotData& data, const PlotSetting& 
     const bool has_depth =
         figure.AddCurves(&VehicleCurves::desired_depth_m, "desired depth", kDotted);
     if (has_depth) figure.Explain("desired", kGreyDotted);
-    figure.BeginPanel("pitch, bow up + [°]", {"set xzeroaxis lc rgb '#909090' lt 1"});
+    figure.BeginPanel("pitch, bow up + [°]",
+                      {"set yrange [*:*] noreverse", "set xzeroaxis lc rgb '#909090' lt 1"});
     if (figure.AddCurves(&VehicleCurves::desired_pitch_deg, "desired pitch", kDotted)) {
       figure.AddCurves(&VehicleCurves::pitch_deg, "pitch", kSolid);
     }

@@ -173,6 +173,22 @@ TEST_F(Figures, ShowNoCrabAngleOfAVehicleThatDrifts) {
   EXPECT_TRUE(Contains(Of("track_error").data, "# A, crab angle\n0 180\n"));
 }
 
+TEST_F(Figures, ShowNoCrabAngleWhileTheSpeedIsFarFromTheDesiredOne) {
+  nav_t nav = PlottedNav(0, 0, 0, 5);
+  nav.speed_over_ground_mps = 0.4;
+  nav.course_over_ground_deg = 180;
+  nav.speed_mps = 0.9;
+  desired_t desired{};
+  for (const double desired_mps : {0.0, 2.0}) {
+    desired.speed_mps = desired_mps;
+    Draw({EventOf("DESIRED_A", desired), EventOf("NAV_A", nav)}, Berta());
+    EXPECT_FALSE(Contains(Of("track_error").data, "crab angle")) << desired_mps;
+  }
+  desired.speed_mps = 1.5;
+  Draw({EventOf("DESIRED_A", desired), EventOf("NAV_A", nav)}, Berta());
+  EXPECT_TRUE(Contains(Of("track_error").data, "# A, crab angle\n0 180\n"));
+}
+
 TEST_F(Figures, ShowTheDepthWithTheSeaFloorBelow) {
   nav_t nav = PlottedNav(0, 0, 0, 5);
   nav.altitude_m = 15;

@@ -13,6 +13,16 @@ namespace {
 /// floor_keeping_test.cc.
 constexpr double kBoundGain = 1.5;
 constexpr double kNoFloor_m = std::numeric_limits<double>::infinity();
+/// Faster than any vehicle, and deeper than any sea: keeps sums finite.
+constexpr double kMostSpeed_mps = 1e3;
+constexpr double kMostDepth_m = 1e6;
+
+/// Returns the motion, where it is beyond anything that a vehicle does, as the nearest that is not.
+AuvMotion Plausible(AuvMotion motion) {
+  motion.z_m = std::clamp(motion.z_m, -kMostDepth_m, kMostDepth_m);
+  motion.speed_mps = std::min(motion.speed_mps, kMostSpeed_mps);
+  return motion;
+}
 
 /// Returns the error from which on the pitch is at its limit: a larger one would only be taken out
 /// of the integral, which is missing when the bound is gone again.
@@ -58,9 +68,10 @@ void AuvPilot::Start(double psi_rad, double z_m) {
   theta_d_rad_ = 0;
 }
 
-AuvDeflections AuvPilot::KeepHeadingAndDepth(const AuvMotion& motion, double psi_ref_rad,
+AuvDeflections AuvPilot::KeepHeadingAndDepth(const AuvMotion& given, double psi_ref_rad,
                                              double z_ref_m, const DepthBound& bound, double dt_s,
                                              std::optional<double> path_pitch_rad) {
+  const AuvMotion motion = Plausible(given);
   if (motion.speed_mps < params_.least_speed_mps) return Drift(motion);
   observer_.Update(params_.heading_observer_hz, psi_ref_rad, dt_s);
   const double goal_m =
@@ -77,9 +88,10 @@ AuvDeflections AuvPilot::KeepHeadingAndDepth(const AuvMotion& motion, double psi
   return Deflect(motion, observer_.psi_d_rad, dt_s);
 }
 
-AuvDeflections AuvPilot::KeepHeadingAndPitch(const AuvMotion& motion, double psi_d_rad,
+AuvDeflections AuvPilot::KeepHeadingAndPitch(const AuvMotion& given, double psi_d_rad,
                                              double theta_d_rad, const DepthBound& bound,
                                              double dt_s) {
+  const AuvMotion motion = Plausible(given);
   if (motion.speed_mps < params_.least_speed_mps) return Drift(motion);
   // The references of the other mode begin where the vehicle is then.
   observer_ = {.psi_d_rad = WrapPi(motion.psi_rad)};

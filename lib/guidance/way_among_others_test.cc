@@ -16,6 +16,7 @@ PathFollowTask East(const std::vector<VelocityLayer>& layers) {
   PathFollowTask task;
   task.points_m = {{0, 0, 20}, {1000, 0, 20}};
   task.end = PathTaskEnd::kGoOn;
+  task.approach = false;  // At once on the leg, wherever it is.
   task.cascade.layers = layers;
   return task;
 }

@@ -62,7 +62,8 @@ class CarefulAuv {
                               .theta_rad = state_.eta[4],
                               .psi_rad = state_.eta[5],
                               .q_radps = state_.nu[4],
-                              .r_radps = state_.nu[5]};
+                              .r_radps = state_.nu[5],
+                              .speed_mps = state_.nu.head<3>().norm()};
     guidance_ = runner_.Update({.position_m = state_.eta.head<2>(),
                                 .heading_rad = HeadingFromPsi(state_.eta[5]),
                                 .time_s = time_s_,
@@ -70,9 +71,10 @@ class CarefulAuv {
                                 .surroundings = &around_});
     const double psi_rad = PsiFromHeading(guidance_.heading_rad);
     const AuvDeflections fins =
-        guidance_.pitch_rad
-            ? pilot_.KeepHeadingAndPitch(motion, psi_rad, *guidance_.pitch_rad, kStep_s)
-            : pilot_.KeepHeadingAndDepth(motion, psi_rad, guidance_.z_m.value_or(0), 6000, kStep_s);
+        guidance_.pitch_rad ? pilot_.KeepHeadingAndPitch(motion, psi_rad, *guidance_.pitch_rad,
+                                                         DepthBound(), kStep_s)
+                            : pilot_.KeepHeadingAndDepth(motion, psi_rad, guidance_.z_m.value_or(0),
+                                                         DepthBound(), kStep_s);
     const double rpm = guidance_.speed_mps > 0 ? RpmForSpeed(auv_, guidance_.speed_mps) : 0;
     state_ = shoal::Step(auv_, state_, {fins.rudder_rad, fins.stern_plane_rad, rpm},
                          {.current_mps = sea_.current_mps}, kStep_s);

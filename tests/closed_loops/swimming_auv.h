@@ -102,7 +102,7 @@ class SwimmingAuv {
     craft_.Show(WaterHere(), &nav);
     nav.utime = utime_;
     if (has_sonar_) {
-      if (const auto ping = sonar_.Ping(nav, floor_, {})) pilot_.OnSonar(*ping);
+      if (const auto ping = sonar_.Ping(nav, {.floor = floor_})) pilot_.OnSonar(*ping);
     }
     craft_.Execute(actuators_);
     pilot_.Steer(guidance, nav, utime_ == 0 ? 0 : kTick_s, &desired_, &actuators_);
