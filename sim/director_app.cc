@@ -6,6 +6,7 @@
 
 #include "lib/bus/control_message.h"
 #include "lib/routing/control.h"
+#include "lib/routing/vehicle_name.h"
 #include "lib/verdict/summary.h"
 
 namespace shoal {
@@ -56,6 +57,14 @@ DirectorApp::DirectorApp(const Mission& mission, Bus& bus)
   });
   bus.SubscribeBytes(channels::CommsFates().name,
                      [this](const Message& message) { TakeFates(message); });
+  if (mission.acoustics.is_used) {
+    const auto sent = [this](const std::string& source) {
+      judge_.acoustic().AddSent(VehicleKey(source));
+    };
+    Subscribe(bus, channels::AcousticTx(),
+              [sent](const acoustic_tx_t& packet) { sent(packet.source); });
+    Subscribe(bus, channels::ModemTx(), [sent](const modem_tx_t& packet) { sent(packet.source); });
+  }
   for (const ControlRow& row : ControlTable()) {
     Subscribe(bus, channels::Control(row), [this, &row](const unc_control_t& control) {
       if (!controls_.Keep(row, control)) log_.Warn(kTooManyControls);
@@ -125,6 +134,12 @@ void DirectorApp::TakeFates(const Message& message) {
     for (const Kind kind : {Kind::kReport, Kind::kMessage, Kind::kAck, Kind::kPacket}) {
       if (fate.kind != KindText(kind)) continue;
       judge_.fates(kind).Add(fate.source, fate.destination, fate.cause, fate.count);
+      if (kind == Kind::kPacket) judge_.acoustic().AddFate(VehicleKey(fate.source), fate.number);
+    }
+    for (const acoustic_path_t& path : fate.path) {
+      judge_.acoustic().Add({.cause = fate.cause,
+                             .bits_flipped = path.bits_flipped,
+                             .num_colliders = path.num_colliders});
     }
   }
 }

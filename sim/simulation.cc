@@ -6,7 +6,7 @@
 
 #include "apps/recorder/recorder_app.h"
 #include "lib/bus/memory_bus.h"
-#include "lib/mission/load.h"
+#include "lib/mission/drawn_seed.h"
 #include "lib/run/roster.h"
 #include "sim/app_factory.h"
 #include "sim/director_app.h"
@@ -99,7 +99,7 @@ Simulation& Simulation::operator=(Simulation&&) noexcept = default;
 Result<Simulation> Simulation::Open(const SimulationOptions& options) {
   std::vector<std::string> overrides = options.overrides;
   if (options.seed) overrides.push_back(fmt::format("mission.seed={}", *options.seed));
-  const LoadedMission loaded = LoadMission(options.mission_file, overrides);
+  const LoadedMission loaded = LoadMissionToRun(options.mission_file, DrawSeed, &overrides);
   if (!loaded.errors.empty()) return Error{fmt::format("{}", fmt::join(loaded.errors, "\n"))};
   if (const auto can = CanRunInOneProcess(loaded.mission); !can.ok()) return Error{can.error()};
   Simulation simulation(loaded.mission, options.log_path);

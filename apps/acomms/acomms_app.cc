@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -43,6 +45,25 @@ std::string PlanText(const SlotPlan& plan) {
   return fmt::format("{}, from member to member {:g} s", episode, Seconds(plan.offset_us));
 }
 
+/// How long a slot is kept at most: half of it, or a second.
+int64_t LongestWait_us(const SlotPlan& plan, SwarmMessage message) {
+  constexpr int64_t kSecond_us = 1'000'000;
+  int64_t slot_us = plan.scheme == SwarmScheme::kTdma ? plan.offset_us : plan.episode_us;
+  if (message == SwarmMessage::kBroadcastRequest) slot_us = plan.broadcast_us;
+  if (message == SwarmMessage::kResponse) slot_us = plan.response_us;
+  return std::max(plan.tick_us, std::min(kSecond_us, slot_us / 2));
+}
+
+/// When the broker has a report of each member, in mission time: before, it sends nothing of them.
+int64_t FirstReports_us(const Mission& mission) {
+  double first_s = 0;
+  for (const Vehicle* member : SwarmMembers(mission)) {
+    if (member->reporter != Provider::kShoal) continue;
+    first_s = std::max(first_s, 1 / member->reporter_options.rate_hz);
+  }
+  return std::llround(first_s * 1e6);
+}
+
 std::string ContactText(const swarm_contact_t& contact, int64_t utime) {
   std::string text =
       fmt::format("    {:<16} {:<8}", contact.name, contact.is_target ? "leader" : "follower");
@@ -66,10 +87,13 @@ AcommsApp::AcommsApp(const Mission& mission, const Vehicle& vehicle, Bus& bus)
       start_utime_(mission.start_utime),
       bus_(bus),
       swarm_channel_(channels::Swarm(vehicle.name)),
+      record_channel_(channels::Acomms(vehicle.name)),
       receiver_(MakeSwarmReceiver(mission, vehicle)),
       schedule_(MakeSwarmSchedule(mission, vehicle)),
       writer_(mission, vehicle),
-      propeller_(vehicle.model) {
+      record_(vehicle.name, writer_),
+      propeller_(vehicle.model),
+      first_reports_us_(FirstReports_us(mission)) {
   helm_.waypoint_index = -1;
   Subscribe(bus, OwnNav(vehicle), [this](const nav_t& nav) { OnNav(nav); });
   Subscribe(bus, channels::HelmState(vehicle.name),
@@ -83,7 +107,7 @@ AcommsApp::AcommsApp(const Mission& mission, const Vehicle& vehicle, Bus& bus)
 }
 
 void AcommsApp::OnNav(const nav_t& nav) {
-  if (!MotionOf(nav)) {
+  if (!MotionOf(nav, receiver_.limits)) {
     log_.Warn(kBadNav);
     return;
   }
@@ -95,6 +119,9 @@ void AcommsApp::ReceivePacket(const acoustic_rx_t& packet, int64_t utime) {
   const std::optional<ResponseRequest> request_before = receiver_.state.request;
   const SwarmReception reception = Receive(packet.payload, utime - start_utime_, &receiver_);
   writer_.Count(packet.source, reception);
+  for (const std::string& line : record_.Note(packet.source, reception, utime)) {
+    log_.Event(utime, line);
+  }
   if (reception.result == ReceptionResult::kRejected) return;
   const std::optional<ResponseRequest>& request = receiver_.state.request;
   if (request && request != request_before) schedule_.Take(*request);
@@ -105,29 +132,51 @@ void AcommsApp::Tick(int64_t utime) {
   const std::vector<acoustic_rx_t> arrived = std::exchange(arrived_, {});
   for (const acoustic_rx_t& packet : arrived) ReceivePacket(packet, utime);
   if (std::exchange(nav_is_new_, false)) nav_utime_ = utime;
-  const bool has_nav = nav_utime_ && utime - *nav_utime_ <= kNavTimeout_us;
-  if (const auto due = schedule_.Due(utime - start_utime_)) {
-    if (has_nav) {
-      Send(*due, utime);
-      log_.Retract(kNoNav);
-    } else {
-      ++num_without_nav_;
-      log_.Warn(kNoNav);
-    }
-  }
+  UseSlot(utime);
   if (!arrived.empty() || !swarm_utime_ || utime - *swarm_utime_ >= kSwarmInterval_us) {
     PublishSwarm(utime);
   }
+  const auto change =
+      record_.TakeChange(receiver_, num_without_nav_, schedule_.num_missed(), utime);
+  if (change) Publish(bus_, record_channel_, *change);
+}
+
+void AcommsApp::UseSlot(int64_t utime) {
+  if (const auto due = schedule_.Due(utime - start_utime_)) {
+    if (kept_) LetPass();
+    kept_ = *due;
+  }
+  if (!kept_) return;
+  const bool has_nav = nav_utime_ && utime - *nav_utime_ <= kNavTimeout_us;
+  const int64_t now_us = utime - start_utime_;
+  const bool may_wait = now_us - kept_->slot_us < LongestWait_us(plan_, kept_->message);
+  if (has_nav && may_wait && now_us < first_reports_us_) return;
+  if (has_nav) {
+    DueMessage due = *std::exchange(kept_, std::nullopt);
+    // Followers that are asked late answer later by as much.
+    due.response_start_us +=
+        std::max<int64_t>(0, now_us - due.slot_us) / plan_.tick_us * plan_.tick_us;
+    Send(due, utime);
+    log_.Retract(kNoNav);
+    return;
+  }
+  if (nav_utime_ || !may_wait) LetPass();
+}
+
+void AcommsApp::LetPass() {
+  kept_.reset();
+  ++num_without_nav_;
+  log_.Warn(kNoNav);
 }
 
 void AcommsApp::Send(const DueMessage& due, int64_t utime) {
-  const std::optional<Motion> own = MotionOf(nav_);
+  const std::optional<Motion> own = MotionOf(nav_, receiver_.limits);
   SHOAL_CHECK(own.has_value(), "NAV was checked when it came");
-  std::vector<uint8_t> bytes =
-      SwarmBytes(due, {.own = *own,
-                       .next = NextOf(*own, helm_, propeller_.PlanOf(*own, utime)),
-                       .now_us = utime - start_utime_,
-                       .state = receiver_.state});
+  std::vector<uint8_t> bytes = SwarmBytes(
+      due, {.own = *own,
+            .next = NextOf(*own, helm_, propeller_.PlanOf(*own, utime), receiver_.limits),
+            .now_us = utime - start_utime_,
+            .state = receiver_.state});
   if (receiver_.has_frames) bytes = EncodeFrame(bytes, sequence_++);
   acoustic_tx_t packet{};
   packet.utime = utime;

@@ -2,9 +2,11 @@
 // HELM_STATE_<V> and ACOUSTIC_RX_<V>, and to ACTUATORS_<V> of a leader whose propeller needs time
 // to change its revolutions; publishes ACOUSTIC_TX in its slot (lib/swarm/schedule.h), and
 // SWARM_<V>, what it knows of the others, in every step in which a message arrived and at least
-// once per second.
+// once per second. ACOMMS_<V> has what befell its messages, in every step in which that changed.
 //
-// Without NAV, or with one that is older than kNavTimeout_us, its slots pass unused.
+// Without NAV, or with one that is older than kNavTimeout_us, its slots pass unused. A slot that
+// comes before its first NAV, or before the broker has the first node reports, is kept for up to a
+// second, at most half of the slot: so the leader's slot at 0 is used.
 #pragma once
 
 #include <cstdint>
@@ -12,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "apps/acomms/acomms_record.h"
 #include "apps/acomms/propeller_watch.h"
 #include "apps/acomms/swarm_writer.h"
 #include "lib/bus/bus.h"
@@ -37,6 +40,9 @@ class AcommsApp : public App {
  private:
   void OnNav(const nav_t& nav);
   void ReceivePacket(const acoustic_rx_t& packet, int64_t utime);
+  /// Sends what is due, or was kept; lets it pass where no NAV comes.
+  void UseSlot(int64_t utime);
+  void LetPass();
   void Send(const DueMessage& due, int64_t utime);
   void PublishSwarm(int64_t utime);
 
@@ -47,10 +53,13 @@ class AcommsApp : public App {
   Bus& bus_;
   const Channel<acoustic_tx_t> tx_channel_ = channels::AcousticTx();
   const Channel<swarm_t> swarm_channel_;
+  const Channel<acomms_t> record_channel_;
   SwarmReceiver receiver_;
   SwarmSchedule schedule_;
   SwarmWriter writer_;
+  AcommsRecord record_;
   PropellerWatch propeller_;
+  const int64_t first_reports_us_;  ///< From then on the broker knows the members.
   StatusLog log_;
 
   nav_t nav_{};
@@ -61,7 +70,8 @@ class AcommsApp : public App {
   std::optional<int64_t> utime_;  ///< Of the last step.
   std::optional<int64_t> nav_utime_;  ///< Step in which the last NAV came.
   std::optional<int64_t> swarm_utime_;
-  uint16_t sequence_ = 0;  ///< Of the next frame.
+  std::optional<DueMessage> kept_;  ///< Its slot has come, and the first NAV has not.
+  uint16_t sequence_ = 0;           ///< Of the next frame.
   int64_t num_sent_ = 0;
   int64_t num_without_nav_ = 0;
 };

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -25,6 +26,7 @@ Mission TwoInFdma() {
     Vehicle vehicle;
     vehicle.name = name;
     vehicle.acoustic_address = address++;
+    vehicle.reporter = Provider::kHand;  // The broker is taken to know it from the start.
     vehicle.start = {.x_m = 100.0 * address, .heading_deg = 90, .speed_mps = 1};
     mission.vehicles.push_back(vehicle);
   }
@@ -57,6 +59,9 @@ class Members {
     Subscribe(
         world_, channels::Swarm(vehicle.name),
         [this, name = vehicle.name](const swarm_t& swarm) { swarms_[name].push_back(swarm); });
+    Subscribe(
+        world_, channels::Acomms(vehicle.name),
+        [this, name = vehicle.name](const acomms_t& record) { records_[name].push_back(record); });
     apps_[vehicle.name] = {&bus, std::make_unique<AcommsApp>(mission_, vehicle, bus)};
   }
 
@@ -110,6 +115,7 @@ class Members {
   std::function<void(int64_t utime, Bus& world)> before_step_;
   std::vector<acoustic_tx_t> sent_;
   std::map<std::string, std::vector<swarm_t>> swarms_;
+  std::map<std::string, std::vector<acomms_t>> records_;
 
  private:
   Mission mission_;
@@ -214,6 +220,99 @@ TEST(Acomms, ReportsWhichFieldsWereDamagedAndHowTheyWereRecovered) {
   EXPECT_EQ(members.LastOf("bravo").sources[0].recovered, 1);
 }
 
+TEST(Acomms, RecordsWhichFieldWasDamagedAndWhatWasWrongWithIt) {
+  Members members(TwoInFdma());
+  members.Run(1);
+  ASSERT_EQ(members.records_["bravo"].size(), 1U) << "once, as nothing changed since";
+  LeaderMessage damaged = *DecodeLeaderReport(members.sent_[0].payload);
+  damaged.time_stamp_s = 0.9F;
+  damaged.leader.position_m.x() = 2e5F;
+  members.Hand("bravo", "alpha", EncodeLeaderReport(damaged));
+  members.Hand("bravo", "charlie", {1, 2});
+  members.Run(0.2);
+  ASSERT_EQ(members.records_["bravo"].size(), 2U);
+  const acomms_t& record = members.records_["bravo"].back();
+  ASSERT_EQ(record.num_events, 2);
+  EXPECT_EQ(record.events[0].outcome, "recovered");
+  EXPECT_EQ(record.events[0].source, "alpha");
+  EXPECT_EQ(record.events[0].field, "leader_pos");
+  EXPECT_EQ(record.events[0].fault, "farther than the limit");
+  EXPECT_EQ(record.events[0].by, "predict");
+  EXPECT_EQ(record.events[1].outcome, "rejected");
+  EXPECT_EQ(record.events[1].reason, "shorter than a flag");
+  EXPECT_NE(members.app("bravo").Status().text.find("message of alpha recovered: leader_pos is "
+                                                    "farther than the limit, by predict"),
+            std::string::npos)
+      << members.app("bravo").Status().text;
+}
+
+TEST(Acomms, RecordsWhichFieldIsBeyondRecovery) {
+  Mission mission = TwoInFdma();
+  mission.vehicles[1].recovery.of(SwarmField::kLeaderPos) = {RecoveryStrategy::kSkip};
+  Members members(mission);
+  members.Run(1);
+  LeaderMessage damaged = *DecodeLeaderReport(members.sent_[0].payload);
+  damaged.leader.position_m.x() = std::numeric_limits<float>::quiet_NaN();
+  members.Hand("bravo", "alpha", EncodeLeaderReport(damaged));
+  members.Run(0.2);
+  const acomms_t& record = members.records_["bravo"].back();
+  ASSERT_EQ(record.num_events, 1);
+  EXPECT_EQ(record.events[0].reason, "damaged beyond recovery");
+  EXPECT_EQ(record.events[0].field, "leader_pos");
+  EXPECT_EQ(record.events[0].fault, "not a finite number");
+}
+
+TEST(Acomms, RecordsAnswersAndFramesOfTheOthersAndItsUnusedSlots) {
+  Mission mission = TwoInFdma();
+  mission.acoustics.options.access_mode = AccessMode::kTdmaLf;
+  mission.swarm.frames = true;
+  Members members(mission);
+  members.Run(4);
+  ASSERT_EQ(members.records_["alpha"].back().num_members, 1);
+  const acomms_member_t& bravo = members.records_["alpha"].back().members[0];
+  EXPECT_EQ(bravo.name, "bravo");
+  EXPECT_FALSE(members.records_["alpha"].front().members[0].has_answered);
+  EXPECT_TRUE(std::any_of(members.records_["alpha"].begin(), members.records_["alpha"].end(),
+                          [](const acomms_t& each) { return each.members[0].has_answered != 0; }));
+  EXPECT_EQ(bravo.frames_received, static_cast<int64_t>(members.TimesOf("bravo").size()));
+  EXPECT_GE(bravo.frames_received, 1);
+  members.Run(20, false);
+  EXPECT_GE(members.records_["alpha"].back().num_without_nav, 1);
+}
+
+TEST(Acomms, ChecksByTheLimitsOfItsMission) {
+  Mission mission = TwoInFdma();
+  mission.swarm.limits.max_position_m = 150;
+  mission.swarm.neutral.position_m = {5, 6, 7};
+  mission.vehicles[1].recovery.of(SwarmField::kLeaderPos) = {RecoveryStrategy::kNeutral};
+  mission.vehicles[0].start.x_m = 100;
+  Members members(mission);
+  members.Run(1);
+  LeaderMessage far = *DecodeLeaderReport(members.sent_[0].payload);
+  far.time_stamp_s = 0.9F;
+  far.leader.position_m.x() = 151;
+  members.Hand("bravo", "alpha", EncodeLeaderReport(far));
+  members.Run(0.2);
+  const swarm_contact_t& contact = members.LastOf("bravo").contacts[0];
+  EXPECT_EQ(contact.recovered, std::vector<std::string>{"leader_pos neutral"});
+  EXPECT_EQ(contact.x_m, 5);
+}
+
+TEST(Acomms, MarksWhatIsNotKnownByTheSentinelOfItsMission) {
+  Mission mission = TwoInFdma();
+  mission.swarm.sentinel.position_m = 2e6;
+  mission.vehicles[1].recovery.of(SwarmField::kLeaderPos) = {RecoveryStrategy::kSentinel};
+  Members members(mission);
+  members.Run(1);
+  EXPECT_TRUE(members.LastOf("bravo").contacts[0].is_known);
+  LeaderMessage damaged = *DecodeLeaderReport(members.sent_[0].payload);
+  damaged.time_stamp_s = 0.9F;
+  damaged.leader.position_m.x() = std::numeric_limits<float>::quiet_NaN();
+  members.Hand("bravo", "alpha", EncodeLeaderReport(damaged));
+  members.Run(0.2);
+  EXPECT_FALSE(members.LastOf("bravo").contacts[0].is_known);
+}
+
 TEST(Acomms, FollowsTheRecoveryPlanOfItsVehicle) {
   Mission mission = TwoInFdma();
   mission.vehicles[1].recovery.of(SwarmField::kLeaderPos) = {RecoveryStrategy::kSkip};
@@ -239,9 +338,78 @@ TEST(Acomms, ShowsWhichMembersHaveBeenSilentForLong) {
   EXPECT_NE(members.app("bravo").Status().text.find("silent"), std::string::npos);
 }
 
+TEST(Acomms, KeepsTheFirstSlotForTheFirstNav) {
+  for (const AccessMode mode : {AccessMode::kFdma, AccessMode::kTdma, AccessMode::kTdmaLf}) {
+    Mission mission = TwoInFdma();
+    mission.acoustics.options.access_mode = mode;
+    Members members(mission);
+    members.Run(0.1, false);
+    EXPECT_TRUE(members.sent_.empty());
+    members.Run(1);
+    ASSERT_FALSE(members.TimesOf("alpha").empty());
+    EXPECT_EQ(members.TimesOf("alpha")[0], 1) << "in the step of its first NAV";
+    EXPECT_TRUE(members.app("alpha").Status().run_warnings.empty());
+  }
+}
+
+TEST(Acomms, HasAnAnswerToARequestThatWasKept) {
+  Mission mission = TwoInFdma();
+  mission.acoustics.options.access_mode = AccessMode::kTdmaLf;
+  Members members(mission);
+  members.Run(0.1, false);
+  members.Run(5);
+  ASSERT_GE(members.TimesOf("alpha").size(), 2U);
+  ASSERT_FALSE(members.TimesOf("bravo").empty());
+  EXPECT_LT(members.TimesOf("bravo")[0], members.TimesOf("alpha")[1]);
+  EXPECT_TRUE(members.LastOf("alpha").contacts[0].is_heard);
+}
+
+TEST(Acomms, KeepsTheFirstSlotForTheFirstReports) {
+  Mission mission = TwoInFdma();
+  for (Vehicle& vehicle : mission.vehicles) vehicle.reporter = Provider::kShoal;
+  Members members(mission);
+  members.Run(6);
+  EXPECT_EQ(members.TimesOf("alpha"), (std::vector<int64_t>{5, 50})) << "reports at 2 Hz";
+  EXPECT_EQ(members.TimesOf("bravo"), (std::vector<int64_t>{5, 55}));
+}
+
+TEST(Acomms, AsksForLaterAnswersWhereItAsksLater) {
+  Mission mission = TwoInFdma();
+  mission.acoustics.options.access_mode = AccessMode::kTdmaLf;
+  for (Vehicle& vehicle : mission.vehicles) vehicle.reporter = Provider::kShoal;
+  Members members(mission);
+  members.Run(8);
+  ASSERT_GE(members.TimesOf("alpha").size(), 2U);
+  EXPECT_EQ(members.TimesOf("alpha")[0], 5);
+  const auto first = DecodeBroadcast(members.sent_[0].payload);
+  ASSERT_TRUE(first);
+  ASSERT_GE(members.TimesOf("bravo").size(), 2U);
+  EXPECT_NEAR(first->response_start_s, 0.1 * static_cast<double>(members.TimesOf("bravo")[0]),
+              1e-3);
+  EXPECT_EQ(members.TimesOf("bravo")[1] - members.TimesOf("bravo")[0],
+            members.TimesOf("alpha")[1] - 5);
+}
+
+TEST(Acomms, LetsASlotPassWhoseNavComesTooLate) {
+  Members members(TwoInFdma());
+  members.Run(1.1, false);
+  members.Run(0.5);
+  EXPECT_TRUE(members.TimesOf("alpha").empty());
+  EXPECT_EQ(members.TimesOf("bravo"), (std::vector<int64_t>{11})) << "its slot came at 0.5 s";
+}
+
+TEST(Acomms, KeepsNoSlotOnceNavHasCome) {
+  Members members(TwoInFdma());
+  members.Run(1);
+  members.Run(4.3, false);
+  members.Run(4.7);
+  EXPECT_EQ(members.TimesOf("alpha"), (std::vector<int64_t>{0}))
+      << "NAV was older than two seconds at 5 s";
+}
+
 TEST(Acomms, LetsSlotsPassWithoutNav) {
   Members members(TwoInFdma());
-  members.Run(6, false);
+  members.Run(6.1, false);
   EXPECT_TRUE(members.sent_.empty());
   EXPECT_FALSE(members.app("alpha").Status().run_warnings.empty());
   members.Run(5);

@@ -1,5 +1,5 @@
 // One vehicle's acoustic messages. Subscribes to ACOUSTIC_RX_<V>, publishes ACOUSTIC_TX and
-// SWARM_<V>. See acomms --help.
+// SWARM_<V> and ACOMMS_<V>. See acomms --help.
 #include "apps/acomms/acomms_app.h"
 #include "lib/run/run_app.h"
 

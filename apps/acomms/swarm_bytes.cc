@@ -4,7 +4,6 @@
 
 #include "lib/geometry/angles.h"
 #include "lib/swarm/broadcast_message.h"
-#include "lib/swarm/field_checks.h"
 #include "lib/swarm/leader_message.h"
 #include "lib/swarm/report_message.h"
 
@@ -16,8 +15,7 @@ float FloatSeconds(int64_t time_us) {
   return static_cast<float>(static_cast<double>(time_us) / 1e6);
 }
 
-bool IsEncodable(const Motion& motion) {
-  const FieldLimits limits;
+bool IsEncodable(const Motion& motion, const FieldLimits& limits) {
   return motion.position_m.allFinite() && motion.velocity_mps.allFinite() &&
          motion.position_m.cwiseAbs().maxCoeff() <= limits.max_position_m &&
          motion.velocity_mps.cwiseAbs().maxCoeff() <= limits.max_speed_mps;
@@ -60,21 +58,22 @@ BroadcastMessage BroadcastOf(const SwarmMessageInputs& inputs, int64_t response_
 
 }  // namespace
 
-std::optional<Motion> MotionOf(const nav_t& nav) {
+std::optional<Motion> MotionOf(const nav_t& nav, const FieldLimits& limits) {
   const Eigen::Vector2d over_ground_mps =
       nav.speed_over_ground_mps * UnitVector(DegToRad(nav.course_over_ground_deg));
   const Motion motion = {
       .position_m = {nav.x_m, nav.y_m, nav.z_m},
       .velocity_mps = {over_ground_mps.x(), over_ground_mps.y(), nav.descent_mps}};
-  if (!IsEncodable(motion)) return std::nullopt;
+  if (!IsEncodable(motion, limits)) return std::nullopt;
   return motion;
 }
 
-Motion NextOf(const Motion& own, const helm_state_t& helm, const SpeedPlan& plan) {
+Motion NextOf(const Motion& own, const helm_state_t& helm, const SpeedPlan& plan,
+              const FieldLimits& limits) {
   const Eigen::Vector3d waypoint_m(helm.waypoint_x_m, helm.waypoint_y_m, helm.waypoint_z_m);
   if (helm.waypoint_index < 0) return own;
   const Motion next = waypoint_m.allFinite() ? PredictAtPoint(own, waypoint_m, plan) : own;
-  return IsEncodable(next) ? next : own;
+  return IsEncodable(next, limits) ? next : own;
 }
 
 std::vector<uint8_t> SwarmBytes(const DueMessage& due, const SwarmMessageInputs& inputs) {

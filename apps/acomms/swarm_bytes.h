@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "lib/guidance/motion_prediction.h"
+#include "lib/swarm/field_checks.h"
 #include "lib/swarm/group_state.h"
 #include "lib/swarm/schedule.h"
 #include "shoal/helm_state_t.hpp"
@@ -14,12 +15,13 @@
 namespace shoal {
 
 /// Returns how a vehicle moves over ground; x East, y North, z down. Nothing where NAV is not
-/// finite or outside the encodable range.
-[[nodiscard]] std::optional<Motion> MotionOf(const nav_t& nav);
+/// finite, or not within the limits that the others check.
+[[nodiscard]] std::optional<Motion> MotionOf(const nav_t& nav, const FieldLimits& limits);
 
 /// Returns where the vehicle goes on to: its helm's waypoint, which it reaches as `plan` has it;
 /// without one itself.
-[[nodiscard]] Motion NextOf(const Motion& own, const helm_state_t& helm, const SpeedPlan& plan);
+[[nodiscard]] Motion NextOf(const Motion& own, const helm_state_t& helm, const SpeedPlan& plan,
+                            const FieldLimits& limits);
 
 /// What a swarm message is made from.
 struct SwarmMessageInputs {

@@ -30,15 +30,15 @@ GroupState Leader() {
 }
 
 TEST(MotionOfNav, IsOverGroundAndDownward) {
-  const std::optional<Motion> motion = MotionOf(NavAt(1, 2, 3));
+  const std::optional<Motion> motion = MotionOf(NavAt(1, 2, 3), {});
   ASSERT_TRUE(motion);
   EXPECT_EQ(motion->position_m, Eigen::Vector3d(1, 2, 3));
   EXPECT_NEAR((motion->velocity_mps - Eigen::Vector3d(2, 0, 0.1)).norm(), 0, 1e-12);
 }
 
 TEST(MotionOfNav, IsNothingOutsideTheEncodableRange) {
-  EXPECT_FALSE(MotionOf(NavAt(100'001, 0, 0)));
-  EXPECT_FALSE(MotionOf(NavAt(0, std::numeric_limits<double>::quiet_NaN(), 0)));
+  EXPECT_FALSE(MotionOf(NavAt(100'001, 0, 0), {}));
+  EXPECT_FALSE(MotionOf(NavAt(0, std::numeric_limits<double>::quiet_NaN(), 0), {}));
 }
 
 TEST(NextOfALeader, IsItsWaypointAtTheSpeedOfItsPlan) {
@@ -47,10 +47,10 @@ TEST(NextOfALeader, IsItsWaypointAtTheSpeedOfItsPlan) {
   helm.waypoint_x_m = 100;
   helm.waypoint_z_m = 40;
   const Motion own = {.position_m = {0, 0, 40}, .velocity_mps = {0, 2, 0}};
-  const Motion next = NextOf(own, helm, {.speed_mps = 2});
+  const Motion next = NextOf(own, helm, {.speed_mps = 2}, {});
   EXPECT_EQ(next.position_m, Eigen::Vector3d(100, 0, 40));
   EXPECT_NEAR((next.velocity_mps - Eigen::Vector3d(2, 0, 0)).norm(), 0, 1e-12);
-  const Motion faster = NextOf(own, helm, {.speed_mps = 2, .acceleration_mps2 = 0.01});
+  const Motion faster = NextOf(own, helm, {.speed_mps = 2, .acceleration_mps2 = 0.01}, {});
   EXPECT_NEAR(faster.velocity_mps.x(), std::sqrt(4 + 2 * 0.01 * 100), 1e-12);
 }
 
@@ -59,10 +59,10 @@ TEST(NextOfALeader, IsItselfWithoutAWaypoint) {
   helm.waypoint_index = -1;
   helm.waypoint_x_m = 100;
   const Motion own = {.position_m = {1, 2, 3}, .velocity_mps = {0, 2, 0}};
-  EXPECT_EQ(NextOf(own, helm, {.speed_mps = 2}).position_m, own.position_m);
+  EXPECT_EQ(NextOf(own, helm, {.speed_mps = 2}, {}).position_m, own.position_m);
   helm.waypoint_index = 0;
   helm.waypoint_x_m = std::numeric_limits<double>::infinity();
-  EXPECT_EQ(NextOf(own, helm, {.speed_mps = 2}).position_m, own.position_m);
+  EXPECT_EQ(NextOf(own, helm, {.speed_mps = 2}, {}).position_m, own.position_m);
 }
 
 TEST(SwarmBytesOfAReport, HoldIdPositionAndTime) {

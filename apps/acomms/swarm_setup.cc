@@ -1,6 +1,7 @@
 #include "apps/acomms/swarm_setup.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "lib/check/check.h"
 #include "lib/geometry/angles.h"
@@ -39,9 +40,14 @@ SwarmReceiver MakeSwarmReceiver(const Mission& mission, const Vehicle& vehicle) 
   receiver.state.is_leader = vehicle.name == mission.swarm.leader;
   receiver.state.episode_us = PlanSwarm(mission).plan.episode_us;
   receiver.plan = vehicle.recovery;
+  receiver.state.sentinel = mission.swarm.sentinel;
+  receiver.state.neutral = mission.swarm.neutral;
+  receiver.limits = mission.swarm.limits;
   // A request may arrive in the very step in which the first answer is to begin, and float32 rounds
   // that time.
-  receiver.limits.late_start_us = mission.tick_us;
+  receiver.limits.late_start_us = mission.swarm.late_start_s < 0
+                                      ? mission.tick_us
+                                      : std::llround(mission.swarm.late_start_s * 1e6);
   receiver.has_frames = mission.swarm.frames;
   // Followers in the order of their slots, which is that of the leader's requests.
   for (const std::string& name : mission.swarm.followers) {
@@ -55,7 +61,9 @@ SwarmReceiver MakeSwarmReceiver(const Mission& mission, const Vehicle& vehicle) 
     const Vehicle* leader = mission.FindVehicle(mission.swarm.leader);
     SHOAL_CHECK(leader != nullptr, "the mission file was checked");
     receiver.state.target = PlacedContact(SwarmIdOf(*leader), group_id, StartOf(*leader));
+    receiver.state.target->sentinel = mission.swarm.sentinel;
   }
+  for (SwarmContact& member : receiver.state.members) member.sentinel = mission.swarm.sentinel;
   return receiver;
 }
 

@@ -1,6 +1,7 @@
 // What a helm knows of its swarm by the acoustic network.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <string>
 #include <vector>
@@ -67,6 +68,51 @@ TEST(AcousticSwarmView, PredictsEveryMemberFromTheTimeOfItsReport) {
   EXPECT_NEAR(seen->target->position_m.x(), 106, 1e-9) << "3 s at 2 m/s, past its waypoint";
   ASSERT_EQ(seen->group.size(), 1U);
   EXPECT_NEAR(seen->group[0].position_m.x(), 51, 1e-9);
+}
+
+/// bravo's view after alpha's second report put it 30 m north of where it was expected, at 10 s.
+SwarmView AfterNews(const Mission& mission) {
+  SwarmView view(mission, mission.vehicles[1]);
+  const Task* task = &mission.vehicles[1].tasks[0];
+  view.OnSwarm(SwarmWith({ContactOf("alpha", 100, 2, 0)}));
+  EXPECT_NEAR(view.Look(task, OwnAt(10'000'000))->target->position_m.x(), 120, 1e-9);
+  swarm_contact_t news = ContactOf("alpha", 120, 2, 10'000'000);
+  news.y_m = 30;
+  view.OnSwarm(SwarmWith({news}));
+  return view;
+}
+
+TEST(AcousticSwarmView, MovesTheTargetToWhereNewsPutsItAtABoundedSpeed) {
+  Mission mission = AcousticSwarm();
+  std::get<TargetTrackTask>(mission.vehicles[1].tasks[0].what).smoothing_mps = 1.5;
+  SwarmView view = AfterNews(mission);
+  const Task* task = &mission.vehicles[1].tasks[0];
+  double before_m = 0;
+  for (int64_t utime = 10'100'000; utime < 31'000'000; utime += 100'000) {
+    const Neighbour target = *view.Look(task, OwnAt(utime))->target;
+    const double elapsed_s = static_cast<double>(utime - 10'000'000) / 1e6;
+    EXPECT_NEAR(target.position_m.x(), 120 + 2 * elapsed_s, 1e-6);
+    // The first look after the news comes with the way of a step still to go.
+    EXPECT_NEAR(target.position_m.y(), std::min(30.0, 1.5 * (elapsed_s - 0.1)), 1e-6);
+    EXPECT_LE(target.position_m.y() - before_m, 0.15 + 1e-9);
+    before_m = target.position_m.y();
+  }
+  EXPECT_EQ(before_m, 30);
+}
+
+TEST(AcousticSwarmView, TakesNewsAtOnceWithoutSmoothing) {
+  Mission mission = AcousticSwarm();
+  std::get<TargetTrackTask>(mission.vehicles[1].tasks[0].what).smoothing_mps = 0;
+  SwarmView view = AfterNews(mission);
+  EXPECT_EQ(view.Look(&mission.vehicles[1].tasks[0], OwnAt(10'100'000))->target->position_m.y(),
+            30);
+}
+
+TEST(AcousticSwarmView, TakesNewsAtOnceWhenItBeginsToFollow) {
+  const Mission mission = AcousticSwarm();
+  SwarmView view = AfterNews(mission);
+  const Task* task = &mission.vehicles[1].tasks[0];
+  EXPECT_EQ(view.Look(task, OwnAt(13'000'000))->target->position_m.y(), 30) << "after a pause";
 }
 
 TEST(AcousticSwarmView, KnowsNoMemberOfWhichItReceivedNothing) {

@@ -15,6 +15,8 @@ namespace {
 /// The laws' own bounds on their inputs (lib/guidance/plausible.h).
 constexpr double kFarthest_m = 1e6;
 constexpr double kFastest_mps = 1000;
+/// A follower that has not steered for the target for longer than this begins anew.
+constexpr double kLongestPause_s = 2;
 
 Neighbour NeighbourOf(int id, const nav_t& nav) {
   const Eigen::Vector2d over_ground_mps =
@@ -56,6 +58,13 @@ Eigen::Vector3d CurrentOf(const nav_t& nav, const Eigen::Vector3d& over_ground_m
   const bool is_plausible = current_mps.cwiseAbs().maxCoeff() <= kFastest_mps;
   if (!is_plausible || !current_mps.allFinite()) return Eigen::Vector3d::Zero();
   return {current_mps.x(), current_mps.y(), 0};
+}
+
+/// Returns where a contact is now, by its last report.
+Motion Predicted(const swarm_contact_t& contact, int64_t utime) {
+  const double elapsed_s = std::max(0.0, SecondsBetween(contact.report_utime, utime));
+  if (!contact.has_next) return PredictMember(MotionOf(contact), elapsed_s);
+  return PredictLeader({.now = MotionOf(contact), .next = NextOf(contact)}, elapsed_s, {});
 }
 
 bool IsPlausible(const Neighbour& neighbour) {
@@ -113,6 +122,7 @@ std::optional<SwarmView::Interest> SwarmView::InterestOf(const Task& task) {
     return Interest{.target = &track->target,
                     .group = &track->group,
                     .swarm = track->swarm,
+                    .smoothing_mps = track->smoothing_mps,
                     .cascade = std::get_if<VelocityCascade>(&track->track.law)};
   }
   const auto* path = std::get_if<PathFollowTask>(&task.what);
@@ -179,14 +189,34 @@ std::optional<Neighbour> SwarmView::Find(SwarmKnowledge swarm, Place place, int6
   if (swarm == SwarmKnowledge::kDirect) return neighbours_[place];
   const std::optional<swarm_contact_t>& contact = contacts_[place];
   if (!contact || !contact->is_known) return std::nullopt;
-  const double elapsed_s = std::max(0.0, SecondsBetween(contact->report_utime, utime));
-  const Motion now =
-      contact->has_next
-          ? PredictLeader({.now = MotionOf(*contact), .next = NextOf(*contact)}, elapsed_s, {})
-          : PredictMember(MotionOf(*contact), elapsed_s);
-  Neighbour neighbour = NeighbourOf(static_cast<int>(place), now);
+  Neighbour neighbour = NeighbourOf(static_cast<int>(place), Predicted(*contact, utime));
   neighbour.is_silent = IsSilent(*contact, utime);
   return IsPlausible(neighbour) ? std::optional(neighbour) : std::nullopt;
+}
+
+void SwarmView::Smooth(double rate_mps, Place place, int64_t utime, Neighbour* target) {
+  const swarm_contact_t& contact = *contacts_[place];
+  const double since_s = smoothed_ ? SecondsBetween(smoothed_->utime, utime) : -1;
+  const bool goes_on =
+      smoothed_ && smoothed_->place == place && since_s >= 0 && since_s <= kLongestPause_s;
+  if (rate_mps <= 0) {
+    smoothed_.reset();
+    return;
+  }
+  if (!goes_on) {
+    smoothed_ = {.place = place, .utime = utime, .contact = contact, .ahead_m = {0, 0, 0}};
+    return;
+  }
+  Eigen::Vector3d& ahead_m = smoothed_->ahead_m;
+  const double left_m = std::max(0.0, ahead_m.norm() - rate_mps * since_s);
+  ahead_m = left_m > 0 ? Eigen::Vector3d(left_m * ahead_m.normalized()) : Eigen::Vector3d::Zero();
+  smoothed_->utime = utime;
+  if (smoothed_->contact.heard_utime != contact.heard_utime ||
+      smoothed_->contact.report_utime != contact.report_utime) {
+    ahead_m += Predicted(smoothed_->contact, utime).position_m - target->position_m;
+    smoothed_->contact = contact;
+  }
+  target->position_m += ahead_m;
 }
 
 bool SwarmView::IsSilent(const swarm_contact_t& contact, int64_t utime) const {
@@ -221,6 +251,9 @@ const Surroundings* SwarmView::Look(const Task* task, const nav_t& own) {
   const std::optional<Place> target = cast.target_place;
   if (target) {
     surroundings_.target = Find(interest->swarm, *target, own.utime);
+    if (surroundings_.target && interest->swarm == SwarmKnowledge::kAcoustic) {
+      Smooth(interest->smoothing_mps, *target, own.utime, &*surroundings_.target);
+    }
     surroundings_.target_is_silent = interest->swarm == SwarmKnowledge::kAcoustic &&
                                      contacts_[*target] && IsSilent(*contacts_[*target], own.utime);
   }

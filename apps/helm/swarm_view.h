@@ -61,6 +61,7 @@ class SwarmView {
     const std::string* target = nullptr;              ///< nullptr: it follows none.
     const std::vector<std::string>* group = nullptr;  ///< nullptr: of no group.
     SwarmKnowledge swarm = SwarmKnowledge::kDirect;
+    double smoothing_mps = 0;
     const VelocityCascade* cascade = nullptr;  ///< nullptr: it has another law.
   };
 
@@ -81,6 +82,9 @@ class SwarmView {
   std::optional<Place> PlaceOf(const std::string& name) const;
   /// Returns where another vehicle is at `utime`, by the knowledge that the task goes by.
   std::optional<Neighbour> Find(SwarmKnowledge swarm, Place place, int64_t utime) const;
+  /// Moves `target` back to where it was expected before its last report came; from there it goes
+  /// to where that puts it at `rate_mps`, beside its own motion. 0: at once.
+  void Smooth(double rate_mps, Place place, int64_t utime, Neighbour* target);
   bool IsSilent(const swarm_contact_t& contact, int64_t utime) const;
   /// Fills echoes_ from the last ping, as seen with the attitude of `own`, and from memory for as
   /// long as the cascade's layers want to remember.
@@ -96,6 +100,14 @@ class SwarmView {
   double silent_after_s_;
   std::vector<std::optional<Neighbour>> neighbours_;      ///< By NAV.
   std::vector<std::optional<swarm_contact_t>> contacts_;  ///< By acomms.
+  /// The target of the last Look.
+  struct Smoothed {
+    Place place = 0;
+    int64_t utime = 0;
+    swarm_contact_t contact;                            ///< What the position went by then.
+    Eigen::Vector3d ahead_m = Eigen::Vector3d::Zero();  ///< From the prediction to what was seen.
+  };
+  std::optional<Smoothed> smoothed_;
   std::vector<Neighbour> group_;
   sonar_t ping_{};
   std::vector<SonarEcho> echoes_;

@@ -4,6 +4,7 @@
 
 #include <variant>
 
+#include "apps/shoal/explain_network.h"
 #include "lib/bus/channels.h"
 #include "lib/check/result.h"
 #include "lib/launch/launch_plan.h"
@@ -35,7 +36,7 @@ int RunCheck(const std::string& mission_file, const std::vector<std::string>& ov
     return kExitUsage;
   }
   if (explain) {
-    fmt::print("{}", Explain(loaded.mission));
+    fmt::print("{}{}", Explain(loaded.mission), ExplainNetwork(loaded.mission));
     return kExitOk;
   }
   const Mission& mission = loaded.mission;

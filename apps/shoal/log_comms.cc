@@ -17,6 +17,9 @@
 #include "lib/record/csv_rows.h"
 #include "lib/record/log_source.h"
 #include "lib/record/text_file.h"
+#include "lib/routing/fate.h"
+#include "lib/routing/vehicle_name.h"
+#include "lib/verdict/acoustic_tally.h"
 
 namespace shoal {
 
@@ -94,16 +97,38 @@ class CommsSummary {
     use(message);
   }
 
+  void TakeFate(const fate_t& fate) {
+    links_.Add(fate);
+    if (fate.kind == KindText(Kind::kPacket)) {
+      acoustic_.AddFate(VehicleKey(fate.source), fate.number);
+    }
+    for (const acoustic_path_t& path : fate.path) {
+      acoustic_.Add({.cause = fate.cause,
+                     .bits_flipped = path.bits_flipped,
+                     .num_colliders = path.num_colliders});
+    }
+  }
+
   int ReadLog() {
     const OnDamage on_damage = options_.skip_damage ? OnDamage::kSkip : OnDamage::kStop;
     std::optional<LogReader> reader = OpenLog(options_.path, on_damage, err_);
     if (!reader) return kExitEnvironment;
     const std::string fates_channel = channels::CommsFates().name;
     const std::string media_channel = channels::CommsMedia().name;
+    const std::string tx_channel = channels::AcousticTx().name;
+    const std::string modem_channel = channels::ModemTx().name;
     while (const auto event = reader->Next()) {
       if (event->channel == fates_channel) {
         Take<comms_fates_t>(*event, [&](const comms_fates_t& fates) {
-          for (const fate_t& fate : fates.fates) links_.Add(fate);
+          for (const fate_t& fate : fates.fates) TakeFate(fate);
+        });
+      } else if (event->channel == tx_channel) {
+        Take<acoustic_tx_t>(*event, [&](const acoustic_tx_t& packet) {
+          acoustic_.AddSent(VehicleKey(packet.source));
+        });
+      } else if (event->channel == modem_channel) {
+        Take<modem_tx_t>(*event, [&](const modem_tx_t& packet) {
+          acoustic_.AddSent(VehicleKey(packet.source));
         });
       } else if (event->channel == media_channel) {
         Take<comms_media_t>(*event, [&](const comms_media_t& media) {
@@ -131,7 +156,9 @@ class CommsSummary {
 
   int Print() {
     const size_t most = options_.all ? SIZE_MAX : kMostShown;
-    out_ << links_.Text(most) << media_.Text() << tally_.Text(most) << ages_.Text(most);
+    out_ << links_.Text(most) << media_.Text();
+    if (!acoustic_.IsEmpty()) out_ << acoustic_.Text() << '\n';
+    out_ << tally_.Text(most) << ages_.Text(most);
     return kExitOk;
   }
 
@@ -153,6 +180,7 @@ class CommsSummary {
       tables.push_back({"losses.csv", links_.LossesCsv()});
     }
     if (!media_.outcomes().empty()) tables.push_back({"media.csv", media_.Csv()});
+    if (!acoustic_.IsEmpty()) tables.push_back({"acoustic.csv", acoustic_.Csv()});
     if (!tally_.Sources().empty()) {
       tables.push_back({"swarm_sources.csv", tally_.SourcesCsv()});
       tables.push_back({"swarm_events.csv", tally_.EventsCsv()});
@@ -170,6 +198,7 @@ class CommsSummary {
   std::ostream& err_;
   LinkStatistics links_;
   MediaTally media_;
+  AcousticTally acoustic_;
   SwarmTally tally_;
   InformationAge ages_{[this](const AgePoint& point) { WriteAge(point); }};
   std::optional<TextFile> ages_csv_;

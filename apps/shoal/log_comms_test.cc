@@ -59,6 +59,32 @@ TEST_F(LogCommsCommand, ShowsLinksMessagesAndAges) {
   }
 }
 
+TEST_F(LogCommsCommand, SumsUpWhatTheAcousticNetworkDid) {
+  comms_fates_t fates{};
+  fate_t fate{};
+  fate.kind = "packet";
+  fate.source = "alpha";
+  fate.destination = "bravo";
+  fate.count = fate.num_paths = 1;
+  fate.cause = "damaged";
+  fate.path.resize(1);
+  fate.path[0].bits_flipped = 5;
+  fates.fates.push_back(fate);
+  fates.num_fates = 1;
+  acoustic_tx_t packet{};
+  packet.source = "alpha";
+  const TestEvent sent = {.utime = 0, .channel = "ACOUSTIC_TX", .data = Encoded(packet)};
+  WriteLog(options_.path,
+           {sent, sent, {.utime = 1'000'000, .channel = "COMMS_FATES", .data = Encoded(fates)}});
+  options_.csv_dir = directory_.File("csv");
+  EXPECT_EQ(Run(), kExitOk);
+  EXPECT_NE(out_.str().find("    bits flipped                      5\n"), std::string::npos)
+      << out_.str();
+  const std::string csv = TextOfFile(options_.csv_dir + "/acoustic.csv");
+  EXPECT_NE(csv.find("damaged by bit errors,1\n"), std::string::npos) << csv;
+  EXPECT_NE(csv.find("packets in transit,1\n"), std::string::npos) << csv;
+}
+
 TEST_F(LogCommsCommand, WritesTablesWithTheAgeOverTime) {
   WriteLog(options_.path, {Fates(), Swarm(2'000'000, 0), Swarm(3'000'000, 2'500'000)});
   options_.csv_dir = directory_.File("new/csv");

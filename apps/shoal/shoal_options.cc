@@ -21,7 +21,7 @@
 #include "apps/shoal/status_command.h"
 #include "apps/shoal/view_command.h"
 #include "lib/launch/launcher.h"
-#include "lib/mission/load.h"
+#include "lib/mission/drawn_seed.h"
 #include "lib/mission/suggest.h"
 #include "lib/orders/order_words.h"
 #include "lib/record/log_commands.h"
@@ -143,7 +143,7 @@ void AddRun(CLI::App& cli, Action* action) {
         fmt::print(stderr, "shoal: --lcm-logger needs --record DIR, for a place to write to\n");
         return static_cast<int>(kExitUsage);
       }
-      const LoadedMission loaded = LoadMission(run.mission_file, run.overrides);
+      const LoadedMission loaded = LoadMissionToRun(run.mission_file, DrawSeed, &run.overrides);
       if (!LoadedWithoutErrors(loaded)) return static_cast<int>(kExitUsage);
       return RunMission(run, loaded.mission, MakeDirectorApp);
     };

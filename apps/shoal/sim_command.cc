@@ -9,7 +9,7 @@
 #include <filesystem>
 
 #include "apps/shoal/check_command.h"
-#include "lib/mission/load.h"
+#include "lib/mission/drawn_seed.h"
 #include "lib/run/run_app.h"
 #include "sim/simulation.h"
 
@@ -59,9 +59,14 @@ class ProgressLine {
 }  // namespace
 
 int RunSim(const SimOptions& options) {
-  const LoadedMission loaded = LoadMission(options.mission_file, options.overrides);
+  std::vector<std::string> overrides = options.overrides;
+  const LoadedMission loaded = LoadMissionToRun(options.mission_file, DrawSeed, &overrides);
   if (!LoadedWithoutErrors(loaded)) return kExitUsage;
   const Mission& mission = loaded.mission;
+  if (overrides.size() > options.overrides.size()) {
+    fmt::print("Drawn: --set {}\n", overrides.back());
+    std::fflush(stdout);
+  }
   if (const auto can = CanRunInOneProcess(mission); !can.ok()) {
     fmt::print(stderr, "shoal: {}\n", can.error());
     return kExitUsage;

@@ -75,6 +75,7 @@ Channel<acoustic_rx_t> AcousticRx(std::string_view vehicle) {
 }
 Channel<swarm_t> Swarm(std::string_view vehicle) { return {Of(topics::kSwarm, vehicle)}; }
 Channel<relay_t> RelayRx(std::string_view vehicle) { return {Of(topics::kRelayRx, vehicle)}; }
+Channel<acomms_t> Acomms(std::string_view vehicle) { return {Of(topics::kAcomms, vehicle)}; }
 
 Channel<helm_command_t> HelmCommandAll() { return {std::string(topics::kHelmCommand)}; }
 Channel<node_report_t> NodeReportLocal() { return {std::string(topics::kNodeReportLocal)}; }
@@ -150,6 +151,8 @@ std::vector<ChannelRow> MakeTable() {
        "when a message arrives, at least 1 Hz", true},
       {topics::kRelayRx, kVehicle, "relay_t", "shore_broker", "gateway",
        "one per report, message or ack that a gateway receives", true},
+      {topics::kAcomms, kVehicle, "acomms_t", "acomms", "(people)",
+       "when a message was recovered or rejected, or a count changed", true},
       {topics::kMediatedMessage, kVehicle, "node_message_t",
        "shoal (events), shoal send, your programs", "node_reporter", "when needed", true},
       {topics::kHelmCommand, kShore, "helm_command_t", "any program", "shore_broker", "when needed",
@@ -165,10 +168,10 @@ std::vector<ChannelRow> MakeTable() {
        "theirs", true},
       {topics::kAckMessage, kShore, "ack_message_t", "node_reporter, vehicles from outside",
        "shore_broker", "one per message received that asks for it", true},
-      {topics::kAcousticTx, kShore, "acoustic_tx_t", "acomms, your programs", "shore_broker",
+      {topics::kAcousticTx, kShore, "acoustic_tx_t", "acomms, your programs", "shore_broker, shoal",
        "when needed", true},
-      {topics::kModemTx, kShore, "modem_tx_t", "netsim_manager", "shore_broker", "when needed",
-       true},
+      {topics::kModemTx, kShore, "modem_tx_t", "netsim_manager", "shore_broker, shoal",
+       "when needed", true},
       {topics::kRelayTx, kShore, "relay_t", "gateway", "shore_broker",
        "one per report, message or ack that it has received", true},
       {topics::kCommsFates, kShore, "comms_fates_t", "shore_broker",

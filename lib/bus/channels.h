@@ -13,6 +13,7 @@
 #include "lib/bus/bus.h"
 #include "lib/routing/control.h"
 #include "shoal/ack_message_t.hpp"
+#include "shoal/acomms_t.hpp"
 #include "shoal/acoustic_rx_t.hpp"
 #include "shoal/acoustic_tx_t.hpp"
 #include "shoal/actuators_t.hpp"
@@ -73,6 +74,7 @@ inline constexpr std::string_view kAckMessage = "ACK_MESSAGE";
 inline constexpr std::string_view kAcousticRx = "ACOUSTIC_RX";
 inline constexpr std::string_view kSwarm = "SWARM";
 inline constexpr std::string_view kRelayRx = "RELAY_RX";
+inline constexpr std::string_view kAcomms = "ACOMMS";
 inline constexpr std::string_view kNodeReportLocal = "NODE_REPORT_LOCAL";
 inline constexpr std::string_view kNodeMessageLocal = "NODE_MESSAGE_LOCAL";
 inline constexpr std::string_view kAcousticTx = "ACOUSTIC_TX";
@@ -127,6 +129,7 @@ Channel<ack_message_t> AckMessageTo(std::string_view vehicle);
 Channel<acoustic_rx_t> AcousticRx(std::string_view vehicle);
 Channel<swarm_t> Swarm(std::string_view vehicle);
 Channel<relay_t> RelayRx(std::string_view vehicle);
+Channel<acomms_t> Acomms(std::string_view vehicle);
 
 // At the shore.
 Channel<helm_command_t> HelmCommandAll();

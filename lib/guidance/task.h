@@ -198,6 +198,9 @@ struct TargetTrackTask {
   std::vector<std::string> group;  ///< Those to keep clear of; empty: all that follow the target.
   SwarmKnowledge swarm = SwarmKnowledge::kDirect;
   SilenceRule on_silence = SilenceRule::kPredict;  ///< kAcoustic.
+  /// kAcoustic: where the next message puts the target elsewhere than expected, what is steered for
+  /// goes there at this speed. 0: at once, MuNet's.
+  double smoothing_mps = 1;
   TargetEndRule on_target_end = TargetEndRule::kSurface;
   double hold_radius_m = 45;  ///< Where it keeps station: comes back from beyond; > 0.
   /// Steers so that the velocity that the law wants comes about over ground. False: as if there

@@ -225,8 +225,16 @@ void CompleteMission(Mission& mission, const TablePlace& file) {
   if (!mission.swarm.exists) return;
   const Vehicle* leader = mission.FindVehicle(mission.swarm.leader);
   if (leader == nullptr) return;
-  for (Vehicle& vehicle : mission.vehicles) {
-    if (&vehicle == leader) vehicle.acoustic_leader = true;
+  for (size_t i = 0; i < mission.vehicles.size(); ++i) {
+    Vehicle& vehicle = mission.vehicles[i];
+    if (&vehicle != leader) continue;
+    const TablePlace place = file.Below("vehicle", i);
+    if (!vehicle.acoustic_leader && place.Has("acoustic_leader")) {
+      place.Warn("acoustic_leader",
+                 "acoustic_leader = false has no effect: " + vehicle.name +
+                     " is the leader of [swarm], which always has it: leave it out");
+    }
+    vehicle.acoustic_leader = true;
   }
   if (!file.Below("swarm").Has("followers")) mission.swarm.followers = AcousticFollowers(mission);
 }

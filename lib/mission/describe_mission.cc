@@ -48,6 +48,22 @@ void DescribeDuration(Fields& fields, double& duration_s, int64_t tick_us) {
                             duration_s, seconds(1), nearest));
 }
 
+/// A number, or "random": then there is none yet.
+void DescribeSeed(Fields& fields, Mission& mission) {
+  if (fields.reading()) mission.draws_seed = fields.HoldsText("seed");
+  if (mission.draws_seed) {
+    std::string word = "random";
+    fields.Text("seed", word, {.max_length = 100});
+    if (word != "random") {
+      fields.Refuse("seed", "seed must be a whole number, or \"random\", not '" + word + "'");
+    }
+    return;
+  }
+  auto seed = static_cast<int64_t>(mission.seed);
+  fields.Integer("seed", seed, 0, std::numeric_limits<int64_t>::max());
+  mission.seed = static_cast<uint64_t>(seed);
+}
+
 void DescribeRun(Fields& fields, Mission& mission) {
   constexpr std::array<std::pair<std::string_view, OnLoss>, 3> kOnLoss = {{
       {"end", OnLoss::kEnd},
@@ -60,9 +76,7 @@ void DescribeRun(Fields& fields, Mission& mission) {
   }};
   fields.Text("name", mission.name, {.min_length = 1, .max_length = 200});
   fields.Text("description", mission.description, {.max_length = 10'000, .many_lines = true});
-  auto seed = static_cast<int64_t>(mission.seed);
-  fields.Integer("seed", seed, 0, std::numeric_limits<int64_t>::max());
-  mission.seed = static_cast<uint64_t>(seed);
+  DescribeSeed(fields, mission);
   DescribeTick(fields, mission.tick_us);
   DescribeDuration(fields, mission.duration_s, mission.tick_us);
   fields.Integer("start_utime", mission.start_utime, 0, kLatestStart_us);

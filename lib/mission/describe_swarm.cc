@@ -1,6 +1,10 @@
 // The table [swarm], and [vehicle.recovery].
+#include <fmt/format.h>
+
 #include <array>
 #include <cctype>
+#include <cmath>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,6 +18,49 @@ namespace {
 
 constexpr double kLongestEpisode_s = 1e5;
 constexpr size_t kMostStrategies = kNumRecoveryStrategies;
+
+/// `[swarm.fields]`: what counts as damaged, and what two strategies put in its place.
+void DescribeFields(Fields& fields, SwarmOptions& swarm) {
+  FieldLimits& limits = swarm.limits;
+  fields.Number("max_position_m", limits.max_position_m, Above(0, 1e6));
+  fields.Number("max_speed_mps", limits.max_speed_mps, Above(0, 1000));
+  fields.Integer("max_id_distance", limits.max_id_distance, 1, std::numeric_limits<int>::max());
+  fields.Integer("max_followers", limits.max_followers, 1, kMostFollowers);
+  fields.Number("max_time_s", limits.max_time_s, Above(0, 1e9));
+  double tolerance_s = static_cast<double>(limits.future_tolerance_us) / 1e6;
+  fields.Number("future_tolerance_s", tolerance_s, Between(0, 1e6));
+  limits.future_tolerance_us = std::llround(tolerance_s * 1e6);
+  fields.NumberOrWord("late_start_s", swarm.late_start_s, 1e6, "auto", -1);
+  fields.Triple("neutral_position_m", swarm.neutral.position_m, Between(-1e6, 1e6));
+  fields.Triple("neutral_velocity_mps", swarm.neutral.velocity_mps, Between(-1000, 1000));
+  fields.Number("sentinel_position_m", swarm.sentinel.position_m, Between(-1e9, 1e9));
+  fields.Number("sentinel_speed_mps", swarm.sentinel.speed_mps, Between(-1e9, 1e9));
+  struct Bound {
+    std::string_view key;
+    double value;
+    std::string_view limit_key;
+    double limit;
+  };
+  for (const Bound& bound :
+       {Bound{"neutral_position_m", swarm.neutral.position_m.cwiseAbs().maxCoeff(),
+              "max_position_m", limits.max_position_m},
+        Bound{"neutral_velocity_mps", swarm.neutral.velocity_mps.cwiseAbs().maxCoeff(),
+              "max_speed_mps", limits.max_speed_mps}}) {
+    if (bound.value <= bound.limit) continue;
+    fields.Refuse(bound.key, fmt::format("{} must not be beyond {} = {:g}", bound.key,
+                                         bound.limit_key, bound.limit));
+  }
+  for (const Bound& bound : {Bound{"sentinel_position_m", std::abs(swarm.sentinel.position_m),
+                                   "max_position_m", limits.max_position_m},
+                             Bound{"sentinel_speed_mps", std::abs(swarm.sentinel.speed_mps),
+                                   "max_speed_mps", limits.max_speed_mps}}) {
+    if (bound.value > bound.limit) continue;
+    fields.Refuse(bound.key,
+                  fmt::format("{} must be beyond {} = {:g}: a sentinel is no value that a member "
+                              "can send",
+                              bound.key, bound.limit_key, bound.limit));
+  }
+}
 
 }  // namespace
 
@@ -33,6 +80,7 @@ void Describe(Fields& fields, SwarmOptions& swarm) {
   fields.Text("group_id", swarm.group_id, {.min_length = 1, .max_length = 1});
   fields.Number("silent_after_s", swarm.silent_after_s, Above(0, kLongest_s));
   DescribeMedia(fields, "over", swarm.over);
+  fields.Below("fields", [&](Fields& table) { DescribeFields(table, swarm); });
   if (!swarm.group_id.empty() && !std::isalnum(static_cast<unsigned char>(swarm.group_id[0]))) {
     fields.Refuse("group_id", "group_id must be a letter or a digit");
   }

@@ -117,6 +117,7 @@ void Describe(Fields& fields, TargetTrackTask& task, const StartPose&) {
   }
   fields.Choice("swarm", task.swarm, kSwarmKnowledge);
   fields.Choice("on_silence", task.on_silence, kSilenceRules);
+  fields.Number("smoothing_mps", task.smoothing_mps, Between(0, kFastest_mps));
   fields.Choice("on_target_end", task.on_target_end, kTargetEnds);
   fields.Number("hold_radius_m", task.hold_radius_m, Above(0, 10'000));
   fields.Flag("compensate_current", task.compensate_current);

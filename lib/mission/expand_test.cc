@@ -328,7 +328,7 @@ TEST(Overrides, ComeAfterTheErrorsOfTheFileInTheirOwnOrder) {
             "medium, obstacle, "
             "template, vehicle, "
             "fleet, swarm, netsim, event, participant, expect\n"
-            "--set mission.seed=x: seed must be a whole number, not the string 'x'\n");
+            "--set mission.seed=x: seed must be a whole number, or \"random\", not 'x'\n");
 }
 
 }  // namespace shoal::expand_test

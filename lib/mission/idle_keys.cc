@@ -6,6 +6,7 @@
 #include <string_view>
 #include <variant>
 
+#include "lib/mission/swarm_plan.h"
 #include "lib/mission/validate.h"
 
 namespace shoal {
@@ -51,9 +52,34 @@ void WarnOfIdleTrackKeys(const TablePlace& place, const TargetTrackTask& track) 
   }
 }
 
+/// Lengths of slots that the scheduler does not have.
+void WarnOfIdleSlots(const Mission& mission, const TablePlace& place) {
+  const SwarmOptions& swarm = mission.swarm;
+  const bool asks = SwarmSchemeOf(mission) == SwarmScheme::kTdmaLf;
+  struct Row {
+    std::string_view key;
+    double length_s;
+    bool is_used;
+  };
+  const std::array<Row, 3> rows = {{{"offset_s", swarm.offset_s, !asks},
+                                    {"broadcast_s", swarm.broadcast_s, asks},
+                                    {"response_s", swarm.response_s, asks}}};
+  for (const Row& row : rows) {
+    if (row.is_used || row.length_s < 0) continue;
+    place.Warn(row.key,
+               fmt::format("{} has no effect here: {}; leave it out", row.key,
+                           asks ? "with tdma_lf the leader's request gives each follower its slot"
+                                : "only with scheduler = \"tdma_lf\" a leader asks and followers "
+                                  "answer"));
+  }
+}
+
 }  // namespace
 
 void WarnOfIdleKeys(const Mission& mission, const TablePlace& file) {
+  if (mission.swarm.exists && file.Below("swarm").IsSound()) {
+    WarnOfIdleSlots(mission, file.Below("swarm"));
+  }
   for (size_t i = 0; i < mission.vehicles.size(); ++i) {
     const Vehicle& vehicle = mission.vehicles[i];
     const TablePlace place = file.Below("vehicle", i);

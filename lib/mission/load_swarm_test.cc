@@ -40,6 +40,16 @@ Mission LoadWith(std::string_view more, const std::vector<std::string>& override
   return loaded.mission;
 }
 
+/// Of [swarm] with alpha as its leader; `keys` begin in line 20.
+std::vector<std::string> WarningsWith(std::string_view keys,
+                                      const std::vector<std::string>& overrides) {
+  const LoadedMission loaded =
+      LoadMissionText(std::string(kThree) + "[swarm]\nleader = \"alpha\"\n" + std::string(keys),
+                      "m.toml", overrides);
+  EXPECT_EQ(loaded.errors, std::vector<std::string>());
+  return WarningsBesideConduct(loaded);
+}
+
 TEST(LoadSwarm, TakesTheFollowersFromTheTasksThatFollowTheLeader) {
   const Mission mission = LoadWith("[swarm]\nleader = \"Alpha\"\n");
   EXPECT_EQ(mission.swarm.leader, "alpha");
@@ -129,10 +139,7 @@ TEST(LoadSwarm, ReportsMembersThatCannotBeReceived) {
 
 TEST(LoadSwarm, WarnsOfSlotsThatComeTooLate) {
   const auto warnings = [](std::string_view keys) {
-    const LoadedMission loaded = LoadMissionText(
-        std::string(kThree) + "[swarm]\nleader = \"alpha\"\n" + std::string(keys), "m.toml");
-    EXPECT_EQ(loaded.errors, std::vector<std::string>());
-    return WarningsBesideConduct(loaded);
+    return WarningsWith(keys, {"comms.comms_range=nolimit"});
   };
   EXPECT_TRUE(warnings("").empty());
   EXPECT_EQ(warnings("offset_s = 100\n"),
@@ -147,10 +154,87 @@ TEST(LoadSwarm, WarnsOfSlotsThatComeTooLate) {
                 "and the next comes after 5 s"});
 }
 
+TEST(LoadSwarm, WarnsOfMembersThatMayBeFartherApartThanPacketsAreLetThrough) {
+  const auto warnings = [](const std::string& range) {
+    return WarningsWith("max_distance_m = 800\n", {"comms.comms_range=" + range});
+  };
+  EXPECT_TRUE(warnings("nolimit").empty());
+  EXPECT_TRUE(warnings("800").empty());
+  EXPECT_EQ(warnings("799"),
+            std::vector<std::string>{
+                "m.toml:20:18: warning: members may be 800 m apart, and comms_range lets packets "
+                "through up to 799 m: write comms_range = \"nolimit\" in [comms], which leaves the "
+                "range to the acoustic network, or max_distance_m = 799"});
+}
+
+TEST(LoadSwarm, WarnsOfMembersWithoutReports) {
+  EXPECT_EQ(WarningsWith("", {"comms.comms_range=nolimit", "vehicle.alpha.node_reporter=none"}),
+            std::vector<std::string>{
+                "m.toml:19:10: warning: node_reporter of alpha is \"none\": unless a program of "
+                "yours sends its reports, the broker does not know where it is, and none of its "
+                "messages is sent or received"});
+}
+
+TEST(LoadSwarm, WarnsOfKeysWithoutEffect) {
+  const auto warnings = [](std::string_view keys, const std::string& mode) {
+    return WarningsWith(keys, {"comms.comms_range=nolimit", "acoustics.access_mode=" + mode});
+  };
+  EXPECT_TRUE(warnings("offset_s = 0.5\n", "fdma").empty());
+  EXPECT_TRUE(warnings("broadcast_s = 4\nresponse_s = 3\n", "tdma_lf").empty());
+  EXPECT_TRUE(warnings("broadcast_s = \"auto\"\n", "fdma").empty()) << "as --explain writes it";
+  EXPECT_EQ(warnings("broadcast_s = 4\nresponse_s = 3\n", "fdma"),
+            (std::vector<std::string>{
+                "m.toml:20:15: warning: broadcast_s has no effect here: only with scheduler = "
+                "\"tdma_lf\" a leader asks and followers answer; leave it out",
+                "m.toml:21:14: warning: response_s has no effect here: only with scheduler = "
+                "\"tdma_lf\" a leader asks and followers answer; leave it out"}));
+  EXPECT_EQ(warnings("offset_s = 0.5\n", "tdma_lf"),
+            std::vector<std::string>{
+                "m.toml:20:12: warning: offset_s has no effect here: with tdma_lf the leader's "
+                "request gives each follower its slot; leave it out"});
+}
+
+TEST(LoadSwarm, WarnsOfALeaderThatIsMadeNone) {
+  EXPECT_TRUE(WarningsWith("", {"comms.comms_range=nolimit", "vehicle.alpha.acoustic_leader=true"})
+                  .empty());
+  EXPECT_EQ(
+      WarningsWith("", {"comms.comms_range=nolimit", "vehicle.alpha.acoustic_leader=false"}).size(),
+      1U);
+}
+
 TEST(LoadSwarm, ReportsExpectationsThatCanNeverHold) {
   EXPECT_EQ(ErrorsWith("[swarm]\nleader = \"alpha\"\n[[expect]]\nkind = \"swarm\"\nfrom = "
                        "\"charlie\"\nat_least_pct = 5\n"),
             "22:8: charlie is not in the swarm: this can never hold\n");
+}
+
+TEST(LoadSwarmFields, TakesLimitsNeutralAndSentinelValues) {
+  const Mission mission = LoadWith(
+      "[swarm]\nleader = \"alpha\"\n[swarm.fields]\nmax_position_m = 5000\n"
+      "future_tolerance_s = 2.5\nlate_start_s = 3\nneutral_position_m = [1, 2, 3]\n"
+      "sentinel_position_m = 6000\n");
+  EXPECT_EQ(mission.swarm.limits.max_position_m, 5000);
+  EXPECT_EQ(mission.swarm.limits.future_tolerance_us, 2'500'000);
+  EXPECT_EQ(mission.swarm.limits.max_speed_mps, 100);
+  EXPECT_EQ(mission.swarm.late_start_s, 3);
+  EXPECT_EQ(mission.swarm.neutral.position_m, Eigen::Vector3d(1, 2, 3));
+  EXPECT_EQ(mission.swarm.sentinel, (SentinelValues{.position_m = 6000, .speed_mps = -999}));
+}
+
+TEST(LoadSwarmFields, ReportsASentinelThatAMemberCouldSendAndANeutralValueThatItCouldNot) {
+  EXPECT_EQ(
+      ErrorsWith("[swarm]\nleader = \"alpha\"\n[swarm.fields]\nmax_speed_mps = 5\n"
+                 "sentinel_speed_mps = -5\nneutral_velocity_mps = [0, 6, 0]\n"),
+      "22:22: sentinel_speed_mps must be beyond max_speed_mps = 5: a sentinel is no value that "
+      "a member can send\n"
+      "23:24: neutral_velocity_mps must not be beyond max_speed_mps = 5\n");
+}
+
+TEST(LoadSwarmFields, ReportsMoreFollowersThanARequestMayName) {
+  EXPECT_EQ(ErrorsWith("[swarm]\nleader = \"alpha\"\nfollowers = [\"bravo\", \"charlie\"]\n"
+                       "[swarm.fields]\nmax_followers = 1\n"),
+            "20:13: 2 followers are more than max_followers = 1 of [swarm.fields]: their requests "
+            "would count as damaged\n");
 }
 
 TEST(LoadRecovery, ReplacesTheStrategiesOfTheFieldsThatItNames) {

@@ -18,6 +18,8 @@
 #include "lib/mission/vehicle.h"
 #include "lib/netsim/netsim_options.h"
 #include "lib/routing/rules.h"
+#include "lib/swarm/field_checks.h"
+#include "lib/swarm/group_state.h"
 
 namespace shoal {
 
@@ -38,6 +40,10 @@ struct SwarmOptions {
   double silent_after_s = 60;    ///< After this long without a message a member is silent.
   /// What carries its packets, and all else on ACOUSTIC_TX.
   MediaChoice over = {.names = {std::string(kAcousticMedium)}};
+  FieldLimits limits = {};   ///< Its late_start_us counts only where late_start_s is 0 or more.
+  double late_start_s = -1;  ///< FieldLimits::late_start_us; below 0: a step.
+  NeutralValues neutral = {};
+  SentinelValues sentinel = {};
 
   bool operator==(const SwarmOptions&) const = default;
 };
@@ -61,6 +67,7 @@ struct Mission {
   std::string name;  ///< Default: the file's stem.
   std::string description;
   uint64_t seed = 1;
+  bool draws_seed = false;    ///< `seed = "random"`: whoever starts the mission draws one.
   double duration_s = 0;      ///< > 0; required.
   int64_t tick_us = 100'000;  ///< `tick_s`; one step of mission time.
   int64_t start_utime = 0;

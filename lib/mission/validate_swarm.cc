@@ -26,6 +26,12 @@ void CheckFollowers(const TablePlace& place, const Mission& mission) {
       place.Refuse("followers", fmt::format("{} is named twice", follower));
     }
   }
+  const int64_t most = mission.swarm.limits.max_followers;
+  if (static_cast<int64_t>(mission.swarm.followers.size()) > most) {
+    place.Refuse("followers", fmt::format("{} followers are more than max_followers = {} of "
+                                          "[swarm.fields]: their requests would count as damaged",
+                                          mission.swarm.followers.size(), most));
+  }
   if (mission.swarm.followers.empty()) {
     place.Refuse("followers",
                  "the swarm has no followers: write followers = [\"bravo\"], or give a vehicle a "
@@ -43,7 +49,7 @@ void CheckMemberAddresses(const TablePlace& place, const Mission& mission) {
     if (low == nullptr || vehicle.acoustic_address < low->acoustic_address) low = &vehicle;
     if (high == nullptr || vehicle.acoustic_address > high->acoustic_address) high = &vehicle;
   }
-  const int64_t limit = FieldLimits().max_id_distance;
+  const int64_t limit = mission.swarm.limits.max_id_distance;
   if (low == nullptr || high->acoustic_address - low->acoustic_address <= limit) return;
   place.Refuse(
       "leader",
@@ -54,7 +60,7 @@ void CheckMemberAddresses(const TablePlace& place, const Mission& mission) {
 
 /// What a member needs so that the others receive its messages.
 void CheckMembers(const TablePlace& place, const Mission& mission) {
-  const double limit_m = FieldLimits().max_position_m;
+  const double limit_m = mission.swarm.limits.max_position_m;
   for (const Vehicle& vehicle : mission.vehicles) {
     if (!mission.IsInSwarm(vehicle)) continue;
     const bool leads = vehicle.name == mission.swarm.leader;
@@ -70,6 +76,13 @@ void CheckMembers(const TablePlace& place, const Mission& mission) {
                    fmt::format("{} has acoustic_leader = true: it would not receive {}; only the "
                                "leader of [swarm] may have it",
                                vehicle.name, mission.swarm.leader));
+    }
+    if (!mission.IsReported(vehicle)) {
+      place.Warn(key,
+                 fmt::format("node_reporter of {} is \"none\": unless a program of yours sends "
+                             "its reports, the broker does not know where it is, and none of "
+                             "its messages is sent or received",
+                             vehicle.name));
     }
     if (vehicle.sim == Provider::kNone && vehicle.acomms == Provider::kShoal) {
       place.Warn(key, fmt::format("vehicle_sim of {} is \"none\": unless a program of yours "
@@ -100,12 +113,24 @@ void WarnOfLateSlots(const TablePlace& place, const Mission& mission) {
                     "after {:g} s",
                     mission.swarm.silent_after_s, episode_s));
   }
-  if (mission.duration_s > FieldLimits().max_time_s) {
+  if (mission.duration_s > mission.swarm.limits.max_time_s) {
     place.Warn("leader",
                fmt::format("time stamps of messages end at {:g} s: from then on all count "
                            "as damaged",
-                           FieldLimits().max_time_s));
+                           mission.swarm.limits.max_time_s));
   }
+}
+
+/// Members farther apart than comms_range receive nothing of each other, whatever the water does.
+void WarnOfRange(const TablePlace& place, const Mission& mission) {
+  const double range_m = mission.comms.comms_range_m;
+  if (range_m < 0 || mission.swarm.max_distance_m <= range_m) return;
+  place.Warn(
+      "max_distance_m",
+      fmt::format("members may be {:g} m apart, and comms_range lets packets through up to "
+                  "{:g} m: write comms_range = \"nolimit\" in [comms], which leaves the range "
+                  "to the acoustic network, or max_distance_m = {:g}",
+                  mission.swarm.max_distance_m, range_m, range_m));
 }
 
 /// A message must fit into a packet of the modem.
@@ -150,7 +175,9 @@ void ValidateSwarm(const Mission& mission, const TablePlace& file) {
   CheckMembers(swarm, mission);
   CheckPackets(swarm, mission);
   CheckSlots(swarm, mission);
-  if (swarm.IsSound()) WarnOfLateSlots(swarm, mission);
+  if (!swarm.IsSound()) return;
+  WarnOfLateSlots(swarm, mission);
+  WarnOfRange(swarm, mission);
 }
 
 }  // namespace shoal

@@ -159,6 +159,13 @@ std::optional<Mission> Load(const AppOptions& options) {
   LoadedMission loaded = LoadMission(options.mission_file, options.overrides);
   for (const std::string& error : loaded.errors) fmt::print(stderr, "{}\n", error);
   if (!loaded.errors.empty()) return std::nullopt;
+  if (loaded.mission.draws_seed) {
+    fmt::print(stderr,
+               "{}: seed = \"random\" is drawn once for all processes: give the number that `shoal "
+               "run` shows, --set mission.seed=N\n",
+               options.mission_file);
+    return std::nullopt;
+  }
   return std::move(loaded.mission);
 }
 

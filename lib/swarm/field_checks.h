@@ -34,7 +34,7 @@ enum class FieldFault : uint8_t {
 };
 inline constexpr size_t kNumFieldFaults = 16;
 
-/// Returns what is wrong, "farther than 100 km"; "nothing" for kNone.
+/// Returns what is wrong, "farther than the limit"; "nothing" for kNone.
 [[nodiscard]] std::string_view TextOf(FieldFault fault);
 
 struct FieldLimits {

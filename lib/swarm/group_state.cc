@@ -87,14 +87,14 @@ SwarmContact* FindMember(GroupState* state, int64_t id) {
 bool IsUsable(const SwarmContact& contact) {
   const Motion& motion = contact.report.now;
   return contact.is_known && contact.reported_us >= 0 &&
-         motion.position_m.x() != kSentinelPosition_m &&
-         motion.velocity_mps.x() != kSentinelSpeed_mps;
+         motion.position_m.x() != contact.sentinel.position_m &&
+         motion.velocity_mps.x() != contact.sentinel.speed_mps;
 }
 
 bool KnowsNext(const SwarmContact& contact) {
   const Motion& next = contact.report.next;
-  return contact.has_reported && next.position_m.x() != kSentinelPosition_m &&
-         next.velocity_mps.x() != kSentinelSpeed_mps;
+  return contact.has_reported && next.position_m.x() != contact.sentinel.position_m &&
+         next.velocity_mps.x() != contact.sentinel.speed_mps;
 }
 
 std::optional<Motion> PredictContact(const SwarmContact& contact, int64_t now_us) {

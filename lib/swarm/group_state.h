@@ -45,6 +45,24 @@ void ResizeLog(size_t capacity, MotionLog* log);
 /// Returns the last n entries, oldest first; all where there are fewer.
 [[nodiscard]] std::vector<TimedMotion> LastEntries(const MotionLog& log, size_t n);
 
+/// What the strategy `sentinel` leaves in place of a value: no vehicle is there, nor as fast.
+struct SentinelValues {
+  double position_m = -999'999;  ///< Each coordinate.
+  double speed_mps = -999;       ///< Each component.
+
+  bool operator==(const SentinelValues&) const = default;
+};
+/// The sentinel of times; that of a mission cannot be another, as every time below 0 means it.
+inline constexpr double kSentinelTime_s = -1;
+
+/// What the strategy `neutral` puts in place of a position or a velocity.
+struct NeutralValues {
+  Eigen::Vector3d position_m = Eigen::Vector3d::Zero();
+  Eigen::Vector3d velocity_mps = Eigen::Vector3d::Zero();
+
+  bool operator==(const NeutralValues&) const = default;
+};
+
 /// One vehicle of the group, as another knows it.
 struct SwarmContact {
   uint32_t id = 0;
@@ -56,6 +74,7 @@ struct SwarmContact {
   int64_t reported_us = 0;    ///< The report's own time stamp.
   int64_t arrived_us = 0;     ///< When it came.
   MotionLog log = {};
+  SentinelValues sentinel = {};  ///< In `report`, of what is not known.
 };
 
 struct GroupState {
@@ -69,6 +88,8 @@ struct GroupState {
   std::vector<int64_t> response_order = {};     ///< Ids, of the last request.
   int64_t response_start_us = 0;                ///< Of the last request; 0: none came.
   std::optional<ResponseRequest> request = {};  ///< The last one, if it asks this vehicle.
+  SentinelValues sentinel = {};                 ///< Of its contacts, too.
+  NeutralValues neutral = {};
 };
 
 [[nodiscard]] bool operator==(const TimedMotion& a, const TimedMotion& b);
@@ -81,11 +102,6 @@ struct GroupState {
 /// Returns nothing for an id that is not in the group's list.
 [[nodiscard]] const SwarmContact* FindMember(const GroupState& state, int64_t id);
 [[nodiscard]] SwarmContact* FindMember(GroupState* state, int64_t id);
-
-/// What the strategy `sentinel` leaves in place of a value; no vehicle is there, nor as fast.
-inline constexpr double kSentinelPosition_m = -999'999;
-inline constexpr double kSentinelSpeed_mps = -999;
-inline constexpr double kSentinelTime_s = -1;
 
 /// Returns whether position, velocity and time of the last report can be used: there is one, and
 /// none of them is a sentinel.

@@ -100,10 +100,10 @@ TEST(Prediction, KnowsNothingOfAContactThatIsNeitherPlacedNorReported) {
 
 TEST(Prediction, IsNotMadeFromASentinel) {
   SwarmContact lost = ContactReportedAt(10);
-  lost.report.now.position_m.setConstant(kSentinelPosition_m);
+  lost.report.now.position_m.setConstant(SentinelValues().position_m);
   EXPECT_FALSE(PredictContact(lost, 11 * kSecond_us));
   SwarmContact adrift = ContactReportedAt(10);
-  adrift.report.now.velocity_mps.setConstant(kSentinelSpeed_mps);
+  adrift.report.now.velocity_mps.setConstant(SentinelValues().speed_mps);
   EXPECT_FALSE(PredictContact(adrift, 11 * kSecond_us));
   EXPECT_FALSE(PredictContact(ContactReportedAt(-1), 11 * kSecond_us));
 }
@@ -120,7 +120,7 @@ TEST(Prediction, OfTheLeaderUsesTheNextWaypointThatItReported) {
 
 TEST(Prediction, OfALeaderWithoutNextWaypointIsAtConstantVelocity) {
   SwarmContact leader = ContactReportedAt(0);
-  leader.report.next.position_m.setConstant(kSentinelPosition_m);
+  leader.report.next.position_m.setConstant(SentinelValues().position_m);
   const auto motion = PredictTarget(GroupState{.target = leader}, 2 * kSecond_us, {});
   ASSERT_TRUE(motion);
   EXPECT_TRUE(motion->position_m.isApprox(Eigen::Vector3d(14, 18, 6)));

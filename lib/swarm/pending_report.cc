@@ -19,8 +19,8 @@ bool IsOutdated(const PendingReport& report, const SwarmContact& contact) {
 
 void ApplyReport(const PendingReport& report, bool is_leader, int64_t now_us,
                  SwarmContact* contact) {
-  const Eigen::Vector3d no_position_m = Eigen::Vector3d::Constant(kSentinelPosition_m);
-  const Eigen::Vector3d no_velocity_mps = Eigen::Vector3d::Constant(kSentinelSpeed_mps);
+  const Eigen::Vector3d no_position_m = Eigen::Vector3d::Constant(contact->sentinel.position_m);
+  const Eigen::Vector3d no_velocity_mps = Eigen::Vector3d::Constant(contact->sentinel.speed_mps);
   if (!contact->is_known) {
     contact->report = {.now = {no_position_m, no_velocity_mps},
                        .next = {no_position_m, no_velocity_mps}};

@@ -181,12 +181,17 @@ FieldValue Neutral(const DamagedField& damaged, const RecoverySources& sources) 
       return SecondsOf(sources.now_us);
     case SwarmField::kRspnSched:
       return NeutralSchedule(std::get<std::vector<int64_t>>(damaged.value).size());
+    case SwarmField::kReporterPos:
+    case SwarmField::kLeaderPos:
+    case SwarmField::kLeaderNextPos:
+    case SwarmField::kFollowersPos:
+      return sources.state.neutral.position_m;
     default:
-      return Eigen::Vector3d(Eigen::Vector3d::Zero());
+      return sources.state.neutral.velocity_mps;
   }
 }
 
-FieldValue Sentinel(const DamagedField& damaged) {
+FieldValue Sentinel(const DamagedField& damaged, const SentinelValues& sentinel) {
   constexpr auto kByte = static_cast<char>(0xFF);
   switch (damaged.field) {
     case SwarmField::kType:
@@ -206,9 +211,9 @@ FieldValue Sentinel(const DamagedField& damaged) {
     case SwarmField::kLeaderPos:
     case SwarmField::kLeaderNextPos:
     case SwarmField::kFollowersPos:
-      return Eigen::Vector3d(Eigen::Vector3d::Constant(kSentinelPosition_m));
+      return Eigen::Vector3d(Eigen::Vector3d::Constant(sentinel.position_m));
     default:
-      return Eigen::Vector3d(Eigen::Vector3d::Constant(kSentinelSpeed_mps));
+      return Eigen::Vector3d(Eigen::Vector3d::Constant(sentinel.speed_mps));
   }
 }
 
@@ -261,7 +266,7 @@ std::optional<FieldValue> RecoverBy(RecoveryStrategy strategy, const DamagedFiel
     case RecoveryStrategy::kNeutral:
       return Neutral(damaged, sources);
     case RecoveryStrategy::kSentinel:
-      return Sentinel(damaged);
+      return Sentinel(damaged, sources.state.sentinel);
     case RecoveryStrategy::kSkipField:
       return damaged.value;
     case RecoveryStrategy::kSkip:

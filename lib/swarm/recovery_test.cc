@@ -45,7 +45,7 @@ TEST(RecoverPrevious, HasNothingOfAnUnknownContact) {
 
 TEST(RecoverPrevious, DoesNotPassASentinelOn) {
   GroupState state = FollowerThree().state;
-  state.members[0].report.now.position_m.setConstant(kSentinelPosition_m);
+  state.members[0].report.now.position_m.setConstant(SentinelValues().position_m);
   EXPECT_FALSE(
       RecoveredBy<Eigen::Vector3d>(kPrevious, {SwarmField::kReporterPos, kBad, kTwo}, state));
 }

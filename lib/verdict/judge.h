@@ -23,6 +23,7 @@
 #include "lib/mission/mission.h"
 #include "lib/vehicle/collision_watch.h"
 #include "lib/vehicle/obstacle_watch.h"
+#include "lib/verdict/acoustic_tally.h"
 #include "lib/verdict/arrival_watch.h"
 #include "lib/verdict/coverage_watch.h"
 #include "lib/verdict/extreme_watch.h"
@@ -85,6 +86,8 @@ class Judge {
   const FateCounts& swarm_counts() const { return swarm_counts_; }
   FateCounts& fates(Kind kind) { return fates_[static_cast<size_t>(kind)]; }
   const FateCounts& fates(Kind kind) const { return fates_[static_cast<size_t>(kind)]; }
+  AcousticTally& acoustic() { return acoustic_; }
+  const AcousticTally& acoustic() const { return acoustic_; }
 
   /// Evaluates the positions of all vehicles.
   void EndStep(int64_t utime);
@@ -152,7 +155,8 @@ class Judge {
   std::vector<std::optional<Eigen::Vector2d>> estimates_m_;
   std::vector<double> travelled_m_;
   std::vector<std::optional<HelmFacts>> helms_;
-  std::vector<FateCounts> fates_;                                     ///< By kind.
+  std::vector<FateCounts> fates_;  ///< By kind.
+  AcousticTally acoustic_;
   FateCounts swarm_counts_;                                           ///< By outcome.
   std::map<std::pair<size_t, std::string>, SwarmShares> swarm_last_;  ///< By member and sender.
   std::vector<bool> has_left_park_;

@@ -134,6 +134,7 @@ std::string Summarize(const Mission& mission, const Judge& judge, bool complete)
     const FateCounts& fates = judge.fates(kind);
     if (fates.CountOffered(kAll, kAll) > 0) text += "\n" + LinkTable(mission, fates, title);
   }
+  if (!judge.acoustic().IsEmpty()) text += "\n" + judge.acoustic().Text();
   if (judge.num_collisions() > 0) text += CollisionList(mission, judge);
   const std::vector<ExpectationVerdict> verdicts = judge.Verdicts();
   if (!verdicts.empty()) text += "\nExpectations\n";
