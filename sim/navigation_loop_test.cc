@@ -23,10 +23,10 @@ struct Seen {
 };
 
 /// Runs an AUV that starts 10 m down, out of reach of the floor, in an unknown current of 0.4 m/s.
-Seen Run(const std::vector<Task>& tasks, double duration_s) {
+Seen SeenAfter(const std::vector<Task>& tasks, double duration_s) {
   Mission mission;
   mission.seed = 4;
-  mission.environment.current.speed_mps = {0.4};
+  mission.environment.current.speed_mps = "0.4";
   Vehicle vehicle;
   vehicle.name = "alpha";
   vehicle.model = Remus100Options{};
@@ -65,7 +65,7 @@ const Task kLeg = {.name = "leg",
                    .what = PathFollowTask{.points_m = {{0, 0, 10}, {2000, 0, 10}}, .speed_mps = 2}};
 
 TEST(NavigationLoop, IsCarriedOffByACurrentThatItDoesNotKnow) {
-  const Seen seen = Run({kLeg}, 200);
+  const Seen seen = SeenAfter({kLeg}, 200);
   // 0.4 m/s for 200 s, less what the filter allows for; the bound shows that it does not know.
   EXPECT_GT(seen.error_m(), 40);
   EXPECT_GT(seen.navigation.ellipse_major_m, 40);
@@ -73,7 +73,7 @@ TEST(NavigationLoop, IsCarriedOffByACurrentThatItDoesNotKnow) {
 }
 
 TEST(NavigationLoop, ComesUpForFixesAndGoesOn) {
-  const Seen seen = Run({{.name = "fix", .what = SurfaceForFixTask{.fixes = 5}}, kLeg}, 200);
+  const Seen seen = SeenAfter({{.name = "fix", .what = SurfaceForFixTask{.fixes = 5}}, kLeg}, 200);
   EXPECT_LT(seen.highest_m, 0.3);
   EXPECT_GE(seen.navigation.num_gps, 5);
   EXPECT_EQ(seen.task, "leg");

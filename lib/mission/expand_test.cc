@@ -325,7 +325,7 @@ TEST(Overrides, ComeAfterTheErrorsOfTheFileInTheirOwnOrder) {
             "5:1: unknown key 'lenght' (did you mean 'length_m'?)\n"
             "--set mission.sed=1: unknown key 'sed' (did you mean 'seed'?)\n"
             "--set a=1: unknown key 'a'; known here: mission, environment, comms, acoustics, "
-            "medium, obstacle, "
+            "medium, obstacle, beacon, "
             "template, vehicle, "
             "fleet, swarm, netsim, event, participant, expect\n"
             "--set mission.seed=x: seed must be a whole number, or \"random\", not 'x'\n");

@@ -193,7 +193,8 @@ TEST(LoadErrors, ReportUnknownKinds) {
   EXPECT_EQ(
       ErrorsAfter("[[expect]]\nkind = \"glory\"\n"),
       "6:8: unknown kind 'glory'; one of: arrival, separation, reports, helm, laps, track, "
-      "distance, altitude, swarm, closest_approach, encounter_score, coverage, messages, acks, "
+      "distance, altitude, swarm, closest_approach, encounter_score, coverage, navigation_error, "
+      "messages, acks, "
       "packets\n");
   EXPECT_EQ(ErrorsAfter("[[expect]]\n"),
             "5:1: expect lacks 'kind'; for example: kind = \"arrival\"\n");

@@ -511,6 +511,8 @@ class MissionDraw {
                             .depth_max_m = Number(0, 12'000)}};
     Vehicle& outsider = mission->vehicles[1];
     outsider.sim = outsider.reporter = Provider::kNone;
+    outsider.navigation = {};
+    mission_navigates_ = false;
     outsider.is_outside = Coin();
     if (outsider.is_outside) outsider.helm = outsider.acomms = Provider::kNone;
     NetsimVehicle vehicle;

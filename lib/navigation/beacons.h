@@ -42,7 +42,7 @@ struct AcousticRanging {
   double sound_speed_mps = 1500;  ///< Of the water, and of the vehicle's reckoning; > 0.
   double dropout = 0;             ///< Probability that a ping is not received; 0 .. 1.
   RangeErrors errors = {};
-  std::optional<UsblErrors> usbl;  ///< Absent: it measures no directions.
+  std::optional<UsblErrors> usbl = {};  ///< Absent: it measures no directions.
 };
 
 struct BeaconReading {
