@@ -104,6 +104,7 @@ TEST_F(LiveViewTest, FramesShowAllThatIsKnownOfAVehicle) {
 
 TEST_F(LiveViewTest, FramesShowRulesPulsesPacketsAndCommands) {
   comms_rules_t rules = RulesWith(0, 250, 5);
+  rules.reports_over = rules.messages_over = "direct";
   rules.num_factors = 1;
   rules.factors.resize(1);
   rules.factors[0].vehicle = "alpha";
