@@ -14,14 +14,14 @@ namespace shoal {
 
 namespace {
 
-using Names = std::vector<std::string>;
+using NameList = std::vector<std::string>;
 
 constexpr size_t kMostNames = 8;
 constexpr size_t kMostChannels = 60;
 
 double Seconds(int64_t time_us) { return static_cast<double>(time_us) / 1e6; }
 
-std::string NamesText(Names names, size_t num_all) {
+std::string NamesText(NameList names, size_t num_all) {
   if (names.size() == num_all) return "all";
   if (names.empty()) return "none";
   const size_t num_more = names.size() > kMostNames ? names.size() - kMostNames : 0;
@@ -49,8 +49,8 @@ std::string ChannelsText(const Mission& mission) {
       options.bandwidth_khz, options.base_freq_khz, options.data_rate_bps, "id", "kHz", "width");
   for (size_t i = 0; i < plan->channels().size() && i < kMostChannels; ++i) {
     const auto channel = static_cast<int>(i);
-    Names senders;
-    Names receivers;
+    NameList senders;
+    NameList receivers;
     for (int node = 0; node < plan->num_nodes(); ++node) {
       const std::string& name = nodes[static_cast<size_t>(node)].name;
       if (plan->SendsOn(node) == channel) senders.push_back(name);
@@ -93,7 +93,7 @@ std::string SlotsText(const Mission& mission) {
       Seconds(times->report_us), Seconds(times->leader_report_us), Seconds(times->request_us),
       mission.swarm.max_distance_m, Seconds(times->travel_us), Seconds(times->jitter_us), "member",
       "id");
-  Names members = {mission.swarm.leader};
+  NameList members = {mission.swarm.leader};
   members.insert(members.end(), mission.swarm.followers.begin(), mission.swarm.followers.end());
   for (size_t i = 0; i < members.size(); ++i) {
     const auto place = static_cast<int64_t>(i);
@@ -109,14 +109,14 @@ std::string SlotsText(const Mission& mission) {
 }
 
 std::string StrategiesText(const RecoveryOrder& order) {
-  Names names;
+  NameList names;
   for (const RecoveryStrategy strategy : order) names.emplace_back(NameOf(strategy));
   return names.empty() ? "(dropped)" : fmt::format("{}", fmt::join(names, ", "));
 }
 
 /// The strategies of members that have none of their own; the others' stand in their tables.
 std::string RecoveryText(const Mission& mission) {
-  Names names;
+  NameList names;
   for (const Vehicle& vehicle : mission.vehicles) {
     if (mission.IsInSwarm(vehicle) && vehicle.recovery == RecoveryPlan()) {
       names.push_back(vehicle.name);
@@ -125,7 +125,7 @@ std::string RecoveryText(const Mission& mission) {
   if (names.empty()) return "";
   std::string text = fmt::format("\n# Recovery of damaged fields by {}: the default\n",
                                  NamesText(names, mission.vehicles.size()));
-  std::map<std::string, Names> fields_by_text;
+  std::map<std::string, NameList> fields_by_text;
   const RecoveryPlan plan;
   for (size_t i = 0; i < kNumSwarmFields; ++i) {
     fields_by_text[StrategiesText(plan.by_field[i])].emplace_back(kSwarmFieldNames[i]);
