@@ -20,7 +20,8 @@ class SeedFile : public testing::Test {
   }
   void TearDown() override { std::filesystem::remove(path_); }
 
-  const std::string path_ = testing::TempDir() + "drawn_seed_test.toml";
+  const std::string path_ =
+      testing::TempDir() + testing::UnitTest::GetInstance()->current_test_info()->name() + ".toml";
 };
 
 TEST_F(SeedFile, WithRandomGetsTheDrawnNumberAsAnOverride) {
