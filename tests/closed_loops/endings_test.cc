@@ -93,11 +93,14 @@ struct Rest {
   double deepest_m = -1e9;
   double least_m = 1e9;
   double most_rpm = 0;
+  double most_fin_deg = 0;  ///< Rudder or stern plane.
 
   void Look(const Seen& seen) {
     deepest_m = std::max(deepest_m, seen.nav.z_m);
     least_m = std::min(least_m, seen.nav.z_m);
     most_rpm = std::max(most_rpm, std::abs(seen.actuators.propeller_rpm));
+    most_fin_deg = std::max({most_fin_deg, std::abs(seen.actuators.rudder_deg),
+                             std::abs(seen.actuators.stern_plane_deg)});
   }
 };
 
@@ -111,6 +114,7 @@ void ExpectRestAtTheSurface(const std::string& text) {
   ASSERT_GT(up_at_s, 0);
   ASSERT_GT(end_s, up_at_s + 360);
   EXPECT_EQ(rest.most_rpm, 0);
+  EXPECT_LT(rest.most_fin_deg, 1);
   EXPECT_LT(rest.deepest_m, 0.5);
   EXPECT_LT(rest.deepest_m - rest.least_m, 0.05);
   testing::Test::RecordProperty("z_m", std::to_string(rest.least_m));
@@ -261,7 +265,7 @@ TEST(TasksAtDepth, BeginAndEndWithoutAJumpOfTheDesiredDepth) {
              });
   EXPECT_GE(num_tasks, 6) << "path, station, path, end, path, end";
   EXPECT_LT(largest_jump_m, 0.3);
-  EXPECT_LT(off_depth_m, 2);
+  EXPECT_LT(off_depth_m, 0.3);
   RecordProperty("largest_jump_m", std::to_string(largest_jump_m));
   RecordProperty("off_depth_m", std::to_string(off_depth_m));
 }
@@ -314,6 +318,7 @@ TEST_P(EndOfTheLeader, BringsItsFollowersToTheSurfaceWhereTheyDriftApartFromEach
   for (const Rest& rest : rests) {
     EXPECT_LT(rest.deepest_m, 0.5);
     EXPECT_EQ(rest.most_rpm, 0);
+    EXPECT_LT(rest.most_fin_deg, 1);
   }
   EXPECT_GT(closest_m, 15);
   RecordProperty("closest_m", std::to_string(closest_m));
