@@ -45,6 +45,12 @@ add_library(shoal_sodium INTERFACE)
 target_include_directories(shoal_sodium SYSTEM INTERFACE ${SODIUM_INCLUDE_DIR})
 target_link_libraries(shoal_sodium INTERFACE ${SODIUM_LIBRARY})
 
+find_path(SQLITE_INCLUDE_DIR sqlite3.h REQUIRED)
+find_library(SQLITE_LIBRARY sqlite3 REQUIRED)
+add_library(shoal_sqlite INTERFACE)
+target_include_directories(shoal_sqlite SYSTEM INTERFACE ${SQLITE_INCLUDE_DIR})
+target_link_libraries(shoal_sqlite INTERFACE ${SQLITE_LIBRARY})
+
 set(SHOAL_PURE_EXTERNALS Eigen3::Eigen shoal_geographiclib shoal_random123)
 
 # Flags of our own targets; generated code and tests' frameworks come in as SYSTEM includes.

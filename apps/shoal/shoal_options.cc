@@ -12,6 +12,7 @@
 #include <span>
 #include <system_error>
 
+#include "apps/shoal/campaign_options.h"
 #include "apps/shoal/check_command.h"
 #include "apps/shoal/doctor.h"
 #include "apps/shoal/encounters_options.h"
@@ -317,6 +318,7 @@ int RunShoalCommand(int argc, char** argv) {
   AddView(cli, &action);
   AddLogCommands(cli, &action);
   AddEncounterCommands(cli, &action);
+  AddCampaignCommands(cli, &action);
   cli.add_subcommand("doctor", "Show what keeps missions from running on this machine")
       ->callback([&action] { action = [] { return RunDoctor(); }; });
   cli.add_subcommand("channels", "Print the table of all channels (docs/channels.md)")

@@ -68,7 +68,8 @@ struct Campaign {
   std::vector<SweepAxis> sweep;
   std::vector<SampledKey> samples;
   std::vector<Policy> policies;  ///< One without a name where the file has none.
-  std::vector<MetricSpec> metrics;
+  std::vector<MetricSpec> metrics;  ///< As they are written: Plan has them checked.
+  Value metrics_table;  ///< What `metrics` was read from, for messages about it.
   std::optional<StopRule> stop;
 };
 

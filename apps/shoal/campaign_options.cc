@@ -1,0 +1,161 @@
+#include "apps/shoal/campaign_options.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "apps/shoal/campaign_command.h"
+
+namespace shoal {
+
+namespace {
+
+constexpr int64_t kMostShards = 100'000;
+constexpr int kMostCampaignJobs = 1024;
+
+/// "K/N", with 1 <= K <= N.
+std::optional<Shard> ParseShard(const std::string& text) {
+  Shard shard;
+  const char* end = text.data() + text.size();
+  const auto number = std::from_chars(text.data(), end, shard.number);
+  if (number.ec != std::errc() || number.ptr == end || *number.ptr != '/') return std::nullopt;
+  const auto count = std::from_chars(number.ptr + 1, end, shard.count);
+  if (count.ec != std::errc() || count.ptr != end) return std::nullopt;
+  if (shard.number < 1 || shard.count < shard.number || shard.count > kMostShards) {
+    return std::nullopt;
+  }
+  return shard;
+}
+
+/// "90", "90s", "15m", "2h": in seconds.
+std::optional<double> ParseDuration(const std::string& text) {
+  char* end = nullptr;
+  const double number = std::strtod(text.c_str(), &end);
+  const std::string unit(end);
+  if (text.empty() || !(number > 0)) return std::nullopt;
+  if (unit.empty() || unit == "s") return number;
+  if (unit == "m" || unit == "min") return number * 60;
+  if (unit == "h") return number * 3600;
+  return std::nullopt;
+}
+
+std::optional<int64_t> ParseKeep(const std::string& text) {
+  if (text == "failures") return KeepRule::kAll;
+  if (text == "none") return 0;
+  int64_t count = 0;
+  const char* end = text.data() + text.size();
+  const auto parsed = std::from_chars(text.data(), end, count);
+  if (parsed.ec != std::errc() || parsed.ptr != end || count < 0) return std::nullopt;
+  return count;
+}
+
+CLI::Option* AddJobs(CLI::App* command, int* jobs) {
+  return command
+      ->add_option("--jobs,-j", *jobs, "Trials at the same time; default: one for each processor")
+      ->check(CLI::Range(1, kMostCampaignJobs));
+}
+
+CLI::Option* AddFolder(CLI::App* command, std::string* dir) {
+  return command->add_option("DIR", *dir, "The folder that `run --out` made")->required();
+}
+
+void AddCampaignCheck(CLI::App* campaign, std::function<int()>* action) {
+  CLI::App* command = campaign->add_subcommand(
+      "check", "Show all that is wrong with a campaign file; how many trials, and how long");
+  auto options = std::make_shared<CampaignCheckOptions>();
+  command->add_option("FILE", options->file, "Campaign file")->required();
+  AddJobs(command, &options->num_jobs);
+  command->callback([options, action] { *action = [options] { return RunCampaignCheck(*options); }; });
+}
+
+void AddCampaignRun(CLI::App* campaign, std::function<int()>* action) {
+  CLI::App* command =
+      campaign->add_subcommand("run", "Run the trials that are missing, and reduce the results");
+  struct Parsed {
+    CampaignRunCommand command;
+    std::string shard = "1/1";
+    std::string max_time;
+    std::string keep = "10";
+    bool again = false;
+  };
+  auto parsed = std::make_shared<Parsed>();
+  command->add_option("FILE", parsed->command.file, "Campaign file")->required();
+  command->add_option("--out", parsed->command.out, "Folder of the results; made where it is missing")
+      ->required();
+  parsed->command.run.num_jobs = 0;
+  AddJobs(command, &parsed->command.run.num_jobs);
+  command->add_option("--shard", parsed->shard, "K/N: only the K-th of N parts")
+      ->check([](const std::string& text) -> std::string {
+        if (ParseShard(text)) return "";
+        return fmt::format("'{}' is not K/N with K from 1 to N, such as 2/4", text);
+      });
+  command
+      ->add_option("--max-time", parsed->max_time,
+                   "Begin no trial after this time: 90s, 15m, 2h")
+      ->check([](const std::string& text) -> std::string {
+        if (ParseDuration(text)) return "";
+        return fmt::format("'{}' is no time such as 90s, 15m or 2h", text);
+      });
+  command
+      ->add_option("--keep", parsed->keep,
+                   "Record trials that did not pass: failures (all), none, or the first N; default: "
+                   "10")
+      ->check([](const std::string& text) -> std::string {
+        if (ParseKeep(text)) return "";
+        return fmt::format("'{}' is neither failures nor none nor a number", text);
+      });
+  command->add_flag("--again", parsed->again, "Run errors and timeouts of earlier calls once more");
+  command->add_flag("--quiet", parsed->command.run.quiet, "No line of progress");
+  command->callback([parsed, action] {
+    *action = [parsed] {
+      CampaignRunOptions& run = parsed->command.run;
+      run.shard = *ParseShard(parsed->shard);
+      run.keep.most = *ParseKeep(parsed->keep);
+      if (!parsed->max_time.empty()) run.max_time_s = ParseDuration(parsed->max_time);
+      run.again_errors = run.again_timeouts = parsed->again;
+      return RunCampaignRun(parsed->command);
+    };
+  });
+}
+
+void AddCampaignReplay(CLI::App* campaign, std::function<int()>* action) {
+  CLI::App* command =
+      campaign->add_subcommand("replay", "Run one trial again, with a recording");
+  auto options = std::make_shared<CampaignReplayOptions>();
+  AddFolder(command, &options->dir);
+  command->add_option("TRIAL", options->trial, "CASE-REPETITION, as reports name it")->required();
+  command->add_flag("--view", options->is_viewed, "Then open it in the viewer");
+  command->add_option("--out", options->out,
+                      "Folder of the recording; default: DIR/replays/TRIAL, made anew");
+  command->add_flag("--allow-build", options->allow_build, "Even where shoal is another build");
+  command->callback(
+      [options, action] { *action = [options] { return RunCampaignReplay(*options); }; });
+}
+
+void AddCampaignOfFolder(CLI::App* campaign, const std::string& name, const std::string& text,
+                 int (*run)(const std::string&), std::function<int()>* action) {
+  CLI::App* command = campaign->add_subcommand(name, text);
+  auto dir = std::make_shared<std::string>();
+  AddFolder(command, dir.get());
+  command->callback([dir, run, action] { *action = [dir, run] { return run(*dir); }; });
+}
+
+}  // namespace
+
+void AddCampaignCommands(CLI::App& cli, std::function<int()>* action) {
+  CLI::App* campaign =
+      cli.add_subcommand("campaign", "Run a mission many times, and answer questions about it");
+  campaign->require_subcommand(1);
+  AddCampaignCheck(campaign, action);
+  AddCampaignRun(campaign, action);
+  AddCampaignOfFolder(campaign, "status", "Show how far a campaign is, in a line", RunCampaignStatus, action);
+  AddCampaignOfFolder(campaign, "reduce", "Make results.csv and results.sqlite from the shards",
+              RunCampaignReduce, action);
+  AddCampaignReplay(campaign, action);
+}
+
+}  // namespace shoal
