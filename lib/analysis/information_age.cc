@@ -19,8 +19,9 @@ double Seconds(int64_t length_us) { return static_cast<double>(length_us) / 1e6;
 }  // namespace
 
 void InformationAge::EndTooth(int64_t utime, Knowledge* knowledge) {
-  knowledge->teeth.push_back(
-      {.begin_us = knowledge->begin_us, .length_us = utime - knowledge->taken_utime});
+  knowledge->teeth.push_back({.taken_utime = knowledge->taken_utime,
+                              .begin_us = knowledge->begin_us,
+                              .length_us = utime - knowledge->taken_utime});
   knowledge->report_utime.reset();
 }
 
@@ -80,46 +81,31 @@ void InformationAge::Add(const swarm_t& swarm) {
   observer.last_utime = swarm.utime;
 }
 
-/// A tooth spends the same time at each age between its ends: the time spent below an age is a sum
-/// of such ramps, and is followed from corner to corner until it is 95 % of the whole.
-AgeSummary InformationAge::Summarize(const Knowledge& knowledge, int64_t last_utime) {
+std::vector<AgeTooth> InformationAge::TeethOf(const Knowledge& knowledge, int64_t last_utime) {
   Knowledge ended = knowledge;
   if (ended.report_utime) EndTooth(last_utime, &ended);
-  AgeSummary summary = {.is_target = knowledge.is_target,
-                        .num_reports = knowledge.num_reports,
-                        .first_report_s = Seconds(knowledge.first_utime)};
-  double whole_s = 0;
-  double area_s2 = 0;
-  std::vector<std::pair<int64_t, int>> corners;  // Age, and what becomes of the number of ramps.
-  for (const Tooth& tooth : ended.teeth) {
-    const double length_s = Seconds(tooth.length_us);
-    whole_s += length_s;
-    area_s2 += length_s * (Seconds(tooth.begin_us) + length_s / 2);
-    summary.max_s = std::max(summary.max_s, Seconds(tooth.begin_us + tooth.length_us));
-    corners.emplace_back(tooth.begin_us, 1);
-    corners.emplace_back(tooth.begin_us + tooth.length_us, -1);
-  }
-  if (whole_s == 0) {
-    summary.mean_s = summary.age_95_s = summary.max_s;
-    return summary;
-  }
-  summary.mean_s = area_s2 / whole_s;
-  std::sort(corners.begin(), corners.end());
-  summary.age_95_s = summary.max_s;
-  double below_s = 0;
-  int num_ramps = 0;
-  for (size_t i = 0; i < corners.size(); ++i) {
-    if (i > 0) {
-      const double more_s = num_ramps * Seconds(corners[i].first - corners[i - 1].first);
-      if (below_s + more_s >= 0.95 * whole_s) {
-        summary.age_95_s = Seconds(corners[i - 1].first) + (0.95 * whole_s - below_s) / num_ramps;
-        break;
-      }
-      below_s += more_s;
+  return std::move(ended.teeth);
+}
+
+AgeSummary InformationAge::Summarize(const Knowledge& knowledge, int64_t last_utime) {
+  constexpr double kShare = 0.95;
+  const std::vector<AgeTooth> teeth = TeethOf(knowledge, last_utime);
+  return {.is_target = knowledge.is_target,
+          .num_reports = knowledge.num_reports,
+          .first_report_s = Seconds(knowledge.first_utime),
+          .mean_s = MeanAge_s(teeth),
+          .age_95_s = AgePercentile_s(teeth, kShare),
+          .max_s = MaxAge_s(teeth)};
+}
+
+std::map<InformationAge::Pair, std::vector<AgeTooth>> InformationAge::Teeth() const {
+  std::map<Pair, std::vector<AgeTooth>> teeth;
+  for (const auto& [vehicle, observer] : observers_) {
+    for (const auto& [contact, knowledge] : observer.contacts) {
+      teeth[{vehicle, contact}] = TeethOf(knowledge, observer.last_utime);
     }
-    num_ramps += corners[i].second;
   }
-  return summary;
+  return teeth;
 }
 
 std::map<InformationAge::Pair, AgeSummary> InformationAge::Summaries() const {

@@ -18,6 +18,7 @@
 #include <utility>
 #include <vector>
 
+#include "lib/analysis/age_teeth.h"
 #include "shoal/swarm_t.hpp"
 
 namespace shoal {
@@ -53,6 +54,8 @@ class InformationAge {
   void Add(const swarm_t& swarm);
 
   [[nodiscard]] std::map<Pair, AgeSummary> Summaries() const;
+  /// Returns what the summaries are made of, in order of time.
+  [[nodiscard]] std::map<Pair, std::vector<AgeTooth>> Teeth() const;
   /// Reports from the future: with a damaged time stamp. Their age begins with 0.
   int64_t num_future() const { return num_future_; }
   /// Left out: messages earlier than the one before, and reports with times that no mission has.
@@ -66,11 +69,6 @@ class InformationAge {
   [[nodiscard]] std::string Csv() const;
 
  private:
-  /// Time in which an age grew from `begin_us` on.
-  struct Tooth {
-    int64_t begin_us = 0;
-    int64_t length_us = 0;
-  };
   struct Knowledge {
     bool is_target = false;
     std::optional<int64_t> report_utime;  ///< As published; absent: not received, or not any more.
@@ -78,7 +76,7 @@ class InformationAge {
     int64_t begin_us = 0;                 ///< Its age then.
     int64_t first_utime = 0;
     int64_t num_reports = 0;
-    std::vector<Tooth> teeth;  ///< All but the last.
+    std::vector<AgeTooth> teeth;  ///< All but the last.
   };
   struct Observer {
     int64_t last_utime = 0;
@@ -88,6 +86,7 @@ class InformationAge {
   void AddContact(const swarm_t& swarm, const swarm_contact_t& contact, Observer* observer);
   void ReportAge(const swarm_t& swarm, const std::string& name, const Knowledge& knowledge) const;
   static void EndTooth(int64_t utime, Knowledge* knowledge);
+  static std::vector<AgeTooth> TeethOf(const Knowledge& knowledge, int64_t last_utime);
   static AgeSummary Summarize(const Knowledge& knowledge, int64_t last_utime);
 
   OnPoint on_point_;

@@ -42,7 +42,10 @@ Outcome JudgeClosestApproach(const Mission& mission, const ClosestApproachExpect
       mission.vehicles[closest->sides[0].vessel].name,
       mission.vehicles[closest->sides[1].vessel].name, closest->closest_m, closest->closest_s);
   if (missing_m > 0) numbers += fmt::format(", {} m too close", FormatExcess(missing_m));
-  return {.passed = missing_m <= 0, .strain = missing_m, .numbers = numbers};
+  return {.passed = missing_m <= 0,
+          .strain = missing_m,
+          .numbers = numbers,
+          .value = closest->closest_m};
 }
 
 Outcome JudgeEncounterScore(const Mission& mission, const EncounterScoreExpectation& expected,
@@ -73,7 +76,7 @@ Outcome JudgeEncounterScore(const Mission& mission, const EncounterScoreExpectat
     }
   }
   if (lowest == nullptr) return {.passed = false, .numbers = "no encounter was seen"};
-  if (!other_role.empty()) return {.passed = false, .numbers = other_role};
+  if (!other_role.empty()) return {.passed = false, .numbers = other_role, .value = lowest_score};
   const EncounterSide& side = lowest->sides[lowest_side];
   const double missing = expected.at_least - lowest_score;
   std::string numbers =
@@ -82,7 +85,7 @@ Outcome JudgeEncounterScore(const Mission& mission, const EncounterScoreExpectat
                   mission.vehicles[lowest->sides[1 - lowest_side].vessel].name, lowest_score,
                   lowest->closest_m, lowest->closest_s);
   if (missing > 0) numbers += fmt::format(", {} too low", FormatExcess(missing));
-  return {.passed = missing <= 0, .strain = missing, .numbers = numbers};
+  return {.passed = missing <= 0, .strain = missing, .numbers = numbers, .value = lowest_score};
 }
 
 }  // namespace shoal

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "lib/routing/fate.h"
@@ -97,10 +98,30 @@ struct Describer {
   }
 };
 
+struct UnitFinder {
+  template <class Metres>
+  std::string_view operator()(const Metres& /*what*/) const {
+    return "m";
+  }
+  std::string_view operator()(const ArrivalExpectation& /*arrival*/) const { return "s"; }
+  std::string_view operator()(const CommsExpectation& comms) const {
+    return comms.at_least_pct || comms.at_most_pct ? "%" : "";
+  }
+  std::string_view operator()(const SwarmExpectation& /*swarm*/) const { return "%"; }
+  std::string_view operator()(const CoverageExpectation& /*coverage*/) const { return "%"; }
+  std::string_view operator()(const LapsExpectation& /*laps*/) const { return "laps"; }
+  std::string_view operator()(const HelmExpectation& /*helm*/) const { return ""; }
+  std::string_view operator()(const EncounterScoreExpectation& /*score*/) const { return ""; }
+};
+
 }  // namespace
 
 std::string Describe(const Mission& mission, const Expectation& expectation) {
   return std::visit(Describer{mission}, expectation.what);
+}
+
+std::string_view UnitOf(const Expectation& expectation) {
+  return std::visit(UnitFinder(), expectation.what);
 }
 
 double LimitSeconds(const Mission& mission, double by_s) {

@@ -8,6 +8,7 @@
 #include <optional>
 #include <span>
 #include <string_view>
+#include <tuple>
 
 #include "lib/mission/coverage_area.h"
 #include "lib/routing/vehicle_name.h"
@@ -63,6 +64,7 @@ void JudgeShare(const auto& limits, int64_t count, int64_t offered, Outcome* out
   // A share that is exactly the limit is within it, whatever binary fractions make of the limit.
   constexpr double kRounding_pct = 1e-9;
   const double share_pct = 100 * static_cast<double>(count) / static_cast<double>(offered);
+  outcome->value = share_pct;
   outcome->numbers = fmt::format("{} of {} ({:.4g} %)", count, offered, share_pct);
   const double missing_pct = limits.at_least_pct.value_or(0) - share_pct;
   const double excess_pct = share_pct - limits.at_most_pct.value_or(100);
@@ -81,7 +83,8 @@ Outcome JudgeCoverage(const CoverageWatch& watch, double at_least_pct) {
   Outcome outcome = {.passed = missing_pct <= 0,
                      .strain = missing_pct,
                      .numbers = fmt::format("{:.2f} % of {:.0f} m2, in cells of {:.2g} m",
-                                            watch.covered_pct(), watch.area_m2(), watch.cell_m())};
+                                            watch.covered_pct(), watch.area_m2(), watch.cell_m()),
+                     .value = watch.covered_pct()};
   if (missing_pct > 0) outcome.numbers += fmt::format(", {} % too low", FormatExcess(missing_pct));
   return outcome;
 }
@@ -328,7 +331,9 @@ std::vector<ExpectationVerdict> Judge::Verdicts() const {
     verdicts.push_back({.where = each.expectation->where,
                         .text = Describe(mission_, *each.expectation),
                         .passed = outcome.passed,
-                        .numbers = outcome.numbers});
+                        .numbers = outcome.numbers,
+                        .value = outcome.value,
+                        .unit = UnitOf(*each.expectation)});
   }
   return verdicts;
 }
@@ -405,7 +410,10 @@ Outcome Judge::FindSeparation(const SeparationExpectation& separation) const {
                                     mission_.vehicles[static_cast<size_t>(closest.second)].name,
                                     closest.range_m, SecondsSinceStart(closest.utime));
   if (missing_m > 0) numbers += fmt::format(", {} m too close", FormatExcess(missing_m));
-  return {.passed = missing_m <= 0, .strain = missing_m, .numbers = numbers};
+  return {.passed = missing_m <= 0,
+          .strain = missing_m,
+          .numbers = numbers,
+          .value = closest.range_m};
 }
 
 Outcome Judge::FindComms(const CommsExpectation& comms) const {
@@ -415,6 +423,8 @@ Outcome Judge::FindComms(const CommsExpectation& comms) const {
   Outcome outcome = {.passed = true, .strain = 0, .numbers = std::to_string(count)};
   if (comms.at_least_pct || comms.at_most_pct) {
     JudgeShare(comms, count, fates(comms.kind).CountOffered(from, to), &outcome);
+  } else {
+    outcome.value = static_cast<double>(count);
   }
   if (comms.at_least && count < *comms.at_least) {
     outcome.passed = false;
@@ -429,25 +439,32 @@ Outcome Judge::FindComms(const CommsExpectation& comms) const {
 
 Outcome Judge::FindHelm(const HelmExpectation& helm, size_t vehicle) const {
   const std::optional<HelmFacts>& facts = helms_[vehicle];
-  if (!facts) return {.passed = false, .strain = 0, .numbers = "no helm state was received"};
+  if (!facts) {
+    return {.passed = false, .strain = 0, .numbers = "no helm state was received", .value = 0};
+  }
   const bool state_fits = helm.state.empty() || VehicleKey(helm.state) == VehicleKey(facts->state);
   const bool task_fits = helm.task.empty() || helm.task == facts->task;
   return {.passed = state_fits && task_fits,
           .strain = 0,
           .numbers = fmt::format("{} with {}", facts->state,
-                                 facts->task.empty() ? "no task" : "task " + facts->task)};
+                                 facts->task.empty() ? "no task" : "task " + facts->task),
+          .value = state_fits && task_fits ? 1 : 0};
 }
 
 Outcome Judge::FindLaps(const LapsExpectation& expected, const LapsWatch& watch) const {
   if (!watch.reached_s) {
     return {.passed = false,
             .strain = static_cast<double>(expected.at_least - watch.most),
-            .numbers = fmt::format("{}, {} too few", watch.most, expected.at_least - watch.most)};
+            .numbers = fmt::format("{}, {} too few", watch.most, expected.at_least - watch.most),
+            .value = static_cast<double>(watch.most)};
   }
   const double late_s = *watch.reached_s - LimitSeconds(mission_, expected.by_s);
   std::string numbers = fmt::format("{}, enough at {:.1f} s", watch.most, *watch.reached_s);
   if (late_s > 0) numbers += fmt::format(", {} s late", FormatExcess(late_s));
-  return {.passed = late_s <= 0, .strain = *watch.reached_s, .numbers = numbers};
+  return {.passed = late_s <= 0,
+          .strain = *watch.reached_s,
+          .numbers = numbers,
+          .value = static_cast<double>(watch.most)};
 }
 
 namespace {
@@ -465,7 +482,9 @@ Outcome JudgeExtremes(const ExtremeWatch& watch, std::optional<double> min_m,
     outcome.numbers += fmt::format("{} {:.2f} m at {:.1f} s", what, extreme.value, extreme.time_s);
     if (excess_m > 0) outcome.numbers += fmt::format(", {} m beyond", FormatExcess(excess_m));
     outcome.passed = outcome.passed && excess_m <= 0;
-    outcome.strain = std::max(outcome.strain, excess_m);
+    if (excess_m <= outcome.strain) return;
+    outcome.strain = excess_m;
+    outcome.value = extreme.value;
   };
   if (min_m) add("least", watch.smallest(), *min_m - watch.smallest().value);
   if (max_m) add("most", watch.largest(), watch.largest().value - *max_m);
@@ -498,6 +517,21 @@ std::vector<Outcome> Judge::FindForVehicles(const Case& each) const {
   return outcomes;
 }
 
+/// Returns the number of the vehicle that decides: of laps the fewest; else that of the worst
+/// failure, where one without a number is worse than all others, or of the narrowest success.
+std::optional<double> Judge::WorstValue(const Case& each, const std::vector<Outcome>& outcomes) {
+  const bool by_value = std::holds_alternative<LapsExpectation>(each.expectation->what);
+  const auto badness = [&](const Outcome& outcome) {
+    const double strain = by_value ? -outcome.value.value_or(0) : outcome.strain;
+    return std::tuple(!by_value && !outcome.passed, !outcome.value.has_value(), strain);
+  };
+  return std::max_element(outcomes.begin(), outcomes.end(),
+                          [&](const Outcome& a, const Outcome& b) {
+                            return badness(a) < badness(b);
+                          })
+      ->value;
+}
+
 /// Makes one outcome of many: the failures, or where there are none the narrowest success.
 Outcome Judge::Combine(const Case& each, const std::vector<Outcome>& outcomes) const {
   if (outcomes.empty()) return {.passed = false, .strain = 0, .numbers = "no such vehicle"};
@@ -516,14 +550,16 @@ Outcome Judge::Combine(const Case& each, const std::vector<Outcome>& outcomes) c
   if (num_failed == 0) {
     return {.passed = true,
             .strain = 0,
-            .numbers = fmt::format("all {}; narrowest {}", outcomes.size(), with_name(narrowest))};
+            .numbers = fmt::format("all {}; narrowest {}", outcomes.size(), with_name(narrowest)),
+            .value = WorstValue(each, outcomes)};
   }
   if (num_failed > kMaxFailuresShown) {
     failures += fmt::format("; and {} more", num_failed - kMaxFailuresShown);
   }
   return {.passed = false,
           .strain = 0,
-          .numbers = fmt::format("{} of {} failed: {}", num_failed, outcomes.size(), failures)};
+          .numbers = fmt::format("{} of {} failed: {}", num_failed, outcomes.size(), failures),
+          .value = WorstValue(each, outcomes)};
 }
 
 std::vector<size_t> Judge::VehiclesNamed(std::string_view name) const {

@@ -14,6 +14,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -39,6 +40,10 @@ struct ExpectationVerdict {
   std::string text;   ///< What was expected.
   bool passed = false;
   std::string numbers;  ///< What decided; on failure by how much: "closest: alpha-bravo 7.3 m ...".
+  /// The number that decided; of several vehicles the worst one's, which is the one that has none
+  /// where there is such a one. Absent: an arrival that never was, nothing offered, nothing seen.
+  std::optional<double> value = {};
+  std::string_view unit = {};  ///< Of `value`: UnitOf. Of static storage.
 };
 
 /// What a helm reported last.
@@ -112,6 +117,7 @@ class Judge {
   }
 
   const Sighting& sighting(size_t vehicle) const { return sightings_[vehicle]; }
+  std::span<const Sighting> sightings() const { return sightings_; }
   /// Returns how far the vehicle went, from one position taken to the next.
   double travelled_m(size_t vehicle) const { return travelled_m_[vehicle]; }
   /// Returns what the vehicle's helm reported last, or nothing.
@@ -147,6 +153,7 @@ class Judge {
   void WatchExtremes(Case* each, double time_s) const;
   Outcome FindLaps(const LapsExpectation& expected, const LapsWatch& watch) const;
   std::vector<Outcome> FindForVehicles(const Case& each) const;
+  static std::optional<double> WorstValue(const Case& each, const std::vector<Outcome>& outcomes);
   Outcome Combine(const Case& each, const std::vector<Outcome>& outcomes) const;
 
   const Mission& mission_;
