@@ -34,8 +34,8 @@ struct SampledKey {
   SampleKind kind = SampleKind::kUniform;
   double first = 0;                  ///< Uniform: from. Normal: the mean.
   double second = 0;                 ///< Uniform: to. Normal: the standard deviation.
-  bool is_integer = false;           ///< Uniform between two integers, both included.
-  std::vector<std::string> choices;  ///< As TOML writes them.
+  bool is_integer = false;           ///< Of kUniform: whole numbers, both ends included.
+  std::vector<std::string> choices = {};  ///< As TOML writes them.
 };
 
 /// Sets of settings to compare.

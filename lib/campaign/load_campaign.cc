@@ -32,7 +32,8 @@ constexpr size_t kMostCases = 100'000;
 constexpr std::array<std::string_view, 6> kTables = {"campaign", "sweep",   "sample",
                                                      "policy",   "metrics", "stop"};
 constexpr std::array<std::string_view, 3> kRangeKeys = {"from", "to", "steps"};
-constexpr std::array<std::string_view, 3> kDistributions = {"uniform", "normal", "choice"};
+constexpr std::array<std::string_view, 4> kDistributions = {"uniform", "integer", "normal",
+                                                            "choice"};
 constexpr std::array<std::string_view, 2> kSpendings = {"obrien_fleming", "pocock"};
 
 /// A key of a mission with what the campaign file gives for it.
@@ -256,8 +257,9 @@ class CampaignReader {
                                 : std::get_if<Array>(&distribution->front().value.data);
       if (numbers == nullptr) {
         problems_.Add(item.value->place,
-                      fmt::format("'{}' needs one distribution: {{uniform = [FROM, TO]}}, {{normal "
-                                  "= [MEAN, STANDARD DEVIATION]}} or {{choice = [A, B, ...]}}",
+                      fmt::format("'{}' needs one distribution: {{uniform = [FROM, TO]}}, {{integer "
+                                  "= [FROM, TO]}}, {{normal = [MEAN, STANDARD DEVIATION]}} or "
+                                  "{{choice = [A, B, ...]}}",
                                   item.key));
         continue;
       }
@@ -285,22 +287,24 @@ class CampaignReader {
       if (integer != nullptr) numbers.push_back(static_cast<double>(*integer));
       if (number != nullptr && std::isfinite(*number)) numbers.push_back(*number);
     }
-    const bool is_uniform = key.kind == SampleKind::kUniform;
-    if (numbers.size() != 2 || values.size() != 2) {
+    key.is_integer = distribution.key == "integer";
+    if (numbers.size() != 2 || values.size() != 2 || (key.is_integer && !all_integers)) {
       problems_.Add(distribution.value.place,
-                    is_uniform ? "uniform = [FROM, TO] takes two finite numbers"
-                               : "normal = [MEAN, STANDARD DEVIATION] takes two finite numbers");
+                    key.kind == SampleKind::kNormal
+                        ? "normal = [MEAN, STANDARD DEVIATION] takes two finite numbers"
+                        : fmt::format("{} = [FROM, TO] takes two {} numbers", distribution.key,
+                                      key.is_integer ? "whole" : "finite"));
       return;
     }
-    if (is_uniform ? numbers[1] <= numbers[0] : numbers[1] < 0) {
+    if (key.kind == SampleKind::kNormal ? numbers[1] < 0 : numbers[1] <= numbers[0]) {
       problems_.Add(distribution.value.place,
-                    is_uniform ? "uniform = [FROM, TO]: TO must be larger than FROM"
-                               : "normal: the standard deviation must not be negative");
+                    key.kind == SampleKind::kNormal
+                        ? "normal: the standard deviation must not be negative"
+                        : distribution.key + " = [FROM, TO]: TO must be larger than FROM");
       return;
     }
     key.first = numbers[0];
     key.second = numbers[1];
-    key.is_integer = is_uniform && all_integers;
     campaign_.samples.push_back(std::move(key));
   }
 

@@ -1,7 +1,8 @@
 #include "lib/campaign/worker_pool.h"
 
-#include <fmt/format.h>
+
 #include <gtest/gtest.h>
+#include <fcntl.h>
 #include <signal.h>
 #include <unistd.h>
 

@@ -24,7 +24,7 @@ struct RunOptions {
   std::string record_dir;        ///< Empty: no recording.
   bool lcm_logger = false;       ///< Stock lcm-logger on each bus, beside the recorder.
   double lose = 0;               ///< Fault injection, handed to every participant.
-  std::string lose_forever;
+  std::string lose_forever = {};
   bool quiet = false;               ///< No progress line.
   std::optional<ViewOptions> view;  ///< A viewer beside the mission.
 };
