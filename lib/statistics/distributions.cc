@@ -28,14 +28,23 @@ double RegularizedBeta(double a, double b, double x) {
 
 double BetaQuantile(double a, double b, double probability) {
   SHOAL_CHECK(probability >= 0 && probability <= 1, "a probability is in [0, 1]");
+  if (probability == 0 || probability == 1) return probability;
+  const double log_scale = std::lgamma(a + b) - std::lgamma(a) - std::lgamma(b);
   double low = 0;
   double high = 1;
-  // Halves until no number lies between.
-  while (true) {
-    const double middle = (low + high) / 2;
-    if (middle <= low || middle >= high) return high;
-    (RegularizedBeta(a, b, middle) < probability ? low : high) = middle;
+  double x = a / (a + b);
+  // Newton's steps where they stay between the bounds, else halves.
+  for (int i = 0; i < 200; ++i) {
+    const double excess = RegularizedBeta(a, b, x) - probability;
+    (excess < 0 ? low : high) = x;
+    const double density = std::exp(log_scale + (a - 1) * std::log(x) + (b - 1) * std::log1p(-x));
+    double next = x - excess / density;
+    if (!(next > low && next < high)) next = (low + high) / 2;
+    const double step = std::abs(next - x);
+    x = next;
+    if (step <= 1e-15 * x) break;
   }
+  return x;
 }
 
 double StudentTwoSidedTail(double degrees, double t) {
