@@ -23,6 +23,31 @@ Mission LoadFile(const std::string& name, const std::vector<std::string>& overri
   return loaded.mission;
 }
 
+constexpr char kEndsWithItsTasks[] = R"([mission]
+duration_s = 200
+[[vehicle]]
+name = "alpha"
+helm_options = { deploy_at_start = true, end_of_tasks = "end_mission" }
+[[vehicle.task]]
+kind = "waypoints"
+points = [[40, 0]]
+speed_mps = 2
+[[vehicle]]
+name = "bravo"
+start = { x_m = 50, y_m = 40 }
+[[expect]]
+kind = "arrival"
+vehicle = "alpha"
+point = [40, 0]
+within_m = 0.001
+)";
+
+Mission LoadText(const std::string& text, const std::vector<std::string>& overrides = {}) {
+  const LoadedMission loaded = LoadMissionText(text, "m.toml", overrides);
+  EXPECT_TRUE(loaded.errors.empty()) << loaded.errors.front();
+  return loaded.mission;
+}
+
 /// Metrics of every kind that any mission has.
 std::vector<MetricSpec> AnyMetrics(const Mission& mission) {
   const std::string& first = mission.vehicles.front().name;
@@ -87,7 +112,7 @@ TEST(JudgeLog, AgreesWithTheSimulationOfSurfaceCraft) {
 
 TEST(JudgeLog, AgreesWithTheSimulationOfAFormation) {
   EXPECT_EQ(ExpectSame(LoadFile("swarm_direct.toml", {"mission.duration_s=300"}), "swarm_direct"),
-            4 + 13);
+            4 + 14);
 }
 
 TEST(JudgeLog, AgreesWithTheSimulationOfAcousticReports) {
@@ -100,46 +125,27 @@ TEST(JudgeLog, AgreesWithTheSimulationOfASwarm) {
 }
 
 TEST(JudgeLog, AgreesWithTheSimulationOfMediaAndGateways) {
-  EXPECT_GE(ExpectSame(LoadFile("search_gateway.toml", {"mission.duration_s=200"}), "gateway"), 12);
+  EXPECT_GE(ExpectSame(LoadFile("search_gateway.toml"), "gateway"), 12);
 }
 
 TEST(JudgeLog, AgreesWithTheSimulationOfAMissionThatEndsWithItsTasks) {
-  const LoadedMission loaded = LoadMissionText(R"([mission]
-duration_s = 200
-[[vehicle]]
-name = "alpha"
-helm_options = { deploy_at_start = true, end_of_tasks = "end_mission" }
-[[vehicle.task]]
-kind = "waypoints"
-points = [[40, 0]]
-speed_mps = 2
-[[vehicle]]
-name = "bravo"
-start = { x_m = 50, y_m = 40 }
-[[expect]]
-kind = "arrival"
-vehicle = "alpha"
-point = [40, 0]
-within_m = 0.001
-)",
-                                               "m.toml");
-  ASSERT_TRUE(loaded.errors.empty()) << loaded.errors.front();
+  const Mission mission = LoadText(kEndsWithItsTasks);
   int64_t last_step = 0;
   const TrialResult result =
-      RunTrial(loaded.mission, {}, [&](int64_t step) { last_step = step; });
+      RunTrial(mission, {}, [&](int64_t step) { last_step = step; });
   EXPECT_LT(last_step, 1000) << "it ends before its time";
   EXPECT_NE(result.why, "");
-  EXPECT_GE(ExpectSame(loaded.mission, "ends"), 10);
+  EXPECT_GE(ExpectSame(mission, "ends"), 10);
 }
 
 TEST(JudgeLog, IsAnErrorWhereTheLogEndsTooEarlyOrIsNone) {
-  const Mission mission = LoadFile("berta.toml", {"mission.duration_s=20"});
+  const Mission mission = LoadText(kEndsWithItsTasks, {"mission.duration_s=5"});
   const std::string path = testing::TempDir() + "/judge_log_test_short.lcm";
   const TrialResult whole = RunTrial(mission, {}, {}, path);
   EXPECT_NE(whole.outcome, TrialOutcome::kError);
-  const Mission longer = LoadFile("berta.toml", {"mission.duration_s=21"});
+  const Mission longer = LoadText(kEndsWithItsTasks, {"mission.duration_s=6"});
   EXPECT_EQ(JudgeLog(longer, {}, path).why,
-            path + ": the log ends before the mission does, which lasts 21 s");
+            path + ": the log ends before the mission does, which lasts 6 s");
   std::filesystem::resize_file(path, std::filesystem::file_size(path) - 3);
   const TrialResult torn = JudgeLog(mission, {}, path);
   EXPECT_EQ(torn.outcome, TrialOutcome::kError);

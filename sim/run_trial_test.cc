@@ -2,6 +2,7 @@
 #include "sim/run_trial.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -30,7 +31,7 @@ Mission LoadFile(const std::string& name, const std::vector<std::string>& overri
 }
 
 std::string LogPath(const std::string& name) {
-  return testing::TempDir() + "/run_trial_test_" + name + ".lcm";
+  return testing::TempDir() + "/run_trial_test_" + std::to_string(getpid()) + name + ".lcm";
 }
 
 std::string ContentOf(const std::string& path) {
@@ -207,8 +208,7 @@ start = { x_m = 1 }
 }
 
 TEST(RunTrial, IsAnErrorWhereTheLogCannotBeWritten) {
-  const TrialResult result =
-      RunTrial(LoadFile("berta.toml", {"mission.duration_s=5"}), {}, {}, "/nowhere/at/all.lcm");
+  const TrialResult result = RunTrial(LoadFile("berta.toml"), {}, {}, "/nowhere/at/all.lcm");
   EXPECT_EQ(result.outcome, TrialOutcome::kError);
   EXPECT_NE(result.why.find("/nowhere/at/all.lcm"), std::string::npos) << result.why;
   EXPECT_TRUE(result.metrics.empty());

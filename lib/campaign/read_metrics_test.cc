@@ -68,9 +68,9 @@ TEST(ReadMetrics, SuggestsTheNearestKindKeyAndWord) {
   EXPECT_EQ(ErrorOf("a = { kind = \"closest_aproach\" }"),
             "c.toml:2:14: unknown kind 'closest_aproach' (did you mean 'closest_approach'?)");
   EXPECT_EQ(ErrorOf("a = { kind = \"energy\", vehicel = \"alpha\" }"),
-            "c.toml:2:24: unknown key 'vehicel' in metric 'a' (did you mean 'vehicle'?)");
-  EXPECT_EQ(ErrorOf("a = { kind = \"formation_error\", reduce = \"maximum\" }"),
-            "c.toml:2:42: unknown reduce 'maximum' (did you mean 'max'?)");
+            "c.toml:2:24: unknown key 'vehicel' (did you mean 'vehicle'?)");
+  EXPECT_EQ(ErrorOf("a = { kind = \"formation_error\", reduce = \"maen\" }"),
+            "c.toml:2:42: unknown reduce 'maen' (did you mean 'mean'?)");
 }
 
 TEST(ReadMetrics, RefusesWhatAKindDoesNotHave) {
@@ -126,8 +126,8 @@ TEST(ReadMetrics, FindsAllErrorsInOneGo) {
 TEST(ReadMetrics, RefusesWhatIsNoTable) {
   const MetricsOfText read = ReadMetricsText("metrics = 3\n");
   ASSERT_EQ(read.errors.size(), 1U);
-  EXPECT_EQ(read.errors[0], "c.toml:1:11: metrics must be a table like [metrics], not the number "
-                            "3");
+  EXPECT_EQ(read.errors[0], "c.toml:1:11: metrics must be a table like [metrics], not a whole "
+                            "number");
 }
 
 }  // namespace shoal::read_metrics_test

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <optional>
 #include <string>
@@ -22,7 +23,6 @@ constexpr int64_t kSecond_us = 1'000'000;
 
 constexpr char kThree[] = R"([mission]
 duration_s = 100
-tick_s = 1
 [[vehicle]]
 name = "alpha"
 [[vehicle]]
@@ -80,8 +80,9 @@ class Trial {
 
  private:
   static Mission Load(const std::string& text) {
-    const LoadedMission loaded = LoadMissionText(text, "m.toml");
+    LoadedMission loaded = LoadMissionText(text, "m.toml");
     EXPECT_TRUE(loaded.errors.empty()) << loaded.errors.front();
+    loaded.mission.tick_us = kSecond_us;  // For short tests.
     return loaded.mission;
   }
 
@@ -354,7 +355,6 @@ TEST(ReportAges, LeaveOutTimesThatNoMissionHas) {
 
 constexpr char kSwarm[] = R"([mission]
 duration_s = 100
-tick_s = 0.2
 [acoustics]
 access_mode = "tdma"
 [swarm]
