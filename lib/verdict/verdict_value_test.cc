@@ -168,7 +168,7 @@ TEST_F(VerdictValue, OfEncountersIsTheClosestAndTheLowestScore) {
   ASSERT_TRUE(Only().value.has_value());
   EXPECT_NEAR(*Only().value, 20, 1e-6);
   EXPECT_EQ(Only().unit, "m");
-  pass(&For(EncounterScoreExpectation{.at_least = 0}));
+  pass(&For(EncounterScoreExpectation{.at_least = 0, .role = {}}));
   ASSERT_TRUE(Only().value.has_value());
   EXPECT_GT(*Only().value, 0);
   EXPECT_NE(Only().numbers.find(fmt::format(" {:.1f}, closest", *Only().value)), std::string::npos)
