@@ -80,17 +80,15 @@ std::optional<int> PrepareCampaign(const std::string& file, PreparedCampaign* pr
 double MeasureTrials(const CampaignFolder& folder, const std::string& scratch) {
   constexpr int64_t kMostTrials = 4;
   constexpr double kLongest_s = 3;
-  const auto most =
-      std::min(kMostTrials, static_cast<int64_t>(folder.plan.cases.size()) * folder.campaign.repetitions);
-  WorkerPool pool({.num_workers = 1,
-                   .timeout_s = folder.campaign.timeout_s,
-                   .metrics = folder.plan.metrics},
-                  [&](const TrialJob& job, TrialProgress* progress) {
-                    return RunOneTrial(
-                        folder, job, "",
-                        [&](const TrialInput& input) { return RunCampaignTrial(input, scratch); },
-                        progress);
-                  });
+  const auto most = std::min(
+      kMostTrials, static_cast<int64_t>(folder.plan.cases.size()) * folder.campaign.repetitions);
+  WorkerPool pool(
+      {.num_workers = 1, .timeout_s = folder.campaign.timeout_s, .metrics = folder.plan.metrics},
+      [&](const TrialJob& job, TrialProgress* progress) {
+        return RunOneTrial(
+            folder, job, "",
+            [&](const TrialInput& input) { return RunCampaignTrial(input, scratch); }, progress);
+      });
   double total_s = 0;
   int64_t count = 0;
   while (count < most && total_s < kLongest_s) {
@@ -107,17 +105,17 @@ double MeasureTrials(const CampaignFolder& folder, const std::string& scratch) {
 }
 
 int64_t CountOutcomes(const CampaignResults& results, TrialOutcome outcome) {
-  return std::count_if(results.rows.begin(), results.rows.end(), [outcome](const TrialRow& row) {
-    return row.result.outcome == outcome;
-  });
+  return std::count_if(results.rows.begin(), results.rows.end(),
+                       [outcome](const TrialRow& row) { return row.result.outcome == outcome; });
 }
 
 /// "1000 trials: 986 pass, 14 fail, 0 error, 0 timeout"
 std::string CountsText(const CampaignResults& results) {
   std::string text = fmt::format("{} trials", results.rows.size());
   for (size_t i = 0; i < std::size(kTrialOutcomeNames); ++i) {
-    text += fmt::format("{} {} {}", i == 0 ? ":" : ",",
-                        CountOutcomes(results, static_cast<TrialOutcome>(i)), kTrialOutcomeNames[i]);
+    text +=
+        fmt::format("{} {} {}", i == 0 ? ":" : ",",
+                    CountOutcomes(results, static_cast<TrialOutcome>(i)), kTrialOutcomeNames[i]);
   }
   if (results.num_beyond_stop > 0) {
     text += fmt::format("; {} more beyond the look at which their case stopped",
@@ -132,8 +130,8 @@ void PrintTroubles(const CampaignResults& results) {
   int num_shown = 0;
   std::set<std::string> shown;
   for (const TrialRow& row : results.rows) {
-    const bool is_trouble = row.result.outcome == TrialOutcome::kError ||
-                            row.result.outcome == TrialOutcome::kTimeout;
+    const bool is_trouble =
+        row.result.outcome == TrialOutcome::kError || row.result.outcome == TrialOutcome::kTimeout;
     if (!is_trouble || !shown.insert(row.result.why).second) continue;
     const CampaignCase& each = results.cases[row.case_number];
     fmt::print(stderr, "{} {}: {}: {}\n", TrialName({each.id, row.repetition}),
@@ -226,7 +224,8 @@ int RunCampaignRun(const CampaignRunCommand& command) {
   PrintTroubles(*results);
   const bool is_complete = run.num_finished >= run.num_planned;
   if (!is_complete) {
-    fmt::print(stderr, "shoal: {} of {} trials of shard {}/{} are missing; the same command goes on\n",
+    fmt::print(stderr,
+               "shoal: {} of {} trials of shard {}/{} are missing; the same command goes on\n",
                run.num_planned - run.num_finished, run.num_planned, options.shard.number,
                options.shard.count);
   }
@@ -281,17 +280,19 @@ int RunCampaignReplay(const CampaignReplayOptions& options) {
   }
   const std::string build = BuildId();
   if (folder->plan.build != build && !options.allow_build) {
-    fmt::print(stderr,
-               "shoal: {} was run with another build ({}; this one is {}): the trial may go another "
-               "way; --allow-build runs it all the same\n",
-               options.dir, folder->plan.build, build);
+    fmt::print(
+        stderr,
+        "shoal: {} was run with another build ({}; this one is {}): the trial may go another "
+        "way; --allow-build runs it all the same\n",
+        options.dir, folder->plan.build, build);
     return kExitUsage;
   }
   const MadePlan made = MakePlan(folder->campaign, folder->plan.build);
   const auto& cases = folder->plan.cases;
-  const auto number = static_cast<size_t>(
-      std::find_if(cases.begin(), cases.end(), [&](const auto& each) { return each.id == key->case_id; }) -
-      cases.begin());
+  const auto number =
+      static_cast<size_t>(std::find_if(cases.begin(), cases.end(),
+                                       [&](const auto& each) { return each.id == key->case_id; }) -
+                          cases.begin());
   if (number >= made.plan.cases.size() || made.plan.cases[number].id != key->case_id) {
     PrintErrors(made.errors);
     fmt::print(stderr, "shoal: the mission {} is not what it was when {} was run\n",

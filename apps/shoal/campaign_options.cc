@@ -69,7 +69,8 @@ void AddCampaignCheck(CLI::App* campaign, std::function<int()>* action) {
   auto options = std::make_shared<CampaignCheckOptions>();
   command->add_option("FILE", options->file, "Campaign file")->required();
   AddJobs(command, &options->num_jobs);
-  command->callback([options, action] { *action = [options] { return RunCampaignCheck(*options); }; });
+  command->callback(
+      [options, action] { *action = [options] { return RunCampaignCheck(*options); }; });
 }
 
 void AddCampaignRun(CLI::App* campaign, std::function<int()>* action) {
@@ -84,7 +85,8 @@ void AddCampaignRun(CLI::App* campaign, std::function<int()>* action) {
   };
   auto parsed = std::make_shared<Parsed>();
   command->add_option("FILE", parsed->command.file, "Campaign file")->required();
-  command->add_option("--out", parsed->command.out, "Folder of the results; made where it is missing")
+  command
+      ->add_option("--out", parsed->command.out, "Folder of the results; made where it is missing")
       ->required();
   parsed->command.run.num_jobs = 0;
   AddJobs(command, &parsed->command.run.num_jobs);
@@ -94,16 +96,16 @@ void AddCampaignRun(CLI::App* campaign, std::function<int()>* action) {
         return fmt::format("'{}' is not K/N with K from 1 to N, such as 2/4", text);
       });
   command
-      ->add_option("--max-time", parsed->max_time,
-                   "Begin no trial after this time: 90s, 15m, 2h")
+      ->add_option("--max-time", parsed->max_time, "Begin no trial after this time: 90s, 15m, 2h")
       ->check([](const std::string& text) -> std::string {
         if (ParseDuration(text)) return "";
         return fmt::format("'{}' is no time such as 90s, 15m or 2h", text);
       });
   command
-      ->add_option("--keep", parsed->keep,
-                   "Record trials that did not pass: failures (all), none, or the first N; default: "
-                   "10")
+      ->add_option(
+          "--keep", parsed->keep,
+          "Record trials that did not pass: failures (all), none, or the first N; default: "
+          "10")
       ->check([](const std::string& text) -> std::string {
         if (ParseKeep(text)) return "";
         return fmt::format("'{}' is neither failures nor none nor a number", text);
@@ -123,8 +125,7 @@ void AddCampaignRun(CLI::App* campaign, std::function<int()>* action) {
 }
 
 void AddCampaignReplay(CLI::App* campaign, std::function<int()>* action) {
-  CLI::App* command =
-      campaign->add_subcommand("replay", "Run one trial again, with a recording");
+  CLI::App* command = campaign->add_subcommand("replay", "Run one trial again, with a recording");
   auto options = std::make_shared<CampaignReplayOptions>();
   AddFolder(command, &options->dir);
   command->add_option("TRIAL", options->trial, "CASE-REPETITION, as reports name it")->required();
@@ -137,7 +138,7 @@ void AddCampaignReplay(CLI::App* campaign, std::function<int()>* action) {
 }
 
 void AddCampaignOfFolder(CLI::App* campaign, const std::string& name, const std::string& text,
-                 int (*run)(const std::string&), std::function<int()>* action) {
+                         int (*run)(const std::string&), std::function<int()>* action) {
   CLI::App* command = campaign->add_subcommand(name, text);
   auto dir = std::make_shared<std::string>();
   AddFolder(command, dir.get());
@@ -152,9 +153,10 @@ void AddCampaignCommands(CLI::App& cli, std::function<int()>* action) {
   campaign->require_subcommand(1);
   AddCampaignCheck(campaign, action);
   AddCampaignRun(campaign, action);
-  AddCampaignOfFolder(campaign, "status", "Show how far a campaign is, in a line", RunCampaignStatus, action);
+  AddCampaignOfFolder(campaign, "status", "Show how far a campaign is, in a line",
+                      RunCampaignStatus, action);
   AddCampaignOfFolder(campaign, "reduce", "Make results.csv and results.sqlite from the shards",
-              RunCampaignReduce, action);
+                      RunCampaignReduce, action);
   AddCampaignReplay(campaign, action);
 }
 

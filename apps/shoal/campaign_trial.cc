@@ -59,7 +59,7 @@ TrialResult RunInProcesses(const TrialInput& input, const std::string& scratch) 
   std::filesystem::create_directories(folder, error);
   std::filesystem::create_directories(std::filesystem::path(record_dir).parent_path(), error);
   const std::string program = std::filesystem::read_symlink("/proc/self/exe", error).string();
-  std::vector<std::string> argv = {program, "run",   input.mission.file, "--warp",
+  std::vector<std::string> argv = {program, "run",     input.mission.file, "--warp",
                                    "max",   "--quiet", "--record",         record_dir};
   for (const std::string& text : input.overrides) {
     argv.emplace_back("--set");
@@ -86,8 +86,8 @@ TrialResult RunInProcesses(const TrialInput& input, const std::string& scratch) 
       result = ErrorBecause(fmt::format("shoal run failed: {}", fmt::join(exit.last_lines, "; ")));
     }
   } else {
-    result = ErrorBecause(
-        fmt::format("shoal run {}: {}", exit.how, fmt::join(exit.last_lines, "; ")));
+    result =
+        ErrorBecause(fmt::format("shoal run {}: {}", exit.how, fmt::join(exit.last_lines, "; ")));
   }
   std::filesystem::remove_all(folder, error);
   return result;
@@ -97,7 +97,8 @@ TrialResult RunInProcesses(const TrialInput& input, const std::string& scratch) 
 
 TrialScratch::TrialScratch() {
   std::error_code error;
-  std::string path = (std::filesystem::temp_directory_path(error) / "shoal-campaign-XXXXXX").string();
+  std::string path =
+      (std::filesystem::temp_directory_path(error) / "shoal-campaign-XXXXXX").string();
   if (mkdtemp(path.data()) != nullptr) path_ = path;
 }
 

@@ -32,9 +32,9 @@ enum class SampleKind { kUniform, kNormal, kChoice };
 struct SampledKey {
   std::string key;
   SampleKind kind = SampleKind::kUniform;
-  double first = 0;                  ///< Uniform: from. Normal: the mean.
-  double second = 0;                 ///< Uniform: to. Normal: the standard deviation.
-  bool is_integer = false;           ///< Of kUniform: whole numbers, both ends included.
+  double first = 0;                       ///< Uniform: from. Normal: the mean.
+  double second = 0;                      ///< Uniform: to. Normal: the standard deviation.
+  bool is_integer = false;                ///< Of kUniform: whole numbers, both ends included.
   std::vector<std::string> choices = {};  ///< As TOML writes them.
 };
 
@@ -67,9 +67,9 @@ struct Campaign {
   double confidence = 0.95;     ///< Of the report's intervals.
   std::vector<SweepAxis> sweep;
   std::vector<SampledKey> samples;
-  std::vector<Policy> policies;  ///< One without a name where the file has none.
+  std::vector<Policy> policies;     ///< One without a name where the file has none.
   std::vector<MetricSpec> metrics;  ///< As they are written: Plan has them checked.
-  Value metrics_table;  ///< What `metrics` was read from, for messages about it.
+  Value metrics_table;              ///< What `metrics` was read from, for messages about it.
   std::optional<StopRule> stop;
 };
 

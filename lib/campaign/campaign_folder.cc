@@ -62,7 +62,8 @@ std::string ReplaceFile(const std::string& path, const std::string& text) {
   if (out) std::filesystem::rename(part, path, error);
   if (out && !error) return {};
   std::filesystem::remove(part, error);
-  return fmt::format("{}: cannot be written: is the disk full, or the folder another user's?", path);
+  return fmt::format("{}: cannot be written: is the disk full, or the folder another user's?",
+                     path);
 }
 
 bool IsCaseId(const std::string& text) {
@@ -101,9 +102,10 @@ std::string ReadFacts(const std::string& text, CampaignFolder* folder) {
 std::string WhyNotTheSame(const CampaignFolder& folder, const Campaign& campaign,
                           const Plan& plan) {
   if (folder.plan.build != plan.build) {
-    return fmt::format("it holds results of another build of shoal ({}; this one is {}): results of "
-                       "two builds are not mixed",
-                       folder.plan.build, plan.build);
+    return fmt::format(
+        "it holds results of another build of shoal ({}; this one is {}): results of "
+        "two builds are not mixed",
+        folder.plan.build, plan.build);
   }
   if (SweepKeys(folder.campaign) != SweepKeys(campaign)) {
     return "its campaign sweeps other keys";
@@ -116,20 +118,23 @@ std::string WhyNotTheSame(const CampaignFolder& folder, const Campaign& campaign
       return other.values == each.values && other.policy == each.policy;
     });
     if (same == plan.cases.end()) {
-      return fmt::format("it has the case {}, which the campaign file has no more: its results would "
-                         "be dropped",
-                         CaseText(folder.campaign, each));
+      return fmt::format(
+          "it has the case {}, which the campaign file has no more: its results would "
+          "be dropped",
+          CaseText(folder.campaign, each));
     }
     if (same->id != each.id) {
-      return fmt::format("it holds results of another text of the mission {} or of the policy (case "
-                         "{})",
-                         campaign.mission_file, CaseText(campaign, each));
+      return fmt::format(
+          "it holds results of another text of the mission {} or of the policy (case "
+          "{})",
+          campaign.mission_file, CaseText(campaign, each));
     }
   }
   if (campaign.repetitions < folder.campaign.repetitions) {
-    return fmt::format("it was made with {} repetitions, the campaign file has {} now: results would "
-                       "be dropped",
-                       folder.campaign.repetitions, campaign.repetitions);
+    return fmt::format(
+        "it was made with {} repetitions, the campaign file has {} now: results would "
+        "be dropped",
+        folder.campaign.repetitions, campaign.repetitions);
   }
   return {};
 }
@@ -147,9 +152,8 @@ void AddTrial(FinishedTrial trial, std::map<int64_t, FinishedTrial>* trials,
   const auto [there, is_new] = trials->try_emplace(repetition, trial);
   if (is_new || there->second.attempt > trial.attempt) return;
   // A trial that ran out of wall time here may have ended there.
-  const bool is_timed =
-      trial.result.outcome == TrialOutcome::kTimeout ||
-      there->second.result.outcome == TrialOutcome::kTimeout;
+  const bool is_timed = trial.result.outcome == TrialOutcome::kTimeout ||
+                        there->second.result.outcome == TrialOutcome::kTimeout;
   if (there->second.attempt == trial.attempt && !is_timed &&
       !AreSame(there->second.result, trial.result)) {
     differing->push_back(trial.key);
@@ -174,9 +178,10 @@ Result<CampaignFolder> ReadCampaignFolder(const std::string& path) {
   const std::filesystem::path folder_path(path);
   std::error_code ignored;
   if (!std::filesystem::exists(folder_path / kFacts, ignored)) {
-    return Error{fmt::format("{}: is no campaign's folder: it holds no {}; `shoal campaign run FILE "
-                             "--out {}` makes one",
-                             path, kFacts, path)};
+    return Error{
+        fmt::format("{}: is no campaign's folder: it holds no {}; `shoal campaign run FILE "
+                    "--out {}` makes one",
+                    path, kFacts, path)};
   }
   CampaignFolder folder;
   folder.path = path;
@@ -196,9 +201,10 @@ Result<CampaignFolder> ReadCampaignFolder(const std::string& path) {
     }
   }
   if (!problem.empty()) {
-    return Error{fmt::format("{}/{}: {}; take the file from a copy, or run the campaign into a new "
-                             "folder",
-                             path, kFacts, problem)};
+    return Error{
+        fmt::format("{}/{}: {}; take the file from a copy, or run the campaign into a new "
+                    "folder",
+                    path, kFacts, problem)};
   }
   return folder;
 }
@@ -225,8 +231,8 @@ Result<CampaignFolder> OpenCampaignFolder(const std::string& path, const LoadedC
     for (const auto& entry : std::filesystem::directory_iterator(folder_path, error)) {
       const std::string name = entry.path().filename().string();
       if (name == "shards" || name == "lock") continue;
-      return Error{fmt::format("{}: holds other files ({}) and no campaign: give --out a new folder",
-                               path, name)};
+      return Error{fmt::format(
+          "{}: holds other files ({}) and no campaign: give --out a new folder", path, name)};
     }
   }
   const std::string facts = JsonOf(loaded, plan);

@@ -39,15 +39,16 @@ std::string CampaignProgress::Line(int64_t num_finished, int64_t num_planned,
   const auto num_run =
       static_cast<double>(std::accumulate(counts_.begin(), counts_.end(), int64_t{0}));
   const double rate = num_run / wall_s;
-  std::string line = fmt::format(
-      "{} of {} ({:.0f} %)  {:.3g} per s", num_finished, num_planned,
-      100.0 * static_cast<double>(num_finished) / static_cast<double>(std::max<int64_t>(num_planned, 1)),
-      rate);
+  std::string line = fmt::format("{} of {} ({:.0f} %)  {:.3g} per s", num_finished, num_planned,
+                                 100.0 * static_cast<double>(num_finished) /
+                                     static_cast<double>(std::max<int64_t>(num_planned, 1)),
+                                 rate);
   for (size_t i = 0; i < counts_.size(); ++i) {
     line += fmt::format("  {} {}", counts_[i], kTrialOutcomeNames[i]);
   }
   if (rate > 0) {
-    line += fmt::format("  {} left", Duration(static_cast<double>(num_planned - num_finished) / rate));
+    line +=
+        fmt::format("  {} left", Duration(static_cast<double>(num_planned - num_finished) / rate));
   }
   return line;
 }

@@ -141,14 +141,16 @@ class CampaignReader {
       return false;
     }
     if (item.key == "mission.seed") {
-      problems_.Add(item.place, "the seed follows from [campaign] seed and the repetition: leave "
-                                "mission.seed out");
+      problems_.Add(item.place,
+                    "the seed follows from [campaign] seed and the repetition: leave "
+                    "mission.seed out");
       return false;
     }
     const auto [known, is_new] = taken_.emplace(item.key, where);
     if (is_new || (is_of_policy && known->second == where)) return true;
-    problems_.Add(item.place, fmt::format("'{}' stands in {} as well: a trial would have two values",
-                                          item.key, known->second));
+    problems_.Add(item.place,
+                  fmt::format("'{}' stands in {} as well: a trial would have two values", item.key,
+                              known->second));
     return false;
   }
 
@@ -235,10 +237,10 @@ class CampaignReader {
       if (texts.empty()) continue;
       if (axis.keys.empty()) axis.values.resize(texts.size());
       if (texts.size() != axis.values.size()) {
-        problems_.Add(item.place, fmt::format("'{}' has {} values and '{}' has {}: keys that vary "
-                                              "together have the same number",
-                                              item.key, texts.size(), axis.keys.front(),
-                                              axis.values.size()));
+        problems_.Add(item.place,
+                      fmt::format("'{}' has {} values and '{}' has {}: keys that vary "
+                                  "together have the same number",
+                                  item.key, texts.size(), axis.keys.front(), axis.values.size()));
         continue;
       }
       axis.keys.push_back(item.key);
@@ -256,11 +258,12 @@ class CampaignReader {
                                 ? nullptr
                                 : std::get_if<Array>(&distribution->front().value.data);
       if (numbers == nullptr) {
-        problems_.Add(item.value->place,
-                      fmt::format("'{}' needs one distribution: {{uniform = [FROM, TO]}}, {{integer "
-                                  "= [FROM, TO]}}, {{normal = [MEAN, STANDARD DEVIATION]}} or "
-                                  "{{choice = [A, B, ...]}}",
-                                  item.key));
+        problems_.Add(
+            item.value->place,
+            fmt::format("'{}' needs one distribution: {{uniform = [FROM, TO]}}, {{integer "
+                        "= [FROM, TO]}}, {{normal = [MEAN, STANDARD DEVIATION]}} or "
+                        "{{choice = [A, B, ...]}}",
+                        item.key));
         continue;
       }
       if (!TakeKey(item, "[sample]", false)) continue;
@@ -273,7 +276,8 @@ class CampaignReader {
     if (distribution.key == "choice") {
       key.kind = SampleKind::kChoice;
       for (const Value& value : values) key.choices.push_back(TomlText(value));
-      if (values.empty()) problems_.Add(distribution.value.place, "choice needs at least one value");
+      if (values.empty())
+        problems_.Add(distribution.value.place, "choice needs at least one value");
       campaign_.samples.push_back(std::move(key));
       return;
     }

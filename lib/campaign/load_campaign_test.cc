@@ -46,8 +46,8 @@ TEST(LoadCampaign, WritesStepsOfARangeAsAPersonWould) {
 }
 
 TEST(LoadCampaign, WalksKeysTogetherInOneAxis) {
-  const auto loaded = Load(
-      "[[sweep.together]]\n\"a.b\" = [1, 2, 3]\n\"c.d\" = {from = 10, to = 30, steps = 3}\n");
+  const auto loaded =
+      Load("[[sweep.together]]\n\"a.b\" = [1, 2, 3]\n\"c.d\" = {from = 10, to = 30, steps = 3}\n");
   ASSERT_EQ(loaded.errors, Texts{});
   ASSERT_EQ(loaded.campaign.sweep.size(), 1U);
   EXPECT_EQ(loaded.campaign.sweep[0].values,
@@ -82,10 +82,10 @@ TEST(LoadCampaign, StatesAllThatIsWrongAtOnce) {
       "[stop]\nhalf_width = 0.1\nlooks = [50, 40]\n[polcy.A]\n");
   for (const char* part :
        {"c.toml:3:1: unknown key 'repetitons' (did you mean 'repetitions'?)",
-        "c.toml:5:9: 'a.b' is a number; a sweep takes a list",
+        "c.toml:5:9: 'a.b' is a whole number; a sweep takes a list",
         "c.toml:6:1: the seed follows from [campaign] seed and the repetition",
-        "c.toml:8:20: uniform = [FROM, TO]: TO must be larger than FROM", "c.toml:9:",
-        "c.toml:12:", "unknown table [polcy] (did you mean 'policy'?)"}) {
+        "c.toml:8:20: uniform = [FROM, TO]: TO must be larger than FROM",
+        "c.toml:9:", "c.toml:12:", "unknown table [polcy] (did you mean 'policy'?)"}) {
     EXPECT_NE(errors.find(part), std::string::npos) << part << "\n in:\n" << errors;
   }
 }

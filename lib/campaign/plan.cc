@@ -111,8 +111,8 @@ MadePlan MakePlan(const Campaign& campaign, const std::string& build) {
   Plan& plan = made.plan;
   const FileText file = ReadFile(campaign.mission_file);
   if (!file.problem.empty()) {
-    made.errors.push_back(fmt::format("{}: its mission {}: {}", campaign.file,
-                                      campaign.mission_file, file.problem));
+    made.errors.push_back(
+        fmt::format("{}: its mission {}: {}", campaign.file, campaign.mission_file, file.problem));
     return made;
   }
   plan.mission_text = file.text;
@@ -163,9 +163,10 @@ MadePlan MakePlan(const Campaign& campaign, const std::string& build) {
       std::none_of(plan.metrics.begin(), plan.metrics.end(), [&](const MetricName& metric) {
         return metric.name == campaign.stop->metric;
       })) {
-    made.errors.push_back(fmt::format("{}: [stop] metric = \"{}\" is neither \"pass\" nor a metric "
-                                      "of this campaign",
-                                      campaign.file, campaign.stop->metric));
+    made.errors.push_back(
+        fmt::format("{}: [stop] metric = \"{}\" is neither \"pass\" nor a metric "
+                    "of this campaign",
+                    campaign.file, campaign.stop->metric));
   }
   plan.identity = identity.Hex(kIdentityDigits);
   return made;

@@ -15,9 +15,9 @@
 namespace shoal {
 
 struct Plan {
-  std::string mission_text;        ///< Of the mission file, as it was when the plan was made.
-  std::string build;               ///< Of the programs (lib/run/build_id.h).
-  std::string identity;            ///< Of all that every trial depends on, cases aside.
+  std::string mission_text;         ///< Of the mission file, as it was when the plan was made.
+  std::string build;                ///< Of the programs (lib/run/build_id.h).
+  std::string identity;             ///< Of all that every trial depends on, cases aside.
   std::vector<CampaignCase> cases;  ///< In the order of CampaignResults::cases.
   std::vector<MetricName> metrics;
   std::vector<MetricSpec> metric_specs;  ///< Checked against the mission.

@@ -64,7 +64,8 @@ class SqliteWriter {
   }
 
   void Execute(const std::string& sql) {
-    if (problem_.empty()) Check(sqlite3_exec(database_.get(), sql.c_str(), nullptr, nullptr, nullptr));
+    if (problem_.empty())
+      Check(sqlite3_exec(database_.get(), sql.c_str(), nullptr, nullptr, nullptr));
   }
 
   void Prepare(const std::string& table, size_t num_columns) {

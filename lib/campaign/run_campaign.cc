@@ -61,8 +61,8 @@ class CampaignRunner {
                      .metrics = folder_.plan.metrics,
                      .in_worker = [&shard] { shard->Abandon(); }},
                     [this](const TrialJob& job, TrialProgress* progress) {
-                      return RunOneTrial(folder_, job, job.is_recorded ? FailurePath(job) : "", run_,
-                                         progress);
+                      return RunOneTrial(folder_, job, job.is_recorded ? FailurePath(job) : "",
+                                         run_, progress);
                     });
     if (num_missing > 0) RunMissing(&queue, &pool);
     outcome_.num_finished = queue.num_finished();
@@ -143,8 +143,8 @@ class CampaignRunner {
       for (const auto& [repetition, trial] : stored->by_case[number]) {
         if (trial.result.outcome == TrialOutcome::kPass) continue;
         if (!options_.shard.Has(number, repetition)) continue;
-        wanted.push_back({{.case_number = number, .repetition = repetition, .is_recorded = true},
-                          &trial});
+        wanted.push_back(
+            {{.case_number = number, .repetition = repetition, .is_recorded = true}, &trial});
       }
     }
     std::stable_sort(wanted.begin(), wanted.end(), [](const auto& a, const auto& b) {
@@ -175,21 +175,24 @@ class CampaignRunner {
     const std::string path = FailurePath(done.job);
     const std::string name = TrialName(stored.key);
     if (done.result.outcome != stored.result.outcome) {
-      outcome_.differing.push_back(fmt::format(
-          "{}: {} when it was run, {} when it was run again for its recording", name,
-          kTrialOutcomeNames[static_cast<size_t>(stored.result.outcome)],
-          kTrialOutcomeNames[static_cast<size_t>(done.result.outcome)]));
+      outcome_.differing.push_back(
+          fmt::format("{}: {} when it was run, {} when it was run again for its recording", name,
+                      kTrialOutcomeNames[static_cast<size_t>(stored.result.outcome)],
+                      kTrialOutcomeNames[static_cast<size_t>(done.result.outcome)]));
     }
+    std::error_code ignored;
+    std::filesystem::create_directories(path, ignored);  // A wrong mission was not recorded.
     std::ofstream out(path + "/why.txt");
     out << kTrialOutcomeNames[static_cast<size_t>(stored.result.outcome)] << ": "
         << stored.result.why << "\n\nshoal campaign replay " << folder_.path << ' ' << name << '\n'
         << "shoal sim " << folder_.campaign.mission_file;
-    for (const std::string& text : OverridesOf(folder_.campaign, folder_.plan,
-                                               done.job.case_number, done.job.repetition)) {
+    for (const std::string& text :
+         OverridesOf(folder_.campaign, folder_.plan, done.job.case_number, done.job.repetition)) {
       out << " --set '" << text << '\'';
     }
     out << '\n';
-    ++outcome_.num_recorded;
+    out.close();
+    if (out) ++outcome_.num_recorded;
   }
 
   const CampaignFolder& folder_;

@@ -48,7 +48,8 @@ TEST(Samples, GiveEachRepetitionASeedOfItsOwn) {
 TEST(Samples, HaveTheMeansAndDeviationsThatAreAskedFor) {
   constexpr int64_t kDraws = 4000;
   constexpr double kErrors = 3.29;
-  SampledKey normal{.key = "n", .kind = SampleKind::kNormal, .first = 5, .second = 2, .choices = {}};
+  SampledKey normal{
+      .key = "n", .kind = SampleKind::kNormal, .first = 5, .second = 2, .choices = {}};
   const Campaign campaign = CampaignWith({Uniform("u", -50, 50), normal});
   double sum_u = 0;
   double sum_n = 0;
@@ -69,7 +70,8 @@ TEST(Samples, HaveTheMeansAndDeviationsThatAreAskedFor) {
 
 TEST(Samples, HitEachStratumOfALatinHypercubeOncePerBlock) {
   constexpr int64_t kBlock = 50;
-  const Campaign campaign = CampaignWith({Uniform("a", 0, kBlock), Uniform("b", 0, kBlock)}, kBlock);
+  const Campaign campaign =
+      CampaignWith({Uniform("a", 0, kBlock), Uniform("b", 0, kBlock)}, kBlock);
   for (int64_t block = 0; block < 3; ++block) {
     std::set<int> a;
     std::set<int> b;
@@ -98,7 +100,8 @@ TEST(Samples, OfIntegersAndChoicesComeAsOftenAsEachOther) {
   std::map<std::string, int> counts;
   constexpr int kDraws = 6000;
   for (int64_t i = 1; i <= kDraws; ++i) {
-    for (const std::string& text : SamplesOf(campaign, i)) ++counts[text == "3" ? text + "?" : text];
+    for (const std::string& text : SamplesOf(campaign, i))
+      ++counts[text == "3" ? text + "?" : text];
   }
   // "3" is of both: 1,000 and 2,000 are expected.
   EXPECT_EQ(counts.size(), 8U);

@@ -23,9 +23,10 @@ Result<ShardFile> ShardFile::Open(const std::string& path) {
     if (errno != EWOULDBLOCK) {
       return Error{fmt::format("{}: cannot be locked: {}", path, ErrnoText(errno))};
     }
-    return Error{fmt::format("{}: another process runs this shard; wait for it, or give another "
-                             "--shard",
-                             path)};
+    return Error{
+        fmt::format("{}: another process runs this shard; wait for it, or give another "
+                    "--shard",
+                    path)};
   }
   ShardFile shard(std::move(file), path);
   const off_t end = lseek(shard.file_.get(), 0, SEEK_END);
@@ -46,9 +47,10 @@ std::string ShardFile::Append(std::string_view line) {
     const ssize_t written = ::write(file_.get(), rest.data(), rest.size());
     if (written < 0 && errno == EINTR) continue;
     if (written < 0) {
-      return fmt::format("{}: cannot be written: {}; what was finished before is kept, and the same "
-                         "command goes on from there",
-                         path_, ErrnoText(errno));
+      return fmt::format(
+          "{}: cannot be written: {}; what was finished before is kept, and the same "
+          "command goes on from there",
+          path_, ErrnoText(errno));
     }
     rest.remove_prefix(static_cast<size_t>(written));
   }

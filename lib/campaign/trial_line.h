@@ -18,7 +18,7 @@ namespace shoal {
 struct FinishedTrial {
   TrialKey key;
   TrialResult result;
-  double wall_s = 0;   ///< For estimates alone: no result depends on it.
+  double wall_s = 0;    ///< For estimates alone: no result depends on it.
   int64_t attempt = 0;  ///< 1, 2, ...: it was asked for again; the highest counts.
 };
 

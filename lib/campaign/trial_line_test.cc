@@ -65,7 +65,8 @@ TEST(TrialLine, IsNoTrialOfOtherMetricsOrOutcomes) {
 }
 
 TEST(TrialLine, OfAnErrorHasNoValues) {
-  const FinishedTrial error{.key = {"aa", 1}, .result = {.outcome = TrialOutcome::kError, .why = "x", .metrics = {}}};
+  const FinishedTrial error{.key = {"aa", 1},
+                            .result = {.outcome = TrialOutcome::kError, .why = "x", .metrics = {}}};
   const auto trial = ParseTrialLine(TrialLine(error, kNames), kNames);
   ASSERT_TRUE(trial);
   ASSERT_EQ(trial->result.metrics.size(), 2U);

@@ -195,7 +195,8 @@ bool WorkerPool::Receive(Worker* worker, std::vector<FinishedJob>* finished) {
   worker->received.pop_back();
   auto trial = ParseTrialLine(worker->received, options_.metrics);
   worker->received.clear();
-  TrialResult result{.outcome = TrialOutcome::kError, .why = "its result cannot be read", .metrics = {}};
+  TrialResult result{
+      .outcome = TrialOutcome::kError, .why = "its result cannot be read", .metrics = {}};
   if (trial) result = std::move(trial->result);
   if (worker->is_busy) Conclude(worker, std::move(result), finished);
   return true;
@@ -223,9 +224,9 @@ void WorkerPool::Bury(Worker* worker, std::vector<FinishedJob>* finished) {
   ++worker->num_deaths;
   const int most = IsFromOutside(signal) ? kMostKills : kMostDeaths;
   if (was_busy && worker->num_deaths >= most) {
-    std::string why =
-        signal != 0 ? fmt::format("signal {} ({})", signal, strsignal(signal))
-                    : fmt::format("the process ended with exit code {}", WEXITSTATUS(status));
+    std::string why = signal != 0
+                          ? fmt::format("signal {} ({})", signal, strsignal(signal))
+                          : fmt::format("the process ended with exit code {}", WEXITSTATUS(status));
     why += fmt::format(", in each of {} attempts", worker->num_deaths);
     if (!output.empty()) why += ": " + output;
     Conclude(worker, {.outcome = TrialOutcome::kError, .why = why, .metrics = {}}, finished);
@@ -261,7 +262,8 @@ std::vector<FinishedJob> WorkerPool::Wait(int timeout_ms) {
   std::vector<FinishedJob> finished;
   std::vector<pollfd> polled;
   for (const Worker& worker : workers_) {
-    polled.push_back({.fd = worker.pid > 0 ? worker.results.get() : -1, .events = POLLIN, .revents = 0});
+    polled.push_back(
+        {.fd = worker.pid > 0 ? worker.results.get() : -1, .events = POLLIN, .revents = 0});
   }
   if (poll(polled.data(), polled.size(), timeout_ms) > 0) {
     for (size_t i = 0; i < polled.size(); ++i) {

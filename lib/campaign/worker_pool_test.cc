@@ -1,8 +1,7 @@
 #include "lib/campaign/worker_pool.h"
 
-
-#include <gtest/gtest.h>
 #include <fcntl.h>
+#include <gtest/gtest.h>
 #include <signal.h>
 #include <unistd.h>
 
@@ -87,8 +86,9 @@ TEST(WorkerPool, EndsATrialThatRunsForEverAndStatesHowFarItWas) {
     return Passed(1);
   });
   EXPECT_EQ(results.at(2).outcome, TrialOutcome::kTimeout);
-  EXPECT_EQ(results.at(2).why,
-            "did not end within 0.3 s of wall time (timeout_s), at 37.2 of 600.0 s of mission time");
+  EXPECT_EQ(
+      results.at(2).why,
+      "did not end within 0.3 s of wall time (timeout_s), at 37.2 of 600.0 s of mission time");
   EXPECT_EQ(results.at(3).outcome, TrialOutcome::kPass);
   EXPECT_EQ(results.at(4).outcome, TrialOutcome::kPass);
 }
@@ -104,7 +104,8 @@ TEST(WorkerPool, NamesAProcessThatLeavesByItself) {
 TEST(WorkerPool, TakesResultsLongerThanAPipeAndOutputOfAnyLength) {
   const auto results = RunAll(3, 1, 60, [](const TrialJob&, TrialProgress*) {
     for (int i = 0; i < 100'000; ++i) std::puts("a line that a trial writes");
-    return TrialResult{.outcome = TrialOutcome::kFail, .why = std::string(4000, '"'), .metrics = {2}};
+    return TrialResult{
+        .outcome = TrialOutcome::kFail, .why = std::string(4000, '"'), .metrics = {2}};
   });
   for (const auto& [repetition, result] : results) EXPECT_EQ(result.why, std::string(4000, '"'));
 }
