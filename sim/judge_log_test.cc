@@ -128,11 +128,15 @@ TEST(JudgeLog, AgreesWithTheSimulationOfMediaAndGateways) {
   EXPECT_GE(ExpectSame(LoadFile("search_gateway.toml"), "gateway"), 12);
 }
 
+TEST(JudgeLog, AgreesWithTheSimulationOfEncounters) {
+  const Mission mission = LoadFile("encounters/crossing_starboard_75.toml");
+  EXPECT_GE(ExpectSame(mission, "encounters"), static_cast<int>(mission.expectations.size()) + 10);
+}
+
 TEST(JudgeLog, AgreesWithTheSimulationOfAMissionThatEndsWithItsTasks) {
   const Mission mission = LoadText(kEndsWithItsTasks);
   int64_t last_step = 0;
-  const TrialResult result =
-      RunTrial(mission, {}, [&](int64_t step) { last_step = step; });
+  const TrialResult result = RunTrial(mission, {}, [&](int64_t step) { last_step = step; });
   EXPECT_LT(last_step, 1000) << "it ends before its time";
   EXPECT_NE(result.why, "");
   EXPECT_GE(ExpectSame(mission, "ends"), 10);

@@ -40,8 +40,7 @@ void CheckDelivery(const Mission& mission, const TablePlace& place, MetricSpec* 
     place.Refuse("traffic", "there are swarm messages only where the mission has a [swarm]");
   }
   const int64_t limit = mission.comms.each_fate_up_to;
-  if (spec->traffic && spec->to != "all" &&
-      static_cast<int64_t>(mission.vehicles.size()) > limit) {
+  if (spec->traffic && spec->to != "all" && static_cast<int64_t>(mission.vehicles.size()) > limit) {
     place.Refuse("to", fmt::format("in a fleet of more than each_fate_up_to = {} vehicles, those "
                                    "that are out of range are counted together: leave to out, or "
                                    "raise [comms] each_fate_up_to",
@@ -54,18 +53,19 @@ void CheckAges(const Mission& mission, const TablePlace& place, MetricSpec* spec
   const std::vector<size_t> contacts = TakeVehicles(mission, place, "to", &spec->to);
   CheckTwoEnds(place, "to", vehicles, contacts);
   if (spec->source == AgeSource::kSwarm && !mission.swarm.exists) {
-    place.Refuse("source", "there are contacts of a swarm only where the mission has a [swarm]: "
-                           "write source = \"reports\"");
+    place.Refuse("source",
+                 "there are contacts of a swarm only where the mission has a [swarm]: "
+                 "write source = \"reports\"");
   }
   if (!place.IsSound() || !IsOfSwarm(mission, spec->source)) return;
-  for (const auto& [key, named] :
-       {std::pair("vehicle", &vehicles), std::pair("to", &contacts)}) {
+  for (const auto& [key, named] : {std::pair("vehicle", &vehicles), std::pair("to", &contacts)}) {
     if (std::any_of(named->begin(), named->end(),
                     [&](size_t i) { return mission.IsInSwarm(mission.vehicles[i]); })) {
       continue;
     }
-    place.Refuse(key, "no such vehicle is in the [swarm]: write source = \"reports\", or name "
-                      "members of it");
+    place.Refuse(key,
+                 "no such vehicle is in the [swarm]: write source = \"reports\", or name "
+                 "members of it");
   }
 }
 

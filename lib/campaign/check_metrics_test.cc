@@ -60,8 +60,8 @@ h = { kind = "delivery_ratio", traffic = "acks", from = "bravo", to = "alpha" }
 TEST(CheckMetrics, RefusesVehiclesAndGroupsThatDoNotExist) {
   EXPECT_EQ(ErrorOf("a = { kind = \"arrival_time\", vehicle = \"brabo\" }"),
             "c.toml:2:40: unknown vehicle 'brabo' (did you mean 'bravo'?)");
-  EXPECT_EQ(ErrorOf("a = { kind = \"delivery_ratio\", to = \"group:surwey\" }").find("c.toml:2:37:"),
-            0U);
+  EXPECT_EQ(
+      ErrorOf("a = { kind = \"delivery_ratio\", to = \"group:surwey\" }").find("c.toml:2:37:"), 0U);
 }
 
 TEST(CheckMetrics, RefusesChannelsThatDoNotExist) {
@@ -88,8 +88,9 @@ TEST(CheckMetrics, RefusesEnergyWhereTheModelHasNone) {
 }
 
 TEST(CheckMetrics, RefusesAFormationErrorOfVehiclesThatFollowNone) {
-  EXPECT_EQ(ErrorOf("a = { kind = \"formation_error\", vehicle = \"charlie\" }").find("c.toml:2:43:"),
-            0U);
+  EXPECT_EQ(
+      ErrorOf("a = { kind = \"formation_error\", vehicle = \"charlie\" }").find("c.toml:2:43:"),
+      0U);
 }
 
 TEST(CheckMetrics, RefusesWhatNeedsASwarm) {

@@ -35,7 +35,8 @@ class DeliveryRatioWatch : public MetricWatch {
   static std::vector<int> Ends(const Mission& mission, const std::string& addressees) {
     if (VehicleKey(addressees) == "all") return {FateCounts::kAll};
     std::vector<int> ends;
-    for (const size_t place : PlacesOf(mission, addressees)) ends.push_back(static_cast<int>(place));
+    for (const size_t place : PlacesOf(mission, addressees))
+      ends.push_back(static_cast<int>(place));
     return ends;
   }
 

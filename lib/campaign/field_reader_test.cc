@@ -104,8 +104,9 @@ TEST(FieldReader, ReadsNothingOfOtherOrDamagedMessages) {
 }
 
 TEST(FieldReader, StatesWhatIsWrongWithAPath) {
-  EXPECT_EQ(ErrorOf("nav_t", "sped_mps"), "nav_t has no field 'sped_mps' (did you mean "
-                                          "'speed_mps'?)");
+  EXPECT_EQ(ErrorOf("nav_t", "sped_mps"),
+            "nav_t has no field 'sped_mps' (did you mean "
+            "'speed_mps'?)");
   EXPECT_EQ(ErrorOf("actuators_t", "zzz"),
             "actuators_t has no field 'zzz'; it has utime, thrust_pct, rudder_deg, "
             "stern_plane_deg, propeller_rpm");

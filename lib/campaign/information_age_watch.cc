@@ -50,9 +50,9 @@ class InformationAgeWatch : public MetricWatch {
   void EndStep(const Judge&) override { last_utime_ = now_.utime; }
 
   double Value(const Judge&) const override {
-    const std::vector<AgeTooth> teeth = TeethFrom(
-        is_of_swarm_ ? TeethOfSwarm() : TeethOfReports(),
-        mission_.start_utime + static_cast<int64_t>(spec_.from_s * 1e6));
+    const std::vector<AgeTooth> teeth =
+        TeethFrom(is_of_swarm_ ? TeethOfSwarm() : TeethOfReports(),
+                  mission_.start_utime + static_cast<int64_t>(spec_.from_s * 1e6));
     if (teeth.empty()) return TrialResult::kNoValue;
     if (spec_.reduction == Reduction::kMax) return MaxAge_s(teeth);
     if (spec_.reduction == Reduction::kMean) return MeanAge_s(teeth);

@@ -1,4 +1,5 @@
-// A number that a trial of a campaign yields, as data. docs/campaign_metrics.md documents each kind.
+// A number that a trial of a campaign yields, as data. docs/campaign_metrics.md documents each
+// kind.
 #pragma once
 
 #include <Eigen/Core>
@@ -40,10 +41,10 @@ struct MetricSpec {
   std::string to = "all";       ///< Likewise.
   AgeSource source = AgeSource::kAuto;
   std::string channel = {};  ///< "NAV_ALPHA".
-  std::string field = {};    ///< "depth_m", "contacts[0].x_m".
+  std::string field = {};    ///< "z_m", "contacts[0].x_m".
   Reduction reduction = Reduction::kMean;
-  double percentile = 95;  ///< Of kPercentile: (0, 100].
-  double from_s = 0;       ///< What was before is left out.
+  double percentile = 95;                                 ///< Of kPercentile: (0, 100].
+  double from_s = 0;                                      ///< What was before is left out.
   std::optional<Eigen::Vector2d> point_m = std::nullopt;  ///< Absent: the vehicle's return point.
   double within_m = 20;
   bool stays = false;  ///< Of arrivals: there from then on to the end.

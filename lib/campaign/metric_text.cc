@@ -37,9 +37,9 @@ std::string ReductionText(const MetricSpec& spec) {
 }
 
 std::string ArrivalText(const MetricSpec& spec) {
-  const std::string point =
-      spec.point_m ? fmt::format("({:g}, {:g})", spec.point_m->x(), spec.point_m->y())
-                   : std::string("its return point");
+  const std::string point = spec.point_m
+                                ? fmt::format("({:g}, {:g})", spec.point_m->x(), spec.point_m->y())
+                                : std::string("its return point");
   return fmt::format("time when {} is within {:g} m of {}{}", VehiclesText(spec.vehicle),
                      spec.within_m, point, spec.stays ? " for good" : "");
 }

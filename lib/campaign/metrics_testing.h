@@ -19,8 +19,7 @@ struct MetricsOfText {
 
 /// Reads `text`, the whole of a file whose table [metrics] begins in its first line; checks it
 /// against `mission`, where there is one.
-inline MetricsOfText ReadMetricsText(const std::string& text,
-                                     const Mission* mission = nullptr) {
+inline MetricsOfText ReadMetricsText(const std::string& text, const Mission* mission = nullptr) {
   Problems problems("c.toml", {});
   MetricsOfText result;
   const std::optional<Value> root = ParseToml(text, problems);

@@ -25,8 +25,8 @@ class ClosestApproachWatch : public MetricWatch {
         now_(now),
         vehicles_(PlacesOf(mission, spec.vehicle)),
         others_(PlacesOf(mission, spec.to)) {
-    are_all_ = vehicles_.size() == mission.vehicles.size() &&
-               others_.size() == mission.vehicles.size();
+    are_all_ =
+        vehicles_.size() == mission.vehicles.size() && others_.size() == mission.vehicles.size();
   }
 
   void EndStep(const Judge& judge) override {
@@ -46,8 +46,7 @@ class ClosestApproachWatch : public MetricWatch {
   }
 
   double Value(const Judge&) const override {
-    const double closest_m =
-        are_all_ ? separation_.closest().range_m : std::sqrt(closest_m2_);
+    const double closest_m = are_all_ ? separation_.closest().range_m : std::sqrt(closest_m2_);
     return std::isfinite(closest_m) ? closest_m : TrialResult::kNoValue;
   }
 

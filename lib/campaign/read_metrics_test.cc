@@ -29,20 +29,16 @@ swarm = { kind = "delivery_ratio", traffic = "swarm" }
 )");
   ASSERT_EQ(read.errors, std::vector<std::string>());
   std::vector<MetricSpec> expected(9);
-  expected[0] = {.name = "acks",
-                 .kind = MetricKind::kDeliveryRatio,
-                 .traffic = Kind::kAck,
-                 .from = "alpha"};
+  expected[0] = {
+      .name = "acks", .kind = MetricKind::kDeliveryRatio, .traffic = Kind::kAck, .from = "alpha"};
   expected[1] = {.name = "age",
                  .kind = MetricKind::kInformationAge,
                  .vehicle = "alpha",
                  .to = "bravo",
                  .source = AgeSource::kReports,
                  .reduction = Reduction::kMax};
-  expected[2] = {.name = "closest_m",
-                 .kind = MetricKind::kClosestApproach,
-                 .vehicle = "alpha",
-                 .from_s = 5};
+  expected[2] = {
+      .name = "closest_m", .kind = MetricKind::kClosestApproach, .vehicle = "alpha", .from_s = 5};
   expected[3] = {.name = "depth",
                  .kind = MetricKind::kField,
                  .channel = "NAV_ALPHA",
@@ -58,8 +54,7 @@ swarm = { kind = "delivery_ratio", traffic = "swarm" }
                  .within_m = 5,
                  .stays = true};
   expected[6] = {.name = "swarm", .kind = MetricKind::kDeliveryRatio, .traffic = {}};
-  expected[7] = {
-      .name = "way", .kind = MetricKind::kDistanceTravelled, .vehicle = "group:survey"};
+  expected[7] = {.name = "way", .kind = MetricKind::kDistanceTravelled, .vehicle = "group:survey"};
   expected[8] = {.name = "work", .kind = MetricKind::kEnergy, .vehicle = "alpha"};
   EXPECT_EQ(read.metrics, expected);
 }
@@ -126,8 +121,9 @@ TEST(ReadMetrics, FindsAllErrorsInOneGo) {
 TEST(ReadMetrics, RefusesWhatIsNoTable) {
   const MetricsOfText read = ReadMetricsText("metrics = 3\n");
   ASSERT_EQ(read.errors.size(), 1U);
-  EXPECT_EQ(read.errors[0], "c.toml:1:11: metrics must be a table like [metrics], not a whole "
-                            "number");
+  EXPECT_EQ(read.errors[0],
+            "c.toml:1:11: metrics must be a table like [metrics], not a whole "
+            "number");
 }
 
 }  // namespace shoal::read_metrics_test

@@ -15,10 +15,10 @@ constexpr size_t kMostReasons = 20;
 /// Returns "alpha and bravo collide at 30.0 s".
 std::string CollisionText(const Mission& mission, const CollisionFact& fact) {
   const size_t second = fact.collision.second;
-  return fmt::format("{} and {} collide at {:.1f} s", mission.vehicles[fact.collision.first].name,
-                     fact.is_obstacle ? "obstacle " + mission.obstacles[second].id
-                                      : mission.vehicles[second].name,
-                     fact.time_s);
+  return fmt::format(
+      "{} and {} collide at {:.1f} s", mission.vehicles[fact.collision.first].name,
+      fact.is_obstacle ? "obstacle " + mission.obstacles[second].id : mission.vehicles[second].name,
+      fact.time_s);
 }
 
 }  // namespace

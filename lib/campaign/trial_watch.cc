@@ -61,9 +61,8 @@ std::vector<MetricName> TrialWatch::Names(const Mission& mission,
                      .text = Describe(mission, expectation)});
   }
   for (const MetricSpec& spec : SortedByName(metrics)) {
-    names.push_back({.name = spec.name,
-                     .unit = UnitOfMetric(spec),
-                     .text = DescribeMetric(mission, spec)});
+    names.push_back(
+        {.name = spec.name, .unit = UnitOfMetric(spec), .text = DescribeMetric(mission, spec)});
   }
   return names;
 }

@@ -51,8 +51,7 @@ class Trial {
     watch_.Subscribe(embedder_);
   }
   /// Of one metric.
-  Trial(const std::string& text, MetricSpec metric)
-      : Trial(text, std::vector{std::move(metric)}) {}
+  Trial(const std::string& text, MetricSpec metric) : Trial(text, std::vector{std::move(metric)}) {}
 
   Bus& bus() { return publisher_; }
   Judge& judge() { return judge_; }
@@ -116,7 +115,8 @@ at_least_pct = 40
       TrialWatch::Names(loaded.mission, metrics),
       (std::vector<MetricName>{
           {.name = "expect_1", .unit = "m", .text = "no two vehicles closer than 5 m"},
-          {.name = "expect_2", .unit = "%",
+          {.name = "expect_2",
+           .unit = "%",
            .text = "at least 40 % of reports delivered from all to all"},
           {.name = "depth", .unit = "m", .text = "95 % percentile of z_m of NAV_BRAVO"},
           {.name = "work", .unit = "J", .text = "propeller shaft work of group auv from 5 s on"}}));
@@ -378,8 +378,7 @@ TEST(SwarmAgeMetric, IsThatOfTheContactsOfTheSwarm) {
                          .vehicle = "bravo",
                          .to = to,
                          .reduction = reduction});
-    for (const auto& [time_s, report_s] :
-         {std::pair(1, 1), std::pair(11, 11), std::pair(21, 11)}) {
+    for (const auto& [time_s, report_s] : {std::pair(1, 1), std::pair(11, 11), std::pair(21, 11)}) {
       Publish(trial.bus(), channels::Swarm("bravo"),
               SwarmAt(time_s * kSecond_us, "bravo", {ContactAt("alpha", report_s * kSecond_us)}));
       Publish(trial.bus(), channels::Swarm("alpha"),
@@ -396,10 +395,9 @@ TEST(SwarmAgeMetric, IsThatOfTheContactsOfTheSwarm) {
 
 TEST(EnergyMetric, IsTheShaftWorkOfAllStepsFromItsTimeOn) {
   const auto run = [](double from_s) {
-    Trial trial(kThree, {.name = "m",
-                         .kind = MetricKind::kEnergy,
-                         .vehicle = "group:auv",
-                         .from_s = from_s});
+    Trial trial(
+        kThree,
+        {.name = "m", .kind = MetricKind::kEnergy, .vehicle = "group:auv", .from_s = from_s});
     for (int i = 0; i < 60; ++i) {
       for (const auto& vehicle : {"bravo", "charlie"}) {
         actuators_t actuators{};
