@@ -2,6 +2,7 @@
 #include "sim/judge_log.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <bit>
 #include <cmath>
@@ -84,9 +85,13 @@ std::vector<MetricSpec> AnyMetrics(const Mission& mission) {
   return metrics;
 }
 
+std::string LogPath(const std::string& name) {
+  return testing::TempDir() + "/judge_log_test_" + std::to_string(getpid()) + name + ".lcm";
+}
+
 /// Returns how many of the metrics have a value.
 int ExpectSame(const Mission& mission, const std::string& log_name) {
-  const std::string path = testing::TempDir() + "/judge_log_test_" + log_name + ".lcm";
+  const std::string path = LogPath(log_name);
   const std::vector<MetricSpec> metrics = AnyMetrics(mission);
   const TrialResult simulated = RunTrial(mission, metrics, {}, path);
   const TrialResult judged = JudgeLog(mission, metrics, path);
@@ -144,7 +149,7 @@ TEST(JudgeLog, AgreesWithTheSimulationOfAMissionThatEndsWithItsTasks) {
 
 TEST(JudgeLog, IsAnErrorWhereTheLogEndsTooEarlyOrIsNone) {
   const Mission mission = LoadText(kEndsWithItsTasks, {"mission.duration_s=5"});
-  const std::string path = testing::TempDir() + "/judge_log_test_short.lcm";
+  const std::string path = LogPath("short");
   const TrialResult whole = RunTrial(mission, {}, {}, path);
   EXPECT_NE(whole.outcome, TrialOutcome::kError);
   const Mission longer = LoadText(kEndsWithItsTasks, {"mission.duration_s=6"});
