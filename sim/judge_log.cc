@@ -27,9 +27,8 @@ class LogBus : public Bus {
 
   void Handle(const LogEvent& event) {
     if (!handlers_.Wants(event.channel)) return;
-    handlers_.Call({.channel = event.channel,
-                    .publisher = "log",
-                    .data = Unseal(event.data).message});
+    handlers_.Call(
+        {.channel = event.channel, .publisher = "log", .data = Unseal(event.data).message});
   }
 
  private:

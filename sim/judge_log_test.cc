@@ -2,6 +2,7 @@
 #include "sim/judge_log.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <bit>
 #include <cmath>
@@ -84,9 +85,13 @@ std::vector<MetricSpec> AnyMetrics(const Mission& mission) {
   return metrics;
 }
 
+std::string LogPath(const std::string& name) {
+  return testing::TempDir() + "/judge_log_test_" + std::to_string(getpid()) + name + ".lcm";
+}
+
 /// Returns how many of the metrics have a value.
 int ExpectSame(const Mission& mission, const std::string& log_name) {
-  const std::string path = testing::TempDir() + "/judge_log_test_" + log_name + ".lcm";
+  const std::string path = LogPath(log_name);
   const std::vector<MetricSpec> metrics = AnyMetrics(mission);
   const TrialResult simulated = RunTrial(mission, metrics, {}, path);
   const TrialResult judged = JudgeLog(mission, metrics, path);
@@ -128,11 +133,15 @@ TEST(JudgeLog, AgreesWithTheSimulationOfMediaAndGateways) {
   EXPECT_GE(ExpectSame(LoadFile("search_gateway.toml"), "gateway"), 12);
 }
 
+TEST(JudgeLog, AgreesWithTheSimulationOfEncounters) {
+  const Mission mission = LoadFile("encounters/crossing_starboard_75.toml");
+  EXPECT_GE(ExpectSame(mission, "encounters"), static_cast<int>(mission.expectations.size()) + 10);
+}
+
 TEST(JudgeLog, AgreesWithTheSimulationOfAMissionThatEndsWithItsTasks) {
   const Mission mission = LoadText(kEndsWithItsTasks);
   int64_t last_step = 0;
-  const TrialResult result =
-      RunTrial(mission, {}, [&](int64_t step) { last_step = step; });
+  const TrialResult result = RunTrial(mission, {}, [&](int64_t step) { last_step = step; });
   EXPECT_LT(last_step, 1000) << "it ends before its time";
   EXPECT_NE(result.why, "");
   EXPECT_GE(ExpectSame(mission, "ends"), 10);
@@ -140,7 +149,7 @@ TEST(JudgeLog, AgreesWithTheSimulationOfAMissionThatEndsWithItsTasks) {
 
 TEST(JudgeLog, IsAnErrorWhereTheLogEndsTooEarlyOrIsNone) {
   const Mission mission = LoadText(kEndsWithItsTasks, {"mission.duration_s=5"});
-  const std::string path = testing::TempDir() + "/judge_log_test_short.lcm";
+  const std::string path = LogPath("short");
   const TrialResult whole = RunTrial(mission, {}, {}, path);
   EXPECT_NE(whole.outcome, TrialOutcome::kError);
   const Mission longer = LoadText(kEndsWithItsTasks, {"mission.duration_s=6"});

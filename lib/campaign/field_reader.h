@@ -1,6 +1,6 @@
 // Finds one number in encoded messages of one type, by its name.
 //
-//   const Result<FieldReader> depth = FieldReader::Find(ShoalTypes(), "nav_t", "depth_m");
+//   const Result<FieldReader> depth = FieldReader::Find(ShoalTypes(), "nav_t", "z_m");
 //   if (const auto value = depth->Read(message.data)) ...
 #pragma once
 
@@ -27,7 +27,7 @@ struct FieldPart {
 
 class FieldReader {
  public:
-  /// Finds "depth_m", "contacts[0].x_m" in a type of the package shoal. The error states what does
+  /// Finds "z_m", "contacts[0].x_m" in a type of the package shoal. The error states what does
   /// not exist or is no number, and what is there. `schema` must outlive this.
   [[nodiscard]] static Result<FieldReader> Find(const Schema& schema, std::string_view type,
                                                 std::string_view path);

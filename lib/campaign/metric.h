@@ -41,7 +41,7 @@ struct MetricSpec {
   std::string to = "all";       ///< Likewise.
   AgeSource source = AgeSource::kAuto;
   std::string channel = {};  ///< "NAV_ALPHA".
-  std::string field = {};    ///< "depth_m", "contacts[0].x_m".
+  std::string field = {};    ///< "z_m", "contacts[0].x_m".
   Reduction reduction = Reduction::kMean;
   double percentile = 95;                                 ///< Of kPercentile: (0, 100].
   double from_s = 0;                                      ///< What was before is left out.

@@ -2,7 +2,7 @@
 //
 //   [metrics]
 //   closest_m = { kind = "closest_approach", vehicle = "alpha", to = "all" }
-//   depth = { channel = "NAV_ALPHA", field = "depth_m", reduce = "max" }
+//   depth = { channel = "NAV_ALPHA", field = "z_m", reduce = "max" }
 #pragma once
 
 #include <vector>

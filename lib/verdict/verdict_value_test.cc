@@ -72,7 +72,8 @@ TEST_F(VerdictValue, OfDistancesIsThatOfTheVehicleThatDecides) {
 }
 
 TEST_F(VerdictValue, OfLapsIsTheFewest) {
-  Judge& judge = For(LapsExpectation{.vehicle = "all", .task = "survey", .at_least = 3, .by_s = 50});
+  Judge& judge =
+      For(LapsExpectation{.vehicle = "all", .task = "survey", .at_least = 3, .by_s = 50});
   judge.TakeHelm(0, {.state = "DRIVE", .task = "survey", .laps_done = 2}, At(10));
   judge.TakeHelm(1, {.state = "DRIVE", .task = "survey", .laps_done = 5}, At(400));
   judge.TakeHelm(2, {.state = "DRIVE", .task = "survey", .laps_done = 3}, At(40));
