@@ -4,10 +4,12 @@
 
 #include <CLI/CLI.hpp>
 #include <charconv>
+#include <cstdlib>
 #include <memory>
 #include <optional>
 #include <string>
 
+#include "apps/shoal/campaign_answers.h"
 #include "apps/shoal/campaign_command.h"
 
 namespace shoal {
@@ -137,6 +139,48 @@ void AddCampaignReplay(CLI::App* campaign, std::function<int()>* action) {
       [options, action] { *action = [options] { return RunCampaignReplay(*options); }; });
 }
 
+void AddCampaignReport(CLI::App* campaign, std::function<int()>* action) {
+  CLI::App* command =
+      campaign->add_subcommand("report", "Show shares, means and percentiles with their intervals");
+  auto options = std::make_shared<CampaignAnswerOptions>();
+  AddFolder(command, &options->dir);
+  CampaignReportOptions& report = options->report;
+  command->add_flag("--all", report.all, "Every case, however many there are");
+  CLI::Option* html = command->add_option("--html", options->page_path,
+                                          "Write a page for a browser; default: DIR/report.html");
+  html->expected(0, 1);
+  CLI::Option* plots = command->add_option("--plots", report.plots_dir,
+                                           "Draw figures with gnuplot; default: DIR/plots");
+  plots->expected(0, 1);
+  command->add_flag("--png", report.png, "Figures are PNG instead of SVG")->needs(plots);
+  command->add_flag("--keep", report.keep, "Leave gnuplot's data and scripts there")->needs(plots);
+  command->callback([options, html, plots, action] {
+    *action = [options, has_page = html->count() > 0, has_plots = plots->count() > 0] {
+      options->has_page = has_page;
+      options->report.plots = has_plots;
+      if (options->report.plots_dir.empty()) options->report.plots_dir = options->dir + "/plots";
+      if (const char* path = std::getenv("PATH")) options->report.search_path = path;
+      return ReportCampaign(*options);
+    };
+  });
+}
+
+void AddCampaignCompare(CLI::App* campaign, std::function<int()>* action) {
+  CLI::App* command = campaign->add_subcommand(
+      "compare", "Show paired differences between policies or sweep values");
+  struct Parsed {
+    std::string dir;
+    CampaignCompareOptions options;
+  };
+  auto parsed = std::make_shared<Parsed>();
+  AddFolder(command, &parsed->dir);
+  command->add_option("--a", parsed->options.a, "KEY=VALUE, such as policy=A")->required();
+  command->add_option("--b", parsed->options.b, "What to compare it with")->required();
+  command->callback([parsed, action] {
+    *action = [parsed] { return CompareCampaign(parsed->dir, parsed->options); };
+  });
+}
+
 void AddCampaignOfFolder(CLI::App* campaign, const std::string& name, const std::string& text,
                          int (*run)(const std::string&), std::function<int()>* action) {
   CLI::App* command = campaign->add_subcommand(name, text);
@@ -157,6 +201,8 @@ void AddCampaignCommands(CLI::App& cli, std::function<int()>* action) {
                       RunCampaignStatus, action);
   AddCampaignOfFolder(campaign, "reduce", "Make results.csv and results.sqlite from the shards",
                       RunCampaignReduce, action);
+  AddCampaignReport(campaign, action);
+  AddCampaignCompare(campaign, action);
   AddCampaignReplay(campaign, action);
 }
 

@@ -5,7 +5,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "lib/campaign/campaign_testing.h"
+#include "lib/campaign/folder_testing.h"
 #include "lib/campaign/reduce.h"
 #include "lib/campaign/shard_file.h"
 

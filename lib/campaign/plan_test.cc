@@ -5,7 +5,7 @@
 #include <fstream>
 #include <set>
 
-#include "lib/campaign/campaign_testing.h"
+#include "lib/campaign/folder_testing.h"
 #include "lib/campaign/load_campaign.h"
 #include "lib/campaign/samples.h"
 

@@ -100,7 +100,7 @@ std::string ResultsCsv(const CampaignResults& results) {
   return text;
 }
 
-Result<CampaignResults> ReduceCampaign(const CampaignFolder& folder) {
+Result<CampaignResults> ReadResults(const CampaignFolder& folder) {
   const Result<StoredTrials> stored = ReadShards(folder);
   if (!stored.ok()) return Error{stored.error()};
   if (!stored->differing.empty()) {
@@ -109,14 +109,20 @@ Result<CampaignResults> ReduceCampaign(const CampaignFolder& folder) {
         "one build on one kind of machine; run the campaign into a new folder",
         folder.path, TrialName(stored->differing.front()), stored->differing.size())};
   }
-  CampaignResults results = ResultsOf(folder, *stored);
+  return ResultsOf(folder, *stored);
+}
+
+Result<CampaignResults> ReduceCampaign(const CampaignFolder& folder) {
+  Result<CampaignResults> read = ReadResults(folder);
+  if (!read.ok()) return read;
+  const CampaignResults& results = *read;
   const std::filesystem::path path(folder.path);
   std::string problem = WriteText((path / "results.csv").string(), ResultsCsv(results));
   if (problem.empty()) {
     problem = WriteResultsSqlite(results, (path / "results.sqlite").string());
   }
   if (!problem.empty()) return Error{problem};
-  return results;
+  return read;
 }
 
 }  // namespace shoal

@@ -23,6 +23,10 @@ namespace shoal {
 [[nodiscard]] std::string WriteResultsSqlite(const CampaignResults& results,
                                              const std::string& path);
 
+/// Reads the shards; writes nothing, so that a folder of somebody else can be looked at. The error
+/// names a file that cannot be read, or a trial with two different results.
+[[nodiscard]] Result<CampaignResults> ReadResults(const CampaignFolder& folder);
+
 /// Reads the shards and writes results.csv and results.sqlite. Returns the results.
 [[nodiscard]] Result<CampaignResults> ReduceCampaign(const CampaignFolder& folder);
 

@@ -4,7 +4,7 @@
 
 #include <set>
 
-#include "lib/campaign/campaign_testing.h"
+#include "lib/campaign/folder_testing.h"
 
 namespace shoal {
 namespace {
