@@ -4,7 +4,7 @@
 
 #include <iostream>
 
-#include "apps/shoal/campaign_page.h"
+//PAGE#include "apps/shoal/campaign_page.h"
 #include "lib/campaign/campaign_folder.h"
 #include "lib/campaign/reduce.h"
 #include "lib/campaign/report_tables.h"

@@ -2,56 +2,22 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <stdlib.h>
 
-#include <cerrno>
 #include <filesystem>
 #include <ostream>
 #include <utility>
 
+#include "apps/shoal/drawing_folder.h"
 #include "lib/analysis/plot_figures.h"
-#include "lib/analysis/plot_gnuplot.h"
 #include "lib/analysis/plot_recording.h"
 #include "lib/check/result.h"
-#include "lib/record/file_descriptor.h"
 #include "lib/record/log_source.h"
-#include "lib/record/text_file.h"
 
 namespace shoal {
 
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Where figures are drawn before they go to their place: a new folder there that is only the
-/// user's, with the data and scripts in `gnuplot` below it. gnuplot would write through a link.
-class DrawingFolder {
- public:
-  DrawingFolder() = default;
-  ~DrawingFolder() {
-    std::error_code ignored;
-    if (!path_.empty()) fs::remove_all(path_, ignored);
-  }
-  DrawingFolder(const DrawingFolder&) = delete;
-  DrawingFolder& operator=(const DrawingFolder&) = delete;
-
-  /// Returns whether it could be made; errno holds the reason where not.
-  bool Make(const fs::path& out_dir) {
-    std::string name = (out_dir / ".gnuplot-XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr) return false;
-    path_ = name;
-    std::error_code error;
-    fs::create_directory(scripts(), error);
-    if (error) errno = error.value();
-    return !error;
-  }
-
-  const fs::path& path() const { return path_; }
-  fs::path scripts() const { return path_ / "gnuplot"; }
-
- private:
-  fs::path path_;
-};
 
 /// The state of the command while it runs.
 class PlotCommand {
@@ -61,7 +27,7 @@ class PlotCommand {
 
   int Run() {
     for (const auto& step :
-         {&PlotCommand::FindGnuplot, &PlotCommand::ChooseFolder, &PlotCommand::ReadMission,
+         {&PlotCommand::FindProgram, &PlotCommand::ChooseFolder, &PlotCommand::ReadMission,
           &PlotCommand::ReadLog, &PlotCommand::Draw}) {
       if (const int code = (this->*step)(); code != kExitOk) return code;
     }
@@ -74,12 +40,9 @@ class PlotCommand {
     return code;
   }
 
-  int FindGnuplot() {
-    gnuplot_ = FindExecutable("gnuplot", options_.search_path);
-    if (!gnuplot_.empty()) return kExitOk;
-    return Fail(kExitEnvironment,
-                "gnuplot is missing, which draws the figures. This installs it:\n"
-                "  sudo apt-get install --no-install-recommends gnuplot-nox");
+  int FindProgram() {
+    gnuplot_ = FindGnuplot(options_.search_path, err_);
+    return gnuplot_.empty() ? kExitEnvironment : kExitOk;
   }
 
   int ChooseFolder() {
@@ -165,55 +128,8 @@ class PlotCommand {
   }
 
   int Draw() {
-    const std::vector<Figure> figures = DrawFigures(data_, setting_, options_.png);
-    std::error_code error;
-    fs::create_directories(out_dir_, error);
-    if (error) {
-      return Fail(kExitEnvironment, fmt::format("cannot make the folder {}: {}; name another: "
-                                                "--out DIR",
-                                                out_dir_.string(), error.message()));
-    }
-    DrawingFolder folder;
-    if (!folder.Make(out_dir_)) {
-      return Fail(kExitEnvironment, fmt::format("cannot write into {}: {}; name another: --out DIR",
-                                                out_dir_.string(), ErrnoText(errno)));
-    }
-    int code = kExitOk;
-    for (const Figure& figure : figures) {
-      if (code == kExitOk) code = DrawFigure(figure, folder);
-    }
-    if (!options_.keep) return code;
-    const fs::path scripts = out_dir_ / "gnuplot";
-    fs::rename(folder.scripts(), scripts, error);
-    if (error) return CannotWrite(scripts, error);
-    out_ << fmt::format("data and scripts: {}\n", scripts.string());
-    return code;
-  }
-
-  int DrawFigure(const Figure& figure, const DrawingFolder& folder) {
-    if (!figure.why_left_out.empty()) {
-      out_ << fmt::format("{} is left out: {}\n", figure.name, figure.why_left_out);
-      return kExitOk;
-    }
-    const fs::path scripts = folder.scripts();
-    if (!TextFile((scripts / (figure.name + ".dat")).string(), figure.data).Flush() ||
-        !TextFile((scripts / (figure.name + ".gp")).string(), figure.script).Flush()) {
-      return Fail(kExitEnvironment,
-                  fmt::format("cannot write into {}: is the disk full?", out_dir_.string()));
-    }
-    const auto drawn = RunGnuplot(gnuplot_, scripts.string(), figure.name + ".gp");
-    if (!drawn.ok()) return Fail(kExitEnvironment, drawn.error());
-    const std::string name = figure.name + (options_.png ? ".png" : ".svg");
-    std::error_code error;
-    fs::rename(folder.path() / name, out_dir_ / name, error);
-    if (error) return CannotWrite(out_dir_ / name, error);
-    out_ << (out_dir_ / name).string() << '\n';
-    return kExitOk;
-  }
-
-  int CannotWrite(const fs::path& path, const std::error_code& error) {
-    return Fail(kExitEnvironment, fmt::format("cannot write {}: {}; name another folder: --out DIR",
-                                              path.string(), error.message()));
+    return DrawInto({.out_dir = out_dir_, .png = options_.png, .keep = options_.keep}, gnuplot_,
+                    DrawFigures(data_, setting_, options_.png), out_, err_);
   }
 
   const PlotOptions& options_;

@@ -126,7 +126,7 @@ std::string ScriptHead(const std::string& name, const Canvas& canvas) {
                        "background '#ffffff' name 'shoal'",
                        canvas.width_px, canvas.height_px);
   return fmt::format(
-      "# {0} of `shoal plot`. Draw it again, in this folder: gnuplot {0}.gp\n"
+      "# {0}, drawn by shoal. Draw it again, in this folder: gnuplot {0}.gp\n"
       "set encoding utf8\n"
       "set terminal {1}\n"
       "set output '../{0}.{2}'\n"

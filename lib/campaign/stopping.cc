@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "lib/campaign/case_labels.h"
 #include "lib/check/check.h"
 #include "lib/statistics/alpha_spending.h"
 #include "lib/statistics/mean_interval.h"
@@ -76,7 +77,7 @@ std::vector<int64_t> Stopping::UndecidableLooks(std::span<const double> values) 
 
 double StopValueOf(const StopRule& rule, size_t metric, const TrialResult& result) {
   if (rule.metric == "pass") return result.outcome == TrialOutcome::kPass ? 1 : 0;
-  return metric < result.metrics.size() ? result.metrics[metric] : TrialResult::kNoValue;
+  return MetricOf(result, metric);
 }
 
 std::optional<int64_t> StopsAfter(const StopRule& rule, int64_t repetitions,

@@ -1,0 +1,43 @@
+#include "apps/shoal/campaign_report.h"
+
+#include <fmt/format.h>
+
+#include <ostream>
+
+#include "apps/shoal/drawing_folder.h"
+#include "lib/campaign/compare.h"
+#include "lib/campaign/compare_text.h"
+#include "lib/campaign/report_plots.h"
+#include "lib/campaign/report_tables.h"
+#include "lib/campaign/report_text.h"
+#include "lib/check/result.h"
+
+namespace shoal {
+
+int RunCampaignReport(const CampaignReportOptions& options, const CampaignResults& results,
+                      std::ostream& out, std::ostream& err) {
+  const ReportTables tables = MakeReportTables(results);
+  out << ReportText(results, tables, options.all);
+  if (options.plots) {
+    const std::string gnuplot = FindGnuplot(options.search_path, err);
+    if (gnuplot.empty()) return kExitEnvironment;
+    const DrawingOptions drawing = {
+        .out_dir = options.plots_dir, .png = options.png, .keep = options.keep};
+    const int code = DrawInto(drawing, gnuplot, DrawReport(results, tables, options.png), out, err);
+    if (code != kExitOk) return code;
+  }
+  return tables.IsFlawed() ? kExitMissionFailed : kExitOk;
+}
+
+int RunCampaignCompare(const CampaignCompareOptions& options, const CampaignResults& results,
+                       std::ostream& out, std::ostream& err) {
+  const Result<CampaignComparison> comparison = CompareCases(results, options.a, options.b);
+  if (!comparison.ok()) {
+    err << "shoal: " << comparison.error() << '\n';
+    return kExitUsage;
+  }
+  out << ComparisonText(results, *comparison);
+  return kExitOk;
+}
+
+}  // namespace shoal
