@@ -4,7 +4,6 @@
 
 #include <iostream>
 
-//PAGE#include "apps/shoal/campaign_page.h"
 #include "lib/campaign/campaign_folder.h"
 #include "lib/campaign/reduce.h"
 #include "lib/campaign/report_tables.h"
@@ -34,15 +33,7 @@ std::optional<int> ReadAnswers(const std::string& dir, CampaignResults* results)
 int ReportCampaign(const CampaignAnswerOptions& options) {
   CampaignResults results;
   if (const auto code = ReadAnswers(options.dir, &results)) return *code;
-  const int code = RunCampaignReport(options.report, results, std::cout, std::cerr);
-  if (!options.has_page) return code;
-  const std::string path =
-      options.page_path.empty() ? options.dir + "/report.html" : options.page_path;
-  const int page =
-      WriteCampaignPage(results, MakeReportTables(results), options.dir, path, std::cerr);
-  if (page != kExitOk) return page;
-  std::cout << "Page: " << path << '\n';
-  return code;
+  return RunCampaignReport(options.report, results, std::cout, std::cerr);
 }
 
 int CompareCampaign(const std::string& dir, const CampaignCompareOptions& options) {

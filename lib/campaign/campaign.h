@@ -65,6 +65,7 @@ struct Campaign {
   int64_t latin_hypercube = 0;  ///< Repetitions in a block of the Latin hypercube; 0: plain draws.
   double timeout_s = 60;        ///< Of wall time, for one trial.
   double confidence = 0.95;     ///< Of the report's intervals.
+  std::vector<Setting> settings;  ///< `[set]`: of every trial.
   std::vector<SweepAxis> sweep;
   std::vector<SampledKey> samples;
   std::vector<Policy> policies;     ///< One without a name where the file has none.

@@ -29,7 +29,7 @@ constexpr int64_t kMostSteps = 10'000;  ///< Of one range.
 constexpr size_t kMostLooks = 20;
 constexpr size_t kMostCases = 100'000;
 
-constexpr std::array<std::string_view, 6> kTables = {"campaign", "sweep",   "sample",
+constexpr std::array<std::string_view, 7> kTables = {"campaign", "set",     "sweep", "sample",
                                                      "policy",   "metrics", "stop"};
 constexpr std::array<std::string_view, 3> kRangeKeys = {"from", "to", "steps"};
 constexpr std::array<std::string_view, 4> kDistributions = {"uniform", "integer", "normal",
@@ -76,6 +76,7 @@ class CampaignReader {
     } else {
       ReadCampaignTable(*campaign, folder);
     }
+    if (const Value* set = Find(root, "set")) ReadSettings(*set, "[set]", &campaign_.settings);
     if (const Value* sweep = Find(root, "sweep")) ReadSweep(*sweep);
     if (const Value* sample = Find(root, "sample")) ReadSamples(*sample);
     ReadPolicies(Find(root, "policy"));
@@ -312,6 +313,17 @@ class CampaignReader {
     campaign_.samples.push_back(std::move(key));
   }
 
+  /// Policies may set the same key, as only one of them is in force.
+  void ReadSettings(const Value& value, const std::string& title, std::vector<Setting>* settings) {
+    const Table* table = AsTable(value, title);
+    if (table == nullptr) return;
+    const bool is_of_policy = title != "[set]";
+    for (const KeyValue& item : Leaves(*table, "", {})) {
+      if (!TakeKey(item, is_of_policy ? "[policy]" : title, is_of_policy)) continue;
+      settings->push_back({item.key, TomlText(*item.value)});
+    }
+  }
+
   void ReadPolicies(const Value* value) {
     const Table* table = value == nullptr ? nullptr : AsTable(*value, "[policy]");
     if (table != nullptr) {
@@ -319,13 +331,8 @@ class CampaignReader {
         if (!IsBareKey(entry.key)) {
           problems_.Add(entry.key_place, "a policy's name has letters, digits, _ and -");
         }
-        const Table* settings = AsTable(entry.value, "[policy." + entry.key + "]");
-        if (settings == nullptr) continue;
         Policy policy{.name = entry.key, .settings = {}};
-        for (const KeyValue& item : Leaves(*settings, "", {})) {
-          if (!TakeKey(item, "[policy]", true)) continue;
-          policy.settings.push_back({item.key, TomlText(*item.value)});
-        }
+        ReadSettings(entry.value, "[policy." + entry.key + "]", &policy.settings);
         campaign_.policies.push_back(std::move(policy));
       }
     }

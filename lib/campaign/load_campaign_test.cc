@@ -68,6 +68,15 @@ TEST(LoadCampaign, LetsPoliciesSetTheSameKey) {
   EXPECT_EQ(loaded.campaign.policies[1].settings[1].AsOverride(), "a.c=true");
 }
 
+TEST(LoadCampaign, SetsKeysOfEveryTrial) {
+  const auto loaded = Load("[set]\nexpect.1.min_m = 3\n\"a.b\" = true\n");
+  ASSERT_EQ(loaded.errors, Texts{});
+  ASSERT_EQ(loaded.campaign.settings.size(), 2U);
+  EXPECT_EQ(loaded.campaign.settings[0].AsOverride(), "expect.1.min_m=3");
+  EXPECT_NE(ErrorsOf("[set]\n\"a.b\" = 1\n[policy.A]\n\"a.b\" = 2\n").find("[set] as well"),
+            std::string::npos);
+}
+
 TEST(LoadCampaign, TakesTablesAsValuesOfPolicies) {
   const auto loaded = Load("[policy.A]\n\"vehicle.alpha.start\" = [1, 2.0]\n");
   ASSERT_EQ(loaded.errors, Texts{});

@@ -47,6 +47,7 @@ std::vector<CampaignCase> MakeCases(const Campaign& campaign) {
 
 std::vector<std::string> SettingsOf(const Campaign& campaign, const CampaignCase& each) {
   std::vector<std::string> overrides;
+  for (const Setting& setting : campaign.settings) overrides.push_back(setting.AsOverride());
   const std::vector<std::string> keys = SweepKeys(campaign);
   for (size_t i = 0; i < keys.size(); ++i) overrides.push_back(keys[i] + "=" + each.values[i]);
   for (const Policy& policy : campaign.policies) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace shoal {
@@ -21,13 +22,20 @@ std::string CollisionText(const Mission& mission, const CollisionFact& fact) {
       fact.time_s);
 }
 
+/// Returns where an expectation stands without the folder of its file: results of a campaign do not
+/// depend on where it lies.
+std::string_view WithoutFolder(std::string_view where) {
+  return where.starts_with("--") ? where : where.substr(where.rfind('/') + 1);
+}
+
 }  // namespace
 
 TrialResult ResultOf(const Mission& mission, const Judge& judge, const TrialWatch& watch) {
   std::vector<std::string> reasons;
   for (const ExpectationVerdict& verdict : judge.Verdicts()) {
     if (verdict.passed) continue;
-    reasons.push_back(fmt::format("{}: {} ({})", verdict.where, verdict.text, verdict.numbers));
+    reasons.push_back(
+        fmt::format("{}: {} [{}]", verdict.text, verdict.numbers, WithoutFolder(verdict.where)));
   }
   if (mission.collisions == CollisionVerdict::kFail) {
     for (const CollisionFact& fact : judge.collisions()) {

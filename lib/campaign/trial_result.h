@@ -8,7 +8,7 @@
 
 namespace shoal {
 
-/// Returns pass, or fail with each missed expectation as "where: text (numbers)" and the
+/// Returns pass, or fail with each missed expectation as "text: numbers [where]" and the
 /// collisions, separated by "; "; and the values of `watch`.
 [[nodiscard]] TrialResult ResultOf(const Mission& mission, const Judge& judge,
                                    const TrialWatch& watch);
