@@ -108,19 +108,40 @@ std::string PlotHead(const std::string& name, const std::string& title, const st
   const int legend_px = std::min(LegendWidth_px(legend, canvas.height_px), 500);
   return ScriptHead(name, canvas) + LegendPlace(canvas, legend_px, kTop_px) +
          fmt::format(
-             "set lmargin at screen 0.09\nset rmargin at screen {:.4f}\n"
+             "set lmargin at screen 0.1\nset rmargin at screen {:.4f}\n"
              "set tmargin at screen {:.4f}\nset bmargin at screen {:.4f}\n"
-             "set title {}\nset xlabel {}\nset ylabel {}\n",
+             "set title {}\nset xlabel {}\nset ylabel {} offset 1,0\n",
              1 - static_cast<double>(legend_px) / canvas.width_px,
              1 - static_cast<double>(kTop_px) / canvas.height_px,
              static_cast<double>(kBottom_px) / canvas.height_px, GnuplotString(title),
              GnuplotString(x_label), GnuplotString(y_label));
 }
 
+/// Moves each line a little along x, so that intervals at the same place do not hide each other.
+void SetApart(std::vector<PlottedLine>* lines) {
+  double low = kLargestDrawn;
+  double high = -kLargestDrawn;
+  for (const PlottedLine& line : *lines) {
+    for (const PlottedPoint& point : line.points) {
+      low = std::min(low, point.x);
+      high = std::max(high, point.x);
+    }
+  }
+  if (!(high > low)) return;
+  const double step = 0.006 * (high - low);
+  const double middle = static_cast<double>(std::min(lines->size(), kMostLines) - 1) / 2;
+  for (size_t i = 0; i < lines->size(); ++i) {
+    for (PlottedPoint& point : (*lines)[i].points) {
+      point.x += (static_cast<double>(i) - middle) * step;
+    }
+  }
+}
+
 /// Draws lines with intervals. The interval of a point without ends is left out, the point stays.
-void DrawLines(const std::vector<PlottedLine>& lines, const std::string& head_settings,
+void DrawLines(std::vector<PlottedLine> lines, const std::string& head_settings,
                const std::string& title, const std::string& x_label, const std::string& y_label,
                bool joined, bool png, Figure* figure) {
+  if (joined) SetApart(&lines);
   const size_t num = std::min(lines.size(), kMostLines);
   const std::vector<std::string> colors = ColorsOf(num);
   PlotBlocks blocks;

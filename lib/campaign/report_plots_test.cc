@@ -38,8 +38,8 @@ TEST(ReportPlots, DrawACurveOverTheFirstAxis) {
   ASSERT_EQ(figures.size(), 2U);
   EXPECT_EQ(figures[0].name, "passed");
   EXPECT_EQ(figures[1].name, "metric_closest_m");
-  EXPECT_TRUE(Shows(figures[1].data, "50 3 1.03")) << figures[1].data;
-  EXPECT_TRUE(Shows(figures[1].data, "100 13 11.03")) << figures[1].data;
+  EXPECT_TRUE(Shows(figures[1].data, "49.85 3 1.03")) << figures[1].data;
+  EXPECT_TRUE(Shows(figures[1].data, "100.15 13 11.03")) << figures[1].data;
   EXPECT_TRUE(Shows(figures[1].script, "title 'policy=P1'")) << figures[1].script;
 }
 

@@ -15,7 +15,7 @@ std::string PercentDigits(double share) {
   // At both ends more digits: 99.9987 % is not 100 %.
   if (percent <= 0 || percent >= 100 || rest >= 0.1) return fmt::format("{:.2f}", percent);
   if (rest < 1e-6) return fmt::format("{:.6f}", percent);
-  return fmt::format("{:.{}f}", percent, 1 - static_cast<int>(std::floor(std::log10(rest))));
+  return fmt::format("{:.{}f}", percent, 1 - static_cast<int>(std::floor(std::log10(rest) + 1e-9)));
 }
 
 }  // namespace
