@@ -219,7 +219,12 @@ class _Reader:
                 f"{each.size or variables[each.text]}, " for each in member.dimensions
             )
             self._names[f"array_{variable}"] = self._array_reader(member)
-            self._lines.append(f"  {variable}, p = array_{variable}(b, p, e, ({sizes}), 0)")
+            call = f"  {variable}, p = array_{variable}(b, p, e, ({sizes}), 0)"
+            if len(member.dimensions) == 1 and member.dimensions[0].size == 0:
+                empty = 'b""' if is_bytes(member) else "[]"
+                self._lines.append(f"  if {variables[member.dimensions[0].text]} == 0: {variable} = {empty}")
+                call = "  else:" + call
+            self._lines.append(call)
         elif member.type_name == "string":
             self._letters += "i"
             self._targets.append("n")

@@ -111,10 +111,9 @@ class Log:
             channel = channels[place]
             i = next_of[place]
             next_of[place] = i + 1
-            for buffer, begin, end, seal in self._file.messages(channel, i, i + 1):
-                data = self._without_seal(buffer[begin:end], seal)
-                place_in_file = (self.path, channel.begins[i])
-                yield Record(channel.name, channel.utimes[i], data, self.types, place_in_file)
+            data = self._without_seal(*self._file.message_at(channel, i))
+            place_in_file = (self.path, channel.begins[i])
+            yield Record(channel.name, channel.utimes[i], data, self.types, place_in_file)
 
     def _without_seal(self, data: bytes, seal: int) -> bytes:
         if seal == 0:

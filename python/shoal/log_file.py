@@ -22,6 +22,8 @@ _MOST_DATA = 0x7FFFFFFF
 _MOST_UNCONFIRMED = 16 << 20
 _MOST_LISTED = 1000
 _WINDOW = 16 << 20  #: Bytes.
+_WHOLE = 128 << 20  #: A log of at most this is kept in memory.
+_LARGEST_GAP = 16 << 10  #: Bytes that are read with what is wanted, rather than left out.
 
 NOT_A_LOG = "not an LCM event log: it does not begin with eda1da01"
 NO_EVENT = "no event begins here, though one ended here"
@@ -40,7 +42,7 @@ class FileWindow:
             self._file = os.open(path, os.O_RDONLY | os.O_CLOEXEC | os.O_NONBLOCK)
             status = os.fstat(self._file)
         except OSError as error:
-            raise LogError(path, 0, f"cannot be read: {error.strerror}") from error
+            raise LogError(path, 0, f"cannot be read: {error.strerror}") from None
         self._buffer = b""
         self._begin = 0
         self.size = status.st_size
@@ -58,10 +60,23 @@ class FileWindow:
         """
         place = offset - self._begin
         if place < 0 or place + size > len(self._buffer):
-            self._buffer = self._read(offset, max(size, _WINDOW))
-            self._begin = offset
-            place = 0
+            is_small = self.size <= _WHOLE
+            self._begin = 0 if is_small else offset
+            self._buffer = self._read(self._begin, self.size if is_small else max(size, _WINDOW))
+            place = offset - self._begin
         return self._buffer, place
+
+    def run(self, begins: array[int], sizes: array[int], i: int) -> tuple[bytes, int]:
+        """Returns bytes that hold the part `i` and those near behind it, and where it begins."""
+        offset = begins[i]
+        end = offset + sizes[i]
+        if self.size <= _WHOLE:
+            return self.at(offset, sizes[i])
+        for j in range(i + 1, len(begins)):
+            if begins[j] - end > _LARGEST_GAP or end - offset > _WINDOW:
+                break
+            end = begins[j] + sizes[j]
+        return self._read(offset, end - offset), 0
 
     def peek(self, offset: int, size: int) -> bytes:
         """Returns [offset, offset + size), and leaves what `at` gave where it is."""
@@ -76,7 +91,7 @@ class FileWindow:
                 size -= len(piece)
                 offset += len(piece)
         except OSError as error:
-            raise LogError(self._path, offset, f"cannot be read: {error.strerror}") from error
+            raise LogError(self._path, offset, f"cannot be read: {error.strerror}") from None
         return pieces[0] if len(pieces) == 1 else b"".join(pieces)
 
 
@@ -237,21 +252,27 @@ class LogFile:
             offset += 1
         return size
 
-    def messages(
-        self, channel: ChannelEvents, first: int = 0, stop: int | None = None
-    ) -> Iterator[tuple[bytes, int, int, int]]:
+    def message_at(self, channel: ChannelEvents, i: int) -> tuple[bytes, int]:
+        """Returns a message with its seal, and the size of that; quickest in file order."""
+        buffer, begin = self._window.at(channel.begins[i], channel.sizes[i])
+        message = self._cut(buffer, begin, channel, i)
+        return message, sealed_size(message, 0, len(message))
+
+    def messages(self, channel: ChannelEvents) -> Iterator[tuple[bytes, int, int, int]]:
         """Returns (bytes, begin, end, size of the seal) of the messages of a channel.
 
         The bytes hold the message at [begin, end), with its seal.
         """
-        at = self._window.at
         begins, sizes = channel.begins, channel.sizes
-        for i in range(first, len(begins) if stop is None else stop):
+        buffer, base, stop = b"", 0, 0  # Bytes of the file, [base, stop).
+        for i, offset in enumerate(begins):
             size = sizes[i]
-            buffer, begin = at(begins[i], size)
+            if offset + size > stop:
+                buffer, place = self._window.run(begins, sizes, i)
+                base, stop = offset - place, offset - place + len(buffer)
+                self._cut(buffer, place, channel, i)
+            begin = offset - base
             end = begin + size
-            if end > len(buffer):
-                raise LogError(self.path, begins[i], "the file became shorter")
             seal = sealed_size(buffer, begin, end) if buffer[end - 4 : end] == SEAL_MAGIC else 0
             yield buffer, begin, end, seal
 
@@ -259,11 +280,11 @@ class LogFile:
         """Returns all messages of a channel where each has this size; None otherwise."""
         if not len(channel) or min(channel.sizes) != size or max(channel.sizes) != size:
             return None
-        at = self._window.at
-        messages = []
-        for offset in channel.begins:
-            buffer, begin = at(offset, size)
-            messages.append(buffer[begin : begin + size])
-        if len(messages[-1]) != size:
-            raise LogError(self.path, channel.begins[-1], "the file became shorter")
-        return messages
+        return [buffer[begin:end] for buffer, begin, end, _ in self.messages(channel)]
+
+    def _cut(self, buffer: bytes, begin: int, channel: ChannelEvents, i: int) -> bytes:
+        """Returns the message at `begin`. Raises LogError where it is not all there."""
+        message = buffer[begin : begin + channel.sizes[i]]
+        if len(message) < channel.sizes[i]:
+            raise LogError(self.path, channel.begins[i], "the file became shorter")
+        return message

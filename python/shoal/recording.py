@@ -57,7 +57,7 @@ def _text_beside(log: str, name: str) -> str | None:
         with open(path, "rb") as file:
             data = file.read(_LARGEST_FILE + 1)
     except OSError as error:
-        raise Error(f"{path}: cannot be read: {error.strerror}") from error
+        raise Error(f"{path}: cannot be read: {error.strerror}") from None
     if len(data) > _LARGEST_FILE:
         raise Error(f"{path}: larger than 4 MiB")
     return data.decode("utf-8", "replace")

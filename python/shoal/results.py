@@ -99,7 +99,7 @@ def campaign(folder: str | os.PathLike[str]) -> Results:
         with open(path, encoding="utf-8-sig", errors="backslashreplace", newline="") as file:
             return _read(path, file)
     except OSError as error:
-        raise ResultsError(f"{path}: cannot be read: {error.strerror}") from error
+        raise ResultsError(f"{path}: cannot be read: {error.strerror}") from None
 
 
 def _read(path: str, file: Any) -> Results:

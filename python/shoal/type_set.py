@@ -23,7 +23,7 @@ def _read_lcm(path: str | os.PathLike[str]) -> list[lcm_file.StructType]:
         with open(name, "rb") as file:
             data = file.read(_LARGEST_FILE + 1)
     except OSError as error:
-        raise LcmFileError(f"{name}: cannot be read: {error.strerror}") from error
+        raise LcmFileError(f"{name}: cannot be read: {error.strerror}") from None
     if len(data) > _LARGEST_FILE:
         raise LcmFileError(f"{name}: too long for an .lcm file")
     return lcm_file.parse(data.decode("utf-8", "replace"), name)
