@@ -101,6 +101,11 @@ class Codec:
         #: strings, arrays or structs.
         self.flat = None if letters is None else struct.Struct(">8x" + letters)
         self.attributes = tuple(attribute_name(each.name) for each in made.members)
+        lengths = {each.text for member in made.members for each in member.dimensions}
+        #: The attributes that are no length of an array.
+        self.content = tuple(
+            attribute_name(each.name) for each in made.members if each.name not in lengths
+        )
         self._read: ReadRow | None = None
         self._write: WriteObject | None = None
 
@@ -222,7 +227,8 @@ class _Reader:
             call = f"  {variable}, p = array_{variable}(b, p, e, ({sizes}), 0)"
             if len(member.dimensions) == 1 and member.dimensions[0].size == 0:
                 empty = 'b""' if is_bytes(member) else "[]"
-                self._lines.append(f"  if {variables[member.dimensions[0].text]} == 0: {variable} = {empty}")
+                count = variables[member.dimensions[0].text]
+                self._lines.append(f"  if {count} == 0: {variable} = {empty}")
                 call = "  else:" + call
             self._lines.append(call)
         elif member.type_name == "string":
@@ -243,7 +249,7 @@ class _Reader:
             self._lines.append(f"  {variable}, p = struct_{variable}.read(b, p, e)")
 
     def _array_reader(self, member: Member) -> Callable[..., tuple[Any, int]]:
-        """Returns a function of (bytes, begin, end, sizes, dimension) that reads inwards from it."""
+        """Returns a function of (bytes, begin, end, sizes, dimension) that reads from there in."""
         last = len(member.dimensions) - 1
         element_size = self._schema.min_size(member.type_name)
         letter = _FORMATS.get(member.type_name)

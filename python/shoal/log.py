@@ -170,7 +170,7 @@ class Log:
         return recording.run_beside(self.path)
 
     def verdict(self) -> recording.Verdict | None:
-        """Returns how the mission ended, by summary.txt beside the log; None where there is none."""
+        """Returns how the mission ended, by summary.txt beside the log; None: there is none."""
         return recording.verdict_beside(self.path)
 
     def _table_in(self, channel: str, member: str, type_name: str) -> Table:

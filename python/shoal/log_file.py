@@ -1,4 +1,4 @@
-"""Finds the events of an LCM event log, and reads their bytes: docs/logs.md, lib/record/log_format.h.
+"""Finds the events of an LCM event log, and reads their bytes (lib/record/log_format.h).
 
 Nothing is taken from memory that the file does not hold: lengths that reach beyond its end are
 damage. A log is read in windows, so that its size does not matter.
@@ -56,7 +56,7 @@ class FileWindow:
     def at(self, offset: int, size: int) -> tuple[bytes, int]:
         """Returns bytes that hold [offset, offset + size), and where in them that begins.
 
-        Fewer bytes follow there where the file ends before. Raises LogError where it cannot be read.
+        Fewer bytes follow there where the file ends before. Raises LogError.
         """
         place = offset - self._begin
         if place < 0 or place + size > len(self._buffer):

@@ -82,11 +82,10 @@ class Message:
         return [cls._nested(nested, each, num_dimensions - 1) for each in value]
 
     def __eq__(self, other: object) -> bool:
+        """Compares all members but the lengths of arrays, which the arrays have themselves."""
         if not isinstance(other, Message) or other.TYPE != self.TYPE:
             return NotImplemented
-        return all(
-            getattr(self, name) == getattr(other, name) for name in self._codec.attributes
-        )
+        return all(getattr(self, name) == getattr(other, name) for name in self._codec.content)
 
     __hash__ = None  # type: ignore[assignment]  # Members change.
 

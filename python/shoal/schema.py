@@ -52,7 +52,7 @@ class Schema:
     """Structs by name, with what follows from knowing them all."""
 
     def __init__(self, structs: Iterable[StructType]) -> None:
-        """Raises LcmFileError where two structs of one name differ, or one of a member is not there."""
+        """Raises LcmFileError where two structs of one name differ, or a member's is not there."""
         self.structs: dict[str, StructType] = {}
         for struct in structs:
             known = self.structs.setdefault(struct.full_name, struct)

@@ -60,7 +60,7 @@ class SocketSet:
         self._selector.register(opened, selectors.EVENT_READ, port)
 
     def send(self, port: int, channel: str, data: bytes) -> None:
-        """Raises ValueError for what LCM cannot send, BusError where the machine does not send it."""
+        """Raises ValueError for what LCM cannot send, BusError where the machine cannot."""
         for datagram in split_message(channel, data, self._sequence):
             try:
                 self._sender.sendto(datagram, (self._group, port))

@@ -68,7 +68,7 @@ class Table:
 
     @property
     def event(self) -> Any:
-        """For each row the number of its event in the log; in a table inside, of the row it is in."""
+        """For each row the number of its event in the log; in a table inside, of its outer row."""
         return as_column(self._events)
 
     def __len__(self) -> int:

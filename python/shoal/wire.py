@@ -28,7 +28,7 @@ _PIECE_COST = 200  # What a piece takes beside its bytes.
 
 
 def split_message(channel: str, data: bytes, sequence: int) -> Iterator[bytes]:
-    """Returns the datagrams of a message, one or several. Raises ValueError for what LCM cannot send."""
+    """Returns the datagrams of a message. Raises ValueError for what LCM cannot send."""
     name = channel.encode()
     if not 1 <= len(name) <= LONGEST_CHANNEL or b"\0" in name:
         raise ValueError(f"'{channel}': a channel's name has 1 to {LONGEST_CHANNEL} bytes")

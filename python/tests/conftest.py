@@ -49,7 +49,9 @@ def random_message(made: type[Message], draw: random.Random) -> Message:
     return message
 
 
-def _random_value(made: type[Message], member: Member, sizes: list[int], draw: random.Random) -> Any:
+def _random_value(
+    made: type[Message], member: Member, sizes: list[int], draw: random.Random
+) -> Any:
     if sizes:
         values = [_random_value(made, member, sizes[1:], draw) for _ in range(sizes[0])]
         return bytes(values) if member.type_name == "byte" and len(sizes) == 1 else values
@@ -66,7 +68,9 @@ def _random_value(made: type[Message], member: Member, sizes: list[int], draw: r
     if member.type_name == "boolean":
         return draw.random() < 0.5
     value = draw.uniform(-1e6, 1e6)
-    return struct.unpack(">f", struct.pack(">f", value))[0] if member.type_name == "float" else value
+    if member.type_name == "float":
+        return struct.unpack(">f", struct.pack(">f", value))[0]
+    return value
 
 
 @pytest.fixture(params=["numpy", "without numpy"])
