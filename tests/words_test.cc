@@ -22,7 +22,7 @@ const fs::path kRoot = SHOAL_SOURCE_DIR;
 
 constexpr std::array kPlaces = {
     "lib",      "apps", "sim", "tests", "examples",  "scripts",      "lcmtypes",
-    "missions", "docs", "web", "cmake", "README.md", "CHANGELOG.md", "CONTRIBUTING.md"};
+    "missions", "docs", "web", "cmake", "python", "README.md", "CHANGELOG.md", "CONTRIBUTING.md"};
 
 // Other people's files, data, and the two files that name the words.
 constexpr std::array kLeftOut = {"web/vendor",   "tests/golden",        "tests/fuzz/corpus",
@@ -84,7 +84,7 @@ std::vector<std::pair<std::string, std::string>> Allowed() {
 bool IsRead(const std::string& file) {
   constexpr std::array kEndings = {".h",   ".cc",    ".c",    ".md",  ".lcm", ".toml",
                                    ".js",  ".mjs",   ".html", ".css", ".in",  ".cmake",
-                                   ".txt", ".proto", ".json", ""};
+                                   ".txt", ".proto", ".json", ".py",  ""};
   const std::string ending = fs::path(file).extension().string();
   return std::find(kEndings.begin(), kEndings.end(), ending) != kEndings.end() &&
          std::none_of(kLeftOut.begin(), kLeftOut.end(),
