@@ -23,7 +23,7 @@ namespace shoal {
 [[nodiscard]] std::string WriteResultsSqlite(const CampaignResults& results,
                                              const std::string& path);
 
-/// Reads the shards; writes nothing, so that a folder of somebody else can be looked at. The error
+/// Reads the shards; writes nothing, so that a folder of another user can be looked at. The error
 /// names a file that cannot be read, or a trial with two different results.
 [[nodiscard]] Result<CampaignResults> ReadResults(const CampaignFolder& folder);
 
