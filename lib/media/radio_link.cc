@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "lib/random/stream.h"
-
 namespace shoal {
 
 namespace {
@@ -71,18 +69,24 @@ RadioLink DecideRadio(const RadioOptions& options, const RadioEnd& source,
   return link;
 }
 
-RadioPassage DrawPassage(const RadioOptions& options, int64_t num_bytes, const RadioDraw& draw) {
-  const auto stream = [&](std::string_view purpose) {
-    return Stream(draw.seed, purpose, draw.medium, draw.kind, draw.source, draw.receiver,
-                  draw.number);
+RadioDraws RadioDrawsOf(uint64_t seed, std::string_view medium, std::string_view kind,
+                        std::string_view source, std::string_view receiver) {
+  const auto key = [&](std::string_view purpose) {
+    return StreamKey(seed, purpose).With(medium).With(kind).With(source).With(receiver);
   };
+  return {.jitter = key("radio jitter"), .loss = key("radio loss")};
+}
+
+RadioPassage DrawPassage(const RadioOptions& options, int64_t num_bytes, const RadioDraws& draws,
+                         int64_t number) {
+  const auto draw = [&](const StreamKey& key) { return Stream(key.With(number)).Uniform(); };
   RadioPassage passage;
   if (options.rate_bps > 0) {
     passage.air_s = 8 * static_cast<double>(num_bytes) / options.rate_bps;
   }
   passage.delay_s = passage.air_s + options.latency_s;
-  if (options.jitter_s > 0) passage.delay_s += options.jitter_s * stream("radio jitter").Uniform();
-  if (options.loss > 0) passage.is_lost = stream("radio loss").Uniform() < options.loss;
+  if (options.jitter_s > 0) passage.delay_s += options.jitter_s * draw(draws.jitter);
+  if (options.loss > 0) passage.is_lost = draw(draws.loss) < options.loss;
   return passage;
 }
 
