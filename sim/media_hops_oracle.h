@@ -85,8 +85,8 @@ class HopOracle {
   };
 
   size_t IndexOf(const std::string& name) const {
-    return static_cast<size_t>(
-        std::ranges::find(mission_.vehicles, name, &Vehicle::name) - mission_.vehicles.begin());
+    return static_cast<size_t>(std::ranges::find(mission_.vehicles, name, &Vehicle::name) -
+                               mission_.vehicles.begin());
   }
   bool Has(const std::string& vehicle, const std::string& medium) const {
     const auto& names = mission_.vehicles[IndexOf(vehicle)].media.names;

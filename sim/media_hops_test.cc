@@ -26,6 +26,7 @@ const std::vector<std::string> kNames = {"alpha", "bravo", "charlie", "buoy", "m
 Mission FiveVehicles(uint64_t seed) {
   Mission mission;
   mission.seed = seed;
+  mission.start_utime = kStep_us;  // The broker's first step is the mission's.
   mission.comms = {.comms_range_m = -1,
                    .critical_range_m = 0,
                    .stale_time_s = -1,

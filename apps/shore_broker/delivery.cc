@@ -116,8 +116,9 @@ void Delivery::SendOverMedia(int64_t utime, const DecidedTransmission& sent) {
       shipment.number = decision.number;
       shipment.source = router_.contact(decision.source).name;
     }
-    shipment.legs.push_back(
-        {.decision = decision, .destination = router_.contact(decision.destination).name});
+    ShipmentLeg& leg = shipment.legs.emplace_back();
+    leg.decision = decision;
+    leg.destination = router_.contact(decision.destination).name;
   }
   if (shipment.provenance.origin.empty()) {
     shipment.provenance.origin = shipment.source;

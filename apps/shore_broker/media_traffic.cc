@@ -57,7 +57,10 @@ MediaTraffic::MediaTraffic(const BrokerSetup& setup)
     if (medium.kind == MediumKind::kAcoustic) {
       add_acoustic(medium.name, medium.acoustics);
     } else {
-      media_.push_back({.name = medium.name, .carrier = Carrier::kRadio, .radio = medium.radio});
+      media_.push_back({.name = medium.name,
+                        .carrier = Carrier::kRadio,
+                        .radio = medium.radio,
+                        .terms = TermsOf(medium.radio)});
     }
   }
   for (const Medium& medium : media_) {
@@ -113,8 +116,8 @@ const RadioDraws& MediaTraffic::DrawsOf(size_t medium, Kind kind, Node* source,
   if (draws.size() <= receiver.number) draws.resize(nodes_.size());
   std::optional<RadioDraws>& of_link = draws[receiver.number];
   if (!of_link) {
-    of_link = RadioDrawsOf(setup_.seed, media_[medium].name, KindText(kind), source->key,
-                           receiver.key);
+    of_link =
+        RadioDrawsOf(setup_.seed, media_[medium].name, KindText(kind), source->key, receiver.key);
   }
   return *of_link;
 }
@@ -160,7 +163,8 @@ MediaTraffic::Answer MediaTraffic::Ask(const Medium& medium, const Node& source,
   if (medium.carrier != Carrier::kRadio) return {};
   Answer answer;
   answer.radio = DecideRadio(
-      medium.radio, {.position_m = source.position_m, .antenna_height_m = source.antenna_height_m},
+      medium.radio, medium.terms,
+      {.position_m = source.position_m, .antenna_height_m = source.antenna_height_m},
       {.position_m = receiver.position_m, .antenna_height_m = receiver.antenna_height_m});
   if (answer.radio.fault != RadioFault::kNone) answer.cause = CauseOf(answer.radio.fault);
   return answer;
@@ -178,7 +182,7 @@ void MediaTraffic::Send(int64_t utime, Shipment shipment, const MediaChoice& cho
   for (ShipmentLeg& leg : shipment.legs) {
     const Node& receiver = ReceiverOf(leg);
     std::optional<Cause> cause;
-    LegMedium faulty;
+    std::optional<LegMedium> faulty;
     int num_sent = 0;
     for (const size_t place : candidates) {
       const Medium& medium = media_[place];
@@ -187,14 +191,15 @@ void MediaTraffic::Send(int64_t utime, Shipment shipment, const MediaChoice& cho
       if (answer.cause) {
         if (cause) continue;
         cause = answer.cause;
-        faulty = {.name = medium.name, .radio = answer.radio};
+        faulty.emplace(LegMedium{.name = medium.name, .radio = answer.radio});
         continue;
       }
       std::vector<ShipmentLeg>& legs = legs_by_medium[place];
       ShipmentLeg& copy =
           choice.at_once ? legs.emplace_back(leg) : legs.emplace_back(std::move(leg));
       copy.to_m = receiver.position_m;
-      copy.medium = {.name = medium.name, .radio = answer.radio};
+      copy.medium.name = medium.name;
+      copy.medium.radio = answer.radio;
       ++num_sent;
       if (!choice.at_once) break;
       if (leg.copies == nullptr) leg.copies = std::make_shared<Copies>();
@@ -205,10 +210,10 @@ void MediaTraffic::Send(int64_t utime, Shipment shipment, const MediaChoice& cho
       num_surplus_ += num_sent - 1;
       continue;
     }
-    leg.medium = faulty;
-    if (cause && faulty.radio.range_m >= 0) {
-      leg.decision.range_m = faulty.radio.range_m;
-      leg.decision.limit_m = faulty.radio.limit_m;
+    leg.medium = faulty.value_or(LegMedium());
+    if (leg.medium.radio.range_m >= 0) {
+      leg.decision.range_m = leg.medium.radio.range_m;
+      leg.decision.limit_m = leg.medium.radio.limit_m;
     }
     stopped.emplace_back(std::move(leg), cause.value_or(Cause::kNoMedium));
   }

@@ -67,7 +67,8 @@ class MediaTraffic {
     std::string name;
     Carrier carrier = Carrier::kDirect;
     size_t acoustic = 0;      ///< Of kAcoustic: which of acoustics_.
-    RadioOptions radio = {};  ///< Of kRadio.
+    RadioOptions radio = {};  ///< Of kRadio, as the next.
+    TwoRayTerms terms = {};
   };
   struct Node {
     std::string key;
@@ -117,8 +118,8 @@ class MediaTraffic {
   RadioTraffic radio_;
   std::map<std::string, Node, std::less<>> nodes_;  ///< By key of the name.
   Node unknown_node_;
-  std::vector<KnownNode> known_nodes_;                      ///< By index of the router's contact.
-  std::vector<std::vector<ShipmentLeg>> legs_by_medium_;    ///< Of one shipment; kept for its memory.
+  std::vector<KnownNode> known_nodes_;                    ///< By index of the router's contact.
+  std::vector<std::vector<ShipmentLeg>> legs_by_medium_;  ///< Of one shipment; kept for its memory.
   std::map<std::string, std::vector<size_t>, std::less<>> resolved_;  ///< By TextOf a choice.
   std::optional<int64_t> delivered_utime_;                            ///< Of the last Deliver.
   int64_t num_surplus_ = 0;  ///< Copies whose ends decide nothing.

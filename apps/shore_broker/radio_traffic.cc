@@ -6,8 +6,8 @@ namespace shoal {
 
 void RadioTraffic::Send(std::shared_ptr<const Shipment> shipment, ShipmentLeg leg,
                         const RadioOptions& options, const RadioDraws& draws, int64_t sent_utime) {
-  const RadioPassage passage = DrawPassage(
-      options, static_cast<int64_t>(shipment->payload.size()), draws, shipment->number);
+  const RadioPassage passage =
+      DrawPassage(options, static_cast<int64_t>(shipment->payload.size()), draws, shipment->number);
   leg.medium.delay_s = passage.delay_s;
   leg.medium.loss_probability = options.loss;
   size_t slot = under_way_.size();
@@ -31,8 +31,7 @@ void RadioTraffic::Deliver(int64_t utime, const TakeLegEnd& take) {
   while (!queue_.empty() && queue_.top().utime <= utime) {
     const Arrival arrival = queue_.top();
     queue_.pop();
-    const UnderWay arrived = std::move(under_way_[arrival.slot]);
-    free_slots_.push_back(arrival.slot);
+    UnderWay& arrived = under_way_[arrival.slot];
     take({.shipment = *arrived.shipment,
           .leg = arrived.leg,
           .cause = arrived.is_lost ? Cause::kPacketLoss : Cause::kDelivered,
@@ -40,6 +39,8 @@ void RadioTraffic::Deliver(int64_t utime, const TakeLegEnd& take) {
                                      : std::span<const uint8_t>(arrived.shipment->payload),
           .sent_utime = arrived.sent_utime,
           .arrived_utime = arrival.utime});
+    arrived.shipment.reset();
+    free_slots_.push_back(arrival.slot);
   }
 }
 

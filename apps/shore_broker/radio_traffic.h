@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -50,7 +51,7 @@ class RadioTraffic {
   };
 
   std::priority_queue<Arrival, std::vector<Arrival>, std::greater<>> queue_;
-  std::vector<UnderWay> under_way_;  ///< Slots keep their memory.
+  std::deque<UnderWay> under_way_;  ///< Slots keep their memory and their places.
   std::vector<size_t> free_slots_;
   int64_t num_sent_ = 0;
 };

@@ -62,12 +62,12 @@ struct CommsLog {
   LogTime time = LogTime::kMission;
   int64_t tick_us = 100'000;
   bool tick_is_guessed = false;
-  std::vector<LoggedMessage> inputs;   ///< As the broker handled them.
-  std::vector<LoggedMessage> fates;    ///< As they were published.
-  std::vector<LoggedTruth> truths;     ///< As the broker handled them, where it is given them.
+  std::vector<LoggedMessage> inputs;        ///< As the broker handled them.
+  std::vector<LoggedMessage> fates;         ///< As they were published.
+  std::vector<LoggedTruth> truths;          ///< As the broker handled them, where it is given them.
   std::vector<std::string> truth_channels;  ///< NAV_<V>, of all vehicles in the log.
-  std::vector<BrokerStart> starts;     ///< One at least, unless there are no inputs.
-  std::vector<int64_t> rule_changes;   ///< When COMMS_RULES was published again, for a change.
+  std::vector<BrokerStart> starts;          ///< One at least, unless there are no inputs.
+  std::vector<int64_t> rule_changes;        ///< When COMMS_RULES was published again, for a change.
   std::optional<comms_rules_t> rules;  ///< The broker's at its first start; or the first that are.
   int64_t first_utime = 0;             ///< Of all events.
   int64_t last_utime = 0;              ///< No step is later.

@@ -35,8 +35,8 @@ class MediaTally {
 
   const std::map<Key, MediumOutcome>& outcomes() const { return outcomes_; }
 
-  /// Returns a table with a line for each kind, medium and hop; empty where there is nothing. Behind
-  /// the count of each cause stand the numbers that decided the last such fate.
+  /// Returns a table with a line for each kind, medium and hop; empty where there is nothing.
+  /// Behind the count of each cause stand the numbers that decided the last such fate.
   [[nodiscard]] std::string Text() const;
   /// Returns a line for each link of each of these.
   [[nodiscard]] std::string Csv() const;

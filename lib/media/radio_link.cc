@@ -12,15 +12,14 @@ double HeightOf(const RadioOptions& options, const RadioEnd& end) {
   return std::max(own_m - end.position_m.z(), 0.0);
 }
 
-void AskSignal(const RadioOptions& options, double height_m, double other_height_m,
-               RadioLink* link) {
+void AskSignal(const RadioOptions& options, const TwoRayTerms& terms, double height_m,
+               double other_height_m, RadioLink* link) {
   link->path_loss_limit_db = options.power_dbm - options.sensitivity_dbm;
   double reach_m = 0;
   if (options.path_loss == PathLossModel::kTwoRay) {
     link->path_loss_db =
         TwoRayLoss_db(link->range_m, options.frequency_mhz, height_m, other_height_m);
-    reach_m =
-        TwoRayReach_m(link->path_loss_limit_db, options.frequency_mhz, height_m, other_height_m);
+    reach_m = TwoRayReach_m(terms, options.frequency_mhz, height_m, other_height_m);
   } else {
     link->path_loss_db = LogDistanceLoss_db(link->range_m, options.frequency_mhz, options.exponent);
     reach_m = LogDistanceReach_m(link->path_loss_limit_db, options.frequency_mhz, options.exponent);
@@ -35,7 +34,17 @@ void AskSignal(const RadioOptions& options, double height_m, double other_height
 
 }  // namespace
 
+TwoRayTerms TermsOf(const RadioOptions& options) {
+  if (options.path_loss != PathLossModel::kTwoRay) return {};
+  return TwoRayTermsOf(options.power_dbm - options.sensitivity_dbm, options.frequency_mhz);
+}
+
 RadioLink DecideRadio(const RadioOptions& options, const RadioEnd& source,
+                      const RadioEnd& receiver) {
+  return DecideRadio(options, TermsOf(options), source, receiver);
+}
+
+RadioLink DecideRadio(const RadioOptions& options, const TwoRayTerms& terms, const RadioEnd& source,
                       const RadioEnd& receiver) {
   RadioLink link;
   link.depth_m = std::max({source.position_m.z(), receiver.position_m.z(), 0.0});
@@ -65,7 +74,7 @@ RadioLink DecideRadio(const RadioOptions& options, const RadioEnd& source,
     }
   }
   if (options.path_loss != PathLossModel::kNone)
-    AskSignal(options, height_m, other_height_m, &link);
+    AskSignal(options, terms, height_m, other_height_m, &link);
   return link;
 }
 

@@ -61,6 +61,10 @@ struct RadioLink {
 /// Decides one link. The same in both directions.
 [[nodiscard]] RadioLink DecideRadio(const RadioOptions& options, const RadioEnd& source,
                                     const RadioEnd& receiver);
+/// The same, with the terms of the options for two_ray, which take longer than all the rest.
+[[nodiscard]] TwoRayTerms TermsOf(const RadioOptions& options);
+[[nodiscard]] RadioLink DecideRadio(const RadioOptions& options, const TwoRayTerms& terms,
+                                    const RadioEnd& source, const RadioEnd& receiver);
 
 /// Names the random numbers of the transmissions of one kind over one link.
 struct RadioDraws {

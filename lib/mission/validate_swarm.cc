@@ -78,11 +78,13 @@ void CheckMembers(const TablePlace& place, const Mission& mission) {
                                vehicle.name, mission.swarm.leader));
     }
     if (!mission.IsReported(vehicle) && vehicle.sim == Provider::kNone) {
-      place.Warn(key,
-                 fmt::format("node_reporter and vehicle_sim of {} are \"none\": unless a program of yours sends "
-                             "its reports or NAV, the broker does not know where it is, and none of "
-                             "its messages is sent or received",
-                             vehicle.name));
+      place.Warn(
+          key,
+          fmt::format(
+              "node_reporter and vehicle_sim of {} are \"none\": unless a program of yours sends "
+              "its reports or NAV, the broker does not know where it is, and none of "
+              "its messages is sent or received",
+              vehicle.name));
     }
     if (vehicle.sim == Provider::kNone && vehicle.acomms == Provider::kShoal) {
       place.Warn(key, fmt::format("vehicle_sim of {} is \"none\": unless a program of yours "

@@ -22,8 +22,8 @@ class BroadcastRouter {
   BroadcastRouter(const RoutingRules& rules, ContactBook& contacts, FateLedger& ledger)
       : rules_(rules), contacts_(contacts), ledger_(ledger) {}
 
-  /// Appends the fate at each other vehicle that takes part, in order of keys; those that are counted
-  /// together come last.
+  /// Appends the fate at each other vehicle that takes part, in order of keys; those that are
+  /// counted together come last.
   void Route(const Transmission& sent, Contact* source, int64_t utime,
              std::vector<Decision>* decisions);
 

@@ -128,8 +128,8 @@ class Router {
                 std::vector<std::string>* unknown_names);
 
   /// Appends the fates of a packet at each other vehicle that is known or whose place in truth is,
-  /// in order of keys; those that are not distinguished come last. Asks: invalid, unknown source, too long, then at each
-  /// destination.
+  /// in order of keys; those that are not distinguished come last. Asks: invalid, unknown source,
+  /// too long, then at each destination.
   void RoutePacket(const PacketFacts& packet, int64_t utime, std::vector<Decision>* decisions);
 
   /// Gives a transmission that is in transit its fate, for the counts. Names, since either vehicle

@@ -123,9 +123,8 @@ constexpr std::array kNumbers = {
     NumberRow{{"colliders", "colliders"}, CollidersText},
     NumberRow{{"loss_probability", "loss_probability"},
               [](const FateFacts& facts, Colliders) {
-                return facts.loss_probability >= 0
-                           ? fmt::format("{:.3g}", facts.loss_probability)
-                           : std::string();
+                return facts.loss_probability >= 0 ? fmt::format("{:.3g}", facts.loss_probability)
+                                                   : std::string();
               }},
     NumberRow{{"snr", "snr_db"},
               [](const FateFacts& facts, Colliders) {
@@ -225,9 +224,9 @@ std::string DecidingNumbers(const FateView& fate) { return NumbersOf(fate.facts,
 std::string DecidingNumbers(const FateFacts& facts) { return NumbersOf(facts, {}); }
 
 std::string FateText(const FateView& fate) {
-  return fmt::format("{}: {}", Ends(fate.source, fate.destination, fate.facts.count),
-                     Joined(Joined(CauseWords(fate.facts.cause), DecidingNumbers(fate)),
-                            MediumWords(fate)));
+  return fmt::format(
+      "{}: {}", Ends(fate.source, fate.destination, fate.facts.count),
+      Joined(Joined(CauseWords(fate.facts.cause), DecidingNumbers(fate)), MediumWords(fate)));
 }
 
 std::string FateText(const fate_t& fate) {

@@ -237,8 +237,8 @@ TEST_F(LiveViewTest, TellsTheMediaOfLinksApart) {
   EXPECT_FALSE(json::parse(view_.LinksJson(0)).contains("media")) << "as before there were media";
   EXPECT_FALSE(view_.MediumLinksJson("vhf", 0).ok());
   Handle("COMMS_FATES", FatesOf(12'100'000, {by_radio, rule, below, by_sound}));
-  Handle("COMMS_MEDIA", MediaOf(12'100'000, {MediumOf(by_radio, "vhf"), depth,
-                                             MediumOf(by_sound, "acoustic")}));
+  Handle("COMMS_MEDIA",
+         MediaOf(12'100'000, {MediumOf(by_radio, "vhf"), depth, MediumOf(by_sound, "acoustic")}));
   const json all = json::parse(view_.LinksJson(0));
   EXPECT_EQ(all["media"], (json{"vhf", "acoustic"}));
   EXPECT_EQ(all["links"][0]["offered"], 2);

@@ -94,7 +94,10 @@ class IndexBuilder : private SceneObserver {
   using Topic = ChannelUse::Topic;
 
   static Keyframe KeyframeAtStart(const Scene& scene) {
-    return {.timeline = RecordedTimeline(scene.start_utime()), .links = {}, .media_links = {}, .standing = {}};
+    return {.timeline = RecordedTimeline(scene.start_utime()),
+            .links = {},
+            .media_links = {},
+            .standing = {}};
   }
 
   void TakeKnown(const LogEvent& event, ChannelUse* use) {

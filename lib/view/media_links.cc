@@ -38,10 +38,9 @@ const LinkBook* MediaLinks::Find(std::string_view medium) const {
 }
 
 size_t MediaLinks::num_links() const {
-  return std::accumulate(books_.begin(), books_.end(), size_t{0},
-                         [](size_t sum, const auto& each) {
-                           return sum + each.second.links().size();
-                         });
+  return std::accumulate(books_.begin(), books_.end(), size_t{0}, [](size_t sum, const auto& each) {
+    return sum + each.second.links().size();
+  });
 }
 
 std::vector<std::string> MediaNamesOf(const Mission& mission) {

@@ -141,7 +141,17 @@ class Scene {
   int64_t num_left_out() const { return num_left_out_; }  ///< Reports of too many outside vehicles.
 
  private:
-  enum class Topic : uint8_t { kNav, kHelm, kSwarm, kShown, kReport, kFates, kMedia, kRules, kPulses };
+  enum class Topic : uint8_t {
+    kNav,
+    kHelm,
+    kSwarm,
+    kShown,
+    kReport,
+    kFates,
+    kMedia,
+    kRules,
+    kPulses
+  };
   struct ChannelPlace {
     Topic topic = Topic::kNav;
     size_t vehicle = 0;

@@ -121,8 +121,9 @@ class Sea {
 
 void MeasureReports(benchmark::State& state, const Mission& mission) {
   Sea sea(mission);
-  for (int i = 0; i < 20; ++i) sea.Step();  // From now on all are known, and media are as busy as
-                                            // they will be.
+  for (int i = 0; i < 20; ++i)
+    sea.Step();  // From now on all are known, and media are as busy as
+                 // they will be.
   const int64_t num_before = sea.NumFates();
   for (auto _ : state) sea.Step();
   state.SetItemsProcessed(sea.NumFates() - num_before);
