@@ -1,5 +1,4 @@
-// A number that a trial of a campaign yields, as data. docs/campaign_metrics.md documents each
-// kind.
+// A number that a trial of a campaign yields, as data. docs/campaign_metrics.md documents each kind.
 #pragma once
 
 #include <Eigen/Core>
@@ -27,15 +26,15 @@ enum class Reduction { kMin, kMax, kMean, kPercentile, kLast };
 struct MetricSpec {
   std::string name;
   MetricKind kind = MetricKind::kField;
-  Kind traffic = Kind::kReport;  ///< Of delivery ratios.
-  std::string vehicle = "all";   ///< A name or "all".
-  std::string from = "all";      ///< A name, "group:NAME" or "all".
-  std::string to = "all";        ///< Likewise.
-  std::string channel;           ///< "NAV_ALPHA".
-  std::string field;             ///< "depth_m", "contacts[0].x_m".
+  Kind traffic = Kind::kReport;   ///< Of delivery ratios.
+  std::string vehicle = "all";    ///< A name or "all".
+  std::string from = "all";       ///< A name, "group:NAME" or "all".
+  std::string to = "all";         ///< Likewise.
+  std::string channel;            ///< "NAV_ALPHA".
+  std::string field;              ///< "depth_m", "contacts[0].x_m".
   Reduction reduction = Reduction::kMean;
-  double percentile = 95;                                 ///< Of kPercentile: 0 to 100.
-  double from_s = 0;                                      ///< Values before are left out.
+  double percentile = 95;         ///< Of kPercentile: 0 to 100.
+  double from_s = 0;              ///< Values before are left out.
   std::optional<Eigen::Vector2d> point_m = std::nullopt;  ///< Absent: the vehicle's return point.
   double within_m = 20;
 };

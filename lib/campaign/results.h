@@ -27,9 +27,9 @@ struct MetricName {
 };
 
 struct TrialRow {
-  size_t case_number = 0;            ///< In CampaignResults::cases.
-  int64_t repetition = 0;            ///< From 1.
-  uint64_t seed = 0;                 ///< Of the mission.
+  size_t case_number = 0;  ///< In CampaignResults::cases.
+  int64_t repetition = 0;  ///< From 1.
+  uint64_t seed = 0;       ///< Of the mission.
   std::vector<std::string> samples;  ///< Of the sampled keys, as TOML writes them.
   TrialResult result;                ///< metrics has a value for each name, or kNoValue.
 };
