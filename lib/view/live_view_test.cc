@@ -225,7 +225,7 @@ TEST_F(LiveViewTest, LinksShowWhichVehiclesReceiveEachOtherAndWhy) {
   EXPECT_EQ(json::parse(view_.LinksJson(0))["links"][0]["hears"], false) << "that is long ago";
 }
 
-TEST_F(LiveViewTest, TellsTheMediaOfLinksApart) {
+TEST_F(LiveViewTest, ShowsTheMediaOfLinksApart) {
   const fate_t by_radio = FateOf("alpha", "bravo", "delivered");
   fate_t by_sound = FateOf("alpha", "bravo", "packet_loss");
   by_sound.number = 1;
