@@ -12,11 +12,12 @@ export class CommsPanel {
     root.replaceChildren();
     const part = element('section', {}, element('h3', {}, 'Links'));
     root.append(part);
-    this.matrix = new LinkMatrix(part, (from, to) => page.openLink(from, to));
+    this.matrix = new LinkMatrix(part, (from, to) => page.openLink(from, to),
+      () => this.poller.renew());
     this.link = new LinkPanel(page, root, () => page.openLink(null, null));
     this.fates = new FatesPanel(page, root);
     this.poller = new Poller(page.isRecorded ? 300 : 1000, () => this.#ask(),
-      () => (page.isRecorded ? String(page.source.t) : null));
+      () => (page.isRecorded ? `${this.matrix.medium}@${page.source.t}` : null));
   }
 
   show(visible) {
@@ -34,6 +35,7 @@ export class CommsPanel {
   }
 
   reset() {
+    this.matrix.reset();
     this.fates.reset();
     this.poller.renew();
     this.link.poller.renew();
@@ -44,7 +46,8 @@ export class CommsPanel {
   }
 
   async #ask() {
-    const links = await this.page.requests.get('/api/links', this.page.query());
-    this.matrix.update(links, this.page.link);
+    const {medium} = this.matrix;
+    const links = await this.page.requests.get('/api/links', {medium, ...this.page.query()});
+    if (medium === this.matrix.medium) this.matrix.update(links, this.page.link);
   }
 }

@@ -41,21 +41,57 @@ export function cellWords(link, t) {
   };
 }
 
+/**
+ * The media that the matrix can be asked for one by one: none where the mission has fewer than two.
+ * @param links  answer of /api/links
+ */
+export function mediaToChoose(links) {
+  const media = (Array.isArray(links?.media) ? links.media : [])
+    .filter((name) => typeof name === 'string' && name !== '').slice(0, 32);
+  return media.length > 1 ? media : [];
+}
+
 export class LinkMatrix {
-  constructor(parent, onLink) {
+  /** @param onMedium  another medium was chosen: see `medium` */
+  constructor(parent, onLink, onMedium = () => {}) {
     this.onLink = onLink;
+    this.shownMedia = '';
+    this.select = element('select', {id: 'matrix-medium', onchange: onMedium});
+    this.choice = element('label', {class: 'filters', hidden: true}, 'Medium ', this.select);
     this.table = element('table', {id: 'matrix', class: 'matrix'});
     this.count = element('p', {class: 'dim'});
     this.scroll = element('div', {class: 'matrix-scroll', tabindex: '0',
       'aria-label': 'Link matrix'}, this.table);
-    parent.append(this.count, this.scroll);
+    parent.append(this.choice, this.count, this.scroll);
     new ResizeObserver(() => this.#fit()).observe(this.scroll);
     this.cells = new Map();
     this.shownNames = '';
   }
 
+  /** The medium whose links are shown; empty: all. */
+  get medium() {
+    return this.select.value;
+  }
+
+  /** Another mission: all media, until an answer names them. */
+  reset() {
+    this.#offer([]);
+  }
+
+  #offer(media) {
+    const joined = media.join('\n');
+    if (joined === this.shownMedia) return;
+    this.shownMedia = joined;
+    const {medium} = this;
+    this.select.replaceChildren(element('option', {value: ''}, 'all'),
+      ...media.map((value) => element('option', {value}, value)));
+    this.select.value = media.includes(medium) ? medium : '';
+    this.choice.hidden = media.length === 0;
+  }
+
   /** @param links  answer of /api/links @param chosen  {from, to} or null */
   update(links, chosen) {
+    this.#offer(mediaToChoose(links));
     const names = Array.isArray(links.names) ? links.names : [];
     const joined = names.join('\n');
     if (joined !== this.shownNames) this.#build(names);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "lib/geometry/angles.h"
+#include "lib/mission/swarm_plan.h"
 
 namespace shoal {
 
@@ -13,15 +14,16 @@ Result<bool> OpenPorts(const Mission& mission, const std::string& address,
                        OutsideVehicle* outsider) {
   const NetsimVehicle& vehicle = outsider->options;
   if (vehicle.modem != NetsimModem::kNone) {
-    const AcousticOptions& acoustics = mission.acoustics.options;
-    const int64_t limit = acoustics.modem ? acoustics.modem->max_packet_bytes : 0;
+    const Acoustics& acoustics = PacketAcousticsOf(mission);
+    const std::optional<ModemPreset>& modem_of_network = acoustics.options.modem;
+    const int64_t limit = modem_of_network ? modem_of_network->max_packet_bytes : 0;
     auto modem =
         ModemPort::Open({.address = address,
                          .port = vehicle.modem_tcp_port,
                          .kind = vehicle.modem,
                          .modem_address = outsider->vehicle->acoustic_address,
-                         .water_bps = acoustics.data_rate_bps,
-                         .more_bytes = mission.acoustics.crc ? kPacketCrcBytes : 0,
+                         .water_bps = acoustics.options.data_rate_bps,
+                         .more_bytes = acoustics.crc ? kPacketCrcBytes : 0,
                          .max_bytes = limit > 0 ? static_cast<size_t>(limit) : kMaxRawPieceBytes,
                          .on_refuse = [on_event, name = vehicle.name](const std::string& host) {
                            on_event(

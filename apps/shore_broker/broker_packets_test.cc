@@ -46,6 +46,53 @@ TEST_F(CalmPackets, ArriveInTheStepOfTheirLastByte) {
   EXPECT_EQ(pulses_.size(), 1U);
 }
 
+class PacketsByTruth : public AcousticFixture {
+ protected:
+  void SendNav(const std::string& name, double x_m) {
+    nav_t nav{};
+    nav.x_m = x_m;
+    Publish(listener_, channels::Nav(name), nav);
+  }
+};
+
+TEST_F(PacketsByTruth, TakeAsLongAsTheWayIsInTruth) {
+  Send(ReportFrom("alpha", 0));
+  Send(ReportFrom("bravo", 393));
+  SendNav("alpha", 10);
+  SendNav("bravo", 46);
+  Step();
+  SendPacket("alpha", Bytes(37, 7));
+  EXPECT_GT(StepUntilFates(), 0);
+  ASSERT_EQ(Fates(), Texts{"alpha>bravo delivered"}) << "393 m would be out of range";
+  EXPECT_EQ(fates_[0].range_m, 36);
+  EXPECT_NEAR(fates_[0].path.at(0).travel_s, 36 / 1500.0, 1e-12);
+  ASSERT_EQ(pulses_.size(), 1U);
+  EXPECT_EQ(pulses_[0].sx_m, 10);
+}
+
+TEST_F(PacketsByTruth, GoToAndFromVehiclesThatNeverReport) {
+  SendNav("alpha", 0);
+  SendNav("bravo", 150);
+  Step();
+  SendPacket("alpha", {1});
+  EXPECT_GT(StepUntilFates(), 0);
+  EXPECT_EQ(Fates(), Texts{"alpha>bravo delivered"});
+  Send(MessageFrom("alpha", "bravo"));
+  Step();
+  EXPECT_EQ(Fates(), Texts{"alpha>bravo unknown_source"}) << "messages need reports";
+}
+
+TEST_F(PacketsByTruth, FindVehiclesFromOutsideWhereTheyReport) {
+  SendNav("alpha", 0);
+  SendNav("charlie", 5000);  // No vehicle of the mission.
+  Send(ReportFrom("charlie", 90));
+  Step();
+  SendPacket("alpha", {1});
+  EXPECT_GT(StepUntilFates(), 0);
+  ASSERT_EQ(Fates(), Texts{"alpha>charlie delivered"});
+  EXPECT_EQ(fates_[0].range_m, 90);
+}
+
 TEST_F(CalmPackets, OfAModemGoAtItsRateAndHaveNoRange) {
   Send(ReportFrom("alpha", 0));
   Send(ReportFrom("bravo", 1500));

@@ -108,13 +108,17 @@ void Delivery::SendOverMedia(int64_t utime, const DecidedTransmission& sent) {
   shipment.has_pulses = sent.has_pulses;
   shipment.color = sent.color;
   shipment.provenance = sent.provenance;
+  shipment.legs.reserve(sent.decisions.size());
   for (const Decision& decision : sent.decisions) {
     if (decision.cause != Cause::kInTransit) continue;
-    shipment.kind = decision.kind;
-    shipment.number = decision.number;
-    shipment.source = router_.contact(decision.source).name;
-    shipment.legs.push_back(
-        {.decision = decision, .destination = router_.contact(decision.destination).name});
+    if (shipment.legs.empty()) {  // All are of one transmission.
+      shipment.kind = decision.kind;
+      shipment.number = decision.number;
+      shipment.source = router_.contact(decision.source).name;
+    }
+    ShipmentLeg& leg = shipment.legs.emplace_back();
+    leg.decision = decision;
+    leg.destination = router_.contact(decision.destination).name;
   }
   if (shipment.provenance.origin.empty()) {
     shipment.provenance.origin = shipment.source;
@@ -168,7 +172,7 @@ void Delivery::TakeLegEnd(int64_t utime, const LegEnd& end) {
   } else if (cause == Cause::kDelivered && shipment.kind == Kind::kPacket) {
     DeliverPacket(utime, end);
   } else if (cause == Cause::kDelivered) {
-    if (!is_overheard) bus_.PublishBytes(ChannelOf(shipment.kind, destination), shipment.message);
+    if (!is_overheard) Deliver(end.leg, shipment);
     HandToGateway(utime, end);
   }
   // The network handed over what a checksum, or the receiver, then threw away.
@@ -177,6 +181,16 @@ void Delivery::TakeLegEnd(int64_t utime, const LegEnd& end) {
     end.acoustic->CountRejection();
   }
   Conclude(utime, end, cause);
+}
+
+void Delivery::Deliver(const ShipmentLeg& leg, const Shipment& shipment) {
+  const int32_t index = leg.decision.destination;
+  if (index >= 0 && router_.contact(index).name == leg.destination) {
+    const ReceiverChannels& receiver = ChannelsOf(index);
+    bus_.PublishBytes(receiver.names[static_cast<size_t>(shipment.kind)], shipment.message);
+  } else {
+    bus_.PublishBytes(ChannelOf(shipment.kind, leg.destination), shipment.message);
+  }
 }
 
 void Delivery::Conclude(int64_t utime, const LegEnd& end, Cause cause) {

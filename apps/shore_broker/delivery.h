@@ -88,6 +88,8 @@ class Delivery {
   /// Gives the legs to vehicles that have made or forwarded it their fate, and removes them.
   void EndWhereItWas(int64_t utime, Shipment* shipment);
   void TakeLegEnd(int64_t utime, const LegEnd& end);
+  /// Publishes it as it was sent, on the receiver's channel.
+  void Deliver(const ShipmentLeg& leg, const Shipment& shipment);
   void Conclude(int64_t utime, const LegEnd& end, Cause cause);
   /// Hands what the vehicle has received to its gateway, where it is one that forwards such.
   void HandToGateway(int64_t utime, const LegEnd& arrival);

@@ -57,7 +57,10 @@ MediaTraffic::MediaTraffic(const BrokerSetup& setup)
     if (medium.kind == MediumKind::kAcoustic) {
       add_acoustic(medium.name, medium.acoustics);
     } else {
-      media_.push_back({.name = medium.name, .carrier = Carrier::kRadio, .radio = medium.radio});
+      media_.push_back({.name = medium.name,
+                        .carrier = Carrier::kRadio,
+                        .radio = medium.radio,
+                        .terms = TermsOf(medium.radio)});
     }
   }
   for (const Medium& medium : media_) {
@@ -79,8 +82,10 @@ MediaTraffic::Node* MediaTraffic::FindOrAdd(std::string_view name) {
   const auto found = nodes_.find(key);
   if (found != nodes_.end()) return &found->second;
   if (nodes_.size() >= setup_.vehicles.size() + Router::kMaxUnregistered) return nullptr;
+  const size_t number = nodes_.size();
   Node& node = nodes_[key];
   node.key = key;
+  node.number = number;
   node.has.assign(media_.size(), 1);
   return &node;
 }
@@ -88,6 +93,33 @@ MediaTraffic::Node* MediaTraffic::FindOrAdd(std::string_view name) {
 const MediaTraffic::Node& MediaTraffic::NodeOf(std::string_view name) const {
   const auto found = nodes_.find(VehicleKey(name));
   return found == nodes_.end() ? unknown_node_ : found->second;
+}
+
+const MediaTraffic::Node& MediaTraffic::ReceiverOf(const ShipmentLeg& leg) {
+  if (leg.decision.destination < 0) return NodeOf(leg.destination);
+  const auto place = static_cast<size_t>(leg.decision.destination);
+  if (place >= known_nodes_.size()) known_nodes_.resize(place + 1);
+  KnownNode& known = known_nodes_[place];
+  if (known.node == nullptr || known.name != leg.destination) {
+    const Node& node = NodeOf(leg.destination);
+    if (&node == &unknown_node_) return node;  // It may have room later.
+    known = {.name = leg.destination, .node = &node};
+  }
+  return *known.node;
+}
+
+const RadioDraws& MediaTraffic::DrawsOf(size_t medium, Kind kind, Node* source,
+                                        const Node& receiver) {
+  const size_t row = medium * kNumKinds + static_cast<size_t>(kind);
+  if (source->draws.size() <= row) source->draws.resize(row + 1);
+  auto& draws = source->draws[row];
+  if (draws.size() <= receiver.number) draws.resize(nodes_.size());
+  std::optional<RadioDraws>& of_link = draws[receiver.number];
+  if (!of_link) {
+    of_link =
+        RadioDrawsOf(setup_.seed, media_[medium].name, KindText(kind), source->key, receiver.key);
+  }
+  return *of_link;
 }
 
 void MediaTraffic::Place(std::string_view name, const Eigen::Vector3d& position_m) {
@@ -131,7 +163,8 @@ MediaTraffic::Answer MediaTraffic::Ask(const Medium& medium, const Node& source,
   if (medium.carrier != Carrier::kRadio) return {};
   Answer answer;
   answer.radio = DecideRadio(
-      medium.radio, {.position_m = source.position_m, .antenna_height_m = source.antenna_height_m},
+      medium.radio, medium.terms,
+      {.position_m = source.position_m, .antenna_height_m = source.antenna_height_m},
       {.position_m = receiver.position_m, .antenna_height_m = receiver.antenna_height_m});
   if (answer.radio.fault != RadioFault::kNone) answer.cause = CauseOf(answer.radio.fault);
   return answer;
@@ -141,12 +174,15 @@ void MediaTraffic::Send(int64_t utime, Shipment shipment, const MediaChoice& cho
                         const TakeLegEnd& take) {
   const std::vector<size_t>& candidates = Resolve(choice);
   const Node& source = NodeOf(shipment.source);
-  std::vector<std::vector<ShipmentLeg>> legs_by_medium(media_.size());
+  // Taken for the time of this call: what is delivered at once may lead to another.
+  std::vector<std::vector<ShipmentLeg>> legs_by_medium = std::move(legs_by_medium_);
+  legs_by_medium.resize(media_.size());
+  for (const size_t place : candidates) legs_by_medium[place].reserve(shipment.legs.size());
   std::vector<std::pair<ShipmentLeg, Cause>> stopped;
   for (ShipmentLeg& leg : shipment.legs) {
-    const Node& receiver = NodeOf(leg.destination);
+    const Node& receiver = ReceiverOf(leg);
     std::optional<Cause> cause;
-    LegMedium faulty;
+    std::optional<LegMedium> faulty;
     int num_sent = 0;
     for (const size_t place : candidates) {
       const Medium& medium = media_[place];
@@ -155,12 +191,15 @@ void MediaTraffic::Send(int64_t utime, Shipment shipment, const MediaChoice& cho
       if (answer.cause) {
         if (cause) continue;
         cause = answer.cause;
-        faulty = {.name = medium.name, .radio = answer.radio};
+        faulty.emplace(LegMedium{.name = medium.name, .radio = answer.radio});
         continue;
       }
-      ShipmentLeg& copy = legs_by_medium[place].emplace_back(leg);
+      std::vector<ShipmentLeg>& legs = legs_by_medium[place];
+      ShipmentLeg& copy =
+          choice.at_once ? legs.emplace_back(leg) : legs.emplace_back(std::move(leg));
       copy.to_m = receiver.position_m;
-      copy.medium = {.name = medium.name, .radio = answer.radio};
+      copy.medium.name = medium.name;
+      copy.medium.radio = answer.radio;
       ++num_sent;
       if (!choice.at_once) break;
       if (leg.copies == nullptr) leg.copies = std::make_shared<Copies>();
@@ -171,10 +210,10 @@ void MediaTraffic::Send(int64_t utime, Shipment shipment, const MediaChoice& cho
       num_surplus_ += num_sent - 1;
       continue;
     }
-    leg.medium = faulty;
-    if (cause && faulty.radio.range_m >= 0) {
-      leg.decision.range_m = faulty.radio.range_m;
-      leg.decision.limit_m = faulty.radio.limit_m;
+    leg.medium = faulty.value_or(LegMedium());
+    if (leg.medium.radio.range_m >= 0) {
+      leg.decision.range_m = leg.medium.radio.range_m;
+      leg.decision.limit_m = leg.medium.radio.limit_m;
     }
     stopped.emplace_back(std::move(leg), cause.value_or(Cause::kNoMedium));
   }
@@ -186,17 +225,19 @@ void MediaTraffic::Send(int64_t utime, Shipment shipment, const MediaChoice& cho
   }
   for (size_t place = 0; place < media_.size(); ++place) {
     if (legs_by_medium[place].empty()) continue;
-    SendOver(place, utime, source, shared, std::move(legs_by_medium[place]), take);
+    SendOver(place, utime, shared->source, shared, &legs_by_medium[place], take);
+    legs_by_medium[place].clear();
   }
+  legs_by_medium_ = std::move(legs_by_medium);
 }
 
-void MediaTraffic::SendOver(size_t place, int64_t utime, const Node& source,
+void MediaTraffic::SendOver(size_t place, int64_t utime, std::string_view source,
                             const std::shared_ptr<const Shipment>& shipment,
-                            std::vector<ShipmentLeg> legs, const TakeLegEnd& take) {
+                            std::vector<ShipmentLeg>* legs, const TakeLegEnd& take) {
   const Medium& medium = media_[place];
   switch (medium.carrier) {
     case Carrier::kDirect:
-      for (ShipmentLeg& leg : legs) {
+      for (ShipmentLeg& leg : *legs) {
         leg.medium.delay_s = 0;
         End({.shipment = *shipment,
              .leg = leg,
@@ -209,7 +250,7 @@ void MediaTraffic::SendOver(size_t place, int64_t utime, const Node& source,
       return;
     case Carrier::kAcoustic: {
       Shipment part = *shipment;
-      part.legs = std::move(legs);
+      part.legs = std::move(*legs);
       for (const AcousticTraffic::Refusal& refusal :
            acoustics_[medium.acoustic]->Send(utime, std::move(part))) {
         End({.shipment = *shipment,
@@ -226,16 +267,11 @@ void MediaTraffic::SendOver(size_t place, int64_t utime, const Node& source,
   const int64_t published_utime = utime - setup_.tick_us;
   const int64_t sent_utime =
       delivered_utime_ ? std::max(published_utime, *delivered_utime_) : published_utime;
-  for (ShipmentLeg& leg : legs) {
-    const std::string receiver = VehicleKey(leg.destination);
-    radio_.Send(shipment, std::move(leg), medium.radio,
-                {.seed = setup_.seed,
-                 .medium = medium.name,
-                 .kind = KindText(shipment->kind),
-                 .source = source.key,
-                 .receiver = receiver,
-                 .number = shipment->number},
-                sent_utime);
+  Node* sender = FindOrAdd(source);
+  SHOAL_CHECK(sender != nullptr, "what has a radio is a node");
+  for (ShipmentLeg& leg : *legs) {
+    const RadioDraws& draws = DrawsOf(place, shipment->kind, sender, ReceiverOf(leg));
+    radio_.Send(shipment, std::move(leg), medium.radio, draws, sent_utime);
   }
 }
 

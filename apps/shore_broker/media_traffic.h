@@ -67,15 +67,26 @@ class MediaTraffic {
     std::string name;
     Carrier carrier = Carrier::kDirect;
     size_t acoustic = 0;      ///< Of kAcoustic: which of acoustics_.
-    RadioOptions radio = {};  ///< Of kRadio.
+    RadioOptions radio = {};  ///< Of kRadio, as the next.
+    TwoRayTerms terms = {};
   };
   struct Node {
     std::string key;
+    size_t number = 0;  ///< In order of appearance.
     Eigen::Vector3d position_m = Eigen::Vector3d::Zero();
     bool is_true = false;      ///< The position is NAV's.
     std::vector<uint8_t> has;  ///< By medium.
     double antenna_height_m = -1;
     GatewayOptions gateway;
+    /// The names of random numbers of what this node sends over radio, by medium and kind, then by
+    /// the receiver's number: a name takes longer to make than all else about a leg.
+    std::vector<std::vector<std::optional<RadioDraws>>> draws;
+  };
+  /// The node of a contact of the router, by its index: found once, and again where another has
+  /// taken the index.
+  struct KnownNode {
+    std::string name;
+    const Node* node = nullptr;
   };
   /// What one medium would make of a leg.
   struct Answer {
@@ -88,11 +99,14 @@ class MediaTraffic {
   Node* FindOrAdd(std::string_view name);
   /// Returns the node of this name, or one that has no radio.
   const Node& NodeOf(std::string_view name) const;
+  /// Returns the node of a leg's receiver, likewise.
+  const Node& ReceiverOf(const ShipmentLeg& leg);
+  const RadioDraws& DrawsOf(size_t medium, Kind kind, Node* source, const Node& receiver);
   void SetPosition(std::string_view name, const Eigen::Vector3d& position_m, Node* node);
   const std::vector<size_t>& Resolve(const MediaChoice& choice);
   Answer Ask(const Medium& medium, const Node& source, const Node& receiver) const;
-  void SendOver(size_t medium, int64_t utime, const Node& source,
-                const std::shared_ptr<const Shipment>& shipment, std::vector<ShipmentLeg> legs,
+  void SendOver(size_t medium, int64_t utime, std::string_view source,
+                const std::shared_ptr<const Shipment>& shipment, std::vector<ShipmentLeg>* legs,
                 const TakeLegEnd& take);
   /// Hands a leg's end on, unless it is a copy that decides nothing.
   void End(const LegEnd& end, const TakeLegEnd& take);
@@ -104,6 +118,8 @@ class MediaTraffic {
   RadioTraffic radio_;
   std::map<std::string, Node, std::less<>> nodes_;  ///< By key of the name.
   Node unknown_node_;
+  std::vector<KnownNode> known_nodes_;                    ///< By index of the router's contact.
+  std::vector<std::vector<ShipmentLeg>> legs_by_medium_;  ///< Of one shipment; kept for its memory.
   std::map<std::string, std::vector<size_t>, std::less<>> resolved_;  ///< By TextOf a choice.
   std::optional<int64_t> delivered_utime_;                            ///< Of the last Deliver.
   int64_t num_surplus_ = 0;  ///< Copies whose ends decide nothing.

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <string_view>
 
 #include "apps/shore_broker/shipment.h"
 #include "lib/bus/bus.h"
@@ -15,7 +14,7 @@ class MediaWriter {
   /// Fits one datagram, as with fates.
   static constexpr int32_t kMaxPerMessage = 200;
 
-  explicit MediaWriter(Bus& bus);
+  explicit MediaWriter(Bus& bus) : bus_(bus) {}
 
   /// Adds one fate; publishes when the message is full.
   void Add(int64_t utime, const Decision& decision, const Shipment& shipment, const LegEnd& end);
@@ -26,7 +25,13 @@ class MediaWriter {
  private:
   Bus& bus_;
   const Channel<comms_media_t> channel_ = channels::CommsMedia();
-  comms_media_t message_;  ///< Keeps its strings' memory: only the first num_media are meant.
+  static constexpr size_t kHead_bytes = 20;  ///< Hash, utime, count.
+
+  /// The message, whose fates are encoded as they come: with comms_media_t in between they would
+  /// take as long as all else that the broker does with a fate.
+  Bytes message_;
+  size_t num_bytes_ = kHead_bytes;  ///< Of it that are valid.
+  int32_t num_fates_ = 0;
 };
 
 }  // namespace shoal

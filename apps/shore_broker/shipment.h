@@ -9,6 +9,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "lib/acoustics/acoustic_network.h"
@@ -29,7 +30,7 @@ struct Provenance {
 
 /// By which medium a leg goes, and the numbers that decided.
 struct LegMedium {
-  std::string name = {};  ///< Empty: none.
+  std::string_view name = {};  ///< Empty: none. MediaTraffic holds it.
   RadioLink radio = {};
   double loss_probability = -1;
   double delay_s = -1;

@@ -49,10 +49,10 @@ ShoreBrokerApp::ShoreBrokerApp(BrokerSetup setup, Bus& bus)
     const std::vector<std::string> gateways = traffic_.Gateways();
     router_.SetGateways(gateways);
   }
-  if (traffic_.has_media()) {
+  if (setup_.GoesByTruth()) {
     for (const std::string& name : setup_.vehicles) {
       Subscribe(bus, channels::Nav(name), [this, name](const nav_t& nav) {
-        traffic_.PlaceTruth(name, {nav.x_m, nav.y_m, nav.z_m});
+        PlaceTruth(name, {nav.x_m, nav.y_m, nav.z_m});
       });
     }
   }
@@ -63,6 +63,12 @@ ShoreBrokerApp::ShoreBrokerApp(BrokerSetup setup, Bus& bus)
   }
   bus.SubscribeBytes(channels::UncControls().name,
                      [this](const Message& message) { KeepControls(message); });
+}
+
+void ShoreBrokerApp::PlaceTruth(const std::string& name, const Eigen::Vector3d& position_m) {
+  if (!position_m.allFinite()) return;
+  traffic_.PlaceTruth(name, position_m);
+  router_.PlaceTruth(name, position_m);
 }
 
 void ShoreBrokerApp::OnWarp(double warp) { warp_ = warp > 0 ? warp : kMaxWarp; }
@@ -400,7 +406,8 @@ void ShoreBrokerApp::RouteBytes(int64_t utime, const BrokerInbox::Item& item,
 
 Eigen::Vector3d ShoreBrokerApp::PositionOfSource() const {
   const int32_t source = decisions_.front().source;
-  return source == kNoContact ? Eigen::Vector3d::Zero() : router_.contact(source).position_m;
+  if (source == kNoContact) return Eigen::Vector3d::Zero();
+  return router_.contact(source).PositionFor(decisions_.front().kind);
 }
 
 void ShoreBrokerApp::Conclude(int64_t utime, DecidedTransmission sent) {

@@ -1,8 +1,9 @@
 // Decides which vehicle receives what. Subscribes to NODE_REPORT_LOCAL, NODE_REPORT,
 // NODE_MESSAGE_LOCAL, NODE_MESSAGE, ACK_MESSAGE, RELAY_TX, ACOUSTIC_TX, MODEM_TX, UNC_* and
-// HELM_COMMAND, and where vehicles have media of their own to NAV_<V>, by which these decide;
-// publishes what delivery.h lists, COMMS_RULES, NODE_REPORT_UNC and HELM_COMMAND_<V>. Outside
-// stepping it answers COMMS_RULES_REQ with COMMS_RULES_NOW.
+// HELM_COMMAND, and where there is an acoustic network or vehicles have media of their own to
+// NAV_<V>, by which media and the rules for packets decide; publishes what delivery.h lists,
+// COMMS_RULES, NODE_REPORT_UNC and HELM_COMMAND_<V>. Outside stepping it answers COMMS_RULES_REQ
+// with COMMS_RULES_NOW.
 //
 // A step: commands are handed on, rules change, all reports of the step are taken in, then each is
 // routed, then messages, acks, what gateways forward, and packets, in the order in which they came;
@@ -74,6 +75,7 @@ class ShoreBrokerApp : public Broker {
     return false;
   }
 
+  void PlaceTruth(const std::string& name, const Eigen::Vector3d& position_m);
   void Begin(int64_t utime);
   bool Holds(int64_t utime);
   void KeepControls(const Message& message);

@@ -129,6 +129,14 @@ Result<double> ParseTimeQuery(const QueryWords& query) {
   return reader.Conclude(t_s);
 }
 
+Result<LinksQuery> ParseLinksQuery(const QueryWords& query) {
+  QueryReader reader(query, {"medium"});
+  LinksQuery links;
+  reader.Name("medium", false, &links.medium);
+  reader.Time(&links.t_s);
+  return reader.Conclude(std::move(links));
+}
+
 Result<LinkQuery> ParseLinkQuery(const QueryWords& query) {
   QueryReader reader(query, {"from", "to"});
   LinkQuery link;

@@ -16,6 +16,11 @@ namespace shoal {
 /// viewer clamps it.
 inline constexpr double kNoTimeGiven_s = 1e12;
 
+struct LinksQuery {
+  std::string medium;  ///< Empty: all.
+  double t_s = kNoTimeGiven_s;
+};
+
 struct LinkQuery {
   std::string from;
   std::string to;
@@ -42,6 +47,7 @@ struct CommandWords {
 
 // Of a query: an unknown or repeated name is an error; `t` and `token` are known everywhere.
 Result<double> ParseTimeQuery(const QueryWords& query);
+Result<LinksQuery> ParseLinksQuery(const QueryWords& query);
 Result<LinkQuery> ParseLinkQuery(const QueryWords& query);
 Result<VehicleQuery> ParseVehicleQuery(const QueryWords& query);
 Result<TimedFateQuery> ParseFateQuery(const QueryWords& query);

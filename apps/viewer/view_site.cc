@@ -57,6 +57,12 @@ WebAnswer ViewSite::ReplyWithData(const WebRequest& request) {
       return Json(source->FatesJson(asked.fates, asked.t_s));
     });
   }
+  if (path == "/api/links") {
+    return Answer(ParseLinksQuery(query), [&](const LinksQuery& asked) {
+      if (asked.medium.empty()) return Json(source->LinksJson(asked.t_s));
+      return OrNotFound(source->MediumLinksJson(asked.medium, asked.t_s));
+    });
+  }
   if (path == "/api/link") {
     return Answer(ParseLinkQuery(query), [&](const LinkQuery& asked) {
       return OrNotFound(source->LinkJson(asked.from, asked.to, asked.t_s));
@@ -75,7 +81,6 @@ WebAnswer ViewSite::ReplyWithData(const WebRequest& request) {
     }
     if (path == "/api/frame") return Json(source->FrameJson(t_s));
     if (path == "/api/trails") return Json(source->TrailsJson());
-    if (path == "/api/links") return Json(source->LinksJson(t_s));
     if (path == "/api/events") return Json(source->EventsJson());
     if (!parts_.is_live && (path == kStreamPath || path == "/api/status")) {
       return ErrorAnswer(404, "not available for a recorded mission");

@@ -1,5 +1,6 @@
 #include "apps/viewer/view_site.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <map>
@@ -15,6 +16,10 @@ class EchoSource : public ViewSource {
   std::string FrameJson(double t_s) override { return "frame " + std::to_string(t_s); }
   std::string TrailsJson() override { return "trails"; }
   std::string LinksJson(double t_s) override { return "links " + std::to_string(t_s); }
+  Result<std::string> MediumLinksJson(std::string_view medium, double t_s) override {
+    if (medium == "smoke") return Error{"no medium 'smoke' is known; there are: vhf"};
+    return fmt::format("links of {} {}", medium, t_s);
+  }
   std::string FatesJson(const FateQuery& query, double) override {
     return "fates " + query.vehicle;
   }
@@ -62,6 +67,7 @@ TEST(ViewSite, AnswersAtTheAddressesOfTheProtocol) {
   EXPECT_EQ(Ask(site, "/api/frame", {{"t", "1.5"}}), "frame 1.500000");
   EXPECT_EQ(Ask(site, "/api/trails"), "trails");
   EXPECT_EQ(Ask(site, "/api/links", {{"t", "2"}}), "links 2.000000");
+  EXPECT_EQ(Ask(site, "/api/links", {{"medium", "vhf"}, {"t", "2"}}), "links of vhf 2");
   EXPECT_EQ(Ask(site, "/api/link", {{"from", "a"}, {"to", "b"}}), "link a b");
   EXPECT_EQ(Ask(site, "/api/fates", {{"vehicle", "a"}}), "fates a");
   EXPECT_EQ(Ask(site, "/api/vehicle", {{"name", "alpha"}, {"window", "5"}}), "vehicle 5.000000");

@@ -56,6 +56,8 @@ size_t ReportChannel() {
   return place;
 }
 
+size_t TruthChannel() { return BrokerChannels().size(); }
+
 std::optional<int64_t> StepsLater(int64_t utime, int64_t steps, int64_t tick_us) {
   int64_t later = 0;
   if (__builtin_mul_overflow(steps, tick_us, &later) ||
@@ -95,11 +97,14 @@ void CommsLogBuilder::Add(const LogEvent& event) {
     auto [last, is_new] = last_steps_.emplace(seal->mission_id, seal->step);
     last->second = std::max(last->second, seal->step);
   }
-  const std::optional<size_t> channel = FindChannel(event.channel);
+  std::optional<size_t> channel = FindChannel(event.channel);
+  const bool is_truth = !channel && !VehicleOfChannel(event.channel, topics::kNav).empty();
+  if (is_truth) channel = TruthChannel();
   if (!channel) return;
   CommsLogItem item{.utime = event.utime,
                     .step = latest_step_,
                     .channel = static_cast<uint8_t>(*channel),
+                    .vehicle = is_truth ? TruthPlaceOf(std::string(event.channel)) : 0,
                     .begin = log_.bytes.size(),
                     .size = message.size()};
   if (seal) {
@@ -112,6 +117,13 @@ void CommsLogBuilder::Add(const LogEvent& event) {
   }
   log_.bytes.insert(log_.bytes.end(), message.begin(), message.end());
   items_.push_back(item);
+}
+
+uint32_t CommsLogBuilder::TruthPlaceOf(const std::string& channel) {
+  const auto next = static_cast<uint32_t>(log_.truth_channels.size());
+  const auto [found, is_new] = truth_places_.try_emplace(channel, next);
+  if (is_new) log_.truth_channels.push_back(channel);
+  return found->second;
 }
 
 /// The message's own time, of those whose sender writes the step's there.
@@ -143,7 +155,7 @@ CommsLog CommsLogBuilder::Build(std::optional<int64_t> tick_us) {
         .utime = item.utime, .channel = item.channel, .begin = item.begin, .size = item.size};
     if (item.channel == FatesChannel()) {
       log_.fates.push_back(message);
-    } else if (item.channel < NumBrokerInputs()) {
+    } else if (item.channel < NumBrokerInputs() || item.channel == TruthChannel()) {
       if (log_.time != LogTime::kWall) {
         const auto handled = StepsLater(item.utime, 1, log_.tick_us);
         if (!handled) {
@@ -152,7 +164,14 @@ CommsLog CommsLogBuilder::Build(std::optional<int64_t> tick_us) {
         }
         message.utime = *handled;
       }
-      log_.inputs.push_back(message);
+      if (item.channel == TruthChannel()) {
+        log_.truths.push_back({.utime = message.utime,
+                               .vehicle = item.vehicle,
+                               .begin = item.begin,
+                               .size = item.size});
+      } else {
+        log_.inputs.push_back(message);
+      }
     }
   }
   FindStarts(items_, &log_);
@@ -279,7 +298,7 @@ void CommsLogBuilder::DropRepeated() {
   // Channels that the broker subscribes to are in order of their names, and the order of the others
   // among these does not matter.
   const auto key = [&](const CommsLogItem& item) {
-    return std::tuple(item.step, item.channel, ranks[item.publisher], item.sequence);
+    return std::tuple(item.step, item.channel, item.vehicle, ranks[item.publisher], item.sequence);
   };
   std::stable_sort(items_.begin(), items_.end(),
                    [&](const CommsLogItem& a, const CommsLogItem& b) { return key(a) < key(b); });

@@ -36,6 +36,14 @@ struct LoggedMessage {
   size_t size = 0;
 };
 
+/// Where a vehicle was in truth: its NAV_<V>.
+struct LoggedTruth {
+  int64_t utime = 0;     ///< When the broker handled it.
+  uint32_t vehicle = 0;  ///< Into CommsLog::truth_channels.
+  size_t begin = 0;      ///< Of its bytes, in CommsLog::bytes.
+  size_t size = 0;
+};
+
 /// A broker that began to work.
 struct BrokerStart {
   int64_t utime = 0;          ///< Of its first step.
@@ -54,10 +62,12 @@ struct CommsLog {
   LogTime time = LogTime::kMission;
   int64_t tick_us = 100'000;
   bool tick_is_guessed = false;
-  std::vector<LoggedMessage> inputs;   ///< As the broker handled them.
-  std::vector<LoggedMessage> fates;    ///< As they were published.
-  std::vector<BrokerStart> starts;     ///< One at least, unless there are no inputs.
-  std::vector<int64_t> rule_changes;   ///< When COMMS_RULES was published again, for a change.
+  std::vector<LoggedMessage> inputs;        ///< As the broker handled them.
+  std::vector<LoggedMessage> fates;         ///< As they were published.
+  std::vector<LoggedTruth> truths;          ///< As the broker handled them, where it is given them.
+  std::vector<std::string> truth_channels;  ///< NAV_<V>, of all vehicles in the log.
+  std::vector<BrokerStart> starts;          ///< One at least, unless there are no inputs.
+  std::vector<int64_t> rule_changes;        ///< When COMMS_RULES was published again, for a change.
   std::optional<comms_rules_t> rules;  ///< The broker's at its first start; or the first that are.
   int64_t first_utime = 0;             ///< Of all events.
   int64_t last_utime = 0;              ///< No step is later.
@@ -75,6 +85,9 @@ struct CommsLog {
   std::span<const uint8_t> BytesOf(const LoggedMessage& message) const {
     return std::span(bytes).subspan(message.begin, message.size);
   }
+  std::span<const uint8_t> BytesOf(const LoggedTruth& truth) const {
+    return std::span(bytes).subspan(truth.begin, truth.size);
+  }
 };
 
 /// The channels that a broker subscribes to and that matter here, then the three that it publishes
@@ -88,6 +101,9 @@ size_t RulesChannel();
 size_t RequestChannel();
 size_t ReportChannel();
 
+/// Stands for NAV_<V> of all vehicles: no place of BrokerChannels().
+size_t TruthChannel();
+
 /// Returns the time that is `steps` steps later, or nothing where no mission has it.
 [[nodiscard]] std::optional<int64_t> StepsLater(int64_t utime, int64_t steps, int64_t tick_us);
 
@@ -98,7 +114,8 @@ struct CommsLogItem {
   int64_t step = 0;        ///< Unsealed: of the last seal before it.
   uint32_t sequence = 0;
   uint32_t publisher = 0;  ///< The builder's number of its name; 0: from outside, without a seal.
-  uint8_t channel = 0;
+  uint8_t channel = 0;     ///< Into BrokerChannels(), or TruthChannel().
+  uint32_t vehicle = 0;    ///< Of TruthChannel(): into CommsLog::truth_channels.
   size_t begin = 0;
   size_t size = 0;
 };
@@ -122,6 +139,7 @@ class CommsLogBuilder {
 
  private:
   std::optional<int64_t> UtimeOf(const CommsLogItem& item) const;
+  uint32_t TruthPlaceOf(const std::string& channel);
   LogTime KindOfTime() const;
   void TakeTick(std::optional<int64_t> tick_us);
   void RestoreSteps();
@@ -131,6 +149,7 @@ class CommsLogBuilder {
   CommsLog log_;
   std::vector<CommsLogItem> items_;
   std::map<std::string, uint32_t, std::less<>> publishers_;
+  std::map<std::string, uint32_t, std::less<>> truth_places_;  ///< Into truth_channels.
   std::optional<int64_t> previous_utime_;  ///< Of the event before, in the same log.
   int64_t smallest_gap_us_ = 0;            ///< Between different times of events; 0: not known.
   int64_t latest_step_ = 0;

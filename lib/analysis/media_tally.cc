@@ -9,6 +9,7 @@
 #include "lib/analysis/comms_links.h"
 #include "lib/record/csv_rows.h"
 #include "lib/run/status_page.h"
+#include "lib/view/fate_text.h"
 
 namespace shoal {
 
@@ -40,6 +41,7 @@ void MediaTally::Add(const fate_medium_t& fate) {
   }
   if (fate.cause != "delivered" && fate.cause != "damaged") {
     ++outcome.lost[fate.cause];
+    last_numbers_[{fate.kind, fate.medium, fate.hop}][fate.cause] = DecidingNumbers(fate);
     return;
   }
   ++outcome.delivered;
@@ -50,7 +52,7 @@ void MediaTally::Add(const fate_medium_t& fate) {
 
 std::string MediaTally::Text() const {
   if (outcomes_.empty()) return {};
-  std::map<std::tuple<std::string, std::string, int32_t>, MediumOutcome> sums;
+  std::map<Line, MediumOutcome> sums;
   for (const auto& [key, outcome] : outcomes_) {
     AddTo(outcome, &sums[{std::get<0>(key), std::get<1>(key), std::get<2>(key)}]);
   }
@@ -66,7 +68,9 @@ std::string MediaTally::Text() const {
     }
     std::string lost;
     for (const auto& [cause, count] : sum.lost) {
-      lost += fmt::format("{}{} {}", lost.empty() ? "" : ", ", Printable(cause), count);
+      const std::string& numbers = last_numbers_.at(key).at(cause);
+      lost += fmt::format("{}{} {}{}", lost.empty() ? "" : ", ", Printable(cause), count,
+                          numbers.empty() ? "" : fmt::format(" (last: {})", numbers));
     }
     text += fmt::format("{:<8} {:<16} {:>4} {:>9} {:>9} {}  {}\n", Printable(kind),
                         medium.empty() ? "none" : Printable(medium), hop, sum.sent, sum.delivered,

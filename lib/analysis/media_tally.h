@@ -36,12 +36,18 @@ class MediaTally {
   const std::map<Key, MediumOutcome>& outcomes() const { return outcomes_; }
 
   /// Returns a table with a line for each kind, medium and hop; empty where there is nothing.
+  /// Behind the count of each cause stand the numbers that decided the last such fate.
   [[nodiscard]] std::string Text() const;
   /// Returns a line for each link of each of these.
   [[nodiscard]] std::string Csv() const;
 
  private:
+  /// Kind, medium, hop.
+  using Line = std::tuple<std::string, std::string, int32_t>;
+
   std::map<Key, MediumOutcome> outcomes_;
+  /// The numbers that decided the last fate of each cause, as lib/view/fate_text.h writes them.
+  std::map<Line, std::map<std::string, std::string, std::less<>>> last_numbers_;
 };
 
 }  // namespace shoal

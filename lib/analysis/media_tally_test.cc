@@ -14,7 +14,8 @@ fate_medium_t Fate(const std::string& medium, int32_t hop, const std::string& ca
   fate.hop = hop;
   fate.cause = cause;
   fate.delay_s = delay_s;
-  fate.depth_m = fate.path_loss_db = -1;
+  fate.depth_m = fate.depth_limit_m = fate.range_m = fate.limit_m = -1;
+  fate.horizon_m = fate.path_loss_db = fate.path_loss_limit_db = fate.loss_probability = -1;
   return fate;
 }
 
@@ -31,6 +32,30 @@ TEST(MediaTally, ShowsEachMediumAndHopApart) {
       "kind     medium            hop      sent delivered  mean [s]  95 % [s]  lost\n"
       "report   acoustic            0         3         2     2.000     3.000  packet_loss 1\n"
       "report   vhf                 1         1         1     0.250     0.250  -\n\n");
+}
+
+TEST(MediaTally, ShowsTheNumbersThatDecidedTheLastFateOfACause) {
+  MediaTally tally;
+  fate_medium_t submerged = Fate("vhf", 0, "submerged", -1);
+  submerged.depth_limit_m = 0.5;
+  for (const double depth_m : {3.0, 12.0}) {
+    submerged.depth_m = depth_m;
+    tally.Add(submerged);
+  }
+  fate_medium_t weak = Fate("vhf", 0, "weak_signal", -1);
+  weak.depth_m = 0;
+  weak.depth_limit_m = 0.5;
+  weak.range_m = 5000;
+  weak.limit_m = 4000;
+  weak.horizon_m = 9000;
+  weak.path_loss_db = 133.5;
+  weak.path_loss_limit_db = 130;
+  tally.Add(weak);
+  EXPECT_NE(tally.Text().find("  submerged 2 (last: depth 12.00 m of 0.50 m), weak_signal 1 (last: "
+                              "5000.0 m of 4000.0 m, path loss 133.5 dB of 130.0 dB (margin -3.5 "
+                              "dB), horizon 9000.0 m)\n"),
+            std::string::npos)
+      << tally.Text();
 }
 
 TEST(MediaTally, WritesEachLinkWithTheNumbersThatDecided) {

@@ -178,6 +178,7 @@ class Run {
  private:
   void Step(int64_t utime) {
     while (next_start_ < log_.starts.size() && log_.starts[next_start_].utime <= utime) Start();
+    GiveTruthUntil(utime);
     for (; next_input_ < log_.inputs.size() && log_.inputs[next_input_].utime <= utime;
          ++next_input_) {
       const LoggedMessage& input = log_.inputs[next_input_];
@@ -242,6 +243,16 @@ class Run {
     broker_ = std::make_unique<Replayed>(setup, make_broker_);
   }
 
+  /// Of the steps that are skipped, the last place of each vehicle counts.
+  void GiveTruthUntil(int64_t utime) {
+    if (!settings_.setup.GoesByTruth()) return;
+    for (; next_truth_ < log_.truths.size() && log_.truths[next_truth_].utime <= utime;
+         ++next_truth_) {
+      const LoggedTruth& truth = log_.truths[next_truth_];
+      broker_->Give(log_.truth_channels[truth.vehicle], log_.BytesOf(truth));
+    }
+  }
+
   bool IsGiven(const LoggedMessage& input) const {
     return settings_.with_controls || !IsControl(BrokerChannels()[input.channel]);
   }
@@ -256,11 +267,22 @@ class Run {
 
   /// Inputs were published a step before they were handled.
   void WriteInputsUntil(int64_t utime) {
+    WriteTruthUntil(utime);
     for (; next_written_ < log_.inputs.size(); ++next_written_) {
       const LoggedMessage& input = log_.inputs[next_written_];
       if (input.utime - log_.tick_us > utime) return;
       if (!IsGiven(input)) continue;
       out_.Add(input.utime - log_.tick_us, BrokerChannels()[input.channel], DataOf(input));
+    }
+  }
+
+  void WriteTruthUntil(int64_t utime) {
+    if (!out_.is_wanted() || !settings_.setup.GoesByTruth()) return;
+    for (; next_written_truth_ < log_.truths.size(); ++next_written_truth_) {
+      const LoggedTruth& truth = log_.truths[next_written_truth_];
+      const int64_t published_utime = truth.utime - log_.tick_us;
+      if (published_utime > utime) return;
+      out_.Add(published_utime, log_.truth_channels[truth.vehicle], log_.BytesOf(truth));
     }
   }
 
@@ -308,6 +330,8 @@ class Run {
   size_t next_start_ = 0;
   size_t next_input_ = 0;
   size_t next_written_ = 0;
+  size_t next_truth_ = 0;
+  size_t next_written_truth_ = 0;
   size_t next_absence_ = 0;
 };
 

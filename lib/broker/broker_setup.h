@@ -27,6 +27,9 @@ struct BrokerSetup {
   MediaSetup media = {};
   std::vector<AcousticNode> nodes = {};  ///< The vehicles, in the same order.
   GeoPoint origin = {};                  ///< Of the mission's plane.
+
+  /// True where media decide by where vehicles are in truth: NAV_V of the mission's vehicles.
+  bool GoesByTruth() const { return media.acoustics.is_used || !media.of_vehicles.empty(); }
 };
 
 /// Returns the setup of a mission file.

@@ -176,7 +176,7 @@ std::vector<ChannelRow> MakeTable() {
        "one per report, message or ack that it has received", true},
       {topics::kCommsFates, kShore, "comms_fates_t", "shore_broker",
        "netsim_manager, shoal, viewer", "steps with decisions", true},
-      {topics::kCommsMedia, kShore, "comms_media_t", "shore_broker", "(shoal log comms)",
+      {topics::kCommsMedia, kShore, "comms_media_t", "shore_broker", "viewer, (shoal log comms)",
        "with [[medium]]: steps with decisions", true},
       {topics::kCommsRules, kShore, "comms_rules_t", "shore_broker", "viewer, (shoal rebroker)",
        "at its start and when a rule changes", true},

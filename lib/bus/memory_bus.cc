@@ -1,7 +1,10 @@
 #include "lib/bus/memory_bus.h"
 
 #include <algorithm>
+#include <functional>
+#include <string>
 #include <tuple>
+#include <unordered_map>
 
 namespace shoal {
 
@@ -46,6 +49,10 @@ class MemoryBus::Port : public Bus {
   }
 
  private:
+  struct TextHash {
+    using is_transparent = void;
+    size_t operator()(std::string_view text) const { return std::hash<std::string_view>()(text); }
+  };
   struct KnownChannel {
     std::string name;
     uint32_t id = 0;
@@ -53,19 +60,27 @@ class MemoryBus::Port : public Bus {
     uint32_t num_subscriptions = 0;  ///< ... when the bus had this number of them.
   };
 
-  /// Participants publish on the same channels in the same order, step after step.
+  /// Participants publish on the same channels in the same order, step after step: the next one is
+  /// tried first.
   const KnownChannel& Find(std::string_view channel) {
-    for (size_t i = 0; i < known_channels_.size(); ++i) {
-      next_channel_ = next_channel_ + 1 < known_channels_.size() ? next_channel_ + 1 : 0;
-      KnownChannel& known = known_channels_[next_channel_];
-      if (known.name != channel) continue;
-      if (known.num_subscriptions != hub_.num_subscriptions_) LookForReaders(&known);
-      return known;
+    next_channel_ = next_channel_ + 1 < known_channels_.size() ? next_channel_ + 1 : 0;
+    if (next_channel_ >= known_channels_.size() || known_channels_[next_channel_].name != channel) {
+      next_channel_ = PlaceOf(channel);
     }
-    next_channel_ = known_channels_.size();
+    KnownChannel& known = known_channels_[next_channel_];
+    if (known.num_subscriptions != hub_.num_subscriptions_) LookForReaders(&known);
+    return known;
+  }
+
+  /// Returns the channel's place among known_channels_; adds it where it is not there.
+  size_t PlaceOf(std::string_view channel) {
+    const auto found = places_.find(channel);
+    if (found != places_.end()) return found->second;
+    const size_t place = known_channels_.size();
     known_channels_.push_back({.name = std::string(channel), .id = hub_.ChannelId(channel)});
     LookForReaders(&known_channels_.back());
-    return known_channels_.back();
+    places_.emplace(channel, place);
+    return place;
   }
 
   void LookForReaders(KnownChannel* known) const {
@@ -81,7 +96,8 @@ class MemoryBus::Port : public Bus {
 
  private:
   std::vector<KnownChannel> known_channels_;  ///< In order of their first use.
-  size_t next_channel_ = 0;                   ///< The last that was used.
+  std::unordered_map<std::string, size_t, TextHash, std::equal_to<>> places_;  ///< By name.
+  size_t next_channel_ = 0;  ///< The last that was used.
   uint32_t sequence_ = 0;
   uint32_t step_ = 0;  ///< Of sequence_.
 

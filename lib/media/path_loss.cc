@@ -56,9 +56,20 @@ double LogDistanceReach_m(double loss_db, double frequency_mhz, double exponent)
 }
 
 double TwoRayReach_m(double loss_db, double frequency_mhz, double height_m, double other_height_m) {
+  return TwoRayReach_m(TwoRayTermsOf(loss_db, frequency_mhz), frequency_mhz, height_m,
+                       other_height_m);
+}
+
+TwoRayTerms TwoRayTermsOf(double loss_db, double frequency_mhz) {
+  return {.free_m = FreeSpaceReach_m(loss_db, frequency_mhz),
+          .far_per_height = std::pow(10, loss_db / 40)};
+}
+
+double TwoRayReach_m(const TwoRayTerms& terms, double frequency_mhz, double height_m,
+                     double other_height_m) {
   const double heights_m2 = Heights_m2(height_m, other_height_m);
-  const double free_m = FreeSpaceReach_m(loss_db, frequency_mhz);
-  const double far_m = std::pow(10, loss_db / 40) * std::sqrt(heights_m2);
+  const double free_m = terms.free_m;
+  const double far_m = terms.far_per_height * std::sqrt(heights_m2);
   const double reach_m = free_m <= Crossover_m(frequency_mhz, heights_m2) ? free_m : far_m;
   return std::max(reach_m, kNearest_m);
 }

@@ -39,6 +39,15 @@ inline constexpr std::array<std::pair<std::string_view, PathLossModel>, 3> kPath
 [[nodiscard]] double TwoRayReach_m(double loss_db, double frequency_mhz, double height_m,
                                    double other_height_m);
 
+/// What of TwoRayReach_m does not depend on the antennas' heights, for callers with many links.
+struct TwoRayTerms {
+  double free_m = 0;          ///< The range without a sea.
+  double far_per_height = 0;  ///< Beyond the crossover: reach over sqrt(h1 h2).
+};
+[[nodiscard]] TwoRayTerms TwoRayTermsOf(double loss_db, double frequency_mhz);
+[[nodiscard]] double TwoRayReach_m(const TwoRayTerms& terms, double frequency_mhz, double height_m,
+                                   double other_height_m);
+
 /// Returns the range at which the round Earth hides two antennas from each other, rays bent by a
 /// standard atmosphere: sqrt(2 k R h1) + sqrt(2 k R h2), with k = 4/3 (ITU-R P.310) and R =
 /// 6371 km. A height below 0 counts as 0.

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "lib/random/stream.h"
-
 namespace shoal {
 
 namespace {
@@ -14,15 +12,14 @@ double HeightOf(const RadioOptions& options, const RadioEnd& end) {
   return std::max(own_m - end.position_m.z(), 0.0);
 }
 
-void AskSignal(const RadioOptions& options, double height_m, double other_height_m,
-               RadioLink* link) {
+void AskSignal(const RadioOptions& options, const TwoRayTerms& terms, double height_m,
+               double other_height_m, RadioLink* link) {
   link->path_loss_limit_db = options.power_dbm - options.sensitivity_dbm;
   double reach_m = 0;
   if (options.path_loss == PathLossModel::kTwoRay) {
     link->path_loss_db =
         TwoRayLoss_db(link->range_m, options.frequency_mhz, height_m, other_height_m);
-    reach_m =
-        TwoRayReach_m(link->path_loss_limit_db, options.frequency_mhz, height_m, other_height_m);
+    reach_m = TwoRayReach_m(terms, options.frequency_mhz, height_m, other_height_m);
   } else {
     link->path_loss_db = LogDistanceLoss_db(link->range_m, options.frequency_mhz, options.exponent);
     reach_m = LogDistanceReach_m(link->path_loss_limit_db, options.frequency_mhz, options.exponent);
@@ -37,7 +34,17 @@ void AskSignal(const RadioOptions& options, double height_m, double other_height
 
 }  // namespace
 
+TwoRayTerms TermsOf(const RadioOptions& options) {
+  if (options.path_loss != PathLossModel::kTwoRay) return {};
+  return TwoRayTermsOf(options.power_dbm - options.sensitivity_dbm, options.frequency_mhz);
+}
+
 RadioLink DecideRadio(const RadioOptions& options, const RadioEnd& source,
+                      const RadioEnd& receiver) {
+  return DecideRadio(options, TermsOf(options), source, receiver);
+}
+
+RadioLink DecideRadio(const RadioOptions& options, const TwoRayTerms& terms, const RadioEnd& source,
                       const RadioEnd& receiver) {
   RadioLink link;
   link.depth_m = std::max({source.position_m.z(), receiver.position_m.z(), 0.0});
@@ -67,22 +74,28 @@ RadioLink DecideRadio(const RadioOptions& options, const RadioEnd& source,
     }
   }
   if (options.path_loss != PathLossModel::kNone)
-    AskSignal(options, height_m, other_height_m, &link);
+    AskSignal(options, terms, height_m, other_height_m, &link);
   return link;
 }
 
-RadioPassage DrawPassage(const RadioOptions& options, int64_t num_bytes, const RadioDraw& draw) {
-  const auto stream = [&](std::string_view purpose) {
-    return Stream(draw.seed, purpose, draw.medium, draw.kind, draw.source, draw.receiver,
-                  draw.number);
+RadioDraws RadioDrawsOf(uint64_t seed, std::string_view medium, std::string_view kind,
+                        std::string_view source, std::string_view receiver) {
+  const auto key = [&](std::string_view purpose) {
+    return StreamKey(seed, purpose).With(medium).With(kind).With(source).With(receiver);
   };
+  return {.jitter = key("radio jitter"), .loss = key("radio loss")};
+}
+
+RadioPassage DrawPassage(const RadioOptions& options, int64_t num_bytes, const RadioDraws& draws,
+                         int64_t number) {
+  const auto draw = [&](const StreamKey& key) { return Stream(key.With(number)).Uniform(); };
   RadioPassage passage;
   if (options.rate_bps > 0) {
     passage.air_s = 8 * static_cast<double>(num_bytes) / options.rate_bps;
   }
   passage.delay_s = passage.air_s + options.latency_s;
-  if (options.jitter_s > 0) passage.delay_s += options.jitter_s * stream("radio jitter").Uniform();
-  if (options.loss > 0) passage.is_lost = stream("radio loss").Uniform() < options.loss;
+  if (options.jitter_s > 0) passage.delay_s += options.jitter_s * draw(draws.jitter);
+  if (options.loss > 0) passage.is_lost = draw(draws.loss) < options.loss;
   return passage;
 }
 

@@ -14,6 +14,7 @@
 #include <string_view>
 
 #include "lib/media/path_loss.h"
+#include "lib/random/stream.h"
 
 namespace shoal {
 
@@ -60,24 +61,27 @@ struct RadioLink {
 /// Decides one link. The same in both directions.
 [[nodiscard]] RadioLink DecideRadio(const RadioOptions& options, const RadioEnd& source,
                                     const RadioEnd& receiver);
+/// The same, with the terms of the options for two_ray, which take longer than all the rest.
+[[nodiscard]] TwoRayTerms TermsOf(const RadioOptions& options);
+[[nodiscard]] RadioLink DecideRadio(const RadioOptions& options, const TwoRayTerms& terms,
+                                    const RadioEnd& source, const RadioEnd& receiver);
 
-/// Names one transmission at one receiver for its random numbers.
-struct RadioDraw {
-  uint64_t seed = 0;
-  std::string_view medium = {};
-  std::string_view kind = {};
-  std::string_view source = {};  ///< Keys of names.
-  std::string_view receiver = {};
-  int64_t number = 0;
+/// Names the random numbers of the transmissions of one kind over one link.
+struct RadioDraws {
+  StreamKey jitter;
+  StreamKey loss;
 };
+/// `source`, `receiver`: keys of names.
+[[nodiscard]] RadioDraws RadioDrawsOf(uint64_t seed, std::string_view medium, std::string_view kind,
+                                      std::string_view source, std::string_view receiver);
 
-/// How long one transmission takes, and whether chance loses it.
+/// How long transmission `number` of its source and kind takes, and whether chance loses it.
 struct RadioPassage {
   double air_s = 0;
   double delay_s = 0;  ///< From the first byte sent to the last received: air, latency, jitter.
   bool is_lost = false;
 };
 [[nodiscard]] RadioPassage DrawPassage(const RadioOptions& options, int64_t num_bytes,
-                                       const RadioDraw& draw);
+                                       const RadioDraws& draws, int64_t number);
 
 }  // namespace shoal

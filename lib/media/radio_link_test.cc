@@ -87,20 +87,20 @@ TEST(SignalRule, ReturnsTheLeastLimitOfAWorkingLink) {
 TEST(Passage, TakesAirLatencyAndJitter) {
   const RadioOptions options = {.rate_bps = 8000, .latency_s = 0.2, .jitter_s = 0.1};
   const RadioPassage passage =
-      DrawPassage(options, 500, {.seed = 3, .medium = "vhf", .source = "a", .receiver = "b"});
+      DrawPassage(options, 500, RadioDrawsOf(3, "vhf", "report", "a", "b"), 0);
   EXPECT_DOUBLE_EQ(passage.air_s, 0.5);
   EXPECT_GE(passage.delay_s, 0.7);
   EXPECT_LT(passage.delay_s, 0.8);
   EXPECT_FALSE(passage.is_lost);
-  EXPECT_EQ(DrawPassage({}, 500, {}).delay_s, 0);
+  EXPECT_EQ(DrawPassage({}, 500, RadioDrawsOf(3, "vhf", "report", "a", "b"), 0).delay_s, 0);
 }
 
 TEST(Passage, LosesTheShareThatIsAskedFor) {
-  const auto num_lost = [](double loss) {
+  const RadioDraws draws = RadioDrawsOf(5, "vhf", "report", "a", "b");
+  const auto num_lost = [&](double loss) {
     int lost = 0;
     for (int64_t number = 0; number < 4000; ++number) {
-      lost +=
-          DrawPassage({.loss = loss}, 1, {.seed = 5, .medium = "vhf", .number = number}).is_lost;
+      lost += DrawPassage({.loss = loss}, 1, draws, number).is_lost ? 1 : 0;
     }
     return lost;
   };
@@ -111,19 +111,18 @@ TEST(Passage, LosesTheShareThatIsAskedFor) {
 
 TEST(Passage, DrawsForEachMediumLinkAndTransmissionAnew) {
   const RadioOptions options = {.jitter_s = 1};
-  const RadioDraw first = {
-      .seed = 1, .medium = "vhf", .kind = "report", .source = "a", .receiver = "b", .number = 0};
-  const double delay_s = DrawPassage(options, 0, first).delay_s;
-  EXPECT_EQ(DrawPassage(options, 0, first).delay_s, delay_s);
-  RadioDraw other = first;
-  other.medium = "uhf";
-  EXPECT_NE(DrawPassage(options, 0, other).delay_s, delay_s);
-  other = first;
-  other.receiver = "c";
-  EXPECT_NE(DrawPassage(options, 0, other).delay_s, delay_s);
-  other = first;
-  other.number = 1;
-  EXPECT_NE(DrawPassage(options, 0, other).delay_s, delay_s);
+  const auto delay_s = [&](std::string_view medium, std::string_view kind, std::string_view source,
+                           std::string_view receiver, int64_t number) {
+    const RadioDraws draws = RadioDrawsOf(1, medium, kind, source, receiver);
+    return DrawPassage(options, 0, draws, number).delay_s;
+  };
+  const double first_s = delay_s("vhf", "report", "a", "b", 0);
+  EXPECT_EQ(delay_s("vhf", "report", "a", "b", 0), first_s);
+  EXPECT_NE(delay_s("uhf", "report", "a", "b", 0), first_s);
+  EXPECT_NE(delay_s("vhf", "message", "a", "b", 0), first_s);
+  EXPECT_NE(delay_s("vhf", "report", "c", "b", 0), first_s);
+  EXPECT_NE(delay_s("vhf", "report", "a", "c", 0), first_s);
+  EXPECT_NE(delay_s("vhf", "report", "a", "b", 1), first_s);
 }
 
 }  // namespace shoal::radio_link_test

@@ -98,7 +98,8 @@ TEST(LoadNetsim, ReportsAModemWithoutWater) {
   text.erase(text.find("[acoustics]"),
              std::string_view("[acoustics]\naccess_mode = \"shared\"\n").size());
   EXPECT_EQ(ErrorsOf(text),
-            "21:9: a modem sends over the acoustic network: write [acoustics] as well\n");
+            "21:9: a modem sends over an acoustic network: write [acoustics] as well, or name a "
+            "[[medium]] of kind = \"acoustic\" in [swarm] over\n");
 }
 
 TEST(LoadNetsim, RefusesAnAddressThatNoMicroModemHas) {

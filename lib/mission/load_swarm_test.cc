@@ -2,6 +2,7 @@
 // every error with its exact text.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 
 #include "lib/mission/load_testing.h"
@@ -167,12 +168,34 @@ TEST(LoadSwarm, WarnsOfMembersThatMayBeFartherApartThanPacketsAreLetThrough) {
                 "range to the acoustic network, or max_distance_m = 799"});
 }
 
-TEST(LoadSwarm, WarnsOfMembersWithoutReports) {
-  EXPECT_EQ(WarningsWith("", {"comms.comms_range=nolimit", "vehicle.alpha.node_reporter=none"}),
-            std::vector<std::string>{
-                "m.toml:19:10: warning: node_reporter of alpha is \"none\": unless a program of "
-                "yours sends its reports, the broker does not know where it is, and none of its "
-                "messages is sent or received"});
+TEST(LoadSwarm, WarnsOfMembersWithNeitherReportsNorASimulator) {
+  const auto warnings = [](std::vector<std::string> overrides) {
+    overrides.emplace_back("comms.comms_range=nolimit");
+    return WarningsWith("", overrides);
+  };
+  const std::string warning =
+      "m.toml:19:10: warning: node_reporter and vehicle_sim of alpha are \"none\": unless a "
+      "program of yours sends its reports or NAV, the broker does not know where it is, and none "
+      "of its messages is sent or received";
+  EXPECT_TRUE(warnings({"vehicle.alpha.node_reporter=none"}).empty());
+  const std::vector<std::string> of_both =
+      warnings({"vehicle.alpha.node_reporter=none", "vehicle.alpha.vehicle_sim=none"});
+  EXPECT_NE(std::ranges::find(of_both, warning), of_both.end());
+}
+
+TEST(LoadSwarm, PlansSlotsByTheAcousticMediumThatItGoesOver) {
+  const std::string text =
+      "[mission]\nduration_s = 60\n[comms]\ncomms_range = \"nolimit\"\n"
+      "[[medium]]\nname = \"deep\"\nkind = \"acoustic\"\naccess_mode = \"shared\"\n"
+      "data_rate_bps = 250\njitter = \"off\"\n"
+      "[swarm]\nleader = \"alpha\"\nfollowers = [\"bravo\"]\nover = \"deep\"\n"
+      "[[vehicle]]\nname = \"alpha\"\nmodel = \"remus100\"\nmedia = [\"deep\"]\n"
+      "[[vehicle]]\nname = \"bravo\"\nmodel = \"remus100\"\nmedia = [\"deep\"]\n";
+  const LoadedMission loaded = LoadMissionText(text, "m.toml");
+  EXPECT_EQ(loaded.errors, std::vector<std::string>());
+  EXPECT_EQ(&PacketAcousticsOf(loaded.mission), &loaded.mission.media.at(0).acoustics);
+  EXPECT_EQ(SwarmAirOf(loaded.mission).data_rate_bps, 250);
+  EXPECT_EQ(SwarmSchemeOf(loaded.mission), SwarmScheme::kTdma);
 }
 
 TEST(LoadSwarm, WarnsOfKeysWithoutEffect) {

@@ -21,10 +21,22 @@ int64_t RoundUpToTicks(int64_t time_us, int64_t tick_us) {
 
 }  // namespace
 
+const Acoustics& PacketAcousticsOf(const Mission& mission) {
+  for (const std::string& name : mission.swarm.over.names) {
+    if (name == kAcousticMedium) break;
+    const auto medium = std::ranges::find(mission.media, name, &MediumOptions::name);
+    if (medium != mission.media.end() && medium->kind == MediumKind::kAcoustic) {
+      return medium->acoustics;
+    }
+  }
+  return mission.acoustics;
+}
+
 SwarmAir SwarmAirOf(const Mission& mission) {
-  const AcousticOptions& options = mission.acoustics.options;
+  const Acoustics& acoustics = PacketAcousticsOf(mission);
+  const AcousticOptions& options = acoustics.options;
   return {.num_followers = static_cast<int64_t>(mission.swarm.followers.size()),
-          .extra_bytes = (mission.acoustics.crc ? kCrcBytes : 0) +
+          .extra_bytes = (acoustics.crc ? kCrcBytes : 0) +
                          (mission.swarm.frames ? static_cast<int64_t>(kFrameBytes) : 0),
           .data_rate_bps = options.data_rate_bps,
           .sound_speed_mps = options.sound_speed_mps,
@@ -37,7 +49,7 @@ SwarmScheme SwarmSchemeOf(const Mission& mission) {
   if (scheduler == "fdma_lf") return SwarmScheme::kFdmaLf;
   if (scheduler == "tdma") return SwarmScheme::kTdma;
   if (scheduler == "tdma_lf") return SwarmScheme::kTdmaLf;
-  switch (mission.acoustics.options.access_mode) {
+  switch (PacketAcousticsOf(mission).options.access_mode) {
     case AccessMode::kFdma:
       return SwarmScheme::kFdmaLf;
     case AccessMode::kTdmaLf:

@@ -14,6 +14,11 @@
 
 namespace shoal {
 
+/// Returns the acoustic network that ACOUSTIC_TX, and so the swarm, and modems send over: the first
+/// that `[swarm] over` names, [acoustics] or a [[medium]] of kind = "acoustic"; where it names
+/// none, [acoustics], used or not.
+[[nodiscard]] const Acoustics& PacketAcousticsOf(const Mission& mission);
+
 /// Returns the properties of the acoustic network that swarm messages are sent over.
 [[nodiscard]] SwarmAir SwarmAirOf(const Mission& mission);
 

@@ -6,6 +6,7 @@
 
 #include "lib/mission/names.h"
 #include "lib/mission/suggest.h"
+#include "lib/mission/swarm_plan.h"
 #include "lib/mission/validate.h"
 
 namespace shoal {
@@ -38,7 +39,7 @@ void ValidateNavigation(const Mission& mission, const TablePlace& file) {
       place.Refuse("name", "a beacon " + Quoted(beacon.name) +
                                " exists already; names must differ in more than case");
     }
-    if (beacon.kind == "packets" && !mission.acoustics.is_used) {
+    if (beacon.kind == "packets" && !PacketAcousticsOf(mission).is_used) {
       place.Refuse("kind",
                    "there are no packets without an acoustic network: write [acoustics], or "
                    "kind = \"one_way\"");

@@ -10,6 +10,7 @@
 #include "lib/acoustics/loss_models.h"
 #include "lib/geodesy/local_frame.h"
 #include "lib/mission/suggest.h"
+#include "lib/mission/swarm_plan.h"
 #include "lib/mission/validate.h"
 #include "lib/modem/micromodem_rate.h"
 #include "lib/netsim/netsim_options.h"
@@ -27,8 +28,10 @@ void CheckNetsimVehicle(const NetsimVehicle& vehicle, const Mission& mission,
                  fmt::format("shoal simulates {} itself: write outside = true in its [[vehicle]]",
                              vehicle.name));
   }
-  if (vehicle.modem != NetsimModem::kNone && !mission.acoustics.is_used) {
-    place.Refuse("modem", "a modem sends over the acoustic network: write [acoustics] as well");
+  if (vehicle.modem != NetsimModem::kNone && !PacketAcousticsOf(mission).is_used) {
+    place.Refuse("modem",
+                 "a modem sends over an acoustic network: write [acoustics] as well, or name a "
+                 "[[medium]] of kind = \"acoustic\" in [swarm] over");
   }
 }
 
@@ -81,20 +84,29 @@ void CheckReach(const NetsimEnvironment& environment, const Mission& mission,
                                    mission.origin_lat_deg, mission.origin_lon_deg));
 }
 
+/// Where the file has the network that modems send over.
+TablePlace PlaceOf(const Acoustics& acoustics, const Mission& mission, const TablePlace& file) {
+  for (size_t i = 0; i < mission.media.size(); ++i) {
+    if (&mission.media[i].acoustics == &acoustics) return file.Below("medium", i);
+  }
+  return file.Below("acoustics");
+}
+
 /// Warns where models that are no modem's damage nearly every packet, and all that is damaged is
 /// thrown away.
 void WarnOfBitErrors(const Mission& mission, const TablePlace& file) {
   constexpr int kShort_bytes = 47;   // A Micro-Modem's packet of rate 0, with 32 bytes of data.
   constexpr int kLong_bytes = 2105;  // And one of rate 5, with 8 frames of 256.
   constexpr double kFewest = 0.9;    // Of short packets that a user expects to arrive.
-  const AcousticOptions& options = mission.acoustics.options;
+  const Acoustics& acoustics = PacketAcousticsOf(mission);
+  const AcousticOptions& options = acoustics.options;
   const bool is_of_formula = options.bit_error_model != BitErrorModel::kOff &&
                              options.bit_error_model != BitErrorModel::kModem;
-  if (!mission.acoustics.crc || !is_of_formula) return;
+  if (!acoustics.crc || !is_of_formula) return;
   const double wrong = BitErrorProbability(options, options.nominal_distance_m);
   const auto share = [&](int num_bytes) { return std::pow(1 - wrong, 8.0 * (num_bytes + 4)); };
   if (share(kShort_bytes) >= kFewest) return;
-  file.Below("acoustics")
+  PlaceOf(acoustics, mission, file)
       .Warn("bit_error_model",
             fmt::format(
                 "of a modem's packets of {} bytes {:.0f} % arrive whole at {:g} m, of those "
@@ -143,7 +155,9 @@ void ValidateNetsim(const Mission& mission, const TablePlace& file) {
     CheckModemAddress(options.vehicles[i], mission, file);
     has_modem = has_modem || options.vehicles[i].modem != NetsimModem::kNone;
   }
-  if (has_modem && file.Has("acoustics") && file.Below("acoustics").IsSound()) {
+  const Acoustics& acoustics = PacketAcousticsOf(mission);
+  const bool is_written = &acoustics != &mission.acoustics || file.Has("acoustics");
+  if (has_modem && is_written && PlaceOf(acoustics, mission, file).IsSound()) {
     WarnOfBitErrors(mission, file);
     WarnOfRange(mission, file);
   }

@@ -71,18 +71,20 @@ void CheckMembers(const TablePlace& place, const Mission& mission) {
                                     vehicle.name, limit_m / 1000));
     }
     if (!leads && vehicle.acoustic_leader &&
-        mission.acoustics.options.access_mode == AccessMode::kTdmaLf) {
+        PacketAcousticsOf(mission).options.access_mode == AccessMode::kTdmaLf) {
       place.Refuse(key,
                    fmt::format("{} has acoustic_leader = true: it would not receive {}; only the "
                                "leader of [swarm] may have it",
                                vehicle.name, mission.swarm.leader));
     }
-    if (!mission.IsReported(vehicle)) {
-      place.Warn(key,
-                 fmt::format("node_reporter of {} is \"none\": unless a program of yours sends "
-                             "its reports, the broker does not know where it is, and none of "
-                             "its messages is sent or received",
-                             vehicle.name));
+    if (!mission.IsReported(vehicle) && vehicle.sim == Provider::kNone) {
+      place.Warn(
+          key,
+          fmt::format(
+              "node_reporter and vehicle_sim of {} are \"none\": unless a program of yours sends "
+              "its reports or NAV, the broker does not know where it is, and none of "
+              "its messages is sent or received",
+              vehicle.name));
     }
     if (vehicle.sim == Provider::kNone && vehicle.acomms == Provider::kShoal) {
       place.Warn(key, fmt::format("vehicle_sim of {} is \"none\": unless a program of yours "
@@ -135,7 +137,7 @@ void WarnOfRange(const TablePlace& place, const Mission& mission) {
 
 /// A message must fit into a packet of the modem.
 void CheckPackets(const TablePlace& place, const Mission& mission) {
-  const std::optional<ModemPreset>& modem = mission.acoustics.options.modem;
+  const std::optional<ModemPreset>& modem = PacketAcousticsOf(mission).options.modem;
   if (!modem || modem->max_packet_bytes <= 0) return;
   const bool asks = SwarmSchemeOf(mission) == SwarmScheme::kTdmaLf;
   const size_t longest =
@@ -150,7 +152,7 @@ void CheckPackets(const TablePlace& place, const Mission& mission) {
 
 void CheckSlots(const TablePlace& place, const Mission& mission) {
   const bool needs_channels = mission.swarm.scheduler == "fdma_lf";
-  if (needs_channels && mission.acoustics.options.access_mode != AccessMode::kFdma) {
+  if (needs_channels && PacketAcousticsOf(mission).options.access_mode != AccessMode::kFdma) {
     place.Refuse("scheduler",
                  "fdma_lf needs a channel for each vehicle: write access_mode = "
                  "\"fdma\" in [acoustics], or scheduler = \"tdma\"");
@@ -167,8 +169,10 @@ void ValidateSwarm(const Mission& mission, const TablePlace& file) {
   if (!mission.swarm.exists) return;
   const TablePlace swarm = file.Below("swarm");
   CheckFollowers(swarm, mission);
-  if (!mission.acoustics.is_used) {
-    swarm.Refuse("leader", "a swarm sends over the acoustic network: write [acoustics] as well");
+  if (!PacketAcousticsOf(mission).is_used) {
+    swarm.Refuse("leader",
+                 "a swarm sends over an acoustic network: write [acoustics] as well, or name a "
+                 "[[medium]] of kind = \"acoustic\" in over");
   }
   if (!swarm.IsSound()) return;
   CheckMemberAddresses(swarm, mission);

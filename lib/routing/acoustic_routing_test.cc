@@ -45,6 +45,37 @@ TEST(Packet, IsInTransitToAllVehiclesThatAreNear) {
   EXPECT_EQ(SendPacket(&fleet, "alpha").at("bravo").number, 1);
 }
 
+TEST(Packet, GoesByWhereVehiclesAreInTruthWhetherFatesAreCountedOrNot) {
+  for (const int64_t each_fate_up_to : {200, 0}) {
+    TestFleet fleet(OverTheWater(each_fate_up_to));
+    fleet.Report("alpha", {0, 0, 0});
+    fleet.Report("bravo", {393, 0, 0});
+    fleet.Report("charlie", {20, 0, 0});
+    fleet.router.PlaceTruth("ALPHA", {10, 0, 0});
+    fleet.router.PlaceTruth("bravo", {46, 0, 0});
+    fleet.router.PlaceTruth("charlie", {5000, 0, 0});
+    fleet.router.PlaceTruth("not_of_the_mission", {0, 0, 0});
+    const Fates fates = SendPacket(&fleet, "alpha");
+    ASSERT_EQ(fates.size(), 2U);
+    EXPECT_EQ(fates.at("bravo").cause, Cause::kInTransit);
+    EXPECT_EQ(fates.at("bravo").range_m, 36);
+    EXPECT_EQ(fates.at("charlie").cause, Cause::kOutOfRange);
+    EXPECT_EQ(fates.at("charlie").range_m, 4990);
+  }
+}
+
+TEST(Packet, NeedsNoReportsWherePlacesInTruthAreKnown) {
+  TestFleet fleet;
+  fleet.router.PlaceTruth("alpha", {0, 0, 0});
+  EXPECT_EQ(SendPacket(&fleet, "alpha").at("").cause, Cause::kNoDestination);
+  EXPECT_EQ(SendPacket(&fleet, "bravo").at("").cause, Cause::kUnknownSource);
+  fleet.router.PlaceTruth("bravo", {50, 0, 0});
+  EXPECT_EQ(SendPacket(&fleet, "alpha").at("bravo").cause, Cause::kInTransit);
+  fleet.Report("charlie", {20, 0, 0});
+  const Fates reported = fleet.Report("charlie", {20, 0, 0});
+  EXPECT_TRUE(reported.empty()) << "reports need reports of their receivers";
+}
+
 TEST(Packet, OfAModemHasNoRangeRule) {
   for (const int64_t each_fate_up_to : {200, 0}) {
     TestFleet fleet(OverTheWater(each_fate_up_to));

@@ -8,11 +8,12 @@ namespace shoal {
 void BroadcastRouter::Route(const Transmission& sent, Contact* source, int64_t utime,
                             std::vector<Decision>* decisions) {
   const bool is_counted = contacts_.num_known() > rules_.each_fate_up_to;
-  if (is_counted && sent.has_range_rule && CountsFar(rules_, sent.kind)) {
+  const bool goes_by_truth = sent.kind == Kind::kPacket && has_truth_;
+  if (is_counted && !goes_by_truth && sent.has_range_rule && CountsFar(rules_, sent.kind)) {
     return RouteNear(sent, source, utime, decisions);
   }
   for (Contact* receiver : contacts_.all()) {
-    if (receiver->known && receiver != source) {
+    if (receiver->TakesPart(sent.kind) && receiver != source) {
       DecideOne(sent, source, receiver, utime, decisions);
     }
   }

@@ -1,6 +1,7 @@
-// Decides what is for all: node reports and packets, from the source to each other known vehicle.
-// With more known vehicles than `each_fate_up_to`, it looks only at those that the rules' reach can
-// include, and counts the others together, where the rules can be counted so.
+// Decides what is for all: node reports and packets, from the source to each other vehicle that
+// takes part. With more known vehicles than `each_fate_up_to`, it looks only at those that the
+// rules' reach can include, and counts the others together, where the rules can be counted so; but
+// for packets by truth, which have a fate each.
 #pragma once
 
 #include <array>
@@ -21,8 +22,8 @@ class BroadcastRouter {
   BroadcastRouter(const RoutingRules& rules, ContactBook& contacts, FateLedger& ledger)
       : rules_(rules), contacts_(contacts), ledger_(ledger) {}
 
-  /// Appends the fate at each other known vehicle, in order of keys; those that are counted
-  /// together come last.
+  /// Appends the fate at each other vehicle that takes part, in order of keys; those that are
+  /// counted together come last.
   void Route(const Transmission& sent, Contact* source, int64_t utime,
              std::vector<Decision>* decisions);
 
@@ -31,6 +32,8 @@ class BroadcastRouter {
   void OnFactors() { grid_is_valid_ = false; }
   void OnReport(const Contact& contact);
   void OnForgotten(const Contact& contact);
+  /// From now on places of vehicles in truth are known.
+  void OnTruth() { has_truth_ = true; }
 
  private:
   /// Receivers at which everything is stopped before the range is asked for, by cause.
@@ -56,6 +59,7 @@ class BroadcastRouter {
   ReachGrid grid_;
   bool grid_is_valid_ = false;
   double max_earange_ = 1;
+  bool has_truth_ = false;  ///< Packets go by other positions than those of grid_.
   std::array<StoppedCounts, kNumKinds> stopped_;
   std::vector<int32_t> near_;  ///< Kept for its memory, like the next.
   std::vector<Decision> far_fates_;

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,8 @@ struct Contact {
   LinkFactors factors;      ///< Kept when it is forgotten.
 
   Eigen::Vector3d position_m = Eigen::Vector3d::Zero();  ///< x East, y North, z down.
+  /// Where it is in truth, which packets go by; absent: where its last report puts it.
+  std::optional<Eigen::Vector3d> true_position_m;
   int64_t received_utime = 0;  ///< Of its last report, by our clock; staleness counts from here.
   int64_t message_utime = kNever;       ///< Of its last message that was not too soon.
   int64_t last_message_utime = kNever;  ///< Of its last message, unless that was invalid.
@@ -42,6 +45,15 @@ struct Contact {
   int64_t num_admitted = 0;                      ///< Reports that were not refused.
   KindCounts sent = {};                          ///< Fates of what it sent.
   KindCounts received = {};                      ///< Fates of what it was to receive.
+
+  /// True where it sends and receives transmissions of this kind: packets once its place is known,
+  /// all else once it has reported.
+  bool TakesPart(Kind kind) const {
+    return known || (kind == Kind::kPacket && true_position_m.has_value());
+  }
+  const Eigen::Vector3d& PositionFor(Kind kind) const {
+    return kind == Kind::kPacket && true_position_m ? *true_position_m : position_m;
+  }
 };
 
 }  // namespace shoal

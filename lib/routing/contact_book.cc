@@ -32,6 +32,12 @@ Contact* ContactBook::Find(std::string_view name) {
   return const_cast<Contact*>(std::as_const(*this).Find(name));
 }
 
+Contact* ContactBook::FindAt(int32_t index, std::string_view name) {
+  const auto place = static_cast<size_t>(index);
+  const bool is_there = index >= 0 && place < by_index_.size() && by_index_[place]->name == name;
+  return is_there ? by_index_[place] : Find(name);
+}
+
 Contact* ContactBook::FindOrAdd(std::string_view name) {
   if (Contact* contact = Find(name)) return contact;
   if (num_unregistered_ == kMaxUnregistered && !MakeRoom()) return nullptr;

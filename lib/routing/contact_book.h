@@ -27,7 +27,9 @@ class ContactBook {
   /// Returns the contact of this name, without regard to case, or nullptr.
   Contact* Find(std::string_view name);
   const Contact* Find(std::string_view name) const;
-  /// The same; adds one that is not there, or returns nullptr where there is no room.
+  /// The same, sooner where this name has the index that it had before.
+  Contact* FindAt(int32_t index, std::string_view name);
+  /// The same as Find; adds one that is not there, or returns nullptr where there is no room.
   /// @pre a legal name
   Contact* FindOrAdd(std::string_view name);
   /// Returns false where FindOrAdd would return nullptr.

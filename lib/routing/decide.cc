@@ -126,7 +126,7 @@ Transmission TransmissionOf(const RoutingRules& rules, uint64_t seed, Kind kind,
                             const Contact& source) {
   Transmission sent = {.kind = kind,
                        .number = number,
-                       .position_m = source.position_m,
+                       .position_m = source.PositionFor(kind),
                        .group_key = source.group_key,
                        .stealth = source.factors.stealth,
                        .link_key = std::nullopt};

@@ -20,7 +20,7 @@ namespace shoal {
 /// Returns the name of a source's random numbers for transmissions of one kind.
 [[nodiscard]] StreamKey DropKey(uint64_t seed, Kind kind, std::string_view source_key);
 
-/// Returns a transmission of `source`, from where its last report put it.
+/// Returns a transmission of `source`, from where it is for this kind.
 [[nodiscard]] Transmission TransmissionOf(const RoutingRules& rules, uint64_t seed, Kind kind,
                                           int64_t number, const Contact& source);
 

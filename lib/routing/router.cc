@@ -81,6 +81,13 @@ Admission Router::RefuseBecause(Cause cause, Contact* source) {
           .group_key = {}};
 }
 
+void Router::PlaceTruth(std::string_view name, const Eigen::Vector3d& position_m) {
+  Contact* contact = contacts_.Find(name);
+  if (contact == nullptr || !contact->of_mission) return;
+  contact->true_position_m = position_m;
+  broadcasts_.OnTruth();
+}
+
 void Router::Route(const Admission& report, int64_t utime, std::vector<Decision>* decisions) {
   SHOAL_CHECK(!report.refused, "the report was admitted");
   Contact* source = contacts_.at(report.source);
@@ -141,14 +148,16 @@ void Router::RoutePacket(const PacketFacts& packet, int64_t utime,
       .number = sent.number, .kind = Kind::kPacket, .cause = Cause::kNoDestination};
   if (!packet.is_sound || !IsLegalVehicleName(packet.source)) {
     decision.cause = Cause::kInvalid;
-  } else if (source == nullptr || !source->known) {
+  } else if (source == nullptr || !source->TakesPart(Kind::kPacket)) {
     decision.cause = Cause::kUnknownSource;
   } else if (packet.length_bytes > packet.length_limit_bytes) {
     decision.cause = Cause::kTooLong;
     decision.length_bytes = packet.length_bytes;
     decision.length_limit_bytes = packet.length_limit_bytes;
-  } else if (num_known() > 1) {
-    return broadcasts_.Route(sent, source, utime, decisions);
+  } else {
+    const size_t num_before = decisions->size();
+    broadcasts_.Route(sent, source, utime, decisions);
+    if (decisions->size() > num_before) return;
   }
   ledger_.Record(rules_, decision, source, nullptr, decisions);
 }
@@ -156,7 +165,8 @@ void Router::RoutePacket(const PacketFacts& packet, int64_t utime,
 Decision Router::Conclude(const Decision& pending, std::string_view source,
                           std::string_view destination, Cause cause) {
   SHOAL_CHECK(pending.cause == Cause::kInTransit, "the decision is in transit");
-  ledger_.Conclude(pending.kind, cause, contacts_.Find(source), contacts_.Find(destination));
+  ledger_.Conclude(pending.kind, cause, contacts_.FindAt(pending.source, source),
+                   contacts_.FindAt(pending.destination, destination));
   Decision concluded = pending;
   concluded.cause = cause;
   return concluded;

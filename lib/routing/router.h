@@ -91,6 +91,10 @@ class Router {
   /// was.
   Admission Admit(const ReportFacts& report, int64_t utime);
 
+  /// From now on packets to and from this vehicle of the mission go by this position, whether it
+  /// reports or not; all else stays with its reports. @pre finite
+  void PlaceTruth(std::string_view name, const Eigen::Vector3d& position_m);
+
   /// Counts a report of `name` that the caller found invalid for a reason of its own.
   Admission Refuse(std::string_view name);
 
@@ -123,9 +127,9 @@ class Router {
   void RouteAck(const AckFacts& ack, int64_t utime, std::vector<Decision>* decisions,
                 std::vector<std::string>* unknown_names);
 
-  /// Appends the fates of a packet at each other known vehicle, in order of keys; those that are
-  /// not distinguished come last. Asks: invalid, unknown source, too long, then at each
-  /// destination.
+  /// Appends the fates of a packet at each other vehicle that is known or whose place in truth is,
+  /// in order of keys; those that are not distinguished come last. Asks: invalid, unknown source,
+  /// too long, then at each destination.
   void RoutePacket(const PacketFacts& packet, int64_t utime, std::vector<Decision>* decisions);
 
   /// Gives a transmission that is in transit its fate, for the counts. Names, since either vehicle

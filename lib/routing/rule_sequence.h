@@ -30,7 +30,7 @@ struct LinkFacts {
   int64_t delivered_utime = kNever;  ///< When the receiver last received a report of this source.
   bool is_wanted = false;            ///< It asked for the next report of this source.
 
-  double Range_m() const { return (receiver.position_m - sent.position_m).norm(); }
+  double Range_m() const { return (receiver.PositionFor(sent.kind) - sent.position_m).norm(); }
 };
 
 enum class Answer : uint8_t { kNext, kStops, kDelivers };

@@ -156,4 +156,43 @@ bool ViewOf(const fate_t& fate, int64_t utime, FateView* view) {
   return FindCause(fate.cause, &facts.cause) && has_kind;
 }
 
+bool ViewOf(const fate_medium_t& fate, int64_t utime, FateView* view) {
+  FateFacts& facts = view->facts;
+  facts = {};
+  facts.utime = PlausibleUtime(utime);
+  view->source = fate.source;
+  view->destination = fate.destination;
+  view->medium = fate.medium;
+  view->colliders.clear();
+  facts.number = fate.number;
+  facts.hop = fate.hop;
+  facts.range_m = static_cast<float>(fate.range_m);
+  facts.limit_m = static_cast<float>(fate.limit_m);
+  facts.depth_m = static_cast<float>(fate.depth_m);
+  facts.depth_limit_m = static_cast<float>(fate.depth_limit_m);
+  facts.horizon_m = static_cast<float>(fate.horizon_m);
+  facts.path_loss_db = static_cast<float>(fate.path_loss_db);
+  facts.path_loss_limit_db = static_cast<float>(fate.path_loss_limit_db);
+  // Of what goes by radio; an acoustic network has its own numbers in the fate's path.
+  if (fate.depth_limit_m >= 0) {
+    facts.loss_probability = static_cast<float>(fate.loss_probability);
+    facts.radio_delay_s = static_cast<float>(fate.delay_s);
+  }
+  const bool has_kind = FindKind(fate.kind, &facts.kind);
+  return FindCause(fate.cause, &facts.cause) && has_kind;
+}
+
+void AddMediumNumbers(const FateFacts& medium, FateFacts* facts) {
+  if (medium.range_m >= 0) facts->range_m = medium.range_m;
+  if (medium.limit_m >= 0) facts->limit_m = medium.limit_m;
+  facts->depth_m = medium.depth_m;
+  facts->depth_limit_m = medium.depth_limit_m;
+  facts->horizon_m = medium.horizon_m;
+  facts->path_loss_db = medium.path_loss_db;
+  facts->path_loss_limit_db = medium.path_loss_limit_db;
+  facts->radio_delay_s = medium.radio_delay_s;
+  facts->hop = medium.hop;
+  if (!facts->has_path) facts->loss_probability = medium.loss_probability;
+}
+
 }  // namespace shoal

@@ -3,7 +3,7 @@
 //
 // Measured, since this is a form of a fate beside Decision and fate_t (release build, the log of
 // missions/swarm20.toml: 895 MB, 1.5 million fates): ReadFates takes 0.09 s, the generated decoder
-// with ViewOf 0.25 s, of 0.95 s that opening the log takes. 112 bytes are kept of each fate,
+// with ViewOf 0.25 s, of 0.95 s that opening the log takes. 144 bytes are kept of each fate,
 // without memory of their own; fate_t has 264, its path 136, and 6 texts.
 #pragma once
 
@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "lib/routing/fate.h"
+#include "shoal/fate_medium_t.hpp"
 #include "shoal/fate_t.hpp"
 
 namespace shoal {
@@ -49,8 +50,16 @@ struct FateFacts {
   float bit_error_probability = -1;
   int32_t channel = -1;
   int32_t num_colliders = 0;
+  // Of the medium, as COMMS_MEDIA has them; loss_probability is also radio's.
+  float depth_m = -1;
+  float depth_limit_m = -1;
+  float horizon_m = -1;
+  float path_loss_db = -1;
+  float path_loss_limit_db = -1;
+  float radio_delay_s = -1;
+  int32_t hop = -1;
 };
-static_assert(std::is_trivially_copyable_v<FateFacts> && sizeof(FateFacts) <= 120);
+static_assert(std::is_trivially_copyable_v<FateFacts> && sizeof(FateFacts) <= 144);
 
 /// One fate of a message; the views live as long as the message's bytes.
 struct FateView {
@@ -58,6 +67,7 @@ struct FateView {
   std::string_view source;
   std::string_view destination;  ///< Empty: refused at intake; "*": others.
   std::vector<std::string_view> colliders = {};
+  std::string_view medium = {};  ///< Empty: none, or not known.
 };
 
 /// Times farther from the epoch than this (3000 years) are clamped to it, so that differences of
@@ -83,5 +93,10 @@ struct FatesView {
 
 /// Returns the same of a decoded fate; false where its kind or cause is unknown.
 [[nodiscard]] bool ViewOf(const fate_t& fate, int64_t utime, FateView* view);
+/// Returns what COMMS_MEDIA has of a fate; false likewise.
+[[nodiscard]] bool ViewOf(const fate_medium_t& fate, int64_t utime, FateView* view);
+
+/// Adds to a fate what `medium` has of the same fate.
+void AddMediumNumbers(const FateFacts& medium, FateFacts* facts);
 
 }  // namespace shoal

@@ -19,7 +19,8 @@ FateView KeptFate::view() const {
   return {.facts = facts,
           .source = source,
           .destination = destination,
-          .colliders = {colliders.begin(), colliders.end()}};
+          .colliders = {colliders.begin(), colliders.end()},
+          .medium = medium};
 }
 
 void FateHistory::Add(const FateView& fate) {
@@ -30,12 +31,36 @@ void FateHistory::Add(const FateView& fate) {
   next_ = next_ + 1 == max_fates_ ? 0 : next_ + 1;
   kept.id = next_id_++;
   kept.facts = fate.facts;
+  kept.medium.clear();
   kept.source = fate.source.substr(0, kMaxNameBytes);
   kept.destination = fate.destination.substr(0, kMaxNameBytes);
   const size_t num_colliders = std::min(fate.colliders.size(), kMaxColliders);
   kept.colliders.resize(num_colliders);
   for (size_t i = 0; i < num_colliders; ++i) {
     kept.colliders[i] = fate.colliders[i].substr(0, kMaxNameBytes);
+  }
+}
+
+void FateHistory::AddMedium(const FateView& medium) {
+  constexpr int kMaxSearched = 5000;
+  next_medium_id_ = std::max(next_medium_id_, next_id_ - static_cast<int64_t>(fates_.size()));
+  while (next_medium_id_ < next_id_ && ById(next_medium_id_).facts.utime < medium.facts.utime) {
+    ++next_medium_id_;
+  }
+  const auto is_same = [&](const KeptFate& fate) {
+    return fate.facts.number == medium.facts.number && fate.facts.kind == medium.facts.kind &&
+           fate.facts.cause == medium.facts.cause && fate.source == medium.source &&
+           fate.destination == medium.destination;
+  };
+  int num_searched = 0;
+  for (int64_t id = next_medium_id_; id < next_id_ && num_searched < kMaxSearched;
+       ++id, ++num_searched) {
+    KeptFate& fate = ById(id);
+    if (!is_same(fate)) continue;
+    AddMediumNumbers(medium.facts, &fate.facts);
+    fate.medium = medium.medium.substr(0, kMaxNameBytes);
+    next_medium_id_ = id + 1;
+    return;
   }
 }
 
@@ -85,6 +110,11 @@ int64_t FateHistory::num_forgotten() const {
 const KeptFate& FateHistory::FromNewest(size_t i) const {
   const size_t size = fates_.size();
   return fates_[(next_ + 2 * size - 1 - i) % size];
+}
+
+KeptFate& FateHistory::ById(int64_t id) {
+  const size_t size = fates_.size();
+  return fates_[(next_ + 2 * size - static_cast<size_t>(next_id_ - id)) % size];
 }
 
 }  // namespace shoal

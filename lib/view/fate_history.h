@@ -18,6 +18,7 @@ struct KeptFate {
   std::string source;
   std::string destination;
   std::vector<std::string> colliders;
+  std::string medium;
 
   FateView view() const;
 };
@@ -34,6 +35,9 @@ class FateHistory {
       : max_fates_(max_fates), next_id_(first_id) {}
 
   void Add(const FateView& fate);
+  /// Adds to the fate of `medium.facts` what COMMS_MEDIA has of it. Those of one step come behind
+  /// its fates and in their order; where the fate is not kept, nothing happens.
+  void AddMedium(const FateView& medium);
   /// Counts these as seen: of fates before the first that will be added.
   void MarkSeen(const std::vector<bool>& kinds, const std::vector<bool>& causes) {
     kinds_seen_ = kinds;
@@ -58,11 +62,13 @@ class FateHistory {
 
  private:
   const KeptFate& FromNewest(size_t i) const;
+  KeptFate& ById(int64_t id);
 
   size_t max_fates_;
   int64_t next_id_;
   std::vector<KeptFate> fates_;  ///< A ring; the oldest at next_.
   size_t next_ = 0;
+  int64_t next_medium_id_ = 0;  ///< Fates before this have what COMMS_MEDIA has of them.
   std::vector<bool> kinds_seen_ = std::vector<bool>(kNumKinds);
   std::vector<bool> causes_seen_ = std::vector<bool>(kNumCauses);
 };

@@ -40,6 +40,17 @@ std::string LengthText(const FateFacts& facts) {
   return fmt::format("{} bytes of {}", facts.length_bytes, facts.length_limit_bytes);
 }
 
+std::string DepthText(const FateFacts& facts) {
+  if (!(facts.depth_m >= 0) || !(facts.depth_limit_m >= 0)) return {};
+  return fmt::format("{:.2f} m of {:.2f} m", facts.depth_m, facts.depth_limit_m);
+}
+
+std::string PathLossText(const FateFacts& facts) {
+  if (!(facts.path_loss_db >= 0)) return {};
+  return fmt::format("{:.1f} dB of {:.1f} dB (margin {:.1f} dB)", facts.path_loss_db,
+                     facts.path_loss_limit_db, facts.path_loss_limit_db - facts.path_loss_db);
+}
+
 std::string OverrideWords(const FateFacts& facts) {
   switch (facts.override_rule) {
     case OverrideRule::kCriticalRange:
@@ -112,9 +123,8 @@ constexpr std::array kNumbers = {
     NumberRow{{"colliders", "colliders"}, CollidersText},
     NumberRow{{"loss_probability", "loss_probability"},
               [](const FateFacts& facts, Colliders) {
-                return facts.has_path && facts.loss_probability >= 0
-                           ? fmt::format("{:.3g}", facts.loss_probability)
-                           : std::string();
+                return facts.loss_probability >= 0 ? fmt::format("{:.3g}", facts.loss_probability)
+                                                   : std::string();
               }},
     NumberRow{{"snr", "snr_db"},
               [](const FateFacts& facts, Colliders) {
@@ -134,6 +144,20 @@ constexpr std::array kNumbers = {
                 return facts.has_path && facts.bit_error_probability > 0
                            ? fmt::format("{:.3g}", facts.bit_error_probability)
                            : std::string();
+              }},
+    NumberRow{{"depth", "depth_m depth_limit_m"},
+              [](const FateFacts& facts, Colliders) { return DepthText(facts); }},
+    NumberRow{{"path_loss", "path_loss_db path_loss_limit_db"},
+              [](const FateFacts& facts, Colliders) { return PathLossText(facts); }},
+    NumberRow{{"horizon", "horizon_m"},
+              [](const FateFacts& facts, Colliders) {
+                return facts.horizon_m >= 0 ? fmt::format("{:.1f} m", facts.horizon_m)
+                                            : std::string();
+              }},
+    NumberRow{{"radio_delay", "delay_s"},
+              [](const FateFacts& facts, Colliders) {
+                return facts.radio_delay_s >= 0 ? fmt::format("{:.2f} s", facts.radio_delay_s)
+                                                : std::string();
               }},
 };
 
@@ -166,6 +190,13 @@ std::string NumbersOf(const FateFacts& facts, Colliders colliders) {
   return text;
 }
 
+/// Returns "over vhf", with the hop behind the first; empty where no medium is known.
+std::string MediumWords(const FateView& fate) {
+  if (fate.medium.empty()) return {};
+  const std::string words = fmt::format("over {}", ShortName(fate.medium));
+  return fate.facts.hop > 0 ? fmt::format("{}, hop {}", words, fate.facts.hop) : words;
+}
+
 std::string Ends(std::string_view source, std::string_view destination, int64_t count) {
   if (destination.empty()) return std::string(ShortName(source));
   if (destination != "*") {
@@ -193,8 +224,9 @@ std::string DecidingNumbers(const FateView& fate) { return NumbersOf(fate.facts,
 std::string DecidingNumbers(const FateFacts& facts) { return NumbersOf(facts, {}); }
 
 std::string FateText(const FateView& fate) {
-  return fmt::format("{}: {}", Ends(fate.source, fate.destination, fate.facts.count),
-                     Joined(CauseWords(fate.facts.cause), DecidingNumbers(fate)));
+  return fmt::format(
+      "{}: {}", Ends(fate.source, fate.destination, fate.facts.count),
+      Joined(Joined(CauseWords(fate.facts.cause), DecidingNumbers(fate)), MediumWords(fate)));
 }
 
 std::string FateText(const fate_t& fate) {
@@ -202,6 +234,11 @@ std::string FateText(const fate_t& fate) {
   if (ViewOf(fate, 0, &view)) return FateText(view);
   return fmt::format("{}: {}", Ends(fate.source, fate.destination, fate.count),
                      ShortName(fate.cause));
+}
+
+std::string DecidingNumbers(const fate_medium_t& fate) {
+  FateView view;
+  return ViewOf(fate, 0, &view) ? DecidingNumbers(view) : std::string();
 }
 
 }  // namespace shoal

@@ -120,6 +120,68 @@ TEST(FateText, StatesWhatHappenedInTheAcousticNetwork) {
             "alpha to bravo: delivered damaged, 1 bit flipped, with charlie 4");
 }
 
+/// A fate of radio over vhf with all its numbers.
+fate_medium_t OverRadio(std::string_view cause) {
+  fate_medium_t fate{};
+  fate.kind = "report";
+  fate.source = "alpha";
+  fate.destination = "bravo";
+  fate.cause = cause;
+  fate.medium = "vhf";
+  fate.depth_m = 0.25;
+  fate.depth_limit_m = 0.5;
+  fate.range_m = 900;
+  fate.limit_m = 1000;
+  fate.horizon_m = 8000;
+  fate.path_loss_db = 118.25;
+  fate.path_loss_limit_db = 130;
+  fate.loss_probability = 0.05;
+  fate.delay_s = 0.25;
+  return fate;
+}
+
+std::string TextOverRadio(const fate_medium_t& fate) {
+  FateView view;
+  EXPECT_TRUE(ViewOf(fate, 0, &view));
+  return FateText(view);
+}
+
+TEST(FateText, StatesTheNumbersThatDecidedARadioLink) {
+  EXPECT_EQ(TextOverRadio(OverRadio("delivered")),
+            "alpha to bravo: delivered, 900.0 m of 1000.0 m, 0.25 s by radio, path loss 118.2 dB "
+            "of 130.0 dB (margin 11.8 dB), over vhf");
+  fate_medium_t submerged = OverRadio("submerged");
+  submerged.depth_m = 12;
+  submerged.hop = 1;
+  EXPECT_EQ(TextOverRadio(submerged),
+            "alpha to bravo: antenna submerged, depth 12.00 m of 0.50 m, over vhf, hop 1");
+  fate_medium_t weak = OverRadio("weak_signal");
+  weak.path_loss_db = 133.5;
+  EXPECT_EQ(TextOverRadio(weak),
+            "alpha to bravo: signal too weak, 900.0 m of 1000.0 m, path loss 133.5 dB of 130.0 dB "
+            "(margin -3.5 dB), horizon 8000.0 m, over vhf");
+  fate_medium_t far = OverRadio("out_of_range");
+  far.range_m = 1200;
+  EXPECT_EQ(TextOverRadio(far),
+            "alpha to bravo: out of range, 1200.0 m of 1000.0 m, horizon 8000.0 m, over vhf");
+  fate_medium_t hidden = OverRadio("below_horizon");
+  hidden.range_m = 9000;
+  hidden.limit_m = hidden.horizon_m;
+  EXPECT_EQ(TextOverRadio(hidden),
+            "alpha to bravo: below the radio horizon, 9000.0 m of 8000.0 m, over vhf");
+  EXPECT_EQ(TextOverRadio(OverRadio("packet_loss")),
+            "alpha to bravo: packet loss, probability 0.05, over vhf");
+}
+
+TEST(FateText, LeavesOutRadiosNumbersWhereThereAreNone) {
+  fate_medium_t fate = OverRadio("delivered");
+  fate.medium = "direct";
+  fate.depth_m = fate.depth_limit_m = fate.range_m = fate.limit_m = fate.horizon_m = -1;
+  fate.path_loss_db = fate.path_loss_limit_db = fate.loss_probability = -1;
+  fate.delay_s = 0;
+  EXPECT_EQ(TextOverRadio(fate), "alpha to bravo: delivered, over direct");
+}
+
 TEST(FateText, NamesColliders) {
   const auto text = [](int num, std::vector<std::string> names) {
     acoustic_path_t path = CalmPath(0);

@@ -33,8 +33,9 @@ void WriteFates(const std::vector<const KeptFate*>& fates, const Scene& scene, J
         .Integer("number", fate->facts.number)
         .Text("cause", CauseText(fate->facts.cause))
         .Text("rule", OverrideText(fate->facts.override_rule))
-        .Text("text", FateText(fate->view()))
-        .EndObject();
+        .Text("text", FateText(fate->view()));
+    if (!fate->medium.empty()) json->Text("medium", fate->medium);
+    json->EndObject();
   }
   json->EndArray();
 }

@@ -100,6 +100,18 @@ Bytes DrawMessage(const std::string& channel) {
     }
     return Encoded(FatesOf(DrawUtime(), {fate, fate}));
   }
+  if (channel == "COMMS_MEDIA") {
+    fate_medium_t fate = MediumOf(FateOf(DrawText(), DrawText(), DrawText()), DrawText());
+    fate.kind = *rc::gen::element<std::string>("report", "packet", "odd");
+    fate.cause = *rc::gen::element<std::string>("delivered", "submerged", "weak_signal", "odd");
+    fate.number = *rc::gen::arbitrary<int64_t>();
+    fate.hop = *rc::gen::arbitrary<int32_t>();
+    fate.depth_m = DrawDouble();
+    fate.depth_limit_m = DrawDouble();
+    fate.path_loss_db = DrawDouble();
+    fate.delay_s = DrawDouble();
+    return Encoded(MediaOf(DrawUtime(), {fate, fate}));
+  }
   if (channel == "VIEW_COMMS_PULSE") {
     comms_pulse_t pulse = PulseOf(DrawText(), DrawText(), DrawDouble());
     pulse.fill_color = DrawText();

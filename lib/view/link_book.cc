@@ -55,6 +55,18 @@ LinkPlace LinkBook::Add(const FateView& fate) {
   return place;
 }
 
+void LinkBook::AddMedium(const FateView& medium) {
+  const int32_t from = names_->Find(medium.source);
+  const int32_t to = names_->Find(medium.destination);
+  if (Find(from, to) == nullptr) return;
+  FateFacts& last = links_[static_cast<size_t>(LinkOf(from, to))].last;
+  if (last.utime != medium.facts.utime || last.number != medium.facts.number ||
+      last.kind != medium.facts.kind || last.cause != medium.facts.cause) {
+    return;
+  }
+  AddMediumNumbers(medium.facts, &last);
+}
+
 const LinkCounts* LinkBook::Find(int32_t from, int32_t to) const {
   const auto width = static_cast<int32_t>(table_width_);
   if (from < 0 || to < 0 || from >= width || to >= width) return nullptr;

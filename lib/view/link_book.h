@@ -5,7 +5,7 @@
 //   for (const FateView& fate : message.all()) book.Add(fate);
 //   const LinkCounts* link = book.Find(0, 1);    // alpha to bravo
 //
-// Cheap to copy: 270 bytes for each link that had fates; copies share the names.
+// Cheap to copy: 320 bytes for each link that had fates; copies share the names.
 #pragma once
 
 #include <array>
@@ -56,6 +56,8 @@ class LinkBook {
 
   /// Counts a fate `count` times, for its link or elsewhere.
   LinkPlace Add(const FateView& fate);
+  /// Adds what COMMS_MEDIA has of a fate, where that is the last of its link.
+  void AddMedium(const FateView& medium);
   /// Counts fates of unknown kind or cause.
   void AddStrange(int64_t count) { num_strange_ += count; }
 

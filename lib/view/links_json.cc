@@ -1,8 +1,11 @@
 #include "lib/view/links_json.h"
 
+#include <fmt/format.h>
+
 #include "lib/view/fate_text.h"
 #include "lib/view/fates_json.h"
 #include "lib/view/json_writer.h"
+#include "lib/view/view_limits.h"
 
 namespace shoal {
 
@@ -14,8 +17,8 @@ bool Receives(const Scene& scene, const LinkCounts& link) {
   return scene.now_s() - scene.SecondsOf(link.last.utime) <= scene.rules()->stale_time_s;
 }
 
-void WriteLink(const Scene& scene, const LinkCounts& link, JsonWriter* json) {
-  const NameTable& names = scene.links().names();
+void WriteLink(const Scene& scene, const NameTable& names, const LinkCounts& link,
+               JsonWriter* json) {
   json->BeginObject()
       .Text("from", names.at(link.from))
       .Text("to", names.at(link.to))
@@ -85,16 +88,34 @@ void WriteRanges(const std::vector<RangeSample>& ranges, JsonWriter* json) {
   json->EndObject();
 }
 
-}  // namespace
-
-std::string LinksJson(const Scene& scene) {
+/// The names are those of all links, so that the matrix keeps its shape.
+std::string JsonOf(const Scene& scene, const LinkBook& links) {
   JsonWriter json;
   json.BeginObject().Number("t", scene.now_s(), kMilliseconds).Key("names").BeginArray();
   for (const std::string& name : scene.links().names().all()) json.Text(name);
-  json.EndArray().Key("links").BeginArray();
-  for (const LinkCounts& link : scene.links().links()) WriteLink(scene, link, &json);
+  json.EndArray();
+  if (const auto media = scene.media_links().Names(); !media.empty()) {
+    json.Key("media").BeginArray();
+    for (const std::string_view medium : media) json.Text(medium);
+    json.EndArray();
+  }
+  json.Key("links").BeginArray();
+  for (const LinkCounts& link : links.links()) WriteLink(scene, links.names(), link, &json);
   json.EndArray().EndObject();
   return json.Take();
+}
+
+}  // namespace
+
+std::string LinksJson(const Scene& scene) { return JsonOf(scene, scene.links()); }
+
+Result<std::string> MediumLinksJson(const Scene& scene, std::string_view medium) {
+  const LinkBook* links = scene.media_links().Find(medium);
+  if (links != nullptr) return JsonOf(scene, *links);
+  const std::vector<std::string_view> names = scene.media_links().Names();
+  return Error{fmt::format("no medium '{}' is known; there are: {}",
+                           medium.substr(0, kMaxNameBytes),
+                           names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", ")))};
 }
 
 std::string LinkJson(const Scene& scene, const LinkAnswer& answer) {

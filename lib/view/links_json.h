@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "lib/check/result.h"
 #include "lib/view/fate_history.h"
 #include "lib/view/link_history.h"
 #include "lib/view/scene.h"
@@ -15,6 +16,9 @@ namespace shoal {
 
 /// Returns the link matrix at the scene's time.
 [[nodiscard]] std::string LinksJson(const Scene& scene);
+
+/// Returns the same of one medium, or an error that lists those that there are.
+[[nodiscard]] Result<std::string> MediumLinksJson(const Scene& scene, std::string_view medium);
 
 /// One link's history.
 struct LinkAnswer {

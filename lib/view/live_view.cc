@@ -112,6 +112,11 @@ std::string LiveView::LinksJson(double /*t_s*/) {
   return shoal::LinksJson(scene_);
 }
 
+Result<std::string> LiveView::MediumLinksJson(std::string_view medium, double /*t_s*/) {
+  const std::lock_guard lock(mutex_);
+  return shoal::MediumLinksJson(scene_, medium);
+}
+
 std::string LiveView::FatesJson(const FateQuery& query, double /*t_s*/) {
   const std::lock_guard lock(mutex_);
   return shoal::FatesJson(fates_, query, scene_);

@@ -56,6 +56,7 @@ class LiveView : public ViewSource, private SceneObserver {
   std::string FrameJson(double t_s) override;
   std::string TrailsJson() override;
   std::string LinksJson(double t_s) override;
+  Result<std::string> MediumLinksJson(std::string_view medium, double t_s) override;
   std::string FatesJson(const FateQuery& query, double t_s) override;
   std::string EventsJson() override;
   Result<std::string> LinkJson(std::string_view from, std::string_view to, double t_s) override;
@@ -66,6 +67,7 @@ class LiveView : public ViewSource, private SceneObserver {
   void OnHelm(size_t vehicle, const helm_state_t& helm) override;
   void OnReport(size_t vehicle, const ReceivedReport& report) override;
   void OnFate(const FateView& fate, const LinkPlace& place) override;
+  void OnMedium(const FateView& medium) override { fates_.AddMedium(medium); }
   void FollowRules();
   FrameParts PartsOfNow() const;
 

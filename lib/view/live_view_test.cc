@@ -225,6 +225,60 @@ TEST_F(LiveViewTest, LinksShowWhichVehiclesReceiveEachOtherAndWhy) {
   EXPECT_EQ(json::parse(view_.LinksJson(0))["links"][0]["hears"], false) << "that is long ago";
 }
 
+TEST_F(LiveViewTest, ShowsTheMediaOfLinksApart) {
+  const fate_t by_radio = FateOf("alpha", "bravo", "delivered");
+  fate_t by_sound = FateOf("alpha", "bravo", "packet_loss");
+  by_sound.number = 1;
+  const fate_t below = FateOf("bravo", "alpha", "submerged");
+  const fate_t rule = FateOf("bravo", "alpha", "other_group");
+  fate_medium_t depth = MediumOf(below, "vhf");
+  depth.depth_m = 12;
+  depth.depth_limit_m = 0.5;
+  EXPECT_FALSE(json::parse(view_.LinksJson(0)).contains("media")) << "as before there were media";
+  EXPECT_FALSE(view_.MediumLinksJson("vhf", 0).ok());
+  Handle("COMMS_FATES", FatesOf(12'100'000, {by_radio, rule, below, by_sound}));
+  Handle("COMMS_MEDIA",
+         MediaOf(12'100'000, {MediumOf(by_radio, "vhf"), depth, MediumOf(by_sound, "acoustic")}));
+  const json all = json::parse(view_.LinksJson(0));
+  EXPECT_EQ(all["media"], (json{"vhf", "acoustic"}));
+  EXPECT_EQ(all["links"][0]["offered"], 2);
+  EXPECT_EQ(all["links"][1]["offered"], 2);
+  EXPECT_EQ(all["links"][1]["text"], "depth 12.00 m of 0.50 m");
+  const json vhf = json::parse(*view_.MediumLinksJson("vhf", 0));
+  EXPECT_EQ(vhf["names"], all["names"]);
+  ASSERT_EQ(vhf["links"].size(), 2U);
+  EXPECT_EQ(vhf["links"][0]["offered"], 1);
+  EXPECT_EQ(vhf["links"][0]["hears"], true);
+  EXPECT_EQ(vhf["links"][1]["offered"], 1) << "the rule's is of no medium";
+  const json acoustic = json::parse(*view_.MediumLinksJson("acoustic", 0));
+  ASSERT_EQ(acoustic["links"].size(), 1U);
+  EXPECT_EQ(acoustic["links"][0]["cause"], "packet_loss");
+  EXPECT_NE(view_.MediumLinksJson("smoke", 0).error().find("vhf, acoustic"), std::string::npos);
+}
+
+TEST_F(LiveViewTest, FatesNameTheirMediumAndItsNumbers) {
+  fate_t below = FateOf("alpha", "bravo", "submerged");
+  fate_medium_t depth = MediumOf(below, "vhf");
+  depth.depth_m = 12;
+  depth.depth_limit_m = 0.5;
+  Handle("COMMS_FATES", FatesOf(12'100'000, {FateOf("alpha", "bravo", "other_group"), below}));
+  Handle("COMMS_MEDIA", MediaOf(12'100'000, {depth}));
+  // The same transmission's number in a later step, and a fate that is not kept.
+  Handle("COMMS_FATES", FatesOf(12'200'000, {below}));
+  depth.depth_m = 13;
+  Handle("COMMS_MEDIA",
+         MediaOf(12'200'000, {MediumOf(FateOf("bravo", "alpha", "delivered"), "vhf"), depth}));
+  const json fates = json::parse(view_.FatesJson({}, 0))["fates"];
+  ASSERT_EQ(fates.size(), 3U);
+  EXPECT_EQ(fates[0]["text"],
+            "alpha to bravo: antenna submerged, depth 13.00 m of 0.50 m, over vhf");
+  EXPECT_EQ(fates[0]["medium"], "vhf");
+  EXPECT_EQ(fates[1]["text"],
+            "alpha to bravo: antenna submerged, depth 12.00 m of 0.50 m, over vhf");
+  EXPECT_EQ(fates[2]["text"], "alpha to bravo: other group");
+  EXPECT_FALSE(fates[2].contains("medium"));
+}
+
 TEST_F(LiveViewTest, ShowsALinksHistory) {
   fate_t delivered = FateOf("alpha", "bravo", "delivered");
   delivered.range_m = 18;

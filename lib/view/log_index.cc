@@ -29,7 +29,7 @@ ChannelUse::Topic TopicOf(std::string_view channel) {
   using enum ChannelUse::Topic;
   if (channel == topics::kNodeReportLocal || channel == topics::kNodeReport) return kReports;
   if (channel == topics::kCommsRules) return kRules;
-  if (channel == topics::kCommsFates) return kFates;
+  if (channel == topics::kCommsFates || channel == topics::kCommsMedia) return kFates;
   if (channel == topics::kViewCommsPulse) return kPulses;
   return kState;
 }
@@ -94,7 +94,10 @@ class IndexBuilder : private SceneObserver {
   using Topic = ChannelUse::Topic;
 
   static Keyframe KeyframeAtStart(const Scene& scene) {
-    return {.timeline = RecordedTimeline(scene.start_utime()), .links = {}, .standing = {}};
+    return {.timeline = RecordedTimeline(scene.start_utime()),
+            .links = {},
+            .media_links = {},
+            .standing = {}};
   }
 
   void TakeKnown(const LogEvent& event, ChannelUse* use) {
@@ -193,11 +196,16 @@ class IndexBuilder : private SceneObserver {
     next_.scene_utime = scene_.now_utime();
     Keyframe& keyframe = index_.keyframes.emplace_back(next_);
     keyframe.links = scene_.links();
-    num_links_ += keyframe.links.links().size();
+    keyframe.media_links = scene_.media_links();
+    num_links_ += NumLinks(keyframe);
     while (index_.keyframes.size() > 2 && (index_.keyframes.size() > LogIndex::kMaxKeyframes ||
                                            num_links_ > LogIndex::kMaxLinks)) {
       ThinKeyframes();
     }
+  }
+
+  static size_t NumLinks(const Keyframe& keyframe) {
+    return keyframe.links.links().size() + keyframe.media_links.num_links();
   }
 
   /// Drops every other keyframe, but never the first.
@@ -207,7 +215,7 @@ class IndexBuilder : private SceneObserver {
     size_t kept = 0;
     for (size_t i = 0; i < keyframes.size(); i += 2) {
       if (kept != i) keyframes[kept] = std::move(keyframes[i]);
-      num_links_ += keyframes[kept++].links.links().size();
+      num_links_ += NumLinks(keyframes[kept++]);
     }
     keyframes.erase(keyframes.begin() + static_cast<ptrdiff_t>(kept), keyframes.end());
     gap_bytes_ *= 2;

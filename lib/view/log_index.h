@@ -34,6 +34,7 @@ struct Keyframe {
   RecordedTimeline timeline;  ///< Up to there.
   int64_t scene_utime = 0;
   LinkBook links;
+  MediaLinks media_links;
   int64_t num_fates = 0;  ///< As FateHistory numbers them.
   std::vector<bool> kinds_seen = std::vector<bool>(kNumKinds);
   std::vector<bool> causes_seen = std::vector<bool>(kNumCauses);

@@ -1,5 +1,6 @@
 #include "lib/view/recorded_cursor.h"
 
+#include "lib/bus/bus.h"
 #include "lib/bus/channels.h"
 #include "lib/bus/seal.h"
 
@@ -24,7 +25,7 @@ SceneCursor::SceneCursor(LogReader reader, LogStamps stamps, const Keyframe& key
     scene_.Handle(event->channel, Unseal(event->data).message);
   }
   scene_.SetNow(keyframe.scene_utime);
-  scene_.SetLinks(keyframe.links);
+  scene_.SetLinks(keyframe.links, keyframe.media_links);
 }
 
 void SceneCursor::GoTo(int64_t line_us) {
@@ -44,11 +45,20 @@ FateCursor::FateCursor(LogReader reader, LogStamps stamps, const Keyframe& keyfr
 
 void FateCursor::GoTo(int64_t line_us) {
   walk_.ReadUpTo(line_us, [this](const LogEvent& event) {
+    if (event.channel == topics::kCommsMedia) return TakeMedia(event);
     if (event.channel != topics::kCommsFates) return;
     if (!ReadFates(Unseal(event.data).message, &message_)) return;
     for (const FateView& fate : message_.all()) fates_.Add(fate);
   });
   line_us_ = line_us;
+}
+
+void FateCursor::TakeMedia(const LogEvent& event) {
+  if (!Decode(Unseal(event.data).message, &media_)) return;
+  FateView medium;
+  for (const fate_medium_t& fate : media_.media) {
+    if (ViewOf(fate, media_.utime, &medium)) fates_.AddMedium(medium);
+  }
 }
 
 }  // namespace shoal

@@ -8,6 +8,7 @@
 
 #include "lib/view/fate_history.h"
 #include "lib/view/log_index.h"
+#include "shoal/comms_media_t.hpp"
 
 namespace shoal {
 
@@ -79,9 +80,12 @@ class FateCursor {
   uint64_t offset() const { return walk_.offset(); }
 
  private:
+  void TakeMedia(const LogEvent& event);
+
   LogWalk walk_;
   FateHistory fates_;
-  FatesView message_;  ///< Its memory is used again.
+  FatesView message_;  ///< Its memory is used again, as that of the next.
+  comms_media_t media_;
   int64_t line_us_ = 0;
 };
 

@@ -125,6 +125,13 @@ std::string RecordedView::LinksJson(double t_s) {
   return json;
 }
 
+Result<std::string> RecordedView::MediumLinksJson(std::string_view medium, double t_s) {
+  auto cursor = SceneAt(LineOf(t_s));
+  Result<std::string> json = shoal::MediumLinksJson(cursor->scene(), medium);
+  idle_scenes_.Return(std::move(cursor));
+  return json;
+}
+
 std::string RecordedView::FatesJson(const FateQuery& query, double t_s) {
   auto cursor = FatesAt(LineOf(t_s));
   std::string json = shoal::FatesJson(cursor->fates(), query, blank_);

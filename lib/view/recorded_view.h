@@ -51,6 +51,7 @@ class RecordedView : public ViewSource {
   std::string FrameJson(double t_s) override;
   std::string TrailsJson() override;
   std::string LinksJson(double t_s) override;
+  Result<std::string> MediumLinksJson(std::string_view medium, double t_s) override;
   /// Of the last FateHistory::kMaxFates.
   std::string FatesJson(const FateQuery& query, double t_s) override;
   std::string EventsJson() override;

@@ -74,7 +74,8 @@ Scene::Scene(const Mission& mission)
       sound_mps_(mission.acoustics.options.sound_speed_mps),
       num_of_mission_(mission.vehicles.size()),
       rules_(RulesOfMission(mission)),
-      links_(NamesOf(mission)) {
+      links_(NamesOf(mission)),
+      media_links_(MediaNamesOf(mission), NamesOf(mission)) {
   for (const Vehicle& vehicle : mission.vehicles) {
     const size_t place = vehicles_.size();
     channels_[channels::Nav(vehicle.name).name] = {Topic::kNav, place};
@@ -93,6 +94,7 @@ Scene::Scene(const Mission& mission)
   channels_[channels::NodeReportLocal().name] = {Topic::kReport, 0};
   channels_[channels::NodeReportFromOutside().name] = {Topic::kReport, 0};
   channels_[channels::CommsFates().name] = {Topic::kFates, 0};
+  channels_[channels::CommsMedia().name] = {Topic::kMedia, 0};
   channels_[channels::CommsRules().name] = {Topic::kRules, 0};
   channels_[channels::ViewCommsPulse().name] = {Topic::kPulses, 0};
 }
@@ -123,6 +125,8 @@ void Scene::Handle(std::string_view channel, std::span<const uint8_t> data,
         return HandleReport(data, observer);
       case Topic::kFates:
         return HandleFates(data, observer);
+      case Topic::kMedia:
+        return HandleMedia(data, observer);
       case Topic::kRules:
         return HandleRules(data);
       case Topic::kPulses:
@@ -261,6 +265,20 @@ bool Scene::HandleFates(std::span<const uint8_t> data, SceneObserver* observer) 
     const LinkPlace place = links_.Add(fate);
     if (fate.facts.has_path) packets_.Add(fate, PositionOf(fate.source));
     if (observer != nullptr) observer->OnFate(fate, place);
+  }
+  return true;
+}
+
+bool Scene::HandleMedia(std::span<const uint8_t> data, SceneObserver* observer) {
+  const comms_media_t* media = DecodeAgain<comms_media_t>(data);
+  if (media == nullptr) return false;
+  MoveNow(PlausibleUtime(media->utime));
+  FateView medium;
+  for (const fate_medium_t& fate : media->media) {
+    if (!ViewOf(fate, media->utime, &medium)) continue;
+    media_links_.Add(medium);
+    links_.AddMedium(medium);
+    if (observer != nullptr) observer->OnMedium(medium);
   }
   return true;
 }

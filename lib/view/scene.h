@@ -21,6 +21,7 @@
 #include "lib/mission/mission.h"
 #include "lib/routing/rules.h"
 #include "lib/view/link_book.h"
+#include "lib/view/media_links.h"
 #include "lib/view/packet_book.h"
 #include "lib/view/pulse_book.h"
 #include "lib/view/shown_channels.h"
@@ -74,6 +75,8 @@ class SceneObserver {
   virtual void OnHelm(size_t /*vehicle*/, const helm_state_t& /*helm*/) {}
   virtual void OnReport(size_t /*vehicle*/, const ReceivedReport& /*report*/) {}
   virtual void OnFate(const FateView& /*fate*/, const LinkPlace& /*place*/) {}
+  /// What COMMS_MEDIA has of a fate that OnFate was called for.
+  virtual void OnMedium(const FateView& /*medium*/) {}
 };
 
 class Scene {
@@ -87,7 +90,7 @@ class Scene {
 
   /// Takes one encoded message. Channels: NAV_V, HELM_STATE_V, SWARM_V and those of
   /// shown_channels.h of the mission's vehicles, NODE_REPORT_LOCAL, NODE_REPORT, COMMS_FATES,
-  /// COMMS_RULES, VIEW_COMMS_PULSE; all others are ignored.
+  /// COMMS_MEDIA, COMMS_RULES, VIEW_COMMS_PULSE; all others are ignored.
   void Handle(std::string_view channel, std::span<const uint8_t> data,
               SceneObserver* observer = nullptr);
   /// Takes the time of the clock's last step.
@@ -98,7 +101,10 @@ class Scene {
   /// The rules are unknown until COMMS_RULES states them.
   void ForgetRules() { rules_.reset(); }
   /// Goes on from counters that were copied at this time.
-  void SetLinks(LinkBook links) { links_ = std::move(links); }
+  void SetLinks(LinkBook links, MediaLinks media_links) {
+    links_ = std::move(links);
+    media_links_ = std::move(media_links);
+  }
 
   /// Channels that Handle takes messages of.
   static std::vector<std::string> Channels(const Mission& mission);
@@ -125,6 +131,7 @@ class Scene {
   bool IsStale(const SceneVehicle& vehicle) const;
   const std::optional<RulesInForce>& rules() const { return rules_; }
   const LinkBook& links() const { return links_; }
+  const MediaLinks& media_links() const { return media_links_; }
   const PulseBook& pulses() const { return pulses_; }
   const PacketBook& packets() const { return packets_; }
   double sound_mps() const { return sound_mps_; }
@@ -134,7 +141,17 @@ class Scene {
   int64_t num_left_out() const { return num_left_out_; }  ///< Reports of too many outside vehicles.
 
  private:
-  enum class Topic : uint8_t { kNav, kHelm, kSwarm, kShown, kReport, kFates, kRules, kPulses };
+  enum class Topic : uint8_t {
+    kNav,
+    kHelm,
+    kSwarm,
+    kShown,
+    kReport,
+    kFates,
+    kMedia,
+    kRules,
+    kPulses
+  };
   struct ChannelPlace {
     Topic topic = Topic::kNav;
     size_t vehicle = 0;
@@ -152,6 +169,7 @@ class Scene {
   bool HandleSwarm(size_t vehicle, std::span<const uint8_t> data);
   bool HandleReport(std::span<const uint8_t> data, SceneObserver* observer);
   bool HandleFates(std::span<const uint8_t> data, SceneObserver* observer);
+  bool HandleMedia(std::span<const uint8_t> data, SceneObserver* observer);
   bool HandleRules(std::span<const uint8_t> data);
   bool HandlePulses(std::span<const uint8_t> data);
   std::optional<std::pair<double, double>> PositionOf(std::string_view name) const;
@@ -167,6 +185,7 @@ class Scene {
   NameTable names_;  ///< Of vehicles_, by place.
   std::optional<RulesInForce> rules_;
   LinkBook links_;
+  MediaLinks media_links_;
   PulseBook pulses_;
   PacketBook packets_;
   int64_t num_undecodable_ = 0;

@@ -62,6 +62,30 @@ inline fate_t FateOf(std::string_view source, std::string_view destination,
   return fate;
 }
 
+/// Returns what COMMS_MEDIA has of this fate.
+inline fate_medium_t MediumOf(const fate_t& fate, std::string_view medium) {
+  fate_medium_t of_medium{};
+  of_medium.kind = fate.kind;
+  of_medium.source = fate.source;
+  of_medium.destination = fate.destination;
+  of_medium.number = fate.number;
+  of_medium.cause = fate.cause;
+  of_medium.medium = medium;
+  of_medium.origin = fate.source;
+  of_medium.depth_m = of_medium.depth_limit_m = of_medium.range_m = of_medium.limit_m = -1;
+  of_medium.horizon_m = of_medium.path_loss_db = of_medium.path_loss_limit_db = -1;
+  of_medium.loss_probability = of_medium.delay_s = -1;
+  return of_medium;
+}
+
+inline comms_media_t MediaOf(int64_t utime, const std::vector<fate_medium_t>& media) {
+  comms_media_t message;
+  message.utime = utime;
+  message.num_media = static_cast<int32_t>(media.size());
+  message.media = media;
+  return message;
+}
+
 /// Returns an acoustic path without losses or errors.
 inline acoustic_path_t CalmPath(int64_t sent_utime) {
   acoustic_path_t path{};

@@ -33,6 +33,8 @@ class ViewSource {
   virtual std::string FrameJson(double t_s) = 0;
   virtual std::string TrailsJson() = 0;
   virtual std::string LinksJson(double t_s) = 0;
+  /// The same of one medium; the error names one that the mission does not have.
+  virtual Result<std::string> MediumLinksJson(std::string_view medium, double t_s) = 0;
   virtual std::string FatesJson(const FateQuery& query, double t_s) = 0;
   virtual std::string EventsJson() = 0;
   /// The error names a vehicle that is not in the mission.

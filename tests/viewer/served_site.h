@@ -53,6 +53,9 @@ class MadeUpSource : public ViewSource {
   std::string FrameJson(double) override { return R"({"t":1})"; }
   std::string TrailsJson() override { return std::string(3'000'000, 'x'); }
   std::string LinksJson(double) override { return "{}"; }
+  Result<std::string> MediumLinksJson(std::string_view, double) override {
+    return std::string("{}");
+  }
   std::string FatesJson(const FateQuery&, double) override { return "{}"; }
   std::string EventsJson() override { return "{}"; }
   Result<std::string> LinkJson(std::string_view, std::string_view, double) override {

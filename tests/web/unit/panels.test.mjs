@@ -5,7 +5,7 @@ import {axisRange, cleanColumns, headingStrokes} from '../../../web/charts.js';
 import {commandWords, gotoWords} from '../../../web/commands.js';
 import {mergeFates} from '../../../web/panel_fates.js';
 import {causeCounts} from '../../../web/panel_link.js';
-import {cellSize, cellWords} from '../../../web/panel_matrix.js';
+import {cellSize, cellWords, mediaToChoose} from '../../../web/panel_matrix.js';
 import {pageMatches} from '../../../web/panel_status.js';
 import {contactWords} from '../../../web/panel_swarm.js';
 import {alarmsOf, modeOf, reportAge, shortMode} from '../../../web/panel_vehicle.js';
@@ -54,6 +54,14 @@ test('a cell of the matrix shows in signs and words what its colour shows', () =
   assert.equal(cellWords({...link, hears: true}, 10).sign, '✓');
   assert.equal(cellWords({...link, last_heard_s: null}, 10).received, 'never');
   assert.equal(cellWords(null, 10).state, 'unknown');
+});
+
+test('a medium is to choose where there are several, and only then', () => {
+  assert.deepEqual(mediaToChoose({media: ['acoustic', 'vhf']}), ['acoustic', 'vhf']);
+  assert.deepEqual(mediaToChoose({media: ['vhf']}), []);
+  assert.deepEqual(mediaToChoose({}), []);
+  assert.deepEqual(mediaToChoose({media: 'nonsense'}), []);
+  assert.deepEqual(mediaToChoose({media: ['vhf', 7, '', 'acoustic']}), ['vhf', 'acoustic']);
 });
 
 test('cells of the matrix are as large as the width lets all be seen', () => {
