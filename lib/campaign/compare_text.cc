@@ -102,8 +102,9 @@ class ComparisonWriter {
       const double equal = static_cast<double>(means.num_equal) /
                            static_cast<double>(std::max<int64_t>(means.num_pairs, 1));
       Line(fmt::format("{:<{}} {:>8} {:>5.1f} % {:>10} {:>10} {:>10}  {}", Label(i), kPointWidth,
-                       means.num_pairs, 100 * equal, CellText(means.mean_a), CellText(means.mean_b),
-                       CellText(means.difference), IntervalText(means.interval)));
+                       means.num_pairs, 100 * equal, DigitsText(means.mean_a),
+                       DigitsText(means.mean_b), DigitsText(means.difference),
+                       IntervalText(means.interval)));
       Line("    " + Gain(means));
       if (of.num_without > 0) {
         Line(fmt::format("    {} left out: a trial has no value",

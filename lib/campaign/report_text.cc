@@ -181,9 +181,9 @@ class ReportWriter {
       const CaseTable& table = tables_.cases[number];
       const MetricSummary& of = table.metrics[metric];
       Line(fmt::format("{:<{}} {:>8} {:>7} {:>10}  {:<26} {:>10} {:>10}", Label(table), kLabelWidth,
-                       of.num, of.num_without, CellText(of.mean.value),
+                       of.num, of.num_without, DigitsText(of.mean.value),
                        IntervalText(of.mean.interval) + (of.mean.is_repeated ? " *" : ""),
-                       CellText(of.min), CellText(of.max)));
+                       DigitsText(of.min), DigitsText(of.max)));
       if (of.num > 0) Quantiles(of);
       if (shown.size() <= kMostCasesInDetail) Worst(of);
     }
@@ -195,7 +195,7 @@ class ReportWriter {
     for (size_t i = 0; i < kReportedQuantiles.size(); ++i) {
       const Estimate& quantile = of.quantiles[i];
       items.push_back(fmt::format("{:g} %: {} ({})", 100 * kReportedQuantiles[i],
-                                  CellText(quantile.value), IntervalText(quantile.interval)));
+                                  DigitsText(quantile.value), IntervalText(quantile.interval)));
     }
     Wrapped("   ", items);
   }
@@ -205,7 +205,7 @@ class ReportWriter {
     for (const NotedTrial& trial : of.worst) {
       items.push_back(fmt::format("{}-{} {} {}", trial.key.case_id, trial.key.repetition,
                                   kTrialOutcomeNames[static_cast<size_t>(trial.outcome)],
-                                  CellText(trial.value)));
+                                  DigitsText(trial.value)));
     }
     Wrapped("    look at", items);
   }

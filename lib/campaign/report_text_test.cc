@@ -86,8 +86,8 @@ TEST(ReportText, ShowsWhatIsNoNumberAsADash) {
 }
 
 TEST(TableText, OfNumbers) {
-  EXPECT_EQ(CellText(std::numeric_limits<double>::quiet_NaN()), "-");
-  EXPECT_EQ(CellText(1.7e308), "1.7e+308");
+  EXPECT_EQ(DigitsText(std::numeric_limits<double>::quiet_NaN()), "-");
+  EXPECT_EQ(DigitsText(1.7e308), "1.7e+308");
   EXPECT_EQ(IntervalText({1, 2.5}), "1 to 2.5");
   EXPECT_EQ(IntervalText({}), "-");
   EXPECT_EQ(IntervalText({.low = 3}), "from 3");

@@ -20,7 +20,7 @@ std::string PercentDigits(double share) {
 
 }  // namespace
 
-std::string CellText(double value) {
+std::string DigitsText(double value) {
   if (std::isnan(value)) return "-";
   const std::string text = fmt::format("{:.5g}", value);
   return text.size() <= 10 ? text : fmt::format("{:.2e}", value);
@@ -30,10 +30,10 @@ std::string IntervalText(const Interval& interval) {
   const bool has_low = std::isfinite(interval.low);
   const bool has_high = std::isfinite(interval.high);
   if (has_low && has_high) {
-    return fmt::format("{} to {}", CellText(interval.low), CellText(interval.high));
+    return fmt::format("{} to {}", DigitsText(interval.low), DigitsText(interval.high));
   }
-  if (has_low) return "from " + CellText(interval.low);
-  return has_high ? "up to " + CellText(interval.high) : "-";
+  if (has_low) return "from " + DigitsText(interval.low);
+  return has_high ? "up to " + DigitsText(interval.high) : "-";
 }
 
 std::string PercentText(double share) {

@@ -9,7 +9,7 @@
 namespace shoal {
 
 /// Returns up to five significant digits in at most ten characters; "-" for NaN.
-[[nodiscard]] std::string CellText(double value);
+[[nodiscard]] std::string DigitsText(double value);
 
 /// Returns "12.1 to 12.5", "from 12.1" or "up to 12.5" where an end is infinite, "-" where both
 /// are.
