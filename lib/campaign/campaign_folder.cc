@@ -170,10 +170,6 @@ int64_t StoredTrials::size() const {
   return count;
 }
 
-std::string TrialName(const TrialKey& key) {
-  return fmt::format("{}-{}", key.case_id, key.repetition);
-}
-
 Result<CampaignFolder> ReadCampaignFolder(const std::string& path) {
   const std::filesystem::path folder_path(path);
   std::error_code ignored;

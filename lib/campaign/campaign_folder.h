@@ -53,9 +53,6 @@ struct StoredTrials {
 /// Reads all shards. The error names a file that cannot be read.
 [[nodiscard]] Result<StoredTrials> ReadShards(const CampaignFolder& folder);
 
-/// Returns "4f2a91c3e0-17".
-[[nodiscard]] std::string TrialName(const TrialKey& key);
-
 /// Returns the trial that a text names: its case by as many digits as distinguish it. The error
 /// lists what there is.
 [[nodiscard]] Result<TrialKey> FindTrial(const CampaignFolder& folder, const std::string& text);

@@ -53,7 +53,7 @@ std::string ShortLabel(const CampaignResults& results, const CampaignCase& of,
 }
 
 std::string TrialName(const CampaignResults& results, const TrialRow& row) {
-  return fmt::format("{}-{}", results.cases[row.case_number].id, row.repetition);
+  return TrialName({results.cases[row.case_number].id, row.repetition});
 }
 
 double MetricOf(const TrialResult& result, size_t metric) {

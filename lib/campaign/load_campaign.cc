@@ -119,8 +119,7 @@ class CampaignReader {
         leaves.push_back({key, entry.key_place, &entry.value});
         continue;
       }
-      const std::string path = prefix.empty() ? PartsOf(entry.key) : key;
-      std::vector<KeyValue> more = Leaves(*below, path, leaf_keys);
+      std::vector<KeyValue> more = Leaves(*below, key, leaf_keys);
       leaves.insert(leaves.end(), more.begin(), more.end());
     }
     return leaves;
@@ -129,7 +128,6 @@ class CampaignReader {
   static std::string PartOf(const std::string& part) {
     return IsBareKey(part) ? part : TomlString(part);
   }
-  static std::string PartsOf(const std::string& key) { return key; }
 
   /// Notes a key that one trial would get from two places, that has not the form of `--set`, or
   /// that is the repetition's.

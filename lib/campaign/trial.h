@@ -26,6 +26,11 @@ struct TrialKey {
   auto operator<=>(const TrialKey&) const = default;
 };
 
+/// Returns "4f2a91c3e0-17".
+[[nodiscard]] inline std::string TrialName(const TrialKey& key) {
+  return key.case_id + "-" + std::to_string(key.repetition);
+}
+
 /// What became of a trial.
 struct TrialResult {
   /// The value of a metric that a trial has not: of an error, or an age of reports that never came.
