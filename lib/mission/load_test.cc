@@ -159,10 +159,9 @@ TEST(LoadMission, ReadsAFileThatIsAPipe) {
 }
 
 TEST(LoadMission, LoadsTheMissionsThatComeWithShoal) {
-  for (const std::string name :
-       {"acoustic", "acoustic_ping", "acoustic_shared", "alpha", "berta", "c_planner", "dvl_drift",
-        "fleet", "hide_and_seek", "lbl", "packet_ranges", "python_planner", "remus_path",
-        "swarm_direct"}) {
+  for (const std::string name : {"acoustic", "acoustic_ping", "acoustic_shared", "alpha", "berta",
+                                 "c_planner", "dvl_drift", "fleet", "hide_and_seek", "lbl",
+                                 "packet_ranges", "python_planner", "remus_path", "swarm_direct"}) {
     const std::string path = std::string(SHOAL_SOURCE_DIR) + "/missions/" + name + ".toml";
     const LoadedMission loaded = LoadMission(path);
     EXPECT_EQ(loaded.errors, std::vector<std::string>{});
