@@ -32,8 +32,7 @@ Outcome ArrivalWatch::Find() const {
     std::string numbers = fmt::format("there {} {:.1f} s{}", goal_.stays ? "from" : "at",
                                       *arrival_s, goal_.stays ? " on" : "");
     if (late_s > 0) numbers += fmt::format(", {} s late", FormatExcess(late_s));
-    return {
-        .passed = late_s <= 0, .strain = *arrival_s, .numbers = numbers, .value = arrival_s};
+    return {.passed = late_s <= 0, .strain = *arrival_s, .numbers = numbers, .value = arrival_s};
   }
   const double excess_m = (goal_.stays ? distance_m_ : closest_m_) - goal_.within_m;
   return {.passed = false,

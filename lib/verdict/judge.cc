@@ -410,10 +410,8 @@ Outcome Judge::FindSeparation(const SeparationExpectation& separation) const {
                                     mission_.vehicles[static_cast<size_t>(closest.second)].name,
                                     closest.range_m, SecondsSinceStart(closest.utime));
   if (missing_m > 0) numbers += fmt::format(", {} m too close", FormatExcess(missing_m));
-  return {.passed = missing_m <= 0,
-          .strain = missing_m,
-          .numbers = numbers,
-          .value = closest.range_m};
+  return {
+      .passed = missing_m <= 0, .strain = missing_m, .numbers = numbers, .value = closest.range_m};
 }
 
 Outcome Judge::FindComms(const CommsExpectation& comms) const {
@@ -525,10 +523,9 @@ std::optional<double> Judge::WorstValue(const Case& each, const std::vector<Outc
     const double strain = by_value ? -outcome.value.value_or(0) : outcome.strain;
     return std::tuple(!by_value && !outcome.passed, !outcome.value.has_value(), strain);
   };
-  return std::max_element(outcomes.begin(), outcomes.end(),
-                          [&](const Outcome& a, const Outcome& b) {
-                            return badness(a) < badness(b);
-                          })
+  return std::max_element(
+             outcomes.begin(), outcomes.end(),
+             [&](const Outcome& a, const Outcome& b) { return badness(a) < badness(b); })
       ->value;
 }
 
