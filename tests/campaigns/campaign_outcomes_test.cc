@@ -1,0 +1,140 @@
+// Campaigns whose trials fail, crash, hang or are wrong; folders of others.
+#include <gtest/gtest.h>
+
+#include "tests/campaigns/campaign_runs.h"
+
+namespace shoal::campaign_outcomes_test {
+
+bool Holds(const Finished& finished, const std::string& text) {
+  return finished.output.find(text) != std::string::npos;
+}
+
+TEST(CampaignOutcomes, OfAMissionThatIsWrongAtOnePointOnlyAreErrorsThereAndNowhereElse) {
+  const TestFolder folder;
+  WriteFile(folder / "c.toml", "[campaign]\nmission = \"" + MissionFile("berta.toml") +
+                                   "\"\nrepetitions = 3\n[sweep]\n"
+                                   "\"comms.comms_range\" = [100, \"far\"]\n");
+  const Finished check = RunShoal(folder, {"campaign", "check", (folder / "c.toml").string()});
+  EXPECT_EQ(check.exit_code, 2) << check.output;
+  EXPECT_TRUE(Holds(check, "case comms.comms_range=\"far\":")) << check.output;
+  const Finished run = RunCampaignTo(folder, "c.toml", "out");
+  EXPECT_EQ(run.exit_code, 1) << run.output;
+  EXPECT_TRUE(Holds(run, "6 trials: 3 pass, 0 fail, 3 error, 0 timeout")) << run.output;
+  EXPECT_TRUE(Holds(run, "comms_range must be 0 to 10000000 or \"nolimit\"")) << run.output;
+  const Finished report = RunShoal(folder, {"campaign", "report", (folder / "out").string()});
+  EXPECT_EQ(report.exit_code, 1) << report.output;
+  EXPECT_TRUE(Holds(report, "3 error")) << report.output;
+}
+
+TEST(CampaignOutcomes, OfAMissionThatTakesForEverAreTimeouts) {
+  const TestFolder folder;
+  WriteFile(folder / "c.toml", "[campaign]\nmission = \"" + MissionFile("berta.toml") +
+                                   "\"\nrepetitions = 2\ntimeout_s = 0.5\n[set]\n"
+                                   "\"mission.duration_s\" = 100000\n");
+  const Finished run = RunCampaignTo(folder, "c.toml", "out");
+  EXPECT_EQ(run.exit_code, 1) << run.output;
+  EXPECT_TRUE(Holds(run, "2 trials: 0 pass, 0 fail, 0 error, 2 timeout")) << run.output;
+  EXPECT_TRUE(Holds(run, "did not end within 0.5 s of wall time (timeout_s), at ")) << run.output;
+}
+
+TEST(CampaignOutcomes, OfAHelmThatCrashesAreErrorsThatNameIt) {
+  const TestFolder folder;
+  WriteFile(folder / "m.toml",
+            "[mission]\nduration_s = 20\n[[vehicle]]\nname = \"alpha\"\n"
+            "helm_options = {deploy_at_start = true}\n"
+            "[[vehicle.task]]\nkind = \"waypoints\"\npoints = [[100, 0]]\nspeed_mps = 1\n"
+            "[[vehicle.behavior]]\nkind = \"test_failure\"\nname = \"broken\"\n"
+            "failure_type = \"crash\"\n"
+            "[[expect]]\nkind = \"helm\"\nvehicle = \"alpha\"\nstate = \"DRIVE\"\n");
+  WriteFile(folder / "c.toml", "[campaign]\nmission = \"m.toml\"\nrepetitions = 2\n");
+  const Finished run = RunCampaignTo(folder, "c.toml", "out");
+  EXPECT_EQ(run.exit_code, 1) << run.output;
+  EXPECT_TRUE(Holds(run, "2 error")) << run.output;
+  EXPECT_TRUE(Holds(run, "LOST: helm_alpha")) << run.output;
+}
+
+TEST(CampaignOutcomes, ThatAreFailsAreRecordedAndCanBeReplayedToTheSameLog) {
+  const TestFolder folder;
+  // At 50 m the two are out of range of each other for longer than berta allows.
+  WriteFile(folder / "c.toml", "[campaign]\nmission = \"" + MissionFile("berta.toml") +
+                                   "\"\nrepetitions = 3\n[set]\n\"comms.comms_range\" = 50\n");
+  const Finished run = RunCampaignTo(folder, "c.toml", "out", {"--keep", "2"});
+  EXPECT_EQ(run.exit_code, 0) << run.output;
+  EXPECT_TRUE(Holds(run, "3 trials: 0 pass, 3 fail")) << run.output;
+  EXPECT_TRUE(Holds(run, "2 recorded in")) << run.output;
+  std::vector<std::string> trials;
+  for (const auto& entry : std::filesystem::directory_iterator(folder / "out" / "failures")) {
+    trials.push_back(entry.path().filename().string());
+  }
+  ASSERT_EQ(trials.size(), 2U);
+  const Finished replay =
+      RunShoal(folder, {"campaign", "replay", (folder / "out").string(), trials[0]});
+  EXPECT_EQ(replay.exit_code, 1) << replay.output;
+  const std::filesystem::path kept = folder / "out" / "failures" / trials[0];
+  const std::string log = ReadFile(kept / "mission.lcm");
+  EXPECT_GT(log.size(), 100'000U);
+  EXPECT_EQ(ReadFile(folder / "out" / "replays" / trials[0] / "mission.lcm"), log);
+  EXPECT_TRUE(ReadFile(kept / "why.txt").starts_with("fail: at least 50 reports delivered"));
+}
+
+TEST(CampaignFolders, OfAnotherBuildOrMissionAreRefusedAndStayAsTheyAre) {
+  const TestFolder folder;
+  WriteFile(folder / "m.toml", ReadFile(MissionFile("berta.toml")));
+  WriteFile(folder / "c.toml", "[campaign]\nmission = \"m.toml\"\nrepetitions = 2\n");
+  ASSERT_EQ(RunCampaignTo(folder, "c.toml", "out").exit_code, 0);
+  const std::string shard = ReadFile(folder / "out" / "shards" / "1-of-1.jsonl");
+
+  WriteFile(folder / "m.toml", ReadFile(MissionFile("berta.toml")) + "# The same mission.\n");
+  EXPECT_EQ(RunCampaignTo(folder, "c.toml", "out").exit_code, 0);
+  WriteFile(folder / "m.toml",
+            ReadFile(MissionFile("berta.toml")) + "[[expect]]\nkind = \"separation\"\nmin_m = 1\n");
+  const Finished other_mission = RunCampaignTo(folder, "c.toml", "out");
+  EXPECT_EQ(other_mission.exit_code, 2) << other_mission.output;
+  EXPECT_TRUE(Holds(other_mission, "another text of the mission")) << other_mission.output;
+  WriteFile(folder / "m.toml", ReadFile(MissionFile("berta.toml")));
+
+  std::string facts = ReadFile(folder / "out" / "campaign.json");
+  const size_t build = facts.find("\"build\": \"") + 10;
+  facts.replace(build, 16, "0123456789abcdef");
+  WriteFile(folder / "out" / "campaign.json", facts);
+  const Finished other_build = RunCampaignTo(folder, "c.toml", "out");
+  EXPECT_EQ(other_build.exit_code, 2) << other_build.output;
+  EXPECT_TRUE(Holds(other_build, "results of another build of shoal (0123456789abcdef"))
+      << other_build.output;
+  EXPECT_EQ(ReadFile(folder / "out" / "campaign.json"), facts);
+  EXPECT_EQ(ReadFile(folder / "out" / "shards" / "1-of-1.jsonl"), shard);
+}
+
+TEST(CampaignFolders, WithTwoPoliciesThatDoTheSameDifferByExactlyNothing) {
+  const TestFolder folder;
+  WriteFile(folder / "c.toml", "[campaign]\nmission = \"" + MissionFile("berta.toml") +
+                                   "\"\nrepetitions = 5\n[policy.as_it_is]\n[policy.colored]\n"
+                                   "\"vehicle.alpha.color\" = \"red\"\n"
+                                   "[metrics]\nway = {kind = \"distance_travelled\"}\n");
+  ASSERT_EQ(RunCampaignTo(folder, "c.toml", "out").exit_code, 0);
+  const Finished compared = RunShoal(folder, {"campaign", "compare", (folder / "out").string(),
+                                              "--a", "policy=as_it_is", "--b", "policy=colored"});
+  EXPECT_EQ(compared.exit_code, 0) << compared.output;
+  size_t count = 0;
+  for (size_t at = 0;
+       (at = compared.output.find("the same in every pair", at)) != std::string::npos; ++at) {
+    ++count;
+  }
+  EXPECT_EQ(count, 5U) << compared.output;  // Four expectations and a metric.
+}
+
+TEST(CampaignFolders, OfACampaignThatRunsAreNotRunASecondTime) {
+  const TestFolder folder;
+  WriteFile(folder / "c.toml", BertaCampaign(2000));
+  RunningProcess first(folder, {Program("shoal"), "campaign", "run", (folder / "c.toml").string(),
+                                "--out", (folder / "out").string(), "--quiet"});
+  ASSERT_TRUE(AwaitThat([&] { return !StoredLines(folder / "out").empty(); }));
+  const Finished second = RunCampaignTo(folder, "c.toml", "out");
+  EXPECT_EQ(second.exit_code, 3) << second.output;
+  EXPECT_TRUE(Holds(second, "another process runs this shard")) << second.output;
+  const Finished status = RunShoal(folder, {"campaign", "status", (folder / "out").string()});
+  EXPECT_EQ(status.exit_code, 0) << status.output;
+  EXPECT_TRUE(Holds(status, " missing")) << status.output;
+}
+
+}  // namespace shoal::campaign_outcomes_test
