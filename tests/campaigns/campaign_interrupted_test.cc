@@ -62,7 +62,7 @@ TEST(CampaignShards, TakeMoreRepetitionsLaterWithoutRunningAnyAgain) {
   EXPECT_EQ(ReadFile(folder / "more" / "results.csv"), ReadFile(folder / "one" / "results.csv"));
 }
 
-// 20 kills at moments of a fixed stream; docs/campaigns.md has a run of 100.
+// 20 kills at moments of a fixed stream.
 TEST(CampaignKilled, LosesNoTrialThatWasStoredAndRunsNoneTwice) {
   const TestFolder folder;
   WriteFile(folder / "c.toml", BertaCampaign(60));

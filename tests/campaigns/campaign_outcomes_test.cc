@@ -43,7 +43,7 @@ TEST(CampaignOutcomes, OfAHelmThatCrashesAreErrorsThatNameIt) {
             "[mission]\nduration_s = 20\n[[vehicle]]\nname = \"alpha\"\n"
             "helm_options = {deploy_at_start = true}\n"
             "[[vehicle.task]]\nkind = \"waypoints\"\npoints = [[100, 0]]\nspeed_mps = 1\n"
-            "[[vehicle.behavior]]\nkind = \"test_failure\"\nname = \"broken\"\n"
+            "[[vehicle.behavior]]\nkind = \"test_failure\"\nname = \"broken\"\nduration = 5\n"
             "failure_type = \"crash\"\n"
             "[[expect]]\nkind = \"helm\"\nvehicle = \"alpha\"\nstate = \"DRIVE\"\n");
   WriteFile(folder / "c.toml", "[campaign]\nmission = \"m.toml\"\nrepetitions = 2\n");
