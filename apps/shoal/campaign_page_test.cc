@@ -31,9 +31,9 @@ TEST(CampaignPage, NamesTheFolderByItsAbsolutePath) {
       fs::path(::testing::TempDir()) / fmt::format("campaign_page_test_{}.html", getpid());
   std::ostringstream err;
   const CampaignResults results = OneTrial();
-  EXPECT_EQ(WriteCampaignPage(results, MakeReportTables(results), "runs/./berta/", path.string(),
-                              err),
-            kExitOk);
+  EXPECT_EQ(
+      WriteCampaignPage(results, MakeReportTables(results), "runs/./berta/", path.string(), err),
+      kExitOk);
   EXPECT_EQ(err.str(), "");
   std::stringstream page;
   page << std::ifstream(path).rdbuf();
@@ -45,9 +45,9 @@ TEST(CampaignPage, NamesTheFolderByItsAbsolutePath) {
 TEST(CampaignPage, StatesWhyItCannotBeWritten) {
   std::ostringstream err;
   const CampaignResults results = OneTrial();
-  EXPECT_EQ(WriteCampaignPage(results, MakeReportTables(results), "/tmp", "/nonexistent/a.html",
-                              err),
-            kExitEnvironment);
+  EXPECT_EQ(
+      WriteCampaignPage(results, MakeReportTables(results), "/tmp", "/nonexistent/a.html", err),
+      kExitEnvironment);
   EXPECT_NE(err.str().find("/nonexistent/a.html: No such file"), std::string::npos) << err.str();
   EXPECT_NE(err.str().find("--html FILE"), std::string::npos);
 }

@@ -16,7 +16,7 @@ namespace shoal {
 
 namespace {
 
-using Json = nlohmann::json;
+using PageJson = nlohmann::json;
 
 /// Seven significant digits: more than a chart shows, and half the size.
 double Rounded(double value) {
@@ -32,25 +32,25 @@ class TextColumn {
     of_.push_back(found->second);
   }
 
-  Json AsJson() const { return {{"texts", texts_}, {"of", of_}}; }
+  PageJson AsJson() const { return {{"texts", texts_}, {"of", of_}}; }
 
  private:
   std::unordered_map<std::string, size_t> numbers_;
-  Json texts_ = Json::array();
-  Json of_ = Json::array();
+  PageJson texts_ = PageJson::array();
+  PageJson of_ = PageJson::array();
 };
 
 /// Returns the numbers of the keys that vary together, for each axis.
-Json AxesOf(const CampaignResults& results) {
+PageJson AxesOf(const CampaignResults& results) {
   const auto number_of = [&](const std::string& key) {
     return static_cast<size_t>(
         std::find(results.sweep_keys.begin(), results.sweep_keys.end(), key) -
         results.sweep_keys.begin());
   };
-  Json axes = Json::array();
+  PageJson axes = PageJson::array();
   std::vector<bool> has_axis(results.sweep_keys.size());
   for (const SweepAxis& axis : results.campaign.sweep) {
-    Json keys = Json::array();
+    PageJson keys = PageJson::array();
     for (const std::string& key : axis.keys) {
       const size_t number = number_of(key);
       if (number == has_axis.size() || has_axis[number]) continue;
@@ -60,20 +60,20 @@ Json AxesOf(const CampaignResults& results) {
     if (!keys.empty()) axes.push_back(std::move(keys));
   }
   for (size_t i = 0; i < has_axis.size(); ++i) {
-    if (!has_axis[i]) axes.push_back(Json::array({i}));
+    if (!has_axis[i]) axes.push_back(PageJson::array({i}));
   }
   return axes;
 }
 
-Json EstimateJson(const Estimate& of) {
+PageJson EstimateJson(const Estimate& of) {
   return {of.value, of.interval.low, of.interval.high, of.is_repeated};
 }
 
 std::string StarOf(const Estimate& of) { return of.is_repeated ? " *" : ""; }
 
-Json MetricJson(const MetricSummary& of) {
-  Json texts = {std::to_string(of.num), std::to_string(of.num_without), CellText(of.mean.value),
-                IntervalText(of.mean.interval) + StarOf(of.mean)};
+PageJson MetricJson(const MetricSummary& of) {
+  PageJson texts = {std::to_string(of.num), std::to_string(of.num_without), CellText(of.mean.value),
+                    IntervalText(of.mean.interval) + StarOf(of.mean)};
   for (const Estimate& quantile : of.quantiles) {
     texts.push_back(CellText(quantile.value));
     texts.push_back(IntervalText(quantile.interval));
@@ -83,29 +83,29 @@ Json MetricJson(const MetricSummary& of) {
   return {{"mean", EstimateJson(of.mean)}, {"texts", std::move(texts)}};
 }
 
-Json CaseJson(const CampaignCase& of, const CaseTable& table) {
-  Json json = {{"id", of.id},
-               {"values", of.values},
-               {"policy", of.policy},
-               {"outcomes", table.outcomes.of},
-               {"expected", table.num_expected},
-               {"missing", table.num_missing},
-               {"stopped", table.has_stopped},
-               {"undecidable", table.undecidable_looks},
-               {"share", EstimateJson(table.share_passed)},
-               {"share_texts",
-                {PercentText(table.share_passed.value),
-                 PercentText(table.share_passed.interval) + StarOf(table.share_passed)}},
-               {"confidence", table.share_passed.confidence},
-               {"bound", table.bound_of_none ? BoundText(*table.bound_of_none) : ""},
-               {"metrics", Json::array()}};
+PageJson CaseJson(const CampaignCase& of, const CaseTable& table) {
+  PageJson json = {{"id", of.id},
+                   {"values", of.values},
+                   {"policy", of.policy},
+                   {"outcomes", table.outcomes.of},
+                   {"expected", table.num_expected},
+                   {"missing", table.num_missing},
+                   {"stopped", table.has_stopped},
+                   {"undecidable", table.undecidable_looks},
+                   {"share", EstimateJson(table.share_passed)},
+                   {"share_texts",
+                    {PercentText(table.share_passed.value),
+                     PercentText(table.share_passed.interval) + StarOf(table.share_passed)}},
+                   {"confidence", table.share_passed.confidence},
+                   {"bound", table.bound_of_none ? BoundText(*table.bound_of_none) : ""},
+                   {"metrics", PageJson::array()}};
   for (const MetricSummary& metric : table.metrics) json["metrics"].push_back(MetricJson(metric));
   return json;
 }
 
 /// Returns {numbers} where all values are numbers, else {texts, of}.
-Json SampleColumn(const std::vector<TrialRow>& rows, size_t key) {
-  Json numbers = Json::array();
+PageJson SampleColumn(const std::vector<TrialRow>& rows, size_t key) {
+  PageJson numbers = PageJson::array();
   TextColumn texts;
   bool is_numeric = true;
   for (const TrialRow& row : rows) {
@@ -115,12 +115,12 @@ Json SampleColumn(const std::vector<TrialRow>& rows, size_t key) {
     numbers.push_back(Rounded(number));
     texts.Add(text);
   }
-  return is_numeric ? Json{{"numbers", std::move(numbers)}} : texts.AsJson();
+  return is_numeric ? PageJson{{"numbers", std::move(numbers)}} : texts.AsJson();
 }
 
-Json TrialsJson(const CampaignResults& results) {
+PageJson TrialsJson(const CampaignResults& results) {
   std::vector<size_t> nums(results.cases.size());
-  Json repetitions = Json::array();
+  PageJson repetitions = PageJson::array();
   std::string outcomes;
   TextColumn whys;
   for (const TrialRow& row : results.rows) {
@@ -129,14 +129,15 @@ Json TrialsJson(const CampaignResults& results) {
     outcomes += static_cast<char>('0' + static_cast<int>(row.result.outcome));
     whys.Add(row.result.why);
   }
-  Json samples = Json::array();
+  PageJson samples = PageJson::array();
   for (size_t key = 0; key < results.sampled_keys.size(); ++key) {
     samples.push_back(SampleColumn(results.rows, key));
   }
-  Json metrics = Json::array();
+  PageJson metrics = PageJson::array();
   for (size_t metric = 0; metric < results.metrics.size(); ++metric) {
-    Json column = Json::array();
-    for (const TrialRow& row : results.rows) column.push_back(Rounded(MetricOf(row.result, metric)));
+    PageJson column = PageJson::array();
+    for (const TrialRow& row : results.rows)
+      column.push_back(Rounded(MetricOf(row.result, metric)));
     metrics.push_back(std::move(column));
   }
   return {{"of_case", nums},
@@ -151,23 +152,23 @@ Json TrialsJson(const CampaignResults& results) {
 
 std::string PageData(const CampaignResults& results, const ReportTables& tables,
                      const std::string& dir) {
-  Json json = {{"file", results.campaign.file},
-               {"mission", results.campaign.mission_file},
-               {"dir", dir},
-               {"repetitions", results.campaign.repetitions},
-               {"confidence", tables.confidence},
-               {"outcomes", tables.outcomes.of},
-               {"expected", tables.num_expected},
-               {"missing", tables.num_missing},
-               {"beyond_stop", results.num_beyond_stop},
-               {"stop_metric", results.campaign.stop ? results.campaign.stop->metric : ""},
-               {"keys", results.sweep_keys},
-               {"axes", AxesOf(results)},
-               {"sampled", results.sampled_keys},
-               {"quantiles", kReportedQuantiles},
-               {"metrics", Json::array()},
-               {"cases", Json::array()},
-               {"trials", TrialsJson(results)}};
+  PageJson json = {{"file", results.campaign.file},
+                   {"mission", results.campaign.mission_file},
+                   {"dir", dir},
+                   {"repetitions", results.campaign.repetitions},
+                   {"confidence", tables.confidence},
+                   {"outcomes", tables.outcomes.of},
+                   {"expected", tables.num_expected},
+                   {"missing", tables.num_missing},
+                   {"beyond_stop", results.num_beyond_stop},
+                   {"stop_metric", results.campaign.stop ? results.campaign.stop->metric : ""},
+                   {"keys", results.sweep_keys},
+                   {"axes", AxesOf(results)},
+                   {"sampled", results.sampled_keys},
+                   {"quantiles", kReportedQuantiles},
+                   {"metrics", PageJson::array()},
+                   {"cases", PageJson::array()},
+                   {"trials", TrialsJson(results)}};
   for (const MetricName& metric : results.metrics) {
     json["metrics"].push_back(
         {{"name", metric.name}, {"unit", metric.unit}, {"text", metric.text}});
@@ -176,7 +177,7 @@ std::string PageData(const CampaignResults& results, const ReportTables& tables,
     json["cases"].push_back(CaseJson(results.cases[table.case_number], table));
   }
   // A text of a folder of somebody else may be no UTF-8.
-  const std::string text = json.dump(-1, ' ', true, Json::error_handler_t::replace);
+  const std::string text = json.dump(-1, ' ', true, PageJson::error_handler_t::replace);
   std::string escaped;
   escaped.reserve(text.size());
   for (const char letter : text) {

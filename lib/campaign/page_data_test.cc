@@ -20,7 +20,7 @@ CampaignResults TwoPolicies() {
   CampaignResults results = EmptyCampaign(4);
   AddCase({}, "A", &results);
   AddPasses(
-      3, [](int64_t i) { return i / 3.0; }, &results);
+      3, [](int64_t i) { return static_cast<double>(i) / 3; }, &results);
   AddTrial(4, TrialOutcome::kFail, {1e300}, &results);
   AddCase({}, "B", &results);
   AddTrial(1, TrialOutcome::kError, {}, &results);

@@ -22,9 +22,7 @@ std::string_view TakeLine(std::string_view* text) {
   return line;
 }
 
-bool EndsStatement(std::string_view line) {
-  return line.ends_with(";\n") || line.ends_with(';');
-}
+bool EndsStatement(std::string_view line) { return line.ends_with(";\n") || line.ends_with(';'); }
 
 void AppendModule(std::string_view module, std::string* script) {
   const bool is_uplot = module.find(kExportOfUplot) != module.npos;

@@ -2,7 +2,7 @@
 
 import {element, setText} from '../dom.js';
 import {caseNotes, kAll, kOutcomes, Report} from './report_data.js';
-import {clipped, countOf, countText} from './report_numbers.js';
+import {clipped, countOf, countText, valueText} from './report_numbers.js';
 import {curveMarks, histogramMarks, kOutcomeTicks, rangeOf, scaleOf, trialMarks}
   from './report_points.js';
 import {drawSample} from './report_drawing.js';
@@ -37,12 +37,12 @@ class ReportPage {
 
   #head() {
     const {data} = this.report;
-    const counts = kOutcomes.map((name, i) => element('span', {'data-outcome': name},
+    const counts = kOutcomes.map((name, i) => element('span', {'data-outcome': data.outcomes[i] > 0 ? name : null},
       `${countText(data.outcomes[i])} ${name}`));
     const num = data.outcomes.reduce((sum, count) => sum + count, 0);
     setText(byId('file'), data.file);
     byId('counts').append(`${countText(num)} of ${countOf(data.expected, 'trial')}: `, ...counts,
-      element('span', {'data-outcome': data.missing > 0 ? 'error' : ''},
+      element('span', {'data-outcome': data.missing > 0 ? 'error' : null},
         `${countText(data.missing)} missing`));
     const stop = data.stop_metric === '' ? '' :
       '; those with a star hold at all looks together (repeated)';
@@ -125,7 +125,8 @@ class ReportPage {
   }
 
   #trialText(row, quantity) {
-    const value = quantity.isShare ? '' : ` ${quantity.name} ${this.report.value(row, quantity)}`;
+    const value = quantity.isShare ? '' :
+      `, ${quantity.name} ${valueText(this.report.value(row, quantity), quantity)}`;
     return `${this.report.trialName(row)}, ${this.report.caseText(this.report.caseOfRow[row])}: ` +
       `${kOutcomes[this.report.outcome(row)]}${value}`;
   }

@@ -4,8 +4,16 @@ import {canBeDrawn, cellText, clipped, countOf, numberOf, plainValue, valueText}
   from './report_numbers.js';
 import {kOutcomes} from './report_data.js';
 
-/** The same number in [-0.5, 0.5) for the same `number`: spreads points that would lie on others. */
-export const spread = (number) => (Math.imul(number + 1, 0x9e3779b1) >>> 0) / 2 ** 32 - 0.5;
+/**
+ * A number in [-0.5, 0.5) that depends on `number` and `direction` alone: it spreads points that
+ * would lie on others. The hash is the finalizer of MurmurHash3 (Appleby 2011).
+ */
+export function spread(number, direction = 0) {
+  let bits = Math.imul(2 * number + direction + 1, 0x9e3779b1);
+  bits = Math.imul(bits ^ (bits >>> 16), 0x85ebca6b);
+  bits = Math.imul(bits ^ (bits >>> 13), 0xc2b2ae35);
+  return ((bits ^ (bits >>> 16)) >>> 0) / 2 ** 32 - 0.5;
+}
 
 /** The range of values with some air. */
 export function rangeOf(values, air = 0.06) {
@@ -90,7 +98,7 @@ export function trialMarks(report, quantity, choice, lines) {
     for (const number of line.cases) {
       const end = report.firstRow[number] + report.data.trials.of_case[number];
       for (let row = report.firstRow[number]; row < end; ++row) {
-        const y = quantity.isShare ? 3 - report.outcome(row) + 0.6 * spread(row + 7) :
+        const y = quantity.isShare ? 3 - report.outcome(row) + 0.6 * spread(row, 1) :
           report.value(row, quantity);
         if (y === null || !canBeDrawn(y)) without.push(row);
         else marks.push({x: place(row, i, lines.length), y, line: i, row});

@@ -160,10 +160,13 @@ test('errors, timeouts and fails come first, then what is far from the median', 
 });
 
 test('the spread of points is the same each time and covers its lane', () => {
+  const other = Array.from({length: 1000}, (_, i) => spread(i, 1));
   const all_spread = Array.from({length: 1000}, (_, i) => spread(i));
   assert.deepEqual(all_spread, Array.from({length: 1000}, (_, i) => spread(i)));
   assert.ok(Math.min(...all_spread) < -0.45 && Math.max(...all_spread) > 0.45);
   assert.ok(all_spread.every((value) => value >= -0.5 && value < 0.5));
+  const product = other.reduce((sum, value, i) => sum + value * all_spread[i], 0) / 1000;
+  assert.ok(Math.abs(product) < 0.01, 'the other direction is independent');
 });
 
 test('a range holds all its values, and one value is in its middle', () => {
