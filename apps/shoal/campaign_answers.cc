@@ -4,6 +4,7 @@
 
 #include <iostream>
 
+#include "apps/shoal/campaign_page.h"
 #include "lib/campaign/campaign_folder.h"
 #include "lib/campaign/reduce.h"
 #include "lib/campaign/report_tables.h"
@@ -33,7 +34,15 @@ std::optional<int> ReadAnswers(const std::string& dir, CampaignResults* results)
 int ReportCampaign(const CampaignAnswerOptions& options) {
   CampaignResults results;
   if (const auto code = ReadAnswers(options.dir, &results)) return *code;
-  return RunCampaignReport(options.report, results, std::cout, std::cerr);
+  const int code = RunCampaignReport(options.report, results, std::cout, std::cerr);
+  if (!options.has_page || code == kExitEnvironment) return code;
+  const std::string path =
+      options.page_path.empty() ? options.dir + "/report.html" : options.page_path;
+  const int page_code =
+      WriteCampaignPage(results, MakeReportTables(results), options.dir, path, std::cerr);
+  if (page_code != kExitOk) return page_code;
+  std::cout << path << '\n';
+  return code;
 }
 
 int CompareCampaign(const std::string& dir, const CampaignCompareOptions& options) {

@@ -2,14 +2,10 @@
 #pragma once
 
 #include <span>
-#include <string_view>
+
+#include "lib/check/embedded_file.h"
 
 namespace shoal {
-
-struct EmbeddedFile {
-  std::string_view path;  ///< "/index.html"
-  std::span<const unsigned char> bytes;
-};
 
 std::span<const EmbeddedFile> EmbeddedWeb();
 

@@ -1,0 +1,45 @@
+// The table of the cases: the numbers of the text report.
+
+import {element} from '../dom.js';
+import {countOf} from './report_numbers.js';
+import {caseNotes} from './report_data.js';
+
+const kMostRows = 500;
+
+function headings(report, quantity) {
+  if (quantity.isShare) {
+    return ['trials', 'pass', 'fail', 'error', 'timeout', 'passed', 'interval', 'notes'];
+  }
+  const quantiles = report.data.quantiles.flatMap((level) => [`${100 * level} %`, 'interval']);
+  return ['trials', 'without', 'mean', 'interval', ...quantiles, 'least', 'greatest'];
+}
+
+function cells(report, number, quantity) {
+  const each = report.cases[number];
+  if (!quantity.isShare) return each.metrics[quantity.metric].texts;
+  const num = each.outcomes.reduce((sum, count) => sum + count, 0);
+  return [num, ...each.outcomes, ...each.share_texts, caseNotes(report, number).join('; ')];
+}
+
+/** Makes the table anew. `onPick(number)` is called with the case of a row. */
+export function showTable(root, report, quantity, numbers, onPick) {
+  const names = report.axes.map((axis) => axis.name || 'case');
+  const rows = numbers.slice(0, kMostRows).map((number) => {
+    const labels = report.axes.map((axis) => axis.labels[axis.stepOf[number]]);
+    return element('tr', {onclick: () => onPick(number)},
+      labels.map((label, i) => element('th', {scope: 'row'}, i > 0 ? label :
+        element('button', {type: 'button', class: 'link', title: 'List the trials'}, label))),
+      cells(report, number, quantity).map((text) => element('td', {}, String(text))));
+  });
+  const rest = numbers.length - kMostRows;
+  const unit = quantity.isShare || !quantity.unit ? '' : ` [${quantity.unit}]`;
+  root.replaceChildren(
+    element('h2', {}, `Cases: ${quantity.name}${unit}`),
+    element('div', {class: 'wide', tabindex: '0', role: 'region', 'aria-label': 'Table of cases'},
+      element('table', {},
+        element('thead', {}, element('tr', {}, [...names, ...headings(report, quantity)]
+          .map((text) => element('th', {scope: 'col'}, text)))),
+        element('tbody', {}, rows))),
+    element('p', {class: 'dim'}, rest > 0 ?
+      `${countOf(rest, 'case')} more: choose values above, or see \`report --all\`` : ''));
+}
