@@ -72,14 +72,14 @@ PageJson EstimateJson(const Estimate& of) {
 std::string StarOf(const Estimate& of) { return of.is_repeated ? " *" : ""; }
 
 PageJson MetricJson(const MetricSummary& of) {
-  PageJson texts = {std::to_string(of.num), std::to_string(of.num_without), CellText(of.mean.value),
+  PageJson texts = {std::to_string(of.num), std::to_string(of.num_without), DigitsText(of.mean.value),
                     IntervalText(of.mean.interval) + StarOf(of.mean)};
   for (const Estimate& quantile : of.quantiles) {
-    texts.push_back(CellText(quantile.value));
+    texts.push_back(DigitsText(quantile.value));
     texts.push_back(IntervalText(quantile.interval));
   }
-  texts.push_back(CellText(of.min));
-  texts.push_back(CellText(of.max));
+  texts.push_back(DigitsText(of.min));
+  texts.push_back(DigitsText(of.max));
   return {{"mean", EstimateJson(of.mean)}, {"texts", std::move(texts)}};
 }
 
