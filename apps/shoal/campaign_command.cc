@@ -1,20 +1,17 @@
 #include "apps/shoal/campaign_command.h"
 
 #include <fmt/format.h>
-#include <signal.h>
 
 #include <algorithm>
-#include <atomic>
 #include <filesystem>
-#include <set>
 #include <thread>
 #include <utility>
 
+#include "apps/shoal/campaign_setup.h"
 #include "apps/shoal/campaign_trial.h"
 #include "apps/shoal/check_command.h"
 #include "apps/shoal/sim_command.h"
 #include "apps/shoal/view_command.h"
-#include "lib/campaign/load_campaign.h"
 #include "lib/campaign/reduce.h"
 #include "lib/launch/launcher.h"
 #include "lib/launch/recording.h"
@@ -27,27 +24,12 @@ namespace shoal {
 
 namespace {
 
-std::atomic<bool> campaign_interrupted = false;
-
 constexpr int kMostJobs = 1024;
-
-void PrintErrors(const std::vector<std::string>& errors) {
-  for (const std::string& error : errors) fmt::print(stderr, "{}\n", error);
-}
 
 int JobsOf(int wanted) {
   if (wanted > 0) return wanted;
   const auto processors = static_cast<int>(std::thread::hardware_concurrency());
   return std::clamp(processors, 1, kMostJobs);
-}
-
-/// Ctrl-C and its like set campaign_interrupted, and break off what waits.
-void CatchSignals() {
-  struct sigaction action = {};
-  action.sa_handler = [](int) { campaign_interrupted = true; };
-  for (const int each : {SIGINT, SIGTERM, SIGHUP}) sigaction(each, &action, nullptr);
-  // A worker that died breaks its pipe.
-  signal(SIGPIPE, SIG_IGN);
 }
 
 std::string HowLong(double seconds) {
@@ -57,23 +39,6 @@ std::string HowLong(double seconds) {
   if (seconds < 2 * kMinute) return fmt::format("{:.0f} s", seconds);
   if (seconds < 2 * kHour) return fmt::format("{:.0f} min", seconds / kMinute);
   return fmt::format("{:.1f} h", seconds / kHour);
-}
-
-struct PreparedCampaign {
-  LoadedCampaign loaded;
-  MadePlan made;
-};
-
-/// Loads file and missions, and prints what is wrong. Returns an exit code where it cannot be run.
-std::optional<int> PrepareCampaign(const std::string& file, PreparedCampaign* prepared) {
-  prepared->loaded = LoadCampaign(file);
-  PrintErrors(prepared->loaded.errors);
-  if (!prepared->loaded.errors.empty()) return kExitUsage;
-  prepared->made = MakePlan(prepared->loaded.campaign, BuildId());
-  PrintErrors(prepared->made.errors);
-  if (!prepared->made.errors.empty()) return kExitUsage;
-  PrintErrors(prepared->made.bad_cases);
-  return std::nullopt;
 }
 
 /// Runs the first repetition of a few cases; returns the mean wall time of a trial, or 0.
@@ -96,49 +61,12 @@ double MeasureTrials(const CampaignFolder& folder, const std::string& scratch) {
     const int64_t round = count / static_cast<int64_t>(folder.plan.cases.size());
     pool.Start({.case_number = number, .repetition = round + 1});
     std::vector<FinishedJob> done;
-    while (done.empty() && !campaign_interrupted) done = pool.Wait(100);
+    while (done.empty() && !IsCampaignInterrupted()) done = pool.Wait(100);
     if (done.empty()) break;
     total_s += done.front().wall_s;
     ++count;
   }
   return count == 0 ? 0 : total_s / static_cast<double>(count);
-}
-
-int64_t CountOutcomes(const CampaignResults& results, TrialOutcome outcome) {
-  return std::count_if(results.rows.begin(), results.rows.end(),
-                       [outcome](const TrialRow& row) { return row.result.outcome == outcome; });
-}
-
-/// "1000 trials: 986 pass, 14 fail, 0 error, 0 timeout"
-std::string CountsText(const CampaignResults& results) {
-  std::string text = fmt::format("{} trials", results.rows.size());
-  for (size_t i = 0; i < std::size(kTrialOutcomeNames); ++i) {
-    text +=
-        fmt::format("{} {} {}", i == 0 ? ":" : ",",
-                    CountOutcomes(results, static_cast<TrialOutcome>(i)), kTrialOutcomeNames[i]);
-  }
-  if (results.num_beyond_stop > 0) {
-    text += fmt::format("; {} more beyond the look at which their case stopped",
-                        results.num_beyond_stop);
-  }
-  return text;
-}
-
-/// Names the first trials that are errors or ran out of time.
-void PrintTroubles(const CampaignResults& results) {
-  constexpr int kMost = 5;
-  int num_shown = 0;
-  std::set<std::string> shown;
-  for (const TrialRow& row : results.rows) {
-    const bool is_trouble =
-        row.result.outcome == TrialOutcome::kError || row.result.outcome == TrialOutcome::kTimeout;
-    if (!is_trouble || !shown.insert(row.result.why).second) continue;
-    const CampaignCase& each = results.cases[row.case_number];
-    fmt::print(stderr, "{} {}: {}: {}\n", TrialName({each.id, row.repetition}),
-               CaseText(results.campaign, each),
-               kTrialOutcomeNames[static_cast<size_t>(row.result.outcome)], row.result.why);
-    if (++num_shown == kMost) break;
-  }
 }
 
 }  // namespace
@@ -169,7 +97,7 @@ int RunCampaignCheck(const CampaignCheckOptions& options) {
     return kExitUsage;
   }
   std::fflush(stdout);
-  CatchSignals();
+  CatchCampaignSignals();
   const TrialScratch scratch;
   const CampaignFolder folder{.path = {}, .campaign = campaign, .plan = plan};
   const double trial_s = MeasureTrials(folder, scratch.path());
@@ -193,7 +121,7 @@ int RunCampaignRun(const CampaignRunCommand& command) {
     fmt::print(stderr, "shoal: {}\n", folder.error());
     return kExitUsage;
   }
-  CatchSignals();
+  CatchCampaignSignals();
   CampaignRunOptions options = command.run;
   options.num_jobs = JobsOf(options.num_jobs);
   const TrialScratch scratch;
@@ -201,7 +129,7 @@ int RunCampaignRun(const CampaignRunCommand& command) {
   const CampaignRun run = RunCampaign(
       *folder, options,
       [&scratch](const TrialInput& input) { return RunCampaignTrial(input, scratch.path()); },
-      [] { return campaign_interrupted.load(); });
+      IsCampaignInterrupted);
   const double wall_s = static_cast<double>(MonotonicMicroseconds() - begin_us) / 1e6;
   for (const std::string& text : run.differing) {
     fmt::print(stderr, "shoal: not reproducible: {}\n", text);
@@ -229,9 +157,8 @@ int RunCampaignRun(const CampaignRunCommand& command) {
                run.num_planned - run.num_finished, run.num_planned, options.shard.number,
                options.shard.count);
   }
-  const bool has_trouble = CountOutcomes(*results, TrialOutcome::kError) > 0 ||
-                           CountOutcomes(*results, TrialOutcome::kTimeout) > 0;
-  return is_complete && !has_trouble && run.differing.empty() ? kExitOk : kExitMissionFailed;
+  return is_complete && !HasTroubles(*results) && run.differing.empty() ? kExitOk
+                                                                        : kExitMissionFailed;
 }
 
 int RunCampaignStatus(const std::string& dir) {

@@ -11,6 +11,7 @@
 
 #include "apps/shoal/campaign_answers.h"
 #include "apps/shoal/campaign_command.h"
+#include "apps/shoal/campaign_submit.h"
 
 namespace shoal {
 
@@ -126,6 +127,46 @@ void AddCampaignRun(CLI::App* campaign, std::function<int()>* action) {
   });
 }
 
+void AddCampaignSubmit(CLI::App* campaign, std::function<int()>* action) {
+  CLI::App* command = campaign->add_subcommand(
+      "submit", "Run the trials that are missing on a cluster, and reduce the results");
+  struct Parsed {
+    CampaignSubmitOptions options;
+    std::string engine;
+    std::string sbatch;
+    bool no_follow = false;
+  };
+  auto parsed = std::make_shared<Parsed>();
+  CampaignSubmitOptions& options = parsed->options;
+  command->add_option("FILE", options.file, "Campaign file")->required();
+  command->add_option("--out", options.out, "Folder of the results, on a file system of all nodes")
+      ->required();
+  command->add_option("--engine", parsed->engine, "slurm or parallel")
+      ->required()
+      ->check(CLI::IsMember({"slurm", "parallel"}));
+  command->add_option("--shards", options.num_shards, "Parts; default: 4")
+      ->check(CLI::Range(int64_t{1}, kMostShards));
+  command->add_option("--cpus", options.num_cpus, "Trials at the same time within a shard")
+      ->check(CLI::Range(1, kMostCampaignJobs));
+  command->add_option("--partition", options.partition, "Slurm's partition");
+  command->add_option("--time", options.time, "Slurm's time limit of a shard, such as 2:00:00");
+  command->add_option("--sbatch", parsed->sbatch, "More arguments of sbatch, between blanks");
+  command->add_option("--hosts", options.hosts, "GNU parallel: hosts for ssh, between commas");
+  command->add_option("--sshloginfile", options.login_file, "GNU parallel: a file of hosts");
+  command->add_flag("--no-follow", parsed->no_follow, "Slurm: submit, and do not wait");
+  command->add_flag("--quiet", options.quiet, "No line of progress");
+  command->callback([parsed, action] {
+    *action = [parsed] {
+      CampaignSubmitOptions& chosen = parsed->options;
+      chosen.engine = parsed->engine == "slurm" ? CampaignSubmitOptions::Engine::kSlurm
+                                                : CampaignSubmitOptions::Engine::kParallel;
+      chosen.sbatch = CLI::detail::split_up(parsed->sbatch);
+      chosen.follows = !parsed->no_follow;
+      return RunCampaignSubmit(chosen);
+    };
+  });
+}
+
 void AddCampaignReplay(CLI::App* campaign, std::function<int()>* action) {
   CLI::App* command = campaign->add_subcommand("replay", "Run one trial again, with a recording");
   auto options = std::make_shared<CampaignReplayOptions>();
@@ -197,6 +238,7 @@ void AddCampaignCommands(CLI::App& cli, std::function<int()>* action) {
   campaign->require_subcommand(1);
   AddCampaignCheck(campaign, action);
   AddCampaignRun(campaign, action);
+  AddCampaignSubmit(campaign, action);
   AddCampaignOfFolder(campaign, "status", "Show how far a campaign is, in a line",
                       RunCampaignStatus, action);
   AddCampaignOfFolder(campaign, "reduce", "Make results.csv and results.sqlite from the shards",

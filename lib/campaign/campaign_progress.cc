@@ -53,10 +53,11 @@ std::string CampaignProgress::Line(int64_t num_finished, int64_t num_planned,
   return line;
 }
 
-void CampaignProgress::Show(int64_t num_finished, int64_t num_planned, int64_t wall_us) {
+void CampaignProgress::Show(int64_t num_finished, int64_t num_planned, int64_t wall_us,
+                            const std::string& note) {
   if (is_quiet_ || wall_us < next_us_) return;
   next_us_ = wall_us + (on_terminal_ ? kOnTerminal_us : kElsewhere_us);
-  const std::string line = Line(num_finished, num_planned, wall_us);
+  const std::string line = Line(num_finished, num_planned, wall_us) + note;
   if (on_terminal_) {
     fmt::print("{}{}", kStartOfLine, line);
   } else {

@@ -16,8 +16,9 @@ class CampaignProgress {
 
   /// Counts a trial that has just finished.
   void Count(TrialOutcome outcome) { ++counts_[static_cast<size_t>(outcome)]; }
-  /// Shows the line where it is time to. `num_left` of this call's trials are to be run.
-  void Show(int64_t num_finished, int64_t num_planned, int64_t wall_us);
+  /// Shows the line where it is time to, and `note` after it.
+  void Show(int64_t num_finished, int64_t num_planned, int64_t wall_us,
+            const std::string& note = {});
   /// Ends the line, so that other text can follow.
   void End();
 

@@ -1,6 +1,7 @@
 #include "lib/campaign/reduce.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <cmath>
 #include <filesystem>
@@ -29,7 +30,7 @@ std::string PlainText(const std::string& toml) {
 }
 
 std::string WriteText(const std::string& path, const std::string& text) {
-  const std::string part = path + ".part";
+  const std::string part = PartPath(path);
   std::ofstream out(part, std::ios::binary);
   out << text;
   out.close();
@@ -41,6 +42,13 @@ std::string WriteText(const std::string& path, const std::string& text) {
 }
 
 }  // namespace
+
+std::string PartPath(const std::string& path) {
+  constexpr size_t kLongestName = 256;
+  char host[kLongestName] = {};
+  gethostname(host, sizeof host - 1);
+  return fmt::format("{}.{}.{}.part", path, host, getpid());
+}
 
 CampaignResults ResultsOf(const CampaignFolder& folder, const StoredTrials& stored) {
   CampaignResults results;

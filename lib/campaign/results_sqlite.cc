@@ -195,7 +195,7 @@ void WriteTrials(const CampaignResults& results, SqliteWriter* writer) {
 }  // namespace
 
 std::string WriteResultsSqlite(const CampaignResults& results, const std::string& path) {
-  const std::string part = path + ".part";
+  const std::string part = PartPath(path);
   std::error_code error;
   std::filesystem::remove(part, error);
   SqliteWriter writer(part);

@@ -1,0 +1,37 @@
+// What the subcommands of `shoal campaign` have in common: the campaign's file, signals, and how
+// results are stated.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lib/campaign/load_campaign.h"
+#include "lib/campaign/plan.h"
+#include "lib/campaign/results.h"
+
+namespace shoal {
+
+void PrintErrors(const std::vector<std::string>& errors);
+
+struct PreparedCampaign {
+  LoadedCampaign loaded;
+  MadePlan made;
+};
+
+/// Loads file and missions, and prints what is wrong. Returns an exit code where it cannot be run.
+std::optional<int> PrepareCampaign(const std::string& file, PreparedCampaign* prepared);
+
+/// Ctrl-C and its like make IsCampaignInterrupted true, and break off what waits.
+void CatchCampaignSignals();
+bool IsCampaignInterrupted();
+
+/// "1000 trials: 986 pass, 14 fail, 0 error, 0 timeout"
+std::string CountsText(const CampaignResults& results);
+
+/// Names the first trials that are errors or ran out of time.
+void PrintTroubles(const CampaignResults& results);
+/// True where there are such trials.
+bool HasTroubles(const CampaignResults& results);
+
+}  // namespace shoal
