@@ -50,6 +50,8 @@ class ShardEngine {
   virtual std::string Submit(const std::vector<int64_t>& shards) = 0;
   /// Whether anything of it still runs or waits; nothing where that is not known now.
   virtual std::optional<bool> IsActive() = 0;
+  /// Why IsActive() does not know.
+  virtual std::string Trouble() const = 0;
   /// What stands behind the line of progress.
   virtual std::string Note() const = 0;
   /// Ctrl-C: states, or does, what becomes of the shards.
@@ -119,7 +121,7 @@ class SlurmEngine : public ShardEngine {
     return (folder_ / fmt::format("{}.out", shard)).string();
   }
 
-  const std::string& trouble() const { return trouble_; }
+  std::string Trouble() const override { return trouble_; }
 
  private:
   const CampaignSubmitOptions& options_;
@@ -166,6 +168,7 @@ class ParallelEngine : public ShardEngine {
     return children_.num_running() > 0;
   }
 
+  std::string Trouble() const override { return {}; }
   std::string Note() const override { return "  GNU parallel"; }
 
   void Leave() override {
@@ -229,7 +232,7 @@ class Follower {
       if (num_silent >= kMostSilentPolls) {
         progress_.End();
         engine_->Leave();
-        return FailWith("the queue cannot be asked; is the cluster's controller down?");
+        return FailWith(engine_->Trouble());
       }
       const int64_t begin_us = MonotonicMicroseconds();
       const Result<StoredTrials> stored = ReadShards(folder_);
@@ -340,7 +343,6 @@ std::string WriteScript(const CampaignSubmitOptions& options, const fs::path& fo
                           .out = options.out,
                           .num_shards = num_shards,
                           .num_jobs = options.num_cpus,
-                          .keep = std::nullopt,
                           .directives = directives});
   out.close();
   if (out) return {};

@@ -1,6 +1,7 @@
 #include "apps/shoal/campaign_trial.h"
 
 #include <fmt/format.h>
+#include <signal.h>
 #include <unistd.h>
 
 #include <filesystem>
@@ -8,6 +9,7 @@
 #include "lib/launch/child_processes.h"
 #include "lib/launch/recording.h"
 #include "lib/mission/read_file.h"
+#include "lib/run/run_app.h"
 #include "sim/judge_log.h"
 #include "sim/run_trial.h"
 #include "sim/simulation.h"
@@ -46,6 +48,21 @@ TrialResult RunInMemory(const TrialInput& input) {
       [&](int64_t step) { input.progress->utime = step * tick_us; }, log_path);
 }
 
+/// Returns why the launcher ended the mission: what it lost, or else its last words, without what
+/// differs from run to run, so that results of the same trial are the same.
+std::string ReasonOf(const ChildExit& exit) {
+  std::vector<std::string> reasons;
+  for (const std::string& line : exit.last_lines) {
+    if (line.starts_with("LOST") || line.starts_with("shoal:")) reasons.push_back(line);
+  }
+  if (reasons.empty() && !exit.last_lines.empty()) reasons.push_back(exit.last_lines.back());
+  std::string text = fmt::format("{}", fmt::join(reasons, "; "));
+  for (size_t at = 0; (at = text.find(" (pid ", at)) != std::string::npos;) {
+    text.erase(at, text.find(')', at) + 1 - at);
+  }
+  return text;
+}
+
 TrialResult RunInProcesses(const TrialInput& input, const std::string& scratch) {
   const FileText file = ReadFile(input.mission.file);
   if (file.text != input.plan.mission_text) {
@@ -71,10 +88,22 @@ TrialResult RunInProcesses(const TrialInput& input, const std::string& scratch) 
                                                 .environment = {},
                                                 .log_path = folder + "/output.txt"});
   if (!started.ok()) return ErrorBecause(started.error());
+  // The launcher is asked to end, and leaves no process behind; a kill of this one might.
+  input.progress->ends_itself = true;
+  const int64_t begin_us = MonotonicMicroseconds();
+  const auto limit_us = static_cast<int64_t>(input.timeout_s * 1e6);
+  bool is_late = false;
   std::vector<ChildExit> exits;
   while ((exits = children.Reap()).empty()) {
-    constexpr useconds_t kPoll_us = 5'000;  // A mission of processes takes seconds.
-    usleep(kPoll_us);
+    constexpr useconds_t kLook_us = 5'000;  // A mission of processes takes seconds.
+    usleep(kLook_us);
+    if (is_late || MonotonicMicroseconds() - begin_us <= limit_us) continue;
+    is_late = true;
+    children.SignalAll(SIGTERM);
+  }
+  if (is_late) {
+    std::filesystem::remove_all(folder, error);
+    return {.outcome = TrialOutcome::kTimeout, .why = TimeoutText(input.timeout_s), .metrics = {}};
   }
   const ChildExit& exit = exits.front();
   const bool has_failed = exit.how.ends_with("code 1");
@@ -83,11 +112,10 @@ TrialResult RunInProcesses(const TrialInput& input, const std::string& scratch) 
     result = JudgeLog(input.mission, input.plan.metric_specs, record_dir + "/mission.lcm");
     // What the launcher knows and the log does not: an end before its time.
     if (has_failed && result.outcome == TrialOutcome::kPass) {
-      result = ErrorBecause(fmt::format("shoal run failed: {}", fmt::join(exit.last_lines, "; ")));
+      result = ErrorBecause("shoal run failed: " + ReasonOf(exit));
     }
   } else {
-    result =
-        ErrorBecause(fmt::format("shoal run {}: {}", exit.how, fmt::join(exit.last_lines, "; ")));
+    result = ErrorBecause(fmt::format("shoal run {}: {}", exit.how, ReasonOf(exit)));
   }
   std::filesystem::remove_all(folder, error);
   return result;

@@ -226,6 +226,7 @@ TrialResult RunOneTrial(const CampaignFolder& folder, const TrialJob& job,
               .overrides = overrides,
               .plan = folder.plan,
               .record_dir = record_dir,
+              .timeout_s = folder.campaign.timeout_s,
               .progress = progress});
 }
 

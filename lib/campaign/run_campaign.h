@@ -36,6 +36,7 @@ struct TrialInput {
   const std::vector<std::string>& overrides;  ///< That made `mission` of plan.mission_text.
   const Plan& plan;
   std::string record_dir;  ///< Empty: without a recording. Else a folder, replaced by one.
+  double timeout_s = 60;   ///< Of wall time.
   TrialProgress* progress = nullptr;
 };
 

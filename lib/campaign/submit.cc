@@ -32,7 +32,7 @@ std::string ShardScriptText(const ShardScript& script) {
       "# The trials under way finish; what is missing then is for the next submission.\n"
       "pid=\n"
       "trap '[ -z \"$pid\" ] || kill -TERM \"$pid\" 2> /dev/null' TERM INT HUP\n"
-      "{} campaign run {} --out {} --shard \"$shard/{}\" --jobs {}{} --quiet &\n"
+      "{} campaign run {} --out {} --shard \"$shard/{}\" --jobs {} --quiet &\n"
       "pid=$!\n"
       "wait \"$pid\"\n"
       "code=$?\n"
@@ -43,8 +43,7 @@ std::string ShardScriptText(const ShardScript& script) {
       "done\n"
       "exit \"$code\"\n",
       ShellQuote(script.working_folder), ShellQuote(script.program),
-      ShellQuote(script.campaign_file), ShellQuote(script.out), script.num_shards, script.num_jobs,
-      script.keep ? " --keep " + ShellQuote(*script.keep) : "");
+      ShellQuote(script.campaign_file), ShellQuote(script.out), script.num_shards, script.num_jobs);
   return text;
 }
 

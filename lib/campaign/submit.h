@@ -29,7 +29,6 @@ struct ShardScript {
   std::string out;
   int64_t num_shards = 1;
   int num_jobs = 1;                     ///< Trials at the same time, and CPUs of a Slurm task.
-  std::optional<std::string> keep;      ///< Of `run --keep`.
   std::vector<std::string> directives;  ///< Of sbatch, each without its "#SBATCH ".
 };
 

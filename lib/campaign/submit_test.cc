@@ -18,12 +18,11 @@ TEST(ShardScript, RunsTheShardOfTheArrayIndexInTheFolderOfTheCall) {
                                             .out = "/data/out",
                                             .num_shards = 40,
                                             .num_jobs = 2,
-                                            .keep = "none",
                                             .directives = {"--requeue"}});
   EXPECT_TRUE(text.starts_with("#!/bin/sh\n#SBATCH --requeue\n")) << text;
   EXPECT_NE(text.find("cd '/home/a' || exit 3\n"), std::string::npos) << text;
   EXPECT_NE(text.find("'/opt/my shoal/shoal' campaign run 'c.toml' --out '/data/out' --shard "
-                      "\"$shard/40\" --jobs 2 --keep 'none' --quiet &\n"),
+                      "\"$shard/40\" --jobs 2 --quiet &\n"),
             std::string::npos)
       << text;
 }

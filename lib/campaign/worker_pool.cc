@@ -68,6 +68,10 @@ Pipe MakePipe() {
 
 }  // namespace
 
+std::string TimeoutText(double timeout_s) {
+  return fmt::format("did not end within {:g} s of wall time (timeout_s)", timeout_s);
+}
+
 WorkerPool::WorkerPool(Options options, RunTrial run)
     : options_(std::move(options)), run_(std::move(run)) {
   const auto num_workers = static_cast<size_t>(options_.num_workers);
@@ -116,7 +120,11 @@ void WorkerPool::Fork(Worker* worker) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent) _exit(kExitEnvironment);
   // Ctrl-C reaches the whole group: the parent alone decides, and lets trials finish.
-  for (const int each : {SIGINT, SIGTERM, SIGHUP}) signal(each, SIG_IGN);
+  // A handler, and not SIG_IGN, which programs that a trial starts would inherit.
+  struct sigaction nothing = {};
+  nothing.sa_handler = [](int) {};
+  nothing.sa_flags = SA_RESTART;
+  for (const int each : {SIGINT, SIGTERM, SIGHUP}) sigaction(each, &nothing, nullptr);
   const rlimit no_core{.rlim_cur = 0, .rlim_max = 0};
   setrlimit(RLIMIT_CORE, &no_core);
   for (Worker& other : workers_) {
@@ -140,6 +148,7 @@ void WorkerPool::Work(Worker* worker) {
     if (ftruncate(STDERR_FILENO, 0) == 0) lseek(STDERR_FILENO, 0, SEEK_SET);
     worker->progress->utime = 0;
     worker->progress->duration = 0;
+    worker->progress->ends_itself = false;
     FinishedTrial finished;
     finished.result = run_(job, worker->progress);
     finished.key.repetition = job.repetition;
@@ -239,7 +248,9 @@ void WorkerPool::Bury(Worker* worker, std::vector<FinishedJob>* finished) {
 void WorkerPool::StopRunaway(Worker* worker, int64_t now_us, std::vector<FinishedJob>* finished) {
   if (!worker->is_busy || worker->pid <= 0) return;
   const double running_s = static_cast<double>(now_us - worker->begin_us) / 1e6;
-  if (running_s <= options_.timeout_s) return;
+  constexpr double kGrace_s = 15;
+  const double limit_s = options_.timeout_s + (worker->progress->ends_itself ? kGrace_s : 0);
+  if (running_s <= limit_s) return;
   kill(worker->pid, SIGKILL);
   waitpid(worker->pid, nullptr, 0);
   worker->pid = -1;
@@ -251,8 +262,7 @@ void WorkerPool::StopRunaway(Worker* worker, int64_t now_us, std::vector<Finishe
                                                      seconds(utime), seconds(duration));
   Conclude(worker,
            {.outcome = TrialOutcome::kTimeout,
-            .why = fmt::format("did not end within {:g} s of wall time (timeout_s){}",
-                               options_.timeout_s, where),
+            .why = TimeoutText(options_.timeout_s) + where,
             .metrics = {}},
            finished);
   Fork(worker);

@@ -34,7 +34,12 @@ struct TrialJob {
 struct TrialProgress {
   std::atomic<int64_t> utime = 0;     ///< Mission time since the start, microseconds.
   std::atomic<int64_t> duration = 0;  ///< Of the mission, microseconds; 0: not loaded yet.
+  /// The trial ends itself at its time limit: it has processes to end before.
+  std::atomic<bool> ends_itself = false;
 };
+
+/// Returns why a trial is a timeout.
+[[nodiscard]] std::string TimeoutText(double timeout_s);
 
 struct FinishedJob {
   TrialJob job;
