@@ -4,7 +4,7 @@
 #                 TESTS a_test.cc ... [TEST_DEPENDS lib ...])
 #   shoal_app(NAME SOURCES x_app.cc ... DEPENDS lib ... TESTS x_app_test.cc ...)
 #   shoal_test(NAME SOURCES x_test.cc ... DEPENDS lib ...
-#              [LABEL unit|process|browser|bench-smoke] [TIMEOUT seconds] [SERIAL])
+#              [LABEL unit|process|browser|slurm|bench-smoke] [TIMEOUT seconds] [SERIAL])
 #
 # A PURE library may depend on other PURE libraries and on the numeric libraries listed in
 # SHOAL_PURE_EXTERNALS, and on nothing else: anything more fails here, at configure time.
@@ -14,7 +14,7 @@
 # headers (SHOAL_PCH), one translation unit per library (CMAKE_UNITY_BUILD), shared libraries
 # (BUILD_SHARED_LIBS). Every test has a label and a time limit in seconds, for one test case.
 
-set(SHOAL_TEST_LABELS unit process browser bench-smoke)
+set(SHOAL_TEST_LABELS unit process browser slurm bench-smoke)
 
 find_package(Threads REQUIRED)
 find_package(fmt REQUIRED)

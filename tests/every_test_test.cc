@@ -26,7 +26,7 @@ nlohmann::json ShownTests() {
 }
 
 TEST(EveryTest, HasALabelAndATimeLimit) {
-  const std::set<std::string> labels = {"unit", "process", "browser", "bench-smoke"};
+  const std::set<std::string> labels = {"unit", "process", "browser", "slurm", "bench-smoke"};
   const nlohmann::json shown = ShownTests();
   ASSERT_TRUE(shown.is_object() && shown.contains("tests"));
   std::vector<std::string> without;
