@@ -11,7 +11,7 @@ namespace shoal {
 struct CampaignAnswerOptions {
   std::string dir;
   CampaignReportOptions report;
-  bool has_page = false;   ///< `report --html`.
+  bool has_page = false;  ///< `report --html`.
   std::string page_path;  ///< Empty: DIR/report.html.
 };
 
