@@ -39,7 +39,7 @@ closest_m = {kind = "closest_approach", vehicle = "alpha", to = "bravo"}
 `);
   const run = await shoal('run', file, '--out', folder, '--keep', 'none', '--quiet');
   assert.equal(run.code, 0, run.output);
-  // As in a folder of somebody else.
+  // As a folder from elsewhere may have it.
   const shards = join(folder, 'shards');
   for (const name of readdirSync(shards)) {
     const text = readFileSync(join(shards, name), 'utf8')
