@@ -176,7 +176,7 @@ std::string PageData(const CampaignResults& results, const ReportTables& tables,
   for (const CaseTable& table : tables.cases) {
     json["cases"].push_back(CaseJson(results.cases[table.case_number], table));
   }
-  // A text of a folder of somebody else may be no UTF-8.
+  // A text of a folder from elsewhere may be no UTF-8.
   const std::string text = json.dump(-1, ' ', true, PageJson::error_handler_t::replace);
   std::string escaped;
   escaped.reserve(text.size());

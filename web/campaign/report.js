@@ -139,7 +139,8 @@ class ReportPage {
       note: isPooled ? `all values of ${pooled.name} together` : '',
       textOf: (mark) => mark.text + (lines.length < 2 ? '' :
         ` (${lines.map(({title}, i) => `${mark.counts[i]} ${title}`).join('; ')})`),
-      x: {range: range ?? [0, 1], label}, y: {range: [0, Math.max(1, most) * 1.08], label: 'trials'}};
+      x: {range: range ?? [0, 1], label},
+      y: {range: [0, Math.max(1, most) * 1.08], label: 'trials', isCount: true}};
   }
 
   #listCase(number) {

@@ -8,6 +8,7 @@ import {curveShift_px, drawBins, drawCurves, drawTrials} from './report_drawing.
 const kHeight_px = 290;
 const kReach_px = 24; // How far from a mark a click still picks it.
 const kOverlap_px = 4; // Trials this near to the picked one are picked with it.
+const kCounts = Array.from({length: 27}, (_, i) => [1, 2, 5][i % 3] * 10 ** Math.floor(i / 3));
 const kDrawings = {curve: drawCurves, trials: drawTrials, bins: drawBins};
 
 const themeColor = (name) =>
@@ -35,7 +36,7 @@ export class ReportChart {
   /**
    * Draws, or hides where `view` is null.
    * @param view  kind: curve, trials or bins; title, note; marks: {x, y, line}; lines;
-   *              x, y: {range, label, ticks: [{at, text}] or null, isShare};
+   *              x, y: {range, label, ticks: [{at, text}] or null, isShare, isCount};
    *              textOf(mark); more for its drawing
    */
   show(view) {
@@ -66,10 +67,11 @@ export class ReportChart {
     if (width < 80 || this.view.marks.length === 0) return;
     const {x, y} = this.view;
     const line = themeColor('--line');
-    const axis = ({label, ticks, isShare}, size, space_px) => ({
+    const axis = ({label, ticks, isShare, isCount}, size, space_px) => ({
       stroke: themeColor('--text-dim'), font: '12px system-ui, sans-serif', size, label,
       labelSize: 20, labelFont: '13px system-ui, sans-serif', labelGap: 0,
       grid: {stroke: line, width: 1}, ticks: {stroke: line, width: 1},
+      ...(isCount ? {incrs: kCounts} : {}),
       ...(ticks ? this.#textTicks(ticks, space_px) : {
         values: (_, splits) => splits.map((split) => isShare ? `${cellText(100 * split)} %` :
           cellText(split))}),

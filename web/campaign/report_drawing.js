@@ -3,6 +3,7 @@
 
 const kDashes = [[], [8, 4], [2, 3], [10, 3, 2, 3], [5, 5], [14, 4], [1, 4], [8, 3, 3, 3]];
 const kCurveStep_px = 7; // Between the points of lines that share a place.
+const kMostShapes = 5000; // Of more trials a pass is a small square: paths of shapes are slow.
 
 /** Adds a shape to the path: circle, square, diamond, triangles, cross, plus, hexagon. */
 function addShape(path, shape, x, y, r) {
@@ -72,28 +73,40 @@ export function drawCurves(ctx, {marks, lines, isJoined}, at, colors, ratio) {
 
 /** Points; what did not pass is a cross (fail) or an empty square, and drawn above the passes. */
 export function drawTrials(ctx, {marks, lines, outcomeOf}, at, colors, ratio) {
-  const r = (marks.length > 5000 ? 1.6 : marks.length > 600 ? 2.4 : 3.4) * ratio;
-  lines.forEach((_, line) => {
-    const passed = new Path2D();
-    const failed = new Path2D();
-    const broken = new Path2D();
-    for (const mark of marks) {
-      if (mark.line !== line) continue;
+  const isCrowd = marks.length > kMostShapes;
+  const r = (isCrowd ? 1.4 : marks.length > 600 ? 2.4 : 3.4) * ratio;
+  const rest = new Map(lines.map((_, line) => [line, {passes: new Path2D(), others: []}]));
+  ctx.globalAlpha = marks.length > 600 ? 0.5 : 0.75;
+  let lastLine = -1;
+  for (const mark of marks) {
+    const {passes, others} = rest.get(mark.line);
+    if (outcomeOf(mark.row) !== 0) {
+      others.push(mark);
+    } else if (isCrowd) {
+      if (mark.line !== lastLine) ctx.fillStyle = colors[mark.line];
+      lastLine = mark.line;
+      ctx.fillRect(at.x(mark.x) - r, at.y(mark.y) - r, 2 * r, 2 * r);
+    } else {
+      addShape(passes, mark.line, at.x(mark.x), at.y(mark.y), r);
+    }
+  }
+  for (const [line, {passes}] of rest) {
+    ctx.fillStyle = colors[line];
+    ctx.fill(passes);
+  }
+  ctx.globalAlpha = 1;
+  ctx.lineWidth = 1.6 * ratio;
+  for (const [line, {others}] of rest) {
+    ctx.strokeStyle = colors[line];
+    for (const mark of others) {
       const x = at.x(mark.x);
       const y = at.y(mark.y);
-      const outcome = outcomeOf(mark.row);
-      if (outcome === 0) addShape(passed, line, x, y, r);
-      else if (outcome === 1) addCross(failed, x, y, r * 1.3);
-      else broken.rect(x - r, y - r, 2 * r, 2 * r);
+      ctx.beginPath();
+      if (outcomeOf(mark.row) === 1) addCross(ctx, x, y, r * 1.3);
+      else ctx.rect(x - r, y - r, 2 * r, 2 * r);
+      ctx.stroke();
     }
-    ctx.fillStyle = ctx.strokeStyle = colors[line];
-    ctx.globalAlpha = marks.length > 600 ? 0.5 : 0.75;
-    ctx.fill(passed);
-    ctx.globalAlpha = 1;
-    ctx.lineWidth = 1.6 * ratio;
-    ctx.stroke(failed);
-    ctx.stroke(broken);
-  });
+  }
 }
 
 /** Outlines of the counts of each line. */
