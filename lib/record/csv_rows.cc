@@ -58,9 +58,16 @@ struct Columns {
   std::vector<Columns> tables;   ///< One for each of these arrays.
 };
 
+/// @pre member.primitive
+CsvValue ValueOf(const Member& member) {
+  if (*member.primitive == Primitive::kString) return CsvValue::kText;
+  const bool is_real = IsUtime(member) || *member.primitive == Primitive::kFloat ||
+                       *member.primitive == Primitive::kDouble;
+  return is_real ? CsvValue::kReal : CsvValue::kInteger;
+}
+
 CsvColumn ColumnOf(const Member& member, const std::string& name) {
-  return {.name = name + (IsUtime(member) ? "_s" : ""),
-          .is_number = member.primitive != Primitive::kString};
+  return {.name = name + (IsUtime(member) ? "_s" : ""), .value = ValueOf(member)};
 }
 
 void AddExpanded(const Member& member, const std::string& name, size_t d,
@@ -320,9 +327,10 @@ CsvLayout::CsvLayout(const Schema& schema, const StructType& type,
     : schema_(schema), type_(type), extra_keys_(std::move(extra_keys)) {
   Columns columns;
   ColumnFinder(schema).Add(type, "", false, &columns);
-  columns_.push_back({.name = NameOfOwnColumn("time_s", columns), .is_number = true});
+  columns_.push_back({.name = NameOfOwnColumn("time_s", columns), .value = CsvValue::kReal});
   if (!columns.tables.empty()) {
-    columns.cells.push_back({.name = NameOfOwnColumn("index", columns), .is_number = true});
+    columns.cells.push_back(
+        {.name = NameOfOwnColumn("index", columns), .value = CsvValue::kInteger});
   }
   tables_ = AddInOrder(columns, &columns_).tables;
   const Member* extra = ExtraMember(schema, type);

@@ -39,9 +39,11 @@ struct CsvTable {
   std::vector<CsvTable> tables;  ///< Arrays of structs within its structs; their columns come last.
 };
 
+enum class CsvValue { kText, kInteger, kReal };
+
 struct CsvColumn {
   std::string name;
-  bool is_number = false;  ///< Numbers, true and false; times in seconds.
+  CsvValue value = CsvValue::kText;  ///< Times in seconds are kReal, true and false kInteger.
 };
 
 /// How the messages of one type become rows. Lines end in a line feed alone.

@@ -44,6 +44,18 @@ std::string_view VerdictOf(std::string_view summary) {
   return verdict;
 }
 
+const char* TypeName(CsvValue value) {
+  switch (value) {
+    case CsvValue::kInteger:
+      return "INTEGER";
+    case CsvValue::kReal:
+      return "REAL";
+    case CsvValue::kText:
+      break;
+  }
+  return "TEXT";
+}
+
 /// The table of the messages of one type on one channel.
 class ChannelTableWriter {
  public:
@@ -74,14 +86,16 @@ class ChannelTableWriter {
     SqliteNames names;
     std::string columns;
     for (const CsvColumn& column : layout_.columns()) {
-      columns += (columns.empty() ? "" : ", ") + SqliteName(names.Take(column.name));
+      // Of this affinity SQLite makes 3.0 of a 3 in a column of reals: 3 / 2 would be 1.
+      columns += fmt::format("{}{} {}", columns.empty() ? "" : ", ",
+                             SqliteName(names.Take(column.name)), TypeName(column.value));
     }
     file->Execute(fmt::format("CREATE TABLE {} ({})", SqliteName(name_), columns));
     return {file, name_, layout_.columns().size()};
   }
 
   void Bind(const CsvColumn& column, const std::string& cell) {
-    if (!column.is_number) return insert_.Bind(std::string_view(cell));
+    if (column.value == CsvValue::kText) return insert_.Bind(std::string_view(cell));
     if (cell == "true" || cell == "false") return insert_.Bind(int64_t{cell == "true"});
     const char* end = cell.data() + cell.size();
     int64_t whole = 0;

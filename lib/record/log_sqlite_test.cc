@@ -14,6 +14,7 @@ Bytes Report(const std::string& name, std::vector<key_value_t> extra) {
   node_report_t report{};
   report.name = name;
   report.x_m = 1.5;
+  report.y_m = 3;
   report.index = 7;
   report.extra = std::move(extra);
   report.num_extra = static_cast<int32_t>(report.extra.size());
@@ -72,9 +73,9 @@ class LogSqlite_ : public ::testing::Test {
 
 TEST_F(LogSqlite_, HasATableForEachChannelWithNumbersAsNumbers) {
   EXPECT_EQ(Convert({{2'500'000, "NODE_REPORT_LOCAL", Report("alpha", {})}}), kExitOk);
-  EXPECT_EQ(Query("SELECT time_s, name, x_m, typeof(x_m), \"index\", row_index FROM "
-                  "NODE_REPORT_LOCAL"),
-            "2.5|alpha|1.5|real|7|NULL\n");
+  EXPECT_EQ(Query("SELECT time_s, name, x_m, y_m, typeof(y_m), \"index\", row_index "
+                  "FROM NODE_REPORT_LOCAL"),
+            "2.5|alpha|1.5|3.0|real|7|NULL\n");
   EXPECT_EQ(Query("SELECT * FROM channels"),
             "NODE_REPORT_LOCAL|node_report_t|NODE_REPORT_LOCAL|1|1\n");
 }
@@ -82,7 +83,7 @@ TEST_F(LogSqlite_, HasATableForEachChannelWithNumbersAsNumbers) {
 TEST_F(LogSqlite_, HasFatesWithTheirNumbers) {
   EXPECT_EQ(Convert({{1'000'000, "COMMS_FATES", Fates()}}), kExitOk);
   EXPECT_EQ(Query("SELECT time_s, source, cause, range_m, path_snr_db FROM fates"),
-            "1|alpha|out_of_range|512.25|NULL\n1|alpha|delivered|512.25|NULL\n");
+            "1.0|alpha|out_of_range|512.25|NULL\n1.0|alpha|delivered|512.25|NULL\n");
 }
 
 TEST_F(LogSqlite_, HasTheUsersOwnFieldsAsRowsAndThoseOfAllMessagesAsColumns) {
@@ -90,7 +91,7 @@ TEST_F(LogSqlite_, HasTheUsersOwnFieldsAsRowsAndThoseOfAllMessagesAsColumns) {
                      {1'000'000, "NODE_REPORT_LOCAL", Report("bravo", {{"fuel", "8"}})}}),
             kExitOk);
   EXPECT_EQ(Query("SELECT * FROM \"NODE_REPORT_LOCAL.extra\""),
-            "0|alpha|fuel|9\n0|alpha|crew|x\n1|bravo|fuel|8\n");
+            "0.0|alpha|fuel|9\n0.0|alpha|crew|x\n1.0|bravo|fuel|8\n");
   EXPECT_EQ(Query("SELECT DISTINCT name, \"extra[fuel]\" FROM NODE_REPORT_LOCAL"),
             "alpha|9\nbravo|8\n");
   EXPECT_EQ(Query("SELECT count(*) FROM pragma_table_info('NODE_REPORT_LOCAL') WHERE name = "
