@@ -60,8 +60,10 @@ FoxgloveSchema LocationFixSchema() {
   return MakeSchema(
       "LocationFix",
       {{.name = "LocationFix",
-        .fields = {MessageField("timestamp", 6, kTimestampType), StringField("frame_id", 7),
-                   DoubleField("latitude", 1), DoubleField("longitude", 2),
+        .fields = {MessageField("timestamp", 6, kTimestampType),
+                   StringField("frame_id", 7),
+                   DoubleField("latitude", 1),
+                   DoubleField("longitude", 2),
                    DoubleField("altitude", 3),
                    {.name = "position_covariance",
                     .number = 4,
@@ -95,17 +97,18 @@ FoxgloveSchema PoseInFrameSchema() {
 
 FoxgloveSchema LogSchema() {
   return MakeSchema(
-      "Log",
-      {{.name = "Log",
-        .fields = {MessageField("timestamp", 1, kTimestampType),
-                   {.name = "level",
-                    .number = 2,
-                    .type = ProtoType::kEnum,
-                    .type_name = ".foxglove.Log.Level"},
-                   StringField("message", 3), StringField("name", 4), StringField("file", 5),
-                   {.name = "line", .number = 6, .type = ProtoType::kFixed32}},
-        .enums = {{.name = "Level",
-                   .values = {"UNKNOWN", "DEBUG", "INFO", "WARNING", "ERROR", "FATAL"}}}}});
+      "Log", {{.name = "Log",
+               .fields = {MessageField("timestamp", 1, kTimestampType),
+                          {.name = "level",
+                           .number = 2,
+                           .type = ProtoType::kEnum,
+                           .type_name = ".foxglove.Log.Level"},
+                          StringField("message", 3),
+                          StringField("name", 4),
+                          StringField("file", 5),
+                          {.name = "line", .number = 6, .type = ProtoType::kFixed32}},
+               .enums = {{.name = "Level",
+                          .values = {"UNKNOWN", "DEBUG", "INFO", "WARNING", "ERROR", "FATAL"}}}}});
 }
 
 void AppendLocationFix(const nav_t& nav, std::string_view vehicle, std::string* out) {

@@ -112,9 +112,10 @@ class McapConversion {
   std::optional<uint16_t> AddChannel(uint16_t schema, std::string_view topic) {
     const auto id = writer_.AddChannel(schema, topic);
     if (!id) {
-      problem_ = fmt::format("more than {} channels, which an MCAP file cannot have; select some: "
-                             "--channel",
-                             McapWriter::kMaxIds);
+      problem_ = fmt::format(
+          "more than {} channels, which an MCAP file cannot have; select some: "
+          "--channel",
+          McapWriter::kMaxIds);
     }
     return id;
   }

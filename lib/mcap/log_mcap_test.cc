@@ -16,7 +16,7 @@ namespace shoal::log_mcap_test {
 
 /// What a file holds, read from begin to end by its records' lengths.
 struct McapContent {
-  bool is_whole = false;  ///< Magic, records and magic fill the file.
+  bool is_whole = false;                ///< Magic, records and magic fill the file.
   std::map<std::string, int> messages;  ///< By topic.
   std::vector<size_t> chunk_sizes;
   bool has_summary = false;
@@ -125,7 +125,8 @@ std::vector<TestEvent> SomeEvents(int count) {
   std::vector<TestEvent> events;
   for (int i = 0; i < count; ++i) {
     events.push_back({i * 100'000, "NAV_ALPHA", Nav(i * 100'000)});
-    events.push_back({i * 100'000, "COMMS_FATES", Fates(i * 100'000, {"delivered", "out_of_range"})});
+    events.push_back(
+        {i * 100'000, "COMMS_FATES", Fates(i * 100'000, {"delivered", "out_of_range"})});
   }
   return events;
 }
@@ -191,8 +192,11 @@ TEST_F(LogMcap_, OfACutLogIsAWholeFileOfWhatCanBeRead) {
 TEST_F(LogMcap_, ReportsWhatItLeavesOut) {
   Bytes cut = Nav(0);
   cut.pop_back();
-  EXPECT_EQ(Convert({{0, "NAV_ALPHA", cut}, {0, "X", {1, 2, 3}}, {-1, "NAV_ALPHA", Nav(-1)},
-                     {INT64_MAX, "NAV_ALPHA", Nav(0)}, {1, "NAV_ALPHA", Nav(1)}}),
+  EXPECT_EQ(Convert({{0, "NAV_ALPHA", cut},
+                     {0, "X", {1, 2, 3}},
+                     {-1, "NAV_ALPHA", Nav(-1)},
+                     {INT64_MAX, "NAV_ALPHA", Nav(0)},
+                     {1, "NAV_ALPHA", Nav(1)}}),
             kExitOk);
   EXPECT_EQ(ReadMcap(out_path_).messages["NAV_ALPHA"], 1);
   EXPECT_NE(err_.str().find("NAV_ALPHA: 2 messages left out: MCAP has no such time"),

@@ -80,7 +80,7 @@ class McapWriter {
   uint64_t num_messages_ = 0;
   uint32_t num_chunks_ = 0;
   uint16_t num_schemas_ = 0;
-  std::vector<Channel> channels_;  ///< Channel 1 is the first.
+  std::vector<Channel> channels_;   ///< Channel 1 is the first.
   std::vector<uint16_t> in_chunk_;  ///< Channels with an index.
   std::string schema_records_;      ///< Of the summary.
   std::string channel_records_;

@@ -73,15 +73,13 @@ void AppendValue(const pb::Message& message, const pb::FieldDescriptor* field, i
       return add(pick([&] { return reflection.GetRepeatedBool(message, field, index); },
                       [&] { return reflection.GetBool(message, field); }));
     case pb::FieldDescriptor::CPPTYPE_INT32:
-      return add(
-          int64_t{pick([&] { return reflection.GetRepeatedInt32(message, field, index); },
-                       [&] { return reflection.GetInt32(message, field); })});
+      return add(int64_t{pick([&] { return reflection.GetRepeatedInt32(message, field, index); },
+                              [&] { return reflection.GetInt32(message, field); })});
     case pb::FieldDescriptor::CPPTYPE_UINT32:
       return add(int64_t{reflection.GetUInt32(message, field)});
     case pb::FieldDescriptor::CPPTYPE_INT64:
-      return add(
-          int64_t{pick([&] { return reflection.GetRepeatedInt64(message, field, index); },
-                       [&] { return reflection.GetInt64(message, field); })});
+      return add(int64_t{pick([&] { return reflection.GetRepeatedInt64(message, field, index); },
+                              [&] { return reflection.GetInt64(message, field); })});
     case pb::FieldDescriptor::CPPTYPE_STRING: {
       const std::string text =
           pick([&] { return reflection.GetRepeatedString(message, field, index); },
@@ -147,9 +145,7 @@ rc::Gen<double> AnyDouble() {
   return rc::gen::oneOf(rc::gen::arbitrary<double>(), rc::gen::element(0.0, -0.0, 1e300));
 }
 
-std::string AnyText() {
-  return *rc::gen::container<std::string>(rc::gen::inRange<char>(' ', '~'));
-}
+std::string AnyText() { return *rc::gen::container<std::string>(rc::gen::inRange<char>(' ', '~')); }
 
 shapes_t AnyShapes() {
   shapes_t shapes{};
@@ -165,8 +161,8 @@ shapes_t AnyShapes() {
   shapes.rows = *rc::gen::inRange(0, 4);
   shapes.columns = *rc::gen::inRange(0, 200);
   for (int row = 0; row < shapes.rows; ++row) {
-    shapes.matrix.push_back(*rc::gen::container<std::vector<double>>(
-        static_cast<size_t>(shapes.columns), AnyDouble()));
+    shapes.matrix.push_back(
+        *rc::gen::container<std::vector<double>>(static_cast<size_t>(shapes.columns), AnyDouble()));
     shapes.words.push_back(AnyText());
     shapes.track.push_back({.x_m = *AnyDouble(), .y_m = *AnyDouble()});
   }

@@ -114,9 +114,10 @@ class FileMaker {
   Result<std::vector<ProtoFile>> Make(const StructType& type) {
     AddType(type);
     if (!AddPackage(type.package)) {
-      return Error{fmt::format("{}: the types of package '{}' and those of another one hold each "
-                               "other, which protobuf cannot; put them into one package",
-                               type.FullName(), type.package)};
+      return Error{
+          fmt::format("{}: the types of package '{}' and those of another one hold each "
+                      "other, which protobuf cannot; put them into one package",
+                      type.FullName(), type.package)};
     }
     return std::move(files_);
   }

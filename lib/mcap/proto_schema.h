@@ -1,5 +1,6 @@
 // Descriptions of messages as Protocol Buffers have them: a FileDescriptorSet
-// (google/protobuf/descriptor.proto), by which a reader decodes messages that it was not built with.
+// (google/protobuf/descriptor.proto), by which a reader decodes messages that it was not built
+// with.
 #pragma once
 
 #include <cstdint>

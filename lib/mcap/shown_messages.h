@@ -1,4 +1,5 @@
-// What an MCAP file has beside the log's own messages, so that its reader shows the mission at once.
+// What an MCAP file has beside the log's own messages, so that its reader shows the mission at
+// once.
 #pragma once
 
 #include <cstdint>
@@ -24,7 +25,8 @@ enum class ShownKind { kLocation, kPose, kLog };
 ///   foxglove/location/<V>  LocationFix of each NAV_<V> whose position is finite
 ///   foxglove/pose/<V>      PoseInFrame of the same
 ///   foxglove/fates         Log of each fate: level DEBUG where it was delivered, else INFO
-///   foxglove/events        Log of changes of helms (WARNING: an all-stop), of commands and controls
+///   foxglove/events        Log of changes of helms (WARNING: an all-stop), of commands and
+///   controls
 class ShownMessages {
  public:
   /// Takes one message: its channel's topic and kind, and what appends its bytes. Returns false

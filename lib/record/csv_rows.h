@@ -15,10 +15,10 @@
 // [1 2 3]. So have arrays within arrays whose structs would hold themselves: [{y=3} {y=4}]. Members
 // named utime or ending in _utime are seconds, in columns named ..._s.
 //
-// The user's own fields (`extra` of node reports, a list of key_value_t) are rows with extra.key and
-// extra.value as all arrays of structs are; each key that the layout is given has a column at the
-// end, extra[key], with its value in every row of the message, empty where the message has no such
-// key. Of a key that stands twice the first value counts.
+// The user's own fields (`extra` of node reports, a list of key_value_t) are rows with extra.key
+// and extra.value as all arrays of structs are; each key that the layout is given has a column at
+// the end, extra[key], with its value in every row of the message, empty where the message has no
+// such key. Of a key that stands twice the first value counts.
 #pragma once
 
 #include <cstddef>
@@ -51,8 +51,7 @@ class CsvLayout {
  public:
   /// `extra_keys`: of the user's own fields that have a column.
   /// @pre type is one of schema.types(), and both outlive this.
-  CsvLayout(const Schema& schema, const StructType& type,
-            std::vector<std::string> extra_keys = {});
+  CsvLayout(const Schema& schema, const StructType& type, std::vector<std::string> extra_keys = {});
 
   /// The names of the columns, as a line.
   const std::string& header() const { return header_; }

@@ -31,8 +31,8 @@ using ExtraFields = std::vector<std::pair<std::string_view, std::string_view>>;
 struct ExtraKeys {
   static constexpr size_t kMaxKeys = 64;  ///< Further keys have no columns; rows have all.
 
-  std::vector<std::string> keys = {};        ///< In the order in which they came, as UTF-8.
-  std::vector<int64_t> num_messages = {};    ///< That have the key; one for each of `keys`.
+  std::vector<std::string> keys = {};      ///< In the order in which they came, as UTF-8.
+  std::vector<int64_t> num_messages = {};  ///< That have the key; one for each of `keys`.
   int64_t num_all_messages = 0;
 
   /// Returns the keys that every message has.

@@ -378,16 +378,17 @@ TEST_F(LogCsv_, HasAColumnForEachKeyOfTheUsersOwnFields) {
     message.num_extra = static_cast<int32_t>(message.extra.size());
     return Encoded(message);
   };
-  const std::string path = Log("a.lcm", {{0, "NODE_REPORT_LOCAL", report({{"fuel", "9"}})},
-                                         {1, "NODE_REPORT_LOCAL", report({})},
-                                         {2, "NODE_REPORT_LOCAL",
-                                          report({{"a,b", "1"}, {"fuel", "8"}, {"fuel", "7"}})}});
+  const std::string path = Log(
+      "a.lcm", {{0, "NODE_REPORT_LOCAL", report({{"fuel", "9"}})},
+                {1, "NODE_REPORT_LOCAL", report({})},
+                {2, "NODE_REPORT_LOCAL", report({{"a,b", "1"}, {"fuel", "8"}, {"fuel", "7"}})}});
   Csv({.path = path, .out_dir = directory_.File("csv")});
   std::istringstream table(TextOfFile(directory_.File("csv/NODE_REPORT_LOCAL.csv")));
   std::string header;
   std::getline(table, header);
-  EXPECT_TRUE(header.ends_with(",num_extra,row_index,extra.key,extra.value,extra[fuel],"
-                               "\"extra[a,b]\""))
+  EXPECT_TRUE(
+      header.ends_with(",num_extra,row_index,extra.key,extra.value,extra[fuel],"
+                       "\"extra[a,b]\""))
       << header;
   std::string rest;
   for (std::string line; std::getline(table, line);) {

@@ -139,7 +139,8 @@ class LogDatabase {
     WriteMission(log);
     for (const auto& [key, table] : tables_) {
       if (DisplayName(*key.second) == "comms_fates_t") WriteFates(*table);
-      if (const Member* extra = ExtraMember(schema_, *key.second)) WriteExtra(*table, *key.second, *extra);
+      if (const Member* extra = ExtraMember(schema_, *key.second))
+        WriteExtra(*table, *key.second, *extra);
     }
     tables_.clear();
   }
@@ -213,11 +214,11 @@ class LogDatabase {
     const auto has_name = [](const Member& member) { return member.name == "name"; };
     if (std::ranges::any_of(type.members, has_name)) columns += "name, ";
     const std::string key = SqliteName(extra.name + ".key");
-    file_.Execute(fmt::format("CREATE VIEW {} AS SELECT {}{} AS key, {} AS value FROM {} WHERE {} "
-                              "<> ''",
-                              SqliteName(names_.Take(table.name() + "." + extra.name)), columns,
-                              key, SqliteName(extra.name + ".value"), SqliteName(table.name()),
-                              key));
+    file_.Execute(
+        fmt::format("CREATE VIEW {} AS SELECT {}{} AS key, {} AS value FROM {} WHERE {} "
+                    "<> ''",
+                    SqliteName(names_.Take(table.name() + "." + extra.name)), columns, key,
+                    SqliteName(extra.name + ".value"), SqliteName(table.name()), key));
   }
 
   const Schema& schema_;
@@ -266,9 +267,10 @@ int LogSqlite(const LogSqliteOptions& options, std::ostream& out, std::ostream& 
   for (const auto& [channel, count] : left_out) {
     std::string shown;
     AppendQuoted(channel, &shown);
-    err << fmt::format("{}: {} messages left out: unknown type, bytes that do not decode, or more "
-                       "than {} columns\n",
-                       shown, count, ChannelTableWriter::kMaxColumns);
+    err << fmt::format(
+        "{}: {} messages left out: unknown type, bytes that do not decode, or more "
+        "than {} columns\n",
+        shown, count, ChannelTableWriter::kMaxColumns);
   }
   if (!ReportDamage(*reader, err)) return kExitEnvironment;
   return ReportUnmatched(*reader, options.selection, channels, err) ? kExitOk : kExitUsage;

@@ -58,8 +58,8 @@ SqliteFile::~SqliteFile() {
 void SqliteFile::Check(int code) {
   if (code == SQLITE_OK || !problem_.empty()) return;
   // "SQL logic error" needs the words of the connection; of a disk that is full there are none.
-  problem_ = code == SQLITE_ERROR && database_ ? sqlite3_errmsg(database_.get())
-                                               : sqlite3_errstr(code);
+  problem_ =
+      code == SQLITE_ERROR && database_ ? sqlite3_errmsg(database_.get()) : sqlite3_errstr(code);
 }
 
 void SqliteFile::Execute(const std::string& sql) {
@@ -87,8 +87,7 @@ SqliteInsert::SqliteInsert(SqliteFile* file, std::string_view table, size_t num_
   sqlite3_stmt* statement = nullptr;
   const std::string sql = fmt::format("INSERT INTO {} VALUES ({})", SqliteName(table), marks);
   if (file_.problem_.empty()) {
-    file_.Check(
-        sqlite3_prepare_v2(file_.database_.get(), sql.c_str(), -1, &statement, nullptr));
+    file_.Check(sqlite3_prepare_v2(file_.database_.get(), sql.c_str(), -1, &statement, nullptr));
   }
   statement_.reset(statement);
 }

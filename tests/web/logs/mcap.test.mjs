@@ -56,15 +56,15 @@ test('has as many messages on each channel as the log', () => {
 });
 
 test('has the numbers of the log', () => {
-  const [names, values] = readFileSync(join(folder, 'csv/NAV_ABE.csv'), 'utf8').split('\n')
+  const [names, values] = readFileSync(join(folder, 'csv/NAV_ALPHA.csv'), 'utf8').split('\n')
     .map((line) => line.split(','));
-  const { content, schema, time } = first.get('NAV_ABE');
+  const { content, schema, time } = first.get('NAV_ALPHA');
   assert.equal(schema, 'shoal.nav_t');
   assert.equal(Number(time), Number(values[0]) * 1e9);
   let compared = 0;
   for (const [i, name] of names.entries()) {
     if (name.endsWith('time_s') || name === 'utime_s') continue;
-    // protobufjs names x_m xM; the descriptor's order is that of the columns.
+    // The descriptor's order is that of the columns.
     assert.equal(Object.values(content)[i - 1], Number(values[i]), name);
     compared += 1;
   }
@@ -72,11 +72,11 @@ test('has the numbers of the log', () => {
 });
 
 test('shows a place, a pose and lines of text', () => {
-  const place = first.get('foxglove/location/ABE');
+  const place = first.get('foxglove/location/ALPHA');
   assert.equal(place.schema, 'foxglove.LocationFix');
   assert.ok(Math.abs(place.content.latitude - 43.8253) < 0.1, `${place.content.latitude}`);
-  assert.equal(counts.get('foxglove/location/ABE'), counts.get('NAV_ABE'));
-  assert.equal(first.get('foxglove/pose/ABE').content.frameId, 'mission');
+  assert.equal(counts.get('foxglove/location/ALPHA'), counts.get('NAV_ALPHA'));
+  assert.equal(first.get('foxglove/pose/ALPHA').content.frame_id, 'mission');
   assert.equal(first.get('foxglove/fates').schema, 'foxglove.Log');
   assert.match(first.get('foxglove/fates').content.message, / to /);
 });
