@@ -14,6 +14,7 @@
 #include "apps/shoal/plot_command.h"
 #include "apps/shoal/rebroker_command.h"
 #include "lib/check/result.h"
+#include "lib/mcap/log_mcap.h"
 #include "lib/record/log_commands.h"
 
 namespace shoal {
@@ -70,6 +71,42 @@ void AddLogEncounters(CLI::App* log, Action* action) {
   distance("--near-miss", &encounter.near_miss_m, "Nearer than this is a near miss");
   command->callback([options, action] {
     *action = [options] { return LogEncounters(*options, std::cout, std::cerr); };
+  });
+}
+
+void AddLogMcap(CLI::App* log, Action* action) {
+  CLI::App* command =
+      log->add_subcommand("mcap", "One MCAP file, for Foxglove, Rerun and PlotJuggler");
+  auto options = std::make_shared<LogMcapOptions>();
+  command->add_option("LOG", options->path, "LCM event log")->required();
+  command->add_option("--out", options->out_path, "The file")->required();
+  AddSelection(command, &options->selection);
+  command->add_flag("--skip-damage", options->skip_damage, "Convert what can be read of a bad log");
+  command->add_flag("--only-log", options->only_log,
+                    "Leave out the poses, places and lines of text that are made of the log");
+  AddTypes(command, &options->types);
+  command->callback([options, action] {
+    *action = [options] {
+      if (!IsSelectionSound(options->selection)) return static_cast<int>(kExitUsage);
+      return LogMcap(*options, std::cout, std::cerr);
+    };
+  });
+}
+
+void AddLogSqlite(CLI::App* log, Action* action) {
+  CLI::App* command =
+      log->add_subcommand("sqlite", "One SQLite database: a table per channel, fates, mission");
+  auto options = std::make_shared<LogSqliteOptions>();
+  command->add_option("LOG", options->path, "LCM event log")->required();
+  command->add_option("--out", options->out_path, "The file")->required();
+  AddSelection(command, &options->selection);
+  command->add_flag("--skip-damage", options->skip_damage, "Convert what can be read of a bad log");
+  AddTypes(command, &options->types);
+  command->callback([options, action] {
+    *action = [options] {
+      if (!IsSelectionSound(options->selection)) return static_cast<int>(kExitUsage);
+      return LogSqlite(*options, std::cout, std::cerr);
+    };
   });
 }
 
@@ -147,6 +184,8 @@ void AddLog(CLI::App& cli, Action* action) {
     *action = [helm_options] { return LogHelm(*helm_options, std::cout, std::cerr); };
   });
   AddLogEncounters(log, action);
+  AddLogMcap(log, action);
+  AddLogSqlite(log, action);
 }
 
 void AddImport(CLI::App& cli, Action* action) {

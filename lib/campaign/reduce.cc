@@ -1,7 +1,6 @@
 #include "lib/campaign/reduce.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <cmath>
 #include <filesystem>
@@ -12,6 +11,7 @@
 #include "lib/campaign/samples.h"
 #include "lib/campaign/stop_values.h"
 #include "lib/record/csv_rows.h"
+#include "lib/record/part_path.h"
 
 namespace shoal {
 
@@ -42,13 +42,6 @@ std::string WriteText(const std::string& path, const std::string& text) {
 }
 
 }  // namespace
-
-std::string PartPath(const std::string& path) {
-  constexpr size_t kLongestName = 256;
-  char host[kLongestName] = {};
-  gethostname(host, sizeof host - 1);
-  return fmt::format("{}.{}.{}.part", path, host, getpid());
-}
 
 CampaignResults ResultsOf(const CampaignFolder& folder, const StoredTrials& stored) {
   CampaignResults results;

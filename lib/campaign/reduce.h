@@ -27,10 +27,6 @@ namespace shoal {
 /// names a file that cannot be read, or a trial with two different results.
 [[nodiscard]] Result<CampaignResults> ReadResults(const CampaignFolder& folder);
 
-/// Returns the name under which a file is written before it takes the place of `path`: one of this
-/// process alone, since shards on several machines reduce the same folder.
-[[nodiscard]] std::string PartPath(const std::string& path);
-
 /// Reads the shards and writes results.csv and results.sqlite. Returns the results.
 [[nodiscard]] Result<CampaignResults> ReduceCampaign(const CampaignFolder& folder);
 

@@ -4,6 +4,7 @@
 #include <iterator>
 #include <optional>
 
+#include "lib/record/extra_fields.h"
 #include "lib/record/valid_utf8.h"
 #include "lib/schema/text.h"
 
@@ -53,20 +54,32 @@ bool IsUtime(const Member& member) {
 
 /// The names of the columns of a struct, in the order of a walk.
 struct Columns {
-  std::vector<std::string> names;  ///< Outside of its arrays of structs.
-  std::vector<Columns> tables;     ///< One for each of these arrays.
+  std::vector<CsvColumn> cells;  ///< Outside of its arrays of structs.
+  std::vector<Columns> tables;   ///< One for each of these arrays.
 };
 
+/// @pre member.primitive
+CsvValue ValueOf(const Member& member) {
+  if (*member.primitive == Primitive::kString) return CsvValue::kText;
+  const bool is_real = IsUtime(member) || *member.primitive == Primitive::kFloat ||
+                       *member.primitive == Primitive::kDouble;
+  return is_real ? CsvValue::kReal : CsvValue::kInteger;
+}
+
+CsvColumn ColumnOf(const Member& member, const std::string& name) {
+  return {.name = name + (IsUtime(member) ? "_s" : ""), .value = ValueOf(member)};
+}
+
 void AddExpanded(const Member& member, const std::string& name, size_t d,
-                 std::vector<std::string>* names) {
+                 std::vector<CsvColumn>* columns) {
   if (d == member.dimensions.size()) {
-    names->push_back(name + (IsUtime(member) ? "_s" : ""));
+    columns->push_back(ColumnOf(member, name));
     return;
   }
   for (int64_t i = 0; i < member.dimensions[d].fixed_size; ++i) {
     std::string element = name;
     element.append("[").append(std::to_string(i)).append("]");
-    AddExpanded(member, element, d + 1, names);
+    AddExpanded(member, element, d + 1, columns);
   }
 }
 
@@ -82,13 +95,13 @@ class ColumnFinder {
       const std::string name = prefix + member.name;
       switch (ShapeOf(schema_, member, open_, is_in_table)) {
         case Shape::kCell:
-          columns->names.push_back(name + (IsUtime(member) ? "_s" : ""));
+          columns->cells.push_back(ColumnOf(member, name));
           break;
         case Shape::kExpanded:
-          AddExpanded(member, name, 0, &columns->names);
+          AddExpanded(member, name, 0, &columns->cells);
           break;
         case Shape::kText:
-          columns->names.push_back(name);
+          columns->cells.push_back({.name = name});
           break;
         case Shape::kNested:
           Add(schema_.types()[member.struct_index], name + ".", is_in_table, columns);
@@ -225,19 +238,18 @@ class RowCollector : public Visitor {
 /// Returns the name of a column that the table has beside those of the message: `name`, or with
 /// "row_" before it where the message has a member of that name.
 std::string NameOfOwnColumn(std::string name, const Columns& columns) {
-  while (std::ranges::find(columns.names, name) != columns.names.end()) name.insert(0, "row_");
+  while (std::ranges::find(columns.cells, name, &CsvColumn::name) != columns.cells.end()) {
+    name.insert(0, "row_");
+  }
   return name;
 }
 
-/// Appends the names' cells, and returns the layout of the columns.
-CsvTable AddToHeader(const Columns& columns, std::string* header) {
-  CsvTable table{.num_columns = columns.names.size(), .tables = {}};
-  for (const std::string& name : columns.names) {
-    *header += ',';
-    AppendCsvCell(name, header);
-  }
+/// Appends the columns in the order of a row, and returns their layout.
+CsvTable AddInOrder(const Columns& columns, std::vector<CsvColumn>* all) {
+  CsvTable table{.num_columns = columns.cells.size(), .tables = {}};
+  all->insert(all->end(), columns.cells.begin(), columns.cells.end());
   for (const Columns& inner : columns.tables) {
-    table.num_columns += table.tables.emplace_back(AddToHeader(inner, header)).num_columns;
+    table.num_columns += table.tables.emplace_back(AddInOrder(inner, all)).num_columns;
   }
   return table;
 }
@@ -286,12 +298,50 @@ void AppendCsvCell(std::string_view any_text, std::string* out) {
   *out += '"';
 }
 
-CsvLayout::CsvLayout(const Schema& schema, const StructType& type) : schema_(schema), type_(type) {
+bool TakeCsvRow(std::string_view* rows, std::vector<std::string>* cells) {
+  cells->clear();
+  if (rows->empty()) return false;
+  cells->emplace_back();
+  bool is_quoted = false;
+  size_t i = 0;
+  for (; i < rows->size(); ++i) {
+    const char c = (*rows)[i];
+    if (c == '"') {
+      // Two quotes inside of quotes are one: the first closes, the second opens again.
+      if (!is_quoted && i > 0 && (*rows)[i - 1] == '"') cells->back() += c;
+      is_quoted = !is_quoted;
+    } else if (!is_quoted && c == '\n') {
+      break;
+    } else if (!is_quoted && c == ',') {
+      cells->emplace_back();
+    } else {
+      cells->back() += c;
+    }
+  }
+  rows->remove_prefix(std::min(i + 1, rows->size()));
+  return true;
+}
+
+CsvLayout::CsvLayout(const Schema& schema, const StructType& type,
+                     std::vector<std::string> extra_keys)
+    : schema_(schema), type_(type), extra_keys_(std::move(extra_keys)) {
   Columns columns;
   ColumnFinder(schema).Add(type, "", false, &columns);
-  header_ = NameOfOwnColumn("time_s", columns);
-  if (!columns.tables.empty()) columns.names.push_back(NameOfOwnColumn("index", columns));
-  tables_ = AddToHeader(columns, &header_).tables;
+  columns_.push_back({.name = NameOfOwnColumn("time_s", columns), .value = CsvValue::kReal});
+  if (!columns.tables.empty()) {
+    columns.cells.push_back(
+        {.name = NameOfOwnColumn("index", columns), .value = CsvValue::kInteger});
+  }
+  tables_ = AddInOrder(columns, &columns_).tables;
+  const Member* extra = ExtraMember(schema, type);
+  if (extra == nullptr) extra_keys_.clear();
+  for (const std::string& key : extra_keys_) {
+    columns_.push_back({.name = extra->name + "[" + key + "]"});
+  }
+  for (const CsvColumn& column : columns_) {
+    if (!header_.empty()) header_ += ',';
+    AppendCsvCell(column.name, &header_);
+  }
   header_ += '\n';
 }
 
@@ -300,6 +350,16 @@ void CsvLayout::AppendRows(int64_t event_utime, std::span<const uint8_t> bytes,
   RowCollector collector(schema_);
   const auto fault = Walk(schema_, type_, bytes, &collector);
   SHOAL_CHECK(!fault, "a message of which rows are made decodes (FindWireFault() finds none)");
+  std::string extra;
+  if (!extra_keys_.empty()) {
+    const ExtraFields fields = ExtraFieldsOf(schema_, type_, bytes);
+    for (const std::string& key : extra_keys_) {
+      extra += ',';
+      const auto has_key = [&](const auto& field) { return ValidUtf8(field.first) == key; };
+      const auto it = std::ranges::find_if(fields, has_key);
+      if (it != fields.end()) AppendCsvCell(it->second, &extra);
+    }
+  }
   const Element& message = collector.message();
   for (size_t row = 0; row < message.num_rows(); ++row) {
     const Place place = FindPlace(message, row);
@@ -308,6 +368,7 @@ void CsvLayout::AppendRows(int64_t event_utime, std::span<const uint8_t> bytes,
     if (!tables_.empty()) *out += ',';
     if (!message.row_ends.empty()) *out += std::to_string(place.index);
     AppendTables(tables_, message, place, out);
+    *out += extra;
     *out += '\n';
   }
 }

@@ -14,6 +14,11 @@
 // Small arrays of fixed size have a column for each element, all other arrays of values one cell:
 // [1 2 3]. So have arrays within arrays whose structs would hold themselves: [{y=3} {y=4}]. Members
 // named utime or ending in _utime are seconds, in columns named ..._s.
+//
+// The user's own fields (`extra` of node reports, a list of key_value_t) are rows with extra.key
+// and extra.value as all arrays of structs are; each key that the layout is given has a column at
+// the end, extra[key], with its value in every row of the message, empty where the message has no
+// such key. Of a key that stands twice the first value counts.
 #pragma once
 
 #include <cstddef>
@@ -34,14 +39,24 @@ struct CsvTable {
   std::vector<CsvTable> tables;  ///< Arrays of structs within its structs; their columns come last.
 };
 
+enum class CsvValue { kText, kInteger, kReal };
+
+struct CsvColumn {
+  std::string name;
+  CsvValue value = CsvValue::kText;  ///< Times in seconds are kReal, true and false kInteger.
+};
+
 /// How the messages of one type become rows. Lines end in a line feed alone.
 class CsvLayout {
  public:
+  /// `extra_keys`: of the user's own fields that have a column.
   /// @pre type is one of schema.types(), and both outlive this.
-  CsvLayout(const Schema& schema, const StructType& type);
+  CsvLayout(const Schema& schema, const StructType& type, std::vector<std::string> extra_keys = {});
 
   /// The names of the columns, as a line.
   const std::string& header() const { return header_; }
+  /// The same with what each holds. No name is there twice.
+  const std::vector<CsvColumn>& columns() const { return columns_; }
 
   /// Appends the rows of the message that `bytes` are.
   /// @pre FindWireFault() finds none.
@@ -50,9 +65,14 @@ class CsvLayout {
  private:
   const Schema& schema_;
   const StructType& type_;
+  std::vector<std::string> extra_keys_;
+  std::vector<CsvColumn> columns_;
   std::string header_;
   std::vector<CsvTable> tables_;
 };
+
+/// Takes the next row from `rows`, lines as AppendRows makes them; false where there is none.
+[[nodiscard]] bool TakeCsvRow(std::string_view* rows, std::vector<std::string>* cells);
 
 /// Appends one cell as UTF-8, in quotes where RFC 4180 asks for them.
 void AppendCsvCell(std::string_view any_text, std::string* out);

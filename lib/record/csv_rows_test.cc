@@ -220,4 +220,25 @@ TEST(AppendCsvCell, QuotesAsRfc4180Asks) {
   EXPECT_EQ(cell("two\nlines"), "\"two\nlines\"");
 }
 
+RC_GTEST_PROP(TakeCsvRow, ReadsWhatAppendCsvCellWrote, ()) {
+  const auto rows = *rc::gen::container<std::vector<std::vector<std::string>>>(
+      rc::gen::nonEmpty(rc::gen::container<std::vector<std::string>>(
+          rc::gen::container<std::string>(rc::gen::element('a', '"', ',', '\n', '\r')))));
+  std::string text;
+  for (const auto& row : rows) {
+    for (size_t i = 0; i < row.size(); ++i) {
+      if (i > 0) text += ',';
+      AppendCsvCell(row[i], &text);
+    }
+    text += '\n';
+  }
+  std::string_view rest = text;
+  std::vector<std::string> cells;
+  for (const auto& row : rows) {
+    RC_ASSERT(TakeCsvRow(&rest, &cells));
+    RC_ASSERT(cells == row);
+  }
+  RC_ASSERT(!TakeCsvRow(&rest, &cells));
+}
+
 }  // namespace shoal::csv_rows_test

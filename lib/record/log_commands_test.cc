@@ -8,6 +8,7 @@
 #include "lib/bus/channels.h"
 #include "lib/bus/seal.h"
 #include "lib/check/result.h"
+#include "lib/record/csv_rows.h"
 #include "lib/record/test_log.h"
 #include "lib/schema/schema.h"
 
@@ -368,6 +369,39 @@ TEST_F(LogCsv_, StatesWhatItCannotWrite) {
   Csv({.path = path, .out_dir = "/dev/null/x"});
   EXPECT_EQ(exit_code_, kExitEnvironment);
   EXPECT_NE(err_.str().find("cannot make /dev/null/x"), std::string::npos);
+}
+
+TEST_F(LogCsv_, HasAColumnForEachKeyOfTheUsersOwnFields) {
+  const auto report = [](std::vector<key_value_t> extra) {
+    node_report_t message{};
+    message.extra = std::move(extra);
+    message.num_extra = static_cast<int32_t>(message.extra.size());
+    return Encoded(message);
+  };
+  const std::string path = Log(
+      "a.lcm", {{0, "NODE_REPORT_LOCAL", report({{"fuel", "9"}})},
+                {1, "NODE_REPORT_LOCAL", report({})},
+                {2, "NODE_REPORT_LOCAL", report({{"a,b", "1"}, {"fuel", "8"}, {"fuel", "7"}})}});
+  Csv({.path = path, .out_dir = directory_.File("csv")});
+  std::istringstream table(TextOfFile(directory_.File("csv/NODE_REPORT_LOCAL.csv")));
+  std::string header;
+  std::getline(table, header);
+  EXPECT_TRUE(
+      header.ends_with(",num_extra,row_index,extra.key,extra.value,extra[fuel],"
+                       "\"extra[a,b]\""))
+      << header;
+  std::string rest;
+  for (std::string line; std::getline(table, line);) {
+    std::vector<std::string> cells;
+    std::string_view row = line;
+    ASSERT_TRUE(TakeCsvRow(&row, &cells));
+    for (size_t i = cells.size() - 5; i < cells.size(); ++i) rest += cells[i] + "|";
+    rest += "\n";
+  }
+  EXPECT_EQ(rest,
+            "0|fuel|9|9||\n"
+            "|||||\n"
+            "0|a,b|1|8|1|\n1|fuel|8|8|1|\n2|fuel|7|8|1|\n");
 }
 
 }  // namespace shoal::log_commands_test

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "lib/record/csv_rows.h"
+#include "lib/record/extra_fields.h"
 #include "lib/record/file_descriptor.h"
 #include "lib/record/log_commands.h"
 #include "lib/record/log_source.h"
@@ -24,9 +25,8 @@ namespace {
 /// The output for the messages of one type on one channel: a table, and lines if requested.
 class ChannelFiles {
  public:
-  ChannelFiles(const std::string& stem, const Schema& schema, const StructType& type,
-               const LogLines* lines)
-      : layout_(schema, type), table_(stem + ".csv", layout_.header()), line_writer_(lines) {
+  ChannelFiles(const std::string& stem, CsvLayout layout, const LogLines* lines)
+      : layout_(std::move(layout)), table_(stem + ".csv", layout_.header()), line_writer_(lines) {
     if (lines != nullptr) lines_.emplace(stem + lines->extension, lines->header);
   }
 
@@ -66,16 +66,18 @@ class ChannelFiles {
 /// The files of a directory, one for each channel and type.
 class CsvDirectory {
  public:
-  /// `lines` may be nullptr; what it points to must outlive this.
-  CsvDirectory(std::string path, const Schema& schema, const LogLines* lines)
-      : path_(std::move(path)), schema_(schema), lines_(lines) {}
+  /// `lines` may be nullptr; what it points to must outlive this, as must schema and keys.
+  CsvDirectory(std::string path, const Schema& schema, const ExtraKeyTable& extra_keys,
+               const LogLines* lines)
+      : path_(std::move(path)), schema_(schema), extra_keys_(extra_keys), lines_(lines) {}
 
   ChannelFiles& FilesOf(std::string_view channel, const StructType& type) {
     auto& files = files_[{std::string(channel), &type}];
     if (!files) {
       const bool has_lines = lines_ != nullptr && DisplayName(type) == lines_->type;
-      files = std::make_unique<ChannelFiles>(NewStem(channel, type), schema_, type,
-                                             has_lines ? lines_ : nullptr);
+      files = std::make_unique<ChannelFiles>(
+          NewStem(channel, type), CsvLayout(schema_, type, extra_keys_.Of(channel, type).keys),
+          has_lines ? lines_ : nullptr);
     }
     return *files;
   }
@@ -114,6 +116,7 @@ class CsvDirectory {
 
   std::string path_;
   const Schema& schema_;
+  const ExtraKeyTable& extra_keys_;
   const LogLines* lines_;
   std::map<std::pair<std::string, const StructType*>, std::unique_ptr<ChannelFiles>> files_;
   std::set<std::string> names_;
@@ -140,7 +143,10 @@ int LogCsv(const LogCsvOptions& options, std::ostream& out, std::ostream& err) {
     return kExitEnvironment;
   }
 
-  CsvDirectory directory(options.out_dir, *schema, options.lines ? &*options.lines : nullptr);
+  // Their columns are in the headers: the log is read twice.
+  const ExtraKeyTable extra_keys(*schema, options.selection, reader->Another());
+  CsvDirectory directory(options.out_dir, *schema, extra_keys,
+                         options.lines ? &*options.lines : nullptr);
   std::map<std::string, int64_t> left_out;
   const auto fail = [&](const TextFile& file) {
     err << fmt::format("cannot write {}: {}\n", file.path(), ErrnoText(errno));

@@ -31,6 +31,13 @@ std::optional<LogReader> OpenLog(const std::string& path, OnDamage on_damage, st
   return std::nullopt;
 }
 
+bool IsLogItself(const std::string& path, const std::string& out_path, std::ostream& err) {
+  std::error_code ignored;
+  if (!std::filesystem::equivalent(path, out_path, ignored)) return false;
+  err << fmt::format("{} is the log itself; name another file: --out FILE\n", out_path);
+  return true;
+}
+
 bool ReportDamage(const LogReader& reader, std::ostream& err) {
   constexpr size_t kMaxShown = 10;
   const auto& damages = reader.damages();

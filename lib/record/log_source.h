@@ -16,6 +16,10 @@ namespace shoal {
 /// Opens `path`; on failure writes why to `err` and returns nothing.
 std::optional<LogReader> OpenLog(const std::string& path, OnDamage on_damage, std::ostream& err);
 
+/// Returns true, and writes why that does not go, where `out_path` is the log that is read.
+[[nodiscard]] bool IsLogItself(const std::string& path, const std::string& out_path,
+                               std::ostream& err);
+
 /// Writes the damages that `reader` skipped, or its error. Returns true where it read to the end.
 bool ReportDamage(const LogReader& reader, std::ostream& err);
 
