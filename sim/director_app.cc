@@ -43,7 +43,7 @@ DirectorApp::DirectorApp(const Mission& mission, Bus& bus)
       is_done_[i] = helm.state == "DRIVE" && helm.task == kEndOfTasks;
       judge_.TakeHelm(i, facts, last_utime_.value_or(mission_.start_utime));
     });
-    if (!mission.IsInSwarm(mission.vehicles[i])) continue;
+    if (mission.SwarmOf(mission.vehicles[i]) == nullptr) continue;
     Subscribe(bus, channels::Swarm(name), [this, i](const swarm_t& swarm) { TakeSwarm(i, swarm); });
   }
   // A vehicle that is simulated elsewhere has no NAV: its own reports are all there is.
@@ -63,6 +63,8 @@ DirectorApp::DirectorApp(const Mission& mission, Bus& bus)
     };
     Subscribe(bus, channels::AcousticTx(),
               [sent](const acoustic_tx_t& packet) { sent(packet.source); });
+    Subscribe(bus, channels::AcousticTxOn(),
+              [sent](const acoustic_tx_on_t& packet) { sent(packet.source); });
     Subscribe(bus, channels::ModemTx(), [sent](const modem_tx_t& packet) { sent(packet.source); });
   }
   for (const ControlRow& row : ControlTable()) {
@@ -74,11 +76,13 @@ DirectorApp::DirectorApp(const Mission& mission, Bus& bus)
             [this](const unc_controls_req_t&) { controls_wanted_ = true; });
 }
 
+/// What another swarm sends is dropped by its group_id: that is no failure between two vehicles.
 void DirectorApp::TakeSwarm(size_t vehicle, const swarm_t& swarm) {
+  const SwarmOptions* own = mission_.SwarmOf(mission_.vehicles[vehicle]);
   for (const swarm_source_t& source : swarm.sources) {
     const Vehicle* sender = mission_.FindVehicle(source.name);
-    if (sender == nullptr || !CanBeCount(source.clean) || !CanBeCount(source.recovered) ||
-        !CanBeCount(source.rejected)) {
+    if (sender == nullptr || mission_.SwarmOf(*sender) != own || !CanBeCount(source.clean) ||
+        !CanBeCount(source.recovered) || !CanBeCount(source.rejected)) {
       continue;
     }
     judge_.TakeSwarm(

@@ -55,13 +55,23 @@ int64_t LongestWait_us(const SlotPlan& plan, SwarmMessage message) {
 }
 
 /// When the broker has a report of each member, in mission time: before, it sends nothing of them.
-int64_t FirstReports_us(const Mission& mission) {
+int64_t FirstReports_us(const Mission& mission, const Vehicle& vehicle) {
   double first_s = 0;
-  for (const Vehicle* member : SwarmMembers(mission)) {
+  for (const Vehicle* member : SwarmMembers(mission, vehicle)) {
     if (member->reporter != Provider::kShoal) continue;
     first_s = std::max(first_s, 1 / member->reporter_options.rate_hz);
   }
   return std::llround(first_s * 1e6);
+}
+
+std::set<std::string, std::less<>> VehiclesOfOtherSwarms(const Mission& mission,
+                                                         const Vehicle& vehicle) {
+  std::set<std::string, std::less<>> names;
+  for (const Vehicle& each : mission.vehicles) {
+    const SwarmOptions* swarm = mission.SwarmOf(each);
+    if (swarm != nullptr && swarm != mission.SwarmOf(vehicle)) names.insert(each.name);
+  }
+  return names;
 }
 
 std::string ContactText(const swarm_contact_t& contact, int64_t utime) {
@@ -82,8 +92,10 @@ std::string ContactText(const swarm_contact_t& contact, int64_t utime) {
 
 AcommsApp::AcommsApp(const Mission& mission, const Vehicle& vehicle, Bus& bus)
     : name_(vehicle.name),
-      leader_(mission.swarm.leader),
-      plan_(PlanSwarm(mission).plan),
+      leader_(OwnSwarm(mission, vehicle).leader),
+      swarm_name_(OwnSwarm(mission, vehicle).name),
+      others_(VehiclesOfOtherSwarms(mission, vehicle)),
+      plan_(PlanSwarm(mission, OwnSwarm(mission, vehicle)).plan),
       start_utime_(mission.start_utime),
       bus_(bus),
       swarm_channel_(channels::Swarm(vehicle.name)),
@@ -93,7 +105,7 @@ AcommsApp::AcommsApp(const Mission& mission, const Vehicle& vehicle, Bus& bus)
       writer_(mission, vehicle),
       record_(vehicle.name, writer_),
       propeller_(vehicle.model),
-      first_reports_us_(FirstReports_us(mission)) {
+      first_reports_us_(FirstReports_us(mission, vehicle)) {
   helm_.waypoint_index = -1;
   Subscribe(bus, OwnNav(vehicle), [this](const nav_t& nav) { OnNav(nav); });
   Subscribe(bus, channels::HelmState(vehicle.name),
@@ -119,6 +131,10 @@ void AcommsApp::ReceivePacket(const acoustic_rx_t& packet, int64_t utime) {
   const std::optional<ResponseRequest> request_before = receiver_.state.request;
   const SwarmReception reception = Receive(packet.payload, utime - start_utime_, &receiver_);
   writer_.Count(packet.source, reception);
+  if (reception.reason == RejectReason::kOtherGroup && others_.contains(packet.source)) {
+    ++num_of_others_;  // As it should be: no event.
+    return;
+  }
   for (const std::string& line : record_.Note(packet.source, reception, utime)) {
     log_.Event(utime, line);
   }
@@ -196,24 +212,33 @@ void AcommsApp::PublishSwarm(int64_t utime) {
   swarm_utime_ = utime;
 }
 
+std::string AcommsApp::SwarmText() const {
+  if (swarm_name_.empty()) return "";
+  return fmt::format(", swarm {} (group_id {})", swarm_name_,
+                     static_cast<char>(receiver_.state.group_id));
+}
+
 StatusPage AcommsApp::Status() const {
   const int64_t utime = utime_.value_or(start_utime_);
   const swarm_t swarm = writer_.Write(receiver_, utime);
   StatusPage page;
   page.text = fmt::format(
       "Configuration:\n"
-      "    Vehicle: {} ({}), leader {}\n"
+      "    Vehicle: {} ({}), leader {}{}\n"
       "    Slots: {}\n"
       "    Frames: {}\n"
       "Sent: {} messages; {} slots passed without NAV, {} requests unanswered\n"
       "Known:           role     age of report    x [m]     y [m]    z [m]\n",
-      name_, receiver_.state.is_leader ? "leads" : "follows", leader_, PlanText(plan_),
+      name_, receiver_.state.is_leader ? "leads" : "follows", leader_, SwarmText(), PlanText(plan_),
       receiver_.has_frames ? "on" : "off", num_sent_, num_without_nav_, schedule_.num_missed());
   for (const swarm_contact_t& contact : swarm.contacts) page.text += ContactText(contact, utime);
   page.text += "Received from:   received   clean  recovered  rejected\n";
   for (const swarm_source_t& source : swarm.sources) {
     page.text += fmt::format("    {:<16} {:>4} {:>7} {:>10} {:>9}\n", source.name, source.received,
                              source.clean, source.recovered, source.rejected);
+  }
+  if (!others_.empty()) {
+    page.text += fmt::format("    messages of other swarms dropped: {}\n", num_of_others_);
   }
   for (const auto& [id, count] : receiver_.counts.frames) {
     page.text += fmt::format("    frames of {}: {} received, {} lost, {} repeated, {} restarts\n",

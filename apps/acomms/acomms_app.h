@@ -10,7 +10,9 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -31,7 +33,7 @@ class AcommsApp : public App {
   static constexpr int64_t kNavTimeout_us = 2'000'000;
   static constexpr int64_t kSwarmInterval_us = 1'000'000;
 
-  /// @pre mission.IsInSwarm(vehicle)
+  /// @pre mission.SwarmOf(vehicle)
   AcommsApp(const Mission& mission, const Vehicle& vehicle, Bus& bus);
 
   void Tick(int64_t utime) override;
@@ -45,9 +47,12 @@ class AcommsApp : public App {
   void LetPass();
   void Send(const DueMessage& due, int64_t utime);
   void PublishSwarm(int64_t utime);
+  std::string SwarmText() const;
 
   const std::string name_;
   const std::string leader_;
+  const std::string swarm_name_;                     ///< Empty: the mission's only one.
+  const std::set<std::string, std::less<>> others_;  ///< Vehicles of other swarms.
   const SlotPlan plan_;
   const int64_t start_utime_;
   Bus& bus_;
@@ -74,6 +79,7 @@ class AcommsApp : public App {
   uint16_t sequence_ = 0;           ///< Of the next frame.
   int64_t num_sent_ = 0;
   int64_t num_without_nav_ = 0;
+  int64_t num_of_others_ = 0;  ///< Messages of other swarms, dropped by their group_id.
 };
 
 }  // namespace shoal

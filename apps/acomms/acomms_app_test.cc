@@ -30,9 +30,9 @@ Mission TwoInFdma() {
     vehicle.start = {.x_m = 100.0 * address, .heading_deg = 90, .speed_mps = 1};
     mission.vehicles.push_back(vehicle);
   }
-  mission.swarm.exists = true;
-  mission.swarm.leader = "alpha";
-  mission.swarm.followers = {"bravo"};
+  mission.swarms.resize(1);
+  mission.swarms[0].leader = "alpha";
+  mission.swarms[0].followers = {"bravo"};
   return mission;
 }
 
@@ -49,7 +49,7 @@ class Members {
       }
     });
     for (const Vehicle& vehicle : mission_.vehicles) {
-      if (mission_.IsInSwarm(vehicle)) Start(vehicle);
+      if (mission_.SwarmOf(vehicle) != nullptr) Start(vehicle);
     }
   }
 
@@ -265,7 +265,7 @@ TEST(Acomms, RecordsWhichFieldIsBeyondRecovery) {
 TEST(Acomms, RecordsAnswersAndFramesOfTheOthersAndItsUnusedSlots) {
   Mission mission = TwoInFdma();
   mission.acoustics.options.access_mode = AccessMode::kTdmaLf;
-  mission.swarm.frames = true;
+  mission.swarms[0].frames = true;
   Members members(mission);
   members.Run(4);
   ASSERT_EQ(members.records_["alpha"].back().num_members, 1);
@@ -282,8 +282,8 @@ TEST(Acomms, RecordsAnswersAndFramesOfTheOthersAndItsUnusedSlots) {
 
 TEST(Acomms, ChecksByTheLimitsOfItsMission) {
   Mission mission = TwoInFdma();
-  mission.swarm.limits.max_position_m = 150;
-  mission.swarm.neutral.position_m = {5, 6, 7};
+  mission.swarms[0].limits.max_position_m = 150;
+  mission.swarms[0].neutral.position_m = {5, 6, 7};
   mission.vehicles[1].recovery.of(SwarmField::kLeaderPos) = {RecoveryStrategy::kNeutral};
   mission.vehicles[0].start.x_m = 100;
   Members members(mission);
@@ -300,7 +300,7 @@ TEST(Acomms, ChecksByTheLimitsOfItsMission) {
 
 TEST(Acomms, MarksWhatIsNotKnownByTheSentinelOfItsMission) {
   Mission mission = TwoInFdma();
-  mission.swarm.sentinel.position_m = 2e6;
+  mission.swarms[0].sentinel.position_m = 2e6;
   mission.vehicles[1].recovery.of(SwarmField::kLeaderPos) = {RecoveryStrategy::kSentinel};
   Members members(mission);
   members.Run(1);
@@ -327,7 +327,7 @@ TEST(Acomms, FollowsTheRecoveryPlanOfItsVehicle) {
 
 TEST(Acomms, ShowsWhichMembersHaveBeenSilentForLong) {
   Mission mission = TwoInFdma();
-  mission.swarm.silent_after_s = 7;
+  mission.swarms[0].silent_after_s = 7;
   Members members(mission);
   members.Run(5.5);
   members.in_air_is_quiet_ = true;
@@ -420,7 +420,7 @@ TEST(Acomms, LetsSlotsPassWithoutNav) {
 TEST(Acomms, AnswersARequestInItsSlotAndTheLeaderReceivesIt) {
   Mission mission = TwoInFdma();
   mission.acoustics.options.access_mode = AccessMode::kTdmaLf;
-  mission.swarm.followers = {"charlie", "bravo"};
+  mission.swarms[0].followers = {"charlie", "bravo"};
   Members members(mission);
   members.Run(10);
   const std::vector<int64_t> alpha = members.TimesOf("alpha");

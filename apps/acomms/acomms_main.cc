@@ -33,7 +33,7 @@ swarm = "acoustic"
 reporter_pos = ["predict", "previous"]
 )",
     .misfit = [](const shoal::Mission& mission, const shoal::Vehicle& vehicle) -> std::string {
-      if (mission.IsInSwarm(vehicle)) return "";
+      if (mission.SwarmOf(vehicle) != nullptr) return "";
       return vehicle.name + " is neither the leader nor a follower of [swarm]";
     },
 };

@@ -47,9 +47,10 @@ std::vector<swarm_count_t> WriteCounts(const ReceptionCounts& counts) {
 SwarmWriter::SwarmWriter(const Mission& mission, const Vehicle& vehicle)
     : name_(vehicle.name),
       start_utime_(mission.start_utime),
-      silent_after_us_(std::llround(mission.swarm.silent_after_s * 1e6)) {
+      silent_after_us_(std::llround(OwnSwarm(mission, vehicle).silent_after_s * 1e6)) {
   for (const Vehicle& each : mission.vehicles) vehicles_.push_back(each.name);
-  for (const Vehicle* member : SwarmMembers(mission)) names_[SwarmIdOf(*member)] = member->name;
+  for (const Vehicle* member : SwarmMembers(mission, vehicle))
+    names_[SwarmIdOf(*member)] = member->name;
 }
 
 std::string SwarmWriter::NameOfId(int64_t id) const {

@@ -20,10 +20,8 @@ Mission AcousticSwarm() {
       std::get<TargetTrackTask>(task.what).swarm = SwarmKnowledge::kAcoustic;
     }
   }
-  mission.swarm = {.exists = true,
-                   .leader = "alpha",
-                   .followers = {"bravo", "charlie", "delta"},
-                   .silent_after_s = 20};
+  mission.swarms = {
+      {.leader = "alpha", .followers = {"bravo", "charlie", "delta"}, .silent_after_s = 20}};
   return mission;
 }
 

@@ -135,7 +135,7 @@ HelmApp::HelmApp(const Mission& mission, const Vehicle& vehicle, Bus& bus)
     SubscribeAs<NavNeighbour>(bus, channels::Nav(swarm_.names()[i]),
                               [this, i](const NavNeighbour& nav) { swarm_.OnNav(i, nav); });
   }
-  if (mission.IsInSwarm(vehicle)) {
+  if (mission.SwarmOf(vehicle) != nullptr) {
     Subscribe(bus, channels::Swarm(vehicle.name), [this](const swarm_t& swarm) {
       swarm_.OnSwarm(swarm);
       if (arbiter_) arbiter_->OnSwarm(swarm, utime_.value_or(0));

@@ -79,8 +79,13 @@ NavNeighbour::NavNeighbour(const nav_t& nav) : neighbour(NeighbourOf(-1, nav)) {
   is_plausible = IsPlausible(neighbour);
 }
 
+double SilentAfter_s(const Mission& mission, const Vehicle& vehicle) {
+  const SwarmOptions* swarm = mission.SwarmOf(vehicle);
+  return swarm == nullptr ? SwarmOptions().silent_after_s : swarm->silent_after_s;
+}
+
 SwarmView::SwarmView(const Mission& mission, const Vehicle& vehicle)
-    : own_(mission.vehicles.size()), silent_after_s_(mission.swarm.silent_after_s) {
+    : own_(mission.vehicles.size()), silent_after_s_(SilentAfter_s(mission, vehicle)) {
   const bool looks = std::any_of(vehicle.tasks.begin(), vehicle.tasks.end(),
                                  [](const Task& task) { return InterestOf(task).has_value(); });
   if (!looks) return;  // A thousand that go by none need no thousand tables of a thousand.

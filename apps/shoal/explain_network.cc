@@ -30,10 +30,12 @@ std::string NamesText(NameList names, size_t num_all) {
   return num_more == 0 ? text : text + fmt::format(" and {} more", num_more);
 }
 
-std::string ChannelsText(const Mission& mission) {
-  const AcousticOptions& options = mission.acoustics.options;
+/// `medium`: of [[medium]]; that of [acoustics] is not named.
+std::string ChannelsText(const Mission& mission, const AcousticOptions& options,
+                         std::string_view medium) {
   std::vector<AcousticNode> nodes;
   for (const Vehicle& vehicle : mission.vehicles) {
+    if (!vehicle.HasMedium(medium)) continue;
     nodes.push_back({.name = vehicle.name,
                      .address = vehicle.acoustic_address,
                      .is_leader = vehicle.acoustic_leader});
@@ -41,8 +43,9 @@ std::string ChannelsText(const Mission& mission) {
   const Result<ChannelPlan> plan = ChannelPlan::Make(options, nodes);
   if (!plan.ok()) return "";  // The mission has been refused for it.
   std::string text = fmt::format(
-      "\n# Acoustic channels, access_mode {}: {} of at most {} in {:g} kHz around {:g} kHz, "
+      "\n# Acoustic channels{}, access_mode {}: {} of at most {} in {:g} kHz around {:g} kHz, "
       "{:g} bit/s each\n#     {:>10} {:>9} {:>6}  sends / receives\n",
+      medium == kAcousticMedium ? "" : fmt::format(" of the medium {}", medium),
       ChoiceText(options.access_mode), plan->channels().size(),
       options.access_mode == AccessMode::kFdma ? ChannelCapacity(options)
                                                : static_cast<int>(plan->channels().size()),
@@ -72,15 +75,17 @@ std::string ChannelsText(const Mission& mission) {
   return text;
 }
 
-std::string SlotsText(const Mission& mission) {
-  const SlotPlan plan = PlanSwarm(mission).plan;
-  const Result<AirTimes> times = FindAirTimes(SwarmAirOf(mission));
+std::string SlotsText(const Mission& mission, const SwarmOptions& swarm) {
+  const SlotPlan plan = PlanSwarm(mission, swarm).plan;
+  const Result<AirTimes> times = FindAirTimes(SwarmAirOf(mission, swarm));
   if (!times.ok()) return "";  // The mission has been refused for it.
-  std::string text = fmt::format("\n# Slots of the swarm, {}: episode {:g} s",
-                                 plan.scheme == SwarmScheme::kTdmaLf   ? "tdma_lf"
-                                 : plan.scheme == SwarmScheme::kFdmaLf ? "fdma_lf"
-                                                                       : "tdma",
-                                 Seconds(plan.episode_us));
+  std::string text = fmt::format(
+      "\n# Slots of the swarm{}, {}: episode {:g} s",
+      swarm.name.empty() ? "" : fmt::format(" {} (group_id {})", swarm.name, swarm.group_id),
+      plan.scheme == SwarmScheme::kTdmaLf   ? "tdma_lf"
+      : plan.scheme == SwarmScheme::kFdmaLf ? "fdma_lf"
+                                            : "tdma",
+      Seconds(plan.episode_us));
   if (plan.scheme == SwarmScheme::kTdmaLf) {
     text += fmt::format(", request {:g} s, answers {:g} s each\n", Seconds(plan.broadcast_us),
                         Seconds(plan.response_us));
@@ -91,10 +96,9 @@ std::string SlotsText(const Mission& mission) {
       "#     on the air: report {:g} s, leader's report {:g} s, request {:g} s; travel over {:g} m "
       "{:g} s, jitter {:g} s\n#     {:<16} {:>8}  first slot\n",
       Seconds(times->report_us), Seconds(times->leader_report_us), Seconds(times->request_us),
-      mission.swarm.max_distance_m, Seconds(times->travel_us), Seconds(times->jitter_us), "member",
-      "id");
-  NameList members = {mission.swarm.leader};
-  members.insert(members.end(), mission.swarm.followers.begin(), mission.swarm.followers.end());
+      swarm.max_distance_m, Seconds(times->travel_us), Seconds(times->jitter_us), "member", "id");
+  NameList members = {swarm.leader};
+  members.insert(members.end(), swarm.followers.begin(), swarm.followers.end());
   for (size_t i = 0; i < members.size(); ++i) {
     const auto place = static_cast<int64_t>(i);
     const bool is_asked = plan.scheme == SwarmScheme::kTdmaLf && i > 0;
@@ -118,7 +122,7 @@ std::string StrategiesText(const RecoveryOrder& order) {
 std::string RecoveryText(const Mission& mission) {
   NameList names;
   for (const Vehicle& vehicle : mission.vehicles) {
-    if (mission.IsInSwarm(vehicle) && vehicle.recovery == RecoveryPlan()) {
+    if (mission.SwarmOf(vehicle) != nullptr && vehicle.recovery == RecoveryPlan()) {
       names.push_back(vehicle.name);
     }
   }
@@ -140,8 +144,15 @@ std::string RecoveryText(const Mission& mission) {
 
 std::string ExplainNetwork(const Mission& mission) {
   std::string text;
-  if (mission.acoustics.is_used) text += ChannelsText(mission);
-  if (mission.swarm.exists) text += SlotsText(mission) + RecoveryText(mission);
+  if (mission.acoustics.is_used) {
+    text += ChannelsText(mission, mission.acoustics.options, kAcousticMedium);
+  }
+  for (const MediumOptions& medium : mission.media) {
+    if (medium.kind != MediumKind::kAcoustic) continue;
+    text += ChannelsText(mission, medium.acoustics.options, medium.name);
+  }
+  for (const SwarmOptions& swarm : mission.swarms) text += SlotsText(mission, swarm);
+  if (!mission.swarms.empty()) text += RecoveryText(mission);
   return text;
 }
 

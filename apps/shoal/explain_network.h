@@ -1,4 +1,4 @@
-// What a mission's acoustic network and its swarm come to: channels, slots and recovery, as
+// What a mission's acoustic networks and its swarms come to: channels, slots and recovery, as
 // comments below the mission that `shoal check --explain` prints.
 #pragma once
 

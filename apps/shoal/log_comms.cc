@@ -116,6 +116,7 @@ class CommsSummary {
     const std::string fates_channel = channels::CommsFates().name;
     const std::string media_channel = channels::CommsMedia().name;
     const std::string tx_channel = channels::AcousticTx().name;
+    const std::string tx_on_channel = channels::AcousticTxOn().name;
     const std::string modem_channel = channels::ModemTx().name;
     while (const auto event = reader->Next()) {
       if (event->channel == fates_channel) {
@@ -124,6 +125,10 @@ class CommsSummary {
         });
       } else if (event->channel == tx_channel) {
         Take<acoustic_tx_t>(*event, [&](const acoustic_tx_t& packet) {
+          acoustic_.AddSent(VehicleKey(packet.source));
+        });
+      } else if (event->channel == tx_on_channel) {
+        Take<acoustic_tx_on_t>(*event, [&](const acoustic_tx_on_t& packet) {
           acoustic_.AddSent(VehicleKey(packet.source));
         });
       } else if (event->channel == modem_channel) {

@@ -100,7 +100,11 @@ std::vector<AcousticTraffic::Refusal> AcousticTraffic::Send(int64_t utime, Shipm
     refuse_if(Cause::kTooLong, [](const ShipmentLeg&) { return true; });
     return refusals;
   }
-  if (!source || nodes_[static_cast<size_t>(*source)].num_packets >= kMaxPacketsOfOne) {
+  std::optional<int> channel;
+  if (shipment.channel) channel = ChannelWith(*shipment.channel);
+  const bool has_channel = !shipment.channel || channel;
+  if (!source || !has_channel ||
+      nodes_[static_cast<size_t>(*source)].num_packets >= kMaxPacketsOfOne) {
     refuse_if(Cause::kNoChannel, [](const ShipmentLeg&) { return true; });
     return refusals;
   }
@@ -119,8 +123,9 @@ std::vector<AcousticTraffic::Refusal> AcousticTraffic::Send(int64_t utime, Shipm
   std::vector<uint8_t> frame = shipment.payload;
   if (crc_) AppendLittleEndian(Crc32(shipment.payload), &frame);
   const int64_t sent_utime = SentUtime(utime);
-  const int64_t number = network_.Transmit(SecondsOf(sent_utime), *source, positions_m_, frame,
-                                           receivers, shipment.data_rate_bps);
+  const int64_t number =
+      network_.Transmit(SecondsOf(sent_utime), *source, positions_m_, frame, receivers,
+                        {.data_rate_bps = shipment.data_rate_bps, .channel = channel});
   if (receivers.empty()) return refusals;
   ++nodes_[static_cast<size_t>(*source)].num_packets;
   const size_t num_legs = receivers.size();
@@ -207,6 +212,13 @@ std::optional<uint32_t> AcousticTraffic::AddressOf(std::string_view name) const 
   const std::optional<int> node = FindNode(name);
   if (!node) return std::nullopt;
   return nodes_[static_cast<size_t>(*node)].address;
+}
+
+std::optional<int> AcousticTraffic::ChannelWith(int id) const {
+  const std::span<const AcousticChannel> channels = network_.plan().channels();
+  const auto found = std::ranges::find(channels, id, &AcousticChannel::id);
+  if (found == channels.end()) return std::nullopt;
+  return static_cast<int>(found - channels.begin());
 }
 
 std::string_view AcousticTraffic::VehicleAt(uint32_t address) const {

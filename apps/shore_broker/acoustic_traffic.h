@@ -85,6 +85,8 @@ class AcousticTraffic {
   std::string_view VehicleAt(uint32_t address) const;
   /// Returns a packet's name: "alpha 12".
   std::string NameOf(const PacketId& packet) const;
+  /// Returns the channel with this id, an index of the network's plan, or nothing.
+  std::optional<int> ChannelWith(int id) const;
   int ChannelId(int32_t channel) const {
     return channel < 0 ? -1 : network_.plan().channel(channel).id;
   }

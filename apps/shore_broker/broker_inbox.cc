@@ -5,22 +5,24 @@
 namespace shoal {
 
 BrokerInbox::BrokerInbox(Bus& bus) {
-  Keep(bus, channels::NodeReportLocal().name, false, &reports_);
-  Keep(bus, channels::NodeReportFromOutside().name, true, &reports_);
-  Keep(bus, channels::NodeMessageLocal().name, false, &messages_);
-  Keep(bus, channels::NodeMessageFromOutside().name, true, &messages_);
-  Keep(bus, channels::AckMessage().name, false, &acks_);
-  Keep(bus, channels::RelayTx().name, false, &relays_);
-  Keep(bus, channels::AcousticTx().name, false, &packets_);
-  Keep(bus, channels::ModemTx().name, true, &packets_);
-  Keep(bus, channels::HelmCommandAll().name, false, &commands_);
+  Keep(bus, channels::NodeReportLocal().name, {}, &reports_);
+  Keep(bus, channels::NodeReportFromOutside().name, {.from_outside = true}, &reports_);
+  Keep(bus, channels::NodeMessageLocal().name, {}, &messages_);
+  Keep(bus, channels::NodeMessageFromOutside().name, {.from_outside = true}, &messages_);
+  Keep(bus, channels::AckMessage().name, {}, &acks_);
+  Keep(bus, channels::RelayTx().name, {}, &relays_);
+  Keep(bus, channels::AcousticTx().name, {.packet = Packet::kAcousticTx}, &packets_);
+  Keep(bus, channels::AcousticTxOn().name, {.packet = Packet::kAcousticTxOn}, &packets_);
+  Keep(bus, channels::ModemTx().name, {.packet = Packet::kModemTx}, &packets_);
+  Keep(bus, channels::HelmCommandAll().name, {}, &commands_);
 }
 
-void BrokerInbox::Keep(Bus& bus, const std::string& channel, bool from_outside,
+void BrokerInbox::Keep(Bus& bus, const std::string& channel, const Item& kind,
                        std::vector<Item>* list) {
-  bus.SubscribeBytes(channel, [this, list, from_outside](const Message& message) {
-    list->push_back(
-        {.begin = arena_.size(), .size = message.data.size(), .from_outside = from_outside});
+  bus.SubscribeBytes(channel, [this, list, kind](const Message& message) {
+    Item& item = list->emplace_back(kind);
+    item.begin = arena_.size();
+    item.size = message.data.size();
     arena_.insert(arena_.end(), message.data.begin(), message.data.end());
   });
 }

@@ -13,11 +13,13 @@ namespace shoal {
 
 class BrokerInbox {
  public:
+  /// What a packet came as.
+  enum class Packet { kAcousticTx, kAcousticTxOn, kModemTx };
   struct Item {
     size_t begin = 0;
     size_t size = 0;
-    bool from_outside =
-        false;  ///< Came on the channel of vehicles from outside; a packet, MODEM_TX.
+    bool from_outside = false;  ///< Came on the channel of vehicles from outside.
+    Packet packet = Packet::kAcousticTx;
   };
 
   /// Subscribes to reports, messages, acks, what gateways forward, packets and commands.
@@ -43,7 +45,8 @@ class BrokerInbox {
   void Clear();
 
  private:
-  void Keep(Bus& bus, const std::string& channel, bool from_outside, std::vector<Item>* list);
+  /// Appends what comes on the channel to the list, as `kind` has it.
+  void Keep(Bus& bus, const std::string& channel, const Item& kind, std::vector<Item>* list);
 
   Bytes arena_;
   std::vector<Item> reports_;

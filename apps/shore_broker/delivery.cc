@@ -104,6 +104,7 @@ void Delivery::SendOverMedia(int64_t utime, const DecidedTransmission& sent) {
   shipment.message.assign(sent.raw.begin(), sent.raw.end());
   shipment.payload = sent.air_bytes();
   shipment.data_rate_bps = sent.data_rate_bps;
+  shipment.channel = sent.channel;
   shipment.from_m = sent.from_m;
   shipment.has_pulses = sent.has_pulses;
   shipment.color = sent.color;
@@ -292,6 +293,17 @@ void Delivery::DeliverPacket(int64_t utime, const LegEnd& arrival) {
   message.num_bytes = static_cast<int32_t>(arrival.payload.size());
   message.payload.assign(arrival.payload.begin(), arrival.payload.end());
   Publish(bus_, channels::AcousticRx(arrival.leg.destination), message);
+  if (!arrival.shipment.channel || arrival.acoustic == nullptr) return;
+  acoustic_rx_on_t on_channel;
+  on_channel.utime = message.utime;
+  on_channel.source = std::move(message.source);
+  on_channel.channel = arrival.acoustic->ChannelId(arrival.reception->channel);
+  on_channel.number = message.number;
+  on_channel.sent_utime = message.sent_utime;
+  on_channel.arrived_utime = message.arrived_utime;
+  on_channel.num_bytes = message.num_bytes;
+  on_channel.payload = std::move(message.payload);
+  Publish(bus_, channels::AcousticRxOn(arrival.leg.destination), on_channel);
 }
 
 const Delivery::ReceiverChannels& Delivery::ChannelsOf(int32_t index) {

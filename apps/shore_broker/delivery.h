@@ -9,8 +9,8 @@
 //   delivery.Flush(utime);
 //
 // Publishes NODE_REPORT_<V>, NODE_MESSAGE_<V> and ACK_MESSAGE_<V> (the bytes that came in, unless
-// an acoustic network damaged them), ACOUSTIC_RX_<V>, RELAY_RX_<V>, COMMS_FATES, VIEW_COMMS_PULSE
-// and, where vehicles have media of their own, COMMS_MEDIA.
+// an acoustic network damaged them), ACOUSTIC_RX_<V>, ACOUSTIC_RX_ON_<V>, RELAY_RX_<V>,
+// COMMS_FATES, VIEW_COMMS_PULSE and, where vehicles have media of their own, COMMS_MEDIA.
 #pragma once
 
 #include <Eigen/Core>
@@ -49,6 +49,7 @@ struct DecidedTransmission {
   /// Writes it for the air; asked only for what goes over media.
   std::function<std::vector<uint8_t>()> air_bytes = {};
   std::optional<double> data_rate_bps = {};  ///< On the air; absent: the network's.
+  std::optional<int> channel = {};           ///< Its id; absent: the sender's own.
   const MediaChoice* over = nullptr;         ///< What may carry it.
   Provenance provenance = {};                ///< Without an origin: the source has made it.
 };

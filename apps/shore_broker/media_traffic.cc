@@ -1,5 +1,7 @@
 #include "apps/shore_broker/media_traffic.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -229,6 +231,24 @@ void MediaTraffic::Send(int64_t utime, Shipment shipment, const MediaChoice& cho
     legs_by_medium[place].clear();
   }
   legs_by_medium_ = std::move(legs_by_medium);
+}
+
+std::string MediaTraffic::ChannelProblem(const MediaChoice& choice, int id) {
+  constexpr size_t kMostShown = 10;
+  std::string problem;
+  for (const size_t place : Resolve(choice)) {
+    if (media_[place].carrier != Carrier::kAcoustic) continue;
+    const AcousticTraffic& acoustic = *acoustics_[media_[place].acoustic];
+    if (acoustic.ChannelWith(id)) return "";
+    std::string ids;
+    const auto channels = acoustic.network().plan().channels();
+    for (size_t i = 0; i < std::min(channels.size(), kMostShown); ++i) {
+      ids += fmt::format("{}{}", i == 0 ? "" : ", ", channels[i].id);
+    }
+    problem = fmt::format("{} has no channel {}: send on one of its channels, {}{}",
+                          media_[place].name, id, ids, channels.size() > kMostShown ? " ..." : "");
+  }
+  return problem;
 }
 
 void MediaTraffic::SendOver(size_t place, int64_t utime, std::string_view source,

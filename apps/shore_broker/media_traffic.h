@@ -51,6 +51,10 @@ class MediaTraffic {
   /// Calls `take` for each leg that has ended until `utime`, in order of time.
   void Deliver(int64_t utime, const TakeLegEnd& take);
 
+  /// Returns why no acoustic network of a choice can send on the channel with this id; empty: one
+  /// can, or none is among them.
+  std::string ChannelProblem(const MediaChoice& choice, int id);
+
   /// Legs without a fate; copies count as one.
   int64_t num_in_transit() const;
   /// Returns a mission time before which Deliver has nothing to report, unless more is sent.

@@ -61,6 +61,7 @@ struct Shipment {
   std::vector<uint8_t> message;         ///< As it came to the broker.
   std::vector<uint8_t> payload;         ///< What goes over the air, without a checksum.
   std::optional<double> data_rate_bps;  ///< Its own; absent: the network's.
+  std::optional<int> channel = {};      ///< The id that its sender chose; absent: the sender's own.
   Eigen::Vector3d from_m = Eigen::Vector3d::Zero();
   bool has_pulses = false;
   std::string color;  ///< Of its pulses.

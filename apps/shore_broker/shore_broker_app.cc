@@ -90,7 +90,7 @@ void ShoreBrokerApp::Tick(int64_t utime) {
   for (const BrokerInbox::Item& ack : inbox_.acks()) RouteAck(utime, ack);
   for (const BrokerInbox::Item& relay : inbox_.relays()) RouteRelay(utime, relay);
   for (const BrokerInbox::Item& packet : inbox_.packets()) {
-    packet.from_outside ? RouteModemPacket(utime, packet) : RoutePacket(utime, packet);
+    RoutePacket(utime, packet);
   }
   delivery_.TakeArrivals(utime);
   delivery_.Flush(utime);
@@ -365,19 +365,28 @@ bool ShoreBrokerApp::RouteRelayed(int64_t utime, const MediaChoice& over) {
 }
 
 void ShoreBrokerApp::RoutePacket(int64_t utime, const BrokerInbox::Item& item) {
-  if (!DecodeItem(item, channels::AcousticTx(), &packet_)) return;
-  RouteBytes(utime, item, packet_.source, packet_.payload, std::nullopt);
-}
-
-void ShoreBrokerApp::RouteModemPacket(int64_t utime, const BrokerInbox::Item& item) {
+  switch (item.packet) {
+    case BrokerInbox::Packet::kAcousticTx:
+      if (!DecodeItem(item, channels::AcousticTx(), &packet_)) return;
+      return RouteBytes(utime, item, packet_.source, packet_.payload, {});
+    case BrokerInbox::Packet::kAcousticTxOn:
+      if (!DecodeItem(item, channels::AcousticTxOn(), &channel_packet_)) return;
+      return RouteBytes(utime, item, channel_packet_.source, channel_packet_.payload,
+                        {.channel = channel_packet_.channel});
+    case BrokerInbox::Packet::kModemTx:
+      break;
+  }
   if (!DecodeItem(item, channels::ModemTx(), &modem_packet_)) return;
-  RouteBytes(utime, item, modem_packet_.source, modem_packet_.payload, modem_packet_.data_rate_bps);
+  RouteBytes(utime, item, modem_packet_.source, modem_packet_.payload,
+             {.data_rate_bps = modem_packet_.data_rate_bps});
 }
 
-/// `data_rate_bps`: present for what a modem sends; 0: at the network's.
+/// `options.data_rate_bps`: present for what a modem sends; 0: at the network's. `options.channel`:
+/// an id.
 void ShoreBrokerApp::RouteBytes(int64_t utime, const BrokerInbox::Item& item,
                                 const std::string& source, const std::vector<uint8_t>& payload,
-                                std::optional<double> data_rate_bps) {
+                                const SendOptions& options) {
+  const std::optional<double> data_rate_bps = options.data_rate_bps;
   constexpr double kSlowest_bps = 0.1;
   constexpr double kFastest_bps = 1e9;
   const double rate_bps = data_rate_bps.value_or(0);
@@ -394,6 +403,11 @@ void ShoreBrokerApp::RouteBytes(int64_t utime, const BrokerInbox::Item& item,
                             : "invalid ACOUSTIC_TX refused: a vehicle's name and a payload are "
                               "needed");
   }
+  const MediaChoice& over = setup_.media.PacketsOver(source);
+  if (options.channel && IsInTransit(decisions_)) {
+    const std::string problem = traffic_.ChannelProblem(over, *options.channel);
+    if (!problem.empty()) log_.Warn(fmt::format("ACOUSTIC_TX_ON of {}: {}", source, problem));
+  }
   Conclude(utime, {.written_source = LegalOrEmpty(source),
                    .raw = inbox_.BytesOf(item),
                    .from_m = PositionOfSource(),
@@ -401,7 +415,8 @@ void ShoreBrokerApp::RouteBytes(int64_t utime, const BrokerInbox::Item& item,
                    .color = router_.rules().msg_color,
                    .air_bytes = [&] { return payload; },
                    .data_rate_bps = has_rate ? std::optional(rate_bps) : std::nullopt,
-                   .over = &setup_.media.packets_over});
+                   .channel = options.channel,
+                   .over = &over});
 }
 
 Eigen::Vector3d ShoreBrokerApp::PositionOfSource() const {

@@ -1,5 +1,5 @@
 // Decides which vehicle receives what. Subscribes to NODE_REPORT_LOCAL, NODE_REPORT,
-// NODE_MESSAGE_LOCAL, NODE_MESSAGE, ACK_MESSAGE, RELAY_TX, ACOUSTIC_TX, MODEM_TX, UNC_* and
+// NODE_MESSAGE_LOCAL, NODE_MESSAGE, ACK_MESSAGE, RELAY_TX, ACOUSTIC_TX(_ON), MODEM_TX, UNC_* and
 // HELM_COMMAND, and where there is an acoustic network or vehicles have media of their own to
 // NAV_<V>, by which media and the rules for packets decide; publishes what delivery.h lists,
 // COMMS_RULES, NODE_REPORT_UNC and HELM_COMMAND_<V>. Outside stepping it answers COMMS_RULES_REQ
@@ -89,9 +89,8 @@ class ShoreBrokerApp : public Broker {
   /// Routes what relay_ holds. False: it is none of its kind.
   bool RouteRelayed(int64_t utime, const MediaChoice& over);
   void RoutePacket(int64_t utime, const BrokerInbox::Item& item);
-  void RouteModemPacket(int64_t utime, const BrokerInbox::Item& item);
   void RouteBytes(int64_t utime, const BrokerInbox::Item& item, const std::string& source,
-                  const std::vector<uint8_t>& payload, std::optional<double> data_rate_bps);
+                  const std::vector<uint8_t>& payload, const SendOptions& options);
   void Share(int64_t utime, const WaitingReport& report);
   void Forget(int64_t utime);
   /// Has decisions_ carried out, and clears them.
@@ -122,11 +121,12 @@ class ShoreBrokerApp : public Broker {
   std::vector<WaitingControl> controls_;
   std::vector<WaitingReport> admitted_;  ///< In this step.
 
-  node_report_t report_;  ///< Decoded into, like the next five; keep their strings' memory.
+  node_report_t report_;  ///< Decoded into, like the next six; keep their strings' memory.
   node_message_t message_;
   ack_message_t ack_;
   relay_t relay_;
   acoustic_tx_t packet_;
+  acoustic_tx_on_t channel_packet_;
   modem_tx_t modem_packet_;
   std::vector<Decision> decisions_;         ///< Of one transmission.
   std::vector<std::string> unknown_names_;  ///< Destinations of one transmission.

@@ -50,12 +50,16 @@ Result<int> AcousticNetwork::AddNode(const AcousticNode& node) {
 int64_t AcousticNetwork::Transmit(double time_s, int source,
                                   std::span<const Eigen::Vector3d> positions_m,
                                   std::span<const uint8_t> bytes, std::span<const int> receivers,
-                                  std::optional<double> data_rate_bps) {
+                                  const SendOptions& options) {
   SHOAL_CHECK(std::isfinite(time_s) && time_s >= now_s_,
               "time_s is finite and not before an earlier call");
   SHOAL_CHECK(source >= 0 && source < num_nodes(), "source is the index of a node");
   SHOAL_CHECK(positions_m.size() == nodes_.size(), "each node has a position");
+  const std::optional<double> data_rate_bps = options.data_rate_bps;
   SHOAL_CHECK(!data_rate_bps || *data_rate_bps > 0, "data_rate_bps > 0");
+  const int channel = options.channel.value_or(plan_.SendsOn(source));
+  SHOAL_CHECK(channel >= 0 && channel < static_cast<int>(plan_.channels().size()),
+              "the plan has the channel");
   now_s_ = time_s;
   Recycle();
 
@@ -69,7 +73,7 @@ int64_t AcousticNetwork::Transmit(double time_s, int source,
   transmission.data_rate_bps = data_rate_bps;
   transmission.air_s =
       8 * static_cast<double>(bytes.size()) / data_rate_bps.value_or(options_.data_rate_bps);
-  transmission.channel = plan_.SendsOn(source);
+  transmission.channel = channel;
   transmission.num_users = 1;  // This call: the bytes outlive it.
   if (options_.half_duplex && !bytes.empty()) {
     ++transmission.num_users;

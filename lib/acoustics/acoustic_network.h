@@ -39,6 +39,15 @@
 
 namespace shoal {
 
+/// What a packet has of its own.
+struct SendOptions {
+  /// It lasts as long, and comes as far, as this rate does; absent: the network's. @pre > 0
+  std::optional<double> data_rate_bps = {};
+  /// An index of the plan's channels; absent: the source's own. Only nodes that receive on it get
+  /// the packet, and only packets on it collide with it. @pre the plan has it
+  std::optional<int> channel = {};
+};
+
 class AcousticNetwork {
  public:
   /// Half the circumference of the Earth.
@@ -59,13 +68,11 @@ class AcousticNetwork {
   /// Sends `bytes` once, for these receivers, in any order; the source itself and repetitions are
   /// passed over. `positions_m` has one for each node, x East, y North, z down; those of nodes that
   /// are not involved do not matter, and one that is not finite is not known. Returns the packet's
-  /// number, which counts the source's. `data_rate_bps`: of this packet, which then lasts as long,
-  /// and comes as far, as that rate does; absent: the network's.
-  /// @pre time_s is finite and not before that of an earlier Transmit or Deliver; data_rate_bps >
-  /// 0.
+  /// number, which counts the source's.
+  /// @pre time_s is finite and not before that of an earlier Transmit or Deliver
   int64_t Transmit(double time_s, int source, std::span<const Eigen::Vector3d> positions_m,
                    std::span<const uint8_t> bytes, std::span<const int> receivers,
-                   std::optional<double> data_rate_bps = std::nullopt);
+                   const SendOptions& options = {});
 
   /// Returns what ended until `until_s` and was not returned before, in order of end; at the same
   /// moment in the order in which they were sent, then of receivers. Valid until the next call of

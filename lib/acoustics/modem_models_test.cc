@@ -75,7 +75,7 @@ TEST(ModemLoss, IsTheLessTheSlowerAPacketIs) {
   double last = -1;
   for (const double rate_bps : {40.0, 463.0, 5000.0}) {
     AcousticNetwork network(Lossy(), 1, TestNodes(2));
-    network.Transmit(0, 0, positions_m, Bytes(37), AllOf(network), rate_bps);
+    network.Transmit(0, 0, positions_m, Bytes(37), AllOf(network), {.data_rate_bps = rate_bps});
     const Reception reception = DeliverAll(&network).at(0).reception;
     EXPECT_DOUBLE_EQ(reception.air_s, 8 * 37 / rate_bps);
     const LinkBudget link = LinkModel(kCodedModem, kSea).At(kRange_m, rate_bps);

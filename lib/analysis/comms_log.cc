@@ -35,8 +35,8 @@ const std::vector<std::string>& BrokerChannels() {
         channels::NodeReportLocal().name,  channels::NodeReportFromOutside().name,
         channels::NodeMessageLocal().name, channels::NodeMessageFromOutside().name,
         channels::AckMessage().name,       channels::RelayTx().name,
-        channels::AcousticTx().name,       channels::ModemTx().name,
-        channels::UncControls().name};
+        channels::AcousticTx().name,       channels::AcousticTxOn().name,
+        channels::ModemTx().name,          channels::UncControls().name};
     for (const ControlRow& row : ControlTable()) made.push_back(channels::Control(row).name);
     std::sort(made.begin(), made.end());
     made.push_back(channels::CommsFates().name);

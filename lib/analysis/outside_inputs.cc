@@ -62,6 +62,9 @@ std::optional<std::pair<Kind, std::string>> SourceOf(const CommsLog& log,
   } else if (channel == channels::AcousticTx().name) {
     acoustic_tx_t packet;
     if (Decode(data, &packet)) return std::pair(Kind::kPacket, VehicleKey(packet.source));
+  } else if (channel == channels::AcousticTxOn().name) {
+    acoustic_tx_on_t packet;
+    if (Decode(data, &packet)) return std::pair(Kind::kPacket, VehicleKey(packet.source));
   } else if (channel == channels::ModemTx().name) {
     modem_tx_t packet;
     if (Decode(data, &packet)) return std::pair(Kind::kPacket, VehicleKey(packet.source));

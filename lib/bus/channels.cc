@@ -73,6 +73,9 @@ Channel<ack_message_t> AckMessageTo(std::string_view vehicle) {
 Channel<acoustic_rx_t> AcousticRx(std::string_view vehicle) {
   return {Of(topics::kAcousticRx, vehicle)};
 }
+Channel<acoustic_rx_on_t> AcousticRxOn(std::string_view vehicle) {
+  return {Of(topics::kAcousticRxOn, vehicle)};
+}
 Channel<swarm_t> Swarm(std::string_view vehicle) { return {Of(topics::kSwarm, vehicle)}; }
 Channel<relay_t> RelayRx(std::string_view vehicle) { return {Of(topics::kRelayRx, vehicle)}; }
 Channel<acomms_t> Acomms(std::string_view vehicle) { return {Of(topics::kAcomms, vehicle)}; }
@@ -84,6 +87,7 @@ Channel<node_message_t> NodeMessageLocal() { return {std::string(topics::kNodeMe
 Channel<node_message_t> NodeMessageFromOutside() { return {std::string(topics::kNodeMessage)}; }
 Channel<ack_message_t> AckMessage() { return {std::string(topics::kAckMessage)}; }
 Channel<acoustic_tx_t> AcousticTx() { return {std::string(topics::kAcousticTx)}; }
+Channel<acoustic_tx_on_t> AcousticTxOn() { return {std::string(topics::kAcousticTxOn)}; }
 Channel<modem_tx_t> ModemTx() { return {std::string(topics::kModemTx)}; }
 Channel<relay_t> RelayTx() { return {std::string(topics::kRelayTx)}; }
 Channel<unc_control_t> Control(const ControlRow& row) { return {std::string(row.channel)}; }
@@ -147,6 +151,8 @@ std::vector<ChannelRow> MakeTable() {
        "node_reporter, your programs", "one per ack that got through", true},
       {topics::kAcousticRx, kVehicle, "acoustic_rx_t", "shore_broker",
        "acomms, netsim_manager, vehicle_sim, your programs", "one per packet that arrived", true},
+      {topics::kAcousticRxOn, kVehicle, "acoustic_rx_on_t", "shore_broker", "your programs",
+       "one per packet that arrived and whose sender chose the channel", true},
       {topics::kSwarm, kVehicle, "swarm_t", "acomms", "helm, shoal, viewer",
        "when a message arrives, at least 1 Hz", true},
       {topics::kRelayRx, kVehicle, "relay_t", "shore_broker", "gateway",
@@ -169,6 +175,8 @@ std::vector<ChannelRow> MakeTable() {
       {topics::kAckMessage, kShore, "ack_message_t", "node_reporter, vehicles from outside",
        "shore_broker", "one per message received that asks for it", true},
       {topics::kAcousticTx, kShore, "acoustic_tx_t", "acomms, your programs", "shore_broker, shoal",
+       "when needed", true},
+      {topics::kAcousticTxOn, kShore, "acoustic_tx_on_t", "your programs", "shore_broker, shoal",
        "when needed", true},
       {topics::kModemTx, kShore, "modem_tx_t", "netsim_manager", "shore_broker, shoal",
        "when needed", true},

@@ -14,7 +14,9 @@
 #include "lib/routing/control.h"
 #include "shoal/ack_message_t.hpp"
 #include "shoal/acomms_t.hpp"
+#include "shoal/acoustic_rx_on_t.hpp"
 #include "shoal/acoustic_rx_t.hpp"
+#include "shoal/acoustic_tx_on_t.hpp"
 #include "shoal/acoustic_tx_t.hpp"
 #include "shoal/actuators_t.hpp"
 #include "shoal/appcast_req_t.hpp"
@@ -72,12 +74,14 @@ inline constexpr std::string_view kNodeMessage = "NODE_MESSAGE";
 inline constexpr std::string_view kMediatedMessage = "MEDIATED_MESSAGE";
 inline constexpr std::string_view kAckMessage = "ACK_MESSAGE";
 inline constexpr std::string_view kAcousticRx = "ACOUSTIC_RX";
+inline constexpr std::string_view kAcousticRxOn = "ACOUSTIC_RX_ON";
 inline constexpr std::string_view kSwarm = "SWARM";
 inline constexpr std::string_view kRelayRx = "RELAY_RX";
 inline constexpr std::string_view kAcomms = "ACOMMS";
 inline constexpr std::string_view kNodeReportLocal = "NODE_REPORT_LOCAL";
 inline constexpr std::string_view kNodeMessageLocal = "NODE_MESSAGE_LOCAL";
 inline constexpr std::string_view kAcousticTx = "ACOUSTIC_TX";
+inline constexpr std::string_view kAcousticTxOn = "ACOUSTIC_TX_ON";
 inline constexpr std::string_view kModemTx = "MODEM_TX";
 inline constexpr std::string_view kRelayTx = "RELAY_TX";
 inline constexpr std::string_view kUncControls = "UNC_CONTROLS";
@@ -127,6 +131,7 @@ Channel<node_message_t> NodeMessage(std::string_view vehicle);
 Channel<node_message_t> MediatedMessage(std::string_view vehicle);
 Channel<ack_message_t> AckMessageTo(std::string_view vehicle);
 Channel<acoustic_rx_t> AcousticRx(std::string_view vehicle);
+Channel<acoustic_rx_on_t> AcousticRxOn(std::string_view vehicle);
 Channel<swarm_t> Swarm(std::string_view vehicle);
 Channel<relay_t> RelayRx(std::string_view vehicle);
 Channel<acomms_t> Acomms(std::string_view vehicle);
@@ -139,6 +144,7 @@ Channel<node_message_t> NodeMessageLocal();
 Channel<node_message_t> NodeMessageFromOutside();
 Channel<ack_message_t> AckMessage();
 Channel<acoustic_tx_t> AcousticTx();
+Channel<acoustic_tx_on_t> AcousticTxOn();
 Channel<modem_tx_t> ModemTx();
 Channel<relay_t> RelayTx();
 Channel<unc_control_t> Control(const ControlRow& row);

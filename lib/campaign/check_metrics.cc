@@ -36,7 +36,7 @@ void CheckDelivery(const Mission& mission, const TablePlace& place, MetricSpec* 
   const std::vector<size_t> from = TakeVehicles(mission, place, "from", &spec->from);
   const std::vector<size_t> to = TakeVehicles(mission, place, "to", &spec->to);
   CheckTwoEnds(place, "to", from, to);
-  if (!spec->traffic && !mission.swarm.exists) {
+  if (!spec->traffic && mission.swarms.empty()) {
     place.Refuse("traffic", "there are swarm messages only where the mission has a [swarm]");
   }
   const int64_t limit = mission.comms.each_fate_up_to;
@@ -52,7 +52,7 @@ void CheckAges(const Mission& mission, const TablePlace& place, MetricSpec* spec
   const std::vector<size_t> vehicles = TakeVehicles(mission, place, "vehicle", &spec->vehicle);
   const std::vector<size_t> contacts = TakeVehicles(mission, place, "to", &spec->to);
   CheckTwoEnds(place, "to", vehicles, contacts);
-  if (spec->source == AgeSource::kSwarm && !mission.swarm.exists) {
+  if (spec->source == AgeSource::kSwarm && mission.swarms.empty()) {
     place.Refuse("source",
                  "there are contacts of a swarm only where the mission has a [swarm]: "
                  "write source = \"reports\"");
@@ -60,7 +60,7 @@ void CheckAges(const Mission& mission, const TablePlace& place, MetricSpec* spec
   if (!place.IsSound() || !IsOfSwarm(mission, spec->source)) return;
   for (const auto& [key, named] : {std::pair("vehicle", &vehicles), std::pair("to", &contacts)}) {
     if (std::any_of(named->begin(), named->end(),
-                    [&](size_t i) { return mission.IsInSwarm(mission.vehicles[i]); })) {
+                    [&](size_t i) { return mission.SwarmOf(mission.vehicles[i]) != nullptr; })) {
       continue;
     }
     place.Refuse(key,

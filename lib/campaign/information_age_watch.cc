@@ -33,7 +33,7 @@ class InformationAgeWatch : public MetricWatch {
     for (const size_t vehicle : vehicles_) {
       const std::string& name = mission_.vehicles[vehicle].name;
       if (is_of_swarm_) {
-        if (!mission_.IsInSwarm(mission_.vehicles[vehicle])) continue;
+        if (mission_.SwarmOf(mission_.vehicles[vehicle]) == nullptr) continue;
         shoal::Subscribe(bus, channels::Swarm(name),
                          [this](const swarm_t& swarm) { swarm_ages_.Add(swarm); });
       } else {

@@ -25,7 +25,7 @@ std::optional<FollowZone> FollowZoneOf(const TargetTrackTask& task) {
 }
 
 bool IsOfSwarm(const Mission& mission, AgeSource source) {
-  return source == AgeSource::kSwarm || (source == AgeSource::kAuto && mission.swarm.exists);
+  return source == AgeSource::kSwarm || (source == AgeSource::kAuto && !mission.swarms.empty());
 }
 
 }  // namespace shoal

@@ -156,21 +156,6 @@ void FillInRadii(Mission& mission, const TablePlace& file) {
   }
 }
 
-/// Returns the vehicles that follow the leader by what the acoustic network lets through.
-std::vector<std::string> AcousticFollowers(const Mission& mission) {
-  std::vector<std::string> followers;
-  for (const Vehicle& vehicle : mission.vehicles) {
-    const bool follows =
-        std::any_of(vehicle.tasks.begin(), vehicle.tasks.end(), [&](const Task& task) {
-          const auto* track = std::get_if<TargetTrackTask>(&task.what);
-          if (track == nullptr || track->swarm != SwarmKnowledge::kAcoustic) return false;
-          return mission.FindVehicle(track->target) == mission.FindVehicle(mission.swarm.leader);
-        });
-    if (follows && vehicle.name != mission.swarm.leader) followers.push_back(vehicle.name);
-  }
-  return followers;
-}
-
 bool UsesAcoustics(const RoutingRules& rules) {
   return rules.reports_over.Has(kAcousticMedium) || rules.messages_over.Has(kAcousticMedium);
 }
@@ -192,15 +177,7 @@ void ResolveNames(Mission& mission, const TablePlace& file) {
   ResolveTargets(mission, file);
   ResolveSurveyShares(mission, file);
   ResolveContacts(mission, file);
-  if (mission.swarm.exists) {
-    const TablePlace swarm = file.Below("swarm");
-    ResolveVehicle(swarm, "leader", mission.swarm.leader, mission, false);
-    if (mission.FindVehicle(mission.swarm.leader) != nullptr) {
-      for (std::string& follower : mission.swarm.followers) {
-        ResolveVehicle(swarm, "followers", follower, mission, false);
-      }
-    }
-  }
+  ResolveSwarms(mission, file);
   if (mission.netsim) {
     const TablePlace netsim = file.Below("netsim");
     for (size_t i = 0; i < mission.netsim->vehicles.size(); ++i) {
@@ -222,21 +199,7 @@ void CompleteMission(Mission& mission, const TablePlace& file) {
   FillInAddresses(mission);
   FillInDomains(mission);
   FillInRadii(mission, file);
-  if (!mission.swarm.exists) return;
-  const Vehicle* leader = mission.FindVehicle(mission.swarm.leader);
-  if (leader == nullptr) return;
-  for (size_t i = 0; i < mission.vehicles.size(); ++i) {
-    Vehicle& vehicle = mission.vehicles[i];
-    if (&vehicle != leader) continue;
-    const TablePlace place = file.Below("vehicle", i);
-    if (!vehicle.acoustic_leader && place.Has("acoustic_leader")) {
-      place.Warn("acoustic_leader",
-                 "acoustic_leader = false has no effect: " + vehicle.name +
-                     " is the leader of [swarm], which always has it: leave it out");
-    }
-    vehicle.acoustic_leader = true;
-  }
-  if (!file.Below("swarm").Has("followers")) mission.swarm.followers = AcousticFollowers(mission);
+  FillInSwarms(mission, file);
 }
 
 }  // namespace shoal

@@ -15,6 +15,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "lib/mission/fields.h"
 #include "lib/mission/mission.h"
@@ -96,8 +97,8 @@ void Describe(Fields& fields, Domain& domain);
 /// One [[obstacle]].
 void Describe(Fields& fields, Obstacle& obstacle);
 
-/// [swarm].
-void Describe(Fields& fields, SwarmOptions& swarm);
+/// [swarm], or each [[swarm]].
+void DescribeSwarms(Fields& file, std::vector<SwarmOptions>& swarms);
 
 /// [netsim].
 void Describe(Fields& fields, NetsimOptions& options);

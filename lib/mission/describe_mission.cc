@@ -147,9 +147,7 @@ void Describe(Fields& file, Mission& mission) {
     fields.Require("name", "name = \"alpha\"");
   });
   file.Skip("fleet");
-  if (file.Has("swarm", mission.swarm.exists)) {
-    file.Below("swarm", [&](Fields& fields) { Describe(fields, mission.swarm); });
-  }
+  DescribeSwarms(file, mission.swarms);
   if (!file.reading()) DescribeNetsim(file, mission);
   file.List("event", mission.events,
             [&](Fields& fields, Event& event) { Describe(fields, event, end_s); });

@@ -1,4 +1,4 @@
-// The table [swarm], and [vehicle.recovery].
+// The table [swarm] or the tables [[swarm]], and [vehicle.recovery].
 #include <fmt/format.h>
 
 #include <array>
@@ -62,11 +62,8 @@ void DescribeFields(Fields& fields, SwarmOptions& swarm) {
   }
 }
 
-}  // namespace
-
-void Describe(Fields& fields, SwarmOptions& swarm) {
+void DescribeSwarm(Fields& fields, SwarmOptions& swarm) {
   constexpr std::array<std::string_view, 4> kSchedulers = {"auto", "fdma_lf", "tdma", "tdma_lf"};
-  swarm.exists = true;
   fields.Require("leader", "leader = \"alpha\"");
   fields.Text("leader", swarm.leader, {.min_length = 1});
   fields.Texts("followers", swarm.followers, static_cast<size_t>(kMostFollowers));
@@ -83,6 +80,38 @@ void Describe(Fields& fields, SwarmOptions& swarm) {
   fields.Below("fields", [&](Fields& table) { DescribeFields(table, swarm); });
   if (!swarm.group_id.empty() && !std::isalnum(static_cast<unsigned char>(swarm.group_id[0]))) {
     fields.Refuse("group_id", "group_id must be a letter or a digit");
+  }
+}
+
+/// One of several. Only [[swarm]] has a name, and other ways than followers to name its members.
+void DescribeOneOfMany(Fields& fields, SwarmOptions& swarm) {
+  fields.Text("name", swarm.name, {.min_length = 1, .max_length = 32});
+  fields.Require("name", "name = \"north\"");
+  int num_lists = fields.reading() && fields.Has("followers", false) ? 1 : 0;
+  if (fields.Has("members", !swarm.members.empty())) {
+    fields.Texts("members", swarm.members, static_cast<size_t>(kMostFollowers) + 1);
+    ++num_lists;
+  }
+  if (fields.Has("group", !swarm.group.empty())) {
+    fields.Text("group", swarm.group, {.min_length = 1});
+    ++num_lists;
+  }
+  DescribeSwarm(fields, swarm);
+  if (num_lists > 1) {
+    fields.Refuse("name", "members, group and followers all name the members: write one of them");
+  }
+}
+
+}  // namespace
+
+void DescribeSwarms(Fields& file, std::vector<SwarmOptions>& swarms) {
+  const bool are_many =
+      file.reading() ? file.HoldsArray("swarm") : !swarms.empty() && !swarms.front().name.empty();
+  if (are_many) {
+    file.List("swarm", swarms, DescribeOneOfMany);
+  } else if (file.Has("swarm", !swarms.empty())) {
+    if (swarms.empty()) swarms.emplace_back();
+    file.Below("swarm", [&](Fields& fields) { DescribeSwarm(fields, swarms.front()); });
   }
 }
 

@@ -97,6 +97,8 @@ class Fields {
   virtual bool Has(std::string_view key, bool present) = 0;
   /// When reading, true where the table has a string under `key`; when writing, false.
   virtual bool HoldsText(std::string_view key) = 0;
+  /// Likewise, of a list or [[key]].
+  virtual bool HoldsArray(std::string_view key) = 0;
   /// True where nothing of this table, or below it, has been refused so far.
   virtual bool IsSound() const = 0;
   /// Demands `key`; `example` is the line that the message proposes.

@@ -53,9 +53,8 @@ void WarnOfIdleTrackKeys(const TablePlace& place, const TargetTrackTask& track) 
 }
 
 /// Lengths of slots that the scheduler does not have.
-void WarnOfIdleSlots(const Mission& mission, const TablePlace& place) {
-  const SwarmOptions& swarm = mission.swarm;
-  const bool asks = SwarmSchemeOf(mission) == SwarmScheme::kTdmaLf;
+void WarnOfIdleSlots(const Mission& mission, const SwarmOptions& swarm, const TablePlace& place) {
+  const bool asks = SwarmSchemeOf(mission, swarm) == SwarmScheme::kTdmaLf;
   struct Row {
     std::string_view key;
     double length_s;
@@ -77,13 +76,14 @@ void WarnOfIdleSlots(const Mission& mission, const TablePlace& place) {
 }  // namespace
 
 void WarnOfIdleKeys(const Mission& mission, const TablePlace& file) {
-  if (mission.swarm.exists && file.Below("swarm").IsSound()) {
-    WarnOfIdleSlots(mission, file.Below("swarm"));
+  for (size_t i = 0; i < mission.swarms.size(); ++i) {
+    const TablePlace place = TableOfSwarm(mission, file, i);
+    if (place.IsSound()) WarnOfIdleSlots(mission, mission.swarms[i], place);
   }
   for (size_t i = 0; i < mission.vehicles.size(); ++i) {
     const Vehicle& vehicle = mission.vehicles[i];
     const TablePlace place = file.Below("vehicle", i);
-    if (place.Has("recovery") && !mission.IsInSwarm(vehicle)) {
+    if (place.Has("recovery") && mission.SwarmOf(vehicle) == nullptr) {
       place.Below("recovery")
           .Warn("",
                 fmt::format("[vehicle.recovery] has no effect, as {} is not in an acoustic swarm: "

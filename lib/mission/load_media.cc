@@ -1,13 +1,16 @@
 #include "lib/mission/load_media.h"
 
+#include <algorithm>
 #include <optional>
 
 #include "lib/mission/describe.h"
 #include "lib/mission/parse.h"
 #include "lib/mission/problems.h"
+#include "lib/mission/swarm_plan.h"
 #include "lib/mission/table_reader.h"
 #include "lib/mission/table_writer.h"
 #include "lib/mission/validate.h"
+#include "lib/routing/vehicle_name.h"
 
 namespace shoal {
 namespace {
@@ -18,6 +21,11 @@ void DescribeAlone(Fields& file, MediaSetup& setup) {
   if (file.Has("packets_over", setup.packets_over != MediaSetup().packets_over)) {
     DescribeMedia(file, "packets_over", setup.packets_over);
   }
+  file.List("packets", setup.packets_of, [](Fields& fields, MediaSetup::PacketsOf& packets) {
+    fields.Require("vehicle", "vehicle = \"alpha\"");
+    fields.Text("vehicle", packets.vehicle, {.min_length = 1});
+    DescribeMedia(fields, "over", packets.over);
+  });
   file.Require("acoustics", "[acoustics], followed by crc = true");
   file.Below("acoustics", [&](Fields& fields) { Describe(fields, acoustics, std::nullopt); });
   file.List("medium", setup.media,
@@ -34,11 +42,25 @@ std::vector<std::string> MediaSetup::Names() const {
   return names;
 }
 
+const MediaChoice& MediaSetup::PacketsOver(std::string_view vehicle) const {
+  const auto found = std::ranges::find_if(packets_of, [&](const PacketsOf& each) {
+    return VehicleKey(each.vehicle) == VehicleKey(vehicle);
+  });
+  return found == packets_of.end() ? packets_over : found->over;
+}
+
 MediaSetup MediaOf(const Mission& mission) {
   MediaSetup setup = {.acoustics = mission.acoustics,
                       .media = mission.media,
-                      .packets_over = mission.swarm.over,
+                      .packets_over = PacketsOver(mission),
                       .of_vehicles = {}};
+  for (const SwarmOptions& swarm : mission.swarms) {
+    if (swarm.over == setup.packets_over) continue;
+    setup.packets_of.push_back({.vehicle = swarm.leader, .over = swarm.over});
+    for (const std::string& name : swarm.followers) {
+      setup.packets_of.push_back({.vehicle = name, .over = swarm.over});
+    }
+  }
   if (!mission.HasMedia()) return setup;
   for (const Vehicle& vehicle : mission.vehicles) setup.of_vehicles.push_back(vehicle.media);
   return setup;

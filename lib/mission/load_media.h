@@ -16,9 +16,18 @@ namespace shoal {
 
 /// All that carries traffic in a mission, and what each vehicle has of it.
 struct MediaSetup {
+  /// What carries the packets of a vehicle in a swarm that is not as `packets_over`.
+  struct PacketsOf {
+    std::string vehicle;
+    MediaChoice over;
+
+    bool operator==(const PacketsOf&) const = default;
+  };
+
   Acoustics acoustics = {};               ///< The medium acoustic.
   std::vector<MediumOptions> media = {};  ///< [[medium]].
   MediaChoice packets_over = {.names = {std::string(kAcousticMedium)}};
+  std::vector<PacketsOf> packets_of = {};
   /// In the mission's order; empty: all vehicles have all media, and there is no gateway.
   std::vector<VehicleMedia> of_vehicles = {};
 
@@ -26,6 +35,8 @@ struct MediaSetup {
 
   /// The names of all media, the built-in ones first.
   std::vector<std::string> Names() const;
+  /// Returns what carries the packets of a vehicle.
+  const MediaChoice& PacketsOver(std::string_view vehicle) const;
 };
 
 struct LoadedMedia {

@@ -53,16 +53,16 @@ std::vector<std::string> WarningsWith(std::string_view keys,
 
 TEST(LoadSwarm, TakesTheFollowersFromTheTasksThatFollowTheLeader) {
   const Mission mission = LoadWith("[swarm]\nleader = \"Alpha\"\n");
-  EXPECT_EQ(mission.swarm.leader, "alpha");
-  EXPECT_EQ(mission.swarm.followers, std::vector<std::string>{"bravo"});
-  EXPECT_TRUE(mission.IsInSwarm(mission.vehicles[0]));
-  EXPECT_FALSE(mission.IsInSwarm(mission.vehicles[2]));
+  EXPECT_EQ(mission.swarms[0].leader, "alpha");
+  EXPECT_EQ(mission.swarms[0].followers, std::vector<std::string>{"bravo"});
+  EXPECT_NE(mission.SwarmOf(mission.vehicles[0]), nullptr);
+  EXPECT_EQ(mission.SwarmOf(mission.vehicles[2]), nullptr);
 }
 
 TEST(LoadSwarm, KeepsTheOrderOfTheFollowersThatTheFileNames) {
   const Mission mission =
       LoadWith("[swarm]\nleader = \"alpha\"\nfollowers = [\"charlie\", \"bravo\"]\n");
-  EXPECT_EQ(mission.swarm.followers, (std::vector<std::string>{"charlie", "bravo"}));
+  EXPECT_EQ(mission.swarms[0].followers, (std::vector<std::string>{"charlie", "bravo"}));
 }
 
 TEST(LoadSwarm, MakesTheLeaderOneInTheAccessModeThatHasLeaders) {
@@ -70,7 +70,7 @@ TEST(LoadSwarm, MakesTheLeaderOneInTheAccessModeThatHasLeaders) {
       LoadWith("[swarm]\nleader = \"alpha\"\n", {"acoustics.access_mode=tdma_lf"});
   EXPECT_TRUE(mission.vehicles[0].acoustic_leader);
   EXPECT_FALSE(mission.vehicles[1].acoustic_leader);
-  EXPECT_EQ(SwarmSchemeOf(mission), SwarmScheme::kTdmaLf);
+  EXPECT_EQ(SwarmSchemeOf(mission, mission.swarms[0]), SwarmScheme::kTdmaLf);
 }
 
 TEST(LoadSwarm, ReportsASwarmWithoutALeaderOnce) {
@@ -194,8 +194,8 @@ TEST(LoadSwarm, PlansSlotsByTheAcousticMediumThatItGoesOver) {
   const LoadedMission loaded = LoadMissionText(text, "m.toml");
   EXPECT_EQ(loaded.errors, std::vector<std::string>());
   EXPECT_EQ(&PacketAcousticsOf(loaded.mission), &loaded.mission.media.at(0).acoustics);
-  EXPECT_EQ(SwarmAirOf(loaded.mission).data_rate_bps, 250);
-  EXPECT_EQ(SwarmSchemeOf(loaded.mission), SwarmScheme::kTdma);
+  EXPECT_EQ(SwarmAirOf(loaded.mission, loaded.mission.swarms[0]).data_rate_bps, 250);
+  EXPECT_EQ(SwarmSchemeOf(loaded.mission, loaded.mission.swarms[0]), SwarmScheme::kTdma);
 }
 
 TEST(LoadSwarm, WarnsOfKeysWithoutEffect) {
@@ -236,12 +236,12 @@ TEST(LoadSwarmFields, TakesLimitsNeutralAndSentinelValues) {
       "[swarm]\nleader = \"alpha\"\n[swarm.fields]\nmax_position_m = 5000\n"
       "future_tolerance_s = 2.5\nlate_start_s = 3\nneutral_position_m = [1, 2, 3]\n"
       "sentinel_position_m = 6000\n");
-  EXPECT_EQ(mission.swarm.limits.max_position_m, 5000);
-  EXPECT_EQ(mission.swarm.limits.future_tolerance_us, 2'500'000);
-  EXPECT_EQ(mission.swarm.limits.max_speed_mps, 100);
-  EXPECT_EQ(mission.swarm.late_start_s, 3);
-  EXPECT_EQ(mission.swarm.neutral.position_m, Eigen::Vector3d(1, 2, 3));
-  EXPECT_EQ(mission.swarm.sentinel, (SentinelValues{.position_m = 6000, .speed_mps = -999}));
+  EXPECT_EQ(mission.swarms[0].limits.max_position_m, 5000);
+  EXPECT_EQ(mission.swarms[0].limits.future_tolerance_us, 2'500'000);
+  EXPECT_EQ(mission.swarms[0].limits.max_speed_mps, 100);
+  EXPECT_EQ(mission.swarms[0].late_start_s, 3);
+  EXPECT_EQ(mission.swarms[0].neutral.position_m, Eigen::Vector3d(1, 2, 3));
+  EXPECT_EQ(mission.swarms[0].sentinel, (SentinelValues{.position_m = 6000, .speed_mps = -999}));
 }
 
 TEST(LoadSwarmFields, ReportsASentinelThatAMemberCouldSendAndANeutralValueThatItCouldNot) {
@@ -279,12 +279,12 @@ TEST(LoadRecovery, ReportsUnknownStrategies) {
 
 TEST(PlanSwarm, GivesMunetsSlotsToFdmaAndTheShortestToTheOthers) {
   const Mission fdma = LoadWith("[swarm]\nleader = \"alpha\"\n");
-  EXPECT_EQ(PlanSwarm(fdma).plan.episode_us, 5'000'000);
-  EXPECT_EQ(PlanSwarm(fdma).plan.offset_us, 500'000);
+  EXPECT_EQ(PlanSwarm(fdma, fdma.swarms[0]).plan.episode_us, 5'000'000);
+  EXPECT_EQ(PlanSwarm(fdma, fdma.swarms[0]).plan.offset_us, 500'000);
 
   const Mission tdma_lf =
       LoadWith("[swarm]\nleader = \"alpha\"\n", {"acoustics.access_mode=tdma_lf"});
-  const SlotPlan plan = PlanSwarm(tdma_lf).plan;
+  const SlotPlan plan = PlanSwarm(tdma_lf, tdma_lf.swarms[0]).plan;
   // 101 bytes and the broker's CRC, 4, at 1000 bit/s: 0.84 s; 0.67 s of travel, 0.2 s of jitter.
   EXPECT_GE(plan.broadcast_us, 1'710'000);
   EXPECT_LE(plan.broadcast_us, 2'100'000);
@@ -295,7 +295,7 @@ TEST(PlanSwarm, TakesTheLengthsOfTheFile) {
   const Mission mission =
       LoadWith("[swarm]\nleader = \"alpha\"\nbroadcast_s = 4\nresponse_s = 3\nepisode_s = 20\n",
                {"acoustics.access_mode=tdma_lf"});
-  const SlotPlan plan = PlanSwarm(mission).plan;
+  const SlotPlan plan = PlanSwarm(mission, mission.swarms[0]).plan;
   EXPECT_EQ(plan.broadcast_us, 4'000'000);
   EXPECT_EQ(plan.response_us, 3'000'000);
   EXPECT_EQ(plan.episode_us, 20'000'000);
@@ -304,15 +304,16 @@ TEST(PlanSwarm, TakesTheLengthsOfTheFile) {
 TEST(PlanSwarm, LengthensAnAutomaticEpisodeForLongerSlots) {
   const Mission mission =
       LoadWith("[swarm]\nleader = \"alpha\"\nresponse_s = 30\n", {"acoustics.access_mode=tdma_lf"});
-  EXPECT_GE(PlanSwarm(mission).plan.episode_us, 30'000'000 + PlanSwarm(mission).plan.broadcast_us);
+  EXPECT_GE(PlanSwarm(mission, mission.swarms[0]).plan.episode_us,
+            30'000'000 + PlanSwarm(mission, mission.swarms[0]).plan.broadcast_us);
 }
 
 TEST(PlanSwarm, HasRoomForChecksumAndFrame) {
   const Mission bare = LoadWith("[swarm]\nleader = \"alpha\"\n", {"acoustics.crc=false"});
   const Mission framed =
       LoadWith("[swarm]\nleader = \"alpha\"\nframes = true\n", {"acoustics.crc=true"});
-  EXPECT_EQ(SwarmAirOf(bare).extra_bytes, 0);
-  EXPECT_EQ(SwarmAirOf(framed).extra_bytes, 10);
+  EXPECT_EQ(SwarmAirOf(bare, bare.swarms[0]).extra_bytes, 0);
+  EXPECT_EQ(SwarmAirOf(framed, framed.swarms[0]).extra_bytes, 10);
 }
 
 }  // namespace shoal::load_swarm_test

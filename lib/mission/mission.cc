@@ -63,10 +63,12 @@ bool Mission::HasMedia() const {
   });
 }
 
-bool Mission::IsInSwarm(const Vehicle& vehicle) const {
-  if (!swarm.exists) return false;
-  return vehicle.name == swarm.leader || std::find(swarm.followers.begin(), swarm.followers.end(),
-                                                   vehicle.name) != swarm.followers.end();
+const SwarmOptions* Mission::SwarmOf(const Vehicle& vehicle) const {
+  const auto found = std::ranges::find_if(swarms, [&](const SwarmOptions& swarm) {
+    return vehicle.name == swarm.leader ||
+           std::ranges::find(swarm.followers, vehicle.name) != swarm.followers.end();
+  });
+  return found == swarms.end() ? nullptr : &*found;
 }
 
 std::map<std::string, std::vector<std::string>> GroupsOf(const Mission& mission) {

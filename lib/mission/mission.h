@@ -23,13 +23,17 @@
 
 namespace shoal {
 
-/// `[swarm]`: how a leader and its followers exchange their positions over the acoustic network.
-/// Lengths of time below 0 are "auto": lib/mission/swarm_plan.h finds them.
+/// `[swarm]`, or one of several `[[swarm]]`: how a leader and its followers exchange their
+/// positions over an acoustic network. Lengths of time below 0 are "auto": lib/mission/swarm_plan.h
+/// finds them.
 struct SwarmOptions {
-  bool exists = false;                 ///< The file has the table.
-  std::string leader;                  ///< A vehicle.
-  std::vector<std::string> followers;  ///< In the order of their slots, without the leader.
-  std::string scheduler = "auto";      ///< fdma_lf, tdma, tdma_lf; auto: by the access mode.
+  std::string name = {};                    ///< Of a [[swarm]]; [swarm] has none.
+  std::string leader = {};                  ///< A vehicle.
+  std::vector<std::string> followers = {};  ///< In the order of their slots, without the leader.
+  std::vector<std::string> members =
+      {};                          ///< Until loading ends: [[swarm]] members, then followers.
+  std::string group = {};          ///< Until loading ends: likewise, of vehicles' groups.
+  std::string scheduler = "auto";  ///< fdma_lf, tdma, tdma_lf; auto: by the access mode.
   double episode_s = -1;
   double offset_s = -1;          ///< fdma_lf, tdma: from one member's slot to the next.
   double broadcast_s = -1;       ///< tdma_lf: from the request to the first answer.
@@ -38,7 +42,8 @@ struct SwarmOptions {
   bool frames = false;           ///< A sequence number and a checksum with each message.
   std::string group_id = "A";    ///< One letter or digit, sent with each message.
   double silent_after_s = 60;    ///< After this long without a message a member is silent.
-  /// What carries its packets, and all else on ACOUSTIC_TX.
+  /// What carries its packets, and those on ACOUSTIC_TX of vehicles without a swarm (of several,
+  /// those of the first count).
   MediaChoice over = {.names = {std::string(kAcousticMedium)}};
   FieldLimits limits = {};   ///< Its late_start_us counts only where late_start_s is 0 or more.
   double late_start_s = -1;  ///< FieldLimits::late_start_us; below 0: a step.
@@ -85,7 +90,7 @@ struct Mission {
   std::vector<Obstacle> obstacles;     ///< That do not move.
   std::vector<BeaconOptions> beacons;  ///< That vehicles with [vehicle.navigation] range to.
   std::vector<Vehicle> vehicles;
-  SwarmOptions swarm;
+  std::vector<SwarmOptions> swarms;     ///< [swarm], or each [[swarm]].
   std::optional<NetsimOptions> netsim;  ///< Participants over netsim's interface.
   std::vector<Event> events;            ///< In order of time; equal times in file order.
   std::vector<Participant> participants;
@@ -108,8 +113,8 @@ struct Mission {
   /// True where it has media of its own or a gateway: then each vehicle has its media, and the
   /// broker decides by where they are.
   bool HasMedia() const;
-  /// True for the leader and the followers of the swarm.
-  bool IsInSwarm(const Vehicle& vehicle) const;
+  /// Returns the swarm of which the vehicle is the leader or a follower, or nullptr.
+  const SwarmOptions* SwarmOf(const Vehicle& vehicle) const;
 
   bool operator==(const Mission&) const = default;
 };

@@ -459,23 +459,23 @@ class MissionDraw {
 
   /// Gives it a swarm, if its acoustic network can carry one.
   void DrawSwarm(Mission* mission) {
-    mission->swarm = {.exists = true,
-                      .leader = mission->vehicles[0].name,
-                      .followers = {mission->vehicles[1].name},
-                      .max_distance_m = Positive(1e6),
-                      .frames = Coin(),
-                      .group_id = Coin() ? "7" : "x",
-                      .silent_after_s = Positive(1e7),
-                      .limits = {.max_position_m = Number(2e5, 1e6),
-                                 .max_speed_mps = Number(101, 1000),
-                                 .max_id_distance = Integer(1000, 100'000),
-                                 .max_followers = Integer(1, 1000),
-                                 .max_time_s = Positive(1e9),
-                                 .future_tolerance_us = Integer(0, 1'000'000)},
-                      .late_start_s = Coin() ? -1 : Number(0, 100),
-                      .neutral = {.position_m = {Number(-1e5, 1e5), 5, 7},
-                                  .velocity_mps = {Number(-100, 100), 1, 0}},
-                      .sentinel = {.position_m = Number(2e6, 1e9), .speed_mps = -Number(2e3, 1e9)}};
+    SwarmOptions swarm = {
+        .leader = mission->vehicles[0].name,
+        .followers = {mission->vehicles[1].name},
+        .max_distance_m = Positive(1e6),
+        .frames = Coin(),
+        .group_id = Coin() ? "7" : "x",
+        .silent_after_s = Positive(1e7),
+        .limits = {.max_position_m = Number(2e5, 1e6),
+                   .max_speed_mps = Number(101, 1000),
+                   .max_id_distance = Integer(1000, 100'000),
+                   .max_followers = Integer(1, 1000),
+                   .max_time_s = Positive(1e9),
+                   .future_tolerance_us = Integer(0, 1'000'000)},
+        .late_start_s = Coin() ? -1 : Number(0, 100),
+        .neutral = {.position_m = {Number(-1e5, 1e5), 5, 7},
+                    .velocity_mps = {Number(-100, 100), 1, 0}},
+        .sentinel = {.position_m = Number(2e6, 1e9), .speed_mps = -Number(2e3, 1e9)}};
     // The network of the draw has vehicles[0] for a leader anyway; messages encode up to 100 km.
     mission->vehicles[1].acoustic_leader = false;
     for (Vehicle& vehicle : mission->vehicles) {
@@ -489,8 +489,9 @@ class MissionDraw {
         path->start.position_m.head<2>() = Eigen::Vector2d(vehicle.start.x_m, vehicle.start.y_m);
       }
     }
-    const bool can_be = !mission->acoustics.options.modem && PlanSwarm(*mission).problems.empty();
-    if (!can_be) mission->swarm = {};
+    const bool can_be =
+        !mission->acoustics.options.modem && PlanSwarm(*mission, swarm).problems.empty();
+    if (can_be) mission->swarms = {swarm};
   }
 
   /// Lets its second vehicle come from outside.

@@ -21,8 +21,8 @@ int64_t RoundUpToTicks(int64_t time_us, int64_t tick_us) {
 
 }  // namespace
 
-const Acoustics& PacketAcousticsOf(const Mission& mission) {
-  for (const std::string& name : mission.swarm.over.names) {
+const Acoustics& AcousticsOf(const Mission& mission, const MediaChoice& over) {
+  for (const std::string& name : over.names) {
     if (name == kAcousticMedium) break;
     const auto medium = std::ranges::find(mission.media, name, &MediumOptions::name);
     if (medium != mission.media.end() && medium->kind == MediumKind::kAcoustic) {
@@ -32,24 +32,33 @@ const Acoustics& PacketAcousticsOf(const Mission& mission) {
   return mission.acoustics;
 }
 
-SwarmAir SwarmAirOf(const Mission& mission) {
-  const Acoustics& acoustics = PacketAcousticsOf(mission);
+const MediaChoice& PacketsOver(const Mission& mission) {
+  static const MediaChoice kDefault = SwarmOptions().over;
+  return mission.swarms.empty() ? kDefault : mission.swarms.front().over;
+}
+
+const Acoustics& PacketAcousticsOf(const Mission& mission) {
+  return AcousticsOf(mission, PacketsOver(mission));
+}
+
+SwarmAir SwarmAirOf(const Mission& mission, const SwarmOptions& swarm) {
+  const Acoustics& acoustics = AcousticsOf(mission, swarm.over);
   const AcousticOptions& options = acoustics.options;
-  return {.num_followers = static_cast<int64_t>(mission.swarm.followers.size()),
+  return {.num_followers = static_cast<int64_t>(swarm.followers.size()),
           .extra_bytes = (acoustics.crc ? kCrcBytes : 0) +
-                         (mission.swarm.frames ? static_cast<int64_t>(kFrameBytes) : 0),
+                         (swarm.frames ? static_cast<int64_t>(kFrameBytes) : 0),
           .data_rate_bps = options.data_rate_bps,
           .sound_speed_mps = options.sound_speed_mps,
-          .max_distance_m = mission.swarm.max_distance_m,
+          .max_distance_m = swarm.max_distance_m,
           .max_jitter_s = options.jitter == JitterModel::kUniform ? options.max_jitter_s : 0};
 }
 
-SwarmScheme SwarmSchemeOf(const Mission& mission) {
-  const std::string& scheduler = mission.swarm.scheduler;
+SwarmScheme SwarmSchemeOf(const Mission& mission, const SwarmOptions& swarm) {
+  const std::string& scheduler = swarm.scheduler;
   if (scheduler == "fdma_lf") return SwarmScheme::kFdmaLf;
   if (scheduler == "tdma") return SwarmScheme::kTdma;
   if (scheduler == "tdma_lf") return SwarmScheme::kTdmaLf;
-  switch (PacketAcousticsOf(mission).options.access_mode) {
+  switch (AcousticsOf(mission, swarm.over).options.access_mode) {
     case AccessMode::kFdma:
       return SwarmScheme::kFdmaLf;
     case AccessMode::kTdmaLf:
@@ -61,10 +70,9 @@ SwarmScheme SwarmSchemeOf(const Mission& mission) {
   return SwarmScheme::kTdma;
 }
 
-SwarmSlots PlanSwarm(const Mission& mission) {
-  const SwarmOptions& swarm = mission.swarm;
-  const SwarmAir air = SwarmAirOf(mission);
-  const SwarmScheme scheme = SwarmSchemeOf(mission);
+SwarmSlots PlanSwarm(const Mission& mission, const SwarmOptions& swarm) {
+  const SwarmAir air = SwarmAirOf(mission, swarm);
+  const SwarmScheme scheme = SwarmSchemeOf(mission, swarm);
   SwarmSlots slots;
   const Result<AirTimes> times = FindAirTimes(air);
   const Result<SlotPlan> shortest = AutoPlan(scheme, mission.tick_us, air);

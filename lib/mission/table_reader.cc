@@ -392,6 +392,11 @@ bool TableReader::HoldsText(std::string_view key) {
   return found != nullptr && std::holds_alternative<std::string>(found->data);
 }
 
+bool TableReader::HoldsArray(std::string_view key) {
+  const Value* found = Take(key);
+  return found != nullptr && std::holds_alternative<Array>(found->data);
+}
+
 bool TableReader::IsSound() const { return problems_.size() == num_problems_before_; }
 
 void TableReader::Require(std::string_view key, std::string_view example) {

@@ -52,6 +52,7 @@ class TableReader final : public Fields {
   bool reading() const override { return true; }
   bool Has(std::string_view key, bool present) override;
   bool HoldsText(std::string_view key) override;
+  bool HoldsArray(std::string_view key) override;
   bool IsSound() const override;
   void Require(std::string_view key, std::string_view example) override;
   void NoKey(std::string_view name, std::string hint) override;

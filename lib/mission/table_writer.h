@@ -45,6 +45,7 @@ class TableWriter final : public Fields {
   bool reading() const override { return false; }
   bool Has(std::string_view, bool present) override { return present; }
   bool HoldsText(std::string_view) override { return false; }
+  bool HoldsArray(std::string_view) override { return false; }
   bool IsSound() const override { return true; }
   void Require(std::string_view, std::string_view) override {}
   void NoKey(std::string_view, std::string) override {}

@@ -60,6 +60,7 @@ class UpdateReader final : public Fields {
   bool demands_keys() const override { return false; }
   bool Has(std::string_view key, bool present) override;
   bool HoldsText(std::string_view key) override;
+  bool HoldsArray(std::string_view) override { return false; }
   bool IsSound() const override { return problems_.empty(); }
   void Require(std::string_view, std::string_view) override {}
   void NoKey(std::string_view name, std::string hint) override;

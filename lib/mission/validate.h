@@ -46,6 +46,14 @@ void CompleteMission(Mission& mission, const TablePlace& file);
 /// its table names none; a part of CompleteMission.
 void FillInMedia(Mission& mission, const TablePlace& file);
 
+/// Returns the table of the mission's i-th swarm, [swarm] or one of [[swarm]].
+[[nodiscard]] TablePlace TableOfSwarm(const Mission& mission, const TablePlace& file, size_t i);
+/// Writes the names in swarms as the vehicles do; a part of ResolveNames.
+void ResolveSwarms(Mission& mission, const TablePlace& file);
+/// Fills in followers, group_id of several, and that leaders lead the network; a part of
+/// CompleteMission.
+void FillInSwarms(Mission& mission, const TablePlace& file);
+
 /// Names of vehicles and participants; groups.
 void ValidateNames(const Mission& mission, const TablePlace& file);
 /// Whether [environment] can be made with the mission's seed and folder.
@@ -63,7 +71,10 @@ void ValidateMedia(const MediaSetup& setup, const TablePlace& file);
 /// Refuses, at `key`, each name of a choice that is none of `media`.
 void ValidateChoice(const TablePlace& place, std::string_view key, const MediaChoice& choice,
                     const std::vector<std::string>& media);
+/// [swarm], or each [[swarm]] by itself.
 void ValidateSwarm(const Mission& mission, const TablePlace& file);
+/// Several swarms beside each other; a part of ValidateSwarm, for swarms that are sound.
+void ValidateSwarms(const Mission& mission, const TablePlace& file);
 void ValidateNetsim(const Mission& mission, const TablePlace& file);
 /// Models and tasks of underwater vehicles.
 void ValidateUnderwater(const Mission& mission, const TablePlace& file);

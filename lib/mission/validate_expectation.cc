@@ -81,16 +81,23 @@ struct CheckExpectation {
   }
 
   void operator()(const SwarmExpectation& swarm) const {
-    if (!mission.swarm.exists) {
+    if (mission.swarms.empty()) {
       place.Refuse("kind",
                    "outcomes of swarm messages are published only where there is a [swarm]");
       return;
     }
     for (const auto& [key, name] : {std::pair("from", swarm.from), std::pair("to", swarm.to)}) {
       const Vehicle* vehicle = mission.FindVehicle(name);
-      if (vehicle != nullptr && !mission.IsInSwarm(*vehicle)) {
+      if (vehicle != nullptr && mission.SwarmOf(*vehicle) == nullptr) {
         place.Refuse(key, name + " is not in the swarm: this can never hold");
       }
+    }
+    const Vehicle* from = mission.FindVehicle(swarm.from);
+    const Vehicle* to = mission.FindVehicle(swarm.to);
+    if (from != nullptr && to != nullptr && mission.SwarmOf(*from) != mission.SwarmOf(*to)) {
+      place.Refuse("to", fmt::format("{} and {} are in different swarms: what one receives of the "
+                                     "other is not counted",
+                                     from->name, to->name));
     }
     if (swarm.from == swarm.to && swarm.from != "all") {
       place.Refuse("to", swarm.to + " does not receive its own messages: this can never hold");

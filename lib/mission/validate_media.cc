@@ -120,7 +120,9 @@ void ValidateMedia(const Mission& mission, const TablePlace& file) {
   ValidateMedia(setup, file);
   ValidateChoice(file.Below("comms"), "reports_over", mission.comms.reports_over, names);
   ValidateChoice(file.Below("comms"), "messages_over", mission.comms.messages_over, names);
-  ValidateChoice(file.Below("swarm"), "over", mission.swarm.over, names);
+  for (size_t i = 0; i < mission.swarms.size(); ++i) {
+    ValidateChoice(TableOfSwarm(mission, file, i), "over", mission.swarms[i].over, names);
+  }
   for (size_t i = 0; i < mission.vehicles.size(); ++i) {
     const Vehicle& vehicle = mission.vehicles[i];
     const TablePlace place = file.Below("vehicle", i);

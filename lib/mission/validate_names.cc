@@ -30,6 +30,20 @@ void CheckVehicleNames(const Mission& mission, const TablePlace& file) {
   }
 }
 
+/// ACOUSTIC_RX_ON_ALPHA is a channel of alpha, and would be ACOUSTIC_RX of on_alpha.
+void CheckChannelNames(const Mission& mission, const TablePlace& file) {
+  constexpr std::string_view kPrefix = "on_";
+  for (size_t i = 0; i < mission.vehicles.size(); ++i) {
+    const std::string name = LowerCase(mission.vehicles[i].name);
+    if (!name.starts_with(kPrefix)) continue;
+    const Vehicle* other = mission.FindVehicle(name.substr(kPrefix.size()));
+    if (other == nullptr) continue;
+    file.Below("vehicle", i)
+        .Refuse("name", Quoted(mission.vehicles[i].name) + " has channels that are those of " +
+                            Quoted(other->name) + ": choose another name");
+  }
+}
+
 /// Names of participants must not be those of shoal's own processes.
 void CheckParticipantNames(const Mission& mission, const TablePlace& file) {
   std::set<std::string> taken;
@@ -69,6 +83,7 @@ void CheckIgnoredGroup(const Mission& mission, const TablePlace& file) {
 
 void ValidateNames(const Mission& mission, const TablePlace& file) {
   CheckVehicleNames(mission, file);
+  CheckChannelNames(mission, file);
   CheckParticipantNames(mission, file);
   CheckIgnoredGroup(mission, file);
 }

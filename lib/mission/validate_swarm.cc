@@ -1,4 +1,4 @@
-// Whether the members of [swarm] can receive each other's messages.
+// Whether the members of [swarm], or of each [[swarm]], can receive each other's messages.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,23 +16,23 @@
 namespace shoal {
 namespace {
 
-void CheckFollowers(const TablePlace& place, const Mission& mission) {
-  if (mission.FindVehicle(mission.swarm.leader) == nullptr) return;  // That is refused already.
+void CheckFollowers(const TablePlace& place, const Mission& mission, const SwarmOptions& swarm) {
+  if (mission.FindVehicle(swarm.leader) == nullptr) return;  // That is refused already.
   std::set<std::string_view> seen;
-  for (const std::string& follower : mission.swarm.followers) {
-    if (follower == mission.swarm.leader) {
+  for (const std::string& follower : swarm.followers) {
+    if (follower == swarm.leader) {
       place.Refuse("followers", fmt::format("{} leads; it is no follower", follower));
     } else if (!seen.insert(follower).second) {
       place.Refuse("followers", fmt::format("{} is named twice", follower));
     }
   }
-  const int64_t most = mission.swarm.limits.max_followers;
-  if (static_cast<int64_t>(mission.swarm.followers.size()) > most) {
+  const int64_t most = swarm.limits.max_followers;
+  if (static_cast<int64_t>(swarm.followers.size()) > most) {
     place.Refuse("followers", fmt::format("{} followers are more than max_followers = {} of "
                                           "[swarm.fields]: their requests would count as damaged",
-                                          mission.swarm.followers.size(), most));
+                                          swarm.followers.size(), most));
   }
-  if (mission.swarm.followers.empty()) {
+  if (swarm.followers.empty()) {
     place.Refuse("followers",
                  "the swarm has no followers: write followers = [\"bravo\"], or give a vehicle a "
                  "task of kind "
@@ -41,15 +41,16 @@ void CheckFollowers(const TablePlace& place, const Mission& mission) {
 }
 
 /// Members know each other by their acoustic addresses, which muNet wants to lie near each other.
-void CheckMemberAddresses(const TablePlace& place, const Mission& mission) {
+void CheckMemberAddresses(const TablePlace& place, const Mission& mission,
+                          const SwarmOptions& swarm) {
   const Vehicle* low = nullptr;
   const Vehicle* high = nullptr;
   for (const Vehicle& vehicle : mission.vehicles) {
-    if (!mission.IsInSwarm(vehicle)) continue;
+    if (mission.SwarmOf(vehicle) != &swarm) continue;
     if (low == nullptr || vehicle.acoustic_address < low->acoustic_address) low = &vehicle;
     if (high == nullptr || vehicle.acoustic_address > high->acoustic_address) high = &vehicle;
   }
-  const int64_t limit = mission.swarm.limits.max_id_distance;
+  const int64_t limit = swarm.limits.max_id_distance;
   if (low == nullptr || high->acoustic_address - low->acoustic_address <= limit) return;
   place.Refuse(
       "leader",
@@ -59,11 +60,11 @@ void CheckMemberAddresses(const TablePlace& place, const Mission& mission) {
 }
 
 /// What a member needs so that the others receive its messages.
-void CheckMembers(const TablePlace& place, const Mission& mission) {
-  const double limit_m = mission.swarm.limits.max_position_m;
+void CheckMembers(const TablePlace& place, const Mission& mission, const SwarmOptions& swarm) {
+  const double limit_m = swarm.limits.max_position_m;
   for (const Vehicle& vehicle : mission.vehicles) {
-    if (!mission.IsInSwarm(vehicle)) continue;
-    const bool leads = vehicle.name == mission.swarm.leader;
+    if (mission.SwarmOf(vehicle) != &swarm) continue;
+    const bool leads = vehicle.name == swarm.leader;
     const std::string_view key = leads ? "leader" : "followers";
     if (std::max(std::abs(vehicle.start.x_m), std::abs(vehicle.start.y_m)) > limit_m) {
       place.Refuse(key, fmt::format("{} starts more than {:g} km from the origin, farther than the "
@@ -71,11 +72,11 @@ void CheckMembers(const TablePlace& place, const Mission& mission) {
                                     vehicle.name, limit_m / 1000));
     }
     if (!leads && vehicle.acoustic_leader &&
-        PacketAcousticsOf(mission).options.access_mode == AccessMode::kTdmaLf) {
+        AcousticsOf(mission, swarm.over).options.access_mode == AccessMode::kTdmaLf) {
       place.Refuse(key,
                    fmt::format("{} has acoustic_leader = true: it would not receive {}; only the "
                                "leader of [swarm] may have it",
-                               vehicle.name, mission.swarm.leader));
+                               vehicle.name, swarm.leader));
     }
     if (!mission.IsReported(vehicle) && vehicle.sim == Provider::kNone) {
       place.Warn(
@@ -95,54 +96,53 @@ void CheckMembers(const TablePlace& place, const Mission& mission) {
 }
 
 /// Slots that come too late to be of use.
-void WarnOfLateSlots(const TablePlace& place, const Mission& mission) {
-  const SlotPlan plan = PlanSwarm(mission).plan;
+void WarnOfLateSlots(const TablePlace& place, const Mission& mission, const SwarmOptions& swarm) {
+  const SlotPlan plan = PlanSwarm(mission, swarm).plan;
   const double episode_s = static_cast<double>(plan.episode_us) / 1e6;
-  const double last_s = static_cast<double>(plan.offset_us) / 1e6 *
-                        static_cast<double>(mission.swarm.followers.size());
+  const double last_s =
+      static_cast<double>(plan.offset_us) / 1e6 * static_cast<double>(swarm.followers.size());
   if (plan.scheme != SwarmScheme::kTdmaLf && last_s > mission.duration_s) {
     place.Warn("offset_s", fmt::format("{} sends first after {:g} s, when the mission is over",
-                                       mission.swarm.followers.back(), last_s));
+                                       swarm.followers.back(), last_s));
   }
   if (episode_s > mission.duration_s) {
     place.Warn("episode_s",
                fmt::format("an episode takes {:g} s, longer than the mission", episode_s));
   }
-  if (mission.swarm.silent_after_s < episode_s) {
+  if (swarm.silent_after_s < episode_s) {
     place.Warn(
         "silent_after_s",
         fmt::format("every member counts as silent {:g} s after a message, and the next comes "
                     "after {:g} s",
-                    mission.swarm.silent_after_s, episode_s));
+                    swarm.silent_after_s, episode_s));
   }
-  if (mission.duration_s > mission.swarm.limits.max_time_s) {
+  if (mission.duration_s > swarm.limits.max_time_s) {
     place.Warn("leader",
                fmt::format("time stamps of messages end at {:g} s: from then on all count "
                            "as damaged",
-                           mission.swarm.limits.max_time_s));
+                           swarm.limits.max_time_s));
   }
 }
 
 /// Members farther apart than comms_range receive nothing of each other, whatever the water does.
-void WarnOfRange(const TablePlace& place, const Mission& mission) {
+void WarnOfRange(const TablePlace& place, const Mission& mission, const SwarmOptions& swarm) {
   const double range_m = mission.comms.comms_range_m;
-  if (range_m < 0 || mission.swarm.max_distance_m <= range_m) return;
+  if (range_m < 0 || swarm.max_distance_m <= range_m) return;
   place.Warn(
       "max_distance_m",
       fmt::format("members may be {:g} m apart, and comms_range lets packets through up to "
                   "{:g} m: write comms_range = \"nolimit\" in [comms], which leaves the range "
                   "to the acoustic network, or max_distance_m = {:g}",
-                  mission.swarm.max_distance_m, range_m, range_m));
+                  swarm.max_distance_m, range_m, range_m));
 }
 
 /// A message must fit into a packet of the modem.
-void CheckPackets(const TablePlace& place, const Mission& mission) {
-  const std::optional<ModemPreset>& modem = PacketAcousticsOf(mission).options.modem;
+void CheckPackets(const TablePlace& place, const Mission& mission, const SwarmOptions& swarm) {
+  const std::optional<ModemPreset>& modem = AcousticsOf(mission, swarm.over).options.modem;
   if (!modem || modem->max_packet_bytes <= 0) return;
-  const bool asks = SwarmSchemeOf(mission) == SwarmScheme::kTdmaLf;
-  const size_t longest =
-      (asks ? BroadcastBytes(mission.swarm.followers.size()) : kLeaderReportBytes) +
-      (mission.swarm.frames ? kFrameBytes : 0);
+  const bool asks = SwarmSchemeOf(mission, swarm) == SwarmScheme::kTdmaLf;
+  const size_t longest = (asks ? BroadcastBytes(swarm.followers.size()) : kLeaderReportBytes) +
+                         (swarm.frames ? kFrameBytes : 0);
   if (static_cast<int64_t>(longest) <= modem->max_packet_bytes) return;
   place.Refuse("leader", fmt::format("the leader's message takes {} bytes, and a packet of the {} "
                                      "holds {}: choose another modem{}",
@@ -150,15 +150,15 @@ void CheckPackets(const TablePlace& place, const Mission& mission) {
                                      asks ? ", fewer followers, or scheduler = \"tdma\"" : ""));
 }
 
-void CheckSlots(const TablePlace& place, const Mission& mission) {
-  const bool needs_channels = mission.swarm.scheduler == "fdma_lf";
-  if (needs_channels && PacketAcousticsOf(mission).options.access_mode != AccessMode::kFdma) {
+void CheckSlots(const TablePlace& place, const Mission& mission, const SwarmOptions& swarm) {
+  const bool needs_channels = swarm.scheduler == "fdma_lf";
+  if (needs_channels && AcousticsOf(mission, swarm.over).options.access_mode != AccessMode::kFdma) {
     place.Refuse("scheduler",
                  "fdma_lf needs a channel for each vehicle: write access_mode = "
                  "\"fdma\" in [acoustics], or scheduler = \"tdma\"");
     return;
   }
-  for (const TimingProblem& problem : PlanSwarm(mission).problems) {
+  for (const TimingProblem& problem : PlanSwarm(mission, swarm).problems) {
     place.Refuse(problem.key, problem.message);
   }
 }
@@ -166,22 +166,28 @@ void CheckSlots(const TablePlace& place, const Mission& mission) {
 }  // namespace
 
 void ValidateSwarm(const Mission& mission, const TablePlace& file) {
-  if (!mission.swarm.exists) return;
-  const TablePlace swarm = file.Below("swarm");
-  CheckFollowers(swarm, mission);
-  if (!PacketAcousticsOf(mission).is_used) {
-    swarm.Refuse("leader",
-                 "a swarm sends over an acoustic network: write [acoustics] as well, or name a "
-                 "[[medium]] of kind = \"acoustic\" in over");
+  bool are_sound = true;
+  for (size_t i = 0; i < mission.swarms.size(); ++i) {
+    const SwarmOptions& swarm = mission.swarms[i];
+    const TablePlace place = TableOfSwarm(mission, file, i);
+    CheckFollowers(place, mission, swarm);
+    if (!AcousticsOf(mission, swarm.over).is_used) {
+      place.Refuse("leader",
+                   "a swarm sends over an acoustic network: write [acoustics] as well, or name a "
+                   "[[medium]] of kind = \"acoustic\" in over");
+    }
+    are_sound = are_sound && place.IsSound();
+    if (!place.IsSound()) continue;
+    CheckMemberAddresses(place, mission, swarm);
+    CheckMembers(place, mission, swarm);
+    CheckPackets(place, mission, swarm);
+    CheckSlots(place, mission, swarm);
+    are_sound = are_sound && place.IsSound();
+    if (!place.IsSound()) continue;
+    WarnOfLateSlots(place, mission, swarm);
+    WarnOfRange(place, mission, swarm);
   }
-  if (!swarm.IsSound()) return;
-  CheckMemberAddresses(swarm, mission);
-  CheckMembers(swarm, mission);
-  CheckPackets(swarm, mission);
-  CheckSlots(swarm, mission);
-  if (!swarm.IsSound()) return;
-  WarnOfLateSlots(swarm, mission);
-  WarnOfRange(swarm, mission);
+  if (are_sound && mission.swarms.size() > 1) ValidateSwarms(mission, file);
 }
 
 }  // namespace shoal

@@ -61,17 +61,23 @@ void CheckFloorSource(const TablePlace& place, const Vehicle& vehicle, const Mis
 void CheckAcousticTask(const TablePlace& place, const TargetTrackTask& track,
                        const Vehicle& vehicle, const Mission& mission) {
   if (track.swarm != SwarmKnowledge::kAcoustic) return;
-  if (!mission.swarm.exists) {
+  const SwarmOptions* own = mission.SwarmOf(vehicle);
+  const SwarmOptions* swarm = own;
+  if (swarm == nullptr && !mission.swarms.empty()) {
+    const auto led = std::ranges::find(mission.swarms, track.target, &SwarmOptions::leader);
+    swarm = led == mission.swarms.end() ? &mission.swarms.front() : &*led;
+  }
+  if (swarm == nullptr) {
     place.Refuse("swarm", fmt::format("swarm = \"acoustic\" needs an acoustic swarm: write "
                                       "[swarm] and leader = \"{}\", or swarm = \"direct\"",
                                       track.target));
-  } else if (mission.swarm.leader.empty()) {
+  } else if (swarm->leader.empty()) {
     return;  // That is refused in [swarm].
-  } else if (track.target != mission.swarm.leader) {
+  } else if (track.target != swarm->leader) {
     place.Refuse("target", fmt::format("only the leader of [swarm], {}, reports its position "
                                        "to followers over the acoustic network",
-                                       mission.swarm.leader));
-  } else if (!mission.IsInSwarm(vehicle)) {
+                                       swarm->leader));
+  } else if (own == nullptr) {
     place.Refuse("swarm", fmt::format("{} is not among the followers of [swarm]: add it, or leave "
                                       "followers out",
                                       vehicle.name));
@@ -113,7 +119,7 @@ void CheckSonar(const TablePlace& place, const VelocityCascade& cascade, const V
 void CheckPathFollowing(const TablePlace& place, const PathFollowTask& path, const Vehicle& vehicle,
                         const Mission& mission) {
   CheckSonar(place, path.cascade, vehicle);
-  if (path.swarm == SwarmKnowledge::kAcoustic && !mission.IsInSwarm(vehicle)) {
+  if (path.swarm == SwarmKnowledge::kAcoustic && mission.SwarmOf(vehicle) == nullptr) {
     place.Refuse("swarm", fmt::format("swarm = \"acoustic\" is for members of [swarm], and {} is "
                                       "none: name it there, or write swarm = \"direct\"",
                                       vehicle.name));

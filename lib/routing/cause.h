@@ -41,7 +41,7 @@ enum class Cause : uint8_t {
 
   // Of an acoustic network.
   kNoChannel,     ///< The band has no channel for one of the two.
-  kNotListening,  ///< The receiver does not receive on the channel; only in tdma_lf.
+  kNotListening,  ///< The receiver does not receive on the channel.
   kNoPath,        ///< Farther than sound can come.
   kHalfDuplex,    ///< The receiver was sending meanwhile.
   kCollision,     ///< Others overlapped it.

@@ -29,7 +29,7 @@ std::vector<RosterEntry> MakeRoster(const Mission& mission, bool with_recorder) 
     add("vehicle_sim", vehicle.name, vehicle.sim);
     add("helm", vehicle.name, vehicle.helm);
     add("node_reporter", vehicle.name, vehicle.reporter);
-    if (mission.IsInSwarm(vehicle)) add("acomms", vehicle.name, vehicle.acomms);
+    if (mission.SwarmOf(vehicle) != nullptr) add("acomms", vehicle.name, vehicle.acomms);
     if (vehicle.media.gateway.exists) add("gateway", vehicle.name, Provider::kShoal);
   }
   for (const Participant& participant : mission.participants) {

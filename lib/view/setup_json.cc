@@ -60,7 +60,7 @@ void WriteVehicle(const Mission& mission, const Vehicle& vehicle, bool knows_mod
       .Text("group", vehicle.group)
       .Number("length_m", vehicle.length_m, kCentimetres)
       .Text("model", knows_models ? FactsOfModel(vehicle.model).name : "")
-      .Boolean("in_swarm", mission.IsInSwarm(vehicle))
+      .Boolean("in_swarm", mission.SwarmOf(vehicle) != nullptr)
       .Key("start");
   WritePoint({vehicle.start.x_m, vehicle.start.y_m}, json);
   json->Key("return");

@@ -19,8 +19,8 @@ Mission SurveyMission() {
   mission.seed = 18'446'744'073'709'551'615U;
   mission.op_area_m = {{0, 0}, {400, 0}, {400, -300}};
   mission.obstacles = {{"rock", {{40, -10}, {60, -10}, {60, 10}}}};
-  mission.swarm.exists = true;
-  mission.swarm.leader = "bravo";
+  mission.swarms.resize(1);
+  mission.swarms[0].leader = "bravo";
   Vehicle& alpha = mission.vehicles[0];
   alpha.start = {.x_m = 10, .y_m = -20};
   alpha.return_task.point_m = {5, 6};

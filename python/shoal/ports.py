@@ -20,6 +20,7 @@ SHORE_CHANNELS = frozenset(
         "NODE_MESSAGE_LOCAL",
         "ACK_MESSAGE",
         "ACOUSTIC_TX",
+        "ACOUSTIC_TX_ON",
         "MODEM_TX",
         "MODEM_STATS",
         "RELAY_TX",

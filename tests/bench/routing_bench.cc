@@ -6,9 +6,11 @@
 
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
+#include "lib/media/radio_link.h"
 #include "lib/random/stream.h"
 #include "lib/routing/router.h"
 
@@ -39,9 +41,11 @@ Fleet MakeFleet(int64_t count, double side_m) {
 }
 
 /// One step of the broker: all reports in, all routed, silent vehicles forgotten. Vehicles move a
-/// metre per step. Returns how many fates there were.
+/// metre per step. Calls `on_decisions` after each report; returns how many fates there were.
+template <class OnDecisions>
 int64_t RouteAStep(const Fleet& fleet, int64_t utime, Router* router,
-                   std::vector<Admission>* admissions, std::vector<Decision>* decisions) {
+                   std::vector<Admission>* admissions, std::vector<Decision>* decisions,
+                   const OnDecisions& on_decisions) {
   const double moved_m = static_cast<double>(utime) / static_cast<double>(kStep_us);
   admissions->clear();
   for (size_t i = 0; i < fleet.names.size(); ++i) {
@@ -57,9 +61,15 @@ int64_t RouteAStep(const Fleet& fleet, int64_t utime, Router* router,
     router->Route(admission, utime, decisions);
     num_fates += static_cast<int64_t>(decisions->size());
     benchmark::DoNotOptimize(decisions->data());
+    on_decisions();
   }
   router->ForgetSilent(utime);
   return num_fates;
+}
+
+int64_t RouteAStep(const Fleet& fleet, int64_t utime, Router* router,
+                   std::vector<Admission>* admissions, std::vector<Decision>* decisions) {
+  return RouteAStep(fleet, utime, router, admissions, decisions, [] {});
 }
 
 void RouteReports(benchmark::State& state, const RoutingRules& rules, double side_m) {
@@ -137,6 +147,80 @@ void MessagesToAll(benchmark::State& state) {
   state.SetItemsProcessed(num_fates);
 }
 BENCHMARK(MessagesToAll)->Arg(2)->Arg(10)->Arg(100)->Arg(1000);
+
+/// vhf, acoustic and direct, in order of preference, as in media_bench.cc: of five vehicles one is
+/// below, with a modem. Keeps positions by vehicle, as the broker's MediaTraffic does.
+class ThreeMedia {
+ public:
+  explicit ThreeMedia(size_t num_vehicles) {
+    for (size_t i = 0; i < num_vehicles; ++i) {
+      has_modem_.push_back(i % 5 == 0 ? 1 : 0);
+      ends_.emplace_back();
+    }
+  }
+
+  /// Sets where the vehicles are.
+  void Place(const Router& router) {
+    for (size_t i = 0; i < ends_.size(); ++i) {
+      ends_[i].position_m = router.contact(static_cast<int32_t>(i)).position_m;
+      ends_[i].position_m.z() = has_modem_[i] != 0 ? 10 : 0;
+    }
+  }
+
+  /// Returns the first medium that can carry what the source sends.
+  int Choose(const Decision& decision) const {
+    const auto from = static_cast<size_t>(decision.source);
+    const auto to = static_cast<size_t>(decision.destination);
+    if (DecideRadio(vhf_, terms_, ends_[from], ends_[to]).fault == RadioFault::kNone) return 0;
+    return has_modem_[from] != 0 && has_modem_[to] != 0 ? 1 : 2;
+  }
+
+ private:
+  RadioOptions vhf_ = {.range_m = 5000,
+                       .horizon = true,
+                       .path_loss = PathLossModel::kTwoRay,
+                       .rate_bps = 9600,
+                       .latency_s = 0.05,
+                       .jitter_s = 0.1,
+                       .loss = 0.02};
+  TwoRayTerms terms_ = TermsOf(vhf_);
+  std::vector<uint8_t> has_modem_;
+  std::vector<RadioEnd> ends_;
+};
+
+/// Routing alone, no bus and no messages: the router's decision of each link, then the first of
+/// three media that can carry it. With `has_media` false the decision alone, in the same loop.
+void RouteOverMedia(benchmark::State& state, bool has_media) {
+  const Fleet fleet = MakeFleet(state.range(0), 400);
+  RoutingRules rules = AllInRange();
+  if (has_media) rules.reports_over = Over("vhf,acoustic,direct");
+  Router router(rules, kSeed, fleet.names);
+  ThreeMedia media(fleet.names.size());
+  std::vector<Admission> admissions;
+  std::vector<Decision> decisions;
+  int64_t utime = 0;
+  const auto step = [&] {
+    utime += kStep_us;
+    if (has_media && utime > kStep_us) media.Place(router);
+    return RouteAStep(fleet, utime, &router, &admissions, &decisions, [&] {
+      if (!has_media) return;
+      for (const Decision& decision : decisions) {
+        if (decision.cause != Cause::kInTransit) continue;
+        benchmark::DoNotOptimize(media.Choose(decision));
+      }
+    });
+  };
+  step();  // From now on all are known.
+  int64_t num_fates = 0;
+  for (auto _ : state) num_fates += step();
+  state.SetItemsProcessed(num_fates);
+}
+
+void RoutingWithoutMedia(benchmark::State& state) { RouteOverMedia(state, false); }
+BENCHMARK(RoutingWithoutMedia)->Arg(50);
+
+void RoutingWithThreeMedia(benchmark::State& state) { RouteOverMedia(state, true); }
+BENCHMARK(RoutingWithThreeMedia)->Arg(50);
 
 }  // namespace
 }  // namespace shoal

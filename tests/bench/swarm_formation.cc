@@ -94,7 +94,7 @@ void Compare(const Mission& mission, const Tracks& tracks, const Tracks& truth, 
   double outside_squares = 0;
   int64_t count = 0;
   size_t leader = 0;
-  while (mission.vehicles[leader].name != mission.swarm.leader) ++leader;
+  while (mission.vehicles[leader].name != mission.swarms[0].leader) ++leader;
   const auto first = static_cast<size_t>(kFormedUp_s * 1e6 / static_cast<double>(mission.tick_us));
   for (size_t i = 0; i < tracks.size(); ++i) {
     const shoal::FormationLayer* zone = ZoneOf(mission.vehicles[i]);

@@ -61,6 +61,12 @@ TEST(Reproducibility, HoldsForSonarsNoiseAndPlumes) {
   EXPECT_TRUE(SimLog(folder, mission) == RunLog(folder, mission, {"--layout", "shared"}));
 }
 
+TEST(Reproducibility, HoldsForTwoSwarmsOnOneNetwork) {
+  const TestFolder folder;
+  const std::string mission = MissionFile("two_swarms.toml");
+  EXPECT_TRUE(SimLog(folder, mission) == RunLog(folder, mission));
+}
+
 TEST(Reproducibility, HoldsForASwarmThatCommunicates) {
   const TestFolder folder;
   const std::string mission = MissionFile("swarm_lossy.toml");
