@@ -52,13 +52,14 @@ TEST(ExplainNetwork, ShowsTheChannelsOfEveryAcousticMediumWithTheVehiclesThatHav
   const LoadedMission loaded = LoadMissionText(
       "[mission]\nduration_s = 60\n[[medium]]\nname = \"deep\"\nkind = \"acoustic\"\n"
       "access_mode = \"fdma\"\n[[vehicle]]\nname = \"alpha\"\nmedia = [\"deep\"]\n"
-      "[[vehicle]]\nname = \"bravo\"\nmedia = [\"direct\"]\n",
+      "[[vehicle]]\nname = \"bravo\"\nmedia = [\"direct\"]\n"
+      "[[vehicle]]\nname = \"charlie\"\nmedia = [\"deep\"]\n",
       "m.toml");
   EXPECT_EQ(loaded.errors, std::vector<std::string>());
   const std::string text = ExplainNetwork(loaded.mission);
-  EXPECT_TRUE(Has(text, "# Acoustic channels of the medium deep, access_mode fdma: 1 of at most 7"))
+  EXPECT_TRUE(Has(text, "# Acoustic channels of the medium deep, access_mode fdma: 2 of at most 7"))
       << text;
-  EXPECT_TRUE(Has(text, "  alpha / ")) << text;
+  EXPECT_TRUE(Has(text, "  alpha / all others\n")) << text;
   EXPECT_FALSE(Has(text, "bravo")) << text;
 }
 
