@@ -42,6 +42,27 @@ TEST(ExplainNetwork, ShowsTheLengthsThatAutoStandsForAndEveryMembersFirstSlot) {
   EXPECT_TRUE(Has(asked, " s, when asked\n")) << asked;
 }
 
+TEST(ExplainNetwork, ShowsTheSlotsOfEachOfSeveralSwarms) {
+  const std::string text = ExplainNetwork(LoadExample("two_swarms"));
+  EXPECT_TRUE(Has(text, "# Slots of the swarm north (group_id A), fdma_lf: episode 5 s")) << text;
+  EXPECT_TRUE(Has(text, "# Slots of the swarm south (group_id B), fdma_lf: episode 4 s")) << text;
+}
+
+TEST(ExplainNetwork, ShowsTheChannelsOfEveryAcousticMediumWithTheVehiclesThatHaveIt) {
+  const LoadedMission loaded = LoadMissionText(
+      "[mission]\nduration_s = 60\n[[medium]]\nname = \"deep\"\nkind = \"acoustic\"\n"
+      "access_mode = \"fdma\"\n[[vehicle]]\nname = \"alpha\"\nmedia = [\"deep\"]\n"
+      "[[vehicle]]\nname = \"bravo\"\nmedia = [\"direct\"]\n"
+      "[[vehicle]]\nname = \"charlie\"\nmedia = [\"deep\"]\n",
+      "m.toml");
+  EXPECT_EQ(loaded.errors, std::vector<std::string>());
+  const std::string text = ExplainNetwork(loaded.mission);
+  EXPECT_TRUE(Has(text, "# Acoustic channels of the medium deep, access_mode fdma: 2 of at most 7"))
+      << text;
+  EXPECT_TRUE(Has(text, "  alpha / all others\n")) << text;
+  EXPECT_FALSE(Has(text, "bravo")) << text;
+}
+
 TEST(ExplainNetwork, ShowsTheStrategiesOfMembersWithoutOwnOnes) {
   const std::string text = ExplainNetwork(LoadExample("swarm_fdma"));
   EXPECT_TRUE(Has(text, "Recovery of damaged fields by all: the default\n")) << text;

@@ -102,8 +102,8 @@ TEST(LoadSwarms, RefusesANameThatTwoHave) {
 
 TEST(LoadSwarms, RefusesOneWithoutALeaderOrName) {
   EXPECT_EQ(ErrorsWith(kNorth + "[[swarm]]\ngroup = \"lower\"\n"),
-            "27:1: [[swarm]] 2 lacks 'name'; for example: name = \"north\"\n"
-            "27:1: [[swarm]] 2 lacks 'leader'; for example: leader = \"alpha\"\n");
+            "27:1: swarm lacks 'leader'; for example: leader = \"alpha\"\n"
+            "27:1: swarm lacks 'name'; for example: name = \"north\"\n");
 }
 
 TEST(LoadSwarms, RefusesMembersThatAreNamedInTwoWays) {

@@ -170,7 +170,8 @@ void ValidateSwarm(const Mission& mission, const TablePlace& file) {
   for (size_t i = 0; i < mission.swarms.size(); ++i) {
     const SwarmOptions& swarm = mission.swarms[i];
     const TablePlace place = TableOfSwarm(mission, file, i);
-    CheckFollowers(place, mission, swarm);
+    // What is wrong with one of several may be how it names its members.
+    if (swarm.name.empty() || place.IsSound()) CheckFollowers(place, mission, swarm);
     if (!AcousticsOf(mission, swarm.over).is_used) {
       place.Refuse("leader",
                    "a swarm sends over an acoustic network: write [acoustics] as well, or name a "
