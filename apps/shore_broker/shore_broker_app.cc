@@ -385,7 +385,7 @@ void ShoreBrokerApp::RoutePacket(int64_t utime, const BrokerInbox::Item& item) {
 /// an id.
 void ShoreBrokerApp::RouteBytes(int64_t utime, const BrokerInbox::Item& item,
                                 const std::string& source, const std::vector<uint8_t>& payload,
-                                const SendOptions& options) {
+                                const PacketOptions& options) {
   const std::optional<double> data_rate_bps = options.data_rate_bps;
   constexpr double kSlowest_bps = 0.1;
   constexpr double kFastest_bps = 1e9;

@@ -90,7 +90,7 @@ class ShoreBrokerApp : public Broker {
   bool RouteRelayed(int64_t utime, const MediaChoice& over);
   void RoutePacket(int64_t utime, const BrokerInbox::Item& item);
   void RouteBytes(int64_t utime, const BrokerInbox::Item& item, const std::string& source,
-                  const std::vector<uint8_t>& payload, const SendOptions& options);
+                  const std::vector<uint8_t>& payload, const PacketOptions& options);
   void Share(int64_t utime, const WaitingReport& report);
   void Forget(int64_t utime);
   /// Has decisions_ carried out, and clears them.

@@ -50,7 +50,7 @@ Result<int> AcousticNetwork::AddNode(const AcousticNode& node) {
 int64_t AcousticNetwork::Transmit(double time_s, int source,
                                   std::span<const Eigen::Vector3d> positions_m,
                                   std::span<const uint8_t> bytes, std::span<const int> receivers,
-                                  const SendOptions& options) {
+                                  const PacketOptions& options) {
   SHOAL_CHECK(std::isfinite(time_s) && time_s >= now_s_,
               "time_s is finite and not before an earlier call");
   SHOAL_CHECK(source >= 0 && source < num_nodes(), "source is the index of a node");

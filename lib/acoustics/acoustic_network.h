@@ -40,7 +40,7 @@
 namespace shoal {
 
 /// What a packet has of its own.
-struct SendOptions {
+struct PacketOptions {
   /// It lasts as long, and comes as far, as this rate does; absent: the network's. @pre > 0
   std::optional<double> data_rate_bps = {};
   /// An index of the plan's channels; absent: the source's own. Only nodes that receive on it get
@@ -72,7 +72,7 @@ class AcousticNetwork {
   /// @pre time_s is finite and not before that of an earlier Transmit or Deliver
   int64_t Transmit(double time_s, int source, std::span<const Eigen::Vector3d> positions_m,
                    std::span<const uint8_t> bytes, std::span<const int> receivers,
-                   const SendOptions& options = {});
+                   const PacketOptions& options = {});
 
   /// Returns what ended until `until_s` and was not returned before, in order of end; at the same
   /// moment in the order in which they were sent, then of receivers. Valid until the next call of

@@ -162,7 +162,7 @@ class McapConversion {
   std::ostream& err_;
   McapWriter writer_;
   ProtoEncoder encoder_;
-  ShownMessages shown_;
+  McapShownMessages shown_;
   std::string problem_;  ///< Why the log cannot become an MCAP file.
   std::string key_;
   std::unordered_map<std::string, std::vector<std::pair<const StructType*, uint16_t>>> channels_;

@@ -34,7 +34,8 @@ constexpr char kClear[] = "clear";
 
 }  // namespace
 
-bool ShownMessages::Add(const LogEvent& event, const RecognisedMessage& message, const Sink& sink) {
+bool McapShownMessages::Add(const LogEvent& event, const RecognisedMessage& message,
+                            const Sink& sink) {
   if (const auto vehicle = VehicleOfChannel(event.channel, topics::kNav); !vehicle.empty()) {
     return AddNav(vehicle, message, sink);
   }
@@ -47,8 +48,8 @@ bool ShownMessages::Add(const LogEvent& event, const RecognisedMessage& message,
                   MessageText(schema_, *message.type, message.data, "utime"), sink);
 }
 
-bool ShownMessages::AddNav(std::string_view vehicle, const RecognisedMessage& message,
-                           const Sink& sink) {
+bool McapShownMessages::AddNav(std::string_view vehicle, const RecognisedMessage& message,
+                               const Sink& sink) {
   if (!DecodeMessage(message, &nav_)) return true;
   if (std::isfinite(nav_.lat_deg) && std::isfinite(nav_.lon_deg) && std::isfinite(nav_.z_m)) {
     topic_.assign("foxglove/location/").append(vehicle);
@@ -63,8 +64,8 @@ bool ShownMessages::AddNav(std::string_view vehicle, const RecognisedMessage& me
   return sink(ShownKind::kPose, topic_, [&](std::string* out) { AppendPoseInFrame(nav_, out); });
 }
 
-bool ShownMessages::AddFates(const LogEvent& event, const RecognisedMessage& message,
-                             const Sink& sink) {
+bool McapShownMessages::AddFates(const LogEvent& event, const RecognisedMessage& message,
+                                 const Sink& sink) {
   if (message.type->fingerprint != comms_fates_t::getHash()) return true;
   if (!ReadFates(message.data, &fates_)) return true;
   for (const FateView& fate : fates_.all()) {
@@ -77,8 +78,8 @@ bool ShownMessages::AddFates(const LogEvent& event, const RecognisedMessage& mes
   return true;
 }
 
-bool ShownMessages::AddHelm(const LogEvent& event, std::string_view vehicle,
-                            const RecognisedMessage& message, const Sink& sink) {
+bool McapShownMessages::AddHelm(const LogEvent& event, std::string_view vehicle,
+                                const RecognisedMessage& message, const Sink& sink) {
   helm_state_t helm{};
   if (!DecodeMessage(message, &helm)) return true;
   const auto [it, is_new] = helms_.try_emplace(std::string(vehicle));
@@ -95,8 +96,8 @@ bool ShownMessages::AddHelm(const LogEvent& event, std::string_view vehicle,
   return is_wanted;
 }
 
-bool ShownMessages::AddEvent(const LogEvent& event, LogLevel level, std::string_view name,
-                             const std::string& text, const Sink& sink) {
+bool McapShownMessages::AddEvent(const LogEvent& event, LogLevel level, std::string_view name,
+                                 const std::string& text, const Sink& sink) {
   return sink(ShownKind::kLog, "foxglove/events", [&](std::string* out) {
     AppendLog(event.utime, level, ValidUtf8(name), ValidUtf8(text), out);
   });

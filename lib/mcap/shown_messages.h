@@ -27,14 +27,14 @@ enum class ShownKind { kLocation, kPose, kLog };
 ///   foxglove/fates         Log of each fate: level DEBUG where it was delivered, else INFO
 ///   foxglove/events        Log of changes of helms (WARNING: an all-stop), of commands and
 ///   controls
-class ShownMessages {
+class McapShownMessages {
  public:
   /// Takes one message: its channel's topic and kind, and what appends its bytes. Returns false
   /// where no more are wanted.
   using Sink = std::function<bool(ShownKind kind, std::string_view topic,
                                   const std::function<void(std::string*)>& append)>;
 
-  explicit ShownMessages(const Schema& schema) : schema_(schema) {}
+  explicit McapShownMessages(const Schema& schema) : schema_(schema) {}
 
   /// Gives `sink` what follows from a message of the log. Returns false where the sink did.
   /// @pre message.IsDecodable()
