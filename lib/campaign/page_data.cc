@@ -72,8 +72,8 @@ PageJson EstimateJson(const Estimate& of) {
 std::string StarOf(const Estimate& of) { return of.is_repeated ? " *" : ""; }
 
 PageJson MetricJson(const MetricSummary& of) {
-  PageJson texts = {std::to_string(of.num), std::to_string(of.num_without), DigitsText(of.mean.value),
-                    IntervalText(of.mean.interval) + StarOf(of.mean)};
+  PageJson texts = {std::to_string(of.num), std::to_string(of.num_without),
+                    DigitsText(of.mean.value), IntervalText(of.mean.interval) + StarOf(of.mean)};
   for (const Estimate& quantile : of.quantiles) {
     texts.push_back(DigitsText(quantile.value));
     texts.push_back(IntervalText(quantile.interval));
