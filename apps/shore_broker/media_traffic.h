@@ -72,7 +72,7 @@ class MediaTraffic {
     Carrier carrier = Carrier::kDirect;
     size_t acoustic = 0;      ///< Of kAcoustic: which of acoustics_.
     RadioOptions radio = {};  ///< Of kRadio, as the next.
-    TwoRayTerms terms = {};
+    RadioTerms terms = {};
   };
   struct Node {
     std::string key;

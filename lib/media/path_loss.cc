@@ -60,18 +60,36 @@ double TwoRayReach_m(double loss_db, double frequency_mhz, double height_m, doub
                        other_height_m);
 }
 
-TwoRayTerms TwoRayTermsOf(double loss_db, double frequency_mhz) {
-  return {.free_m = FreeSpaceReach_m(loss_db, frequency_mhz),
-          .far_per_height = std::pow(10, loss_db / 40)};
+TwoRayTerms TwoRayTermsOf(double loss_db, double frequency_mhz, double usual_height_m) {
+  TwoRayTerms terms = {.free_m = FreeSpaceReach_m(loss_db, frequency_mhz),
+                       .far_per_height = std::pow(10, loss_db / 40)};
+  if (usual_height_m < 0) return terms;
+  const double heights_m2 = Heights_m2(usual_height_m, usual_height_m);
+  terms.crossover_m = Crossover_m(frequency_mhz, heights_m2);
+  terms.heights_db = 20 * std::log10(heights_m2);
+  terms.reach_m = TwoRayReach_m(terms, frequency_mhz, usual_height_m, usual_height_m);
+  terms.height_m = usual_height_m;  // Last: from now on it is used.
+  return terms;
 }
 
 double TwoRayReach_m(const TwoRayTerms& terms, double frequency_mhz, double height_m,
                      double other_height_m) {
+  if (height_m == terms.height_m && other_height_m == terms.height_m) return terms.reach_m;
   const double heights_m2 = Heights_m2(height_m, other_height_m);
   const double free_m = terms.free_m;
   const double far_m = terms.far_per_height * std::sqrt(heights_m2);
   const double reach_m = free_m <= Crossover_m(frequency_mhz, heights_m2) ? free_m : far_m;
   return std::max(reach_m, kNearest_m);
+}
+
+double TwoRayLoss_db(const TwoRayTerms& terms, double range_m, double frequency_mhz,
+                     double height_m, double other_height_m) {
+  if (height_m != terms.height_m || other_height_m != terms.height_m) {
+    return TwoRayLoss_db(range_m, frequency_mhz, height_m, other_height_m);
+  }
+  const double distance_m = std::max(range_m, kNearest_m);
+  if (distance_m <= terms.crossover_m) return FreeSpaceLoss_db(distance_m, frequency_mhz);
+  return 40 * std::log10(distance_m) - terms.heights_db;
 }
 
 double RadioHorizon_m(double height_m, double other_height_m) {

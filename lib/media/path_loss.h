@@ -39,14 +39,23 @@ inline constexpr std::array<std::pair<std::string_view, PathLossModel>, 3> kPath
 [[nodiscard]] double TwoRayReach_m(double loss_db, double frequency_mhz, double height_m,
                                    double other_height_m);
 
-/// What of TwoRayReach_m does not depend on the antennas' heights, for callers with many links.
+/// What the two-ray model needs again and again, for callers with many links: of the losses alone,
+/// and of two antennas of the height that most have.
 struct TwoRayTerms {
   double free_m = 0;          ///< The range without a sea.
   double far_per_height = 0;  ///< Beyond the crossover: reach over sqrt(h1 h2).
+  double height_m = -1;       ///< Of both antennas, for what follows; negative: no link is.
+  double crossover_m = 0;
+  double heights_db = 0;  ///< 20 log10(h1 h2).
+  double reach_m = 0;
 };
-[[nodiscard]] TwoRayTerms TwoRayTermsOf(double loss_db, double frequency_mhz);
+[[nodiscard]] TwoRayTerms TwoRayTermsOf(double loss_db, double frequency_mhz,
+                                        double usual_height_m = -1);
+/// The same as without the terms, bit for bit.
 [[nodiscard]] double TwoRayReach_m(const TwoRayTerms& terms, double frequency_mhz, double height_m,
                                    double other_height_m);
+[[nodiscard]] double TwoRayLoss_db(const TwoRayTerms& terms, double range_m, double frequency_mhz,
+                                   double height_m, double other_height_m);
 
 /// Returns the range at which the round Earth hides two antennas from each other, rays bent by a
 /// standard atmosphere: sqrt(2 k R h1) + sqrt(2 k R h2), with k = 4/3 (ITU-R P.310) and R =

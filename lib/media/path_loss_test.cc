@@ -61,4 +61,20 @@ TEST(RadioHorizon, IsFourPointOneTwoKilometresTimesTheRootOfTheHeight) {
   EXPECT_EQ(RadioHorizon_m(5, 0), RadioHorizon_m(0, 5));
 }
 
+TEST(TwoRayTerms, GiveTheSameBitsAsWithoutThem) {
+  constexpr double kLoss_db = 120;
+  constexpr double kFrequency_mhz = 900;
+  const TwoRayTerms terms = TwoRayTermsOf(kLoss_db, kFrequency_mhz, 2);
+  for (const double height_m : {0.0, 1.5, 2.0}) {
+    for (const double other_m : {2.0, 3.0}) {
+      EXPECT_EQ(TwoRayReach_m(terms, kFrequency_mhz, height_m, other_m),
+                TwoRayReach_m(kLoss_db, kFrequency_mhz, height_m, other_m));
+      for (double range_m = 0.5; range_m < 1e5; range_m *= 1.37) {
+        EXPECT_EQ(TwoRayLoss_db(terms, range_m, kFrequency_mhz, height_m, other_m),
+                  TwoRayLoss_db(range_m, kFrequency_mhz, height_m, other_m));
+      }
+    }
+  }
+}
+
 }  // namespace shoal::path_loss_test

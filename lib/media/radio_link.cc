@@ -18,7 +18,7 @@ void AskSignal(const RadioOptions& options, const TwoRayTerms& terms, double hei
   double reach_m = 0;
   if (options.path_loss == PathLossModel::kTwoRay) {
     link->path_loss_db =
-        TwoRayLoss_db(link->range_m, options.frequency_mhz, height_m, other_height_m);
+        TwoRayLoss_db(terms, link->range_m, options.frequency_mhz, height_m, other_height_m);
     reach_m = TwoRayReach_m(terms, options.frequency_mhz, height_m, other_height_m);
   } else {
     link->path_loss_db = LogDistanceLoss_db(link->range_m, options.frequency_mhz, options.exponent);
@@ -34,9 +34,15 @@ void AskSignal(const RadioOptions& options, const TwoRayTerms& terms, double hei
 
 }  // namespace
 
-TwoRayTerms TermsOf(const RadioOptions& options) {
-  if (options.path_loss != PathLossModel::kTwoRay) return {};
-  return TwoRayTermsOf(options.power_dbm - options.sensitivity_dbm, options.frequency_mhz);
+RadioTerms TermsOf(const RadioOptions& options) {
+  const double height_m = std::max(options.antenna_height_m, 0.0);
+  RadioTerms terms;
+  if (options.horizon) terms.horizon_m = RadioHorizon_m(height_m, height_m);
+  if (options.path_loss == PathLossModel::kTwoRay) {
+    terms.two_ray =
+        TwoRayTermsOf(options.power_dbm - options.sensitivity_dbm, options.frequency_mhz, height_m);
+  }
+  return terms;
 }
 
 RadioLink DecideRadio(const RadioOptions& options, const RadioEnd& source,
@@ -44,7 +50,7 @@ RadioLink DecideRadio(const RadioOptions& options, const RadioEnd& source,
   return DecideRadio(options, TermsOf(options), source, receiver);
 }
 
-RadioLink DecideRadio(const RadioOptions& options, const TwoRayTerms& terms, const RadioEnd& source,
+RadioLink DecideRadio(const RadioOptions& options, const RadioTerms& terms, const RadioEnd& source,
                       const RadioEnd& receiver) {
   RadioLink link;
   link.depth_m = std::max({source.position_m.z(), receiver.position_m.z(), 0.0});
@@ -57,7 +63,10 @@ RadioLink DecideRadio(const RadioOptions& options, const TwoRayTerms& terms, con
   const double height_m = HeightOf(options, source);
   const double other_height_m = HeightOf(options, receiver);
   if (options.horizon) {
-    link.horizon_m = RadioHorizon_m(height_m, other_height_m);
+    const double usual_m = options.antenna_height_m;
+    link.horizon_m = height_m == usual_m && other_height_m == usual_m
+                         ? terms.horizon_m
+                         : RadioHorizon_m(height_m, other_height_m);
     link.limit_m = link.horizon_m;
     if (!(link.range_m < link.limit_m)) {
       link.fault = RadioFault::kBelowHorizon;
@@ -74,7 +83,7 @@ RadioLink DecideRadio(const RadioOptions& options, const TwoRayTerms& terms, con
     }
   }
   if (options.path_loss != PathLossModel::kNone)
-    AskSignal(options, terms, height_m, other_height_m, &link);
+    AskSignal(options, terms.two_ray, height_m, other_height_m, &link);
   return link;
 }
 

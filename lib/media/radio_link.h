@@ -61,9 +61,14 @@ struct RadioLink {
 /// Decides one link. The same in both directions.
 [[nodiscard]] RadioLink DecideRadio(const RadioOptions& options, const RadioEnd& source,
                                     const RadioEnd& receiver);
-/// The same, with the terms of the options for two_ray, which take longer than all the rest.
-[[nodiscard]] TwoRayTerms TermsOf(const RadioOptions& options);
-[[nodiscard]] RadioLink DecideRadio(const RadioOptions& options, const TwoRayTerms& terms,
+/// What follows from the options alone, and takes longer than all the rest.
+struct RadioTerms {
+  TwoRayTerms two_ray;   ///< Of antennas of the medium's height above the surface.
+  double horizon_m = 0;  ///< Likewise.
+};
+[[nodiscard]] RadioTerms TermsOf(const RadioOptions& options);
+/// The same as without the terms, bit for bit.
+[[nodiscard]] RadioLink DecideRadio(const RadioOptions& options, const RadioTerms& terms,
                                     const RadioEnd& source, const RadioEnd& receiver);
 
 /// Names the random numbers of the transmissions of one kind over one link.

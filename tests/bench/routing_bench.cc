@@ -183,7 +183,7 @@ class ThreeMedia {
                        .latency_s = 0.05,
                        .jitter_s = 0.1,
                        .loss = 0.02};
-  TwoRayTerms terms_ = TermsOf(vhf_);
+  RadioTerms terms_ = TermsOf(vhf_);
   std::vector<uint8_t> has_modem_;
   std::vector<RadioEnd> ends_;
 };
