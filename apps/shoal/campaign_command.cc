@@ -12,6 +12,7 @@
 #include "apps/shoal/check_command.h"
 #include "apps/shoal/sim_command.h"
 #include "apps/shoal/view_command.h"
+#include "lib/campaign/campaign_progress.h"
 #include "lib/campaign/reduce.h"
 #include "lib/launch/launcher.h"
 #include "lib/launch/recording.h"
@@ -30,15 +31,6 @@ int JobsOf(int wanted) {
   if (wanted > 0) return wanted;
   const auto processors = static_cast<int>(std::thread::hardware_concurrency());
   return std::clamp(processors, 1, kMostJobs);
-}
-
-std::string HowLong(double seconds) {
-  constexpr double kMinute = 60;
-  constexpr double kHour = 3600;
-  if (seconds < 2) return fmt::format("{:.1f} s", seconds);
-  if (seconds < 2 * kMinute) return fmt::format("{:.0f} s", seconds);
-  if (seconds < 2 * kHour) return fmt::format("{:.0f} min", seconds / kMinute);
-  return fmt::format("{:.1f} h", seconds / kHour);
 }
 
 /// Runs the first repetition of a few cases; returns the mean wall time of a trial, or 0.
@@ -103,8 +95,8 @@ int RunCampaignCheck(const CampaignCheckOptions& options) {
   const double trial_s = MeasureTrials(folder, scratch.path());
   const int jobs = JobsOf(options.num_jobs);
   fmt::print("about {} with {} job{} ({:.3g} s for a trial, by the first ones)\n",
-             HowLong(trial_s * static_cast<double>(num_trials) / jobs), jobs, jobs == 1 ? "" : "s",
-             trial_s);
+             DurationText(trial_s * static_cast<double>(num_trials) / jobs), jobs,
+             jobs == 1 ? "" : "s", trial_s);
   return kExitOk;
 }
 
@@ -114,6 +106,10 @@ int RunCampaignRun(const CampaignRunCommand& command) {
   if (!prepared.made.bad_cases.empty()) {
     fmt::print(stderr, "{}: the trials of {} case(s) above will be errors\n", command.file,
                prepared.made.bad_cases.size());
+  }
+  if (const std::string problem = MakeCampaignFolder(command.out); !problem.empty()) {
+    fmt::print(stderr, "shoal: {}\n", problem);
+    return kExitEnvironment;
   }
   Result<CampaignFolder> folder =
       OpenCampaignFolder(command.out, prepared.loaded, prepared.made.plan);
@@ -143,7 +139,7 @@ int RunCampaignRun(const CampaignRunCommand& command) {
     fmt::print(stderr, "shoal: {}\n", results.error());
     return kExitEnvironment;
   }
-  fmt::print("{} trials in {} ({:.3g} per s){}\n", run.num_run, HowLong(wall_s),
+  fmt::print("{} trials in {} ({:.3g} per s){}\n", run.num_run, DurationText(wall_s),
              static_cast<double>(run.num_run) / std::max(wall_s, 1e-3),
              run.num_recorded == 0
                  ? ""

@@ -51,9 +51,9 @@ bool IsCampaignInterrupted() { return campaign_interrupted; }
 std::string CountsText(const CampaignResults& results) {
   std::string text = fmt::format("{} trials", results.rows.size());
   for (size_t i = 0; i < std::size(kTrialOutcomeNames); ++i) {
-    text +=
-        fmt::format("{} {} {}", i == 0 ? ":" : ",",
-                    CountOutcomes(results, static_cast<TrialOutcome>(i)), kTrialOutcomeNames[i]);
+    text += fmt::format("{} {} {}", i == 0 ? ":" : ",",
+                        CountOutcomes(results, static_cast<TrialOutcome>(i)),
+                        NameOf(static_cast<TrialOutcome>(i)));
   }
   if (results.num_beyond_stop > 0) {
     text += fmt::format("; {} more beyond the look at which their case stopped",
@@ -72,8 +72,7 @@ void PrintTroubles(const CampaignResults& results) {
     if (!is_trouble || !shown.insert(row.result.why).second) continue;
     const CampaignCase& each = results.cases[row.case_number];
     fmt::print(stderr, "{} {}: {}: {}\n", TrialName({each.id, row.repetition}),
-               CaseText(results.campaign, each),
-               kTrialOutcomeNames[static_cast<size_t>(row.result.outcome)], row.result.why);
+               CaseText(results.campaign, each), NameOf(row.result.outcome), row.result.why);
     if (++num_shown == kMost) break;
   }
 }

@@ -6,7 +6,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
 #include <fstream>
 #include <optional>
@@ -15,6 +14,7 @@
 #include "apps/shoal/campaign_setup.h"
 #include "lib/campaign/campaign_progress.h"
 #include "lib/campaign/reduce.h"
+#include "lib/campaign/report_tables.h"
 #include "lib/campaign/submit.h"
 #include "lib/campaign/trial_queue.h"
 #include "lib/launch/child_processes.h"
@@ -197,13 +197,11 @@ int FailWith(const std::string& why, int code = kExitEnvironment) {
   return code;
 }
 
-using OutcomeCounts = std::array<int64_t, 4>;
-
 OutcomeCounts CountsOf(const StoredTrials& stored) {
-  OutcomeCounts counts = {};
+  OutcomeCounts counts;
   for (const auto& trials : stored.by_case) {
     for (const auto& [repetition, trial] : trials) {
-      ++counts[static_cast<size_t>(trial.result.outcome)];
+      ++counts.of[static_cast<size_t>(trial.result.outcome)];
     }
   }
   return counts;
@@ -254,8 +252,8 @@ class Follower {
  private:
   void Show(const StoredTrials& stored, const TrialQueue& queue) {
     const OutcomeCounts counts = CountsOf(stored);
-    for (size_t i = 0; i < counts.size() && counts_; ++i) {
-      for (int64_t n = (*counts_)[i]; n < counts[i]; ++n) {
+    for (size_t i = 0; i < counts.of.size() && counts_; ++i) {
+      for (int64_t n = counts_->of[i]; n < counts.of[i]; ++n) {
         progress_.Count(static_cast<TrialOutcome>(i));
       }
     }
@@ -364,6 +362,9 @@ int RunCampaignSubmit(const CampaignSubmitOptions& options) {
   }
   PreparedCampaign prepared;
   if (const auto code = PrepareCampaign(options.file, &prepared)) return *code;
+  if (const std::string problem = MakeCampaignFolder(options.out); !problem.empty()) {
+    return FailWith(problem);
+  }
   const Result<CampaignFolder> folder =
       OpenCampaignFolder(options.out, prepared.loaded, prepared.made.plan);
   if (!folder.ok()) return FailWith(folder.error(), kExitUsage);

@@ -17,6 +17,7 @@
 #include "lib/campaign/samples.h"
 #include "lib/mission/read_file.h"
 #include "lib/record/file_descriptor.h"
+#include "lib/record/replace_file.h"
 #include "lib/run/version.h"
 
 namespace shoal {
@@ -50,20 +51,6 @@ std::string JsonOf(const LoadedCampaign& loaded, const Plan& plan) {
         {{"name", metric.name}, {"unit", metric.unit}, {"text", metric.text}});
   }
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
-}
-
-/// Writes a file in place of the one of this name: readers see the old one or the new one.
-std::string ReplaceFile(const std::string& path, const std::string& text) {
-  const std::string part = fmt::format("{}.{}.part", path, getpid());
-  std::ofstream out(part, std::ios::binary);
-  out << text;
-  out.close();
-  std::error_code error;
-  if (out) std::filesystem::rename(part, path, error);
-  if (out && !error) return {};
-  std::filesystem::remove(part, error);
-  return fmt::format("{}: cannot be written: is the disk full, or the folder another user's?",
-                     path);
 }
 
 bool IsCaseId(const std::string& text) {
@@ -205,12 +192,20 @@ Result<CampaignFolder> ReadCampaignFolder(const std::string& path) {
   return folder;
 }
 
+std::string MakeCampaignFolder(const std::string& path) {
+  const std::filesystem::path shards = std::filesystem::path(path) / "shards";
+  std::error_code error;
+  std::filesystem::create_directories(shards, error);
+  if (!error && access(path.c_str(), W_OK) == 0 && access(shards.c_str(), W_OK) == 0) return {};
+  return fmt::format("{}: cannot be made or written: {}; give --out another folder", path,
+                     error ? error.message() : ErrnoText(errno));
+}
+
 Result<CampaignFolder> OpenCampaignFolder(const std::string& path, const LoadedCampaign& loaded,
                                           const Plan& plan) {
   const std::filesystem::path folder_path(path);
   std::error_code error;
-  std::filesystem::create_directories(folder_path / "shards", error);
-  if (error) return Error{fmt::format("{}: cannot be made: {}", path, error.message())};
+  if (std::string problem = MakeCampaignFolder(path); !problem.empty()) return Error{problem};
   // One at a time: shards may start together.
   FileDescriptor lock(::open((folder_path / "lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644));
   if (!lock.is_open() || flock(lock.get(), LOCK_EX) != 0) {

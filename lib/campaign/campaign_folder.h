@@ -28,6 +28,9 @@ struct CampaignFolder {
   Plan plan;  ///< Without mission_text.
 };
 
+/// Makes the folder where it is missing. Returns why it cannot be written, or an empty string.
+[[nodiscard]] std::string MakeCampaignFolder(const std::string& path);
+
 /// Makes the folder, or finds that it holds results of the same build, mission, seed, samples and
 /// metrics: more repetitions, sweep points and policies may have come. The error names what
 /// differs, and the remedy. Where it differs nothing is changed.

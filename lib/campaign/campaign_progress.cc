@@ -17,15 +17,16 @@ constexpr int64_t kOnTerminal_us = 500'000;
 constexpr int64_t kElsewhere_us = 30'000'000;
 constexpr char kStartOfLine[] = "\r\033[K";
 
-std::string Duration(double seconds) {
+}  // namespace
+
+std::string DurationText(double seconds) {
   constexpr double kMinute = 60;
   constexpr double kHour = 3600;
+  if (seconds < 2) return fmt::format("{:.1f} s", seconds);
   if (seconds < 2 * kMinute) return fmt::format("{:.0f} s", seconds);
   if (seconds < 2 * kHour) return fmt::format("{:.0f} min", seconds / kMinute);
   return fmt::format("{:.1f} h", seconds / kHour);
 }
-
-}  // namespace
 
 CampaignProgress::CampaignProgress(bool is_quiet)
     : is_quiet_(is_quiet),
@@ -44,11 +45,11 @@ std::string CampaignProgress::Line(int64_t num_finished, int64_t num_planned,
                                      static_cast<double>(std::max<int64_t>(num_planned, 1)),
                                  rate);
   for (size_t i = 0; i < counts_.size(); ++i) {
-    line += fmt::format("  {} {}", counts_[i], kTrialOutcomeNames[i]);
+    line += fmt::format("  {} {}", counts_[i], NameOf(static_cast<TrialOutcome>(i)));
   }
   if (rate > 0) {
-    line +=
-        fmt::format("  {} left", Duration(static_cast<double>(num_planned - num_finished) / rate));
+    line += fmt::format("  {} left",
+                        DurationText(static_cast<double>(num_planned - num_finished) / rate));
   }
   return line;
 }

@@ -10,6 +10,9 @@
 
 namespace shoal {
 
+/// Returns "1.4 s", "35 s", "12 min" or "3.1 h".
+[[nodiscard]] std::string DurationText(double seconds);
+
 class CampaignProgress {
  public:
   explicit CampaignProgress(bool is_quiet);

@@ -79,9 +79,8 @@ class ComparisonWriter {
                      CountText(static_cast<int64_t>(point.broken.size()), "pair")));
     for (size_t i = 0; i < std::min(point.broken.size(), kMostBrokenNamed); ++i) {
       const BrokenPair& pair = point.broken[i];
-      Line(fmt::format("      {} {}, {} {}", pair.a,
-                       kTrialOutcomeNames[static_cast<size_t>(pair.outcome_a)], pair.b,
-                       kTrialOutcomeNames[static_cast<size_t>(pair.outcome_b)]));
+      Line(fmt::format("      {} {}, {} {}", pair.a, NameOf(pair.outcome_a), pair.b,
+                       NameOf(pair.outcome_b)));
     }
     if (point.broken.size() > kMostBrokenNamed) {
       Line(fmt::format("      and {} more: results.csv has all",

@@ -4,14 +4,13 @@
 
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <utility>
 
 #include "lib/campaign/plan.h"
 #include "lib/campaign/samples.h"
 #include "lib/campaign/stop_values.h"
 #include "lib/record/csv_rows.h"
-#include "lib/record/part_path.h"
+#include "lib/record/replace_file.h"
 
 namespace shoal {
 
@@ -27,18 +26,6 @@ std::string PlainText(const std::string& toml) {
   const bool is_quoted = toml.size() >= 2 && toml.front() == '"' && toml.back() == '"';
   if (!is_quoted || toml.find('\\') != std::string::npos) return toml;
   return toml.substr(1, toml.size() - 2);
-}
-
-std::string WriteText(const std::string& path, const std::string& text) {
-  const std::string part = PartPath(path);
-  std::ofstream out(part, std::ios::binary);
-  out << text;
-  out.close();
-  std::error_code error;
-  if (out) std::filesystem::rename(part, path, error);
-  if (out && !error) return {};
-  std::filesystem::remove(part, error);
-  return fmt::format("{}: cannot be written: is the disk full?", path);
 }
 
 }  // namespace
@@ -90,7 +77,7 @@ std::string ResultsCsv(const CampaignResults& results) {
     AppendCell(each.policy, &text);
     text += fmt::format(",{},{}", row.repetition, row.seed);
     for (const std::string& sample : row.samples) AppendCell(PlainText(sample), &text);
-    AppendCell(kTrialOutcomeNames[static_cast<size_t>(row.result.outcome)], &text);
+    AppendCell(NameOf(row.result.outcome), &text);
     AppendCell(row.result.why, &text);
     for (const double value : row.result.metrics) {
       text += ',';
@@ -118,7 +105,7 @@ Result<CampaignResults> ReduceCampaign(const CampaignFolder& folder) {
   if (!read.ok()) return read;
   const CampaignResults& results = *read;
   const std::filesystem::path path(folder.path);
-  std::string problem = WriteText((path / "results.csv").string(), ResultsCsv(results));
+  std::string problem = ReplaceFile((path / "results.csv").string(), ResultsCsv(results));
   if (problem.empty()) {
     problem = WriteResultsSqlite(results, (path / "results.sqlite").string());
   }

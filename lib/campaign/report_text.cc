@@ -147,8 +147,7 @@ class ReportWriter {
     }
     for (const NotedTrial& trial : table.not_passed) {
       Line(fmt::format("    {}-{} {}: {}", trial.key.case_id, trial.key.repetition,
-                       kTrialOutcomeNames[static_cast<size_t>(trial.outcome)],
-                       ShownText(trial.why)));
+                       NameOf(trial.outcome), ShownText(trial.why)));
     }
     const int64_t num_not_passed = num - table.outcomes[TrialOutcome::kPass];
     const int64_t num_more = num_not_passed - static_cast<int64_t>(table.not_passed.size());
@@ -204,8 +203,7 @@ class ReportWriter {
     std::vector<std::string> items;
     for (const NotedTrial& trial : of.worst) {
       items.push_back(fmt::format("{}-{} {} {}", trial.key.case_id, trial.key.repetition,
-                                  kTrialOutcomeNames[static_cast<size_t>(trial.outcome)],
-                                  DigitsText(trial.value)));
+                                  NameOf(trial.outcome), DigitsText(trial.value)));
     }
     Wrapped("    look at", items);
   }

@@ -91,7 +91,7 @@ void WriteTrials(const CampaignResults& results, SqliteFile* file) {
     insert.Bind(row.repetition);
     insert.Bind(static_cast<int64_t>(row.seed));
     for (const std::string& sample : row.samples) BindToml(sample, &insert);
-    insert.Bind(kTrialOutcomeNames[static_cast<size_t>(row.result.outcome)]);
+    insert.Bind(NameOf(row.result.outcome));
     insert.Bind(std::string_view(row.result.why));
     for (const double value : row.result.metrics) insert.Bind(value);
     insert.EndRow();

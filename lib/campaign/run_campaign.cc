@@ -177,14 +177,13 @@ class CampaignRunner {
     if (done.result.outcome != stored.result.outcome) {
       outcome_.differing.push_back(
           fmt::format("{}: {} when it was run, {} when it was run again for its recording", name,
-                      kTrialOutcomeNames[static_cast<size_t>(stored.result.outcome)],
-                      kTrialOutcomeNames[static_cast<size_t>(done.result.outcome)]));
+                      NameOf(stored.result.outcome), NameOf(done.result.outcome)));
     }
     std::error_code ignored;
     std::filesystem::create_directories(path, ignored);  // A wrong mission was not recorded.
     std::ofstream out(path + "/why.txt");
-    out << kTrialOutcomeNames[static_cast<size_t>(stored.result.outcome)] << ": "
-        << stored.result.why << "\n\nshoal campaign replay " << folder_.path << ' ' << name << '\n'
+    out << NameOf(stored.result.outcome) << ": " << stored.result.why
+        << "\n\nshoal campaign replay " << folder_.path << ' ' << name << '\n'
         << "shoal sim " << folder_.campaign.mission_file;
     for (const std::string& text :
          OverridesOf(folder_.campaign, folder_.plan, done.job.case_number, done.job.repetition)) {

@@ -18,6 +18,10 @@ enum class TrialOutcome {
 };
 inline constexpr std::string_view kTrialOutcomeNames[] = {"pass", "fail", "error", "timeout"};
 
+[[nodiscard]] constexpr std::string_view NameOf(TrialOutcome outcome) {
+  return kTrialOutcomeNames[static_cast<size_t>(outcome)];
+}
+
 /// A trial's name: its case and its repetition, never a running number.
 struct TrialKey {
   std::string case_id;     ///< Of a sweep point under a policy: 10 hexadecimal digits.

@@ -46,7 +46,7 @@ std::string TrialLine(const FinishedTrial& trial, const std::vector<MetricName>&
   Json json;
   json["case"] = trial.key.case_id;
   json["repetition"] = trial.key.repetition;
-  json["outcome"] = kTrialOutcomeNames[static_cast<size_t>(trial.result.outcome)];
+  json["outcome"] = NameOf(trial.result.outcome);
   json["why"] = trial.result.why.substr(0, kLongestWhy_bytes);
   Json values = Json::object();
   if (trial.result.metrics.size() == metrics.size()) {

@@ -125,6 +125,7 @@ void WorkerPool::Fork(Worker* worker) {
   nothing.sa_handler = [](int) {};
   nothing.sa_flags = SA_RESTART;
   for (const int each : {SIGINT, SIGTERM, SIGHUP}) sigaction(each, &nothing, nullptr);
+  signal(SIGPIPE, SIG_DFL);  // Inherited as well.
   const rlimit no_core{.rlim_cur = 0, .rlim_max = 0};
   setrlimit(RLIMIT_CORE, &no_core);
   for (Worker& other : workers_) {

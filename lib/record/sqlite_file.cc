@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <system_error>
 
-#include "lib/record/part_path.h"
+#include "lib/record/replace_file.h"
 
 namespace shoal {
 

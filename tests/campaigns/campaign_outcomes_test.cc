@@ -105,6 +105,16 @@ TEST(CampaignFolders, OfAnotherBuildOrMissionAreRefusedAndStayAsTheyAre) {
   EXPECT_EQ(ReadFile(folder / "out" / "shards" / "1-of-1.jsonl"), shard);
 }
 
+TEST(CampaignFolders, ThatCannotBeMadeAreTheMachinesFault) {
+  const TestFolder folder;
+  WriteFile(folder / "c.toml", BertaCampaign(2));
+  const Finished run = RunShoal(
+      folder, {"campaign", "run", (folder / "c.toml").string(), "--out", "/proc/campaign"});
+  EXPECT_EQ(run.exit_code, 3) << run.output;
+  EXPECT_TRUE(Holds(run, "/proc/campaign: cannot be made or written")) << run.output;
+  EXPECT_TRUE(Holds(run, "give --out another folder")) << run.output;
+}
+
 TEST(CampaignFolders, WithTwoPoliciesThatDoTheSameDifferByExactlyNothing) {
   const TestFolder folder;
   WriteFile(folder / "c.toml", "[campaign]\nmission = \"" + MissionFile("berta.toml") +
