@@ -80,6 +80,10 @@ elseif(SHOAL_FAST_LINKER)
   add_link_options(-fuse-ld=lld)
 endif()
 
+# Every library can become part of libshoal_sim.so (sim/), hence position-independent; what is in
+# a library calls its own functions directly all the same.
+set(SHOAL_LIBRARY_OPTIONS -fno-semantic-interposition)
+
 # Precompiled headers: what most sources of a kind include, none of it shoal's own. A pure library
 # sees no header in them that it may not include (fmt).
 set(SHOAL_PCH_PURE <algorithm> <array> <cmath> <cstdint> <functional> <limits> <map> <memory>
@@ -101,8 +105,9 @@ endfunction()
 if(SHOAL_PCH)
   shoal_precompiled_headers(pure)
   shoal_precompiled_headers(rim fmt::fmt)
-  set_target_properties(shoal_pch_pure shoal_pch_rim PROPERTIES
-    POSITION_INDEPENDENT_CODE ${BUILD_SHARED_LIBS})
+  set_target_properties(shoal_pch_pure shoal_pch_rim PROPERTIES POSITION_INDEPENDENT_CODE ON)
+  target_compile_options(shoal_pch_pure PRIVATE ${SHOAL_LIBRARY_OPTIONS})
+  target_compile_options(shoal_pch_rim PRIVATE ${SHOAL_LIBRARY_OPTIONS})
   if(SHOAL_TESTS)
     shoal_precompiled_headers(test fmt::fmt GTest::gtest rapidcheck rapidcheck_gtest)
     target_compile_options(shoal_pch_test PRIVATE ${SHOAL_TEST_OPTIONS})
@@ -133,7 +138,9 @@ function(shoal_library name)
     add_library(${name} ${ARG_SOURCES})
     target_link_libraries(${name} PUBLIC ${ARG_DEPENDS} PRIVATE shoal_flags)
     target_include_directories(${name} PUBLIC ${CMAKE_SOURCE_DIR})
-    set_target_properties(${name} PROPERTIES OUTPUT_NAME shoal_${name} DEFINE_SYMBOL "")
+    target_compile_options(${name} PRIVATE ${SHOAL_LIBRARY_OPTIONS})
+    set_target_properties(${name} PROPERTIES OUTPUT_NAME shoal_${name} DEFINE_SYMBOL ""
+      POSITION_INDEPENDENT_CODE ON)
     if(SHOAL_PCH AND ARG_PURE)
       target_precompile_headers(${name} REUSE_FROM shoal_pch_pure)
     elseif(SHOAL_PCH)

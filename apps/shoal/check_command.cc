@@ -8,7 +8,9 @@
 #include "lib/bus/channels.h"
 #include "lib/check/result.h"
 #include "lib/launch/launch_plan.h"
+#include "lib/mission/key_paths.h"
 #include "lib/mission/path_text.h"
+#include "lib/mission/read_file.h"
 #include "lib/run/roster.h"
 
 namespace shoal {
@@ -61,6 +63,15 @@ int RunCheck(const std::string& mission_file, const std::vector<std::string>& ov
       if (path == nullptr) continue;
       fmt::print("{}, task {}: {}\n", vehicle.name, task.name, PathText(*path));
     }
+  }
+  return kExitOk;
+}
+
+int RunKeys(const std::string& mission_file, const std::vector<std::string>& overrides) {
+  const LoadedMission loaded = LoadMission(mission_file, overrides);
+  if (!LoadedWithoutErrors(loaded)) return kExitUsage;
+  for (const std::string& path : KeyPaths(loaded.mission, ReadRegularFile(mission_file).text)) {
+    fmt::print("{}\n", path);
   }
   return kExitOk;
 }

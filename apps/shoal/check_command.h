@@ -17,6 +17,10 @@ namespace shoal {
 int RunCheck(const std::string& mission_file, const std::vector<std::string>& overrides,
              bool explain);
 
+/// Loads a mission file and prints the path of each key that --set can change, one per line.
+/// Returns the exit code.
+int RunKeys(const std::string& mission_file, const std::vector<std::string>& overrides);
+
 /// Returns the table of all channels as Markdown: docs/channels.md.
 std::string ChannelsMarkdown();
 

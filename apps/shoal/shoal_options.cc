@@ -26,7 +26,7 @@
 #include "lib/mission/suggest.h"
 #include "lib/orders/order_words.h"
 #include "lib/record/log_commands.h"
-#include "lib/run/version.h"
+#include "lib/run/version_text.h"
 #include "sim/app_factory.h"
 
 namespace shoal {
@@ -168,12 +168,19 @@ void AddCheck(CLI::App& cli, Action* action) {
     std::string file;
     std::vector<std::string> overrides;
     bool explain = false;
+    bool keys = false;
   };
   auto parsed = std::make_shared<Parsed>();
   AddMission(command, &parsed->file, &parsed->overrides);
-  command->add_flag("--explain", parsed->explain, "Print the mission with every default filled in");
+  CLI::Option* explain = command->add_flag("--explain", parsed->explain,
+                                           "Print the mission with every default filled in");
+  command->add_flag("--keys", parsed->keys, "Print the keys that --set can change, one per line")
+      ->excludes(explain);
   command->callback([parsed, action] {
-    *action = [parsed] { return RunCheck(parsed->file, parsed->overrides, parsed->explain); };
+    *action = [parsed] {
+      if (parsed->keys) return RunKeys(parsed->file, parsed->overrides);
+      return RunCheck(parsed->file, parsed->overrides, parsed->explain);
+    };
   });
 }
 
@@ -306,7 +313,7 @@ int WithWrittenOutput(const Action& action) {
 
 int RunShoalCommand(int argc, char** argv) {
   CLI::App cli("shoal runs missions of several vehicles over a lossy acoustic network.", "shoal");
-  cli.set_version_flag("--version", std::string("shoal ") + kVersion);
+  cli.set_version_flag("--version", VersionText("shoal"));
   cli.require_subcommand(1);
   Action action;
   AddRun(cli, &action);

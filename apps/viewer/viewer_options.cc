@@ -7,7 +7,7 @@
 
 #include "lib/check/result.h"
 #include "lib/run/app_options.h"
-#include "lib/run/version.h"
+#include "lib/run/version_text.h"
 
 namespace shoal {
 
@@ -20,7 +20,7 @@ ViewerOptions ParseViewerOptionsOrExit(int argc, char** argv) {
       "`shoal run FILE --view` and `shoal view LOG` start it; without --log it shows the running\n"
       "mission, or waits for one.",
       "shoal-viewer");
-  cli.set_version_flag("-v,--version", std::string("shoal-viewer ") + kVersion);
+  cli.set_version_flag("-v,--version", VersionText("shoal-viewer"));
   cli.add_flag("-i,--interface", interface,
                "Print the channels that it subscribes to and publishes, then exit");
   CLI::Option* port =

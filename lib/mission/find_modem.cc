@@ -6,15 +6,13 @@
 #include <utility>
 
 #include "lib/mission/load_modem.h"
+#include "lib/mission/own_modems.h"
 #include "lib/mission/suggest.h"
 
 namespace shoal {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// The modems that come with shoal.
-const char* const kModemFolder = SHOAL_DATA_DIR "/modems";
 
 bool IsFile(const fs::path& path) {
   std::error_code ignored;
@@ -24,39 +22,38 @@ bool IsFile(const fs::path& path) {
 /// Returns where the modem's file is, empty where there is none.
 fs::path PathOf(std::string_view name, const fs::path& folder) {
   if (name.empty()) return {};
-  const fs::path file(name);
-  std::vector<fs::path> candidates = {folder / file, folder / (file.string() + ".toml")};
-  if (!file.has_parent_path()) {
-    candidates.push_back(kModemFolder / fs::path(file.string() + ".toml"));
-    candidates.push_back(kModemFolder / file);
+  for (const fs::path& path :
+       {folder / fs::path(name), folder / fs::path(std::string(name) + ".toml")}) {
+    if (IsFile(path)) return path;
   }
-  const auto found = std::find_if(candidates.begin(), candidates.end(), IsFile);
-  return found == candidates.end() ? fs::path() : *found;
+  return {};
 }
 
-/// Returns the names of the modems that come with shoal, in alphabetical order.
-std::vector<std::string> KnownModems() {
-  std::vector<std::string> names;
-  std::error_code ignored;
-  for (const auto& entry : fs::directory_iterator(kModemFolder, ignored)) {
-    if (entry.path().extension() == ".toml") names.push_back(entry.path().stem().string());
-  }
-  std::sort(names.begin(), names.end());
-  return names;
+/// Returns the modem of that name, with or without .toml, that comes with shoal, or nullptr.
+const OwnModem* FindOwn(std::string_view name) {
+  if (name.ends_with(".toml")) name.remove_suffix(5);
+  const auto own = OwnModems();
+  const auto found = std::find_if(own.begin(), own.end(),
+                                  [&](const OwnModem& modem) { return modem.name == name; });
+  return found == own.end() ? nullptr : &*found;
+}
+
+NamedModem Named(std::string_view name, LoadedModem loaded) {
+  const std::string where = "modem " + Quoted(name) + ": ";
+  for (std::string& error : loaded.errors) error.insert(0, where);
+  return {.modem = std::move(loaded.modem), .problems = std::move(loaded.errors)};
 }
 
 }  // namespace
 
 NamedModem FindModem(std::string_view name, const std::string& folder) {
   const fs::path path = PathOf(name, folder);
-  if (!path.empty()) {
-    LoadedModem loaded = LoadModem(path.string());
-    const std::string where = "modem " + Quoted(name) + ": ";
-    for (std::string& error : loaded.errors) error.insert(0, where);
-    return {.modem = std::move(loaded.modem), .problems = std::move(loaded.errors)};
+  if (!path.empty()) return Named(name, LoadModem(path.string()));
+  if (const OwnModem* own = FindOwn(name)) {
+    return Named(name, LoadModemText(own->text, "data/modems/" + std::string(own->name) + ".toml"));
   }
-  const std::vector<std::string> known = KnownModems();
-  const std::vector<std::string_view> words(known.begin(), known.end());
+  std::vector<std::string_view> words;
+  for (const OwnModem& own : OwnModems()) words.push_back(own.name);
   return {.modem = {},
           .problems = {"unknown modem " + Quoted(name) + DidYouMean(name, words) + "; shoal has " +
                        Joined(words) +

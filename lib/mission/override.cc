@@ -54,18 +54,10 @@ std::pair<std::vector<std::string>, size_t> SplitPath(std::string_view text) {
   return {};
 }
 
-/// Returns the name of an element of [[parent]], or nullptr. That of a task or behavior is its kind
-/// where the file gives it none.
-const std::string* NameIn(const Value& element, std::string_view parent) {
-  const std::string* name = FindText(element, "name");
-  const bool has_kind = parent == "task" || parent == "behavior";
-  return name == nullptr && has_kind ? FindText(element, "kind") : name;
-}
-
 /// Returns the element that `part` names: by its name without regard to case, or by its number.
 Value* FindElement(Array& array, const std::string& part, std::string_view parent) {
   for (Value& element : array) {
-    const std::string* name = NameIn(element, parent);
+    const std::string* name = NameOfElement(element, parent);
     if (name != nullptr && LowerCase(*name) == LowerCase(part)) return &element;
   }
   size_t number = 0;
@@ -77,7 +69,7 @@ Value* FindElement(Array& array, const std::string& part, std::string_view paren
 std::string NoSuchElement(const Array& array, const std::string& part, std::string_view parent) {
   std::vector<std::string_view> names;
   for (const Value& element : array) {
-    if (const std::string* name = NameIn(element, parent)) names.push_back(*name);
+    if (const std::string* name = NameOfElement(element, parent)) names.push_back(*name);
   }
   std::string hint = DidYouMean(part, names);
   if (hint.empty()) {
@@ -97,6 +89,12 @@ std::string NoSuchTemplate(const Table& templates, const std::string& name) {
 }
 
 }  // namespace
+
+const std::string* NameOfElement(const Value& element, std::string_view parent) {
+  const std::string* name = FindText(element, "name");
+  const bool has_kind = parent == "task" || parent == "behavior";
+  return name == nullptr && has_kind ? FindText(element, "kind") : name;
+}
 
 std::optional<Override> ParseOverride(std::string_view text, int64_t number, Problems& problems) {
   const Place place = {.override_number = number};

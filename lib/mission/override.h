@@ -25,6 +25,10 @@ struct Override {
 /// word, which stands for a string.
 std::optional<Override> ParseOverride(std::string_view text, int64_t number, Problems& problems);
 
+/// Returns the name of an element of [[parent]], or nullptr. That of a task or behavior is its kind
+/// where the file gives it none.
+const std::string* NameOfElement(const Value& element, std::string_view parent);
+
 /// Sets the value in the tree of a mission file; tables that are missing on the way are made.
 void Apply(const Override& override_, Value& root, Problems& problems);
 

@@ -7,7 +7,7 @@
 
 #include "lib/bus/channels.h"
 #include "lib/check/result.h"
-#include "lib/run/version.h"
+#include "lib/run/version_text.h"
 
 namespace shoal {
 
@@ -60,7 +60,7 @@ AppOptions ParseAppOptionsOrExit(const AppInfo& info, int argc, char** argv) {
                 info.name);
   CLI::App cli(fmt::format("{}\n`shoal run` starts it{}.", info.purpose, by_hand), info.name);
   // The short names are those of MOOS apps.
-  cli.set_version_flag("-v,--version", std::string(info.name) + " " + kVersion);
+  cli.set_version_flag("-v,--version", VersionText(info.name));
   cli.add_flag("-e,--example", example, "Print a commented configuration block, then exit");
   cli.add_flag("-i,--interface", interface,
                "Print the channels that it subscribes to and publishes, then exit");
