@@ -19,6 +19,7 @@ from .errors import (
     LogError,
     LogWarning,
     ResultsError,
+    SimulationError,
     StepError,
 )
 from .links import Link, MediumCount
@@ -28,6 +29,7 @@ from .participant import Participant
 from .recording import Expectation, Run, Verdict
 from .results import Results, campaign
 from .running import RunningMission, running_missions
+from .simulation import Simulation
 from .table import Row, Table
 from .type_set import Types, own_types
 
@@ -52,6 +54,8 @@ __all__ = [
     "Row",
     "Run",
     "RunningMission",
+    "Simulation",
+    "SimulationError",
     "StepError",
     "Table",
     "Types",

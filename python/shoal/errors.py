@@ -48,3 +48,7 @@ class BusError(Error):
 
 class StepError(Error):
     """A participant that cannot take part in its mission."""
+
+
+class SimulationError(Error):
+    """A mission that cannot be opened, or cannot go on; one line for each error of its file."""
