@@ -54,6 +54,10 @@ void ResolveSwarms(Mission& mission, const TablePlace& file);
 /// CompleteMission.
 void FillInSwarms(Mission& mission, const TablePlace& file);
 
+/// Reads the tracks of vehicles of model = "track": refuses those that cannot be read, fills in where
+/// they start, warns where a track ends before the mission; a part of CompleteMission.
+void FillInTracks(Mission& mission, const TablePlace& file);
+
 /// Names of vehicles and participants; groups.
 void ValidateNames(const Mission& mission, const TablePlace& file);
 /// Whether [environment] can be made with the mission's seed and folder.
