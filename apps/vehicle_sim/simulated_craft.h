@@ -15,7 +15,7 @@ namespace shoal {
 
 /// The sea around one vehicle at one time.
 struct Water {
-  double time_s = 0;  ///< Since the mission's start.
+  double time_s = 0;                                       ///< Since the mission's start.
   Eigen::Vector2d velocity_mps = Eigen::Vector2d::Zero();  ///< Over ground; x East, y North.
   std::optional<double> floor_z_m;                         ///< Absent: not known.
 };

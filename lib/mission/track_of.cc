@@ -55,7 +55,8 @@ void FillInTrack(Mission& mission, Vehicle& vehicle, const TablePlace& place) {
   vehicle.start = StartOf(*track);
   vehicle.return_task.point_m = {vehicle.start.x_m, vehicle.start.y_m};
   if (place.Has("start") && written != vehicle.start) {
-    place.Warn("start", "start has no effect: the track begins where its file has it; leave it out");
+    place.Warn("start",
+               "start has no effect: the track begins where its file has it; leave it out");
   }
   const double first_s =
       static_cast<double>(track->track.first_us() - track->offset_us) / kMicroseconds;

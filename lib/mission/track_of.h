@@ -1,4 +1,5 @@
-// The recorded tracks of a mission's vehicles: read from their files, and laid on the mission's time.
+// The recorded tracks of a mission's vehicles: read from their files, and laid on the mission's
+// time.
 #pragma once
 
 #include <cstdint>
@@ -18,8 +19,8 @@ struct MissionTrack {
   [[nodiscard]] ReplayState At(double mission_s) const;
 };
 
-/// Reads the track of a vehicle of model = "track", or returns why there is none: what is wrong with
-/// the file, at which line, and what to do. The file's name ends in .csv or .gpx, in any case.
+/// Reads the track of a vehicle of model = "track", or returns why there is none: what is wrong
+/// with the file, at which line, and what to do. The file's name ends in .csv or .gpx, in any case.
 [[nodiscard]] Result<MissionTrack> TrackOf(const Mission& mission, const TrackOptions& options);
 
 /// Returns where such a vehicle starts: depth 0 where it lies above the surface.

@@ -124,8 +124,9 @@ class CsvTrackReader {
   }
 
   std::string FindColumns() {
-    const auto time = std::ranges::find_if(
-        kTimes, [&](const TimeName& each) { return Find({&each.name, 1}).has_value(); });
+    const auto time = std::ranges::find_if(kTimes, [&](const TimeName& each) {
+      return Find({&each.name, 1}).has_value();
+    });
     if (time == kTimes.end()) {
       return "no column has the time: name one t_s (seconds), utime (microseconds since 1970) or "
              "time (ISO 8601)" +
@@ -190,9 +191,10 @@ class CsvTrackReader {
   std::string ReadFix() {
     if (std::string problem = SplitLine(); !problem.empty()) return problem;
     if (cells_.size() < names_.size()) {
-      return fmt::format("this line has {} cells, and the header names {} columns; is the file "
-                         "complete?",
-                         cells_.size(), names_.size());
+      return fmt::format(
+          "this line has {} cells, and the header names {} columns; is the file "
+          "complete?",
+          cells_.size(), names_.size());
     }
     ReplayFix fix;
     GeoPoint place;
@@ -266,8 +268,8 @@ class CsvTrackReader {
   std::string_view line_;
   int64_t line_number_ = 0;
   char separator_ = ',';
-  std::vector<std::string> names_;         ///< Of the columns, in lower case.
-  std::vector<std::string_view> cells_;    ///< Of the line.
+  std::vector<std::string> names_;       ///< Of the columns, in lower case.
+  std::vector<std::string_view> cells_;  ///< Of the line.
   Columns columns_;
 };
 

@@ -148,8 +148,9 @@ class GpxReader {
       return Refuse("this <trkpt> has no <time>: export the track with its times");
     }
     if (source_.underwater && !elevation_m_) {
-      return Refuse("this <trkpt> has no <ele>, and underwater = true needs the depth of each "
-                    "point: as -12 for 12 m");
+      return Refuse(
+          "this <trkpt> has no <ele>, and underwater = true needs the depth of each "
+          "point: as -12 for 12 m");
     }
     ReplayFix fix{.time_us = *time_us_};
     if (elevation_m_) fix.position_m.z() = -*elevation_m_;
@@ -161,10 +162,10 @@ class GpxReader {
   TrackBuilder builder_;
   std::unique_ptr<std::remove_pointer_t<XML_Parser>, FreeParser> parser_;
   std::string problem_;
-  uint64_t line_ = 0;     ///< Of the problem.
-  int depth_ = 0;         ///< Of open elements.
-  int point_depth_ = 0;   ///< That of the open <trkpt>; 0: none is.
-  std::string text_;      ///< Of the innermost element.
+  uint64_t line_ = 0;    ///< Of the problem.
+  int depth_ = 0;        ///< Of open elements.
+  int point_depth_ = 0;  ///< That of the open <trkpt>; 0: none is.
+  std::string text_;     ///< Of the innermost element.
   std::optional<double> latitude_;
   std::optional<double> longitude_;
   std::optional<double> elevation_m_;

@@ -1,7 +1,8 @@
-// Reads a track from GPX 1.0 or 1.1 (topografix.com/gpx.asp), the form in which plotters, watches and
-// phones store where they were: the points <trkpt lat lon> of all segments of all tracks, each with
-// a <time> in ISO 8601, one behind the other. <ele>, metres above the surface, is the depth with the
-// other sign where the source is under water; else it is passed over, as all other elements are.
+// Reads a track from GPX 1.0 or 1.1 (topografix.com/gpx.asp), the form in which plotters, watches
+// and phones store where they were: the points <trkpt lat lon> of all segments of all tracks, each
+// with a <time> in ISO 8601, one behind the other. <ele>, metres above the surface, is the depth
+// with the other sign where the source is under water; else it is passed over, as all other
+// elements are.
 #pragma once
 
 #include <string_view>

@@ -50,9 +50,9 @@ void ReplayTrack::FillInHeadings() {
 }
 
 ReplayState ReplayTrack::At(int64_t time_us) const {
-  const auto after = std::upper_bound(
-      fixes_.begin(), fixes_.end(), time_us,
-      [](int64_t time, const ReplayFix& fix) { return time < fix.time_us; });
+  const auto after =
+      std::upper_bound(fixes_.begin(), fixes_.end(), time_us,
+                       [](int64_t time, const ReplayFix& fix) { return time < fix.time_us; });
   if (after == fixes_.begin() || after == fixes_.end()) {
     const ReplayFix& end = after == fixes_.end() ? fixes_.back() : fixes_.front();
     const double heading_rad = WrapTwoPi(end.heading_rad);
@@ -70,8 +70,7 @@ ReplayState ReplayTrack::At(int64_t time_us) const {
   state.turn_radps = turn_rad / length_s;
   state.descent_mps = way_m.z() / length_s;
   const double way_mps = way_m.head<2>().norm() / length_s;
-  state.speed_mps =
-      columns_.speed ? std::lerp(from.speed_mps, to.speed_mps, share) : way_mps;
+  state.speed_mps = columns_.speed ? std::lerp(from.speed_mps, to.speed_mps, share) : way_mps;
   state.course_rad = way_mps > 0 ? HeadingOf(way_m.head<2>()) : state.heading_rad;
   return state;
 }

@@ -50,8 +50,8 @@ class ReplayTrack {
   /// Returns the state at a time: position linear between two fixes; speed as recorded, linear
   /// between them too, else that of the way from one to the next; heading as recorded, by the
   /// shorter way round, else turning steadily from the mean direction of the ways that meet in one
-  /// fix to that in the next. A vessel that has not moved yet heads where it will go first; one that
-  /// never moves, North.
+  /// fix to that in the next. A vessel that has not moved yet heads where it will go first; one
+  /// that never moves, North.
   [[nodiscard]] ReplayState At(int64_t time_us) const;
 
   int64_t first_us() const { return fixes_.front().time_us; }
