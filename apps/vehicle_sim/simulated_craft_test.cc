@@ -96,7 +96,7 @@ TEST(SimulatedTrack, IsWhereItsFileHasItWhateverItIsOrdered) {
   EXPECT_NEAR(nav.yaw_rate_degps, 3, 1e-9);
   EXPECT_NEAR(nav.speed_over_ground_mps, std::hypot(11.6, 9.4) / 5, 1e-9);
   EXPECT_EQ(nav.altitude_m, 30);
-  // Over ground it is the sum of what it makes through the water and of the current.
+  // Over ground it is the sum of what it makes relative to the water and of the current.
   const double heading_rad = DegToRad(nav.heading_deg);
   const Eigen::Vector2d ahead = UnitVector(heading_rad);
   const Eigen::Vector2d starboard(ahead.y(), -ahead.x());

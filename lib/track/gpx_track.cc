@@ -82,9 +82,13 @@ class GpxReader {
   }
 
   void Refuse(std::string problem) {
+    RefuseAt(XML_GetCurrentLineNumber(parser_.get()), std::move(problem));
+  }
+
+  void RefuseAt(uint64_t line, std::string problem) {
     if (!problem_.empty()) return;
     problem_ = std::move(problem);
-    line_ = XML_GetCurrentLineNumber(parser_.get());
+    line_ = line;
     XML_StopParser(parser_.get(), XML_FALSE);
   }
 
@@ -98,6 +102,7 @@ class GpxReader {
     if (name != "trkpt") return;
     if (point_depth_ > 0) return Refuse("a <trkpt> within a <trkpt>; is the file damaged?");
     point_depth_ = depth_;
+    point_line_ = XML_GetCurrentLineNumber(parser_.get());
     latitude_.reset();
     longitude_.reset();
     time_us_.reset();
@@ -145,27 +150,28 @@ class GpxReader {
     point_depth_ = 0;
     if (!problem_.empty()) return;
     if (!time_us_) {
-      return Refuse("this <trkpt> has no <time>: export the track with its times");
+      return RefuseAt(point_line_, "this <trkpt> has no <time>: export the track with its times");
     }
     if (source_.underwater && !elevation_m_) {
-      return Refuse(
-          "this <trkpt> has no <ele>, and underwater = true needs the depth of each "
-          "point: as -12 for 12 m");
+      return RefuseAt(point_line_,
+                      "this <trkpt> has no <ele>, and underwater = true needs the depth of each "
+                      "point: as -12 for 12 m");
     }
     ReplayFix fix{.time_us = *time_us_};
     if (elevation_m_) fix.position_m.z() = -*elevation_m_;
     std::string problem = builder_.Add(fix, {.lat_deg = *latitude_, .lon_deg = *longitude_});
-    if (!problem.empty()) Refuse(std::move(problem));
+    if (!problem.empty()) RefuseAt(point_line_, std::move(problem));
   }
 
   const TrackSource& source_;
   TrackBuilder builder_;
   std::unique_ptr<std::remove_pointer_t<XML_Parser>, FreeParser> parser_;
   std::string problem_;
-  uint64_t line_ = 0;    ///< Of the problem.
-  int depth_ = 0;        ///< Of open elements.
-  int point_depth_ = 0;  ///< That of the open <trkpt>; 0: none is.
-  std::string text_;     ///< Of the innermost element.
+  uint64_t line_ = 0;        ///< Of the problem.
+  int depth_ = 0;            ///< Of open elements.
+  int point_depth_ = 0;      ///< That of the open <trkpt>; 0: none is.
+  uint64_t point_line_ = 0;  ///< Where that begins.
+  std::string text_;         ///< Of the innermost element.
   std::optional<double> latitude_;
   std::optional<double> longitude_;
   std::optional<double> elevation_m_;

@@ -69,21 +69,21 @@ TEST(GpxTrackErrors, NameTheLineAndTheRemedy) {
   ExpectError("<kml></kml>", "ferry.gpx:1: the document is <kml>", "must be <gpx>");
   ExpectError("<gpx><rte/></gpx>", "ferry.gpx: no <trkpt> in it", "export the track");
   ExpectError(kGood.substr(0, kGood.size() - 30), "ferry.gpx:10: this is no sound XML", "complete");
-  ExpectError(With("<trkseg>", "<trkseg><b>"), "ferry.gpx:8: this is no sound XML (mismatched",
+  ExpectError(With("<trkseg>", "<trkseg><b>"), "ferry.gpx:9: this is no sound XML (mismatched",
               "complete");
   ExpectError(With("lat=\"54.401\"", "lat=\"north\""), "ferry.gpx:6: this <trkpt> needs two",
               "lat=");
   ExpectError(With("lat=\"54.401\"", "lat=\"inf\""), "ferry.gpx:6: this <trkpt> needs two", "lat=");
-  ExpectError(With("lat=\"54.401\"", "lat=\"95\""), "ferry.gpx:7: latitude 95", "-90 to 90");
+  ExpectError(With("lat=\"54.401\"", "lat=\"95\""), "ferry.gpx:6: latitude 95", "-90 to 90");
   ExpectError(With("09:31:00Z", "09:61:00Z"), "ferry.gpx:7: <time> is '2026-11-23T09:61", "ISO");
-  ExpectError(With("09:31:00Z", "09:29:00Z"), "ferry.gpx:7: the time is not after", "sort");
+  ExpectError(With("09:31:00Z", "09:29:00Z"), "ferry.gpx:6: the time is not after", "sort");
   ExpectError(With("<time>2026-11-23T09:30:00Z</time>", ""), "ferry.gpx:5: this <trkpt> has no",
               "with its times");
   ExpectError(With("<ele>-4</ele>", "<ele>deep</ele>"), "ferry.gpx:6: <ele> is 'deep'", "finite",
               true);
-  ExpectError(With("<ele>-4</ele>", ""), "ferry.gpx:7: this <trkpt> has no <ele>", "-12", true);
+  ExpectError(With("<ele>-4</ele>", ""), "ferry.gpx:6: this <trkpt> has no <ele>", "-12", true);
   ExpectError(With("lat=\"54.402\" lon=\"10.2\">", "lat=\"54.402\" lon=\"10.2\"><trkpt/>"),
-              "ferry.gpx:9: a <trkpt> within a <trkpt>", "damaged");
+              "ferry.gpx:10: a <trkpt> within a <trkpt>", "damaged");
 }
 
 TEST(GpxTrackErrors, ComeBeforeAnyEntityGrows) {
