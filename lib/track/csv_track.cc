@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <optional>
 #include <span>
@@ -12,6 +11,7 @@
 #include <vector>
 
 #include "lib/geometry/angles.h"
+#include "lib/modes/value_text.h"
 #include "lib/track/iso_time.h"
 
 namespace shoal {
@@ -46,13 +46,6 @@ constexpr std::array<std::string_view, 4> kDepths = {"depth_m", "depth", "z_m", 
 constexpr std::array<std::string_view, 3> kHeadings = {"heading_deg", "heading", "hdg"};
 constexpr std::array<std::string_view, 3> kSpeeds = {"speed_over_ground_mps", "sog_mps",
                                                      "speed_mps"};
-
-std::string_view Trimmed(std::string_view text) {
-  const auto blank = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
-  while (!text.empty() && blank(text.front())) text.remove_prefix(1);
-  while (!text.empty() && blank(text.back())) text.remove_suffix(1);
-  return text;
-}
 
 /// Where the columns are, by their place in a line.
 struct Columns {
@@ -245,7 +238,7 @@ class CsvTrackReader {
   std::string ReadTime(int64_t* time_us) const {
     const std::string_view cell = cells_[columns_.time];
     if (columns_.time_form == TimeForm::kIsoOrSeconds) {
-      if (const auto time = ParseIsoTime(cell)) {
+      if (const auto time = ParseLoggedTime(cell)) {
         *time_us = *time;
         return "";
       }

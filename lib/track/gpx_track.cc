@@ -9,6 +9,7 @@
 #include <string>
 #include <type_traits>
 
+#include "lib/modes/value_text.h"
 #include "lib/track/iso_time.h"
 
 namespace shoal {
@@ -17,12 +18,6 @@ namespace {
 
 /// Longer texts are no numbers and no times.
 constexpr size_t kMostText = 100;
-
-std::string_view WithoutBlanks(std::string_view text) {
-  const size_t first = text.find_first_not_of(" \t\r\n");
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
-}
 
 /// "gpx:trkpt" and "trkpt" are the same.
 std::string_view LocalName(std::string_view name) { return name.substr(name.rfind(':') + 1); }
@@ -130,9 +125,9 @@ class GpxReader {
 
   /// A child of <trkpt> has ended.
   void TakeMember(std::string_view name) {
-    const std::string_view word = WithoutBlanks(text_);
+    const std::string_view word = Trimmed(text_);
     if (name == "time") {
-      time_us_ = ParseIsoTime(word);
+      time_us_ = ParseLoggedTime(word);
       if (!time_us_) {
         Refuse(fmt::format("<time> is {}, and must be ISO 8601: 2026-11-23T09:30:00Z",
                            QuotedWord(word)));

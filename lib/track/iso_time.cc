@@ -1,12 +1,11 @@
 #include "lib/track/iso_time.h"
 
-#include <chrono>
+#include "lib/check/time_units.h"
+#include "lib/modem/utc_time.h"
 
 namespace shoal {
 
 namespace {
-
-constexpr int64_t kSecond_us = 1'000'000;
 
 /// Takes digits and marks off the front of a text; once one does not fit, `ok` stays false.
 class IsoReader {
@@ -78,7 +77,7 @@ int64_t OffsetOf(IsoReader& reader) {
 
 }  // namespace
 
-std::optional<int64_t> ParseIsoTime(std::string_view text) {
+std::optional<int64_t> ParseLoggedTime(std::string_view text) {
   IsoReader reader(text);
   const int year = reader.Digits(4);
   reader.Mark("-");
@@ -94,14 +93,10 @@ std::optional<int64_t> ParseIsoTime(std::string_view text) {
   const int64_t fraction_us = reader.Took('.') || reader.Took(',') ? reader.Fraction_us() : 0;
   const int64_t offset_s = OffsetOf(reader);
   if (!reader.ok() || !reader.at_end()) return std::nullopt;
-  const std::chrono::year_month_day date{std::chrono::year(year),
-                                         std::chrono::month(static_cast<unsigned>(month)),
-                                         std::chrono::day(static_cast<unsigned>(day))};
-  if (year < 1970 || !date.ok() || hour > 23 || minute > 59 || second > 60) return std::nullopt;
-  const int64_t days = std::chrono::sys_days(date).time_since_epoch().count();
-  const int64_t seconds =
-      days * 86'400 + int64_t{3600} * hour + int64_t{60} * minute + second - offset_s;
-  return seconds * kSecond_us + fraction_us;
+  const std::optional<int64_t> time_us = ToUtc(
+      {.year = year, .month = month, .day = day, .hour = hour, .minute = minute, .second = second});
+  if (!time_us) return std::nullopt;
+  return *time_us + fraction_us - offset_s * kSecond_us;
 }
 
 }  // namespace shoal

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace shoal {
@@ -15,14 +15,6 @@ std::string QuotedWord(std::string_view word) {
     if (c < ' ' || c > '~') c = '?';
   }
   return "'" + quoted + (word.size() > kMost ? "...'" : "'");
-}
-
-std::optional<double> NumberIn(std::string_view word) {
-  if (word.starts_with('+')) word.remove_prefix(1);
-  double number = 0;
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
-  if (error != std::errc() || end != word.data() + word.size()) return std::nullopt;
-  return std::isfinite(number) ? std::optional(number) : std::nullopt;
 }
 
 std::string TrackBuilder::Add(const ReplayFix& fix) {

@@ -4,8 +4,8 @@
 
 #include <Eigen/Core>
 #include <cstdint>
-#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "lib/check/result.h"
@@ -46,8 +46,5 @@ class TrackBuilder {
 
 /// Returns a word of a file as it may stand in a message: short, printable, in quotes.
 [[nodiscard]] std::string QuotedWord(std::string_view word);
-
-/// Returns the finite number that the whole word is, or nothing.
-[[nodiscard]] std::optional<double> NumberIn(std::string_view word);
 
 }  // namespace shoal
