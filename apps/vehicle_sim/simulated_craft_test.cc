@@ -110,7 +110,7 @@ TEST(SimulatedTrack, LiesStillBehindItsEnd) {
   Vehicle vehicle;
   vehicle.model = TrackOptions{.file = "tracks/launch.csv"};
   const auto craft = MakeSimulatedCraft(MissionNear("missions"), vehicle);
-  Water water{.time_s = 1000};
+  const Water water{.time_s = 1000, .floor_z_m = std::nullopt};
   craft->Step(water, 0.1);
   nav_t nav{};
   craft->Show(water, &nav);

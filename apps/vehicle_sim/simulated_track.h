@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 
 #include "apps/vehicle_sim/simulated_craft.h"
 #include "lib/mission/track_of.h"
