@@ -25,7 +25,7 @@ class MemoryBus::Port : public Bus {
     const Item item = {.channel = known.id, .port = rank, .sequence = sequence_++, .content = 0};
     ++counters_.published;
     // What is published before the first step may still find subscribers.
-    return known.is_read || hub_.step_ == 0 ? hub_.Publish(item, data) : nullptr;
+    return known.is_kept || hub_.step_ == 0 ? hub_.Publish(item, data) : nullptr;
   }
 
   void SubscribeBytes(const std::string& channel, Handler handler) override {
@@ -56,7 +56,7 @@ class MemoryBus::Port : public Bus {
   struct KnownChannel {
     std::string name;
     uint32_t id = 0;
-    bool is_read = false;            ///< Some participant subscribes to it ...
+    bool is_kept = false;            ///< It is read, or wanted elsewhere ...
     uint32_t num_subscriptions = 0;  ///< ... when the bus had this number of them.
   };
 
@@ -84,7 +84,7 @@ class MemoryBus::Port : public Bus {
   }
 
   void LookForReaders(KnownChannel* known) const {
-    known->is_read = hub_.has_listener_ || !hub_.channel_readers_[known->id].empty();
+    known->is_kept = hub_.IsRead(known->id) || hub_.wanted_elsewhere_[known->id];
     known->num_subscriptions = hub_.num_subscriptions_;
   }
 
@@ -93,6 +93,8 @@ class MemoryBus::Port : public Bus {
  public:
   const uint32_t number;  ///< In order of joining.
   uint32_t rank = 0;      ///< In order of names.
+  bool is_ranked = false;
+  bool is_elsewhere = false;  ///< Stepped by another part.
 
  private:
   std::vector<KnownChannel> known_channels_;  ///< In order of their first use.
@@ -111,15 +113,73 @@ MemoryBus::~MemoryBus() = default;
 
 Bus& MemoryBus::Join(const std::string& participant) {
   SHOAL_CHECK(open_.items.empty(), "all join before anything is published");
+  return AddPort(participant);
+}
+
+uint32_t MemoryBus::JoinElsewhere(const std::string& participant) {
+  Port& port = AddPort(participant);
+  port.is_elsewhere = true;
+  return port.number;
+}
+
+MemoryBus::Port& MemoryBus::AddPort(const std::string& participant) {
   const auto number = static_cast<uint32_t>(ports_.size());
   auto& port = ports_[participant];
   SHOAL_CHECK(port == nullptr, "participants have unique names");
   port = std::make_unique<Port>(*this, number, participant);
-  names_by_rank_.clear();  // Before the first step, ranked when the first of them publishes.
-  if (step_ > 0) RankPorts();
+  ports_by_number_.push_back(port.get());
+  if (step_ == 0 && open_.items.empty()) {
+    names_by_rank_.clear();  // Ranked when the first of them publishes.
+  } else {
+    RankPorts();
+  }
   deliveries_begin_.push_back(deliveries_begin_.empty() ? 0 : deliveries_begin_.back());
   if (number == 0) deliveries_begin_.push_back(0);
   return *port;
+}
+
+void MemoryBus::Insert(uint32_t participant, std::string_view channel, uint32_t sequence,
+                       std::span<const uint8_t> data) {
+  const Port& port = *ports_by_number_.at(participant);
+  SHOAL_CHECK(port.is_elsewhere, "participants here publish by their own bus");
+  if (names_by_rank_.empty()) RankPorts();
+  const uint32_t id = ChannelId(channel);
+  if (!IsRead(id) && step_ > 0) return;
+  Publish({.channel = id, .port = port.rank, .sequence = sequence, .content = 0}, data);
+}
+
+void MemoryBus::KeepFor(std::function<bool(std::string_view)> is_wanted_elsewhere) {
+  is_wanted_elsewhere_ = std::move(is_wanted_elsewhere);
+  for (size_t id = 0; id < channel_names_.size(); ++id) {
+    wanted_elsewhere_[id] = is_wanted_elsewhere_ && is_wanted_elsewhere_(channel_names_[id]);
+  }
+  ++num_subscriptions_;  // So that all look again whether their channels are kept.
+}
+
+void MemoryBus::VisitPublished(const std::function<void(const Published&)>& visit) const {
+  std::vector<const Port*> by_rank(ports_by_number_.size());
+  for (const Port* port : ports_by_number_) by_rank[port->rank] = port;
+  for (const Item& item : open_.items) {
+    if (!wanted_elsewhere_[item.channel] || by_rank[item.port]->is_elsewhere) continue;
+    const Content& content = open_.contents[item.content];
+    visit({.channel = channel_names_[item.channel],
+           .publisher = names_by_rank_[item.port],
+           .sequence = item.sequence,
+           .data = std::span(open_.arena).subspan(content.begin, content.size),
+           .content = item.content});
+  }
+}
+
+std::vector<std::string_view> MemoryBus::SubscribedChannels() const {
+  std::vector<std::string_view> channels;
+  for (const auto& [name, id] : channel_ids_) {
+    if (!channel_readers_[id].empty()) channels.push_back(name);
+  }
+  return channels;
+}
+
+bool MemoryBus::IsRead(uint32_t channel) const {
+  return has_listener_ || !channel_readers_[channel].empty();
 }
 
 void MemoryBus::EndSubscriptions(Bus& participant_bus) {
@@ -136,12 +196,20 @@ void MemoryBus::EndSubscriptions(Bus& participant_bus) {
   ranks_valid_ = false;
 }
 
+/// Numbers the participants in order of their names, and what they published with them.
 void MemoryBus::RankPorts() {
-  names_by_rank_.clear();
+  std::vector<uint32_t> new_ranks(names_by_rank_.size());
+  uint32_t rank = 0;
   for (auto& [name, each] : ports_) {
-    each->rank = static_cast<uint32_t>(names_by_rank_.size());
-    names_by_rank_.push_back(name);
+    if (each->is_ranked) new_ranks[each->rank] = rank;
+    each->rank = rank++;
+    each->is_ranked = true;
   }
+  for (Traffic* traffic : {&open_, &closed_}) {
+    for (Item& item : traffic->items) item.port = new_ranks[item.port];
+  }
+  names_by_rank_.clear();
+  for (auto& [name, each] : ports_) names_by_rank_.push_back(name);
 }
 
 uint32_t MemoryBus::ChannelId(std::string_view name) {
@@ -151,6 +219,7 @@ uint32_t MemoryBus::ChannelId(std::string_view name) {
   const auto added = channel_ids_.emplace(std::string(name), id).first;
   channel_names_.push_back(added->first);
   channel_readers_.emplace_back();
+  wanted_elsewhere_.push_back(is_wanted_elsewhere_ && is_wanted_elsewhere_(name));
   ranks_valid_ = false;
   return id;
 }

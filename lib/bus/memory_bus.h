@@ -8,13 +8,25 @@
 //   hub.NextStep();      // what was published so far belongs to the step that ends here
 //   hub.HandleAll();     // runs the handlers of every participant
 //   helm.Tick(utime);
+//
+// A mission may be stepped in parts, each with a hub of its own, on threads, processes or machines.
+// Every part knows all participants by name, so that all put messages into the same order:
+//
+//   const auto bravo = hub.JoinElsewhere("helm_bravo");
+//   hub.KeepFor([&](std::string_view channel) { return others_read.contains(channel); });
+//   ... the participants here are ticked ...
+//   hub.VisitPublished([&](const MemoryBus::Published& each) { Send(each); });
+//   hub.Insert(bravo, channel, sequence, data);    // what came from the other parts
+//   hub.NextStep();
 #pragma once
 
 #include <deque>
 #include <functional>
 #include <map>
 #include <memory>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "lib/bus/bus.h"
@@ -29,6 +41,40 @@ class MemoryBus {
   /// Adds a participant and returns its bus, which lives as long as this hub.
   /// @pre no participant of this name yet, and no step was taken yet.
   Bus& Join(const std::string& participant);
+
+  /// Adds a participant that another part steps: what it publishes comes by Insert. "" stands for
+  /// messages from outside. At any time; participants have unique names. Returns its number.
+  uint32_t JoinElsewhere(const std::string& participant);
+
+  /// Adds a message that a participant of another part published in the step that goes on.
+  /// `sequence` counts its messages of the step, over all channels; each (participant, sequence)
+  /// comes once. Where nothing here reads the channel, it is dropped.
+  /// @pre `participant` is from JoinElsewhere
+  void Insert(uint32_t participant, std::string_view channel, uint32_t sequence,
+              std::span<const uint8_t> data);
+
+  /// Keeps what participants here publish on channels that are wanted elsewhere, read here or not.
+  /// To be called again when other channels are wanted; empty: none is.
+  void KeepFor(std::function<bool(std::string_view channel)> is_wanted_elsewhere);
+
+  /// What a participant here published. The views live until the next call of this hub's.
+  struct Published {
+    std::string_view channel;
+    std::string_view publisher;
+    uint32_t sequence = 0;  ///< Counts the publisher's messages of the step, over all channels.
+    std::span<const uint8_t> data;
+    uint32_t content = 0;  ///< Messages of one step with the same number have the same bytes.
+  };
+  /// Visits what participants here have published in the step that goes on and is wanted
+  /// elsewhere, in the order in which it was published.
+  void VisitPublished(const std::function<void(const Published&)>& visit) const;
+
+  /// Returns the channels that participants here subscribe to, in order of names.
+  std::vector<std::string_view> SubscribedChannels() const;
+  /// True where a participant here subscribes to all channels.
+  bool has_listener() const { return has_listener_; }
+  /// Changes whenever a subscription begins or ends.
+  uint32_t num_subscription_changes() const { return num_subscriptions_; }
 
   /// Ends all subscriptions of a participant, whose app is gone. Another one may subscribe anew.
   /// @pre its handlers have run for the step that ended last
@@ -76,21 +122,26 @@ class MemoryBus {
 
   uint32_t ChannelId(std::string_view name);
   MessageViews* Publish(Item item, std::span<const uint8_t> data);
+  Port& AddPort(const std::string& participant);
+  bool IsRead(uint32_t channel) const;
   void RankPorts();
   void RankChannels();
   void SortItems();
   void Address();
 
   std::map<std::string, std::unique_ptr<Port>> ports_;
-  std::vector<std::string_view> names_by_rank_;
+  std::vector<Port*> ports_by_number_;           ///< In order of joining.
+  std::vector<std::string_view> names_by_rank_;  ///< Empty: to be ranked.
   /// Participants subscribe in the order in which they are stepped, hence these are met in order.
   std::deque<Bus::Handler> handlers_;
-  uint32_t num_subscriptions_ = 0;  ///< Of all participants.
+  uint32_t num_subscriptions_ = 0;  ///< Of all participants here; grows when one ends, too.
   bool has_listener_ = false;       ///< A participant subscribes to all channels.
 
   std::map<std::string, uint32_t, std::less<>> channel_ids_;
   std::vector<std::string_view> channel_names_;           ///< By id.
   std::vector<std::vector<Subscriber>> channel_readers_;  ///< By id.
+  std::vector<bool> wanted_elsewhere_;                    ///< By id.
+  std::function<bool(std::string_view)> is_wanted_elsewhere_;
   bool ranks_valid_ = false;
   std::vector<uint32_t> rank_of_channel_;    ///< Place in order of names, by id.
   std::vector<uint32_t> subscribers_begin_;  ///< By rank, and the end.

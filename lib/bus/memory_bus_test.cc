@@ -1,8 +1,11 @@
 #include "lib/bus/memory_bus.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <map>
+#include <random>
 #include <set>
 
 #include "lib/bus/channels.h"
@@ -252,6 +255,172 @@ TEST(Decode, RefusesBytesTooManyAndTooFew) {
   EXPECT_FALSE(Decode(bytes, &decoded));
   bytes.resize(bytes.size() - 2);
   EXPECT_FALSE(Decode(bytes, &decoded));
+}
+
+/// A mission of small participants that publish at random, in one hub or in several parts.
+class PartsOfAMission {
+ public:
+  static constexpr int kNumParticipants = 12;
+  static constexpr int kNumChannels = 9;
+
+  PartsOfAMission(int num_parts, uint64_t seed) : hubs_(static_cast<size_t>(num_parts)) {
+    std::mt19937_64 random(seed);  // The same draws, whatever the number of parts.
+    received_.resize(kNumParticipants);
+    for (int i = 0; i < kNumParticipants; ++i) {
+      for (int part = 0; part < num_parts; ++part) {
+        MemoryBus& hub = hubs_[static_cast<size_t>(part)];
+        if (part == PartOf(i)) {
+          buses_.push_back(&hub.Join(NameOf(i)));
+        } else {
+          numbers_[{part, NameOf(i)}] = hub.JoinElsewhere(NameOf(i));
+        }
+      }
+      for (int channel = 0; channel < kNumChannels; ++channel) {
+        if (random() % 4 == 0) Subscribe(i, channel);
+      }
+    }
+    ShareInterests();
+  }
+
+  void Step(std::mt19937_64* random) {
+    for (int i = 0; i < kNumParticipants; ++i) {
+      for (uint64_t n = (*random)() % 5; n > 0; --n) {
+        const auto channel = static_cast<int>((*random)() % kNumChannels);
+        buses_[static_cast<size_t>(i)]->PublishBytes(
+            ChannelOf(channel), std::vector<uint8_t>{static_cast<uint8_t>((*random)() % 3)});
+      }
+    }
+    for (int from = 0; from < num_parts(); ++from) Exchange(from);
+    for (MemoryBus& hub : hubs_) hub.NextStep();
+    for (int i = 0; i < kNumParticipants; ++i) {
+      received_[static_cast<size_t>(i)] += "| ";
+      hubs_[static_cast<size_t>(PartOf(i))].Handle(*buses_[static_cast<size_t>(i)]);
+    }
+  }
+
+  void Subscribe(int participant, int channel) {
+    std::string& received = received_[static_cast<size_t>(participant)];
+    buses_[static_cast<size_t>(participant)]->SubscribeBytes(
+        ChannelOf(channel), [&received](const Message& message) {
+          received += fmt::format("{}/{}{} ", message.channel, message.publisher, message.data[0]);
+        });
+  }
+
+  /// Has every part keep what the others read.
+  void ShareInterests() {
+    for (int part = 0; part < num_parts(); ++part) {
+      std::set<std::string, std::less<>> wanted;
+      for (int other = 0; other < num_parts(); ++other) {
+        if (other == part) continue;
+        for (const auto channel : hubs_[static_cast<size_t>(other)].SubscribedChannels()) {
+          wanted.emplace(channel);
+        }
+      }
+      hubs_[static_cast<size_t>(part)].KeepFor(
+          [wanted](std::string_view channel) { return wanted.contains(channel); });
+    }
+  }
+
+  const std::vector<std::string>& received() const { return received_; }
+
+ private:
+  int num_parts() const { return static_cast<int>(hubs_.size()); }
+  int PartOf(int participant) const { return participant * 7 % num_parts(); }
+  static std::string NameOf(int participant) {
+    return std::string(1, static_cast<char>('a' + participant * 5 % kNumParticipants));
+  }
+  static std::string ChannelOf(int channel) { return fmt::format("C{}", channel * 4 % 9); }
+
+  void Exchange(int from) {
+    hubs_[static_cast<size_t>(from)].VisitPublished([&](const MemoryBus::Published& each) {
+      for (int to = 0; to < num_parts(); ++to) {
+        if (to == from) continue;
+        hubs_[static_cast<size_t>(to)].Insert(numbers_.at({to, std::string(each.publisher)}),
+                                              each.channel, each.sequence, each.data);
+      }
+    });
+  }
+
+  std::vector<MemoryBus> hubs_;
+  std::vector<Bus*> buses_;
+  std::map<std::pair<int, std::string>, uint32_t> numbers_;
+  std::vector<std::string> received_;
+};
+
+TEST(MemoryBus, GivesTheSameInPartsAsInOne) {
+  for (uint64_t seed = 1; seed <= 50; ++seed) {
+    PartsOfAMission whole(1, seed);
+    std::mt19937_64 random(seed);
+    for (int step = 0; step < 20; ++step) {
+      if (step == 10) whole.Subscribe(3, 2);
+      whole.Step(&random);
+    }
+    for (const int num_parts : {2, 3, 5, 12}) {
+      PartsOfAMission parts(num_parts, seed);
+      std::mt19937_64 again(seed);
+      for (int step = 0; step < 20; ++step) {
+        if (step == 10) {
+          parts.Subscribe(3, 2);
+          parts.ShareInterests();
+        }
+        parts.Step(&again);
+      }
+      ASSERT_EQ(parts.received(), whole.received()) << "seed " << seed << ", parts " << num_parts;
+    }
+    EXPECT_GT(whole.received()[0].size(), 100U);
+  }
+}
+
+TEST(MemoryBus, KeepsTheOrderWhenAParticipantElsewhereJoinsInMidMission) {
+  MemoryBus hub;
+  Bus& b = hub.Join("b");
+  Bus& d = hub.Join("d");
+  std::string received;
+  d.SubscribeBytes("C", [&](const Message& message) {
+    received += fmt::format("{}{} ", message.publisher, message.data[0]);
+  });
+  const auto publish = [](Bus& bus, uint8_t value) {
+    bus.PublishBytes("C", std::vector<uint8_t>{value});
+  };
+  publish(d, 1);
+  publish(b, 2);
+  hub.NextStep();
+  publish(d, 3);
+  publish(b, 4);
+  const uint32_t c = hub.JoinElsewhere("c");
+  const uint32_t outside = hub.JoinElsewhere("");
+  hub.Handle(d);
+  EXPECT_EQ(received, "b2 d1 ");
+  hub.Insert(c, "C", 1, std::vector<uint8_t>{6});
+  hub.Insert(c, "C", 0, std::vector<uint8_t>{5});
+  hub.Insert(outside, "C", 0, std::vector<uint8_t>{7});
+  hub.Insert(c, "UNREAD", 2, std::vector<uint8_t>{8});
+  received.clear();
+  hub.NextStep();
+  hub.Handle(d);
+  EXPECT_EQ(received, "7 b4 c5 c6 d3 ");
+}
+
+TEST(MemoryBus, ShowsWhatIsWantedElsewhereAndNothingThatCameFromThere) {
+  MemoryBus hub;
+  Bus& a = hub.Join("a");
+  const uint32_t b = hub.JoinElsewhere("b");
+  hub.Join("reader").SubscribeBytes("BOTH", [](const Message&) {});
+  hub.KeepFor([](std::string_view channel) { return channel != "HERE"; });
+  EXPECT_EQ(hub.SubscribedChannels(), std::vector<std::string_view>{"BOTH"});
+  hub.NextStep();
+  const std::vector<uint8_t> data = {1};
+  for (const char* channel : {"HERE", "THERE", "BOTH"}) a.PublishBytes(channel, data);
+  hub.Insert(b, "BOTH", 0, data);
+  std::string published;
+  hub.VisitPublished([&](const MemoryBus::Published& each) {
+    published += fmt::format("{} {} {}; ", each.channel, each.publisher, each.sequence);
+  });
+  EXPECT_EQ(published, "THERE a 1; BOTH a 2; ");
+  hub.KeepFor({});
+  hub.NextStep();
+  a.PublishBytes("THERE", data);
+  hub.VisitPublished([&](const MemoryBus::Published&) { ADD_FAILURE() << "nothing is wanted"; });
 }
 
 }  // namespace shoal::memory_bus_test
