@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <deque>
 #include <exception>
 #include <map>
 #include <memory>
@@ -19,13 +20,18 @@
 
 namespace shoal::c_interface {
 
-/// The last message of a channel.
+/// The messages of a channel, as far as they are wanted.
 struct Kept {
-  Bytes data;
+  Bytes data;  ///< The last.
   int64_t count = 0;
+  bool collects = false;
+  std::deque<Bytes> waiting = {};  ///< To be taken.
+  size_t waiting_bytes = 0;
+  Bytes taken = {};
 };
 
 constexpr size_t kMostBytes = size_t{1} << 24;
+constexpr size_t kMostWaitingBytes = size_t{1} << 26;
 constexpr size_t kMostCharacters = 63;
 constexpr int64_t kStepsBetweenChecks = 64;  ///< Of faults, as `shoal sim` does.
 
@@ -104,12 +110,48 @@ void Watch(shoal_sim* sim, const std::string& channel) {
   sim->simulation->bus().SubscribeBytes(channel, [kept](const Message& message) {
     kept->data.assign(message.data.begin(), message.data.end());
     ++kept->count;
+    if (!kept->collects) return;
+    kept->waiting.push_back(kept->data);
+    kept->waiting_bytes += kept->data.size();
   });
+}
+
+/// Has a channel's messages kept, the last or all.
+int Keep(shoal_sim* sim, const char* channel, bool all) {
+  return WithoutExceptions(sim, [&]() -> int {
+    if (channel == nullptr || !IsChannelName(channel)) {
+      return Fail(sim, SHOAL_SIM_MISUSE, "a channel has 1 to 63 letters, digits, '_' and '.'");
+    }
+    const auto found = sim->kept.find(std::string_view(channel));
+    if (found != sim->kept.end() && found->second.collects >= all) return SHOAL_SIM_OK;
+    if (sim->simulation && sim->simulation->step() >= 0) {
+      return Fail(sim, SHOAL_SIM_MISUSE,
+                  fmt::format("{}: {} a channel before the first step", channel,
+                              all ? "collect" : "watch"));
+    }
+    const bool is_new = found == sim->kept.end();
+    sim->kept[channel].collects = all;
+    if (sim->simulation && is_new) Watch(sim, channel);
+    return SHOAL_SIM_OK;
+  });
+}
+
+/// Returns the first channel of which more than kMostWaitingBytes wait to be taken, or null.
+const std::string* Overfull(const shoal_sim& sim) {
+  for (const auto& [channel, kept] : sim.kept) {
+    if (kept.waiting_bytes > kMostWaitingBytes) return &channel;
+  }
+  return nullptr;
 }
 
 int64_t Step(shoal_sim* sim, int64_t count) {
   Simulation& simulation = *sim->simulation;
   for (int64_t taken = 0; taken < count; ++taken) {
+    if (const std::string* channel = Overfull(*sim)) {
+      return Fail(sim, SHOAL_SIM_MISUSE,
+                  fmt::format("{}: more than 64 MiB wait after step {}: call shoal_sim_take()",
+                              *channel, simulation.step()));
+    }
     if (!simulation.Step()) {
       sim->has_ended = true;
       if (const std::string fault = simulation.Fault(); !fault.empty()) {
@@ -179,20 +221,11 @@ int shoal_sim_set_log(shoal_sim* sim, const char* path) {
 }
 
 int shoal_sim_watch(shoal_sim* sim, const char* channel) {
-  return c_interface::WithoutExceptions(sim, [&]() -> int {
-    if (channel == nullptr || !c_interface::IsChannelName(channel)) {
-      return c_interface::Fail(sim, SHOAL_SIM_MISUSE,
-                               "a channel has 1 to 63 letters, digits, '_' and '.'");
-    }
-    if (sim->kept.contains(channel)) return SHOAL_SIM_OK;
-    if (sim->simulation && sim->simulation->step() >= 0) {
-      return c_interface::Fail(sim, SHOAL_SIM_MISUSE,
-                               fmt::format("{}: watch a channel before the first step", channel));
-    }
-    sim->kept[channel] = {};
-    if (sim->simulation) c_interface::Watch(sim, channel);
-    return SHOAL_SIM_OK;
-  });
+  return c_interface::Keep(sim, channel, false);
+}
+
+int shoal_sim_collect(shoal_sim* sim, const char* channel) {
+  return c_interface::Keep(sim, channel, true);
 }
 
 int shoal_sim_open(shoal_sim* sim) {
@@ -245,6 +278,29 @@ int shoal_sim_read(shoal_sim* sim, const char* channel, const void** data, size_
     if (size != nullptr) *size = kept.data.size();
     if (count != nullptr) *count = kept.count;
     return SHOAL_SIM_OK;
+  });
+}
+
+int shoal_sim_take(shoal_sim* sim, const char* channel, const void** data, size_t* size) {
+  return c_interface::WithoutExceptions(sim, [&]() -> int {
+    if (channel == nullptr || data == nullptr) {
+      return c_interface::Fail(sim, SHOAL_SIM_MISUSE, "channel and data must not be null");
+    }
+    const auto found = sim->kept.find(std::string_view(channel));
+    if (found == sim->kept.end() || !found->second.collects) {
+      return c_interface::Fail(
+          sim, SHOAL_SIM_MISUSE,
+          fmt::format("{} is not collected: call shoal_sim_collect() before the first step",
+                      channel));
+    }
+    Kept& kept = found->second;
+    if (kept.waiting.empty()) return 0;
+    kept.taken = std::move(kept.waiting.front());
+    kept.waiting.pop_front();
+    kept.waiting_bytes -= kept.taken.size();
+    *data = kept.taken.data();
+    if (size != nullptr) *size = kept.taken.size();
+    return 1;
   });
 }
 

@@ -6,8 +6,7 @@
  *   if (shoal_sim_open(sim) != SHOAL_SIM_OK) return fail(shoal_sim_error(sim));
  *   while (shoal_sim_step(sim, 10) == 10) {
  *     const void* data; size_t size; int64_t count;
- *     shoal_sim_read(sim, "NAV_ALPHA", &data, &size, &count);  // a shoal_nav_t, by
- * shoal::lcmtypes_c
+ *     shoal_sim_read(sim, "NAV_ALPHA", &data, &size, &count);  // an encoded shoal_nav_t
  *   }
  *   puts(shoal_sim_summary(sim));
  *   shoal_sim_free(sim);
@@ -66,6 +65,9 @@ int shoal_sim_set_log(shoal_sim* sim, const char* path);
 /** Keeps the last message of a channel for shoal_sim_read(). Also after shoal_sim_open(), but
  * before the first step. */
 int shoal_sim_watch(shoal_sim* sim, const char* channel);
+/** Keeps every message of a channel for shoal_sim_take(), up to 64 MiB; beyond that
+ * shoal_sim_step() fails until some are taken. When: as shoal_sim_watch(), which it includes. */
+int shoal_sim_collect(shoal_sim* sim, const char* channel);
 
 /** Loads the mission. */
 int shoal_sim_open(shoal_sim* sim);
@@ -84,6 +86,10 @@ int shoal_sim_end(shoal_sim* sim);
  * far. `size` and `count` may be null. */
 int shoal_sim_read(shoal_sim* sim, const char* channel, const void** data, size_t* size,
                    int64_t* count);
+/** Takes the oldest message of a channel that is collected, in the order in which an app would get
+ * them. Returns 1, and *data as shoal_sim_read() gives it, valid until the next call for this
+ * channel; 0: none is left. `size` may be null. Negative: a shoal_sim_code. */
+int shoal_sim_take(shoal_sim* sim, const char* channel, const void** data, size_t* size);
 /** Publishes an encoded LCM message, as the participant "embedder". It reaches the others in the
  * second step from now. A channel has 1 to 63 letters, digits, '_' and '.'. A message that is not
  * of the channel's type is dropped by those who read it. */

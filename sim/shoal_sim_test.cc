@@ -7,6 +7,7 @@
 #include <fstream>
 #include <iterator>
 #include <string>
+#include <vector>
 
 #include "lib/bus/channels.h"
 #include "sim/simulation.h"
@@ -80,6 +81,55 @@ TEST(ShoalSim, ReadsTheLastMessageOfAWatchedChannel) {
   EXPECT_EQ(count, 4) << "what is published in a step is read in the next";
   EXPECT_EQ(nav.utime + shoal_sim_tick_us(held.sim), shoal_sim_utime(held.sim));
   EXPECT_EQ(shoal_sim_step_number(held.sim), 4);
+}
+
+TEST(ShoalSim, TakesEveryMessageOfACollectedChannelInOrder) {
+  Held held(SHOAL_SOURCE_DIR "/missions/berta.toml");
+  ASSERT_EQ(shoal_sim_watch(held.sim, "NODE_REPORT_LOCAL"), SHOAL_SIM_OK);
+  ASSERT_EQ(shoal_sim_collect(held.sim, "NODE_REPORT_LOCAL"), SHOAL_SIM_OK);
+  ASSERT_EQ(shoal_sim_open(held.sim), SHOAL_SIM_OK) << held.Error();
+  auto opened = Simulation::Open({.mission_file = SHOAL_SOURCE_DIR "/missions/berta.toml"});
+  ASSERT_TRUE(opened.ok()) << opened.error();
+  std::vector<Bytes> expected;
+  opened->bus().SubscribeBytes("NODE_REPORT_LOCAL", [&](const Message& message) {
+    expected.emplace_back(message.data.begin(), message.data.end());
+  });
+  for (int i = 0; i < 200; ++i) ASSERT_TRUE(opened->Step());
+  const void* data = nullptr;
+  size_t size = 0;
+  EXPECT_EQ(shoal_sim_take(held.sim, "NODE_REPORT_LOCAL", &data, &size), 0);
+  std::vector<Bytes> taken;
+  for (int i = 0; i < 2; ++i) {
+    ASSERT_EQ(shoal_sim_step(held.sim, 100), 100);
+    while (shoal_sim_take(held.sim, "NODE_REPORT_LOCAL", &data, &size) == 1) {
+      const auto* bytes = static_cast<const uint8_t*>(data);
+      taken.emplace_back(bytes, bytes + size);
+    }
+  }
+  EXPECT_GT(taken.size(), 40U) << "two vessels report, twice a second or so";
+  EXPECT_EQ(taken, expected);
+  EXPECT_EQ(shoal_sim_take(held.sim, "NAV_ALPHA", &data, &size), SHOAL_SIM_MISUSE);
+  EXPECT_EQ(held.Error(),
+            "NAV_ALPHA is not collected: call shoal_sim_collect() before the first step");
+  EXPECT_EQ(shoal_sim_collect(held.sim, "NAV_ALPHA"), SHOAL_SIM_MISUSE);
+  EXPECT_EQ(held.Error(), "NAV_ALPHA: collect a channel before the first step");
+}
+
+TEST(ShoalSim, StopsWhereMoreWaitsThanItKeepsAndGoesOnWhenItIsTaken) {
+  Held held(kAlpha);
+  ASSERT_EQ(shoal_sim_collect(held.sim, "EXTRA"), SHOAL_SIM_OK);
+  ASSERT_EQ(shoal_sim_open(held.sim), SHOAL_SIM_OK) << held.Error();
+  const Bytes large(size_t{1} << 24, 7);
+  for (int i = 0; i < 5; ++i) {
+    ASSERT_EQ(shoal_sim_write(held.sim, "EXTRA", large.data(), large.size()), SHOAL_SIM_OK);
+  }
+  EXPECT_EQ(shoal_sim_step(held.sim, 10), SHOAL_SIM_MISUSE);
+  EXPECT_EQ(held.Error(), "EXTRA: more than 64 MiB wait after step 0: call shoal_sim_take()");
+  const void* data = nullptr;
+  size_t size = 0;
+  for (int i = 0; i < 5; ++i) EXPECT_EQ(shoal_sim_take(held.sim, "EXTRA", &data, &size), 1);
+  EXPECT_EQ(size, large.size());
+  EXPECT_EQ(shoal_sim_step(held.sim, 10), 10);
 }
 
 TEST(ShoalSim, PublishesToTheMissionsParticipants) {

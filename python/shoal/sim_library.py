@@ -26,6 +26,11 @@ _FUNCTIONS: dict[str, tuple[type | None, list[object]]] = {
     "set_seed": (ctypes.c_int, [_HANDLE, ctypes.c_uint64]),
     "set_log": (ctypes.c_int, [_HANDLE, _TEXT]),
     "watch": (ctypes.c_int, [_HANDLE, _TEXT]),
+    "collect": (ctypes.c_int, [_HANDLE, _TEXT]),
+    "take": (
+        ctypes.c_int,
+        [_HANDLE, _TEXT, ctypes.POINTER(ctypes.c_void_p), ctypes.POINTER(ctypes.c_size_t)],
+    ),
     "open": (ctypes.c_int, [_HANDLE]),
     "step": (_COUNT, [_HANDLE, _COUNT]),
     "end": (ctypes.c_int, [_HANDLE]),

@@ -46,6 +46,7 @@ class Simulation:
         seed: int | None = None,
         log: str | os.PathLike[str] | None = None,
         watch: Iterable[str] = (),
+        collect: Iterable[str] = (),
         types: Types | None = None,
     ) -> None:
         """Loads the mission.
@@ -56,6 +57,7 @@ class Simulation:
             seed: In place of the mission file's.
             log: Where to write a log.
             watch: Channels to be read besides NAV_<V>, such as "NODE_REPORT_LOCAL".
+            collect: Channels of which every message is wanted, such as "COMMS_FATES": `messages`.
             types: Message types; shoal's own by default.
 
         Raises:
@@ -95,6 +97,8 @@ class Simulation:
             self._chunk = max(1, int(_MOST_HELD_US / 1e6 / self.tick_s))
             for channel in [*self._channel_of.values(), *watch]:
                 self.watch(channel)
+            for channel in collect:
+                self._check(library.shoal_sim_collect(self._handle, channel.encode()))
         except BaseException:
             self.close()
             raise
@@ -190,6 +194,18 @@ class Simulation:
         """Returns the last message of a channel that is watched; None: there was none yet."""
         data = self.data(channel)
         return None if data is None else self._types.decode(data)
+
+    def messages(self, channel: str) -> list[Any]:
+        """Takes all messages of a channel in `collect` since the last call, in their order.
+
+        At most 64 MiB of a channel wait: beyond that `step` raises SimulationError.
+        """
+        taken = []
+        name = channel.encode()
+        while self._check(self._library.shoal_sim_take(self._handle, name, *self._out[:2])):
+            data = ctypes.string_at(self._data.value or 0, self._size.value)
+            taken.append(self._types.decode(data))
+        return taken
 
     def __getitem__(self, vehicle: str) -> Any:
         """Returns the NAV message of a vehicle, where it is in truth; None: there was none yet."""

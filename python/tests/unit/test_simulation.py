@@ -91,6 +91,20 @@ def test_observations_have_names() -> None:
         assert "INCOMPLETE" in sim.summary()
 
 
+def test_every_message_of_a_collected_channel_is_taken_once(tmp_path: Path) -> None:
+    taken = []
+    log = tmp_path / "collected.lcm"
+    with shoal.Simulation(ALPHA, collect=["NODE_REPORT_LOCAL"], log=log) as sim:
+        while sim.step(50):
+            taken += [(each.utime, each.name) for each in sim.messages("NODE_REPORT_LOCAL")]
+        with pytest.raises(shoal.SimulationError, match="NAV_ALPHA is not collected"):
+            sim.messages("NAV_ALPHA")
+        assert sim.messages("NODE_REPORT_LOCAL") == []
+    reports = shoal.read(log)["NODE_REPORT_LOCAL"]
+    assert len(taken) > 100
+    assert taken == [(each.utime, each.name) for each in reports]
+
+
 def test_actuators_hold_until_they_are_set_again(steered: Path) -> None:
     with shoal.Simulation(steered) as sim:
         sim.act({"bravo.thrust_pct": 50})
