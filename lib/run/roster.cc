@@ -1,5 +1,7 @@
 #include "lib/run/roster.h"
 
+#include <span>
+
 namespace shoal {
 
 std::string ParticipantName(std::string_view app, std::string_view vehicle) {
@@ -25,12 +27,15 @@ std::vector<RosterEntry> MakeRoster(const Mission& mission, bool with_recorder) 
   if (with_recorder) add("recorder", "", Provider::kShoal);
   add("shore_broker", "", mission.broker);
   if (mission.netsim) add("netsim_manager", "", Provider::kShoal);
-  for (const Vehicle& vehicle : mission.vehicles) {
+  for (size_t place = 0; place < mission.vehicles.size(); ++place) {
+    const Vehicle& vehicle = mission.vehicles[place];
+    const size_t first = roster.size();
     add("vehicle_sim", vehicle.name, vehicle.sim);
     add("helm", vehicle.name, vehicle.helm);
     add("node_reporter", vehicle.name, vehicle.reporter);
     if (mission.SwarmOf(vehicle) != nullptr) add("acomms", vehicle.name, vehicle.acomms);
     if (vehicle.media.gateway.exists) add("gateway", vehicle.name, Provider::kShoal);
+    for (RosterEntry& entry : std::span(roster).subspan(first)) entry.vehicle_place = place;
   }
   for (const Participant& participant : mission.participants) {
     roster.push_back({.name = participant.name,
