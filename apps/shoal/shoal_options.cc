@@ -23,6 +23,7 @@
 #include "apps/shoal/view_command.h"
 #include "lib/launch/launcher.h"
 #include "lib/mission/drawn_seed.h"
+#include "lib/mission/print_errors.h"
 #include "lib/mission/suggest.h"
 #include "lib/orders/order_words.h"
 #include "lib/record/log_commands.h"
