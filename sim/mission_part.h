@@ -58,7 +58,7 @@ class MissionPart {
   [[nodiscard]] bool TakeInterests(size_t from, std::span<const uint8_t> interests);
 
   /// Takes the next step: handlers of what was published in the step before, then ticks.
-  /// @pre !MustEnd(), and Decide() after the step before
+  /// @pre !MustEnd(), and Decide() after the step before; nothing was published before the first
   void Step();
   /// Returns what another part is to have of this step; valid until the next Step().
   [[nodiscard]] std::span<const uint8_t> BatchFor(size_t part) const;
