@@ -22,9 +22,11 @@ namespace shoal {
 namespace {
 
 constexpr int kTag = 1;
-/// Waits without giving the core away for what a message takes between two cores, and for some
-/// difference between the ranks. After this the other rank computes, or has no core of its own.
-constexpr double kSpin_s = 100e-6;
+/// Waits without giving the core away for what differs between the ranks in most steps: to wake up
+/// from a sleep takes 0.1 ms and more, a step of a thousand vessels 1 ms.
+constexpr double kSpin_s = 2e-3;
+/// The same where ranks share cores, and the one that is waited for may need this one's.
+constexpr double kSharedSpin_s = 50e-6;
 /// Short sleeps, and not sched_yield: on a loaded machine that gives a whole slice of time away.
 constexpr auto kSleep = std::chrono::microseconds(20);
 /// How often ranks on this host are looked at while they are waited for.
@@ -68,6 +70,12 @@ RankExchange::RankExchange(RankExchangeOptions options)
 }
 
 RankExchange::~RankExchange() { MPI_Finalize(); }
+
+void RankExchange::SetPlaces(std::vector<RankPlace> places) {
+  places_ = std::move(places);
+  const auto num_here = std::ranges::count(places_, places_[rank_].host, &RankPlace::host);
+  spin_s_ = num_here > std::thread::hardware_concurrency() ? kSharedSpin_s : kSpin_s;
+}
 
 std::string RankExchange::NameOf(size_t rank) const {
   const RankPlace& place = places_.at(rank);
@@ -140,7 +148,7 @@ std::optional<Error> RankExchange::Round(const std::string& what,
   double next_look_s = kLook_s;
   while (!Advance(&requests, incoming)) {
     const double waited_s = Seconds() - begin_s;
-    if (waited_s < kSpin_s) continue;
+    if (waited_s < spin_s_) continue;
     std::this_thread::sleep_for(kSleep);
     const bool is_first = IsFirstToWait(requests.waited_for);
     const double later_s = is_first ? 0 : kOthersLater_s;

@@ -59,7 +59,7 @@ class RankExchange {
 
   /// Returns "rank 1 (host n1, process 123)". @pre SetPlaces() was called
   std::string NameOf(size_t rank) const;
-  void SetPlaces(std::vector<RankPlace> places) { places_ = std::move(places); }
+  void SetPlaces(std::vector<RankPlace> places);
   const std::vector<RankPlace>& places() const { return places_; }
 
   /// Gives outgoing[p] to each other rank p and returns what that gave in incoming[p]; incoming of
@@ -84,7 +84,8 @@ class RankExchange {
 
   const RankExchangeOptions options_;
   double next_name_after_s_ =
-      0;  ///< Doubled each time, so that a slow mission is not all warnings.
+      0;               ///< Doubled each time, so that a slow mission is not all warnings.
+  double spin_s_ = 0;  ///< Waits so long before it lets others have the core.
   size_t rank_ = 0;
   size_t num_ranks_ = 1;
   std::vector<RankPlace> places_;
