@@ -188,8 +188,10 @@ std::vector<Diagnosis> Diagnose(const DoctorFacts& facts) {
                     "a process needs six for each LCM port it receives on, one port per vehicle in "
                     "the communities layout",
                     "-n"),
-      DiagnoseLimit("processes and threads", facts.max_threads, kNeededThreads, kWantedThreads,
-                    "a mission needs about twelve per vehicle", "-u"),
+      DiagnoseLimit(
+          "processes and threads", facts.max_threads, kNeededThreads, kWantedThreads,
+          "a mission needs about twelve per vehicle; fewer with `shoal run --grouping vehicle`",
+          "-u"),
       DiagnoseSpy(facts)};
 }
 

@@ -16,6 +16,7 @@
 #include "apps/shoal/check_command.h"
 #include "apps/shoal/doctor.h"
 #include "apps/shoal/encounters_options.h"
+#include "apps/shoal/group_options.h"
 #include "apps/shoal/log_options.h"
 #include "apps/shoal/send_command.h"
 #include "apps/shoal/sim_command.h"
@@ -97,6 +98,7 @@ void AddRun(CLI::App& cli, Action* action) {
     RunOptions options;
     std::string warp = "1";
     std::string layout;
+    std::string grouping = "app";
     bool view = false;
     ViewOptions view_options;
   };
@@ -119,6 +121,7 @@ void AddRun(CLI::App& cli, Action* action) {
       ->add_option("--layout", parsed->layout,
                    "shared: one LCM port; communities: one per vehicle (default from 10 vehicles)")
       ->check(CLI::IsMember({"shared", "communities"}));
+  AddGrouping(command, &parsed->grouping);
   AddPort(command, &options.port_base)->description("First port of the block to use");
   command->add_flag("--quiet", options.quiet, kQuiet);
   ViewOptions& view = parsed->view_options;
@@ -136,6 +139,7 @@ void AddRun(CLI::App& cli, Action* action) {
     *action = [parsed] {
       RunOptions& run = parsed->options;
       run.warp = *ParseWarp(parsed->warp);
+      run.grouping = *ParseGrouping(parsed->grouping);
       if (parsed->view) run.view = parsed->view_options;
       if (!parsed->layout.empty()) {
         run.layout = parsed->layout == "shared" ? Layout::kShared : Layout::kCommunities;
@@ -317,6 +321,7 @@ int RunShoalCommand(int argc, char** argv) {
   cli.require_subcommand(1);
   Action action;
   AddRun(cli, &action);
+  AddGroup(cli, &action);
   AddSim(cli, &action);
   AddCheck(cli, &action);
   AddMessage(cli, &action);

@@ -22,6 +22,7 @@ namespace shoal {
 namespace {
 
 constexpr int64_t kIdlePoll_us = 50'000;
+constexpr char kOwnName[] = "shoal";
 
 int64_t RandomMissionId() {
   int64_t id = 0;
@@ -76,10 +77,25 @@ Result<std::string> MakeLogFolder(const RunOptions& options, const Mission& miss
   return path;
 }
 
-std::vector<std::string> ParticipantNames(const std::vector<RosterEntry>& roster) {
-  std::vector<std::string> names = {"shoal"};
-  for (const RosterEntry& entry : roster) names.push_back(entry.name);
+std::vector<RosterProcess> ProcessesOf(const RunOptions& options, const Mission& mission) {
+  return ShareOut(MakeRoster(mission, !options.record_dir.empty()), options.grouping);
+}
+
+std::vector<std::string> ParticipantNames(const std::vector<RosterProcess>& processes) {
+  std::vector<std::string> names = {kOwnName};
+  for (const RosterProcess& process : processes) {
+    for (const RosterEntry& entry : process.entries) names.push_back(entry.name);
+  }
   return names;
+}
+
+/// Returns an error for each process that cannot be started.
+std::vector<std::string> MissingPrograms(const RunOptions& options, const Mission& mission) {
+  std::vector<RosterEntry> alone;  // A group runs in shoal's own program.
+  for (const RosterProcess& process : ProcessesOf(options, mission)) {
+    if (!process.is_group()) alone.push_back(process.entries.front());
+  }
+  return MissingPrograms(mission, alone);
 }
 
 }  // namespace
@@ -97,28 +113,33 @@ Launcher::Launcher(const RunOptions& options, const Mission& mission,
                .secret_fd = secret_fd,
                .log_dir = std::move(log_dir),
                .log_path = options.record_dir.empty() ? "" : options.record_dir + "/mission.lcm"},
-      roster_(MakeRoster(mission, !options.record_dir.empty())),
-      participant_({.name = "shoal",
-                    .mission_id = mission_id,
-                    .pid = getpid(),
-                    .secret = secret,
-                    .give_up_us = GiveUpAfter_us(mission)},
-                   ports_, transport_),
-      director_(make_director(mission, participant_)),
-      clock_(MakeClockOptions(options, mission, mission_id, secret), ParticipantNames(roster_),
+      processes_(ProcessesOf(options, mission)),
+      wake_rule_(std::min(kWantedReceiveBuffer, ReceiveBufferLimit())),
+      group_({.mission_id = mission_id,
+              .pid = getpid(),
+              .secret = secret,
+              .give_up_us = GiveUpAfter_us(mission)},
              ports_, transport_),
-      supervision_(context_, roster_, clock_, terminal_) {
-  participant_.Attach(director_.get());
+      director_(make_director(mission, group_.Join(kOwnName))),
+      clock_(MakeClockOptions(options, mission, mission_id, secret), ParticipantNames(processes_),
+             ports_, transport_),
+      supervision_(context_, processes_, clock_, terminal_) {
+  group_.Attach(kOwnName, director_.get());
+  group_.Listen();
+  transport_.DeferFrom(ports_.shore_port());
   transport_.set_drop_filter(MakeLossFilter(options.lose, options.lose_forever));
   transport_.set_receiver(
       [this](int port, std::string_view channel, std::span<const uint8_t> datagram) {
         const int64_t now = MonotonicMicroseconds();
+        wake_rule_.OnDatagram();
         // Before the clock gets the director's own answer, and with it goes on.
         if (director_->EndsMission()) clock_.MakeLast();
         if (port == ports_.done_port()) {
           clock_.OnDatagram(port, channel, datagram, now);
         } else {
-          participant_.OnDatagram(port, channel, datagram, now);
+          const int64_t step = group_.step();
+          group_.OnDatagram(port, channel, datagram, now);
+          if (group_.step() != step) wake_rule_.OnStep(MonotonicMicroseconds());
         }
       });
 }
@@ -137,19 +158,23 @@ int Launcher::Run(int signal_fd) {
 void Launcher::Loop(int signal_fd) {
   while (clock_.state() != StepClock::State::kEnded) {
     int64_t now = MonotonicMicroseconds();
-    participant_.OnTime(now);
+    group_.OnTime(now);
     clock_.OnTime(now);
     if (clock_.state() == StepClock::State::kRunning && running_since_us_ == 0) {
       running_since_us_ = now;
     }
-    supervision_.OnTime(now, participant_.num_foreign());
+    supervision_.OnTime(now, group_.num_foreign());
     ShowProgress(now);
-    const int64_t deadline = std::min(participant_.NextDeadline(), clock_.NextDeadline());
+    const int64_t deadline = std::min(group_.NextDeadline(), clock_.NextDeadline());
     now = MonotonicMicroseconds();
     const int64_t wait = clock_.state() == StepClock::State::kGathering
                              ? kIdlePoll_us
                              : std::clamp<int64_t>(deadline - now, 0, kIdlePoll_us);
-    if (transport_.Poll(wait, signal_fd)) supervision_.OnSignals(signal_fd);
+    const bool sleeps = group_.awaits_tick() && wake_rule_.SleepsThrough(now);
+    if (transport_.Poll(sleeps ? wake_rule_.Timeout(wait, now) : wait, signal_fd,
+                        sleeps ? WakeFor::kSteps : WakeFor::kAll)) {
+      supervision_.OnSignals(signal_fd);
+    }
   }
 }
 
@@ -174,14 +199,18 @@ int Launcher::Conclude() {
   if (running_since_us_ != 0) {
     const double mission_s = static_cast<double>(clock_.utime() - mission_.start_utime) / 1e6;
     const double wall_s = std::max(static_cast<double>(ended_us_ - running_since_us_) / 1e6, 1e-3);
+    const size_t num_participants = ParticipantNames(processes_).size();
+    const size_t num_processes = processes_.size() + 1;
+    const std::string in_processes =
+        num_processes == num_participants ? "" : fmt::format(" in {} processes", num_processes);
     summary = fmt::format(
-        "{:.1f} s of mission in {:.2f} s ({:.1f} x real time), {} participants, {} layout\n"
+        "{:.1f} s of mission in {:.2f} s ({:.1f} x real time), {} participants{}, {} layout\n"
         "Bus: {} messages, {} asked for again, {} ticks again, {} undecodable, {} of other "
         "missions, {} from outside, {} refused\n"
         "Reproducible: {}\n\n{}",
-        mission_s, wall_s, mission_s / wall_s, roster_.size() + 1, Name(ports_.layout()),
-        counters.messages, counters.repeated, counters.ticks_again, counters.undecodable,
-        counters.foreign, counters.outside, counters.refused,
+        mission_s, wall_s, mission_s / wall_s, num_participants, in_processes,
+        Name(ports_.layout()), counters.messages, counters.repeated, counters.ticks_again,
+        counters.undecodable, counters.foreign, counters.outside, counters.refused,
         reproducible           ? "yes"
         : counters.outside > 0 ? "no: messages came from outside the step protocol"
         : mission_.netsim      ? "no: clients of netsim_manager come from outside"
@@ -219,8 +248,7 @@ int RunMission(const RunOptions& options, const Mission& mission,
     return kExitUsage;
   }
   // Before anything is made or started, so that nothing has to be undone.
-  const std::vector<std::string> missing =
-      MissingPrograms(mission, MakeRoster(mission, !options.record_dir.empty()));
+  const std::vector<std::string> missing = MissingPrograms(options, mission);
   if (!missing.empty()) return fail(fmt::format("{}", fmt::join(missing, "\nshoal: ")));
   const std::vector<std::string> vehicles = VehicleNames(mission);
   const Layout layout =
@@ -236,6 +264,7 @@ int RunMission(const RunOptions& options, const Mission& mission,
       .mission_id = RandomMissionId(),
       .port_base = *base,
       .layout = layout,
+      .grouping = Name(options.grouping),
       .pid = getpid(),
       .vehicles = vehicles,
       .overrides = options.overrides,

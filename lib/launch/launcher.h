@@ -16,9 +16,10 @@
 #include "lib/launch/supervision.h"
 #include "lib/mission/mission.h"
 #include "lib/run/director.h"
-#include "lib/run/roster.h"
+#include "lib/run/grouping.h"
 #include "lib/run/step_clock.h"
-#include "lib/run/step_participant.h"
+#include "lib/run/step_group.h"
+#include "lib/run/wake_rule.h"
 
 namespace shoal {
 
@@ -46,9 +47,10 @@ class Launcher {
   const Mission& mission_;
   const PortPlan ports_;
   const LaunchContext context_;
-  const std::vector<RosterEntry> roster_;
+  const std::vector<RosterProcess> processes_;
   LcmTransport transport_;
-  StepParticipant participant_;
+  WakeRule wake_rule_;
+  StepGroup group_;  ///< Of the director alone.
   std::unique_ptr<Director> director_;
   StepClock clock_;
   LaunchTerminal terminal_;
