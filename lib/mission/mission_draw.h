@@ -86,6 +86,7 @@ class MissionDraw {
     for (int64_t i = Integer(0, 2); i > 0; --i) {
       mission.participants.push_back({"planner_" + std::to_string(i), {Text(), "", Text()}});
     }
+    if (Coin()) DrawHosts(&mission);
     for (int64_t i = Integer(0, 6); i > 0; --i) {
       mission.expectations.push_back(DrawExpectation(mission.duration_s));
     }
@@ -153,6 +154,17 @@ class MissionDraw {
   }
 
   /// Two more media, and what the vehicles have of them.
+  void DrawHosts(Mission* mission) {
+    HostOptions host{.name = "lab2",
+                     .address = "tcp://10.0.0.2:7700",
+                     .key = Text(),
+                     .on_loss = static_cast<OnLoss>(Integer(0, 2)),
+                     .timeout_s = Number(0.1, 3600)};
+    if (Coin()) host.vehicles = {mission->vehicles[0].name};
+    for (const Participant& each : mission->participants) host.participants.push_back(each.name);
+    mission->hosts = {host, {.name = "lab3", .address = {}, .key = {}}};
+  }
+
   void DrawMedia(Mission* mission) {
     MediumOptions radio = {.name = "vhf", .kind = MediumKind::kRadio};
     radio.radio = {.range_m = Coin() ? -1 : Number(0, 1e6),

@@ -85,6 +85,8 @@ void ValidatePaths(const Mission& mission, const TablePlace& file);
 void ValidateBehaviors(const Mission& mission, const TablePlace& file);
 /// [vehicle.navigation] and [[beacon]].
 void ValidateNavigation(const Mission& mission, const TablePlace& file);
+/// Names of [[host]] and of what they run; each vehicle and participant runs on one computer.
+void ValidateHosts(const Mission& mission, const TablePlace& file);
 void ValidateEvents(const Mission& mission, const TablePlace& file);
 /// Warns of gains that swing the fins at the mission's ticks.
 void WarnOfAutopilots(const Mission& mission, const TablePlace& file);

@@ -39,6 +39,14 @@ std::vector<RosterEntry> MakeRoster(const Mission& mission, bool with_recorder) 
                       .provider = participant.command.empty() ? Provider::kHand : Provider::kShoal,
                       .command = participant.command});
   }
+  for (RosterEntry& entry : roster) {
+    const auto runs_it = [&](const HostOptions& host) {
+      return entry.app.empty() ? Contains(host.participants, entry.name)
+                               : Contains(host.vehicles, entry.vehicle);
+    };
+    const auto host = std::find_if(mission.hosts.begin(), mission.hosts.end(), runs_it);
+    if (host != mission.hosts.end()) entry.host = host->name;
+  }
   return roster;
 }
 
