@@ -45,6 +45,12 @@ add_library(shoal_sodium INTERFACE)
 target_include_directories(shoal_sodium SYSTEM INTERFACE ${SODIUM_INCLUDE_DIR})
 target_link_libraries(shoal_sodium INTERFACE ${SODIUM_LIBRARY})
 
+find_path(ZMQ_INCLUDE_DIR zmq.hpp REQUIRED)
+find_library(ZMQ_LIBRARY zmq REQUIRED)
+add_library(shoal_zmq INTERFACE)
+target_include_directories(shoal_zmq SYSTEM INTERFACE ${ZMQ_INCLUDE_DIR})
+target_link_libraries(shoal_zmq INTERFACE ${ZMQ_LIBRARY})
+
 find_path(SQLITE_INCLUDE_DIR sqlite3.h REQUIRED)
 find_library(SQLITE_LIBRARY sqlite3 REQUIRED)
 add_library(shoal_sqlite INTERFACE)

@@ -61,6 +61,10 @@ class LcmReceiver {
   /// throws away most of the first, uncounted.)
   int64_t num_refused() const { return assembler_.num_malformed() + assembler_.num_abandoned(); }
 
+  /// A descriptor that is readable where Poll has something to read, for callers with a poll of
+  /// their own. Poll must have been called since the last Listen.
+  int fd() const { return epoll_; }
+
   /// Empty, or why a port could not be opened, with what to try.
   const std::string& error() const { return error_; }
 

@@ -37,6 +37,7 @@ class LcmTransport : public Transport {
 
   /// As LcmReceiver's.
   bool Poll(int64_t timeout_us, int extra_fd = -1);
+  int fd() const { return lcm_receiver_.fd(); }
   bool has_more() const { return lcm_receiver_.has_more(); }
   void EndPoll() { lcm_receiver_.EndPoll(); }
   void StampArrivals() { lcm_receiver_.StampArrivals(); }

@@ -116,7 +116,7 @@ std::vector<std::string> MissingPrograms(const Mission& mission,
                                          const std::vector<RosterEntry>& roster) {
   std::vector<std::string> missing;
   for (const RosterEntry& entry : roster) {
-    if (entry.provider == Provider::kHand) continue;
+    if (entry.provider == Provider::kHand || !entry.host.empty()) continue;
     const Result<std::string> path = ProgramOf(entry, mission);
     if (!path.ok()) missing.push_back(path.error());
   }

@@ -27,6 +27,7 @@ struct RunOptions {
   std::string lose_forever = {};
   bool quiet = false;               ///< No progress line.
   std::optional<ViewOptions> view;  ///< A viewer beside the mission.
+  std::string key_file = {};        ///< This computer's key, for hosts; empty: HostKeyPath().
 };
 
 /// A mission's place on this machine.
@@ -45,7 +46,7 @@ struct LaunchContext {
 [[nodiscard]] Result<ChildCommand> CommandOf(const RosterEntry& entry,
                                              const LaunchContext& context);
 
-/// Returns an error for each participant of `roster` whose program is not there.
+/// Returns an error for each participant of `roster` that runs here and whose program is missing.
 std::vector<std::string> MissingPrograms(const Mission& mission,
                                          const std::vector<RosterEntry>& roster);
 

@@ -2,9 +2,7 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <signal.h>
 #include <sys/random.h>
-#include <sys/signalfd.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -12,6 +10,7 @@
 
 #include "lib/bus/multicast_fault.h"
 #include "lib/check/time_units.h"
+#include "lib/launch/launch_signals.h"
 #include "lib/launch/recording.h"
 #include "lib/run/run_app.h"
 #include "lib/run/run_folder.h"
@@ -27,23 +26,6 @@ int64_t RandomMissionId() {
   int64_t id = 0;
   if (getrandom(&id, sizeof id, 0) != sizeof id) id = MonotonicMicroseconds();
   return std::max<int64_t>(id & std::numeric_limits<int64_t>::max(), 1);
-}
-
-/// Routes the signals that matter to a descriptor. To be called before LCM makes its threads, which
-/// inherit the mask.
-int BlockSignals() {
-  sigset_t set;
-  sigemptyset(&set);
-  signal(SIGCHLD, SIG_DFL);  // A parent that ignores it would hide the children's exits.
-  for (const int number : {SIGINT, SIGTERM, SIGCHLD}) sigaddset(&set, number);
-  struct sigaction hangup {};
-  sigaction(SIGHUP, nullptr, &hangup);
-  // Under nohup, SIGHUP stays ignored. (SIGINT too is ignored in a script's background jobs, but
-  // it is sent there on purpose.)
-  if (hangup.sa_handler != SIG_IGN) sigaddset(&set, SIGHUP);
-  sigprocmask(SIG_BLOCK, &set, nullptr);
-  signal(SIGPIPE, SIG_IGN);
-  return signalfd(-1, &set, SFD_CLOEXEC | SFD_NONBLOCK);
 }
 
 ClockOptions MakeClockOptions(const RunOptions& options, const Mission& mission, int64_t mission_id,
@@ -86,7 +68,8 @@ std::vector<std::string> ParticipantNames(const std::vector<RosterEntry>& roster
 
 Launcher::Launcher(const RunOptions& options, const Mission& mission,
                    const MakeDirector& make_director, PortPlan ports, int64_t mission_id,
-                   const MissionSecret& secret, int secret_fd, std::string log_dir)
+                   const MissionSecret& secret, int secret_fd, std::string log_dir,
+                   std::optional<HostAccess> access)
     : options_(options),
       mission_(mission),
       ports_(std::move(ports)),
@@ -107,7 +90,9 @@ Launcher::Launcher(const RunOptions& options, const Mission& mission,
       director_(make_director(mission, participant_)),
       clock_(MakeClockOptions(options, mission, mission_id, secret), ParticipantNames(roster_),
              ports_, transport_),
-      supervision_(context_, roster_, clock_, terminal_) {
+      hosts_(access ? std::make_unique<MissionHosts>(context_, secret, roster_, std::move(*access))
+                    : nullptr),
+      supervision_(context_, roster_, clock_, terminal_, hosts_.get()) {
   participant_.Attach(director_.get());
   transport_.set_drop_filter(MakeLossFilter(options.lose, options.lose_forever));
   transport_.set_receiver(
@@ -128,6 +113,10 @@ int Launcher::Run(int signal_fd) {
     supervision_.Fail(kExitEnvironment, transport_.error());
     return supervision_.exit_code();
   }
+  if (hosts_ != nullptr && !hosts_->error().empty()) {
+    supervision_.Fail(kExitEnvironment, hosts_->error());
+    return supervision_.exit_code();
+  }
   if (supervision_.StartAll()) Loop(signal_fd);
   ended_us_ = MonotonicMicroseconds();
   supervision_.EndAll(signal_fd);
@@ -139,17 +128,20 @@ void Launcher::Loop(int signal_fd) {
     int64_t now = MonotonicMicroseconds();
     participant_.OnTime(now);
     clock_.OnTime(now);
+    if (hosts_ != nullptr) hosts_->OnTime(now);
     if (clock_.state() == StepClock::State::kRunning && running_since_us_ == 0) {
       running_since_us_ = now;
     }
     supervision_.OnTime(now, participant_.num_foreign());
     ShowProgress(now);
-    const int64_t deadline = std::min(participant_.NextDeadline(), clock_.NextDeadline());
+    int64_t deadline = std::min(participant_.NextDeadline(), clock_.NextDeadline());
+    if (hosts_ != nullptr) deadline = std::min(deadline, hosts_->NextDeadline());
     now = MonotonicMicroseconds();
     const int64_t wait = clock_.state() == StepClock::State::kGathering
                              ? kIdlePoll_us
                              : std::clamp<int64_t>(deadline - now, 0, kIdlePoll_us);
-    if (transport_.Poll(wait, signal_fd)) supervision_.OnSignals(signal_fd);
+    const int extra_fd = hosts_ == nullptr ? signal_fd : hosts_->PollWith(signal_fd);
+    if (transport_.Poll(wait, extra_fd)) supervision_.OnSignals(signal_fd);
   }
 }
 
@@ -187,7 +179,7 @@ int Launcher::Conclude() {
         : mission_.netsim      ? "no: clients of netsim_manager come from outside"
         : !complete            ? "no: the mission did not run to its end"
                                : "no: not all participants took part from beginning to end",
-        director_->Summary(complete));
+        (hosts_ == nullptr ? "" : hosts_->Summary()) + director_->Summary(complete));
   }
   if (!options_.record_dir.empty()) {
     const Result<bool> written = WriteSummary(options_.record_dir, summary);
@@ -222,6 +214,15 @@ int RunMission(const RunOptions& options, const Mission& mission,
   const std::vector<std::string> missing =
       MissingPrograms(mission, MakeRoster(mission, !options.record_dir.empty()));
   if (!missing.empty()) return fail(fmt::format("{}", fmt::join(missing, "\nshoal: ")));
+  std::optional<HostAccess> access;
+  if (!HostsInUse(mission).empty()) {
+    Result<HostAccess> prepared = PrepareHosts(mission, options);
+    if (!prepared.ok()) {
+      fmt::print(stderr, "shoal: {}\n", prepared.error());
+      return kExitUsage;
+    }
+    access = std::move(*prepared);
+  }
   const std::vector<std::string> vehicles = VehicleNames(mission);
   const Layout layout =
       options.layout.value_or(PortPlan::Suggest(static_cast<int>(vehicles.size())));
@@ -262,7 +263,7 @@ int RunMission(const RunOptions& options, const Mission& mission,
   {
     const int signal_fd = BlockSignals();
     Launcher launcher(options, mission, make_director, running.Ports(), running.mission_id, secret,
-                      *secret_fd, *log_dir);
+                      *secret_fd, *log_dir, std::move(access));
     code = launcher.Run(signal_fd);
     close(signal_fd);
   }

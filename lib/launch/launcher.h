@@ -7,6 +7,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,10 +30,11 @@ int RunMission(const RunOptions& options, const Mission& mission,
 
 class Launcher {
  public:
-  /// `ports` must be claimed. Nothing is started before Run.
+  /// `ports` must be claimed. `access`: where the mission has hosts that run something. Nothing is
+  /// started before Run.
   Launcher(const RunOptions& options, const Mission& mission, const MakeDirector& make_director,
            PortPlan ports, int64_t mission_id, const MissionSecret& secret, int secret_fd,
-           std::string log_dir);
+           std::string log_dir, std::optional<HostAccess> access);
 
   /// `signal_fd`: a signalfd for SIGINT, SIGTERM, SIGHUP and SIGCHLD.
   int Run(int signal_fd);
@@ -52,6 +54,7 @@ class Launcher {
   std::unique_ptr<Director> director_;
   StepClock clock_;
   LaunchTerminal terminal_;
+  std::unique_ptr<MissionHosts> hosts_;  ///< Null: all runs on this computer.
   Supervision supervision_;
   int64_t running_since_us_ = 0;  ///< When the first step began; 0: not yet.
   int64_t ended_us_ = 0;

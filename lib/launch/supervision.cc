@@ -70,22 +70,25 @@ int64_t StartLimit_us(double participant_timeout_s, size_t num_processes) {
 }
 
 Supervision::Supervision(const LaunchContext& context, const std::vector<RosterEntry>& roster,
-                         StepClock& clock, LaunchTerminal& terminal)
-    : context_(context), roster_(roster), clock_(clock), terminal_(terminal) {}
+                         StepClock& clock, LaunchTerminal& terminal, MissionHosts* hosts)
+    : context_(context), roster_(roster), clock_(clock), terminal_(terminal), hosts_(hosts) {}
 
 bool Supervision::StartAll() {
   started_us_ = MonotonicMicroseconds();
   // First, so that it receives each message of the others' start only once.
   if (context_.options.view && !StartViewer()) return false;
   for (const RosterEntry& entry : roster_) {
-    if (entry.provider == Provider::kHand) continue;
+    // A host starts its participants with the mission that it is offered.
+    if (entry.provider == Provider::kHand || !entry.host.empty()) continue;
     if (!StartParticipant(entry)) return false;
   }
   return !context_.options.lcm_logger || StartLoggers();
 }
 
 bool Supervision::StartParticipant(const RosterEntry& entry) {
-  return Start(CommandOf(entry, context_));
+  if (entry.host.empty()) return Start(CommandOf(entry, context_));
+  hosts_->Start(entry);
+  return true;
 }
 
 bool Supervision::Start(const Result<ChildCommand>& command) {
@@ -140,6 +143,7 @@ bool Supervision::FailedByNetwork() {
 }
 
 void Supervision::OnTime(int64_t wall_us, int64_t num_foreign) {
+  CheckHosts();
   CheckGathering(wall_us);
   CheckSilence(wall_us);
   CheckFaults(wall_us, num_foreign);
@@ -162,32 +166,79 @@ void Supervision::OnSignals(int signal_fd) {
 }
 
 void Supervision::OnChildExits() {
-  for (const ChildExit& exit : children_.Reap()) {
-    const bool is_logger = std::find(loggers_.begin(), loggers_.end(), exit.name) != loggers_.end();
-    const bool is_over = clock_.state() == StepClock::State::kEnded;
-    if (exit.name == kViewer) {
-      viewer_address_.Forget();
-      if (is_over || is_killing_) continue;
-      terminal_.Warn(fmt::format("{} {}; the mission goes on", exit.name, exit.how));
-      for (const std::string& line : exit.last_lines) terminal_.Warn("    " + line);
-    } else if (is_killing_ || ((is_logger || is_over || is_ending_) && exit.clean)) {
-      clock_.DropExited(exit.name, MonotonicMicroseconds());
-    } else if (is_logger) {
-      terminal_.Warn(fmt::format("{} {}; the recorder goes on", exit.name, exit.how));
-    } else if (is_over) {
-      terminal_.Warn(fmt::format("{} {} after the end", exit.name, exit.how));
-    } else if (clock_.state() == StepClock::State::kEnding && exit.clean) {
-      clock_.Leave(exit.name, MonotonicMicroseconds());
-    } else {
-      clock_.DropExited(exit.name, MonotonicMicroseconds());
-      OnLost(exit.name, fmt::format("{} (pid {}) {}", exit.name, exit.pid, exit.how),
-             exit.last_lines);
+  for (const ChildExit& exit : children_.Reap()) OnExit(exit);
+}
+
+void Supervision::OnExit(const ChildExit& exit) {
+  const bool is_logger = std::find(loggers_.begin(), loggers_.end(), exit.name) != loggers_.end();
+  const bool is_over = clock_.state() == StepClock::State::kEnded;
+  if (exit.name == kViewer) {
+    viewer_address_.Forget();
+    if (is_over || is_killing_) return;
+    terminal_.Warn(fmt::format("{} {}; the mission goes on", exit.name, exit.how));
+    for (const std::string& line : exit.last_lines) terminal_.Warn("    " + line);
+  } else if (is_killing_ || ((is_logger || is_over || is_ending_) && exit.clean)) {
+    clock_.DropExited(exit.name, MonotonicMicroseconds());
+  } else if (is_logger) {
+    terminal_.Warn(fmt::format("{} {}; the recorder goes on", exit.name, exit.how));
+  } else if (is_over) {
+    terminal_.Warn(fmt::format("{} {} after the end", exit.name, exit.how));
+  } else if (clock_.state() == StepClock::State::kEnding && exit.clean) {
+    clock_.Leave(exit.name, MonotonicMicroseconds());
+  } else {
+    clock_.DropExited(exit.name, MonotonicMicroseconds());
+    OnLost(exit.name, fmt::format("{} (pid {}) {}", exit.name, exit.pid, exit.how),
+           exit.last_lines);
+  }
+}
+
+/// Hosts that were lost, and how their processes ended.
+void Supervision::CheckHosts() {
+  if (hosts_ == nullptr) return;
+  for (const std::string& note : hosts_->TakeNotes()) terminal_.Warn(note);
+  for (const HostExit& exit : hosts_->TakeExits()) {
+    OnExit({.name = exit.name,
+            .pid = static_cast<pid_t>(exit.pid),
+            .clean = exit.clean,
+            .how = exit.how,
+            .last_lines = exit.last_lines});
+  }
+  for (const HostTrouble& trouble : hosts_->TakeTroubles()) OnHostTrouble(trouble);
+}
+
+void Supervision::OnHostTrouble(const HostTrouble& trouble) {
+  if (clock_.state() == StepClock::State::kEnded) return;
+  std::vector<std::string> participants;
+  for (const RosterEntry& entry : roster_) {
+    if (entry.host == trouble.host) participants.push_back(entry.name);
+  }
+  const auto host =
+      std::find_if(context_.mission.hosts.begin(), context_.mission.hosts.end(),
+                   [&](const HostOptions& each) { return each.name == trouble.host; });
+  const bool is_running = clock_.state() == StepClock::State::kRunning;
+  const bool ends = trouble.is_fatal || host->on_loss == OnLoss::kEnd || !is_running;
+  const bool is_cause = exit_code_ == 0;
+  if (trouble.is_fatal) {
+    if (is_cause) Fail(kExitEnvironment, trouble.how);
+  } else {
+    if (is_cause) terminal_.Warn("LOST: " + trouble.how);
+    if (is_cause && ends) {
+      Fail(kExitEnvironment, fmt::format("the mission ends without {}", trouble.host));
+      cause_ = trouble.how;
+    } else if (is_cause) {
+      terminal_.Warn(fmt::format("the mission goes on without {} ({}){}", trouble.host,
+                                 Names(participants),
+                                 host->on_loss == OnLoss::kRestart ? ", until it is back" : ""));
     }
   }
+  for (const std::string& name : participants) clock_.Drop(name, MonotonicMicroseconds());
 }
 
 void Supervision::CheckSilence(int64_t wall_us) {
   for (const std::string& name : clock_.Silent(wall_us)) {
+    const auto entry = std::find_if(roster_.begin(), roster_.end(),
+                                    [&](const RosterEntry& each) { return each.name == name; });
+    if (entry != roster_.end() && !entry->host.empty()) hosts_->Signal(*entry, SIGKILL);
     children_.Signal(name, SIGKILL);
     OnLost(name,
            fmt::format("{} has not answered step {} for {} s of wall time (stopped, or hung)", name,
@@ -227,7 +278,7 @@ void Supervision::OnLost(const std::string& name, const std::string& how,
                         entry->provider == Provider::kShoal;
   if (!restarts) {
     if (is_new) terminal_.Warn(fmt::format("the mission goes on without {}", name));
-  } else if (children_.IsRunning(name)) {
+  } else if (children_.IsRunning(name) || (hosts_ != nullptr && hosts_->IsRunning(name))) {
     return;  // It has been killed; its exit comes next.
   } else if (++num_restarts_[name] > kMaxRestarts) {
     Fail(kExitEnvironment, fmt::format("{} was restarted {} times already", name, kMaxRestarts));
@@ -254,7 +305,11 @@ void Supervision::CheckGathering(int64_t wall_us) {
     if (std::find(awaited.begin(), awaited.end(), entry.name) == awaited.end()) continue;
     if (entry.provider == Provider::kHand) {
       if (!shows) continue;
-      terminal_.Warn(fmt::format("waiting for {}: {}", entry.name, HandCommand(entry, context_)));
+      terminal_.Warn(
+          entry.host.empty()
+              ? fmt::format("waiting for {}: {}", entry.name, HandCommand(entry, context_))
+              : fmt::format("waiting for {} on host {}, whose terminal shows the command",
+                            entry.name, entry.host));
     } else if (wall_us - started_us_ > limit_us) {
       late.push_back(entry.name);
     }
@@ -302,6 +357,7 @@ void Supervision::CheckFaults(int64_t wall_us, int64_t num_foreign) {
 
 void Supervision::EndAll(int signal_fd) {
   is_ending_ = true;
+  if (hosts_ != nullptr) hosts_->End();
   // lcm-logger ends on SIGINT. Shoal's own have answered END, or receive a signal now; a user's get
   // the time to leave by themselves.
   children_.Signal(kViewer, SIGTERM);

@@ -15,6 +15,7 @@
 #include "lib/launch/child_processes.h"
 #include "lib/launch/launch_plan.h"
 #include "lib/launch/launch_terminal.h"
+#include "lib/launch/mission_hosts.h"
 #include "lib/launch/viewer_address.h"
 #include "lib/run/roster.h"
 #include "lib/run/step_clock.h"
@@ -27,9 +28,9 @@ int64_t StartLimit_us(double participant_timeout_s, size_t num_processes);
 
 class Supervision {
  public:
-  /// All arguments must outlive this.
+  /// All arguments must outlive this. `hosts`: nullptr where all runs on this computer.
   Supervision(const LaunchContext& context, const std::vector<RosterEntry>& roster,
-              StepClock& clock, LaunchTerminal& terminal);
+              StepClock& clock, LaunchTerminal& terminal, MissionHosts* hosts);
 
   /// Starts all processes; false after Fail.
   bool StartAll();
@@ -58,6 +59,9 @@ class Supervision {
   bool StartViewer();
   bool StartLoggers();
   void OnChildExits();
+  void OnExit(const ChildExit& exit);
+  void CheckHosts();
+  void OnHostTrouble(const HostTrouble& trouble);
   void CheckGathering(int64_t wall_us);
   void CheckSilence(int64_t wall_us);
   void CheckFaults(int64_t wall_us, int64_t num_foreign);
@@ -70,6 +74,7 @@ class Supervision {
   const std::vector<RosterEntry>& roster_;
   StepClock& clock_;
   LaunchTerminal& terminal_;
+  MissionHosts* const hosts_;
   ChildProcesses children_;
   ViewerAddress viewer_address_;
   std::vector<std::string> loggers_;

@@ -1,6 +1,20 @@
 #include "lib/run/roster.h"
 
+#include <algorithm>
+
+#include "lib/mission/suggest.h"
+
 namespace shoal {
+
+namespace {
+
+/// Names are the same without regard to case.
+bool Contains(const std::vector<std::string>& names, std::string_view name) {
+  return std::any_of(names.begin(), names.end(),
+                     [&](const std::string& each) { return LowerCase(each) == LowerCase(name); });
+}
+
+}  // namespace
 
 std::string ParticipantName(std::string_view app, std::string_view vehicle) {
   return std::string(app) + "_" + std::string(vehicle);
