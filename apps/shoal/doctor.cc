@@ -193,13 +193,18 @@ std::vector<Diagnosis> Diagnose(const DoctorFacts& facts) {
       DiagnoseSpy(facts)};
 }
 
-std::string FormatDiagnoses(const std::vector<Diagnosis>& diagnoses) {
+std::string DiagnosisLines(const std::vector<Diagnosis>& diagnoses) {
   std::string text;
   for (const Diagnosis& diagnosis : diagnoses) {
     text += fmt::format("{}  {}\n", Word(diagnosis.health), diagnosis.text);
     for (const std::string& remedy : diagnosis.remedies)
       text += fmt::format("        {}\n", remedy);
   }
+  return text;
+}
+
+std::string FormatDiagnoses(const std::vector<Diagnosis>& diagnoses) {
+  const std::string text = DiagnosisLines(diagnoses);
   const int64_t num_failures = Count(diagnoses, Health::kFail);
   const int64_t num_warnings = Count(diagnoses, Health::kWarn);
   if (num_failures > 0) {

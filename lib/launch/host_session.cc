@@ -121,7 +121,8 @@ std::string HostSession::StartAll() {
   is_registered_ = true;
   const Result<std::string> log_dir = MakeRunSubfolder(fmt::format("{}-logs", ports_.base));
   if (!log_dir.ok()) return log_dir.error();
-  options_ = {.mission_file = mission_.file, .overrides = offer_.overrides, .record_dir = {}};
+  options_.mission_file = mission_.file;
+  options_.overrides = offer_.overrides;
   context_ = std::make_unique<LaunchContext>(LaunchContext{.options = options_,
                                                            .mission = mission_,
                                                            .ports = *plan_,
