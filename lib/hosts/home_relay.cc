@@ -173,7 +173,7 @@ int64_t HomeRelay::NextDeadline() const {
 
 std::function<bool(std::string_view)> ChannelsOf(const std::vector<std::string>& all_vehicles,
                                                  const std::vector<std::string>& vehicles) {
-  // The ports of the `communities` layout tell whose a channel is; vehicles beyond 128 share them.
+  // The ports of the `communities` layout show whose a channel is; vehicles beyond 128 share them.
   const auto plan =
       std::make_shared<PortPlan>(PortPlan::kDefaultBase, Layout::kCommunities, all_vehicles);
   auto ports = std::make_shared<std::set<int>>();

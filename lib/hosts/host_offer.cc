@@ -64,7 +64,9 @@ std::string MissionDigest(const Mission& mission, const std::vector<OfferedFile>
     crypto_generichash_update(&state, reinterpret_cast<const uint8_t*>(size.data()), size.size());
     crypto_generichash_update(&state, reinterpret_cast<const uint8_t*>(text.data()), text.size());
   };
-  add(Explain(mission));
+  Mission anywhere = mission;
+  anywhere.hosts.clear();
+  add(Explain(anywhere));
   for (const OfferedFile& file : files) {
     add(file.path);
     add(file.text);

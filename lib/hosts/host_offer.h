@@ -35,7 +35,7 @@ struct HostOffer {
 };
 
 /// Returns 64 hexadecimal digits: BLAKE2b of the mission with all defaults, and of its files. (Its
-/// path does not count.)
+/// path does not count, nor which computer runs what.)
 [[nodiscard]] std::string MissionDigest(const Mission& mission,
                                         const std::vector<OfferedFile>& files);
 

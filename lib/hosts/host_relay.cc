@@ -12,7 +12,7 @@ namespace shoal {
 
 namespace {
 
-/// Well below the time-out after which the clock names who is silent.
+/// Well below the time-out after which the clock names what is silent.
 constexpr int64_t kPartialAfter_us = 300'000;
 
 }  // namespace

@@ -13,7 +13,7 @@ LinkMessage Example() {
   return message;
 }
 
-/// Replaces the digest at the end, as one who forges a batch would.
+/// Replaces the digest at the end, as a forger would.
 void SealAnew(Bytes* bytes) {
   const size_t size = bytes->size() - 32;
   crypto_generichash(bytes->data() + size, 32, bytes->data(), size, nullptr, 0);

@@ -24,9 +24,11 @@ class TalkingApp : public App {
  public:
   TalkingApp(std::string name, Bus& bus) : name_(std::move(name)), bus_(bus) {
     for (const std::string channel : {"FIRST", "SECOND"}) {
-      Subscribe(bus, Channel<unc_control_t>{channel}, [this, channel](const unc_control_t& heard) {
-        transcript += channel + ":" + heard.vehicle + "=" + std::to_string(heard.value) + " ";
-      });
+      Subscribe(bus, Channel<unc_control_t>{channel},
+                [this, channel](const unc_control_t& received) {
+                  transcript +=
+                      channel + ":" + received.vehicle + "=" + std::to_string(received.value) + " ";
+                });
     }
   }
   void Tick(int64_t utime) override {

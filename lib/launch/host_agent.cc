@@ -82,6 +82,7 @@ int HostAgent::Run(int signal_fd) {
     if (session_ != nullptr) session_->OnTime(now);
     ReadDoor(now);
     CheckHome(now);
+    ReadDoor(now);  // What CheckHome sent may have taken a notice of arrival off the descriptor.
     CheckSession();
     if (session_ == nullptr && (is_stopping_ || (options_.once && num_missions_ > 0))) break;
     if (session_ == nullptr) {

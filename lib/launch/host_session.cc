@@ -105,7 +105,7 @@ std::string HostSession::StartAll() {
   plan_ = std::make_unique<PortPlan>(ports_.base, offer_.layout, VehicleNames(mission_));
   const RunningMission running{.name = mission_.name,
                                .file = mission_.file,
-                               .folder = WorkingFolder(),
+                               .folder = files_folder_,  // `shoal send` means home's.
                                .mission_id = mission_id_,
                                .port_base = ports_.base,
                                .layout = offer_.layout,

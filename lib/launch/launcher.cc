@@ -117,6 +117,7 @@ int Launcher::Run(int signal_fd) {
     supervision_.Fail(kExitEnvironment, hosts_->error());
     return supervision_.exit_code();
   }
+  if (hosts_ != nullptr) hosts_->WatchToo(signal_fd);
   if (supervision_.StartAll()) Loop(signal_fd);
   ended_us_ = MonotonicMicroseconds();
   supervision_.EndAll(signal_fd);
@@ -140,7 +141,7 @@ void Launcher::Loop(int signal_fd) {
     const int64_t wait = clock_.state() == StepClock::State::kGathering
                              ? kIdlePoll_us
                              : std::clamp<int64_t>(deadline - now, 0, kIdlePoll_us);
-    const int extra_fd = hosts_ == nullptr ? signal_fd : hosts_->PollWith(signal_fd);
+    const int extra_fd = hosts_ == nullptr ? signal_fd : hosts_->fd();
     if (transport_.Poll(wait, extra_fd)) supervision_.OnSignals(signal_fd);
   }
 }

@@ -121,10 +121,7 @@ void MissionHosts::Connect(Host* host, int64_t wall_us) {
   Watch(poll_.get(), host->link->fd());
 }
 
-int MissionHosts::PollWith(int signal_fd) {
-  Watch(poll_.get(), signal_fd);  // From the second call on it is there already.
-  return poll_.get();
-}
+void MissionHosts::WatchToo(int descriptor) { Watch(poll_.get(), descriptor); }
 
 void MissionHosts::Send(Host* host, const LinkMessage& message) {
   host->sent_us = MonotonicMicroseconds();
@@ -161,6 +158,8 @@ void MissionHosts::OnTime(int64_t wall_us) {
     if (host.link == nullptr) continue;
     ReadLink(i, wall_us);
     CheckTimes(i, wall_us);
+    // What CheckTimes sent may have taken a notice of arrival off the descriptor.
+    ReadLink(i, wall_us);
   }
 }
 

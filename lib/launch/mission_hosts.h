@@ -51,8 +51,9 @@ class MissionHosts {
   /// Takes what has arrived and does what is due.
   void OnTime(int64_t wall_us);
   int64_t NextDeadline() const;
-  /// Readable where OnTime has something to take, or `signal_fd` is.
-  int PollWith(int signal_fd);
+  /// Readable where OnTime has something to take, or a descriptor that was given to WatchToo is.
+  int fd() const { return poll_.get(); }
+  void WatchToo(int descriptor);
 
   /// Starts a participant again, on its host.
   void Start(const RosterEntry& entry);

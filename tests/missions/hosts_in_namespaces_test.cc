@@ -23,8 +23,7 @@ std::string WhyNoNamespaces() {
   }
   const char* command =
       "unshare -rn sh -c 'ip link add a type veth peer name b && unshare -n true' >/dev/null 2>&1";
-  return std::system(command) == 0 ? ""
-                                   : "this user may not make network namespaces (unshare -rn)";
+  return std::system(command) == 0 ? "" : "this user may not make network namespaces (unshare -rn)";
 }
 
 class ThreeHosts : public testing::TestWithParam<Placement> {
@@ -95,12 +94,11 @@ TEST_P(ThreeHosts, GiveTheLogOfShoalSimOverOnePort) {
 INSTANTIATE_TEST_SUITE_P(
     Missions, ThreeHosts,
     testing::Values(
-        Placement{"alpha.toml", {"\"alpha\""}},
-        Placement{"berta.toml", {"\"alpha\"", "\"bravo\""}},
-        Placement{"fleet.toml",
-                  {"\"scout_01\", \"scout_02\", \"scout_03\"",
-                   "\"scout_04\", \"scout_05\", \"scout_06\"",
-                   "\"scout_07\", \"scout_08\", \"scout_09\", \"scout_10\""}},
+        Placement{"alpha.toml", {"\"alpha\""}}, Placement{"berta.toml", {"\"alpha\"", "\"bravo\""}},
+        Placement{
+            "fleet.toml",
+            {"\"scout_01\", \"scout_02\", \"scout_03\"", "\"scout_04\", \"scout_05\", \"scout_06\"",
+             "\"scout_07\", \"scout_08\", \"scout_09\", \"scout_10\""}},
         Placement{"hide_and_seek.toml",
                   {"\"hider_1\", \"seeker_2\"", "\"hider_2\", \"hider_3\"", "\"seeker_3\""}},
         Placement{"swarm_fdma.toml", {"\"alpha\"", "\"bravo\", \"charlie\"", "\"delta\""}},

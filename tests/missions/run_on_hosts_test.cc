@@ -14,6 +14,9 @@ namespace shoal::run_on_hosts_test {
 
 /// No machine is so busy that a host is silent for so long.
 constexpr char kPatient[] = "timeout_s = 60\n";
+/// For tests in which silence is to be noticed; the default is below a second.
+constexpr char kAttentive[] = "timeout_s = 3\n";
+constexpr double kAttentive_s = 3;
 
 std::string LogOfSim(const TestFolder& folder, const std::string& mission) {
   const std::string log = (folder / "sim.lcm").string();
@@ -85,7 +88,7 @@ struct Under {
 };
 
 TEST(LostHost, IsNamedWithinASecondWhenItIsKilledAndTheMissionEnds) {
-  Under under("");
+  Under under(kPatient);
   const auto participants = under.farm.hosts[0].process->Participants();
   EXPECT_TRUE(participants.contains("helm_bravo"));
   const FairStopwatch since_kill;
@@ -98,19 +101,19 @@ TEST(LostHost, IsNamedWithinASecondWhenItIsKilledAndTheMissionEnds) {
   EXPECT_GE(under.NumEvents(), 200) << "the log must stay whole";
 }
 
-TEST(LostHost, IsNamedWithinASecondWhenItHangs) {
-  Under under("");
+TEST(LostHost, IsNamedAfterItsTimeOutWhenItHangs) {
+  Under under(kAttentive);
   const FairStopwatch since_stop;
   under.farm.hosts[0].process->Signal(SIGSTOP);
-  ASSERT_TRUE(under.process->WaitFor("gave no sign of life for 0.9 s")) << under.process->Output();
-  EXPECT_LT(since_stop.Seconds(), 1.5);
+  ASSERT_TRUE(under.process->WaitFor("gave no sign of life for 3 s")) << under.process->Output();
+  EXPECT_LT(since_stop.Seconds(), kAttentive_s + 0.2);
   EXPECT_EQ(under.process->Wait().exit_code, 3);
   EXPECT_GE(under.NumEvents(), 200);
   under.farm.hosts[0].process->Signal(SIGCONT);
 }
 
 TEST(LostHost, IsDoneWithoutWhereTheMissionShallGoOn) {
-  Under under("on_loss = \"continue\"\n");
+  Under under(std::string(kPatient) + "on_loss = \"continue\"\n");
   under.farm.hosts[0].process->Signal(SIGKILL);
   ASSERT_TRUE(under.process->WaitFor("the mission goes on without host1"))
       << under.process->Output();
@@ -121,7 +124,7 @@ TEST(LostHost, IsDoneWithoutWhereTheMissionShallGoOn) {
 }
 
 TEST(LostHost, JoinsAtAStepWhenItIsBack) {
-  Under under("on_loss = \"restart\"\n");
+  Under under(std::string(kPatient) + "on_loss = \"restart\"\n");
   under.farm.hosts[0].process->Signal(SIGKILL);
   ASSERT_TRUE(under.process->WaitFor("until it is back")) << under.process->Output();
   under.farm.Start(0);
@@ -135,7 +138,7 @@ TEST(LostHost, JoinsAtAStepWhenItIsBack) {
 }
 
 TEST(LostHome, EndsTheProcessesOfTheHostWhichThenTakesTheNextMission) {
-  Under under("");
+  Under under(kAttentive);
   const auto participants = under.farm.hosts[0].process->Participants();
   under.process->Signal(SIGKILL);
   TestHost& host = under.farm.hosts[0];
@@ -150,10 +153,11 @@ TEST(LostParticipant, OfAHostIsNamedAndStartedAgain) {
   HostFarm farm(1);
   const std::string mission = farm.Placed("berta.toml", {"\"bravo\""}, kPatient);
   RunningProcess process(
-      farm.folder, farm.RunCommand(mission, {"--warp", "20", "--set", "mission.on_loss=restart"}));
+      farm.folder, farm.RunCommand(mission, {"--warp", "20", "--set", "mission.on_loss=restart",
+                                             "--set", "mission.participant_timeout_s=60"}));
   ASSERT_TRUE(AwaitThat([&] { return farm.hosts[0].process->Participants().size() == 3; }));
   AwaitPage(farm.folder, "helm_bravo",
-            [](const std::string& page) { return page.find("DRIVE") != page.npos; });
+            [](const std::string& page) { return page.find("Bus: ") != page.npos; });
   const auto before = farm.hosts[0].process->Participants();
   kill(before.at("helm_bravo"), SIGKILL);
   ASSERT_TRUE(process.WaitFor("LOST: helm_bravo (pid")) << process.Output();
@@ -285,7 +289,7 @@ TEST(HostDoctor, MeasuresTheWay) {
 
 TEST(HostKeys, AreNeededToListen) {
   const TestFolder folder;
-  const Finished bare = RunShoal(folder, {"host"});
+  const Finished bare = RunShoal(folder, {"host", "--once"});
   EXPECT_EQ(bare.exit_code, 2);
   EXPECT_NE(bare.output.find("nothing listens without being asked to"), std::string::npos);
   const Finished missing =
