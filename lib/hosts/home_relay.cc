@@ -71,6 +71,7 @@ void HomeRelay::OnTick(std::span<const uint8_t> datagram, int64_t wall_us) {
   }
   if (tick.step <= step_) return;
   step_ = tick.step;
+  is_end_ = tick.kind == tick_t::END;
   tick_at_us_ = wall_us;
   const double step_us = static_cast<double>(bus_.tick_us()) / tick.warp;
   due_us_ = tick.warp > 0 && step_us < 1e15 ? wall_us + static_cast<int64_t>(step_us) : kNeverDue;
@@ -149,7 +150,7 @@ void HomeRelay::OnMessage(size_t host, const LinkMessage& message, int64_t wall_
       });
     }
   }
-  if (!has_answer || from.timed_step == step_) return;
+  if (!has_answer || is_end_ || from.timed_step == step_) return;
   from.timed_step = step_;
   from.timing.answer_us.push_back(static_cast<int32_t>(
       std::min<int64_t>(wall_us - tick_at_us_, std::numeric_limits<int32_t>::max())));

@@ -77,7 +77,8 @@ class HomeRelay {
   SendToHost send_;
   std::vector<Host> hosts_;
   OutsideQueue outside_;
-  int64_t step_ = -1;  ///< Of the newest TICK.
+  int64_t step_ = -1;    ///< Of the newest TICK ...
+  bool is_end_ = false;  ///< ... which is END, and no step.
   int64_t tick_at_us_ = 0;
   int64_t due_us_ = 0;             ///< When the present step's answers are due; with warp 0 never.
   std::optional<tick_t> pending_;  ///< The tick that has not gone to the hosts yet.

@@ -12,6 +12,7 @@ namespace shoal::hosts_in_namespaces_test {
 struct Placement {
   std::string mission;
   std::vector<std::string> vehicles;  ///< Of each host.
+  bool has_programs = false;          ///< `shoal sim` runs none: then `shoal run` here is compared.
 };
 
 void PrintTo(const Placement& placement, std::ostream* out) { *out << placement.mission; }
@@ -69,15 +70,21 @@ class ThreeHosts : public testing::TestWithParam<Placement> {
   TestFolder folder_;
 };
 
-TEST_P(ThreeHosts, GiveTheLogOfShoalSimOverOnePort) {
+TEST_P(ThreeHosts, GiveTheLogOfOneComputerOverOnePort) {
   const std::string mission = Place(GetParam());
-  const std::string sim_log = (folder_ / "sim.lcm").string();
-  const Finished sim = RunShoal(folder_, {"sim", mission, "--log", sim_log, "--quiet"});
+  const std::string here_log = (folder_ / "here/mission.lcm").string();
+  std::filesystem::create_directories(folder_ / "here");
+  std::vector<std::string> here_command = {"sim", mission, "--log", here_log, "--quiet"};
+  if (GetParam().has_programs) {
+    here_command = {"run",  mission,  "--warp", "max",    "--record", folder_ / "here", "--quiet",
+                    "--on", "host1=", "--on",   "host2=", "--on",     "host3="};
+  }
+  const Finished here = RunShoal(folder_, here_command);
   const std::string dir = (folder_ / "rec").string();
   const Finished run = Run({mission, "--warp", "max", "--record", dir, "--quiet"});
-  EXPECT_EQ(run.exit_code, sim.exit_code) << run.output << HostOutput();
+  EXPECT_EQ(run.exit_code, here.exit_code) << run.output << HostOutput();
   EXPECT_NE(run.output.find("Reproducible: yes"), std::string::npos) << run.output;
-  EXPECT_TRUE(ReadFile(dir + "/mission.lcm") == ReadFile(sim_log)) << run.output;
+  EXPECT_TRUE(ReadFile(dir + "/mission.lcm") == ReadFile(here_log)) << run.output;
   for (size_t i = 0; i < GetParam().vehicles.size(); ++i) {
     const std::string name = "wire" + std::to_string(i + 1) + ".txt";
     std::istringstream wire(ReadFile(folder_ / name));
@@ -100,7 +107,8 @@ INSTANTIATE_TEST_SUITE_P(
             {"\"scout_01\", \"scout_02\", \"scout_03\"", "\"scout_04\", \"scout_05\", \"scout_06\"",
              "\"scout_07\", \"scout_08\", \"scout_09\", \"scout_10\""}},
         Placement{"hide_and_seek.toml",
-                  {"\"hider_1\", \"seeker_2\"", "\"hider_2\", \"hider_3\"", "\"seeker_3\""}},
+                  {"\"hider_1\", \"seeker_2\"", "\"hider_2\", \"hider_3\"", "\"seeker_3\""},
+                  true},
         Placement{"swarm_fdma.toml", {"\"alpha\"", "\"bravo\", \"charlie\"", "\"delta\""}},
         Placement{"acoustic_shared.toml", {"\"alpha\", \"echo\"", "\"bravo\"", "\"charlie\""}}),
     [](const auto& each) { return each.param.mission.substr(0, each.param.mission.find('.')); });
