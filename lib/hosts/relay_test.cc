@@ -64,7 +64,7 @@ class SpreadMission {
   explicit SpreadMission(const std::vector<std::vector<std::string>>& places)
       : networks_(places.size()), clock_node_(networks_[0].Add()) {
     clock_ = std::make_unique<StepClock>(
-        ClockOptions{.mission_id = kMissionId, .warp = 0, .last_step = kLastStep}, kNames, plan_,
+        ClockOptions{.mission_id = kMissionId, .warp = 10, .last_step = kLastStep}, kNames, plan_,
         clock_node_);
     clock_node_.receiver = [this](int port, std::string_view channel, auto bytes) {
       clock_->OnDatagram(port, channel, bytes, now_);

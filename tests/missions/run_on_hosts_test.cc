@@ -25,8 +25,8 @@ std::string LogOfSim(const TestFolder& folder, const std::string& mission) {
   return ReadFile(log);
 }
 
-Finished Run(const HostFarm& farm, const std::string& mission,
-             const std::vector<std::string>& more = {}) {
+Finished RunPlaced(const HostFarm& farm, const std::string& mission,
+                   const std::vector<std::string>& more = {}) {
   RunningProcess process(farm.folder, farm.RunCommand(mission, more));
   return process.Wait();
 }
@@ -35,7 +35,7 @@ TEST(Hosts, GiveTheLogOfShoalSim) {
   HostFarm farm(2);
   const std::string mission = farm.Placed("berta.toml", {"\"alpha\"", "\"bravo\""}, kPatient);
   const std::string dir = (farm.folder / "rec").string();
-  const Finished finished = Run(farm, mission, {"--record", dir});
+  const Finished finished = RunPlaced(farm, mission, {"--record", dir});
   EXPECT_EQ(finished.exit_code, 0) << finished.output;
   EXPECT_NE(finished.output.find("Reproducible: yes"), std::string::npos) << finished.output;
   EXPECT_NE(finished.output.find("Host host2: 6001 steps"), std::string::npos) << finished.output;
@@ -46,7 +46,7 @@ TEST(Hosts, RunOneMissionAfterTheOther) {
   HostFarm farm(1);
   const std::string mission = farm.Placed("alpha.toml", {"\"alpha\""}, kPatient);
   for (int i = 0; i < 2; ++i) {
-    const Finished finished = Run(farm, mission, {"--set", "mission.duration_s=20"});
+    const Finished finished = RunPlaced(farm, mission, {"--set", "mission.duration_s=20"});
     EXPECT_NE(finished.output.find("Reproducible: yes"), std::string::npos)
         << finished.output << farm.hosts[0].process->Output();
     ASSERT_TRUE(farm.hosts[0].process->WaitFor("has ended after step"));
@@ -57,7 +57,7 @@ TEST(Hosts, TakeVehiclesFromTheCommandLine) {
   HostFarm farm(1);
   const std::string mission = farm.Placed("berta.toml", {""}, kPatient);
   const Finished finished =
-      Run(farm, mission, {"--on", "host1=bravo", "--set", "mission.duration_s=20"});
+      RunPlaced(farm, mission, {"--on", "host1=bravo", "--set", "mission.duration_s=20"});
   EXPECT_NE(finished.output.find("Host host1: 201 steps"), std::string::npos) << finished.output;
   EXPECT_NE(farm.hosts[0].process->Output().find("helm_bravo"), std::string::npos);
   EXPECT_EQ(farm.hosts[0].process->Output().find("helm_alpha"), std::string::npos);
@@ -145,7 +145,7 @@ TEST(LostHome, EndsTheProcessesOfTheHostWhichThenTakesTheNextMission) {
   ASSERT_TRUE(host.process->WaitFor("LOST: home gave no sign of life")) << host.process->Output();
   ASSERT_TRUE(host.process->WaitFor("has ended after step")) << host.process->Output();
   EXPECT_TRUE(AllGone(participants));
-  const Finished next = Run(under.farm, under.mission, {"--set", "mission.duration_s=10"});
+  const Finished next = RunPlaced(under.farm, under.mission, {"--set", "mission.duration_s=10"});
   EXPECT_NE(next.output.find("Host host1: 101 steps"), std::string::npos) << next.output;
 }
 
@@ -175,7 +175,7 @@ TEST(RefusedHost, NamesTheKeyThatItDoesNotKnow) {
   const std::string mission = farm.Placed("berta.toml", {"\"bravo\""});
   const std::string other = (farm.folder / "other").string();
   ASSERT_EQ(RunShoal(farm.folder, {"host", "keygen", "--out", other}).exit_code, 0);
-  const Finished finished = Run(farm, mission, {"--key", other + ".key"});
+  const Finished finished = RunPlaced(farm, mission, {"--key", other + ".key"});
   EXPECT_EQ(finished.exit_code, 3);
   EXPECT_NE(finished.output.find("does not accept this computer's key"), std::string::npos)
       << finished.output;
@@ -189,7 +189,7 @@ TEST(RefusedHost, IsNamedWhereItDoesNotProveItsKey) {
   const std::string mission = farm.Placed("berta.toml", {"\"bravo\""});
   std::filesystem::remove(farm.folder / "host1.pub");
   std::filesystem::copy(farm.home_key + ".pub", farm.folder / "host1.pub");
-  const Finished finished = Run(farm, mission);
+  const Finished finished = RunPlaced(farm, mission);
   EXPECT_EQ(finished.exit_code, 3);
   EXPECT_NE(finished.output.find("does not prove the key"), std::string::npos) << finished.output;
 }
@@ -200,7 +200,7 @@ TEST(RefusedHost, RunsNoProgramsOfAMissionUnlessItMay) {
   WriteFile(mission, ReadFile(mission) +
                          "participants = [\"mine\"]\n[[participant]]\nname = \"mine\"\n"
                          "command = [\"/bin/false\"]\n");
-  const Finished finished = Run(farm, mission);
+  const Finished finished = RunPlaced(farm, mission);
   EXPECT_EQ(finished.exit_code, 3);
   EXPECT_NE(finished.output.find("only where it was started with --allow-programs"),
             std::string::npos)
@@ -210,7 +210,7 @@ TEST(RefusedHost, RunsNoProgramsOfAMissionUnlessItMay) {
 TEST(RefusedHost, IsToBeReachable) {
   HostFarm farm(1);
   const std::string mission = farm.Placed("berta.toml", {"\"bravo\""}, "", {"tcp://127.0.0.1:9"});
-  const Finished finished = Run(farm, mission);
+  const Finished finished = RunPlaced(farm, mission);
   EXPECT_EQ(finished.exit_code, 3);
   EXPECT_NE(finished.output.find("cannot be reached within 10 s"), std::string::npos)
       << finished.output;
@@ -252,6 +252,7 @@ TEST(RefusedHome, HasAnotherBuild) {
   home.Send(ToLinkMessage(HostOffer{.build = "other",
                                     .files = {{.path = "m.toml", .text = ""}},
                                     .participants = {"helm_alpha"},
+                                    .secret = {},
                                     .timeout_s = 60},
                           5),
             0);
@@ -307,7 +308,7 @@ TEST(FarHost, StepsAlmostOncePerRoundTrip) {
   const std::string mission = farm.Placed("alpha.toml", {"\"alpha\""}, kPatient,
                                           {"tcp://127.0.0.1:" + std::to_string(proxy.port())});
   const std::string dir = (farm.folder / "rec").string();
-  const Finished finished = Run(farm, mission, {"--record", dir});
+  const Finished finished = RunPlaced(farm, mission, {"--record", dir});
   EXPECT_EQ(finished.exit_code, 0) << finished.output;
   EXPECT_TRUE(ReadFile(dir + "/mission.lcm") == LogOfSim(farm.folder, mission));
   const size_t at = finished.output.find("answers after ");
