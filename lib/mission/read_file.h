@@ -24,8 +24,8 @@ inline constexpr size_t kLargestRunFile_bytes = size_t{4} << 20;  ///< Of files 
 [[nodiscard]] FileText ReadRegularFile(const std::string& path,
                                        size_t most_bytes = kLargestFile_bytes);
 
-/// Lists the regular files that ReadRegularFile has read in this thread while the list lives: what a
-/// mission consists of beside its own file.
+/// Lists the regular files that ReadRegularFile has read in this thread while the list lives: what
+/// a mission consists of beside its own file.
 class FilesRead {
  public:
   FilesRead();

@@ -15,7 +15,7 @@ struct RosterEntry {
   std::string vehicle;  ///< As the mission writes it; empty: not of one vehicle.
   Provider provider = Provider::kShoal;
   std::vector<std::string> command;  ///< Of a user's own participant; empty: the user starts it.
-  std::string host = {};  ///< The [[host]] on which it runs; empty: this computer.
+  std::string host = {};             ///< The [[host]] on which it runs; empty: this computer.
 };
 
 /// Returns all participants but the launcher's own ("shoal") and those whose provider is kNone.
