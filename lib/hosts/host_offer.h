@@ -23,13 +23,13 @@ struct OfferedFile {
 };
 
 struct HostOffer {
-  std::string build;                      ///< BuildId() of home's shoal.
-  std::string host;                       ///< The name of the [[host]].
-  std::vector<OfferedFile> files;         ///< The mission file first.
-  std::vector<std::string> overrides;     ///< --set
-  std::string digest;                     ///< MissionDigest of what home has loaded.
-  std::vector<std::string> participants;  ///< Of the roster, by their names on the bus.
-  MissionSecret secret;
+  std::string build = {};                      ///< BuildId() of home's shoal.
+  std::string host = {};                       ///< The name of the [[host]].
+  std::vector<OfferedFile> files = {};         ///< The mission file first.
+  std::vector<std::string> overrides = {};     ///< --set
+  std::string digest = {};                     ///< MissionDigest of what home has loaded.
+  std::vector<std::string> participants = {};  ///< Of the roster, by their names on the bus.
+  MissionSecret secret = {};
   Layout layout = Layout::kShared;
   double timeout_s = 0;  ///< Of the link, as the mission's [[host]] has it.
 };
