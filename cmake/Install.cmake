@@ -38,7 +38,7 @@ endforeach()
 # Missions, campaigns, examples, data, message types, documentation.
 foreach(folder missions campaigns data lcmtypes)
   install(DIRECTORY ${folder} DESTINATION ${share_dir} FILES_MATCHING
-    PATTERN "*.toml" PATTERN "*.lcm" PATTERN "*.asc" PATTERN "*.csv")
+    PATTERN "*.toml" PATTERN "*.lcm" PATTERN "*.asc" PATTERN "*.csv" PATTERN "*.gpx")
 endforeach()
 install(DIRECTORY examples DESTINATION ${share_dir} USE_SOURCE_PERMISSIONS
   PATTERN CMakeLists.txt EXCLUDE PATTERN __pycache__ EXCLUDE)

@@ -13,14 +13,16 @@ namespace shoal {
 
 std::unique_ptr<App> MakeApp(const RosterEntry& entry, const Mission& mission, Bus& bus) {
   if (entry.app == "shore_broker") return std::make_unique<ShoreBrokerApp>(mission, bus);
-  const Vehicle* vehicle = mission.FindVehicle(entry.vehicle);
-  SHOAL_CHECK(vehicle != nullptr, "a roster names only vehicles of its mission");
-  if (entry.app == "vehicle_sim") return std::make_unique<VehicleSimApp>(mission, *vehicle, bus);
-  if (entry.app == "helm") return std::make_unique<HelmApp>(mission, *vehicle, bus);
-  if (entry.app == "acomms") return std::make_unique<AcommsApp>(mission, *vehicle, bus);
-  if (entry.app == "gateway") return std::make_unique<GatewayApp>(mission, *vehicle, bus);
+  SHOAL_CHECK(entry.vehicle_place < mission.vehicles.size() &&
+                  mission.vehicles[entry.vehicle_place].name == entry.vehicle,
+              "a roster names only vehicles of its mission");
+  const Vehicle& vehicle = mission.vehicles[entry.vehicle_place];
+  if (entry.app == "vehicle_sim") return std::make_unique<VehicleSimApp>(mission, vehicle, bus);
+  if (entry.app == "helm") return std::make_unique<HelmApp>(mission, vehicle, bus);
+  if (entry.app == "acomms") return std::make_unique<AcommsApp>(mission, vehicle, bus);
+  if (entry.app == "gateway") return std::make_unique<GatewayApp>(mission, vehicle, bus);
   SHOAL_CHECK(entry.app == "node_reporter", "a roster names only shoal's own apps");
-  return std::make_unique<NodeReporterApp>(mission, *vehicle, bus);
+  return std::make_unique<NodeReporterApp>(mission, vehicle, bus);
 }
 
 std::unique_ptr<Director> MakeDirectorApp(const Mission& mission, Bus& bus) {

@@ -78,9 +78,13 @@ class Sea {
         MakeApp({.name = "shore_broker", .app = "shore_broker", .vehicle = {}, .command = {}},
                 mission_, hub_.Join("shore_broker")));
     for (const std::string gateway : {"buoy", "mast"}) {
-      apps_.push_back(MakeApp(
-          {.name = "gateway_" + gateway, .app = "gateway", .vehicle = gateway, .command = {}},
-          mission_, hub_.Join("gateway_" + gateway)));
+      apps_.push_back(MakeApp({.name = "gateway_" + gateway,
+                               .app = "gateway",
+                               .vehicle = gateway,
+                               .vehicle_place = static_cast<size_t>(mission_.FindVehicle(gateway) -
+                                                                    mission_.vehicles.data()),
+                               .command = {}},
+                              mission_, hub_.Join("gateway_" + gateway)));
       Subscribe(log_, channels::RelayRx(gateway), [this](const relay_t& relay) {
         ++num_given;
         node_message_t message;

@@ -3,7 +3,7 @@
 #include <optional>
 #include <variant>
 
-#include "apps/helm/moored_pilot.h"
+#include "apps/helm/passive_pilot.h"
 #include "apps/helm/surface_pilot.h"
 #include "apps/helm/underwater_pilot.h"
 #include "lib/check/check.h"
@@ -33,7 +33,10 @@ struct PilotOfModel {
     return std::make_unique<UnderwaterPilot>(options, vehicle.sonar, ChartFor(options, mission));
   }
   std::unique_ptr<Pilot> operator()(const BuoyParams& /*params*/) const {
-    return std::make_unique<MooredPilot>();
+    return std::make_unique<PassivePilot>("moored");
+  }
+  std::unique_ptr<Pilot> operator()(const TrackOptions& /*options*/) const {
+    return std::make_unique<PassivePilot>("replayed");
   }
 };
 

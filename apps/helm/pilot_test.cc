@@ -25,7 +25,7 @@ TEST(Pilot, OfEachModelSteersAndRests) {
     guidance.heading_rad = 1;
     guidance.speed_mps = 1.5;
     for (int i = 0; i < 20; ++i) pilot->Steer(guidance, nav, 0.1, &desired, &actuators);
-    if (FactsOfModel(model).is_moored) {
+    if (!FactsOfModel(model).passive.empty()) {
       EXPECT_EQ(actuators.thrust_pct, 0) << name << " has no actuators";
       continue;
     }

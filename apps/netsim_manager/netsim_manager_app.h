@@ -22,7 +22,7 @@
 #include "lib/mission/mission.h"
 #include "lib/netsim/line_server.h"
 #include "lib/netsim/netsim_answer.h"
-#include "lib/netsim/wait_set.h"
+#include "lib/record/wait_set.h"
 #include "lib/run/app.h"
 
 namespace shoal {

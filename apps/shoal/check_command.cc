@@ -10,6 +10,7 @@
 #include "lib/launch/launch_plan.h"
 #include "lib/mission/key_paths.h"
 #include "lib/mission/path_text.h"
+#include "lib/mission/print_errors.h"
 #include "lib/mission/read_file.h"
 #include "lib/run/roster.h"
 
@@ -23,12 +24,6 @@ std::string Counted(size_t count, std::string_view noun) {
 }
 
 }  // namespace
-
-bool LoadedWithoutErrors(const LoadedMission& loaded) {
-  for (const std::string& error : loaded.errors) fmt::print(stderr, "{}\n", error);
-  for (const std::string& warning : loaded.warnings) fmt::print(stderr, "{}\n", warning);
-  return loaded.errors.empty();
-}
 
 int RunCheck(const std::string& mission_file, const std::vector<std::string>& overrides,
              bool explain) {

@@ -4,12 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "lib/mission/load.h"
-
 namespace shoal {
-
-/// Prints to stderr all that is wrong with a mission file. Returns true where nothing is.
-[[nodiscard]] bool LoadedWithoutErrors(const LoadedMission& loaded);
 
 /// Loads a mission file and prints all that is wrong with it, or, with `explain`, the whole mission
 /// with every default. Returns the exit code: kExitEnvironment where the file is right and a

@@ -188,18 +188,25 @@ std::vector<Diagnosis> Diagnose(const DoctorFacts& facts) {
                     "a process needs six for each LCM port it receives on, one port per vehicle in "
                     "the communities layout",
                     "-n"),
-      DiagnoseLimit("processes and threads", facts.max_threads, kNeededThreads, kWantedThreads,
-                    "a mission needs about twelve per vehicle", "-u"),
+      DiagnoseLimit(
+          "processes and threads", facts.max_threads, kNeededThreads, kWantedThreads,
+          "a mission needs about twelve per vehicle; fewer with `shoal run --grouping vehicle`",
+          "-u"),
       DiagnoseSpy(facts)};
 }
 
-std::string FormatDiagnoses(const std::vector<Diagnosis>& diagnoses) {
+std::string DiagnosisLines(const std::vector<Diagnosis>& diagnoses) {
   std::string text;
   for (const Diagnosis& diagnosis : diagnoses) {
     text += fmt::format("{}  {}\n", Word(diagnosis.health), diagnosis.text);
     for (const std::string& remedy : diagnosis.remedies)
       text += fmt::format("        {}\n", remedy);
   }
+  return text;
+}
+
+std::string FormatDiagnoses(const std::vector<Diagnosis>& diagnoses) {
+  const std::string text = DiagnosisLines(diagnoses);
   const int64_t num_failures = Count(diagnoses, Health::kFail);
   const int64_t num_warnings = Count(diagnoses, Health::kWarn);
   if (num_failures > 0) {

@@ -53,6 +53,9 @@ struct Diagnosis {
 /// Judges the facts, in the order in which they matter.
 [[nodiscard]] std::vector<Diagnosis> Diagnose(const DoctorFacts& facts);
 
+/// Returns a line for each diagnosis, and its remedies.
+[[nodiscard]] std::string DiagnosisLines(const std::vector<Diagnosis>& diagnoses);
+
 /// Returns the diagnoses as `shoal doctor` prints them, with a closing line.
 [[nodiscard]] std::string FormatDiagnoses(const std::vector<Diagnosis>& diagnoses);
 

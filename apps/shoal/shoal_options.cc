@@ -16,6 +16,9 @@
 #include "apps/shoal/check_command.h"
 #include "apps/shoal/doctor.h"
 #include "apps/shoal/encounters_options.h"
+#include "apps/shoal/group_options.h"
+#include "apps/shoal/host_doctor.h"
+#include "apps/shoal/host_options.h"
 #include "apps/shoal/log_options.h"
 #include "apps/shoal/send_command.h"
 #include "apps/shoal/sim_command.h"
@@ -23,6 +26,7 @@
 #include "apps/shoal/view_command.h"
 #include "lib/launch/launcher.h"
 #include "lib/mission/drawn_seed.h"
+#include "lib/mission/print_errors.h"
 #include "lib/mission/suggest.h"
 #include "lib/orders/order_words.h"
 #include "lib/record/log_commands.h"
@@ -91,12 +95,29 @@ void AddView(CLI::App& cli, Action* action) {
   command->callback([options, action] { *action = [options] { return RunView(*options); }; });
 }
 
+/// Returns the override that "lab2=alpha,bravo" stands for; nothing for other forms.
+std::optional<std::string> PlacementOverride(const std::string& text) {
+  const size_t equals = text.find('=');
+  if (equals == std::string::npos || equals == 0 || text.find('"') != std::string::npos) {
+    return std::nullopt;
+  }
+  std::string list;
+  for (size_t begin = equals + 1; begin < text.size();) {
+    const size_t end = std::min(text.find(',', begin), text.size());
+    list += fmt::format("{}\"{}\"", list.empty() ? "" : ", ", text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return fmt::format("host.\"{}\".vehicles=[{}]", text.substr(0, equals), list);
+}
+
 void AddRun(CLI::App& cli, Action* action) {
   CLI::App* command = cli.add_subcommand("run", "Run a mission: one process per participant");
   struct Parsed {
     RunOptions options;
     std::string warp = "1";
     std::string layout;
+    std::string grouping = "app";
+    std::vector<std::string> on;
     bool view = false;
     ViewOptions view_options;
   };
@@ -119,6 +140,7 @@ void AddRun(CLI::App& cli, Action* action) {
       ->add_option("--layout", parsed->layout,
                    "shared: one LCM port; communities: one per vehicle (default from 10 vehicles)")
       ->check(CLI::IsMember({"shared", "communities"}));
+  AddGrouping(command, &parsed->grouping);
   AddPort(command, &options.port_base)->description("First port of the block to use");
   command->add_flag("--quiet", options.quiet, kQuiet);
   ViewOptions& view = parsed->view_options;
@@ -132,10 +154,23 @@ void AddRun(CLI::App& cli, Action* action) {
       ->check(CLI::Range(0.0, 1.0));
   command->add_option("--lose-forever", options.lose_forever,
                       "Fault injection: every datagram of this channel is lost");
+  command->add_option("--key", options.key_file,
+                      "This computer's key for hosts; default: $SHOAL_KEY, or "
+                      "~/.config/shoal/host.key");
+  command
+      ->add_option("--on", parsed->on,
+                   "Vehicles for a [[host]] of the mission: NAME=alpha,bravo (NAME= for none)")
+      ->take_all()
+      ->allow_extra_args(false)
+      ->check([](const std::string& text) {
+        return PlacementOverride(text) ? "" : "it has the form NAME=alpha,bravo";
+      });
   command->callback([parsed, action] {
     *action = [parsed] {
       RunOptions& run = parsed->options;
+      for (const std::string& each : parsed->on) run.overrides.push_back(*PlacementOverride(each));
       run.warp = *ParseWarp(parsed->warp);
+      run.grouping = *ParseGrouping(parsed->grouping);
       if (parsed->view) run.view = parsed->view_options;
       if (!parsed->layout.empty()) {
         run.layout = parsed->layout == "shared" ? Layout::kShared : Layout::kCommunities;
@@ -255,6 +290,29 @@ void AddStatus(CLI::App& cli, Action* action) {
   });
 }
 
+void AddDoctor(CLI::App& cli, Action* action) {
+  CLI::App* command =
+      cli.add_subcommand("doctor", "Show what keeps missions from running on this machine");
+  auto options = std::make_shared<HostDoctorOptions>();
+  HostDoctorOptions& host = *options;
+  CLI::Option* address = command->add_option(
+      "--host", host.address, "Measure the way to a `shoal host` at tcp://ADDRESS:PORT instead");
+  command->add_option("--host-key", host.public_key, "Its public key, or a file with it")
+      ->needs(address);
+  command
+      ->add_option("--key", host.key_file,
+                   "This computer's key; default: $SHOAL_KEY, or ~/.config/shoal/host.key")
+      ->needs(address);
+  command->add_option("--tick", host.tick_s, "Seconds of a mission's step, for the warp")
+      ->check(CLI::Range(0.001, 10.0))
+      ->needs(address);
+  command->callback([options, action] {
+    *action = [options] {
+      return options->address.empty() ? RunDoctor() : RunHostDoctor(*options);
+    };
+  });
+}
+
 /// True where standard output is a pipe without a reader, as behind `| head`. (Where SIGPIPE is
 /// not ignored, it ends the process before this is called.)
 bool ReaderHasLeft() {
@@ -317,17 +375,18 @@ int RunShoalCommand(int argc, char** argv) {
   cli.require_subcommand(1);
   Action action;
   AddRun(cli, &action);
+  AddGroup(cli, &action);
   AddSim(cli, &action);
   AddCheck(cli, &action);
   AddMessage(cli, &action);
   AddSend(cli, &action);
   AddStatus(cli, &action);
   AddView(cli, &action);
+  AddHostCommands(cli, &action);
   AddLogCommands(cli, &action);
   AddEncounterCommands(cli, &action);
   AddCampaignCommands(cli, &action);
-  cli.add_subcommand("doctor", "Show what keeps missions from running on this machine")
-      ->callback([&action] { action = [] { return RunDoctor(); }; });
+  AddDoctor(cli, &action);
   cli.add_subcommand("channels", "Print the table of all channels (docs/channels.md)")
       ->callback([&action] {
         action = [] {

@@ -8,9 +8,11 @@
 #include <atomic>
 #include <filesystem>
 
-#include "apps/shoal/check_command.h"
 #include "lib/mission/drawn_seed.h"
+#include "lib/mission/print_errors.h"
 #include "lib/run/run_app.h"
+#include "sim/director_app.h"
+#include "sim/sim_ending.h"
 #include "sim/simulation.h"
 
 namespace shoal {
@@ -95,23 +97,17 @@ int RunSim(const SimOptions& options) {
   simulation.End();
   if (fault.empty()) fault = simulation.Fault();
   const double wall_s = static_cast<double>(MonotonicMicroseconds() - begin) / 1e6;
-  const double mission_s = static_cast<double>(simulation.step() * mission.tick_us) / 1e6;
 
   progress.Clear();
-  for (const std::string& loss : simulation.losses()) fmt::print(stderr, "shoal: {}\n", loss);
-  fmt::print("{:.1f} s of mission in {:.3f} s ({:.0f} x real time), one process\n", mission_s,
-             wall_s, mission_s / std::max(wall_s, 1e-6));
-  if (!options.log_path.empty() && fault.empty()) fmt::print("Log: {}\n", options.log_path);
-  fmt::print("\n{}", simulation.Summary(!interrupted && fault.empty()));
-  if (!fault.empty()) {
-    fmt::print(stderr, "shoal: {}\n", fault);
-    return kExitEnvironment;
-  }
-  if (interrupted) {
-    fmt::print(stderr, "shoal: interrupted; the mission did not run to its end\n");
-    return kExitMissionFailed;
-  }
-  return simulation.Passed() ? kExitOk : kExitMissionFailed;
+  return PrintEnding({.mission = mission,
+                      .director = simulation.director(),
+                      .step = simulation.step(),
+                      .wall_s = wall_s,
+                      .where = "one process",
+                      .log_path = options.log_path,
+                      .losses = simulation.losses(),
+                      .fault = fault,
+                      .was_interrupted = interrupted});
 }
 
 }  // namespace shoal

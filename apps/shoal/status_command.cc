@@ -87,7 +87,8 @@ int RunStatus(const StatusOptions& options) {
                wanted, Describe(*mission));
     return kExitEnvironment;
   }
-  fmt::print("{}, {} layout\n\n", Describe(*mission), Name(mission->layout));
+  fmt::print("{}, {} layout, grouping {}\n\n", Describe(*mission), Name(mission->layout),
+             mission->grouping);
   if (!one_line_each) {
     for (const auto& [name, page] : pages) {
       fmt::print("{}\n", Format(PageOf(page), name, page.step));

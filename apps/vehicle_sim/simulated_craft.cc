@@ -5,6 +5,8 @@
 #include "apps/vehicle_sim/simulated_buoy.h"
 #include "apps/vehicle_sim/simulated_remus100.h"
 #include "apps/vehicle_sim/simulated_surface_craft.h"
+#include "apps/vehicle_sim/simulated_track.h"
+#include "lib/check/check.h"
 
 namespace shoal {
 
@@ -12,6 +14,8 @@ namespace {
 
 /// One line for each model of AnyModel.
 struct CraftOfModel {
+  const Mission& mission;
+
   using Craft = std::unique_ptr<SimulatedCraft>;
   Craft operator()(const SurfaceCraftParams& params) const {
     return std::make_unique<SimulatedSurfaceCraft>(params);
@@ -22,12 +26,17 @@ struct CraftOfModel {
   Craft operator()(const BuoyParams& params) const {
     return std::make_unique<SimulatedBuoy>(params);
   }
+  Craft operator()(const TrackOptions& options) const {
+    Result<MissionTrack> track = TrackOf(mission, options);
+    SHOAL_CHECK(track.ok(), "the mission file was checked, and its track could be read");
+    return std::make_unique<SimulatedTrack>(std::move(*track));
+  }
 };
 
 }  // namespace
 
-std::unique_ptr<SimulatedCraft> MakeSimulatedCraft(const Vehicle& vehicle) {
-  return std::visit(CraftOfModel(), vehicle.model);
+std::unique_ptr<SimulatedCraft> MakeSimulatedCraft(const Mission& mission, const Vehicle& vehicle) {
+  return std::visit(CraftOfModel{mission}, vehicle.model);
 }
 
 }  // namespace shoal

@@ -13,8 +13,9 @@
 
 namespace shoal {
 
-/// The sea around one vehicle.
+/// The sea around one vehicle at one time.
 struct Water {
+  double time_s = 0;                                       ///< Since the mission's start.
   Eigen::Vector2d velocity_mps = Eigen::Vector2d::Zero();  ///< Over ground; x East, y North.
   std::optional<double> floor_z_m;                         ///< Absent: not known.
 };
@@ -23,7 +24,8 @@ class SimulatedCraft {
  public:
   virtual ~SimulatedCraft() = default;
 
-  /// Sets the pose; actuators at rest, velocity that of the water.
+  /// Sets the pose; actuators at rest, velocity that of the water. What is replayed stays where its
+  /// track has it.
   virtual void Reset(const StartPose& pose, const Water& water) = 0;
 
   /// Takes a command. Returns false, and changes nothing, where it holds NaN or infinity.
@@ -41,6 +43,8 @@ class SimulatedCraft {
   virtual std::string ActuatorsText() const = 0;
 };
 
-[[nodiscard]] std::unique_ptr<SimulatedCraft> MakeSimulatedCraft(const Vehicle& vehicle);
+/// @pre the mission was checked, and what it reads is still there
+[[nodiscard]] std::unique_ptr<SimulatedCraft> MakeSimulatedCraft(const Mission& mission,
+                                                                 const Vehicle& vehicle);
 
 }  // namespace shoal

@@ -48,7 +48,7 @@ std::optional<SonarUnit> SonarOf(const Mission& mission, const Vehicle& vehicle)
 }  // namespace
 
 VehicleSimApp::VehicleSimApp(const Mission& mission, const Vehicle& vehicle, Bus& bus)
-    : craft_(MakeSimulatedCraft(vehicle)),
+    : craft_(MakeSimulatedCraft(mission, vehicle)),
       bus_(bus),
       tick_us_(mission.tick_us),
       start_utime_(mission.start_utime),
@@ -93,7 +93,8 @@ void VehicleSimApp::Reset(const StartPose& pose) {
 
 Water VehicleSimApp::WaterAt(int64_t utime) const {
   const double time_s = static_cast<double>(utime - start_utime_) / 1e6;
-  Water water = {.velocity_mps = ocean_.current.VelocityAt(time_s) + drift_mps_,
+  Water water = {.time_s = time_s,
+                 .velocity_mps = ocean_.current.VelocityAt(time_s) + drift_mps_,
                  .floor_z_m = std::nullopt};
   if (ocean_.floor) water.floor_z_m = ocean_.floor->DepthAt(craft_->position_m().head<2>());
   return water;

@@ -108,6 +108,7 @@ Channel<appcast_req_t> AppcastReq() { return {std::string(topics::kAppcastReq)};
 Channel<comms_rules_req_t> CommsRulesReq() { return {std::string(topics::kCommsRulesReq)}; }
 Channel<clock_state_t> ClockState() { return {std::string(topics::kClockState)}; }
 Channel<step_done_t> StepDone() { return {std::string(topics::kStepDone)}; }
+Channel<step_dones_t> StepDones() { return {std::string(topics::kStepDones)}; }
 Channel<clock_command_t> ClockCommand() { return {std::string(topics::kClockCommand)}; }
 
 }  // namespace channels
@@ -218,6 +219,8 @@ std::vector<ChannelRow> MakeTable() {
        "on change, and 2 Hz of wall time", false},
       {topics::kStepDone, kDonePort, "step_done_t", "every participant", "shoal", "every step",
        false},
+      {topics::kStepDones, kDonePort, "step_dones_t", "processes of several participants", "shoal",
+       "every step", false},
       {topics::kClockCommand, kDonePort, "clock_command_t", "shoal send, viewer", "shoal",
        "when needed", false},
   };

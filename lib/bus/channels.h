@@ -44,6 +44,7 @@
 #include "shoal/sim_command_t.hpp"
 #include "shoal/sonar_t.hpp"
 #include "shoal/step_done_t.hpp"
+#include "shoal/step_dones_t.hpp"
 #include "shoal/swarm_t.hpp"
 #include "shoal/tick_t.hpp"
 #include "shoal/unc_control_t.hpp"
@@ -100,6 +101,7 @@ inline constexpr std::string_view kResend = "RESEND";
 inline constexpr std::string_view kAppcastReq = "APPCAST_REQ";
 inline constexpr std::string_view kClockState = "CLOCK_STATE";
 inline constexpr std::string_view kStepDone = "STEP_DONE";
+inline constexpr std::string_view kStepDones = "STEP_DONES";
 inline constexpr std::string_view kClockCommand = "CLOCK_COMMAND";
 }  // namespace topics
 
@@ -166,6 +168,7 @@ Channel<appcast_req_t> AppcastReq();
 Channel<comms_rules_req_t> CommsRulesReq();
 Channel<clock_state_t> ClockState();
 Channel<step_done_t> StepDone();
+Channel<step_dones_t> StepDones();
 Channel<clock_command_t> ClockCommand();
 
 }  // namespace channels

@@ -2,7 +2,7 @@
 //
 //   base      TICK, RESEND, APPCAST_REQ: every participant receives them; COMMS_RULES_REQ,
 //             CLOCK_STATE
-//   base + 1  STEP_DONE, CLOCK_COMMAND: only the clock receives them
+//   base + 1  STEP_DONE, STEP_DONES, CLOCK_COMMAND: only the clock receives them
 //   base + 2  the shore; in the `shared` layout every other channel too
 //   base + 3  in the `communities` layout: the first vehicle's community, and so on
 //

@@ -44,7 +44,10 @@ bool SetOption(int socket, int level, int name, int value) {
 }  // namespace
 
 LcmReceiver::LcmReceiver(FilterPlace place)
-    : place_(place), epoll_(epoll_create1(EPOLL_CLOEXEC)), bytes_(kBatch * kLargest) {
+    : place_(place),
+      epoll_(epoll_create1(EPOLL_CLOEXEC)),
+      steps_epoll_(epoll_create1(EPOLL_CLOEXEC)),
+      bytes_(kBatch * kLargest) {
   for (size_t i = 0; i < kBatch; ++i) {
     places_[i] = {.iov_base = &bytes_[i * kLargest], .iov_len = kLargest};
     headers_[i].msg_hdr.msg_iov = &places_[i];
@@ -59,6 +62,7 @@ LcmReceiver::~LcmReceiver() {
     if (port->socket >= 0) close(port->socket);
   }
   close(epoll_);
+  close(steps_epoll_);
 }
 
 LcmReceiver::Port* LcmReceiver::Open(int number) {
@@ -93,7 +97,9 @@ LcmReceiver::Port* LcmReceiver::Open(int number) {
                             "--port",
                             std::strerror(errno)));
   } else if (setsockopt(opened, IPPROTO_IP, IP_ADD_MEMBERSHIP, &group, sizeof group) != 0 ||
-             epoll_ctl(epoll_, EPOLL_CTL_ADD, opened, &event) != 0) {
+             epoll_ctl(epoll_, EPOLL_CTL_ADD, opened, &event) != 0 ||
+             (number < deferred_from_ &&
+              epoll_ctl(steps_epoll_, EPOLL_CTL_ADD, opened, &event) != 0)) {
     const std::string fault = MulticastFault();
     Close(port, fault.empty() ? "the group cannot be joined; run `shoal doctor`" : fault);
   }
@@ -104,6 +110,14 @@ void LcmReceiver::Close(Port* port, const std::string& why) {
   if (error_.empty()) error_ = fmt::format("cannot listen on LCM port {}: {}", port->number, why);
   if (port->socket >= 0) close(port->socket);
   port->socket = -1;
+}
+
+void LcmReceiver::DeferFrom(int number) {
+  deferred_from_ = number;
+  for (const auto& port : ports_) {
+    if (port->number < number || port->socket < 0) continue;
+    epoll_ctl(steps_epoll_, EPOLL_CTL_DEL, port->socket, nullptr);
+  }
 }
 
 void LcmReceiver::Listen(int port, std::string_view channel) {
@@ -144,7 +158,7 @@ void LcmReceiver::SetFilters() {
   }
 }
 
-bool LcmReceiver::Poll(int64_t timeout_us, int extra_fd, const Handler& handler) {
+bool LcmReceiver::Poll(int64_t timeout_us, int extra_fd, const Handler& handler, WakeFor wake_for) {
   if (has_new_filters_) SetFilters();
   ends_poll_ = false;
   const bool had_rest = batch_next_ < batch_size_;
@@ -156,7 +170,8 @@ bool LcmReceiver::Poll(int64_t timeout_us, int extra_fd, const Handler& handler)
   timeout_us = had_rest ? 0 : std::max<int64_t>(timeout_us, 0);
   const timespec timeout{.tv_sec = timeout_us / 1'000'000,
                          .tv_nsec = timeout_us % 1'000'000 * 1000};
-  std::array<pollfd, 2> waiting{pollfd{.fd = epoll_, .events = POLLIN, .revents = 0},
+  const int waited_for = wake_for == WakeFor::kAll ? epoll_ : steps_epoll_;
+  std::array<pollfd, 2> waiting{pollfd{.fd = waited_for, .events = POLLIN, .revents = 0},
                                 pollfd{.fd = extra_fd, .events = POLLIN, .revents = 0}};
   const bool is_any = ppoll(waiting.data(), extra_fd >= 0 ? 2 : 1, &timeout, nullptr) > 0;
   const bool extra_is_ready = is_any && (waiting[1].revents & POLLIN) != 0;
@@ -165,6 +180,11 @@ bool LcmReceiver::Poll(int64_t timeout_us, int extra_fd, const Handler& handler)
   std::array<epoll_event, 256> events{};
   const int num = epoll_wait(epoll_, events.data(), static_cast<int>(events.size()), 0);
   auto num_ready = static_cast<size_t>(std::max(num, 0));
+  // What a tick announces is there before the tick is handled.
+  std::stable_partition(events.begin(), events.begin() + num_ready,
+                        [this](const epoll_event& each) {
+                          return static_cast<const Port*>(each.data.ptr)->number >= deferred_from_;
+                        });
   // Only ports that had a full batch are read again.
   for (int round = 0; round < kMostRounds && num_ready > 0 && !ends_poll_; ++round) {
     size_t num_full = 0;

@@ -14,6 +14,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <set>
 #include <span>
@@ -29,6 +30,12 @@ namespace shoal {
 /// a full receive buffer (lib/bus/socket_drops.h): kProcess, where that count is wanted.
 enum class FilterPlace { kKernel, kProcess };
 
+/// What Poll wakes up for.
+enum class WakeFor {
+  kAll,   ///< Datagrams of every port.
+  kSteps  ///< Those of the ports before the first that is deferred; the others keep theirs.
+};
+
 class LcmReceiver {
  public:
   /// `data`: the message, with its seal where it has one (lib/bus/seal.h).
@@ -43,10 +50,15 @@ class LcmReceiver {
   void Listen(int port, std::string_view channel);
   void ListenToAll(int port);
 
+  /// Ports from this on are deferred: a Poll can do without waking up for them, and reads them
+  /// before the others.
+  void DeferFrom(int port);
+
   /// Waits at most `timeout_us` for datagrams (or for `extra_fd` to be readable, if not negative),
-  /// then hands all that are there to `handler`, or some ten thousand. Returns true where
-  /// `extra_fd` is readable.
-  bool Poll(int64_t timeout_us, int extra_fd, const Handler& handler);
+  /// then hands all that are there to `handler`, of every port, or some ten thousand. Returns true
+  /// where `extra_fd` is readable.
+  bool Poll(int64_t timeout_us, int extra_fd, const Handler& handler,
+            WakeFor wake_for = WakeFor::kAll);
   /// True where the last Poll left datagrams for the next: a flood must not starve its caller.
   bool has_more() const { return has_more_; }
   /// Makes the running Poll return, and leave the rest for the next. Called by the handler.
@@ -60,6 +72,10 @@ class LcmReceiver {
   /// Datagrams that are none of LCM's, and messages of which a part did not come. (The kernel
   /// throws away most of the first, uncounted.)
   int64_t num_refused() const { return assembler_.num_malformed() + assembler_.num_abandoned(); }
+
+  /// A descriptor that is readable where Poll has something to read, for callers with a poll of
+  /// their own. Poll must have been called since the last Listen.
+  int fd() const { return epoll_; }
 
   /// Empty, or why a port could not be opened, with what to try.
   const std::string& error() const { return error_; }
@@ -85,7 +101,9 @@ class LcmReceiver {
   void Handle(const Handler& handler);
 
   const FilterPlace place_;
-  int epoll_ = -1;
+  int epoll_ = -1;        ///< Of all ports.
+  int steps_epoll_ = -1;  ///< Of those that are not deferred.
+  int deferred_from_ = std::numeric_limits<int>::max();
   std::vector<std::unique_ptr<Port>> ports_;
   LcmAssembler assembler_;
   std::string error_;

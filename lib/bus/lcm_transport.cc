@@ -40,8 +40,8 @@ void LcmTransport::Send(int port, std::string_view channel, std::span<const uint
   if (!is_sent) ++num_failed_sends_;
 }
 
-bool LcmTransport::Poll(int64_t timeout_us, int extra_fd) {
-  return lcm_receiver_.Poll(timeout_us, extra_fd, take_);
+bool LcmTransport::Poll(int64_t timeout_us, int extra_fd, WakeFor wake_for) {
+  return lcm_receiver_.Poll(timeout_us, extra_fd, take_, wake_for);
 }
 
 void LcmTransport::Take(int port, std::string_view channel, std::span<const uint8_t> datagram) {

@@ -36,7 +36,9 @@ class LcmTransport : public Transport {
   int64_t num_refused() const override { return lcm_receiver_.num_refused(); }
 
   /// As LcmReceiver's.
-  bool Poll(int64_t timeout_us, int extra_fd = -1);
+  void DeferFrom(int port) { lcm_receiver_.DeferFrom(port); }
+  bool Poll(int64_t timeout_us, int extra_fd = -1, WakeFor wake_for = WakeFor::kAll);
+  int fd() const { return lcm_receiver_.fd(); }
   bool has_more() const { return lcm_receiver_.has_more(); }
   void EndPoll() { lcm_receiver_.EndPoll(); }
   void StampArrivals() { lcm_receiver_.StampArrivals(); }

@@ -32,7 +32,7 @@ class MemoryBus::Port : public Bus {
     const Subscriber subscriber = {.port = number,
                                    .handler = static_cast<uint32_t>(hub_.handlers_.size())};
     hub_.handlers_.push_back(std::move(handler));
-    hub_.channel_readers_[hub_.ChannelId(channel)].push_back(subscriber);
+    hub_.channel_readers_[hub_.ChannelNumber(channel)].push_back(subscriber);
     hub_.ranks_valid_ = false;
     ++hub_.num_subscriptions_;
   }
@@ -77,7 +77,7 @@ class MemoryBus::Port : public Bus {
     const auto found = places_.find(channel);
     if (found != places_.end()) return found->second;
     const size_t place = known_channels_.size();
-    known_channels_.push_back({.name = std::string(channel), .id = hub_.ChannelId(channel)});
+    known_channels_.push_back({.name = std::string(channel), .id = hub_.ChannelNumber(channel)});
     LookForReaders(&known_channels_.back());
     places_.emplace(channel, place);
     return place;
@@ -138,14 +138,13 @@ MemoryBus::Port& MemoryBus::AddPort(const std::string& participant) {
   return *port;
 }
 
-void MemoryBus::Insert(uint32_t participant, std::string_view channel, uint32_t sequence,
+void MemoryBus::Insert(uint32_t participant, uint32_t channel, uint32_t sequence,
                        std::span<const uint8_t> data) {
   const Port& port = *ports_by_number_.at(participant);
   SHOAL_CHECK(port.is_elsewhere, "participants here publish by their own bus");
   if (names_by_rank_.empty()) RankPorts();
-  const uint32_t id = ChannelId(channel);
-  if (!IsRead(id) && step_ > 0) return;
-  Publish({.channel = id, .port = port.rank, .sequence = sequence, .content = 0}, data);
+  if (!IsRead(channel) && step_ > 0) return;
+  Publish({.channel = channel, .port = port.rank, .sequence = sequence, .content = 0}, data);
 }
 
 void MemoryBus::KeepFor(std::function<bool(std::string_view)> is_wanted_elsewhere) {
@@ -166,7 +165,9 @@ void MemoryBus::VisitPublished(const std::function<void(const Published&)>& visi
            .publisher = names_by_rank_[item.port],
            .sequence = item.sequence,
            .data = std::span(open_.arena).subspan(content.begin, content.size),
-           .content = item.content});
+           .content = item.content,
+           .channel_number = item.channel,
+           .participant = by_rank[item.port]->number});
   }
 }
 
@@ -212,7 +213,7 @@ void MemoryBus::RankPorts() {
   for (auto& [name, each] : ports_) names_by_rank_.push_back(name);
 }
 
-uint32_t MemoryBus::ChannelId(std::string_view name) {
+uint32_t MemoryBus::ChannelNumber(std::string_view name) {
   const auto found = channel_ids_.find(name);
   if (found != channel_ids_.end()) return found->second;
   const auto id = static_cast<uint32_t>(channel_names_.size());

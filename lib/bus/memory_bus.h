@@ -51,7 +51,14 @@ class MemoryBus {
   /// comes once. Where nothing here reads the channel, it is dropped.
   /// @pre `participant` is from JoinElsewhere
   void Insert(uint32_t participant, std::string_view channel, uint32_t sequence,
+              std::span<const uint8_t> data) {
+    Insert(participant, ChannelNumber(channel), sequence, data);
+  }
+  /// The same, sooner. @pre `channel` is from ChannelNumber
+  void Insert(uint32_t participant, uint32_t channel, uint32_t sequence,
               std::span<const uint8_t> data);
+  /// Returns the number of a channel in this hub.
+  uint32_t ChannelNumber(std::string_view name);
 
   /// Keeps what participants here publish on channels that are wanted elsewhere, read here or not.
   /// To be called again when other channels are wanted; empty: none is.
@@ -64,6 +71,8 @@ class MemoryBus {
     uint32_t sequence = 0;  ///< Counts the publisher's messages of the step, over all channels.
     std::span<const uint8_t> data;
     uint32_t content = 0;  ///< Messages of one step with the same number have the same bytes.
+    uint32_t channel_number = 0;  ///< As ChannelNumber has it.
+    uint32_t participant = 0;     ///< The publisher: how many joined before it, here or elsewhere.
   };
   /// Visits what participants here have published in the step that goes on and is wanted
   /// elsewhere, in the order in which it was published.
@@ -120,7 +129,6 @@ class MemoryBus {
     uint32_t handler = 0;  ///< Into handlers_.
   };
 
-  uint32_t ChannelId(std::string_view name);
   MessageViews* Publish(Item item, std::span<const uint8_t> data);
   Port& AddPort(const std::string& participant);
   bool IsRead(uint32_t channel) const;

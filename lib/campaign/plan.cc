@@ -12,6 +12,7 @@
 #include "lib/campaign/samples.h"
 #include "lib/campaign/toml_text.h"
 #include "lib/campaign/trial_watch.h"
+#include "lib/mission/data_files.h"
 #include "lib/mission/load.h"
 #include "lib/mission/problems.h"
 #include "lib/mission/read_file.h"
@@ -79,10 +80,10 @@ void AddSampling(const Campaign& campaign, Digest* digest) {
 
 /// A mission's files of data: with others the same mission is another one.
 void AddDataFiles(const Mission& mission, Digest* digest) {
-  const std::string& grid = mission.environment.floor.grid;
-  if (grid.empty()) return;
   const auto folder = std::filesystem::path(mission.file).parent_path();
-  digest->Add(ReadRegularFile((folder / grid).string()).text);
+  for (const std::string& file : DataFilesOf(mission)) {
+    digest->Add(ReadRegularFile((folder / file).string()).text);
+  }
 }
 
 }  // namespace

@@ -21,13 +21,23 @@ bool IsProgram(const fs::path& path) {
   return fs::is_regular_file(path, error) && access(path.c_str(), X_OK) == 0;
 }
 
-std::vector<std::string> ArgumentsOf(const RosterEntry& entry, const LaunchContext& context) {
+std::vector<std::string> ArgumentsOf(const RosterProcess& process, const LaunchContext& context) {
+  const RosterEntry& entry = process.entries.front();
+  if (!process.is_group() && !entry.command.empty()) {
+    return {entry.command.begin() + 1, entry.command.end()};
+  }
   std::vector<std::string> arguments = {"--mission", context.mission.file};
+  if (process.is_group()) arguments.insert(arguments.begin(), "group");
   const auto add = [&](std::string option, std::string value) {
     arguments.push_back(std::move(option));
     arguments.push_back(std::move(value));
   };
-  if (!entry.vehicle.empty()) add("--vehicle", entry.vehicle);
+  if (process.is_group()) {
+    add("--grouping", Name(context.options.grouping));
+    add("--name", process.name);
+  } else if (!entry.vehicle.empty()) {
+    add("--vehicle", entry.vehicle);
+  }
   for (const std::string& each : context.options.overrides) add("--set", each);
   add("--port", std::to_string(context.ports.base()));
   add("--layout", std::string(Name(context.ports.layout())));
@@ -38,6 +48,7 @@ std::vector<std::string> ArgumentsOf(const RosterEntry& entry, const LaunchConte
   return arguments;
 }
 
+/// The program of a participant that has a process of its own.
 Result<std::string> ProgramOf(const RosterEntry& entry, const Mission& mission) {
   Result<std::string> path =
       FindProgram(entry.command.empty() ? entry.app : entry.command.front(), mission.file);
@@ -92,16 +103,16 @@ Result<std::string> FindProgram(const std::string& program, const std::string& m
       fmt::format("cannot find the program '{}'; looked for {}", program, fmt::join(places, ", "))};
 }
 
-std::vector<std::string> ParticipantEnvironment(const RosterEntry& entry,
+std::vector<std::string> ParticipantEnvironment(const std::string& name,
                                                 const LaunchContext& context) {
   std::string vehicles;
-  for (const std::string& name : VehicleNames(context.mission)) {
-    vehicles += (vehicles.empty() ? "" : ",") + name;
+  for (const std::string& vehicle : VehicleNames(context.mission)) {
+    vehicles += (vehicles.empty() ? "" : ",") + vehicle;
   }
   return {fmt::format("SHOAL_PORT={}", context.ports.base()),
           fmt::format("SHOAL_LAYOUT={}", Name(context.ports.layout())),
           fmt::format("SHOAL_MISSION_ID={}", context.mission_id),
-          fmt::format("SHOAL_PARTICIPANT={}", entry.name),
+          fmt::format("SHOAL_PARTICIPANT={}", name),
           fmt::format("SHOAL_VEHICLES={}", vehicles),
           fmt::format("SHOAL_MISSION_FILE={}", fs::absolute(context.mission.file).string()),
           fmt::format("{}={}", kSecretFileVariable, SecretPath(context.ports.base()))};
@@ -116,26 +127,25 @@ std::vector<std::string> MissingPrograms(const Mission& mission,
                                          const std::vector<RosterEntry>& roster) {
   std::vector<std::string> missing;
   for (const RosterEntry& entry : roster) {
-    if (entry.provider == Provider::kHand) continue;
+    if (entry.provider == Provider::kHand || !entry.host.empty()) continue;
     const Result<std::string> path = ProgramOf(entry, mission);
     if (!path.ok()) missing.push_back(path.error());
   }
   return missing;
 }
 
-Result<ChildCommand> CommandOf(const RosterEntry& entry, const LaunchContext& context) {
-  Result<std::string> path = ProgramOf(entry, context.mission);
+Result<ChildCommand> CommandOf(const RosterProcess& process, const LaunchContext& context) {
+  Result<std::string> path = process.is_group()
+                                 ? FindProgram("shoal", context.mission.file)
+                                 : ProgramOf(process.entries.front(), context.mission);
   if (!path.ok()) return Error{path.error()};
-  ChildCommand command{.name = entry.name,
+  ChildCommand command{.name = process.name,
                        .argv = {*path},
-                       .environment = ParticipantEnvironment(entry, context),
-                       .log_path = fmt::format("{}/{}.txt", context.log_dir, entry.name),
+                       .environment = ParticipantEnvironment(process.name, context),
+                       .log_path = fmt::format("{}/{}.txt", context.log_dir, process.name),
                        .inherited_fd = context.secret_fd};
   command.environment.push_back(fmt::format("{}={}", kSecretFdVariable, context.secret_fd));
-  const std::vector<std::string> arguments =
-      entry.command.empty()
-          ? ArgumentsOf(entry, context)
-          : std::vector<std::string>(entry.command.begin() + 1, entry.command.end());
+  const std::vector<std::string> arguments = ArgumentsOf(process, context);
   command.argv.insert(command.argv.end(), arguments.begin(), arguments.end());
   return command;
 }
@@ -158,7 +168,7 @@ Result<ChildCommand> ViewerCommand(const LaunchContext& context) {
 std::string HandCommand(const RosterEntry& entry, const LaunchContext& context) {
   if (entry.app.empty()) {
     std::string variables;
-    for (const std::string& each : ParticipantEnvironment(entry, context)) {
+    for (const std::string& each : ParticipantEnvironment(entry.name, context)) {
       variables += each + " ";
     }
     return variables;  // To be pasted before the user's command.

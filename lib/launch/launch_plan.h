@@ -10,6 +10,7 @@
 #include "lib/launch/child_processes.h"
 #include "lib/launch/viewer_arguments.h"
 #include "lib/mission/mission.h"
+#include "lib/run/grouping.h"
 #include "lib/run/roster.h"
 
 namespace shoal {
@@ -23,10 +24,12 @@ struct RunOptions {
   int port_base = 0;             ///< 0: the first free block.
   std::string record_dir;        ///< Empty: no recording.
   bool lcm_logger = false;       ///< Stock lcm-logger on each bus, beside the recorder.
+  Grouping grouping = {};        ///< How participants share processes.
   double lose = 0;               ///< Fault injection, handed to every participant.
   std::string lose_forever = {};
   bool quiet = false;               ///< No progress line.
   std::optional<ViewOptions> view;  ///< A viewer beside the mission.
+  std::string key_file = {};        ///< This computer's key, for hosts; empty: HostKeyPath().
 };
 
 /// A mission's place on this machine.
@@ -40,12 +43,12 @@ struct LaunchContext {
   std::string log_path;  ///< Of the recorder; empty: no recording.
 };
 
-/// Returns the command of one participant that the launcher starts. The error names the program
-/// that cannot be found, and where it was looked for.
-[[nodiscard]] Result<ChildCommand> CommandOf(const RosterEntry& entry,
+/// Returns the command of a process that the launcher starts. The error names the program that
+/// cannot be found, and where it was looked for.
+[[nodiscard]] Result<ChildCommand> CommandOf(const RosterProcess& process,
                                              const LaunchContext& context);
 
-/// Returns an error for each participant of `roster` whose program is not there.
+/// Returns an error for each participant of `roster` that runs here and whose program is missing.
 std::vector<std::string> MissingPrograms(const Mission& mission,
                                          const std::vector<RosterEntry>& roster);
 
@@ -63,9 +66,9 @@ std::string HandCommand(const RosterEntry& entry, const LaunchContext& context);
 [[nodiscard]] Result<std::string> FindProgram(const std::string& program,
                                               const std::string& mission_file);
 
-/// Returns the environment of a participant, as "SHOAL_PORT=7665" and so on;
+/// Returns the environment of a process by its name, as "SHOAL_PORT=7665" and so on;
 /// docs/step_protocol.md. One that the launcher starts has SHOAL_SECRET_FD too.
-std::vector<std::string> ParticipantEnvironment(const RosterEntry& entry,
+std::vector<std::string> ParticipantEnvironment(const std::string& name,
                                                 const LaunchContext& context);
 
 /// Returns the folder of the running executable.

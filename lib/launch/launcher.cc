@@ -2,9 +2,7 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <signal.h>
 #include <sys/random.h>
-#include <sys/signalfd.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -12,6 +10,7 @@
 
 #include "lib/bus/multicast_fault.h"
 #include "lib/check/time_units.h"
+#include "lib/launch/launch_signals.h"
 #include "lib/launch/recording.h"
 #include "lib/run/run_app.h"
 #include "lib/run/run_folder.h"
@@ -22,28 +21,12 @@ namespace shoal {
 namespace {
 
 constexpr int64_t kIdlePoll_us = 50'000;
+constexpr char kOwnName[] = "shoal";
 
 int64_t RandomMissionId() {
   int64_t id = 0;
   if (getrandom(&id, sizeof id, 0) != sizeof id) id = MonotonicMicroseconds();
   return std::max<int64_t>(id & std::numeric_limits<int64_t>::max(), 1);
-}
-
-/// Routes the signals that matter to a descriptor. To be called before LCM makes its threads, which
-/// inherit the mask.
-int BlockSignals() {
-  sigset_t set;
-  sigemptyset(&set);
-  signal(SIGCHLD, SIG_DFL);  // A parent that ignores it would hide the children's exits.
-  for (const int number : {SIGINT, SIGTERM, SIGCHLD}) sigaddset(&set, number);
-  struct sigaction hangup {};
-  sigaction(SIGHUP, nullptr, &hangup);
-  // Under nohup, SIGHUP stays ignored. (SIGINT too is ignored in a script's background jobs, but
-  // it is sent there on purpose.)
-  if (hangup.sa_handler != SIG_IGN) sigaddset(&set, SIGHUP);
-  sigprocmask(SIG_BLOCK, &set, nullptr);
-  signal(SIGPIPE, SIG_IGN);
-  return signalfd(-1, &set, SFD_CLOEXEC | SFD_NONBLOCK);
 }
 
 ClockOptions MakeClockOptions(const RunOptions& options, const Mission& mission, int64_t mission_id,
@@ -76,17 +59,33 @@ Result<std::string> MakeLogFolder(const RunOptions& options, const Mission& miss
   return path;
 }
 
-std::vector<std::string> ParticipantNames(const std::vector<RosterEntry>& roster) {
-  std::vector<std::string> names = {"shoal"};
-  for (const RosterEntry& entry : roster) names.push_back(entry.name);
+std::vector<RosterProcess> ProcessesOf(const RunOptions& options, const Mission& mission) {
+  return ShareOut(MakeRoster(mission, !options.record_dir.empty()), options.grouping);
+}
+
+std::vector<std::string> ParticipantNames(const std::vector<RosterProcess>& processes) {
+  std::vector<std::string> names = {kOwnName};
+  for (const RosterProcess& process : processes) {
+    for (const RosterEntry& entry : process.entries) names.push_back(entry.name);
+  }
   return names;
+}
+
+/// Returns an error for each process that cannot be started.
+std::vector<std::string> MissingPrograms(const RunOptions& options, const Mission& mission) {
+  std::vector<RosterEntry> alone;  // A group runs in shoal's own program.
+  for (const RosterProcess& process : ProcessesOf(options, mission)) {
+    if (!process.is_group()) alone.push_back(process.entries.front());
+  }
+  return MissingPrograms(mission, alone);
 }
 
 }  // namespace
 
 Launcher::Launcher(const RunOptions& options, const Mission& mission,
                    const MakeDirector& make_director, PortPlan ports, int64_t mission_id,
-                   const MissionSecret& secret, int secret_fd, std::string log_dir)
+                   const MissionSecret& secret, int secret_fd, std::string log_dir,
+                   std::optional<HostAccess> access)
     : options_(options),
       mission_(mission),
       ports_(std::move(ports)),
@@ -97,28 +96,36 @@ Launcher::Launcher(const RunOptions& options, const Mission& mission,
                .secret_fd = secret_fd,
                .log_dir = std::move(log_dir),
                .log_path = options.record_dir.empty() ? "" : options.record_dir + "/mission.lcm"},
-      roster_(MakeRoster(mission, !options.record_dir.empty())),
-      participant_({.name = "shoal",
-                    .mission_id = mission_id,
-                    .pid = getpid(),
-                    .secret = secret,
-                    .give_up_us = GiveUpAfter_us(mission)},
-                   ports_, transport_),
-      director_(make_director(mission, participant_)),
-      clock_(MakeClockOptions(options, mission, mission_id, secret), ParticipantNames(roster_),
+      processes_(ProcessesOf(options, mission)),
+      wake_rule_(std::min(kWantedReceiveBuffer, ReceiveBufferLimit())),
+      group_({.mission_id = mission_id,
+              .pid = getpid(),
+              .secret = secret,
+              .give_up_us = GiveUpAfter_us(mission)},
              ports_, transport_),
-      supervision_(context_, roster_, clock_, terminal_) {
-  participant_.Attach(director_.get());
+      director_(make_director(mission, group_.Join(kOwnName))),
+      clock_(MakeClockOptions(options, mission, mission_id, secret), ParticipantNames(processes_),
+             ports_, transport_),
+      hosts_(access ? std::make_unique<MissionHosts>(context_, secret, MakeRoster(mission, false),
+                                                     std::move(*access))
+                    : nullptr),
+      supervision_(context_, processes_, clock_, terminal_, hosts_.get()) {
+  group_.Attach(kOwnName, director_.get());
+  group_.Listen();
+  transport_.DeferFrom(ports_.shore_port());
   transport_.set_drop_filter(MakeLossFilter(options.lose, options.lose_forever));
   transport_.set_receiver(
       [this](int port, std::string_view channel, std::span<const uint8_t> datagram) {
         const int64_t now = MonotonicMicroseconds();
+        wake_rule_.OnDatagram();
         // Before the clock gets the director's own answer, and with it goes on.
         if (director_->EndsMission()) clock_.MakeLast();
         if (port == ports_.done_port()) {
           clock_.OnDatagram(port, channel, datagram, now);
         } else {
-          participant_.OnDatagram(port, channel, datagram, now);
+          const int64_t step = group_.step();
+          group_.OnDatagram(port, channel, datagram, now);
+          if (group_.step() != step) wake_rule_.OnStep(MonotonicMicroseconds());
         }
       });
 }
@@ -128,6 +135,11 @@ int Launcher::Run(int signal_fd) {
     supervision_.Fail(kExitEnvironment, transport_.error());
     return supervision_.exit_code();
   }
+  if (hosts_ != nullptr && !hosts_->error().empty()) {
+    supervision_.Fail(kExitEnvironment, hosts_->error());
+    return supervision_.exit_code();
+  }
+  if (hosts_ != nullptr) hosts_->WatchToo(signal_fd);
   if (supervision_.StartAll()) Loop(signal_fd);
   ended_us_ = MonotonicMicroseconds();
   supervision_.EndAll(signal_fd);
@@ -137,19 +149,26 @@ int Launcher::Run(int signal_fd) {
 void Launcher::Loop(int signal_fd) {
   while (clock_.state() != StepClock::State::kEnded) {
     int64_t now = MonotonicMicroseconds();
-    participant_.OnTime(now);
+    group_.OnTime(now);
     clock_.OnTime(now);
+    if (hosts_ != nullptr) hosts_->OnTime(now);
     if (clock_.state() == StepClock::State::kRunning && running_since_us_ == 0) {
       running_since_us_ = now;
     }
-    supervision_.OnTime(now, participant_.num_foreign());
+    supervision_.OnTime(now, group_.num_foreign());
     ShowProgress(now);
-    const int64_t deadline = std::min(participant_.NextDeadline(), clock_.NextDeadline());
+    int64_t deadline = std::min(group_.NextDeadline(), clock_.NextDeadline());
+    if (hosts_ != nullptr) deadline = std::min(deadline, hosts_->NextDeadline());
     now = MonotonicMicroseconds();
     const int64_t wait = clock_.state() == StepClock::State::kGathering
                              ? kIdlePoll_us
                              : std::clamp<int64_t>(deadline - now, 0, kIdlePoll_us);
-    if (transport_.Poll(wait, signal_fd)) supervision_.OnSignals(signal_fd);
+    const bool sleeps = group_.awaits_tick() && wake_rule_.SleepsThrough(now);
+    const int extra_fd = hosts_ == nullptr ? signal_fd : hosts_->fd();
+    if (transport_.Poll(sleeps ? wake_rule_.Timeout(wait, now) : wait, extra_fd,
+                        sleeps ? WakeFor::kSteps : WakeFor::kAll)) {
+      supervision_.OnSignals(signal_fd);
+    }
   }
 }
 
@@ -174,20 +193,24 @@ int Launcher::Conclude() {
   if (running_since_us_ != 0) {
     const double mission_s = static_cast<double>(clock_.utime() - mission_.start_utime) / 1e6;
     const double wall_s = std::max(static_cast<double>(ended_us_ - running_since_us_) / 1e6, 1e-3);
+    const size_t num_participants = ParticipantNames(processes_).size();
+    const size_t num_processes = processes_.size() + 1;
+    const std::string in_processes =
+        num_processes == num_participants ? "" : fmt::format(" in {} processes", num_processes);
     summary = fmt::format(
-        "{:.1f} s of mission in {:.2f} s ({:.1f} x real time), {} participants, {} layout\n"
+        "{:.1f} s of mission in {:.2f} s ({:.1f} x real time), {} participants{}, {} layout\n"
         "Bus: {} messages, {} asked for again, {} ticks again, {} undecodable, {} of other "
         "missions, {} from outside, {} refused\n"
         "Reproducible: {}\n\n{}",
-        mission_s, wall_s, mission_s / wall_s, roster_.size() + 1, Name(ports_.layout()),
-        counters.messages, counters.repeated, counters.ticks_again, counters.undecodable,
-        counters.foreign, counters.outside, counters.refused,
+        mission_s, wall_s, mission_s / wall_s, num_participants, in_processes,
+        Name(ports_.layout()), counters.messages, counters.repeated, counters.ticks_again,
+        counters.undecodable, counters.foreign, counters.outside, counters.refused,
         reproducible           ? "yes"
         : counters.outside > 0 ? "no: messages came from outside the step protocol"
         : mission_.netsim      ? "no: clients of netsim_manager come from outside"
         : !complete            ? "no: the mission did not run to its end"
                                : "no: not all participants took part from beginning to end",
-        director_->Summary(complete));
+        (hosts_ == nullptr ? "" : hosts_->Summary()) + director_->Summary(complete));
   }
   if (!options_.record_dir.empty()) {
     const Result<bool> written = WriteSummary(options_.record_dir, summary);
@@ -219,9 +242,17 @@ int RunMission(const RunOptions& options, const Mission& mission,
     return kExitUsage;
   }
   // Before anything is made or started, so that nothing has to be undone.
-  const std::vector<std::string> missing =
-      MissingPrograms(mission, MakeRoster(mission, !options.record_dir.empty()));
+  const std::vector<std::string> missing = MissingPrograms(options, mission);
   if (!missing.empty()) return fail(fmt::format("{}", fmt::join(missing, "\nshoal: ")));
+  std::optional<HostAccess> access;
+  if (!HostsInUse(mission).empty()) {
+    Result<HostAccess> prepared = PrepareHosts(mission, options);
+    if (!prepared.ok()) {
+      fmt::print(stderr, "shoal: {}\n", prepared.error());
+      return kExitUsage;
+    }
+    access = std::move(*prepared);
+  }
   const std::vector<std::string> vehicles = VehicleNames(mission);
   const Layout layout =
       options.layout.value_or(PortPlan::Suggest(static_cast<int>(vehicles.size())));
@@ -236,6 +267,7 @@ int RunMission(const RunOptions& options, const Mission& mission,
       .mission_id = RandomMissionId(),
       .port_base = *base,
       .layout = layout,
+      .grouping = Name(options.grouping),
       .pid = getpid(),
       .vehicles = vehicles,
       .overrides = options.overrides,
@@ -262,7 +294,7 @@ int RunMission(const RunOptions& options, const Mission& mission,
   {
     const int signal_fd = BlockSignals();
     Launcher launcher(options, mission, make_director, running.Ports(), running.mission_id, secret,
-                      *secret_fd, *log_dir);
+                      *secret_fd, *log_dir, std::move(access));
     code = launcher.Run(signal_fd);
     close(signal_fd);
   }

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,9 +17,10 @@
 #include "lib/launch/supervision.h"
 #include "lib/mission/mission.h"
 #include "lib/run/director.h"
-#include "lib/run/roster.h"
+#include "lib/run/grouping.h"
 #include "lib/run/step_clock.h"
-#include "lib/run/step_participant.h"
+#include "lib/run/step_group.h"
+#include "lib/run/wake_rule.h"
 
 namespace shoal {
 
@@ -29,10 +31,11 @@ int RunMission(const RunOptions& options, const Mission& mission,
 
 class Launcher {
  public:
-  /// `ports` must be claimed. Nothing is started before Run.
+  /// `ports` must be claimed. `access`: where the mission has hosts that run something. Nothing is
+  /// started before Run.
   Launcher(const RunOptions& options, const Mission& mission, const MakeDirector& make_director,
            PortPlan ports, int64_t mission_id, const MissionSecret& secret, int secret_fd,
-           std::string log_dir);
+           std::string log_dir, std::optional<HostAccess> access);
 
   /// `signal_fd`: a signalfd for SIGINT, SIGTERM, SIGHUP and SIGCHLD.
   int Run(int signal_fd);
@@ -46,12 +49,14 @@ class Launcher {
   const Mission& mission_;
   const PortPlan ports_;
   const LaunchContext context_;
-  const std::vector<RosterEntry> roster_;
+  const std::vector<RosterProcess> processes_;
   LcmTransport transport_;
-  StepParticipant participant_;
+  WakeRule wake_rule_;
+  StepGroup group_;  ///< Of the director alone.
   std::unique_ptr<Director> director_;
   StepClock clock_;
   LaunchTerminal terminal_;
+  std::unique_ptr<MissionHosts> hosts_;  ///< Null: all runs on this computer.
   Supervision supervision_;
   int64_t running_since_us_ = 0;  ///< When the first step began; 0: not yet.
   int64_t ended_us_ = 0;

@@ -51,6 +51,22 @@ std::string Names(const std::vector<std::string>& names) {
   return text;
 }
 
+/// True where a user starts the process.
+bool IsByHand(const RosterProcess& process) {
+  return process.entries.front().provider == Provider::kHand;
+}
+
+/// True where it runs on another computer.
+bool IsOnHost(const RosterProcess& process) { return !process.entries.front().host.empty(); }
+
+/// Returns ", and with it helm_alpha, ...": the participants of a group; empty: it is none.
+std::string AndItsParticipants(const RosterProcess& process) {
+  if (!process.is_group()) return "";
+  std::vector<std::string> names;
+  for (const RosterEntry& entry : process.entries) names.push_back(entry.name);
+  return ", and with it " + Names(names);
+}
+
 /// Waits for the exit of a child, which `signal_fd` reports, or for `timeout_us`. Other signals are
 /// taken off it too: all is ending already.
 void AwaitExit(int signal_fd, int64_t timeout_us) {
@@ -69,23 +85,41 @@ int64_t StartLimit_us(double participant_timeout_s, size_t num_processes) {
   return static_cast<int64_t>(limit_s * 1e6);
 }
 
-Supervision::Supervision(const LaunchContext& context, const std::vector<RosterEntry>& roster,
-                         StepClock& clock, LaunchTerminal& terminal)
-    : context_(context), roster_(roster), clock_(clock), terminal_(terminal) {}
+Supervision::Supervision(const LaunchContext& context, const std::vector<RosterProcess>& processes,
+                         StepClock& clock, LaunchTerminal& terminal, MissionHosts* hosts)
+    : context_(context), processes_(processes), clock_(clock), terminal_(terminal), hosts_(hosts) {}
+
+const RosterProcess* Supervision::ProcessOf(const std::string& participant) const {
+  for (const RosterProcess& process : processes_) {
+    for (const RosterEntry& entry : process.entries) {
+      if (entry.name == participant) return &process;
+    }
+  }
+  return nullptr;
+}
+
+const RosterProcess* Supervision::FindProcess(const std::string& name) const {
+  const auto found = std::find_if(processes_.begin(), processes_.end(),
+                                  [&](const RosterProcess& each) { return each.name == name; });
+  return found == processes_.end() ? nullptr : &*found;
+}
 
 bool Supervision::StartAll() {
   started_us_ = MonotonicMicroseconds();
   // First, so that it receives each message of the others' start only once.
   if (context_.options.view && !StartViewer()) return false;
-  for (const RosterEntry& entry : roster_) {
-    if (entry.provider == Provider::kHand) continue;
-    if (!StartParticipant(entry)) return false;
+  for (const RosterProcess& process : processes_) {
+    // A host starts its participants with the mission that it is offered.
+    if (IsByHand(process) || IsOnHost(process)) continue;
+    if (!StartProcess(process)) return false;
   }
   return !context_.options.lcm_logger || StartLoggers();
 }
 
-bool Supervision::StartParticipant(const RosterEntry& entry) {
-  return Start(CommandOf(entry, context_));
+bool Supervision::StartProcess(const RosterProcess& process) {
+  if (!IsOnHost(process)) return Start(CommandOf(process, context_));
+  hosts_->Start(process.entries.front());
+  return true;
 }
 
 bool Supervision::Start(const Result<ChildCommand>& command) {
@@ -140,6 +174,7 @@ bool Supervision::FailedByNetwork() {
 }
 
 void Supervision::OnTime(int64_t wall_us, int64_t num_foreign) {
+  CheckHosts();
   CheckGathering(wall_us);
   CheckSilence(wall_us);
   CheckFaults(wall_us, num_foreign);
@@ -162,76 +197,149 @@ void Supervision::OnSignals(int signal_fd) {
 }
 
 void Supervision::OnChildExits() {
-  for (const ChildExit& exit : children_.Reap()) {
-    const bool is_logger = std::find(loggers_.begin(), loggers_.end(), exit.name) != loggers_.end();
-    const bool is_over = clock_.state() == StepClock::State::kEnded;
-    if (exit.name == kViewer) {
-      viewer_address_.Forget();
-      if (is_over || is_killing_) continue;
-      terminal_.Warn(fmt::format("{} {}; the mission goes on", exit.name, exit.how));
-      for (const std::string& line : exit.last_lines) terminal_.Warn("    " + line);
-    } else if (is_killing_ || ((is_logger || is_over || is_ending_) && exit.clean)) {
-      clock_.DropExited(exit.name, MonotonicMicroseconds());
-    } else if (is_logger) {
-      terminal_.Warn(fmt::format("{} {}; the recorder goes on", exit.name, exit.how));
-    } else if (is_over) {
-      terminal_.Warn(fmt::format("{} {} after the end", exit.name, exit.how));
-    } else if (clock_.state() == StepClock::State::kEnding && exit.clean) {
-      clock_.Leave(exit.name, MonotonicMicroseconds());
-    } else {
-      clock_.DropExited(exit.name, MonotonicMicroseconds());
-      OnLost(exit.name, fmt::format("{} (pid {}) {}", exit.name, exit.pid, exit.how),
-             exit.last_lines);
+  for (const ChildExit& exit : children_.Reap()) OnChildExit(exit);
+}
+
+void Supervision::OnChildExit(const ChildExit& exit) {
+  const RosterProcess* process = FindProcess(exit.name);
+  const bool is_over = clock_.state() == StepClock::State::kEnded;
+  const auto drop_exited = [&] {
+    if (process == nullptr) return;
+    for (const RosterEntry& entry : process->entries) {
+      clock_.DropExited(entry.name, MonotonicMicroseconds());
     }
+  };
+  if (exit.name == kViewer) {
+    viewer_address_.Forget();
+    if (is_over || is_killing_) return;
+    terminal_.Warn(fmt::format("{} {}; the mission goes on", exit.name, exit.how));
+    for (const std::string& line : exit.last_lines) terminal_.Warn("    " + line);
+  } else if (is_killing_ || ((process == nullptr || is_over || is_ending_) && exit.clean)) {
+    drop_exited();
+  } else if (process == nullptr) {
+    terminal_.Warn(fmt::format("{} {}; the recorder goes on", exit.name, exit.how));
+  } else if (is_over) {
+    terminal_.Warn(fmt::format("{} {} after the end", exit.name, exit.how));
+  } else if (clock_.state() == StepClock::State::kEnding && exit.clean) {
+    for (const RosterEntry& entry : process->entries) {
+      clock_.Leave(entry.name, MonotonicMicroseconds());
+    }
+  } else {
+    drop_exited();
+    OnLost(*process, fmt::format("{} (pid {}) {}", exit.name, exit.pid, exit.how), exit.last_lines);
   }
 }
 
+/// Hosts that were lost, and how their processes ended.
+void Supervision::CheckHosts() {
+  if (hosts_ == nullptr) return;
+  for (const std::string& note : hosts_->TakeNotes()) terminal_.Warn(note);
+  for (const HostExit& exit : hosts_->TakeExits()) {
+    OnChildExit({.name = exit.name,
+                 .pid = static_cast<pid_t>(exit.pid),
+                 .clean = exit.clean,
+                 .how = exit.how,
+                 .last_lines = exit.last_lines});
+  }
+  for (const HostTrouble& trouble : hosts_->TakeTroubles()) OnHostTrouble(trouble);
+}
+
+void Supervision::OnHostTrouble(const HostTrouble& trouble) {
+  if (clock_.state() == StepClock::State::kEnded) return;
+  std::vector<std::string> participants;
+  for (const RosterProcess& process : processes_) {
+    const RosterEntry& entry = process.entries.front();
+    if (entry.host == trouble.host) participants.push_back(entry.name);
+  }
+  const auto host =
+      std::find_if(context_.mission.hosts.begin(), context_.mission.hosts.end(),
+                   [&](const HostOptions& each) { return each.name == trouble.host; });
+  const bool is_running = clock_.state() == StepClock::State::kRunning;
+  const bool ends = trouble.is_fatal || host->on_loss == OnLoss::kEnd || !is_running;
+  const bool is_cause = exit_code_ == 0;
+  if (trouble.is_fatal) {
+    if (is_cause) Fail(kExitEnvironment, trouble.how);
+  } else {
+    if (is_cause) terminal_.Warn("LOST: " + trouble.how);
+    if (is_cause && ends) {
+      Fail(kExitEnvironment, fmt::format("the mission ends without {}", trouble.host));
+      cause_ = trouble.how;
+    } else if (is_cause) {
+      terminal_.Warn(fmt::format("the mission goes on without {} ({}){}", trouble.host,
+                                 Names(participants),
+                                 host->on_loss == OnLoss::kRestart ? ", until it is back" : ""));
+    }
+  }
+  for (const std::string& name : participants) clock_.Drop(name, MonotonicMicroseconds());
+}
+
 void Supervision::CheckSilence(int64_t wall_us) {
-  for (const std::string& name : clock_.Silent(wall_us)) {
+  std::map<std::string, RosterProcess> silent;  // By name.
+  for (const std::string& participant : clock_.Silent(wall_us)) {
+    const RosterProcess* process = ProcessOf(participant);
+    if (process == nullptr) {  // The launcher's own, which cannot be started again.
+      silent[participant] = {
+          .name = participant,
+          .entries = {RosterEntry{.name = participant, .provider = Provider::kHand}}};
+    } else {
+      silent[process->name] = *process;
+    }
+  }
+  for (const auto& [name, process] : silent) {
+    if (IsOnHost(process)) hosts_->Signal(process.entries.front(), SIGKILL);
     children_.Signal(name, SIGKILL);
-    OnLost(name,
+    OnLost(process,
            fmt::format("{} has not answered step {} for {} s of wall time (stopped, or hung)", name,
                        clock_.step(), context_.mission.participant_timeout_s),
            {});
   }
 }
 
-void Supervision::OnLost(const std::string& name, const std::string& how,
+void Supervision::Drop(const RosterProcess& process) {
+  for (const RosterEntry& entry : process.entries) {
+    clock_.Drop(entry.name, MonotonicMicroseconds());
+  }
+}
+
+void Supervision::OnLost(const RosterProcess& process, const std::string& how,
                          const std::vector<std::string>& last_lines) {
+  const std::string& name = process.name;
   if (exit_code_ != 0) {
     // A consequence of what ends the mission, most often; its line would bury the cause.
     if (!lost_.contains(name)) lost_later_.insert(name);
-    clock_.Drop(name, MonotonicMicroseconds());
+    Drop(process);
     return;
   }
   if (FailedByNetwork()) {
-    OnLost(name, how, last_lines);
+    OnLost(process, how, last_lines);
     return;
   }
   const bool is_new = lost_.insert(name).second;
   if (is_new) {
-    terminal_.Warn("LOST: " + how);
+    terminal_.Warn("LOST: " + how + AndItsParticipants(process));
     for (const std::string& line : last_lines) terminal_.Warn("    " + line);
   }
   const bool is_running = clock_.state() == StepClock::State::kRunning;
-  clock_.Drop(name, MonotonicMicroseconds());
+  Drop(process);
   // A second recorder would empty the log of the first, and none would leave it cut.
   if (context_.mission.on_loss == OnLoss::kEnd || !is_running || name == "recorder") {
     Fail(kExitEnvironment, fmt::format("the mission ends without {}", name));
     cause_ = how;
-    return;
+  } else if (context_.mission.on_loss == OnLoss::kRestart && !IsByHand(process)) {
+    Restart(process);
+  } else if (is_new) {
+    terminal_.Warn(fmt::format("the mission goes on without {}", name));
   }
-  const auto entry = std::find_if(roster_.begin(), roster_.end(),
-                                  [&](const RosterEntry& each) { return each.name == name; });
-  const bool restarts = context_.mission.on_loss == OnLoss::kRestart && entry != roster_.end() &&
-                        entry->provider == Provider::kShoal;
-  if (!restarts) {
-    if (is_new) terminal_.Warn(fmt::format("the mission goes on without {}", name));
-  } else if (children_.IsRunning(name)) {
-    return;  // It has been killed; its exit comes next.
-  } else if (++num_restarts_[name] > kMaxRestarts) {
+}
+
+void Supervision::Restart(const RosterProcess& process) {
+  const std::string& name = process.name;
+  const bool is_running =
+      children_.IsRunning(name) || (hosts_ != nullptr && hosts_->IsRunning(name));
+  if (is_running) return;  // It has been killed; its exit comes next.
+  if (++num_restarts_[name] > kMaxRestarts) {
     Fail(kExitEnvironment, fmt::format("{} was restarted {} times already", name, kMaxRestarts));
-  } else if (StartParticipant(*entry)) {
+  } else if (StartProcess(process)) {
     lost_.erase(name);
     terminal_.Warn(fmt::format("{} starts again", name));
   }
@@ -242,7 +350,7 @@ void Supervision::CheckGathering(int64_t wall_us) {
   if (exit_code_ != 0) return;
   const std::vector<std::string> awaited = clock_.Awaited();
   std::vector<std::string> late;
-  const int64_t limit_us = StartLimit_us(context_.mission.participant_timeout_s, roster_.size());
+  const int64_t limit_us = StartLimit_us(context_.mission.participant_timeout_s, processes_.size());
   if (awaited.empty() && clock_.paused() && !has_shown_paused_) {
     has_shown_paused_ = true;
     terminal_.Warn(
@@ -250,13 +358,18 @@ void Supervision::CheckGathering(int64_t wall_us) {
   }
   const bool shows = wall_us >= next_waiting_line_us_;
   if (shows) next_waiting_line_us_ = wall_us + kWaitingLine_us;
-  for (const RosterEntry& entry : roster_) {
-    if (std::find(awaited.begin(), awaited.end(), entry.name) == awaited.end()) continue;
-    if (entry.provider == Provider::kHand) {
+  for (const RosterProcess& process : processes_) {
+    const RosterEntry& first = process.entries.front();  // All of a group report at once.
+    if (std::find(awaited.begin(), awaited.end(), first.name) == awaited.end()) continue;
+    if (IsByHand(process)) {
       if (!shows) continue;
-      terminal_.Warn(fmt::format("waiting for {}: {}", entry.name, HandCommand(entry, context_)));
+      terminal_.Warn(
+          IsOnHost(process)
+              ? fmt::format("waiting for {} on host {}, whose terminal shows the command",
+                            first.name, first.host)
+              : fmt::format("waiting for {}: {}", first.name, HandCommand(first, context_)));
     } else if (wall_us - started_us_ > limit_us) {
-      late.push_back(entry.name);
+      late.push_back(process.name);
     }
   }
   if (late.empty() || FailedByNetwork()) return;
@@ -265,7 +378,7 @@ void Supervision::CheckGathering(int64_t wall_us) {
            "{} of {} processes did not report within {} s of their start: {}. Their output: "
            "{}/NAME.txt. On a slow or busy machine, raise participant_timeout_s in "
            "[mission]",
-           late.size(), roster_.size(), limit_us / kSecond_us, Names(late), context_.log_dir));
+           late.size(), processes_.size(), limit_us / kSecond_us, Names(late), context_.log_dir));
 }
 
 void Supervision::CheckFaults(int64_t wall_us, int64_t num_foreign) {
@@ -302,12 +415,13 @@ void Supervision::CheckFaults(int64_t wall_us, int64_t num_foreign) {
 
 void Supervision::EndAll(int signal_fd) {
   is_ending_ = true;
+  if (hosts_ != nullptr) hosts_->End();
   // lcm-logger ends on SIGINT. Shoal's own have answered END, or receive a signal now; a user's get
   // the time to leave by themselves.
   children_.Signal(kViewer, SIGTERM);
   for (const std::string& name : loggers_) children_.Signal(name, SIGINT);
-  for (const RosterEntry& entry : roster_) {
-    if (!entry.app.empty()) children_.Signal(entry.name, SIGTERM);
+  for (const RosterProcess& process : processes_) {
+    if (!process.entries.front().app.empty()) children_.Signal(process.name, SIGTERM);
   }
   const int64_t begin = MonotonicMicroseconds();
   while (children_.num_running() > 0) {

@@ -15,8 +15,9 @@
 #include "lib/launch/child_processes.h"
 #include "lib/launch/launch_plan.h"
 #include "lib/launch/launch_terminal.h"
+#include "lib/launch/mission_hosts.h"
 #include "lib/launch/viewer_address.h"
-#include "lib/run/roster.h"
+#include "lib/run/grouping.h"
 #include "lib/run/step_clock.h"
 
 namespace shoal {
@@ -27,9 +28,9 @@ int64_t StartLimit_us(double participant_timeout_s, size_t num_processes);
 
 class Supervision {
  public:
-  /// All arguments must outlive this.
-  Supervision(const LaunchContext& context, const std::vector<RosterEntry>& roster,
-              StepClock& clock, LaunchTerminal& terminal);
+  /// All arguments must outlive this. `hosts`: nullptr where all runs on this computer.
+  Supervision(const LaunchContext& context, const std::vector<RosterProcess>& processes,
+              StepClock& clock, LaunchTerminal& terminal, MissionHosts* hosts);
 
   /// Starts all processes; false after Fail.
   bool StartAll();
@@ -48,32 +49,42 @@ class Supervision {
   void ShowCause();
   /// Not 0: something other than the verdict decided.
   int exit_code() const { return exit_code_; }
+  /// `name`: of a process.
   bool HasLost(const std::string& name) const {
     return lost_.contains(name) || lost_later_.contains(name);
   }
 
  private:
-  bool StartParticipant(const RosterEntry& entry);
+  const RosterProcess* ProcessOf(const std::string& participant) const;
+  const RosterProcess* FindProcess(const std::string& name) const;
+  bool StartProcess(const RosterProcess& process);
   bool Start(const Result<ChildCommand>& command);
   bool StartViewer();
   bool StartLoggers();
   void OnChildExits();
+  void CheckHosts();
+  void OnHostTrouble(const HostTrouble& trouble);
   void CheckGathering(int64_t wall_us);
   void CheckSilence(int64_t wall_us);
   void CheckFaults(int64_t wall_us, int64_t num_foreign);
   /// Fails with the network's fault where it has one; returns whether it has.
   bool FailedByNetwork();
-  void OnLost(const std::string& name, const std::string& how,
+  void OnChildExit(const ChildExit& exit);
+  void OnLost(const RosterProcess& process, const std::string& how,
               const std::vector<std::string>& last_lines);
+  void Restart(const RosterProcess& process);
+  /// Has the clock go on without all participants of the process.
+  void Drop(const RosterProcess& process);
 
   const LaunchContext& context_;
-  const std::vector<RosterEntry>& roster_;
+  const std::vector<RosterProcess>& processes_;
   StepClock& clock_;
   LaunchTerminal& terminal_;
+  MissionHosts* const hosts_;
   ChildProcesses children_;
   ViewerAddress viewer_address_;
   std::vector<std::string> loggers_;
-  std::set<std::string> lost_;        ///< Named already; not to be named again.
+  std::set<std::string> lost_;        ///< Processes. Named already; not to be named again.
   std::set<std::string> lost_later_;  ///< After the mission's end was decided.
   std::string cause_;                 ///< Why the mission ends, where that is Fail's.
   std::map<std::string, int> num_restarts_;

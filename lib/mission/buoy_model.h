@@ -9,7 +9,7 @@ namespace shoal {
 class Fields;
 
 constexpr ModelFacts FactsOf(const BuoyParams& /*model*/) {
-  return {.name = "buoy", .is_moored = true};
+  return {.name = "buoy", .passive = "moored"};
 }
 
 /// [vehicle.buoy].

@@ -195,6 +195,7 @@ void ResolveNames(Mission& mission, const TablePlace& file) {
 
 void CompleteMission(Mission& mission, const TablePlace& file) {
   mission.acoustics.is_used = file.Has("acoustics") || UsesAcoustics(mission.comms);
+  FillInTracks(mission, file);
   FillInMedia(mission, file);
   FillInAddresses(mission);
   FillInDomains(mission);

@@ -85,6 +85,8 @@ struct AutopilotOfModel {
   }
   /// It is moored.
   void operator()(const BuoyParams& /*buoy*/) const {}
+  /// It goes where its file has it.
+  void operator()(const TrackOptions& /*track*/) const {}
 };
 
 /// As a file writes 15 degrees.

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "lib/mission/describe.h"
+#include "lib/mission/names.h"
 #include "lib/mission/providers.h"
 
 namespace shoal {
@@ -64,12 +65,13 @@ void DescribeSeed(Fields& fields, Mission& mission) {
   mission.seed = static_cast<uint64_t>(seed);
 }
 
+constexpr std::array<std::pair<std::string_view, OnLoss>, 3> kOnLoss = {{
+    {"end", OnLoss::kEnd},
+    {"continue", OnLoss::kContinue},
+    {"restart", OnLoss::kRestart},
+}};
+
 void DescribeRun(Fields& fields, Mission& mission) {
-  constexpr std::array<std::pair<std::string_view, OnLoss>, 3> kOnLoss = {{
-      {"end", OnLoss::kEnd},
-      {"continue", OnLoss::kContinue},
-      {"restart", OnLoss::kRestart},
-  }};
   constexpr std::array<std::pair<std::string_view, CollisionVerdict>, 2> kCollisions = {{
       {"fail", CollisionVerdict::kFail},
       {"allowed", CollisionVerdict::kAllowed},
@@ -95,6 +97,21 @@ void DescribeRun(Fields& fields, Mission& mission) {
   fields.Choice("on_loss", mission.on_loss, kOnLoss);
   fields.Number("participant_timeout_s", mission.participant_timeout_s, Between(0.1, 3600));
   fields.Choice("shore_broker", mission.broker, kProviders);
+}
+
+void DescribeHost(Fields& fields, HostOptions& host) {
+  constexpr size_t kLongestPath = 1000;
+  fields.Text("name", host.name, {.max_length = 64});
+  fields.Require("name", "name = \"lab2\"");
+  fields.Text("address", host.address, {.max_length = kLongestPath});
+  if (!host.address.empty() && !host.address.starts_with("tcp://")) {
+    fields.Refuse("address", "an address has the form tcp://10.0.0.2:7700");
+  }
+  fields.Text("key", host.key, {.max_length = kLongestPath});
+  fields.Texts("vehicles", host.vehicles, kMostVehicles);
+  fields.Texts("participants", host.participants, kMostVehicles);
+  fields.Choice("on_loss", host.on_loss, kOnLoss);
+  fields.Number("timeout_s", host.timeout_s, Between(0.1, 3600));
 }
 
 void DescribeNetsim(Fields& file, Mission& mission) {
@@ -156,6 +173,7 @@ void Describe(Fields& file, Mission& mission) {
     fields.Require("name", "name = \"my_planner\"");
     fields.Texts("command", participant.command, kMostArguments);
   });
+  file.List("host", mission.hosts, DescribeHost);
   file.List("expect", mission.expectations, [&](Fields& fields, Expectation& expectation) {
     Describe(fields, expectation, end_s);
   });

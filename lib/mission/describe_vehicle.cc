@@ -110,10 +110,10 @@ void DescribeBehaviors(Fields& fields, Vehicle& vehicle) {
 }
 
 /// What provides the vehicle's parts; `outside = true` stands for "none" of each, and what is
-/// moored has no helm.
-void DescribeProviders(Fields& fields, bool is_moored, Vehicle& vehicle) {
+/// passive has no helm.
+void DescribeProviders(Fields& fields, bool is_passive, Vehicle& vehicle) {
   fields.Flag("outside", vehicle.is_outside);
-  if (is_moored) vehicle.helm = Provider::kNone;
+  if (is_passive) vehicle.helm = Provider::kNone;
   const std::pair<std::string_view, Provider*> parts[] = {{"vehicle_sim", &vehicle.sim},
                                                           {"helm", &vehicle.helm},
                                                           {"node_reporter", &vehicle.reporter},
@@ -132,18 +132,19 @@ void DescribeProviders(Fields& fields, bool is_moored, Vehicle& vehicle) {
   }
 }
 
-/// True for the name of a model that is moored.
-bool IsMoored(std::string_view model_name) {
+/// True for the name of a model without actuators.
+bool IsPassive(std::string_view model_name) {
   const std::vector<AnyModel> models = EachModel();
   return std::ranges::any_of(models, [&](const AnyModel& model) {
-    return FactsOfModel(model).name == model_name && FactsOfModel(model).is_moored;
+    return FactsOfModel(model).name == model_name && !FactsOfModel(model).passive.empty();
   });
 }
 
 /// Refuses what only a vehicle with a helm can have.
-void RefuseHelmOfMoored(Fields& fields, const Vehicle& vehicle) {
-  const std::string why = "a vehicle of model \"" + std::string(FactsOfModel(vehicle.model).name) +
-                          "\" is moored and has no helm: leave it out";
+void RefuseHelmOfPassive(Fields& fields, const Vehicle& vehicle) {
+  const ModelFacts facts = FactsOfModel(vehicle.model);
+  const std::string why = "a vehicle of model \"" + std::string(facts.name) + "\" is " +
+                          std::string(facts.passive) + " and has no helm: leave it out";
   if (vehicle.helm != Provider::kNone) fields.Refuse("helm", why);
   if (!vehicle.tasks.empty()) fields.Refuse("task", why);
   if (!vehicle.behaviors.empty()) fields.Refuse("behavior", why);
@@ -177,8 +178,8 @@ void Describe(Fields& fields, Vehicle& vehicle) {
   fields.Text("name", vehicle.name, {.max_length = 1000});
   fields.Skip("template");  // Laid under the vehicle already (expand.h).
   const std::string model_name = DescribeModelName(fields, vehicle);
-  const bool is_moored = IsMoored(model_name);
-  if (fields.reading() && is_moored && vehicle.type == Vehicle().type) vehicle.type = model_name;
+  const bool is_passive = IsPassive(model_name);
+  if (fields.reading() && is_passive && vehicle.type == Vehicle().type) vehicle.type = model_name;
   fields.Text("type", vehicle.type, {.min_length = 1});
   fields.Text("group", vehicle.group, {});
   fields.Text("color", vehicle.color, {.min_length = 1});
@@ -191,7 +192,7 @@ void Describe(Fields& fields, Vehicle& vehicle) {
   fields.Flag("acoustic_leader", vehicle.acoustic_leader);
   Describe(fields, vehicle.media);
   fields.Inline("start", [&](Fields& table) { Describe(table, vehicle.start); });
-  DescribeProviders(fields, is_moored, vehicle);
+  DescribeProviders(fields, is_passive, vehicle);
   DescribeModels(fields, model_name, vehicle);
   DescribeInstruments(fields, vehicle);
   DescribeNavigation(fields, vehicle);
@@ -207,7 +208,7 @@ void Describe(Fields& fields, Vehicle& vehicle) {
                [&](Fields& table) { Describe(table, vehicle.return_task, vehicle.start); });
   DescribeTasks(fields, vehicle);
   DescribeBehaviors(fields, vehicle);
-  if (is_moored && fields.reading()) RefuseHelmOfMoored(fields, vehicle);
+  if (is_passive && fields.reading()) RefuseHelmOfPassive(fields, vehicle);
 }
 
 }  // namespace shoal

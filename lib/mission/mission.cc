@@ -45,7 +45,7 @@ std::vector<const Vehicle*> Mission::VehiclesNamed(std::string_view addressees) 
 bool Mission::MayBeSteeredFromOutside() const {
   const bool has_other_helm =
       std::any_of(vehicles.begin(), vehicles.end(), [](const Vehicle& vehicle) {
-        return vehicle.helm != Provider::kShoal && !FactsOfModel(vehicle.model).is_moored;
+        return vehicle.helm != Provider::kShoal && FactsOfModel(vehicle.model).passive.empty();
       });
   return has_other_helm || !participants.empty() || netsim.has_value();
 }

@@ -64,6 +64,20 @@ struct Participant {
 /// What happens when a participant dies or hangs.
 enum class OnLoss { kEnd, kContinue, kRestart };
 
+/// `[[host]]`: another computer, on which `shoal host` runs the processes of some vehicles
+/// (docs/many_machines.md).
+struct HostOptions {
+  std::string name;
+  std::string address;  ///< "tcp://10.0.0.2:7700"; empty until `shoal run` needs it.
+  std::string key;      ///< Its public key: 40 characters of Z85, or the path of a file with it.
+  std::vector<std::string> vehicles = {};
+  std::vector<std::string> participants = {};  ///< Of [[participant]].
+  OnLoss on_loss = OnLoss::kEnd;               ///< What becomes of the mission without the host.
+  double timeout_s = 0.9;  ///< Of wall time; silence of the host for longer is its loss.
+
+  bool operator==(const HostOptions&) const = default;
+};
+
 /// What two vehicles that touch make of the mission's verdict.
 enum class CollisionVerdict { kFail, kAllowed };
 
@@ -94,6 +108,7 @@ struct Mission {
   std::optional<NetsimOptions> netsim;  ///< Participants over netsim's interface.
   std::vector<Event> events;            ///< In order of time; equal times in file order.
   std::vector<Participant> participants;
+  std::vector<HostOptions> hosts;  ///< None: all processes run on this computer.
   std::vector<Expectation> expectations;
 
   /// Returns the number of the last step: steps run from 0 to this.

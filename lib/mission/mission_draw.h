@@ -12,6 +12,7 @@
 #include "lib/geometry/angles.h"
 #include "lib/mission/mission.h"
 #include "lib/mission/swarm_plan.h"
+#include "lib/mission/track_of.h"
 #include "lib/mission/validate.h"
 
 namespace shoal {
@@ -86,11 +87,17 @@ class MissionDraw {
     for (int64_t i = Integer(0, 2); i > 0; --i) {
       mission.participants.push_back({"planner_" + std::to_string(i), {Text(), "", Text()}});
     }
+    if (Coin()) DrawHosts(&mission);
     for (int64_t i = Integer(0, 6); i > 0; --i) {
       mission.expectations.push_back(DrawExpectation(mission.duration_s));
     }
     SeedPaths(mission);
-    if (Coin()) AddBuoy(&mission);
+    if (Coin()) {
+      AddPassive(&mission, "buoy", BuoyParams{.watch_radius_m = Number(0, 10'000)},
+                 {.x_m = 5000, .y_m = 5000});
+    } else if (Coin()) {
+      AddTrack(&mission);
+    }
     return mission;
   }
 
@@ -136,23 +143,44 @@ class MissionDraw {
   }
 
  private:
+  /// A track of the missions, in metres from the origin: it starts where its file has it.
+  void AddTrack(Mission* mission) {
+    const TrackOptions options = {
+        .file = std::string(SHOAL_SOURCE_DIR) + "/missions/tracks/launch.csv",
+        .time = Coin() ? TrackTime::kFirst : TrackTime::kAbsolute,
+        .delay_s = Number(-1e7, 1e7)};
+    AddPassive(mission, "track", options, StartOf(*TrackOf(*mission, options)));
+  }
+
   /// It has no task that "all" could be expected to do.
-  void AddBuoy(Mission* mission) {
-    Vehicle buoy;
-    buoy.name = "buoy";
-    buoy.type = "buoy";
-    buoy.model = BuoyParams{.watch_radius_m = Number(0, 10'000)};
-    buoy.helm = Provider::kNone;
-    buoy.start = {.x_m = 5000, .y_m = 5000};
-    buoy.return_task.point_m = {5000, 5000};
-    buoy.acoustic_address = mission->vehicles.back().acoustic_address + 1;
-    if (mission->HasMedia()) buoy.media.names = {"direct"};
-    mission->vehicles.push_back(buoy);
+  void AddPassive(Mission* mission, const std::string& name, const AnyModel& model,
+                  const StartPose& start) {
+    Vehicle vehicle;
+    vehicle.name = name;
+    vehicle.type = name;
+    vehicle.model = model;
+    vehicle.helm = Provider::kNone;
+    vehicle.start = start;
+    vehicle.return_task.point_m = {start.x_m, start.y_m};
+    vehicle.acoustic_address = mission->vehicles.back().acoustic_address + 1;
+    if (mission->HasMedia()) vehicle.media.names = {"direct"};
+    mission->vehicles.push_back(vehicle);
     mission->events.clear();
     mission->expectations.clear();
   }
 
   /// Two more media, and what the vehicles have of them.
+  void DrawHosts(Mission* mission) {
+    HostOptions host{.name = "lab2",
+                     .address = "tcp://10.0.0.2:7700",
+                     .key = Text(),
+                     .on_loss = static_cast<OnLoss>(Integer(0, 2)),
+                     .timeout_s = Number(0.1, 3600)};
+    if (Coin()) host.vehicles = {mission->vehicles[0].name};
+    for (const Participant& each : mission->participants) host.participants.push_back(each.name);
+    mission->hosts = {host, {.name = "lab3", .address = {}, .key = {}}};
+  }
+
   void DrawMedia(Mission* mission) {
     MediumOptions radio = {.name = "vhf", .kind = MediumKind::kRadio};
     radio.radio = {.range_m = Coin() ? -1 : Number(0, 1e6),

@@ -10,7 +10,8 @@ struct ModelFacts {
   bool is_underwater = false;     ///< It dives: it can start at a depth and do underwater tasks.
   double longest_tick_s = 0;      ///< A longer tick_s cannot steer it; 0: any can.
   double turning_diameter_m = 0;  ///< Of its circle with full rudder; 0: the defaults suit it.
-  bool is_moored = false;         ///< It has no actuators, and so neither helm nor tasks.
+  /// What it is that has no actuators, and so neither helm nor tasks: "moored". Empty: it has some.
+  std::string_view passive = "";
 };
 
 }  // namespace shoal

@@ -15,8 +15,8 @@ namespace {
 
 constexpr size_t kMostParts = 16;
 /// Missing tables are made, but for these: an override changes one of a list, it adds none.
-constexpr std::array<std::string_view, 6> kLists = {"vehicle",     "fleet",  "event",
-                                                    "participant", "expect", "task"};
+constexpr std::array<std::string_view, 7> kLists = {"vehicle", "fleet",  "event", "participant",
+                                                    "host",    "expect", "task"};
 
 bool IsLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 

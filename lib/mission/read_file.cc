@@ -13,6 +13,8 @@ namespace shoal {
 
 namespace {
 
+thread_local FilesRead* list_of_thread = nullptr;
+
 FileText Unreadable() { return {"", std::string("cannot be read: ") + std::strerror(errno)}; }
 
 FileText Read(const std::string& path, bool is_any_kind, size_t most_bytes) {
@@ -38,8 +40,14 @@ FileText Read(const std::string& path, bool is_any_kind, size_t most_bytes) {
 
 FileText ReadFile(const std::string& path) { return Read(path, true, kLargestFile_bytes); }
 
+FilesRead::FilesRead() : outer_(list_of_thread) { list_of_thread = this; }
+
+FilesRead::~FilesRead() { list_of_thread = outer_; }
+
 FileText ReadRegularFile(const std::string& path, size_t most_bytes) {
-  return Read(path, false, most_bytes);
+  FileText read = Read(path, false, most_bytes);
+  if (list_of_thread != nullptr && read.problem.empty()) list_of_thread->paths_.insert(path);
+  return read;
 }
 
 FileText ReadOpenFile(int fd, size_t most_bytes) {

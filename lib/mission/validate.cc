@@ -73,6 +73,7 @@ void Validate(Mission& mission, const TablePlace& file) {
   ValidatePaths(mission, file);
   ValidateBehaviors(mission, file);
   ValidateNavigation(mission, file);
+  ValidateHosts(mission, file);
   ValidateEvents(mission, file);
   WarnOfAutopilots(mission, file);
   WarnOfIdleKeys(mission, file);

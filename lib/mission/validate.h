@@ -54,6 +54,10 @@ void ResolveSwarms(Mission& mission, const TablePlace& file);
 /// CompleteMission.
 void FillInSwarms(Mission& mission, const TablePlace& file);
 
+/// Reads the tracks of vehicles of model = "track": refuses those that cannot be read, fills in
+/// where they start, warns where a track ends before the mission; a part of CompleteMission.
+void FillInTracks(Mission& mission, const TablePlace& file);
+
 /// Names of vehicles and participants; groups.
 void ValidateNames(const Mission& mission, const TablePlace& file);
 /// Whether [environment] can be made with the mission's seed and folder.
@@ -85,6 +89,8 @@ void ValidatePaths(const Mission& mission, const TablePlace& file);
 void ValidateBehaviors(const Mission& mission, const TablePlace& file);
 /// [vehicle.navigation] and [[beacon]].
 void ValidateNavigation(const Mission& mission, const TablePlace& file);
+/// Names of [[host]] and of what they run; each vehicle and participant runs on one computer.
+void ValidateHosts(const Mission& mission, const TablePlace& file);
 void ValidateEvents(const Mission& mission, const TablePlace& file);
 /// Warns of gains that swing the fins at the mission's ticks.
 void WarnOfAutopilots(const Mission& mission, const TablePlace& file);

@@ -18,6 +18,7 @@
 #include "lib/mission/navigation_options.h"
 #include "lib/mission/remus100_model.h"
 #include "lib/mission/surface_craft_model.h"
+#include "lib/mission/track_model.h"
 #include "lib/modes/mode_tree.h"
 #include "lib/modes/variables.h"
 #include "lib/routing/rules.h"
@@ -131,7 +132,7 @@ struct MessageOptions {
 
 /// One alternative for each vehicle model, the default first: its parameters, of which FactsOf
 /// knows the rest. CONTRIBUTING.md has the recipe for a new one.
-using AnyModel = std::variant<SurfaceCraftParams, Remus100Options, BuoyParams>;
+using AnyModel = std::variant<SurfaceCraftParams, Remus100Options, BuoyParams, TrackOptions>;
 
 struct Vehicle {
   std::string name;

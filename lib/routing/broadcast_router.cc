@@ -40,17 +40,15 @@ void BroadcastRouter::DecideOne(const Transmission& sent, Contact* source, Conta
                                 int64_t utime, std::vector<Decision>* decisions) {
   const RoutingRules& rules = sent.has_range_rule ? rules_ : rules_without_range_;
   LinkFacts link = {.rules = rules, .sent = sent, .receiver = *receiver, .utime = utime};
-  int64_t* delivered_utime = nullptr;
-  if (sent.kind == Kind::kReport && !sent.is_forwarded) {
-    const auto to = static_cast<size_t>(receiver->index);
-    if (to >= source->delivered_utime.size()) source->delivered_utime.resize(to + 1, kNever);
-    delivered_utime = &source->delivered_utime[to];
-    link.delivered_utime = *delivered_utime;
+  const bool is_timed = sent.kind == Kind::kReport && !sent.is_forwarded;
+  const auto to = static_cast<size_t>(receiver->index);
+  if (is_timed) {
+    link.delivered_utime = source->delivered_utime.Get(to);
     link.is_wanted = ContactBook::Wants(*receiver, *source);
   }
   Decision decision = DecideAt(sent.kind, link);
   decision.number = sent.number;
-  if (delivered_utime != nullptr && decision.cause == Cause::kDelivered) *delivered_utime = utime;
+  if (is_timed && decision.cause == Cause::kDelivered) source->delivered_utime.At(to) = utime;
   if (link.is_wanted) contacts_.GiveWanted(receiver, *source);
   ledger_.Record(rules_, decision, source, receiver, decisions);
 }

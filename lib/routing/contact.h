@@ -10,6 +10,7 @@
 
 #include "lib/routing/fate.h"
 #include "lib/routing/rules.h"
+#include "lib/routing/sparse_row.h"
 
 namespace shoal {
 
@@ -34,8 +35,8 @@ struct Contact {
   int64_t message_utime = kNever;       ///< Of its last message that was not too soon.
   int64_t last_message_utime = kNever;  ///< Of its last message, unless that was invalid.
 
-  /// When a report of this vehicle was last delivered, by index of the receiver; may be shorter.
-  std::vector<int64_t> delivered_utime;
+  /// When a report of this vehicle was last delivered, by index of the receiver.
+  SparseRow<int64_t, kNever> delivered_utime;
   /// Whose next report this vehicle receives whatever the other rules decide, by index; may be
   /// shorter.
   std::vector<uint8_t> wants_report_of;

@@ -76,14 +76,12 @@ void ContactBook::Forget(Contact* contact) {
   contact->group_key.clear();
   contact->message_utime = kNever;
   contact->last_message_utime = kNever;
-  contact->delivered_utime.clear();
+  contact->delivered_utime.Clear();
   contact->wants_report_of.clear();
   if (contact->num_wanted > 0) --num_wanting_;
   contact->num_wanted = 0;
   const auto place = static_cast<size_t>(contact->index);
-  for (Contact* other : by_rank_) {
-    if (place < other->delivered_utime.size()) other->delivered_utime[place] = kNever;
-  }
+  for (Contact* other : by_rank_) other->delivered_utime.Reset(place);
   --num_known_;
   if (!contact->of_mission) ++num_unknown_unregistered_;
 }

@@ -10,11 +10,13 @@ namespace shoal {
 
 /// One participant of the step protocol.
 struct RosterEntry {
-  std::string name;     ///< On the bus: "helm_alpha", "shore_broker", the user's own name.
-  std::string app;      ///< Which of shoal's programs; empty: a user's own.
-  std::string vehicle;  ///< As the mission writes it; empty: not of one vehicle.
+  std::string name;          ///< On the bus: "helm_alpha", "shore_broker", the user's own name.
+  std::string app = {};      ///< Which of shoal's programs; empty: a user's own.
+  std::string vehicle = {};  ///< As the mission writes it; empty: not of one vehicle.
+  size_t vehicle_place = 0;  ///< Of `vehicle` in the mission.
   Provider provider = Provider::kShoal;
-  std::vector<std::string> command;  ///< Of a user's own participant; empty: the user starts it.
+  std::vector<std::string> command = {};  ///< Of a user's own; empty: the user starts it.
+  std::string host = {};                  ///< The [[host]] on which it runs; empty: this computer.
 };
 
 /// Returns all participants but the launcher's own ("shoal") and those whose provider is kNone.

@@ -14,10 +14,12 @@
 #include "lib/bus/multicast_fault.h"
 #include "lib/check/result.h"
 #include "lib/mission/load.h"
+#include "lib/record/wait_set.h"
 #include "lib/run/live.h"
 #include "lib/run/roster.h"
 #include "lib/run/run_registry.h"
-#include "lib/run/step_participant.h"
+#include "lib/run/step_group.h"
+#include "lib/run/wake_rule.h"
 
 namespace shoal {
 
@@ -54,9 +56,18 @@ Result<std::optional<RunningMission>> AwaitMission(const std::string& file) {
   return std::optional<RunningMission>();
 }
 
-/// Shows the status page on a terminal, again once a second.
-void ShowOnTerminal(const StepParticipant& participant, const std::string& name) {
-  fmt::print("\033[2J\033[H{}", Format(participant.Status(), name, participant.step()));
+/// Returns the status pages of all participants of the process.
+std::string Pages(const StepGroup& group, const std::vector<Joining>& joining) {
+  std::string text;
+  for (const Joining& each : joining) {
+    text += Format(group.Status(each.name), each.name, group.step()) + "\n";
+  }
+  return text;
+}
+
+/// Shows the status pages on a terminal, again once a second.
+void ShowOnTerminal(const StepGroup& group, const std::vector<Joining>& joining) {
+  fmt::print("\033[2J\033[H{}", Pages(group, joining));
   std::fflush(stdout);
 }
 
@@ -78,95 +89,6 @@ std::optional<PortPlan> PlanPorts(const std::string& name, const Mission& missio
     return std::nullopt;
   }
   return PortPlan(port_base, layout.value_or(PortPlan::Suggest(num_vehicles)), vehicles);
-}
-
-int Run(const AppOptions& options, const std::string& name, const Mission& mission,
-        const std::function<std::unique_ptr<App>(Bus&)>& make) {
-  int port_base = options.port_base;
-  int64_t mission_id = options.mission_id;
-  std::optional<Layout> layout = options.layout;
-  if (port_base == 0) {
-    const Result<std::optional<RunningMission>> awaited = AwaitMission(options.mission_file);
-    if (!awaited.ok()) {
-      fmt::print(stderr, "{}: {}\n", name, awaited.error());
-      return kExitEnvironment;
-    }
-    const std::optional<RunningMission>& running = *awaited;
-    if (!running) return kExitOk;
-    port_base = running->port_base;
-    if (mission_id == 0) mission_id = running->mission_id;
-    if (!layout) layout = running->layout;
-  } else if (!layout) {
-    if (const auto running = FindRunningMission(port_base); running.ok()) layout = running->layout;
-  }
-  const std::optional<PortPlan> plan = PlanPorts(name, mission, port_base, layout);
-  if (!plan) return kExitUsage;
-
-  if (const std::string fault = MulticastFault(); !fault.empty()) {
-    fmt::print(stderr, "{}: {}\n", name, fault);
-    return kExitEnvironment;
-  }
-  const Result<MissionSecret> secret = FindSecret(port_base);
-  if (!secret.ok()) {
-    fmt::print(stderr, "{}: {}\n", name, secret.error());
-    return kExitEnvironment;
-  }
-  LcmTransport transport;
-  transport.set_drop_filter(MakeLossFilter(options.lose, options.lose_forever));
-  StepParticipant participant({.name = name,
-                               .mission_id = mission_id,
-                               .pid = static_cast<int32_t>(getpid()),
-                               .secret = *secret,
-                               .give_up_us = GiveUpAfter_us(mission)},
-                              *plan, transport);
-  int64_t last_received_us = 0;
-  transport.set_receiver(
-      [&](int port, std::string_view channel, std::span<const uint8_t> datagram) {
-        last_received_us = MonotonicMicroseconds();
-        participant.OnDatagram(port, channel, datagram, last_received_us);
-      });
-  const std::unique_ptr<App> app = make(participant);
-  participant.Attach(app.get());
-  if (!transport.error().empty()) {
-    fmt::print(stderr, "{}: {}\n", name, transport.error());
-    return kExitEnvironment;
-  }
-
-  const bool on_terminal = isatty(STDOUT_FILENO) == 1;
-  int64_t next_show = 0;
-  while (!participant.ended() && !stop_wanted) {
-    const int64_t now = MonotonicMicroseconds();
-    participant.OnTime(now);
-    if (on_terminal && now >= next_show) {
-      ShowOnTerminal(participant, name);
-      next_show = now + kTerminalInterval_us;
-    }
-    if (app->ServedFd() >= 0) app->Serve(now, UnixMicroseconds());
-    transport.Poll(std::min(participant.NextDeadline() - now, kPollInterval_us), app->ServedFd());
-  }
-  if (!participant.ended()) app->End();
-  fmt::print("{}\n{}: {}\n", Format(participant.Status(), name, participant.step()), name,
-             participant.ended() ? "the mission has ended" : "ended by a signal");
-  std::fflush(stdout);
-  while (!stop_wanted && MonotonicMicroseconds() - last_received_us < kLinger_us) {
-    transport.Poll(kPollInterval_us / 2);
-  }
-  return kExitOk;
-}
-
-/// Loads the mission or prints all that is wrong with it.
-std::optional<Mission> Load(const AppOptions& options) {
-  LoadedMission loaded = LoadMission(options.mission_file, options.overrides);
-  for (const std::string& error : loaded.errors) fmt::print(stderr, "{}\n", error);
-  if (!loaded.errors.empty()) return std::nullopt;
-  if (loaded.mission.draws_seed) {
-    fmt::print(stderr,
-               "{}: seed = \"random\" is drawn once for all processes: give the number that `shoal "
-               "run` shows, --set mission.seed=N\n",
-               options.mission_file);
-    return std::nullopt;
-  }
-  return std::move(loaded.mission);
 }
 
 }  // namespace
@@ -191,7 +113,7 @@ int64_t ProcessorMicroseconds() {
 
 int64_t GiveUpAfter_us(const Mission& mission) {
   const auto timeout_us = static_cast<int64_t>(mission.participant_timeout_s * 1e6);
-  return std::min(ParticipantOptions{}.give_up_us, timeout_us / 2);
+  return std::min(StepGroupOptions{}.give_up_us, timeout_us / 2);
 }
 
 std::function<bool(std::string_view)> MakeLossFilter(double lose, const std::string& lose_forever) {
@@ -207,9 +129,117 @@ std::function<bool(std::string_view)> MakeLossFilter(double lose, const std::str
       };
 }
 
+int RunJoined(const AppOptions& options, const std::string& title, const Mission& mission,
+              const std::vector<Joining>& joining) {
+  CatchSignals();
+  int port_base = options.port_base;
+  int64_t mission_id = options.mission_id;
+  std::optional<Layout> layout = options.layout;
+  if (port_base == 0) {
+    const Result<std::optional<RunningMission>> awaited = AwaitMission(options.mission_file);
+    if (!awaited.ok()) {
+      fmt::print(stderr, "{}: {}\n", title, awaited.error());
+      return kExitEnvironment;
+    }
+    const std::optional<RunningMission>& running = *awaited;
+    if (!running) return kExitOk;
+    port_base = running->port_base;
+    if (mission_id == 0) mission_id = running->mission_id;
+    if (!layout) layout = running->layout;
+  } else if (!layout) {
+    if (const auto running = FindRunningMission(port_base); running.ok()) layout = running->layout;
+  }
+  const std::optional<PortPlan> plan = PlanPorts(title, mission, port_base, layout);
+  if (!plan) return kExitUsage;
+
+  if (const std::string fault = MulticastFault(); !fault.empty()) {
+    fmt::print(stderr, "{}: {}\n", title, fault);
+    return kExitEnvironment;
+  }
+  const Result<MissionSecret> secret = FindSecret(port_base);
+  if (!secret.ok()) {
+    fmt::print(stderr, "{}: {}\n", title, secret.error());
+    return kExitEnvironment;
+  }
+  LcmTransport transport;
+  transport.set_drop_filter(MakeLossFilter(options.lose, options.lose_forever));
+  StepGroup group({.mission_id = mission_id,
+                   .pid = static_cast<int32_t>(getpid()),
+                   .secret = *secret,
+                   .give_up_us = GiveUpAfter_us(mission)},
+                  *plan, transport);
+  transport.DeferFrom(plan->shore_port());
+  WakeRule wake_rule(std::min(kWantedReceiveBuffer, ReceiveBufferLimit()));
+  int64_t last_received_us = 0;
+  transport.set_receiver(
+      [&](int port, std::string_view channel, std::span<const uint8_t> datagram) {
+        last_received_us = MonotonicMicroseconds();
+        const int64_t step = group.step();
+        wake_rule.OnDatagram();
+        group.OnDatagram(port, channel, datagram, last_received_us);
+        if (group.step() != step) wake_rule.OnStep(MonotonicMicroseconds());
+      });
+  std::vector<std::unique_ptr<App>> apps;
+  for (const Joining& each : joining) {
+    apps.push_back(each.make(group.Join(each.name)));
+    group.Attach(each.name, apps.back().get());
+  }
+  group.Listen();
+  if (!transport.error().empty()) {
+    fmt::print(stderr, "{}: {}\n", title, transport.error());
+    return kExitEnvironment;
+  }
+  WaitSet served;
+  bool serves = false;
+  for (const auto& app : apps)
+    serves = (app->ServedFd() >= 0 && served.Add(app->ServedFd())) || serves;
+
+  const bool on_terminal = isatty(STDOUT_FILENO) == 1;
+  int64_t next_show = 0;
+  while (!group.ended() && !stop_wanted) {
+    const int64_t now = MonotonicMicroseconds();
+    group.OnTime(now);
+    if (on_terminal && now >= next_show) {
+      ShowOnTerminal(group, joining);
+      next_show = now + kTerminalInterval_us;
+    }
+    for (const auto& app : apps) {
+      if (app->ServedFd() >= 0) app->Serve(now, UnixMicroseconds());
+    }
+    const bool sleeps = group.awaits_tick() && wake_rule.SleepsThrough(now);
+    const int64_t wait = std::min(group.NextDeadline() - now, kPollInterval_us);
+    transport.Poll(sleeps ? wake_rule.Timeout(wait, now) : wait, serves ? served.fd() : -1,
+                   sleeps ? WakeFor::kSteps : WakeFor::kAll);
+  }
+  if (!group.ended()) {
+    for (const auto& app : apps) app->End();
+  }
+  fmt::print("{}{}: {}\n", Pages(group, joining), title,
+             group.ended() ? "the mission has ended" : "ended by a signal");
+  std::fflush(stdout);
+  while (!stop_wanted && MonotonicMicroseconds() - last_received_us < kLinger_us) {
+    transport.Poll(kPollInterval_us / 2);
+  }
+  return kExitOk;
+}
+
+std::optional<Mission> LoadToTakePart(const AppOptions& options) {
+  LoadedMission loaded = LoadMission(options.mission_file, options.overrides);
+  for (const std::string& error : loaded.errors) fmt::print(stderr, "{}\n", error);
+  if (!loaded.errors.empty()) return std::nullopt;
+  if (loaded.mission.draws_seed) {
+    fmt::print(stderr,
+               "{}: seed = \"random\" is drawn once for all processes: give the number that `shoal "
+               "run` shows, --set mission.seed=N\n",
+               options.mission_file);
+    return std::nullopt;
+  }
+  return std::move(loaded.mission);
+}
+
 int RunVehicleApp(const AppInfo& info, int argc, char** argv, const VehicleAppFactory& make) {
   const AppOptions options = ParseAppOptionsOrExit(info, argc, argv);
-  const std::optional<Mission> mission = Load(options);
+  const std::optional<Mission> mission = LoadToTakePart(options);
   if (!mission) return kExitUsage;
   const Vehicle* vehicle = mission->FindVehicle(options.vehicle);
   if (vehicle == nullptr) {
@@ -224,20 +254,22 @@ int RunVehicleApp(const AppInfo& info, int argc, char** argv, const VehicleAppFa
   }
   const std::string name =
       options.alias.empty() ? ParticipantName(info.name, vehicle->name) : options.alias;
-  CatchSignals();
-  return Run(options, name, *mission,
-             [&](Bus& bus) { return make(*mission, *vehicle, bus, options); });
+  return RunJoined(
+      options, name, *mission,
+      {{.name = name, .make = [&](Bus& bus) { return make(*mission, *vehicle, bus, options); }}});
 }
 
 int RunMissionApp(const AppInfo& info, int argc, char** argv, const MissionAppFactory& make) {
   const AppOptions options = ParseAppOptionsOrExit(info, argc, argv);
-  const std::optional<Mission> mission = Load(options);
+  const std::optional<Mission> mission = LoadToTakePart(options);
   if (!mission) return kExitUsage;
   const std::string name = options.alias.empty() ? info.name : options.alias;
-  CatchSignals();
   if (!options.live) {
-    return Run(options, name, *mission, [&](Bus& bus) { return make(*mission, bus, options); });
+    return RunJoined(
+        options, name, *mission,
+        {{.name = name, .make = [&](Bus& bus) { return make(*mission, bus, options); }}});
   }
+  CatchSignals();
   const int port_base = options.port_base == 0 ? PortPlan::kDefaultBase : options.port_base;
   const std::optional<PortPlan> plan = PlanPorts(name, *mission, port_base, options.layout);
   if (!plan) return kExitUsage;

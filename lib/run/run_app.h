@@ -10,7 +10,9 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "lib/bus/bus.h"
 #include "lib/mission/mission.h"
@@ -30,6 +32,21 @@ using MissionAppFactory = std::function<std::unique_ptr<App>(const Mission& miss
 /// ends or a signal comes. Returns the exit code (lib/check/result.h).
 int RunVehicleApp(const AppInfo& info, int argc, char** argv, const VehicleAppFactory& make);
 int RunMissionApp(const AppInfo& info, int argc, char** argv, const MissionAppFactory& make);
+
+/// One participant of a process, and how its app is made.
+struct Joining {
+  std::string name;  ///< On the bus.
+  std::function<std::unique_ptr<App>(Bus&)> make;
+};
+
+/// Joins the bus of `mission` with all of `joining`, and steps them until the mission ends or a
+/// signal comes. `title` names the process on its terminal and in errors. Returns the exit code.
+/// @pre `joining` is not empty
+int RunJoined(const AppOptions& options, const std::string& title, const Mission& mission,
+              const std::vector<Joining>& joining);
+
+/// Loads the mission of a process that takes part in it, or prints all that is wrong with it.
+std::optional<Mission> LoadToTakePart(const AppOptions& options);
 
 /// The terminal shows an app's page this often.
 inline constexpr int64_t kTerminalInterval_us = 1'000'000;

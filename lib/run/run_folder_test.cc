@@ -239,6 +239,7 @@ TEST(ChooseMission, TakesTheOnlyOneFromElsewhereToLookAtButNotToCommand) {
 TEST_F(RunFolderTest, EntriesOfMissionsAreFoundAndThoseOfDeadLaunchersRemoved) {
   RunningMission mission = MissionAt(7665, getpid());
   mission.name = "two lines\nport_base 9000";
+  mission.grouping = "host=3";
   mission.groups = {{"the red ones", {"b", "a"}}, {"x", {"c"}}};
   ASSERT_TRUE(Register(mission).ok());
   ASSERT_TRUE(Register(MissionAt(7805, 1 << 30)).ok());  // No process has this number.
@@ -251,6 +252,7 @@ TEST_F(RunFolderTest, EntriesOfMissionsAreFoundAndThoseOfDeadLaunchersRemoved) {
   EXPECT_EQ(missions->front().file, "");
   EXPECT_EQ(missions->front().vehicles, (std::vector<std::string>{"a", "b"}));
   EXPECT_EQ(missions->front().folder, "/home/ada");
+  EXPECT_EQ(missions->front().grouping, "host=3");
   EXPECT_EQ(missions->front().groups, mission.groups);
   EXPECT_FALSE(fs::exists(scratch_ / "run/7805.run"));
   Unregister(7665);

@@ -91,6 +91,7 @@ std::optional<RunningMission> ReadEntry(const std::string& name) {
     if (key == "layout") {
       mission.layout = value == "communities" ? Layout::kCommunities : Layout::kShared;
     }
+    if (key == "grouping") mission.grouping = value;
     if (key == "pid") mission.pid = std::atoi(value.c_str());
     if (key == "vehicle") mission.vehicles.push_back(value);
     if (key == "without_helm") mission.without_helm.push_back(value);
@@ -192,6 +193,7 @@ Result<bool> Register(const RunningMission& mission) {
   add("mission_id", std::to_string(mission.mission_id));
   add("port_base", std::to_string(mission.port_base));
   add("layout", std::string(Name(mission.layout)));
+  add("grouping", mission.grouping);
   add("pid", std::to_string(mission.pid));
   for (const std::string& vehicle : mission.vehicles) add("vehicle", vehicle);
   for (const std::string& vehicle : mission.without_helm) add("without_helm", vehicle);

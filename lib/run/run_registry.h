@@ -21,7 +21,8 @@ struct RunningMission {
   int64_t mission_id = 0;
   int port_base = 0;
   Layout layout = Layout::kShared;
-  int pid = 0;  ///< Of the launcher.
+  std::string grouping = "app";  ///< Which participants share a process: lib/run/grouping.h.
+  int pid = 0;                   ///< Of the launcher.
   std::vector<std::string> vehicles;
   std::vector<std::string> without_helm = {};  ///< Those of them that have helm = "none".
   std::vector<std::string> overrides = {};     ///< `--set` of the run.

@@ -34,6 +34,7 @@ StepClock::StepClock(ClockOptions options, std::vector<std::string> participants
       last_step_(options_.last_step) {
   for (std::string& name : participants) members_[std::move(name)];
   transport_.Listen(plan_.done_port(), channels::StepDone().name);
+  transport_.Listen(plan_.done_port(), channels::StepDones().name);
   transport_.Listen(plan_.done_port(), channels::ClockCommand().name);
 }
 
@@ -53,23 +54,37 @@ void StepClock::OnDatagram(int port, std::string_view channel, std::span<const u
     SendState(wall_us);
     return;
   }
-  if (channel != channels::StepDone().name) return;
+  if (channel == topics::kStepDone || channel == topics::kStepDones) {
+    OnAnswers(channel, datagram, wall_us);
+  }
+}
+
+/// Takes the answers of one process: STEP_DONE has one, STEP_DONES several.
+void StepClock::OnAnswers(std::string_view channel, std::span<const uint8_t> datagram,
+                          int64_t wall_us) {
   const Unsealed unsealed = Unseal(datagram);
-  step_done_t done;
-  const bool is_decoded = Decode(unsealed.message, &done);
+  step_dones_t answers{};
+  bool is_decoded = false;
+  if (channel == topics::kStepDone) {
+    is_decoded = Decode(unsealed.message, &answers.dones.emplace_back());
+  } else {
+    is_decoded = Decode(unsealed.message, &answers) && !answers.dones.empty();
+  }
   // A hello may not know the mission's id yet.
-  const bool is_hello = is_decoded && done.step < 0;
-  const int64_t mission_id = is_decoded ? done.mission_id : options_.mission_id;
-  if (mission_id != options_.mission_id && !(is_hello && mission_id == 0)) {
+  const auto is_foreign = [&](const step_done_t& done) {
+    const bool is_hello = done.step < 0;
+    return done.mission_id != options_.mission_id && !(is_hello && done.mission_id == 0);
+  };
+  if (is_decoded && std::any_of(answers.dones.begin(), answers.dones.end(), is_foreign)) {
     ++counters_.foreign;
   } else if (!is_decoded) {
     ++counters_.undecodable;
-  } else if (!IsGenuine(unsealed, options_.secret, channel) ||
-             unsealed.seal->publisher != done.participant) {
+  } else if (const std::string& first = answers.dones.front().participant;
+             !IsGenuine(unsealed, options_.secret, channel) || unsealed.seal->publisher != first) {
     ++counters_.refused;
-    if (refused_.empty()) refused_ = Printable(done.participant);
+    if (refused_.empty()) refused_ = Printable(first);
   } else {
-    OnDone(done, wall_us);
+    for (const step_done_t& done : answers.dones) OnDone(done, wall_us);
   }
 }
 

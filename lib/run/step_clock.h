@@ -119,6 +119,7 @@ class StepClock {
     int64_t refused = 0;
   };
 
+  void OnAnswers(std::string_view channel, std::span<const uint8_t> datagram, int64_t wall_us);
   void OnDone(const step_done_t& done, int64_t wall_us);
   void SendTickDatagram();
   void ForgetSilentHellos(int64_t wall_us);

@@ -10,7 +10,7 @@
 #include "lib/bus/seal.h"
 #include "lib/run/fake_network.h"
 #include "lib/run/step_clock.h"
-#include "lib/run/step_participant.h"
+#include "lib/run/step_group.h"
 
 namespace shoal::step_protocol_test {
 
@@ -62,11 +62,31 @@ struct Outcome {
   int64_t wall_us = 0;
 };
 
-struct Member {
+/// A process, with one participant or several.
+struct Process {
   FakeNetwork::Node* node = nullptr;
-  std::unique_ptr<StepParticipant> participant;
-  std::unique_ptr<ChattyApp> app;
+  std::unique_ptr<StepGroup> group;
+  std::vector<std::unique_ptr<ChattyApp>> apps;
 };
+
+Process Start(FakeNetwork& network, const std::vector<std::string>& names, int32_t pid,
+              const int64_t& wall_us) {
+  Process process{.node = &network.Add(), .group = nullptr, .apps = {}};
+  process.group =
+      std::make_unique<StepGroup>(StepGroupOptions{.mission_id = kMissionId, .pid = pid},
+                                  PortPlan(7665, Layout::kShared, {}), *process.node);
+  for (const std::string& name : names) {
+    Bus& bus = process.group->Join(name);
+    process.apps.push_back(std::make_unique<ChattyApp>(name, bus));
+    process.group->Attach(name, process.apps.back().get());
+  }
+  process.group->Listen();
+  process.node->receiver = [&wall_us, group = process.group.get()](
+                               int port, std::string_view channel, std::span<const uint8_t> bytes) {
+    group->OnDatagram(port, channel, bytes, wall_us);
+  };
+  return process;
+}
 
 ClockOptions Options(double warp = 0) {
   return {.mission_id = kMissionId,
@@ -89,9 +109,14 @@ Bytes Sealed(const step_done_t& done) {
   return bytes;
 }
 
+using Meddle = std::function<void(int64_t, StepClock&, std::vector<Process>&)>;
+
+/// Which participants run in which process.
+using Processes = std::vector<std::vector<std::string>>;
+
 /// Runs clock and participants over `network` in invented time.
-Outcome RunOver(FakeNetwork& network, double warp = 0,
-                const std::function<void(int64_t, StepClock&, std::vector<Member>&)>& meddle = {}) {
+Outcome RunOver(FakeNetwork& network, double warp = 0, const Meddle& meddle = {},
+                const Processes& shares = {{"a"}, {"b"}, {"c"}}) {
   const PortPlan plan(7665, Layout::kShared, {});
   FakeNetwork::Node& clock_node = network.Add();
   StepClock clock(Options(warp), kNames, plan, clock_node);
@@ -99,32 +124,21 @@ Outcome RunOver(FakeNetwork& network, double warp = 0,
   clock_node.receiver = [&](int port, std::string_view channel, std::span<const uint8_t> bytes) {
     clock.OnDatagram(port, channel, bytes, now);
   };
-  std::vector<Member> members;
-  for (const std::string& name : kNames) {
-    FakeNetwork::Node& node = network.Add();
-    Member member;
-    member.node = &node;
-    member.participant = std::make_unique<StepParticipant>(
-        ParticipantOptions{.name = name, .mission_id = kMissionId, .pid = 1}, plan, node);
-    member.app = std::make_unique<ChattyApp>(name, *member.participant);
-    member.participant->Attach(member.app.get());
-    node.receiver = [&now, participant = member.participant.get()](
-                        int port, std::string_view channel, std::span<const uint8_t> bytes) {
-      participant->OnDatagram(port, channel, bytes, now);
-    };
-    members.push_back(std::move(member));
-  }
+  std::vector<Process> processes;
+  for (const auto& names : shares) processes.push_back(Start(network, names, 1, now));
   Outcome outcome;
   for (; now < 60'000'000 && clock.state() != StepClock::State::kEnded; now += 5'000) {
-    for (const Member& member : members) member.participant->OnTime(now);
+    for (const Process& process : processes) process.group->OnTime(now);
     clock.OnTime(now);
     network.DeliverAll();
-    if (meddle) meddle(now, clock, members);
+    if (meddle) meddle(now, clock, processes);
     if (!clock.fault().empty() || !clock.Silent(now).empty()) break;
   }
   network.DeliverAll();
-  for (size_t i = 0; i < members.size(); ++i) {
-    outcome.transcripts[kNames[i]] = members[i].app->transcript;
+  for (size_t i = 0; i < processes.size(); ++i) {
+    for (size_t j = 0; j < shares[i].size(); ++j) {
+      outcome.transcripts[shares[i][j]] = processes[i].apps[j]->transcript;
+    }
   }
   outcome.counters = clock.counters();
   outcome.fault = clock.fault();
@@ -181,11 +195,76 @@ TEST(StepProtocol, RepairsWhatALossyNetworkTook) {
   }
 }
 
+TEST(StepProtocol, GivesTheSameMessagesToParticipantsThatShareAProcess) {
+  for (const Processes& shares :
+       {Processes{{"a", "b"}, {"c"}}, Processes{{"b"}, {"c", "a"}}, Processes{{"c", "b", "a"}}}) {
+    FakeNetwork network;
+    const Outcome outcome = RunOver(network, 0, {}, shares);
+    EXPECT_EQ(outcome.state, StepClock::State::kEnded);
+    EXPECT_EQ(outcome.transcripts, RunInMemory());
+    EXPECT_EQ(outcome.counters.messages, 3 * 3 * (kLastStep + 1));
+    EXPECT_EQ(outcome.counters.repeated, 0);
+  }
+}
+
+TEST(StepProtocol, RepairsWhatWasLostBetweenProcessesOfSeveralParticipants) {
+  for (const unsigned seed : {1U, 2U, 3U}) {
+    FakeNetwork network;
+    std::mt19937 random(seed);
+    network.set_loss([&](std::string_view) { return random() % 4 == 0; });
+    const Outcome outcome = RunOver(network, 0, {}, {{"a", "b"}, {"c"}});
+    EXPECT_EQ(outcome.state, StepClock::State::kEnded);
+    EXPECT_EQ(outcome.transcripts, RunInMemory());
+    EXPECT_GT(outcome.counters.repeated, 20);
+  }
+}
+
+TEST(StepProtocol, AsksForNothingThatAParticipantOfTheSameProcessPublished) {
+  FakeNetwork network;
+  std::map<std::string, int> num_sent;
+  network.set_loss([&](std::string_view channel) {
+    ++num_sent[std::string(channel)];
+    return channel == "FIRST" || channel == "SECOND";  // Each of them, always.
+  });
+  const Outcome outcome = RunOver(network, 0, {}, {{"a", "b", "c"}});
+  EXPECT_EQ(outcome.state, StepClock::State::kEnded);
+  EXPECT_EQ(outcome.fault, "");
+  EXPECT_EQ(outcome.transcripts, RunInMemory());
+  EXPECT_EQ(num_sent["FIRST"], 2 * 3 * (kLastStep + 1)) << "it is sent out all the same";
+  EXPECT_EQ(num_sent["RESEND"], 0);
+}
+
+TEST(StepProtocol, AwaitsAllParticipantsOfAProcessThatIsStartedAgain) {
+  FakeNetwork network;
+  int64_t wall_us = 0;
+  std::optional<Process> second;
+  const Outcome outcome =
+      RunOver(network, 1.0,
+              [&](int64_t now, StepClock& clock, std::vector<Process>& processes) {
+                wall_us = now;
+                if (second) second->group->OnTime(now);
+                if (clock.step() < 10 || second) return;
+                processes[0].node->set_stopped(true);
+                for (const std::string name : {"a", "b"}) clock.DropExited(name, now);
+                second = Start(network, {"a", "b"}, 2, wall_us);
+              },
+              {{"a", "b"}, {"c"}});
+  EXPECT_EQ(outcome.state, StepClock::State::kEnded);
+  EXPECT_EQ(outcome.fault, "");
+  ASSERT_TRUE(second);
+  // Both see each other's first messages in the same step, and c sees both.
+  for (const auto& app : second->apps) EXPECT_TRUE(app->transcript.ends_with("end"));
+  EXPECT_EQ(second->apps[0]->transcript, second->apps[1]->transcript);
+  const std::string& c = outcome.transcripts.at("c");
+  const std::string first_of_both = "FIRST:a=0.000000 FIRST:a=2.000000 FIRST:b=0.000000";
+  EXPECT_NE(c.find(first_of_both, c.find(first_of_both) + 1), std::string::npos) << c;
+}
+
 TEST(StepProtocol, NamesTheMessagesThatNeverArrive) {
   FakeNetwork network;
   network.set_loss([](std::string_view channel) { return channel == "SECOND"; });
   const Outcome outcome = RunOver(network);
-  EXPECT_NE(outcome.fault.find("1 of 1 messages of a on SECOND in step 0 never reached"),
+  EXPECT_NE(outcome.fault.find("1 of 1 messages of b on SECOND in step 0 never reached a"),
             std::string::npos)
       << outcome.fault;
 }
@@ -193,7 +272,7 @@ TEST(StepProtocol, NamesTheMessagesThatNeverArrive) {
 TEST(StepProtocol, NamesAPublisherOfMoreThanItAnnounced) {
   FakeNetwork network;
   const Outcome outcome =
-      RunOver(network, 1.0, [](int64_t, StepClock& clock, std::vector<Member>& members) {
+      RunOver(network, 1.0, [](int64_t, StepClock& clock, std::vector<Process>& processes) {
         if (clock.step() != 10) return;
         Bytes surplus;
         unc_control_t message{};
@@ -202,7 +281,7 @@ TEST(StepProtocol, NamesAPublisherOfMoreThanItAnnounced) {
         AppendSeal({.publisher = "a", .mission_id = kMissionId, .step = 10, .sequence = 99},
                    MissionSecret{}, "SECOND", &surplus);
         const int shore = PortPlan(7665, Layout::kShared, {}).shore_port();
-        members[0].node->Send(shore, "SECOND", surplus);
+        processes[0].node->Send(shore, "SECOND", surplus);
       });
   EXPECT_NE(outcome.fault.find("a published 2 messages on SECOND in step 10 and announced 1"),
             std::string::npos)
@@ -212,7 +291,7 @@ TEST(StepProtocol, NamesAPublisherOfMoreThanItAnnounced) {
 TEST(StepProtocol, RefusesAnswersTicksAndRequestsWithoutTheSecret) {
   FakeNetwork network;
   const Outcome outcome =
-      RunOver(network, 1.0, [&](int64_t, StepClock& clock, std::vector<Member>& members) {
+      RunOver(network, 1.0, [&](int64_t, StepClock& clock, std::vector<Process>& processes) {
         if (clock.step() != 10) return;
         MissionSecret other;
         other.bytes[0] = 1;
@@ -224,12 +303,15 @@ TEST(StepProtocol, RefusesAnswersTicksAndRequestsWithoutTheSecret) {
             AppendSeal({.publisher = "a", .mission_id = kMissionId, .step = 10, .sequence = 0},
                        other, channel.name, &bytes);
           }
-          members[0].node->Send(plan.PortOf(channel.name), channel.name, bytes);
+          processes[0].node->Send(plan.PortOf(channel.name), channel.name, bytes);
         };
         step_done_t done{};
         done.mission_id = kMissionId;
         done.participant = "a";
         done.fault = "forged";
+        step_dones_t dones{};
+        dones.dones = {done};
+        dones.num_dones = 1;
         tick_t tick{};
         tick.mission_id = kMissionId;
         tick.step = 1000;
@@ -237,6 +319,7 @@ TEST(StepProtocol, RefusesAnswersTicksAndRequestsWithoutTheSecret) {
         for (const bool is_sealed : {false, true}) {
           send(channels::StepDone(), done, is_sealed);
           send(channels::Tick(), tick, is_sealed);
+          send(channels::StepDones(), dones, is_sealed);
         }
       });
   EXPECT_EQ(outcome.fault, "");
@@ -248,8 +331,8 @@ TEST(StepProtocol, RefusesAnswersTicksAndRequestsWithoutTheSecret) {
 TEST(StepProtocol, NamesAParticipantThatDoesNotAnswer) {
   FakeNetwork network;
   const Outcome outcome =
-      RunOver(network, 1.0, [](int64_t, StepClock& clock, std::vector<Member>& members) {
-        members[1].node->set_stopped(clock.step() >= 10);
+      RunOver(network, 1.0, [](int64_t, StepClock& clock, std::vector<Process>& processes) {
+        processes[1].node->set_stopped(clock.step() >= 10);
       });
   EXPECT_EQ(outcome.silent, std::vector<std::string>{"b"});
   // One second of mission, then the time-out.
@@ -259,9 +342,9 @@ TEST(StepProtocol, NamesAParticipantThatDoesNotAnswer) {
 TEST(StepProtocol, GoesOnWithoutAParticipantThatWasDropped) {
   FakeNetwork network;
   const Outcome outcome =
-      RunOver(network, 1.0, [](int64_t now, StepClock& clock, std::vector<Member>& members) {
+      RunOver(network, 1.0, [](int64_t now, StepClock& clock, std::vector<Process>& processes) {
         if (clock.step() != 10) return;
-        members[1].node->set_stopped(true);
+        processes[1].node->set_stopped(true);
         clock.Drop("b", now);
       });
   EXPECT_EQ(outcome.state, StepClock::State::kEnded);
@@ -288,12 +371,12 @@ TEST(StepProtocol, RepairsALostAnswerToTheEnd) {
 TEST(StepProtocol, LetsOneComeBackThatWasDropped) {
   FakeNetwork network;
   const Outcome outcome =
-      RunOver(network, 1.0, [](int64_t now, StepClock& clock, std::vector<Member>& members) {
+      RunOver(network, 1.0, [](int64_t now, StepClock& clock, std::vector<Process>& processes) {
         if (clock.step() == 10) {
-          members[1].node->set_stopped(true);
+          processes[1].node->set_stopped(true);
           clock.Drop("b", now);
         }
-        if (clock.step() == 20) members[1].node->set_stopped(false);
+        if (clock.step() == 20) processes[1].node->set_stopped(false);
       });
   EXPECT_EQ(outcome.state, StepClock::State::kEnded);
   EXPECT_EQ(outcome.fault, "");
@@ -304,10 +387,10 @@ TEST(StepProtocol, RefusesReplaysOfAProcessThatHasExited) {
   FakeNetwork network;
   const PortPlan plan(7665, Layout::kShared, {});
   const Outcome outcome =
-      RunOver(network, 1.0, [&](int64_t now, StepClock& clock, std::vector<Member>& members) {
+      RunOver(network, 1.0, [&](int64_t now, StepClock& clock, std::vector<Process>& processes) {
         if (clock.step() < 10) return;
         if (clock.step() == 10) {
-          members[1].node->set_stopped(true);
+          processes[1].node->set_stopped(true);
           clock.DropExited("b", now);
         }
         step_done_t hello{};  // Recorded when the mission began.
@@ -315,7 +398,7 @@ TEST(StepProtocol, RefusesReplaysOfAProcessThatHasExited) {
         hello.step = -1;
         hello.participant = "b";
         hello.pid = 1;
-        members[0].node->Send(plan.done_port(), "STEP_DONE", Sealed(hello));
+        processes[0].node->Send(plan.done_port(), "STEP_DONE", Sealed(hello));
       });
   EXPECT_EQ(outcome.state, StepClock::State::kEnded);
   EXPECT_EQ(outcome.fault, "");
@@ -326,29 +409,21 @@ TEST(StepProtocol, RefusesReplaysOfAProcessThatHasExited) {
 TEST(StepProtocol, LosesNothingThatANewProcessPublishesFirst) {
   FakeNetwork network;
   const PortPlan plan(7665, Layout::kShared, {});
-  std::unique_ptr<StepParticipant> second;
-  std::unique_ptr<ChattyApp> second_app;
+  std::optional<Process> second;
   int64_t wall_us = 0;
   const Outcome outcome =
-      RunOver(network, 1.0, [&](int64_t now, StepClock& clock, std::vector<Member>& members) {
+      RunOver(network, 1.0, [&](int64_t now, StepClock& clock, std::vector<Process>& processes) {
         wall_us = now;
-        if (second) second->OnTime(now);
+        if (second) second->group->OnTime(now);
         if (clock.step() < 10 || second) return;
-        members[1].node->set_stopped(true);
+        processes[1].node->set_stopped(true);
         clock.Drop("b", now);
-        FakeNetwork::Node& node = network.Add();
-        second = std::make_unique<StepParticipant>(
-            ParticipantOptions{.name = "b", .mission_id = kMissionId, .pid = 2}, plan, node);
-        second_app = std::make_unique<ChattyApp>("b", *second);
-        second->Attach(second_app.get());
-        node.receiver = [&](int port, std::string_view channel, std::span<const uint8_t> bytes) {
-          second->OnDatagram(port, channel, bytes, wall_us);
-        };
+        second = Start(network, {"b"}, 2, wall_us);
       });
   EXPECT_EQ(outcome.state, StepClock::State::kEnded);
   EXPECT_EQ(outcome.fault, "");
-  ASSERT_NE(second_app, nullptr);
-  EXPECT_TRUE(second_app->transcript.ends_with("end"));
+  ASSERT_TRUE(second);
+  EXPECT_TRUE(second->apps[0]->transcript.ends_with("end"));
   const std::string& received = outcome.transcripts.at("a");
   const std::string what_each_publishes_first = "FIRST:b=0.000000";
   const size_t of_first_process = received.find(what_each_publishes_first);
@@ -363,7 +438,7 @@ TEST(StepProtocol, RefusesASecondProcessOfTheSameName) {
   FakeNetwork::Node& impostor = network.Add();
   impostor.receiver = [](int, std::string_view, std::span<const uint8_t>) {};
   const Outcome outcome =
-      RunOver(network, 1.0, [&](int64_t, StepClock& clock, std::vector<Member>&) {
+      RunOver(network, 1.0, [&](int64_t, StepClock& clock, std::vector<Process>&) {
         step_done_t done{};
         done.mission_id = kMissionId;
         done.step = clock.step();
@@ -439,7 +514,7 @@ TEST(StepProtocol, GivesEveryParticipantTheSameMessagesForAnyClockCommands) {
     FakeNetwork network;
     std::mt19937 random(4);
     const Outcome outcome =
-        RunOver(network, warp, [&](int64_t now, StepClock& clock, std::vector<Member>&) {
+        RunOver(network, warp, [&](int64_t now, StepClock& clock, std::vector<Process>&) {
           switch (random() % 20) {
             case 0:
               Command(clock, now, "pause");
@@ -466,7 +541,7 @@ TEST(StepProtocol, HoldsAllStepsWhilePausedAndBlamesNoParticipant) {
   int64_t paused_at_us = 0;
   constexpr int64_t kPause_us = 20'000'000;
   const Outcome outcome =
-      RunOver(network, 1.0, [&](int64_t now, StepClock& clock, std::vector<Member>&) {
+      RunOver(network, 1.0, [&](int64_t now, StepClock& clock, std::vector<Process>&) {
         if (clock.step() == 10 && paused_at_us == 0) {
           paused_at_us = now;
           Command(clock, now, "pause");
@@ -492,36 +567,23 @@ TEST(StepProtocol, TakesNoTickThatNamesAFormerProcessOfItsName) {
     ticks.emplace_back(bytes.begin(), bytes.end());
   };
   int64_t wall_us = 0;
-  std::vector<Member> later;  // The processes of b after the first.
+  std::vector<Process> later;  // The processes of b after the first.
   const auto start_another = [&] {
     if (!later.empty()) later.back().node->set_stopped(true);
-    Member member;
-    member.node = &network.Add();
-    member.participant = std::make_unique<StepParticipant>(
-        ParticipantOptions{
-            .name = "b", .mission_id = kMissionId, .pid = 2 + static_cast<int32_t>(later.size())},
-        plan, *member.node);
-    member.app = std::make_unique<ChattyApp>("b", *member.participant);
-    member.participant->Attach(member.app.get());
-    member.node->receiver = [&wall_us, participant = member.participant.get()](
-                                int port, std::string_view channel,
-                                std::span<const uint8_t> bytes) {
-      participant->OnDatagram(port, channel, bytes, wall_us);
-    };
-    later.push_back(std::move(member));
+    later.push_back(Start(network, {"b"}, 2 + static_cast<int32_t>(later.size()), wall_us));
   };
   int64_t paused_at_us = 0;
   const Outcome outcome =
-      RunOver(network, 1.0, [&](int64_t now, StepClock& clock, std::vector<Member>& members) {
+      RunOver(network, 1.0, [&](int64_t now, StepClock& clock, std::vector<Process>& processes) {
         wall_us = now;
-        if (!later.empty()) later.back().participant->OnTime(now);
+        if (!later.empty()) later.back().group->OnTime(now);
         if (clock.step() == 10 && later.empty()) {
-          members[1].node->set_stopped(true);
+          processes[1].node->set_stopped(true);
           clock.DropExited("b", now);
           start_another();
         }
         if (later.size() != 1 && !clock.paused()) return;
-        if (later.size() == 1 && !later[0].app->transcript.empty()) {
+        if (later.size() == 1 && !later[0].apps[0]->transcript.empty()) {
           // In the very step that names the second process, the mission is paused and it dies.
           paused_at_us = now;
           Command(clock, now, "pause");
@@ -532,20 +594,20 @@ TEST(StepProtocol, TakesNoTickThatNamesAFormerProcessOfItsName) {
           }
         }
         if (paused_at_us != 0 && now == paused_at_us + 1'000'000) {
-          EXPECT_EQ(later[1].app->transcript, "") << "the clock does not wait for it yet";
+          EXPECT_EQ(later[1].apps[0]->transcript, "") << "the clock does not wait for it yet";
           Command(clock, now, "resume");
         }
       });
   EXPECT_EQ(outcome.state, StepClock::State::kEnded);
   EXPECT_EQ(outcome.fault, "");
   ASSERT_EQ(later.size(), 2U);
-  EXPECT_TRUE(later[1].app->transcript.ends_with("end"));
+  EXPECT_TRUE(later[1].apps[0]->transcript.ends_with("end"));
 }
 
 TEST(StepProtocol, StepsInTheRhythmOfANewWarp) {
   FakeNetwork network;
   const Outcome outcome =
-      RunOver(network, 1.0, [](int64_t now, StepClock& clock, std::vector<Member>&) {
+      RunOver(network, 1.0, [](int64_t now, StepClock& clock, std::vector<Process>&) {
         if (clock.step() == 10) Command(clock, now, "warp", 0.5);
         if (clock.step() == 20) Command(clock, now, "warp", 0);
       });
@@ -557,7 +619,7 @@ TEST(StepProtocol, StepsInTheRhythmOfANewWarp) {
 TEST(StepProtocol, EndsEarlyWhenAskedAlsoWhilePaused) {
   FakeNetwork network;
   const Outcome outcome =
-      RunOver(network, 1.0, [](int64_t now, StepClock& clock, std::vector<Member>&) {
+      RunOver(network, 1.0, [](int64_t now, StepClock& clock, std::vector<Process>&) {
         if (clock.step() == 5 && !clock.paused()) Command(clock, now, "pause");
         if (now == 2'000'000) clock.Stop(now, 500'000);
       });
@@ -571,7 +633,7 @@ TEST(StepProtocol, EndsEarlyWhenAskedAlsoWhilePaused) {
 TEST(StepProtocol, EndsEarlyWhenAskedAndStillCloses) {
   FakeNetwork network;
   const Outcome outcome =
-      RunOver(network, 1.0, [](int64_t now, StepClock& clock, std::vector<Member>&) {
+      RunOver(network, 1.0, [](int64_t now, StepClock& clock, std::vector<Process>&) {
         if (clock.step() == 5) clock.Stop(now, 500'000);
       });
   EXPECT_EQ(outcome.state, StepClock::State::kEnded);

@@ -54,6 +54,7 @@
 #include "shoal/sonar_t.hpp"
 #include "shoal/step_count_t.hpp"
 #include "shoal/step_done_t.hpp"
+#include "shoal/step_dones_t.hpp"
 #include "shoal/step_total_t.hpp"
 #include "shoal/swarm_contact_t.hpp"
 #include "shoal/swarm_count_t.hpp"
@@ -113,9 +114,9 @@ TEST(Schema, GivesEveryTypeOfShoalTheFingerprintOfLcmGen) {
                 helm_command_t, helm_decision_t, helm_state_t, kept_control_t, key_value_t,
                 link_factors_t, modem_stats_t, modem_tx_t, nav_t, navigation_range_t, navigation_t,
                 node_message_t, node_report_t, relay_t, resend_t, sim_command_t, sonar_beam_t,
-                sonar_t, step_count_t, step_done_t, step_total_t, swarm_contact_t, swarm_count_t,
-                swarm_source_t, swarm_t, tick_t, unc_control_t, unc_controls_req_t, unc_controls_t,
-                water_sample_t>("shoal");
+                sonar_t, step_count_t, step_done_t, step_dones_t, step_total_t, swarm_contact_t,
+                swarm_count_t, swarm_source_t, swarm_t, tick_t, unc_control_t, unc_controls_req_t,
+                unc_controls_t, water_sample_t>("shoal");
   EXPECT_EQ(Fingerprints(ShoalSchema()), generated) << "a new type? Add it to this test";
 }
 

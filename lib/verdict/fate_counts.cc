@@ -24,7 +24,11 @@ void FateCounts::Add(std::string_view source, std::string_view destination, std:
   if (count < 1) return;
   CauseCount& counted = FindOrAdd(cause);
   counted.total += count;
-  counted.by_link[PlaceOf(source) * num_places_ + PlaceOf(destination)] += count;
+  const size_t from = PlaceOf(source);
+  const size_t to = PlaceOf(destination);
+  counted.by_source[from] += count;
+  counted.by_destination[to] += count;
+  counted.by_link[from].At(to) += count;
 }
 
 int64_t FateCounts::Count(int source, int destination, std::string_view cause) const {
@@ -59,26 +63,17 @@ FateCounts::CauseCount& FateCounts::FindOrAdd(std::string_view cause) {
   if (counts_.size() == kMaxCauses) return counts_.back();
   const bool is_last = counts_.size() == kMaxCauses - 1;
   counts_.push_back({.cause = is_last ? "other" : std::string(cause.substr(0, 64)),
-                     .total = 0,
-                     .by_link = std::vector<int64_t>(num_places_ * num_places_)});
+                     .by_source = std::vector<int64_t>(num_places_),
+                     .by_destination = std::vector<int64_t>(num_places_)});
+  counts_.back().by_link.resize(num_places_);
   return counts_.back();
 }
 
 int64_t FateCounts::Sum(const CauseCount& count, int source, int destination) const {
-  if (source == kAll && destination == kAll) return count.total;
-  const auto range = [this](int vehicle) {
-    const auto place = static_cast<size_t>(vehicle);
-    return vehicle == kAll ? std::pair(size_t{0}, num_places_) : std::pair(place, place + 1);
-  };
-  const auto [first_source, end_source] = range(source);
-  const auto [first_destination, end_destination] = range(destination);
-  int64_t sum = 0;
-  for (size_t from = first_source; from < end_source; ++from) {
-    for (size_t to = first_destination; to < end_destination; ++to) {
-      sum += count.by_link[from * num_places_ + to];
-    }
-  }
-  return sum;
+  const auto from = static_cast<size_t>(source);
+  const auto to = static_cast<size_t>(destination);
+  if (source == kAll) return destination == kAll ? count.total : count.by_destination[to];
+  return destination == kAll ? count.by_source[from] : count.by_link[from].Get(to);
 }
 
 }  // namespace shoal

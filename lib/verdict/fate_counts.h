@@ -12,6 +12,8 @@
 #include <unordered_map>
 #include <vector>
 
+#include "lib/routing/sparse_row.h"
+
 namespace shoal {
 
 class FateCounts {
@@ -41,11 +43,13 @@ class FateCounts {
     using is_transparent = void;
     size_t operator()(std::string_view text) const { return std::hash<std::string_view>()(text); }
   };
-  /// One cause's counts: its total, and per link, by source * num_places_ + destination.
+  /// One cause's counts, with sums: a large fleet has few of its links, and many vehicles to list.
   struct CauseCount {
     std::string cause;
     int64_t total = 0;
-    std::vector<int64_t> by_link;
+    std::vector<int64_t> by_source = {};
+    std::vector<int64_t> by_destination = {};
+    std::vector<SparseRow<int64_t, 0>> by_link = {};  ///< By source, then destination.
   };
 
   size_t PlaceOf(std::string_view name) const;

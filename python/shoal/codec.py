@@ -21,6 +21,8 @@ Row = tuple[Any, ...]
 #: (bytes, begin, end of the message) -> (row, end of the struct). It may read beyond the end of
 #: the message, never beyond the bytes; the caller compares the two ends.
 ReadRow = Callable[[bytes, int, int], tuple[Row, int]]
+#: (bytes, begin, end, number of structs) -> (rows, end of the last).
+ReadRows = Callable[[bytes, int, int, int], tuple[list[Row], int]]
 #: (object with the members as attributes, function that takes a piece of the message).
 WriteObject = Callable[[Any, Callable[[bytes], None]], None]
 
@@ -73,13 +75,19 @@ def _text(data: bytes) -> str:
     return text
 
 
+def text_of(data: bytes) -> str:
+    """Returns the text of a string's bytes, without the NUL at their end."""
+    text = _texts.get(data)
+    return _text(data) if text is None else text
+
+
 def _read_string(data: bytes, begin: int, end: int) -> tuple[str, int]:
     (size,) = _LENGTH.unpack_from(data, begin)
     begin += 4
     stop = begin + size
     if size < 1 or stop > end or data[stop - 1]:
         raise DecodeError("a string without its end")
-    return _text(data[begin : stop - 1]), stop
+    return text_of(data[begin : stop - 1]), stop
 
 
 def _bad_string() -> DecodeError:
@@ -107,14 +115,25 @@ class Codec:
             attribute_name(each.name) for each in made.members if each.name not in lengths
         )
         self._read: ReadRow | None = None
+        self._read_many: ReadRows | None = None
         self._write: WriteObject | None = None
 
     @property
     def read(self) -> ReadRow:
         """Reads the struct without fingerprint."""
         if self._read is None:
-            self._read = _Reader(self.struct, self._schema, self._codecs).compile()
+            self._read, self._read_many = self._compiled()
         return self._read
+
+    @property
+    def read_many(self) -> ReadRows:
+        """Reads a number of structs behind one another."""
+        if self._read_many is None:
+            self._read, self._read_many = self._compiled()
+        return self._read_many
+
+    def _compiled(self) -> tuple[ReadRow, ReadRows]:
+        return _Reader(self.struct, self._schema, self._codecs).compile()
 
     def read_message(self, data: bytes, begin: int, end: int) -> Row:
         """Returns the row of the message that takes data[begin:end].
@@ -177,13 +196,13 @@ def _compile(source: list[str], names: dict[str, Any], function: str) -> Any:
 
 
 class _Reader:
-    """Writes the function that reads one struct."""
+    """Writes the functions that read a struct."""
 
     def __init__(self, made: StructType, schema: Schema, codecs: dict[str, Codec]) -> None:
         self._struct = made
         self._schema = schema
         self._codecs = codecs
-        self._lines = ["def read(b, p, e):"]
+        self._lines: list[str] = []
         self._names: dict[str, Any] = {
             "texts": _texts.get,
             "text": _text,
@@ -192,15 +211,19 @@ class _Reader:
         self._letters = ""  # Of the numbers whose line is not written yet, and their variables.
         self._targets: list[str] = []
 
-    def compile(self) -> ReadRow:
+    def compile(self) -> tuple[ReadRow, ReadRows]:
+        """Returns what reads one struct, and what reads several behind one another."""
         variables = {each.name: f"v{i}" for i, each in enumerate(self._struct.members)}
         for member in self._struct.members:
             self._add(member, variables)
         self._flush()
         values = "".join(each + ", " for each in variables.values())
-        self._lines.append(f"  return ({values}), p")
-        made: ReadRow = _compile(self._lines, self._names, "read")
-        return made
+        body = self._lines
+        one = ["def read(b, p, e):", *body, f"  return ({values}), p"]
+        many = ["def read_many(b, p, e, n_rows):", "  rows = []", "  add = rows.append"]
+        many += ["  for _ in range(n_rows):", *("  " + line for line in body)]
+        many += [f"    add(({values}))", "  return rows, p"]
+        return _compile(one, self._names, "read"), _compile(many, self._names, "read_many")
 
     def _flush(self) -> None:
         if not self._targets:
@@ -261,10 +284,11 @@ class _Reader:
                 if letter == "B":
                     return data[begin:stop], stop
                 return list(struct.unpack_from(f">{count}{letter}", data, begin)), stop
-            read = _read_string if codec is None else codec.read
+            if codec is not None:
+                return codec.read_many(data, begin, end, count)
             values = []
             for _ in range(count):
-                value, begin = read(data, begin, end)
+                value, begin = _read_string(data, begin, end)
                 values.append(value)
             return values, begin
 

@@ -27,12 +27,16 @@ _TYPE_CODES = {
     "boolean": "B",
 }
 _NUMPY_TYPES = {"b": "i1", "h": ">i2", "i": ">i4", "q": ">i8", "B": "u1", "f": ">f4", "d": ">f8"}
+#: The types of LCM as numpy reads them from a message.
+NUMPY_TYPES = {name: _NUMPY_TYPES[code] for name, code in _TYPE_CODES.items()}
 _BATCH = 4096  #: Rows that are taken apart at once.
 
 
 def as_column(values: Any) -> Any:
     """Returns an array of numpy where that is there: of numbers, or of objects; else `values`."""
     if numpy is None:
+        return values
+    if isinstance(values, numpy.ndarray):
         return values
     if isinstance(values, array):
         return numpy.frombuffer(values, dtype=values.typecode) if values else numpy.array(values)
@@ -89,7 +93,7 @@ class NumberColumn(Column):
             if numpy is None:
                 return [number != 0 for number in self._numbers]
             return numpy.asarray(as_column(self._numbers)) != 0
-        return as_column(self._numbers) if isinstance(self._numbers, array) else self._numbers
+        return as_column(self._numbers)
 
 
 class ObjectColumn(Column):
@@ -97,10 +101,14 @@ class ObjectColumn(Column):
 
     def __init__(self) -> None:
         super().__init__()
-        self._objects: list[Any] = []
+        self._objects: Any = []
 
     def extend(self, values: Iterable[Any]) -> None:
         self._objects.extend(values)
+
+    def take(self, objects: Any) -> None:
+        """Takes an array of numpy as the whole column."""
+        self._objects = objects
 
     def _finish(self) -> Any:
         return as_column(self._objects)

@@ -22,6 +22,7 @@ from .log_file import TORN, ChannelEvents, LogFile
 from .message import Message
 from .table import Table
 from .type_set import Types, own_types
+from .uniform import may_be_uniform, take_uniform
 
 
 class Record:
@@ -217,6 +218,10 @@ class Log:
                     return Table(channel.name, columns, channel.utimes, channel.numbers)
                 except DecodeError:
                     columns = self._columns(codec)  # Some is of another type: one by one.
+        elif may_be_uniform(codec):
+            whole = self._file.whole_messages(channel)
+            if whole is not None and take_uniform(columns, whole, channel.sizes):
+                return Table(channel.name, columns, channel.utimes, channel.numbers)
         bad: list[int] = []
         columns.extend_all(self._rows(channel, codec, bad))
         utimes, numbers = channel.utimes, channel.numbers

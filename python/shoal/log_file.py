@@ -10,12 +10,15 @@ import os
 import struct
 from array import array
 from collections.abc import Iterator
+from typing import Any
 
+from . import columns
 from .errors import LogError
 from .seal import SEAL_MAGIC, sealed_size
 
 MAGIC = b"\xed\xa1\xda\x01"
 HEADER = struct.Struct(">4sqqII")
+_SIZES = struct.Struct(">4s16xII")  # Of the header, without its numbers.
 _LONGEST_CHANNEL = 999
 _MOST_DATA = 0x7FFFFFFF
 #: A longer message is accepted only where another event, or the file's end, follows.
@@ -23,6 +26,7 @@ _MOST_UNCONFIRMED = 16 << 20
 _MOST_LISTED = 1000
 _WINDOW = 16 << 20  #: Bytes.
 _WHOLE = 128 << 20  #: A log of at most this is kept in memory.
+_BATCH = 1 << 16  #: Events that are looked at at once.
 _LARGEST_GAP = 16 << 10  #: Bytes that are read with what is wanted, rather than left out.
 
 NOT_A_LOG = "not an LCM event log: it does not begin with eda1da01"
@@ -167,18 +171,19 @@ class LogFile:
         Returns where the first that was not taken begins, how many bytes it has if it reaches
         beyond the buffer, and what is wrong with it.
         """
-        unpack = HEADER.unpack_from
+        unpack = _SIZES.unpack_from
         known = self._by_bytes.get
-        add_to_order = self.order.append
+        places, order = array("q"), array("I")
+        add_place, add_to_order = places.append, order.append
         base = offset - place  # Of the buffer in the file.
-        last = len(buffer) - HEADER.size
-        number = self.num_events
+        stop = len(buffer)
+        last = stop - HEADER.size
         needed, wrong = 0, ""
         while place <= last:
-            magic, _, utime, channel_size, data_size = unpack(buffer, place)
+            magic, channel_size, data_size = unpack(buffer, place)
             begin = place + 28 + channel_size
             end = begin + data_size
-            if end > len(buffer) or magic != MAGIC or not 0 < channel_size <= _LONGEST_CHANNEL:
+            if end > stop or magic != MAGIC or not 0 < channel_size <= _LONGEST_CHANNEL:
                 wrong = self._misfit(base + place, buffer[place : place + 28])
                 needed = end - place
                 break
@@ -189,17 +194,58 @@ class LogFile:
             channel = known(name)
             if channel is None:
                 channel = self._new_channel(name)
-            channel.numbers.append(number)
-            channel.utimes.append(utime)
-            channel.begins.append(base + begin)
-            channel.sizes.append(data_size)
+            add_place(place)
             add_to_order(channel.place)
-            number += 1
             place = end
-        self.num_events = number
+        for i in range(0, len(places), _BATCH):
+            self._add_events(buffer, base, places[i : i + _BATCH], order[i : i + _BATCH])
         if last < place < len(buffer) and base + len(buffer) >= self._window.size:
             wrong = self._misfit(base + place, buffer[place:])  # Less than a header is left.
         return base + place, needed, wrong
+
+    def _add_events(
+        self, buffer: bytes, base: int, places: array[int], order: array[int]
+    ) -> None:
+        """Gives events to their channels.
+
+        Args:
+            buffer: Bytes of the file, from `base` on.
+            places: Where in them the events begin.
+            order: Of each event its channel.
+        """
+        channels = list(self.channels.values())
+        first = self.num_events
+        self.num_events += len(places)
+        self.order.extend(order)
+        numpy = columns.numpy
+        if numpy is None:
+            for number, (place, each) in enumerate(zip(places, order, strict=True), first):
+                _, _, utime, channel_size, data_size = HEADER.unpack_from(buffer, place)
+                channel = channels[each]
+                channel.numbers.append(number)
+                channel.utimes.append(utime)
+                channel.begins.append(base + place + 28 + channel_size)
+                channel.sizes.append(data_size)
+            return
+        headers = numpy.frombuffer(places, dtype="q")
+        of_channel = numpy.frombuffer(order, dtype="I")
+        in_turn = numpy.argsort(of_channel, kind="stable")
+        all_bytes = numpy.frombuffer(buffer, dtype="u1")
+
+        def member(begin: int, type_name: str) -> Any:
+            size = numpy.dtype(type_name).itemsize
+            found = all_bytes[headers[:, None] + numpy.arange(begin, begin + size)]
+            return found.view(type_name)[:, 0].astype("q")[in_turn]
+
+        utimes, sizes = member(12, ">i8"), member(24, ">i4").astype("l")
+        begins = base + headers[in_turn] + 28 + member(20, ">i4")
+        ends = numpy.cumsum(numpy.bincount(of_channel, minlength=len(channels))).tolist()
+        for channel, begin, end in zip(channels, [0, *ends], ends, strict=False):
+            if begin < end:
+                channel.numbers.frombytes((first + in_turn[begin:end]).astype("q").tobytes())
+                channel.utimes.frombytes(utimes[begin:end].tobytes())
+                channel.begins.frombytes(begins[begin:end].tobytes())
+                channel.sizes.frombytes(sizes[begin:end].tobytes())
 
     def _misfit(self, offset: int, header: bytes) -> str:
         """Returns why no event stands at `offset`; empty where its bytes are all in the file."""
@@ -281,6 +327,15 @@ class LogFile:
         if not len(channel) or min(channel.sizes) != size or max(channel.sizes) != size:
             return None
         return [buffer[begin:end] for buffer, begin, end, _ in self.messages(channel)]
+
+    def whole_messages(self, channel: ChannelEvents) -> list[bytes] | None:
+        """Returns all messages of a channel; None where one of them has a seal."""
+        messages = []
+        for buffer, begin, end, seal in self.messages(channel):
+            if seal:
+                return None
+            messages.append(buffer[begin:end])
+        return messages
 
     def _cut(self, buffer: bytes, begin: int, channel: ChannelEvents, i: int) -> bytes:
         """Returns the message at `begin`. Raises LogError where it is not all there."""

@@ -8,7 +8,7 @@ GROUP = "239.255.76.67"  #: All of shoal's ports are of LCM's own multicast grou
 _MOST_COMMUNITIES = 128
 
 TICK_PORT_CHANNELS = frozenset({"TICK", "RESEND", "APPCAST_REQ", "COMMS_RULES_REQ", "CLOCK_STATE"})
-DONE_PORT_CHANNELS = frozenset({"STEP_DONE", "CLOCK_COMMAND"})
+DONE_PORT_CHANNELS = frozenset({"STEP_DONE", "STEP_DONES", "CLOCK_COMMAND"})
 #: Of channels at the shore, those that a vehicle's name could end.
 SHORE_CHANNELS = frozenset(
     {

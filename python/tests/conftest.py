@@ -17,7 +17,7 @@ ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "python"))
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
-from shoal import columns  # noqa: E402
+from shoal import SimulationError, columns, simulation  # noqa: E402
 from shoal.lcm_file import Member  # noqa: E402
 from shoal.message import Message  # noqa: E402
 
@@ -90,6 +90,22 @@ def shoal_program() -> Path:
     if not program.is_file():
         pytest.skip(f"{program} is not built")
     return program
+
+
+@pytest.fixture
+def simulation_library(shoal_program: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """The built libshoal_sim.so.0, which shoal.Simulation then loads."""
+    library = shoal_program.parent.parent / "lib/libshoal_sim.so.0"
+    if not library.is_file():
+        pytest.skip(f"{library} is not built")
+    monkeypatch.setenv("SHOAL_SIM_LIBRARY", str(library))
+    try:
+        simulation.sim_library()
+    except SimulationError as error:
+        if "asan" in str(error) or "tsan" in str(error):
+            pytest.skip("a library with sanitizers cannot be loaded into python3")
+        raise
+    return library
 
 
 @pytest.fixture(scope="session")

@@ -243,10 +243,11 @@ TEST(Recording, WithoutASummaryDoesNotClaimOne) {
 TEST(Words, ThatNameNoCommandAreQuotedWithASuggestionAndTheList) {
   const TestFolder folder;
   const std::vector<std::pair<std::vector<std::string>, std::string>> kSlips = {
-      {{"veiw"}, "shoal: unknown command 'veiw' (did you mean 'view'?)\nCommands: run, sim, "},
+      {{"veiw"},
+       "shoal: unknown command 'veiw' (did you mean 'view'?)\nCommands: run, group, sim, "},
       {{"rum", "x.toml"}, "shoal: unknown command 'rum' (did you mean 'run'?)\nCommands: run, "},
       {{"log", "inf"}, "shoal log: unknown command 'inf' (did you mean 'info'?)\nCommands: info, "},
-      {{"xyzzy", "--help"}, "shoal: unknown command 'xyzzy'\nCommands: run, sim, "}};
+      {{"xyzzy", "--help"}, "shoal: unknown command 'xyzzy'\nCommands: run, group, sim, "}};
   for (const auto& [words, text] : kSlips) {
     const Finished finished = RunShoal(folder, words);
     EXPECT_EQ(finished.exit_code, 2) << finished.output;

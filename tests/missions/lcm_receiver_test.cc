@@ -161,6 +161,40 @@ TEST_F(LcmReceiverTest, HasTheKernelThrowAwayOtherChannels) {
   EXPECT_EQ(ReceiveUntil(&receiver, "NAV_ALPHA").size(), 1U);
 }
 
+TEST_F(LcmReceiverTest, DoesNotWakeUpForDeferredPortsAndReadsThemFirst) {
+  for (const bool defers_before_it_listens : {true, false}) {
+    LcmReceiver receiver;
+    if (defers_before_it_listens) receiver.DeferFrom(base_ + 1);
+    receiver.Listen(base_, "TICK");
+    receiver.Listen(base_ + 1, "NAV_ALPHA");
+    if (!defers_before_it_listens) receiver.DeferFrom(base_ + 1);
+    std::vector<std::string> received;
+    const auto poll = [&](WakeFor wake_for) {
+      receiver.Poll(
+          1'000, -1,
+          [&](int, std::string_view channel, std::span<const uint8_t>) {
+            received.emplace_back(channel);
+          },
+          wake_for);
+    };
+    poll(WakeFor::kSteps);  // Sets the filters.
+    Publish(1, "NAV_ALPHA", Counted(40));
+    for (int i = 0; i < 10; ++i) poll(WakeFor::kSteps);
+    EXPECT_EQ(received, std::vector<std::string>{});
+    Publish(0, "TICK", Counted(40));
+    EXPECT_TRUE(AwaitThat([&] {
+      poll(WakeFor::kSteps);
+      return received.size() >= 2;
+    }));
+    EXPECT_EQ(received, (std::vector<std::string>{"NAV_ALPHA", "TICK"}));
+    Publish(1, "NAV_ALPHA", Counted(40));
+    EXPECT_TRUE(AwaitThat([&] {
+      poll(WakeFor::kAll);
+      return received.size() == 3;
+    })) << "with kAll it wakes up for every port";
+  }
+}
+
 TEST_F(LcmReceiverTest, StatesWhyAPortCannotBeOpened) {
   const int taken = socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);  // It does not share.
   sockaddr_in address{};

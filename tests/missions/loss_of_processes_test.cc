@@ -114,6 +114,58 @@ TEST(LostParticipant, IsStartedAgainWhereTheMissionDemandsIt) {
   EXPECT_TRUE(AllGone(again));
 }
 
+TEST(LostGroup, IsNamedInOneLineWithItsParticipantsAndTheMissionEnds) {
+  Berta berta({"--grouping", "vehicle"});
+  ASSERT_EQ(berta.participants.size(), 4U) << berta.process->Output();
+  const FairStopwatch since_kill;
+  kill(berta.participants.at("group-alpha"), SIGKILL);
+  ASSERT_TRUE(berta.process->WaitFor("LOST: group-alpha")) << berta.process->Output();
+  EXPECT_LT(since_kill.Seconds(), 1.0);
+  const Finished finished = berta.process->Wait();
+  EXPECT_EQ(finished.exit_code, 3) << finished.output;
+  EXPECT_NE(finished.output.find("was killed by signal 9 (Killed), and with it vehicle_sim_alpha, "
+                                 "helm_alpha, node_reporter_alpha\n"),
+            std::string::npos)
+      << finished.output;
+  EXPECT_EQ(finished.output.find("LOST"), finished.output.rfind("LOST")) << finished.output;
+  EXPECT_TRUE(AllGone(berta.participants));
+  EXPECT_GE(berta.NumEvents(), 200) << "the log must stay readable";
+}
+
+TEST(LostGroup, DoesNotEndAMissionThatShallGoOn) {
+  Berta berta({"--grouping", "vehicle", "--set", "mission.on_loss=continue", "--warp", "max"});
+  kill(berta.participants.at("group-bravo"), SIGKILL);
+  const Finished finished = berta.process->Wait();
+  EXPECT_NE(finished.output.find("the mission goes on without group-bravo"), std::string::npos)
+      << finished.output;
+  EXPECT_NE(finished.output.find("Reproducible: no"), std::string::npos) << finished.output;
+  EXPECT_EQ(finished.output.find("INCOMPLETE"), std::string::npos) << finished.output;
+  EXPECT_TRUE(AllGone(berta.participants));
+}
+
+TEST(LostGroup, IsStartedAgainWhereTheMissionDemandsIt) {
+  Berta berta({"--grouping", "host=1", "--set", "mission.on_loss=restart"});
+  kill(berta.participants.at("group-1"), SIGKILL);
+  ASSERT_TRUE(berta.process->WaitFor("group-1 starts again")) << berta.process->Output();
+  EXPECT_TRUE(berta.GoesOn()) << "the mission must go on";
+  const auto again = berta.process->Participants();
+  ASSERT_TRUE(again.contains("group-1"));
+  EXPECT_NE(again.at("group-1"), berta.participants.at("group-1"));
+  EXPECT_TRUE(berta.GoesOn()) << "and on, with the new one";
+  berta.process->Signal(SIGINT);
+  berta.process->Wait();
+  EXPECT_TRUE(AllGone(again));
+}
+
+TEST(StoppedGroup, IsNamedAfterTheTimeOutAndTheMissionEnds) {
+  Berta berta({"--grouping", "vehicle", "--set", "mission.participant_timeout_s=3"});
+  kill(berta.participants.at("group-bravo"), SIGSTOP);
+  ASSERT_TRUE(berta.process->WaitFor("LOST: group-bravo has not answered"))
+      << berta.process->Output();
+  EXPECT_EQ(berta.process->Wait().exit_code, 3);
+  EXPECT_TRUE(AllGone(berta.participants));
+}
+
 TEST(LostHelm, KeepsClearOfOthersAgainWhenItIsStartedAgain) {
   Berta crossing({"--set", "mission.on_loss=restart"}, "encounters/crossing_starboard_45.toml");
   kill(crossing.participants.at("helm_own"), SIGKILL);

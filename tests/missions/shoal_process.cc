@@ -40,6 +40,7 @@ std::string ParticipantOf(pid_t pid) {
   std::string name = fs::path(arguments[0]).filename().string();
   for (size_t i = 0; i + 1 < arguments.size(); ++i) {
     if (arguments[i] == "--vehicle") name += "_" + arguments[i + 1];
+    if (arguments[1] == "group" && arguments[i] == "--name") name = arguments[i + 1];
   }
   return name;
 }

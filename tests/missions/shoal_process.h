@@ -55,7 +55,8 @@ class RunningProcess {
   /// Waits for the end; after `patience_s` it is killed and the exit code is -1.
   Finished Wait(double patience_s = kPatience_s);
 
-  /// Returns its children by their participants' names ("helm_alpha").
+  /// Returns its children by their participants' names ("helm_alpha"), or their group's
+  /// ("group-alpha").
   std::map<std::string, pid_t> Participants() const;
 
  private:

@@ -6,7 +6,7 @@
 
 #include <deque>
 
-#include "lib/netsim/wait_set.h"
+#include "lib/record/wait_set.h"
 #include "tests/netsim/served_clients.h"
 
 namespace shoal::line_server_test {

@@ -10,7 +10,20 @@ from pathlib import Path
 import pytest
 from conftest import ROOT
 
+import shoal
+from shoal.gym import ShoalEnv
+
 PORT = 29_980
+
+
+def _examples() -> list[str]:
+    page = (ROOT / "docs/python.md").read_text()
+    return re.findall(r"```python\n(.*?)```", page, re.DOTALL)
+
+
+def _is_simulated(example: str) -> bool:
+    """True for examples of missions in the process itself, which load libshoal_sim.so.0."""
+    return "shoal.Simulation(" in example or "ShoalEnv(" in example
 
 
 def test_the_examples_of_the_page_run_in_order(
@@ -27,8 +40,7 @@ def test_the_examples_of_the_page_run_in_order(
         check=True,
         stdout=subprocess.DEVNULL,
     )
-    page = (ROOT / "docs/python.md").read_text()
-    examples = re.findall(r"```python\n(.*?)```", page, re.DOTALL)
+    examples = [each for each in _examples() if not _is_simulated(each)]
     assert len(examples) == 6
     names: dict[str, object] = {}
     for example in examples:
@@ -62,3 +74,30 @@ def test_its_planner_does_what_the_page_states(shoal_program: Path, tmp_path: Pa
         text=True,
     )
     assert done.returncode == 0 and "Reproducible: yes" in done.stdout, done.stdout
+
+
+def test_missions_in_the_process_run_as_the_page_states(
+    simulation_library: Path,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    pytest.importorskip("numpy")
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "missions").symlink_to(ROOT / "missions")
+    (tmp_path / "mission.toml").write_text(
+        '[mission]\nduration_s = 10\n[[vehicle]]\nname = "alpha"\nhelm = "none"\n'
+    )
+    simulation, environment = (each for each in _examples() if _is_simulated(each))
+    names: dict[str, object] = {"shoal": shoal}
+    exec(simulation, names)
+    shown = capsys.readouterr().out.splitlines()
+    assert shown[0].startswith("0.9 "), shown[0]  # Steps 0 to 9.
+    assert any(line.startswith("True ") for line in shown), shown[-20:]
+    exec(environment, names)
+    assert names["observation"].shape == (3,)  # type: ignore[attr-defined]
+    assert names["truncated"] is False
+    environment_made = names["env"]
+    assert isinstance(environment_made, ShoalEnv)
+    assert environment_made.sim.step_number > 10
+    environment_made.close()

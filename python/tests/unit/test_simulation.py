@@ -37,18 +37,7 @@ by_s = 20
 """
 
 
-@pytest.fixture(autouse=True)
-def _library(shoal_program: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    library = shoal_program.parent.parent / "lib/libshoal_sim.so.0"
-    if not library.is_file():
-        pytest.skip(f"{library} is not built")
-    monkeypatch.setenv("SHOAL_SIM_LIBRARY", str(library))
-    try:
-        shoal.simulation.sim_library()
-    except shoal.SimulationError as error:
-        if "asan" in str(error) or "tsan" in str(error):
-            pytest.skip("a library with sanitizers cannot be loaded into python3")
-        raise
+pytestmark = pytest.mark.usefixtures("simulation_library")
 
 
 @pytest.fixture

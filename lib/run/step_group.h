@@ -1,6 +1,7 @@
-// A participant's side of the step protocol: the Bus of an app that runs in a process of its own.
+// One process' side of the step protocol: the participants that run in it, one or many, each with a
+// Bus and an App of its own.
 //
-//     TICK that names it as joined                TICK k, all of step k-1 is here
+//     TICK that names one as joined               TICK k, all of step k-1 is here
 //   HELLO ------------------> WAITING <------------------------------------------+
 //     | STEP_DONE -1,           | TICK k, something is missing                   |
 //     | every 0.2 s             v                                                |
@@ -9,31 +10,43 @@
 //                               v                                       STEP_DONE k
 //                            STEP_DONE with a fault; the clock ends the mission
 //
+// Several participants answer with one STEP_DONES. What one publishes reaches the others of the
+// process within it (lib/bus/memory_bus.h); it is sent out all the same, for other processes, the
+// recorder and people, and what comes back of it is dropped.
+//
 // TICK END: handle, App::End, STEP_DONE, then ended() is true. Time comes in as an argument (wall
 // time, microseconds, from any epoch, never backward); nothing here reads a clock.
+//
+//   StepGroup group(options, plan, transport);
+//   HelmApp helm(mission, vehicle, group.Join("helm_alpha"));
+//   group.Attach("helm_alpha", &helm);
+//   group.Listen();
 #pragma once
 
 #include <cstdint>
 #include <deque>
 #include <map>
 #include <optional>
-#include <set>
 #include <string>
+#include <string_view>
+#include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "lib/bus/bus.h"
-#include "lib/bus/handler_table.h"
 #include "lib/bus/layout.h"
+#include "lib/bus/memory_bus.h"
 #include "lib/bus/transport.h"
 #include "lib/run/app.h"
+#include "lib/run/channel_set.h"
+#include "lib/run/sent_messages.h"
 #include "lib/run/step_inbox.h"
-#include "shoal/step_done_t.hpp"
+#include "shoal/step_dones_t.hpp"
 #include "shoal/tick_t.hpp"
 
 namespace shoal {
 
-struct ParticipantOptions {
-  std::string name;
+struct StepGroupOptions {
   int64_t mission_id = 0;  ///< 0: that of the first tick received.
   int32_t pid = 0;
   MissionSecret secret = {};
@@ -42,17 +55,20 @@ struct ParticipantOptions {
   int64_t give_up_us = 3'000'000;
 };
 
-class StepParticipant : public Bus {
+class StepGroup {
  public:
-  StepParticipant(ParticipantOptions options, PortPlan plan, Transport& transport);
+  StepGroup(StepGroupOptions options, PortPlan plan, Transport& transport);
 
-  /// Gives it the app to step; called once, before any datagram.
-  void Attach(App* app);
-
-  // Bus.
-  void PublishBytes(std::string_view channel, std::span<const uint8_t> data) override;
-  void SubscribeBytes(const std::string& channel, Handler handler) override;
-  void SubscribeAll(Handler handler) override;
+  /// Adds a participant and returns its bus, which lives as long as this. They are stepped in the
+  /// order in which they join.
+  /// @pre no participant of this name yet; before Listen
+  Bus& Join(const std::string& name);
+  /// Gives a participant the app to step.
+  /// @pre it has joined; before Listen
+  void Attach(std::string_view name, App* app);
+  /// Listens to what the apps have subscribed to; called once, before any datagram.
+  /// @pre each participant has its app
+  void Listen();
 
   /// Takes a datagram from the transport.
   void OnDatagram(int port, std::string_view channel, std::span<const uint8_t> datagram,
@@ -63,62 +79,76 @@ class StepParticipant : public Bus {
   int64_t NextDeadline() const;
 
   bool ended() const { return ended_; }
-  /// Returns the app's page, with the bus's counters and warnings.
-  StatusPage Status() const;
+  /// True while nothing but a tick makes it go on: it has answered the last.
+  bool awaits_tick() const { return step_ >= 0 && !pending_ && !ended_; }
+  /// Returns the page of a participant, with the counters and warnings of the bus.
+  StatusPage Status(std::string_view name) const;
   int64_t step() const { return step_; }
   /// Ticks and messages of other missions that were rejected.
   int64_t num_foreign() const { return num_foreign_ticks_ + inbox_.counters().foreign; }
 
  private:
-  struct Sent {
-    std::string channel;
-    Bytes datagram;
-  };
-  struct SentStep {
-    int64_t step = -1;
-    std::vector<Sent> messages;
+  struct Member {
+    std::string name;
+    Bus* bus = nullptr;
+    App* app = nullptr;
+    std::map<std::string, int32_t, std::less<>> num_published = {};  ///< Of this step, by channel.
+    int64_t next_page = 0;
+    int64_t next_answer = 0;
   };
 
-  void OnTick(const tick_t& tick, int64_t wall_us);
+  /// Null: it runs in another process.
+  Member* Find(std::string_view name) const;
+  bool Wants(std::string_view channel) const;
+  uint32_t NumberOf(const std::string& publisher);
+  void OnTick(std::span<const uint8_t> datagram, int64_t wall_us);
   bool TakesPart(const tick_t& tick) const;
   /// Takes apart a datagram of the step protocol itself. Absent: refused, and counted.
   std::optional<std::span<const uint8_t>> Open(std::string_view channel,
                                                std::span<const uint8_t> datagram);
   void TryStep();
   void RunStep();
+  void StepApps(const tick_t& tick);
+  void SendPublished();
   void SendDone(const std::string& fault);
+  step_done_t DoneOf(const Member& member) const;
+  void SendDones();
   void RequestMissing(const std::vector<MiscountedMessages>& missing);
   void OnResend(std::span<const uint8_t> datagram, int64_t wall_us);
   void OnAppcastRequest(std::span<const uint8_t> datagram, int64_t wall_us);
   void OnAppRequest(std::string_view channel, std::span<const uint8_t> datagram, int64_t wall_us);
+  StatusPage StatusOf(const Member& member) const;
   template <class T>
   void SendSealed(const Channel<T>& channel, const T& message, int64_t step);
   int64_t num_refused() const;
+  int64_t NumPublished() const;
 
-  const ParticipantOptions options_;
+  const StepGroupOptions options_;
   const PortPlan plan_;
   Transport& transport_;
-  App* app_ = nullptr;
+  MemoryBus hub_;
+  std::deque<Member> members_;
+  std::unordered_map<std::string, Member*, TextHash, std::equal_to<>> members_by_name_;
+  ChannelSet wanted_;
+  bool wants_all_ = false;
+  std::unordered_map<std::string, uint32_t> numbers_;  ///< In the hub, of others, by name.
   StepInbox inbox_;
-  HandlerTable handlers_;
 
   int64_t mission_id_ = 0;
   int64_t step_ = -1;              ///< Last step answered.
   int64_t utime_ = 0;              ///< Of that step.
-  double warp_ = 0;                ///< Last given to the app.
+  double warp_ = 0;                ///< Last given to the apps.
   std::optional<tick_t> pending_;  ///< The tick whose messages are being collected.
   int64_t num_awaited_ = 0;        ///< Of its messages; where it is 0, they are counted again.
   int64_t collecting_since_ = 0;
   int64_t next_request_ = 0;
   int64_t next_hello_ = 0;
-  int64_t next_page_ = 0;
-  int64_t next_answer_ = 0;
-  std::map<std::string, int64_t, std::less<>> next_resends_;  ///< By channel of its own.
-  bool in_step_ = false;
-  uint32_t sequence_ = 0;
-  std::deque<SentStep> sent_;  ///< This step and the one before, for those who missed something.
-  step_done_t done_{};         ///< The last answer, to be given again.
-  int64_t num_requests_ = 0;   ///< Datagrams asked for again.
+  /// By publisher and channel.
+  std::map<std::pair<std::string, std::string>, int64_t> next_resends_;
+  SentMessages sent_;
+  int64_t num_sent_ = 0;
+  step_dones_t dones_{};      ///< The last answers, to be given again.
+  int64_t num_requests_ = 0;  ///< Datagrams asked for again.
   int64_t num_foreign_ticks_ = 0;
   int64_t num_forged_ = 0;  ///< Of the step protocol's own messages.
   bool ended_ = false;

@@ -1,0 +1,302 @@
+// Clock, participants and relays together, over networks in memory: a mission on three computers is
+// the mission on one, whatever the networks lose.
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <random>
+
+#include "lib/bus/channels.h"
+#include "lib/bus/seal.h"
+#include "lib/hosts/home_relay.h"
+#include "lib/hosts/host_relay.h"
+#include "lib/run/fake_network.h"
+#include "lib/run/step_clock.h"
+#include "lib/run/step_group.h"
+
+namespace shoal::relay_test {
+
+constexpr int64_t kMissionId = 4711;
+constexpr int64_t kLastStep = 30;
+const std::vector<std::string> kNames = {"a", "b", "c", "d"};
+
+/// Publishes two messages per step and keeps a transcript of all that it receives.
+class TalkingApp : public App {
+ public:
+  TalkingApp(std::string name, Bus& bus) : name_(std::move(name)), bus_(bus) {
+    for (const std::string channel : {"FIRST", "SECOND"}) {
+      Subscribe(bus, Channel<unc_control_t>{channel},
+                [this, channel](const unc_control_t& received) {
+                  transcript +=
+                      channel + ":" + received.vehicle + "=" + std::to_string(received.value) + " ";
+                });
+    }
+  }
+  void Tick(int64_t utime) override {
+    transcript += "\n" + std::to_string(utime) + " ";
+    for (const std::string channel : {"FIRST", "SECOND"}) {
+      unc_control_t message{};
+      message.utime = utime;
+      message.vehicle = name_;
+      message.value = static_cast<double>(utime);
+      Publish(bus_, Channel<unc_control_t>{channel}, message);
+    }
+  }
+  void End() override { transcript += "end"; }
+  StatusPage Status() const override { return {}; }
+
+  std::string transcript;
+
+ private:
+  std::string name_;
+  Bus& bus_;
+};
+
+struct Member {
+  FakeNetwork::Node* node = nullptr;
+  std::unique_ptr<StepGroup> participant;
+  std::unique_ptr<TalkingApp> app;
+};
+
+/// A mission whose participants are spread over computers: the first holds the clock.
+class SpreadMission {
+ public:
+  /// `places[i]`: the participants of computer i.
+  explicit SpreadMission(const std::vector<std::vector<std::string>>& places)
+      : networks_(places.size()), clock_node_(networks_[0].Add()) {
+    clock_ = std::make_unique<StepClock>(
+        ClockOptions{.mission_id = kMissionId, .warp = 10, .last_step = kLastStep}, kNames, plan_,
+        clock_node_);
+    clock_node_.receiver = [this](int port, std::string_view channel, auto bytes) {
+      clock_->OnDatagram(port, channel, bytes, now_);
+    };
+    std::vector<RelayedHost> hosts;
+    for (size_t i = 1; i < places.size(); ++i) {
+      hosts.push_back({.participants = {places[i].begin(), places[i].end()},
+                       .wants = [](std::string_view) { return true; }});
+    }
+    const RelayOptions options{.name = "home", .mission_id = kMissionId};
+    FakeNetwork::Node& home_node = networks_[0].Add();
+    home_ = std::make_unique<HomeRelay>(options, plan_, home_node, hosts,
+                                        [this](size_t host, LinkMessage message) {
+                                          to_hosts_[host].push_back(std::move(message));
+                                        });
+    home_node.receiver = [this](int port, std::string_view channel, auto bytes) {
+      home_->OnDatagram(port, channel, bytes, now_);
+    };
+    for (size_t i = 0; i < hosts.size(); ++i) AddHost(i, hosts[i]);
+    for (size_t i = 0; i < places.size(); ++i) {
+      for (const std::string& name : places[i]) AddMember(i, name);
+    }
+  }
+
+  /// Runs to the end, or until `meddle()` returns false.
+  void Run(const std::function<bool()>& meddle = [] { return true; }) {
+    for (; now_ < 60'000'000 && clock_->state() != StepClock::State::kEnded; now_ += 5'000) {
+      for (const auto& [name, member] : members_) member.participant->OnTime(now_);
+      clock_->OnTime(now_);
+      home_->OnTime(now_);
+      for (const auto& relay : relays_) relay->OnTime(now_);
+      for (FakeNetwork& network : networks_) network.DeliverAll();
+      for (bool any = true; any;) {
+        any = DeliverLinks();
+        for (FakeNetwork& network : networks_) network.DeliverAll();
+      }
+      if (!clock_->fault().empty() || !meddle()) break;
+    }
+  }
+
+  std::map<std::string, std::string> Transcripts() const {
+    std::map<std::string, std::string> transcripts;
+    for (const auto& [name, member] : members_) transcripts[name] = member.app->transcript;
+    return transcripts;
+  }
+  /// Plays a process that hangs.
+  void Silence(const std::string& name) { members_[name].node->set_stopped(true); }
+  StepClock& clock() { return *clock_; }
+  HomeRelay& home() { return *home_; }
+  HostRelay& relay(size_t host) { return *relays_[host]; }
+  FakeNetwork& network(size_t computer) { return networks_[computer]; }
+  int64_t now() const { return now_; }
+  const PortPlan& plan() const { return plan_; }
+  /// Messages that went over links, by kind.
+  std::map<LinkKind, int> num_sent;
+
+ private:
+  void AddHost(size_t number, const RelayedHost& relayed) {
+    FakeNetwork::Node& node = networks_[number + 1].Add();
+    relays_.push_back(std::make_unique<HostRelay>(
+        RelayOptions{.name = "host", .mission_id = kMissionId}, plan_, node, relayed.participants,
+        [this, number](LinkMessage message) { to_home_[number].push_back(std::move(message)); }));
+    node.receiver = [this, number](int port, std::string_view channel, auto bytes) {
+      relays_[number]->OnDatagram(port, channel, bytes, now_);
+    };
+    home_->SetConnected(number, true);
+  }
+
+  void AddMember(size_t computer, const std::string& name) {
+    FakeNetwork::Node& node = networks_[computer].Add();
+    Member member;
+    member.node = &node;
+    member.participant = std::make_unique<StepGroup>(
+        StepGroupOptions{.mission_id = kMissionId, .pid = 1}, plan_, node);
+    member.app = std::make_unique<TalkingApp>(name, member.participant->Join(name));
+    member.participant->Attach(name, member.app.get());
+    member.participant->Listen();
+    node.receiver = [this, participant = member.participant.get()](
+                        int port, std::string_view channel, auto bytes) {
+      participant->OnDatagram(port, channel, bytes, now_);
+    };
+    members_[name] = std::move(member);
+  }
+
+  bool DeliverLinks() {
+    bool any = false;
+    for (auto& [host, queue] : to_hosts_) {
+      for (const LinkMessage& message : std::exchange(queue, {})) {
+        ++num_sent[message.kind];
+        EXPECT_EQ(relays_[host]->OnMessage(message, now_), "");
+        any = true;
+      }
+    }
+    for (auto& [host, queue] : to_home_) {
+      for (const LinkMessage& message : std::exchange(queue, {})) {
+        if (message.step >= 0) ++num_sent[message.kind];
+        home_->OnMessage(host, message, now_);
+        any = true;
+      }
+    }
+    return any;
+  }
+
+  int64_t now_ = 0;
+  const PortPlan plan_{7665, Layout::kShared, {}};
+  std::vector<FakeNetwork> networks_;
+  FakeNetwork::Node& clock_node_;
+  std::unique_ptr<StepClock> clock_;
+  std::unique_ptr<HomeRelay> home_;
+  std::vector<std::unique_ptr<HostRelay>> relays_;
+  std::map<std::string, Member> members_;
+  std::map<size_t, std::vector<LinkMessage>> to_hosts_;
+  std::map<size_t, std::vector<LinkMessage>> to_home_;
+};
+
+std::map<std::string, std::string> OnOneComputer() {
+  SpreadMission mission({kNames});
+  mission.Run();
+  EXPECT_EQ(mission.clock().state(), StepClock::State::kEnded);
+  return mission.Transcripts();
+}
+
+const std::vector<std::vector<std::string>> kThreeComputers = {{"a"}, {"b", "d"}, {"c"}};
+
+TEST(Relays, GiveTheSameMessagesAsOneComputer) {
+  SpreadMission mission(kThreeComputers);
+  mission.Run();
+  EXPECT_EQ(mission.clock().state(), StepClock::State::kEnded);
+  EXPECT_EQ(mission.Transcripts(), OnOneComputer());
+  EXPECT_EQ(mission.home().num_refused() + mission.relay(0).num_refused(), 0);
+}
+
+TEST(Relays, SendOneBatchPerStepEachWay) {
+  SpreadMission mission(kThreeComputers);
+  mission.Run();
+  constexpr int kTicks = kLastStep + 2;  // END is one more.
+  EXPECT_EQ(mission.num_sent[LinkKind::kTick], 2 * kTicks);
+  EXPECT_EQ(mission.num_sent[LinkKind::kDone], 2 * kTicks);
+  EXPECT_EQ(mission.home().timing(0).answer_us.size(), static_cast<size_t>(kTicks - 1));
+}
+
+TEST(Relays, RepairWhatEachBusLoses) {
+  for (const unsigned seed : {1U, 2U, 3U}) {
+    SpreadMission mission(kThreeComputers);
+    std::mt19937 random(seed);
+    for (size_t i = 0; i < 3; ++i) {
+      mission.network(i).set_loss([&](std::string_view) { return random() % 6 == 0; });
+    }
+    mission.Run();
+    EXPECT_EQ(mission.clock().fault(), "");
+    EXPECT_EQ(mission.clock().state(), StepClock::State::kEnded);
+    EXPECT_EQ(mission.Transcripts(), OnOneComputer());
+    EXPECT_GT(mission.clock().counters().repeated, 20);
+  }
+}
+
+TEST(Relays, HandMessagesFromOutsideToEachOtherBusOnce) {
+  SpreadMission mission(kThreeComputers);
+  FakeNetwork::Node& outsider = mission.network(1).Add();
+  bool is_sent = false;
+  mission.Run([&] {
+    if (mission.clock().step() < 5 || is_sent) return true;
+    is_sent = true;
+    unc_control_t message{};
+    message.vehicle = "outsider";
+    Bytes bytes;
+    EncodeInto(message, &bytes);
+    outsider.Send(mission.plan().shore_port(), "FIRST", bytes);
+    return true;
+  });
+  EXPECT_EQ(mission.clock().state(), StepClock::State::kEnded);
+  for (const auto& [name, transcript] : mission.Transcripts()) {
+    const std::string text = "FIRST:outsider=";
+    const size_t at = transcript.find(text);
+    ASSERT_NE(at, std::string::npos) << name;
+    EXPECT_EQ(transcript.find(text, at + 1), std::string::npos) << name;
+  }
+}
+
+TEST(Relays, SendTheAnswersOfTheOthersWhereOneIsSilent) {
+  SpreadMission mission(kThreeComputers);
+  int64_t silent_since = 0;
+  FakeNetwork::Node& spy = mission.network(0).Add();
+  std::set<std::string> answered;
+  spy.receiver = [&](int, std::string_view, std::span<const uint8_t> bytes) {
+    const Unsealed unsealed = Unseal(bytes);
+    if (silent_since > 0 && unsealed.seal && unsealed.seal->step == mission.clock().step()) {
+      answered.insert(std::string(unsealed.seal->publisher));
+    }
+  };
+  spy.Listen(mission.plan().done_port(), std::string(topics::kStepDone));
+  mission.Run([&] {
+    if (mission.clock().step() >= 5 && silent_since == 0) {
+      silent_since = mission.now();
+      mission.Silence("d");
+    }
+    return silent_since == 0 || mission.now() < silent_since + 1'000'000;
+  });
+  EXPECT_EQ(answered, (std::set<std::string>{"a", "b", "c"}));
+}
+
+TEST(Relays, RefuseWhatAHostPublishesInAnothersName) {
+  SpreadMission mission(kThreeComputers);
+  mission.Run([&] { return mission.clock().step() < 5; });
+  Bytes bytes;
+  EncodeInto(unc_control_t{}, &bytes);
+  AppendSeal({.publisher = "c", .mission_id = kMissionId, .step = 5, .sequence = 9}, {}, "FIRST",
+             &bytes);
+  LinkMessage batch{.kind = LinkKind::kDone, .mission_id = kMissionId, .step = 5};
+  batch.parts.push_back({.name = "FIRST", .data = bytes});
+  mission.home().OnMessage(0, batch, mission.now());
+  EXPECT_EQ(mission.home().num_refused(), 1);
+  mission.home().OnMessage(1, batch, mission.now());  // c is its own.
+  EXPECT_EQ(mission.home().num_refused(), 1);
+}
+
+TEST(Relays, RefuseABatchOfAStepThatHasBegun) {
+  SpreadMission mission(kThreeComputers);
+  mission.Run([&] { return mission.clock().step() < 5; });
+  tick_t tick{};
+  tick.mission_id = kMissionId;
+  tick.step = 3;
+  Bytes bytes;
+  EncodeInto(tick, &bytes);
+  AppendSeal({.publisher = "clock", .mission_id = kMissionId, .step = 3, .sequence = 0}, {},
+             topics::kTick, &bytes);
+  LinkMessage replay{.kind = LinkKind::kTick, .mission_id = kMissionId, .step = 3};
+  EXPECT_EQ(mission.relay(0).OnMessage(replay, mission.now()),
+            "a batch of step 3 without its TICK");
+  replay.parts.push_back({.name = std::string(topics::kTick), .data = bytes});
+  EXPECT_EQ(mission.relay(0).OnMessage(replay, mission.now()),
+            "a batch of step 3, where step 5 has begun");
+}
+
+}  // namespace shoal::relay_test

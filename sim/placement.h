@@ -1,0 +1,36 @@
+// Which part of a mission steps which vehicle, where several processes share one mission.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "lib/check/result.h"
+#include "lib/mission/mission.h"
+
+namespace shoal {
+
+/// The recorder, the director and the embedding program are always of part 0.
+struct Placement {
+  size_t num_parts = 1;
+  size_t broker_part = 0;
+  std::vector<size_t> part_of_vehicle = {};  ///< By its place in the mission.
+
+  bool operator==(const Placement&) const = default;
+};
+
+/// Returns all of a mission as one part.
+[[nodiscard]] Placement OnePart(const Mission& mission);
+
+/// Shares the vehicles out by what they cost: in the mission's order, so that neighbours stay
+/// together, with fewer to part 0, which has the director too, and to part 1, where there is one,
+/// which has the broker. `by_hand` names vehicles that go to a
+/// part of the user's choice, as --place takes them: "0=alpha,bravo", "1=group:hiders"; the others
+/// are shared out around them. The result of a mission does not depend on its placement. The error
+/// names the words that are wrong.
+/// @pre num_parts > 0
+[[nodiscard]] Result<Placement> MakePlacement(const Mission& mission, size_t num_parts,
+                                              std::span<const std::string> by_hand = {});
+
+}  // namespace shoal

@@ -1,0 +1,107 @@
+#include "sim/placement.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "lib/mission/load.h"
+
+namespace shoal::placement_test {
+
+Mission Fleet(int num_vessels) {
+  const LoadedMission loaded = LoadMissionText(
+      fmt::format("[mission]\nduration_s = 1\n[template.boat]\ngroup = \"boats\"\n[[fleet]]\n"
+                  "template = \"boat\"\ncount = {}\nname = \"boat_{{n:03}}\"\nspacing_m = 100\n",
+                  num_vessels),
+      "fleet.toml");
+  EXPECT_TRUE(loaded.errors.empty()) << loaded.errors.front();
+  return loaded.mission;
+}
+
+std::vector<size_t> CountsOf(const Placement& placement) {
+  std::vector<size_t> counts(placement.num_parts);
+  for (const size_t part : placement.part_of_vehicle) ++counts.at(part);
+  return counts;
+}
+
+Placement Place(const Mission& mission, size_t num_parts, std::vector<std::string> by_hand = {}) {
+  Result<Placement> placement = MakePlacement(mission, num_parts, by_hand);
+  EXPECT_TRUE(placement.ok()) << placement.error();
+  return *placement;
+}
+
+TEST(Placement, GivesAllToTheOnlyPart) {
+  const Mission mission = Fleet(7);
+  EXPECT_EQ(Place(mission, 1), OnePart(mission));
+  EXPECT_EQ(CountsOf(OnePart(mission)), std::vector<size_t>{7});
+}
+
+TEST(Placement, GivesFewerVehiclesToThePartsThatHaveDirectorAndBroker) {
+  Mission mission = Fleet(300);
+  mission.comms.comms_range_m = 50;  // None in range of another.
+  const std::vector<size_t> counts = CountsOf(Place(mission, 4));
+  EXPECT_LT(counts[0] + 10, counts[2]);
+  EXPECT_LT(counts[1] + 5, counts[2]);
+  EXPECT_NEAR(static_cast<double>(counts[2]), static_cast<double>(counts[3]), 1);
+  EXPECT_EQ(counts[0] + counts[1] + counts[2] + counts[3], 300U);
+}
+
+TEST(Placement, CountsWhatTheBrokerDecidesAbout) {
+  Mission mission = Fleet(300);
+  mission.comms.comms_range_m = 50;
+  const Placement apart = Place(mission, 3);
+  EXPECT_EQ(apart.broker_part, 1U);
+  mission.comms.comms_range_m = 150;
+  EXPECT_LT(CountsOf(Place(mission, 3))[1] + 10, CountsOf(apart)[1]);
+}
+
+TEST(Placement, LeavesNeighboursTogether) {
+  const Placement placement = Place(Fleet(50), 4);
+  EXPECT_TRUE(std::is_sorted(placement.part_of_vehicle.begin(), placement.part_of_vehicle.end()));
+}
+
+TEST(Placement, GivesMorePartsThanVehiclesAtMostOneEach) {
+  const std::vector<size_t> counts = CountsOf(Place(Fleet(3), 8));
+  for (const size_t count : counts) EXPECT_LE(count, 1U);
+}
+
+TEST(Placement, CountsModelsThatIntegrateMoreOften) {
+  const LoadedMission loaded = LoadMissionText(
+      "[mission]\nduration_s = 1\n[[vehicle]]\nname = \"auv\"\nmodel = \"remus100\"\n"
+      "[[fleet]]\ntemplate = \"boat\"\ncount = 4\nname = \"boat_{n}\"\nspacing_m = 100\n"
+      "[template.boat]\n",
+      "mixed.toml");
+  ASSERT_TRUE(loaded.errors.empty()) << loaded.errors.front();
+  const Placement placement = Place(loaded.mission, 2);
+  for (size_t i = 1; i < loaded.mission.vehicles.size(); ++i) {
+    EXPECT_NE(placement.part_of_vehicle[i], placement.part_of_vehicle[0]) << i;
+  }
+}
+
+TEST(Placement, FollowsTheUserAndSharesTheRestOutAroundIt) {
+  const Mission mission = Fleet(6);
+  const Placement placement = Place(mission, 2, {"1=boat_001,BOAT_002", "0=boat_006"});
+  EXPECT_EQ(placement.part_of_vehicle[0], 1U);
+  EXPECT_EQ(placement.part_of_vehicle[1], 1U);
+  EXPECT_EQ(placement.part_of_vehicle[5], 0U);
+  EXPECT_EQ(CountsOf(Place(mission, 3, {"2=group:boats"})), (std::vector<size_t>{0, 0, 6}));
+  EXPECT_EQ(CountsOf(Place(mission, 3, {"1=all"})), (std::vector<size_t>{0, 6, 0}));
+}
+
+TEST(Placement, NamesWhatIsWrongInTheWordsOfTheUser) {
+  const Mission mission = Fleet(3);
+  const auto error = [&](std::vector<std::string> words) {
+    return MakePlacement(mission, 2, words).error();
+  };
+  constexpr char kRemedy[] = "; write PART=VEHICLE[,VEHICLE...], with a part from 0 to 1";
+  EXPECT_EQ(error({"boat_001"}), std::string("--place 'boat_001': no '='") + kRemedy);
+  EXPECT_EQ(error({"x=boat_001"}),
+            std::string("--place 'x=boat_001': the part is not a number") + kRemedy);
+  EXPECT_EQ(error({"2=boat_001"}),
+            std::string("--place '2=boat_001': there is no part 2") + kRemedy);
+  EXPECT_EQ(error({"1=boat_001,dinghy"}),
+            std::string("--place '1=boat_001,dinghy': there is no vehicle 'dinghy'") + kRemedy);
+  EXPECT_EQ(error({"0=boat_001", "1=boat_001"}),
+            std::string("--place '1=boat_001': boat_001 is placed on 0 already") + kRemedy);
+}
+
+}  // namespace shoal::placement_test

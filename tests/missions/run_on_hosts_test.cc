@@ -1,0 +1,338 @@
+// Vehicles on other computers: `shoal host` agents on loopback, and what goes wrong with them.
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <cstdlib>
+#include <sstream>
+
+#include "lib/hosts/curve_link.h"
+#include "lib/hosts/host_offer.h"
+#include "lib/record/log_reader.h"
+#include "tests/missions/fair_stopwatch.h"
+#include "tests/missions/host_farm.h"
+
+namespace shoal::run_on_hosts_test {
+
+/// No machine is so busy that a host is silent for so long.
+constexpr char kPatient[] = "timeout_s = 60\n";
+/// For tests in which silence is to be noticed; the default is below a second.
+constexpr char kAttentive[] = "timeout_s = 3\n";
+constexpr double kAttentive_s = 3;
+
+std::string LogOfSim(const TestFolder& folder, const std::string& mission) {
+  const std::string log = (folder / "sim.lcm").string();
+  const Finished finished = RunShoal(folder, {"sim", mission, "--log", log});
+  EXPECT_EQ(finished.exit_code, 0) << finished.output;
+  return ReadFile(log);
+}
+
+/// Takes events and expectations out of a mission's file, so that it may be cut short.
+void TakeOutWhatComesLater(const std::string& mission) {
+  std::istringstream lines(ReadFile(mission));
+  std::string kept;
+  bool is_later = false;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with("[")) {
+      is_later = line.starts_with("[[event]]") || line.starts_with("[[expect]]");
+    }
+    if (!is_later) kept += line + "\n";
+  }
+  WriteFile(mission, kept);
+}
+
+Finished RunPlaced(const HostFarm& farm, const std::string& mission,
+                   const std::vector<std::string>& more = {}) {
+  RunningProcess process(farm.folder, farm.RunCommand(mission, more));
+  return process.Wait();
+}
+
+TEST(Hosts, GiveTheLogOfShoalSim) {
+  HostFarm farm(2);
+  const std::string mission = farm.Placed("berta.toml", {"\"alpha\"", "\"bravo\""}, kPatient);
+  const std::string dir = (farm.folder / "rec").string();
+  const Finished finished = RunPlaced(farm, mission, {"--record", dir});
+  EXPECT_EQ(finished.exit_code, 0) << finished.output;
+  EXPECT_NE(finished.output.find("Reproducible: yes"), std::string::npos) << finished.output;
+  EXPECT_NE(finished.output.find("Host host2: 6001 steps"), std::string::npos) << finished.output;
+  EXPECT_TRUE(ReadFile(dir + "/mission.lcm") == LogOfSim(farm.folder, mission));
+}
+
+TEST(Hosts, RunOneMissionAfterTheOther) {
+  HostFarm farm(1);
+  const std::string mission = farm.Placed("alpha.toml", {"\"alpha\""}, kPatient);
+  TakeOutWhatComesLater(mission);
+  for (int i = 0; i < 2; ++i) {
+    const Finished finished = RunPlaced(farm, mission, {"--set", "mission.duration_s=20"});
+    EXPECT_NE(finished.output.find("Reproducible: yes"), std::string::npos)
+        << finished.output << farm.hosts[0].process->Output();
+    ASSERT_TRUE(farm.hosts[0].process->WaitFor("has ended after step"));
+  }
+}
+
+TEST(Hosts, TakeVehiclesFromTheCommandLine) {
+  HostFarm farm(1);
+  const std::string mission = farm.Placed("berta.toml", {""}, kPatient);
+  TakeOutWhatComesLater(mission);
+  const Finished finished =
+      RunPlaced(farm, mission, {"--on", "host1=bravo", "--set", "mission.duration_s=20"});
+  EXPECT_NE(finished.output.find("Host host1: 201 steps"), std::string::npos) << finished.output;
+  EXPECT_NE(farm.hosts[0].process->Output().find("helm_bravo"), std::string::npos);
+  EXPECT_EQ(farm.hosts[0].process->Output().find("helm_alpha"), std::string::npos);
+}
+
+/// A mission on a host, well under way.
+struct Under {
+  explicit Under(const std::string& more) : farm(1) {
+    mission = farm.Placed("berta.toml", {"\"bravo\""}, more);
+    process = std::make_unique<RunningProcess>(
+        farm.folder, farm.RunCommand(mission, {"--warp", "20", "--record", dir, "--set",
+                                               "mission.participant_timeout_s=60"}));
+    EXPECT_TRUE(AwaitThat([&] { return NumEvents() >= 200; }))
+        << process->Output() << farm.hosts[0].process->Output();
+  }
+  int64_t NumEvents() const {
+    Result<LogReader> reader = LogReader::Open(dir + "/mission.lcm");
+    if (!reader.ok()) return 0;
+    int64_t events = 0;
+    while (reader->Next()) ++events;
+    return reader->error().empty() ? events : -1;
+  }
+
+  HostFarm farm;
+  std::string mission;
+  std::string dir = (farm.folder / "rec").string();
+  std::unique_ptr<RunningProcess> process;
+};
+
+TEST(LostHost, IsNamedWithinASecondWhenItIsKilledAndTheMissionEnds) {
+  Under under(kPatient);
+  const auto participants = under.farm.hosts[0].process->Participants();
+  EXPECT_TRUE(participants.contains("helm_bravo"));
+  const FairStopwatch since_kill;
+  under.farm.hosts[0].process->Signal(SIGKILL);
+  ASSERT_TRUE(under.process->WaitFor("LOST: host host1")) << under.process->Output();
+  EXPECT_LT(since_kill.Seconds(), 1.0);
+  const Finished finished = under.process->Wait();
+  EXPECT_EQ(finished.exit_code, 3) << finished.output;
+  EXPECT_TRUE(AllGone(participants)) << "a host's processes die with it";
+  EXPECT_GE(under.NumEvents(), 200) << "the log must stay whole";
+}
+
+TEST(LostHost, IsNamedAfterItsTimeOutWhenItHangs) {
+  Under under(kAttentive);
+  const FairStopwatch since_stop;
+  under.farm.hosts[0].process->Signal(SIGSTOP);
+  ASSERT_TRUE(under.process->WaitFor("gave no sign of life for 3 s")) << under.process->Output();
+  EXPECT_LT(since_stop.Seconds(), kAttentive_s + 0.2);
+  EXPECT_EQ(under.process->Wait().exit_code, 3);
+  EXPECT_GE(under.NumEvents(), 200);
+  under.farm.hosts[0].process->Signal(SIGCONT);
+}
+
+TEST(LostHost, IsDoneWithoutWhereTheMissionShallGoOn) {
+  Under under(std::string(kPatient) + "on_loss = \"continue\"\n");
+  under.farm.hosts[0].process->Signal(SIGKILL);
+  ASSERT_TRUE(under.process->WaitFor("the mission goes on without host1"))
+      << under.process->Output();
+  const int64_t before = under.NumEvents();
+  EXPECT_TRUE(AwaitThat([&] { return under.NumEvents() > before; }));
+  under.process->Signal(SIGINT);
+  EXPECT_NE(under.process->Wait().output.find("Reproducible: no"), std::string::npos);
+}
+
+TEST(LostHost, JoinsAtAStepWhenItIsBack) {
+  Under under(std::string(kPatient) + "on_loss = \"restart\"\n");
+  under.farm.hosts[0].process->Signal(SIGKILL);
+  ASSERT_TRUE(under.process->WaitFor("until it is back")) << under.process->Output();
+  under.farm.Start(0);
+  ASSERT_TRUE(under.process->WaitFor("is there again")) << under.process->Output();
+  const std::string page = AwaitPage(under.farm.folder, "helm_bravo", [](const std::string& each) {
+    return each.find("helm_bravo") != each.npos;
+  });
+  EXPECT_NE(page.find("helm_bravo"), std::string::npos) << under.process->Output();
+  under.process->Signal(SIGINT);
+  EXPECT_EQ(under.process->Wait().exit_code, 1);
+}
+
+TEST(LostHome, EndsTheProcessesOfTheHostWhichThenTakesTheNextMission) {
+  Under under(kAttentive);
+  const auto participants = under.farm.hosts[0].process->Participants();
+  under.process->Signal(SIGKILL);
+  TestHost& host = under.farm.hosts[0];
+  ASSERT_TRUE(host.process->WaitFor("LOST: home gave no sign of life")) << host.process->Output();
+  ASSERT_TRUE(host.process->WaitFor("has ended after step")) << host.process->Output();
+  EXPECT_TRUE(AllGone(participants));
+  TakeOutWhatComesLater(under.mission);
+  const Finished next = RunPlaced(under.farm, under.mission, {"--set", "mission.duration_s=10"});
+  EXPECT_NE(next.output.find("Host host1: 101 steps"), std::string::npos) << next.output;
+}
+
+TEST(LostParticipant, OfAHostIsNamedAndStartedAgain) {
+  HostFarm farm(1);
+  const std::string mission = farm.Placed("berta.toml", {"\"bravo\""}, kPatient);
+  RunningProcess process(
+      farm.folder, farm.RunCommand(mission, {"--warp", "20", "--set", "mission.on_loss=restart",
+                                             "--set", "mission.participant_timeout_s=60"}));
+  ASSERT_TRUE(AwaitThat([&] { return farm.hosts[0].process->Participants().size() == 3; }));
+  AwaitPage(farm.folder, "helm_bravo",
+            [](const std::string& page) { return page.find("Bus: ") != page.npos; });
+  const auto before = farm.hosts[0].process->Participants();
+  kill(before.at("helm_bravo"), SIGKILL);
+  ASSERT_TRUE(process.WaitFor("LOST: helm_bravo (pid")) << process.Output();
+  ASSERT_TRUE(process.WaitFor("helm_bravo starts again")) << process.Output();
+  EXPECT_TRUE(AwaitThat([&] {
+    const auto now = farm.hosts[0].process->Participants();
+    return now.contains("helm_bravo") && now.at("helm_bravo") != before.at("helm_bravo");
+  }));
+  process.Signal(SIGINT);
+  EXPECT_EQ(process.Wait().exit_code, 1);
+}
+
+TEST(RefusedHost, NamesTheKeyThatItDoesNotKnow) {
+  HostFarm farm(1);
+  const std::string mission = farm.Placed("berta.toml", {"\"bravo\""});
+  const std::string other = (farm.folder / "other").string();
+  ASSERT_EQ(RunShoal(farm.folder, {"host", "keygen", "--out", other}).exit_code, 0);
+  farm.home_key = other;
+  const Finished finished = RunPlaced(farm, mission);
+  EXPECT_EQ(finished.exit_code, 3);
+  EXPECT_NE(finished.output.find("does not accept this computer's key"), std::string::npos)
+      << finished.output;
+  EXPECT_NE(farm.hosts[0].process->Output().find("refused: a computer with the public key"),
+            std::string::npos)
+      << farm.hosts[0].process->Output();
+}
+
+TEST(RefusedHost, IsNamedWhereItDoesNotProveItsKey) {
+  HostFarm farm(1);
+  const std::string mission = farm.Placed("berta.toml", {"\"bravo\""});
+  std::filesystem::remove(farm.folder / "host1.pub");
+  std::filesystem::copy(farm.home_key + ".pub", farm.folder / "host1.pub");
+  const Finished finished = RunPlaced(farm, mission);
+  EXPECT_EQ(finished.exit_code, 3);
+  EXPECT_NE(finished.output.find("does not prove the key"), std::string::npos) << finished.output;
+}
+
+TEST(RefusedHost, RunsNoProgramsOfAMissionUnlessItMay) {
+  HostFarm farm(1);
+  std::string mission = farm.Placed("berta.toml", {"\"bravo\""});
+  WriteFile(mission, ReadFile(mission) +
+                         "participants = [\"mine\"]\n[[participant]]\nname = \"mine\"\n"
+                         "command = [\"/bin/false\"]\n");
+  const Finished finished = RunPlaced(farm, mission);
+  EXPECT_EQ(finished.exit_code, 3);
+  EXPECT_NE(finished.output.find("only where it was started with --allow-programs"),
+            std::string::npos)
+      << finished.output;
+}
+
+TEST(RefusedHost, IsToBeReachable) {
+  HostFarm farm(1);
+  const std::string mission = farm.Placed("berta.toml", {"\"bravo\""}, "", {"tcp://127.0.0.1:9"});
+  const Finished finished = RunPlaced(farm, mission);
+  EXPECT_EQ(finished.exit_code, 3);
+  EXPECT_NE(finished.output.find("cannot be reached within 10 s"), std::string::npos)
+      << finished.output;
+}
+
+/// Plays home towards an agent.
+class PlayedHome {
+ public:
+  explicit PlayedHome(const HostFarm& farm)
+      : link_(farm.hosts[0].address, *FindPublicKey(farm.hosts[0].public_key_file, ""),
+              *ReadHostKey(farm.home_key + ".key")) {}
+
+  void Send(const LinkMessage& message, uint64_t sequence) {
+    const Bytes bytes = EncodeLinkMessage(message, sequence);
+    EXPECT_TRUE(AwaitThat([&] {
+      link_.Receive();
+      return link_.Send(bytes);
+    }));
+  }
+  LinkMessage Await() {
+    LinkMessage answer;
+    EXPECT_TRUE(AwaitThat([&] {
+      const auto bytes = link_.Receive();
+      const auto message = bytes ? intake_.Take(*bytes) : Result<LinkMessage>(Error{""});
+      if (message.ok()) answer = *message;
+      return message.ok();
+    }));
+    return answer;
+  }
+
+ private:
+  HomeLink link_;
+  LinkIntake intake_;
+};
+
+TEST(RefusedHome, HasAnotherBuild) {
+  HostFarm farm(1);
+  PlayedHome home(farm);
+  home.Send(ToLinkMessage(HostOffer{.build = "other",
+                                    .files = {{.path = "m.toml", .text = ""}},
+                                    .participants = {"helm_alpha"},
+                                    .secret = {},
+                                    .timeout_s = 60},
+                          5),
+            0);
+  const LinkMessage answer = home.Await();
+  EXPECT_EQ(answer.kind, LinkKind::kRefuse);
+  EXPECT_NE(answer.TextOf("why").find("install the same shoal on both"), std::string::npos)
+      << answer.TextOf("why");
+}
+
+TEST(RefusedHome, SendsABatchTwice) {
+  HostFarm farm(1);
+  PlayedHome home(farm);
+  home.Send({.kind = LinkKind::kPing}, 0);
+  EXPECT_EQ(home.Await().kind, LinkKind::kPong);
+  home.Send({.kind = LinkKind::kPing}, 0);
+  ASSERT_TRUE(farm.hosts[0].process->WaitFor("sent a replayed batch: number 0, where 1 is next"))
+      << farm.hosts[0].process->Output();
+  home.Send({.kind = LinkKind::kPing}, 1);
+  EXPECT_EQ(home.Await().kind, LinkKind::kPong) << "the link goes on";
+}
+
+TEST(HostDoctor, MeasuresTheWay) {
+  HostFarm farm(1);
+  const int port = std::atoi(farm.hosts[0].address.substr(sizeof "tcp://127.0.0.1:" - 1).c_str());
+  const DelayingProxy proxy(port, 0.010);
+  const Finished finished = RunShoal(
+      farm.folder, {"doctor", "--host", "tcp://127.0.0.1:" + std::to_string(proxy.port()),
+                    "--host-key", farm.hosts[0].public_key_file, "--key", farm.home_key + ".key"});
+  EXPECT_EQ(finished.exit_code, 0) << finished.output;
+  const size_t at = finished.output.find("round trip: ");
+  ASSERT_NE(at, std::string::npos) << finished.output;
+  EXPECT_GE(std::atof(finished.output.c_str() + at + 12), 20.0) << finished.output;
+  EXPECT_NE(finished.output.find("throughput: "), std::string::npos);
+}
+
+TEST(HostKeys, AreNeededToListen) {
+  const TestFolder folder;
+  const Finished bare = RunShoal(folder, {"host", "--once"});
+  EXPECT_EQ(bare.exit_code, 2);
+  EXPECT_NE(bare.output.find("nothing listens without being asked to"), std::string::npos);
+  const Finished missing =
+      RunShoal(folder, {"host", "--listen", "tcp://127.0.0.1:1", "--key",
+                        (folder / "none.key").string(), "--allow", (folder / "none.pub").string()});
+  EXPECT_EQ(missing.exit_code, 3);
+  EXPECT_NE(missing.output.find("`shoal host keygen` makes one"), std::string::npos)
+      << missing.output;
+}
+
+TEST(FarHost, StepsAlmostOncePerRoundTrip) {
+  HostFarm farm(1);
+  const int port = std::atoi(farm.hosts[0].address.substr(sizeof "tcp://127.0.0.1:" - 1).c_str());
+  const DelayingProxy proxy(port, 0.010);
+  const std::string mission = farm.Placed("alpha.toml", {"\"alpha\""}, kPatient,
+                                          {"tcp://127.0.0.1:" + std::to_string(proxy.port())});
+  const std::string dir = (farm.folder / "rec").string();
+  const Finished finished = RunPlaced(farm, mission, {"--record", dir});
+  EXPECT_EQ(finished.exit_code, 0) << finished.output;
+  EXPECT_TRUE(ReadFile(dir + "/mission.lcm") == LogOfSim(farm.folder, mission));
+  const size_t at = finished.output.find("answers after ");
+  ASSERT_NE(at, std::string::npos) << finished.output;
+  EXPECT_GE(std::atof(finished.output.c_str() + at + 14), 20.0) << finished.output;
+}
+
+}  // namespace shoal::run_on_hosts_test
