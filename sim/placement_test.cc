@@ -96,6 +96,12 @@ TEST(Placement, FollowsTheUserAndSharesTheRestOutAroundIt) {
   EXPECT_EQ(CountsOf(Place(mission, 3, {"1=all"})), (std::vector<size_t>{0, 6, 0}));
 }
 
+TEST(Placement, PutsTheBrokerWhereTheUserWantsIt) {
+  const Mission mission = Fleet(6);
+  EXPECT_EQ(Place(mission, 3, {"2=shore_broker,boat_001"}).broker_part, 2U);
+  EXPECT_EQ(Place(mission, 3, {"0=shore_broker"}).broker_part, 0U);
+}
+
 TEST(Placement, NamesWhatIsWrongInTheWordsOfTheUser) {
   const Mission mission = Fleet(3);
   const auto error = [&](std::vector<std::string> words) {
