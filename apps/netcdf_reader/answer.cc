@@ -215,6 +215,10 @@ void DemandWhole() {
   const ssize_t count = pread(kFileDescriptor, head.data(), head.size(), 0);
   head.resize(static_cast<size_t>(std::max<ssize_t>(count, 0)));
   const std::optional<uint64_t> end = ClassicDataEnd(head);
+  const bool is_classic = head.size() > 3 && std::equal(head.begin(), head.begin() + 3, "CDF");
+  if (is_classic && !end && head.size() == size) {
+    throw Refusal{"it ends within its header: it was cut off, copy or download it again"};
+  }
   if (!end || *end <= size) return;
   throw Refusal{"it has " + std::to_string(size) + " bytes, and its values end at " +
                 std::to_string(*end) + ": it was cut off, copy or download it again"};

@@ -36,7 +36,8 @@ class ClassicHeader {
     });
     SkipAttributes();
     Each([this] { TakeVariable(); });
-    if (!ok_ || (is_open && record_bytes_ > 0)) return std::nullopt;
+    if (!ok_) return std::nullopt;
+    if (is_open && record_bytes_ > 0) return 0;
     if (num_record_variables_ == 1) record_bytes_ = only_record_bytes_;
     for (const auto& [begin, bytes] : records_) {
       if (num_records == 0) break;

@@ -48,6 +48,7 @@ class ThreeHosts : public testing::TestWithParam<Placement> {
     }
     const std::string path = (folder_ / placement.mission).string();
     WriteFile(path, text);
+    CopyMissionData(folder_.path());
     return path;
   }
 
@@ -110,6 +111,10 @@ INSTANTIATE_TEST_SUITE_P(
                   {"\"hider_1\", \"seeker_2\"", "\"hider_2\", \"hider_3\"", "\"seeker_3\""},
                   true},
         Placement{"swarm_fdma.toml", {"\"alpha\"", "\"bravo\", \"charlie\"", "\"delta\""}},
+        Placement{"track_replay.toml", {"\"alpha\"", "\"ferry\"", "\"launch\""}},
+#ifdef SHOAL_HAS_NETCDF
+        Placement{"tidal_channel.toml", {"\"alpha\"", "\"bravo\""}},
+#endif
         Placement{"acoustic_shared.toml", {"\"alpha\", \"echo\"", "\"bravo\"", "\"charlie\""}}),
     [](const auto& each) { return each.param.mission.substr(0, each.param.mission.find('.')); });
 

@@ -83,7 +83,7 @@ int ForkReader(const std::vector<std::string>& question, int file_fd, int answer
   const int answer = fcntl(answer_fd, F_DUPFD, 10);
   dup2(file_fd, 3);
   dup2(answer, STDOUT_FILENO);
-  close(answer);
+  close_range(4, ~0U, 0);  // As in a program that was started, where they close by themselves.
   AnswerNetcdf(question);
 }
 
