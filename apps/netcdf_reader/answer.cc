@@ -25,7 +25,7 @@ namespace {
 constexpr int kFileDescriptor = 3;
 constexpr char kFile[] = "/proc/self/fd/3";
 constexpr rlim_t kMostMemory_bytes = rlim_t{1} << 30;
-constexpr rlim_t kMostCpu_s = 20;
+constexpr rlim_t kMostCpu_s = 10;
 /// 0 to 3, and two of libnetcdf's: a file cannot have others opened that it names.
 constexpr rlim_t kMostOpenFiles = 6;
 

@@ -112,10 +112,14 @@ INSTANTIATE_TEST_SUITE_P(
                   true},
         Placement{"swarm_fdma.toml", {"\"alpha\"", "\"bravo\", \"charlie\"", "\"delta\""}},
         Placement{"track_replay.toml", {"\"alpha\"", "\"ferry\"", "\"launch\""}},
-#ifdef SHOAL_HAS_NETCDF
-        Placement{"tidal_channel.toml", {"\"alpha\"", "\"bravo\""}},
-#endif
         Placement{"acoustic_shared.toml", {"\"alpha\", \"echo\"", "\"bravo\"", "\"charlie\""}}),
     [](const auto& each) { return each.param.mission.substr(0, each.param.mission.find('.')); });
+
+#ifdef SHOAL_HAS_NETCDF
+INSTANTIATE_TEST_SUITE_P(
+    MissionsWithNetcdf, ThreeHosts,
+    testing::Values(Placement{"tidal_channel.toml", {"\"alpha\"", "\"bravo\""}}),
+    [](const auto& each) { return each.param.mission.substr(0, each.param.mission.find('.')); });
+#endif
 
 }  // namespace shoal::hosts_in_namespaces_test
