@@ -53,8 +53,7 @@ constexpr TextRule kPathRule = {.min_length = 1, .max_length = 1000};
 std::string GridProblem(const CurrentGridOptions& grid) {
   if (grid.file.empty() && (grid.east.empty() || grid.north.empty())) {
     return "a current needs both components: write grid_east and grid_north, or grid = "
-           "\"tide.nc\", "
-           "a NetCDF file with both";
+           "\"tide.nc\", a NetCDF file with both";
   }
   if (!grid.file.empty() && !(grid.east.empty() && grid.north.empty())) {
     return "grid names both components, and so do grid_east and grid_north: remove one or the "
@@ -70,8 +69,7 @@ std::string GridProblem(const CurrentGridOptions& grid) {
   if (east.is_netcdf != north.is_netcdf || east.is_netcdf == east.variable.empty() ||
       north.is_netcdf == north.variable.empty()) {
     return "grid_east and grid_north are two ESRI ASCII files (.asc), or a NetCDF file each with "
-           "its "
-           "variable, like \"tide.nc:u\" and \"tide.nc:v\"";
+           "its variable, like \"tide.nc:u\" and \"tide.nc:v\"";
   }
   if (!IsGridTime(grid.time)) {
     return "grid_time is \"first\", \"absolute\", or a date like \"2026-11-24T06:00:00Z\"";

@@ -32,7 +32,9 @@ class CfReader {
 
   Result<CfField> Read() {
     for (const auto step : {&CfReader::ReadAxes, &CfReader::UseAxes, &CfReader::ReadValues}) {
-      if (const std::string problem = (this->*step)(); !problem.empty()) {
+      const std::string problem = (this->*step)();
+      if (!read_error_.empty()) return Error{read_error_};
+      if (!problem.empty()) {
         return Error{fmt::format("{}: variable '{}' {}", source_.name,
                                  PrintableName(variable_.name), problem)};
       }
@@ -89,7 +91,7 @@ class CfReader {
                          PrintableName(role.coordinate->name), name);
     }
     Result<std::vector<double>> points = source_.read(*coordinate);
-    if (!points.ok()) return fmt::format("has an axis that cannot be read: {}", points.error());
+    if (!points.ok()) return read_error_ = points.error();
     const bool are_longitudes = kind->is_geographic && kind->role == CfRole::kEast;
     const std::optional<CfAxis> axis =
         Ascending(Unpacked(*coordinate, std::move(*points)), are_longitudes);
@@ -233,7 +235,7 @@ class CfReader {
                          quantity_ == CfQuantity::kMetres ? "metres" : "m s-1");
     }
     Result<std::vector<double>> read = source_.read(variable_);
-    if (!read.ok()) return "cannot be read: " + read.error();
+    if (!read.ok()) return read_error_ = read.error();
     const std::vector<double> values = Unpacked(variable_, std::move(*read));
     const auto& [time, depth, north, east] = roles_;
     field_.values.reserve(time.axis.source.size() * depth.axis.source.size() *
@@ -257,6 +259,7 @@ class CfReader {
   const CfQuantity quantity_;
   std::array<Role, kNumCfRoles> roles_;  ///< By CfRole.
   CfField field_;
+  std::string read_error_;  ///< Names file and variable already; empty: all could be read.
 };
 
 }  // namespace

@@ -92,7 +92,7 @@ Result<std::string> NetcdfFile::Ask(const std::vector<std::string>& question, ch
   if (failure == ENOENT) return Error{kMissing};
   if (failure != 0) return Error{fmt::format("cannot run shoal-netcdf: {}", ErrnoText(failure))};
   to_write.Close();
-  const std::string bytes = ReadAnswer(to_read.get(), most_bytes);
+  std::string bytes = ReadAnswer(to_read.get(), most_bytes);
   if (bytes.size() > most_bytes) kill(pid, SIGKILL);
   int status = 0;
   while (waitpid(pid, &status, 0) < 0 && errno == EINTR) {
@@ -113,8 +113,9 @@ Result<std::string> NetcdfFile::Ask(const std::vector<std::string>& question, ch
       WEXITSTATUS(status) != 0) {
     return Error{Failure(status)};
   }
-  const size_t begin = kNetcdfGreeting.size() + 1;
-  return bytes.substr(begin, bytes.size() - begin - kNetcdfEnd.size());
+  bytes.resize(bytes.size() - kNetcdfEnd.size());
+  bytes.erase(0, kNetcdfGreeting.size() + 1);
+  return bytes;
 }
 
 Result<NetcdfFile> NetcdfFile::Open(int fd, const std::string& name, NetcdfReaderStart start) {

@@ -3,13 +3,17 @@
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
+#include <signal.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <string>
 #include <vector>
 
+#include "lib/netcdf/netcdf_wire.h"
 #include "lib/record/file_descriptor.h"
 #include "tests/netcdf/write_netcdf.h"
 
@@ -132,6 +136,66 @@ TEST_P(NetcdfFiles, OfMoreValuesThanAGridMayHaveAreRefusedUnread) {
   EXPECT_TRUE(values.error().starts_with(
       "small.nc: variable 'z' has 25000000 values, and a grid at most 16000000; cut out the part"))
       << values.error();
+}
+
+/// Starts a reader that does this instead of its work.
+NetcdfReaderStart Instead(const std::function<void(int answer_fd)>& work) {
+  return [work](const std::vector<std::string>& /*question*/, int /*file_fd*/, int answer_fd,
+                pid_t* pid) {
+    *pid = fork();
+    if (*pid != 0) return *pid < 0 ? errno : 0;
+    work(answer_fd);
+    _exit(0);
+  };
+}
+
+void Answer(int fd, const std::string& bytes) {
+  for (size_t at = 0; at < bytes.size();) {
+    const ssize_t written = write(fd, bytes.data() + at, bytes.size() - at);
+    if (written <= 0) return;
+    at += static_cast<size_t>(written);
+  }
+}
+
+std::string ErrorWith(const NetcdfReaderStart& start) {
+  const Result<NetcdfFile> file = NetcdfFile::Open(STDIN_FILENO, "small.nc", start);
+  return file.ok() ? "no error" : file.error();
+}
+
+TEST(NetcdfReader, ThatCrashesIsAnErrorThatNamesTheFile) {
+  EXPECT_TRUE(
+      ErrorWith(Instead([](int) { raise(SIGSEGV); }))
+          .starts_with("small.nc: the NetCDF library crashed on it (Segmentation fault); the "
+                       "file is damaged"));
+  EXPECT_TRUE(ErrorWith(Instead([](int) {
+                raise(SIGXCPU);
+              })).starts_with("small.nc: reading it takes longer than shoal-netcdf may"));
+  EXPECT_TRUE(ErrorWith(Instead([](int) {
+                _exit(7);
+              })).starts_with("small.nc: shoal-netcdf ended without a whole answer (exit code 7)"));
+}
+
+TEST(NetcdfReader, IsNotBelieved) {
+  const std::string greeting(kNetcdfGreeting);
+  const std::string huge_count = std::string("\x7F\xFF\xFF\xFF", 4);
+  for (const std::string& answer :
+       {std::string(), std::string("hello"), greeting, greeting + "H", greeting + "H.\n",
+        greeting + "V.\n", greeting + "H" + huge_count + ".\n",
+        greeting + "E" + huge_count + ".\n"}) {
+    const std::string error = ErrorWith(Instead([&](int fd) { Answer(fd, answer); }));
+    EXPECT_TRUE(error.starts_with("small.nc: ")) << error;
+    EXPECT_NE(error.find("the file is damaged"), std::string::npos) << error;
+  }
+  const std::string error = ErrorWith(Instead([](int fd) {
+    const std::string megabyte(size_t{1} << 20, 'x');
+    for (int i = 0; i < 1000; ++i) Answer(fd, megabyte);
+  }));
+  EXPECT_TRUE(error.starts_with("small.nc: shoal-netcdf answered with more than")) << error;
+}
+
+TEST(NetcdfReader, ThatIsNotThereIsAnErrorThatNamesThePackage) {
+  const std::string error = ErrorWith([](const auto&, int, int, pid_t*) { return ENOENT; });
+  EXPECT_NE(error.find("apt-get install libnetcdf-dev"), std::string::npos) << error;
 }
 
 INSTANTIATE_TEST_SUITE_P(OfBothForms, NetcdfFiles,

@@ -27,7 +27,7 @@
 
 namespace shoal::netcdf_mutations_test {
 
-constexpr int kNumMutations = 5000;  // Of either form.
+constexpr int kNumMutations = 2500;  // Of either form.
 constexpr size_t kMost_bytes = size_t{512} << 20;
 /// Lengths without end, NaN, and marks that files of both kinds have.
 constexpr std::array<std::string_view, 8> kHarm = {std::string_view("\x7F\xFF\xFF\xFF", 4),
