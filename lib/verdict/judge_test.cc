@@ -392,7 +392,7 @@ TEST(JudgeWarnings, NameVehiclesThatLeftTheGridOfTheCurrent) {
   const Warnings warnings = judge.Warnings();
   EXPECT_EQ(std::ranges::count(warnings,
                                "left the grid of the current, and had the water of its "
-                               "nearest edge: bravo"),
+                               "nearest edge: Bravo"),
             1);
 }
 
