@@ -68,6 +68,7 @@ std::string HostFarm::Placed(const std::string& mission, const std::vector<std::
   }
   const std::string path = (folder / mission).string();
   WriteFile(path, text);
+  CopyMissionData(folder.path());
   return path;
 }
 

@@ -57,6 +57,19 @@ TEST(Hosts, GiveTheLogOfShoalSim) {
   EXPECT_TRUE(ReadFile(dir + "/mission.lcm") == LogOfSim(farm.folder, mission));
 }
 
+TEST(Hosts, HaveTheGridsOfTheMissionSentToThem) {
+#ifndef SHOAL_HAS_NETCDF
+  GTEST_SKIP() << "no libnetcdf: scripts/setup installs it";
+#else
+  HostFarm farm(1);
+  const std::string mission = farm.Placed("tidal_channel.toml", {"\"alpha\", \"bravo\""}, kPatient);
+  const std::string dir = (farm.folder / "rec").string();
+  const Finished finished = RunPlaced(farm, mission, {"--record", dir});
+  EXPECT_EQ(finished.exit_code, 0) << finished.output << farm.hosts[0].process->Output();
+  EXPECT_TRUE(ReadFile(dir + "/mission.lcm") == LogOfSim(farm.folder, mission));
+#endif
+}
+
 TEST(Hosts, RunOneMissionAfterTheOther) {
   HostFarm farm(1);
   const std::string mission = farm.Placed("alpha.toml", {"\"alpha\""}, kPatient);
