@@ -6,6 +6,7 @@
 
 #include "lib/bus/channels.h"
 #include "lib/bus/seal.h"
+#include "lib/run/step_answers.h"
 
 namespace shoal {
 
@@ -65,9 +66,7 @@ void HomeRelay::OnTick(std::span<const uint8_t> datagram, int64_t wall_us) {
   if (!opened || !Decode(opened->message, &tick)) return;
   if (tick.step == step_) {
     // The clock lacks an answer; it may have been lost on this bus.
-    for (const auto& [name, answer] : answers_) {
-      bus_.SendPlain({.name = std::string(topics::kStepDone), .data = answer});
-    }
+    for (const auto& [publisher, answer] : answers_) bus_.SendPlain(answer);
   }
   if (tick.step <= step_) return;
   step_ = tick.step;
@@ -127,17 +126,32 @@ LinkMessage HomeRelay::BatchFor(size_t number) const {
   return batch;
 }
 
+/// Empty: it is no genuine answer of participants of this host alone.
+std::string HomeRelay::PublisherOfAnswer(const Host& host, const LinkPart& part) {
+  const auto opened = bus_.Open(part.name, part.data);
+  if (!opened) return {};
+  const std::optional<step_dones_t> answers = DecodeStepAnswers(part.name, opened->message);
+  const auto is_of_host = [&](const step_done_t& done) {
+    return host.relayed.participants.contains(done.participant);
+  };
+  if (answers && std::all_of(answers->dones.begin(), answers->dones.end(), is_of_host)) {
+    return answers->dones.front().participant;
+  }
+  bus_.CountRefused();
+  return {};
+}
+
 void HomeRelay::OnMessage(size_t host, const LinkMessage& message, int64_t wall_us) {
   Host& from = hosts_[host];
   bool has_answer = false;
   for (const LinkPart& part : message.parts) {
     if (IsAnswer(part.name)) {
       bus_.SendPlain(part);
-    } else if (part.name == topics::kStepDone) {
-      const auto opened = bus_.Open(part.name, part.data);
-      if (!opened || !from.relayed.participants.contains(opened->publisher)) continue;
+    } else if (IsStepAnswer(part.name)) {
+      const std::string publisher = PublisherOfAnswer(from, part);
+      if (publisher.empty()) continue;
       if (message.step == step_ && step_ >= 0) {
-        answers_[opened->publisher] = part.data;
+        answers_[publisher] = part;
         has_answer = true;
       }
       bus_.SendPlain(part);

@@ -67,6 +67,7 @@ class HomeRelay {
 
   void OnTick(std::span<const uint8_t> datagram, int64_t wall_us);
   bool IsPlayed(std::string_view publisher) const;
+  std::string PublisherOfAnswer(const Host& host, const LinkPart& part);
   /// Calls `use(total)` for each total of the pending tick of which messages are missing.
   template <class Use>
   void ForEachMissing(Use use) const;
@@ -85,7 +86,7 @@ class HomeRelay {
   LinkPart tick_part_;
   int64_t num_awaited_ = 0;
   int64_t next_request_us_ = 0;
-  std::map<std::string, Bytes, std::less<>> answers_;  ///< STEP_DONE of hosts, of the present step.
+  std::map<std::string, LinkPart> answers_;  ///< Of hosts, of the present step, by publisher.
 };
 
 /// Returns which channels the participants of some vehicles may subscribe to: those of the shore

@@ -33,8 +33,8 @@ enum class LinkKind : uint8_t {
   kTick,       ///< Home: step `step` begins; datagrams of the step before, TICK last.
   kDone,       ///< Host: datagrams of step `step`, STEP_DONE last; -1: hellos.
   kAside,      ///< Either: requests for pages and their answers.
-  kStart,      ///< Home: starts the participants that the parts name again.
-  kSignal,     ///< Home: sends part names' participants the signal in the data.
+  kStart,      ///< Home: starts the process of part "name" again.
+  kSignal,     ///< Home: sends the process of part "name" the signal of part "signal".
   kExit,       ///< Host: a process has ended (host_offer.h).
   kAlive,      ///< Either: nothing but a sign of life.
   kEnd,        ///< Home: the mission is over; the host ends its processes.

@@ -63,11 +63,11 @@ class HostSession {
 
  private:
   std::string LoadOffered();
-  std::string ChooseRoster(bool allow_programs);
+  std::string ChooseProcesses(bool allow_programs);
   std::string Claim();
   std::string StartAll();
-  std::string Start(const RosterEntry& entry);
-  const RosterEntry* Find(const std::string& name) const;
+  std::string Start(const RosterProcess& process);
+  const RosterProcess* Find(const std::string& name) const;
   void OnExits(int64_t wall_us);
 
   const HostOffer offer_;
@@ -77,7 +77,7 @@ class HostSession {
   ClaimedPorts& ports_;
   RunOptions options_;
   Mission mission_;
-  std::vector<RosterEntry> roster_;
+  std::vector<RosterProcess> processes_;
   std::unique_ptr<PortPlan> plan_;
   std::unique_ptr<LaunchContext> context_;
   FileDescriptor secret_fd_;

@@ -71,15 +71,6 @@ std::vector<std::string> ParticipantNames(const std::vector<RosterProcess>& proc
   return names;
 }
 
-/// Returns an error for each process that cannot be started.
-std::vector<std::string> MissingPrograms(const RunOptions& options, const Mission& mission) {
-  std::vector<RosterEntry> alone;  // A group runs in shoal's own program.
-  for (const RosterProcess& process : ProcessesOf(options, mission)) {
-    if (!process.is_group()) alone.push_back(process.entries.front());
-  }
-  return MissingPrograms(mission, alone);
-}
-
 }  // namespace
 
 Launcher::Launcher(const RunOptions& options, const Mission& mission,
@@ -106,9 +97,9 @@ Launcher::Launcher(const RunOptions& options, const Mission& mission,
       director_(make_director(mission, group_.Join(kOwnName))),
       clock_(MakeClockOptions(options, mission, mission_id, secret), ParticipantNames(processes_),
              ports_, transport_),
-      hosts_(access ? std::make_unique<MissionHosts>(context_, secret, MakeRoster(mission, false),
-                                                     std::move(*access))
-                    : nullptr),
+      hosts_(access
+                 ? std::make_unique<MissionHosts>(context_, secret, processes_, std::move(*access))
+                 : nullptr),
       supervision_(context_, processes_, clock_, terminal_, hosts_.get()) {
   group_.Attach(kOwnName, director_.get());
   group_.Listen();
@@ -242,7 +233,7 @@ int RunMission(const RunOptions& options, const Mission& mission,
     return kExitUsage;
   }
   // Before anything is made or started, so that nothing has to be undone.
-  const std::vector<std::string> missing = MissingPrograms(options, mission);
+  const std::vector<std::string> missing = MissingPrograms(mission, ProcessesOf(options, mission));
   if (!missing.empty()) return fail(fmt::format("{}", fmt::join(missing, "\nshoal: ")));
   std::optional<HostAccess> access;
   if (!HostsInUse(mission).empty()) {

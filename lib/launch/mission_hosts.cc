@@ -67,7 +67,7 @@ Result<HostAccess> PrepareHosts(const Mission& mission, const RunOptions& option
 }
 
 MissionHosts::MissionHosts(const LaunchContext& context, const MissionSecret& secret,
-                           const std::vector<RosterEntry>& roster, HostAccess access)
+                           const std::vector<RosterProcess>& processes, HostAccess access)
     : context_(context),
       access_(std::move(access)),
       secret_(secret),
@@ -78,12 +78,15 @@ MissionHosts::MissionHosts(const LaunchContext& context, const MissionSecret& se
     Host host{.options = options};
     RelayedHost each{.participants = {},
                      .wants = ChannelsOf(VehicleNames(context.mission), options.vehicles)};
-    for (const RosterEntry& entry : roster) {
-      if (entry.host != options.name) continue;
-      host.participants.push_back(entry.name);
-      each.participants.insert(entry.name);
-      // A program of the user's own may subscribe to anything.
-      if (entry.app.empty()) each.wants = [](std::string_view) { return true; };
+    for (const RosterProcess& process : processes) {
+      if (process.entries.front().host != options.name) continue;
+      host.processes.push_back(process.name);
+      for (const RosterEntry& entry : process.entries) {
+        host.participants.push_back(entry.name);
+        each.participants.insert(entry.name);
+        // A program of the user's own may subscribe to anything.
+        if (entry.app.empty()) each.wants = [](std::string_view) { return true; };
+      }
     }
     if (host.participants.empty()) continue;
     relayed.push_back(std::move(each));
@@ -135,6 +138,7 @@ void MissionHosts::Offer(Host* host) {
                         .overrides = context_.options.overrides,
                         .digest = digest_,
                         .participants = host->participants,
+                        .grouping = context_.options.grouping,
                         .secret = secret_,
                         .layout = context_.ports.layout(),
                         .timeout_s = host->options.timeout_s};
@@ -185,7 +189,7 @@ void MissionHosts::OnMessage(size_t number, const LinkMessage& message, int64_t 
   switch (message.kind) {
     case LinkKind::kAccept:
       host.state = State::kRunning;
-      host.running = {host.participants.begin(), host.participants.end()};
+      host.running = {host.processes.begin(), host.processes.end()};
       relay_->SetConnected(number, true);
       if (host.was_running) {
         notes_.push_back(fmt::format("{} is there again; its participants join", Describe(host)));
@@ -283,29 +287,31 @@ void MissionHosts::Lose(size_t number, const std::string& how, int64_t wall_us) 
   troubles_.push_back({.host = host.options.name, .how = how});
 }
 
-void MissionHosts::Start(const RosterEntry& entry) {
+void MissionHosts::Start(const RosterProcess& process) {
   for (Host& host : hosts_) {
-    if (host.options.name != entry.host || host.state != State::kRunning) continue;
+    if (host.options.name != process.entries.front().host || host.state != State::kRunning)
+      continue;
     LinkMessage message{.kind = LinkKind::kStart, .mission_id = context_.mission_id};
-    message.AddText("name", entry.name);
-    host.running.insert(entry.name);
+    message.AddText("name", process.name);
+    host.running.insert(process.name);
     Send(&host, message);
   }
 }
 
-void MissionHosts::Signal(const RosterEntry& entry, int signal) {
+void MissionHosts::Signal(const RosterProcess& process, int signal) {
   for (Host& host : hosts_) {
-    if (host.options.name != entry.host || host.state != State::kRunning) continue;
+    if (host.options.name != process.entries.front().host || host.state != State::kRunning)
+      continue;
     LinkMessage message{.kind = LinkKind::kSignal, .mission_id = context_.mission_id};
-    message.AddText("name", entry.name);
+    message.AddText("name", process.name);
     message.AddText("signal", std::to_string(signal));
     Send(&host, message);
   }
 }
 
-bool MissionHosts::IsRunning(const std::string& participant) const {
+bool MissionHosts::IsRunning(const std::string& name) const {
   return std::any_of(hosts_.begin(), hosts_.end(),
-                     [&](const Host& host) { return host.running.contains(participant); });
+                     [&](const Host& host) { return host.running.contains(name); });
 }
 
 void MissionHosts::End() {

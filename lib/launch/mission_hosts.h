@@ -46,7 +46,7 @@ class MissionHosts {
  public:
   /// `context` must outlive this. Begins to connect.
   MissionHosts(const LaunchContext& context, const MissionSecret& secret,
-               const std::vector<RosterEntry>& roster, HostAccess access);
+               const std::vector<RosterProcess>& processes, HostAccess access);
 
   /// Takes what has arrived and does what is due.
   void OnTime(int64_t wall_us);
@@ -55,10 +55,11 @@ class MissionHosts {
   int fd() const { return poll_.get(); }
   void WatchToo(int descriptor);
 
-  /// Starts a participant again, on its host.
-  void Start(const RosterEntry& entry);
-  void Signal(const RosterEntry& entry, int signal);
-  bool IsRunning(const std::string& participant) const;
+  /// Starts a process again, on its host.
+  void Start(const RosterProcess& process);
+  void Signal(const RosterProcess& process, int signal);
+  /// `name`: of a process.
+  bool IsRunning(const std::string& name) const;
   /// Lets all hosts end their processes.
   void End();
 
@@ -77,6 +78,7 @@ class MissionHosts {
   struct Host {
     HostOptions options;
     std::vector<std::string> participants = {};
+    std::vector<std::string> processes = {};
     std::unique_ptr<HomeLink> link = {};
     LinkIntake intake = {};
     State state = State::kConnecting;
@@ -86,7 +88,7 @@ class MissionHosts {
     int64_t heard_us = 0;  ///< When its last message came.
     int64_t sent_us = 0;
     int64_t retry_us = 0;                ///< When to connect again; 0: not planned.
-    std::set<std::string> running = {};  ///< Participants whose processes have not ended.
+    std::set<std::string> running = {};  ///< Processes that have not ended.
     int64_t num_refused = 0;             ///< Over all links.
   };
 
