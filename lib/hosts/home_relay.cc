@@ -3,15 +3,18 @@
 #include <algorithm>
 #include <limits>
 #include <memory>
+#include <unordered_map>
 
 #include "lib/bus/channels.h"
 #include "lib/bus/seal.h"
+#include "lib/run/channel_set.h"
 #include "lib/run/step_answers.h"
 
 namespace shoal {
 
 namespace {
 
+constexpr size_t kMostKnownChannels = 100'000;
 constexpr int64_t kNeverDue = std::numeric_limits<int64_t>::max();
 
 }  // namespace
@@ -173,6 +176,12 @@ void HomeRelay::OnMessage(size_t host, const LinkMessage& message, int64_t wall_
   from.timing.worst_late_us = std::max(from.timing.worst_late_us, wall_us - due_us_);
 }
 
+int64_t HomeRelay::WaitedFor(size_t host, int64_t wall_us) const {
+  const Host& each = hosts_[host];
+  const bool owes = each.is_connected && step_ >= 0 && !is_end_ && !pending_;
+  return owes && each.timed_step == step_ - 1 ? wall_us - tick_at_us_ : 0;
+}
+
 void HomeRelay::OnTime(int64_t wall_us) {
   if (!pending_ || wall_us < next_request_us_) return;
   next_request_us_ = wall_us + kRelayRepeat_us;
@@ -196,7 +205,15 @@ std::function<bool(std::string_view)> ChannelsOf(const std::vector<std::string>&
   for (const std::string& vehicle : vehicles) {
     ports->insert(plan->PortOf(channels::Nav(vehicle).name));
   }
-  return [plan, ports](std::string_view channel) { return ports->contains(plan->PortOf(channel)); };
+  // A step asks for the same channels again and again.
+  auto known = std::make_shared<std::unordered_map<std::string, bool, TextHash, std::equal_to<>>>();
+  return [plan, ports, known](std::string_view channel) {
+    const auto found = known->find(channel);
+    if (found != known->end()) return found->second;
+    const bool is_wanted = ports->contains(plan->PortOf(channel));
+    if (known->size() < kMostKnownChannels) known->emplace(channel, is_wanted);
+    return is_wanted;
+  };
 }
 
 }  // namespace shoal

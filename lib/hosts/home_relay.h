@@ -54,6 +54,11 @@ class HomeRelay {
     int64_t worst_late_us = 0;
   };
   const Timing& timing(size_t host) const { return hosts_[host].timing; }
+  /// Returns for how long a host owes the answer of the present step, microseconds, where it has
+  /// given that of the step before; else 0: it may have nothing that takes part.
+  int64_t WaitedFor(size_t host, int64_t wall_us) const;
+  /// True while a TICK waits for messages of the step before it.
+  bool awaits_data() const { return pending_.has_value(); }
   int64_t step() const { return step_; }
   int64_t num_refused() const { return bus_.num_refused(); }
 

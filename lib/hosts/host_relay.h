@@ -40,6 +40,8 @@ class HostRelay {
   /// to be forgotten.
   void Forget(const std::string& participant, int64_t wall_us);
 
+  /// True while all have answered and messages that they announced are missing.
+  bool awaits_data() const { return awaited_.empty() && !unsent_.empty(); }
   /// True where END has been answered by all.
   bool ended() const { return is_end_ && awaited_.empty() && unsent_.empty(); }
   int64_t step() const { return step_; }

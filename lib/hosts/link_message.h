@@ -81,6 +81,8 @@ class LinkIntake {
   void set_mission_id(int64_t mission_id) { mission_id_ = mission_id; }
 
   int64_t num_refused() const { return num_refused_; }
+  /// True where a message is missing for good: all that follows is refused.
+  bool has_gap() const { return has_gap_; }
 
  private:
   Result<LinkMessage> Refuse(std::string why);
@@ -88,6 +90,7 @@ class LinkIntake {
   int64_t mission_id_ = 0;  ///< 0: any.
   uint64_t next_sequence_ = 0;
   int64_t num_refused_ = 0;
+  bool has_gap_ = false;
 };
 
 }  // namespace shoal

@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "lib/bus/layout.h"
 #include "lib/check/time_units.h"
 #include "lib/mission/load.h"
 #include "lib/run/build_id.h"
@@ -31,7 +32,8 @@ HostSession::HostSession(HostOffer offer, int64_t mission_id, SendHome send,
       mission_id_(mission_id),
       send_(std::move(send)),
       terminal_(terminal),
-      ports_(ports) {}
+      ports_(ports),
+      wake_rule_(std::min(kWantedReceiveBuffer, ReceiveBufferLimit()), WakeRule::kFewOfRelay) {}
 
 HostSession::~HostSession() {
   children_.SignalAll(SIGKILL);
@@ -142,8 +144,10 @@ std::string HostSession::StartAll() {
       transport_,
       std::set<std::string, std::less<>>(offer_.participants.begin(), offer_.participants.end()),
       send_);
+  transport_.DeferFrom(plan_->shore_port());
   transport_.set_receiver(
       [this](int port, std::string_view channel, std::span<const uint8_t> datagram) {
+        wake_rule_.OnDatagram();
         relay_->OnDatagram(port, channel, datagram, MonotonicMicroseconds());
       });
   if (!transport_.error().empty()) return transport_.error();
@@ -175,6 +179,8 @@ std::string HostSession::OnMessage(const LinkMessage& message, int64_t wall_us) 
   const std::string name = message.TextOf("name");
   switch (message.kind) {
     case LinkKind::kTick:
+      wake_rule_.OnStep(wall_us);
+      return relay_->OnMessage(message, wall_us);
     case LinkKind::kAside:
       return relay_->OnMessage(message, wall_us);
     case LinkKind::kStart: {
@@ -185,10 +191,12 @@ std::string HostSession::OnMessage(const LinkMessage& message, int64_t wall_us) 
       terminal_.Show(fmt::format("{} starts again", name));
       return Start(*process);
     }
-    case LinkKind::kSignal:
-      if (Find(name) != nullptr)
-        children_.Signal(name, std::atoi(message.TextOf("signal").c_str()));
+    case LinkKind::kSignal: {
+      const int signal = std::atoi(message.TextOf("signal").c_str());
+      if (signal < 1 || signal > SIGSYS) return fmt::format("a signal of number {}", signal);
+      if (Find(name) != nullptr) children_.Signal(name, signal);
       return {};
+    }
     case LinkKind::kEnd:
       End(wall_us);
       return {};
@@ -199,7 +207,6 @@ std::string HostSession::OnMessage(const LinkMessage& message, int64_t wall_us) 
 
 void HostSession::OnTime(int64_t wall_us) {
   relay_->OnTime(wall_us);
-  OnExits(wall_us);
   if (is_ending_ && !is_killing_ && wall_us >= end_us_) {
     is_killing_ = true;
     children_.SignalAll(SIGKILL);
@@ -222,6 +229,13 @@ void HostSession::OnExits(int64_t wall_us) {
                                  .last_lines = exit.last_lines},
                         mission_id_));
   }
+}
+
+bool HostSession::Poll(int64_t timeout_us, int extra_fd) {
+  const int64_t now = MonotonicMicroseconds();
+  const bool sleeps = !relay_->awaits_data() && wake_rule_.SleepsThrough(now);
+  return transport_.Poll(sleeps ? wake_rule_.Timeout(timeout_us, now) : timeout_us, extra_fd,
+                         sleeps ? WakeFor::kSteps : WakeFor::kAll);
 }
 
 int64_t HostSession::NextDeadline() const {

@@ -183,7 +183,9 @@ void Supervision::OnTime(int64_t wall_us, int64_t num_foreign) {
 
 void Supervision::OnSignals(int signal_fd) {
   signalfd_siginfo info{};
+  bool is_any = false;
   while (read(signal_fd, &info, sizeof info) == sizeof info) {
+    is_any = true;
     if (info.ssi_signo == SIGCHLD) continue;  // Several may share one; Reap finds all.
     if (is_interrupted_) {
       is_killing_ = true;  // Asked twice: wait no longer.
@@ -193,7 +195,7 @@ void Supervision::OnSignals(int signal_fd) {
       Fail(kExitMissionFailed, "interrupted: ending the mission");
     }
   }
-  OnChildExits();
+  if (is_any) OnChildExits();
 }
 
 void Supervision::OnChildExits() {

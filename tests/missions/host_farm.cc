@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <regex>
 #include <sstream>
 
 #include "lib/record/log_reader.h"
@@ -38,6 +39,15 @@ void TakeOutWhatComesLater(const std::string& mission) {
     if (!is_later) kept += line + "\n";
   }
   WriteFile(mission, kept);
+}
+
+void Shorten(const std::string& mission, int duration_s) {
+  TakeOutWhatComesLater(mission);
+  const std::string text = ReadFile(mission);
+  const std::regex duration("\nduration_s = [0-9]+");
+  EXPECT_TRUE(std::regex_search(text, duration)) << mission;
+  WriteFile(mission,
+            std::regex_replace(text, duration, "\nduration_s = " + std::to_string(duration_s)));
 }
 
 HostFarm::HostFarm(size_t count, std::vector<std::string> options) {

@@ -22,6 +22,9 @@ std::string LogOfSim(const TestFolder& folder, const std::string& mission);
 /// Takes events and expectations out of a mission's file, so that it may be cut short.
 void TakeOutWhatComesLater(const std::string& mission);
 
+/// The same, and sets how long the mission is.
+void Shorten(const std::string& mission, int duration_s);
+
 /// A computer of a test: `shoal host` with a key of its own.
 struct TestHost {
   std::string name;

@@ -360,6 +360,7 @@ TEST(FarHost, StepsAlmostOncePerRoundTrip) {
   const DelayingProxy proxy(farm.PortOf(0), 0.010);
   const std::string mission = farm.Placed("alpha.toml", {"\"alpha\""}, kPatient,
                                           {"tcp://127.0.0.1:" + std::to_string(proxy.port())});
+  Shorten(mission, 60);
   const std::string dir = (farm.folder / "rec").string();
   const Finished finished = farm.Run(mission, {"--record", dir});
   EXPECT_EQ(finished.exit_code, 0) << finished.output;
