@@ -92,6 +92,7 @@ TEST(HostOffer, ArrivesAsItWasSent) {
                         .overrides = {"mission.seed=2", "mission.name=a"},
                         .digest = "d",
                         .participants = {"helm_alpha"},
+                        .grouping = {.kind = Grouping::Kind::kHost, .num_processes = 3},
                         .secret = RandomSecret(),
                         .layout = Layout::kCommunities,
                         .timeout_s = 0.9};
@@ -100,10 +101,15 @@ TEST(HostOffer, ArrivesAsItWasSent) {
   EXPECT_EQ(read->files, offer.files);
   EXPECT_EQ(read->overrides, offer.overrides);
   EXPECT_EQ(read->participants, offer.participants);
+  EXPECT_EQ(read->grouping, offer.grouping);
   EXPECT_EQ(read->secret, offer.secret);
   EXPECT_EQ(read->layout, offer.layout);
   EXPECT_EQ(read->timeout_s, 0.9);
   EXPECT_FALSE(OfferOf({.kind = LinkKind::kOffer}).ok());
+  LinkMessage wrong = ToLinkMessage(offer, 5);
+  std::erase_if(wrong.parts, [](const LinkPart& part) { return part.name == "grouping"; });
+  wrong.AddText("grouping", "boats");
+  EXPECT_NE(OfferOf(wrong).error().find("'boats' is no grouping"), std::string::npos);
 }
 
 TEST(HostExit, ArrivesAsItWasSent) {

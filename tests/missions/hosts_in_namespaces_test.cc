@@ -23,7 +23,8 @@ std::string WhyNoNamespaces() {
     return "ip, nsenter or python3 is missing";
   }
   const char* command =
-      "unshare -rn sh -c 'ip link add a type veth peer name b && unshare -n true' >/dev/null 2>&1";
+      "unshare -rn sh -c 'ip link add name here type veth peer name there && unshare -n true' "
+      ">/dev/null 2>&1";
   return std::system(command) == 0 ? "" : "this user may not make network namespaces (unshare -rn)";
 }
 
