@@ -21,6 +21,10 @@ set(staging ${CMAKE_BINARY_DIR}/install)
 set(apps acomms gateway helm netsim_manager node_reporter recorder shore_broker vehicle_sim)
 set(examples acoustic_ping c_listener c_planner netsim_outsider netsim_raw_modem referee)
 install(TARGETS shoal viewer ${apps} ${examples} RUNTIME DESTINATION ${programs_dir})
+# Run by the others, never by a user: it has no name on the PATH.
+if(TARGET netcdf_reader)
+  install(TARGETS netcdf_reader RUNTIME DESTINATION ${programs_dir})
+endif()
 function(shoal_link_program name program)
   file(MAKE_DIRECTORY ${staging}/bin)
   file(CREATE_LINK ../${programs_dir}/${program} ${staging}/bin/${name} SYMBOLIC)
@@ -38,7 +42,7 @@ endforeach()
 # Missions, campaigns, examples, data, message types, documentation.
 foreach(folder missions campaigns data lcmtypes)
   install(DIRECTORY ${folder} DESTINATION ${share_dir} FILES_MATCHING
-    PATTERN "*.toml" PATTERN "*.lcm" PATTERN "*.asc" PATTERN "*.csv" PATTERN "*.gpx")
+    PATTERN "*.toml" PATTERN "*.lcm" PATTERN "*.asc" PATTERN "*.nc" PATTERN "*.csv" PATTERN "*.gpx")
 endforeach()
 install(DIRECTORY examples DESTINATION ${share_dir} USE_SOURCE_PERMISSIONS
   PATTERN CMakeLists.txt EXCLUDE PATTERN __pycache__ EXCLUDE)
@@ -100,7 +104,7 @@ install(FILES ${staging}/shoal_sim.pc DESTINATION lib/pkgconfig)
 add_custom_target(install_parts
   DEPENDS shoal viewer ${apps} ${examples} shoal_sim shoal_lcmtypes_c shoal_lcmtypes_gen)
 add_dependencies(install_parts shoal_archive)
-foreach(target man_pages shoal_types_jar)
+foreach(target man_pages netcdf_reader shoal_types_jar)
   if(TARGET ${target})
     add_dependencies(install_parts ${target})
   endif()

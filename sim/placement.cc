@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <numeric>
 #include <optional>
 #include <string_view>
 
@@ -25,6 +26,8 @@ constexpr double kDirectorPerVehicle_us = 0.17;
 constexpr double kDirectorPerLink_us = 0.04;  ///< For each other vehicle with fates of its own.
 constexpr double kBrokerPerVehicle_us = 0.14;
 constexpr double kBrokerPerLink_us = 0.05;
+constexpr double kCrossingPerLink_us =
+    0.04;  ///< Of a fate that goes to another part, on each side.
 
 double CostOf(const Mission& mission, const Vehicle& vehicle) {
   double cost_us = 0;
@@ -71,7 +74,11 @@ double NumLinks(const Mission& mission) {
 
 constexpr size_t kNowhere = static_cast<size_t>(-1);
 
-/// Places the vehicles of one word of --place. Returns what is wrong with it, if anything.
+/// What a word of --place may have beside vehicles.
+constexpr std::string_view kBroker = "shore_broker";
+
+/// Places what one word of --place names: vehicles, the broker. Returns what is wrong with it, if
+/// anything.
 std::optional<Error> PlaceByHand(const Mission& mission, const std::string& word,
                                  Placement* placement) {
   const auto wrong = [&](const std::string& why) {
@@ -91,7 +98,11 @@ std::optional<Error> PlaceByHand(const Mission& mission, const std::string& word
     const size_t comma = std::min(rest.find(','), rest.size());
     const std::string_view name = rest.substr(0, comma);
     const std::vector<const Vehicle*> named = mission.VehiclesNamed(name);
-    if (named.empty()) return wrong(fmt::format("there is no vehicle {}", Quoted(name)));
+    if (name == kBroker) {
+      placement->broker_part = part;
+    } else if (named.empty()) {
+      return wrong(fmt::format("there is no vehicle {}", Quoted(name)));
+    }
     for (const Vehicle* vehicle : named) {
       size_t& place =
           placement->part_of_vehicle[static_cast<size_t>(vehicle - mission.vehicles.data())];
@@ -118,6 +129,41 @@ double LevelOf(std::vector<double> loads_us, double more_us) {
   return level_us;
 }
 
+/// Where the broker may be, and what each part has to do before any vehicle is placed.
+struct CommonLoads {
+  size_t broker_part = 0;
+  std::vector<double> loads_us;
+};
+
+/// The director takes in all that the broker decides: beside it, nothing of that crosses; apart
+/// from it, both work at the same time. Returns that in which the busiest part has less to do.
+/// `broker_part`: kNowhere, or where the user wants the broker.
+CommonLoads PlaceCommon(const Mission& mission, size_t num_parts, size_t broker_part,
+                        double vehicles_us) {
+  const auto num_vehicles = static_cast<double>(mission.vehicles.size());
+  const double num_links = NumLinks(mission);
+  const double director_us =
+      kDirectorPerVehicle_us * num_vehicles + kDirectorPerLink_us * num_links;
+  const double broker_us = kBrokerPerVehicle_us * num_vehicles + kBrokerPerLink_us * num_links;
+  const auto with_broker_on = [&](size_t part) {
+    CommonLoads loads = {.broker_part = part, .loads_us = std::vector<double>(num_parts, 0)};
+    const double crossing_us = part == 0 ? 0 : kCrossingPerLink_us * num_links;
+    loads.loads_us[0] += director_us + crossing_us;
+    loads.loads_us[part] += broker_us + crossing_us;
+    return loads;
+  };
+  if (broker_part != kNowhere) return with_broker_on(broker_part);
+  if (num_parts == 1) return with_broker_on(0);
+  const auto busiest_us = [&](const CommonLoads& loads) {
+    return std::max(*std::ranges::max_element(loads.loads_us),
+                    LevelOf(loads.loads_us, vehicles_us));
+  };
+  CommonLoads beside = with_broker_on(0);
+  CommonLoads apart = with_broker_on(1);
+  constexpr double kWorthIt = 0.99;  // What is alike but for rounding stays beside.
+  return busiest_us(apart) < kWorthIt * busiest_us(beside) ? apart : beside;
+}
+
 }  // namespace
 
 Placement OnePart(const Mission& mission) {
@@ -129,24 +175,21 @@ Placement OnePart(const Mission& mission) {
 Result<Placement> MakePlacement(const Mission& mission, size_t num_parts,
                                 std::span<const std::string> by_hand) {
   SHOAL_CHECK(num_parts > 0, "a mission has at least one part");
-  Placement placement = {.num_parts = num_parts};
+  Placement placement = {.num_parts = num_parts, .broker_part = kNowhere};
   placement.part_of_vehicle.assign(mission.vehicles.size(), kNowhere);
   for (const std::string& word : by_hand) {
     if (const auto error = PlaceByHand(mission, word, &placement)) return *error;
   }
-  std::vector<double> loads_us(num_parts, 0);
   std::vector<double> costs_us;
+  for (const Vehicle& vehicle : mission.vehicles) costs_us.push_back(CostOf(mission, vehicle));
+  auto [broker_part, loads_us] =
+      PlaceCommon(mission, num_parts, placement.broker_part,
+                  std::accumulate(costs_us.begin(), costs_us.end(), 0.0));
+  placement.broker_part = broker_part;
   double rest_us = 0;
-  const auto num_vehicles = static_cast<double>(mission.vehicles.size());
-  const double num_links = NumLinks(mission);
-  placement.broker_part = num_parts > 1 ? 1 : 0;
-  loads_us[0] += kDirectorPerVehicle_us * num_vehicles + kDirectorPerLink_us * num_links;
-  loads_us[placement.broker_part] +=
-      kBrokerPerVehicle_us * num_vehicles + kBrokerPerLink_us * num_links;
   for (size_t i = 0; i < mission.vehicles.size(); ++i) {
-    costs_us.push_back(CostOf(mission, mission.vehicles[i]));
     const size_t part = placement.part_of_vehicle[i];
-    (part == kNowhere ? rest_us : loads_us[part]) += costs_us.back();
+    (part == kNowhere ? rest_us : loads_us[part]) += costs_us[i];
   }
   const double level_us = LevelOf(loads_us, rest_us);
   // In the mission's order, each vehicle goes to the part in whose room its middle lies.

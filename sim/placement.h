@@ -24,11 +24,11 @@ struct Placement {
 [[nodiscard]] Placement OnePart(const Mission& mission);
 
 /// Shares the vehicles out by what they cost: in the mission's order, so that neighbours stay
-/// together, with fewer to part 0, which has the director too, and to part 1, where there is one,
-/// which has the broker. `by_hand` names vehicles that go to a
-/// part of the user's choice, as --place takes them: "0=alpha,bravo", "1=group:hiders"; the others
-/// are shared out around them. The result of a mission does not depend on its placement. The error
-/// names the words that are wrong.
+/// together, with fewer to part 0, which has the director too, and to the part that has the broker:
+/// part 0 or part 1, whichever leaves less to the busiest part. `by_hand` names vehicles that go to
+/// a part of the user's choice, as --place takes them: "0=alpha,bravo", "1=group:hiders", and
+/// "1=shore_broker"; the others are shared out around them. The result of a mission does not depend
+/// on its placement. The error names the words that are wrong.
 /// @pre num_parts > 0
 [[nodiscard]] Result<Placement> MakePlacement(const Mission& mission, size_t num_parts,
                                               std::span<const std::string> by_hand = {});

@@ -48,10 +48,19 @@ TEST(Placement, GivesFewerVehiclesToThePartsThatHaveDirectorAndBroker) {
 TEST(Placement, CountsWhatTheBrokerDecidesAbout) {
   Mission mission = Fleet(300);
   mission.comms.comms_range_m = 50;
-  const Placement apart = Place(mission, 3);
-  EXPECT_EQ(apart.broker_part, 1U);
+  const Placement few = Place(mission, 2);
   mission.comms.comms_range_m = 150;
-  EXPECT_LT(CountsOf(Place(mission, 3))[1] + 10, CountsOf(apart)[1]);
+  EXPECT_LT(CountsOf(Place(mission, 2))[0] + 10, CountsOf(few)[0]);
+}
+
+TEST(Placement, PutsTheBrokerBesideTheDirectorWhileTheirPartIsNotTheBusiest) {
+  Mission mission = Fleet(300);
+  mission.comms.comms_range_m = 50;  // Little to decide: 93 us of it, beside 270 us of vehicles.
+  EXPECT_EQ(Place(mission, 2).broker_part, 0U);
+  EXPECT_EQ(Place(mission, 3).broker_part, 0U);
+  EXPECT_EQ(Place(mission, 4).broker_part, 1U);
+  mission.comms.comms_range_m = -1;  // No limit: 89,700 links, and the fates of all would cross.
+  EXPECT_EQ(Place(mission, 2).broker_part, 0U);
 }
 
 TEST(Placement, LeavesNeighboursTogether) {
@@ -85,6 +94,12 @@ TEST(Placement, FollowsTheUserAndSharesTheRestOutAroundIt) {
   EXPECT_EQ(placement.part_of_vehicle[5], 0U);
   EXPECT_EQ(CountsOf(Place(mission, 3, {"2=group:boats"})), (std::vector<size_t>{0, 0, 6}));
   EXPECT_EQ(CountsOf(Place(mission, 3, {"1=all"})), (std::vector<size_t>{0, 6, 0}));
+}
+
+TEST(Placement, PutsTheBrokerWhereTheUserWantsIt) {
+  const Mission mission = Fleet(6);
+  EXPECT_EQ(Place(mission, 3, {"2=shore_broker,boat_001"}).broker_part, 2U);
+  EXPECT_EQ(Place(mission, 3, {"0=shore_broker"}).broker_part, 0U);
 }
 
 TEST(Placement, NamesWhatIsWrongInTheWordsOfTheUser) {

@@ -40,7 +40,7 @@ int RunCheck(const std::string& mission_file, const std::vector<std::string>& ov
   std::vector<RosterEntry> roster = MakeRoster(mission, false);
   const size_t num_participants = roster.size() + 1;
   std::erase_if(roster, [](const RosterEntry& entry) { return entry.command.empty(); });
-  const std::vector<std::string> missing = MissingPrograms(mission, roster);
+  const std::vector<std::string> missing = MissingPrograms(mission, ShareOut(roster, Grouping()));
   for (const std::string& each : missing) fmt::print(stderr, "{}\n", each);
   if (!missing.empty()) {
     fmt::print(stderr, "{}: valid, but `shoal run` cannot start it here: {} missing\n",

@@ -58,8 +58,8 @@ void AddGrouping(CLI::App* command, std::string* grouping) {
   command
       ->add_option("--grouping", *grouping,
                    "Which participants share a process: app (none; the default of `shoal run`), "
-                   "vehicle (those of a vehicle), host=N (N processes for all vehicles), host (as "
-                   "many as there are processors)")
+                   "vehicle (those of a vehicle), host=N (N processes for all vehicles of a "
+                   "computer), host (as many as there are processors)")
       ->check([](const std::string& text) {
         const Result<Grouping> parsed = ParseGrouping(text);
         return parsed.ok() ? "" : parsed.error();

@@ -27,7 +27,8 @@ void AddOptions(CLI::App& cli, MpiOptions* options) {
   cli.add_option("--log", options->log_path,
                  "Rank 0 writes a log of the mission, in place of a file of this name");
   cli.add_option("--place", options->placed,
-                 "Vehicles that go to a rank, e.g. 0=alpha,bravo or 1=group:north; the others are "
+                 "Vehicles that go to a rank, e.g. 0=alpha,bravo or 1=group:north, or "
+                 "1=shore_broker; the others are "
                  "shared out by cost")
       ->take_all()
       ->allow_extra_args(false);

@@ -11,6 +11,8 @@ namespace shoal {
 
 namespace {
 
+constexpr char kOffGrid[] =
+    "off the grid of the current: the water here is taken to move as at the grid's nearest edge";
 constexpr char kLateActuators[] = "no ACTUATORS for 2 s: thrust and rudder are zero";
 /// A pose or a drift beyond this is refused as a typing error.
 constexpr double kMaxPosition_m = 1e6;
@@ -94,7 +96,7 @@ void VehicleSimApp::Reset(const StartPose& pose) {
 Water VehicleSimApp::WaterAt(int64_t utime) const {
   const double time_s = static_cast<double>(utime - start_utime_) / 1e6;
   Water water = {.time_s = time_s,
-                 .velocity_mps = ocean_.current.VelocityAt(time_s) + drift_mps_,
+                 .velocity_mps = ocean_.WaterVelocityAt(craft_->position_m(), time_s) + drift_mps_,
                  .floor_z_m = std::nullopt};
   if (ocean_.floor) water.floor_z_m = ocean_.floor->DepthAt(craft_->position_m().head<2>());
   return water;
@@ -144,6 +146,7 @@ void VehicleSimApp::OnSimCommand(const sim_command_t& command) {
 void VehicleSimApp::Tick(int64_t utime) {
   WatchActuators(utime);
   WatchContact(utime);
+  WatchCurrentGrid(utime);
   if (utime_ && !is_still()) Integrate(utime);
   if (!utime_ && !actuators_utime_) actuators_utime_ = utime;
   utime_ = utime;
@@ -179,6 +182,17 @@ void VehicleSimApp::WatchContact(int64_t utime) {
   stop.command = "all_stop";
   stop.argument = "collision with " + touched_by_;
   Publish(bus_, channels::HelmCommand(vehicle_.name), stop);
+}
+
+void VehicleSimApp::WatchCurrentGrid(int64_t utime) {
+  if (!ocean_.current_grid) return;
+  const bool is_off = !ocean_.current_grid->IsInside(craft_->position_m().head<2>());
+  if (is_off && !is_off_grid_) {
+    log_.Warn(kOffGrid);
+    log_.Event(utime, kOffGrid);
+  }
+  if (!is_off && is_off_grid_) log_.Retract(kOffGrid);
+  is_off_grid_ = is_off;
 }
 
 void VehicleSimApp::Integrate(int64_t until_utime) {

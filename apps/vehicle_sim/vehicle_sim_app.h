@@ -49,6 +49,7 @@ class VehicleSimApp : public App {
   void WatchActuators(int64_t utime);
   /// Stops for good, its helm too, where another vehicle touches it and the mission demands it.
   void WatchContact(int64_t utime);
+  void WatchCurrentGrid(int64_t utime);
   void PublishNav(int64_t utime);
   void PublishInstruments(const nav_t& nav);
   bool is_still() const { return paused_ || !touched_by_.empty(); }
@@ -65,6 +66,7 @@ class VehicleSimApp : public App {
   const ContactRule contact_rule_;
   const bool has_instruments_;  ///< It publishes more than NAV.
   bool actuators_are_late_ = false;
+  bool is_off_grid_ = false;  ///< Of the current.
   bool paused_ = false;
   Eigen::Vector2d drift_mps_ = Eigen::Vector2d::Zero();  ///< By SIM_COMMAND, on top of the current.
   std::string touched_by_;  ///< It ran into this vehicle, and stands still; empty: into none.

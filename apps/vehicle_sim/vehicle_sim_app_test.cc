@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <limits>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "lib/bus/memory_bus.h"
@@ -78,6 +80,46 @@ class VehicleSimAppTest : public testing::Test {
   int num_navs_ = 0;
   int64_t utime_ = 0;
 };
+
+/// Water that moves to the East at 0.5 m/s, known for x up to 25 m.
+class InACurrentGrid : public VehicleSimAppTest {
+ protected:
+  InACurrentGrid() : VehicleSimAppTest(WithGrids()) {}
+
+  bool IsOffGrid() const {
+    return std::ranges::any_of(sim_.Status().run_warnings, [](const std::string& warning) {
+      return warning.find("off the grid of the current") != std::string::npos;
+    });
+  }
+
+  static Mission WithGrids() {
+    Mission mission = TestMission();
+    mission.file = testing::TempDir() + "in_a_current_grid.toml";
+    mission.vehicles.front().start.speed_mps = 0;
+    for (const auto& [name, mps] :
+         {std::pair("in_a_current_u.asc", "0.5"), {"in_a_current_v.asc", "0"}}) {
+      std::ofstream(testing::TempDir() + name)
+          << "ncols 3\nnrows 1\nxllcenter 0\nyllcenter -20\ncellsize 10\n"
+          << mps << ' ' << mps << ' ' << mps << '\n';
+    }
+    mission.environment.current_grid.east = "in_a_current_u.asc";
+    mission.environment.current_grid.north = "in_a_current_v.asc";
+    return mission;
+  }
+};
+
+TEST_F(InACurrentGrid, DriftsWithTheWaterAndOnAtTheEdgesWithAWarning) {
+  Run(28);
+  EXPECT_NEAR(nav_.x_m, 10 + 0.5 * 28, 1);
+  EXPECT_NEAR(nav_.y_m, -20, 1e-6);
+  EXPECT_FALSE(IsOffGrid());
+  Run(32);
+  EXPECT_NEAR(nav_.x_m, 10 + 0.5 * 60, 1);
+  EXPECT_TRUE(IsOffGrid());
+  Command("reset");
+  Run(1);
+  EXPECT_FALSE(IsOffGrid()) << "it is back on the grid";
+}
 
 class InACurrent : public VehicleSimAppTest {
  protected:

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <unordered_map>
 
 #include "lib/bus/channels.h"
 #include "lib/check/check.h"
@@ -16,11 +17,15 @@ constexpr int kStepPorts = 2;
 
 /// Of channels without a vehicle's name; all others are taken to have one.
 ChannelHome HomeOf(std::string_view channel) {
-  const auto row =
-      std::find_if(ChannelTable().begin(), ChannelTable().end(), [&](const ChannelRow& each) {
-        return each.home != ChannelHome::kVehicle && each.topic == channel;
-      });
-  return row == ChannelTable().end() ? ChannelHome::kVehicle : row->home;
+  static const std::unordered_map<std::string_view, ChannelHome> homes = [] {
+    std::unordered_map<std::string_view, ChannelHome> found;
+    for (const ChannelRow& row : ChannelTable()) {
+      if (row.home != ChannelHome::kVehicle) found.emplace(row.topic, row.home);
+    }
+    return found;
+  }();
+  const auto home = homes.find(channel);
+  return home == homes.end() ? ChannelHome::kVehicle : home->second;
 }
 
 }  // namespace

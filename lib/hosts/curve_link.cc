@@ -4,6 +4,7 @@
 #include <sys/epoll.h>
 
 #include <array>
+#include <atomic>
 #include <cstring>
 #include <zmq.hpp>
 
@@ -20,13 +21,16 @@ constexpr int kReconnect_ms = 200;
 /// Messages that wait for a slow peer; a link in step has one or two.
 constexpr int kWaitingMessages = 10'000;
 constexpr char kZapAddress[] = "inproc://zeromq.zap.01";
-constexpr char kMonitorAddress[] = "inproc://events";
+
+/// ZeroMQ ends a connection over which more comes at once. What is larger than a batch may be, and
+/// not this large, is left to LinkIntake, which names it.
+constexpr int64_t kMostReceived_bytes = 2 * int64_t{kLargestLinkMessage_bytes};
 
 void SetUp(zmq::socket_t* socket, const HostKey& key) {
   socket->set(zmq::sockopt::linger, kLinger_ms);
   socket->set(zmq::sockopt::sndhwm, kWaitingMessages);
   socket->set(zmq::sockopt::rcvhwm, kWaitingMessages);
-  socket->set(zmq::sockopt::maxmsgsize, static_cast<int64_t>(kLargestLinkMessage_bytes));
+  socket->set(zmq::sockopt::maxmsgsize, kMostReceived_bytes);
   socket->set(zmq::sockopt::curve_secretkey, key.secret_key);
 }
 
@@ -157,9 +161,20 @@ std::vector<std::string> HostDoor::TakeRefusedKeys() {
 int HostDoor::fd() const { return sockets_->poll.get(); }
 
 struct HomeLink::Sockets {
-  zmq::context_t context{1};
-  zmq::socket_t dealer{context, zmq::socket_type::dealer};
-  zmq::socket_t events{context, zmq::socket_type::pair};
+  /// One thread of ZeroMQ serves all links of the process: it wakes up once for what goes to
+  /// several hosts at a time, and closing one link waits for no other.
+  static zmq::context_t& Context() {
+    static zmq::context_t context{1};
+    return context;
+  }
+  /// Returns an address for the events of one link.
+  static std::string NewMonitorAddress() {
+    static std::atomic<int> number = 0;
+    return fmt::format("inproc://events-{}", ++number);
+  }
+
+  zmq::socket_t dealer{Context(), zmq::socket_type::dealer};
+  zmq::socket_t events{Context(), zmq::socket_type::pair};
   FileDescriptor poll;
 };
 
@@ -175,8 +190,9 @@ HomeLink::HomeLink(const std::string& address, const std::string& host_public_ke
     constexpr int kEvents = ZMQ_EVENT_DISCONNECTED | ZMQ_EVENT_HANDSHAKE_SUCCEEDED |
                             ZMQ_EVENT_HANDSHAKE_FAILED_AUTH | ZMQ_EVENT_HANDSHAKE_FAILED_NO_DETAIL |
                             ZMQ_EVENT_HANDSHAKE_FAILED_PROTOCOL;
-    zmq_socket_monitor(sockets_->dealer.handle(), kMonitorAddress, kEvents);
-    sockets_->events.connect(kMonitorAddress);
+    const std::string events = Sockets::NewMonitorAddress();
+    zmq_socket_monitor(sockets_->dealer.handle(), events.c_str(), kEvents);
+    sockets_->events.connect(events);
     sockets_->dealer.connect(address);
   } catch (const zmq::error_t& error) {
     error_ = fmt::format("{}; an address has the form tcp://ADDRESS:PORT", error.what());

@@ -3,14 +3,18 @@
 #include <algorithm>
 #include <limits>
 #include <memory>
+#include <unordered_map>
 
 #include "lib/bus/channels.h"
 #include "lib/bus/seal.h"
+#include "lib/run/channel_set.h"
+#include "lib/run/step_answers.h"
 
 namespace shoal {
 
 namespace {
 
+constexpr size_t kMostKnownChannels = 100'000;
 constexpr int64_t kNeverDue = std::numeric_limits<int64_t>::max();
 
 }  // namespace
@@ -65,9 +69,7 @@ void HomeRelay::OnTick(std::span<const uint8_t> datagram, int64_t wall_us) {
   if (!opened || !Decode(opened->message, &tick)) return;
   if (tick.step == step_) {
     // The clock lacks an answer; it may have been lost on this bus.
-    for (const auto& [name, answer] : answers_) {
-      bus_.SendPlain({.name = std::string(topics::kStepDone), .data = answer});
-    }
+    for (const auto& [publisher, answer] : answers_) bus_.SendPlain(answer);
   }
   if (tick.step <= step_) return;
   step_ = tick.step;
@@ -127,17 +129,32 @@ LinkMessage HomeRelay::BatchFor(size_t number) const {
   return batch;
 }
 
+/// Empty: it is no genuine answer of participants of this host alone.
+std::string HomeRelay::PublisherOfAnswer(const Host& host, const LinkPart& part) {
+  const auto opened = bus_.Open(part.name, part.data);
+  if (!opened) return {};
+  const std::optional<step_dones_t> answers = DecodeStepAnswers(part.name, opened->message);
+  const auto is_of_host = [&](const step_done_t& done) {
+    return host.relayed.participants.contains(done.participant);
+  };
+  if (answers && std::all_of(answers->dones.begin(), answers->dones.end(), is_of_host)) {
+    return answers->dones.front().participant;
+  }
+  bus_.CountRefused();
+  return {};
+}
+
 void HomeRelay::OnMessage(size_t host, const LinkMessage& message, int64_t wall_us) {
   Host& from = hosts_[host];
   bool has_answer = false;
   for (const LinkPart& part : message.parts) {
     if (IsAnswer(part.name)) {
       bus_.SendPlain(part);
-    } else if (part.name == topics::kStepDone) {
-      const auto opened = bus_.Open(part.name, part.data);
-      if (!opened || !from.relayed.participants.contains(opened->publisher)) continue;
+    } else if (IsStepAnswer(part.name)) {
+      const std::string publisher = PublisherOfAnswer(from, part);
+      if (publisher.empty()) continue;
       if (message.step == step_ && step_ >= 0) {
-        answers_[opened->publisher] = part.data;
+        answers_[publisher] = part;
         has_answer = true;
       }
       bus_.SendPlain(part);
@@ -157,6 +174,12 @@ void HomeRelay::OnMessage(size_t host, const LinkMessage& message, int64_t wall_
   if (wall_us <= due_us_) return;
   ++from.timing.num_late;
   from.timing.worst_late_us = std::max(from.timing.worst_late_us, wall_us - due_us_);
+}
+
+int64_t HomeRelay::WaitedFor(size_t host, int64_t wall_us) const {
+  const Host& each = hosts_[host];
+  const bool owes = each.is_connected && step_ >= 0 && !is_end_ && !pending_;
+  return owes && each.timed_step == step_ - 1 ? wall_us - tick_at_us_ : 0;
 }
 
 void HomeRelay::OnTime(int64_t wall_us) {
@@ -182,7 +205,15 @@ std::function<bool(std::string_view)> ChannelsOf(const std::vector<std::string>&
   for (const std::string& vehicle : vehicles) {
     ports->insert(plan->PortOf(channels::Nav(vehicle).name));
   }
-  return [plan, ports](std::string_view channel) { return ports->contains(plan->PortOf(channel)); };
+  // A step asks for the same channels again and again.
+  auto known = std::make_shared<std::unordered_map<std::string, bool, TextHash, std::equal_to<>>>();
+  return [plan, ports, known](std::string_view channel) {
+    const auto found = known->find(channel);
+    if (found != known->end()) return found->second;
+    const bool is_wanted = ports->contains(plan->PortOf(channel));
+    if (known->size() < kMostKnownChannels) known->emplace(channel, is_wanted);
+    return is_wanted;
+  };
 }
 
 }  // namespace shoal

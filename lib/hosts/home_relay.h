@@ -54,6 +54,11 @@ class HomeRelay {
     int64_t worst_late_us = 0;
   };
   const Timing& timing(size_t host) const { return hosts_[host].timing; }
+  /// Returns for how long a host owes the answer of the present step, microseconds, where it has
+  /// given that of the step before; else 0: it may have nothing that takes part.
+  int64_t WaitedFor(size_t host, int64_t wall_us) const;
+  /// True while a TICK waits for messages of the step before it.
+  bool awaits_data() const { return pending_.has_value(); }
   int64_t step() const { return step_; }
   int64_t num_refused() const { return bus_.num_refused(); }
 
@@ -67,6 +72,7 @@ class HomeRelay {
 
   void OnTick(std::span<const uint8_t> datagram, int64_t wall_us);
   bool IsPlayed(std::string_view publisher) const;
+  std::string PublisherOfAnswer(const Host& host, const LinkPart& part);
   /// Calls `use(total)` for each total of the pending tick of which messages are missing.
   template <class Use>
   void ForEachMissing(Use use) const;
@@ -85,7 +91,7 @@ class HomeRelay {
   LinkPart tick_part_;
   int64_t num_awaited_ = 0;
   int64_t next_request_us_ = 0;
-  std::map<std::string, Bytes, std::less<>> answers_;  ///< STEP_DONE of hosts, of the present step.
+  std::map<std::string, LinkPart> answers_;  ///< Of hosts, of the present step, by publisher.
 };
 
 /// Returns which channels the participants of some vehicles may subscribe to: those of the shore

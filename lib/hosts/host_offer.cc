@@ -132,6 +132,7 @@ LinkMessage ToLinkMessage(const HostOffer& offer, int64_t mission_id) {
   message.AddText("host", offer.host);
   message.AddText("digest", offer.digest);
   message.AddText("layout", Name(offer.layout));
+  message.AddText("grouping", Name(offer.grouping));
   message.AddText("timeout_s", fmt::format("{}", offer.timeout_s));
   message.AddText("secret", SecretText(offer.secret));
   for (const std::string& each : offer.overrides) message.AddText(kSet, each);
@@ -161,6 +162,9 @@ Result<HostOffer> OfferOf(const LinkMessage& message) {
   if (!secret.ok() || offer.files.empty() || offer.participants.empty() || offer.timeout_s <= 0) {
     return Error{"an offer without a mission file, participants, time-out or secret"};
   }
+  const Result<Grouping> grouping = ParseGrouping(message.TextOf("grouping"));
+  if (!grouping.ok()) return Error{grouping.error()};
+  offer.grouping = *grouping;
   offer.secret = *secret;
   return offer;
 }

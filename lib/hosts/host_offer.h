@@ -11,6 +11,7 @@
 #include "lib/check/result.h"
 #include "lib/hosts/link_message.h"
 #include "lib/mission/mission.h"
+#include "lib/run/grouping.h"
 
 namespace shoal {
 
@@ -29,6 +30,7 @@ struct HostOffer {
   std::vector<std::string> overrides = {};     ///< --set
   std::string digest = {};                     ///< MissionDigest of what home has loaded.
   std::vector<std::string> participants = {};  ///< Of the roster, by their names on the bus.
+  Grouping grouping = {};                      ///< How participants share processes.
   MissionSecret secret = {};
   Layout layout = Layout::kShared;
   double timeout_s = 0;  ///< Of the link, as the mission's [[host]] has it.
@@ -50,7 +52,7 @@ struct HostOffer {
                                                     const std::string& folder);
 
 [[nodiscard]] LinkMessage ToLinkMessage(const HostOffer& offer, int64_t mission_id);
-/// Reads what ToLinkMessage returned; an error where a part is missing.
+/// Reads what ToLinkMessage returned; an error where a part is missing or wrong.
 [[nodiscard]] Result<HostOffer> OfferOf(const LinkMessage& message);
 
 /// How a process on a host ended; what lib/launch makes of it is a ChildExit.

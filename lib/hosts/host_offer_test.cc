@@ -45,6 +45,26 @@ TEST_F(HostOffers, CarryAllFilesOfAMission) {
   EXPECT_EQ(MissionDigest(there.mission, *files), MissionDigest(here.mission, *files));
 }
 
+TEST_F(HostOffers, CarryGridsThatWereReadBefore) {
+  const fs::path mission = folder_ / "home/missions/grids.toml";
+  fs::create_directories(folder_ / "home/sea");
+  for (const char* name : {"u.asc", "v.asc", "bay.asc"}) {
+    std::ofstream(folder_ / "home/sea" / name)
+        << "ncols 1\nnrows 1\nxllcenter 0\nyllcenter 0\ncellsize 9\n-1\n";
+  }
+  std::ofstream(mission) << "[mission]\nduration_s = 60\n[environment]\ncurrent = {grid_east = "
+                            "\"../sea/u.asc\", grid_north = \"../sea/v.asc\"}\nfloor = {grid = "
+                            "\"../sea/bay.asc\"}\n[[vehicle]]\nname = \"alpha\"\n";
+  // As `shoal run --on` does it: what was read for the mission is kept for its offer.
+  EXPECT_EQ(LoadMission(mission.string()).errors, std::vector<std::string>{});
+  const auto files = FilesOfMission(mission.string(), {});
+  ASSERT_TRUE(files.ok()) << files.error();
+  std::vector<std::string> paths;
+  for (const OfferedFile& file : *files) paths.push_back(file.path);
+  EXPECT_EQ(paths, (std::vector<std::string>{"missions/grids.toml", "sea/bay.asc", "sea/u.asc",
+                                             "sea/v.asc"}));
+}
+
 TEST_F(HostOffers, DifferWhereAnyFileOrKeyDiffers) {
   const std::string file = (folder_ / "home/missions/m.toml").string();
   const auto files = FilesOfMission(file, {});
@@ -72,6 +92,7 @@ TEST(HostOffer, ArrivesAsItWasSent) {
                         .overrides = {"mission.seed=2", "mission.name=a"},
                         .digest = "d",
                         .participants = {"helm_alpha"},
+                        .grouping = {.kind = Grouping::Kind::kHost, .num_processes = 3},
                         .secret = RandomSecret(),
                         .layout = Layout::kCommunities,
                         .timeout_s = 0.9};
@@ -80,10 +101,15 @@ TEST(HostOffer, ArrivesAsItWasSent) {
   EXPECT_EQ(read->files, offer.files);
   EXPECT_EQ(read->overrides, offer.overrides);
   EXPECT_EQ(read->participants, offer.participants);
+  EXPECT_EQ(read->grouping, offer.grouping);
   EXPECT_EQ(read->secret, offer.secret);
   EXPECT_EQ(read->layout, offer.layout);
   EXPECT_EQ(read->timeout_s, 0.9);
   EXPECT_FALSE(OfferOf({.kind = LinkKind::kOffer}).ok());
+  LinkMessage wrong = ToLinkMessage(offer, 5);
+  std::erase_if(wrong.parts, [](const LinkPart& part) { return part.name == "grouping"; });
+  wrong.AddText("grouping", "boats");
+  EXPECT_NE(OfferOf(wrong).error().find("'boats' is no grouping"), std::string::npos);
 }
 
 TEST(HostExit, ArrivesAsItWasSent) {

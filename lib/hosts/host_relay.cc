@@ -7,6 +7,7 @@
 
 #include "lib/bus/channels.h"
 #include "lib/bus/seal.h"
+#include "lib/run/step_answers.h"
 
 namespace shoal {
 
@@ -23,11 +24,12 @@ HostRelay::HostRelay(RelayOptions options, PortPlan plan, Transport& transport,
       participants_(std::move(participants)),
       send_(std::move(send)) {
   transport.Listen(bus_.plan().done_port(), std::string(topics::kStepDone));
+  transport.Listen(bus_.plan().done_port(), std::string(topics::kStepDones));
 }
 
 void HostRelay::OnDatagram(int port, std::string_view channel, std::span<const uint8_t> datagram,
                            int64_t wall_us) {
-  if (port == bus_.plan().done_port()) return OnDone(datagram, wall_us);
+  if (port == bus_.plan().done_port()) return OnAnswer(channel, datagram, wall_us);
   if (port == bus_.plan().tick_port()) {
     const auto is_played = [this](std::string_view name) { return !participants_.contains(name); };
     return bus_.OnResend(datagram, is_played, wall_us);
@@ -50,23 +52,36 @@ void HostRelay::SendAside(std::string_view channel, std::span<const uint8_t> dat
   send_(std::move(message));
 }
 
-void HostRelay::OnDone(std::span<const uint8_t> datagram, int64_t wall_us) {
-  const auto opened = bus_.Open(topics::kStepDone, datagram);
-  step_done_t done;
-  if (!opened || !Decode(opened->message, &done) || opened->publisher != done.participant) return;
-  const std::string name = done.participant;
-  const auto answered = answered_.find(name);
-  const bool is_repeat = answered != answered_.end() && answered->second == done.pid;
-  const bool is_answer =
-      done.step == step_ && step_ >= 0 && active_.contains(name) && done.fault.empty();
+void HostRelay::OnAnswer(std::string_view channel, std::span<const uint8_t> datagram,
+                         int64_t wall_us) {
+  const auto opened = bus_.Open(channel, datagram);
+  std::optional<step_dones_t> answers;
+  if (opened) answers = DecodeStepAnswers(channel, opened->message);
+  if (!answers || opened->publisher != answers->dones.front().participant) return;
+  std::vector<step_done_t>& dones = answers->dones;
+  const bool is_answer = std::all_of(dones.begin(), dones.end(), [this](const step_done_t& done) {
+    return done.step == step_ && step_ >= 0 && active_.contains(done.participant) &&
+           done.fault.empty();
+  });
+  const bool is_repeat = std::all_of(dones.begin(), dones.end(), [this](const step_done_t& done) {
+    const auto answered = answered_.find(done.participant);
+    return answered != answered_.end() && answered->second == done.pid;
+  });
+  const bool is_new = std::none_of(dones.begin(), dones.end(), [this](const step_done_t& done) {
+    return answered_.contains(done.participant);
+  });
   if (is_answer && is_repeat) return;
-  if (!is_answer || answered != answered_.end()) {
+  if (!is_answer || !is_new) {
     // A hello, a fault, an unregistered name, or two processes of one name: the clock decides.
-    return SendAside(topics::kStepDone, datagram, LinkKind::kDone);
+    return SendAside(channel, datagram, LinkKind::kDone);
   }
-  answered_[name] = done.pid;
-  awaited_.erase(name);
-  unsent_[name] = {.datagram = Bytes(datagram.begin(), datagram.end()), .done = std::move(done)};
+  for (const step_done_t& done : dones) {
+    answered_[done.participant] = done.pid;
+    awaited_.erase(done.participant);
+  }
+  unsent_.push_back(
+      {.part = {.name = std::string(channel), .data = Bytes(datagram.begin(), datagram.end())},
+       .dones = std::move(dones)});
   if (awaited_.empty()) SendAnswers(wall_us);
 }
 
@@ -115,22 +130,33 @@ std::string HostRelay::OnTick(const LinkMessage& message, int64_t wall_us) {
   return {};
 }
 
-/// True where all that the participant's answer announces is here.
-bool HostRelay::IsComplete(const std::string& participant) const {
-  const std::vector<step_count_t>& published = unsent_.at(participant).done.published;
-  return std::all_of(published.begin(), published.end(), [&](const step_count_t& each) {
-    return bus_.kept().Count(step_, participant, each.channel) >= each.count;
-  });
+template <class Use>
+void HostRelay::ForEachMissing(const Answer& answer, Use use) const {
+  for (const step_done_t& done : answer.dones) {
+    for (const step_count_t& each : done.published) {
+      if (bus_.kept().Count(step_, done.participant, each.channel) < each.count) use(done, each);
+    }
+  }
+}
+
+/// True where all that the answer announces is here.
+bool HostRelay::IsComplete(const Answer& answer) const {
+  bool is_complete = true;
+  ForEachMissing(answer, [&](const step_done_t&, const step_count_t&) { is_complete = false; });
+  return is_complete;
 }
 
 /// Sends home what is complete: all, or what is left of it.
 void HostRelay::SendAnswers(int64_t wall_us) {
-  std::set<std::string, std::less<>> complete;
-  for (const auto& [name, answer] : unsent_) {
-    if (IsComplete(name)) complete.insert(name);
+  const auto first_incomplete = std::stable_partition(
+      unsent_.begin(), unsent_.end(), [this](const Answer& answer) { return IsComplete(answer); });
+  const bool is_all = awaited_.empty() && first_incomplete == unsent_.end();
+  const bool is_any = first_incomplete != unsent_.begin();
+  if (!is_any || (!is_all && wall_us - tick_at_us_ < kPartialAfter_us)) return;
+  std::set<std::string_view> complete;
+  for (auto answer = unsent_.begin(); answer != first_incomplete; ++answer) {
+    for (const step_done_t& done : answer->dones) complete.insert(done.participant);
   }
-  const bool is_all = awaited_.empty() && complete.size() == unsent_.size();
-  if (complete.empty() || (!is_all && wall_us - tick_at_us_ < kPartialAfter_us)) return;
   LinkMessage batch{.kind = LinkKind::kDone, .mission_id = bus_.mission_id(), .step = step_};
   for (const OutsideQueue::Waiting& each : outside_.waiting()) batch.parts.push_back(each.part);
   outside_.Clear();
@@ -138,11 +164,10 @@ void HostRelay::SendAnswers(int64_t wall_us) {
     if (!complete.contains(publisher)) return;
     batch.parts.push_back({.name = kept.channel, .data = kept.datagram});
   });
-  for (const std::string& name : complete) {
-    batch.parts.push_back(
-        {.name = std::string(topics::kStepDone), .data = std::move(unsent_[name].datagram)});
-    unsent_.erase(name);
+  for (auto answer = unsent_.begin(); answer != first_incomplete; ++answer) {
+    batch.parts.push_back(std::move(answer->part));
   }
+  unsent_.erase(unsent_.begin(), first_incomplete);
   send_(std::move(batch));
 }
 
@@ -150,12 +175,10 @@ void HostRelay::OnTime(int64_t wall_us) {
   if (step_ < 0 || wall_us < next_repeat_us_ || (awaited_.empty() && unsent_.empty())) return;
   next_repeat_us_ = wall_us + kRelayRepeat_us;
   if (!awaited_.empty()) bus_.SendPlain(tick_part_);
-  for (const auto& [name, answer] : unsent_) {
-    for (const step_count_t& each : answer.done.published) {
-      if (bus_.kept().Count(step_, name, each.channel) < each.count) {
-        bus_.Request(step_, name, each.channel);
-      }
-    }
+  for (const Answer& answer : unsent_) {
+    ForEachMissing(answer, [this](const step_done_t& done, const step_count_t& each) {
+      bus_.Request(step_, done.participant, each.channel);
+    });
   }
   SendAnswers(wall_us);
 }

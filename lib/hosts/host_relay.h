@@ -2,7 +2,7 @@
 //
 //   batch of step k --> its messages onto the bus, then TICK k
 //   all here have answered, and all that they announced is here --> one batch home: what was
-//                     published in step k, then the answers, STEP_DONE k
+//                     published in step k, then the answers, STEP_DONE k and STEP_DONES k
 //   some are silent for 0.3 s --> what is complete goes home without them, the rest as it comes
 //
 // Time comes in as an argument. Pure but for the transport.
@@ -36,25 +36,32 @@ class HostRelay {
   void OnTime(int64_t wall_us);
   int64_t NextDeadline() const;
 
-  /// Waits for this participant no longer: its process has ended.
+  /// Waits for this participant no longer: its process has ended. Of a process of several, each is
+  /// to be forgotten.
   void Forget(const std::string& participant, int64_t wall_us);
 
+  /// True while all have answered and messages that they announced are missing.
+  bool awaits_data() const { return awaited_.empty() && !unsent_.empty(); }
   /// True where END has been answered by all.
   bool ended() const { return is_end_ && awaited_.empty() && unsent_.empty(); }
   int64_t step() const { return step_; }
   int64_t num_refused() const { return bus_.num_refused(); }
 
  private:
-  void OnDone(std::span<const uint8_t> datagram, int64_t wall_us);
+  /// The answer of one process: STEP_DONE of its participant, or STEP_DONES of several.
+  struct Answer {
+    LinkPart part;
+    std::vector<step_done_t> dones;
+  };
+
+  void OnAnswer(std::string_view channel, std::span<const uint8_t> datagram, int64_t wall_us);
   std::string OnTick(const LinkMessage& message, int64_t wall_us);
-  bool IsComplete(const std::string& participant) const;
+  bool IsComplete(const Answer& answer) const;
+  /// Calls `use(done, count)` for each step_count_t of an answer of which messages are missing.
+  template <class Use>
+  void ForEachMissing(const Answer& answer, Use use) const;
   void SendAnswers(int64_t wall_us);
   void SendAside(std::string_view channel, std::span<const uint8_t> datagram, LinkKind kind);
-
-  struct Answer {
-    Bytes datagram;
-    step_done_t done;
-  };
 
   RelayBus bus_;
   const std::set<std::string, std::less<>> participants_;
@@ -67,7 +74,7 @@ class HostRelay {
   int64_t next_repeat_us_ = 0;
   std::set<std::string, std::less<>> active_;             ///< Take part in stepping.
   std::set<std::string, std::less<>> awaited_;            ///< Of these: have not answered yet.
-  std::map<std::string, Answer, std::less<>> unsent_;     ///< Answers that have not gone home.
+  std::vector<Answer> unsent_;                            ///< Have not gone home.
   std::map<std::string, int32_t, std::less<>> answered_;  ///< In this step, by which process.
 };
 

@@ -128,6 +128,7 @@ Result<LinkMessage> LinkIntake::Take(std::span<const uint8_t> bytes) {
         fmt::format("a replayed batch: number {}, where {} is next", sequence, next_sequence_));
   }
   if (sequence > next_sequence_) {
+    has_gap_ = true;
     return Refuse(
         fmt::format("batch number {}, where {} is next: one was lost", sequence, next_sequence_));
   }

@@ -33,8 +33,8 @@ enum class LinkKind : uint8_t {
   kTick,       ///< Home: step `step` begins; datagrams of the step before, TICK last.
   kDone,       ///< Host: datagrams of step `step`, STEP_DONE last; -1: hellos.
   kAside,      ///< Either: requests for pages and their answers.
-  kStart,      ///< Home: starts the participants that the parts name again.
-  kSignal,     ///< Home: sends part names' participants the signal in the data.
+  kStart,      ///< Home: starts the process of part "name" again.
+  kSignal,     ///< Home: sends the process of part "name" the signal of part "signal".
   kExit,       ///< Host: a process has ended (host_offer.h).
   kAlive,      ///< Either: nothing but a sign of life.
   kEnd,        ///< Home: the mission is over; the host ends its processes.
@@ -81,6 +81,8 @@ class LinkIntake {
   void set_mission_id(int64_t mission_id) { mission_id_ = mission_id; }
 
   int64_t num_refused() const { return num_refused_; }
+  /// True where a message is missing for good: all that follows is refused.
+  bool has_gap() const { return has_gap_; }
 
  private:
   Result<LinkMessage> Refuse(std::string why);
@@ -88,6 +90,7 @@ class LinkIntake {
   int64_t mission_id_ = 0;  ///< 0: any.
   uint64_t next_sequence_ = 0;
   int64_t num_refused_ = 0;
+  bool has_gap_ = false;
 };
 
 }  // namespace shoal

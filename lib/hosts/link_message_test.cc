@@ -68,9 +68,11 @@ TEST(LinkMessage, IsTakenOnce) {
   ASSERT_TRUE(intake.Take(first).ok());
   EXPECT_EQ(ErrorOf(&intake, first), "a replayed batch: number 0, where 1 is next");
   EXPECT_TRUE(intake.Take(EncodeLinkMessage(Example(), 1)).ok());
+  EXPECT_FALSE(intake.has_gap());
   EXPECT_EQ(ErrorOf(&intake, EncodeLinkMessage(Example(), 3)),
             "batch number 3, where 2 is next: one was lost");
   EXPECT_EQ(intake.num_refused(), 2);
+  EXPECT_TRUE(intake.has_gap());
 }
 
 TEST(LinkMessage, OfAnotherMissionIsRefused) {

@@ -67,6 +67,7 @@ class RelayBus {
   const PortPlan& plan() const { return plan_; }
   int64_t mission_id() const { return options_.mission_id; }
   int64_t tick_us() const { return options_.tick_us; }
+  void CountRefused() { ++num_refused_; }
   /// Messages and parts whose seals do not prove the mission's secret, or another's name.
   int64_t num_refused() const { return num_refused_ + kept_.num_refused(); }
 

@@ -2,8 +2,10 @@
 // the mission on one, whatever the networks lose.
 #include <gtest/gtest.h>
 
+#include <iterator>
 #include <memory>
 #include <random>
+#include <sstream>
 
 #include "lib/bus/channels.h"
 #include "lib/bus/seal.h"
@@ -44,6 +46,8 @@ class TalkingApp : public App {
   void End() override { transcript += "end"; }
   StatusPage Status() const override { return {}; }
 
+  const std::string& name() const { return name_; }
+
   std::string transcript;
 
  private:
@@ -51,17 +55,25 @@ class TalkingApp : public App {
   Bus& bus_;
 };
 
-struct Member {
+/// A process of one participant, or of several.
+struct Process {
   FakeNetwork::Node* node = nullptr;
-  std::unique_ptr<StepGroup> participant;
-  std::unique_ptr<TalkingApp> app;
+  std::unique_ptr<StepGroup> group;
+  std::vector<std::unique_ptr<TalkingApp>> apps;
 };
+
+/// Of each computer the processes, of each process the names of its participants: "b d".
+using Places = std::vector<std::vector<std::string>>;
+
+std::vector<std::string> NamesIn(const std::string& process) {
+  std::istringstream in(process);
+  return {std::istream_iterator<std::string>(in), {}};
+}
 
 /// A mission whose participants are spread over computers: the first holds the clock.
 class SpreadMission {
  public:
-  /// `places[i]`: the participants of computer i.
-  explicit SpreadMission(const std::vector<std::vector<std::string>>& places)
+  explicit SpreadMission(const Places& places)
       : networks_(places.size()), clock_node_(networks_[0].Add()) {
     clock_ = std::make_unique<StepClock>(
         ClockOptions{.mission_id = kMissionId, .warp = 10, .last_step = kLastStep}, kNames, plan_,
@@ -71,8 +83,10 @@ class SpreadMission {
     };
     std::vector<RelayedHost> hosts;
     for (size_t i = 1; i < places.size(); ++i) {
-      hosts.push_back({.participants = {places[i].begin(), places[i].end()},
-                       .wants = [](std::string_view) { return true; }});
+      hosts.push_back({.participants = {}, .wants = [](std::string_view) { return true; }});
+      for (const std::string& process : places[i]) {
+        for (const std::string& name : NamesIn(process)) hosts.back().participants.insert(name);
+      }
     }
     const RelayOptions options{.name = "home", .mission_id = kMissionId};
     FakeNetwork::Node& home_node = networks_[0].Add();
@@ -85,14 +99,14 @@ class SpreadMission {
     };
     for (size_t i = 0; i < hosts.size(); ++i) AddHost(i, hosts[i]);
     for (size_t i = 0; i < places.size(); ++i) {
-      for (const std::string& name : places[i]) AddMember(i, name);
+      for (const std::string& process : places[i]) AddProcess(i, process);
     }
   }
 
   /// Runs to the end, or until `meddle()` returns false.
   void Run(const std::function<bool()>& meddle = [] { return true; }) {
     for (; now_ < 60'000'000 && clock_->state() != StepClock::State::kEnded; now_ += 5'000) {
-      for (const auto& [name, member] : members_) member.participant->OnTime(now_);
+      for (const auto& [names, process] : processes_) process.group->OnTime(now_);
       clock_->OnTime(now_);
       home_->OnTime(now_);
       for (const auto& relay : relays_) relay->OnTime(now_);
@@ -107,11 +121,13 @@ class SpreadMission {
 
   std::map<std::string, std::string> Transcripts() const {
     std::map<std::string, std::string> transcripts;
-    for (const auto& [name, member] : members_) transcripts[name] = member.app->transcript;
+    for (const auto& [names, process] : processes_) {
+      for (const auto& app : process.apps) transcripts[app->name()] = app->transcript;
+    }
     return transcripts;
   }
   /// Plays a process that hangs.
-  void Silence(const std::string& name) { members_[name].node->set_stopped(true); }
+  void Silence(const std::string& process) { processes_.at(process).node->set_stopped(true); }
   StepClock& clock() { return *clock_; }
   HomeRelay& home() { return *home_; }
   HostRelay& relay(size_t host) { return *relays_[host]; }
@@ -133,20 +149,22 @@ class SpreadMission {
     home_->SetConnected(number, true);
   }
 
-  void AddMember(size_t computer, const std::string& name) {
+  void AddProcess(size_t computer, const std::string& names) {
     FakeNetwork::Node& node = networks_[computer].Add();
-    Member member;
-    member.node = &node;
-    member.participant = std::make_unique<StepGroup>(
+    Process process;
+    process.node = &node;
+    process.group = std::make_unique<StepGroup>(
         StepGroupOptions{.mission_id = kMissionId, .pid = 1}, plan_, node);
-    member.app = std::make_unique<TalkingApp>(name, member.participant->Join(name));
-    member.participant->Attach(name, member.app.get());
-    member.participant->Listen();
-    node.receiver = [this, participant = member.participant.get()](
-                        int port, std::string_view channel, auto bytes) {
-      participant->OnDatagram(port, channel, bytes, now_);
+    for (const std::string& name : NamesIn(names)) {
+      process.apps.push_back(std::make_unique<TalkingApp>(name, process.group->Join(name)));
+      process.group->Attach(name, process.apps.back().get());
+    }
+    process.group->Listen();
+    node.receiver = [this, group = process.group.get()](int port, std::string_view channel,
+                                                        auto bytes) {
+      group->OnDatagram(port, channel, bytes, now_);
     };
-    members_[name] = std::move(member);
+    processes_[names] = std::move(process);
   }
 
   bool DeliverLinks() {
@@ -175,7 +193,7 @@ class SpreadMission {
   std::unique_ptr<StepClock> clock_;
   std::unique_ptr<HomeRelay> home_;
   std::vector<std::unique_ptr<HostRelay>> relays_;
-  std::map<std::string, Member> members_;
+  std::map<std::string, Process> processes_;
   std::map<size_t, std::vector<LinkMessage>> to_hosts_;
   std::map<size_t, std::vector<LinkMessage>> to_home_;
 };
@@ -187,30 +205,38 @@ std::map<std::string, std::string> OnOneComputer() {
   return mission.Transcripts();
 }
 
-const std::vector<std::vector<std::string>> kThreeComputers = {{"a"}, {"b", "d"}, {"c"}};
+const Places kThreeComputers = {{"a"}, {"b", "d"}, {"c"}};
 
-TEST(Relays, GiveTheSameMessagesAsOneComputer) {
-  SpreadMission mission(kThreeComputers);
+/// The same participants, in processes of one or of several.
+class EachPlacing : public testing::TestWithParam<Places> {};
+
+INSTANTIATE_TEST_SUITE_P(Relays, EachPlacing,
+                         testing::Values(kThreeComputers, Places{{"a"}, {"b d"}, {"c"}},
+                                         Places{{"a d"}, {"b c"}}));
+
+TEST_P(EachPlacing, GivesTheSameMessagesAsOneComputer) {
+  SpreadMission mission(GetParam());
   mission.Run();
   EXPECT_EQ(mission.clock().state(), StepClock::State::kEnded);
   EXPECT_EQ(mission.Transcripts(), OnOneComputer());
   EXPECT_EQ(mission.home().num_refused() + mission.relay(0).num_refused(), 0);
 }
 
-TEST(Relays, SendOneBatchPerStepEachWay) {
-  SpreadMission mission(kThreeComputers);
+TEST_P(EachPlacing, NeedsOneBatchPerStepEachWay) {
+  SpreadMission mission(GetParam());
   mission.Run();
   constexpr int kTicks = kLastStep + 2;  // END is one more.
-  EXPECT_EQ(mission.num_sent[LinkKind::kTick], 2 * kTicks);
-  EXPECT_EQ(mission.num_sent[LinkKind::kDone], 2 * kTicks);
+  const auto num_hosts = static_cast<int>(GetParam().size()) - 1;
+  EXPECT_EQ(mission.num_sent[LinkKind::kTick], num_hosts * kTicks);
+  EXPECT_EQ(mission.num_sent[LinkKind::kDone], num_hosts * kTicks);
   EXPECT_EQ(mission.home().timing(0).answer_us.size(), static_cast<size_t>(kTicks - 1));
 }
 
-TEST(Relays, RepairWhatEachBusLoses) {
+TEST_P(EachPlacing, RepairsWhatEachBusLoses) {
   for (const unsigned seed : {1U, 2U, 3U}) {
-    SpreadMission mission(kThreeComputers);
+    SpreadMission mission(GetParam());
     std::mt19937 random(seed);
-    for (size_t i = 0; i < 3; ++i) {
+    for (size_t i = 0; i < GetParam().size(); ++i) {
       mission.network(i).set_loss([&](std::string_view) { return random() % 6 == 0; });
     }
     mission.Run();
@@ -279,6 +305,33 @@ TEST(Relays, RefuseWhatAHostPublishesInAnothersName) {
   EXPECT_EQ(mission.home().num_refused(), 1);
   mission.home().OnMessage(1, batch, mission.now());  // c is its own.
   EXPECT_EQ(mission.home().num_refused(), 1);
+}
+
+TEST(Relays, RefuseAnAnswerOfAHostForParticipantsOfOthers) {
+  SpreadMission mission(kThreeComputers);
+  mission.Run([&] { return mission.clock().step() < 5; });
+  step_dones_t answers{};
+  for (const std::string name : {"b", "c"}) {
+    step_done_t& done = answers.dones.emplace_back();
+    done.mission_id = kMissionId;
+    done.step = 5;
+    done.participant = name;
+  }
+  answers.num_dones = 2;
+  Bytes bytes;
+  EncodeInto(answers, &bytes);
+  AppendSeal({.publisher = "b", .mission_id = kMissionId, .step = 5, .sequence = 0}, {},
+             topics::kStepDones, &bytes);
+  LinkMessage batch{.kind = LinkKind::kDone, .mission_id = kMissionId, .step = 5};
+  batch.parts.push_back({.name = std::string(topics::kStepDones), .data = bytes});
+  int num_on_bus = 0;
+  FakeNetwork::Node& spy = mission.network(0).Add();
+  spy.receiver = [&](int, std::string_view, std::span<const uint8_t>) { ++num_on_bus; };
+  spy.Listen(mission.plan().done_port(), std::string(topics::kStepDones));
+  mission.home().OnMessage(0, batch, mission.now());
+  mission.network(0).DeliverAll();
+  EXPECT_EQ(mission.home().num_refused(), 1);
+  EXPECT_EQ(num_on_bus, 0);
 }
 
 TEST(Relays, RefuseABatchOfAStepThatHasBegun) {

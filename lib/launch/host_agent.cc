@@ -75,38 +75,56 @@ int HostAgent::Run(int signal_fd) {
   last_time_us_ = MonotonicMicroseconds();
   while (true) {
     const int64_t now = MonotonicMicroseconds();
-    signalfd_siginfo info{};
-    while (read(signal_fd, &info, sizeof info) == sizeof info) {
-      if (info.ssi_signo != SIGCHLD) is_stopping_ = true;
-    }
+    if (has_news_) ReadSignals(signal_fd);
     if (session_ != nullptr) session_->OnTime(now);
     ReadDoor(now);
     CheckHome(now);
-    ReadDoor(now);  // What CheckHome sent may have taken a notice of arrival off the descriptor.
+    ReadDoor(now);
     CheckSession();
     if (session_ == nullptr && (is_stopping_ || (options_.once && num_missions_ > 0))) break;
     if (session_ == nullptr) {
       pollfd waited{.fd = poll.get(), .events = POLLIN, .revents = 0};
-      ::poll(&waited, 1, static_cast<int>(kAgentPoll_us / 1000));
+      has_news_ = ::poll(&waited, 1, static_cast<int>(kAgentPoll_us / 1000)) > 0;
     } else {
       const int64_t wait = session_->NextDeadline() - MonotonicMicroseconds();
-      session_->Poll(std::clamp<int64_t>(wait, 0, kAgentPoll_us), poll.get());
+      const bool is_readable =
+          session_->Poll(std::clamp<int64_t>(wait, 0, kAgentPoll_us), poll.get());
+      has_news_ = has_news_ || is_readable;  // It has sent.
     }
   }
   return was_lost_ && options_.once ? static_cast<int>(kExitEnvironment) : kExitOk;
 }
 
+void HostAgent::ReadSignals(int signal_fd) {
+  signalfd_siginfo info{};
+  while (read(signal_fd, &info, sizeof info) == sizeof info) {
+    if (info.ssi_signo != SIGCHLD) {
+      is_stopping_ = true;
+    } else if (session_ != nullptr) {
+      session_->OnExits(MonotonicMicroseconds());
+    }
+  }
+}
+
 void HostAgent::ReadDoor(int64_t wall_us) {
-  while (auto arrival = door_.Receive()) {
+  while (has_news_) {
+    has_news_ = false;
+    const std::optional<HostDoor::Arrival> arrival = door_.Receive();
+    if (!arrival) continue;
+    has_news_ = true;
     Peer& peer = peers_[arrival->peer];
     peer.key = arrival->key;
     peer.heard_us = wall_us;
     const Result<LinkMessage> message = peer.intake.Take(arrival->bytes);
     if (message.ok()) {
       OnMessage(arrival->peer, *message, wall_us);
-    } else if (peer.num_refused++ == 0) {
+      continue;
+    }
+    if (peer.num_refused++ == 0) {
       terminal_.Warn(fmt::format("{} sent {}; refused", peer.key, message.error()));
     }
+    if (peer.intake.has_gap() && arrival->peer == home_)
+      LoseHome("sent " + message.error(), wall_us);
   }
   for (const std::string& key : door_.TakeRefusedKeys()) {
     if (refused_keys_.size() >= kMostNamedKeys || !refused_keys_.insert(key).second) continue;
@@ -126,6 +144,7 @@ void HostAgent::Send(const std::string& peer_id, const LinkMessage& message) {
   Peer& peer = peers_[peer_id];
   peer.sent_us = MonotonicMicroseconds();
   if (door_.Send(peer_id, EncodeLinkMessage(message, peer.next_sequence))) ++peer.next_sequence;
+  has_news_ = true;  // Sending may have taken a notice of arrival off the descriptor.
 }
 
 void HostAgent::Refuse(const std::string& peer_id, const std::string& why) {
@@ -178,6 +197,17 @@ void HostAgent::OnOffer(const std::string& peer_id, const LinkMessage& message, 
                              fmt::join(session_->offer().participants, ", ")));
 }
 
+/// Ends the mission, and lets home know why, where it is there.
+void HostAgent::LoseHome(const std::string& how, int64_t wall_us) {
+  if (session_ == nullptr || was_lost_) return;
+  was_lost_ = true;
+  terminal_.Warn(fmt::format("LOST: home {}; {} ends here", how, session_->mission().name));
+  LinkMessage refusal{.kind = LinkKind::kRefuse, .mission_id = session_->mission_id()};
+  refusal.AddText("why", "home " + how);
+  Send(home_, refusal);
+  session_->End(wall_us);
+}
+
 /// Ends the mission where home is silent, shows signs of life where it is not.
 void HostAgent::CheckHome(int64_t wall_us) {
   const bool stood_still = wall_us - last_time_us_ > kAgentPause_us;
@@ -188,10 +218,7 @@ void HostAgent::CheckHome(int64_t wall_us) {
   if (is_stopping_) session_->End(wall_us);
   const auto timeout_us = static_cast<int64_t>(session_->offer().timeout_s * 1e6);
   if (wall_us - home.heard_us > timeout_us && !was_lost_) {
-    was_lost_ = true;
-    terminal_.Warn(fmt::format("LOST: home gave no sign of life for {} s; {} ends here",
-                               session_->offer().timeout_s, session_->mission().name));
-    session_->End(wall_us);
+    LoseHome(fmt::format("gave no sign of life for {} s", session_->offer().timeout_s), wall_us);
   }
   if (wall_us - home.sent_us > kAgentAlive_us) {
     Send(home_, {.kind = LinkKind::kAlive, .mission_id = session_->mission_id()});

@@ -47,11 +47,13 @@ class HostAgent {
     int64_t num_refused = 0;
   };
 
+  void ReadSignals(int signal_fd);
   void ReadDoor(int64_t wall_us);
   void OnMessage(const std::string& peer_id, const LinkMessage& message, int64_t wall_us);
   void OnOffer(const std::string& peer_id, const LinkMessage& message, int64_t wall_us);
   void Send(const std::string& peer_id, const LinkMessage& message);
   void Refuse(const std::string& peer_id, const std::string& why);
+  void LoseHome(const std::string& how, int64_t wall_us);
   void CheckHome(int64_t wall_us);
   void CheckSession();
   void ForgetPeers(int64_t wall_us);
@@ -65,6 +67,7 @@ class HostAgent {
   std::string home_;                    ///< The peer whose mission runs; empty: none.
   std::unique_ptr<HostSession> session_;
   int64_t last_time_us_ = 0;
+  bool has_news_ = true;  ///< The door is to be read: its descriptor shows so, or hides it.
   bool is_stopping_ = false;
   bool was_lost_ = false;
   int num_missions_ = 0;

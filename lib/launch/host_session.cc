@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "lib/bus/layout.h"
 #include "lib/check/time_units.h"
 #include "lib/mission/load.h"
 #include "lib/run/build_id.h"
@@ -31,7 +32,8 @@ HostSession::HostSession(HostOffer offer, int64_t mission_id, SendHome send,
       mission_id_(mission_id),
       send_(std::move(send)),
       terminal_(terminal),
-      ports_(ports) {}
+      ports_(ports),
+      wake_rule_(std::min(kWantedReceiveBuffer, ReceiveBufferLimit()), WakeRule::kFewOfRelay) {}
 
 HostSession::~HostSession() {
   children_.SignalAll(SIGKILL);
@@ -49,7 +51,7 @@ std::string HostSession::Begin(bool allow_programs) {
   for (const auto& step : {&HostSession::Claim, &HostSession::LoadOffered}) {
     if (std::string why = (this->*step)(); !why.empty()) return why;
   }
-  if (std::string why = ChooseRoster(allow_programs); !why.empty()) return why;
+  if (std::string why = ChooseProcesses(allow_programs); !why.empty()) return why;
   return StartAll();
 }
 
@@ -80,7 +82,8 @@ std::string HostSession::LoadOffered() {
   return {};
 }
 
-std::string HostSession::ChooseRoster(bool allow_programs) {
+std::string HostSession::ChooseProcesses(bool allow_programs) {
+  std::vector<RosterEntry> roster;
   for (RosterEntry& entry : MakeRoster(mission_, false)) {
     const bool is_ours = std::find(offer_.participants.begin(), offer_.participants.end(),
                                    entry.name) != offer_.participants.end();
@@ -91,14 +94,17 @@ std::string HostSession::ChooseRoster(bool allow_programs) {
           "where it was started with --allow-programs",
           entry.name, fmt::join(entry.command, " "));
     }
-    entry.host.clear();  // Seen from here, it runs on this computer.
-    roster_.push_back(std::move(entry));
+    roster.push_back(std::move(entry));
   }
-  if (roster_.size() != offer_.participants.size()) {
-    return fmt::format("it has {} of the {} participants that this host is to run", roster_.size(),
+  if (roster.size() != offer_.participants.size()) {
+    return fmt::format("it has {} of the {} participants that this host is to run", roster.size(),
                        offer_.participants.size());
   }
-  const std::vector<std::string> missing = MissingPrograms(mission_, roster_);
+  processes_ = ShareOut(roster, offer_.grouping);  // Groups have the names that they have at home.
+  for (RosterProcess& process : processes_) {
+    for (RosterEntry& entry : process.entries) entry.host.clear();  // It runs on this computer.
+  }
+  const std::vector<std::string> missing = MissingPrograms(mission_, processes_);
   return missing.empty() ? std::string() : missing.front();
 }
 
@@ -110,6 +116,7 @@ std::string HostSession::StartAll() {
                                .mission_id = mission_id_,
                                .port_base = ports_.base,
                                .layout = offer_.layout,
+                               .grouping = Name(offer_.grouping),
                                .pid = getpid(),
                                .vehicles = VehicleNames(mission_),
                                .overrides = offer_.overrides,
@@ -124,6 +131,7 @@ std::string HostSession::StartAll() {
   if (!log_dir.ok()) return log_dir.error();
   options_.mission_file = mission_.file;
   options_.overrides = offer_.overrides;
+  options_.grouping = offer_.grouping;
   context_ = std::make_unique<LaunchContext>(LaunchContext{.options = options_,
                                                            .mission = mission_,
                                                            .ports = *plan_,
@@ -136,51 +144,59 @@ std::string HostSession::StartAll() {
       transport_,
       std::set<std::string, std::less<>>(offer_.participants.begin(), offer_.participants.end()),
       send_);
+  transport_.DeferFrom(plan_->shore_port());
   transport_.set_receiver(
       [this](int port, std::string_view channel, std::span<const uint8_t> datagram) {
+        wake_rule_.OnDatagram();
         relay_->OnDatagram(port, channel, datagram, MonotonicMicroseconds());
       });
   if (!transport_.error().empty()) return transport_.error();
-  for (const RosterEntry& entry : roster_) {
+  for (const RosterProcess& process : processes_) {
+    const RosterEntry& entry = process.entries.front();
     if (entry.provider == Provider::kHand) {
       terminal_.Show(fmt::format("waiting for {}: {}", entry.name, HandCommand(entry, *context_)));
-    } else if (std::string why = Start(entry); !why.empty()) {
+    } else if (std::string why = Start(process); !why.empty()) {
       return why;
     }
   }
   return {};
 }
 
-std::string HostSession::Start(const RosterEntry& entry) {
-  const Result<ChildCommand> command =
-      CommandOf({.name = entry.name, .entries = {entry}}, *context_);
+std::string HostSession::Start(const RosterProcess& process) {
+  const Result<ChildCommand> command = CommandOf(process, *context_);
   if (!command.ok()) return command.error();
   const Result<pid_t> pid = children_.Start(*command);
   return pid.ok() ? std::string() : pid.error();
 }
 
-const RosterEntry* HostSession::Find(const std::string& name) const {
-  const auto found = std::find_if(roster_.begin(), roster_.end(),
-                                  [&](const RosterEntry& entry) { return entry.name == name; });
-  return found == roster_.end() ? nullptr : &*found;
+const RosterProcess* HostSession::Find(const std::string& name) const {
+  const auto found = std::find_if(processes_.begin(), processes_.end(),
+                                  [&](const RosterProcess& each) { return each.name == name; });
+  return found == processes_.end() ? nullptr : &*found;
 }
 
 std::string HostSession::OnMessage(const LinkMessage& message, int64_t wall_us) {
   const std::string name = message.TextOf("name");
   switch (message.kind) {
     case LinkKind::kTick:
+      wake_rule_.OnStep(wall_us);
+      return relay_->OnMessage(message, wall_us);
     case LinkKind::kAside:
       return relay_->OnMessage(message, wall_us);
     case LinkKind::kStart: {
-      const RosterEntry* entry = Find(name);
-      if (entry == nullptr || entry->provider == Provider::kHand || is_ending_) return {};
+      const RosterProcess* process = Find(name);
+      const bool is_ours =
+          process != nullptr && process->entries.front().provider != Provider::kHand;
+      if (!is_ours || is_ending_) return {};
       terminal_.Show(fmt::format("{} starts again", name));
-      return Start(*entry);
+      return Start(*process);
     }
-    case LinkKind::kSignal:
-      if (Find(name) != nullptr)
-        children_.Signal(name, std::atoi(message.TextOf("signal").c_str()));
+    case LinkKind::kSignal: {
+      const int signal = std::atoi(message.TextOf("signal").c_str());
+      if (signal < 1 || signal > SIGSYS) return fmt::format("a signal of number {}", signal);
+      if (Find(name) != nullptr) children_.Signal(name, signal);
       return {};
+    }
     case LinkKind::kEnd:
       End(wall_us);
       return {};
@@ -191,7 +207,6 @@ std::string HostSession::OnMessage(const LinkMessage& message, int64_t wall_us) 
 
 void HostSession::OnTime(int64_t wall_us) {
   relay_->OnTime(wall_us);
-  OnExits(wall_us);
   if (is_ending_ && !is_killing_ && wall_us >= end_us_) {
     is_killing_ = true;
     children_.SignalAll(SIGKILL);
@@ -200,7 +215,9 @@ void HostSession::OnTime(int64_t wall_us) {
 
 void HostSession::OnExits(int64_t wall_us) {
   for (const ChildExit& exit : children_.Reap()) {
-    relay_->Forget(exit.name, wall_us);
+    if (const RosterProcess* process = Find(exit.name)) {
+      for (const RosterEntry& entry : process->entries) relay_->Forget(entry.name, wall_us);
+    }
     if (!exit.clean && !is_ending_) {
       terminal_.Warn(fmt::format("LOST: {} (pid {}) {}", exit.name, exit.pid, exit.how));
       for (const std::string& line : exit.last_lines) terminal_.Warn("    " + line);
@@ -212,6 +229,13 @@ void HostSession::OnExits(int64_t wall_us) {
                                  .last_lines = exit.last_lines},
                         mission_id_));
   }
+}
+
+bool HostSession::Poll(int64_t timeout_us, int extra_fd) {
+  const int64_t now = MonotonicMicroseconds();
+  const bool sleeps = !relay_->awaits_data() && wake_rule_.SleepsThrough(now);
+  return transport_.Poll(sleeps ? wake_rule_.Timeout(timeout_us, now) : timeout_us, extra_fd,
+                         sleeps ? WakeFor::kSteps : WakeFor::kAll);
 }
 
 int64_t HostSession::NextDeadline() const {

@@ -18,6 +18,7 @@
 #include "lib/launch/launch_plan.h"
 #include "lib/launch/launch_terminal.h"
 #include "lib/record/file_descriptor.h"
+#include "lib/run/wake_rule.h"
 
 namespace shoal {
 
@@ -45,10 +46,13 @@ class HostSession {
 
   /// Takes a message of home's; returns what is wrong with it, or an empty text.
   std::string OnMessage(const LinkMessage& message, int64_t wall_us);
-  /// Reads the bus, notices exits, does what is due.
+  /// Does what is due.
   void OnTime(int64_t wall_us);
-  /// Waits for the bus, `extra_fd`, or `timeout_us`.
-  void Poll(int64_t timeout_us, int extra_fd) { transport_.Poll(timeout_us, extra_fd); }
+  /// Notices which processes have ended; to be called on SIGCHLD.
+  void OnExits(int64_t wall_us);
+  /// Waits for `timeout_us`, for `extra_fd`, or for what the relay has to act on, and reads the
+  /// bus. Returns true where `extra_fd` is readable.
+  bool Poll(int64_t timeout_us, int extra_fd);
   int64_t NextDeadline() const;
 
   /// Lets the processes end.
@@ -63,12 +67,11 @@ class HostSession {
 
  private:
   std::string LoadOffered();
-  std::string ChooseRoster(bool allow_programs);
+  std::string ChooseProcesses(bool allow_programs);
   std::string Claim();
   std::string StartAll();
-  std::string Start(const RosterEntry& entry);
-  const RosterEntry* Find(const std::string& name) const;
-  void OnExits(int64_t wall_us);
+  std::string Start(const RosterProcess& process);
+  const RosterProcess* Find(const std::string& name) const;
 
   const HostOffer offer_;
   const int64_t mission_id_;
@@ -77,11 +80,12 @@ class HostSession {
   ClaimedPorts& ports_;
   RunOptions options_;
   Mission mission_;
-  std::vector<RosterEntry> roster_;
+  std::vector<RosterProcess> processes_;
   std::unique_ptr<PortPlan> plan_;
   std::unique_ptr<LaunchContext> context_;
   FileDescriptor secret_fd_;
   LcmTransport transport_;
+  WakeRule wake_rule_;
   std::unique_ptr<HostRelay> relay_;
   ChildProcesses children_;
   std::string files_folder_;

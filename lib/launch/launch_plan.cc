@@ -124,10 +124,11 @@ std::string ExecutableDirectory() {
 }
 
 std::vector<std::string> MissingPrograms(const Mission& mission,
-                                         const std::vector<RosterEntry>& roster) {
+                                         const std::vector<RosterProcess>& processes) {
   std::vector<std::string> missing;
-  for (const RosterEntry& entry : roster) {
-    if (entry.provider == Provider::kHand || !entry.host.empty()) continue;
+  for (const RosterProcess& process : processes) {
+    const RosterEntry& entry = process.entries.front();
+    if (process.is_group() || entry.provider == Provider::kHand || !entry.host.empty()) continue;
     const Result<std::string> path = ProgramOf(entry, mission);
     if (!path.ok()) missing.push_back(path.error());
   }

@@ -48,9 +48,10 @@ struct LaunchContext {
 [[nodiscard]] Result<ChildCommand> CommandOf(const RosterProcess& process,
                                              const LaunchContext& context);
 
-/// Returns an error for each participant of `roster` that runs here and whose program is missing.
+/// Returns an error for each of the processes that is started here and whose program is missing.
+/// (A group runs in shoal's own program.)
 std::vector<std::string> MissingPrograms(const Mission& mission,
-                                         const std::vector<RosterEntry>& roster);
+                                         const std::vector<RosterProcess>& processes);
 
 /// Returns the command line for a participant that a user starts.
 std::string HandCommand(const RosterEntry& entry, const LaunchContext& context);

@@ -71,15 +71,6 @@ std::vector<std::string> ParticipantNames(const std::vector<RosterProcess>& proc
   return names;
 }
 
-/// Returns an error for each process that cannot be started.
-std::vector<std::string> MissingPrograms(const RunOptions& options, const Mission& mission) {
-  std::vector<RosterEntry> alone;  // A group runs in shoal's own program.
-  for (const RosterProcess& process : ProcessesOf(options, mission)) {
-    if (!process.is_group()) alone.push_back(process.entries.front());
-  }
-  return MissingPrograms(mission, alone);
-}
-
 }  // namespace
 
 Launcher::Launcher(const RunOptions& options, const Mission& mission,
@@ -97,7 +88,8 @@ Launcher::Launcher(const RunOptions& options, const Mission& mission,
                .log_dir = std::move(log_dir),
                .log_path = options.record_dir.empty() ? "" : options.record_dir + "/mission.lcm"},
       processes_(ProcessesOf(options, mission)),
-      wake_rule_(std::min(kWantedReceiveBuffer, ReceiveBufferLimit())),
+      wake_rule_(std::min(kWantedReceiveBuffer, ReceiveBufferLimit()),
+                 access ? WakeRule::kFewOfRelay : WakeRule::kFew),
       group_({.mission_id = mission_id,
               .pid = getpid(),
               .secret = secret,
@@ -106,7 +98,7 @@ Launcher::Launcher(const RunOptions& options, const Mission& mission,
       director_(make_director(mission, group_.Join(kOwnName))),
       clock_(MakeClockOptions(options, mission, mission_id, secret), ParticipantNames(processes_),
              ports_, transport_),
-      hosts_(access ? std::make_unique<MissionHosts>(context_, secret, MakeRoster(mission, false),
+      hosts_(access ? std::make_unique<MissionHosts>(context_, secret, processes_, transport_,
                                                      std::move(*access))
                     : nullptr),
       supervision_(context_, processes_, clock_, terminal_, hosts_.get()) {
@@ -123,6 +115,8 @@ Launcher::Launcher(const RunOptions& options, const Mission& mission,
         if (port == ports_.done_port()) {
           clock_.OnDatagram(port, channel, datagram, now);
         } else {
+          // First, so that hosts begin their step while the director takes its own.
+          if (hosts_ != nullptr) hosts_->OnDatagram(port, channel, datagram, now);
           const int64_t step = group_.step();
           group_.OnDatagram(port, channel, datagram, now);
           if (group_.step() != step) wake_rule_.OnStep(MonotonicMicroseconds());
@@ -133,10 +127,6 @@ Launcher::Launcher(const RunOptions& options, const Mission& mission,
 int Launcher::Run(int signal_fd) {
   if (!transport_.error().empty()) {
     supervision_.Fail(kExitEnvironment, transport_.error());
-    return supervision_.exit_code();
-  }
-  if (hosts_ != nullptr && !hosts_->error().empty()) {
-    supervision_.Fail(kExitEnvironment, hosts_->error());
     return supervision_.exit_code();
   }
   if (hosts_ != nullptr) hosts_->WatchToo(signal_fd);
@@ -163,7 +153,8 @@ void Launcher::Loop(int signal_fd) {
     const int64_t wait = clock_.state() == StepClock::State::kGathering
                              ? kIdlePoll_us
                              : std::clamp<int64_t>(deadline - now, 0, kIdlePoll_us);
-    const bool sleeps = group_.awaits_tick() && wake_rule_.SleepsThrough(now);
+    const bool awaits_data = hosts_ != nullptr && hosts_->awaits_data();
+    const bool sleeps = group_.awaits_tick() && !awaits_data && wake_rule_.SleepsThrough(now);
     const int extra_fd = hosts_ == nullptr ? signal_fd : hosts_->fd();
     if (transport_.Poll(sleeps ? wake_rule_.Timeout(wait, now) : wait, extra_fd,
                         sleeps ? WakeFor::kSteps : WakeFor::kAll)) {
@@ -242,7 +233,7 @@ int RunMission(const RunOptions& options, const Mission& mission,
     return kExitUsage;
   }
   // Before anything is made or started, so that nothing has to be undone.
-  const std::vector<std::string> missing = MissingPrograms(options, mission);
+  const std::vector<std::string> missing = MissingPrograms(mission, ProcessesOf(options, mission));
   if (!missing.empty()) return fail(fmt::format("{}", fmt::join(missing, "\nshoal: ")));
   std::optional<HostAccess> access;
   if (!HostsInUse(mission).empty()) {

@@ -5,7 +5,10 @@
 #include <sys/epoll.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
+#include <limits>
+#include <span>
 
 #include "lib/check/time_units.h"
 #include "lib/run/build_id.h"
@@ -23,8 +26,11 @@ constexpr int64_t kAliveInterval_us = 150'000;
 /// OnTime is called every 50 ms at least; a longer pause was the launcher's own.
 constexpr int64_t kOwnPause_us = 500'000;
 
-void Watch(int poll, int descriptor) {
-  epoll_event event{.events = EPOLLIN, .data = {.fd = descriptor}};
+constexpr uint32_t kNoHost = std::numeric_limits<uint32_t>::max();
+
+/// `host`: the number of the host whose link the descriptor is of.
+void Watch(int poll, int descriptor, uint32_t host = kNoHost) {
+  epoll_event event{.events = EPOLLIN, .data = {.u32 = host}};
   epoll_ctl(poll, EPOLL_CTL_ADD, descriptor, &event);
 }
 
@@ -67,7 +73,8 @@ Result<HostAccess> PrepareHosts(const Mission& mission, const RunOptions& option
 }
 
 MissionHosts::MissionHosts(const LaunchContext& context, const MissionSecret& secret,
-                           const std::vector<RosterEntry>& roster, HostAccess access)
+                           const std::vector<RosterProcess>& processes, Transport& transport,
+                           HostAccess access)
     : context_(context),
       access_(std::move(access)),
       secret_(secret),
@@ -78,30 +85,27 @@ MissionHosts::MissionHosts(const LaunchContext& context, const MissionSecret& se
     Host host{.options = options};
     RelayedHost each{.participants = {},
                      .wants = ChannelsOf(VehicleNames(context.mission), options.vehicles)};
-    for (const RosterEntry& entry : roster) {
-      if (entry.host != options.name) continue;
-      host.participants.push_back(entry.name);
-      each.participants.insert(entry.name);
-      // A program of the user's own may subscribe to anything.
-      if (entry.app.empty()) each.wants = [](std::string_view) { return true; };
+    for (const RosterProcess& process : processes) {
+      if (process.entries.front().host != options.name) continue;
+      host.processes.push_back(process.name);
+      for (const RosterEntry& entry : process.entries) {
+        host.participants.push_back(entry.name);
+        each.participants.insert(entry.name);
+        // A program of the user's own may subscribe to anything.
+        if (entry.app.empty()) each.wants = [](std::string_view) { return true; };
+      }
     }
     if (host.participants.empty()) continue;
     relayed.push_back(std::move(each));
     hosts_.push_back(std::move(host));
   }
-  transport_.set_drop_filter(MakeLossFilter(context.options.lose, context.options.lose_forever));
   relay_ = std::make_unique<HomeRelay>(
       RelayOptions{.name = "hosts",
                    .mission_id = context.mission_id,
                    .secret = secret,
                    .tick_us = context.mission.tick_us},
-      context.ports, transport_, std::move(relayed),
+      context.ports, transport, std::move(relayed),
       [this](size_t number, LinkMessage message) { Send(&hosts_[number], message); });
-  transport_.set_receiver(
-      [this](int port, std::string_view channel, std::span<const uint8_t> datagram) {
-        relay_->OnDatagram(port, channel, datagram, MonotonicMicroseconds());
-      });
-  Watch(poll_.get(), transport_.fd());
   const int64_t now = MonotonicMicroseconds();
   for (Host& host : hosts_) Connect(&host, now);
 }
@@ -118,7 +122,8 @@ void MissionHosts::Connect(Host* host, int64_t wall_us) {
   host->next_sequence = 0;
   host->state = State::kConnecting;
   host->since_us = wall_us;
-  Watch(poll_.get(), host->link->fd());
+  host->has_news = true;
+  Watch(poll_.get(), host->link->fd(), static_cast<uint32_t>(host - hosts_.data()));
 }
 
 void MissionHosts::WatchToo(int descriptor) { Watch(poll_.get(), descriptor); }
@@ -126,6 +131,7 @@ void MissionHosts::WatchToo(int descriptor) { Watch(poll_.get(), descriptor); }
 void MissionHosts::Send(Host* host, const LinkMessage& message) {
   host->sent_us = MonotonicMicroseconds();
   if (host->link->Send(EncodeLinkMessage(message, host->next_sequence))) ++host->next_sequence;
+  host->has_news = true;  // Sending may have taken a notice of arrival off the descriptor.
 }
 
 void MissionHosts::Offer(Host* host) {
@@ -135,6 +141,7 @@ void MissionHosts::Offer(Host* host) {
                         .overrides = context_.options.overrides,
                         .digest = digest_,
                         .participants = host->participants,
+                        .grouping = context_.options.grouping,
                         .secret = secret_,
                         .layout = context_.ports.layout(),
                         .timeout_s = host->options.timeout_s};
@@ -148,7 +155,11 @@ void MissionHosts::OnTime(int64_t wall_us) {
   }
   last_time_us_ = wall_us;
   relay_->OnTime(wall_us);
-  transport_.Poll(0);
+  std::array<epoll_event, 64> events{};
+  const int num = epoll_wait(poll_.get(), events.data(), static_cast<int>(events.size()), 0);
+  for (const epoll_event& event : std::span(events).first(static_cast<size_t>(std::max(num, 0)))) {
+    if (event.data.u32 != kNoHost) hosts_[event.data.u32].has_news = true;
+  }
   for (size_t i = 0; i < hosts_.size(); ++i) {
     Host& host = hosts_[i];
     if (host.link == nullptr && host.retry_us > 0 && wall_us >= host.retry_us) {
@@ -158,7 +169,6 @@ void MissionHosts::OnTime(int64_t wall_us) {
     if (host.link == nullptr) continue;
     ReadLink(i, wall_us);
     CheckTimes(i, wall_us);
-    // What CheckTimes sent may have taken a notice of arrival off the descriptor.
     ReadLink(i, wall_us);
   }
 }
@@ -167,16 +177,20 @@ int64_t MissionHosts::NextDeadline() const { return relay_->NextDeadline(); }
 
 void MissionHosts::ReadLink(size_t number, int64_t wall_us) {
   Host& host = hosts_[number];
-  while (host.link != nullptr) {
+  while (host.link != nullptr && host.has_news) {
+    host.has_news = false;
     const std::optional<Bytes> bytes = host.link->Receive();
-    if (!bytes) break;
+    if (!bytes) continue;
+    host.has_news = true;
     host.heard_us = wall_us;
     const Result<LinkMessage> message = host.intake.Take(*bytes);
     if (message.ok()) {
       OnMessage(number, *message, wall_us);
-    } else if (host.num_refused++ == 0) {
-      notes_.push_back(fmt::format("{} sent {}; refused", Describe(host), message.error()));
+      continue;
     }
+    const std::string how = fmt::format("{} sent {}", Describe(host), message.error());
+    if (host.num_refused++ == 0) notes_.push_back(how + "; refused");
+    if (host.intake.has_gap() && !is_ending_) Lose(number, how, wall_us);
   }
 }
 
@@ -185,7 +199,7 @@ void MissionHosts::OnMessage(size_t number, const LinkMessage& message, int64_t 
   switch (message.kind) {
     case LinkKind::kAccept:
       host.state = State::kRunning;
-      host.running = {host.participants.begin(), host.participants.end()};
+      host.running = {host.processes.begin(), host.processes.end()};
       relay_->SetConnected(number, true);
       if (host.was_running) {
         notes_.push_back(fmt::format("{} is there again; its participants join", Describe(host)));
@@ -193,6 +207,11 @@ void MissionHosts::OnMessage(size_t number, const LinkMessage& message, int64_t 
       host.was_running = true;
       break;
     case LinkKind::kRefuse:
+      if (host.state == State::kRunning) {
+        Lose(number, fmt::format("{} ends its part: {}", Describe(host), message.TextOf("why")),
+             wall_us);
+        break;
+      }
       host.link.reset();
       if (host.was_running) {
         host.retry_us = wall_us + kRetry_us;  // It ends what it ran before it was lost.
@@ -271,6 +290,21 @@ void MissionHosts::CheckTimes(size_t number, int64_t wall_us) {
   if (wall_us - host.sent_us > kAliveInterval_us) {
     Send(&host, {.kind = LinkKind::kAlive, .mission_id = context_.mission_id});
   }
+  CheckAnswer(number, wall_us);
+}
+
+/// Names a host that is there and does not answer for half of its time-out; again where it takes
+/// twice as long.
+void MissionHosts::CheckAnswer(size_t number, int64_t wall_us) {
+  Host& host = hosts_[number];
+  const auto patience_us = static_cast<int64_t>(host.options.timeout_s * 1e6 / 2);
+  const int64_t waited_us = relay_->WaitedFor(number, wall_us);
+  if (waited_us <= std::max(patience_us, 2 * host.slow_us)) return;
+  host.slow_us = waited_us;
+  notes_.push_back(
+      fmt::format("step {}: {} has been slow for {:.2f} s; it gives signs of life, and "
+                  "its answer is waited for",
+                  relay_->step(), Describe(host), static_cast<double>(waited_us) / 1e6));
 }
 
 void MissionHosts::Lose(size_t number, const std::string& how, int64_t wall_us) {
@@ -283,29 +317,31 @@ void MissionHosts::Lose(size_t number, const std::string& how, int64_t wall_us) 
   troubles_.push_back({.host = host.options.name, .how = how});
 }
 
-void MissionHosts::Start(const RosterEntry& entry) {
+void MissionHosts::Start(const RosterProcess& process) {
   for (Host& host : hosts_) {
-    if (host.options.name != entry.host || host.state != State::kRunning) continue;
+    if (host.options.name != process.entries.front().host || host.state != State::kRunning)
+      continue;
     LinkMessage message{.kind = LinkKind::kStart, .mission_id = context_.mission_id};
-    message.AddText("name", entry.name);
-    host.running.insert(entry.name);
+    message.AddText("name", process.name);
+    host.running.insert(process.name);
     Send(&host, message);
   }
 }
 
-void MissionHosts::Signal(const RosterEntry& entry, int signal) {
+void MissionHosts::Signal(const RosterProcess& process, int signal) {
   for (Host& host : hosts_) {
-    if (host.options.name != entry.host || host.state != State::kRunning) continue;
+    if (host.options.name != process.entries.front().host || host.state != State::kRunning)
+      continue;
     LinkMessage message{.kind = LinkKind::kSignal, .mission_id = context_.mission_id};
-    message.AddText("name", entry.name);
+    message.AddText("name", process.name);
     message.AddText("signal", std::to_string(signal));
     Send(&host, message);
   }
 }
 
-bool MissionHosts::IsRunning(const std::string& participant) const {
+bool MissionHosts::IsRunning(const std::string& name) const {
   return std::any_of(hosts_.begin(), hosts_.end(),
-                     [&](const Host& host) { return host.running.contains(participant); });
+                     [&](const Host& host) { return host.running.contains(name); });
 }
 
 void MissionHosts::End() {

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "lib/bus/lcm_transport.h"
+#include "lib/bus/transport.h"
 #include "lib/hosts/curve_link.h"
 #include "lib/hosts/home_relay.h"
 #include "lib/hosts/host_offer.h"
@@ -44,21 +44,30 @@ struct HostAccess {
 
 class MissionHosts {
  public:
-  /// `context` must outlive this. Begins to connect.
+  /// `context` and `transport`, this computer's bus, must outlive this. Begins to connect.
   MissionHosts(const LaunchContext& context, const MissionSecret& secret,
-               const std::vector<RosterEntry>& roster, HostAccess access);
+               const std::vector<RosterProcess>& processes, Transport& transport,
+               HostAccess access);
 
-  /// Takes what has arrived and does what is due.
+  /// Takes a datagram of the bus.
+  void OnDatagram(int port, std::string_view channel, std::span<const uint8_t> datagram,
+                  int64_t wall_us) {
+    relay_->OnDatagram(port, channel, datagram, wall_us);
+  }
+  /// True while a message that this computer's bus owes keeps a step from the hosts.
+  bool awaits_data() const { return relay_->awaits_data(); }
+  /// Takes what has arrived over the links and does what is due.
   void OnTime(int64_t wall_us);
   int64_t NextDeadline() const;
   /// Readable where OnTime has something to take, or a descriptor that was given to WatchToo is.
   int fd() const { return poll_.get(); }
   void WatchToo(int descriptor);
 
-  /// Starts a participant again, on its host.
-  void Start(const RosterEntry& entry);
-  void Signal(const RosterEntry& entry, int signal);
-  bool IsRunning(const std::string& participant) const;
+  /// Starts a process again, on its host.
+  void Start(const RosterProcess& process);
+  void Signal(const RosterProcess& process, int signal);
+  /// `name`: of a process.
+  bool IsRunning(const std::string& name) const;
   /// Lets all hosts end their processes.
   void End();
 
@@ -68,8 +77,6 @@ class MissionHosts {
   std::vector<std::string> TakeNotes();
   /// A line per host, for the summary; empty without steps.
   std::string Summary() const;
-  /// Why this computer's bus does not work, or empty.
-  const std::string& error() const { return transport_.error(); }
 
  private:
   enum class State { kConnecting, kOffered, kRunning, kLost };
@@ -77,6 +84,7 @@ class MissionHosts {
   struct Host {
     HostOptions options;
     std::vector<std::string> participants = {};
+    std::vector<std::string> processes = {};
     std::unique_ptr<HomeLink> link = {};
     LinkIntake intake = {};
     State state = State::kConnecting;
@@ -86,8 +94,10 @@ class MissionHosts {
     int64_t heard_us = 0;  ///< When its last message came.
     int64_t sent_us = 0;
     int64_t retry_us = 0;                ///< When to connect again; 0: not planned.
-    std::set<std::string> running = {};  ///< Participants whose processes have not ended.
+    std::set<std::string> running = {};  ///< Processes that have not ended.
     int64_t num_refused = 0;             ///< Over all links.
+    int64_t slow_us = 0;                 ///< The longest wait for an answer that has been named.
+    bool has_news = true;  ///< The link is to be read: its descriptor shows so, or hides it.
   };
 
   std::string Describe(const Host& host) const;
@@ -97,6 +107,7 @@ class MissionHosts {
   void OnMessage(size_t number, const LinkMessage& message, int64_t wall_us);
   void Offer(Host* host);
   void CheckTimes(size_t number, int64_t wall_us);
+  void CheckAnswer(size_t number, int64_t wall_us);
   void Lose(size_t number, const std::string& how, int64_t wall_us);
 
   const LaunchContext& context_;
@@ -104,7 +115,6 @@ class MissionHosts {
   const MissionSecret secret_;
   std::string digest_;
   std::vector<Host> hosts_;
-  LcmTransport transport_;
   std::unique_ptr<HomeRelay> relay_;
   FileDescriptor poll_;
   int64_t last_time_us_ = 0;

@@ -118,7 +118,7 @@ bool Supervision::StartAll() {
 
 bool Supervision::StartProcess(const RosterProcess& process) {
   if (!IsOnHost(process)) return Start(CommandOf(process, context_));
-  hosts_->Start(process.entries.front());
+  hosts_->Start(process);
   return true;
 }
 
@@ -183,7 +183,9 @@ void Supervision::OnTime(int64_t wall_us, int64_t num_foreign) {
 
 void Supervision::OnSignals(int signal_fd) {
   signalfd_siginfo info{};
+  bool is_any = false;
   while (read(signal_fd, &info, sizeof info) == sizeof info) {
+    is_any = true;
     if (info.ssi_signo == SIGCHLD) continue;  // Several may share one; Reap finds all.
     if (is_interrupted_) {
       is_killing_ = true;  // Asked twice: wait no longer.
@@ -193,7 +195,7 @@ void Supervision::OnSignals(int signal_fd) {
       Fail(kExitMissionFailed, "interrupted: ending the mission");
     }
   }
-  OnChildExits();
+  if (is_any) OnChildExits();
 }
 
 void Supervision::OnChildExits() {
@@ -248,8 +250,9 @@ void Supervision::OnHostTrouble(const HostTrouble& trouble) {
   if (clock_.state() == StepClock::State::kEnded) return;
   std::vector<std::string> participants;
   for (const RosterProcess& process : processes_) {
-    const RosterEntry& entry = process.entries.front();
-    if (entry.host == trouble.host) participants.push_back(entry.name);
+    for (const RosterEntry& entry : process.entries) {
+      if (entry.host == trouble.host) participants.push_back(entry.name);
+    }
   }
   const auto host =
       std::find_if(context_.mission.hosts.begin(), context_.mission.hosts.end(),
@@ -286,7 +289,7 @@ void Supervision::CheckSilence(int64_t wall_us) {
     }
   }
   for (const auto& [name, process] : silent) {
-    if (IsOnHost(process)) hosts_->Signal(process.entries.front(), SIGKILL);
+    if (IsOnHost(process)) hosts_->Signal(process, SIGKILL);
     children_.Signal(name, SIGKILL);
     OnLost(process,
            fmt::format("{} has not answered step {} for {} s of wall time (stopped, or hung)", name,

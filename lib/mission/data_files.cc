@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <variant>
 
+#include "lib/mission/grid_files.h"
+
 namespace shoal {
 
 std::vector<std::string> DataFilesOf(const Mission& mission) {
@@ -10,7 +12,7 @@ std::vector<std::string> DataFilesOf(const Mission& mission) {
   const auto add = [&files](const std::string& file) {
     if (!file.empty() && std::ranges::find(files, file) == files.end()) files.push_back(file);
   };
-  add(mission.environment.floor.grid);
+  for (const std::string& file : GridFilesOf(mission.environment)) add(file);
   for (const Vehicle& vehicle : mission.vehicles) {
     if (const auto* track = std::get_if<TrackOptions>(&vehicle.model)) add(track->file);
   }

@@ -8,8 +8,8 @@
 
 namespace shoal {
 
-/// Returns their paths as the mission file has them, which count from its folder: the grid of the
-/// sea floor, then the tracks in the order of the vehicles. Each once.
+/// Returns their paths as the mission file has them, which count from its folder: the grids of
+/// floor and current, then the tracks in the order of the vehicles. Each once.
 [[nodiscard]] std::vector<std::string> DataFilesOf(const Mission& mission);
 
 }  // namespace shoal

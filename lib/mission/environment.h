@@ -21,6 +21,18 @@ struct CurrentWords {
   bool operator==(const CurrentWords&) const = default;
 };
 
+/// `[environment.current]` with a grid: other water at another place, depth and time.
+struct CurrentGridOptions {
+  std::string file;   ///< grid: a NetCDF file with both components.
+  std::string east;   ///< grid_east: an ESRI ASCII file, or a NetCDF file and its variable.
+  std::string north;  ///< grid_north: likewise.
+  Eigen::Vector2d origin_m = Eigen::Vector2d::Zero();  ///< The mission's origin in the grid.
+  std::string time = "first";  ///< The grid's time at the mission's start: first, absolute, a date.
+
+  bool exists() const { return !file.empty() || !east.empty() || !north.empty(); }
+  bool operator==(const CurrentGridOptions&) const = default;
+};
+
 /// `[environment.floor]`.
 struct FloorOptions {
   std::string style = "none";  ///< none, flat, linear, sigmoid, shelf or grid.
@@ -30,9 +42,10 @@ struct FloorOptions {
   double scale_m = 300;        ///< From hill to hill, about.
   double slope_east = 0;       ///< Metres deeper per metre.
   double slope_north = 0;
-  std::string grid;            ///< grid: the path of an ESRI ASCII file.
+  std::string grid;  ///< grid: the path of an ESRI ASCII file, or of NetCDF: "bay.nc:variable".
   bool grid_is_depth = false;  ///< Its numbers are depths; else elevations.
   Eigen::Vector2d grid_origin_m = Eigen::Vector2d::Zero();  ///< The mission's origin in the grid.
+  double grid_gap_depth_m = -1;  ///< Of points without data; negative: there may be none.
 
   bool operator==(const FloorOptions&) const = default;
 };
@@ -57,6 +70,7 @@ struct PlumeOptions {
 /// `[environment]`.
 struct Environment {
   CurrentWords current;
+  CurrentGridOptions current_grid;  ///< Where it exists, `current` has no effect.
   FloorOptions floor;
   PlumeOptions plume;
   ContactRule contact = ContactRule::kIgnore;

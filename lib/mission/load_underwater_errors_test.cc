@@ -414,7 +414,7 @@ grid_origin = [1]
 
 TEST(LoadUnderwaterErrors, ReportAGridWithoutAPath) {
   EXPECT_EQ(ErrorsAfter("[environment]\nfloor = {style = \"grid\"}\n"),
-            "6:18: style = \"grid\" needs grid = \"bay.asc\", an ESRI ASCII file\n");
+            "6:18: style = \"grid\" needs grid = \"bay.asc\", an ESRI ASCII file, or \"bay.nc\"\n");
   EXPECT_EQ(ErrorsAfter("[environment]\nfloor = {grid = \"\"}\n"),
             "6:17: grid must not be empty\n");
 }

@@ -262,7 +262,8 @@ class MissionDraw {
                            .slope_north = Number(-10, 10),
                            .grid = {},
                            .grid_is_depth = Coin(),
-                           .grid_origin_m = Point()};
+                           .grid_origin_m = Point(),
+                           .grid_gap_depth_m = Coin() ? -1 : Number(0, 20'000)};
     }
     if (Coin()) {
       environment.plume = {.exists = true,

@@ -5,14 +5,11 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <filesystem>
 #include <span>
 #include <string_view>
 
 #include "lib/geometry/angles.h"
-#include "lib/mission/read_file.h"
 #include "lib/ocean/current_zones.h"
-#include "lib/ocean/esri_grid.h"
 
 namespace shoal {
 
@@ -73,21 +70,10 @@ auto Understand(const WordRow& row, const std::string& word)
   return {{.low = *low * unit, .high = *high * unit}};
 }
 
-Result<SeaFloor> FloorOf(const FloorOptions& options, uint64_t seed, const std::string& folder) {
+Result<SeaFloor> FloorOf(const FloorOptions& options, uint64_t seed,
+                         const GridPlacement& placement) {
   if (options.style == "grid") {
-    const std::filesystem::path path = std::filesystem::path(folder) / options.grid;
-    if (std::error_code ignored; std::filesystem::is_directory(path, ignored)) {
-      return Error{path.string() + ": is a directory; name the grid's file in it"};
-    }
-    const FileText file = ReadRegularFile(path.string());
-    if (!file.problem.empty()) {
-      return Error{path.string() + ": " + file.problem +
-                   "; a grid's path counts from the mission file's folder"};
-    }
-    Result<DepthGrid> grid = ParseEsriGrid(
-        file.text, {.name = path.string(),
-                    .values = options.grid_is_depth ? GridValues::kDepth : GridValues::kElevation,
-                    .mission_origin_m = options.grid_origin_m});
+    Result<DepthGrid> grid = ReadFloorGrid(options, placement);
     if (!grid.ok()) return Error{grid.error()};
     return SeaFloor(std::make_shared<const DepthGrid>(std::move(*grid)));
   }
@@ -131,7 +117,8 @@ std::vector<CurrentProblem> FindProblems(const CurrentWords& words) {
   return problems;
 }
 
-Result<Ocean> OceanOf(const Environment& environment, uint64_t seed, const std::string& folder) {
+Result<Ocean> OceanOf(const Environment& environment, uint64_t seed,
+                      const GridPlacement& placement) {
   const std::vector<CurrentProblem> problems = FindProblems(environment.current);
   if (!problems.empty()) return Error{problems.front().text};
   CurrentRanges ranges;
@@ -142,9 +129,17 @@ Result<Ocean> OceanOf(const Environment& environment, uint64_t seed, const std::
   CurrentParams params = DrawCurrent(ranges, key);
   params.max_speed_mps = std::max(params.max_speed_mps, params.speed_mps.mean);
   if (!IsCurrent(params)) return Error{"a current cannot be made of these numbers"};
-  Ocean ocean{.current = Current(params, key), .floor = std::nullopt, .plume = std::nullopt};
+  Ocean ocean{.current = Current(params, key),
+              .current_grid = nullptr,
+              .floor = std::nullopt,
+              .plume = std::nullopt};
+  if (environment.current_grid.exists()) {
+    Result<CurrentGrid> grid = ReadCurrentGrid(environment.current_grid, placement);
+    if (!grid.ok()) return Error{grid.error()};
+    ocean.current_grid = std::make_shared<const CurrentGrid>(std::move(*grid));
+  }
   if (environment.floor.style != "none") {
-    Result<SeaFloor> floor = FloorOf(environment.floor, seed, folder);
+    Result<SeaFloor> floor = FloorOf(environment.floor, seed, placement);
     if (!floor.ok()) return Error{floor.error()};
     ocean.floor = std::move(*floor);
   }
@@ -157,20 +152,21 @@ Result<Ocean> OceanOf(const Mission& mission) {
   struct Made {
     Environment environment;
     uint64_t seed = 0;
-    std::string folder;
+    GridPlacement placement;
     Ocean ocean;
   };
   thread_local std::optional<Made> last;
-  const std::string folder = std::filesystem::path(mission.file).parent_path().string();
+  const GridPlacement placement = PlacementOf(mission);
   if (last && last->environment == mission.environment && last->seed == mission.seed &&
-      last->folder == folder) {
+      last->placement == placement) {
+    NoteGridFilesRead(mission.environment, placement);
     return last->ocean;
   }
-  Result<Ocean> ocean = OceanOf(mission.environment, mission.seed, folder);
+  Result<Ocean> ocean = OceanOf(mission.environment, mission.seed, placement);
   if (ocean.ok()) {
     last = Made{.environment = mission.environment,
                 .seed = mission.seed,
-                .folder = folder,
+                .placement = placement,
                 .ocean = *ocean};
   }
   return ocean;

@@ -1,17 +1,21 @@
 // The sea that a mission takes place in: its current and its floor, made from the mission file.
 //
-//   Result<Ocean> ocean = OceanOf(mission.environment, mission.seed, folder_of_the_file);
-//   Eigen::Vector2d water_mps = Velocity(ocean->current.At(time_s));
+//   Result<Ocean> ocean = OceanOf(mission);
+//   Eigen::Vector2d water_mps = ocean->WaterVelocityAt({x, y, z}, time_s);
 //   if (ocean->floor) double z_m = ocean->floor->DepthAt({x, y});
 #pragma once
 
+#include <Eigen/Core>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "lib/check/result.h"
+#include "lib/mission/grid_files.h"
 #include "lib/mission/mission.h"
 #include "lib/ocean/current.h"
+#include "lib/ocean/current_grid.h"
 #include "lib/ocean/plume.h"
 #include "lib/ocean/sea_floor.h"
 
@@ -19,14 +23,20 @@ namespace shoal {
 
 struct Ocean {
   Current current;
-  std::optional<SeaFloor> floor;  ///< Absent: the depth is not known.
+  std::shared_ptr<const CurrentGrid> current_grid;  ///< Null: `current` is the same everywhere.
+  std::optional<SeaFloor> floor;                    ///< Absent: the depth is not known.
   std::optional<Plume> plume;
+
+  /// Returns the water's velocity over ground, x East, y North. @pre time_s is finite
+  [[nodiscard]] Eigen::Vector2d WaterVelocityAt(const Eigen::Vector3d& position_m,
+                                                double time_s) const {
+    return current_grid ? current_grid->VelocityAt(position_m, time_s) : current.VelocityAt(time_s);
+  }
 };
 
-/// Returns the sea, drawn from the mission's seed, or why there can be none. A grid's path counts
-/// from `folder`.
+/// Returns the sea, drawn from the mission's seed, or why there can be none.
 [[nodiscard]] Result<Ocean> OceanOf(const Environment& environment, uint64_t seed,
-                                    const std::string& folder);
+                                    const GridPlacement& placement);
 
 /// The same for a mission that was loaded from a file.
 [[nodiscard]] Result<Ocean> OceanOf(const Mission& mission);

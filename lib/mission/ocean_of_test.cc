@@ -18,7 +18,7 @@ namespace shoal::ocean_of_test {
 Current CurrentOf(const CurrentWords& words, uint64_t seed = 1) {
   Environment environment;
   environment.current = words;
-  const Result<Ocean> ocean = OceanOf(environment, seed, "");
+  const Result<Ocean> ocean = OceanOf(environment, seed, {});
   EXPECT_TRUE(ocean.ok()) << ocean.error();
   return ocean->current;
 }
@@ -36,11 +36,11 @@ FloorOptions FloorOfStyle(const std::string& style) {
 Result<Ocean> OceanWith(const FloorOptions& floor, const std::string& folder = "") {
   Environment environment;
   environment.floor = floor;
-  return OceanOf(environment, 1, folder);
+  return OceanOf(environment, 1, {.folder = folder});
 }
 
 TEST(OceanOf, HasStillWaterAndAnUnknownFloorByDefault) {
-  const Result<Ocean> ocean = OceanOf(Environment(), 1, "");
+  const Result<Ocean> ocean = OceanOf(Environment(), 1, {});
   ASSERT_TRUE(ocean.ok());
   EXPECT_EQ(Velocity(ocean->current.At(123)), Eigen::Vector2d(0, 0));
   EXPECT_FALSE(ocean->floor.has_value());
@@ -119,7 +119,7 @@ RC_GTEST_PROP(OceanOf, RefusesOrHasAFiniteCurrentForAnyText, ()) {
   };
   Environment environment;
   environment.current = {.speed_mps = word(), .direction_deg = word()};
-  const Result<Ocean> ocean = OceanOf(environment, 7, "");
+  const Result<Ocean> ocean = OceanOf(environment, 7, {});
   if (!ocean.ok()) {
     RC_ASSERT(!ocean.error().empty());
     return;

@@ -8,6 +8,7 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
+#include <utility>
 
 namespace shoal {
 
@@ -15,25 +16,21 @@ namespace {
 
 thread_local FilesRead* list_of_thread = nullptr;
 
-FileText Unreadable() { return {"", std::string("cannot be read: ") + std::strerror(errno)}; }
+std::string Unreadable() { return std::string("cannot be read: ") + std::strerror(errno); }
+
+Result<FileDescriptor> Open(const std::string& path, bool is_any_kind) {
+  FileDescriptor file(
+      open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY | (is_any_kind ? 0 : O_NONBLOCK)));
+  struct stat status {};
+  if (!file.is_open() || fstat(file.get(), &status) != 0) return Error{Unreadable()};
+  if (S_ISDIR(status.st_mode)) return Error{"is a directory; name the .toml file in it"};
+  if (!is_any_kind && !S_ISREG(status.st_mode)) return Error{"is not a regular file"};
+  return file;
+}
 
 FileText Read(const std::string& path, bool is_any_kind, size_t most_bytes) {
-  const int fd =
-      open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY | (is_any_kind ? 0 : O_NONBLOCK));
-  if (fd < 0) return Unreadable();
-  struct stat status {};
-  FileText read;
-  if (fstat(fd, &status) != 0) {
-    read = Unreadable();
-  } else if (S_ISDIR(status.st_mode)) {
-    read.problem = "is a directory; name the .toml file in it";
-  } else if (!is_any_kind && !S_ISREG(status.st_mode)) {
-    read.problem = "is not a regular file";
-  } else {
-    read = ReadOpenFile(fd, most_bytes);
-  }
-  close(fd);
-  return read;
+  const Result<FileDescriptor> file = Open(path, is_any_kind);
+  return file.ok() ? ReadOpenFile(file->get(), most_bytes) : FileText{"", file.error()};
 }
 
 }  // namespace
@@ -44,10 +41,20 @@ FilesRead::FilesRead() : outer_(list_of_thread) { list_of_thread = this; }
 
 FilesRead::~FilesRead() { list_of_thread = outer_; }
 
+void NoteFileRead(const std::string& path) {
+  if (list_of_thread != nullptr) list_of_thread->paths_.insert(path);
+}
+
 FileText ReadRegularFile(const std::string& path, size_t most_bytes) {
   FileText read = Read(path, false, most_bytes);
-  if (list_of_thread != nullptr && read.problem.empty()) list_of_thread->paths_.insert(path);
+  if (read.problem.empty()) NoteFileRead(path);
   return read;
+}
+
+Result<FileDescriptor> OpenRegularFile(const std::string& path) {
+  Result<FileDescriptor> file = Open(path, false);
+  if (file.ok()) NoteFileRead(path);
+  return file;
 }
 
 FileText ReadOpenFile(int fd, size_t most_bytes) {
@@ -56,7 +63,7 @@ FileText ReadOpenFile(int fd, size_t most_bytes) {
   while (true) {
     const ssize_t size = read(fd, buffer.data(), buffer.size());
     if (size < 0 && errno == EINTR) continue;
-    if (size < 0) return Unreadable();
+    if (size < 0) return {"", Unreadable()};
     if (size == 0) return file;
     file.text.append(buffer.data(), static_cast<size_t>(size));
     if (file.text.size() > most_bytes) {

@@ -6,6 +6,9 @@
 #include <set>
 #include <string>
 
+#include "lib/check/result.h"
+#include "lib/record/file_descriptor.h"
+
 namespace shoal {
 
 struct FileText {
@@ -24,8 +27,14 @@ inline constexpr size_t kLargestRunFile_bytes = size_t{4} << 20;  ///< Of files 
 [[nodiscard]] FileText ReadRegularFile(const std::string& path,
                                        size_t most_bytes = kLargestFile_bytes);
 
-/// Lists the regular files that ReadRegularFile has read in this thread while the list lives: what
-/// a mission consists of beside its own file.
+/// Opens such a file for reading, for what reads it by itself; an error is a text without the path.
+[[nodiscard]] Result<FileDescriptor> OpenRegularFile(const std::string& path);
+
+/// Lists the file as one that was read, for what keeps its contents from another time.
+void NoteFileRead(const std::string& path);
+
+/// Lists the regular files that ReadRegularFile or OpenRegularFile have opened in this thread while
+/// the list lives: what a mission consists of beside its own file.
 class FilesRead {
  public:
   FilesRead();
@@ -37,7 +46,7 @@ class FilesRead {
   const std::set<std::string>& paths() const { return paths_; }
 
  private:
-  friend FileText ReadRegularFile(const std::string& path, size_t most_bytes);
+  friend void NoteFileRead(const std::string& path);
   std::set<std::string> paths_;
   FilesRead* const outer_;  ///< The list that this one hides while it lives.
 };

@@ -2,23 +2,20 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <utility>
 #include <vector>
 
-namespace shoal {
+#include "lib/ocean/grid_map.h"
 
-/// Where a grid's points are.
-struct GridFrame {
-  int columns = 1;                                         ///< Toward the East.
-  int rows = 1;                                            ///< Toward the North.
-  Eigen::Vector2d south_west_m = Eigen::Vector2d::Zero();  ///< The first point; x East, y North.
-  Eigen::Vector2d cell_m = {1, 1};                         ///< From point to point; both > 0.
-};
+namespace shoal {
 
 class DepthGrid {
  public:
   /// `depths_m` in rows from South to North, each from West to East.
-  /// @pre columns * rows >= 1 finite depths, a finite frame
-  DepthGrid(const GridFrame& frame, std::vector<float> depths_m);
+  /// @pre columns * rows finite depths
+  DepthGrid(GridMap map, std::vector<float> depths_m);
+  DepthGrid(const GridFrame& frame, std::vector<float> depths_m)
+      : DepthGrid(GridMap(frame), std::move(depths_m)) {}
 
   /// Returns the depth of the floor, bilinear between the four points around a position, which is
   /// exact at the points, continuous, and never beyond the depths of those four. Off the grid it is
@@ -26,12 +23,10 @@ class DepthGrid {
   /// southern edge.
   [[nodiscard]] double DepthAt(const Eigen::Vector2d& position_m) const;
 
-  const GridFrame& frame() const { return frame_; }
+  const GridMap& map() const { return map_; }
 
  private:
-  double Point(int column, int row) const;
-
-  GridFrame frame_;
+  GridMap map_;
   std::vector<float> depths_m_;
 };
 

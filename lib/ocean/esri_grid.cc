@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "lib/ocean/current.h"
+
 namespace shoal {
 
 namespace {
@@ -68,14 +70,14 @@ class EsriReader {
     if (rest_.starts_with("\xEF\xBB\xBF")) rest_.remove_prefix(3);  // UTF-8's byte order mark.
   }
 
-  Result<DepthGrid> Read() {
+  Result<EsriField> Read() {
     std::string problem = ReadHeader();
     if (problem.empty()) problem = UseHeader();
     if (problem.empty()) problem = ReadRows();
     if (!problem.empty()) {
       return Error{options_.name + ":" + std::to_string(line_number_) + ": " + problem};
     }
-    return DepthGrid(frame_, std::move(depths_m_));
+    return EsriField{.frame = frame_, .values = std::move(values_)};
   }
 
  private:
@@ -175,9 +177,8 @@ class EsriReader {
   /// Reads the rows, the first of which is in line_, and turns them South to North.
   std::string ReadRows() {
     // A number takes two characters at least: no header makes this larger than the text.
-    depths_m_.reserve(
-        std::min(static_cast<size_t>(frame_.columns) * static_cast<size_t>(frame_.rows),
-                 (line_.size() + rest_.size()) / 2 + 1));
+    values_.reserve(std::min(static_cast<size_t>(frame_.columns) * static_cast<size_t>(frame_.rows),
+                             (line_.size() + rest_.size()) / 2 + 1));
     for (int row = 0; row < frame_.rows; ++row) {
       if (std::string problem = ReadRow(); !problem.empty()) return problem;
       const bool has_more = NextLine();
@@ -192,9 +193,8 @@ class EsriReader {
     }
     const auto columns = static_cast<ptrdiff_t>(frame_.columns);
     for (ptrdiff_t north = 0, south = frame_.rows - 1; north < south; ++north, --south) {
-      std::swap_ranges(depths_m_.begin() + north * columns,
-                       depths_m_.begin() + (north + 1) * columns,
-                       depths_m_.begin() + south * columns);
+      std::swap_ranges(values_.begin() + north * columns, values_.begin() + (north + 1) * columns,
+                       values_.begin() + south * columns);
     }
     return "";
   }
@@ -209,7 +209,7 @@ class EsriReader {
       }
       const std::optional<double> number = ParseNumber(word);
       if (!number) return Quote(word) + " is not a number";
-      if (std::string problem = AddDepth(*number, column); !problem.empty()) return problem;
+      if (std::string problem = AddValue(*number, column); !problem.empty()) return problem;
     }
     if (!TakeWord(line).empty()) {
       return "this row has more numbers than the " + std::to_string(frame_.columns) +
@@ -218,21 +218,25 @@ class EsriReader {
     return "";
   }
 
-  std::string AddDepth(double number, int column) {
+  std::string AddValue(double number, int column) {
+    const bool is_velocity = options_.values == GridValues::kVelocity;
     if (number == numbers_[kNoData].value_or(-9999)) {
-      if (!options_.nodata_depth_m) {
+      if (!is_velocity && !options_.nodata_depth_m) {
         return "column " + std::to_string(column + 1) +
-               " has no data; fill the map's gaps, or state their depth";
+               " has no data; fill the map's gaps, or state their depth: grid_gap_depth_m";
       }
-      depths_m_.push_back(static_cast<float>(*options_.nodata_depth_m));
+      values_.push_back(is_velocity ? std::nanf("") : static_cast<float>(*options_.nodata_depth_m));
       return "";
     }
-    if (std::abs(number) > kMaxGridDepth_m) {
-      return "column " + std::to_string(column + 1) + " is further from the surface than " +
-             RoundText(kMaxGridDepth_m) + " m; is it the mark for no data? Then set NODATA_value";
+    if (std::abs(number) > (is_velocity ? kMaxCurrent_mps : kMaxGridDepth_m)) {
+      return "column " + std::to_string(column + 1) +
+             (is_velocity
+                  ? " is faster than " + RoundText(kMaxCurrent_mps) + " m/s"
+                  : " is further from the surface than " + RoundText(kMaxGridDepth_m) + " m") +
+             "; is it the mark for no data? Then set NODATA_value";
     }
-    const double depth_m = options_.values == GridValues::kDepth ? number : -number;
-    depths_m_.push_back(static_cast<float>(std::max(0.0, depth_m)));
+    const double value = options_.values == GridValues::kElevation ? -number : number;
+    values_.push_back(static_cast<float>(is_velocity ? value : std::max(0.0, value)));
     return "";
   }
 
@@ -243,12 +247,18 @@ class EsriReader {
   std::array<std::optional<double>, kKeys.size()> numbers_ = {};
   std::array<int, kKeys.size()> lines_ = {};  ///< Where they stand.
   GridFrame frame_;
-  std::vector<float> depths_m_;
+  std::vector<float> values_;
 };
 
 }  // namespace
 
 Result<DepthGrid> ParseEsriGrid(std::string_view text, const EsriGridOptions& options) {
+  Result<EsriField> field = ParseEsriField(text, options);
+  if (!field.ok()) return Error{field.error()};
+  return DepthGrid(field->frame, std::move(field->values));
+}
+
+Result<EsriField> ParseEsriField(std::string_view text, const EsriGridOptions& options) {
   return EsriReader(text, options).Read();
 }
 

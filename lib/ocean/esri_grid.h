@@ -1,5 +1,5 @@
-// Reads depths from the text of an ESRI ASCII grid, the form in which bathymetry is commonly sold
-// and given away ("Esri ASCII raster format", ArcGIS documentation).
+// Reads depths, or velocities, from the text of an ESRI ASCII grid, a form in which bathymetry is
+// commonly sold and given away ("Esri ASCII raster format", ArcGIS documentation).
 //
 //   ncols 4
 //   nrows 3
@@ -15,9 +15,11 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "lib/check/result.h"
 #include "lib/ocean/depth_grid.h"
+#include "lib/ocean/grid_map.h"
 
 namespace shoal {
 
@@ -25,6 +27,7 @@ namespace shoal {
 enum class GridValues {
   kElevation,  ///< Negative below the surface, as maps of land and sea have it.
   kDepth,      ///< Positive below the surface.
+  kVelocity,   ///< Metres per second, of one component of a current.
 };
 
 struct EsriGridOptions {
@@ -32,7 +35,7 @@ struct EsriGridOptions {
   GridValues values = GridValues::kElevation;
   /// Where the mission's origin lies in the grid's own coordinates, which must be metres.
   Eigen::Vector2d mission_origin_m = Eigen::Vector2d::Zero();
-  /// Depth of cells without data; none: they are an error.
+  /// Depth of cells without data; none: they are an error. Of velocities they never are.
   std::optional<double> nodata_depth_m = {};
 };
 
@@ -45,5 +48,15 @@ inline constexpr int kMaxGridPoints = 16'000'000;
 /// @pre finite options
 [[nodiscard]] Result<DepthGrid> ParseEsriGrid(std::string_view text,
                                               const EsriGridOptions& options);
+
+/// What a text holds, in rows from South to North.
+struct EsriField {
+  GridFrame frame;
+  std::vector<float> values;  ///< Depths, >= 0, or velocities: NaN where a cell has no data.
+};
+
+/// The same, for values of any kind.
+[[nodiscard]] Result<EsriField> ParseEsriField(std::string_view text,
+                                               const EsriGridOptions& options);
 
 }  // namespace shoal

@@ -44,7 +44,6 @@ TEST(EsriGrid, MayGiveTheMiddleOfItsCorner) {
   Result<DepthGrid> grid = ParseEsriGrid(
       "NCOLS 1\r\nNRows 2\r\nxllCenter 5\r\nyllcenter 7\r\ndx 1\r\ndy 2\r\n\r\n-3\r\n-4", {});
   ASSERT_TRUE(grid.ok()) << grid.error();
-  EXPECT_EQ(grid->frame().south_west_m, Eigen::Vector2d(5, 7));
   EXPECT_EQ(grid->DepthAt({5, 7}), 4);
   EXPECT_EQ(grid->DepthAt({5, 9}), 3);
 }
@@ -75,6 +74,20 @@ TEST(EsriGrid, FillsItsGapsWhereTheMissionStatesHow) {
 
 TEST(EsriGrid, WithAByteOrderMarkIsRead) {
   EXPECT_TRUE(ParseEsriGrid("\xEF\xBB\xBF" + kGood, {}).ok());
+}
+
+TEST(EsriGrid, HoldsVelocitiesOfAnySignAndGaps) {
+  const EsriGridOptions options = {.name = "u.asc", .values = GridValues::kVelocity};
+  Result<EsriField> field =
+      ParseEsriField(std::string(kHeader) + "-0.5 0.25 -9999\n1 2 3\n", options);
+  ASSERT_TRUE(field.ok()) << field.error();
+  EXPECT_EQ(field->frame.south_west_m, Eigen::Vector2d(505, 6005));
+  EXPECT_EQ(field->values[2], 3);
+  EXPECT_EQ(field->values[3], -0.5F);
+  EXPECT_TRUE(std::isnan(field->values[5]));
+  EXPECT_EQ(ErrorOf(std::string(kHeader) + "-0.5 0.25 99\n1 2 3\n", options),
+            "u.asc:6: column 3 is faster than 50 m/s; is it the mark for no data? Then set "
+            "NODATA_value");
 }
 
 TEST(EsriGridErrors, NameTheLineAndTheRemedy) {

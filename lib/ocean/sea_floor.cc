@@ -17,6 +17,16 @@ double SeaFloor::DepthAt(const Eigen::Vector2d& position_m) const {
   return std::get<1>(floor_)->DepthAt(position_m);
 }
 
+bool SeaFloor::Covers(const Eigen::Vector2d& position_m) const {
+  const auto* grid = std::get_if<1>(&floor_);
+  return grid == nullptr || (*grid)->map().Locate(position_m).IsInside();
+}
+
+bool SeaFloor::is_geographic() const {
+  const auto* grid = std::get_if<1>(&floor_);
+  return grid != nullptr && (*grid)->map().is_geographic();
+}
+
 SeaFloor FlatFloor(double depth_m) {
   NoiseFloorOptions options;
   options.style = FloorStyle::kFlat;

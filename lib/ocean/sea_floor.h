@@ -27,6 +27,12 @@ class SeaFloor {
   /// Returns the floor's depth, z, >= 0, finite for every position: off a map, that of its edge.
   [[nodiscard]] double DepthAt(const Eigen::Vector2d& position_m) const;
 
+  /// Returns whether the floor is known there: of a grid at most half a cell beyond its outermost
+  /// points, of others everywhere.
+  [[nodiscard]] bool Covers(const Eigen::Vector2d& position_m) const;
+  /// Returns whether it is a grid of latitudes and longitudes.
+  [[nodiscard]] bool is_geographic() const;
+
  private:
   std::variant<NoiseFloor, std::shared_ptr<const DepthGrid>> floor_;
 };

@@ -13,29 +13,31 @@ namespace {
 
 constexpr int kMostHostProcesses = 1000;
 
-/// False for what has a process of its own in every grouping, and for what runs on another host.
+/// False for what has a process of its own in every grouping.
 bool CanShare(const RosterEntry& entry) {
-  return entry.provider == Provider::kShoal && !entry.app.empty() && !entry.vehicle.empty() &&
-         entry.host.empty();
+  return entry.provider == Provider::kShoal && !entry.app.empty() && !entry.vehicle.empty();
 }
 
 /// Returns the process of each vehicle, by its name.
 std::map<std::string, std::string> GroupsOfVehicles(const std::vector<RosterEntry>& roster,
                                                     const Grouping& grouping) {
-  std::vector<std::string> vehicles;
+  std::map<std::string, std::vector<std::string>> vehicles_of;  // By host.
   for (const RosterEntry& entry : roster) {
     if (!CanShare(entry)) continue;
+    std::vector<std::string>& vehicles = vehicles_of[entry.host];
     if (vehicles.empty() || vehicles.back() != entry.vehicle) vehicles.push_back(entry.vehicle);
   }
-  const size_t num_processes =
-      grouping.kind == Grouping::Kind::kVehicle
-          ? vehicles.size()
-          : std::min(vehicles.size(), static_cast<size_t>(std::max(grouping.num_processes, 1)));
   std::map<std::string, std::string> groups;
-  for (size_t i = 0; i < vehicles.size(); ++i) {
-    groups[vehicles[i]] = grouping.kind == Grouping::Kind::kVehicle
-                              ? "group-" + vehicles[i]
-                              : fmt::format("group-{}", i * num_processes / vehicles.size() + 1);
+  for (const auto& [host, vehicles] : vehicles_of) {
+    const std::string prefix = host.empty() ? "group-" : "group-" + host + "-";
+    const size_t num_processes =
+        std::min(vehicles.size(), static_cast<size_t>(std::max(grouping.num_processes, 1)));
+    for (size_t i = 0; i < vehicles.size(); ++i) {
+      groups[vehicles[i]] =
+          grouping.kind == Grouping::Kind::kVehicle
+              ? "group-" + vehicles[i]
+              : fmt::format("{}{}", prefix, i * num_processes / vehicles.size() + 1);
+    }
   }
   return groups;
 }
@@ -63,7 +65,8 @@ Result<Grouping> ParseGrouping(std::string_view text) {
   }
   return Error{fmt::format(
       "'{}' is no grouping: app (a process per participant), vehicle (a process per vehicle), "
-      "host=N (N processes for all vehicles, 1 to {}) or host (as many as there are processors)",
+      "host=N (N processes for all vehicles of a computer, 1 to {}) or host (as many as there are "
+      "processors)",
       text, kMostHostProcesses)};
 }
 

@@ -23,9 +23,10 @@ std::vector<RosterEntry> ARoster() {
 }
 
 /// Returns "group-alpha: vehicle_sim_alpha helm_alpha" for each process.
-std::vector<std::string> Shares(const std::string& grouping) {
+std::vector<std::string> Shares(const std::string& grouping,
+                                const std::vector<RosterEntry>& roster = ARoster()) {
   std::vector<std::string> shares;
-  for (const RosterProcess& process : ShareOut(ARoster(), *ParseGrouping(grouping))) {
+  for (const RosterProcess& process : ShareOut(roster, *ParseGrouping(grouping))) {
     std::string share = process.name + ":";
     for (const RosterEntry& entry : process.entries) share += " " + entry.name;
     shares.push_back(share);
@@ -57,6 +58,20 @@ TEST(Grouping, SharesNeighboursOutOverAGivenNumberOfProcesses) {
   EXPECT_EQ(Shares("host=9").size(), Shares("vehicle").size());
 }
 
+TEST(Grouping, SharesOutWhatRunsOnAHostAmongItself) {
+  std::vector<RosterEntry> roster = ARoster();
+  for (RosterEntry& entry : roster) {
+    if (entry.vehicle == "alpha" || entry.vehicle == "cesar") entry.host = "lab2";
+  }
+  EXPECT_EQ(
+      Shares("host=1", roster),
+      (std::vector<std::string>{
+          "recorder: recorder", "shore_broker: shore_broker",
+          "group-lab2-1: vehicle_sim_alpha helm_alpha vehicle_sim_cesar helm_cesar",
+          "vehicle_sim_bravo: vehicle_sim_bravo", "helm_bravo: helm_bravo", "referee: referee"}));
+  EXPECT_EQ(Shares("vehicle", roster), Shares("vehicle"));
+}
+
 TEST(Grouping, IsReadAsItIsWritten) {
   for (const std::string text : {"app", "vehicle", "host=1", "host=1000"}) {
     const Result<Grouping> grouping = ParseGrouping(text);
@@ -73,8 +88,8 @@ TEST(Grouping, RefusesWhatIsNone) {
     EXPECT_EQ(grouping.error(),
               "'" + text +
                   "' is no grouping: app (a process per participant), vehicle (a process per "
-                  "vehicle), host=N (N processes for all vehicles, 1 to 1000) or host (as many as "
-                  "there are processors)");
+                  "vehicle), host=N (N processes for all vehicles of a computer, 1 to 1000) or "
+                  "host (as many as there are processors)");
   }
 }
 

@@ -9,6 +9,7 @@
 #include "lib/bus/channels.h"
 #include "lib/bus/seal.h"
 #include "lib/run/status_page.h"
+#include "lib/run/step_answers.h"
 #include "shoal/clock_state_t.hpp"
 
 namespace shoal {
@@ -54,37 +55,29 @@ void StepClock::OnDatagram(int port, std::string_view channel, std::span<const u
     SendState(wall_us);
     return;
   }
-  if (channel == topics::kStepDone || channel == topics::kStepDones) {
-    OnAnswers(channel, datagram, wall_us);
-  }
+  if (IsStepAnswer(channel)) OnAnswers(channel, datagram, wall_us);
 }
 
 /// Takes the answers of one process: STEP_DONE has one, STEP_DONES several.
 void StepClock::OnAnswers(std::string_view channel, std::span<const uint8_t> datagram,
                           int64_t wall_us) {
   const Unsealed unsealed = Unseal(datagram);
-  step_dones_t answers{};
-  bool is_decoded = false;
-  if (channel == topics::kStepDone) {
-    is_decoded = Decode(unsealed.message, &answers.dones.emplace_back());
-  } else {
-    is_decoded = Decode(unsealed.message, &answers) && !answers.dones.empty();
-  }
+  const std::optional<step_dones_t> answers = DecodeStepAnswers(channel, unsealed.message);
   // A hello may not know the mission's id yet.
   const auto is_foreign = [&](const step_done_t& done) {
     const bool is_hello = done.step < 0;
     return done.mission_id != options_.mission_id && !(is_hello && done.mission_id == 0);
   };
-  if (is_decoded && std::any_of(answers.dones.begin(), answers.dones.end(), is_foreign)) {
-    ++counters_.foreign;
-  } else if (!is_decoded) {
+  if (!answers) {
     ++counters_.undecodable;
-  } else if (const std::string& first = answers.dones.front().participant;
+  } else if (std::any_of(answers->dones.begin(), answers->dones.end(), is_foreign)) {
+    ++counters_.foreign;
+  } else if (const std::string& first = answers->dones.front().participant;
              !IsGenuine(unsealed, options_.secret, channel) || unsealed.seal->publisher != first) {
     ++counters_.refused;
     if (refused_.empty()) refused_ = Printable(first);
   } else {
-    for (const step_done_t& done : answers.dones) OnDone(done, wall_us);
+    for (const step_done_t& done : answers->dones) OnDone(done, wall_us);
   }
 }
 

@@ -96,6 +96,7 @@ void StepGroup::OnDatagram(int port, std::string_view channel, std::span<const u
     }
     return;
   }
+  if (!Wants(channel)) return;  // For another user of the same transport.
   const std::optional<Seal> seal = Unseal(datagram).seal;
   // What came from outside before the first tick came before the mission.
   if (step_ < 0 && !pending_ && !seal) return;

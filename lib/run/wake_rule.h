@@ -23,9 +23,14 @@ class WakeRule {
   static constexpr int64_t kBytesOfDatagram = 2'048;
   /// Datagrams of a step, on average, that a process reads in a tenth of a millisecond.
   static constexpr double kFew = 24;
+  /// A relay hands them on and does not handle them; it wakes up for each STEP_DONE, and reads then
+  /// what has come.
+  static constexpr double kFewOfRelay = 400;
 
-  /// `buffer_bytes`: of each socket's receive buffer.
-  explicit WakeRule(int64_t buffer_bytes) : most_(buffer_bytes / kBytesOfDatagram) {}
+  /// `buffer_bytes`: of each socket's receive buffer. `few`: datagrams of a step, on average, up to
+  /// which the process sleeps.
+  explicit WakeRule(int64_t buffer_bytes, double few = kFew)
+      : most_(buffer_bytes / kBytesOfDatagram), few_(few) {}
 
   void OnDatagram() { ++num_datagrams_; }
 
@@ -41,7 +46,7 @@ class WakeRule {
   }
 
   bool SleepsThrough(int64_t now_us) const {
-    return mean_ <= kFew && peak_ <= static_cast<double>(most_) &&
+    return mean_ <= few_ && peak_ <= static_cast<double>(most_) &&
            now_us - answered_us_ < kLongestSleep_us;
   }
   /// Returns how long to wait instead of `wanted_us`.
@@ -51,7 +56,8 @@ class WakeRule {
   }
 
  private:
-  const int64_t most_;         ///< Datagrams in a step that surely fit.
+  const int64_t most_;  ///< Datagrams in a step that surely fit.
+  const double few_;
   double peak_ = 0;            ///< Datagrams in a step, the most of those remembered.
   double mean_ = 0;            ///< Datagrams in a step, of late.
   int64_t num_datagrams_ = 0;  ///< Since the last answer.

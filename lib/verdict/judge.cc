@@ -11,6 +11,7 @@
 #include <tuple>
 
 #include "lib/mission/coverage_area.h"
+#include "lib/mission/ocean_of.h"
 #include "lib/routing/vehicle_name.h"
 #include "lib/verdict/encounter_outcomes.h"
 #include "lib/verdict/expectation_text.h"
@@ -110,10 +111,19 @@ const EncounterOptions* EncountersOf(const Expectation& expectation) {
       expectation.what);
 }
 
+/// Returns null where there is none, or where a log is judged without the grid's file.
+std::shared_ptr<const CurrentGrid> CurrentGridOf(const Mission& mission) {
+  if (!mission.environment.current_grid.exists()) return nullptr;
+  const Result<Ocean> ocean = OceanOf(mission);
+  return ocean.ok() ? ocean->current_grid : nullptr;
+}
+
 }  // namespace
 
 Judge::Judge(const Mission& mission)
     : mission_(mission),
+      current_grid_(CurrentGridOf(mission)),
+      was_off_grid_(mission.vehicles.size()),
       sightings_(mission.vehicles.size()),
       altitudes_m_(mission.vehicles.size(), -1),
       estimates_m_(mission.vehicles.size()),
@@ -173,6 +183,8 @@ bool Judge::TakeNav(size_t vehicle, const Eigen::Vector3d& position_m, double al
   if (sighting.seen) travelled_m_[vehicle] += (position_m - sighting.position_m).norm();
   sighting = {.seen = true, .position_m = position_m};
   positions_m_[vehicle] = position_m;
+  if (current_grid_ && !current_grid_->IsInside(position_m.head<2>()))
+    was_off_grid_[vehicle] = true;
   moved_now_.push_back(static_cast<uint32_t>(vehicle));
   return true;
 }
@@ -364,6 +376,14 @@ std::vector<std::string> Judge::Warnings() const {
   }
   if (const std::string names = VehiclesWithoutReports(); !names.empty()) {
     warnings.push_back("received no report of another vehicle: " + names);
+  }
+  std::vector<std::string> off_grid;
+  for (size_t i = 0; i < was_off_grid_.size(); ++i) {
+    if (was_off_grid_[i]) off_grid.push_back(mission_.vehicles[i].name);
+  }
+  if (!off_grid.empty()) {
+    warnings.push_back("left the grid of the current, and had the water of its nearest edge: " +
+                       Listed(off_grid));
   }
   for (const Case& each : cases_) {
     std::vector<std::string> names;

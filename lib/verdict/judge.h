@@ -13,6 +13,7 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -22,6 +23,7 @@
 
 #include "lib/encounters/encounter_watch.h"
 #include "lib/mission/mission.h"
+#include "lib/ocean/current_grid.h"
 #include "lib/vehicle/collision_watch.h"
 #include "lib/vehicle/obstacle_watch.h"
 #include "lib/verdict/acoustic_tally.h"
@@ -157,6 +159,8 @@ class Judge {
   Outcome Combine(const Case& each, const std::vector<Outcome>& outcomes) const;
 
   const Mission& mission_;
+  std::shared_ptr<const CurrentGrid> current_grid_;  ///< Null: the mission has none.
+  std::vector<bool> was_off_grid_;                   ///< Of the current.
   std::vector<Sighting> sightings_;
   std::vector<double> altitudes_m_;
   std::vector<std::optional<Eigen::Vector2d>> estimates_m_;

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <fstream>
 #include <limits>
 #include <optional>
 #include <string>
@@ -374,6 +376,24 @@ TEST_F(JudgeTest, WarnsWhereNoVehicleWasDeployed) {
   EXPECT_EQ(judge.Warnings(), Warnings{"no vehicle moved: none travelled 1 m"});
   Meet(&judge, 101, 3);
   EXPECT_EQ(judge.Warnings(), Warnings{});
+}
+
+TEST(JudgeWarnings, NameVehiclesThatLeftTheGridOfTheCurrent) {
+  Mission mission = TwoVehicles(CommsExpectation{});
+  mission.file = testing::TempDir() + "judge_test_grid.toml";
+  mission.environment.current_grid.east = "judge_test_grid.asc";
+  mission.environment.current_grid.north = "judge_test_grid.asc";
+  std::ofstream(testing::TempDir() + "judge_test_grid.asc")
+      << "ncols 2\nnrows 2\nxllcenter 0\nyllcenter 0\ncellsize 10\n0 0\n0 0\n";
+  Judge judge(mission);
+  EXPECT_TRUE(judge.TakeNav(0, {14, 14, 0}, -1));
+  EXPECT_TRUE(judge.TakeNav(1, {16, 5, 0}, -1));
+  EXPECT_TRUE(judge.TakeNav(1, {5, 5, 0}, -1));
+  const Warnings warnings = judge.Warnings();
+  EXPECT_EQ(std::ranges::count(warnings,
+                               "left the grid of the current, and had the water of its "
+                               "nearest edge: Bravo"),
+            1);
 }
 
 TEST_F(JudgeTest, WarnsOfVehiclesThatReceivedNoReport) {

@@ -45,7 +45,8 @@ TEST_P(EachMission, HasTheSameLogInAllGroupings) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Grouping, EachMission,
-                         testing::Values("alpha", "berta", "acoustic_shared", "fleet"),
+                         testing::Values("alpha", "berta", "acoustic_shared", "fleet",
+                                         "track_replay"),
                          [](const auto& each) { return each.param; });
 
 TEST(Grouping, HasRoomForAUsersOwnParticipant) {

@@ -1,23 +1,12 @@
 #include "tests/missions/host_farm.h"
 
-#include <arpa/inet.h>
-#include <fcntl.h>
 #include <gtest/gtest.h>
-#include <netinet/in.h>
-#include <netinet/tcp.h>
-#include <poll.h>
-#include <sys/socket.h>
-#include <unistd.h>
 
-#include <algorithm>
-#include <array>
-#include <atomic>
-#include <cmath>
-#include <deque>
-#include <list>
-#include <thread>
+#include <cstdlib>
+#include <regex>
+#include <sstream>
 
-#include "lib/record/file_descriptor.h"
+#include "lib/record/log_reader.h"
 
 namespace shoal {
 
@@ -31,6 +20,35 @@ std::string MakeKey(const TestFolder& folder, const std::string& name) {
 }
 
 }  // namespace
+
+std::string LogOfSim(const TestFolder& folder, const std::string& mission) {
+  const std::string log = (folder / "sim.lcm").string();
+  const Finished finished = RunShoal(folder, {"sim", mission, "--log", log});
+  EXPECT_EQ(finished.exit_code, 0) << finished.output;
+  return ReadFile(log);
+}
+
+void TakeOutWhatComesLater(const std::string& mission) {
+  std::istringstream lines(ReadFile(mission));
+  std::string kept;
+  bool is_later = false;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with("[")) {
+      is_later = line.starts_with("[[event]]") || line.starts_with("[[expect]]");
+    }
+    if (!is_later) kept += line + "\n";
+  }
+  WriteFile(mission, kept);
+}
+
+void Shorten(const std::string& mission, int duration_s) {
+  TakeOutWhatComesLater(mission);
+  const std::string text = ReadFile(mission);
+  const std::regex duration("\nduration_s = [0-9]+");
+  EXPECT_TRUE(std::regex_search(text, duration)) << mission;
+  WriteFile(mission,
+            std::regex_replace(text, duration, "\nduration_s = " + std::to_string(duration_s)));
+}
 
 HostFarm::HostFarm(size_t count, std::vector<std::string> options) {
   home_key = MakeKey(folder, "home");
@@ -68,6 +86,7 @@ std::string HostFarm::Placed(const std::string& mission, const std::vector<std::
   }
   const std::string path = (folder / mission).string();
   WriteFile(path, text);
+  CopyMissionData(folder.path());
   return path;
 }
 
@@ -79,103 +98,36 @@ std::vector<std::string> HostFarm::RunCommand(const std::string& mission_file,
   return argv;
 }
 
-struct DelayingProxy::State {
-  /// One direction of a connection.
-  struct Way {
-    int from = -1;
-    int to = -1;
-    struct Piece {
-      double due_s;
-      std::string bytes;
-    };
-    std::deque<Piece> pieces = {};
-  };
-
-  FileDescriptor listener;
-  int target_port = 0;
-  double delay_s = 0;
-  std::list<std::array<FileDescriptor, 2>> sockets;
-  std::list<Way> ways;
-  std::atomic<bool> stops = false;
-  std::thread thread;
-
-  void Accept();
-  void Read(Way* way) const;
-  void Run();
-};
-
-void DelayingProxy::State::Accept() {
-  FileDescriptor here(accept4(listener.get(), nullptr, nullptr, SOCK_CLOEXEC));
-  if (!here.is_open()) return;
-  FileDescriptor there(socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0));
-  sockaddr_in address{};
-  address.sin_family = AF_INET;
-  address.sin_port = htons(static_cast<uint16_t>(target_port));
-  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-  if (connect(there.get(), reinterpret_cast<sockaddr*>(&address), sizeof address) != 0) return;
-  constexpr int kOn = 1;
-  for (const int each : {here.get(), there.get()}) {
-    setsockopt(each, IPPROTO_TCP, TCP_NODELAY, &kOn, sizeof kOn);
-  }
-  ways.push_back({.from = here.get(), .to = there.get()});
-  ways.push_back({.from = there.get(), .to = here.get()});
-  sockets.push_back({std::move(here), std::move(there)});
+Finished HostFarm::Run(const std::string& mission_file,
+                       const std::vector<std::string>& more) const {
+  RunningProcess process(folder, RunCommand(mission_file, more));
+  return process.Wait();
 }
 
-void DelayingProxy::State::Read(Way* way) const {
-  std::array<char, 65536> bytes{};
-  const ssize_t size = recv(way->from, bytes.data(), bytes.size(), MSG_DONTWAIT);
-  if (size > 0) {
-    way->pieces.push_back(
-        {WallSeconds() + delay_s, std::string(bytes.data(), static_cast<size_t>(size))});
-  } else if (size == 0) {
-    shutdown(way->to, SHUT_RDWR);
-    shutdown(way->from, SHUT_RDWR);
-    way->from = -1;
-  }
+int HostFarm::PortOf(size_t host) const {
+  const std::string& address = hosts[host].address;
+  return std::atoi(address.c_str() + address.rfind(':') + 1);
 }
 
-void DelayingProxy::State::Run() {
-  while (!stops) {
-    std::vector<pollfd> waited = {{.fd = listener.get(), .events = POLLIN, .revents = 0}};
-    double next_s = WallSeconds() + 0.05;
-    for (const Way& way : ways) {
-      waited.push_back({.fd = way.from, .events = POLLIN, .revents = 0});
-      if (!way.pieces.empty()) next_s = std::min(next_s, way.pieces.front().due_s);
-    }
-    const double wait_s = std::max(0.0, next_s - WallSeconds());
-    timespec timeout{.tv_sec = 0, .tv_nsec = std::lround(wait_s * 1e9)};
-    ppoll(waited.data(), waited.size(), &timeout, nullptr);
-    for (Way& way : ways) {
-      if (way.from >= 0) Read(&way);
-      while (!way.pieces.empty() && way.pieces.front().due_s <= WallSeconds()) {
-        const std::string& bytes = way.pieces.front().bytes;
-        send(way.to, bytes.data(), bytes.size(), MSG_NOSIGNAL);
-        way.pieces.pop_front();
-      }
-    }
-    if ((waited[0].revents & POLLIN) != 0) Accept();
-  }
+MissionUnderWay::MissionUnderWay(const std::string& more,
+                                 const std::function<std::string(const HostFarm&)>& way,
+                                 const std::vector<std::string>& options)
+    : farm(1) {
+  mission = farm.Placed("berta.toml", {"\"bravo\""}, more, {way ? way(farm) : std::string()});
+  std::vector<std::string> arguments = {"--warp", "20",    "--record",
+                                        dir,      "--set", "mission.participant_timeout_s=60"};
+  arguments.insert(arguments.end(), options.begin(), options.end());
+  process = std::make_unique<RunningProcess>(farm.folder, farm.RunCommand(mission, arguments));
+  EXPECT_TRUE(AwaitThat([&] { return NumEvents() >= 200; }))
+      << process->Output() << farm.hosts[0].process->Output();
 }
 
-DelayingProxy::DelayingProxy(int target_port, double delay_s) : state_(std::make_unique<State>()) {
-  state_->target_port = target_port;
-  state_->delay_s = delay_s;
-  state_->listener = FileDescriptor(socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0));
-  sockaddr_in address{};
-  address.sin_family = AF_INET;
-  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-  socklen_t size = sizeof address;
-  bind(state_->listener.get(), reinterpret_cast<sockaddr*>(&address), size);
-  listen(state_->listener.get(), 5);
-  getsockname(state_->listener.get(), reinterpret_cast<sockaddr*>(&address), &size);
-  port_ = ntohs(address.sin_port);
-  state_->thread = std::thread([this] { state_->Run(); });
-}
-
-DelayingProxy::~DelayingProxy() {
-  state_->stops = true;
-  state_->thread.join();
+int64_t MissionUnderWay::NumEvents() const {
+  Result<LogReader> reader = LogReader::Open(dir + "/mission.lcm");
+  if (!reader.ok()) return 0;
+  int64_t events = 0;
+  while (reader->Next()) ++events;
+  return reader->error().empty() ? events : -1;
 }
 
 }  // namespace shoal

@@ -23,7 +23,8 @@ std::string WhyNoNamespaces() {
     return "ip, nsenter or python3 is missing";
   }
   const char* command =
-      "unshare -rn sh -c 'ip link add a type veth peer name b && unshare -n true' >/dev/null 2>&1";
+      "unshare -rn sh -c 'ip link add name here type veth peer name there && unshare -n true' "
+      ">/dev/null 2>&1";
   return std::system(command) == 0 ? "" : "this user may not make network namespaces (unshare -rn)";
 }
 
@@ -48,6 +49,7 @@ class ThreeHosts : public testing::TestWithParam<Placement> {
     }
     const std::string path = (folder_ / placement.mission).string();
     WriteFile(path, text);
+    CopyMissionData(folder_.path());
     return path;
   }
 
@@ -110,7 +112,15 @@ INSTANTIATE_TEST_SUITE_P(
                   {"\"hider_1\", \"seeker_2\"", "\"hider_2\", \"hider_3\"", "\"seeker_3\""},
                   true},
         Placement{"swarm_fdma.toml", {"\"alpha\"", "\"bravo\", \"charlie\"", "\"delta\""}},
+        Placement{"track_replay.toml", {"\"alpha\"", "\"ferry\"", "\"launch\""}},
         Placement{"acoustic_shared.toml", {"\"alpha\", \"echo\"", "\"bravo\"", "\"charlie\""}}),
     [](const auto& each) { return each.param.mission.substr(0, each.param.mission.find('.')); });
+
+#ifdef SHOAL_HAS_NETCDF
+INSTANTIATE_TEST_SUITE_P(
+    MissionsWithNetcdf, ThreeHosts,
+    testing::Values(Placement{"tidal_channel.toml", {"\"alpha\"", "\"bravo\""}}),
+    [](const auto& each) { return each.param.mission.substr(0, each.param.mission.find('.')); });
+#endif
 
 }  // namespace shoal::hosts_in_namespaces_test

@@ -114,6 +114,10 @@ TEST_F(Mpi, WritesTheLogOfAcousticNetworks) {
                        {2, 3});
 }
 
+TEST_F(Mpi, WritesTheLogOfRecordedTracks) {
+  ExpectAsInOneProcess(MissionFile("track_replay.toml"), {}, {2, 3});
+}
+
 TEST_F(Mpi, DrawsOneSeedForAllRanks) {
   const Finished ranks =
       Run(3, {Own(), "--set", "mission.seed=random", "--log", (folder_ / "ranks.lcm").string()});

@@ -61,6 +61,28 @@ TEST(Reproducibility, HoldsForSonarsNoiseAndPlumes) {
   EXPECT_TRUE(SimLog(folder, mission) == RunLog(folder, mission, {"--layout", "shared"}));
 }
 
+TEST(Reproducibility, HoldsForRecordedTracks) {
+  const TestFolder folder;
+  const std::string mission = MissionFile("track_replay.toml");
+  EXPECT_TRUE(SimLog(folder, mission) == RunLog(folder, mission));
+}
+
+TEST(Reproducibility, HoldsForACurrentFromNetcdfAndForItsRecording) {
+#ifndef SHOAL_HAS_NETCDF
+  GTEST_SKIP() << "no libnetcdf: scripts/setup installs it";
+#else
+  const TestFolder folder;
+  const std::string mission = MissionFile("tidal_channel.toml");
+  const std::string reference = SimLog(folder, mission);
+  EXPECT_TRUE(reference == RunLog(folder, mission));
+  // The recording holds the grid too, and is a mission of its own.
+  const std::string recorded = (folder / "recorded").string();
+  EXPECT_TRUE(reference == SimLog(folder, recorded + "/mission.toml"));
+  EXPECT_EQ(ReadFile(recorded + "/data/tidal_channel.nc"),
+            ReadFile(MissionFile("data/tidal_channel.nc")));
+#endif
+}
+
 TEST(Reproducibility, HoldsForTwoSwarmsOnOneNetwork) {
   const TestFolder folder;
   const std::string mission = MissionFile("two_swarms.toml");

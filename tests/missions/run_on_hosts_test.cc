@@ -3,66 +3,94 @@
 #include <signal.h>
 
 #include <cstdlib>
-#include <sstream>
 
 #include "lib/hosts/curve_link.h"
 #include "lib/hosts/host_offer.h"
-#include "lib/record/log_reader.h"
+#include "tests/missions/delaying_proxy.h"
 #include "tests/missions/fair_stopwatch.h"
 #include "tests/missions/host_farm.h"
 
 namespace shoal::run_on_hosts_test {
 
-/// No machine is so busy that a host is silent for so long.
-constexpr char kPatient[] = "timeout_s = 60\n";
-/// For tests in which silence is to be noticed; the default is below a second.
-constexpr char kAttentive[] = "timeout_s = 3\n";
-constexpr double kAttentive_s = 3;
-
-std::string LogOfSim(const TestFolder& folder, const std::string& mission) {
-  const std::string log = (folder / "sim.lcm").string();
-  const Finished finished = RunShoal(folder, {"sim", mission, "--log", log});
-  EXPECT_EQ(finished.exit_code, 0) << finished.output;
-  return ReadFile(log);
-}
-
-/// Takes events and expectations out of a mission's file, so that it may be cut short.
-void TakeOutWhatComesLater(const std::string& mission) {
-  std::istringstream lines(ReadFile(mission));
-  std::string kept;
-  bool is_later = false;
-  for (std::string line; std::getline(lines, line);) {
-    if (line.starts_with("[")) {
-      is_later = line.starts_with("[[event]]") || line.starts_with("[[expect]]");
-    }
-    if (!is_later) kept += line + "\n";
-  }
-  WriteFile(mission, kept);
-}
-
-Finished RunPlaced(const HostFarm& farm, const std::string& mission,
-                   const std::vector<std::string>& more = {}) {
-  RunningProcess process(farm.folder, farm.RunCommand(mission, more));
-  return process.Wait();
-}
-
 TEST(Hosts, GiveTheLogOfShoalSim) {
   HostFarm farm(2);
   const std::string mission = farm.Placed("berta.toml", {"\"alpha\"", "\"bravo\""}, kPatient);
   const std::string dir = (farm.folder / "rec").string();
-  const Finished finished = RunPlaced(farm, mission, {"--record", dir});
+  const Finished finished = farm.Run(mission, {"--record", dir});
   EXPECT_EQ(finished.exit_code, 0) << finished.output;
   EXPECT_NE(finished.output.find("Reproducible: yes"), std::string::npos) << finished.output;
   EXPECT_NE(finished.output.find("Host host2: 6001 steps"), std::string::npos) << finished.output;
   EXPECT_TRUE(ReadFile(dir + "/mission.lcm") == LogOfSim(farm.folder, mission));
 }
 
+TEST(Hosts, HaveTheGridsOfTheMissionSentToThem) {
+#ifndef SHOAL_HAS_NETCDF
+  GTEST_SKIP() << "no libnetcdf: scripts/setup installs it";
+#else
+  HostFarm farm(1);
+  const std::string mission = farm.Placed("tidal_channel.toml", {"\"alpha\", \"bravo\""}, kPatient);
+  const std::string dir = (farm.folder / "rec").string();
+  const Finished finished = farm.Run(mission, {"--record", dir});
+  EXPECT_EQ(finished.exit_code, 0) << finished.output << farm.hosts[0].process->Output();
+  EXPECT_TRUE(ReadFile(dir + "/mission.lcm") == LogOfSim(farm.folder, mission));
+#endif
+}
+
+/// A mission on hosts, its participants in shared processes.
+struct Shared {
+  std::string name;
+  std::string mission;
+  std::vector<std::string> vehicles;  ///< Of each host.
+  std::string grouping;
+  std::string in_processes;  ///< As the summary has it.
+};
+
+class InGroups : public testing::TestWithParam<Shared> {};
+
+TEST_P(InGroups, GiveTheLogOfShoalSim) {
+  HostFarm farm(GetParam().vehicles.size());
+  const std::string mission = farm.Placed(GetParam().mission, GetParam().vehicles, kPatient);
+  const std::string dir = (farm.folder / "rec").string();
+  const Finished finished = farm.Run(mission, {"--record", dir, "--grouping", GetParam().grouping});
+  EXPECT_EQ(finished.exit_code, 0) << finished.output;
+  EXPECT_NE(finished.output.find("Reproducible: yes"), std::string::npos) << finished.output;
+  EXPECT_NE(finished.output.find(GetParam().in_processes), std::string::npos) << finished.output;
+  EXPECT_TRUE(ReadFile(dir + "/mission.lcm") == LogOfSim(farm.folder, mission));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Hosts, InGroups,
+    testing::Values(Shared{"BertaByVehicle",
+                           "berta.toml",
+                           {"\"alpha\"", "\"bravo\""},
+                           "vehicle",
+                           "9 participants in 5 processes"},
+                    Shared{"BertaInOneProcess",
+                           "berta.toml",
+                           {"\"alpha\", \"bravo\""},
+                           "host=1",
+                           "9 participants in 4 processes"},
+                    Shared{
+                        "FleetByVehicle",
+                        "fleet.toml",
+                        {"\"scout_01\", \"scout_02\", \"scout_03\"",
+                         "\"scout_04\", \"scout_05\", \"scout_06\"", "\"scout_07\", \"scout_08\""},
+                        "vehicle",
+                        "33 participants in 13 processes"},
+                    Shared{"FleetInTwoProcessesEach",
+                           "fleet.toml",
+                           {"\"scout_01\", \"scout_02\", \"scout_03\", \"scout_04\"",
+                            "\"scout_05\", \"scout_06\", \"scout_07\", \"scout_08\""},
+                           "host=2",
+                           "33 participants in 9 processes"}),
+    [](const auto& each) { return each.param.name; });
+
 TEST(Hosts, RunOneMissionAfterTheOther) {
   HostFarm farm(1);
   const std::string mission = farm.Placed("alpha.toml", {"\"alpha\""}, kPatient);
   TakeOutWhatComesLater(mission);
   for (int i = 0; i < 2; ++i) {
-    const Finished finished = RunPlaced(farm, mission, {"--set", "mission.duration_s=20"});
+    const Finished finished = farm.Run(mission, {"--set", "mission.duration_s=20"});
     EXPECT_NE(finished.output.find("Reproducible: yes"), std::string::npos)
         << finished.output << farm.hosts[0].process->Output();
     ASSERT_TRUE(farm.hosts[0].process->WaitFor("has ended after step"));
@@ -74,38 +102,14 @@ TEST(Hosts, TakeVehiclesFromTheCommandLine) {
   const std::string mission = farm.Placed("berta.toml", {""}, kPatient);
   TakeOutWhatComesLater(mission);
   const Finished finished =
-      RunPlaced(farm, mission, {"--on", "host1=bravo", "--set", "mission.duration_s=20"});
+      farm.Run(mission, {"--on", "host1=bravo", "--set", "mission.duration_s=20"});
   EXPECT_NE(finished.output.find("Host host1: 201 steps"), std::string::npos) << finished.output;
   EXPECT_NE(farm.hosts[0].process->Output().find("helm_bravo"), std::string::npos);
   EXPECT_EQ(farm.hosts[0].process->Output().find("helm_alpha"), std::string::npos);
 }
 
-/// A mission on a host, well under way.
-struct Under {
-  explicit Under(const std::string& more) : farm(1) {
-    mission = farm.Placed("berta.toml", {"\"bravo\""}, more);
-    process = std::make_unique<RunningProcess>(
-        farm.folder, farm.RunCommand(mission, {"--warp", "20", "--record", dir, "--set",
-                                               "mission.participant_timeout_s=60"}));
-    EXPECT_TRUE(AwaitThat([&] { return NumEvents() >= 200; }))
-        << process->Output() << farm.hosts[0].process->Output();
-  }
-  int64_t NumEvents() const {
-    Result<LogReader> reader = LogReader::Open(dir + "/mission.lcm");
-    if (!reader.ok()) return 0;
-    int64_t events = 0;
-    while (reader->Next()) ++events;
-    return reader->error().empty() ? events : -1;
-  }
-
-  HostFarm farm;
-  std::string mission;
-  std::string dir = (farm.folder / "rec").string();
-  std::unique_ptr<RunningProcess> process;
-};
-
 TEST(LostHost, IsNamedWithinASecondWhenItIsKilledAndTheMissionEnds) {
-  Under under(kPatient);
+  MissionUnderWay under(kPatient);
   const auto participants = under.farm.hosts[0].process->Participants();
   EXPECT_TRUE(participants.contains("helm_bravo"));
   const FairStopwatch since_kill;
@@ -119,7 +123,7 @@ TEST(LostHost, IsNamedWithinASecondWhenItIsKilledAndTheMissionEnds) {
 }
 
 TEST(LostHost, IsNamedAfterItsTimeOutWhenItHangs) {
-  Under under(kAttentive);
+  MissionUnderWay under(kAttentive);
   const FairStopwatch since_stop;
   under.farm.hosts[0].process->Signal(SIGSTOP);
   ASSERT_TRUE(under.process->WaitFor("gave no sign of life for 3 s")) << under.process->Output();
@@ -130,7 +134,7 @@ TEST(LostHost, IsNamedAfterItsTimeOutWhenItHangs) {
 }
 
 TEST(LostHost, IsDoneWithoutWhereTheMissionShallGoOn) {
-  Under under(std::string(kPatient) + "on_loss = \"continue\"\n");
+  MissionUnderWay under(std::string(kPatient) + "on_loss = \"continue\"\n");
   under.farm.hosts[0].process->Signal(SIGKILL);
   ASSERT_TRUE(under.process->WaitFor("the mission goes on without host1"))
       << under.process->Output();
@@ -141,7 +145,7 @@ TEST(LostHost, IsDoneWithoutWhereTheMissionShallGoOn) {
 }
 
 TEST(LostHost, JoinsAtAStepWhenItIsBack) {
-  Under under(std::string(kPatient) + "on_loss = \"restart\"\n");
+  MissionUnderWay under(std::string(kPatient) + "on_loss = \"restart\"\n");
   under.farm.hosts[0].process->Signal(SIGKILL);
   ASSERT_TRUE(under.process->WaitFor("until it is back")) << under.process->Output();
   under.farm.Start(0);
@@ -155,7 +159,7 @@ TEST(LostHost, JoinsAtAStepWhenItIsBack) {
 }
 
 TEST(LostHome, EndsTheProcessesOfTheHostWhichThenTakesTheNextMission) {
-  Under under(kAttentive);
+  MissionUnderWay under(kAttentive);
   const auto participants = under.farm.hosts[0].process->Participants();
   under.process->Signal(SIGKILL);
   TestHost& host = under.farm.hosts[0];
@@ -163,7 +167,7 @@ TEST(LostHome, EndsTheProcessesOfTheHostWhichThenTakesTheNextMission) {
   ASSERT_TRUE(host.process->WaitFor("has ended after step")) << host.process->Output();
   EXPECT_TRUE(AllGone(participants));
   TakeOutWhatComesLater(under.mission);
-  const Finished next = RunPlaced(under.farm, under.mission, {"--set", "mission.duration_s=10"});
+  const Finished next = under.farm.Run(under.mission, {"--set", "mission.duration_s=10"});
   EXPECT_NE(next.output.find("Host host1: 101 steps"), std::string::npos) << next.output;
 }
 
@@ -188,13 +192,58 @@ TEST(LostParticipant, OfAHostIsNamedAndStartedAgain) {
   EXPECT_EQ(process.Wait().exit_code, 1);
 }
 
+/// Berta in processes of a vehicle each, bravo's on a host.
+struct GroupOnHost {
+  explicit GroupOnHost(const std::vector<std::string>& settings) : farm(1) {
+    std::vector<std::string> options = {"--warp", "20", "--grouping", "vehicle"};
+    for (const std::string& each : settings) options.insert(options.end(), {"--set", each});
+    process = std::make_unique<RunningProcess>(
+        farm.folder, farm.RunCommand(farm.Placed("berta.toml", {"\"bravo\""}, kPatient), options));
+    AwaitStatus(farm.folder, "helm_bravo", {"Bus: "});
+    group = farm.hosts[0].process->Participants().at("group-bravo");
+  }
+
+  HostFarm farm;
+  std::unique_ptr<RunningProcess> process;
+  pid_t group = 0;
+};
+
+TEST(LostGroup, OfAHostIsNamedWithItsParticipantsAndStartedAgain) {
+  GroupOnHost on_host({"mission.on_loss=restart", "mission.participant_timeout_s=60"});
+  kill(on_host.group, SIGKILL);
+  ASSERT_TRUE(on_host.process->WaitFor("group-bravo starts again")) << on_host.process->Output();
+  EXPECT_NE(on_host.process->Output().find(
+                "was killed by signal 9 (Killed), and with it vehicle_sim_bravo, helm_bravo, "
+                "node_reporter_bravo\n"),
+            std::string::npos)
+      << on_host.process->Output();
+  EXPECT_TRUE(AwaitThat([&] {
+    const auto now = on_host.farm.hosts[0].process->Participants();
+    return now.contains("group-bravo") && now.at("group-bravo") != on_host.group;
+  }));
+  AwaitStatus(on_host.farm.folder, "node_reporter_bravo", {"Bus: "});
+  on_host.process->Signal(SIGINT);
+  const Finished finished = on_host.process->Wait();
+  EXPECT_EQ(finished.exit_code, 1) << finished.output;
+  EXPECT_EQ(finished.output.find("LOST"), finished.output.rfind("LOST")) << finished.output;
+}
+
+TEST(LostGroup, OfAHostIsNamedWhereItHangs) {
+  GroupOnHost on_host({"mission.participant_timeout_s=3"});
+  kill(on_host.group, SIGSTOP);
+  ASSERT_TRUE(on_host.process->WaitFor("LOST: group-bravo has not answered"))
+      << on_host.process->Output();
+  EXPECT_EQ(on_host.process->Wait().exit_code, 3);
+  EXPECT_TRUE(AllGone({{"group-bravo", on_host.group}}));
+}
+
 TEST(RefusedHost, NamesTheKeyThatItDoesNotKnow) {
   HostFarm farm(1);
   const std::string mission = farm.Placed("berta.toml", {"\"bravo\""});
   const std::string other = (farm.folder / "other").string();
   ASSERT_EQ(RunShoal(farm.folder, {"host", "keygen", "--out", other}).exit_code, 0);
   farm.home_key = other;
-  const Finished finished = RunPlaced(farm, mission);
+  const Finished finished = farm.Run(mission);
   EXPECT_EQ(finished.exit_code, 3);
   EXPECT_NE(finished.output.find("does not accept this computer's key"), std::string::npos)
       << finished.output;
@@ -208,7 +257,7 @@ TEST(RefusedHost, IsNamedWhereItDoesNotProveItsKey) {
   const std::string mission = farm.Placed("berta.toml", {"\"bravo\""});
   std::filesystem::remove(farm.folder / "host1.pub");
   std::filesystem::copy(farm.home_key + ".pub", farm.folder / "host1.pub");
-  const Finished finished = RunPlaced(farm, mission);
+  const Finished finished = farm.Run(mission);
   EXPECT_EQ(finished.exit_code, 3);
   EXPECT_NE(finished.output.find("does not prove the key"), std::string::npos) << finished.output;
 }
@@ -219,7 +268,7 @@ TEST(RefusedHost, RunsNoProgramsOfAMissionUnlessItMay) {
   WriteFile(mission, ReadFile(mission) +
                          "participants = [\"mine\"]\n[[participant]]\nname = \"mine\"\n"
                          "command = [\"/bin/false\"]\n");
-  const Finished finished = RunPlaced(farm, mission);
+  const Finished finished = farm.Run(mission);
   EXPECT_EQ(finished.exit_code, 3);
   EXPECT_NE(finished.output.find("only where it was started with --allow-programs"),
             std::string::npos)
@@ -229,7 +278,7 @@ TEST(RefusedHost, RunsNoProgramsOfAMissionUnlessItMay) {
 TEST(RefusedHost, IsToBeReachable) {
   HostFarm farm(1);
   const std::string mission = farm.Placed("berta.toml", {"\"bravo\""}, "", {"tcp://127.0.0.1:9"});
-  const Finished finished = RunPlaced(farm, mission);
+  const Finished finished = farm.Run(mission);
   EXPECT_EQ(finished.exit_code, 3);
   EXPECT_NE(finished.output.find("cannot be reached within 10 s"), std::string::npos)
       << finished.output;
@@ -295,8 +344,7 @@ TEST(RefusedHome, SendsABatchTwice) {
 
 TEST(HostDoctor, MeasuresTheWay) {
   HostFarm farm(1);
-  const int port = std::atoi(farm.hosts[0].address.substr(sizeof "tcp://127.0.0.1:" - 1).c_str());
-  const DelayingProxy proxy(port, 0.010);
+  const DelayingProxy proxy(farm.PortOf(0), 0.010);
   const Finished finished = RunShoal(
       farm.folder, {"doctor", "--host", "tcp://127.0.0.1:" + std::to_string(proxy.port()),
                     "--host-key", farm.hosts[0].public_key_file, "--key", farm.home_key + ".key"});
@@ -322,12 +370,12 @@ TEST(HostKeys, AreNeededToListen) {
 
 TEST(FarHost, StepsAlmostOncePerRoundTrip) {
   HostFarm farm(1);
-  const int port = std::atoi(farm.hosts[0].address.substr(sizeof "tcp://127.0.0.1:" - 1).c_str());
-  const DelayingProxy proxy(port, 0.010);
+  const DelayingProxy proxy(farm.PortOf(0), 0.010);
   const std::string mission = farm.Placed("alpha.toml", {"\"alpha\""}, kPatient,
                                           {"tcp://127.0.0.1:" + std::to_string(proxy.port())});
+  Shorten(mission, 60);
   const std::string dir = (farm.folder / "rec").string();
-  const Finished finished = RunPlaced(farm, mission, {"--record", dir});
+  const Finished finished = farm.Run(mission, {"--record", dir});
   EXPECT_EQ(finished.exit_code, 0) << finished.output;
   EXPECT_TRUE(ReadFile(dir + "/mission.lcm") == LogOfSim(farm.folder, mission));
   const size_t at = finished.output.find("answers after ");

@@ -193,6 +193,14 @@ std::string MissionFile(const std::string& name) {
   return std::string(SHOAL_SOURCE_DIR) + "/missions/" + name;
 }
 
+void CopyMissionData(const std::filesystem::path& folder) {
+  for (const char* name : {"data", "tracks"}) {
+    std::filesystem::copy(MissionFile(name), folder / name,
+                          std::filesystem::copy_options::recursive |
+                              std::filesystem::copy_options::overwrite_existing);
+  }
+}
+
 std::string ReadFile(const fs::path& path) {
   std::ifstream in(path, std::ios::binary);
   std::ostringstream text;

@@ -90,6 +90,9 @@ std::string AwaitStatus(const TestFolder& folder, const std::string& app,
 std::string Program(const std::string& name);
 /// Returns the path of a file in missions/.
 std::string MissionFile(const std::string& name);
+/// Copies the tracks and grids that missions of missions/ read to where a copy of one in `folder`
+/// looks for them.
+void CopyMissionData(const std::filesystem::path& folder);
 
 /// Returns the first of `count` TCP ports in a row on which no program listens now.
 int FreeTcpPorts(int count);
