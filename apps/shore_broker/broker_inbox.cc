@@ -1,25 +1,23 @@
 #include "apps/shore_broker/broker_inbox.h"
 
-#include "lib/bus/channels.h"
-
 namespace shoal {
 
-BrokerInbox::BrokerInbox(Bus& bus) {
-  Keep(bus, channels::NodeReportLocal().name, {}, &reports_);
-  Keep(bus, channels::NodeReportFromOutside().name, {.from_outside = true}, &reports_);
-  Keep(bus, channels::NodeMessageLocal().name, {}, &messages_);
-  Keep(bus, channels::NodeMessageFromOutside().name, {.from_outside = true}, &messages_);
-  Keep(bus, channels::AckMessage().name, {}, &acks_);
-  Keep(bus, channels::RelayTx().name, {}, &relays_);
-  Keep(bus, channels::AcousticTx().name, {.packet = Packet::kAcousticTx}, &packets_);
-  Keep(bus, channels::AcousticTxOn().name, {.packet = Packet::kAcousticTxOn}, &packets_);
-  Keep(bus, channels::ModemTx().name, {.packet = Packet::kModemTx}, &packets_);
-  Keep(bus, channels::HelmCommandAll().name, {}, &commands_);
+BrokerInbox::BrokerInbox(Takes takes, Bus& bus, StatusLog* log) : bus_(bus), log_(*log) {
+  Keep(channels::NodeReportLocal().name, {}, &reports_);
+  Keep(channels::NodeReportFromOutside().name, {.from_outside = true}, &reports_);
+  if (takes == Takes::kReports) return;
+  Keep(channels::NodeMessageLocal().name, {}, &messages_);
+  Keep(channels::NodeMessageFromOutside().name, {.from_outside = true}, &messages_);
+  Keep(channels::AckMessage().name, {}, &acks_);
+  Keep(channels::RelayTx().name, {}, &relays_);
+  Keep(channels::AcousticTx().name, {.packet = Packet::kAcousticTx}, &packets_);
+  Keep(channels::AcousticTxOn().name, {.packet = Packet::kAcousticTxOn}, &packets_);
+  Keep(channels::ModemTx().name, {.packet = Packet::kModemTx}, &packets_);
+  Keep(channels::HelmCommandAll().name, {}, &commands_);
 }
 
-void BrokerInbox::Keep(Bus& bus, const std::string& channel, const Item& kind,
-                       std::vector<Item>* list) {
-  bus.SubscribeBytes(channel, [this, list, kind](const Message& message) {
+void BrokerInbox::Keep(const std::string& channel, const Item& kind, std::vector<Item>* list) {
+  bus_.SubscribeBytes(channel, [this, list, kind](const Message& message) {
     Item& item = list->emplace_back(kind);
     item.begin = arena_.size();
     item.size = message.data.size();

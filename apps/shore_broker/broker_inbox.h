@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "lib/bus/bus.h"
+#include "lib/bus/channels.h"
+#include "lib/run/status_page.h"
 
 namespace shoal {
 
@@ -22,13 +24,25 @@ class BrokerInbox {
     Packet packet = Packet::kAcousticTx;
   };
 
-  /// Subscribes to reports, messages, acks, what gateways forward, packets and commands.
-  explicit BrokerInbox(Bus& bus);
+  enum class Takes { kAll, kReports };
+
+  /// Subscribes to reports, and to messages, acks, what gateways forward, packets and commands
+  /// where it takes all. Both must outlive this.
+  BrokerInbox(Takes takes, Bus& bus, StatusLog* log);
   BrokerInbox(const BrokerInbox&) = delete;
   BrokerInbox& operator=(const BrokerInbox&) = delete;
 
   std::span<const uint8_t> BytesOf(const Item& item) const {
     return std::span(arena_).subspan(item.begin, item.size);
+  }
+
+  /// Decodes an item, or counts and warns.
+  template <class T>
+  bool Read(const Item& item, const Channel<T>& channel, T* message) {
+    if (Decode(BytesOf(item), message)) return true;
+    bus_.CountUndecodable(channel.name);
+    log_.Warn(channel.name + ": undecodable bytes dropped");
+    return false;
   }
 
   // In the order in which they came:
@@ -46,8 +60,10 @@ class BrokerInbox {
 
  private:
   /// Appends what comes on the channel to the list, as `kind` has it.
-  void Keep(Bus& bus, const std::string& channel, const Item& kind, std::vector<Item>* list);
+  void Keep(const std::string& channel, const Item& kind, std::vector<Item>* list);
 
+  Bus& bus_;
+  StatusLog& log_;
   Bytes arena_;
   std::vector<Item> reports_;
   std::vector<Item> messages_;

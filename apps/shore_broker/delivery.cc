@@ -8,7 +8,6 @@
 #include "lib/check/check.h"
 #include "lib/media/relay_path.h"
 #include "lib/routing/vehicle_name.h"
-#include "lib/run/status_page.h"
 
 namespace shoal {
 
@@ -100,6 +99,10 @@ void Delivery::Conclude(int64_t utime, const DecidedTransmission& sent) {
 }
 
 void Delivery::SendOverMedia(int64_t utime, const DecidedTransmission& sent) {
+  if (const std::string& problem = traffic_.acoustic().problem();
+      !problem.empty() && sent.over->Has(kAcousticMedium)) {
+    log_.Warn("no vehicle can send over the acoustic network; [acoustics] " + problem);
+  }
   Shipment shipment;
   shipment.message.assign(sent.raw.begin(), sent.raw.end());
   shipment.payload = sent.air_bytes();

@@ -2,7 +2,7 @@
 // and every fate on COMMS_FATES, with a pulse of each delivery. What a gateway receives goes to its
 // app too.
 //
-//   Delivery delivery(setup, bus, &router, &traffic);
+//   Delivery delivery(setup, bus, &router, &traffic, &log);
 //   router.Route(admission, utime, &decisions);
 //   delivery.Conclude(utime, {.decisions = decisions, .raw = bytes, ...});
 //   delivery.TakeArrivals(utime);
@@ -31,6 +31,7 @@
 #include "lib/broker/broker_setup.h"
 #include "lib/bus/bus.h"
 #include "lib/routing/router.h"
+#include "lib/run/status_page.h"
 #include "shoal/ack_message_t.hpp"
 #include "shoal/node_message_t.hpp"
 #include "shoal/node_report_t.hpp"
@@ -57,11 +58,13 @@ struct DecidedTransmission {
 class Delivery {
  public:
   /// All must outlive this.
-  Delivery(const BrokerSetup& setup, Bus& bus, Router* router, MediaTraffic* traffic)
+  Delivery(const BrokerSetup& setup, Bus& bus, Router* router, MediaTraffic* traffic,
+           StatusLog* log)
       : setup_(setup),
         bus_(bus),
         router_(*router),
         traffic_(*traffic),
+        log_(*log),
         has_gateways_(!traffic->Gateways().empty()),
         fates_(bus),
         media_(bus),
@@ -75,7 +78,7 @@ class Delivery {
   }
   /// Delivers what has arrived over media by now.
   void TakeArrivals(int64_t utime);
-  /// Publishes the fates and pulses of the step.
+  /// Publishes the fates and pulses since the last call.
   void Flush(int64_t utime);
 
  private:
@@ -103,6 +106,7 @@ class Delivery {
   Bus& bus_;
   Router& router_;
   MediaTraffic& traffic_;
+  StatusLog& log_;
   const bool has_gateways_;
   ReceivedMemory received_;
   FateWriter fates_;

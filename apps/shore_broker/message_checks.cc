@@ -1,7 +1,6 @@
 #include "apps/shore_broker/message_checks.h"
 
 #include <cmath>
-#include <string>
 
 #include "lib/routing/vehicle_name.h"
 
@@ -24,6 +23,8 @@ bool AllNumbersAreFinite(const node_report_t& report) {
   }
   return true;
 }
+
+std::string LegalOrEmpty(const std::string& name) { return IsLegalVehicleName(name) ? name : ""; }
 
 std::string_view ProblemOf(const node_message_t& message) {
   if (!IsLegalVehicleName(message.src_node)) return "src_node is no vehicle's name";

@@ -17,12 +17,6 @@ namespace {
 
 /// One step for the request, one for the answer; the rest allows for a slow launcher.
 constexpr double kHold_s = 1;
-/// Stands for `--warp max` where wall time matters: such missions run about 100 times as fast as
-/// real time.
-constexpr double kMaxWarp = 100;
-
-std::string LegalOrEmpty(const std::string& name) { return IsLegalVehicleName(name) ? name : ""; }
-
 Provenance ProvenanceAt(int64_t made_utime) {
   return {.origin = {}, .number = 0, .made_utime = made_utime};
 }
@@ -35,21 +29,29 @@ bool IsInTransit(const std::vector<Decision>& decisions) {
 
 }  // namespace
 
-ShoreBrokerApp::ShoreBrokerApp(BrokerSetup setup, Bus& bus)
+ShoreBrokerApp::ShoreBrokerApp(BrokerSetup setup, Bus& bus, BrokerShare share)
     : setup_(std::move(setup)),
+      share_(std::move(share)),
       bus_(bus),
-      inbox_(bus),
+      inbox_(share_.has_rest ? BrokerInbox::Takes::kAll : BrokerInbox::Takes::kReports, bus, &log_),
       router_(setup_.rules, setup_.seed, setup_.vehicles),
       traffic_(setup_),
-      delivery_(setup_, bus, &router_, &traffic_),
-      warp_(kMaxWarp) {
+      delivery_(setup_, bus, &router_, &traffic_, &log_),
+      reports_({.setup = setup_,
+                .share = share_,
+                .bus = bus,
+                .inbox = inbox_,
+                .router = router_,
+                .traffic = traffic_,
+                .delivery = delivery_,
+                .log = log_}) {
   for (const auto& [name, factors] : setup_.factors) router_.SetFactors(name, factors);
 
   if (!setup_.rules.messages_over.is_direct()) {
     const std::vector<std::string> gateways = traffic_.Gateways();
     router_.SetGateways(gateways);
   }
-  if (setup_.GoesByTruth()) {
+  if (share_.has_rest && setup_.GoesByTruth()) {
     for (const std::string& name : setup_.vehicles) {
       Subscribe(bus, channels::Nav(name), [this, name](const nav_t& nav) {
         PlaceTruth(name, {nav.x_m, nav.y_m, nav.z_m});
@@ -71,8 +73,6 @@ void ShoreBrokerApp::PlaceTruth(const std::string& name, const Eigen::Vector3d& 
   router_.PlaceTruth(name, position_m);
 }
 
-void ShoreBrokerApp::OnWarp(double warp) { warp_ = warp > 0 ? warp : kMaxWarp; }
-
 void ShoreBrokerApp::Tick(int64_t utime) {
   now_utime_ = utime;
   if (!began_) Begin(utime);
@@ -80,12 +80,7 @@ void ShoreBrokerApp::Tick(int64_t utime) {
   if (Holds(utime)) return;
 
   ApplyControls(utime);
-  admitted_.clear();
-  for (const BrokerInbox::Item& item : inbox_.reports()) {
-    WaitingReport report{.raw = item};
-    if (TakeIn(utime, &report)) admitted_.push_back(std::move(report));
-  }
-  for (const WaitingReport& report : admitted_) RouteReport(utime, report);
+  reports_.Route(utime);
   for (const BrokerInbox::Item& message : inbox_.messages()) RouteMessage(utime, message);
   for (const BrokerInbox::Item& ack : inbox_.acks()) RouteAck(utime, ack);
   for (const BrokerInbox::Item& relay : inbox_.relays()) RouteRelay(utime, relay);
@@ -103,7 +98,7 @@ void ShoreBrokerApp::Begin(int64_t utime) {
   start_utime_ = utime;
   rules_changed_ = true;
   holds_ = utime > setup_.start_utime;
-  if (!holds_) return;
+  if (!holds_ || !share_.has_rest) return;
   unc_controls_req_t request;
   request.utime = utime;
   Publish(bus_, channels::UncControlsReq(), request);
@@ -151,7 +146,7 @@ void ShoreBrokerApp::ApplyControls(int64_t utime) {
     if (ApplyControl(*each.row, each.control, utime, &router_, &log_)) rules_changed_ = true;
   }
   controls_.clear();
-  if (!rules_changed_) return;
+  if (!rules_changed_ || !share_.has_rest) return;
   rules_changed_ = false;
   comms_rules_t rules = RulesMessage(setup_, router_);
   rules.utime = utime;
@@ -163,7 +158,7 @@ void ShoreBrokerApp::ApplyControls(int64_t utime) {
 void ShoreBrokerApp::HandOnCommands(int64_t utime) {
   for (const BrokerInbox::Item& item : inbox_.commands()) {
     helm_command_t command;
-    if (!DecodeItem(item, channels::HelmCommandAll(), &command)) continue;
+    if (!inbox_.Read(item, channels::HelmCommandAll(), &command)) continue;
     ++num_commands_handed_on_;
     log_.Event(utime, fmt::format("HELM_COMMAND handed on: {}", Printable(command.command)));
     for (const Contact* contact : router_.contacts()) {
@@ -174,66 +169,8 @@ void ShoreBrokerApp::HandOnCommands(int64_t utime) {
   inbox_.ClearCommands();
 }
 
-/// Returns false where the report is refused.
-bool ShoreBrokerApp::TakeIn(int64_t utime, WaitingReport* report) {
-  if (!DecodeItem(report->raw,
-                  report->raw.from_outside ? channels::NodeReportFromOutside()
-                                           : channels::NodeReportLocal(),
-                  &report_)) {
-    return false;
-  }
-  report->made_utime = report_.utime;
-  const int num_known = router_.num_known();
-  report->admission =
-      AllNumbersAreFinite(report_)
-          ? router_.Admit({.name = report_.name,
-                           .group = report_.group,
-                           .position_m = {report_.x_m, report_.y_m, report_.depth_m}},
-                          utime)
-          : router_.Refuse(report_.name);
-  if (router_.num_known() > num_known) {
-    log_.Event(utime, fmt::format("{} is known now", report_.name));
-  }
-  if (!report->admission.refused) {
-    traffic_.Place(report_.name, report->admission.position_m);
-    return true;
-  }
-
-  const Cause cause = *report->admission.refused;
-  if (cause == Cause::kInvalid) {
-    log_.Warn("invalid node report refused: illegal name or impossible number");
-  } else if (cause == Cause::kTooManyVehicles) {
-    log_.Warn("node report refused: too many vehicles that are not of the mission");
-  }
-  delivery_.Refuse(
-      utime,
-      {.source = report->admission.source, .number = report->admission.number, .cause = cause},
-      LegalOrEmpty(report_.name));
-  return false;
-}
-
-void ShoreBrokerApp::RouteReport(int64_t utime, const WaitingReport& report) {
-  router_.Route(report.admission, utime, &decisions_);
-  const Contact& source = router_.contact(report.admission.source);
-  Conclude(utime, {.written_source = source.name,
-                   .raw = inbox_.BytesOf(report.raw),
-                   .from_m = report.admission.position_m,
-                   .has_pulses = router_.rules().view_node_rpt_pulses,
-                   .color = ReportColor(source.index),
-                   .air_bytes =
-                       [&] {
-                         SHOAL_CHECK(Decode(inbox_.BytesOf(report.raw), &report_),
-                                     "a report that was decoded on arrival decodes again");
-                         return AirBytes(report_, traffic().AddressOf(source.name).value_or(0),
-                                         setup_.start_utime);
-                       },
-                   .over = &setup_.rules.reports_over,
-                   .provenance = ProvenanceAt(report.made_utime)});
-  Share(utime, report);
-}
-
 void ShoreBrokerApp::RouteMessage(int64_t utime, const BrokerInbox::Item& item) {
-  if (!DecodeItem(
+  if (!inbox_.Read(
           item,
           item.from_outside ? channels::NodeMessageFromOutside() : channels::NodeMessageLocal(),
           &message_)) {
@@ -280,7 +217,7 @@ std::string_view ShoreBrokerApp::MessageColor(const node_message_t& message) {
 }
 
 void ShoreBrokerApp::RouteAck(int64_t utime, const BrokerInbox::Item& item) {
-  if (!DecodeItem(item, channels::AckMessage(), &ack_)) return;
+  if (!inbox_.Read(item, channels::AckMessage(), &ack_)) return;
   const bool is_sound = !ack_.ack_id.empty();
   router_.RouteAck({.source = ack_.src_node, .destination = ack_.dest_node, .is_sound = is_sound},
                    utime, &decisions_, &unknown_names_);
@@ -295,7 +232,7 @@ void ShoreBrokerApp::RouteAck(int64_t utime, const BrokerInbox::Item& item) {
 }
 
 void ShoreBrokerApp::RouteRelay(int64_t utime, const BrokerInbox::Item& item) {
-  if (!DecodeItem(item, channels::RelayTx(), &relay_)) return;
+  if (!inbox_.Read(item, channels::RelayTx(), &relay_)) return;
   const GatewayOptions* gateway = traffic_.GatewayAt(relay_.gateway);
   if (gateway == nullptr) {
     log_.Warn("RELAY_TX refused: only a gateway of the mission forwards");
@@ -367,16 +304,16 @@ bool ShoreBrokerApp::RouteRelayed(int64_t utime, const MediaChoice& over) {
 void ShoreBrokerApp::RoutePacket(int64_t utime, const BrokerInbox::Item& item) {
   switch (item.packet) {
     case BrokerInbox::Packet::kAcousticTx:
-      if (!DecodeItem(item, channels::AcousticTx(), &packet_)) return;
+      if (!inbox_.Read(item, channels::AcousticTx(), &packet_)) return;
       return RouteBytes(utime, item, packet_.source, packet_.payload, {});
     case BrokerInbox::Packet::kAcousticTxOn:
-      if (!DecodeItem(item, channels::AcousticTxOn(), &channel_packet_)) return;
+      if (!inbox_.Read(item, channels::AcousticTxOn(), &channel_packet_)) return;
       return RouteBytes(utime, item, channel_packet_.source, channel_packet_.payload,
                         {.channel = channel_packet_.channel});
     case BrokerInbox::Packet::kModemTx:
       break;
   }
-  if (!DecodeItem(item, channels::ModemTx(), &modem_packet_)) return;
+  if (!inbox_.Read(item, channels::ModemTx(), &modem_packet_)) return;
   RouteBytes(utime, item, modem_packet_.source, modem_packet_.payload,
              {.data_rate_bps = modem_packet_.data_rate_bps});
 }
@@ -426,32 +363,11 @@ Eigen::Vector3d ShoreBrokerApp::PositionOfSource() const {
 }
 
 void ShoreBrokerApp::Conclude(int64_t utime, DecidedTransmission sent) {
-  if (!traffic().problem().empty() && sent.over != nullptr && sent.over->Has(kAcousticMedium) &&
-      IsInTransit(decisions_)) {
-    log_.Warn("no vehicle can send over the acoustic network; [acoustics] " + traffic().problem());
-  }
   sent.decisions = decisions_;
   sent.unknown_names = unknown_names_;
   delivery_.Conclude(utime, sent);
   decisions_.clear();
   unknown_names_.clear();
-}
-
-/// Publishes NODE_REPORT_UNC at a limited rate, for displays.
-void ShoreBrokerApp::Share(int64_t utime, const WaitingReport& report) {
-  const double interval_s = router_.rules().shared_node_reports_s;
-  if (interval_s < 0) return;
-  const auto place = static_cast<size_t>(report.admission.source);
-  const std::string& name = router_.contact(report.admission.source).name;
-  if (place >= shared_utimes_.size()) shared_utimes_.resize(place + 1, {"", kNever});
-  auto& [whose, shared_utime] = shared_utimes_[place];
-  const bool is_due = whose != name || shared_utime == kNever ||
-                      SecondsBetween(shared_utime, utime) >= interval_s * warp_;
-  if (!is_due) return;
-  whose = name;
-  shared_utime = utime;
-  ++num_shared_;
-  bus_.PublishBytes(channels::NodeReportUnc().name, inbox_.BytesOf(report.raw));
 }
 
 void ShoreBrokerApp::Forget(int64_t utime) {
@@ -484,7 +400,7 @@ StatusPage ShoreBrokerApp::Status() const {
                                {.start_utime = start_utime_,
                                 .now_utime = now_utime_,
                                 .num_commands_handed_on = num_commands_handed_on_,
-                                .num_shared = num_shared_,
+                                .num_shared = reports_.num_shared(),
                                 .num_undecodable = bus_.counters().undecodable});
   log_.AppendTo(&page);
   return page;

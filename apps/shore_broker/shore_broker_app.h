@@ -5,10 +5,10 @@
 // COMMS_RULES, NODE_REPORT_UNC and HELM_COMMAND_<V>. Outside stepping it answers COMMS_RULES_REQ
 // with COMMS_RULES_NOW.
 //
-// A step: commands are handed on, rules change, all reports of the step are taken in, then each is
-// routed, then messages, acks, what gateways forward, and packets, in the order in which they came;
-// what has arrived over media by now is delivered; vehicles that were silent for too long are
-// forgotten.
+// A step: commands are handed on, rules change, the reports of the step are taken in and routed
+// (report_traffic.h), then messages, acks, what gateways forward, and packets, in the order in
+// which they came; what has arrived over media by now is delivered; vehicles that were silent for
+// too long are forgotten.
 //
 //            first step is the mission's first
 //   BEGINS ------------------------------------------------> WORKS
@@ -21,15 +21,16 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "apps/shore_broker/broker_inbox.h"
 #include "apps/shore_broker/delivery.h"
 #include "apps/shore_broker/media_traffic.h"
 #include "apps/shore_broker/repeat_memory.h"
+#include "apps/shore_broker/report_traffic.h"
 #include "lib/broker/broker.h"
 #include "lib/broker/broker_setup.h"
+#include "lib/broker/report_blocks.h"
 #include "lib/bus/bus.h"
 #include "lib/bus/channels.h"
 #include "lib/mission/mission.h"
@@ -41,9 +42,10 @@ namespace shoal {
 class ShoreBrokerApp : public Broker {
  public:
   ShoreBrokerApp(const Mission& mission, Bus& bus) : ShoreBrokerApp(SetupOf(mission), bus) {}
-  ShoreBrokerApp(BrokerSetup setup, Bus& bus);
+  /// `share`: where several brokers share a mission, each in a part of its own.
+  ShoreBrokerApp(BrokerSetup setup, Bus& bus, BrokerShare share = {});
 
-  void OnWarp(double warp) override;
+  void OnWarp(double warp) override { reports_.OnWarp(warp); }
   void Tick(int64_t utime) override;
   /// COMMS_RULES_REQ: the rules in force, on COMMS_RULES_NOW.
   std::vector<std::string> RequestChannels() const override;
@@ -57,23 +59,10 @@ class ShoreBrokerApp : public Broker {
   const AcousticTraffic& traffic() const { return traffic_.acoustic(); }
 
  private:
-  struct WaitingReport {
-    BrokerInbox::Item raw;
-    int64_t made_utime = 0;
-    Admission admission = {};
-  };
   struct WaitingControl {
     const ControlRow* row = nullptr;
     unc_control_t control;
   };
-  /// Decodes, or counts and warns.
-  template <class T>
-  bool DecodeItem(const BrokerInbox::Item& item, const Channel<T>& channel, T* message) {
-    if (Decode(inbox_.BytesOf(item), message)) return true;
-    bus_.CountUndecodable(channel.name);
-    log_.Warn(channel.name + ": undecodable bytes dropped");
-    return false;
-  }
 
   void PlaceTruth(const std::string& name, const Eigen::Vector3d& position_m);
   void Begin(int64_t utime);
@@ -81,8 +70,6 @@ class ShoreBrokerApp : public Broker {
   void KeepControls(const Message& message);
   void ApplyControls(int64_t utime);
   void HandOnCommands(int64_t utime);
-  bool TakeIn(int64_t utime, WaitingReport* report);
-  void RouteReport(int64_t utime, const WaitingReport& report);
   void RouteMessage(int64_t utime, const BrokerInbox::Item& item);
   void RouteAck(int64_t utime, const BrokerInbox::Item& item);
   void RouteRelay(int64_t utime, const BrokerInbox::Item& item);
@@ -91,7 +78,6 @@ class ShoreBrokerApp : public Broker {
   void RoutePacket(int64_t utime, const BrokerInbox::Item& item);
   void RouteBytes(int64_t utime, const BrokerInbox::Item& item, const std::string& source,
                   const std::vector<uint8_t>& payload, const PacketOptions& options);
-  void Share(int64_t utime, const WaitingReport& report);
   void Forget(int64_t utime);
   /// Has decisions_ carried out, and clears them.
   void Conclude(int64_t utime, DecidedTransmission sent);
@@ -100,12 +86,14 @@ class ShoreBrokerApp : public Broker {
   std::string_view MessageColor(const node_message_t& message);
 
   const BrokerSetup setup_;
+  const BrokerShare share_;
   Bus& bus_;
+  StatusLog log_;
   BrokerInbox inbox_;
   Router router_;
   MediaTraffic traffic_;
   Delivery delivery_;
-  StatusLog log_;
+  ReportTraffic reports_;
 
   int64_t start_utime_ = 0;
   int64_t now_utime_ = 0;
@@ -113,13 +101,10 @@ class ShoreBrokerApp : public Broker {
   bool holds_ = false;
   bool began_to_work_ = false;  ///< COMMS_RULES has been published.
   bool rules_changed_ = false;
-  double warp_;
   int64_t num_commands_handed_on_ = 0;
-  int64_t num_shared_ = 0;
 
   std::optional<unc_controls_t> kept_controls_;
   std::vector<WaitingControl> controls_;
-  std::vector<WaitingReport> admitted_;  ///< In this step.
 
   node_report_t report_;  ///< Decoded into, like the next six; keep their strings' memory.
   node_message_t message_;
@@ -130,7 +115,6 @@ class ShoreBrokerApp : public Broker {
   modem_tx_t modem_packet_;
   std::vector<Decision> decisions_;         ///< Of one transmission.
   std::vector<std::string> unknown_names_;  ///< Destinations of one transmission.
-  std::vector<std::pair<std::string, int64_t>> shared_utimes_;  ///< By index; whose, and when.
 
   RepeatMemory repeats_;
 };

@@ -26,6 +26,9 @@ namespace shoal {
 
 using Bytes = std::vector<uint8_t>;
 
+/// The places of a step at which a participant that several parts of a mission share publishes.
+constexpr uint32_t kNumPlaces = 4096;
+
 /// One message as it comes off the bus. The views live as long as the handler runs.
 struct Message {
   std::string_view channel;
@@ -70,6 +73,11 @@ class Bus {
     PublishBytes(channel, data);
     return nullptr;
   }
+
+  /// What is published from now until the end of the step, or the next call, comes after what this
+  /// participant publishes at lower places, in whichever part of a mission it does.
+  /// @pre place < kNumPlaces, and more than the one before in this step
+  virtual void SetPlace(uint32_t /*place*/) {}
 
   /// Calls `handler` for every message on `channel`, in the fixed order of the step.
   /// @pre called before the first step.

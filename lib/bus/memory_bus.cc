@@ -8,6 +8,14 @@
 
 namespace shoal {
 
+namespace {
+
+/// The numbers that a place has for its messages: of a step of 64 vehicles' reports to thousands.
+constexpr uint32_t kSequencesPerPlace = 1 << 20;
+static_assert(uint64_t{kSequencesPerPlace} * kNumPlaces <= uint64_t{1} << 32);
+
+}  // namespace
+
 class MemoryBus::Port : public Bus {
  public:
   Port(MemoryBus& hub, uint32_t place, std::string participant)
@@ -19,13 +27,20 @@ class MemoryBus::Port : public Bus {
 
   MessageViews* PublishShared(std::string_view channel, std::span<const uint8_t> data) override {
     if (hub_.names_by_rank_.empty()) hub_.RankPorts();
-    if (step_ != hub_.step_) sequence_ = 0;
-    step_ = hub_.step_;
+    MeetStep();
     const KnownChannel& known = Find(channel);
     const Item item = {.channel = known.id, .port = rank, .sequence = sequence_++, .content = 0};
     ++counters_.published;
     // What is published before the first step may still find subscribers.
     return known.is_kept || hub_.step_ == 0 ? hub_.Publish(item, data) : nullptr;
+  }
+
+  void SetPlace(uint32_t place) override {
+    if (!is_elsewhere) return;  // What it publishes in this order needs no places.
+    MeetStep();
+    const uint32_t first = place * kSequencesPerPlace;
+    SHOAL_CHECK(place < kNumPlaces && sequence_ <= first, "the places of a step rise");
+    sequence_ = first;
   }
 
   void SubscribeBytes(const std::string& channel, Handler handler) override {
@@ -59,6 +74,11 @@ class MemoryBus::Port : public Bus {
     bool is_kept = false;            ///< It is read, or wanted elsewhere ...
     uint32_t num_subscriptions = 0;  ///< ... when the bus had this number of them.
   };
+
+  void MeetStep() {
+    if (step_ != hub_.step_) sequence_ = 0;
+    step_ = hub_.step_;
+  }
 
   /// Participants publish on the same channels in the same order, step after step: the next one is
   /// tried first.
@@ -94,6 +114,7 @@ class MemoryBus::Port : public Bus {
   const uint32_t number;  ///< In order of joining.
   uint32_t rank = 0;      ///< In order of names.
   bool is_ranked = false;
+  bool is_here = true;        ///< Stepped by this part.
   bool is_elsewhere = false;  ///< Stepped by another part.
 
  private:
@@ -116,8 +137,16 @@ Bus& MemoryBus::Join(const std::string& participant) {
   return AddPort(participant);
 }
 
+Bus& MemoryBus::JoinShared(const std::string& participant) {
+  SHOAL_CHECK(open_.items.empty(), "all join before anything is published");
+  Port& port = AddPort(participant);
+  port.is_elsewhere = true;
+  return port;
+}
+
 uint32_t MemoryBus::JoinElsewhere(const std::string& participant) {
   Port& port = AddPort(participant);
+  port.is_here = false;
   port.is_elsewhere = true;
   return port.number;
 }
@@ -159,7 +188,7 @@ void MemoryBus::VisitPublished(const std::function<void(const Published&)>& visi
   std::vector<const Port*> by_rank(ports_by_number_.size());
   for (const Port* port : ports_by_number_) by_rank[port->rank] = port;
   for (const Item& item : open_.items) {
-    if (!wanted_elsewhere_[item.channel] || by_rank[item.port]->is_elsewhere) continue;
+    if (!wanted_elsewhere_[item.channel] || !by_rank[item.port]->is_here) continue;
     const Content& content = open_.contents[item.content];
     visit({.channel = channel_names_[item.channel],
            .publisher = names_by_rank_[item.port],

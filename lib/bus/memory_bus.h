@@ -18,6 +18,9 @@
 //   hub.VisitPublished([&](const MemoryBus::Published& each) { Send(each); });
 //   hub.Insert(bravo, channel, sequence, data);    // what came from the other parts
 //   hub.NextStep();
+//
+// A participant may itself be shared by several parts: each publishes at places of its own
+// (Bus::SetPlace), and all parts order by them.
 #pragma once
 
 #include <deque>
@@ -42,14 +45,18 @@ class MemoryBus {
   /// @pre no participant of this name yet, and no step was taken yet.
   Bus& Join(const std::string& participant);
 
+  /// Adds a participant that other parts step too: what they publish in its name comes by Insert,
+  /// and is ordered by Bus::SetPlace. Else as Join.
+  Bus& JoinShared(const std::string& participant);
+
   /// Adds a participant that another part steps: what it publishes comes by Insert. "" stands for
   /// messages from outside. At any time; participants have unique names. Returns its number.
   uint32_t JoinElsewhere(const std::string& participant);
 
   /// Adds a message that a participant of another part published in the step that goes on.
-  /// `sequence` counts its messages of the step, over all channels; each (participant, sequence)
+  /// `sequence` orders its messages of the step, over all channels; each (participant, sequence)
   /// comes once. Where nothing here reads the channel, it is dropped.
-  /// @pre `participant` is from JoinElsewhere
+  /// @pre `participant` is from JoinElsewhere or JoinShared
   void Insert(uint32_t participant, std::string_view channel, uint32_t sequence,
               std::span<const uint8_t> data) {
     Insert(participant, ChannelNumber(channel), sequence, data);
@@ -68,7 +75,7 @@ class MemoryBus {
   struct Published {
     std::string_view channel;
     std::string_view publisher;
-    uint32_t sequence = 0;  ///< Counts the publisher's messages of the step, over all channels.
+    uint32_t sequence = 0;  ///< Orders the publisher's messages of the step, over all channels.
     std::span<const uint8_t> data;
     uint32_t content = 0;  ///< Messages of one step with the same number have the same bytes.
     uint32_t channel_number = 0;  ///< As ChannelNumber has it.
@@ -76,6 +83,7 @@ class MemoryBus {
   };
   /// Visits what participants here have published in the step that goes on and is wanted
   /// elsewhere, in the order in which it was published.
+  /// @pre nothing was inserted yet in this step
   void VisitPublished(const std::function<void(const Published&)>& visit) const;
 
   /// Returns the channels that participants here subscribe to, in order of names.
@@ -105,7 +113,7 @@ class MemoryBus {
   struct Item {
     uint32_t channel = 0;   ///< Its id.
     uint32_t port = 0;      ///< The publisher's place in order of names.
-    uint32_t sequence = 0;  ///< Counts the publisher's messages of the step.
+    uint32_t sequence = 0;  ///< Orders the publisher's messages of the step.
     uint32_t content = 0;   ///< Messages of the same number have the same bytes.
   };
   struct Content {

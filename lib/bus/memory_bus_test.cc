@@ -402,6 +402,53 @@ TEST(MemoryBus, KeepsTheOrderWhenAParticipantElsewhereJoinsInMidMission) {
   EXPECT_EQ(received, "7 b4 c5 c6 d3 ");
 }
 
+TEST(MemoryBus, OrdersByPlacesWhatSeveralPartsPublishAsOneParticipant) {
+  std::vector<std::string> received(2);
+  std::vector<MemoryBus> hubs(2);
+  std::vector<Bus*> shared;
+  std::vector<Bus*> readers;
+  for (size_t part = 0; part < 2; ++part) {
+    shared.push_back(&hubs[part].JoinShared("broker"));
+    readers.push_back(&hubs[part].Join(part == 0 ? "reader_0" : "reader_1"));
+    hubs[part].JoinElsewhere(part == 0 ? "reader_1" : "reader_0");
+    readers[part]->SubscribeBytes("C", [&received, part](const Message& message) {
+      received[part] += fmt::format("{}{} ", message.publisher, message.data[0]);
+    });
+    hubs[part].KeepFor([](std::string_view) { return true; });
+  }
+  const auto publish = [&](size_t part, uint8_t value) {
+    shared[part]->PublishBytes("C", std::vector<uint8_t>{value});
+  };
+  for (int step = 0; step < 2; ++step) {
+    received = {"", ""};
+    publish(0, 1);
+    shared[0]->SetPlace(2);
+    publish(0, 4);
+    publish(0, 5);
+    shared[1]->SetPlace(1);
+    publish(1, 2);
+    publish(1, 3);
+    shared[1]->SetPlace(kNumPlaces - 1);
+    publish(1, 6);
+    std::vector<std::tuple<size_t, uint32_t, uint8_t>> sent;
+    for (size_t part = 0; part < 2; ++part) {
+      hubs[part].VisitPublished([&](const MemoryBus::Published& each) {
+        EXPECT_EQ(each.publisher, "broker");
+        sent.emplace_back(1 - part, each.sequence, each.data[0]);
+      });
+    }
+    EXPECT_EQ(sent.size(), 6U);
+    for (const auto& [to, sequence, value] : sent) {
+      hubs[to].Insert(0, "C", sequence, std::vector<uint8_t>{value});
+    }
+    for (size_t part = 0; part < 2; ++part) {
+      hubs[part].NextStep();
+      hubs[part].Handle(*readers[part]);
+      EXPECT_EQ(received[part], "broker1 broker2 broker3 broker4 broker5 broker6 ");
+    }
+  }
+}
+
 TEST(MemoryBus, ShowsWhatIsWantedElsewhereAndNothingThatCameFromThere) {
   MemoryBus hub;
   Bus& a = hub.Join("a");

@@ -102,15 +102,17 @@ const CauseCounts& BroadcastRouter::CountStopped(Kind kind, int64_t utime) {
   return stopped.counts;
 }
 
-/// Fills near_ with all that may be within reach, and with those that asked for a report, in order
-/// of keys.
+/// Fills near_ with all that may be within reach, and with those that want this report, in order of
+/// keys.
 void BroadcastRouter::FindNear(const Transmission& sent, const Contact& source, double reach_m) {
   near_.clear();
   // A little more than the reach, against rounding in the squares' borders.
   grid_.AppendNear(sent.position_m, reach_m * (1 + 1e-9) + 1e-3, &near_);
   if (sent.kind == Kind::kReport && contacts_.num_wanting() > 0) {
     for (const Contact* contact : contacts_.all()) {
-      if (contact->known && contact->num_wanted > 0) near_.push_back(contact->index);
+      if (contact->known && ContactBook::Wants(*contact, source)) {
+        near_.push_back(contact->index);
+      }
     }
   }
   std::erase(near_, source.index);
