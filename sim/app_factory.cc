@@ -33,4 +33,8 @@ std::unique_ptr<Broker> MakeShoreBroker(const BrokerSetup& setup, Bus& bus) {
   return std::make_unique<ShoreBrokerApp>(setup, bus);
 }
 
+std::unique_ptr<Broker> MakeSharedBroker(const Mission& mission, Bus& bus, BrokerShare share) {
+  return std::make_unique<ShoreBrokerApp>(SetupOf(mission), bus, std::move(share));
+}
+
 }  // namespace shoal

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "lib/broker/broker.h"
+#include "lib/broker/report_blocks.h"
 #include "lib/bus/bus.h"
 #include "lib/mission/mission.h"
 #include "lib/run/app.h"
@@ -22,5 +23,7 @@ std::unique_ptr<Director> MakeDirectorApp(const Mission& mission, Bus& bus);
 
 /// Returns the shore_broker alone: for deciding a recorded mission again (lib/analysis/rebroker.h).
 std::unique_ptr<Broker> MakeShoreBroker(const BrokerSetup& setup, Bus& bus);
+/// Returns a shore_broker that others share the mission with.
+std::unique_ptr<Broker> MakeSharedBroker(const Mission& mission, Bus& bus, BrokerShare share);
 
 }  // namespace shoal

@@ -15,6 +15,9 @@ namespace {
 constexpr std::string_view kTooManyControls =
     "UNC_* of one more vehicle not kept: a broker that starts again will not get it";
 
+/// Fates of about as many steps of a large fleet as it is busier than the others in a row.
+constexpr size_t kMostPutOff_bytes = size_t{64} << 20;
+
 /// False for what only an unregistered participant sends: no mission has as many messages.
 bool CanBeCount(int64_t count) { return count >= 0 && count <= 1'000'000'000'000; }
 
@@ -104,7 +107,11 @@ void DirectorApp::Tick(int64_t utime) {
   }
 }
 
-void DirectorApp::End() { EndLastStep(); }
+void DirectorApp::End() {
+  EndLastStep();
+  while (CountFates()) {
+  }
+}
 
 void DirectorApp::LookForTheEnd(int64_t utime) {
   size_t num_waited_for = 0;
@@ -130,8 +137,30 @@ void DirectorApp::TakeFates(const Message& message) {
         "COMMS_FATES of an unregistered participant dropped: only a broker of the mission decides");
     return;
   }
-  if (!Decode(message.data, &fates_message_)) {
-    bus_.CountUndecodable(message.channel);
+  if (puts_fates_off_ && put_off_.size() + message.data.size() <= kMostPutOff_bytes) {
+    put_off_.insert(put_off_.end(), message.data.begin(), message.data.end());
+    put_off_ends_.push_back(put_off_.size());
+  } else {
+    CountFates(message.data);
+  }
+}
+
+bool DirectorApp::CountFates() {
+  if (num_counted_ == put_off_ends_.size()) {
+    put_off_.clear();
+    put_off_ends_.clear();
+    num_counted_ = 0;
+    return false;
+  }
+  const size_t begin = num_counted_ == 0 ? 0 : put_off_ends_[num_counted_ - 1];
+  const size_t end = put_off_ends_[num_counted_++];
+  CountFates(std::span(put_off_).subspan(begin, end - begin));
+  return true;
+}
+
+void DirectorApp::CountFates(std::span<const uint8_t> message) {
+  if (!Decode(message, &fates_message_)) {
+    bus_.CountUndecodable(channels::CommsFates().name);
     return;
   }
   for (const fate_t& fate : fates_message_.fates) {

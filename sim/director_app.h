@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,12 @@ class DirectorApp : public Director {
   /// `mission` must outlive this.
   DirectorApp(const Mission& mission, Bus& bus);
 
+  /// From now on fates are counted when CountFates() is called, at the latest at the end: until
+  /// then what is counted of them is too little.
+  void PutFatesOff() { puts_fates_off_ = true; }
+  /// Counts the fates of a message that was put off. Returns false where none is left.
+  bool CountFates();
+
   void Tick(int64_t utime) override;
   void End() override;
   StatusPage Status() const override;
@@ -42,6 +49,7 @@ class DirectorApp : public Director {
 
  private:
   void TakeFates(const Message& message);
+  void CountFates(std::span<const uint8_t> message);
   void TakeSwarm(size_t vehicle, const swarm_t& swarm);
   void EndLastStep();
   void PublishEvent(int64_t utime, const CommandEvent& event);
@@ -58,6 +66,10 @@ class DirectorApp : public Director {
   KeptControls controls_;
   bool controls_wanted_ = false;  ///< They were requested since the last step.
   comms_fates_t fates_message_;   ///< Decoded into; keeps its strings' memory.
+  bool puts_fates_off_ = false;
+  Bytes put_off_;                     ///< Messages of fates, one behind the other.
+  std::vector<size_t> put_off_ends_;  ///< Of each of them.
+  size_t num_counted_ = 0;            ///< Of these messages.
   size_t next_event_ = 0;
   std::vector<bool> is_done_;  ///< Of each vehicle: it is at the end of its tasks.
   bool ends_mission_ = false;

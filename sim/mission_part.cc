@@ -46,14 +46,15 @@ MissionPart::MissionPart(const Mission& mission, const Placement& placement, siz
     }
   }
   for (const RosterEntry& entry : MakeRoster(mission, false)) {
-    Bus* bus =
-        Join(entry.name, entry.vehicle.empty() ? placement.broker_part
-                                               : placement.part_of_vehicle[entry.vehicle_place]);
-    if (bus != nullptr) Add(bus, MakeApp(entry, mission, *bus), entry);
+    Bus* bus = entry.vehicle.empty()
+                   ? JoinBroker(entry.name)
+                   : Join(entry.name, placement.part_of_vehicle[entry.vehicle_place]);
+    if (bus != nullptr) Add(bus, Make(entry, *bus), entry);
   }
   if (Bus* bus = Join("shoal", 0)) {
     auto director = std::make_unique<DirectorApp>(mission, *bus);
     director_ = director.get();
+    if (placement.num_parts > 1) director_->PutFatesOff();
     Add(bus, std::move(director));
   }
   embedder_ = Join("embedder", 0);
@@ -68,6 +69,25 @@ Bus* MissionPart::Join(const std::string& name, size_t part) {
   if (part == part_) return &hub_.Join(name);
   hub_.JoinElsewhere(name);
   return nullptr;
+}
+
+/// Of the broker: its bus in each part that routes a block of reports.
+Bus* MissionPart::JoinBroker(const std::string& name) {
+  if (placement_.part_of_block.empty()) return Join(name, placement_.broker_part);
+  const bool is_here =
+      part_ == placement_.broker_part || std::ranges::count(placement_.part_of_block, part_) > 0;
+  if (!is_here) return Join(name, placement_.broker_part);
+  ++num_participants_;
+  return &hub_.JoinShared(name);
+}
+
+std::unique_ptr<App> MissionPart::Make(const RosterEntry& entry, Bus& bus) const {
+  if (!entry.vehicle.empty() || placement_.part_of_block.empty()) {
+    return MakeApp(entry, mission_, bus);
+  }
+  BrokerShare share = {.has_block = {}, .has_rest = part_ == placement_.broker_part};
+  for (const size_t part : placement_.part_of_block) share.has_block.push_back(part == part_);
+  return MakeSharedBroker(mission_, bus, std::move(share));
 }
 
 void MissionPart::Add(Bus* bus, std::unique_ptr<App> app, std::optional<RosterEntry> entry) {
@@ -154,7 +174,7 @@ void MissionPart::Lose(Member* member, const std::string& how) {
     news_.end_of_all =
         event(fmt::format("{}: {}; it was restarted {} times already", name, how, kMaxRestarts));
   } else {
-    member->app = MakeApp(*member->entry, mission_, *member->bus);
+    member->app = Make(*member->entry, *member->bus);
     news_.losses.push_back(event(fmt::format("LOST: {}: {}; it starts again", name, how)));
   }
 }
@@ -209,6 +229,8 @@ bool MissionPart::TakeBatch(size_t from, std::span<const uint8_t> batch) {
   }
   return other.reader.IsWhole();
 }
+
+bool MissionPart::DoSpareWork() { return director_ != nullptr && director_->CountFates(); }
 
 void MissionPart::Decide() {
   for (const PartEvent& loss : news_.losses) losses_.push_back(loss.text);

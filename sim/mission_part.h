@@ -64,6 +64,9 @@ class MissionPart {
   [[nodiscard]] std::span<const uint8_t> BatchFor(size_t part) const;
   /// Takes the batch of another part. Returns false where it is damaged.
   [[nodiscard]] bool TakeBatch(size_t from, std::span<const uint8_t> batch);
+  /// Does a little of what can be done at any time until the end, such as while the other parts are
+  /// waited for. Returns false where nothing is left of it.
+  bool DoSpareWork();
   /// Ends the exchange of a step: all parts know the same now.
   /// @pre a batch of each other part was taken
   void Decide();
@@ -119,6 +122,8 @@ class MissionPart {
 
   static bool Reads(const Other& other, std::string_view channel);
   Bus* Join(const std::string& name, size_t part);
+  Bus* JoinBroker(const std::string& name);
+  std::unique_ptr<App> Make(const RosterEntry& entry, Bus& bus) const;
   void Add(Bus* bus, std::unique_ptr<App> app, std::optional<RosterEntry> entry = {});
   void TickMembers();
   void Lose(Member* member, const std::string& how);

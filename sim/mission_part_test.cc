@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <set>
 
 #include "lib/mission/load.h"
 #include "sim/director_app.h"
@@ -155,6 +156,68 @@ TEST(MissionPart, GivesTheSameWhateverThePlacement) {
       placement.part_of_vehicle[i] = (i * 2 + shift) % 3;
     }
     EXPECT_TRUE(InParts(mission, placement) == whole) << shift;
+  }
+}
+
+/// 150 vessels in three blocks that meet, talk and change rules while they do, so that all kinds of
+/// decisions about reports happen: counted together, too far, too soon, lost, wanted whatever the
+/// rules.
+Mission BusyFleet() {
+  std::string text = R"(
+[mission]
+duration_s = 30
+[comms]
+comms_range = 150
+each_fate_up_to = 100
+min_rpt_interval = 0.7
+drop_percentage = 10
+shared_node_reports = 2
+groups = false
+[template.boat]
+group = "boats"
+helm_options = { deploy_at_start = true }
+[[template.boat.task]]
+name = "go"
+kind = "waypoints"
+points = [[0, 0], [400, 400]]
+speed_mps = 3
+[[fleet]]
+template = "boat"
+count = 150
+name = "boat_{n:03}"
+spacing_m = 60
+)";
+  const auto event = [&](const std::string& fields) { text += "[[event]]\n" + fields + "\n"; };
+  event("at_s = 8\nrule = \"full_report\"\nvehicle = \"boat_030\"");
+  event("at_s = 12\nrule = \"comms_range\"\nvalue = 90");
+  event("at_s = 15\nrule = \"full_report\"\nvehicle = \"boat_120\"");
+  event("at_s = 16\nrule = \"stealth\"\nvehicle = \"boat_077\"\nvalue = 0.5");
+  event(
+      "at_s = 20\nmessage = {src_node = \"boat_001\", dest_node = \"all\", var_name = \"HELLO\", "
+      "string_val = \"ahoy\"}");
+  LoadedMission loaded = LoadMissionText(text, "busy.toml");
+  EXPECT_TRUE(loaded.errors.empty()) << loaded.errors.front();
+  return loaded.mission;
+}
+
+TEST(MissionPart, GivesTheLogOfAFleetWhoseReportsSeveralPartsRoute) {
+  const Mission mission = BusyFleet();
+  for (const size_t num_parts : {2U, 3U}) {
+    const Placement placement = *MakePlacement(mission, num_parts);
+    EXPECT_GT(std::set(placement.part_of_block.begin(), placement.part_of_block.end()).size(), 1U);
+  }
+  ExpectTheSameInParts(mission, {2, 3, 5});
+}
+
+TEST(MissionPart, GivesTheSameWhicheverPartsRouteReports) {
+  const Mission mission = BusyFleet();
+  const Outcome whole = InOneProcess(mission);
+  for (const std::vector<size_t>& part_of_block :
+       {std::vector<size_t>{2, 0, 1}, {1, 1, 1}, {0, 2, 0}}) {
+    Placement placement = *MakePlacement(mission, 3);
+    placement.broker_part = 2;
+    placement.part_of_block = part_of_block;
+    EXPECT_TRUE(InParts(mission, placement) == whole);
   }
 }
 

@@ -8,6 +8,7 @@
 #include <optional>
 #include <string_view>
 
+#include "lib/broker/report_blocks.h"
 #include "lib/check/check.h"
 #include "lib/mission/suggest.h"
 #include "lib/routing/reach_grid.h"
@@ -129,47 +130,78 @@ double LevelOf(std::vector<double> loads_us, double more_us) {
   return level_us;
 }
 
-/// Where the broker may be, and what each part has to do before any vehicle is placed.
-struct CommonLoads {
-  size_t broker_part = 0;
-  std::vector<double> loads_us;
+/// What there is to do beside the vehicles, in one step.
+struct CommonCosts {
+  double director_us = 0;
+  double broker_us = 0;
+  double crossing_us = 0;  ///< On each side, where all fates go to another part.
 };
 
-/// The director takes in all that the broker decides: beside it, nothing of that crosses; apart
-/// from it, both work at the same time. Returns that in which the busiest part has less to do.
-/// `broker_part`: kNowhere, or where the user wants the broker.
-CommonLoads PlaceCommon(const Mission& mission, size_t num_parts, size_t broker_part,
-                        double vehicles_us) {
+CommonCosts CommonCostsOf(const Mission& mission) {
   const auto num_vehicles = static_cast<double>(mission.vehicles.size());
   const double num_links = NumLinks(mission);
-  const double director_us =
-      kDirectorPerVehicle_us * num_vehicles + kDirectorPerLink_us * num_links;
-  const double broker_us = kBrokerPerVehicle_us * num_vehicles + kBrokerPerLink_us * num_links;
+  return {.director_us = kDirectorPerVehicle_us * num_vehicles + kDirectorPerLink_us * num_links,
+          .broker_us = kBrokerPerVehicle_us * num_vehicles + kBrokerPerLink_us * num_links,
+          .crossing_us = kCrossingPerLink_us * num_links};
+}
+
+/// Gives each vehicle its share of the broker: its reports are routed where most vehicles of its
+/// block are. Returns what each part has to do before any vehicle is placed.
+std::vector<double> ShareBroker(const CommonCosts& common, size_t num_parts,
+                                std::vector<double>* costs_us) {
+  for (double& cost_us : *costs_us) {
+    cost_us += common.broker_us / static_cast<double>(costs_us->size());
+  }
+  const double crossing_us = common.crossing_us / static_cast<double>(num_parts);
+  std::vector<double> loads_us(num_parts, crossing_us);
+  loads_us[0] = common.director_us + common.crossing_us - crossing_us;
+  return loads_us;
+}
+
+/// The director takes in all that the broker decides: beside it, nothing of that crosses; apart
+/// from it, both work at the same time. Chooses that in which the busiest part has less to do,
+/// unless the user has placed it, and returns what each part has to do before any vehicle is.
+std::vector<double> PlaceWholeBroker(const CommonCosts& common, double vehicles_us,
+                                     Placement* placement) {
   const auto with_broker_on = [&](size_t part) {
-    CommonLoads loads = {.broker_part = part, .loads_us = std::vector<double>(num_parts, 0)};
-    const double crossing_us = part == 0 ? 0 : kCrossingPerLink_us * num_links;
-    loads.loads_us[0] += director_us + crossing_us;
-    loads.loads_us[part] += broker_us + crossing_us;
-    return loads;
+    std::vector<double> loads_us(placement->num_parts, 0);
+    const double crossing_us = part == 0 ? 0 : common.crossing_us;
+    loads_us[0] += common.director_us + crossing_us;
+    loads_us[part] += common.broker_us + crossing_us;
+    return loads_us;
   };
-  if (broker_part != kNowhere) return with_broker_on(broker_part);
-  if (num_parts == 1) return with_broker_on(0);
-  const auto busiest_us = [&](const CommonLoads& loads) {
-    return std::max(*std::ranges::max_element(loads.loads_us),
-                    LevelOf(loads.loads_us, vehicles_us));
-  };
-  CommonLoads beside = with_broker_on(0);
-  CommonLoads apart = with_broker_on(1);
-  constexpr double kWorthIt = 0.99;  // What is alike but for rounding stays beside.
-  return busiest_us(apart) < kWorthIt * busiest_us(beside) ? apart : beside;
+  if (placement->broker_part == kNowhere) {
+    const auto busiest_us = [&](const std::vector<double>& loads_us) {
+      return std::max(*std::ranges::max_element(loads_us), LevelOf(loads_us, vehicles_us));
+    };
+    constexpr double kWorthIt = 0.99;  // What is alike but for rounding stays beside.
+    const bool is_better_apart =
+        placement->num_parts > 1 &&
+        busiest_us(with_broker_on(1)) < kWorthIt * busiest_us(with_broker_on(0));
+    placement->broker_part = is_better_apart ? 1 : 0;
+  }
+  return with_broker_on(placement->broker_part);
+}
+
+/// Gives each block to the part that has most of its vehicles.
+void PlaceBlocks(const ReportBlocks& blocks, Placement* placement) {
+  std::vector<std::vector<size_t>> counts(blocks.num_blocks(),
+                                          std::vector<size_t>(placement->num_parts, 0));
+  for (size_t i = 0; i < placement->part_of_vehicle.size(); ++i) {
+    ++counts[blocks.BlockOf(static_cast<int32_t>(i))][placement->part_of_vehicle[i]];
+  }
+  for (const std::vector<size_t>& count : counts) {
+    placement->part_of_block.push_back(
+        static_cast<size_t>(std::ranges::max_element(count) - count.begin()));
+  }
 }
 
 }  // namespace
 
 Placement OnePart(const Mission& mission) {
-  return {.num_parts = 1,
-          .broker_part = 0,
-          .part_of_vehicle = std::vector<size_t>(mission.vehicles.size(), 0)};
+  Placement placement;
+  placement.part_of_vehicle.assign(mission.vehicles.size(), 0);
+  return placement;
 }
 
 Result<Placement> MakePlacement(const Mission& mission, size_t num_parts,
@@ -182,10 +214,15 @@ Result<Placement> MakePlacement(const Mission& mission, size_t num_parts,
   }
   std::vector<double> costs_us;
   for (const Vehicle& vehicle : mission.vehicles) costs_us.push_back(CostOf(mission, vehicle));
-  auto [broker_part, loads_us] =
-      PlaceCommon(mission, num_parts, placement.broker_part,
-                  std::accumulate(costs_us.begin(), costs_us.end(), 0.0));
-  placement.broker_part = broker_part;
+  const CommonCosts common = CommonCostsOf(mission);
+  const ReportBlocks blocks(SetupOf(mission));
+  const bool is_shared =
+      num_parts > 1 && blocks.num_blocks() > 1 && placement.broker_part == kNowhere;
+  if (is_shared) placement.broker_part = 0;
+  std::vector<double> loads_us =
+      is_shared ? ShareBroker(common, num_parts, &costs_us)
+                : PlaceWholeBroker(common, std::accumulate(costs_us.begin(), costs_us.end(), 0.0),
+                                   &placement);
   double rest_us = 0;
   for (size_t i = 0; i < mission.vehicles.size(); ++i) {
     const size_t part = placement.part_of_vehicle[i];
@@ -204,6 +241,7 @@ Result<Placement> MakePlacement(const Mission& mission, size_t num_parts,
     placement.part_of_vehicle[i] = part;
     placed_us += costs_us[i];
   }
+  if (is_shared) PlaceBlocks(blocks, &placement);
   return placement;
 }
 

@@ -55,7 +55,8 @@ class RankMission {
   explicit RankMission(const MpiOptions& options)
       : options_(options),
         ranks_({.give_up_after_s = options.give_up_after_s,
-                .is_interrupted = [] { return was_interrupted.load(); }}) {}
+                .is_interrupted = [] { return was_interrupted.load(); },
+                .do_spare_work = [this] { return part_ && part_->DoSpareWork(); }}) {}
 
   int Run() {
     std::optional<EarlyEnd> end = Meet();
@@ -280,9 +281,12 @@ int RankMission::Conclude() {
 void RankMission::ShowRanks() const {
   for (size_t rank = 0; rank < ranks_.num_ranks(); ++rank) {
     const auto num_vehicles = std::ranges::count(placement_.part_of_vehicle, rank);
+    const bool is_whole = placement_.part_of_block.empty();
+    const bool has_broker = is_whole ? rank == placement_.broker_part
+                                     : std::ranges::count(placement_.part_of_block, rank) > 0;
     fmt::print("{}: {} vehicle{}{}{}\n", ranks_.NameOf(rank), num_vehicles,
                num_vehicles == 1 ? "" : "s", rank == 0 ? ", verdict" : "",
-               rank == placement_.broker_part ? ", broker" : "");
+               !has_broker ? "" : (is_whole ? ", broker" : ", part of the broker"));
   }
   std::fflush(stdout);
 }
