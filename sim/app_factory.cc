@@ -6,6 +6,7 @@
 #include "apps/node_reporter/node_reporter_app.h"
 #include "apps/shore_broker/shore_broker_app.h"
 #include "apps/vehicle_sim/vehicle_sim_app.h"
+#include "lib/bus/memory_bus.h"
 #include "lib/check/check.h"
 #include "sim/director_app.h"
 
@@ -25,8 +26,16 @@ std::unique_ptr<App> MakeApp(const RosterEntry& entry, const Mission& mission, B
   return std::make_unique<NodeReporterApp>(mission, vehicle, bus);
 }
 
-std::unique_ptr<Director> MakeDirectorApp(const Mission& mission, Bus& bus) {
-  return std::make_unique<DirectorApp>(mission, bus);
+LaunchedApps AppsToLaunch() {
+  return {.make_director = [](const Mission& mission,
+                              Bus& bus) { return std::make_unique<DirectorApp>(mission, bus); },
+          .subscriptions_of =
+              [](const RosterEntry& entry, const Mission& mission) {
+                MemoryBus hub;
+                const std::unique_ptr<App> app = MakeApp(entry, mission, hub.Join(entry.name));
+                const std::vector<std::string_view> channels = hub.SubscribedChannels();
+                return std::vector<std::string>(channels.begin(), channels.end());
+              }};
 }
 
 std::unique_ptr<Broker> MakeShoreBroker(const BrokerSetup& setup, Bus& bus) {

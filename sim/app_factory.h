@@ -9,7 +9,7 @@
 #include "lib/bus/bus.h"
 #include "lib/mission/mission.h"
 #include "lib/run/app.h"
-#include "lib/run/director.h"
+#include "lib/run/launched_apps.h"
 #include "lib/run/roster.h"
 
 namespace shoal {
@@ -18,8 +18,8 @@ namespace shoal {
 /// @pre entry.app is one of shoal's, and not the recorder
 std::unique_ptr<App> MakeApp(const RosterEntry& entry, const Mission& mission, Bus& bus);
 
-/// Returns the participant "shoal", which the launcher runs itself (lib/launch/launcher.h).
-std::unique_ptr<Director> MakeDirectorApp(const Mission& mission, Bus& bus);
+/// Returns what lib/launch/launcher.h needs of apps: its own participant "shoal" is a DirectorApp.
+LaunchedApps AppsToLaunch();
 
 /// Returns the shore_broker alone: for deciding a recorded mission again (lib/analysis/rebroker.h).
 std::unique_ptr<Broker> MakeShoreBroker(const BrokerSetup& setup, Bus& bus);

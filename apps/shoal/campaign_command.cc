@@ -251,7 +251,7 @@ int RunCampaignReplay(const CampaignReplayOptions& options) {
                    .overrides = overrides,
                    .log_path = record_dir + "/mission.lcm"});
   } else {
-    code = RunMission(run, loaded.mission, MakeDirectorApp);
+    code = RunMission(run, loaded.mission, AppsToLaunch());
   }
   if (!options.is_viewed || code == kExitUsage || code == kExitEnvironment) return code;
   std::fflush(stdout);

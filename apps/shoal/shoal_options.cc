@@ -181,7 +181,7 @@ void AddRun(CLI::App& cli, Action* action) {
       }
       const LoadedMission loaded = LoadMissionToRun(run.mission_file, DrawSeed, &run.overrides);
       if (!LoadedWithoutErrors(loaded)) return static_cast<int>(kExitUsage);
-      return RunMission(run, loaded.mission, MakeDirectorApp);
+      return RunMission(run, loaded.mission, AppsToLaunch());
     };
   });
 }

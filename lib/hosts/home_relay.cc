@@ -196,7 +196,8 @@ int64_t HomeRelay::NextDeadline() const {
 }
 
 std::function<bool(std::string_view)> ChannelsOf(const std::vector<std::string>& all_vehicles,
-                                                 const std::vector<std::string>& vehicles) {
+                                                 const std::vector<std::string>& vehicles,
+                                                 const std::vector<std::string>& others) {
   // The ports of the `communities` layout show whose a channel is; vehicles beyond 128 share them.
   const auto plan =
       std::make_shared<PortPlan>(PortPlan::kDefaultBase, Layout::kCommunities, all_vehicles);
@@ -207,11 +208,12 @@ std::function<bool(std::string_view)> ChannelsOf(const std::vector<std::string>&
   }
   // A step asks for the same channels again and again.
   auto known = std::make_shared<std::unordered_map<std::string, bool, TextHash, std::equal_to<>>>();
-  return [plan, ports, known](std::string_view channel) {
+  for (const std::string& channel : others) known->emplace(channel, true);
+  return [plan, ports, known, num_others = known->size()](std::string_view channel) {
     const auto found = known->find(channel);
     if (found != known->end()) return found->second;
     const bool is_wanted = ports->contains(plan->PortOf(channel));
-    if (known->size() < kMostKnownChannels) known->emplace(channel, is_wanted);
+    if (known->size() < num_others + kMostKnownChannels) known->emplace(channel, is_wanted);
     return is_wanted;
   };
 }

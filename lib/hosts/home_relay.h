@@ -95,8 +95,9 @@ class HomeRelay {
 };
 
 /// Returns which channels the participants of some vehicles may subscribe to: those of the shore
-/// and of these vehicles.
+/// and of these vehicles, and `others`, such as the NAV of a vehicle that they follow.
 [[nodiscard]] std::function<bool(std::string_view channel)> ChannelsOf(
-    const std::vector<std::string>& all_vehicles, const std::vector<std::string>& vehicles);
+    const std::vector<std::string>& all_vehicles, const std::vector<std::string>& vehicles,
+    const std::vector<std::string>& others);
 
 }  // namespace shoal

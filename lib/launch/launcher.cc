@@ -73,10 +73,9 @@ std::vector<std::string> ParticipantNames(const std::vector<RosterProcess>& proc
 
 }  // namespace
 
-Launcher::Launcher(const RunOptions& options, const Mission& mission,
-                   const MakeDirector& make_director, PortPlan ports, int64_t mission_id,
-                   const MissionSecret& secret, int secret_fd, std::string log_dir,
-                   std::optional<HostAccess> access)
+Launcher::Launcher(const RunOptions& options, const Mission& mission, const LaunchedApps& apps,
+                   PortPlan ports, int64_t mission_id, const MissionSecret& secret, int secret_fd,
+                   std::string log_dir, std::optional<HostAccess> access)
     : options_(options),
       mission_(mission),
       ports_(std::move(ports)),
@@ -95,7 +94,7 @@ Launcher::Launcher(const RunOptions& options, const Mission& mission,
               .secret = secret,
               .give_up_us = GiveUpAfter_us(mission)},
              ports_, transport_),
-      director_(make_director(mission, group_.Join(kOwnName))),
+      director_(apps.make_director(mission, group_.Join(kOwnName))),
       clock_(MakeClockOptions(options, mission, mission_id, secret), ParticipantNames(processes_),
              ports_, transport_),
       hosts_(access ? std::make_unique<MissionHosts>(context_, secret, processes_, transport_,
@@ -219,8 +218,7 @@ int Launcher::Conclude() {
   return director_->Passed() ? 0 : static_cast<int>(kExitMissionFailed);
 }
 
-int RunMission(const RunOptions& options, const Mission& mission,
-               const MakeDirector& make_director) {
+int RunMission(const RunOptions& options, const Mission& mission, const LaunchedApps& apps) {
   const auto fail = [](const std::string& why) {
     fmt::print(stderr, "shoal: {}\n", why);
     return static_cast<int>(kExitEnvironment);
@@ -237,7 +235,7 @@ int RunMission(const RunOptions& options, const Mission& mission,
   if (!missing.empty()) return fail(fmt::format("{}", fmt::join(missing, "\nshoal: ")));
   std::optional<HostAccess> access;
   if (!HostsInUse(mission).empty()) {
-    Result<HostAccess> prepared = PrepareHosts(mission, options);
+    Result<HostAccess> prepared = PrepareHosts(mission, options, apps);
     if (!prepared.ok()) {
       fmt::print(stderr, "shoal: {}\n", prepared.error());
       return kExitUsage;
@@ -284,7 +282,7 @@ int RunMission(const RunOptions& options, const Mission& mission,
   int code = 0;
   {
     const int signal_fd = BlockSignals();
-    Launcher launcher(options, mission, make_director, running.Ports(), running.mission_id, secret,
+    Launcher launcher(options, mission, apps, running.Ports(), running.mission_id, secret,
                       *secret_fd, *log_dir, std::move(access));
     code = launcher.Run(signal_fd);
     close(signal_fd);

@@ -16,8 +16,8 @@
 #include "lib/launch/launch_terminal.h"
 #include "lib/launch/supervision.h"
 #include "lib/mission/mission.h"
-#include "lib/run/director.h"
 #include "lib/run/grouping.h"
+#include "lib/run/launched_apps.h"
 #include "lib/run/step_clock.h"
 #include "lib/run/step_group.h"
 #include "lib/run/wake_rule.h"
@@ -26,14 +26,13 @@ namespace shoal {
 
 /// Runs the mission to its end. Returns the exit code (lib/check/result.h). Prints progress and
 /// summary to standard output, trouble to standard error.
-int RunMission(const RunOptions& options, const Mission& mission,
-               const MakeDirector& make_director);
+int RunMission(const RunOptions& options, const Mission& mission, const LaunchedApps& apps);
 
 class Launcher {
  public:
   /// `ports` must be claimed. `access`: where the mission has hosts that run something. Nothing is
   /// started before Run.
-  Launcher(const RunOptions& options, const Mission& mission, const MakeDirector& make_director,
+  Launcher(const RunOptions& options, const Mission& mission, const LaunchedApps& apps,
            PortPlan ports, int64_t mission_id, const MissionSecret& secret, int secret_fd,
            std::string log_dir, std::optional<HostAccess> access);
 

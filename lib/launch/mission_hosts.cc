@@ -34,6 +34,11 @@ void Watch(int poll, int descriptor, uint32_t host = kNoHost) {
   epoll_ctl(poll, EPOLL_CTL_ADD, descriptor, &event);
 }
 
+/// False for a program of the user's, in place of one of shoal's or beside them.
+bool IsShoalsOwn(const RosterEntry& entry) {
+  return !entry.app.empty() && entry.provider == Provider::kShoal;
+}
+
 double Milliseconds(int64_t us) { return static_cast<double>(us) / 1e3; }
 
 }  // namespace
@@ -46,7 +51,8 @@ std::vector<HostOptions> HostsInUse(const Mission& mission) {
   return hosts;
 }
 
-Result<HostAccess> PrepareHosts(const Mission& mission, const RunOptions& options) {
+Result<HostAccess> PrepareHosts(const Mission& mission, const RunOptions& options,
+                                const LaunchedApps& apps) {
   HostAccess access;
   const std::string folder = std::filesystem::path(mission.file).parent_path().string();
   for (const HostOptions& host : HostsInUse(mission)) {
@@ -69,6 +75,10 @@ Result<HostAccess> PrepareHosts(const Mission& mission, const RunOptions& option
   Result<std::vector<OfferedFile>> files = FilesOfMission(options.mission_file, options.overrides);
   if (!files.ok()) return Error{files.error()};
   access.files = std::move(*files);
+  for (const RosterEntry& entry : MakeRoster(mission, false)) {
+    if (entry.host.empty() || !IsShoalsOwn(entry)) continue;
+    access.subscriptions[entry.name] = apps.subscriptions_of(entry, mission);
+  }
   return access;
 }
 
@@ -83,8 +93,9 @@ MissionHosts::MissionHosts(const LaunchContext& context, const MissionSecret& se
   std::vector<RelayedHost> relayed;
   for (const HostOptions& options : HostsInUse(context.mission)) {
     Host host{.options = options};
-    RelayedHost each{.participants = {},
-                     .wants = ChannelsOf(VehicleNames(context.mission), options.vehicles)};
+    RelayedHost each;
+    std::vector<std::string> subscriptions;
+    bool may_read_all = false;
     for (const RosterProcess& process : processes) {
       if (process.entries.front().host != options.name) continue;
       host.processes.push_back(process.name);
@@ -92,9 +103,14 @@ MissionHosts::MissionHosts(const LaunchContext& context, const MissionSecret& se
         host.participants.push_back(entry.name);
         each.participants.insert(entry.name);
         // A program of the user's own may subscribe to anything.
-        if (entry.app.empty()) each.wants = [](std::string_view) { return true; };
+        if (!IsShoalsOwn(entry)) may_read_all = true;
+        const auto found = access_.subscriptions.find(entry.name);
+        if (found == access_.subscriptions.end()) continue;
+        subscriptions.insert(subscriptions.end(), found->second.begin(), found->second.end());
       }
     }
+    each.wants = ChannelsOf(VehicleNames(context.mission), options.vehicles, subscriptions);
+    if (may_read_all) each.wants = [](std::string_view) { return true; };
     if (host.participants.empty()) continue;
     relayed.push_back(std::move(each));
     hosts_.push_back(std::move(host));

@@ -19,6 +19,7 @@
 #include "lib/hosts/host_offer.h"
 #include "lib/launch/launch_plan.h"
 #include "lib/record/file_descriptor.h"
+#include "lib/run/launched_apps.h"
 
 namespace shoal {
 
@@ -34,13 +35,16 @@ struct HostAccess {
   HostKey key;                                     ///< Of this computer.
   std::map<std::string, std::string> public_keys;  ///< By host.
   std::vector<OfferedFile> files;
+  /// Channels that shoal's own apps on hosts subscribe to, by participant.
+  std::map<std::string, std::vector<std::string>> subscriptions = {};
 };
 
 /// Returns the hosts of the mission that run something.
 [[nodiscard]] std::vector<HostOptions> HostsInUse(const Mission& mission);
 
 /// Reads keys and files. The error names what is missing, and the remedy.
-[[nodiscard]] Result<HostAccess> PrepareHosts(const Mission& mission, const RunOptions& options);
+[[nodiscard]] Result<HostAccess> PrepareHosts(const Mission& mission, const RunOptions& options,
+                                              const LaunchedApps& apps);
 
 class MissionHosts {
  public:

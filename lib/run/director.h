@@ -3,8 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
-#include <memory>
 #include <string>
 
 #include "lib/bus/bus.h"
@@ -29,8 +27,5 @@ class Director : public App {
   /// collision that [mission] collisions does not allow.
   virtual bool Passed() const = 0;
 };
-
-/// Makes the director of a mission, which outlives it.
-using MakeDirector = std::function<std::unique_ptr<Director>(const Mission& mission, Bus& bus)>;
 
 }  // namespace shoal

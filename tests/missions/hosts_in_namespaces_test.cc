@@ -13,6 +13,7 @@ struct Placement {
   std::string mission;
   std::vector<std::string> vehicles;  ///< Of each host.
   bool has_programs = false;          ///< `shoal sim` runs none: then `shoal run` here is compared.
+  std::vector<std::string> overrides = {};
 };
 
 void PrintTo(const Placement& placement, std::ostream* out) { *out << placement.mission; }
@@ -81,9 +82,16 @@ TEST_P(ThreeHosts, GiveTheLogOfOneComputerOverOnePort) {
     here_command = {"run",  mission,  "--warp", "max",    "--record", folder_ / "here", "--quiet",
                     "--on", "host1=", "--on",   "host2=", "--on",     "host3="};
   }
+  std::vector<std::string> overrides;
+  for (const std::string& each : GetParam().overrides) {
+    overrides.insert(overrides.end(), {"--set", each});
+  }
+  here_command.insert(here_command.end(), overrides.begin(), overrides.end());
   const Finished here = RunShoal(folder_, here_command);
   const std::string dir = (folder_ / "rec").string();
-  const Finished run = Run({mission, "--warp", "max", "--record", dir, "--quiet"});
+  std::vector<std::string> command = {mission, "--warp", "max", "--record", dir, "--quiet"};
+  command.insert(command.end(), overrides.begin(), overrides.end());
+  const Finished run = Run(command);
   EXPECT_EQ(run.exit_code, here.exit_code) << run.output << HostOutput();
   EXPECT_NE(run.output.find("Reproducible: yes"), std::string::npos) << run.output;
   EXPECT_TRUE(ReadFile(dir + "/mission.lcm") == ReadFile(here_log)) << run.output;
@@ -112,6 +120,12 @@ INSTANTIATE_TEST_SUITE_P(
                   {"\"hider_1\", \"seeker_2\"", "\"hider_2\", \"hider_3\"", "\"seeker_3\""},
                   true},
         Placement{"swarm_fdma.toml", {"\"alpha\"", "\"bravo\", \"charlie\"", "\"delta\""}},
+        Placement{"swarm20.toml",
+                  {"\"alpha\", \"f01\", \"f02\", \"f03\", \"f04\", \"f05\"",
+                   "\"f06\", \"f07\", \"f08\", \"f09\", \"f10\"",
+                   "\"f11\", \"f12\", \"f13\", \"f14\", \"f15\""},
+                  false,
+                  {"mission.duration_s=30", "expect.2.from_s=0"}},
         Placement{"track_replay.toml", {"\"alpha\"", "\"ferry\"", "\"launch\""}},
         Placement{"acoustic_shared.toml", {"\"alpha\", \"echo\"", "\"bravo\"", "\"charlie\""}}),
     [](const auto& each) { return each.param.mission.substr(0, each.param.mission.find('.')); });

@@ -114,6 +114,24 @@ TEST_F(Mpi, WritesTheLogOfAcousticNetworks) {
                        {2, 3});
 }
 
+TEST_F(Mpi, WritesTheLogOfASwarm) {
+  ExpectAsInOneProcess(MissionFile("swarm20.toml"),
+                       {"--set", "mission.duration_s=60", "--set", "expect.2.from_s=0"}, {2, 4});
+}
+
+TEST_F(Mpi, WritesTheLogOfAFleetWhoseReportsSeveralRanksRoute) {
+  std::string text = kThreeVessels;
+  const std::string count = "count = 3";
+  text.replace(text.find(count), count.size(), "count = 200");
+  WriteFile(folder_ / "fleet.toml", "[comms]\ncomms_range = 130\neach_fate_up_to = 100\n" + text);
+  const std::string fleet = (folder_ / "fleet.toml").string();
+  ExpectAsInOneProcess(fleet, {}, {2, 3});
+  const Finished ranks = Run(2, {fleet});
+  EXPECT_NE(ranks.output.find("vehicles, verdict, part of the broker"), std::string::npos)
+      << ranks.output;
+  EXPECT_NE(ranks.output.find("vehicles, part of the broker"), std::string::npos) << ranks.output;
+}
+
 TEST_F(Mpi, WritesTheLogOfRecordedTracks) {
   ExpectAsInOneProcess(MissionFile("track_replay.toml"), {}, {2, 3});
 }

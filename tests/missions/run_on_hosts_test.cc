@@ -36,6 +36,16 @@ TEST(Hosts, HaveTheGridsOfTheMissionSentToThem) {
 #endif
 }
 
+TEST(Hosts, HaveWhereTheVehiclesOfOthersAreThatTheirOwnFollow) {
+  HostFarm farm(1);
+  const std::string mission = farm.Placed("swarm_direct.toml", {"\"bravo\""}, kPatient);
+  const std::string dir = (farm.folder / "rec").string();
+  Shorten(mission, 60);
+  const Finished finished = farm.Run(mission, {"--record", dir});
+  EXPECT_NE(finished.output.find("Reproducible: yes"), std::string::npos) << finished.output;
+  EXPECT_TRUE(ReadFile(dir + "/mission.lcm") == LogOfSim(farm.folder, mission));
+}
+
 /// A mission on hosts, its participants in shared processes.
 struct Shared {
   std::string name;
