@@ -15,15 +15,12 @@ namespace {
 constexpr std::string_view kTooManyControls =
     "UNC_* of one more vehicle not kept: a broker that starts again will not get it";
 
-/// Fates of about as many steps of a large fleet as it is busier than the others in a row.
-constexpr size_t kMostPutOff_bytes = size_t{64} << 20;
-
 /// False for what only an unregistered participant sends: no mission has as many messages.
 bool CanBeCount(int64_t count) { return count >= 0 && count <= 1'000'000'000'000; }
 
 }  // namespace
 
-DirectorApp::DirectorApp(const Mission& mission, Bus& bus)
+DirectorApp::DirectorApp(const Mission& mission, Bus& bus, Fates fates)
     : mission_(mission), bus_(bus), judge_(mission), is_done_(mission.vehicles.size()) {
   for (size_t i = 0; i < mission.vehicles.size(); ++i) {
     const std::string& name = mission.vehicles[i].name;
@@ -58,11 +55,13 @@ DirectorApp::DirectorApp(const Mission& mission, Bus& bus)
       judge_.TakeMotion(i, report.heading_deg, report.speed_mps);
     }
   });
-  bus.SubscribeBytes(channels::CommsFates().name,
-                     [this](const Message& message) { TakeFates(message); });
+  if (fates == Fates::kFromBus) {
+    bus.SubscribeBytes(channels::CommsFates().name,
+                       [this](const Message& message) { TakeFates(message); });
+  }
   if (mission.acoustics.is_used) {
     const auto sent = [this](const std::string& source) {
-      judge_.acoustic().AddSent(VehicleKey(source));
+      judge_.tally().acoustic().AddSent(VehicleKey(source));
     };
     Subscribe(bus, channels::AcousticTx(),
               [sent](const acoustic_tx_t& packet) { sent(packet.source); });
@@ -107,11 +106,7 @@ void DirectorApp::Tick(int64_t utime) {
   }
 }
 
-void DirectorApp::End() {
-  EndLastStep();
-  while (CountFates()) {
-  }
-}
+void DirectorApp::End() { EndLastStep(); }
 
 void DirectorApp::LookForTheEnd(int64_t utime) {
   size_t num_waited_for = 0;
@@ -137,44 +132,11 @@ void DirectorApp::TakeFates(const Message& message) {
         "COMMS_FATES of an unregistered participant dropped: only a broker of the mission decides");
     return;
   }
-  if (puts_fates_off_ && put_off_.size() + message.data.size() <= kMostPutOff_bytes) {
-    put_off_.insert(put_off_.end(), message.data.begin(), message.data.end());
-    put_off_ends_.push_back(put_off_.size());
-  } else {
-    CountFates(message.data);
-  }
-}
-
-bool DirectorApp::CountFates() {
-  if (num_counted_ == put_off_ends_.size()) {
-    put_off_.clear();
-    put_off_ends_.clear();
-    num_counted_ = 0;
-    return false;
-  }
-  const size_t begin = num_counted_ == 0 ? 0 : put_off_ends_[num_counted_ - 1];
-  const size_t end = put_off_ends_[num_counted_++];
-  CountFates(std::span(put_off_).subspan(begin, end - begin));
-  return true;
-}
-
-void DirectorApp::CountFates(std::span<const uint8_t> message) {
-  if (!Decode(message, &fates_message_)) {
-    bus_.CountUndecodable(channels::CommsFates().name);
+  if (!Decode(message.data, &fates_message_)) {
+    bus_.CountUndecodable(message.channel);
     return;
   }
-  for (const fate_t& fate : fates_message_.fates) {
-    for (const Kind kind : {Kind::kReport, Kind::kMessage, Kind::kAck, Kind::kPacket}) {
-      if (fate.kind != KindText(kind)) continue;
-      judge_.fates(kind).Add(fate.source, fate.destination, fate.cause, fate.count);
-      if (kind == Kind::kPacket) judge_.acoustic().AddFate(VehicleKey(fate.source), fate.number);
-    }
-    for (const acoustic_path_t& path : fate.path) {
-      judge_.acoustic().Add({.cause = fate.cause,
-                             .bits_flipped = path.bits_flipped,
-                             .num_colliders = path.num_colliders});
-    }
-  }
+  judge_.tally().Take(fates_message_.fates);
 }
 
 void DirectorApp::PublishEvent(int64_t utime, const CommandEvent& event) {

@@ -24,14 +24,15 @@ namespace shoal {
 
 class DirectorApp : public Director {
  public:
-  /// `mission` must outlive this.
-  DirectorApp(const Mission& mission, Bus& bus);
+  /// Where it takes fates from: COMMS_FATES, or AddFates() at the end of a mission whose parts
+  /// count their own.
+  enum class Fates { kFromBus, kAddedAtTheEnd };
 
-  /// From now on fates are counted when CountFates() is called, at the latest at the end: until
-  /// then what is counted of them is too little.
-  void PutFatesOff() { puts_fates_off_ = true; }
-  /// Counts the fates of a message that was put off. Returns false where none is left.
-  bool CountFates();
+  /// `mission` must outlive this.
+  DirectorApp(const Mission& mission, Bus& bus, Fates fates = Fates::kFromBus);
+
+  /// Adds what a part has counted. Returns false where it is damaged.
+  [[nodiscard]] bool AddFates(std::span<const uint8_t> tally) { return judge_.tally().Add(tally); }
 
   void Tick(int64_t utime) override;
   void End() override;
@@ -40,7 +41,7 @@ class DirectorApp : public Director {
   int64_t num_delivered() const override;
   int64_t num_blocked() const override;
   /// By link and cause.
-  const FateCounts& fates(Kind kind) const { return judge_.fates(kind); }
+  const FateCounts& fates(Kind kind) const { return judge_.tally().fates(kind); }
   const Judge& judge() const { return judge_; }
 
   std::string Summary(bool complete) const override;
@@ -49,7 +50,6 @@ class DirectorApp : public Director {
 
  private:
   void TakeFates(const Message& message);
-  void CountFates(std::span<const uint8_t> message);
   void TakeSwarm(size_t vehicle, const swarm_t& swarm);
   void EndLastStep();
   void PublishEvent(int64_t utime, const CommandEvent& event);
@@ -66,10 +66,6 @@ class DirectorApp : public Director {
   KeptControls controls_;
   bool controls_wanted_ = false;  ///< They were requested since the last step.
   comms_fates_t fates_message_;   ///< Decoded into; keeps its strings' memory.
-  bool puts_fates_off_ = false;
-  Bytes put_off_;                     ///< Messages of fates, one behind the other.
-  std::vector<size_t> put_off_ends_;  ///< Of each of them.
-  size_t num_counted_ = 0;            ///< Of these messages.
   size_t next_event_ = 0;
   std::vector<bool> is_done_;  ///< Of each vehicle: it is at the end of its tasks.
   bool ends_mission_ = false;

@@ -36,7 +36,11 @@ constexpr uint8_t kReadsThese = ':';
 
 MissionPart::MissionPart(const Mission& mission, const Placement& placement, size_t part,
                          const std::string& log_path)
-    : mission_(mission), placement_(placement), part_(part), others_(placement.num_parts) {
+    : mission_(mission),
+      placement_(placement),
+      part_(part),
+      tally_(is_shared() ? VehicleNames(mission) : std::vector<std::string>()),
+      others_(placement.num_parts) {
   SHOAL_CHECK(part < placement.num_parts, "the part is one of its placement");
   // The same order in all parts: it numbers the participants.
   if (!log_path.empty()) {
@@ -52,9 +56,10 @@ MissionPart::MissionPart(const Mission& mission, const Placement& placement, siz
     if (bus != nullptr) Add(bus, Make(entry, *bus), entry);
   }
   if (Bus* bus = Join("shoal", 0)) {
-    auto director = std::make_unique<DirectorApp>(mission, *bus);
+    auto director = std::make_unique<DirectorApp>(
+        mission, *bus,
+        is_shared() ? DirectorApp::Fates::kAddedAtTheEnd : DirectorApp::Fates::kFromBus);
     director_ = director.get();
-    if (placement.num_parts > 1) director_->PutFatesOff();
     Add(bus, std::move(director));
   }
   embedder_ = Join("embedder", 0);
@@ -81,11 +86,11 @@ Bus* MissionPart::JoinBroker(const std::string& name) {
   return &hub_.JoinShared(name);
 }
 
-std::unique_ptr<App> MissionPart::Make(const RosterEntry& entry, Bus& bus) const {
-  if (!entry.vehicle.empty() || placement_.part_of_block.empty()) {
-    return MakeApp(entry, mission_, bus);
-  }
-  BrokerShare share = {.has_block = {}, .has_rest = part_ == placement_.broker_part};
+std::unique_ptr<App> MissionPart::Make(const RosterEntry& entry, Bus& bus) {
+  if (!entry.vehicle.empty() || !is_shared()) return MakeApp(entry, mission_, bus);
+  BrokerShare share = {.has_block = {},
+                       .has_rest = part_ == placement_.broker_part,
+                       .on_fates = [this](std::span<const fate_t> fates) { tally_.Take(fates); }};
   for (const size_t part : placement_.part_of_block) share.has_block.push_back(part == part_);
   return MakeSharedBroker(mission_, bus, std::move(share));
 }
@@ -230,8 +235,6 @@ bool MissionPart::TakeBatch(size_t from, std::span<const uint8_t> batch) {
   return other.reader.IsWhole();
 }
 
-bool MissionPart::DoSpareWork() { return director_ != nullptr && director_->CountFates(); }
-
 void MissionPart::Decide() {
   for (const PartEvent& loss : news_.losses) losses_.push_back(loss.text);
 }
@@ -247,7 +250,18 @@ void MissionPart::End() {
     hub_.Handle(*member.bus);
     if (member.app) member.app->End();
   }
+  if (is_shared() && director_ != nullptr) {
+    SHOAL_CHECK(director_->AddFates(FatesForFirst()), "a part's own counts are whole");
+  }
 }
+
+Bytes MissionPart::FatesForFirst() const {
+  Bytes fates;
+  tally_.AppendTo(&fates);
+  return fates;
+}
+
+bool MissionPart::TakeFates(std::span<const uint8_t> fates) { return director_->AddFates(fates); }
 
 void MissionPart::Abandon() {
   for (const Member& member : members_) {

@@ -11,6 +11,8 @@
 //     part.Decide();                                   // the same in all parts
 //   }
 //   part.End();
+//   if (rank != 0) Send(part.FatesForFirst());          // to part 0, which
+//   for (each other part) part.TakeFates(its fates);
 //
 // Every part steps its participants in the order of the mission, all messages have the same order
 // in all parts, and what ends a mission ends it in the same step: so the log, the verdict and all
@@ -30,6 +32,7 @@
 #include "lib/mission/mission.h"
 #include "lib/run/app.h"
 #include "lib/run/roster.h"
+#include "lib/verdict/fate_tally.h"
 #include "sim/part_batch.h"
 #include "sim/placement.h"
 
@@ -64,9 +67,6 @@ class MissionPart {
   [[nodiscard]] std::span<const uint8_t> BatchFor(size_t part) const;
   /// Takes the batch of another part. Returns false where it is damaged.
   [[nodiscard]] bool TakeBatch(size_t from, std::span<const uint8_t> batch);
-  /// Does a little of what can be done at any time until the end, such as while the other parts are
-  /// waited for. Returns false where nothing is left of it.
-  bool DoSpareWork();
   /// Ends the exchange of a step: all parts know the same now.
   /// @pre a batch of each other part was taken
   void Decide();
@@ -75,6 +75,10 @@ class MissionPart {
 
   /// All participants of this part handle what was published last, and close. Once.
   void End();
+  /// Returns what the broker here has decided, for part 0. @pre End(), of another part
+  [[nodiscard]] Bytes FatesForFirst() const;
+  /// Takes that of another part. Returns false where it is damaged. @pre part 0
+  [[nodiscard]] bool TakeFates(std::span<const uint8_t> fates);
   /// The log ends with the last step that was decided: another part is lost. Once, instead of
   /// End().
   void Abandon();
@@ -121,9 +125,10 @@ class MissionPart {
   };
 
   static bool Reads(const Other& other, std::string_view channel);
+  bool is_shared() const { return placement_.num_parts > 1; }
   Bus* Join(const std::string& name, size_t part);
   Bus* JoinBroker(const std::string& name);
-  std::unique_ptr<App> Make(const RosterEntry& entry, Bus& bus) const;
+  std::unique_ptr<App> Make(const RosterEntry& entry, Bus& bus);
   void Add(Bus* bus, std::unique_ptr<App> app, std::optional<RosterEntry> entry = {});
   void TickMembers();
   void Lose(Member* member, const std::string& how);
@@ -139,8 +144,9 @@ class MissionPart {
   std::vector<Member> members_;
   Bus* embedder_ = nullptr;
   DirectorApp* director_ = nullptr;
-  std::vector<Other> others_;                                ///< By part; its own is empty.
-  size_t num_interests_ = 0;                                 ///< Of other parts that are known.
+  FateTally tally_;            ///< Of the broker here, where there are other parts.
+  std::vector<Other> others_;  ///< By part; its own is empty.
+  size_t num_interests_ = 0;   ///< Of other parts that are known.
   std::vector<std::optional<std::vector<size_t>>> readers_;  ///< Other parts, by channel.
 
   int64_t step_ = -1;

@@ -81,6 +81,9 @@ class Parts {
   void Run() {
     while (!first().MustEnd()) Step();
     for (auto& part : parts_) part->End();
+    for (size_t i = 1; i < parts_.size(); ++i) {
+      ASSERT_TRUE(first().TakeFates(parts_[i]->FatesForFirst()));
+    }
   }
 
   MissionPart& first() { return *parts_.front(); }

@@ -23,12 +23,9 @@ constexpr double kVessel_us = 0.9;     ///< Simulation, helm and node_reporter.
 constexpr double kModelStep_us = 0.6;  ///< Of a model that integrates in steps of its own.
 constexpr double kMember_us = 1;       ///< Its acomms, and the positions of the others.
 constexpr double kBehavior_us = 4;     ///< A decision, shared out over the steps between two.
-constexpr double kDirectorPerVehicle_us = 0.17;
-constexpr double kDirectorPerLink_us = 0.04;  ///< For each other vehicle with fates of its own.
+constexpr double kDirectorPerVehicle_us = 0.12;
 constexpr double kBrokerPerVehicle_us = 0.14;
-constexpr double kBrokerPerLink_us = 0.05;
-constexpr double kCrossingPerLink_us =
-    0.04;  ///< Of a fate that goes to another part, on each side.
+constexpr double kBrokerPerLink_us = 0.09;  ///< For each other vehicle with fates of its own.
 
 double CostOf(const Mission& mission, const Vehicle& vehicle) {
   double cost_us = 0;
@@ -134,40 +131,22 @@ double LevelOf(std::vector<double> loads_us, double more_us) {
 struct CommonCosts {
   double director_us = 0;
   double broker_us = 0;
-  double crossing_us = 0;  ///< On each side, where all fates go to another part.
 };
 
 CommonCosts CommonCostsOf(const Mission& mission) {
   const auto num_vehicles = static_cast<double>(mission.vehicles.size());
-  const double num_links = NumLinks(mission);
-  return {.director_us = kDirectorPerVehicle_us * num_vehicles + kDirectorPerLink_us * num_links,
-          .broker_us = kBrokerPerVehicle_us * num_vehicles + kBrokerPerLink_us * num_links,
-          .crossing_us = kCrossingPerLink_us * num_links};
+  return {.director_us = kDirectorPerVehicle_us * num_vehicles,
+          .broker_us = kBrokerPerVehicle_us * num_vehicles + kBrokerPerLink_us * NumLinks(mission)};
 }
 
-/// Gives each vehicle its share of the broker: its reports are routed where most vehicles of its
-/// block are. Returns what each part has to do before any vehicle is placed.
-std::vector<double> ShareBroker(const CommonCosts& common, size_t num_parts,
-                                std::vector<double>* costs_us) {
-  for (double& cost_us : *costs_us) {
-    cost_us += common.broker_us / static_cast<double>(costs_us->size());
-  }
-  const double crossing_us = common.crossing_us / static_cast<double>(num_parts);
-  std::vector<double> loads_us(num_parts, crossing_us);
-  loads_us[0] = common.director_us + common.crossing_us - crossing_us;
-  return loads_us;
-}
-
-/// The director takes in all that the broker decides: beside it, nothing of that crosses; apart
-/// from it, both work at the same time. Chooses that in which the busiest part has less to do,
-/// unless the user has placed it, and returns what each part has to do before any vehicle is.
+/// Chooses the part in which the busiest has less to do, unless the user has placed the broker, and
+/// returns what each part has to do before any vehicle is placed.
 std::vector<double> PlaceWholeBroker(const CommonCosts& common, double vehicles_us,
                                      Placement* placement) {
   const auto with_broker_on = [&](size_t part) {
     std::vector<double> loads_us(placement->num_parts, 0);
-    const double crossing_us = part == 0 ? 0 : common.crossing_us;
-    loads_us[0] += common.director_us + crossing_us;
-    loads_us[part] += common.broker_us + crossing_us;
+    loads_us[0] += common.director_us;
+    loads_us[part] += common.broker_us;
     return loads_us;
   };
   if (placement->broker_part == kNowhere) {
@@ -181,6 +160,18 @@ std::vector<double> PlaceWholeBroker(const CommonCosts& common, double vehicles_
     placement->broker_part = is_better_apart ? 1 : 0;
   }
   return with_broker_on(placement->broker_part);
+}
+
+/// Gives each vehicle its share of the broker: its reports are routed where most vehicles of its
+/// block are. Returns what each part has to do before any vehicle is placed.
+std::vector<double> ShareBroker(const CommonCosts& common, size_t num_parts,
+                                std::vector<double>* costs_us) {
+  for (double& cost_us : *costs_us) {
+    cost_us += common.broker_us / static_cast<double>(costs_us->size());
+  }
+  std::vector<double> loads_us(num_parts, 0);
+  loads_us[0] = common.director_us;
+  return loads_us;
 }
 
 /// Gives each block to the part that has most of its vehicles.

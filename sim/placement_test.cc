@@ -48,6 +48,8 @@ TEST(Placement, GivesFewerVehiclesToThePartThatHasTheDirector) {
 TEST(Placement, CountsWhatTheBrokerDecidesAbout) {
   Mission mission = Fleet(300);
   mission.comms.comms_range_m = 50;
+  mission.comms.reports_over.names = {
+      std::string(kAcousticMedium)};  // So that the broker is whole.
   const Placement few = Place(mission, 2);
   mission.comms.comms_range_m = 150;
   EXPECT_LT(CountsOf(Place(mission, 2))[0] + 5, CountsOf(few)[0]);
@@ -79,11 +81,12 @@ TEST(Placement, LeavesTheBrokerWholeInASmallFleetAndWhereTheUserPlacesIt) {
 TEST(Placement, PutsAWholeBrokerBesideTheDirectorWhileTheirPartIsNotTheBusiest) {
   Mission mission = Fleet(300);
   mission.comms.reports_over.names = {std::string(kAcousticMedium)};
-  mission.comms.comms_range_m = 50;  // Little to decide: 93 us of it, beside 270 us of vehicles.
+  mission.comms.comms_range_m = 50;  // Little to decide: 78 us of it, beside 270 us of vehicles.
   EXPECT_EQ(Place(mission, 2).broker_part, 0U);
   EXPECT_EQ(Place(mission, 3).broker_part, 0U);
-  EXPECT_EQ(Place(mission, 4).broker_part, 1U);
-  mission.comms.comms_range_m = -1;  // No limit: 89,700 links, and the fates of all would cross.
+  EXPECT_EQ(Place(mission, 5).broker_part, 1U);
+  mission.comms.comms_range_m =
+      -1;  // No limit: 89,700 links, beside which the director is nothing.
   EXPECT_EQ(Place(mission, 2).broker_part, 0U);
 }
 

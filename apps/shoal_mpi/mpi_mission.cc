@@ -55,8 +55,7 @@ class RankMission {
   explicit RankMission(const MpiOptions& options)
       : options_(options),
         ranks_({.give_up_after_s = options.give_up_after_s,
-                .is_interrupted = [] { return was_interrupted.load(); },
-                .do_spare_work = [this] { return part_ && part_->DoSpareWork(); }}) {}
+                .is_interrupted = [] { return was_interrupted.load(); }}) {}
 
   int Run() {
     std::optional<EarlyEnd> end = Meet();
@@ -103,6 +102,7 @@ class RankMission {
   std::optional<EarlyEnd> Open();
   std::optional<EarlyEnd> TakeSteps();
   void ExchangeBatches();
+  void GatherFates();
   int Conclude();
   void ShowRanks() const;
   void ShowTimes(const std::vector<std::string>& reports) const;
@@ -227,6 +227,7 @@ std::optional<EarlyEnd> RankMission::TakeSteps() {
     part_->Decide();
   }
   part_->End();
+  if (ranks_.num_ranks() > 1) GatherFates();
   stepping_us_ = ProcessorMicroseconds() - processor_begin_us - exchanging_us_;
   return std::nullopt;
 }
@@ -243,6 +244,18 @@ void RankMission::ExchangeBatches() {
     if (rank == ranks_.rank() || part_->TakeBatch(rank, incoming_[rank])) continue;
     GiveUp(
         {fmt::format("step {}: what {} has sent is damaged", part_->step(), ranks_.NameOf(rank))});
+  }
+}
+
+/// Each rank has counted what its part of the broker decided: rank 0 judges by all of it.
+void RankMission::GatherFates() {
+  const Bytes fates = is_first() ? Bytes() : part_->FatesForFirst();
+  std::ranges::fill(outgoing_, std::span<const uint8_t>());
+  outgoing_[0] = fates;
+  if (const auto lost = ranks_.Round("the fates", outgoing_, &incoming_)) GiveUp(*lost);
+  for (size_t rank = 1; rank < ranks_.num_ranks() && is_first(); ++rank) {
+    if (part_->TakeFates(incoming_[rank])) continue;
+    GiveUp({fmt::format("the fates that {} has counted are damaged", ranks_.NameOf(rank))});
   }
 }
 

@@ -147,9 +147,8 @@ std::optional<Error> RankExchange::Round(const std::string& what,
   const double begin_s = Seconds();
   double next_look_s = kLook_s;
   while (!Advance(&requests, incoming)) {
-    const bool is_busy = options_.do_spare_work();
     const double waited_s = Seconds() - begin_s;
-    if (is_busy || waited_s < spin_s_) continue;
+    if (waited_s < spin_s_) continue;
     std::this_thread::sleep_for(kSleep);
     const bool is_first = IsFirstToWait(requests.waited_for);
     const double later_s = is_first ? 0 : kOthersLater_s;

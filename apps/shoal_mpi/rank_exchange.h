@@ -31,8 +31,6 @@ struct RankExchangeOptions {
   double give_up_after_s = 60;  ///< ... and given up after this.
   /// Asked while waiting: true where a signal has asked this process to end.
   std::function<bool()> is_interrupted = [] { return false; };
-  /// Called while waiting, before the core is given away, as long as it returns true.
-  std::function<bool()> do_spare_work = [] { return false; };
 };
 
 /// Where a rank runs, for the errors that name it.

@@ -21,6 +21,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "apps/shore_broker/fate_writer.h"
@@ -59,14 +60,14 @@ class Delivery {
  public:
   /// All must outlive this.
   Delivery(const BrokerSetup& setup, Bus& bus, Router* router, MediaTraffic* traffic,
-           StatusLog* log)
+           StatusLog* log, FateWriter::OnFates on_fates)
       : setup_(setup),
         bus_(bus),
         router_(*router),
         traffic_(*traffic),
         log_(*log),
         has_gateways_(!traffic->Gateways().empty()),
-        fates_(bus),
+        fates_(bus, std::move(on_fates)),
         media_(bus),
         pulses_(bus) {}
 

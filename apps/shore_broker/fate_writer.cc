@@ -1,8 +1,10 @@
 #include "apps/shore_broker/fate_writer.h"
 
+#include <utility>
+
 namespace shoal {
 
-FateWriter::FateWriter(Bus& bus) : bus_(bus) {
+FateWriter::FateWriter(Bus& bus, OnFates on_fates) : bus_(bus), on_fates_(std::move(on_fates)) {
   message_.num_fates = 0;
   message_.fates.resize(kMaxFatesPerMessage);
 }
@@ -38,6 +40,9 @@ void FateWriter::Flush(int64_t utime) {
   if (message_.num_fates == 0) return;
   message_.utime = utime;
   Publish(bus_, channel_, message_);
+  if (on_fates_) {
+    on_fates_(std::span(message_.fates).first(static_cast<size_t>(message_.num_fates)));
+  }
   message_.num_fates = 0;
   num_paths_ = 0;
 }

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -19,7 +21,10 @@ class FateWriter {
   /// The same for acoustic transmissions, which are larger.
   static constexpr int32_t kMaxPathsPerMessage = 150;
 
-  explicit FateWriter(Bus& bus);
+  using OnFates = std::function<void(std::span<const fate_t>)>;
+
+  /// `on_fates`, where given, is called with what is published.
+  explicit FateWriter(Bus& bus, OnFates on_fates = {});
 
   /// Adds one fate; publishes when the message is full. `destination` is not asked for where the
   /// decision counts several together. `path`, where it was sent acoustically.
@@ -31,6 +36,7 @@ class FateWriter {
 
  private:
   Bus& bus_;
+  const OnFates on_fates_;
   const Channel<comms_fates_t> channel_ = channels::CommsFates();
   int32_t num_paths_ = 0;
   comms_fates_t message_;  ///< Keeps its strings' memory: only the first num_fates are meant.

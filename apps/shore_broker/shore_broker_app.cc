@@ -36,7 +36,7 @@ ShoreBrokerApp::ShoreBrokerApp(BrokerSetup setup, Bus& bus, BrokerShare share)
       inbox_(share_.has_rest ? BrokerInbox::Takes::kAll : BrokerInbox::Takes::kReports, bus, &log_),
       router_(setup_.rules, setup_.seed, setup_.vehicles),
       traffic_(setup_),
-      delivery_(setup_, bus, &router_, &traffic_, &log_),
+      delivery_(setup_, bus, &router_, &traffic_, &log_, share_.on_fates),
       reports_({.setup = setup_,
                 .share = share_,
                 .bus = bus,

@@ -5,9 +5,12 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <span>
 #include <vector>
 
 #include "lib/broker/broker_setup.h"
+#include "shoal/fate_t.hpp"
 
 namespace shoal {
 
@@ -37,6 +40,8 @@ class ReportBlocks {
 struct BrokerShare {
   std::vector<bool> has_block = {};  ///< Routes the reports of these; empty: of all.
   bool has_rest = true;              ///< Routes all but reports, and publishes the rules.
+  /// Called with what is published on COMMS_FATES, where given.
+  std::function<void(std::span<const fate_t>)> on_fates = {};
 
   bool Has(size_t block) const { return has_block.empty() || has_block[block]; }
 };

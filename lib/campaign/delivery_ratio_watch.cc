@@ -14,7 +14,7 @@ class DeliveryRatioWatch : public MetricWatch {
       : traffic_(spec.traffic), from_(Ends(mission, spec.from)), to_(Ends(mission, spec.to)) {}
 
   double Value(const Judge& judge) const override {
-    const FateCounts& counts = traffic_ ? judge.fates(*traffic_) : judge.swarm_counts();
+    const FateCounts& counts = traffic_ ? judge.tally().fates(*traffic_) : judge.swarm_counts();
     int64_t delivered = 0;
     int64_t offered = 0;
     for (const int from : from_) {

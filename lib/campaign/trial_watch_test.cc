@@ -282,13 +282,13 @@ TEST(DeliveryMetric, IsTheShareOfTheLinksThatItNames) {
                          .traffic = traffic,
                          .from = std::move(from),
                          .to = std::move(to)});
-    FateCounts& reports = trial.judge().fates(Kind::kReport);
+    FateCounts& reports = trial.judge().tally().fates(Kind::kReport);
     reports.Add("alpha", "bravo", "delivered", 3);
     reports.Add("alpha", "bravo", "stale_receiver", 1);
     reports.Add("alpha", "charlie", "out_of_range", 4);
     reports.Add("bravo", "charlie", "delivered", 1);
     reports.Add("bravo", "*", "out_of_range", 11);
-    trial.judge().fates(Kind::kAck).Add("bravo", "alpha", "delivered", 1);
+    trial.judge().tally().fates(Kind::kAck).Add("bravo", "alpha", "delivered", 1);
     trial.judge().TakeSwarm(1, "charlie", {.clean = 5, .recovered = 1, .rejected = 2});
     return trial.Value();
   };

@@ -15,6 +15,8 @@
 #include <cstring>
 #include <limits>
 #include <span>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "lib/check/check.h"
@@ -32,6 +34,12 @@ void AppendLittleEndian(Number number, std::vector<uint8_t>* bytes) {
   } else {
     bytes->insert(bytes->end(), raw.begin(), raw.end());
   }
+}
+
+/// Appends a text behind its length.
+inline void AppendSizedText(std::string_view text, std::vector<uint8_t>* bytes) {
+  AppendLittleEndian(static_cast<uint32_t>(text.size()), bytes);
+  bytes->insert(bytes->end(), text.begin(), text.end());
 }
 
 class LittleEndianReader {
@@ -53,6 +61,23 @@ class LittleEndianReader {
     Number number;
     std::memcpy(&number, raw.data(), sizeof number);
     return number;
+  }
+
+  /// The same of bytes that may be damaged: returns false where too few are left.
+  template <class Number>
+  [[nodiscard]] bool Take(Number* number) {
+    if (num_left() < sizeof(Number)) return false;
+    *number = Take<Number>();
+    return true;
+  }
+  /// Takes what AppendSizedText appended. Returns false where it is not whole.
+  [[nodiscard]] bool TakeSizedText(std::string* text) {
+    uint32_t size = 0;
+    if (!Take(&size) || num_left() < size) return false;
+    const auto part = bytes_.subspan(place_, size);
+    text->assign(part.begin(), part.end());
+    place_ += size;
+    return true;
   }
 
  private:

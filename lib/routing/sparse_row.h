@@ -28,6 +28,18 @@ class SparseRow {
     return pages_[PageOf(index) - 1][index % kPageSize];
   }
 
+  /// Calls `visit(index, value)` for each value that is not kRest, in order of indices.
+  template <class Visit>
+  void ForEach(Visit visit) const {
+    for (size_t place = 0; place < directory_.size(); ++place) {
+      if (directory_[place] == 0) continue;
+      const std::array<T, kPageSize>& page = pages_[directory_[place] - 1];
+      for (size_t i = 0; i < kPageSize; ++i) {
+        if (page[i] != kRest) visit(place * kPageSize + i, page[i]);
+      }
+    }
+  }
+
   /// Sets the value back to kRest.
   void Reset(size_t index) {
     const size_t page = PageOf(index);

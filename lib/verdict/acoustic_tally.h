@@ -14,6 +14,8 @@
 #include <utility>
 #include <vector>
 
+#include "lib/codec/little_endian.h"
+
 namespace shoal {
 
 /// One packet at one receiver.
@@ -32,7 +34,7 @@ class AcousticTally {
     packets_[source].concluded.insert(number);
   }
 
-  bool IsEmpty() const { return num_receptions_ == 0 && NumInTransit() == 0; }
+  bool IsEmpty() const { return numbers_.all == 0 && NumInTransit() == 0; }
   /// Packets without any fate yet.
   [[nodiscard]] int64_t NumInTransit() const;
 
@@ -42,19 +44,31 @@ class AcousticTally {
   [[nodiscard]] std::string Text() const;
   [[nodiscard]] std::string Csv() const;
 
+  /// Appends all counts.
+  void AppendTo(std::vector<uint8_t>* bytes) const;
+  /// Adds what another tally has appended. Returns false where it is damaged.
+  [[nodiscard]] bool AddFrom(LittleEndianReader* reader);
+
  private:
   struct Packets {
     int64_t num_sent = 0;
     std::set<int64_t> concluded;
   };
 
-  int64_t num_receptions_ = 0;
-  int64_t num_overlapped_ = 0;
-  int64_t num_with_bit_errors_ = 0;
-  int64_t num_bits_flipped_ = 0;
-  int64_t num_damaged_by_collision_ = 0;
-  int64_t num_damaged_by_bit_errors_ = 0;
-  int64_t num_damaged_by_either_ = 0;  ///< Both happened to them.
+  /// Of receptions.
+  struct Numbers {
+    int64_t all = 0;
+    int64_t overlapped = 0;
+    int64_t with_bit_errors = 0;
+    int64_t bits_flipped = 0;
+    int64_t damaged_by_collision = 0;
+    int64_t damaged_by_bit_errors = 0;
+    int64_t damaged_by_either = 0;  ///< Both happened to them.
+  };
+
+  static int64_t Numbers::*const kNumbers[7];
+
+  Numbers numbers_;
   std::map<std::string, Packets> packets_;
 };
 

@@ -9,6 +9,8 @@ namespace shoal {
 namespace {
 /// Far more than there are; causes that an unregistered sender invents share the last one.
 constexpr size_t kMaxCauses = 32;
+/// More than any part of a mission counts.
+constexpr int64_t kMostOfALink = int64_t{1} << 50;
 }  // namespace
 
 FateCounts::FateCounts(const std::vector<std::string>& vehicles)
@@ -22,13 +24,53 @@ FateCounts::FateCounts(const std::vector<std::string>& vehicles)
 void FateCounts::Add(std::string_view source, std::string_view destination, std::string_view cause,
                      int32_t count) {
   if (count < 1) return;
-  CauseCount& counted = FindOrAdd(cause);
-  counted.total += count;
-  const size_t from = PlaceOf(source);
-  const size_t to = PlaceOf(destination);
-  counted.by_source[from] += count;
-  counted.by_destination[to] += count;
-  counted.by_link[from].At(to) += count;
+  Add(PlaceOf(source), PlaceOf(destination), count, &FindOrAdd(cause));
+}
+
+void FateCounts::Add(size_t from, size_t to, int64_t count, CauseCount* counted) {
+  counted->total += count;
+  counted->by_source[from] += count;
+  counted->by_destination[to] += count;
+  counted->by_link[from].At(to) += count;
+}
+
+/// Causes; of each, links and their counts.
+void FateCounts::AppendTo(std::vector<uint8_t>* bytes) const {
+  AppendLittleEndian(static_cast<uint32_t>(counts_.size()), bytes);
+  for (const CauseCount& count : counts_) {
+    AppendSizedText(count.cause, bytes);
+    uint32_t num_links = 0;
+    for (const auto& row : count.by_link) row.ForEach([&](size_t, int64_t) { ++num_links; });
+    AppendLittleEndian(num_links, bytes);
+    for (size_t from = 0; from < count.by_link.size(); ++from) {
+      count.by_link[from].ForEach([&](size_t to, int64_t number) {
+        AppendLittleEndian(static_cast<uint32_t>(from), bytes);
+        AppendLittleEndian(static_cast<uint32_t>(to), bytes);
+        AppendLittleEndian(number, bytes);
+      });
+    }
+  }
+}
+
+bool FateCounts::AddFrom(LittleEndianReader* reader) {
+  uint32_t num_causes = 0;
+  if (!reader->Take(&num_causes)) return false;
+  for (uint32_t cause = 0; cause < num_causes; ++cause) {
+    std::string text;
+    uint32_t num_links = 0;
+    if (!reader->TakeSizedText(&text) || !reader->Take(&num_links)) return false;
+    CauseCount& counted = FindOrAdd(text);
+    for (uint32_t link = 0; link < num_links; ++link) {
+      uint32_t from = 0;
+      uint32_t to = 0;
+      int64_t count = 0;
+      if (!reader->Take(&from) || !reader->Take(&to) || !reader->Take(&count)) return false;
+      if (from >= num_places_ || to >= num_places_ || count < 1 || count > kMostOfALink)
+        return false;
+      Add(from, to, count, &counted);
+    }
+  }
+  return true;
 }
 
 int64_t FateCounts::Count(int source, int destination, std::string_view cause) const {

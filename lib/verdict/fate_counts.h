@@ -12,6 +12,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "lib/codec/little_endian.h"
 #include "lib/routing/sparse_row.h"
 
 namespace shoal {
@@ -38,6 +39,11 @@ class FateCounts {
   /// All fates by cause, "delivered" among them.
   std::map<std::string, int64_t> Totals() const;
 
+  /// Appends all counts.
+  void AppendTo(std::vector<uint8_t>* bytes) const;
+  /// Adds what counts of the same vehicles have appended. Returns false where it is damaged.
+  [[nodiscard]] bool AddFrom(LittleEndianReader* reader);
+
  private:
   struct TextHash {
     using is_transparent = void;
@@ -53,6 +59,7 @@ class FateCounts {
   };
 
   size_t PlaceOf(std::string_view name) const;
+  static void Add(size_t from, size_t to, int64_t count, CauseCount* counted);
   CauseCount& FindOrAdd(std::string_view cause);
   int64_t Sum(const CauseCount& count, int source, int destination) const;
 

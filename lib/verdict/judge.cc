@@ -129,7 +129,7 @@ Judge::Judge(const Mission& mission)
       estimates_m_(mission.vehicles.size()),
       travelled_m_(mission.vehicles.size()),
       helms_(mission.vehicles.size()),
-      fates_(kNumKinds, FateCounts(NamesOf(mission))),
+      tally_(NamesOf(mission)),
       swarm_counts_(NamesOf(mission)),
       has_left_park_(mission.vehicles.size()),
       positions_m_(mission.vehicles.size(), Eigen::Vector3d::Zero()),
@@ -414,7 +414,7 @@ std::string Judge::VehiclesWithoutReports() const {
     const Vehicle& vehicle = mission_.vehicles[i];
     if (num_reporters < (mission_.IsReported(vehicle) ? 2U : 1U)) continue;
     const int place = static_cast<int>(i);
-    if (fates(Kind::kReport).Count(FateCounts::kAll, place, "delivered") == 0) {
+    if (tally_.fates(Kind::kReport).Count(FateCounts::kAll, place, "delivered") == 0) {
       names.push_back(vehicle.name);
     }
   }
@@ -437,10 +437,10 @@ Outcome Judge::FindSeparation(const SeparationExpectation& separation) const {
 Outcome Judge::FindComms(const CommsExpectation& comms) const {
   const int from = PlaceInCounts(comms.from);
   const int to = PlaceInCounts(comms.to);
-  const int64_t count = fates(comms.kind).Count(from, to, comms.cause);
+  const int64_t count = tally_.fates(comms.kind).Count(from, to, comms.cause);
   Outcome outcome = {.passed = true, .strain = 0, .numbers = std::to_string(count)};
   if (comms.at_least_pct || comms.at_most_pct) {
-    JudgeShare(comms, count, fates(comms.kind).CountOffered(from, to), &outcome);
+    JudgeShare(comms, count, tally_.fates(comms.kind).CountOffered(from, to), &outcome);
   } else {
     outcome.value = static_cast<double>(count);
   }

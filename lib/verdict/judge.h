@@ -3,7 +3,7 @@
 //   Judge judge(mission);
 //   judge.TakeNav(0, position_m);              // what was published in the step of utime,
 //   judge.TakeHelm(0, helm, utime);            // in any order,
-//   judge.fates(Kind::kReport).Add("alpha", "bravo", "delivered");
+//   judge.tally().fates(Kind::kReport).Add("alpha", "bravo", "delivered");
 //   judge.EndStep(utime);                      // then this, once per step
 //   for (const ExpectationVerdict& verdict : judge.Verdicts()) ...
 //
@@ -26,11 +26,11 @@
 #include "lib/ocean/current_grid.h"
 #include "lib/vehicle/collision_watch.h"
 #include "lib/vehicle/obstacle_watch.h"
-#include "lib/verdict/acoustic_tally.h"
 #include "lib/verdict/arrival_watch.h"
 #include "lib/verdict/coverage_watch.h"
 #include "lib/verdict/extreme_watch.h"
 #include "lib/verdict/fate_counts.h"
+#include "lib/verdict/fate_tally.h"
 #include "lib/verdict/outcome.h"
 #include "lib/verdict/separation_watch.h"
 
@@ -91,10 +91,8 @@ class Judge {
   void TakeSwarm(size_t vehicle, const std::string& sender, const SwarmShares& shares);
   /// Returns what became of messages of the swarm: clean, recovered, rejected.
   const FateCounts& swarm_counts() const { return swarm_counts_; }
-  FateCounts& fates(Kind kind) { return fates_[static_cast<size_t>(kind)]; }
-  const FateCounts& fates(Kind kind) const { return fates_[static_cast<size_t>(kind)]; }
-  AcousticTally& acoustic() { return acoustic_; }
-  const AcousticTally& acoustic() const { return acoustic_; }
+  FateTally& tally() { return tally_; }
+  const FateTally& tally() const { return tally_; }
 
   /// Evaluates the positions of all vehicles.
   void EndStep(int64_t utime);
@@ -166,8 +164,7 @@ class Judge {
   std::vector<std::optional<Eigen::Vector2d>> estimates_m_;
   std::vector<double> travelled_m_;
   std::vector<std::optional<HelmFacts>> helms_;
-  std::vector<FateCounts> fates_;  ///< By kind.
-  AcousticTally acoustic_;
+  FateTally tally_;
   FateCounts swarm_counts_;                                           ///< By outcome.
   std::map<std::pair<size_t, std::string>, SwarmShares> swarm_last_;  ///< By member and sender.
   std::vector<bool> has_left_park_;

@@ -163,21 +163,21 @@ TEST_F(JudgeTest, TakesAGivenPointAndTheMissionsEndAsDefaultLimit) {
 TEST_F(JudgeTest, CountsReportsOfOneLink) {
   Judge& judge =
       For(CommsExpectation{.from = "alpha", .to = "bravo", .at_least = 2, .at_most = {}});
-  judge.fates(Kind::kReport).Add("alpha", "Bravo", "delivered");
-  judge.fates(Kind::kReport).Add("Bravo", "alpha", "delivered");
-  judge.fates(Kind::kReport).Add("alpha", "Bravo", "out_of_range");
+  judge.tally().fates(Kind::kReport).Add("alpha", "Bravo", "delivered");
+  judge.tally().fates(Kind::kReport).Add("Bravo", "alpha", "delivered");
+  judge.tally().fates(Kind::kReport).Add("alpha", "Bravo", "out_of_range");
   EXPECT_FALSE(Only().passed);
   EXPECT_EQ(Only().numbers, "1, 1 too few");
-  judge.fates(Kind::kReport).Add("alpha", "Bravo", "delivered");
+  judge.tally().fates(Kind::kReport).Add("alpha", "Bravo", "delivered");
   EXPECT_TRUE(Only().passed);
 }
 
 TEST_F(JudgeTest, CountsReportsOfAllLinksAndOneCause) {
   Judge& judge = For(CommsExpectation{.cause = "out_of_range", .at_least = {}, .at_most = 1});
-  judge.fates(Kind::kReport).Add("alpha", "Bravo", "out_of_range");
+  judge.tally().fates(Kind::kReport).Add("alpha", "Bravo", "out_of_range");
   EXPECT_TRUE(Only().passed);
   EXPECT_EQ(Only().text, "at most 1 reports out_of_range from all to all");
-  judge.fates(Kind::kReport).Add("nemo", "alpha", "out_of_range");
+  judge.tally().fates(Kind::kReport).Add("nemo", "alpha", "out_of_range");
   EXPECT_FALSE(Only().passed);
   EXPECT_EQ(Only().numbers, "2, 1 too many");
 }
@@ -185,11 +185,11 @@ TEST_F(JudgeTest, CountsReportsOfAllLinksAndOneCause) {
 TEST_F(JudgeTest, DistinguishesReportsMessagesAndAcks) {
   Judge& judge = For(CommsExpectation{.kind = Kind::kMessage, .at_least = 3, .at_most = {}});
   EXPECT_EQ(Only().text, "at least 3 messages delivered from all to all");
-  judge.fates(Kind::kReport).Add("alpha", "Bravo", "delivered", 10);
-  judge.fates(Kind::kAck).Add("alpha", "Bravo", "delivered", 10);
-  judge.fates(Kind::kMessage).Add("alpha", "Bravo", "delivered", 2);
+  judge.tally().fates(Kind::kReport).Add("alpha", "Bravo", "delivered", 10);
+  judge.tally().fates(Kind::kAck).Add("alpha", "Bravo", "delivered", 10);
+  judge.tally().fates(Kind::kMessage).Add("alpha", "Bravo", "delivered", 2);
   EXPECT_EQ(Only().numbers, "2, 1 too few");
-  judge.fates(Kind::kMessage).Add("Bravo", "alpha", "delivered");
+  judge.tally().fates(Kind::kMessage).Add("Bravo", "alpha", "delivered");
   EXPECT_TRUE(Only().passed);
 }
 
@@ -199,8 +199,8 @@ TEST_F(JudgeTest, JudgesTheShareOfPacketsOfOneLink) {
   share.at_most_pct = 90;
   Judge& judge = For(share);
   EXPECT_EQ(Only().text, "at least 70 % and at most 90 % of packets delivered from alpha to bravo");
-  FateCounts& fates = judge.fates(Kind::kPacket);
-  judge.fates(Kind::kReport).Add("alpha", "Bravo", "delivered", 100);
+  FateCounts& fates = judge.tally().fates(Kind::kPacket);
+  judge.tally().fates(Kind::kReport).Add("alpha", "Bravo", "delivered", 100);
   fates.Add("Bravo", "alpha", "delivered", 100);
   fates.Add("alpha", "Bravo", "collision", 2);
   fates.Add("alpha", "Bravo", "packet_loss");
@@ -222,10 +222,10 @@ TEST_F(JudgeTest, TakesAShareThatIsExactlyTheLimitForWithin) {
   share.at_least_pct = 0.07;
   share.at_most_pct = 0.07;
   Judge& judge = For(share);
-  judge.fates(Kind::kPacket).Add("alpha", "bravo", "delivered", 7);
-  judge.fates(Kind::kPacket).Add("alpha", "bravo", "collision", 9993);
+  judge.tally().fates(Kind::kPacket).Add("alpha", "bravo", "delivered", 7);
+  judge.tally().fates(Kind::kPacket).Add("alpha", "bravo", "collision", 9993);
   EXPECT_TRUE(Only().passed) << Only().numbers;
-  judge.fates(Kind::kPacket).Add("alpha", "bravo", "collision");
+  judge.tally().fates(Kind::kPacket).Add("alpha", "bravo", "collision");
   EXPECT_FALSE(Only().passed) << Only().numbers;
 }
 
@@ -234,10 +234,10 @@ TEST_F(JudgeTest, WantsTheCountAndTheShare) {
   both.at_least_pct = 50;
   Judge& judge = For(both);
   EXPECT_EQ(Only().text, "at least 10 and at least 50 % of reports delivered from all to all");
-  judge.fates(Kind::kReport).Add("alpha", "bravo", "delivered", 9);
+  judge.tally().fates(Kind::kReport).Add("alpha", "bravo", "delivered", 9);
   EXPECT_FALSE(Only().passed);
   EXPECT_EQ(Only().numbers, "9 of 9 (100 %), 1 too few");
-  judge.fates(Kind::kReport).Add("alpha", "bravo", "packet_loss", 11);
+  judge.tally().fates(Kind::kReport).Add("alpha", "bravo", "packet_loss", 11);
   EXPECT_EQ(Only().numbers, "9 of 20 (45 %), 5.0 % too low, 1 too few");
 }
 
@@ -258,9 +258,9 @@ TEST_F(JudgeTest, FailsAtLeastAShareOfNothing) {
 TEST_F(JudgeTest, CountsDestinationsGivenTogetherForAllAndForNone) {
   Judge& judge =
       For(CommsExpectation{.to = "bravo", .cause = "out_of_range", .at_least = {}, .at_most = 0});
-  judge.fates(Kind::kReport).Add("alpha", "*", "out_of_range", 998);
+  judge.tally().fates(Kind::kReport).Add("alpha", "*", "out_of_range", 998);
   EXPECT_TRUE(Only().passed);
-  EXPECT_EQ(judge.fates(Kind::kReport).Count(0, FateCounts::kAll, "out_of_range"), 998);
+  EXPECT_EQ(judge.tally().fates(Kind::kReport).Count(0, FateCounts::kAll, "out_of_range"), 998);
 }
 
 TEST_F(JudgeTest, ComparesTheHelmsLastStateAndTask) {
@@ -363,8 +363,8 @@ using Warnings = std::vector<std::string>;
 
 TEST_F(JudgeTest, WarnsWhereNoVehicleWasDeployed) {
   Judge& judge = For(CommsExpectation{});
-  judge.fates(Kind::kReport).Add("alpha", "bravo", "delivered");
-  judge.fates(Kind::kReport).Add("bravo", "alpha", "delivered");
+  judge.tally().fates(Kind::kReport).Add("alpha", "bravo", "delivered");
+  judge.tally().fates(Kind::kReport).Add("bravo", "alpha", "delivered");
   Meet(&judge, 100, 0);
   judge.TakeHelm(0, {.state = "PARK", .task = ""}, At(0));
   EXPECT_EQ(judge.Warnings(), Warnings{"no vehicle was deployed: every helm stayed in PARK"});
@@ -400,8 +400,8 @@ TEST_F(JudgeTest, WarnsOfVehiclesThatReceivedNoReport) {
   Judge& judge = For(CommsExpectation{});
   Meet(&judge, 100, 0);
   Meet(&judge, 200, 1);
-  judge.fates(Kind::kReport).Add("alpha", "bravo", "delivered");
-  judge.fates(Kind::kReport).Add("bravo", "alpha", "out_of_range");
+  judge.tally().fates(Kind::kReport).Add("alpha", "bravo", "delivered");
+  judge.tally().fates(Kind::kReport).Add("bravo", "alpha", "out_of_range");
   EXPECT_EQ(judge.Warnings(), Warnings{"received no report of another vehicle: alpha"});
   mission_.vehicles[1].reporter = Provider::kNone;
   EXPECT_EQ(judge.Warnings(), Warnings{}) << "there is none that it could receive";
@@ -417,7 +417,7 @@ TEST_F(JudgeTest, WarnsOfAnArrivalThatWasMetFromTheStart) {
     arrival.stays = stays;
     Judge& judge = For(arrival);
     for (const auto& [from, to] : {std::pair("alpha", "bravo"), std::pair("bravo", "alpha")}) {
-      judge.fates(Kind::kReport).Add(from, to, "delivered");
+      judge.tally().fates(Kind::kReport).Add(from, to, "delivered");
     }
     Meet(&judge, first_m, 0);
     Meet(&judge, 500, 1);

@@ -127,14 +127,14 @@ std::string Failures(const Mission& mission, const Judge& judge, int num_missed,
 
 std::string Summarize(const Mission& mission, const Judge& judge, bool complete) {
   std::string text = VehicleTable(mission, judge) + "\n" +
-                     LinkTable(mission, judge.fates(Kind::kReport), "Reports");
+                     LinkTable(mission, judge.tally().fates(Kind::kReport), "Reports");
   for (const auto& [kind, title] :
        {std::pair(Kind::kMessage, "Messages"), std::pair(Kind::kAck, "Acks"),
         std::pair(Kind::kPacket, "Packets")}) {
-    const FateCounts& fates = judge.fates(kind);
+    const FateCounts& fates = judge.tally().fates(kind);
     if (fates.CountOffered(kAll, kAll) > 0) text += "\n" + LinkTable(mission, fates, title);
   }
-  if (!judge.acoustic().IsEmpty()) text += "\n" + judge.acoustic().Text();
+  if (!judge.tally().acoustic().IsEmpty()) text += "\n" + judge.tally().acoustic().Text();
   if (judge.num_collisions() > 0) text += CollisionList(mission, judge);
   const std::vector<ExpectationVerdict> verdicts = judge.Verdicts();
   if (!verdicts.empty()) text += "\nExpectations\n";

@@ -16,8 +16,8 @@ Mission TwoVehicles() {
 }
 
 void DeliverOne(Judge& judge) {
-  judge.fates(Kind::kReport).Add("alpha", "bravo", "delivered");
-  judge.fates(Kind::kReport).Add("alpha", "bravo", "out_of_range");
+  judge.tally().fates(Kind::kReport).Add("alpha", "bravo", "delivered");
+  judge.tally().fates(Kind::kReport).Add("alpha", "bravo", "out_of_range");
 }
 
 TEST(Summarize, ShowsVehiclesLinksAndVerdicts) {
@@ -56,9 +56,9 @@ TEST(Summarize, ShowsVehiclesLinksAndVerdicts) {
 TEST(Summarize, ShowsMessagesAndAcksWhereThereWereAny) {
   const Mission mission = TwoVehicles();
   Judge judge(mission);
-  judge.fates(Kind::kMessage).Add("alpha", "bravo", "delivered");
-  judge.fates(Kind::kMessage).Add("alpha", "bravo", "too_soon");
-  judge.fates(Kind::kMessage).Add("alpha", "", "no_destination");
+  judge.tally().fates(Kind::kMessage).Add("alpha", "bravo", "delivered");
+  judge.tally().fates(Kind::kMessage).Add("alpha", "bravo", "too_soon");
+  judge.tally().fates(Kind::kMessage).Add("alpha", "", "no_destination");
   const std::string summary = Summarize(mission, judge);
   EXPECT_NE(summary.find("    all: 0/0\n"
                          "\n"
@@ -71,9 +71,9 @@ TEST(Summarize, ShowsMessagesAndAcksWhereThereWereAny) {
       << summary;
   EXPECT_EQ(summary.find("Acks"), std::string::npos);
   EXPECT_EQ(summary.find("Packets"), std::string::npos);
-  judge.fates(Kind::kAck).Add("bravo", "alpha", "delivered");
+  judge.tally().fates(Kind::kAck).Add("bravo", "alpha", "delivered");
   EXPECT_NE(Summarize(mission, judge).find("\n\nAcks delivered/offered\n"), std::string::npos);
-  judge.fates(Kind::kPacket).Add("bravo", "alpha", "collision");
+  judge.tally().fates(Kind::kPacket).Add("bravo", "alpha", "collision");
   EXPECT_NE(Summarize(mission, judge).find("    all: 0/1, collision 1\n"), std::string::npos);
   EXPECT_NE(Summarize(mission, judge).find("\n\nPackets delivered/offered\n"), std::string::npos);
 }

@@ -92,14 +92,15 @@ TEST_F(VerdictValue, OfAHelmIsWhetherAllAreThere) {
 
 TEST_F(VerdictValue, OfTransmissionsIsACountOrAShareAsItIsExpected) {
   Judge& judge = For(CommsExpectation{.at_least = 1});
-  for (int i = 0; i < 3; ++i) judge.fates(Kind::kReport).Add("alpha", "bravo", "delivered");
-  judge.fates(Kind::kReport).Add("bravo", "alpha", "out_of_range");
+  for (int i = 0; i < 3; ++i) judge.tally().fates(Kind::kReport).Add("alpha", "bravo", "delivered");
+  judge.tally().fates(Kind::kReport).Add("bravo", "alpha", "out_of_range");
   EXPECT_EQ(Only().value, 3);
   EXPECT_EQ(Only().unit, "");
   Judge& by_share = For(CommsExpectation{.at_least_pct = 50});
   EXPECT_EQ(Only().value, std::nullopt) << "nothing was offered";
-  for (int i = 0; i < 3; ++i) by_share.fates(Kind::kReport).Add("alpha", "bravo", "delivered");
-  by_share.fates(Kind::kReport).Add("bravo", "alpha", "out_of_range");
+  for (int i = 0; i < 3; ++i)
+    by_share.tally().fates(Kind::kReport).Add("alpha", "bravo", "delivered");
+  by_share.tally().fates(Kind::kReport).Add("bravo", "alpha", "out_of_range");
   EXPECT_EQ(Only().value, 75);
   EXPECT_EQ(Only().unit, "%");
 }
