@@ -162,9 +162,9 @@ TEST(MissionPart, GivesTheSameWhateverThePlacement) {
   }
 }
 
-/// 150 vessels in three blocks that meet, talk and change rules while they do, so that all kinds of
-/// decisions about reports happen: counted together, too far, too soon, lost, wanted whatever the
-/// rules.
+/// 150 vessels in three blocks that meet, send messages and change rules while they do, so that all
+/// kinds of decisions about reports happen: counted together, too far, too soon, lost, wanted
+/// whatever the rules.
 Mission BusyFleet() {
   std::string text = R"(
 [mission]

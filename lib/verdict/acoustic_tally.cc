@@ -106,7 +106,8 @@ bool AcousticTally::AddFrom(LittleEndianReader* reader) {
     std::string source;
     int64_t num_sent = 0;
     uint32_t num_concluded = 0;
-    if (!reader->TakeSizedText(&source) || !reader->Take(&num_sent) || !reader->Take(&num_concluded)) {
+    if (!reader->TakeSizedText(&source) || !reader->Take(&num_sent) ||
+        !reader->Take(&num_concluded)) {
       return false;
     }
     if (num_sent < 0 || num_sent > kMostAdded) return false;
