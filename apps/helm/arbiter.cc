@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "lib/geometry/angles.h"
-#include "lib/mission/update_reader.h"
+#include "lib/mission/behavior_update.h"
 #include "lib/run/status_page.h"
 
 namespace shoal {

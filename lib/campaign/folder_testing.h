@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <string>
 
-#include "lib/campaign/campaign_folder.h"
+#include "lib/campaign/trial.h"
 
 namespace shoal {
 

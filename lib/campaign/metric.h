@@ -52,4 +52,13 @@ struct MetricSpec {
   bool operator==(const MetricSpec&) const = default;
 };
 
+/// A metric as results name it.
+struct MetricName {
+  std::string name;  ///< "closest_m"; of expectations "expect_1".
+  std::string unit;  ///< "m", "s", "%", ""; for axes and tables.
+  std::string text;  ///< What it is, in one line: "no two vehicles closer than 5 m".
+
+  bool operator==(const MetricName&) const = default;
+};
+
 }  // namespace shoal

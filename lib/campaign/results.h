@@ -17,15 +17,6 @@ struct CampaignCase {
   std::string policy;               ///< Empty: the campaign has none.
 };
 
-/// A metric as results name it.
-struct MetricName {
-  std::string name;  ///< "closest_m"; of expectations "expect_1".
-  std::string unit;  ///< "m", "s", "%", ""; for axes and tables.
-  std::string text;  ///< What it is, in one line: "no two vehicles closer than 5 m".
-
-  bool operator==(const MetricName&) const = default;
-};
-
 struct TrialRow {
   size_t case_number = 0;            ///< In CampaignResults::cases.
   int64_t repetition = 0;            ///< From 1.

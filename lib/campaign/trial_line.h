@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "lib/campaign/results.h"
+#include "lib/campaign/metric.h"
 #include "lib/campaign/trial.h"
 
 namespace shoal {

@@ -18,7 +18,6 @@
 #include "lib/bus/bus.h"
 #include "lib/campaign/metric.h"
 #include "lib/campaign/metric_watch.h"
-#include "lib/campaign/results.h"
 #include "lib/mission/mission.h"
 #include "lib/verdict/judge.h"
 

@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-#include "lib/campaign/results.h"
+#include "lib/campaign/metric.h"
 #include "lib/campaign/trial.h"
 #include "lib/campaign/trial_line.h"
 #include "lib/record/file_descriptor.h"

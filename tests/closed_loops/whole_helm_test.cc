@@ -13,7 +13,7 @@
 #include "lib/behaviors/behavior_set.h"
 #include "lib/behaviors/contact_ledger.h"
 #include "lib/check/bounds.h"
-#include "lib/mission/update_reader.h"
+#include "lib/mission/behavior_update.h"
 #include "lib/modes/value_text.h"
 #include "tests/closed_loops/kinematic_vessel.h"
 #include "tests/golden/read_golden.h"

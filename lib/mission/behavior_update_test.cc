@@ -1,11 +1,11 @@
-#include "lib/mission/update_reader.h"
+#include "lib/mission/behavior_update.h"
 
 #include <gtest/gtest.h>
 
 #include <string>
 #include <vector>
 
-namespace shoal::update_reader_test {
+namespace shoal::behavior_update_test {
 
 using Points = std::vector<Eigen::Vector2d>;
 
@@ -138,4 +138,4 @@ TEST(Update, FillsInARecipe) {
             "henry");
 }
 
-}  // namespace shoal::update_reader_test
+}  // namespace shoal::behavior_update_test
