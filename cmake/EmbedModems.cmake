@@ -5,7 +5,7 @@
 #   shoal_embed_modems(OUT_VARIABLE ${CMAKE_SOURCE_DIR}/data/modems)
 #
 # sets OUT_VARIABLE to a generated source file that defines shoal::OwnModems()
-# (lib/mission/own_modems.h). As a script (cmake -P) this file writes it.
+# (lib/mission/file/own_modems.h). As a script (cmake -P) this file writes it.
 
 if(CMAKE_SCRIPT_MODE_FILE)
   set(table "")
@@ -16,7 +16,7 @@ if(CMAKE_SCRIPT_MODE_FILE)
   endforeach()
   file(WRITE ${OUT}
     "// Made by cmake/EmbedModems.cmake.\n"
-    "#include \"lib/mission/own_modems.h\"\n\n"
+    "#include \"lib/mission/file/own_modems.h\"\n\n"
     "namespace shoal {\n\nnamespace {\n\nconst OwnModem kOwnModems[] = {\n${table}};\n\n"
     "}  // namespace\n\n"
     "std::span<const OwnModem> OwnModems() { return kOwnModems; }\n\n}  // namespace shoal\n")

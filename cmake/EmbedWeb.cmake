@@ -2,7 +2,7 @@
 #
 #   include(EmbedWeb)
 #   shoal_embed_web(OUT_VARIABLE ${CMAKE_SOURCE_DIR}/web)
-#   shoal_embed_files(OUT_VARIABLE EmbeddedPage lib/campaign/embedded_page.h
+#   shoal_embed_files(OUT_VARIABLE EmbeddedPage lib/tools/report/embedded_page.h
 #     ${CMAKE_SOURCE_DIR}/web dom.js campaign/report.js)
 #
 # sets OUT_VARIABLE to a generated source file that defines shoal::EmbeddedWeb()
@@ -58,7 +58,7 @@ function(shoal_embed_web out_variable folder)
     list(APPEND patterns ${folder}/*.${ending})
   endforeach()
   file(GLOB_RECURSE files CONFIGURE_DEPENDS LIST_DIRECTORIES false RELATIVE ${folder} ${patterns})
-  # The page of a campaign is a file, not served (lib/campaign/report_page.h).
+  # The page of a campaign is a file, not served (lib/tools/report/report_page.h).
   list(FILTER files EXCLUDE REGEX "^campaign/")
   list(SORT files)
   if(NOT "index.html" IN_LIST files)

@@ -1,6 +1,6 @@
 # The headers of shoal that a program outside may include.
 #
-#   shoal_public_headers(OUT sim/simulation.h lib/mission/mission.h ...)
+#   shoal_public_headers(OUT sim/simulation.h lib/mission/model/mission.h ...)
 #
 # sets OUT to these headers and all that they include by "quotes", as paths in the source folder.
 # Those of generated message types are left out.

@@ -6,8 +6,8 @@
 #include "apps/node_reporter/node_reporter_app.h"
 #include "apps/shore_broker/shore_broker_app.h"
 #include "apps/vehicle_sim/vehicle_sim_app.h"
-#include "lib/bus/memory_bus.h"
-#include "lib/check/check.h"
+#include "lib/base/check/check.h"
+#include "lib/bus/bus/memory_bus.h"
 #include "sim/director_app.h"
 
 namespace shoal {

@@ -4,10 +4,10 @@
 
 #include <string_view>
 
-#include "lib/bus/control_message.h"
-#include "lib/routing/control.h"
-#include "lib/routing/vehicle_name.h"
-#include "lib/verdict/summary.h"
+#include "lib/bus/bus/control_message.h"
+#include "lib/comms/routing/control.h"
+#include "lib/comms/routing/vehicle_name.h"
+#include "lib/run/verdict/summary.h"
 
 namespace shoal {
 

@@ -13,11 +13,11 @@
 #include <string>
 #include <vector>
 
-#include "lib/bus/bus.h"
-#include "lib/bus/channels.h"
-#include "lib/mission/mission.h"
-#include "lib/run/director.h"
-#include "lib/verdict/judge.h"
+#include "lib/bus/bus/bus.h"
+#include "lib/bus/bus/channels.h"
+#include "lib/mission/model/mission.h"
+#include "lib/run/run/director.h"
+#include "lib/run/verdict/judge.h"
 #include "sim/kept_controls.h"
 
 namespace shoal {

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "lib/bus/memory_bus.h"
+#include "lib/bus/bus/memory_bus.h"
 
 namespace shoal::director_app_test {
 

@@ -5,11 +5,11 @@
 #include <optional>
 #include <utility>
 
-#include "lib/bus/handler_table.h"
-#include "lib/bus/seal.h"
-#include "lib/campaign/trial_result.h"
-#include "lib/campaign/trial_watch.h"
-#include "lib/record/log_reader.h"
+#include "lib/bus/bus/handler_table.h"
+#include "lib/bus/bus/seal.h"
+#include "lib/bus/record/log_reader.h"
+#include "lib/tools/metrics/trial_result.h"
+#include "lib/tools/metrics/trial_watch.h"
 #include "sim/director_app.h"
 
 namespace shoal {

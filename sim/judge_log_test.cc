@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
-#include "lib/bus/channels.h"
-#include "lib/campaign/trial_watch.h"
-#include "lib/mission/load.h"
+#include "lib/bus/bus/channels.h"
+#include "lib/mission/file/load.h"
+#include "lib/tools/metrics/trial_watch.h"
 #include "sim/run_trial.h"
 
 namespace shoal::judge_log_test {

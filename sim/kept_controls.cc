@@ -1,7 +1,7 @@
 #include "sim/kept_controls.h"
 
-#include "lib/bus/control_message.h"
-#include "lib/routing/vehicle_name.h"
+#include "lib/bus/bus/control_message.h"
+#include "lib/comms/routing/vehicle_name.h"
 
 namespace shoal {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "lib/routing/control.h"
+#include "lib/comms/routing/control.h"
 #include "shoal/unc_control_t.hpp"
 #include "shoal/unc_controls_t.hpp"
 

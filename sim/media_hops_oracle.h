@@ -12,7 +12,7 @@
 #include <tuple>
 #include <vector>
 
-#include "lib/mission/mission.h"
+#include "lib/mission/model/mission.h"
 #include "shoal/fate_medium_t.hpp"
 
 namespace shoal::media_hops_test {

@@ -12,9 +12,9 @@
 #include <vector>
 
 #include "apps/shore_broker/air_text.h"
-#include "lib/bus/channels.h"
-#include "lib/bus/memory_bus.h"
-#include "lib/random/stream.h"
+#include "lib/base/random/stream.h"
+#include "lib/bus/bus/channels.h"
+#include "lib/bus/bus/memory_bus.h"
 #include "sim/app_factory.h"
 #include "sim/media_hops_oracle.h"
 

@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "apps/recorder/recorder_app.h"
-#include "lib/bus/channels.h"
-#include "lib/check/check.h"
+#include "lib/base/check/check.h"
+#include "lib/bus/bus/channels.h"
 #include "sim/app_factory.h"
 #include "sim/director_app.h"
 

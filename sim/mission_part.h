@@ -28,11 +28,11 @@
 #include <unordered_set>
 #include <vector>
 
-#include "lib/bus/memory_bus.h"
-#include "lib/mission/mission.h"
-#include "lib/run/app.h"
-#include "lib/run/roster.h"
-#include "lib/verdict/fate_tally.h"
+#include "lib/bus/bus/memory_bus.h"
+#include "lib/mission/model/mission.h"
+#include "lib/run/run/app.h"
+#include "lib/run/run/roster.h"
+#include "lib/run/verdict/fate_tally.h"
 #include "sim/part_batch.h"
 #include "sim/placement.h"
 

@@ -8,7 +8,7 @@
 #include <iterator>
 #include <set>
 
-#include "lib/mission/load.h"
+#include "lib/mission/file/load.h"
 #include "sim/director_app.h"
 #include "sim/simulation.h"
 

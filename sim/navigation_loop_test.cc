@@ -7,7 +7,7 @@
 
 #include "apps/helm/helm_app.h"
 #include "apps/vehicle_sim/vehicle_sim_app.h"
-#include "lib/bus/memory_bus.h"
+#include "lib/bus/bus/memory_bus.h"
 
 namespace shoal::navigation_loop_test {
 

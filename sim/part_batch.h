@@ -21,7 +21,7 @@
 #include <string_view>
 #include <vector>
 
-#include "lib/bus/bus.h"
+#include "lib/bus/bus/bus.h"
 
 namespace shoal {
 

@@ -8,10 +8,10 @@
 #include <optional>
 #include <string_view>
 
-#include "lib/broker/report_blocks.h"
-#include "lib/check/check.h"
-#include "lib/mission/suggest.h"
-#include "lib/routing/reach_grid.h"
+#include "lib/base/check/check.h"
+#include "lib/comms/routing/reach_grid.h"
+#include "lib/mission/toml/suggest.h"
+#include "lib/run/broker/report_blocks.h"
 
 namespace shoal {
 

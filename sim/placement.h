@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "lib/check/result.h"
-#include "lib/mission/mission.h"
+#include "lib/base/check/result.h"
+#include "lib/mission/model/mission.h"
 
 namespace shoal {
 
@@ -15,7 +15,8 @@ namespace shoal {
 struct Placement {
   size_t num_parts = 1;
   size_t broker_part = 0;  ///< Has the broker, but for the blocks of other parts.
-  /// Which part routes the reports of a block (lib/broker/report_blocks.h); empty: the broker's.
+  /// Which part routes the reports of a block (lib/run/broker/report_blocks.h); empty: the
+  /// broker's.
   std::vector<size_t> part_of_block = {};
   std::vector<size_t> part_of_vehicle = {};  ///< By its place in the mission.
 

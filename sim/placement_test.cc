@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "lib/mission/load.h"
+#include "lib/mission/file/load.h"
 
 namespace shoal::placement_test {
 

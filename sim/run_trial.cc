@@ -1,7 +1,7 @@
 #include "sim/run_trial.h"
 
-#include "lib/campaign/trial_result.h"
-#include "lib/campaign/trial_watch.h"
+#include "lib/tools/metrics/trial_result.h"
+#include "lib/tools/metrics/trial_watch.h"
 #include "sim/director_app.h"
 #include "sim/simulation.h"
 

@@ -6,9 +6,9 @@
 #include <span>
 #include <string>
 
-#include "lib/campaign/metric.h"
-#include "lib/campaign/trial.h"
-#include "lib/mission/mission.h"
+#include "lib/mission/model/mission.h"
+#include "lib/tools/metrics/metric.h"
+#include "lib/tools/metrics/trial.h"
 
 namespace shoal {
 

@@ -13,12 +13,12 @@
 #include <string>
 #include <vector>
 
-#include "lib/analysis/link_table.h"
-#include "lib/analysis/plot_distances.h"
-#include "lib/bus/channels.h"
-#include "lib/campaign/trial_watch.h"
-#include "lib/mission/load.h"
-#include "lib/record/log_reader.h"
+#include "lib/bus/bus/channels.h"
+#include "lib/bus/record/log_reader.h"
+#include "lib/mission/file/load.h"
+#include "lib/tools/analysis/link_table.h"
+#include "lib/tools/analysis/plot_distances.h"
+#include "lib/tools/metrics/trial_watch.h"
 #include "sim/simulation.h"
 
 namespace shoal::run_trial_test {

@@ -13,9 +13,9 @@
 #include <string_view>
 #include <vector>
 
-#include "lib/mission/mission.h"
-#include "lib/run/build_id.h"
-#include "lib/run/version.h"
+#include "lib/mission/model/mission.h"
+#include "lib/run/run/build_id.h"
+#include "lib/run/run/version.h"
 #include "sim/simulation.h"
 
 namespace shoal::c_interface {

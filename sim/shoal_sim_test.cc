@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "lib/bus/channels.h"
+#include "lib/bus/bus/channels.h"
 #include "sim/simulation.h"
 
 namespace shoal::shoal_sim_test {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "lib/check/result.h"
+#include "lib/base/check/result.h"
 
 namespace shoal {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "lib/mission/mission.h"
-#include "lib/run/director.h"
+#include "lib/mission/model/mission.h"
+#include "lib/run/run/director.h"
 
 namespace shoal {
 

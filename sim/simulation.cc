@@ -4,8 +4,8 @@
 
 #include <utility>
 
-#include "lib/mission/drawn_seed.h"
-#include "lib/run/roster.h"
+#include "lib/mission/file/drawn_seed.h"
+#include "lib/run/run/roster.h"
 #include "sim/director_app.h"
 #include "sim/mission_part.h"
 

@@ -13,9 +13,9 @@
 #include <string>
 #include <vector>
 
-#include "lib/bus/bus.h"
-#include "lib/bus/channels.h"
-#include "lib/check/result.h"
+#include "lib/base/check/result.h"
+#include "lib/bus/bus/bus.h"
+#include "lib/bus/bus/channels.h"
 
 namespace shoal {
 

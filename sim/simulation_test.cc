@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "lib/mission/load.h"
+#include "lib/mission/file/load.h"
 
 namespace shoal::simulation_test {
 

@@ -10,10 +10,10 @@
 #include <string>
 #include <vector>
 
-#include "lib/analysis/information_age.h"
-#include "lib/bus/channels.h"
-#include "lib/mission/load.h"
-#include "lib/record/log_reader.h"
+#include "lib/bus/bus/channels.h"
+#include "lib/bus/record/log_reader.h"
+#include "lib/mission/file/load.h"
+#include "lib/tools/analysis/information_age.h"
 #include "sim/run_trial.h"
 
 namespace shoal::trial_metrics_test {

@@ -10,8 +10,8 @@
 
 #include "apps/helm/helm_app.h"
 #include "apps/vehicle_sim/vehicle_sim_app.h"
-#include "lib/bus/memory_bus.h"
-#include "lib/geometry/angles.h"
+#include "lib/base/geometry/angles.h"
+#include "lib/bus/bus/memory_bus.h"
 
 namespace shoal::underwater_loop_test {
 

@@ -1,4 +1,4 @@
-// The causes of fates as the server has them: /api/setup sends the table (lib/routing/cause.h), with
+// The causes of fates as the server has them: /api/setup sends the table (lib/comms/routing/cause.h), with
 // texts and colours. There is no list of causes on this side.
 //
 //   setCauses(setup.causes);

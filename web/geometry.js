@@ -117,7 +117,7 @@ export function pulseTriangle(pulse) {
 const kEquator_m = 6378137;
 const kFlattening = 1 / 298.257223563;
 const kE2 = kFlattening * (2 - kFlattening);
-// As lib/geodesy: beyond this distance from the origin a plane is no map.
+// As lib/base/geodesy: beyond this distance from the origin a plane is no map.
 const kReach_m = 1.5e6;
 
 function toEarth(latDeg, lonDeg) {
@@ -130,7 +130,7 @@ function toEarth(latDeg, lonDeg) {
 
 /**
  * Between metres from the mission's origin (x East, y North) and degrees, on the plane that touches
- * the WGS84 ellipsoid there: the same as lib/geodesy/local_frame.h, to well under a millimetre.
+ * the WGS84 ellipsoid there: the same as lib/base/geodesy/local_frame.h, to well under a millimetre.
  */
 export class LocalFrame {
   #origin;

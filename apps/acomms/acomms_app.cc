@@ -9,10 +9,10 @@
 
 #include "apps/acomms/swarm_bytes.h"
 #include "apps/acomms/swarm_setup.h"
-#include "lib/check/check.h"
-#include "lib/mission/swarm_plan.h"
-#include "lib/run/own_nav.h"
-#include "lib/swarm/message_frame.h"
+#include "lib/base/check/check.h"
+#include "lib/comms/swarm/message_frame.h"
+#include "lib/mission/model/swarm_plan.h"
+#include "lib/run/run/own_nav.h"
 
 namespace shoal {
 

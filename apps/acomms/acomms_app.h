@@ -1,6 +1,6 @@
 // Sends and receives the acoustic messages of one vehicle in a swarm. Subscribes to NAV_<V>,
 // HELM_STATE_<V> and ACOUSTIC_RX_<V>, and to ACTUATORS_<V> of a leader whose propeller needs time
-// to change its revolutions; publishes ACOUSTIC_TX in its slot (lib/swarm/schedule.h), and
+// to change its revolutions; publishes ACOUSTIC_TX in its slot (lib/comms/swarm/schedule.h), and
 // SWARM_<V>, what it knows of the others, in every step in which a message arrived and at least
 // once per second. ACOMMS_<V> has what befell its messages, in every step in which that changed.
 //
@@ -19,12 +19,12 @@
 #include "apps/acomms/acomms_record.h"
 #include "apps/acomms/propeller_watch.h"
 #include "apps/acomms/swarm_writer.h"
-#include "lib/bus/bus.h"
-#include "lib/bus/channels.h"
-#include "lib/mission/mission.h"
-#include "lib/run/app.h"
-#include "lib/swarm/schedule.h"
-#include "lib/swarm/swarm_receiver.h"
+#include "lib/bus/bus/bus.h"
+#include "lib/bus/bus/channels.h"
+#include "lib/comms/swarm/schedule.h"
+#include "lib/comms/swarm/swarm_receiver.h"
+#include "lib/mission/model/mission.h"
+#include "lib/run/run/app.h"
 
 namespace shoal {
 

@@ -10,8 +10,8 @@
 #include <memory>
 #include <vector>
 
-#include "lib/bus/memory_bus.h"
-#include "lib/swarm/broadcast_message.h"
+#include "lib/bus/bus/memory_bus.h"
+#include "lib/comms/swarm/broadcast_message.h"
 
 namespace shoal::acomms_app_test {
 

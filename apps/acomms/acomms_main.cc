@@ -1,7 +1,7 @@
 // One vehicle's acoustic messages. Subscribes to ACOUSTIC_RX_<V>, publishes ACOUSTIC_TX and
 // SWARM_<V> and ACOMMS_<V>. See acomms --help.
 #include "apps/acomms/acomms_app.h"
-#include "lib/run/run_app.h"
+#include "lib/run/run/run_app.h"
 
 namespace {
 

@@ -4,7 +4,7 @@
 
 #include <utility>
 
-#include "lib/run/status_page.h"
+#include "lib/run/run/status_page.h"
 
 namespace shoal {
 

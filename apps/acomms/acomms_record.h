@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "apps/acomms/swarm_writer.h"
-#include "lib/bus/bus.h"
-#include "lib/swarm/swarm_receiver.h"
+#include "lib/bus/bus/bus.h"
+#include "lib/comms/swarm/swarm_receiver.h"
 #include "shoal/acomms_t.hpp"
 
 namespace shoal {

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <variant>
 
-#include "lib/check/check.h"
-#include "lib/swarm/field_checks.h"
-#include "lib/vehicle/propulsion.h"
+#include "lib/base/check/check.h"
+#include "lib/comms/swarm/field_checks.h"
+#include "lib/vehicle/vehicle/propulsion.h"
 
 namespace shoal {
 

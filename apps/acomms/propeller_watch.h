@@ -1,13 +1,13 @@
 // How fast a leader's propeller is changing its speed: what its reports predict from
-// (PredictAtPoint, lib/guidance/motion_prediction.h).
+// (PredictAtPoint, lib/vehicle/guidance/motion_prediction.h).
 #pragma once
 
 #include <cstdint>
 #include <optional>
 
-#include "lib/guidance/motion_prediction.h"
-#include "lib/mission/vehicle.h"
-#include "lib/vehicle/remus100.h"
+#include "lib/mission/model/vehicle.h"
+#include "lib/vehicle/guidance/motion_prediction.h"
+#include "lib/vehicle/vehicle/remus100.h"
 #include "shoal/actuators_t.hpp"
 
 namespace shoal {

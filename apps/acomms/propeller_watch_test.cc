@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "lib/vehicle/propulsion.h"
+#include "lib/vehicle/vehicle/propulsion.h"
 
 namespace shoal::propeller_watch_test {
 

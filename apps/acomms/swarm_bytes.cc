@@ -2,10 +2,10 @@
 
 #include <cmath>
 
-#include "lib/geometry/angles.h"
-#include "lib/swarm/broadcast_message.h"
-#include "lib/swarm/leader_message.h"
-#include "lib/swarm/report_message.h"
+#include "lib/base/geometry/angles.h"
+#include "lib/comms/swarm/broadcast_message.h"
+#include "lib/comms/swarm/leader_message.h"
+#include "lib/comms/swarm/report_message.h"
 
 namespace shoal {
 

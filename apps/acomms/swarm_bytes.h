@@ -5,10 +5,10 @@
 #include <optional>
 #include <vector>
 
-#include "lib/guidance/motion_prediction.h"
-#include "lib/swarm/field_checks.h"
-#include "lib/swarm/group_state.h"
-#include "lib/swarm/schedule.h"
+#include "lib/comms/swarm/field_checks.h"
+#include "lib/comms/swarm/group_state.h"
+#include "lib/comms/swarm/schedule.h"
+#include "lib/vehicle/guidance/motion_prediction.h"
 #include "shoal/helm_state_t.hpp"
 #include "shoal/nav_t.hpp"
 

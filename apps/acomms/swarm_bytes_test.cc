@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "lib/swarm/broadcast_message.h"
+#include "lib/comms/swarm/broadcast_message.h"
 
 namespace shoal::swarm_bytes_test {
 

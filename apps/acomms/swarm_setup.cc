@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lib/check/check.h"
-#include "lib/geometry/angles.h"
-#include "lib/mission/swarm_plan.h"
+#include "lib/base/check/check.h"
+#include "lib/base/geometry/angles.h"
+#include "lib/mission/model/swarm_plan.h"
 
 namespace shoal {
 

@@ -1,9 +1,9 @@
 // A mission's swarm as one of its members needs it: receiver and schedule.
 #pragma once
 
-#include "lib/mission/mission.h"
-#include "lib/swarm/schedule.h"
-#include "lib/swarm/swarm_receiver.h"
+#include "lib/comms/swarm/schedule.h"
+#include "lib/comms/swarm/swarm_receiver.h"
+#include "lib/mission/model/mission.h"
 
 namespace shoal {
 

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "lib/mission/mission.h"
-#include "lib/swarm/swarm_receiver.h"
+#include "lib/comms/swarm/swarm_receiver.h"
+#include "lib/mission/model/mission.h"
 #include "shoal/swarm_t.hpp"
 
 namespace shoal {

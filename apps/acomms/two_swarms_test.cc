@@ -7,8 +7,8 @@
 
 #include "apps/acomms/acomms_app.h"
 #include "apps/acomms/swarm_setup.h"
-#include "lib/bus/memory_bus.h"
-#include "lib/swarm/report_message.h"
+#include "lib/bus/bus/memory_bus.h"
+#include "lib/comms/swarm/report_message.h"
 
 namespace shoal::two_swarms_test {
 

@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <utility>
 
-#include "lib/media/relay_path.h"
-#include "lib/routing/cause.h"
-#include "lib/routing/destinations.h"
-#include "lib/routing/vehicle_name.h"
+#include "lib/comms/routing/cause.h"
+#include "lib/comms/routing/destinations.h"
+#include "lib/comms/routing/vehicle_name.h"
+#include "lib/sea/media/relay_path.h"
 
 namespace shoal {
 

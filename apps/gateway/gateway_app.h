@@ -11,11 +11,11 @@
 #include <string>
 #include <vector>
 
-#include "lib/bus/bus.h"
-#include "lib/bus/channels.h"
-#include "lib/media/relay_queue.h"
-#include "lib/mission/mission.h"
-#include "lib/run/app.h"
+#include "lib/bus/bus/bus.h"
+#include "lib/bus/bus/channels.h"
+#include "lib/mission/model/mission.h"
+#include "lib/run/run/app.h"
+#include "lib/sea/media/relay_queue.h"
 
 namespace shoal {
 

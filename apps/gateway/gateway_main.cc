@@ -1,6 +1,6 @@
 // A gateway between media. See gateway --help and --interface.
 #include "apps/gateway/gateway_app.h"
-#include "lib/run/run_app.h"
+#include "lib/run/run/run_app.h"
 
 namespace {
 

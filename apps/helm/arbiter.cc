@@ -6,9 +6,9 @@
 #include <cmath>
 #include <utility>
 
-#include "lib/geometry/angles.h"
-#include "lib/mission/behavior_update.h"
-#include "lib/run/status_page.h"
+#include "lib/base/geometry/angles.h"
+#include "lib/mission/file/behavior_update.h"
+#include "lib/run/run/status_page.h"
 
 namespace shoal {
 

@@ -1,5 +1,5 @@
 // Weighs the task of the moment with the behaviors of one vehicle: between what arrived on the bus
-// and what the autopilots get. The decision itself is BehaviorSet's (lib/behaviors).
+// and what the autopilots get. The decision itself is BehaviorSet's (lib/helm/behaviors).
 //
 //   arbiter.OnNodeReport(report, utime);
 //   std::optional<Guidance> guidance = arbiter.Advance({.utime = t, .drives = true, .nav = &nav,
@@ -23,10 +23,10 @@
 #include <vector>
 
 #include "apps/helm/helm_order.h"
-#include "lib/behaviors/behavior_set.h"
-#include "lib/behaviors/contact_ledger.h"
-#include "lib/guidance/task_runner.h"
-#include "lib/mission/mission.h"
+#include "lib/helm/behaviors/behavior_set.h"
+#include "lib/helm/behaviors/contact_ledger.h"
+#include "lib/mission/model/mission.h"
+#include "lib/vehicle/guidance/task_runner.h"
 #include "shoal/helm_decision_t.hpp"
 #include "shoal/nav_t.hpp"
 #include "shoal/node_report_t.hpp"

@@ -1,4 +1,5 @@
-// The helm steers a vessel of lib/vehicle: what a user sees of autopilots and guidance together.
+// The helm steers a vessel of lib/vehicle/vehicle: what a user sees of autopilots and guidance
+// together.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -6,7 +7,7 @@
 #include <vector>
 
 #include "apps/helm/fake_vessel.h"
-#include "lib/geometry/leg.h"
+#include "lib/base/geometry/leg.h"
 
 namespace shoal::closed_loop_test {
 

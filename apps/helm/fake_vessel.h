@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "apps/helm/helm_app.h"
-#include "lib/bus/memory_bus.h"
-#include "lib/geometry/angles.h"
-#include "lib/vehicle/surface_craft.h"
+#include "lib/base/geometry/angles.h"
+#include "lib/bus/bus/memory_bus.h"
+#include "lib/vehicle/vehicle/surface_craft.h"
 
 namespace shoal {
 

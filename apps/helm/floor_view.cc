@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "apps/helm/sonar_echoes.h"
-#include "lib/geometry/angles.h"
+#include "lib/base/geometry/angles.h"
 
 namespace shoal {
 

@@ -11,9 +11,9 @@
 #include <optional>
 #include <vector>
 
-#include "lib/control/floor_ahead.h"
-#include "lib/mission/mission.h"
-#include "lib/ocean/sea_floor.h"
+#include "lib/mission/model/mission.h"
+#include "lib/sea/ocean/sea_floor.h"
+#include "lib/vehicle/control/floor_ahead.h"
 #include "shoal/nav_t.hpp"
 #include "shoal/sonar_t.hpp"
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "apps/helm/helm_app.h"
-#include "lib/bus/memory_bus.h"
+#include "lib/bus/bus/memory_bus.h"
 
 namespace shoal::guidance_message_test {
 

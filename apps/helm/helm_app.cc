@@ -7,10 +7,10 @@
 #include <tuple>
 #include <vector>
 
-#include "lib/bus/waypoint_arrival.h"
-#include "lib/geometry/angles.h"
-#include "lib/run/own_nav.h"
-#include "lib/run/status_page.h"
+#include "lib/base/geometry/angles.h"
+#include "lib/bus/bus/waypoint_arrival.h"
+#include "lib/run/run/own_nav.h"
+#include "lib/run/run/status_page.h"
 
 namespace shoal {
 

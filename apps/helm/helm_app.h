@@ -22,10 +22,10 @@
 #include "apps/helm/helm_states.h"
 #include "apps/helm/pilot.h"
 #include "apps/helm/swarm_view.h"
-#include "lib/bus/bus.h"
-#include "lib/bus/channels.h"
-#include "lib/mission/mission.h"
-#include "lib/run/app.h"
+#include "lib/bus/bus/bus.h"
+#include "lib/bus/bus/channels.h"
+#include "lib/mission/model/mission.h"
+#include "lib/run/run/app.h"
 
 namespace shoal {
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <variant>
 
-#include "lib/geometry/angles.h"
+#include "lib/base/geometry/angles.h"
 
 namespace shoal {
 

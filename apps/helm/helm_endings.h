@@ -2,8 +2,8 @@
 // follow from where it is then.
 #pragma once
 
-#include "lib/guidance/task_runner.h"
-#include "lib/mission/vehicle.h"
+#include "lib/mission/model/vehicle.h"
+#include "lib/vehicle/guidance/task_runner.h"
 
 namespace shoal {
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "apps/helm/helm_states.h"
-#include "lib/geometry/angles.h"
+#include "lib/base/geometry/angles.h"
 
 namespace shoal::helm_endings_test {
 

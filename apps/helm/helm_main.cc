@@ -1,7 +1,7 @@
 // One helm. Subscribes to NAV_<V> and HELM_COMMAND_<V>, publishes ACTUATORS_<V>, DESIRED_<V> and
 // HELM_STATE_<V>. See helm --help.
 #include "apps/helm/helm_app.h"
-#include "lib/run/run_app.h"
+#include "lib/run/run/run_app.h"
 
 namespace {
 

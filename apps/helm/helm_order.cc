@@ -8,8 +8,8 @@
 #include <cmath>
 #include <vector>
 
-#include "lib/modes/flag.h"
-#include "lib/run/status_page.h"
+#include "lib/helm/modes/flag.h"
+#include "lib/run/run/status_page.h"
 
 namespace shoal {
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <string_view>
 
-#include "lib/check/result.h"
-#include "lib/modes/variables.h"
+#include "lib/base/check/result.h"
+#include "lib/helm/modes/variables.h"
 
 namespace shoal {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "lib/run/status_page.h"
+#include "lib/run/run/status_page.h"
 
 namespace shoal {
 

@@ -28,8 +28,8 @@
 
 #include "apps/helm/helm_endings.h"
 #include "apps/helm/helm_order.h"
-#include "lib/guidance/task_runner.h"
-#include "lib/mission/mission.h"
+#include "lib/mission/model/mission.h"
+#include "lib/vehicle/guidance/task_runner.h"
 
 namespace shoal {
 

@@ -6,8 +6,8 @@
 #include "apps/helm/passive_pilot.h"
 #include "apps/helm/surface_pilot.h"
 #include "apps/helm/underwater_pilot.h"
-#include "lib/check/check.h"
-#include "lib/mission/ocean_of.h"
+#include "lib/base/check/check.h"
+#include "lib/mission/file/ocean_of.h"
 
 namespace shoal {
 

@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 
-#include "lib/guidance/task_runner.h"
-#include "lib/mission/mission.h"
+#include "lib/mission/model/mission.h"
+#include "lib/vehicle/guidance/task_runner.h"
 #include "shoal/actuators_t.hpp"
 #include "shoal/desired_t.hpp"
 #include "shoal/nav_t.hpp"

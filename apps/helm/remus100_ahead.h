@@ -9,7 +9,7 @@
 // Laws with next to no margin of delay, as muNet's of heading, steer by it.
 #pragma once
 
-#include "lib/vehicle/remus100.h"
+#include "lib/vehicle/vehicle/remus100.h"
 #include "shoal/nav_t.hpp"
 
 namespace shoal {

@@ -1,8 +1,8 @@
 // For tests: NAV of a Remus 100.
 #pragma once
 
-#include "lib/geometry/angles.h"
-#include "lib/vehicle/remus100.h"
+#include "lib/base/geometry/angles.h"
+#include "lib/vehicle/vehicle/remus100.h"
 #include "shoal/nav_t.hpp"
 
 namespace shoal {

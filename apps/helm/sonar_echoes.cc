@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "lib/geometry/angles.h"
-#include "lib/vehicle/attitude.h"
+#include "lib/base/geometry/angles.h"
+#include "lib/vehicle/vehicle/attitude.h"
 
 namespace shoal {
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "lib/guidance/surroundings.h"
+#include "lib/vehicle/guidance/surroundings.h"
 #include "shoal/nav_t.hpp"
 #include "shoal/sonar_t.hpp"
 

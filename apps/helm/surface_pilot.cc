@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "lib/geometry/angles.h"
+#include "lib/base/geometry/angles.h"
 
 namespace shoal {
 

@@ -4,8 +4,8 @@
 #include <string>
 
 #include "apps/helm/pilot.h"
-#include "lib/control/heading_pid.h"
-#include "lib/control/speed_controller.h"
+#include "lib/vehicle/control/heading_pid.h"
+#include "lib/vehicle/control/speed_controller.h"
 
 namespace shoal {
 

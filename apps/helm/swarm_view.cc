@@ -5,14 +5,14 @@
 #include <set>
 
 #include "apps/helm/sonar_echoes.h"
-#include "lib/geometry/angles.h"
-#include "lib/guidance/motion_prediction.h"
+#include "lib/base/geometry/angles.h"
+#include "lib/vehicle/guidance/motion_prediction.h"
 
 namespace shoal {
 
 namespace {
 
-/// The laws' own bounds on their inputs (lib/guidance/plausible.h).
+/// The laws' own bounds on their inputs (lib/vehicle/guidance/plausible.h).
 constexpr double kFarthest_m = 1e6;
 constexpr double kFastest_mps = 1000;
 /// A follower that has not steered for the target for longer than this begins anew.

@@ -15,10 +15,10 @@
 #include <string>
 #include <vector>
 
-#include "lib/guidance/echo_memory.h"
-#include "lib/guidance/surroundings.h"
-#include "lib/guidance/task.h"
-#include "lib/mission/mission.h"
+#include "lib/mission/model/mission.h"
+#include "lib/vehicle/guidance/echo_memory.h"
+#include "lib/vehicle/guidance/surroundings.h"
+#include "lib/vehicle/guidance/task.h"
 #include "shoal/nav_t.hpp"
 #include "shoal/sonar_t.hpp"
 #include "shoal/swarm_t.hpp"

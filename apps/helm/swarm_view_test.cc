@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "apps/helm/swarm_testing.h"
-#include "lib/geometry/angles.h"
+#include "lib/base/geometry/angles.h"
 
 namespace shoal::swarm_view_test {
 

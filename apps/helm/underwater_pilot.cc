@@ -8,11 +8,11 @@
 #include <optional>
 #include <utility>
 
-#include "lib/check/check.h"
-#include "lib/control/named_pilots.h"
-#include "lib/geometry/angles.h"
-#include "lib/vehicle/propulsion.h"
-#include "lib/vehicle/trim.h"
+#include "lib/base/check/check.h"
+#include "lib/base/geometry/angles.h"
+#include "lib/vehicle/control/named_pilots.h"
+#include "lib/vehicle/vehicle/propulsion.h"
+#include "lib/vehicle/vehicle/trim.h"
 
 namespace shoal {
 

@@ -8,8 +8,8 @@
 #include "apps/helm/floor_view.h"
 #include "apps/helm/pilot.h"
 #include "apps/helm/remus100_ahead.h"
-#include "lib/control/auv_pilot.h"
-#include "lib/vehicle/remus100.h"
+#include "lib/vehicle/control/auv_pilot.h"
+#include "lib/vehicle/vehicle/remus100.h"
 
 namespace shoal {
 

@@ -8,8 +8,8 @@
 #include <limits>
 #include <string>
 
-#include "lib/geometry/angles.h"
-#include "lib/vehicle/propulsion.h"
+#include "lib/base/geometry/angles.h"
+#include "lib/vehicle/vehicle/propulsion.h"
 
 namespace shoal::underwater_pilot_test {
 

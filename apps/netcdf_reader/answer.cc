@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "apps/netcdf_reader/classic_size.h"
-#include "lib/netcdf/netcdf_wire.h"
+#include "lib/mission/netcdf/netcdf_wire.h"
 
 namespace shoal {
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "lib/bus/big_endian.h"
+#include "lib/bus/bus/big_endian.h"
 
 namespace shoal {
 

@@ -1,4 +1,4 @@
-// Reads a NetCDF file for shoal, and answers on standard output (lib/netcdf/netcdf_wire.h).
+// Reads a NetCDF file for shoal, and answers on standard output (lib/mission/netcdf/netcdf_wire.h).
 //
 //   shoal-netcdf header 3< tide.nc
 //   shoal-netcdf values u 1200 3< tide.nc      the variable's name, and how many values it has
@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "apps/netcdf_reader/answer.h"
-#include "lib/run/version.h"
+#include "lib/run/run/version.h"
 
 namespace {
 
@@ -19,7 +19,7 @@ constexpr char kUsage[] =
     "       shoal-netcdf values VARIABLE COUNT 3< FILE\n\n"
     "Reads a NetCDF file for the other programs of shoal, which start it themselves. The answer "
     "is\n"
-    "for programs: lib/netcdf/netcdf_wire.h. To look at a file, use ncdump.\n";
+    "for programs: lib/mission/netcdf/netcdf_wire.h. To look at a file, use ncdump.\n";
 
 }  // namespace
 

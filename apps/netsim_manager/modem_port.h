@@ -14,11 +14,11 @@
 #include <string_view>
 #include <vector>
 
-#include "lib/check/result.h"
-#include "lib/modem/micromodem.h"
-#include "lib/modem/raw_modem.h"
-#include "lib/netsim/netsim_options.h"
-#include "lib/netsim/tcp_server.h"
+#include "lib/base/check/result.h"
+#include "lib/mission/netsim/netsim_options.h"
+#include "lib/mission/netsim/tcp_server.h"
+#include "lib/sea/modem/micromodem.h"
+#include "lib/sea/modem/raw_modem.h"
 
 namespace shoal {
 

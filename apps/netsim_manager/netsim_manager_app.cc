@@ -7,9 +7,9 @@
 #include <tuple>
 #include <utility>
 
-#include "lib/check/check.h"
-#include "lib/netsim/gprmc.h"
-#include "lib/routing/kind.h"
+#include "lib/base/check/check.h"
+#include "lib/comms/routing/kind.h"
+#include "lib/mission/netsim/gprmc.h"
 
 namespace shoal {
 

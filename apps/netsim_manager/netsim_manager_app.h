@@ -16,14 +16,14 @@
 #include <vector>
 
 #include "apps/netsim_manager/outside_vehicle.h"
-#include "lib/bus/bus.h"
-#include "lib/bus/channels.h"
-#include "lib/geodesy/local_frame.h"
-#include "lib/mission/mission.h"
-#include "lib/netsim/line_server.h"
-#include "lib/netsim/netsim_answer.h"
-#include "lib/record/wait_set.h"
-#include "lib/run/app.h"
+#include "lib/base/geodesy/local_frame.h"
+#include "lib/bus/bus/bus.h"
+#include "lib/bus/bus/channels.h"
+#include "lib/bus/record/wait_set.h"
+#include "lib/mission/model/mission.h"
+#include "lib/mission/netsim/line_server.h"
+#include "lib/mission/netsim/netsim_answer.h"
+#include "lib/run/run/app.h"
 
 namespace shoal {
 

@@ -1,7 +1,7 @@
 // netsim's TCP interface. Subscribes to ACOUSTIC_RX_<V> and COMMS_FATES, publishes NODE_REPORT,
 // MODEM_TX and MODEM_STATS. See netsim_manager --help.
 #include "apps/netsim_manager/netsim_manager_app.h"
-#include "lib/run/run_app.h"
+#include "lib/run/run/run_app.h"
 
 namespace {
 

@@ -4,8 +4,8 @@
 
 #include <utility>
 
-#include "lib/geometry/angles.h"
-#include "lib/mission/swarm_plan.h"
+#include "lib/base/geometry/angles.h"
+#include "lib/mission/model/swarm_plan.h"
 
 namespace shoal {
 

@@ -11,11 +11,11 @@
 #include <vector>
 
 #include "apps/netsim_manager/modem_port.h"
-#include "lib/bus/channels.h"
-#include "lib/check/result.h"
-#include "lib/mission/mission.h"
-#include "lib/netsim/gps_output.h"
-#include "lib/netsim/netsim_answer.h"
+#include "lib/base/check/result.h"
+#include "lib/bus/bus/channels.h"
+#include "lib/mission/model/mission.h"
+#include "lib/mission/netsim/gps_output.h"
+#include "lib/mission/netsim/netsim_answer.h"
 
 namespace shoal {
 

@@ -4,8 +4,8 @@
 
 #include <utility>
 
-#include "lib/routing/destinations.h"
-#include "lib/routing/vehicle_name.h"
+#include "lib/comms/routing/destinations.h"
+#include "lib/comms/routing/vehicle_name.h"
 
 namespace shoal {
 

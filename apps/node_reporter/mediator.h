@@ -20,10 +20,10 @@
 #include <string>
 #include <vector>
 
-#include "lib/bus/bus.h"
-#include "lib/bus/channels.h"
-#include "lib/mission/mission.h"
-#include "lib/run/status_page.h"
+#include "lib/bus/bus/bus.h"
+#include "lib/bus/bus/channels.h"
+#include "lib/mission/model/mission.h"
+#include "lib/run/run/status_page.h"
 
 namespace shoal {
 

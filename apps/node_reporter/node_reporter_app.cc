@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "apps/node_reporter/dead_reckoning.h"
-#include "lib/run/own_nav.h"
+#include "lib/run/run/own_nav.h"
 
 namespace shoal {
 

@@ -13,11 +13,11 @@
 
 #include "apps/node_reporter/mediator.h"
 #include "apps/node_reporter/report_schedule.h"
-#include "lib/bus/bus.h"
-#include "lib/bus/channels.h"
-#include "lib/mission/mission.h"
-#include "lib/random/stream.h"
-#include "lib/run/app.h"
+#include "lib/base/random/stream.h"
+#include "lib/bus/bus/bus.h"
+#include "lib/bus/bus/channels.h"
+#include "lib/mission/model/mission.h"
+#include "lib/run/run/app.h"
 
 namespace shoal {
 

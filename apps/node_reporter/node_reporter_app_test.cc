@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "lib/bus/memory_bus.h"
+#include "lib/bus/bus/memory_bus.h"
 
 namespace shoal::node_reporter_app_test {
 

@@ -1,7 +1,7 @@
 // One node reporter. Subscribes to NAV_<V> and HELM_STATE_<V>, publishes NODE_REPORT_LOCAL.
 // See node_reporter --help.
 #include "apps/node_reporter/node_reporter_app.h"
-#include "lib/run/run_app.h"
+#include "lib/run/run/run_app.h"
 
 namespace {
 

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "lib/bus/channels.h"
+#include "lib/bus/bus/channels.h"
 
 namespace shoal {
 

@@ -12,9 +12,9 @@
 #include <string>
 #include <string_view>
 
-#include "lib/bus/bus.h"
-#include "lib/record/log_writer.h"
-#include "lib/run/app.h"
+#include "lib/bus/bus/bus.h"
+#include "lib/bus/record/log_writer.h"
+#include "lib/run/run/app.h"
 
 namespace shoal {
 

@@ -4,9 +4,9 @@
 
 #include <filesystem>
 
-#include "lib/bus/channels.h"
-#include "lib/bus/memory_bus.h"
-#include "lib/record/log_reader.h"
+#include "lib/bus/bus/channels.h"
+#include "lib/bus/bus/memory_bus.h"
+#include "lib/bus/record/log_reader.h"
 
 namespace shoal::recorder_app_test {
 

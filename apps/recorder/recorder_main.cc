@@ -1,6 +1,6 @@
 // The recorder. Subscribes to everything, writes one log in mission time. See recorder --help.
 #include "apps/recorder/recorder_app.h"
-#include "lib/run/run_app.h"
+#include "lib/run/run/run_app.h"
 
 namespace {
 

@@ -5,9 +5,9 @@
 #include <iostream>
 
 #include "apps/shoal/campaign_page.h"
-#include "lib/campaign/campaign_folder.h"
-#include "lib/campaign/reduce.h"
-#include "lib/campaign/report_tables.h"
+#include "lib/tools/report/report_tables.h"
+#include "lib/tools/trials/campaign_folder.h"
+#include "lib/tools/trials/reduce.h"
 
 namespace shoal {
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "lib/campaign/run_campaign.h"
+#include "lib/tools/trials/run_campaign.h"
 
 namespace shoal {
 

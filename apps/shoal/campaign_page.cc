@@ -6,10 +6,10 @@
 #include <filesystem>
 #include <ostream>
 
-#include "lib/campaign/report_page.h"
-#include "lib/check/result.h"
-#include "lib/record/file_descriptor.h"
-#include "lib/record/text_file.h"
+#include "lib/base/check/result.h"
+#include "lib/bus/record/file_descriptor.h"
+#include "lib/bus/record/text_file.h"
+#include "lib/tools/report/report_page.h"
 
 namespace shoal {
 

@@ -4,8 +4,8 @@
 #include <iosfwd>
 #include <string>
 
-#include "lib/campaign/report_tables.h"
-#include "lib/campaign/results.h"
+#include "lib/tools/campaign/results.h"
+#include "lib/tools/report/report_tables.h"
 
 namespace shoal {
 

@@ -5,12 +5,12 @@
 #include <ostream>
 
 #include "apps/shoal/drawing_folder.h"
-#include "lib/campaign/compare.h"
-#include "lib/campaign/compare_text.h"
-#include "lib/campaign/report_plots.h"
-#include "lib/campaign/report_tables.h"
-#include "lib/campaign/report_text.h"
-#include "lib/check/result.h"
+#include "lib/base/check/result.h"
+#include "lib/tools/report/compare.h"
+#include "lib/tools/report/compare_text.h"
+#include "lib/tools/report/report_plots.h"
+#include "lib/tools/report/report_tables.h"
+#include "lib/tools/report/report_text.h"
 
 namespace shoal {
 

@@ -4,7 +4,7 @@
 #include <iosfwd>
 #include <string>
 
-#include "lib/campaign/results.h"
+#include "lib/tools/campaign/results.h"
 
 namespace shoal {
 

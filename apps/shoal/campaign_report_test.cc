@@ -6,8 +6,8 @@
 #include <filesystem>
 #include <sstream>
 
-#include "lib/campaign/campaign_testing.h"
-#include "lib/check/result.h"
+#include "lib/base/check/result.h"
+#include "lib/tools/campaign/campaign_testing.h"
 
 namespace shoal {
 

@@ -7,8 +7,8 @@
 #include <atomic>
 #include <set>
 
-#include "lib/check/result.h"
-#include "lib/run/build_id.h"
+#include "lib/base/check/result.h"
+#include "lib/run/run/build_id.h"
 
 namespace shoal {
 

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "lib/campaign/load_campaign.h"
-#include "lib/campaign/plan.h"
-#include "lib/campaign/results.h"
+#include "lib/tools/campaign/load_campaign.h"
+#include "lib/tools/campaign/plan.h"
+#include "lib/tools/campaign/results.h"
 
 namespace shoal {
 

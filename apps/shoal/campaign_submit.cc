@@ -12,15 +12,15 @@
 #include <utility>
 
 #include "apps/shoal/campaign_setup.h"
-#include "lib/campaign/campaign_progress.h"
-#include "lib/campaign/reduce.h"
-#include "lib/campaign/report_tables.h"
-#include "lib/campaign/submit.h"
-#include "lib/campaign/trial_queue.h"
-#include "lib/launch/child_processes.h"
-#include "lib/launch/run_program.h"
-#include "lib/mission/read_file.h"
-#include "lib/run/run_app.h"
+#include "lib/mission/toml/read_file.h"
+#include "lib/run/launch/child_processes.h"
+#include "lib/run/launch/run_program.h"
+#include "lib/run/run/run_app.h"
+#include "lib/tools/report/report_tables.h"
+#include "lib/tools/trials/campaign_progress.h"
+#include "lib/tools/trials/reduce.h"
+#include "lib/tools/trials/submit.h"
+#include "lib/tools/trials/trial_queue.h"
 
 namespace shoal {
 

@@ -6,10 +6,10 @@
 
 #include <filesystem>
 
-#include "lib/launch/child_processes.h"
-#include "lib/launch/recording.h"
-#include "lib/mission/read_file.h"
-#include "lib/run/run_app.h"
+#include "lib/mission/toml/read_file.h"
+#include "lib/run/launch/child_processes.h"
+#include "lib/run/launch/recording.h"
+#include "lib/run/run/run_app.h"
 #include "sim/judge_log.h"
 #include "sim/run_trial.h"
 #include "sim/simulation.h"

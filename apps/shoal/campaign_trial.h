@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "lib/campaign/run_campaign.h"
+#include "lib/tools/trials/run_campaign.h"
 
 namespace shoal {
 

@@ -5,14 +5,14 @@
 #include <variant>
 
 #include "apps/shoal/explain_network.h"
-#include "lib/bus/channels.h"
-#include "lib/check/result.h"
-#include "lib/launch/launch_plan.h"
-#include "lib/mission/key_paths.h"
-#include "lib/mission/path_text.h"
-#include "lib/mission/print_errors.h"
-#include "lib/mission/read_file.h"
-#include "lib/run/roster.h"
+#include "lib/base/check/result.h"
+#include "lib/bus/bus/channels.h"
+#include "lib/mission/file/key_paths.h"
+#include "lib/mission/file/path_text.h"
+#include "lib/mission/file/print_errors.h"
+#include "lib/mission/toml/read_file.h"
+#include "lib/run/launch/launch_plan.h"
+#include "lib/run/run/roster.h"
 
 namespace shoal {
 
@@ -74,7 +74,7 @@ int RunKeys(const std::string& mission_file, const std::vector<std::string>& ove
 std::string ChannelsMarkdown() {
   std::string text =
       "# Channels\n\n"
-      "Made by `shoal channels` from `lib/bus/channels.cc`; a test compares the two. `_<V>` "
+      "Made by `shoal channels` from `lib/bus/bus/channels.cc`; a test compares the two. `_<V>` "
       "stands\n"
       "for a vehicle's name in upper case. Home is where a channel lives: in the `communities`\n"
       "layout each vehicle has an LCM port of its own, in the `shared` layout shore and vehicles\n"

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "apps/shoal/doctor_facts.h"
-#include "lib/check/result.h"
+#include "lib/base/check/result.h"
 
 namespace shoal {
 

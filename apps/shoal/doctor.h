@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "lib/run/run_registry.h"
+#include "lib/run/run/run_registry.h"
 
 namespace shoal {
 

@@ -17,10 +17,10 @@
 #include <filesystem>
 #include <fstream>
 
-#include "lib/analysis/plot_gnuplot.h"
-#include "lib/bus/lcm_transport.h"
-#include "lib/run/run_app.h"
-#include "lib/run/run_folder.h"
+#include "lib/bus/bus/lcm_transport.h"
+#include "lib/run/run/run_app.h"
+#include "lib/run/run/run_folder.h"
+#include "lib/tools/analysis/plot_gnuplot.h"
 
 namespace shoal {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <tuple>
 
-#include "lib/check/result.h"
+#include "lib/base/check/result.h"
 
 namespace shoal::doctor_test {
 

@@ -6,10 +6,10 @@
 #include <cerrno>
 #include <ostream>
 
-#include "lib/analysis/plot_gnuplot.h"
-#include "lib/check/result.h"
-#include "lib/record/file_descriptor.h"
-#include "lib/record/text_file.h"
+#include "lib/base/check/result.h"
+#include "lib/bus/record/file_descriptor.h"
+#include "lib/bus/record/text_file.h"
+#include "lib/tools/analysis/plot_gnuplot.h"
 
 namespace shoal {
 

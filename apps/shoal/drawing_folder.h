@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "lib/analysis/plot_script.h"
+#include "lib/tools/analysis/plot_script.h"
 
 namespace shoal {
 

@@ -7,9 +7,9 @@
 #include <ostream>
 #include <utility>
 
-#include "lib/encounters/encounter_score.h"
-#include "lib/mission/load.h"
-#include "lib/mission/suggest.h"
+#include "lib/helm/encounters/encounter_score.h"
+#include "lib/mission/file/load.h"
+#include "lib/mission/toml/suggest.h"
 #include "sim/director_app.h"
 #include "sim/simulation.h"
 

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "lib/analysis/encounter_mission.h"
-#include "lib/check/result.h"
+#include "lib/base/check/result.h"
+#include "lib/tools/analysis/encounter_mission.h"
 
 namespace shoal {
 

@@ -7,7 +7,7 @@
 #include <sstream>
 #include <string>
 
-#include "lib/record/test_log.h"
+#include "lib/bus/record/test_log.h"
 
 namespace shoal::encounters_command_test {
 

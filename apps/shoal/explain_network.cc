@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "lib/acoustics/channel_plan.h"
-#include "lib/mission/swarm_plan.h"
+#include "lib/mission/model/swarm_plan.h"
+#include "lib/sea/acoustics/channel_plan.h"
 
 namespace shoal {
 

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "lib/mission/mission.h"
+#include "lib/mission/model/mission.h"
 
 namespace shoal {
 

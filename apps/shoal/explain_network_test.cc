@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "lib/mission/load.h"
+#include "lib/mission/file/load.h"
 
 namespace shoal::explain_network_test {
 

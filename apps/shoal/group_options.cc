@@ -7,10 +7,10 @@
 #include <memory>
 #include <vector>
 
-#include "lib/check/result.h"
-#include "lib/run/app_options.h"
-#include "lib/run/grouping.h"
-#include "lib/run/run_app.h"
+#include "lib/base/check/result.h"
+#include "lib/run/run/app_options.h"
+#include "lib/run/run/grouping.h"
+#include "lib/run/run/run_app.h"
 #include "sim/app_factory.h"
 
 namespace shoal {

@@ -1,5 +1,5 @@
-// `shoal group`: the process in which several participants of a mission run (lib/run/grouping.h).
-// `shoal run --grouping` starts it.
+// `shoal group`: the process in which several participants of a mission run
+// (lib/run/run/grouping.h). `shoal run --grouping` starts it.
 #pragma once
 
 #include <functional>

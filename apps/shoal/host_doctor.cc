@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "lib/check/result.h"
-#include "lib/check/time_units.h"
-#include "lib/hosts/curve_link.h"
-#include "lib/hosts/link_message.h"
-#include "lib/run/run_app.h"
+#include "lib/base/check/result.h"
+#include "lib/base/check/time_units.h"
+#include "lib/run/hosts/curve_link.h"
+#include "lib/run/hosts/link_message.h"
+#include "lib/run/run/run_app.h"
 
 namespace shoal {
 

@@ -6,8 +6,8 @@
 #include <memory>
 #include <string>
 
-#include "lib/hosts/host_keys.h"
-#include "lib/launch/host_agent.h"
+#include "lib/run/hosts/host_keys.h"
+#include "lib/run/launch/host_agent.h"
 
 namespace shoal {
 

@@ -14,14 +14,14 @@
 #include <system_error>
 #include <utility>
 
-#include "lib/check/result.h"
-#include "lib/mission/suggest.h"
-#include "lib/moos/alog.h"
-#include "lib/moos/bhv_file.h"
-#include "lib/moos/fields.h"
-#include "lib/moos/import.h"
-#include "lib/moos/moos_file.h"
-#include "lib/moos/nsplug.h"
+#include "lib/base/check/result.h"
+#include "lib/mission/toml/suggest.h"
+#include "lib/tools/moos/alog.h"
+#include "lib/tools/moos/bhv_file.h"
+#include "lib/tools/moos/fields.h"
+#include "lib/tools/moos/import.h"
+#include "lib/tools/moos/moos_file.h"
+#include "lib/tools/moos/nsplug.h"
 #include "shoal/node_report_t.hpp"
 
 namespace shoal {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "lib/record/log_commands.h"
+#include "lib/bus/record/log_commands.h"
 
 namespace shoal {
 
@@ -24,7 +24,7 @@ struct ImportOptions {
 /// kExitEnvironment where it cannot be written.
 int RunImport(const ImportOptions& options);
 
-/// Node reports as MOOS text, in files that alog tools read (lib/moos/alog.h).
+/// Node reports as MOOS text, in files that alog tools read (lib/tools/moos/alog.h).
 LogLines NodeReportsAsAlog();
 
 }  // namespace shoal

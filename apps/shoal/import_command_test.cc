@@ -12,10 +12,10 @@
 #include <variant>
 #include <vector>
 
-#include "lib/bus/channels.h"
-#include "lib/check/result.h"
-#include "lib/mission/load.h"
-#include "lib/record/test_log.h"
+#include "lib/base/check/result.h"
+#include "lib/bus/bus/channels.h"
+#include "lib/bus/record/test_log.h"
+#include "lib/mission/file/load.h"
 #include "shoal/nav_t.hpp"
 #include "shoal/node_report_t.hpp"
 #include "sim/simulation.h"

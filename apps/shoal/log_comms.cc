@@ -7,19 +7,19 @@
 #include <ostream>
 #include <string_view>
 
-#include "lib/analysis/comms_links.h"
-#include "lib/analysis/information_age.h"
-#include "lib/analysis/media_tally.h"
-#include "lib/analysis/swarm_tally.h"
-#include "lib/bus/channels.h"
-#include "lib/bus/seal.h"
-#include "lib/check/result.h"
-#include "lib/record/csv_rows.h"
-#include "lib/record/log_source.h"
-#include "lib/record/text_file.h"
-#include "lib/routing/fate.h"
-#include "lib/routing/vehicle_name.h"
-#include "lib/verdict/acoustic_tally.h"
+#include "lib/base/check/result.h"
+#include "lib/bus/bus/channels.h"
+#include "lib/bus/bus/seal.h"
+#include "lib/bus/record/csv_rows.h"
+#include "lib/bus/record/log_source.h"
+#include "lib/bus/record/text_file.h"
+#include "lib/comms/routing/fate.h"
+#include "lib/comms/routing/vehicle_name.h"
+#include "lib/run/verdict/acoustic_tally.h"
+#include "lib/tools/analysis/comms_links.h"
+#include "lib/tools/analysis/information_age.h"
+#include "lib/tools/analysis/media_tally.h"
+#include "lib/tools/analysis/swarm_tally.h"
 
 namespace shoal {
 

@@ -7,10 +7,10 @@
 #include <sstream>
 #include <string>
 
-#include "lib/analysis/swarm_testing.h"
-#include "lib/bus/channels.h"
-#include "lib/check/result.h"
-#include "lib/record/test_log.h"
+#include "lib/base/check/result.h"
+#include "lib/bus/bus/channels.h"
+#include "lib/bus/record/test_log.h"
+#include "lib/tools/analysis/swarm_testing.h"
 
 namespace shoal::log_comms_test {
 

@@ -6,11 +6,11 @@
 #include <ostream>
 #include <string_view>
 
-#include "lib/analysis/encounter_log.h"
-#include "lib/bus/channels.h"
-#include "lib/bus/seal.h"
-#include "lib/check/result.h"
-#include "lib/record/log_source.h"
+#include "lib/base/check/result.h"
+#include "lib/bus/bus/channels.h"
+#include "lib/bus/bus/seal.h"
+#include "lib/bus/record/log_source.h"
+#include "lib/tools/analysis/encounter_log.h"
 
 namespace shoal {
 

@@ -4,7 +4,7 @@
 #include <iosfwd>
 #include <string>
 
-#include "lib/encounters/encounter.h"
+#include "lib/helm/encounters/encounter.h"
 
 namespace shoal {
 

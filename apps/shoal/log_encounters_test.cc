@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "lib/bus/channels.h"
-#include "lib/check/result.h"
-#include "lib/record/test_log.h"
+#include "lib/base/check/result.h"
+#include "lib/bus/bus/channels.h"
+#include "lib/bus/record/test_log.h"
 
 namespace shoal::log_encounters_test {
 

@@ -6,13 +6,13 @@
 #include <map>
 #include <ostream>
 
-#include "lib/analysis/decision_words.h"
-#include "lib/bus/channels.h"
-#include "lib/bus/seal.h"
-#include "lib/bus/waypoint_arrival.h"
-#include "lib/check/result.h"
-#include "lib/record/log_source.h"
-#include "lib/run/status_page.h"
+#include "lib/base/check/result.h"
+#include "lib/bus/bus/channels.h"
+#include "lib/bus/bus/seal.h"
+#include "lib/bus/bus/waypoint_arrival.h"
+#include "lib/bus/record/log_source.h"
+#include "lib/run/run/status_page.h"
+#include "lib/tools/analysis/decision_words.h"
 
 namespace shoal {
 

@@ -4,9 +4,9 @@
 
 #include <sstream>
 
-#include "lib/bus/channels.h"
-#include "lib/check/result.h"
-#include "lib/record/test_log.h"
+#include "lib/base/check/result.h"
+#include "lib/bus/bus/channels.h"
+#include "lib/bus/record/test_log.h"
 
 namespace shoal::log_helm_test {
 

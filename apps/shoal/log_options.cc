@@ -13,9 +13,9 @@
 #include "apps/shoal/log_helm.h"
 #include "apps/shoal/plot_command.h"
 #include "apps/shoal/rebroker_command.h"
-#include "lib/check/result.h"
-#include "lib/mcap/log_mcap.h"
-#include "lib/record/log_commands.h"
+#include "lib/base/check/result.h"
+#include "lib/bus/record/log_commands.h"
+#include "lib/tools/mcap/log_mcap.h"
 
 namespace shoal {
 

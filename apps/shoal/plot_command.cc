@@ -8,10 +8,10 @@
 #include <utility>
 
 #include "apps/shoal/drawing_folder.h"
-#include "lib/analysis/plot_figures.h"
-#include "lib/analysis/plot_recording.h"
-#include "lib/check/result.h"
-#include "lib/record/log_source.h"
+#include "lib/base/check/result.h"
+#include "lib/bus/record/log_source.h"
+#include "lib/tools/analysis/plot_figures.h"
+#include "lib/tools/analysis/plot_recording.h"
 
 namespace shoal {
 

@@ -8,10 +8,10 @@
 #include <utility>
 #include <vector>
 
-#include "lib/analysis/plot_figures.h"
-#include "lib/analysis/plot_gnuplot.h"
-#include "lib/analysis/plot_testing.h"
-#include "lib/check/result.h"
+#include "lib/base/check/result.h"
+#include "lib/tools/analysis/plot_figures.h"
+#include "lib/tools/analysis/plot_gnuplot.h"
+#include "lib/tools/analysis/plot_testing.h"
 
 namespace shoal::plot_command_test {
 

@@ -8,14 +8,14 @@
 #include <ostream>
 #include <utility>
 
-#include "lib/acoustics/validate_options.h"
-#include "lib/analysis/outside_inputs.h"
-#include "lib/analysis/rebroker.h"
-#include "lib/analysis/rebroker_text.h"
-#include "lib/check/result.h"
-#include "lib/mission/load_comms.h"
-#include "lib/record/log_source.h"
-#include "lib/record/log_writer.h"
+#include "lib/base/check/result.h"
+#include "lib/bus/record/log_source.h"
+#include "lib/bus/record/log_writer.h"
+#include "lib/mission/file/load_comms.h"
+#include "lib/sea/acoustics/validate_options.h"
+#include "lib/tools/analysis/outside_inputs.h"
+#include "lib/tools/analysis/rebroker.h"
+#include "lib/tools/analysis/rebroker_text.h"
 #include "sim/app_factory.h"
 
 namespace shoal {

@@ -4,7 +4,7 @@
 
 #include <sstream>
 
-#include "lib/check/result.h"
+#include "lib/base/check/result.h"
 #include "tests/analysis/rebroker_testing.h"
 
 namespace shoal::rebroker_command_test {

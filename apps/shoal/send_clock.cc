@@ -7,10 +7,10 @@
 #include <optional>
 
 #include "apps/shoal/send_command.h"
-#include "lib/bus/channels.h"
-#include "lib/check/result.h"
-#include "lib/orders/clock_watch.h"
-#include "lib/run/run_app.h"
+#include "lib/base/check/result.h"
+#include "lib/bus/bus/channels.h"
+#include "lib/run/orders/clock_watch.h"
+#include "lib/run/run/run_app.h"
 
 namespace shoal {
 

@@ -1,8 +1,8 @@
 // `shoal send clock COMMAND`: pauses and resumes the mission, changes its warp.
 #pragma once
 
-#include "lib/bus/lcm_bus.h"
-#include "lib/orders/order.h"
+#include "lib/bus/bus/lcm_bus.h"
+#include "lib/run/orders/order.h"
 
 namespace shoal {
 

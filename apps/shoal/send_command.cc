@@ -6,13 +6,13 @@
 
 #include "apps/shoal/send_clock.h"
 #include "apps/shoal/send_helm.h"
-#include "lib/bus/channels.h"
-#include "lib/bus/control_message.h"
-#include "lib/check/result.h"
-#include "lib/orders/order.h"
-#include "lib/routing/destinations.h"
-#include "lib/run/roster.h"
-#include "lib/run/run_registry.h"
+#include "lib/base/check/result.h"
+#include "lib/bus/bus/channels.h"
+#include "lib/bus/bus/control_message.h"
+#include "lib/comms/routing/destinations.h"
+#include "lib/run/orders/order.h"
+#include "lib/run/run/roster.h"
+#include "lib/run/run/run_registry.h"
 
 namespace shoal {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "lib/bus/lcm_bus.h"
+#include "lib/bus/bus/lcm_bus.h"
 
 namespace shoal {
 

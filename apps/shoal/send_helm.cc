@@ -6,10 +6,10 @@
 #include <map>
 
 #include "apps/shoal/send_command.h"
-#include "lib/bus/channels.h"
-#include "lib/check/result.h"
-#include "lib/orders/order_watch.h"
-#include "lib/run/run_app.h"
+#include "lib/base/check/result.h"
+#include "lib/bus/bus/channels.h"
+#include "lib/run/orders/order_watch.h"
+#include "lib/run/run/run_app.h"
 
 namespace shoal {
 

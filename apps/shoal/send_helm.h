@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "lib/bus/lcm_bus.h"
-#include "lib/orders/order.h"
+#include "lib/bus/bus/lcm_bus.h"
+#include "lib/run/orders/order.h"
 
 namespace shoal {
 

@@ -8,9 +8,9 @@
 #include <atomic>
 #include <filesystem>
 
-#include "lib/mission/drawn_seed.h"
-#include "lib/mission/print_errors.h"
-#include "lib/run/run_app.h"
+#include "lib/mission/file/drawn_seed.h"
+#include "lib/mission/file/print_errors.h"
+#include "lib/run/run/run_app.h"
 #include "sim/director_app.h"
 #include "sim/sim_ending.h"
 #include "sim/simulation.h"

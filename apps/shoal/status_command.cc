@@ -4,13 +4,13 @@
 
 #include <map>
 
-#include "lib/bus/channels.h"
-#include "lib/bus/lcm_bus.h"
-#include "lib/check/result.h"
-#include "lib/run/appcast.h"
-#include "lib/run/run_app.h"
-#include "lib/run/run_registry.h"
-#include "lib/run/status_page.h"
+#include "lib/base/check/result.h"
+#include "lib/bus/bus/channels.h"
+#include "lib/bus/bus/lcm_bus.h"
+#include "lib/run/run/appcast.h"
+#include "lib/run/run/run_app.h"
+#include "lib/run/run/run_registry.h"
+#include "lib/run/run/status_page.h"
 
 namespace shoal {
 

@@ -4,8 +4,8 @@
 #include <map>
 #include <string>
 
-#include "lib/bus/layout.h"
-#include "lib/check/result.h"
+#include "lib/base/check/result.h"
+#include "lib/bus/bus/layout.h"
 #include "shoal/appcast_t.hpp"
 
 namespace shoal {

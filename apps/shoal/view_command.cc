@@ -7,8 +7,8 @@
 #include <cstdio>
 #include <cstring>
 
-#include "lib/check/result.h"
-#include "lib/launch/launch_plan.h"
+#include "lib/base/check/result.h"
+#include "lib/run/launch/launch_plan.h"
 
 namespace shoal {
 

@@ -1,7 +1,7 @@
 // `shoal view`: the viewer, of a recorded mission or beside a running one.
 #pragma once
 
-#include "lib/launch/viewer_arguments.h"
+#include "lib/run/launch/viewer_arguments.h"
 
 namespace shoal {
 

@@ -13,12 +13,12 @@
 #include <utility>
 
 #include "apps/shoal_mpi/rank_exchange.h"
-#include "lib/campaign/digest.h"
-#include "lib/check/check.h"
-#include "lib/mission/drawn_seed.h"
-#include "lib/mission/print_errors.h"
-#include "lib/run/build_id.h"
-#include "lib/run/run_app.h"
+#include "lib/base/check/check.h"
+#include "lib/mission/file/drawn_seed.h"
+#include "lib/mission/file/print_errors.h"
+#include "lib/run/run/build_id.h"
+#include "lib/run/run/run_app.h"
+#include "lib/tools/campaign/digest.h"
 #include "sim/director_app.h"
 #include "sim/mission_part.h"
 #include "sim/sim_ending.h"

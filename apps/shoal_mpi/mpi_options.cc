@@ -3,8 +3,8 @@
 #include <CLI/CLI.hpp>
 #include <cstdlib>
 
-#include "lib/check/result.h"
-#include "lib/run/version_text.h"
+#include "lib/base/check/result.h"
+#include "lib/run/run/version_text.h"
 
 namespace shoal {
 

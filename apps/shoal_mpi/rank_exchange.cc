@@ -14,8 +14,8 @@
 #include <fstream>
 #include <thread>
 
-#include "lib/check/check.h"
-#include "lib/run/run_app.h"
+#include "lib/base/check/check.h"
+#include "lib/run/run/run_app.h"
 
 namespace shoal {
 

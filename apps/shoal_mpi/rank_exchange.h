@@ -21,8 +21,8 @@
 #include <string>
 #include <vector>
 
-#include "lib/bus/bus.h"
-#include "lib/check/result.h"
+#include "lib/base/check/result.h"
+#include "lib/bus/bus/bus.h"
 
 namespace shoal {
 

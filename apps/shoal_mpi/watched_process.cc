@@ -12,7 +12,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "lib/check/result.h"
+#include "lib/base/check/result.h"
 
 namespace shoal {
 

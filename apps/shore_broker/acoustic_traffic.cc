@@ -6,11 +6,11 @@
 #include <limits>
 #include <utility>
 
-#include "lib/acoustics/validate_options.h"
-#include "lib/check/check.h"
-#include "lib/codec/crc32.h"
-#include "lib/codec/little_endian.h"
-#include "lib/routing/vehicle_name.h"
+#include "lib/base/check/check.h"
+#include "lib/base/codec/crc32.h"
+#include "lib/base/codec/little_endian.h"
+#include "lib/comms/routing/vehicle_name.h"
+#include "lib/sea/acoustics/validate_options.h"
 
 namespace shoal {
 

@@ -21,10 +21,10 @@
 #include <vector>
 
 #include "apps/shore_broker/shipment.h"
-#include "lib/acoustics/acoustic_network.h"
-#include "lib/broker/broker_setup.h"
-#include "lib/routing/fate.h"
-#include "lib/routing/router.h"
+#include "lib/comms/routing/fate.h"
+#include "lib/comms/routing/router.h"
+#include "lib/run/broker/broker_setup.h"
+#include "lib/sea/acoustics/acoustic_network.h"
 
 namespace shoal {
 

@@ -5,11 +5,11 @@
 #include <cmath>
 
 #include "apps/shore_broker/message_checks.h"
-#include "lib/geometry/angles.h"
-#include "lib/moos/node_message_text.h"
-#include "lib/moos/numbers.h"
-#include "lib/routing/vehicle_name.h"
-#include "lib/swarm/report_message.h"
+#include "lib/base/geometry/angles.h"
+#include "lib/comms/routing/vehicle_name.h"
+#include "lib/comms/swarm/report_message.h"
+#include "lib/tools/moos/node_message_text.h"
+#include "lib/tools/moos/numbers.h"
 
 namespace shoal {
 

@@ -1,7 +1,7 @@
 // The bytes on the air of what vehicles send to each other, and what a receiver decodes where they
 // arrive damaged.
 //
-//   node report    muNet's REPORT, 37 bytes (lib/swarm/report_message.h)
+//   node report    muNet's REPORT, 37 bytes (lib/comms/swarm/report_message.h)
 //   node message   its text, as MOOS writes it: src_node=alpha,dest_node=bravo,var_name=...
 //   ack            its text: src_node=bravo,dest_node=alpha,ack_id=...
 //   packet         its payload
@@ -18,7 +18,7 @@
 #include <string_view>
 #include <vector>
 
-#include "lib/geodesy/local_frame.h"
+#include "lib/base/geodesy/local_frame.h"
 #include "shoal/ack_message_t.hpp"
 #include "shoal/node_message_t.hpp"
 #include "shoal/node_report_t.hpp"

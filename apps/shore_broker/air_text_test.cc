@@ -7,7 +7,7 @@
 #include <cstring>
 #include <limits>
 
-#include "lib/swarm/report_message.h"
+#include "lib/comms/swarm/report_message.h"
 
 namespace shoal::air_text_test {
 

@@ -4,8 +4,8 @@
 
 #include <string>
 
-#include "lib/bus/control_message.h"
-#include "lib/routing/vehicle_name.h"
+#include "lib/bus/bus/control_message.h"
+#include "lib/comms/routing/vehicle_name.h"
 
 namespace shoal {
 

@@ -3,9 +3,9 @@
 
 #include <cstdint>
 
-#include "lib/routing/control.h"
-#include "lib/routing/router.h"
-#include "lib/run/status_page.h"
+#include "lib/comms/routing/control.h"
+#include "lib/comms/routing/router.h"
+#include "lib/run/run/status_page.h"
 #include "shoal/unc_control_t.hpp"
 
 namespace shoal {

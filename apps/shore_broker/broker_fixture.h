@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "apps/shore_broker/shore_broker_app.h"
-#include "lib/bus/control_message.h"
-#include "lib/bus/memory_bus.h"
+#include "lib/bus/bus/control_message.h"
+#include "lib/bus/bus/memory_bus.h"
 
 namespace shoal {
 

@@ -7,9 +7,9 @@
 #include <span>
 #include <vector>
 
-#include "lib/bus/bus.h"
-#include "lib/bus/channels.h"
-#include "lib/run/status_page.h"
+#include "lib/bus/bus/bus.h"
+#include "lib/bus/bus/channels.h"
+#include "lib/run/run/status_page.h"
 
 namespace shoal {
 

@@ -5,10 +5,10 @@
 #include <numeric>
 #include <sstream>
 
-#include "lib/acoustics/acoustic_statistics.h"
-#include "lib/bus/channels.h"
-#include "lib/routing/control.h"
-#include "lib/routing/decide.h"
+#include "lib/bus/bus/channels.h"
+#include "lib/comms/routing/control.h"
+#include "lib/comms/routing/decide.h"
+#include "lib/sea/acoustics/acoustic_statistics.h"
 
 namespace shoal {
 

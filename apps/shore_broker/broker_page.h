@@ -5,7 +5,7 @@
 #include <string>
 
 #include "apps/shore_broker/acoustic_traffic.h"
-#include "lib/routing/router.h"
+#include "lib/comms/routing/router.h"
 
 namespace shoal {
 

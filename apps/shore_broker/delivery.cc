@@ -4,10 +4,10 @@
 #include <cmath>
 
 #include "apps/shore_broker/air_text.h"
-#include "lib/bus/channels.h"
-#include "lib/check/check.h"
-#include "lib/media/relay_path.h"
-#include "lib/routing/vehicle_name.h"
+#include "lib/base/check/check.h"
+#include "lib/bus/bus/channels.h"
+#include "lib/comms/routing/vehicle_name.h"
+#include "lib/sea/media/relay_path.h"
 
 namespace shoal {
 

@@ -7,9 +7,9 @@
 #include <string>
 #include <string_view>
 
-#include "lib/bus/bus.h"
-#include "lib/bus/channels.h"
-#include "lib/routing/fate.h"
+#include "lib/bus/bus/bus.h"
+#include "lib/bus/bus/channels.h"
+#include "lib/comms/routing/fate.h"
 
 namespace shoal {
 

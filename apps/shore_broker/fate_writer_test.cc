@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "lib/bus/memory_bus.h"
+#include "lib/bus/bus/memory_bus.h"
 
 namespace shoal::fate_writer_test {
 

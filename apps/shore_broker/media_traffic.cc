@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "lib/check/check.h"
-#include "lib/random/stream.h"
-#include "lib/routing/vehicle_name.h"
+#include "lib/base/check/check.h"
+#include "lib/base/random/stream.h"
+#include "lib/comms/routing/vehicle_name.h"
 
 namespace shoal {
 

@@ -9,8 +9,8 @@
 //
 // A medium can carry a leg where both ends have it and its rules hold where they are at that
 // moment: direct always, an acoustic network whatever becomes of the packet there, radio by
-// lib/media/radio_link.h. Of a MediaChoice the first that can carry the leg does. Where none can,
-// the fate is that of the first that both have.
+// lib/sea/media/radio_link.h. Of a MediaChoice the first that can carry the leg does. Where none
+// can, the fate is that of the first that both have.
 #pragma once
 
 #include <Eigen/Core>
@@ -26,7 +26,7 @@
 #include "apps/shore_broker/acoustic_traffic.h"
 #include "apps/shore_broker/radio_traffic.h"
 #include "apps/shore_broker/shipment.h"
-#include "lib/broker/broker_setup.h"
+#include "lib/run/broker/broker_setup.h"
 
 namespace shoal {
 

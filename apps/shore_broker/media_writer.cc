@@ -6,7 +6,7 @@
 #include <span>
 #include <string_view>
 
-#include "lib/media/relay_path.h"
+#include "lib/sea/media/relay_path.h"
 
 namespace shoal {
 

@@ -4,8 +4,8 @@
 #include <cstdint>
 
 #include "apps/shore_broker/shipment.h"
-#include "lib/bus/bus.h"
-#include "lib/bus/channels.h"
+#include "lib/bus/bus/bus.h"
+#include "lib/bus/bus/channels.h"
 
 namespace shoal {
 

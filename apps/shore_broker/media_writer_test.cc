@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "lib/bus/memory_bus.h"
+#include "lib/bus/bus/memory_bus.h"
 
 namespace shoal::media_writer_test {
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "lib/routing/vehicle_name.h"
+#include "lib/comms/routing/vehicle_name.h"
 
 namespace shoal {
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <string_view>
 
-#include "lib/bus/bus.h"
-#include "lib/bus/channels.h"
+#include "lib/bus/bus/bus.h"
+#include "lib/bus/bus/channels.h"
 
 namespace shoal {
 

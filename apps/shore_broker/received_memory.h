@@ -10,7 +10,7 @@
 #include <tuple>
 #include <utility>
 
-#include "lib/routing/kind.h"
+#include "lib/comms/routing/kind.h"
 
 namespace shoal {
 

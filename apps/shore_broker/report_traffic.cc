@@ -7,8 +7,8 @@
 #include "apps/shore_broker/air_text.h"
 #include "apps/shore_broker/message_checks.h"
 #include "apps/shore_broker/pulse_writer.h"
-#include "lib/bus/channels.h"
-#include "lib/check/check.h"
+#include "lib/base/check/check.h"
+#include "lib/bus/bus/channels.h"
 
 namespace shoal {
 

@@ -1,5 +1,5 @@
 // The node reports of a step: all are taken in, so that every vehicle is where it is now, then each
-// is routed, block by block (lib/broker/report_blocks.h). Where there are several blocks, each
+// is routed, block by block (lib/run/broker/report_blocks.h). Where there are several blocks, each
 // publishes at a place of its own and has COMMS_FATES and VIEW_COMMS_PULSE of its own, so that
 // another broker can route it.
 //
@@ -15,11 +15,11 @@
 #include "apps/shore_broker/broker_inbox.h"
 #include "apps/shore_broker/delivery.h"
 #include "apps/shore_broker/media_traffic.h"
-#include "lib/broker/broker_setup.h"
-#include "lib/broker/report_blocks.h"
-#include "lib/bus/bus.h"
-#include "lib/routing/router.h"
-#include "lib/run/status_page.h"
+#include "lib/bus/bus/bus.h"
+#include "lib/comms/routing/router.h"
+#include "lib/run/broker/broker_setup.h"
+#include "lib/run/broker/report_blocks.h"
+#include "lib/run/run/status_page.h"
 
 namespace shoal {
 

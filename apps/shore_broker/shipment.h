@@ -12,15 +12,15 @@
 #include <string_view>
 #include <vector>
 
-#include "lib/acoustics/acoustic_network.h"
-#include "lib/media/radio_link.h"
-#include "lib/routing/fate.h"
+#include "lib/comms/routing/fate.h"
+#include "lib/sea/acoustics/acoustic_network.h"
+#include "lib/sea/media/radio_link.h"
 
 namespace shoal {
 
 class AcousticTraffic;
 
-/// The maker of what is sent, and the gateways by which it came: lib/media/relay_path.h.
+/// The maker of what is sent, and the gateways by which it came: lib/sea/media/relay_path.h.
 struct Provenance {
   std::string origin;
   int64_t number = 0;  ///< Of its maker's transmission, of its kind.

@@ -8,8 +8,8 @@
 #include "apps/shore_broker/apply_control.h"
 #include "apps/shore_broker/broker_page.h"
 #include "apps/shore_broker/message_checks.h"
-#include "lib/check/check.h"
-#include "lib/routing/vehicle_name.h"
+#include "lib/base/check/check.h"
+#include "lib/comms/routing/vehicle_name.h"
 
 namespace shoal {
 

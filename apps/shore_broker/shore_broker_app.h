@@ -28,14 +28,14 @@
 #include "apps/shore_broker/media_traffic.h"
 #include "apps/shore_broker/repeat_memory.h"
 #include "apps/shore_broker/report_traffic.h"
-#include "lib/broker/broker.h"
-#include "lib/broker/broker_setup.h"
-#include "lib/broker/report_blocks.h"
-#include "lib/bus/bus.h"
-#include "lib/bus/channels.h"
-#include "lib/mission/mission.h"
-#include "lib/routing/router.h"
-#include "lib/run/app.h"
+#include "lib/bus/bus/bus.h"
+#include "lib/bus/bus/channels.h"
+#include "lib/comms/routing/router.h"
+#include "lib/mission/model/mission.h"
+#include "lib/run/broker/broker.h"
+#include "lib/run/broker/broker_setup.h"
+#include "lib/run/broker/report_blocks.h"
+#include "lib/run/run/app.h"
 
 namespace shoal {
 

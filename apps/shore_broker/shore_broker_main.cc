@@ -1,7 +1,7 @@
 // The broker at the shore. See shore_broker --help and --interface.
 #include "apps/shore_broker/shore_broker_app.h"
-#include "lib/broker/comms_example.h"
-#include "lib/run/run_app.h"
+#include "lib/run/broker/comms_example.h"
+#include "lib/run/run/run_app.h"
 
 namespace {
 

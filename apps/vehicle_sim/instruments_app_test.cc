@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "apps/vehicle_sim/vehicle_sim_app.h"
-#include "lib/bus/memory_bus.h"
-#include "lib/ocean/plume.h"
+#include "lib/bus/bus/memory_bus.h"
+#include "lib/sea/ocean/plume.h"
 
 namespace shoal::instruments_app_test {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "lib/geometry/angles.h"
+#include "lib/base/geometry/angles.h"
 
 namespace shoal {
 

@@ -3,9 +3,9 @@
 
 #include <cstdint>
 
-#include "lib/geodesy/local_frame.h"
-#include "lib/mission/mission.h"
-#include "lib/random/stream.h"
+#include "lib/base/geodesy/local_frame.h"
+#include "lib/base/random/stream.h"
+#include "lib/mission/model/mission.h"
 #include "shoal/nav_t.hpp"
 
 namespace shoal {

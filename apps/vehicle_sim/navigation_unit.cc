@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lib/check/check.h"
-#include "lib/geometry/angles.h"
-#include "lib/routing/vehicle_name.h"
+#include "lib/base/check/check.h"
+#include "lib/base/geometry/angles.h"
+#include "lib/comms/routing/vehicle_name.h"
 
 namespace shoal {
 

@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "lib/geodesy/local_frame.h"
-#include "lib/mission/mission.h"
-#include "lib/navigation/instruments.h"
-#include "lib/navigation/navigator.h"
+#include "lib/base/geodesy/local_frame.h"
+#include "lib/mission/model/mission.h"
+#include "lib/vehicle/navigation/instruments.h"
+#include "lib/vehicle/navigation/navigator.h"
 #include "shoal/acoustic_rx_t.hpp"
 #include "shoal/nav_t.hpp"
 #include "shoal/navigation_t.hpp"

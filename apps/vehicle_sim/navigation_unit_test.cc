@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "apps/vehicle_sim/vehicle_sim_app.h"
-#include "lib/bus/memory_bus.h"
-#include "lib/geometry/angles.h"
+#include "lib/base/geometry/angles.h"
+#include "lib/bus/bus/memory_bus.h"
 
 namespace shoal::navigation_unit_test {
 

@@ -1,6 +1,6 @@
 #include "apps/vehicle_sim/other_vehicles.h"
 
-#include "lib/vehicle/contact.h"
+#include "lib/vehicle/vehicle/contact.h"
 
 namespace shoal {
 

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "lib/mission/mission.h"
-#include "lib/sensors/forward_looking_sonar.h"
+#include "lib/mission/model/mission.h"
+#include "lib/vehicle/sensors/forward_looking_sonar.h"
 #include "shoal/nav_t.hpp"
 
 namespace shoal {

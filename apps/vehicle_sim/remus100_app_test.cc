@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "apps/vehicle_sim/vehicle_sim_app.h"
-#include "lib/bus/memory_bus.h"
+#include "lib/bus/bus/memory_bus.h"
 
 namespace shoal::remus100_app_test {
 

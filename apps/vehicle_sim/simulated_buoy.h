@@ -1,10 +1,10 @@
-// lib/vehicle/buoy as vehicle_sim runs it.
+// lib/vehicle/vehicle/buoy as vehicle_sim runs it.
 #pragma once
 
 #include <string>
 
 #include "apps/vehicle_sim/simulated_craft.h"
-#include "lib/vehicle/buoy.h"
+#include "lib/vehicle/vehicle/buoy.h"
 
 namespace shoal {
 

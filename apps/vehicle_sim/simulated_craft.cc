@@ -6,7 +6,7 @@
 #include "apps/vehicle_sim/simulated_remus100.h"
 #include "apps/vehicle_sim/simulated_surface_craft.h"
 #include "apps/vehicle_sim/simulated_track.h"
-#include "lib/check/check.h"
+#include "lib/base/check/check.h"
 
 namespace shoal {
 

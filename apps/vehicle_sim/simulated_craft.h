@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "lib/mission/mission.h"
+#include "lib/mission/model/mission.h"
 #include "shoal/actuators_t.hpp"
 #include "shoal/nav_t.hpp"
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "lib/geometry/angles.h"
+#include "lib/base/geometry/angles.h"
 
 namespace shoal::simulated_craft_test {
 

@@ -1,11 +1,11 @@
-// lib/vehicle/remus100 as vehicle_sim runs it: in steps of at most model_step_s, and mirrored from
-// the guidance frame into that of the world (docs/glossary.md).
+// lib/vehicle/vehicle/remus100 as vehicle_sim runs it: in steps of at most model_step_s, and
+// mirrored from the guidance frame into that of the world (docs/glossary.md).
 #pragma once
 
 #include <string>
 
 #include "apps/vehicle_sim/simulated_craft.h"
-#include "lib/vehicle/remus100.h"
+#include "lib/vehicle/vehicle/remus100.h"
 
 namespace shoal {
 

@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
-#include "lib/geometry/angles.h"
-#include "lib/vehicle/propulsion.h"
+#include "lib/base/geometry/angles.h"
+#include "lib/vehicle/vehicle/propulsion.h"
 
 namespace shoal::simulated_remus100_test {
 

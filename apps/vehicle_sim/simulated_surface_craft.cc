@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "lib/geometry/angles.h"
+#include "lib/base/geometry/angles.h"
 
 namespace shoal {
 

@@ -1,10 +1,10 @@
-// lib/vehicle/surface_craft as vehicle_sim runs it.
+// lib/vehicle/vehicle/surface_craft as vehicle_sim runs it.
 #pragma once
 
 #include <string>
 
 #include "apps/vehicle_sim/simulated_craft.h"
-#include "lib/vehicle/surface_craft.h"
+#include "lib/vehicle/vehicle/surface_craft.h"
 
 namespace shoal {
 

@@ -1,11 +1,12 @@
-// A recorded track (lib/track) as vehicle_sim replays it: it goes by the mission's time alone.
+// A recorded track (lib/mission/track) as vehicle_sim replays it: it goes by the mission's time
+// alone.
 #pragma once
 
 #include <string>
 #include <utility>
 
 #include "apps/vehicle_sim/simulated_craft.h"
-#include "lib/mission/track_of.h"
+#include "lib/mission/file/track_of.h"
 
 namespace shoal {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lib/check/check.h"
-#include "lib/geometry/angles.h"
+#include "lib/base/check/check.h"
+#include "lib/base/geometry/angles.h"
 
 namespace shoal {
 

@@ -1,5 +1,5 @@
-// lib/sensors/forward_looking_sonar as vehicle_sim runs it: pings at its rate, with angles in the
-// body frame.
+// lib/vehicle/sensors/forward_looking_sonar as vehicle_sim runs it: pings at its rate, with angles
+// in the body frame.
 #pragma once
 
 #include <cstdint>
@@ -8,9 +8,9 @@
 #include <string_view>
 #include <vector>
 
-#include "lib/mission/mission.h"
-#include "lib/ocean/sea_floor.h"
-#include "lib/sensors/forward_looking_sonar.h"
+#include "lib/mission/model/mission.h"
+#include "lib/sea/ocean/sea_floor.h"
+#include "lib/vehicle/sensors/forward_looking_sonar.h"
 #include "shoal/nav_t.hpp"
 #include "shoal/sonar_t.hpp"
 

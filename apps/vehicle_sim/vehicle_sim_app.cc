@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lib/check/check.h"
+#include "lib/base/check/check.h"
 
 namespace shoal {
 

@@ -20,13 +20,13 @@
 #include "apps/vehicle_sim/other_vehicles.h"
 #include "apps/vehicle_sim/simulated_craft.h"
 #include "apps/vehicle_sim/sonar_unit.h"
-#include "lib/bus/bus.h"
-#include "lib/bus/channels.h"
-#include "lib/geodesy/local_frame.h"
-#include "lib/mission/mission.h"
-#include "lib/mission/ocean_of.h"
-#include "lib/run/app.h"
-#include "lib/vehicle/obstacle_watch.h"
+#include "lib/base/geodesy/local_frame.h"
+#include "lib/bus/bus/bus.h"
+#include "lib/bus/bus/channels.h"
+#include "lib/mission/file/ocean_of.h"
+#include "lib/mission/model/mission.h"
+#include "lib/run/run/app.h"
+#include "lib/vehicle/vehicle/obstacle_watch.h"
 
 namespace shoal {
 

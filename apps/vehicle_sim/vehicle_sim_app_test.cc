@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "lib/bus/memory_bus.h"
+#include "lib/bus/bus/memory_bus.h"
 
 namespace shoal::vehicle_sim_app_test {
 

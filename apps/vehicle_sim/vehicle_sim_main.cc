@@ -1,6 +1,6 @@
 // One simulated vehicle. Subscribes to ACTUATORS_<V>, publishes NAV_<V>. See vehicle_sim --help.
 #include "apps/vehicle_sim/vehicle_sim_app.h"
-#include "lib/run/run_app.h"
+#include "lib/run/run/run_app.h"
 
 namespace {
 

@@ -8,8 +8,8 @@
 #include <array>
 #include <charconv>
 
-#include "lib/check/check.h"
-#include "lib/mission/suggest.h"
+#include "lib/base/check/check.h"
+#include "lib/mission/toml/suggest.h"
 
 namespace shoal {
 

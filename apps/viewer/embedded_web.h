@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "lib/check/embedded_file.h"
+#include "lib/base/check/embedded_file.h"
 
 namespace shoal {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "apps/viewer/access.h"
-#include "lib/mission/suggest.h"
+#include "lib/mission/toml/suggest.h"
 
 namespace shoal {
 

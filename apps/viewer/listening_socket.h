@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "lib/check/result.h"
-#include "lib/record/file_descriptor.h"
+#include "lib/base/check/result.h"
+#include "lib/bus/record/file_descriptor.h"
 
 namespace shoal {
 

@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "apps/viewer/access.h"
-#include "lib/check/result.h"
-#include "lib/run/run_app.h"
-#include "lib/run/run_registry.h"
+#include "lib/base/check/result.h"
+#include "lib/run/run/run_app.h"
+#include "lib/run/run/run_registry.h"
 
 namespace shoal {
 

@@ -20,7 +20,7 @@
 namespace shoal {
 
 struct FollowOptions {
-  int port_base = 0;  ///< 0: see ChooseMission (lib/run/run_registry.h).
+  int port_base = 0;  ///< 0: see ChooseMission (lib/run/run/run_registry.h).
   bool allow_commands = false;
 };
 

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "lib/bus/channels.h"
-#include "lib/bus/seal.h"
-#include "lib/mission/load.h"
-#include "lib/run/run_app.h"
+#include "lib/bus/bus/channels.h"
+#include "lib/bus/bus/seal.h"
+#include "lib/mission/file/load.h"
+#include "lib/run/run/run_app.h"
 
 namespace shoal {
 

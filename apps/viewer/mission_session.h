@@ -16,12 +16,12 @@
 #include "apps/viewer/status_board.h"
 #include "apps/viewer/view_request.h"
 #include "apps/viewer/web_request.h"
-#include "lib/bus/lcm_bus.h"
-#include "lib/bus/lcm_receiver.h"
-#include "lib/mission/mission.h"
-#include "lib/orders/command_desk.h"
-#include "lib/run/run_registry.h"
-#include "lib/view/live_view.h"
+#include "lib/bus/bus/lcm_bus.h"
+#include "lib/bus/bus/lcm_receiver.h"
+#include "lib/mission/model/mission.h"
+#include "lib/run/orders/command_desk.h"
+#include "lib/run/run/run_registry.h"
+#include "lib/tools/view/live_view.h"
 
 namespace shoal {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "lib/check/result.h"
+#include "lib/base/check/result.h"
 
 namespace shoal {
 

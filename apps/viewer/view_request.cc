@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "lib/mission/suggest.h"
+#include "lib/mission/toml/suggest.h"
 
 namespace shoal {
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "apps/viewer/web_request.h"
-#include "lib/check/result.h"
-#include "lib/view/view_source.h"
+#include "lib/base/check/result.h"
+#include "lib/tools/view/view_source.h"
 
 namespace shoal {
 

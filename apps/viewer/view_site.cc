@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "lib/mission/suggest.h"
+#include "lib/mission/toml/suggest.h"
 
 namespace shoal {
 

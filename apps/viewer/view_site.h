@@ -11,7 +11,7 @@
 #include "apps/viewer/page_files.h"
 #include "apps/viewer/view_request.h"
 #include "apps/viewer/web_server.h"
-#include "lib/view/view_source.h"
+#include "lib/tools/view/view_source.h"
 
 namespace shoal {
 

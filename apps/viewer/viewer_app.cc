@@ -16,8 +16,8 @@
 #include "apps/viewer/page_files.h"
 #include "apps/viewer/view_site.h"
 #include "apps/viewer/web_server.h"
-#include "lib/check/result.h"
-#include "lib/view/recorded_view.h"
+#include "lib/base/check/result.h"
+#include "lib/tools/view/recorded_view.h"
 
 namespace shoal {
 

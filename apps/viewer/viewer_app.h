@@ -6,7 +6,7 @@
 namespace shoal {
 
 /// Serves until a signal comes. Prints the page's address as its first line. Returns the exit code
-/// (lib/check/result.h).
+/// (lib/base/check/result.h).
 int RunViewer(const ViewerOptions& options);
 
 }  // namespace shoal

@@ -5,9 +5,9 @@
 #include <CLI/CLI.hpp>
 #include <cstdlib>
 
-#include "lib/check/result.h"
-#include "lib/run/app_options.h"
-#include "lib/run/version_text.h"
+#include "lib/base/check/result.h"
+#include "lib/run/run/app_options.h"
+#include "lib/run/run/version_text.h"
 
 namespace shoal {
 

@@ -1,4 +1,4 @@
-"""Finds the events of an LCM event log, and reads their bytes (lib/record/log_format.h).
+"""Finds the events of an LCM event log, and reads their bytes (lib/bus/record/log_format.h).
 
 Nothing is taken from memory that the file does not hold: lengths that reach beyond its end are
 damage. A log is read in windows, so that its size does not matter.

@@ -21,7 +21,7 @@ from shoal import SimulationError, columns, simulation  # noqa: E402
 from shoal.lcm_file import Member  # noqa: E402
 from shoal.message import Message  # noqa: E402
 
-SCHEMA_TEST_TYPES = ROOT / "lib/schema/schema_test_types.lcm"
+SCHEMA_TEST_TYPES = ROOT / "lib/base/schema/schema_test_types.lcm"
 
 
 def event(number: int, utime: int, channel: str, data: bytes) -> bytes:

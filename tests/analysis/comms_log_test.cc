@@ -1,11 +1,11 @@
-#include "lib/analysis/comms_log.h"
+#include "lib/tools/analysis/comms_log.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <random>
 
-#include "lib/analysis/rebroker.h"
+#include "lib/tools/analysis/rebroker.h"
 #include "sim/app_factory.h"
 #include "tests/analysis/rebroker_testing.h"
 

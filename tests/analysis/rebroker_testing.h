@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
-#include "lib/analysis/comms_log.h"
-#include "lib/bus/seal.h"
-#include "lib/mission/load.h"
-#include "lib/record/log_reader.h"
-#include "lib/record/test_log.h"
+#include "lib/bus/bus/seal.h"
+#include "lib/bus/record/log_reader.h"
+#include "lib/bus/record/test_log.h"
+#include "lib/mission/file/load.h"
+#include "lib/tools/analysis/comms_log.h"
 #include "sim/simulation.h"
 
 namespace shoal {

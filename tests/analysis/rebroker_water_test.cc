@@ -5,7 +5,7 @@
 #include <tuple>
 
 #include "apps/shore_broker/shore_broker_app.h"
-#include "lib/bus/memory_bus.h"
+#include "lib/bus/bus/memory_bus.h"
 #include "tests/analysis/rebroker_runs.h"
 
 namespace shoal::rebroker_water_test {

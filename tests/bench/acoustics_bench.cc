@@ -12,7 +12,7 @@
 #include <tuple>
 #include <vector>
 
-#include "lib/acoustics/acoustic_network.h"
+#include "lib/sea/acoustics/acoustic_network.h"
 
 namespace shoal {
 namespace {

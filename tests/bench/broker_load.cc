@@ -30,11 +30,11 @@
 #include <string_view>
 #include <vector>
 
-#include "lib/bus/channels.h"
-#include "lib/bus/lcm_bus.h"
-#include "lib/bus/lcm_receiver.h"
-#include "lib/bus/socket_drops.h"
-#include "lib/run/run_app.h"
+#include "lib/bus/bus/channels.h"
+#include "lib/bus/bus/lcm_bus.h"
+#include "lib/bus/bus/lcm_receiver.h"
+#include "lib/bus/bus/socket_drops.h"
+#include "lib/run/run/run_app.h"
 
 namespace shoal {
 namespace {

@@ -15,12 +15,12 @@
 #include <memory>
 #include <vector>
 
-#include "lib/colregs/preferences.h"
-#include "lib/decision/cpa_function.h"
-#include "lib/decision/decide.h"
-#include "lib/decision/shapes.h"
-#include "lib/geometry/angles.h"
-#include "lib/random/stream.h"
+#include "lib/base/geometry/angles.h"
+#include "lib/base/random/stream.h"
+#include "lib/helm/colregs/preferences.h"
+#include "lib/helm/decision/cpa_function.h"
+#include "lib/helm/decision/decide.h"
+#include "lib/helm/decision/shapes.h"
 
 namespace shoal {
 namespace {

@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "apps/helm/helm_app.h"
-#include "lib/control/auv_pilot.h"
-#include "lib/guidance/target_tracker.h"
-#include "lib/vehicle/propulsion.h"
+#include "lib/vehicle/control/auv_pilot.h"
+#include "lib/vehicle/guidance/target_tracker.h"
+#include "lib/vehicle/vehicle/propulsion.h"
 
 namespace shoal {
 namespace {

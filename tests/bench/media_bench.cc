@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "apps/shore_broker/shore_broker_app.h"
-#include "lib/bus/channels.h"
-#include "lib/bus/memory_bus.h"
-#include "lib/random/stream.h"
+#include "lib/base/random/stream.h"
+#include "lib/bus/bus/channels.h"
+#include "lib/bus/bus/memory_bus.h"
 
 namespace shoal::media_bench {
 namespace {

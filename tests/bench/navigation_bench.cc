@@ -8,7 +8,7 @@
 
 #include <cstdint>
 
-#include "lib/navigation/navigator.h"
+#include "lib/vehicle/navigation/navigator.h"
 
 namespace shoal {
 namespace {

@@ -14,10 +14,10 @@
 #include <thread>
 #include <vector>
 
-#include "lib/bus/lcm_transport.h"
-#include "lib/netsim/line_server.h"
-#include "lib/netsim/netsim_answer.h"
-#include "lib/netsim/test_netsim.h"
+#include "lib/bus/bus/lcm_transport.h"
+#include "lib/mission/netsim/line_server.h"
+#include "lib/mission/netsim/netsim_answer.h"
+#include "lib/mission/netsim/test_netsim.h"
 #include "tests/netsim/rude_clients.h"
 #include "tests/netsim/tcp_client.h"
 

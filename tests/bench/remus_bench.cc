@@ -9,8 +9,8 @@
 #include <cmath>
 #include <vector>
 
-#include "lib/control/auv_pilot.h"
-#include "lib/vehicle/remus100.h"
+#include "lib/vehicle/control/auv_pilot.h"
+#include "lib/vehicle/vehicle/remus100.h"
 #include "tests/closed_loops/munet_auv.h"
 
 namespace shoal {

@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
-#include "lib/media/radio_link.h"
-#include "lib/random/stream.h"
-#include "lib/routing/router.h"
+#include "lib/base/random/stream.h"
+#include "lib/comms/routing/router.h"
+#include "lib/sea/media/radio_link.h"
 
 namespace shoal {
 namespace {

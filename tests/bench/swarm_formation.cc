@@ -19,7 +19,7 @@
 #include <string>
 #include <vector>
 
-#include "lib/mission/load.h"
+#include "lib/mission/file/load.h"
 #include "sim/director_app.h"
 #include "sim/simulation.h"
 

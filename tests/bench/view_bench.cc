@@ -1,4 +1,4 @@
-// How long a recorded mission takes to open and to scrub: lib/view/recorded_view.h.
+// How long a recorded mission takes to open and to scrub: lib/tools/view/recorded_view.h.
 //
 //   tests/bench/view_bench                      a log of 20 vehicles and 10 minutes, made in /tmp
 //   SHOAL_BENCH_LOG=x.lcm tests/bench/view_bench
@@ -14,9 +14,9 @@
 #include <filesystem>
 #include <random>
 
-#include "lib/record/log_writer.h"
-#include "lib/view/recorded_view.h"
-#include "lib/view/test_view.h"
+#include "lib/bus/record/log_writer.h"
+#include "lib/tools/view/recorded_view.h"
+#include "lib/tools/view/test_view.h"
 
 namespace shoal {
 namespace {

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 
-#include "lib/random/stream.h"
+#include "lib/base/random/stream.h"
 #include "tests/campaigns/campaign_runs.h"
 
 namespace shoal::campaign_interrupted_test {

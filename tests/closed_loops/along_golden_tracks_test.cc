@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "lib/geometry/angles.h"
+#include "lib/base/geometry/angles.h"
 #include "tests/closed_loops/meeting_vessels.h"
 #include "tests/golden/read_golden.h"
 

@@ -4,14 +4,14 @@
 
 #include <vector>
 
-#include "lib/control/auv_pilot.h"
-#include "lib/geometry/angles.h"
-#include "lib/guidance/echo_memory.h"
-#include "lib/guidance/task_runner.h"
-#include "lib/ocean/sea_floor.h"
-#include "lib/sensors/forward_looking_sonar.h"
-#include "lib/vehicle/propulsion.h"
-#include "lib/vehicle/remus100.h"
+#include "lib/base/geometry/angles.h"
+#include "lib/sea/ocean/sea_floor.h"
+#include "lib/vehicle/control/auv_pilot.h"
+#include "lib/vehicle/guidance/echo_memory.h"
+#include "lib/vehicle/guidance/task_runner.h"
+#include "lib/vehicle/sensors/forward_looking_sonar.h"
+#include "lib/vehicle/vehicle/propulsion.h"
+#include "lib/vehicle/vehicle/remus100.h"
 
 namespace shoal {
 

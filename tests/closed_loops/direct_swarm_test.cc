@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "lib/vehicle/contact.h"
+#include "lib/vehicle/vehicle/contact.h"
 #include "tests/closed_loops/golden_track.h"
 #include "tests/closed_loops/munet_auv.h"
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "apps/shoal/encounters_command.h"
-#include "lib/check/result.h"
+#include "lib/base/check/result.h"
 
 namespace shoal::encounters_test {
 

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "lib/mission/load.h"
-#include "lib/mission/mission.h"
-#include "lib/vehicle/remus100.h"
+#include "lib/mission/file/load.h"
+#include "lib/mission/model/mission.h"
+#include "lib/vehicle/vehicle/remus100.h"
 #include "sim/simulation.h"
 
 namespace shoal::endings_test {

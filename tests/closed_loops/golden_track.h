@@ -14,8 +14,8 @@
 #include <string>
 #include <vector>
 
-#include "lib/geometry/angles.h"
-#include "lib/vehicle/remus100.h"
+#include "lib/base/geometry/angles.h"
+#include "lib/vehicle/vehicle/remus100.h"
 #include "tests/golden/read_golden.h"
 
 namespace shoal {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lib/colregs/encounter_geometry.h"
-#include "lib/geometry/angles.h"
+#include "lib/base/geometry/angles.h"
+#include "lib/helm/colregs/encounter_geometry.h"
 
 namespace shoal {
 

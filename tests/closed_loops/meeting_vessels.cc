@@ -7,11 +7,11 @@
 #include <sstream>
 #include <utility>
 
-#include "lib/behaviors/behavior_set.h"
-#include "lib/check/bounds.h"
-#include "lib/check/check.h"
-#include "lib/geometry/angles.h"
-#include "lib/modes/value_text.h"
+#include "lib/base/check/bounds.h"
+#include "lib/base/check/check.h"
+#include "lib/base/geometry/angles.h"
+#include "lib/helm/behaviors/behavior_set.h"
+#include "lib/helm/modes/value_text.h"
 #include "tests/closed_loops/kinematic_vessel.h"
 
 namespace shoal {

@@ -12,9 +12,9 @@
 #include <utility>
 #include <vector>
 
-#include "lib/behaviors/behavior_set.h"
-#include "lib/behaviors/contact_ledger.h"
-#include "lib/colregs/encounter_geometry.h"
+#include "lib/helm/behaviors/behavior_set.h"
+#include "lib/helm/behaviors/contact_ledger.h"
+#include "lib/helm/colregs/encounter_geometry.h"
 #include "tests/golden/read_golden.h"
 
 namespace shoal {

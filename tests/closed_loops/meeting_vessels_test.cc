@@ -11,7 +11,7 @@
 #include <string>
 #include <utility>
 
-#include "lib/geometry/angles.h"
+#include "lib/base/geometry/angles.h"
 #include "tests/golden/read_golden.h"
 
 namespace shoal::meeting_vessels_test {

@@ -1,7 +1,7 @@
 #include "tests/closed_loops/munet_auv.h"
 
-#include "lib/geometry/angles.h"
-#include "lib/vehicle/propulsion.h"
+#include "lib/base/geometry/angles.h"
+#include "lib/vehicle/vehicle/propulsion.h"
 
 namespace shoal {
 

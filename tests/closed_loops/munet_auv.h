@@ -12,10 +12,10 @@
 #include <optional>
 #include <vector>
 
-#include "lib/control/auv_pilot.h"
-#include "lib/guidance/path_follower.h"
-#include "lib/guidance/target_tracker.h"
-#include "lib/vehicle/remus100.h"
+#include "lib/vehicle/control/auv_pilot.h"
+#include "lib/vehicle/guidance/path_follower.h"
+#include "lib/vehicle/guidance/target_tracker.h"
+#include "lib/vehicle/vehicle/remus100.h"
 
 namespace shoal {
 

@@ -5,9 +5,9 @@
 #include <Eigen/Cholesky>
 #include <cmath>
 
-#include "lib/geometry/angles.h"
-#include "lib/navigation/chi_square.h"
-#include "lib/navigation/navigator.h"
+#include "lib/base/geometry/angles.h"
+#include "lib/vehicle/navigation/chi_square.h"
+#include "lib/vehicle/navigation/navigator.h"
 
 namespace shoal::navigation_consistency_test {
 

@@ -7,9 +7,9 @@
 #include <variant>
 
 #include "apps/acomms/swarm_bytes.h"
-#include "lib/check/check.h"
-#include "lib/swarm/broadcast_message.h"
-#include "lib/vehicle/propulsion.h"
+#include "lib/base/check/check.h"
+#include "lib/comms/swarm/broadcast_message.h"
+#include "lib/vehicle/vehicle/propulsion.h"
 
 namespace shoal {
 

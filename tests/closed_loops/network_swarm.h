@@ -15,11 +15,11 @@
 #include <string>
 #include <vector>
 
-#include "lib/acoustics/acoustic_network.h"
-#include "lib/ocean/sea_floor.h"
-#include "lib/sensors/forward_looking_sonar.h"
-#include "lib/swarm/schedule.h"
-#include "lib/swarm/swarm_receiver.h"
+#include "lib/comms/swarm/schedule.h"
+#include "lib/comms/swarm/swarm_receiver.h"
+#include "lib/sea/acoustics/acoustic_network.h"
+#include "lib/sea/ocean/sea_floor.h"
+#include "lib/vehicle/sensors/forward_looking_sonar.h"
 #include "tests/closed_loops/munet_auv.h"
 
 namespace shoal {

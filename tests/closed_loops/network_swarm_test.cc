@@ -22,7 +22,7 @@
 #include <utility>
 #include <vector>
 
-#include "lib/swarm/broadcast_message.h"
+#include "lib/comms/swarm/broadcast_message.h"
 #include "tests/closed_loops/golden_track.h"
 
 namespace shoal::network_swarm_test {

@@ -10,9 +10,9 @@
 #include <utility>
 #include <vector>
 
-#include "lib/behaviors/op_region.h"
-#include "lib/behaviors/waypoint.h"
-#include "lib/decision/decide.h"
+#include "lib/helm/behaviors/op_region.h"
+#include "lib/helm/behaviors/waypoint.h"
+#include "lib/helm/decision/decide.h"
 #include "tests/closed_loops/kinematic_vessel.h"
 #include "tests/golden/read_golden.h"
 

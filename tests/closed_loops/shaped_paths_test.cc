@@ -6,11 +6,11 @@
 #include <optional>
 #include <vector>
 
-#include "lib/control/auv_pilot.h"
-#include "lib/geometry/angles.h"
-#include "lib/guidance/task_runner.h"
-#include "lib/vehicle/propulsion.h"
-#include "lib/vehicle/remus100.h"
+#include "lib/base/geometry/angles.h"
+#include "lib/vehicle/control/auv_pilot.h"
+#include "lib/vehicle/guidance/task_runner.h"
+#include "lib/vehicle/vehicle/propulsion.h"
+#include "lib/vehicle/vehicle/remus100.h"
 
 namespace shoal::shaped_paths_test {
 

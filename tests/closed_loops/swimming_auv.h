@@ -16,7 +16,7 @@
 #include "apps/helm/underwater_pilot.h"
 #include "apps/vehicle_sim/simulated_remus100.h"
 #include "apps/vehicle_sim/sonar_unit.h"
-#include "lib/geometry/angles.h"
+#include "lib/base/geometry/angles.h"
 
 namespace shoal {
 

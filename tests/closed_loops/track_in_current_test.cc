@@ -3,11 +3,11 @@
 
 #include <cmath>
 
-#include "lib/control/auv_pilot.h"
-#include "lib/geometry/angles.h"
-#include "lib/guidance/path_follower.h"
-#include "lib/vehicle/propulsion.h"
-#include "lib/vehicle/remus100.h"
+#include "lib/base/geometry/angles.h"
+#include "lib/vehicle/control/auv_pilot.h"
+#include "lib/vehicle/guidance/path_follower.h"
+#include "lib/vehicle/vehicle/propulsion.h"
+#include "lib/vehicle/vehicle/remus100.h"
 
 namespace shoal::track_in_current_test {
 

@@ -10,11 +10,11 @@
 #include <utility>
 #include <vector>
 
-#include "lib/behaviors/behavior_set.h"
-#include "lib/behaviors/contact_ledger.h"
-#include "lib/check/bounds.h"
-#include "lib/mission/behavior_update.h"
-#include "lib/modes/value_text.h"
+#include "lib/base/check/bounds.h"
+#include "lib/helm/behaviors/behavior_set.h"
+#include "lib/helm/behaviors/contact_ledger.h"
+#include "lib/helm/modes/value_text.h"
+#include "lib/mission/file/behavior_update.h"
 #include "tests/closed_loops/kinematic_vessel.h"
 #include "tests/golden/read_golden.h"
 

@@ -10,8 +10,8 @@
 
 #include "apps/helm/helm_app.h"
 #include "apps/vehicle_sim/vehicle_sim_app.h"
-#include "lib/bus/memory_bus.h"
-#include "lib/mission/load.h"
+#include "lib/bus/bus/memory_bus.h"
+#include "lib/mission/file/load.h"
 #include "tests/closed_loops/golden_track.h"
 #include "tests/closed_loops/munet_auv.h"
 

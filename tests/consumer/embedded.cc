@@ -1,7 +1,7 @@
 // Embeds a mission, and asks the mission itself and its director.
 #include <cstdio>
 
-#include "lib/mission/mission.h"
+#include "lib/mission/model/mission.h"
 #include "sim/director_app.h"
 #include "sim/simulation.h"
 

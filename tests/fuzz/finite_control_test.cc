@@ -1,14 +1,14 @@
-// No NaN and no infinity leaves lib/control for any finite input.
+// No NaN and no infinity leaves lib/vehicle/control for any finite input.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
 #include <cmath>
 #include <limits>
 
-#include "lib/control/auv_pilot.h"
-#include "lib/control/heading_pid.h"
-#include "lib/control/speed_controller.h"
-#include "lib/guidance/test_vectors.h"
+#include "lib/vehicle/control/auv_pilot.h"
+#include "lib/vehicle/control/heading_pid.h"
+#include "lib/vehicle/control/speed_controller.h"
+#include "lib/vehicle/guidance/test_vectors.h"
 
 namespace shoal::finite_control_test {
 

@@ -1,15 +1,16 @@
-// No NaN and no infinity leaves lib/guidance for any finite input. PathFollower, TargetTracker, the
-// tasks of underwater vehicles, paths and predictions have such tests beside them.
+// No NaN and no infinity leaves lib/vehicle/guidance for any finite input. PathFollower,
+// TargetTracker, the tasks of underwater vehicles, paths and predictions have such tests beside
+// them.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
 #include <cmath>
 
-#include "lib/guidance/alos.h"
-#include "lib/guidance/line_of_sight.h"
-#include "lib/guidance/path_progress.h"
-#include "lib/guidance/task_runner.h"
-#include "lib/guidance/test_vectors.h"
+#include "lib/vehicle/guidance/alos.h"
+#include "lib/vehicle/guidance/line_of_sight.h"
+#include "lib/vehicle/guidance/path_progress.h"
+#include "lib/vehicle/guidance/task_runner.h"
+#include "lib/vehicle/guidance/test_vectors.h"
 
 namespace shoal::finite_guidance_test {
 

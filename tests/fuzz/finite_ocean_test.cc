@@ -1,13 +1,13 @@
-// No NaN and no infinity leaves lib/ocean for any finite input. Currents, floors, plumes and sonar
-// have such tests beside them.
+// No NaN and no infinity leaves lib/sea/ocean for any finite input. Currents, floors, plumes and
+// sonar have such tests beside them.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
 #include <cmath>
 
-#include "lib/guidance/test_vectors.h"
-#include "lib/ocean/current.h"
-#include "lib/ocean/perlin_noise.h"
+#include "lib/sea/ocean/current.h"
+#include "lib/sea/ocean/perlin_noise.h"
+#include "lib/vehicle/guidance/test_vectors.h"
 
 namespace shoal::finite_ocean_test {
 

@@ -1,15 +1,15 @@
-// No NaN and no infinity leaves lib/vehicle for any finite input; Step of the Remus has its own
-// test beside it.
+// No NaN and no infinity leaves lib/vehicle/vehicle for any finite input; Step of the Remus has its
+// own test beside it.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
 #include <cmath>
 
-#include "lib/guidance/test_vectors.h"
-#include "lib/vehicle/attitude.h"
-#include "lib/vehicle/propulsion.h"
-#include "lib/vehicle/remus100.h"
-#include "lib/vehicle/surface_craft.h"
+#include "lib/vehicle/guidance/test_vectors.h"
+#include "lib/vehicle/vehicle/attitude.h"
+#include "lib/vehicle/vehicle/propulsion.h"
+#include "lib/vehicle/vehicle/remus100.h"
+#include "lib/vehicle/vehicle/surface_craft.h"
 
 namespace shoal::finite_vehicle_test {
 

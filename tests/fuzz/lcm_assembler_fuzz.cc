@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <span>
 
-#include "lib/bus/lcm_assembler.h"
-#include "lib/check/check.h"
+#include "lib/base/check/check.h"
+#include "lib/bus/bus/lcm_assembler.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   std::span<const uint8_t> rest(data, size);

@@ -12,11 +12,11 @@
 #include <string_view>
 #include <vector>
 
-#include "lib/check/check.h"
-#include "lib/codec/crc32.h"
-#include "lib/codec/nmea_sentence.h"
-#include "lib/modem/micromodem.h"
-#include "lib/modem/raw_modem.h"
+#include "lib/base/check/check.h"
+#include "lib/base/codec/crc32.h"
+#include "lib/base/codec/nmea_sentence.h"
+#include "lib/sea/modem/micromodem.h"
+#include "lib/sea/modem/raw_modem.h"
 
 namespace shoal {
 namespace {

@@ -10,9 +10,9 @@
 #include <string_view>
 #include <vector>
 
-#include "lib/check/check.h"
-#include "lib/mission/load.h"
-#include "lib/moos/import.h"
+#include "lib/base/check/check.h"
+#include "lib/mission/file/load.h"
+#include "lib/tools/moos/import.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   std::string_view bytes(reinterpret_cast<const char*>(data), size);

@@ -11,9 +11,9 @@
 #include <string_view>
 #include <vector>
 
-#include "lib/mcap/log_mcap.h"
-#include "lib/record/log_commands.h"
-#include "lib/record/test_log.h"
+#include "lib/bus/record/log_commands.h"
+#include "lib/bus/record/test_log.h"
+#include "lib/tools/mcap/log_mcap.h"
 #include "shoal/comms_fates_t.hpp"
 #include "shoal/nav_t.hpp"
 #include "shoal/node_report_t.hpp"

@@ -11,9 +11,9 @@
 #include <random>
 #include <string>
 
-#include "lib/geodesy/local_frame.h"
-#include "lib/track/csv_track.h"
-#include "lib/track/gpx_track.h"
+#include "lib/base/geodesy/local_frame.h"
+#include "lib/mission/track/csv_track.h"
+#include "lib/mission/track/gpx_track.h"
 #include "tests/fuzz/mutation.h"
 
 namespace shoal::mutated_tracks_test {

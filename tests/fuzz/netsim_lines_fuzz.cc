@@ -8,10 +8,10 @@
 #include <cstdint>
 #include <string_view>
 
-#include "lib/check/check.h"
-#include "lib/netsim/line_framer.h"
-#include "lib/netsim/netsim_answer.h"
-#include "lib/netsim/test_netsim.h"
+#include "lib/base/check/check.h"
+#include "lib/mission/netsim/line_framer.h"
+#include "lib/mission/netsim/netsim_answer.h"
+#include "lib/mission/netsim/test_netsim.h"
 
 namespace shoal {
 namespace {

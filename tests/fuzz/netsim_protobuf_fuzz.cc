@@ -6,10 +6,10 @@
 #include <variant>
 #include <vector>
 
-#include "lib/check/check.h"
-#include "lib/netsim/netsim_answer.h"
-#include "lib/netsim/netsim_wire.h"
-#include "lib/netsim/test_netsim.h"
+#include "lib/base/check/check.h"
+#include "lib/mission/netsim/netsim_answer.h"
+#include "lib/mission/netsim/netsim_wire.h"
+#include "lib/mission/netsim/test_netsim.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   using shoal::NetsimRequest;

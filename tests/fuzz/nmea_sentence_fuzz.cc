@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <string_view>
 
-#include "lib/check/check.h"
-#include "lib/codec/nmea_sentence.h"
+#include "lib/base/check/check.h"
+#include "lib/base/codec/nmea_sentence.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   const std::string_view line(reinterpret_cast<const char*>(data), size);

@@ -9,9 +9,9 @@
 #include <cstdlib>
 #include <span>
 
-#include "lib/check/check.h"
-#include "lib/swarm/broadcast_message.h"
-#include "lib/swarm/test_group.h"
+#include "lib/base/check/check.h"
+#include "lib/comms/swarm/broadcast_message.h"
+#include "lib/comms/swarm/test_group.h"
 
 namespace shoal {
 namespace {

@@ -9,7 +9,7 @@
 #include "apps/viewer/access.h"
 #include "apps/viewer/http_head.h"
 #include "apps/viewer/view_request.h"
-#include "lib/check/check.h"
+#include "lib/base/check/check.h"
 
 namespace shoal {
 namespace {

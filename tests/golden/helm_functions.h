@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "lib/colregs/encounter_geometry.h"
-#include "lib/decision/decide.h"
+#include "lib/helm/colregs/encounter_geometry.h"
+#include "lib/helm/decision/decide.h"
 #include "tests/golden/read_golden.h"
 
 namespace shoal {

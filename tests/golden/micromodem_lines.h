@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "lib/modem/two_modems.h"
+#include "lib/sea/modem/two_modems.h"
 
 namespace shoal {
 

@@ -9,9 +9,9 @@
 #include <string>
 #include <string_view>
 
-#include "lib/swarm/field_checks.h"
-#include "lib/swarm/group_state.h"
-#include "lib/swarm/swarm_field.h"
+#include "lib/comms/swarm/field_checks.h"
+#include "lib/comms/swarm/group_state.h"
+#include "lib/comms/swarm/swarm_field.h"
 #include "tests/golden/read_golden.h"
 
 namespace shoal {

@@ -6,10 +6,10 @@
 #include <fstream>
 #include <random>
 
-#include "lib/bus/channels.h"
-#include "lib/bus/lcm_bus.h"
-#include "lib/bus/seal.h"
-#include "lib/run/run_registry.h"
+#include "lib/bus/bus/channels.h"
+#include "lib/bus/bus/lcm_bus.h"
+#include "lib/bus/bus/seal.h"
+#include "lib/run/run/run_registry.h"
 #include "tests/missions/shoal_process.h"
 
 namespace shoal::bus_trouble_test {

@@ -4,9 +4,9 @@
 
 #include <utility>
 
-#include "lib/bus/channels.h"
-#include "lib/bus/lcm_bus.h"
-#include "lib/run/run_registry.h"
+#include "lib/bus/bus/channels.h"
+#include "lib/bus/bus/lcm_bus.h"
+#include "lib/run/run/run_registry.h"
 #include "tests/missions/shoal_process.h"
 
 namespace shoal::commands_test {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "lib/run/run_registry.h"
+#include "lib/run/run/run_registry.h"
 #include "tests/missions/shoal_process.h"
 
 namespace shoal::failed_start_test {

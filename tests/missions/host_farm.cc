@@ -6,7 +6,7 @@
 #include <regex>
 #include <sstream>
 
-#include "lib/record/log_reader.h"
+#include "lib/bus/record/log_reader.h"
 
 namespace shoal {
 

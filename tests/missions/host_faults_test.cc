@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <memory>
 
-#include "lib/hosts/link_message.h"
+#include "lib/run/hosts/link_message.h"
 #include "tests/missions/delaying_proxy.h"
 #include "tests/missions/fair_stopwatch.h"
 #include "tests/missions/host_farm.h"

@@ -1,6 +1,6 @@
 // What LcmReceiver receives from liblcm's own publishers, and from programs that send what liblcm
 // never would.
-#include "lib/bus/lcm_receiver.h"
+#include "lib/bus/bus/lcm_receiver.h"
 
 #include <gtest/gtest.h>
 #include <lcm/lcm.h>
@@ -8,10 +8,10 @@
 #include <map>
 #include <random>
 
-#include "lib/bus/layout.h"
-#include "lib/bus/socket_drops.h"
-#include "lib/run/run_app.h"
-#include "lib/run/run_registry.h"
+#include "lib/bus/bus/layout.h"
+#include "lib/bus/bus/socket_drops.h"
+#include "lib/run/run/run_app.h"
+#include "lib/run/run/run_registry.h"
 #include "tests/missions/shoal_process.h"
 
 namespace shoal::lcm_receiver_test {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 
-#include "lib/record/log_reader.h"
+#include "lib/bus/record/log_reader.h"
 #include "tests/missions/fair_stopwatch.h"
 #include "tests/missions/shoal_process.h"
 

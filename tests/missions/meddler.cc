@@ -7,7 +7,7 @@
 #include <deque>
 #include <memory>
 
-#include "lib/hosts/curve_link.h"
+#include "lib/run/hosts/curve_link.h"
 
 namespace shoal {
 

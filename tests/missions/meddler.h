@@ -8,7 +8,7 @@
 #include <thread>
 #include <vector>
 
-#include "lib/bus/bus.h"
+#include "lib/bus/bus/bus.h"
 #include "tests/missions/host_farm.h"
 
 namespace shoal {

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "lib/codec/base64.h"
+#include "lib/base/codec/base64.h"
 #include "tests/golden/micromodem_lines.h"
 #include "tests/golden/read_golden.h"
 #include "tests/missions/shoal_process.h"

@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-#include "lib/record/log_reader.h"
+#include "lib/bus/record/log_reader.h"
 #include "tests/campaigns/slurm_of_one_box.h"
 #include "tests/missions/shoal_process.h"
 

@@ -5,8 +5,8 @@
 #include <Eigen/Core>
 #include <cmath>
 
-#include "lib/bus/channels.h"
-#include "lib/record/log_reader.h"
+#include "lib/bus/bus/channels.h"
+#include "lib/bus/record/log_reader.h"
 #include "tests/missions/shoal_process.h"
 
 namespace shoal::netsim_hil_test {

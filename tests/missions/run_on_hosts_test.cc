@@ -4,8 +4,8 @@
 
 #include <cstdlib>
 
-#include "lib/hosts/curve_link.h"
-#include "lib/hosts/host_offer.h"
+#include "lib/run/hosts/curve_link.h"
+#include "lib/run/hosts/host_offer.h"
 #include "tests/missions/delaying_proxy.h"
 #include "tests/missions/fair_stopwatch.h"
 #include "tests/missions/host_farm.h"

@@ -17,9 +17,9 @@
 #include <fstream>
 #include <sstream>
 
-#include "lib/bus/layout.h"
-#include "lib/record/file_descriptor.h"
-#include "lib/run/run_app.h"
+#include "lib/bus/bus/layout.h"
+#include "lib/bus/record/file_descriptor.h"
+#include "lib/run/run/run_app.h"
 
 namespace shoal {
 

@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <map>
 
-#include "lib/bus/channels.h"
-#include "lib/bus/lcm_bus.h"
-#include "lib/record/log_reader.h"
-#include "lib/run/run_registry.h"
+#include "lib/bus/bus/channels.h"
+#include "lib/bus/bus/lcm_bus.h"
+#include "lib/bus/record/log_reader.h"
+#include "lib/run/run/run_registry.h"
 #include "tests/missions/shoal_process.h"
 
 namespace shoal::shore_broker_test {

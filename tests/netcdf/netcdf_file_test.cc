@@ -1,5 +1,5 @@
 // NetCDF files of both kinds, read by shoal-netcdf.
-#include "lib/netcdf/netcdf_file.h"
+#include "lib/mission/netcdf/netcdf_file.h"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
@@ -13,8 +13,8 @@
 #include <string>
 #include <vector>
 
-#include "lib/netcdf/netcdf_wire.h"
-#include "lib/record/file_descriptor.h"
+#include "lib/bus/record/file_descriptor.h"
+#include "lib/mission/netcdf/netcdf_wire.h"
 #include "tests/netcdf/write_netcdf.h"
 
 namespace shoal::netcdf_file_test {

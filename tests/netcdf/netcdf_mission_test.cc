@@ -9,11 +9,11 @@
 #include <string>
 #include <vector>
 
-#include "lib/geodesy/local_frame.h"
-#include "lib/mission/data_files.h"
-#include "lib/mission/load.h"
-#include "lib/mission/ocean_of.h"
-#include "lib/mission/read_file.h"
+#include "lib/base/geodesy/local_frame.h"
+#include "lib/mission/file/data_files.h"
+#include "lib/mission/file/load.h"
+#include "lib/mission/file/ocean_of.h"
+#include "lib/mission/toml/read_file.h"
 #include "tests/netcdf/write_netcdf.h"
 
 namespace shoal::netcdf_mission_test {

@@ -18,10 +18,10 @@
 #include <vector>
 
 #include "apps/netcdf_reader/answer.h"
-#include "lib/netcdf/cf_field.h"
-#include "lib/netcdf/cf_variables.h"
-#include "lib/netcdf/netcdf_file.h"
-#include "lib/record/file_descriptor.h"
+#include "lib/bus/record/file_descriptor.h"
+#include "lib/mission/netcdf/cf_field.h"
+#include "lib/mission/netcdf/cf_variables.h"
+#include "lib/mission/netcdf/netcdf_file.h"
 #include "tests/fuzz/mutation.h"
 #include "tests/netcdf/write_netcdf.h"
 

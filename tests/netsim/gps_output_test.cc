@@ -1,4 +1,4 @@
-#include "lib/netsim/gps_output.h"
+#include "lib/mission/netsim/gps_output.h"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>

@@ -1,12 +1,12 @@
 // What clients of a line server can rely on, and what they cannot do to it or to each other.
-#include "lib/netsim/line_server.h"
+#include "lib/mission/netsim/line_server.h"
 
 #include <gtest/gtest.h>
 #include <poll.h>
 
 #include <deque>
 
-#include "lib/record/wait_set.h"
+#include "lib/bus/record/wait_set.h"
 #include "tests/netsim/served_clients.h"
 
 namespace shoal::line_server_test {

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "apps/netsim_manager/netsim_manager_app.h"
-#include "lib/bus/memory_bus.h"
-#include "lib/modem/micromodem_packet.h"
+#include "lib/bus/bus/memory_bus.h"
+#include "lib/sea/modem/micromodem_packet.h"
 #include "tests/netsim/tcp_client.h"
 
 namespace shoal::netsim_manager_test {

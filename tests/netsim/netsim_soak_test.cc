@@ -1,8 +1,8 @@
 // Two hundred clients that behave as badly as they can, and one that does not.
 #include <gtest/gtest.h>
 
-#include "lib/netsim/netsim_answer.h"
-#include "lib/netsim/test_netsim.h"
+#include "lib/mission/netsim/netsim_answer.h"
+#include "lib/mission/netsim/test_netsim.h"
 #include "tests/netsim/rude_clients.h"
 #include "tests/netsim/served_clients.h"
 

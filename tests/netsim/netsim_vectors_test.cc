@@ -5,7 +5,7 @@
 #include <map>
 #include <regex>
 
-#include "lib/netsim/netsim_answer.h"
+#include "lib/mission/netsim/netsim_answer.h"
 #include "tests/golden/read_golden.h"
 #include "tests/netsim/served_clients.h"
 

@@ -9,7 +9,7 @@
 #include <memory>
 #include <vector>
 
-#include "lib/netsim/line_server.h"
+#include "lib/mission/netsim/line_server.h"
 #include "tests/netsim/tcp_client.h"
 
 namespace shoal {

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "lib/record/file_descriptor.h"
+#include "lib/bus/record/file_descriptor.h"
 
 namespace shoal {
 

@@ -7,10 +7,10 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "lib/bus/channels.h"
-#include "lib/bus/lcm_transport.h"
-#include "lib/bus/seal.h"
-#include "lib/run/run_registry.h"
+#include "lib/bus/bus/channels.h"
+#include "lib/bus/bus/lcm_transport.h"
+#include "lib/bus/bus/seal.h"
+#include "lib/run/run/run_registry.h"
 #include "tests/missions/fair_stopwatch.h"
 #include "tests/missions/shoal_process.h"
 #include "tests/netsim/tcp_client.h"

@@ -32,7 +32,7 @@ function axesOf(data) {
   return axes;
 }
 
-/** Everything that the page shows; `data` is what lib/campaign/page_data.h writes. */
+/** Everything that the page shows; `data` is what lib/tools/report/page_data.h writes. */
 export class Report {
   constructor(data) {
     this.data = data;

@@ -1,4 +1,4 @@
-// Numbers and commands as the page writes them: as lib/campaign/table_text.h does.
+// Numbers and commands as the page writes them: as lib/tools/report/table_text.h does.
 
 export const kMostDrawn = 1e30; // Beyond this an axis has no sensible marks.
 

@@ -11,7 +11,7 @@ import {placesToFit} from '../../../web/map_places.js';
 const near = (actual, expected, tolerance) =>
   assert.ok(Math.abs(actual - expected) <= tolerance, `${actual} is not ${expected}`);
 
-// Computed with lib/geodesy (GeographicLib): origin, x, y, latitude, longitude.
+// Computed with lib/base/geodesy (GeographicLib): origin, x, y, latitude, longitude.
 const kGeodesy = [
   [43.8253, -70.3304, 1000, 2000, 43.843299663708, -70.317964817078],
   [43.8253, -70.3304, -8000, 6000, 43.879257483749, -70.429941204389],
@@ -22,7 +22,7 @@ const kGeodesy = [
   [78.2, 15.6, 120000, -150000, 76.813594107072, 20.313666527028],
 ];
 
-test('latitude and longitude are those of lib/geodesy, to a tenth of a millimetre', () => {
+test('latitude and longitude are those of lib/base/geodesy, to a tenth of a millimetre', () => {
   for (const [lat_deg, lon_deg, x, y, lat, lon] of kGeodesy) {
     const frame = new LocalFrame({lat_deg, lon_deg});
     const geo = frame.toGeo(x, y);

@@ -1,0 +1,86 @@
+#include "lib/bus/record/log_source.h"
+
+#include <fmt/format.h>
+#include <fnmatch.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
+#include "lib/base/schema/text.h"
+
+namespace shoal {
+
+namespace {
+
+bool Matches(const std::string& glob, const std::string& channel) {
+  return ::fnmatch(glob.c_str(), channel.c_str(), 0) == 0;
+}
+
+}  // namespace
+
+std::optional<LogReader> OpenLog(const std::string& path, OnDamage on_damage, std::ostream& err) {
+  Result<LogReader> reader = LogReader::Open(path, on_damage);
+  if (reader.ok()) return std::move(*reader);
+  err << reader.error();
+  const std::filesystem::path inside = std::filesystem::path(path) / "mission.lcm";
+  if (std::error_code error; std::filesystem::is_regular_file(inside, error)) {
+    err << fmt::format("; it is a folder, try {}", inside.string());
+  }
+  err << '\n';
+  return std::nullopt;
+}
+
+bool IsLogItself(const std::string& path, const std::string& out_path, std::ostream& err) {
+  std::error_code ignored;
+  if (!std::filesystem::equivalent(path, out_path, ignored)) return false;
+  err << fmt::format("{} is the log itself; name another file: --out FILE\n", out_path);
+  return true;
+}
+
+bool ReportDamage(const LogReader& reader, std::ostream& err) {
+  constexpr size_t kMaxShown = 10;
+  const auto& damages = reader.damages();
+  for (size_t i = 0; i < std::min(kMaxShown, damages.size()); ++i) {
+    err << fmt::format("{}: byte {}: {} ({} bytes skipped)\n", reader.path(), damages[i].begin,
+                       damages[i].what, damages[i].end - damages[i].begin);
+  }
+  const auto num_more = reader.num_damages() - static_cast<int64_t>(kMaxShown);
+  if (num_more > 0) err << fmt::format("{}: {} more damages\n", reader.path(), num_more);
+  if (!reader.error().empty()) err << reader.error() << '\n';
+  return reader.error().empty();
+}
+
+bool IsSelected(const LogSelection& selection, const LogEvent& event) {
+  const double time_s = static_cast<double>(event.utime) / 1e6;
+  // Half a microsecond of tolerance: 12.3 is no whole number of microseconds in binary.
+  constexpr double kTolerance_s = 0.5e-6;
+  if (selection.from_s && time_s < *selection.from_s - kTolerance_s) return false;
+  if (selection.to_s && time_s > *selection.to_s + kTolerance_s) return false;
+  if (selection.channels.empty()) return true;
+  const std::string channel(event.channel);
+  return std::any_of(selection.channels.begin(), selection.channels.end(),
+                     [&](const std::string& glob) { return Matches(glob, channel); });
+}
+
+bool ReportUnmatched(const LogReader& reader, const LogSelection& selection,
+                     const std::set<std::string, std::less<>>& channels, std::ostream& err) {
+  size_t num_unmatched = 0;
+  for (const std::string& glob : selection.channels) {
+    if (std::any_of(channels.begin(), channels.end(),
+                    [&](const std::string& channel) { return Matches(glob, channel); })) {
+      continue;
+    }
+    ++num_unmatched;
+    std::string names;
+    for (const std::string& channel : channels) {
+      if (!names.empty()) names += ", ";
+      AppendQuoted(channel, &names);
+    }
+    err << fmt::format("{}: no channel matches '{}'; there are: {}\n", reader.path(), glob,
+                       names.empty() ? "none" : names);
+  }
+  return num_unmatched == 0 || num_unmatched < selection.channels.size();
+}
+
+}  // namespace shoal

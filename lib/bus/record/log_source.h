@@ -1,0 +1,33 @@
+// A log with the types that its messages have: what every `shoal log` command begins with.
+#pragma once
+
+#include <optional>
+#include <ostream>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "lib/base/check/result.h"
+#include "lib/bus/record/log_commands.h"
+#include "lib/bus/record/log_reader.h"
+
+namespace shoal {
+
+/// Opens `path`; on failure writes why to `err` and returns nothing.
+std::optional<LogReader> OpenLog(const std::string& path, OnDamage on_damage, std::ostream& err);
+
+/// Returns true, and writes why that does not go, where `out_path` is the log that is read.
+[[nodiscard]] bool IsLogItself(const std::string& path, const std::string& out_path,
+                               std::ostream& err);
+
+/// Writes the damages that `reader` skipped, or its error. Returns true where it read to the end.
+bool ReportDamage(const LogReader& reader, std::ostream& err);
+
+[[nodiscard]] bool IsSelected(const LogSelection& selection, const LogEvent& event);
+
+/// Writes which globs of `selection` match none of `channels`, all those of the log. Returns false
+/// where there are globs and none matches.
+bool ReportUnmatched(const LogReader& reader, const LogSelection& selection,
+                     const std::set<std::string, std::less<>>& channels, std::ostream& err);
+
+}  // namespace shoal

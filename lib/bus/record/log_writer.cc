@@ -1,0 +1,124 @@
+#include "lib/bus/record/log_writer.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+
+#include "lib/bus/record/log_format.h"
+
+namespace shoal {
+
+namespace {
+
+std::string Remedy(int error_number) {
+  switch (error_number) {
+    case ENOSPC:
+    case EDQUOT:
+    case EFBIG:
+      return "free some space, or record into another folder";
+    case EACCES:
+    case EPERM:
+    case EROFS:
+      return "choose a folder that you may write to";
+    case ENOENT:
+    case ENOTDIR:
+      return "make its folder first";
+    case EISDIR:
+      return "it is a folder: name a file in it";
+    case EMFILE:
+    case ENFILE:
+      return "too many files are open: raise `ulimit -n`";
+    default:
+      return "check the disk, or record into another folder";
+  }
+}
+
+Error WriteError(const std::string& path, int error_number) {
+  return Error{"cannot write " + path + ": " + ErrnoText(error_number) + " (" +
+               Remedy(error_number) + ")"};
+}
+
+uint8_t* PutBigEndian(uint64_t value, int num_bytes, uint8_t* out) {
+  for (int shift = 8 * (num_bytes - 1); shift >= 0; shift -= 8) {
+    *out++ = static_cast<uint8_t>(value >> shift);
+  }
+  return out;
+}
+
+}  // namespace
+
+LogWriter::LogWriter(std::string path, FileDescriptor file)
+    : path_(std::move(path)), file_(std::move(file)) {}
+
+Result<LogWriter> LogWriter::Create(const std::string& path) {
+  FileDescriptor file(::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644));
+  if (!file.is_open()) return WriteError(path, errno);
+  return LogWriter(path, std::move(file));
+}
+
+LogWriter::~LogWriter() {
+  if (file_.is_open()) (void)Flush();
+}
+
+void LogWriter::Append(int64_t utime, std::string_view channel, std::span<const uint8_t> data) {
+  SHOAL_CHECK(file_.is_open(), "an event for a log that is closed");
+  if (error_ || channel.empty() || channel.size() > kMaxLogChannelLength ||
+      data.size() > kMaxLogDataLength) {
+    ++counters_.dropped;
+    return;
+  }
+  std::array<uint8_t, kLogHeaderSize> header;
+  uint8_t* out = PutBigEndian(kLogMagic, 4, header.data());
+  out = PutBigEndian(static_cast<uint64_t>(next_number_), 8, out);
+  out = PutBigEndian(static_cast<uint64_t>(utime), 8, out);
+  out = PutBigEndian(channel.size(), 4, out);
+  PutBigEndian(data.size(), 4, out);
+  pending_.insert(pending_.end(), header.begin(), header.end());
+  pending_.insert(pending_.end(), channel.begin(), channel.end());
+  pending_.insert(pending_.end(), data.begin(), data.end());
+  ++next_number_;
+  ++pending_events_;
+  ++counters_.events;
+  counters_.bytes += static_cast<int64_t>(kLogHeaderSize + channel.size() + data.size());
+}
+
+std::optional<Error> LogWriter::Flush() {
+  SHOAL_CHECK(file_.is_open(), "Flush() of a log that is closed");
+  if (error_) return error_;
+  size_t written = 0;
+  while (written < pending_.size()) {  // once, unless a signal or the disk cuts it short
+    const ssize_t result =
+        ::write(file_.get(), pending_.data() + written, pending_.size() - written);
+    if (result < 0 && errno == EINTR) continue;
+    if (result < 0) return Fail(errno);
+    if (result == 0) return Fail(ENOSPC);
+    written += static_cast<size_t>(result);
+  }
+  flushed_bytes_ += static_cast<int64_t>(written);
+  pending_.clear();
+  pending_events_ = 0;
+  return std::nullopt;
+}
+
+std::optional<Error> LogWriter::Close() {
+  if (auto error = Flush()) return error;
+  if (!file_.Close()) return Fail(errno);
+  return std::nullopt;
+}
+
+Error LogWriter::Fail(int error_number) {
+  // Leaves whole events; where even that fails (such as on a device), readers find the cut.
+  if (file_.is_open()) (void)!::ftruncate(file_.get(), flushed_bytes_);
+  counters_.dropped += pending_events_;
+  counters_.events -= pending_events_;
+  counters_.bytes -= static_cast<int64_t>(pending_.size());
+  pending_.clear();
+  pending_events_ = 0;
+  error_ = WriteError(path_, error_number);
+  return *error_;
+}
+
+}  // namespace shoal

@@ -1,0 +1,62 @@
+#include "lib/helm/behaviors/contact_aim.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <string>
+
+#include "lib/helm/behaviors/preference.h"
+
+namespace shoal {
+
+namespace {
+
+double ExponentOf(std::string_view grade) {
+  return grade == "quadratic" ? 2 : grade == "quasi" ? 1.5 : 1;
+}
+
+std::string InCapitals(std::string_view text) {
+  std::string capitals(text);
+  std::transform(capitals.begin(), capitals.end(), capitals.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  return capitals;
+}
+
+}  // namespace
+
+const ContactView* KnownContact(const ContactOptions& options, const BehaviorInputs& inputs,
+                                BehaviorAnswer& answer) {
+  if (inputs.contacts != nullptr) {
+    const auto contact = inputs.contacts->find(options.contact);
+    if (contact != inputs.contacts->end()) return &contact->second;
+  }
+  const std::string text = "no report of the contact '" + options.contact + "' is known";
+  (options.on_no_contact_ok ? answer.warning : answer.error) = text;
+  return nullptr;
+}
+
+double RelevanceAt(double range_m, double inner_m, double outer_m, std::string_view grade) {
+  if (range_m >= outer_m) return 0;
+  if (range_m <= inner_m) return 1;
+  return std::pow((outer_m - range_m) / (outer_m - inner_m), ExponentOf(grade));
+}
+
+void DescribeContact(const ContactOptions& options, const ContactView& contact,
+                     const RelativeGeometry& geometry, std::string_view role, std::string_view rule,
+                     BehaviorAnswer& answer) {
+  answer.state = contact.name + ", " + std::string(role) + ", " + Whole(geometry.range_m) + " m";
+  answer.role = ContactRole{.contact = contact.name,
+                            .role = std::string(role),
+                            .rule = std::string(rule),
+                            .range_m = geometry.range_m,
+                            .cpa_m = geometry.cpa_m,
+                            .age_s = contact.age_s};
+  if (!options.post_per_contact_info) return;
+  const std::string suffix = InCapitals(contact.name);
+  Post(answer, "RANGE", std::round(geometry.range_m * 10) / 10, suffix);
+  Post(answer, "CLOSING_SPEED", -std::round(geometry.range_rate_mps * 100) / 100, suffix);
+  Post(answer, "RELEVANCE", std::round(answer.relevance * 1000) / 1000, suffix);
+  Post(answer, "ROLE", role, suffix);
+}
+
+}  // namespace shoal

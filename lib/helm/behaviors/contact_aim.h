@@ -1,0 +1,28 @@
+// What all behaviors that are about a contact begin with: the contact, and how relevant it is.
+#pragma once
+
+#include <string_view>
+
+#include "lib/helm/behaviors/behavior.h"
+#include "lib/helm/behaviors/contact_options.h"
+
+namespace shoal {
+
+/// Returns the contact of the options; nullptr, and a warning or an error in `answer`, where the
+/// helm does not know it.
+[[nodiscard]] const ContactView* KnownContact(const ContactOptions& options,
+                                              const BehaviorInputs& inputs, BehaviorAnswer& answer);
+
+/// Returns r ^ g: r = (outer - range) / (outer - inner), limited to 0..1, and exactly 0 from outer
+/// on; g = 1 ("linear"), 1.5 ("quasi") or 2 ("quadratic"). An inner distance beyond the outer one
+/// counts as that.
+[[nodiscard]] double RelevanceAt(double range_m, double inner_m, double outer_m,
+                                 std::string_view grade);
+
+/// Fills in state and role, and the reports of post_per_contact_info: RANGE_<CONTACT>,
+/// CLOSING_SPEED_<CONTACT>, RELEVANCE_<CONTACT>, ROLE_<CONTACT>.
+void DescribeContact(const ContactOptions& options, const ContactView& contact,
+                     const RelativeGeometry& geometry, std::string_view role, std::string_view rule,
+                     BehaviorAnswer& answer);
+
+}  // namespace shoal

@@ -1,0 +1,22 @@
+#include "lib/helm/behaviors/track_line.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace shoal {
+
+Eigen::Vector2d SteeringPoint(const Leg& leg, const Eigen::Vector2d& position_m,
+                              const TrackLead& lead) {
+  const double length_m = Length(leg);
+  if (lead.lead_m < 0 || length_m == 0) return leg.to_m;
+  const TrackPosition track = Project(leg, position_m);
+  const double off_m = std::abs(track.cross_track_m);
+  double lead_m = lead.lead_m;
+  if (off_m < lead.lead_damper_m) lead_m *= 1 + 2 * (1 - off_m / lead.lead_damper_m);
+  const double along_m = std::max(0.0, track.along_m) + lead_m;
+  return along_m >= length_m
+             ? leg.to_m
+             : Eigen::Vector2d(leg.from_m + along_m / length_m * (leg.to_m - leg.from_m));
+}
+
+}  // namespace shoal

@@ -1,0 +1,133 @@
+#include "lib/mission/file/grid_files.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "lib/mission/file/data_files.h"
+#include "lib/mission/file/load.h"
+#include "lib/mission/file/ocean_of.h"
+
+namespace shoal::grid_files_test {
+
+TEST(GridName, MayNameAVariableOfANetcdfFile) {
+  EXPECT_EQ(SplitGridName("maps/bay.nc:elevation").file, "maps/bay.nc");
+  EXPECT_EQ(SplitGridName("maps/bay.nc:elevation").variable, "elevation");
+  EXPECT_TRUE(SplitGridName("BAY.NC").is_netcdf);
+  EXPECT_EQ(SplitGridName("a:b.nc").file, "a:b.nc");
+  EXPECT_FALSE(SplitGridName("bay.asc").is_netcdf);
+  EXPECT_EQ(SplitGridName("odd:name.asc").file, "odd:name.asc");
+}
+
+TEST(GridTime, IsAWordOrADate) {
+  for (const char* time : {"first", "absolute", "2026-11-24T06:00:00Z", "2026-11-24 06:00:00"}) {
+    EXPECT_TRUE(IsGridTime(time)) << time;
+  }
+  for (const char* other : {"", "last", "2026-13-24T06:00:00Z"}) EXPECT_FALSE(IsGridTime(other));
+}
+
+/// A folder of its own with two grids of a current and a mission file.
+class GridFiles : public testing::Test {
+ protected:
+  GridFiles()
+      : folder_(std::filesystem::path(testing::TempDir()) /
+                (std::string("grid_files_test_") +
+                 testing::UnitTest::GetInstance()->current_test_info()->name())) {
+    std::filesystem::create_directories(folder_);
+    Write("u.asc", Grid("0.1 0.2\n0.3 0.5\n"));
+    Write("v.asc", Grid("-1 -1\n-9999 0\n"));
+  }
+  ~GridFiles() override { std::filesystem::remove_all(folder_); }
+
+  static std::string Grid(const std::string& rows) {
+    return "ncols 2\nnrows 2\nxllcenter 0\nyllcenter 0\ncellsize 100\n" + rows;
+  }
+  void Write(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_ / name) << text;
+  }
+  LoadedMission Load(const std::string& current, const std::string& start = "x_m = 0") const {
+    return LoadMissionText("[mission]\nduration_s = 60\n[environment]\ncurrent = " + current +
+                               "\n[[vehicle]]\nname = \"alpha\"\nstart = {" + start +
+                               "}\nhelm_options = {deploy_at_start = true}\n",
+                           (folder_ / "m.toml").string());
+  }
+  std::string FirstError(const std::string& current, const std::string& start = "x_m = 0") const {
+    const LoadedMission loaded = Load(current, start);
+    if (loaded.errors.empty()) return "no error";
+    return loaded.errors.front().substr(folder_.string().size() + 1);
+  }
+
+  const std::filesystem::path folder_;
+};
+
+TEST_F(GridFiles, MakeASteadyCurrentOfTwoEsriGrids) {
+  const LoadedMission loaded =
+      Load("{grid_east = \"u.asc\", grid_north = \"v.asc\", grid_origin = [100, 0]}");
+  ASSERT_EQ(loaded.errors, std::vector<std::string>{});
+  EXPECT_EQ(loaded.warnings.size(), 1U) << "that alpha has no task, and no other";
+  const Result<Ocean> ocean = OceanOf(loaded.mission);
+  ASSERT_TRUE(ocean.ok()) << ocean.error();
+  EXPECT_FLOAT_EQ(static_cast<float>(ocean->WaterVelocityAt({0, 0, 9}, 1e6).x()), 0.5F);
+  EXPECT_EQ(ocean->WaterVelocityAt({-100, 0, 0}, 0), Eigen::Vector2d(0, 0)) << "no data: land";
+  EXPECT_NEAR(ocean->WaterVelocityAt({-50, 100, 0}, 0).x(), 0.15, 1e-6);
+  EXPECT_NEAR(ocean->WaterVelocityAt({-50, 100, 0}, 0).y(), -1, 1e-6);
+  EXPECT_EQ(DataFilesOf(loaded.mission), (std::vector<std::string>{"u.asc", "v.asc"}));
+}
+
+TEST_F(GridFiles, ExplainAsAMissionThatLoadsEqual) {
+  const LoadedMission loaded =
+      Load("{grid_east = \"u.asc\", grid_north = \"v.asc\", grid_time = \"absolute\"}");
+  ASSERT_EQ(loaded.errors, std::vector<std::string>{});
+  const LoadedMission again =
+      LoadMissionText(Explain(loaded.mission), (folder_ / "m.toml").string());
+  ASSERT_EQ(again.errors, std::vector<std::string>{});
+  EXPECT_TRUE(again.mission == loaded.mission) << Explain(again.mission);
+}
+
+TEST_F(GridFiles, AreRefusedWhereTheKeysDoNotFitTogether) {
+  EXPECT_EQ(
+      FirstError("{grid_east = \"u.asc\"}"),
+      "m.toml:4:24: a current needs both components: write grid_east and grid_north, or grid = "
+      "\"tide.nc\", a NetCDF file with both");
+  EXPECT_EQ(
+      FirstError("{grid = \"u.asc\"}"),
+      "m.toml:4:19: grid is a NetCDF file with both components, tide.nc; of ESRI ASCII files, "
+      "and to name variables (tide.nc:u), write grid_east and grid_north");
+  EXPECT_EQ(
+      FirstError("{grid_east = \"u.nc\", grid_north = \"v.asc\"}"),
+      "m.toml:4:24: grid_east and grid_north are two ESRI ASCII files (.asc), or a NetCDF file "
+      "each with its variable, like \"tide.nc:u\" and \"tide.nc:v\"");
+  EXPECT_EQ(FirstError("{grid_east = \"u.asc\", grid_north = \"v.asc\", grid_time = \"noon\"}"),
+            "m.toml:4:24: grid_time is \"first\", \"absolute\", or a date like "
+            "\"2026-11-24T06:00:00Z\"");
+  EXPECT_EQ(
+      FirstError("{grid_east = \"u.asc\", grid_north = \"v.asc\", speed_mps = 1}"),
+      "m.toml:4:67: speed_mps has no effect beside a grid, which is the whole current: remove "
+      "one of them");
+}
+
+TEST_F(GridFiles, AreRefusedWhereAVehicleStartsOutside) {
+  const std::string current = "{grid_east = \"u.asc\", grid_north = \"v.asc\"}";
+  EXPECT_EQ(FirstError(current, "x_m = 149, y_m = -49"), "no error");
+  EXPECT_EQ(FirstError(current, "x_m = 151"),
+            "m.toml:7:9: alpha starts at (151, 0), outside of the current's grid u.asc: start it "
+            "inside, move the grid (grid_origin), or name a larger one");
+}
+
+TEST_F(GridFiles, AreRefusedWhereTheyAreDamagedOrOfOtherPoints) {
+  Write("v.asc", "ncols 1\nnrows 1\nxllcenter 0\nyllcenter 0\ncellsize 100\n0\n");
+  const std::string current = "{grid_east = \"u.asc\", grid_north = \"v.asc\"}";
+  EXPECT_EQ(
+      FirstError(current),
+      "m.toml:4:11: u.asc and v.asc are on different points; both components must be known at "
+      "the same places, depths and times: interpolate one to the other's, for example with cdo "
+      "remapbil");
+  Write("v.asc", Grid("0 0\n0 zero\n"));
+  EXPECT_NE(FirstError(current).find("v.asc:7: 'zero' is not a number"), std::string::npos)
+      << FirstError(current);
+}
+
+}  // namespace shoal::grid_files_test

@@ -1,0 +1,62 @@
+// Acoustic networks and media as a text of their own, as COMMS_RULES carries them in logs.
+//
+//   const std::string text = ExplainMedia({.acoustics = mission.acoustics});
+//   LoadedMedia loaded = LoadMediaText(text, "COMMS_RULES");
+//   if (!loaded.errors.empty()) ...
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lib/mission/model/mission.h"
+#include "lib/sea/acoustics/channel_plan.h"
+
+namespace shoal {
+
+/// All that carries traffic in a mission, and what each vehicle has of it.
+struct MediaSetup {
+  /// What carries the packets of a vehicle in a swarm that is not as `packets_over`.
+  struct PacketsOf {
+    std::string vehicle;
+    MediaChoice over;
+
+    bool operator==(const PacketsOf&) const = default;
+  };
+
+  Acoustics acoustics = {};               ///< The medium acoustic.
+  std::vector<MediumOptions> media = {};  ///< [[medium]].
+  MediaChoice packets_over = {.names = {std::string(kAcousticMedium)}};
+  std::vector<PacketsOf> packets_of = {};
+  /// In the mission's order; empty: all vehicles have all media, and there is no gateway.
+  std::vector<VehicleMedia> of_vehicles = {};
+
+  bool operator==(const MediaSetup&) const = default;
+
+  /// The names of all media, the built-in ones first.
+  std::vector<std::string> Names() const;
+  /// Returns what carries the packets of a vehicle.
+  const MediaChoice& PacketsOver(std::string_view vehicle) const;
+};
+
+struct LoadedMedia {
+  MediaSetup setup;                 ///< Usable only where `errors` is empty.
+  std::vector<std::string> errors;  ///< "name:line:column: what is wrong", in order.
+};
+
+/// Returns the media of a mission.
+[[nodiscard]] MediaSetup MediaOf(const Mission& mission);
+
+/// Returns the table [acoustics] with every default filled in, the modem's data included; where the
+/// acoustic network is not used, a line before the table states it. Then the other media, where
+/// there are any. Loading that text gives an equal setup.
+[[nodiscard]] std::string ExplainMedia(const MediaSetup& setup);
+
+/// Reads such a text; `name` stands for the file in messages. Opens no file: a modem must be
+/// written as a table.
+[[nodiscard]] LoadedMedia LoadMediaText(std::string_view text, const std::string& name);
+
+/// Returns the nodes of a network of unknown size.
+[[nodiscard]] std::vector<AcousticNode> AnyNode();
+
+}  // namespace shoal

@@ -1,0 +1,138 @@
+// Vehicles of model = "track" in mission files.
+#include "lib/mission/file/track_of.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "lib/mission/file/data_files.h"
+#include "lib/mission/file/load.h"
+
+namespace shoal::track_of_test {
+
+/// A folder of its own with a track, and missions that replay it.
+class TracksOfMissions : public testing::Test {
+ protected:
+  TracksOfMissions()
+      : folder_(std::filesystem::path(testing::TempDir()) /
+                (std::string("track_of_test_") +
+                 testing::UnitTest::GetInstance()->current_test_info()->name())) {
+    std::filesystem::create_directories(folder_);
+    Write("ferry.csv", "t_s,x_m,y_m\n100,10,20\n110,30,20\n200,30,20\n");
+  }
+  ~TracksOfMissions() override { std::filesystem::remove_all(folder_); }
+
+  void Write(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_ / name) << text;
+  }
+  LoadedMission Load(const std::string& vehicle, const std::string& mission = "") const {
+    return LoadMissionText("[mission]\nduration_s = 60\n" + mission +
+                               "\n[[vehicle]]\nname = \"ferry\"\nmodel = \"track\"\n" + vehicle,
+                           (folder_ / "m.toml").string());
+  }
+  ReplayState StateAt(const LoadedMission& loaded, double mission_s) const {
+    const auto& options = std::get<TrackOptions>(loaded.mission.vehicles.at(0).model);
+    const Result<MissionTrack> track = TrackOf(loaded.mission, options);
+    EXPECT_TRUE(track.ok()) << track.error();
+    return track->At(mission_s);
+  }
+  std::string ErrorOf(const LoadedMission& loaded) const {
+    return loaded.errors.empty() ? "no error" : loaded.errors.front();
+  }
+  bool Warns(const LoadedMission& loaded, const std::string& text) const {
+    for (const std::string& warning : loaded.warnings) {
+      if (warning.find(text) != std::string::npos) return true;
+    }
+    return false;
+  }
+
+  std::filesystem::path folder_;
+};
+
+TEST_F(TracksOfMissions, BeginWithTheMissionByDefault) {
+  const LoadedMission loaded = Load("track = {file = \"ferry.csv\"}\n");
+  ASSERT_EQ(loaded.errors, std::vector<std::string>{});
+  EXPECT_EQ(loaded.mission.vehicles[0].start,
+            (StartPose{.x_m = 10, .y_m = 20, .heading_deg = 90, .speed_mps = 2}));
+  EXPECT_EQ(loaded.mission.vehicles[0].helm, Provider::kNone);
+  EXPECT_EQ(loaded.mission.vehicles[0].type, "track");
+  EXPECT_NEAR(StateAt(loaded, 5).position_m.x(), 20, 1e-12);
+}
+
+TEST_F(TracksOfMissions, CanBeDelayed) {
+  const LoadedMission loaded = Load("track = {file = \"ferry.csv\", delay_s = 7}\n");
+  ASSERT_EQ(loaded.errors, std::vector<std::string>{});
+  EXPECT_EQ(StateAt(loaded, 7).position_m.x(), 10);
+  EXPECT_NEAR(StateAt(loaded, 12).position_m.x(), 20, 1e-12);
+  EXPECT_EQ(loaded.mission.vehicles[0].start.speed_mps, 0);
+  const LoadedMission early = Load("track = {file = \"ferry.csv\", delay_s = -5}\n");
+  EXPECT_NEAR(StateAt(early, 0).position_m.x(), 20, 1e-12);
+}
+
+TEST_F(TracksOfMissions, TakeTheMissionsOwnTimeWhereTheyAreAbsolute) {
+  const LoadedMission loaded =
+      Load("track = {file = \"ferry.csv\", time = \"absolute\"}\n", "start_utime = 95000000\n");
+  ASSERT_EQ(loaded.errors, std::vector<std::string>{});
+  EXPECT_EQ(StateAt(loaded, 5).position_m.x(), 10);
+  EXPECT_NEAR(StateAt(loaded, 10).position_m.x(), 20, 1e-12);
+}
+
+TEST_F(TracksOfMissions, AreExplainedAsMissionsThatLoadEqual) {
+  const LoadedMission loaded =
+      Load("track = {file = \"ferry.csv\", delay_s = -3.7, time = \"first\"}\n");
+  ASSERT_EQ(loaded.errors, std::vector<std::string>{});
+  const LoadedMission again =
+      LoadMissionText(Explain(loaded.mission), (folder_ / "m.toml").string());
+  ASSERT_EQ(again.errors, std::vector<std::string>{});
+  EXPECT_TRUE(again.mission == loaded.mission) << Explain(again.mission);
+}
+
+TEST_F(TracksOfMissions, AreRefusedAtTheirPlaceInTheMission) {
+  const std::string path = folder_.string();
+  EXPECT_NE(ErrorOf(Load("")).find("m.toml:4:1: model = \"track\" needs a file: write track = "),
+            std::string::npos)
+      << ErrorOf(Load(""));
+  const LoadedMission missing = Load("track = {file = \"none.csv\"}\n");
+  EXPECT_NE(ErrorOf(missing).find("m.toml:7:"), std::string::npos) << ErrorOf(missing);
+  EXPECT_NE(ErrorOf(missing).find(path + "/none.csv: "), std::string::npos) << ErrorOf(missing);
+  EXPECT_NE(ErrorOf(missing).find("counts from the mission file's folder"), std::string::npos);
+  Write("torn.csv", "t_s,x_m,y_m\n0,1\n");
+  const LoadedMission torn = Load("track = {file = \"torn.csv\"}\n");
+  EXPECT_NE(ErrorOf(torn).find(path + "/torn.csv:2: this line has 2 cells"), std::string::npos)
+      << ErrorOf(torn);
+  EXPECT_NE(ErrorOf(Load("track = {file = \"ferry.kml\"}\n")).find("or GPX, .gpx: convert it"),
+            std::string::npos);
+  EXPECT_NE(ErrorOf(Load("track = {file = \"ferry.csv\", underwater = true}\n"))
+                .find("underwater = true needs them"),
+            std::string::npos);
+}
+
+TEST_F(TracksOfMissions, HaveNeitherHelmNorTasks) {
+  const LoadedMission loaded = Load(
+      "track = {file = \"ferry.csv\"}\n[[vehicle.task]]\nkind = \"loiter\"\ncenter = [0, 0]\n");
+  EXPECT_NE(ErrorOf(loaded).find("is replayed and has no helm"), std::string::npos)
+      << ErrorOf(loaded);
+}
+
+TEST_F(TracksOfMissions, WarnWhereTheyEndBeforeTheMissionOrNeverMove) {
+  Write("short.csv", "t_s,x_m,y_m\n0,0,0\n30,30,0\n");
+  EXPECT_TRUE(Warns(Load("track = {file = \"short.csv\"}\n"),
+                    "the track ends at 30.0 s, before the mission at 60 s: ferry lies there"));
+  EXPECT_FALSE(Warns(Load("track = {file = \"ferry.csv\"}\n"), "the track ends"));
+  EXPECT_TRUE(Warns(Load("track = {file = \"ferry.csv\", time = \"absolute\"}\n"),
+                    "from 100.0 to 200.0 s of the mission, so that ferry never moves"));
+  EXPECT_TRUE(
+      Warns(Load("track = {file = \"ferry.csv\"}\nstart = {x_m = 5}\n"), "start has no effect"));
+}
+
+TEST_F(TracksOfMissions, AreAmongTheDataFilesOnce) {
+  const LoadedMission loaded = Load(
+      "track = {file = \"ferry.csv\"}\n[[vehicle]]\nname = \"b\"\nmodel = \"track\"\ntrack = {file "
+      "= \"ferry.csv\"}\n");
+  EXPECT_EQ(DataFilesOf(loaded.mission), std::vector<std::string>{"ferry.csv"});
+}
+
+}  // namespace shoal::track_of_test

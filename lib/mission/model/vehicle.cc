@@ -1,0 +1,29 @@
+#include "lib/mission/model/vehicle.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+
+namespace shoal {
+namespace {
+
+template <size_t... kPlaces>
+std::vector<AnyModel> ModelsAt(std::index_sequence<kPlaces...> /*places*/) {
+  return {AnyModel(std::in_place_index<kPlaces>)...};
+}
+
+}  // namespace
+
+bool Vehicle::HasMedium(std::string_view medium) const {
+  return media.names.empty() || std::ranges::find(media.names, medium) != media.names.end();
+}
+
+ModelFacts FactsOfModel(const AnyModel& model) {
+  return std::visit([](const auto& parameters) { return FactsOf(parameters); }, model);
+}
+
+std::vector<AnyModel> EachModel() {
+  return ModelsAt(std::make_index_sequence<std::variant_size_v<AnyModel>>());
+}
+
+}  // namespace shoal

@@ -1,0 +1,289 @@
+#include "lib/mission/netcdf/cf_field.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "lib/mission/netcdf/cf_axes.h"
+#include "lib/mission/netcdf/cf_time.h"
+#include "lib/mission/netcdf/cf_values.h"
+#include "lib/mission/netcdf/cf_words.h"
+#include "lib/mission/netcdf/netcdf_file.h"
+
+namespace shoal {
+
+namespace {
+
+constexpr double kMetresPerKilometre = 1000;
+constexpr char kCurvilinear[] =
+    "interpolate it to a grid with one axis of latitudes and one of longitudes, for example with "
+    "cdo remapbil";
+
+/// Reads one field. A step that cannot go on returns what is wrong, empty: nothing.
+class CfReader {
+ public:
+  CfReader(const CfSource& source, const NetcdfVariable& variable, CfQuantity quantity)
+      : source_(source), header_(source.header), variable_(variable), quantity_(quantity) {}
+
+  Result<CfField> Read() {
+    for (const auto step : {&CfReader::ReadAxes, &CfReader::UseAxes, &CfReader::ReadValues}) {
+      const std::string problem = (this->*step)();
+      if (!read_error_.empty()) return Error{read_error_};
+      if (!problem.empty()) {
+        return Error{fmt::format("{}: variable '{}' {}", source_.name,
+                                 PrintableName(variable_.name), problem)};
+      }
+    }
+    return std::move(field_);
+  }
+
+ private:
+  /// An axis of the variable, and how far apart its neighbours stand in the file.
+  struct Role {
+    CfAxis axis = {.points = {0}, .source = {0}};
+    const NetcdfVariable* coordinate = nullptr;  ///< Null: there is none.
+    size_t stride = 0;
+    bool is_geographic = false;
+  };
+
+  Role& At(CfRole role) { return roles_[static_cast<size_t>(role)]; }
+
+  std::string ReadAxes() {
+    size_t stride = 1;
+    for (size_t i = variable_.dimensions.size(); i-- > 0;) {
+      const uint32_t dimension = variable_.dimensions[i];
+      if (std::string problem = ReadAxis(dimension, stride); !problem.empty()) return problem;
+      stride *= header_.dimensions[dimension].length;
+    }
+    return "";
+  }
+
+  std::string ReadAxis(uint32_t number, size_t stride) {
+    const NetcdfDimension& dimension = header_.dimensions[number];
+    const std::string name = PrintableName(dimension.name);
+    const NetcdfVariable* coordinate = header_.Find(dimension.name);
+    const bool has_axis =
+        coordinate != nullptr && coordinate->dimensions == std::vector<uint32_t>{number};
+    const std::optional<CfAxisKind> kind = has_axis ? AxisKindOf(*coordinate) : std::nullopt;
+    if (!kind) {
+      if (dimension.length == 1) return "";
+      if (!has_axis) {
+        const bool is_curvilinear = !variable_.TextOf("coordinates").empty();
+        return fmt::format(
+            "has a dimension '{}' without a variable of that name, which would hold "
+            "its coordinates; {}",
+            name, is_curvilinear ? kCurvilinear : "add it, with units such as degrees_north");
+      }
+      return fmt::format(
+          "has an axis '{}' of no known kind; give it units (degrees_north, "
+          "degrees_east, \"hours since ...\") or a standard_name (latitude, longitude, "
+          "projection_x_coordinate, projection_y_coordinate, depth, time)",
+          name);
+    }
+    Role& role = At(kind->role);
+    if (role.coordinate != nullptr) {
+      return fmt::format("has two axes of one kind, '{}' and '{}'; correct their units",
+                         PrintableName(role.coordinate->name), name);
+    }
+    Result<std::vector<double>> points = source_.read(*coordinate);
+    if (!points.ok()) return read_error_ = points.error();
+    const bool are_longitudes = kind->is_geographic && kind->role == CfRole::kEast;
+    const std::optional<CfAxis> axis =
+        Ascending(Unpacked(*coordinate, std::move(*points)), are_longitudes);
+    if (!axis) {
+      return fmt::format(
+          "has an axis '{}' that is empty, or whose values neither rise nor fall "
+          "from point to point; make the file anew",
+          name);
+    }
+    role = {.axis = *axis,
+            .coordinate = coordinate,
+            .stride = stride,
+            .is_geographic = kind->is_geographic};
+    return "";
+  }
+
+  std::string UseAxes() {
+    const Role& x = At(CfRole::kEast);
+    const Role& y = At(CfRole::kNorth);
+    if (x.coordinate == nullptr || y.coordinate == nullptr) {
+      return "has no axes of latitude and longitude, or x and y; name another one after the file: "
+             "file.nc:variable";
+    }
+    if (x.is_geographic != y.is_geographic) {
+      return "has one axis in degrees and one in metres; correct their units";
+    }
+    field_.variable = variable_.name;
+    field_.is_geographic = x.is_geographic;
+    field_.x = x.axis.points;
+    field_.y = y.axis.points;
+    if (std::string problem = CheckPlane(); !problem.empty()) return problem;
+    if (std::string problem = UseDepths(); !problem.empty()) return problem;
+    return UseTimes();
+  }
+
+  std::string CheckPlane() {
+    if (field_.is_geographic) {
+      if (std::abs(field_.y.front()) <= 90 && std::abs(field_.y.back()) <= 90 &&
+          field_.x.back() - field_.x.front() <= 361) {
+        return "";
+      }
+      return "has latitudes beyond 90 degrees, or longitudes more than once round the Earth; the "
+             "file is damaged, or its units are wrong";
+    }
+    for (const auto& [role, axis] :
+         {std::pair(CfRole::kEast, &field_.x), std::pair(CfRole::kNorth, &field_.y)}) {
+      const std::optional<double> unit = MetresIn(*At(role).coordinate);
+      if (!unit) return UnitProblem(*At(role).coordinate, "metres (m) or kilometres (km)");
+      for (double& point : *axis) point *= *unit;
+      if (std::max(std::abs(axis->front()), std::abs(axis->back())) > 1e9) {
+        return "has coordinates beyond 1e9 metres; the file is damaged, or its units are wrong";
+      }
+    }
+    return "";
+  }
+
+  std::string UseDepths() {
+    Role& depth = At(CfRole::kDepth);
+    if (depth.coordinate == nullptr) return "";
+    const std::optional<double> unit = MetresIn(*depth.coordinate);
+    if (!unit)
+      return UnitProblem(*depth.coordinate,
+                         "metres: levels of sigma, density or pressure "
+                         "must be interpolated to depths first");
+    const std::string positive = LowerCaseWord(depth.coordinate->TextOf("positive"));
+    const std::string standard_name = LowerCaseWord(depth.coordinate->TextOf("standard_name"));
+    if (positive == "up" || (positive.empty() && standard_name == "height")) {
+      std::ranges::reverse(depth.axis.points);
+      std::ranges::reverse(depth.axis.source);
+      for (double& point : depth.axis.points) point = -point;
+    }
+    field_.depths_m = depth.axis.points;
+    for (double& point : field_.depths_m) point *= *unit;
+    return "";
+  }
+
+  std::string UseTimes() {
+    const Role& time = At(CfRole::kTime);
+    if (time.coordinate == nullptr) return "";
+    const std::optional<CfTimeUnit> unit = ParseCfTimeUnit(time.coordinate->TextOf("units"));
+    if (!unit || !IsRealCalendar(time.coordinate->TextOf("calendar"))) {
+      return fmt::format(
+          "has times in '{}' of the calendar '{}'; they must count seconds, minutes, "
+          "hours or days since a date like 2026-11-24 06:00:00, of the standard "
+          "calendar",
+          PrintableName(time.coordinate->TextOf("units")),
+          PrintableName(time.coordinate->TextOf("calendar")));
+    }
+    field_.times_s = time.axis.points;
+    for (double& point : field_.times_s) point = unit->epoch_s + point * unit->unit_s;
+    if (std::max(std::abs(field_.times_s.front()), std::abs(field_.times_s.back())) > 1e12) {
+      return "has times far beyond the calendar; the file is damaged, or its units are wrong";
+    }
+    if (std::ranges::adjacent_find(field_.times_s, std::greater_equal<>()) !=
+        field_.times_s.end()) {
+      return "has times that are equal; make the file anew";
+    }
+    field_.has_time = true;
+    return "";
+  }
+
+  static std::optional<double> MetresIn(const NetcdfVariable& coordinate) {
+    const std::string units = LowerCaseWord(Trimmed(coordinate.TextOf("units")));
+    if (units.empty() || units == "m" || units == "meter" || units == "meters" ||
+        units == "metre" || units == "metres") {
+      return 1;
+    }
+    return units == "km" ? std::optional(kMetresPerKilometre) : std::nullopt;
+  }
+
+  static std::string UnitProblem(const NetcdfVariable& coordinate, const std::string& wanted) {
+    return fmt::format("has an axis '{}' in '{}'; it must be in {}", PrintableName(coordinate.name),
+                       PrintableName(coordinate.TextOf("units")), wanted);
+  }
+
+  /// Returns how many metres, or metres per second, 1 of the variable is.
+  std::optional<double> UnitOfValues() const {
+    if (quantity_ == CfQuantity::kMetres) return MetresIn(variable_);
+    std::string units = LowerCaseWord(Trimmed(variable_.TextOf("units")));
+    std::erase_if(units, [](char c) { return c == '*' || c == '^' || c == '.'; });
+    const bool is_centimetres = units.starts_with("cm") || units.starts_with("centimet");
+    for (const std::string_view length : {"centimeters", "centimeter", "centimetre", "cm", "meters",
+                                          "meter", "metres", "metre", "m"}) {
+      if (!units.starts_with(length)) continue;
+      units.erase(0, length.size());
+      break;
+    }
+    std::erase(units, ' ');
+    const bool is_per_second = units == "s-1" || units == "/s" || units == "second-1" ||
+                               units == "/second" || units == "/sec" || units == "sec-1";
+    if (variable_.TextOf("units").empty()) return 1;
+    if (!is_per_second) return std::nullopt;
+    return is_centimetres ? 0.01 : 1;
+  }
+
+  std::string ReadValues() {
+    const std::optional<double> unit = UnitOfValues();
+    if (!unit) {
+      return fmt::format("is in '{}', not in {}; name another one after the file: file.nc:variable",
+                         PrintableName(variable_.TextOf("units")),
+                         quantity_ == CfQuantity::kMetres ? "metres" : "m s-1");
+    }
+    Result<std::vector<double>> read = source_.read(variable_);
+    if (!read.ok()) return read_error_ = read.error();
+    const std::vector<double> values = Unpacked(variable_, std::move(*read));
+    const auto& [time, depth, north, east] = roles_;
+    field_.values.reserve(time.axis.source.size() * depth.axis.source.size() *
+                          north.axis.source.size() * east.axis.source.size());
+    for (const size_t t : time.axis.source) {
+      for (const size_t z : depth.axis.source) {
+        for (const size_t y : north.axis.source) {
+          const size_t row = t * time.stride + z * depth.stride + y * north.stride;
+          for (const size_t x : east.axis.source) {
+            field_.values.push_back(static_cast<float>(values[row + x * east.stride] * *unit));
+          }
+        }
+      }
+    }
+    return "";
+  }
+
+  const CfSource& source_;
+  const NetcdfHeader& header_;
+  const NetcdfVariable& variable_;
+  const CfQuantity quantity_;
+  std::array<Role, kNumCfRoles> roles_;  ///< By CfRole.
+  CfField field_;
+  std::string read_error_;  ///< Names file and variable already; empty: all could be read.
+};
+
+}  // namespace
+
+CfSource SourceOf(const NetcdfFile& file) {
+  return {.name = file.name(),
+          .header = file.header(),
+          .read = [&file](const NetcdfVariable& variable) { return file.Read(variable); }};
+}
+
+Result<CfField> ReadCfField(const CfSource& source, std::string_view variable,
+                            CfQuantity quantity) {
+  const NetcdfVariable* found = source.header.Find(variable);
+  if (found == nullptr) {
+    std::string names;
+    for (const NetcdfVariable& each : source.header.variables) {
+      if (each.dimensions.size() >= 2 && names.size() < 200) {
+        names += (names.empty() ? "" : ", ") + PrintableName(each.name);
+      }
+    }
+    return Error{fmt::format("{}: there is no variable '{}' in it; name one of these: {}",
+                             source.name, PrintableName(variable), names)};
+  }
+  return CfReader(source, *found, quantity).Read();
+}
+
+}  // namespace shoal

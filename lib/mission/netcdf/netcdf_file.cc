@@ -1,0 +1,162 @@
+#include "lib/mission/netcdf/netcdf_file.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <optional>
+#include <utility>
+
+#include "lib/bus/record/file_descriptor.h"
+#include "lib/mission/netcdf/cf_words.h"
+#include "lib/mission/netcdf/netcdf_wire.h"
+
+namespace shoal {
+
+namespace {
+
+constexpr size_t kMostHeader_bytes = size_t{16} << 20;
+constexpr size_t kAround_bytes = 64;  ///< Of an answer beside its numbers.
+constexpr char kDamaged[] =
+    "the file is damaged, or was made by no NetCDF library: copy or make it anew, and look at it "
+    "with ncdump -h";
+constexpr char kMissing[] =
+    "shoal's program shoal-netcdf, which reads NetCDF, is not there: where shoal was built, run "
+    "apt-get install libnetcdf-dev, then scripts/configure release, and build again; elsewhere put "
+    "the folder of shoal's programs, lib/shoal/bin, on the PATH";
+
+/// Reads until the end, or beyond `most_bytes`.
+std::string ReadAnswer(int fd, size_t most_bytes) {
+  std::string bytes;
+  std::vector<char> buffer(size_t{1} << 16);
+  while (bytes.size() <= most_bytes) {
+    const ssize_t count = read(fd, buffer.data(), buffer.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) break;
+    bytes.append(buffer.data(), static_cast<size_t>(count));
+  }
+  return bytes;
+}
+
+/// Returns why a reader that ended like this has no answer.
+std::string Failure(int status) {
+  if (!WIFSIGNALED(status)) {
+    return fmt::format("shoal-netcdf ended without a whole answer (exit code {}); {}",
+                       WEXITSTATUS(status), kDamaged);
+  }
+  const int signal = WTERMSIG(status);
+  if (signal == SIGXCPU || signal == SIGKILL) {
+    return fmt::format("reading it takes longer than shoal-netcdf may; {}", kDamaged);
+  }
+  return fmt::format("the NetCDF library crashed on it ({}); {}", strsignal(signal), kDamaged);
+}
+
+}  // namespace
+
+int StartNetcdfReader(const std::vector<std::string>& question, int file_fd, int answer_fd,
+                      pid_t* pid) {
+  const std::string program = FindNetcdfReader();
+  std::vector<char*> argv = {const_cast<char*>(program.c_str())};
+  for (const std::string& each : question) argv.push_back(const_cast<char*>(each.c_str()));
+  argv.push_back(nullptr);
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  // In this order: neither descriptor may be overwritten before it was copied.
+  const FileDescriptor kept_answer(fcntl(answer_fd, F_DUPFD_CLOEXEC, 10));
+  const FileDescriptor kept_file(fcntl(file_fd, F_DUPFD_CLOEXEC, 10));
+  posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+  posix_spawn_file_actions_adddup2(&actions, kept_answer.get(), STDOUT_FILENO);
+  posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
+  posix_spawn_file_actions_adddup2(&actions, kept_file.get(), 3);
+  const int failure = posix_spawnp(pid, program.c_str(), &actions, nullptr, argv.data(), environ);
+  posix_spawn_file_actions_destroy(&actions);
+  return failure;
+}
+
+/// Returns the answer's bytes between greeting and end, for one of the kind `wanted`.
+Result<std::string> NetcdfFile::Ask(const std::vector<std::string>& question, char wanted,
+                                    size_t most_bytes) const {
+  int ends[2];
+  if (pipe2(ends, O_CLOEXEC) != 0) {
+    return Error{fmt::format("cannot make a pipe: {}", ErrnoText(errno))};
+  }
+  const FileDescriptor to_read(ends[0]);
+  FileDescriptor to_write(ends[1]);
+  pid_t pid = 0;
+  const int failure = start_(question, fd_, to_write.get(), &pid);
+  if (failure == ENOENT) return Error{kMissing};
+  if (failure != 0) return Error{fmt::format("cannot run shoal-netcdf: {}", ErrnoText(failure))};
+  to_write.Close();
+  std::string bytes = ReadAnswer(to_read.get(), most_bytes);
+  if (bytes.size() > most_bytes) kill(pid, SIGKILL);
+  int status = 0;
+  while (waitpid(pid, &status, 0) < 0 && errno == EINTR) {
+  }
+  if (bytes.size() > most_bytes) {
+    return Error{
+        fmt::format("shoal-netcdf answered with more than {} bytes; {}", most_bytes, kDamaged)};
+  }
+  NetcdfReply reply(bytes);
+  reply.TakeWord(kNetcdfGreeting);
+  const char kind = reply.Take<char>();
+  if (reply.ok() && kind == 'E') {
+    const std::string text = reply.TakeText();
+    reply.TakeWord(kNetcdfEnd);
+    if (reply.IsWhole()) return Error{text};
+  }
+  if (!reply.ok() || kind != wanted || !bytes.ends_with(kNetcdfEnd) || !WIFEXITED(status) ||
+      WEXITSTATUS(status) != 0) {
+    return Error{Failure(status)};
+  }
+  bytes.resize(bytes.size() - kNetcdfEnd.size());
+  bytes.erase(0, kNetcdfGreeting.size() + 1);
+  return bytes;
+}
+
+Result<NetcdfFile> NetcdfFile::Open(int fd, const std::string& name, NetcdfReaderStart start) {
+  NetcdfFile file(fd, name, std::move(start));
+  const Result<std::string> answer = file.Ask({"header"}, 'H', kMostHeader_bytes);
+  if (!answer.ok()) return Error{name + ": " + answer.error()};
+  NetcdfReply reply(*answer);
+  std::optional<NetcdfHeader> header = TakeHeader(&reply);
+  for (std::string each = reply.TakeText(); reply.ok() && !each.empty(); each = reply.TakeText()) {
+    file.coordinates_[each] = reply.TakeNumbers();
+  }
+  if (!header || !reply.IsWhole()) return Error{name + ": what it holds is no header; " + kDamaged};
+  file.header_ = std::move(*header);
+  return file;
+}
+
+Result<std::vector<double>> NetcdfFile::Read(const NetcdfVariable& variable) const {
+  const uint64_t count = header_.NumValues(variable);
+  const auto known = coordinates_.find(variable.name);
+  if (known != coordinates_.end() && known->second.size() == count) return known->second;
+  const std::string where = fmt::format("{}: variable '{}'", name_, PrintableName(variable.name));
+  if (variable.type == NetcdfType::kOther) {
+    return Error{where + " holds no numbers; name another one after the file: file.nc:variable"};
+  }
+  if (count > kMostNetcdfValues) {
+    return Error{
+        fmt::format("{} has {} values, and a grid at most {}; cut out the part that the "
+                    "mission needs, for example with ncks -d lat,54.0,54.5 -d lon,10.0,10.5",
+                    where, count, kMostNetcdfValues)};
+  }
+  const Result<std::string> answer =
+      Ask({"values", variable.name, std::to_string(count)}, 'V',
+          count * sizeof(double) + kNetcdfGreeting.size() + kAround_bytes);
+  if (!answer.ok()) return Error{where + ": " + answer.error()};
+  NetcdfReply reply(*answer);
+  std::vector<double> values = reply.TakeNumbers();
+  if (!reply.IsWhole() || values.size() != count) {
+    return Error{
+        fmt::format("{} has {} values, not {}; {}", where, values.size(), count, kDamaged)};
+  }
+  return values;
+}
+
+}  // namespace shoal

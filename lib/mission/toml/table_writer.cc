@@ -1,0 +1,181 @@
+#include "lib/mission/toml/table_writer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+namespace shoal {
+namespace {
+
+std::string TomlPair(const Eigen::Vector2d& pair) {
+  return fmt::format("[{}, {}]", TomlNumber(pair.x()), TomlNumber(pair.y()));
+}
+
+std::string TomlTriple(const Eigen::Vector3d& triple) {
+  return fmt::format("[{}, {}, {}]", TomlNumber(triple.x()), TomlNumber(triple.y()),
+                     TomlNumber(triple.z()));
+}
+
+/// Returns "[a, b, c]" of what `write` makes of each item.
+template <class Items, class Write>
+std::string TomlArray(const Items& items, const Write& write) {
+  std::string text;
+  for (const auto& item : items) {
+    if (!text.empty()) text += ", ";
+    text += write(item);
+  }
+  return "[" + text + "]";
+}
+
+std::string TomlKey(std::string_view key) {
+  const bool bare = !key.empty() && std::all_of(key.begin(), key.end(), [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
+           c == '-';
+  });
+  return bare ? std::string(key) : TomlString(key);
+}
+
+}  // namespace
+
+std::string TomlNumber(double number) {
+  std::string text = fmt::format("{}", number);
+  // TOML would take digits alone for an integer, which knows no -0.
+  if (number == 0 && std::signbit(number)) text = "-0.0";
+  return text;
+}
+
+std::string TomlString(std::string_view text) {
+  std::string quoted = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') {
+      quoted += '\\';
+      quoted += c;
+    } else if (c == '\n') {
+      quoted += "\\n";
+    } else if (c == '\t') {
+      quoted += "\\t";
+    } else if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) {
+      quoted += fmt::format("\\u{:04X}", static_cast<int>(c));
+    } else {
+      quoted += c;
+    }
+  }
+  return quoted + "\"";
+}
+
+void TableWriter::Line(std::string_view key, std::string_view value) {
+  fmt::format_to(std::back_inserter(lines_), "{} = {}\n", key, value);
+}
+
+std::string TableWriter::PathOf(std::string_view key) const {
+  return path_.empty() ? std::string(key) : path_ + "." + std::string(key);
+}
+
+void TableWriter::Number(std::string_view key, double& value, NumberLimits) {
+  Line(key, TomlNumber(value));
+}
+
+void TableWriter::NumberOrWord(std::string_view key, double& value, double, std::string_view word,
+                               double) {
+  Line(key, value < 0 ? TomlString(word) : TomlNumber(value));
+}
+
+void TableWriter::Scalar(std::string_view key, std::string& word) {
+  const bool is_number = !word.empty() && word.find_first_not_of("+-.0123456789e") == word.npos &&
+                         word.find("..") == word.npos;
+  if (!is_number && word != "true" && word != "false") return Line(key, TomlString(word));
+  // TOML would take many digits alone for an integer that is too large.
+  const bool is_long = is_number && word.size() > 18 && word.find_first_of(".e") == word.npos;
+  Line(key, is_long ? word + ".0" : word);
+}
+
+void TableWriter::Integer(std::string_view key, int64_t& value, int64_t, int64_t) {
+  Line(key, fmt::format("{}", value));
+}
+
+void TableWriter::Flag(std::string_view key, bool& value) { Line(key, value ? "true" : "false"); }
+
+void TableWriter::Text(std::string_view key, std::string& value, TextRule) {
+  Line(key, TomlString(value));
+}
+
+void TableWriter::Word(std::string_view key, std::string& value,
+                       std::span<const std::string_view>) {
+  Line(key, TomlString(value));
+}
+
+void TableWriter::Numbers(std::string_view key, std::vector<double>& values, size_t) {
+  Line(key, TomlArray(values, TomlNumber));
+}
+
+void TableWriter::Pair(std::string_view key, Eigen::Vector2d& pair, NumberLimits) {
+  Line(key, TomlPair(pair));
+}
+
+void TableWriter::Pairs(std::string_view key, std::vector<Eigen::Vector2d>& pairs, NumberLimits,
+                        size_t) {
+  Line(key, TomlArray(pairs, TomlPair));
+}
+
+void TableWriter::Triple(std::string_view key, Eigen::Vector3d& triple, NumberLimits) {
+  Line(key, TomlTriple(triple));
+}
+
+void TableWriter::Triples(std::string_view key, std::vector<Eigen::Vector3d>& triples, NumberLimits,
+                          size_t) {
+  Line(key, TomlArray(triples, TomlTriple));
+}
+
+void TableWriter::Texts(std::string_view key, std::vector<std::string>& texts, size_t) {
+  Line(key, TomlArray(texts, TomlString));
+}
+
+void TableWriter::TextMap(std::string_view key, std::map<std::string, std::string>& texts, size_t) {
+  std::string members;
+  for (const auto& [name, text] : texts) {
+    members += (members.empty() ? "" : ", ") + TomlKey(name) + " = " + TomlString(text);
+  }
+  Line(key, "{" + members + "}");
+}
+
+void TableWriter::Scalars(std::string_view key,
+                          std::map<std::string, std::variant<std::string, double>>& values,
+                          size_t) {
+  std::string members;
+  for (const auto& [name, value] : values) {
+    const auto* text = std::get_if<std::string>(&value);
+    members += (members.empty() ? "" : ", ") + TomlKey(name) + " = " +
+               (text != nullptr ? TomlString(*text) : TomlNumber(std::get<double>(value)));
+  }
+  Line(key, "{" + members + "}");
+}
+
+void TableWriter::Below(std::string_view key, const DescribeTable& describe) {
+  TableWriter below(PathOf(key));
+  describe(below);
+  tables_ += fmt::format("\n[{}]\n{}", below.path_, below.TakeText());
+}
+
+void TableWriter::Inline(std::string_view key, const DescribeTable& describe) {
+  TableWriter members;
+  describe(members);
+  std::string text = members.TakeText();
+  if (!text.empty()) text.pop_back();
+  for (size_t at = text.find('\n'); at != std::string::npos; at = text.find('\n', at)) {
+    text.replace(at, 1, ", ");
+  }
+  Line(key, "{" + text + "}");
+}
+
+void TableWriter::EachBelow(std::string_view key, size_t count, const std::function<void(size_t)>&,
+                            const std::function<void(Fields&, size_t)>& describe_one) {
+  for (size_t i = 0; i < count; ++i) {
+    TableWriter below(PathOf(key));
+    describe_one(below, i);
+    tables_ += fmt::format("\n[[{}]]\n{}", below.path_, below.TakeText());
+  }
+}
+
+}  // namespace shoal

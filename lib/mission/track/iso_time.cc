@@ -1,0 +1,102 @@
+#include "lib/mission/track/iso_time.h"
+
+#include "lib/base/check/time_units.h"
+#include "lib/sea/modem/utc_time.h"
+
+namespace shoal {
+
+namespace {
+
+/// Takes digits and marks off the front of a text; once one does not fit, `ok` stays false.
+class IsoReader {
+ public:
+  explicit IsoReader(std::string_view text) : rest_(text) {}
+
+  int Digits(int count) {
+    int number = 0;
+    for (int i = 0; i < count; ++i) {
+      const char c = Next();
+      ok_ = ok_ && c >= '0' && c <= '9';
+      number = ok_ ? number * 10 + (c - '0') : 0;
+    }
+    return number;
+  }
+  void Mark(std::string_view one_of) {
+    const char c = Next();
+    ok_ = ok_ && c != '\0' && one_of.find(c) != std::string_view::npos;
+  }
+  /// Takes `mark` where it comes next.
+  bool Took(char mark) {
+    if (rest_.empty() || rest_.front() != mark) return false;
+    rest_.remove_prefix(1);
+    return true;
+  }
+  /// The part of a second behind its point.
+  int64_t Fraction_us() {
+    int64_t fraction_us = 0;
+    int64_t unit_us = kSecond_us;
+    bool any = false;
+    while (!rest_.empty() && rest_.front() >= '0' && rest_.front() <= '9') {
+      unit_us /= 10;
+      fraction_us += unit_us * (rest_.front() - '0');
+      rest_.remove_prefix(1);
+      any = true;
+    }
+    ok_ = ok_ && any;
+    return fraction_us;
+  }
+  bool ok() const { return ok_; }
+  bool at_end() const { return rest_.empty(); }
+
+ private:
+  char Next() {
+    if (rest_.empty()) return '\0';
+    const char c = rest_.front();
+    rest_.remove_prefix(1);
+    return c;
+  }
+
+  std::string_view rest_;
+  bool ok_ = true;
+};
+
+/// Returns the offset from UTC in seconds: "Z", "+01:00", "+0100", "+01"; none is UTC.
+int64_t OffsetOf(IsoReader& reader) {
+  if (reader.at_end() || reader.Took('Z') || reader.Took('z')) return 0;
+  const bool is_west = reader.Took('-');
+  if (!is_west) reader.Mark("+");
+  const int hours = reader.Digits(2);
+  int minutes = 0;
+  if (!reader.at_end()) {
+    reader.Took(':');
+    minutes = reader.Digits(2);
+  }
+  const int64_t offset_s = int64_t{3600} * hours + int64_t{60} * minutes;
+  return is_west ? -offset_s : offset_s;
+}
+
+}  // namespace
+
+std::optional<int64_t> ParseLoggedTime(std::string_view text) {
+  IsoReader reader(text);
+  const int year = reader.Digits(4);
+  reader.Mark("-");
+  const int month = reader.Digits(2);
+  reader.Mark("-");
+  const int day = reader.Digits(2);
+  reader.Mark("T t");
+  const int hour = reader.Digits(2);
+  reader.Mark(":");
+  const int minute = reader.Digits(2);
+  reader.Mark(":");
+  const int second = reader.Digits(2);
+  const int64_t fraction_us = reader.Took('.') || reader.Took(',') ? reader.Fraction_us() : 0;
+  const int64_t offset_s = OffsetOf(reader);
+  if (!reader.ok() || !reader.at_end()) return std::nullopt;
+  const std::optional<int64_t> time_us = ToUtc(
+      {.year = year, .month = month, .day = day, .hour = hour, .minute = minute, .second = second});
+  if (!time_us) return std::nullopt;
+  return *time_us + fraction_us - offset_s * kSecond_us;
+}
+
+}  // namespace shoal

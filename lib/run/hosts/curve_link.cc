@@ -1,0 +1,242 @@
+#include "lib/run/hosts/curve_link.h"
+
+#include <fmt/format.h>
+#include <sys/epoll.h>
+
+#include <array>
+#include <atomic>
+#include <cstring>
+#include <zmq.hpp>
+
+#include "lib/bus/record/file_descriptor.h"
+#include "lib/run/hosts/link_message.h"
+
+namespace shoal {
+
+namespace {
+
+/// What is still under way when a socket closes: the last words to a host.
+constexpr int kLinger_ms = 500;
+constexpr int kReconnect_ms = 200;
+/// Messages that wait for a slow peer; a link in step has one or two.
+constexpr int kWaitingMessages = 10'000;
+constexpr char kZapAddress[] = "inproc://zeromq.zap.01";
+
+/// ZeroMQ ends a connection over which more comes at once. What is larger than a batch may be, and
+/// not this large, is left to LinkIntake, which names it.
+constexpr int64_t kMostReceived_bytes = 2 * int64_t{kLargestLinkMessage_bytes};
+
+void SetUp(zmq::socket_t* socket, const HostKey& key) {
+  socket->set(zmq::sockopt::linger, kLinger_ms);
+  socket->set(zmq::sockopt::sndhwm, kWaitingMessages);
+  socket->set(zmq::sockopt::rcvhwm, kWaitingMessages);
+  socket->set(zmq::sockopt::maxmsgsize, kMostReceived_bytes);
+  socket->set(zmq::sockopt::curve_secretkey, key.secret_key);
+}
+
+int PollOf(const std::vector<int>& descriptors) {
+  const int poll = epoll_create1(EPOLL_CLOEXEC);
+  for (const int descriptor : descriptors) {
+    epoll_event event{.events = EPOLLIN, .data = {.fd = descriptor}};
+    epoll_ctl(poll, EPOLL_CTL_ADD, descriptor, &event);
+  }
+  return poll;
+}
+
+/// Receives all frames of one message; empty where there is none.
+std::vector<zmq::message_t> ReceiveFrames(zmq::socket_t* socket) {
+  std::vector<zmq::message_t> frames;
+  zmq::message_t frame;
+  if (!socket->recv(frame, zmq::recv_flags::dontwait)) return frames;
+  for (bool more = true; more;) {
+    more = frame.more();
+    frames.push_back(std::move(frame));
+    frame = zmq::message_t();
+    if (more) more = socket->recv(frame, zmq::recv_flags::none).has_value();
+  }
+  return frames;
+}
+
+Bytes BytesOf(const zmq::message_t& frame) {
+  const auto* begin = static_cast<const uint8_t*>(frame.data());
+  return {begin, begin + frame.size()};
+}
+
+std::string EncodeKey(const zmq::message_t& frame) {
+  constexpr size_t kRawKeySize = 32;
+  std::array<char, 41> text{};
+  if (frame.size() != kRawKeySize) return {};
+  zmq_z85_encode(text.data(), static_cast<const uint8_t*>(frame.data()), kRawKeySize);
+  return text.data();
+}
+
+}  // namespace
+
+struct HostDoor::Sockets {
+  zmq::context_t context{1};
+  zmq::socket_t zap{context, zmq::socket_type::rep};
+  zmq::socket_t router{context, zmq::socket_type::router};
+  FileDescriptor poll;
+  std::set<std::string> allowed;
+  std::vector<std::string> refused;
+
+  void AnswerZap();
+};
+
+HostDoor::HostDoor() : sockets_(std::make_unique<Sockets>()) {}
+HostDoor::~HostDoor() = default;
+
+Result<bool> HostDoor::Open(const std::string& address, const HostKey& key,
+                            const std::set<std::string>& allowed_keys) {
+  sockets_->allowed = allowed_keys;
+  try {
+    // Before the door opens: without this socket ZeroMQ would let everyone in.
+    sockets_->zap.bind(kZapAddress);
+    SetUp(&sockets_->router, key);
+    sockets_->router.set(zmq::sockopt::curve_server, true);
+    sockets_->router.set(zmq::sockopt::zap_domain, "shoal");
+    sockets_->router.set(zmq::sockopt::router_mandatory, true);
+    sockets_->router.bind(address);
+  } catch (const zmq::error_t& error) {
+    return Error{fmt::format(
+        "cannot listen at {}: {}. An address has the form tcp://ADDRESS:PORT, with an address of "
+        "this computer (`ip address`), 127.0.0.1, or * for all of them",
+        address, error.what())};
+  }
+  sockets_->poll = FileDescriptor(
+      PollOf({sockets_->router.get(zmq::sockopt::fd), sockets_->zap.get(zmq::sockopt::fd)}));
+  return true;
+}
+
+/// RFC 27: version, request id, domain, address, identity, mechanism, then for CURVE the key.
+void HostDoor::Sockets::AnswerZap() {
+  constexpr size_t kCurveFrames = 7;
+  for (auto request = ReceiveFrames(&zap); !request.empty(); request = ReceiveFrames(&zap)) {
+    const bool is_curve = request.size() == kCurveFrames && request[5].to_string_view() == "CURVE";
+    const std::string key = is_curve ? EncodeKey(request[6]) : std::string();
+    const bool is_allowed = !key.empty() && allowed.contains(key);
+    if (!is_allowed) refused.push_back(key.empty() ? "no key" : key);
+    const std::string id = request.size() > 1 ? request[1].to_string() : std::string();
+    const std::array<std::string, 6> answer = {"1.0",
+                                               id,
+                                               is_allowed ? "200" : "400",
+                                               is_allowed ? "OK" : "unknown key",
+                                               is_allowed ? key : std::string(),
+                                               std::string()};
+    for (size_t i = 0; i < answer.size(); ++i) {
+      const bool is_last = i + 1 == answer.size();
+      zap.send(zmq::buffer(answer[i]), is_last ? zmq::send_flags::none : zmq::send_flags::sndmore);
+    }
+  }
+}
+
+std::optional<HostDoor::Arrival> HostDoor::Receive() {
+  constexpr size_t kPeerAndBytes = 2;
+  sockets_->AnswerZap();
+  for (auto frames = ReceiveFrames(&sockets_->router); !frames.empty();
+       frames = ReceiveFrames(&sockets_->router)) {
+    if (frames.size() != kPeerAndBytes) continue;
+    return Arrival{.peer = frames[0].to_string(),
+                   .key = frames[1].gets("User-Id"),
+                   .bytes = BytesOf(frames[1])};
+  }
+  return std::nullopt;
+}
+
+bool HostDoor::Send(const std::string& peer, std::span<const uint8_t> bytes) {
+  try {
+    const auto flags = zmq::send_flags::sndmore | zmq::send_flags::dontwait;
+    if (!sockets_->router.send(zmq::buffer(peer), flags)) return false;
+    return sockets_->router.send(zmq::buffer(bytes.data(), bytes.size()), zmq::send_flags::dontwait)
+        .has_value();
+  } catch (const zmq::error_t&) {
+    return false;  // EHOSTUNREACH: it is gone.
+  }
+}
+
+std::vector<std::string> HostDoor::TakeRefusedKeys() {
+  return std::exchange(sockets_->refused, {});
+}
+
+int HostDoor::fd() const { return sockets_->poll.get(); }
+
+struct HomeLink::Sockets {
+  /// One thread of ZeroMQ serves all links of the process: it wakes up once for what goes to
+  /// several hosts at a time, and closing one link waits for no other.
+  static zmq::context_t& Context() {
+    static zmq::context_t context{1};
+    return context;
+  }
+  /// Returns an address for the events of one link.
+  static std::string NewMonitorAddress() {
+    static std::atomic<int> number = 0;
+    return fmt::format("inproc://events-{}", ++number);
+  }
+
+  zmq::socket_t dealer{Context(), zmq::socket_type::dealer};
+  zmq::socket_t events{Context(), zmq::socket_type::pair};
+  FileDescriptor poll;
+};
+
+HomeLink::HomeLink(const std::string& address, const std::string& host_public_key,
+                   const HostKey& key)
+    : sockets_(std::make_unique<Sockets>()) {
+  try {
+    SetUp(&sockets_->dealer, key);
+    sockets_->dealer.set(zmq::sockopt::curve_publickey, key.public_key);
+    sockets_->dealer.set(zmq::sockopt::curve_serverkey, host_public_key);
+    sockets_->dealer.set(zmq::sockopt::immediate, true);
+    sockets_->dealer.set(zmq::sockopt::reconnect_ivl, kReconnect_ms);
+    constexpr int kEvents = ZMQ_EVENT_DISCONNECTED | ZMQ_EVENT_HANDSHAKE_SUCCEEDED |
+                            ZMQ_EVENT_HANDSHAKE_FAILED_AUTH | ZMQ_EVENT_HANDSHAKE_FAILED_NO_DETAIL |
+                            ZMQ_EVENT_HANDSHAKE_FAILED_PROTOCOL;
+    const std::string events = Sockets::NewMonitorAddress();
+    zmq_socket_monitor(sockets_->dealer.handle(), events.c_str(), kEvents);
+    sockets_->events.connect(events);
+    sockets_->dealer.connect(address);
+  } catch (const zmq::error_t& error) {
+    error_ = fmt::format("{}; an address has the form tcp://ADDRESS:PORT", error.what());
+  }
+  sockets_->poll = FileDescriptor(
+      PollOf({sockets_->dealer.get(zmq::sockopt::fd), sockets_->events.get(zmq::sockopt::fd)}));
+}
+
+HomeLink::~HomeLink() { zmq_socket_monitor(sockets_->dealer.handle(), nullptr, 0); }
+
+void HomeLink::ReadEvents() {
+  for (auto frames = ReceiveFrames(&sockets_->events); !frames.empty();
+       frames = ReceiveFrames(&sockets_->events)) {
+    uint16_t event = 0;
+    if (frames[0].size() < sizeof event) continue;
+    std::memcpy(&event, frames[0].data(), sizeof event);
+    if (event == ZMQ_EVENT_HANDSHAKE_SUCCEEDED) {
+      state_ = State::kOpen;
+    } else if (event == ZMQ_EVENT_HANDSHAKE_FAILED_AUTH) {
+      state_ = State::kKeyRefused;
+    } else if (state_ == State::kOpen || state_ == State::kLost) {
+      state_ = State::kLost;
+    } else if (state_ == State::kConnecting) {
+      state_ = State::kHandshakeFailed;
+    }
+  }
+}
+
+std::optional<Bytes> HomeLink::Receive() {
+  const auto frames = ReceiveFrames(&sockets_->dealer);
+  if (!frames.empty()) return BytesOf(frames[0]);
+  ReadEvents();  // After what came before the end.
+  return std::nullopt;
+}
+
+bool HomeLink::Send(std::span<const uint8_t> bytes) {
+  try {
+    return sockets_->dealer.send(zmq::buffer(bytes.data(), bytes.size()), zmq::send_flags::dontwait)
+        .has_value();
+  } catch (const zmq::error_t&) {
+    return false;
+  }
+}
+
+int HomeLink::fd() const { return sockets_->poll.get(); }
+
+}  // namespace shoal

@@ -1,0 +1,94 @@
+// Links between computers: ZeroMQ over TCP, encrypted and authenticated by CURVE. Nothing waits;
+// each end has a descriptor to poll.
+//
+//   HostDoor door;                                     // shoal host
+//   if (auto bound = door.Open("tcp://*:7700", key, {"home's public key"}); !bound.ok()) ...
+//   while (auto arrival = door.Receive()) door.Send(arrival->peer, answer);
+//
+//   HomeLink link("tcp://lab2:7700", host_public_key, key);   // shoal run
+//   while (auto bytes = link.Receive()) ...
+//
+// Before a descriptor is waited for, Receive must have returned nothing: ZeroMQ's descriptor
+// reports changes, not states.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "lib/base/check/result.h"
+#include "lib/bus/bus/bus.h"
+#include "lib/run/hosts/host_keys.h"
+
+namespace shoal {
+
+/// The end that listens. Accepts only computers whose public keys it was given.
+class HostDoor {
+ public:
+  HostDoor();
+  ~HostDoor();
+  HostDoor(const HostDoor&) = delete;
+  HostDoor& operator=(const HostDoor&) = delete;
+
+  /// Listens at `address`, "tcp://ADDRESS:PORT". The error names the address and what to try.
+  [[nodiscard]] Result<bool> Open(const std::string& address, const HostKey& key,
+                                  const std::set<std::string>& allowed_keys);
+
+  struct Arrival {
+    std::string peer;  ///< To be answered by Send.
+    std::string key;   ///< The public key of the peer, which has proved it.
+    Bytes bytes;
+  };
+  /// Returns what has arrived next; nothing where there is no more.
+  std::optional<Arrival> Receive();
+  /// Returns false where the peer is gone, or takes nothing any more.
+  bool Send(const std::string& peer, std::span<const uint8_t> bytes);
+
+  /// Returns the public keys that were refused since the last call.
+  std::vector<std::string> TakeRefusedKeys();
+  int fd() const;
+
+ private:
+  struct Sockets;
+  std::unique_ptr<Sockets> sockets_;
+};
+
+/// The end that connects, to one host.
+class HomeLink {
+ public:
+  enum class State {
+    kConnecting,
+    kOpen,
+    kKeyRefused,       ///< The host does not know this computer's key.
+    kHandshakeFailed,  ///< Something answers, and not as the host of this key.
+    kLost              ///< The connection was open, and ended.
+  };
+
+  HomeLink(const std::string& address, const std::string& host_public_key, const HostKey& key);
+  ~HomeLink();
+  HomeLink(const HomeLink&) = delete;
+  HomeLink& operator=(const HomeLink&) = delete;
+
+  /// Returns what has arrived next; nothing where there is no more. Learns of the link's state.
+  std::optional<Bytes> Receive();
+  bool Send(std::span<const uint8_t> bytes);
+  State state() const { return state_; }
+  /// Why the address cannot be used at all, or empty.
+  const std::string& error() const { return error_; }
+  int fd() const;
+
+ private:
+  void ReadEvents();
+
+  struct Sockets;
+  std::unique_ptr<Sockets> sockets_;
+  State state_ = State::kConnecting;
+  std::string error_;
+};
+
+}  // namespace shoal

@@ -1,0 +1,237 @@
+#include "lib/run/launch/host_agent.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <poll.h>
+#include <signal.h>
+#include <sys/epoll.h>
+#include <sys/signalfd.h>
+#include <unistd.h>
+
+#include <algorithm>
+
+#include "lib/base/check/time_units.h"
+#include "lib/bus/bus/multicast_fault.h"
+#include "lib/run/launch/launch_signals.h"
+#include "lib/run/run/run_app.h"
+
+namespace shoal {
+
+namespace {
+
+constexpr int64_t kAgentPoll_us = 50'000;
+constexpr int64_t kAgentAlive_us = 150'000;
+/// A computer that is not home of the mission and has sent nothing for longer is forgotten.
+constexpr int64_t kPeerSilence_us = 10 * kSecond_us;
+/// The agent itself stood still; no silence counts.
+constexpr int64_t kAgentPause_us = 500'000;
+constexpr size_t kMostNamedKeys = 100;
+
+}  // namespace
+
+int RunHostAgent(const HostAgentOptions& options) {
+  const auto fail = [](const std::string& why) {
+    fmt::print(stderr, "shoal host: {}\n", why);
+    return static_cast<int>(kExitEnvironment);
+  };
+  if (const std::string fault = MulticastFault(); !fault.empty()) return fail(fault);
+  const int signal_fd = BlockSignals();
+  HostAgent agent(options);
+  if (const std::string why = agent.Open(); !why.empty()) return fail(why);
+  const int code = agent.Run(signal_fd);
+  close(signal_fd);
+  return code;
+}
+
+HostAgent::HostAgent(const HostAgentOptions& options)
+    : options_(options), ports_{.wanted = options.port_base} {}
+
+std::string HostAgent::Open() {
+  const Result<HostKey> key = ReadHostKey(HostKeyPath(options_.key_file));
+  if (!key.ok()) return key.error();
+  std::set<std::string> allowed;
+  for (const std::string& each : options_.allow) {
+    const Result<std::string> public_key = FindPublicKey(each, "");
+    if (!public_key.ok()) return "--allow: " + public_key.error();
+    allowed.insert(*public_key);
+  }
+  if (const auto opened = door_.Open(options_.listen, *key, allowed); !opened.ok()) {
+    return opened.error();
+  }
+  terminal_.Show(
+      fmt::format("shoal host listens at {}; its public key: {}; {} computers may run "
+                  "missions{}",
+                  options_.listen, key->public_key, allowed.size(),
+                  options_.allow_programs ? ", programs of these too" : ""));
+  return {};
+}
+
+int HostAgent::Run(int signal_fd) {
+  const FileDescriptor poll(epoll_create1(EPOLL_CLOEXEC));
+  for (const int descriptor : {signal_fd, door_.fd()}) {
+    epoll_event event{.events = EPOLLIN, .data = {.fd = descriptor}};
+    epoll_ctl(poll.get(), EPOLL_CTL_ADD, descriptor, &event);
+  }
+  last_time_us_ = MonotonicMicroseconds();
+  while (true) {
+    const int64_t now = MonotonicMicroseconds();
+    if (has_news_) ReadSignals(signal_fd);
+    if (session_ != nullptr) session_->OnTime(now);
+    ReadDoor(now);
+    CheckHome(now);
+    ReadDoor(now);
+    CheckSession();
+    if (session_ == nullptr && (is_stopping_ || (options_.once && num_missions_ > 0))) break;
+    if (session_ == nullptr) {
+      pollfd waited{.fd = poll.get(), .events = POLLIN, .revents = 0};
+      has_news_ = ::poll(&waited, 1, static_cast<int>(kAgentPoll_us / 1000)) > 0;
+    } else {
+      const int64_t wait = session_->NextDeadline() - MonotonicMicroseconds();
+      const bool is_readable =
+          session_->Poll(std::clamp<int64_t>(wait, 0, kAgentPoll_us), poll.get());
+      has_news_ = has_news_ || is_readable;  // It has sent.
+    }
+  }
+  return was_lost_ && options_.once ? static_cast<int>(kExitEnvironment) : kExitOk;
+}
+
+void HostAgent::ReadSignals(int signal_fd) {
+  signalfd_siginfo info{};
+  while (read(signal_fd, &info, sizeof info) == sizeof info) {
+    if (info.ssi_signo != SIGCHLD) {
+      is_stopping_ = true;
+    } else if (session_ != nullptr) {
+      session_->OnExits(MonotonicMicroseconds());
+    }
+  }
+}
+
+void HostAgent::ReadDoor(int64_t wall_us) {
+  while (has_news_) {
+    has_news_ = false;
+    const std::optional<HostDoor::Arrival> arrival = door_.Receive();
+    if (!arrival) continue;
+    has_news_ = true;
+    Peer& peer = peers_[arrival->peer];
+    peer.key = arrival->key;
+    peer.heard_us = wall_us;
+    const Result<LinkMessage> message = peer.intake.Take(arrival->bytes);
+    if (message.ok()) {
+      OnMessage(arrival->peer, *message, wall_us);
+      continue;
+    }
+    if (peer.num_refused++ == 0) {
+      terminal_.Warn(fmt::format("{} sent {}; refused", peer.key, message.error()));
+    }
+    if (peer.intake.has_gap() && arrival->peer == home_)
+      LoseHome("sent " + message.error(), wall_us);
+  }
+  for (const std::string& key : door_.TakeRefusedKeys()) {
+    if (refused_keys_.size() >= kMostNamedKeys || !refused_keys_.insert(key).second) continue;
+    terminal_.Warn(fmt::format(
+        "refused: a computer with the public key {}; --allow '{}' would let it in", key, key));
+  }
+  ForgetPeers(wall_us);
+}
+
+void HostAgent::ForgetPeers(int64_t wall_us) {
+  std::erase_if(peers_, [&](const auto& item) {
+    return item.first != home_ && wall_us - item.second.heard_us > kPeerSilence_us;
+  });
+}
+
+void HostAgent::Send(const std::string& peer_id, const LinkMessage& message) {
+  Peer& peer = peers_[peer_id];
+  peer.sent_us = MonotonicMicroseconds();
+  if (door_.Send(peer_id, EncodeLinkMessage(message, peer.next_sequence))) ++peer.next_sequence;
+  has_news_ = true;  // Sending may have taken a notice of arrival off the descriptor.
+}
+
+void HostAgent::Refuse(const std::string& peer_id, const std::string& why) {
+  LinkMessage message{.kind = LinkKind::kRefuse};
+  message.AddText("why", why);
+  terminal_.Warn("refused a mission: " + why);
+  Send(peer_id, message);
+}
+
+void HostAgent::OnMessage(const std::string& peer_id, const LinkMessage& message, int64_t wall_us) {
+  if (message.kind == LinkKind::kOffer) return OnOffer(peer_id, message, wall_us);
+  if (message.kind == LinkKind::kPing) {
+    LinkMessage pong{.kind = LinkKind::kPong, .parts = message.parts};
+    pong.AddText("utc_us", std::to_string(UnixMicroseconds()));
+    return Send(peer_id, pong);
+  }
+  if (session_ == nullptr || peer_id != home_) return;
+  const std::string wrong = session_->OnMessage(message, wall_us);
+  if (!wrong.empty()) terminal_.Warn(fmt::format("home sent {}; refused", wrong));
+}
+
+void HostAgent::OnOffer(const std::string& peer_id, const LinkMessage& message, int64_t wall_us) {
+  if (session_ != nullptr) {
+    return Refuse(peer_id, fmt::format("it runs another mission now, {}: wait until that has ended",
+                                       session_->mission().name));
+  }
+  Result<HostOffer> offer = OfferOf(message);
+  if (!offer.ok()) return Refuse(peer_id, offer.error());
+  was_lost_ = false;
+  home_ = peer_id;
+  peers_[home_].intake.set_mission_id(message.mission_id);
+  session_ = std::make_unique<HostSession>(
+      std::move(*offer), message.mission_id, [this](const LinkMessage& each) { Send(home_, each); },
+      terminal_, ports_);
+  const std::string why = session_->Begin(options_.allow_programs);
+  peers_[home_].heard_us = MonotonicMicroseconds();  // Loading took its time.
+  last_time_us_ = wall_us;
+  if (!why.empty()) {
+    LinkMessage refusal{.kind = LinkKind::kRefuse, .mission_id = message.mission_id};
+    refusal.AddText("why", why);
+    terminal_.Warn("refused a mission: " + why);
+    Send(home_, refusal);
+    session_.reset();
+    home_.clear();
+    return;
+  }
+  Send(home_, {.kind = LinkKind::kAccept, .mission_id = message.mission_id});
+  terminal_.Show(fmt::format("{} as {}, seed {}: {}", session_->mission().name,
+                             session_->offer().host, session_->mission().seed,
+                             fmt::join(session_->offer().participants, ", ")));
+}
+
+/// Ends the mission, and lets home know why, where it is there.
+void HostAgent::LoseHome(const std::string& how, int64_t wall_us) {
+  if (session_ == nullptr || was_lost_) return;
+  was_lost_ = true;
+  terminal_.Warn(fmt::format("LOST: home {}; {} ends here", how, session_->mission().name));
+  LinkMessage refusal{.kind = LinkKind::kRefuse, .mission_id = session_->mission_id()};
+  refusal.AddText("why", "home " + how);
+  Send(home_, refusal);
+  session_->End(wall_us);
+}
+
+/// Ends the mission where home is silent, shows signs of life where it is not.
+void HostAgent::CheckHome(int64_t wall_us) {
+  const bool stood_still = wall_us - last_time_us_ > kAgentPause_us;
+  last_time_us_ = wall_us;
+  if (session_ == nullptr) return;
+  Peer& home = peers_[home_];
+  if (stood_still) home.heard_us = wall_us;
+  if (is_stopping_) session_->End(wall_us);
+  const auto timeout_us = static_cast<int64_t>(session_->offer().timeout_s * 1e6);
+  if (wall_us - home.heard_us > timeout_us && !was_lost_) {
+    LoseHome(fmt::format("gave no sign of life for {} s", session_->offer().timeout_s), wall_us);
+  }
+  if (wall_us - home.sent_us > kAgentAlive_us) {
+    Send(home_, {.kind = LinkKind::kAlive, .mission_id = session_->mission_id()});
+  }
+}
+
+void HostAgent::CheckSession() {
+  if (session_ == nullptr || !session_->over()) return;
+  terminal_.Show(
+      fmt::format("{} has ended after step {}", session_->mission().name, session_->step()));
+  session_.reset();
+  home_.clear();
+  ++num_missions_;
+}
+
+}  // namespace shoal

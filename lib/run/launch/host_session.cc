@@ -1,0 +1,252 @@
+#include "lib/run/launch/host_session.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <signal.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+
+#include "lib/base/check/time_units.h"
+#include "lib/bus/bus/layout.h"
+#include "lib/mission/file/load.h"
+#include "lib/run/run/build_id.h"
+#include "lib/run/run/run_app.h"
+#include "lib/run/run/run_folder.h"
+#include "lib/run/run/run_registry.h"
+#include "lib/run/run/version.h"
+
+namespace shoal {
+
+namespace {
+
+constexpr int64_t kEndPatience_us = kSecond_us;
+
+}  // namespace
+
+HostSession::HostSession(HostOffer offer, int64_t mission_id, SendHome send,
+                         LaunchTerminal& terminal, ClaimedPorts& ports)
+    : offer_(std::move(offer)),
+      mission_id_(mission_id),
+      send_(std::move(send)),
+      terminal_(terminal),
+      ports_(ports),
+      wake_rule_(std::min(kWantedReceiveBuffer, ReceiveBufferLimit()), WakeRule::kFewOfRelay) {}
+
+HostSession::~HostSession() {
+  children_.SignalAll(SIGKILL);
+  if (is_registered_) Unregister(ports_.base);
+  std::error_code error;
+  if (!files_folder_.empty()) std::filesystem::remove_all(files_folder_, error);
+}
+
+std::string HostSession::Begin(bool allow_programs) {
+  if (offer_.build != BuildId()) {
+    return fmt::format(
+        "its build is another one ({} here, shoal {}; {} at home): install the same shoal on both",
+        BuildId(), kVersion, offer_.build);
+  }
+  for (const auto& step : {&HostSession::Claim, &HostSession::LoadOffered}) {
+    if (std::string why = (this->*step)(); !why.empty()) return why;
+  }
+  if (std::string why = ChooseProcesses(allow_programs); !why.empty()) return why;
+  return StartAll();
+}
+
+/// Claims ports for as many vehicles as the mission can have communities; a block that a former
+/// mission had is taken again.
+std::string HostSession::Claim() {
+  const int needed = PortPlan::NumPorts(Layout::kCommunities, PortPlan::kMaxCommunities);
+  if (ports_.base != 0) return {};
+  const Result<int> base = ClaimPorts(ports_.wanted, needed);
+  if (!base.ok()) return base.error();
+  ports_.base = *base;
+  ports_.count = needed;
+  return {};
+}
+
+std::string HostSession::LoadOffered() {
+  const Result<std::string> folder = MakeRunSubfolder(fmt::format("{}-mission", ports_.base));
+  if (!folder.ok()) return folder.error();
+  files_folder_ = *folder;
+  const Result<std::string> file = WriteOfferedFiles(offer_.files, files_folder_);
+  if (!file.ok()) return file.error();
+  LoadedMission loaded = LoadMission(*file, offer_.overrides);
+  if (!loaded.errors.empty()) return "it does not load there: " + loaded.errors.front();
+  mission_ = std::move(loaded.mission);
+  if (MissionDigest(mission_, offer_.files) != offer_.digest) {
+    return "it is another mission there than at home: its digest differs";
+  }
+  return {};
+}
+
+std::string HostSession::ChooseProcesses(bool allow_programs) {
+  std::vector<RosterEntry> roster;
+  for (RosterEntry& entry : MakeRoster(mission_, false)) {
+    const bool is_ours = std::find(offer_.participants.begin(), offer_.participants.end(),
+                                   entry.name) != offer_.participants.end();
+    if (!is_ours) continue;
+    if (!entry.command.empty() && !allow_programs) {
+      return fmt::format(
+          "participant {} runs a program of the mission's own ({}); a host runs such programs only "
+          "where it was started with --allow-programs",
+          entry.name, fmt::join(entry.command, " "));
+    }
+    roster.push_back(std::move(entry));
+  }
+  if (roster.size() != offer_.participants.size()) {
+    return fmt::format("it has {} of the {} participants that this host is to run", roster.size(),
+                       offer_.participants.size());
+  }
+  processes_ = ShareOut(roster, offer_.grouping);  // Groups have the names that they have at home.
+  for (RosterProcess& process : processes_) {
+    for (RosterEntry& entry : process.entries) entry.host.clear();  // It runs on this computer.
+  }
+  const std::vector<std::string> missing = MissingPrograms(mission_, processes_);
+  return missing.empty() ? std::string() : missing.front();
+}
+
+std::string HostSession::StartAll() {
+  plan_ = std::make_unique<PortPlan>(ports_.base, offer_.layout, VehicleNames(mission_));
+  const RunningMission running{.name = mission_.name,
+                               .file = mission_.file,
+                               .folder = files_folder_,  // `shoal send` means home's.
+                               .mission_id = mission_id_,
+                               .port_base = ports_.base,
+                               .layout = offer_.layout,
+                               .grouping = Name(offer_.grouping),
+                               .pid = getpid(),
+                               .vehicles = VehicleNames(mission_),
+                               .overrides = offer_.overrides,
+                               .groups = GroupsOf(mission_)};
+  if (const auto kept = KeepSecret(ports_.base, offer_.secret); !kept.ok()) return kept.error();
+  const Result<int> secret_fd = SecretInMemory(offer_.secret);
+  if (!secret_fd.ok()) return secret_fd.error();
+  secret_fd_ = FileDescriptor(*secret_fd);
+  if (const auto registered = Register(running); !registered.ok()) return registered.error();
+  is_registered_ = true;
+  const Result<std::string> log_dir = MakeRunSubfolder(fmt::format("{}-logs", ports_.base));
+  if (!log_dir.ok()) return log_dir.error();
+  options_.mission_file = mission_.file;
+  options_.overrides = offer_.overrides;
+  options_.grouping = offer_.grouping;
+  context_ = std::make_unique<LaunchContext>(LaunchContext{.options = options_,
+                                                           .mission = mission_,
+                                                           .ports = *plan_,
+                                                           .mission_id = mission_id_,
+                                                           .secret_fd = secret_fd_.get(),
+                                                           .log_dir = *log_dir,
+                                                           .log_path = {}});
+  relay_ = std::make_unique<HostRelay>(
+      RelayOptions{.name = "host", .mission_id = mission_id_, .secret = offer_.secret}, *plan_,
+      transport_,
+      std::set<std::string, std::less<>>(offer_.participants.begin(), offer_.participants.end()),
+      send_);
+  transport_.DeferFrom(plan_->shore_port());
+  transport_.set_receiver(
+      [this](int port, std::string_view channel, std::span<const uint8_t> datagram) {
+        wake_rule_.OnDatagram();
+        relay_->OnDatagram(port, channel, datagram, MonotonicMicroseconds());
+      });
+  if (!transport_.error().empty()) return transport_.error();
+  for (const RosterProcess& process : processes_) {
+    const RosterEntry& entry = process.entries.front();
+    if (entry.provider == Provider::kHand) {
+      terminal_.Show(fmt::format("waiting for {}: {}", entry.name, HandCommand(entry, *context_)));
+    } else if (std::string why = Start(process); !why.empty()) {
+      return why;
+    }
+  }
+  return {};
+}
+
+std::string HostSession::Start(const RosterProcess& process) {
+  const Result<ChildCommand> command = CommandOf(process, *context_);
+  if (!command.ok()) return command.error();
+  const Result<pid_t> pid = children_.Start(*command);
+  return pid.ok() ? std::string() : pid.error();
+}
+
+const RosterProcess* HostSession::Find(const std::string& name) const {
+  const auto found = std::find_if(processes_.begin(), processes_.end(),
+                                  [&](const RosterProcess& each) { return each.name == name; });
+  return found == processes_.end() ? nullptr : &*found;
+}
+
+std::string HostSession::OnMessage(const LinkMessage& message, int64_t wall_us) {
+  const std::string name = message.TextOf("name");
+  switch (message.kind) {
+    case LinkKind::kTick:
+      wake_rule_.OnStep(wall_us);
+      return relay_->OnMessage(message, wall_us);
+    case LinkKind::kAside:
+      return relay_->OnMessage(message, wall_us);
+    case LinkKind::kStart: {
+      const RosterProcess* process = Find(name);
+      const bool is_ours =
+          process != nullptr && process->entries.front().provider != Provider::kHand;
+      if (!is_ours || is_ending_) return {};
+      terminal_.Show(fmt::format("{} starts again", name));
+      return Start(*process);
+    }
+    case LinkKind::kSignal: {
+      const int signal = std::atoi(message.TextOf("signal").c_str());
+      if (signal < 1 || signal > SIGSYS) return fmt::format("a signal of number {}", signal);
+      if (Find(name) != nullptr) children_.Signal(name, signal);
+      return {};
+    }
+    case LinkKind::kEnd:
+      End(wall_us);
+      return {};
+    default:
+      return {};
+  }
+}
+
+void HostSession::OnTime(int64_t wall_us) {
+  relay_->OnTime(wall_us);
+  if (is_ending_ && !is_killing_ && wall_us >= end_us_) {
+    is_killing_ = true;
+    children_.SignalAll(SIGKILL);
+  }
+}
+
+void HostSession::OnExits(int64_t wall_us) {
+  for (const ChildExit& exit : children_.Reap()) {
+    if (const RosterProcess* process = Find(exit.name)) {
+      for (const RosterEntry& entry : process->entries) relay_->Forget(entry.name, wall_us);
+    }
+    if (!exit.clean && !is_ending_) {
+      terminal_.Warn(fmt::format("LOST: {} (pid {}) {}", exit.name, exit.pid, exit.how));
+      for (const std::string& line : exit.last_lines) terminal_.Warn("    " + line);
+    }
+    send_(ToLinkMessage(HostExit{.name = exit.name,
+                                 .pid = exit.pid,
+                                 .clean = exit.clean,
+                                 .how = exit.how,
+                                 .last_lines = exit.last_lines},
+                        mission_id_));
+  }
+}
+
+bool HostSession::Poll(int64_t timeout_us, int extra_fd) {
+  const int64_t now = MonotonicMicroseconds();
+  const bool sleeps = !relay_->awaits_data() && wake_rule_.SleepsThrough(now);
+  return transport_.Poll(sleeps ? wake_rule_.Timeout(timeout_us, now) : timeout_us, extra_fd,
+                         sleeps ? WakeFor::kSteps : WakeFor::kAll);
+}
+
+int64_t HostSession::NextDeadline() const {
+  return is_ending_ ? std::min(end_us_, relay_->NextDeadline()) : relay_->NextDeadline();
+}
+
+void HostSession::End(int64_t wall_us) {
+  if (is_ending_) return;
+  is_ending_ = true;
+  end_us_ = wall_us + kEndPatience_us;
+  children_.SignalAll(SIGTERM);
+}
+
+}  // namespace shoal

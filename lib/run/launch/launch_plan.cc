@@ -1,0 +1,202 @@
+#include "lib/run/launch/launch_plan.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+
+#include "lib/run/run/run_registry.h"
+
+namespace shoal {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+bool IsProgram(const fs::path& path) {
+  std::error_code error;  // Folders of PATH may be closed to us.
+  return fs::is_regular_file(path, error) && access(path.c_str(), X_OK) == 0;
+}
+
+std::vector<std::string> ArgumentsOf(const RosterProcess& process, const LaunchContext& context) {
+  const RosterEntry& entry = process.entries.front();
+  if (!process.is_group() && !entry.command.empty()) {
+    return {entry.command.begin() + 1, entry.command.end()};
+  }
+  std::vector<std::string> arguments = {"--mission", context.mission.file};
+  if (process.is_group()) arguments.insert(arguments.begin(), "group");
+  const auto add = [&](std::string option, std::string value) {
+    arguments.push_back(std::move(option));
+    arguments.push_back(std::move(value));
+  };
+  if (process.is_group()) {
+    add("--grouping", Name(context.options.grouping));
+    add("--name", process.name);
+  } else if (!entry.vehicle.empty()) {
+    add("--vehicle", entry.vehicle);
+  }
+  for (const std::string& each : context.options.overrides) add("--set", each);
+  add("--port", std::to_string(context.ports.base()));
+  add("--layout", std::string(Name(context.ports.layout())));
+  add("--mission-id", std::to_string(context.mission_id));
+  if (entry.app == "recorder") add("--log", context.log_path);
+  if (context.options.lose > 0) add("--lose", fmt::format("{}", context.options.lose));
+  if (!context.options.lose_forever.empty()) add("--lose-forever", context.options.lose_forever);
+  return arguments;
+}
+
+/// The program of a participant that has a process of its own.
+Result<std::string> ProgramOf(const RosterEntry& entry, const Mission& mission) {
+  Result<std::string> path =
+      FindProgram(entry.command.empty() ? entry.app : entry.command.front(), mission.file);
+  if (path.ok()) return path;
+  std::string message = fmt::format("{}: {}", entry.name, path.error());
+  if (!entry.command.empty()) {
+    message += fmt::format(". Build it, or correct the command of [[participant]] {} in {}",
+                           entry.name, mission.file);
+  }
+  return Error{message};
+}
+
+}  // namespace
+
+Result<std::string> FindProgram(const std::string& program, const std::string& mission_file) {
+  std::vector<fs::path> candidates;
+  if (program.find('/') != std::string::npos) {
+    candidates = {fs::path(program), fs::path(mission_file).parent_path() / program,
+                  fs::path(ExecutableDirectory()) / program};
+  } else {
+    candidates.push_back(fs::path(ExecutableDirectory()) / program);
+    const char* variable = std::getenv("PATH");
+    const std::string path = variable == nullptr ? "" : variable;
+    for (size_t begin = 0; begin < path.size();) {
+      const size_t end = std::min(path.find(':', begin), path.size());
+      candidates.push_back(fs::path(path.substr(begin, end - begin)) / program);
+      begin = end + 1;
+    }
+  }
+  for (const fs::path& candidate : candidates) {
+    if (IsProgram(candidate)) return fs::absolute(candidate).string();
+  }
+  for (const fs::path& candidate : candidates) {
+    std::error_code error;
+    if (!fs::exists(candidate, error)) continue;
+    return Error{fmt::format("{} is {}", fs::absolute(candidate).lexically_normal().string(),
+                             fs::is_directory(candidate, error)
+                                 ? "a folder, not a program"
+                                 : "not executable: `chmod +x` it, or begin the command with its "
+                                   "interpreter (command = [\"python3\", ...])")};
+  }
+  std::vector<std::string> places;
+  for (const fs::path& candidate : candidates) {
+    std::string place = fs::absolute(candidate).lexically_normal().string();
+    if (std::find(places.begin(), places.end(), place) == places.end()) {
+      places.push_back(std::move(place));
+    }
+  }
+  constexpr size_t kMostPlaces = 3;
+  places.resize(std::min(places.size(), kMostPlaces));
+  return Error{
+      fmt::format("cannot find the program '{}'; looked for {}", program, fmt::join(places, ", "))};
+}
+
+std::vector<std::string> ParticipantEnvironment(const std::string& name,
+                                                const LaunchContext& context) {
+  std::string vehicles;
+  for (const std::string& vehicle : VehicleNames(context.mission)) {
+    vehicles += (vehicles.empty() ? "" : ",") + vehicle;
+  }
+  return {fmt::format("SHOAL_PORT={}", context.ports.base()),
+          fmt::format("SHOAL_LAYOUT={}", Name(context.ports.layout())),
+          fmt::format("SHOAL_MISSION_ID={}", context.mission_id),
+          fmt::format("SHOAL_PARTICIPANT={}", name),
+          fmt::format("SHOAL_VEHICLES={}", vehicles),
+          fmt::format("SHOAL_MISSION_FILE={}", fs::absolute(context.mission.file).string()),
+          fmt::format("{}={}", kSecretFileVariable, SecretPath(context.ports.base()))};
+}
+
+std::string ExecutableDirectory() {
+  std::error_code error;
+  return fs::read_symlink("/proc/self/exe", error).parent_path().string();
+}
+
+std::vector<std::string> MissingPrograms(const Mission& mission,
+                                         const std::vector<RosterProcess>& processes) {
+  std::vector<std::string> missing;
+  for (const RosterProcess& process : processes) {
+    const RosterEntry& entry = process.entries.front();
+    if (process.is_group() || entry.provider == Provider::kHand || !entry.host.empty()) continue;
+    const Result<std::string> path = ProgramOf(entry, mission);
+    if (!path.ok()) missing.push_back(path.error());
+  }
+  return missing;
+}
+
+Result<ChildCommand> CommandOf(const RosterProcess& process, const LaunchContext& context) {
+  Result<std::string> path = process.is_group()
+                                 ? FindProgram("shoal", context.mission.file)
+                                 : ProgramOf(process.entries.front(), context.mission);
+  if (!path.ok()) return Error{path.error()};
+  ChildCommand command{.name = process.name,
+                       .argv = {*path},
+                       .environment = ParticipantEnvironment(process.name, context),
+                       .log_path = fmt::format("{}/{}.txt", context.log_dir, process.name),
+                       .inherited_fd = context.secret_fd};
+  command.environment.push_back(fmt::format("{}={}", kSecretFdVariable, context.secret_fd));
+  const std::vector<std::string> arguments = ArgumentsOf(process, context);
+  command.argv.insert(command.argv.end(), arguments.begin(), arguments.end());
+  return command;
+}
+
+Result<ChildCommand> ViewerCommand(const LaunchContext& context) {
+  Result<std::string> viewer = FindProgram("shoal-viewer", context.mission.file);
+  if (!viewer.ok()) return Error{viewer.error()};
+  ViewOptions view = *context.options.view;
+  view.port_base = context.ports.base();
+  ChildCommand command{.name = "shoal-viewer",
+                       .argv = ViewerArguments(view),
+                       .environment = {},
+                       .log_path = context.log_dir + "/shoal-viewer.txt",
+                       // It prints the token that lets people command the vehicles.
+                       .is_log_private = true};
+  command.argv.insert(command.argv.begin(), *viewer);
+  return command;
+}
+
+std::string HandCommand(const RosterEntry& entry, const LaunchContext& context) {
+  if (entry.app.empty()) {
+    std::string variables;
+    for (const std::string& each : ParticipantEnvironment(entry.name, context)) {
+      variables += each + " ";
+    }
+    return variables;  // To be pasted before the user's command.
+  }
+  const std::string mission = fs::absolute(context.mission.file).lexically_normal().string();
+  std::string command = fmt::format("{}/{} --mission {} --port {}", ExecutableDirectory(),
+                                    entry.app, mission, context.ports.base());
+  if (!entry.vehicle.empty()) command += " --vehicle " + entry.vehicle;
+  for (const std::string& each : context.options.overrides) {
+    command += fmt::format(" --set '{}'", each);
+  }
+  return command;
+}
+
+Result<std::vector<ChildCommand>> LcmLoggerCommands(const LaunchContext& context) {
+  Result<std::string> logger = FindProgram("lcm-logger", context.mission.file);
+  if (!logger.ok()) return Error{logger.error() + "; apt-get install liblcm-bin"};
+  std::vector<ChildCommand> commands;
+  for (const int port : context.ports.DataPorts()) {
+    const std::string name = fmt::format("lcm-logger-{}", port);
+    commands.push_back({.name = name,
+                        .argv = {*logger, "--quiet", "--force", "--lcm-url=" + LcmUrl(port),
+                                 fmt::format("{}/{}.lcm", context.options.record_dir, name)},
+                        .environment = {},
+                        .log_path = fmt::format("{}/{}.txt", context.log_dir, name)});
+  }
+  return commands;
+}
+
+}  // namespace shoal

@@ -1,0 +1,47 @@
+#include "lib/run/launch/viewer_address.h"
+
+#include <fmt/format.h>
+
+#include <fstream>
+
+#include "lib/base/check/time_units.h"
+
+namespace shoal {
+
+namespace {
+
+constexpr int64_t kAddressPatience_us = 10 * kSecond_us;
+constexpr int64_t kLookInterval_us = 100'000;
+
+/// Returns the line with the viewer's address, once it is there as a whole.
+std::string AddressIn(const std::string& log_path) {
+  std::ifstream in(log_path);
+  for (std::string line; std::getline(in, line) && !in.eof();) {
+    if (line.starts_with("viewer: http")) return line;
+  }
+  return {};
+}
+
+}  // namespace
+
+void ViewerAddress::Await(const std::string& log_path, int64_t wall_us) {
+  log_path_ = log_path;
+  started_us_ = wall_us;
+  next_look_us_ = 0;
+}
+
+void ViewerAddress::OnTime(int64_t wall_us, LaunchTerminal* terminal) {
+  if (log_path_.empty() || wall_us < next_look_us_) return;
+  next_look_us_ = wall_us + kLookInterval_us;
+  const std::string address = AddressIn(log_path_);
+  if (address.empty() && wall_us - started_us_ < kAddressPatience_us) return;
+  if (address.empty()) {
+    terminal->Warn(
+        fmt::format("the viewer has not written its address yet; its output: {}", log_path_));
+  } else {
+    terminal->Show(address);
+  }
+  log_path_.clear();
+}
+
+}  // namespace shoal

@@ -1,0 +1,17 @@
+#include "lib/run/launch/viewer_arguments.h"
+
+#include <gtest/gtest.h>
+
+namespace shoal::viewer_arguments_test {
+
+using Words = std::vector<std::string>;
+
+TEST(ViewerArguments, NameTheLogOrTheRunningMission) {
+  EXPECT_EQ(ViewerArguments({}), Words{});
+  EXPECT_EQ(ViewerArguments({.log = "runs/mine", .mission_file = "m.toml", .http_port = 9000}),
+            (Words{"--log", "runs/mine", "--mission", "m.toml", "--http", "9000"}));
+  EXPECT_EQ(ViewerArguments({.port_base = 7665, .listen = "10.0.0.1", .allow_commands = true}),
+            (Words{"--port", "7665", "--listen", "10.0.0.1", "--allow-commands"}));
+}
+
+}  // namespace shoal::viewer_arguments_test

@@ -1,0 +1,14 @@
+#include "lib/run/run/version_text.h"
+
+#include <fmt/format.h>
+
+#include "lib/run/run/build_id.h"
+#include "lib/run/run/version.h"
+
+namespace shoal {
+
+std::string VersionText(std::string_view program) {
+  return fmt::format("{} {} (build {})", program, kVersion, BuildId());
+}
+
+}  // namespace shoal

@@ -1,0 +1,17 @@
+// The last page of a mission: where each vehicle ended, which received which, what was achieved.
+#pragma once
+
+#include <string>
+
+#include "lib/mission/model/mission.h"
+#include "lib/run/verdict/judge.h"
+
+namespace shoal {
+
+/// Returns the summary; its last line is "PASS", "FAIL" with how many expectations were missed and
+/// how many vehicles collided, or "INCOMPLETE" for a mission that did not run to its end.
+/// Collisions are always shown; Judge::Warnings where the mission is complete.
+[[nodiscard]] std::string Summarize(const Mission& mission, const Judge& judge,
+                                    bool complete = true);
+
+}  // namespace shoal

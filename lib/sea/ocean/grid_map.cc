@@ -1,0 +1,50 @@
+#include "lib/sea/ocean/grid_map.h"
+
+#include <cmath>
+#include <utility>
+
+#include "lib/base/check/check.h"
+
+namespace shoal {
+
+namespace {
+
+/// Returns the same meridian as a number from `first` on; beyond `last` that of the nearer end.
+double UnwrapLongitude(double lon_deg, double first, double last) {
+  const double unwrapped = lon_deg + 360 * std::ceil((first - lon_deg) / 360);
+  const bool is_nearer_to_first = unwrapped > last && first + 360 - unwrapped < unwrapped - last;
+  return is_nearer_to_first ? unwrapped - 360 : unwrapped;
+}
+
+}  // namespace
+
+GridMap::GridMap(const GridFrame& frame)
+    : GridMap(GridAxis::Even(frame.south_west_m.x(), frame.cell_m.x(), frame.columns),
+              GridAxis::Even(frame.south_west_m.y(), frame.cell_m.y(), frame.rows)) {}
+
+GridMap::GridMap(GridAxis x_m, GridAxis y_m) : x_(std::move(x_m)), y_(std::move(y_m)) {}
+
+GridMap::GridMap(const GeoPoint& origin, GridAxis lon_deg, GridAxis lat_deg)
+    : x_(std::move(lon_deg)), y_(std::move(lat_deg)), earth_(origin) {}
+
+GridCell GridMap::Locate(const Eigen::Vector2d& position_m) const {
+  if (!earth_) return {.x = x_.Locate(position_m.x()), .y = y_.Locate(position_m.y())};
+  const GeoPoint point = earth_->ToGeo(position_m);
+  return {.x = x_.Locate(UnwrapLongitude(point.lon_deg, x_.first(), x_.last())),
+          .y = y_.Locate(point.lat_deg)};
+}
+
+double GridMap::Interpolate(std::span<const float> values, const GridCell& cell) const {
+  SHOAL_CHECK(values.size() == num_points(), "a layer has columns * rows values");
+  const auto point = [&](int column, int row) -> double {
+    return values[static_cast<size_t>(row) * static_cast<size_t>(columns()) +
+                  static_cast<size_t>(column)];
+  };
+  return std::lerp(std::lerp(point(cell.x.before, cell.y.before),
+                             point(cell.x.after, cell.y.before), cell.x.share),
+                   std::lerp(point(cell.x.before, cell.y.after), point(cell.x.after, cell.y.after),
+                             cell.x.share),
+                   cell.y.share);
+}
+
+}  // namespace shoal

@@ -1,0 +1,89 @@
+#include "lib/tools/metrics/trial_watch.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+
+#include "lib/run/verdict/expectation_text.h"
+#include "lib/tools/metrics/metric_text.h"
+#include "lib/tools/metrics/trial.h"
+
+namespace shoal {
+
+namespace {
+
+std::vector<MetricSpec> SortedByName(std::span<const MetricSpec> metrics) {
+  std::vector<MetricSpec> sorted(metrics.begin(), metrics.end());
+  std::sort(sorted.begin(), sorted.end(),
+            [](const MetricSpec& a, const MetricSpec& b) { return a.name < b.name; });
+  return sorted;
+}
+
+std::unique_ptr<MetricWatch> MakeMetricWatch(const Mission& mission, const MetricSpec& spec,
+                                             const StepTime& now) {
+  switch (spec.kind) {
+    case MetricKind::kDeliveryRatio:
+      return WatchDeliveryRatio(mission, spec);
+    case MetricKind::kInformationAge:
+      return WatchInformationAge(mission, spec, now);
+    case MetricKind::kClosestApproach:
+      return WatchClosestApproach(mission, spec, now);
+    case MetricKind::kFormationError:
+      return WatchFormationError(mission, spec, now);
+    case MetricKind::kDistanceTravelled:
+      return WatchDistanceTravelled(mission, spec);
+    case MetricKind::kArrivalTime:
+      return WatchArrivalTime(mission, spec, now);
+    case MetricKind::kEnergy:
+      return WatchEnergy(mission, spec, now);
+    case MetricKind::kField:
+      break;
+  }
+  return WatchField(mission, spec, now);
+}
+
+}  // namespace
+
+TrialWatch::TrialWatch(const Mission& mission, std::span<const MetricSpec> metrics)
+    : mission_(mission), metrics_(SortedByName(metrics)), now_{.utime = mission.start_utime} {
+  for (const MetricSpec& spec : metrics_) {
+    watches_.push_back(MakeMetricWatch(mission, spec, now_));
+  }
+}
+
+std::vector<MetricName> TrialWatch::Names(const Mission& mission,
+                                          std::span<const MetricSpec> metrics) {
+  std::vector<MetricName> names;
+  for (const Expectation& expectation : mission.expectations) {
+    names.push_back({.name = fmt::format("expect_{}", names.size() + 1),
+                     .unit = std::string(UnitOf(expectation)),
+                     .text = Describe(mission, expectation)});
+  }
+  for (const MetricSpec& spec : SortedByName(metrics)) {
+    names.push_back(
+        {.name = spec.name, .unit = UnitOfMetric(spec), .text = DescribeMetric(mission, spec)});
+  }
+  return names;
+}
+
+void TrialWatch::Subscribe(Bus& bus) {
+  for (const auto& watch : watches_) watch->Subscribe(bus);
+}
+
+void TrialWatch::EndStep(const Judge& judge) {
+  for (const auto& watch : watches_) watch->EndStep(judge);
+  now_.utime += mission_.tick_us;
+  now_.time_s = static_cast<double>(now_.utime - mission_.start_utime) / 1e6;
+}
+
+std::vector<double> TrialWatch::Values(const Judge& judge) const {
+  std::vector<double> values;
+  for (const ExpectationVerdict& verdict : judge.Verdicts()) {
+    values.push_back(verdict.value.value_or(TrialResult::kNoValue));
+  }
+  for (const auto& watch : watches_) values.push_back(watch->Value(judge));
+  return values;
+}
+
+}  // namespace shoal

@@ -1,0 +1,33 @@
+// A behavior file as tables of a mission file: [[vehicle.mode]], [vehicle.variables] and
+// [[vehicle.behavior]].
+#pragma once
+
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lib/tools/moos/bhv_file.h"
+#include "lib/tools/moos/mission_draft.h"
+
+namespace shoal {
+
+/// A table as a MissionDraft has it. One without settings is a list of comments.
+struct BhvTable {
+  std::string header;
+  std::vector<DraftLine> lines;
+};
+
+struct BhvImport {
+  std::vector<BhvTable> tables;
+  std::vector<std::string> warnings;  ///< "a.bhv:12: TEXT: REASON".
+  /// What conditions, updates and initialize lines name: a setting of another variable has no
+  /// effect. In the letters of the file.
+  std::set<std::string, std::less<>> variables;
+  size_t num_behaviors = 0;
+};
+
+/// Converts any file. At most 200 behaviors, modes and variables each; more are comments.
+[[nodiscard]] BhvImport ImportBhv(const BhvFile& file);
+
+}  // namespace shoal

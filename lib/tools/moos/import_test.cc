@@ -1,0 +1,407 @@
+#include "lib/tools/moos/import.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "lib/mission/file/load.h"
+
+namespace shoal::import_test {
+
+constexpr std::string_view kShore = R"(ServerHost = localhost
+ServerPort = 9000
+Community = shoreside
+MOOSTimeWarp = 10
+LatOrigin = 54.4
+LongOrigin = 10.2
+
+ProcessConfig = ANTLER
+{
+  MSBetweenLaunches = 200
+  Run = MOOSDB @ NewConsole = false
+  Run = uFldNodeComms @ NewConsole = false ~ unc
+  Run = myApp @ NewConsole = false
+}
+
+ProcessConfig = uFldNodeComms
+{
+  AppTick        = 4
+  COMMS_RANGE    = 250       // metres
+  stale_time     = 8
+  pulse_colour   = red
+  stealth        = vname=ABE, stealth=0.8
+  earange        = vname=ben, earange=4.5
+  earange        = vname=zoe, earange=2
+}
+
+ProcessConfig = pMarineViewer
+{
+  tiff_file = here.tif
+}
+)";
+
+std::string Vehicle(const std::string& name) {
+  return "Community = " + name + R"(
+ProcessConfig = uSimMarineV22
+{
+  start_pos   = x=10, y=-20, heading=180, speed=0.5
+  turn_rate   = 40
+  thrust_map  = 0:0, 60:3, 20:1
+  drift_vector = 90, 0.25
+  turn_loss = 7
+  sim_pause   = true
+}
+ProcessConfig = pMarinePIDV22
+{
+  yaw_pid_kp = 1.2
+}
+ProcessConfig = pNodeReporter
+{
+  AppTick = 4
+  platform_type = heron
+  platform_aspect = CREW=none, yet
+  group = survey
+  rider = var=FOO
+}
+)";
+}
+
+LoadedMission Loaded(const MoosImport& import) {
+  LoadedMission loaded = LoadMissionText(import.mission, "m");
+  EXPECT_EQ(loaded.errors, std::vector<std::string>()) << import.mission;
+  return loaded;
+}
+
+MoosImport Import(std::vector<MoosSource> sources) { return ImportMoos(sources); }
+
+bool Has(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+bool Warns(const MoosImport& import, const std::string& part) {
+  return std::any_of(import.warnings.begin(), import.warnings.end(),
+                     [&](const std::string& warning) { return Has(warning, part); });
+}
+
+TEST(ImportMoos, MergesShoreAndVehiclesIntoOneMission) {
+  const MoosImport import = Import({{"shore.moos", std::string(kShore)},
+                                    {"abe.moos", Vehicle("abe")},
+                                    {"ben.moos", Vehicle("ben")}});
+  EXPECT_EQ(import.num_vehicles, 2U);
+  const Mission mission = Loaded(import).mission;
+  EXPECT_EQ(mission.origin_lat_deg, 54.4);
+  EXPECT_EQ(mission.origin_lon_deg, 10.2);
+  EXPECT_EQ(mission.comms.comms_range_m, 250);
+  EXPECT_EQ(mission.comms.stale_time_s, 8);
+  ASSERT_EQ(mission.vehicles.size(), 2U);
+  const shoal::Vehicle& abe = mission.vehicles[0];
+  EXPECT_EQ(abe.name, "abe");
+  EXPECT_EQ(abe.type, "heron");
+  EXPECT_EQ(abe.group, "survey");
+  EXPECT_EQ(abe.start, (StartPose{10, -20, 180, 0.5}));
+  EXPECT_EQ(abe.link_factors.stealth, 0.8);
+  EXPECT_EQ(mission.vehicles[1].link_factors.earange, 4.5);
+  EXPECT_EQ(std::get<SurfaceCraftParams>(abe.model).turn_rate_degps, 40);
+  EXPECT_EQ(std::get<SurfaceCraftParams>(abe.model).thrust_map,
+            (std::vector<ThrustPoint>{{0, 0}, {20, 1}, {60, 3}}));
+  EXPECT_EQ(abe.autopilot.heading_kp, 1.2);
+  EXPECT_EQ(abe.reporter_options.rate_hz, 4);
+  EXPECT_EQ(abe.reporter_options.extra.at("CREW"), "none, yet");
+  ASSERT_EQ(mission.events.size(), 2U);
+  const auto& drift = std::get<SimCommandEvent>(mission.events[0].what);
+  EXPECT_EQ(drift.vehicle, "abe");
+  EXPECT_NEAR(drift.values.at(0), 0.25, 1e-12);
+  EXPECT_NEAR(drift.values.at(1), 0, 1e-12);
+}
+
+TEST(ImportMoos, CommentsEveryLineWithoutACounterpart) {
+  const MoosImport import =
+      Import({{"shore.moos", std::string(kShore)}, {"abe.moos", Vehicle("abe")}});
+  for (const char* comment :
+       {"# shore.moos:21: pulse_colour = red: no counterpart in shoal\n",
+        "# shore.moos:13: Run = myApp @ NewConsole = false: no counterpart in shoal; ",
+        "# shore.moos:29: tiff_file = here.tif: no counterpart in shoal\n",
+        "# shore.moos:4: MOOSTimeWarp = 10: shoal run --warp 10\n",
+        "# abe.moos:9: sim_pause = true: no counterpart in shoal\n",
+        "# abe.moos:21: rider = var=FOO: no counterpart in shoal\n"}) {
+    EXPECT_TRUE(Has(import.mission, comment)) << comment << import.mission;
+  }
+}
+
+TEST(ImportMoos, NamesTheLineOfEverySetting) {
+  const MoosImport import = Import({{"shore.moos", std::string(kShore)}});
+  EXPECT_TRUE(Has(import.mission, "\ncomms_range = 250  # shore.moos:19\n")) << import.mission;
+  EXPECT_TRUE(Has(import.mission, "# shore.moos:5, shore.moos:6\n"));
+}
+
+TEST(ImportMoos, WarnsOfWhatShoalRefuses) {
+  const MoosImport import = Import({{"abe.moos", Vehicle("abe")}});
+  EXPECT_TRUE(Warns(import, "abe.moos:8: turn_loss = 7: ")) << import.mission;
+  EXPECT_TRUE(Has(import.mission, "# abe.moos:8: turn_loss = 7: "));
+}
+
+TEST(ImportMoos, WarnsOfValuesOfTheWrongKind) {
+  const MoosImport import =
+      Import({{"a.moos",
+               "ProcessConfig = uFldNodeComms\n{\ncomms_range = far\ngroups = 2\n"
+               "stealth = 0.5\nmax_msg_length = 12.5\n}\nLatOrigin = 5\n"}});
+  Loaded(import);
+  EXPECT_TRUE(Warns(import, "a.moos:3: comms_range = far: not a number or nolimit"));
+  EXPECT_TRUE(Warns(import, "a.moos:4: groups = 2: not true or false"));
+  EXPECT_TRUE(Warns(import, "a.moos:5: stealth = 0.5: not vname=NAME, stealth=NUMBER"));
+  EXPECT_TRUE(Warns(import, "a.moos:6: max_msg_length = 12.5: "));
+  EXPECT_TRUE(Warns(import, "a.moos:8: an origin needs LatOrigin and LongOrigin"));
+}
+
+TEST(ImportMoos, TakesEveryRuleOfTheBroker) {
+  const MoosImport import =
+      Import({{"a.moos",
+               "ProcessConfig = uFldNodeComms\n{\n comms_range = nolimit\n critical_range = 31\n"
+               " stale_time = 6\n groups = TRUE\n msg_groups = true\n ignore_group = g\n"
+               " min_rpt_interval = -1\n min_msg_interval = 7\n max_msg_length = 0\n"
+               " drop_percentage = 12.5\n shared_node_reports = true\n pulse_duration = 3\n"
+               " view_node_rpt_pulses = false\n msg_color = red\n msg_repeat_color = blue\n}\n"}});
+  const RoutingRules rules = Loaded(import).mission.comms;
+  EXPECT_LT(rules.comms_range_m, 0);
+  EXPECT_EQ(rules.critical_range_m, 31);
+  EXPECT_EQ(rules.stale_time_s, 6);
+  EXPECT_TRUE(rules.groups);
+  EXPECT_TRUE(rules.msg_groups);
+  EXPECT_EQ(rules.ignore_group, "g");
+  EXPECT_LT(rules.min_rpt_interval_s, 0);
+  EXPECT_EQ(rules.min_msg_interval_s, 7);
+  EXPECT_EQ(rules.max_msg_length_bytes, 0);
+  EXPECT_EQ(rules.drop_percentage, 12.5);
+  EXPECT_EQ(rules.shared_node_reports_s, kSharedReportsInterval_s);
+  EXPECT_EQ(rules.pulse_duration_s, 3);
+  EXPECT_FALSE(rules.view_node_rpt_pulses);
+  EXPECT_EQ(rules.msg_color, "red");
+  EXPECT_EQ(rules.msg_repeat_color, "blue");
+}
+
+TEST(ImportMoos, MakesUpVehiclesWhereNoFileHasOne) {
+  const MoosImport named = Import({{"shore.moos", std::string(kShore)}});
+  EXPECT_EQ(named.num_vehicles, 0U);
+  EXPECT_TRUE(Warns(named, "no file describes a vehicle"));
+  EXPECT_EQ(Loaded(named).mission.vehicles.size(), 3U);
+  EXPECT_EQ(Loaded(named).mission.vehicles[0].name, "ABE");
+  const MoosImport empty = Import({{"a.moos", ""}});
+  EXPECT_EQ(Loaded(empty).mission.vehicles.at(0).name, "alpha");
+  EXPECT_EQ(Loaded(Import({})).mission.vehicles.size(), 1U);
+}
+
+TEST(ImportMoos, GivesEveryVehicleALegalNameOfItsOwn) {
+  const MoosImport import = Import({{"x/meta.moos", Vehicle("$(VNAME)")},
+                                    {"b.moos", Vehicle("a-1")},
+                                    {"c.moos", Vehicle("A_1")},
+                                    {"d.moos", Vehicle("all")},
+                                    {"e.moos", Vehicle(std::string(500, 'n'))}});
+  std::vector<std::string> names;
+  for (const auto& vehicle : Loaded(import).mission.vehicles) names.push_back(vehicle.name);
+  EXPECT_EQ(names,
+            (std::vector<std::string>{"meta", "a_1", "A_1_2", "all_2", std::string(28, 'n')}));
+  EXPECT_TRUE(Warns(import, "x/meta.moos:1: 'Community = $(VNAME)' is for nsplug"));
+  EXPECT_TRUE(Warns(import, "b.moos: the vehicle is named a_1"));
+}
+
+TEST(ImportMoos, ReadsAllWaysToWriteAStart) {
+  const auto start = [](const std::string& lines) {
+    const MoosImport import =
+        Import({{"a.moos", "Community=a\nProcessConfig = uSimMarine\n{\n" + lines + "\n}\n"}});
+    return Loaded(import).mission.vehicles.at(0).start;
+  };
+  EXPECT_EQ(start("START_POS = 1,2,3,4,0"), (StartPose{1, 2, 3, 4}));
+  EXPECT_EQ(start("start_pos = 1, 2, heading=90"), (StartPose{1, 2, 90, 0}));
+  EXPECT_EQ(start("start_x = 5\nstart_heading = 7"), (StartPose{5, 0, 7, 0}));
+  EXPECT_EQ(start("start_pos = here"), StartPose{});
+}
+
+TEST(ImportMoos, MakesAThrustMapOfAThrustFactor) {
+  const MoosImport import =
+      Import({{"a.moos", "Community=a\nProcessConfig = uSimMarine\n{\nthrust_factor = 20\n}\n"}});
+  EXPECT_EQ(std::get<SurfaceCraftParams>(Loaded(import).mission.vehicles.at(0).model).thrust_map,
+            (std::vector<ThrustPoint>{{100, 5}}));
+}
+
+TEST(ImportMoos, WritesTheSameTextForTheSameFiles) {
+  const std::vector<MoosSource> sources = {{"s", std::string(kShore)}, {"a", Vehicle("abe")}};
+  EXPECT_EQ(ImportMoos(sources).mission, ImportMoos(sources).mission);
+}
+
+std::string Helm(const std::string& name, const std::string& behaviors = "a.bhv") {
+  return "Community = " + name +
+         "\nProcessConfig = uSimMarine\n{\n}\nProcessConfig = pHelmIvP\n{\n" +
+         "Behaviors = " + behaviors +
+         "\nDomain = course:0:359:360\nDomain = speed:0:5:26\nstart_in_drive = true\n}\n";
+}
+
+constexpr const char* kSurvey =
+    "initialize DEPLOY = false, N = 2\n"
+    "set MODE = ACTIVE {\n DEPLOY = true\n} INACTIVE\n"
+    "Behavior = BHV_Waypoint\n{\n name = survey\n condition = MODE == ACTIVE\n"
+    " endflag = DEPLOY = false\n updates = UP\n speed = 2\n points = 0,0:100,0\n radius = 5\n}\n"
+    "Behavior = BHV_AvdColregsV22\n{\n name = avoid_\n templating = spawn\n"
+    " contact = to-be-set\n pwt = 200\n pwt_outer_dist = 80\n}\n";
+
+TEST(ImportMoos, GivesAVehicleTheBehaviorsOfItsFile) {
+  const MoosImport import = Import({{"a.moos", Helm("abe")}, {"a.bhv", kSurvey}});
+  EXPECT_EQ(import.warnings, std::vector<std::string>());
+  const shoal::Vehicle abe = Loaded(import).mission.vehicles.at(0);
+  EXPECT_TRUE(abe.helm_options.deploy_at_start);
+  EXPECT_EQ(abe.domain.speed_mps.count, 26);
+  EXPECT_EQ(abe.domain.speed_mps.Last(), 5);
+  EXPECT_EQ(abe.variables.at("DEPLOY"), VariableValue("false"));
+  EXPECT_EQ(abe.variables.at("N"), VariableValue(2.0));
+  ASSERT_EQ(abe.modes.size(), 1U);
+  EXPECT_EQ(abe.modes[0].otherwise, "INACTIVE");
+  ASSERT_EQ(abe.behaviors.size(), 2U);
+  EXPECT_EQ(abe.behaviors[0].name, "survey");
+  EXPECT_EQ(abe.behaviors[0].flags.endflag, (std::vector<std::string>{"DEPLOY = false"}));
+  const auto& waypoint = std::get<WaypointOptions>(abe.behaviors[0].what);
+  EXPECT_EQ(waypoint.capture_radius, 5);
+  EXPECT_EQ(waypoint.points.size(), 2U);
+  EXPECT_EQ(abe.behaviors[1].templating, Templating::kSpawn);
+  const auto& colregs = std::get<ColregsOptions>(abe.behaviors[1].what);
+  EXPECT_LT(colregs.pwt_inner_dist, colregs.pwt_outer_dist) << "90 by default, beyond 80";
+}
+
+TEST(ImportMoos, FindsTheBehaviorsOfEachVehicleByName) {
+  const std::string timer = "Behavior = BHV_Timer\n{\n name = ";
+  const MoosImport import = Import({{"x/a.moos", Helm("abe", "targ_abe.bhv")},
+                                    {"x/b.moos", Helm("ben", "other.bhv")},
+                                    {"x/b.bhv", timer + "of_ben\n}\n"},
+                                    {"y/meta_abe.bhv", timer + "of_abe\n}\n"},
+                                    {"y/c.bhv", timer + "of_none\n}\n"}});
+  const Mission mission = Loaded(import).mission;
+  EXPECT_EQ(mission.vehicles.at(0).behaviors.at(0).name, "of_abe");
+  EXPECT_EQ(mission.vehicles.at(1).behaviors.at(0).name, "of_ben");
+  EXPECT_TRUE(Warns(import, "y/c.bhv: no vehicle has these behaviors"));
+}
+
+TEST(ImportMoos, WarnsOfAVehicleWithoutBehaviors) {
+  EXPECT_TRUE(Warns(Import({{"a.moos", Helm("abe")}}),
+                    "a.moos:7: Behaviors = a.bhv: no behaviors are there: abe stays where it is"));
+}
+
+TEST(ImportMoos, ReadsATemplateOnceForEachVehicle) {
+  const std::vector<MoosSource> sources = {
+      {"v.moos", "Community = $(VNAME)\nProcessConfig = uSimMarine\n{\nstart_x = $(X)\n}\n"},
+      {"v.bhv",
+       "Behavior = BHV_StationKeep\n{\n name = keep_$(VNAME)\n station_pt = $(X),$(Y:=7)\n}\n"}};
+  const MoosImport import =
+      ImportMoos(sources, {.defines = {{"X", "1"}},
+                           .vehicles = {{{"VNAME", "abe"}}, {{"VNAME", "ben"}, {"X", "2"}}},
+                           .find = {}});
+  EXPECT_EQ(import.warnings, std::vector<std::string>());
+  const Mission mission = Loaded(import).mission;
+  ASSERT_EQ(mission.vehicles.size(), 2U);
+  EXPECT_EQ(mission.vehicles[0].start.x_m, 1);
+  EXPECT_EQ(mission.vehicles[1].start.x_m, 2);
+  EXPECT_EQ(mission.vehicles[1].behaviors.at(0).name, "keep_ben");
+  EXPECT_EQ(std::get<StationKeepOptions>(mission.vehicles[1].behaviors[0].what).station_pt,
+            Eigen::Vector2d(2, 7));
+}
+
+TEST(ImportMoos, LeavesOutABehaviorWhoseConditionIsRefused) {
+  const MoosImport import = Import({{"a.moos", Helm("abe")},
+                                    {"a.bhv",
+                                     "Behavior = BHV_Loiter\n{\n name = l\n condition = (A\n"
+                                     " polygon = 0,0:9,0:9,9\n speed = 1\n}\n"
+                                     "Behavior = BHV_Timer\n{\n name = t\n pwt = -1\n}\n"}});
+  const shoal::Vehicle abe = Loaded(import).mission.vehicles.at(0);
+  ASSERT_EQ(abe.behaviors.size(), 1U) << "one that always runs would be another";
+  EXPECT_EQ(abe.behaviors[0].name, "t");
+  EXPECT_EQ(abe.behaviors[0].pwt, 100) << "a weight that is refused is left out alone";
+  EXPECT_TRUE(Warns(import, "a.bhv:4: condition = (A: "));
+  EXPECT_TRUE(Warns(import, "a.bhv:11: pwt = -1: "));
+}
+
+TEST(ImportMoos, SetsVariablesOfBehaviorsByTimerScripts) {
+  const MoosImport import = Import({{"shore.moos",
+                                     "ProcessConfig = uTimerScript\n{\n"
+                                     "event = var=UP_ABE, val=\"speed=1 # points=1,2\", time=5\n"
+                                     "event = var=N_ALL, val=3, time=6\n"
+                                     "event = var=DEPLOY_ABE, val=false, time=7\n"
+                                     "event = var=DEPLOY_ABE, val=true, time=8\n"
+                                     "event = var=OTHER_ABE, val=true, time=9\n}\n"},
+                                    {"a.moos", Helm("abe")},
+                                    {"a.bhv", kSurvey}});
+  const Mission mission = Loaded(import).mission;
+  ASSERT_EQ(mission.events.size(), 4U);
+  const auto& update = std::get<CommandEvent>(mission.events[0].what);
+  EXPECT_EQ(update.vehicle, "abe");
+  EXPECT_EQ(update.command, "set");
+  EXPECT_EQ(update.argument, "UP=speed=1 # points=1,2");
+  EXPECT_EQ(std::get<CommandEvent>(mission.events[1].what).vehicle, "all");
+  EXPECT_EQ(std::get<CommandEvent>(mission.events[2].what).argument, "DEPLOY=false");
+  EXPECT_EQ(std::get<CommandEvent>(mission.events[3].what).command, "deploy");
+  EXPECT_TRUE(Warns(import, "var=OTHER_ABE, val=true, time=9: no counterpart"));
+}
+
+RC_GTEST_PROP(ImportMoos, WritesAMissionThatLoadsWhateverBehaviorsItReads, ()) {
+  const auto lines = *rc::gen::container<std::vector<std::string>>(rc::gen::element<std::string>(
+      "Behavior = BHV_Waypoint {", "Behavior = BHV_Loiter {", "Behavior = BHV_AvdColregsV22 {",
+      "Behavior = BHV_OpRegion {", "Behavior = BHV_GoToDepth {", "Behavior = BHV_AvoidObstacle {",
+      "}", "}", "name = a", "name = ab", "name = b!", "pwt = -1", "pwt = 1e300",
+      "condition = A = b", "condition = (A", "condition = not A", "endflag = X",
+      "endflag = X = $[UTC]", "points = 0,0", "points = 1e300,0", "polygon = 0,0:9,0:9,9",
+      "polygon = 0,0:9,9:9,0:0,9", "speed = 2", "speed = -2", "duration = -1", "templating = spawn",
+      "contact = c", "nostarve = A,-2", "repeat = 1.5", "updates = a b", "pwt_outer_dist = 1",
+      "completed_dist = 0", "depth = 1,-1", "set M = A {", "M = B", "} C", "initialize A = 1, B!=2",
+      "initialize A = x", "\xff\x01"));
+  std::string text;
+  for (const std::string& line : lines) text += line + "\n";
+  const MoosImport import = Import({{"a.moos", Helm("abe")}, {"a.bhv", text}});
+  RC_ASSERT(LoadMissionText(import.mission, "m").errors == std::vector<std::string>());
+}
+
+RC_GTEST_PROP(ImportMoos, WritesAMissionThatLoadsWhateverItReads, ()) {
+  const auto words = *rc::gen::resize(
+      30, rc::gen::container<std::vector<std::string>>(rc::gen::element<std::string>(
+              "ProcessConfig = uFldNodeComms\n{\n", "ProcessConfig = uSimMarine\n{\n",
+              "ProcessConfig = pNodeReporter\n{\n", "}\n", "\n", "\n", "comms_range = ",
+              "stale_time = ", "start_pos = ", "thrust_map = ", "stealth = vname=", "AppTick = ",
+              "Community = ", "platform_aspect = ", "drift_x = ", "LatOrigin = ", "LongOrigin = ",
+              "blackout_variance = ", "platform_type = ", "1", "-1", "1e300", "nan", ",", ":",
+              "a\"b\\", "\xff", "\x01", "\xC3\xA9", "=", "$(X)", "#", "all", "]", "stealth=3")));
+  std::string text;
+  for (const std::string& word : words) text += word;
+  const MoosImport import = Import({{"a\n.moos", text}, {"", text}});
+  const LoadedMission loaded = LoadMissionText(import.mission, "m");
+  RC_ASSERT(loaded.errors == std::vector<std::string>());
+}
+
+/// Returns true where `text` names line `number` of `file`.
+bool NamesLine(const std::string& text, const std::string& file, size_t number) {
+  const std::string line = file + ":" + std::to_string(number);
+  for (size_t at = text.find(line); at != std::string::npos; at = text.find(line, at + 1)) {
+    const char next = text[std::min(at + line.size(), text.size() - 1)];
+    if (next < '0' || next > '9') return true;
+  }
+  return false;
+}
+
+RC_GTEST_PROP(ImportMoos, NamesEveryLineThatIsNotEmpty, ()) {
+  const auto lines = *rc::gen::container<std::vector<std::string>>(rc::gen::element<std::string>(
+      "ProcessConfig = uFldNodeComms", "ProcessConfig = uSimMarine", "ProcessConfig = X",
+      "ProcessConfig = pNodeReporter", "ProcessConfig = ANTLER", "{", "}", "{", "}",
+      "comms_range = 5", "comms_range = 6", "comms_range = x", "stealth = vname=a, stealth=0.5",
+      "earange = vname=a", "start_x = 4", "start_depth = 0", "start_pos = 1,2,3,4,5",
+      "thrust_map = 1:2", "thrust_factor = 20", "thrust_factor = -1", "drift_x = 1",
+      "drift_vector = 1", "turn_rate = 500", "platform_aspect = A=b", "platform_aspect = A",
+      "Run = pHelmIvP @ x", "Community = a", "LatOrigin = 1", "LongOrigin = 2", "MOOSTimeWarp = 3",
+      "color = $(C)", "#include x", "junk"));
+  std::string text;
+  for (const std::string& line : lines) text += line + "\n";
+  const MoosImport import = Import({{"f", text}});
+  for (size_t i = 0; i < lines.size(); ++i) {
+    if (lines[i].size() == 1 || lines[i].starts_with("ProcessConfig")) continue;
+    RC_ASSERT(NamesLine(import.mission, "f", i + 1));
+  }
+}
+
+}  // namespace shoal::import_test

@@ -1,0 +1,285 @@
+#include "lib/tools/moos/import_timer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <variant>
+
+#include "lib/bus/bus/channels.h"
+#include "lib/comms/routing/control.h"
+#include "lib/mission/toml/suggest.h"
+#include "lib/mission/toml/table_writer.h"
+#include "lib/tools/moos/fields.h"
+#include "lib/tools/moos/import_vehicle.h"
+#include "lib/tools/moos/node_message_text.h"
+#include "lib/tools/moos/numbers.h"
+
+namespace shoal {
+namespace {
+
+using Keys = std::vector<std::pair<std::string, std::string>>;
+
+/// Keys of an [[event]], or the reason why there are none.
+using Converted = std::variant<Keys, std::string>;
+
+constexpr std::pair<std::string_view, std::string_view> kCommands[] = {
+    {"DEPLOY", "deploy"}, {"RETURN", "return"}, {"STATION_KEEP", "station_keep"}};
+
+bool IsOverride(std::string_view variable) {
+  return variable.starts_with("MOOS_MANUAL_OVERIDE") ||
+         variable.starts_with("MOOS_MANUAL_OVERRIDE");
+}
+
+bool HasMacro(std::string_view text) {
+  return text.find("$[") != text.npos || text.find("$(") != text.npos ||
+         text.find("%(") != text.npos || text.find("${") != text.npos;
+}
+
+/// Returns "10", or the middle of "10:20" and sets `is_range`.
+std::optional<double> ParseTime(std::string_view text, bool* is_range) {
+  const size_t colon = text.find(':');
+  if (colon == std::string_view::npos) return ParseNumber(text);
+  const auto low = ParseNumber(text.substr(0, colon));
+  const auto high = ParseNumber(text.substr(colon + 1));
+  if (!low || !high) return std::nullopt;
+  *is_range = true;
+  return (*low + *high) / 2;
+}
+
+class EventConverter {
+ public:
+  EventConverter(std::string_view vehicle, std::span<const std::string> vehicles,
+                 const HasMoosVariable& has_variable)
+      : vehicle_(vehicle), vehicles_(vehicles), has_variable_(has_variable) {}
+
+  Converted Convert(const std::string& variable, const std::string& value) const {
+    for (const auto& [name, command] : kCommands) {
+      if (LowerCase(value) != "true" && IsVariable(variable, name)) break;
+      if (const auto target = TargetOf(variable, name)) return CommandOf(*target, command, value);
+    }
+    for (const std::string_view name : {"MOOS_MANUAL_OVERIDE", "MOOS_MANUAL_OVERRIDE"}) {
+      if (const auto target = TargetOf(variable, name)) return CommandOf(*target, "park", value);
+    }
+    if (const auto target = TargetOf(variable, "DRIFT_VECTOR")) return DriftOf(*target, value);
+    if (const ControlRow* row = FindControlOnChannel(variable)) return RuleOf(*row, value);
+    const bool is_mediated = variable.starts_with(topics::kMediatedMessage);
+    if (is_mediated || variable == topics::kNodeMessageLocal || variable == topics::kNodeMessage) {
+      return MessageOf(is_mediated, value);
+    }
+    return SettingOf(variable, value);
+  }
+
+ private:
+  bool HasVariable(std::string_view vehicle, std::string_view variable) const {
+    return has_variable_ != nullptr && has_variable_(vehicle, variable);
+  }
+
+  bool AnyHasVariable(std::string_view variable) const {
+    return std::any_of(vehicles_.begin(), vehicles_.end(),
+                       [&](const std::string& vehicle) { return HasVariable(vehicle, variable); });
+  }
+
+  /// Returns true where `posted` sets the variable `name` of behaviors.
+  bool IsVariable(std::string_view posted, std::string_view name) const {
+    const auto target = TargetOf(posted, name);
+    return target && (*target == "all" ? AnyHasVariable(name) : HasVariable(*target, name));
+  }
+
+  /// A variable of behaviors: of the vehicle's own file, or with _ALL or _ABE of the shore's.
+  Converted SettingOf(std::string_view posted, const std::string& value) const {
+    std::string_view name = posted;
+    if (vehicle_.empty() || !HasVariable(vehicle_, name)) {
+      name = posted.substr(0, std::min(posted.rfind('_'), posted.size()));
+    }
+    while (!name.empty() && !IsVariable(posted, name)) {
+      const size_t end = name.rfind('_');  // A vehicle's name may hold '_'.
+      name = name.substr(0, end == name.npos ? 0 : end);
+    }
+    if (name.empty()) return "no counterpart in shoal";
+    return Keys{{"vehicle", TomlString(*TargetOf(posted, name))},
+                {"command", TomlString("set")},
+                {"argument", TomlString(fmt::format("{}={}", name, value))}};
+  }
+
+  /// Returns the vehicle that `variable` is for: DEPLOY of its own file, DEPLOY_ALL and DEPLOY_ABE
+  /// of the shore's.
+  std::optional<std::string> TargetOf(std::string_view variable, std::string_view name) const {
+    if (!variable.starts_with(name)) return std::nullopt;
+    const std::string_view suffix = variable.substr(name.size());
+    if (suffix.empty()) {
+      return vehicle_.empty() ? std::nullopt : std::optional<std::string>(vehicle_);
+    }
+    if (!suffix.starts_with('_')) return std::nullopt;
+    const std::string wanted = LowerCase(suffix.substr(1));
+    if (wanted == "all") return "all";
+    for (const std::string& each : vehicles_) {
+      if (LowerCase(each) == wanted) return each;
+    }
+    return std::nullopt;
+  }
+
+  static Converted CommandOf(const std::string& vehicle, std::string_view command,
+                             const std::string& value) {
+    if (LowerCase(value) != "true") {
+      return "only true has a counterpart; deploy, park and station_keep are commands here";
+    }
+    return Keys{{"vehicle", TomlString(vehicle)}, {"command", TomlString(command)}};
+  }
+
+  static Converted DriftOf(const std::string& vehicle, std::string_view value) {
+    constexpr char kNoDrift[] = "not a vehicle's ANGLE,SPEED";
+    const size_t comma = value.find(',');
+    const auto angle_deg = ParseNumber(value.substr(0, comma));
+    if (vehicle == "all" || !angle_deg || comma == value.npos) return kNoDrift;
+    const auto speed_mps = ParseNumber(value.substr(comma + 1));
+    if (!speed_mps) return kNoDrift;
+    const double angle_rad = *angle_deg * std::numbers::pi / 180;
+    const auto rounded = [](double number) { return std::round(number * 1e9) / 1e9 + 0.0; };
+    return Keys{
+        {"vehicle", TomlString(vehicle)},
+        {"sim_command", TomlString("drift")},
+        {"values", fmt::format("[{}, {}]", TomlNumber(rounded(*speed_mps * std::sin(angle_rad))),
+                               TomlNumber(rounded(*speed_mps * std::cos(angle_rad))))}};
+  }
+
+  static Converted RuleOf(const ControlRow& row, const std::string& value) {
+    Keys keys = {{"rule", TomlString(row.rule)}};
+    std::string word = value;
+    if (row.type == ControlType::kRequest) {
+      keys.emplace_back("vehicle", TomlString(value));
+      return keys;
+    }
+    if (row.of_vehicle) {
+      const auto factor =
+          ParseLinkFactor({.text = "", .key = std::string(row.rule), .value = value});
+      if (!factor) return fmt::format("not vname=NAME, {}=NUMBER", row.rule);
+      keys.emplace_back("vehicle", TomlString(factor->vehicle));
+      keys.emplace_back("value", factor->value);
+      return keys;
+    }
+    const auto number = ParseNumber(value);
+    const std::string lower = LowerCase(value);
+    if (number) word = TomlNumber(*number);
+    if (!number) word = lower == "true" || lower == "false" ? lower : TomlString(value);
+    keys.emplace_back("value", word);
+    return keys;
+  }
+
+  static Converted MessageOf(bool is_mediated, std::string_view value) {
+    const Result<MoosNodeMessage> message = ParseNodeMessage(value);
+    if (!message.ok()) return message.error();
+    std::string text;
+    const auto add = [&](std::string_view key, const std::string& written) {
+      text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", key, written);
+    };
+    add("src_node", TomlString(message->src_node));
+    if (!message->dest_node.empty()) add("dest_node", TomlString(message->dest_node));
+    if (!message->dest_group.empty()) add("dest_group", TomlString(message->dest_group));
+    add("var_name", TomlString(message->var_name));
+    if (message->double_val) {
+      add("double_val", TomlNumber(*message->double_val));
+    } else {
+      add("string_val", TomlString(message->string_val));
+    }
+    if (message->ack || is_mediated) add("ack", "true");
+    return Keys{{"message", "{" + text + "}"}};
+  }
+
+  std::string_view vehicle_;
+  std::span<const std::string> vehicles_;
+  const HasMoosVariable& has_variable_;
+};
+
+TimerEvent ReadEvent(const MoosLine& line, const EventConverter& converter) {
+  TimerEvent event{.line = line.number, .origin = line.origin};
+  if (LowerCase(line.value) == "quit") {
+    event.reason = "a script needs no end here";
+    event.is_needless = true;
+    return event;
+  }
+  if (HasMacro(line.value)) {
+    event.reason = "holds a macro, which has no value here: write an [[event]] by hand";
+    return event;
+  }
+  const auto fields = ParseFields(line.value);
+  if (!fields.ok()) {
+    event.reason = fields.error();
+    return event;
+  }
+  std::string variable;
+  std::string value;
+  for (const MoosField& field : *fields) {
+    const std::string key = LowerCase(field.key.substr(0, 16));
+    bool is_range = false;
+    if (key == "var") {
+      variable = field.value;
+    } else if (key == "val") {
+      value = field.value;
+    } else if (const auto at_s = key == "time" ? ParseTime(field.value, &is_range) : std::nullopt) {
+      event.at_s = *at_s;
+      if (is_range) event.assumed = "the middle of its time, " + field.value;
+    } else {
+      event.reason = fmt::format("{} makes no sense; write var=NAME, val=VALUE, time=SECONDS",
+                                 Quoted(field.key + "=" + field.value));
+      return event;
+    }
+  }
+  if (IsOverride(variable) && LowerCase(value) == "false") {
+    event.reason = "the command deploy does this too";
+    event.is_needless = true;
+    return event;
+  }
+  Converted converted = converter.Convert(variable, value);
+  if (auto* keys = std::get_if<Keys>(&converted)) {
+    event.keys = std::move(*keys);
+  } else {
+    event.reason = std::get<std::string>(converted);
+  }
+  return event;
+}
+
+}  // namespace
+
+TimerScript ReadTimerScript(const MoosBlock& block, std::string_view vehicle,
+                            std::span<const std::string> vehicles,
+                            const HasMoosVariable& has_variable) {
+  const EventConverter converter(vehicle, vehicles, has_variable);
+  TimerScript script;
+  double delay_s = 0;
+  double warp = 1;
+  bool is_paused = false;
+  for (const MoosLine& line : block.lines) {
+    const std::string key = LowerCase(line.key);
+    const std::string value = LowerCase(line.value.substr(0, 32));
+    bool is_range = false;
+    if (key == "event") {
+      script.events.push_back(ReadEvent(line, converter));
+    } else if (key == "delay_start" || key == "start_delay") {
+      delay_s = ParseTime(value, &is_range).value_or(0);
+    } else if (key == "time_warp") {
+      warp = ParseNumber(value).value_or(1);
+    } else if (key == "paused" && value == "true") {
+      is_paused = true;
+      script.losses.emplace_back(line.number,
+                                 "the script waits until a message starts it: its events are not "
+                                 "taken");
+    } else if (key == "condition") {
+      script.losses.emplace_back(line.number, "taken as if it held from the start");
+    } else if (key == "reset_max" && value != "0") {
+      script.losses.emplace_back(line.number, "the script is repeated; its events are taken once");
+    }
+  }
+  for (TimerEvent& event : script.events) {
+    event.at_s = warp > 0 ? (event.at_s + delay_s) / warp : event.at_s + delay_s;
+    if (!is_paused || event.keys.empty()) continue;
+    event.keys.clear();
+    event.reason = "the script is paused";
+    event.is_needless = true;
+  }
+  return script;
+}
+
+}  // namespace shoal

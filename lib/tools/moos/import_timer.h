@@ -1,0 +1,54 @@
+// The events of uTimerScript that have a counterpart in a mission file.
+//
+//   event = var=DEPLOY_ALL, val=true, time=10
+//
+// becomes
+//
+//   [[event]]
+//   at_s = 10
+//   vehicle = "all"
+//   command = "deploy"
+//
+// and a variable that a vehicle's behaviors go by becomes the command "set".
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "lib/tools/moos/moos_file.h"
+
+namespace shoal {
+
+/// A line `event = ...` as keys of an [[event]], with their values in TOML; or the reason why it is
+/// none.
+struct TimerEvent {
+  int line = 0;             ///< MoosLine::number.
+  std::string origin = {};  ///< "a.moos:12".
+  double at_s = 0;
+  std::vector<std::pair<std::string, std::string>> keys =
+      {};                    ///< Without at_s; empty: see `reason`.
+  std::string assumed = {};  ///< What was assumed to make it one; may be empty.
+  std::string reason = {};   ///< Why it is no [[event]].
+  bool is_needless = false;  ///< Nothing is lost without it: `reason` is no warning.
+};
+
+struct TimerScript {
+  std::vector<TimerEvent> events;
+  /// Lines that change what the script does and are not taken: their numbers, and how.
+  std::vector<std::pair<int, std::string>> losses;
+};
+
+/// Returns true where behaviors of `vehicle` go by a variable.
+using HasMoosVariable = std::function<bool(std::string_view vehicle, std::string_view variable)>;
+
+/// Reads a block of uTimerScript. `vehicle`: whose file it is; empty: the shore's. `vehicles`: all
+/// of the mission, for names such as DEPLOY_ABE. `has_variable` may be empty: none has any.
+[[nodiscard]] TimerScript ReadTimerScript(const MoosBlock& block, std::string_view vehicle,
+                                          std::span<const std::string> vehicles,
+                                          const HasMoosVariable& has_variable = {});
+
+}  // namespace shoal

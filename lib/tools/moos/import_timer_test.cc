@@ -1,0 +1,192 @@
+#include "lib/tools/moos/import_timer.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "lib/mission/file/load.h"
+#include "lib/tools/moos/import.h"
+
+namespace shoal::import_timer_test {
+
+TimerScript Read(const std::string& lines, const std::string& vehicle = "") {
+  const MoosFile file = ParseMoosFile("ProcessConfig = uTimerScript\n{\n" + lines + "\n}\n", "f");
+  const std::vector<std::string> vehicles = {"abe", "ben"};
+  return ReadTimerScript(file.blocks.at(0), vehicle, vehicles);
+}
+
+/// Returns "10: vehicle = "abe", command = "deploy"", or the reason.
+std::string Event(const std::string& line, const std::string& vehicle = "") {
+  const TimerScript script = Read("event = " + line, vehicle);
+  const TimerEvent& event = script.events.at(0);
+  if (event.keys.empty()) return event.reason;
+  std::string text = std::to_string(static_cast<int>(event.at_s)) + ":";
+  for (const auto& [key, value] : event.keys) text += " " + key + "=" + value;
+  return text;
+}
+
+TEST(TimerScript, DeploysAndReturnsVehicles) {
+  EXPECT_EQ(Event("var=DEPLOY_ALL, val=true, time=10"), "10: vehicle=\"all\" command=\"deploy\"");
+  EXPECT_EQ(Event("var=RETURN_ABE, val=TRUE, time=300"), "300: vehicle=\"abe\" command=\"return\"");
+  EXPECT_EQ(Event("var=DEPLOY, val=true", "ben"), "0: vehicle=\"ben\" command=\"deploy\"");
+  EXPECT_EQ(Event("var=STATION_KEEP, val=true, time=5", "ben"),
+            "5: vehicle=\"ben\" command=\"station_keep\"");
+  EXPECT_EQ(Event("var=MOOS_MANUAL_OVERIDE_ALL, val=true, time=5"),
+            "5: vehicle=\"all\" command=\"park\"");
+  EXPECT_EQ(Event("var=DEPLOY, val=true"), "no counterpart in shoal") << "DEPLOY of the shore";
+  EXPECT_EQ(Event("var=DEPLOY_ZOE, val=true"), "no counterpart in shoal");
+  EXPECT_EQ(Event("var=DEPLOY, val=false", "ben"),
+            "only true has a counterpart; deploy, park and station_keep are commands here");
+}
+
+TEST(TimerScript, ChangesRulesOfTheBroker) {
+  EXPECT_EQ(Event("var=UNC_COMMS_RANGE, val=50, time=60"), "60: rule=\"comms_range\" value=50");
+  EXPECT_EQ(Event("var=UNC_STEALTH, val=\"vname=abe, stealth=0.5\", time=60"),
+            "60: rule=\"stealth\" vehicle=\"abe\" value=0.5");
+  EXPECT_EQ(Event("var=UNC_SHARED_NODE_REPORTS, val=TRUE"),
+            "0: rule=\"shared_node_reports\" value=true");
+  EXPECT_EQ(Event("var=UNC_STEALTH, val=0.5"), "not vname=NAME, stealth=NUMBER");
+}
+
+TEST(TimerScript, SendsNodeMessages) {
+  EXPECT_EQ(Event("var=NODE_MESSAGE_LOCAL, val=\"src_node=abe,dest_node=ben,var_name=SPEED,"
+                  "double_val=2\", time=7"),
+            "7: message={src_node = \"abe\", dest_node = \"ben\", var_name = \"SPEED\", "
+            "double_val = 2}");
+  EXPECT_EQ(Event("var=NODE_MESSAGE_LOCAL, val=src_node=abe, time=7"),
+            "dest_node and dest_group are missing; write dest_node=<vehicle> or all");
+}
+
+TEST(TimerScript, PushesVehicles) {
+  EXPECT_EQ(Event("var=DRIFT_VECTOR, val=\"90,0.5\", time=7", "ben"),
+            "7: vehicle=\"ben\" sim_command=\"drift\" values=[0.5, 0]");
+}
+
+TEST(TimerScript, StatesWhyAnEventIsNone) {
+  EXPECT_EQ(Event("var=SENSOR, val=$[ANGLE], time=7"),
+            "holds a macro, which has no value here: write an [[event]] by hand");
+  EXPECT_EQ(Event("var=SENSOR, val=1, time=soon"),
+            "'time=soon' makes no sense; write var=NAME, val=VALUE, time=SECONDS");
+  const TimerScript script =
+      Read("event = quit\nevent = var=MOOS_MANUAL_OVERIDE_ALL, val=false\nevent = var=X, val=1");
+  ASSERT_EQ(script.events.size(), 3U);
+  EXPECT_TRUE(script.events[0].is_needless);
+  EXPECT_TRUE(script.events[1].is_needless);
+  EXPECT_FALSE(script.events[2].is_needless);
+}
+
+TEST(TimerScript, CountsTimeAsTheScriptDoes) {
+  const TimerScript script = Read(
+      "delay_start = 10\ntime_warp = 2\nevent = var=DEPLOY_ALL, val=true, time=20:40\n"
+      "condition = GO=true\nreset_max = nolimit\n");
+  EXPECT_EQ(script.events.at(0).at_s, 20) << "(30 + 10) / 2";
+  EXPECT_EQ(script.events.at(0).assumed, "the middle of its time, 20:40");
+  ASSERT_EQ(script.losses.size(), 2U);
+  EXPECT_EQ(script.losses[0].second, "taken as if it held from the start");
+  EXPECT_EQ(script.losses[1].second, "the script is repeated; its events are taken once");
+  const TimerScript paused = Read("paused = true\nevent = var=DEPLOY_ALL, val=true");
+  EXPECT_TRUE(paused.events.at(0).keys.empty());
+  EXPECT_EQ(paused.losses.size(), 1U);
+}
+
+constexpr const char* kAbe = R"(Community = abe
+ProcessConfig = pHelmIvP
+{
+  Behaviors = meta_abe.bhv
+  Domain = course:0:359:360
+  Domain = depth:0:80:81
+}
+ProcessConfig = uSimMarine
+{
+  start_x = 5
+  start_depth = 12
+  max_speed = 2
+  turn_rate = 40
+}
+ProcessConfig = pNodeReporter
+{
+  platform_type = TYPE
+}
+)";
+
+MoosImport ImportOf(const std::string& type, const std::string& shore) {
+  std::string abe = kAbe;
+  abe.replace(abe.find("TYPE"), 4, type);
+  const std::vector<MoosSource> sources = {{"abe.moos", abe}, {"shore.moos", shore}};
+  return ImportMoos(sources);
+}
+
+Mission Loaded(const MoosImport& import) {
+  const LoadedMission loaded = LoadMissionText(import.mission, "m");
+  EXPECT_EQ(loaded.errors, std::vector<std::string>()) << import.mission;
+  return loaded.mission;
+}
+
+TEST(ImportMoos, MakesEventsOfTimerScriptsAndWarnsOfThoseThatAreLost) {
+  const MoosImport import = ImportOf("kayak",
+                                     "ProcessConfig = uTimerScript\n{\n"
+                                     "event = var=DEPLOY_ALL, val=true, time=10\n"
+                                     "event = var=SENSOR, val=3, time=1000\n"
+                                     "event = var=RETURN_ALL, val=true, time=900\n"
+                                     "event = quit\n}\n");
+  const Mission mission = Loaded(import);
+  ASSERT_EQ(mission.events.size(), 2U);
+  EXPECT_EQ(mission.events[0].at_s, 10);
+  EXPECT_EQ(std::get<CommandEvent>(mission.events[1].what).command, "return");
+  EXPECT_EQ(mission.duration_s, 960) << "no event lies behind the end";
+  EXPECT_EQ(
+      import.warnings,
+      (std::vector<std::string>{
+          "shore.moos:4: event = var=SENSOR, val=3, time=1000: no counterpart in shoal",
+          "abe.moos:4: Behaviors = meta_abe.bhv: no behaviors are there: abe stays where it is; "
+          "name its .bhv file too, or write a [[vehicle.behavior]] or [[vehicle.task]]"}));
+}
+
+TEST(ImportMoos, LeavesMacrosOfViewersAndScriptsToThem) {
+  const MoosImport import =
+      ImportOf("kayak",
+               "ProcessConfig = pMarineViewer\n{\nleft_context = P=$(XPOS),$(YPOS)\n}\n"
+               "ProcessConfig = uTimerScript\n{\nevent = var=X, val=$(IDX)\n}\n"
+               "ProcessConfig = uFldNodeComms\n{\ncomms_range = $(RANGE)\n}\n");
+  std::string all;
+  for (const std::string& warning : import.warnings) all += warning + "\n";
+  EXPECT_EQ(all.find("shore.moos:3"), std::string::npos) << all;
+  EXPECT_NE(all.find("shore.moos:7: event = var=X, val=$(IDX): holds a macro"), std::string::npos)
+      << all;
+  EXPECT_NE(all.find("shore.moos:11: 'comms_range = $(RANGE)' is for nsplug"), std::string::npos)
+      << all;
+}
+
+TEST(ImportMoos, MakesARemus100OfAnUnderwaterVehicleAndWarns) {
+  const MoosImport import = ImportOf("UUV", "");
+  const Mission mission = Loaded(import);
+  const auto* remus = std::get_if<Remus100Options>(&mission.vehicles.at(0).model);
+  ASSERT_NE(remus, nullptr) << import.mission;
+  EXPECT_EQ(remus->max_depth_m, 80);
+  EXPECT_EQ(mission.vehicles[0].start.x_m, 5);
+  EXPECT_EQ(mission.vehicles[0].start.depth_m, 12);
+  EXPECT_EQ(import.warnings.at(0),
+            "abe.moos:17: platform_type = UUV: abe becomes a Remus 100 (model = \"remus100\"), "
+            "shoal's only underwater vehicle: what uSimMarine and pMarinePID set for its motion is "
+            "left out");
+  EXPECT_NE(import.mission.find(
+                "# abe.moos:12: max_speed = 2: the Remus 100 has motion and autopilots of its own"),
+            std::string::npos)
+      << import.mission;
+}
+
+TEST(ImportMoos, LimitsTheThrustMapToTheFastestSpeed) {
+  const auto map = [](const std::string& lines) {
+    const std::vector<MoosSource> sources = {
+        {"a.moos", "Community = a\nProcessConfig = uSimMarine\n{\n" + lines + "\n}\n"}};
+    return std::get<SurfaceCraftParams>(Loaded(ImportMoos(sources)).vehicles.at(0).model)
+        .thrust_map;
+  };
+  EXPECT_EQ(map("max_speed = 2"), (std::vector<ThrustPoint>{{40, 2}, {100, 2}}));
+  EXPECT_EQ(map("thrust_map = -100:-2, 0:0, 20:1, 60:3, 100:5\nmax_speed = 2"),
+            (std::vector<ThrustPoint>{{-100, -2}, {0, 0}, {20, 1}, {40, 2}, {60, 2}, {100, 2}}));
+  EXPECT_EQ(map("max_speed = 9\nthrust_factor = 20"), (std::vector<ThrustPoint>{{100, 5}}));
+}
+
+}  // namespace shoal::import_timer_test

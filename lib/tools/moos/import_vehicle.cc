@@ -1,0 +1,419 @@
+#include "lib/tools/moos/import_vehicle.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "lib/mission/toml/suggest.h"
+#include "lib/mission/toml/table_writer.h"
+#include "lib/tools/moos/fields.h"
+#include "lib/tools/moos/numbers.h"
+
+namespace shoal {
+namespace {
+
+constexpr std::string_view kOwnMotion = "the Remus 100 has motion and autopilots of its own";
+constexpr std::array<std::string_view, 5> kStartOrder = {"x", "y", "heading", "speed", "depth"};
+
+/// Returns the key of `start` for what uSimMarine calls it; empty: there is none.
+std::string_view StartKey(std::string_view moos_key) {
+  if (moos_key == "x") return "x_m";
+  if (moos_key == "y") return "y_m";
+  if (moos_key == "heading" || moos_key == "hdg") return "heading_deg";
+  if (moos_key == "speed" || moos_key == "spd") return "speed_mps";
+  return "";
+}
+
+/// Returns the parts of `text` between separators, without blanks at their ends.
+std::vector<std::string_view> Split(std::string_view text, char separator) {
+  std::vector<std::string_view> parts;
+  while (true) {
+    const size_t end = std::min(text.find(separator), text.size());
+    parts.push_back(Trimmed(text.substr(0, end)));
+    if (end == text.size()) return parts;
+    text.remove_prefix(end + 1);
+  }
+}
+
+}  // namespace
+
+bool IsLinkFactor(std::string_view moos_key) {
+  const std::string key = LowerCase(moos_key);
+  return key == "stealth" || key == "earange" || key == "earrange";
+}
+
+std::optional<LinkFactorSetting> ParseLinkFactor(const MoosLine& line) {
+  const std::string key = LowerCase(line.key) == "stealth" ? "stealth" : "earange";
+  const auto fields = ParseFields(line.value);
+  if (!fields.ok()) return std::nullopt;
+  LinkFactorSetting setting{.vehicle = "", .key = key, .value = ""};
+  for (const MoosField& field : *fields) {
+    const std::string name = LowerCase(field.key.substr(0, 16));
+    if (name == "vname") {
+      setting.vehicle = field.value;
+    } else if (name == key || (key == "earange" && name == "earrange")) {
+      const auto number = ParseNumber(field.value);
+      if (!number) return std::nullopt;
+      setting.value = TomlNumber(*number);
+    } else {
+      return std::nullopt;
+    }
+  }
+  if (setting.vehicle.empty() || setting.value.empty()) return std::nullopt;
+  return setting;
+}
+
+VehicleImport::VehicleImport(size_t number, std::string name, std::string remark, bool is_imported,
+                             bool is_underwater)
+    : id_(fmt::format("vehicle{}", number)),
+      name_(std::move(name)),
+      remark_(std::move(remark)),
+      is_imported_(is_imported),
+      is_underwater_(is_underwater) {}
+
+void VehicleImport::AddTables(MissionDraft* draft) {
+  draft_ = draft;
+  draft->AddTable(id_, "[[vehicle]]", true);
+  draft->Set(
+      id_,
+      {.key = "name", .value = TomlString(name_), .origin = "", .text = "", .reason = remark_});
+  if (is_underwater_) {
+    draft->Set(id_, {.key = "model",
+                     .value = TomlString("remus100"),
+                     .origin = "",
+                     .text = "",
+                     .reason = "Assumed: shoal's only underwater vehicle. Its motion and its "
+                               "autopilots are its own."});
+  }
+  draft->AddTable(TableOf(SettingPlace::kCraft),
+                  is_underwater_ ? "[vehicle.remus100]" : "[vehicle.surface_craft]");
+  draft->AddTable(TableOf(SettingPlace::kAutopilot), "[vehicle.autopilot]");
+  draft->AddTable(TableOf(SettingPlace::kReporter), "[vehicle.reporter]");
+  draft->AddTable(TableOf(SettingPlace::kHelm), "[vehicle.helm_options]");
+  draft->AddTable(id_ + ".domain", "[vehicle.domain]");
+  for (size_t i = 0; i < behaviors_.tables.size(); ++i) {
+    const std::string table = fmt::format("{}.behaviors{}", id_, i);
+    draft->AddTable(table, behaviors_.tables[i].header);
+    for (const DraftLine& line : behaviors_.tables[i].lines) draft->Add(table, line);
+  }
+}
+
+void VehicleImport::AddEvents() { draft_->AddTable(id_ + ".drift", "[[event]]"); }
+
+std::string VehicleImport::TableOf(SettingPlace place) const {
+  switch (place) {
+    case SettingPlace::kCraft:
+      return id_ + ".craft";
+    case SettingPlace::kAutopilot:
+      return id_ + ".autopilot";
+    case SettingPlace::kReporter:
+      return id_ + ".reporter";
+    case SettingPlace::kHelm:
+      return id_ + ".helm";
+    case SettingPlace::kComms:
+      return "comms";
+    case SettingPlace::kVehicle:
+      break;
+  }
+  return id_;
+}
+
+std::string VehicleImport::TableOfApp(std::string_view app_class) const {
+  if (app_class == "usimmarine") return TableOf(SettingPlace::kCraft);
+  if (app_class == "pmarinepid") return TableOf(SettingPlace::kAutopilot);
+  if (app_class == "pnodereporter") return TableOf(SettingPlace::kReporter);
+  if (app_class == "phelmivp") return TableOf(SettingPlace::kHelm);
+  return "";
+}
+
+bool VehicleImport::Take(std::string_view app_class, const std::string& origin,
+                         const MoosLine& line, std::vector<std::string>* warnings) {
+  const std::string key = LowerCase(line.key);
+  const bool is_sim = app_class == "usimmarine";
+  const bool is_start = is_sim && key.starts_with("start_");
+  const bool is_thrust = is_sim && (key == "thrust_map" || key == "thrust_factor");
+  const bool is_drift = is_sim && (key == "drift_x" || key == "drift_y" || key == "drift_vector");
+  const bool is_speed = is_sim && key == "max_speed";
+  const bool is_domain = app_class == "phelmivp" && key == "domain";
+  if (is_domain) return TakeDomain(origin, line);
+  const bool is_extra = app_class == "pnodereporter" && key == "platform_aspect";
+  if (!is_start && !is_thrust && !is_drift && !is_extra && !is_speed) return false;
+  if (is_underwater_ && (is_thrust || is_speed)) {
+    draft_->Remark(TableOfApp(app_class), origin, line.text, std::string(kOwnMotion));
+    return true;
+  }
+  if (is_extra) {
+    const size_t equals = line.value.find('=');
+    if (equals != std::string::npos) {
+      Gather(origin, line, &extra_);
+      const std::string_view value = line.value;
+      extra_.members[TomlString(Trimmed(value.substr(0, equals)))] =
+          TomlString(Trimmed(value.substr(equals + 1)));
+      return true;
+    }
+  } else if (TakeSim(key, origin, line)) {
+    return true;
+  }
+  const std::string reason = "makes no sense: " + std::string(is_extra    ? "not KEY=VALUE"
+                                                              : is_start  ? "not numbers"
+                                                              : is_thrust ? "not thrust:speed, ..."
+                                                              : is_speed  ? "not a positive number"
+                                                                          : "not numbers");
+  draft_->Remark(TableOfApp(app_class), origin, line.text, reason);
+  warnings->push_back(origin + ": " + line.text + ": " + reason);
+  return true;
+}
+
+void VehicleImport::Gather(const std::string& origin, const MoosLine& line, Gathered* gathered) {
+  gathered->origins += (gathered->origins.empty() ? "" : ", ") + origin;
+  gathered->texts += (gathered->texts.empty() ? "" : ", ") + line.text;
+}
+
+bool VehicleImport::TakeSim(std::string_view key, const std::string& origin, const MoosLine& line) {
+  if (key.starts_with("start_")) return TakeStart(origin, line);
+  if (key == "thrust_map") return TakeThrustMap(origin, line);
+  if (key == "thrust_factor") return TakeThrustFactor(origin, line);
+  if (key == "max_speed") return TakeMaxSpeed(origin, line);
+  return TakeDrift(key, origin, line);
+}
+
+bool VehicleImport::TakeStart(const std::string& origin, const MoosLine& line) {
+  std::map<std::string, double> given;  // By uSimMarine's names.
+  const std::string key = LowerCase(line.key).substr(std::string_view("start_").size());
+  if (key == "pos") {
+    size_t position = 0;
+    for (const std::string_view part : Split(line.value, ',')) {
+      const size_t equals = part.find('=');
+      const bool is_named = equals != std::string_view::npos;
+      if (!is_named && position >= kStartOrder.size()) return false;
+      const auto number = ParseNumber(is_named ? part.substr(equals + 1) : part);
+      const std::string name = is_named ? LowerCase(Trimmed(part.substr(0, equals)))
+                                        : std::string(kStartOrder[position++]);
+      if (!number || (StartKey(name).empty() && name != "depth")) return false;
+      given[name] = *number;
+    }
+  } else {
+    const auto number = ParseNumber(line.value);
+    if (!number || (StartKey(key).empty() && key != "depth")) return false;
+    given[key] = *number;
+  }
+  if (is_underwater_ && given.contains("depth")) {
+    start_.members["depth_m"] = TomlNumber(given["depth"]);
+    given.erase("depth");
+    if (given.empty()) Gather(origin, line, &start_);
+  }
+  const auto depth = given.find("depth");
+  if (depth != given.end() && depth->second != 0) {
+    draft_->Remark(id_, origin, line.text, "a surface craft has no depth");
+  }
+  bool any = false;
+  for (const auto& [name, number] : given) {
+    if (StartKey(name).empty()) continue;
+    start_.members[std::string(StartKey(name))] = TomlNumber(number);
+    any = true;
+  }
+  if (any) Gather(origin, line, &start_);
+  if (!any && depth != given.end() && depth->second == 0) {
+    draft_->Remark(id_, origin, line.text, "a surface craft is always there");
+  }
+  return true;
+}
+
+bool VehicleImport::TakeThrustMap(const std::string& origin, const MoosLine& line) {
+  std::map<double, double> speeds;
+  for (const std::string_view part : Split(line.value, ',')) {
+    const size_t colon = part.find(':');
+    if (colon == std::string_view::npos) return false;
+    const auto thrust = ParseNumber(part.substr(0, colon));
+    const auto speed = ParseNumber(part.substr(colon + 1));
+    if (!thrust || !speed) return false;
+    speeds[*thrust] = *speed;
+  }
+  ReplaceThrust(origin, line);
+  thrust_map_ = std::move(speeds);
+  return true;
+}
+
+/// The map of an earlier line becomes a comment.
+void VehicleImport::ReplaceThrust(const std::string& origin, const MoosLine& line) {
+  if (!thrust_.origins.empty()) {
+    draft_->Remark(TableOf(SettingPlace::kCraft), thrust_.origins, thrust_.texts,
+                   "replaced by " + origin);
+  }
+  thrust_ = {};
+  Gather(origin, line, &thrust_);
+}
+
+bool VehicleImport::TakeThrustFactor(const std::string& origin, const MoosLine& line) {
+  const auto factor = ParseNumber(line.value);
+  if (!factor) return false;
+  const std::string table = TableOf(SettingPlace::kCraft);
+  if (*factor <= 0 || !thrust_map_.empty()) {
+    draft_->Remark(table, origin, line.text,
+                   *factor <= 0 ? "must be positive" : "the thrust map is used instead");
+    return true;
+  }
+  ReplaceThrust(origin, line);
+  thrust_map_ = {{100, 100 / *factor}};
+  return true;
+}
+
+bool VehicleImport::TakeMaxSpeed(const std::string& origin, const MoosLine& line) {
+  const auto speed_mps = ParseNumber(line.value);
+  if (!speed_mps || *speed_mps <= 0) return false;
+  if (max_speed_mps_) {
+    draft_->Remark(TableOf(SettingPlace::kCraft), limit_.origins, limit_.texts,
+                   "replaced by " + origin);
+  }
+  limit_ = {};
+  Gather(origin, line, &limit_);
+  max_speed_mps_ = *speed_mps;
+  return true;
+}
+
+/// `Domain = speed:0:4:41` is what the helm decides about; the depths' last is also how deep a
+/// vehicle may go.
+bool VehicleImport::TakeDomain(const std::string& origin, const MoosLine& line) {
+  const std::vector<std::string_view> parts = Split(line.value, ':');
+  if (parts.size() < 4) return false;
+  const std::string name = LowerCase(parts[0]);
+  const auto first = ParseNumber(parts[1]);
+  const auto last = ParseNumber(parts[2]);
+  const auto count = ParseNumber(parts[3]);
+  if (!first || !last || !count) return false;
+  const std::string table = id_ + ".domain";
+  if (name == "course" || name == "heading") {
+    const bool is_usual = *first == 0 && *last == 359 && *count == 360;
+    draft_->Remark(table, origin, line.text,
+                   is_usual ? "always so" : "always 360 courses, whole degrees");
+    return true;
+  }
+  if (name != "speed" && name != "depth") return false;
+  if (name == "depth" && !is_underwater_) {
+    draft_->Remark(table, origin, line.text, "a surface craft has no depth");
+    return true;
+  }
+  draft_->Set(table, {.key = name,
+                      .value = fmt::format("[{}, {}, {}]", TomlNumber(*first), TomlNumber(*last),
+                                           TomlNumber(*count)),
+                      .origin = origin,
+                      .text = line.text,
+                      .reason = ""});
+  if (name == "depth") {
+    draft_->Set(TableOf(SettingPlace::kCraft), {.key = "max_depth_m",
+                                                .value = TomlNumber(*last),
+                                                .origin = origin,
+                                                .text = line.text,
+                                                .reason = ""});
+  }
+  return true;
+}
+
+/// uSimMarine runs no faster than max_speed, whatever the thrust.
+void VehicleImport::LimitThrustMap() {
+  constexpr double kThrustForDefaultSpeed_pct = 20;  // uSimMarine's thrust_factor, per m/s.
+  if (thrust_map_.empty()) thrust_map_ = {{100, 100 / kThrustForDefaultSpeed_pct}};
+  std::map<double, double> limited;
+  std::pair<double, double> before = {0, 0};
+  for (const auto& [thrust_pct, speed_mps] : thrust_map_) {
+    if (speed_mps <= *max_speed_mps_) {
+      limited[thrust_pct] = speed_mps;
+    } else {
+      const double share = (*max_speed_mps_ - before.second) / (speed_mps - before.second);
+      limited[before.first + share * (thrust_pct - before.first)] = *max_speed_mps_;
+      limited[thrust_pct] = *max_speed_mps_;
+    }
+    if (thrust_pct > 0) before = {thrust_pct, std::min(speed_mps, *max_speed_mps_)};
+  }
+  thrust_map_ = std::move(limited);
+}
+
+void VehicleImport::SetThrustMap() {
+  if (max_speed_mps_) {
+    LimitThrustMap();
+    thrust_.origins += (thrust_.origins.empty() ? "" : ", ") + limit_.origins;
+    thrust_.texts += (thrust_.texts.empty() ? "" : ", ") + limit_.texts;
+  }
+  if (thrust_map_.empty()) return;
+  std::string pairs;
+  for (const auto& [thrust, speed] : thrust_map_) {
+    pairs +=
+        fmt::format("{}[{}, {}]", pairs.empty() ? "" : ", ", TomlNumber(thrust), TomlNumber(speed));
+  }
+  draft_->Set(TableOf(SettingPlace::kCraft), {.key = "thrust_map",
+                                              .value = "[" + pairs + "]",
+                                              .origin = thrust_.origins,
+                                              .text = thrust_.texts,
+                                              .reason = ""});
+}
+
+bool VehicleImport::TakeDrift(std::string_view key, const std::string& origin,
+                              const MoosLine& line) {
+  if (key == "drift_vector") {
+    const auto parts = Split(line.value, ',');
+    if (parts.size() != 2) return false;
+    const auto angle_deg = ParseNumber(parts[0]);
+    const auto speed_mps = ParseNumber(parts[1]);
+    if (!angle_deg || !speed_mps) return false;
+    const double angle_rad = *angle_deg * std::numbers::pi / 180;
+    drift_mps_ = {*speed_mps * std::sin(angle_rad), *speed_mps * std::cos(angle_rad)};
+  } else {
+    const auto number = ParseNumber(line.value);
+    if (!number) return false;
+    drift_mps_(key == "drift_x" ? 0 : 1) = *number;
+  }
+  Gather(origin, line, &drift_);
+  return true;
+}
+
+void VehicleImport::SetGathered(const std::string& table, std::string key,
+                                const Gathered& gathered) {
+  if (gathered.members.empty()) return;
+  std::string members;
+  for (const auto& [name, value] : gathered.members) {
+    members.append(members.empty() ? "" : ", ").append(name).append(" = ").append(value);
+  }
+  draft_->Set(table, {.key = std::move(key),
+                      .value = "{" + members + "}",
+                      .origin = gathered.origins,
+                      .text = gathered.texts,
+                      .reason = ""});
+}
+
+void VehicleImport::Finish() {
+  SetGathered(id_, "start", start_);
+  SetThrustMap();
+  SetGathered(TableOf(SettingPlace::kReporter), "extra", extra_);
+  const std::string craft = TableOf(SettingPlace::kCraft);
+  if (draft_->IsSet(craft, "turn_rate_degps")) {
+    draft_->Set(craft, {.key = "full_turn_speed_mps",
+                        .value = "5",
+                        .origin = "",
+                        .text = "",
+                        .reason = "Assumed: as uSimMarine turns at 50 % thrust; there the thrust "
+                                  "counts too."});
+  }
+  if (drift_.origins.empty()) return;
+  const std::string table = id_ + ".drift";
+  const auto set = [&](std::string key, std::string value, bool names_lines) {
+    draft_->Set(table, {.key = std::move(key),
+                        .value = std::move(value),
+                        .origin = names_lines ? drift_.origins : "",
+                        .text = names_lines ? drift_.texts : "",
+                        .reason = ""});
+  };
+  set("at_s", "0", false);
+  set("vehicle", TomlString(name_), false);
+  set("sim_command", TomlString("drift"), false);
+  // Drops the 1e-17 that a sine leaves.
+  drift_mps_ = (drift_mps_ * 1e9).array().round() / 1e9;
+  set("values",
+      fmt::format("[{}, {}]", TomlNumber(drift_mps_.x() + 0.0), TomlNumber(drift_mps_.y() + 0.0)),
+      true);
+}
+
+}  // namespace shoal

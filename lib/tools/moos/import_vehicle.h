@@ -1,0 +1,107 @@
+// One vehicle of an imported mission: collects what several lines of its MOOS file set.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "lib/tools/moos/import_behaviors.h"
+#include "lib/tools/moos/import_settings.h"
+#include "lib/tools/moos/mission_draft.h"
+#include "lib/tools/moos/moos_file.h"
+
+namespace shoal {
+
+/// `stealth = vname=alpha, stealth=0.8` of uFldNodeComms.
+struct LinkFactorSetting {
+  std::string vehicle;
+  std::string key;    ///< "stealth" or "earange".
+  std::string value;  ///< As TOML.
+};
+
+[[nodiscard]] bool IsLinkFactor(std::string_view moos_key);
+
+/// @pre IsLinkFactor(line.key)
+/// Returns nothing where the value is not vname=NAME, KEY=NUMBER.
+[[nodiscard]] std::optional<LinkFactorSetting> ParseLinkFactor(const MoosLine& line);
+
+class VehicleImport {
+ public:
+  /// `remark` stands above its name. Made-up vehicles are not `is_imported`. An `is_underwater` one
+  /// becomes a Remus 100.
+  VehicleImport(size_t number, std::string name, std::string remark, bool is_imported,
+                bool is_underwater);
+
+  /// Gives it the behaviors of its file.
+  void SetBehaviors(BhvImport behaviors) { behaviors_ = std::move(behaviors); }
+
+  /// Adds the tables of the vehicle, with its name.
+  /// @pre called once, before what follows; `draft` outlives this.
+  void AddTables(MissionDraft* draft);
+  /// Adds the table of its events, which stand behind all vehicles.
+  void AddEvents();
+
+  /// Takes a line that has a meaning together with others, or a form of its own: where it starts,
+  /// its thrust map and fastest speed, its drift, what its helm decides about, its own fields of
+  /// node reports. Returns false for any other.
+  bool Take(std::string_view app_class, const std::string& origin, const MoosLine& line,
+            std::vector<std::string>* warnings);
+
+  /// Writes what Take() gathered.
+  void Finish();
+
+  const std::string& name() const { return name_; }
+  /// What its behaviors make of it; empty where SetBehaviors() was not called.
+  const BhvImport& behaviors() const { return behaviors_; }
+  bool is_imported() const { return is_imported_; }
+  bool is_underwater() const { return is_underwater_; }
+  /// The draft's table [[vehicle]] of this one.
+  const std::string& table() const { return id_; }
+  std::string TableOf(SettingPlace place) const;
+  /// Where lines of this app belong that are no settings.
+  std::string TableOfApp(std::string_view app_class) const;
+
+ private:
+  /// A key of the mission file made of several lines.
+  struct Gathered {
+    std::map<std::string, std::string> members;
+    std::string origins;
+    std::string texts;
+  };
+
+  static void Gather(const std::string& origin, const MoosLine& line, Gathered* gathered);
+  bool TakeSim(std::string_view key, const std::string& origin, const MoosLine& line);
+  bool TakeStart(const std::string& origin, const MoosLine& line);
+  bool TakeThrustMap(const std::string& origin, const MoosLine& line);
+  bool TakeThrustFactor(const std::string& origin, const MoosLine& line);
+  bool TakeDrift(std::string_view key, const std::string& origin, const MoosLine& line);
+  bool TakeMaxSpeed(const std::string& origin, const MoosLine& line);
+  bool TakeDomain(const std::string& origin, const MoosLine& line);
+  void ReplaceThrust(const std::string& origin, const MoosLine& line);
+  void LimitThrustMap();
+  void SetThrustMap();
+  void SetGathered(const std::string& table, std::string key, const Gathered& gathered);
+
+  std::string id_;
+  std::string name_;
+  std::string remark_;
+  bool is_imported_;
+  bool is_underwater_;
+  BhvImport behaviors_;
+  MissionDraft* draft_ = nullptr;
+  Gathered start_;
+  Gathered extra_;
+  Gathered drift_;
+  Eigen::Vector2d drift_mps_ = Eigen::Vector2d::Zero();
+  std::map<double, double> thrust_map_;  ///< Speeds by thrust in per cent.
+  Gathered thrust_;                      ///< Its lines.
+  std::optional<double> max_speed_mps_;
+  Gathered limit_;  ///< Its line.
+};
+
+}  // namespace shoal

@@ -1,0 +1,219 @@
+#include "lib/tools/view/event_watch.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace shoal::event_watch_test {
+
+constexpr int64_t kSecond = 1'000'000;
+
+EventWatch TwoKayaks() { return EventWatch({{"alpha", 3}, {"bravo", 2}}); }
+
+void Meet(EventWatch* watch, int64_t utime, double distance_m, double depth_m = 0) {
+  watch->OnNav(0, utime, 10, 20, 0);
+  watch->OnNav(1, utime, 10 + distance_m, 20, depth_m);
+}
+
+std::vector<EventKind> KindsOf(const EventWatch& watch) {
+  std::vector<EventKind> kinds;
+  for (const ViewEvent& event : watch.events()) kinds.push_back(event.kind);
+  return kinds;
+}
+
+TEST(EventWatch, FindsACollisionOncePerEncounter) {
+  EventWatch watch = TwoKayaks();
+  Meet(&watch, 1 * kSecond, 2.5);
+  EXPECT_TRUE(watch.events().empty()) << "the mean of their lengths is not nearer than itself";
+  Meet(&watch, 2 * kSecond, 2.4);
+  Meet(&watch, 3 * kSecond, 2.6);
+  Meet(&watch, 4 * kSecond, 2.4);
+  ASSERT_EQ(watch.events().size(), 1U);
+  EXPECT_EQ(watch.events()[0].kind, EventKind::kCollision);
+  EXPECT_EQ(watch.events()[0].utime, 2 * kSecond);
+  EXPECT_EQ(watch.events()[0].vehicles, (std::vector<std::string>{"alpha", "bravo"}));
+  EXPECT_EQ(watch.events()[0].text, "alpha and bravo: 2.4 m, less than 2.5 m");
+  Meet(&watch, 5 * kSecond, 5.1);
+  Meet(&watch, 6 * kSecond, 1);
+  EXPECT_EQ(watch.events().size(), 2U) << "they had parted";
+}
+
+TEST(EventWatch, LooksInThreeDimensions) {
+  EventWatch watch = TwoKayaks();
+  Meet(&watch, 1 * kSecond, 0, 2.6);
+  EXPECT_TRUE(watch.events().empty());
+  Meet(&watch, 2 * kSecond, 0, 2.4);
+  EXPECT_EQ(watch.events().size(), 1U);
+}
+
+TEST(EventWatch, ComparesPositionsOfEqualTimesOnly) {
+  EventWatch watch = TwoKayaks();
+  watch.OnNav(0, 1 * kSecond, 0, 0, 0);
+  watch.OnNav(1, 3 * kSecond, 0, 0, 0);
+  watch.OnNav(0, 5 * kSecond, 0, 0, 0);
+  watch.Finish();
+  EXPECT_TRUE(watch.events().empty());
+}
+
+TEST(EventWatch, ComparesThoseThatAreThereWhereOthersAreSilent) {
+  EventWatch watch({{"alpha", 3}, {"bravo", 3}, {"silent", 3}});
+  Meet(&watch, 1 * kSecond, 1);
+  EXPECT_TRUE(watch.events().empty()) << "the third may come yet";
+  watch.Finish();
+  EXPECT_EQ(watch.events().size(), 1U);
+}
+
+TEST(EventWatch, FindsAllPairsOfAFleet) {
+  std::vector<WatchedVehicle> fleet;
+  for (int i = 0; i < 60; ++i) fleet.push_back({"v" + std::to_string(i), i == 7 ? 20.0 : 1.0});
+  EventWatch watch(fleet);
+  for (size_t i = 0; i < fleet.size(); ++i) {
+    watch.OnNav(i, kSecond, 5 * static_cast<double>(i), 0, 0);
+  }
+  ASSERT_EQ(watch.events().size(), 4U) << "the long one reaches two on either side";
+  for (const ViewEvent& event : watch.events()) {
+    EXPECT_TRUE(event.vehicles[0] == "v7" || event.vehicles[1] == "v7") << event.text;
+  }
+}
+
+TEST(EventWatch, IgnoresPositionsThatAreNotFinite) {
+  EventWatch watch = TwoKayaks();
+  watch.OnNav(0, 1, std::numeric_limits<double>::quiet_NaN(), 0, 0);
+  watch.OnNav(1, 1, std::numeric_limits<double>::infinity(), 0, 0);
+  watch.OnNav(2, 1, 0, 0, 0);
+  watch.Finish();
+  EXPECT_TRUE(watch.events().empty());
+}
+
+helm_state_t HelmAt(int64_t utime, const std::string& state, const std::string& all_stop) {
+  helm_state_t helm{};
+  helm.utime = utime;
+  helm.state = state;
+  helm.all_stop = all_stop;
+  helm.waypoint_index = -1;
+  return helm;
+}
+
+TEST(EventWatch, ReportsAllStopsAndTheirEnd) {
+  EventWatch watch = TwoKayaks();
+  watch.OnHelm(0, HelmAt(0, "PARK", "never deployed"));
+  watch.OnHelm(0, HelmAt(1 * kSecond, "DRIVE", "clear"));
+  EXPECT_TRUE(watch.events().empty()) << "a parked vehicle is no event";
+  watch.OnHelm(0, HelmAt(2 * kSecond, "ALL-STOP", "all_stop command"));
+  watch.OnHelm(0, HelmAt(3 * kSecond, "ALL-STOP", "all_stop command"));
+  watch.OnHelm(0, HelmAt(4 * kSecond, "DRIVE", "clear"));
+  watch.OnHelm(9, HelmAt(4 * kSecond, "ALL-STOP", "not there"));
+  ASSERT_EQ(KindsOf(watch), (std::vector{EventKind::kAllStop, EventKind::kCleared}));
+  EXPECT_EQ(watch.events()[0].text, "alpha: by command");
+  EXPECT_EQ(watch.events()[0].utime, 2 * kSecond);
+  EXPECT_EQ(watch.events()[1].vehicles, std::vector<std::string>{"alpha"});
+}
+
+TEST(EventWatch, FollowsContactsInEitherDirection) {
+  EventWatch watch = TwoKayaks();
+  watch.SetStaleTime(5);
+  watch.OnFate(0, 1, Cause::kOutOfRange, 0);
+  EXPECT_TRUE(watch.events().empty());
+  watch.OnFate(0, 1, Cause::kDelivered, 1 * kSecond);
+  watch.OnFate(1, 0, Cause::kDamaged, 5 * kSecond);
+  watch.OnFate(0, 1, Cause::kOutOfRange, 14'900'000);
+  ASSERT_EQ(KindsOf(watch), std::vector{EventKind::kFirstContact});
+  watch.OnTime(20 * kSecond);
+  watch.OnFate(1, 0, Cause::kDelivered, 30 * kSecond);
+  ASSERT_EQ(KindsOf(watch), (std::vector{EventKind::kFirstContact, EventKind::kLostContact,
+                                         EventKind::kContactAgain}));
+  EXPECT_EQ(watch.events()[1].utime, 15 * kSecond) << "when it was lost, not when it was noticed";
+  EXPECT_EQ(watch.events()[1].text, "alpha and bravo: nothing received for 10.0 s");
+  EXPECT_EQ(watch.events()[2].utime, 30 * kSecond);
+}
+
+TEST(EventWatch, WaitsTwiceTheStaleTimeWhereThatIsLonger) {
+  EventWatch watch = TwoKayaks();
+  watch.SetStaleTime(20);
+  watch.OnFate(0, 1, Cause::kDelivered, 0);
+  watch.OnTime(39 * kSecond);
+  EXPECT_EQ(watch.events().size(), 1U);
+  watch.OnTime(40 * kSecond);
+  EXPECT_EQ(watch.events().size(), 2U);
+}
+
+TEST(EventWatch, TakesAShorterStaleTimeAtOnce) {
+  EventWatch watch = TwoKayaks();
+  watch.SetStaleTime(100);
+  watch.OnFate(0, 1, Cause::kDelivered, 0);
+  watch.SetStaleTime(std::numeric_limits<double>::quiet_NaN());
+  watch.OnTime(10 * kSecond);
+  EXPECT_EQ(watch.events().size(), 2U);
+}
+
+TEST(EventWatch, FindsTheSameLossHoweverOftenItIsAsked) {
+  EventWatch seldom({{"a", 1}, {"b", 1}, {"c", 1}});
+  EventWatch often = seldom;
+  for (int64_t t = 0; t <= 60; ++t) {
+    for (EventWatch* watch : {&seldom, &often}) {
+      if (t <= 7) watch->OnFate(0, 2, Cause::kDelivered, t * kSecond);
+      if (t <= 20) watch->OnFate(1, 2, Cause::kDelivered, t * kSecond);
+    }
+    often.OnTime(t * kSecond);
+  }
+  seldom.OnTime(60 * kSecond);
+  ASSERT_EQ(often.events().size(), 4U);
+  ASSERT_EQ(seldom.events().size(), 4U);
+  for (size_t i = 0; i < 4; ++i) EXPECT_EQ(seldom.events()[i].utime, often.events()[i].utime);
+  EXPECT_EQ(often.events()[2].utime, 17 * kSecond);
+  EXPECT_EQ(often.events()[2].vehicles, (std::vector<std::string>{"a", "c"}));
+}
+
+TEST(EventWatch, NamesUnregisteredVehiclesAsGiven) {
+  EventWatch watch = TwoKayaks();
+  EXPECT_EQ(watch.num_names(), 2U);
+  watch.SetName(2, "visitor");
+  watch.OnFate(2, 1, Cause::kDelivered, 0);
+  watch.OnFate(1, 1, Cause::kDelivered, 0);
+  watch.OnFate(-1, 1, Cause::kDelivered, 0);
+  watch.OnFate(1, 1'000'000'000, Cause::kDelivered, 0);
+  ASSERT_EQ(watch.events().size(), 1U);
+  EXPECT_EQ(watch.events()[0].vehicles, (std::vector<std::string>{"bravo", "visitor"}));
+}
+
+helm_state_t OnLeg(int64_t utime, int waypoint, int laps = 0, const std::string& task = "survey") {
+  helm_state_t helm = HelmAt(utime, "DRIVE", "clear");
+  helm.task = task;
+  helm.waypoint_index = waypoint;
+  helm.laps_done = laps;
+  return helm;
+}
+
+TEST(EventWatch, ReportsEachWaypointThatIsReachedOnce) {
+  EventWatch watch = TwoKayaks();
+  watch.OnHelm(0, OnLeg(1 * kSecond, 0));
+  watch.OnHelm(0, OnLeg(2 * kSecond, 0));
+  EXPECT_TRUE(watch.events().empty()) << "it is on its way";
+  watch.OnHelm(0, OnLeg(3 * kSecond, 1));
+  watch.OnHelm(0, OnLeg(4 * kSecond, 1));
+  watch.OnHelm(0, OnLeg(5 * kSecond, 1, 1));
+  watch.OnHelm(0, OnLeg(6 * kSecond, 0, 0, "home"));
+  ASSERT_EQ(KindsOf(watch), (std::vector{EventKind::kWaypoint, EventKind::kWaypoint}));
+  EXPECT_EQ(watch.events()[0].text, "alpha: waypoint 1 of survey reached");
+  EXPECT_EQ(watch.events()[0].utime, 3 * kSecond);
+  EXPECT_EQ(watch.events()[1].text, "alpha: waypoint 2 of survey reached") << "it ends the lap";
+}
+
+TEST(EventWatch, LeavesRoomForOtherEventsThanWaypoints) {
+  EventWatch watch = TwoKayaks();
+  for (int i = 0; i < 6000; ++i) watch.OnHelm(0, OnLeg(i, i));
+  EXPECT_EQ(watch.events().size(), EventWatch::kMaxArrivals);
+  EXPECT_EQ(watch.num_left_out(), 999);
+}
+
+TEST(EventWatch, KeepsABoundedNumberOfEvents) {
+  EventWatch watch = TwoKayaks();
+  for (int i = 0; i < 6000; ++i) {
+    watch.OnHelm(0, HelmAt(i, "ALL-STOP", "x"));
+    watch.OnHelm(0, HelmAt(i, "DRIVE", "clear"));
+  }
+  EXPECT_EQ(watch.events().size(), EventWatch::kMaxEvents);
+  EXPECT_EQ(watch.num_left_out(), 2000);
+}
+
+}  // namespace shoal::event_watch_test

@@ -1,0 +1,125 @@
+#include "lib/tools/view/pulse_book.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "lib/tools/view/test_view.h"
+
+namespace shoal::pulse_book_test {
+
+void AddPulses(PulseBook* book, int64_t utime, std::vector<comms_pulse_t> pulses) {
+  ASSERT_TRUE(book->Add(Encoded(PulsesOf(utime, std::move(pulses)))));
+}
+
+TEST(PulseBook, KeepsAPulseUntilItIsOver) {
+  PulseBook book;
+  AddPulses(&book, kSecond_us, {PulseOf("A2B", "nrep", 10)});
+  ASSERT_EQ(book.NotOver(kSecond_us).size(), 1U);
+  const ViewPulse& pulse = *book.NotOver(kSecond_us)[0];
+  EXPECT_EQ(pulse.label, "A2B");
+  EXPECT_EQ(pulse.color, "orange");
+  EXPECT_FALSE(pulse.of_message);
+  EXPECT_EQ(pulse.tx_m, 80);
+  EXPECT_EQ(pulse.width_m, 10);
+  EXPECT_EQ(book.NotOver(11 * kSecond_us - 1).size(), 1U);
+  EXPECT_TRUE(book.NotOver(11 * kSecond_us).empty());
+}
+
+TEST(PulseBook, ReplacesThePulseOfTheSameLabel) {
+  PulseBook book;
+  AddPulses(&book, 0, {PulseOf("A2B", "nrep", 10), PulseOf("A2B_MSG", "msg", 10)});
+  const int64_t first_id = book.NotOver(0)[0]->id;
+  AddPulses(&book, kSecond_us, {PulseOf("A2B", "nrep", 10)});
+  const auto pulses = book.NotOver(kSecond_us);
+  ASSERT_EQ(pulses.size(), 2U);
+  EXPECT_EQ(pulses[1]->label, "A2B");
+  EXPECT_EQ(pulses[1]->utime, kSecond_us);
+  EXPECT_NE(pulses[1]->id, first_id);
+}
+
+TEST(PulseBook, GivesTheSamePulseTheSameId) {
+  PulseBook first;
+  PulseBook second;
+  AddPulses(&second, 0, {PulseOf("X2Y", "nrep", 10)});
+  AddPulses(&first, kSecond_us, {PulseOf("A2B", "nrep", 10)});
+  AddPulses(&second, kSecond_us, {PulseOf("A2B", "nrep", 10)});
+  EXPECT_EQ(first.NotOver(kSecond_us)[0]->id, second.NotOver(kSecond_us)[1]->id);
+  EXPECT_LT(first.NotOver(kSecond_us)[0]->id, int64_t{1} << 53);
+}
+
+TEST(PulseBook, ReturnsNewMessagesBeforeNewReports) {
+  PulseBook book;
+  AddPulses(&book, 0, {PulseOf("OLD", "nrep", 10)});
+  const int64_t order = book.last_order();
+  AddPulses(&book, 0,
+            {PulseOf("R1", "nrep", 10), PulseOf("M1", "msg", 10), PulseOf("R2", "nrep", 10)});
+  const auto pulses = book.Since(order, 0);
+  ASSERT_EQ(pulses.size(), 3U);
+  EXPECT_EQ(pulses[0]->label, "M1");
+  EXPECT_EQ(pulses[1]->label, "R2");
+  EXPECT_TRUE(book.Since(book.last_order(), 0).empty());
+}
+
+TEST(PulseBook, LetsMessagesReplaceReportsWhereThereIsNoRoom) {
+  PulseBook book;
+  for (size_t i = 0; i < PulseBook::kMaxPulses + 100; ++i) {
+    AddPulses(&book, 0, {PulseOf("R" + std::to_string(i), "nrep", 10)});
+  }
+  EXPECT_EQ(book.NotOver(0).size(), PulseBook::kMaxPulses);
+  EXPECT_EQ(book.num_left_out(), 100);
+  AddPulses(&book, 0, {PulseOf("M", "msg", 10)});
+  EXPECT_EQ(book.NotOver(0).size(), PulseBook::kMaxPulses);
+  EXPECT_EQ(book.NotOver(0).back()->label, "M");
+  EXPECT_EQ(book.num_left_out(), 101);
+  AddPulses(&book, 20 * kSecond_us, {PulseOf("LATER", "nrep", 10)});
+  ASSERT_EQ(book.NotOver(20 * kSecond_us).size(), 1U) << "those that are over make room";
+}
+
+TEST(PulseBook, MakesRoomAgainAfterAllWereOverAtOnce) {
+  PulseBook book;
+  for (const int64_t t_s : {0, 20, 40}) {
+    for (size_t i = 0; i <= PulseBook::kMaxPulses; ++i) {
+      AddPulses(&book, t_s * kSecond_us,
+                {PulseOf(std::to_string(t_s) + "_" + std::to_string(i), "nrep", 10)});
+    }
+    EXPECT_EQ(book.NotOver(t_s * kSecond_us).size(), PulseBook::kMaxPulses) << t_s;
+  }
+}
+
+TEST(PulseBook, MakesRoomAgainAfterAMessageFromFarInTheFuture) {
+  PulseBook book;
+  for (size_t i = 0; i <= PulseBook::kMaxPulses; ++i) {
+    AddPulses(&book, 0, {PulseOf("A" + std::to_string(i), "nrep", 10)});
+  }
+  for (size_t i = 0; i <= PulseBook::kMaxPulses; ++i) {
+    AddPulses(&book, 1'000'000 * kSecond_us, {PulseOf("B" + std::to_string(i), "nrep", 10)});
+  }
+  AddPulses(&book, kSecond_us, {PulseOf("C", "nrep", 10)});
+  EXPECT_EQ(book.NotOver(kSecond_us).size(), 1U);
+}
+
+TEST(PulseBook, RefusesBytesThatAreNoPulses) {
+  PulseBook book;
+  Bytes bytes = Encoded(PulsesOf(0, {PulseOf("A2B", "nrep", 10), PulseOf("C2D", "nrep", 10)}));
+  bytes.pop_back();
+  EXPECT_FALSE(book.Add(bytes));
+  EXPECT_FALSE(book.Add({}));
+  EXPECT_FALSE(book.Add(Encoded(NavAt(0, 0, 0))));
+  EXPECT_TRUE(book.NotOver(0).empty()) << "not half of them either";
+}
+
+TEST(PulseBook, DrawsNoPulseOfImpossibleNumbers) {
+  PulseBook book;
+  comms_pulse_t nowhere = PulseOf("A2B", "nrep", 10);
+  nowhere.tx_m = std::numeric_limits<double>::quiet_NaN();
+  comms_pulse_t endless = PulseOf("C2D", "nrep", std::numeric_limits<double>::infinity());
+  AddPulses(&book, 0,
+            {nowhere, PulseOf("E2F", "nrep", std::numeric_limits<double>::quiet_NaN()),
+             PulseOf("G2H", "nrep", -1), endless});
+  ASSERT_EQ(book.NotOver(0).size(), 1U);
+  EXPECT_EQ(book.NotOver(0)[0]->duration_s, 3600) << "an hour is the longest";
+  EXPECT_EQ(book.num_left_out(), 3);
+}
+
+}  // namespace shoal::pulse_book_test

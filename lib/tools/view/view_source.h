@@ -1,0 +1,45 @@
+// The interface of the viewer's web server to a running or a recorded mission. Answers are
+// JSON as docs/viewer_protocol.md has it.
+//
+// All functions may be called from any thread.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "lib/base/check/result.h"
+
+namespace shoal {
+
+/// Which fates are asked for; empty texts: all.
+struct FateQuery {
+  std::string vehicle;  ///< Source or destination, without regard to case.
+  std::string kind;
+  std::string cause;
+  bool only_blocked = false;
+  int64_t after = -1;  ///< Only those with a greater id.
+  int limit = 200;
+};
+
+class ViewSource {
+ public:
+  virtual ~ViewSource() = default;
+
+  /// `commands`: the client may send commands.
+  virtual std::string SetupJson(bool commands) = 0;
+  // `t_s` is mission time since the start; ignored for a running mission, which has only the
+  // current time.
+  virtual std::string FrameJson(double t_s) = 0;
+  virtual std::string TrailsJson() = 0;
+  virtual std::string LinksJson(double t_s) = 0;
+  /// The same of one medium; the error names one that the mission does not have.
+  virtual Result<std::string> MediumLinksJson(std::string_view medium, double t_s) = 0;
+  virtual std::string FatesJson(const FateQuery& query, double t_s) = 0;
+  virtual std::string EventsJson() = 0;
+  /// The error names a vehicle that is not in the mission.
+  virtual Result<std::string> LinkJson(std::string_view from, std::string_view to, double t_s) = 0;
+  virtual Result<std::string> VehicleJson(std::string_view name, double t_s, double window_s) = 0;
+};
+
+}  // namespace shoal
