@@ -1,18 +1,24 @@
 # The three functions that every target of shoal is made with.
 #
-#   shoal_library(NAME [PURE] SOURCES a.cc ... DEPENDS other_lib Eigen3::Eigen ...
+#   shoal_library(NAME SOURCES a.cc ... DEPENDS other_lib Eigen3::Eigen ...
 #                 TESTS a_test.cc ... [TEST_DEPENDS lib ...])
 #   shoal_app(NAME SOURCES x_app.cc ... DEPENDS lib ... TESTS x_app_test.cc ...)
 #   shoal_test(NAME SOURCES x_test.cc ... DEPENDS lib ...
 #              [LABEL unit|process|browser|slurm|bench-smoke] [TIMEOUT seconds] [SERIAL])
 #
-# A PURE library may depend on other PURE libraries and on the numeric libraries listed in
-# SHOAL_PURE_EXTERNALS, and on nothing else: anything more fails here, at configure time.
+# A library belongs to the floor of its folder, lib/<floor>/<room>. It may depend on its own floor and
+# on those before it in SHOAL_FLOORS; on the pure floors, beside these, on the numeric libraries of
+# SHOAL_PURE_EXTERNALS and on nothing else. Anything more fails here, at configure time.
+# scripts/floors holds every #include against the same order.
 # shoal_app makes a library <NAME>_app from SOURCES and, from <NAME>_main.cc, the executable.
 #
 # What builds fast is chosen by the preset (CMakePresets.json, docs/building.md): precompiled
 # headers (SHOAL_PCH), one translation unit per library (CMAKE_UNITY_BUILD), shared libraries
 # (BUILD_SHARED_LIBS). Every test has a label and a time limit in seconds, for one test case.
+
+# From the bottom: a floor knows those before it.
+set(SHOAL_PURE_FLOORS base sea vehicle helm comms)
+set(SHOAL_FLOORS ${SHOAL_PURE_FLOORS} bus mission run tools)
 
 set(SHOAL_TEST_LABELS unit process browser slurm bench-smoke)
 
@@ -121,25 +127,37 @@ if(SHOAL_PCH)
   endif()
 endif()
 
+# Fails where a library of `floor` depends on what it may not know.
+function(shoal_check_floor name floor)
+  list(FIND SHOAL_FLOORS ${floor} own_height)
+  foreach(dependency IN LISTS ARGN)
+    set(its_floor "")
+    if(TARGET ${dependency})
+      get_target_property(its_floor ${dependency} SHOAL_FLOOR)
+    endif()
+    list(FIND SHOAL_FLOORS "${its_floor}" its_height)
+    if(its_height GREATER own_height)
+      message(FATAL_ERROR "shoal_library(${name}) is on the floor ${floor} and depends on "
+        "${dependency}, which is above it, on the floor ${its_floor} (lib/README.md)")
+    elseif(its_height EQUAL -1 AND floor IN_LIST SHOAL_PURE_FLOORS
+           AND NOT dependency IN_LIST SHOAL_PURE_EXTERNALS)
+      message(FATAL_ERROR "shoal_library(${name}) is on the pure floor ${floor} and depends on "
+        "${dependency}, which is neither a library of a pure floor, added before it, nor in "
+        "SHOAL_PURE_EXTERNALS (cmake/Shoal.cmake)")
+    endif()
+  endforeach()
+endfunction()
+
 function(shoal_library name)
-  cmake_parse_arguments(ARG "PURE" "" "SOURCES;DEPENDS;TESTS;TEST_DEPENDS" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS;TESTS;TEST_DEPENDS" ${ARGN})
   if(ARG_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "shoal_library(${name}): unknown arguments ${ARG_UNPARSED_ARGUMENTS}")
   endif()
-  if(ARG_PURE)
-    foreach(dependency IN LISTS ARG_DEPENDS)
-      if(dependency IN_LIST SHOAL_PURE_EXTERNALS)
-        continue()
-      endif()
-      set(is_pure FALSE)
-      if(TARGET ${dependency})
-        get_target_property(is_pure ${dependency} SHOAL_PURE)
-      endif()
-      if(NOT is_pure)
-        message(FATAL_ERROR "shoal_library(${name} PURE) depends on ${dependency}, which is "
-          "neither a pure library nor in SHOAL_PURE_EXTERNALS (cmake/Shoal.cmake)")
-      endif()
-    endforeach()
+  cmake_path(RELATIVE_PATH CMAKE_CURRENT_SOURCE_DIR BASE_DIRECTORY ${CMAKE_SOURCE_DIR}/lib
+    OUTPUT_VARIABLE room)
+  string(REGEX REPLACE "/.*" "" floor "${room}")
+  if(floor IN_LIST SHOAL_FLOORS)
+    shoal_check_floor(${name} ${floor} ${ARG_DEPENDS})
   endif()
   if(ARG_SOURCES)
     add_library(${name} ${ARG_SOURCES})
@@ -148,7 +166,7 @@ function(shoal_library name)
     target_compile_options(${name} PRIVATE ${SHOAL_LIBRARY_OPTIONS})
     set_target_properties(${name} PROPERTIES OUTPUT_NAME shoal_${name} DEFINE_SYMBOL ""
       POSITION_INDEPENDENT_CODE ON)
-    if(SHOAL_PCH AND ARG_PURE)
+    if(SHOAL_PCH AND floor IN_LIST SHOAL_PURE_FLOORS)
       target_precompile_headers(${name} REUSE_FROM shoal_pch_pure)
     elseif(SHOAL_PCH)
       target_precompile_headers(${name} REUSE_FROM shoal_pch_rim)
@@ -159,7 +177,7 @@ function(shoal_library name)
     target_link_libraries(${name} INTERFACE ${ARG_DEPENDS})
     target_include_directories(${name} INTERFACE ${CMAKE_SOURCE_DIR})
   endif()
-  set_target_properties(${name} PROPERTIES SHOAL_PURE "${ARG_PURE}")
+  set_target_properties(${name} PROPERTIES SHOAL_FLOOR "${floor}")
   if(ARG_TESTS)
     shoal_test(${name}_test SOURCES ${ARG_TESTS} DEPENDS ${name} ${ARG_TEST_DEPENDS})
   endif()
