@@ -235,11 +235,11 @@ TEST_F(DirectorTest, KeepsTheLastControlOfEachRuleAndVehicleForABrokerThatAsks) 
 
 TEST_F(DirectorTest, WarnsOfControlsThatItHasNoRoomFor) {
   Step();
-  for (size_t i = 0; i < KeptControls::kMost + 2; ++i) {
+  for (size_t i = 0; i < KeptControls::kMax + 2; ++i) {
     PublishControl("stealth", fmt::format("v{}", i), 0.5);
   }
   Step();
-  EXPECT_EQ(AskForControls().size(), KeptControls::kMost);
+  EXPECT_EQ(AskForControls().size(), KeptControls::kMax);
   ASSERT_EQ(Director().Status().run_warnings.size(), 1U);
   EXPECT_NE(Director().Status().run_warnings[0].find("(2 times)"), std::string::npos);
 }

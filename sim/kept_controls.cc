@@ -13,7 +13,7 @@ bool KeptControls::Keep(const ControlRow& row, const unc_control_t& control) {
     found->second = control;
     return true;
   }
-  if (kept_.size() == kMost) return false;
+  if (kept_.size() == kMax) return false;
   kept_.emplace(key, control);
   return true;
 }

@@ -15,7 +15,7 @@ namespace shoal {
 class KeptControls {
  public:
   /// An unregistered participant that makes names up must not fill the memory.
-  static constexpr size_t kMost = 10'000;
+  static constexpr size_t kMax = 10'000;
 
   /// Keeps `control` in place of the one before of its rule and vehicle, names without regard to
   /// case. Requests and values that the rule cannot have change nothing at the broker and are not

@@ -62,12 +62,12 @@ TEST(KeptControls, AreNoneThatTheBrokerRefusesOrExecutesOnce) {
 
 TEST(KeptControls, LeaveThoseOutThatThereIsNoRoomFor) {
   KeptControls controls;
-  for (size_t i = 0; i < KeptControls::kMost; ++i) {
+  for (size_t i = 0; i < KeptControls::kMax; ++i) {
     EXPECT_TRUE(Keep(controls, "stealth", fmt::format("v{}", i), 0.5));
   }
   EXPECT_FALSE(Keep(controls, "stealth", "one_more", 0.5));
   EXPECT_TRUE(Keep(controls, "stealth", "v7", 0.25)) << "one that is kept can change";
-  EXPECT_EQ(controls.All().num_controls, static_cast<int32_t>(KeptControls::kMost));
+  EXPECT_EQ(controls.All().num_controls, static_cast<int32_t>(KeptControls::kMax));
 }
 
 }  // namespace shoal::kept_controls_test

@@ -16,7 +16,7 @@
 #include "lib/bus/bus/channels.h"
 #include "lib/bus/bus/memory_bus.h"
 #include "sim/app_factory.h"
-#include "sim/media_hops_oracle.h"
+#include "sim/media_hops_testing.h"
 
 namespace shoal::media_hops_test {
 

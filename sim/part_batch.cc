@@ -15,7 +15,7 @@ constexpr uint32_t kNamed = uint32_t{1} << 31;
 /// In the place of a message's size: the bytes are those of the message before.
 constexpr uint32_t kSameBytes = 0xffffffff;
 /// Names and channels beyond these are no mission's: the batch is damaged.
-constexpr uint32_t kMostChannels = 10'000'000;
+constexpr uint32_t kMaxBatchChannels = 10'000'000;
 
 void AppendNumber(uint32_t number, Bytes* bytes) {
   const size_t begin = bytes->size();
@@ -133,7 +133,7 @@ bool BatchReader::Next(BatchMessage* message) {
   std::memcpy(head, bytes.data(), sizeof head);
   *message = {.participant = head[0], .channel = head[1] & ~kNamed, .sequence = head[2]};
   if ((head[1] & kNamed) != 0) {
-    is_sound_ = message->channel < kMostChannels;
+    is_sound_ = message->channel < kMaxBatchChannels;
     if (!is_sound_) return false;
     if (message->channel >= names_.size()) names_.resize(message->channel + 1);
     if (!TakeText(&names_[message->channel])) return false;

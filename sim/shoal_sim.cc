@@ -30,9 +30,9 @@ struct Kept {
   Bytes taken = {};
 };
 
-constexpr size_t kMostBytes = size_t{1} << 24;
-constexpr size_t kMostWaitingBytes = size_t{1} << 26;
-constexpr size_t kMostCharacters = 63;
+constexpr size_t kMaxBytes = size_t{1} << 24;
+constexpr size_t kMaxWaitingBytes = size_t{1} << 26;
+constexpr size_t kMaxCharacters = 63;
 constexpr int64_t kStepsBetweenChecks = 64;  ///< Of faults, as `shoal sim` does.
 
 bool IsChannelName(std::string_view name) {
@@ -40,7 +40,7 @@ bool IsChannelName(std::string_view name) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
            c == '.';
   };
-  return !name.empty() && name.size() <= kMostCharacters &&
+  return !name.empty() && name.size() <= kMaxCharacters &&
          std::all_of(name.begin(), name.end(), is_legal);
 }
 
@@ -136,10 +136,10 @@ int Keep(shoal_sim* sim, const char* channel, bool all) {
   });
 }
 
-/// Returns the first channel of which more than kMostWaitingBytes wait to be taken, or null.
+/// Returns the first channel of which more than kMaxWaitingBytes wait to be taken, or null.
 const std::string* Overfull(const shoal_sim& sim) {
   for (const auto& [channel, kept] : sim.kept) {
-    if (kept.waiting_bytes > kMostWaitingBytes) return &channel;
+    if (kept.waiting_bytes > kMaxWaitingBytes) return &channel;
   }
   return nullptr;
 }
@@ -311,7 +311,7 @@ int shoal_sim_write(shoal_sim* sim, const char* channel, const void* data, size_
       return c_interface::Fail(sim, SHOAL_SIM_MISUSE,
                                "a channel has 1 to 63 letters, digits, '_' and '.'");
     }
-    if ((data == nullptr && size > 0) || size > c_interface::kMostBytes) {
+    if ((data == nullptr && size > 0) || size > c_interface::kMaxBytes) {
       return c_interface::Fail(sim, SHOAL_SIM_MISUSE, "the message is null, or longer than 16 MiB");
     }
     sim->simulation->bus().PublishBytes(channel, {static_cast<const uint8_t*>(data), size});

@@ -1,6 +1,6 @@
 // What came from the viewer, in a shape that the page can rely on, whatever it was.
 
-const kMostVehicles = 1000;
+const kMaxVehicles = 1000;
 
 const arrayOf = (value) => (Array.isArray(value) ? value : []);
 const isObject = (value) => typeof value === 'object' && value !== null;
@@ -10,7 +10,7 @@ function named(list) {
   const byName = new Map();
   for (const entry of arrayOf(list)) {
     if (isObject(entry) && typeof entry.name === 'string' && !byName.has(entry.name)
-        && byName.size < kMostVehicles) byName.set(entry.name, entry);
+        && byName.size < kMaxVehicles) byName.set(entry.name, entry);
   }
   return [...byName.values()];
 }

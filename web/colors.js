@@ -20,7 +20,7 @@ const kVehicleColors = ['orange', 'skyBlue', 'green', 'yellow', 'vermillion', 'p
 // Relative luminance (WCAG 2): at least this on the dark ground, at most that on the light one.
 // Both keep a contrast of 3 and more.
 const kLeastOnDark = 0.2;
-const kMostOnLight = 0.28;
+const kMaxOnLight = 0.28;
 
 /** True where the page has the light theme: class `light` on <html>. */
 export function isLightTheme() {
@@ -61,7 +61,7 @@ export function readable(rgb, onLight = isLightTheme()) {
   for (let amount = 0; amount <= 1; amount += 0.04) {
     color = mixed(rgb, onLight ? 0 : 1, amount);
     const light = luminance(color);
-    if (onLight ? light <= kMostOnLight : light >= kLeastOnDark) break;
+    if (onLight ? light <= kMaxOnLight : light >= kLeastOnDark) break;
   }
   return `#${color.toString(16).padStart(6, '0')}`;
 }
@@ -85,7 +85,7 @@ function hashOf(name) {
 }
 
 // A colour that more vehicles than this ask for, such as the default, distinguishes none of them.
-const kMostSharing = 3;
+const kMaxSharing = 3;
 // Squared distance in RGB, each 0 to 1, below which two colours are taken for one.
 const kAlike = 0.13;
 const kGoldenRatio = 0.61803398874989485;
@@ -118,11 +118,11 @@ export function chosenColors(vehicles) {
     const own = parseColor(color);
     if (own !== null) sharing.set(own, (sharing.get(own) ?? 0) + 1);
   }
-  const taken = [...sharing].filter(([, count]) => count <= kMostSharing).map(([rgb]) => rgb);
+  const taken = [...sharing].filter(([, count]) => count <= kMaxSharing).map(([rgb]) => rgb);
   const chosen = new Map();
   let next = 0;
   for (const {name, color} of vehicles) {
-    if ((sharing.get(parseColor(color)) ?? Infinity) <= kMostSharing) continue;
+    if ((sharing.get(parseColor(color)) ?? Infinity) <= kMaxSharing) continue;
     while (next < kVehicleColors.length && taken.some((rgb) => areAlike(rgb, rowColor(next)))) {
       ++next;
     }

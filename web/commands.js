@@ -13,7 +13,7 @@ const kOrders = [
 const kWarps = ['1', '2', '5', '10', '20', '50', 'max'];
 const kSigns = {sent: '…', taken: '✓', refused: '✗'};
 const kMarkStays_ms = 4000;
-const kMostUnsent = 20;
+const kMaxUnsent = 20;
 
 /** The words of an order to go to a place. */
 export const gotoWords = ({x, y}) => ['goto', x.toFixed(1), y.toFixed(1)];
@@ -95,7 +95,7 @@ export class Commands {
       this.refusals += 1;
       this.unsent.push({id: -this.refusals, t: this.last?.t ?? 0, text: order, state: 'refused',
         reason: error.message});
-      this.unsent.splice(0, this.unsent.length - kMostUnsent);
+      this.unsent.splice(0, this.unsent.length - kMaxUnsent);
       if (this.last) this.frame(this.last);
       return null;
     }

@@ -7,11 +7,11 @@ import {circleTouchesBox, pulseTriangle} from './geometry.js';
 // More pulses than this are drawn paler, the more the paler: else they would hide each other.
 const kCrowd = 60;
 // Edges cost more time than what they enclose: at most this many messages have one, the newest.
-const kMostEdges = 30;
+const kMaxEdges = 30;
 
 export function drawPulses(ctx, camera, theme, pulses) {
   const crowding = Math.min(1, Math.sqrt(kCrowd / Math.max(1, pulses.length)));
-  let withoutEdge = pulses.reduce((sum, pulse) => sum + (pulse.kind !== 'report'), -kMostEdges);
+  let withoutEdge = pulses.reduce((sum, pulse) => sum + (pulse.kind !== 'report'), -kMaxEdges);
   ctx.lineJoin = 'bevel';
   ctx.lineWidth = 1.6;
   for (const pulse of pulses) {

@@ -3,7 +3,7 @@
 import {clamp, clipSegment, isNumber} from './geometry.js';
 
 const kLeastScale = 0.005;
-const kMostScale = 5000;
+const kMaxScale = 5000;
 // The height of the lower edge that belongs to the scale bar and the pointer's place.
 const kScaleBar = 44;
 // No mission goes farther from its origin (docs/mission_file.md).
@@ -21,7 +21,7 @@ export class Camera {
     if (isNumber(cx)) this.cx = clamp(cx, -kReach_m, kReach_m);
     if (isNumber(cy)) this.cy = clamp(cy, -kReach_m, kReach_m);
     if (isNumber(metresPerPixel) && metresPerPixel > 0) {
-      this.metresPerPixel = clamp(metresPerPixel, kLeastScale, kMostScale);
+      this.metresPerPixel = clamp(metresPerPixel, kLeastScale, kMaxScale);
     }
   }
 

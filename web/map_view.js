@@ -18,7 +18,7 @@ const kLayers = {
   contours: true, area: true, grid: true, names: true,
 };
 const kHit = 16;
-const kMostPixels = 16e6;
+const kMaxPixels = 16e6;
 
 export class MapView {
   #canvas;
@@ -191,7 +191,7 @@ export class MapView {
   #resize() {
     const {clientWidth: width, clientHeight: height} = this.#canvas;
     const asked = globalThis.devicePixelRatio || 1;
-    const ratio = Math.min(asked, Math.sqrt(kMostPixels / Math.max(1, width * height)));
+    const ratio = Math.min(asked, Math.sqrt(kMaxPixels / Math.max(1, width * height)));
     const [w, h] = [width, height].map((pixels) => Math.max(1, Math.round(pixels * ratio)));
     if (w !== this.#canvas.width || h !== this.#canvas.height) {
       this.#canvas.width = w;

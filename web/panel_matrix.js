@@ -6,7 +6,7 @@ import {age, ratio} from './text.js';
 const kNames_px = 110;     // For the column of names.
 const kFull_px = 70;       // A cell with room for ratio and age; a smaller one has one sign.
 const kLeastCell_px = 14;
-const kMostCell_px = 36;
+const kMaxCell_px = 36;
 const kGap_px = 1;
 const kNarrow_px = 388;    // The panel's width where it is not known yet.
 
@@ -16,7 +16,7 @@ const kNarrow_px = 388;    // The panel's width where it is not known yet.
  */
 export function cellSize(width_px, count) {
   const each_px = ((width_px > 0 ? width_px : kNarrow_px) - kNames_px) / Math.max(1, count);
-  const cell_px = Math.floor(Math.min(kMostCell_px, Math.max(kLeastCell_px, each_px - kGap_px)));
+  const cell_px = Math.floor(Math.min(kMaxCell_px, Math.max(kLeastCell_px, each_px - kGap_px)));
   return {compact: count > 3 && each_px < kFull_px, cell_px};
 }
 

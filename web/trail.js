@@ -2,7 +2,7 @@
 
 import {isNumber} from './geometry.js';
 
-const kMostPoints = 4096;
+const kMaxPoints = 4096;
 
 export class Trail {
   count = 0;
@@ -14,7 +14,7 @@ export class Trail {
   add(t, x, y) {
     if (!isNumber(t) || !isNumber(x) || !isNumber(y)) return;
     if (this.count > 0 && t <= this.t[this.count - 1]) return;
-    if (this.count === kMostPoints) this.#thin();
+    if (this.count === kMaxPoints) this.#thin();
     if (this.count === this.t.length) this.#grow();
     this.t[this.count] = t;
     this.x[this.count] = x;

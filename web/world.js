@@ -13,9 +13,9 @@
 import {clamp, finite, isNumber, mix, mixDegrees} from './geometry.js';
 import {Trail} from './trail.js';
 
-const kMostVehicles = 1000;
-const kMostPulses = 1000;
-const kMostPackets = 400;
+const kMaxVehicles = 1000;
+const kMaxPulses = 1000;
+const kMaxPackets = 400;
 const kLeastTrailStep_s = 0.2;
 // A gap of this much between frames is a break: the next frame is shown at once.
 const kBreak_ms = 1500;
@@ -98,7 +98,7 @@ export class World {
     if (!isNumber(frame?.t) || !Array.isArray(frame.vehicles)) return false;
     const byName = new Map();
     for (const vehicle of frame.vehicles) {
-      if (typeof vehicle?.name === 'string' && byName.size < kMostVehicles) {
+      if (typeof vehicle?.name === 'string' && byName.size < kMaxVehicles) {
         byName.set(vehicle.name, vehicle);
       }
     }
@@ -227,7 +227,7 @@ export class World {
 
   #trailOf(name) {
     let trail = this.#trails.get(name);
-    if (!trail && this.#trails.size < kMostVehicles) this.#trails.set(name, trail = new Trail());
+    if (!trail && this.#trails.size < kMaxVehicles) this.#trails.set(name, trail = new Trail());
     return trail;
   }
 
@@ -255,7 +255,7 @@ export class World {
       const key = pulse.label || `#${pulse.id}`;
       this.#pulses.delete(key);
       this.#pulses.set(key, {...pulse, opacity: 0});
-      if (this.#pulses.size > kMostPulses) this.#pulses.delete(this.#pulses.keys().next().value);
+      if (this.#pulses.size > kMaxPulses) this.#pulses.delete(this.#pulses.keys().next().value);
     }
   }
 
@@ -280,7 +280,7 @@ export class World {
         air_s: clamp(finite(packet.air), 0, kLongestRing_s),
         start_s: this.#recorded ? packet.sent : Math.max(packet.sent, frame.t),
       });
-      if (this.#packets.size > kMostPackets) {
+      if (this.#packets.size > kMaxPackets) {
         this.#packets.delete(this.#packets.keys().next().value);
       }
     }

@@ -10,7 +10,7 @@ namespace shoal {
 
 namespace {
 
-constexpr size_t kMostEvents = 1000;  ///< In a step.
+constexpr size_t kMaxEvents = 1000;  ///< In a step.
 
 }  // namespace
 
@@ -18,7 +18,7 @@ std::vector<std::string> AcommsRecord::Note(const std::string& source,
                                             const SwarmReception& reception, int64_t utime) {
   std::vector<std::string> lines;
   const auto add = [&](acomms_event_t event, std::string line) {
-    if (events_.size() == kMostEvents) return;
+    if (events_.size() == kMaxEvents) return;
     event.utime = utime;
     event.source = source;
     events_.push_back(std::move(event));

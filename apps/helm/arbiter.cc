@@ -15,8 +15,8 @@ namespace shoal {
 namespace {
 
 constexpr int64_t kLongestSilence_us = 1'000'000;
-constexpr size_t kMostSettings = 1000;
-constexpr size_t kMostEvents = 100;
+constexpr size_t kMaxSettings = 1000;
+constexpr size_t kMaxEvents = 100;
 constexpr char kManySettings[] = "more than 1000 settings of variables in one decision: dropped";
 
 // Variables that stand for orders of the operator, by the custom of MOOS-IvP's missions.
@@ -163,7 +163,7 @@ void Arbiter::Take(const ContactReport& report) {
 }
 
 void Arbiter::Set(const VariablePost& setting, std::string_view source) {
-  if (settings_.size() >= kMostSettings) {
+  if (settings_.size() >= kMaxSettings) {
     warnings_.emplace_back(kManySettings);
     return;
   }
@@ -264,7 +264,7 @@ void Arbiter::Decide(const Moment& moment) {
     if (!post.destination.empty()) messages_.push_back(post);
   }
   for (HelmEvent& event : outcome_.events) {
-    if (unpublished_events_.size() < kMostEvents) {
+    if (unpublished_events_.size() < kMaxEvents) {
       unpublished_events_.push_back(event.kind + ": " + event.text);
     }
     events_.push_back(std::move(event));
@@ -349,11 +349,11 @@ std::string Arbiter::Text() const {
     }
     text += '\n';
   }
-  constexpr size_t kMostVariablesShown = 30;
+  constexpr size_t kMaxVariablesShown = 30;
   size_t num_shown = 0;
   text += fmt::format("Variables: {}\n", behaviors_.variables().all().size());
   for (const auto& [name, entry] : behaviors_.variables().all()) {
-    if (++num_shown > kMostVariablesShown) break;
+    if (++num_shown > kMaxVariablesShown) break;
     const auto* words = std::get_if<std::string>(&entry.value);
     text += fmt::format(
         "    {} = {}\n", Printable(name),

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "apps/helm/fake_vessel.h"
+#include "apps/helm/vessel_testing.h"
 
 namespace shoal::arbiter_test {
 

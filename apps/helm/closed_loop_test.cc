@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "apps/helm/fake_vessel.h"
+#include "apps/helm/vessel_testing.h"
 #include "lib/base/geometry/leg.h"
 
 namespace shoal::closed_loop_test {

@@ -7,7 +7,7 @@
 #include <limits>
 #include <string>
 
-#include "apps/helm/fake_vessel.h"
+#include "apps/helm/vessel_testing.h"
 
 namespace shoal::helm_app_test {
 

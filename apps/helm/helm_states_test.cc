@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "apps/helm/fake_vessel.h"
+#include "apps/helm/vessel_testing.h"
 
 namespace shoal::helm_states_test {
 

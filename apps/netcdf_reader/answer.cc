@@ -24,10 +24,10 @@ namespace {
 
 constexpr int kFileDescriptor = 3;
 constexpr char kFile[] = "/proc/self/fd/3";
-constexpr rlim_t kMostMemory_bytes = rlim_t{1} << 30;
-constexpr rlim_t kMostCpu_s = 10;
+constexpr rlim_t kMaxMemory_bytes = rlim_t{1} << 30;
+constexpr rlim_t kMaxCpu_s = 10;
 /// 0 to 3, and two of libnetcdf's: a file cannot have others opened that it names.
-constexpr rlim_t kMostOpenFiles = 6;
+constexpr rlim_t kMaxOpenFiles = 6;
 
 void Limit(int resource, rlim_t most) {
   const rlimit limit = {most, most};
@@ -38,12 +38,12 @@ void LimitThisProcess() {
   // Filters of HDF5 are code that is loaded from a folder: none is.
   setenv("HDF5_PLUGIN_PRELOAD", "::", 1);
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-  Limit(RLIMIT_AS, kMostMemory_bytes);
+  Limit(RLIMIT_AS, kMaxMemory_bytes);
 #endif
-  Limit(RLIMIT_CPU, kMostCpu_s);
+  Limit(RLIMIT_CPU, kMaxCpu_s);
   Limit(RLIMIT_CORE, 0);
   Limit(RLIMIT_FSIZE, 0);
-  Limit(RLIMIT_NOFILE, kMostOpenFiles);
+  Limit(RLIMIT_NOFILE, kMaxOpenFiles);
 }
 
 /// Why there is no answer.
@@ -102,9 +102,9 @@ NetcdfAttribute AttributeOf(int file, int variable, int number) {
     std::string text(length, '\0');
     Demand(nc_get_att_text(file, variable, name.data(), text.data()), "a text cannot be read");
     attribute.text = text.substr(0, text.find('\0'));
-  } else if (type == NC_STRING && length <= kMostNetcdfNumbers) {
+  } else if (type == NC_STRING && length <= kMaxNetcdfNumbers) {
     attribute.text = StringOf(file, variable, name.data(), length);
-  } else if (TypeOf(type) != NetcdfType::kOther && length <= kMostNetcdfNumbers) {
+  } else if (TypeOf(type) != NetcdfType::kOther && length <= kMaxNetcdfNumbers) {
     attribute.numbers.resize(length);
     Demand(nc_get_att_double(file, variable, name.data(), attribute.numbers.data()),
            "an attribute cannot be read");
@@ -113,9 +113,9 @@ NetcdfAttribute AttributeOf(int file, int variable, int number) {
 }
 
 void DemandFew(int count, const char* what) {
-  if (count >= 0 && static_cast<size_t>(count) <= kMostNetcdfNames) return;
+  if (count >= 0 && static_cast<size_t>(count) <= kMaxNetcdfNames) return;
   throw Refusal{"it has " + std::to_string(count) + " " + what + ", and at most " +
-                std::to_string(kMostNetcdfNames) +
+                std::to_string(kMaxNetcdfNames) +
                 " are read; cut out the variables that the mission needs (ncks -v)"};
 }
 
@@ -180,7 +180,7 @@ void AddCoordinates(int file, const NetcdfHeader& header, NetcdfReplyWriter* wri
 std::vector<double> ValuesOf(int file, const std::string& name, uint64_t count) {
   const NetcdfHeader header = HeaderOf(file);
   const NetcdfVariable* variable = header.Find(name);
-  if (variable == nullptr || header.NumValues(*variable) != count || count > kMostNetcdfValues) {
+  if (variable == nullptr || header.NumValues(*variable) != count || count > kMaxNetcdfValues) {
     throw Refusal{"it has changed while it was read; start again"};
   }
   int number = 0;
@@ -207,11 +207,11 @@ void WriteAnswer(char kind, const NetcdfReplyWriter& body) {
 
 /// Refuses a file of a classic form that ends before its last value.
 void DemandWhole() {
-  constexpr size_t kMostHeader_bytes = size_t{4} << 20;
+  constexpr size_t kMaxHeader_bytes = size_t{4} << 20;
   struct stat status {};
   if (fstat(kFileDescriptor, &status) != 0) return;
   const auto size = static_cast<uint64_t>(status.st_size);
-  std::vector<uint8_t> head(std::min<uint64_t>(size, kMostHeader_bytes));
+  std::vector<uint8_t> head(std::min<uint64_t>(size, kMaxHeader_bytes));
   const ssize_t count = pread(kFileDescriptor, head.data(), head.size(), 0);
   head.resize(static_cast<size_t>(std::max<ssize_t>(count, 0)));
   const std::optional<uint64_t> end = ClassicDataEnd(head);

@@ -12,10 +12,10 @@ namespace {
 
 /// Sizes in bytes by nc_type, from NC_BYTE = 1 to NC_UINT64 = 11.
 constexpr std::array<uint64_t, 12> kSizes = {0, 1, 1, 2, 4, 4, 8, 1, 2, 4, 8, 8};
-constexpr uint64_t kMost = uint64_t{1} << 60;  ///< Beyond any file: products stay below it.
+constexpr uint64_t kMax = uint64_t{1} << 60;  ///< Beyond any file: products stay below it.
 
 uint64_t Padded(uint64_t bytes) { return (bytes + 3) / 4 * 4; }
-uint64_t Product(uint64_t a, uint64_t b) { return a != 0 && b > kMost / a ? kMost : a * b; }
+uint64_t Product(uint64_t a, uint64_t b) { return a != 0 && b > kMax / a ? kMax : a * b; }
 
 /// Reads a header from its start. After a fault all is 0.
 class ClassicHeader {
@@ -64,7 +64,7 @@ class ClassicHeader {
     ok_ = ok_ && bytes <= rest_.size();
     if (ok_) rest_ = rest_.subspan(static_cast<size_t>(bytes));
   }
-  void SkipName() { Skip(Padded(std::min(TakeCount(), kMost))); }
+  void SkipName() { Skip(Padded(std::min(TakeCount(), kMax))); }
   void SkipAttributes() {
     Each([this] {
       SkipName();
@@ -98,12 +98,12 @@ class ClassicHeader {
     const uint64_t type = Take(4);
     ok_ = ok_ && type < kSizes.size();
     TakeCount();  // Its size, which is wrong for large variables.
-    const uint64_t begin = std::min(Take(version_ == 1 ? 4 : 8), kMost);
+    const uint64_t begin = std::min(Take(version_ == 1 ? 4 : 8), kMax);
     if (!ok_) return;
     const uint64_t bytes = Product(values, kSizes.at(type));
     if (!has_records) return NoteEnd(begin + bytes);
     records_.push_back({.begin = begin, .bytes = bytes});
-    record_bytes_ = std::min(record_bytes_ + Padded(bytes), kMost);
+    record_bytes_ = std::min(record_bytes_ + Padded(bytes), kMax);
     only_record_bytes_ = bytes;  // One alone is not padded.
     ++num_record_variables_;
   }

@@ -43,7 +43,7 @@ class RawPort : public ModemPort {
   void OnBytes(std::string_view bytes, int64_t) override {
     const auto* data = reinterpret_cast<const uint8_t*>(bytes.data());
     for (std::vector<uint8_t>& payload : reader_.Take({data, bytes.size()})) {
-      if (waiting_.size() < kMostWaiting) {
+      if (waiting_.size() < kMaxWaiting) {
         waiting_.push_back(std::move(payload));
       } else {
         ++num_dropped_;
@@ -109,9 +109,9 @@ class MicroModemPort : public ModemPort {
   void OnConnect() override { modem_.ForgetLine(); }
   void OnBytes(std::string_view bytes, int64_t mission_us) override {
     // What a byte is answered with may be two hundred times as long.
-    constexpr size_t kMostAtOnce = 2048;
-    for (; !bytes.empty(); bytes.remove_prefix(std::min(bytes.size(), kMostAtOnce))) {
-      Pass(modem_.TakeBytes(bytes.substr(0, kMostAtOnce), mission_us));
+    constexpr size_t kMaxAtOnce = 2048;
+    for (; !bytes.empty(); bytes.remove_prefix(std::min(bytes.size(), kMaxAtOnce))) {
+      Pass(modem_.TakeBytes(bytes.substr(0, kMaxAtOnce), mission_us));
     }
   }
   void Advance(int64_t mission_us) override { Pass(modem_.Advance(mission_us)); }
@@ -176,7 +176,7 @@ void ModemPort::SendToClient(std::string_view bytes) {
 }
 
 void ModemPort::Transmit(ModemTransmission transmission) {
-  if (transmissions_.size() >= kMostWaiting) {
+  if (transmissions_.size() >= kMaxWaiting) {
     ++num_dropped_;
     return;
   }

@@ -51,7 +51,7 @@ struct ModemPacket {
 class ModemPort {
  public:
   /// Packets given to the water between two calls of TakeTransmissions; further ones are dropped.
-  static constexpr size_t kMostWaiting = 256;
+  static constexpr size_t kMaxWaiting = 256;
 
   /// Fails with what to try.
   static Result<std::unique_ptr<ModemPort>> Open(const ModemPortOptions& options);

@@ -23,7 +23,7 @@ constexpr size_t kMaxReceivedPerStep = 1000;
 constexpr int64_t kSilence_us = 10'000'000;
 
 /// A driver such as Goby's wants its modem's clock within 1 s of its own.
-constexpr int64_t kMostLag_us = 500'000;
+constexpr int64_t kMaxLag_us = 500'000;
 
 /// Differences of such times are numbers still.
 bool IsMissionTime(int64_t utime) {
@@ -285,7 +285,7 @@ void NetsimManagerApp::WatchClocks(int64_t mission_us) {
     }
   }
   // At another warp the mission's time is not meant to be the wall's.
-  if (warp_ != 1 || has_lagged_ || !HasMicroModem() || Lag_us() <= kMostLag_us) return;
+  if (warp_ != 1 || has_lagged_ || !HasMicroModem() || Lag_us() <= kMaxLag_us) return;
   has_lagged_ = true;
   log_.Warn(
       "the clocks of Micro-Modems fell more than 0.5 s behind this machine's, since the mission "

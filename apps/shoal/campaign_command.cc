@@ -25,20 +25,20 @@ namespace shoal {
 
 namespace {
 
-constexpr int kMostJobs = 1024;
+constexpr int kMaxJobs = 1024;
 
 int JobsOf(int wanted) {
   if (wanted > 0) return wanted;
   const auto processors = static_cast<int>(std::thread::hardware_concurrency());
-  return std::clamp(processors, 1, kMostJobs);
+  return std::clamp(processors, 1, kMaxJobs);
 }
 
 /// Runs the first repetition of a few cases; returns the mean wall time of a trial, or 0.
 double MeasureTrials(const CampaignFolder& folder, const std::string& scratch) {
-  constexpr int64_t kMostTrials = 4;
+  constexpr int64_t kMaxTrials = 4;
   constexpr double kLongest_s = 3;
   const auto most = std::min(
-      kMostTrials, static_cast<int64_t>(folder.plan.cases.size()) * folder.campaign.repetitions);
+      kMaxTrials, static_cast<int64_t>(folder.plan.cases.size()) * folder.campaign.repetitions);
   WorkerPool pool(
       {.num_workers = 1, .timeout_s = folder.campaign.timeout_s, .metrics = folder.plan.metrics},
       [&](const TrialJob& job, TrialProgress* progress) {
@@ -73,11 +73,11 @@ int RunCampaignCheck(const CampaignCheckOptions& options) {
   fmt::print("{} trials: {} case{} of {} repetitions each{}\n", num_trials, num_cases,
              num_cases == 1 ? "" : "s", campaign.repetitions,
              campaign.stop ? ", or fewer by [stop]" : "");
-  constexpr size_t kMostShown = 10;
-  for (size_t i = 0; i < std::min(kMostShown, plan.cases.size()); ++i) {
+  constexpr size_t kMaxShown = 10;
+  for (size_t i = 0; i < std::min(kMaxShown, plan.cases.size()); ++i) {
     fmt::print("  {}  {}\n", plan.cases[i].id, CaseText(campaign, plan.cases[i]));
   }
-  if (plan.cases.size() > kMostShown) fmt::print("  ... {} more\n", plan.cases.size() - kMostShown);
+  if (plan.cases.size() > kMaxShown) fmt::print("  ... {} more\n", plan.cases.size() - kMaxShown);
   for (const SampledKey& key : campaign.samples) fmt::print("sampled: {}\n", key.key);
   for (const MetricName& metric : plan.metrics) {
     fmt::print("metric {}{}: {}\n", metric.name,

@@ -17,8 +17,8 @@ namespace shoal {
 
 namespace {
 
-constexpr int64_t kMostShards = 100'000;
-constexpr int kMostCampaignJobs = 1024;
+constexpr int64_t kMaxShards = 100'000;
+constexpr int kMaxCampaignJobs = 1024;
 
 /// "K/N", with 1 <= K <= N.
 std::optional<Shard> ParseShard(const std::string& text) {
@@ -28,7 +28,7 @@ std::optional<Shard> ParseShard(const std::string& text) {
   if (number.ec != std::errc() || number.ptr == end || *number.ptr != '/') return std::nullopt;
   const auto count = std::from_chars(number.ptr + 1, end, shard.count);
   if (count.ec != std::errc() || count.ptr != end) return std::nullopt;
-  if (shard.number < 1 || shard.count < shard.number || shard.count > kMostShards) {
+  if (shard.number < 1 || shard.count < shard.number || shard.count > kMaxShards) {
     return std::nullopt;
   }
   return shard;
@@ -59,7 +59,7 @@ std::optional<int64_t> ParseKeep(const std::string& text) {
 CLI::Option* AddJobs(CLI::App* command, int* jobs) {
   return command
       ->add_option("--jobs,-j", *jobs, "Trials at the same time; default: one for each processor")
-      ->check(CLI::Range(1, kMostCampaignJobs));
+      ->check(CLI::Range(1, kMaxCampaignJobs));
 }
 
 CLI::Option* AddFolder(CLI::App* command, std::string* dir) {
@@ -145,9 +145,9 @@ void AddCampaignSubmit(CLI::App* campaign, std::function<int()>* action) {
       ->required()
       ->check(CLI::IsMember({"slurm", "parallel"}));
   command->add_option("--shards", options.num_shards, "Parts; default: 4")
-      ->check(CLI::Range(int64_t{1}, kMostShards));
+      ->check(CLI::Range(int64_t{1}, kMaxShards));
   command->add_option("--cpus", options.num_cpus, "Trials at the same time within a shard")
-      ->check(CLI::Range(1, kMostCampaignJobs));
+      ->check(CLI::Range(1, kMaxCampaignJobs));
   command->add_option("--partition", options.partition, "Slurm's partition");
   command->add_option("--time", options.time, "Slurm's time limit of a shard, such as 2:00:00");
   command->add_option("--sbatch", parsed->sbatch, "More arguments of sbatch, between blanks");

@@ -63,7 +63,7 @@ std::string CountsText(const CampaignResults& results) {
 }
 
 void PrintTroubles(const CampaignResults& results) {
-  constexpr int kMost = 5;
+  constexpr int kMax = 5;
   int num_shown = 0;
   std::set<std::string> shown;
   for (const TrialRow& row : results.rows) {
@@ -73,7 +73,7 @@ void PrintTroubles(const CampaignResults& results) {
     const CampaignCase& each = results.cases[row.case_number];
     fmt::print(stderr, "{} {}: {}: {}\n", TrialName({each.id, row.repetition}),
                CaseText(results.campaign, each), NameOf(row.result.outcome), row.result.why);
-    if (++num_shown == kMost) break;
+    if (++num_shown == kMax) break;
   }
 }
 

@@ -29,8 +29,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int64_t kDefaultShards = 4;
-constexpr int kMostIdleRounds = 3;    ///< Submissions in a row after which no trial was added.
-constexpr int kMostSilentPolls = 60;  ///< Of squeue that fails.
+constexpr int kMaxIdleRounds = 3;    ///< Submissions in a row after which no trial was added.
+constexpr int kMaxSilentPolls = 60;  ///< Of squeue that fails.
 constexpr int64_t kPoll_us = 1'000'000;
 constexpr int kNotExecuted = 127;
 constexpr char kParallel[] = "parallel";
@@ -227,7 +227,7 @@ class Follower {
       // The queue is asked first: what has left it has stored its trials before.
       const std::optional<bool> is_active = engine_->IsActive();
       num_silent = is_active ? 0 : num_silent + 1;
-      if (num_silent >= kMostSilentPolls) {
+      if (num_silent >= kMaxSilentPolls) {
         progress_.End();
         engine_->Leave();
         return FailWith(engine_->Trouble());
@@ -267,7 +267,7 @@ class Follower {
     num_stored_ = stored.size();
     const std::map<int64_t, int64_t> missing = MissingByShard(folder_, stored, num_shards_);
     progress_.End();
-    if (num_idle_ > kMostIdleRounds) return GiveUp(missing);
+    if (num_idle_ > kMaxIdleRounds) return GiveUp(missing);
     std::vector<int64_t> shards;
     for (const auto& [shard, count] : missing) shards.push_back(shard);
     const std::string problem = engine_->Submit(shards);
@@ -277,14 +277,14 @@ class Follower {
 
   int GiveUp(const std::map<int64_t, int64_t>& missing) const {
     constexpr size_t kLines = 5;
-    constexpr int kMostShown = 3;
+    constexpr int kMaxShown = 3;
     std::vector<int64_t> shards;
     for (const auto& [shard, count] : missing) shards.push_back(shard);
     fmt::print(stderr, "shoal: {} submissions in a row added no trial; shards that lack some: {}\n",
-               kMostIdleRounds, ArrayText(shards));
+               kMaxIdleRounds, ArrayText(shards));
     int num_shown = 0;
     for (const int64_t shard : shards) {
-      if (num_shown++ == kMostShown) break;
+      if (num_shown++ == kMaxShown) break;
       const std::string path = engine_->OutputPath(shard);
       const std::vector<std::string> lines = LastLines(path, kLines);
       fmt::print(stderr, "{}: {}\n", path,

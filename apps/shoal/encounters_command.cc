@@ -30,7 +30,7 @@ std::string OptionWords(const EncounterMissionOptions& options) {
 }
 
 int VesselsOf(const EncounterChoice& choice) {
-  constexpr uint64_t kNumCounts = kMostRandomVessels - 1;
+  constexpr uint64_t kNumCounts = kMaxRandomVessels - 1;
   return choice.num_vessels > 0 ? choice.num_vessels
                                 : 2 + static_cast<int>(choice.seed % kNumCounts);
 }
@@ -118,8 +118,8 @@ Result<ChosenEncounter> ChooseEncounter(const EncounterChoice& choice) {
     words = "single " + choice.name;
   } else {
     const int num_vessels = VesselsOf(choice);
-    if (num_vessels < 2 || num_vessels > kMostRandomVessels) {
-      return Error{fmt::format("random encounters have 2 to {} vessels, not {}", kMostRandomVessels,
+    if (num_vessels < 2 || num_vessels > kMaxRandomVessels) {
+      return Error{fmt::format("random encounters have 2 to {} vessels, not {}", kMaxRandomVessels,
                                num_vessels)};
     }
     chosen.scenario = RandomEncounter(choice.seed, num_vessels, choice.mission.scale);
@@ -151,7 +151,7 @@ int ListEncounters(std::ostream& out) {
                        SingleTarget(name, {})->description);
   }
   out << fmt::format("{:<28} 2 to {} vessels, as many encounters as there are seeds\n",
-                     "random --vessels N --seed S", kMostRandomVessels);
+                     "random --vessels N --seed S", kMaxRandomVessels);
   return kExitOk;
 }
 
@@ -192,8 +192,8 @@ int RunEncounterTrials(const EncounterTrialsOptions& options, std::ostream& out,
                          numbers.passed);
       if (numbers.num_collisions == 0) continue;
       ++num_with_collision;
-      constexpr int64_t kMostNamed = 20;
-      if (num_with_collision <= kMostNamed) {
+      constexpr int64_t kMaxNamed = 20;
+      if (num_with_collision <= kMaxNamed) {
         collided += fmt::format("  {} with seed {}\n", scenario.name, seed);
       }
     }

@@ -7,7 +7,7 @@
 #include <sstream>
 #include <string>
 
-#include "lib/bus/record/test_log.h"
+#include "lib/bus/record/log_testing.h"
 
 namespace shoal::encounters_command_test {
 

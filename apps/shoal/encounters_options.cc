@@ -28,7 +28,7 @@ void AddSize(CLI::App* command, EncounterMissionOptions* options) {
 
 CLI::Option* AddNumVessels(CLI::App* command, EncounterChoice* choice) {
   return command->add_option("--vessels", choice->num_vessels, "2 to 8; default: by the seed")
-      ->check(CLI::Range(2, kMostRandomVessels));
+      ->check(CLI::Range(2, kMaxRandomVessels));
 }
 
 }  // namespace
@@ -77,9 +77,9 @@ void AddEncounterCommands(CLI::App& cli, std::function<int()>* action) {
       ->check(CLI::IsMember({"random", "imazu", "single"}));
   AddNumVessels(run, &trials->choice);
   run->add_option("--first", trials->first_seed, "The first seed; default: 1");
-  constexpr int64_t kMostSeeds = 100'000'000;
+  constexpr int64_t kMaxSeeds = 100'000'000;
   run->add_option("--seeds", trials->num_seeds, "How many seeds; default: 100")
-      ->check(CLI::Range(int64_t{1}, kMostSeeds));
+      ->check(CLI::Range(int64_t{1}, kMaxSeeds));
   run->add_option("--set", trials->overrides, "Override a key of every mission file")
       ->take_all()
       ->allow_extra_args(false);

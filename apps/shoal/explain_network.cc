@@ -16,15 +16,15 @@ namespace {
 
 using NameList = std::vector<std::string>;
 
-constexpr size_t kMostNames = 8;
-constexpr size_t kMostChannels = 60;
+constexpr size_t kMaxNames = 8;
+constexpr size_t kMaxChannelsShown = 60;
 
 double Seconds(int64_t time_us) { return static_cast<double>(time_us) / 1e6; }
 
 std::string NamesText(NameList names, size_t num_all) {
   if (names.size() == num_all) return "all";
   if (names.empty()) return "none";
-  const size_t num_more = names.size() > kMostNames ? names.size() - kMostNames : 0;
+  const size_t num_more = names.size() > kMaxNames ? names.size() - kMaxNames : 0;
   names.resize(names.size() - num_more);
   std::string text = fmt::format("{}", fmt::join(names, ", "));
   return num_more == 0 ? text : text + fmt::format(" and {} more", num_more);
@@ -50,7 +50,7 @@ std::string ChannelsText(const Mission& mission, const AcousticOptions& options,
       options.access_mode == AccessMode::kFdma ? ChannelCapacity(options)
                                                : static_cast<int>(plan->channels().size()),
       options.bandwidth_khz, options.base_freq_khz, options.data_rate_bps, "id", "kHz", "width");
-  for (size_t i = 0; i < plan->channels().size() && i < kMostChannels; ++i) {
+  for (size_t i = 0; i < plan->channels().size() && i < kMaxChannelsShown; ++i) {
     const auto channel = static_cast<int>(i);
     NameList senders;
     NameList receivers;
@@ -69,8 +69,8 @@ std::string ChannelsText(const Mission& mission, const AcousticOptions& options,
                             : NamesText(receivers, nodes.size()),
                         each.is_broadcast ? " (broadcast)" : "");
   }
-  if (plan->channels().size() > kMostChannels) {
-    text += fmt::format("#     (and {} more)\n", plan->channels().size() - kMostChannels);
+  if (plan->channels().size() > kMaxChannelsShown) {
+    text += fmt::format("#     (and {} more)\n", plan->channels().size() - kMaxChannelsShown);
   }
   return text;
 }

@@ -14,7 +14,7 @@
 
 #include "lib/base/check/result.h"
 #include "lib/bus/bus/channels.h"
-#include "lib/bus/record/test_log.h"
+#include "lib/bus/record/log_testing.h"
 #include "lib/mission/file/load.h"
 #include "shoal/nav_t.hpp"
 #include "shoal/node_report_t.hpp"

@@ -26,7 +26,7 @@ namespace shoal {
 namespace {
 
 /// Of more links, pairs or contacts than this, only those that matter most are shown.
-constexpr size_t kMostShown = 50;
+constexpr size_t kMaxShown = 50;
 
 /// The state of the command while it runs.
 class CommsSummary {
@@ -160,7 +160,7 @@ class CommsSummary {
   }
 
   int Print() {
-    const size_t most = options_.all ? SIZE_MAX : kMostShown;
+    const size_t most = options_.all ? SIZE_MAX : kMaxShown;
     out_ << links_.Text(most) << media_.Text();
     if (!acoustic_.IsEmpty()) out_ << acoustic_.Text() << '\n';
     out_ << tally_.Text(most) << ages_.Text(most);

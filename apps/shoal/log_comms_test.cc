@@ -9,7 +9,7 @@
 
 #include "lib/base/check/result.h"
 #include "lib/bus/bus/channels.h"
-#include "lib/bus/record/test_log.h"
+#include "lib/bus/record/log_testing.h"
 #include "lib/tools/analysis/swarm_testing.h"
 
 namespace shoal::log_comms_test {

@@ -17,7 +17,7 @@ namespace shoal {
 namespace {
 
 /// Of more encounters than this, those with the lowest scores are shown.
-constexpr size_t kMostEncountersShown = 50;
+constexpr size_t kMaxEncountersShown = 50;
 
 class EncountersOfLog {
  public:
@@ -98,7 +98,7 @@ class EncountersOfLog {
           options_.encounter.entry_range_m, options_.encounter.risk_m);
       return;
     }
-    const size_t most = options_.all ? SIZE_MAX : kMostEncountersShown;
+    const size_t most = options_.all ? SIZE_MAX : kMaxEncountersShown;
     out_ << (options_.explain ? encounters_.Explanation(most) : encounters_.Text(most));
   }
 

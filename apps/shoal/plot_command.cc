@@ -90,7 +90,7 @@ class PlotCommand {
     };
     warn(data_.num_undecodable, "messages do not decode; left out");
     warn(data_.num_impossible, "values or times that no figure can show; left out");
-    warn(data_.has_too_many ? static_cast<int64_t>(kMostPlotted) : 0,
+    warn(data_.has_too_many ? static_cast<int64_t>(kMaxPlotted) : 0,
          "vehicles are drawn, the rest is left out; choose some: --vehicle NAME");
     const int code = CheckVehicles();
     return code == kExitOk ? CheckTimes() : code;

@@ -23,7 +23,7 @@ namespace shoal {
 namespace {
 
 /// More links than this are shown only where they differ.
-constexpr size_t kMostLinksShown = 50;
+constexpr size_t kMaxLinksShown = 50;
 
 std::string LogNames(const std::vector<std::string>& logs) {
   return fmt::format("{}", fmt::join(logs, ", "));
@@ -217,7 +217,7 @@ class RebrokerCommand {
   void PrintTable() {
     const bool has_recorded = !log_.fates.empty();
     const std::string table = outcome_.links.Text(
-        options_.all_links ? LinkTable::kAllLinks : kMostLinksShown, has_recorded);
+        options_.all_links ? LinkTable::kAllLinks : kMaxLinksShown, has_recorded);
     out_ << '\n' << (table.empty() ? "There was nothing to decide.\n\n" : table);
     if (!options_.out_path.empty()) {
       out_ << fmt::format("Log written: {}, {} events\n", options_.out_path, num_written_);

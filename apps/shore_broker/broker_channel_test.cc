@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "apps/shore_broker/water_fixture.h"
+#include "apps/shore_broker/water_testing.h"
 
 namespace shoal::broker_channel_test {
 

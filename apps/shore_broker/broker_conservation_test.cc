@@ -8,7 +8,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "apps/shore_broker/water_fixture.h"
+#include "apps/shore_broker/water_testing.h"
 
 namespace shoal::broker_conservation_test {
 

@@ -234,7 +234,7 @@ void MediaTraffic::Send(int64_t utime, Shipment shipment, const MediaChoice& cho
 }
 
 std::string MediaTraffic::ChannelProblem(const MediaChoice& choice, int id) {
-  constexpr size_t kMostShown = 10;
+  constexpr size_t kMaxShown = 10;
   std::string problem;
   for (const size_t place : Resolve(choice)) {
     if (media_[place].carrier != Carrier::kAcoustic) continue;
@@ -242,11 +242,11 @@ std::string MediaTraffic::ChannelProblem(const MediaChoice& choice, int id) {
     if (acoustic.ChannelWith(id)) return "";
     std::string ids;
     const auto channels = acoustic.network().plan().channels();
-    for (size_t i = 0; i < std::min(channels.size(), kMostShown); ++i) {
+    for (size_t i = 0; i < std::min(channels.size(), kMaxShown); ++i) {
       ids += fmt::format("{}{}", i == 0 ? "" : ", ", channels[i].id);
     }
     problem = fmt::format("{} has no channel {}: send on one of its channels, {}{}",
-                          media_[place].name, id, ids, channels.size() > kMostShown ? " ..." : "");
+                          media_[place].name, id, ids, channels.size() > kMaxShown ? " ..." : "");
   }
   return problem;
 }

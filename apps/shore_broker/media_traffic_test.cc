@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "apps/shore_broker/broker_fixture.h"
+#include "apps/shore_broker/broker_testing.h"
 
 namespace shoal::media_traffic_test {
 

@@ -6,7 +6,7 @@
 #include <map>
 #include <string>
 
-#include "apps/shore_broker/broker_fixture.h"
+#include "apps/shore_broker/broker_testing.h"
 
 namespace shoal::shore_broker_app_test {
 

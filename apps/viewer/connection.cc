@@ -113,12 +113,12 @@ bool Connection::HasGone() const {
 void Connection::Linger() {
   // A socket that is closed with bytes unread resets the connection, and the client's kernel then
   // discards the answer that it has not yet read.
-  constexpr size_t kMostDiscarded = 16'000'000;
+  constexpr size_t kMaxDiscarded = 16'000'000;
   shutdown(socket_.get(), SHUT_WR);
   const auto deadline = Clock::now() + patience_.linger;
   size_t discarded = received_.size();
   received_.clear();
-  while (discarded < kMostDiscarded && Clock::now() < deadline && Receive(deadline)) {
+  while (discarded < kMaxDiscarded && Clock::now() < deadline && Receive(deadline)) {
     discarded += received_.size();
     received_.clear();
   }

@@ -46,7 +46,7 @@ struct RequestLine {
 };
 
 CheckedHead CheckRequestLine(std::string_view line, RequestLine* parts) {
-  if (line.size() > kMostTargetBytes) return Refused(414, "the address is too long");
+  if (line.size() > kMaxTargetBytes) return Refused(414, "the address is too long");
   const size_t first = line.find(' ');
   const size_t last = line.rfind(' ');
   if (first == std::string_view::npos || first == last || !IsText(line)) {
@@ -78,7 +78,7 @@ class HeaderLines {
   std::string kept;
 
   CheckedHead Take(std::string_view line) {
-    if (++num_lines_ > kMostHeaders) return Refused(431, "too many headers");
+    if (++num_lines_ > kMaxHeaders) return Refused(431, "too many headers");
     const size_t colon = line.find(':');
     if (colon == std::string_view::npos || colon == 0 || !IsText(line) ||
         !std::all_of(line.begin(), line.begin() + static_cast<std::ptrdiff_t>(colon),
@@ -109,7 +109,7 @@ class HeaderLines {
       if (error != std::errc() || end != value.data() + value.size() || content_length < 0) {
         return Refused(400, "Content-Length is no number");
       }
-      if (content_length > static_cast<int64_t>(kMostBodyBytes)) return TooLarge();
+      if (content_length > static_cast<int64_t>(kMaxBodyBytes)) return TooLarge();
     }
     // The limit keeps cpp-httplib from reading a name and a value out of something longer.
     constexpr size_t kLongestValue = 1024;
@@ -129,9 +129,9 @@ class HeaderLines {
 
 CheckedHead CheckHead(std::string_view bytes) {
   const size_t end = bytes.find("\r\n\r\n");
-  if (end == std::string_view::npos || end + 4 > kMostHeadBytes) {
-    if (bytes.size() >= kMostHeadBytes) {
-      return bytes.substr(0, kMostHeadBytes).find("\r\n") == std::string_view::npos
+  if (end == std::string_view::npos || end + 4 > kMaxHeadBytes) {
+    if (bytes.size() >= kMaxHeadBytes) {
+      return bytes.substr(0, kMaxHeadBytes).find("\r\n") == std::string_view::npos
                  ? Refused(414, "the address is too long")
                  : Refused(431, "the headers are longer than 16384 bytes");
     }

@@ -10,10 +10,10 @@
 
 namespace shoal {
 
-inline constexpr size_t kMostHeadBytes = size_t{16} * 1024;
-inline constexpr size_t kMostTargetBytes = size_t{4} * 1024;
-inline constexpr size_t kMostHeaders = 100;
-inline constexpr size_t kMostBodyBytes = size_t{64} * 1024;
+inline constexpr size_t kMaxHeadBytes = size_t{16} * 1024;
+inline constexpr size_t kMaxTargetBytes = size_t{4} * 1024;
+inline constexpr size_t kMaxHeaders = 100;
+inline constexpr size_t kMaxBodyBytes = size_t{64} * 1024;
 
 struct CheckedHead {
   int status = 0;            ///< 0: it has not ended yet; 200: it is sound; else what is wrong.

@@ -61,16 +61,16 @@ TEST(HttpHead, RefusesAmbiguousHeaders) {
 }
 
 TEST(HttpHead, BoundsTheAddressTheHeadersAndTheBody) {
-  EXPECT_EQ(StatusOf(Head("GET /" + std::string(kMostTargetBytes, 'a') + " HTTP/1.1")), 414);
-  EXPECT_EQ(StatusOf(std::string(kMostHeadBytes, 'a')), 414);
+  EXPECT_EQ(StatusOf(Head("GET /" + std::string(kMaxTargetBytes, 'a') + " HTTP/1.1")), 414);
+  EXPECT_EQ(StatusOf(std::string(kMaxHeadBytes, 'a')), 414);
   std::string many;
-  for (size_t i = 0; i <= kMostHeaders; ++i) many += "A: b\r\n";
+  for (size_t i = 0; i <= kMaxHeaders; ++i) many += "A: b\r\n";
   EXPECT_EQ(StatusOf(Head("GET / HTTP/1.1", many)), 431);
-  EXPECT_EQ(StatusOf(Head("GET / HTTP/1.1", "A: " + std::string(kMostHeadBytes, 'b') + "\r\n")),
+  EXPECT_EQ(StatusOf(Head("GET / HTTP/1.1", "A: " + std::string(kMaxHeadBytes, 'b') + "\r\n")),
             431);
   EXPECT_EQ(StatusOf(Head("GET / HTTP/1.1", "Host: " + std::string(2'000, 'b') + "\r\n")), 431);
   // Without an end, too.
-  EXPECT_EQ(StatusOf("GET / HTTP/1.1\r\nA: " + std::string(kMostHeadBytes, 'b')), 431);
+  EXPECT_EQ(StatusOf("GET / HTTP/1.1\r\nA: " + std::string(kMaxHeadBytes, 'b')), 431);
   EXPECT_EQ(StatusOf(Head("POST / HTTP/1.1", "Content-Length: 65536\r\n")), 200);
   EXPECT_EQ(StatusOf(Head("POST / HTTP/1.1", "Content-Length: 65537\r\n")), 413);
   EXPECT_EQ(StatusOf(Head("POST / HTTP/1.1", "Content-Length: 99999999999999999999\r\n")), 413);

@@ -16,11 +16,11 @@ namespace {
 
 constexpr int64_t kRulesRequestInterval_us = 500'000;
 /// A broker that is not shoal's own may not answer.
-constexpr int64_t kMostRulesRequests = 20;
+constexpr int64_t kMaxRulesRequests = 20;
 /// Messages that have waited for longer than this are dropped, but for a few of each channel: on a
 /// machine that is too slow, the page shows fewer messages, not old ones.
 constexpr int64_t kLongestQueue_us = 1'000'000;
-constexpr int64_t kMostMessagesAtOnce = 20'000;
+constexpr int64_t kMaxMessagesAtOnce = 20'000;
 /// The launcher publishes CLOCK_STATE twice per second, unless it is stopped or starved.
 constexpr int64_t kClockSilence_us = 3'000'000;
 /// What the vehicles' processes publish for each other is most of a mission's traffic, and is
@@ -125,7 +125,7 @@ void MissionSession::TakeRules(const Message& message) {
 void MissionSession::Work(int64_t now_us) {
   now_us_ = now_us;
   bus_->set_limits(
-      {.most = kMostMessagesAtOnce, .oldest_utime = UnixMicroseconds() - kLongestQueue_us});
+      {.most = kMaxMessagesAtOnce, .oldest_utime = UnixMicroseconds() - kLongestQueue_us});
   bus_->Poll(0);
   if (communities_ && now_us >= next_communities_us_) {
     next_communities_us_ = now_us + kCommunitiesInterval_us;
@@ -141,7 +141,7 @@ void MissionSession::Work(int64_t now_us) {
     clock_received_us_ = 0;
     view_->SetClockGone("silent");
   }
-  if (!has_rules_ && rules_requests_ < kMostRulesRequests && now_us >= next_rules_request_us_) {
+  if (!has_rules_ && rules_requests_ < kMaxRulesRequests && now_us >= next_rules_request_us_) {
     next_rules_request_us_ = now_us + kRulesRequestInterval_us;
     ++rules_requests_;
     comms_rules_req_t request{};

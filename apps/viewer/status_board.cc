@@ -14,10 +14,10 @@ constexpr int64_t kAskInterval_us = 1'000'000;
 constexpr int64_t kLookLasts_us = 4'000'000;
 /// A participant whose page is older, while the panel is open, no longer answers.
 constexpr int64_t kSilence_us = 10'000'000;
-constexpr size_t kMostWarnings = 100;
+constexpr size_t kMaxWarnings = 100;
 
 void Cut(std::vector<std::string>* warnings) {
-  if (warnings->size() > kMostWarnings) warnings->resize(kMostWarnings);
+  if (warnings->size() > kMaxWarnings) warnings->resize(kMaxWarnings);
   constexpr size_t kLongestWarning = 1'000;
   for (std::string& each : *warnings) each.resize(std::min(each.size(), kLongestWarning));
 }
@@ -35,7 +35,7 @@ double RoundedSeconds(int64_t us) { return std::round(static_cast<double>(us) / 
 
 void StatusBoard::Take(const appcast_t& page, int64_t now_us) {
   Page taken = {.appcast = page, .taken_us = now_us};
-  taken.appcast.page.resize(std::min(page.page.size(), kMostText_bytes));
+  taken.appcast.page.resize(std::min(page.page.size(), kMaxText_bytes));
   Cut(&taken.appcast.config_warnings);
   Cut(&taken.appcast.run_warnings);
   const std::lock_guard lock(mutex_);
@@ -51,8 +51,8 @@ void StatusBoard::Take(const appcast_t& page, int64_t now_us) {
 
 bool StatusBoard::HasRoom(const std::string& app, size_t size) const {
   const auto known = pages_.find(app);
-  if (known == pages_.end()) return pages_.size() < kMostPages && num_bytes_ + size <= kMost_bytes;
-  return num_bytes_ - SizeOf(known->second.appcast) + size <= kMost_bytes;
+  if (known == pages_.end()) return pages_.size() < kMaxPages && num_bytes_ + size <= kMax_bytes;
+  return num_bytes_ - SizeOf(known->second.appcast) + size <= kMax_bytes;
 }
 
 /// Drops the pages of those participants that have not answered for long: unregistered or dead

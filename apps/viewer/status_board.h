@@ -13,9 +13,9 @@ namespace shoal {
 /// All functions may be called from any thread. Times `now_us` are wall time of any epoch.
 class StatusBoard {
  public:
-  static constexpr size_t kMostPages = 2'000;
-  static constexpr size_t kMostText_bytes = 100'000;  ///< Of a page; the rest is cut off.
-  static constexpr size_t kMost_bytes = 32'000'000;   ///< Of all pages; more are left out.
+  static constexpr size_t kMaxPages = 2'000;
+  static constexpr size_t kMaxText_bytes = 100'000;  ///< Of a page; the rest is cut off.
+  static constexpr size_t kMax_bytes = 32'000'000;   ///< Of all pages; more are left out.
 
   /// `start_utime` is mission time at the mission's start.
   explicit StatusBoard(int64_t start_utime) : start_utime_(start_utime) {}

@@ -58,7 +58,7 @@ TEST(StatusBoard, SurvivesPagesOfUnregisteredParticipants) {
   board.Take(page, INT64_MAX);
   for (int i = 0; i < 3'000; ++i) board.Take(Page("app" + std::to_string(i), INT64_MIN), 0);
   const auto pages = nlohmann::json::parse(board.Json(INT64_MAX)).at("pages");
-  EXPECT_EQ(pages.size(), StatusBoard::kMostPages);
+  EXPECT_EQ(pages.size(), StatusBoard::kMaxPages);
   EXPECT_EQ(pages[0]["run_warnings"].size(), 100U);
   EXPECT_EQ(pages[0]["run_warnings"][0].get<std::string>().size(), 1'000U);
 }
@@ -75,12 +75,12 @@ TEST(StatusBoard, ShowsTheMissionsPagesAgainAfterThoseOfUnregisteredParticipants
 TEST(StatusBoard, HoldsNoMoreThanThePagesOfALargeMissionNeed) {
   StatusBoard board(0);
   appcast_t page = Page("", 0);
-  page.page = std::string(StatusBoard::kMostText_bytes, 'x');
+  page.page = std::string(StatusBoard::kMaxText_bytes, 'x');
   for (int i = 0; i < 800; ++i) {
     page.app = "app" + std::to_string(i % 400);
     board.Take(page, 0);
   }
-  EXPECT_EQ(board.num_pages(), StatusBoard::kMost_bytes / StatusBoard::kMostText_bytes - 1);
+  EXPECT_EQ(board.num_pages(), StatusBoard::kMax_bytes / StatusBoard::kMaxText_bytes - 1);
 }
 
 }  // namespace shoal::status_board_test

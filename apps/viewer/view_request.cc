@@ -18,7 +18,7 @@ namespace {
 constexpr size_t kLongestNumber = 40;
 constexpr size_t kLongestName = 64;
 constexpr size_t kLongestWord = 1000;
-constexpr size_t kMostWords = 64;
+constexpr size_t kMaxWords = 64;
 
 bool IsPrintable(std::string_view text) {
   return std::none_of(text.begin(), text.end(), [](char each) {
@@ -91,8 +91,8 @@ class QueryReader {
   }
 
   void Time(double* t_s) {
-    constexpr double kMost = 1e300;
-    Number("t", -kMost, kMost, t_s);
+    constexpr double kMax = 1e300;
+    Number("t", -kMax, kMax, t_s);
   }
 
   template <class T>
@@ -187,8 +187,8 @@ Result<CommandWords> ParseCommandBody(std::string_view body) {
   if (!name.ok()) return Error{name.error()};
   if (name->empty()) return Error{"target is empty"};
   command.target = std::move(*name);
-  if (words->size() > kMostWords) {
-    return Error{fmt::format("more than {} words", kMostWords)};
+  if (words->size() > kMaxWords) {
+    return Error{fmt::format("more than {} words", kMaxWords)};
   }
   for (const nlohmann::json& each : *words) {
     Result<std::string> word = WordOf(each, "each of the words", kLongestWord);

@@ -12,7 +12,7 @@ namespace shoal {
 
 namespace {
 
-constexpr size_t kMostRequestsPerConnection = 1'000;
+constexpr size_t kMaxRequestsPerConnection = 1'000;
 
 const httplib::Headers& SafetyHeaders() {
   // The page has everything it needs from this server; scripts of other sources do not
@@ -81,8 +81,8 @@ class WebServer::Http : public httplib::Server {
       : options_(options), hub_(hub), site_(site) {
     svr_sock_ = listening_fd;  // Else cpp-httplib ends streams.
     set_default_headers(SafetyHeaders());
-    set_payload_max_length(kMostBodyBytes);
-    set_keep_alive_max_count(kMostRequestsPerConnection);
+    set_payload_max_length(kMaxBodyBytes);
+    set_keep_alive_max_count(kMaxRequestsPerConnection);
     set_keep_alive_timeout(
         std::chrono::duration_cast<std::chrono::seconds>(options.patience.idle).count());
     // One function answers all: cpp-httplib would match the path against regular expressions, whose
@@ -117,14 +117,14 @@ class WebServer::Http : public httplib::Server {
   /// Answers the requests of one client until the connection ends.
   void Converse(Connection& connection) {
     ConnectionStream stream(connection);
-    for (size_t i = 0; i < kMostRequestsPerConnection; ++i) {
+    for (size_t i = 0; i < kMaxRequestsPerConnection; ++i) {
       const CheckedHead head = connection.AwaitHead();
       if (head.status == 0) return;
       if (head.status != 200) {
         if (!connection.Write(RefusalText(head.status, head.message))) return;
         break;
       }
-      const bool is_last = !head.keeps_alive || i + 1 == kMostRequestsPerConnection;
+      const bool is_last = !head.keeps_alive || i + 1 == kMaxRequestsPerConnection;
       bool is_closed = false;
       if (!process_request(stream, is_last, is_closed, nullptr)) return;
       if (is_last || is_closed) break;

@@ -9,7 +9,7 @@
 
 #include "lib/bus/bus/seal.h"
 #include "lib/bus/record/log_reader.h"
-#include "lib/bus/record/test_log.h"
+#include "lib/bus/record/log_testing.h"
 #include "lib/mission/file/load.h"
 #include "lib/tools/analysis/comms_log.h"
 #include "sim/simulation.h"

@@ -17,7 +17,7 @@
 #include "lib/bus/bus/lcm_transport.h"
 #include "lib/mission/netsim/line_server.h"
 #include "lib/mission/netsim/netsim_answer.h"
-#include "lib/mission/netsim/test_netsim.h"
+#include "lib/mission/netsim/netsim_testing.h"
 #include "tests/netsim/rude_clients.h"
 #include "tests/netsim/tcp_client.h"
 

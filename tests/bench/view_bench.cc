@@ -16,7 +16,7 @@
 
 #include "lib/bus/record/log_writer.h"
 #include "lib/tools/view/recorded_view.h"
-#include "lib/tools/view/test_view.h"
+#include "lib/tools/view/view_testing.h"
 
 namespace shoal {
 namespace {

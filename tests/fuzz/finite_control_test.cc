@@ -8,7 +8,7 @@
 #include "lib/vehicle/control/auv_pilot.h"
 #include "lib/vehicle/control/heading_pid.h"
 #include "lib/vehicle/control/speed_controller.h"
-#include "lib/vehicle/guidance/test_vectors.h"
+#include "lib/vehicle/guidance/vectors_testing.h"
 
 namespace shoal::finite_control_test {
 

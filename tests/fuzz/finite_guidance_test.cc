@@ -10,7 +10,7 @@
 #include "lib/vehicle/guidance/line_of_sight.h"
 #include "lib/vehicle/guidance/path_progress.h"
 #include "lib/vehicle/guidance/task_runner.h"
-#include "lib/vehicle/guidance/test_vectors.h"
+#include "lib/vehicle/guidance/vectors_testing.h"
 
 namespace shoal::finite_guidance_test {
 

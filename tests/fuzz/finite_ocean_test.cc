@@ -7,7 +7,7 @@
 
 #include "lib/sea/ocean/current.h"
 #include "lib/sea/ocean/perlin_noise.h"
-#include "lib/vehicle/guidance/test_vectors.h"
+#include "lib/vehicle/guidance/vectors_testing.h"
 
 namespace shoal::finite_ocean_test {
 

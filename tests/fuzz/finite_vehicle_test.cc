@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "lib/vehicle/guidance/test_vectors.h"
+#include "lib/vehicle/guidance/vectors_testing.h"
 #include "lib/vehicle/vehicle/attitude.h"
 #include "lib/vehicle/vehicle/propulsion.h"
 #include "lib/vehicle/vehicle/remus100.h"

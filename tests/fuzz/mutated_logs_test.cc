@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "lib/bus/record/log_commands.h"
-#include "lib/bus/record/test_log.h"
+#include "lib/bus/record/log_testing.h"
 #include "lib/tools/mcap/log_mcap.h"
 #include "shoal/comms_fates_t.hpp"
 #include "shoal/nav_t.hpp"
@@ -23,7 +23,7 @@
 namespace shoal::mutated_logs_test {
 
 constexpr int kNumMutations = 5000;
-constexpr size_t kMost_bytes = size_t{512} << 20;
+constexpr size_t kMax_bytes = size_t{512} << 20;
 /// Lengths without end, and what an event begins with.
 constexpr std::string_view kEventBegins("\xED\xA1\xDA\x01", 4);
 constexpr std::array<std::string_view, 5> kHarm = {
@@ -101,7 +101,7 @@ LogCount Convert(const TestDirectory& directory,
 void ExpectAnswers(const std::function<int(const std::string&, bool, std::ostream&)>& convert) {
   const TestDirectory directory;
   WriteWhole(directory.File("whole.lcm"));
-  EXPECT_TRUE(LastsWithin(kMost_bytes, [&] {
+  EXPECT_TRUE(LastsWithin(kMax_bytes, [&] {
     const LogCount count = Convert(directory, convert);
     if (count.fault.empty() && count.whole > 200 && count.damaged > 200) return true;
     std::fprintf(stderr, "%d read, %d not; %s\n", count.whole, count.damaged, count.fault.c_str());

@@ -11,7 +11,7 @@
 #include "lib/base/check/check.h"
 #include "lib/mission/netsim/line_framer.h"
 #include "lib/mission/netsim/netsim_answer.h"
-#include "lib/mission/netsim/test_netsim.h"
+#include "lib/mission/netsim/netsim_testing.h"
 
 namespace shoal {
 namespace {

@@ -8,8 +8,8 @@
 
 #include "lib/base/check/check.h"
 #include "lib/mission/netsim/netsim_answer.h"
+#include "lib/mission/netsim/netsim_testing.h"
 #include "lib/mission/netsim/netsim_wire.h"
-#include "lib/mission/netsim/test_netsim.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   using shoal::NetsimRequest;

@@ -11,7 +11,7 @@
 
 #include "lib/base/check/check.h"
 #include "lib/comms/swarm/broadcast_message.h"
-#include "lib/comms/swarm/test_group.h"
+#include "lib/comms/swarm/group_testing.h"
 
 namespace shoal {
 namespace {

@@ -33,7 +33,7 @@ void TryHead(std::string_view bytes) {
                 "a refusal has a message");
     return;
   }
-  SHOAL_CHECK(checked.size <= bytes.size() && checked.size <= kMostHeadBytes, "it has an end");
+  SHOAL_CHECK(checked.size <= bytes.size() && checked.size <= kMaxHeadBytes, "it has an end");
   SHOAL_CHECK(checked.head.ends_with("\r\n\r\n"), "what is left is a head");
   const CheckedHead again = CheckHead(checked.head);
   SHOAL_CHECK(again.status == 200 && again.size == checked.head.size(), "and a sound one");

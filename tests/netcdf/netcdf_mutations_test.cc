@@ -28,7 +28,7 @@
 namespace shoal::netcdf_mutations_test {
 
 constexpr int kNumMutations = 2500;  // Of either form.
-constexpr size_t kMost_bytes = size_t{512} << 20;
+constexpr size_t kMax_bytes = size_t{512} << 20;
 /// Lengths without end, NaN, and marks that files of both kinds have.
 constexpr std::array<std::string_view, 8> kHarm = {std::string_view("\x7F\xFF\xFF\xFF", 4),
                                                    std::string_view("\xFF\xFF\xFF\xFF", 4),
@@ -126,7 +126,7 @@ MutationCount ReadMutated(const std::string& path, NetcdfForm form) {
 void ExpectReadOrRefused(NetcdfForm form, const char* name) {
   const std::string path =
       testing::TempDir() + "netcdf_mutations_test_" + name + std::to_string(getpid()) + ".nc";
-  EXPECT_TRUE(LastsWithin(kMost_bytes, [&] {
+  EXPECT_TRUE(LastsWithin(kMax_bytes, [&] {
     const MutationCount count = ReadMutated(path, form);
     std::fprintf(stderr, "%s: %d read, %d refused, for %d of which shoal-netcdf crashed %s\n", name,
                  count.read, count.refused, count.crashed, count.fault.c_str());

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "lib/mission/netsim/netsim_answer.h"
-#include "lib/mission/netsim/test_netsim.h"
+#include "lib/mission/netsim/netsim_testing.h"
 #include "tests/netsim/rude_clients.h"
 #include "tests/netsim/served_clients.h"
 

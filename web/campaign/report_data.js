@@ -3,7 +3,7 @@
 import {canBeDrawn, countText, numberOf, plainValue} from './report_numbers.js';
 
 export const kOutcomes = ['pass', 'fail', 'error', 'timeout'];
-export const kMostLines = 8; // More colours and shapes cannot be distinguished.
+export const kMaxLines = 8; // More colours and shapes cannot be distinguished.
 export const kAll = -1; // A filter that lets every step through.
 
 /** One axis of the campaign, or the policy: the value of each case is one of its steps. */
@@ -106,7 +106,7 @@ export class Report {
 
   /**
    * Lines over an axis, or over something else (null): one for each value of the other axes.
-   * @returns {lines: [{title, cases}], num: of all lines, of which kMostLines are in `lines`}
+   * @returns {lines: [{title, cases}], num: of all lines, of which kMaxLines are in `lines`}
    */
   linesOf(x, filters) {
     // Over what belongs to a trial the first axis is pooled, so that lines are of policies.
@@ -120,7 +120,7 @@ export class Report {
       }
       lines.get(key).cases.push(number);
     }
-    return {lines: [...lines.values()].slice(0, kMostLines), num: lines.size, pooled};
+    return {lines: [...lines.values()].slice(0, kMaxLines), num: lines.size, pooled};
   }
 }
 

@@ -3,7 +3,7 @@
 
 const kDashes = [[], [8, 4], [2, 3], [10, 3, 2, 3], [5, 5], [14, 4], [1, 4], [8, 3, 3, 3]];
 const kCurveStep_px = 7; // Between the points of lines that share a place.
-const kMostShapes = 5000; // Of more trials a pass is a small square: paths of shapes are slow.
+const kMaxShapes = 5000; // Of more trials a pass is a small square: paths of shapes are slow.
 
 /** Adds a shape to the path: circle, square, diamond, triangles, cross, plus, hexagon. */
 function addShape(path, shape, x, y, r) {
@@ -73,7 +73,7 @@ export function drawCurves(ctx, {marks, lines, isJoined}, at, colors, ratio) {
 
 /** Points; what did not pass is a cross (fail) or an empty square, and drawn above the passes. */
 export function drawTrials(ctx, {marks, lines, outcomeOf}, at, colors, ratio) {
-  const isCrowd = marks.length > kMostShapes;
+  const isCrowd = marks.length > kMaxShapes;
   const r = (isCrowd ? 1.4 : marks.length > 600 ? 2.4 : 3.4) * ratio;
   const rest = new Map(lines.map((_, line) => [line, {passes: new Path2D(), others: []}]));
   ctx.globalAlpha = marks.length > 600 ? 0.5 : 0.75;

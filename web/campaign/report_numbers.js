@@ -1,8 +1,8 @@
 // Numbers and commands as the page writes them: as lib/tools/report/table_text.h does.
 
-export const kMostDrawn = 1e30; // Beyond this an axis has no sensible marks.
+export const kMaxDrawn = 1e30; // Beyond this an axis has no sensible marks.
 
-export const canBeDrawn = (value) => Number.isFinite(value) && Math.abs(value) <= kMostDrawn;
+export const canBeDrawn = (value) => Number.isFinite(value) && Math.abs(value) <= kMaxDrawn;
 
 /** Up to five significant digits, as %.5g of C; "-" for what is no number. */
 export function cellText(value) {

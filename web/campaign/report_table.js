@@ -4,7 +4,7 @@ import {element} from '../dom.js';
 import {countOf} from './report_numbers.js';
 import {caseNotes} from './report_data.js';
 
-const kMostRows = 500;
+const kMaxRows = 500;
 
 function headings(report, quantity) {
   if (quantity.isShare) {
@@ -24,14 +24,14 @@ function cells(report, number, quantity) {
 /** Makes the table anew. `onPick(number)` is called with the case of a row. */
 export function showTable(root, report, quantity, numbers, onPick) {
   const names = report.axes.map((axis) => axis.name || 'case');
-  const rows = numbers.slice(0, kMostRows).map((number) => {
+  const rows = numbers.slice(0, kMaxRows).map((number) => {
     const labels = report.axes.map((axis) => axis.labels[axis.stepOf[number]]);
     return element('tr', {onclick: () => onPick(number)},
       labels.map((label, i) => element('th', {scope: 'row'}, i > 0 ? label :
         element('button', {type: 'button', class: 'link', title: 'List the trials'}, label))),
       cells(report, number, quantity).map((text) => element('td', {}, String(text))));
   });
-  const rest = numbers.length - kMostRows;
+  const rest = numbers.length - kMaxRows;
   const unit = quantity.isShare || !quantity.unit ? '' : ` [${quantity.unit}]`;
   root.replaceChildren(
     element('h2', {}, `Cases: ${quantity.name}${unit}`),

@@ -5,7 +5,7 @@ import {clipped, countOf, countText, replayCommand, valueText} from './report_nu
 import {kOutcomes} from './report_data.js';
 import {worstFirst} from './report_points.js';
 
-const kMostListed = 100;
+const kMaxListed = 100;
 const kLongestWhy = 600;
 const kSigns = ['✓', '✗', '⚠', '◷'];
 
@@ -42,8 +42,8 @@ export class TrialList {
     setText(this.about, `${countOf(rows.length, 'trial')}: ${counts.join(', ')}. A click on a ` +
       'command copies it.');
     this.list.replaceChildren(
-      ...sorted.slice(0, kMostListed).map((row) => this.#item(row, quantity)));
-    const rest = sorted.length - kMostListed;
+      ...sorted.slice(0, kMaxListed).map((row) => this.#item(row, quantity)));
+    const rest = sorted.length - kMaxListed;
     setText(this.more, rest > 0 ?
       `and ${countText(rest)} more: results.csv of the folder has all` : '');
     this.root.scrollTop = 0;

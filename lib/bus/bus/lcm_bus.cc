@@ -38,8 +38,8 @@ void LcmBus::Poll(int64_t timeout_us) {
   transport_.Poll(timeout_us);
   // Under a flood the late ones are read too, to be dropped. They are read faster than they can
   // come; should they not be, the caller gets its turn nevertheless.
-  constexpr int kMostPolls = 50;
-  for (int i = 0; i < kMostPolls && limits_.most > 0 && num_handled_in_poll_ < limits_.most &&
+  constexpr int kMaxPolls = 50;
+  for (int i = 0; i < kMaxPolls && limits_.most > 0 && num_handled_in_poll_ < limits_.most &&
                   transport_.has_more();
        ++i) {
     transport_.Poll(0);

@@ -21,10 +21,10 @@ namespace shoal {
 namespace {
 
 /// Rounds over the ports in one Poll, a batch from each: a flood must not starve the caller.
-constexpr int kMostRounds = 256;
+constexpr int kMaxRounds = 256;
 /// The kernel holds a filter to net.core.optmem_max bytes, some 700 instructions by default. Where
 /// it refuses one, a shorter one is tried.
-constexpr size_t kMostInstructions = 700;
+constexpr size_t kMaxInstructions = 700;
 
 int64_t ArrivalOf(const msghdr& header) {
   for (const cmsghdr* each = CMSG_FIRSTHDR(&header); each != nullptr;
@@ -147,7 +147,7 @@ void LcmReceiver::SetFilters() {
     port->has_new_filter = false;
     const std::vector<std::string> names(port->channels.begin(), port->channels.end());
     bool is_set = false;
-    for (size_t most = kMostInstructions; !port->takes_all && !is_set && most > 8; most /= 2) {
+    for (size_t most = kMaxInstructions; !port->takes_all && !is_set && most > 8; most /= 2) {
       std::vector<sock_filter> code = ChannelFilter(names, most);
       if (code.empty()) break;
       const sock_fprog program{.len = static_cast<uint16_t>(code.size()), .filter = code.data()};
@@ -186,7 +186,7 @@ bool LcmReceiver::Poll(int64_t timeout_us, int extra_fd, const Handler& handler,
                           return static_cast<const Port*>(each.data.ptr)->number >= deferred_from_;
                         });
   // Only ports that had a full batch are read again.
-  for (int round = 0; round < kMostRounds && num_ready > 0 && !ends_poll_; ++round) {
+  for (int round = 0; round < kMaxRounds && num_ready > 0 && !ends_poll_; ++round) {
     size_t num_full = 0;
     for (size_t i = 0; i < num_ready && !ends_poll_; ++i) {
       const epoll_event event = events[i];

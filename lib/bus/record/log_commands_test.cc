@@ -10,7 +10,7 @@
 #include "lib/bus/bus/channels.h"
 #include "lib/bus/bus/seal.h"
 #include "lib/bus/record/csv_rows.h"
-#include "lib/bus/record/test_log.h"
+#include "lib/bus/record/log_testing.h"
 
 namespace shoal::log_commands_test {
 

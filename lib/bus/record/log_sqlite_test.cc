@@ -6,7 +6,7 @@
 
 #include "lib/bus/bus/channels.h"
 #include "lib/bus/record/log_commands.h"
-#include "lib/bus/record/test_log.h"
+#include "lib/bus/record/log_testing.h"
 
 namespace shoal::log_sqlite_test {
 

@@ -7,7 +7,7 @@
 #include <lcm/lcm-cpp.hpp>
 
 #include "lib/bus/record/log_reader.h"
-#include "lib/bus/record/test_log.h"
+#include "lib/bus/record/log_testing.h"
 
 namespace shoal::log_writer_test {
 

@@ -18,9 +18,9 @@ namespace {
 /// Makes an empty file beside `path` and gives it that name. Where this fails, the descriptor is
 /// not open and errno holds the reason.
 FileDescriptor MakeAnew(const std::string& path) {
-  constexpr int kMostDrafts = 100;  // More are there only where they were laid out to be hit.
+  constexpr int kMaxDrafts = 100;  // More are there only where they were laid out to be hit.
   const std::filesystem::path folder = std::filesystem::path(path).parent_path();
-  for (int i = 0; i < kMostDrafts; ++i) {
+  for (int i = 0; i < kMaxDrafts; ++i) {
     const std::string draft = (folder / fmt::format(".shoal-{}-{}", ::getpid(), i)).string();
     FileDescriptor file(
         ::open(draft.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0644));

@@ -8,7 +8,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "lib/bus/record/test_log.h"
+#include "lib/bus/record/log_testing.h"
 
 namespace shoal::text_file_test {
 

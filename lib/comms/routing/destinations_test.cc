@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "lib/comms/routing/test_fleet.h"
+#include "lib/comms/routing/fleet_testing.h"
 
 namespace shoal::destinations_test {
 

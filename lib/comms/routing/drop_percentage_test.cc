@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "lib/comms/routing/test_fleet.h"
+#include "lib/comms/routing/fleet_testing.h"
 
 namespace shoal::drop_percentage_test {
 

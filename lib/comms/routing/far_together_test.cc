@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "lib/comms/routing/random_traffic.h"
-#include "lib/comms/routing/test_fleet.h"
+#include "lib/comms/routing/fleet_testing.h"
+#include "lib/comms/routing/traffic_testing.h"
 
 namespace shoal::far_together_test {
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "lib/comms/routing/test_fleet.h"
+#include "lib/comms/routing/fleet_testing.h"
 
 namespace shoal::forgetting_test {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "lib/comms/routing/test_decide.h"
+#include "lib/comms/routing/decide_testing.h"
 
 namespace shoal::range_rules_test {
 

@@ -8,7 +8,7 @@
 #include <map>
 #include <vector>
 
-#include "lib/comms/routing/random_traffic.h"
+#include "lib/comms/routing/traffic_testing.h"
 
 namespace shoal::reach_grid_test {
 

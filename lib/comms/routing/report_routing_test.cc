@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "lib/comms/routing/test_fleet.h"
+#include "lib/comms/routing/fleet_testing.h"
 
 namespace shoal::report_routing_test {
 

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "lib/comms/routing/oracle.h"
-#include "lib/comms/routing/random_traffic.h"
+#include "lib/comms/routing/oracle_testing.h"
 #include "lib/comms/routing/router.h"
+#include "lib/comms/routing/traffic_testing.h"
 
 namespace shoal::router_oracle_test {
 

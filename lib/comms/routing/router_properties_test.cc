@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "lib/comms/routing/random_traffic.h"
-#include "lib/comms/routing/test_fleet.h"
+#include "lib/comms/routing/fleet_testing.h"
+#include "lib/comms/routing/traffic_testing.h"
 
 namespace shoal::router_properties_test {
 

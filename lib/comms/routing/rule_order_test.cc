@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "lib/comms/routing/test_decide.h"
+#include "lib/comms/routing/decide_testing.h"
 
 namespace shoal::rule_order_test {
 

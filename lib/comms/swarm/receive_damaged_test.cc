@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include "lib/comms/swarm/test_group.h"
+#include "lib/comms/swarm/group_testing.h"
 
 namespace shoal::receive_damaged_test {
 

@@ -7,7 +7,7 @@
 #include <random>
 
 #include "lib/comms/swarm/broadcast_message.h"
-#include "lib/comms/swarm/test_group.h"
+#include "lib/comms/swarm/group_testing.h"
 
 namespace shoal::recovery_test {
 

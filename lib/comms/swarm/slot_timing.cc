@@ -61,8 +61,8 @@ std::vector<TimingProblem> FindAirProblems(const SwarmAir& air) {
     const bool is_right = std::isfinite(value) && (zero_is_right ? value >= 0 : value > 0);
     check(is_right, key, zero_is_right ? "0 or more" : "more than 0", RoundedText(value));
   };
-  check(air.num_followers >= 1 && air.num_followers <= kMostFollowers, "num_followers",
-        "1 to " + std::to_string(kMostFollowers), std::to_string(air.num_followers));
+  check(air.num_followers >= 1 && air.num_followers <= kMaxFollowers, "num_followers",
+        "1 to " + std::to_string(kMaxFollowers), std::to_string(air.num_followers));
   check(air.extra_bytes >= 0 && air.extra_bytes <= 1000, "extra_bytes", "0 to 1000",
         std::to_string(air.extra_bytes));
   check_number(air.data_rate_bps, "data_rate_bps", false);

@@ -19,7 +19,7 @@
 namespace shoal {
 
 /// As many followers as a request may name.
-inline constexpr int64_t kMostFollowers = 1000;
+inline constexpr int64_t kMaxFollowers = 1000;
 
 /// The members' messages and the acoustic link that carries them.
 struct SwarmAir {

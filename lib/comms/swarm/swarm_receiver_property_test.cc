@@ -3,7 +3,7 @@
 
 #include <numeric>
 
-#include "lib/comms/swarm/test_group.h"
+#include "lib/comms/swarm/group_testing.h"
 
 namespace shoal::swarm_receiver_property_test {
 

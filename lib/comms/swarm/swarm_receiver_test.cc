@@ -5,7 +5,7 @@
 #include <limits>
 #include <set>
 
-#include "lib/comms/swarm/test_group.h"
+#include "lib/comms/swarm/group_testing.h"
 
 namespace shoal::swarm_receiver_test {
 

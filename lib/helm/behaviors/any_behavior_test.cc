@@ -4,7 +4,7 @@
 
 #include <set>
 
-#include "lib/helm/behaviors/test_vessel.h"
+#include "lib/helm/behaviors/vessel_testing.h"
 
 namespace shoal::any_behavior_test {
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <vector>
 
+#include "lib/helm/behaviors/contact_testing.h"
 #include "lib/helm/behaviors/obstacle_path.h"
-#include "lib/helm/behaviors/test_contact.h"
 #include "lib/helm/decision/decide.h"
 
 namespace shoal::avoid_obstacle_test {

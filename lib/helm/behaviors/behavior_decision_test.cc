@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "lib/helm/behaviors/behavior_set.h"
-#include "lib/helm/behaviors/test_helm.h"
+#include "lib/helm/behaviors/helm_testing.h"
 #include "lib/helm/decision/decide.h"
 
 namespace shoal::behavior_decision_test {

@@ -237,7 +237,7 @@ void BehaviorSet::SpawnForObstacles(const Iteration& now) {
 
 /// "contact = henry # action = disable": behaviors that can be disabled rest while it holds.
 void BehaviorSet::TakeAbleFilter(HelmNotes* notes) {
-  constexpr size_t kMostDisabled = 1000;
+  constexpr size_t kMaxDisabled = 1000;
   const Variables::Entry* filter = variables_.Find("BHV_ABLE_FILTER");
   if (filter == nullptr) return;
   for (const VariableValue& value : filter->fresh) {
@@ -257,7 +257,7 @@ void BehaviorSet::TakeAbleFilter(HelmNotes* notes) {
                                 ": write contact = NAME, action = disable or enable");
     } else if (action == "enable") {
       disabled_contacts_.erase(contact);
-    } else if (disabled_contacts_.size() < kMostDisabled) {
+    } else if (disabled_contacts_.size() < kMaxDisabled) {
       disabled_contacts_.insert(contact);
     }
   }

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "lib/helm/behaviors/test_helm.h"
+#include "lib/helm/behaviors/helm_testing.h"
 
 namespace shoal::behavior_set_test {
 

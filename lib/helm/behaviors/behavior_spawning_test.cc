@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "lib/helm/behaviors/behavior_set.h"
-#include "lib/helm/behaviors/test_helm.h"
+#include "lib/helm/behaviors/helm_testing.h"
 
 namespace shoal::behavior_spawning_test {
 

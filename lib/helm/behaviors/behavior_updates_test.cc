@@ -3,7 +3,7 @@
 #include <string>
 
 #include "lib/helm/behaviors/behavior_set.h"
-#include "lib/helm/behaviors/test_helm.h"
+#include "lib/helm/behaviors/helm_testing.h"
 
 namespace shoal::behavior_updates_test {
 

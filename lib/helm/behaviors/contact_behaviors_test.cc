@@ -9,10 +9,10 @@
 #include "lib/helm/behaviors/avoid_collision.h"
 #include "lib/helm/behaviors/colregs.h"
 #include "lib/helm/behaviors/contact_aim.h"
+#include "lib/helm/behaviors/contact_testing.h"
 #include "lib/helm/behaviors/convoy.h"
 #include "lib/helm/behaviors/cut_range.h"
 #include "lib/helm/behaviors/shadow.h"
-#include "lib/helm/behaviors/test_contact.h"
 #include "lib/helm/behaviors/trail.h"
 #include "lib/helm/decision/decide.h"
 

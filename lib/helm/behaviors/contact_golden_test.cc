@@ -7,9 +7,9 @@
 
 #include "lib/helm/behaviors/avoid_collision.h"
 #include "lib/helm/behaviors/colregs.h"
+#include "lib/helm/behaviors/contact_testing.h"
 #include "lib/helm/behaviors/cut_range.h"
 #include "lib/helm/behaviors/shadow.h"
-#include "lib/helm/behaviors/test_contact.h"
 #include "lib/helm/behaviors/trail.h"
 #include "tests/golden/helm_functions.h"
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "lib/helm/behaviors/test_helm.h"
+#include "lib/helm/behaviors/helm_testing.h"
 
 namespace shoal::contact_recipe_test {
 

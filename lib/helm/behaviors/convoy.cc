@@ -10,7 +10,7 @@ namespace shoal {
 
 namespace {
 
-constexpr size_t kMostMarks = 1000;  // Of a contact that is lost sight of; the oldest is dropped.
+constexpr size_t kMaxMarks = 1000;  // Of a contact that is lost sight of; the oldest is dropped.
 
 }  // namespace
 
@@ -18,7 +18,7 @@ void ConvoyBehavior::Leave(const Eigen::Vector2d& position_m) {
   if (!marks_m_.empty() && (position_m - marks_m_.back()).norm() < options_.mark_spacing) return;
   if (marks_m_.empty()) closest_m_ = -1;
   marks_m_.push_back(position_m);
-  if (marks_m_.size() > kMostMarks) {
+  if (marks_m_.size() > kMaxMarks) {
     marks_m_.pop_front();
     closest_m_ = -1;
   }

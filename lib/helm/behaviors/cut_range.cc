@@ -11,7 +11,7 @@ namespace shoal {
 
 namespace {
 
-constexpr double kMostPatience = 85;
+constexpr double kMaxPatience = 85;
 
 /// Returns 0 up to inner, 1 from outer on.
 double RelevanceBeyond(double range_m, double inner_m, double outer_m) {
@@ -33,7 +33,7 @@ BehaviorAnswer CutRangeBehavior::Run(const BehaviorInputs& inputs) {
   const double relevance =
       RelevanceBeyond(geometry.range_m, options_.pwt_inner_dist, options_.pwt_outer_dist);
   if (pursues_ && relevance > 0 && geometry.range_m > 0) {
-    const double patience = std::clamp(options_.patience, 0.0, kMostPatience);
+    const double patience = std::clamp(options_.patience, 0.0, kMaxPatience);
     answer = Prefer(
         inputs, {.coupled = std::make_shared<ApproachFunction>(
                      ApproachFunction::Target{.offset_m = contact->now.position_m - own.position_m,

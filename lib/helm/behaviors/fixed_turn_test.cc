@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "lib/base/geometry/angles.h"
-#include "lib/helm/behaviors/test_vessel.h"
+#include "lib/helm/behaviors/vessel_testing.h"
 
 namespace shoal::fixed_turn_test {
 

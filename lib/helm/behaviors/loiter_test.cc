@@ -6,7 +6,7 @@
 
 #include "lib/base/geometry/angles.h"
 #include "lib/base/geometry/convex_polygon.h"
-#include "lib/helm/behaviors/test_vessel.h"
+#include "lib/helm/behaviors/vessel_testing.h"
 
 namespace shoal::loiter_test {
 

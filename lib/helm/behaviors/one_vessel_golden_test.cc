@@ -15,7 +15,7 @@
 #include "lib/helm/behaviors/loiter.h"
 #include "lib/helm/behaviors/op_region.h"
 #include "lib/helm/behaviors/station_keep.h"
-#include "lib/helm/behaviors/test_vessel.h"
+#include "lib/helm/behaviors/vessel_testing.h"
 #include "lib/helm/behaviors/waypoint.h"
 #include "tests/golden/read_golden.h"
 

@@ -4,7 +4,7 @@
 
 #include <map>
 
-#include "lib/helm/behaviors/test_vessel.h"
+#include "lib/helm/behaviors/vessel_testing.h"
 
 namespace shoal::periodic_surface_test {
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "lib/helm/behaviors/test_vessel.h"
+#include "lib/helm/behaviors/vessel_testing.h"
 
 namespace shoal::timer_test {
 

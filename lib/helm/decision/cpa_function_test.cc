@@ -8,7 +8,7 @@
 
 #include "lib/base/geometry/angles.h"
 #include "lib/helm/colregs/encounter_geometry.h"
-#include "lib/helm/decision/test_decision.h"
+#include "lib/helm/decision/decision_testing.h"
 
 namespace shoal::cpa_function_test {
 

@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-#include "lib/helm/decision/test_decision.h"
+#include "lib/helm/decision/decision_testing.h"
 
 namespace shoal::decide_test {
 

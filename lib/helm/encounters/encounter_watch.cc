@@ -194,7 +194,7 @@ void EncounterWatch::Begin(double time_s, std::span<const VesselSample> vessels,
     return;
   }
   if (open_.contains({first, second})) return;
-  if (open_.size() >= kMost) {
+  if (open_.size() >= kMax) {
     is_complete_ = false;
     return;
   }
@@ -255,7 +255,7 @@ void EncounterWatch::FindBegins(double time_s, std::span<const VesselSample> ves
 }
 
 void EncounterWatch::Keep(Encounter encounter) {
-  if (ended_.size() < kMost) {
+  if (ended_.size() < kMax) {
     ended_.push_back(encounter);
   } else {
     is_complete_ = false;

@@ -26,7 +26,7 @@ struct VesselSample {
 class EncounterWatch {
  public:
   /// More encounters at one time, or ended ones, are left out.
-  static constexpr size_t kMost = 100'000;
+  static constexpr size_t kMax = 100'000;
 
   explicit EncounterWatch(const EncounterOptions& options = {}) : options_(options) {}
 

@@ -37,9 +37,9 @@ struct ImazuTarget {
   bool is_slow = false;
 };
 
-constexpr size_t kMostImazuTargets = 3;
+constexpr size_t kMaxImazuTargets = 3;
 struct ImazuRow {
-  std::array<ImazuTarget, kMostImazuTargets> targets;
+  std::array<ImazuTarget, kMaxImazuTargets> targets;
   size_t num_targets;
 };
 
@@ -227,7 +227,7 @@ std::optional<EncounterScenario> SingleTarget(std::string_view name, const Scena
 }
 
 EncounterScenario RandomEncounter(uint64_t seed, int num_vessels, const ScenarioScale& scale) {
-  SHOAL_CHECK(num_vessels >= 2 && num_vessels <= kMostRandomVessels,
+  SHOAL_CHECK(num_vessels >= 2 && num_vessels <= kMaxRandomVessels,
               "random encounters have 2 to 8 vessels");
   const double range_m = MeetingRange_m(scale);
   EncounterScenario scenario;
@@ -237,8 +237,8 @@ EncounterScenario RandomEncounter(uint64_t seed, int num_vessels, const Scenario
   scenario.meeting_s = range_m / scale.speed_mps;
   Stream stream(seed, "encounter", num_vessels);
   for (int i = 0; i < num_vessels; ++i) {
-    constexpr int kMostDraws = 10'000;
-    for (int draw = 0; draw < kMostDraws; ++draw) {
+    constexpr int kMaxDraws = 10'000;
+    for (int draw = 0; draw < kMaxDraws; ++draw) {
       const double course_deg = 360 * stream.Uniform();
       const double speed_mps = scale.speed_mps * (0.5 + 0.5 * stream.Uniform());
       // Uniform over the disc.
@@ -254,7 +254,7 @@ EncounterScenario RandomEncounter(uint64_t seed, int num_vessels, const Scenario
             return (other.start.position_m - vessel.start.position_m).norm() >= range_m / 4 &&
                    (other.goal_m - vessel.goal_m).norm() >= range_m / 10;
           });
-      if (!is_apart && draw + 1 < kMostDraws) continue;
+      if (!is_apart && draw + 1 < kMaxDraws) continue;
       scenario.vessels.push_back(std::move(vessel));
       break;
     }

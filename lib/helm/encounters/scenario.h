@@ -60,12 +60,12 @@ constexpr int kNumImazuCases = 22;
 [[nodiscard]] std::optional<EncounterScenario> SingleTarget(std::string_view name,
                                                             const ScenarioScale& scale);
 
-constexpr int kMostRandomVessels = 8;
+constexpr int kMaxRandomVessels = 8;
 
 /// Draws an encounter of `num_vessels`: the first two meet at the origin at the same time; each
 /// further one passes within a sixth of MeetingRange_m() of it, up to a tenth of the time earlier
 /// or later. Speeds are 0.5 to 1 of the scale's. Starts are a quarter of MeetingRange_m() apart,
-/// goals a tenth. Equal arguments, equal encounters. @pre 2 <= num_vessels <= kMostRandomVessels
+/// goals a tenth. Equal arguments, equal encounters. @pre 2 <= num_vessels <= kMaxRandomVessels
 [[nodiscard]] EncounterScenario RandomEncounter(uint64_t seed, int num_vessels,
                                                 const ScenarioScale& scale);
 

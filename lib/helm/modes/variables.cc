@@ -10,7 +10,7 @@ std::string Variables::WhyNot(std::string_view variable, const VariableValue& va
   if (number != nullptr && !std::isfinite(*number)) return "the number is not finite";
   const Entry* entry = Find(variable);
   if (entry == nullptr) {
-    return entries_.size() < kMost ? "" : "there are " + std::to_string(kMost) + " variables";
+    return entries_.size() < kMax ? "" : "there are " + std::to_string(kMax) + " variables";
   }
   if (entry->value.index() == value.index()) return {};
   return number == nullptr ? "the variable is a number" : "the variable is text";
@@ -24,7 +24,7 @@ bool Variables::Set(std::string_view variable, const VariableValue& value, doubl
   entry.value = value;
   entry.set_s = time_s;
   ++entry.num_set;
-  if (entry.fresh.size() >= kMostFresh) entry.fresh.erase(entry.fresh.begin());
+  if (entry.fresh.size() >= kMaxFresh) entry.fresh.erase(entry.fresh.begin());
   entry.fresh.push_back(value);
   return true;
 }

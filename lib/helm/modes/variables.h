@@ -27,19 +27,19 @@ struct VariablePost {
 class Variables {
  public:
   /// No helm keeps more variables; settings of further ones are refused.
-  static constexpr size_t kMost = 1000;
-  static constexpr size_t kMostFresh = 100;
+  static constexpr size_t kMax = 1000;
+  static constexpr size_t kMaxFresh = 100;
 
   struct Entry {
     VariableValue value;
     double set_s = 0;     ///< Time of the last setting.
     int64_t num_set = 0;  ///< How often it was set.
-    /// Settings since the last ForgetFresh(), in order; the last kMostFresh of them.
+    /// Settings since the last ForgetFresh(), in order; the last kMaxFresh of them.
     std::vector<VariableValue> fresh = {};
   };
 
   /// Sets a variable at `time_s`. Returns false, and changes nothing, where it holds the other kind
-  /// (text, number), is new and there are kMost, the name is empty, or the number is not finite.
+  /// (text, number), is new and there are kMax, the name is empty, or the number is not finite.
   bool Set(std::string_view variable, const VariableValue& value, double time_s);
 
   /// Returns why Set refuses the setting; empty: it does not.

@@ -30,7 +30,7 @@ TEST(Variables, RefuseWhatIsNotANumberAndWhatHasNoName) {
 
 TEST(Variables, AreAtMostAThousand) {
   Variables variables;
-  for (size_t i = 0; i < Variables::kMost; ++i) {
+  for (size_t i = 0; i < Variables::kMax; ++i) {
     EXPECT_TRUE(variables.Set("V" + std::to_string(i), 1.0, 0));
   }
   EXPECT_FALSE(variables.Set("ONE_MORE", 1.0, 0));
@@ -51,7 +51,7 @@ TEST(Variables, KeepEverySettingUntilTheEndOfAnIteration) {
 TEST(Variables, KeepTheLastHundredSettingsWhileNothingReadsThem) {
   Variables variables;
   for (int i = 0; i < 250; ++i) variables.Set("A", static_cast<double>(i), 0);
-  EXPECT_EQ(variables.Find("A")->fresh.size(), Variables::kMostFresh);
+  EXPECT_EQ(variables.Find("A")->fresh.size(), Variables::kMaxFresh);
   EXPECT_EQ(variables.Find("A")->fresh.front(), VariableValue(150.0));
   EXPECT_EQ(variables.Find("A")->fresh.back(), VariableValue(249.0));
 }

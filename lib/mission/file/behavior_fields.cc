@@ -14,7 +14,7 @@
 namespace shoal {
 namespace {
 
-constexpr size_t kMostBehaviorCorners = 1000;
+constexpr size_t kMaxBehaviorCorners = 1000;
 constexpr NumberLimits kBehaviorPlace = Between(-kFarthest_m, kFarthest_m);
 
 }  // namespace
@@ -36,13 +36,13 @@ void TextsOrOne(Fields& fields, std::string_view key, std::vector<std::string>& 
 }
 
 void FlagTexts(Fields& fields, std::string_view key, std::vector<std::string>& flags) {
-  TextsOrOne(fields, key, flags, kMostFlags);
+  TextsOrOne(fields, key, flags, kMaxFlags);
   const auto parsed = ParseFlags(flags);
   if (!parsed.ok()) fields.Refuse(key, parsed.error());
 }
 
 void ConditionTexts(Fields& fields, std::string_view key, std::vector<std::string>& conditions) {
-  TextsOrOne(fields, key, conditions, kMostFlags);
+  TextsOrOne(fields, key, conditions, kMaxFlags);
   const auto parsed = ParseConditions(conditions);
   if (!parsed.ok()) fields.Refuse(key, parsed.error());
 }
@@ -71,7 +71,7 @@ void ConvexCorners(Fields& fields, std::string_view key, std::vector<Eigen::Vect
       return;
     }
   } else {
-    fields.Pairs(key, corners, kBehaviorPlace, kMostBehaviorCorners);
+    fields.Pairs(key, corners, kBehaviorPlace, kMaxBehaviorCorners);
   }
   if (corners.empty() && may_lack) return;
   if (corners.empty() && !fields.Has(key, true)) return;  // That was refused.
@@ -83,7 +83,7 @@ void ConvexCorners(Fields& fields, std::string_view key, std::vector<Eigen::Vect
 }
 
 void PointList(Fields& fields, std::string_view key, std::vector<Eigen::Vector2d>& points) {
-  if (!fields.HoldsText(key)) return fields.Pairs(key, points, kBehaviorPlace, kMostBehaviorPoints);
+  if (!fields.HoldsText(key)) return fields.Pairs(key, points, kBehaviorPlace, kMaxBehaviorPoints);
   std::string text;
   fields.Text(key, text, {.max_length = 100'000});
   auto read = ParsePoints(text);

@@ -14,9 +14,9 @@
 
 namespace shoal {
 
-inline constexpr size_t kMostBehaviorPoints = 10'000;
-inline constexpr size_t kMostFlags = 100;
-inline constexpr size_t kMostVariables = 1000;
+inline constexpr size_t kMaxBehaviorPoints = 10'000;
+inline constexpr size_t kMaxFlags = 100;
+inline constexpr size_t kMaxVariables = 1000;
 inline constexpr NumberLimits kDistanceRange = Between(0, kFarthest_m);
 inline constexpr NumberLimits kSpeedRange = Between(0, kFastest_mps);
 inline constexpr NumberLimits kSecondsRange = Between(0, kLongest_s);

@@ -37,7 +37,7 @@ void DescribeDuration(Fields& fields, BehaviorOptions& options) {
   fields.Flag("duration_idle_decay", options.duration_idle_decay);
   fields.Text("duration_reset", options.duration_reset, {.max_length = 200});
   VariableName(fields, "duration_status", options.duration_status);
-  TextsOrOne(fields, "nostarve", options.nostarve, kMostFlags);
+  TextsOrOne(fields, "nostarve", options.nostarve, kMaxFlags);
   fields.Number("nostarve_s", options.nostarve_s, kSecondsRange);
   if (!options.nostarve.empty() && options.nostarve_s <= 0) {
     fields.Refuse("nostarve", "nostarve needs nostarve_s = 10, the greatest age in seconds");

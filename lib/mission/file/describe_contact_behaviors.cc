@@ -19,10 +19,10 @@ void Describe(Fields& fields, ContactOptions& options, bool is_recipe) {
       {"match_name", &options.match_name},   {"ignore_name", &options.ignore_name},
       {"match_group", &options.match_group}, {"ignore_group", &options.ignore_group},
       {"match_type", &options.match_type},   {"ignore_type", &options.ignore_type}};
-  for (const auto& [key, names] : filters) TextsOrOne(fields, key, *names, kMostVariables);
+  for (const auto& [key, names] : filters) TextsOrOne(fields, key, *names, kMaxVariables);
   fields.Flag("exit_on_filter_group", options.exit_on_filter_group);
   fields.Flag("post_per_contact_info", options.post_per_contact_info);
-  TextsOrOne(fields, "cnflag", options.cnflag, kMostFlags);
+  TextsOrOne(fields, "cnflag", options.cnflag, kMaxFlags);
   const auto moments = ParseMomentFlags(options.cnflag);
   if (!moments.ok()) fields.Refuse("cnflag", moments.error());
   fields.NoKey("extrapolate", "a helm always extrapolates its contacts: docs/contacts.md");

@@ -14,7 +14,7 @@
 namespace shoal {
 namespace {
 
-constexpr size_t kMostEventValues = 16;
+constexpr size_t kMaxEventValues = 16;
 
 /// A command and the values that it takes, none or these.
 struct CommandRule {
@@ -52,7 +52,7 @@ void DescribeCommand(Fields& fields, std::string_view key, std::string& command,
   words.reserve(N);
   for (const CommandRule& rule : rules) words.push_back(rule.command);
   fields.Word(key, command, words);
-  fields.Numbers("values", values, kMostEventValues);
+  fields.Numbers("values", values, kMaxEventValues);
   for (const CommandRule& rule : rules) {
     if (rule.command != command || values.size() == rule.num_values) continue;
     if (rule.values_optional && values.empty()) continue;

@@ -196,10 +196,10 @@ void Describe(Fields& fields, EncounterScoreExpectation& score, double /*end_s*/
 }
 
 void Describe(Fields& fields, CoverageExpectation& coverage, double /*end_s*/) {
-  constexpr size_t kMostCorners = 200;
-  constexpr size_t kMostNames = 10'000;
+  constexpr size_t kMaxCorners = 200;
+  constexpr size_t kMaxNames = 10'000;
   if (fields.Has("polygon", !coverage.polygon_m.empty())) {
-    fields.Pairs("polygon", coverage.polygon_m, Between(-kFarthest_m, kFarthest_m), kMostCorners);
+    fields.Pairs("polygon", coverage.polygon_m, Between(-kFarthest_m, kFarthest_m), kMaxCorners);
     const std::string problem = fields.IsSound() ? PolygonProblem(coverage.polygon_m) : "";
     if (!problem.empty()) fields.Refuse("polygon", problem);
   }
@@ -207,7 +207,7 @@ void Describe(Fields& fields, CoverageExpectation& coverage, double /*end_s*/) {
   fields.Number("sensor_width_m", coverage.sensor_width_m, Above(0, 100'000));
   fields.Require("at_least_pct", "at_least_pct = 95");
   fields.Number("at_least_pct", coverage.at_least_pct, Between(0, 100));
-  fields.Texts("vehicles", coverage.vehicles, kMostNames);
+  fields.Texts("vehicles", coverage.vehicles, kMaxNames);
 }
 
 }  // namespace

@@ -16,19 +16,19 @@
 namespace shoal {
 namespace {
 
-constexpr int kMostDomainPoints = 10'001;
+constexpr int kMaxDomainPoints = 10'001;
 
 /// An axis as [first, last, number of points].
 void DescribeAxis(Fields& fields, std::string_view key, Axis& axis, double max) {
   if (!fields.Has(key, axis.count > 0)) return;
   Eigen::Vector3d triple(axis.first, axis.count > 0 ? axis.Last() : 0, axis.count);
-  fields.Triple(key, triple, Between(0, std::max<double>(max, kMostDomainPoints)));
+  fields.Triple(key, triple, Between(0, std::max<double>(max, kMaxDomainPoints)));
   const double count = triple.z();
   if (triple.x() >= triple.y() || triple.y() > max || count != std::floor(count) || count < 2 ||
-      count > kMostDomainPoints) {
+      count > kMaxDomainPoints) {
     fields.Refuse(key, fmt::format("{} must be [first, last, number of points]: first less than "
                                    "last, last at most {}, 2 to {} points",
-                                   key, max, kMostDomainPoints));
+                                   key, max, kMaxDomainPoints));
     return;
   }
   axis = {.first = triple.x(),
@@ -74,7 +74,7 @@ void Describe(Fields& fields, Obstacle& obstacle) {
 }
 
 void DescribeVariables(Fields& fields, std::map<std::string, VariableValue>& variables) {
-  fields.Scalars("variables", variables, kMostVariables);
+  fields.Scalars("variables", variables, kMaxVariables);
   for (const auto& [name, value] : variables) {
     const std::string problem = VariableNameProblem(name);
     if (!problem.empty()) fields.Refuse("variables", problem);

@@ -69,7 +69,7 @@ void DescribeKind(Fields& fields, MaxSpeedOptions& o, bool) {
 
 void DescribeKind(Fields& fields, GoToDepthOptions& o, bool) {
   fields.Require("depths", "depths = [[10, 60], [20, 120]], depth in m and time at it in s");
-  fields.Pairs("depths", o.depths, Between(0, kLongest_s), kMostBehaviorPoints);
+  fields.Pairs("depths", o.depths, Between(0, kLongest_s), kMaxBehaviorPoints);
   for (const Eigen::Vector2d& level : o.depths) {
     if (level.x() > kDepthRange.max) {
       fields.Refuse("depths", fmt::format("a depth of {} m is out of range; allowed: 0 to {}",

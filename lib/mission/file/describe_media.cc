@@ -7,7 +7,7 @@
 namespace shoal {
 namespace {
 
-constexpr size_t kMostMedia = 16;
+constexpr size_t kMaxMedia = 16;
 
 void Describe(Fields& fields, RadioOptions& radio) {
   fields.NumberOrWord("range_m", radio.range_m, kFarthest_m, "nolimit", -1);
@@ -27,9 +27,9 @@ void Describe(Fields& fields, RadioOptions& radio) {
 
 void Describe(Fields& fields, GatewayOptions& gateway) {
   fields.Require("from", "from = [\"acoustic\"]");
-  fields.Texts("from", gateway.from, kMostMedia);
+  fields.Texts("from", gateway.from, kMaxMedia);
   fields.Require("to", "to = [\"radio\"]");
-  fields.Texts("to", gateway.to, kMostMedia);
+  fields.Texts("to", gateway.to, kMaxMedia);
   fields.Flag("reports", gateway.reports);
   fields.Flag("messages", gateway.messages);
   fields.Integer("queue", gateway.queue, 1, 100'000);
@@ -62,7 +62,7 @@ void DescribeMedia(Fields& fields, std::string_view key, MediaChoice& choice) {
     choice = Over(text);
     return;
   }
-  fields.Texts(key, choice.names, kMostMedia);
+  fields.Texts(key, choice.names, kMaxMedia);
   choice.at_once = false;
   if (fields.reading() && choice.names.empty()) {
     fields.Refuse(key, std::string(key) + " names no medium; write \"direct\"");
@@ -72,7 +72,7 @@ void DescribeMedia(Fields& fields, std::string_view key, MediaChoice& choice) {
 
 void Describe(Fields& fields, VehicleMedia& media) {
   if (fields.Has("media", !media.names.empty())) {
-    fields.Texts("media", media.names, kMostMedia);
+    fields.Texts("media", media.names, kMaxMedia);
   }
   if (fields.Has("antenna_height_m", media.antenna_height_m >= 0)) {
     fields.Number("antenna_height_m", media.antenna_height_m, Between(0, 1000));

@@ -17,8 +17,8 @@ namespace shoal {
 namespace {
 
 constexpr int64_t kLatestStart_us = 9'000'000'000'000'000;  // In the year 2255.
-constexpr size_t kMostArguments = 100;
-constexpr size_t kMostCorners = 1000;
+constexpr size_t kMaxArguments = 100;
+constexpr size_t kMaxCorners = 1000;
 
 /// tick_s: whole microseconds, since mission time counts in them.
 void DescribeTick(Fields& fields, int64_t& tick_us) {
@@ -88,7 +88,7 @@ void DescribeRun(Fields& fields, Mission& mission) {
     origin.Require("lon_deg", "lon_deg = -70.3304");
     origin.Number("lon_deg", mission.origin_lon_deg, Between(-180, 180));
   });
-  fields.Pairs("op_area", mission.op_area_m, Between(-1e6, 1e6), kMostCorners);
+  fields.Pairs("op_area", mission.op_area_m, Between(-1e6, 1e6), kMaxCorners);
   if (!mission.op_area_m.empty() && mission.op_area_m.size() < 3) {
     fields.Refuse("op_area",
                   "op_area needs three corners or more, like [[0, 0], [400, 0], [400, -300]]");
@@ -108,8 +108,8 @@ void DescribeHost(Fields& fields, HostOptions& host) {
     fields.Refuse("address", "an address has the form tcp://10.0.0.2:7700");
   }
   fields.Text("key", host.key, {.max_length = kLongestPath});
-  fields.Texts("vehicles", host.vehicles, kMostVehicles);
-  fields.Texts("participants", host.participants, kMostVehicles);
+  fields.Texts("vehicles", host.vehicles, kMaxVehicles);
+  fields.Texts("participants", host.participants, kMaxVehicles);
   fields.Choice("on_loss", host.on_loss, kOnLoss);
   fields.Number("timeout_s", host.timeout_s, Between(0.1, 3600));
 }
@@ -171,7 +171,7 @@ void Describe(Fields& file, Mission& mission) {
   file.List("participant", mission.participants, [](Fields& fields, Participant& participant) {
     fields.Text("name", participant.name, {.max_length = 1000});
     fields.Require("name", "name = \"my_planner\"");
-    fields.Texts("command", participant.command, kMostArguments);
+    fields.Texts("command", participant.command, kMaxArguments);
   });
   file.List("host", mission.hosts, DescribeHost);
   file.List("expect", mission.expectations, [&](Fields& fields, Expectation& expectation) {

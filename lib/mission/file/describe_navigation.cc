@@ -32,11 +32,11 @@ void Describe(Fields& fields, NavigationOptions::CompassKeys& compass) {
     } else if (!(std::abs(deviation_deg[0]) <= 180) ||
                !(std::abs(deviation_deg[1]) + std::abs(deviation_deg[2]) +
                      2 * std::abs(deviation_deg[3]) + 2 * std::abs(deviation_deg[4]) <=
-                 RadToDeg(kMostDeviation))) {
+                 RadToDeg(kMaxDeviation))) {
       fields.Refuse("deviation_deg",
                     fmt::format("|B| + |C| + 2 |D| + 2 |E| must be at most {:.1f} degrees, and "
                                 "|A| at most 180: beyond that one heading has several readings",
-                                RadToDeg(kMostDeviation)));
+                                RadToDeg(kMaxDeviation)));
     }
   }
   fields.Number("rate_hz", compass.rate_hz, kRate_hz);

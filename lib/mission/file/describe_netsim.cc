@@ -10,7 +10,7 @@
 namespace shoal {
 namespace {
 
-constexpr int kMostPort = 65'535;
+constexpr int kMaxPort = 65'535;
 
 void Describe(Fields& fields, NetsimEnvironment& environment) {
   fields.Require("name", "name = \"bay\"");
@@ -28,7 +28,7 @@ void Describe(Fields& fields, NetsimEnvironment& environment) {
 }
 
 void Describe(Fields& fields, NetsimGps& gps) {
-  fields.SmallInteger("tcp_port", gps.tcp_port, 0, kMostPort);
+  fields.SmallInteger("tcp_port", gps.tcp_port, 0, kMaxPort);
   fields.Text("path", gps.path, {.max_length = 1000});
 }
 
@@ -42,7 +42,7 @@ void Describe(Fields& fields, NetsimVehicle& vehicle) {
   fields.Require("name", "name = \"outsider\", a vehicle of the mission");
   fields.Text("name", vehicle.name, {.min_length = 1});
   fields.Require("modem_tcp_port", "modem_tcp_port = 62000");
-  fields.SmallInteger("modem_tcp_port", vehicle.modem_tcp_port, 1, kMostPort);
+  fields.SmallInteger("modem_tcp_port", vehicle.modem_tcp_port, 1, kMaxPort);
   fields.Text("address", vehicle.address, {.min_length = 1});
   fields.Require("environment", "environment = \"bay\"");
   fields.Text("environment", vehicle.environment, {.min_length = 1});
@@ -53,7 +53,7 @@ void Describe(Fields& fields, NetsimVehicle& vehicle) {
 }  // namespace
 
 void Describe(Fields& fields, NetsimOptions& options) {
-  fields.SmallInteger("port", options.port, 1, kMostPort);
+  fields.SmallInteger("port", options.port, 1, kMaxPort);
   fields.Text("address", options.address, {.min_length = 1});
   fields.SmallInteger("max_connections", options.max_connections, 1, 10'000);
   fields.SmallInteger("max_line_bytes", options.max_line_bytes, 1024, 64 << 20);

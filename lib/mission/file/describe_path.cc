@@ -17,8 +17,8 @@
 namespace shoal {
 namespace {
 
-constexpr int kMostPathPoints = 10'000;
-constexpr size_t kMostPathParts = 100;
+constexpr int kMaxPathPoints = 10'000;
+constexpr size_t kMaxPathParts = 100;
 constexpr double kDeepestPoint_m = 20'000;
 constexpr std::array<std::pair<std::string_view, DepthRule>, 2> kDepthRules = {{
     {"next", DepthRule::kNext},
@@ -46,7 +46,7 @@ void PlacePoints(Fields& fields, std::vector<Eigen::Vector3d>& points_m,
 
 void DescribePathPoints(Fields& fields, std::vector<Eigen::Vector3d>& points_m) {
   fields.Require("points", "points = [[0, 0, 10], [100, 0, 20]]");
-  fields.Triples("points", points_m, Between(-kFarthest_m, kFarthest_m), kMostPathPoints);
+  fields.Triples("points", points_m, Between(-kFarthest_m, kFarthest_m), kMaxPathPoints);
   if (points_m.empty() && fields.Has("points", true)) {
     fields.Refuse("points", "points must hold at least one point, like [[100, 0, 20]]");
     points_m.emplace_back(Eigen::Vector3d::Zero());
@@ -82,7 +82,7 @@ void DescribeBegin(Fields& fields, std::optional<Eigen::Vector3d>& start_m,
 
 void DescribePart(Fields& fields, RandomPart& part, const Eigen::Vector2d& offset_m) {
   RandomPathParams& bounds = part.bounds;
-  fields.SmallInteger("num_points", bounds.num_waypoints, 1, kMostPathPoints);
+  fields.SmallInteger("num_points", bounds.num_waypoints, 1, kMaxPathPoints);
   DescribeBegin(fields, part.start_m, offset_m);
   if (fields.Has("start_heading_deg", part.start_heading_deg.has_value())) {
     double heading_deg = part.start_heading_deg.value_or(0);
@@ -118,11 +118,11 @@ void DescribePart(Fields& fields, HelixPart& part, const Eigen::Vector2d& offset
   fields.Number("end_depth_m", part.end_depth_m, kPartDepth);
   fields.Number("start_bearing_deg", part.start_bearing_deg, Between(-360, 360));
   fields.Flag("clockwise", part.clockwise);
-  if (CountPoints(part) <= kMostPathPoints) return;
+  if (CountPoints(part) <= kMaxPathPoints) return;
   fields.Refuse("turns",
                 fmt::format("turns = {:g} at radius_m = {:g} takes {:.0f} points; allowed: "
                             "at most {}",
-                            part.turns, part.radius_m, CountPoints(part), kMostPathPoints));
+                            part.turns, part.radius_m, CountPoints(part), kMaxPathPoints));
   part = HelixPart();
 }
 
@@ -145,7 +145,7 @@ void DescribePlace(Fields& fields, PathPart& part, const std::vector<Eigen::Vect
                    const PathStart& start) {
   if (fields.Has("insert_at", part.insert_at.has_value())) {
     int place = static_cast<int>(part.insert_at.value_or(0));
-    fields.SmallInteger("insert_at", place, 0, kMostPathPoints);
+    fields.SmallInteger("insert_at", place, 0, kMaxPathPoints);
     part.insert_at = static_cast<size_t>(place);
     if (*part.insert_at > so_far.size()) {
       fields.Refuse("insert_at",
@@ -161,10 +161,10 @@ void DescribePlace(Fields& fields, PathPart& part, const std::vector<Eigen::Vect
   const Eigen::Vector3d begin_m =
       yoyo->start_m.value_or(place > 0 ? so_far[place - 1] : start.position_m);
   const double num_points = CountPoints(*yoyo, begin_m);
-  if (num_points <= kMostPathPoints) return;
+  if (num_points <= kMaxPathPoints) return;
   fields.Refuse("to", fmt::format("the yo-yo to here has {:.0f} turning points; allowed: at most "
                                   "{}: glide less steeply, or between depths farther apart",
-                                  num_points, kMostPathPoints));
+                                  num_points, kMaxPathPoints));
   yoyo->to_m = begin_m.head<2>();
 }
 
@@ -195,10 +195,10 @@ void DescribeParts(Fields& fields, PathFollowTask& task, const Eigen::Vector2d& 
     before.push_back(part);
   });
   if (!fields.reading()) return;
-  if (task.parts.empty() || task.parts.size() > kMostPathParts) {
+  if (task.parts.empty() || task.parts.size() > kMaxPathParts) {
     fields.Refuse("path", fmt::format("a path is joined of 1 to {} parts, like path = [{{kind = "
                                       "\"points\", points = [[100, 0, 20]]}}]",
-                                      kMostPathParts));
+                                      kMaxPathParts));
   }
 }
 

@@ -54,7 +54,7 @@ void DescribeKind(Fields& fields, WaypointOptions& o, bool is_recipe) {
   OneWordOf(fields, "order", o.order, {"normal", "reverse", "toggle"});
   fields.SmallInteger("repeat", o.repeat, -1, 1'000'000);
   fields.Flag("greedy_tour", o.greedy_tour);
-  fields.SmallInteger("currix", o.currix, 0, static_cast<int>(kMostBehaviorPoints));
+  fields.SmallInteger("currix", o.currix, 0, static_cast<int>(kMaxBehaviorPoints));
   OneWordOf(fields, "ipf_type", o.ipf_type, {"zaic", "zaic_spd", "roc"});
   Patience(fields, o.patience);
   FlagTexts(fields, "wptflag", o.wptflag);

@@ -7,7 +7,7 @@
 namespace shoal {
 namespace {
 
-constexpr size_t kMostThrustPoints = 100;
+constexpr size_t kMaxThrustPoints = 100;
 
 /// Returns what is wrong with a thrust map, empty where nothing is.
 std::string ThrustMapProblem(const std::vector<ThrustPoint>& map) {
@@ -31,7 +31,7 @@ void DescribeThrustMap(Fields& fields, std::vector<ThrustPoint>& map) {
   std::vector<Eigen::Vector2d> pairs;
   pairs.reserve(map.size());
   for (const ThrustPoint& point : map) pairs.emplace_back(point.thrust_pct, point.speed_mps);
-  fields.Pairs("thrust_map", pairs, Between(-100, 100), kMostThrustPoints);
+  fields.Pairs("thrust_map", pairs, Between(-100, 100), kMaxThrustPoints);
   map.clear();
   for (const Eigen::Vector2d& pair : pairs) map.push_back({pair.x(), pair.y()});
   const std::string problem = ThrustMapProblem(map);

@@ -12,10 +12,10 @@
 namespace shoal {
 namespace {
 
-constexpr size_t kMostPolygonCorners = 200;
-constexpr size_t kMostMembers = 10'000;
+constexpr size_t kMaxPolygonCorners = 200;
+constexpr size_t kMaxMembers = 10'000;
 /// More would be a spacing in the wrong unit.
-constexpr double kMostLanes = 2000;
+constexpr double kMaxLanes = 2000;
 
 constexpr std::array<std::pair<std::string_view, SurveyEntry>, 5> kEntries = {{
     {"nearest", SurveyEntry::kNearest},
@@ -34,7 +34,7 @@ constexpr std::array<std::pair<std::string_view, LaneEnds>, 2> kLaneEnds = {{
 
 void DescribePolygon(Fields& fields, SurveyArea& area) {
   fields.Require("polygon", "polygon = [[0, 0], [200, 0], [200, 100], [0, 100]]");
-  fields.Pairs("polygon", area.polygon_m, kTaskPlace, kMostPolygonCorners);
+  fields.Pairs("polygon", area.polygon_m, kTaskPlace, kMaxPolygonCorners);
 }
 
 void DescribeLanes(Fields& fields, SurveyArea& area) {
@@ -51,10 +51,10 @@ void DescribeLanes(Fields& fields, SurveyArea& area) {
   }
   std::string problem = PolygonProblem(area.polygon_m);
   std::string_view key = "polygon";
-  if (problem.empty() && CountLanes(area) > kMostLanes) {
+  if (problem.empty() && CountLanes(area) > kMaxLanes) {
     key = "lane_spacing_m";
     problem = fmt::format("lane_spacing_m = {} gives {:.0f} lanes; allowed: at most {}",
-                          area.lane_spacing_m, CountLanes(area), kMostLanes);
+                          area.lane_spacing_m, CountLanes(area), kMaxLanes);
   }
   if (problem.empty()) return;
   fields.Refuse(key, problem);
@@ -74,7 +74,7 @@ void Describe(Fields& fields, SurveyTask& task, const StartPose& start) {
   DescribeLanes(fields, task.area);
   if (fields.reading()) task.route.start_m = {start.x_m, start.y_m};
   DescribeRoute(fields, task.route);
-  fields.Texts("divide_among", task.divide_among, kMostMembers);
+  fields.Texts("divide_among", task.divide_among, kMaxMembers);
   DescribeSpeed(fields, task.speed_mps);
   Describe(fields, task.capture);
   DescribeLineFollowing(fields, task);

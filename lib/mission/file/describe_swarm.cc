@@ -17,7 +17,7 @@ namespace shoal {
 namespace {
 
 constexpr double kLongestEpisode_s = 1e5;
-constexpr size_t kMostStrategies = kNumRecoveryStrategies;
+constexpr size_t kMaxStrategies = kNumRecoveryStrategies;
 
 /// `[swarm.fields]`: what counts as damaged, and what two strategies put in its place.
 void DescribeFields(Fields& fields, SwarmOptions& swarm) {
@@ -25,7 +25,7 @@ void DescribeFields(Fields& fields, SwarmOptions& swarm) {
   fields.Number("max_position_m", limits.max_position_m, Above(0, 1e6));
   fields.Number("max_speed_mps", limits.max_speed_mps, Above(0, 1000));
   fields.Integer("max_id_distance", limits.max_id_distance, 1, std::numeric_limits<int>::max());
-  fields.Integer("max_followers", limits.max_followers, 1, kMostFollowers);
+  fields.Integer("max_followers", limits.max_followers, 1, kMaxFollowers);
   fields.Number("max_time_s", limits.max_time_s, Above(0, 1e9));
   double tolerance_s = static_cast<double>(limits.future_tolerance_us) / 1e6;
   fields.Number("future_tolerance_s", tolerance_s, Between(0, 1e6));
@@ -66,7 +66,7 @@ void DescribeSwarm(Fields& fields, SwarmOptions& swarm) {
   constexpr std::array<std::string_view, 4> kSchedulers = {"auto", "fdma_lf", "tdma", "tdma_lf"};
   fields.Require("leader", "leader = \"alpha\"");
   fields.Text("leader", swarm.leader, {.min_length = 1});
-  fields.Texts("followers", swarm.followers, static_cast<size_t>(kMostFollowers));
+  fields.Texts("followers", swarm.followers, static_cast<size_t>(kMaxFollowers));
   fields.Word("scheduler", swarm.scheduler, kSchedulers);
   fields.NumberOrWord("episode_s", swarm.episode_s, kLongestEpisode_s, "auto", -1);
   fields.NumberOrWord("offset_s", swarm.offset_s, kLongestEpisode_s, "auto", -1);
@@ -89,7 +89,7 @@ void DescribeOneOfMany(Fields& fields, SwarmOptions& swarm) {
   fields.Require("name", "name = \"north\"");
   int num_lists = fields.reading() && fields.Has("followers", false) ? 1 : 0;
   if (fields.Has("members", !swarm.members.empty())) {
-    fields.Texts("members", swarm.members, static_cast<size_t>(kMostFollowers) + 1);
+    fields.Texts("members", swarm.members, static_cast<size_t>(kMaxFollowers) + 1);
     ++num_lists;
   }
   if (fields.Has("group", !swarm.group.empty())) {
@@ -120,7 +120,7 @@ void Describe(Fields& fields, RecoveryPlan& plan) {
     const std::string_view key = kSwarmFieldNames[i];
     std::vector<std::string> words;
     for (const RecoveryStrategy strategy : plan.by_field[i]) words.emplace_back(NameOf(strategy));
-    fields.Texts(key, words, kMostStrategies);
+    fields.Texts(key, words, kMaxStrategies);
     RecoveryOrder order;
     for (const std::string& word : words) {
       if (const auto strategy = RecoveryStrategyOf(word)) {

@@ -12,7 +12,7 @@ namespace {
 
 void Describe(Fields& fields, WaypointsTask& task, const StartPose& start) {
   fields.Require("points", "points = [[0, 0], [100, 0]]");
-  fields.Pairs("points", task.points_m, kTaskPlace, kMostTaskPoints);
+  fields.Pairs("points", task.points_m, kTaskPlace, kMaxTaskPoints);
   if (task.points_m.empty() && fields.Has("points", true)) {
     fields.Refuse("points", "points must hold at least one point, like [[100, 0]]");
   }

@@ -17,7 +17,7 @@
 namespace shoal {
 namespace {
 
-constexpr size_t kMostGroupMembers = 1000;
+constexpr size_t kMaxGroupMembers = 1000;
 constexpr double kDeepest_m = 20'000;
 
 constexpr std::array<std::pair<std::string_view, SwitchRule>, 4> kSwitchRules = {{
@@ -84,7 +84,7 @@ void Describe(Fields& fields, PathFollowTask& task, const StartPose& start) {
     return;
   }
   if (fields.Has("group", !task.group.empty())) {
-    fields.Texts("group", task.group, kMostGroupMembers);
+    fields.Texts("group", task.group, kMaxGroupMembers);
   }
   fields.Choice("swarm", task.swarm, kSwarmKnowledge);
   fields.Number("u_max_mps", task.u_max_mps, Above(0, kFastest_mps));
@@ -113,7 +113,7 @@ void Describe(Fields& fields, TargetTrackTask& task, const StartPose&) {
   fields.Require("target", "target = \"alpha\"");
   fields.Text("target", task.target, {.min_length = 1});
   if (fields.Has("group", !task.group.empty())) {
-    fields.Texts("group", task.group, kMostGroupMembers);
+    fields.Texts("group", task.group, kMaxGroupMembers);
   }
   fields.Choice("swarm", task.swarm, kSwarmKnowledge);
   fields.Choice("on_silence", task.on_silence, kSilenceRules);

@@ -16,9 +16,9 @@
 namespace shoal {
 namespace {
 
-constexpr size_t kMostTasks = 1000;
-constexpr size_t kMostBehaviors = 1000;
-constexpr size_t kMostExtraFields = 100;
+constexpr size_t kMaxTasks = 1000;
+constexpr size_t kMaxBehaviors = 1000;
+constexpr size_t kMaxExtraFields = 100;
 constexpr std::array<std::pair<std::string_view, Ending>, 5> kEndings = {{
     {"hold", Ending::kHold},
     {"surface", Ending::kSurface},
@@ -66,7 +66,7 @@ void Describe(Fields& fields, ReporterOptions& options) {
   fields.Number("extrap_position_thresh_m", options.extrap_position_thresh_m, Between(0, 10'000));
   fields.Number("extrap_heading_thresh_deg", options.extrap_heading_thresh_deg, Between(0, 360));
   fields.Number("extrap_max_gap_s", options.extrap_max_gap_s, seconds);
-  fields.TextMap("extra", options.extra, kMostExtraFields);
+  fields.TextMap("extra", options.extra, kMaxExtraFields);
 }
 
 void Describe(Fields& fields, MessageOptions& options) {
@@ -84,8 +84,8 @@ void DescribeTasks(Fields& fields, Vehicle& vehicle) {
                                " of this vehicle exists already; give each a name of its own");
     }
   });
-  if (vehicle.tasks.size() > kMostTasks) {
-    fields.Refuse("task", "more than " + std::to_string(kMostTasks) + " tasks");
+  if (vehicle.tasks.size() > kMaxTasks) {
+    fields.Refuse("task", "more than " + std::to_string(kMaxTasks) + " tasks");
   }
 }
 
@@ -93,13 +93,13 @@ void DescribeTasks(Fields& fields, Vehicle& vehicle) {
 void DescribeBehaviors(Fields& fields, Vehicle& vehicle) {
   fields.List("behavior", vehicle.behaviors,
               [](Fields& table, BehaviorOptions& options) { Describe(table, options); });
-  if (vehicle.behaviors.size() > kMostBehaviors) {
-    fields.Refuse("behavior", "more than " + std::to_string(kMostBehaviors) + " behaviors");
+  if (vehicle.behaviors.size() > kMaxBehaviors) {
+    fields.Refuse("behavior", "more than " + std::to_string(kMaxBehaviors) + " behaviors");
   }
   fields.List("mode", vehicle.modes,
               [](Fields& table, ModeOptions& mode) { Describe(table, mode); });
-  if (vehicle.modes.size() > kMostBehaviors) {
-    fields.Refuse("mode", "more than " + std::to_string(kMostBehaviors) + " modes");
+  if (vehicle.modes.size() > kMaxBehaviors) {
+    fields.Refuse("mode", "more than " + std::to_string(kMaxBehaviors) + " modes");
   }
   if (fields.Has("variables", !vehicle.variables.empty())) {
     DescribeVariables(fields, vehicle.variables);

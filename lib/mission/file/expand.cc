@@ -19,7 +19,7 @@ namespace shoal {
 namespace {
 
 // A short hostile file could ask for a template of megabytes times ten thousand vehicles.
-constexpr int64_t kMostValues = 2'000'000;
+constexpr int64_t kMaxValues = 2'000'000;
 
 /// `[[fleet]]`: like vehicles in rows, the first at the origin, rows from West to East, each row
 /// North of the one before.
@@ -39,14 +39,14 @@ void Describe(Fields& fields, Fleet& fleet) {
   fields.Require("template", "template = \"survey_boat\", together with a [template.survey_boat]");
   fields.Text("template", fleet.template_name, {});
   fields.Require("count", "count = 10");
-  fields.Integer("count", fleet.count, 1, static_cast<int64_t>(kMostVehicles));
+  fields.Integer("count", fleet.count, 1, static_cast<int64_t>(kMaxVehicles));
   fields.Text("name", fleet.name_pattern, {});
   fields.Inline("origin", [&](Fields& origin) {
     origin.Number("x_m", fleet.origin_x_m, Between(-1e6, 1e6));
     origin.Number("y_m", fleet.origin_y_m, Between(-1e6, 1e6));
   });
   fields.Number("spacing_m", fleet.spacing_m, Above(0, 1e5));
-  fields.Integer("columns", fleet.columns, 1, static_cast<int64_t>(kMostVehicles));
+  fields.Integer("columns", fleet.columns, 1, static_cast<int64_t>(kMaxVehicles));
   fleet.has_heading = fields.Has("heading_deg", fleet.has_heading);
   fields.Number("heading_deg", fleet.heading_deg, Between(-360, 360));
 }
@@ -149,18 +149,18 @@ class Inheritance {
     }
     Remove(full, "template");
     num_values_ += CountValues({entry.value.place, full});
-    if (num_values_ <= kMostValues) return full;
+    if (num_values_ <= kMaxValues) return full;
     problems_.Add(entry.key_place,
                   fmt::format("more than {} values in all templates together, with "
                               "what they inherit; make them smaller or fewer",
-                              kMostValues));
+                              kMaxValues));
     return {};
   }
 
-  bool is_full() const { return num_values_ > kMostValues; }
+  bool is_full() const { return num_values_ > kMaxValues; }
 
  private:
-  static constexpr size_t kMostGenerations = 100;
+  static constexpr size_t kMaxGenerations = 100;
 
   /// Returns the template, the one that it names, the one that this names, and so on. Where that
   /// cannot be, it is reported, and the line ends.
@@ -179,9 +179,9 @@ class Inheritance {
         if (before == line.begin()) problems_.Add(place, CircleText(line));
         return line;
       }
-      if (line.size() == kMostGenerations) {
-        problems_.Add(place, fmt::format("more than {} templates inherit from one another",
-                                         kMostGenerations));
+      if (line.size() == kMaxGenerations) {
+        problems_.Add(
+            place, fmt::format("more than {} templates inherit from one another", kMaxGenerations));
         return line;
       }
       line.push_back(&*found);
@@ -189,11 +189,11 @@ class Inheritance {
   }
 
   static std::string CircleText(const std::vector<const Entry*>& line) {
-    constexpr size_t kMostShown = 5;
+    constexpr size_t kMaxShown = 5;
     std::string way;
-    for (size_t i = 0; i < line.size() && i < kMostShown; ++i)
+    for (size_t i = 0; i < line.size() && i < kMaxShown; ++i)
       way += Quoted(line[i]->key) + " from ";
-    if (line.size() > kMostShown) way += "... from ";
+    if (line.size() > kMaxShown) way += "... from ";
     return "a template must not inherit from itself: " + way + Quoted(line.front()->key);
   }
 
@@ -291,15 +291,15 @@ class Expansion {
     if (full_) return false;
     num_vehicles_ += count;
     num_values_ += count * values_each;
-    full_ = num_vehicles_ > static_cast<int64_t>(kMostVehicles) || num_values_ > kMostValues;
+    full_ = num_vehicles_ > static_cast<int64_t>(kMaxVehicles) || num_values_ > kMaxValues;
     if (!full_) return true;
     problems_.Add(
         place,
-        num_values_ <= kMostValues
-            ? fmt::format("more than {} vehicles, the most that a mission can have", kMostVehicles)
+        num_values_ <= kMaxValues
+            ? fmt::format("more than {} vehicles, the most that a mission can have", kMaxVehicles)
             : fmt::format("more than {} values in all vehicles together; make the "
                           "templates smaller or the fleets fewer",
-                          kMostValues));
+                          kMaxValues));
     return false;
   }
 

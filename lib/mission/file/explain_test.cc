@@ -12,7 +12,7 @@
 
 #include "lib/mission/file/load.h"
 #include "lib/mission/file/load_media.h"
-#include "lib/mission/file/mission_draw.h"
+#include "lib/mission/file/mission_testing.h"
 #include "lib/mission/toml/parse.h"
 #include "lib/mission/toml/problems.h"
 #include "lib/mission/toml/value.h"

@@ -13,7 +13,7 @@
 #include "lib/mission/file/load_comms.h"
 #include "lib/mission/file/load_media.h"
 #include "lib/mission/file/load_testing.h"
-#include "lib/mission/file/mission_draw.h"
+#include "lib/mission/file/mission_testing.h"
 #include "lib/mission/file/modem_testing.h"
 #include "lib/sea/acoustics/acoustic_network.h"
 

@@ -10,7 +10,7 @@
 #include <string_view>
 
 #include "lib/mission/file/load_testing.h"
-#include "lib/mission/file/mission_draw.h"
+#include "lib/mission/file/mission_testing.h"
 
 namespace shoal::rows_test {
 
@@ -33,7 +33,7 @@ TEST(KindsOfTask, AreDrawnByTheTestsOfTheLoader) {
     }
   }
   for (const Task& task : OneTaskOfEachKind()) {
-    EXPECT_TRUE(drawn.contains(KindOf(task))) << "mission_draw.h draws no " << KindOf(task);
+    EXPECT_TRUE(drawn.contains(KindOf(task))) << "mission_testing.h draws no " << KindOf(task);
   }
 }
 
@@ -63,7 +63,7 @@ TEST(KindsOfBehavior, AreDrawnByTheTestsOfTheLoader) {
     }
   }
   for (const AnyBehavior& what : OneBehaviorOfEachKind()) {
-    EXPECT_TRUE(drawn.contains(KindOf(what))) << "mission_draw.h draws no " << KindOf(what);
+    EXPECT_TRUE(drawn.contains(KindOf(what))) << "mission_testing.h draws no " << KindOf(what);
   }
 }
 
@@ -83,7 +83,7 @@ TEST(VehicleModels, AreDrawnByTheTestsOfTheLoader) {
   }
   for (const AnyModel& model : EachModel()) {
     const std::string_view name = FactsOfModel(model).name;
-    EXPECT_TRUE(drawn.contains(name)) << "mission_draw.h draws no " << name;
+    EXPECT_TRUE(drawn.contains(name)) << "mission_testing.h draws no " << name;
   }
 }
 

@@ -10,7 +10,7 @@
 
 namespace shoal {
 
-constexpr size_t kMostTaskPoints = 10'000;
+constexpr size_t kMaxTaskPoints = 10'000;
 constexpr NumberLimits kTaskPlace = Between(-kFarthest_m, kFarthest_m);
 
 /// Describes `points_frame`. Returns what is to be added to the points of the table: nothing, or

@@ -46,9 +46,9 @@ void ResolveAddressees(const TablePlace& place, std::string_view key, std::strin
   if (groups.empty()) {
     hint += "; no vehicle has a group: write group = \"survey\" in its table";
   } else {
-    constexpr size_t kMostShown = 10;
-    const bool has_more = groups.size() > kMostShown;
-    groups.resize(std::min(groups.size(), kMostShown));
+    constexpr size_t kMaxShown = 10;
+    const bool has_more = groups.size() > kMaxShown;
+    groups.resize(std::min(groups.size(), kMaxShown));
     hint += "; the mission has the groups " + Joined(groups) + (has_more ? ", ..." : "");
   }
   place.Refuse(key, "no vehicle is of group " + Quoted(*group) + hint);

@@ -56,11 +56,11 @@ std::pair<const Vehicle*, const Vehicle*> FindReportsInStep(const Mission& missi
 /// A client of netsim chooses how often it sends positions, and of each step the last becomes a
 /// node report: warns where these would take half of the channel's time.
 void WarnOfOutsiders(const Mission& mission, const TablePlace& comms, double air_s) {
-  constexpr double kMostOfChannel = 0.5;
+  constexpr double kMaxOfChannel = 0.5;
   if (!mission.netsim || mission.netsim->vehicles.empty()) return;
   const auto num_vehicles = static_cast<double>(mission.netsim->vehicles.size());
   const double tick_s = static_cast<double>(mission.tick_us) / 1e6;
-  const double least_s = num_vehicles * air_s / kMostOfChannel;
+  const double least_s = num_vehicles * air_s / kMaxOfChannel;
   if (tick_s >= least_s) return;
   comms.Warn(
       "reports_over",

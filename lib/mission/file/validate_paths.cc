@@ -22,7 +22,7 @@ namespace {
 constexpr double kSteepest_deg = 18;
 /// Its turning circle has a diameter of 45 m at 2 m/s.
 constexpr double kTightestTurn_m = 22.5;
-constexpr size_t kMostJoinedPoints = 10'000;
+constexpr size_t kMaxJoinedPoints = 10'000;
 
 std::string_view KeyOf(const PathFollowTask& task) {
   return task.parts.empty() ? "points" : "path";
@@ -30,9 +30,9 @@ std::string_view KeyOf(const PathFollowTask& task) {
 
 void CheckExtent(const TablePlace& place, const PathFollowTask& task,
                  const std::vector<Eigen::Vector3d>& points_m) {
-  if (points_m.size() > kMostJoinedPoints && !task.parts.empty()) {
+  if (points_m.size() > kMaxJoinedPoints && !task.parts.empty()) {
     place.Refuse("path", fmt::format("the parts join to {} points; allowed: at most {}",
-                                     points_m.size(), kMostJoinedPoints));
+                                     points_m.size(), kMaxJoinedPoints));
   }
   const bool leaves = std::any_of(
       points_m.begin(), points_m.end(),

@@ -9,7 +9,7 @@
 namespace shoal {
 
 /// No mission has more; also the most that the broker keeps.
-constexpr size_t kMostVehicles = 10'000;
+constexpr size_t kMaxVehicles = 10'000;
 
 /// Returns why no vehicle and no participant can be called `name`; empty where
 /// IsLegalVehicleName (lib/comms/routing/vehicle_name.h). Names become parts of LCM channel names,

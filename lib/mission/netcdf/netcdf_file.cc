@@ -20,7 +20,7 @@ namespace shoal {
 
 namespace {
 
-constexpr size_t kMostHeader_bytes = size_t{16} << 20;
+constexpr size_t kMaxHeader_bytes = size_t{16} << 20;
 constexpr size_t kAround_bytes = 64;  ///< Of an answer beside its numbers.
 constexpr char kDamaged[] =
     "the file is damaged, or was made by no NetCDF library: copy or make it anew, and look at it "
@@ -120,7 +120,7 @@ Result<std::string> NetcdfFile::Ask(const std::vector<std::string>& question, ch
 
 Result<NetcdfFile> NetcdfFile::Open(int fd, const std::string& name, NetcdfReaderStart start) {
   NetcdfFile file(fd, name, std::move(start));
-  const Result<std::string> answer = file.Ask({"header"}, 'H', kMostHeader_bytes);
+  const Result<std::string> answer = file.Ask({"header"}, 'H', kMaxHeader_bytes);
   if (!answer.ok()) return Error{name + ": " + answer.error()};
   NetcdfReply reply(*answer);
   std::optional<NetcdfHeader> header = TakeHeader(&reply);
@@ -140,11 +140,11 @@ Result<std::vector<double>> NetcdfFile::Read(const NetcdfVariable& variable) con
   if (variable.type == NetcdfType::kOther) {
     return Error{where + " holds no numbers; name another one after the file: file.nc:variable"};
   }
-  if (count > kMostNetcdfValues) {
+  if (count > kMaxNetcdfValues) {
     return Error{
         fmt::format("{} has {} values, and a grid at most {}; cut out the part that the "
                     "mission needs, for example with ncks -d lat,54.0,54.5 -d lon,10.0,10.5",
-                    where, count, kMostNetcdfValues)};
+                    where, count, kMaxNetcdfValues)};
   }
   const Result<std::string> answer =
       Ask({"values", variable.name, std::to_string(count)}, 'V',

@@ -22,7 +22,7 @@ void AddVariable(const NetcdfVariable& variable, NetcdfReplyWriter* writer) {
 /// Returns how many parts follow; nothing where there are too many.
 std::optional<uint32_t> TakeCount(NetcdfReply* reply) {
   const auto count = reply->Take<uint32_t>();
-  if (!reply->ok() || count > kMostNetcdfNames) return std::nullopt;
+  if (!reply->ok() || count > kMaxNetcdfNames) return std::nullopt;
   return count;
 }
 
@@ -51,10 +51,10 @@ std::optional<NetcdfVariable> TakeVariable(size_t num_dimensions, NetcdfReply* r
 }  // namespace
 
 bool IsCoordinate(const NetcdfHeader& header, const NetcdfVariable& variable) {
-  constexpr uint64_t kMostCoordinates = 100'000;
+  constexpr uint64_t kMaxCoordinates = 100'000;
   return variable.type != NetcdfType::kOther && variable.dimensions.size() == 1 &&
          header.dimensions[variable.dimensions[0]].name == variable.name &&
-         header.NumValues(variable) <= kMostCoordinates;
+         header.NumValues(variable) <= kMaxCoordinates;
 }
 
 void AddHeader(const NetcdfHeader& header, NetcdfReplyWriter* writer) {

@@ -23,10 +23,10 @@ namespace shoal {
 inline constexpr std::string_view kNetcdfGreeting = "shoal-netcdf 1\n";
 inline constexpr std::string_view kNetcdfEnd = ".\n";
 
-inline constexpr size_t kMostNetcdfText_bytes = 2000;  ///< Longer texts are cut off.
-inline constexpr size_t kMostNetcdfNumbers = 100;      ///< Of an attribute; more are left out.
-inline constexpr size_t kMostNetcdfNames = 4000;  ///< Of dimensions, variables, attributes each.
-inline constexpr uint64_t kMostNetcdfValues = 16'000'000;  ///< Of one variable.
+inline constexpr size_t kMaxNetcdfText_bytes = 2000;  ///< Longer texts are cut off.
+inline constexpr size_t kMaxNetcdfNumbers = 100;      ///< Of an attribute; more are left out.
+inline constexpr size_t kMaxNetcdfNames = 4000;  ///< Of dimensions, variables, attributes each.
+inline constexpr uint64_t kMaxNetcdfValues = 16'000'000;  ///< Of one variable.
 
 /// Appends what NetcdfReply reads.
 class NetcdfReplyWriter {
@@ -36,7 +36,7 @@ class NetcdfReplyWriter {
     bytes_.append(reinterpret_cast<const char*>(&number), sizeof number);
   }
   void AddText(std::string_view text) {
-    text = text.substr(0, kMostNetcdfText_bytes);
+    text = text.substr(0, kMaxNetcdfText_bytes);
     Add(static_cast<uint32_t>(text.size()));
     bytes_ += text;
   }

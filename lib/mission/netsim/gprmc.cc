@@ -14,7 +14,7 @@ namespace shoal {
 namespace {
 
 constexpr double kKnotsPerMps = 1.94384;  // As netsim rounds it.
-constexpr double kMost = 99'999.9;
+constexpr double kMax = 99'999.9;
 constexpr double kTenThousandths = 1e4;
 
 /// "4130.0000,N": whole degrees, then minutes.
@@ -28,7 +28,7 @@ std::string Coordinate(double value_deg, int num_degree_digits, char positive, c
 }
 
 /// NaN does not come here.
-double Bounded(double value) { return std::clamp(value, -kMost, kMost); }
+double Bounded(double value) { return std::clamp(value, -kMax, kMax); }
 
 }  // namespace
 

@@ -6,7 +6,7 @@
 #include <chrono>
 
 #include "lib/base/codec/nmea_sentence.h"
-#include "lib/mission/netsim/test_netsim.h"
+#include "lib/mission/netsim/netsim_testing.h"
 #include "tests/golden/read_golden.h"
 
 namespace shoal::gprmc_test {

@@ -4,7 +4,7 @@
 
 #include <set>
 
-#include "lib/mission/netsim/test_netsim.h"
+#include "lib/mission/netsim/netsim_testing.h"
 
 namespace shoal::netsim_answer_test {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "lib/mission/netsim/test_netsim.h"
+#include "lib/mission/netsim/netsim_testing.h"
 
 namespace shoal::netsim_evaluate_test {
 

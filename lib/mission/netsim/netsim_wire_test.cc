@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "lib/mission/netsim/test_netsim.h"
+#include "lib/mission/netsim/netsim_testing.h"
 
 namespace shoal::netsim_wire_test {
 

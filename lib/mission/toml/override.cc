@@ -13,7 +13,7 @@
 namespace shoal {
 namespace {
 
-constexpr size_t kMostParts = 16;
+constexpr size_t kMaxParts = 16;
 /// Missing tables are made, but for these: an override changes one of a list, it adds none.
 constexpr std::array<std::string_view, 7> kLists = {"vehicle", "fleet",  "event", "participant",
                                                     "host",    "expect", "task"};
@@ -35,7 +35,7 @@ bool IsBareWord(std::string_view text) {
 /// is; an empty path where the text has not this form.
 std::pair<std::vector<std::string>, size_t> SplitPath(std::string_view text) {
   std::vector<std::string> path;
-  for (size_t at = 0; at < text.size() && path.size() < kMostParts;) {
+  for (size_t at = 0; at < text.size() && path.size() < kMaxParts;) {
     size_t end = at;
     if (text[at] == '"') {
       end = text.find('"', at + 1);

@@ -12,7 +12,7 @@
 namespace shoal {
 namespace {
 
-constexpr double kMostRadialCorners = 1000;
+constexpr double kMaxRadialCorners = 1000;
 
 /// Calls `each` with every part of `text` between separators, trimmed.
 template <class Each>
@@ -58,7 +58,7 @@ Result<std::vector<Eigen::Vector2d>> RadialPolygon(std::string_view text) {
   const double snap_m = number("snap", 0);
   if (!problem.empty()) return Error{problem};
   if (!numbers.contains("x") || !numbers.contains("y") || radius_m <= 0 || count < 3 ||
-      count > kMostRadialCorners || snap_m < 0) {
+      count > kMaxRadialCorners || snap_m < 0) {
     return Error{
         "a radial polygon needs x, y, radius > 0 and pts of 3 to 1000, like radial:: "
         "x=0, y=0, radius=30, pts=8"};

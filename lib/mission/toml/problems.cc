@@ -9,7 +9,7 @@
 namespace shoal {
 namespace {
 
-constexpr size_t kMostShown = 100;
+constexpr size_t kMaxShown = 100;
 
 /// Returns `text` for a line of a terminal: without control characters, at most 200 bytes.
 std::string OneLine(std::string_view text) {
@@ -50,9 +50,9 @@ std::vector<std::string> Problems::Lines(const Notes& notes, std::string_view pr
                                          std::string_view noun) const {
   std::vector<std::string> messages;
   for (const auto& [place, text] : notes) {
-    if (messages.size() == kMostShown) {
+    if (messages.size() == kMaxShown) {
       messages.push_back(
-          fmt::format("{}: and {} more {}", OneLine(file_), notes.size() - kMostShown, noun));
+          fmt::format("{}: and {} more {}", OneLine(file_), notes.size() - kMaxShown, noun));
       break;
     }
     messages.push_back(fmt::format("{}: {}{}", WhereIs(place), prefix, text));

@@ -18,7 +18,7 @@ namespace shoal {
 
 namespace {
 
-constexpr size_t kMostColumns = 1000;
+constexpr size_t kMaxColumns = 1000;
 /// Microseconds since 1970 until the year 2255, as start_utime of a mission.
 constexpr double kLatestTime_us = 9e15;
 
@@ -175,8 +175,8 @@ class CsvTrackReader {
       cells_.push_back(TakeCell(line));
       if (line.empty()) return "";
       line.remove_prefix(1);
-      if (cells_.size() == kMostColumns) {
-        return fmt::format("more than {} columns; is this a table of text?", kMostColumns);
+      if (cells_.size() == kMaxColumns) {
+        return fmt::format("more than {} columns; is this a table of text?", kMaxColumns);
       }
     }
   }

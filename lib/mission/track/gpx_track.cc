@@ -17,7 +17,7 @@ namespace shoal {
 namespace {
 
 /// Longer texts are no numbers and no times.
-constexpr size_t kMostText = 100;
+constexpr size_t kMaxText = 100;
 
 /// "gpx:trkpt" and "trkpt" are the same.
 std::string_view LocalName(std::string_view name) { return name.substr(name.rfind(':') + 1); }
@@ -112,7 +112,7 @@ class GpxReader {
   }
 
   void Text(std::string_view text) {
-    text_.append(text.substr(0, kMostText - std::min(kMostText, text_.size())));
+    text_.append(text.substr(0, kMaxText - std::min(kMaxText, text_.size())));
   }
 
   void End(std::string_view name) {

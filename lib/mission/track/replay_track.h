@@ -40,7 +40,7 @@ struct ReplayState {
 };
 
 /// A file with more points than this is refused.
-inline constexpr size_t kMostFixes = 10'000'000;
+inline constexpr size_t kMaxFixes = 10'000'000;
 
 class ReplayTrack {
  public:

@@ -9,17 +9,17 @@
 namespace shoal {
 
 std::string QuotedWord(std::string_view word) {
-  constexpr size_t kMost = 32;
-  std::string quoted(word.substr(0, kMost));
+  constexpr size_t kMax = 32;
+  std::string quoted(word.substr(0, kMax));
   for (char& c : quoted) {
     if (c < ' ' || c > '~') c = '?';
   }
-  return "'" + quoted + (word.size() > kMost ? "...'" : "'");
+  return "'" + quoted + (word.size() > kMax ? "...'" : "'");
 }
 
 std::string TrackBuilder::Add(const ReplayFix& fix) {
-  if (fixes_.size() >= kMostFixes) {
-    return fmt::format("more than {} points; leave some out, or divide the track", kMostFixes);
+  if (fixes_.size() >= kMaxFixes) {
+    return fmt::format("more than {} points; leave some out, or divide the track", kMaxFixes);
   }
   if (fix.position_m.head<2>().cwiseAbs().maxCoeff() > kFarthestFix_m) {
     return fmt::format(

@@ -24,13 +24,13 @@ constexpr char kZapAddress[] = "inproc://zeromq.zap.01";
 
 /// ZeroMQ ends a connection over which more comes at once. What is larger than a batch may be, and
 /// not this large, is left to LinkIntake, which names it.
-constexpr int64_t kMostReceived_bytes = 2 * int64_t{kLargestLinkMessage_bytes};
+constexpr int64_t kMaxReceived_bytes = 2 * int64_t{kLargestLinkMessage_bytes};
 
 void SetUp(zmq::socket_t* socket, const HostKey& key) {
   socket->set(zmq::sockopt::linger, kLinger_ms);
   socket->set(zmq::sockopt::sndhwm, kWaitingMessages);
   socket->set(zmq::sockopt::rcvhwm, kWaitingMessages);
-  socket->set(zmq::sockopt::maxmsgsize, kMostReceived_bytes);
+  socket->set(zmq::sockopt::maxmsgsize, kMaxReceived_bytes);
   socket->set(zmq::sockopt::curve_secretkey, key.secret_key);
 }
 

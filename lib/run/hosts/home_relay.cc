@@ -14,7 +14,7 @@ namespace shoal {
 
 namespace {
 
-constexpr size_t kMostKnownChannels = 100'000;
+constexpr size_t kMaxKnownChannels = 100'000;
 constexpr int64_t kNeverDue = std::numeric_limits<int64_t>::max();
 
 }  // namespace
@@ -213,7 +213,7 @@ std::function<bool(std::string_view)> ChannelsOf(const std::vector<std::string>&
     const auto found = known->find(channel);
     if (found != known->end()) return found->second;
     const bool is_wanted = ports->contains(plan->PortOf(channel));
-    if (known->size() < num_others + kMostKnownChannels) known->emplace(channel, is_wanted);
+    if (known->size() < num_others + kMaxKnownChannels) known->emplace(channel, is_wanted);
     return is_wanted;
   };
 }

@@ -20,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Leaves room for the other parts of the offer.
-constexpr size_t kMostOffered_bytes = kLargestLinkMessage_bytes - (size_t{4} << 20);
+constexpr size_t kMaxOffered_bytes = kLargestLinkMessage_bytes - (size_t{4} << 20);
 
 constexpr std::string_view kFile = "file:";
 constexpr std::string_view kSet = "set";
@@ -102,9 +102,9 @@ Result<std::vector<OfferedFile>> FilesOfMission(const std::string& mission_file,
     bytes += read.text.size();
     files.push_back({.path = path.lexically_relative(folder).string(), .text = read.text});
   }
-  if (bytes > kMostOffered_bytes) {
+  if (bytes > kMaxOffered_bytes) {
     return Error{fmt::format("{}: the mission's files have {} MiB; a host takes {}", mission_file,
-                             bytes >> 20, kMostOffered_bytes >> 20)};
+                             bytes >> 20, kMaxOffered_bytes >> 20)};
   }
   return files;
 }

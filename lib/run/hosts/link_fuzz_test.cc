@@ -11,7 +11,7 @@
 #include "lib/run/hosts/home_relay.h"
 #include "lib/run/hosts/host_offer.h"
 #include "lib/run/hosts/host_relay.h"
-#include "lib/run/run/fake_network.h"
+#include "lib/run/run/network_testing.h"
 #include "shoal/step_dones_t.hpp"
 
 namespace shoal::link_fuzz_test {

@@ -137,8 +137,8 @@ Result<LinkMessage> LinkIntake::Take(std::span<const uint8_t> bytes) {
                               mission_id_));
   }
   const uint64_t count = reader.Number(4);
-  if (count > kMostLinkParts) {
-    return Refuse(fmt::format("a batch of {} messages; the most are {}", count, kMostLinkParts));
+  if (count > kMaxLinkParts) {
+    return Refuse(fmt::format("a batch of {} messages; the most are {}", count, kMaxLinkParts));
   }
   for (uint64_t i = 0; i < count && reader.is_sound(); ++i) {
     const size_t name_size = reader.Number(2);

@@ -65,7 +65,7 @@ struct LinkMessage {
 };
 
 inline constexpr size_t kLargestLinkMessage_bytes = size_t{64} << 20;
-inline constexpr size_t kMostLinkParts = 1'000'000;
+inline constexpr size_t kMaxLinkParts = 1'000'000;
 
 /// Encodes `message` as number `sequence` of its direction.
 [[nodiscard]] Bytes EncodeLinkMessage(const LinkMessage& message, uint64_t sequence);

@@ -10,7 +10,7 @@ namespace {
 
 /// As participants: a lost message is asked for again every 50 ms, by several at once.
 constexpr int64_t kRelayResend_us = 30'000;
-constexpr size_t kMostEchoes = 2 * StepInbox::kMaxOutside;
+constexpr size_t kMaxEchoes = 2 * StepInbox::kMaxOutside;
 
 }  // namespace
 
@@ -51,7 +51,7 @@ void RelayBus::SendPlain(const LinkPart& part) {
 }
 
 void RelayBus::SendOutside(const LinkPart& part) {
-  if (echoes_.size() < kMostEchoes) ++echoes_[{part.name, part.data}];
+  if (echoes_.size() < kMaxEchoes) ++echoes_[{part.name, part.data}];
   SendPlain(part);
 }
 

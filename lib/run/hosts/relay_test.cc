@@ -11,7 +11,7 @@
 #include "lib/bus/bus/seal.h"
 #include "lib/run/hosts/home_relay.h"
 #include "lib/run/hosts/host_relay.h"
-#include "lib/run/run/fake_network.h"
+#include "lib/run/run/network_testing.h"
 #include "lib/run/run/step_clock.h"
 #include "lib/run/run/step_group.h"
 

@@ -11,7 +11,7 @@
 #include <set>
 #include <sstream>
 
-#include "lib/bus/record/test_log.h"
+#include "lib/bus/record/log_testing.h"
 
 namespace shoal::child_processes_test {
 

@@ -25,7 +25,7 @@ constexpr int64_t kAgentAlive_us = 150'000;
 constexpr int64_t kPeerSilence_us = 10 * kSecond_us;
 /// The agent itself stood still; no silence counts.
 constexpr int64_t kAgentPause_us = 500'000;
-constexpr size_t kMostNamedKeys = 100;
+constexpr size_t kMaxNamedKeys = 100;
 
 }  // namespace
 
@@ -127,7 +127,7 @@ void HostAgent::ReadDoor(int64_t wall_us) {
       LoseHome("sent " + message.error(), wall_us);
   }
   for (const std::string& key : door_.TakeRefusedKeys()) {
-    if (refused_keys_.size() >= kMostNamedKeys || !refused_keys_.insert(key).second) continue;
+    if (refused_keys_.size() >= kMaxNamedKeys || !refused_keys_.insert(key).second) continue;
     terminal_.Warn(fmt::format(
         "refused: a computer with the public key {}; --allow '{}' would let it in", key, key));
   }

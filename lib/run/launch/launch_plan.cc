@@ -97,8 +97,8 @@ Result<std::string> FindProgram(const std::string& program, const std::string& m
       places.push_back(std::move(place));
     }
   }
-  constexpr size_t kMostPlaces = 3;
-  places.resize(std::min(places.size(), kMostPlaces));
+  constexpr size_t kMaxPlaces = 3;
+  places.resize(std::min(places.size(), kMaxPlaces));
   return Error{
       fmt::format("cannot find the program '{}'; looked for {}", program, fmt::join(places, ", "))};
 }

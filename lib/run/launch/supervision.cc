@@ -24,7 +24,7 @@ constexpr int64_t kExitPatience_us = 1'000'000;  ///< For processes to leave aft
 constexpr double kLeastTimeout_s = 5;  ///< A short one is for steps; programs load no faster.
 constexpr double kTimeoutsToStart = 4;
 constexpr double kStartOfOne_s = 0.5;  ///< Processes that start share the machine's cores.
-constexpr size_t kMostNames = 5;       ///< In one line.
+constexpr size_t kMaxNames = 5;        ///< In one line.
 constexpr int64_t kWaitingLine_us = 10 * kSecond_us;  ///< While a user has to start a program.
 constexpr int kMaxRestarts = 5;                       ///< Of one participant; more is a crash loop.
 
@@ -45,7 +45,7 @@ std::string LossAdvice() {
 
 /// Returns "a, b and 3 others".
 std::string Names(const std::vector<std::string>& names) {
-  const size_t shown = std::min(names.size(), kMostNames);
+  const size_t shown = std::min(names.size(), kMaxNames);
   std::string text = fmt::format("{}", fmt::join(std::span(names).first(shown), ", "));
   if (names.size() > shown) text += fmt::format(" and {} others", names.size() - shown);
   return text;

@@ -20,8 +20,8 @@ constexpr int64_t kPatience_us = 5'000'000;
 /// Between two requests where an answer is late, or the mission stands still.
 constexpr int64_t kSlowRequest_us = 1'000'000;
 /// Of more participants than this, all are asked in one request.
-constexpr size_t kMostRequests = 4;
-constexpr size_t kMostNamed = 5;  ///< In a reason; more are counted.
+constexpr size_t kMaxRequests = 4;
+constexpr size_t kMaxNamed = 5;  ///< In a reason; more are counted.
 
 bool IsText(std::string_view word) {
   return word.size() <= kMaxWordLength && std::all_of(word.begin(), word.end(), [](char each) {
@@ -30,7 +30,7 @@ bool IsText(std::string_view word) {
 }
 
 std::string ListOf(const std::vector<std::string>& parts, std::string_view separator) {
-  const size_t num_shown = std::min(parts.size(), kMostNamed);
+  const size_t num_shown = std::min(parts.size(), kMaxNamed);
   std::string text = fmt::format(
       "{}",
       fmt::join(parts.begin(), parts.begin() + static_cast<std::ptrdiff_t>(num_shown), separator));
@@ -176,7 +176,7 @@ void CommandDesk::Request(bool is_paused) {
         each.watch.Due(now_us_, is_slow ? kSlowRequest_us : OrderWatch::kRequestInterval_us);
     apps.insert(due.begin(), due.end());
   }
-  if (apps.size() > kMostRequests) apps = {"all"};
+  if (apps.size() > kMaxRequests) apps = {"all"};
   for (const std::string& app : apps) {
     appcast_req_t request{};
     request.app = app;

@@ -11,7 +11,7 @@ namespace shoal {
 
 namespace {
 
-constexpr int kMostHostProcesses = 1000;
+constexpr int kMaxHostProcesses = 1000;
 
 /// False for what has a process of its own in every grouping.
 bool CanShare(const RosterEntry& entry) {
@@ -50,7 +50,7 @@ Result<Grouping> ParseGrouping(std::string_view text) {
   if (text == "host") {
     const int num_processors = static_cast<int>(std::thread::hardware_concurrency());
     return Grouping{.kind = Grouping::Kind::kHost,
-                    .num_processes = std::clamp(num_processors, 1, kMostHostProcesses)};
+                    .num_processes = std::clamp(num_processors, 1, kMaxHostProcesses)};
   }
   constexpr std::string_view kHostPrefix = "host=";
   if (text.starts_with(kHostPrefix)) {
@@ -59,7 +59,7 @@ Result<Grouping> ParseGrouping(std::string_view text) {
     const auto [end, error] =
         std::from_chars(number.data(), number.data() + number.size(), grouping.num_processes);
     const bool is_number = error == std::errc() && end == number.data() + number.size();
-    if (is_number && grouping.num_processes >= 1 && grouping.num_processes <= kMostHostProcesses) {
+    if (is_number && grouping.num_processes >= 1 && grouping.num_processes <= kMaxHostProcesses) {
       return grouping;
     }
   }
@@ -67,7 +67,7 @@ Result<Grouping> ParseGrouping(std::string_view text) {
       "'{}' is no grouping: app (a process per participant), vehicle (a process per vehicle), "
       "host=N (N processes for all vehicles of a computer, 1 to {}) or host (as many as there are "
       "processors)",
-      text, kMostHostProcesses)};
+      text, kMaxHostProcesses)};
 }
 
 std::string Name(const Grouping& grouping) {

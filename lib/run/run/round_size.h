@@ -12,7 +12,7 @@ class RoundSize {
   /// A round may take this much processor time.
   static constexpr int64_t kTarget_us = 100'000;
   static constexpr int64_t kLeast = 20;
-  static constexpr int64_t kMost = 20'000;
+  static constexpr int64_t kMax = 20'000;
 
   /// Learns what a round cost.
   void AfterRound(int64_t num_messages, int64_t processor_us) {
@@ -24,9 +24,9 @@ class RoundSize {
   }
 
   int64_t most() const {
-    if (messages_ == 0) return kMost;
+    if (messages_ == 0) return kMax;
     const double most = static_cast<double>(kTarget_us) * messages_ / spent_us_;
-    return std::clamp<int64_t>(std::llround(std::min(most, 1e9)), kLeast, kMost);
+    return std::clamp<int64_t>(std::llround(std::min(most, 1e9)), kLeast, kMax);
   }
 
  private:

@@ -10,7 +10,7 @@
 #include <optional>
 #include <vector>
 
-#include "lib/bus/record/test_log.h"
+#include "lib/bus/record/log_testing.h"
 #include "lib/run/run/run_registry.h"
 
 namespace shoal::run_folder_test {

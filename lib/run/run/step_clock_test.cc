@@ -11,7 +11,7 @@
 #include "lib/bus/bus/bus.h"
 #include "lib/bus/bus/channels.h"
 #include "lib/bus/bus/seal.h"
-#include "lib/run/run/fake_network.h"
+#include "lib/run/run/network_testing.h"
 #include "shoal/clock_state_t.hpp"
 
 namespace shoal::step_clock_test {

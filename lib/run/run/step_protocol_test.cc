@@ -8,7 +8,7 @@
 #include "lib/bus/bus/channels.h"
 #include "lib/bus/bus/memory_bus.h"
 #include "lib/bus/bus/seal.h"
-#include "lib/run/run/fake_network.h"
+#include "lib/run/run/network_testing.h"
 #include "lib/run/run/step_clock.h"
 #include "lib/run/run/step_group.h"
 

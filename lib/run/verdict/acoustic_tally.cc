@@ -9,10 +9,10 @@ namespace shoal {
 namespace {
 
 /// More than any mission flips; sums stay numbers.
-constexpr int64_t kMostBits = int64_t{1} << 60;
+constexpr int64_t kMaxBits = int64_t{1} << 60;
 
 /// More than any part of a mission counts.
-constexpr int64_t kMostAdded = int64_t{1} << 50;
+constexpr int64_t kMaxAdded = int64_t{1} << 50;
 
 /// Wrong bits arrived, whether the receiver took them or a checksum threw them away.
 bool IsDamage(std::string_view cause) {
@@ -36,8 +36,8 @@ void AcousticTally::Add(const AcousticReception& reception) {
   if (overlapped) ++numbers_.overlapped;
   if (has_bit_errors) {
     ++numbers_.with_bit_errors;
-    const int64_t bits = std::min(reception.bits_flipped, kMostBits);
-    numbers_.bits_flipped = std::min(numbers_.bits_flipped + bits, kMostBits);
+    const int64_t bits = std::min(reception.bits_flipped, kMaxBits);
+    numbers_.bits_flipped = std::min(numbers_.bits_flipped + bits, kMaxBits);
   }
   if (!IsDamage(reception.cause)) return;
   if (overlapped && has_bit_errors) {
@@ -97,10 +97,10 @@ bool AcousticTally::AddFrom(LittleEndianReader* reader) {
   uint32_t num_sources = 0;
   for (int64_t Numbers::*number : kNumbers) {
     int64_t more = 0;
-    if (!reader->Take(&more) || more < 0 || more > kMostAdded) return false;
+    if (!reader->Take(&more) || more < 0 || more > kMaxAdded) return false;
     numbers_.*number += more;
   }
-  numbers_.bits_flipped = std::min(numbers_.bits_flipped, kMostBits);
+  numbers_.bits_flipped = std::min(numbers_.bits_flipped, kMaxBits);
   if (!reader->Take(&num_sources)) return false;
   for (uint32_t i = 0; i < num_sources; ++i) {
     std::string source;
@@ -110,7 +110,7 @@ bool AcousticTally::AddFrom(LittleEndianReader* reader) {
         !reader->Take(&num_concluded)) {
       return false;
     }
-    if (num_sent < 0 || num_sent > kMostAdded) return false;
+    if (num_sent < 0 || num_sent > kMaxAdded) return false;
     Packets& packets = packets_[source];
     packets.num_sent += num_sent;
     for (uint32_t k = 0; k < num_concluded; ++k) {

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kCellsPerWidth = 20;
 constexpr double kLeastCells = 40'000;
-constexpr double kMostCells = 4'000'000;
+constexpr double kMaxCells = 4'000'000;
 constexpr double kFastest_mps = 50;
 constexpr double kPiecesPerReach = 40;
 
@@ -44,7 +44,7 @@ CoverageWatch::CoverageWatch(const std::vector<Polygon>& polygons_m, double sens
     Grid& grid = grids_.emplace_back();
     grid.cell_m = std::min(sensor_width_m / kCellsPerWidth,
                            std::sqrt(AreaOf_m2(polygon_m) * num_polygons / kLeastCells));
-    grid.cell_m = std::max(grid.cell_m, std::sqrt(box_m.volume() * num_polygons / kMostCells));
+    grid.cell_m = std::max(grid.cell_m, std::sqrt(box_m.volume() * num_polygons / kMaxCells));
     // What another polygon has counted already counts once.
     std::vector<const Polygon*> others_m;
     for (size_t i = 0; i < boxes_m.size(); ++i) {

@@ -10,7 +10,7 @@ namespace {
 /// Far more than there are; causes that an unregistered sender invents share the last one.
 constexpr size_t kMaxCauses = 32;
 /// More than any part of a mission counts.
-constexpr int64_t kMostOfALink = int64_t{1} << 50;
+constexpr int64_t kMaxOfALink = int64_t{1} << 50;
 }  // namespace
 
 FateCounts::FateCounts(const std::vector<std::string>& vehicles)
@@ -65,7 +65,7 @@ bool FateCounts::AddFrom(LittleEndianReader* reader) {
       uint32_t to = 0;
       int64_t count = 0;
       if (!reader->Take(&from) || !reader->Take(&to) || !reader->Take(&count)) return false;
-      if (from >= num_places_ || to >= num_places_ || count < 1 || count > kMostOfALink)
+      if (from >= num_places_ || to >= num_places_ || count < 1 || count > kMaxOfALink)
         return false;
       Add(from, to, count, &counted);
     }

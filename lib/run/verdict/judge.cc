@@ -228,9 +228,9 @@ void Judge::TakeSwarm(size_t vehicle, const std::string& sender, const SwarmShar
     // Counters that went back are those of a process that was started again.
     const int64_t more =
         shares.*member >= last.*member ? shares.*member - last.*member : shares.*member;
-    constexpr int64_t kMost = std::numeric_limits<int32_t>::max();
+    constexpr int64_t kMax = std::numeric_limits<int32_t>::max();
     swarm_counts_.Add(sender, mission_.vehicles[vehicle].name, outcome,
-                      static_cast<int32_t>(std::clamp<int64_t>(more, 0, kMost)));
+                      static_cast<int32_t>(std::clamp<int64_t>(more, 0, kMax)));
   };
   add("clean", &SwarmShares::clean);
   add("recovered", &SwarmShares::recovered);

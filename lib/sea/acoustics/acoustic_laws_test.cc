@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "lib/sea/acoustics/loss_models.h"
-#include "lib/sea/acoustics/test_water.h"
+#include "lib/sea/acoustics/water_testing.h"
 
 namespace shoal::acoustic_laws_test {
 

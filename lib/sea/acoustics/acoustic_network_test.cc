@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-#include "lib/sea/acoustics/test_water.h"
+#include "lib/sea/acoustics/water_testing.h"
 
 namespace shoal::acoustic_network_test {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "lib/sea/acoustics/acoustic_network.h"
-#include "lib/sea/acoustics/test_water.h"
+#include "lib/sea/acoustics/water_testing.h"
 
 namespace shoal::chosen_channel_test {
 

@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "lib/sea/acoustics/test_water.h"
 #include "lib/sea/acoustics/validate_options.h"
+#include "lib/sea/acoustics/water_testing.h"
 
 namespace shoal::conservation_test {
 

@@ -8,8 +8,8 @@
 #include <tuple>
 #include <vector>
 
-#include "lib/sea/acoustics/test_water.h"
 #include "lib/sea/acoustics/validate_options.h"
+#include "lib/sea/acoustics/water_testing.h"
 #include "tests/golden/read_golden.h"
 
 namespace shoal::golden_scenarios_test {

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "lib/sea/acoustics/test_water.h"
+#include "lib/sea/acoustics/water_testing.h"
 
 namespace shoal::half_duplex_test {
 

@@ -8,7 +8,7 @@
 #include <tuple>
 #include <vector>
 
-#include "lib/sea/acoustics/test_water.h"
+#include "lib/sea/acoustics/water_testing.h"
 
 namespace shoal::independence_test {
 

@@ -9,7 +9,7 @@
 #include <tuple>
 #include <vector>
 
-#include "lib/sea/acoustics/test_water.h"
+#include "lib/sea/acoustics/water_testing.h"
 
 namespace shoal::modem_models_test {
 

@@ -19,9 +19,9 @@ namespace {
 
 constexpr double kLongestDelay_s = 86'400;
 /// More than all transmissions of all missions; sums of counts stay numbers.
-constexpr int64_t kMostSent = int64_t{1} << 60;
+constexpr int64_t kMaxSent = int64_t{1} << 60;
 
-void AddCount(int64_t more, int64_t* count) { *count = std::min(*count + more, kMostSent); }
+void AddCount(int64_t more, int64_t* count) { *count = std::min(*count + more, kMaxSent); }
 
 std::string ShownName(std::string_view name) { return name.empty() ? "-" : Printable(name); }
 

@@ -22,7 +22,7 @@ constexpr double kOldest_s = 5;
 /// A quarter of the Earth's circumference, and ten times the speed of sound in water.
 constexpr double kFarthest_m = 1e7;
 constexpr double kFastestEver_mps = 15'000;
-constexpr size_t kMostJudgements = 1'000'000;
+constexpr size_t kMaxJudgements = 1'000'000;
 /// Times from year -290,000 on are none.
 constexpr int64_t kLatest_utime = int64_t{1} << 60;
 
@@ -54,7 +54,7 @@ size_t EncounterLog::FindVessel(std::string_view vehicle) {
   const std::string key = VehicleKey(vehicle);
   const auto found = places_.find(key);
   if (found != places_.end()) return found->second;
-  if (vessels_.size() >= kMostVehicles) return kMostVehicles;
+  if (vessels_.size() >= kMaxVehicles) return kMaxVehicles;
   const size_t place = vessels_.size();
   vessels_.push_back({.name = key});
   samples_.emplace_back();
@@ -77,7 +77,7 @@ void EncounterLog::Add(std::string_view vehicle, const nav_t& nav) {
   has_nav_ = true;
   now_s_ = time_s;
   const size_t place = FindVessel(vehicle);
-  if (place >= kMostVehicles) {
+  if (place >= kMaxVehicles) {
     ++num_vehicles_left_out_;
     return;
   }
@@ -104,7 +104,7 @@ void EncounterLog::Add(const node_report_t& report) {
 void EncounterLog::Add(std::string_view vehicle, const helm_decision_t& decision) {
   for (const helm_aim_t& aim : decision.aims) {
     if (aim.contact.empty() || aim.role.empty() || !IsLegalVehicleName(aim.contact)) continue;
-    if (num_judgements_ >= kMostJudgements) return;
+    if (num_judgements_ >= kMaxJudgements) return;
     std::vector<Judgement>& known = judgements_[{VehicleKey(vehicle), VehicleKey(aim.contact)}];
     if (!known.empty() && known.back().role == aim.role) continue;
     constexpr size_t kLongestRole = 40;

@@ -22,7 +22,7 @@ namespace shoal {
 class EncounterLog {
  public:
   /// Vehicles beyond these are counted and left out.
-  static constexpr size_t kMostVehicles = 2000;
+  static constexpr size_t kMaxVehicles = 2000;
 
   explicit EncounterLog(const EncounterOptions& options) : watch_(options) {}
 

@@ -108,7 +108,7 @@ TEST(EncounterLog, CountsWhatCannotBeAndGoesOn) {
 
 TEST(EncounterLog, LeavesOutVehiclesBeyondItsBound) {
   EncounterLog log({});
-  for (size_t i = 0; i < EncounterLog::kMostVehicles + 3; ++i) {
+  for (size_t i = 0; i < EncounterLog::kMaxVehicles + 3; ++i) {
     log.Add("V" + std::to_string(i), NavAt(0, 1000.0 * static_cast<double>(i), 0, 0));
   }
   log.Finish();

@@ -28,7 +28,7 @@ TEST(EncounterMissions, OfEachSetLoadWithoutAWarning) {
     for (const std::string_view name : SingleTargetNames()) {
       ExpectSound(LoadedOf(*SingleTarget(name, options.scale), options), std::string(name));
     }
-    for (int num_vessels = 2; num_vessels <= kMostRandomVessels; ++num_vessels) {
+    for (int num_vessels = 2; num_vessels <= kMaxRandomVessels; ++num_vessels) {
       const EncounterScenario scenario = RandomEncounter(7, num_vessels, options.scale);
       ExpectSound(LoadedOf(scenario, options), scenario.name);
     }

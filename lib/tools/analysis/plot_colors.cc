@@ -249,8 +249,8 @@ std::optional<uint32_t> ColorOf(std::string_view name) {
 }
 
 std::vector<std::string> AssignColors(const std::vector<std::string>& requested) {
-  constexpr size_t kMostShades = 3;
-  constexpr double kShades[kMostShades + 1][kMostShades] = {
+  constexpr size_t kMaxShades = 3;
+  constexpr double kShades[kMaxShades + 1][kMaxShades] = {
       {}, {0, 0, 0}, {-0.3, 0.3, 0}, {-0.45, 0, 0.45}};
   std::map<uint32_t, size_t> num_requests;
   for (const std::string& name : requested) {
@@ -258,7 +258,7 @@ std::vector<std::string> AssignColors(const std::vector<std::string>& requested)
   }
   std::vector<Rgb> taken;
   for (const auto& [color, count] : num_requests) {
-    if (count <= kMostShades) taken.push_back(DarkEnough(RgbOf(color)));
+    if (count <= kMaxShades) taken.push_back(DarkEnough(RgbOf(color)));
   }
   const auto is_taken = [&](const Rgb& rgb) {
     return std::any_of(taken.begin(), taken.end(),
@@ -270,7 +270,7 @@ std::vector<std::string> AssignColors(const std::vector<std::string>& requested)
   for (const std::string& name : requested) {
     const auto color = ColorOf(name);
     const size_t num_sharing = color ? num_requests[*color] : 0;
-    if (num_sharing == 0 || num_sharing > kMostShades) {
+    if (num_sharing == 0 || num_sharing > kMaxShades) {
       // Beyond the palette hues come close to each other anyway.
       while (num_from_palette < kPalette.size() && is_taken(PaletteColor(num_from_palette))) {
         ++num_from_palette;

@@ -29,7 +29,7 @@ using Stroke = std::vector<CurvePoint>;
 class ThinnedCurve {
  public:
   /// No curve has more than 4 points per run, 5,000 in all.
-  static constexpr size_t kMostRuns = 1250;
+  static constexpr size_t kMaxRuns = 1250;
 
   /// Appends a point. Where it is not finite, or larger than any figure shows (1e9), the line
   /// breaks instead, and it returns false.
@@ -64,7 +64,7 @@ class ThinnedCurve {
   void Shrink();
 
   std::vector<Run> runs_;
-  size_t max_runs_ = kMostRuns;
+  size_t max_runs_ = kMaxRuns;
   int64_t points_per_run_ = 1;
   int64_t num_points_ = 0;
   bool is_broken_ = true;

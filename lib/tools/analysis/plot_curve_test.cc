@@ -69,7 +69,7 @@ TEST(ThinnedCurve, StaysSmallWhenItIsNothingButGaps) {
     curve.Break();
     curve.Add(i, i);
   }
-  EXPECT_LE(curve.num_runs(), ThinnedCurve::kMostRuns);
+  EXPECT_LE(curve.num_runs(), ThinnedCurve::kMaxRuns);
   EXPECT_EQ(AllPoints(curve).back(), (CurvePoint{19'999, 19'999}));
 }
 

@@ -15,9 +15,9 @@ namespace {
 
 /// What begins later than this counts from no mission's start: three years.
 constexpr int64_t kWallTime_us = 100'000'000'000'000;
-constexpr size_t kMostRunsOfAll = 46'000;  // Of each kind of curve: some 80 MB for seventeen.
+constexpr size_t kMaxRunsOfAll = 46'000;  // Of each kind of curve: some 80 MB for seventeen.
 constexpr size_t kFewestRuns = 32;
-constexpr size_t kMostWaypoints = 500;
+constexpr size_t kMaxWaypoints = 500;
 /// A position this old has no neighbours any more.
 constexpr int64_t kStale_us = 2'000'000;
 /// More slowly than this over ground there is no course.
@@ -107,7 +107,7 @@ PlotDataBuilder::Vehicle* PlotDataBuilder::Find(std::string_view channel_name) {
   if (const auto found = vehicles_.find(channel_name); found != vehicles_.end()) {
     return &found->second;
   }
-  if (vehicles_.size() >= kMostPlotted) {
+  if (vehicles_.size() >= kMaxPlotted) {
     data_.has_too_many = true;
     return nullptr;
   }
@@ -122,8 +122,8 @@ PlotDataBuilder::Vehicle* PlotDataBuilder::Find(std::string_view channel_name) {
   }
   data_.seen.insert(name);
   const size_t max_runs =
-      std::clamp(kMostRunsOfAll / vehicles_.size(), kFewestRuns, ThinnedCurve::kMostRuns);
-  if (max_runs < ThinnedCurve::kMostRuns) {
+      std::clamp(kMaxRunsOfAll / vehicles_.size(), kFewestRuns, ThinnedCurve::kMaxRuns);
+  if (max_runs < ThinnedCurve::kMaxRuns) {
     for (auto& [other, each] : vehicles_) {
       ForEachCurve(&each.curves, [&](ThinnedCurve* curve) { curve->LimitTo(max_runs); });
     }
@@ -218,7 +218,7 @@ void PlotDataBuilder::AddHelmState(Vehicle* vehicle, const helm_state_t& state) 
   if (leg != vehicle->leg) {
     curves.cross_track_m.Break();
     const CurvePoint point{state.waypoint_x_m, state.waypoint_y_m};
-    if (on_leg && curves.steered_for.size() < kMostWaypoints && IsFinite(point.x) &&
+    if (on_leg && curves.steered_for.size() < kMaxWaypoints && IsFinite(point.x) &&
         IsFinite(point.y) &&
         std::find(curves.steered_for.begin(), curves.steered_for.end(), point) ==
             curves.steered_for.end()) {

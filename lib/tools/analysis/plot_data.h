@@ -81,11 +81,11 @@ struct PlotData {
   std::set<std::string> seen;   ///< Names in channels of all vehicles of the log.
   int64_t num_undecodable = 0;  ///< Messages on these channels that are of another type.
   int64_t num_impossible = 0;   ///< Values that no figure can show.
-  bool has_too_many = false;    ///< More than kMostPlotted vehicles: the rest is left out.
+  bool has_too_many = false;    ///< More than kMaxPlotted vehicles: the rest is left out.
 };
 
 /// A figure has no more vehicles than this.
-inline constexpr size_t kMostPlotted = 2000;
+inline constexpr size_t kMaxPlotted = 2000;
 
 class PlotDataBuilder {
  public:

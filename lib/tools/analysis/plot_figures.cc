@@ -16,7 +16,7 @@ namespace {
 constexpr std::string_view kSolid = "lw 1.4";
 constexpr std::string_view kDashed = "dt (6,5) lw 1.2";
 constexpr std::string_view kDotted = "dt (2,4) lw 1.2";
-constexpr size_t kMostDistances = 12;
+constexpr size_t kMaxDistances = 12;
 
 using CurveOf = std::function<const ThinnedCurve&(const VehicleCurves&)>;
 
@@ -149,7 +149,7 @@ Figure DrawDistances(StackedFigure figure, const PlotSetting& setting, bool png)
     figure.Explain("to the nearest", kGreySolid);
     figure.Explain("to its target", kGreyDashed);
   }
-  const size_t num_marks = std::min(setting.distances.size(), kMostDistances);
+  const size_t num_marks = std::min(setting.distances.size(), kMaxDistances);
   for (size_t i = 0; has_curves && i < num_marks; ++i) {
     const DistanceMark& mark = setting.distances[i];
     const std::string style = fmt::format("lines lc rgb '#000000' dt {} lw 0.8", 3 + i % 3);

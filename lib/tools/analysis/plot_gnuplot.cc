@@ -21,14 +21,14 @@ namespace {
 
 /// Returns what can be read until the other end is closed; of long output, the beginning.
 std::string ReadAll(int fd) {
-  constexpr size_t kMost = 4000;
+  constexpr size_t kMax = 4000;
   std::string text;
   std::array<char, 4096> buffer;
   while (true) {
     const ssize_t size = ::read(fd, buffer.data(), buffer.size());
     if (size < 0 && errno == EINTR) continue;
     if (size <= 0) return text;
-    if (text.size() < kMost) text.append(buffer.data(), static_cast<size_t>(size));
+    if (text.size() < kMax) text.append(buffer.data(), static_cast<size_t>(size));
   }
 }
 

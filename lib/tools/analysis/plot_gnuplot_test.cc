@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-#include "lib/bus/record/test_log.h"
+#include "lib/bus/record/log_testing.h"
 
 namespace shoal::plot_gnuplot_test {
 

@@ -38,7 +38,7 @@ struct Bounds {
   double height() const { return high - low; }
 };
 
-constexpr int kMostWithTimes = 4;  // With more vehicles, times would hide the tracks.
+constexpr int kMaxWithTimes = 4;  // With more vehicles, times would hide the tracks.
 constexpr const char* kGrey = "#707070";
 
 std::string PlanColor(const std::string& color) { return "#70" + color.substr(1); }
@@ -52,7 +52,7 @@ std::string PaleColor(const std::string& color) {
 }
 
 /// More would not be seen.
-constexpr size_t kMostDiscs = 20'000;
+constexpr size_t kMaxDiscs = 20'000;
 constexpr double kDiscsPerReach = 4;
 
 /// Returns points of a line about `step_m` apart, fewer where there would be too many.
@@ -61,7 +61,7 @@ Stroke DenseAlong(const Stroke& stroke, double step_m) {
   for (size_t i = 1; i < stroke.size(); ++i) {
     length_m += std::hypot(stroke[i].x - stroke[i - 1].x, stroke[i].y - stroke[i - 1].y);
   }
-  step_m = std::max(step_m, length_m / static_cast<double>(kMostDiscs));
+  step_m = std::max(step_m, length_m / static_cast<double>(kMaxDiscs));
   Stroke dense;
   if (!stroke.empty()) dense.push_back(stroke.front());
   for (size_t i = 1; i < stroke.size(); ++i) {
@@ -220,7 +220,7 @@ class TracksFigure {
     const int block = blocks_.AddLines(vehicle.name + ", times", lines);
     items_.push_back(fmt::format(
         "'tracks.dat' index {} with points lc rgb '{}' pt 9 ps 0.9 notitle", block, color));
-    if (data_.vehicles.size() > kMostWithTimes) return;
+    if (data_.vehicles.size() > kMaxWithTimes) return;
     items_.push_back(
         fmt::format("'tracks.dat' index {} using 1:2:3 with labels font ',11' tc rgb "
                     "'{}' left offset 0.7,0.5 notitle",
@@ -342,8 +342,8 @@ std::string TitleOf(const std::string& what, const PlotSetting& setting) {
 
 std::vector<LegendEntry> VehicleLegend(const PlotData& data,
                                        const std::vector<std::string>& colors) {
-  constexpr size_t kMost = 60;
-  if (data.vehicles.size() > kMost) return {};
+  constexpr size_t kMax = 60;
+  if (data.vehicles.size() > kMax) return {};
   std::vector<LegendEntry> legend;
   for (size_t i = 0; i < data.vehicles.size(); ++i) {
     legend.push_back({data.vehicles[i].name, fmt::format("lines lc rgb '{}' lw 1.6", colors[i])});

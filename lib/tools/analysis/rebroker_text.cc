@@ -17,7 +17,7 @@ namespace shoal {
 
 namespace {
 
-constexpr size_t kMostVehiclesNamed = 10;
+constexpr size_t kMaxVehiclesNamed = 10;
 
 std::string SecondsText(int64_t utime) {
   return fmt::format("{:.3f} s", static_cast<double>(utime) / 1e6);
@@ -40,11 +40,11 @@ std::string MissingText(const std::vector<ReportGap>& gaps) {
   std::string vehicles;
   for (size_t i = 0; i < gaps.size(); ++i) {
     num_missing = std::min(num_missing, INT64_MAX / 2) + gaps[i].num_missing;
-    if (i >= kMostVehiclesNamed) continue;
+    if (i >= kMaxVehiclesNamed) continue;
     vehicles += fmt::format("{}{} {} of {}", i == 0 ? "" : ", ", gaps[i].vehicle,
                             gaps[i].num_missing, gaps[i].num_found + gaps[i].num_missing);
   }
-  if (gaps.size() > kMostVehiclesNamed) vehicles += ", ...";
+  if (gaps.size() > kMaxVehiclesNamed) vehicles += ", ...";
   return fmt::format(
       "{} node reports seem to be missing, by the vehicles' own count ({}); lcm-logger loses "
       "bursts, `shoal run --record` does not. What hangs on each report's number "

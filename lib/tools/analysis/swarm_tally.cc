@@ -15,10 +15,10 @@ namespace shoal {
 namespace {
 
 /// More than any mission counts; sums stay numbers.
-constexpr int64_t kMostCounted = 1'000'000'000'000;
+constexpr int64_t kMaxCounted = 1'000'000'000'000;
 
 bool CanBeCounted(const swarm_t& swarm) {
-  const auto can_be = [](int64_t count) { return count >= 0 && count <= kMostCounted; };
+  const auto can_be = [](int64_t count) { return count >= 0 && count <= kMaxCounted; };
   return can_be(swarm.num_said) &&
          std::all_of(swarm.sources.begin(), swarm.sources.end(),
                      [&](const swarm_source_t& source) {

@@ -24,12 +24,12 @@ void TimeMarks::Add(double time_s, CurvePoint at) {
   if (mark_s <= last_s || time_s - static_cast<double>(mark_s) > 1) return;
   marks_.push_back({.time_s = mark_s, .at = at});
   for (const int64_t step_s : kMarkSteps_s) {
-    if (marks_.size() <= kMostMarks) break;
+    if (marks_.size() <= kMaxMarks) break;
     if (step_s <= step_s_) continue;
     step_s_ = step_s;
     marks_ = MultiplesOf(step_s);
   }
-  if (marks_.size() > kMostMarks) marks_.pop_back();  // More than two weeks.
+  if (marks_.size() > kMaxMarks) marks_.pop_back();  // More than two weeks.
 }
 
 std::vector<TimeMark> TimeMarks::MultiplesOf(int64_t step_s) const {

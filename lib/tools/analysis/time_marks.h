@@ -17,7 +17,7 @@ struct TimeMark {
 /// Marks a track at multiples of a step that grows, from a second to a day, with its length.
 class TimeMarks {
  public:
-  static constexpr size_t kMostMarks = 15;
+  static constexpr size_t kMaxMarks = 15;
 
   /// Takes the next point of the track; it is a mark where it is the first at or behind a multiple
   /// of the step, by a second at most. The start is none.

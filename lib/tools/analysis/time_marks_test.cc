@@ -47,7 +47,7 @@ TEST(TimeMarks, AreLeftOutWhereTheTrackHasNoPointNearThem) {
 TEST(TimeMarks, StayFifteenInATrackOfAYear) {
   const TimeMarks marks = MarksUpTo(3e7, 43'200);
   EXPECT_EQ(marks.step_s(), 86'400);
-  EXPECT_EQ(marks.MultiplesOf(86'400).size(), TimeMarks::kMostMarks);
+  EXPECT_EQ(marks.MultiplesOf(86'400).size(), TimeMarks::kMaxMarks);
 }
 
 TEST(TimeMarks, OfAnotherVehiclesCoarserStepAreThoseThatBothHave) {

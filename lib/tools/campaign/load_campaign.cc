@@ -24,10 +24,10 @@ namespace shoal {
 
 namespace {
 
-constexpr int64_t kMostRepetitions = 100'000'000;
-constexpr int64_t kMostSteps = 10'000;  ///< Of one range.
-constexpr size_t kMostLooks = 20;
-constexpr size_t kMostCases = 100'000;
+constexpr int64_t kMaxRepetitions = 100'000'000;
+constexpr int64_t kMaxSteps = 10'000;  ///< Of one range.
+constexpr size_t kMaxLooks = 20;
+constexpr size_t kMaxCases = 100'000;
 
 constexpr std::array<std::string_view, 7> kTables = {"campaign", "set",     "sweep", "sample",
                                                      "policy",   "metrics", "stop"};
@@ -99,8 +99,8 @@ class CampaignReader {
     reader.Require("mission", "mission = \"FILE.toml\"");
     reader.Text("mission", mission, {.min_length = 1, .max_length = kLongestPath});
     reader.Integer("seed", seed, 0, INT64_MAX);
-    reader.Integer("repetitions", campaign_.repetitions, 1, kMostRepetitions);
-    reader.Integer("latin_hypercube", campaign_.latin_hypercube, 0, kMostRepetitions);
+    reader.Integer("repetitions", campaign_.repetitions, 1, kMaxRepetitions);
+    reader.Integer("latin_hypercube", campaign_.latin_hypercube, 0, kMaxRepetitions);
     reader.Number("timeout_s", campaign_.timeout_s, Above(0, kLongest_s));
     reader.Number("confidence", campaign_.confidence, Between(0.5, 0.9999));
     campaign_.seed = static_cast<uint64_t>(seed);
@@ -181,14 +181,14 @@ class CampaignReader {
     int64_t steps = 2;
     const size_t num_before = problems_.size();
     {
-      constexpr double kMost = 1e300;
+      constexpr double kMax = 1e300;
       TableReader reader(*item.value, "the range of '" + item.key + "'", problems_);
       reader.Require("from", "from = 0");
       reader.Require("to", "to = 1");
       reader.Require("steps", "steps = 5");
-      reader.Number("from", from, Between(-kMost, kMost));
-      reader.Number("to", to, Between(-kMost, kMost));
-      reader.Integer("steps", steps, 2, kMostSteps);
+      reader.Number("from", from, Between(-kMax, kMax));
+      reader.Number("to", to, Between(-kMax, kMax));
+      reader.Integer("steps", steps, 2, kMaxSteps);
     }
     if (problems_.size() > num_before) return values;
     for (int64_t i = 0; i < steps; ++i) {
@@ -348,7 +348,7 @@ class CampaignReader {
     reader.Text("metric", rule.metric, {.min_length = 1, .max_length = 64});
     reader.Number("half_width", rule.half_width, Above(0, kWidest));
     reader.Number("confidence", rule.confidence, Between(0.5, 0.9999));
-    reader.Numbers("looks", looks, kMostLooks);
+    reader.Numbers("looks", looks, kMaxLooks);
     reader.Word("spending", spending, kSpendings);
     rule.spending = spending == kSpendings[0] ? Spending::kObrienFleming : Spending::kPocock;
     for (const double look : looks) {
@@ -369,11 +369,11 @@ class CampaignReader {
     size_t num_cases = campaign_.policies.size();
     for (const SweepAxis& axis : campaign_.sweep) {
       num_cases *= axis.values.size();
-      if (num_cases <= kMostCases) continue;
+      if (num_cases <= kMaxCases) continue;
       problems_.Add({.line = 1, .column = 1},
                     fmt::format("the sweep has more than {} points with its policies: sample some "
                                 "of the keys instead, in [sample]",
-                                kMostCases));
+                                kMaxCases));
       return;
     }
   }

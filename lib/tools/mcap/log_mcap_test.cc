@@ -8,7 +8,7 @@
 
 #include "lib/base/check/result.h"
 #include "lib/bus/bus/channels.h"
-#include "lib/bus/record/test_log.h"
+#include "lib/bus/record/log_testing.h"
 #include "lib/tools/mcap/crc32.h"
 #include "lib/tools/mcap/mcap_writer.h"
 

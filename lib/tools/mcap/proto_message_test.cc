@@ -13,8 +13,8 @@
 #include <sstream>
 
 #include "lib/base/schema/text.h"
+#include "lib/bus/record/log_testing.h"
 #include "lib/bus/record/message_types.h"
-#include "lib/bus/record/test_log.h"
 #include "lib/tools/mcap/foxglove.h"
 #include "lib/tools/mcap/proto_schema.h"
 #include "shoal_test/deep/shapes_t.hpp"

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kFarthestPoint_m = 1e7;
 constexpr double kLongest_s = 1e9;
-constexpr size_t kMostMetrics = 1000;
+constexpr size_t kMaxMetrics = 1000;
 
 constexpr std::array<std::pair<std::string_view, MetricKind>, 8> kMetricKinds = {{
     {"delivery_ratio", MetricKind::kDeliveryRatio},
@@ -189,9 +189,9 @@ void ReadMetrics(const Value& table, Problems& problems, std::vector<MetricSpec>
     problems.Add(table.place, "metrics must be a table like [metrics], not " + WhatIs(table));
     return;
   }
-  if (entries->size() > kMostMetrics) {
-    problems.Add(table.place, fmt::format("[metrics] has {} metrics; {} at most", entries->size(),
-                                          kMostMetrics));
+  if (entries->size() > kMaxMetrics) {
+    problems.Add(table.place,
+                 fmt::format("[metrics] has {} metrics; {} at most", entries->size(), kMaxMetrics));
     return;
   }
   for (const Entry& entry : *entries) {

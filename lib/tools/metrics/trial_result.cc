@@ -11,7 +11,7 @@ namespace shoal {
 
 namespace {
 
-constexpr size_t kMostReasons = 20;
+constexpr size_t kMaxReasons = 20;
 
 /// Returns "alpha and bravo collide at 30.0 s".
 std::string CollisionText(const Mission& mission, const CollisionFact& fact) {
@@ -42,9 +42,9 @@ TrialResult ResultOf(const Mission& mission, const Judge& judge, const TrialWatc
       reasons.push_back(CollisionText(mission, fact));
     }
   }
-  if (reasons.size() > kMostReasons) {
-    const size_t num_more = reasons.size() - kMostReasons;
-    reasons.resize(kMostReasons);
+  if (reasons.size() > kMaxReasons) {
+    const size_t num_more = reasons.size() - kMaxReasons;
+    reasons.resize(kMaxReasons);
     reasons.push_back(fmt::format("and {} more", num_more));
   }
   return {.outcome = judge.Passed() ? TrialOutcome::kPass : TrialOutcome::kFail,

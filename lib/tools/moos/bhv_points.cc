@@ -18,7 +18,7 @@
 namespace shoal {
 namespace {
 
-constexpr size_t kMostPoints = 10'000;
+constexpr size_t kMaxPoints = 10'000;
 constexpr double kRadPerDeg = std::numbers::pi / 180;
 
 using Values = std::map<std::string, std::string, std::less<>>;
@@ -81,7 +81,7 @@ Result<BhvPoints> ParseList(std::string_view whole) {
     } else if (!is_annotation) {
       return Wrong(whole, "not x,y:x,y");
     }
-    if (list.points_m.size() > kMostPoints) return Wrong(whole, "more than 10,000 points");
+    if (list.points_m.size() > kMaxPoints) return Wrong(whole, "more than 10,000 points");
     if (end == text.size()) break;
     text.remove_prefix(end + 1);
   }
@@ -154,7 +154,7 @@ Result<BhvPoints> MakeLawnmower(std::string_view text, const Values& values) {
   const double across_m = is_ns ? width_m : height_m;
   const double along_m = is_ns ? height_m : width_m;
   const double num_steps = std::floor(across_m / lane_m + 1e-9);
-  if (num_steps > kMostPoints / 2 - 1) return Wrong(text, "more than 5,000 lanes");
+  if (num_steps > kMaxPoints / 2 - 1) return Wrong(text, "more than 5,000 lanes");
   const int num_lanes = static_cast<int>(num_steps) + 1;
   std::vector<Eigen::Vector2d> best;
   for (const double side : {-1.0, 1.0}) {

@@ -20,7 +20,7 @@
 namespace shoal {
 namespace {
 
-constexpr size_t kMost = 200;
+constexpr size_t kMax = 200;
 
 std::string_view WithoutQuotes(std::string_view text) {
   text = Trimmed(text);
@@ -543,13 +543,13 @@ void ImportVariables(const BhvFile& file, BhvImport* import) {
   if (!table.lines.empty()) import->tables.push_back(std::move(table));
 }
 
-/// Returns the first kMost of a list; names what is left out.
+/// Returns the first kMax of a list; names what is left out.
 template <class Item>
 std::vector<Item> Bounded(std::vector<Item> items, std::string_view what, BhvImport* import) {
-  if (items.size() <= kMost) return items;
+  if (items.size() <= kMax) return items;
   import->warnings.push_back(fmt::format("{}: {} are left out from here on: {} are the most",
-                                         items[kMost].origin, what, kMost));
-  items.resize(kMost);
+                                         items[kMax].origin, what, kMax));
+  items.resize(kMax);
   return items;
 }
 

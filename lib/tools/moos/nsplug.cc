@@ -14,9 +14,9 @@
 namespace shoal {
 namespace {
 
-constexpr size_t kMostLines = 100'000;
-constexpr size_t kMost_bytes = 20'000'000;
-constexpr size_t kMostFiles = 1'000;
+constexpr size_t kMaxLines = 100'000;
+constexpr size_t kMax_bytes = 20'000'000;
+constexpr size_t kMaxFiles = 1'000;
 constexpr size_t kDeepest = 16;
 constexpr size_t kLongestValue_bytes = 4'096;
 constexpr size_t kLongestLine_bytes = 65'536;
@@ -154,7 +154,7 @@ class Plugger {
   void Add(std::string origin, std::string text, std::string reason, bool is_loss) {
     if (is_full_) return;
     num_bytes_ += text.size();
-    if (lines_.size() >= kMostLines || num_bytes_ > kMost_bytes) {
+    if (lines_.size() >= kMaxLines || num_bytes_ > kMax_bytes) {
       is_full_ = true;
       reason = "is too much: what follows is left out; 100,000 lines and 20 MB are the most";
       is_loss = true;
@@ -300,7 +300,7 @@ class Plugger {
     if (name.size() > 2 && name.front() == '<' && name.back() == '>') {
       name = name.substr(1, name.size() - 2);
     }
-    if (open_files_.size() >= kDeepest || num_files_ >= kMostFiles) {
+    if (open_files_.size() >= kDeepest || num_files_ >= kMaxFiles) {
       return Add(origin, text, "is one #include too many: 16 deep, 1,000 in all", true);
     }
     const auto source = find_ == nullptr ? std::nullopt : find_(name, open_files_.back());

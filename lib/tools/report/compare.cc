@@ -13,7 +13,7 @@ namespace shoal {
 
 namespace {
 
-constexpr size_t kMostNamed = 12;
+constexpr size_t kMaxNamed = 12;
 
 /// Splits at commas outside of brackets and quotes: values may be arrays and texts.
 std::vector<std::string> SplitAtCommas(std::string_view text) {
@@ -55,8 +55,8 @@ std::string Choices(const CampaignResults& results) {
   }
   std::string text;
   for (auto& [key, values] : choices) {
-    const bool is_long = values.size() > kMostNamed;
-    if (is_long) values.resize(kMostNamed);
+    const bool is_long = values.size() > kMaxNamed;
+    if (is_long) values.resize(kMaxNamed);
     text += fmt::format("\n  {} = {}{}", key, fmt::join(values, ", "), is_long ? ", ..." : "");
   }
   return text.empty() ? "\n  nothing: the campaign has one case" : text;

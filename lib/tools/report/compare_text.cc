@@ -13,7 +13,7 @@ namespace shoal {
 namespace {
 
 constexpr size_t kPointWidth = 26;
-constexpr size_t kMostBrokenNamed = 10;
+constexpr size_t kMaxBrokenNamed = 10;
 
 /// Writes the comparison.
 class ComparisonWriter {
@@ -77,14 +77,14 @@ class ComparisonWriter {
     if (point.broken.empty()) return;
     Line(fmt::format("    {} with an error or a timeout, which counts as not passed:",
                      CountText(static_cast<int64_t>(point.broken.size()), "pair")));
-    for (size_t i = 0; i < std::min(point.broken.size(), kMostBrokenNamed); ++i) {
+    for (size_t i = 0; i < std::min(point.broken.size(), kMaxBrokenNamed); ++i) {
       const BrokenPair& pair = point.broken[i];
       Line(fmt::format("      {} {}, {} {}", pair.a, NameOf(pair.outcome_a), pair.b,
                        NameOf(pair.outcome_b)));
     }
-    if (point.broken.size() > kMostBrokenNamed) {
+    if (point.broken.size() > kMaxBrokenNamed) {
       Line(fmt::format("      and {} more: results.csv has all",
-                       point.broken.size() - kMostBrokenNamed));
+                       point.broken.size() - kMaxBrokenNamed));
     }
   }
 

@@ -97,8 +97,8 @@ std::vector<std::string> ColorsOf(size_t num) {
 }
 
 std::string LeftOutText(size_t num_lines) {
-  if (num_lines <= kMostLines) return "";
-  return fmt::format(" ({} of {} lines)", kMostLines, num_lines);
+  if (num_lines <= kMaxLines) return "";
+  return fmt::format(" ({} of {} lines)", kMaxLines, num_lines);
 }
 
 /// Returns the common beginning of a figure with one plot, whose legend is right of it.
@@ -129,7 +129,7 @@ void SetApart(std::vector<PlottedLine>* lines) {
   }
   if (!(high > low)) return;
   const double step = 0.006 * (high - low);
-  const double middle = static_cast<double>(std::min(lines->size(), kMostLines) - 1) / 2;
+  const double middle = static_cast<double>(std::min(lines->size(), kMaxLines) - 1) / 2;
   for (size_t i = 0; i < lines->size(); ++i) {
     for (PlottedPoint& point : (*lines)[i].points) {
       point.x += (static_cast<double>(i) - middle) * step;
@@ -142,7 +142,7 @@ void DrawLines(std::vector<PlottedLine> lines, const std::string& head_settings,
                const std::string& title, const std::string& x_label, const std::string& y_label,
                bool joined, bool png, Figure* figure) {
   if (joined) SetApart(&lines);
-  const size_t num = std::min(lines.size(), kMostLines);
+  const size_t num = std::min(lines.size(), kMaxLines);
   const std::vector<std::string> colors = ColorsOf(num);
   PlotBlocks blocks;
   std::vector<LegendEntry> legend;
@@ -221,7 +221,7 @@ class ReportDrawing {
   std::string ScaleSettings(size_t num_lines) const {
     if (has_sweep()) return SweepScale(results_).Settings();
     return fmt::format("set xrange [-0.5:{}]\nunset xtics\n",
-                       static_cast<double>(std::min(num_lines, kMostLines)) - 0.5);
+                       static_cast<double>(std::min(num_lines, kMaxLines)) - 0.5);
   }
 
   std::string ConfidenceText() const {
@@ -277,7 +277,7 @@ class ReportDrawing {
     Figure figure = FigureOf(name);
     auto values = ValuesOf(metric);
     const size_t num_cases = values.size();
-    values.resize(std::min(num_cases, kMostLines));
+    values.resize(std::min(num_cases, kMaxLines));
     double low = kLargestDrawn;
     double high = -kLargestDrawn;
     size_t most = 0;

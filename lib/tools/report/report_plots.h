@@ -10,7 +10,7 @@
 namespace shoal {
 
 /// Lines in one figure; of more cases, the first ones are drawn and the title names the rest.
-inline constexpr size_t kMostLines = 8;
+inline constexpr size_t kMaxLines = 8;
 
 /// Returns a figure of the share passed and one of each metric: with a sweep a curve over its first
 /// axis with intervals, one line for each policy and each value of the other axes; without one,

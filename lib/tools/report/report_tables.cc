@@ -142,7 +142,7 @@ class CaseBuilder {
       const double distance = value == median ? 0 : std::abs(value - median);
       candidates.push_back({&row, row.result.outcome == TrialOutcome::kPass, distance});
     }
-    const size_t num = std::min(kMostNoted, candidates.size());
+    const size_t num = std::min(kMaxNoted, candidates.size());
     std::partial_sort(candidates.begin(), candidates.begin() + static_cast<std::ptrdiff_t>(num),
                       candidates.end(), [](const Candidate& a, const Candidate& b) {
                         if (a.has_passed != b.has_passed) return b.has_passed;
@@ -160,7 +160,7 @@ class CaseBuilder {
   void NoteNotPassed() {
     for (int order = 0; order < 3; ++order) {
       for (const TrialRow& row : rows_) {
-        if (table_.not_passed.size() == kMostNoted) return;
+        if (table_.not_passed.size() == kMaxNoted) return;
         if (OrderOf(row.result.outcome) != order) continue;
         table_.not_passed.push_back(NoteOf(results_, row, kMissingNumber));
       }

@@ -44,7 +44,7 @@ struct NotedTrial {
 /// The quantiles of a metric that are reported.
 inline constexpr std::array<double, 3> kReportedQuantiles = {0.05, 0.5, 0.95};
 /// Noted trials of a case and metric.
-inline constexpr size_t kMostNoted = 5;
+inline constexpr size_t kMaxNoted = 5;
 
 /// A metric in a case.
 struct MetricSummary {
@@ -70,7 +70,7 @@ struct CaseTable {
   /// Where none failed to pass, or none passed: the bound of what was not seen, one-sided.
   std::optional<double> bound_of_none;
   std::vector<MetricSummary> metrics;  ///< In the order of CampaignResults::metrics.
-  std::vector<NotedTrial> not_passed;  ///< Errors, timeouts, fails: kMostNoted at most.
+  std::vector<NotedTrial> not_passed;  ///< Errors, timeouts, fails: kMaxNoted at most.
 };
 
 struct ReportTables {

@@ -53,7 +53,7 @@ TEST(ReportTables, CountTrialsWithoutAValueApart) {
 TEST(ReportTables, NoteFailsFirstThenWhatIsFarFromTheMedian) {
   const ReportTables tables = MakeReportTables(EachOutcome());
   const auto& worst = tables.cases.at(0).metrics.at(0).worst;
-  ASSERT_EQ(worst.size(), kMostNoted);
+  ASSERT_EQ(worst.size(), kMaxNoted);
   EXPECT_EQ(worst[0].key, (TrialKey{"0000000000", 10}));
   EXPECT_EQ(worst[1].key, (TrialKey{"0000000000", 7}));
   EXPECT_EQ(worst[2].key.repetition, 6) << "60 is farther from 32.5 than 10 is";

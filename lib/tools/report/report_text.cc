@@ -18,14 +18,14 @@ namespace {
 
 constexpr size_t kLabelWidth = 22;
 /// Trials are named by metric up to this many cases; not_passed are always.
-constexpr size_t kMostCasesInDetail = 6;
+constexpr size_t kMaxCasesInDetail = 6;
 
 /// Returns the numbers of the cases to show, in their order: all, or the first of each ranking.
 std::vector<size_t> ChooseCases(const ReportTables& tables, bool all,
                                 const std::function<double(const CaseTable&)>& value) {
   std::vector<size_t> numbers(tables.cases.size());
   std::iota(numbers.begin(), numbers.end(), size_t{0});
-  if (all || numbers.size() <= kMostCasesShown) return numbers;
+  if (all || numbers.size() <= kMaxCasesShown) return numbers;
   const auto key_of = [&](size_t i) {
     const CaseTable& table = tables.cases[i];
     const double of_case = value(table);
@@ -44,11 +44,11 @@ std::vector<size_t> ChooseCases(const ReportTables& tables, bool all,
   };
   const auto num_flawed = static_cast<size_t>(
       std::count_if(numbers.begin(), numbers.end(), [&](size_t i) { return key_of(i).first > 0; }));
-  take(std::min(num_flawed, kMostCasesShown / 2),
+  take(std::min(num_flawed, kMaxCasesShown / 2),
        [&](size_t a, size_t b) { return key_of(a).first > key_of(b).first; });
-  take((kMostCasesShown - chosen.size()) / 2,
+  take((kMaxCasesShown - chosen.size()) / 2,
        [&](size_t a, size_t b) { return key_of(a).second < key_of(b).second; });
-  take(kMostCasesShown - chosen.size(),
+  take(kMaxCasesShown - chosen.size(),
        [&](size_t a, size_t b) { return key_of(a).second > key_of(b).second; });
   std::sort(chosen.begin(), chosen.end());
   return chosen;
@@ -184,7 +184,7 @@ class ReportWriter {
                        IntervalText(of.mean.interval) + (of.mean.is_repeated ? " *" : ""),
                        DigitsText(of.min), DigitsText(of.max)));
       if (of.num > 0) Quantiles(of);
-      if (shown.size() <= kMostCasesInDetail) Worst(of);
+      if (shown.size() <= kMaxCasesInDetail) Worst(of);
     }
     LeftOut(shown.size());
   }

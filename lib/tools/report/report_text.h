@@ -10,7 +10,7 @@ namespace shoal {
 
 /// With more cases than this, those that matter are shown: with errors, timeouts or missing trials,
 /// and with the lowest and highest values.
-inline constexpr size_t kMostCasesShown = 20;
+inline constexpr size_t kMaxCasesShown = 20;
 
 /// Returns the report: outcomes of all and of each case, then a table of each metric. `all` shows
 /// every case however many there are.

@@ -300,15 +300,15 @@ Result<TrialKey> FindTrial(const CampaignFolder& folder, const std::string& text
     key.case_id = found.front()->id;
     return key;
   }
-  constexpr size_t kMostShown = 20;
+  constexpr size_t kMaxShown = 20;
   std::string message = fmt::format(
       "no trial '{}': a trial is CASE-REPETITION, with a repetition from 1 to {}; the cases are:",
       text, folder.campaign.repetitions);
-  for (size_t i = 0; i < std::min(kMostShown, folder.plan.cases.size()); ++i) {
+  for (size_t i = 0; i < std::min(kMaxShown, folder.plan.cases.size()); ++i) {
     const CampaignCase& each = folder.plan.cases[i];
     message += fmt::format("\n  {}  {}", each.id, CaseText(folder.campaign, each));
   }
-  if (folder.plan.cases.size() > kMostShown) message += "\n  ... (campaign.json lists all)";
+  if (folder.plan.cases.size() > kMaxShown) message += "\n  ... (campaign.json lists all)";
   return Error{message};
 }
 

@@ -24,9 +24,9 @@ namespace shoal {
 
 namespace {
 
-constexpr int kMostDeaths = 2;  ///< Then a trial's crash is its result.
+constexpr int kMaxDeaths = 2;  ///< Then a trial's crash is its result.
 /// A signal from outside (kill -9, no memory left): the trial itself may be sound.
-constexpr int kMostKills = 4;
+constexpr int kMaxKills = 4;
 constexpr char kEndOfLine = '\n';
 
 bool IsFromOutside(int signal) {
@@ -213,10 +213,10 @@ bool WorkerPool::Receive(Worker* worker, std::vector<FinishedJob>* finished) {
 }
 
 std::string WorkerPool::LastOutput(const Worker& worker) const {
-  constexpr off_t kMost = 1500;
+  constexpr off_t kMax = 1500;
   const off_t size = lseek(worker.output.get(), 0, SEEK_END);
   if (size <= 0) return {};
-  std::string text(static_cast<size_t>(std::min(size, kMost)), '\0');
+  std::string text(static_cast<size_t>(std::min(size, kMax)), '\0');
   const ssize_t count =
       pread(worker.output.get(), text.data(), text.size(), size - static_cast<off_t>(text.size()));
   text.resize(static_cast<size_t>(std::max<ssize_t>(count, 0)));
@@ -232,7 +232,7 @@ void WorkerPool::Bury(Worker* worker, std::vector<FinishedJob>* finished) {
   const bool was_busy = worker->is_busy;
   const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
   ++worker->num_deaths;
-  const int most = IsFromOutside(signal) ? kMostKills : kMostDeaths;
+  const int most = IsFromOutside(signal) ? kMaxKills : kMaxDeaths;
   if (was_busy && worker->num_deaths >= most) {
     std::string why = signal != 0
                           ? fmt::format("signal {} ({})", signal, strsignal(signal))

@@ -5,7 +5,7 @@
 
 #include <limits>
 
-#include "lib/tools/view/test_view.h"
+#include "lib/tools/view/view_testing.h"
 
 namespace shoal::fate_facts_test {
 

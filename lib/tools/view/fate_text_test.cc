@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <set>
 
-#include "lib/tools/view/test_view.h"
+#include "lib/tools/view/view_testing.h"
 
 namespace shoal::fate_text_test {
 

@@ -4,9 +4,9 @@
 
 #include "lib/tools/view/fate_history.h"
 #include "lib/tools/view/link_history.h"
-#include "lib/tools/view/test_view.h"
 #include "lib/tools/view/trail.h"
 #include "lib/tools/view/vehicle_history.h"
+#include "lib/tools/view/view_testing.h"
 
 namespace shoal::histories_test {
 

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "lib/tools/view/live_view.h"
-#include "lib/tools/view/test_view.h"
+#include "lib/tools/view/view_testing.h"
 
 namespace shoal::hostile_test {
 

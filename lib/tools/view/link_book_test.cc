@@ -5,7 +5,7 @@
 
 #include <map>
 
-#include "lib/tools/view/test_view.h"
+#include "lib/tools/view/view_testing.h"
 
 namespace shoal::link_book_test {
 

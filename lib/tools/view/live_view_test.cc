@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "lib/tools/view/test_view.h"
+#include "lib/tools/view/view_testing.h"
 
 namespace shoal::live_view_test {
 

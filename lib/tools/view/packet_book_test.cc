@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "lib/tools/view/test_view.h"
+#include "lib/tools/view/view_testing.h"
 
 namespace shoal::packet_book_test {
 

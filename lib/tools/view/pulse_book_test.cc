@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include "lib/tools/view/test_view.h"
+#include "lib/tools/view/view_testing.h"
 
 namespace shoal::pulse_book_test {
 

@@ -9,9 +9,9 @@
 
 #include "lib/bus/bus/channels.h"
 #include "lib/bus/bus/seal.h"
-#include "lib/bus/record/test_log.h"
+#include "lib/bus/record/log_testing.h"
 #include "lib/tools/view/recorded_view.h"
-#include "lib/tools/view/test_view.h"
+#include "lib/tools/view/view_testing.h"
 
 namespace shoal {
 

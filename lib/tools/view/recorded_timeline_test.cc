@@ -36,10 +36,10 @@ TEST(RecordedTimeline, StandsStillWhileTimesAreALittleEarlier) {
 
 TEST(RecordedTimeline, IgnoresASingleOddTime) {
   constexpr int64_t kLeast = std::numeric_limits<int64_t>::min();
-  constexpr int64_t kMost = std::numeric_limits<int64_t>::max();
+  constexpr int64_t kMax = std::numeric_limits<int64_t>::max();
   RecordedTimeline line(kStart_utime);
   Advance(&line, 0, 10);
-  for (const int64_t utime : {kLeast, kMost, int64_t{-1}, 7'200 * kSecond_us}) line.Advance(utime);
+  for (const int64_t utime : {kLeast, kMax, int64_t{-1}, 7'200 * kSecond_us}) line.Advance(utime);
   EXPECT_EQ(line.now_us(), 9 * kSecond_us);
   Advance(&line, 10, 1);
   EXPECT_EQ(line.now_us(), 10 * kSecond_us);

@@ -7,7 +7,7 @@
 #include "lib/comms/routing/cause.h"
 #include "lib/comms/routing/control.h"
 #include "lib/mission/file/ocean_of.h"
-#include "lib/tools/view/test_view.h"
+#include "lib/tools/view/view_testing.h"
 
 namespace shoal::setup_json_test {
 

@@ -68,13 +68,13 @@ struct ShownModem {
 struct ShownDecision {
   using Message = helm_decision_t;
   static constexpr std::string_view kKey = "decision";
-  static constexpr size_t kMostAims = 20;
+  static constexpr size_t kMaxAims = 20;
 
   static Channel<Message> ChannelOf(std::string_view vehicle) {
     return channels::HelmDecision(vehicle);
   }
   static void Bound(Message* decision) {
-    if (decision->aims.size() > kMostAims) decision->aims.resize(kMostAims);
+    if (decision->aims.size() > kMaxAims) decision->aims.resize(kMaxAims);
     decision->num_aims = static_cast<int32_t>(decision->aims.size());
     decision->events.clear();
     decision->num_events = 0;
@@ -159,14 +159,14 @@ struct ShownNavigation {
 struct ShownGuidance {
   using Message = guidance_t;
   static constexpr std::string_view kKey = "guidance";
-  static constexpr size_t kMostLayers = 10;
+  static constexpr size_t kMaxLayers = 10;
 
   static Channel<Message> ChannelOf(std::string_view vehicle) {
     return channels::Guidance(vehicle);
   }
   static void Bound(Message* guidance) {
     constexpr size_t kLongestText = 80;
-    if (guidance->layers.size() > kMostLayers) guidance->layers.resize(kMostLayers);
+    if (guidance->layers.size() > kMaxLayers) guidance->layers.resize(kMaxLayers);
     guidance->num_layers = static_cast<int32_t>(guidance->layers.size());
     const auto shorten = [](std::string* text) {
       if (text->size() > kLongestText) text->resize(kLongestText);

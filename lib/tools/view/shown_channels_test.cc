@@ -10,7 +10,7 @@
 #include <string>
 
 #include "lib/tools/view/frame_json.h"
-#include "lib/tools/view/test_view.h"
+#include "lib/tools/view/view_testing.h"
 
 namespace shoal::shown_channels_test {
 

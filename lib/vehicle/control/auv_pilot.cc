@@ -14,13 +14,13 @@ namespace {
 constexpr double kBoundGain = 1.5;
 constexpr double kNoFloor_m = std::numeric_limits<double>::infinity();
 /// Faster than any vehicle, and deeper than any sea: keeps sums finite.
-constexpr double kMostSpeed_mps = 1e3;
-constexpr double kMostDepth_m = 1e6;
+constexpr double kMaxPlausibleSpeed_mps = 1e3;
+constexpr double kMaxPlausibleDepth_m = 1e6;
 
 /// Returns the motion, where it is beyond anything that a vehicle does, as the nearest that is not.
 AuvMotion Plausible(AuvMotion motion) {
-  motion.z_m = std::clamp(motion.z_m, -kMostDepth_m, kMostDepth_m);
-  motion.speed_mps = std::min(motion.speed_mps, kMostSpeed_mps);
+  motion.z_m = std::clamp(motion.z_m, -kMaxPlausibleDepth_m, kMaxPlausibleDepth_m);
+  motion.speed_mps = std::min(motion.speed_mps, kMaxPlausibleSpeed_mps);
   return motion;
 }
 

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "lib/vehicle/guidance/test_vectors.h"
+#include "lib/vehicle/guidance/vectors_testing.h"
 
 namespace shoal::constant_bearing_test {
 

@@ -5,7 +5,7 @@
 
 #include <limits>
 
-#include "lib/vehicle/guidance/test_vectors.h"
+#include "lib/vehicle/guidance/vectors_testing.h"
 
 namespace shoal::depth_safety_test {
 

@@ -24,7 +24,7 @@ void EchoMemory::Take(const Eigen::Vector3d& position_m, std::span<const SonarEc
         Plausible(position_m) + Plausible(echo.range_m) * echo.direction;
     const std::array<int64_t, 3> cell = {CellOf(place_m.x()), CellOf(place_m.y()),
                                          CellOf(place_m.z())};
-    if (places_.size() >= kMostEchoes && !places_.contains(cell)) continue;
+    if (places_.size() >= kMaxEchoes && !places_.contains(cell)) continue;
     places_[cell] = {.position_m = place_m, .time_s = time_s};
   }
 }

@@ -20,7 +20,7 @@ namespace shoal {
 class EchoMemory {
  public:
   static constexpr double kCell_m = 2;  ///< Of echoes in one cube of this side, the last counts.
-  static constexpr size_t kMostEchoes = 2000;  ///< New places beyond are passed over.
+  static constexpr size_t kMaxEchoes = 2000;  ///< New places beyond are passed over.
 
   /// Takes the echoes of a ping that was sent at `position_m`. @pre finite
   void Take(const Eigen::Vector3d& position_m, std::span<const SonarEcho> echoes, double time_s);

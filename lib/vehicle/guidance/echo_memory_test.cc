@@ -40,7 +40,7 @@ TEST(EchoMemory, HoldsNoMoreThanItsBound) {
   for (int i = 0; i < 3000; ++i) {
     memory.Take({0, 0, 0}, std::vector<SonarEcho>{{.range_m = 3.0 * i}}, 0);
   }
-  EXPECT_LE(memory.Recall({-1, 0, 0}, 0, 20).size(), EchoMemory::kMostEchoes);
+  EXPECT_LE(memory.Recall({-1, 0, 0}, 0, 20).size(), EchoMemory::kMaxEchoes);
   memory.Take({0, 0, 0}, std::vector<SonarEcho>{{.range_m = 9000}}, 30);
   EXPECT_EQ(memory.Recall({-1, 0, 0}, 30, 20).size(), 0u) << "there was no room for it";
   memory.Take({0, 0, 0}, std::vector<SonarEcho>{{.range_m = 9000}}, 30);

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "lib/vehicle/guidance/test_vectors.h"
+#include "lib/vehicle/guidance/vectors_testing.h"
 
 namespace shoal::motion_prediction_test {
 

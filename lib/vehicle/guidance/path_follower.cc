@@ -12,7 +12,7 @@ namespace shoal {
 namespace {
 
 /// As far as this the lead of a depth looks, on curves of short legs.
-constexpr int kMostLegsOfLead = 8;
+constexpr int kMaxLegsOfLead = 8;
 
 }  // namespace
 
@@ -79,7 +79,7 @@ void PathFollower::Glide(const PathLeg& leg, const Eigen::Vector3d& position_m,
   guidance->z_m = DepthOn(abeam, position_m);
   double x_m = ErrorsOn(abeam, position_m).x_e_m + params_.depth_lead_s * params_.speed_mps;
   PathProgress progress = progress_;
-  for (int i = 0; i < kMostLegsOfLead && x_m > abeam.length_m && !progress.ended; ++i) {
+  for (int i = 0; i < kMaxLegsOfLead && x_m > abeam.length_m && !progress.ended; ++i) {
     x_m -= abeam.length_m;
     if (i > 0 || !is_on_leg_before) progress = NextLeg(params_.path, params_.end, progress);
     abeam = CurrentLeg(params_.path, params_.end, progress, position_m);

@@ -8,7 +8,7 @@
 #include <functional>
 
 #include "lib/base/geometry/angles.h"
-#include "lib/vehicle/guidance/test_vectors.h"
+#include "lib/vehicle/guidance/vectors_testing.h"
 
 namespace shoal::path_follower_test {
 

@@ -17,11 +17,11 @@ constexpr double kSamePoint_m = 1e-6;
 constexpr double kChordTurn_rad = kPi / 8;
 /// Chords of a curve are about this long, the acceptance radius of path_follow.
 constexpr double kChord_m = 10;
-constexpr double kMostChordsPerTurn = 72;
+constexpr double kMaxChordsPerTurn = 72;
 
 double ChordsPerTurn(double radius_m) {
   return std::clamp(std::ceil(2 * kPi * radius_m / kChord_m), 2 * kPi / kChordTurn_rad,
-                    kMostChordsPerTurn);
+                    kMaxChordsPerTurn);
 }
 
 Eigen::Vector3d AtDepth(const Eigen::Vector2d& point_m, double z_m) {

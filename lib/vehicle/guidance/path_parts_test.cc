@@ -8,7 +8,7 @@
 
 #include "lib/base/geometry/angles.h"
 #include "lib/vehicle/guidance/task.h"
-#include "lib/vehicle/guidance/test_vectors.h"
+#include "lib/vehicle/guidance/vectors_testing.h"
 
 namespace shoal::path_parts_test {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "lib/vehicle/guidance/test_vectors.h"
+#include "lib/vehicle/guidance/vectors_testing.h"
 
 namespace shoal::path_progress_test {
 

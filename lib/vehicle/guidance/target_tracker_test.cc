@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lib/vehicle/guidance/test_vectors.h"
+#include "lib/vehicle/guidance/vectors_testing.h"
 
 namespace shoal::target_tracker_test {
 

@@ -7,7 +7,7 @@
 #include <limits>
 #include <vector>
 
-#include "lib/vehicle/guidance/test_vectors.h"
+#include "lib/vehicle/guidance/vectors_testing.h"
 
 namespace shoal::velocity_layers_test {
 

@@ -9,13 +9,13 @@ namespace shoal {
 
 namespace {
 
-constexpr int kMostTerms = 10'000;
+constexpr int kMaxTerms = 10'000;
 
 /// Returns P(a, x) by its series; for x < a + 1.
 double GammaSeries(double a, double x) {
   double term = 1 / a;
   double sum = term;
-  for (int n = 1; n < kMostTerms && term > sum * 1e-17; ++n) {
+  for (int n = 1; n < kMaxTerms && term > sum * 1e-17; ++n) {
     term *= x / (a + n);
     sum += term;
   }
@@ -29,7 +29,7 @@ double GammaFraction(double a, double x) {
   double c = 1 / kTiny;
   double d = 1 / b;
   double fraction = d;
-  for (int i = 1; i < kMostTerms; ++i) {
+  for (int i = 1; i < kMaxTerms; ++i) {
     const double step = -i * (i - a);
     b += 2;
     d = step * d + b;

@@ -22,7 +22,7 @@ double DeviationRms(const DeviationCoefficients& deviation) {
 
 double ReadCompass(const Compass& compass, double heading_rad, Stream* draws) {
   // The deviation belongs to the compass heading, which is what is looked for: each round of this
-  // brings it nearer by the factor kMostDeviation at least.
+  // brings it nearer by the factor kMaxDeviation at least.
   double shown_rad = heading_rad;
   if (compass.deviation != DeviationCoefficients()) {
     constexpr int kRounds = 40;

@@ -21,13 +21,13 @@ struct DeviationCoefficients {
 };
 
 /// Largest sum |B| + |C| + 2 |D| + 2 |E|, radians: beyond it one heading could have two readings.
-inline constexpr double kMostDeviation = 0.5;
+inline constexpr double kMaxDeviation = 0.5;
 
 struct Compass {
   double bias_rad = 0;                   ///< Added to every reading, clockwise.
   double bias_sigma_rad = 0;             ///< Spread of biases, and what a filter assumes; >= 0.
   double noise_rad = 0;                  ///< Standard deviation; >= 0.
-  DeviationCoefficients deviation = {};  ///< What no table corrects; within kMostDeviation.
+  DeviationCoefficients deviation = {};  ///< What no table corrects; within kMaxDeviation.
   double rate_hz = 5;                    ///< Readings per second; > 0.
 };
 
@@ -39,7 +39,7 @@ struct Compass {
 [[nodiscard]] double DeviationRms(const DeviationCoefficients& deviation);
 
 /// Returns the reading on a true heading, [0, 2 pi). Variation counts as corrected.
-/// @pre the deviation is within kMostDeviation
+/// @pre the deviation is within kMaxDeviation
 [[nodiscard]] double ReadCompass(const Compass& compass, double heading_rad, Stream* draws);
 
 }  // namespace shoal

@@ -4,7 +4,7 @@ import {test} from 'node:test';
 
 import {cellText, countText, plainValue, replayCommand, shellWord, valueText}
   from '../../../web/campaign/report_numbers.js';
-import {caseNotes, kAll, kMostLines, Report} from '../../../web/campaign/report_data.js';
+import {caseNotes, kAll, kMaxLines, Report} from '../../../web/campaign/report_data.js';
 import {curveMarks, histogramMarks, rangeOf, scaleOf, spread, trialMarks, worstFirst}
   from '../../../web/campaign/report_points.js';
 
@@ -82,7 +82,7 @@ test('lines over what is sampled pool the first axis', () => {
 test('no more lines than can be distinguished, and the number of all', () => {
   const report = new Report(dataOf(Array.from({length: 20}, (_, i) => String(i)), 1));
   const {lines, num} = report.linesOf(report.axes[1], all(report));
-  assert.equal(lines.length, kMostLines);
+  assert.equal(lines.length, kMaxLines);
   assert.equal(num, 20);
 });
 

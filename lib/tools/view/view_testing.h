@@ -9,7 +9,7 @@
 #include "lib/base/check/time_units.h"
 #include "lib/bus/bus/bus.h"
 #include "lib/bus/bus/channels.h"
-#include "lib/bus/record/test_log.h"
+#include "lib/bus/record/log_testing.h"
 #include "lib/mission/model/mission.h"
 #include "lib/tools/view/view_source.h"
 

@@ -1,4 +1,5 @@
-// For tests: a fate as the oracle (oracle.h) returns it, and the oracle's own reading of names.
+// For tests: a fate as the oracle (oracle_testing.h) returns it, and the oracle's own reading of
+// names.
 #pragma once
 
 #include <Eigen/Core>

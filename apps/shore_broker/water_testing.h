@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "apps/shore_broker/broker_fixture.h"
+#include "apps/shore_broker/broker_testing.h"
 
 namespace shoal {
 

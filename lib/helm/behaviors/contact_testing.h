@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "lib/helm/behaviors/test_vessel.h"
+#include "lib/helm/behaviors/vessel_testing.h"
 
 namespace shoal {
 

@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "lib/comms/routing/decide.h"
-#include "lib/comms/routing/oracle_words.h"
-#include "lib/comms/routing/random_traffic.h"
+#include "lib/comms/routing/oracle_words_testing.h"
+#include "lib/comms/routing/traffic_testing.h"
 
 namespace shoal::oracle {
 
