@@ -4,6 +4,7 @@
 
 #include <string_view>
 
+#include "lib/base/time/seconds.h"
 #include "lib/bus/bus/control_message.h"
 #include "lib/comms/routing/control.h"
 #include "lib/comms/routing/vehicle_name.h"
@@ -98,7 +99,7 @@ void DirectorApp::Tick(int64_t utime) {
   last_utime_ = utime;
   AnswerControlsRequest(utime);
   LookForTheEnd(utime);
-  const double now_s = static_cast<double>(utime - mission_.start_utime) / 1e6;
+  const double now_s = Seconds(utime - mission_.start_utime);
   for (; next_event_ < mission_.events.size(); ++next_event_) {
     const Event& event = mission_.events[next_event_];
     if (now_s < event.at_s) break;

@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "lib/base/check/check.h"
+#include "lib/base/text/numbers.h"
 #include "lib/comms/routing/reach_grid.h"
 #include "lib/mission/toml/suggest.h"
 #include "lib/run/broker/report_blocks.h"
@@ -86,10 +87,9 @@ std::optional<Error> PlaceByHand(const Mission& mission, const std::string& word
   };
   const size_t equals = word.find('=');
   if (equals == std::string::npos) return wrong("no '='");
-  size_t part = 0;
-  const char* const end = word.data() + equals;
-  const auto read = std::from_chars(word.data(), end, part);
-  if (read.ec != std::errc() || read.ptr != end) return wrong("the part is not a number");
+  const std::optional<size_t> number = ReadNumber<size_t>(word.substr(0, equals));
+  if (!number) return wrong("the part is not a number");
+  const size_t part = *number;
   if (part >= placement->num_parts) return wrong(fmt::format("there is no part {}", part));
   std::string_view rest = std::string_view(word).substr(equals + 1);
   while (true) {

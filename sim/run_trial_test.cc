@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "lib/base/time/seconds.h"
 #include "lib/bus/bus/channels.h"
 #include "lib/bus/record/log_reader.h"
 #include "lib/mission/file/load.h"
@@ -152,11 +153,11 @@ TEST_F(Berta, KnowsAsOldAsTheReportsThatArrived) {
   int64_t made_utime = 0;
   for (int64_t utime = received.begin()->first; utime < end_utime; utime += mission_->tick_us) {
     if (received.contains(utime)) made_utime = received[utime];
-    const double age_s = static_cast<double>(utime - made_utime) / 1e6;
-    const double tick_s = static_cast<double>(mission_->tick_us) / 1e6;
+    const double age_s = Seconds(utime - made_utime);
+    const double tick_s = Seconds(mission_->tick_us);
     area_s2 += tick_s * (age_s + tick_s / 2);
   }
-  const double whole_s = static_cast<double>(end_utime - received.begin()->first) / 1e6;
+  const double whole_s = Seconds(end_utime - received.begin()->first);
   EXPECT_NEAR(Metric("age_mean"), area_s2 / whole_s, 1e-9);
   EXPECT_GT(Metric("age_mean"), 1) << "they are out of range for long";
 }
@@ -173,7 +174,7 @@ TEST_F(Berta, TravelsAndArrivesAsItsTrackDoes) {
     if (track_m.size() > 1) way_m += (track_m.back() - track_m[track_m.size() - 2]).norm();
     const bool is_there = (track_m.back() - home_m).norm() <= 20;
     if (!is_there) there_since_s = -1;
-    if (is_there && there_since_s < 0) there_since_s = static_cast<double>(utime) / 1e6;
+    if (is_there && there_since_s < 0) there_since_s = Seconds(utime);
   });
   EXPECT_NEAR(Metric("way"), way_m, 1e-6);
   EXPECT_DOUBLE_EQ(Metric("home"), there_since_s);

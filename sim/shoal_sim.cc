@@ -13,6 +13,7 @@
 #include <string_view>
 #include <vector>
 
+#include "lib/base/text/letters.h"
 #include "lib/mission/model/mission.h"
 #include "lib/run/run/build_id.h"
 #include "lib/run/run/version.h"
@@ -36,10 +37,7 @@ constexpr size_t kMaxCharacters = 63;
 constexpr int64_t kStepsBetweenChecks = 64;  ///< Of faults, as `shoal sim` does.
 
 bool IsChannelName(std::string_view name) {
-  const auto is_legal = [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
-           c == '.';
-  };
+  const auto is_legal = [](char c) { return shoal::IsNameCharacter(c) || c == '.'; };
   return !name.empty() && name.size() <= kMaxCharacters &&
          std::all_of(name.begin(), name.end(), is_legal);
 }

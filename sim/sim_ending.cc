@@ -6,11 +6,12 @@
 #include <cstdio>
 
 #include "lib/base/check/result.h"
+#include "lib/base/time/seconds.h"
 
 namespace shoal {
 
 int PrintEnding(const SimEnding& ending) {
-  const double mission_s = static_cast<double>(ending.step * ending.mission.tick_us) / 1e6;
+  const double mission_s = Seconds(ending.step * ending.mission.tick_us);
   for (const std::string& loss : ending.losses) fmt::print(stderr, "shoal: {}\n", loss);
   fmt::print("{:.1f} s of mission in {:.3f} s ({:.0f} x real time), {}\n", mission_s, ending.wall_s,
              mission_s / std::max(ending.wall_s, 1e-6), ending.where);

@@ -11,6 +11,7 @@
 #include "apps/helm/helm_app.h"
 #include "apps/vehicle_sim/vehicle_sim_app.h"
 #include "lib/base/geometry/angles.h"
+#include "lib/base/time/seconds.h"
 #include "lib/bus/bus/memory_bus.h"
 
 namespace shoal::underwater_loop_test {
@@ -67,7 +68,7 @@ class Loop {
     }
   }
 
-  double time_s() const { return static_cast<double>(utime_) / 1e6; }
+  double time_s() const { return Seconds(utime_); }
 
  private:
   Mission mission_;

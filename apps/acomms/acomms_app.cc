@@ -10,6 +10,7 @@
 #include "apps/acomms/swarm_bytes.h"
 #include "apps/acomms/swarm_setup.h"
 #include "lib/base/check/check.h"
+#include "lib/base/time/seconds.h"
 #include "lib/comms/swarm/message_frame.h"
 #include "lib/mission/model/swarm_plan.h"
 #include "lib/run/run/own_nav.h"
@@ -32,8 +33,6 @@ std::string_view Name(SwarmScheme scheme) {
   }
   return "tdma_lf";
 }
-
-double Seconds(int64_t time_us) { return static_cast<double>(time_us) / 1e6; }
 
 std::string PlanText(const SlotPlan& plan) {
   const std::string episode =
@@ -61,7 +60,7 @@ int64_t FirstReports_us(const Mission& mission, const Vehicle& vehicle) {
     if (member->reporter != Provider::kShoal) continue;
     first_s = std::max(first_s, 1 / member->reporter_options.rate_hz);
   }
-  return std::llround(first_s * 1e6);
+  return Microseconds(first_s);
 }
 
 std::set<std::string, std::less<>> VehiclesOfOtherSwarms(const Mission& mission,

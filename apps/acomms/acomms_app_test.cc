@@ -10,6 +10,7 @@
 #include <memory>
 #include <vector>
 
+#include "lib/base/time/seconds.h"
 #include "lib/bus/bus/memory_bus.h"
 #include "lib/comms/swarm/broadcast_message.h"
 
@@ -88,7 +89,7 @@ class Members {
     const auto num_steps = static_cast<int>(seconds * 1e6 / kTick_us + 0.5);
     for (int i = 0; i < num_steps; ++i) {
       for (const Vehicle& vehicle : mission_.vehicles) {
-        const double x_m = vehicle.start.x_m + static_cast<double>(utime_) / 1e6;
+        const double x_m = vehicle.start.x_m + Seconds(utime_);
         if (with_nav) PublishNav(vehicle.name, x_m, 0);
       }
       if (before_step_) before_step_(utime_, world_);

@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "lib/base/check/check.h"
+#include "lib/base/time/seconds.h"
 #include "lib/comms/swarm/field_checks.h"
 #include "lib/vehicle/vehicle/propulsion.h"
 
@@ -24,7 +25,7 @@ void PropellerWatch::OnActuators(const actuators_t& actuators) {
   if (!remus_ || !std::isfinite(actuators.propeller_rpm)) return;
   rate_rpmps_ = 0;
   if (utime_ && actuators.utime > *utime_) {
-    const double elapsed_s = static_cast<double>(actuators.utime - *utime_) / 1e6;
+    const double elapsed_s = Seconds(actuators.utime - *utime_);
     rate_rpmps_ = std::clamp((actuators.propeller_rpm - rpm_) / elapsed_s, -remus_->max_rate_rpmps,
                              remus_->max_rate_rpmps);
   }

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "lib/base/geometry/angles.h"
+#include "lib/base/time/seconds.h"
 #include "lib/comms/swarm/broadcast_message.h"
 #include "lib/comms/swarm/leader_message.h"
 #include "lib/comms/swarm/report_message.h"
@@ -11,9 +12,7 @@ namespace shoal {
 
 namespace {
 
-float FloatSeconds(int64_t time_us) {
-  return static_cast<float>(static_cast<double>(time_us) / 1e6);
-}
+float FloatSeconds(int64_t time_us) { return static_cast<float>(Seconds(time_us)); }
 
 bool IsEncodable(const Motion& motion, const FieldLimits& limits) {
   return motion.position_m.allFinite() && motion.velocity_mps.allFinite() &&

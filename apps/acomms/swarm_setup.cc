@@ -5,6 +5,7 @@
 
 #include "lib/base/check/check.h"
 #include "lib/base/geometry/angles.h"
+#include "lib/base/time/seconds.h"
 #include "lib/mission/model/swarm_plan.h"
 
 namespace shoal {
@@ -54,7 +55,7 @@ SwarmReceiver MakeSwarmReceiver(const Mission& mission, const Vehicle& vehicle) 
   // A request may arrive in the very step in which the first answer is to begin, and float32 rounds
   // that time.
   receiver.limits.late_start_us =
-      swarm.late_start_s < 0 ? mission.tick_us : std::llround(swarm.late_start_s * 1e6);
+      swarm.late_start_s < 0 ? mission.tick_us : Microseconds(swarm.late_start_s);
   receiver.has_frames = swarm.frames;
   // Followers in the order of their slots, which is that of the leader's requests.
   for (const std::string& name : swarm.followers) {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "apps/acomms/swarm_setup.h"
+#include "lib/base/time/seconds.h"
 
 namespace shoal {
 
@@ -47,7 +48,7 @@ std::vector<swarm_count_t> WriteCounts(const ReceptionCounts& counts) {
 SwarmWriter::SwarmWriter(const Mission& mission, const Vehicle& vehicle)
     : name_(vehicle.name),
       start_utime_(mission.start_utime),
-      silent_after_us_(std::llround(OwnSwarm(mission, vehicle).silent_after_s * 1e6)) {
+      silent_after_us_(Microseconds(OwnSwarm(mission, vehicle).silent_after_s)) {
   for (const Vehicle& each : mission.vehicles) vehicles_.push_back(each.name);
   for (const Vehicle* member : SwarmMembers(mission, vehicle))
     names_[SwarmIdOf(*member)] = member->name;

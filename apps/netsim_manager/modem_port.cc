@@ -7,6 +7,8 @@
 #include <deque>
 #include <utility>
 
+#include "lib/base/time/seconds.h"
+
 namespace shoal {
 
 namespace {
@@ -56,7 +58,7 @@ class RawPort : public ModemPort {
     while (!waiting_.empty() && mission_us >= free_us_) {
       const double num_bytes = static_cast<double>(waiting_.front().size() + more_bytes_);
       const double air_s = water_bps_ > 0 ? 8 * num_bytes / water_bps_ : 0;
-      free_us_ = mission_us + std::llround(air_s * 1e6) + kPacketGap_us;
+      free_us_ = mission_us + Microseconds(air_s) + kPacketGap_us;
       Transmit({.bytes = std::move(waiting_.front())});
       waiting_.pop_front();
     }

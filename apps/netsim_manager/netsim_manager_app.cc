@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "lib/base/check/check.h"
+#include "lib/base/time/seconds.h"
 #include "lib/comms/routing/kind.h"
 #include "lib/mission/netsim/gprmc.h"
 
@@ -230,7 +231,7 @@ void NetsimManagerApp::PassReceived(OutsideVehicle* outsider, int64_t mission_us
       log_.Warn("ACOUSTIC_RX with times that cannot be: ignored");
       continue;
     }
-    const int64_t start_utime = packet.arrived_utime - std::llround(air_s * 1e6);
+    const int64_t start_utime = packet.arrived_utime - Microseconds(air_s);
     ModemPacket arrival{.bytes = std::move(packet.payload),
                         .start_us = start_utime - mission_.start_utime,
                         .travel_us = std::max<int64_t>(start_utime - packet.sent_utime, 0),
@@ -320,7 +321,7 @@ StatusPage NetsimManagerApp::Status() const {
   }
   page.text += fmt::format("Receive statistics: {}\n", num_stats_);
   if (HasMicroModem()) {
-    const double lag_s = static_cast<double>(Lag_us()) / 1e6;
+    const double lag_s = Seconds(Lag_us());
     page.text += fmt::format(
         "Clocks of Micro-Modems: {:.1f} s {} this machine's, where no host has set them since the "
         "start\n",

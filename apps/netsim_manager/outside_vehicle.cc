@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "lib/base/geometry/angles.h"
+#include "lib/base/time/seconds.h"
 #include "lib/mission/model/swarm_plan.h"
 
 namespace shoal {
@@ -78,7 +79,7 @@ std::string TextOf(const OutsideVehicle& outsider, int64_t utime, std::string_vi
                   options.modem_tcp_port, options.address, options.environment, outsider.num_navs);
   if (outsider.nav) {
     const NetsimNav& nav = *outsider.nav;
-    const double age_s = static_cast<double>(utime - outsider.nav_utime.value_or(0)) / 1e6;
+    const double age_s = Seconds(utime - outsider.nav_utime.value_or(0));
     text +=
         fmt::format("    lat {:.6f}, lon {:.6f}, depth {:.1f} m, {:.2f} m/s, heading {:.1f} deg",
                     nav.lat_deg, nav.lon_deg, nav.depth_m, nav.speed_mps, nav.heading_deg);

@@ -3,11 +3,13 @@
 #include <cmath>
 #include <numbers>
 
+#include "lib/base/time/seconds.h"
+
 namespace shoal {
 
 bool Predicts(const node_report_t& last, const node_report_t& now,
               const DeadReckoningLimits& limits) {
-  const double age_s = static_cast<double>(now.utime - last.utime) / 1e6;
+  const double age_s = Seconds(now.utime - last.utime);
   if (!(age_s < limits.max_gap_s)) return false;
   const double course_rad = last.course_over_ground_deg * std::numbers::pi / 180;
   const double run_m = last.speed_over_ground_mps * age_s;

@@ -4,6 +4,8 @@
 
 #include <utility>
 
+#include "lib/base/text/letters.h"
+#include "lib/base/time/seconds.h"
 #include "lib/comms/routing/destinations.h"
 #include "lib/comms/routing/vehicle_name.h"
 
@@ -112,7 +114,7 @@ std::map<std::string, Mediator::WaitingMessage>::iterator Mediator::Remove(
 void Mediator::Repeat(int64_t utime) {
   for (auto entry = waiting_.begin(); entry != waiting_.end();) {
     WaitingMessage& each = entry->second;
-    const double silence_s = static_cast<double>(utime - each.sent_utime) / 1e6;
+    const double silence_s = Seconds(utime - each.sent_utime);
     if (silence_s < options_.ack_timeout_s) {
       ++entry;
     } else if (each.num_repeats < options_.max_repeats) {

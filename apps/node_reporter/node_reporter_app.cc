@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "apps/node_reporter/dead_reckoning.h"
+#include "lib/base/time/seconds.h"
 #include "lib/run/run/own_nav.h"
 
 namespace shoal {
@@ -21,10 +22,6 @@ constexpr std::string_view kMinorKey = "NAV_MINOR_M";
 constexpr std::string_view kDirectionKey = "NAV_MAJOR_DEG";
 constexpr std::string_view kNavWarning = "no NAV, hence no reports";
 constexpr std::string_view kBadNavWarning = "NAV dropped: it holds an impossible number";
-
-double SecondsBetween(int64_t earlier_utime, int64_t later_utime) {
-  return static_cast<double>(later_utime - earlier_utime) / 1e6;
-}
 
 bool AllReportedNumbersAreFinite(const nav_t& nav) {
   for (const double number :
@@ -180,7 +177,7 @@ void NodeReporterApp::StartBlackout(int64_t utime) {
   const double uniform = Stream(blackout_stream_.With(report_.index)).Uniform();
   const double gap_s =
       options_.blackout_interval_s + (2 * uniform - 1) * options_.blackout_variance_s;
-  silent_until_utime_ = utime + std::llround(gap_s * 1e6);
+  silent_until_utime_ = utime + Microseconds(gap_s);
 }
 
 StatusPage NodeReporterApp::Status() const {

@@ -7,7 +7,7 @@
 #include <cstdlib>
 
 #include "lib/base/check/result.h"
-#include "lib/base/check/time_units.h"
+#include "lib/base/time/time_units.h"
 #include "lib/run/hosts/curve_link.h"
 #include "lib/run/hosts/link_message.h"
 #include "lib/run/run/run_app.h"

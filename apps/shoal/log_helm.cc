@@ -7,6 +7,7 @@
 #include <ostream>
 
 #include "lib/base/check/result.h"
+#include "lib/base/text/letters.h"
 #include "lib/bus/bus/channels.h"
 #include "lib/bus/bus/seal.h"
 #include "lib/bus/bus/waypoint_arrival.h"

@@ -9,6 +9,7 @@
 
 #include "apps/shoal/drawing_folder.h"
 #include "lib/base/check/result.h"
+#include "lib/base/text/letters.h"
 #include "lib/bus/record/log_source.h"
 #include "lib/tools/analysis/plot_figures.h"
 #include "lib/tools/analysis/plot_recording.h"

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "lib/base/check/result.h"
+#include "lib/base/text/letters.h"
 #include "lib/bus/bus/channels.h"
 #include "lib/bus/bus/lcm_bus.h"
 #include "lib/run/run/appcast.h"

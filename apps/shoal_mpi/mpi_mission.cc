@@ -14,6 +14,7 @@
 
 #include "apps/shoal_mpi/rank_exchange.h"
 #include "lib/base/check/check.h"
+#include "lib/base/time/seconds.h"
 #include "lib/mission/file/drawn_seed.h"
 #include "lib/mission/file/print_errors.h"
 #include "lib/run/run/build_id.h"
@@ -216,7 +217,7 @@ std::optional<EarlyEnd> RankMission::Open() {
 }
 
 std::optional<EarlyEnd> RankMission::TakeSteps() {
-  setup_s_ = static_cast<double>(MonotonicMicroseconds() - begin_us_) / 1e6;
+  setup_s_ = Seconds(MonotonicMicroseconds() - begin_us_);
   ranks_.ResetTotals();
   begin_us_ = MonotonicMicroseconds();
   const int64_t processor_begin_us = ProcessorMicroseconds();
@@ -261,14 +262,14 @@ void RankMission::GatherFates() {
 
 /// Rank 0 prints what `shoal sim` prints; all end with its exit code.
 int RankMission::Conclude() {
-  const double wall_s = static_cast<double>(MonotonicMicroseconds() - begin_us_) / 1e6;
+  const double wall_s = Seconds(MonotonicMicroseconds() - begin_us_);
   const auto num_vehicles = std::ranges::count(placement_.part_of_vehicle, ranks_.rank());
   std::string report = fmt::format(
       "{} vehicles; {:.3f} s of set-up; {:.3f} s of {} steps, of which {:.3f} s exchanging; {:.3f} "
       "s "
       "of processor stepping; {} bytes sent",
       num_vehicles, setup_s_, wall_s, part_->step() + 1, ranks_.totals().wait_s,
-      static_cast<double>(stepping_us_) / 1e6, ranks_.totals().bytes_sent);
+      Seconds(stepping_us_), ranks_.totals().bytes_sent);
   int exit_code = kExitOk;
   if (is_first()) {
     const size_t num_ranks = ranks_.num_ranks();

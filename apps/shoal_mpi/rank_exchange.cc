@@ -15,6 +15,7 @@
 #include <thread>
 
 #include "lib/base/check/check.h"
+#include "lib/base/time/seconds.h"
 #include "lib/run/run/run_app.h"
 
 namespace shoal {
@@ -36,7 +37,7 @@ constexpr double kOthersLater_s = 2;
 /// An orderly end after a signal takes a step; a rank that takes longer is not waited for.
 constexpr double kInterruptedPatience_s = 0.5;
 
-double Seconds() { return static_cast<double>(MonotonicMicroseconds()) / 1e6; }
+double NowSeconds() { return Seconds(MonotonicMicroseconds()); }
 
 /// True where no process of this number runs here: it ended, or is a zombie.
 bool IsGone(pid_t pid) {
@@ -144,10 +145,10 @@ std::optional<Error> RankExchange::Round(const std::string& what,
     MPI_Isend(outgoing[other].data(), static_cast<int>(outgoing[other].size()), MPI_BYTE,
               static_cast<int>(other), kTag, MPI_COMM_WORLD, &requests.sends.emplace_back());
   }
-  const double begin_s = Seconds();
+  const double begin_s = NowSeconds();
   double next_look_s = kLook_s;
   while (!Advance(&requests, incoming)) {
-    const double waited_s = Seconds() - begin_s;
+    const double waited_s = NowSeconds() - begin_s;
     if (waited_s < spin_s_) continue;
     std::this_thread::sleep_for(kSleep);
     const bool is_first = IsFirstToWait(requests.waited_for);
@@ -176,7 +177,7 @@ std::optional<Error> RankExchange::Round(const std::string& what,
                                NamesOf(requests.waited_for))};
     }
   }
-  totals_.wait_s += Seconds() - begin_s;
+  totals_.wait_s += NowSeconds() - begin_s;
   return std::nullopt;
 }
 

@@ -21,6 +21,7 @@
 #include <vector>
 
 #include "apps/shore_broker/shipment.h"
+#include "lib/base/time/seconds.h"
 #include "lib/comms/routing/fate.h"
 #include "lib/comms/routing/router.h"
 #include "lib/run/broker/broker_setup.h"
@@ -72,7 +73,7 @@ class AcousticTraffic {
     return static_cast<int32_t>(shipment.payload.size()) + (crc_ ? 4 : 0);
   }
   /// Returns the mission time of a moment of the network, to the microsecond.
-  int64_t UtimeOf(double time_s) const { return epoch_utime_ + std::llround(time_s * 1e6); }
+  int64_t UtimeOf(double time_s) const { return epoch_utime_ + Microseconds(time_s); }
   /// Legs without a fate.
   int64_t num_in_transit() const { return network_.num_in_transit(); }
   /// Returns a mission time before which Deliver has nothing to report, unless more is sent;
@@ -109,7 +110,7 @@ class AcousticTraffic {
   };
 
   std::optional<int> FindNode(std::string_view name) const;
-  double SecondsOf(int64_t utime) const { return static_cast<double>(utime - epoch_utime_) / 1e6; }
+  double SecondsOf(int64_t utime) const { return Seconds(utime - epoch_utime_); }
   int64_t SentUtime(int64_t utime) const;
   Cause CauseOf(const Reception& reception, const Shipment& shipment) const;
 

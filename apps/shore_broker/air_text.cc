@@ -6,6 +6,7 @@
 
 #include "apps/shore_broker/message_checks.h"
 #include "lib/base/geometry/angles.h"
+#include "lib/base/time/seconds.h"
 #include "lib/comms/routing/vehicle_name.h"
 #include "lib/comms/swarm/report_message.h"
 #include "lib/tools/moos/node_message_text.h"
@@ -28,7 +29,7 @@ bool HasZeroByte(std::span<const uint8_t> bytes) {
 double SecondsAfter(int64_t start_utime, int64_t utime) {
   int64_t passed_us = 0;
   if (!__builtin_sub_overflow(utime, start_utime, &passed_us)) {
-    return static_cast<double>(passed_us) / 1e6;
+    return Seconds(passed_us);
   }
   return (static_cast<double>(utime) - static_cast<double>(start_utime)) / 1e6;
 }
@@ -131,10 +132,10 @@ std::optional<node_report_t> UnderstandDamaged(const node_report_t& report,
     SetVelocity(after->velocity_mps, &understood);
   }
   if (differs(kTimeStamp, 4)) {
-    const double now_s = static_cast<double>(context.now_utime - context.start_utime) / 1e6;
+    const double now_s = Seconds(context.now_utime - context.start_utime);
     const auto stamp_s = static_cast<double>(after->time_stamp_s);
     if (!(stamp_s >= 0 && stamp_s <= now_s)) return std::nullopt;
-    understood.utime = context.start_utime + std::llround(stamp_s * 1e6);
+    understood.utime = context.start_utime + Microseconds(stamp_s);
   }
   return understood;
 }

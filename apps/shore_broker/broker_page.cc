@@ -5,6 +5,8 @@
 #include <numeric>
 #include <sstream>
 
+#include "lib/base/text/letters.h"
+#include "lib/base/time/seconds.h"
 #include "lib/bus/bus/channels.h"
 #include "lib/comms/routing/control.h"
 #include "lib/comms/routing/decide.h"

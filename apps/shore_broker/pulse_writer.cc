@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "lib/base/text/letters.h"
+
 namespace shoal {
 
 namespace {

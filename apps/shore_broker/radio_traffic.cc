@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "lib/base/time/seconds.h"
+
 namespace shoal {
 
 void RadioTraffic::Send(std::shared_ptr<const Shipment> shipment, ShipmentLeg leg,
@@ -22,9 +24,8 @@ void RadioTraffic::Send(std::shared_ptr<const Shipment> shipment, ShipmentLeg le
   under_way.leg = std::move(leg);
   under_way.sent_utime = sent_utime;
   under_way.is_lost = passage.is_lost;
-  queue_.push({.utime = sent_utime + std::llround(passage.delay_s * 1e6),
-               .order = num_sent_++,
-               .slot = slot});
+  queue_.push(
+      {.utime = sent_utime + Microseconds(passage.delay_s), .order = num_sent_++, .slot = slot});
 }
 
 void RadioTraffic::Deliver(int64_t utime, const TakeLegEnd& take) {

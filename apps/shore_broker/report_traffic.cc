@@ -8,6 +8,7 @@
 #include "apps/shore_broker/message_checks.h"
 #include "apps/shore_broker/pulse_writer.h"
 #include "lib/base/check/check.h"
+#include "lib/base/time/seconds.h"
 #include "lib/bus/bus/channels.h"
 
 namespace shoal {

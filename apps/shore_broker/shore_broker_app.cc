@@ -9,6 +9,7 @@
 #include "apps/shore_broker/broker_page.h"
 #include "apps/shore_broker/message_checks.h"
 #include "lib/base/check/check.h"
+#include "lib/base/time/seconds.h"
 #include "lib/comms/routing/vehicle_name.h"
 
 namespace shoal {

@@ -7,6 +7,7 @@
 
 #include "lib/base/check/check.h"
 #include "lib/base/geometry/angles.h"
+#include "lib/base/time/seconds.h"
 #include "lib/comms/routing/vehicle_name.h"
 
 namespace shoal {
@@ -111,7 +112,7 @@ nav_t NavigationUnit::Estimate(const nav_t& truth, const Eigen::Vector2d& curren
   const Readings readings =
       instruments_.Read(MotionOf(truth, current_mps), truth.utime, start_utime_, packets_);
   packets_.clear();
-  const double dt_s = utime_ ? static_cast<double>(truth.utime - *utime_) / 1e6 : 0;
+  const double dt_s = utime_ ? Seconds(truth.utime - *utime_) : 0;
   utime_ = truth.utime;
   navigator_.Take(readings, dt_s);
   Count();

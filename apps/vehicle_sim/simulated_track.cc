@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "lib/base/geometry/angles.h"
+#include "lib/base/time/seconds.h"
 
 namespace shoal {
 
@@ -41,7 +42,7 @@ void SimulatedTrack::Show(const Water& water, nav_t* nav) const {
 
 std::string SimulatedTrack::ActuatorsText() const {
   return fmt::format("    Replayed: {} points over {:.1f} s\n", track_.track.fixes().size(),
-                     static_cast<double>(track_.track.last_us() - track_.track.first_us()) / 1e6);
+                     Seconds(track_.track.last_us() - track_.track.first_us()));
 }
 
 }  // namespace shoal

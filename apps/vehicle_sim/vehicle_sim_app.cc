@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "lib/base/check/check.h"
+#include "lib/base/time/seconds.h"
 
 namespace shoal {
 
@@ -94,7 +95,7 @@ void VehicleSimApp::Reset(const StartPose& pose) {
 }
 
 Water VehicleSimApp::WaterAt(int64_t utime) const {
-  const double time_s = static_cast<double>(utime - start_utime_) / 1e6;
+  const double time_s = Seconds(utime - start_utime_);
   Water water = {.time_s = time_s,
                  .velocity_mps = ocean_.WaterVelocityAt(craft_->position_m(), time_s) + drift_mps_,
                  .floor_z_m = std::nullopt};
@@ -199,7 +200,7 @@ void VehicleSimApp::Integrate(int64_t until_utime) {
   // One step at a time, also where ticks were missed: the result must not depend on the gap.
   for (int64_t now = *utime_; now < until_utime;) {
     const int64_t step_us = std::min(tick_us_, until_utime - now);
-    craft_->Step(WaterAt(now), static_cast<double>(step_us) / 1e6);
+    craft_->Step(WaterAt(now), Seconds(step_us));
     now += step_us;
   }
 }

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "lib/base/time/seconds.h"
 #include "lib/bus/bus/memory_bus.h"
 
 namespace shoal::vehicle_sim_app_test {
@@ -65,7 +66,7 @@ class VehicleSimAppTest : public testing::Test {
   }
 
   void Run(double duration_s) {
-    const int64_t end = utime_ + std::llround(duration_s * 1e6);
+    const int64_t end = utime_ + Microseconds(duration_s);
     while (utime_ < end) StepAt(utime_ + kTick_us);
   }
 

@@ -9,6 +9,8 @@
 #include <charconv>
 
 #include "lib/base/check/check.h"
+#include "lib/base/text/letters.h"
+#include "lib/base/text/numbers.h"
 #include "lib/mission/toml/suggest.h"
 
 namespace shoal {
@@ -16,9 +18,8 @@ namespace shoal {
 namespace {
 
 bool IsPort(std::string_view text) {
-  int port = -1;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), port);
-  return error == std::errc() && end == text.data() + text.size() && port > 0 && port < 65536;
+  const int port = ReadNumber<int>(text).value_or(-1);
+  return port > 0 && port < 65536;
 }
 
 bool IsAddress(int family, std::string_view text) {

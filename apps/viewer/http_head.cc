@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "apps/viewer/access.h"
+#include "lib/base/text/letters.h"
 #include "lib/mission/toml/suggest.h"
 
 namespace shoal {

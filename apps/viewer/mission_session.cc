@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "lib/base/time/seconds.h"
 #include "lib/bus/bus/channels.h"
 #include "lib/bus/bus/seal.h"
 #include "lib/mission/file/load.h"
@@ -179,7 +180,7 @@ void MissionSession::Leave(std::string_view state) {
 WebAnswer MissionSession::Command(const CommandWords& words) {
   const std::lock_guard lock(desk_mutex_);
   if (desk_ == nullptr) return ErrorAnswer(503, "no mission is running");
-  const double t_s = static_cast<double>(utime_ - mission_.start_utime) / 1e6;
+  const double t_s = Seconds(utime_ - mission_.start_utime);
   const Result<CommandRecord> record = desk_->Send(words.target, words.words, t_s);
   if (!record.ok()) return ErrorAnswer(400, record.error());
   const nlohmann::json json = {{"id", record->id}, {"text", record->text}};

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "lib/base/text/numbers.h"
 #include "lib/mission/toml/suggest.h"
 
 namespace shoal {
@@ -29,14 +30,8 @@ bool IsPrintable(std::string_view text) {
 /// The whole of `text` as a number of type T; floating-point numbers are finite.
 template <class T>
 std::optional<T> NumberOf(std::string_view text) {
-  T value{};
-  if (text.empty() || text.size() > kLongestNumber) return std::nullopt;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  if constexpr (std::is_floating_point_v<T>) {
-    if (!std::isfinite(value)) return std::nullopt;
-  }
-  return value;
+  if (text.size() > kLongestNumber) return std::nullopt;
+  return ReadNumber<T>(text);
 }
 
 /// Takes the words of a query one by one; the first thing that is wrong is kept.

@@ -14,6 +14,7 @@
 #include <filesystem>
 #include <random>
 
+#include "lib/base/text/letters.h"
 #include "lib/bus/record/log_writer.h"
 #include "lib/tools/view/recorded_view.h"
 #include "lib/tools/view/view_testing.h"

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "lib/base/geometry/angles.h"
+#include "lib/base/text/letters.h"
 #include "tests/closed_loops/meeting_vessels.h"
 #include "tests/golden/read_golden.h"
 

@@ -8,6 +8,7 @@
 
 #include "apps/acomms/swarm_bytes.h"
 #include "lib/base/check/check.h"
+#include "lib/base/time/seconds.h"
 #include "lib/comms/swarm/broadcast_message.h"
 #include "lib/vehicle/vehicle/propulsion.h"
 
@@ -26,8 +27,6 @@ std::vector<AcousticNode> NodesOf(size_t num_members) {
   }
   return nodes;
 }
-
-double Seconds(int64_t time_us) { return static_cast<double>(time_us) / 1e6; }
 
 SwarmReceiver ReceiverFor(size_t index, const std::vector<Remus100State>& start,
                           const SlotPlan& slots) {

@@ -9,6 +9,7 @@
 #include <string>
 #include <string_view>
 
+#include "lib/base/time/seconds.h"
 #include "lib/comms/swarm/field_checks.h"
 #include "lib/comms/swarm/group_state.h"
 #include "lib/comms/swarm/swarm_field.h"
@@ -48,9 +49,9 @@ inline SwarmContact GoldenContact(const nlohmann::json& model) {
                                        GoldenMotion(model["eta"], model["velocity"]));
   contact.report.next = GoldenMotion(model["nextEta"], model["nextVel"]);
   contact.has_reported = !model["log"].empty();
-  contact.reported_us = MicrosecondsOf(GoldenNumber(model["timeLastMsg"]));
+  contact.reported_us = Microseconds(GoldenNumber(model["timeLastMsg"]));
   for (const nlohmann::json& entry : model["log"]) {
-    AppendToLog({.time_us = MicrosecondsOf(GoldenNumber(entry["t"])),
+    AppendToLog({.time_us = Microseconds(GoldenNumber(entry["t"])),
                  .motion = GoldenMotion(entry["pos"], entry["vel"])},
                 &contact.log);
   }
@@ -62,9 +63,9 @@ inline GroupState GoldenState(const nlohmann::json& vehicle) {
   GroupState state{.own_id = vehicle["id"],
                    .group_id = static_cast<uint8_t>(group[0]),
                    .is_leader = vehicle["isLeader"],
-                   .episode_us = MicrosecondsOf(GoldenNumber(vehicle["epsdDur"])),
+                   .episode_us = Microseconds(GoldenNumber(vehicle["epsdDur"])),
                    .response_order = vehicle["rspnSched"],
-                   .response_start_us = MicrosecondsOf(GoldenNumber(vehicle["rspnFrame"]))};
+                   .response_start_us = Microseconds(GoldenNumber(vehicle["rspnFrame"]))};
   for (const nlohmann::json& member : vehicle["group"]) {
     state.members.push_back(GoldenContact(member));
   }
@@ -73,7 +74,7 @@ inline GroupState GoldenState(const nlohmann::json& vehicle) {
 }
 
 inline int64_t GoldenClock_us(const nlohmann::json& vehicle) {
-  return MicrosecondsOf(GoldenNumber(vehicle["clock"]));
+  return Microseconds(GoldenNumber(vehicle["clock"]));
 }
 
 }  // namespace shoal

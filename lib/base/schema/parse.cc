@@ -5,15 +5,14 @@
 #include <limits>
 
 #include "lib/base/schema/schema.h"
+#include "lib/base/text/letters.h"
 
 namespace shoal {
 
 namespace {
 
-bool IsDigit(char c) { return c >= '0' && c <= '9'; }
-bool IsLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
 bool IsSpace(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
-bool IsWordChar(char c) { return IsLetter(c) || IsDigit(c) || c == '.'; }
+bool IsWordChar(char c) { return IsNameCharacter(c) || c == '.'; }
 
 struct Token {
   std::string_view text;  ///< A word, a number or one punctuation mark; empty: end of the file.
@@ -126,7 +125,7 @@ class Parser {
 
   std::string TakeName(std::string_view of_what, bool may_have_dots) {
     const Token token = lexer_.Take();
-    const bool is_name = !token.text.empty() && IsLetter(token.text[0]) &&
+    const bool is_name = !token.text.empty() && (IsLetter(token.text[0]) || token.text[0] == '_') &&
                          (may_have_dots || token.text.find('.') == std::string_view::npos);
     if (!is_name) Fail(token, "expected the name of " + std::string(of_what) + Found(token));
     return std::string(token.text);

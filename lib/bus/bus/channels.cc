@@ -1,16 +1,10 @@
 #include "lib/bus/bus/channels.h"
 
 #include <algorithm>
-#include <cctype>
+
+#include "lib/base/text/letters.h"
 
 namespace shoal {
-
-std::string UpperCase(std::string_view name) {
-  std::string upper(name);
-  std::transform(upper.begin(), upper.end(), upper.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
-  return upper;
-}
 
 std::string_view VehicleOfChannel(std::string_view channel, std::string_view topic) {
   const size_t begin = topic.size() + 1;

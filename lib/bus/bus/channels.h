@@ -105,9 +105,6 @@ inline constexpr std::string_view kStepDones = "STEP_DONES";
 inline constexpr std::string_view kClockCommand = "CLOCK_COMMAND";
 }  // namespace topics
 
-/// Returns `name` in upper case (ASCII), as channel names write vehicles.
-std::string UpperCase(std::string_view name);
-
 /// Returns the vehicle, in upper case, where `channel` is that of `topic` for one vehicle ("ALPHA"
 /// of NAV_ALPHA for kNav); empty for all others, NODE_REPORT_LOCAL and NODE_REPORT_UNC included.
 std::string_view VehicleOfChannel(std::string_view channel, std::string_view topic);

@@ -7,6 +7,7 @@
 #include <unordered_map>
 
 #include "lib/base/check/check.h"
+#include "lib/base/text/letters.h"
 #include "lib/bus/bus/channels.h"
 
 namespace shoal {

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "lib/base/schema/text.h"
+#include "lib/base/text/letters.h"
 #include "lib/bus/record/csv_rows.h"
 #include "lib/bus/record/extra_fields.h"
 #include "lib/bus/record/file_descriptor.h"
@@ -99,8 +100,7 @@ class CsvDirectory {
     constexpr size_t kMaxLength = 100;
     std::string name(channel.substr(0, kMaxLength));
     for (char& c : name) {
-      const bool is_safe = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
-                           (c >= '0' && c <= '9') || c == '_' || c == '-';
+      const bool is_safe = IsNameCharacter(c) || c == '-';
       if (!is_safe) c = '_';
     }
     return name;

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "lib/base/schema/text.h"
+#include "lib/base/time/seconds.h"
 
 namespace shoal {
 
@@ -52,7 +53,7 @@ bool ReportDamage(const LogReader& reader, std::ostream& err) {
 }
 
 bool IsSelected(const LogSelection& selection, const LogEvent& event) {
-  const double time_s = static_cast<double>(event.utime) / 1e6;
+  const double time_s = Seconds(event.utime);
   // Half a microsecond of tolerance: 12.3 is no whole number of microseconds in binary.
   constexpr double kTolerance_s = 0.5e-6;
   if (selection.from_s && time_s < *selection.from_s - kTolerance_s) return false;

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <system_error>
 
+#include "lib/base/text/letters.h"
 #include "lib/bus/record/replace_file.h"
 
 namespace shoal {
@@ -21,14 +22,9 @@ std::string SqliteName(std::string_view name) {
 }
 
 std::string SqliteNames::Take(const std::string& name) {
-  const auto lower = [](std::string text) {
-    for (char& c : text) {
-      if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    }
-    return text;
-  };
   std::string unique = name;
-  for (int i = 2; !taken_.insert(lower(unique)).second; ++i) unique = fmt::format("{}_{}", name, i);
+  for (int i = 2; !taken_.insert(LowerCase(unique)).second; ++i)
+    unique = fmt::format("{}_{}", name, i);
   return unique;
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "lib/base/check/check.h"
+#include "lib/base/text/numbers.h"
 
 namespace shoal {
 
@@ -13,22 +14,6 @@ namespace {
 
 using enum RuleType;
 using rule_table::kControls;
-
-std::optional<double> ParseNumber(std::string_view word) {
-  double value = 0;
-  if (word.starts_with('+') && !word.starts_with("+-")) word.remove_prefix(1);
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  if (error != std::errc() || end != word.data() + word.size()) return std::nullopt;
-  return value;
-}
-
-/// The shortest text that is read back as the same number.
-std::string NumberWord(double value) {
-  std::array<char, 32> digits{};
-  const auto [end, error] = std::to_chars(digits.data(), digits.data() + digits.size(), value);
-  SHOAL_CHECK(error == std::errc(), "every number has at most 24 characters");
-  return {digits.data(), end};
-}
 
 bool IsControlCharacter(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; }
 
@@ -57,7 +42,7 @@ bool IsPossible(const ControlRow& row, const ControlValue& value) {
 }
 
 std::optional<ControlValue> ParseControlValue(const ControlRow& row, std::string_view word) {
-  std::optional<ControlValue> value = ParseNumber(word);
+  std::optional<ControlValue> value = ReadNumber<double>(word);
   if (row.type == kYesNo && word == "true") value = 1;
   if (row.type == kYesNo && word == "false") value = 0;
   if (row.true_value && word == "true") value = *row.true_value;
@@ -73,7 +58,7 @@ std::string ControlWord(const ControlRow& row, const ControlValue& value) {
   if (row.type == kText) return value.text.empty() ? std::string(row.word) : value.text;
   if (row.type == kYesNo) return value.number != 0 ? "true" : "false";
   if (!row.word.empty() && value.number < 0) return std::string(row.word);
-  return NumberWord(value.number);
+  return ShortestText(value.number);
 }
 
 std::string ShownValue(const ControlRow& row, const RoutingRules& rules) {
@@ -88,7 +73,7 @@ std::string ShownValue(const ControlRow& row, const RoutingRules& rules) {
   if (row.type == kYesNo) return value != 0 ? "true" : "false";
   if (!row.negative.empty() && value < 0) return std::string(row.negative);
   if (!row.zero.empty() && value == 0) return std::string(row.zero);
-  return row.true_value ? "true (" + NumberWord(value) + ")" : NumberWord(value);
+  return row.true_value ? "true (" + ShortestText(value) + ")" : ShortestText(value);
 }
 
 ControlValue GetRule(const ControlRow& row, const RoutingRules& rules) {

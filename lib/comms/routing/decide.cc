@@ -1,5 +1,7 @@
 #include "lib/comms/routing/decide.h"
 
+#include "lib/base/time/seconds.h"
+
 namespace shoal {
 
 namespace {

@@ -13,7 +13,7 @@
 #include <string_view>
 #include <vector>
 
-#include "lib/base/check/time_units.h"
+#include "lib/base/time/time_units.h"
 #include "lib/comms/routing/router.h"
 #include "lib/comms/routing/vehicle_name.h"
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "lib/base/time/seconds.h"
 #include "lib/comms/routing/decide.h"
 #include "lib/comms/routing/vehicle_name.h"
 

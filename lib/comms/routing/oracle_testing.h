@@ -11,6 +11,8 @@
 #include <utility>
 #include <vector>
 
+#include "lib/base/text/blanks.h"
+#include "lib/base/time/seconds.h"
 #include "lib/comms/routing/decide.h"
 #include "lib/comms/routing/oracle_words_testing.h"
 #include "lib/comms/routing/traffic_testing.h"
@@ -170,7 +172,7 @@ class Oracle {
     return mission_.contains(name) || (vehicles_.contains(name) && vehicles_[name].known);
   }
 
-  double Since(int64_t utime) const { return static_cast<double>(now - utime) / 1e6; }
+  double Since(int64_t utime) const { return Seconds(now - utime); }
 
   bool Stale(const OracleVehicle& vehicle) const {
     return rules.stale_time_s >= 0 && Since(vehicle.reported) >= rules.stale_time_s;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "lib/base/time/seconds.h"
 #include "lib/comms/routing/decide_testing.h"
 
 namespace shoal::range_rules_test {
@@ -215,7 +216,7 @@ TEST(StaleTime, StopsWhatIsForAVehicleExactlyAsOldOrOlder) {
     for (const Decision& decision : {Report(RangeOnly(100), ReceiverAt({1, 0, 0}, age_us)),
                                      Message(RangeOnly(100), ReceiverAt({1, 0, 0}, age_us))}) {
       EXPECT_EQ(decision.cause, Cause::kStaleReceiver);
-      EXPECT_EQ(decision.age_s, static_cast<double>(age_us) / 1e6);
+      EXPECT_EQ(decision.age_s, Seconds(age_us));
       EXPECT_EQ(decision.range_m, -1) << "the range was not asked";
     }
   }

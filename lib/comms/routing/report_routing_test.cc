@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "lib/base/time/seconds.h"
 #include "lib/comms/routing/fleet_testing.h"
 
 namespace shoal::report_routing_test {
@@ -173,7 +174,7 @@ Cause CauseAfter(int64_t elapsed_us, double min_rpt_interval_s) {
   fleet.utime += elapsed_us;
   const Decision decision = fleet.Report("alpha", {50, 0, 0}).at("bravo");
   if (decision.cause == Cause::kTooSoon) {
-    EXPECT_DOUBLE_EQ(decision.wait_s, min_rpt_interval_s - static_cast<double>(elapsed_us) / 1e6);
+    EXPECT_DOUBLE_EQ(decision.wait_s, min_rpt_interval_s - Seconds(elapsed_us));
   }
   return decision.cause;
 }

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "lib/base/check/check.h"
+#include "lib/base/time/seconds.h"
 #include "lib/comms/routing/decide.h"
 #include "lib/comms/routing/vehicle_name.h"
 

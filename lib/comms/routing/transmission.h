@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "lib/base/random/stream.h"
+#include "lib/base/time/seconds.h"
 #include "lib/comms/routing/kind.h"
 
 namespace shoal {
@@ -22,10 +23,5 @@ struct Transmission {
   bool is_forwarded = false;   ///< A gateway sends on what another has made.
   bool has_range_rule = true;  ///< False: of a modem, whose range the acoustic network decides.
 };
-
-/// Returns `later_utime` - `earlier_utime` in seconds.
-[[nodiscard]] inline double SecondsBetween(int64_t earlier_utime, int64_t later_utime) {
-  return static_cast<double>(later_utime - earlier_utime) / 1e6;
-}
 
 }  // namespace shoal

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "lib/base/text/letters.h"
+#include "lib/base/time/seconds.h"
 #include "lib/comms/swarm/broadcast_message.h"
 #include "lib/comms/swarm/leader_message.h"
 #include "lib/comms/swarm/report_message.h"
@@ -59,8 +61,6 @@ FieldFault CheckTime(double time_s, const FieldLimits& limits) {
 
 std::string_view TextOf(FieldFault fault) { return kFaultTexts[static_cast<size_t>(fault)]; }
 
-int64_t MicrosecondsOf(double time_s) { return std::llround(time_s * 1e6); }
-
 FieldFault CheckType(std::span<const uint8_t> flag) {
   if (flag.size() != std::tuple_size_v<MessageFlag>) return FieldFault::kWrongLength;
   for (const MessageFlag& known : {kReportFlag, kResponseFlag, kLeaderReportFlag, kBroadcastFlag}) {
@@ -75,9 +75,8 @@ FieldFault CheckType(std::span<const uint8_t> flag) {
 
 FieldFault CheckGroupId(std::span<const uint8_t> group_id) {
   if (group_id.size() != 1) return FieldFault::kWrongLength;
-  const uint8_t letter = group_id[0];
-  const bool is_alphanumeric = (letter >= '0' && letter <= '9') ||
-                               (letter >= 'A' && letter <= 'Z') || (letter >= 'a' && letter <= 'z');
+  const char letter = static_cast<char>(group_id[0]);
+  const bool is_alphanumeric = IsLetter(letter) || IsDigit(letter);
   return is_alphanumeric ? FieldFault::kNone : FieldFault::kNotAlphanumeric;
 }
 
@@ -125,14 +124,14 @@ FieldFault CheckVelocity(std::span<const double> velocity_mps, const FieldLimits
 
 FieldFault CheckTimeStamp(double time_s, std::optional<int64_t> now_us, const FieldLimits& limits) {
   if (const FieldFault fault = CheckTime(time_s, limits); fault != FieldFault::kNone) return fault;
-  const bool is_over = !now_us || MicrosecondsOf(time_s) <= *now_us + limits.future_tolerance_us;
+  const bool is_over = !now_us || Microseconds(time_s) <= *now_us + limits.future_tolerance_us;
   return is_over ? FieldFault::kNone : FieldFault::kFromTheFuture;
 }
 
 FieldFault CheckResponseStart(double time_s, std::optional<int64_t> now_us,
                               const FieldLimits& limits) {
   if (const FieldFault fault = CheckTime(time_s, limits); fault != FieldFault::kNone) return fault;
-  const bool is_ahead = !now_us || MicrosecondsOf(time_s) >= *now_us - limits.late_start_us;
+  const bool is_ahead = !now_us || Microseconds(time_s) >= *now_us - limits.late_start_us;
   return is_ahead ? FieldFault::kNone : FieldFault::kInThePast;
 }
 

@@ -52,10 +52,6 @@ struct FieldLimits {
   bool operator==(const FieldLimits&) const = default;
 };
 
-/// Returns the time in microseconds; the nearest whole one.
-/// @pre |time_s| <= 1e9
-[[nodiscard]] int64_t MicrosecondsOf(double time_s);
-
 /// type: four bytes, one of RPRT, RSPN, LRPT, BCRQ.
 [[nodiscard]] FieldFault CheckType(std::span<const uint8_t> flag);
 

@@ -4,6 +4,7 @@
 
 #include <set>
 
+#include "lib/base/time/seconds.h"
 #include "tests/golden/read_swarm_golden.h"
 
 namespace shoal::field_checks_test {
@@ -90,7 +91,7 @@ TEST(TimeStampCheck, ForgivesWhatFloat32RoundsAtTheLongestTime) {
   const auto wire_s = static_cast<float>(sent_s);
   ASSERT_GT(double{wire_s}, sent_s);
   const FieldLimits longer{.max_time_s = 2e6};
-  EXPECT_EQ(CheckTimeStamp(wire_s, MicrosecondsOf(sent_s), longer), FieldFault::kNone);
+  EXPECT_EQ(CheckTimeStamp(wire_s, Microseconds(sent_s), longer), FieldFault::kNone);
 }
 
 TEST(ResponseStartCheck, WantsATimeThatIsStillToCome) {

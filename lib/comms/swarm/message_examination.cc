@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "lib/base/codec/little_endian.h"
+#include "lib/base/time/seconds.h"
 #include "lib/comms/swarm/broadcast_message.h"
 #include "lib/comms/swarm/leader_message.h"
 #include "lib/comms/swarm/report_message.h"
@@ -106,7 +107,7 @@ class Examination {
     const auto fault = CheckTimeStamp(time_s, now_us_, receiver_.limits);
     recover_at_us_ = now_us_;
     const auto taken = Take(field, fault, static_cast<double>(time_s), subject);
-    if (fault == FieldFault::kNone) recover_at_us_ = MicrosecondsOf(time_s);
+    if (fault == FieldFault::kNone) recover_at_us_ = Microseconds(time_s);
     return taken;
   }
 

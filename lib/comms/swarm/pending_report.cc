@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "lib/base/time/seconds.h"
 #include "lib/comms/swarm/field_checks.h"
 
 namespace shoal {
@@ -14,7 +15,7 @@ constexpr int64_t kSentinelTime_us = -1'000'000;
 
 bool IsOutdated(const PendingReport& report, const SwarmContact& contact) {
   if (!contact.has_reported || !report.time_s || *report.time_s < 0) return false;
-  return MicrosecondsOf(*report.time_s) < contact.reported_us;
+  return Microseconds(*report.time_s) < contact.reported_us;
 }
 
 void ApplyReport(const PendingReport& report, bool is_leader, int64_t now_us,
@@ -36,7 +37,7 @@ void ApplyReport(const PendingReport& report, bool is_leader, int64_t now_us,
   }
   if (report.time_s) {
     contact->reported_us =
-        *report.time_s < 0 ? kSentinelTime_us : std::min(MicrosecondsOf(*report.time_s), now_us);
+        *report.time_s < 0 ? kSentinelTime_us : std::min(Microseconds(*report.time_s), now_us);
   }
   contact->arrived_us = now_us;
   contact->is_known = true;

@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "lib/base/time/seconds.h"
 #include "lib/comms/swarm/slot_timing.h"
 #include "tests/golden/read_golden.h"
 
@@ -21,8 +22,6 @@ namespace shoal::schedule_golden_test {
 using Json = nlohmann::json;
 /// When each member spoke, by its id.
 using TimeLine = std::map<int, std::vector<int64_t>>;
-
-int64_t Microseconds(double time_s) { return std::llround(time_s * 1e6); }
 
 Json Scenario(const std::string& name) {
   const Json scenarios = ReadGoldenJson("munet/schedules.json");

@@ -39,7 +39,7 @@ int64_t WholeSteps_us(int64_t length_us, int64_t tick_us) {
 }
 
 /// Rounded up, but for the noise of doubles.
-int64_t Microseconds(double length_s) {
+int64_t WholeMicroseconds(double length_s) {
   constexpr double kNoise_us = 1e-3;
   return static_cast<int64_t>(std::ceil(length_s * 1e6 - kNoise_us));
 }
@@ -204,11 +204,11 @@ Result<AirTimes> FindAirTimes(const SwarmAir& air) {
                  RoundedText(request_s) + " s, and " + RoundedText(travel_s) +
                  " s to get there; check data_rate_bps, max_distance_m and sound_speed_mps"};
   }
-  return AirTimes{.report_us = Microseconds(air_s(kReportSize + air.extra_bytes)),
-                  .leader_report_us = Microseconds(air_s(kLeaderReportSize + air.extra_bytes)),
-                  .request_us = Microseconds(request_s),
-                  .travel_us = Microseconds(travel_s),
-                  .jitter_us = Microseconds(air.max_jitter_s)};
+  return AirTimes{.report_us = WholeMicroseconds(air_s(kReportSize + air.extra_bytes)),
+                  .leader_report_us = WholeMicroseconds(air_s(kLeaderReportSize + air.extra_bytes)),
+                  .request_us = WholeMicroseconds(request_s),
+                  .travel_us = WholeMicroseconds(travel_s),
+                  .jitter_us = WholeMicroseconds(air.max_jitter_s)};
 }
 
 int64_t SafeAnswerWindow_us(const SlotPlan& plan, const AirTimes& times) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "lib/base/time/seconds.h"
 #include "lib/comms/swarm/message_examination.h"
 
 namespace shoal {
@@ -26,7 +27,7 @@ void TakeRequest(const PendingUpdate& update, GroupState* state) {
   state->request.reset();
   if (update.is_order_known) state->response_order = update.order;
   if (!update.start_s || *update.start_s < 0) return;
-  state->response_start_us = MicrosecondsOf(*update.start_s);
+  state->response_start_us = Microseconds(*update.start_s);
   const auto own = std::find(update.order.begin(), update.order.end(), int64_t{state->own_id});
   if (own == update.order.end()) return;
   state->request = {.start_us = state->response_start_us,

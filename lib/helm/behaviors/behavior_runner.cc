@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "lib/base/check/check.h"
+#include "lib/base/text/blanks.h"
 #include "lib/helm/behaviors/contact_recipe.h"
 #include "lib/helm/modes/value_text.h"
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "lib/base/text/letters.h"
 #include "lib/helm/behaviors/preference.h"
 
 namespace shoal {
@@ -13,13 +14,6 @@ namespace {
 
 double ExponentOf(std::string_view grade) {
   return grade == "quadratic" ? 2 : grade == "quasi" ? 1.5 : 1;
-}
-
-std::string InCapitals(std::string_view text) {
-  std::string capitals(text);
-  std::transform(capitals.begin(), capitals.end(), capitals.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
-  return capitals;
 }
 
 }  // namespace
@@ -52,7 +46,7 @@ void DescribeContact(const ContactOptions& options, const ContactView& contact,
                             .cpa_m = geometry.cpa_m,
                             .age_s = contact.age_s};
   if (!options.post_per_contact_info) return;
-  const std::string suffix = InCapitals(contact.name);
+  const std::string suffix = UpperCase(contact.name);
   Post(answer, "RANGE", std::round(geometry.range_m * 10) / 10, suffix);
   Post(answer, "CLOSING_SPEED", -std::round(geometry.range_rate_mps * 100) / 100, suffix);
   Post(answer, "RELEVANCE", std::round(answer.relevance * 1000) / 1000, suffix);

@@ -4,6 +4,8 @@
 #include <array>
 
 #include "lib/base/geometry/angles.h"
+#include "lib/base/text/blanks.h"
+#include "lib/base/text/numbers.h"
 #include "lib/helm/modes/value_text.h"
 
 namespace shoal {

@@ -5,6 +5,7 @@
 
 #include "lib/base/geometry/angles.h"
 #include "lib/base/geometry/convex_polygon.h"
+#include "lib/base/text/letters.h"
 
 namespace shoal {
 namespace {
@@ -12,16 +13,9 @@ namespace {
 constexpr double kAlertHorizon_s = 36'000;
 constexpr double kCompletedFactor = 1.1;  // A little behind the alert's end.
 
-bool IsAlike(const std::string& a, const std::string& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](char x, char y) {
-    return std::tolower(static_cast<unsigned char>(x)) ==
-           std::tolower(static_cast<unsigned char>(y));
-  });
-}
-
 bool Holds(const std::vector<std::string>& names, const std::string& name) {
   return std::any_of(names.begin(), names.end(),
-                     [&](const std::string& each) { return IsAlike(each, name); });
+                     [&](const std::string& each) { return IsSameWord(each, name); });
 }
 
 bool PassesOne(const std::vector<std::string>& match, const std::vector<std::string>& ignore,

@@ -12,6 +12,7 @@
 #include <variant>
 #include <vector>
 
+#include "lib/base/text/numbers.h"
 #include "lib/helm/behaviors/behavior_set.h"
 #include "lib/helm/decision/shapes.h"
 #include "lib/helm/modes/value_text.h"

@@ -1,5 +1,6 @@
 #include "lib/helm/behaviors/update_text.h"
 
+#include "lib/base/text/blanks.h"
 #include "lib/helm/modes/value_text.h"
 
 namespace shoal {

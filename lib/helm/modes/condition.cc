@@ -5,6 +5,9 @@
 #include <optional>
 #include <utility>
 
+#include "lib/base/text/blanks.h"
+#include "lib/base/text/letters.h"
+#include "lib/base/text/numbers.h"
 #include "lib/helm/modes/value_text.h"
 
 namespace shoal {
@@ -71,17 +74,13 @@ bool AnyPartEquals(const VariableValue& left, const VariableValue& right) {
   }
 }
 
-bool IsWordCharacter(char c) {
-  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
-}
-
 /// Returns true where `text` has the word at `place`, in any case.
 bool HasWordAt(std::string_view text, size_t place, std::string_view word) {
   if (place + word.size() > text.size()) return false;
-  if (place > 0 && IsWordCharacter(text[place - 1])) return false;
-  if (place + word.size() < text.size() && IsWordCharacter(text[place + word.size()])) return false;
+  if (place > 0 && IsNameCharacter(text[place - 1])) return false;
+  if (place + word.size() < text.size() && IsNameCharacter(text[place + word.size()])) return false;
   for (size_t i = 0; i < word.size(); ++i) {
-    if (std::tolower(static_cast<unsigned char>(text[place + i])) != word[i]) return false;
+    if (LowerCase(text[place + i]) != word[i]) return false;
   }
   return true;
 }

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "lib/base/text/blanks.h"
 #include "lib/helm/modes/value_text.h"
 
 namespace shoal {

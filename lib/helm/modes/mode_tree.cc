@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "lib/base/text/blanks.h"
 #include "lib/helm/modes/value_text.h"
 
 namespace shoal {

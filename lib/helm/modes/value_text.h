@@ -9,12 +9,6 @@
 
 namespace shoal {
 
-/// Returns `text` without blanks at its ends.
-[[nodiscard]] std::string_view Trimmed(std::string_view text);
-
-/// Returns the number where all of `text` is one, finite: "2", "-0.5", "1e3".
-[[nodiscard]] std::optional<double> NumberIn(std::string_view text);
-
 /// Returns a number where `text` is one, else the text. Quotes around it are taken off, and then it
 /// is text in any case.
 [[nodiscard]] VariableValue ValueIn(std::string_view text);

@@ -5,6 +5,7 @@
 #include <limits>
 #include <string>
 
+#include "lib/base/text/numbers.h"
 #include "lib/helm/modes/value_text.h"
 
 namespace shoal::variables_test {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "lib/base/geometry/convex_polygon.h"
+#include "lib/base/text/numbers.h"
 #include "lib/helm/modes/value_text.h"
 #include "lib/mission/file/describe.h"
 #include "lib/mission/toml/polygon_text.h"

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <utility>
 
+#include "lib/base/time/seconds.h"
 #include "lib/mission/file/describe.h"
 #include "lib/mission/model/names.h"
 #include "lib/mission/model/providers.h"
@@ -22,13 +23,13 @@ constexpr size_t kMaxCorners = 1000;
 
 /// tick_s: whole microseconds, since mission time counts in them.
 void DescribeTick(Fields& fields, int64_t& tick_us) {
-  double tick_s = static_cast<double>(tick_us) / 1e6;
+  double tick_s = Seconds(tick_us);
   fields.Number("tick_s", tick_s, Between(0.001, 10));
-  tick_us = std::llround(tick_s * 1e6);
+  tick_us = Microseconds(tick_s);
   if (std::abs(tick_s * 1e6 - static_cast<double>(tick_us)) > 1e-3) {
     fields.Refuse("tick_s", fmt::format("tick_s = {} is not a whole number of microseconds; the "
                                         "nearest is {}",
-                                        tick_s, static_cast<double>(tick_us) / 1e6));
+                                        tick_s, Seconds(tick_us)));
   }
 }
 
@@ -36,10 +37,10 @@ void DescribeTick(Fields& fields, int64_t& tick_us) {
 void DescribeDuration(Fields& fields, double& duration_s, int64_t tick_us) {
   fields.Require("duration_s", "duration_s = 600");
   fields.Number("duration_s", duration_s, Above(0, kLongest_s));
-  const int64_t duration_us = std::llround(duration_s * 1e6);
+  const int64_t duration_us = Microseconds(duration_s);
   const bool whole_us = std::abs(duration_s * 1e6 - static_cast<double>(duration_us)) < 0.01;
   if (duration_s <= 0 || (whole_us && duration_us % tick_us == 0)) return;
-  const auto seconds = [&](int64_t ticks) { return static_cast<double>(ticks * tick_us) / 1e6; };
+  const auto seconds = [&](int64_t ticks) { return Seconds(ticks * tick_us); };
   const int64_t ticks = static_cast<int64_t>(duration_s * 1e6) / tick_us;
   const std::string nearest =
       ticks == 0 ? fmt::format("the shortest is {}", seconds(1))

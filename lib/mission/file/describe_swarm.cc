@@ -9,6 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include "lib/base/text/letters.h"
+#include "lib/base/time/seconds.h"
 #include "lib/comms/swarm/slot_timing.h"
 #include "lib/mission/file/describe.h"
 #include "lib/mission/toml/suggest.h"
@@ -27,9 +29,9 @@ void DescribeFields(Fields& fields, SwarmOptions& swarm) {
   fields.Integer("max_id_distance", limits.max_id_distance, 1, std::numeric_limits<int>::max());
   fields.Integer("max_followers", limits.max_followers, 1, kMaxFollowers);
   fields.Number("max_time_s", limits.max_time_s, Above(0, 1e9));
-  double tolerance_s = static_cast<double>(limits.future_tolerance_us) / 1e6;
+  double tolerance_s = Seconds(limits.future_tolerance_us);
   fields.Number("future_tolerance_s", tolerance_s, Between(0, 1e6));
-  limits.future_tolerance_us = std::llround(tolerance_s * 1e6);
+  limits.future_tolerance_us = Microseconds(tolerance_s);
   fields.NumberOrWord("late_start_s", swarm.late_start_s, 1e6, "auto", -1);
   fields.Triple("neutral_position_m", swarm.neutral.position_m, Between(-1e6, 1e6));
   fields.Triple("neutral_velocity_mps", swarm.neutral.velocity_mps, Between(-1000, 1000));
@@ -78,7 +80,7 @@ void DescribeSwarm(Fields& fields, SwarmOptions& swarm) {
   fields.Number("silent_after_s", swarm.silent_after_s, Above(0, kLongest_s));
   DescribeMedia(fields, "over", swarm.over);
   fields.Below("fields", [&](Fields& table) { DescribeFields(table, swarm); });
-  if (!swarm.group_id.empty() && !std::isalnum(static_cast<unsigned char>(swarm.group_id[0]))) {
+  if (!swarm.group_id.empty() && !IsLetter(swarm.group_id[0]) && !IsDigit(swarm.group_id[0])) {
     fields.Refuse("group_id", "group_id must be a letter or a digit");
   }
 }

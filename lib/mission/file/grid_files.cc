@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "lib/base/text/letters.h"
 #include "lib/mission/model/mission.h"
 #include "lib/mission/netcdf/cf_field.h"
 #include "lib/mission/netcdf/cf_variables.h"

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "lib/base/geometry/angles.h"
+#include "lib/base/time/seconds.h"
 #include "lib/mission/file/track_of.h"
 #include "lib/mission/file/validate.h"
 #include "lib/mission/model/mission.h"
@@ -29,7 +30,7 @@ class MissionDraw {
     mission.seed = static_cast<uint64_t>(Integer(0, INT64_MAX));
     // Underwater vehicles need short steps.
     mission.tick_us = Integer(1000, Coin() ? 200'000 : 10'000'000);
-    mission.duration_s = static_cast<double>(mission.tick_us * Integer(1, 1000)) / 1e6;
+    mission.duration_s = Seconds(mission.tick_us * Integer(1, 1000));
     mission.start_utime = Integer(0, 9'000'000'000'000'000);
     mission.origin_lat_deg = Number(-90, 90);
     mission.origin_lon_deg = Number(-180, 180);

@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "lib/base/geometry/angles.h"
+#include "lib/base/text/numbers.h"
 #include "lib/sea/ocean/current_zones.h"
 
 namespace shoal {
@@ -45,22 +46,13 @@ std::array<WordRow, 6> Rows() {
   }};
 }
 
-/// Returns the decimal number that the whole text is, or nothing.
-std::optional<double> NumberOf(std::string_view text) {
-  double number = 0;
-  const char* end = text.data() + text.size();
-  const std::from_chars_result read = std::from_chars(text.data(), end, number);
-  if (read.ec != std::errc() || read.ptr != end || !std::isfinite(number)) return std::nullopt;
-  return number;
-}
-
 /// Returns what a word means, in psi and radians, or nothing.
 auto Understand(const WordRow& row, const std::string& word)
     -> std::optional<std::remove_cvref_t<decltype(CurrentRanges().*row.range)>> {
   if (const Zone* zone = FindZone(row.zones, word)) return zone->range;
   const size_t dots = word.find("..");
-  const auto low = NumberOf(word.substr(0, dots));
-  const auto high = dots == std::string::npos ? low : NumberOf(word.substr(dots + 2));
+  const auto low = ReadNumber<double>(word.substr(0, dots));
+  const auto high = dots == std::string::npos ? low : ReadNumber<double>(word.substr(dots + 2));
   if (!low || !high || *low < row.low || *high > row.high || *low > *high) return std::nullopt;
   if (row.is_compass) {
     if (*high - *low > 360) return std::nullopt;

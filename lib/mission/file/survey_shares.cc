@@ -10,6 +10,7 @@
 #include <variant>
 #include <vector>
 
+#include "lib/base/text/letters.h"
 #include "lib/mission/file/validate.h"
 #include "lib/mission/toml/suggest.h"
 

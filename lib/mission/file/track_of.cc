@@ -11,6 +11,7 @@
 
 #include "lib/base/geodesy/local_frame.h"
 #include "lib/base/geometry/angles.h"
+#include "lib/base/text/letters.h"
 #include "lib/mission/file/validate.h"
 #include "lib/mission/toml/read_file.h"
 #include "lib/mission/toml/suggest.h"

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "lib/base/text/letters.h"
 #include "lib/mission/model/names.h"
 #include "lib/mission/toml/suggest.h"
 

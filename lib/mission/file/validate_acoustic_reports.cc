@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "lib/base/time/seconds.h"
 #include "lib/mission/file/validate.h"
 
 namespace shoal {
@@ -59,7 +60,7 @@ void WarnOfOutsiders(const Mission& mission, const TablePlace& comms, double air
   constexpr double kMaxOfChannel = 0.5;
   if (!mission.netsim || mission.netsim->vehicles.empty()) return;
   const auto num_vehicles = static_cast<double>(mission.netsim->vehicles.size());
-  const double tick_s = static_cast<double>(mission.tick_us) / 1e6;
+  const double tick_s = Seconds(mission.tick_us);
   const double least_s = num_vehicles * air_s / kMaxOfChannel;
   if (tick_s >= least_s) return;
   comms.Warn(

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <variant>
 
+#include "lib/base/time/seconds.h"
 #include "lib/mission/file/validate.h"
 
 namespace shoal {
@@ -19,7 +20,7 @@ std::string TickText(int64_t tick_us, std::string_view fin, double swing_deg) {
   return fmt::format(
       "in ticks of {:g} s these gains swing the {} by up to {:g} degrees: write tick_s = 0.02 in "
       "[mission]",
-      static_cast<double>(tick_us) / 1e6, fin, swing_deg);
+      Seconds(tick_us), fin, swing_deg);
 }
 
 void WarnOfGains(const TablePlace& place, const Remus100Options& options, int64_t tick_us) {

@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "lib/base/text/blanks.h"
 #include "lib/helm/behaviors/behavior_runner.h"
 #include "lib/helm/behaviors/contact_recipe.h"
 #include "lib/helm/modes/flag.h"

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "lib/base/text/letters.h"
 #include "lib/mission/file/validate.h"
 #include "lib/mission/model/names.h"
 #include "lib/mission/toml/suggest.h"

@@ -4,6 +4,7 @@
 #include <string>
 #include <variant>
 
+#include "lib/base/text/letters.h"
 #include "lib/mission/file/validate.h"
 #include "lib/mission/model/names.h"
 #include "lib/mission/model/swarm_plan.h"

@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "lib/base/time/seconds.h"
 #include "lib/comms/swarm/broadcast_message.h"
 #include "lib/comms/swarm/field_checks.h"
 #include "lib/comms/swarm/message_frame.h"
@@ -98,9 +99,8 @@ void CheckMembers(const TablePlace& place, const Mission& mission, const SwarmOp
 /// Slots that come too late to be of use.
 void WarnOfLateSlots(const TablePlace& place, const Mission& mission, const SwarmOptions& swarm) {
   const SlotPlan plan = PlanSwarm(mission, swarm).plan;
-  const double episode_s = static_cast<double>(plan.episode_us) / 1e6;
-  const double last_s =
-      static_cast<double>(plan.offset_us) / 1e6 * static_cast<double>(swarm.followers.size());
+  const double episode_s = Seconds(plan.episode_us);
+  const double last_s = Seconds(plan.offset_us) * static_cast<double>(swarm.followers.size());
   if (plan.scheme != SwarmScheme::kTdmaLf && last_s > mission.duration_s) {
     place.Warn("offset_s", fmt::format("{} sends first after {:g} s, when the mission is over",
                                        swarm.followers.back(), last_s));

@@ -4,39 +4,32 @@
 #include <cmath>
 
 #include "lib/base/check/check.h"
+#include "lib/base/text/letters.h"
+#include "lib/base/time/seconds.h"
 #include "lib/mission/model/names.h"
 
 namespace shoal {
-namespace {
-
-char ToLower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
-
-bool SameName(std::string_view a, std::string_view b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                    [](char x, char y) { return ToLower(x) == ToLower(y); });
-}
-
-}  // namespace
+namespace {}  // namespace
 
 int64_t Mission::LastStep() const {
   SHOAL_CHECK(tick_us > 0, "a step must move time forward");
-  return std::llround(duration_s * 1e6) / tick_us;
+  return Microseconds(duration_s) / tick_us;
 }
 
 const Vehicle* Mission::FindVehicle(std::string_view vehicle_name) const {
   const auto found = std::find_if(vehicles.begin(), vehicles.end(), [&](const Vehicle& vehicle) {
-    return SameName(vehicle.name, vehicle_name);
+    return IsSameWord(vehicle.name, vehicle_name);
   });
   return found == vehicles.end() ? nullptr : &*found;
 }
 
 std::vector<const Vehicle*> Mission::VehiclesNamed(std::string_view addressees) const {
   const std::optional<std::string_view> group = GroupNamed(addressees);
-  const bool is_all = SameName(addressees, "all");
+  const bool is_all = IsSameWord(addressees, "all");
   std::vector<const Vehicle*> named;
   for (const Vehicle& vehicle : vehicles) {
-    const bool is_named = group ? !vehicle.group.empty() && SameName(vehicle.group, *group)
-                                : is_all || SameName(vehicle.name, addressees);
+    const bool is_named = group ? !vehicle.group.empty() && IsSameWord(vehicle.group, *group)
+                                : is_all || IsSameWord(vehicle.name, addressees);
     if (is_named) named.push_back(&vehicle);
   }
   return named;
@@ -77,7 +70,7 @@ std::map<std::string, std::vector<std::string>> GroupsOf(const Mission& mission)
     if (vehicle.group.empty()) continue;
     const auto first =
         std::find_if(mission.vehicles.begin(), mission.vehicles.end(),
-                     [&](const Vehicle& each) { return SameName(each.group, vehicle.group); });
+                     [&](const Vehicle& each) { return IsSameWord(each.group, vehicle.group); });
     groups[first->group].push_back(vehicle.name);
   }
   return groups;

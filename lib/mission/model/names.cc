@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "lib/base/text/letters.h"
 #include "lib/comms/routing/vehicle_name.h"
 #include "lib/mission/toml/suggest.h"
 
@@ -14,10 +15,6 @@ constexpr std::array<std::string_view, 4> kOwnProcesses = {"shoal", "shore_broke
                                                            "netsim_manager"};
 constexpr std::array<std::string_view, 4> kVehicleProcesses = {"vehicle_sim_", "helm_",
                                                                "node_reporter_", "acomms_"};
-
-bool IsNameCharacter(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
-}
 
 }  // namespace
 

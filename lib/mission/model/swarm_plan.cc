@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lib/base/time/seconds.h"
 #include "lib/comms/swarm/message_frame.h"
 
 namespace shoal {
@@ -12,8 +13,6 @@ namespace {
 constexpr int64_t kMunetEpisode_us = 5'000'000;
 constexpr int64_t kMunetOffset_us = 500'000;
 constexpr int64_t kCrcBytes = 4;
-
-int64_t Microseconds(double seconds) { return std::llround(seconds * 1e6); }
 
 int64_t RoundUpToTicks(int64_t time_us, int64_t tick_us) {
   return (time_us + tick_us - 1) / tick_us * tick_us;

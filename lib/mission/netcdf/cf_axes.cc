@@ -9,6 +9,8 @@
 #include <string_view>
 #include <utility>
 
+#include "lib/base/text/blanks.h"
+#include "lib/base/text/letters.h"
 #include "lib/mission/netcdf/cf_words.h"
 
 namespace shoal {
@@ -61,7 +63,7 @@ constexpr std::array<Row, 10> kAxisNames = {{{"lat", kLatitude},
 
 template <size_t N>
 std::optional<CfAxisKind> Look(const std::array<Row, N>& rows, std::string_view text) {
-  const std::string word = LowerCaseWord(Trimmed(text));
+  const std::string word = LowerCase(Trimmed(text));
   const auto row = std::ranges::find(rows, word, &Row::first);
   return row == rows.end() ? std::nullopt : std::optional(row->second);
 }
@@ -69,7 +71,7 @@ std::optional<CfAxisKind> Look(const std::array<Row, N>& rows, std::string_view 
 }  // namespace
 
 std::optional<CfAxisKind> AxisKindOf(const NetcdfVariable& coordinate) {
-  const std::string units = LowerCaseWord(coordinate.TextOf("units"));
+  const std::string units = LowerCase(coordinate.TextOf("units"));
   if (const auto kind = Look(kAngleUnits, units)) return kind;
   if (units.find(" since ") != std::string::npos) return kTime;
   if (const auto kind = Look(kStandardNames, coordinate.TextOf("standard_name"))) return kind;

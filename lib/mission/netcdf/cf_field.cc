@@ -9,6 +9,8 @@
 #include <optional>
 #include <utility>
 
+#include "lib/base/text/blanks.h"
+#include "lib/base/text/letters.h"
 #include "lib/mission/netcdf/cf_axes.h"
 #include "lib/mission/netcdf/cf_time.h"
 #include "lib/mission/netcdf/cf_values.h"
@@ -156,8 +158,8 @@ class CfReader {
       return UnitProblem(*depth.coordinate,
                          "metres: levels of sigma, density or pressure "
                          "must be interpolated to depths first");
-    const std::string positive = LowerCaseWord(depth.coordinate->TextOf("positive"));
-    const std::string standard_name = LowerCaseWord(depth.coordinate->TextOf("standard_name"));
+    const std::string positive = LowerCase(depth.coordinate->TextOf("positive"));
+    const std::string standard_name = LowerCase(depth.coordinate->TextOf("standard_name"));
     if (positive == "up" || (positive.empty() && standard_name == "height")) {
       std::ranges::reverse(depth.axis.points);
       std::ranges::reverse(depth.axis.source);
@@ -194,7 +196,7 @@ class CfReader {
   }
 
   static std::optional<double> MetresIn(const NetcdfVariable& coordinate) {
-    const std::string units = LowerCaseWord(Trimmed(coordinate.TextOf("units")));
+    const std::string units = LowerCase(Trimmed(coordinate.TextOf("units")));
     if (units.empty() || units == "m" || units == "meter" || units == "meters" ||
         units == "metre" || units == "metres") {
       return 1;
@@ -210,7 +212,7 @@ class CfReader {
   /// Returns how many metres, or metres per second, 1 of the variable is.
   std::optional<double> UnitOfValues() const {
     if (quantity_ == CfQuantity::kMetres) return MetresIn(variable_);
-    std::string units = LowerCaseWord(Trimmed(variable_.TextOf("units")));
+    std::string units = LowerCase(Trimmed(variable_.TextOf("units")));
     std::erase_if(units, [](char c) { return c == '*' || c == '^' || c == '.'; });
     const bool is_centimetres = units.starts_with("cm") || units.starts_with("centimet");
     for (const std::string_view length : {"centimeters", "centimeter", "centimetre", "cm", "meters",

@@ -7,6 +7,8 @@
 #include <string>
 #include <utility>
 
+#include "lib/base/text/blanks.h"
+#include "lib/base/text/letters.h"
 #include "lib/mission/netcdf/cf_words.h"
 
 namespace shoal {
@@ -88,7 +90,7 @@ std::optional<double> TakeTimeOfDay(Scanner* text) {
 /// Reads how far the text's clock is ahead of UTC, to the end.
 std::optional<double> TakeOffset(Scanner* text) {
   text->SkipBlanks();
-  const std::string word = LowerCaseWord(text->rest());
+  const std::string word = LowerCase(text->rest());
   if (word.empty() || word == "z" || word == "utc" || word == "gmt") return 0;
   const bool is_behind = word.front() == '-';
   if (!text->TakeMark("+-")) return std::nullopt;
@@ -110,10 +112,10 @@ std::optional<CfTimeUnit> ParseCfTimeUnit(std::string_view units) {
   units = Trimmed(units);
   const size_t end = units.find(' ');
   if (end == std::string_view::npos) return std::nullopt;
-  const auto unit = std::ranges::find(kTimeUnits, LowerCaseWord(units.substr(0, end)),
+  const auto unit = std::ranges::find(kTimeUnits, LowerCase(units.substr(0, end)),
                                       [](const auto& row) { return row.first; });
   std::string_view rest = Trimmed(units.substr(end));
-  if (unit == kTimeUnits.end() || LowerCaseWord(rest.substr(0, 6)) != "since ") return std::nullopt;
+  if (unit == kTimeUnits.end() || LowerCase(rest.substr(0, 6)) != "since ") return std::nullopt;
   Scanner text(Trimmed(rest.substr(6)));
   const std::optional<double> day_s = TakeDay(&text);
   if (!day_s) return std::nullopt;
@@ -125,7 +127,7 @@ std::optional<CfTimeUnit> ParseCfTimeUnit(std::string_view units) {
 }
 
 bool IsRealCalendar(std::string_view calendar) {
-  const std::string word = LowerCaseWord(Trimmed(calendar));
+  const std::string word = LowerCase(Trimmed(calendar));
   return word.empty() || word == "standard" || word == "gregorian" || word == "proleptic_gregorian";
 }
 

@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 
+#include "lib/base/text/letters.h"
 #include "lib/mission/netcdf/cf_words.h"
 
 namespace shoal {
@@ -67,7 +68,7 @@ ValueRule RuleOf(const NetcdfVariable& variable) {
 
 /// Returns what is added to negative numbers.
 double UnsignedShift(const NetcdfVariable& variable) {
-  if (LowerCaseWord(variable.TextOf("_Unsigned")) != "true") return 0;
+  if (LowerCase(variable.TextOf("_Unsigned")) != "true") return 0;
   return variable.type == NetcdfType::kByte    ? 256
          : variable.type == NetcdfType::kShort ? 65'536
                                                : 0;

@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "lib/base/text/blanks.h"
+#include "lib/base/text/letters.h"
 #include "lib/mission/netcdf/cf_words.h"
 
 namespace shoal {
@@ -40,10 +42,10 @@ bool IsOnPlane(const NetcdfVariable& variable) {
 }
 
 std::string StandardName(const NetcdfVariable& variable) {
-  return LowerCaseWord(Trimmed(variable.TextOf("standard_name")));
+  return LowerCase(Trimmed(variable.TextOf("standard_name")));
 }
 
-std::string Name(const NetcdfVariable& variable) { return LowerCaseWord(variable.name); }
+std::string Name(const NetcdfVariable& variable) { return LowerCase(variable.name); }
 
 /// Returns the variables with at least two dimensions of which `text` returns this word.
 template <class TextOf>
@@ -92,7 +94,7 @@ Result<std::string> FindFloorVariable(const NetcdfHeader& header, const std::str
 }
 
 std::optional<bool> HoldsDepths(const NetcdfVariable& variable) {
-  const std::string positive = LowerCaseWord(Trimmed(variable.TextOf("positive")));
+  const std::string positive = LowerCase(Trimmed(variable.TextOf("positive")));
   if (positive == "down" || positive == "up") return positive == "down";
   const std::string name = StandardName(variable);
   if (std::ranges::find(kDepthNames, name) != kDepthNames.end()) return true;

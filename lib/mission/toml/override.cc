@@ -7,6 +7,8 @@
 #include <charconv>
 #include <utility>
 
+#include "lib/base/text/letters.h"
+#include "lib/base/text/numbers.h"
 #include "lib/mission/toml/parse.h"
 #include "lib/mission/toml/suggest.h"
 
@@ -18,11 +20,7 @@ constexpr size_t kMaxParts = 16;
 constexpr std::array<std::string_view, 7> kLists = {"vehicle", "fleet",  "event", "participant",
                                                     "host",    "expect", "task"};
 
-bool IsLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
-
-bool IsKeyCharacter(char c) {
-  return IsLetter(c) || (c >= '0' && c <= '9') || c == '_' || c == '-';
-}
+bool IsKeyCharacter(char c) { return IsNameCharacter(c) || c == '-'; }
 
 bool IsBareWord(std::string_view text) {
   return !text.empty() && (IsLetter(text[0]) || text[0] == '_') &&
@@ -60,10 +58,8 @@ Value* FindElement(Array& array, const std::string& part, std::string_view paren
     const std::string* name = NameOfElement(element, parent);
     if (name != nullptr && LowerCase(*name) == LowerCase(part)) return &element;
   }
-  size_t number = 0;
-  const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), number);
-  const bool is_number = error == std::errc() && end == part.data() + part.size();
-  return is_number && number >= 1 && number <= array.size() ? &array[number - 1] : nullptr;
+  const size_t number = ReadNumber<size_t>(part).value_or(0);
+  return number >= 1 && number <= array.size() ? &array[number - 1] : nullptr;
 }
 
 std::string NoSuchElement(const Array& array, const std::string& part, std::string_view parent) {

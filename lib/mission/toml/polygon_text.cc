@@ -7,7 +7,8 @@
 #include <string>
 #include <utility>
 
-#include "lib/helm/modes/value_text.h"
+#include "lib/base/text/blanks.h"
+#include "lib/base/text/numbers.h"
 
 namespace shoal {
 namespace {

@@ -6,6 +6,8 @@
 #include <tuple>
 #include <vector>
 
+#include "lib/base/text/letters.h"
+
 namespace shoal {
 namespace {
 
@@ -91,14 +93,6 @@ std::string Joined(std::span<const std::string_view> words) {
     joined += word;
   }
   return joined;
-}
-
-std::string LowerCase(std::string_view text) {
-  std::string lower(text);
-  for (char& c : lower) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  }
-  return lower;
 }
 
 }  // namespace shoal

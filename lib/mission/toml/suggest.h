@@ -25,7 +25,4 @@ std::string Quoted(std::string_view text);
 /// Returns `words` separated by ", ".
 std::string Joined(std::span<const std::string_view> words);
 
-/// Returns `text` with ASCII letters in lower case: names are the same without regard to case.
-std::string LowerCase(std::string_view text);
-
 }  // namespace shoal

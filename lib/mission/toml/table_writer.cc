@@ -6,6 +6,8 @@
 #include <cmath>
 #include <iterator>
 
+#include "lib/base/text/letters.h"
+
 namespace shoal {
 namespace {
 
@@ -31,8 +33,7 @@ std::string TomlArray(const Items& items, const Write& write) {
 
 std::string TomlKey(std::string_view key) {
   const bool bare = !key.empty() && std::all_of(key.begin(), key.end(), [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
-           c == '-';
+    return IsNameCharacter(c) || c == '-';
   });
   return bare ? std::string(key) : TomlString(key);
 }

@@ -7,6 +7,8 @@
 #include <utility>
 
 #include "lib/base/geometry/convex_polygon.h"
+#include "lib/base/text/letters.h"
+#include "lib/base/text/numbers.h"
 #include "lib/helm/modes/value_text.h"
 #include "lib/mission/toml/parse.h"
 #include "lib/mission/toml/polygon_text.h"
@@ -38,7 +40,7 @@ std::string Unquoted(const std::string& text) {
   return inner != nullptr ? *inner : text;
 }
 
-std::string LowerCaseWord(const std::string& text) { return LowerCase(Unquoted(text)); }
+std::string LowerCaseInside(const std::string& text) { return LowerCase(Unquoted(text)); }
 
 }  // namespace
 
@@ -99,7 +101,7 @@ void UpdateReader::Integer(std::string_view key, int64_t& value, int64_t min, in
 void UpdateReader::Flag(std::string_view key, bool& value) {
   const std::string* text = Take(key);
   if (text == nullptr) return;
-  const std::string word = LowerCaseWord(*text);
+  const std::string word = LowerCaseInside(*text);
   if (word == "toggle") {
     value = !value;
     return;

@@ -11,7 +11,9 @@
 #include <vector>
 
 #include "lib/base/geometry/angles.h"
-#include "lib/helm/modes/value_text.h"
+#include "lib/base/text/blanks.h"
+#include "lib/base/text/letters.h"
+#include "lib/base/text/numbers.h"
 #include "lib/mission/track/iso_time.h"
 
 namespace shoal {
@@ -99,11 +101,7 @@ class CsvTrackReader {
     }
     if (std::string problem = SplitLine(); !problem.empty()) return problem;
     for (std::string_view cell : cells_) {
-      std::string name(cell.substr(0, 64));
-      std::ranges::transform(name, name.begin(), [](char c) {
-        return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-      });
-      names_.push_back(std::move(name));
+      names_.push_back(LowerCase(cell.substr(0, 64)));
     }
     return FindColumns();
   }

@@ -9,7 +9,8 @@
 #include <string>
 #include <type_traits>
 
-#include "lib/helm/modes/value_text.h"
+#include "lib/base/text/blanks.h"
+#include "lib/base/text/numbers.h"
 #include "lib/mission/track/iso_time.h"
 
 namespace shoal {

@@ -1,5 +1,5 @@
 // Times as the logs of other programs write them: ISO 8601 in its usual forms. What shoal itself
-// writes has one form (lib/sea/modem/utc_time.h).
+// writes has one form (lib/base/time/utc_time.h).
 #pragma once
 
 #include <cstdint>

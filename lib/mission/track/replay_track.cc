@@ -6,13 +6,14 @@
 
 #include "lib/base/check/check.h"
 #include "lib/base/geometry/angles.h"
+#include "lib/base/time/seconds.h"
 
 namespace shoal {
 
 namespace {
 
 double SecondsBetween(const ReplayFix& from, const ReplayFix& to) {
-  return static_cast<double>(to.time_us - from.time_us) / 1e6;
+  return Seconds(to.time_us - from.time_us);
 }
 
 Eigen::Vector2d WayBetween(const ReplayFix& from, const ReplayFix& to) {
@@ -61,7 +62,7 @@ ReplayState ReplayTrack::At(int64_t time_us) const {
   const ReplayFix& from = *(after - 1);
   const ReplayFix& to = *after;
   const double length_s = SecondsBetween(from, to);
-  const double share = static_cast<double>(time_us - from.time_us) / 1e6 / length_s;
+  const double share = Seconds(time_us - from.time_us) / length_s;
   const Eigen::Vector3d way_m = to.position_m - from.position_m;
   const double turn_rad = WrapPi(to.heading_rad - from.heading_rad);
   ReplayState state;

@@ -8,17 +8,18 @@
 #include <vector>
 
 #include "lib/base/geometry/angles.h"
+#include "lib/base/time/seconds.h"
 
 namespace shoal::replay_track_test {
 
 constexpr int64_t kSecond_us = 1'000'000;
 
 ReplayFix Fix(double time_s, double x_m, double y_m, double z_m = 0) {
-  return {.time_us = std::llround(time_s * 1e6), .position_m = {x_m, y_m, z_m}};
+  return {.time_us = Microseconds(time_s), .position_m = {x_m, y_m, z_m}};
 }
 
 double HeadingDegAt(const ReplayTrack& track, double time_s) {
-  return RadToDeg(track.At(std::llround(time_s * 1e6)).heading_rad);
+  return RadToDeg(track.At(Microseconds(time_s)).heading_rad);
 }
 
 TEST(ReplayTrack, GoesStraightAndSteadilyBetweenItsPoints) {

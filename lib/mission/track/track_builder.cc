@@ -6,6 +6,8 @@
 #include <optional>
 #include <utility>
 
+#include "lib/base/time/seconds.h"
+
 namespace shoal {
 
 std::string QuotedWord(std::string_view word) {
@@ -39,10 +41,10 @@ std::string TrackBuilder::Add(const ReplayFix& fix) {
       return fmt::format(
           "the time is not after that of the point before ({} s): sort the points "
           "by time, and leave out those of equal time",
-          static_cast<double>(fix.time_us - last.time_us) / 1e6);
+          Seconds(fix.time_us - last.time_us));
     }
-    const double speed_mps = (fix.position_m - last.position_m).norm() /
-                             (static_cast<double>(fix.time_us - last.time_us) / 1e6);
+    const double speed_mps =
+        (fix.position_m - last.position_m).norm() / (Seconds(fix.time_us - last.time_us));
     if (speed_mps > kFastestFix_mps) {
       return fmt::format(
           "from the point before to this one it would go at {:.4g} m/s, and {:g} "

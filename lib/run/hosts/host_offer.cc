@@ -9,6 +9,7 @@
 #include <filesystem>
 
 #include "lib/base/check/check.h"
+#include "lib/base/text/numbers.h"
 #include "lib/bus/record/text_file.h"
 #include "lib/mission/file/load.h"
 #include "lib/mission/toml/read_file.h"
@@ -150,7 +151,7 @@ Result<HostOffer> OfferOf(const LinkMessage& message) {
   offer.digest = message.TextOf("digest");
   offer.layout = message.TextOf("layout") == Name(Layout::kCommunities) ? Layout::kCommunities
                                                                         : Layout::kShared;
-  offer.timeout_s = std::strtod(message.TextOf("timeout_s").c_str(), nullptr);
+  offer.timeout_s = ReadNumber<double>(message.TextOf("timeout_s")).value_or(0);
   offer.overrides = TextsOf(message, kSet);
   offer.participants = TextsOf(message, kParticipant);
   for (const LinkPart& part : message.parts) {
@@ -181,7 +182,7 @@ LinkMessage ToLinkMessage(const HostExit& exit, int64_t mission_id) {
 
 HostExit ExitOf(const LinkMessage& message) {
   return {.name = message.TextOf("name"),
-          .pid = std::strtoll(message.TextOf("pid").c_str(), nullptr, 10),
+          .pid = ReadNumber<int64_t>(message.TextOf("pid")).value_or(0),
           .clean = message.TextOf("clean") == "yes",
           .how = message.TextOf("how"),
           .last_lines = TextsOf(message, kLine)};

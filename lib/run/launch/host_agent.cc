@@ -10,7 +10,7 @@
 
 #include <algorithm>
 
-#include "lib/base/check/time_units.h"
+#include "lib/base/time/time_units.h"
 #include "lib/bus/bus/multicast_fault.h"
 #include "lib/run/launch/launch_signals.h"
 #include "lib/run/run/run_app.h"

@@ -9,7 +9,7 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "lib/base/check/time_units.h"
+#include "lib/base/time/time_units.h"
 #include "lib/bus/bus/layout.h"
 #include "lib/mission/file/load.h"
 #include "lib/run/run/build_id.h"

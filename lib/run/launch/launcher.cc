@@ -8,7 +8,8 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "lib/base/check/time_units.h"
+#include "lib/base/time/seconds.h"
+#include "lib/base/time/time_units.h"
 #include "lib/bus/bus/multicast_fault.h"
 #include "lib/run/launch/launch_signals.h"
 #include "lib/run/launch/recording.h"
@@ -165,8 +166,8 @@ void Launcher::Loop(int signal_fd) {
 void Launcher::ShowProgress(int64_t wall_us) {
   if (options_.quiet || running_since_us_ == 0 || wall_us < next_progress_us_) return;
   next_progress_us_ = wall_us + (terminal_.is_interactive() ? kSecond_us / 4 : 5 * kSecond_us);
-  const double mission_s = static_cast<double>(clock_.utime() - mission_.start_utime) / 1e6;
-  const double wall_s = std::max(static_cast<double>(wall_us - running_since_us_) / 1e6, 1e-3);
+  const double mission_s = Seconds(clock_.utime() - mission_.start_utime);
+  const double wall_s = std::max(Seconds(wall_us - running_since_us_), 1e-3);
   terminal_.ShowProgress(fmt::format(
       "{:8.1f} of {:.1f} s  {:6.1f} x real time{}  {} vehicles  {} reports delivered, {} blocked",
       mission_s, mission_.duration_s, mission_s / wall_s, clock_.paused() ? ", paused" : "",
@@ -181,8 +182,8 @@ int Launcher::Conclude() {
   terminal_.EndProgress();
   std::string summary;
   if (running_since_us_ != 0) {
-    const double mission_s = static_cast<double>(clock_.utime() - mission_.start_utime) / 1e6;
-    const double wall_s = std::max(static_cast<double>(ended_us_ - running_since_us_) / 1e6, 1e-3);
+    const double mission_s = Seconds(clock_.utime() - mission_.start_utime);
+    const double wall_s = std::max(Seconds(ended_us_ - running_since_us_), 1e-3);
     const size_t num_participants = ParticipantNames(processes_).size();
     const size_t num_processes = processes_.size() + 1;
     const std::string in_processes =

@@ -10,7 +10,8 @@
 #include <limits>
 #include <span>
 
-#include "lib/base/check/time_units.h"
+#include "lib/base/time/seconds.h"
+#include "lib/base/time/time_units.h"
 #include "lib/run/run/build_id.h"
 #include "lib/run/run/run_app.h"
 
@@ -299,7 +300,7 @@ void MissionHosts::CheckTimes(size_t number, int64_t wall_us) {
   if (wall_us - host.heard_us > limit_us) {
     Lose(number,
          fmt::format("{} gave no sign of life for {} s (hung, or the network is down)",
-                     Describe(host), static_cast<double>(limit_us) / 1e6),
+                     Describe(host), Seconds(limit_us)),
          wall_us);
     return;
   }
@@ -320,7 +321,7 @@ void MissionHosts::CheckAnswer(size_t number, int64_t wall_us) {
   notes_.push_back(
       fmt::format("step {}: {} has been slow for {:.2f} s; it gives signs of life, and "
                   "its answer is waited for",
-                  relay_->step(), Describe(host), static_cast<double>(waited_us) / 1e6));
+                  relay_->step(), Describe(host), Seconds(waited_us)));
 }
 
 void MissionHosts::Lose(size_t number, const std::string& how, int64_t wall_us) {

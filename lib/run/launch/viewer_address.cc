@@ -4,7 +4,7 @@
 
 #include <fstream>
 
-#include "lib/base/check/time_units.h"
+#include "lib/base/time/time_units.h"
 
 namespace shoal {
 

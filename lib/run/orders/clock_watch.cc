@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "lib/base/time/seconds.h"
 #include "lib/run/run/status_page.h"
 
 namespace shoal {
@@ -38,7 +39,7 @@ bool ClockWatch::OnState(const clock_state_t& state) {
 }
 
 std::string ClockText(const clock_state_t& state) {
-  const std::string at = fmt::format("at {:.1f} s", static_cast<double>(state.utime) / 1e6);
+  const std::string at = fmt::format("at {:.1f} s", Seconds(state.utime));
   if (state.state != "running") return fmt::format("{} {}", Printable(state.state), at);
   return fmt::format("running at warp {}{}", state.warp > 0 ? fmt::format("{}", state.warp) : "max",
                      state.factor > 0 ? fmt::format(" ({:.1f} x real time)", state.factor) : "");

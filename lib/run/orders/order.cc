@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "lib/base/text/letters.h"
 #include "lib/bus/bus/channels.h"
 #include "lib/comms/routing/vehicle_name.h"
 #include "lib/mission/model/names.h"

@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <optional>
 
+#include "lib/base/text/numbers.h"
 #include "lib/bus/bus/control_message.h"
 #include "lib/comms/routing/destinations.h"
 #include "lib/comms/routing/vehicle_name.h"
@@ -72,13 +73,6 @@ std::string Rows(std::string_view prefix, std::span<const CommandShape> shapes) 
   return text;
 }
 
-std::optional<double> ParseNumber(const std::string& word) {
-  char* end = nullptr;
-  const double value = std::strtod(word.c_str(), &end);
-  if (word.empty() || *end != '\0' || !std::isfinite(value)) return std::nullopt;
-  return value;
-}
-
 /// What stands in a helm command's place, but is for others.
 const std::vector<CommandShape>& OtherCommands() {
   static const std::vector<CommandShape> shapes = {
@@ -115,7 +109,7 @@ Result<Arguments> ParseArguments(const std::vector<CommandShape>& shapes, const 
     return arguments;
   }
   for (const std::string& word : words) {
-    const std::optional<double> value = ParseNumber(word);
+    const std::optional<double> value = ReadNumber<double>(word);
     if (!value) return Error{fmt::format("'{}' is not a number", word)};
     arguments.values.push_back(*value);
   }
@@ -207,7 +201,7 @@ Result<clock_command_t> ParseClockWords(std::span<const std::string> words) {
 std::optional<double> ParseWarp(std::string_view word) {
   constexpr double kHighest = 1e6;
   if (word == "max") return 0;
-  const std::optional<double> warp = ParseNumber(std::string(word));
+  const std::optional<double> warp = ReadNumber<double>(word);
   if (!warp || *warp < 1 / kHighest || *warp > kHighest) return std::nullopt;
   return warp;
 }
@@ -239,7 +233,7 @@ Result<node_message_t> ParseMessageWords(std::span<const std::string> words) {
     message.string_val = plain[2];
     return message;
   }
-  const std::optional<double> value = ParseNumber(plain[2]);
+  const std::optional<double> value = ReadNumber<double>(plain[2]);
   if (!value) return Error{fmt::format("{} is not a number", Quoted(plain[2]))};
   message.double_val = *value;
   return message;

@@ -7,6 +7,8 @@
 #include <map>
 #include <thread>
 
+#include "lib/base/text/numbers.h"
+
 namespace shoal {
 
 namespace {
@@ -56,10 +58,8 @@ Result<Grouping> ParseGrouping(std::string_view text) {
   if (text.starts_with(kHostPrefix)) {
     const std::string_view number = text.substr(kHostPrefix.size());
     Grouping grouping{.kind = Grouping::Kind::kHost};
-    const auto [end, error] =
-        std::from_chars(number.data(), number.data() + number.size(), grouping.num_processes);
-    const bool is_number = error == std::errc() && end == number.data() + number.size();
-    if (is_number && grouping.num_processes >= 1 && grouping.num_processes <= kMaxHostProcesses) {
+    grouping.num_processes = ReadNumber<int>(number).value_or(0);
+    if (grouping.num_processes >= 1 && grouping.num_processes <= kMaxHostProcesses) {
       return grouping;
     }
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <span>
 
+#include "lib/base/text/letters.h"
 #include "lib/mission/toml/suggest.h"
 
 namespace shoal {

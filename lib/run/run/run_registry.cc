@@ -16,6 +16,7 @@
 #include <filesystem>
 #include <sstream>
 
+#include "lib/base/text/numbers.h"
 #include "lib/run/run/run_folder.h"
 
 namespace shoal {
@@ -86,13 +87,13 @@ std::optional<RunningMission> ReadEntry(const std::string& name) {
     if (key == "name") mission.name = value;
     if (key == "file") mission.file = value;
     if (key == "folder") mission.folder = value;
-    if (key == "mission_id") mission.mission_id = std::strtoll(value.c_str(), nullptr, 10);
-    if (key == "port_base") mission.port_base = std::atoi(value.c_str());
+    if (key == "mission_id") mission.mission_id = ReadNumber<int64_t>(value).value_or(0);
+    if (key == "port_base") mission.port_base = ReadNumber<int>(value).value_or(0);
     if (key == "layout") {
       mission.layout = value == "communities" ? Layout::kCommunities : Layout::kShared;
     }
     if (key == "grouping") mission.grouping = value;
-    if (key == "pid") mission.pid = std::atoi(value.c_str());
+    if (key == "pid") mission.pid = ReadNumber<int>(value).value_or(0);
     if (key == "vehicle") mission.vehicles.push_back(value);
     if (key == "without_helm") mission.without_helm.push_back(value);
     if (key == "member") {

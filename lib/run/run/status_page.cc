@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "lib/base/time/seconds.h"
+
 namespace shoal {
 
 namespace {
@@ -59,7 +61,7 @@ void StatusLog::Retract(std::string_view text) {
 
 void StatusLog::Event(int64_t utime, std::string_view text) {
   ++num_events_;
-  events_.push_front(fmt::format("[{:.2f}]: {}", static_cast<double>(utime) / 1e6, text));
+  events_.push_front(fmt::format("[{:.2f}]: {}", Seconds(utime), text));
   if (events_.size() > kMaxEvents) events_.pop_back();
 }
 

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <limits>
 
+#include "lib/base/time/seconds.h"
 #include "lib/bus/bus/channels.h"
 #include "lib/bus/bus/seal.h"
 #include "lib/run/run/appcast.h"
@@ -320,7 +321,7 @@ void StepGroup::OnTime(int64_t wall_us) {
       "{} of {} messages of {} on {} in step {} never reached {}, though asked for again for "
       "{:.1f} s",
       first.expected - first.received, first.expected, first.publisher, first.channel,
-      pending_->step - 1, members_.front().name, static_cast<double>(options_.give_up_us) / 1e6));
+      pending_->step - 1, members_.front().name, Seconds(options_.give_up_us)));
 }
 
 int64_t StepGroup::NextDeadline() const {

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <tuple>
 
+#include "lib/base/time/seconds.h"
 #include "lib/comms/routing/vehicle_name.h"
 #include "lib/mission/file/ocean_of.h"
 #include "lib/mission/model/coverage_area.h"
@@ -596,7 +597,7 @@ int Judge::PlaceInCounts(std::string_view name) const {
 }
 
 double Judge::SecondsSinceStart(int64_t utime) const {
-  return static_cast<double>(utime - mission_.start_utime) / 1e6;
+  return Seconds(utime - mission_.start_utime);
 }
 
 }  // namespace shoal

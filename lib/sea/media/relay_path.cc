@@ -2,13 +2,9 @@
 
 #include <algorithm>
 
+#include "lib/base/text/letters.h"
+
 namespace shoal {
-
-namespace {
-
-char LowerCase(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
-
-}  // namespace
 
 int NumHops(std::string_view via) {
   return via.empty() ? 0 : static_cast<int>(std::ranges::count(via, ':')) + 1;
@@ -17,7 +13,7 @@ int NumHops(std::string_view via) {
 bool IsVia(std::string_view via, std::string_view name) {
   while (!via.empty()) {
     const std::string_view hop = via.substr(0, via.find(':'));
-    if (std::ranges::equal(hop, name, {}, LowerCase, LowerCase)) return true;
+    if (IsSameWord(hop, name)) return true;
     via.remove_prefix(std::min(hop.size() + 1, via.size()));
   }
   return false;

@@ -4,8 +4,9 @@
 #include <cmath>
 #include <vector>
 
+#include "lib/base/text/numbers.h"
+#include "lib/base/time/utc_time.h"
 #include "lib/sea/modem/sentence_text.h"
-#include "lib/sea/modem/utc_time.h"
 
 namespace shoal {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <limits>
 
+#include "lib/base/time/utc_time.h"
 #include "lib/sea/modem/two_modems.h"
-#include "lib/sea/modem/utc_time.h"
 
 namespace shoal::micromodem_cst_test {
 

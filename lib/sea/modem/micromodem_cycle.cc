@@ -3,8 +3,8 @@
 #include <string>
 #include <utility>
 
-#include "lib/base/check/time_units.h"
-#include "lib/sea/modem/utc_time.h"
+#include "lib/base/time/time_units.h"
+#include "lib/base/time/utc_time.h"
 
 namespace shoal {
 

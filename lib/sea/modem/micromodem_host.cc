@@ -4,9 +4,9 @@
 #include <utility>
 #include <vector>
 
+#include "lib/base/time/utc_time.h"
 #include "lib/sea/modem/sentence_reader.h"
 #include "lib/sea/modem/sentence_text.h"
-#include "lib/sea/modem/utc_time.h"
 
 namespace shoal {
 namespace {

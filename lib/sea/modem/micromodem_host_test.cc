@@ -1,8 +1,8 @@
 // What a modem answers its host, by itself.
 #include <gtest/gtest.h>
 
+#include "lib/base/time/utc_time.h"
 #include "lib/sea/modem/two_modems.h"
-#include "lib/sea/modem/utc_time.h"
 
 namespace shoal::micromodem_host_test {
 

@@ -4,7 +4,8 @@
 #include <array>
 #include <string>
 
-#include "lib/base/check/time_units.h"
+#include "lib/base/time/seconds.h"
+#include "lib/base/time/time_units.h"
 #include "lib/sea/modem/sentence_text.h"
 
 namespace shoal {
@@ -78,7 +79,7 @@ void MicroModemReceiver::Take(const MicroModemPacket& packet, const MicroModemAr
       break;
     case MicroModemKind::kPingReply: {
       const int64_t travel_us = std::clamp<int64_t>(arrival.travel_us, 0, kHour_us);
-      unit_.Write("CAMPR," + from_to + "," + FixedText(static_cast<double>(travel_us) / 1e6, 4));
+      unit_.Write("CAMPR," + from_to + "," + FixedText(Seconds(travel_us), 4));
       break;
     }
     case MicroModemKind::kMini: {

@@ -1,8 +1,9 @@
 // Two modems and the water between them.
 #include <gtest/gtest.h>
 
+#include "lib/base/time/seconds.h"
+#include "lib/base/time/utc_time.h"
 #include "lib/sea/modem/two_modems.h"
-#include "lib/sea/modem/utc_time.h"
 
 namespace shoal::micromodem_receiver_test {
 
@@ -55,8 +56,8 @@ TEST(MicroModemPair, CarriesAsManyAndAsLongFramesAsEachRateHolds) {
     EXPECT_EQ(modems.Lines(0, "CAACK").size(), static_cast<size_t>(row.max_frames)) << rate;
     EXPECT_EQ(modems.sent(1).size(), 1U) << "one packet acknowledges all frames";
     const MicroModemSent& packet = modems.sent(0).at(0);
-    EXPECT_NEAR(static_cast<double>(packet.air_us) / 1e6,
-                static_cast<double>(8 * packet.bytes.size()) / row.bps, 1e-5);
+    EXPECT_NEAR(Seconds(packet.air_us), static_cast<double>(8 * packet.bytes.size()) / row.bps,
+                1e-5);
   }
 }
 

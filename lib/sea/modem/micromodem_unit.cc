@@ -4,8 +4,8 @@
 
 #include "lib/base/check/check.h"
 #include "lib/base/codec/nmea_sentence.h"
+#include "lib/base/time/utc_time.h"
 #include "lib/sea/modem/micromodem_rate.h"
-#include "lib/sea/modem/utc_time.h"
 
 namespace shoal {
 

@@ -20,14 +20,6 @@ int HexValue(char digit) {
 
 }  // namespace
 
-std::string ZeroPadded(int64_t number, int width) {
-  std::string digits = std::to_string(number);
-  const size_t length = digits.size();
-  const auto wanted = static_cast<size_t>(width);
-  if (length < wanted) digits.insert(number < 0 ? 1 : 0, wanted - length, '0');
-  return digits;
-}
-
 std::string FixedText(double number, int decimals) {
   SHOAL_CHECK(std::isfinite(number), "numbers in sentences are finite");
   std::array<char, 400> text;

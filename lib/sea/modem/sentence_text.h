@@ -10,9 +10,6 @@
 
 namespace shoal {
 
-/// Returns 7 in three digits as "007"; a number that needs more takes more.
-[[nodiscard]] std::string ZeroPadded(int64_t number, int width);
-
 /// Returns the number with `decimals` decimals: "0.4000". @pre number is finite.
 [[nodiscard]] std::string FixedText(double number, int decimals);
 

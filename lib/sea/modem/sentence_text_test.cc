@@ -6,9 +6,6 @@
 namespace shoal::sentence_text_test {
 
 TEST(SentenceText, WritesNumbersInTheirWidth) {
-  EXPECT_EQ(ZeroPadded(7, 3), "007");
-  EXPECT_EQ(ZeroPadded(1234, 3), "1234");
-  EXPECT_EQ(ZeroPadded(-3, 4), "-003");
   EXPECT_EQ(FixedText(0.4, 4), "0.4000");
   EXPECT_EQ(FixedText(1e300, 1).size(), 303U);
 }

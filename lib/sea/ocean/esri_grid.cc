@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "lib/base/text/letters.h"
+#include "lib/base/text/numbers.h"
 #include "lib/sea/ocean/current.h"
 
 namespace shoal {
@@ -36,15 +38,6 @@ std::string_view TakeWord(std::string_view& line) {
   return word;
 }
 
-/// Returns a finite number; none where the word is anything else.
-std::optional<double> ParseNumber(std::string_view word) {
-  if (word.starts_with('+')) word.remove_prefix(1);
-  double number = 0;
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
-  if (error != std::errc() || end != word.data() + word.size()) return std::nullopt;
-  return std::isfinite(number) ? std::optional(number) : std::nullopt;
-}
-
 /// Returns a word as it may stand in a message: short, and printable.
 std::string Quote(std::string_view word) {
   std::string quoted(word.substr(0, 24));
@@ -52,14 +45,6 @@ std::string Quote(std::string_view word) {
     if (c < ' ' || c > '~') c = '?';
   }
   return "'" + quoted + (word.size() > 24 ? "...'" : "'");
-}
-
-std::string LowerCase(std::string_view word) {
-  std::string lower(word.substr(0, 24));
-  for (char& c : lower) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  }
-  return lower;
 }
 
 /// Reads one text. Each step returns what is wrong, empty: nothing.
@@ -99,7 +84,7 @@ class EsriReader {
     while (NextLine()) {
       std::string_view line = line_;
       const std::string_view word = TakeWord(line);
-      if (ParseNumber(word)) return "";
+      if (ReadNumber<double>(word)) return "";
       const auto key = std::find(kKeys.begin(), kKeys.end(), LowerCase(word));
       if (key == kKeys.end()) {
         return Quote(word) + " is neither a number nor a key of an ESRI ASCII grid; export the " +
@@ -109,7 +94,7 @@ class EsriReader {
       std::optional<double>& number = numbers_[index];
       if (number) return std::string(*key) + " stands here for the second time; remove one";
       const std::string_view value = TakeWord(line);
-      number = ParseNumber(value);
+      number = ReadNumber<double>(value);
       lines_[index] = line_number_;
       if (!number) return std::string(*key) + " needs a number, not " + Quote(value);
       if (!TakeWord(line).empty()) return std::string(*key) + " takes one number; remove the rest";
@@ -207,7 +192,7 @@ class EsriReader {
         return "this row has " + std::to_string(column) + " numbers, and ncols is " +
                std::to_string(frame_.columns) + "; each row must stand on a line of its own";
       }
-      const std::optional<double> number = ParseNumber(word);
+      const std::optional<double> number = ReadNumber<double>(word);
       if (!number) return Quote(word) + " is not a number";
       if (std::string problem = AddValue(*number, column); !problem.empty()) return problem;
     }

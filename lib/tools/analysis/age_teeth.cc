@@ -3,15 +3,15 @@
 #include <algorithm>
 #include <utility>
 
+#include "lib/base/time/seconds.h"
+
 namespace shoal {
 
 namespace {
 
-double ToothSeconds(int64_t length_us) { return static_cast<double>(length_us) / 1e6; }
-
 double WholeTime_s(std::span<const AgeTooth> teeth) {
   double whole_s = 0;
-  for (const AgeTooth& tooth : teeth) whole_s += ToothSeconds(tooth.length_us);
+  for (const AgeTooth& tooth : teeth) whole_s += Seconds(tooth.length_us);
   return whole_s;
 }
 
@@ -22,8 +22,8 @@ double MeanAge_s(std::span<const AgeTooth> teeth) {
   if (whole_s == 0) return MaxAge_s(teeth);
   double area_s2 = 0;
   for (const AgeTooth& tooth : teeth) {
-    const double length_s = ToothSeconds(tooth.length_us);
-    area_s2 += length_s * (ToothSeconds(tooth.begin_us) + length_s / 2);
+    const double length_s = Seconds(tooth.length_us);
+    area_s2 += length_s * (Seconds(tooth.begin_us) + length_s / 2);
   }
   return area_s2 / whole_s;
 }
@@ -31,7 +31,7 @@ double MeanAge_s(std::span<const AgeTooth> teeth) {
 double MaxAge_s(std::span<const AgeTooth> teeth) {
   double max_s = 0;
   for (const AgeTooth& tooth : teeth) {
-    max_s = std::max(max_s, ToothSeconds(tooth.begin_us + tooth.length_us));
+    max_s = std::max(max_s, Seconds(tooth.begin_us + tooth.length_us));
   }
   return max_s;
 }
@@ -50,9 +50,9 @@ double AgePercentile_s(std::span<const AgeTooth> teeth, double share) {
   int num_ramps = 0;
   for (size_t i = 0; i < corners.size() && whole_s > 0; ++i) {
     if (i > 0) {
-      const double more_s = num_ramps * ToothSeconds(corners[i].first - corners[i - 1].first);
+      const double more_s = num_ramps * Seconds(corners[i].first - corners[i - 1].first);
       if (below_s + more_s >= share * whole_s) {
-        return ToothSeconds(corners[i - 1].first) + (share * whole_s - below_s) / num_ramps;
+        return Seconds(corners[i - 1].first) + (share * whole_s - below_s) / num_ramps;
       }
       below_s += more_s;
     }

@@ -14,7 +14,7 @@
 #include <string_view>
 #include <vector>
 
-#include "lib/base/check/time_units.h"
+#include "lib/base/time/time_units.h"
 #include "lib/bus/bus/bus.h"
 #include "lib/bus/bus/channels.h"
 #include "lib/bus/record/log_format.h"

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "lib/base/time/seconds.h"
 #include "lib/bus/bus/bus.h"
 #include "lib/run/run/status_page.h"
 
@@ -84,9 +85,8 @@ void DecisionComparison::Compare(int64_t utime, std::span<const fate_t> recorded
     return place == fates.end() ? std::string("nothing") : FateLine(*place->second);
   };
   first_difference_ =
-      fmt::format("  {:.3f} s, recorded: {}\n  {:.3f} s, now:      {}\n",
-                  static_cast<double>(utime) / 1e6, line_of(then_keys, then_differs),
-                  static_cast<double>(utime) / 1e6, line_of(now_keys, now_differs));
+      fmt::format("  {:.3f} s, recorded: {}\n  {:.3f} s, now:      {}\n", Seconds(utime),
+                  line_of(then_keys, then_differs), Seconds(utime), line_of(now_keys, now_differs));
 }
 
 }  // namespace shoal

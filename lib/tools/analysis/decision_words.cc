@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "lib/base/geometry/angles.h"
+#include "lib/base/time/seconds.h"
 #include "lib/run/run/status_page.h"
 
 namespace shoal {
@@ -16,8 +17,6 @@ namespace {
 /// Courses and speeds that differ by less count as the same choice.
 constexpr double kSameCourse_deg = 1;
 constexpr double kSameSpeed_mps = 0.05;
-
-double DecisionSeconds(int64_t utime) { return static_cast<double>(utime) / 1e6; }
 
 std::string PointWords(double course_deg, double speed_mps, double depth_m) {
   std::vector<std::string> parts;
@@ -95,10 +94,10 @@ std::string Reason(const helm_decision_t& decision) {
 }  // namespace
 
 std::string DecisionWords(const helm_decision_t& decision) {
-  std::string text = fmt::format(
-      "{} at {:.3f} s: {}{}\n", Printable(decision.vehicle), DecisionSeconds(decision.utime),
-      PointWords(decision.course_deg, decision.speed_mps, decision.depth_m),
-      decision.mode.empty() ? "" : fmt::format("; mode {}", Printable(decision.mode)));
+  std::string text =
+      fmt::format("{} at {:.3f} s: {}{}\n", Printable(decision.vehicle), Seconds(decision.utime),
+                  PointWords(decision.course_deg, decision.speed_mps, decision.depth_m),
+                  decision.mode.empty() ? "" : fmt::format("; mode {}", Printable(decision.mode)));
   for (const helm_aim_t& aim : decision.aims) {
     text += fmt::format("  {} ({}, {})", Printable(aim.name), Printable(aim.kind),
                         Printable(aim.state));
@@ -117,7 +116,7 @@ std::string DecisionWords(const helm_decision_t& decision) {
 
 std::string DecisionLine(const helm_decision_t& decision) {
   return fmt::format(
-      "{:>10.3f}  {:<12} {:<32} {}", DecisionSeconds(decision.utime), Printable(decision.vehicle),
+      "{:>10.3f}  {:<12} {:<32} {}", Seconds(decision.utime), Printable(decision.vehicle),
       PointWords(decision.course_deg, decision.speed_mps, decision.depth_m), Reason(decision));
 }
 

@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "lib/base/time/seconds.h"
 #include "lib/bus/record/csv_rows.h"
 #include "lib/comms/routing/vehicle_name.h"
 #include "lib/helm/encounters/encounter_score.h"
@@ -67,7 +68,7 @@ void EncounterLog::Add(std::string_view vehicle, const nav_t& nav) {
     ++num_impossible_;
     return;
   }
-  const double time_s = static_cast<double>(nav.utime) / 1e6;
+  const double time_s = Seconds(nav.utime);
   if (has_nav_ && time_s < now_s_) {
     ++num_late_;
     return;
@@ -108,7 +109,7 @@ void EncounterLog::Add(std::string_view vehicle, const helm_decision_t& decision
     std::vector<Judgement>& known = judgements_[{VehicleKey(vehicle), VehicleKey(aim.contact)}];
     if (!known.empty() && known.back().role == aim.role) continue;
     constexpr size_t kLongestRole = 40;
-    known.push_back({static_cast<double>(decision.utime) / 1e6, aim.role.substr(0, kLongestRole)});
+    known.push_back({Seconds(decision.utime), aim.role.substr(0, kLongestRole)});
     ++num_judgements_;
   }
 }

@@ -4,7 +4,8 @@
 
 #include <algorithm>
 
-#include "lib/base/check/time_units.h"
+#include "lib/base/time/seconds.h"
+#include "lib/base/time/time_units.h"
 #include "lib/bus/record/csv_rows.h"
 #include "lib/run/run/status_page.h"
 
@@ -13,8 +14,6 @@ namespace shoal {
 namespace {
 
 bool IsMissionTime(int64_t utime) { return utime >= -kLatest_us && utime <= kLatest_us; }
-
-double Seconds(int64_t length_us) { return static_cast<double>(length_us) / 1e6; }
 
 }  // namespace
 

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "lib/base/time/seconds.h"
 #include "lib/tools/analysis/swarm_testing.h"
 
 namespace shoal::information_age_test {
@@ -19,9 +20,8 @@ using Corner = std::pair<double, double>;
 
 struct Ages {
   std::vector<Corner> corners;
-  InformationAge ages{[this](const AgePoint& point) {
-    corners.emplace_back(static_cast<double>(point.utime) / 1e6, point.age_s);
-  }};
+  InformationAge ages{
+      [this](const AgePoint& point) { corners.emplace_back(Seconds(point.utime), point.age_s); }};
 
   /// bravo knows at `time_s` where alpha was at `report_s`.
   void Add(double time_s, double report_s) {

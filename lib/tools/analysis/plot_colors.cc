@@ -7,6 +7,8 @@
 #include <cmath>
 #include <map>
 
+#include "lib/base/text/letters.h"
+
 namespace shoal {
 
 namespace {
@@ -219,7 +221,7 @@ std::string Plain(std::string_view name) {
   std::string plain;
   for (const char letter : name) {
     if (letter == '_' || letter == ' ') continue;
-    plain += letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter;
+    plain += LowerCase(letter);
   }
   if (const size_t grey = plain.find("grey"); grey != std::string::npos) plain[grey + 2] = 'a';
   return plain;

@@ -4,7 +4,9 @@
 #include <cmath>
 #include <utility>
 
-#include "lib/base/check/time_units.h"
+#include "lib/base/text/letters.h"
+#include "lib/base/time/seconds.h"
+#include "lib/base/time/time_units.h"
 #include "lib/bus/bus/channels.h"
 #include "lib/bus/bus/seal.h"
 #include "lib/tools/analysis/plot_distances.h"
@@ -141,7 +143,7 @@ std::optional<double> PlotDataBuilder::TimeOf(int64_t utime) {
     data_.zero_is_first = utime > kWallTime_us;
     zero_utime_ = data_.zero_is_first ? utime : 0;
   }
-  const double time_s = static_cast<double>(utime - *zero_utime_) / 1e6;
+  const double time_s = Seconds(utime - *zero_utime_);
   if (!data_.log_span_s) data_.log_span_s = {time_s, time_s};
   data_.log_span_s->first = std::min(data_.log_span_s->first, time_s);
   data_.log_span_s->second = std::max(data_.log_span_s->second, time_s);
@@ -263,7 +265,7 @@ void PlotDataBuilder::DrawNavigation(Vehicle* vehicle) {
     return;
   }
   const navigation_t navigation = *std::exchange(vehicle->navigation, std::nullopt);
-  const double time_s = static_cast<double>(navigation.utime - zero_utime_.value_or(0)) / 1e6;
+  const double time_s = Seconds(navigation.utime - zero_utime_.value_or(0));
   VehicleCurves& curves = vehicle->curves;
   Draw(&curves.navigation_error_m, time_s,
        std::hypot(navigation.x_m - vehicle->position_m.x(),
@@ -321,7 +323,7 @@ void PlotDataBuilder::AddSwarm(Vehicle* vehicle, const swarm_t& swarm) {
 void PlotDataBuilder::DrawAge(double time_s, int64_t utime, std::optional<int64_t> report_utime,
                               std::optional<int64_t>* before, ThinnedCurve* curve) {
   const auto draw = [&](int64_t of_utime) {
-    Draw(curve, time_s, std::max(0.0, static_cast<double>(utime - of_utime) / 1e6));
+    Draw(curve, time_s, std::max(0.0, Seconds(utime - of_utime)));
   };
   if (!report_utime) curve->Break();
   if (report_utime && *before && *before != report_utime) draw(**before);

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <functional>
 
+#include "lib/base/text/letters.h"
+#include "lib/base/time/seconds.h"
 #include "lib/tools/analysis/plot_colors.h"
 #include "lib/tools/analysis/plot_tracks.h"
 
@@ -85,7 +87,7 @@ class StackedFigure {
 
   std::string TimeLabel() const {
     if (!data_.zero_is_first) return "time [s]";
-    return fmt::format("time since {:.6f} s [s]", static_cast<double>(data_.zero_utime) / 1e6);
+    return fmt::format("time since {:.6f} s [s]", Seconds(data_.zero_utime));
   }
 
   std::string name_;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lib/base/text/letters.h"
 #include "lib/bus/bus/channels.h"
 
 namespace shoal {

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <utility>
 
+#include "lib/base/time/seconds.h"
 #include "lib/mission/file/load_comms.h"
 #include "lib/mission/file/load_media.h"
 
@@ -19,9 +20,7 @@ namespace {
 
 constexpr size_t kMaxVehiclesNamed = 10;
 
-std::string SecondsText(int64_t utime) {
-  return fmt::format("{:.3f} s", static_cast<double>(utime) / 1e6);
-}
+std::string SecondsText(int64_t utime) { return fmt::format("{:.3f} s", Seconds(utime)); }
 
 std::string_view TimeText(LogTime time) {
   switch (time) {
@@ -73,7 +72,7 @@ std::string LogText(const std::vector<std::string>& paths, const CommsLog& log,
   text += fmt::format("Received: {}\n", fmt::join(words, ", "));
   if (recorded) {
     text += fmt::format("Mission:  {} vehicles, seed {}, tick {} s\n", recorded->vehicles.size(),
-                        recorded->seed, static_cast<double>(log.tick_us) / 1e6);
+                        recorded->seed, Seconds(log.tick_us));
   }
   for (size_t i = 1; i < log.starts.size(); ++i) {
     text += fmt::format("Restart:  the broker was started again at {} and knew no vehicle\n",
@@ -97,8 +96,8 @@ std::vector<std::string> WarningsOf(const CommsLog& log) {
     if (count > 0) warnings.push_back(fmt::format("{} {}", count, what));
   }
   if (log.tick_is_guessed) {
-    warnings.push_back(fmt::format("the log does not contain the tick; {} s is a guess",
-                                   static_cast<double>(log.tick_us) / 1e6));
+    warnings.push_back(
+        fmt::format("the log does not contain the tick; {} s is a guess", Seconds(log.tick_us)));
   }
   if (log.rules && log.rules->is_start == 0) {
     warnings.push_back(

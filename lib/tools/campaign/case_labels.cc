@@ -6,6 +6,7 @@
 #include <charconv>
 #include <limits>
 
+#include "lib/base/text/numbers.h"
 #include "lib/tools/analysis/plot_script.h"
 
 namespace shoal {
@@ -66,14 +67,9 @@ bool IsSameValue(std::string_view written, std::string_view toml) {
 }
 
 double NumberOf(std::string_view toml) {
-  double number = 0;
   std::string digits(toml);
   std::erase(digits, '_');
-  const char* begin = digits.data() + (digits.starts_with('+') ? 1 : 0);
-  const char* end = digits.data() + digits.size();
-  const auto [stop, error] = std::from_chars(begin, end, number);
-  if (error != std::errc() || stop != end) return std::numeric_limits<double>::quiet_NaN();
-  return number;
+  return ReadNumber<double>(digits).value_or(std::numeric_limits<double>::quiet_NaN());
 }
 
 }  // namespace shoal

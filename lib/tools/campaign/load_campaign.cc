@@ -10,6 +10,7 @@
 #include <optional>
 #include <utility>
 
+#include "lib/base/text/letters.h"
 #include "lib/mission/toml/override.h"
 #include "lib/mission/toml/parse.h"
 #include "lib/mission/toml/problems.h"
@@ -44,10 +45,8 @@ struct KeyValue {
 };
 
 bool IsBareKey(std::string_view part) {
-  return !part.empty() && std::all_of(part.begin(), part.end(), [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
-           c == '-';
-  });
+  return !part.empty() && std::all_of(part.begin(), part.end(),
+                                      [](char c) { return IsNameCharacter(c) || c == '-'; });
 }
 
 bool HasOnly(const Table& table, std::span<const std::string_view> keys) {

@@ -4,6 +4,7 @@
 #include <variant>
 #include <vector>
 
+#include "lib/base/time/seconds.h"
 #include "lib/bus/bus/channels.h"
 #include "lib/tools/metrics/field_reader.h"
 #include "lib/tools/metrics/metric_channel.h"
@@ -40,7 +41,7 @@ class EnergyWatch : public MetricWatch {
   }
 
   void EndStep(const Judge&) override {
-    const double tick_s = static_cast<double>(mission_.tick_us) / 1e6;
+    const double tick_s = Seconds(mission_.tick_us);
     for (Shaft& shaft : shafts_) {
       const double before_j = shaft.work.work_j();
       shaft.work.Step(shaft.commanded_rpm, shaft.surge_mps.value_or(0), tick_s);

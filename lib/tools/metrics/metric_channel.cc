@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "lib/base/text/letters.h"
 #include "lib/mission/toml/suggest.h"
 
 namespace shoal {

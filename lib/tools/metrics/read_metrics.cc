@@ -8,6 +8,7 @@
 #include <string_view>
 #include <utility>
 
+#include "lib/base/text/letters.h"
 #include "lib/mission/toml/suggest.h"
 #include "lib/mission/toml/table_reader.h"
 
@@ -142,10 +143,7 @@ void ReadKeysOfKind(Fields& fields, MetricSpec* spec) {
 /// Returns why no metric can have this name; empty: it can.
 std::string MetricNameProblem(std::string_view name) {
   const bool is_legal =
-      !name.empty() && name.size() <= 64 && std::all_of(name.begin(), name.end(), [](char c) {
-        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
-               c == '_';
-      });
+      !name.empty() && name.size() <= 64 && std::all_of(name.begin(), name.end(), IsNameCharacter);
   if (!is_legal) {
     return fmt::format("the name of a metric has 1 to 64 letters, digits and '_', not {}",
                        Quoted(name));

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "lib/base/check/time_units.h"
+#include "lib/base/time/time_units.h"
 
 namespace shoal {
 

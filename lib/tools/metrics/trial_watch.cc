@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <string>
 
+#include "lib/base/time/seconds.h"
 #include "lib/run/verdict/expectation_text.h"
 #include "lib/tools/metrics/metric_text.h"
 #include "lib/tools/metrics/trial.h"
@@ -74,7 +75,7 @@ void TrialWatch::Subscribe(Bus& bus) {
 void TrialWatch::EndStep(const Judge& judge) {
   for (const auto& watch : watches_) watch->EndStep(judge);
   now_.utime += mission_.tick_us;
-  now_.time_s = static_cast<double>(now_.utime - mission_.start_utime) / 1e6;
+  now_.time_s = Seconds(now_.utime - mission_.start_utime);
 }
 
 std::vector<double> TrialWatch::Values(const Judge& judge) const {

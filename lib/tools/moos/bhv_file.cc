@@ -7,6 +7,8 @@
 #include <string_view>
 #include <utility>
 
+#include "lib/base/text/blanks.h"
+#include "lib/base/text/letters.h"
 #include "lib/mission/toml/suggest.h"
 #include "lib/tools/moos/fields.h"
 

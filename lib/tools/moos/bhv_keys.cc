@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 
+#include "lib/base/text/letters.h"
 #include "lib/mission/toml/suggest.h"
 
 namespace shoal {

@@ -10,6 +10,9 @@
 #include <optional>
 #include <utility>
 
+#include "lib/base/text/blanks.h"
+#include "lib/base/text/letters.h"
+#include "lib/base/text/numbers.h"
 #include "lib/mission/toml/suggest.h"
 #include "lib/mission/toml/table_writer.h"
 #include "lib/tools/moos/fields.h"
@@ -27,7 +30,7 @@ using Values = std::map<std::string, std::string, std::less<>>;
 double NumberOf(const Values& values, std::string_view key, double otherwise) {
   const auto at = values.find(key);
   if (at == values.end()) return otherwise;
-  return ParseNumber(at->second).value_or(std::nan(""));
+  return NumberIn(at->second).value_or(std::nan(""));
 }
 
 Error Wrong(std::string_view text, std::string_view problem) {
@@ -69,10 +72,10 @@ Result<BhvPoints> ParseList(std::string_view whole) {
     const std::string_view part = Trimmed(text.substr(0, end));
     const size_t comma = part.find(',');
     const std::string_view first = Trimmed(part.substr(0, comma));
-    const auto x_m = ParseNumber(first);
+    const auto x_m = NumberIn(first);
     const size_t second = std::min(part.find(',', comma + 1), part.size());
     const auto y_m =
-        comma == part.npos ? std::nullopt : ParseNumber(part.substr(comma + 1, second - comma - 1));
+        comma == part.npos ? std::nullopt : NumberIn(part.substr(comma + 1, second - comma - 1));
     const bool is_annotation = !x_m && comma != part.npos && !first.empty() &&
                                ((first[0] | 0x20) >= 'a' && (first[0] | 0x20) <= 'z');
     if (x_m && y_m) {

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <optional>
 
+#include "lib/base/text/blanks.h"
 #include "lib/mission/toml/suggest.h"
 
 namespace shoal {

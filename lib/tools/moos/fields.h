@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "lib/base/check/result.h"
-#include "lib/helm/modes/value_text.h"  // Trimmed
+#include "lib/base/text/blanks.h"
 
 namespace shoal {
 

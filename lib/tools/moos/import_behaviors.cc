@@ -10,6 +10,9 @@
 #include <optional>
 #include <utility>
 
+#include "lib/base/text/blanks.h"
+#include "lib/base/text/letters.h"
+#include "lib/base/text/numbers.h"
 #include "lib/mission/toml/suggest.h"
 #include "lib/mission/toml/table_writer.h"
 #include "lib/tools/moos/bhv_keys.h"
@@ -51,12 +54,9 @@ std::string TomlTexts(const std::vector<std::string>& texts) {
 
 /// Returns the words that may be variables.
 void CollectVariables(std::string_view text, std::set<std::string, std::less<>>* variables) {
-  const auto is_of_name = [](char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
-  };
   while (!text.empty()) {
-    const auto begin = std::find_if(text.begin(), text.end(), is_of_name);
-    const auto end = std::find_if_not(begin, text.end(), is_of_name);
+    const auto begin = std::find_if(text.begin(), text.end(), IsNameCharacter);
+    const auto end = std::find_if_not(begin, text.end(), IsNameCharacter);
     if (begin != end) variables->emplace(begin, end);
     text = std::string_view(end, text.end());
   }
@@ -234,7 +234,7 @@ class BlockImporter {
     } else if (kind_ == "waypoint" && key == "capture_line") {
       TakeCaptureLine(line, word);
     } else if ((kind_ == "waypoint" || kind_ == "leg_run") && key == "repeat") {
-      const auto number = ParseNumber(value);
+      const auto number = NumberIn(value);
       if (word == "forever") {
         Set("repeat", "-1", line, false);
       } else if (number) {
@@ -247,14 +247,14 @@ class BlockImporter {
     } else if (kind_ == "leg_run" && key.starts_with("turn_")) {
       return TakeBothTurns(line, key);
     } else if (kind_ == "fixed_turn" && key == "speed") {
-      const auto number = ParseNumber(value);
+      const auto number = NumberIn(value);
       if (!number && word != "auto") {
         Refuse(line, "not a number or auto");
       } else {
         Set("speed", number ? TomlNumber(*number) : "-1", line, false);
       }
     } else if (kind_ == "zigzag" && key == "max_zig_zags") {
-      const auto number = ParseNumber(value);
+      const auto number = NumberIn(value);
       if (!number) return Refuse(line, "not a number"), true;
       Set("max_zig_legs", TomlNumber(*number * 2), line, false);
     } else if (kind_ == "test_failure" && key == "failure_type") {
@@ -267,7 +267,7 @@ class BlockImporter {
 
   void TakeNostarve(const MoosLine& line, std::string_view value) {
     std::vector<std::string> names = PartsOf(value, ",");
-    const auto seconds = names.empty() ? std::nullopt : ParseNumber(names.back());
+    const auto seconds = names.empty() ? std::nullopt : NumberIn(names.back());
     if (!seconds || names.size() < 2) return Refuse(line, "not VARIABLE, ..., SECONDS");
     names.pop_back();
     for (const std::string& name : names) import_.variables.insert(name);
@@ -294,7 +294,7 @@ class BlockImporter {
     for (const std::string& part : PartsOf(value, ",")) {
       const size_t equals = part.find('=');
       numbers.push_back(
-          ParseNumber(std::string_view(part).substr(equals == part.npos ? 0 : equals + 1))
+          NumberIn(std::string_view(part).substr(equals == part.npos ? 0 : equals + 1))
               .value_or(std::nan("")));
     }
     const bool is_one = key != "center_assign";
@@ -337,7 +337,7 @@ class BlockImporter {
     const std::string type(Trimmed(std::string_view(word).substr(0, comma)));
     Set("failure_type", TomlString(type), line, false);
     if (comma == word.npos) return;
-    const auto seconds = ParseNumber(std::string_view(word).substr(comma + 1));
+    const auto seconds = NumberIn(std::string_view(word).substr(comma + 1));
     if (!seconds) return Refuse(line, "not burn,SECONDS");
     Set("burn_time", TomlNumber(*seconds), line, false);
   }
@@ -379,7 +379,7 @@ class BlockImporter {
 
   double NumberAt(const std::string& key, double otherwise) const {
     const auto at = gathered_.find(key);
-    return at == gathered_.end() ? otherwise : ParseNumber(at->second.value).value_or(otherwise);
+    return at == gathered_.end() ? otherwise : NumberIn(at->second.value).value_or(otherwise);
   }
 
   void Move(const std::string& key, double value, std::string remark) {
@@ -393,7 +393,7 @@ class BlockImporter {
     switch (row.value) {
       case BhvValue::kNumber:
       case BhvValue::kInteger: {
-        const auto number = ParseNumber(value);
+        const auto number = NumberIn(value);
         if (!number) return Refuse(line, "not a number", row.is_essential);
         return Set(key, TomlNumber(*number), line, row.is_essential);
       }
@@ -435,7 +435,7 @@ class BlockImporter {
     for (const std::string& part : PartsOf(value, is_pairs ? ":" : ",:")) {
       std::vector<double> numbers;
       for (const std::string& word : PartsOf(part, ",")) {
-        const auto number = ParseNumber(word);
+        const auto number = NumberIn(word);
         if (!number) return Refuse(line, "not numbers", row.is_essential);
         numbers.push_back(*number);
       }
@@ -485,7 +485,7 @@ class BlockImporter {
 /// A key of a TOML table, in quotes where it needs them.
 std::string TomlKey(std::string_view name) {
   const bool is_bare = !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-';
+    return IsNameCharacter(c) || c == '-';
   });
   return is_bare ? std::string(name) : TomlString(name);
 }
@@ -523,7 +523,7 @@ void ImportVariables(const BhvFile& file, BhvImport* import) {
   std::map<std::string, size_t> places;
   for (const MoosLine& line : file.initials) {
     import->variables.insert(line.key);
-    const auto number = ParseNumber(line.value);
+    const auto number = NumberIn(line.value);
     const bool is_text = !number || line.value.starts_with('"');
     DraftLine setting{
         .key = TomlKey(line.key),

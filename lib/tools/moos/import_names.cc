@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "lib/base/text/letters.h"
 #include "lib/mission/model/names.h"
 #include "lib/mission/toml/suggest.h"
 #include "lib/tools/moos/import_settings.h"
@@ -73,9 +74,7 @@ std::string VehicleNames::Take(std::string_view wanted) {
   if (!NameProblem(wanted).empty()) {
     name.resize(std::min(name.size(), kLongest));
     for (char& c : name) {
-      const bool is_legal =
-          (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
-      if (!is_legal) c = '_';
+      if (!IsNameCharacter(c)) c = '_';
     }
   }
   std::string candidate = name.empty() ? "vehicle" : name;

@@ -3,6 +3,8 @@
 #include <array>
 #include <utility>
 
+#include "lib/base/text/letters.h"
+#include "lib/base/text/numbers.h"
 #include "lib/mission/toml/suggest.h"
 #include "lib/mission/toml/table_writer.h"
 #include "lib/tools/moos/fields.h"
@@ -124,7 +126,7 @@ std::optional<std::string> FlagValue(std::string_view value) {
 }
 
 std::optional<std::string> NumberValue(std::string_view value) {
-  const auto number = ParseNumber(value);
+  const auto number = NumberIn(value);
   if (!number) return std::nullopt;
   return TomlNumber(*number);
 }

@@ -8,6 +8,8 @@
 #include <optional>
 #include <variant>
 
+#include "lib/base/text/letters.h"
+#include "lib/base/text/numbers.h"
 #include "lib/bus/bus/channels.h"
 #include "lib/comms/routing/control.h"
 #include "lib/mission/toml/suggest.h"
@@ -41,9 +43,9 @@ bool HasMacro(std::string_view text) {
 /// Returns "10", or the middle of "10:20" and sets `is_range`.
 std::optional<double> ParseTime(std::string_view text, bool* is_range) {
   const size_t colon = text.find(':');
-  if (colon == std::string_view::npos) return ParseNumber(text);
-  const auto low = ParseNumber(text.substr(0, colon));
-  const auto high = ParseNumber(text.substr(colon + 1));
+  if (colon == std::string_view::npos) return NumberIn(text);
+  const auto low = NumberIn(text.substr(0, colon));
+  const auto high = NumberIn(text.substr(colon + 1));
   if (!low || !high) return std::nullopt;
   *is_range = true;
   return (*low + *high) / 2;
@@ -132,9 +134,9 @@ class EventConverter {
   static Converted DriftOf(const std::string& vehicle, std::string_view value) {
     constexpr char kNoDrift[] = "not a vehicle's ANGLE,SPEED";
     const size_t comma = value.find(',');
-    const auto angle_deg = ParseNumber(value.substr(0, comma));
+    const auto angle_deg = NumberIn(value.substr(0, comma));
     if (vehicle == "all" || !angle_deg || comma == value.npos) return kNoDrift;
-    const auto speed_mps = ParseNumber(value.substr(comma + 1));
+    const auto speed_mps = NumberIn(value.substr(comma + 1));
     if (!speed_mps) return kNoDrift;
     const double angle_rad = *angle_deg * std::numbers::pi / 180;
     const auto rounded = [](double number) { return std::round(number * 1e9) / 1e9 + 0.0; };
@@ -160,7 +162,7 @@ class EventConverter {
       keys.emplace_back("value", factor->value);
       return keys;
     }
-    const auto number = ParseNumber(value);
+    const auto number = NumberIn(value);
     const std::string lower = LowerCase(value);
     if (number) word = TomlNumber(*number);
     if (!number) word = lower == "true" || lower == "false" ? lower : TomlString(value);
@@ -260,7 +262,7 @@ TimerScript ReadTimerScript(const MoosBlock& block, std::string_view vehicle,
     } else if (key == "delay_start" || key == "start_delay") {
       delay_s = ParseTime(value, &is_range).value_or(0);
     } else if (key == "time_warp") {
-      warp = ParseNumber(value).value_or(1);
+      warp = NumberIn(value).value_or(1);
     } else if (key == "paused" && value == "true") {
       is_paused = true;
       script.losses.emplace_back(line.number,

@@ -8,6 +8,9 @@
 #include <numbers>
 #include <utility>
 
+#include "lib/base/text/blanks.h"
+#include "lib/base/text/letters.h"
+#include "lib/base/text/numbers.h"
 #include "lib/mission/toml/suggest.h"
 #include "lib/mission/toml/table_writer.h"
 #include "lib/tools/moos/fields.h"
@@ -56,7 +59,7 @@ std::optional<LinkFactorSetting> ParseLinkFactor(const MoosLine& line) {
     if (name == "vname") {
       setting.vehicle = field.value;
     } else if (name == key || (key == "earange" && name == "earrange")) {
-      const auto number = ParseNumber(field.value);
+      const auto number = NumberIn(field.value);
       if (!number) return std::nullopt;
       setting.value = TomlNumber(*number);
     } else {
@@ -190,14 +193,14 @@ bool VehicleImport::TakeStart(const std::string& origin, const MoosLine& line) {
       const size_t equals = part.find('=');
       const bool is_named = equals != std::string_view::npos;
       if (!is_named && position >= kStartOrder.size()) return false;
-      const auto number = ParseNumber(is_named ? part.substr(equals + 1) : part);
+      const auto number = NumberIn(is_named ? part.substr(equals + 1) : part);
       const std::string name = is_named ? LowerCase(Trimmed(part.substr(0, equals)))
                                         : std::string(kStartOrder[position++]);
       if (!number || (StartKey(name).empty() && name != "depth")) return false;
       given[name] = *number;
     }
   } else {
-    const auto number = ParseNumber(line.value);
+    const auto number = NumberIn(line.value);
     if (!number || (StartKey(key).empty() && key != "depth")) return false;
     given[key] = *number;
   }
@@ -228,8 +231,8 @@ bool VehicleImport::TakeThrustMap(const std::string& origin, const MoosLine& lin
   for (const std::string_view part : Split(line.value, ',')) {
     const size_t colon = part.find(':');
     if (colon == std::string_view::npos) return false;
-    const auto thrust = ParseNumber(part.substr(0, colon));
-    const auto speed = ParseNumber(part.substr(colon + 1));
+    const auto thrust = NumberIn(part.substr(0, colon));
+    const auto speed = NumberIn(part.substr(colon + 1));
     if (!thrust || !speed) return false;
     speeds[*thrust] = *speed;
   }
@@ -249,7 +252,7 @@ void VehicleImport::ReplaceThrust(const std::string& origin, const MoosLine& lin
 }
 
 bool VehicleImport::TakeThrustFactor(const std::string& origin, const MoosLine& line) {
-  const auto factor = ParseNumber(line.value);
+  const auto factor = NumberIn(line.value);
   if (!factor) return false;
   const std::string table = TableOf(SettingPlace::kCraft);
   if (*factor <= 0 || !thrust_map_.empty()) {
@@ -263,7 +266,7 @@ bool VehicleImport::TakeThrustFactor(const std::string& origin, const MoosLine& 
 }
 
 bool VehicleImport::TakeMaxSpeed(const std::string& origin, const MoosLine& line) {
-  const auto speed_mps = ParseNumber(line.value);
+  const auto speed_mps = NumberIn(line.value);
   if (!speed_mps || *speed_mps <= 0) return false;
   if (max_speed_mps_) {
     draft_->Remark(TableOf(SettingPlace::kCraft), limit_.origins, limit_.texts,
@@ -281,9 +284,9 @@ bool VehicleImport::TakeDomain(const std::string& origin, const MoosLine& line) 
   const std::vector<std::string_view> parts = Split(line.value, ':');
   if (parts.size() < 4) return false;
   const std::string name = LowerCase(parts[0]);
-  const auto first = ParseNumber(parts[1]);
-  const auto last = ParseNumber(parts[2]);
-  const auto count = ParseNumber(parts[3]);
+  const auto first = NumberIn(parts[1]);
+  const auto last = NumberIn(parts[2]);
+  const auto count = NumberIn(parts[3]);
   if (!first || !last || !count) return false;
   const std::string table = id_ + ".domain";
   if (name == "course" || name == "heading") {
@@ -356,13 +359,13 @@ bool VehicleImport::TakeDrift(std::string_view key, const std::string& origin,
   if (key == "drift_vector") {
     const auto parts = Split(line.value, ',');
     if (parts.size() != 2) return false;
-    const auto angle_deg = ParseNumber(parts[0]);
-    const auto speed_mps = ParseNumber(parts[1]);
+    const auto angle_deg = NumberIn(parts[0]);
+    const auto speed_mps = NumberIn(parts[1]);
     if (!angle_deg || !speed_mps) return false;
     const double angle_rad = *angle_deg * std::numbers::pi / 180;
     drift_mps_ = {*speed_mps * std::sin(angle_rad), *speed_mps * std::cos(angle_rad)};
   } else {
-    const auto number = ParseNumber(line.value);
+    const auto number = NumberIn(line.value);
     if (!number) return false;
     drift_mps_(key == "drift_x" ? 0 : 1) = *number;
   }

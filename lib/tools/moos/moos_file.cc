@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <utility>
 
+#include "lib/base/text/blanks.h"
+#include "lib/base/text/letters.h"
 #include "lib/mission/toml/suggest.h"
 #include "lib/tools/moos/fields.h"
 

@@ -6,6 +6,8 @@
 #include <set>
 #include <utility>
 
+#include "lib/base/text/letters.h"
+#include "lib/base/text/numbers.h"
 #include "lib/mission/toml/suggest.h"
 #include "lib/tools/moos/numbers.h"
 
@@ -33,7 +35,7 @@ std::string Take(MoosField field, const std::string& key, MoosNodeMessage* messa
     }
   }
   if (key == "double_val") {
-    message->double_val = ParseNumber(field.value);
+    message->double_val = NumberIn(field.value);
     if (!message->double_val) {
       return fmt::format("double_val = {} is not a finite number; write string_val=... for text",
                          Quoted(field.value));

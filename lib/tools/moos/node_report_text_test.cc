@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "lib/base/text/numbers.h"
 #include "lib/tools/moos/fields.h"
 #include "lib/tools/moos/numbers.h"
 
@@ -129,7 +130,7 @@ RC_GTEST_PROP(FormatNodeReport, IsReadBackFieldByFieldWhateverTheTextsHold, ()) 
                                                  {"SPD_OG", report.speed_over_ground_mps},
                                                  {"LENGTH", report.length_m}};
   for (const auto& [key, value] : numbers) {
-    RC_ASSERT(std::bit_cast<uint64_t>(ParseNumber(standard.at(key)).value()) ==
+    RC_ASSERT(std::bit_cast<uint64_t>(NumberIn(standard.at(key)).value()) ==
               std::bit_cast<uint64_t>(value));
   }
   RC_ASSERT(standard.contains("ALTITUDE") == (report.altitude_m != -1));

@@ -8,6 +8,8 @@
 #include <cstdint>
 #include <utility>
 
+#include "lib/base/text/blanks.h"
+#include "lib/base/text/letters.h"
 #include "lib/mission/toml/suggest.h"
 #include "lib/tools/moos/fields.h"
 
@@ -40,9 +42,7 @@ size_t CharacterLength(std::string_view text) {
   return is_too_long || is_no_character ? 0 : length;
 }
 
-bool IsOfName(char c) {
-  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-' || c == '.';
-}
+bool IsOfName(char c) { return IsNameCharacter(c) || c == '-' || c == '.'; }
 
 /// $(NAME), %(NAME), or with := and a default.
 struct Macro {
@@ -74,14 +74,6 @@ std::optional<Macro> FindMacro(std::string_view text, size_t from) {
     if (end < text.size() && text[end] == ')') return macro;
   }
   return std::nullopt;
-}
-
-std::string UpperCase(std::string_view text) {
-  std::string upper(text);
-  std::transform(upper.begin(), upper.end(), upper.begin(), [](char c) {
-    return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
-  });
-  return upper;
 }
 
 std::string_view Unquoted(std::string_view text) {

@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <cmath>
 #include <system_error>
 
+#include "lib/base/text/blanks.h"
 #include "lib/tools/moos/fields.h"
 
 namespace shoal {
@@ -14,19 +14,6 @@ namespace {
 constexpr uint64_t kMicro = 1'000'000;
 
 }  // namespace
-
-std::optional<double> ParseNumber(std::string_view text) {
-  std::string_view digits = Trimmed(text);
-  if (digits.starts_with('+')) {
-    digits.remove_prefix(1);
-    if (digits.starts_with('-')) return std::nullopt;
-  }
-  double number = 0;
-  const char* end = digits.data() + digits.size();
-  const auto [stop, error] = std::from_chars(digits.data(), end, number);
-  if (error != std::errc() || stop != end || !std::isfinite(number)) return std::nullopt;
-  return number;
-}
 
 std::string NumberText(double number) {
   // Some readers would take -0 for an integer, which has no sign of its own.

@@ -8,10 +8,6 @@
 
 namespace shoal {
 
-/// Returns the number that `text` is, blanks and a '+' allowed; nothing for anything else, for NaN
-/// and for infinity.
-[[nodiscard]] std::optional<double> ParseNumber(std::string_view text);
-
 /// Returns the fewest digits that read back as `number`, -0 as "-0.0"; "nan" or "inf" for what is
 /// no number.
 [[nodiscard]] std::string NumberText(double number);

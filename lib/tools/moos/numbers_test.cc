@@ -10,6 +10,8 @@
 #include <string>
 #include <system_error>
 
+#include "lib/base/text/numbers.h"
+
 namespace shoal::numbers_test {
 
 constexpr int64_t kMin = std::numeric_limits<int64_t>::min();
@@ -40,7 +42,7 @@ TEST(SecondsText, HasNoMoreDigitsThanNeeded) {
 
 RC_GTEST_PROP(NumberText, ReadsBackAsTheSameNumber, (double number)) {
   RC_PRE(std::isfinite(number));
-  const auto again = ParseNumber(NumberText(number));
+  const auto again = NumberIn(NumberText(number));
   RC_ASSERT(again.has_value());
   RC_ASSERT(*again == number);
   RC_ASSERT(std::signbit(*again) == std::signbit(number));
@@ -48,9 +50,9 @@ RC_GTEST_PROP(NumberText, ReadsBackAsTheSameNumber, (double number)) {
 
 TEST(ParseNumber, RefusesWhatIsNoFiniteNumber) {
   for (const char* text : {"", "nan", "inf", "-inf", "1e999", "+-1", "1,5", "5m", "0x10", "1 2"}) {
-    EXPECT_EQ(ParseNumber(text), std::nullopt) << text;
+    EXPECT_EQ(NumberIn(text), std::nullopt) << text;
   }
-  EXPECT_EQ(ParseNumber(" +1.5\t"), std::optional(1.5));
+  EXPECT_EQ(NumberIn(" +1.5\t"), std::optional(1.5));
 }
 
 }  // namespace shoal::numbers_test

@@ -9,6 +9,7 @@
 #include <map>
 #include <utility>
 
+#include "lib/base/text/letters.h"
 #include "lib/tools/analysis/plot_colors.h"
 #include "lib/tools/campaign/case_labels.h"
 
@@ -87,7 +88,7 @@ std::string LineTitle(const CampaignResults& results, const CampaignCase& of) {
 std::string FileNameOf(const std::string& name) {
   std::string file;
   for (const char letter : name) {
-    file += std::isalnum(static_cast<unsigned char>(letter)) != 0 ? letter : '_';
+    file += IsNameCharacter(letter) ? letter : '_';
   }
   return file;
 }

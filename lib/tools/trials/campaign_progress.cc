@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <numeric>
 
+#include "lib/base/time/seconds.h"
 #include "lib/run/run/run_app.h"
 
 namespace shoal {
@@ -36,7 +37,7 @@ CampaignProgress::CampaignProgress(bool is_quiet)
 
 std::string CampaignProgress::Line(int64_t num_finished, int64_t num_planned,
                                    int64_t wall_us) const {
-  const double wall_s = std::max(static_cast<double>(wall_us - begin_us_) / 1e6, 1e-3);
+  const double wall_s = std::max(Seconds(wall_us - begin_us_), 1e-3);
   const auto num_run =
       static_cast<double>(std::accumulate(counts_.begin(), counts_.end(), int64_t{0}));
   const double rate = num_run / wall_s;

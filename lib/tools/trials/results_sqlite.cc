@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "lib/base/text/numbers.h"
 #include "lib/bus/record/sqlite_file.h"
 #include "lib/tools/trials/reduce.h"
 
@@ -34,13 +35,11 @@ SqliteInsert MakeTable(const char* name, const ColumnNames& columns, SqliteFile*
 
 /// Binds a number where the text is one, else the text.
 void BindToml(const std::string& toml, SqliteInsert* insert) {
-  char* end = nullptr;
-  const double number = std::strtod(toml.c_str(), &end);
-  const bool is_number = !toml.empty() && *end == '\0' && std::isfinite(number);
-  if (is_number && toml.find_first_not_of("-0123456789") == std::string::npos) {
-    insert->Bind(static_cast<int64_t>(std::strtoll(toml.c_str(), nullptr, 10)));
-  } else if (is_number) {
-    insert->Bind(number);
+  const bool is_whole = toml.find_first_not_of("-0123456789") == std::string::npos;
+  if (const auto whole = ReadNumber<int64_t>(toml); is_whole && whole) {
+    insert->Bind(*whole);
+  } else if (const auto number = ReadNumber<double>(toml)) {
+    insert->Bind(*number);
   } else if (toml.size() >= 2 && toml.front() == '"' && toml.find('\\') == std::string::npos) {
     insert->Bind(std::string_view(toml).substr(1, toml.size() - 2));
   } else {

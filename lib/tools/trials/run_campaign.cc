@@ -9,6 +9,7 @@
 #include <set>
 #include <utility>
 
+#include "lib/base/time/seconds.h"
 #include "lib/mission/file/load.h"
 #include "lib/run/run/run_app.h"
 #include "lib/tools/trials/campaign_progress.h"
@@ -79,8 +80,7 @@ class CampaignRunner {
   bool MustStop() {
     const int64_t now_us = MonotonicMicroseconds();
     return interrupted_() ||
-           (options_.max_time_s &&
-            static_cast<double>(now_us - begin_us_) / 1e6 >= *options_.max_time_s);
+           (options_.max_time_s && Seconds(now_us - begin_us_) >= *options_.max_time_s);
   }
 
   void RunMissing(TrialQueue* queue, WorkerPool* pool) {
@@ -219,7 +219,7 @@ TrialResult RunOneTrial(const CampaignFolder& folder, const TrialJob& job,
             .why = fmt::format("{}", fmt::join(loaded.errors, "; ")),
             .metrics = {}};
   }
-  progress->duration = std::llround(loaded.mission.duration_s * 1e6);
+  progress->duration = Microseconds(loaded.mission.duration_s);
   return run({.name = TrialName({folder.plan.cases[job.case_number].id, job.repetition}),
               .mission = loaded.mission,
               .overrides = overrides,

@@ -18,6 +18,7 @@
 #include <utility>
 
 #include "lib/base/check/check.h"
+#include "lib/base/time/seconds.h"
 #include "lib/run/run/run_app.h"
 
 namespace shoal {
@@ -189,7 +190,7 @@ void WorkerPool::Send(Worker* worker) {
 }
 
 void WorkerPool::Conclude(Worker* worker, TrialResult result, std::vector<FinishedJob>* finished) {
-  const double wall_s = static_cast<double>(MonotonicMicroseconds() - worker->begin_us) / 1e6;
+  const double wall_s = Seconds(MonotonicMicroseconds() - worker->begin_us);
   worker->is_busy = false;
   finished->push_back({.job = worker->job, .result = std::move(result), .wall_s = wall_s});
 }
@@ -248,14 +249,14 @@ void WorkerPool::Bury(Worker* worker, std::vector<FinishedJob>* finished) {
 
 void WorkerPool::StopRunaway(Worker* worker, int64_t now_us, std::vector<FinishedJob>* finished) {
   if (!worker->is_busy || worker->pid <= 0) return;
-  const double running_s = static_cast<double>(now_us - worker->begin_us) / 1e6;
+  const double running_s = Seconds(now_us - worker->begin_us);
   constexpr double kGrace_s = 15;
   const double limit_s = options_.timeout_s + (worker->progress->ends_itself ? kGrace_s : 0);
   if (running_s <= limit_s) return;
   kill(worker->pid, SIGKILL);
   waitpid(worker->pid, nullptr, 0);
   worker->pid = -1;
-  const auto seconds = [](int64_t us) { return static_cast<double>(us) / 1e6; };
+  const auto seconds = [](int64_t us) { return Seconds(us); };
   const int64_t duration = worker->progress->duration;
   const int64_t utime = worker->progress->utime;
   const std::string where = utime == 0 ? ""

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "lib/base/time/seconds.h"
 #include "lib/bus/bus/waypoint_arrival.h"
 #include "lib/mission/model/mission.h"
 #include "lib/tools/view/view_limits.h"
@@ -162,7 +163,7 @@ void EventWatch::FindLosses(int64_t utime) {
       const std::string second = NameOf(b);
       AddEvent(lost_utime, EventKind::kLostContact, {first, second},
                fmt::format("{} and {}: nothing received for {:.1f} s", first, second,
-                           static_cast<double>(silence_us_) / 1e6));
+                           Seconds(silence_us_)));
     }
   }
 }

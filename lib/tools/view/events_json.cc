@@ -1,5 +1,6 @@
 #include "lib/tools/view/events_json.h"
 
+#include "lib/base/time/seconds.h"
 #include "lib/tools/view/json_writer.h"
 
 namespace shoal {
@@ -11,7 +12,7 @@ std::string EventsJson(std::span<const ViewEvent> events, int64_t start_utime) {
   for (const ViewEvent& event : events) {
     json.BeginObject()
         .Integer("id", ++id)
-        .Number("t", static_cast<double>(event.utime - PlausibleUtime(start_utime)) / 1e6, 3)
+        .Number("t", Seconds(event.utime - PlausibleUtime(start_utime)), 3)
         .Text("kind", EventKindText(event.kind))
         .Key("vehicles")
         .BeginArray();

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <unordered_map>
 
+#include "lib/base/time/seconds.h"
 #include "lib/bus/bus/bus.h"
 #include "lib/bus/bus/channels.h"
 #include "lib/bus/bus/seal.h"
@@ -145,7 +146,7 @@ class IndexBuilder : private SceneObserver {
         index_.longest_pulse_us, static_cast<int64_t>(std::min(duration_s, kLongestPulse_s) * 1e6));
   }
 
-  double Line_s() const { return static_cast<double>(next_.timeline.now_us()) / 1e6; }
+  double Line_s() const { return Seconds(next_.timeline.now_us()); }
 
   void OnNav(size_t vehicle, const nav_t& nav) override {
     index_.has_nav = true;

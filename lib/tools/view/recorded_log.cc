@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "lib/base/time/seconds.h"
 #include "lib/mission/file/load.h"
 #include "lib/mission/file/recorded_mission.h"
 
@@ -87,7 +88,7 @@ Result<RecordedLog> OpenRecordedLog(const std::string& path, const std::string& 
     found->notes.push_back(fmt::format(
         "the log begins {:.0f} s from start_utime of {}: is it the log of another mission? Times "
         "count from its first event",
-        static_cast<double>(apart_us) / 1e6, mission.file));
+        Seconds(apart_us), mission.file));
     mission.start_utime = survey.first_utime;
   }
   return RecordedLog{.reader = std::move(*reader),

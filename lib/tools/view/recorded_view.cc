@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lib/base/time/seconds.h"
 #include "lib/tools/view/events_json.h"
 #include "lib/tools/view/fates_json.h"
 #include "lib/tools/view/frame_json.h"
@@ -68,8 +69,7 @@ RecordedView::RecordedView(LogReader reader, LogStamps stamps, Mission mission, 
 int64_t RecordedView::LineOf(double t_s) const {
   if (std::isnan(t_s)) return index_.begin_us;
   const double clamped_s = std::clamp(t_s, begin_s(), end_s());
-  return std::clamp(std::llround(clamped_s * 1e6) + 0LL, 0LL + index_.begin_us,
-                    0LL + index_.end_us);
+  return std::clamp(Microseconds(clamped_s) + 0LL, 0LL + index_.begin_us, 0LL + index_.end_us);
 }
 
 std::unique_ptr<SceneCursor> RecordedView::SceneAt(int64_t line_us) {
@@ -107,7 +107,7 @@ std::string RecordedView::FrameJson(double t_s) {
   const int64_t line_us = LineOf(t_s);
   auto cursor = SceneAt(line_us);
   FrameParts parts = WholeFrame(cursor->scene());
-  parts.t_s = static_cast<double>(line_us) / 1e6;
+  parts.t_s = Seconds(line_us);
   parts.clock.state = "recorded";
   const auto later = std::partition_point(
       index_.events.begin(), index_.events.end(),
@@ -195,7 +195,7 @@ std::vector<RatioBin> RecordedView::RatioBins(const LinkCounts& link, int64_t li
   for (size_t i = 0; i + 1 < sums.size(); ++i) {
     const auto offered = static_cast<int64_t>(sums[i + 1].offered - sums[i].offered);
     if (offered == 0) continue;
-    bins.push_back({.begin_s = static_cast<double>(sums[i].line_us) / 1e6,
+    bins.push_back({.begin_s = Seconds(sums[i].line_us),
                     .received = static_cast<int64_t>(sums[i + 1].received - sums[i].received),
                     .offered = offered});
   }
@@ -216,7 +216,7 @@ Result<std::string> RecordedView::VehicleJson(std::string_view name, double t_s,
     if (place < index_.charts.size()) {
       window_s = std::isnan(window_s) ? kLongestWindow_s
                                       : std::clamp(window_s, kShortestWindow_s, kLongestWindow_s);
-      points = index_.charts[place].Window(static_cast<double>(line_us) / 1e6, window_s);
+      points = index_.charts[place].Window(Seconds(line_us), window_s);
     }
     result = shoal::VehicleJson(scene, *vehicle, points);
   }

@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "lib/base/check/result.h"
+#include "lib/base/time/seconds.h"
 #include "lib/mission/model/mission.h"
 #include "lib/tools/view/link_history.h"
 #include "lib/tools/view/log_index.h"
@@ -43,8 +44,8 @@ class RecordedView : public ViewSource {
   /// What a user should know about the log.
   const std::vector<std::string>& notes() const { return notes_; }
   const Mission& mission() const { return mission_; }
-  double begin_s() const { return static_cast<double>(index_.begin_us) / 1e6; }
-  double end_s() const { return static_cast<double>(index_.end_us) / 1e6; }
+  double begin_s() const { return Seconds(index_.begin_us); }
+  double end_s() const { return Seconds(index_.end_us); }
 
   // Times outside of the log are clamped to it.
   std::string SetupJson(bool commands) override;

@@ -18,6 +18,7 @@
 #include <utility>
 #include <vector>
 
+#include "lib/base/time/seconds.h"
 #include "lib/comms/routing/rules.h"
 #include "lib/mission/model/mission.h"
 #include "lib/tools/view/link_book.h"
@@ -115,9 +116,7 @@ class Scene {
   int64_t start_utime() const { return start_utime_; }
   int64_t tick_us() const { return tick_us_; }
   /// Returns seconds of mission time since the start.
-  double SecondsOf(int64_t utime) const {
-    return static_cast<double>(PlausibleUtime(utime) - start_utime_) / 1e6;
-  }
+  double SecondsOf(int64_t utime) const { return Seconds(PlausibleUtime(utime) - start_utime_); }
   double now_s() const { return SecondsOf(now_utime_); }
 
   /// The mission's, in its order, then those from outside in order of appearance.

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "lib/base/time/seconds.h"
 #include "lib/comms/routing/cause.h"
 #include "lib/comms/routing/control.h"
 #include "lib/mission/file/ocean_of.h"
@@ -168,7 +169,7 @@ std::string SetupJson(const Mission& mission, const SetupFacts& facts,
       .Key("seed")
       .Raw(std::to_string(mission.seed))
       .Number("duration_s", mission.duration_s, 3)
-      .Number("tick_s", static_cast<double>(mission.tick_us) / 1e6, 6)
+      .Number("tick_s", Seconds(mission.tick_us), 6)
       .Boolean("commands", facts.commands)
       .Number("begin_s", facts.begin_s, 3)
       .Number("end_s", facts.end_s, 3)

@@ -11,6 +11,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "lib/base/time/seconds.h"
 #include "lib/bus/bus/channels.h"
 #include "lib/tools/view/json_writer.h"
 #include "shoal/desired_t.hpp"
@@ -51,7 +52,7 @@ struct ShownModem {
   }
   static void Write(const Message& stats, JsonWriter* json) {
     json->BeginObject()
-        .Number("t", static_cast<double>(stats.utime) / 1e6, kMilliseconds)
+        .Number("t", Seconds(stats.utime), kMilliseconds)
         .Text("sender", stats.sender)
         .Boolean("good", stats.is_good != 0)
         .Boolean("has_numbers", stats.has_modem != 0)
@@ -90,7 +91,7 @@ struct ShownDecision {
   }
   static void Write(const Message& decision, JsonWriter* json) {
     json->BeginObject()
-        .Number("t", static_cast<double>(decision.utime) / 1e6, kMilliseconds)
+        .Number("t", Seconds(decision.utime), kMilliseconds)
         .Text("mode", decision.mode)
         .Text("all_stop", decision.all_stop)
         .Number("course", decision.course_deg, kTenths)
@@ -140,7 +141,7 @@ struct ShownNavigation {
   }
   static void Write(const Message& navigation, JsonWriter* json) {
     json->BeginObject()
-        .Number("t", static_cast<double>(navigation.utime) / 1e6, kMilliseconds)
+        .Number("t", Seconds(navigation.utime), kMilliseconds)
         .Number("x", navigation.x_m, kCentimetres)
         .Number("y", navigation.y_m, kCentimetres)
         .Number("heading", navigation.heading_deg, kTenths)
@@ -178,7 +179,7 @@ struct ShownGuidance {
   }
   static void Write(const Message& guidance, JsonWriter* json) {
     json->BeginObject()
-        .Number("t", static_cast<double>(guidance.utime) / 1e6, kMilliseconds)
+        .Number("t", Seconds(guidance.utime), kMilliseconds)
         .Number("pitch", guidance.pitch_deg, kTenths)
         .Number("crab", guidance.crab_deg, kTenths)
         .Key("layers")

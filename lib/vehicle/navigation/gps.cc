@@ -1,12 +1,10 @@
 #include "lib/vehicle/navigation/gps.h"
 
+#include "lib/base/time/seconds.h"
+
 namespace shoal {
 
-namespace {
-
-double Seconds(int64_t us) { return static_cast<double>(us) / 1e6; }
-
-}  // namespace
+namespace {}  // namespace
 
 void GpsUnit::Watch(double depth_m, int64_t utime) {
   if (!start_utime_) {

@@ -6,6 +6,7 @@
 
 #include "lib/base/check/check.h"
 #include "lib/base/geometry/angles.h"
+#include "lib/base/time/seconds.h"
 
 namespace shoal {
 
@@ -49,7 +50,7 @@ Readings Instruments::Read(const TrueMotion& truth, int64_t utime, int64_t start
   if (last_utime_) {
     SHOAL_CHECK(utime > *last_utime_, "times increase");
     readings.yaw_rate_radps = gyro_.Read(WrapPi(truth.heading_rad - last_heading_rad_),
-                                         static_cast<double>(utime - *last_utime_) / 1e6, utime);
+                                         Seconds(utime - *last_utime_), utime);
   }
   last_utime_ = utime;
   last_heading_rad_ = truth.heading_rad;
@@ -79,7 +80,7 @@ Readings Instruments::Read(const TrueMotion& truth, int64_t utime, int64_t start
     }
   }
   if (beacons_) {
-    const double time_s = static_cast<double>(utime - start_utime) / 1e6;
+    const double time_s = Seconds(utime - start_utime);
     readings.beacons = beacons_->Read(truth.position_m, truth.heading_rad, time_s);
     for (const ReceivedPacket& packet : packets) {
       readings.beacons.push_back(beacons_->ReadPacket(packet.beacon, packet.number,

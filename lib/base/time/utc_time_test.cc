@@ -1,4 +1,4 @@
-#include "lib/sea/modem/utc_time.h"
+#include "lib/base/time/utc_time.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

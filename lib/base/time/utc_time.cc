@@ -1,10 +1,10 @@
-#include "lib/sea/modem/utc_time.h"
+#include "lib/base/time/utc_time.h"
 
 #include <algorithm>
 #include <chrono>
 
-#include "lib/base/check/time_units.h"
-#include "lib/sea/modem/sentence_text.h"
+#include "lib/base/text/numbers.h"
+#include "lib/base/time/time_units.h"
 
 namespace shoal {
 namespace {
