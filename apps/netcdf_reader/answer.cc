@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "apps/netcdf_reader/classic_size.h"
+#include "lib/bus/os/file_bytes.h"
 #include "lib/mission/netcdf/netcdf_wire.h"
 
 namespace shoal {
@@ -197,12 +198,7 @@ void WriteAnswer(char kind, const NetcdfReplyWriter& body) {
   answer += kind;
   answer += body.bytes();
   answer += kNetcdfEnd;
-  std::string_view rest = answer;
-  while (!rest.empty()) {
-    const ssize_t written = write(STDOUT_FILENO, rest.data(), rest.size());
-    if (written <= 0) _exit(1);
-    rest.remove_prefix(static_cast<size_t>(written));
-  }
+  if (!WriteAll(STDOUT_FILENO, answer)) _exit(1);
 }
 
 /// Refuses a file of a classic form that ends before its last value.

@@ -19,7 +19,7 @@
 #include "lib/base/geodesy/local_frame.h"
 #include "lib/bus/bus/bus.h"
 #include "lib/bus/bus/channels.h"
-#include "lib/bus/record/wait_set.h"
+#include "lib/bus/os/wait_set.h"
 #include "lib/mission/model/mission.h"
 #include "lib/mission/netsim/line_server.h"
 #include "lib/mission/netsim/netsim_answer.h"

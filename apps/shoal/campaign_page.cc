@@ -7,8 +7,8 @@
 #include <ostream>
 
 #include "lib/base/check/result.h"
-#include "lib/bus/record/file_descriptor.h"
-#include "lib/bus/record/text_file.h"
+#include "lib/bus/os/file_descriptor.h"
+#include "lib/bus/os/text_file.h"
 #include "lib/tools/report/report_page.h"
 
 namespace shoal {

@@ -12,9 +12,9 @@
 #include <utility>
 
 #include "apps/shoal/campaign_setup.h"
-#include "lib/mission/toml/read_file.h"
+#include "lib/bus/os/read_file.h"
+#include "lib/bus/os/run_program.h"
 #include "lib/run/launch/child_processes.h"
-#include "lib/run/launch/run_program.h"
 #include "lib/run/run/run_app.h"
 #include "lib/tools/report/report_tables.h"
 #include "lib/tools/trials/campaign_progress.h"

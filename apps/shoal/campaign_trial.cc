@@ -6,7 +6,7 @@
 
 #include <filesystem>
 
-#include "lib/mission/toml/read_file.h"
+#include "lib/bus/os/read_file.h"
 #include "lib/run/launch/child_processes.h"
 #include "lib/run/launch/recording.h"
 #include "lib/run/run/run_app.h"

@@ -7,10 +7,10 @@
 #include "apps/shoal/explain_network.h"
 #include "lib/base/check/result.h"
 #include "lib/bus/bus/channels.h"
+#include "lib/bus/os/read_file.h"
 #include "lib/mission/file/key_paths.h"
 #include "lib/mission/file/path_text.h"
 #include "lib/mission/file/print_errors.h"
-#include "lib/mission/toml/read_file.h"
 #include "lib/run/launch/launch_plan.h"
 #include "lib/run/run/roster.h"
 

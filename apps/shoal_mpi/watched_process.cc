@@ -13,6 +13,7 @@
 #include <string>
 
 #include "lib/base/check/result.h"
+#include "lib/bus/os/child.h"
 
 namespace shoal {
 
@@ -35,24 +36,17 @@ std::string RankText() {
 }  // namespace
 
 int RunWatched(const std::function<int()>& run) {
-  const pid_t parent = getpid();
-  const pid_t child = fork();
+  const pid_t child = ForkWithParent();
   if (child < 0) {
     fmt::print(stderr, "shoal-mpi: cannot start a process: {}\n", strerror(errno));
     return kExitEnvironment;
   }
-  if (child == 0) {
-    prctl(PR_SET_PDEATHSIG, SIGKILL);
-    if (getppid() != parent) return kExitEnvironment;  // It died in between.
-    return run();
-  }
+  if (child == 0) return run();
   watched = child;
   for (const int signal_number : {SIGINT, SIGTERM, SIGHUP, SIGUSR1, SIGUSR2}) {
     signal(signal_number, HandOn);
   }
-  int status = 0;
-  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
-  }
+  const int status = WaitFor(child);
   if (WIFEXITED(status)) return WEXITSTATUS(status);
   char host[256] = {};
   gethostname(host, sizeof host - 1);

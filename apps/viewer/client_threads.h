@@ -15,7 +15,7 @@
 #include <thread>
 
 #include "apps/viewer/connection.h"
-#include "lib/bus/record/file_descriptor.h"
+#include "lib/bus/os/file_descriptor.h"
 
 namespace shoal {
 

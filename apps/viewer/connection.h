@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "apps/viewer/http_head.h"
-#include "lib/bus/record/file_descriptor.h"
+#include "lib/bus/os/file_descriptor.h"
 
 namespace shoal {
 

@@ -19,7 +19,7 @@
 #include <thread>
 #include <vector>
 
-#include "lib/bus/record/file_descriptor.h"
+#include "lib/bus/os/file_descriptor.h"
 
 namespace shoal {
 

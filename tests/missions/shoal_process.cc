@@ -18,7 +18,7 @@
 #include <sstream>
 
 #include "lib/bus/bus/layout.h"
-#include "lib/bus/record/file_descriptor.h"
+#include "lib/bus/os/file_descriptor.h"
 #include "lib/run/run/run_app.h"
 
 namespace shoal {

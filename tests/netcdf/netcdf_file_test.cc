@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "lib/bus/record/file_descriptor.h"
+#include "lib/bus/os/file_descriptor.h"
 #include "lib/mission/netcdf/netcdf_wire.h"
 #include "tests/netcdf/write_netcdf.h"
 

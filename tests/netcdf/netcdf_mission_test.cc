@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "lib/base/geodesy/local_frame.h"
+#include "lib/bus/os/read_file.h"
 #include "lib/mission/file/data_files.h"
 #include "lib/mission/file/load.h"
 #include "lib/mission/file/ocean_of.h"
-#include "lib/mission/toml/read_file.h"
 #include "tests/netcdf/write_netcdf.h"
 
 namespace shoal::netcdf_mission_test {

@@ -18,7 +18,7 @@
 #include <vector>
 
 #include "apps/netcdf_reader/answer.h"
-#include "lib/bus/record/file_descriptor.h"
+#include "lib/bus/os/file_descriptor.h"
 #include "lib/mission/netcdf/cf_field.h"
 #include "lib/mission/netcdf/cf_variables.h"
 #include "lib/mission/netcdf/netcdf_file.h"

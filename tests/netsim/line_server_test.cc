@@ -6,7 +6,7 @@
 
 #include <deque>
 
-#include "lib/bus/record/wait_set.h"
+#include "lib/bus/os/wait_set.h"
 #include "tests/netsim/served_clients.h"
 
 namespace shoal::line_server_test {

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "lib/bus/record/file_descriptor.h"
+#include "lib/bus/os/file_descriptor.h"
 
 namespace shoal {
 

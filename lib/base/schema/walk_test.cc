@@ -19,7 +19,7 @@ using Bytes = std::vector<uint8_t>;
 const Schema& TestSchema() {
   static const Schema schema = [] {
     std::ostringstream text;
-    text << std::ifstream(SHOAL_SOURCE_DIR "/lib/schema/schema_test_types.lcm").rdbuf();
+    text << std::ifstream(SHOAL_SOURCE_DIR "/lib/base/schema/schema_test_types.lcm").rdbuf();
     auto built = Schema::Build({{"types", text.str()}});
     EXPECT_TRUE(built.ok()) << built.error();
     return std::move(*built);

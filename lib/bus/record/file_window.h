@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "lib/base/check/result.h"
-#include "lib/bus/record/file_descriptor.h"
+#include "lib/bus/os/file_descriptor.h"
 
 namespace shoal {
 

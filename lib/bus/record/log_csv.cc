@@ -11,13 +11,13 @@
 
 #include "lib/base/schema/text.h"
 #include "lib/base/text/letters.h"
+#include "lib/bus/os/file_descriptor.h"
+#include "lib/bus/os/text_file.h"
 #include "lib/bus/record/csv_rows.h"
 #include "lib/bus/record/extra_fields.h"
-#include "lib/bus/record/file_descriptor.h"
 #include "lib/bus/record/log_commands.h"
 #include "lib/bus/record/log_source.h"
 #include "lib/bus/record/message_types.h"
-#include "lib/bus/record/text_file.h"
 
 namespace shoal {
 

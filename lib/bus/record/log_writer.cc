@@ -7,6 +7,7 @@
 #include <cerrno>
 #include <cstring>
 
+#include "lib/bus/os/file_bytes.h"
 #include "lib/bus/record/log_format.h"
 
 namespace shoal {
@@ -88,16 +89,10 @@ void LogWriter::Append(int64_t utime, std::string_view channel, std::span<const 
 std::optional<Error> LogWriter::Flush() {
   SHOAL_CHECK(file_.is_open(), "Flush() of a log that is closed");
   if (error_) return error_;
-  size_t written = 0;
-  while (written < pending_.size()) {  // once, unless a signal or the disk cuts it short
-    const ssize_t result =
-        ::write(file_.get(), pending_.data() + written, pending_.size() - written);
-    if (result < 0 && errno == EINTR) continue;
-    if (result < 0) return Fail(errno);
-    if (result == 0) return Fail(ENOSPC);
-    written += static_cast<size_t>(result);
+  if (!WriteAll(file_.get(), {reinterpret_cast<const char*>(pending_.data()), pending_.size()})) {
+    return Fail(errno);
   }
-  flushed_bytes_ += static_cast<int64_t>(written);
+  flushed_bytes_ += static_cast<int64_t>(pending_.size());
   pending_.clear();
   pending_events_ = 0;
   return std::nullopt;

@@ -7,7 +7,7 @@
 #include <system_error>
 
 #include "lib/base/text/letters.h"
-#include "lib/bus/record/replace_file.h"
+#include "lib/bus/os/replace_file.h"
 
 namespace shoal {
 

@@ -11,11 +11,11 @@
 #include <vector>
 
 #include "lib/base/text/letters.h"
+#include "lib/bus/os/read_file.h"
 #include "lib/mission/model/mission.h"
 #include "lib/mission/netcdf/cf_field.h"
 #include "lib/mission/netcdf/cf_variables.h"
 #include "lib/mission/netcdf/netcdf_file.h"
-#include "lib/mission/toml/read_file.h"
 #include "lib/mission/toml/suggest.h"
 #include "lib/mission/track/iso_time.h"
 #include "lib/sea/ocean/current.h"

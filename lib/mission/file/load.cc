@@ -4,13 +4,13 @@
 #include <optional>
 #include <utility>
 
+#include "lib/bus/os/read_file.h"
 #include "lib/mission/file/describe.h"
 #include "lib/mission/file/expand.h"
 #include "lib/mission/file/validate.h"
 #include "lib/mission/toml/override.h"
 #include "lib/mission/toml/parse.h"
 #include "lib/mission/toml/problems.h"
-#include "lib/mission/toml/read_file.h"
 #include "lib/mission/toml/table_reader.h"
 #include "lib/mission/toml/table_writer.h"
 #include "lib/mission/toml/value.h"

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
+#include "lib/bus/os/read_file.h"
 #include "lib/mission/file/load_testing.h"
-#include "lib/mission/toml/read_file.h"
 
 namespace shoal::load_hosts_test {
 

@@ -4,9 +4,9 @@
 #include <array>
 #include <optional>
 
+#include "lib/bus/os/read_file.h"
 #include "lib/mission/toml/parse.h"
 #include "lib/mission/toml/problems.h"
-#include "lib/mission/toml/read_file.h"
 #include "lib/mission/toml/suggest.h"
 #include "lib/mission/toml/table_reader.h"
 

@@ -4,8 +4,8 @@
 #include <sstream>
 #include <system_error>
 
+#include "lib/bus/os/read_file.h"
 #include "lib/mission/file/load.h"
-#include "lib/mission/toml/read_file.h"
 
 namespace shoal {
 

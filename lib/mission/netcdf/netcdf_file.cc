@@ -12,7 +12,9 @@
 #include <optional>
 #include <utility>
 
-#include "lib/bus/record/file_descriptor.h"
+#include "lib/bus/os/child.h"
+#include "lib/bus/os/file_bytes.h"
+#include "lib/bus/os/file_descriptor.h"
 #include "lib/mission/netcdf/cf_words.h"
 #include "lib/mission/netcdf/netcdf_wire.h"
 
@@ -29,19 +31,6 @@ constexpr char kMissing[] =
     "shoal's program shoal-netcdf, which reads NetCDF, is not there: where shoal was built, run "
     "apt-get install libnetcdf-dev, then scripts/configure release, and build again; elsewhere put "
     "the folder of shoal's programs, lib/shoal/bin, on the PATH";
-
-/// Reads until the end, or beyond `most_bytes`.
-std::string ReadAnswer(int fd, size_t most_bytes) {
-  std::string bytes;
-  std::vector<char> buffer(size_t{1} << 16);
-  while (bytes.size() <= most_bytes) {
-    const ssize_t count = read(fd, buffer.data(), buffer.size());
-    if (count < 0 && errno == EINTR) continue;
-    if (count <= 0) break;
-    bytes.append(buffer.data(), static_cast<size_t>(count));
-  }
-  return bytes;
-}
 
 /// Returns why a reader that ended like this has no answer.
 std::string Failure(int status) {
@@ -60,43 +49,32 @@ std::string Failure(int status) {
 
 int StartNetcdfReader(const std::vector<std::string>& question, int file_fd, int answer_fd,
                       pid_t* pid) {
-  const std::string program = FindNetcdfReader();
-  std::vector<char*> argv = {const_cast<char*>(program.c_str())};
-  for (const std::string& each : question) argv.push_back(const_cast<char*>(each.c_str()));
-  argv.push_back(nullptr);
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  // In this order: neither descriptor may be overwritten before it was copied.
-  const FileDescriptor kept_answer(fcntl(answer_fd, F_DUPFD_CLOEXEC, 10));
-  const FileDescriptor kept_file(fcntl(file_fd, F_DUPFD_CLOEXEC, 10));
-  posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-  posix_spawn_file_actions_adddup2(&actions, kept_answer.get(), STDOUT_FILENO);
-  posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
-  posix_spawn_file_actions_adddup2(&actions, kept_file.get(), 3);
-  const int failure = posix_spawnp(pid, program.c_str(), &actions, nullptr, argv.data(), environ);
-  posix_spawn_file_actions_destroy(&actions);
-  return failure;
+  ProgramStart start{
+      .argv = {FindNetcdfReader()}, .output = answer_fd, .kept = file_fd, .kept_as = 3};
+  start.argv.insert(start.argv.end(), question.begin(), question.end());
+  const Result<StartedProgram> started = StartProgram(start);
+  if (!started.ok()) return EAGAIN;
+  if (started->exec_error != 0) WaitFor(started->pid);
+  *pid = started->pid;
+  return started->exec_error;
 }
 
 /// Returns the answer's bytes between greeting and end, for one of the kind `wanted`.
 Result<std::string> NetcdfFile::Ask(const std::vector<std::string>& question, char wanted,
                                     size_t most_bytes) const {
-  int ends[2];
-  if (pipe2(ends, O_CLOEXEC) != 0) {
+  Pipe answer = MakePipe();
+  if (!answer.read.is_open()) {
     return Error{fmt::format("cannot make a pipe: {}", ErrnoText(errno))};
   }
-  const FileDescriptor to_read(ends[0]);
-  FileDescriptor to_write(ends[1]);
   pid_t pid = 0;
-  const int failure = start_(question, fd_, to_write.get(), &pid);
+  const int failure = start_(question, fd_, answer.write.get(), &pid);
   if (failure == ENOENT) return Error{kMissing};
   if (failure != 0) return Error{fmt::format("cannot run shoal-netcdf: {}", ErrnoText(failure))};
-  to_write.Close();
-  std::string bytes = ReadAnswer(to_read.get(), most_bytes);
+  answer.write = {};
+  std::string bytes;
+  [[maybe_unused]] const bool was_read = ReadToEnd(answer.read.get(), most_bytes, &bytes);
   if (bytes.size() > most_bytes) kill(pid, SIGKILL);
-  int status = 0;
-  while (waitpid(pid, &status, 0) < 0 && errno == EINTR) {
-  }
+  const int status = WaitFor(pid);
   if (bytes.size() > most_bytes) {
     return Error{
         fmt::format("shoal-netcdf answered with more than {} bytes; {}", most_bytes, kDamaged)};

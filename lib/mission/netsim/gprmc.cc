@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 #include "lib/base/check/check.h"
 #include "lib/base/codec/nmea_sentence.h"
+#include "lib/base/time/utc_time.h"
 
 namespace shoal {
 
@@ -33,18 +33,12 @@ double Bounded(double value) { return std::clamp(value, -kMax, kMax); }
 }  // namespace
 
 std::string GprmcSentence(const NetsimNav& nav, int64_t unix_us) {
-  using std::chrono::days, std::chrono::microseconds;
-  const std::chrono::sys_time<microseconds> time{microseconds(unix_us)};
-  const auto midnight = std::chrono::floor<days>(time);
-  const std::chrono::year_month_day date(midnight);
-  const std::chrono::hh_mm_ss time_of_day(time - midnight);
+  const CalendarTime time = ToCalendar(unix_us);
   return NmeaSentence(fmt::format(
       "GPRMC,{:02}{:02}{:02}.{:06},A,{},{},{:.1f},{:.1f},{:02}{:02}{:02},000.0,E",
-      time_of_day.hours().count(), time_of_day.minutes().count(), time_of_day.seconds().count(),
-      time_of_day.subseconds().count(), Coordinate(nav.lat_deg, 2, 'N', 'S'),
+      time.hour, time.minute, time.second, time.microsecond, Coordinate(nav.lat_deg, 2, 'N', 'S'),
       Coordinate(nav.lon_deg, 3, 'E', 'W'), Bounded(nav.speed_mps * kKnotsPerMps),
-      Bounded(nav.heading_deg), static_cast<unsigned>(date.day()),
-      static_cast<unsigned>(date.month()), static_cast<int>(date.year()) % 100));
+      Bounded(nav.heading_deg), time.day, time.month, time.year % 100));
 }
 
 }  // namespace shoal

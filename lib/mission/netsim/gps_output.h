@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "lib/base/check/result.h"
-#include "lib/bus/record/file_descriptor.h"
+#include "lib/bus/os/file_descriptor.h"
 #include "lib/mission/netsim/netsim_options.h"
 #include "lib/mission/netsim/tcp_server.h"
 

@@ -8,7 +8,7 @@
 #include <cstring>
 #include <zmq.hpp>
 
-#include "lib/bus/record/file_descriptor.h"
+#include "lib/bus/os/file_descriptor.h"
 #include "lib/run/hosts/link_message.h"
 
 namespace shoal {

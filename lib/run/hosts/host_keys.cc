@@ -13,8 +13,9 @@
 #include <sstream>
 
 #include "lib/base/check/check.h"
-#include "lib/bus/record/file_descriptor.h"
-#include "lib/mission/toml/read_file.h"
+#include "lib/bus/os/file_bytes.h"
+#include "lib/bus/os/file_descriptor.h"
+#include "lib/bus/os/read_file.h"
 
 namespace shoal {
 
@@ -39,8 +40,7 @@ Result<bool> WriteNew(const std::string& path, const std::string& text, mode_t m
         "{} exists: computers that know its key would refuse another; --out names other files",
         path)};
   }
-  const auto size = static_cast<ssize_t>(text.size());
-  if (!file.is_open() || write(file.get(), text.data(), text.size()) != size) {
+  if (!file.is_open() || !WriteAll(file.get(), text)) {
     return Error{fmt::format("cannot write {}: {}", path, ErrnoText(errno))};
   }
   return true;

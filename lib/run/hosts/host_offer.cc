@@ -10,9 +10,9 @@
 
 #include "lib/base/check/check.h"
 #include "lib/base/text/numbers.h"
-#include "lib/bus/record/text_file.h"
+#include "lib/bus/os/read_file.h"
+#include "lib/bus/os/text_file.h"
 #include "lib/mission/file/load.h"
-#include "lib/mission/toml/read_file.h"
 
 namespace shoal {
 

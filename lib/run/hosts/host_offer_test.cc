@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <fstream>
 
+#include "lib/bus/os/read_file.h"
 #include "lib/mission/file/load.h"
-#include "lib/mission/toml/read_file.h"
 
 namespace shoal::host_offer_test {
 

@@ -12,7 +12,8 @@
 #include <deque>
 #include <fstream>
 
-extern char** environ;  // NOLINT: POSIX has it so
+#include "lib/bus/os/child.h"
+#include "lib/bus/os/file_bytes.h"
 
 namespace shoal {
 
@@ -20,15 +21,6 @@ namespace {
 
 constexpr size_t kLastLines = 5;
 
-std::string Describe(int status) {
-  if (WIFSIGNALED(status)) {
-    return fmt::format("was killed by signal {} ({})", WTERMSIG(status),
-                       strsignal(WTERMSIG(status)));
-  }
-  return fmt::format("exited with code {}", WEXITSTATUS(status));
-}
-
-/// For a child that has no more than async-signal-safe calls.
 const char* WhyNotExecuted(int error) {
   switch (error) {
     case ENOENT:
@@ -42,27 +34,6 @@ const char* WhyNotExecuted(int error) {
     default:
       return "the system refuses";
   }
-}
-
-std::vector<char*> Pointers(const std::vector<std::string>& strings) {
-  std::vector<char*> pointers;
-  pointers.reserve(strings.size() + 1);
-  for (const std::string& each : strings) pointers.push_back(const_cast<char*>(each.c_str()));
-  pointers.push_back(nullptr);
-  return pointers;
-}
-
-/// Returns our own environment with `added` in place of what has the same names.
-std::vector<std::string> EnvironmentWith(const std::vector<std::string>& added) {
-  std::vector<std::string> environment = added;
-  for (char** entry = environ; *entry != nullptr; ++entry) {
-    const std::string_view own(*entry);
-    const std::string_view key = own.substr(0, own.find('=') + 1);
-    bool replaced = false;
-    for (const std::string& each : added) replaced = replaced || each.starts_with(key);
-    if (!replaced) environment.emplace_back(own);
-  }
-  return environment;
 }
 
 }  // namespace
@@ -84,51 +55,31 @@ ChildProcesses::~ChildProcesses() {
 }
 
 Result<pid_t> ChildProcesses::Start(const ChildCommand& command) {
-  const std::vector<std::string> environment = EnvironmentWith(command.environment);
-  const std::vector<char*> argv = Pointers(command.argv);
-  const std::vector<char*> envp = Pointers(environment);
   // A private log is made by this process, so that no other has opened it before.
-  const int log = open(command.log_path.c_str(),
-                       O_WRONLY | O_CREAT | O_APPEND | O_NOFOLLOW | O_CLOEXEC |
-                           (command.is_log_private ? O_EXCL : 0),
-                       command.is_log_private ? 0600 : 0644);
-  if (log < 0) {
-    return Error{fmt::format("cannot write {}: {}", command.log_path, std::strerror(errno))};
+  const FileDescriptor log(open(command.log_path.c_str(),
+                                O_WRONLY | O_CREAT | O_APPEND | O_NOFOLLOW | O_CLOEXEC |
+                                    (command.is_log_private ? O_EXCL : 0),
+                                command.is_log_private ? 0600 : 0644));
+  if (!log.is_open()) {
+    return Error{fmt::format("cannot write {}: {}", command.log_path, ErrnoText(errno))};
   }
-  const int null = open("/dev/null", O_RDONLY | O_CLOEXEC);
-  const pid_t parent = getpid();
-  const pid_t pid = fork();
-  if (pid == 0) {
-    // Only async-signal-safe calls from here on: other threads may have held locks.
-    setpgid(0, 0);  // Ctrl-C on the terminal is for the launcher alone.
-    signal(SIGPIPE, SIG_DFL);
-    prctl(PR_SET_PDEATHSIG, SIGKILL);
-    if (getppid() != parent) _exit(127);
-    sigset_t none;
-    sigemptyset(&none);
-    sigprocmask(SIG_SETMASK, &none, nullptr);
-    close_range(STDERR_FILENO + 1, ~0U, CLOSE_RANGE_CLOEXEC);  // liblcm's own have no such flag.
-    if (command.inherited_fd >= 0) fcntl(command.inherited_fd, F_SETFD, 0);
-    dup2(null, STDIN_FILENO);
-    dup2(log, STDOUT_FILENO);
-    dup2(log, STDERR_FILENO);
-    execve(argv[0], argv.data(), envp.data());
-    const char* const why = WhyNotExecuted(errno);
-    const char* const program = argv[0];
-    for (const char* text : {"cannot execute ", program, ": ", why, "\n"}) {
-      [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, text, strlen(text));
-    }
-    _exit(127);
+  const Result<StartedProgram> started = StartProgram({.argv = command.argv,
+                                                       .environment = command.environment,
+                                                       .output = log.get(),
+                                                       .errors = log.get(),
+                                                       .kept = command.inherited_fd,
+                                                       .own_group = true,
+                                                       .dies_with_parent = true});
+  if (!started.ok()) {
+    return Error{fmt::format("cannot start {}: {}", command.name, started.error())};
   }
-  const int fork_error = errno;
-  close(log);
-  if (null >= 0) close(null);
-  if (pid < 0) {
-    return Error{
-        fmt::format("cannot start {}: {} (ulimit -u shows how many processes you may have)",
-                    command.name, std::strerror(fork_error))};
+  if (started->exec_error != 0) {  // In its log, where its own last words would be.
+    [[maybe_unused]] const bool is_written =
+        WriteAll(log.get(), fmt::format("cannot execute {}: {}
+                                        ", command.argv[0],
+                                        WhyNotExecuted(started->exec_error)));
   }
-  setpgid(pid, pid);  // In both processes: whoever comes first.
+  const pid_t pid = started->pid;
   running_[command.name] = {.pid = pid, .log_path = command.log_path};
   return pid;
 }
@@ -147,7 +98,7 @@ std::vector<ChildExit> ChildProcesses::Reap() {
                      .clean = WIFEXITED(status)
                                   ? WEXITSTATUS(status) == 0
                                   : (child->second.signals >> WTERMSIG(status) & 1) != 0,
-                     .how = Describe(status),
+                     .how = HowItEnded(status),
                      .last_lines = LastLines(child->second.log_path, kLastLines)});
     child = running_.erase(child);
   }

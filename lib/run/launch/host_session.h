@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "lib/bus/bus/lcm_transport.h"
-#include "lib/bus/record/file_descriptor.h"
+#include "lib/bus/os/file_descriptor.h"
 #include "lib/run/hosts/host_offer.h"
 #include "lib/run/hosts/host_relay.h"
 #include "lib/run/launch/child_processes.h"

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "lib/bus/bus/transport.h"
-#include "lib/bus/record/file_descriptor.h"
+#include "lib/bus/os/file_descriptor.h"
 #include "lib/run/hosts/curve_link.h"
 #include "lib/run/hosts/home_relay.h"
 #include "lib/run/hosts/host_offer.h"

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "lib/bus/record/text_file.h"
+#include "lib/bus/os/text_file.h"
 #include "lib/mission/file/data_files.h"
 #include "lib/run/run/version.h"
 

@@ -13,7 +13,7 @@
 #include "lib/base/check/result.h"
 #include "lib/bus/bus/lcm_transport.h"
 #include "lib/bus/bus/multicast_fault.h"
-#include "lib/bus/record/wait_set.h"
+#include "lib/bus/os/wait_set.h"
 #include "lib/mission/file/load.h"
 #include "lib/run/run/live.h"
 #include "lib/run/run/roster.h"

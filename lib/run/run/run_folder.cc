@@ -10,8 +10,9 @@
 #include <filesystem>
 #include <utility>
 
-#include "lib/bus/record/file_descriptor.h"
-#include "lib/mission/toml/read_file.h"
+#include "lib/bus/os/file_bytes.h"
+#include "lib/bus/os/file_descriptor.h"
+#include "lib/bus/os/read_file.h"
 
 namespace shoal {
 
@@ -83,16 +84,6 @@ Result<FileDescriptor> OpenFolder() {
 }
 
 std::string PathOf(std::string_view name) { return fmt::format("{}/{}", RunFolder(), name); }
-
-bool WriteAll(int fd, std::string_view text) {
-  while (!text.empty()) {
-    const ssize_t written = write(fd, text.data(), text.size());
-    if (written < 0 && errno == EINTR) continue;
-    if (written < 0) return false;
-    text.remove_prefix(static_cast<size_t>(written));
-  }
-  return true;
-}
 
 }  // namespace
 

@@ -17,6 +17,7 @@
 #include <sstream>
 
 #include "lib/base/text/numbers.h"
+#include "lib/bus/os/file_bytes.h"
 #include "lib/run/run/run_folder.h"
 
 namespace shoal {
@@ -130,7 +131,7 @@ Result<bool> KeepSecret(int port_base, const MissionSecret& secret) {
 Result<int> SecretInMemory(const MissionSecret& secret) {
   const std::string text = SecretText(secret);
   const int opened = memfd_create("shoal-secret", MFD_CLOEXEC | MFD_ALLOW_SEALING);
-  if (opened < 0 || write(opened, text.data(), text.size()) != static_cast<ssize_t>(text.size()) ||
+  if (opened < 0 || !WriteAll(opened, text) ||
       fcntl(opened, F_ADD_SEALS, F_SEAL_WRITE | F_SEAL_GROW | F_SEAL_SHRINK | F_SEAL_SEAL) != 0) {
     return Error{
         fmt::format("cannot keep the mission's secret in memory: {}", std::strerror(errno))};

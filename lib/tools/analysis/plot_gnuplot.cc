@@ -11,48 +11,13 @@
 #include <cerrno>
 #include <filesystem>
 
-#include "lib/bus/record/file_descriptor.h"
-
-extern char** environ;  // NOLINT: POSIX has it so
+#include "lib/bus/os/child.h"
+#include "lib/bus/os/file_bytes.h"
+#include "lib/bus/os/file_descriptor.h"
 
 namespace shoal {
 
 namespace {
-
-/// Returns what can be read until the other end is closed; of long output, the beginning.
-std::string ReadAll(int fd) {
-  constexpr size_t kMax = 4000;
-  std::string text;
-  std::array<char, 4096> buffer;
-  while (true) {
-    const ssize_t size = ::read(fd, buffer.data(), buffer.size());
-    if (size < 0 && errno == EINTR) continue;
-    if (size <= 0) return text;
-    if (text.size() < kMax) text.append(buffer.data(), static_cast<size_t>(size));
-  }
-}
-
-/// What the child's files are, and where it works.
-class SpawnActions {
- public:
-  SpawnActions(const std::string& folder, int messages) {
-    posix_spawn_file_actions_init(&actions_);
-    posix_spawn_file_actions_addchdir_np(&actions_, folder.c_str());
-    posix_spawn_file_actions_addopen(&actions_, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-    posix_spawn_file_actions_addopen(&actions_, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
-    posix_spawn_file_actions_adddup2(&actions_, messages, STDERR_FILENO);
-  }
-  ~SpawnActions() { posix_spawn_file_actions_destroy(&actions_); }
-  SpawnActions(const SpawnActions&) = delete;
-  SpawnActions& operator=(const SpawnActions&) = delete;
-
-  const posix_spawn_file_actions_t* get() const { return &actions_; }
-
- private:
-  posix_spawn_file_actions_t actions_;
-};
-
-}  // namespace
 
 std::string FindExecutable(std::string_view name, std::string_view search_path) {
   for (size_t begin = 0; begin < search_path.size();) {
@@ -72,31 +37,29 @@ std::string FindExecutable(std::string_view name, std::string_view search_path) 
 
 Result<bool> RunGnuplot(const std::string& program, const std::string& folder,
                         const std::string& script) {
-  int ends[2];
-  if (::pipe2(ends, O_CLOEXEC) != 0) {
+  Pipe messages = MakePipe();
+  if (!messages.read.is_open()) {
     return Error{fmt::format("cannot run {}: {}", program, ErrnoText(errno))};
   }
-  const FileDescriptor to_read(ends[0]);
-  FileDescriptor to_write(ends[1]);
   // -d: not the settings that a user has for sessions of his own.
-  std::string name = program;
-  std::string no_settings = "-d";
-  std::string script_name = script;
-  char* argv[] = {name.data(), no_settings.data(), script_name.data(), nullptr};
-  pid_t pid = 0;
-  const SpawnActions actions(folder, to_write.get());
-  const int failure = ::posix_spawn(&pid, program.c_str(), actions.get(), nullptr, argv, environ);
-  if (failure != 0) return Error{fmt::format("cannot run {}: {}", program, ErrnoText(failure))};
-  to_write.Close();
-  const std::string output = ReadAll(to_read.get());
-  int status = 0;
-  while (::waitpid(pid, &status, 0) < 0 && errno == EINTR) {
+  const Result<StartedProgram> started = StartProgram(
+      {.argv = {program, "-d", script}, .folder = folder, .errors = messages.write.get()});
+  if (!started.ok()) return Error{fmt::format("cannot run {}: {}", program, started.error())};
+  if (started->exec_error != 0) {
+    WaitFor(started->pid);
+    return Error{fmt::format("cannot run {}: {}", program, ErrnoText(started->exec_error))};
   }
+  messages.write = {};
+  constexpr size_t kMaxRead_bytes = size_t{1} << 26;  // More has no reader: SIGPIPE ends it.
+  constexpr size_t kMaxShown_bytes = 4000;
+  std::string output;
+  [[maybe_unused]] const bool was_read = ReadToEnd(messages.read.get(), kMaxRead_bytes, &output);
+  messages.read = {};
+  output.resize(std::min(output.size(), kMaxShown_bytes));
+  const int status = WaitFor(started->pid);
   if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return true;
-  const std::string how = WIFSIGNALED(status)
-                              ? fmt::format("was killed by signal {}", WTERMSIG(status))
-                              : fmt::format("exited with code {}", WEXITSTATUS(status));
-  return Error{fmt::format("{} {} drawing {}; its output:\n{}", program, how, script, output)};
+  return Error{fmt::format("{} {} drawing {}; its output:\n{}", program, HowItEnded(status), script,
+                           output)};
 }
 
 }  // namespace shoal

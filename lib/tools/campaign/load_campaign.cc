@@ -11,10 +11,10 @@
 #include <utility>
 
 #include "lib/base/text/letters.h"
+#include "lib/bus/os/read_file.h"
 #include "lib/mission/toml/override.h"
 #include "lib/mission/toml/parse.h"
 #include "lib/mission/toml/problems.h"
-#include "lib/mission/toml/read_file.h"
 #include "lib/mission/toml/suggest.h"
 #include "lib/mission/toml/table_reader.h"
 #include "lib/mission/toml/table_writer.h"

@@ -7,10 +7,10 @@
 #include <set>
 #include <utility>
 
+#include "lib/bus/os/read_file.h"
 #include "lib/mission/file/data_files.h"
 #include "lib/mission/file/load.h"
 #include "lib/mission/toml/problems.h"
-#include "lib/mission/toml/read_file.h"
 #include "lib/tools/campaign/digest.h"
 #include "lib/tools/campaign/samples.h"
 #include "lib/tools/campaign/toml_text.h"

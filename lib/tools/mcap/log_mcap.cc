@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "lib/base/schema/text.h"
-#include "lib/bus/record/file_descriptor.h"
+#include "lib/bus/os/file_descriptor.h"
 #include "lib/bus/record/log_source.h"
 #include "lib/bus/record/message_types.h"
 #include "lib/bus/record/valid_utf8.h"

@@ -18,7 +18,7 @@
 #include <utility>
 #include <vector>
 
-#include "lib/bus/record/text_file.h"
+#include "lib/bus/os/text_file.h"
 
 namespace shoal {
 
@@ -27,7 +27,7 @@ class McapWriter {
   static constexpr size_t kChunkSize = size_t{4} << 20;
   static constexpr size_t kMaxIds = 0xffff;  ///< Schemas, and channels.
 
-  /// The file is made with the first chunk (lib/bus/record/text_file.h). `library` is what the file
+  /// The file is made with the first chunk (lib/bus/os/text_file.h). `library` is what the file
   /// names as its writer.
   McapWriter(std::string path, std::string_view library);
 

@@ -135,7 +135,7 @@ std::vector<std::string> ValuesByLcm(const Schema& schema, const StructType& typ
 
 Schema TestSchema() {
   std::ostringstream text;
-  text << std::ifstream(SHOAL_SOURCE_DIR "/lib/schema/schema_test_types.lcm").rdbuf();
+  text << std::ifstream(SHOAL_SOURCE_DIR "/lib/base/schema/schema_test_types.lcm").rdbuf();
   auto built = Schema::Build({{"types", text.str()}});
   EXPECT_TRUE(built.ok()) << built.error();
   return std::move(*built);

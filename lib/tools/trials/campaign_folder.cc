@@ -14,9 +14,9 @@
 #include <set>
 #include <utility>
 
-#include "lib/bus/record/file_descriptor.h"
-#include "lib/bus/record/replace_file.h"
-#include "lib/mission/toml/read_file.h"
+#include "lib/bus/os/file_descriptor.h"
+#include "lib/bus/os/read_file.h"
+#include "lib/bus/os/replace_file.h"
 #include "lib/run/run/version.h"
 #include "lib/tools/campaign/samples.h"
 

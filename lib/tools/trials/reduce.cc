@@ -6,8 +6,8 @@
 #include <filesystem>
 #include <utility>
 
+#include "lib/bus/os/replace_file.h"
 #include "lib/bus/record/csv_rows.h"
-#include "lib/bus/record/replace_file.h"
 #include "lib/tools/campaign/plan.h"
 #include "lib/tools/campaign/samples.h"
 #include "lib/tools/trials/stop_values.h"

@@ -8,6 +8,8 @@
 #include <cerrno>
 #include <utility>
 
+#include "lib/bus/os/file_bytes.h"
+
 namespace shoal {
 
 ShardFile::ShardFile(FileDescriptor file, std::string path)
@@ -42,17 +44,11 @@ Result<ShardFile> ShardFile::Open(const std::string& path) {
 
 std::string ShardFile::Append(std::string_view line) {
   const std::string text = std::string(line) + "\n";
-  std::string_view rest = text;
-  while (!rest.empty()) {
-    const ssize_t written = ::write(file_.get(), rest.data(), rest.size());
-    if (written < 0 && errno == EINTR) continue;
-    if (written < 0) {
-      return fmt::format(
-          "{}: cannot be written: {}; what was finished before is kept, and the same "
-          "command goes on from there",
-          path_, ErrnoText(errno));
-    }
-    rest.remove_prefix(static_cast<size_t>(written));
+  if (!WriteAll(file_.get(), text)) {
+    return fmt::format(
+        "{}: cannot be written: {}; what was finished before is kept, and the same "
+        "command goes on from there",
+        path_, ErrnoText(errno));
   }
   is_synced_ = false;
   return {};

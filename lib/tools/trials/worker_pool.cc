@@ -19,6 +19,8 @@
 
 #include "lib/base/check/check.h"
 #include "lib/base/time/seconds.h"
+#include "lib/bus/os/child.h"
+#include "lib/bus/os/file_bytes.h"
 #include "lib/run/run/run_app.h"
 
 namespace shoal {
@@ -32,39 +34,6 @@ constexpr char kEndOfLine = '\n';
 
 bool IsFromOutside(int signal) {
   return signal == SIGKILL || signal == SIGTERM || signal == SIGINT || signal == SIGHUP;
-}
-
-bool WriteAll(int fd, const char* bytes, size_t size) {
-  while (size > 0) {
-    const ssize_t written = ::write(fd, bytes, size);
-    if (written < 0 && errno == EINTR) continue;
-    if (written <= 0) return false;
-    bytes += written;
-    size -= static_cast<size_t>(written);
-  }
-  return true;
-}
-
-bool ReadAll(int fd, char* bytes, size_t size) {
-  while (size > 0) {
-    const ssize_t count = ::read(fd, bytes, size);
-    if (count < 0 && errno == EINTR) continue;
-    if (count <= 0) return false;
-    bytes += count;
-    size -= static_cast<size_t>(count);
-  }
-  return true;
-}
-
-struct Pipe {
-  FileDescriptor read;
-  FileDescriptor write;
-};
-
-Pipe MakePipe() {
-  int ends[2] = {-1, -1};
-  if (pipe2(ends, O_CLOEXEC) != 0) return {};
-  return {FileDescriptor(ends[0]), FileDescriptor(ends[1])};
 }
 
 }  // namespace
@@ -104,8 +73,7 @@ void WorkerPool::Fork(Worker* worker) {
     problem_ = fmt::format("no pipe to a worker: {}", ErrnoText(errno));
     return;
   }
-  const pid_t parent = getpid();
-  const pid_t pid = fork();
+  const pid_t pid = ForkWithParent();
   if (pid < 0) {
     problem_ = fmt::format("no process for a worker: {}; give a smaller --jobs", ErrnoText(errno));
     return;
@@ -118,8 +86,6 @@ void WorkerPool::Fork(Worker* worker) {
     worker->received.clear();
     return;
   }
-  prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (getppid() != parent) _exit(kExitEnvironment);
   // Ctrl-C reaches the whole group: the parent alone decides, and lets trials finish.
   // A handler, and not SIG_IGN, which programs that a trial starts would inherit.
   struct sigaction nothing = {};

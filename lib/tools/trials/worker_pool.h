@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-#include "lib/bus/record/file_descriptor.h"
+#include "lib/bus/os/file_descriptor.h"
 #include "lib/tools/metrics/metric.h"
 #include "lib/tools/metrics/trial.h"
 #include "lib/tools/trials/trial_line.h"

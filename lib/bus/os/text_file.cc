@@ -1,4 +1,4 @@
-#include "lib/bus/record/text_file.h"
+#include "lib/bus/os/text_file.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -9,7 +9,8 @@
 #include <filesystem>
 #include <string_view>
 
-#include "lib/bus/record/file_descriptor.h"
+#include "lib/bus/os/file_bytes.h"
+#include "lib/bus/os/file_descriptor.h"
 
 namespace shoal {
 
@@ -33,16 +34,6 @@ FileDescriptor MakeAnew(const std::string& path) {
   }
   errno = EEXIST;
   return {};
-}
-
-bool WriteAll(int fd, std::string_view text) {
-  while (!text.empty()) {
-    const ssize_t written = ::write(fd, text.data(), text.size());
-    if (written < 0 && errno == EINTR) continue;
-    if (written < 0) return false;
-    text.remove_prefix(static_cast<size_t>(written));
-  }
-  return true;
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 
 #include <sys/epoll.h>
 
-#include "lib/bus/record/file_descriptor.h"
+#include "lib/bus/os/file_descriptor.h"
 
 namespace shoal {
 

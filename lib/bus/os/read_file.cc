@@ -1,14 +1,15 @@
-#include "lib/mission/toml/read_file.h"
+#include "lib/bus/os/read_file.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <array>
 #include <cerrno>
 #include <cstring>
 #include <utility>
+
+#include "lib/bus/os/file_bytes.h"
 
 namespace shoal {
 
@@ -59,17 +60,11 @@ Result<FileDescriptor> OpenRegularFile(const std::string& path) {
 
 FileText ReadOpenFile(int fd, size_t most_bytes) {
   FileText file;
-  std::array<char, 65536> buffer;
-  while (true) {
-    const ssize_t size = read(fd, buffer.data(), buffer.size());
-    if (size < 0 && errno == EINTR) continue;
-    if (size < 0) return {"", Unreadable()};
-    if (size == 0) return file;
-    file.text.append(buffer.data(), static_cast<size_t>(size));
-    if (file.text.size() > most_bytes) {
-      return {"", fmt::format("is larger than {} bytes", most_bytes)};
-    }
+  if (!ReadToEnd(fd, most_bytes, &file.text)) return {"", Unreadable()};
+  if (file.text.size() > most_bytes) {
+    return {"", fmt::format("is larger than {} bytes", most_bytes)};
   }
+  return file;
 }
 
 }  // namespace shoal

@@ -1,4 +1,4 @@
-#include "lib/bus/record/replace_file.h"
+#include "lib/bus/os/replace_file.h"
 
 #include <fmt/format.h>
 #include <unistd.h>

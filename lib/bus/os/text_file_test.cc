@@ -1,4 +1,4 @@
-#include "lib/bus/record/text_file.h"
+#include "lib/bus/os/text_file.h"
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>

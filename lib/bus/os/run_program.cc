@@ -1,4 +1,4 @@
-#include "lib/run/launch/run_program.h"
+#include "lib/bus/os/run_program.h"
 
 #include <fcntl.h>
 #include <signal.h>
@@ -6,9 +6,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <cerrno>
-
-#include "lib/bus/record/file_descriptor.h"
+#include "lib/bus/os/child.h"
+#include "lib/bus/os/file_descriptor.h"
 
 namespace shoal {
 
@@ -28,27 +27,13 @@ std::string TextOf(const FileDescriptor& file) {
 }  // namespace
 
 ProgramOutput RunProgram(const std::vector<std::string>& argv) {
-  std::vector<char*> pointers;
-  for (const std::string& each : argv) pointers.push_back(const_cast<char*>(each.c_str()));
-  pointers.push_back(nullptr);
   const FileDescriptor out(memfd_create("standard output", MFD_CLOEXEC));
   const FileDescriptor err(memfd_create("standard error", MFD_CLOEXEC));
-  const FileDescriptor null(open("/dev/null", O_RDONLY | O_CLOEXEC));
-  const pid_t pid = fork();
-  if (pid == 0) {
-    setpgid(0, 0);
-    signal(SIGPIPE, SIG_DFL);
-    dup2(null.get(), STDIN_FILENO);
-    dup2(out.get(), STDOUT_FILENO);
-    dup2(err.get(), STDERR_FILENO);
-    execvp(pointers[0], pointers.data());
-    _exit(127);
-  }
   ProgramOutput output;
-  if (pid < 0) return output;
-  int status = 0;
-  while (waitpid(pid, &status, 0) < 0 && errno == EINTR) {
-  }
+  const Result<StartedProgram> started =
+      StartProgram({.argv = argv, .output = out.get(), .errors = err.get(), .own_group = true});
+  if (!started.ok()) return output;
+  const int status = WaitFor(started->pid);
   if (WIFEXITED(status)) output.exit_code = WEXITSTATUS(status);
   output.standard = TextOf(out);
   output.errors = TextOf(err);

@@ -1,0 +1,92 @@
+#include "lib/bus/os/child.h"
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/mman.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <string>
+
+#include "lib/bus/os/file_bytes.h"
+
+namespace shoal::child_test {
+
+/// Runs a line of the shell; returns what it prints.
+std::string OutputOf(const std::string& line, ProgramStart start = {}) {
+  Pipe pipe = MakePipe();
+  start.argv = {"sh", "-c", line};
+  start.output = pipe.write.get();
+  const Result<StartedProgram> started = StartProgram(start);
+  EXPECT_TRUE(started.ok());
+  pipe.write = {};
+  std::string text;
+  EXPECT_TRUE(ReadToEnd(pipe.read.get(), 10'000, &text));
+  EXPECT_EQ(WaitFor(started->pid), 0);
+  return text;
+}
+
+TEST(StartProgram, GivesTheChildItsFolderEnvironmentAndOutput) {
+  ::setenv("SHOAL_CHILD_TEST", "old", 1);
+  EXPECT_EQ(OutputOf("pwd; echo $SHOAL_CHILD_TEST; env | grep -c ^SHOAL_CHILD_TEST=",
+                     {.argv = {}, .environment = {"SHOAL_CHILD_TEST=new"}, .folder = "/"}),
+            "/\nnew\n1\n");
+}
+
+TEST(StartProgram, GivesTheChildNoDescriptorButThoseNamed) {
+  const FileDescriptor secret(memfd_create("secret", 0));  // Without close-on-exec.
+  const FileDescriptor kept(memfd_create("kept", MFD_CLOEXEC));
+  ASSERT_TRUE(WriteAll(kept.get(), "kept"));
+  ASSERT_EQ(lseek(kept.get(), 0, SEEK_SET), 0);
+  const std::string is_open = "[ -e /proc/self/fd/" + std::to_string(secret.get()) + " ]";
+  EXPECT_EQ(OutputOf("cat <&3; " + is_open + " || echo ' and no more'",
+                     {.argv = {}, .kept = kept.get(), .kept_as = 3}),
+            "kept and no more\n");
+}
+
+TEST(StartProgram, KeepsADescriptorUnderItsOwnNumber) {
+  const FileDescriptor kept(memfd_create("kept", MFD_CLOEXEC));
+  const std::string path = "/proc/self/fd/" + std::to_string(kept.get());
+  EXPECT_EQ(OutputOf("[ -e " + path + " ] && echo there", {.argv = {}, .kept = kept.get()}),
+            "there\n");
+}
+
+TEST(StartProgram, StatesWhyAProgramCannotBeExecuted) {
+  const Result<StartedProgram> none = StartProgram({.argv = {"/no/such/program"}});
+  ASSERT_TRUE(none.ok());
+  EXPECT_EQ(none->exec_error, ENOENT);
+  EXPECT_EQ(HowItEnded(WaitFor(none->pid)), "exited with code 127");
+  const Result<StartedProgram> folder = StartProgram({.argv = {"/tmp"}});
+  ASSERT_TRUE(folder.ok());
+  EXPECT_EQ(folder->exec_error, EACCES);
+  WaitFor(folder->pid);
+}
+
+TEST(StartProgram, DoesNotGiveAFileThatIsNoProgramToTheShell) {
+  const FileDescriptor text(memfd_create("text", MFD_CLOEXEC));
+  ASSERT_TRUE(WriteAll(text.get(), "exit 0\n"));
+  ASSERT_EQ(fchmod(text.get(), 0755), 0);
+  const std::string path =
+      "/proc/" + std::to_string(getpid()) + "/fd/" + std::to_string(text.get());
+  const Result<StartedProgram> started = StartProgram({.argv = {path}});
+  ASSERT_TRUE(started.ok());
+  EXPECT_EQ(started->exec_error, ENOEXEC);
+  WaitFor(started->pid);
+}
+
+TEST(Child, EndsAsItsStatusStates) {
+  const Result<StartedProgram> started = StartProgram({.argv = {"sh", "-c", "kill -9 $$"}});
+  ASSERT_TRUE(started.ok());
+  EXPECT_EQ(HowItEnded(WaitFor(started->pid)), "was killed by signal 9 (Killed)");
+}
+
+TEST(ForkWithParent, MakesACopyWithAnEndOfItsOwn) {
+  const pid_t pid = ForkWithParent();
+  if (pid == 0) ::_exit(7);
+  EXPECT_EQ(HowItEnded(WaitFor(pid)), "exited with code 7");
+}
+
+}  // namespace shoal::child_test
