@@ -27,10 +27,10 @@ bool IsPrintable(std::string_view text) {
   });
 }
 
-/// The whole of `text` as a number of type T; floating-point numbers are finite.
+/// The whole of `text` as a number of type T, without a '+', which is a blank in a query.
 template <class T>
 std::optional<T> NumberOf(std::string_view text) {
-  if (text.size() > kLongestNumber) return std::nullopt;
+  if (text.size() > kLongestNumber || text.starts_with('+')) return std::nullopt;
   return ReadNumber<T>(text);
 }
 

@@ -121,8 +121,8 @@ TEST(Schema, GivesEveryTypeOfShoalTheFingerprintOfLcmGen) {
 }
 
 TEST(Schema, GivesTypesOfEveryShapeTheFingerprintOfLcmGen) {
-  const auto schema =
-      Schema::Build({{"types", FileText(SHOAL_SOURCE_DIR "/lib/base/schema/schema_test_types.lcm")}});
+  const auto schema = Schema::Build(
+      {{"types", FileText(SHOAL_SOURCE_DIR "/lib/base/schema/schema_test_types.lcm")}});
   ASSERT_TRUE(schema.ok()) << schema.error();
   using namespace shoal_test::deep;
   EXPECT_EQ(Fingerprints(*schema),

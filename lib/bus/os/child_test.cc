@@ -37,7 +37,8 @@ TEST(StartProgram, GivesTheChildItsFolderEnvironmentAndOutput) {
 }
 
 TEST(StartProgram, GivesTheChildNoDescriptorButThoseNamed) {
-  const FileDescriptor secret(memfd_create("secret", 0));  // Without close-on-exec.
+  const FileDescriptor first(memfd_create("secret", 0));
+  const FileDescriptor secret(fcntl(first.get(), F_DUPFD, 50));  // Without close-on-exec.
   const FileDescriptor kept(memfd_create("kept", MFD_CLOEXEC));
   ASSERT_TRUE(WriteAll(kept.get(), "kept"));
   ASSERT_EQ(lseek(kept.get(), 0, SEEK_SET), 0);

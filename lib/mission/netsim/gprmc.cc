@@ -35,8 +35,8 @@ double Bounded(double value) { return std::clamp(value, -kMax, kMax); }
 std::string GprmcSentence(const NetsimNav& nav, int64_t unix_us) {
   const CalendarTime time = ToCalendar(unix_us);
   return NmeaSentence(fmt::format(
-      "GPRMC,{:02}{:02}{:02}.{:06},A,{},{},{:.1f},{:.1f},{:02}{:02}{:02},000.0,E",
-      time.hour, time.minute, time.second, time.microsecond, Coordinate(nav.lat_deg, 2, 'N', 'S'),
+      "GPRMC,{:02}{:02}{:02}.{:06},A,{},{},{:.1f},{:.1f},{:02}{:02}{:02},000.0,E", time.hour,
+      time.minute, time.second, time.microsecond, Coordinate(nav.lat_deg, 2, 'N', 'S'),
       Coordinate(nav.lon_deg, 3, 'E', 'W'), Bounded(nav.speed_mps * kKnotsPerMps),
       Bounded(nav.heading_deg), time.day, time.month, time.year % 100));
 }

@@ -9,7 +9,6 @@
 // A key that is absent leaves its variable as it is: the struct's default is the file's default.
 #pragma once
 
-#include <Eigen/Core>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -22,23 +21,9 @@
 #include <variant>
 #include <vector>
 
+#include "lib/mission/toml/field.h"
+
 namespace shoal {
-
-/// Allowed numbers; never NaN, never infinite.
-struct NumberLimits {
-  double min = 0;
-  double max = 0;
-  bool excludes_min = false;
-};
-constexpr NumberLimits Between(double min, double max) { return {min, max, false}; }
-constexpr NumberLimits Above(double min, double max) { return {min, max, true}; }
-
-/// Allowed texts. Control characters never are, but line breaks and tabs in a text of many lines.
-struct TextRule {
-  size_t min_length = 0;  ///< In bytes.
-  size_t max_length = 64;
-  bool many_lines = false;
-};
 
 class Fields {
  public:
@@ -46,38 +31,8 @@ class Fields {
 
   virtual ~Fields() = default;
 
-  virtual void Number(std::string_view key, double& value, NumberLimits range) = 0;
-  /// A number, or `word`, which stands for `meaning`. Any negative number means the same.
-  virtual void NumberOrWord(std::string_view key, double& value, double max, std::string_view word,
-                            double meaning) = 0;
-  /// A number, a yes or no, or a text, as a file writes it but without quotes: "2.5", "true".
-  virtual void Scalar(std::string_view key, std::string& word) = 0;
-  virtual void Integer(std::string_view key, int64_t& value, int64_t min, int64_t max) = 0;
-  virtual void Flag(std::string_view key, bool& value) = 0;
-  virtual void Text(std::string_view key, std::string& value, TextRule rule) = 0;
-  /// One of `words`.
-  virtual void Word(std::string_view key, std::string& value,
-                    std::span<const std::string_view> words) = 0;
-  virtual void Numbers(std::string_view key, std::vector<double>& values, size_t max_count) = 0;
-  /// [x, y].
-  virtual void Pair(std::string_view key, Eigen::Vector2d& pair, NumberLimits range) = 0;
-  /// [[x, y], ...].
-  virtual void Pairs(std::string_view key, std::vector<Eigen::Vector2d>& pairs, NumberLimits range,
-                     size_t max_count) = 0;
-  /// [x, y, z].
-  virtual void Triple(std::string_view key, Eigen::Vector3d& triple, NumberLimits range) = 0;
-  /// [[x, y, z], ...].
-  virtual void Triples(std::string_view key, std::vector<Eigen::Vector3d>& triples,
-                       NumberLimits range, size_t max_count) = 0;
-  virtual void Texts(std::string_view key, std::vector<std::string>& texts, size_t max_count) = 0;
-  /// {key = "text", ...}.
-  virtual void TextMap(std::string_view key, std::map<std::string, std::string>& texts,
-                       size_t max_count) = 0;
-
-  /// {key = "text", other = 2.5, third = true, ...}; true and false count as text.
-  virtual void Scalars(std::string_view key,
-                       std::map<std::string, std::variant<std::string, double>>& values,
-                       size_t max_count) = 0;
+  /// Reads or writes the variable of `key`.
+  virtual void Key(std::string_view key, const Field& field) = 0;
 
   /// [key], a table below this one.
   virtual void Below(std::string_view key, const DescribeTable& describe) = 0;
@@ -91,32 +46,84 @@ class Fields {
 
   /// True where variables are filled, false where they are written.
   virtual bool reading() const = 0;
-  /// True where Require has an effect: a table of the file, not a change of what exists.
-  virtual bool demands_keys() const { return true; }
   /// When reading, true where the table has `key`; when writing, `present`; when changing, either.
   virtual bool Has(std::string_view key, bool present) = 0;
-  /// When reading, true where the table has a string under `key`; when writing, false.
-  virtual bool HoldsText(std::string_view key) = 0;
+
+  // What follows is about files that are read. A writer has nothing to do in it.
+
+  /// True where Require has an effect: a table of the file, not a change of what exists.
+  virtual bool demands_keys() const { return true; }
+  /// True where the table has a string under `key`.
+  virtual bool HoldsText(std::string_view /*key*/) { return false; }
   /// Likewise, of a list or [[key]].
-  virtual bool HoldsArray(std::string_view key) = 0;
+  virtual bool HoldsArray(std::string_view /*key*/) { return false; }
   /// True where nothing of this table, or below it, has been refused so far.
-  virtual bool IsSound() const = 0;
+  virtual bool IsSound() const { return true; }
   /// Demands `key`; `example` is the line that the message proposes.
-  virtual void Require(std::string_view key, std::string_view example) = 0;
+  virtual void Require(std::string_view /*key*/, std::string_view /*example*/) {}
   /// `name` is no key here, but a user may expect it; the error for it gives this hint.
-  virtual void NoKey(std::string_view name, std::string hint) = 0;
+  virtual void NoKey(std::string_view /*name*/, const std::string& /*hint*/) {}
   /// Declares `key` a known one that is not read here.
-  virtual void Skip(std::string_view key) = 0;
+  virtual void Skip(std::string_view /*key*/) {}
   /// Declares all keys known: for a table that is wrong in a way that leaves them without meaning.
-  virtual void SkipRest() = 0;
+  virtual void SkipRest() {}
   /// Refuses the value of `key` (or, where it is absent, the table): states why and what to do.
-  virtual void Refuse(std::string_view key, std::string text) = 0;
+  virtual void Refuse(std::string_view /*key*/, const std::string& /*text*/) {}
   /// Warns of the value of `key` (or, where it is absent, of the table): legal but suspicious.
-  virtual void Warn(std::string_view key, std::string text) = 0;
+  virtual void Warn(std::string_view /*key*/, const std::string& /*text*/) {}
+  /// Returns the "file:line" where this table begins; empty when writing.
+  virtual std::string Where() const { return {}; }
+
   /// When writing, a line of comment.
   virtual void Note(std::string_view /*text*/) {}
-  /// Returns the "file:line" where this table begins; empty when writing.
-  virtual std::string Where() const = 0;
+
+  // A key of each sort (field.h).
+
+  void Number(std::string_view key, double& value, NumberLimits range) {
+    Key(key, NumberField{value, range});
+  }
+  void NumberOrWord(std::string_view key, double& value, double max, std::string_view word,
+                    double meaning) {
+    Key(key, NumberOrWordField{value, max, word, meaning});
+  }
+  void Scalar(std::string_view key, std::string& word) { Key(key, ScalarField{word}); }
+  void Integer(std::string_view key, int64_t& value, int64_t min, int64_t max) {
+    Key(key, IntegerField{value, min, max});
+  }
+  void Flag(std::string_view key, bool& value) { Key(key, FlagField{value}); }
+  void Text(std::string_view key, std::string& value, TextRule rule) {
+    Key(key, TextField{value, rule});
+  }
+  void Word(std::string_view key, std::string& value, std::span<const std::string_view> words) {
+    Key(key, WordField{value, words});
+  }
+  void Numbers(std::string_view key, std::vector<double>& values, size_t max_count) {
+    Key(key, NumbersField{values, max_count});
+  }
+  void Pair(std::string_view key, Eigen::Vector2d& pair, NumberLimits range) {
+    Key(key, PairField{pair, range});
+  }
+  void Pairs(std::string_view key, std::vector<Eigen::Vector2d>& pairs, NumberLimits range,
+             size_t max_count) {
+    Key(key, PairsField{pairs, range, max_count});
+  }
+  void Triple(std::string_view key, Eigen::Vector3d& triple, NumberLimits range) {
+    Key(key, TripleField{triple, range});
+  }
+  void Triples(std::string_view key, std::vector<Eigen::Vector3d>& triples, NumberLimits range,
+               size_t max_count) {
+    Key(key, TriplesField{triples, range, max_count});
+  }
+  void Texts(std::string_view key, std::vector<std::string>& texts, size_t max_count) {
+    Key(key, TextsField{texts, max_count});
+  }
+  void TextMap(std::string_view key, std::map<std::string, std::string>& texts, size_t max_count) {
+    Key(key, TextMapField{texts, max_count});
+  }
+  void Scalars(std::string_view key,
+               std::map<std::string, std::variant<std::string, double>>& values, size_t max_count) {
+    Key(key, ScalarsField{values, max_count});
+  }
 
   /// `name` is what another program calls `key`.
   void CalledElsewhere(std::string_view key, std::string_view name) {

@@ -153,13 +153,14 @@ std::optional<Eigen::Vector2d> TableReader::AsPair(const Value& value, const std
   return Eigen::Vector2d(*vector);
 }
 
-void TableReader::Number(std::string_view key, double& value, NumberLimits range) {
+void TableReader::Read(std::string_view key, const NumberField& field) {
+  const auto& [value, range] = field;
   const Value* found = Take(key);
   if (found != nullptr) value = AsNumber(*found, std::string(key), range).value_or(value);
 }
 
-void TableReader::NumberOrWord(std::string_view key, double& value, double max,
-                               std::string_view word, double meaning) {
+void TableReader::Read(std::string_view key, const NumberOrWordField& field) {
+  const auto& [value, max, word, meaning] = field;
   const Value* found = Take(key);
   if (found == nullptr) return;
   const auto* text = std::get_if<std::string>(&found->data);
@@ -175,7 +176,8 @@ void TableReader::NumberOrWord(std::string_view key, double& value, double max,
   }
 }
 
-void TableReader::Scalar(std::string_view key, std::string& word) {
+void TableReader::Read(std::string_view key, const ScalarField& field) {
+  const auto& [word] = field;
   const Value* found = Take(key);
   if (found == nullptr) return;
   if (const auto* text = std::get_if<std::string>(&found->data)) {
@@ -191,7 +193,8 @@ void TableReader::Scalar(std::string_view key, std::string& word) {
   }
 }
 
-void TableReader::Integer(std::string_view key, int64_t& value, int64_t min, int64_t max) {
+void TableReader::Read(std::string_view key, const IntegerField& field) {
+  const auto& [value, min, max] = field;
   const Value* found = Take(key);
   if (found == nullptr) return;
   const auto* integer = std::get_if<int64_t>(&found->data);
@@ -206,7 +209,8 @@ void TableReader::Integer(std::string_view key, int64_t& value, int64_t min, int
   }
 }
 
-void TableReader::Flag(std::string_view key, bool& value) {
+void TableReader::Read(std::string_view key, const FlagField& field) {
+  const auto& [value] = field;
   const Value* found = Take(key);
   if (found == nullptr) return;
   if (const auto* flag = std::get_if<bool>(&found->data)) {
@@ -217,13 +221,14 @@ void TableReader::Flag(std::string_view key, bool& value) {
   }
 }
 
-void TableReader::Text(std::string_view key, std::string& value, TextRule rule) {
+void TableReader::Read(std::string_view key, const TextField& field) {
+  const auto& [value, rule] = field;
   const Value* found = Take(key);
   if (found != nullptr) value = AsText(*found, std::string(key), rule).value_or(value);
 }
 
-void TableReader::Word(std::string_view key, std::string& value,
-                       std::span<const std::string_view> words) {
+void TableReader::Read(std::string_view key, const WordField& field) {
+  const auto& [value, words] = field;
   const Value* found = Take(key);
   if (found == nullptr) return;
   const auto* text = std::get_if<std::string>(&found->data);
@@ -241,7 +246,8 @@ void TableReader::Word(std::string_view key, std::string& value,
   problems_.Add(found->place, fmt::format("unknown {} {}{}", key, Quoted(*text), hint));
 }
 
-void TableReader::Numbers(std::string_view key, std::vector<double>& values, size_t max_count) {
+void TableReader::Read(std::string_view key, const NumbersField& field) {
+  const auto& [values, max_count] = field;
   const Array* array = TakeArray(key, max_count, "an array of numbers");
   if (array == nullptr) return;
   values.clear();
@@ -252,13 +258,14 @@ void TableReader::Numbers(std::string_view key, std::vector<double>& values, siz
   }
 }
 
-void TableReader::Pair(std::string_view key, Eigen::Vector2d& pair, NumberLimits range) {
+void TableReader::Read(std::string_view key, const PairField& field) {
+  const auto& [pair, range] = field;
   const Value* found = Take(key);
   if (found != nullptr) pair = AsPair(*found, std::string(key), range).value_or(pair);
 }
 
-void TableReader::Pairs(std::string_view key, std::vector<Eigen::Vector2d>& pairs,
-                        NumberLimits range, size_t max_count) {
+void TableReader::Read(std::string_view key, const PairsField& field) {
+  const auto& [pairs, range, max_count] = field;
   const Array* array = TakeArray(key, max_count, "an array of pairs like [[0, 0], [10, 20]]");
   if (array == nullptr) return;
   pairs.clear();
@@ -268,7 +275,8 @@ void TableReader::Pairs(std::string_view key, std::vector<Eigen::Vector2d>& pair
   }
 }
 
-void TableReader::Triple(std::string_view key, Eigen::Vector3d& triple, NumberLimits range) {
+void TableReader::Read(std::string_view key, const TripleField& field) {
+  const auto& [triple, range] = field;
   const Value* found = Take(key);
   if (found == nullptr) return;
   const auto numbers =
@@ -276,8 +284,8 @@ void TableReader::Triple(std::string_view key, Eigen::Vector3d& triple, NumberLi
   if (numbers) triple = *numbers;
 }
 
-void TableReader::Triples(std::string_view key, std::vector<Eigen::Vector3d>& triples,
-                          NumberLimits range, size_t max_count) {
+void TableReader::Read(std::string_view key, const TriplesField& field) {
+  const auto& [triples, range, max_count] = field;
   const Array* array =
       TakeArray(key, max_count, "an array of points like [[0, 0, 10], [50, 0, 20]]");
   if (array == nullptr) return;
@@ -289,7 +297,8 @@ void TableReader::Triples(std::string_view key, std::vector<Eigen::Vector3d>& tr
   }
 }
 
-void TableReader::Texts(std::string_view key, std::vector<std::string>& texts, size_t max_count) {
+void TableReader::Read(std::string_view key, const TextsField& field) {
+  const auto& [texts, max_count] = field;
   const Array* array = TakeArray(key, max_count, "an array of strings");
   if (array == nullptr) return;
   texts.clear();
@@ -299,8 +308,8 @@ void TableReader::Texts(std::string_view key, std::vector<std::string>& texts, s
   }
 }
 
-void TableReader::TextMap(std::string_view key, std::map<std::string, std::string>& texts,
-                          size_t max_count) {
+void TableReader::Read(std::string_view key, const TextMapField& field) {
+  const auto& [texts, max_count] = field;
   const Value* found = Take(key);
   if (found == nullptr) return;
   const auto* table = std::get_if<Table>(&found->data);
@@ -321,9 +330,8 @@ void TableReader::TextMap(std::string_view key, std::map<std::string, std::strin
   }
 }
 
-void TableReader::Scalars(std::string_view key,
-                          std::map<std::string, std::variant<std::string, double>>& values,
-                          size_t max_count) {
+void TableReader::Read(std::string_view key, const ScalarsField& field) {
+  const auto& [values, max_count] = field;
   const Value* found = Take(key);
   if (found == nullptr) return;
   const auto* table = std::get_if<Table>(&found->data);
@@ -348,6 +356,10 @@ void TableReader::Scalars(std::string_view key,
       values[entry.key] = AsText(entry.value, Quoted(entry.key), {.max_length = 4096}).value_or("");
     }
   }
+}
+
+void TableReader::Key(std::string_view key, const Field& field) {
+  std::visit([&](const auto& each) { Read(key, each); }, field);
 }
 
 void TableReader::Below(std::string_view key, const DescribeTable& describe) {
@@ -404,8 +416,8 @@ void TableReader::Require(std::string_view key, std::string_view example) {
   problems_.Add(source_.place, fmt::format("{} lacks '{}'; for example: {}", title_, key, example));
 }
 
-void TableReader::NoKey(std::string_view name, std::string hint) {
-  hints_.emplace(name, std::move(hint));
+void TableReader::NoKey(std::string_view name, const std::string& hint) {
+  hints_.emplace(name, hint);
 }
 
 void TableReader::Skip(std::string_view key) { Take(key); }
@@ -417,12 +429,12 @@ const Place& TableReader::PlaceOf(std::string_view key) const {
   return found == nullptr ? source_.place : found->place;
 }
 
-void TableReader::Refuse(std::string_view key, std::string text) {
-  problems_.Add(PlaceOf(key), std::move(text));
+void TableReader::Refuse(std::string_view key, const std::string& text) {
+  problems_.Add(PlaceOf(key), text);
 }
 
-void TableReader::Warn(std::string_view key, std::string text) {
-  problems_.Warn(PlaceOf(key), std::move(text));
+void TableReader::Warn(std::string_view key, const std::string& text) {
+  problems_.Warn(PlaceOf(key), text);
 }
 
 std::string TableReader::Where() const { return problems_.LineOf(source_.place); }

@@ -23,28 +23,7 @@ class TableReader final : public Fields {
   TableReader(const TableReader&) = delete;
   TableReader& operator=(const TableReader&) = delete;
 
-  void Number(std::string_view key, double& value, NumberLimits range) override;
-  void NumberOrWord(std::string_view key, double& value, double max, std::string_view word,
-                    double meaning) override;
-  void Scalar(std::string_view key, std::string& word) override;
-  void Integer(std::string_view key, int64_t& value, int64_t min, int64_t max) override;
-  void Flag(std::string_view key, bool& value) override;
-  void Text(std::string_view key, std::string& value, TextRule rule) override;
-  void Word(std::string_view key, std::string& value,
-            std::span<const std::string_view> words) override;
-  void Numbers(std::string_view key, std::vector<double>& values, size_t max_count) override;
-  void Pair(std::string_view key, Eigen::Vector2d& pair, NumberLimits range) override;
-  void Triple(std::string_view key, Eigen::Vector3d& triple, NumberLimits range) override;
-  void Triples(std::string_view key, std::vector<Eigen::Vector3d>& triples, NumberLimits range,
-               size_t max_count) override;
-  void Pairs(std::string_view key, std::vector<Eigen::Vector2d>& pairs, NumberLimits range,
-             size_t max_count) override;
-  void Texts(std::string_view key, std::vector<std::string>& texts, size_t max_count) override;
-  void TextMap(std::string_view key, std::map<std::string, std::string>& texts,
-               size_t max_count) override;
-  void Scalars(std::string_view key,
-               std::map<std::string, std::variant<std::string, double>>& values,
-               size_t max_count) override;
+  void Key(std::string_view key, const Field& field) override;
   void Below(std::string_view key, const DescribeTable& describe) override;
   void Inline(std::string_view key, const DescribeTable& describe) override;
   void EachBelow(std::string_view key, size_t count, const std::function<void(size_t)>& resize,
@@ -55,14 +34,31 @@ class TableReader final : public Fields {
   bool HoldsArray(std::string_view key) override;
   bool IsSound() const override;
   void Require(std::string_view key, std::string_view example) override;
-  void NoKey(std::string_view name, std::string hint) override;
+  void NoKey(std::string_view name, const std::string& hint) override;
   void Skip(std::string_view key) override;
   void SkipRest() override;
-  void Refuse(std::string_view key, std::string text) override;
-  void Warn(std::string_view key, std::string text) override;
+  void Refuse(std::string_view key, const std::string& text) override;
+  void Warn(std::string_view key, const std::string& text) override;
   std::string Where() const override;
 
  private:
+  // One for each sort of field.
+  void Read(std::string_view key, const NumberField& field);
+  void Read(std::string_view key, const NumberOrWordField& field);
+  void Read(std::string_view key, const ScalarField& field);
+  void Read(std::string_view key, const IntegerField& field);
+  void Read(std::string_view key, const FlagField& field);
+  void Read(std::string_view key, const TextField& field);
+  void Read(std::string_view key, const WordField& field);
+  void Read(std::string_view key, const NumbersField& field);
+  void Read(std::string_view key, const PairField& field);
+  void Read(std::string_view key, const PairsField& field);
+  void Read(std::string_view key, const TripleField& field);
+  void Read(std::string_view key, const TriplesField& field);
+  void Read(std::string_view key, const TextsField& field);
+  void Read(std::string_view key, const TextMapField& field);
+  void Read(std::string_view key, const ScalarsField& field);
+
   /// Returns the value of `key`, which is known from now on, or nullptr.
   const Value* Take(std::string_view key);
   /// Returns the array under `key` where it has at most `max_count` elements, or nullptr.

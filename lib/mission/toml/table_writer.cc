@@ -74,16 +74,16 @@ std::string TableWriter::PathOf(std::string_view key) const {
   return path_.empty() ? std::string(key) : path_ + "." + std::string(key);
 }
 
-void TableWriter::Number(std::string_view key, double& value, NumberLimits) {
-  Line(key, TomlNumber(value));
+void TableWriter::Write(std::string_view key, const NumberField& field) {
+  Line(key, TomlNumber(field.value));
 }
 
-void TableWriter::NumberOrWord(std::string_view key, double& value, double, std::string_view word,
-                               double) {
-  Line(key, value < 0 ? TomlString(word) : TomlNumber(value));
+void TableWriter::Write(std::string_view key, const NumberOrWordField& field) {
+  Line(key, field.value < 0 ? TomlString(field.word) : TomlNumber(field.value));
 }
 
-void TableWriter::Scalar(std::string_view key, std::string& word) {
+void TableWriter::Write(std::string_view key, const ScalarField& field) {
+  const std::string& word = field.word;
   const bool is_number = !word.empty() && word.find_first_not_of("+-.0123456789e") == word.npos &&
                          word.find("..") == word.npos;
   if (!is_number && word != "true" && word != "false") return Line(key, TomlString(word));
@@ -92,65 +92,66 @@ void TableWriter::Scalar(std::string_view key, std::string& word) {
   Line(key, is_long ? word + ".0" : word);
 }
 
-void TableWriter::Integer(std::string_view key, int64_t& value, int64_t, int64_t) {
-  Line(key, fmt::format("{}", value));
+void TableWriter::Write(std::string_view key, const IntegerField& field) {
+  Line(key, fmt::format("{}", field.value));
 }
 
-void TableWriter::Flag(std::string_view key, bool& value) { Line(key, value ? "true" : "false"); }
-
-void TableWriter::Text(std::string_view key, std::string& value, TextRule) {
-  Line(key, TomlString(value));
+void TableWriter::Write(std::string_view key, const FlagField& field) {
+  Line(key, field.value ? "true" : "false");
 }
 
-void TableWriter::Word(std::string_view key, std::string& value,
-                       std::span<const std::string_view>) {
-  Line(key, TomlString(value));
+void TableWriter::Write(std::string_view key, const TextField& field) {
+  Line(key, TomlString(field.value));
 }
 
-void TableWriter::Numbers(std::string_view key, std::vector<double>& values, size_t) {
-  Line(key, TomlArray(values, TomlNumber));
+void TableWriter::Write(std::string_view key, const WordField& field) {
+  Line(key, TomlString(field.value));
 }
 
-void TableWriter::Pair(std::string_view key, Eigen::Vector2d& pair, NumberLimits) {
-  Line(key, TomlPair(pair));
+void TableWriter::Write(std::string_view key, const NumbersField& field) {
+  Line(key, TomlArray(field.values, TomlNumber));
 }
 
-void TableWriter::Pairs(std::string_view key, std::vector<Eigen::Vector2d>& pairs, NumberLimits,
-                        size_t) {
-  Line(key, TomlArray(pairs, TomlPair));
+void TableWriter::Write(std::string_view key, const PairField& field) {
+  Line(key, TomlPair(field.pair));
 }
 
-void TableWriter::Triple(std::string_view key, Eigen::Vector3d& triple, NumberLimits) {
-  Line(key, TomlTriple(triple));
+void TableWriter::Write(std::string_view key, const PairsField& field) {
+  Line(key, TomlArray(field.pairs, TomlPair));
 }
 
-void TableWriter::Triples(std::string_view key, std::vector<Eigen::Vector3d>& triples, NumberLimits,
-                          size_t) {
-  Line(key, TomlArray(triples, TomlTriple));
+void TableWriter::Write(std::string_view key, const TripleField& field) {
+  Line(key, TomlTriple(field.triple));
 }
 
-void TableWriter::Texts(std::string_view key, std::vector<std::string>& texts, size_t) {
-  Line(key, TomlArray(texts, TomlString));
+void TableWriter::Write(std::string_view key, const TriplesField& field) {
+  Line(key, TomlArray(field.triples, TomlTriple));
 }
 
-void TableWriter::TextMap(std::string_view key, std::map<std::string, std::string>& texts, size_t) {
+void TableWriter::Write(std::string_view key, const TextsField& field) {
+  Line(key, TomlArray(field.texts, TomlString));
+}
+
+void TableWriter::Write(std::string_view key, const TextMapField& field) {
   std::string members;
-  for (const auto& [name, text] : texts) {
+  for (const auto& [name, text] : field.texts) {
     members += (members.empty() ? "" : ", ") + TomlKey(name) + " = " + TomlString(text);
   }
   Line(key, "{" + members + "}");
 }
 
-void TableWriter::Scalars(std::string_view key,
-                          std::map<std::string, std::variant<std::string, double>>& values,
-                          size_t) {
+void TableWriter::Write(std::string_view key, const ScalarsField& field) {
   std::string members;
-  for (const auto& [name, value] : values) {
+  for (const auto& [name, value] : field.values) {
     const auto* text = std::get_if<std::string>(&value);
     members += (members.empty() ? "" : ", ") + TomlKey(name) + " = " +
                (text != nullptr ? TomlString(*text) : TomlNumber(std::get<double>(value)));
   }
   Line(key, "{" + members + "}");
+}
+
+void TableWriter::Key(std::string_view key, const Field& field) {
+  std::visit([&](const auto& each) { Write(key, each); }, field);
 }
 
 void TableWriter::Below(std::string_view key, const DescribeTable& describe) {

@@ -16,47 +16,33 @@ class TableWriter final : public Fields {
   /// Returns all that has been described: first the table's own keys, then the tables below.
   std::string TakeText() { return std::move(lines_) + std::move(tables_); }
 
-  void Number(std::string_view key, double& value, NumberLimits range) override;
-  void NumberOrWord(std::string_view key, double& value, double max, std::string_view word,
-                    double meaning) override;
-  void Scalar(std::string_view key, std::string& word) override;
-  void Integer(std::string_view key, int64_t& value, int64_t min, int64_t max) override;
-  void Flag(std::string_view key, bool& value) override;
-  void Text(std::string_view key, std::string& value, TextRule rule) override;
-  void Word(std::string_view key, std::string& value,
-            std::span<const std::string_view> words) override;
-  void Numbers(std::string_view key, std::vector<double>& values, size_t max_count) override;
-  void Pair(std::string_view key, Eigen::Vector2d& pair, NumberLimits range) override;
-  void Triple(std::string_view key, Eigen::Vector3d& triple, NumberLimits range) override;
-  void Triples(std::string_view key, std::vector<Eigen::Vector3d>& triples, NumberLimits range,
-               size_t max_count) override;
-  void Pairs(std::string_view key, std::vector<Eigen::Vector2d>& pairs, NumberLimits range,
-             size_t max_count) override;
-  void Texts(std::string_view key, std::vector<std::string>& texts, size_t max_count) override;
-  void TextMap(std::string_view key, std::map<std::string, std::string>& texts,
-               size_t max_count) override;
-  void Scalars(std::string_view key,
-               std::map<std::string, std::variant<std::string, double>>& values,
-               size_t max_count) override;
+  void Key(std::string_view key, const Field& field) override;
   void Below(std::string_view key, const DescribeTable& describe) override;
   void Inline(std::string_view key, const DescribeTable& describe) override;
   void EachBelow(std::string_view key, size_t count, const std::function<void(size_t)>& resize,
                  const std::function<void(Fields&, size_t)>& describe_one) override;
   bool reading() const override { return false; }
   bool Has(std::string_view, bool present) override { return present; }
-  bool HoldsText(std::string_view) override { return false; }
-  bool HoldsArray(std::string_view) override { return false; }
-  bool IsSound() const override { return true; }
-  void Require(std::string_view, std::string_view) override {}
-  void NoKey(std::string_view, std::string) override {}
-  void Skip(std::string_view) override {}
-  void SkipRest() override {}
-  void Refuse(std::string_view, std::string) override {}
-  void Warn(std::string_view, std::string) override {}
   void Note(std::string_view text) override { lines_ += "# " + std::string(text) + "\n"; }
-  std::string Where() const override { return ""; }
 
  private:
+  // One for each sort of field.
+  void Write(std::string_view key, const NumberField& field);
+  void Write(std::string_view key, const NumberOrWordField& field);
+  void Write(std::string_view key, const ScalarField& field);
+  void Write(std::string_view key, const IntegerField& field);
+  void Write(std::string_view key, const FlagField& field);
+  void Write(std::string_view key, const TextField& field);
+  void Write(std::string_view key, const WordField& field);
+  void Write(std::string_view key, const NumbersField& field);
+  void Write(std::string_view key, const PairField& field);
+  void Write(std::string_view key, const PairsField& field);
+  void Write(std::string_view key, const TripleField& field);
+  void Write(std::string_view key, const TriplesField& field);
+  void Write(std::string_view key, const TextsField& field);
+  void Write(std::string_view key, const TextMapField& field);
+  void Write(std::string_view key, const ScalarsField& field);
+
   void Line(std::string_view key, std::string_view value);
   std::string PathOf(std::string_view key) const;
 

@@ -68,121 +68,58 @@ const std::string* UpdateReader::Take(std::string_view key) {
   return value;
 }
 
-template <class Read>
-void UpdateReader::AsInTheFile(std::string_view key, Value value, const Read& read) {
-  const Value table = {{}, Table{{std::string(key), {}, std::move(value)}}};
+namespace {
+
+/// The value of a field as the file would write it, from the text of an update.
+class ValueMaker {
+ public:
+  explicit ValueMaker(const std::string& text) : text_(text) {}
+
+  Result<Value> For(const TextField&) const { return Value{{}, Unquoted(text_)}; }
+  Result<Value> For(const WordField&) const { return Value{{}, Unquoted(text_)}; }
+  Result<Value> For(const FlagField& field) const {
+    const std::string word = LowerCaseInside(text_);
+    if (word == "toggle") return Value{{}, !field.value};
+    if (word == "true" || word == "false") return Value{{}, word == "true"};
+    return ValueOf(text_);
+  }
+  Result<Value> For(const NumbersField&) const {
+    Value value = ValueOf(text_);
+    return std::holds_alternative<Array>(value.data) ? value : ValueOf("[" + text_ + "]");
+  }
+  Result<Value> For(const PairField&) const {
+    const auto points = ParsePoints(text_);
+    const bool is_point = points.ok() && points->size() == 1;
+    return is_point ? std::get<Array>(ArrayOf(*points).data).front() : ValueOf(text_);
+  }
+  Result<Value> For(const PairsField&) const {
+    Value value = ValueOf(text_);
+    if (std::holds_alternative<Array>(value.data)) return value;
+    const auto points = ParsePolygon(text_);
+    if (!points.ok()) return Error{points.error()};
+    return ArrayOf(*points);
+  }
+  /// All others are written as in the file.
+  template <class AnyField>
+  Result<Value> For(const AnyField&) const {
+    return ValueOf(text_);
+  }
+
+ private:
+  const std::string& text_;
+};
+
+}  // namespace
+
+void UpdateReader::Key(std::string_view key, const Field& field) {
+  const std::string* text = Take(key);
+  if (text == nullptr) return;
+  const ValueMaker maker(*text);
+  Result<Value> value = std::visit([&](const auto& each) { return maker.For(each); }, field);
+  if (!value.ok()) return Refuse(key, fmt::format("{}: {}", key, value.error()));
+  const Value table = {{}, Table{{std::string(key), {}, std::move(*value)}}};
   TableReader reader(table, "the update", problems_);
-  read(reader);
-}
-
-template <class Read>
-void UpdateReader::Parsed(std::string_view key, const Read& read) {
-  const std::string* text = Take(key);
-  if (text != nullptr) AsInTheFile(key, ValueOf(*text), read);
-}
-
-void UpdateReader::Number(std::string_view key, double& value, NumberLimits range) {
-  Parsed(key, [&](TableReader& reader) { reader.Number(key, value, range); });
-}
-
-void UpdateReader::NumberOrWord(std::string_view key, double& value, double max,
-                                std::string_view word, double meaning) {
-  Parsed(key, [&](TableReader& reader) { reader.NumberOrWord(key, value, max, word, meaning); });
-}
-
-void UpdateReader::Scalar(std::string_view key, std::string& word) {
-  Parsed(key, [&](TableReader& reader) { reader.Scalar(key, word); });
-}
-
-void UpdateReader::Integer(std::string_view key, int64_t& value, int64_t min, int64_t max) {
-  Parsed(key, [&](TableReader& reader) { reader.Integer(key, value, min, max); });
-}
-
-void UpdateReader::Flag(std::string_view key, bool& value) {
-  const std::string* text = Take(key);
-  if (text == nullptr) return;
-  const std::string word = LowerCaseInside(*text);
-  if (word == "toggle") {
-    value = !value;
-    return;
-  }
-  const Value given = word == "true"    ? Value{{}, true}
-                      : word == "false" ? Value{{}, false}
-                                        : ValueOf(*text);
-  AsInTheFile(key, given, [&](TableReader& reader) { reader.Flag(key, value); });
-}
-
-void UpdateReader::Text(std::string_view key, std::string& value, TextRule rule) {
-  const std::string* text = Take(key);
-  if (text == nullptr) return;
-  AsInTheFile(key, {{}, Unquoted(*text)},
-              [&](TableReader& reader) { reader.Text(key, value, rule); });
-}
-
-void UpdateReader::Word(std::string_view key, std::string& value,
-                        std::span<const std::string_view> words) {
-  const std::string* text = Take(key);
-  if (text == nullptr) return;
-  AsInTheFile(key, {{}, Unquoted(*text)},
-              [&](TableReader& reader) { reader.Word(key, value, words); });
-}
-
-void UpdateReader::Numbers(std::string_view key, std::vector<double>& values, size_t max_count) {
-  const std::string* text = Take(key);
-  if (text == nullptr) return;
-  Value given = ValueOf(*text);
-  if (!std::holds_alternative<Array>(given.data)) given = ValueOf("[" + *text + "]");
-  AsInTheFile(key, std::move(given),
-              [&](TableReader& reader) { reader.Numbers(key, values, max_count); });
-}
-
-void UpdateReader::Pair(std::string_view key, Eigen::Vector2d& pair, NumberLimits range) {
-  const std::string* text = Take(key);
-  if (text == nullptr) return;
-  Value given = ValueOf(*text);
-  const auto points = ParsePoints(*text);
-  if (points.ok() && points->size() == 1) {
-    given = std::move(std::get<Array>(ArrayOf(*points).data).front());
-  }
-  AsInTheFile(key, std::move(given), [&](TableReader& reader) { reader.Pair(key, pair, range); });
-}
-
-void UpdateReader::Pairs(std::string_view key, std::vector<Eigen::Vector2d>& pairs,
-                         NumberLimits range, size_t max_count) {
-  const std::string* text = Take(key);
-  if (text == nullptr) return;
-  Value given = ValueOf(*text);
-  if (!std::holds_alternative<Array>(given.data)) {
-    const auto points = ParsePolygon(*text);
-    if (!points.ok()) return Refuse(key, fmt::format("{}: {}", key, points.error()));
-    given = ArrayOf(*points);
-  }
-  AsInTheFile(key, std::move(given),
-              [&](TableReader& reader) { reader.Pairs(key, pairs, range, max_count); });
-}
-
-void UpdateReader::Triple(std::string_view key, Eigen::Vector3d& triple, NumberLimits range) {
-  Parsed(key, [&](TableReader& reader) { reader.Triple(key, triple, range); });
-}
-
-void UpdateReader::Triples(std::string_view key, std::vector<Eigen::Vector3d>& triples,
-                           NumberLimits range, size_t max_count) {
-  Parsed(key, [&](TableReader& reader) { reader.Triples(key, triples, range, max_count); });
-}
-
-void UpdateReader::Texts(std::string_view key, std::vector<std::string>& texts, size_t max_count) {
-  Parsed(key, [&](TableReader& reader) { reader.Texts(key, texts, max_count); });
-}
-
-void UpdateReader::TextMap(std::string_view key, std::map<std::string, std::string>& texts,
-                           size_t max_count) {
-  Parsed(key, [&](TableReader& reader) { reader.TextMap(key, texts, max_count); });
-}
-
-void UpdateReader::Scalars(std::string_view key,
-                           std::map<std::string, std::variant<std::string, double>>& values,
-                           size_t max_count) {
-  Parsed(key, [&](TableReader& reader) { reader.Scalars(key, values, max_count); });
+  reader.Key(key, field);
 }
 
 void UpdateReader::Below(std::string_view, const DescribeTable&) {}
@@ -200,14 +137,12 @@ bool UpdateReader::HoldsText(std::string_view key) {
   return text != nullptr && !std::holds_alternative<Array>(ValueOf(*text).data);
 }
 
-void UpdateReader::NoKey(std::string_view name, std::string hint) {
-  hints_.emplace(name, std::move(hint));
+void UpdateReader::NoKey(std::string_view name, const std::string& hint) {
+  hints_.emplace(name, hint);
 }
 
 void UpdateReader::Skip(std::string_view key) { Take(key); }
 
-void UpdateReader::Refuse(std::string_view, std::string text) {
-  problems_.Add({}, std::move(text));
-}
+void UpdateReader::Refuse(std::string_view, const std::string& text) { problems_.Add({}, text); }
 
 }  // namespace shoal

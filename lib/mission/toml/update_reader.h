@@ -29,28 +29,7 @@ class UpdateReader final : public Fields {
   UpdateReader(const UpdateReader&) = delete;
   UpdateReader& operator=(const UpdateReader&) = delete;
 
-  void Number(std::string_view key, double& value, NumberLimits range) override;
-  void NumberOrWord(std::string_view key, double& value, double max, std::string_view word,
-                    double meaning) override;
-  void Scalar(std::string_view key, std::string& word) override;
-  void Integer(std::string_view key, int64_t& value, int64_t min, int64_t max) override;
-  void Flag(std::string_view key, bool& value) override;
-  void Text(std::string_view key, std::string& value, TextRule rule) override;
-  void Word(std::string_view key, std::string& value,
-            std::span<const std::string_view> words) override;
-  void Numbers(std::string_view key, std::vector<double>& values, size_t max_count) override;
-  void Pair(std::string_view key, Eigen::Vector2d& pair, NumberLimits range) override;
-  void Pairs(std::string_view key, std::vector<Eigen::Vector2d>& pairs, NumberLimits range,
-             size_t max_count) override;
-  void Triple(std::string_view key, Eigen::Vector3d& triple, NumberLimits range) override;
-  void Triples(std::string_view key, std::vector<Eigen::Vector3d>& triples, NumberLimits range,
-               size_t max_count) override;
-  void Texts(std::string_view key, std::vector<std::string>& texts, size_t max_count) override;
-  void TextMap(std::string_view key, std::map<std::string, std::string>& texts,
-               size_t max_count) override;
-  void Scalars(std::string_view key,
-               std::map<std::string, std::variant<std::string, double>>& values,
-               size_t max_count) override;
+  void Key(std::string_view key, const Field& field) override;
   /// No behavior has tables below it.
   void Below(std::string_view key, const DescribeTable& describe) override;
   void Inline(std::string_view key, const DescribeTable& describe) override;
@@ -60,25 +39,14 @@ class UpdateReader final : public Fields {
   bool demands_keys() const override { return false; }
   bool Has(std::string_view key, bool present) override;
   bool HoldsText(std::string_view key) override;
-  bool HoldsArray(std::string_view) override { return false; }
   bool IsSound() const override { return problems_.empty(); }
-  void Require(std::string_view, std::string_view) override {}
-  void NoKey(std::string_view name, std::string hint) override;
+  void NoKey(std::string_view name, const std::string& hint) override;
   void Skip(std::string_view key) override;
-  void SkipRest() override {}
-  void Refuse(std::string_view key, std::string text) override;
-  void Warn(std::string_view, std::string) override {}
-  std::string Where() const override { return {}; }
+  void Refuse(std::string_view key, const std::string& text) override;
 
  private:
   /// Returns the text of `key`, which is known from now on, or nullptr.
   const std::string* Take(std::string_view key);
-  /// Reads `value` under `key` as a table of the file does.
-  template <class Read>
-  void AsInTheFile(std::string_view key, Value value, const Read& read);
-  /// The same for the text that is given for `key`, if any, taken as a value of the file's.
-  template <class Read>
-  void Parsed(std::string_view key, const Read& read);
 
   std::span<const UpdateItem> items_;
   Problems& problems_;
