@@ -1,5 +1,5 @@
 // The words of the project are the field's: nodes publish and subscribe, vehicles receive reports,
-// functions return, errors state. This test finds the old ones; CONTRIBUTING.md names the new ones.
+// functions return, errors state. This test finds the old ones; docs/style.md names the new ones.
 // What must stay stands in tests/words_allowed.txt.
 #include <gtest/gtest.h>
 
