@@ -1,6 +1,9 @@
-// Rules of the project that a compiler does not check; docs/architecture.md states their reasons.
+// Rules of the project that a compiler does not check; docs/design.md states their reasons.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <cctype>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -242,6 +245,97 @@ TEST(Classes, HaveOneSourceFile) {
     spread.push_back(text);
   }
   EXPECT_EQ(spread, kNone);
+}
+
+/// Returns the pages that a line names: "docs/fates.md", "README.md". Web addresses and patterns
+/// ("app_*.md") are none.
+std::vector<std::string> PagesNamedIn(const std::string& line) {
+  constexpr std::string_view kEnding = ".md";
+  const auto is_of_word = [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+  };
+  std::vector<std::string> pages;
+  for (size_t at = line.find(kEnding); at != line.npos; at = line.find(kEnding, at + 1)) {
+    const size_t end = at + kEnding.size();
+    if (end < line.size() && is_of_word(line[end])) continue;
+    size_t begin = at;
+    while (begin > 0 && (is_of_word(line[begin - 1]) || line[begin - 1] == '-' ||
+                         line[begin - 1] == '.' || line[begin - 1] == '/')) {
+      --begin;
+    }
+    while (begin < at && line[begin] == '/') ++begin;
+    const std::string_view before = std::string_view(line).substr(0, begin);
+    if (begin < at && !before.ends_with("://")) pages.push_back(line.substr(begin, end - begin));
+  }
+  return pages;
+}
+
+/// True where `page` is a file: from the root, from the folder of `file`, which names it, or in
+/// docs/.
+bool PageExists(const std::string& file, const std::string& page) {
+  return fs::exists(kRoot / page) || fs::exists((kRoot / file).parent_path() / page) ||
+         fs::exists(kRoot / "docs" / page);
+}
+
+/// True for texts of the project. Left out are other people's, the changelog, which names pages of
+/// former versions, and tests that invent names.
+bool MayNamePages(const std::string& file) {
+  static constexpr std::array kLeftOut = {"web/vendor/", "node_modules/", "tests/house_test.cc",
+                                          "apps/viewer/page_files_test.cc"};
+  static constexpr std::array kEndings = {".h",    ".cc",  ".c",   ".md",    ".lcm", ".toml", ".js",
+                                          ".html", ".css", ".txt", ".cmake", ".py",  ".in",   ""};
+  const std::string ending = fs::path(file).extension().string();
+  return std::find(kEndings.begin(), kEndings.end(), ending) != kEndings.end() &&
+         std::none_of(kLeftOut.begin(), kLeftOut.end(),
+                      [&](const char* part) { return file.find(part) != std::string::npos; });
+}
+
+/// Appends "file:line: page" for each page that a text of the project names and that is missing.
+void AppendMissingPages(const fs::path& path, std::vector<std::string>* missing) {
+  const std::string file = fs::relative(path, kRoot).string();
+  if (!MayNamePages(file)) return;
+  std::ifstream in(path);
+  int number = 0;
+  for (std::string line; std::getline(in, line);) {
+    ++number;
+    for (const std::string& page : PagesNamedIn(line)) {
+      if (PageExists(file, page)) continue;
+      missing->push_back(file + ":" + std::to_string(number) + ": " + page);
+    }
+  }
+}
+
+TEST(NamedPages, AreFoundInCommentsAndLinks) {
+  using Pages = std::vector<std::string>;
+  EXPECT_EQ(PagesNamedIn("// As munet.md G13 has it; docs/fates.md. And x.mdb."),
+            (Pages{"munet.md", "docs/fates.md"}));
+  EXPECT_EQ(PagesNamedIn("[rooms](../lib/README.md#rooms), \"/docs/channels.md\""),
+            (Pages{"../lib/README.md", "docs/channels.md"}));
+  EXPECT_EQ(PagesNamedIn("docs/app_*.md, <name>.md, https://example.org/README.md"), Pages());
+}
+
+TEST(NamedPages, AreMissedWhereThereIsNoSuchFile) {
+  EXPECT_TRUE(PageExists("lib/base/check/result.h", "docs/design.md"));
+  EXPECT_TRUE(PageExists("docs/design.md", "style.md"));
+  EXPECT_TRUE(PageExists("docs/design.md", "../lib/README.md"));
+  EXPECT_TRUE(PageExists("lib/mission/file/rows_test.cc", "mission_file.md"));
+  EXPECT_FALSE(PageExists("lib/base/check/result.h", "docs/no_such_page.md"));
+  EXPECT_FALSE(PageExists("lib/vehicle/guidance/path_golden_test.cc", "munet.md"));
+}
+
+TEST(NamedPages, Exist) {
+  std::vector<std::string> missing;
+  for (const char* file : {"README.md", "CONTRIBUTING.md"}) {
+    AppendMissingPages(kRoot / file, &missing);
+  }
+  for (const char* folder : {"apps", "campaigns", "cmake", "docs", "examples", "lcmtypes", "lib",
+                             "missions", "packaging", "python", "scripts", "sim", "tests", "web"}) {
+    for (const auto& entry : fs::recursive_directory_iterator(kRoot / folder)) {
+      if (entry.is_regular_file()) AppendMissingPages(entry.path(), &missing);
+    }
+  }
+  std::sort(missing.begin(), missing.end());
+  EXPECT_EQ(missing, kNone);
 }
 
 }  // namespace shoal::house_test

@@ -124,7 +124,7 @@ TEST(DirectSwarmAsMunet, ThreeFollowersKeepFormationOnTheSameTracks) {
 }
 
 // What is left of the distance: muNet's followers stand still, and forget their course, until their
-// target first moves (G2 and G16 below). Shoal's set out at once.
+// target first moves (DecideWithItsFaults). Shoal's set out at once.
 TEST(DirectSwarmAsMunet, TwoFollowersByConstantBearingStayWithinAMetreOfItsTracks) {
   const Comparison munet("cb");
   DirectSwarm swarm(munet.start(), kPath_m, kConstantBearing);
@@ -143,7 +143,7 @@ double Gap(const std::vector<GoldenRow>& rows) {
 }
 
 // Head on from 25 m, which no vehicle of this rudder can dodge. Inside r_safe shoal's turns away
-// and muNet's comes closer (G1).
+// and muNet's comes closer.
 TEST(DirectSwarmAsMunet, AHeadOnMeetingStaysWithinAMetreOfItsTracksUntilInsideTheSafeDistance) {
   const Comparison munet("contact");
   DirectSwarm swarm(munet.start(), kTowardEachOther_m, kConstantBearing);
@@ -158,10 +158,10 @@ TEST(DirectSwarmAsMunet, AHeadOnMeetingStaysWithinAMetreOfItsTracksUntilInsideTh
   EXPECT_LT(most_m, 0.5);
 }
 
-/// muNet's constant bearing with its faults, to show that they are all that is left. G1: inside
-/// r_safe, too, it closes in. G2: for a target at rest it wants no velocity, which is the course
-/// East whatever that was before (G16); from a course West it turns there to port, -pi being where
-/// half a turn is wrapped to.
+/// muNet's constant bearing with its faults, to show that they are all that is left: inside
+/// r_safe, too, it closes in; for a target at rest it wants no velocity, which is the course East
+/// whatever that was before; from a course West it turns there to port, -pi being where half a turn
+/// is wrapped to.
 void DecideWithItsFaults(MunetAuv& auv, const Surroundings& around) {
   constexpr double kMax_mps = 2.5;
   const Eigen::Vector3d v_t_mps = around.target->velocity_mps;

@@ -2,13 +2,15 @@
 // by shoal's vehicles, laws, messages, slots and water in the order of muNet's loop. Once as shoal
 // is, and once with what is otherwise in muNet, to show that this is all that lies between them:
 //
-//   S3     members of fdma send one step after their slot, and one more by rounding
+//   slots  members of fdma send one step after their slot, and one more by rounding
 //   delay  a message is brought up to the time of its arrival, in the step after that; and each
 //          step goes on from what the last one expected
 //   start  followers know the leader's first waypoint before they have received it, and expect it
 //          to set out
 //
-// Followers never come so near to each other that it matters where they expect each other (S5).
+// Followers never come so near to each other that it matters where they expect each other: in
+// fdma muNet does not add how long a report of a follower was under way, so it expects the follower
+// behind where it is.
 #include "tests/closed_loops/network_swarm.h"
 
 #include <gtest/gtest.h>
@@ -100,7 +102,7 @@ double FarthestApart(const Golden& golden, NetworkSwarm* swarm) {
         const GoldenRow& row = found->second.at(static_cast<size_t>(i));
         most_m = std::max(most_m, (swarm->auv(i).position_m() - PositionIn(row)).norm());
       }
-      EXPECT_GT(NearestFollowers_m(*swarm), SurvivalGroupLayer().r_avoid_m) << "S5 comes in";
+      EXPECT_GT(NearestFollowers_m(*swarm), SurvivalGroupLayer().r_avoid_m) << "it matters";
     }
     swarm->Step();
   }
@@ -189,7 +191,7 @@ class FaultySwarm : public NetworkSwarm {
  protected:
   std::optional<DueMessage> Due(int index, int64_t now_us) override {
     if (setup().slots.scheme != SwarmScheme::kFdmaLf) return NetworkSwarm::Due(index, now_us);
-    // S3.
+    // As muNet's slots are: see above.
     double& slot_s = slots_s_.try_emplace(index, 0.5 * (index + 1)).first->second;
     const double now_s = static_cast<double>(now_us / kMunetStep_us) * kMunetStep_s;
     if (now_s - slot_s < kMunetStep_s) return std::nullopt;
@@ -240,7 +242,7 @@ class FaultySwarm : public NetworkSwarm {
   std::map<int, double> slots_s_;   ///< The next of each.
 };
 
-/// Two steps for S3, and one where what was sent earlier just makes it into a step.
+/// Two steps for the slots, and one where what was sent earlier just makes it into a step.
 constexpr int64_t kFdmaLatest_us = 3 * kMunetStep_us;
 
 TEST(NetworkSwarmAsMunet, ByFdmaSendsAndReceivesTheSameAtMostThreeStepsEarlierAndKeepsToItsTracks) {

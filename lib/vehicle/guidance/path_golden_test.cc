@@ -41,7 +41,7 @@ TEST(AlosGolden, ErrorsHeadingAndCrabAngleAreThoseOfMunet) {
     const AlosParams params{.lookahead_m = Number(row, "Delta"), .crab_gain = Number(row, "gamma")};
     const AlosStep step = StepAlos(params, leg.psi_rad, Number(row, "y_e"),
                                    Number(row, "beta_c_hat"), Number(row, "h"));
-    // MuNet does not wrap psi_ref, its own text notwithstanding (munet.md G13).
+    // MuNet does not wrap psi_ref, although its text states the range [-pi, pi].
     ExpectNear(WrapPi(step.heading_rad - Number(row, "psi_ref")), 0, 1);
     ExpectNear(step.crab_rad, Number(row, "n_beta_c_hat"), 1);
   }
@@ -84,7 +84,9 @@ TEST_F(UpdateWptGolden, AlongTrackRuleSwitchesWhereMunetDoes) {
 
 TEST_F(UpdateWptGolden, DefaultRuleDoesNotTakeAVehicleFarAbeamForArrived) {
   const WaypointSwitch rule{.acceptance_radius_m = facts_["R_switch"]};
-  int num_early = 0;  // Switched by MuNet before the line, outside the circle (munet.md G6).
+  // MuNet switches R before the waypoint along the track, however far abeam: some of these are
+  // before the line and outside the circle.
+  int num_early = 0;
   for (const GoldenRow& row : rows_) {
     const Eigen::Vector3d position_m = Vector(row, "x", "y", "z");
     const PathProgress progress = ProgressOf(row);

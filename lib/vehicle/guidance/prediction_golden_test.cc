@@ -46,7 +46,7 @@ TEST(PredictNextGolden, IsThatOfMunetAtConstantSpeed) {
       EXPECT_TRUE(Equal(next.velocity_mps, munet_mps));
       continue;
     }
-    // G8: MuNet takes the speed at `rate` rpm for an acceleration, gets NaN when slowing down, and
+    // MuNet takes the speed at `rate` rpm for an acceleration, gets NaN when slowing down, and
     // knows no greatest speed.
     ++num_accelerated;
     const double rpm = Number(row, "rpm_act");
@@ -89,7 +89,7 @@ TEST(PredictSwarmGolden, IsThatOfMunetUntilTheLeaderArrives) {
     const double v_i_mps = report.now.velocity_mps.dot(ahead);
     const double v_f_mps = report.next.velocity_mps.dot(ahead);
     const double a_mps2 = (v_f_mps * v_f_mps - v_i_mps * v_i_mps) / (2 * way_m.norm());
-    // G9: beyond the limit of acceleration, and where none leads to the point.
+    // MuNet's answer is wrong beyond the limit of acceleration, and where none leads to the point.
     const bool is_odd = way_m.norm() == 0 || std::abs(a_mps2) > limits.max_acceleration_mps2 ||
                         (v_i_mps <= 0 && a_mps2 <= 0) ||
                         v_i_mps * t_s + a_mps2 * t_s * t_s / 2 > way_m.norm();

@@ -49,7 +49,7 @@ TEST(FormationGolden, ZonesAreThoseOfMunet) {
     const Surroundings around{.own = {.id = 1, .position_m = Vector(row, "")},
                               .target = Neighbour{.id = 0, .position_m = Vector(row, "t_")}};
     const Vector3d v_mps = LayerVelocity(layer, u_max_mps, around);
-    if (Number(row, "r") < 1e-6) {  // G11: MuNet does not part vehicles that coincide.
+    if (Number(row, "r") < 1e-6) {  // MuNet does not part vehicles that coincide.
       ++num_coincident;
       EXPECT_NEAR(v_mps.norm(), u_max_mps, 1e-12);
       continue;
@@ -70,7 +70,7 @@ TEST(SurvivalGroupGolden, RepulsionIsThatOfMunet) {
     const auto coincides = [&](const Neighbour& member) {
       return (member.position_m - own_m).norm() < 1e-6;
     };
-    if (members.size() == 1 && coincides(members[0])) {  // G11, as above.
+    if (members.size() == 1 && coincides(members[0])) {  // As above.
       ++num_coincident;
       const Surroundings around{.own = {.position_m = own_m}, .group = members};
       EXPECT_NEAR(LayerVelocity(layer, u_max_mps, around).norm(), u_max_mps, 1e-12);
@@ -111,7 +111,7 @@ TEST(SurvivalSonarGolden, IsThatOfMunetForOneBeamAndItsDirectionForMany) {
       ++num_same;
       EXPECT_TRUE(Equal(sonar_mps, munet_mps));
       EXPECT_TRUE(Equal(LayerVelocity(layer, u_max_mps, around), Vector(scene["composite_out"])));
-    } else {  // G12: MuNet's sum grows with the number of beams.
+    } else {  // MuNet's sum grows with the number of beams.
       num_weaker += sonar_mps.norm() < munet_mps.norm() - 1e-9;
       EXPECT_LE(sonar_mps.norm(), munet_mps.norm() + 1e-12);
       EXPECT_TRUE(Equal(sonar_mps.normalized(), munet_mps.normalized()));
@@ -173,7 +173,7 @@ double SpeedBudget(const Vector3d& v_t_mps, const Vector3d& direction, double u_
 TEST(ConstantBearingGolden, FollowsTheDocumentedLaw) {
   int num_outside = 0;
   int num_inside = 0;
-  int num_unlike_munet = 0;  // G1 to G3: MuNet closes in inside r_safe, ignores a target at rest.
+  int num_unlike_munet = 0;  // It closes in inside r_safe, ignores a target at rest.
   int num_too_fast = 0;
   for (const GoldenRow& row : ReadGoldenCsv("munet/velCB_grid.csv")) {
     const Vector3d offset_m = Vector(row, "") - Vector(row, "t_");
