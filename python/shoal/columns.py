@@ -12,7 +12,7 @@ from .errors import DecodeError
 from .lcm_file import Member
 
 try:
-    import numpy
+    import numpy as numpy  # Also columns.numpy, for others.
 except ImportError:  # Lists and arrays of the standard library serve then.
     numpy = None  # type: ignore[assignment]
 

@@ -103,7 +103,7 @@ def simulation_library(shoal_program: Path, monkeypatch: pytest.MonkeyPatch) -> 
         simulation.sim_library()
     except SimulationError as error:
         if "asan" in str(error) or "tsan" in str(error):
-            pytest.skip("a library with sanitizers cannot be loaded into python3")
+            pytest.skip("this machine cannot load a library with sanitizers into python3")
         raise
     return library
 

@@ -25,7 +25,7 @@ TEST(CampaignUnderSlurm, GivesTheSameBytesAsOneJobAndAfterACancelledArray) {
   const TestFolder folder;
   const SlurmOfOneBox slurm(folder);
   if (!slurm.is_up()) {
-    GTEST_SKIP() << "Slurm does not start here: "
+    GTEST_SKIP() << "this machine cannot start Slurm: "
                  << ReadFile(folder.path() / "slurm" / "log" / "ctld.log");
   }
   WriteFile(folder / "c.toml", BertaCampaign(100));

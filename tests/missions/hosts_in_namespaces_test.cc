@@ -21,12 +21,12 @@ void PrintTo(const Placement& placement, std::ostream* out) { *out << placement.
 /// Why no namespaces can be made here, or empty.
 std::string WhyNoNamespaces() {
   if (std::system("command -v ip python3 nsenter >/dev/null 2>&1") != 0) {
-    return "ip, nsenter or python3 is missing";
+    return "ip, nsenter or python3 is missing: scripts/setup --with-tests installs them";
   }
   const char* command =
       "unshare -rn sh -c 'ip link add name here type veth peer name there && unshare -n true' "
       ">/dev/null 2>&1";
-  return std::system(command) == 0 ? "" : "this user may not make network namespaces (unshare -rn)";
+  return std::system(command) == 0 ? "" : "this machine cannot give this user network namespaces (unshare -rn)";
 }
 
 class ThreeHosts : public testing::TestWithParam<Placement> {

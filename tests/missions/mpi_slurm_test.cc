@@ -13,12 +13,12 @@ TEST(MpiUnderSlurm, RunsByOneStepOfTwoTasks) {
     GTEST_SKIP() << "no Slurm: scripts/setup --with-tests installs it";
   }
   if (!std::filesystem::exists(Program("shoal-mpi"))) {
-    GTEST_SKIP() << "no MPI: scripts/setup --with-mpi installs it";
+    GTEST_SKIP() << "no MPI: scripts/setup --with-tests installs it";
   }
   const TestFolder folder;
   const SlurmOfOneBox slurm(folder);
   if (!slurm.is_up()) {
-    GTEST_SKIP() << "Slurm does not start here: "
+    GTEST_SKIP() << "this machine cannot start Slurm: "
                  << ReadFile(folder.path() / "slurm" / "log" / "ctld.log");
   }
   const std::vector<std::string> mission = {MissionFile("acoustic_shared.toml"), "--set",

@@ -38,7 +38,7 @@ class Mpi : public testing::Test {
  protected:
   void SetUp() override {
     if (!IsInstalled("mpirun") || !std::filesystem::exists(Program("shoal-mpi"))) {
-      GTEST_SKIP() << "no MPI: scripts/setup --with-mpi installs it";
+      GTEST_SKIP() << "no MPI: scripts/setup --with-tests installs it";
     }
     WriteFile(folder_ / "three.toml", kThreeVessels);
   }

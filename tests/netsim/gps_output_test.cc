@@ -45,7 +45,7 @@ TEST_F(GpsOutputTest, AppendsToAFile) {
 
 TEST_F(GpsOutputTest, WritesToAPseudoTerminalAsItIs) {
   const FileDescriptor master(posix_openpt(O_RDWR | O_NOCTTY | O_NONBLOCK));
-  if (!master.is_open()) GTEST_SKIP() << "this machine has no pseudo-terminals (/dev/pts)";
+  if (!master.is_open()) GTEST_SKIP() << "this machine cannot make a pseudo-terminal (/dev/pts)";
   ASSERT_EQ(grantpt(master.get()), 0);
   ASSERT_EQ(unlockpt(master.get()), 0);
   const auto output = Open({.path = ptsname(master.get())});

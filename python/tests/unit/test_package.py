@@ -13,7 +13,7 @@ PACKAGE = ROOT / "python/shoal"
 
 def test_all_of_it_is_typed() -> None:
     if subprocess.run([sys.executable, "-m", "mypy", "--version"], capture_output=True).returncode:
-        pytest.skip("mypy is not installed; apt-get install mypy")
+        pytest.skip("mypy is not installed; scripts/setup --with-tests installs it")
     shown = subprocess.run(
         [sys.executable, "-m", "mypy", "--strict", "--cache-dir=/dev/null", PACKAGE],
         stdout=subprocess.PIPE,
