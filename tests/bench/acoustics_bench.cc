@@ -12,6 +12,7 @@
 #include <tuple>
 #include <vector>
 
+#include "lib/sea/acoustics/acoustic_counts_testing.h"
 #include "lib/sea/acoustics/acoustic_network.h"
 
 namespace shoal {
@@ -84,7 +85,7 @@ void FdmaInHalfDuplex(benchmark::State& state) {
   options.half_duplex = true;
   Fleet fleet(options, static_cast<int>(state.range(0)));
   for (auto _ : state) fleet.Run(1, 1);
-  state.SetItemsProcessed(fleet.statistics().NumDecided());
+  state.SetItemsProcessed(NumDecided(fleet.statistics()));
 }
 BENCHMARK(FdmaInHalfDuplex)->Arg(20);
 
@@ -107,7 +108,7 @@ void FdmaWithAModem(benchmark::State& state) {
   if (state.range(0) == 1023) options.modem->code = {1023, 723, 30};
   Fleet fleet(options, 20, state.range(1) != 0 ? 1500 : 50);
   for (auto _ : state) fleet.Run(1, 1);
-  state.SetItemsProcessed(fleet.statistics().NumDecided());
+  state.SetItemsProcessed(NumDecided(fleet.statistics()));
 }
 BENCHMARK(FdmaWithAModem)
     ->ArgNames({"block_bits", "spread"})
@@ -162,7 +163,7 @@ void MunetWorkload(benchmark::State& state, const Workload& workload) {
     Fleet fleet(options, workload.num_nodes);
     fleet.Run(workload.duration_s, workload.period_s);
     const AcousticStatistics statistics = fleet.statistics();
-    count += workload.counts_delivered ? statistics.NumHandedOver() : statistics.NumDecided();
+    count += workload.counts_delivered ? statistics.NumHandedOver() : NumDecided(statistics);
   }
   state.SetItemsProcessed(count);
 }

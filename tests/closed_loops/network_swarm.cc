@@ -9,6 +9,7 @@
 #include "apps/acomms/swarm_bytes.h"
 #include "lib/base/check/check.h"
 #include "lib/base/time/seconds.h"
+#include "lib/comms/swarm/any_message_testing.h"
 #include "lib/comms/swarm/broadcast_message.h"
 #include "lib/vehicle/vehicle/propulsion.h"
 
@@ -50,6 +51,15 @@ SwarmReceiver ReceiverFor(size_t index, const std::vector<Remus100State>& start,
   return receiver;
 }
 
+/// Where the leader is now, by the next waypoint that it reported, if it did.
+std::optional<Motion> PredictTarget(const GroupState& state, int64_t now_us) {
+  if (!state.target || !IsUsable(*state.target)) return std::nullopt;
+  const SwarmContact& target = *state.target;
+  if (!KnowsNext(target)) return PredictContact(target, now_us);
+  return PredictLeader(target.report, std::max(0.0, SecondsBetween(target.reported_us, now_us)),
+                       {});
+}
+
 }  // namespace
 
 NetworkSwarm::NetworkSwarm(NetworkSwarmSetup setup, const std::vector<Remus100State>& start)
@@ -87,7 +97,7 @@ std::optional<DueMessage> NetworkSwarm::Due(int index, int64_t now_us) {
 
 NetworkSwarm::Others NetworkSwarm::Expect(int index, int64_t now_us) {
   const GroupState& state = ReceiverOf(index).state;
-  const std::optional<Motion> target = PredictTarget(state, now_us, {});
+  const std::optional<Motion> target = PredictTarget(state, now_us);
   SHOAL_CHECK(target.has_value(), "the start of the leader is known");
   Others others{.target = *target, .group = {}};
   for (const SwarmContact& member : state.members) {
@@ -183,7 +193,7 @@ std::vector<Eigen::Vector3d> PositionsIn(const std::vector<uint8_t>& bytes) {
     add(leader.position_m);
     add(leader.next_position_m);
   };
-  const std::optional<AnySwarmMessage> message = DecodeSwarmMessage(bytes);
+  const std::optional<AnySwarmMessage> message = DecodeAnyMessage(bytes);
   if (!message) return positions_m;
   if (const auto* report = std::get_if<ReportMessage>(&*message)) {
     add(report->position_m);

@@ -10,6 +10,7 @@
 #include <span>
 
 #include "lib/base/check/check.h"
+#include "lib/comms/swarm/any_message_testing.h"
 #include "lib/comms/swarm/broadcast_message.h"
 #include "lib/comms/swarm/group_testing.h"
 
@@ -47,7 +48,7 @@ SwarmReceiver ReceiverOf(uint8_t choices) {
 }
 
 void CheckMessage(std::span<const uint8_t> bytes, int64_t now_us, SwarmReceiver* receiver) {
-  if (const auto message = DecodeSwarmMessage(bytes)) {
+  if (const auto message = DecodeAnyMessage(bytes)) {
     SHOAL_CHECK(message->index() < 3, "one of the three");
   }
   const GroupState before = receiver->state;

@@ -102,7 +102,8 @@ bool CanBeWithoutNetwork(const TestFolder& folder) {
 
 TEST(Network, ThatIsMissingIsTheOnlyThingThatIsReported) {
   const TestFolder folder;
-  if (!CanBeWithoutNetwork(folder)) GTEST_SKIP() << "this machine cannot give this user a network namespace (unshare -rn)";
+  if (!CanBeWithoutNetwork(folder))
+    GTEST_SKIP() << "this machine cannot give this user a network namespace (unshare -rn)";
   RunningProcess process(
       folder, {"/usr/bin/unshare", "-rn", Program("shoal"), "run", MissionFile("alpha.toml")});
   const Finished finished = process.Wait();
@@ -115,7 +116,8 @@ TEST(Network, ThatIsMissingIsTheOnlyThingThatIsReported) {
 
 TEST(Network, ThatFailsDuringAMissionIsNamedFirstAndLast) {
   const TestFolder folder;
-  if (!CanBeWithoutNetwork(folder)) GTEST_SKIP() << "this machine cannot give this user a network namespace (unshare -rn)";
+  if (!CanBeWithoutNetwork(folder))
+    GTEST_SKIP() << "this machine cannot give this user a network namespace (unshare -rn)";
   const std::string script = "ip link set lo up multicast on; ip route add 224.0.0.0/4 dev lo; " +
                              Program("shoal") + " run " + MissionFile("berta.toml") +
                              " --set mission.participant_timeout_s=2 & " + "while ! test -e " +

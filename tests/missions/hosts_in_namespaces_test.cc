@@ -26,7 +26,9 @@ std::string WhyNoNamespaces() {
   const char* command =
       "unshare -rn sh -c 'ip link add name here type veth peer name there && unshare -n true' "
       ">/dev/null 2>&1";
-  return std::system(command) == 0 ? "" : "this machine cannot give this user network namespaces (unshare -rn)";
+  return std::system(command) == 0
+             ? ""
+             : "this machine cannot give this user network namespaces (unshare -rn)";
 }
 
 class ThreeHosts : public testing::TestWithParam<Placement> {

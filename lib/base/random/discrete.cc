@@ -1,7 +1,6 @@
-// Binomial and Poisson draws. Small means: inversion. Large means: the transformed rejection of
-// W. Hoermann, "The generation of binomial random variates", J. Statist. Comput. Simul. 46 (1993)
-// (algorithm BTRS), and "The transformed rejection method for generating Poisson random variables",
-// Insurance: Mathematics and Economics 12 (1993) (algorithm PTRS). The constants are theirs.
+// Binomial draws. Small means: inversion. Large means: the transformed rejection of W. Hoermann,
+// "The generation of binomial random variates", J. Statist. Comput. Simul. 46 (1993) (algorithm
+// BTRS). The constants are his.
 #include "lib/base/random/discrete.h"
 
 #include <array>
@@ -14,7 +13,7 @@ namespace shoal {
 
 namespace {
 
-/// Both algorithms of Hoermann hold from this mean on; inversion needs about as many steps.
+/// The rejection holds from this mean on; inversion needs about as many steps.
 constexpr double kLargeMean = 10;
 
 /// Returns ln(k!). (std::lgamma writes a global variable.)
@@ -67,40 +66,6 @@ int64_t BinomialByRejection(Stream& stream, double trials, double probability) {
   }
 }
 
-int64_t PoissonByInversion(Stream& stream, double mean) {
-  const double none = std::exp(-mean);
-  for (;;) {
-    double remaining = stream.Uniform();
-    double mass = none;
-    for (int64_t k = 0; mass > 0; ++k) {
-      if (remaining < mass) return k;
-      remaining -= mass;
-      mass *= mean / static_cast<double>(k + 1);
-    }
-  }
-}
-
-int64_t PoissonByRejection(Stream& stream, double mean) {
-  const double b = 0.931 + 2.53 * std::sqrt(mean);
-  const double a = -0.059 + 0.02483 * b;
-  const double inverse_alpha = 1.1239 + 1.1328 / (b - 3.4);
-  const double squeeze = 0.9277 - 3.6224 / (b - 2);
-  const double log_mean = std::log(mean);
-  for (;;) {
-    const double u = stream.Uniform() - 0.5;
-    const double v = stream.Uniform();
-    const double us = 0.5 - std::abs(u);
-    const double k = std::floor((2 * a / us + b) * u + mean + 0.43);
-    if (!(k >= 0 && k <= 0x1p62)) continue;
-    if (us >= 0.07 && v <= squeeze) return static_cast<int64_t>(k);
-    if (us < 0.013 && v > us) continue;
-    if (std::log(v * inverse_alpha / (a / (us * us) + b)) <=
-        k * log_mean - mean - LogFactorial(k)) {
-      return static_cast<int64_t>(k);
-    }
-  }
-}
-
 }  // namespace
 
 int64_t DrawBinomial(int64_t trials, double probability, Stream* stream) {
@@ -111,12 +76,6 @@ int64_t DrawBinomial(int64_t trials, double probability, Stream* stream) {
   const auto n = static_cast<double>(trials);
   return n * probability < kLargeMean ? BinomialByInversion(*stream, trials, probability)
                                       : BinomialByRejection(*stream, n, probability);
-}
-
-int64_t DrawPoisson(double mean, Stream* stream) {
-  SHOAL_CHECK(mean >= 0 && mean <= 1e15, "0 <= mean <= 1e15");
-  if (mean == 0) return 0;
-  return mean < kLargeMean ? PoissonByInversion(*stream, mean) : PoissonByRejection(*stream, mean);
 }
 
 }  // namespace shoal

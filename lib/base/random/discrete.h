@@ -11,8 +11,4 @@ namespace shoal {
 /// with `trials`. @pre trials >= 0, 0 <= probability <= 1
 int64_t DrawBinomial(int64_t trials, double probability, Stream* stream);
 
-/// Returns a draw from the Poisson distribution. Exact, in bounded time.
-/// @pre 0 <= mean <= 1e15
-int64_t DrawPoisson(double mean, Stream* stream);
-
 }  // namespace shoal

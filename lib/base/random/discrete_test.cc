@@ -86,24 +86,4 @@ TEST(Binomial, IsCertainAtTheEnds) {
   EXPECT_EQ(DrawBinomial(1000, 1, &stream), 1000);
 }
 
-class Poisson : public testing::TestWithParam<double> {};
-
-TEST_P(Poisson, DrawsWithItsProbabilities) {
-  const double mean = GetParam();
-  Stream stream(23, "test", static_cast<int64_t>(mean * 10));
-  const auto largest = static_cast<int64_t>(mean + 12 * std::sqrt(mean) + 20);
-  ExpectDistribution([&] { return DrawPoisson(mean, &stream); }, largest,
-                     [&](int64_t k) {
-                       const auto kd = static_cast<double>(k);
-                       return std::exp(kd * std::log(mean) - mean - std::lgamma(kd + 1));
-                     });
-}
-
-INSTANTIATE_TEST_SUITE_P(SmallAndLarge, Poisson, testing::Values(0.2, 3, 9.9, 10.1, 35, 700));
-
-TEST(Poisson, OfMeanZeroIsZero) {
-  Stream stream(24, "test");
-  EXPECT_EQ(DrawPoisson(0, &stream), 0);
-}
-
 }  // namespace shoal::discrete_test

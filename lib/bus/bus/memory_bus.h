@@ -90,8 +90,6 @@ class MemoryBus {
   std::vector<std::string_view> SubscribedChannels() const;
   /// True where a participant here subscribes to all channels.
   bool has_listener() const { return has_listener_; }
-  /// Changes whenever a subscription begins or ends.
-  uint32_t num_subscription_changes() const { return num_subscriptions_; }
 
   /// Ends all subscriptions of a participant, whose app is gone. Another one may subscribe anew.
   /// @pre its handlers have run for the step that ended last

@@ -41,12 +41,4 @@ std::optional<BroadcastMessage> DecodeBroadcast(std::span<const uint8_t> bytes) 
   return message;
 }
 
-std::optional<AnySwarmMessage> DecodeSwarmMessage(std::span<const uint8_t> bytes) {
-  if (auto leader = DecodeLeaderReport(bytes)) return *leader;
-  if (auto broadcast = DecodeBroadcast(bytes)) return *std::move(broadcast);
-  auto report = DecodeReport(bytes);
-  if (report && (report->flag == kReportFlag || report->flag == kResponseFlag)) return *report;
-  return std::nullopt;
-}
-
 }  // namespace shoal

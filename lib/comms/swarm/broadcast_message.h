@@ -64,11 +64,4 @@ struct BroadcastMessage {
 /// BCRQ.
 [[nodiscard]] std::optional<BroadcastMessage> DecodeBroadcast(std::span<const uint8_t> bytes);
 
-/// Any message of a swarm.
-using AnySwarmMessage = std::variant<ReportMessage, LeaderMessage, BroadcastMessage>;
-
-/// Returns the message by the flag that the bytes begin with; nothing where it is none of RPRT,
-/// RSPN, LRPT and BCRQ, or where there are too few.
-[[nodiscard]] std::optional<AnySwarmMessage> DecodeSwarmMessage(std::span<const uint8_t> bytes);
-
 }  // namespace shoal

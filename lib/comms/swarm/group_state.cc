@@ -102,12 +102,4 @@ std::optional<Motion> PredictContact(const SwarmContact& contact, int64_t now_us
   return PredictMember(contact.report.now, SecondsSince(contact.reported_us, now_us));
 }
 
-std::optional<Motion> PredictTarget(const GroupState& state, int64_t now_us,
-                                    const PredictionLimits& limits) {
-  if (!state.target || !IsUsable(*state.target)) return std::nullopt;
-  const SwarmContact& target = *state.target;
-  if (!KnowsNext(target)) return PredictContact(target, now_us);
-  return PredictLeader(target.report, SecondsSince(target.reported_us, now_us), limits);
-}
-
 }  // namespace shoal

@@ -3,7 +3,7 @@
 //   GroupState state{.own_id = 3, .group_id = 'A', .target = SwarmContact{.id = 1}};
 //   state.members.push_back({.id = 2});
 //   ... Receive(bytes, utime, &receiver) fills it ...
-//   if (const auto target = PredictTarget(state, utime, {})) Follow(*target);
+//   if (const auto second = PredictContact(state.members[0], utime)) KeepClearOf(*second);
 //
 // Members are those of the mission's list: a message brings no new ones. Nothing moves between
 // messages; where a contact is now is worked out when it is asked for, from the time stamp of its
@@ -114,10 +114,5 @@ struct GroupState {
 /// Returns where the contact is now: its last report and constant velocity since. Nothing unless
 /// IsUsable.
 [[nodiscard]] std::optional<Motion> PredictContact(const SwarmContact& contact, int64_t now_us);
-
-/// Returns where the leader is now, by what it reported of its next waypoint. Nothing unless there
-/// is a target and it IsUsable.
-[[nodiscard]] std::optional<Motion> PredictTarget(const GroupState& state, int64_t now_us,
-                                                  const PredictionLimits& limits);
 
 }  // namespace shoal

@@ -94,8 +94,6 @@ TEST(Prediction, IsTheReportItselfUntilTimeHasPassed) {
 
 TEST(Prediction, KnowsNothingOfAContactThatIsNeitherPlacedNorReported) {
   EXPECT_FALSE(PredictContact(SwarmContact{.id = 2}, kSecond_us));
-  EXPECT_FALSE(PredictTarget(GroupState{.target = SwarmContact{.id = 1}}, kSecond_us, {}));
-  EXPECT_FALSE(PredictTarget(GroupState{}, kSecond_us, {}));
 }
 
 TEST(Prediction, IsNotMadeFromASentinel) {
@@ -106,24 +104,6 @@ TEST(Prediction, IsNotMadeFromASentinel) {
   adrift.report.now.velocity_mps.setConstant(SentinelValues().speed_mps);
   EXPECT_FALSE(PredictContact(adrift, 11 * kSecond_us));
   EXPECT_FALSE(PredictContact(ContactReportedAt(-1), 11 * kSecond_us));
-}
-
-TEST(Prediction, OfTheLeaderUsesTheNextWaypointThatItReported) {
-  SwarmContact leader = ContactReportedAt(0);
-  leader.report = {.now = {.position_m = {0, 0, 10}, .velocity_mps = {1, 0, 0}},
-                   .next = {.position_m = {8, 0, 10}, .velocity_mps = {0, 2, 0}}};
-  const auto after = PredictTarget(GroupState{.target = leader}, 20 * kSecond_us, {});
-  ASSERT_TRUE(after);
-  EXPECT_NEAR(after->position_m.x(), 8, 1e-9);  // Constant velocity alone leads to 20.
-  EXPECT_GT(after->position_m.y(), 1);
-}
-
-TEST(Prediction, OfALeaderWithoutNextWaypointIsAtConstantVelocity) {
-  SwarmContact leader = ContactReportedAt(0);
-  leader.report.next.position_m.setConstant(SentinelValues().position_m);
-  const auto motion = PredictTarget(GroupState{.target = leader}, 2 * kSecond_us, {});
-  ASSERT_TRUE(motion);
-  EXPECT_TRUE(motion->position_m.isApprox(Eigen::Vector3d(14, 18, 6)));
 }
 
 TEST(GroupState, FindsItsMembersOnly) {

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include "lib/comms/swarm/any_message_testing.h"
 #include "lib/comms/swarm/broadcast_message.h"
 #include "lib/comms/swarm/leader_message.h"
 #include "tests/golden/read_golden.h"
@@ -91,7 +92,7 @@ TEST(BroadcastMessage, AsksForNoMemoryThatItsBytesDoNotFill) {
 
 TEST(AnySwarmMessage, IsTheOneThatItsFlagNames) {
   const auto is = [](const std::vector<uint8_t>& bytes) {
-    const auto message = DecodeSwarmMessage(bytes);
+    const auto message = DecodeAnyMessage(bytes);
     return message ? static_cast<int>(message->index()) : -1;
   };
   EXPECT_EQ(is(EncodeReport({})), 0);
@@ -113,7 +114,7 @@ RC_GTEST_PROP(AnySwarmMessage, AnyBytesReadAreWrittenAgain, (std::vector<uint8_t
     std::fill_n(bytes.begin() + kNumFollowersOffset, 4, uint8_t{0});
     bytes[kNumFollowersOffset] = num_followers;
   }
-  const auto message = DecodeSwarmMessage(bytes);
+  const auto message = DecodeAnyMessage(bytes);
   const size_t needed = flag == kLeaderReportFlag ? kLeaderReportBytes
                         : flag == kBroadcastFlag  ? BroadcastBytes(num_followers)
                                                   : kReportBytes;

@@ -236,13 +236,6 @@ std::vector<double> SumOf(const std::vector<double>& a, const std::vector<double
   return sum;
 }
 
-std::vector<double> MaxOf(const std::vector<double>& a, const std::vector<double>& b) {
-  SHOAL_CHECK(a.size() == b.size(), "parts of a maximum are over the same axis");
-  std::vector<double> greatest = a;
-  for (size_t i = 0; i < greatest.size(); ++i) greatest[i] = std::max(greatest[i], b[i]);
-  return greatest;
-}
-
 Objective Couple(const std::vector<double>& course, const std::vector<double>& speed,
                  double course_share, double speed_share) {
   SHOAL_CHECK(!course.empty() && !speed.empty(), "both parts have values");

@@ -49,9 +49,8 @@ namespace shoal {
 /// axis counts as its last value. @pre axis.count > 0, base >= 0
 [[nodiscard]] std::vector<double> AtLeast(const Axis& axis, double summit, double base);
 
-/// Returns the sum, or the greater value, at each point. @pre a and b are over the same axis
+/// Returns the sum at each point. @pre a and b are over the same axis
 [[nodiscard]] std::vector<double> SumOf(const std::vector<double>& a, const std::vector<double>& b);
-[[nodiscard]] std::vector<double> MaxOf(const std::vector<double>& a, const std::vector<double>& b);
 
 /// Returns the function whose course part spans 0..course_share and whose speed part spans
 /// 0..speed_share, normalised to 0..100. A part that is flat has no effect, unless both are flat.

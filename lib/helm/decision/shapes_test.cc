@@ -157,10 +157,7 @@ TEST(AtLeast, IsTheMirrorImageOfAtMost) {
   EXPECT_EQ(At(AtLeast(kDepth, 200, 0), 100), 100);
 }
 
-TEST(SumOfAndMaxOf, CombinePointByPoint) {
-  EXPECT_EQ(SumOf({1, 5}, {3, 2}), (std::vector<double>{4, 7}));
-  EXPECT_EQ(MaxOf({1, 5}, {3, 2}), (std::vector<double>{3, 5}));
-}
+TEST(SumOf, CombinesPointByPoint) { EXPECT_EQ(SumOf({1, 5}, {3, 2}), (std::vector<double>{4, 7})); }
 
 double ValueAt(const Objective& objective, int course, int speed) {
   double value = 0;

@@ -75,8 +75,7 @@ Result<pid_t> ChildProcesses::Start(const ChildCommand& command) {
   }
   if (started->exec_error != 0) {  // In its log, where its own last words would be.
     [[maybe_unused]] const bool is_written =
-        WriteAll(log.get(), fmt::format("cannot execute {}: {}
-                                        ", command.argv[0],
+        WriteAll(log.get(), fmt::format("cannot execute {}: {}\n", command.argv[0],
                                         WhyNotExecuted(started->exec_error)));
   }
   const pid_t pid = started->pid;

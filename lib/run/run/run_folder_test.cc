@@ -160,7 +160,8 @@ TEST_F(RunFolderTest, FileThatOthersCanWriteOrThatIsNoFileIsNotRead) {
 }
 
 TEST_F(RunFolderTest, FileOfAnotherUserIsNotRead) {
-  if (geteuid() != 0) GTEST_SKIP() << "this machine cannot test it for this user: only root can give a file away";
+  if (geteuid() != 0)
+    GTEST_SKIP() << "this machine cannot test it for this user: only root can give a file away";
   ASSERT_TRUE(WriteRunFile("7665.run", "x").ok());
   ASSERT_EQ(chown((scratch_ / "run/7665.run").c_str(), 12345, 12345), 0);
   EXPECT_FALSE(ReadRunFile("7665.run").ok());

@@ -1,6 +1,5 @@
 #include "lib/sea/acoustics/acoustic_statistics.h"
 
-#include <numeric>
 #include <string_view>
 
 #include "lib/sea/acoustics/number_text.h"
@@ -39,10 +38,6 @@ std::string_view AcousticFateText(AcousticFate fate) {
 int64_t AcousticStatistics::NumHandedOver() const {
   return NumOf(AcousticFate::kDamagedByCollision) + NumOf(AcousticFate::kDamagedByBitErrors) +
          NumOf(AcousticFate::kDelivered);
-}
-
-int64_t AcousticStatistics::NumDecided() const {
-  return std::accumulate(num_fates.begin(), num_fates.end(), int64_t{0});
 }
 
 std::string StatisticsText(const AcousticStatistics& statistics) {

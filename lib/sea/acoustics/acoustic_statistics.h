@@ -24,8 +24,6 @@ struct AcousticStatistics {
   int64_t NumOf(AcousticFate fate) const { return num_fates[static_cast<size_t>(fate)]; }
   /// Receptions handed over to their receivers, damaged ones and rejected ones included.
   int64_t NumHandedOver() const;
-  /// Receptions whose fate is known.
-  int64_t NumDecided() const;
 
   bool operator==(const AcousticStatistics&) const = default;
 };

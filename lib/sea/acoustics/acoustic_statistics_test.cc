@@ -5,6 +5,8 @@
 #include <set>
 #include <string_view>
 
+#include "lib/sea/acoustics/acoustic_counts_testing.h"
+
 namespace shoal::acoustic_statistics_test {
 
 TEST(AcousticFateText, IsDifferentForEachFate) {
@@ -38,7 +40,7 @@ TEST(StatisticsText, GivesEveryNumberALineAndAShareOfWhatWasOffered) {
                                          .num_bit_errors = 22,
                                          .num_rejected = 37};
   EXPECT_EQ(statistics.NumHandedOver(), 185);
-  EXPECT_EQ(statistics.NumDecided(), 205);
+  EXPECT_EQ(NumDecided(statistics), 205);
   EXPECT_EQ(StatisticsText(statistics),
             "transmissions                   70\n"
             "offered to listeners           200\n"

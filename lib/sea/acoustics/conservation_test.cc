@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "lib/sea/acoustics/acoustic_counts_testing.h"
 #include "lib/sea/acoustics/validate_options.h"
 #include "lib/sea/acoustics/water_testing.h"
 
@@ -39,7 +40,7 @@ struct Ledger {
     RC_ASSERT(statistics.num_fates == num_fates);
     RC_ASSERT(statistics.num_bits_flipped == num_bits_flipped);
     RC_ASSERT(statistics.num_in_transit == static_cast<int64_t>(open.size()));
-    RC_ASSERT(statistics.num_offered == statistics.NumDecided() + statistics.num_in_transit);
+    RC_ASSERT(statistics.num_offered == NumDecided(statistics) + statistics.num_in_transit);
   }
 };
 
@@ -114,7 +115,7 @@ TEST(Conservation, HoldsWhereAThousandNodesReceiveEachOther) {
     }
     EXPECT_EQ(network.num_in_transit(), 9990);
     EXPECT_EQ(network.Deliver(100).size(), 9990U);
-    EXPECT_EQ(network.statistics().NumDecided(), 9990);
+    EXPECT_EQ(NumDecided(network.statistics()), 9990);
     EXPECT_EQ(network.num_in_transit(), 0);
   }
 }

@@ -115,7 +115,6 @@ class CaseBuilder {
                   &summary.mean);
     summary.mean.value = moments.mean;
     summary.mean.interval = MeanInterval(moments, summary.mean.confidence);
-    summary.standard_deviation = moments.standard_deviation;
     for (size_t i = 0; i < kReportedQuantiles.size(); ++i) {
       const double confidence = results_.campaign.confidence;
       summary.quantiles[i] = {

@@ -52,7 +52,6 @@ struct MetricSummary {
   int64_t num_without = 0;  ///< Those that have none.
   Estimate mean;
   std::array<Estimate, kReportedQuantiles.size()> quantiles;
-  double standard_deviation = 0;
   double min = 0;  ///< NaN without values, as all of the above.
   double max = 0;
   std::vector<NotedTrial> worst;  ///< Trials that did not pass first, then those that are farthest

@@ -33,22 +33,6 @@ WaypointPath Insert(WaypointPath path, size_t index, const Eigen::Vector3d& poin
   return path;
 }
 
-WaypointPath InsertPosition(WaypointPath path, size_t next, const Eigen::Vector3d& position_m,
-                            double acceptance_radius_m) {
-  SHOAL_CHECK(next <= path.points_m.size(), "the next waypoint is one of the path or its end");
-  const auto is_near = [&](size_t index) {
-    return index < path.points_m.size() &&
-           (Plausible(path.points_m[index]) - Plausible(position_m)).norm() <= acceptance_radius_m;
-  };
-  if (is_near(next) || (next > 0 && is_near(next - 1))) return path;
-  return Insert(std::move(path), next, position_m);
-}
-
-WaypointPath Concatenate(WaypointPath first, const WaypointPath& second) {
-  first.points_m.insert(first.points_m.end(), second.points_m.begin(), second.points_m.end());
-  return first;
-}
-
 std::vector<double> LegLengths_m(const WaypointPath& path) {
   std::vector<double> lengths_m;
   for (size_t i = 1; i < path.points_m.size(); ++i) {

@@ -1,8 +1,7 @@
 // A path as a list of waypoints in three dimensions, and what can be estimated of it beforehand.
 //
 //   WaypointPath path{{{0, 0, 10}, {500, 0, 20}, {500, 500, 20}}};
-//   path = Concatenate(path, RandomPath({.num_waypoints = 3, .start_m = {500, 500, 20}}, stream));
-//   double time_s = EstimateTime(path, 2.0);
+//   double time_s = EstimateTime_s(path, 2.0);
 //
 // x East, y North, z down; psi from East toward North.
 #pragma once
@@ -25,15 +24,6 @@ struct WaypointPath {
 /// Returns the path with `point_m` before the waypoint `index`; index = size appends.
 /// @pre index <= size
 [[nodiscard]] WaypointPath Insert(WaypointPath path, size_t index, const Eigen::Vector3d& point_m);
-
-/// Returns the path with `position_m` before the waypoint `next` that is steered for, so that the
-/// leg to it begins here. Unchanged where the position lies within `acceptance_radius_m` of that
-/// waypoint or of the one before. @pre next <= size
-[[nodiscard]] WaypointPath InsertPosition(WaypointPath path, size_t next,
-                                          const Eigen::Vector3d& position_m,
-                                          double acceptance_radius_m);
-
-[[nodiscard]] WaypointPath Concatenate(WaypointPath first, const WaypointPath& second);
 
 /// Returns the length of each leg in three dimensions: one less than there are waypoints, none for
 /// an empty path.

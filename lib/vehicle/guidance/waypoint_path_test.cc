@@ -58,30 +58,10 @@ TEST(WaypointPath, LendsALegWithoutHorizontalLengthTheHeadingOfItsNeighbour) {
   EXPECT_EQ(LegPsis_rad({{{5, 5, 0}, {5, 5, 9}}}), std::vector<double>{0});
 }
 
-TEST(WaypointPath, TakesThePlaceWhereItsVehicleIsUnlessAWaypointIsNear) {
-  const WaypointPath path = InsertPosition(kPath, 1, {300, 450, 10}, 10);
-  ASSERT_EQ(path.points_m.size(), 4U);
-  EXPECT_EQ(path.points_m[1], Eigen::Vector3d(300, 450, 10));
-  EXPECT_EQ(InsertPosition(kPath, 1, {495, 500, 20}, 10), kPath);
-  EXPECT_EQ(InsertPosition(kPath, 1, {5, 500, 20}, 10), kPath);
-  EXPECT_EQ(InsertPosition({}, 0, {1, 1, 1}, 10).points_m.size(), 1U);
-}
-
 TEST(WaypointPath, LiesInASquareWhosePaddingIsKeptOnAllSides) {
   const BoundingSquare area = EstimateArea({{{100, 200, 0}, {350.5, 300, 0}}}, 50);
   EXPECT_EQ(area.side_m, 351);
   EXPECT_EQ(area.origin_m, Eigen::Vector2d(-50, -150));
-}
-
-RC_GTEST_PROP(WaypointPath, IsAsLongAsItsPartsWhenConcatenated, ()) {
-  const WaypointPath first = AnyPath();
-  const WaypointPath second = AnyPath();
-  const WaypointPath both = Concatenate(first, second);
-  RC_ASSERT(both.points_m.size() == first.points_m.size() + second.points_m.size());
-  const bool joins = !first.points_m.empty() && !second.points_m.empty();
-  const double gap_m = joins ? (second.points_m.front() - first.points_m.back()).norm() : 0.0;
-  RC_ASSERT(std::abs(TotalLength_m(both) - TotalLength_m(first) - TotalLength_m(second) - gap_m) <
-            1e-6);
 }
 
 RC_GTEST_PROP(WaypointPath, HasFiniteEstimatesForAnyFinitePoints, ()) {
@@ -94,8 +74,6 @@ RC_GTEST_PROP(WaypointPath, HasFiniteEstimatesForAnyFinitePoints, ()) {
   const BoundingSquare area = EstimateArea(path, std::abs(AnyFinite()));
   RC_ASSERT(std::isfinite(area.side_m));
   RC_ASSERT(area.origin_m.allFinite());
-  RC_ASSERT(InsertPosition(path, 0, AnyFiniteVector(), 10).points_m.size() <=
-            path.points_m.size() + 1);
 }
 
 RC_GTEST_PROP(RandomPath, StaysWithinItsBounds, (uint64_t seed)) {
