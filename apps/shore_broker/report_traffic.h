@@ -1,76 +1,66 @@
-// The node reports of a step: all are taken in, so that every vehicle is where it is now, then each
-// is routed, block by block (lib/run/broker/report_blocks.h). Where there are several blocks, each
-// publishes at a place of its own and has COMMS_FATES and VIEW_COMMS_PULSE of its own, so that
-// another broker can route it.
+// The node reports of a step, routed block by block (lib/run/broker/report_blocks.h). Where there
+// are several blocks, each publishes at a place of its own and has COMMS_FATES and VIEW_COMMS_PULSE
+// of its own, so that another broker can route it.
 //
-// Publishes NODE_REPORT_UNC; what comes of the rest, Delivery publishes.
+//   reports.Route(utime, intake.TakeAll(utime));
 #pragma once
 
 #include <cstdint>
 #include <span>
-#include <string>
-#include <utility>
 #include <vector>
 
-#include "apps/shore_broker/broker_inbox.h"
 #include "apps/shore_broker/delivery.h"
 #include "apps/shore_broker/media_traffic.h"
+#include "apps/shore_broker/report_intake.h"
+#include "apps/shore_broker/shared_reports.h"
 #include "lib/bus/bus/bus.h"
 #include "lib/comms/routing/router.h"
 #include "lib/run/broker/broker_setup.h"
 #include "lib/run/broker/report_blocks.h"
-#include "lib/run/run/status_page.h"
 
 namespace shoal {
 
 class ReportTraffic {
  public:
-  /// What a broker consists of; all of it outlives this.
-  struct Parts {
-    const BrokerSetup& setup;
-    const BrokerShare& share;
-    Bus& bus;
-    BrokerInbox& inbox;
+  /// What decides about a report and carries it; all of it outlives this.
+  struct Carriers {
     Router& router;
-    MediaTraffic& traffic;
+    const MediaTraffic& media;
     Delivery& delivery;
-    StatusLog& log;
   };
 
-  explicit ReportTraffic(const Parts& parts) : parts_(parts), blocks_(parts.setup) {}
+  /// `setup`, `share` and `bus` outlive this, too.
+  ReportTraffic(const BrokerSetup& setup, const BrokerShare& share, Bus& bus,
+                const Carriers& carriers)
+      : setup_(setup),
+        share_(share),
+        bus_(bus),
+        carriers_(carriers),
+        blocks_(setup),
+        shared_(bus, carriers.router) {}
 
-  /// Takes in and routes what the inbox has. What is published after this comes after it.
-  void Route(int64_t utime);
+  /// Routes those of the reports that are of this broker's blocks, which it sorts by block. What is
+  /// published after this comes after it.
+  void Route(int64_t utime, std::vector<TakenReport>& reports);
 
-  void OnWarp(double warp) { warp_ = warp > 0 ? warp : kMaxWarp; }
-  int64_t num_shared() const { return num_shared_; }  ///< On NODE_REPORT_UNC.
+  SharedReports& shared() { return shared_; }
+  const SharedReports& shared() const { return shared_; }
 
  private:
-  /// Stands for `--warp max` where wall time matters: such missions run about 100 times as fast as
-  /// real time.
-  static constexpr double kMaxWarp = 100;
+  void RouteBlock(int64_t utime, std::span<const TakenReport> reports);
+  void RouteOne(int64_t utime, const TakenReport& report);
+  size_t BlockOf(const TakenReport& report) const {
+    return blocks_.BlockOf(report.admission.source);
+  }
 
-  struct Report {
-    BrokerInbox::Item raw;
-    int64_t made_utime = 0;
-    Admission admission = {};
-    std::string refused_name = {};  ///< Where it is refused.
-    size_t block = 0;
-  };
-
-  bool TakeIn(int64_t utime, Report* report);
-  void RouteBlock(int64_t utime, std::span<const Report> reports);
-  void RouteOne(int64_t utime, const Report& report);
-  void Share(int64_t utime, const Report& report);
-
-  const Parts parts_;
+  const BrokerSetup& setup_;
+  const BrokerShare& share_;
+  Bus& bus_;
+  const Carriers carriers_;
   const ReportBlocks blocks_;
-  double warp_ = kMaxWarp;
-  int64_t num_shared_ = 0;
-  std::vector<Report> reports_;      ///< Of this step and this broker's blocks.
+  SharedReports shared_;
   std::vector<Decision> decisions_;  ///< Of one report.
   node_report_t report_;             ///< Decoded into; keeps its strings' memory.
-  std::vector<std::pair<std::string, int64_t>> shared_utimes_;  ///< By index; whose, and when.
 };
 
 }  // namespace shoal

@@ -38,14 +38,8 @@ ShoreBrokerApp::ShoreBrokerApp(BrokerSetup setup, Bus& bus, BrokerShare share)
       router_(setup_.rules, setup_.seed, setup_.vehicles),
       traffic_(setup_),
       delivery_(setup_, bus, &router_, &traffic_, &log_, share_.on_fates),
-      reports_({.setup = setup_,
-                .share = share_,
-                .bus = bus,
-                .inbox = inbox_,
-                .router = router_,
-                .traffic = traffic_,
-                .delivery = delivery_,
-                .log = log_}) {
+      intake_(inbox_, router_, traffic_, log_),
+      reports_(setup_, share_, bus, {.router = router_, .media = traffic_, .delivery = delivery_}) {
   for (const auto& [name, factors] : setup_.factors) router_.SetFactors(name, factors);
 
   if (!setup_.rules.messages_over.is_direct()) {
@@ -81,7 +75,7 @@ void ShoreBrokerApp::Tick(int64_t utime) {
   if (Holds(utime)) return;
 
   ApplyControls(utime);
-  reports_.Route(utime);
+  reports_.Route(utime, intake_.TakeAll(utime));
   for (const BrokerInbox::Item& message : inbox_.messages()) RouteMessage(utime, message);
   for (const BrokerInbox::Item& ack : inbox_.acks()) RouteAck(utime, ack);
   for (const BrokerInbox::Item& relay : inbox_.relays()) RouteRelay(utime, relay);
@@ -401,7 +395,7 @@ StatusPage ShoreBrokerApp::Status() const {
                                {.start_utime = start_utime_,
                                 .now_utime = now_utime_,
                                 .num_commands_handed_on = num_commands_handed_on_,
-                                .num_shared = reports_.num_shared(),
+                                .num_shared = reports_.shared().num_published(),
                                 .num_undecodable = bus_.counters().undecodable});
   log_.AppendTo(&page);
   return page;

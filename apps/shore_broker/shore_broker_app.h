@@ -27,6 +27,7 @@
 #include "apps/shore_broker/delivery.h"
 #include "apps/shore_broker/media_traffic.h"
 #include "apps/shore_broker/repeat_memory.h"
+#include "apps/shore_broker/report_intake.h"
 #include "apps/shore_broker/report_traffic.h"
 #include "lib/bus/bus/bus.h"
 #include "lib/bus/bus/channels.h"
@@ -45,7 +46,7 @@ class ShoreBrokerApp : public Broker {
   /// `share`: where several brokers share a mission, each in a part of its own.
   ShoreBrokerApp(BrokerSetup setup, Bus& bus, BrokerShare share = {});
 
-  void OnWarp(double warp) override { reports_.OnWarp(warp); }
+  void OnWarp(double warp) override { reports_.shared().OnWarp(warp); }
   void Tick(int64_t utime) override;
   /// COMMS_RULES_REQ: the rules in force, on COMMS_RULES_NOW.
   std::vector<std::string> RequestChannels() const override;
@@ -93,6 +94,7 @@ class ShoreBrokerApp : public Broker {
   Router router_;
   MediaTraffic traffic_;
   Delivery delivery_;
+  ReportIntake intake_;
   ReportTraffic reports_;
 
   int64_t start_utime_ = 0;
