@@ -15,9 +15,7 @@ namespace shoal {
 namespace {
 
 constexpr int64_t kLongestSilence_us = 1'000'000;
-constexpr size_t kMaxSettings = 1000;
 constexpr size_t kMaxEvents = 100;
-constexpr char kManySettings[] = "more than 1000 settings of variables in one decision: dropped";
 
 // Variables that stand for orders of the operator, by the custom of MOOS-IvP's missions.
 constexpr char kDeploy[] = "DEPLOY";
@@ -27,6 +25,7 @@ constexpr char kStationKeep[] = "STATION_KEEP";
 double Seconds(int64_t utime) { return static_cast<double>(utime) / 1e6; }
 
 HelmSetup SetupOf(const Vehicle& vehicle) {
+  if (vehicle.behaviors.empty()) return {.vehicle = vehicle.name};  // The rest is for behaviors.
   HelmSetup setup{.vehicle = vehicle.name,
                   .behaviors = vehicle.behaviors,
                   .modes = vehicle.modes,
@@ -96,79 +95,17 @@ helm_aim_t AimMessage(const HelmAim& aim) {
 }  // namespace
 
 Arbiter::Arbiter(const Mission& mission, const Vehicle& vehicle)
-    : vehicle_(vehicle.name),
-      obstacles_(mission.obstacles),
+    : inputs_(vehicle),
+      vehicle_(vehicle.name),
       interval_us_(std::llround(vehicle.helm_options.decide_every_s * 1e6)),
-      behaviors_(SetupOf(vehicle)),
-      ledger_(vehicle.name) {}
-
-void Arbiter::OnNodeReport(const node_report_t& report, int64_t utime) {
-  Take({.name = report.name,
-        .group = report.group,
-        .type = report.type,
-        .motion = {.position_m = {report.x_m, report.y_m},
-                   .heading_deg = report.heading_deg,
-                   .speed_mps = report.speed_mps},
-        .depth_m = report.depth_m,
-        .length_m = report.length_m,
-        .made_s = Seconds(report.utime),
-        .received_s = Seconds(utime),
-        .source = ContactSource::kNodeReport});
+      behaviors_(SetupOf(vehicle)) {
+  if (inputs_.is_used()) obstacles_ = mission.obstacles;
 }
 
-void Arbiter::OnSwarm(const swarm_t& swarm, int64_t utime) {
-  for (const swarm_contact_t& contact : swarm.contacts) {
-    if (!contact.is_known || !contact.is_heard) continue;
-    const Eigen::Vector2d velocity_mps(contact.x_mps, contact.y_mps);
-    Take({.name = contact.name,
-          .motion = {.position_m = {contact.x_m, contact.y_m},
-                     .heading_deg = RadToDeg(HeadingOf(velocity_mps)),
-                     .speed_mps = velocity_mps.norm()},
-          .depth_m = contact.z_m,
-          .made_s = Seconds(contact.report_utime),
-          .received_s = Seconds(utime),
-          .source = ContactSource::kSwarm});
-  }
-}
-
-void Arbiter::OnSonar(const sonar_t& ping, const nav_t& own, int64_t utime) {
-  const sonar_beam_t* nearest = nullptr;
-  for (const sonar_beam_t& beam : ping.beams) {
-    const bool is_echo = beam.range_m >= 0 && std::isfinite(beam.range_m) &&
-                         std::isfinite(beam.azimuth_deg) && std::isfinite(beam.elevation_deg);
-    if (is_echo && (nearest == nullptr || beam.range_m < nearest->range_m)) nearest = &beam;
-  }
-  if (nearest == nullptr) return;
-  const double bearing_rad = DegToRad(own.heading_deg + nearest->azimuth_deg);
-  const double distance_m = nearest->range_m * std::cos(DegToRad(nearest->elevation_deg));
-  Take({.name = "sonar",
-        .type = "echo",
-        .motion = {.position_m = Eigen::Vector2d(own.x_m, own.y_m) +
-                                 distance_m * UnitVector(WrapTwoPi(bearing_rad))},
-        .depth_m = own.z_m,
-        .made_s = Seconds(ping.utime),
-        .received_s = Seconds(utime),
-        .source = ContactSource::kSonar});
-}
-
-void Arbiter::Take(const ContactReport& report) {
-  const ContactIntake intake = ledger_.Take(report, own_position_m_);
-  // Sonar echoes jump from one obstacle to the next; what comes late or from afar is no fault.
-  const bool is_usual = intake == ContactIntake::kTaken || intake == ContactIntake::kTooOld ||
-                        intake == ContactIntake::kOutOfOrder || intake == ContactIntake::kTooFar ||
-                        (intake == ContactIntake::kJumped && report.name == "sonar");
-  if (!is_usual) {
-    warnings_.push_back(fmt::format("contact {}: {}", Printable(report.name), TextOf(intake)));
-  }
-}
-
-void Arbiter::Set(const VariablePost& setting, std::string_view source) {
-  if (settings_.size() >= kMaxSettings) {
-    warnings_.emplace_back(kManySettings);
-    return;
-  }
-  settings_.push_back(
-      {.variable = setting.variable, .value = setting.value, .source = std::string(source)});
+std::string Arbiter::Set(const VariablePost& setting) {
+  if (!inputs_.is_used()) return "set: the vehicle has no behaviors, and so no variables";
+  inputs_.Set(setting, "command");
+  return {};
 }
 
 bool Arbiter::HasVariable(std::string_view name) const {
@@ -184,7 +121,7 @@ HelmOrder Arbiter::Instead(const HelmOrder& order) const {
 void Arbiter::TakeOver(const HelmOrder& order) {
   const auto set = [&](const char* name, bool value) {
     if (!HasVariable(name)) return;
-    Set({.variable = name, .value = std::string(value ? "true" : "false")}, "order");
+    inputs_.Set({.variable = name, .value = std::string(value ? "true" : "false")}, "order");
   };
   behaviors_.Clear();
   switch (order.kind) {
@@ -206,60 +143,72 @@ void Arbiter::TakeOver(const HelmOrder& order) {
   }
 }
 
-std::optional<Guidance> Arbiter::Advance(const Moment& moment) {
+Arbiter::Step Arbiter::Advance(const Moment& moment) {
+  if (!inputs_.is_used()) return {.guidance = moment.list.guidance};  // There is nothing to weigh.
   const bool drives = moment.drives && moment.nav != nullptr;
   const bool begins = drives && !drove_;
   drove_ = drives;
+  Step step;
   if (begins || !next_utime_ || moment.utime >= *next_utime_) {
     Decide(moment);
     next_utime_ =
         next_utime_ && !begins ? *next_utime_ + interval_us_ : moment.utime + interval_us_;
     if (*next_utime_ <= moment.utime) next_utime_ = moment.utime + interval_us_;
+    step.parks = outcome_.parks;
+    step.busy_s = outcome_.busy_s;
   }
-  if (!drives) return std::nullopt;
-  if ((outcome_.only_task || outcome_.is_task_point) && moment.alone) return moment.alone;
-  const bool is_decided = outcome_.has_decision || outcome_.keeps_last;
-  if (!is_decided || !commands_.course_deg || !commands_.speed_mps) return std::nullopt;
+  if (drives && !step.parks) step.guidance = Weighed(moment);
+  return step;
+}
 
-  Guidance guidance = moment.alone.value_or(Guidance());
-  guidance.heading_rad = WrapTwoPi(DegToRad(*commands_.course_deg));
-  guidance.speed_mps = *commands_.speed_mps;
-  guidance.propeller_rpm.reset();
+const Guidance* Arbiter::Weighed(const Moment& moment) {
+  const Guidance* alone = moment.list.guidance;
+  if ((outcome_.only_task || outcome_.is_task_point) && alone != nullptr) return alone;
+  const bool is_decided = outcome_.has_decision || outcome_.keeps_last;
+  if (!is_decided || !commands_.course_deg || !commands_.speed_mps) return nullptr;
+
+  guidance_ = alone != nullptr ? *alone : Guidance();
+  guidance_.heading_rad = WrapTwoPi(DegToRad(*commands_.course_deg));
+  guidance_.speed_mps = *commands_.speed_mps;
+  guidance_.propeller_rpm.reset();
   if (commands_.depth_m) {
-    guidance.z_m = *commands_.depth_m;
-    guidance.pitch_rad.reset();
+    guidance_.z_m = *commands_.depth_m;
+    guidance_.pitch_rad.reset();
   }
-  if (const HelmAim* leading = Leading(); !moment.alone && leading != nullptr) {
+  if (const HelmAim* leading = Leading(); alone == nullptr && leading != nullptr) {
     if (leading->view.steers_for_m) {
-      guidance.waypoint_m = *leading->view.steers_for_m;
-      guidance.distance_m =
-          (guidance.waypoint_m - Eigen::Vector2d(moment.nav->x_m, moment.nav->y_m)).norm();
+      guidance_.waypoint_m = *leading->view.steers_for_m;
+      guidance_.distance_m =
+          (guidance_.waypoint_m - Eigen::Vector2d(moment.nav->x_m, moment.nav->y_m)).norm();
     }
   }
-  return guidance;
+  return &guidance_;
 }
 
 void Arbiter::Decide(const Moment& moment) {
   const double time_s = Seconds(moment.utime);
-  if (moment.nav != nullptr) own_position_m_ = {moment.nav->x_m, moment.nav->y_m};
-  HelmInputs inputs{.time_s = time_s, .drives = moment.drives, .settings = std::move(settings_)};
-  settings_.clear();
-  if (moment.nav != nullptr) inputs.own = OwnMotionOf(*moment.nav);
-  inputs.contacts = &ledger_.At(time_s, own_position_m_);
+  HelmInputs inputs{.time_s = time_s, .drives = moment.drives, .settings = inputs_.TakeSettings()};
+  std::optional<Eigen::Vector2d> own_position_m;
+  if (moment.nav != nullptr) {
+    own_position_m = {moment.nav->x_m, moment.nav->y_m};
+    inputs.own = OwnMotionOf(*moment.nav);
+  }
+  inputs.contacts = &inputs_.ContactsAt(time_s, own_position_m);
   inputs.obstacles = &obstacles_;
-  inputs.goals_rest = moment.is_interruption;
+  inputs.goals_rest = moment.list.is_interruption;
   inputs.explains = false;  // Only what is published is explained.
-  if (moment.task != nullptr && moment.alone) {
-    inputs.task = TaskAim{.name = moment.task->name,
-                          .kind = std::string(KindOf(*moment.task)),
-                          .pwt = moment.task->pwt,
-                          .course_deg = Wrap360(RadToDeg(moment.alone->heading_rad)),
-                          .speed_mps = moment.alone->speed_mps,
-                          .depth_m = moment.alone->z_m};
+  if (moment.list.task != nullptr && moment.list.guidance != nullptr) {
+    const Task& task = *moment.list.task;
+    const Guidance& alone = *moment.list.guidance;
+    inputs.task = TaskAim{.name = task.name,
+                          .kind = std::string(KindOf(task)),
+                          .pwt = task.pwt,
+                          .course_deg = Wrap360(RadToDeg(alone.heading_rad)),
+                          .speed_mps = alone.speed_mps,
+                          .depth_m = alone.z_m};
   }
   outcome_ = behaviors_.Iterate(inputs);
   if (outcome_.has_decision) commands_ = outcome_.commands;
-  wants_park_ = wants_park_ || outcome_.parks;
   for (const VariablePost& post : outcome_.posts) {
     if (!post.destination.empty()) messages_.push_back(post);
   }
@@ -301,8 +250,6 @@ helm_decision_t Arbiter::Message(int64_t utime) const {
   return message;
 }
 
-bool Arbiter::TakePark() { return std::exchange(wants_park_, false); }
-
 std::optional<helm_decision_t> Arbiter::TakeDecision() {
   return std::exchange(unpublished_, std::nullopt);
 }
@@ -311,7 +258,12 @@ std::vector<VariablePost> Arbiter::TakeMessages() { return std::exchange(message
 
 std::vector<HelmEvent> Arbiter::TakeEvents() { return std::exchange(events_, {}); }
 
-std::vector<std::string> Arbiter::TakeWarnings() { return std::exchange(warnings_, {}); }
+std::vector<std::string> Arbiter::TakeWarnings() {
+  std::vector<std::string> warnings = inputs_.TakeWarnings();
+  for (std::string& warning : warnings_) warnings.push_back(std::move(warning));
+  warnings_.clear();
+  return warnings;
+}
 
 const HelmAim* Arbiter::Leading() const {
   const HelmAim* leading = nullptr;
@@ -323,6 +275,7 @@ const HelmAim* Arbiter::Leading() const {
 }
 
 std::string Arbiter::Text() const {
+  if (!inputs_.is_used()) return {};
   std::string text =
       fmt::format("Behaviors: {}{}\n", outcome_.all_stop,
                   outcome_.mode.empty() ? "" : fmt::format(", mode {}", outcome_.mode));

@@ -1,13 +1,16 @@
-// Weighs the task of the moment with the behaviors of one vehicle: between what arrived on the bus
-// and what the autopilots get. The decision itself is BehaviorSet's (lib/helm/behaviors).
+// Decides what one vehicle does: weighs what its list of tasks wants with what its behaviors want,
+// between what arrived on the bus and what the autopilots get. The decision itself is BehaviorSet's
+// (lib/helm/behaviors).
 //
-//   arbiter.OnNodeReport(report, utime);
-//   std::optional<Guidance> guidance = arbiter.Advance({.utime = t, .drives = true, .nav = &nav,
-//                                                       .task = task, .alone = states.guidance()});
+//   arbiter.inputs().OnNodeReport(report, utime);
+//   Arbiter::Step step = arbiter.Advance(
+//       {.utime = t, .drives = true, .nav = &nav, .list = states.aim()});
+//   if (step.guidance != nullptr) ...
 //
 // It decides every decide_every_s, and what it decided counts until the next time. Where nothing
 // but the task has a preference, or the decision is what the task commands alone, the task's own
-// guidance counts, in every step.
+// guidance counts, in every step. A vehicle without behaviors has nothing to weigh: its list's
+// guidance counts always, and nothing is decided, stated or published beside it.
 //
 // Orders of the operator: where the mission has variables of the names DEPLOY, RETURN and
 // STATION_KEEP, the orders deploy, return and station_keep set them as the buttons of a shore
@@ -19,19 +22,16 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
+#include "apps/helm/arbiter_inputs.h"
 #include "apps/helm/helm_order.h"
+#include "apps/helm/task_list.h"
 #include "lib/helm/behaviors/behavior_set.h"
-#include "lib/helm/behaviors/contact_ledger.h"
 #include "lib/mission/model/mission.h"
 #include "lib/vehicle/guidance/task_runner.h"
 #include "shoal/helm_decision_t.hpp"
 #include "shoal/nav_t.hpp"
-#include "shoal/node_report_t.hpp"
-#include "shoal/sonar_t.hpp"
-#include "shoal/swarm_t.hpp"
 
 namespace shoal {
 
@@ -39,12 +39,10 @@ class Arbiter {
  public:
   Arbiter(const Mission& mission, const Vehicle& vehicle);
 
-  void OnNodeReport(const node_report_t& report, int64_t utime);
-  void OnSwarm(const swarm_t& swarm, int64_t utime);
-  /// The nearest echo counts as a contact "sonar" that does not move.
-  void OnSonar(const sonar_t& ping, const nav_t& own, int64_t utime);
-  /// A variable that a command or a node message sets; counts from the next decision on.
-  void Set(const VariablePost& setting, std::string_view source);
+  /// What arrives on the bus for it.
+  ArbiterInputs& inputs() { return inputs_; }
+  /// Executes the order `set`, or returns why not.
+  [[nodiscard]] std::string Set(const VariablePost& setting);
 
   /// Returns the order that HelmStates is to execute: `order`, or `deploy` where variables do the
   /// rest.
@@ -56,22 +54,23 @@ class Arbiter {
   /// One step of the helm.
   struct Moment {
     int64_t utime = 0;
-    bool drives = false;           ///< False: parked, or all-stop by command or for want of NAV.
-    const nav_t* nav = nullptr;    ///< nullptr: none yet.
-    const Task* task = nullptr;    ///< nullptr: none runs.
-    bool is_interruption = false;  ///< The task is by an order of the operator.
-    std::optional<Guidance> alone = {};  ///< What the task asks for by itself.
+    bool drives = false;         ///< False: parked, or all-stop by command or for want of NAV.
+    const nav_t* nav = nullptr;  ///< nullptr: none yet.
+    ListAim list = {};           ///< What the tasks want.
   };
-  /// Returns what to steer by; nothing: rest.
-  std::optional<Guidance> Advance(const Moment& moment);
+  /// What comes of it.
+  struct Step {
+    const Guidance* guidance = nullptr;  ///< nullptr: rest. Valid until the next step.
+    bool parks = false;                  ///< A behavior asks to park.
+    double busy_s = 0;                   ///< A behavior keeps the helm busy for that long.
+  };
+  Step Advance(const Moment& moment);
 
   /// Returns "clear" or why nothing is decided.
   const std::string& all_stop() const { return outcome_.all_stop; }
-  /// True where a behavior has asked to park since the last call.
-  bool TakePark();
-  /// Returns for how many seconds a behavior keeps the helm busy from now on; 0: not.
-  double TakeBusy() { return std::exchange(outcome_.busy_s, 0); }
-  /// Returns what is to be published of the last step, if anything.
+  /// Returns the behavior that crashes the helm; empty: none does.
+  const std::string& crash() const { return outcome_.crash; }
+  /// Returns what is to be published of the steps since the last call, if anything.
   std::optional<helm_decision_t> TakeDecision();
   /// Returns the settings for other vehicles since the last call.
   std::vector<VariablePost> TakeMessages();
@@ -82,28 +81,26 @@ class Arbiter {
   /// Returns the behavior that leads, for HELM_STATE where no task runs: the active goal with the
   /// greatest weight; nullptr: none.
   const HelmAim* Leading() const;
-  const HelmOutcome& outcome() const { return outcome_; }
-  /// Returns the lines of the status page.
+  /// Returns the lines of the status page; none of a vehicle without behaviors.
   std::string Text() const;
 
  private:
-  void Take(const ContactReport& report);
+  /// Returns what the last decision makes of the aim of the tasks.
+  const Guidance* Weighed(const Moment& moment);
   void Decide(const Moment& moment);
   helm_decision_t Message(int64_t utime) const;
   bool HasVariable(std::string_view name) const;
 
+  ArbiterInputs inputs_;
   const std::string vehicle_;
-  const std::vector<Obstacle> obstacles_;
+  std::vector<Obstacle> obstacles_;
   const int64_t interval_us_;
   BehaviorSet behaviors_;
-  ContactLedger ledger_;
-  Eigen::Vector2d own_position_m_ = Eigen::Vector2d::Zero();  ///< At the last decision.
-  std::vector<ReceivedSetting> settings_;
   HelmOutcome outcome_;
   HelmPoint commands_;  ///< The last decision.
+  Guidance guidance_;   ///< Of the last step, where it is not that of the tasks.
   std::optional<int64_t> next_utime_;
   bool drove_ = false;  ///< In the last step; a decision is due where it begins to.
-  bool wants_park_ = false;
 
   std::vector<VariablePost> messages_;
   std::vector<HelmEvent> events_;

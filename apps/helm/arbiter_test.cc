@@ -61,7 +61,9 @@ TEST(Arbiter, LetsATaskAloneSteerToTheLastBit) {
   with_behaviors.behaviors = {AvoidEveryone()};
   HelmAndVessel plain(Northbound());
   HelmAndVessel weighed(with_behaviors);
-  for (int i = 0; i < 300; ++i) {
+  plain.Step();  // What it publishes arrives one step later.
+  weighed.Step();
+  for (int i = 1; i < 300; ++i) {
     plain.Step();
     weighed.Step();
     ASSERT_EQ(plain.actuators->rudder_deg, weighed.actuators->rudder_deg) << "in step " << i;
@@ -69,6 +71,69 @@ TEST(Arbiter, LetsATaskAloneSteerToTheLastBit) {
   }
   EXPECT_EQ(plain.state.waypoint_y_m, weighed.state.waypoint_y_m);
   EXPECT_TRUE(weighed.decisions.empty());
+}
+
+/// Steps both helms, and expects that they do the same.
+void ExpectTheSame(HelmAndVessel& plain, HelmAndVessel& weighed, int num_steps) {
+  for (int i = 0; i < num_steps; ++i) {
+    plain.Step();
+    weighed.Step();
+    ASSERT_EQ(plain.desired->heading_deg, weighed.desired->heading_deg) << "at " << plain.utime;
+    ASSERT_EQ(plain.desired->speed_mps, weighed.desired->speed_mps) << "at " << plain.utime;
+    ASSERT_EQ(plain.actuators->rudder_deg, weighed.actuators->rudder_deg) << "at " << plain.utime;
+    ASSERT_EQ(plain.actuators->thrust_pct, weighed.actuators->thrust_pct) << "at " << plain.utime;
+    ASSERT_EQ(plain.states.size(), weighed.states.size()) << "at " << plain.utime;
+    ASSERT_EQ(plain.state.state, weighed.state.state);
+    ASSERT_EQ(plain.state.all_stop, weighed.state.all_stop);
+    ASSERT_EQ(plain.state.task, weighed.state.task);
+    ASSERT_EQ(plain.state.waypoint_index, weighed.state.waypoint_index);
+    ASSERT_EQ(plain.state.distance_m, weighed.state.distance_m);
+  }
+}
+
+TEST(Arbiter, DecidesTheSameWithoutBehaviorsAndWithOneThatNeverRuns) {
+  Vehicle vehicle = TestVehicle();
+  vehicle.tasks.resize(1);
+  std::get<WaypointsTask>(vehicle.tasks[0].what).points_m = {{0, 20}, {20, 20}};
+  Vehicle with_idle = vehicle;
+  BehaviorOptions idle = GoTo("idle", {-1000, 0});
+  idle.condition = {"NEVER = true"};
+  with_idle.behaviors = {idle};
+  HelmAndVessel plain(vehicle);
+  HelmAndVessel weighed(with_idle);
+  const auto both = [&](const std::string& command, const std::vector<double>& values = {}) {
+    plain.Command(command, values);
+    weighed.Command(command, values);
+  };
+  plain.publishes_nav = weighed.publishes_nav = false;
+  plain.Run(0.5);
+  weighed.Run(0.5);
+  plain.publishes_nav = weighed.publishes_nav = true;
+  plain.Run(0.2);
+  weighed.Run(0.2);
+  ExpectTheSame(plain, weighed, 10);
+  both("deploy");
+  ExpectTheSame(plain, weighed, 200);
+  both("all_stop");
+  ExpectTheSame(plain, weighed, 20);
+  both("resume");
+  ExpectTheSame(plain, weighed, 20);
+  both("goto", {10, -10});
+  ExpectTheSame(plain, weighed, 50);
+  both("speed", {2.5});
+  ExpectTheSame(plain, weighed, 20);
+  plain.publishes_nav = weighed.publishes_nav = false;
+  ExpectTheSame(plain, weighed, 30);
+  EXPECT_EQ(plain.state.state, "ALL-STOP");
+  plain.publishes_nav = weighed.publishes_nav = true;
+  both("deploy");
+  ExpectTheSame(plain, weighed, 400);
+  EXPECT_EQ(plain.state.task, "end_of_tasks");
+  both("park");
+  ExpectTheSame(plain, weighed, 20);
+  EXPECT_EQ(plain.state.state, "PARK");
+  EXPECT_TRUE(plain.decisions.empty());
+  EXPECT_TRUE(plain.messages.empty());
 }
 
 TEST(Arbiter, TurnsAsideForAVesselThatItReceivesReportsOfAndPublishesWhy) {

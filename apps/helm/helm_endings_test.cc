@@ -23,15 +23,20 @@ Vehicle Auv(PathTaskEnd end, const std::optional<Ending>& ending = {}) {
   Vehicle vehicle;
   vehicle.name = "alpha";
   vehicle.model = Remus100Options{.cruise_depth_m = 60};
-  vehicle.helm_options = {
-      .deploy_at_start = true, .end_of_tasks = ending, .hold_radius_m = 45, .loiter_radius_m = 50};
+  vehicle.helm_options = {.end_of_tasks = ending, .hold_radius_m = 45, .loiter_radius_m = 50};
   vehicle.tasks = {{"path", PathFollowTask{.points_m = {{0, 0, 20}, {100, 0, 20}}, .end = end}}};
   return vehicle;
 }
 
+HelmStates Deployed(const Vehicle& vehicle) {
+  HelmStates helm(vehicle);
+  EXPECT_EQ(helm.Execute({.kind = OrderKind::kDeploy}), "");
+  return helm;
+}
+
 /// Returns the helm at the end of its tasks, at `place_m` and with a speed of 2 m/s.
 HelmStates Ended(const Vehicle& vehicle, const Eigen::Vector3d& place_m) {
-  HelmStates helm(vehicle);
+  HelmStates helm = Deployed(vehicle);
   helm.Advance(At({0, 0, 20}, 0, 2), false);
   for (int i = 1; i < 4; ++i) helm.Advance(At(place_m, 50 + i, 2), false);
   EXPECT_TRUE(helm.task() != nullptr && helm.task()->name == "end_of_tasks");
@@ -135,7 +140,7 @@ TEST(AuvAtTheEndOfItsTasks, StartsItsListAgainWhenDeployed) {
 }
 
 TEST(OrdersToAnAuv, KeepItsStationAtTheDepthWhereItIs) {
-  HelmStates helm(Auv(PathTaskEnd::kGoOn));
+  HelmStates helm = Deployed(Auv(PathTaskEnd::kGoOn));
   helm.Advance(At({0, 0, 11}, 0, 2), false);
   EXPECT_EQ(helm.Execute({.kind = OrderKind::kStationKeep}), "");
   helm.Advance(At({10, 0, 12}, 5, 2), false);
@@ -152,7 +157,7 @@ TEST(OrdersToAnAuv, KeepItsStationAtTheDepthWhereItIs) {
 TEST(OrdersToAnAuv, ChangeTheSpeedOfATaskThatHasRevolutions) {
   Vehicle vehicle = Auv(PathTaskEnd::kGoOn);
   std::get<PathFollowTask>(vehicle.tasks[0].what).propeller_rpm = 900;
-  HelmStates helm(vehicle);
+  HelmStates helm = Deployed(vehicle);
   helm.Advance(At({0, 0, 20}, 0, 2), false);
   EXPECT_EQ(helm.guidance()->propeller_rpm, 900);
   EXPECT_EQ(helm.Execute({.kind = OrderKind::kSpeed, .speed_mps = 1.2}), "");
@@ -166,7 +171,7 @@ TEST(OrdersToAnAuv, DoNotChangeTheSpeedOfAFollower) {
   TargetTrackTask track;
   track.target = "bravo";
   vehicle.tasks = {{"follow", track}};
-  HelmStates helm(vehicle);
+  HelmStates helm = Deployed(vehicle);
   EXPECT_EQ(
       helm.Execute({.kind = OrderKind::kSpeed, .speed_mps = 1.2}),
       "speed: the task 'follow' takes its speed from its law; order the speed of bravo, which "
@@ -175,8 +180,8 @@ TEST(OrdersToAnAuv, DoNotChangeTheSpeedOfAFollower) {
 
 TEST(SurfaceCraftAtTheEndOfItsTasks, KeepsStationWithinItsRadius) {
   Vehicle vehicle;
-  vehicle.helm_options = {.deploy_at_start = true, .hold_radius_m = 30};
-  HelmStates helm(vehicle);
+  vehicle.helm_options = {.hold_radius_m = 30};
+  HelmStates helm = Deployed(vehicle);
   helm.Advance(At({0, 0, 0}), false);
   EXPECT_FALSE(helm.guidance()->z_m.has_value());
   helm.Advance(At({29, 0, 0}, 10), false);
