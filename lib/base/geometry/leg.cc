@@ -17,4 +17,8 @@ TrackPosition Project(const Leg& leg, const Eigen::Vector2d& position_m) {
   return {.along_m = offset_m.dot(ahead), .cross_track_m = offset_m.dot(starboard)};
 }
 
+bool IsBeyond(const Leg& leg, const Eigen::Vector2d& position_m, double by_m) {
+  return Project(leg, position_m).along_m > Length(leg) + by_m;
+}
+
 }  // namespace shoal

@@ -24,4 +24,8 @@ struct TrackPosition {
 
 [[nodiscard]] TrackPosition Project(const Leg& leg, const Eigen::Vector2d& position_m);
 
+/// Returns true for a position more than `by_m` past the line through the end of the leg, square to
+/// it.
+[[nodiscard]] bool IsBeyond(const Leg& leg, const Eigen::Vector2d& position_m, double by_m = 0);
+
 }  // namespace shoal

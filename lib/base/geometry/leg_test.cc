@@ -34,6 +34,14 @@ TEST(Leg, CountsAsPointingNorthWithoutLength) {
   EXPECT_DOUBLE_EQ(track.cross_track_m, 1);
 }
 
+TEST(Leg, IsBehindAVesselPastTheLineThroughItsEndHoweverFarAbeam) {
+  const Leg leg{.from_m = {0, 0}, .to_m = {0, 10}};
+  EXPECT_FALSE(IsBeyond(leg, {500, 9.9}));
+  EXPECT_TRUE(IsBeyond(leg, {500, 10.1}));
+  EXPECT_FALSE(IsBeyond(leg, {500, 12.9}, 3));
+  EXPECT_TRUE(IsBeyond(leg, {500, 13.1}, 3));
+}
+
 RC_GTEST_PROP(Leg, PutsAPointBackWhereItWasByCourseAndTrackPosition, ()) {
   const Leg leg{.from_m = AnyPoint(), .to_m = AnyPoint()};
   const Eigen::Vector2d point_m = AnyPoint();

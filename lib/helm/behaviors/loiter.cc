@@ -43,11 +43,10 @@ void LoiterBehavior::Begin(const BehaviorInputs& inputs) {
   const double centre_deg = BearingDeg(own.position_m, Centroid(polygon_m_));
   const bool is_to_starboard = Wrap180(centre_deg - own.heading_deg) >= 0;
   Arrange(options_.clockwise == "best" ? is_to_starboard : options_.clockwise == "true");
-  index_ %= vertices_m_.size();
+  rounds_ = RouteRounds(vertices_m_.size(), rounds_.index() % vertices_m_.size());
   is_new_ = false;
   is_acquired_ = false;
   capture_.reset();
-  num_reached_ = 0;
   bearing_deg_.reset();
   gone_round_deg_ = 0;
 }
@@ -62,7 +61,7 @@ size_t LoiterBehavior::TangentialVertex(const Eigen::Vector2d& position_m) const
     const Leg edge = {.from_m = vertices_m_[from], .to_m = vertices_m_[(from + 1) % size]};
     return side * Project(edge, position_m).cross_track_m < 0;
   };
-  size_t best = index_;
+  size_t best = rounds_.index();
   double largest_deg = -1000;
   for (size_t i = 0; i < size; ++i) {
     if (!faces(i) && !faces((i + size - 1) % size)) continue;
@@ -89,20 +88,20 @@ void LoiterBehavior::Spiral() {
 
 void LoiterBehavior::GoRound(const BehaviorInputs& inputs) {
   const Eigen::Vector2d& position_m = inputs.own.motion.position_m;
-  const auto head_for = [&](size_t index) {
+  const auto head_for_vertex = [&] {
     const size_t size = vertices_m_.size();
-    index_ = index % size;
+    const size_t index = rounds_.index();
     capture_.emplace(
         CaptureRule{.capture_radius_m = options_.radius, .slip_radius_m = options_.slip_radius},
-        Leg{.from_m = vertices_m_[(index_ + size - 1) % size], .to_m = vertices_m_[index_]},
+        Leg{.from_m = vertices_m_[(index + size - 1) % size], .to_m = vertices_m_[index]},
         position_m);
   };
-  if (!capture_) head_for(index_);
+  if (!capture_) head_for_vertex();
   if (!capture_->Reached(position_m)) return;
-  ++num_reached_;
-  const bool is_round = num_reached_ % static_cast<int>(vertices_m_.size()) == 0;
+  rounds_.Pass();
+  const bool is_round = rounds_.num_reached() % static_cast<int>(vertices_m_.size()) == 0;
   if (is_round && options_.spiral_factor > 0) Spiral();
-  head_for(index_ + 1);
+  head_for_vertex();
 }
 
 std::string LoiterBehavior::Mode(double distance_m) const {
@@ -117,7 +116,7 @@ void LoiterBehavior::Report(const BehaviorInputs& inputs, double distance_m,
   const double outside_m = std::max(0.0, distance_m);
   const double speed_mps = inputs.own.motion.speed_mps;
   answer.state = Mode(distance_m);
-  Post(answer, "LOITER_INDEX", static_cast<double>(index_), suffix);
+  Post(answer, "LOITER_INDEX", static_cast<double>(rounds_.index()), suffix);
   Post(answer, "LOITER_MODE", answer.state, suffix);
   Post(answer, "LOITER_ACQUIRE", answer.state == "stable" ? 0 : 1, suffix);
   Post(answer, "LOITER_DIST_TO_POLY", std::round(distance_m), suffix);
@@ -135,7 +134,7 @@ BehaviorAnswer LoiterBehavior::Run(const BehaviorInputs& inputs) {
   if (is_new_) Begin(inputs);
   const double distance_m = SignedDistance(vertices_m_, position_m);
   if (distance_m > options_.acquire_dist) {
-    index_ = TangentialVertex(position_m);
+    rounds_.GoTo(TangentialVertex(position_m));
     capture_.reset();
     bearing_deg_.reset();
   } else {
@@ -148,7 +147,7 @@ BehaviorAnswer LoiterBehavior::Run(const BehaviorInputs& inputs) {
 
   const bool is_alternative = options_.use_alt_speed && options_.speed_alt >= 0;
   const double speed_mps = InDomain(inputs, is_alternative ? options_.speed_alt : options_.speed);
-  const Eigen::Vector2d& vertex_m = vertices_m_[index_];
+  const Eigen::Vector2d& vertex_m = vertices_m_[rounds_.index()];
   BehaviorAnswer answer = PreferBoth(
       inputs, PeakOverCourse(BearingDeg(position_m, vertex_m), 0, 180),
       options_.ipf_type == "zaic_spd" ? TransitSpeed(inputs, speed_mps, 85)

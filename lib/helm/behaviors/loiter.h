@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "lib/helm/behaviors/behavior.h"
+#include "lib/vehicle/guidance/route_rounds.h"
 #include "lib/vehicle/guidance/waypoint_capture.h"
 
 namespace shoal {
@@ -69,10 +70,9 @@ class LoiterBehavior final : public BehaviorWith<LoiterOptions> {
   bool clockwise_ = true;
   bool is_new_ = true;                      ///< Since it was idle or has got another polygon.
   bool is_acquired_ = false;                ///< Was stable since.
-  size_t index_ = 0;                        ///< Of the vertex on the way to.
+  RouteRounds rounds_;                      ///< Of the vertices.
   std::optional<WaypointCapture> capture_;  ///< Absent: while it acquires.
-  int num_reached_ = 0;
-  std::optional<double> bearing_deg_;  ///< From the centre, while it goes round.
+  std::optional<double> bearing_deg_;       ///< From the centre, while it goes round.
   double gone_round_deg_ = 0;
 };
 

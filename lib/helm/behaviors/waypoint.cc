@@ -128,20 +128,19 @@ void WaypointBehavior::ArrangePoints(const Eigen::Vector2d& position_m) {
   points_m_ = options_.points;
   if (options_.greedy_tour) SortAsGreedyTour(points_m_, position_m);
   const bool is_reverse =
-      options_.order == "reverse" || (options_.order == "toggle" && num_rounds_ % 2 == 1);
+      options_.order == "reverse" || (options_.order == "toggle" && rounds_.num_rounds() % 2 == 1);
   if (is_reverse) std::reverse(points_m_.begin(), points_m_.end());
 }
 
-void WaypointBehavior::HeadFor(size_t index, std::optional<Eigen::Vector2d> from_m,
-                               const Eigen::Vector2d& position_m) {
-  index_ = index;
+void WaypointBehavior::HeadForPoint(std::optional<Eigen::Vector2d> from_m,
+                                    const Eigen::Vector2d& position_m) {
   has_leg_ = from_m.has_value();
-  leg_ = {.from_m = from_m.value_or(position_m), .to_m = points_m_[index]};
+  const Leg leg = {.from_m = from_m.value_or(position_m), .to_m = points_m_[rounds_.index()]};
   const bool by_radius = !options_.capture_line_only;
   const CaptureRule rule = {.capture_radius_m = by_radius ? options_.capture_radius : 0,
                             .slip_radius_m = by_radius ? options_.slip_radius : 0,
                             .capture_line = options_.capture_line || !by_radius};
-  capture_.emplace(rule, leg_, position_m);
+  capture_.emplace(rule, leg, position_m);
 }
 
 void WaypointBehavior::Begin(const BehaviorInputs& inputs, BehaviorAnswer& answer) {
@@ -149,40 +148,36 @@ void WaypointBehavior::Begin(const BehaviorInputs& inputs, BehaviorAnswer& answe
   const std::optional<Eigen::Vector2d> start_m =
       options_.lead_to_start ? std::optional(position_m) : std::nullopt;
   if (state_ == State::kNew) {
-    num_rounds_ = 0;
-    num_reached_ = 0;
+    const int last = static_cast<int>(options_.points.size()) - 1;
+    rounds_ = RouteRounds(options_.points.size(),
+                          static_cast<size_t>(std::clamp(options_.currix, 0, last)));
     ArrangePoints(position_m);
-    const int last = static_cast<int>(points_m_.size()) - 1;
-    HeadFor(static_cast<size_t>(std::clamp(options_.currix, 0, last)), start_m, position_m);
+    HeadForPoint(start_m, position_m);
     if (options_.wptflag_on_start) answer.flags.emplace_back("wptflag");
   } else if (state_ == State::kPaused) {
-    HeadFor(index_, has_leg_ && num_reached_ > 0 ? leg_.from_m : start_m, position_m);
+    const bool is_between = has_leg_ && rounds_.num_reached() > 0;
+    HeadForPoint(is_between ? capture_->leg().from_m : start_m, position_m);
   }
   state_ = State::kOnTheWay;
 }
 
-bool WaypointBehavior::IsLastPoint() const {
-  return index_ + 1 == points_m_.size() && options_.repeat >= 0 && num_rounds_ >= options_.repeat;
-}
+bool WaypointBehavior::IsLastPoint() const { return rounds_.IsEnd(options_.repeat + 1); }
 
 void WaypointBehavior::Advance(const Eigen::Vector2d& position_m, BehaviorAnswer& answer) {
-  ++num_reached_;
   answer.flags.emplace_back("wptflag");
-  const Eigen::Vector2d reached_m = points_m_[index_];
-  const bool ends = IsLastPoint();
-  size_t next = index_ + 1;
-  if (next == points_m_.size()) {
-    ++num_rounds_;
+  const Eigen::Vector2d reached_m = points_m_[rounds_.index()];
+  const bool is_round = rounds_.IsLast();
+  const bool goes_on = rounds_.Pass(options_.repeat + 1);
+  if (is_round) {
     answer.flags.emplace_back("cycleflag");
-    Post(answer, "CYCLE_INDEX", num_rounds_, options_.post_suffix);
+    Post(answer, "CYCLE_INDEX", rounds_.num_rounds(), options_.post_suffix);
     ArrangePoints(position_m);
-    next = 0;
   }
-  if (ends) {
+  if (goes_on) {
+    HeadForPoint(reached_m, position_m);
+  } else {
     state_ = State::kDone;
     answer.completes = true;
-  } else {
-    HeadFor(next, reached_m, position_m);
   }
 }
 
@@ -200,8 +195,9 @@ double WaypointBehavior::Speed(double distance_m) const {
 Eigen::Vector2d WaypointBehavior::SteersFor(const BehaviorInputs& inputs) const {
   const bool leads = has_leg_ && (!lead_condition_ || (inputs.variables != nullptr &&
                                                        lead_condition_->Holds(*inputs.variables)));
-  if (!leads) return leg_.to_m;
-  return SteeringPoint(leg_, inputs.own.motion.position_m,
+  const Leg& leg = capture_->leg();
+  if (!leads) return leg.to_m;
+  return SteeringPoint(leg, inputs.own.motion.position_m,
                        {.lead_m = options_.lead, .lead_damper_m = options_.lead_damper});
 }
 
@@ -224,13 +220,13 @@ Objective WaypointBehavior::Preference(const BehaviorInputs& inputs, double cour
 
 void WaypointBehavior::Report(const BehaviorInputs& inputs, double distance_m,
                               BehaviorAnswer& answer) const {
-  const std::string index = std::to_string(index_);
+  const std::string index = std::to_string(rounds_.index());
   const double speed_mps = inputs.own.motion.speed_mps;
   const std::string eta = speed_mps > 0 ? Whole(distance_m / speed_mps) : "-1";
-  Post(answer, "WPT_INDEX", static_cast<double>(index_), options_.post_suffix);
+  Post(answer, "WPT_INDEX", static_cast<double>(rounds_.index()), options_.post_suffix);
   Post(answer, "WPT_STAT",
-       "index=" + index + ",hits=" + std::to_string(num_reached_) +
-           ",cycles=" + std::to_string(num_rounds_) + ",dist=" + Whole(distance_m) + ",eta=" + eta,
+       "index=" + index + ",hits=" + std::to_string(rounds_.num_reached()) + ",cycles=" +
+           std::to_string(rounds_.num_rounds()) + ",dist=" + Whole(distance_m) + ",eta=" + eta,
        options_.post_suffix);
   answer.state = "point " + index + " of " + std::to_string(points_m_.size());
 }
@@ -246,7 +242,7 @@ BehaviorAnswer WaypointBehavior::Run(const BehaviorInputs& inputs) {
   if (capture_->Reached(position_m)) Advance(position_m, answer);
   if (state_ == State::kDone) return answer;
 
-  const double distance_m = (leg_.to_m - position_m).norm();
+  const double distance_m = (capture_->leg().to_m - position_m).norm();
   const Eigen::Vector2d steers_for_m = SteersFor(inputs);
   const double speed_mps = InDomain(inputs, Speed(distance_m));
   BehaviorAnswer preference =

@@ -11,6 +11,7 @@
 #include "lib/base/geometry/leg.h"
 #include "lib/helm/behaviors/behavior.h"
 #include "lib/helm/modes/condition.h"
+#include "lib/vehicle/guidance/route_rounds.h"
 #include "lib/vehicle/guidance/waypoint_capture.h"
 
 namespace shoal {
@@ -71,8 +72,7 @@ class WaypointBehavior final : public BehaviorWith<WaypointOptions> {
   void Begin(const BehaviorInputs& inputs, BehaviorAnswer& answer);
   void ArrangePoints(const Eigen::Vector2d& position_m);
   /// `from_m`: where the leg begins; absent: there is none to follow.
-  void HeadFor(size_t index, std::optional<Eigen::Vector2d> from_m,
-               const Eigen::Vector2d& position_m);
+  void HeadForPoint(std::optional<Eigen::Vector2d> from_m, const Eigen::Vector2d& position_m);
   void Advance(const Eigen::Vector2d& position_m, BehaviorAnswer& answer);
   bool IsLastPoint() const;
   double Speed(double distance_m) const;
@@ -83,12 +83,9 @@ class WaypointBehavior final : public BehaviorWith<WaypointOptions> {
   std::optional<Condition> lead_condition_;
   State state_ = State::kNew;
   std::vector<Eigen::Vector2d> points_m_;  ///< In the order of this round.
-  size_t index_ = 0;                       ///< Of the point on the way to.
-  Leg leg_;                                ///< To that point.
-  bool has_leg_ = false;                   ///< There is a line to follow.
-  std::optional<WaypointCapture> capture_;
-  int num_rounds_ = 0;   ///< Completed ones.
-  int num_reached_ = 0;  ///< Points, in all rounds.
+  RouteRounds rounds_;
+  bool has_leg_ = false;                    ///< There is a line to follow.
+  std::optional<WaypointCapture> capture_;  ///< Of the leg to the point; absent: not begun.
 };
 
 }  // namespace shoal

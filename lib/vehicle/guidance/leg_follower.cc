@@ -18,34 +18,32 @@ LegFollower::LegFollower(const AlosParams& alos, const CaptureRule& capture,
     : rule_(capture),
       turn_room_m_(kTurnRoomInLookaheads * alos.lookahead_m),
       alos_(alos),
-      leg_{.from_m = position_m, .to_m = to_m},
-      capture_(rule_, leg_, position_m) {}
+      capture_(rule_, {.from_m = position_m, .to_m = to_m}, position_m) {}
 
 bool LegFollower::Reached(const Eigen::Vector2d& position_m) {
   if (capture_.Reached(position_m)) return true;
-  if (Project(leg_, position_m).along_m > Length(leg_) + turn_room_m_) {
-    Follow({.from_m = position_m, .to_m = leg_.to_m}, position_m);
+  if (IsBeyond(leg(), position_m, turn_room_m_)) {
+    Follow({.from_m = position_m, .to_m = leg().to_m}, position_m);
   }
   return false;
 }
 
 void LegFollower::Continue(const Eigen::Vector2d& position_m, const Eigen::Vector2d& to_m) {
-  Follow({.from_m = leg_.to_m, .to_m = to_m}, position_m);
+  Follow({.from_m = leg().to_m, .to_m = to_m}, position_m);
 }
 
 void LegFollower::Rejoin(const Eigen::Vector2d& position_m) {
-  const bool is_beyond = Project(leg_, position_m).along_m > Length(leg_);
-  Follow({.from_m = is_beyond ? position_m : leg_.from_m, .to_m = leg_.to_m}, position_m);
+  const Eigen::Vector2d from_m = IsBeyond(leg(), position_m) ? position_m : leg().from_m;
+  Follow({.from_m = from_m, .to_m = leg().to_m}, position_m);
 }
 
 double LegFollower::Steer(const Eigen::Vector2d& position_m, double dt_s) {
-  return WrapTwoPi(alos_.Update(Course(leg_), Project(leg_, position_m).cross_track_m, dt_s));
+  return WrapTwoPi(alos_.Update(Course(leg()), Project(leg(), position_m).cross_track_m, dt_s));
 }
 
-void LegFollower::Follow(const Leg& leg, const Eigen::Vector2d& position_m) {
-  alos_.TurnBy(Course(leg) - Course(leg_));
-  leg_ = leg;
-  capture_ = WaypointCapture(rule_, leg_, position_m);
+void LegFollower::Follow(const Leg& next, const Eigen::Vector2d& position_m) {
+  alos_.TurnBy(Course(next) - Course(leg()));
+  capture_ = WaypointCapture(rule_, next, position_m);
 }
 
 }  // namespace shoal

@@ -30,16 +30,15 @@ class LegFollower {
   /// Returns the compass heading to steer, [0, 2 pi).
   double Steer(const Eigen::Vector2d& position_m, double dt_s);
 
-  const Leg& leg() const { return leg_; }
+  const Leg& leg() const { return capture_.leg(); }
   double crab_rad() const { return alos_.crab_rad(); }
 
  private:
-  void Follow(const Leg& leg, const Eigen::Vector2d& position_m);
+  void Follow(const Leg& next, const Eigen::Vector2d& position_m);
 
   CaptureRule rule_;
   double turn_room_m_;  ///< Past the end of a leg that was missed.
   Alos alos_;
-  Leg leg_;
   WaypointCapture capture_;
 };
 

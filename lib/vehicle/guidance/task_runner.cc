@@ -88,22 +88,18 @@ WaypointsRunner::WaypointsRunner(const WaypointsTask& task, const Fix& start)
     : task_(task),
       follower_({.lookahead_m = task.lookahead_m, .crab_gain = task.crab_gain}, task.capture,
                 start.position_m, task.points_m.at(0)),
-      stopwatch_(start.time_s) {}
+      stopwatch_(start.time_s),
+      rounds_(task.points_m.size()) {}
 
 Guidance WaypointsRunner::Update(const Fix& fix) {
   if (!done_ && follower_.Reached(fix.position_m)) {
-    const bool lap_ends = next_ + 1 == task_.points_m.size();
-    if (lap_ends) ++laps_done_;
-    done_ = lap_ends && laps_done_ == task_.laps;
-    if (!done_) {
-      next_ = lap_ends ? 0 : next_ + 1;
-      follower_.Continue(fix.position_m, task_.points_m[next_]);
-    }
+    done_ = !rounds_.Pass(task_.laps);
+    if (!done_) follower_.Continue(fix.position_m, task_.points_m[rounds_.index()]);
   }
   Guidance guidance = GuidanceAlongLeg(follower_, fix, task_.speed_mps, stopwatch_.Lap(fix.time_s));
   guidance.done = done_;
-  guidance.waypoint_index = static_cast<int>(next_);
-  guidance.laps_done = laps_done_;
+  guidance.waypoint_index = static_cast<int>(rounds_.index());
+  guidance.laps_done = rounds_.num_rounds();
   return guidance;
 }
 
@@ -115,23 +111,22 @@ void WaypointsRunner::Rejoin(const Fix& fix) {
 LoiterRunner::LoiterRunner(const LoiterTask& task, const Fix& start)
     : task_(task),
       corners_m_(CornersOf(task)),
-      next_(EntryCorner(task, corners_m_, start.position_m)),
+      rounds_(corners_m_.size(), EntryCorner(task, corners_m_, start.position_m)),
       follower_({.lookahead_m = task.lookahead_m, .crab_gain = task.crab_gain}, LoiterCapture(task),
-                start.position_m, corners_m_.at(next_)),
+                start.position_m, corners_m_.at(rounds_.index())),
       stopwatch_(start.time_s) {}
 
 Guidance LoiterRunner::Update(const Fix& fix) {
   const double dt_s = stopwatch_.Lap(fix.time_s);
   elapsed_s_ += dt_s;
   if (follower_.Reached(fix.position_m)) {
-    ++corners_passed_;
-    next_ = (next_ + 1) % corners_m_.size();
-    follower_.Continue(fix.position_m, corners_m_[next_]);
+    rounds_.Pass();
+    follower_.Continue(fix.position_m, corners_m_[rounds_.index()]);
   }
   Guidance guidance = GuidanceAlongLeg(follower_, fix, task_.speed_mps, dt_s);
   guidance.done = task_.duration_s > 0 && elapsed_s_ >= task_.duration_s;
-  guidance.waypoint_index = static_cast<int>(next_);
-  guidance.laps_done = corners_passed_ / task_.num_points;
+  guidance.waypoint_index = static_cast<int>(rounds_.index());
+  guidance.laps_done = rounds_.num_reached() / task_.num_points;
   guidance.z_m = task_.z_m;
   return guidance;
 }

@@ -16,6 +16,7 @@
 
 #include "lib/vehicle/guidance/leg_follower.h"
 #include "lib/vehicle/guidance/path_follower.h"
+#include "lib/vehicle/guidance/route_rounds.h"
 #include "lib/vehicle/guidance/surroundings.h"
 #include "lib/vehicle/guidance/target_tracker.h"
 #include "lib/vehicle/guidance/task.h"
@@ -79,8 +80,7 @@ class WaypointsRunner {
   WaypointsTask task_;
   LegFollower follower_;
   Stopwatch stopwatch_;
-  size_t next_ = 0;  ///< The point steered for.
-  int laps_done_ = 0;
+  RouteRounds rounds_;
   bool done_ = false;
 };
 
@@ -94,11 +94,10 @@ class LoiterRunner {
  private:
   LoiterTask task_;
   std::vector<Eigen::Vector2d> corners_m_;  ///< In sailing order.
-  size_t next_;                             ///< The corner steered for.
+  RouteRounds rounds_;                      ///< Of the corners.
   LegFollower follower_;
   Stopwatch stopwatch_;
   double elapsed_s_ = 0;
-  int corners_passed_ = 0;
 };
 
 /// Drifts until the vessel is outside the outer radius, or too far from its depth, then goes back

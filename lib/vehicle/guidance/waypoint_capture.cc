@@ -23,7 +23,7 @@ bool WaypointCapture::Reached(const Eigen::Vector2d& position_m) {
   if (distance_m < rule_.capture_radius_m) return true;
   const bool slips_away = approaches_ && distance_m > closest_m_ + kHysteresis_m;
   if (slips_away && closest_m_ < rule_.slip_radius_m) return true;
-  return rule_.capture_line && Project(leg_, position_m).along_m > Length(leg_);
+  return rule_.capture_line && IsBeyond(leg_, position_m);
 }
 
 }  // namespace shoal

@@ -8,7 +8,7 @@
 
 namespace shoal {
 
-/// Watches one vessel on its way along one leg.
+/// Watches one vessel on its way along one leg. Tasks and behaviors have the same rule.
 class WaypointCapture {
  public:
   /// Begins at `position_m` on the way to `leg.to_m`.
@@ -20,6 +20,8 @@ class WaypointCapture {
   ///   away so far (it still turns round from the last waypoint) has had no closest approach; or
   /// - past the line through the point, square to the leg, if the rule has a capture line.
   [[nodiscard]] bool Reached(const Eigen::Vector2d& position_m);
+
+  const Leg& leg() const { return leg_; }
 
  private:
   /// Less than this is noise of the position and not yet coming or going.
