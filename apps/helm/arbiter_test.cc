@@ -352,4 +352,36 @@ TEST(Arbiter, PublishesADecisionThatDoesNotChangeOncePerSecond) {
   EXPECT_LE(loop.decisions.size() - before, 11U);
 }
 
+TEST(Arbiter, PassesTheAimOfTheTasksOnWhereThereAreNoBehaviors) {
+  Arbiter arbiter(Mission{}, Northbound());
+  arbiter.inputs().OnNodeReport(Report("alpha", 0, 0, 20, 180), 0);
+  arbiter.inputs().Set({.variable = "GO", .value = 1.0}, "command");
+  const nav_t nav{};
+  const Guidance wish{.heading_rad = 1, .speed_mps = 2};
+  const Arbiter::Step step =
+      arbiter.Advance({.drives = true, .nav = &nav, .list = {.guidance = &wish}});
+  EXPECT_EQ(step.guidance, &wish);
+  EXPECT_EQ(arbiter.Advance({.utime = 1, .drives = true, .nav = &nav}).guidance, nullptr);
+  EXPECT_EQ(arbiter.all_stop(), "clear");
+  EXPECT_EQ(arbiter.Leading(), nullptr);
+  EXPECT_FALSE(arbiter.TakeDecision().has_value());
+  EXPECT_TRUE(arbiter.TakeEvents().empty());
+  EXPECT_TRUE(arbiter.TakeWarnings().empty()) << "a report under its own name is not taken";
+  EXPECT_EQ(arbiter.Text(), "");
+}
+
+TEST(Arbiter, ExecutesDeployAtStartOnceForTasksAndVariables) {
+  Vehicle vehicle = Northbound();
+  vehicle.variables = {{"DEPLOY", std::string("false")}};
+  BehaviorOptions east = GoTo("east", {1000, 0});
+  east.condition = {"DEPLOY = true"};
+  east.pwt = 1000;
+  vehicle.behaviors = {east};
+  HelmAndVessel loop(vehicle);
+  loop.Run(2);
+  EXPECT_EQ(loop.state.state, "DRIVE");
+  EXPECT_EQ(loop.state.task, "north");
+  EXPECT_NEAR(loop.desired->heading_deg, 90, 1);
+}
+
 }  // namespace shoal::arbiter_test
