@@ -17,10 +17,12 @@ set(share_dir share/shoal)
 set(staging ${CMAKE_BINARY_DIR}/install)
 
 # The programs, each beside the others, which is where `shoal run` looks for them. On the PATH they
-# have names of their own: `helm` is the name of another program too.
+# have names of their own: `helm` is the name of another program too. The tools, commands of `shoal`
+# that are programs of their own, are not on the PATH: `shoal` starts them.
+set(tools shoal_campaign shoal_encounters shoal_import shoal_log shoal_plot shoal_rebroker)
 set(apps acomms gateway helm netsim_manager node_reporter recorder shore_broker vehicle_sim)
 set(examples acoustic_ping c_listener c_planner netsim_outsider netsim_raw_modem referee)
-install(TARGETS shoal viewer ${apps} ${examples} RUNTIME DESTINATION ${programs_dir})
+install(TARGETS shoal viewer ${tools} ${apps} ${examples} RUNTIME DESTINATION ${programs_dir})
 # Run by the others, never by a user: it has no name on the PATH.
 if(TARGET netcdf_reader)
   install(TARGETS netcdf_reader RUNTIME DESTINATION ${programs_dir})
@@ -62,7 +64,7 @@ if(SHOAL_PYTHON)
     COMMAND ${SHOAL_PYTHON} ${CMAKE_SOURCE_DIR}/scripts/man_pages
       ${CMAKE_RUNTIME_OUTPUT_DIRECTORY} ${staging}/man1 ${manual_pages}
     COMMAND ${CMAKE_COMMAND} -E touch ${man_stamp}
-    DEPENDS shoal viewer ${apps} ${CMAKE_SOURCE_DIR}/scripts/man_pages VERBATIM
+    DEPENDS shoal viewer ${tools} ${apps} ${CMAKE_SOURCE_DIR}/scripts/man_pages VERBATIM
     COMMENT "Making manual pages")
   add_custom_target(man_pages ALL DEPENDS ${man_stamp})
   install(DIRECTORY ${staging}/man1 DESTINATION share/man FILES_MATCHING PATTERN "*.1.gz")
@@ -102,7 +104,7 @@ install(FILES ${staging}/shoal_sim.pc DESTINATION lib/pkgconfig)
 
 # All that is installed, and no test: scripts/package builds this.
 add_custom_target(install_parts
-  DEPENDS shoal viewer ${apps} ${examples} shoal_sim shoal_lcmtypes_c shoal_lcmtypes_gen)
+  DEPENDS shoal viewer ${tools} ${apps} ${examples} shoal_sim shoal_lcmtypes_c shoal_lcmtypes_gen)
 add_dependencies(install_parts shoal_archive)
 foreach(target man_pages netcdf_reader shoal_types_jar)
   if(TARGET ${target})

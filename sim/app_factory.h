@@ -23,7 +23,7 @@ std::unique_ptr<App> MakeApp(const RosterEntry& entry, const Mission& mission, B
 LaunchedApps AppsToLaunch();
 
 /// Returns the shore_broker alone: for deciding a recorded mission again
-/// (lib/tools/analysis/rebroker.h).
+/// (lib/tools/rebroker/rebroker.h).
 std::unique_ptr<Broker> MakeShoreBroker(const BrokerSetup& setup, Bus& bus);
 /// Returns a shore_broker that others share the mission with.
 std::unique_ptr<Broker> MakeSharedBroker(const Mission& mission, Bus& bus, BrokerShare share);

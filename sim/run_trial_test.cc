@@ -17,9 +17,9 @@
 #include "lib/bus/bus/channels.h"
 #include "lib/bus/record/log_reader.h"
 #include "lib/mission/file/load.h"
-#include "lib/tools/analysis/link_table.h"
-#include "lib/tools/analysis/plot_distances.h"
 #include "lib/tools/metrics/trial_watch.h"
+#include "lib/tools/plot/plot_distances.h"
+#include "lib/tools/rebroker/link_table.h"
 #include "sim/simulation.h"
 
 namespace shoal::run_trial_test {

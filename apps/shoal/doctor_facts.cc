@@ -18,9 +18,9 @@
 #include <fstream>
 
 #include "lib/bus/bus/lcm_transport.h"
+#include "lib/run/run/find_program.h"
 #include "lib/run/run/run_app.h"
 #include "lib/run/run/run_folder.h"
-#include "lib/tools/analysis/plot_gnuplot.h"
 
 namespace shoal {
 

@@ -1,44 +1,34 @@
 #include "apps/shoal/shoal_options.h"
 
 #include <fmt/format.h>
-#include <poll.h>
-#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <cmath>
-#include <functional>
-#include <iostream>
+#include <memory>
 #include <optional>
-#include <span>
-#include <system_error>
+#include <string>
+#include <vector>
 
-#include "apps/shoal/campaign_options.h"
 #include "apps/shoal/check_command.h"
 #include "apps/shoal/doctor.h"
-#include "apps/shoal/encounters_options.h"
 #include "apps/shoal/group_options.h"
 #include "apps/shoal/host_doctor.h"
 #include "apps/shoal/host_options.h"
-#include "apps/shoal/log_options.h"
 #include "apps/shoal/send_command.h"
-#include "apps/shoal/sim_command.h"
 #include "apps/shoal/status_command.h"
-#include "apps/shoal/view_command.h"
-#include "lib/bus/record/log_commands.h"
 #include "lib/mission/file/drawn_seed.h"
 #include "lib/mission/file/print_errors.h"
-#include "lib/mission/toml/suggest.h"
 #include "lib/run/launch/launcher.h"
+#include "lib/run/launch/run_viewer.h"
 #include "lib/run/orders/order_words.h"
-#include "lib/run/run/version_text.h"
+#include "lib/run/run/command_line.h"
+#include "lib/run/run/tool_commands.h"
 #include "sim/app_factory.h"
+#include "sim/run_sim.h"
 
 namespace shoal {
 
 namespace {
-
-/// What the chosen subcommand does; returns the exit code.
-using Action = std::function<int()>;
 
 CLI::Option* AddMission(CLI::App* command, std::string* file, std::vector<std::string>* overrides) {
   command
@@ -76,7 +66,7 @@ void AddAddress(CLI::App* command, const std::string& http, const std::string& l
   address->needs(needed);
 }
 
-void AddView(CLI::App& cli, Action* action) {
+void AddView(CLI::App& cli, CommandAction* action) {
   CLI::App* command =
       cli.add_subcommand("view", "Show a recorded mission, or the one that runs, in a browser");
   auto options = std::make_shared<ViewOptions>();
@@ -110,7 +100,7 @@ std::optional<std::string> PlacementOverride(const std::string& text) {
   return fmt::format("host.\"{}\".vehicles=[{}]", text.substr(0, equals), list);
 }
 
-void AddRun(CLI::App& cli, Action* action) {
+void AddRun(CLI::App& cli, CommandAction* action) {
   CLI::App* command = cli.add_subcommand("run", "Run a mission: one process per participant");
   struct Parsed {
     RunOptions options;
@@ -186,7 +176,7 @@ void AddRun(CLI::App& cli, Action* action) {
   });
 }
 
-void AddSim(CLI::App& cli, Action* action) {
+void AddSim(CLI::App& cli, CommandAction* action) {
   CLI::App* command = cli.add_subcommand(
       "sim", "Run a mission in one process, as fast as possible; the same result");
   auto options = std::make_shared<SimOptions>();
@@ -197,7 +187,7 @@ void AddSim(CLI::App& cli, Action* action) {
   command->callback([options, action] { *action = [options] { return RunSim(*options); }; });
 }
 
-void AddCheck(CLI::App& cli, Action* action) {
+void AddCheck(CLI::App& cli, CommandAction* action) {
   CLI::App* command = cli.add_subcommand("check", "Show all that is wrong with a mission file");
   struct Parsed {
     std::string file;
@@ -219,7 +209,7 @@ void AddCheck(CLI::App& cli, Action* action) {
   });
 }
 
-void AddSend(CLI::App& cli, Action* action) {
+void AddSend(CLI::App& cli, CommandAction* action) {
   CLI::App* command =
       cli.add_subcommand("send", "Send a command to a vehicle, the broker or the clock");
   auto options = std::make_shared<SendOptions>();
@@ -237,7 +227,7 @@ void AddSend(CLI::App& cli, Action* action) {
 }
 
 /// The same as `shoal send FROM message TO VAR VALUE`, with options that name each part.
-void AddMessage(CLI::App& cli, Action* action) {
+void AddMessage(CLI::App& cli, CommandAction* action) {
   CLI::App* command =
       cli.add_subcommand("message", "Send a node message from one vehicle to others");
   struct Parsed {
@@ -269,7 +259,7 @@ void AddMessage(CLI::App& cli, Action* action) {
   });
 }
 
-void AddStatus(CLI::App& cli, Action* action) {
+void AddStatus(CLI::App& cli, CommandAction* action) {
   CLI::App* status = cli.add_subcommand("status", "Show the status pages of a running mission");
   auto options = std::make_shared<StatusOptions>();
   AddPort(status, &options->port_base);
@@ -290,7 +280,7 @@ void AddStatus(CLI::App& cli, Action* action) {
   });
 }
 
-void AddDoctor(CLI::App& cli, Action* action) {
+void AddDoctor(CLI::App& cli, CommandAction* action) {
   CLI::App* command =
       cli.add_subcommand("doctor", "Show what keeps missions from running on this machine");
   auto options = std::make_shared<HostDoctorOptions>();
@@ -313,67 +303,13 @@ void AddDoctor(CLI::App& cli, Action* action) {
   });
 }
 
-/// True where standard output is a pipe without a reader, as behind `| head`. (Where SIGPIPE is
-/// not ignored, it ends the process before this is called.)
-bool ReaderHasLeft() {
-  pollfd output{.fd = STDOUT_FILENO, .events = POLLOUT, .revents = 0};
-  return poll(&output, 1, 0) == 1 && (output.revents & POLLERR) != 0;
-}
-
-/// Follows the words that name a command and its subcommands, up to the first option. Returns an
-/// exit code where one names none (the error has been printed) or is missing (the list has).
-std::optional<int> CheckCommandWords(const CLI::App& cli, std::span<char* const> words) {
-  const CLI::App* command = &cli;
-  for (const std::string_view word : words) {
-    const std::vector<const CLI::App*> subcommands = command->get_subcommands({});
-    if (subcommands.empty() || word.starts_with('-')) return std::nullopt;
-    std::vector<std::string_view> names;
-    const CLI::App* named = nullptr;
-    for (const CLI::App* each : subcommands) {
-      names.push_back(each->get_name());
-      if (each->get_name() == word) named = each;
-    }
-    if (named == nullptr) {
-      const std::string path = command == &cli ? "shoal" : "shoal " + command->get_name();
-      fmt::print(stderr, "{}: unknown command {}{}\nCommands: {}\n`{} --help` describes them\n",
-                 path, Quoted(word), DidYouMean(word, names), Joined(names), path);
-      return kExitUsage;
-    }
-    command = named;
-  }
-  if (command->get_subcommands({}).empty()) return std::nullopt;
-  fmt::print("{}", command->help(command == &cli ? "" : "shoal"));
-  return kExitUsage;
-}
-
-/// Runs `action`, and returns its exit code; kExitEnvironment, with an error, where what it printed
-/// could not be written. (fmt throws then, the streams only set a flag.)
-int WithWrittenOutput(const Action& action) {
-  bool written = true;
-  int code = kExitEnvironment;
-  try {
-    code = action();
-  } catch (const std::system_error& error) {
-    written = false;
-    if (std::ferror(stdout) == 0) {
-      std::fputs((std::string("shoal: ") + error.what() + "\n").c_str(), stderr);
-      return kExitEnvironment;
-    }
-  }
-  std::cout.flush();
-  written = std::fflush(stdout) == 0 && std::ferror(stdout) == 0 && std::cout.good() && written;
-  if (written || ReaderHasLeft()) return code;
-  std::fputs("shoal: cannot write to standard output: is the disk full?\n", stderr);
-  return kExitEnvironment;
-}
-
 }  // namespace
 
 int RunShoalCommand(int argc, char** argv) {
-  CLI::App cli("shoal runs missions of several vehicles over a lossy acoustic network.", "shoal");
-  cli.set_version_flag("--version", VersionText("shoal"));
-  cli.require_subcommand(1);
-  Action action;
+  if (const auto code = StartToolCommand(argc, argv)) return *code;
+  const std::shared_ptr<CLI::App> shoal = MakeShoalCommand();
+  CLI::App& cli = *shoal;
+  CommandAction action;
   AddRun(cli, &action);
   AddGroup(cli, &action);
   AddSim(cli, &action);
@@ -383,9 +319,9 @@ int RunShoalCommand(int argc, char** argv) {
   AddStatus(cli, &action);
   AddView(cli, &action);
   AddHostCommands(cli, &action);
-  AddLogCommands(cli, &action);
-  AddEncounterCommands(cli, &action);
-  AddCampaignCommands(cli, &action);
+  for (const char* name : {"log", "import", "plot", "rebroker", "encounters", "campaign"}) {
+    ListToolCommand(cli, name);
+  }
   AddDoctor(cli, &action);
   cli.add_subcommand("channels", "Print the table of all channels (docs/channels.md)")
       ->callback([&action] {
@@ -394,16 +330,7 @@ int RunShoalCommand(int argc, char** argv) {
           return static_cast<int>(kExitOk);
         };
       });
-  return WithWrittenOutput([&] {
-    const std::span<char* const> words(argv, static_cast<size_t>(argc));
-    if (const auto code = CheckCommandWords(cli, words.subspan(1))) return *code;
-    try {
-      cli.parse(argc, argv);
-    } catch (const CLI::ParseError& error) {
-      return static_cast<int>(cli.exit(error) == 0 ? kExitOk : kExitUsage);
-    }
-    return action();
-  });
+  return RunCommandLine(cli, &action, {argv, argv + argc});
 }
 
 }  // namespace shoal

@@ -9,8 +9,8 @@
 #include "lib/base/time/seconds.h"
 #include "lib/comms/routing/vehicle_name.h"
 #include "lib/comms/swarm/report_message.h"
-#include "lib/tools/moos/node_message_text.h"
-#include "lib/tools/moos/numbers.h"
+#include "lib/run/moos_text/node_message_text.h"
+#include "lib/run/moos_text/numbers.h"
 
 namespace shoal {
 

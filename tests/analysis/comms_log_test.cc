@@ -1,11 +1,11 @@
-#include "lib/tools/analysis/comms_log.h"
+#include "lib/tools/rebroker/comms_log.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <random>
 
-#include "lib/tools/analysis/rebroker.h"
+#include "lib/tools/rebroker/rebroker.h"
 #include "sim/app_factory.h"
 #include "tests/analysis/rebroker_testing.h"
 

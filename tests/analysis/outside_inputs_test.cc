@@ -1,11 +1,11 @@
-#include "lib/tools/analysis/outside_inputs.h"
+#include "lib/tools/rebroker/outside_inputs.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <limits>
 
-#include "lib/tools/analysis/rebroker.h"
+#include "lib/tools/rebroker/rebroker.h"
 #include "sim/app_factory.h"
 #include "tests/analysis/rebroker_testing.h"
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "lib/tools/analysis/rebroker.h"
+#include "lib/tools/rebroker/rebroker.h"
 #include "sim/app_factory.h"
 #include "tests/analysis/rebroker_testing.h"
 

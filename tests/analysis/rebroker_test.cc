@@ -1,4 +1,4 @@
-#include "lib/tools/analysis/rebroker.h"
+#include "lib/tools/rebroker/rebroker.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

@@ -11,7 +11,7 @@
 #include "lib/bus/record/log_reader.h"
 #include "lib/bus/record/log_testing.h"
 #include "lib/mission/file/load.h"
-#include "lib/tools/analysis/comms_log.h"
+#include "lib/tools/rebroker/comms_log.h"
 #include "sim/simulation.h"
 
 namespace shoal {

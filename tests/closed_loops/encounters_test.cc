@@ -4,7 +4,7 @@
 #include <sstream>
 #include <string>
 
-#include "apps/shoal/encounters_command.h"
+#include "apps/shoal_encounters/encounters_command.h"
 #include "lib/base/check/result.h"
 
 namespace shoal::encounters_test {

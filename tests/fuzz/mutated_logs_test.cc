@@ -14,6 +14,7 @@
 #include "lib/bus/record/log_commands.h"
 #include "lib/bus/record/log_testing.h"
 #include "lib/tools/mcap/log_mcap.h"
+#include "lib/tools/sqlite/log_sqlite.h"
 #include "shoal/comms_fates_t.hpp"
 #include "shoal/nav_t.hpp"
 #include "shoal/node_report_t.hpp"

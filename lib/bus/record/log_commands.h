@@ -22,6 +22,9 @@ struct LogSelection {
   std::optional<double> to_s = std::nullopt;    ///< Event time, seconds, included.
 };
 
+/// Returns whether `from_s` is not after `to_s`; prints the error to `err` where it is.
+[[nodiscard]] bool IsSelectionSound(const LogSelection& selection, std::ostream& err);
+
 struct LogInfoOptions {
   std::string path;
   std::vector<std::string> types = {};  ///< .lcm files of types that are not shoal's.
@@ -81,20 +84,5 @@ struct LogCsvOptions {
 /// <CHANNEL>.<type>.csv for further types on one channel; with `lines`, beside each table of that
 /// type a file of the same name with their extension. Names the files in `out`.
 int LogCsv(const LogCsvOptions& options, std::ostream& out, std::ostream& err);
-
-struct LogSqliteOptions {
-  std::string path;
-  std::string out_path;  ///< A file of this name is replaced.
-  LogSelection selection = {};
-  bool skip_damage = false;
-  std::vector<std::string> types = {};
-};
-
-/// Writes an SQLite database: for every channel (and further type on it) a table of its name with
-/// the columns of LogCsv, but of the user's own fields only those that every message has; tables
-/// `channels` (channel, type, table_name, messages, rows) and `mission` (name, text: mission.toml,
-/// run.txt and summary.txt where they lie beside the log, and verdict, PASS or FAIL); views `fates`
-/// and <CHANNEL>.extra (time_s, name, key, value).
-int LogSqlite(const LogSqliteOptions& options, std::ostream& out, std::ostream& err);
 
 }  // namespace shoal

@@ -20,6 +20,13 @@ bool Matches(const std::string& glob, const std::string& channel) {
 
 }  // namespace
 
+bool IsSelectionSound(const LogSelection& selection, std::ostream& err) {
+  if (!selection.from_s || !selection.to_s || *selection.from_s <= *selection.to_s) return true;
+  err << fmt::format("shoal: --from {} is after --to {}: nothing lies between\n", *selection.from_s,
+                     *selection.to_s);
+  return false;
+}
+
 std::optional<LogReader> OpenLog(const std::string& path, OnDamage on_damage, std::ostream& err) {
   Result<LogReader> reader = LogReader::Open(path, on_damage);
   if (reader.ok()) return std::move(*reader);

@@ -1,4 +1,4 @@
-// A broker as the rebroker sees it (lib/tools/analysis/rebroker.h): an app that knows when it
+// A broker as the rebroker sees it (lib/tools/rebroker/rebroker.h): an app that knows when it
 // delivers something next. apps/shore_broker is one.
 #pragma once
 

@@ -2,12 +2,10 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <unistd.h>
 
-#include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 
+#include "lib/run/run/find_program.h"
 #include "lib/run/run/run_registry.h"
 
 namespace shoal {
@@ -15,11 +13,6 @@ namespace shoal {
 namespace {
 
 namespace fs = std::filesystem;
-
-bool IsProgram(const fs::path& path) {
-  std::error_code error;  // Folders of PATH may be closed to us.
-  return fs::is_regular_file(path, error) && access(path.c_str(), X_OK) == 0;
-}
 
 std::vector<std::string> ArgumentsOf(const RosterProcess& process, const LaunchContext& context) {
   const RosterEntry& entry = process.entries.front();
@@ -63,46 +56,6 @@ Result<std::string> ProgramOf(const RosterEntry& entry, const Mission& mission) 
 
 }  // namespace
 
-Result<std::string> FindProgram(const std::string& program, const std::string& mission_file) {
-  std::vector<fs::path> candidates;
-  if (program.find('/') != std::string::npos) {
-    candidates = {fs::path(program), fs::path(mission_file).parent_path() / program,
-                  fs::path(ExecutableDirectory()) / program};
-  } else {
-    candidates.push_back(fs::path(ExecutableDirectory()) / program);
-    const char* variable = std::getenv("PATH");
-    const std::string path = variable == nullptr ? "" : variable;
-    for (size_t begin = 0; begin < path.size();) {
-      const size_t end = std::min(path.find(':', begin), path.size());
-      candidates.push_back(fs::path(path.substr(begin, end - begin)) / program);
-      begin = end + 1;
-    }
-  }
-  for (const fs::path& candidate : candidates) {
-    if (IsProgram(candidate)) return fs::absolute(candidate).string();
-  }
-  for (const fs::path& candidate : candidates) {
-    std::error_code error;
-    if (!fs::exists(candidate, error)) continue;
-    return Error{fmt::format("{} is {}", fs::absolute(candidate).lexically_normal().string(),
-                             fs::is_directory(candidate, error)
-                                 ? "a folder, not a program"
-                                 : "not executable: `chmod +x` it, or begin the command with its "
-                                   "interpreter (command = [\"python3\", ...])")};
-  }
-  std::vector<std::string> places;
-  for (const fs::path& candidate : candidates) {
-    std::string place = fs::absolute(candidate).lexically_normal().string();
-    if (std::find(places.begin(), places.end(), place) == places.end()) {
-      places.push_back(std::move(place));
-    }
-  }
-  constexpr size_t kMaxPlaces = 3;
-  places.resize(std::min(places.size(), kMaxPlaces));
-  return Error{
-      fmt::format("cannot find the program '{}'; looked for {}", program, fmt::join(places, ", "))};
-}
-
 std::vector<std::string> ParticipantEnvironment(const std::string& name,
                                                 const LaunchContext& context) {
   std::string vehicles;
@@ -116,11 +69,6 @@ std::vector<std::string> ParticipantEnvironment(const std::string& name,
           fmt::format("SHOAL_VEHICLES={}", vehicles),
           fmt::format("SHOAL_MISSION_FILE={}", fs::absolute(context.mission.file).string()),
           fmt::format("{}={}", kSecretFileVariable, SecretPath(context.ports.base()))};
-}
-
-std::string ExecutableDirectory() {
-  std::error_code error;
-  return fs::read_symlink("/proc/self/exe", error).parent_path().string();
 }
 
 std::vector<std::string> MissingPrograms(const Mission& mission,

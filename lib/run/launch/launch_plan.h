@@ -62,17 +62,9 @@ std::string HandCommand(const RosterEntry& entry, const LaunchContext& context);
 /// Returns the command of the viewer that options.view asks for. @pre options.view
 [[nodiscard]] Result<ChildCommand> ViewerCommand(const LaunchContext& context);
 
-/// Looks for a program: with a '/', from the current folder, the mission file's or shoal's own;
-/// without, beside shoal, then on the PATH. The error names it and the places.
-[[nodiscard]] Result<std::string> FindProgram(const std::string& program,
-                                              const std::string& mission_file);
-
 /// Returns the environment of a process by its name, as "SHOAL_PORT=7665" and so on;
 /// docs/step_protocol.md. One that the launcher starts has SHOAL_SECRET_FD too.
 std::vector<std::string> ParticipantEnvironment(const std::string& name,
                                                 const LaunchContext& context);
-
-/// Returns the folder of the running executable.
-std::string ExecutableDirectory();
 
 }  // namespace shoal

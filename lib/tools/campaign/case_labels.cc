@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "lib/base/text/numbers.h"
-#include "lib/tools/analysis/plot_script.h"
+#include "lib/tools/plot/plot_script.h"
 
 namespace shoal {
 

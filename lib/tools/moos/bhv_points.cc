@@ -15,8 +15,8 @@
 #include "lib/base/text/numbers.h"
 #include "lib/mission/toml/suggest.h"
 #include "lib/mission/toml/table_writer.h"
-#include "lib/tools/moos/fields.h"
-#include "lib/tools/moos/numbers.h"
+#include "lib/run/moos_text/fields.h"
+#include "lib/run/moos_text/numbers.h"
 
 namespace shoal {
 namespace {

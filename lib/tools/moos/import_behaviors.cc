@@ -15,10 +15,10 @@
 #include "lib/base/text/numbers.h"
 #include "lib/mission/toml/suggest.h"
 #include "lib/mission/toml/table_writer.h"
+#include "lib/run/moos_text/fields.h"
+#include "lib/run/moos_text/numbers.h"
 #include "lib/tools/moos/bhv_keys.h"
 #include "lib/tools/moos/bhv_points.h"
-#include "lib/tools/moos/fields.h"
-#include "lib/tools/moos/numbers.h"
 
 namespace shoal {
 namespace {

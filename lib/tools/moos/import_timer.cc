@@ -14,10 +14,10 @@
 #include "lib/comms/routing/control.h"
 #include "lib/mission/toml/suggest.h"
 #include "lib/mission/toml/table_writer.h"
-#include "lib/tools/moos/fields.h"
+#include "lib/run/moos_text/fields.h"
+#include "lib/run/moos_text/node_message_text.h"
+#include "lib/run/moos_text/numbers.h"
 #include "lib/tools/moos/import_vehicle.h"
-#include "lib/tools/moos/node_message_text.h"
-#include "lib/tools/moos/numbers.h"
 
 namespace shoal {
 namespace {

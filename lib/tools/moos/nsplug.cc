@@ -11,7 +11,7 @@
 #include "lib/base/text/blanks.h"
 #include "lib/base/text/letters.h"
 #include "lib/mission/toml/suggest.h"
-#include "lib/tools/moos/fields.h"
+#include "lib/run/moos_text/fields.h"
 
 namespace shoal {
 namespace {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lib/tools/analysis/plot_script.h"
+#include "lib/tools/plot/plot_script.h"
 #include "lib/tools/report/table_text.h"
 
 namespace shoal {

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "lib/tools/analysis/plot_script.h"
 #include "lib/tools/campaign/results.h"
+#include "lib/tools/plot/plot_script.h"
 #include "lib/tools/report/report_tables.h"
 
 namespace shoal {

@@ -8,8 +8,8 @@
 #include <functional>
 #include <numeric>
 
-#include "lib/tools/analysis/plot_script.h"
 #include "lib/tools/campaign/case_labels.h"
+#include "lib/tools/plot/plot_script.h"
 #include "lib/tools/report/table_text.h"
 
 namespace shoal {

@@ -4,7 +4,7 @@
 #include <cstdlib>
 
 #include "lib/base/text/numbers.h"
-#include "lib/bus/record/sqlite_file.h"
+#include "lib/tools/sqlite/sqlite_file.h"
 #include "lib/tools/trials/reduce.h"
 
 namespace shoal {

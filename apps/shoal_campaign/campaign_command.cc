@@ -1,0 +1,261 @@
+#include "apps/shoal_campaign/campaign_command.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <thread>
+#include <utility>
+
+#include "apps/shoal_campaign/campaign_setup.h"
+#include "apps/shoal_campaign/campaign_trial.h"
+#include "lib/mission/file/print_errors.h"
+#include "lib/run/launch/launcher.h"
+#include "lib/run/launch/recording.h"
+#include "lib/run/launch/run_viewer.h"
+#include "lib/run/run/build_id.h"
+#include "lib/run/run/run_app.h"
+#include "lib/tools/trials/campaign_progress.h"
+#include "lib/tools/trials/reduce.h"
+#include "sim/app_factory.h"
+#include "sim/run_sim.h"
+#include "sim/simulation.h"
+
+namespace shoal {
+
+namespace {
+
+constexpr int kMaxJobs = 1024;
+
+int JobsOf(int wanted) {
+  if (wanted > 0) return wanted;
+  const auto processors = static_cast<int>(std::thread::hardware_concurrency());
+  return std::clamp(processors, 1, kMaxJobs);
+}
+
+/// Runs the first repetition of a few cases; returns the mean wall time of a trial, or 0.
+double MeasureTrials(const CampaignFolder& folder, const std::string& scratch) {
+  constexpr int64_t kMaxTrials = 4;
+  constexpr double kLongest_s = 3;
+  const auto most = std::min(
+      kMaxTrials, static_cast<int64_t>(folder.plan.cases.size()) * folder.campaign.repetitions);
+  WorkerPool pool(
+      {.num_workers = 1, .timeout_s = folder.campaign.timeout_s, .metrics = folder.plan.metrics},
+      [&](const TrialJob& job, TrialProgress* progress) {
+        return RunOneTrial(
+            folder, job, "",
+            [&](const TrialInput& input) { return RunCampaignTrial(input, scratch); }, progress);
+      });
+  double total_s = 0;
+  int64_t count = 0;
+  while (count < most && total_s < kLongest_s) {
+    const size_t number = static_cast<size_t>(count) % folder.plan.cases.size();
+    const int64_t round = count / static_cast<int64_t>(folder.plan.cases.size());
+    pool.Start({.case_number = number, .repetition = round + 1});
+    std::vector<FinishedJob> done;
+    while (done.empty() && !IsCampaignInterrupted()) done = pool.Wait(100);
+    if (done.empty()) break;
+    total_s += done.front().wall_s;
+    ++count;
+  }
+  return count == 0 ? 0 : total_s / static_cast<double>(count);
+}
+
+}  // namespace
+
+int RunCampaignCheck(const CampaignCheckOptions& options) {
+  PreparedCampaign prepared;
+  if (const auto code = PrepareCampaign(options.file, &prepared)) return *code;
+  const Campaign& campaign = prepared.loaded.campaign;
+  const Plan& plan = prepared.made.plan;
+  const auto num_cases = static_cast<int64_t>(plan.cases.size());
+  const int64_t num_trials = num_cases * campaign.repetitions;
+  fmt::print("{} trials: {} case{} of {} repetitions each{}\n", num_trials, num_cases,
+             num_cases == 1 ? "" : "s", campaign.repetitions,
+             campaign.stop ? ", or fewer by [stop]" : "");
+  constexpr size_t kMaxShown = 10;
+  for (size_t i = 0; i < std::min(kMaxShown, plan.cases.size()); ++i) {
+    fmt::print("  {}  {}\n", plan.cases[i].id, CaseText(campaign, plan.cases[i]));
+  }
+  if (plan.cases.size() > kMaxShown) fmt::print("  ... {} more\n", plan.cases.size() - kMaxShown);
+  for (const SampledKey& key : campaign.samples) fmt::print("sampled: {}\n", key.key);
+  for (const MetricName& metric : plan.metrics) {
+    fmt::print("metric {}{}: {}\n", metric.name,
+               metric.unit.empty() ? "" : " [" + metric.unit + "]", metric.text);
+  }
+  if (!prepared.made.bad_cases.empty()) {
+    fmt::print(stderr, "{}: {} of {} cases are wrong, see above: their trials would be errors\n",
+               options.file, prepared.made.bad_cases.size(), num_cases);
+    return kExitUsage;
+  }
+  std::fflush(stdout);
+  CatchCampaignSignals();
+  const TrialScratch scratch;
+  const CampaignFolder folder{.path = {}, .campaign = campaign, .plan = plan};
+  const double trial_s = MeasureTrials(folder, scratch.path());
+  const int jobs = JobsOf(options.num_jobs);
+  fmt::print("about {} with {} job{} ({:.3g} s for a trial, by the first ones)\n",
+             DurationText(trial_s * static_cast<double>(num_trials) / jobs), jobs,
+             jobs == 1 ? "" : "s", trial_s);
+  return kExitOk;
+}
+
+int RunCampaignRun(const CampaignRunCommand& command) {
+  PreparedCampaign prepared;
+  if (const auto code = PrepareCampaign(command.file, &prepared)) return *code;
+  if (!prepared.made.bad_cases.empty()) {
+    fmt::print(stderr, "{}: the trials of {} case(s) above will be errors\n", command.file,
+               prepared.made.bad_cases.size());
+  }
+  if (const std::string problem = MakeCampaignFolder(command.out); !problem.empty()) {
+    fmt::print(stderr, "shoal: {}\n", problem);
+    return kExitEnvironment;
+  }
+  Result<CampaignFolder> folder =
+      OpenCampaignFolder(command.out, prepared.loaded, prepared.made.plan);
+  if (!folder.ok()) {
+    fmt::print(stderr, "shoal: {}\n", folder.error());
+    return kExitUsage;
+  }
+  CatchCampaignSignals();
+  CampaignRunOptions options = command.run;
+  options.num_jobs = JobsOf(options.num_jobs);
+  const TrialScratch scratch;
+  const int64_t begin_us = MonotonicMicroseconds();
+  const CampaignRun run = RunCampaign(
+      *folder, options,
+      [&scratch](const TrialInput& input) { return RunCampaignTrial(input, scratch.path()); },
+      IsCampaignInterrupted);
+  const double wall_s = static_cast<double>(MonotonicMicroseconds() - begin_us) / 1e6;
+  for (const std::string& text : run.differing) {
+    fmt::print(stderr, "shoal: not reproducible: {}\n", text);
+  }
+  if (!run.problem.empty()) {
+    fmt::print(stderr, "shoal: {}\n", run.problem);
+    return kExitEnvironment;
+  }
+  const Result<CampaignResults> results = ReduceCampaign(*folder);
+  if (!results.ok()) {
+    fmt::print(stderr, "shoal: {}\n", results.error());
+    return kExitEnvironment;
+  }
+  fmt::print("{} trials in {} ({:.3g} per s){}\n", run.num_run, DurationText(wall_s),
+             static_cast<double>(run.num_run) / std::max(wall_s, 1e-3),
+             run.num_recorded == 0
+                 ? ""
+                 : fmt::format("; {} recorded in {}/failures", run.num_recorded, command.out));
+  fmt::print("{}: {}\n", command.out, CountsText(*results));
+  PrintTroubles(*results);
+  const bool is_complete = run.num_finished >= run.num_planned;
+  if (!is_complete) {
+    fmt::print(stderr,
+               "shoal: {} of {} trials of shard {}/{} are missing; the same command goes on\n",
+               run.num_planned - run.num_finished, run.num_planned, options.shard.number,
+               options.shard.count);
+  }
+  return is_complete && !HasTroubles(*results) && run.differing.empty() ? kExitOk
+                                                                        : kExitMissionFailed;
+}
+
+int RunCampaignStatus(const std::string& dir) {
+  const Result<CampaignFolder> folder = ReadCampaignFolder(dir);
+  if (!folder.ok()) {
+    fmt::print(stderr, "shoal: {}\n", folder.error());
+    return kExitUsage;
+  }
+  const Result<StoredTrials> stored = ReadShards(*folder);
+  if (!stored.ok()) {
+    fmt::print(stderr, "shoal: {}\n", stored.error());
+    return kExitEnvironment;
+  }
+  const TrialQueue queue(*folder, {}, *stored);
+  const CampaignResults results = ResultsOf(*folder, *stored);
+  fmt::print("{}: {}, {} missing\n", dir, CountsText(results),
+             queue.num_planned() - queue.num_spared() - queue.num_finished());
+  return kExitOk;
+}
+
+int RunCampaignReduce(const std::string& dir) {
+  const Result<CampaignFolder> folder = ReadCampaignFolder(dir);
+  if (!folder.ok()) {
+    fmt::print(stderr, "shoal: {}\n", folder.error());
+    return kExitUsage;
+  }
+  const Result<CampaignResults> results = ReduceCampaign(*folder);
+  if (!results.ok()) {
+    fmt::print(stderr, "shoal: {}\n", results.error());
+    return kExitEnvironment;
+  }
+  fmt::print("{}: {}\n{}/results.csv\n{}/results.sqlite\n", dir, CountsText(*results), dir, dir);
+  return kExitOk;
+}
+
+int RunCampaignReplay(const CampaignReplayOptions& options) {
+  const Result<CampaignFolder> folder = ReadCampaignFolder(options.dir);
+  if (!folder.ok()) {
+    fmt::print(stderr, "shoal: {}\n", folder.error());
+    return kExitUsage;
+  }
+  const Result<TrialKey> key = FindTrial(*folder, options.trial);
+  if (!key.ok()) {
+    fmt::print(stderr, "shoal: {}: {}\n", options.dir, key.error());
+    return kExitUsage;
+  }
+  const std::string build = BuildId();
+  if (folder->plan.build != build && !options.allow_build) {
+    fmt::print(
+        stderr,
+        "shoal: {} was run with another build ({}; this one is {}): the trial may go another "
+        "way; --allow-build runs it all the same\n",
+        options.dir, folder->plan.build, build);
+    return kExitUsage;
+  }
+  const MadePlan made = MakePlan(folder->campaign, folder->plan.build);
+  const auto& cases = folder->plan.cases;
+  const auto number =
+      static_cast<size_t>(std::find_if(cases.begin(), cases.end(),
+                                       [&](const auto& each) { return each.id == key->case_id; }) -
+                          cases.begin());
+  if (number >= made.plan.cases.size() || made.plan.cases[number].id != key->case_id) {
+    PrintErrors(made.errors);
+    fmt::print(stderr, "shoal: the mission {} is not what it was when {} was run\n",
+               folder->campaign.mission_file, options.dir);
+    return kExitUsage;
+  }
+  const std::vector<std::string> overrides =
+      OverridesOf(folder->campaign, folder->plan, number, key->repetition);
+  const LoadedMission loaded = LoadMission(folder->campaign.mission_file, overrides);
+  if (!LoadedWithoutErrors(loaded)) return kExitUsage;
+  const std::string record_dir = options.out.empty()
+                                     ? fmt::format("{}/replays/{}", options.dir, TrialName(*key))
+                                     : options.out;
+  std::error_code error;
+  if (options.out.empty()) std::filesystem::remove_all(record_dir, error);
+  std::filesystem::create_directories(std::filesystem::path(record_dir).parent_path(), error);
+  fmt::print("{} {}, seed {}\n", TrialName(*key), CaseText(folder->campaign, cases[number]),
+             loaded.mission.seed);
+  std::fflush(stdout);
+  const RunOptions run{.mission_file = folder->campaign.mission_file,
+                       .overrides = overrides,
+                       .warp = 0,
+                       .layout = {},
+                       .record_dir = record_dir,
+                       .view = {}};
+  int code = kExitOk;
+  if (CanRunInOneProcess(loaded.mission).ok()) {
+    if (const auto prepared = PrepareRecording(run, loaded.mission); !prepared.ok()) {
+      fmt::print(stderr, "shoal: {}\n", prepared.error());
+      return kExitEnvironment;
+    }
+    code = RunSim({.mission_file = run.mission_file,
+                   .overrides = overrides,
+                   .log_path = record_dir + "/mission.lcm"});
+  } else {
+    code = RunMission(run, loaded.mission, AppsToLaunch());
+  }
+  if (!options.is_viewed || code == kExitUsage || code == kExitEnvironment) return code;
+  std::fflush(stdout);
+  return RunView({.log = record_dir});
+}
+
+}  // namespace shoal

@@ -1,0 +1,11 @@
+// The subcommands of `shoal encounters`.
+#pragma once
+
+#include "lib/run/run/command_line.h"
+
+namespace shoal {
+
+/// Adds them; the chosen one sets `action` to what it runs.
+void AddEncounterCommands(CLI::App* command, CommandAction* action);
+
+}  // namespace shoal

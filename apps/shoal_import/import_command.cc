@@ -1,0 +1,169 @@
+#include "apps/shoal_import/import_command.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+#include "lib/base/check/result.h"
+#include "lib/mission/toml/suggest.h"
+#include "lib/run/moos_text/fields.h"
+#include "lib/tools/moos/bhv_file.h"
+#include "lib/tools/moos/import.h"
+#include "lib/tools/moos/moos_file.h"
+#include "lib/tools/moos/nsplug.h"
+
+namespace shoal {
+
+namespace {
+
+using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
+
+Result<std::string> ReadMoosFile(const std::string& path) {
+  constexpr size_t kLargest_bytes = 10'000'000;
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored)) {
+    return Error{path + " is a directory; name the .moos and .bhv files in it"};
+  }
+  const File file(std::fopen(path.c_str(), "rb"), &std::fclose);
+  if (file == nullptr) return Error{path + " cannot be read: " + std::strerror(errno)};
+  std::string text;
+  std::array<char, 65536> buffer;
+  while (const size_t size = std::fread(buffer.data(), 1, buffer.size(), file.get())) {
+    text.append(buffer.data(), size);
+    if (text.size() > kLargest_bytes) return Error{path + " is larger than 10 MB: no .moos file"};
+  }
+  if (std::ferror(file.get()) != 0) return Error{path + " cannot be read to its end"};
+  return text;
+}
+
+/// Returns the error; nothing where the file is written. "x": an existing file is not changed.
+std::optional<Error> WriteNewFile(const std::string& path, std::string_view text, int* code) {
+  File file(std::fopen(path.c_str(), "wx"), &std::fclose);
+  if (file == nullptr && errno == EEXIST) {
+    *code = kExitUsage;
+    return Error{path + " exists already; name another file, or remove it first"};
+  }
+  *code = kExitEnvironment;
+  if (file == nullptr) return Error{"cannot write " + path + ": " + std::strerror(errno)};
+  const bool is_written = std::fwrite(text.data(), 1, text.size(), file.get()) == text.size();
+  if (std::fclose(file.release()) == 0 && is_written) return std::nullopt;
+  return Error{"cannot write " + path + " to its end: is the disk full?"};
+}
+
+/// Finds an included file in the including file's folder, then in `paths`. Only regular files below
+/// a folder that was named, however the name is written, so that a mission of others cannot have
+/// any file of this machine copied into its comments.
+std::optional<MoosSource> FindIncluded(std::string_view name, std::string_view from,
+                                       const std::vector<std::string>& paths) {
+  namespace fs = std::filesystem;
+  if (name.empty() || fs::path(name).is_absolute()) return std::nullopt;
+  std::vector<std::pair<fs::path, fs::path>> places = {{fs::path(from).parent_path(), name}};
+  for (const std::string& folder : paths) {
+    places.emplace_back(folder, name);
+    places.emplace_back(folder, fs::path(name).filename());
+  }
+  for (const auto& [folder, file] : places) {
+    const fs::path path = (folder / file).lexically_normal();
+    std::error_code error;
+    const fs::path inside = fs::relative(path, folder.empty() ? fs::path(".") : folder, error);
+    if (error || inside.empty() || *inside.begin() == "..") continue;
+    if (!fs::is_regular_file(path, error)) continue;
+    Result<std::string> text = ReadMoosFile(path.string());
+    if (text.ok()) return MoosSource{.name = path.string(), .text = std::move(*text)};
+  }
+  return std::nullopt;
+}
+
+/// Reads NAME=VALUE pairs that are separated by blanks; a value with blanks stands in double
+/// quotes. `is_one`: the whole text is one pair.
+Result<MoosDefines> ReadDefines(std::string_view text, bool is_one) {
+  const Error wrong{fmt::format("{} is not NAME=VALUE", Quoted(text))};
+  MoosDefines defines;
+  std::string_view rest = Trimmed(text);
+  while (!rest.empty()) {
+    const size_t equals = rest.find('=');
+    if (equals == 0 || equals == rest.npos) return wrong;
+    const std::string name(Trimmed(rest.substr(0, equals)));
+    if (name.find_first_of(" \t\"") != name.npos) return wrong;
+    rest.remove_prefix(equals + 1);
+    size_t end = is_one ? rest.size() : std::min(rest.find_first_of(" \t"), rest.size());
+    const bool is_quoted = rest.starts_with('"') && rest.find('"', 1) != rest.npos;
+    if (is_quoted) end = rest.find('"', 1) + 1;
+    defines[name] = rest.substr(is_quoted ? 1 : 0, end - (is_quoted ? 2 : 0));
+    rest = Trimmed(rest.substr(end));
+  }
+  if (defines.empty()) return wrong;
+  return defines;
+}
+
+int Fail(const std::string& problem, int code) {
+  fmt::print(stderr, "shoal: {}\n", problem);
+  return code;
+}
+
+}  // namespace
+
+int RunImport(const ImportOptions& options) {
+  MoosImportOptions how;
+  for (const std::string& define : options.defines) {
+    const Result<MoosDefines> defines = ReadDefines(define, true);
+    if (!defines.ok()) return Fail("--define: " + defines.error(), kExitUsage);
+    for (const auto& [name, value] : *defines) how.defines.insert_or_assign(name, value);
+  }
+  for (const std::string& vehicle : options.vehicles) {
+    Result<MoosDefines> defines = ReadDefines(vehicle, false);
+    if (!defines.ok()) return Fail("--vehicle: " + defines.error(), kExitUsage);
+    how.vehicles.push_back(std::move(*defines));
+  }
+  how.find = [&options](std::string_view name, std::string_view from) {
+    return FindIncluded(name, from, options.paths);
+  };
+  std::vector<MoosSource> sources;
+  bool is_any_moos = false;
+  for (const std::string& path : options.files) {
+    Result<std::string> text = ReadMoosFile(path);
+    if (!text.ok()) return Fail(text.error(), kExitUsage);
+    MoosSource source{.name = path, .text = std::move(*text)};
+    const PluggedText plugged = Plug(source, how.defines, how.find);
+    if (IsBhvName(path)) {
+      const BhvFile file = ParseBhvFile(plugged);
+      if (file.behaviors.empty() && file.modes.empty() && file.initials.empty()) {
+        return Fail(path + " is no file of behaviors: it has no Behavior, set or initialize",
+                    kExitUsage);
+      }
+    } else if (ParseMoosFile(plugged).blocks.empty()) {
+      return Fail(path + " is no MOOS mission file: it has no ProcessConfig block", kExitUsage);
+    }
+    is_any_moos = is_any_moos || !IsBhvName(path);
+    sources.push_back(std::move(source));
+  }
+  if (!is_any_moos) {
+    return Fail("behaviors belong to a vehicle: name its .moos file too", kExitUsage);
+  }
+  const MoosImport import = ImportMoos(sources, how);
+  for (const std::string& warning : import.warnings) fmt::print(stderr, "{}\n", warning);
+  if (options.out_path.empty()) {
+    fmt::print("{}", import.mission);
+    return kExitOk;
+  }
+  int code = kExitOk;
+  if (const auto error = WriteNewFile(options.out_path, import.mission, &code)) {
+    return Fail(error->message, code);
+  }
+  fmt::print(
+      "{}: vehicles: {}, warnings: {}; its comments name every line that has no counterpart\n",
+      options.out_path, import.num_vehicles, import.warnings.size());
+  return kExitOk;
+}
+
+}  // namespace shoal

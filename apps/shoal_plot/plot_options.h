@@ -1,0 +1,11 @@
+// The options of `shoal plot`.
+#pragma once
+
+#include "lib/run/run/command_line.h"
+
+namespace shoal {
+
+/// Adds them, and sets `action` to what the command runs.
+void AddPlotOptions(CLI::App* command, CommandAction* action);
+
+}  // namespace shoal

@@ -1,0 +1,28 @@
+// The command line of `shoal`, which its programs share: `shoal` itself and those that it starts
+// for a command, as `shoal-campaign` for `shoal campaign` (tool_commands.h).
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace shoal {
+
+/// What the chosen command does; returns the exit code.
+using CommandAction = std::function<int()>;
+
+/// Returns the command `shoal`, with what --help and --version of it print, without commands.
+[[nodiscard]] std::shared_ptr<CLI::App> MakeShoalCommand();
+
+/// Parses `words`, the first of which is the program's name, and calls `*action`, which the chosen
+/// command has set. Returns the exit code; kExitUsage, with an error, where the command line is
+/// wrong; kExitEnvironment, with an error, where what was printed could not be written.
+int RunCommandLine(CLI::App& shoal, const CommandAction* action,
+                   const std::vector<std::string>& words);
+
+}  // namespace shoal

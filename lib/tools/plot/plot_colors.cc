@@ -1,0 +1,289 @@
+#include "lib/tools/plot/plot_colors.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+#include "lib/base/text/letters.h"
+
+namespace shoal {
+
+namespace {
+
+struct NamedColor {
+  std::string_view name;
+  uint32_t rgb;
+};
+
+// CSS Color Module Level 4, section 6.1.
+constexpr NamedColor kNamed[] = {
+    {"aliceblue", 0xf0f8ff},
+    {"antiquewhite", 0xfaebd7},
+    {"aqua", 0x00ffff},
+    {"aquamarine", 0x7fffd4},
+    {"azure", 0xf0ffff},
+    {"beige", 0xf5f5dc},
+    {"bisque", 0xffe4c4},
+    {"black", 0x000000},
+    {"blanchedalmond", 0xffebcd},
+    {"blue", 0x0000ff},
+    {"blueviolet", 0x8a2be2},
+    {"brown", 0xa52a2a},
+    {"burlywood", 0xdeb887},
+    {"cadetblue", 0x5f9ea0},
+    {"chartreuse", 0x7fff00},
+    {"chocolate", 0xd2691e},
+    {"coral", 0xff7f50},
+    {"cornflowerblue", 0x6495ed},
+    {"cornsilk", 0xfff8dc},
+    {"crimson", 0xdc143c},
+    {"cyan", 0x00ffff},
+    {"darkblue", 0x00008b},
+    {"darkcyan", 0x008b8b},
+    {"darkgoldenrod", 0xb8860b},
+    {"darkgray", 0xa9a9a9},
+    {"darkgreen", 0x006400},
+    {"darkkhaki", 0xbdb76b},
+    {"darkmagenta", 0x8b008b},
+    {"darkolivegreen", 0x556b2f},
+    {"darkorange", 0xff8c00},
+    {"darkorchid", 0x9932cc},
+    {"darkred", 0x8b0000},
+    {"darksalmon", 0xe9967a},
+    {"darkseagreen", 0x8fbc8f},
+    {"darkslateblue", 0x483d8b},
+    {"darkslategray", 0x2f4f4f},
+    {"darkturquoise", 0x00ced1},
+    {"darkviolet", 0x9400d3},
+    {"deeppink", 0xff1493},
+    {"deepskyblue", 0x00bfff},
+    {"dimgray", 0x696969},
+    {"dodgerblue", 0x1e90ff},
+    {"firebrick", 0xb22222},
+    {"floralwhite", 0xfffaf0},
+    {"forestgreen", 0x228b22},
+    {"fuchsia", 0xff00ff},
+    {"gainsboro", 0xdcdcdc},
+    {"ghostwhite", 0xf8f8ff},
+    {"gold", 0xffd700},
+    {"goldenrod", 0xdaa520},
+    {"gray", 0x808080},
+    {"green", 0x008000},
+    {"greenyellow", 0xadff2f},
+    {"honeydew", 0xf0fff0},
+    {"hotpink", 0xff69b4},
+    {"indianred", 0xcd5c5c},
+    {"indigo", 0x4b0082},
+    {"ivory", 0xfffff0},
+    {"khaki", 0xf0e68c},
+    {"lavender", 0xe6e6fa},
+    {"lavenderblush", 0xfff0f5},
+    {"lawngreen", 0x7cfc00},
+    {"lemonchiffon", 0xfffacd},
+    {"lightblue", 0xadd8e6},
+    {"lightcoral", 0xf08080},
+    {"lightcyan", 0xe0ffff},
+    {"lightgoldenrodyellow", 0xfafad2},
+    {"lightgray", 0xd3d3d3},
+    {"lightgreen", 0x90ee90},
+    {"lightpink", 0xffb6c1},
+    {"lightsalmon", 0xffa07a},
+    {"lightseagreen", 0x20b2aa},
+    {"lightskyblue", 0x87cefa},
+    {"lightslategray", 0x778899},
+    {"lightsteelblue", 0xb0c4de},
+    {"lightyellow", 0xffffe0},
+    {"lime", 0x00ff00},
+    {"limegreen", 0x32cd32},
+    {"linen", 0xfaf0e6},
+    {"magenta", 0xff00ff},
+    {"maroon", 0x800000},
+    {"mediumaquamarine", 0x66cdaa},
+    {"mediumblue", 0x0000cd},
+    {"mediumorchid", 0xba55d3},
+    {"mediumpurple", 0x9370db},
+    {"mediumseagreen", 0x3cb371},
+    {"mediumslateblue", 0x7b68ee},
+    {"mediumspringgreen", 0x00fa9a},
+    {"mediumturquoise", 0x48d1cc},
+    {"mediumvioletred", 0xc71585},
+    {"midnightblue", 0x191970},
+    {"mintcream", 0xf5fffa},
+    {"mistyrose", 0xffe4e1},
+    {"moccasin", 0xffe4b5},
+    {"navajowhite", 0xffdead},
+    {"navy", 0x000080},
+    {"oldlace", 0xfdf5e6},
+    {"olive", 0x808000},
+    {"olivedrab", 0x6b8e23},
+    {"orange", 0xffa500},
+    {"orangered", 0xff4500},
+    {"orchid", 0xda70d6},
+    {"palegoldenrod", 0xeee8aa},
+    {"palegreen", 0x98fb98},
+    {"paleturquoise", 0xafeeee},
+    {"palevioletred", 0xdb7093},
+    {"papayawhip", 0xffefd5},
+    {"peachpuff", 0xffdab9},
+    {"peru", 0xcd853f},
+    {"pink", 0xffc0cb},
+    {"plum", 0xdda0dd},
+    {"powderblue", 0xb0e0e6},
+    {"purple", 0x800080},
+    {"rebeccapurple", 0x663399},
+    {"red", 0xff0000},
+    {"rosybrown", 0xbc8f8f},
+    {"royalblue", 0x4169e1},
+    {"saddlebrown", 0x8b4513},
+    {"salmon", 0xfa8072},
+    {"sandybrown", 0xf4a460},
+    {"seagreen", 0x2e8b57},
+    {"seashell", 0xfff5ee},
+    {"sienna", 0xa0522d},
+    {"silver", 0xc0c0c0},
+    {"skyblue", 0x87ceeb},
+    {"slateblue", 0x6a5acd},
+    {"slategray", 0x708090},
+    {"snow", 0xfffafa},
+    {"springgreen", 0x00ff7f},
+    {"steelblue", 0x4682b4},
+    {"tan", 0xd2b48c},
+    {"teal", 0x008080},
+    {"thistle", 0xd8bfd8},
+    {"tomato", 0xff6347},
+    {"turquoise", 0x40e0d0},
+    {"violet", 0xee82ee},
+    {"wheat", 0xf5deb3},
+    {"white", 0xffffff},
+    {"whitesmoke", 0xf5f5f5},
+    {"yellow", 0xffff00},
+    {"yellowgreen", 0x9acd32},
+};
+
+// For those without a colour of their own: ten hues that differ in lightness too.
+constexpr std::array<uint32_t, 10> kPalette = {0x1f77b4, 0xd95f02, 0x2ca02c, 0xc51b3a, 0x7b4fa3,
+                                               0x8c564b, 0xd667ad, 0x5f6b75, 0x9a9a00, 0x12a5b8};
+
+using Rgb = std::array<double, 3>;  // Each in [0, 1].
+
+Rgb RgbOf(uint32_t color) {
+  return {((color >> 16) & 0xff) / 255.0, ((color >> 8) & 0xff) / 255.0, (color & 0xff) / 255.0};
+}
+
+std::string TextOf(const Rgb& rgb) {
+  const auto byte = [](double value) {
+    return static_cast<int>(std::lround(std::clamp(value, 0.0, 1.0) * 255));
+  };
+  return fmt::format("#{:02x}{:02x}{:02x}", byte(rgb[0]), byte(rgb[1]), byte(rgb[2]));
+}
+
+/// How light it looks, from 0 to 1 (Rec. 709 weights, without undoing gamma).
+double Lightness(const Rgb& rgb) { return 0.2126 * rgb[0] + 0.7152 * rgb[1] + 0.0722 * rgb[2]; }
+
+Rgb DarkEnough(Rgb rgb) {
+  constexpr double kLightest = 0.68;
+  const double lightness = Lightness(rgb);
+  if (lightness <= kLightest) return rgb;
+  for (double& part : rgb) part *= kLightest / lightness;
+  return rgb;
+}
+
+/// Mixes with black (`shade` < 0) or white (> 0).
+Rgb Shaded(Rgb rgb, double shade) {
+  for (double& part : rgb) part = shade < 0 ? part * (1 + shade) : part + (1 - part) * shade;
+  return rgb;
+}
+
+/// The colours of `kPalette` first, then ones around the wheel by the golden ratio.
+Rgb PaletteColor(size_t index) {
+  if (index < kPalette.size()) return RgbOf(kPalette[index]);
+  constexpr double kGoldenRatio = 0.61803398874989485;
+  const double turns = kGoldenRatio * static_cast<double>(index);
+  const double hue = 6 * (turns - std::floor(turns));
+  const double value = std::array{0.85, 0.6, 0.4}[index % 3];
+  const auto part = [&](double offset) {
+    const double k = std::fmod(offset + hue, 6.0);
+    return value - value * 0.85 * std::max(0.0, std::min({k, 4 - k, 1.0}));
+  };
+  return {part(5), part(3), part(1)};
+}
+
+/// True where a reader would mix up the two.
+bool AreAlike(const Rgb& a, const Rgb& b) {
+  constexpr double kAlike = 0.36;
+  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]) < kAlike;
+}
+
+std::string Plain(std::string_view name) {
+  std::string plain;
+  for (const char letter : name) {
+    if (letter == '_' || letter == ' ') continue;
+    plain += LowerCase(letter);
+  }
+  if (const size_t grey = plain.find("grey"); grey != std::string::npos) plain[grey + 2] = 'a';
+  return plain;
+}
+
+std::optional<uint32_t> HexColor(std::string_view text) {
+  if (text.size() != 7 || text[0] != '#') return std::nullopt;
+  uint32_t rgb = 0;
+  for (const char letter : text.substr(1)) {
+    const size_t digit = std::string_view("0123456789abcdef").find(letter);
+    if (digit == std::string_view::npos) return std::nullopt;
+    rgb = rgb * 16 + static_cast<uint32_t>(digit);
+  }
+  return rgb;
+}
+
+}  // namespace
+
+std::optional<uint32_t> ColorOf(std::string_view name) {
+  constexpr size_t kLongest = 64;
+  if (name.size() > kLongest) return std::nullopt;
+  const std::string plain = Plain(name);
+  for (const NamedColor& named : kNamed) {
+    if (named.name == plain) return named.rgb;
+  }
+  return HexColor(plain);
+}
+
+std::vector<std::string> AssignColors(const std::vector<std::string>& requested) {
+  constexpr size_t kMaxShades = 3;
+  constexpr double kShades[kMaxShades + 1][kMaxShades] = {
+      {}, {0, 0, 0}, {-0.3, 0.3, 0}, {-0.45, 0, 0.45}};
+  std::map<uint32_t, size_t> num_requests;
+  for (const std::string& name : requested) {
+    if (const auto color = ColorOf(name)) ++num_requests[*color];
+  }
+  std::vector<Rgb> taken;
+  for (const auto& [color, count] : num_requests) {
+    if (count <= kMaxShades) taken.push_back(DarkEnough(RgbOf(color)));
+  }
+  const auto is_taken = [&](const Rgb& rgb) {
+    return std::any_of(taken.begin(), taken.end(),
+                       [&](const Rgb& other) { return AreAlike(rgb, other); });
+  };
+  std::map<uint32_t, size_t> num_given;
+  size_t num_from_palette = 0;
+  std::vector<std::string> given;
+  for (const std::string& name : requested) {
+    const auto color = ColorOf(name);
+    const size_t num_sharing = color ? num_requests[*color] : 0;
+    if (num_sharing == 0 || num_sharing > kMaxShades) {
+      // Beyond the palette hues come close to each other anyway.
+      while (num_from_palette < kPalette.size() && is_taken(PaletteColor(num_from_palette))) {
+        ++num_from_palette;
+      }
+      given.push_back(TextOf(PaletteColor(num_from_palette++)));
+      continue;
+    }
+    const double shade = kShades[num_sharing][num_given[*color]++];
+    given.push_back(TextOf(DarkEnough(Shaded(DarkEnough(RgbOf(*color)), shade))));
+  }
+  return given;
+}
+
+}  // namespace shoal
