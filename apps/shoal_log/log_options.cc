@@ -130,6 +130,9 @@ void AddLogCommands(CLI::App* log, CommandAction* action) {
   auto diff_options = std::make_shared<LogDiffOptions>();
   diff->add_option("A", diff_options->path_a, "LCM event log")->required();
   diff->add_option("B", diff_options->path_b, "LCM event log")->required();
+  diff->add_option("--without", diff_options->without, "Leave out these channels; * and ? are wild")
+      ->take_all()
+      ->allow_extra_args(false);
   AddTypes(diff, &diff_options->types);
   diff->callback([diff_options, action] {
     *action = [diff_options] { return LogDiff(*diff_options, std::cout, std::cerr); };

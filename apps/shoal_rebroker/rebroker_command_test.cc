@@ -118,6 +118,26 @@ TEST_F(RebrokerCommandTest, NeedsRulesForALogThatHasNone) {
   EXPECT_EQ(with.out.find("\n*"), std::string::npos) << with.out;
 }
 
+TEST_F(RebrokerCommandTest, NamesARuleThatItDoesNotKnowAndOneThatTheLogLacks) {
+  std::vector<TestEvent> events = EventsOf(log());
+  for (TestEvent& event : events) {
+    broker_rules_t rules{};
+    if (event.channel != "COMMS_RULES" || !Decode(event.data, &rules)) continue;
+    for (broker_rule_t& rule : rules.rules) {
+      if (rule.key == "msg_color") rule.key = "max_depth";
+    }
+    event.data = Encoded(rules);
+  }
+  WriteLog(File("later.lcm"), events);
+  const Printed printed = Rebrokered({.logs = {File("later.lcm")}});
+  EXPECT_EQ(printed.code, kExitOk) << printed.out;
+  EXPECT_EQ(printed.err,
+            "shoal: warning: the log has the rule 'max_depth' ('white'), which this build does not "
+            "know: decisions may differ\n"
+            "shoal: warning: the log does not have the rule 'msg_color': it has its default, "
+            "'white'\n");
+}
+
 TEST_F(RebrokerCommandTest, RefusesToOverwriteTheLogThatItReads) {
   EXPECT_EQ(Rebrokered({.logs = {log()}, .out_path = log()}).code, kExitUsage);
   EXPECT_EQ(Rebrokered({.logs = {log()}}).code, kExitOk) << "it is still there";

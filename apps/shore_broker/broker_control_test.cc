@@ -26,15 +26,16 @@ TEST_F(BrokerControlTest, PublishesTheRulesAtItsStartAndWhenOneChanges) {
   Step();
   ASSERT_EQ(rules_.size(), 1U);
   EXPECT_TRUE(rules_[0].is_start);
-  EXPECT_EQ(rules_[0].comms_range_m, 250);
-  EXPECT_EQ(rules_[0].vehicles, (Texts{"alpha", "bravo"}));
+  EXPECT_EQ(rules_[0].rules.comms_range_m, 250);
+  ASSERT_EQ(rules_[0].vehicles.size(), 2U);
+  EXPECT_EQ(rules_[0].vehicles[1].name, "bravo");
   Step();
   EXPECT_EQ(rules_.size(), 1U);
   Send("comms_range", 300);
   Step();
   ASSERT_EQ(rules_.size(), 2U);
   EXPECT_FALSE(rules_[1].is_start);
-  EXPECT_EQ(rules_[1].comms_range_m, 300);
+  EXPECT_EQ(rules_[1].rules.comms_range_m, 300);
   Send("comms_range", 300);
   Step();
   EXPECT_EQ(rules_.size(), 2U) << "nothing changed";
@@ -56,13 +57,13 @@ TEST_F(BrokerControlTest, AnswersARequestForTheRulesInForceOutsideStepping) {
   ASSERT_TRUE(answer);
   EXPECT_EQ(answer->channel, channels::CommsRulesNow().name);
   EXPECT_TRUE(IsAnswer(answer->channel));
-  comms_rules_t rules{};
-  ASSERT_TRUE(Decode(answer->data, &rules));
-  EXPECT_EQ(rules.utime, utime_);
-  EXPECT_FALSE(rules.is_start);
-  EXPECT_EQ(rules.comms_range_m, 300);
-  ASSERT_EQ(rules.num_factors, 1);
-  EXPECT_EQ(rules.factors[0].stealth, 0.5);
+  const auto rules = ReadBrokerRules(answer->data);
+  ASSERT_TRUE(rules);
+  EXPECT_EQ(rules->utime, utime_);
+  EXPECT_FALSE(rules->is_start);
+  EXPECT_EQ(rules->rules.comms_range_m, 300);
+  ASSERT_EQ(rules->factors.size(), 1U);
+  EXPECT_EQ(rules->factors[0].second.stealth, 0.5);
   Step();
   EXPECT_EQ(rules_.size(), num_published) << "the mission does not notice";
   EXPECT_FALSE(broker_.Answer(channel, Bytes{1, 2, 3}));
@@ -84,20 +85,23 @@ TEST_F(BrokerControlTest, PublishesRulesFromWhichAnEqualBrokerIsMade) {
 
 TEST_F(BrokerControlTest, TakesNoImpossibleRecordedRules) {
   Step();
-  comms_rules_t rules = rules_.at(0);
-  rules.drop_percentage = 101;
+  BrokerRules rules = rules_.at(0);
+  rules.rules.drop_percentage = 101;
   EXPECT_FALSE(SetupOf(rules).ok());
   rules = rules_.at(0);
-  rules.vehicles[1] = "ALPHA";
+  rules.vehicles[1].name = "ALPHA";
   EXPECT_FALSE(SetupOf(rules).ok());
   rules = rules_.at(0);
   rules.tick_us = 0;
   EXPECT_FALSE(SetupOf(rules).ok());
   rules = rules_.at(0);
-  rules.stale_forget_s = std::numeric_limits<double>::quiet_NaN();
+  rules.rules.stale_forget_s = std::numeric_limits<double>::quiet_NaN();
   EXPECT_FALSE(SetupOf(rules).ok());
   rules = rules_.at(0);
-  rules.factors = {{.vehicle = "alpha", .stealth = 0.5, .earange = 11}};
+  rules.factors = {{"alpha", {.stealth = 0.5, .earange = 11}}};
+  EXPECT_FALSE(SetupOf(rules).ok());
+  rules = rules_.at(0);
+  rules.wrong = {"groups is a text, not a flag"};
   EXPECT_FALSE(SetupOf(rules).ok());
 }
 
@@ -135,7 +139,7 @@ TEST_F(BrokerControlTest, IgnoresAGroupFromNowOnAndTakesItInAgain) {
   EXPECT_EQ(broker_.Status().run_warnings.size(), 2U);
   Send("ignore_group", std::string());
   EXPECT_EQ(report(), Texts{"alpha>bravo delivered"});
-  EXPECT_EQ(rules_.back().ignore_group, "");
+  EXPECT_EQ(rules_.back().rules.ignore_group, "");
 }
 
 TEST_F(BrokerControlTest, ShortensTheRangeOfASource) {
@@ -251,7 +255,7 @@ TEST_F(LateBrokerTest, AsksForTheControlsThatItMissedAndHoldsInputsUntilItHasThe
   EXPECT_EQ(received_["alpha"].size(), 1U);
   ASSERT_EQ(rules_.size(), 1U);
   EXPECT_TRUE(rules_[0].is_start);
-  EXPECT_EQ(rules_[0].comms_range_m, 400);
+  EXPECT_EQ(rules_[0].rules.comms_range_m, 400);
   EXPECT_EQ(num_requests_, 1);
 }
 

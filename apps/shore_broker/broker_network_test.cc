@@ -153,14 +153,14 @@ TEST_F(SmallModem, WithImpossibleRulesIsRefused) {
   Step();
   ASSERT_TRUE(SetupOf(rules_.at(0)).ok());
   const auto is_refused = [&](auto change) {
-    comms_rules_t rules = rules_.at(0);
+    BrokerRules rules = rules_.at(0);
     change(&rules);
     return !SetupOf(rules).ok();
   };
-  EXPECT_TRUE(is_refused([](comms_rules_t* rules) { rules->reports_over = "smoke"; }));
-  EXPECT_TRUE(is_refused([](comms_rules_t* rules) { rules->acoustics = "crc = maybe"; }));
-  EXPECT_TRUE(is_refused([](comms_rules_t* rules) { rules->origin_lat_deg = 91; }));
-  EXPECT_TRUE(is_refused([](comms_rules_t* rules) { rules->acoustic_addresses[0] = -1; }));
+  EXPECT_TRUE(is_refused([](BrokerRules* rules) { rules->rules.reports_over = Over("smoke"); }));
+  EXPECT_TRUE(is_refused([](BrokerRules* rules) { rules->media = "crc = maybe"; }));
+  EXPECT_TRUE(is_refused([](BrokerRules* rules) { rules->origin.lat_deg = 91; }));
+  EXPECT_TRUE(is_refused([](BrokerRules* rules) { rules->vehicles[0].address = -1; }));
 }
 
 }  // namespace shoal::broker_network_test

@@ -70,7 +70,7 @@ class BrokerFixture : public testing::Test {
       pulses_.insert(pulses_.end(), message.pulses.begin(), message.pulses.end());
     });
     Subscribe(listener_, channels::CommsRules(),
-              [this](const comms_rules_t& rules) { rules_.push_back(rules); });
+              [this](const broker_rules_t& rules) { rules_.push_back(FromMessage(rules)); });
     Subscribe(listener_, channels::NodeReportUnc(),
               [this](const node_report_t& report) { shared_.push_back(report.name); });
     Subscribe(listener_, channels::UncControlsReq(),
@@ -154,7 +154,7 @@ class BrokerFixture : public testing::Test {
   std::vector<comms_pulse_t> pulses_;
   std::vector<std::string> shared_;  ///< Names.
   // What was received so far.
-  std::vector<comms_rules_t> rules_;
+  std::vector<BrokerRules> rules_;
   int num_requests_ = 0;
 
  private:

@@ -143,11 +143,11 @@ void ShoreBrokerApp::ApplyControls(int64_t utime) {
   controls_.clear();
   if (!rules_changed_ || !share_.has_rest) return;
   rules_changed_ = false;
-  comms_rules_t rules = RulesMessage(setup_, router_);
+  BrokerRules rules = RulesNow(setup_, router_);
   rules.utime = utime;
-  rules.is_start = began_to_work_ ? 0 : 1;
+  rules.is_start = !began_to_work_;
   began_to_work_ = true;
-  Publish(bus_, channels::CommsRules(), rules);
+  Publish(bus_, channels::CommsRules(), ToMessage(rules));
 }
 
 void ShoreBrokerApp::HandOnCommands(int64_t utime) {
@@ -382,10 +382,10 @@ std::optional<App::RequestAnswer> ShoreBrokerApp::Answer(std::string_view channe
   comms_rules_req_t request;
   const bool is_request = channel == channels::CommsRulesReq().name && Decode(data, &request);
   if (!is_request || !began_to_work_) return std::nullopt;
-  comms_rules_t rules = RulesMessage(setup_, router_);
+  BrokerRules rules = RulesNow(setup_, router_);
   rules.utime = now_utime_;
   RequestAnswer answer{.channel = channels::CommsRulesNow().name, .data = {}};
-  EncodeInto(rules, &answer.data);
+  EncodeInto(ToMessage(rules), &answer.data);
   return answer;
 }
 

@@ -9,6 +9,7 @@
 #include "lib/bus/bus/channels.h"
 #include "lib/bus/bus/seal.h"
 #include "lib/mission/file/load.h"
+#include "lib/run/broker/broker_rules.h"
 #include "lib/run/run/run_app.h"
 
 namespace shoal {
@@ -87,7 +88,7 @@ void MissionSession::Join(bool allow_commands) {
   }
   bus_->SubscribeBytes(channels::ClockState().name,
                        [this](const Message& message) { TakeClock(message); });
-  Subscribe(*bus_, channels::CommsRules(), [this](const comms_rules_t&) { has_rules_ = true; });
+  Subscribe(*bus_, channels::CommsRules(), [this](const broker_rules_t&) { has_rules_ = true; });
   bus_->SubscribeBytes(channels::CommsRulesNow().name,
                        [this](const Message& message) { TakeRules(message); });
   Subscribe(*bus_, channels::Appcast(),
@@ -117,8 +118,7 @@ void MissionSession::TakeClock(const Message& message) {
 
 /// A viewer that joins late has missed COMMS_RULES; the answer to its request replaces it.
 void MissionSession::TakeRules(const Message& message) {
-  comms_rules_t rules{};
-  if (has_rules_ || !Decode(message.data, &rules)) return;
+  if (has_rules_ || !ReadBrokerRules(message.data)) return;
   has_rules_ = true;
   view_->Handle(channels::CommsRules().name, message.data);
 }

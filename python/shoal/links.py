@@ -102,6 +102,8 @@ def vehicles_of(log: Log) -> list[str]:
     """Returns the mission's vehicles in its order; without COMMS_RULES those of NAV_<V>, sorted."""
     if "COMMS_RULES" in log:
         rules = log["COMMS_RULES"]
-        if rules.type == "shoal.comms_rules_t" and len(rules):
+        if rules.type == "shoal.broker_rules_t" and len(rules):
+            return [vehicle.name for vehicle in rules[0].vehicles]
+        if rules.type == "shoal.comms_rules_t" and len(rules):  # Logs of 0.1 and 0.2.
             return list(rules["vehicles"][0])
     return [name.removeprefix("NAV_") for name in log.channels if name.startswith("NAV_")]

@@ -218,7 +218,7 @@ TEST(Rebroker, DecidesALiveBrokersLogAtTheTimesOfItsEvents) {
       fates.utime += kBegin;
       event.data = Encoded(fates);
     }
-    if (comms_rules_t rules; event.channel == "COMMS_RULES" && Decode(event.data, &rules)) {
+    if (broker_rules_t rules; event.channel == "COMMS_RULES" && Decode(event.data, &rules)) {
       rules.utime += kBegin;
       event.data = Encoded(rules);
     }

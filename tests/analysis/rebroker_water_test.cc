@@ -134,7 +134,7 @@ TEST(Rebroker, PassesOverTheStepsInWhichNothingArrives) {
   slow.replace(slow.find("data_rate_bps = 3000"), 20, "data_rate_bps = 0.1\nsound_speed_mps = 1");
   slow.replace(slow.find("duration_s = 40"), 15, "duration_s = 20");
   std::vector<TestEvent> events = RecordedEvents(slow);
-  comms_rules_t rules;
+  broker_rules_t rules;
   for (TestEvent& event : events) {
     if (event.channel != "COMMS_RULES" || !Decode(event.data, &rules)) continue;
     rules.tick_us = 1;

@@ -9,6 +9,7 @@
 #include "lib/bus/bus/channels.h"
 #include "lib/bus/bus/lcm_bus.h"
 #include "lib/bus/record/log_reader.h"
+#include "lib/run/broker/broker_rules.h"
 #include "lib/run/run/run_registry.h"
 #include "tests/missions/shoal_process.h"
 
@@ -16,7 +17,7 @@ namespace shoal::shore_broker_test {
 
 /// What a log shows about the broker.
 struct BrokerHistory {
-  std::vector<comms_rules_t> rules;
+  std::vector<BrokerRules> rules;
   std::vector<int64_t> fate_utimes;  ///< Of each COMMS_FATES.
 };
 
@@ -25,10 +26,11 @@ BrokerHistory ReadHistory(const std::string& path) {
   Result<LogReader> reader = LogReader::Open(path);
   EXPECT_TRUE(reader.ok());
   while (const auto event = reader->Next()) {
-    comms_rules_t rules;
     comms_fates_t fates;
-    if (event->channel == "COMMS_RULES" && Decode(event->data, &rules)) {
-      history.rules.push_back(rules);
+    if (event->channel == "COMMS_RULES") {
+      const auto rules = ReadBrokerRules(event->data);
+      EXPECT_TRUE(rules);
+      if (rules) history.rules.push_back(*rules);
     }
     if (event->channel == "COMMS_FATES" && Decode(event->data, &fates)) {
       history.fate_utimes.push_back(fates.utime);
@@ -60,12 +62,12 @@ TEST(KilledBroker, ComesBackWithItsControlsAfterOneReportOfEachVehicleAndItsStar
 
   const BrokerHistory history = ReadHistory(dir + "/mission.lcm");
   ASSERT_GE(history.rules.size(), 3U) << "two at least before, one at the new start";
-  const comms_rules_t& again = history.rules.back();
+  const BrokerRules& again = history.rules.back();
   EXPECT_TRUE(history.rules.front().is_start);
   EXPECT_TRUE(again.is_start);
-  EXPECT_EQ(again.comms_range_m, 90);
+  EXPECT_EQ(again.rules.comms_range_m, 90);
   ASSERT_EQ(again.factors.size(), 1U);
-  EXPECT_EQ(again.factors[0].stealth, 0.5);
+  EXPECT_EQ(again.factors[0].second.stealth, 0.5);
   EXPECT_GT(again.utime, history.rules.front().utime);
   // How many reports were lost with the old broker depends on the moment of the kill, and it may be
   // none: what is promised is how soon the new one routes.

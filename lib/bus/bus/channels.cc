@@ -90,8 +90,8 @@ Channel<unc_controls_req_t> UncControlsReq() { return {std::string(topics::kUncC
 Channel<node_report_t> NodeReportUnc() { return {std::string(topics::kNodeReportUnc)}; }
 Channel<comms_fates_t> CommsFates() { return {std::string(topics::kCommsFates)}; }
 Channel<comms_media_t> CommsMedia() { return {std::string(topics::kCommsMedia)}; }
-Channel<comms_rules_t> CommsRules() { return {std::string(topics::kCommsRules)}; }
-Channel<comms_rules_t> CommsRulesNow() { return {std::string(topics::kCommsRulesNow)}; }
+Channel<broker_rules_t> CommsRules() { return {std::string(topics::kCommsRules)}; }
+Channel<broker_rules_t> CommsRulesNow() { return {std::string(topics::kCommsRulesNow)}; }
 Channel<comms_pulses_t> ViewCommsPulse() { return {std::string(topics::kViewCommsPulse)}; }
 Channel<modem_stats_t> ModemStats() { return {std::string(topics::kModemStats)}; }
 Channel<appcast_t> Appcast() { return {std::string(topics::kAppcast)}; }
@@ -181,7 +181,7 @@ std::vector<ChannelRow> MakeTable() {
        "netsim_manager, shoal, viewer", "steps with decisions", true},
       {topics::kCommsMedia, kShore, "comms_media_t", "shore_broker", "viewer, (shoal log comms)",
        "with [[medium]]: steps with decisions", true},
-      {topics::kCommsRules, kShore, "comms_rules_t", "shore_broker", "viewer, (shoal rebroker)",
+      {topics::kCommsRules, kShore, "broker_rules_t", "shore_broker", "viewer, (shoal rebroker)",
        "at its start and when a rule changes", true},
       {topics::kViewCommsPulse, kShore, "comms_pulses_t", "shore_broker", "viewer",
        "steps with deliveries", true},
@@ -198,7 +198,7 @@ std::vector<ChannelRow> MakeTable() {
       {topics::kUncControlsReq, kShore, "unc_controls_req_t", "shore_broker", "shoal",
        "when it starts in mid-mission", true},
       {topics::kUncControls, kShore, "unc_controls_t", "shoal", "shore_broker", "when asked", true},
-      {topics::kCommsRulesNow, kShore, "comms_rules_t", "shore_broker", "viewer", "when asked",
+      {topics::kCommsRulesNow, kShore, "broker_rules_t", "shore_broker", "viewer", "when asked",
        false, true},
       {topics::kAppcast, kShore, "appcast_t", "every app", "shoal status, viewer", "when asked",
        false, true},

@@ -21,13 +21,13 @@
 #include "shoal/actuators_t.hpp"
 #include "shoal/appcast_req_t.hpp"
 #include "shoal/appcast_t.hpp"
+#include "shoal/broker_rules_t.hpp"
 #include "shoal/clock_command_t.hpp"
 #include "shoal/clock_state_t.hpp"
 #include "shoal/comms_fates_t.hpp"
 #include "shoal/comms_media_t.hpp"
 #include "shoal/comms_pulses_t.hpp"
 #include "shoal/comms_rules_req_t.hpp"
-#include "shoal/comms_rules_t.hpp"
 #include "shoal/desired_t.hpp"
 #include "shoal/guidance_t.hpp"
 #include "shoal/helm_command_t.hpp"
@@ -152,8 +152,8 @@ Channel<unc_controls_req_t> UncControlsReq();
 Channel<node_report_t> NodeReportUnc();
 Channel<comms_fates_t> CommsFates();
 Channel<comms_media_t> CommsMedia();
-Channel<comms_rules_t> CommsRules();
-Channel<comms_rules_t> CommsRulesNow();
+Channel<broker_rules_t> CommsRules();
+Channel<broker_rules_t> CommsRulesNow();
 Channel<comms_pulses_t> ViewCommsPulse();
 Channel<modem_stats_t> ModemStats();
 Channel<appcast_t> Appcast();

@@ -51,6 +51,7 @@ struct LogDiffOptions {
   std::string path_a;
   std::string path_b;
   std::vector<std::string> types = {};
+  std::vector<std::string> without = {};  ///< Globs of channels that are not compared.
 };
 
 inline constexpr int kLogsDiffer = 1;

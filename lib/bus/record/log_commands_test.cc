@@ -58,8 +58,9 @@ class LogCommandsTest : public ::testing::Test {
     exit_code_ = LogInfo(options, out_, err_);
     return Taken();
   }
-  std::string Diff(const std::string& a, const std::string& b) {
-    exit_code_ = LogDiff({.path_a = a, .path_b = b, .types = {}}, out_, err_);
+  std::string Diff(const std::string& a, const std::string& b,
+                   const std::vector<std::string>& without = {}) {
+    exit_code_ = LogDiff({.path_a = a, .path_b = b, .without = without}, out_, err_);
     return Taken();
   }
   std::string Csv(const LogCsvOptions& options) {
@@ -243,6 +244,16 @@ TEST_F(LogDiff_, FindsStepTimeChannelAndFieldOfTheFirstDifference) {
             "fates[1].cause\n  " +
                 a + ": lost\n  " + b + ": delivered\n" +
                 "every channel has the same number of events in both logs\n");
+  EXPECT_EQ(exit_code_, kLogsDiffer);
+}
+
+TEST_F(LogDiff_, LeavesOutChannels) {
+  const std::string a = Log("a.lcm", {{0, "D", Desired(0, 1)}, {0, "E_X", Desired(0, 1)}});
+  const std::string b =
+      Log("b.lcm", {{0, "E_X", Desired(0, 2)}, {0, "E_Y", {}}, {0, "D", Desired(0, 1)}});
+  EXPECT_EQ(Diff(a, b, {"F", "E_*"}), "equal: 1 events in 1 steps\n");
+  EXPECT_EQ(exit_code_, kExitOk);
+  EXPECT_NE(Diff(a, b, {"E_Y"}), "equal: 2 events in 1 steps\n");
   EXPECT_EQ(exit_code_, kLogsDiffer);
 }
 

@@ -24,6 +24,12 @@ bool AreEqual(const Schema& schema, const LogEvent& a, const LogEvent& b) {
   return std::ranges::equal(Recognise(schema, a.data).data, Recognise(schema, b.data).data);
 }
 
+bool IsLeftOut(const LogDiffOptions& options, std::string_view channel) {
+  return std::ranges::any_of(options.without, [&](const std::string& glob) {
+    return Matches(glob, std::string(channel));
+  });
+}
+
 /// Where two messages of one channel and time differ.
 struct FieldDifference {
   std::string field;
@@ -117,9 +123,14 @@ int LogDiff(const LogDiffOptions& options, std::ostream& out, std::ostream& err)
   int64_t num_steps = 0;
   std::optional<int64_t> last_utime;
   bool is_different = false;
+  const auto next_compared = [&](LogReader* reader) {
+    auto event = reader->Next();
+    while (event && IsLeftOut(options, event->channel)) event = reader->Next();
+    return event;
+  };
   while (true) {
-    const auto a = reader_a->Next();
-    const auto b = reader_b->Next();
+    const auto a = next_compared(&*reader_a);
+    const auto b = next_compared(&*reader_b);
     if (!reader_a->error().empty() || !reader_b->error().empty()) break;
     if (!a && !b) break;
     const auto count = [&](const std::optional<LogEvent>& event) -> auto& {

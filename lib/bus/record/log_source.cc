@@ -12,13 +12,9 @@
 
 namespace shoal {
 
-namespace {
-
 bool Matches(const std::string& glob, const std::string& channel) {
   return ::fnmatch(glob.c_str(), channel.c_str(), 0) == 0;
 }
-
-}  // namespace
 
 bool IsSelectionSound(const LogSelection& selection, std::ostream& err) {
   if (!selection.from_s || !selection.to_s || *selection.from_s <= *selection.to_s) return true;

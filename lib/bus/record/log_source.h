@@ -23,6 +23,9 @@ std::optional<LogReader> OpenLog(const std::string& path, OnDamage on_damage, st
 /// Writes the damages that `reader` skipped, or its error. Returns true where it read to the end.
 bool ReportDamage(const LogReader& reader, std::ostream& err);
 
+/// Returns true for a channel that a glob with * ? [a-z] stands for.
+[[nodiscard]] bool Matches(const std::string& glob, const std::string& channel);
+
 [[nodiscard]] bool IsSelected(const LogSelection& selection, const LogEvent& event);
 
 /// Writes which globs of `selection` match none of `channels`, all those of the log. Returns false

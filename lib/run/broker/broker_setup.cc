@@ -2,13 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <set>
 
 #include "lib/comms/routing/control.h"
 #include "lib/comms/routing/vehicle_name.h"
-#include "lib/run/broker/comms_rules.h"
 
 namespace shoal {
 
@@ -37,8 +37,8 @@ BrokerSetup SetupOf(const Mission& mission) {
 namespace {
 
 /// Takes the media and the origin, or returns why they cannot be.
-std::optional<Error> TakeMedia(const comms_rules_t& rules, BrokerSetup* setup) {
-  LoadedMedia loaded = LoadMediaText(rules.acoustics, "COMMS_RULES acoustics");
+std::optional<Error> TakeMedia(const BrokerRules& rules, BrokerSetup* setup) {
+  LoadedMedia loaded = LoadMediaText(rules.media, "COMMS_RULES acoustics");
   if (!loaded.errors.empty()) return Error{loaded.errors.front()};
   setup->media = std::move(loaded.setup);
   const size_t num_with_media = setup->media.of_vehicles.size();
@@ -46,82 +46,74 @@ std::optional<Error> TakeMedia(const comms_rules_t& rules, BrokerSetup* setup) {
     return Error{fmt::format("COMMS_RULES: media of {} vehicles, where there are {}",
                              num_with_media, setup->vehicles.size())};
   }
-  if (const std::string impossible = ImpossibleRule(rules, setup->media.Names());
+  if (const std::string impossible = ImpossibleRule(rules.rules, setup->media.Names());
       !impossible.empty()) {
     return Error{fmt::format("COMMS_RULES: {} is impossible", impossible)};
   }
-  for (size_t i = 0; i < setup->vehicles.size(); ++i) {
-    if (rules.acoustic_addresses[i] <= 0) {
-      return Error{
-          fmt::format("COMMS_RULES: {} is no acoustic address", rules.acoustic_addresses[i])};
+  for (const AcousticNode& node : rules.vehicles) {
+    if (node.address <= 0) {
+      return Error{fmt::format("COMMS_RULES: {} is no acoustic address", node.address)};
     }
-    setup->nodes.push_back({.name = setup->vehicles[i],
-                            .address = rules.acoustic_addresses[i],
-                            .is_leader = rules.acoustic_leaders[i] != 0});
   }
-  if (!(std::abs(rules.origin_lat_deg) <= 90) || !(std::abs(rules.origin_lon_deg) <= 180)) {
-    return Error{fmt::format("COMMS_RULES: no place of the Earth: {}, {}", rules.origin_lat_deg,
-                             rules.origin_lon_deg)};
+  setup->nodes = rules.vehicles;
+  if (!(std::abs(rules.origin.lat_deg) <= 90) || !(std::abs(rules.origin.lon_deg) <= 180)) {
+    return Error{fmt::format("COMMS_RULES: no place of the Earth: {}, {}", rules.origin.lat_deg,
+                             rules.origin.lon_deg)};
   }
-  setup->origin = {.lat_deg = rules.origin_lat_deg, .lon_deg = rules.origin_lon_deg};
+  setup->origin = rules.origin;
   return std::nullopt;
+}
+
+/// True where each factor has a value that its rule can have.
+bool ArePossible(const LinkFactors& factors) {
+  return std::ranges::all_of(ControlTable(), [&](const ControlRow& row) {
+    return !row.of_vehicle || row.type == ControlType::kRequest ||
+           IsPossible(row, GetFactor(row, factors));
+  });
 }
 
 }  // namespace
 
-Result<BrokerSetup> SetupOf(const comms_rules_t& rules) {
+Result<BrokerSetup> SetupOf(const BrokerRules& rules) {
+  if (!rules.wrong.empty()) return Error{"COMMS_RULES: " + rules.wrong.front()};
   BrokerSetup setup;
-  setup.rules = RulesOf(rules);
+  setup.rules = rules.rules;
   setup.seed = static_cast<uint64_t>(rules.seed);
   setup.start_utime = rules.utime;
   setup.tick_us = rules.tick_us;
-  setup.vehicles = rules.vehicles;
   constexpr int64_t kLongestTick_us = 1'000'000'000;
   if (rules.tick_us <= 0 || rules.tick_us > kLongestTick_us) {
     return Error{fmt::format("COMMS_RULES: tick_us = {} is impossible", rules.tick_us)};
   }
   std::set<std::string> keys;
-  for (const std::string& name : setup.vehicles) {
-    if (!IsLegalVehicleName(name) || !keys.insert(VehicleKey(name)).second) {
-      return Error{fmt::format("COMMS_RULES: illegal or repeated vehicle '{}'", name)};
+  for (const AcousticNode& node : rules.vehicles) {
+    if (!IsLegalVehicleName(node.name) || !keys.insert(VehicleKey(node.name)).second) {
+      return Error{fmt::format("COMMS_RULES: illegal or repeated vehicle '{}'", node.name)};
+    }
+    setup.vehicles.push_back(node.name);
+  }
+  for (const auto& [vehicle, factors] : rules.factors) {
+    if (!ArePossible(factors)) {
+      return Error{fmt::format("COMMS_RULES: impossible factors of '{}'", vehicle)};
     }
   }
-  for (const link_factors_t& each : rules.factors) {
-    const LinkFactors factors = {.stealth = each.stealth, .earange = each.earange};
-    if (!IsPossible(*FindControl("stealth"), factors.stealth) ||
-        !IsPossible(*FindControl("earange"), factors.earange)) {
-      return Error{fmt::format("COMMS_RULES: impossible factors of '{}'", each.vehicle)};
-    }
-    setup.factors.emplace_back(each.vehicle, factors);
-  }
+  setup.factors = rules.factors;
   if (const auto error = TakeMedia(rules, &setup)) return *error;
   return setup;
 }
 
-comms_rules_t RulesMessage(const BrokerSetup& setup, const Router& router) {
-  comms_rules_t message;
-  message.utime = 0;
-  message.is_start = 0;
-  message.seed = static_cast<int64_t>(setup.seed);
-  message.tick_us = setup.tick_us;
-  message.vehicles = setup.vehicles;
-  message.num_vehicles = static_cast<int32_t>(setup.vehicles.size());
-  PutRules(router.rules(), &message);
-  message.origin_lat_deg = setup.origin.lat_deg;
-  message.origin_lon_deg = setup.origin.lon_deg;
-  message.acoustics = ExplainMedia(setup.media);
-  for (const AcousticNode& node : setup.nodes) {
-    message.acoustic_addresses.push_back(node.address);
-    message.acoustic_leaders.push_back(node.is_leader ? 1 : 0);
-  }
+BrokerRules RulesNow(const BrokerSetup& setup, const Router& router) {
+  BrokerRules now{.seed = static_cast<int64_t>(setup.seed),
+                  .tick_us = setup.tick_us,
+                  .origin = setup.origin,
+                  .vehicles = setup.nodes,
+                  .rules = router.rules(),
+                  .media = ExplainMedia(setup.media)};
   for (const Contact* contact : router.contacts()) {
     if (contact->factors == LinkFactors()) continue;
-    message.factors.push_back({.vehicle = contact->name,
-                               .stealth = contact->factors.stealth,
-                               .earange = contact->factors.earange});
+    now.factors.emplace_back(contact->name, contact->factors);
   }
-  message.num_factors = static_cast<int32_t>(message.factors.size());
-  return message;
+  return now;
 }
 
 }  // namespace shoal

@@ -12,8 +12,8 @@
 #include "lib/comms/routing/rules.h"
 #include "lib/mission/file/load_media.h"
 #include "lib/mission/model/mission.h"
+#include "lib/run/broker/broker_rules.h"
 #include "lib/sea/acoustics/channel_plan.h"
-#include "shoal/comms_rules_t.hpp"
 
 namespace shoal {
 
@@ -36,9 +36,9 @@ struct BrokerSetup {
 [[nodiscard]] BrokerSetup SetupOf(const Mission& mission);
 
 /// Returns the setup of a recorded COMMS_RULES, or an error where it holds something impossible.
-[[nodiscard]] Result<BrokerSetup> SetupOf(const comms_rules_t& rules);
+[[nodiscard]] Result<BrokerSetup> SetupOf(const BrokerRules& rules);
 
-/// Returns the rules in force as COMMS_RULES; `setup` has what does not change.
-[[nodiscard]] comms_rules_t RulesMessage(const BrokerSetup& setup, const Router& router);
+/// Returns the rules in force, without a time; `setup` has what does not change.
+[[nodiscard]] BrokerRules RulesNow(const BrokerSetup& setup, const Router& router);
 
 }  // namespace shoal

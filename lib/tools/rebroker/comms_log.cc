@@ -67,6 +67,10 @@ std::optional<int64_t> StepsLater(int64_t utime, int64_t steps, int64_t tick_us)
   return later;
 }
 
+std::optional<BrokerRules> RulesOfItem(const CommsLog& log, const CommsLogItem& item) {
+  return ReadBrokerRules(std::span(log.bytes).subspan(item.begin, item.size));
+}
+
 void CommsLogBuilder::BeginLog() {
   previous_utime_.reset();
   latest_step_ = 0;
@@ -133,7 +137,7 @@ std::optional<int64_t> CommsLogBuilder::UtimeOf(const CommsLogItem& item) const 
   } else if (item.channel == FatesChannel()) {
     if (const auto fates = DecodeItem<comms_fates_t>(log_, item)) return fates->utime;
   } else if (item.channel == RulesChannel()) {
-    if (const auto rules = DecodeItem<comms_rules_t>(log_, item)) return rules->utime;
+    if (const auto rules = RulesOfItem(log_, item)) return rules->utime;
   }
   return std::nullopt;
 }
@@ -221,7 +225,7 @@ LogTime CommsLogBuilder::KindOfTime() const {
 void CommsLogBuilder::TakeTick(std::optional<int64_t> tick_us) {
   for (const CommsLogItem& item : items_) {
     if (item.channel != RulesChannel()) continue;
-    const auto rules = DecodeItem<comms_rules_t>(log_, item);
+    const auto rules = RulesOfItem(log_, item);
     if (!rules || !IsPossibleTick(rules->tick_us)) continue;
     log_.tick_us = rules->tick_us;
     return;

@@ -18,6 +18,7 @@
 #include "lib/bus/bus/bus.h"
 #include "lib/bus/bus/channels.h"
 #include "lib/bus/record/log_format.h"
+#include "lib/run/broker/broker_rules.h"
 
 namespace shoal {
 
@@ -68,10 +69,10 @@ struct CommsLog {
   std::vector<std::string> truth_channels;  ///< NAV_<V>, of all vehicles in the log.
   std::vector<BrokerStart> starts;          ///< One at least, unless there are no inputs.
   std::vector<int64_t> rule_changes;        ///< When COMMS_RULES was published again, for a change.
-  std::optional<comms_rules_t> rules;  ///< The broker's at its first start; or the first that are.
-  int64_t first_utime = 0;             ///< Of all events.
-  int64_t last_utime = 0;              ///< No step is later.
-  int64_t num_events = 0;              ///< On all channels.
+  std::optional<BrokerRules> rules;  ///< The broker's at its first start; or the first that are.
+  int64_t first_utime = 0;           ///< Of all events.
+  int64_t last_utime = 0;            ///< No step is later.
+  int64_t num_events = 0;            ///< On all channels.
 
   std::vector<ReportGap> gaps;  ///< Of vehicles whose reports are missing.
   int64_t num_backward = 0;     ///< Events earlier than the one before.
@@ -127,6 +128,9 @@ template <class T>
   if (!Decode(std::span(log.bytes).subspan(item.begin, item.size), &message)) return std::nullopt;
   return message;
 }
+
+/// Returns the item's rules, of any version's log.
+[[nodiscard]] std::optional<BrokerRules> RulesOfItem(const CommsLog& log, const CommsLogItem& item);
 
 class CommsLogBuilder {
  public:

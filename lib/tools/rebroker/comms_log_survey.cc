@@ -19,14 +19,14 @@ constexpr int64_t kHold_us = 1'000'000;
 void FindStarts(std::span<const CommsLogItem> items, CommsLog* log) {
   constexpr int64_t kNotAsked = -2 * kLatest_us;
   int64_t asked_utime = kNotAsked;
-  std::optional<comms_rules_t> any_rules;
+  std::optional<BrokerRules> any_rules;
   for (const CommsLogItem& item : items) {
     if (item.channel == RequestChannel()) asked_utime = item.utime;
     if (item.channel != RulesChannel()) continue;
-    std::optional<comms_rules_t> rules = DecodeItem<comms_rules_t>(*log, item);
+    std::optional<BrokerRules> rules = RulesOfItem(*log, item);
     if (!rules) continue;
     if (!any_rules) any_rules = rules;
-    if (rules->is_start == 0) {
+    if (!rules->is_start) {
       log->rule_changes.push_back(item.utime);
       continue;
     }

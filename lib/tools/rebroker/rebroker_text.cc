@@ -99,10 +99,13 @@ std::vector<std::string> WarningsOf(const CommsLog& log) {
     warnings.push_back(
         fmt::format("the log does not contain the tick; {} s is a guess", Seconds(log.tick_us)));
   }
-  if (log.rules && log.rules->is_start == 0) {
+  if (log.rules && !log.rules->is_start) {
     warnings.push_back(
         fmt::format("the log does not hold the broker's start: its rules are those of {}",
                     SecondsText(log.rules->utime)));
+  }
+  if (log.rules) {
+    for (std::string& line : StrangeRules(*log.rules)) warnings.push_back(std::move(line));
   }
   return warnings;
 }

@@ -120,12 +120,13 @@ Bytes DrawMessage(const std::string& channel) {
     return Encoded(PulsesOf(DrawUtime(), {pulse}));
   }
   if (channel == "COMMS_RULES") {
-    comms_rules_t rules = RulesWith(DrawUtime(), DrawDouble(), DrawDouble());
-    rules.num_factors = 1;
-    rules.factors.resize(1);
-    rules.factors[0].vehicle = DrawText();
-    rules.factors[0].stealth = DrawDouble();
-    return Encoded(rules);
+    BrokerRules rules = RulesWith(DrawUtime(), DrawDouble(), DrawDouble());
+    rules.factors = {{DrawText(), {.stealth = DrawDouble()}}};
+    broker_rules_t message = ToMessage(rules);
+    const size_t place = *rc::gen::inRange<size_t>(0, message.rules.size());
+    message.rules[place].key = DrawText();
+    message.rules[place].number = DrawDouble();
+    return Encoded(message);
   }
   if (channel.starts_with("SWARM_")) {
     swarm_t swarm{};
@@ -199,11 +200,17 @@ TEST(HostileBus, CannotMakeFramesGrowWithoutEnd) {
     fate.number = i;
     view.Handle("COMMS_FATES", Encoded(FatesOf(0, {fate})));
   }
-  comms_rules_t rules = RulesWith(0, 1, 1);
-  rules.num_factors = 2000;
-  rules.factors.resize(2000);
-  for (link_factors_t& factors : rules.factors) factors.vehicle = std::string(300, 'f');
-  view.Handle("COMMS_RULES", Encoded(rules));
+  BrokerRules rules = RulesWith(0, 1, 1);
+  for (int i = 0; i < 2000; ++i) {
+    rules.factors.emplace_back(std::string(300, 'f') + std::to_string(i), LinkFactors());
+  }
+  broker_rules_t message = ToMessage(rules);
+  for (int i = 0; i < 2000; ++i) {
+    message.rules.push_back(message.rules.front());
+    message.rules.back().key = std::string(300, 'k') + std::to_string(i);
+  }
+  message.num_rules = static_cast<int32_t>(message.rules.size());
+  view.Handle("COMMS_RULES", Encoded(message));
   view.SetCommands(std::vector<CommandRecord>(1000));
   const std::string frame = view.FrameJson(0);
   EXPECT_LT(frame.size(), 2'500'000U);

@@ -103,14 +103,9 @@ TEST_F(LiveViewTest, FramesShowAllThatIsKnownOfAVehicle) {
 }
 
 TEST_F(LiveViewTest, FramesShowRulesPulsesPacketsAndCommands) {
-  comms_rules_t rules = RulesWith(0, 250, 5);
-  rules.reports_over = rules.messages_over = "direct";
-  rules.num_factors = 1;
-  rules.factors.resize(1);
-  rules.factors[0].vehicle = "alpha";
-  rules.factors[0].stealth = 0.5;
-  rules.factors[0].earange = 2;
-  Handle("COMMS_RULES", rules);
+  BrokerRules rules = RulesWith(0, 250, 5);
+  rules.factors = {{"alpha", {.stealth = 0.5, .earange = 2}}};
+  Handle("COMMS_RULES", ToMessage(rules));
   Handle("NAV_ALPHA", NavAt(12 * kSecond_us, 1, -3));
   Handle("VIEW_COMMS_PULSE", PulsesOf(12'100'000, {PulseOf("ALPHA2BRAVO", "nrep", 10)}));
   fate_t packet = Through(FateOf("alpha", "bravo", "delivered"), CalmPath(12 * kSecond_us));
@@ -124,10 +119,10 @@ TEST_F(LiveViewTest, FramesShowRulesPulsesPacketsAndCommands) {
       "reports_over": "direct", "messages_over": "direct",
       "factors": {"alpha": {"stealth": 0.5, "earange": 2}},
       "shown": {"comms_range": "250", "critical_range": "30", "stale_time": "5", "groups": "false",
-                "msg_groups": "false", "ignore_group": "none", "min_rpt_interval": "0", "min_msg_interval": "0",
-                "max_msg_length": "nolimit", "drop_percentage": "0",
-                "shared_node_reports": "true (0)", "pulse_duration": "off",
-                "view_node_rpt_pulses": "false"}})json"));
+                "msg_groups": "false", "ignore_group": "none", "min_rpt_interval": "off", "min_msg_interval": "30",
+                "max_msg_length": "1000", "drop_percentage": "0",
+                "shared_node_reports": "false", "pulse_duration": "10",
+                "view_node_rpt_pulses": "true"}})json"));
   ASSERT_EQ(frame["pulses"].size(), 1U);
   EXPECT_TRUE(frame["pulses"][0]["id"].is_number_integer());
   frame["pulses"][0].erase("id");
@@ -211,7 +206,7 @@ TEST_F(LiveViewTest, LinksShowWhichVehiclesReceiveEachOtherAndWhy) {
   fate_t far = FateOf("bravo", "alpha", "out_of_range");
   far.range_m = 312.4;
   far.limit_m = 250;
-  Handle("COMMS_RULES", RulesWith(0, 250, 5));
+  Handle("COMMS_RULES", ToMessage(RulesWith(0, 250, 5)));
   Handle("COMMS_FATES", FatesOf(12'100'000, {delivered, far}));
   EXPECT_EQ(json::parse(view_.LinksJson(0)), json::parse(R"({
       "t": 12.1, "names": ["alpha", "bravo"],
@@ -388,7 +383,7 @@ TEST_F(LiveViewTest, ShowsEvents) {
       {"id": 3, "t": 31.4, "kind": "first_contact", "vehicles": ["bravo", "visitor"],
        "text": "bravo and visitor: first contact"}]})"));
   EXPECT_EQ(Frame()["num_events"], 3);
-  Handle("COMMS_RULES", RulesWith(31'400'000, 100, 20));
+  Handle("COMMS_RULES", ToMessage(RulesWith(31'400'000, 100, 20)));
   Handle("NAV_ALPHA", NavAt(71'300'000, 0, 0));
   EXPECT_EQ(Frame()["num_events"], 3) << "twice the stale time is not over";
   Handle("NAV_ALPHA", NavAt(71'400'000, 0, 0));

@@ -35,7 +35,7 @@ ChannelUse::Topic TopicOf(std::string_view channel) {
   return kState;
 }
 
-/// Returns the vehicle of an encoded node_report_t or comms_rules_t.
+/// Returns the vehicle of an encoded node_report_t.
 std::string_view ReporterOf(std::span<const uint8_t> report) {
   WireReader reader(report);
   reader.Int64();  // fingerprint
@@ -114,7 +114,7 @@ class IndexBuilder : private SceneObserver {
         Stand(event, &reporters_.try_emplace(VehicleKey(ReporterOf(data)), -1).first->second);
         break;
       case Topic::kRules:
-        TakeRules(data);
+        TakeRules();
         [[fallthrough]];
       case Topic::kState:
         Stand(event, &use->slot);
@@ -134,10 +134,11 @@ class IndexBuilder : private SceneObserver {
                                                   .scene_utime = scene_.now_utime()};
   }
 
-  void TakeRules(std::span<const uint8_t> data) {
-    if (scene_.rules()) watch_.SetStaleTime(scene_.rules()->stale_time_s);
-    comms_rules_t rules;
-    if (Decode(data, &rules)) TakePulseDuration(rules.pulse_duration_s);
+  void TakeRules() {
+    if (!scene_.rules()) return;
+    watch_.SetStaleTime(scene_.rules()->stale_time_s);
+    TakePulseDuration(scene_.rules()->pulse_duration_s);
+    if (index_.strange_rules.empty()) index_.strange_rules = scene_.rules()->strange;
   }
 
   void TakePulseDuration(double duration_s) {

@@ -61,7 +61,8 @@ struct LogIndex {
   int64_t num_events = 0;         ///< Of the log.
   int64_t num_undecodable = 0;
   int64_t num_odd_times = 0;
-  int64_t num_shifts = 0;  ///< RecordedTimeline::num_shifts.
+  int64_t num_shifts = 0;                  ///< RecordedTimeline::num_shifts.
+  std::vector<std::string> strange_rules;  ///< Of the first COMMS_RULES that has any.
   bool has_nav = false;
 };
 

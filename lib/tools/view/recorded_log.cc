@@ -128,6 +128,7 @@ void NoteTroubles(const LogReader& reader, const LogSurvey& survey, const LogInd
     note("{} messages do not decode: was the log recorded by another version of shoal?",
          index.num_undecodable);
   }
+  for (const std::string& line : index.strange_rules) note("{}", line);
   if (survey.has_events && !index.has_nav) {
     note("the log has no NAV of these vehicles: their positions are not known");
   }

@@ -11,8 +11,8 @@
 #include "lib/bus/bus/channels.h"
 #include "lib/bus/bus/seal.h"
 #include "lib/comms/routing/vehicle_name.h"
+#include "lib/run/broker/broker_rules.h"
 #include "lib/tools/view/fate_facts.h"
-#include "shoal/comms_rules_t.hpp"
 #include "shoal/nav_t.hpp"
 #include "shoal/node_report_t.hpp"
 
@@ -102,16 +102,17 @@ class MissionFinder {
   }
 
   void TakeRules(const LogEvent& event) {
-    comms_rules_t rules;
-    if (has_rules_ || !DecodeLogged(event, &rules)) return;
+    if (has_rules_) return;
+    const std::optional<BrokerRules> rules = ReadBrokerRules(Unseal(event.data).message);
+    if (!rules) return;
     has_rules_ = true;
-    mission.seed = static_cast<uint64_t>(rules.seed);
-    if (rules.tick_us > 0 && rules.tick_us <= 3'600'000'000) mission.tick_us = rules.tick_us;
-    if (std::abs(rules.origin_lat_deg) <= 90 && std::abs(rules.origin_lon_deg) <= 360) {
-      mission.origin_lat_deg = rules.origin_lat_deg;
-      mission.origin_lon_deg = rules.origin_lon_deg;
+    mission.seed = static_cast<uint64_t>(rules->seed);
+    if (rules->tick_us > 0 && rules->tick_us <= 3'600'000'000) mission.tick_us = rules->tick_us;
+    if (std::abs(rules->origin.lat_deg) <= 90 && std::abs(rules->origin.lon_deg) <= 360) {
+      mission.origin_lat_deg = rules->origin.lat_deg;
+      mission.origin_lon_deg = rules->origin.lon_deg;
     }
-    for (const std::string& name : rules.vehicles) FindOrAdd(name);
+    for (const AcousticNode& node : rules->vehicles) FindOrAdd(node.name);
   }
 
   void TakeReport(const LogEvent& event) {

@@ -40,14 +40,11 @@ class TrafficMaker {
     utime_ = step * kRecordedStep_us;
     if (step % 3 == 1) Append(channels::CommsFates().name, FatesOf(utime_, MakeFates()));
     if (step == 0 || Draw(60) == 0) {
-      comms_rules_t rules = RulesWith(utime_, 50 + Draw(300), 1 + Draw(4));
-      rules.num_vehicles = static_cast<int32_t>(kTrafficNames.size());
-      rules.vehicles = kTrafficNames;
-      rules.acoustic_addresses.resize(kTrafficNames.size());
-      rules.acoustic_leaders.resize(kTrafficNames.size());
+      BrokerRules rules = RulesWith(utime_, 50 + Draw(300), 1 + Draw(4));
+      for (const std::string& name : kTrafficNames) rules.vehicles.push_back({.name = name});
       rules.tick_us = kRecordedStep_us;
-      rules.pulse_duration_s = 5;
-      Append(channels::CommsRules().name, rules);
+      rules.rules.pulse_duration_s = 5;
+      Append(channels::CommsRules().name, ToMessage(rules));
     }
     for (const std::string& name : kTrafficNames) MakeVehicle(step, name);
     if (step > 120 && Draw(30) == 0) {

@@ -9,7 +9,7 @@
 #include "lib/comms/routing/contact.h"
 #include "lib/comms/routing/decide.h"
 #include "lib/comms/routing/vehicle_name.h"
-#include "lib/run/broker/comms_rules.h"
+#include "lib/run/broker/broker_rules.h"
 #include "lib/tools/view/view_limits.h"
 
 namespace shoal {
@@ -51,7 +51,7 @@ bool AllNumbersMakeSense(const node_report_t& report) {
 }
 
 RulesInForce RulesOfMission(const Mission& mission) {
-  RulesInForce rules{mission.comms, {}};
+  RulesInForce rules{mission.comms, {}, {}};
   for (const Vehicle& vehicle : mission.vehicles) {
     if (vehicle.link_factors == LinkFactors{}) continue;
     rules.factors.emplace_back(vehicle.name, vehicle.link_factors);
@@ -284,19 +284,17 @@ bool Scene::HandleMedia(std::span<const uint8_t> data, SceneObserver* observer) 
 }
 
 bool Scene::HandleRules(std::span<const uint8_t> data) {
-  const comms_rules_t* rules = DecodeAgain<comms_rules_t>(data);
-  if (rules == nullptr) return false;
+  const std::optional<BrokerRules> rules = ReadBrokerRules(data);
+  if (!rules) return false;
   MoveNow(PlausibleUtime(rules->utime));
-  rules_ = RulesInForce{RulesOf(*rules), {}};
+  rules_ = RulesInForce{rules->rules, {}, StrangeRules(*rules)};
   for (const RuleRow& row : kRuleTable) {
     const auto* text = std::get_if<std::string RoutingRules::*>(&row.member);
     if (text != nullptr) Cut(&((*rules_).**text));
   }
-  for (const link_factors_t& factors : rules->factors) {
+  for (const auto& [vehicle, factors] : rules->factors) {
     if (rules_->factors.size() == num_of_mission_ + kMaxOutside) break;
-    rules_->factors.emplace_back(
-        factors.vehicle.substr(0, kMaxText),
-        LinkFactors{.stealth = factors.stealth, .earange = factors.earange});
+    rules_->factors.emplace_back(vehicle.substr(0, kMaxText), factors);
   }
   return true;
 }

@@ -27,7 +27,6 @@
 #include "lib/tools/view/pulse_book.h"
 #include "lib/tools/view/shown_channels.h"
 #include "shoal/clock_state_t.hpp"
-#include "shoal/comms_rules_t.hpp"
 #include "shoal/helm_state_t.hpp"
 #include "shoal/nav_t.hpp"
 #include "shoal/node_report_t.hpp"
@@ -65,6 +64,7 @@ struct SceneVehicle {
 /// The broker's rules, those of vehicles included.
 struct RulesInForce : RoutingRules {
   std::vector<std::pair<std::string, LinkFactors>> factors;  ///< Of vehicles that have not 1 and 1.
+  std::vector<std::string> strange;  ///< A line for each rule of another version, StrangeRules().
 };
 
 /// Receives what Scene::Handle has decoded, after the scene has taken it. Vehicles are indices in

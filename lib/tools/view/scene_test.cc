@@ -117,26 +117,22 @@ TEST_F(SceneTest, AddsVehiclesFromOutsideUntilThereAreTooMany) {
 }
 
 TEST_F(SceneTest, CountsAsStaleWhatTheBrokerCountsAsStale) {
-  Handle("COMMS_RULES", RulesWith(0, 100, 5));
+  Handle("COMMS_RULES", ToMessage(RulesWith(0, 100, 5)));
   EXPECT_FALSE(scene_.IsStale(scene_.vehicles()[0])) << "it has never reported";
   Handle("NODE_REPORT_LOCAL", ReportOf("alpha", 0, 0, 0));
   Handle("NAV_ALPHA", NavAt(4'999'999, 0, 0));
   EXPECT_FALSE(scene_.IsStale(scene_.vehicles()[0]));
   Handle("NAV_ALPHA", NavAt(5'000'000, 0, 0));
   EXPECT_TRUE(scene_.IsStale(scene_.vehicles()[0]));
-  Handle("COMMS_RULES", RulesWith(5'000'000, 100, -1));
+  Handle("COMMS_RULES", ToMessage(RulesWith(5'000'000, 100, -1)));
   EXPECT_FALSE(scene_.IsStale(scene_.vehicles()[0])) << "no vehicle becomes stale";
 }
 
 TEST_F(SceneTest, TakesTheRulesThatTheBrokerPublishes) {
-  comms_rules_t rules = RulesWith(0, -1, 8);
-  rules.drop_percentage = 12.5;
-  rules.num_factors = 1;
-  rules.factors.resize(1);
-  rules.factors[0].vehicle = "alpha";
-  rules.factors[0].stealth = 0.5;
-  rules.factors[0].earange = 2;
-  Handle("COMMS_RULES", rules);
+  BrokerRules rules = RulesWith(0, -1, 8);
+  rules.rules.drop_percentage = 12.5;
+  rules.factors = {{"alpha", {.stealth = 0.5, .earange = 2}}};
+  Handle("COMMS_RULES", ToMessage(rules));
   EXPECT_EQ(scene_.rules()->comms_range_m, -1);
   EXPECT_EQ(scene_.rules()->drop_percentage, 12.5);
   ASSERT_EQ(scene_.rules()->factors.size(), 1U);

@@ -11,6 +11,7 @@
 #include "lib/bus/bus/channels.h"
 #include "lib/bus/record/log_testing.h"
 #include "lib/mission/model/mission.h"
+#include "lib/run/broker/broker_rules.h"
 #include "lib/tools/view/view_source.h"
 
 namespace shoal {
@@ -135,12 +136,11 @@ inline comms_pulses_t PulsesOf(int64_t utime, std::vector<comms_pulse_t> pulses)
 }
 
 /// Returns rules as a broker publishes them.
-inline comms_rules_t RulesWith(int64_t utime, double comms_range_m, double stale_time_s) {
-  comms_rules_t rules{};
-  rules.utime = utime;
-  rules.comms_range_m = comms_range_m;
-  rules.critical_range_m = 30;
-  rules.stale_time_s = stale_time_s;
+inline BrokerRules RulesWith(int64_t utime, double comms_range_m, double stale_time_s) {
+  BrokerRules rules{.utime = utime};
+  rules.rules.comms_range_m = comms_range_m;
+  rules.rules.critical_range_m = 30;
+  rules.rules.stale_time_s = stale_time_s;
   return rules;
 }
 

@@ -19,7 +19,7 @@ CHANNELS = {
     "NAV_ALPHA": "nav_t",
     "COMMS_FATES": "comms_fates_t",
     "COMMS_MEDIA": "comms_media_t",
-    "COMMS_RULES": "comms_rules_t",
+    "COMMS_RULES": "broker_rules_t",
     "NODE_REPORT_LOCAL": "node_report_t",
     "SWARM_ALPHA": "swarm_t",
     "RELAY_TX": "relay_t",

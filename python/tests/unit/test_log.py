@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 import shoal
-from conftest import SCHEMA_TEST_TYPES, event, log_bytes
+from conftest import ROOT, SCHEMA_TEST_TYPES, event, log_bytes
 from shoal.seal import Seal, append_seal
 
 pytestmark = pytest.mark.usefixtures("each_kind_of_column")
@@ -250,7 +250,21 @@ def test_vehicles_are_those_of_the_rules_else_of_nav(tmp_path: Path) -> None:
         vehicles=["zulu", "alpha"], acoustic_addresses=[0, 0], acoustic_leaders=[False, False]
     )
     path = write(tmp_path, nav_log() + event(9, 0, "COMMS_RULES", rules.encode()))
-    assert shoal.read(path).vehicles == ["zulu", "alpha"]
+    assert shoal.read(path).vehicles == ["zulu", "alpha"]  # Of logs of 0.1 and 0.2.
+    vehicle = T.broker_vehicle_t
+    now = T.broker_rules_t(vehicles=[vehicle(name="zulu"), vehicle(name="bravo")])
+    later = T.broker_rules_t(vehicles=[vehicle(name="late")])
+    rules = event(9, 0, "COMMS_RULES", now.encode()) + event(9, 0, "COMMS_RULES", later.encode())
+    assert shoal.read(write(tmp_path, nav_log() + rules)).vehicles == ["zulu", "bravo"]
+
+
+@pytest.mark.parametrize("name", ["two_vessels_0.1", "two_media_0.2"])
+def test_logs_of_older_versions_are_read(name: str) -> None:
+    log = shoal.read(ROOT / "tests" / "golden" / "logs" / f"{name}.lcm")
+    assert log.vehicles == ["alpha", "bravo"]
+    assert log["COMMS_RULES"].type == "shoal.comms_rules_t"
+    assert {link.kind for link in log.links()} == {"report", "message"}
+    assert log.num_damages == 0
 
 
 def test_links_count_what_was_delivered_and_lost(tmp_path: Path) -> None:
