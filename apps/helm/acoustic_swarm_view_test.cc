@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "apps/helm/swarm_testing.h"
+#include "lib/base/time/seconds.h"
 
 namespace shoal::acoustic_swarm_view_test {
 
@@ -88,7 +89,7 @@ TEST(AcousticSwarmView, MovesTheTargetToWhereNewsPutsItAtABoundedSpeed) {
   double before_m = 0;
   for (int64_t utime = 10'100'000; utime < 31'000'000; utime += 100'000) {
     const Neighbour target = *view.Look(task, OwnAt(utime))->target;
-    const double elapsed_s = static_cast<double>(utime - 10'000'000) / 1e6;
+    const double elapsed_s = Seconds(utime - 10'000'000);
     EXPECT_NEAR(target.position_m.x(), 120 + 2 * elapsed_s, 1e-6);
     // The first look after the news comes with the way of a step still to go.
     EXPECT_NEAR(target.position_m.y(), std::min(30.0, 1.5 * (elapsed_s - 0.1)), 1e-6);

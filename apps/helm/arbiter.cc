@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "lib/base/geometry/angles.h"
+#include "lib/base/time/seconds.h"
 #include "lib/mission/file/behavior_update.h"
 #include "lib/run/run/status_page.h"
 
@@ -21,8 +22,6 @@ constexpr size_t kMaxEvents = 100;
 constexpr char kDeploy[] = "DEPLOY";
 constexpr char kReturn[] = "RETURN";
 constexpr char kStationKeep[] = "STATION_KEEP";
-
-double Seconds(int64_t utime) { return static_cast<double>(utime) / 1e6; }
 
 HelmSetup SetupOf(const Vehicle& vehicle) {
   if (vehicle.behaviors.empty()) return {.vehicle = vehicle.name};  // The rest is for behaviors.
@@ -97,7 +96,7 @@ helm_aim_t AimMessage(const HelmAim& aim) {
 Arbiter::Arbiter(const Mission& mission, const Vehicle& vehicle)
     : inputs_(vehicle),
       vehicle_(vehicle.name),
-      interval_us_(std::llround(vehicle.helm_options.decide_every_s * 1e6)),
+      interval_us_(Microseconds(vehicle.helm_options.decide_every_s)),
       behaviors_(SetupOf(vehicle)) {
   if (inputs_.is_used()) obstacles_ = mission.obstacles;
 }

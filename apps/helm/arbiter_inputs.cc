@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "lib/base/geometry/angles.h"
+#include "lib/base/time/seconds.h"
 #include "lib/run/run/status_page.h"
 
 namespace shoal {
@@ -17,7 +18,7 @@ constexpr char kManySettings[] = "more than 1000 settings of variables in one de
 constexpr char kUncertaintyVariable[] = "NAV_UNCERTAINTY_M";
 constexpr char kFixVariable[] = "GPS_UPDATE_RECEIVED";  // Of periodic_surface.
 
-double SecondsOf(int64_t utime) { return static_cast<double>(utime) / 1e6; }
+double SecondsOf(int64_t utime) { return Seconds(utime); }
 
 }  // namespace
 

@@ -8,6 +8,7 @@
 
 #include "apps/helm/vessel_testing.h"
 #include "lib/base/geometry/leg.h"
+#include "lib/base/time/seconds.h"
 
 namespace shoal::closed_loop_test {
 
@@ -59,7 +60,7 @@ Track Sail(double speed_mps, int64_t tick_us, const Eigen::Vector2d& current_mps
   while (loop.utime < 700'000'000) {
     loop.Step();
     if (loop.state.task == "home" && loop.state.laps_done == 1 && track.home_time_s == 0) {
-      track.home_time_s = static_cast<double>(loop.utime) / 1e6;
+      track.home_time_s = Seconds(loop.utime);
     }
     if (loop.state.task != "survey" || loop.state.waypoint_index < 0) continue;
     if (loop.state.waypoint_index != leg_index) {

@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "lib/base/geometry/angles.h"
+#include "lib/base/time/seconds.h"
 #include "lib/run/run/own_nav.h"
 #include "lib/run/run/status_page.h"
 
@@ -23,8 +24,6 @@ constexpr char kManyContacts[] = "more than 1000 contacts: new ones are ignored"
 constexpr size_t kMaxContacts = 1000;
 /// After a longer gap between steps the autopilots' integrals would jump.
 constexpr double kMaxControlStep_s = 1;
-
-int64_t Microseconds(double seconds) { return std::llround(seconds * 1e6); }
 
 bool IsPlace(double x_m, double y_m) {
   return std::abs(x_m) <= kMaxCoordinate_m && std::abs(y_m) <= kMaxCoordinate_m;
@@ -175,8 +174,7 @@ void HelmApp::OnNodeReport(const node_report_t& report) {
 }
 
 void HelmApp::Tick(int64_t utime) {
-  const double dt_s =
-      utime_ ? std::clamp(static_cast<double>(utime - *utime_) / 1e6, 0.0, kMaxControlStep_s) : 0;
+  const double dt_s = utime_ ? std::clamp(Seconds(utime - *utime_), 0.0, kMaxControlStep_s) : 0;
   utime_ = utime;
   if (utime < busy_until_utime_) return;  // What arrives is taken, as from a queue at the end.
 
@@ -204,7 +202,7 @@ void HelmApp::Tick(int64_t utime) {
 Fix HelmApp::FixAt(int64_t utime) {
   return {.position_m = {nav_.x_m, nav_.y_m},
           .heading_rad = WrapTwoPi(DegToRad(nav_.heading_deg)),
-          .time_s = static_cast<double>(utime) / 1e6,
+          .time_s = Seconds(utime),
           .z_m = nav_.z_m,
           .velocity_mps =
               nav_.speed_over_ground_mps * UnitVector(DegToRad(nav_.course_over_ground_deg)),

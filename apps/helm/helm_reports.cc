@@ -8,6 +8,7 @@
 #include "apps/helm/arbiter.h"
 #include "apps/helm/helm_states.h"
 #include "lib/base/geometry/angles.h"
+#include "lib/base/time/seconds.h"
 #include "lib/bus/bus/waypoint_arrival.h"
 
 namespace shoal {
@@ -67,7 +68,7 @@ StateWords WordsOf(const HelmStates& states, const Arbiter& arbiter) {
 
 HelmReports::HelmReports(const Vehicle& vehicle, Bus& bus)
     : bus_(bus),
-      interval_us_(std::llround(vehicle.helm_options.state_interval_s * 1e6)),
+      interval_us_(Microseconds(vehicle.helm_options.state_interval_s)),
       state_channel_(channels::HelmState(vehicle.name)),
       guidance_channel_(channels::Guidance(vehicle.name)) {
   state_.vehicle = vehicle.name;

@@ -6,6 +6,7 @@
 
 #include "apps/helm/sonar_echoes.h"
 #include "lib/base/geometry/angles.h"
+#include "lib/base/time/seconds.h"
 #include "lib/vehicle/guidance/motion_prediction.h"
 
 namespace shoal {
@@ -238,7 +239,7 @@ void SwarmView::LookAhead(const VelocityCascade* cascade, const nav_t& own) {
   }
   echoes_ = EchoesOf(ping_, own);
   if (memory_s <= 0) return;
-  const double time_s = static_cast<double>(own.utime) / 1e6;
+  const double time_s = Seconds(own.utime);
   const Eigen::Vector3d& position_m = surroundings_.own.position_m;
   if (remembered_utime_ != ping_.utime) memory_.Take(position_m, echoes_, time_s);
   remembered_utime_ = ping_.utime;

@@ -10,6 +10,7 @@
 
 #include "apps/helm/helm_app.h"
 #include "lib/base/geometry/angles.h"
+#include "lib/base/time/seconds.h"
 #include "lib/bus/bus/memory_bus.h"
 #include "lib/vehicle/vehicle/surface_craft.h"
 
@@ -85,7 +86,7 @@ class HelmAndVessel {
     if (actuators) {
       vessel = shoal::Step(std::get<SurfaceCraftParams>(vehicle_.model), vessel,
                            {actuators->thrust_pct, actuators->rudder_deg}, current_mps,
-                           static_cast<double>(tick_us_) / 1e6);
+                           Seconds(tick_us_));
     }
     if (publishes_nav) PublishNav(Nav());
     utime += tick_us_;

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "lib/base/time/seconds.h"
 #include "lib/mission/model/swarm_plan.h"
 #include "lib/sea/acoustics/channel_plan.h"
 
@@ -18,8 +19,6 @@ using NameList = std::vector<std::string>;
 
 constexpr size_t kMaxNames = 8;
 constexpr size_t kMaxChannelsShown = 60;
-
-double Seconds(int64_t time_us) { return static_cast<double>(time_us) / 1e6; }
 
 std::string NamesText(NameList names, size_t num_all) {
   if (names.size() == num_all) return "all";

@@ -6,6 +6,7 @@
 
 #include "lib/base/check/result.h"
 #include "lib/base/text/letters.h"
+#include "lib/base/time/seconds.h"
 #include "lib/bus/bus/channels.h"
 #include "lib/bus/bus/lcm_bus.h"
 #include "lib/run/run/appcast.h"
@@ -98,8 +99,8 @@ int RunStatus(const StatusOptions& options) {
   }
   fmt::print("{:<32} {:>9} {:>8}  warnings (config/run)\n", "participant", "time [s]", "step");
   for (const auto& [name, page] : pages) {
-    fmt::print("{:<32} {:>9.1f} {:>8}  {}/{}\n", name, static_cast<double>(page.utime) / 1e6,
-               page.step, page.num_config_warnings, page.num_run_warnings);
+    fmt::print("{:<32} {:>9.1f} {:>8}  {}/{}\n", name, Seconds(page.utime), page.step,
+               page.num_config_warnings, page.num_run_warnings);
     for (const std::string& warning : page.run_warnings) fmt::print("    {}\n", warning);
   }
   return kExitOk;

@@ -20,6 +20,7 @@
 #include "sim/app_factory.h"
 #include "sim/run_sim.h"
 #include "sim/simulation.h"
+#include "lib/base/time/seconds.h"
 
 namespace shoal {
 
@@ -126,7 +127,7 @@ int RunCampaignRun(const CampaignRunCommand& command) {
       *folder, options,
       [&scratch](const TrialInput& input) { return RunCampaignTrial(input, scratch.path()); },
       IsCampaignInterrupted);
-  const double wall_s = static_cast<double>(MonotonicMicroseconds() - begin_us) / 1e6;
+  const double wall_s = Seconds(MonotonicMicroseconds() - begin_us);
   for (const std::string& text : run.differing) {
     fmt::print(stderr, "shoal: not reproducible: {}\n", text);
   }

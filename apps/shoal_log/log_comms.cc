@@ -20,6 +20,7 @@
 #include "lib/tools/analysis/information_age.h"
 #include "lib/tools/analysis/media_tally.h"
 #include "lib/tools/analysis/swarm_tally.h"
+#include "lib/base/time/seconds.h"
 
 namespace shoal {
 
@@ -78,7 +79,7 @@ class CommsSummary {
     }
     // The last Flush() returns the error.
     (void)ages_csv_->Append([&point](std::string* rows) {
-      *rows += fmt::format("{:.6f},", static_cast<double>(point.utime) / 1e6);
+      *rows += fmt::format("{:.6f},", Seconds(point.utime));
       AppendCsvCell(point.vehicle, rows);
       *rows += ',';
       AppendCsvCell(point.contact, rows);

@@ -14,6 +14,7 @@
 #include "lib/bus/record/log_source.h"
 #include "lib/run/run/status_page.h"
 #include "lib/tools/analysis/decision_words.h"
+#include "lib/base/time/seconds.h"
 
 namespace shoal {
 
@@ -57,7 +58,7 @@ int LogHelm(const LogHelmOptions& options, std::ostream& out, std::ostream& err)
       states[of_state] = state;
       if (arrival.empty()) continue;
       has_arrivals = true;
-      out << fmt::format("{:>10.3f}  {:<12} {}\n", static_cast<double>(state.utime) / 1e6,
+      out << fmt::format("{:>10.3f}  {:<12} {}\n", Seconds(state.utime),
                          Printable(state.vehicle), Printable(arrival, kLongestSentence));
       continue;
     }
@@ -70,7 +71,7 @@ int LogHelm(const LogHelmOptions& options, std::ostream& out, std::ostream& err)
     if (!wanted.empty() && vehicle != wanted) continue;
     if (!options.at_s) {
       out << DecisionLine(decision) << '\n';
-    } else if (static_cast<double>(decision.utime) / 1e6 <= *options.at_s) {
+    } else if (Seconds(decision.utime) <= *options.at_s) {
       last[vehicle] = decision;
     }
   }

@@ -3,10 +3,8 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING
 
-if TYPE_CHECKING:
-    from .log import Log
+from .table import Table
 
 _LONGEST_DELAY_S = 86_400  # Acoustic; of other media two days.
 
@@ -42,11 +40,13 @@ class Link:
         return sum(self.lost.values())
 
 
-def links_of(log: Log) -> list[Link]:
-    """Returns all links, in the order of kind, source and destination."""
+def links_of(fates: Table, media: Table) -> list[Link]:
+    """Returns all links, in the order of kind, source and destination.
+
+    `fates` and `media` are those of Log.fates() and Log.media().
+    """
     links: dict[tuple[str, str, str], Link] = {}
-    fates = log.fates()
-    delays = _delays_s(log)
+    delays = _delays_s(fates)
     columns = (fates["kind"], fates["source"], fates["destination"], fates["cause"])
     for i, (kind, source, destination, cause) in enumerate(zip(*columns, strict=True)):
         count = int(fates["count"][i])
@@ -62,14 +62,14 @@ def links_of(log: Log) -> list[Link]:
             link.lost[cause] = link.lost.get(cause, 0) + count
             continue
         link.delays_s += delays.get(i, [])
-    _add_media(log, links)
+    _add_media(media, links)
     return [links[key] for key in sorted(links)]
 
 
-def _delays_s(log: Log) -> dict[int, list[float]]:
+def _delays_s(fates: Table) -> dict[int, list[float]]:
     """Returns the delays of each fate that has a path."""
     delays: dict[int, list[float]] = {}
-    paths = log.fates()["path"]
+    paths = fates["path"]
     columns = (paths.event, paths["air_s"], paths["travel_s"], paths["jitter_s"])
     for fate, air_s, travel_s, jitter_s in zip(*columns, strict=True):
         delay_s = float(air_s + travel_s + jitter_s)
@@ -78,8 +78,7 @@ def _delays_s(log: Log) -> dict[int, list[float]]:
     return delays
 
 
-def _add_media(log: Log, links: dict[tuple[str, str, str], Link]) -> None:
-    media = log.media()
+def _add_media(media: Table, links: dict[tuple[str, str, str], Link]) -> None:
     for row in zip(
         *(media[name] for name in ("kind", "source", "destination", "cause", "medium")),
         media["hop"],
@@ -96,14 +95,3 @@ def _add_media(log: Log, links: dict[tuple[str, str, str], Link]) -> None:
         count.delivered += 1
         if 0 <= delay_s <= 2 * _LONGEST_DELAY_S:
             count.delays_s.append(float(delay_s))
-
-
-def vehicles_of(log: Log) -> list[str]:
-    """Returns the mission's vehicles in its order; without COMMS_RULES those of NAV_<V>, sorted."""
-    if "COMMS_RULES" in log:
-        rules = log["COMMS_RULES"]
-        if rules.type == "shoal.broker_rules_t" and len(rules):
-            return [vehicle.name for vehicle in rules[0].vehicles]
-        if rules.type == "shoal.comms_rules_t" and len(rules):  # Logs of 0.1 and 0.2.
-            return list(rules["vehicles"][0])
-    return [name.removeprefix("NAV_") for name in log.channels if name.startswith("NAV_")]

@@ -146,7 +146,13 @@ class Log:
     @property
     def vehicles(self) -> list[str]:
         """The vehicles: as COMMS_RULES names them, else by NAV_<V>, in upper case."""
-        return links.vehicles_of(self)
+        if "COMMS_RULES" in self:
+            rules = self["COMMS_RULES"]
+            if rules.type == "shoal.broker_rules_t" and len(rules):
+                return [vehicle.name for vehicle in rules[0].vehicles]
+            if rules.type == "shoal.comms_rules_t" and len(rules):  # Logs of 0.1 and 0.2.
+                return list(rules["vehicles"][0])
+        return [name.removeprefix("NAV_") for name in self.channels if name.startswith("NAV_")]
 
     def fates(self) -> Table:
         """Returns all fates of COMMS_FATES with their numbers (docs/fates.md); maybe no rows."""
@@ -158,7 +164,7 @@ class Log:
 
     def links(self) -> list[links.Link]:
         """Returns what was delivered and lost by link, as `shoal log comms` counts it."""
-        return links.links_of(self)
+        return links.links_of(self.fates(), self.media())
 
     @property
     def mission(self) -> dict[str, Any] | None:
