@@ -60,7 +60,7 @@ void AddHostCommands(CLI::App& cli, std::function<int()>* action) {
       ->option_text("PREFIX");
   keygen->callback([prefix, action] { *action = [prefix] { return RunKeygen(*prefix); }; });
 
-  command->callback([options, command, keygen, listen, action] {
+  command->callback([options, keygen, listen, action] {
     if (keygen->parsed()) return;
     if (listen->count() == 0 || options->allow.empty()) {
       throw CLI::ValidationError(

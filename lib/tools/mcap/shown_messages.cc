@@ -17,7 +17,7 @@ namespace {
 template <class T>
 bool DecodeMessage(const RecognisedMessage& message, T* decoded) {
   return message.type->fingerprint == T::getHash() &&
-         decoded->decode(message.data.data(), 0, static_cast<unsigned>(message.data.size())) >= 0;
+         decoded->decode(message.data.data(), 0, static_cast<int>(message.data.size())) >= 0;
 }
 
 /// Returns whether messages of this type are orders, worth a line each.
