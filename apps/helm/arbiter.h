@@ -70,6 +70,12 @@ class Arbiter {
   const std::string& all_stop() const { return outcome_.all_stop; }
   /// Returns the behavior that crashes the helm; empty: none does.
   const std::string& crash() const { return outcome_.crash; }
+  /// True where there are events or warnings to take.
+  bool has_notes() const {
+    return !events_.empty() || !warnings_.empty() || inputs_.has_warnings();
+  }
+  /// True where there is a decision or a message to take.
+  bool has_output() const { return unpublished_.has_value() || !messages_.empty(); }
   /// Returns what is to be published of the steps since the last call, if anything.
   std::optional<helm_decision_t> TakeDecision();
   /// Returns the settings for other vehicles since the last call.

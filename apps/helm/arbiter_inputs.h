@@ -50,6 +50,7 @@ class ArbiterInputs {
   /// Returns the contacts, predicted to `time_s`, and takes note of the own position, by which
   /// later reports are judged; absent: it is the one before.
   const Contacts& ContactsAt(double time_s, const std::optional<Eigen::Vector2d>& own_position_m);
+  bool has_warnings() const { return !warnings_.empty(); }
   /// Returns what was wrong with what arrived since the last call.
   std::vector<std::string> TakeWarnings();
 

@@ -352,6 +352,22 @@ TEST(Arbiter, PublishesADecisionThatDoesNotChangeOncePerSecond) {
   EXPECT_LE(loop.decisions.size() - before, 11U);
 }
 
+TEST(Arbiter, ParksTheHelmInTheStepInWhichABehaviorAsksForIt) {
+  OpRegionOptions region;
+  region.core_poly = {{-30, -30}, {-30, 30}, {30, 30}, {30, -30}};
+  region.look_ahead = 0;
+  region.soft_poly_breach = true;
+  Vehicle vehicle = Northbound();
+  vehicle.behaviors = {{.name = "region", .what = AnyBehavior(region)}};
+  HelmAndVessel loop(vehicle);
+  for (int i = 0; i < 600 && loop.state.state != "PARK"; ++i) loop.Step();
+  EXPECT_EQ(loop.state.state, "PARK");
+  EXPECT_EQ(loop.state.all_stop, "parked");
+  EXPECT_EQ(loop.state.task, "");
+  EXPECT_EQ(loop.actuators->thrust_pct, 0);
+  EXPECT_GT(loop.vessel.position_m.y(), 30);
+}
+
 TEST(Arbiter, PassesTheAimOfTheTasksOnWhereThereAreNoBehaviors) {
   Arbiter arbiter(Mission{}, Northbound());
   arbiter.inputs().OnNodeReport(Report("alpha", 0, 0, 20, 180), 0);

@@ -180,8 +180,7 @@ void HelmApp::Tick(int64_t utime) {
 
   // What was received.
   const bool nav_is_lost = WatchNav(utime);
-  const std::optional<Fix> fix =
-      had_nav_ && !nav_is_lost ? std::optional(FixAt(utime)) : std::nullopt;
+  const std::optional<Fix> fix = FixAt(utime, nav_is_lost);
   // What the tasks want, and what is decided of that and of what the behaviors want.
   states_.Advance(fix, nav_is_lost);
   const Arbiter::Step step = arbiter_.Advance({.utime = utime,
@@ -199,23 +198,26 @@ void HelmApp::Tick(int64_t utime) {
   PublishStep(utime, step.guidance);
 }
 
-Fix HelmApp::FixAt(int64_t utime) {
-  return {.position_m = {nav_.x_m, nav_.y_m},
-          .heading_rad = WrapTwoPi(DegToRad(nav_.heading_deg)),
-          .time_s = Seconds(utime),
-          .z_m = nav_.z_m,
-          .velocity_mps =
-              nav_.speed_over_ground_mps * UnitVector(DegToRad(nav_.course_over_ground_deg)),
-          .speed_mps = std::max(0.0, nav_.speed_mps),
-          .num_gps_fixes = num_gps_,
-          .surroundings = swarm_.Look(states_.task(), nav_)};
+std::optional<Fix> HelmApp::FixAt(int64_t utime, bool nav_is_lost) {
+  if (!had_nav_ || nav_is_lost) return std::nullopt;
+  return Fix{.position_m = {nav_.x_m, nav_.y_m},
+             .heading_rad = WrapTwoPi(DegToRad(nav_.heading_deg)),
+             .time_s = Seconds(utime),
+             .z_m = nav_.z_m,
+             .velocity_mps =
+                 nav_.speed_over_ground_mps * UnitVector(DegToRad(nav_.course_over_ground_deg)),
+             .speed_mps = std::max(0.0, nav_.speed_mps),
+             .num_gps_fixes = num_gps_,
+             .surroundings = swarm_.Look(states_.task(), nav_)};
 }
 
 void HelmApp::NoteDecision(int64_t utime, const Arbiter::Step& step) {
-  for (const HelmEvent& event : arbiter_.TakeEvents()) {
-    log_.Event(utime, fmt::format("{}: {}", event.kind, Printable(event.text)));
+  if (arbiter_.has_notes()) {
+    for (const HelmEvent& event : arbiter_.TakeEvents()) {
+      log_.Event(utime, fmt::format("{}: {}", event.kind, Printable(event.text)));
+    }
+    for (const std::string& warning : arbiter_.TakeWarnings()) log_.Warn(Printable(warning));
   }
-  for (const std::string& warning : arbiter_.TakeWarnings()) log_.Warn(Printable(warning));
   if (step.parks) {
     [[maybe_unused]] const std::string refusal = states_.Execute({.kind = OrderKind::kPark});
   }
@@ -232,6 +234,10 @@ void HelmApp::PublishStep(int64_t utime, const Guidance* guidance) {
   if (pitch_rad && guidance != nullptr) {
     reports_.PublishGuidance(utime, *guidance, *pitch_rad, desired_);
   }
+  if (arbiter_.has_output()) PublishDecision(utime);
+}
+
+void HelmApp::PublishDecision(int64_t utime) {
   if (const std::optional<helm_decision_t> decision = arbiter_.TakeDecision()) {
     Publish(bus_, decision_channel_, *decision);
   }

@@ -52,11 +52,13 @@ class HelmApp : public App {
   std::string Execute(const HelmOrder& order);
   void OnNodeReport(const node_report_t& report);
   bool WatchNav(int64_t utime);
-  /// Returns where the vehicle is, and what it knows of others.
-  Fix FixAt(int64_t utime);
+  /// Returns where the vehicle is, and what it knows of others; nothing without NAV.
+  std::optional<Fix> FixAt(int64_t utime, bool nav_is_lost);
   /// Logs what the arbiter has to state of a step, and does what behaviors ask of the helm itself.
   void NoteDecision(int64_t utime, const Arbiter::Step& step);
   void PublishStep(int64_t utime, const Guidance* guidance);
+  /// Publishes what the arbiter has decided, and what it has for other vehicles.
+  void PublishDecision(int64_t utime);
 
   // What every step needs comes first, as in vehicle_sim.
   Bus& bus_;

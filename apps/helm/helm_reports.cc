@@ -53,8 +53,9 @@ bool HasNews(const StateWords& words, const StateNumbers& numbers, const helm_st
 }  // namespace
 
 StateWords WordsOf(const HelmStates& states, const Arbiter& arbiter) {
-  StateWords words{.state = Name(states.mode()), .all_stop = states.all_stop()};
-  const bool drives = states.mode() == HelmMode::kDrive;
+  const HelmMode mode = states.mode();
+  const bool drives = mode == HelmMode::kDrive;
+  StateWords words{.state = Name(mode), .all_stop = states.all_stop()};
   if (drives) words.all_stop = arbiter.all_stop();
   if (const Task* task = states.task()) {
     words.task = task->name;
