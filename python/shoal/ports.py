@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 GROUP = "239.255.76.67"  #: All of shoal's ports are of LCM's own multicast group.
-_MOST_COMMUNITIES = 128
+_MAX_COMMUNITIES = 128
 
 TICK_PORT_CHANNELS = frozenset({"TICK", "RESEND", "APPCAST_REQ", "COMMS_RULES_REQ", "CLOCK_STATE"})
 DONE_PORT_CHANNELS = frozenset({"STEP_DONE", "STEP_DONES", "CLOCK_COMMAND"})
@@ -56,7 +56,7 @@ class PortPlan:
     @property
     def data_ports(self) -> range:
         """The shore's and all communities'."""
-        count = min(len(self.vehicles), _MOST_COMMUNITIES) if self.has_communities else 0
+        count = min(len(self.vehicles), _MAX_COMMUNITIES) if self.has_communities else 0
         return range(self.shore_port, self.shore_port + 1 + count)
 
     def port_of(self, channel: str) -> int:
@@ -73,5 +73,5 @@ class PortPlan:
         for begin in range(1, len(parts)):
             place = places.get("_".join(parts[begin:]))
             if place is not None:
-                return self.shore_port + 1 + place % _MOST_COMMUNITIES
+                return self.shore_port + 1 + place % _MAX_COMMUNITIES
         return self.shore_port
