@@ -42,10 +42,6 @@ Motion NextOf(const swarm_contact_t& contact) {
 }
 
 /// Returns the seconds from one time to another, also where the difference overflows.
-double SecondsBetween(int64_t earlier_utime, int64_t later_utime) {
-  return (static_cast<double>(later_utime) - static_cast<double>(earlier_utime)) / 1e6;
-}
-
 /// Returns the velocity of the current: the velocity over ground less the velocity relative to the
 /// water, which NAV has in the body frame. Horizontal; roll turns only what is small.
 Eigen::Vector3d CurrentOf(const nav_t& nav, const Eigen::Vector3d& over_ground_mps) {

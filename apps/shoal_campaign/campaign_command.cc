@@ -9,6 +9,7 @@
 
 #include "apps/shoal_campaign/campaign_setup.h"
 #include "apps/shoal_campaign/campaign_trial.h"
+#include "lib/base/time/seconds.h"
 #include "lib/mission/file/print_errors.h"
 #include "lib/run/launch/launcher.h"
 #include "lib/run/launch/recording.h"
@@ -20,7 +21,6 @@
 #include "sim/app_factory.h"
 #include "sim/run_sim.h"
 #include "sim/simulation.h"
-#include "lib/base/time/seconds.h"
 
 namespace shoal {
 

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "lib/base/check/result.h"
+#include "lib/base/time/seconds.h"
 #include "lib/bus/bus/channels.h"
 #include "lib/bus/bus/seal.h"
 #include "lib/bus/os/text_file.h"
@@ -20,7 +21,6 @@
 #include "lib/tools/analysis/information_age.h"
 #include "lib/tools/analysis/media_tally.h"
 #include "lib/tools/analysis/swarm_tally.h"
-#include "lib/base/time/seconds.h"
 
 namespace shoal {
 

@@ -8,13 +8,13 @@
 
 #include "lib/base/check/result.h"
 #include "lib/base/text/letters.h"
+#include "lib/base/time/seconds.h"
 #include "lib/bus/bus/channels.h"
 #include "lib/bus/bus/seal.h"
 #include "lib/bus/bus/waypoint_arrival.h"
 #include "lib/bus/record/log_source.h"
 #include "lib/run/run/status_page.h"
 #include "lib/tools/analysis/decision_words.h"
-#include "lib/base/time/seconds.h"
 
 namespace shoal {
 
@@ -58,8 +58,8 @@ int LogHelm(const LogHelmOptions& options, std::ostream& out, std::ostream& err)
       states[of_state] = state;
       if (arrival.empty()) continue;
       has_arrivals = true;
-      out << fmt::format("{:>10.3f}  {:<12} {}\n", Seconds(state.utime),
-                         Printable(state.vehicle), Printable(arrival, kLongestSentence));
+      out << fmt::format("{:>10.3f}  {:<12} {}\n", Seconds(state.utime), Printable(state.vehicle),
+                         Printable(arrival, kLongestSentence));
       continue;
     }
     helm_decision_t decision{};

@@ -111,7 +111,7 @@ void WorkerPool::Fork(Worker* worker) {
 
 void WorkerPool::Work(Worker* worker) {
   TrialJob job;
-  while (ReadAll(worker->jobs.get(), reinterpret_cast<char*>(&job), sizeof job)) {
+  while (ReadAll(worker->jobs.get(), {reinterpret_cast<char*>(&job), sizeof job})) {
     // What earlier trials wrote is of no use, and would fill the memory.
     if (ftruncate(STDERR_FILENO, 0) == 0) lseek(STDERR_FILENO, 0, SEEK_SET);
     worker->progress->utime = 0;
@@ -121,7 +121,7 @@ void WorkerPool::Work(Worker* worker) {
     finished.result = run_(job, worker->progress);
     finished.key.repetition = job.repetition;
     const std::string line = TrialLine(finished, options_.metrics) + kEndOfLine;
-    if (!WriteAll(worker->results.get(), line.data(), line.size())) break;
+    if (!WriteAll(worker->results.get(), line)) break;
   }
   std::fflush(nullptr);
   _exit(kExitOk);
@@ -151,8 +151,8 @@ void WorkerPool::Send(Worker* worker) {
   worker->is_busy = true;
   worker->begin_us = MonotonicMicroseconds();
   // Of a worker that died meanwhile the pipe is broken: Wait() notices.
-  static_cast<void>(WriteAll(worker->jobs.get(), reinterpret_cast<const char*>(&worker->job),
-                             sizeof worker->job));
+  static_cast<void>(WriteAll(worker->jobs.get(),
+                             {reinterpret_cast<const char*>(&worker->job), sizeof worker->job}));
 }
 
 void WorkerPool::Conclude(Worker* worker, TrialResult result, std::vector<FinishedJob>* finished) {
