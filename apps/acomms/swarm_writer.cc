@@ -32,7 +32,7 @@ std::vector<swarm_count_t> WriteCounts(const ReceptionCounts& counts) {
   std::vector<swarm_count_t> rows;
   for (size_t field = 0; field < kNumSwarmFields; ++field) {
     for (size_t strategy = 0; strategy < kNumRecoveryStrategies; ++strategy) {
-      AddCount("recovered", kSwarmFieldNames[field], kRecoveryStrategyNames[strategy],
+      AddCount("recovered", kSwarmFieldNames.At(field), kRecoveryStrategyNames.At(strategy),
                counts.recovered_by[field][strategy], &rows);
     }
   }

@@ -24,18 +24,13 @@ struct Grammar {
 };
 
 // In the order of OrderKind.
-constexpr std::array<Grammar, kNumOrderKinds> kGrammar = {{
-    {"deploy", 0, Argument::kNone},
-    {"return", 0, Argument::kNone},
-    {"station_keep", 0, Argument::kNone},
-    {"all_stop", 0, Argument::kReason},
-    {"resume", 0, Argument::kNone},
-    {"park", 0, Argument::kNone},
-    {"goto", 2, Argument::kNone},
-    {"speed", 1, Argument::kNone},
-    {"task", 0, Argument::kTask},
-    {"set", 0, Argument::kSetting},
-}};
+constexpr EnumTable<OrderKind, Grammar> kGrammar = {
+    Grammar{"deploy", 0, Argument::kNone},       Grammar{"return", 0, Argument::kNone},
+    Grammar{"station_keep", 0, Argument::kNone}, Grammar{"all_stop", 0, Argument::kReason},
+    Grammar{"resume", 0, Argument::kNone},       Grammar{"park", 0, Argument::kNone},
+    Grammar{"goto", 2, Argument::kNone},         Grammar{"speed", 1, Argument::kNone},
+    Grammar{"task", 0, Argument::kTask},         Grammar{"set", 0, Argument::kSetting},
+};
 
 /// Reads "VARIABLE = value", as flags are written.
 Result<VariablePost> ReadSetting(std::string_view text) {
@@ -120,6 +115,6 @@ Result<HelmOrder> ReadOrderText(std::string_view text) {
   return ReadOrder(command, "", values);
 }
 
-std::string_view Name(OrderKind kind) { return kGrammar.at(static_cast<size_t>(kind)).word; }
+std::string_view Name(OrderKind kind) { return kGrammar[kind].word; }
 
 }  // namespace shoal

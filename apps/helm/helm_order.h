@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "lib/base/check/enum_table.h"
 #include "lib/base/check/result.h"
 #include "lib/helm/modes/variables.h"
 
@@ -23,7 +24,7 @@ enum class OrderKind {
   kTask,         ///< Jump to a task of the list.
   kSet,          ///< Set a variable of the behaviors.
 };
-inline constexpr int kNumOrderKinds = 10;
+inline constexpr int kNumOrderKinds = static_cast<int>(kNumEnumerators<OrderKind>);
 
 struct HelmOrder {
   OrderKind kind = OrderKind::kPark;

@@ -131,7 +131,7 @@ std::string RecoveryText(const Mission& mission) {
   std::map<std::string, NameList> fields_by_text;
   const RecoveryPlan plan;
   for (size_t i = 0; i < kNumSwarmFields; ++i) {
-    fields_by_text[StrategiesText(plan.by_field[i])].emplace_back(kSwarmFieldNames[i]);
+    fields_by_text[StrategiesText(plan.by_field[i])].emplace_back(kSwarmFieldNames.At(i));
   }
   for (const auto& [strategies, fields] : fields_by_text) {
     text += fmt::format("#     {:<28} {}\n", strategies, fmt::join(fields, ", "));

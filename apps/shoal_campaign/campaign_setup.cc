@@ -50,7 +50,7 @@ bool IsCampaignInterrupted() { return campaign_interrupted; }
 
 std::string CountsText(const CampaignResults& results) {
   std::string text = fmt::format("{} trials", results.rows.size());
-  for (size_t i = 0; i < std::size(kTrialOutcomeNames); ++i) {
+  for (size_t i = 0; i < kTrialOutcomeNames.size(); ++i) {
     text += fmt::format("{} {} {}", i == 0 ? ":" : ",",
                         CountOutcomes(results, static_cast<TrialOutcome>(i)),
                         NameOf(static_cast<TrialOutcome>(i)));

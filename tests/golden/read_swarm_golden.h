@@ -30,7 +30,7 @@ inline double GoldenNumber(const nlohmann::json& number) {
 /// Returns nothing for a name that no field has.
 inline std::optional<SwarmField> FieldNamed(std::string_view name) {
   for (size_t i = 0; i < kNumSwarmFields; ++i) {
-    if (kSwarmFieldNames[i] == name) return static_cast<SwarmField>(i);
+    if (kSwarmFieldNames.At(i) == name) return static_cast<SwarmField>(i);
   }
   return std::nullopt;
 }

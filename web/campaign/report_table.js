@@ -6,19 +6,16 @@ import {caseNotes} from './report_data.js';
 
 const kMaxRows = 500;
 
-function headings(report, quantity) {
-  if (quantity.isShare) {
-    return ['trials', 'pass', 'fail', 'error', 'timeout', 'passed', 'interval', 'notes'];
-  }
-  const quantiles = report.data.quantiles.flatMap((level) => [`${100 * level} %`, 'interval']);
-  return ['trials', 'without', 'mean', 'interval', ...quantiles, 'least', 'greatest'];
+/** Columns come from lib/tools/report/report_columns.cc, but for the notes. */
+export function headings(report, quantity) {
+  const {data} = report;
+  return quantity.isShare ? [...data.outcome_columns, 'notes'] : data.metric_columns;
 }
 
-function cells(report, number, quantity) {
+export function cells(report, number, quantity) {
   const each = report.cases[number];
   if (!quantity.isShare) return each.metrics[quantity.metric].texts;
-  const num = each.outcomes.reduce((sum, count) => sum + count, 0);
-  return [num, ...each.outcomes, ...each.share_texts, caseNotes(report, number).join('; ')];
+  return [...each.texts, caseNotes(report, number).join('; ')];
 }
 
 /** Makes the table anew. `onPick(number)` is called with the case of a row. */

@@ -81,7 +81,7 @@ inline constexpr std::string_view kGrey = "#999999";
 
 using enum Kind;
 inline constexpr KindSet kNone{};
-inline constexpr KindSet kAll{kReport, kMessage, kAck, kPacket};
+inline constexpr KindSet kAll = KindSet::All();
 inline constexpr KindSet kAllButPackets{kReport, kMessage, kAck};
 
 /// By the cause's number.

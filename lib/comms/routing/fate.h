@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <string_view>
 
+#include "lib/base/check/enum_table.h"
 #include "lib/comms/routing/cause.h"
 #include "lib/comms/routing/kind.h"
 
@@ -15,8 +16,9 @@ enum class OverrideRule : uint8_t { kNone, kCriticalRange, kFullReport };
 
 /// Returns what COMMS_FATES writes: "critical_range". The text of kNone is empty.
 [[nodiscard]] constexpr std::string_view OverrideText(OverrideRule override_rule) {
-  constexpr std::array<std::string_view, 3> kTexts = {"", "critical_range", "full_report"};
-  return kTexts.at(static_cast<size_t>(override_rule));
+  constexpr EnumTable<OverrideRule, std::string_view> kTexts = {"", "critical_range",
+                                                                "full_report"};
+  return kTexts[override_rule];
 }
 
 /// The index of no vehicle.

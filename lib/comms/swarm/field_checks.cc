@@ -14,7 +14,7 @@ namespace shoal {
 
 namespace {
 
-constexpr std::array<std::string_view, kNumFieldFaults> kFaultTexts = {
+constexpr EnumTable<FieldFault, std::string_view> kFaultTexts = {
     "nothing",
     "wrong length",
     "not a type of message",
@@ -59,7 +59,7 @@ FieldFault CheckTime(double time_s, const FieldLimits& limits) {
 
 }  // namespace
 
-std::string_view TextOf(FieldFault fault) { return kFaultTexts[static_cast<size_t>(fault)]; }
+std::string_view TextOf(FieldFault fault) { return kFaultTexts[fault]; }
 
 FieldFault CheckType(std::span<const uint8_t> flag) {
   if (flag.size() != std::tuple_size_v<MessageFlag>) return FieldFault::kWrongLength;

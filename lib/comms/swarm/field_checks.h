@@ -11,6 +11,8 @@
 #include <span>
 #include <string_view>
 
+#include "lib/base/check/enum_table.h"
+
 namespace shoal {
 
 /// Why a value is invalid.
@@ -32,7 +34,7 @@ enum class FieldFault : uint8_t {
   kFromTheFuture,
   kInThePast,
 };
-inline constexpr size_t kNumFieldFaults = 16;
+inline constexpr size_t kNumFieldFaults = kNumEnumerators<FieldFault>;
 
 /// Returns what is wrong, "farther than the limit"; "nothing" for kNone.
 [[nodiscard]] std::string_view TextOf(FieldFault fault);

@@ -10,6 +10,8 @@
 #include <optional>
 #include <string_view>
 
+#include "lib/base/check/enum_table.h"
+
 namespace shoal {
 
 enum class SwarmField : uint8_t {
@@ -30,7 +32,7 @@ enum class SwarmField : uint8_t {
   kRspnSched,
   kRspnStart,
 };
-inline constexpr size_t kNumSwarmFields = 16;
+inline constexpr size_t kNumSwarmFields = kNumEnumerators<SwarmField>;
 
 enum class RecoveryStrategy : uint8_t {
   kPredict,    ///< Predict it from what is known.
@@ -40,15 +42,15 @@ enum class RecoveryStrategy : uint8_t {
   kSkipField,  ///< Leave the field out and take the rest.
   kSkip,       ///< Drop the message.
 };
-inline constexpr size_t kNumRecoveryStrategies = 6;
+inline constexpr size_t kNumRecoveryStrategies = kNumEnumerators<RecoveryStrategy>;
 
 /// Names as the specification has them, in the order of the enumeration.
-inline constexpr std::array<std::string_view, kNumSwarmFields> kSwarmFieldNames = {
+inline constexpr EnumTable<SwarmField, std::string_view> kSwarmFieldNames = {
     "type",          "group_id",      "reporter_id",   "reporter_pos",    "reporter_vel",
     "time_stamp",    "leader_pos",    "leader_vel",    "leader_next_pos", "leader_next_vel",
     "num_followers", "followers_pos", "followers_vel", "followers_rspn",  "rspn_sched",
     "rspn_start"};
-inline constexpr std::array<std::string_view, kNumRecoveryStrategies> kRecoveryStrategyNames = {
+inline constexpr EnumTable<RecoveryStrategy, std::string_view> kRecoveryStrategyNames = {
     "predict", "previous", "neutral", "sentinel", "skip_field", "skip"};
 
 [[nodiscard]] std::string_view NameOf(SwarmField field);

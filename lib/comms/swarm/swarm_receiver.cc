@@ -10,7 +10,7 @@ namespace shoal {
 
 namespace {
 
-constexpr std::array<std::string_view, kNumRejectReasons> kReasonTexts = {
+constexpr EnumTable<RejectReason, std::string_view> kReasonTexts = {
     "nothing",
     "checksum is wrong",
     "shorter than a flag",
@@ -72,7 +72,7 @@ void CountReception(const SwarmReception& reception, ReceptionCounts* counts) {
 
 }  // namespace
 
-std::string_view TextOf(RejectReason reason) { return kReasonTexts[static_cast<size_t>(reason)]; }
+std::string_view TextOf(RejectReason reason) { return kReasonTexts[reason]; }
 
 SwarmReception Receive(std::span<const uint8_t> bytes, int64_t now_us, SwarmReceiver* receiver) {
   SwarmReception reception;

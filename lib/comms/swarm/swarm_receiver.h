@@ -17,6 +17,7 @@
 #include <string_view>
 #include <vector>
 
+#include "lib/base/check/enum_table.h"
 #include "lib/comms/swarm/field_checks.h"
 #include "lib/comms/swarm/group_state.h"
 #include "lib/comms/swarm/message_frame.h"
@@ -40,7 +41,7 @@ enum class RejectReason : uint8_t {
   kNoLeader,         ///< A leader's message, and this vehicle follows none.
   kOutdated,         ///< What is known of its sender is newer.
 };
-inline constexpr size_t kNumRejectReasons = 10;
+inline constexpr size_t kNumRejectReasons = kNumEnumerators<RejectReason>;
 
 /// Returns the reason in words, "checksum is wrong"; "nothing" for kNone.
 [[nodiscard]] std::string_view TextOf(RejectReason reason);

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "lib/base/check/enum_table.h"
 #include "lib/base/geometry/angles.h"
 #include "lib/helm/behaviors/preference.h"
 #include "lib/helm/behaviors/track_line.h"
@@ -10,9 +11,9 @@
 namespace shoal {
 
 std::string_view LegRunBehavior::Name() const {
-  constexpr std::array<std::string_view, 6> kNames = {"init", "leg1",  "turn1",
-                                                      "leg2", "turn2", "done"};
-  return kNames.at(static_cast<size_t>(part_));
+  constexpr EnumTable<Part, std::string_view> kNames = {"init", "leg1",  "turn1",
+                                                        "leg2", "turn2", "done"};
+  return kNames[part_];
 }
 
 // The half of the circle beyond the end of the leg, a point every 30 degrees.

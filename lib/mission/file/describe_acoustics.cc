@@ -41,11 +41,11 @@ constexpr std::pair<std::string_view, std::string_view> kMunetNames[] = {
     {"snr_slope", "SNR_SLOPE"},
 };
 
-/// One of ChoiceTexts.
+/// One of kChoiceTexts.
 template <class E>
 void DescribeWord(Fields& fields, std::string_view key, E& choice) {
   std::string word(ChoiceText(choice));
-  fields.Word(key, word, ChoiceTexts(E{}));
+  fields.Word(key, word, kChoiceTexts<E>);
   choice = FindChoice<E>(word).value_or(choice);
 }
 

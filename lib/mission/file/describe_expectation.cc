@@ -219,6 +219,8 @@ void Describe(Fields& fields, Expectation& expectation, double end_s) {
       "track",           "distance",   "altitude",         "swarm",    "closest_approach",
       "encounter_score", "coverage",   "navigation_error", "messages", "acks",
       "packets"};
+  static_assert(kKinds.size() == std::variant_size_v<decltype(Expectation::what)> - 1 + kNumKinds,
+                "each expectation has a word, that of deliveries one for each kind");
   std::string kind(fields.reading() ? "" : kKinds.at(expectation.what.index()));
   if (const auto* comms = std::get_if<CommsExpectation>(&expectation.what)) {
     kind = fields.reading() ? "" : NameOf(comms->kind);
@@ -228,7 +230,7 @@ void Describe(Fields& fields, Expectation& expectation, double end_s) {
   if (fields.reading()) {
     expectation.where = fields.Where();
     if (kind == "separation") expectation.what = SeparationExpectation();
-    for (const Kind each : {Kind::kReport, Kind::kMessage, Kind::kAck, Kind::kPacket}) {
+    for (const Kind each : kEnumerators<Kind>) {
       if (kind != NameOf(each)) continue;
       CommsExpectation comms;
       comms.kind = each;

@@ -119,7 +119,7 @@ void DescribeSwarms(Fields& file, std::vector<SwarmOptions>& swarms) {
 
 void Describe(Fields& fields, RecoveryPlan& plan) {
   for (size_t i = 0; i < kNumSwarmFields; ++i) {
-    const std::string_view key = kSwarmFieldNames[i];
+    const std::string_view key = kSwarmFieldNames.At(i);
     std::vector<std::string> words;
     for (const RecoveryStrategy strategy : plan.by_field[i]) words.emplace_back(NameOf(strategy));
     fields.Texts(key, words, kMaxStrategies);

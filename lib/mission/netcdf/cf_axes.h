@@ -4,13 +4,14 @@
 #include <optional>
 #include <vector>
 
+#include "lib/base/check/enum_table.h"
 #include "lib/mission/netcdf/netcdf_header.h"
 
 namespace shoal {
 
 /// In the order in which a field has them, the last varies fastest.
 enum class CfRole { kTime, kDepth, kNorth, kEast };
-inline constexpr size_t kNumCfRoles = 4;
+inline constexpr size_t kNumCfRoles = kNumEnumerators<CfRole>;
 
 struct CfAxisKind {
   CfRole role = CfRole::kEast;

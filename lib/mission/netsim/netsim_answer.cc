@@ -55,16 +55,16 @@ NetsimOutcome OutcomeOf(NetsimStatus status) {
 }  // namespace
 
 std::string_view Word(NetsimOutcome outcome) {
-  constexpr std::array<std::string_view, kNumNetsimOutcomes> kWords = {"blank",
-                                                                       "no message",
-                                                                       "unknown message",
-                                                                       "undecodable",
-                                                                       "incomplete",
-                                                                       "invalid modem tcp port",
-                                                                       "invalid source address",
-                                                                       "out of defined region",
-                                                                       "accepted"};
-  return kWords[static_cast<size_t>(outcome)];
+  constexpr EnumTable<NetsimOutcome, std::string_view> kWords = {"blank",
+                                                                 "no message",
+                                                                 "unknown message",
+                                                                 "undecodable",
+                                                                 "incomplete",
+                                                                 "invalid modem tcp port",
+                                                                 "invalid source address",
+                                                                 "out of defined region",
+                                                                 "accepted"};
+  return kWords[outcome];
 }
 
 NetsimReply AnswerLine(std::string_view line, std::string_view peer_address,

@@ -13,6 +13,7 @@
 #include <string_view>
 #include <vector>
 
+#include "lib/base/check/enum_table.h"
 #include "lib/mission/netsim/netsim_evaluate.h"
 #include "lib/mission/netsim/netsim_options.h"
 
@@ -31,7 +32,7 @@ enum class NetsimOutcome {
   kOutOfDefinedRegion,
   kAccepted,
 };
-inline constexpr size_t kNumNetsimOutcomes = 9;
+inline constexpr size_t kNumNetsimOutcomes = kNumEnumerators<NetsimOutcome>;
 
 /// Returns "out of defined region" and the like.
 [[nodiscard]] std::string_view Word(NetsimOutcome outcome);

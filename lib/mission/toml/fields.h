@@ -21,6 +21,7 @@
 #include <variant>
 #include <vector>
 
+#include "lib/base/check/enum_table.h"
 #include "lib/mission/toml/field.h"
 
 namespace shoal {
@@ -138,10 +139,18 @@ class Fields {
         [&](Fields& fields, size_t i) { describe(fields, items[i]); });
   }
 
-  /// An enumeration, by its words.
+  /// An enumeration, by its words: one for each enumerator.
   template <class E, size_t N>
   void Choice(std::string_view key, E& value,
               const std::array<std::pair<std::string_view, E>, N>& choices) {
+    static_assert(N == kNumEnumerators<E>, "a Choice has a word for each enumerator");
+    ChoiceAmong(key, value, choices);
+  }
+
+  /// The same for some of the enumerators, or another type.
+  template <class E, size_t N>
+  void ChoiceAmong(std::string_view key, E& value,
+                   const std::array<std::pair<std::string_view, E>, N>& choices) {
     std::vector<std::string_view> words;
     std::string word;
     for (const auto& [choice, meaning] : choices) {

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "lib/base/check/enum_table.h"
 #include "lib/base/geometry/angles.h"
 #include "lib/base/text/blanks.h"
 #include "lib/base/text/letters.h"
@@ -244,10 +245,10 @@ class CsvTrackReader {
     const std::optional<double> number = NumberIn(cell);
     const double unit = columns_.time_form == TimeForm::kMicroseconds ? 1 : 1e6;
     if (!number || std::abs(*number * unit) > kLatestTime_us) {
-      constexpr std::array<std::string_view, 3> kForms = {
+      constexpr EnumTable<TimeForm, std::string_view> kForms = {
           "microseconds since 1970", "seconds", "seconds, or ISO 8601: 2026-11-23T09:30:00Z"};
       return fmt::format("{} is {}, and must be a time: {}", names_[columns_.time],
-                         QuotedWord(cell), kForms.at(static_cast<size_t>(columns_.time_form)));
+                         QuotedWord(cell), kForms[columns_.time_form]);
     }
     *time_us = std::llround(*number * unit);
     return "";

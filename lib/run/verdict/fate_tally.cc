@@ -7,7 +7,7 @@ namespace shoal {
 
 void FateTally::Take(std::span<const fate_t> fates) {
   for (const fate_t& fate : fates) {
-    for (const Kind kind : {Kind::kReport, Kind::kMessage, Kind::kAck, Kind::kPacket}) {
+    for (const Kind kind : kEnumerators<Kind>) {
       if (fate.kind != KindText(kind)) continue;
       this->fates(kind).Add(fate.source, fate.destination, fate.cause, fate.count);
       if (kind == Kind::kPacket) acoustic_.AddFate(VehicleKey(fate.source), fate.number);

@@ -1,13 +1,11 @@
 // Settings of the acoustic network, with muNet's defaults. Its names for them stand in brackets.
 #pragma once
 
-#include <array>
-#include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <span>
 #include <string_view>
 
+#include "lib/base/check/enum_table.h"
 #include "lib/sea/acoustics/modem_preset.h"
 
 namespace shoal {
@@ -77,39 +75,37 @@ struct AcousticOptions {
 };
 
 /// What mission files write for each choice, by its number.
-inline constexpr std::array<std::string_view, 4> kAccessModeTexts = {"shared", "tdma", "tdma_lf",
+template <class Choice>
+using ChoiceTable = EnumTable<Choice, std::string_view>;
+template <class Choice>
+inline constexpr ChoiceTable<Choice> kChoiceTexts = {};
+template <>
+inline constexpr ChoiceTable<AccessMode> kChoiceTexts<AccessMode> = {"shared", "tdma", "tdma_lf",
                                                                      "fdma"};
-inline constexpr std::array<std::string_view, 2> kChannelOrderTexts = {"center_out", "edge_in"};
-inline constexpr std::array<std::string_view, 2> kJitterTexts = {"uniform", "off"};
-inline constexpr std::array<std::string_view, 3> kCollisionTexts = {"drop", "corrupt", "off"};
-inline constexpr std::array<std::string_view, 5> kPacketLossTexts = {
+template <>
+inline constexpr ChoiceTable<ChannelOrder> kChoiceTexts<ChannelOrder> = {"center_out", "edge_in"};
+template <>
+inline constexpr ChoiceTable<JitterModel> kChoiceTexts<JitterModel> = {"uniform", "off"};
+template <>
+inline constexpr ChoiceTable<CollisionModel> kChoiceTexts<CollisionModel> = {"drop", "corrupt",
+                                                                             "off"};
+template <>
+inline constexpr ChoiceTable<PacketLossModel> kChoiceTexts<PacketLossModel> = {
     "uniform", "exp_simple", "sonar_simple", "off", "modem"};
-inline constexpr std::array<std::string_view, 5> kBitErrorTexts = {"poisson", "exp_simple", "snr",
-                                                                   "off", "modem"};
-
-constexpr std::span<const std::string_view> ChoiceTexts(AccessMode) { return kAccessModeTexts; }
-constexpr std::span<const std::string_view> ChoiceTexts(ChannelOrder) { return kChannelOrderTexts; }
-constexpr std::span<const std::string_view> ChoiceTexts(JitterModel) { return kJitterTexts; }
-constexpr std::span<const std::string_view> ChoiceTexts(CollisionModel) { return kCollisionTexts; }
-constexpr std::span<const std::string_view> ChoiceTexts(PacketLossModel) {
-  return kPacketLossTexts;
-}
-constexpr std::span<const std::string_view> ChoiceTexts(BitErrorModel) { return kBitErrorTexts; }
+template <>
+inline constexpr ChoiceTable<BitErrorModel> kChoiceTexts<BitErrorModel> = {"poisson", "exp_simple",
+                                                                           "snr", "off", "modem"};
 
 /// Returns what mission files write for this choice.
 template <class Choice>
 constexpr std::string_view ChoiceText(Choice choice) {
-  return ChoiceTexts(choice)[static_cast<size_t>(choice)];
+  return kChoiceTexts<Choice>[choice];
 }
 
 /// Returns the choice that is written so; capitals matter.
 template <class Choice>
 constexpr std::optional<Choice> FindChoice(std::string_view text) {
-  const std::span<const std::string_view> texts = ChoiceTexts(Choice{});
-  for (size_t i = 0; i < texts.size(); ++i) {
-    if (texts[i] == text) return static_cast<Choice>(i);
-  }
-  return std::nullopt;
+  return kChoiceTexts<Choice>.Find(text);
 }
 
 }  // namespace shoal

@@ -27,12 +27,12 @@ void AddLine(std::string_view name, int64_t count, int64_t whole, std::string* t
 }  // namespace
 
 std::string_view AcousticFateText(AcousticFate fate) {
-  static constexpr std::array<std::string_view, kNumAcousticFates> kTexts = {
+  static constexpr EnumTable<AcousticFate, std::string_view> kTexts = {
       "not_listening",         "no_path",
       "half_duplex",           "collision",
       "packet_loss",           "damaged_by_collision",
       "damaged_by_bit_errors", "delivered"};
-  return kTexts[static_cast<size_t>(fate)];
+  return kTexts[fate];
 }
 
 int64_t AcousticStatistics::NumHandedOver() const {
@@ -46,7 +46,7 @@ std::string StatisticsText(const AcousticStatistics& statistics) {
   std::string text;
   AddLine("transmissions", statistics.num_transmissions, 0, &text);
   AddLine("offered to listeners", to_listeners, 0, &text);
-  for (int i = 0; i < kNumAcousticFates; ++i) {
+  for (size_t i = 0; i < kNumAcousticFates; ++i) {
     const auto fate = static_cast<AcousticFate>(i);
     const bool counts = fate != AcousticFate::kNotListening;
     AddLine(AcousticFateText(fate), statistics.NumOf(fate), counts ? to_listeners : 0, &text);

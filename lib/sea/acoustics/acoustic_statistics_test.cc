@@ -11,10 +11,10 @@ namespace shoal::acoustic_statistics_test {
 
 TEST(AcousticFateText, IsDifferentForEachFate) {
   std::set<std::string_view> texts;
-  for (int i = 0; i < kNumAcousticFates; ++i) {
+  for (size_t i = 0; i < kNumAcousticFates; ++i) {
     texts.insert(AcousticFateText(static_cast<AcousticFate>(i)));
   }
-  EXPECT_EQ(texts.size(), static_cast<size_t>(kNumAcousticFates));
+  EXPECT_EQ(texts.size(), kNumAcousticFates);
   EXPECT_EQ(AcousticFateText(AcousticFate::kHalfDuplex), "half_duplex");
   EXPECT_EQ(AcousticFateText(AcousticFate::kDelivered), "delivered");
 }

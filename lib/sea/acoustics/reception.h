@@ -7,6 +7,8 @@
 #include <span>
 #include <string_view>
 
+#include "lib/base/check/enum_table.h"
+
 namespace shoal {
 
 /// Every packet gets exactly one of these at every receiver it was meant for: the first that holds.
@@ -20,7 +22,7 @@ enum class AcousticFate : uint8_t {
   kDamagedByBitErrors,  ///< Delivered, with bits flipped.
   kDelivered,           ///< As it was sent.
 };
-inline constexpr int kNumAcousticFates = 8;
+inline constexpr size_t kNumAcousticFates = kNumEnumerators<AcousticFate>;
 
 /// Returns "not_listening", "damaged_by_collision" ...
 [[nodiscard]] std::string_view AcousticFateText(AcousticFate fate);

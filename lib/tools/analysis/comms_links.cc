@@ -131,9 +131,8 @@ std::string LinkStatistics::Text(size_t max_links) const {
     std::set<Key> shown;
     for (size_t i = 0; i < order.size() - num_left_out; ++i) shown.insert(*order[i].second);
 
-    text += fmt::format("{:<22} {:>7} {:>14} {:>7} {:>7} {:>8} {:>8}  {}\n",
-                        kKindTitles[static_cast<size_t>(kind)], "sent", "delivered", "damaged",
-                        "lost", "delay s", "95 %", "lost by");
+    text += fmt::format("{:<22} {:>7} {:>14} {:>7} {:>7} {:>8} {:>8}  {}\n", KindTitle(kind),
+                        "sent", "delivered", "damaged", "lost", "delay s", "95 %", "lost by");
     AppendLink("all links", all, &text);
     for (const Key& key : shown) AppendLink(LinkTitle(key), links_.at(key), &text);
     if (num_left_out > 0) {

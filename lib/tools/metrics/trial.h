@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "lib/base/check/enum_table.h"
+
 namespace shoal {
 
 enum class TrialOutcome {
@@ -16,10 +18,11 @@ enum class TrialOutcome {
   kError,    ///< It did not run to its end: a bad mission file, a crash, a full disk.
   kTimeout,  ///< It did not end within the campaign's timeout_s.
 };
-inline constexpr std::string_view kTrialOutcomeNames[] = {"pass", "fail", "error", "timeout"};
+inline constexpr EnumTable<TrialOutcome, std::string_view> kTrialOutcomeNames = {
+    "pass", "fail", "error", "timeout"};
 
 [[nodiscard]] constexpr std::string_view NameOf(TrialOutcome outcome) {
-  return kTrialOutcomeNames[static_cast<size_t>(outcome)];
+  return kTrialOutcomeNames[outcome];
 }
 
 /// A trial's name: its case and its repetition, never a running number.

@@ -7,7 +7,7 @@
 
 #include "lib/base/time/seconds.h"
 #include "lib/run/verdict/expectation_text.h"
-#include "lib/tools/metrics/metric_text.h"
+#include "lib/tools/metrics/metric_kinds.h"
 #include "lib/tools/metrics/trial.h"
 
 namespace shoal {
@@ -21,35 +21,12 @@ std::vector<MetricSpec> SortedByName(std::span<const MetricSpec> metrics) {
   return sorted;
 }
 
-std::unique_ptr<MetricWatch> MakeMetricWatch(const Mission& mission, const MetricSpec& spec,
-                                             const StepTime& now) {
-  switch (spec.kind) {
-    case MetricKind::kDeliveryRatio:
-      return WatchDeliveryRatio(mission, spec);
-    case MetricKind::kInformationAge:
-      return WatchInformationAge(mission, spec, now);
-    case MetricKind::kClosestApproach:
-      return WatchClosestApproach(mission, spec, now);
-    case MetricKind::kFormationError:
-      return WatchFormationError(mission, spec, now);
-    case MetricKind::kDistanceTravelled:
-      return WatchDistanceTravelled(mission, spec);
-    case MetricKind::kArrivalTime:
-      return WatchArrivalTime(mission, spec, now);
-    case MetricKind::kEnergy:
-      return WatchEnergy(mission, spec, now);
-    case MetricKind::kField:
-      break;
-  }
-  return WatchField(mission, spec, now);
-}
-
 }  // namespace
 
 TrialWatch::TrialWatch(const Mission& mission, std::span<const MetricSpec> metrics)
     : mission_(mission), metrics_(SortedByName(metrics)), now_{.utime = mission.start_utime} {
   for (const MetricSpec& spec : metrics_) {
-    watches_.push_back(MakeMetricWatch(mission, spec, now_));
+    watches_.push_back(RowOf(spec.kind).watch(mission, spec, now_));
   }
 }
 

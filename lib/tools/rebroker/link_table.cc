@@ -82,10 +82,8 @@ std::string LinkTable::Text(size_t max_links, bool has_recorded) const {
     }
     if (links.empty()) continue;
     all.rows.assign(totals.begin(), totals.end());
-    text += has_recorded
-                ? fmt::format("{:<49} {:>10} {:>10}\n", kKindTitles[static_cast<size_t>(kind)],
-                              "recorded", "now")
-                : fmt::format("{:<49} {:>10}\n", kKindTitles[static_cast<size_t>(kind)], "now");
+    text += has_recorded ? fmt::format("{:<49} {:>10} {:>10}\n", KindTitle(kind), "recorded", "now")
+                         : fmt::format("{:<49} {:>10}\n", KindTitle(kind), "now");
     Append(all, has_recorded, &text);
     size_t num_left_out = 0;
     for (const Block& link : links) {

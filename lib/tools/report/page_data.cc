@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "lib/tools/campaign/case_labels.h"
+#include "lib/tools/report/report_columns.h"
 #include "lib/tools/report/table_text.h"
 
 namespace shoal {
@@ -69,18 +70,22 @@ PageJson EstimateJson(const Estimate& of) {
   return {of.value, of.interval.low, of.interval.high, of.is_repeated};
 }
 
-std::string StarOf(const Estimate& of) { return of.is_repeated ? " *" : ""; }
+template <class Of>
+PageJson HeadingsOf(std::span<const ReportColumn<Of>> columns) {
+  PageJson headings = PageJson::array();
+  for (const ReportColumn<Of>& column : columns) headings.push_back(column.heading);
+  return headings;
+}
+
+template <class Of>
+PageJson CellsOf(std::span<const ReportColumn<Of>> columns, const Of& of) {
+  PageJson cells = PageJson::array();
+  for (const ReportColumn<Of>& column : columns) cells.push_back(column.CellOf(of));
+  return cells;
+}
 
 PageJson MetricJson(const MetricSummary& of) {
-  PageJson texts = {std::to_string(of.num), std::to_string(of.num_without),
-                    DigitsText(of.mean.value), IntervalText(of.mean.interval) + StarOf(of.mean)};
-  for (const Estimate& quantile : of.quantiles) {
-    texts.push_back(DigitsText(quantile.value));
-    texts.push_back(IntervalText(quantile.interval));
-  }
-  texts.push_back(DigitsText(of.min));
-  texts.push_back(DigitsText(of.max));
-  return {{"mean", EstimateJson(of.mean)}, {"texts", std::move(texts)}};
+  return {{"mean", EstimateJson(of.mean)}, {"texts", CellsOf(MetricColumns(), of)}};
 }
 
 PageJson CaseJson(const CampaignCase& of, const CaseTable& table) {
@@ -93,9 +98,7 @@ PageJson CaseJson(const CampaignCase& of, const CaseTable& table) {
                    {"stopped", table.has_stopped},
                    {"undecidable", table.undecidable_looks},
                    {"share", EstimateJson(table.share_passed)},
-                   {"share_texts",
-                    {PercentText(table.share_passed.value),
-                     PercentText(table.share_passed.interval) + StarOf(table.share_passed)}},
+                   {"texts", CellsOf(OutcomeColumns(), table)},
                    {"confidence", table.share_passed.confidence},
                    {"bound", table.bound_of_none ? BoundText(*table.bound_of_none) : ""},
                    {"metrics", PageJson::array()}};
@@ -165,7 +168,8 @@ std::string PageData(const CampaignResults& results, const ReportTables& tables,
                    {"keys", results.sweep_keys},
                    {"axes", AxesOf(results)},
                    {"sampled", results.sampled_keys},
-                   {"quantiles", kReportedQuantiles},
+                   {"outcome_columns", HeadingsOf(OutcomeColumns())},
+                   {"metric_columns", HeadingsOf(MetricColumns())},
                    {"metrics", PageJson::array()},
                    {"cases", PageJson::array()},
                    {"trials", TrialsJson(results)}};

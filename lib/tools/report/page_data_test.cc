@@ -1,9 +1,12 @@
 #include "lib/tools/report/page_data.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "lib/tools/campaign/campaign_testing.h"
 
@@ -53,12 +56,27 @@ TEST(PageData, HasTheTextsOfTheTextReport) {
       4, [](int64_t i) { return i; }, &results);
   const ReportTables tables = MakeReportTables(results);
   const auto of_case = DataOf(results).at("cases").at(0);
-  EXPECT_EQ(of_case.at("share_texts").at(0), "100.00 %");
+  EXPECT_EQ(of_case.at("texts").at(5), "100.00 %");
   EXPECT_EQ(of_case.at("outcomes").dump(), "[4,0,0,0]");
   const auto metric = of_case.at("metrics").at(0);
   EXPECT_EQ(metric.at("texts").size(), 12U);
   EXPECT_EQ(metric.at("texts").at(2), "2.5");
+  const auto data = DataOf(results);
+  EXPECT_EQ(data.at("outcome_columns").size(), of_case.at("texts").size());
+  EXPECT_EQ(data.at("outcome_columns").at(5), "passed");
+  EXPECT_EQ(data.at("metric_columns").size(), metric.at("texts").size());
+  EXPECT_EQ(data.at("metric_columns").at(2), "mean");
   EXPECT_EQ(metric.at("mean").at(1).get<double>(), tables.cases[0].metrics[0].mean.interval.low);
+}
+
+TEST(PageData, NumbersOutcomesAsThePageNamesThem) {
+  std::string names;
+  for (const std::string_view name : kTrialOutcomeNames) {
+    names += fmt::format("{}'{}'", names.empty() ? "" : ", ", name);
+  }
+  std::stringstream script;
+  script << std::ifstream(SHOAL_SOURCE_DIR "/web/campaign/report_data.js").rdbuf();
+  EXPECT_NE(script.str().find("kOutcomes = [" + names + "]"), std::string::npos) << names;
 }
 
 TEST(PageData, PutsKeysThatVaryTogetherOnOneAxis) {

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <vector>
@@ -23,14 +24,16 @@ struct Estimate {
 };
 
 struct OutcomeCounts {
-  std::array<int64_t, 4> of = {};  ///< By TrialOutcome.
+  std::array<int64_t, kNumEnumerators<TrialOutcome>> of = {};  ///< By TrialOutcome.
 
   [[nodiscard]] int64_t operator[](TrialOutcome outcome) const {
     return of[static_cast<size_t>(outcome)];
   }
-  [[nodiscard]] int64_t num() const { return of[0] + of[1] + of[2] + of[3]; }
+  [[nodiscard]] int64_t num() const { return std::accumulate(of.begin(), of.end(), int64_t{0}); }
   /// Errors and timeouts: what did not run to its end.
-  [[nodiscard]] int64_t num_broken() const { return of[2] + of[3]; }
+  [[nodiscard]] int64_t num_broken() const {
+    return (*this)[TrialOutcome::kError] + (*this)[TrialOutcome::kTimeout];
+  }
 };
 
 /// A trial that a reader may want to see.

@@ -10,6 +10,7 @@
 
 #include "lib/tools/campaign/case_labels.h"
 #include "lib/tools/plot/plot_script.h"
+#include "lib/tools/report/report_columns.h"
 #include "lib/tools/report/table_text.h"
 
 namespace shoal {
@@ -70,6 +71,23 @@ class ReportWriter {
  private:
   void Line(const std::string& line) { text_ += line + '\n'; }
 
+  template <class Of>
+  static std::string Headings(std::span<const ReportColumn<Of>> columns) {
+    std::string line;
+    for (const ReportColumn<Of>& column : columns) {
+      line += fmt::format(fmt::runtime(column.format), column.heading);
+    }
+    return line;
+  }
+  template <class Of>
+  static std::string Cells(std::span<const ReportColumn<Of>> columns, const Of& of) {
+    std::string line;
+    for (const ReportColumn<Of>& column : columns) {
+      line += fmt::format(fmt::runtime(column.format), column.CellOf(of));
+    }
+    return line;
+  }
+
   const CampaignCase& CaseOf(const CaseTable& table) const {
     return results_.cases[table.case_number];
   }
@@ -110,16 +128,10 @@ class ReportWriter {
   void Outcomes() {
     const auto shown =
         ChooseCases(tables_, all_, [](const CaseTable& table) { return table.share_passed.value; });
-    Line(fmt::format("\n{:<{}} {:>8} {:>8} {:>7} {:>7} {:>7}  {:>9}  {}", "Outcomes", kLabelWidth,
-                     "trials", "pass", "fail", "error", "timeout", "passed", "interval"));
+    Line(fmt::format("\n{:<{}}", "Outcomes", kLabelWidth) + Headings(OutcomeColumns()));
     for (const size_t number : shown) {
       const CaseTable& table = tables_.cases[number];
-      const OutcomeCounts& of = table.outcomes;
-      Line(fmt::format(
-          "{:<{}} {:>8} {:>8} {:>7} {:>7} {:>7}  {:>9}  {}{}", Label(table), kLabelWidth, of.num(),
-          of[TrialOutcome::kPass], of[TrialOutcome::kFail], of[TrialOutcome::kError],
-          of[TrialOutcome::kTimeout], PercentText(table.share_passed.value),
-          PercentText(table.share_passed.interval), table.share_passed.is_repeated ? " *" : ""));
+      Line(fmt::format("{:<{}}", Label(table), kLabelWidth) + Cells(OutcomeColumns(), table));
       Notes(table);
     }
     LeftOut(shown.size());
@@ -174,15 +186,11 @@ class ReportWriter {
     const std::string unit = name.unit.empty() ? "" : " [" + ShownText(name.unit) + "]";
     Line(fmt::format("\n{}{}{}", ShownText(name.name), unit,
                      name.text.empty() ? "" : ": " + ShownText(name.text)));
-    Line(fmt::format("{:<{}} {:>8} {:>7} {:>10}  {:<26} {:>10} {:>10}", "", kLabelWidth, "trials",
-                     "without", "mean", "interval", "least", "greatest"));
+    Line(std::string(kLabelWidth, ' ') + Headings(MetricColumns()));
     for (const size_t number : shown) {
       const CaseTable& table = tables_.cases[number];
       const MetricSummary& of = table.metrics[metric];
-      Line(fmt::format("{:<{}} {:>8} {:>7} {:>10}  {:<26} {:>10} {:>10}", Label(table), kLabelWidth,
-                       of.num, of.num_without, DigitsText(of.mean.value),
-                       IntervalText(of.mean.interval) + (of.mean.is_repeated ? " *" : ""),
-                       DigitsText(of.min), DigitsText(of.max)));
+      Line(fmt::format("{:<{}}", Label(table), kLabelWidth) + Cells(MetricColumns(), of));
       if (of.num > 0) Quantiles(of);
       if (shown.size() <= kMaxCasesInDetail) Worst(of);
     }

@@ -34,7 +34,7 @@ class CampaignProgress {
   const int64_t begin_us_;
   int64_t next_us_;
   bool is_shown_ = false;
-  std::array<int64_t, 4> counts_ = {};
+  std::array<int64_t, kNumEnumerators<TrialOutcome>> counts_ = {};
 };
 
 }  // namespace shoal

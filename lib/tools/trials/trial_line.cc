@@ -13,9 +13,7 @@ using Json = nlohmann::ordered_json;
 constexpr size_t kLongestWhy_bytes = 4000;
 
 std::optional<TrialOutcome> OutcomeNamed(std::string_view name) {
-  const auto* found = std::find(std::begin(kTrialOutcomeNames), std::end(kTrialOutcomeNames), name);
-  if (found == std::end(kTrialOutcomeNames)) return std::nullopt;
-  return static_cast<TrialOutcome>(found - std::begin(kTrialOutcomeNames));
+  return kTrialOutcomeNames.Find(name);
 }
 
 /// Throws what nlohmann::json throws.

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "lib/base/check/enum_table.h"
 #include "lib/base/time/seconds.h"
 #include "lib/bus/bus/waypoint_arrival.h"
 #include "lib/mission/model/mission.h"
@@ -37,10 +38,10 @@ std::vector<WatchedVehicle> WatchedVehiclesOf(const Mission& mission) {
 }
 
 std::string_view EventKindText(EventKind kind) {
-  constexpr std::array<std::string_view, 7> kTexts = {
+  constexpr EnumTable<EventKind, std::string_view> kTexts = {
       "collision",    "all_stop",      "cleared", "first_contact",
       "lost_contact", "contact_again", "waypoint"};
-  return kTexts.at(static_cast<size_t>(kind));
+  return kTexts[kind];
 }
 
 EventWatch::EventWatch(std::vector<WatchedVehicle> vehicles)

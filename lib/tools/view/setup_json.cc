@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "lib/base/check/enum_table.h"
 #include "lib/base/time/seconds.h"
 #include "lib/comms/routing/cause.h"
 #include "lib/comms/routing/control.h"
@@ -72,12 +73,13 @@ void WriteVehicle(const Mission& mission, const Vehicle& vehicle, bool knows_mod
 }
 
 void WriteCause(const CauseRow& row, JsonWriter* json) {
-  constexpr std::array<std::string_view, 4> kOutcomes = {"whole", "damaged", "stopped", "pending"};
+  constexpr EnumTable<CauseOutcome, std::string_view> kOutcomes = {"whole", "damaged", "stopped",
+                                                                   "pending"};
   json->BeginObject()
       .Text("key", row.key)
       .Text("text", CauseWords(row.cause))
       .Text("color", row.color)
-      .Text("outcome", kOutcomes.at(static_cast<size_t>(row.outcome)))
+      .Text("outcome", kOutcomes[row.outcome])
       .EndObject();
 }
 

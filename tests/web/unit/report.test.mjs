@@ -7,6 +7,7 @@ import {cellText, countText, plainValue, replayCommand, shellWord, valueText}
 import {caseNotes, kAll, kMaxLines, Report} from '../../../web/campaign/report_data.js';
 import {curveMarks, histogramMarks, rangeOf, scaleOf, spread, trialMarks, worstFirst}
   from '../../../web/campaign/report_points.js';
+import {cells, headings} from '../../../web/campaign/report_table.js';
 
 const kMetric = {name: 'closest_m', unit: 'm', text: ''};
 
@@ -15,19 +16,24 @@ function dataOf(ranges, num, outcomes, values) {
   const cases = ranges.flatMap((range) => ['A', 'B'].map((policy) => ({
     id: `${range}${policy}`, values: [range], policy, outcomes: [num, 0, 0, 0], expected: num,
     missing: 0, stopped: false, undecidable: [], share: [1, 0.9, 1, false],
-    share_texts: ['100.00 %', '90.00 to 100.00 %'], confidence: 0.95, bound: '',
-    metrics: [{mean: [5, 4, 6, false], texts: []}]})));
+    texts: [`${num}`, '100.00 %'], confidence: 0.95, bound: '',
+    metrics: [{mean: [5, 4, 6, false], texts: ['5']}]})));
   const rows = cases.length * num;
   const zeros = Array(rows).fill(0);
   return {
     file: 'a.toml', mission: 'b.toml', dir: '/tmp/a', repetitions: num, confidence: 0.95,
     outcomes: [rows, 0, 0, 0], expected: rows, missing: 0, beyond_stop: 0, stop_metric: '',
-    keys: ['comms_range'], axes: [[0]], sampled: ['x'], quantiles: [0.05, 0.5, 0.95],
+    keys: ['comms_range'], axes: [[0]], sampled: ['x'],
+    outcome_columns: ['trials', 'passed'], metric_columns: ['mean'],
     metrics: [kMetric], cases,
     trials: {of_case: cases.map(() => num), repetition: zeros.map((_, i) => i % num + 1),
       outcome: outcomes ?? '0'.repeat(rows), why: {texts: [''], of: zeros},
       samples: [{numbers: zeros.map((_, i) => i / 10)}], metrics: [values ?? zeros]},
   };
+}
+/** Fails where a table of the page has not one heading for each cell of a row. */
+function assertFits(report, quantity) {
+  assert.equal(headings(report, quantity).length, cells(report, 0, quantity).length);
 }
 const all = (report) => report.axes.map(() => kAll);
 
@@ -61,6 +67,16 @@ test('a folder is one word of the command whatever it is called', () => {
   assert.equal(shellWord('a\nb\\'), "$'a\\x0ab\\\\'");
   assert.equal(shellWord('--out'), "'--out'");
   assert.equal(shellWord(''), "''");
+});
+
+test('each column of a table has its heading', () => {
+  const report = new Report(dataOf(['50'], 2));
+  const [share, metric] = report.quantities;
+  assertFits(report, share);
+  assertFits(report, metric);
+  assert.deepEqual(headings(report, share), ['trials', 'passed', 'notes']);
+  assert.deepEqual(cells(report, 0, share).slice(0, 2), ['2', '100.00 %']);
+  assert.deepEqual(headings(report, metric), ['mean']);
 });
 
 test('lines over an axis are those of the policies', () => {
