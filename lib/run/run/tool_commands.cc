@@ -57,9 +57,11 @@ std::optional<int> StartToolCommand(int argc, char** argv) {
   const auto name = std::find_if_not(words.begin(), words.end(), is_help);
   if (name == words.end() || FindToolCommand(*name) == nullptr) return std::nullopt;
   const std::string command = *name;
-  const Result<std::string> program = FindBeside("shoal-" + command);
+  const std::string tool = "shoal-" + command;
+  const Result<std::string> program = FindBeside(tool);
   if (!program.ok()) {
-    fmt::print(stderr, "shoal: shoal {} needs {}\n", command, program.error());
+    fmt::print(stderr, "shoal {} needs the program {}, which {}\n", command, tool,
+               WhyMissing(tool));
     return kExitEnvironment;
   }
   words.erase(name);
