@@ -42,7 +42,7 @@ struct BrokerRules {
 [[nodiscard]] BrokerRules FromMessage(const broker_rules_t& message);
 
 /// Returns the rules of an encoded broker_rules_t or, as logs of 0.1 and 0.2 have it,
-/// comms_rules_t; nothing for other bytes. The fingerprint tells which it is.
+/// comms_rules_t; nothing for other bytes. The fingerprint decides.
 [[nodiscard]] std::optional<BrokerRules> ReadBrokerRules(std::span<const uint8_t> data);
 
 /// Returns the first rule with a value that is impossible: "comms_range = nan"; empty: all are
