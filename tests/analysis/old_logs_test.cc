@@ -10,6 +10,7 @@
 #include "lib/bus/record/log_commands.h"
 #include "lib/bus/record/log_testing.h"
 #include "lib/tools/mcap/log_mcap.h"
+#include "lib/tools/sqlite/log_sqlite.h"
 #include "lib/tools/view/recorded_view.h"
 
 namespace shoal::old_logs_test {
