@@ -16,19 +16,22 @@ namespace shoal {
 
 namespace enum_table {
 
-/// True where `value` is an enumerator: g++ and clang then print its name in the name of this
+/// True where `kValue` is an enumerator: g++ and clang then print its name in the name of this
 /// function, and else the number in brackets, "(shoal::Jitter)2".
-template <class Enum, Enum value>
+template <class Enum, Enum kValue>
 consteval bool IsEnumerator() {
   const std::string_view name = __PRETTY_FUNCTION__;
-  const size_t begin = name.find("value = ") + std::string_view("value = ").size();
+  const size_t begin = name.find("kValue = ") + std::string_view("kValue = ").size();
   return name[begin] != '(';
 }
 
-template <class Enum, size_t number = 0>
+template <class Enum, size_t kNumber = 0>
 consteval size_t Count() {
-  if constexpr (IsEnumerator<Enum, static_cast<Enum>(number)>()) return Count<Enum, number + 1>();
-  return number;
+  if constexpr (IsEnumerator<Enum, static_cast<Enum>(kNumber)>()) {
+    return Count<Enum, kNumber + 1>();
+  } else {
+    return kNumber;
+  }
 }
 
 }  // namespace enum_table

@@ -71,7 +71,7 @@ void DescribeModem(Fields& fields, std::optional<ModemPreset>& modem,
         fields.Has("packet_loss_model", true) || fields.Has("bit_error_model", true);
     if (!fields.reading() || default_modem.empty() || has_models) return;
     NamedModem named = FindModem(default_modem, "");
-    for (std::string& problem : named.problems) fields.Refuse("", std::move(problem));
+    for (const std::string& problem : named.problems) fields.Refuse("", problem);
     if (named.problems.empty()) modem = std::move(named.modem);
     return;
   }
@@ -84,7 +84,7 @@ void DescribeModem(Fields& fields, std::optional<ModemPreset>& modem,
   fields.Text("modem", name, {.max_length = 1000});
   if (!fields.IsSound()) return;
   NamedModem named = FindModem(name, *folder);
-  for (std::string& problem : named.problems) fields.Refuse("modem", std::move(problem));
+  for (const std::string& problem : named.problems) fields.Refuse("modem", problem);
   *modem = std::move(named.modem);
 }
 
