@@ -173,7 +173,9 @@ std::string Program(const std::string& name) {
 
 int FreeTcpPorts(int count) {
   // Begins at a port that the process's number picks, so that tests side by side do not meet.
-  for (int first = 20'000 + getpid() % 1500 * 8; first + count < 32'000; first += 8) {
+  constexpr int kStarts = 1500;
+  for (int start = 0; start < kStarts; ++start) {
+    const int first = 20'000 + (getpid() + start) % kStarts * 8;
     bool are_free = true;
     for (int i = 0; i < count && are_free; ++i) {
       sockaddr_in address{};
@@ -186,6 +188,7 @@ int FreeTcpPorts(int count) {
     }
     if (are_free) return first;
   }
+  ADD_FAILURE() << "no " << count << " TCP ports in a row are free from 20000 to 32000";
   return 0;
 }
 
