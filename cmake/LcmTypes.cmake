@@ -55,8 +55,7 @@ function(shoal_lcm_types)
     DEPENDS ${sources} ${CMAKE_SOURCE_DIR}/cmake/EmbedLcmSources.cmake VERBATIM)
   add_library(shoal_lcm_sources STATIC ${embedded})
   target_include_directories(shoal_lcm_sources PUBLIC ${CMAKE_SOURCE_DIR})
-  set_target_properties(shoal_lcm_sources shoal_lcmtypes_c PROPERTIES
-    POSITION_INDEPENDENT_CODE ON UNITY_BUILD OFF)
+  set_target_properties(shoal_lcm_sources shoal_lcmtypes_c PROPERTIES POSITION_INDEPENDENT_CODE ON)
 
   if(JAVAC AND JAR AND LCM_JAR)
     set(jar_file ${CMAKE_BINARY_DIR}/shoal_types.jar)
