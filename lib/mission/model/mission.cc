@@ -9,7 +9,14 @@
 #include "lib/mission/model/names.h"
 
 namespace shoal {
-namespace {}  // namespace
+
+Mission::Mission() = default;
+Mission::~Mission() = default;
+Mission::Mission(const Mission&) = default;
+Mission::Mission(Mission&&) noexcept = default;
+Mission& Mission::operator=(const Mission&) = default;
+Mission& Mission::operator=(Mission&&) noexcept = default;
+bool Mission::operator==(const Mission&) const = default;
 
 int64_t Mission::LastStep() const {
   SHOAL_CHECK(tick_us > 0, "a step must move time forward");

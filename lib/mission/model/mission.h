@@ -82,6 +82,14 @@ struct HostOptions {
 enum class CollisionVerdict { kFail, kAllowed };
 
 struct Mission {
+  // Defined once, in mission.cc: each takes a second to compile.
+  Mission();
+  ~Mission();
+  Mission(const Mission&);
+  Mission(Mission&&) noexcept;
+  Mission& operator=(const Mission&);
+  Mission& operator=(Mission&&) noexcept;
+
   std::string file;  ///< As given on the command line.
   std::string name;  ///< Default: the file's stem.
   std::string description;
@@ -131,7 +139,7 @@ struct Mission {
   /// Returns the swarm of which the vehicle is the leader or a follower, or nullptr.
   const SwarmOptions* SwarmOf(const Vehicle& vehicle) const;
 
-  bool operator==(const Mission&) const = default;
+  bool operator==(const Mission&) const;
 };
 
 /// Returns the members of each group, in the mission's order, by the group's name as its first

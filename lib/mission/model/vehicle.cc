@@ -14,6 +14,14 @@ std::vector<AnyModel> ModelsAt(std::index_sequence<kPlaces...> /*places*/) {
 
 }  // namespace
 
+Vehicle::Vehicle() = default;
+Vehicle::~Vehicle() = default;
+Vehicle::Vehicle(const Vehicle&) = default;
+Vehicle::Vehicle(Vehicle&&) noexcept = default;
+Vehicle& Vehicle::operator=(const Vehicle&) = default;
+Vehicle& Vehicle::operator=(Vehicle&&) noexcept = default;
+bool Vehicle::operator==(const Vehicle&) const = default;
+
 bool Vehicle::HasMedium(std::string_view medium) const {
   return media.names.empty() || std::ranges::find(media.names, medium) != media.names.end();
 }

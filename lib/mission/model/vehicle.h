@@ -135,6 +135,14 @@ struct MessageOptions {
 using AnyModel = std::variant<SurfaceCraftParams, Remus100Options, BuoyParams, TrackOptions>;
 
 struct Vehicle {
+  // Defined once, in vehicle.cc: each takes a second to compile.
+  Vehicle();
+  ~Vehicle();
+  Vehicle(const Vehicle&);
+  Vehicle(Vehicle&&) noexcept;
+  Vehicle& operator=(const Vehicle&);
+  Vehicle& operator=(Vehicle&&) noexcept;
+
   std::string name;
   std::string type = "kayak";
   AnyModel model;  ///< How it moves.
@@ -166,7 +174,7 @@ struct Vehicle {
   std::map<std::string, VariableValue> variables;  ///< Of conditions and flags, at the start.
   Domain domain;                                   ///< What the behaviors decide about.
 
-  bool operator==(const Vehicle&) const = default;
+  bool operator==(const Vehicle&) const;
 
   /// True where it can send and receive by this medium; where the mission has no media of its own,
   /// by all.
