@@ -19,14 +19,14 @@ struct MetricKindRow {
   std::string_view word;  ///< Of campaign files.
   std::string_view unit;  ///< Of kField: the field's own.
   /// Reads its keys.
-  void (*read)(Fields& fields, MetricSpec* spec) = nullptr;
+  void (*read)(Fields& fields, MetricSpec* spec);
   /// Refuses what the mission does not have, and writes vehicles as the mission does.
-  void (*check)(const Mission& mission, const TablePlace& place, MetricSpec* spec) = nullptr;
+  void (*check)(const Mission& mission, const TablePlace& place, MetricSpec* spec);
   /// Returns what it is, in one line, without its time.
-  std::string (*text)(const Mission& mission, const MetricSpec& spec) = nullptr;
+  std::string (*text)(const Mission& mission, const MetricSpec& spec);
   /// Returns what measures it; `now` outlives that.
   std::unique_ptr<MetricWatch> (*watch)(const Mission& mission, const MetricSpec& spec,
-                                        const StepTime& now) = nullptr;
+                                        const StepTime& now);
 };
 
 /// Returns all rows, in the order of MetricKind.
