@@ -15,8 +15,8 @@
 
 #include "lib/base/text/letters.h"
 #include "lib/mission/model/mission.h"
-#include "lib/run/run/build_id.h"
-#include "lib/run/run/version.h"
+#include "lib/run/command_line/build_id.h"
+#include "lib/run/command_line/version.h"
 #include "sim/simulation.h"
 
 namespace shoal::c_interface {

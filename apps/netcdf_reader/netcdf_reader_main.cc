@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "apps/netcdf_reader/answer.h"
-#include "lib/run/run/version.h"
+#include "lib/run/command_line/version.h"
 
 namespace {
 

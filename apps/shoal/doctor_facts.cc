@@ -18,7 +18,7 @@
 #include <fstream>
 
 #include "lib/bus/bus/lcm_transport.h"
-#include "lib/run/run/find_program.h"
+#include "lib/run/command_line/find_program.h"
 #include "lib/run/run/run_app.h"
 #include "lib/run/run/run_folder.h"
 

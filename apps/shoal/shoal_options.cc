@@ -18,11 +18,11 @@
 #include "apps/shoal/status_command.h"
 #include "lib/mission/file/drawn_seed.h"
 #include "lib/mission/file/print_errors.h"
+#include "lib/run/command_line/command_line.h"
+#include "lib/run/command_line/tool_commands.h"
 #include "lib/run/launch/launcher.h"
 #include "lib/run/launch/run_viewer.h"
 #include "lib/run/orders/order_words.h"
-#include "lib/run/run/command_line.h"
-#include "lib/run/run/tool_commands.h"
 #include "sim/app_factory.h"
 #include "sim/run_sim.h"
 

@@ -8,7 +8,7 @@
 #include <set>
 
 #include "lib/base/check/result.h"
-#include "lib/run/run/build_id.h"
+#include "lib/run/command_line/build_id.h"
 
 namespace shoal {
 

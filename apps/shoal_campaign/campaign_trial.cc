@@ -7,9 +7,9 @@
 #include <filesystem>
 
 #include "lib/bus/os/read_file.h"
+#include "lib/run/command_line/find_program.h"
 #include "lib/run/launch/child_processes.h"
 #include "lib/run/launch/recording.h"
-#include "lib/run/run/find_program.h"
 #include "lib/run/run/run_app.h"
 #include "sim/judge_log.h"
 #include "sim/run_trial.h"

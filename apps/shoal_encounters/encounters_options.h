@@ -1,7 +1,7 @@
 // The subcommands of `shoal encounters`.
 #pragma once
 
-#include "lib/run/run/command_line.h"
+#include "lib/run/command_line/command_line.h"
 
 namespace shoal {
 

@@ -1,7 +1,7 @@
 // The options of `shoal import`.
 #pragma once
 
-#include "lib/run/run/command_line.h"
+#include "lib/run/command_line/command_line.h"
 
 namespace shoal {
 

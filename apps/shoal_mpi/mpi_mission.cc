@@ -17,7 +17,7 @@
 #include "lib/base/time/seconds.h"
 #include "lib/mission/file/drawn_seed.h"
 #include "lib/mission/file/print_errors.h"
-#include "lib/run/run/build_id.h"
+#include "lib/run/command_line/build_id.h"
 #include "lib/run/run/run_app.h"
 #include "lib/tools/campaign/digest.h"
 #include "sim/director_app.h"

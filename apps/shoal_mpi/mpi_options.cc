@@ -4,7 +4,7 @@
 #include <cstdlib>
 
 #include "lib/base/check/result.h"
-#include "lib/run/run/version_text.h"
+#include "lib/run/command_line/version_text.h"
 
 namespace shoal {
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "lib/base/check/result.h"
-#include "lib/run/run/find_program.h"
+#include "lib/run/command_line/find_program.h"
 #include "lib/tools/plot/plot_figures.h"
 #include "lib/tools/plot/plot_gnuplot.h"
 #include "lib/tools/plot/plot_testing.h"

@@ -12,11 +12,11 @@
 #include "lib/base/time/time_units.h"
 #include "lib/bus/bus/layout.h"
 #include "lib/mission/file/load.h"
-#include "lib/run/run/build_id.h"
+#include "lib/run/command_line/build_id.h"
+#include "lib/run/command_line/version.h"
 #include "lib/run/run/run_app.h"
 #include "lib/run/run/run_folder.h"
 #include "lib/run/run/run_registry.h"
-#include "lib/run/run/version.h"
 
 namespace shoal {
 

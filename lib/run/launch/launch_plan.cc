@@ -5,7 +5,7 @@
 
 #include <filesystem>
 
-#include "lib/run/run/find_program.h"
+#include "lib/run/command_line/find_program.h"
 #include "lib/run/run/run_registry.h"
 
 namespace shoal {

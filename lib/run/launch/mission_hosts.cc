@@ -12,7 +12,7 @@
 
 #include "lib/base/time/seconds.h"
 #include "lib/base/time/time_units.h"
-#include "lib/run/run/build_id.h"
+#include "lib/run/command_line/build_id.h"
 #include "lib/run/run/run_app.h"
 
 namespace shoal {

@@ -7,7 +7,7 @@
 
 #include "lib/bus/os/text_file.h"
 #include "lib/mission/file/data_files.h"
-#include "lib/run/run/version.h"
+#include "lib/run/command_line/version.h"
 
 namespace shoal {
 

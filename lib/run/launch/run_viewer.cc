@@ -5,8 +5,8 @@
 #include <cstdio>
 
 #include "lib/base/check/result.h"
-#include "lib/run/run/find_program.h"
-#include "lib/run/run/tool_commands.h"
+#include "lib/run/command_line/find_program.h"
+#include "lib/run/command_line/tool_commands.h"
 
 namespace shoal {
 

@@ -7,7 +7,7 @@
 
 #include "lib/base/check/result.h"
 #include "lib/bus/bus/channels.h"
-#include "lib/run/run/version_text.h"
+#include "lib/run/command_line/version_text.h"
 
 namespace shoal {
 

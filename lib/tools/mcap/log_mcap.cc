@@ -14,7 +14,7 @@
 #include "lib/bus/record/log_source.h"
 #include "lib/bus/record/message_types.h"
 #include "lib/bus/record/valid_utf8.h"
-#include "lib/run/run/version.h"
+#include "lib/run/command_line/version.h"
 #include "lib/tools/mcap/mcap_writer.h"
 #include "lib/tools/mcap/proto_message.h"
 #include "lib/tools/mcap/proto_schema.h"

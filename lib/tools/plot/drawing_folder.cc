@@ -9,7 +9,7 @@
 #include "lib/base/check/result.h"
 #include "lib/bus/os/file_descriptor.h"
 #include "lib/bus/os/text_file.h"
-#include "lib/run/run/find_program.h"
+#include "lib/run/command_line/find_program.h"
 #include "lib/tools/plot/plot_gnuplot.h"
 
 namespace shoal {

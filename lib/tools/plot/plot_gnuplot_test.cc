@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "lib/bus/record/log_testing.h"
-#include "lib/run/run/find_program.h"
+#include "lib/run/command_line/find_program.h"
 
 namespace shoal::plot_gnuplot_test {
 

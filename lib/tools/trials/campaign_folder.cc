@@ -17,7 +17,7 @@
 #include "lib/bus/os/file_descriptor.h"
 #include "lib/bus/os/read_file.h"
 #include "lib/bus/os/replace_file.h"
-#include "lib/run/run/version.h"
+#include "lib/run/command_line/version.h"
 #include "lib/tools/campaign/samples.h"
 
 namespace shoal {

@@ -11,7 +11,7 @@
 #include "lib/comms/routing/control.h"
 #include "lib/mission/file/ocean_of.h"
 #include "lib/mission/model/coverage_area.h"
-#include "lib/run/run/version.h"
+#include "lib/run/command_line/version.h"
 #include "lib/tools/view/fate_text.h"
 #include "lib/tools/view/json_writer.h"
 

@@ -1,4 +1,4 @@
-#include "lib/run/run/command_line.h"
+#include "lib/run/command_line/command_line.h"
 
 #include <fmt/format.h>
 #include <poll.h>
@@ -15,7 +15,7 @@
 
 #include "lib/base/check/result.h"
 #include "lib/mission/toml/suggest.h"
-#include "lib/run/run/version_text.h"
+#include "lib/run/command_line/version_text.h"
 
 namespace shoal {
 

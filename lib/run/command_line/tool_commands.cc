@@ -1,4 +1,4 @@
-#include "lib/run/run/tool_commands.h"
+#include "lib/run/command_line/tool_commands.h"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -14,7 +14,7 @@
 
 #include "lib/base/check/check.h"
 #include "lib/base/check/result.h"
-#include "lib/run/run/find_program.h"
+#include "lib/run/command_line/find_program.h"
 
 namespace shoal {
 

@@ -11,7 +11,7 @@
 #include <string>
 #include <string_view>
 
-#include "lib/run/run/command_line.h"
+#include "lib/run/command_line/command_line.h"
 
 namespace shoal {
 

@@ -1,4 +1,4 @@
-#include "lib/run/run/find_program.h"
+#include "lib/run/command_line/find_program.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
-#include "lib/run/run/version_text.h"
+#include "lib/run/command_line/version_text.h"
 
 #include <fmt/format.h>
 
-#include "lib/run/run/build_id.h"
-#include "lib/run/run/version.h"
+#include "lib/run/command_line/build_id.h"
+#include "lib/run/command_line/version.h"
 
 namespace shoal {
 

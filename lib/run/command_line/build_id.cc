@@ -1,4 +1,4 @@
-#include "lib/run/run/build_id.h"
+#include "lib/run/command_line/build_id.h"
 
 #include <elf.h>
 #include <fmt/format.h>
