@@ -1,10 +1,12 @@
 #include "apps/shoal/group_options.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cstdio>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "lib/base/check/result.h"
@@ -54,47 +56,44 @@ int RunGroup(GroupCommand command) {
 
 }  // namespace
 
-void AddGrouping(CLI::App* command, std::string* grouping) {
-  command
-      ->add_option("--grouping", *grouping,
-                   "Which participants share a process: app (none; the default of `shoal run`), "
-                   "vehicle (those of a vehicle), host=N (N processes for all vehicles of a "
-                   "computer), host (as many as there are processors)")
-      ->check([](const std::string& text) {
+Option AddGrouping(Command command, std::string* grouping) {
+  return command
+      .AddOption("--grouping", grouping,
+                 "Which participants share a process: app (none; the default of `shoal run`), "
+                 "vehicle (those of a vehicle), host=N (N processes for all vehicles of a "
+                 "computer), host (as many as there are processors)")
+      .Check([](const std::string& text) {
         const Result<Grouping> parsed = ParseGrouping(text);
         return parsed.ok() ? "" : parsed.error();
       });
 }
 
-void AddGroup(CLI::App& cli, std::function<int()>* action) {
-  CLI::App* command = cli.add_subcommand(
+void AddGroup(Command shoal, CommandAction* action) {
+  const Command command = shoal.AddSubcommand(
       "group", "Run several participants in one process; `shoal run --grouping` starts it");
   auto parsed = std::make_shared<GroupCommand>();
   AppOptions& options = parsed->options;
-  command->add_option("--mission", options.mission_file, "Mission file")->required();
-  command->add_option("--set", options.overrides, "Override a key of the mission file")
-      ->take_all()
-      ->allow_extra_args(false);
-  AddGrouping(command, &parsed->grouping);
-  command->get_option("--grouping")->required();
-  command->add_option("--name", parsed->name, "Which group: group-alpha, or group-1")->required();
+  command.AddOption("--mission", &options.mission_file, "Mission file").Required();
+  command.AddOption("--set", &options.overrides, "Override a key of the mission file").Repeatable();
+  AddGrouping(command, &parsed->grouping).Required();
+  command.AddOption("--name", &parsed->name, "Which group: group-alpha, or group-1").Required();
   command
-      ->add_option("--port", options.port_base,
-                   "First port of the mission (default: found by the mission file)")
-      ->check(CLI::Range(1024, 65535));
+      .AddOption("--port", &options.port_base,
+                 "First port of the mission (default: found by the mission file)")
+      .InRange(1024, 65535);
   command
-      ->add_option("--layout", parsed->layout,
-                   "shared or communities (default: as the running mission)")
-      ->check(CLI::IsMember({"shared", "communities"}));
-  command->add_option("--mission-id", options.mission_id,
-                      "Reject messages of any other mission (default: that of the first tick)");
+      .AddOption("--layout", &parsed->layout,
+                 "shared or communities (default: as the running mission)")
+      .OneOf({"shared", "communities"});
+  command.AddOption("--mission-id", &options.mission_id,
+                    "Reject messages of any other mission (default: that of the first tick)");
   command
-      ->add_option("--lose", options.lose,
-                   "Fault injection: lose this share of incoming datagrams, to see them repaired")
-      ->check(CLI::Range(0.0, 1.0));
-  command->add_option("--lose-forever", options.lose_forever,
-                      "Fault injection: lose every datagram of this channel");
-  command->callback([parsed, action] { *action = [parsed] { return RunGroup(*parsed); }; });
+      .AddOption("--lose", &options.lose,
+                 "Fault injection: lose this share of incoming datagrams, to see them repaired")
+      .InRange(0.0, 1.0);
+  command.AddOption("--lose-forever", &options.lose_forever,
+                    "Fault injection: lose every datagram of this channel");
+  command.Callback([parsed, action] { *action = [parsed] { return RunGroup(*parsed); }; });
 }
 
 }  // namespace shoal

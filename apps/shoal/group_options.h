@@ -2,19 +2,17 @@
 // (lib/run/run/grouping.h). `shoal run --grouping` starts it.
 #pragma once
 
-#include <functional>
 #include <string>
 
-namespace CLI {
-class App;
-}
+#include "lib/run/command_line/command.h"
+#include "lib/run/command_line/command_line.h"
 
 namespace shoal {
 
 /// Adds the option --grouping, with a text that ParseGrouping reads.
-void AddGrouping(CLI::App* command, std::string* grouping);
+Option AddGrouping(Command command, std::string* grouping);
 
 /// Adds the command; where it is chosen, it sets `action` to what it runs.
-void AddGroup(CLI::App& cli, std::function<int()>* action);
+void AddGroup(Command shoal, CommandAction* action);
 
 }  // namespace shoal

@@ -2,8 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <memory>
 #include <optional>
 #include <string>
@@ -16,8 +17,10 @@
 #include "apps/shoal/host_options.h"
 #include "apps/shoal/send_command.h"
 #include "apps/shoal/status_command.h"
+#include "lib/base/check/result.h"
 #include "lib/mission/file/drawn_seed.h"
 #include "lib/mission/file/print_errors.h"
+#include "lib/run/command_line/command.h"
 #include "lib/run/command_line/command_line.h"
 #include "lib/run/command_line/tool_commands.h"
 #include "lib/run/launch/launcher.h"
@@ -30,20 +33,19 @@ namespace shoal {
 
 namespace {
 
-CLI::Option* AddMission(CLI::App* command, std::string* file, std::vector<std::string>* overrides) {
+Option AddMission(Command command, std::string* file, std::vector<std::string>* overrides) {
   command
-      ->add_option("--set", *overrides,
-                   "Override a key of the mission file, e.g. comms.comms_range=100")
-      ->take_all()
-      ->allow_extra_args(false);
-  return command->add_option("FILE", *file, "Mission file")->required();
+      .AddOption("--set", overrides,
+                 "Override a key of the mission file, e.g. comms.comms_range=100")
+      .Repeatable();
+  return command.AddOption("FILE", file, "Mission file").Required();
 }
 
-CLI::Option* AddPort(CLI::App* command, int* port_base) {
+Option AddPort(Command command, int* port_base) {
   return command
-      ->add_option("--port", *port_base,
-                   "First port of the mission; default: the one started in this folder")
-      ->check(CLI::Range(1024, 65535));
+      .AddOption("--port", port_base,
+                 "First port of the mission; default: the one started in this folder")
+      .InRange(1024, 65535);
 }
 
 constexpr char kQuiet[] = "No line of progress";
@@ -51,38 +53,39 @@ constexpr char kQuiet[] = "No line of progress";
 constexpr char kAllowCommands[] =
     "The page may command vehicles, broker and clock, with the token in its address";
 
-/// Where the viewer listens. `needed`: an option that these require, or nullptr.
-void AddAddress(CLI::App* command, const std::string& http, const std::string& listen,
-                ViewOptions* view, CLI::Option* needed) {
+/// Where the viewer listens. `needed`: an option that these require.
+void AddAddress(Command command, const std::string& http, const std::string& listen,
+                ViewOptions* view, std::optional<Option> needed) {
   constexpr int kLastPort = 65535;
-  CLI::Option* port =
-      command->add_option(http, view->http_port,
-                          "TCP port of the page; 0: any; default: the first free one from 8765 on");
-  port->check(CLI::Range(0, kLastPort));
-  CLI::Option* address = command->add_option(
-      listen, view->listen, "Address to listen at; default: 127.0.0.1, this machine only");
-  if (needed == nullptr) return;
-  port->needs(needed);
-  address->needs(needed);
+  const Option port =
+      command
+          .AddOption(http, &view->http_port,
+                     "TCP port of the page; 0: any; default: the first free one from 8765 on")
+          .InRange(0, kLastPort);
+  const Option address = command.AddOption(
+      listen, &view->listen, "Address to listen at; default: 127.0.0.1, this machine only");
+  if (!needed) return;
+  port.Needs(*needed);
+  address.Needs(*needed);
 }
 
-void AddView(CLI::App& cli, CommandAction* action) {
-  CLI::App* command =
-      cli.add_subcommand("view", "Show a recorded mission, or the one that runs, in a browser");
+void AddView(Command shoal, CommandAction* action) {
+  const Command command =
+      shoal.AddSubcommand("view", "Show a recorded mission, or the one that runs, in a browser");
   auto options = std::make_shared<ViewOptions>();
-  CLI::Option* log = command->add_option(
-      "LOG", options->log, "A log, or the folder of a recording; default: the mission that runs");
-  log->check([](const std::string& text) {
+  const Option log = command.AddOption(
+      "LOG", &options->log, "A log, or the folder of a recording; default: the mission that runs");
+  log.Check([](const std::string& text) {
     return text.empty() ? "it is empty: name a log, or the folder of a recording" : "";
   });
   command
-      ->add_option("--mission", options->mission_file,
-                   "The log's mission file; default: the one beside it")
-      ->needs(log);
-  AddPort(command, &options->port_base)->excludes(log);
-  command->add_flag("--allow-commands", options->allow_commands, kAllowCommands)->excludes(log);
-  AddAddress(command, "--http", "--listen", options.get(), nullptr);
-  command->callback([options, action] { *action = [options] { return RunView(*options); }; });
+      .AddOption("--mission", &options->mission_file,
+                 "The log's mission file; default: the one beside it")
+      .Needs(log);
+  AddPort(command, &options->port_base).Excludes(log);
+  command.AddFlag("--allow-commands", &options->allow_commands, kAllowCommands).Excludes(log);
+  AddAddress(command, "--http", "--listen", options.get(), std::nullopt);
+  command.Callback([options, action] { *action = [options] { return RunView(*options); }; });
 }
 
 /// Returns the override that "lab2=alpha,bravo" stands for; nothing for other forms.
@@ -100,8 +103,8 @@ std::optional<std::string> PlacementOverride(const std::string& text) {
   return fmt::format("host.\"{}\".vehicles=[{}]", text.substr(0, equals), list);
 }
 
-void AddRun(CLI::App& cli, CommandAction* action) {
-  CLI::App* command = cli.add_subcommand("run", "Run a mission: one process per participant");
+void AddRun(Command shoal, CommandAction* action) {
+  const Command command = shoal.AddSubcommand("run", "Run a mission: one process per participant");
   struct Parsed {
     RunOptions options;
     std::string warp = "1";
@@ -115,47 +118,46 @@ void AddRun(CLI::App& cli, CommandAction* action) {
   RunOptions& options = parsed->options;
   AddMission(command, &options.mission_file, &options.overrides);
   command
-      ->add_option("--warp", parsed->warp,
-                   "Mission seconds per wall second, or max: as fast as the machine can")
-      ->take_last()
-      ->check([](const std::string& text) -> std::string {
+      .AddOption("--warp", &parsed->warp,
+                 "Mission seconds per wall second, or max: as fast as the machine can")
+      .TakeLast()
+      .Check([](const std::string& text) -> std::string {
         if (ParseWarp(text)) return "";
         return fmt::format("'{}' is neither a number from 1e-6 to 1e6 nor max", text);
       });
-  command->add_option("--record", options.record_dir,
-                      "Record into this folder: mission.lcm, the mission file, logs, summary");
-  command->add_flag("--lcm-logger", options.lcm_logger,
-                    "Run lcm-logger on each bus as well (wall times; it may lose bursts)");
+  command.AddOption("--record", &options.record_dir,
+                    "Record into this folder: mission.lcm, the mission file, logs, summary");
+  command.AddFlag("--lcm-logger", &options.lcm_logger,
+                  "Run lcm-logger on each bus as well (wall times; it may lose bursts)");
   command
-      ->add_option("--layout", parsed->layout,
-                   "shared: one LCM port; communities: one per vehicle (default from 10 vehicles)")
-      ->check(CLI::IsMember({"shared", "communities"}));
+      .AddOption("--layout", &parsed->layout,
+                 "shared: one LCM port; communities: one per vehicle (default from 10 vehicles)")
+      .OneOf({"shared", "communities"});
   AddGrouping(command, &parsed->grouping);
-  AddPort(command, &options.port_base)->description("First port of the block to use");
-  command->add_flag("--quiet", options.quiet, kQuiet);
+  AddPort(command, &options.port_base).Description("First port of the block to use");
+  command.AddFlag("--quiet", &options.quiet, kQuiet);
   ViewOptions& view = parsed->view_options;
-  CLI::Option* wants_view = command->add_flag(
-      "--view", parsed->view, "Run shoal-viewer beside it: the mission in a browser");
-  command->add_flag("--allow-commands", view.allow_commands, kAllowCommands)->needs(wants_view);
+  const Option wants_view = command.AddFlag("--view", &parsed->view,
+                                            "Run shoal-viewer beside it: the mission in a browser");
+  command.AddFlag("--allow-commands", &view.allow_commands, kAllowCommands).Needs(wants_view);
   AddAddress(command, "--view-http", "--view-listen", &view, wants_view);
   command
-      ->add_option("--lose", options.lose,
-                   "Fault injection: every participant loses this share of its datagrams")
-      ->check(CLI::Range(0.0, 1.0));
-  command->add_option("--lose-forever", options.lose_forever,
-                      "Fault injection: every datagram of this channel is lost");
-  command->add_option("--key", options.key_file,
-                      "This computer's key for hosts; default: $SHOAL_KEY, or "
-                      "~/.config/shoal/host.key");
+      .AddOption("--lose", &options.lose,
+                 "Fault injection: every participant loses this share of its datagrams")
+      .InRange(0.0, 1.0);
+  command.AddOption("--lose-forever", &options.lose_forever,
+                    "Fault injection: every datagram of this channel is lost");
+  command.AddOption("--key", &options.key_file,
+                    "This computer's key for hosts; default: $SHOAL_KEY, or "
+                    "~/.config/shoal/host.key");
   command
-      ->add_option("--on", parsed->on,
-                   "Vehicles for a [[host]] of the mission: NAME=alpha,bravo (NAME= for none)")
-      ->take_all()
-      ->allow_extra_args(false)
-      ->check([](const std::string& text) {
+      .AddOption("--on", &parsed->on,
+                 "Vehicles for a [[host]] of the mission: NAME=alpha,bravo (NAME= for none)")
+      .Repeatable()
+      .Check([](const std::string& text) {
         return PlacementOverride(text) ? "" : "it has the form NAME=alpha,bravo";
       });
-  command->callback([parsed, action] {
+  command.Callback([parsed, action] {
     *action = [parsed] {
       RunOptions& run = parsed->options;
       for (const std::string& each : parsed->on) run.overrides.push_back(*PlacementOverride(each));
@@ -176,19 +178,20 @@ void AddRun(CLI::App& cli, CommandAction* action) {
   });
 }
 
-void AddSim(CLI::App& cli, CommandAction* action) {
-  CLI::App* command = cli.add_subcommand(
+void AddSim(Command shoal, CommandAction* action) {
+  const Command command = shoal.AddSubcommand(
       "sim", "Run a mission in one process, as fast as possible; the same result");
   auto options = std::make_shared<SimOptions>();
   AddMission(command, &options->mission_file, &options->overrides);
-  command->add_option("--log", options->log_path,
-                      "Write a log of the mission, in place of a file of this name");
-  command->add_flag("--quiet", options->quiet, kQuiet);
-  command->callback([options, action] { *action = [options] { return RunSim(*options); }; });
+  command.AddOption("--log", &options->log_path,
+                    "Write a log of the mission, in place of a file of this name");
+  command.AddFlag("--quiet", &options->quiet, kQuiet);
+  command.Callback([options, action] { *action = [options] { return RunSim(*options); }; });
 }
 
-void AddCheck(CLI::App& cli, CommandAction* action) {
-  CLI::App* command = cli.add_subcommand("check", "Show all that is wrong with a mission file");
+void AddCheck(Command shoal, CommandAction* action) {
+  const Command command =
+      shoal.AddSubcommand("check", "Show all that is wrong with a mission file");
   struct Parsed {
     std::string file;
     std::vector<std::string> overrides;
@@ -197,11 +200,11 @@ void AddCheck(CLI::App& cli, CommandAction* action) {
   };
   auto parsed = std::make_shared<Parsed>();
   AddMission(command, &parsed->file, &parsed->overrides);
-  CLI::Option* explain = command->add_flag("--explain", parsed->explain,
-                                           "Print the mission with every default filled in");
-  command->add_flag("--keys", parsed->keys, "Print the keys that --set can change, one per line")
-      ->excludes(explain);
-  command->callback([parsed, action] {
+  const Option explain = command.AddFlag("--explain", &parsed->explain,
+                                         "Print the mission with every default filled in");
+  command.AddFlag("--keys", &parsed->keys, "Print the keys that --set can change, one per line")
+      .Excludes(explain);
+  command.Callback([parsed, action] {
     *action = [parsed] {
       if (parsed->keys) return RunKeys(parsed->file, parsed->overrides);
       return RunCheck(parsed->file, parsed->overrides, parsed->explain);
@@ -209,27 +212,27 @@ void AddCheck(CLI::App& cli, CommandAction* action) {
   });
 }
 
-void AddSend(CLI::App& cli, CommandAction* action) {
-  CLI::App* command =
-      cli.add_subcommand("send", "Send a command to a vehicle, the broker or the clock");
+void AddSend(Command shoal, CommandAction* action) {
+  const Command command =
+      shoal.AddSubcommand("send", "Send a command to a vehicle, the broker or the clock");
   auto options = std::make_shared<SendOptions>();
   AddPort(command, &options->port_base);
-  command->footer(SendCommandsText());
-  command->add_option("TARGET", options->target, "A vehicle, group:NAME, all, clock, or a rule")
-      ->required();
-  command->add_option("WORDS", options->words, "Command and arguments, or vehicle and value");
+  command.Footer(SendCommandsText());
+  command.AddOption("TARGET", &options->target, "A vehicle, group:NAME, all, clock, or a rule")
+      .Required();
+  command.AddOption("WORDS", &options->words, "Command and arguments, or vehicle and value");
   // Negative numbers are values here, not options.
-  command->prefix_command();
-  command->callback([options, command, action] {
-    for (const std::string& word : command->remaining()) options->words.push_back(word);
+  command.PrefixCommand();
+  command.Callback([options, command, action] {
+    for (const std::string& word : command.Remaining()) options->words.push_back(word);
     *action = [options] { return RunSend(*options); };
   });
 }
 
 /// The same as `shoal send FROM message TO VAR VALUE`, with options that name each part.
-void AddMessage(CLI::App& cli, CommandAction* action) {
-  CLI::App* command =
-      cli.add_subcommand("message", "Send a node message from one vehicle to others");
+void AddMessage(Command shoal, CommandAction* action) {
+  const Command command =
+      shoal.AddSubcommand("message", "Send a node message from one vehicle to others");
   struct Parsed {
     int port_base = 0;
     std::string from;
@@ -241,15 +244,15 @@ void AddMessage(CLI::App& cli, CommandAction* action) {
   };
   auto parsed = std::make_shared<Parsed>();
   AddPort(command, &parsed->port_base);
-  command->add_option("--from", parsed->from, "The vehicle that sends it, or all")->required();
-  command->add_option("--to", parsed->to, "Vehicles joined by ':', all, or group:NAME")->required();
-  command->add_option("VAR", parsed->var, "The variable; HELM_COMMAND: an order to the helm")
-      ->required();
-  command->add_option("VALUE", parsed->value, "Its value; of HELM_COMMAND: deploy, speed=1.2, ...")
-      ->required();
-  command->add_flag("--double", parsed->is_double, "VALUE is a number");
-  command->add_flag("--ack", parsed->wants_ack, "Sent again until it is acknowledged");
-  command->callback([parsed, action] {
+  command.AddOption("--from", &parsed->from, "The vehicle that sends it, or all").Required();
+  command.AddOption("--to", &parsed->to, "Vehicles joined by ':', all, or group:NAME").Required();
+  command.AddOption("VAR", &parsed->var, "The variable; HELM_COMMAND: an order to the helm")
+      .Required();
+  command.AddOption("VALUE", &parsed->value, "Its value; of HELM_COMMAND: deploy, speed=1.2, ...")
+      .Required();
+  command.AddFlag("--double", &parsed->is_double, "VALUE is a number");
+  command.AddFlag("--ack", &parsed->wants_ack, "Sent again until it is acknowledged");
+  command.Callback([parsed, action] {
     SendOptions options{.port_base = parsed->port_base,
                         .target = parsed->from,
                         .words = {"message", parsed->to, parsed->var, parsed->value}};
@@ -259,44 +262,45 @@ void AddMessage(CLI::App& cli, CommandAction* action) {
   });
 }
 
-void AddStatus(CLI::App& cli, CommandAction* action) {
-  CLI::App* status = cli.add_subcommand("status", "Show the status pages of a running mission");
+void AddStatus(Command shoal, CommandAction* action) {
+  const Command status =
+      shoal.AddSubcommand("status", "Show the status pages of a running mission");
   auto options = std::make_shared<StatusOptions>();
   AddPort(status, &options->port_base);
-  status->add_option("APP", options->app,
-                     "A participant, such as helm_alpha; all; default: a line for each");
-  status->callback([options, action] { *action = [options] { return RunStatus(*options); }; });
+  status.AddOption("APP", &options->app,
+                   "A participant, such as helm_alpha; all; default: a line for each");
+  status.Callback([options, action] { *action = [options] { return RunStatus(*options); }; });
 
-  CLI::App* url = cli.add_subcommand("url", "Print the LCM URL of a running mission");
+  const Command url = shoal.AddSubcommand("url", "Print the LCM URL of a running mission");
   struct Parsed {
     int port_base = 0;
     std::string vehicle;
   };
   auto parsed = std::make_shared<Parsed>();
   AddPort(url, &parsed->port_base);
-  url->add_option("VEHICLE", parsed->vehicle, "Of this vehicle's community; default: the shore");
-  url->callback([parsed, action] {
+  url.AddOption("VEHICLE", &parsed->vehicle, "Of this vehicle's community; default: the shore");
+  url.Callback([parsed, action] {
     *action = [parsed] { return RunUrl(parsed->port_base, parsed->vehicle); };
   });
 }
 
-void AddDoctor(CLI::App& cli, CommandAction* action) {
-  CLI::App* command =
-      cli.add_subcommand("doctor", "Show what keeps missions from running on this machine");
+void AddDoctor(Command shoal, CommandAction* action) {
+  const Command command =
+      shoal.AddSubcommand("doctor", "Show what keeps missions from running on this machine");
   auto options = std::make_shared<HostDoctorOptions>();
   HostDoctorOptions& host = *options;
-  CLI::Option* address = command->add_option(
-      "--host", host.address, "Measure the way to a `shoal host` at tcp://ADDRESS:PORT instead");
-  command->add_option("--host-key", host.public_key, "Its public key, or a file with it")
-      ->needs(address);
+  const Option address = command.AddOption(
+      "--host", &host.address, "Measure the way to a `shoal host` at tcp://ADDRESS:PORT instead");
+  command.AddOption("--host-key", &host.public_key, "Its public key, or a file with it")
+      .Needs(address);
   command
-      ->add_option("--key", host.key_file,
-                   "This computer's key; default: $SHOAL_KEY, or ~/.config/shoal/host.key")
-      ->needs(address);
-  command->add_option("--tick", host.tick_s, "Seconds of a mission's step, for the warp")
-      ->check(CLI::Range(0.001, 10.0))
-      ->needs(address);
-  command->callback([options, action] {
+      .AddOption("--key", &host.key_file,
+                 "This computer's key; default: $SHOAL_KEY, or ~/.config/shoal/host.key")
+      .Needs(address);
+  command.AddOption("--tick", &host.tick_s, "Seconds of a mission's step, for the warp")
+      .InRange(0.001, 10.0)
+      .Needs(address);
+  command.Callback([options, action] {
     *action = [options] {
       return options->address.empty() ? RunDoctor() : RunHostDoctor(*options);
     };
@@ -307,30 +311,29 @@ void AddDoctor(CLI::App& cli, CommandAction* action) {
 
 int RunShoalCommand(int argc, char** argv) {
   if (const auto code = StartToolCommand(argc, argv)) return *code;
-  const std::shared_ptr<CLI::App> shoal = MakeShoalCommand();
-  CLI::App& cli = *shoal;
+  Program shoal = MakeShoalCommand();
   CommandAction action;
-  AddRun(cli, &action);
-  AddGroup(cli, &action);
-  AddSim(cli, &action);
-  AddCheck(cli, &action);
-  AddMessage(cli, &action);
-  AddSend(cli, &action);
-  AddStatus(cli, &action);
-  AddView(cli, &action);
-  AddHostCommands(cli, &action);
+  AddRun(shoal, &action);
+  AddGroup(shoal, &action);
+  AddSim(shoal, &action);
+  AddCheck(shoal, &action);
+  AddMessage(shoal, &action);
+  AddSend(shoal, &action);
+  AddStatus(shoal, &action);
+  AddView(shoal, &action);
+  AddHostCommands(shoal, &action);
   for (const char* name : {"log", "import", "plot", "rebroker", "encounters", "campaign"}) {
-    ListToolCommand(cli, name);
+    ListToolCommand(shoal, name);
   }
-  AddDoctor(cli, &action);
-  cli.add_subcommand("channels", "Print the table of all channels (docs/channels.md)")
-      ->callback([&action] {
+  AddDoctor(shoal, &action);
+  shoal.AddSubcommand("channels", "Print the table of all channels (docs/channels.md)")
+      .Callback([&action] {
         action = [] {
           fmt::print("{}", ChannelsMarkdown());
           return static_cast<int>(kExitOk);
         };
       });
-  return RunCommandLine(cli, &action, {argv, argv + argc});
+  return RunCommandLine(shoal, &action, {argv, argv + argc});
 }
 
 }  // namespace shoal

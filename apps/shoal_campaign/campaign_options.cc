@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <charconv>
 #include <cstdlib>
 #include <memory>
@@ -56,29 +55,29 @@ std::optional<int64_t> ParseKeep(const std::string& text) {
   return count;
 }
 
-CLI::Option* AddJobs(CLI::App* command, int* jobs) {
+Option AddJobs(Command command, int* jobs) {
   return command
-      ->add_option("--jobs,-j", *jobs, "Trials at the same time; default: one for each processor")
-      ->check(CLI::Range(1, kMaxCampaignJobs));
+      .AddOption("--jobs,-j", jobs, "Trials at the same time; default: one for each processor")
+      .InRange(1, kMaxCampaignJobs);
 }
 
-CLI::Option* AddFolder(CLI::App* command, std::string* dir) {
-  return command->add_option("DIR", *dir, "The folder that `run --out` made")->required();
+Option AddFolder(Command command, std::string* dir) {
+  return command.AddOption("DIR", dir, "The folder that `run --out` made").Required();
 }
 
-void AddCampaignCheck(CLI::App* campaign, CommandAction* action) {
-  CLI::App* command = campaign->add_subcommand(
+void AddCampaignCheck(Command campaign, CommandAction* action) {
+  const Command command = campaign.AddSubcommand(
       "check", "Show all that is wrong with a campaign file; how many trials, and how long");
   auto options = std::make_shared<CampaignCheckOptions>();
-  command->add_option("FILE", options->file, "Campaign file")->required();
+  command.AddOption("FILE", &options->file, "Campaign file").Required();
   AddJobs(command, &options->num_jobs);
-  command->callback(
+  command.Callback(
       [options, action] { *action = [options] { return RunCampaignCheck(*options); }; });
 }
 
-void AddCampaignRun(CLI::App* campaign, CommandAction* action) {
-  CLI::App* command =
-      campaign->add_subcommand("run", "Run the trials that are missing, and reduce the results");
+void AddCampaignRun(Command campaign, CommandAction* action) {
+  const Command command =
+      campaign.AddSubcommand("run", "Run the trials that are missing, and reduce the results");
   struct Parsed {
     CampaignRunCommand command;
     std::string shard = "1/1";
@@ -87,35 +86,33 @@ void AddCampaignRun(CLI::App* campaign, CommandAction* action) {
     bool again = false;
   };
   auto parsed = std::make_shared<Parsed>();
-  command->add_option("FILE", parsed->command.file, "Campaign file")->required();
+  command.AddOption("FILE", &parsed->command.file, "Campaign file").Required();
   command
-      ->add_option("--out", parsed->command.out, "Folder of the results; made where it is missing")
-      ->required();
+      .AddOption("--out", &parsed->command.out, "Folder of the results; made where it is missing")
+      .Required();
   parsed->command.run.num_jobs = 0;
   AddJobs(command, &parsed->command.run.num_jobs);
-  command->add_option("--shard", parsed->shard, "K/N: only the K-th of N parts")
-      ->check([](const std::string& text) -> std::string {
+  command.AddOption("--shard", &parsed->shard, "K/N: only the K-th of N parts")
+      .Check([](const std::string& text) -> std::string {
         if (ParseShard(text)) return "";
         return fmt::format("'{}' is not K/N with K from 1 to N, such as 2/4", text);
       });
-  command
-      ->add_option("--max-time", parsed->max_time, "Begin no trial after this time: 90s, 15m, 2h")
-      ->check([](const std::string& text) -> std::string {
+  command.AddOption("--max-time", &parsed->max_time, "Begin no trial after this time: 90s, 15m, 2h")
+      .Check([](const std::string& text) -> std::string {
         if (ParseDuration(text)) return "";
         return fmt::format("'{}' is no time such as 90s, 15m or 2h", text);
       });
   command
-      ->add_option(
-          "--keep", parsed->keep,
-          "Record trials that did not pass: failures (all), none, or the first N; default: "
-          "10")
-      ->check([](const std::string& text) -> std::string {
+      .AddOption("--keep", &parsed->keep,
+                 "Record trials that did not pass: failures (all), none, or the first N; default: "
+                 "10")
+      .Check([](const std::string& text) -> std::string {
         if (ParseKeep(text)) return "";
         return fmt::format("'{}' is neither failures nor none nor a number", text);
       });
-  command->add_flag("--again", parsed->again, "Run errors and timeouts of earlier calls once more");
-  command->add_flag("--quiet", parsed->command.run.quiet, "No line of progress");
-  command->callback([parsed, action] {
+  command.AddFlag("--again", &parsed->again, "Run errors and timeouts of earlier calls once more");
+  command.AddFlag("--quiet", &parsed->command.run.quiet, "No line of progress");
+  command.Callback([parsed, action] {
     *action = [parsed] {
       CampaignRunOptions& run = parsed->command.run;
       run.shard = *ParseShard(parsed->shard);
@@ -127,8 +124,8 @@ void AddCampaignRun(CLI::App* campaign, CommandAction* action) {
   });
 }
 
-void AddCampaignSubmit(CLI::App* campaign, CommandAction* action) {
-  CLI::App* command = campaign->add_subcommand(
+void AddCampaignSubmit(Command campaign, CommandAction* action) {
+  const Command command = campaign.AddSubcommand(
       "submit", "Run the trials that are missing on a cluster, and reduce the results");
   struct Parsed {
     CampaignSubmitOptions options;
@@ -138,65 +135,65 @@ void AddCampaignSubmit(CLI::App* campaign, CommandAction* action) {
   };
   auto parsed = std::make_shared<Parsed>();
   CampaignSubmitOptions& options = parsed->options;
-  command->add_option("FILE", options.file, "Campaign file")->required();
-  command->add_option("--out", options.out, "Folder of the results, on a file system of all nodes")
-      ->required();
-  command->add_option("--engine", parsed->engine, "slurm or parallel")
-      ->required()
-      ->check(CLI::IsMember({"slurm", "parallel"}));
-  command->add_option("--shards", options.num_shards, "Parts; default: 4")
-      ->check(CLI::Range(int64_t{1}, kMaxShards));
-  command->add_option("--cpus", options.num_cpus, "Trials at the same time within a shard")
-      ->check(CLI::Range(1, kMaxCampaignJobs));
-  command->add_option("--partition", options.partition, "Slurm's partition");
-  command->add_option("--time", options.time, "Slurm's time limit of a shard, such as 2:00:00");
-  command->add_option("--sbatch", parsed->sbatch, "More arguments of sbatch, between blanks");
-  command->add_option("--hosts", options.hosts, "GNU parallel: hosts for ssh, between commas");
-  command->add_option("--sshloginfile", options.login_file, "GNU parallel: a file of hosts");
-  command->add_flag("--no-follow", parsed->no_follow, "Slurm: submit, and do not wait");
-  command->add_flag("--quiet", options.quiet, "No line of progress");
-  command->callback([parsed, action] {
+  command.AddOption("FILE", &options.file, "Campaign file").Required();
+  command.AddOption("--out", &options.out, "Folder of the results, on a file system of all nodes")
+      .Required();
+  command.AddOption("--engine", &parsed->engine, "slurm or parallel")
+      .Required()
+      .OneOf({"slurm", "parallel"});
+  command.AddOption("--shards", &options.num_shards, "Parts; default: 4")
+      .InRange(int64_t{1}, kMaxShards);
+  command.AddOption("--cpus", &options.num_cpus, "Trials at the same time within a shard")
+      .InRange(1, kMaxCampaignJobs);
+  command.AddOption("--partition", &options.partition, "Slurm's partition");
+  command.AddOption("--time", &options.time, "Slurm's time limit of a shard, such as 2:00:00");
+  command.AddOption("--sbatch", &parsed->sbatch, "More arguments of sbatch, between blanks");
+  command.AddOption("--hosts", &options.hosts, "GNU parallel: hosts for ssh, between commas");
+  command.AddOption("--sshloginfile", &options.login_file, "GNU parallel: a file of hosts");
+  command.AddFlag("--no-follow", &parsed->no_follow, "Slurm: submit, and do not wait");
+  command.AddFlag("--quiet", &options.quiet, "No line of progress");
+  command.Callback([parsed, action] {
     *action = [parsed] {
       CampaignSubmitOptions& chosen = parsed->options;
       chosen.engine = parsed->engine == "slurm" ? CampaignSubmitOptions::Engine::kSlurm
                                                 : CampaignSubmitOptions::Engine::kParallel;
-      chosen.sbatch = CLI::detail::split_up(parsed->sbatch);
+      chosen.sbatch = SplitWords(parsed->sbatch);
       chosen.follows = !parsed->no_follow;
       return RunCampaignSubmit(chosen);
     };
   });
 }
 
-void AddCampaignReplay(CLI::App* campaign, CommandAction* action) {
-  CLI::App* command = campaign->add_subcommand("replay", "Run one trial again, with a recording");
+void AddCampaignReplay(Command campaign, CommandAction* action) {
+  const Command command = campaign.AddSubcommand("replay", "Run one trial again, with a recording");
   auto options = std::make_shared<CampaignReplayOptions>();
   AddFolder(command, &options->dir);
-  command->add_option("TRIAL", options->trial, "CASE-REPETITION, as reports name it")->required();
-  command->add_flag("--view", options->is_viewed, "Then open it in the viewer");
-  command->add_option("--out", options->out,
-                      "Folder of the recording; default: DIR/replays/TRIAL, made anew");
-  command->add_flag("--allow-build", options->allow_build, "Even where shoal is another build");
-  command->callback(
+  command.AddOption("TRIAL", &options->trial, "CASE-REPETITION, as reports name it").Required();
+  command.AddFlag("--view", &options->is_viewed, "Then open it in the viewer");
+  command.AddOption("--out", &options->out,
+                    "Folder of the recording; default: DIR/replays/TRIAL, made anew");
+  command.AddFlag("--allow-build", &options->allow_build, "Even where shoal is another build");
+  command.Callback(
       [options, action] { *action = [options] { return RunCampaignReplay(*options); }; });
 }
 
-void AddCampaignReport(CLI::App* campaign, CommandAction* action) {
-  CLI::App* command =
-      campaign->add_subcommand("report", "Show shares, means and percentiles with their intervals");
+void AddCampaignReport(Command campaign, CommandAction* action) {
+  const Command command =
+      campaign.AddSubcommand("report", "Show shares, means and percentiles with their intervals");
   auto options = std::make_shared<CampaignAnswerOptions>();
   AddFolder(command, &options->dir);
   CampaignReportOptions& report = options->report;
-  command->add_flag("--all", report.all, "Every case, however many there are");
-  CLI::Option* html = command->add_option("--html", options->page_path,
-                                          "Write a page for a browser; default: DIR/report.html");
-  html->expected(0, 1);
-  CLI::Option* plots = command->add_option("--plots", report.plots_dir,
-                                           "Draw figures with gnuplot; default: DIR/plots");
-  plots->expected(0, 1);
-  command->add_flag("--png", report.png, "Figures are PNG instead of SVG")->needs(plots);
-  command->add_flag("--keep", report.keep, "Leave gnuplot's data and scripts there")->needs(plots);
-  command->callback([options, html, plots, action] {
-    *action = [options, has_page = html->count() > 0, has_plots = plots->count() > 0] {
+  command.AddFlag("--all", &report.all, "Every case, however many there are");
+  const Option html = command.AddOption("--html", &options->page_path,
+                                        "Write a page for a browser; default: DIR/report.html");
+  html.WithOptionalValue();
+  const Option plots = command.AddOption("--plots", &report.plots_dir,
+                                         "Draw figures with gnuplot; default: DIR/plots");
+  plots.WithOptionalValue();
+  command.AddFlag("--png", &report.png, "Figures are PNG instead of SVG").Needs(plots);
+  command.AddFlag("--keep", &report.keep, "Leave gnuplot's data and scripts there").Needs(plots);
+  command.Callback([options, html, plots, action] {
+    *action = [options, has_page = html.IsGiven(), has_plots = plots.IsGiven()] {
       options->has_page = has_page;
       options->report.plots = has_plots;
       if (options->report.plots_dir.empty()) options->report.plots_dir = options->dir + "/plots";
@@ -206,34 +203,34 @@ void AddCampaignReport(CLI::App* campaign, CommandAction* action) {
   });
 }
 
-void AddCampaignCompare(CLI::App* campaign, CommandAction* action) {
-  CLI::App* command = campaign->add_subcommand(
-      "compare", "Show paired differences between policies or sweep values");
+void AddCampaignCompare(Command campaign, CommandAction* action) {
+  const Command command =
+      campaign.AddSubcommand("compare", "Show paired differences between policies or sweep values");
   struct Parsed {
     std::string dir;
     CampaignCompareOptions options;
   };
   auto parsed = std::make_shared<Parsed>();
   AddFolder(command, &parsed->dir);
-  command->add_option("--a", parsed->options.a, "KEY=VALUE, such as policy=A")->required();
-  command->add_option("--b", parsed->options.b, "What to compare it with")->required();
-  command->callback([parsed, action] {
+  command.AddOption("--a", &parsed->options.a, "KEY=VALUE, such as policy=A").Required();
+  command.AddOption("--b", &parsed->options.b, "What to compare it with").Required();
+  command.Callback([parsed, action] {
     *action = [parsed] { return CompareCampaign(parsed->dir, parsed->options); };
   });
 }
 
-void AddCampaignOfFolder(CLI::App* campaign, const std::string& name, const std::string& text,
+void AddCampaignOfFolder(Command campaign, const std::string& name, const std::string& text,
                          int (*run)(const std::string&), CommandAction* action) {
-  CLI::App* command = campaign->add_subcommand(name, text);
+  const Command command = campaign.AddSubcommand(name, text);
   auto dir = std::make_shared<std::string>();
   AddFolder(command, dir.get());
-  command->callback([dir, run, action] { *action = [dir, run] { return run(*dir); }; });
+  command.Callback([dir, run, action] { *action = [dir, run] { return run(*dir); }; });
 }
 
 }  // namespace
 
-void AddCampaignCommands(CLI::App* campaign, CommandAction* action) {
-  campaign->require_subcommand(1);
+void AddCampaignCommands(Command campaign, CommandAction* action) {
+  campaign.RequireSubcommand();
   AddCampaignCheck(campaign, action);
   AddCampaignRun(campaign, action);
   AddCampaignSubmit(campaign, action);

@@ -1,11 +1,12 @@
 // The subcommands of `shoal campaign`.
 #pragma once
 
+#include "lib/run/command_line/command.h"
 #include "lib/run/command_line/command_line.h"
 
 namespace shoal {
 
 /// Adds them; the chosen one sets `action` to what it runs.
-void AddCampaignCommands(CLI::App* command, CommandAction* action);
+void AddCampaignCommands(Command command, CommandAction* action);
 
 }  // namespace shoal

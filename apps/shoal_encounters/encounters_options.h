@@ -1,11 +1,12 @@
 // The subcommands of `shoal encounters`.
 #pragma once
 
+#include "lib/run/command_line/command.h"
 #include "lib/run/command_line/command_line.h"
 
 namespace shoal {
 
 /// Adds them; the chosen one sets `action` to what it runs.
-void AddEncounterCommands(CLI::App* command, CommandAction* action);
+void AddEncounterCommands(Command command, CommandAction* action);
 
 }  // namespace shoal

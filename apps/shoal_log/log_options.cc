@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <iostream>
 #include <memory>
 #include <string>
@@ -21,35 +20,32 @@ namespace shoal {
 
 namespace {
 
-void AddSelection(CLI::App* command, LogSelection* selection) {
-  command->add_option("--channel", selection->channels, "Only these channels; * and ? are wild")
-      ->take_all()
-      ->allow_extra_args(false);
-  command->add_option("--from", selection->from_s, "From this time on, seconds");
-  command->add_option("--to", selection->to_s, "Up to this time, seconds");
+void AddSelection(Command command, LogSelection* selection) {
+  command.AddOption("--channel", &selection->channels, "Only these channels; * and ? are wild")
+      .Repeatable();
+  command.AddOption("--from", &selection->from_s, "From this time on, seconds");
+  command.AddOption("--to", &selection->to_s, "Up to this time, seconds");
 }
 
-void AddTypes(CLI::App* command, std::vector<std::string>* types) {
-  command->add_option("--types", *types, "A .lcm file of message types that are not shoal's")
-      ->take_all()
-      ->allow_extra_args(false);
+void AddTypes(Command command, std::vector<std::string>* types) {
+  command.AddOption("--types", types, "A .lcm file of message types that are not shoal's")
+      .Repeatable();
 }
 
-void AddLogEncounters(CLI::App* log, CommandAction* action) {
-  CLI::App* command = log->add_subcommand(
+void AddLogEncounters(Command log, CommandAction* action) {
+  const Command command = log.AddSubcommand(
       "encounters", "Show the encounters of vessels, and how well each kept to the rules");
   auto options = std::make_shared<LogEncountersOptions>();
-  command->add_option("LOG", options->path, "LCM event log")->required();
-  CLI::Option* csv = command->add_flag("--csv", options->csv, "Every number, as CSV");
-  command->add_flag("--explain", options->explain, "Every number, in words")->excludes(csv);
-  command->add_flag("--all", options->all, "Show all encounters, however many there are");
-  command->add_flag("--skip-damage", options->skip_damage,
-                    "Read what can be read of a damaged log");
+  command.AddOption("LOG", &options->path, "LCM event log").Required();
+  const Option csv = command.AddFlag("--csv", &options->csv, "Every number, as CSV");
+  command.AddFlag("--explain", &options->explain, "Every number, in words").Excludes(csv);
+  command.AddFlag("--all", &options->all, "Show all encounters, however many there are");
+  command.AddFlag("--skip-damage", &options->skip_damage, "Read what can be read of a damaged log");
   const auto distance = [command](const char* name, double* value_m, const char* what) {
     constexpr double kShortest_m = 0.1;
     constexpr double kLongest_m = 1e6;
-    command->add_option(name, *value_m, fmt::format("{}; default: {:g} m", what, *value_m))
-        ->check(CLI::Range(kShortest_m, kLongest_m));
+    command.AddOption(name, value_m, fmt::format("{}; default: {:g} m", what, *value_m))
+        .InRange(kShortest_m, kLongest_m);
   };
   EncounterOptions& encounter = options->encounter;
   distance("--entry-range", &encounter.entry_range_m, "Encounters begin nearer than this");
@@ -58,23 +54,23 @@ void AddLogEncounters(CLI::App* log, CommandAction* action) {
   distance("--preferred", &encounter.preferred_m, "Passing at this distance is scored in full");
   distance("--acceptable", &encounter.acceptable_m, "Nearer than this is not safe");
   distance("--near-miss", &encounter.near_miss_m, "Nearer than this is a near miss");
-  command->callback([options, action] {
+  command.Callback([options, action] {
     *action = [options] { return LogEncounters(*options, std::cout, std::cerr); };
   });
 }
 
-void AddLogMcap(CLI::App* log, CommandAction* action) {
-  CLI::App* command =
-      log->add_subcommand("mcap", "One MCAP file, for Foxglove, Rerun and PlotJuggler");
+void AddLogMcap(Command log, CommandAction* action) {
+  const Command command =
+      log.AddSubcommand("mcap", "One MCAP file, for Foxglove, Rerun and PlotJuggler");
   auto options = std::make_shared<LogMcapOptions>();
-  command->add_option("LOG", options->path, "LCM event log")->required();
-  command->add_option("--out", options->out_path, "The file")->required();
+  command.AddOption("LOG", &options->path, "LCM event log").Required();
+  command.AddOption("--out", &options->out_path, "The file").Required();
   AddSelection(command, &options->selection);
-  command->add_flag("--skip-damage", options->skip_damage, "Convert what can be read of a bad log");
-  command->add_flag("--only-log", options->only_log,
-                    "Leave out the poses, places and lines of text that are made of the log");
+  command.AddFlag("--skip-damage", &options->skip_damage, "Convert what can be read of a bad log");
+  command.AddFlag("--only-log", &options->only_log,
+                  "Leave out the poses, places and lines of text that are made of the log");
   AddTypes(command, &options->types);
-  command->callback([options, action] {
+  command.Callback([options, action] {
     *action = [options] {
       if (!IsSelectionSound(options->selection, std::cerr)) return static_cast<int>(kExitUsage);
       return LogMcap(*options, std::cout, std::cerr);
@@ -82,16 +78,16 @@ void AddLogMcap(CLI::App* log, CommandAction* action) {
   });
 }
 
-void AddLogSqlite(CLI::App* log, CommandAction* action) {
-  CLI::App* command =
-      log->add_subcommand("sqlite", "One SQLite database: a table per channel, fates, mission");
+void AddLogSqlite(Command log, CommandAction* action) {
+  const Command command =
+      log.AddSubcommand("sqlite", "One SQLite database: a table per channel, fates, mission");
   auto options = std::make_shared<LogSqliteOptions>();
-  command->add_option("LOG", options->path, "LCM event log")->required();
-  command->add_option("--out", options->out_path, "The file")->required();
+  command.AddOption("LOG", &options->path, "LCM event log").Required();
+  command.AddOption("--out", &options->out_path, "The file").Required();
   AddSelection(command, &options->selection);
-  command->add_flag("--skip-damage", options->skip_damage, "Convert what can be read of a bad log");
+  command.AddFlag("--skip-damage", &options->skip_damage, "Convert what can be read of a bad log");
   AddTypes(command, &options->types);
-  command->callback([options, action] {
+  command.Callback([options, action] {
     *action = [options] {
       if (!IsSelectionSound(options->selection, std::cerr)) return static_cast<int>(kExitUsage);
       return LogSqlite(*options, std::cout, std::cerr);
@@ -101,79 +97,79 @@ void AddLogSqlite(CLI::App* log, CommandAction* action) {
 
 }  // namespace
 
-void AddLogCommands(CLI::App* log, CommandAction* action) {
-  log->require_subcommand(1);
+void AddLogCommands(Command log, CommandAction* action) {
+  log.RequireSubcommand();
 
-  CLI::App* info = log->add_subcommand("info", "Channels, types, counts, rates, time span");
+  const Command info = log.AddSubcommand("info", "Channels, types, counts, rates, time span");
   auto info_options = std::make_shared<LogInfoOptions>();
-  info->add_option("LOG", info_options->path, "LCM event log")->required();
+  info.AddOption("LOG", &info_options->path, "LCM event log").Required();
   AddTypes(info, &info_options->types);
-  info->callback([info_options, action] {
+  info.Callback([info_options, action] {
     *action = [info_options] { return LogInfo(*info_options, std::cout, std::cerr); };
   });
 
-  CLI::App* cat = log->add_subcommand("cat", "Messages as text, one line each");
+  const Command cat = log.AddSubcommand("cat", "Messages as text, one line each");
   auto cat_options = std::make_shared<LogCatOptions>();
-  cat->add_option("LOG", cat_options->path, "LCM event log")->required();
+  cat.AddOption("LOG", &cat_options->path, "LCM event log").Required();
   AddSelection(cat, &cat_options->selection);
-  cat->add_option("--limit", cat_options->limit, "Lines at most");
-  cat->add_flag("--skip-damage", cat_options->skip_damage, "Print what can be read of a bad log");
+  cat.AddOption("--limit", &cat_options->limit, "Lines at most");
+  cat.AddFlag("--skip-damage", &cat_options->skip_damage, "Print what can be read of a bad log");
   AddTypes(cat, &cat_options->types);
-  cat->callback([cat_options, action] {
+  cat.Callback([cat_options, action] {
     *action = [cat_options] {
       if (!IsSelectionSound(cat_options->selection, std::cerr)) return static_cast<int>(kExitUsage);
       return LogCat(*cat_options, std::cout, std::cerr);
     };
   });
 
-  CLI::App* diff = log->add_subcommand("diff", "First difference between two logs");
+  const Command diff = log.AddSubcommand("diff", "First difference between two logs");
   auto diff_options = std::make_shared<LogDiffOptions>();
-  diff->add_option("A", diff_options->path_a, "LCM event log")->required();
-  diff->add_option("B", diff_options->path_b, "LCM event log")->required();
-  diff->add_option("--without", diff_options->without, "Leave out these channels; * and ? are wild")
-      ->take_all()
-      ->allow_extra_args(false);
+  diff.AddOption("A", &diff_options->path_a, "LCM event log").Required();
+  diff.AddOption("B", &diff_options->path_b, "LCM event log").Required();
+  diff.AddOption("--without", &diff_options->without, "Leave out these channels; * and ? are wild")
+      .Repeatable();
   AddTypes(diff, &diff_options->types);
-  diff->callback([diff_options, action] {
+  diff.Callback([diff_options, action] {
     *action = [diff_options] { return LogDiff(*diff_options, std::cout, std::cerr); };
   });
 
-  CLI::App* csv = log->add_subcommand("csv", "One CSV file per channel");
+  const Command csv = log.AddSubcommand("csv", "One CSV file per channel");
   auto csv_options = std::make_shared<LogCsvOptions>();
-  csv->add_option("LOG", csv_options->path, "LCM event log")->required();
-  csv->add_option("--out", csv_options->out_dir, "Folder for the files")->required();
+  auto is_moos = std::make_shared<bool>(false);
+  csv.AddOption("LOG", &csv_options->path, "LCM event log").Required();
+  csv.AddOption("--out", &csv_options->out_dir, "Folder for the files").Required();
   AddSelection(csv, &csv_options->selection);
-  csv->add_flag("--skip-damage", csv_options->skip_damage, "Convert what can be read of a bad log");
-  csv->add_flag_callback(
-      "--moos", [csv_options] { csv_options->lines = NodeReportsAsAlog(); },
-      "Also write node reports as MOOS text, for alog tools: <CHANNEL>.alog");
+  csv.AddFlag("--skip-damage", &csv_options->skip_damage, "Convert what can be read of a bad log");
+  csv.AddFlag("--moos", is_moos.get(),
+              "Also write node reports as MOOS text, for alog tools: <CHANNEL>.alog");
   AddTypes(csv, &csv_options->types);
-  csv->callback([csv_options, action] {
+  csv.Callback([csv_options, is_moos, action] {
+    if (*is_moos) csv_options->lines = NodeReportsAsAlog();
     *action = [csv_options] {
       if (!IsSelectionSound(csv_options->selection, std::cerr)) return static_cast<int>(kExitUsage);
       return LogCsv(*csv_options, std::cout, std::cerr);
     };
   });
 
-  CLI::App* comms = log->add_subcommand(
+  const Command comms = log.AddSubcommand(
       "comms", "Show what was delivered and lost per link, why, and the age of information");
   auto comms_options = std::make_shared<LogCommsOptions>();
-  comms->add_option("LOG", comms_options->path, "LCM event log")->required();
-  comms->add_option("--csv", comms_options->csv_dir, "Also write tables into this folder");
-  comms->add_flag("--all", comms_options->all, "Show all links, however many there are");
-  comms->add_flag("--skip-damage", comms_options->skip_damage,
-                  "Read what can be read of a bad log");
-  comms->callback([comms_options, action] {
+  comms.AddOption("LOG", &comms_options->path, "LCM event log").Required();
+  comms.AddOption("--csv", &comms_options->csv_dir, "Also write tables into this folder");
+  comms.AddFlag("--all", &comms_options->all, "Show all links, however many there are");
+  comms.AddFlag("--skip-damage", &comms_options->skip_damage, "Read what can be read of a bad log");
+  comms.Callback([comms_options, action] {
     *action = [comms_options] { return LogComms(*comms_options, std::cout, std::cerr); };
   });
 
-  CLI::App* helm = log->add_subcommand("helm", "Show why a helm with behaviors steered as it did");
+  const Command helm =
+      log.AddSubcommand("helm", "Show why a helm with behaviors steered as it did");
   auto helm_options = std::make_shared<LogHelmOptions>();
-  helm->add_option("LOG", helm_options->path, "LCM event log")->required();
-  helm->add_option("--vehicle", helm_options->vehicle, "Only this vehicle");
-  helm->add_option("--at", helm_options->at_s, "In full: the decision at this time, seconds");
-  helm->add_flag("--skip-damage", helm_options->skip_damage, "Read what can be read of a bad log");
-  helm->callback([helm_options, action] {
+  helm.AddOption("LOG", &helm_options->path, "LCM event log").Required();
+  helm.AddOption("--vehicle", &helm_options->vehicle, "Only this vehicle");
+  helm.AddOption("--at", &helm_options->at_s, "In full: the decision at this time, seconds");
+  helm.AddFlag("--skip-damage", &helm_options->skip_damage, "Read what can be read of a bad log");
+  helm.Callback([helm_options, action] {
     *action = [helm_options] { return LogHelm(*helm_options, std::cout, std::cerr); };
   });
   AddLogEncounters(log, action);

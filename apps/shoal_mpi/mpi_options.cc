@@ -1,10 +1,6 @@
 #include "apps/shoal_mpi/mpi_options.h"
 
-#include <CLI/CLI.hpp>
-#include <cstdlib>
-
-#include "lib/base/check/result.h"
-#include "lib/run/command_line/version_text.h"
+#include "lib/run/command_line/command.h"
 
 namespace shoal {
 
@@ -16,41 +12,38 @@ constexpr char kFooter[] =
     "and\nsummary are those of `shoal sim FILE`, for any number of ranks: docs/many_machines.md\n"
     "Exit codes: 0 pass, 1 fail, 2 command line or mission file, 3 the machine: a rank is lost.";
 
-void AddOptions(CLI::App& cli, MpiOptions* options) {
-  cli.set_version_flag("--version", VersionText("shoal-mpi"));
-  cli.footer(kFooter);
-  cli.add_option("FILE", options->mission_file, "Mission file, the same on every host")->required();
-  cli.add_option("--set", options->overrides,
+void AddOptions(Command program, MpiOptions* options) {
+  program.Footer(kFooter);
+  program.AddOption("FILE", &options->mission_file, "Mission file, the same on every host")
+      .Required();
+  program
+      .AddOption("--set", &options->overrides,
                  "Override a key of the mission file, e.g. comms.comms_range=100")
-      ->take_all()
-      ->allow_extra_args(false);
-  cli.add_option("--log", options->log_path,
-                 "Rank 0 writes a log of the mission, in place of a file of this name");
-  cli.add_option("--place", options->placed,
+      .Repeatable();
+  program.AddOption("--log", &options->log_path,
+                    "Rank 0 writes a log of the mission, in place of a file of this name");
+  program
+      .AddOption("--place", &options->placed,
                  "Vehicles that go to a rank, e.g. 0=alpha,bravo or 1=group:north, or "
                  "1=shore_broker; the others are "
                  "shared out by cost")
-      ->take_all()
-      ->allow_extra_args(false);
-  cli.add_option("--timeout", options->give_up_after_s,
+      .Repeatable();
+  program
+      .AddOption("--timeout", &options->give_up_after_s,
                  "Seconds until a rank that does not answer is lost and the job ends (60)")
-      ->check(CLI::Range(1.0, 86'400.0));
-  cli.add_flag("--times", options->shows_times,
-               "At the end, where the wall time of each rank went, on standard error");
-  cli.add_flag("--quiet", options->quiet, "No line for each rank at the start");
+      .InRange(1.0, 86'400.0);
+  program.AddFlag("--times", &options->shows_times,
+                  "At the end, where the wall time of each rank went, on standard error");
+  program.AddFlag("--quiet", &options->quiet, "No line for each rank at the start");
 }
 
 }  // namespace
 
 MpiOptions ParseMpiOptionsOrExit(int argc, char** argv) {
-  CLI::App cli("shoal-mpi runs one mission by all ranks of an MPI job.", "shoal-mpi");
+  Program program("shoal-mpi", "shoal-mpi runs one mission by all ranks of an MPI job.");
   MpiOptions options;
-  AddOptions(cli, &options);
-  try {
-    cli.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    std::exit(cli.exit(error) == 0 ? kExitOk : kExitUsage);
-  }
+  AddOptions(program, &options);
+  program.ParseOrExit(argc, argv);
   return options;
 }
 

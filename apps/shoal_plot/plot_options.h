@@ -1,11 +1,12 @@
 // The options of `shoal plot`.
 #pragma once
 
+#include "lib/run/command_line/command.h"
 #include "lib/run/command_line/command_line.h"
 
 namespace shoal {
 
 /// Adds them, and sets `action` to what the command runs.
-void AddPlotOptions(CLI::App* command, CommandAction* action);
+void AddPlotOptions(Command command, CommandAction* action);
 
 }  // namespace shoal

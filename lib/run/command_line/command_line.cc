@@ -4,18 +4,16 @@
 #include <poll.h>
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <iostream>
 #include <optional>
 #include <span>
 #include <string_view>
 #include <system_error>
-#include <utility>
 
 #include "lib/base/check/result.h"
 #include "lib/mission/toml/suggest.h"
-#include "lib/run/command_line/version_text.h"
 
 namespace shoal {
 
@@ -30,27 +28,27 @@ bool ReaderHasLeft() {
 
 /// Follows the words that name a command and its subcommands, up to the first option. Returns an
 /// exit code where one names none (the error has been printed) or is missing (the list has).
-std::optional<int> CheckCommandWords(const CLI::App& shoal, std::span<const std::string> words) {
-  const CLI::App* command = &shoal;
+std::optional<int> CheckCommandWords(const Command& shoal, std::span<const std::string> words) {
+  Command command = shoal;
+  bool is_shoal = true;
   for (const std::string& word : words) {
-    const std::vector<const CLI::App*> subcommands = command->get_subcommands({});
+    const std::vector<Command> subcommands = command.Subcommands();
     if (subcommands.empty() || word.starts_with('-')) return std::nullopt;
-    std::vector<std::string_view> names;
-    const CLI::App* named = nullptr;
-    for (const CLI::App* each : subcommands) {
-      names.push_back(each->get_name());
-      if (each->get_name() == word) named = each;
-    }
-    if (named == nullptr) {
-      const std::string path = command == &shoal ? "shoal" : "shoal " + command->get_name();
+    std::vector<std::string> names;
+    for (const Command& each : subcommands) names.push_back(each.Name());
+    const auto named = std::find(names.begin(), names.end(), word);
+    if (named == names.end()) {
+      const std::string path = is_shoal ? "shoal" : "shoal " + command.Name();
+      const std::vector<std::string_view> valid(names.begin(), names.end());
       fmt::print(stderr, "{}: unknown command {}{}\nCommands: {}\n`{} --help` describes them\n",
-                 path, Quoted(word), DidYouMean(word, names), Joined(names), path);
+                 path, Quoted(word), DidYouMean(word, valid), Joined(valid), path);
       return kExitUsage;
     }
-    command = named;
+    command = subcommands[static_cast<size_t>(named - names.begin())];
+    is_shoal = false;
   }
-  if (command->get_subcommands({}).empty()) return std::nullopt;
-  fmt::print("{}", command->help(command == &shoal ? "" : "shoal"));
+  if (command.Subcommands().empty()) return std::nullopt;
+  fmt::print("{}", command.Help(is_shoal ? "" : "shoal"));
   return kExitUsage;
 }
 
@@ -77,24 +75,17 @@ int WithWrittenOutput(const CommandAction& action) {
 
 }  // namespace
 
-std::shared_ptr<CLI::App> MakeShoalCommand() {
-  auto shoal = std::make_shared<CLI::App>(
-      "shoal runs missions of several vehicles over a lossy acoustic network.", "shoal");
-  shoal->set_version_flag("--version", VersionText("shoal"));
-  shoal->require_subcommand(1);
+Program MakeShoalCommand() {
+  Program shoal("shoal", "shoal runs missions of several vehicles over a lossy acoustic network.");
+  shoal.RequireSubcommand();
   return shoal;
 }
 
-int RunCommandLine(CLI::App& shoal, const CommandAction* action,
+int RunCommandLine(Program& shoal, const CommandAction* action,
                    const std::vector<std::string>& words) {
   return WithWrittenOutput([&] {
     if (const auto code = CheckCommandWords(shoal, std::span(words).subspan(1))) return *code;
-    try {
-      // CLI11 takes words from the end.
-      shoal.parse(std::vector<std::string>(words.rbegin(), words.rend() - 1));
-    } catch (const CLI::ParseError& error) {
-      return static_cast<int>(shoal.exit(error) == 0 ? kExitOk : kExitUsage);
-    }
+    if (const auto code = shoal.Parse({words.begin() + 1, words.end()})) return *code;
     return (*action)();
   });
 }

@@ -3,13 +3,10 @@
 #pragma once
 
 #include <functional>
-#include <memory>
 #include <string>
 #include <vector>
 
-namespace CLI {
-class App;
-}
+#include "lib/run/command_line/command.h"
 
 namespace shoal {
 
@@ -17,12 +14,12 @@ namespace shoal {
 using CommandAction = std::function<int()>;
 
 /// Returns the command `shoal`, with what --help and --version of it print, without commands.
-[[nodiscard]] std::shared_ptr<CLI::App> MakeShoalCommand();
+[[nodiscard]] Program MakeShoalCommand();
 
 /// Parses `words`, the first of which is the program's name, and calls `*action`, which the chosen
 /// command has set. Returns the exit code; kExitUsage, with an error, where the command line is
 /// wrong; kExitEnvironment, with an error, where what was printed could not be written.
-int RunCommandLine(CLI::App& shoal, const CommandAction* action,
+int RunCommandLine(Program& shoal, const CommandAction* action,
                    const std::vector<std::string>& words);
 
 }  // namespace shoal

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
@@ -40,15 +39,15 @@ const ToolCommand* FindToolCommand(std::string_view name) {
   return found == std::end(kToolCommands) ? nullptr : found;
 }
 
-CLI::App* AddToolCommand(CLI::App& shoal, std::string_view name) {
+Command AddToolCommand(const Program& shoal, std::string_view name) {
   const ToolCommand* tool = FindToolCommand(name);
   SHOAL_CHECK(tool != nullptr, "kToolCommands has the command");
-  return shoal.add_subcommand(std::string(name), std::string(tool->text));
+  return shoal.AddSubcommand(std::string(name), std::string(tool->text));
 }
 
 }  // namespace
 
-void ListToolCommand(CLI::App& shoal, std::string_view name) { AddToolCommand(shoal, name); }
+void ListToolCommand(const Program& shoal, std::string_view name) { AddToolCommand(shoal, name); }
 
 std::optional<int> StartToolCommand(int argc, char** argv) {
   std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
@@ -69,13 +68,13 @@ std::optional<int> StartToolCommand(int argc, char** argv) {
 }
 
 int RunToolCommand(std::string_view name, int argc, char** argv,
-                   const std::function<void(CLI::App* command, CommandAction* action)>& add) {
-  const std::shared_ptr<CLI::App> shoal = MakeShoalCommand();
+                   const std::function<void(Command command, CommandAction* action)>& add) {
+  Program shoal = MakeShoalCommand();
   CommandAction action;
-  add(AddToolCommand(*shoal, name), &action);
+  add(AddToolCommand(shoal, name), &action);
   std::vector<std::string> words = {"shoal", std::string(name)};
   words.insert(words.end(), argv + std::min(argc, 1), argv + argc);
-  return RunCommandLine(*shoal, &action, words);
+  return RunCommandLine(shoal, &action, words);
 }
 
 int BecomeProgram(const std::string& path, std::vector<std::string> words) {

@@ -2,12 +2,14 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
 #include <cstdlib>
+#include <string_view>
 
 #include "lib/base/check/result.h"
 #include "lib/bus/bus/channels.h"
-#include "lib/run/command_line/version_text.h"
+#include "lib/run/command_line/command.h"
 
 namespace shoal {
 
@@ -58,45 +60,43 @@ AppOptions ParseAppOptionsOrExit(const AppInfo& info, int argc, char** argv) {
                 "; started by a user it joins a mission that waits for it ({} = \"hand\" in the "
                 "mission file)",
                 info.name);
-  CLI::App cli(fmt::format("{}\n`shoal run` starts it{}.", info.purpose, by_hand), info.name);
   // The short names are those of MOOS apps.
-  cli.set_version_flag("-v,--version", VersionText(info.name));
-  cli.add_flag("-e,--example", example, "Print a commented configuration block, then exit");
-  cli.add_flag("-i,--interface", interface,
-               "Print the channels that it subscribes to and publishes, then exit");
-  cli.add_option("--mission", options.mission_file, "Mission file");
+  Program program(info.name, fmt::format("{}\n`shoal run` starts it{}.", info.purpose, by_hand),
+                  "-v,--version");
+  program.AddFlag("-e,--example", &example, "Print a commented configuration block, then exit");
+  program.AddFlag("-i,--interface", &interface,
+                  "Print the channels that it subscribes to and publishes, then exit");
+  program.AddOption("--mission", &options.mission_file, "Mission file");
   if (info.per_vehicle) {
-    cli.add_option("--vehicle", options.vehicle, "Vehicle that it works for");
+    program.AddOption("--vehicle", &options.vehicle, "Vehicle that it works for");
   }
-  cli.add_option("--set", options.overrides, "Override a key of the mission file: key.path=value")
-      ->take_all()
-      ->allow_extra_args(false);
-  cli.add_option("--alias", options.alias, "Name on the bus, instead of the usual one");
-  cli.add_option("--port", options.port_base,
+  program
+      .AddOption("--set", &options.overrides, "Override a key of the mission file: key.path=value")
+      .Repeatable();
+  program.AddOption("--alias", &options.alias, "Name on the bus, instead of the usual one");
+  program
+      .AddOption("--port", &options.port_base,
                  "First port of the mission (default: found by the mission file)")
-      ->check(CLI::Range(1024, 65535));
-  cli.add_option("--layout", layout, "shared or communities (default: as the running mission)")
-      ->check(CLI::IsMember({"shared", "communities"}));
-  cli.add_option("--mission-id", options.mission_id,
-                 "Reject messages of any other mission (default: that of the first tick)");
+      .InRange(1024, 65535);
+  program.AddOption("--layout", &layout, "shared or communities (default: as the running mission)")
+      .OneOf({"shared", "communities"});
+  program.AddOption("--mission-id", &options.mission_id,
+                    "Reject messages of any other mission (default: that of the first tick)");
   if (info.can_live) {
-    cli.add_flag("--live", options.live,
-                 "Work without a mission's clock: take messages as they come, by the wall's time");
+    program.AddFlag(
+        "--live", &options.live,
+        "Work without a mission's clock: take messages as they come, by the wall's time");
   }
   if (info.name == "recorder") {
-    cli.add_option("--log", options.log_path, "Log file to write");
+    program.AddOption("--log", &options.log_path, "Log file to write");
   }
-  cli.add_option("--lose", options.lose,
+  program
+      .AddOption("--lose", &options.lose,
                  "Fault injection: lose this share of incoming datagrams, to see them repaired")
-      ->check(CLI::Range(0.0, 1.0));
-  cli.add_option("--lose-forever", options.lose_forever,
-                 "Fault injection: lose every datagram of this channel, to see the mission end");
-  try {
-    cli.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    const int code = cli.exit(error);
-    std::exit(code == 0 ? kExitOk : kExitUsage);
-  }
+      .InRange(0.0, 1.0);
+  program.AddOption("--lose-forever", &options.lose_forever,
+                    "Fault injection: lose every datagram of this channel, to see the mission end");
+  program.ParseOrExit(argc, argv);
   if (example) {
     std::fputs(info.example.c_str(), stdout);
     std::exit(kExitOk);

@@ -1,0 +1,103 @@
+#include "lib/run/command_line/command.h"
+
+#include <gtest/gtest.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lib/base/check/result.h"
+
+namespace shoal::command_test {
+
+class Command_ : public ::testing::Test {
+ protected:
+  Program program_{"sounder", "Measures the depth."};
+};
+
+TEST_F(Command_, WritesWhatItReadsToTheVariables) {
+  int count = 0;
+  std::vector<std::string> files;
+  bool is_loud = false;
+  program_.AddOption("--count,-c", &count, "How many").InRange(1, 8);
+  program_.AddOption("FILE", &files, "Files");
+  program_.AddFlag("--loud", &is_loud, "With sound");
+  EXPECT_EQ(program_.Parse({"a", "-c", "8", "b", "--loud"}), std::nullopt);
+  EXPECT_EQ(count, 8);
+  EXPECT_EQ(files, (std::vector<std::string>{"a", "b"}));
+  EXPECT_TRUE(is_loud);
+}
+
+TEST_F(Command_, RefusesANumberBeyondItsRangeWithTheCodeForUsage) {
+  double rate_hz = 1;
+  program_.AddOption("--rate", &rate_hz, "Soundings per second").InRange(0.5, 2.0);
+  EXPECT_EQ(program_.Parse({"--rate", "2.1"}), kExitUsage);
+  EXPECT_EQ(program_.Parse({"--rate", "2"}), std::nullopt);
+  EXPECT_EQ(rate_hz, 2);
+}
+
+TEST_F(Command_, EndsWithSuccessAfterHelpAndVersion) {
+  EXPECT_EQ(program_.Parse({"--help"}), kExitOk);
+  EXPECT_EQ(program_.Parse({"--version"}), kExitOk);
+}
+
+TEST_F(Command_, TakesOneValueEachTimeOfARepeatableList) {
+  std::vector<std::string> keys;
+  std::string file;
+  program_.AddOption("--set", &keys, "A key").Repeatable();
+  program_.AddOption("FILE", &file, "File").Required();
+  EXPECT_EQ(program_.Parse({"--set", "a", "mine", "--set", "b"}), std::nullopt);
+  EXPECT_EQ(keys, (std::vector<std::string>{"a", "b"}));
+  EXPECT_EQ(file, "mine");
+}
+
+TEST_F(Command_, HoldsWhatAnOptionNeedsAndExcludes) {
+  bool has_page = false;
+  bool may_command = false;
+  bool is_quiet = false;
+  const Option page = program_.AddFlag("--page", &has_page, "A page");
+  program_.AddFlag("--commands", &may_command, "It may command").Needs(page);
+  program_.AddFlag("--quiet", &is_quiet, "No text").Excludes(page);
+  EXPECT_EQ(program_.Parse({"--commands"}), kExitUsage);
+  EXPECT_EQ(program_.Parse({"--commands", "--page"}), std::nullopt);
+  EXPECT_EQ(program_.Parse({"--quiet", "--page"}), kExitUsage);
+  EXPECT_EQ(program_.Parse({"--quiet"}), std::nullopt);
+}
+
+TEST_F(Command_, CallsBackTheSubcommandThatIsNamedAlone) {
+  std::string called;
+  for (const std::string name : {"ping", "listen"}) {
+    program_.AddSubcommand(name, "").Callback([&called, name] { called += name; });
+  }
+  program_.RequireSubcommand();
+  EXPECT_EQ(program_.Parse({}), kExitUsage);
+  EXPECT_EQ(program_.Parse({"listen"}), std::nullopt);
+  EXPECT_EQ(called, "listen");
+}
+
+TEST_F(Command_, RefusesWhatACheckedCallbackFindsWrong) {
+  std::string error = "sounder: needs water";
+  program_.CheckedCallback([&error] { return error; });
+  ::testing::internal::CaptureStderr();
+  EXPECT_EQ(program_.Parse({}), kExitUsage);
+  EXPECT_EQ(::testing::internal::GetCapturedStderr(),
+            "sounder: needs water\nRun with --help for more information.\n");
+  error.clear();
+  EXPECT_EQ(program_.Parse({}), std::nullopt);
+}
+
+TEST_F(Command_, LeavesTheWordsBehindAPrefixAsTheyAre) {
+  std::string target;
+  program_.AddOption("TARGET", &target, "A vehicle");
+  program_.PrefixCommand();
+  EXPECT_EQ(program_.Parse({"alpha", "goto", "-10", "--x"}), std::nullopt);
+  EXPECT_EQ(target, "alpha");
+  EXPECT_EQ(program_.Remaining(), (std::vector<std::string>{"goto", "-10", "--x"}));
+}
+
+TEST(SplitWords, KeepsAQuotedPartInOneWord) {
+  EXPECT_EQ(SplitWords("-A \"two words\" -n 3"),
+            (std::vector<std::string>{"-A", "two words", "-n", "3"}));
+}
+
+}  // namespace shoal::command_test
