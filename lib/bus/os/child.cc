@@ -45,10 +45,17 @@ std::vector<char*> Pointers(const std::vector<std::string>& texts) {
   return pointers;
 }
 
-/// Returns a copy of `fd` above the standard ones, or of /dev/null if it is -1.
-FileDescriptor CopyOf(int fd, int flags) {
-  const FileDescriptor null(fd < 0 ? ::open("/dev/null", flags | O_CLOEXEC) : -1);
-  return FileDescriptor(::fcntl(fd < 0 ? null.get() : fd, F_DUPFD_CLOEXEC, kAbove));
+/// Returns a copy of `fd` from kAbove on; not open if there is none. errno holds the reason, and
+/// keeps it if `fd` is -1 because of an earlier failure.
+FileDescriptor CopyOf(int fd) {
+  return FileDescriptor(fd < 0 ? -1 : ::fcntl(fd, F_DUPFD_CLOEXEC, kAbove));
+}
+
+/// The same of /dev/null if `fd` is -1.
+FileDescriptor CopyOrNull(int fd, int flags) {
+  if (fd >= 0) return CopyOf(fd);
+  const FileDescriptor null(::open("/dev/null", flags | O_CLOEXEC));
+  return CopyOf(null.get());
 }
 
 /// In the child, from here on: only async-signal-safe calls. Other threads may have held locks.
@@ -104,12 +111,12 @@ Result<StartedProgram> StartProgram(const ProgramStart& start) {
   const std::vector<std::string> environment = EnvironmentWith(start.environment);
   const std::vector<char*> argv = Pointers(start.argv);
   const std::vector<char*> envp = Pointers(environment);
-  const FileDescriptor input = CopyOf(start.input, O_RDONLY);
-  const FileDescriptor output = CopyOf(start.output, O_WRONLY);
-  const FileDescriptor errors = CopyOf(start.errors, O_WRONLY);
-  const FileDescriptor kept = CopyOf(start.kept, O_RDONLY);
+  const FileDescriptor input = CopyOrNull(start.input, O_RDONLY);
+  const FileDescriptor output = CopyOrNull(start.output, O_WRONLY);
+  const FileDescriptor errors = CopyOrNull(start.errors, O_WRONLY);
+  const FileDescriptor kept = CopyOf(start.kept);
   Pipe news = MakePipe();
-  FileDescriptor to_report(::fcntl(news.write.get(), F_DUPFD_CLOEXEC, kAbove));
+  FileDescriptor to_report = CopyOf(news.write.get());
   const bool has_all = input.is_open() && output.is_open() && errors.is_open() &&
                        (start.kept < 0 || kept.is_open()) && to_report.is_open();
   if (!has_all) return Error{ErrnoText(errno)};

@@ -4,12 +4,14 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/mman.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <string>
+#include <vector>
 
 #include "lib/bus/os/file_bytes.h"
 
@@ -64,6 +66,21 @@ TEST(StartProgram, StatesWhyAProgramCannotBeExecuted) {
   ASSERT_TRUE(folder.ok());
   EXPECT_EQ(folder->exec_error, EACCES);
   WaitFor(folder->pid);
+}
+
+TEST(StartProgram, StatesThatThereAreTooManyOpenFiles) {
+  rlimit limit = {};
+  ASSERT_EQ(getrlimit(RLIMIT_NOFILE, &limit), 0);
+  const rlimit few = {.rlim_cur = 64, .rlim_max = limit.rlim_max};
+  ASSERT_EQ(setrlimit(RLIMIT_NOFILE, &few), 0);
+  std::vector<FileDescriptor> open_files;
+  do {
+    open_files.emplace_back(open("/dev/null", O_RDONLY | O_CLOEXEC));
+  } while (open_files.back().is_open());
+  const Result<StartedProgram> started = StartProgram({.argv = {"true"}});
+  ASSERT_EQ(setrlimit(RLIMIT_NOFILE, &limit), 0);
+  ASSERT_FALSE(started.ok());
+  EXPECT_EQ(started.error(), ErrnoText(EMFILE));
 }
 
 TEST(StartProgram, DoesNotGiveAFileThatIsNoProgramToTheShell) {
