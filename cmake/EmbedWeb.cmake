@@ -7,7 +7,8 @@
 #
 # sets OUT_VARIABLE to a generated source file that defines shoal::EmbeddedWeb()
 # (apps/viewer/embedded_web.h), or the function that a header declares. It is written again when a
-# file changes, comes or goes. As a script (cmake -P) this file writes it.
+# file changes, comes or goes. The target `embedded_web` (the header's name) makes the file alone; a
+# library's own commands wait for all that it links. As a script (cmake -P) this file writes it.
 
 if(CMAKE_SCRIPT_MODE_FILE)
   set(arrays "")
@@ -48,6 +49,7 @@ function(shoal_embed_files out_variable function header folder)
       -DFUNCTION=${function} -DHEADER=${header} -P ${SHOAL_EMBED_WEB_SCRIPT}
     DEPENDS ${paths} ${list} ${SHOAL_EMBED_WEB_SCRIPT}
     COMMENT "Embedding ${folder}")
+  add_custom_target(${name} DEPENDS ${out})
   set(${out_variable} ${out} PARENT_SCOPE)
 endfunction()
 
