@@ -97,8 +97,8 @@ Polygon Grown(const Polygon& polygon_m, double distance_m) {
     const double in_rad = HeadingOf(corner_m - Corner(clockwise_m, i + size - 1)) - kPi / 2;
     const double out_rad = HeadingOf(Corner(clockwise_m, i + 1) - corner_m) - kPi / 2;
     const double arc_rad = WrapTwoPi(out_rad - in_rad);
-    const double steps = std::max(1.0, std::ceil(arc_rad / kArcStep_rad - 1e-9));
-    for (double step = 0; step <= steps; ++step) {
+    const int steps = static_cast<int>(std::max(1.0, std::ceil(arc_rad / kArcStep_rad - 1e-9)));
+    for (int step = 0; step <= steps; ++step) {
       grown_m.emplace_back(corner_m + distance_m * UnitVector(in_rad + arc_rad * step / steps));
     }
   }

@@ -79,9 +79,9 @@ std::vector<double> ClearanceOfCourses(const VesselMotion& own, const TurnThenSt
   for (const int side : {1, -1}) {
     // The courses on this side, by growing turn: each goes on from where the last one turned to.
     Turn turn = {.position_m = own.position_m, .clearance_m = here_m};
-    const double first_deg = side > 0 ? std::ceil(own.heading_deg) - own.heading_deg
-                                      : own.heading_deg - std::floor(own.heading_deg);
-    for (double turned_deg = first_deg; turned_deg <= 180; turned_deg += 1) {
+    double turned_deg = side > 0 ? std::ceil(own.heading_deg) - own.heading_deg
+                                 : own.heading_deg - std::floor(own.heading_deg);
+    while (turned_deg <= 180) {
       turn = TurnBy(turned_deg, side, turn, own, path.turn_radius_m, polygon_m);
       const double course_deg = Wrap360(own.heading_deg + side * turned_deg);
       const auto course = static_cast<size_t>(std::lround(course_deg)) % clearance_m.size();
@@ -89,6 +89,7 @@ std::vector<double> ClearanceOfCourses(const VesselMotion& own, const TurnThenSt
           turn.position_m + path.reach_m * UnitVector(DegToRad(course_deg));
       const double ray_m = DistanceToEdges(turn.position_m, end_m, polygon_m);
       clearance_m[course] = std::max(clearance_m[course], std::min(turn.clearance_m, ray_m));
+      turned_deg += 1;
     }
   }
   return clearance_m;

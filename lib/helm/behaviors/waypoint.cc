@@ -132,7 +132,7 @@ void WaypointBehavior::ArrangePoints(const Eigen::Vector2d& position_m) {
   if (is_reverse) std::reverse(points_m_.begin(), points_m_.end());
 }
 
-void WaypointBehavior::HeadForPoint(std::optional<Eigen::Vector2d> from_m,
+void WaypointBehavior::HeadForPoint(const std::optional<Eigen::Vector2d>& from_m,
                                     const Eigen::Vector2d& position_m) {
   has_leg_ = from_m.has_value();
   const Leg leg = {.from_m = from_m.value_or(position_m), .to_m = points_m_[rounds_.index()]};

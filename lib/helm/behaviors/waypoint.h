@@ -72,7 +72,8 @@ class WaypointBehavior final : public BehaviorWith<WaypointOptions> {
   void Begin(const BehaviorInputs& inputs, BehaviorAnswer& answer);
   void ArrangePoints(const Eigen::Vector2d& position_m);
   /// `from_m`: where the leg begins; absent: there is none to follow.
-  void HeadForPoint(std::optional<Eigen::Vector2d> from_m, const Eigen::Vector2d& position_m);
+  void HeadForPoint(const std::optional<Eigen::Vector2d>& from_m,
+                    const Eigen::Vector2d& position_m);
   void Advance(const Eigen::Vector2d& position_m, BehaviorAnswer& answer);
   bool IsLastPoint() const;
   double Speed(double distance_m) const;

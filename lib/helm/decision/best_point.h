@@ -16,7 +16,7 @@ struct GridPoint {
   int course = 0;
   int speed = 0;
 
-  auto operator<=>(const GridPoint&) const = default;
+  auto operator<=>(const GridPoint&) const = default;  // NOLINT(modernize-use-nullptr): no pointer
 };
 
 /// Returns the point of `whole` with the greatest value, of equal ones that of the lowest course,

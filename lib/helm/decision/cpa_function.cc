@@ -11,7 +11,7 @@ namespace shoal {
 
 namespace {
 
-using Directions = std::array<double, 1440>;
+using Directions = std::array<Eigen::Vector2d, 720>;
 
 /// Boxes that are wider are not looked at: the tangents of a wide arc meet far outside.
 constexpr int kWidestBox_deg = 60;
@@ -30,15 +30,15 @@ double SineOfQuadrant(int half_deg) {
 }
 
 Directions MakeDirections() {
-  Directions directions = {};
+  Directions directions;
   for (int i = 0; i < 720; ++i) {
     const int quadrant = i / 180;
     const double rising = SineOfQuadrant(i % 180);
     const double falling = SineOfQuadrant(180 - i % 180);
     const double sine = quadrant % 2 == 0 ? rising : falling;
     const double cosine = quadrant % 2 == 0 ? falling : rising;
-    directions[static_cast<size_t>(2 * i)] = quadrant < 2 ? sine : -sine;
-    directions[static_cast<size_t>(2 * i + 1)] = quadrant % 3 == 0 ? cosine : -cosine;
+    directions[static_cast<size_t>(i)] = {quadrant < 2 ? sine : -sine,
+                                          quadrant % 3 == 0 ? cosine : -cosine};
   }
   return directions;
 }
@@ -77,10 +77,10 @@ CpaGrid::CpaGrid(const Eigen::Vector2d& offset_m, const Eigen::Vector2d& contact
       directions_(&HalfDegreeDirections()) {}
 
 double CpaGrid::At(int course, int speed) const {
-  const double* direction = DirectionOf(2 * course);
+  const Eigen::Vector2d& direction = DirectionOf(2 * course);
   const double own_mps = SpeedAt(speed);
-  const double x_mps = contact_x_mps_ - own_mps * direction[0];
-  const double y_mps = contact_y_mps_ - own_mps * direction[1];
+  const double x_mps = contact_x_mps_ - own_mps * direction.x();
+  const double y_mps = contact_y_mps_ - own_mps * direction.y();
   const double approach = -(offset_x_m_ * x_mps + offset_y_m_ * y_mps);
   const double speed2 = std::max(x_mps * x_mps + y_mps * y_mps, kTiny_m2ps2);
   const double time_s = std::min(std::max(approach / speed2, 0.0), horizon_s_);
@@ -97,7 +97,7 @@ CourseSpeedFunction::Range CpaGrid::Bound(const GridBox& box) const {
   using Pair = Eigen::Array2d;
   const double slow_mps = SpeedAt(box.first_speed);
   const double fast_mps = SpeedAt(box.last_speed);
-  const double tangent_mps = fast_mps / DirectionOf(width_deg)[1];
+  const double tangent_mps = fast_mps / DirectionOf(width_deg).y();
   const Pair speeds_mps[3] = {{slow_mps, fast_mps}, {slow_mps, fast_mps}, {slow_mps, tangent_mps}};
   const int half_degrees[3] = {2 * box.first_course, 2 * box.last_course,
                                box.first_course + box.last_course};
@@ -111,9 +111,9 @@ CourseSpeedFunction::Range CpaGrid::Bound(const GridBox& box) const {
   Pair greatest2_m2 = Pair::Zero();
   Pair least2_m2 = Pair::Constant(range2_m2_);  // Without horizon.
   for (int i = 0; i < num_pairs; ++i) {
-    const double* direction = DirectionOf(half_degrees[i]);
-    const Pair x_mps = contact_x_mps_ - speeds_mps[i] * direction[0];
-    const Pair y_mps = contact_y_mps_ - speeds_mps[i] * direction[1];
+    const Eigen::Vector2d& direction = DirectionOf(half_degrees[i]);
+    const Pair x_mps = contact_x_mps_ - speeds_mps[i] * direction.x();
+    const Pair y_mps = contact_y_mps_ - speeds_mps[i] * direction.y();
     const Pair approach = -(offset_x_m_ * x_mps + offset_y_m_ * y_mps);
     const Pair area = offset_x_m_ * y_mps - offset_y_m_ * x_mps;
     const Pair speed2 = (x_mps * x_mps + y_mps * y_mps).max(kTiny_m2ps2);

@@ -11,6 +11,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cstddef>
 
 #include "lib/helm/decision/objective.h"
 
@@ -63,8 +64,10 @@ class CpaGrid {
 
  private:
   double SpeedAt(int speed) const { return first_mps_ + step_mps_ * speed; }
-  /// Returns sine and cosine.
-  const double* DirectionOf(int half_deg) const { return directions_->data() + 2 * half_deg; }
+  /// Returns the unit vector, x East, y North.
+  const Eigen::Vector2d& DirectionOf(int half_deg) const {
+    return (*directions_)[static_cast<size_t>(half_deg)];
+  }
 
   double offset_x_m_;
   double offset_y_m_;
@@ -75,7 +78,7 @@ class CpaGrid {
   double step_mps_;
   double range2_m2_;
   double range_m_;
-  const std::array<double, 1440>* directions_;  ///< Sine and cosine of each half degree.
+  const std::array<Eigen::Vector2d, 720>* directions_;  ///< Of each half degree.
 };
 
 /// The utility of the CPA.

@@ -67,14 +67,16 @@ std::vector<std::string> ModeTree::Apply(Variables& variables, double time_s) co
         AllHold(declaration.others, variables, now) ? declaration.value : declaration.otherwise;
     if (value.empty()) continue;
     std::string& mode = now[declaration.variable];
-    const bool has_parent = !declaration.about_itself.empty() && !mode.empty();
-    mode = has_parent ? mode + ":" + value : value;
+    if (declaration.about_itself.empty()) mode.clear();
+    if (!mode.empty()) mode += ':';
+    mode += value;
   }
   std::vector<std::string> changes;
   for (const auto& [variable, value] : now) {
     const auto old = before.find(variable);
     if (old != before.end() && old->second == value) continue;
-    if (variables.Set(variable, value, time_s)) changes.push_back(variable + " = " + value);
+    if (!variables.Set(variable, value, time_s)) continue;
+    changes.emplace_back(variable).append(" = ").append(value);
   }
   return changes;
 }
