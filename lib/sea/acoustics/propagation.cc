@@ -7,7 +7,6 @@
 #include "lib/base/check/bounds.h"
 
 namespace shoal {
-namespace {}  // namespace
 
 double TransmissionLoss(double range_m, double spreading_exponent, double absorption_dbpkm) {
   if (!(range_m >= 0 && spreading_exponent >= 0 && absorption_dbpkm >= 0)) return kInfinity;

@@ -4,8 +4,6 @@
 
 namespace shoal {
 
-namespace {}  // namespace
-
 void GpsUnit::Watch(double depth_m, int64_t utime) {
   if (!start_utime_) {
     start_utime_ = utime;
