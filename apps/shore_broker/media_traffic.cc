@@ -185,6 +185,7 @@ void MediaTraffic::Send(int64_t utime, Shipment shipment, const MediaChoice& cho
     const Node& receiver = ReceiverOf(leg);
     std::optional<Cause> cause;
     std::optional<LegMedium> faulty;
+    std::shared_ptr<Copies> copies;
     int num_sent = 0;
     for (const size_t place : candidates) {
       const Medium& medium = media_[place];
@@ -204,11 +205,11 @@ void MediaTraffic::Send(int64_t utime, Shipment shipment, const MediaChoice& cho
       copy.medium.radio = answer.radio;
       ++num_sent;
       if (!choice.at_once) break;
-      if (leg.copies == nullptr) leg.copies = std::make_shared<Copies>();
-      copy.copies = leg.copies;
+      if (copies == nullptr) copies = std::make_shared<Copies>();
+      copy.copies = copies;
     }
     if (num_sent > 0) {
-      if (leg.copies != nullptr) leg.copies->num_left = num_sent;
+      if (copies != nullptr) copies->num_left = num_sent;
       num_surplus_ += num_sent - 1;
       continue;
     }

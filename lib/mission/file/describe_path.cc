@@ -171,6 +171,7 @@ void DescribePlace(Fields& fields, PathPart& part, const std::vector<Eigen::Vect
 void DescribeKindOf(Fields& fields, PathPart& part, const Eigen::Vector2d& offset_m) {
   const std::vector<PathPart> kinds = OnePartOfEachKind();
   std::vector<std::string_view> words;
+  words.reserve(kinds.size());
   for (const PathPart& each : kinds) words.push_back(KindOf(each));
   std::string kind(fields.reading() ? "" : KindOf(part));
   fields.Require("kind", "kind = \"points\"");

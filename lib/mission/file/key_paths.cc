@@ -18,13 +18,18 @@ bool IsArrayOfTables(const Value& value) {
   return array != nullptr && !array->empty() && std::holds_alternative<Table>(array->front().data);
 }
 
+/// Returns the path of `key` in the table at `path`; the mission is at "".
+std::string PathOfKey(const std::string& path, const std::string& key) {
+  return path.empty() ? key : path + "." + key;
+}
+
 /// Walks a mission with every default, and beside it the tree of its file.
 class KeyWalk {
  public:
   /// `written`: the same table in the file, or nullptr.
   void Enter(const Table& table, const Table* written, const std::string& path) {
     for (const Entry& entry : table) {
-      const std::string here = path.empty() ? entry.key : path + "." + entry.key;
+      const std::string here = PathOfKey(path, entry.key);
       const Value* in_file = written == nullptr ? nullptr : Find(*written, entry.key);
       if (const auto* below = std::get_if<Table>(&entry.value.data)) {
         Enter(*below, in_file == nullptr ? nullptr : std::get_if<Table>(&in_file->data), here);
@@ -55,7 +60,7 @@ class KeyWalk {
       const std::string part = name == nullptr ? std::to_string(i + 1) : *name;
       const auto* table = std::get_if<Table>(&found->data);
       if (table != nullptr) {
-        Enter(*table, std::get_if<Table>(&(*written)[i].data), path + "." + part);
+        Enter(*table, std::get_if<Table>(&(*written)[i].data), PathOfKey(path, part));
       }
     }
   }

@@ -137,6 +137,7 @@ std::optional<HostDoor::Arrival> HostDoor::Receive() {
        frames = ReceiveFrames(&sockets_->router)) {
     if (frames.size() != kPeerAndBytes) continue;
     return Arrival{.peer = frames[0].to_string(),
+                   // NOLINTNEXTLINE: a property of a zmq::message_t, not gets() of C.
                    .key = frames[1].gets("User-Id"),
                    .bytes = BytesOf(frames[1])};
   }

@@ -122,7 +122,7 @@ MissionHosts::MissionHosts(const LaunchContext& context, const MissionSecret& se
                    .secret = secret,
                    .tick_us = context.mission.tick_us},
       context.ports, transport, std::move(relayed),
-      [this](size_t number, LinkMessage message) { Send(&hosts_[number], message); });
+      [this](size_t number, const LinkMessage& message) { Send(&hosts_[number], message); });
   const int64_t now = MonotonicMicroseconds();
   for (Host& host : hosts_) Connect(&host, now);
 }
