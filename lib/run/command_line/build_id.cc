@@ -31,9 +31,9 @@ void AbsorbId(const unsigned char* notes, size_t size, uint64_t* state) {
     const size_t name = at + sizeof header;
     const size_t text = name + Aligned(header.n_namesz);
     if (text + header.n_descsz > size) return;
-    constexpr std::string_view kGnu("GNU", 4);
-    if (header.n_type == NT_GNU_BUILD_ID && header.n_namesz == kGnu.size() &&
-        std::memcmp(notes + name, kGnu.data(), kGnu.size()) == 0) {
+    constexpr char kGnu[] = "GNU";  // With the zero behind it, as in the note.
+    if (header.n_type == NT_GNU_BUILD_ID && header.n_namesz == sizeof kGnu &&
+        std::memcmp(notes + name, kGnu, sizeof kGnu) == 0) {
       Absorb(notes + text, header.n_descsz, state);
     }
     at = text + Aligned(header.n_descsz);
@@ -57,7 +57,8 @@ std::string BuildId() {
         for (size_t i = 0; i < object->dlpi_phnum; ++i) {
           const auto& part = object->dlpi_phdr[i];
           if (part.p_type != PT_NOTE) continue;
-          const auto* notes =
+          // The loader states addresses as numbers.
+          const auto* notes =  // NOLINTNEXTLINE(performance-no-int-to-ptr)
               reinterpret_cast<const unsigned char*>(object->dlpi_addr + part.p_vaddr);
           AbsorbId(notes, part.p_memsz, static_cast<uint64_t*>(into));
         }

@@ -200,7 +200,7 @@ Result<bool> Register(const RunningMission& mission) {
   for (const std::string& vehicle : mission.vehicles) add("vehicle", vehicle);
   for (const std::string& vehicle : mission.without_helm) add("without_helm", vehicle);
   for (const auto& [group, members] : mission.groups) {
-    for (const std::string& member : members) add("member", member + " " + group);
+    for (const std::string& member : members) add("member", fmt::format("{} {}", member, group));
   }
   for (const std::string& each : mission.overrides) add("set", each);
   const Result<std::string> written = WriteRunFile(EntryName(mission.port_base), text);
