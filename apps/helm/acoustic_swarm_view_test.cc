@@ -135,6 +135,13 @@ TEST(AcousticSwarmView, CallsATargetSilentOfWhichNothingWasReceivedForTooLong) {
   EXPECT_TRUE(view.Look(task, OwnAt(20'000'001))->target_is_silent);
 }
 
+TEST(AcousticSwarmView, CallsATargetSilentThatWasHeardAtTheEarliestTimeThereIs) {
+  const Mission mission = AcousticSwarm();
+  SwarmView view(mission, mission.vehicles[1]);
+  view.OnSwarm(SwarmWith({ContactOf("alpha", 100, 2, std::numeric_limits<int64_t>::min())}));
+  EXPECT_TRUE(view.Look(&mission.vehicles[1].tasks[0], OwnAt(1))->target_is_silent);
+}
+
 TEST(AcousticSwarmView, CallsATargetSilentAlsoWhereItsLastReportCannotBeUsed) {
   const Mission mission = AcousticSwarm();
   SwarmView view(mission, mission.vehicles[1]);

@@ -18,8 +18,6 @@ constexpr char kManySettings[] = "more than 1000 settings of variables in one de
 constexpr char kUncertaintyVariable[] = "NAV_UNCERTAINTY_M";
 constexpr char kFixVariable[] = "GPS_UPDATE_RECEIVED";  // Of periodic_surface.
 
-double SecondsOf(int64_t utime) { return Seconds(utime); }
-
 }  // namespace
 
 ArbiterInputs::ArbiterInputs(const Vehicle& vehicle)
@@ -35,8 +33,8 @@ void ArbiterInputs::OnNodeReport(const node_report_t& report, int64_t utime) {
                    .speed_mps = report.speed_mps},
         .depth_m = report.depth_m,
         .length_m = report.length_m,
-        .made_s = SecondsOf(report.utime),
-        .received_s = SecondsOf(utime),
+        .made_s = Seconds(report.utime),
+        .received_s = Seconds(utime),
         .source = ContactSource::kNodeReport});
 }
 
@@ -50,8 +48,8 @@ void ArbiterInputs::OnSwarm(const swarm_t& swarm, int64_t utime) {
                      .heading_deg = RadToDeg(HeadingOf(velocity_mps)),
                      .speed_mps = velocity_mps.norm()},
           .depth_m = contact.z_m,
-          .made_s = SecondsOf(contact.report_utime),
-          .received_s = SecondsOf(utime),
+          .made_s = Seconds(contact.report_utime),
+          .received_s = Seconds(utime),
           .source = ContactSource::kSwarm});
   }
 }
@@ -72,8 +70,8 @@ void ArbiterInputs::OnSonar(const sonar_t& ping, const nav_t& own, int64_t utime
         .motion = {.position_m = Eigen::Vector2d(own.x_m, own.y_m) +
                                  distance_m * UnitVector(WrapTwoPi(bearing_rad))},
         .depth_m = own.z_m,
-        .made_s = SecondsOf(ping.utime),
-        .received_s = SecondsOf(utime),
+        .made_s = Seconds(ping.utime),
+        .received_s = Seconds(utime),
         .source = ContactSource::kSonar});
 }
 

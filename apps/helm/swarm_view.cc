@@ -41,7 +41,12 @@ Motion NextOf(const swarm_contact_t& contact) {
           .velocity_mps = {contact.next_x_mps, contact.next_y_mps, contact.next_z_mps}};
 }
 
-/// Returns the seconds from one time to another, also where the difference overflows.
+/// Returns the seconds since a time that a message has. That may be any number: the difference of
+/// the integers could overflow, which SecondsBetween() does not allow.
+double SecondsSince(int64_t earlier_utime, int64_t utime) {
+  return (static_cast<double>(utime) - static_cast<double>(earlier_utime)) / 1e6;
+}
+
 /// Returns the velocity of the current: the velocity over ground less the velocity relative to the
 /// water, which NAV has in the body frame. Horizontal; roll turns only what is small.
 Eigen::Vector3d CurrentOf(const nav_t& nav, const Eigen::Vector3d& over_ground_mps) {
@@ -59,7 +64,7 @@ Eigen::Vector3d CurrentOf(const nav_t& nav, const Eigen::Vector3d& over_ground_m
 
 /// Returns where a contact is now, by its last report.
 Motion Predicted(const swarm_contact_t& contact, int64_t utime) {
-  const double elapsed_s = std::max(0.0, SecondsBetween(contact.report_utime, utime));
+  const double elapsed_s = std::max(0.0, SecondsSince(contact.report_utime, utime));
   if (!contact.has_next) return PredictMember(MotionOf(contact), elapsed_s);
   return PredictLeader({.now = MotionOf(contact), .next = NextOf(contact)}, elapsed_s, {});
 }
@@ -222,7 +227,7 @@ void SwarmView::Smooth(double rate_mps, Place place, int64_t utime, Neighbour* t
 }
 
 bool SwarmView::IsSilent(const swarm_contact_t& contact, int64_t utime) const {
-  return SecondsBetween(contact.heard_utime, utime) > silent_after_s_;
+  return SecondsSince(contact.heard_utime, utime) > silent_after_s_;
 }
 
 void SwarmView::OnSonar(const sonar_t& ping) { ping_ = ping; }
