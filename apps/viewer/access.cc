@@ -18,6 +18,7 @@ namespace shoal {
 namespace {
 
 bool IsPort(std::string_view text) {
+  if (text.starts_with('+')) return false;  // ReadNumber takes it; no browser writes it.
   const int port = ReadNumber<int>(text).value_or(-1);
   return port > 0 && port < 65536;
 }

@@ -53,6 +53,7 @@ TEST(Access, DistinguishesItsOwnHostsFromForeignNames) {
                               "localhost:99999",
                               "localhost:80:80",
                               "localhost:80x",
+                              "localhost:+80",
                               "[::1",
                               "[]",
                               "[",

@@ -72,9 +72,11 @@ Eigen::Vector2d CurrentGrid::LayerVelocity(const GridCell& cell, int time, int d
 
 Eigen::Vector2d CurrentGrid::ColumnVelocity(const GridCell& cell, int time,
                                             const GridPlace& depth) const {
-  const Eigen::Vector2d above = LayerVelocity(cell, time, depth.before);
-  if (depth.share == 0) return above;
-  return Between(above, LayerVelocity(cell, time, depth.after), depth.share);
+  Eigen::Vector2d velocity_mps = LayerVelocity(cell, time, depth.before);
+  if (depth.share != 0) {
+    velocity_mps = Between(velocity_mps, LayerVelocity(cell, time, depth.after), depth.share);
+  }
+  return velocity_mps;
 }
 
 Eigen::Vector2d CurrentGrid::VelocityAt(const Eigen::Vector3d& position_m, double time_s) const {
@@ -82,9 +84,11 @@ Eigen::Vector2d CurrentGrid::VelocityAt(const Eigen::Vector3d& position_m, doubl
   const GridCell cell = map_.Locate(position_m.head<2>());
   const GridPlace depth = depths_m_.Locate(position_m.z());
   const GridPlace time = times_s_.Locate(time_s);
-  const Eigen::Vector2d before = ColumnVelocity(cell, time.before, depth);
-  if (time.share == 0) return before;
-  return Between(before, ColumnVelocity(cell, time.after, depth), time.share);
+  Eigen::Vector2d velocity_mps = ColumnVelocity(cell, time.before, depth);
+  if (time.share != 0) {
+    velocity_mps = Between(velocity_mps, ColumnVelocity(cell, time.after, depth), time.share);
+  }
+  return velocity_mps;
 }
 
 bool CurrentGrid::IsInside(const Eigen::Vector2d& position_m) const {

@@ -157,7 +157,8 @@ Result<BhvPoints> MakeLawnmower(std::string_view text, const Values& values) {
   const double across_m = is_ns ? width_m : height_m;
   const double along_m = is_ns ? height_m : width_m;
   const double num_steps = std::floor(across_m / lane_m + 1e-9);
-  if (num_steps > kMaxPoints / 2 - 1) return Wrong(text, "more than 5,000 lanes");
+  constexpr int kMaxLanes = kMaxPoints / 2;  // Each has two ends.
+  if (num_steps > kMaxLanes - 1) return Wrong(text, "more than 5,000 lanes");
   const int num_lanes = static_cast<int>(num_steps) + 1;
   std::vector<Eigen::Vector2d> best;
   for (const double side : {-1.0, 1.0}) {

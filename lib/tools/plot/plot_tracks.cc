@@ -69,8 +69,9 @@ Stroke DenseAlong(const Stroke& stroke, double step_m) {
     const CurvePoint from = dense.back();
     const CurvePoint to = stroke[i];
     const double distance_m = std::hypot(to.x - from.x, to.y - from.y);
-    const double steps = step_m > 0 ? std::floor(distance_m / step_m) : 0;
-    for (double k = 1; k <= steps; ++k) {
+    const double steps = step_m > 0 ? distance_m / step_m : 0;  // At most one more than kMaxDiscs.
+    const int num_steps = steps >= 1 ? static_cast<int>(steps) : 0;
+    for (int k = 1; k <= num_steps; ++k) {
       const double share = k * step_m / distance_m;
       dense.push_back({from.x + share * (to.x - from.x), from.y + share * (to.y - from.y)});
     }

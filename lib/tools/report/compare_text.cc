@@ -33,7 +33,7 @@ class ComparisonWriter {
   void Line(const std::string& line) { text_ += line + '\n'; }
 
   std::string Label(size_t point) const {
-    const std::string keys = KeysText(comparison_.points[point].rest);
+    std::string keys = KeysText(comparison_.points[point].rest);
     if (keys.size() <= kPointWidth) return keys;
     // The full keys stand at the head.
     return fmt::format("point {}", point + 1);

@@ -11,7 +11,7 @@ namespace shoal {
 namespace {
 
 /// A star marks an interval that holds at all looks together.
-std::string StarredText(std::string interval, const Estimate& of) {
+std::string StarredText(const std::string& interval, const Estimate& of) {
   return of.is_repeated ? interval + " *" : interval;
 }
 

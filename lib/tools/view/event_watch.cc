@@ -23,6 +23,7 @@ constexpr std::string_view kStopped = "ALL-STOP";
 
 std::vector<double> LengthsOf(const std::vector<WatchedVehicle>& vehicles) {
   std::vector<double> lengths_m;
+  lengths_m.reserve(vehicles.size());
   for (const WatchedVehicle& vehicle : vehicles) lengths_m.push_back(vehicle.length_m);
   return lengths_m;
 }
