@@ -286,13 +286,13 @@ double CountLanes(const SurveyArea& area) {
 std::vector<SurveyLane> LanesOver(const SurveyArea& area) {
   if (area.polygon_m.empty()) return {};
   const LaneFrame frame(area);
-  const double count = CountLanes(frame, area.lane_spacing_m);
+  const int count = static_cast<int>(CountLanes(frame, area.lane_spacing_m));
   const double spacing_m = frame.width_m() / count;
   std::vector<SurveyLane> lanes;
   lanes.reserve(static_cast<size_t>(count));
   // What a polygon has exactly where two strips meet, such as the bottom of a notch, is of neither.
   const double rim_m = std::min(kSamePlace_m, spacing_m / 1000);
-  for (double k = 0; k < count; ++k) {
+  for (int k = 0; k < count; ++k) {
     const double begin_m = frame.first_m() + k * spacing_m + (k > 0 ? rim_m : 0);
     const double end_m = frame.first_m() + (k + 1) * spacing_m - (k + 1 < count ? rim_m : 0);
     const double across_m = frame.first_m() + (k + 0.5) * spacing_m;
