@@ -42,11 +42,11 @@ constexpr std::array<std::pair<std::string_view, AgeSource>, 3> kAgeSources = {{
     {"reports", AgeSource::kReports},
 }};
 
-/// reduce and percentile, with the first `num_reductions` of kReductions.
-template <size_t num_reductions>
+/// reduce and percentile, with the first `kNumReductions` of kReductions.
+template <size_t kNumReductions>
 void ReadReduction(Fields& fields, MetricSpec* spec) {
-  std::array<std::pair<std::string_view, Reduction>, num_reductions> choices;
-  std::copy_n(kReductions.begin(), num_reductions, choices.begin());
+  std::array<std::pair<std::string_view, Reduction>, kNumReductions> choices;
+  std::copy_n(kReductions.begin(), kNumReductions, choices.begin());
   fields.ChoiceAmong("reduce", spec->reduction, choices);
   const bool has_percentile = fields.Has("percentile", false);
   fields.Number("percentile", spec->percentile, Above(0, 100));

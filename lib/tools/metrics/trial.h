@@ -30,7 +30,7 @@ struct TrialKey {
   std::string case_id;     ///< Of a sweep point under a policy: 10 hexadecimal digits.
   int64_t repetition = 0;  ///< From 1.
 
-  auto operator<=>(const TrialKey&) const = default;
+  auto operator<=>(const TrialKey&) const = default;  // NOLINT(modernize-use-nullptr): no pointer
 };
 
 /// Returns "4f2a91c3e0-17".

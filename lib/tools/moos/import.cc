@@ -275,7 +275,7 @@ class Importer {
       return bhv_sources_.front().source;
     }
     for (const std::string& name : names) {
-      const auto found = options_.find == nullptr ? std::nullopt : options_.find(name, file.name);
+      auto found = options_.find == nullptr ? std::nullopt : options_.find(name, file.name);
       if (found) return found;
     }
     return std::nullopt;

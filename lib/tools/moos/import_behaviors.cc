@@ -216,6 +216,12 @@ class BlockImporter {
     Remark(line, fmt::format("no key of {} in shoal", kind_), true);
   }
 
+  /// True for the keys that a spawned behavior gets from what it is spawned for.
+  bool IsOfOneSpawned(const std::string& key) const {
+    if (key == "contact" || key == "them") return true;
+    return kind_ == "avoid_obstacle" && (key == "polygon" || key == "poly" || key == "id");
+  }
+
   /// Keys whose value means more than itself. Returns false for any other.
   bool TakeSpecial(const MoosLine& line, const std::string& key, std::string_view value) {
     const std::string word = LowerCase(value.substr(0, 64));
@@ -226,10 +232,7 @@ class BlockImporter {
       Remark(line, "not needed: behaviors last without end", false);
     } else if (key == "nostarve" || key == "no_starve") {
       TakeNostarve(line, value);
-    } else if ((key == "contact" || key == "them") && is_template_) {
-      Remark(line, "filled in when one is spawned", false);
-    } else if (kind_ == "avoid_obstacle" && is_template_ &&
-               (key == "polygon" || key == "poly" || key == "id")) {
+    } else if (is_template_ && IsOfOneSpawned(key)) {
       Remark(line, "filled in when one is spawned", false);
     } else if (kind_ == "waypoint" && key == "capture_line") {
       TakeCaptureLine(line, word);

@@ -22,7 +22,7 @@ struct FinishedTrial {
   int64_t attempt = 0;  ///< 1, 2, ...: it was asked for again; the highest counts.
 };
 
-inline constexpr size_t kLongestTrialLine_bytes = 64 * 1024;
+inline constexpr size_t kLongestTrialLine_bytes = size_t{64} * 1024;
 
 /// Returns the line without its line feed. Texts are cut so that it is never too long.
 [[nodiscard]] std::string TrialLine(const FinishedTrial& trial,
