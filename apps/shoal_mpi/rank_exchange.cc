@@ -1,6 +1,5 @@
 #include "apps/shoal_mpi/rank_exchange.h"
 
-#define OMPI_SKIP_MPICXX 1
 #include <fmt/format.h>
 #include <mpi.h>
 #include <signal.h>
