@@ -43,6 +43,14 @@ std::string MissingPackage(const std::string& program, const std::string& packag
       program, package, package);
 }
 
+/// Returns the shards that lack trials, in order.
+std::vector<int64_t> ShardsOf(const std::map<int64_t, int64_t>& missing) {
+  std::vector<int64_t> shards;
+  shards.reserve(missing.size());
+  for (const auto& [shard, count] : missing) shards.push_back(shard);
+  return shards;
+}
+
 /// What runs shards: Slurm, or GNU parallel.
 class ShardEngine {
  public:
@@ -269,9 +277,7 @@ class Follower {
     const std::map<int64_t, int64_t> missing = MissingByShard(folder_, stored, num_shards_);
     progress_.End();
     if (num_idle_ > kMaxIdleRounds) return GiveUp(missing);
-    std::vector<int64_t> shards;
-    for (const auto& [shard, count] : missing) shards.push_back(shard);
-    const std::string problem = engine_->Submit(shards);
+    const std::string problem = engine_->Submit(ShardsOf(missing));
     if (!problem.empty()) return FailWith(problem);
     return std::nullopt;
   }
@@ -279,8 +285,7 @@ class Follower {
   int GiveUp(const std::map<int64_t, int64_t>& missing) const {
     constexpr size_t kLines = 5;
     constexpr int kMaxShown = 3;
-    std::vector<int64_t> shards;
-    for (const auto& [shard, count] : missing) shards.push_back(shard);
+    const std::vector<int64_t> shards = ShardsOf(missing);
     fmt::print(stderr, "shoal: {} submissions in a row added no trial; shards that lack some: {}\n",
                kMaxIdleRounds, ArrayText(shards));
     int num_shown = 0;
@@ -399,10 +404,7 @@ int RunCampaignSubmit(const CampaignSubmitOptions& options) {
     if (!active.empty()) return kExitOk;
     const Result<StoredTrials> stored = ReadShards(*folder);
     if (!stored.ok()) return FailWith(stored.error());
-    std::vector<int64_t> shards;
-    for (const auto& [shard, count] : MissingByShard(*folder, *stored, num_shards)) {
-      shards.push_back(shard);
-    }
+    const std::vector<int64_t> shards = ShardsOf(MissingByShard(*folder, *stored, num_shards));
     const std::string problem = shards.empty() ? std::string() : engine->Submit(shards);
     return problem.empty() ? static_cast<int>(kExitOk) : FailWith(problem);
   }
