@@ -19,7 +19,7 @@ struct Place {
   int64_t line = 0;             ///< Counts from 1; of the file only.
   int64_t column = 0;
 
-  auto operator<=>(const Place&) const = default;  // NOLINT(modernize-use-nullptr)
+  auto operator<=>(const Place&) const = default;  // NOLINT(modernize-use-nullptr): no pointer
 };
 
 struct Value;

@@ -37,7 +37,7 @@ struct PacketId {
   int32_t source = -1;
   int64_t number = -1;
 
-  auto operator<=>(const PacketId&) const = default;  // NOLINT(modernize-use-nullptr)
+  auto operator<=>(const PacketId&) const = default;  // NOLINT(modernize-use-nullptr): no pointer
 };
 
 /// At most this many of the packets that overlapped one are named; all are counted.
