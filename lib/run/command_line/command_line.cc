@@ -35,6 +35,7 @@ std::optional<int> CheckCommandWords(const Command& shoal, std::span<const std::
     const std::vector<Command> subcommands = command.Subcommands();
     if (subcommands.empty() || word.starts_with('-')) return std::nullopt;
     std::vector<std::string> names;
+    names.reserve(subcommands.size());
     for (const Command& each : subcommands) names.push_back(each.Name());
     const auto named = std::find(names.begin(), names.end(), word);
     if (named == names.end()) {
