@@ -20,6 +20,8 @@ namespace shoal {
 
 namespace {
 
+constexpr char kLog[] = "LCM event log, or the folder of a recording";
+
 void AddSelection(Command command, LogSelection* selection) {
   command.AddOption("--channel", &selection->channels, "Only these channels; * and ? are wild")
       .Repeatable();
@@ -36,7 +38,7 @@ void AddLogEncounters(Command log, CommandAction* action) {
   const Command command = log.AddSubcommand(
       "encounters", "Show the encounters of vessels, and how well each kept to the rules");
   auto options = std::make_shared<LogEncountersOptions>();
-  command.AddOption("LOG", &options->path, "LCM event log").Required();
+  command.AddOption("LOG", &options->path, kLog).Required();
   const Option csv = command.AddFlag("--csv", &options->csv, "Every number, as CSV");
   command.AddFlag("--explain", &options->explain, "Every number, in words").Excludes(csv);
   command.AddFlag("--all", &options->all, "Show all encounters, however many there are");
@@ -63,7 +65,7 @@ void AddLogMcap(Command log, CommandAction* action) {
   const Command command =
       log.AddSubcommand("mcap", "One MCAP file, for Foxglove, Rerun and PlotJuggler");
   auto options = std::make_shared<LogMcapOptions>();
-  command.AddOption("LOG", &options->path, "LCM event log").Required();
+  command.AddOption("LOG", &options->path, kLog).Required();
   command.AddOption("--out", &options->out_path, "The file").Required();
   AddSelection(command, &options->selection);
   command.AddFlag("--skip-damage", &options->skip_damage, "Convert what can be read of a bad log");
@@ -82,7 +84,7 @@ void AddLogSqlite(Command log, CommandAction* action) {
   const Command command =
       log.AddSubcommand("sqlite", "One SQLite database: a table per channel, fates, mission");
   auto options = std::make_shared<LogSqliteOptions>();
-  command.AddOption("LOG", &options->path, "LCM event log").Required();
+  command.AddOption("LOG", &options->path, kLog).Required();
   command.AddOption("--out", &options->out_path, "The file").Required();
   AddSelection(command, &options->selection);
   command.AddFlag("--skip-damage", &options->skip_damage, "Convert what can be read of a bad log");
@@ -102,7 +104,7 @@ void AddLogCommands(Command log, CommandAction* action) {
 
   const Command info = log.AddSubcommand("info", "Channels, types, counts, rates, time span");
   auto info_options = std::make_shared<LogInfoOptions>();
-  info.AddOption("LOG", &info_options->path, "LCM event log").Required();
+  info.AddOption("LOG", &info_options->path, kLog).Required();
   AddTypes(info, &info_options->types);
   info.Callback([info_options, action] {
     *action = [info_options] { return LogInfo(*info_options, std::cout, std::cerr); };
@@ -110,7 +112,7 @@ void AddLogCommands(Command log, CommandAction* action) {
 
   const Command cat = log.AddSubcommand("cat", "Messages as text, one line each");
   auto cat_options = std::make_shared<LogCatOptions>();
-  cat.AddOption("LOG", &cat_options->path, "LCM event log").Required();
+  cat.AddOption("LOG", &cat_options->path, kLog).Required();
   AddSelection(cat, &cat_options->selection);
   cat.AddOption("--limit", &cat_options->limit, "Lines at most");
   cat.AddFlag("--skip-damage", &cat_options->skip_damage, "Print what can be read of a bad log");
@@ -124,8 +126,8 @@ void AddLogCommands(Command log, CommandAction* action) {
 
   const Command diff = log.AddSubcommand("diff", "First difference between two logs");
   auto diff_options = std::make_shared<LogDiffOptions>();
-  diff.AddOption("A", &diff_options->path_a, "LCM event log").Required();
-  diff.AddOption("B", &diff_options->path_b, "LCM event log").Required();
+  diff.AddOption("A", &diff_options->path_a, kLog).Required();
+  diff.AddOption("B", &diff_options->path_b, kLog).Required();
   diff.AddOption("--without", &diff_options->without, "Leave out these channels; * and ? are wild")
       .Repeatable();
   AddTypes(diff, &diff_options->types);
@@ -136,7 +138,7 @@ void AddLogCommands(Command log, CommandAction* action) {
   const Command csv = log.AddSubcommand("csv", "One CSV file per channel");
   auto csv_options = std::make_shared<LogCsvOptions>();
   auto is_moos = std::make_shared<bool>(false);
-  csv.AddOption("LOG", &csv_options->path, "LCM event log").Required();
+  csv.AddOption("LOG", &csv_options->path, kLog).Required();
   csv.AddOption("--out", &csv_options->out_dir, "Folder for the files").Required();
   AddSelection(csv, &csv_options->selection);
   csv.AddFlag("--skip-damage", &csv_options->skip_damage, "Convert what can be read of a bad log");
@@ -154,7 +156,7 @@ void AddLogCommands(Command log, CommandAction* action) {
   const Command comms = log.AddSubcommand(
       "comms", "Show what was delivered and lost per link, why, and the age of information");
   auto comms_options = std::make_shared<LogCommsOptions>();
-  comms.AddOption("LOG", &comms_options->path, "LCM event log").Required();
+  comms.AddOption("LOG", &comms_options->path, kLog).Required();
   comms.AddOption("--csv", &comms_options->csv_dir, "Also write tables into this folder");
   comms.AddFlag("--all", &comms_options->all, "Show all links, however many there are");
   comms.AddFlag("--skip-damage", &comms_options->skip_damage, "Read what can be read of a bad log");
@@ -165,7 +167,7 @@ void AddLogCommands(Command log, CommandAction* action) {
   const Command helm =
       log.AddSubcommand("helm", "Show why a helm with behaviors steered as it did");
   auto helm_options = std::make_shared<LogHelmOptions>();
-  helm.AddOption("LOG", &helm_options->path, "LCM event log").Required();
+  helm.AddOption("LOG", &helm_options->path, kLog).Required();
   helm.AddOption("--vehicle", &helm_options->vehicle, "Only this vehicle");
   helm.AddOption("--at", &helm_options->at_s, "In full: the decision at this time, seconds");
   helm.AddFlag("--skip-damage", &helm_options->skip_damage, "Read what can be read of a bad log");

@@ -7,12 +7,13 @@
 #include "apps/shoal_plot/plot_command.h"
 #include "lib/base/check/result.h"
 #include "lib/bus/record/log_commands.h"
+#include "lib/bus/record/log_reader.h"
 
 namespace shoal {
 
 void AddPlotOptions(Command command, CommandAction* action) {
   auto options = std::make_shared<PlotOptions>();
-  command.AddOption("LOG", &options->log, "LCM event log").Required();
+  command.AddOption("LOG", &options->log, "LCM event log, or the folder of a recording").Required();
   command.AddOption("--out", &options->out_dir,
                     "Folder for the figures; default: plots, beside LOG");
   const Option mission =
@@ -29,6 +30,7 @@ void AddPlotOptions(Command command, CommandAction* action) {
   command.AddFlag("--keep", &options->keep, "Leave data and gnuplot scripts in OUT/gnuplot");
   command.Callback([options, action] {
     *action = [options] {
+      options->log = LogFileOf(options->log);
       const LogSelection selection{.from_s = options->from_s, .to_s = options->to_s};
       if (!IsSelectionSound(selection, std::cerr)) return static_cast<int>(kExitUsage);
       const char* path = std::getenv("PATH");

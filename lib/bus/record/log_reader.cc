@@ -1,6 +1,8 @@
 #include "lib/bus/record/log_reader.h"
 
 #include <algorithm>
+#include <filesystem>
+#include <system_error>
 
 namespace shoal {
 
@@ -28,10 +30,22 @@ struct LogReader::Header {
   std::string_view wrong;  ///< Empty: a whole event of these lengths may stand here.
 };
 
+std::string LogFileOf(const std::string& path) {
+  const std::filesystem::path inside = std::filesystem::path(path) / "mission.lcm";
+  std::error_code error;
+  return std::filesystem::is_regular_file(inside, error) ? inside.string() : path;
+}
+
 Result<LogReader> LogReader::Open(const std::string& path, OnDamage on_damage) {
-  Result<FileWindow> file = FileWindow::Open(path);
+  const std::string log = LogFileOf(path);
+  std::error_code error;
+  if (std::filesystem::is_directory(log, error)) {
+    return Error{"cannot read " + path +
+                 ": it is a folder without a mission.lcm, as `shoal run --record` writes it"};
+  }
+  Result<FileWindow> file = FileWindow::Open(log);
   if (!file.ok()) return Error{file.error()};
-  return LogReader(path, std::move(*file), on_damage);
+  return LogReader(log, std::move(*file), on_damage);
 }
 
 LogReader::Header LogReader::ReadHeader(uint64_t offset) {

@@ -28,9 +28,12 @@ struct LogDamage {
   std::string what;
 };
 
+/// Returns the log in the folder of a recording, `path`/mission.lcm; where that is none, `path`.
+[[nodiscard]] std::string LogFileOf(const std::string& path);
+
 class LogReader {
  public:
-  /// Opens a log. An empty file is a log without events.
+  /// Opens a log, or that of LogFileOf. An empty file is a log without events.
   static Result<LogReader> Open(const std::string& path, OnDamage on_damage = OnDamage::kStop);
 
   /// Returns a reader of the same open file, even if its path names another by now, from the start

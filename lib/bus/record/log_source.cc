@@ -26,12 +26,7 @@ bool IsSelectionSound(const LogSelection& selection, std::ostream& err) {
 std::optional<LogReader> OpenLog(const std::string& path, OnDamage on_damage, std::ostream& err) {
   Result<LogReader> reader = LogReader::Open(path, on_damage);
   if (reader.ok()) return std::move(*reader);
-  err << reader.error();
-  const std::filesystem::path inside = std::filesystem::path(path) / "mission.lcm";
-  if (std::error_code error; std::filesystem::is_regular_file(inside, error)) {
-    err << fmt::format("; it is a folder, try {}", inside.string());
-  }
-  err << '\n';
+  err << reader.error() << '\n';
   return std::nullopt;
 }
 

@@ -1,12 +1,16 @@
 #include "lib/mission/file/load.h"
 
+#include <fmt/format.h>
+
 #include <filesystem>
 #include <optional>
+#include <system_error>
 #include <utility>
 
 #include "lib/bus/os/read_file.h"
 #include "lib/mission/file/describe.h"
 #include "lib/mission/file/expand.h"
+#include "lib/mission/file/key_homes.h"
 #include "lib/mission/file/validate.h"
 #include "lib/mission/toml/override.h"
 #include "lib/mission/toml/parse.h"
@@ -70,11 +74,27 @@ Mission Read(Value& root, const std::vector<Override>& overrides, const std::str
   return mission;
 }
 
+/// Returns " (did you mean missions/alpha.toml?)" where `path` lacks its folder or its ending.
+std::string MissionMeant(const std::string& path) {
+  std::error_code error;
+  if (path.empty() || std::filesystem::exists(path, error)) return {};
+  for (const char* folder : {"", "missions/", "/usr/share/shoal/missions/"}) {
+    for (const char* ending : {"", ".toml"}) {
+      const std::string meant = folder + path + ending;
+      if (std::filesystem::is_regular_file(meant, error)) {
+        return fmt::format(" (did you mean {}?)", meant);
+      }
+    }
+  }
+  return {};
+}
+
 }  // namespace
 
 LoadedMission LoadMissionText(std::string_view text, const std::string& name,
                               const std::vector<std::string>& overrides) {
   Problems problems(name, overrides);
+  problems.SetHomes(HomeOfKey);
   std::vector<Override> parsed;
   for (size_t i = 0; i < overrides.size(); ++i) {
     auto override_ = ParseOverride(overrides[i], static_cast<int64_t>(i) + 1, problems);
@@ -92,7 +112,7 @@ LoadedMission LoadMission(const std::string& path, const std::vector<std::string
   FileText read = ReadFile(path);
   if (!read.problem.empty()) {
     Problems problems(path, overrides);
-    problems.Add({}, read.problem);
+    problems.Add({}, read.problem + MissionMeant(path));
     return {{}, problems.InOrder(), {}};
   }
   return LoadMissionText(read.text, path, overrides);

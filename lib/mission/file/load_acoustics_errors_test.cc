@@ -41,7 +41,7 @@ packet_loss_model = "sonar"
             "10:15: packet_loss = 1.5 is out of range; allowed: 0 to 1\n"
             "11:18: bit_error_rate = 0.6 is out of range; allowed: 0 to 0.5\n"
             "12:13: snr_slope = inf is out of range; allowed: 0 to 1000\n"
-            "13:21: broadcast_address must be a whole number, not a number\n"
+            "13:21: broadcast_address must be a whole number, not 1.5\n"
             "14:15: half_duplex must be true or false, not the string 'yes'\n"
             "15:10: unknown jitter 'gauss'; one of: uniform, off\n"
             "16:21: unknown packet_loss_model 'sonar' (did you mean 'sonar_simple'?)\n");

@@ -78,7 +78,7 @@ laps = 1.5
             "17:11: element 1 of points must be two numbers like [10, 20], not an array of 3\n"
             "17:22: element 2 of points must be two numbers like [10, 20], not a whole number\n"
             "17:26: the first number of element 3 of points must be a number, not the string 'x'\n"
-            "18:8: laps must be a whole number, not a number\n");
+            "18:8: laps must be a whole number, not 1.5\n");
 }
 
 TEST(LoadErrors, ReportWrongBrackets) {

@@ -5,6 +5,7 @@
 #include <system_error>
 
 #include "lib/bus/os/read_file.h"
+#include "lib/bus/record/log_reader.h"
 #include "lib/mission/file/load.h"
 
 namespace shoal {
@@ -37,7 +38,7 @@ RunText ReadRunText(const fs::path& path) {
 }  // namespace
 
 RecordedMission FindMissionBeside(const std::string& log) {
-  const fs::path folder = fs::path(log).parent_path();
+  const fs::path folder = fs::path(LogFileOf(log)).parent_path();
   const fs::path file = folder / "mission.toml";
   std::error_code error;
   if (!fs::is_regular_file(file, error)) return {};

@@ -11,6 +11,9 @@
 #include <system_error>
 #include <utility>
 
+#include "lib/base/text/blanks.h"
+#include "lib/base/text/letters.h"
+
 namespace shoal {
 namespace {
 
@@ -99,6 +102,35 @@ void Replace(Value& value, const Place& place) {
   }
 }
 
+std::string_view LineOf(std::string_view text, int64_t line) {
+  for (int64_t i = 1; i < line && !text.empty(); ++i) {
+    text.remove_prefix(std::min(text.find('\n'), text.size() - 1) + 1);
+  }
+  return text.substr(0, text.find('\n'));
+}
+
+/// Returns what toml++ states, in the words of mission files where it is what beginners write.
+std::string WhyNotToml(std::string_view description, std::string_view line) {
+  constexpr std::string_view kRedefined = "cannot redefine existing table '";
+  if (const size_t at = description.find(kRedefined);
+      at != std::string_view::npos && description.ends_with("as array-of-tables")) {
+    const std::string_view rest = description.substr(at + kRedefined.size());
+    const std::string_view name = rest.substr(0, rest.find('\''));
+    return fmt::format(
+        "a table below {0}, such as [{0}.x] or [[{0}.x]], stands before the first "
+        "[[{0}]]: write [[{0}]] first, and what belongs to it behind it",
+        name);
+  }
+  const size_t equals = line.find('=');
+  if (equals != std::string_view::npos && description.ends_with("could not determine value type")) {
+    const std::string_view key = Trimmed(line.substr(0, equals));
+    const std::string_view value = Trimmed(line.substr(equals + 1, line.find('#') - equals - 1));
+    const bool is_word = !value.empty() && std::ranges::all_of(value, IsNameCharacter);
+    if (is_word) return fmt::format("a text stands in quotes: write {} = \"{}\"", key, value);
+  }
+  return std::string(description);
+}
+
 /// Parses on the stack of the calling thread.
 std::optional<Value> ParseHere(std::string_view text, Problems& problems) {
   try {
@@ -110,7 +142,8 @@ std::optional<Value> ParseHere(std::string_view text, Problems& problems) {
         *too_deep,
         fmt::format("nested deeper than {} levels; no part of a mission file is", kDeepestValue));
   } catch (const toml::parse_error& error) {
-    problems.Add(PlaceOf(error.source()), "not TOML: " + std::string(error.description()));
+    const Place place = PlaceOf(error.source());
+    problems.Add(place, "not TOML: " + WhyNotToml(error.description(), LineOf(text, place.line)));
   }
   return std::nullopt;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -22,6 +23,15 @@ class Problems {
   void Add(const Place& place, std::string text);
   /// Notes what is legal but suspicious.
   void Warn(const Place& place, std::string text);
+
+  /// Sets what returns the table, "[comms]", that has a key; nothing for keys that none has. For
+  /// keys that stand in the wrong one.
+  void SetHomes(std::function<std::string(std::string_view key)> home_of) {
+    home_of_ = std::move(home_of);
+  }
+  std::string HomeOf(std::string_view key) const {
+    return home_of_ ? home_of_(key) : std::string();
+  }
 
   /// Notes that something of `table`, or below it, was refused.
   void MarkUnsound(const Value& table) { unsound_.insert(&table); }
@@ -50,6 +60,7 @@ class Problems {
   Notes problems_;
   Notes warnings_;
   std::set<const Value*> unsound_;
+  std::function<std::string(std::string_view key)> home_of_;
 };
 
 }  // namespace shoal

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <utility>
 
 #include "lib/mission/toml/suggest.h"
@@ -39,6 +40,21 @@ bool HasControlCharacter(std::string_view text, bool many_lines) {
   });
 }
 
+/// Returns "start = {x_m = ..., y_m = ...}", with the first keys that a table has.
+std::string ExampleOf(std::string_view key, const Fields::DescribeTable& describe) {
+  constexpr size_t kMaxKeys = 2;
+  const Value empty = {.place = {}, .data = Table()};
+  Problems ignored("", {});
+  TableReader reader(empty, std::string(key), ignored);
+  describe(reader);
+  std::string example;
+  for (const std::string& each :
+       std::span(reader.known()).first(std::min(kMaxKeys, reader.known().size()))) {
+    example += fmt::format("{}{} = ...", example.empty() ? "" : ", ", each);
+  }
+  return fmt::format("{} = {{{}}}", key, example);
+}
+
 std::string Element(std::string_view key, size_t index) {
   return fmt::format("element {} of {}", index + 1, key);
 }
@@ -65,9 +81,21 @@ TableReader::~TableReader() {
     const auto given = hints_.find(entry.key);
     std::string hint =
         given == hints_.end() ? DidYouMean(entry.key, known) : " (" + given->second + ")";
+    if (hint.empty()) hint = HintOfHome(entry);
     if (hint.empty()) hint = "; known here: " + Joined(known);
     problems_.Add(entry.key_place, "unknown key " + Quoted(entry.key) + hint);
   }
+}
+
+std::string TableReader::HintOfHome(const Entry& entry) const {
+  const std::string home = problems_.HomeOf(entry.key);
+  if (home.empty()) return {};
+  std::string hint = "; it is a key of " + home;
+  const bool is_one_table = home.front() == '[' && !home.starts_with("[[");
+  if (entry.key_place.override_number > 0 && is_one_table) {
+    hint += ": write " + home.substr(1, home.size() - 2) + "." + entry.key + "=...";
+  }
+  return hint;
 }
 
 const Value* TableReader::Take(std::string_view key) {
@@ -199,8 +227,14 @@ void TableReader::Read(std::string_view key, const IntegerField& field) {
   if (found == nullptr) return;
   const auto* integer = std::get_if<int64_t>(&found->data);
   if (integer == nullptr) {
-    problems_.Add(found->place,
-                  fmt::format("{} must be a whole number, not {}", key, WhatIs(*found)));
+    const auto* number = std::get_if<double>(&found->data);
+    problems_.Add(
+        found->place,
+        number == nullptr ? fmt::format("{} must be a whole number, not {}", key, WhatIs(*found))
+        : std::rint(*number) == *number
+            ? fmt::format("{0} must be a whole number without a point: write {0} = {1:.0f}", key,
+                          *number)
+            : fmt::format("{} must be a whole number, not {}", key, *number));
   } else if (*integer < min || *integer > max) {
     problems_.Add(found->place, fmt::format("{} = {} is out of range; allowed: {} to {}", key,
                                             *integer, min, max));
@@ -365,10 +399,16 @@ void TableReader::Key(std::string_view key, const Field& field) {
 void TableReader::Below(std::string_view key, const DescribeTable& describe) {
   const Value* found = Take(key);
   if (found == nullptr) return;
-  if (std::holds_alternative<Array>(found->data)) {
-    problems_.Add(found->place, fmt::format("there is one table {0}, not several: write [{0}] "
-                                            "in single brackets",
-                                            key));
+  if (const auto* array = std::get_if<Array>(&found->data)) {
+    const bool are_tables = std::ranges::any_of(
+        *array, [](const Value& each) { return std::holds_alternative<Table>(each.data); });
+    problems_.Add(found->place,
+                  are_tables
+                      ? fmt::format("there is one table {0}, not several: write [{0}] in single "
+                                    "brackets",
+                                    key)
+                      : fmt::format("{} is a table: write {} in braces, not an array", key,
+                                    ExampleOf(key, describe)));
     return;
   }
   TableReader reader(*found, std::string(key), problems_);

@@ -40,6 +40,8 @@ class TableReader final : public Fields {
   void Refuse(std::string_view key, const std::string& text) override;
   void Warn(std::string_view key, const std::string& text) override;
   std::string Where() const override;
+  /// The keys that were asked for so far.
+  const std::vector<std::string>& known() const { return known_; }
 
  private:
   // One for each sort of field.
@@ -59,6 +61,8 @@ class TableReader final : public Fields {
   void Read(std::string_view key, const TextMapField& field);
   void Read(std::string_view key, const ScalarsField& field);
 
+  /// Returns in which table an unknown key belongs, or nothing.
+  std::string HintOfHome(const Entry& entry) const;
   /// Returns the value of `key`, which is known from now on, or nullptr.
   const Value* Take(std::string_view key);
   /// Returns the array under `key` where it has at most `max_count` elements, or nullptr.

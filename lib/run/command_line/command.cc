@@ -1,11 +1,14 @@
 #include "lib/run/command_line/command.h"
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdlib>
 #include <utility>
 
 #include "lib/base/check/result.h"
+#include "lib/mission/toml/suggest.h"
 #include "lib/run/command_line/version_text.h"
 
 namespace shoal {
@@ -143,10 +146,70 @@ Program::~Program() = default;
 
 Program::Program(Program&& other) noexcept = default;
 
+namespace {
+
+/// Returns the command that the words name, the last of its line.
+const CLI::App& NamedCommand(const CLI::App& program) {
+  const CLI::App* command = &program;
+  for (std::vector<CLI::App*> named = command->get_subcommands(); !named.empty();
+       named = command->get_subcommands()) {
+    command = named.front();
+  }
+  return *command;
+}
+
+std::vector<std::string> OptionsOf(const CLI::App& command) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : command.get_options()) {
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  }
+  return names;
+}
+
+/// Returns the commands beside `command` that have the option: "`shoal run`".
+std::string WhoHas(const std::string& option, const CLI::App& program, const CLI::App& command) {
+  std::string text;
+  for (const CLI::App* each : program.get_subcommands({})) {
+    const std::vector<std::string> names = OptionsOf(*each);
+    if (each == &command || std::ranges::find(names, option) == names.end()) continue;
+    text +=
+        fmt::format("{}`{} {}`", text.empty() ? "" : ", ", program.get_name(), each->get_name());
+  }
+  return text;
+}
+
+/// Returns what is wrong with the first word that is neither an option nor a value of one.
+std::string UnexpectedText(const CLI::App& program) {
+  const CLI::App& command = NamedCommand(program);
+  const std::string path = &command == &program
+                               ? program.get_name()
+                               : fmt::format("{} {}", program.get_name(), command.get_name());
+  const std::vector<std::string> words = program.remaining(true);
+  const auto option = std::ranges::find_if(
+      words, [](const std::string& word) { return word.starts_with("--") && word.size() > 2; });
+  std::string what;
+  if (option == words.end()) {
+    what = fmt::format("{} is one word too many", Quoted(words.empty() ? "" : words.front()));
+  } else {
+    const std::string name = option->substr(0, option->find('='));
+    const std::vector<std::string> names = OptionsOf(command);
+    const std::vector<std::string_view> candidates(names.begin(), names.end());
+    what = fmt::format("unknown option {}{}", Quoted(name), DidYouMean(name, candidates));
+    const std::string owners = WhoHas(name, program, command);
+    if (!owners.empty()) what += fmt::format("; it is an option of {}", owners);
+  }
+  return fmt::format("{}: {}; `{} --help` lists what it takes\n", path, what, path);
+}
+
+}  // namespace
+
 std::optional<int> Program::Parse(const std::vector<std::string>& words) {
   try {
     // CLI11 takes words from the end.
     owned_->parse(std::vector<std::string>(words.rbegin(), words.rend()));
+  } catch (const CLI::ExtrasError&) {
+    fmt::print(stderr, "{}", UnexpectedText(*owned_));
+    return kExitUsage;
   } catch (const CLI::ParseError& error) {
     return owned_->exit(error) == 0 ? kExitOk : kExitUsage;
   }

@@ -31,6 +31,9 @@ bool ReaderHasLeft() {
 std::optional<int> CheckCommandWords(const Command& shoal, std::span<const std::string> words) {
   Command command = shoal;
   bool is_shoal = true;
+  // `shoal help run` is `shoal run --help`.
+  const bool is_help = !words.empty() && words.front() == "help";
+  if (is_help) words = words.subspan(1);
   for (const std::string& word : words) {
     const std::vector<Command> subcommands = command.Subcommands();
     if (subcommands.empty() || word.starts_with('-')) return std::nullopt;
@@ -48,9 +51,9 @@ std::optional<int> CheckCommandWords(const Command& shoal, std::span<const std::
     command = subcommands[static_cast<size_t>(named - names.begin())];
     is_shoal = false;
   }
-  if (command.Subcommands().empty()) return std::nullopt;
+  if (command.Subcommands().empty() && !is_help) return std::nullopt;
   fmt::print("{}", command.Help(is_shoal ? "" : "shoal"));
-  return kExitUsage;
+  return is_help ? kExitOk : kExitUsage;
 }
 
 /// Runs `action`, and returns its exit code; kExitEnvironment, with an error, where what it printed

@@ -36,6 +36,29 @@ TEST_F(Command_, RefusesANumberBeyondItsRangeWithTheCodeForUsage) {
   EXPECT_EQ(rate_hz, 2);
 }
 
+TEST_F(Command_, NamesAnUnknownOptionAndTheOneThatWasMeant) {
+  double warp = 1;
+  std::string folder;
+  const Command run = program_.AddSubcommand("run", "Measures");
+  run.AddOption("--warp", &warp, "Speed");
+  run.AddOption("--record", &folder, "Folder");
+  program_.AddSubcommand("sim", "Pretends to");
+  const auto error_of = [&](const std::vector<std::string>& words) {
+    testing::internal::CaptureStderr();
+    EXPECT_EQ(program_.Parse(words), kExitUsage);
+    return testing::internal::GetCapturedStderr();
+  };
+  EXPECT_EQ(error_of({"run", "--wrap", "5"}),
+            "sounder run: unknown option '--wrap' (did you mean '--warp'?); `sounder run --help` "
+            "lists what it takes\n");
+  EXPECT_EQ(
+      error_of({"sim", "--record=x"}),
+      "sounder sim: unknown option '--record'; it is an option of `sounder run`; `sounder sim "
+      "--help` lists what it takes\n");
+  EXPECT_EQ(error_of({"sim", "more"}),
+            "sounder sim: 'more' is one word too many; `sounder sim --help` lists what it takes\n");
+}
+
 TEST_F(Command_, EndsWithSuccessAfterHelpAndVersion) {
   EXPECT_EQ(program_.Parse({"--help"}), kExitOk);
   EXPECT_EQ(program_.Parse({"--version"}), kExitOk);

@@ -51,7 +51,8 @@ void ListToolCommand(const Program& shoal, std::string_view name) { AddToolComma
 
 std::optional<int> StartToolCommand(int argc, char** argv) {
   std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
-  // `shoal --help log` is `shoal log --help`.
+  // `shoal --help log` and `shoal help log` are `shoal log --help`.
+  if (!words.empty() && words.front() == "help") words.front() = "--help";
   const auto is_help = [](const std::string& word) { return word == "--help" || word == "-h"; };
   const auto name = std::find_if_not(words.begin(), words.end(), is_help);
   if (name == words.end() || FindToolCommand(*name) == nullptr) return std::nullopt;

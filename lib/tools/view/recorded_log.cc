@@ -47,30 +47,19 @@ Result<FoundMission> FindMission(const std::string& log, const std::string& miss
   return found;
 }
 
-Result<std::string> LogFileOf(const std::string& path) {
-  std::error_code error;
-  if (!fs::is_directory(path, error)) return path;
-  const fs::path inside = fs::path(path) / "mission.lcm";
-  if (fs::is_regular_file(inside, error)) return inside.string();
-  return Error{fmt::format(
-      "{} is a folder without a mission.lcm; name a log, or a folder of `shoal run --record`",
-      path)};
-}
-
 }  // namespace
 
 Result<RecordedLog> OpenRecordedLog(const std::string& path, const std::string& mission_file,
                                     const std::vector<std::string>& overrides) {
-  const Result<std::string> file = LogFileOf(path);
-  if (!file.ok()) return Error{file.error()};
-  Result<LogReader> reader = LogReader::Open(*file, OnDamage::kSkip);
+  const std::string file = LogFileOf(path);
+  Result<LogReader> reader = LogReader::Open(file, OnDamage::kSkip);
   if (!reader.ok()) {
     return Error{
         fmt::format("{}; name a log of `shoal sim --log`, `shoal run --record` or "
                     "lcm-logger",
                     reader.error())};
   }
-  Result<FoundMission> found = FindMission(*file, mission_file, overrides);
+  Result<FoundMission> found = FindMission(file, mission_file, overrides);
   if (!found.ok()) return Error{found.error()};
 
   LogSurvey survey = SurveyLog(reader->Another(), !found->mission);
@@ -78,11 +67,11 @@ Result<RecordedLog> OpenRecordedLog(const std::string& path, const std::string& 
     return Error{
         fmt::format("{} holds no event of an LCM log; `shoal log info {}` "
                     "shows more",
-                    *file, *file)};
+                    file, file)};
   }
   const bool knows_mission = found->mission.has_value();
   Mission mission = knows_mission ? std::move(*found->mission) : std::move(survey.mission);
-  if (!knows_mission) mission.name = fs::path(*file).stem().string();
+  if (!knows_mission) mission.name = fs::path(file).stem().string();
   const int64_t apart_us = survey.first_utime - PlausibleUtime(mission.start_utime);
   if (survey.has_events && std::abs(apart_us) > kMissionsApart_us) {
     found->notes.push_back(fmt::format(
