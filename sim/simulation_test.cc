@@ -232,6 +232,31 @@ speed_mps = 2
   EXPECT_TRUE(simulation.Summary().ends_with("\nFAIL: 1 collision\n")) << simulation.Summary();
 }
 
+TEST(Simulation, StopsASurfaceCraftThatRunsAground) {
+  std::string text =
+      "[environment]\nfloor = {style = \"flat\", depth_m = 0, range_m = 0, size_m = "
+      "200, slope_east = -0.1}\n" +
+      std::string(kTwoVessels);
+  text.resize(text.find("[[vehicle]]"));
+  text += R"([[vehicle]]
+name = "ship"
+start = {x_m = -30}
+helm_options = {deploy_at_start = true}
+[[vehicle.task]]
+kind = "waypoints"
+points = [[50, 0]]
+speed_mps = 2
+)";
+  Simulation simulation(Load(text), "");
+  nav_t last{};
+  Subscribe(simulation.bus(), channels::Nav("ship"), [&](const nav_t& nav) { last = nav; });
+  while (simulation.Step()) {
+  }
+  EXPECT_NEAR(last.x_m, -3, 0.5) << "where the water is as deep as its draught";
+  EXPECT_EQ(last.speed_mps, 0);
+  EXPECT_TRUE(simulation.Summary().ends_with("\nFAIL: 1 grounding\n")) << simulation.Summary();
+}
+
 TEST(EveryMission, OfShoalsOwnPasses) {
   int num_missions = 0;
   for (const auto& entry :

@@ -1,11 +1,11 @@
-// Collisions, all-stops, waypoints, contacts: a list, each a place to go to.
+// Collisions, groundings, all-stops, waypoints, contacts: a list, each a place to go to.
 
 import {element, KeyedList, setAttribute, setText} from './dom.js';
 import {isGrave} from './source.js';
 import {clip, missionTime, words} from './text.js';
 
 const kSigns = {
-  collision: '✸', all_stop: '⊗', cleared: '▷', first_contact: '⇄', lost_contact: '⇎',
+  collision: '✸', aground: '⏚', all_stop: '⊗', cleared: '▷', first_contact: '⇄', lost_contact: '⇎',
   contact_again: '⇄', waypoint: '⚑',
 };
 
@@ -23,7 +23,7 @@ export class EventsPanel {
     root.replaceChildren(element('section', {}, element('h3', {}, 'What happened'),
       element('p', {class: 'dim'}, page.isRecorded ? 'Click an event to go to its time.'
         : 'Click an event to centre the map on its vehicle.'),
-      element('label', {}, this.onlyGrave, ' only collisions and all-stops'), this.note,
+      element('label', {}, this.onlyGrave, ' only collisions, groundings and all-stops'), this.note,
       this.list));
   }
 

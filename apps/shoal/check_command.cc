@@ -32,6 +32,11 @@ int RunCheck(const std::string& mission_file, const std::vector<std::string>& ov
     fmt::print(stderr, "{}\n", Counted(loaded.errors.size(), "error"));
     return kExitUsage;
   }
+  if (loaded.num_sure_failures > 0) {
+    fmt::print(stderr, "{}: it can be run, and fails for certain: {} of the warnings above\n",
+               mission_file, loaded.num_sure_failures);
+    return kExitUsage;
+  }
   if (explain) {
     fmt::print("{}{}", Explain(loaded.mission), ExplainNetwork(loaded.mission));
     return kExitOk;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <variant>
 
 #include "lib/base/check/check.h"
 #include "lib/base/time/seconds.h"
@@ -147,6 +148,7 @@ void VehicleSimApp::OnSimCommand(const sim_command_t& command) {
 void VehicleSimApp::Tick(int64_t utime) {
   WatchActuators(utime);
   WatchContact(utime);
+  WatchGround(utime);
   WatchCurrentGrid(utime);
   if (utime_ && !is_still()) Integrate(utime);
   if (!utime_ && !actuators_utime_) actuators_utime_ = utime;
@@ -174,14 +176,25 @@ void VehicleSimApp::WatchContact(int64_t utime) {
   if (touched_by_.empty() && obstacle >= 0) {
     touched_by_ = "obstacle " + obstacle_ids_.at(static_cast<size_t>(obstacle));
   }
-  if (touched_by_.empty()) return;
+  if (!touched_by_.empty()) StandStill(utime, "collision with " + touched_by_);
+}
+
+void VehicleSimApp::WatchGround(int64_t utime) {
+  if (!ocean_.floor || !touched_by_.empty()) return;
+  if (!std::holds_alternative<SurfaceCraftParams>(vehicle_.model)) return;
+  if (ocean_.floor->DepthAt(craft_->position_m().head<2>()) > vehicle_.draught_m) return;
+  touched_by_ = "the ground";
+  StandStill(utime, "aground");
+}
+
+void VehicleSimApp::StandStill(int64_t utime, const std::string& why) {
   const std::string text = "ran into " + touched_by_ + ": it moves no more";
   log_.Warn(text);
   log_.Event(utime, text);
   helm_command_t stop{};
   stop.utime = utime;
   stop.command = "all_stop";
-  stop.argument = "collision with " + touched_by_;
+  stop.argument = why;
   Publish(bus_, channels::HelmCommand(vehicle_.name), stop);
 }
 

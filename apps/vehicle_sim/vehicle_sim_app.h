@@ -49,6 +49,9 @@ class VehicleSimApp : public App {
   void WatchActuators(int64_t utime);
   /// Stops for good, its helm too, where another vehicle touches it and the mission demands it.
   void WatchContact(int64_t utime);
+  /// Stops a surface craft, its helm too, where the floor lies at its keel or above it.
+  void WatchGround(int64_t utime);
+  void StandStill(int64_t utime, const std::string& why);
   void WatchCurrentGrid(int64_t utime);
   void PublishNav(int64_t utime);
   void PublishInstruments(const nav_t& nav);
@@ -69,7 +72,7 @@ class VehicleSimApp : public App {
   bool is_off_grid_ = false;  ///< Of the current.
   bool paused_ = false;
   Eigen::Vector2d drift_mps_ = Eigen::Vector2d::Zero();  ///< By SIM_COMMAND, on top of the current.
-  std::string touched_by_;  ///< It ran into this vehicle, and stands still; empty: into none.
+  std::string touched_by_;  ///< It ran into this vehicle, or "the ground", and stands still.
   const Channel<nav_t> nav_channel_;
   const Ocean ocean_;
   const LocalFrame frame_;

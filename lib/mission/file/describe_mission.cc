@@ -77,6 +77,10 @@ void DescribeRun(Fields& fields, Mission& mission) {
       {"fail", CollisionVerdict::kFail},
       {"allowed", CollisionVerdict::kAllowed},
   }};
+  constexpr std::array<std::pair<std::string_view, GroundingVerdict>, 2> kGrounding = {{
+      {"fail", GroundingVerdict::kFail},
+      {"allowed", GroundingVerdict::kAllowed},
+  }};
   fields.Text("name", mission.name, {.min_length = 1, .max_length = 200});
   fields.Text("description", mission.description, {.max_length = 10'000, .many_lines = true});
   DescribeSeed(fields, mission);
@@ -95,6 +99,7 @@ void DescribeRun(Fields& fields, Mission& mission) {
                   "op_area needs three corners or more, like [[0, 0], [400, 0], [400, -300]]");
   }
   fields.Choice("collisions", mission.collisions, kCollisions);
+  fields.Choice("grounding", mission.grounding, kGrounding);
   fields.Choice("on_loss", mission.on_loss, kOnLoss);
   fields.Number("participant_timeout_s", mission.participant_timeout_s, Between(0.1, 3600));
   fields.Choice("shore_broker", mission.broker, kProviders);

@@ -184,6 +184,7 @@ void Describe(Fields& fields, Vehicle& vehicle) {
   fields.Text("group", vehicle.group, {});
   fields.Text("color", vehicle.color, {.min_length = 1});
   fields.Number("length_m", vehicle.length_m, Above(0, 500));
+  fields.Number("draught_m", vehicle.draught_m, Above(0, 100));
   fields.Number("stealth", vehicle.link_factors.stealth, Between(0, 1));
   fields.Number("earange", vehicle.link_factors.earange, Between(1, 10));
   if (fields.Has("acoustic_address", vehicle.acoustic_address > 0)) {

@@ -104,7 +104,9 @@ LoadedMission LoadMissionText(std::string_view text, const std::string& name,
   std::optional<Value> root = ParseToml(text, problems);
   if (root) loaded.mission = Read(*root, parsed, name, problems);
   loaded.errors = problems.InOrder();
-  if (loaded.errors.empty()) loaded.warnings = problems.WarningsInOrder();
+  if (!loaded.errors.empty()) return loaded;
+  loaded.warnings = problems.WarningsInOrder();
+  loaded.num_sure_failures = problems.num_failures();
   return loaded;
 }
 
@@ -113,7 +115,7 @@ LoadedMission LoadMission(const std::string& path, const std::vector<std::string
   if (!read.problem.empty()) {
     Problems problems(path, overrides);
     problems.Add({}, read.problem + MissionMeant(path));
-    return {{}, problems.InOrder(), {}};
+    return {.mission = {}, .errors = problems.InOrder(), .warnings = {}};
   }
   return LoadMissionText(read.text, path, overrides);
 }

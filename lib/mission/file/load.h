@@ -17,6 +17,7 @@ struct LoadedMission {
   std::vector<std::string>
       errors;  ///< "file:line:column: what is wrong and how to fix it", in file order.
   std::vector<std::string> warnings;  ///< The same for what is suspicious but legal.
+  size_t num_sure_failures = 0;       ///< Of the warnings: by which the mission fails for certain.
 };
 
 /// Reads `path` and applies `overrides`, each "key.path=value" with a TOML value (a bare word is

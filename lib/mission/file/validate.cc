@@ -81,6 +81,7 @@ void Validate(Mission& mission, const TablePlace& file) {
   WarnOfIdleTasks(mission, file);
   ValidateExpectations(mission, file);
   WarnOfConduct(mission, file);
+  WarnOfReach(mission, file);
   std::stable_sort(mission.events.begin(), mission.events.end(),
                    [](const Event& a, const Event& b) { return a.at_s < b.at_s; });
 }

@@ -101,6 +101,12 @@ void WarnOfIdleTasks(const Mission& mission, const TablePlace& file);
 /// Warns of missions in which nothing happens that could be judged, and of vehicles that start in
 /// contact.
 void WarnOfConduct(const Mission& mission, const TablePlace& file);
+/// Returns true where the end of a vehicle's task matters: another comes after it, or it is
+/// expected.
+bool MustEnd(const Mission& mission, const Vehicle& vehicle, size_t task);
+/// Warns of points that cannot be reached in time, speeds that a vehicle does not have, currents
+/// that it cannot stem, and reports over media that it does not have.
+void WarnOfReach(const Mission& mission, const TablePlace& file);
 void ValidateExpectations(const Mission& mission, const TablePlace& file);
 
 /// Refuses the name under `key` where no vehicle of `mission` has it; else writes it as the

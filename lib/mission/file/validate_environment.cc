@@ -3,6 +3,7 @@
 
 #include "lib/mission/file/ocean_of.h"
 #include "lib/mission/file/validate.h"
+#include "lib/mission/file/validate_ground.h"
 
 namespace shoal {
 
@@ -81,7 +82,9 @@ void ValidateEnvironment(const Mission& mission, const TablePlace& file) {
                               "..., lon_deg = ...}");
   }
   if (ocean->current_grid) ValidateCurrentGrid(mission, *ocean->current_grid, file);
-  if (ocean->floor) WarnOfFloorElsewhere(mission, *ocean->floor, file);
+  if (!ocean->floor) return;
+  WarnOfFloorElsewhere(mission, *ocean->floor, file);
+  ValidateGround(mission, *ocean->floor, file);
 }
 
 }  // namespace shoal

@@ -44,17 +44,6 @@ void CheckExtent(const TablePlace& place, const PathFollowTask& task,
   }
 }
 
-/// True where the end of the task matters: another comes after it, or it is expected.
-bool MustEnd(const Mission& mission, const Vehicle& vehicle, size_t task) {
-  if (task + 1 < vehicle.tasks.size()) return true;
-  return std::any_of(mission.expectations.begin(), mission.expectations.end(),
-                     [&](const Expectation& expectation) {
-                       const auto* laps = std::get_if<LapsExpectation>(&expectation.what);
-                       return laps != nullptr && laps->task == vehicle.tasks[task].name &&
-                              (laps->vehicle == vehicle.name || laps->vehicle == "all");
-                     });
-}
-
 void WarnOfTime(const TablePlace& place, const PathFollowTask& task, const WaypointPath& path,
                 double duration_s) {
   if (task.end == PathTaskEnd::kReturnToFirst || task.propeller_rpm > 0) return;
@@ -115,6 +104,16 @@ void WarnOfTurns(const TablePlace& place, const PathFollowTask& task) {
 }
 
 }  // namespace
+
+bool MustEnd(const Mission& mission, const Vehicle& vehicle, size_t task) {
+  if (task + 1 < vehicle.tasks.size()) return true;
+  return std::any_of(mission.expectations.begin(), mission.expectations.end(),
+                     [&](const Expectation& expectation) {
+                       const auto* laps = std::get_if<LapsExpectation>(&expectation.what);
+                       return laps != nullptr && laps->task == vehicle.tasks[task].name &&
+                              (laps->vehicle == vehicle.name || laps->vehicle == "all");
+                     });
+}
 
 void ValidatePaths(const Mission& mission, const TablePlace& file) {
   for (size_t i = 0; i < mission.vehicles.size(); ++i) {

@@ -80,6 +80,8 @@ struct HostOptions {
 
 /// What two vehicles that touch make of the mission's verdict.
 enum class CollisionVerdict { kFail, kAllowed };
+/// `grounding = "fail" | "allowed"`
+enum class GroundingVerdict { kFail, kAllowed };
 
 struct Mission {
   // Defined once, in mission.cc: each takes a second to compile.
@@ -103,6 +105,7 @@ struct Mission {
   std::vector<Eigen::Vector2d> op_area_m;  ///< Corners of the area of operations, for viewers.
   OnLoss on_loss = OnLoss::kEnd;
   CollisionVerdict collisions = CollisionVerdict::kFail;
+  GroundingVerdict grounding = GroundingVerdict::kFail;
   double participant_timeout_s = 5;    ///< Of wall time.
   Provider broker = Provider::kShoal;  ///< `shore_broker = ...`
   Environment environment;

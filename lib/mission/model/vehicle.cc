@@ -26,6 +26,11 @@ bool Vehicle::HasMedium(std::string_view medium) const {
   return media.names.empty() || std::ranges::find(media.names, medium) != media.names.end();
 }
 
+double DraughtOf(const Vehicle& vehicle) {
+  const bool is_moored = std::holds_alternative<BuoyParams>(vehicle.model);
+  return is_moored || FactsOfModel(vehicle.model).is_underwater ? 0 : vehicle.draught_m;
+}
+
 ModelFacts FactsOfModel(const AnyModel& model) {
   return std::visit([](const auto& parameters) { return FactsOf(parameters); }, model);
 }

@@ -149,6 +149,7 @@ struct Vehicle {
   std::string group;
   std::string color = "yellow";
   double length_m = 3;
+  double draught_m = 0.3;  ///< Of what floats at the surface: DraughtOf.
   StartPose start;
   SensorOptions sensors;
   NavigationOptions navigation;
@@ -180,6 +181,9 @@ struct Vehicle {
   /// by all.
   bool HasMedium(std::string_view medium) const;
 };
+
+/// Returns how deep its keel lies below its position: 0 for what dives or is moored.
+[[nodiscard]] double DraughtOf(const Vehicle& vehicle);
 
 [[nodiscard]] ModelFacts FactsOfModel(const AnyModel& model);
 

@@ -33,6 +33,10 @@ void Problems::Warn(const Place& place, std::string text) {
   warnings_.emplace(place, std::move(text));
 }
 
+void Problems::WarnOfFailure(const Place& place, std::string text) {
+  if (warnings_.emplace(place, std::move(text)).second) ++num_failures_;
+}
+
 std::string Problems::WhereIs(const Place& place) const {
   if (place.override_number > 0) {
     return "--set " + OneLine(overrides_.at(static_cast<size_t>(place.override_number - 1)));

@@ -23,6 +23,8 @@ class Problems {
   void Add(const Place& place, std::string text);
   /// Notes what is legal but suspicious.
   void Warn(const Place& place, std::string text);
+  /// The same where it makes the mission fail, whatever happens in it.
+  void WarnOfFailure(const Place& place, std::string text);
 
   /// Sets what returns the table, "[comms]", that has a key; nothing for keys that none has. For
   /// keys that stand in the wrong one.
@@ -47,6 +49,8 @@ class Problems {
   /// first hundred and a count where there are more.
   std::vector<std::string> InOrder() const;
   std::vector<std::string> WarningsInOrder() const;
+  /// Returns how many warnings are of failures.
+  size_t num_failures() const { return num_failures_; }
 
  private:
   using Notes = std::set<std::pair<Place, std::string>>;
@@ -59,6 +63,7 @@ class Problems {
   std::vector<std::string> overrides_;
   Notes problems_;
   Notes warnings_;
+  size_t num_failures_ = 0;
   std::set<const Value*> unsound_;
   std::function<std::string(std::string_view key)> home_of_;
 };

@@ -48,4 +48,8 @@ void TablePlace::Warn(std::string_view key, std::string text) const {
   problems_->Warn(PlaceOf(key), std::move(text));
 }
 
+void TablePlace::WarnOfFailure(std::string_view key, std::string text) const {
+  problems_->WarnOfFailure(PlaceOf(key), std::move(text));
+}
+
 }  // namespace shoal

@@ -35,6 +35,8 @@ class TablePlace {
   void Refuse(std::string_view key, std::string text) const;
   /// Warns of the value of `key` (or, where it is absent, of the table): legal but suspicious.
   void Warn(std::string_view key, std::string text) const;
+  /// The same where it makes the mission fail, whatever happens in it: `shoal check` refuses it.
+  void WarnOfFailure(std::string_view key, std::string text) const;
 
  private:
   explicit TablePlace(Problems& problems) : problems_(&problems) {}

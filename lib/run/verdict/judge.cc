@@ -12,7 +12,6 @@
 
 #include "lib/base/time/seconds.h"
 #include "lib/comms/routing/vehicle_name.h"
-#include "lib/mission/file/ocean_of.h"
 #include "lib/mission/model/coverage_area.h"
 #include "lib/run/verdict/encounter_outcomes.h"
 #include "lib/run/verdict/expectation_text.h"
@@ -112,18 +111,21 @@ const EncounterOptions* EncountersOf(const Expectation& expectation) {
       expectation.what);
 }
 
-/// Returns null where there is none, or where a log is judged without the grid's file.
-std::shared_ptr<const CurrentGrid> CurrentGridOf(const Mission& mission) {
-  if (!mission.environment.current_grid.exists()) return nullptr;
-  const Result<Ocean> ocean = OceanOf(mission);
-  return ocean.ok() ? ocean->current_grid : nullptr;
+/// Returns an unknown sea where the mission has none, or where a log is judged without the files of
+/// its grids.
+Ocean KnownOceanOf(const Mission& mission) {
+  Result<Ocean> ocean = OceanOf(mission);
+  return ocean.ok() ? std::move(*ocean) : Ocean();
 }
 
 }  // namespace
 
-Judge::Judge(const Mission& mission)
+Judge::Judge(const Mission& mission) : Judge(mission, KnownOceanOf(mission)) {}
+
+Judge::Judge(const Mission& mission, Ocean ocean)
     : mission_(mission),
-      current_grid_(CurrentGridOf(mission)),
+      current_grid_(std::move(ocean.current_grid)),
+      floor_(std::move(ocean.floor)),
       was_off_grid_(mission.vehicles.size()),
       sightings_(mission.vehicles.size()),
       altitudes_m_(mission.vehicles.size(), -1),
@@ -136,6 +138,8 @@ Judge::Judge(const Mission& mission)
       positions_m_(mission.vehicles.size(), Eigen::Vector3d::Zero()),
       collision_watch_(LengthsOf(mission)),
       obstacle_watch_(LengthsOf(mission), PolygonsOfObstacles(mission)),
+      grounding_watch_(mission.vehicles.size()),
+      has_track_in_ground_(mission.vehicles.size()),
       motions_(mission.vehicles.size()),
       motion_s_(mission.vehicles.size(), -1),
       has_new_motion_(mission.vehicles.size()) {
@@ -259,6 +263,25 @@ void Judge::WatchCollisions(double time_s) {
   moved_now_.clear();
 }
 
+void Judge::WatchGroundings(double time_s) {
+  if (!floor_) return;
+  for (const uint32_t i : moved_now_) {
+    const Vehicle& vehicle = mission_.vehicles[i];
+    if (std::holds_alternative<BuoyParams>(vehicle.model)) continue;
+    const Eigen::Vector3d& position_m = positions_m_[i];
+    const double floor_m = floor_->DepthAt(position_m.head<2>());
+    if (!grounding_watch_.Look(i, floor_m - position_m.z() - DraughtOf(vehicle))) continue;
+    if (std::holds_alternative<TrackOptions>(vehicle.model)) {
+      has_track_in_ground_[i] = true;
+      continue;
+    }
+    ++num_groundings_;
+    if (groundings_.size() == kMaxGroundings) continue;
+    groundings_.push_back(
+        {.vehicle = i, .position_m = position_m, .floor_m = floor_m, .time_s = time_s});
+  }
+}
+
 void Judge::WatchEncounters(double time_s) {
   for (size_t i = 0; i < motions_.size(); ++i) {
     if (has_new_motion_[i]) motion_s_[i] = time_s;
@@ -269,6 +292,7 @@ void Judge::WatchEncounters(double time_s) {
 }
 
 void Judge::EndStep(int64_t utime) {
+  WatchGroundings(SecondsSinceStart(utime));
   WatchCollisions(SecondsSinceStart(utime));
   if (!encounters_.empty()) WatchEncounters(SecondsSinceStart(utime));
   if (watches_separation_) separation_.Look(sightings_, utime);
@@ -353,6 +377,7 @@ std::vector<ExpectationVerdict> Judge::Verdicts() const {
 
 bool Judge::Passed() const {
   if (num_collisions_ > 0 && mission_.collisions == CollisionVerdict::kFail) return false;
+  if (num_groundings_ > 0 && mission_.grounding == GroundingVerdict::kFail) return false;
   const std::vector<ExpectationVerdict> verdicts = Verdicts();
   return std::all_of(verdicts.begin(), verdicts.end(),
                      [](const ExpectationVerdict& verdict) { return verdict.passed; });
@@ -378,14 +403,16 @@ std::vector<std::string> Judge::Warnings() const {
   if (const std::string names = VehiclesWithoutReports(); !names.empty()) {
     warnings.push_back("received no report of another vehicle: " + names);
   }
-  std::vector<std::string> off_grid;
-  for (size_t i = 0; i < was_off_grid_.size(); ++i) {
-    if (was_off_grid_[i]) off_grid.push_back(mission_.vehicles[i].name);
-  }
-  if (!off_grid.empty()) {
-    warnings.push_back("left the grid of the current, and had the water of its nearest edge: " +
-                       Listed(off_grid));
-  }
+  const auto warn_of = [&](const std::vector<bool>& those, std::string_view what) {
+    std::vector<std::string> names;
+    for (size_t i = 0; i < those.size(); ++i) {
+      if (those[i]) names.push_back(mission_.vehicles[i].name);
+    }
+    if (!names.empty()) warnings.push_back(fmt::format("{}: {}", what, Listed(names)));
+  };
+  warn_of(was_off_grid_, "left the grid of the current, and had the water of its nearest edge");
+  warn_of(has_track_in_ground_,
+          "a recorded track leads over land, or into the floor, of the mission's map");
   for (const Case& each : cases_) {
     std::vector<std::string> names;
     for (size_t i = 0; i < each.arrivals.size(); ++i) {

@@ -22,6 +22,7 @@
 #include <vector>
 
 #include "lib/helm/encounters/encounter_watch.h"
+#include "lib/mission/file/ocean_of.h"
 #include "lib/mission/model/mission.h"
 #include "lib/run/verdict/arrival_watch.h"
 #include "lib/run/verdict/coverage_watch.h"
@@ -31,7 +32,9 @@
 #include "lib/run/verdict/outcome.h"
 #include "lib/run/verdict/separation_watch.h"
 #include "lib/sea/ocean/current_grid.h"
+#include "lib/sea/ocean/sea_floor.h"
 #include "lib/vehicle/vehicle/collision_watch.h"
+#include "lib/vehicle/vehicle/grounding_watch.h"
 #include "lib/vehicle/vehicle/obstacle_watch.h"
 
 namespace shoal {
@@ -70,9 +73,18 @@ struct CollisionFact {
   bool is_obstacle = false;  ///< collision.second is the place of an obstacle.
 };
 
+/// A vehicle that ran aground: where, when, and how deep the water is there.
+struct GroundingFact {
+  size_t vehicle = 0;
+  Eigen::Vector3d position_m = Eigen::Vector3d::Zero();  ///< x East, y North, z down.
+  double floor_m = 0;
+  double time_s = 0;  ///< Mission time since the start.
+};
+
 class Judge {
  public:
   static constexpr size_t kMaxCollisions = 1000;  ///< More are counted and not kept.
+  static constexpr size_t kMaxGroundings = 1000;  ///< More are counted and not kept.
 
   /// `mission` must outlive this.
   explicit Judge(const Mission& mission);
@@ -105,8 +117,12 @@ class Judge {
   /// step.
   const std::vector<CollisionFact>& collisions() const { return collisions_; }
   int64_t num_collisions() const { return num_collisions_; }
+  /// Returns where vehicles ran aground so far: the floor of the mission's map lies at their keel,
+  /// or above it. Not for what is moored; a recorded track's are in Warnings instead.
+  const std::vector<GroundingFact>& groundings() const { return groundings_; }
+  int64_t num_groundings() const { return num_groundings_; }
   /// Returns true where every expectation would be met, should the mission end now, and no vehicles
-  /// have collided, unless [mission] collisions = "allowed".
+  /// have collided or run aground, unless [mission] allows it.
   [[nodiscard]] bool Passed() const;
   /// Returns why the verdict may mean little: no vehicle deployed, none that moved, vehicles that
   /// received no report, expectations met from the start. One sentence each.
@@ -141,6 +157,7 @@ class Judge {
     std::optional<CoverageWatch> coverage;  ///< Of all its vehicles together.
   };
 
+  Judge(const Mission& mission, Ocean ocean);
   std::vector<size_t> VehiclesNamed(std::string_view name) const;
   int PlaceInCounts(std::string_view name) const;
   double SecondsSinceStart(int64_t utime) const;
@@ -149,6 +166,7 @@ class Judge {
   Outcome FindComms(const CommsExpectation& comms) const;
   Outcome FindHelm(const HelmExpectation& helm, size_t vehicle) const;
   void WatchCollisions(double time_s);
+  void WatchGroundings(double time_s);
   void WatchEncounters(double time_s);
   std::string VehiclesWithoutReports() const;
   void WatchExtremes(Case* each, double time_s) const;
@@ -159,6 +177,7 @@ class Judge {
 
   const Mission& mission_;
   std::shared_ptr<const CurrentGrid> current_grid_;  ///< Null: the mission has none.
+  std::optional<SeaFloor> floor_;                    ///< Absent: the depth is not known.
   std::vector<bool> was_off_grid_;                   ///< Of the current.
   std::vector<Sighting> sightings_;
   std::vector<double> altitudes_m_;
@@ -175,6 +194,10 @@ class Judge {
   ObstacleWatch obstacle_watch_;
   std::vector<CollisionFact> collisions_;
   int64_t num_collisions_ = 0;
+  GroundingWatch grounding_watch_;
+  std::vector<GroundingFact> groundings_;
+  int64_t num_groundings_ = 0;
+  std::vector<bool> has_track_in_ground_;
   SeparationWatch separation_;
   bool watches_separation_ = false;
   std::vector<VesselSample> motions_;       ///< For encounters.

@@ -339,6 +339,75 @@ TEST_F(JudgeTest, FailsAMissionWhereAVehicleHitsAnObstacle) {
       << Summarize(mission_, judge);
 }
 
+/// The floor is flat, at 5 m; alpha is what `model` makes it.
+class Grounding : public JudgeTest {
+ protected:
+  Judge& With(const AnyModel& model) {
+    mission_ = TwoVehicles(SeparationExpectation{.min_m = 0});
+    mission_.environment.floor.style = "flat";
+    mission_.environment.floor.depth_m = 5;
+    mission_.environment.floor.range_m = 0;
+    mission_.vehicles[0].model = model;
+    return judge_.emplace(mission_);
+  }
+  void AlphaAt(double depth_m, double time_s) {
+    judge_->TakeNav(0, {7, -2, depth_m});
+    judge_->TakeNav(1, {1000, 0, 0});
+    judge_->EndStep(At(time_s));
+  }
+  bool Has(const std::string& text) const {
+    return Summarize(mission_, *judge_).find(text) != std::string::npos;
+  }
+};
+
+TEST_F(Grounding, FailsTheMissionUnlessItAllowsIt) {
+  Judge& judge = With(Remus100Options());
+  AlphaAt(4.9, 1);
+  EXPECT_TRUE(judge.Passed()) << "afloat";
+  AlphaAt(5.2, 2);
+  AlphaAt(5.3, 3);
+  ASSERT_EQ(judge.num_groundings(), 1) << "once, while it lies there";
+  EXPECT_FALSE(judge.Passed());
+  EXPECT_TRUE(
+      Has("\nAground: the mission fails, unless [mission] grounding = \"allowed\"\n"
+          "    alpha ran aground at 2.0 s at (7.0, -2.0): 5.2 m deep, the floor at 5.0 m\n"))
+      << Summarize(mission_, judge);
+  EXPECT_TRUE(Has("\nFAIL: 1 grounding\n"));
+  mission_.grounding = GroundingVerdict::kAllowed;
+  EXPECT_TRUE(judge.Passed());
+  EXPECT_TRUE(Has("\nAground: allowed by [mission] grounding\n"));
+  EXPECT_TRUE(Has("\nPASS\n"));
+}
+
+TEST_F(Grounding, OfASurfaceCraftIsWhereItsDraughtIsMoreThanTheWater) {
+  Judge& judge = With(SurfaceCraftParams());
+  AlphaAt(0, 1);
+  EXPECT_EQ(judge.num_groundings(), 0);
+  mission_.vehicles[0].draught_m = 5;
+  AlphaAt(0, 2);
+  EXPECT_EQ(judge.num_groundings(), 1);
+  EXPECT_TRUE(Has("(7.0, -2.0): draught 5 m, the floor at 5.0 m\n"));
+}
+
+TEST_F(Grounding, IsNoneOfABuoyAndAWarningOfARecordedTrack) {
+  Judge& buoy = With(BuoyParams());
+  mission_.vehicles[0].draught_m = 9;
+  AlphaAt(0, 1);
+  EXPECT_EQ(buoy.num_groundings(), 0);
+  Judge& track = With(TrackOptions());
+  mission_.vehicles[0].draught_m = 9;
+  AlphaAt(0, 1);
+  EXPECT_EQ(track.num_groundings(), 0);
+  EXPECT_TRUE(track.Passed());
+  EXPECT_TRUE(Has("into the floor, of the mission's map: alpha\n"));
+}
+
+TEST_F(Grounding, IsNoneWhereTheDepthIsNotKnown) {
+  Judge& judge = For(SeparationExpectation{.min_m = 0});
+  AlphaAt(10'000, 1);
+  EXPECT_EQ(judge.num_groundings(), 0);
+}
+
 TEST_F(JudgeTest, ComparesPositionsOfOneStepOnly) {
   Judge& judge = For(SeparationExpectation{.min_m = 1});
   judge.TakeNav(0, {0, 0, 0});

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <span>
 #include <string_view>
 #include <utility>
 
@@ -13,6 +14,7 @@ namespace {
 constexpr size_t kMaxVehicleRows = 60;
 constexpr size_t kMaxMatrixVehicles = 10;  ///< A wider matrix fits no terminal.
 constexpr size_t kMaxCollisionRows = 20;
+constexpr size_t kMaxGroundingRows = 20;
 constexpr int kAll = FateCounts::kAll;
 
 std::string DeliveredOfOffered(const FateCounts& fates, int source, int destination) {
@@ -110,6 +112,20 @@ std::string CollisionList(const Mission& mission, const Judge& judge) {
   return text;
 }
 
+std::string GroundingList(const Mission& mission, const Judge& judge) {
+  std::string text = fmt::format(
+      "\nAground: {}\n", mission.grounding == GroundingVerdict::kAllowed
+                             ? "allowed by [mission] grounding"
+                             : "the mission fails, unless [mission] grounding = \"allowed\"");
+  const size_t num_rows = std::min(judge.groundings().size(), kMaxGroundingRows);
+  for (const GroundingFact& fact : std::span(judge.groundings()).first(num_rows)) {
+    text += fmt::format("    {}\n", GroundingText(mission, fact));
+  }
+  const int64_t num_more = judge.num_groundings() - static_cast<int64_t>(num_rows);
+  if (num_more > 0) text += fmt::format("    (and {} more)\n", num_more);
+  return text;
+}
+
 /// Returns "2 of 3 expectations missed, 1 collision": why the mission failed; empty: it did not.
 std::string Failures(const Mission& mission, const Judge& judge, int num_missed,
                      size_t num_expectations) {
@@ -120,10 +136,24 @@ std::string Failures(const Mission& mission, const Judge& judge, int num_missed,
     text += fmt::format("{}{} collision{}", text.empty() ? "" : ", ", judge.num_collisions(),
                         judge.num_collisions() == 1 ? "" : "s");
   }
+  if (judge.num_groundings() > 0 && mission.grounding == GroundingVerdict::kFail) {
+    text += fmt::format("{}{} grounding{}", text.empty() ? "" : ", ", judge.num_groundings(),
+                        judge.num_groundings() == 1 ? "" : "s");
+  }
   return text;
 }
 
 }  // namespace
+
+std::string GroundingText(const Mission& mission, const GroundingFact& fact) {
+  const Vehicle& vehicle = mission.vehicles[fact.vehicle];
+  const double draught_m = DraughtOf(vehicle);
+  return fmt::format("{} ran aground at {:.1f} s at ({:.1f}, {:.1f}): {}, the floor at {:.1f} m",
+                     vehicle.name, fact.time_s, fact.position_m.x(), fact.position_m.y(),
+                     draught_m > 0 ? fmt::format("draught {:g} m", draught_m)
+                                   : fmt::format("{:.1f} m deep", fact.position_m.z()),
+                     fact.floor_m);
+}
 
 std::string Summarize(const Mission& mission, const Judge& judge, bool complete) {
   std::string text = VehicleTable(mission, judge) + "\n" +
@@ -136,6 +166,7 @@ std::string Summarize(const Mission& mission, const Judge& judge, bool complete)
   }
   if (!judge.tally().acoustic().IsEmpty()) text += "\n" + judge.tally().acoustic().Text();
   if (judge.num_collisions() > 0) text += CollisionList(mission, judge);
+  if (judge.num_groundings() > 0) text += GroundingList(mission, judge);
   const std::vector<ExpectationVerdict> verdicts = judge.Verdicts();
   if (!verdicts.empty()) text += "\nExpectations\n";
   int num_failed = 0;

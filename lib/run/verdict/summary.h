@@ -8,9 +8,12 @@
 
 namespace shoal {
 
+/// Returns "a ran aground at 118.0 s at (-15.6, 0.0): 29.8 m deep, the floor at 29.8 m".
+[[nodiscard]] std::string GroundingText(const Mission& mission, const GroundingFact& fact);
+
 /// Returns the summary; its last line is "PASS", "FAIL" with how many expectations were missed and
-/// how many vehicles collided, or "INCOMPLETE" for a mission that did not run to its end.
-/// Collisions are always shown; Judge::Warnings where the mission is complete.
+/// how many vehicles collided or ran aground, or "INCOMPLETE" for a mission that did not run to its
+/// end. Collisions and groundings are always shown; Judge::Warnings where the mission is complete.
 [[nodiscard]] std::string Summarize(const Mission& mission, const Judge& judge,
                                     bool complete = true);
 

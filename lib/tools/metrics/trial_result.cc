@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "lib/run/verdict/summary.h"
+
 namespace shoal {
 
 namespace {
@@ -40,6 +42,11 @@ TrialResult ResultOf(const Mission& mission, const Judge& judge, const TrialWatc
   if (mission.collisions == CollisionVerdict::kFail) {
     for (const CollisionFact& fact : judge.collisions()) {
       reasons.push_back(CollisionText(mission, fact));
+    }
+  }
+  if (mission.grounding == GroundingVerdict::kFail) {
+    for (const GroundingFact& fact : judge.groundings()) {
+      reasons.push_back(GroundingText(mission, fact));
     }
   }
   if (reasons.size() > kMaxReasons) {

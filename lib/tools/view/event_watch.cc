@@ -34,14 +34,15 @@ std::vector<WatchedVehicle> WatchedVehiclesOf(const Mission& mission) {
   std::vector<WatchedVehicle> vehicles;
   for (const Vehicle& vehicle : mission.vehicles) {
     vehicles.push_back({.name = vehicle.name, .length_m = vehicle.length_m});
+    if (FactsOfModel(vehicle.model).passive.empty()) vehicles.back().draught_m = DraughtOf(vehicle);
   }
   return vehicles;
 }
 
 std::string_view EventKindText(EventKind kind) {
   constexpr EnumTable<EventKind, std::string_view> kTexts = {
-      "collision",    "all_stop",      "cleared", "first_contact",
-      "lost_contact", "contact_again", "waypoint"};
+      "collision",     "aground",      "all_stop",      "cleared",
+      "first_contact", "lost_contact", "contact_again", "waypoint"};
   return kTexts[kind];
 }
 
@@ -49,11 +50,13 @@ EventWatch::EventWatch(std::vector<WatchedVehicle> vehicles)
     : vehicles_(std::move(vehicles)),
       positions_m_(vehicles_.size(), Eigen::Vector3d::Zero()),
       collisions_(LengthsOf(vehicles_)),
+      groundings_(vehicles_.size()),
       helms_(vehicles_.size()) {
   for (const WatchedVehicle& vehicle : vehicles_) names_.push_back(vehicle.name);
 }
 
-void EventWatch::OnNav(size_t vehicle, int64_t utime, double x_m, double y_m, double z_m) {
+void EventWatch::OnNav(size_t vehicle, int64_t utime, double x_m, double y_m, double z_m,
+                       double altitude_m) {
   if (vehicle >= vehicles_.size()) return;
   utime = PlausibleUtime(utime);
   if (utime != nav_utime_) {
@@ -64,6 +67,11 @@ void EventWatch::OnNav(size_t vehicle, int64_t utime, double x_m, double y_m, do
   if (!std::isfinite(x_m) || !std::isfinite(y_m) || !std::isfinite(z_m)) return;
   positions_m_[vehicle] = {x_m, y_m, z_m};
   seen_.push_back(static_cast<uint32_t>(vehicle));
+  const std::optional<double> draught_m = vehicles_[vehicle].draught_m;
+  if (draught_m && altitude_m >= 0 && groundings_.Look(vehicle, altitude_m - *draught_m)) {
+    const std::string& name = vehicles_[vehicle].name;
+    AddEvent(utime, EventKind::kAground, {name}, fmt::format("{}: aground", name));
+  }
   if (seen_.size() >= vehicles_.size()) CompareAll();
 }
 

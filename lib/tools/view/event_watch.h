@@ -1,5 +1,5 @@
-// Finds the events of a mission: collisions, all-stops, waypoints reached, contacts won and lost
-// (docs/viewer_protocol.md).
+// Finds the events of a mission: collisions, groundings, all-stops, waypoints reached, contacts won
+// and lost (docs/viewer_protocol.md).
 //
 //   EventWatch watch({{"alpha", 3}, {"bravo", 3}});
 //   watch.OnNav(0, utime, x_m, y_m, z_m);
@@ -10,6 +10,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -17,6 +18,7 @@
 
 #include "lib/tools/view/fate_facts.h"
 #include "lib/vehicle/vehicle/collision_watch.h"
+#include "lib/vehicle/vehicle/grounding_watch.h"
 #include "shoal/helm_state_t.hpp"
 
 namespace shoal {
@@ -25,6 +27,7 @@ struct Mission;
 
 enum class EventKind : uint8_t {
   kCollision,
+  kAground,
   kAllStop,
   kCleared,
   kFirstContact,
@@ -45,6 +48,8 @@ struct ViewEvent {
 struct WatchedVehicle {
   std::string name;
   double length_m = 0;
+  /// 0: it dives. Absent: it cannot run aground.
+  std::optional<double> draught_m = {};
 };
 
 /// Returns the vehicles of a mission, in its order.
@@ -62,7 +67,9 @@ class EventWatch {
 
   /// Takes a position. When one of a later time comes, those of equal times have been compared:
   /// nearer than the mean of their lengths is a collision, once until they were twice as far apart.
-  void OnNav(size_t vehicle, int64_t utime, double x_m, double y_m, double z_m);
+  /// `altitude_m` above the floor, negative: not known; of its draught or less it is aground.
+  void OnNav(size_t vehicle, int64_t utime, double x_m, double y_m, double z_m,
+             double altitude_m = -1);
   /// Takes what HELM_STATE states.
   void OnHelm(size_t vehicle, const helm_state_t& helm);
   /// Takes a fate of two vehicles (`utime` within kFarthest_us), by any numbers that stand for
@@ -109,6 +116,7 @@ class EventWatch {
   std::vector<uint32_t> seen_;  ///< Vehicles that have a position at nav_utime_.
   int64_t nav_utime_ = 0;
   CollisionWatch collisions_;
+  GroundingWatch groundings_;
   std::vector<helm_state_t> helms_;  ///< As they last were.
   size_t num_arrivals_ = 0;
   std::vector<std::string> names_;  ///< Of OnFate's numbers.

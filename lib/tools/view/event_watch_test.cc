@@ -38,6 +38,23 @@ TEST(EventWatch, FindsACollisionOncePerEncounter) {
   EXPECT_EQ(watch.events().size(), 2U) << "they had parted";
 }
 
+TEST(EventWatch, FindsWhereAVehicleRunsAground) {
+  EventWatch watch({{.name = "auv", .length_m = 1.6, .draught_m = 0},
+                    {.name = "ship", .length_m = 50, .draught_m = 4},
+                    {.name = "buoy", .length_m = 1}});
+  for (size_t vehicle = 0; vehicle < 3; ++vehicle) {
+    const double x_m = 100 * static_cast<double>(vehicle);
+    watch.OnNav(vehicle, 1 * kSecond, x_m, 0, 0, 4.1);
+    watch.OnNav(vehicle, 2 * kSecond, x_m, 0, 0, -1);
+    watch.OnNav(vehicle, 3 * kSecond, x_m, 0, 0, vehicle == 0 ? 0 : 3);
+    watch.OnNav(vehicle, 4 * kSecond, x_m, 0, 0, 0);
+  }
+  ASSERT_EQ(KindsOf(watch), (std::vector<EventKind>{EventKind::kAground, EventKind::kAground}));
+  EXPECT_EQ(watch.events()[0].text, "auv: aground");
+  EXPECT_EQ(watch.events()[1].text, "ship: aground");
+  EXPECT_EQ(watch.events()[1].utime, 3 * kSecond);
+}
+
 TEST(EventWatch, LooksInThreeDimensions) {
   EventWatch watch = TwoKayaks();
   Meet(&watch, 1 * kSecond, 0, 2.6);

@@ -164,7 +164,7 @@ void LiveView::OnNav(size_t vehicle, const nav_t& nav) {
   const double t_s = scene_.SecondsOf(nav.utime);
   trails_[vehicle].Add(t_s, nav.x_m, nav.y_m);
   vehicle_histories_[vehicle].Add(t_s, nav, LastOf<ShownDesired>(scene_.vehicles()[vehicle].shown));
-  events_.OnNav(vehicle, nav.utime, nav.x_m, nav.y_m, nav.z_m);
+  events_.OnNav(vehicle, nav.utime, nav.x_m, nav.y_m, nav.z_m, nav.altitude_m);
   events_.OnTime(scene_.now_utime());
 }
 

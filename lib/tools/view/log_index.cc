@@ -154,7 +154,7 @@ class IndexBuilder : private SceneObserver {
     index_.trails[vehicle].Add(Line_s(), nav.x_m, nav.y_m);
     index_.charts[vehicle].Add(Line_s(), nav,
                                LastOf<ShownDesired>(scene_.vehicles()[vehicle].shown));
-    watch_.OnNav(vehicle, nav.utime, nav.x_m, nav.y_m, nav.z_m);
+    watch_.OnNav(vehicle, nav.utime, nav.x_m, nav.y_m, nav.z_m, nav.altitude_m);
   }
 
   void OnHelm(size_t vehicle, const helm_state_t& helm) override { watch_.OnHelm(vehicle, helm); }
