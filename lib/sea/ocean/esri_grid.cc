@@ -20,12 +20,25 @@ constexpr double kMaxGridDepth_m = 20'000;
 constexpr double kMaxCorner_m = 1e9;
 constexpr double kMinCell_m = 0.05;  // Maps in degrees have less: 0.03 is two minutes of arc.
 constexpr double kMaxCell_m = 1e6;
+constexpr double kNoDataDigits = 1e-6;  // As many as a float has, in which maps are mostly kept.
+constexpr double kLeastMark = 1e30;     // The largest float and its like.
 
 /// The keys of the header, in lower case, in the order of Header::numbers.
 constexpr std::array<std::string_view, 10> kKeys = {
     "ncols",     "nrows",    "xllcorner", "yllcorner", "xllcenter",
     "yllcenter", "cellsize", "dx",        "dy",        "nodata_value"};
-enum Key { kColumns, kRows, kWest, kSouth, kWestCenter, kSouthCenter, kCell, kDx, kDy, kNoData };
+enum Key {
+  kColumns,
+  kRows,
+  kWest,
+  kSouth,
+  kWestCenter,
+  kSouthCenter,
+  kCell,
+  kDx,
+  kDy,
+  kNoDataValue
+};
 
 bool IsBlank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }
 
@@ -36,6 +49,19 @@ std::string_view TakeWord(std::string_view& line) {
   const std::string_view word(start, end);
   line = std::string_view(end, line.end());
   return word;
+}
+
+/// Returns whether a word is a NaN, as printf of one system or another writes it.
+bool IsNan(std::string_view word) {
+  std::string text = LowerCase(word);
+  if (!text.empty() && (text[0] == '-' || text[0] == '+')) text.erase(0, 1);
+  return text == "nan" || text.starts_with("nan(") || text.starts_with("1.#qnan") ||
+         text.starts_with("1.#ind");
+}
+
+/// Returns a number, or NaN; nothing: it is neither.
+std::optional<double> ReadNumberOrNan(std::string_view word) {
+  return IsNan(word) ? std::nan("") : ReadNumber<double>(word);
 }
 
 /// Returns a word as it may stand in a message: short, and printable.
@@ -62,7 +88,7 @@ class EsriReader {
     if (!problem.empty()) {
       return Error{options_.name + ":" + std::to_string(line_number_) + ": " + problem};
     }
-    return EsriField{.frame = frame_, .values = std::move(values_)};
+    return EsriField{.frame = frame_, .values = std::move(values_), .signs = signs_};
   }
 
  private:
@@ -84,7 +110,7 @@ class EsriReader {
     while (NextLine()) {
       std::string_view line = line_;
       const std::string_view word = TakeWord(line);
-      if (ReadNumber<double>(word)) return "";
+      if (ReadNumberOrNan(word)) return "";
       const auto key = std::find(kKeys.begin(), kKeys.end(), LowerCase(word));
       if (key == kKeys.end()) {
         return Quote(word) + " is neither a number nor a key of an ESRI ASCII grid; export the " +
@@ -94,7 +120,7 @@ class EsriReader {
       std::optional<double>& number = numbers_[index];
       if (number) return std::string(*key) + " stands here for the second time; remove one";
       const std::string_view value = TakeWord(line);
-      number = ReadNumber<double>(value);
+      number = index == kNoDataValue ? ReadNumberOrNan(value) : ReadNumber<double>(value);
       lines_[index] = line_number_;
       if (!number) return std::string(*key) + " needs a number, not " + Quote(value);
       if (!TakeWord(line).empty()) return std::string(*key) + " takes one number; remove the rest";
@@ -159,22 +185,18 @@ class EsriReader {
     return "";
   }
 
-  /// Reads the rows, the first of which is in line_, and turns them South to North.
+  /// Reads the numbers, the first of which are in line_, and turns their rows South to North.
   std::string ReadRows() {
+    const size_t num_points =
+        static_cast<size_t>(frame_.columns) * static_cast<size_t>(frame_.rows);
     // A number takes two characters at least: no header makes this larger than the text.
-    values_.reserve(std::min(static_cast<size_t>(frame_.columns) * static_cast<size_t>(frame_.rows),
-                             (line_.size() + rest_.size()) / 2 + 1));
-    for (int row = 0; row < frame_.rows; ++row) {
-      if (std::string problem = ReadRow(); !problem.empty()) return problem;
-      const bool has_more = NextLine();
-      if (!has_more && row + 1 < frame_.rows) {
-        return "the text ends after " + std::to_string(row + 1) + " of " +
-               std::to_string(frame_.rows) + " rows; is the file complete?";
-      }
-      if (has_more && row + 1 == frame_.rows) {
-        return "there are more rows than the " + std::to_string(frame_.rows) +
-               " of nrows; correct the header";
-      }
+    values_.reserve(std::min(num_points, (line_.size() + rest_.size()) / 2 + 1));
+    do {
+      if (std::string problem = ReadLine(num_points); !problem.empty()) return problem;
+    } while (NextLine());
+    if (values_.size() < num_points) {
+      return CountProblem("the text ends after " + std::to_string(values_.size()) + " of " +
+                          std::to_string(num_points) + " numbers; is the file complete?");
     }
     const auto columns = static_cast<ptrdiff_t>(frame_.columns);
     for (ptrdiff_t north = 0, south = frame_.rows - 1; north < south; ++north, --south) {
@@ -184,42 +206,69 @@ class EsriReader {
     return "";
   }
 
-  std::string ReadRow() {
+  std::string ReadLine(size_t num_points) {
     std::string_view line = line_;
-    for (int column = 0; column < frame_.columns; ++column) {
-      const std::string_view word = TakeWord(line);
-      if (word.empty()) {
-        return "this row has " + std::to_string(column) + " numbers, and ncols is " +
-               std::to_string(frame_.columns) + "; each row must stand on a line of its own";
+    int count = 0;
+    for (std::string_view word = TakeWord(line); !word.empty(); word = TakeWord(line), ++count) {
+      if (values_.size() == num_points) {
+        for (; !word.empty(); word = TakeWord(line)) ++count;
+        NoteLine(count);
+        return CountProblem("there are more numbers than the " + std::to_string(num_points) +
+                            " of ncols and nrows; correct the header");
       }
-      const std::optional<double> number = ReadNumber<double>(word);
+      const std::optional<double> number = ReadNumberOrNan(word);
       if (!number) return Quote(word) + " is not a number";
-      if (std::string problem = AddValue(*number, column); !problem.empty()) return problem;
+      if (std::string problem = AddValue(*number); !problem.empty()) return problem;
     }
-    if (!TakeWord(line).empty()) {
-      return "this row has more numbers than the " + std::to_string(frame_.columns) +
-             " of ncols; each row must stand on a line of its own";
-    }
+    NoteLine(count);
     return "";
   }
 
-  std::string AddValue(double number, int column) {
+  /// A file that has a row on a line, but for one, misses numbers there or has too many.
+  void NoteLine(int count) {
+    if (count == frame_.columns) {
+      has_whole_line_ = true;
+    } else if (odd_line_ == 0) {
+      odd_line_ = line_number_;
+      odd_count_ = count;
+    }
+  }
+
+  /// Returns that there are too many or too few numbers, at the line where that is seen.
+  std::string CountProblem(const std::string& otherwise) {
+    if (!has_whole_line_ || odd_line_ == 0) return otherwise;
+    line_number_ = odd_line_;
+    return "this line has " + std::to_string(odd_count_) + " numbers, and ncols is " +
+           std::to_string(frame_.columns) + "; " + otherwise;
+  }
+
+  bool IsNoData(double number) const {
+    if (std::isnan(number) || std::abs(number) > kLeastMark) return true;
+    const double mark = numbers_[kNoDataValue].value_or(-9999);
+    return std::abs(number - mark) <= kNoDataDigits * std::abs(mark);  // False for NaN.
+  }
+
+  std::string AddValue(double number) {
     const bool is_velocity = options_.values == GridValues::kVelocity;
-    if (number == numbers_[kNoData].value_or(-9999)) {
+    const auto column_text = [&] {
+      return "column " + std::to_string(values_.size() % static_cast<size_t>(frame_.columns) + 1);
+    };
+    if (IsNoData(number)) {
       if (!is_velocity && !options_.nodata_depth_m) {
-        return "column " + std::to_string(column + 1) +
+        return column_text() +
                " has no data; fill the map's gaps, or state their depth: grid_gap_depth_m";
       }
       values_.push_back(is_velocity ? std::nanf("") : static_cast<float>(*options_.nodata_depth_m));
       return "";
     }
     if (std::abs(number) > (is_velocity ? kMaxCurrent_mps : kMaxGridDepth_m)) {
-      return "column " + std::to_string(column + 1) +
+      return column_text() +
              (is_velocity
                   ? " is faster than " + RoundText(kMaxCurrent_mps) + " m/s"
                   : " is further from the surface than " + RoundText(kMaxGridDepth_m) + " m") +
              "; is it the mark for no data? Then set NODATA_value";
     }
+    signs_.Count(number);
     const double value = options_.values == GridValues::kElevation ? -number : number;
     values_.push_back(static_cast<float>(is_velocity ? value : std::max(0.0, value)));
     return "";
@@ -233,6 +282,10 @@ class EsriReader {
   std::array<int, kKeys.size()> lines_ = {};  ///< Where they stand.
   GridFrame frame_;
   std::vector<float> values_;
+  FloorSigns signs_;
+  bool has_whole_line_ = false;  ///< Some line has as many numbers as there are columns.
+  int odd_line_ = 0;             ///< The first line that has not; 0: there is none.
+  int odd_count_ = 0;            ///< How many it has.
 };
 
 }  // namespace

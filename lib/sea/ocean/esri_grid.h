@@ -19,6 +19,7 @@
 
 #include "lib/base/check/result.h"
 #include "lib/sea/ocean/depth_grid.h"
+#include "lib/sea/ocean/floor_signs.h"
 #include "lib/sea/ocean/grid_map.h"
 
 namespace shoal {
@@ -43,8 +44,10 @@ struct EsriGridOptions {
 inline constexpr int kMaxGridPoints = 16'000'000;
 
 /// Returns the grid in the mission's frame. Its points are the middles of the cells. Land counts as
-/// depth 0. Keys in any case, a row per line. An error names the line and what to do:
-/// "bay.asc: 9: ...". Takes no more memory than the text has numbers, whatever its header claims.
+/// depth 0. Keys in any case; lines may end anywhere between the numbers, as the format allows.
+/// Without data are the numbers within a millionth of NODATA_value, which programs write with other
+/// digits than their numbers, those beyond 1e30, and "nan". An error names the line and what to do:
+/// "bay.asc:9: ...". Takes no more memory than the text has numbers, whatever its header claims.
 /// @pre finite options
 [[nodiscard]] Result<DepthGrid> ParseEsriGrid(std::string_view text,
                                               const EsriGridOptions& options);
@@ -53,6 +56,7 @@ inline constexpr int kMaxGridPoints = 16'000'000;
 struct EsriField {
   GridFrame frame;
   std::vector<float> values;  ///< Depths, >= 0, or velocities: NaN where a cell has no data.
+  FloorSigns signs = {};      ///< Of depths and elevations: the numbers of cells with data.
 };
 
 /// The same, for values of any kind.

@@ -72,6 +72,64 @@ TEST(EsriGrid, FillsItsGapsWhereTheMissionStatesHow) {
   ExpectError("nodata_value -1\n" + With("-20", "-1"), "bay.asc:8: column 2 has no data", "gaps");
 }
 
+TEST(EsriGrid, HasNoDataWhereItsNumbersAreNan) {
+  for (const char* nan : {"nan", "NaN", "-nan", "1.#QNAN", "-1.#IND"}) {
+    const std::string body = With("-20", nan);
+    ExpectError(body, "bay.asc:7: column 2 has no data", "gaps");
+    for (const std::string& text :
+         {body, "NODATA_value -9999\n" + body, "NODATA_value " + std::string(nan) + "\n" + body}) {
+      Result<DepthGrid> grid = ParseEsriGrid(text, {.nodata_depth_m = 15});
+      ASSERT_TRUE(grid.ok()) << grid.error();
+      EXPECT_EQ(grid->DepthAt({515, 6005}), 15) << nan;
+    }
+  }
+  Result<DepthGrid> first = ParseEsriGrid(With("-30", "nan"), {.nodata_depth_m = 15});
+  ASSERT_TRUE(first.ok()) << "the first number is one too: " << first.error();
+  EXPECT_EQ(first->DepthAt({505, 6015}), 15);
+}
+
+TEST(EsriGrid, HasNoDataWithinAMillionthOfItsMarkAndBeyond1e30) {
+  const auto depth_m = [](const std::string& mark, const std::string& number) {
+    Result<DepthGrid> grid =
+        ParseEsriGrid("NODATA_value " + mark + "\n" + With("-20", number), {.nodata_depth_m = 15});
+    return grid.ok() ? grid->DepthAt({515, 6005}) : -1;
+  };
+  EXPECT_EQ(depth_m("-3.39999999999999996e+38", "-3.3999999521443642e+38"), 15);
+  EXPECT_EQ(depth_m("-9999.9", "-9999.900390625"), 15);
+  EXPECT_EQ(depth_m("-9999", "3.4028234e+38"), 15) << "beyond 1e30 no number is a depth";
+  EXPECT_EQ(depth_m("-5000", "-5000.0049"), 15);
+  EXPECT_NEAR(depth_m("-5000", "-5000.0051"), 5000.0051, 1e-3);
+  EXPECT_EQ(depth_m("-9999", "-1e29"), -1) << "further from the surface than 20 km";
+  EXPECT_NEAR(depth_m("0", "-0.25"), 0.25, 1e-9);
+}
+
+TEST(EsriGrid, MayBreakItsLinesAnywhere) {
+  for (const char* rows : {"-30 -40 -50 -10 -20 -60", "-30 -40\n-50 -10\n-20 -60\n",
+                           "-30\n-40\n\n-50 -10 -20\r\n-60\r\n", " -30 -40 -50 -10\n-20 -60"}) {
+    Result<DepthGrid> grid = ParseEsriGrid(kHeader + std::string(rows), {});
+    ASSERT_TRUE(grid.ok()) << grid.error();
+    EXPECT_EQ(grid->DepthAt({505, 6015}), 30) << rows;
+    EXPECT_EQ(grid->DepthAt({505, 6005}), 10) << rows;
+    EXPECT_EQ(grid->DepthAt({525, 6005}), 60) << rows;
+  }
+  ExpectError(kHeader + std::string("-30 -40\n-50 -10\n-20"),
+              "bay.asc:8: the text ends after 5 of 6 numbers", "complete");
+  ExpectError(kHeader + std::string("-30 -40 -50 -10\n-20 -60 -70"),
+              "bay.asc:6: this line has 4 numbers, and ncols is 3", "correct the header");
+}
+
+TEST(EsriGrid, CountsOnWhichSideOfZeroItsNumbersAre) {
+  const Result<EsriField> field =
+      ParseEsriField(With("-10 -20", "0 7") + "", {.nodata_depth_m = 1});
+  ASSERT_TRUE(field.ok()) << field.error();
+  EXPECT_EQ(field->signs.num_negative, 4U);
+  EXPECT_EQ(field->signs.num_zero, 1U);
+  EXPECT_EQ(field->signs.num_positive, 1U);
+  const Result<EsriField> gaps =
+      ParseEsriField(With("-10 -20", "nan -9999"), {.nodata_depth_m = 1});
+  EXPECT_EQ(gaps->signs.num(), 4U) << "gaps are on neither side";
+}
+
 TEST(EsriGrid, WithAByteOrderMarkIsRead) {
   EXPECT_TRUE(ParseEsriGrid("\xEF\xBB\xBF" + kGood, {}).ok());
 }
@@ -106,13 +164,16 @@ TEST(EsriGridErrors, NameTheLineAndTheRemedy) {
   ExpectError(With("nrows 2", "nrows 2.5"), "bay.asc:2: ncols and nrows must be whole", "");
   ExpectError(With("cellsize 10", "cellsize 0.004166"),
               "bay.asc:5: cellsize must be from 0.05 to 1000000 metres", "projected");
-  ExpectError(With("-40 ", ""), "bay.asc:6: this row has 2 numbers, and ncols is 3", "own");
-  ExpectError(With("-40", "-40 -41"), "bay.asc:6: this row has more numbers", "own");
+  ExpectError(With("-40 ", ""), "bay.asc:6: this line has 2 numbers, and ncols is 3", "complete");
+  ExpectError(With("-40", "-40 -41"), "bay.asc:6: this line has 4 numbers, and ncols is 3",
+              "there are more numbers than the 6 of ncols and nrows");
   ExpectError(With("-40", "4o"), "bay.asc:6: '4o' is not a number", "");
   ExpectError(With("-40", "inf"), "bay.asc:6: 'inf' is not a number", "");
   ExpectError(With("-40", "-32768"), "bay.asc:6: column 2 is further", "NODATA_value");
-  ExpectError(With("nrows 2", "nrows 3"), "bay.asc:7: the text ends after 2 of 3 rows", "complete");
-  ExpectError(With("nrows 2", "nrows 1"), "bay.asc:7: there are more rows than the 1", "header");
+  ExpectError(With("nrows 2", "nrows 3"), "bay.asc:7: the text ends after 6 of 9 numbers",
+              "complete");
+  ExpectError(With("nrows 2", "nrows 1"),
+              "bay.asc:7: there are more numbers than the 3 of ncols and nrows", "header");
 }
 
 TEST(EsriGridErrors, ComeBeforeAnyMemoryIsTakenForAHugeHeader) {
@@ -120,7 +181,8 @@ TEST(EsriGridErrors, ComeBeforeAnyMemoryIsTakenForAHugeHeader) {
               "bay.asc:2: ncols times nrows is more than 16000000", "cut out");
   ExpectError(With("ncols 3", "ncols 1e300"), "bay.asc:1: ncols must be from 1 to", "");
   ExpectError(With("ncols 3", "ncols -3"), "bay.asc:1: ncols must be from 1 to", "");
-  ExpectError(With("ncols 3\nnrows 2", "ncols 4000\nnrows 4000"), "bay.asc:6: this row has 3", "");
+  ExpectError(With("ncols 3\nnrows 2", "ncols 4000\nnrows 4000"),
+              "bay.asc:7: the text ends after 6 of", "complete");
 }
 
 TEST(EsriGridErrors, QuoteWhatIsThereShortAndPrintable) {
