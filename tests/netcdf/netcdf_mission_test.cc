@@ -6,7 +6,10 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <string>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #include "lib/base/geodesy/local_frame.h"
@@ -173,9 +176,105 @@ TEST_P(NetcdfMissions, HaveTheFloorThatTheFileStatesToBeDepths) {
   EXPECT_NEAR(Sea(keys).floor->DepthAt({0, 0}), depth_m, 1e-4);
   file.variables[2].texts.clear();
   Write("sea/other.nc", file);
-  EXPECT_EQ(Sea("floor = {grid = \"sea/other.nc\"}").floor->DepthAt({0, 0}), 0) << "land";
+  EXPECT_EQ(ErrorOf("floor = {grid = \"sea/other.nc\"}"),
+            "m.toml:5:9: sea/other.nc: variable 'elevation' has none of its 12 points below the "
+            "surface where its numbers are elevations, negative below it: write grid_is_depth = "
+            "true to read them as depths, positive below it");
   EXPECT_NEAR(Sea("floor = {grid = \"sea/other.nc\", grid_is_depth = true}").floor->DepthAt({0, 0}),
               depth_m, 1e-4);
+}
+
+/// A map of 50 m everywhere, or of these numbers.
+WrittenNetcdf FlatFile(const std::string& name, const std::map<std::string, std::string>& texts,
+                       std::vector<double> values = std::vector<double>(9, 50)) {
+  return {.dimensions = {{"lat", 3}, {"lon", 3}},
+          .variables = {
+              Axis("lat", 0, {54.1, 54.2, 54.3}, "degrees_north"),
+              Axis("lon", 1, {10.1, 10.2, 10.3}, "degrees_east"),
+              {.name = name, .dimensions = {0, 1}, .values = std::move(values), .texts = texts}}};
+}
+
+/// Returns what `shoal check` warns of in [environment].
+std::vector<std::string> SeaWarnings(const LoadedMission& loaded) {
+  std::vector<std::string> warnings;
+  for (const std::string& warning : loaded.warnings) {
+    if (warning.find("m.toml:5:") != std::string::npos) warnings.push_back(warning);
+  }
+  return warnings;
+}
+
+TEST_P(NetcdfMissions, HaveTheDepthsOfEveryAliasOfTheirStandardName) {
+  for (const char* name :
+       {"sea_floor_depth_below_sea_level", "sea_floor_depth_below_mean_sea_level",
+        "sea_floor_depth_below_geoid", "sea_floor_depth_below_geopotential_datum",
+        "sea_floor_depth_below_reference_ellipsoid", "sea_floor_depth"}) {
+    const std::string file = std::string("sea/") + name + ".nc";
+    Write(file, FlatFile("h", {{"standard_name", name}, {"units", "meters"}}));
+    const std::string keys = "floor = {grid = \"" + file + "\"}";
+    EXPECT_EQ(Sea(keys).floor->DepthAt({0, 0}), 50) << name;
+    EXPECT_EQ(SeaWarnings(Load(keys)).size(),
+              std::string(name).ends_with("reference_ellipsoid") ? 1U : 0U)
+        << name;
+  }
+}
+
+TEST_P(NetcdfMissions, HaveTheDepthsThatTheirNameAndTheirSignsShow) {
+  for (const char* name : {"depth", "deptho", "bathymetry", "h", "Depth"}) {
+    const std::string file = std::string("sea/named_") + name + ".nc";
+    Write(file, FlatFile(name, {{"units", "m"}}));
+    const std::string keys = "floor = {grid = \"" + file + "\"";
+    EXPECT_EQ(Sea(keys + "}").floor->DepthAt({0, 0}), 50) << name;
+    ASSERT_EQ(SeaWarnings(Load(keys + "}")).size(), 1U) << name;
+    EXPECT_NE(SeaWarnings(Load(keys + "}"))[0].find("write grid_is_depth = true if they are"),
+              std::string::npos);
+    EXPECT_TRUE(SeaWarnings(Load(keys + ", grid_is_depth = true}")).empty()) << name;
+    EXPECT_NE(ErrorOf(keys + ", grid_is_depth = false}").find("write grid_is_depth = true"),
+              std::string::npos);
+  }
+  Write("sea/elevations.nc", FlatFile("depth", {}, std::vector<double>(9, -30)));
+  EXPECT_EQ(Sea("floor = {grid = \"sea/elevations.nc\"}").floor->DepthAt({0, 0}), 30)
+      << "elevations, whatever they are called";
+}
+
+TEST_P(NetcdfMissions, AreRefusedWhereTheAttributesOfTheirFloorMakeItLand) {
+  const std::vector<double> negative(9, -50);
+  Write("sea/down.nc", FlatFile("z", {{"positive", "down"}}, negative));
+  EXPECT_EQ(ErrorOf("floor = {grid = \"sea/down.nc\"}"),
+            "m.toml:5:9: sea/down.nc: variable 'z' has none of its 9 points below the surface "
+            "where its numbers are depths, positive below it, as by its attribute positive = "
+            "'down': write grid_is_depth = false to read them as elevations, negative below it");
+  EXPECT_EQ(Sea("floor = {grid = \"sea/down.nc\", grid_is_depth = false}").floor->DepthAt({0, 0}),
+            50);
+  Write("sea/up.nc", FlatFile("z", {{"standard_name", "altitude"}}));
+  EXPECT_NE(ErrorOf("floor = {grid = \"sea/up.nc\"}").find("write grid_is_depth = true"),
+            std::string::npos);
+  EXPECT_EQ(Sea("floor = {grid = \"sea/up.nc\", grid_is_depth = true}").floor->DepthAt({0, 0}), 50);
+  Write("sea/zero.nc", FlatFile("z", {}, std::vector<double>(9, 0)));
+  EXPECT_NE(ErrorOf("floor = {grid = \"sea/zero.nc\"}").find("is it the right map?"),
+            std::string::npos);
+  WrittenNetcdf gaps = FlatFile("z", {}, std::vector<double>(9, -99));
+  gaps.variables[2].numbers = {{"_FillValue", -99}};
+  Write("sea/gaps.nc", gaps);
+  EXPECT_NE(ErrorOf("floor = {grid = \"sea/gaps.nc\", grid_gap_depth_m = 0}")
+                .find("has no data at any point"),
+            std::string::npos);
+}
+
+TEST_P(NetcdfMissions, KeepWhatAFileStatesAndWarnOfAKeyAgainstIt) {
+  Write("sea/bay.nc", FlatFile("h", {{"positive", "down"}}));
+  const std::string keys = "floor = {grid = \"sea/bay.nc\", grid_is_depth = false}";
+  EXPECT_EQ(Sea(keys).floor->DepthAt({0, 0}), 50);
+  ASSERT_EQ(SeaWarnings(Load(keys)).size(), 1U);
+  EXPECT_NE(SeaWarnings(Load(keys))[0].find("grid_is_depth = false has no effect"),
+            std::string::npos);
+}
+
+TEST_P(NetcdfMissions, AreWarnedOfTheShareOfLand) {
+  Write("sea/bay.nc", FlatFile("elevation", {}, {-5, -5, -5, -5, -5, -5, 0, 3, 4}));
+  const std::vector<std::string> warnings = SeaWarnings(Load("floor = {grid = \"sea/bay.nc\"}"));
+  ASSERT_EQ(warnings.size(), 1U);
+  EXPECT_NE(warnings[0].find("33 % of the points of "), std::string::npos) << warnings[0];
+  EXPECT_NE(warnings[0].find("if they are not, write grid_is_depth = true"), std::string::npos);
 }
 
 TEST_P(NetcdfMissions, LayMapsInMetresByTheirOrigin) {
@@ -204,6 +303,184 @@ TEST_P(NetcdfMissions, HaveTheCurrentOfAnyPlaceDepthAndTime) {
       EXPECT_NEAR(water_mps.y(), North(point.lat_deg, point.lon_deg, place_m.z(), hours), 1e-6);
     }
   }
+}
+
+/// A current of two depths: 0.5 m/s at the surface, 0.1 m/s at 10 m.
+WrittenNetcdf TwoDepths(const std::vector<double>& depths, const std::string& positive) {
+  WrittenNetcdf file = {
+      .dimensions = {{"depth", 2}, {"lat", 2}, {"lon", 2}},
+      .variables = {Axis("depth", 0, depths, "m"), Axis("lat", 1, {54.1, 54.3}, "degrees_north"),
+                    Axis("lon", 2, {10.1, 10.3}, "degrees_east")}};
+  file.variables[0].texts["positive"] = positive;
+  file.variables.push_back(
+      {.name = "uo", .dimensions = {0, 1, 2}, .values = {0.5, 0.5, 0.5, 0.5, 0.1, 0.1, 0.1, 0.1}});
+  file.variables.push_back(
+      {.name = "vo", .dimensions = {0, 1, 2}, .values = std::vector<double>(8, 0)});
+  return file;
+}
+
+TEST_P(NetcdfMissions, HaveTheWaterOfTheirDepthWhereTheAxisIsUpsideDown) {
+  const std::string keys = "current = {grid = \"sea/tide.nc\"}";
+  Write("sea/tide.nc", TwoDepths({0, -10}, "down"));
+  EXPECT_NEAR(Sea(keys).WaterVelocityAt({0, 0, 10}, 0).x(), 0.1, 1e-6);
+  EXPECT_NEAR(Sea(keys).WaterVelocityAt({0, 0, 0}, 0).x(), 0.5, 1e-6);
+  ASSERT_EQ(SeaWarnings(Load(keys)).size(), 1U);
+  EXPECT_NE(SeaWarnings(Load(keys))[0].find("above the surface"), std::string::npos);
+  Write("sea/up.nc", TwoDepths({0, 10}, "up"));
+  EXPECT_NEAR(Sea("current = {grid = \"sea/up.nc\"}").WaterVelocityAt({0, 0, 10}, 0).x(), 0.1,
+              1e-6);
+}
+
+TEST_P(NetcdfMissions, HaveTheWaterOfTheirDayByTheStandardCalendar) {
+  WrittenNetcdf file = {.dimensions = {{"time", 3}, {"lat", 2}, {"lon", 2}},
+                        .variables = {Axis("time", 0, {17'758'632, 17'758'680, 17'758'728},
+                                           "hours since 1-1-1 00:00:0.0"),
+                                      Axis("lat", 1, {54.1, 54.3}, "degrees_north"),
+                                      Axis("lon", 2, {10.1, 10.3}, "degrees_east")}};
+  file.variables[0].texts["calendar"] = "standard";
+  for (const char* name : {"uo", "vo"}) {
+    file.variables.push_back(
+        {.name = name,
+         .dimensions = {0, 1, 2},
+         .values = {0.2, 0.2, 0.2, 0.2, 0.4, 0.4, 0.4, 0.4, 0.6, 0.6, 0.6, 0.6}});
+  }
+  Write("sea/tide.nc", file);
+  EXPECT_NEAR(Sea("current = {grid = \"sea/tide.nc\", grid_time = \"2026-11-24T00:00:00Z\"}")
+                  .WaterVelocityAt({0, 0, 0}, 0)
+                  .x(),
+              0.4, 1e-6);
+}
+
+/// 0.5 m/s along the x axis of a grid of the Arctic, which points 38 degrees to the left of East.
+WrittenNetcdf ArcticFile(const std::string& name, const std::string& axis_name) {
+  WrittenNetcdf file = {.dimensions = {{"X", 3}, {"Y", 3}},
+                        .variables = {Axis("X", 0, {-1011, -991, -971}, "km"),
+                                      Axis("Y", 1, {-1277, -1257, -1237}, "km")}};
+  file.variables[0].texts["standard_name"] = "projection_x_coordinate";
+  file.variables[1].texts["standard_name"] = "projection_y_coordinate";
+  file.variables.push_back({.name = "map",
+                            .type = WrittenType::kInt,
+                            .texts = {{"grid_mapping_name", name}},
+                            .numbers = {{"straight_vertical_longitude_from_pole", 58},
+                                        {"latitude_of_projection_origin", 90},
+                                        {"standard_parallel", 60},
+                                        {"earth_radius", 6'371'000}}});
+  for (const auto& [variable, axis, speed_mps] :
+       {std::tuple("u", "x", 0.5), std::tuple("v", "y", 0.0)}) {
+    file.variables.push_back({.name = variable,
+                              .dimensions = {1, 0},
+                              .values = std::vector<double>(9, speed_mps),
+                              .texts = {{"grid_mapping", "map"}}});
+    if (!axis_name.empty()) {
+      file.variables.back().texts["standard_name"] = axis + axis_name;
+    }
+  }
+  return file;
+}
+constexpr char kArcticOrigin[] = "origin = {lat_deg = 74.66357488, lon_deg = 19.74828241}";
+
+TEST_P(NetcdfMissions, DriftAlongTheAxesOfAProjectedGrid) {
+  Write("sea/arctic.nc", ArcticFile("polar_stereographic", "_sea_water_velocity"));
+  Write("sea/unnamed.nc", ArcticFile("polar_stereographic", ""));
+  for (const auto& [keys, num_warnings] :
+       {std::pair("grid = \"sea/arctic.nc\", grid_origin = [-991000, -1257000]", 0U),
+        std::pair("grid = \"sea/arctic.nc\"", 0U),
+        std::pair("grid_east = \"sea/arctic.nc:u\", grid_north = \"sea/arctic.nc:v\"", 0U),
+        std::pair("grid = \"sea/unnamed.nc\"", 1U),
+        std::pair("grid = \"sea/arctic.nc\", grid_origin = [-995000, -1257000]", 1U)}) {
+    const LoadedMission loaded = Load(std::string("current = {") + keys + "}", kArcticOrigin);
+    ASSERT_EQ(loaded.errors, std::vector<std::string>{});
+    EXPECT_EQ(SeaWarnings(loaded).size(), num_warnings) << keys;
+    const Result<Ocean> ocean = OceanOf(loaded.mission);
+    ASSERT_TRUE(ocean.ok()) << ocean.error();
+    const Eigen::Vector2d drift_m = 100 * ocean->WaterVelocityAt({0, 0, 0}, 0);
+    EXPECT_NEAR(drift_m.x(), 39.3, 0.2) << keys;
+    EXPECT_NEAR(drift_m.y(), 31, 0.2) << keys;
+  }
+}
+
+TEST_P(NetcdfMissions, PlaceTheCellsOfAProjectedGridByItsMap) {
+  WrittenNetcdf file = ArcticFile("polar_stereographic", "_sea_water_velocity");
+  // Faster from column to column, 20 km apart on the map: 19 km on the Earth there.
+  file.variables[3].values = {0, 0.5, 1, 0, 0.5, 1, 0, 0.5, 1};
+  Write("sea/arctic.nc", file);
+  const LoadedMission loaded = Load("current = {grid = \"sea/arctic.nc\"}", kArcticOrigin);
+  const Result<Ocean> ocean = OceanOf(loaded.mission);
+  ASSERT_TRUE(ocean.ok()) << ocean.error();
+  const double angle_rad = std::atan2(31.0, 39.3);
+  const Eigen::Vector2d along_m = 9000 * Eigen::Vector2d(std::cos(angle_rad), std::sin(angle_rad));
+  const double scale =
+      2 / (1 + std::sin(74.66 * std::acos(-1) / 180));  // Of a map true at the pole.
+  const double scale_at_60 = 2 / (1 + std::sin(std::acos(-1) / 3));
+  const double expected_mps = 0.5 + 0.5 * 9000 * scale / scale_at_60 / 20'000;
+  EXPECT_NEAR(ocean->WaterVelocityAt({along_m.x(), along_m.y(), 0}, 0).norm(), expected_mps, 3e-3);
+}
+
+TEST_P(NetcdfMissions, AreRefusedOnAMapThatIsNotKnownOrWithComponentsOfTwoKinds) {
+  Write("sea/arctic.nc", ArcticFile("geostationary", "_sea_water_velocity"));
+  EXPECT_NE(ErrorOf("current = {grid = \"sea/arctic.nc\"}", kArcticOrigin)
+                .find("is on a map whose grid_mapping 'map' is 'geostationary'"),
+            std::string::npos);
+  WrittenNetcdf file = ArcticFile("polar_stereographic", "_sea_water_velocity");
+  file.variables[4].texts["standard_name"] = "northward_sea_water_velocity";
+  Write("sea/mixed.nc", file);
+  EXPECT_NE(ErrorOf("current = {grid_east = \"sea/mixed.nc:u\", grid_north = \"sea/mixed.nc:v\"}",
+                    kArcticOrigin)
+                .find("are along different axes by their standard_name"),
+            std::string::npos);
+  Write("sea/good.nc", ArcticFile("polar_stereographic", "_sea_water_velocity"));
+  EXPECT_NE(ErrorOf("current = {grid = \"sea/good.nc\"}", "").find("write in [mission] origin"),
+            std::string::npos);
+}
+
+/// A curvilinear grid about the origin, whose rows run to the North-East: 0.5 m/s along them, and a
+/// floor that is 10 m deeper with each column.
+WrittenNetcdf BentFile(const std::string& component) {
+  WrittenNetcdf file = {.dimensions = {{"eta", 5}, {"xi", 5}},
+                        .variables = {Axis("lat_rho", 0, {}, "degrees_north"),
+                                      Axis("lon_rho", 0, {}, "degrees_east"),
+                                      {.name = "u"},
+                                      {.name = "v"},
+                                      {.name = "h"}}};
+  const LocalFrame frame(kOrigin);
+  for (int eta = -2; eta <= 2; ++eta) {
+    for (int xi = -2; xi <= 2; ++xi) {
+      const GeoPoint point = frame.ToGeo({1000.0 * (xi - eta), 1000.0 * (xi + eta)});
+      file.variables[0].values.push_back(point.lat_deg);
+      file.variables[1].values.push_back(point.lon_deg);
+      file.variables[2].values.push_back(0.5);
+      file.variables[3].values.push_back(0);
+      file.variables[4].values.push_back(50 + 10 * xi);
+    }
+  }
+  for (WrittenVariable& variable : file.variables) variable.dimensions = {0, 1};
+  file.variables[2].texts["standard_name"] =
+      component == "sea_water" ? "sea_water_x_velocity" : "eastward_sea_water_velocity";
+  file.variables[3].texts["standard_name"] =
+      component == "sea_water" ? "sea_water_y_velocity" : "northward_sea_water_velocity";
+  file.variables[4].texts["standard_name"] = "sea_floor_depth_below_geoid";
+  return file;
+}
+
+TEST_P(NetcdfMissions, HaveTheSeaOfACurvilinearGrid) {
+  Write("sea/along.nc", BentFile("sea_water"));
+  Write("sea/east.nc", BentFile(""));
+  const Ocean along = Sea("current = {grid = \"sea/along.nc\"}\nfloor = {grid = \"sea/along.nc\"}");
+  const Eigen::Vector2d flow_mps = along.WaterVelocityAt({200, -300, 0}, 0);
+  EXPECT_NEAR(flow_mps.x(), 0.5 * std::sqrt(0.5), 1e-3);
+  EXPECT_NEAR(flow_mps.y(), 0.5 * std::sqrt(0.5), 1e-3);
+  EXPECT_NEAR(along.floor->DepthAt({0, 0}), 50, 1e-3);
+  EXPECT_NEAR(along.floor->DepthAt({700, 700}), 57, 1e-2);
+  EXPECT_NEAR(along.floor->DepthAt({-700, 700}), 50, 1e-2);
+  const Ocean east = Sea("current = {grid = \"sea/east.nc\"}");
+  EXPECT_NEAR(east.WaterVelocityAt({200, -300, 0}, 0).x(), 0.5, 1e-6);
+  EXPECT_NE(ErrorOf("current = {grid = \"sea/east.nc\", grid_origin = [1, 2]}")
+                .find("remove grid_origin"),
+            std::string::npos);
+  EXPECT_NE(
+      ErrorOf("current = {grid = \"sea/east.nc\"}", "origin = {lat_deg = 55.2, lon_deg = 10.2}")
+          .find("outside of the current's grid"),
+      std::string::npos);
 }
 
 TEST_P(NetcdfMissions, UnpackShorts) {

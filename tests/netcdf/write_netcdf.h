@@ -14,8 +14,8 @@ enum class WrittenType { kByte, kChar, kShort, kInt, kFloat, kDouble };
 struct WrittenVariable {
   std::string name;
   WrittenType type = WrittenType::kFloat;
-  std::vector<int> dimensions;      ///< By their numbers.
-  std::vector<double> values = {};  ///< Empty: none is written.
+  std::vector<int> dimensions = {};  ///< By their numbers.
+  std::vector<double> values = {};   ///< Empty: none is written.
   std::map<std::string, std::string> texts = {};
   std::map<std::string, double> numbers = {};  ///< _FillValue has the variable's type.
 };

@@ -132,7 +132,11 @@ void Describe(Fields& fields, FloorOptions& floor) {
     fields.Text("grid", floor.grid, kPathRule);
     if (fields.reading() && floor.style == "none") floor.style = "grid";
   }
-  fields.Flag("grid_is_depth", floor.grid_is_depth);
+  if (fields.Has("grid_is_depth", floor.grid_is_depth.has_value())) {
+    bool is_depth = floor.grid_is_depth.value_or(false);
+    fields.Flag("grid_is_depth", is_depth);
+    floor.grid_is_depth = is_depth;
+  }
   fields.Pair("grid_origin", floor.grid_origin_m, Between(-1e9, 1e9));
   if (fields.Has("grid_gap_depth_m", floor.grid_gap_depth_m >= 0)) {
     fields.Number("grid_gap_depth_m", floor.grid_gap_depth_m, Between(0, 20'000));

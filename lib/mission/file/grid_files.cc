@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "lib/base/geometry/angles.h"
 #include "lib/base/text/letters.h"
 #include "lib/bus/os/read_file.h"
 #include "lib/mission/model/mission.h"
@@ -20,6 +21,8 @@
 #include "lib/mission/track/iso_time.h"
 #include "lib/sea/ocean/current.h"
 #include "lib/sea/ocean/esri_grid.h"
+#include "lib/sea/ocean/floor_signs.h"
+#include "lib/sea/ocean/grid_mesh.h"
 
 namespace shoal {
 
@@ -54,18 +57,39 @@ Result<OpenGrid> OpenNetcdf(const std::string& path) {
   return OpenGrid{.fd = std::move(*fd), .file = std::move(*file)};
 }
 
-/// Returns what is wrong with the origin of a grid in degrees; empty: nothing.
-std::string OriginProblem(const CfField& field, const Eigen::Vector2d& origin_m) {
-  if (!field.is_geographic || origin_m.isZero()) return "";
+/// Returns what is wrong with the way a grid is placed; empty: nothing.
+std::string PlaceProblem(const CfField& field, const Eigen::Vector2d& origin_m) {
+  if (field.is_curvilinear() && (field.x.size() < 2 || field.y.size() < 2)) {
+    return "has latitudes and longitudes of two dimensions, and less than two points along one of "
+           "them; cut out a larger part";
+  }
+  const bool has_degrees = field.is_geographic || field.is_curvilinear() ||
+                           (field.projection && field.projection->is_rotated_pole());
+  if (!has_degrees || origin_m.isZero()) return "";
   return "has latitudes and longitudes, among which the mission's own origin counts: remove "
          "grid_origin";
 }
 
-GridMap MapOf(const CfField& field, const Eigen::Vector2d& origin_m,
-              const GridPlacement& placement) {
+GridMap MapOf(const CfField& field, const Eigen::Vector2d& origin_m, const GridPlacement& placement,
+              GridNotes& notes) {
+  GeoPoint origin = {.lat_deg = placement.origin_lat_deg, .lon_deg = placement.origin_lon_deg};
+  if (field.is_curvilinear()) {
+    notes.needs_origin = true;
+    return GridMap(GridMesh(origin, static_cast<int>(field.x.size()),
+                            static_cast<int>(field.y.size()), field.lats_deg, field.lons_deg));
+  }
   if (field.is_geographic) {
-    return {GeoPoint{.lat_deg = placement.origin_lat_deg, .lon_deg = placement.origin_lon_deg},
-            GridAxis(field.x), GridAxis(field.y)};
+    notes.needs_origin = true;
+    return {origin, GridAxis(field.x), GridAxis(field.y)};
+  }
+  if (field.projection) {
+    if (origin_m.isZero()) {
+      notes.needs_origin = true;
+    } else {
+      origin = field.projection->Reverse(origin_m);
+      notes.own_origin = origin;
+    }
+    return {origin, *field.projection, GridAxis(field.x), GridAxis(field.y)};
   }
   std::vector<double> x_m = field.x;
   std::vector<double> y_m = field.y;
@@ -78,6 +102,11 @@ GridMap MapOf(const CfField& field, const Eigen::Vector2d& origin_m,
 std::string PointText(const CfField& field, size_t index) {
   const double x = field.x[index % field.x.size()];
   const double y = field.y[index / field.x.size() % field.y.size()];
+  if (field.is_curvilinear()) {
+    const size_t point = index % (field.x.size() * field.y.size());
+    return fmt::format("latitude {:.10g}, longitude {:.10g}", field.lats_deg[point],
+                       field.lons_deg[point]);
+  }
   return field.is_geographic ? fmt::format("latitude {:.10g}, longitude {:.10g}", y, x)
                              : fmt::format("x = {:.10g} m, y = {:.10g} m", x, y);
 }
@@ -90,17 +119,84 @@ std::optional<size_t> FindBeyond(const std::vector<float>& values, double most) 
   return std::nullopt;
 }
 
-/// Makes elevations, or depths, the depths of a sea floor. Returns what is wrong; empty: nothing.
-std::string MakeDepths(CfField& field, bool are_depths, double gap_depth_m) {
+/// How the numbers of a floor are read, and why.
+struct FloorReading {
+  bool are_depths = false;
+  std::string by = {};  ///< For messages; empty: grid_is_depth, or its default.
+};
+
+std::string ReadingText(bool are_depths) {
+  return are_depths ? "depths, positive below it" : "elevations, negative below it";
+}
+
+/// Returns how a share of points is called: "12 %", "0.3 %", "all".
+std::string ShareText(size_t part, size_t all) {
+  if (part == all) return "all";
+  return fmt::format("{:.2g} %", 100.0 * static_cast<double>(part) / static_cast<double>(all));
+}
+
+/// Returns why a map cannot be a sea floor as it is read; empty: it can. A user who stated the
+/// reading may have a map with very little water.
+std::string LandProblem(const FloorSigns& signs, const FloorReading& reading, bool is_stated) {
+  if (signs.num() == 0) return "has no data at any point; is it the right file, and whole?";
+  const size_t num_below = signs.NumBelow(reading.are_depths);
+  if (is_stated ? num_below > 0 : !signs.IsHardlyBelow(reading.are_depths)) return "";
+  const std::string start = fmt::format(
+      "has {} of its {} points below the surface where its numbers are {}{}: ",
+      num_below == 0 ? "none" : fmt::format("no more than {}", num_below), signs.num(),
+      ReadingText(reading.are_depths), reading.by.empty() ? "" : ", as by " + reading.by);
+  if (signs.IsHardlyBelow(!reading.are_depths)) {
+    return start + "nor are they the other way round; is it the right map?";
+  }
+  return fmt::format("{}write grid_is_depth = {} to read them as {}", start, !reading.are_depths,
+                     ReadingText(!reading.are_depths));
+}
+
+/// Warns of land, by its share.
+void WarnOfLand(const FloorSigns& signs, const FloorReading& reading, const std::string& file,
+                GridNotes& notes) {
+  const size_t num_land = signs.num() - signs.NumBelow(reading.are_depths);
+  if (num_land == 0) return;
+  notes.warnings.push_back(fmt::format(
+      "{} of the points of {} are land, at the surface or above it, where its numbers are {}: if "
+      "they are not, write grid_is_depth = {}",
+      ShareText(num_land, signs.num()), file, ReadingText(reading.are_depths),
+      !reading.are_depths));
+}
+
+/// Decides what the numbers of a variable are: by what its attributes state, by grid_is_depth where
+/// they state nothing, or cannot be right, and at last by its name.
+FloorReading ReadingOf(const NetcdfVariable& variable, const FloorSigns& signs,
+                       const FloorOptions& options, const std::string& where, GridNotes& notes) {
+  const std::optional<FloorStatement> stated = StatementOf(variable);
+  if (stated) {
+    FloorReading reading = {.are_depths = stated->are_depths, .by = stated->by};
+    if (!options.grid_is_depth || *options.grid_is_depth == reading.are_depths) return reading;
+    if (signs.IsHardlyBelow(reading.are_depths)) return {.are_depths = *options.grid_is_depth};
+    notes.warnings.push_back(fmt::format("{} holds {} by {}: grid_is_depth = {} has no effect",
+                                         where, ReadingText(reading.are_depths), reading.by,
+                                         *options.grid_is_depth));
+    return reading;
+  }
+  if (!options.grid_is_depth && IsNamedAsDepths(variable) && signs.IsHardlyBelow(false) &&
+      !signs.IsHardlyBelow(true)) {
+    notes.warnings.push_back(
+        where +
+        " has no attribute that states what its numbers are: by its name and their signs "
+        "they are taken as depths; write grid_is_depth = true if they are");
+    return {.are_depths = true, .by = "its name"};
+  }
+  return {.are_depths = options.grid_is_depth.value_or(false)};
+}
+
+/// Returns what is wrong with the numbers of a floor, each for itself; empty: nothing.
+std::string CountSigns(const CfField& field, double gap_depth_m, FloorSigns& signs) {
   for (size_t i = 0; i < field.values.size(); ++i) {
-    float& value = field.values[i];
+    const float value = field.values[i];
     if (std::isnan(value)) {
-      if (gap_depth_m < 0) {
-        return fmt::format("has no data at {}; give points without data a depth: grid_gap_depth_m",
-                           PointText(field, i));
-      }
-      value = static_cast<float>(gap_depth_m);
-      continue;
+      if (gap_depth_m >= 0) continue;
+      return fmt::format("has no data at {}; give points without data a depth: grid_gap_depth_m",
+                         PointText(field, i));
     }
     if (std::abs(value) > kMaxGridElevation_m) {
       return fmt::format(
@@ -108,33 +204,63 @@ std::string MakeDepths(CfField& field, bool are_depths, double gap_depth_m) {
           "data? Then give the variable a _FillValue",
           value, PointText(field, i), kMaxGridElevation_m);
     }
-    value = std::max(0.0F, are_depths ? value : -value);
+    signs.Count(value);
   }
   return "";
 }
 
-Result<DepthGrid> ReadNetcdfFloor(const FloorOptions& options, const GridName& name,
-                                  const GridPlacement& placement) {
+void MakeDepths(CfField& field, bool are_depths, double gap_depth_m) {
+  for (float& value : field.values) {
+    value = std::isnan(value) ? static_cast<float>(gap_depth_m)
+                              : std::max(0.0F, are_depths ? value : -value);
+  }
+}
+
+/// Adds a field's own warnings to those of its grid.
+void AddWarnings(const CfField& field, const std::string& path, GridNotes& notes) {
+  for (const std::string& warning : field.warnings) {
+    notes.warnings.push_back(fmt::format("{}: variable '{}' {}", path, field.variable, warning));
+  }
+}
+
+Result<GridRead<DepthGrid>> ReadNetcdfFloor(const FloorOptions& options, const GridName& name,
+                                            const GridPlacement& placement) {
   const std::string path = PathOf(name.file, placement);
   const Result<OpenGrid> grid = OpenNetcdf(path);
   if (!grid.ok()) return Error{grid.error()};
-  const Result<std::string> variable = name.variable.empty()
-                                           ? FindFloorVariable(grid->file.header(), path)
-                                           : Result<std::string>(name.variable);
-  if (!variable.ok()) return Error{variable.error()};
-  Result<CfField> field = ReadCfField(SourceOf(grid->file), *variable, CfQuantity::kMetres);
+  const Result<std::string> found = name.variable.empty()
+                                        ? FindFloorVariable(grid->file.header(), path)
+                                        : Result<std::string>(name.variable);
+  if (!found.ok()) return Error{found.error()};
+  Result<CfField> field = ReadCfField(SourceOf(grid->file), *found, CfQuantity::kMetres);
   if (!field.ok()) return Error{field.error()};
-  const bool are_depths =
-      HoldsDepths(*grid->file.header().Find(*variable)).value_or(options.grid_is_depth);
-  std::string problem = OriginProblem(*field, options.grid_origin_m);
+  const NetcdfVariable& variable = *grid->file.header().Find(*found);
+  const std::string where = fmt::format("{}: variable '{}'", path, *found);
+  std::string problem = PlaceProblem(*field, options.grid_origin_m);
   if (problem.empty() && field->depths_m.size() * field->times_s.size() > 1) {
     problem = "is one of several times or depths, and the sea floor has neither; cut out one";
   }
-  if (problem.empty()) problem = MakeDepths(*field, are_depths, options.grid_gap_depth_m);
-  if (!problem.empty()) {
-    return Error{fmt::format("{}: variable '{}' {}", path, *variable, problem)};
+  GridNotes notes;
+  FloorSigns signs;
+  FloorReading reading;
+  if (problem.empty()) problem = CountSigns(*field, options.grid_gap_depth_m, signs);
+  if (problem.empty()) {
+    reading = ReadingOf(variable, signs, options, where, notes);
+    problem = LandProblem(signs, reading, options.grid_is_depth == reading.are_depths);
   }
-  return DepthGrid(MapOf(*field, options.grid_origin_m, placement), std::move(field->values));
+  if (!problem.empty()) return Error{fmt::format("{} {}", where, problem)};
+  AddWarnings(*field, path, notes);
+  WarnOfLand(signs, reading, path, notes);
+  if (CountsFromEllipsoid(variable)) {
+    notes.warnings.push_back(
+        where +
+        " counts from the reference ellipsoid, from which the sea's surface is "
+        "up to 110 m away: add the height of the geoid");
+  }
+  MakeDepths(*field, reading.are_depths, options.grid_gap_depth_m);
+  GridMap map = MapOf(*field, options.grid_origin_m, placement, notes);
+  return GridRead<DepthGrid>{.grid = DepthGrid(std::move(map), std::move(field->values)),
+                             .notes = std::move(notes)};
 }
 
 Result<EsriField> ReadEsri(const std::string& path, EsriGridOptions options) {
@@ -148,8 +274,8 @@ constexpr char kOtherPoints[] =
     "are on different points; both components must be known at the same places, depths and times: "
     "interpolate one to the other's, for example with cdo remapbil";
 
-Result<CurrentGrid> ReadEsriCurrent(const CurrentGridOptions& options,
-                                    const GridPlacement& placement) {
+Result<GridRead<CurrentGrid>> ReadEsriCurrent(const CurrentGridOptions& options,
+                                              const GridPlacement& placement) {
   const EsriGridOptions esri = {.values = GridValues::kVelocity,
                                 .mission_origin_m = options.origin_m};
   Result<EsriField> east = ReadEsri(PathOf(options.east, placement), esri);
@@ -159,9 +285,9 @@ Result<CurrentGrid> ReadEsriCurrent(const CurrentGridOptions& options,
   if (east->frame != north->frame) {
     return Error{fmt::format("{} and {} {}", options.east, options.north, kOtherPoints)};
   }
-  return CurrentGrid({.map = GridMap(east->frame),
-                      .east_mps = std::move(east->values),
-                      .north_mps = std::move(north->values)});
+  return GridRead<CurrentGrid>{.grid = CurrentGrid({.map = GridMap(east->frame),
+                                                    .east_mps = std::move(east->values),
+                                                    .north_mps = std::move(north->values)})};
 }
 
 /// Returns the seconds since 1970 that are the mission's start.
@@ -178,7 +304,7 @@ Result<CfField> ReadComponent(const NetcdfFile& file, const std::string& variabl
                               const Eigen::Vector2d& origin_m) {
   Result<CfField> field = ReadCfField(SourceOf(file), variable, CfQuantity::kMetresPerSecond);
   if (!field.ok()) return field;
-  std::string problem = OriginProblem(*field, origin_m);
+  std::string problem = PlaceProblem(*field, origin_m);
   if (const auto beyond = FindBeyond(field->values, kMaxCurrent_mps); beyond && problem.empty()) {
     problem = fmt::format(
         "is {:g} m/s at {}, faster than {:g} m/s; is it the mark for no data? "
@@ -191,10 +317,119 @@ Result<CfField> ReadComponent(const NetcdfFile& file, const std::string& variabl
   return field;
 }
 
+/// Whether two fields are known at the same places. NaN is the same place as NaN.
+bool HaveSamePlaces(const CfField& a, const CfField& b) {
+  const auto is_same = [](double x, double y) {
+    return x == y || (std::isnan(x) && std::isnan(y));
+  };
+  const auto are_same = [&](const std::vector<double>& x, const std::vector<double>& y) {
+    return std::ranges::equal(x, y, is_same);
+  };
+  if (a.is_geographic != b.is_geographic || a.projection.has_value() != b.projection.has_value() ||
+      a.x != b.x || a.y != b.y || !are_same(a.lats_deg, b.lats_deg) ||
+      !are_same(a.lons_deg, b.lons_deg)) {
+    return false;
+  }
+  if (!a.projection) return true;
+  const Eigen::Vector2d first(a.x.front(), a.y.front());
+  const Eigen::Vector2d last(a.x.back(), a.y.back());
+  const GeoPoint at_first = a.projection->Reverse(first);
+  const GeoPoint at_last = a.projection->Reverse(last);
+  return is_same(at_first.lat_deg, b.projection->Reverse(first).lat_deg) &&
+         is_same(at_first.lon_deg, b.projection->Reverse(first).lon_deg) &&
+         is_same(at_last.lat_deg, b.projection->Reverse(last).lat_deg) &&
+         is_same(at_last.lon_deg, b.projection->Reverse(last).lon_deg);
+}
+
 struct Components {
   CfField east;
   CfField north;
+  GridNotes notes = {};
 };
+
+/// The directions of a grid's axes at one of its points, as unit vectors; NaN: not known.
+struct GridAxes {
+  Eigen::Vector2d x = {1, 0};
+  Eigen::Vector2d y = {0, 1};
+};
+
+/// Returns the way from one point of a curvilinear grid to another, East and North, of length 1.
+Eigen::Vector2d WayBetween(const CfField& field, size_t from, size_t to) {
+  const double lat_deg = (field.lats_deg[from] + field.lats_deg[to]) / 2;
+  return Eigen::Vector2d(std::remainder(field.lons_deg[to] - field.lons_deg[from], 360) *
+                             std::cos(DegToRad(lat_deg)),
+                         field.lats_deg[to] - field.lats_deg[from])
+      .normalized();
+}
+
+GridAxes AxesAt(const CfField& field, size_t column, size_t row) {
+  if (field.projection) {
+    const double bearing_rad = field.projection->NorthBearing_rad({field.x[column], field.y[row]});
+    return {.x = ToEastNorth({1, 0}, bearing_rad), .y = ToEastNorth({0, 1}, bearing_rad)};
+  }
+  const size_t columns = field.x.size();
+  const size_t left = column == 0 ? 0 : column - 1;
+  const size_t below = row == 0 ? 0 : row - 1;
+  const size_t right = std::min(column + 1, columns - 1);
+  const size_t above = std::min(row + 1, field.y.size() - 1);
+  return {.x = WayBetween(field, row * columns + left, row * columns + right),
+          .y = WayBetween(field, below * columns + column, above * columns + column)};
+}
+
+/// Turns velocities along the axes of a grid to East and North.
+void TurnToEast(Components& components) {
+  CfField& east = components.east;
+  CfField& north = components.north;
+  const size_t columns = east.x.size();
+  const size_t num_points = columns * east.y.size();
+  for (size_t point = 0; point < num_points; ++point) {
+    const GridAxes axes = AxesAt(east, point % columns, point / columns);
+    for (size_t i = point; i < east.values.size(); i += num_points) {
+      const Eigen::Vector2d flow = axes.x * east.values[i] + axes.y * north.values[i];
+      east.values[i] = static_cast<float>(flow.x());
+      north.values[i] = static_cast<float>(flow.y());
+    }
+  }
+}
+
+/// Finds out what the components run along, and turns them where that is not East and North.
+/// Returns what is wrong; empty: nothing.
+std::string UseDirections(Components& components, CfDirection east, CfDirection north) {
+  const std::string both =
+      fmt::format("variables '{}' and '{}'", components.east.variable, components.north.variable);
+  if (east == CfDirection::kNorth || east == CfDirection::kY || north == CfDirection::kEast ||
+      north == CfDirection::kX) {
+    components.notes.warnings.push_back(
+        both +
+        " are named as East and North, and their standard_name has them the other way round: "
+        "is grid_east exchanged with grid_north?");
+    return "";
+  }
+  const bool is_along_grid = east == CfDirection::kX || north == CfDirection::kY;
+  const bool is_along_earth = east == CfDirection::kEast || north == CfDirection::kNorth;
+  if (is_along_grid && is_along_earth) {
+    return both + " are along different axes by their standard_name; name two that belong together";
+  }
+  const bool has_turned_axes =
+      components.east.projection.has_value() || components.east.is_curvilinear();
+  if (is_along_earth) return "";
+  if (has_turned_axes) {
+    if (!is_along_grid) {
+      components.notes.warnings.push_back(
+          both +
+          " have no standard_name, and the axes of their grid do not point East and North: "
+          "they are taken to be along the axes; if they are not, give them the standard_name "
+          "eastward_sea_water_velocity and northward_sea_water_velocity");
+    }
+    TurnToEast(components);
+  } else if (is_along_grid && !components.east.is_geographic) {
+    components.notes.warnings.push_back(
+        both +
+        " are along the axes of a grid that no grid_mapping places: these are taken to point "
+        "East and North");
+  }
+  return "";
+}
 
 Result<Components> ReadComponents(const CurrentGridOptions& options,
                                   const GridPlacement& placement) {
@@ -217,13 +452,18 @@ Result<Components> ReadComponents(const CurrentGridOptions& options,
   if (!east.ok()) return Error{east.error()};
   Result<CfField> north = ReadComponent(north_file, north_name.variable, options.origin_m);
   if (!north.ok()) return Error{north.error()};
-  if (east->is_geographic != north->is_geographic || east->x != north->x || east->y != north->y ||
-      east->depths_m != north->depths_m || east->has_time != north->has_time ||
-      east->times_s != north->times_s) {
+  if (!HaveSamePlaces(*east, *north) || east->depths_m != north->depths_m ||
+      east->has_time != north->has_time || east->times_s != north->times_s) {
     return Error{fmt::format("{}: variables '{}' and '{}' {}", east_file.name(), east->variable,
                              north->variable, kOtherPoints)};
   }
-  return Components{.east = std::move(*east), .north = std::move(*north)};
+  Components components = {.east = std::move(*east), .north = std::move(*north)};
+  AddWarnings(components.east, east_file.name(), components.notes);
+  const std::string problem =
+      UseDirections(components, DirectionOf(*east_file.header().Find(east_name.variable)),
+                    DirectionOf(*north_file.header().Find(north_name.variable)));
+  if (!problem.empty()) return Error{east_file.name() + ": " + problem};
+  return components;
 }
 
 }  // namespace
@@ -263,22 +503,29 @@ void NoteGridFilesRead(const Environment& environment, const GridPlacement& plac
   for (const std::string& file : GridFilesOf(environment)) NoteFileRead(PathOf(file, placement));
 }
 
-Result<DepthGrid> ReadFloorGrid(const FloorOptions& options, const GridPlacement& placement) {
+Result<GridRead<DepthGrid>> ReadFloorGrid(const FloorOptions& options,
+                                          const GridPlacement& placement) {
   const GridName name = SplitGridName(options.grid);
   if (name.is_netcdf) return ReadNetcdfFloor(options, name, placement);
+  const FloorReading reading = {.are_depths = options.grid_is_depth.value_or(false)};
   std::optional<double> gap_depth_m;
   if (options.grid_gap_depth_m >= 0) gap_depth_m = options.grid_gap_depth_m;
+  const std::string path = PathOf(options.grid, placement);
   Result<EsriField> field =
-      ReadEsri(PathOf(options.grid, placement),
-               {.values = options.grid_is_depth ? GridValues::kDepth : GridValues::kElevation,
-                .mission_origin_m = options.grid_origin_m,
-                .nodata_depth_m = gap_depth_m});
+      ReadEsri(path, {.values = reading.are_depths ? GridValues::kDepth : GridValues::kElevation,
+                      .mission_origin_m = options.grid_origin_m,
+                      .nodata_depth_m = gap_depth_m});
   if (!field.ok()) return Error{field.error()};
-  return DepthGrid(field->frame, std::move(field->values));
+  const std::string problem = LandProblem(field->signs, reading, options.grid_is_depth.has_value());
+  if (!problem.empty()) return Error{path + ": the map " + problem};
+  GridNotes notes;
+  WarnOfLand(field->signs, reading, path, notes);
+  return GridRead<DepthGrid>{.grid = DepthGrid(field->frame, std::move(field->values)),
+                             .notes = std::move(notes)};
 }
 
-Result<CurrentGrid> ReadCurrentGrid(const CurrentGridOptions& options,
-                                    const GridPlacement& placement) {
+Result<GridRead<CurrentGrid>> ReadCurrentGrid(const CurrentGridOptions& options,
+                                              const GridPlacement& placement) {
   if (options.file.empty() && !SplitGridName(options.east).is_netcdf) {
     return ReadEsriCurrent(options, placement);
   }
@@ -291,11 +538,13 @@ Result<CurrentGrid> ReadCurrentGrid(const CurrentGridOptions& options,
     const double start_s = StartOfGrid(options, field, placement);
     for (double& time_s : times_s) time_s -= start_s;
   }
-  return CurrentGrid({.map = MapOf(field, options.origin_m, placement),
-                      .depths_m = field.depths_m,
-                      .times_s = std::move(times_s),
-                      .east_mps = std::move(read->east.values),
-                      .north_mps = std::move(read->north.values)});
+  GridMap map = MapOf(field, options.origin_m, placement, read->notes);
+  return GridRead<CurrentGrid>{.grid = CurrentGrid({.map = std::move(map),
+                                                    .depths_m = field.depths_m,
+                                                    .times_s = std::move(times_s),
+                                                    .east_mps = std::move(read->east.values),
+                                                    .north_mps = std::move(read->north.values)}),
+                               .notes = std::move(read->notes)};
 }
 
 }  // namespace shoal

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -46,13 +47,28 @@ struct GridPlacement {
 /// Lists them as files that were read (NoteFileRead), for a sea that is kept from another time.
 void NoteGridFilesRead(const Environment& environment, const GridPlacement& placement);
 
-/// Returns the sea floor of a grid. Land counts as depth 0. An error names the file, what is wrong
-/// with it, and the remedy.
-[[nodiscard]] Result<DepthGrid> ReadFloorGrid(const FloorOptions& options,
-                                              const GridPlacement& placement);
+/// What `shoal check` reports of a grid beside its values.
+struct GridNotes {
+  std::vector<std::string> warnings = {};  ///< What is read, and probably meant otherwise.
+  bool needs_origin = false;               ///< It lies where origin in [mission] has it.
+  /// Of a projected map that grid_origin placed: where on Earth that is.
+  std::optional<GeoPoint> own_origin = {};
+};
 
-/// Returns the current of a grid. Errors likewise. @pre options.exists()
-[[nodiscard]] Result<CurrentGrid> ReadCurrentGrid(const CurrentGridOptions& options,
-                                                  const GridPlacement& placement);
+template <class Grid>
+struct GridRead {
+  Grid grid;
+  GridNotes notes = {};
+};
+
+/// Returns the sea floor of a grid. Land counts as depth 0. An error names the file, what is wrong
+/// with it, and the remedy; that no point of the map lies below the surface is one.
+[[nodiscard]] Result<GridRead<DepthGrid>> ReadFloorGrid(const FloorOptions& options,
+                                                        const GridPlacement& placement);
+
+/// Returns the current of a grid. Velocities along the axes of a projected or curvilinear grid are
+/// turned to East and North at each point. Errors likewise. @pre options.exists()
+[[nodiscard]] Result<GridRead<CurrentGrid>> ReadCurrentGrid(const CurrentGridOptions& options,
+                                                            const GridPlacement& placement);
 
 }  // namespace shoal

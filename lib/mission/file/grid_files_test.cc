@@ -130,4 +130,88 @@ TEST_F(GridFiles, AreRefusedWhereTheyAreDamagedOrOfOtherPoints) {
       << FirstError(current);
 }
 
+/// A floor of ESRI ASCII, as shoal check sees it.
+class FloorFiles : public GridFiles {
+ protected:
+  /// Returns what is reported of the floor: an error, or else the warning, or nothing.
+  std::string Report(const std::string& rows, const std::string& keys = "") {
+    // Of another name each time: a sea that was read is kept, by its path.
+    const std::string name = "floor" + std::to_string(++count_) + ".asc";
+    Write(name, Grid(rows));
+    loaded_ = LoadMissionText("[mission]\nduration_s = 60\n[environment]\nfloor = {grid = \"" +
+                                  name + "\"" + keys + "}\n[[vehicle]]\nname = \"alpha\"\n",
+                              (folder_ / "m.toml").string());
+    for (const auto* texts : {&loaded_.errors, &loaded_.warnings}) {
+      for (const std::string& text : *texts) {
+        if (text.find("m.toml:4:") != std::string::npos) return text;
+      }
+    }
+    return "";
+  }
+  double Depth() const {
+    const Result<Ocean> ocean = OceanOf(loaded_.mission);
+    return ocean.ok() && ocean->floor ? ocean->floor->DepthAt({0, 0}) : -1;
+  }
+
+  int count_ = 0;
+  LoadedMission loaded_;
+};
+
+TEST_F(FloorFiles, AreRefusedWhereNoPointLiesBelowTheSurface) {
+  const std::string depths = "50 50\n50 50\n";
+  EXPECT_NE(Report(depths).find(
+                "the map has none of its 4 points below the surface where its numbers are "
+                "elevations, negative below it: write grid_is_depth = true to read them as depths"),
+            std::string::npos);
+  EXPECT_EQ(Report(depths, ", grid_is_depth = true"), "");
+  EXPECT_EQ(Depth(), 50);
+  const std::string elevations = "-50 -50\n-50 -50\n";
+  EXPECT_NE(Report(elevations, ", grid_is_depth = true").find("write grid_is_depth = false"),
+            std::string::npos);
+  EXPECT_EQ(Report(elevations), "");
+  EXPECT_EQ(Depth(), 50);
+  EXPECT_NE(Report("0 0\n0 0\n").find("is it the right map?"), std::string::npos);
+  EXPECT_NE(Report("-9999 nan\nnan nan\n", ", grid_gap_depth_m = 5").find("has no data"),
+            std::string::npos);
+}
+
+TEST_F(FloorFiles, AreWarnedOfTheirLandWithItsShare) {
+  const std::string report = Report("-5 -5\n-5 2\n");
+  EXPECT_NE(report.find("25 % of the points of "), std::string::npos) << report;
+  EXPECT_NE(report.find("if they are not, write grid_is_depth = true"), std::string::npos);
+  EXPECT_EQ(loaded_.errors, std::vector<std::string>{});
+}
+
+TEST_F(FloorFiles, OfHardlyAnyWaterAreReadOnlyWhereTheMissionStatesWhatTheyHold) {
+  const auto write = [&](int num_wet) {
+    std::string text = "ncols 20\nnrows 20\nxllcenter 0\nyllcenter 0\ncellsize 100\n";
+    for (int i = 0; i < 400; ++i) text += i < 400 - num_wet ? "30\n" : "-7\n";
+    Write("hills.asc", text);
+  };
+  const auto error = [&](const std::string& keys) {
+    const auto floor =
+        ReadFloorGrid({.style = "grid",
+                       .grid = "hills.asc",
+                       .grid_is_depth = keys.empty() ? std::nullopt : std::optional(false)},
+                      {.folder = folder_.string()});
+    return floor.ok() ? "" : floor.error();
+  };
+  write(3);
+  EXPECT_NE(error("").find("has no more than 3 of its 400 points below the surface"),
+            std::string::npos)
+      << error("");
+  EXPECT_EQ(error("stated"), "");
+  write(4);
+  EXPECT_EQ(error(""), "");
+}
+
+TEST_F(FloorFiles, ExplainWhatTheirNumbersAreAsTheMissionStatesIt) {
+  for (const char* keys : {"", ", grid_is_depth = false", ", grid_is_depth = true"}) {
+    EXPECT_NE(Report("-5 5\n-5 5\n", keys), "") << "half of it is land";
+    const LoadedMission again =
+        LoadMissionText(Explain(loaded_.mission), (folder_ / "m.toml").string());
+    EXPECT_TRUE(again.mission == loaded_.mission) << keys;
+  }
+}
+
 }  // namespace shoal::grid_files_test

@@ -262,7 +262,7 @@ class MissionDraw {
                            .slope_east = Number(-10, 10),
                            .slope_north = Number(-10, 10),
                            .grid = {},
-                           .grid_is_depth = Coin(),
+                           .grid_is_depth = Coin() ? std::nullopt : std::optional(Coin()),
                            .grid_origin_m = Point(),
                            .grid_gap_depth_m = Coin() ? -1 : Number(0, 20'000)};
     }

@@ -62,12 +62,13 @@ auto Understand(const WordRow& row, const std::string& word)
   return {{.low = *low * unit, .high = *high * unit}};
 }
 
-Result<SeaFloor> FloorOf(const FloorOptions& options, uint64_t seed,
-                         const GridPlacement& placement) {
+Result<SeaFloor> FloorOf(const FloorOptions& options, uint64_t seed, const GridPlacement& placement,
+                         GridNotes& notes) {
   if (options.style == "grid") {
-    Result<DepthGrid> grid = ReadFloorGrid(options, placement);
-    if (!grid.ok()) return Error{grid.error()};
-    return SeaFloor(std::make_shared<const DepthGrid>(std::move(*grid)));
+    Result<GridRead<DepthGrid>> read = ReadFloorGrid(options, placement);
+    if (!read.ok()) return Error{read.error()};
+    notes = std::move(read->notes);
+    return SeaFloor(std::make_shared<const DepthGrid>(std::move(read->grid)));
   }
   NoiseFloorOptions noise = {.style = FloorStyle::kLinear,
                              .z_m = options.depth_m,
@@ -126,12 +127,13 @@ Result<Ocean> OceanOf(const Environment& environment, uint64_t seed,
               .floor = std::nullopt,
               .plume = std::nullopt};
   if (environment.current_grid.exists()) {
-    Result<CurrentGrid> grid = ReadCurrentGrid(environment.current_grid, placement);
-    if (!grid.ok()) return Error{grid.error()};
-    ocean.current_grid = std::make_shared<const CurrentGrid>(std::move(*grid));
+    Result<GridRead<CurrentGrid>> read = ReadCurrentGrid(environment.current_grid, placement);
+    if (!read.ok()) return Error{read.error()};
+    ocean.current_grid = std::make_shared<const CurrentGrid>(std::move(read->grid));
+    ocean.current_notes = std::move(read->notes);
   }
   if (environment.floor.style != "none") {
-    Result<SeaFloor> floor = FloorOf(environment.floor, seed, placement);
+    Result<SeaFloor> floor = FloorOf(environment.floor, seed, placement, ocean.floor_notes);
     if (!floor.ok()) return Error{floor.error()};
     ocean.floor = std::move(*floor);
   }

@@ -26,6 +26,8 @@ struct Ocean {
   std::shared_ptr<const CurrentGrid> current_grid;  ///< Null: `current` is the same everywhere.
   std::optional<SeaFloor> floor;                    ///< Absent: the depth is not known.
   std::optional<Plume> plume;
+  GridNotes current_notes = {};
+  GridNotes floor_notes = {};
 
   /// Returns the water's velocity over ground, x East, y North. @pre time_s is finite
   [[nodiscard]] Eigen::Vector2d WaterVelocityAt(const Eigen::Vector3d& position_m,

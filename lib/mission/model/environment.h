@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <string>
 
 #include "lib/sea/acoustics/acoustic_options.h"
@@ -43,7 +44,8 @@ struct FloorOptions {
   double slope_east = 0;       ///< Metres deeper per metre.
   double slope_north = 0;
   std::string grid;  ///< grid: the path of an ESRI ASCII file, or of NetCDF: "bay.nc:variable".
-  bool grid_is_depth = false;  ///< Its numbers are depths; else elevations.
+  /// Its numbers are depths, or elevations. Absent: as the file states, else elevations.
+  std::optional<bool> grid_is_depth = {};
   Eigen::Vector2d grid_origin_m = Eigen::Vector2d::Zero();  ///< The mission's origin in the grid.
   double grid_gap_depth_m = -1;  ///< Of points without data; negative: there may be none.
 

@@ -19,6 +19,8 @@ namespace {
 
 constexpr CfAxisKind kLatitude = {.role = CfRole::kNorth, .is_geographic = true};
 constexpr CfAxisKind kLongitude = {.role = CfRole::kEast, .is_geographic = true};
+constexpr CfAxisKind kRotatedY = {.role = CfRole::kNorth, .is_rotated = true};
+constexpr CfAxisKind kRotatedX = {.role = CfRole::kEast, .is_rotated = true};
 constexpr CfAxisKind kX = {.role = CfRole::kEast};
 constexpr CfAxisKind kY = {.role = CfRole::kNorth};
 constexpr CfAxisKind kDepth = {.role = CfRole::kDepth};
@@ -40,20 +42,28 @@ constexpr std::array<Row, 12> kAngleUnits = {{{"degrees_north", kLatitude},
                                               {"degreee", kLongitude},
                                               {"degreese", kLongitude}}};
 
-constexpr std::array<Row, 7> kStandardNames = {{{"latitude", kLatitude},
-                                                {"longitude", kLongitude},
-                                                {"projection_x_coordinate", kX},
-                                                {"projection_y_coordinate", kY},
-                                                {"depth", kDepth},
-                                                {"height", kDepth},
-                                                {"time", kTime}}};
+constexpr std::array<Row, 13> kStandardNames = {{{"latitude", kLatitude},
+                                                 {"longitude", kLongitude},
+                                                 {"grid_latitude", kRotatedY},
+                                                 {"grid_longitude", kRotatedX},
+                                                 {"projection_x_coordinate", kX},
+                                                 {"projection_y_coordinate", kY},
+                                                 {"depth", kDepth},
+                                                 {"height", kDepth},
+                                                 {"altitude", kDepth},
+                                                 {"depth_below_geoid", kDepth},
+                                                 {"height_above_geoid", kDepth},
+                                                 {"height_above_mean_sea_level", kDepth},
+                                                 {"time", kTime}}};
 
 constexpr std::array<Row, 2> kAxisLetters = {{{"z", kDepth}, {"t", kTime}}};
 
-constexpr std::array<Row, 10> kAxisNames = {{{"lat", kLatitude},
+constexpr std::array<Row, 12> kAxisNames = {{{"lat", kLatitude},
                                              {"latitude", kLatitude},
                                              {"lon", kLongitude},
                                              {"longitude", kLongitude},
+                                             {"rlat", kRotatedY},
+                                             {"rlon", kRotatedX},
                                              {"x", kX},
                                              {"y", kY},
                                              {"depth", kDepth},
@@ -72,9 +82,12 @@ std::optional<CfAxisKind> Look(const std::array<Row, N>& rows, std::string_view 
 
 std::optional<CfAxisKind> AxisKindOf(const NetcdfVariable& coordinate) {
   const std::string units = LowerCase(coordinate.TextOf("units"));
+  const auto by_standard_name = Look(kStandardNames, coordinate.TextOf("standard_name"));
+  // Some rotated grids count grid_latitude in degrees_north.
+  if (by_standard_name && by_standard_name->is_rotated) return by_standard_name;
   if (const auto kind = Look(kAngleUnits, units)) return kind;
   if (units.find(" since ") != std::string::npos) return kTime;
-  if (const auto kind = Look(kStandardNames, coordinate.TextOf("standard_name"))) return kind;
+  if (by_standard_name) return by_standard_name;
   // Grids of GMT: x and y in "degrees", whose long_name is Longitude and Latitude.
   if (const auto kind = Look(kAxisNames, coordinate.TextOf("long_name"));
       kind && kind->is_geographic) {

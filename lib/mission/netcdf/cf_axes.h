@@ -15,7 +15,8 @@ inline constexpr size_t kNumCfRoles = kNumEnumerators<CfRole>;
 
 struct CfAxisKind {
   CfRole role = CfRole::kEast;
-  bool is_geographic = false;  ///< Of kNorth and kEast: degrees; else metres.
+  bool is_geographic = false;  ///< Of kNorth and kEast: degrees; else metres,
+  bool is_rotated = false;     ///< or degrees about another pole than the Earth's.
 };
 
 /// Returns what a coordinate variable counts: by its units, its standard_name, its attributes

@@ -6,12 +6,14 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <utility>
 
 #include "lib/base/text/blanks.h"
 #include "lib/base/text/letters.h"
 #include "lib/mission/netcdf/cf_axes.h"
+#include "lib/mission/netcdf/cf_mapping.h"
 #include "lib/mission/netcdf/cf_time.h"
 #include "lib/mission/netcdf/cf_values.h"
 #include "lib/mission/netcdf/cf_words.h"
@@ -50,7 +52,16 @@ class CfReader {
     CfAxis axis = {.points = {0}, .source = {0}};
     const NetcdfVariable* coordinate = nullptr;  ///< Null: there is none.
     size_t stride = 0;
+    uint32_t dimension = 0;
     bool is_geographic = false;
+    bool is_rotated = false;
+  };
+
+  /// A dimension of which it is not known what it counts, and the error that this is at the end.
+  struct Loose {
+    uint32_t dimension = 0;
+    size_t stride = 0;
+    std::string problem = {};
   };
 
   Role& At(CfRole role) { return roles_[static_cast<size_t>(role)]; }
@@ -73,19 +84,8 @@ class CfReader {
         coordinate != nullptr && coordinate->dimensions == std::vector<uint32_t>{number};
     const std::optional<CfAxisKind> kind = has_axis ? AxisKindOf(*coordinate) : std::nullopt;
     if (!kind) {
-      if (dimension.length == 1) return "";
-      if (!has_axis) {
-        const bool is_curvilinear = !variable_.TextOf("coordinates").empty();
-        return fmt::format(
-            "has a dimension '{}' without a variable of that name, which would hold "
-            "its coordinates; {}",
-            name, is_curvilinear ? kCurvilinear : "add it, with units such as degrees_north");
-      }
-      return fmt::format(
-          "has an axis '{}' of no known kind; give it units (degrees_north, "
-          "degrees_east, \"hours since ...\") or a standard_name (latitude, longitude, "
-          "projection_x_coordinate, projection_y_coordinate, depth, time)",
-          name);
+      if (dimension.length != 1) AddLoose(number, stride, has_axis);
+      return "";
     }
     Role& role = At(kind->role);
     if (role.coordinate != nullptr) {
@@ -94,7 +94,8 @@ class CfReader {
     }
     Result<std::vector<double>> points = source_.read(*coordinate);
     if (!points.ok()) return read_error_ = points.error();
-    const bool are_longitudes = kind->is_geographic && kind->role == CfRole::kEast;
+    const bool are_longitudes =
+        (kind->is_geographic || kind->is_rotated) && kind->role == CfRole::kEast;
     const std::optional<CfAxis> axis =
         Ascending(Unpacked(*coordinate, std::move(*points)), are_longitudes);
     if (!axis) {
@@ -106,31 +107,172 @@ class CfReader {
     role = {.axis = *axis,
             .coordinate = coordinate,
             .stride = stride,
-            .is_geographic = kind->is_geographic};
+            .dimension = number,
+            .is_geographic = kind->is_geographic,
+            .is_rotated = kind->is_rotated};
     return "";
   }
 
+  void AddLoose(uint32_t number, size_t stride, bool has_axis) {
+    const std::string name = PrintableName(header_.dimensions[number].name);
+    std::string problem;
+    if (has_axis) {
+      problem = fmt::format(
+          "has an axis '{}' of no known kind; give it units (degrees_north, "
+          "degrees_east, \"hours since ...\") or a standard_name (latitude, longitude, "
+          "projection_x_coordinate, projection_y_coordinate, depth, time)",
+          name);
+    } else {
+      const bool is_curvilinear = !variable_.TextOf("coordinates").empty();
+      problem = fmt::format(
+          "has a dimension '{}' without a variable of that name, which would hold "
+          "its coordinates; {}",
+          name, is_curvilinear ? kCurvilinear : "add it, with units such as degrees_north");
+    }
+    loose_.push_back({.dimension = number, .stride = stride, .problem = std::move(problem)});
+  }
+
   std::string UseAxes() {
+    for (const auto step :
+         {&CfReader::FindPlane, &CfReader::CheckPlane, &CfReader::UseDepths, &CfReader::UseTimes}) {
+      const std::string problem = (this->*step)();
+      if (!problem.empty() || !read_error_.empty()) return problem;
+    }
+    return "";
+  }
+
+  /// Finds what shows where the points lie.
+  std::string FindPlane() {
     const Role& x = At(CfRole::kEast);
     const Role& y = At(CfRole::kNorth);
+    const bool has_axes = x.coordinate != nullptr && y.coordinate != nullptr;
+    if (has_axes && x.is_geographic != y.is_geographic) {
+      return "has one axis in degrees and one in metres; correct their units";
+    }
+    field_.variable = variable_.name;
+    const bool is_geographic = has_axes && x.is_geographic;
+    const NetcdfVariable* mapping = nullptr;
+    if (has_axes && !is_geographic) {
+      const auto found = FindMapping(header_, variable_, x.coordinate->name);
+      if (!found.ok()) return found.error();
+      mapping = *found;
+    }
+    const std::string map_problem = mapping == nullptr ? "" : UseMapping(*mapping);
+    if (!is_geographic && !field_.projection) {
+      if (std::string problem = FindPoints(); !problem.empty() || !read_error_.empty()) {
+        return problem;
+      }
+    }
+    if (!loose_.empty()) return loose_.front().problem;
     if (x.coordinate == nullptr || y.coordinate == nullptr) {
       return "has no axes of latitude and longitude, or x and y; name another one after the file: "
              "file.nc:variable";
     }
-    if (x.is_geographic != y.is_geographic) {
-      return "has one axis in degrees and one in metres; correct their units";
-    }
-    field_.variable = variable_.name;
-    field_.is_geographic = x.is_geographic;
+    field_.is_geographic = is_geographic;
     field_.x = x.axis.points;
     field_.y = y.axis.points;
-    if (std::string problem = CheckPlane(); !problem.empty()) return problem;
-    if (std::string problem = UseDepths(); !problem.empty()) return problem;
-    return UseTimes();
+    if (is_geographic || field_.is_curvilinear()) return "";
+    return mapping == nullptr ? CheckUnmapped() : map_problem;
+  }
+
+  std::string UseMapping(const NetcdfVariable& mapping) {
+    Result<MapProjection> projection =
+        ProjectionOf(mapping, MetresIn(*At(CfRole::kEast).coordinate).value_or(1));
+    if (!projection.ok()) return projection.error();
+    const bool is_rotated = projection->is_rotated_pole();
+    if (is_rotated != At(CfRole::kEast).is_rotated || is_rotated != At(CfRole::kNorth).is_rotated) {
+      return fmt::format(
+          "has axes that are not those of its grid_mapping '{}'; correct their "
+          "standard_names",
+          PrintableName(mapping.name));
+    }
+    if (!is_rotated && !HasFigure(mapping)) {
+      field_.warnings.push_back(fmt::format(
+          "has the grid_mapping '{}' without a figure of the Earth, which is taken for a sphere of "
+          "6371 km: if the map is of an ellipsoid, the grid is up to 20 km off; give it "
+          "semi_major_axis and inverse_flattening, or earth_radius",
+          PrintableName(mapping.name)));
+    }
+    field_.projection = std::move(*projection);
+    return "";
+  }
+
+  /// Axes in metres without a map: those of the mission.
+  std::string CheckUnmapped() {
+    const Role& x = At(CfRole::kEast);
+    if (x.is_rotated || At(CfRole::kNorth).is_rotated) {
+      return "is on a grid about another pole, and no grid_mapping names that; copy the variable "
+             "with grid_north_pole_latitude and grid_north_pole_longitude into the file too";
+    }
+    if (LowerCase(Trimmed(x.coordinate->TextOf("standard_name"))) == "projection_x_coordinate") {
+      field_.warnings.push_back(
+          "is on a projected map that no grid_mapping names: its axes are taken to point East and "
+          "North, which those of most maps do not");
+    }
+    return "";
+  }
+
+  /// Without a map that is known, looks for latitudes and longitudes of the two dimensions that are
+  /// left, or have axes that count something else than degrees. Where there are none it changes
+  /// nothing.
+  std::string FindPoints() {
+    for (const NetcdfVariable& lats : header_.variables) {
+      const auto kind = AxisKindOf(lats);
+      if (lats.dimensions.size() != 2 || lats.type == NetcdfType::kOther || !kind ||
+          !kind->is_geographic || kind->role != CfRole::kNorth) {
+        continue;
+      }
+      const std::optional<size_t> x_stride = StrideOf(lats.dimensions[1]);
+      const std::optional<size_t> y_stride = StrideOf(lats.dimensions[0]);
+      if (!x_stride || !y_stride || lats.dimensions[0] == lats.dimensions[1]) continue;
+      for (const NetcdfVariable& lons : header_.variables) {
+        const auto other = AxisKindOf(lons);
+        if (lons.dimensions == lats.dimensions && lons.type != NetcdfType::kOther && other &&
+            other->is_geographic && other->role == CfRole::kEast) {
+          return UsePoints(lats, *y_stride, lons, *x_stride);
+        }
+      }
+    }
+    return "";
+  }
+
+  /// Returns the stride of a dimension of the plane; nothing: it is none.
+  std::optional<size_t> StrideOf(uint32_t dimension) const {
+    const auto loose = std::ranges::find(loose_, dimension, &Loose::dimension);
+    if (loose != loose_.end()) return loose->stride;
+    for (const CfRole role : {CfRole::kEast, CfRole::kNorth}) {
+      const Role& axis = roles_[static_cast<size_t>(role)];
+      if (axis.coordinate != nullptr && axis.dimension == dimension) return axis.stride;
+    }
+    return std::nullopt;
+  }
+
+  std::string UsePoints(const NetcdfVariable& lats, size_t y_stride, const NetcdfVariable& lons,
+                        size_t x_stride) {
+    for (const auto& [variable, degrees] :
+         {std::pair(&lats, &field_.lats_deg), std::pair(&lons, &field_.lons_deg)}) {
+      Result<std::vector<double>> read = source_.read(*variable);
+      if (!read.ok()) return read_error_ = read.error();
+      *degrees = Unpacked(*variable, std::move(*read));
+      if (degrees->empty()) return "has latitudes or longitudes without a value; make it anew";
+    }
+    const auto use = [&](CfRole role, uint32_t dimension, size_t stride,
+                         const NetcdfVariable& coordinate) {
+      Role& axis = At(role);
+      axis = {.coordinate = &coordinate, .stride = stride, .dimension = dimension};
+      axis.axis.source.resize(header_.dimensions[dimension].length);
+      std::iota(axis.axis.source.begin(), axis.axis.source.end(), size_t{0});
+      axis.axis.points.assign(axis.axis.source.begin(), axis.axis.source.end());
+      std::erase_if(loose_, [&](const Loose& each) { return each.dimension == dimension; });
+    };
+    use(CfRole::kEast, lats.dimensions[1], x_stride, lons);
+    use(CfRole::kNorth, lats.dimensions[0], y_stride, lats);
+    return "";
   }
 
   std::string CheckPlane() {
-    if (field_.is_geographic) {
+    if (field_.is_curvilinear()) return "";
+    if (field_.is_geographic || (field_.projection && field_.projection->is_rotated_pole())) {
       if (std::abs(field_.y.front()) <= 90 && std::abs(field_.y.back()) <= 90 &&
           field_.x.back() - field_.x.front() <= 361) {
         return "";
@@ -154,33 +296,68 @@ class CfReader {
     Role& depth = At(CfRole::kDepth);
     if (depth.coordinate == nullptr) return "";
     const std::optional<double> unit = MetresIn(*depth.coordinate);
-    if (!unit)
+    if (!unit || IsLevel(*depth.coordinate))
       return UnitProblem(*depth.coordinate,
                          "metres: levels of sigma, density or pressure "
                          "must be interpolated to depths first");
     const std::string positive = LowerCase(depth.coordinate->TextOf("positive"));
     const std::string standard_name = LowerCase(depth.coordinate->TextOf("standard_name"));
-    if (positive == "up" || (positive.empty() && standard_name == "height")) {
-      std::ranges::reverse(depth.axis.points);
-      std::ranges::reverse(depth.axis.source);
-      for (double& point : depth.axis.points) point = -point;
+    const bool are_heights =
+        positive == "up" ||
+        (positive.empty() && (standard_name == "altitude" || standard_name.starts_with("height")));
+    if (are_heights) TurnDepths();
+    std::vector<double>& points = depth.axis.points;
+    const std::string name = PrintableName(depth.coordinate->name);
+    if (points.size() > 1 && points.back() <= 0) {
+      TurnDepths();
+      field_.warnings.push_back(fmt::format(
+          "has an axis '{}' whose attributes place all of it above the surface: its numbers are "
+          "taken as depths whatever their sign; correct its attribute positive",
+          name));
+    } else if (points.size() > 1 && points.front() < 0) {
+      field_.warnings.push_back(fmt::format("has an axis '{}' that begins {:g} m above the surface",
+                                            name, -points.front() * *unit));
     }
-    field_.depths_m = depth.axis.points;
+    field_.depths_m = points;
     for (double& point : field_.depths_m) point *= *unit;
     return "";
+  }
+
+  /// Makes heights of depths, or depths of heights.
+  void TurnDepths() {
+    CfAxis& axis = At(CfRole::kDepth).axis;
+    std::ranges::reverse(axis.points);
+    std::ranges::reverse(axis.source);
+    for (double& point : axis.points) point = -point;
+  }
+
+  /// Returns whether an axis counts no depths, whatever its units: shares of the water's depth, or
+  /// metres from the sea floor.
+  static bool IsLevel(const NetcdfVariable& axis) {
+    const std::string name = LowerCase(Trimmed(axis.TextOf("standard_name")));
+    return !axis.TextOf("formula_terms").empty() || name.starts_with("ocean_") ||
+           name.find("sigma") != std::string::npos || name.find("sea_floor") != std::string::npos;
   }
 
   std::string UseTimes() {
     const Role& time = At(CfRole::kTime);
     if (time.coordinate == nullptr) return "";
-    const std::optional<CfTimeUnit> unit = ParseCfTimeUnit(time.coordinate->TextOf("units"));
-    if (!unit || !IsRealCalendar(time.coordinate->TextOf("calendar"))) {
+    const std::string_view calendar = time.coordinate->TextOf("calendar");
+    const std::optional<CfTimeUnit> unit =
+        ParseCfTimeUnit(time.coordinate->TextOf("units"), calendar);
+    if (!unit || !IsRealCalendar(calendar)) {
       return fmt::format(
           "has times in '{}' of the calendar '{}'; they must count seconds, minutes, "
           "hours or days since a date like 2026-11-24 06:00:00, of the standard "
-          "calendar",
-          PrintableName(time.coordinate->TextOf("units")),
-          PrintableName(time.coordinate->TextOf("calendar")));
+          "calendar, not before the year 1",
+          PrintableName(time.coordinate->TextOf("units")), PrintableName(calendar));
+    }
+    if (calendar.empty() && IsBeforeGregorian(*unit)) {
+      field_.warnings.push_back(fmt::format(
+          "has times in '{}' of no calendar, which count Julian days before 1582-10-15; if they "
+          "are "
+          "two days off, give the times the attribute calendar = \"proleptic_gregorian\"",
+          PrintableName(time.coordinate->TextOf("units"))));
     }
     field_.times_s = time.axis.points;
     for (double& point : field_.times_s) point = unit->epoch_s + point * unit->unit_s;
@@ -260,6 +437,7 @@ class CfReader {
   const NetcdfVariable& variable_;
   const CfQuantity quantity_;
   std::array<Role, kNumCfRoles> roles_;  ///< By CfRole.
+  std::vector<Loose> loose_;             ///< From the dimension that varies fastest.
   CfField field_;
   std::string read_error_;  ///< Names file and variable already; empty: all could be read.
 };

@@ -5,11 +5,13 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "lib/base/check/result.h"
+#include "lib/base/geodesy/map_projection.h"
 #include "lib/mission/netcdf/netcdf_header.h"
 
 namespace shoal {
@@ -28,7 +30,13 @@ struct CfSource {
 
 struct CfField {
   std::string variable;
-  bool is_geographic = false;          ///< x and y are longitudes and latitudes; else metres.
+  bool is_geographic = false;  ///< x and y are longitudes and latitudes; else metres.
+  /// What x and y are coordinates of, by grid_mapping. Of a rotated pole they are degrees.
+  std::optional<MapProjection> projection = {};
+  /// Of a curvilinear grid, where each point lies, in rows along x; x and y count points. Else
+  /// empty.
+  std::vector<double> lats_deg = {};
+  std::vector<double> lons_deg = {};
   std::vector<double> x;               ///< Ascending; longitudes may exceed 360.
   std::vector<double> y;               ///< Ascending.
   std::vector<double> depths_m = {0};  ///< Ascending, positive below the surface.
@@ -37,6 +45,10 @@ struct CfField {
   /// Of each time each depth, of each depth each row from South to North, of each row from West to
   /// East: metres, or metres per second. NaN: no data.
   std::vector<float> values = {};
+  /// What is read, and probably meant otherwise, to be put after "variable 'u' ".
+  std::vector<std::string> warnings = {};
+
+  bool is_curvilinear() const { return !lats_deg.empty(); }
 };
 
 /// What a variable counts, and so which units it may have.
@@ -46,9 +58,10 @@ enum class CfQuantity {
 };
 
 /// Reads a variable with axes for x and y, and perhaps depth and time, in any order. Other
-/// dimensions must have the length 1. An error names file, variable and remedy: there is no such
-/// variable; an axis is of no known kind, or neither rises nor falls; the grid is curvilinear;
-/// units or calendar are unknown.
+/// dimensions must have the length 1. Where the points lie is shown by axes of latitude and
+/// longitude, by a grid_mapping, by latitudes and longitudes of two dimensions (a curvilinear
+/// grid), or else by metres. An error names file, variable and remedy: there is no such variable;
+/// an axis is of no known kind, or neither rises nor falls; units, calendar or map are unknown.
 [[nodiscard]] Result<CfField> ReadCfField(const CfSource& source, std::string_view variable,
                                           CfQuantity quantity);
 

@@ -204,4 +204,199 @@ TEST(CfField, DoesNotTakeACoordinateOfAnotherDimensionForItsAxis) {
               "add it");
 }
 
+FakeNetcdf WithDepths(const std::string& name, const std::vector<double>& points,
+                      const TextAttributes& texts) {
+  FakeNetcdf file;
+  std::vector<double> values(points.size());
+  for (size_t i = 0; i < values.size(); ++i) values[i] = static_cast<double>(i);
+  file.Axis(name, points, texts)
+      .Axis("lat", {54}, kNorthDegrees)
+      .Axis("lon", {10}, kEastDegrees)
+      .Variable("z", {name, "lat", "lon"}, values);
+  return file;
+}
+
+TEST(CfField, TakesDepthsByTheirNumbersWhereTheirAttributesPlaceThemAboveTheSurface) {
+  const FakeNetcdf up = WithDepths("depth", {0, 10, 30}, {{"units", "m"}, {"positive", "up"}});
+  const FakeNetcdf down =
+      WithDepths("depth", {0, -10, -30}, {{"units", "m"}, {"positive", "down"}});
+  const FakeNetcdf none = WithDepths("lev", {0, -10, -30}, {{"units", "m"}});
+  const FakeNetcdf turned =
+      WithDepths("depth", {-30, -10, 0}, {{"units", "m"}, {"positive", "down"}});
+  for (const FakeNetcdf* file : {&up, &down, &none, &turned}) {
+    const Result<CfField> field = Read(*file);
+    ASSERT_TRUE(field.ok()) << field.error();
+    EXPECT_EQ(field->depths_m, (std::vector<double>{0, 10, 30}));
+    EXPECT_EQ(field->values,
+              file == &turned ? (std::vector<float>{2, 1, 0}) : (std::vector<float>{0, 1, 2}));
+    ASSERT_EQ(field->warnings.size(), 1U);
+    EXPECT_NE(field->warnings[0].find("place all of it above the surface"), std::string::npos);
+  }
+}
+
+TEST(CfField, WarnsOfDepthsThatBeginAboveTheSurface) {
+  const Result<CfField> field =
+      Read(WithDepths("depth", {-2, 10}, {{"units", "m"}, {"positive", "down"}}));
+  ASSERT_TRUE(field.ok()) << field.error();
+  EXPECT_EQ(field->depths_m, (std::vector<double>{-2, 10}));
+  EXPECT_EQ(field->warnings,
+            std::vector<std::string>{"has an axis 'depth' that begins 2 m above the surface"});
+  EXPECT_TRUE(Read(WithDepths("depth", {0, 10}, {{"positive", "down"}}))->warnings.empty());
+  EXPECT_TRUE(Read(WithDepths("height", {-10, 0}, {{"positive", "up"}}))->warnings.empty());
+}
+
+TEST(CfFieldErrors, NameLevelsThatCountNoDepthsWhateverTheirUnits) {
+  ExpectError(WithDepths("s_rho", {-0.75, -0.25},
+                         {{"standard_name", "ocean_s_coordinate_g2"}, {"positive", "up"}}),
+              "bay.nc: variable 'z' has an axis 's_rho' in ''", "interpolated to depths");
+  ExpectError(WithDepths("lev", {1, 2}, {{"formula_terms", "s: lev"}, {"positive", "down"}}),
+              "bay.nc: variable 'z' has an axis 'lev' in ''", "interpolated to depths");
+  ExpectError(
+      WithDepths("hab", {1, 2}, {{"standard_name", "height_above_sea_floor"}, {"positive", "up"}}),
+      "bay.nc: variable 'z' has an axis 'hab'", "interpolated to depths");
+}
+
+TEST(CfField, CountsTimesByTheCalendarOfTheFile) {
+  const auto read = [](const TextAttributes& texts) {
+    FakeNetcdf file;
+    file.Axis("time", {17'758'680}, texts)
+        .Axis("lat", {54}, kNorthDegrees)
+        .Axis("lon", {10}, kEastDegrees)
+        .Variable("z", {"time", "lat", "lon"}, {1});
+    return Read(file);
+  };
+  constexpr double k2026_s = 1'795'478'400;  // 2026-11-24
+  const TextAttributes units = {{"units", "hours since 1-1-1"}};
+  EXPECT_EQ(read({{"units", "hours since 1-1-1"}, {"calendar", "standard"}})->times_s.front(),
+            k2026_s);
+  EXPECT_TRUE(read({{"units", "hours since 1-1-1"}, {"calendar", "standard"}})->warnings.empty());
+  EXPECT_EQ(read(units)->times_s.front(), k2026_s);
+  ASSERT_EQ(read(units)->warnings.size(), 1U) << "that it has no calendar";
+  EXPECT_EQ(
+      read({{"units", "hours since 1-1-1"}, {"calendar", "proleptic_gregorian"}})->times_s.front(),
+      k2026_s + 2 * 86'400.0);
+}
+
+/// A grid with metres along X and Y, and a mapping.
+FakeNetcdf Projected(const TextAttributes& mapping, const NumberAttributes& numbers,
+                     const TextAttributes& texts = {{"grid_mapping", "crs"}}) {
+  FakeNetcdf file;
+  file.Axis("Y", {-1277, -1257}, {{"standard_name", "projection_y_coordinate"}, {"units", "km"}})
+      .Axis("X", {-1011, -991}, {{"standard_name", "projection_x_coordinate"}, {"units", "km"}})
+      .Variable("crs", {}, {}, mapping, numbers)
+      .Variable("z", {"Y", "X"}, {1, 2, 3, 4}, texts);
+  return file;
+}
+const NumberAttributes kArctic = {{"straight_vertical_longitude_from_pole", {58}},
+                                  {"latitude_of_projection_origin", {90}},
+                                  {"standard_parallel", {60}},
+                                  {"earth_radius", {6'371'000}}};
+
+TEST(CfField, HasTheProjectionOfItsGridMapping) {
+  const Result<CfField> field =
+      Read(Projected({{"grid_mapping_name", "polar_stereographic"}}, kArctic));
+  ASSERT_TRUE(field.ok()) << field.error();
+  ASSERT_TRUE(field->projection.has_value());
+  EXPECT_EQ(field->x, (std::vector<double>{-1'011'000, -991'000}));
+  EXPECT_NEAR(field->projection->Reverse({-991'000, -1'257'000}).lon_deg, 19.748, 1e-3);
+  EXPECT_TRUE(field->warnings.empty());
+}
+
+TEST(CfField, IsOnASphereWhereItsMapHasNoFigureOfTheEarthAndWarnsOfIt) {
+  NumberAttributes numbers = kArctic;
+  numbers.erase("earth_radius");
+  const Result<CfField> field =
+      Read(Projected({{"grid_mapping_name", "polar_stereographic"}}, numbers));
+  ASSERT_TRUE(field.ok()) << field.error();
+  EXPECT_NEAR(field->projection->Reverse({-991'000, -1'257'000}).lat_deg, 74.6636, 1e-3);
+  ASSERT_EQ(field->warnings.size(), 1U);
+  EXPECT_NE(field->warnings[0].find("earth_radius"), std::string::npos);
+  const Result<CfField> named = Read(Projected(
+      {{"grid_mapping_name", "polar_stereographic"}, {"reference_ellipsoid_name", "WGS 84"}},
+      numbers));
+  ASSERT_TRUE(named.ok()) << named.error();
+  EXPECT_TRUE(named->warnings.empty());
+  EXPECT_GT(std::abs(named->projection->Reverse({-991'000, -1'257'000}).lat_deg - 74.6636), 0.02);
+}
+
+TEST(CfFieldErrors, NameMapsThatAreNotKnown) {
+  ExpectError(Projected({{"grid_mapping_name", "geostationary"}}, {}),
+              "bay.nc: variable 'z' is on a map whose grid_mapping 'crs' is 'geostationary'",
+              "gdalwarp");
+  ExpectError(Projected({{"grid_mapping_name", "latitude_longitude"}}, {}),
+              "bay.nc: variable 'z' is on a map whose grid_mapping 'crs' is 'latitude_longitude'",
+              "cdo remapbil");
+  ExpectError(Projected({}, {}, {{"grid_mapping", "gone"}}),
+              "bay.nc: variable 'z' has the grid_mapping 'gone'", "copy that variable");
+  ExpectError(
+      Projected({{"grid_mapping_name", "rotated_latitude_longitude"}},
+                {{"grid_north_pole_latitude", {39}}, {"grid_north_pole_longitude", {-162}}}),
+      "bay.nc: variable 'z' has axes that are not those of its grid_mapping",
+      "correct their standard_names");
+  const Result<CfField> unmapped = Read(Projected({}, {}, {}));
+  ASSERT_TRUE(unmapped.ok()) << unmapped.error();
+  ASSERT_EQ(unmapped->warnings.size(), 1U);
+  EXPECT_NE(unmapped->warnings[0].find("no grid_mapping"), std::string::npos);
+}
+
+FakeNetcdf Rotated(const TextAttributes& texts) {
+  FakeNetcdf file;
+  file.Axis("rlat", {-1, 1}, {{"standard_name", "grid_latitude"}, {"units", "degrees"}})
+      .Axis("rlon", {359, 0, 1}, {{"standard_name", "grid_longitude"}, {"units", "degrees"}})
+      .Variable("pole", {}, {}, {{"grid_mapping_name", "rotated_latitude_longitude"}},
+                {{"grid_north_pole_latitude", {39.25}}, {"grid_north_pole_longitude", {-162}}})
+      .Variable("z", {"rlat", "rlon"}, {1, 2, 3, 4, 5, 6}, texts);
+  return file;
+}
+
+TEST(CfField, MayLieAboutAnotherPole) {
+  const Result<CfField> field = Read(Rotated({{"grid_mapping", "pole"}}));
+  ASSERT_TRUE(field.ok()) << field.error();
+  ASSERT_TRUE(field->projection.has_value());
+  EXPECT_FALSE(field->is_geographic);
+  EXPECT_EQ(field->x, (std::vector<double>{359, 360, 361}));
+  ExpectError(Rotated({}), "bay.nc: variable 'z' is on a grid about another pole", "copy");
+}
+
+/// A curvilinear grid of 2 rows and 3 columns, stored with the columns first where `is_turned`.
+FakeNetcdf Curvilinear(bool is_turned, const TextAttributes& texts = {}) {
+  FakeNetcdf file;
+  file.Dimension("eta", 2).Dimension("xi", 3);
+  file.Variable("lat_psi", {"eta"}, {0, 0}, kNorthDegrees);
+  file.Variable("lat_rho", {"eta", "xi"}, {60, 60.1, 60.2, 61, 61.1, 61.2}, kNorthDegrees);
+  file.Variable("lon_rho", {"eta", "xi"}, {5, 6, 7, 4.9, 5.9, 6.9}, kEastDegrees);
+  if (is_turned) {
+    file.Variable("z", {"xi", "eta"}, {1, 4, 2, 5, 3, 6}, texts);
+  } else {
+    file.Variable("z", {"eta", "xi"}, {1, 2, 3, 4, 5, 6}, texts);
+  }
+  return file;
+}
+
+TEST(CfField, MayHaveAPlaceOfItsOwnForEachPoint) {
+  for (const bool is_turned : {false, true}) {
+    const Result<CfField> field =
+        Read(Curvilinear(is_turned, {{"coordinates", "lon_rho lat_rho"}}));
+    ASSERT_TRUE(field.ok()) << field.error();
+    EXPECT_TRUE(field->is_curvilinear());
+    EXPECT_EQ(field->x.size(), 3U);
+    EXPECT_EQ(field->y.size(), 2U);
+    EXPECT_EQ(field->lats_deg, (std::vector<double>{60, 60.1, 60.2, 61, 61.1, 61.2}));
+    EXPECT_EQ(field->lons_deg[3], 4.9);
+    EXPECT_EQ(field->values, (std::vector<float>{1, 2, 3, 4, 5, 6}));
+  }
+}
+
+TEST(CfField, GoesByLatitudesOfTwoDimensionsRatherThanByAxesThatCountPoints) {
+  FakeNetcdf file;
+  file.Axis("y", {1, 2}, {}).Axis("x", {1, 2}, {});
+  file.Variable("nav_lat", {"y", "x"}, {60, 60, 61, 61}, kNorthDegrees);
+  file.Variable("nav_lon", {"y", "x"}, {5, 6, 5, 6}, kEastDegrees);
+  file.Variable("z", {"y", "x"}, {1, 2, 3, 4});
+  const Result<CfField> field = Read(file);
+  ASSERT_TRUE(field.ok()) << field.error();
+  EXPECT_TRUE(field->is_curvilinear());
+  EXPECT_EQ(field->lats_deg.back(), 61);
+}
+
 }  // namespace shoal::cf_field_test

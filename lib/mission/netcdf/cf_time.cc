@@ -18,6 +18,8 @@ namespace {
 constexpr double kMinute_s = 60;
 constexpr double kHour_s = 3600;
 constexpr double kDay_s = 86'400;
+/// 1582-10-15, the first day of the Gregorian calendar, since 1970.
+constexpr double kGregorian_s = -141'427 * kDay_s;
 
 constexpr std::array<std::pair<std::string_view, double>, 16> kTimeUnits = {{
     {"seconds", 1},
@@ -62,16 +64,40 @@ class Scanner {
   std::string_view rest_;
 };
 
-std::optional<double> TakeDay(Scanner* text) {
+/// Returns the days from 1970-01-01 to a date of the Julian calendar, which has a leap year in
+/// every fourth; nothing where it has no such date.
+std::optional<int> DaysOfJulian(int year, unsigned month, unsigned day) {
+  constexpr std::array<unsigned, 12> kBefore = {0,   31,  59,  90,  120, 151,
+                                                181, 212, 243, 273, 304, 334};
+  constexpr int kDaysTo1970 = 719'164;  // From 0001-01-01 of that calendar.
+  if (year < 1 || month < 1 || month > 12 || day < 1) return std::nullopt;
+  const bool is_leap = year % 4 == 0;
+  const unsigned days_of_month = (month == 12 ? 365U : kBefore[month]) - kBefore[month - 1] +
+                                 (month == 2 && is_leap ? 1U : 0U);
+  if (day > days_of_month) return std::nullopt;
+  const unsigned day_of_year = kBefore[month - 1] + (month > 2 && is_leap ? 1U : 0U) + day - 1;
+  return (year - 1) * 365 + (year - 1) / 4 + static_cast<int>(day_of_year) - kDaysTo1970;
+}
+
+std::optional<double> TakeDay(Scanner* text, bool has_julian_dates) {
   int year = 0;
   unsigned month = 0;
   unsigned day = 0;
   const bool is_date = text->Take(&year) && text->TakeMark("-") && text->Take(&month) &&
                        text->TakeMark("-") && text->Take(&day);
+  if (!is_date || year < 0 || year > 9999) return std::nullopt;
   const std::chrono::year_month_day date{std::chrono::year(year), std::chrono::month(month),
                                          std::chrono::day(day)};
-  if (!is_date || year < 0 || year > 9999 || !date.ok()) return std::nullopt;
-  return kDay_s * static_cast<double>(std::chrono::sys_days(date).time_since_epoch().count());
+  const double gregorian_s =
+      date.ok()
+          ? kDay_s * static_cast<double>(std::chrono::sys_days(date).time_since_epoch().count())
+          : kGregorian_s - 1;  // 1500-02-29: a Julian date alone.
+  if (!has_julian_dates || gregorian_s >= kGregorian_s) {
+    return date.ok() ? std::optional(gregorian_s) : std::nullopt;
+  }
+  const std::optional<int> days = DaysOfJulian(year, month, day);
+  if (!days || *days * kDay_s >= kGregorian_s) return std::nullopt;
+  return *days * kDay_s;
 }
 
 /// Reads "06:00", "6:0:0.5", or nothing, which is midnight.
@@ -108,7 +134,7 @@ std::optional<double> TakeOffset(Scanner* text) {
 
 }  // namespace
 
-std::optional<CfTimeUnit> ParseCfTimeUnit(std::string_view units) {
+std::optional<CfTimeUnit> ParseCfTimeUnit(std::string_view units, std::string_view calendar) {
   units = Trimmed(units);
   const size_t end = units.find(' ');
   if (end == std::string_view::npos) return std::nullopt;
@@ -117,7 +143,7 @@ std::optional<CfTimeUnit> ParseCfTimeUnit(std::string_view units) {
   std::string_view rest = Trimmed(units.substr(end));
   if (unit == kTimeUnits.end() || LowerCase(rest.substr(0, 6)) != "since ") return std::nullopt;
   Scanner text(Trimmed(rest.substr(6)));
-  const std::optional<double> day_s = TakeDay(&text);
+  const std::optional<double> day_s = TakeDay(&text, HasJulianDates(calendar));
   if (!day_s) return std::nullopt;
   const std::optional<double> time_s = TakeTimeOfDay(&text);
   if (!time_s) return std::nullopt;
@@ -130,5 +156,12 @@ bool IsRealCalendar(std::string_view calendar) {
   const std::string word = LowerCase(Trimmed(calendar));
   return word.empty() || word == "standard" || word == "gregorian" || word == "proleptic_gregorian";
 }
+
+bool HasJulianDates(std::string_view calendar) {
+  const std::string word = LowerCase(Trimmed(calendar));
+  return word.empty() || word == "standard" || word == "gregorian";
+}
+
+bool IsBeforeGregorian(const CfTimeUnit& unit) { return unit.epoch_s < kGregorian_s; }
 
 }  // namespace shoal

@@ -15,21 +15,36 @@ namespace shoal {
 
 namespace {
 
-constexpr std::array<std::string_view, 4> kDepthNames = {
-    "sea_floor_depth_below_geoid", "sea_floor_depth_below_mean_sea_level",
-    "sea_floor_depth_below_sea_surface", "sea_floor_depth"};
-constexpr std::array<std::string_view, 5> kElevationNames = {
-    "height_above_mean_sea_level", "height_above_geoid", "altitude", "surface_altitude",
-    "bedrock_altitude"};
-constexpr std::array<std::string_view, 10> kFloorVariables = {
-    "elevation", "z",          "band1", "depth",  "deptho",
-    "topo",      "bathymetry", "bathy", "height", "altitude"};
+/// Beginnings of standard names: below the geoid, mean sea level, the geopotential datum, the
+/// reference ellipsoid, and the aliases of old tables, below the sea level.
+constexpr std::array<std::string_view, 2> kDepthNames = {"sea_floor_depth",
+                                                         "model_sea_floor_depth"};
+constexpr std::array<std::string_view, 9> kElevationNames = {"height_above_mean_sea_level",
+                                                             "height_above_sea_level",
+                                                             "height_above_geoid",
+                                                             "height_above_geopotential_datum",
+                                                             "height_above_reference_ellipsoid",
+                                                             "altitude",
+                                                             "surface_altitude",
+                                                             "bedrock_altitude",
+                                                             "ground_level_altitude"};
+constexpr std::array<std::string_view, 13> kFloorVariables = {
+    "elevation", "z",      "band1",    "depth",       "deptho", "topo", "bathymetry",
+    "bathy",     "height", "altitude", "bathy_metry", "hdepth", "h"};
+constexpr std::array<std::string_view, 9> kDepthVariables = {
+    "depth",       "depths", "deptho",      "bathymetry", "bathy",
+    "bathy_metry", "hdepth", "water_depth", "h"};
 
 using NamePair = std::pair<std::string_view, std::string_view>;
-constexpr std::array<NamePair, 3> kVelocityNames = {
+constexpr std::array<NamePair, 8> kVelocityNames = {
     {{"eastward_sea_water_velocity", "northward_sea_water_velocity"},
      {"barotropic_eastward_sea_water_velocity", "barotropic_northward_sea_water_velocity"},
-     {"surface_eastward_sea_water_velocity", "surface_northward_sea_water_velocity"}}};
+     {"surface_eastward_sea_water_velocity", "surface_northward_sea_water_velocity"},
+     {"sea_water_x_velocity", "sea_water_y_velocity"},
+     {"x_sea_water_velocity", "y_sea_water_velocity"},
+     {"barotropic_sea_water_x_velocity", "barotropic_sea_water_y_velocity"},
+     {"surface_sea_water_x_velocity", "surface_sea_water_y_velocity"},
+     {"grid_eastward_sea_water_velocity", "grid_northward_sea_water_velocity"}}};
 constexpr std::array<NamePair, 6> kVelocityVariables = {{{"uo", "vo"},
                                                          {"u", "v"},
                                                          {"water_u", "water_v"},
@@ -46,6 +61,15 @@ std::string StandardName(const NetcdfVariable& variable) {
 }
 
 std::string Name(const NetcdfVariable& variable) { return LowerCase(variable.name); }
+
+bool IsDepthName(std::string_view standard_name) {
+  return std::ranges::any_of(
+      kDepthNames, [&](std::string_view start) { return standard_name.starts_with(start); });
+}
+
+bool IsElevationName(std::string_view standard_name) {
+  return std::ranges::find(kElevationNames, standard_name) != kElevationNames.end();
+}
 
 /// Returns the variables with at least two dimensions of which `text` returns this word.
 template <class TextOf>
@@ -72,11 +96,11 @@ std::string Choices(const NetcdfHeader& header) {
 
 Result<std::string> FindFloorVariable(const NetcdfHeader& header, const std::string& file) {
   std::vector<std::string> found;
-  for (const std::string_view word : kDepthNames) {
-    for (std::string& name : Those(header, word, StandardName)) found.push_back(std::move(name));
-  }
-  for (const std::string_view word : kElevationNames) {
-    for (std::string& name : Those(header, word, StandardName)) found.push_back(std::move(name));
+  for (const NetcdfVariable& variable : header.variables) {
+    const std::string standard_name = StandardName(variable);
+    if (IsOnPlane(variable) && (IsDepthName(standard_name) || IsElevationName(standard_name))) {
+      found.push_back(variable.name);
+    }
   }
   for (const std::string_view word : kFloorVariables) {
     if (found.empty()) found = Those(header, word, Name);
@@ -93,13 +117,36 @@ Result<std::string> FindFloorVariable(const NetcdfHeader& header, const std::str
                   file, file, Choices(header))};
 }
 
-std::optional<bool> HoldsDepths(const NetcdfVariable& variable) {
+std::optional<FloorStatement> StatementOf(const NetcdfVariable& variable) {
   const std::string positive = LowerCase(Trimmed(variable.TextOf("positive")));
-  if (positive == "down" || positive == "up") return positive == "down";
+  if (positive == "down" || positive == "up") {
+    return FloorStatement{.are_depths = positive == "down",
+                          .by = "its attribute positive = '" + positive + "'"};
+  }
   const std::string name = StandardName(variable);
-  if (std::ranges::find(kDepthNames, name) != kDepthNames.end()) return true;
-  if (std::ranges::find(kElevationNames, name) != kElevationNames.end()) return false;
+  const std::string by = "its standard_name " + PrintableName(name);
+  if (IsDepthName(name)) return FloorStatement{.are_depths = true, .by = by};
+  if (IsElevationName(name)) return FloorStatement{.are_depths = false, .by = by};
   return std::nullopt;
+}
+
+bool IsNamedAsDepths(const NetcdfVariable& variable) {
+  return std::ranges::find(kDepthVariables, Name(variable)) != kDepthVariables.end();
+}
+
+bool CountsFromEllipsoid(const NetcdfVariable& variable) {
+  const std::string name = StandardName(variable);
+  return (IsDepthName(name) || IsElevationName(name)) && name.ends_with("reference_ellipsoid");
+}
+
+CfDirection DirectionOf(const NetcdfVariable& variable) {
+  const std::string name = StandardName(variable);
+  const auto has = [&](std::string_view part) { return name.find(part) != std::string::npos; };
+  if (has("grid_eastward") || has("x_velocity") || name.starts_with("x_")) return CfDirection::kX;
+  if (has("grid_northward") || has("y_velocity") || name.starts_with("y_")) return CfDirection::kY;
+  if (has("eastward")) return CfDirection::kEast;
+  if (has("northward")) return CfDirection::kNorth;
+  return CfDirection::kUnknown;
 }
 
 Result<std::pair<std::string, std::string>> FindCurrentVariables(const NetcdfHeader& header,

@@ -11,18 +11,43 @@
 namespace shoal {
 
 /// Returns the name of the variable with depths or elevations: by standard_name
-/// (sea_floor_depth..., altitude, ...), else by the names that GEBCO, ETOPO, EMODnet and GDAL use,
-/// else the only one with two axes. An error lists those there are; it begins with `file`.
+/// (sea_floor_depth..., altitude, ...), else by the names that GEBCO, ETOPO, EMODnet, GDAL and
+/// models use, else the only one with two axes. An error lists those there are; it begins with
+/// `file`.
 [[nodiscard]] Result<std::string> FindFloorVariable(const NetcdfHeader& header,
                                                     const std::string& file);
 
-/// Returns whether a variable holds depths, positive below the surface, by its attribute `positive`
-/// or its standard_name; nothing: the file does not state it.
-[[nodiscard]] std::optional<bool> HoldsDepths(const NetcdfVariable& variable);
+/// What a file states of the numbers of a floor.
+struct FloorStatement {
+  bool are_depths = false;  ///< Positive below the surface; else elevations.
+  std::string by = {};      ///< For messages: "its attribute positive = 'down'".
+};
+
+/// Returns what the attribute `positive` or the standard_name of a variable state; nothing: neither
+/// does.
+[[nodiscard]] std::optional<FloorStatement> StatementOf(const NetcdfVariable& variable);
+
+/// Returns whether a variable has a name that models give to depths: depth, deptho, h, ... It is no
+/// statement: elevations are called so too.
+[[nodiscard]] bool IsNamedAsDepths(const NetcdfVariable& variable);
+
+/// Returns whether depths count from the reference ellipsoid, which is up to 110 m off the sea.
+[[nodiscard]] bool CountsFromEllipsoid(const NetcdfVariable& variable);
+
+/// What a component of a current runs along, by its standard_name.
+enum class CfDirection {
+  kUnknown,
+  kEast,
+  kNorth,
+  kX,  ///< An axis of the grid, wherever it points.
+  kY,
+};
+[[nodiscard]] CfDirection DirectionOf(const NetcdfVariable& variable);
 
 /// Returns the names of the variables with the eastward and the northward velocity: by
-/// standard_name (eastward_sea_water_velocity, ...), else by the names that models use: uo and vo,
-/// u and v, water_u and water_v, ... Errors likewise.
+/// standard_name (eastward_sea_water_velocity, ...), else those along the grid's axes
+/// (sea_water_x_velocity, ...), else by the names that models use: uo and vo, u and v, water_u and
+/// water_v, ... Errors likewise.
 [[nodiscard]] Result<std::pair<std::string, std::string>> FindCurrentVariables(
     const NetcdfHeader& header, const std::string& file);
 

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <optional>
+
 #include "lib/mission/netcdf/cf_testing.h"
 
 namespace shoal::cf_variables_test {
@@ -37,15 +39,61 @@ TEST(FloorVariable, IsAskedForWhereItIsNotClear) {
             "bay.nc:variable; there are: none");
 }
 
+TEST(FloorVariable, IsFoundByTheStandardNamesAndNamesOfModels) {
+  for (const char* name :
+       {"sea_floor_depth_below_sea_level", "sea_floor_depth_below_reference_ellipsoid",
+        "sea_floor_depth_below_geopotential_datum", "model_sea_floor_depth_below_geoid",
+        "height_above_reference_ellipsoid"}) {
+    EXPECT_EQ(FloorOf({{"a", {}}, {"b", {{"standard_name", name}}}}), "b") << name;
+  }
+  for (const char* name : {"h", "Depth", "deptho", "Bathymetry", "hdepth"}) {
+    EXPECT_EQ(FloorOf({{"mask", {}}, {name, {}}}), name);
+    EXPECT_TRUE(IsNamedAsDepths({.name = name})) << name;
+  }
+  EXPECT_EQ(FloorOf({{"h", {}}, {"elevation", {}}}), "elevation");
+  EXPECT_FALSE(IsNamedAsDepths({.name = "elevation"}));
+}
+
 TEST(FloorVariable, StatesWhetherItHoldsDepths) {
-  const auto holds = [](const TextAttributes& texts) {
-    return HoldsDepths(WithVariables({{"z", texts}}).header.variables.back());
+  const auto holds = [](const TextAttributes& texts) -> std::optional<bool> {
+    const auto stated = StatementOf(WithVariables({{"z", texts}}).header.variables.back());
+    return stated ? std::optional(stated->are_depths) : std::nullopt;
   };
   EXPECT_EQ(holds({{"positive", "down"}}), true);
   EXPECT_EQ(holds({{"positive", "up"}, {"standard_name", "sea_floor_depth"}}), false);
-  EXPECT_EQ(holds({{"standard_name", "sea_floor_depth_below_mean_sea_level"}}), true);
+  for (const char* depths :
+       {"sea_floor_depth", "sea_floor_depth_below_mean_sea_level",
+        "sea_floor_depth_below_sea_level", "sea_floor_depth_below_geoid",
+        "sea_floor_depth_below_sea_surface", "sea_floor_depth_below_reference_ellipsoid",
+        "sea_floor_depth_below_geopotential_datum", "model_sea_floor_depth_below_sea_level"}) {
+    EXPECT_EQ(holds({{"standard_name", depths}}), true) << depths;
+  }
   EXPECT_EQ(holds({{"standard_name", "height_above_mean_sea_level"}}), false);
+  EXPECT_EQ(holds({{"standard_name", "height_above_reference_ellipsoid"}}), false);
   EXPECT_EQ(holds({}), std::nullopt);
+}
+
+TEST(FloorVariable, MayCountFromTheEllipsoid) {
+  const auto counts = [](const std::string& name) {
+    return CountsFromEllipsoid(
+        WithVariables({{"z", {{"standard_name", name}}}}).header.variables.back());
+  };
+  EXPECT_TRUE(counts("sea_floor_depth_below_reference_ellipsoid"));
+  EXPECT_TRUE(counts("height_above_reference_ellipsoid"));
+  EXPECT_FALSE(counts("sea_floor_depth_below_geoid"));
+}
+
+TEST(CurrentVariables, RunAlongEarthOrGridByTheirStandardName) {
+  const auto direction = [](const std::string& name) {
+    return DirectionOf(WithVariables({{"u", {{"standard_name", name}}}}).header.variables.back());
+  };
+  EXPECT_EQ(direction("eastward_sea_water_velocity"), CfDirection::kEast);
+  EXPECT_EQ(direction("surface_northward_sea_water_velocity"), CfDirection::kNorth);
+  EXPECT_EQ(direction("sea_water_x_velocity"), CfDirection::kX);
+  EXPECT_EQ(direction("x_sea_water_velocity"), CfDirection::kX);
+  EXPECT_EQ(direction("barotropic_sea_water_y_velocity"), CfDirection::kY);
+  EXPECT_EQ(direction("grid_eastward_sea_water_velocity"), CfDirection::kX);
+  EXPECT_EQ(direction(""), CfDirection::kUnknown);
 }
 
 TEST(CurrentVariables, AreFoundByStandardNameThenByName) {
@@ -58,6 +106,16 @@ TEST(CurrentVariables, AreFoundByStandardNameThenByName) {
                    {"a", {{"standard_name", "northward_sea_water_velocity"}}},
                    {"b", {{"standard_name", "eastward_sea_water_velocity"}}}}),
             "b a");
+  EXPECT_EQ(found({{"u", {}},
+                   {"v", {}},
+                   {"a", {{"standard_name", "sea_water_y_velocity"}}},
+                   {"b", {{"standard_name", "sea_water_x_velocity"}}}}),
+            "b a");
+  EXPECT_EQ(found({{"u", {{"standard_name", "sea_water_x_velocity"}}},
+                   {"v", {{"standard_name", "sea_water_y_velocity"}}},
+                   {"ue", {{"standard_name", "eastward_sea_water_velocity"}}},
+                   {"vn", {{"standard_name", "northward_sea_water_velocity"}}}}),
+            "ue vn");
   EXPECT_EQ(found({{"vo", {}}, {"uo", {}}}), "uo vo");
   EXPECT_EQ(found({{"U", {}}, {"V", {}}}), "U V");
   EXPECT_EQ(found({{"water_u", {}}, {"water_v", {}}}), "water_u water_v");

@@ -27,11 +27,27 @@ GridMap::GridMap(GridAxis x_m, GridAxis y_m) : x_(std::move(x_m)), y_(std::move(
 GridMap::GridMap(const GeoPoint& origin, GridAxis lon_deg, GridAxis lat_deg)
     : x_(std::move(lon_deg)), y_(std::move(lat_deg)), earth_(origin) {}
 
+GridMap::GridMap(const GeoPoint& origin, const MapProjection& projection, GridAxis x, GridAxis y)
+    : x_(std::move(x)), y_(std::move(y)), earth_(origin), projection_(projection) {}
+
+GridMap::GridMap(GridMesh mesh)
+    : x_(GridAxis::Even(0, 1, mesh.columns())),
+      y_(GridAxis::Even(0, 1, mesh.rows())),
+      mesh_(std::make_shared<const GridMesh>(std::move(mesh))) {}
+
 GridCell GridMap::Locate(const Eigen::Vector2d& position_m) const {
+  if (mesh_) return mesh_->Locate(position_m);
   if (!earth_) return {.x = x_.Locate(position_m.x()), .y = y_.Locate(position_m.y())};
   const GeoPoint point = earth_->ToGeo(position_m);
-  return {.x = x_.Locate(UnwrapLongitude(point.lon_deg, x_.first(), x_.last())),
-          .y = y_.Locate(point.lat_deg)};
+  if (!projection_) {
+    return {.x = x_.Locate(UnwrapLongitude(point.lon_deg, x_.first(), x_.last())),
+            .y = y_.Locate(point.lat_deg)};
+  }
+  Eigen::Vector2d place = projection_->Forward(point);
+  if (projection_->is_rotated_pole()) {
+    place.x() = UnwrapLongitude(place.x(), x_.first(), x_.last());
+  }
+  return {.x = x_.Locate(place.x()), .y = y_.Locate(place.y())};
 }
 
 double GridMap::Interpolate(std::span<const float> values, const GridCell& cell) const {

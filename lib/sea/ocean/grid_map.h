@@ -1,12 +1,17 @@
-// Where the points of a grid lie: in the plane of the mission, or at latitudes and longitudes.
+// Where the points of a grid lie: in the plane of the mission, at latitudes and longitudes, on a
+// projected map, or each at a place of its own.
 #pragma once
 
 #include <Eigen/Core>
+#include <memory>
 #include <optional>
 #include <span>
 
 #include "lib/base/geodesy/local_frame.h"
+#include "lib/base/geodesy/map_projection.h"
 #include "lib/sea/ocean/grid_axis.h"
+#include "lib/sea/ocean/grid_cell.h"
+#include "lib/sea/ocean/grid_mesh.h"
 
 namespace shoal {
 
@@ -20,15 +25,6 @@ struct GridFrame {
   bool operator==(const GridFrame&) const = default;
 };
 
-/// The four points around a position.
-struct GridCell {
-  GridPlace x;  ///< Columns.
-  GridPlace y;  ///< Rows.
-
-  /// At most half a cell beyond the outermost points.
-  bool IsInside() const { return x.is_inside && y.is_inside; }
-};
-
 class GridMap {
  public:
   /// @pre columns and rows >= 1, a finite corner, positive cells
@@ -38,6 +34,10 @@ class GridMap {
   /// Axes in degrees, WGS84: the mission's plane touches the Earth at `origin` (LocalFrame).
   /// Longitudes may count from anywhere: 190 is -170. @pre origin is finite and in range
   GridMap(const GeoPoint& origin, GridAxis lon_deg, GridAxis lat_deg);
+  /// Axes in the coordinates of a projection. @pre likewise
+  GridMap(const GeoPoint& origin, const MapProjection& projection, GridAxis x, GridAxis y);
+  /// Points of a curvilinear grid.
+  explicit GridMap(GridMesh mesh);
 
   /// Returns the points around a position; off the grid those of its nearest edge.
   [[nodiscard]] GridCell Locate(const Eigen::Vector2d& position_m) const;
@@ -50,12 +50,15 @@ class GridMap {
   int columns() const { return x_.count(); }
   int rows() const { return y_.count(); }
   size_t num_points() const { return static_cast<size_t>(columns()) * static_cast<size_t>(rows()); }
-  bool is_geographic() const { return earth_.has_value(); }
+  /// Returns whether the points lie at latitudes and longitudes, given or by a projection.
+  bool is_geographic() const { return earth_.has_value() || mesh_ != nullptr; }
 
  private:
-  GridAxis x_;  ///< Metres, or longitudes.
-  GridAxis y_;  ///< Metres, or latitudes.
+  GridAxis x_;  ///< Metres, longitudes, or of a mesh the numbers of its points.
+  GridAxis y_;  ///< Metres, latitudes, or likewise.
   std::optional<LocalFrame> earth_;
+  std::optional<MapProjection> projection_;
+  std::shared_ptr<const GridMesh> mesh_;  ///< Null: the grid has axes.
 };
 
 }  // namespace shoal
