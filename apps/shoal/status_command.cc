@@ -6,6 +6,7 @@
 
 #include "lib/base/check/result.h"
 #include "lib/base/text/letters.h"
+#include "lib/base/text/terminal_text.h"
 #include "lib/base/time/seconds.h"
 #include "lib/bus/bus/channels.h"
 #include "lib/bus/bus/lcm_bus.h"
@@ -93,15 +94,17 @@ int RunStatus(const StatusOptions& options) {
              mission->grouping);
   if (!one_line_each) {
     for (const auto& [name, page] : pages) {
-      fmt::print("{}\n", Format(PageOf(page), name, page.step));
+      fmt::print("{}\n", TerminalText(Format(PageOf(page), name, page.step)));
     }
     return kExitOk;
   }
   fmt::print("{:<32} {:>9} {:>8}  warnings (config/run)\n", "participant", "time [s]", "step");
   for (const auto& [name, page] : pages) {
-    fmt::print("{:<32} {:>9.1f} {:>8}  {}/{}\n", name, Seconds(page.utime), page.step,
+    fmt::print("{:<32} {:>9.1f} {:>8}  {}/{}\n", TerminalLine(name), Seconds(page.utime), page.step,
                page.num_config_warnings, page.num_run_warnings);
-    for (const std::string& warning : page.run_warnings) fmt::print("    {}\n", warning);
+    for (const std::string& warning : page.run_warnings) {
+      fmt::print("    {}\n", TerminalLine(warning));
+    }
   }
   return kExitOk;
 }

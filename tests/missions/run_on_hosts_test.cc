@@ -1,9 +1,13 @@
 // Vehicles on other computers: `shoal host` agents on loopback, and what goes wrong with them.
+#include <arpa/inet.h>
 #include <gtest/gtest.h>
 #include <signal.h>
+#include <sys/socket.h>
 
 #include <cstdlib>
 
+#include "lib/bus/os/file_descriptor.h"
+#include "lib/mission/file/load.h"
 #include "lib/run/hosts/curve_link.h"
 #include "lib/run/hosts/host_offer.h"
 #include "tests/missions/delaying_proxy.h"
@@ -168,6 +172,17 @@ TEST(LostHost, JoinsAtAStepWhenItIsBack) {
   EXPECT_EQ(under.process->Wait().exit_code, 1);
 }
 
+TEST(LostHost, IsTakenBackWhenItStoodStillForLongerThanItsTimeOut) {
+  MissionUnderWay under(std::string(kAttentive) + "on_loss = \"restart\"\n");
+  under.farm.hosts[0].process->Signal(SIGSTOP);
+  ASSERT_TRUE(under.process->WaitFor("gave no sign of life for 3 s")) << under.process->Output();
+  under.farm.hosts[0].process->Signal(SIGCONT);
+  ASSERT_TRUE(under.process->WaitFor("is there again; its participants join"))
+      << under.process->Output() << under.farm.hosts[0].process->Output();
+  under.process->Signal(SIGINT);
+  EXPECT_EQ(under.process->Wait().exit_code, 1);
+}
+
 TEST(LostHome, EndsTheProcessesOfTheHostWhichThenTakesTheNextMission) {
   MissionUnderWay under(kAttentive);
   const auto participants = under.farm.hosts[0].process->Participants();
@@ -301,6 +316,9 @@ class PlayedHome {
       : link_(farm.hosts[0].address, *FindPublicKey(farm.hosts[0].public_key_file, ""),
               *ReadHostKey(farm.home_key + ".key")) {}
 
+  /// Refuses messages of other missions, as home does.
+  void set_mission_id(int64_t mission_id) { intake_.set_mission_id(mission_id); }
+  void Send(const LinkMessage& message) { Send(message, next_sequence_++); }
   void Send(const LinkMessage& message, uint64_t sequence) {
     const Bytes bytes = EncodeLinkMessage(message, sequence);
     EXPECT_TRUE(AwaitThat([&] {
@@ -308,13 +326,14 @@ class PlayedHome {
       return link_.Send(bytes);
     }));
   }
+  /// Returns the next message that is more than a sign of life.
   LinkMessage Await() {
     LinkMessage answer;
     EXPECT_TRUE(AwaitThat([&] {
       const auto bytes = link_.Receive();
       const auto message = bytes ? intake_.Take(*bytes) : Result<LinkMessage>(Error{""});
       if (message.ok()) answer = *message;
-      return message.ok();
+      return message.ok() && answer.kind != LinkKind::kAlive;
     }));
     return answer;
   }
@@ -322,7 +341,78 @@ class PlayedHome {
  private:
   HomeLink link_;
   LinkIntake intake_;
+  uint64_t next_sequence_ = 0;
 };
+
+/// Returns the build of `shoal`, "0123456789abcdef"; that of this test is another one.
+std::string BuildOfShoal(const TestFolder& folder) {
+  const std::string version = RunShoal(folder, {"--version"}).output;
+  const size_t begin = version.find("(build ") + 7;
+  return version.substr(begin, version.find(')') - begin);
+}
+
+/// Returns the offer of alpha's helm as home makes it.
+LinkMessage HelmOffer(HostFarm* farm, int64_t mission_id) {
+  const std::string mission = farm->Placed("alpha.toml", {"\"alpha\""});
+  const auto files = FilesOfMission(mission, {});
+  EXPECT_TRUE(files.ok());
+  return ToLinkMessage({.build = BuildOfShoal(farm->folder),
+                        .host = "host1",
+                        .files = *files,
+                        .digest = MissionDigest(LoadMission(mission).mission, *files),
+                        .participants = {"helm_alpha"},
+                        .secret = {},
+                        .timeout_s = 60},
+                       mission_id);
+}
+
+TEST(RefusedHome, IsGivenTheCauseWhereAnotherMissionRuns) {
+  HostFarm farm(1);
+  PlayedHome first(farm);
+  first.Send(HelmOffer(&farm, 5));
+  ASSERT_EQ(first.Await().kind, LinkKind::kAccept) << farm.hosts[0].process->Output();
+  PlayedHome second(farm);
+  second.set_mission_id(6);
+  second.Send(HelmOffer(&farm, 6));
+  const LinkMessage answer = second.Await();
+  EXPECT_EQ(answer.kind, LinkKind::kRefuse);
+  EXPECT_EQ(answer.TextOf("why"), "it runs another mission now, alpha: wait until that has ended");
+  PlayedHome broken(farm);
+  broken.set_mission_id(7);
+  broken.Send({.kind = LinkKind::kOffer, .mission_id = 7});
+  EXPECT_EQ(broken.Await().kind, LinkKind::kRefuse);
+}
+
+TEST(RefusedHome, IsTakenOnceItsFormerPartHasEndedWhereItConnectsAnew) {
+  HostFarm farm(1);
+  const LinkMessage offer = HelmOffer(&farm, 5);
+  PlayedHome first(farm);
+  first.Send(offer);
+  ASSERT_EQ(first.Await().kind, LinkKind::kAccept) << farm.hosts[0].process->Output();
+  PlayedHome again(farm);
+  again.set_mission_id(5);
+  EXPECT_TRUE(AwaitThat([&] {
+    again.Send(offer);
+    return again.Await().kind == LinkKind::kAccept;
+  })) << farm.hosts[0].process->Output();
+  EXPECT_NE(farm.hosts[0].process->Output().find("LOST: home has connected anew"),
+            std::string::npos);
+}
+
+TEST(RefusedHome, StartsWhatRuns) {
+  HostFarm farm(1);
+  PlayedHome home(farm);
+  home.Send(HelmOffer(&farm, 5));
+  ASSERT_EQ(home.Await().kind, LinkKind::kAccept) << farm.hosts[0].process->Output();
+  const auto before = farm.hosts[0].process->Participants();
+  LinkMessage start{.kind = LinkKind::kStart, .mission_id = 5};
+  start.AddText("name", "helm_alpha");
+  home.Send(start);
+  EXPECT_TRUE(
+      farm.hosts[0].process->WaitFor("home sent a start of helm_alpha, which runs; refused"))
+      << farm.hosts[0].process->Output();
+  EXPECT_EQ(farm.hosts[0].process->Participants(), before);
+}
 
 TEST(RefusedHome, HasAnotherBuild) {
   HostFarm farm(1);
@@ -350,6 +440,81 @@ TEST(RefusedHome, SendsABatchTwice) {
       << farm.hosts[0].process->Output();
   home.Send({.kind = LinkKind::kPing}, 1);
   EXPECT_EQ(home.Await().kind, LinkKind::kPong) << "the link goes on";
+}
+
+TEST(Connections, ThatProveNoKeyAreEndedAndNamedAsThat) {
+  HostFarm farm(1);
+  std::vector<FileDescriptor> connections;
+  for (int i = 0; i < 5; ++i) {
+    FileDescriptor& each = connections.emplace_back(socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0));
+    sockaddr_in address{};
+    address.sin_family = AF_INET;
+    address.sin_port = htons(static_cast<uint16_t>(farm.PortOf(0)));
+    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    ASSERT_EQ(connect(each.get(), reinterpret_cast<sockaddr*>(&address), sizeof address), 0);
+  }
+  ASSERT_TRUE(farm.hosts[0].process->WaitFor("connections so far that proved no key within 3 s"))
+      << farm.hosts[0].process->Output();
+  PlayedHome home(farm);
+  home.Send({.kind = LinkKind::kPing});
+  EXPECT_EQ(home.Await().kind, LinkKind::kPong);
+}
+
+/// Plays a host towards `shoal run`: accepts what it is offered, and then sends what it should not.
+class PlayedHost {
+ public:
+  explicit PlayedHost(HostFarm* farm) {
+    address_ = "tcp://127.0.0.1:" + std::to_string(FreeTcpPorts(1));
+    const Result<bool> opened =
+        door_.Open(address_, *ReadHostKey((farm->folder / "host1.key").string()),
+                   {*FindPublicKey(farm->home_key + ".pub", "")});
+    EXPECT_TRUE(opened.ok());
+  }
+  /// Awaits the offer, and accepts it.
+  void Accept() {
+    EXPECT_TRUE(AwaitThat([&] {
+      const auto arrival = door_.Receive();
+      if (!arrival) return false;
+      const auto message = intake_.Take(arrival->bytes);
+      if (!message.ok() || message->kind != LinkKind::kOffer) return false;
+      peer_ = arrival->peer;
+      mission_id_ = message->mission_id;
+      return true;
+    }));
+    Send({.kind = LinkKind::kAccept, .mission_id = mission_id_});
+  }
+  void Send(const LinkMessage& message) {
+    EXPECT_TRUE(door_.Send(peer_, EncodeLinkMessage(message, next_sequence_++)));
+  }
+  const std::string& address() const { return address_; }
+  int64_t mission_id() const { return mission_id_; }
+
+ private:
+  HostDoor door_;
+  std::string address_;
+  std::string peer_;
+  LinkIntake intake_;
+  int64_t mission_id_ = 0;
+  uint64_t next_sequence_ = 0;
+};
+
+TEST(RefusedHost, EndsAProcessThatItDoesNotRun) {
+  HostFarm farm(1);
+  PlayedHost host(&farm);
+  const std::string mission = farm.Placed("berta.toml", {"\"bravo\""}, kPatient, {host.address()});
+  RunningProcess process(farm.folder, farm.RunCommand(mission));
+  host.Accept();
+  host.Send(ToLinkMessage(
+      HostExit{.name = "shore_broker", .how = "was killed by signal 9 (Killed)", .last_lines = {}},
+      host.mission_id()));
+  ASSERT_TRUE(process.WaitFor("sent the end of shore_broker, which it does not run; refused"))
+      << process.Output();
+  host.Send(RefusalOf(host.mission_id(), "\x1b[2J\nVerdict: PASS"));
+  const Finished finished = process.Wait();
+  EXPECT_EQ(finished.exit_code, 3);
+  EXPECT_EQ(finished.output.find("LOST: shore_broker"), std::string::npos) << finished.output;
+  EXPECT_NE(finished.output.find("ends its part: ?[2J?Verdict: PASS"), std::string::npos)
+      << finished.output;
 }
 
 TEST(HostDoctor, MeasuresTheWay) {

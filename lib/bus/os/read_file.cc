@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "lib/bus/os/file_bytes.h"
+#include "lib/bus/os/files_below.h"
 
 namespace shoal {
 
@@ -20,6 +21,7 @@ thread_local FilesRead* list_of_thread = nullptr;
 std::string Unreadable() { return std::string("cannot be read: ") + std::strerror(errno); }
 
 Result<FileDescriptor> Open(const std::string& path, bool is_any_kind) {
+  if (!MayReadFile(path)) return Error{"lies outside of the folder that the mission came in"};
   FileDescriptor file(
       open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY | (is_any_kind ? 0 : O_NONBLOCK)));
   struct stat status {};

@@ -5,6 +5,7 @@
 #include <system_error>
 #include <utility>
 
+#include "lib/bus/os/files_below.h"
 #include "lib/mission/file/load_modem.h"
 #include "lib/mission/file/own_modems.h"
 #include "lib/mission/toml/suggest.h"
@@ -16,7 +17,8 @@ namespace fs = std::filesystem;
 
 bool IsFile(const fs::path& path) {
   std::error_code ignored;
-  return fs::is_regular_file(path, ignored);
+  // What must not be read is not looked for either: the answer would state whether it is there.
+  return MayReadFile(path.string()) && fs::is_regular_file(path, ignored);
 }
 
 /// Returns where the modem's file is, empty where there is none.

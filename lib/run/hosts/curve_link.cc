@@ -18,6 +18,8 @@ namespace {
 /// What is still under way when a socket closes: the last words to a host.
 constexpr int kLinger_ms = 500;
 constexpr int kReconnect_ms = 200;
+/// Four messages; a way of a second would be too slow for any step.
+constexpr int kHandshake_ms = 3'000;
 /// Messages that wait for a slow peer; a link in step has one or two.
 constexpr int kWaitingMessages = 10'000;
 constexpr char kZapAddress[] = "inproc://zeromq.zap.01";
@@ -76,7 +78,9 @@ struct HostDoor::Sockets {
   zmq::context_t context{1};
   zmq::socket_t zap{context, zmq::socket_type::rep};
   zmq::socket_t router{context, zmq::socket_type::router};
+  zmq::socket_t events{context, zmq::socket_type::pair};
   FileDescriptor poll;
+  int64_t num_unproved = 0;
   std::set<std::string> allowed;
   std::vector<std::string> refused;
 
@@ -84,7 +88,7 @@ struct HostDoor::Sockets {
 };
 
 HostDoor::HostDoor() : sockets_(std::make_unique<Sockets>()) {}
-HostDoor::~HostDoor() = default;
+HostDoor::~HostDoor() { zmq_socket_monitor(sockets_->router.handle(), nullptr, 0); }
 
 Result<bool> HostDoor::Open(const std::string& address, const HostKey& key,
                             const std::set<std::string>& allowed_keys) {
@@ -96,6 +100,12 @@ Result<bool> HostDoor::Open(const std::string& address, const HostKey& key,
     sockets_->router.set(zmq::sockopt::curve_server, true);
     sockets_->router.set(zmq::sockopt::zap_domain, "shoal");
     sockets_->router.set(zmq::sockopt::router_mandatory, true);
+    sockets_->router.set(zmq::sockopt::handshake_ivl, kHandshake_ms);
+    constexpr char kEventsAddress[] = "inproc://door-events";
+    constexpr int kEvents =
+        ZMQ_EVENT_HANDSHAKE_FAILED_NO_DETAIL | ZMQ_EVENT_HANDSHAKE_FAILED_PROTOCOL;
+    zmq_socket_monitor(sockets_->router.handle(), kEventsAddress, kEvents);
+    sockets_->events.connect(kEventsAddress);
     sockets_->router.bind(address);
   } catch (const zmq::error_t& error) {
     return Error{fmt::format(
@@ -157,6 +167,11 @@ bool HostDoor::Send(const std::string& peer, std::span<const uint8_t> bytes) {
 
 std::vector<std::string> HostDoor::TakeRefusedKeys() {
   return std::exchange(sockets_->refused, {});
+}
+
+int64_t HostDoor::NumUnproved() {
+  while (!ReceiveFrames(&sockets_->events).empty()) ++sockets_->num_unproved;
+  return sockets_->num_unproved;
 }
 
 int HostDoor::fd() const { return sockets_->poll.get(); }

@@ -51,6 +51,11 @@ class HostDoor {
 
   /// Returns the public keys that were refused since the last call.
   std::vector<std::string> TakeRefusedKeys();
+
+  /// Returns how many connections since Open have ended without a proof of a key. Those whose
+  /// handshake takes more than 3 s are ended here: one that nothing comes over holds a descriptor
+  /// for no longer.
+  int64_t NumUnproved();
   int fd() const;
 
  private:

@@ -1,18 +1,24 @@
 #include "lib/run/hosts/host_offer.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <sodium.h>
 
 #include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <filesystem>
+#include <set>
+#include <utility>
 
 #include "lib/base/check/check.h"
 #include "lib/base/text/numbers.h"
+#include "lib/base/text/terminal_text.h"
+#include "lib/bus/os/files_below.h"
 #include "lib/bus/os/read_file.h"
 #include "lib/bus/os/text_file.h"
 #include "lib/mission/file/load.h"
+#include "lib/mission/model/names.h"
 
 namespace shoal {
 
@@ -27,6 +33,7 @@ constexpr std::string_view kFile = "file:";
 constexpr std::string_view kSet = "set";
 constexpr std::string_view kParticipant = "participant";
 constexpr std::string_view kLine = "line";
+constexpr size_t kMaxLines = 10;  ///< Of what a process wrote last; ChildExit has fewer.
 
 /// Returns the folder that all `paths` lie in or below; empty where there is none but "/".
 fs::path CommonFolder(const std::vector<fs::path>& paths) {
@@ -85,9 +92,18 @@ Result<std::vector<OfferedFile>> FilesOfMission(const std::string& mission_file,
   std::vector<fs::path> paths = {fs::absolute(mission_file, error).lexically_normal()};
   {
     const FilesRead read;
-    const LoadedMission loaded = LoadMission(mission_file, overrides);
+    // By a relative path, so that absolute ones are those that the mission itself has.
+    const fs::path relative =
+        fs::absolute(mission_file, error).lexically_relative(fs::current_path(error));
+    const LoadedMission loaded = LoadMission(relative.string(), overrides);
     if (!loaded.errors.empty()) return Error{loaded.errors.front()};
     for (const std::string& path : read.paths()) {
+      if (fs::path(path).is_absolute()) {
+        return Error{fmt::format(
+            "{}: it names {} by an absolute path, which on a host is another file or none: copy "
+            "the file into the mission file's folder, and name it relative to that",
+            mission_file, path)};
+      }
       paths.push_back(fs::absolute(path, error).lexically_normal());
     }
   }
@@ -127,6 +143,55 @@ Result<std::string> WriteOfferedFiles(const std::vector<OfferedFile>& files,
   return (fs::path(folder) / files.front().path).string();
 }
 
+Result<Mission> LoadOffered(const HostOffer& offer, const std::string& folder) {
+  const Result<std::string> file = WriteOfferedFiles(offer.files, folder);
+  if (!file.ok()) return Error{file.error()};
+  const OnlyFilesBelow bounds(folder);
+  LoadedMission loaded = LoadMission(*file, offer.overrides);
+  if (!loaded.errors.empty()) {
+    return Error{"it does not load there: " + TerminalLine(loaded.errors.front())};
+  }
+  if (MissionDigest(loaded.mission, offer.files) != offer.digest) {
+    return Error{"it is another mission there than at home: its digest differs"};
+  }
+  return std::move(loaded.mission);
+}
+
+Result<std::vector<RosterEntry>> OfferedRoster(const HostOffer& offer, const Mission& mission,
+                                               bool allow_programs) {
+  std::set<std::string_view> wanted(offer.participants.begin(), offer.participants.end());
+  if (wanted.size() != offer.participants.size()) {
+    return Error{"it offers a participant twice"};
+  }
+  std::vector<RosterEntry> roster;
+  for (RosterEntry& entry : MakeRoster(mission, false)) {
+    if (wanted.erase(entry.name) == 0) continue;
+    if (!entry.app.empty() && entry.vehicle.empty()) {
+      return Error{fmt::format(
+          "{} runs at home: a host runs the processes of vehicles, and [[participant]] programs",
+          entry.name)};
+    }
+    if (entry.host != offer.host) {
+      return Error{
+          fmt::format("the mission does not place {} on host {}: [[host]] vehicles, "
+                      "[[host]] participants and --on do",
+                      entry.name, offer.host)};
+    }
+    if (!entry.command.empty() && !allow_programs) {
+      return Error{fmt::format(
+          "participant {} runs a program of the mission's own ({}); a host runs such programs only "
+          "where it was started with --allow-programs",
+          entry.name, TerminalLine(fmt::format("{}", fmt::join(entry.command, " "))))};
+    }
+    roster.push_back(std::move(entry));
+  }
+  if (!wanted.empty()) {
+    return Error{fmt::format("it has {} of the {} participants that this host is to run",
+                             roster.size(), offer.participants.size())};
+  }
+  return roster;
+}
+
 LinkMessage ToLinkMessage(const HostOffer& offer, int64_t mission_id) {
   LinkMessage message{.kind = LinkKind::kOffer, .mission_id = mission_id};
   message.AddText("build", offer.build);
@@ -149,9 +214,19 @@ Result<HostOffer> OfferOf(const LinkMessage& message) {
   offer.build = message.TextOf("build");
   offer.host = message.TextOf("host");
   offer.digest = message.TextOf("digest");
-  offer.layout = message.TextOf("layout") == Name(Layout::kCommunities) ? Layout::kCommunities
-                                                                        : Layout::kShared;
+  const std::string layout = message.TextOf("layout");
+  offer.layout = layout == Name(Layout::kCommunities) ? Layout::kCommunities : Layout::kShared;
+  if (layout != Name(offer.layout)) return Error{fmt::format("an offer of layout '{}'", layout)};
+  if (std::string problem = NameProblem(offer.host); !problem.empty()) {
+    return Error{fmt::format("an offer for a host '{}': {}", offer.host, problem)};
+  }
   offer.timeout_s = ReadNumber<double>(message.TextOf("timeout_s")).value_or(0);
+  // A longer one would keep the host busy with a home that is gone. NaN is in no range.
+  if (!(offer.timeout_s >= kShortestHostTimeout_s && offer.timeout_s <= kLongestHostTimeout_s)) {
+    return Error{fmt::format("an offer with timeout_s = {}; it is {} to {} s",
+                             message.TextOf("timeout_s"), kShortestHostTimeout_s,
+                             kLongestHostTimeout_s)};
+  }
   offer.overrides = TextsOf(message, kSet);
   offer.participants = TextsOf(message, kParticipant);
   for (const LinkPart& part : message.parts) {
@@ -159,15 +234,22 @@ Result<HostOffer> OfferOf(const LinkMessage& message) {
     offer.files.push_back({.path = part.name.substr(kFile.size()),
                            .text = std::string(part.data.begin(), part.data.end())});
   }
-  const Result<MissionSecret> secret = ParseSecret(message.TextOf("secret"));
-  if (!secret.ok() || offer.files.empty() || offer.participants.empty() || offer.timeout_s <= 0) {
-    return Error{"an offer without a mission file, participants, time-out or secret"};
+  const std::vector<std::string> secrets = TextsOf(message, "secret");
+  const Result<MissionSecret> secret = ParseSecret(secrets.empty() ? "" : secrets.front());
+  if (!secret.ok() || offer.files.empty() || offer.participants.empty()) {
+    return Error{"an offer without a mission file, participants or secret"};
   }
   const Result<Grouping> grouping = ParseGrouping(message.TextOf("grouping"));
   if (!grouping.ok()) return Error{grouping.error()};
   offer.grouping = *grouping;
   offer.secret = *secret;
   return offer;
+}
+
+LinkMessage RefusalOf(int64_t mission_id, std::string_view why) {
+  LinkMessage refusal{.kind = LinkKind::kRefuse, .mission_id = mission_id};
+  refusal.AddText("why", why);
+  return refusal;
 }
 
 LinkMessage ToLinkMessage(const HostExit& exit, int64_t mission_id) {
@@ -181,11 +263,14 @@ LinkMessage ToLinkMessage(const HostExit& exit, int64_t mission_id) {
 }
 
 HostExit ExitOf(const LinkMessage& message) {
+  std::vector<std::string> lines = TextsOf(message, kLine);
+  if (lines.size() > kMaxLines) lines.resize(kMaxLines);
+  for (std::string& line : lines) line = TerminalLine(line);
   return {.name = message.TextOf("name"),
           .pid = ReadNumber<int64_t>(message.TextOf("pid")).value_or(0),
           .clean = message.TextOf("clean") == "yes",
           .how = message.TextOf("how"),
-          .last_lines = TextsOf(message, kLine)};
+          .last_lines = std::move(lines)};
 }
 
 }  // namespace shoal

@@ -7,6 +7,7 @@
 #include <array>
 
 #include "lib/base/check/check.h"
+#include "lib/base/text/terminal_text.h"
 #include "lib/bus/bus/big_endian.h"
 
 namespace shoal {
@@ -62,7 +63,8 @@ const LinkPart* LinkMessage::Find(std::string_view name) const {
 
 std::string LinkMessage::TextOf(std::string_view name) const {
   const LinkPart* part = Find(name);
-  return part == nullptr ? std::string() : std::string(part->data.begin(), part->data.end());
+  if (part == nullptr) return {};
+  return TerminalLine({reinterpret_cast<const char*>(part->data.data()), part->data.size()});
 }
 
 void LinkMessage::AddText(std::string_view name, std::string_view text) {

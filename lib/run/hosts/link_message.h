@@ -57,7 +57,8 @@ struct LinkMessage {
 
   /// Returns the first part of this name, or nullptr.
   const LinkPart* Find(std::string_view name) const;
-  /// Returns the text of the first part of this name; empty where there is none.
+  /// Returns the text of the first part of this name as one line that a terminal can show
+  /// (lib/base/text/terminal_text.h); empty where there is none.
   std::string TextOf(std::string_view name) const;
   void AddText(std::string_view name, std::string_view text);
 

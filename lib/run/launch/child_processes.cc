@@ -55,6 +55,9 @@ ChildProcesses::~ChildProcesses() {
 }
 
 Result<pid_t> ChildProcesses::Start(const ChildCommand& command) {
+  if (IsRunning(command.name)) {  // What is not in running_ would outlive this process.
+    return Error{fmt::format("cannot start {}: it runs already", command.name)};
+  }
   // A private log is made by this process, so that no other has opened it before.
   const FileDescriptor log(open(command.log_path.c_str(),
                                 O_WRONLY | O_CREAT | O_APPEND | O_NOFOLLOW | O_CLOEXEC |

@@ -32,7 +32,8 @@ TEST(PrivateLog, IsNeverAFileThatWasThereBefore) {
   ChildProcesses children;
   EXPECT_TRUE(children.Start(True(log, true)).ok());
   EXPECT_EQ(fs::status(log).permissions(), fs::perms::owner_read | fs::perms::owner_write);
-  const Result<pid_t> second = children.Start(True(log, true));
+  ChildProcesses others;
+  const Result<pid_t> second = others.Start(True(log, true));
   ASSERT_FALSE(second.ok()) << "another user may have opened it";
   EXPECT_NE(second.error().find("cannot write " + log), std::string::npos) << second.error();
 }
@@ -52,6 +53,18 @@ TEST(Log, OfAParticipantIsAppendedToAndNeverWrittenThroughALink) {
 void AwaitEnd(pid_t pid) {
   siginfo_t info{};
   ASSERT_EQ(waitid(P_PID, static_cast<id_t>(pid), &info, WEXITED | WNOWAIT), 0);
+}
+
+TEST(Child, IsNotStartedASecondTimeWhileItRuns) {
+  const TestDirectory directory;
+  ChildCommand command = True(directory.File("sleep.txt"), false);
+  command.argv = {"/bin/sleep", "1000"};
+  ChildProcesses children;
+  ASSERT_TRUE(children.Start(command).ok());
+  const Result<pid_t> second = children.Start(command);
+  ASSERT_FALSE(second.ok()) << "the first would be forgotten, and outlive this process";
+  EXPECT_EQ(second.error(), "cannot start true: it runs already");
+  EXPECT_EQ(children.num_running(), 1U);
 }
 
 TEST(Exit, IsCleanByAnySignalThatWasSentAndNotTheLastAlone) {

@@ -5,6 +5,7 @@
 #include <poll.h>
 #include <signal.h>
 #include <sys/epoll.h>
+#include <sys/resource.h>
 #include <sys/signalfd.h>
 #include <unistd.h>
 
@@ -13,7 +14,10 @@
 #include "lib/base/time/time_units.h"
 #include "lib/bus/bus/multicast_fault.h"
 #include "lib/run/launch/launch_signals.h"
+#include "lib/run/command_line/build_id.h"
 #include "lib/run/run/run_app.h"
+#include "lib/run/run/run_registry.h"
+#include "lib/run/command_line/version.h"
 
 namespace shoal {
 
@@ -26,6 +30,16 @@ constexpr int64_t kPeerSilence_us = 10 * kSecond_us;
 /// The agent itself stood still; no silence counts.
 constexpr int64_t kAgentPause_us = 500'000;
 constexpr size_t kMaxNamedKeys = 100;
+
+/// Raises the soft limit of open files: connections that have proved no key yet count too. The
+/// processes of missions inherit it, as from a shell after `ulimit -n`.
+void RaiseFileLimit() {
+  constexpr rlim_t kMostFiles = 65'536;
+  rlimit limit{};
+  if (getrlimit(RLIMIT_NOFILE, &limit) != 0 || limit.rlim_cur >= kMostFiles) return;
+  limit.rlim_cur = std::min(limit.rlim_max, kMostFiles);
+  setrlimit(RLIMIT_NOFILE, &limit);
+}
 
 }  // namespace
 
@@ -43,8 +57,7 @@ int RunHostAgent(const HostAgentOptions& options) {
   return code;
 }
 
-HostAgent::HostAgent(const HostAgentOptions& options)
-    : options_(options), ports_{.wanted = options.port_base} {}
+HostAgent::HostAgent(const HostAgentOptions& options) : options_(options) {}
 
 std::string HostAgent::Open() {
   const Result<HostKey> key = ReadHostKey(HostKeyPath(options_.key_file));
@@ -55,6 +68,12 @@ std::string HostAgent::Open() {
     if (!public_key.ok()) return "--allow: " + public_key.error();
     allowed.insert(*public_key);
   }
+  // Before the door opens: connections take descriptors.
+  RaiseFileLimit();
+  const Result<int> port_base = ClaimPorts(
+      options_.port_base, PortPlan::NumPorts(Layout::kCommunities, PortPlan::kMaxCommunities));
+  if (!port_base.ok()) return port_base.error();
+  port_base_ = *port_base;
   if (const auto opened = door_.Open(options_.listen, *key, allowed); !opened.ok()) {
     return opened.error();
   }
@@ -131,7 +150,20 @@ void HostAgent::ReadDoor(int64_t wall_us) {
     terminal_.Warn(fmt::format(
         "refused: a computer with the public key {}; --allow '{}' would let it in", key, key));
   }
+  NameUnproved();
   ForgetPeers(wall_us);
+}
+
+/// Names connections that ended without a key: the first, and then each time that their number has
+/// doubled.
+void HostAgent::NameUnproved() {
+  const int64_t count = door_.NumUnproved();
+  if (count < std::max<int64_t>(1, 2 * num_unproved_named_)) return;
+  num_unproved_named_ = count;
+  terminal_.Warn(
+      fmt::format("refused: {} connections so far that proved no key within 3 s, as those of "
+                  "port scanners and of other programs; `ss -tn` shows where they come from",
+                  count));
 }
 
 void HostAgent::ForgetPeers(int64_t wall_us) {
@@ -147,11 +179,9 @@ void HostAgent::Send(const std::string& peer_id, const LinkMessage& message) {
   has_news_ = true;  // Sending may have taken a notice of arrival off the descriptor.
 }
 
-void HostAgent::Refuse(const std::string& peer_id, const std::string& why) {
-  LinkMessage message{.kind = LinkKind::kRefuse};
-  message.AddText("why", why);
+void HostAgent::Refuse(const std::string& peer_id, int64_t mission_id, const std::string& why) {
   terminal_.Warn("refused a mission: " + why);
-  Send(peer_id, message);
+  Send(peer_id, RefusalOf(mission_id, why));
 }
 
 void HostAgent::OnMessage(const std::string& peer_id, const LinkMessage& message, int64_t wall_us) {
@@ -168,25 +198,34 @@ void HostAgent::OnMessage(const std::string& peer_id, const LinkMessage& message
 
 void HostAgent::OnOffer(const std::string& peer_id, const LinkMessage& message, int64_t wall_us) {
   if (session_ != nullptr) {
-    return Refuse(peer_id, fmt::format("it runs another mission now, {}: wait until that has ended",
-                                       session_->mission().name));
+    // Home that has lost this host and found it again: what runs here is of no more use to it.
+    if (message.mission_id == session_->mission_id() && peers_[peer_id].key == peers_[home_].key) {
+      LoseHome("has connected anew", wall_us);
+    }
+    return Refuse(peer_id, message.mission_id,
+                  fmt::format("it runs another mission now, {}: wait until that has ended",
+                              session_->mission().name));
+  }
+  // First of all: an offer of another version may have another form.
+  if (const std::string build = message.TextOf("build"); build != BuildId()) {
+    return Refuse(peer_id, message.mission_id,
+                  fmt::format("its build is another one ({} here, shoal {}; {} at home): install "
+                              "the same shoal on both",
+                              BuildId(), kVersion, build));
   }
   Result<HostOffer> offer = OfferOf(message);
-  if (!offer.ok()) return Refuse(peer_id, offer.error());
+  if (!offer.ok()) return Refuse(peer_id, message.mission_id, offer.error());
   was_lost_ = false;
   home_ = peer_id;
   peers_[home_].intake.set_mission_id(message.mission_id);
   session_ = std::make_unique<HostSession>(
       std::move(*offer), message.mission_id, [this](const LinkMessage& each) { Send(home_, each); },
-      terminal_, ports_);
+      terminal_, port_base_);
   const std::string why = session_->Begin(options_.allow_programs);
   peers_[home_].heard_us = MonotonicMicroseconds();  // Loading took its time.
   last_time_us_ = wall_us;
   if (!why.empty()) {
-    LinkMessage refusal{.kind = LinkKind::kRefuse, .mission_id = message.mission_id};
-    refusal.AddText("why", why);
-    terminal_.Warn("refused a mission: " + why);
-    Send(home_, refusal);
+    Refuse(home_, message.mission_id, why);
     session_.reset();
     home_.clear();
     return;
@@ -202,9 +241,7 @@ void HostAgent::LoseHome(const std::string& how, int64_t wall_us) {
   if (session_ == nullptr || was_lost_) return;
   was_lost_ = true;
   terminal_.Warn(fmt::format("LOST: home {}; {} ends here", how, session_->mission().name));
-  LinkMessage refusal{.kind = LinkKind::kRefuse, .mission_id = session_->mission_id()};
-  refusal.AddText("why", "home " + how);
-  Send(home_, refusal);
+  Send(home_, RefusalOf(session_->mission_id(), "home " + how));
   session_->End(wall_us);
 }
 

@@ -52,18 +52,20 @@ class HostAgent {
   void OnMessage(const std::string& peer_id, const LinkMessage& message, int64_t wall_us);
   void OnOffer(const std::string& peer_id, const LinkMessage& message, int64_t wall_us);
   void Send(const std::string& peer_id, const LinkMessage& message);
-  void Refuse(const std::string& peer_id, const std::string& why);
+  void Refuse(const std::string& peer_id, int64_t mission_id, const std::string& why);
   void LoseHome(const std::string& how, int64_t wall_us);
   void CheckHome(int64_t wall_us);
   void CheckSession();
   void ForgetPeers(int64_t wall_us);
+  void NameUnproved();
 
   const HostAgentOptions options_;
   HostDoor door_;
   LaunchTerminal terminal_;
-  ClaimedPorts ports_;
+  int port_base_ = 0;  ///< Of the block that is claimed for all missions, one after the other.
   std::map<std::string, Peer> peers_;
   std::set<std::string> refused_keys_;  ///< Named already.
+  int64_t num_unproved_named_ = 0;      ///< How many connections there were in the last line.
   std::string home_;                    ///< The peer whose mission runs; empty: none.
   std::unique_ptr<HostSession> session_;
   int64_t last_time_us_ = 0;

@@ -1,7 +1,6 @@
 #include "lib/run/launch/host_session.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <signal.h>
 #include <unistd.h>
 
@@ -9,11 +8,9 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "lib/base/text/terminal_text.h"
 #include "lib/base/time/time_units.h"
 #include "lib/bus/bus/layout.h"
-#include "lib/mission/file/load.h"
-#include "lib/run/command_line/build_id.h"
-#include "lib/run/command_line/version.h"
 #include "lib/run/run/run_app.h"
 #include "lib/run/run/run_folder.h"
 #include "lib/run/run/run_registry.h"
@@ -27,80 +24,41 @@ constexpr int64_t kEndPatience_us = kSecond_us;
 }  // namespace
 
 HostSession::HostSession(HostOffer offer, int64_t mission_id, SendHome send,
-                         LaunchTerminal& terminal, ClaimedPorts& ports)
+                         LaunchTerminal& terminal, int port_base)
     : offer_(std::move(offer)),
       mission_id_(mission_id),
       send_(std::move(send)),
       terminal_(terminal),
-      ports_(ports),
+      port_base_(port_base),
       wake_rule_(std::min(kWantedReceiveBuffer, ReceiveBufferLimit()), WakeRule::kFewOfRelay) {}
 
 HostSession::~HostSession() {
   children_.SignalAll(SIGKILL);
-  if (is_registered_) Unregister(ports_.base);
+  if (is_registered_) Unregister(port_base_);
   std::error_code error;
   if (!files_folder_.empty()) std::filesystem::remove_all(files_folder_, error);
 }
 
 std::string HostSession::Begin(bool allow_programs) {
-  if (offer_.build != BuildId()) {
-    return fmt::format(
-        "its build is another one ({} here, shoal {}; {} at home): install the same shoal on both",
-        BuildId(), kVersion, offer_.build);
-  }
-  for (const auto& step : {&HostSession::Claim, &HostSession::LoadOffered}) {
-    if (std::string why = (this->*step)(); !why.empty()) return why;
-  }
+  if (std::string why = Load(); !why.empty()) return why;
   if (std::string why = ChooseProcesses(allow_programs); !why.empty()) return why;
   return StartAll();
 }
 
-/// Claims ports for as many vehicles as the mission can have communities; a block that a former
-/// mission had is taken again.
-std::string HostSession::Claim() {
-  const int needed = PortPlan::NumPorts(Layout::kCommunities, PortPlan::kMaxCommunities);
-  if (ports_.base != 0) return {};
-  const Result<int> base = ClaimPorts(ports_.wanted, needed);
-  if (!base.ok()) return base.error();
-  ports_.base = *base;
-  ports_.count = needed;
-  return {};
-}
-
-std::string HostSession::LoadOffered() {
-  const Result<std::string> folder = MakeRunSubfolder(fmt::format("{}-mission", ports_.base));
+std::string HostSession::Load() {
+  const Result<std::string> folder = MakeRunSubfolder(fmt::format("{}-mission", port_base_));
   if (!folder.ok()) return folder.error();
   files_folder_ = *folder;
-  const Result<std::string> file = WriteOfferedFiles(offer_.files, files_folder_);
-  if (!file.ok()) return file.error();
-  LoadedMission loaded = LoadMission(*file, offer_.overrides);
-  if (!loaded.errors.empty()) return "it does not load there: " + loaded.errors.front();
-  mission_ = std::move(loaded.mission);
-  if (MissionDigest(mission_, offer_.files) != offer_.digest) {
-    return "it is another mission there than at home: its digest differs";
-  }
+  Result<Mission> mission = LoadOffered(offer_, files_folder_);
+  if (!mission.ok()) return mission.error();
+  mission_ = std::move(*mission);
   return {};
 }
 
 std::string HostSession::ChooseProcesses(bool allow_programs) {
-  std::vector<RosterEntry> roster;
-  for (RosterEntry& entry : MakeRoster(mission_, false)) {
-    const bool is_ours = std::find(offer_.participants.begin(), offer_.participants.end(),
-                                   entry.name) != offer_.participants.end();
-    if (!is_ours) continue;
-    if (!entry.command.empty() && !allow_programs) {
-      return fmt::format(
-          "participant {} runs a program of the mission's own ({}); a host runs such programs only "
-          "where it was started with --allow-programs",
-          entry.name, fmt::join(entry.command, " "));
-    }
-    roster.push_back(std::move(entry));
-  }
-  if (roster.size() != offer_.participants.size()) {
-    return fmt::format("it has {} of the {} participants that this host is to run", roster.size(),
-                       offer_.participants.size());
-  }
-  processes_ = ShareOut(roster, offer_.grouping);  // Groups have the names that they have at home.
+  const auto roster = OfferedRoster(offer_, mission_, allow_programs);
+  if (!roster.ok()) return roster.error();
+  processes_ = ShareOut(*roster, offer_.grouping);  // Groups have the names that they have at home.
   for (RosterProcess& process : processes_) {
     for (RosterEntry& entry : process.entries) entry.host.clear();  // It runs on this computer.
   }
@@ -109,25 +67,25 @@ std::string HostSession::ChooseProcesses(bool allow_programs) {
 }
 
 std::string HostSession::StartAll() {
-  plan_ = std::make_unique<PortPlan>(ports_.base, offer_.layout, VehicleNames(mission_));
+  plan_ = std::make_unique<PortPlan>(port_base_, offer_.layout, VehicleNames(mission_));
   const RunningMission running{.name = mission_.name,
                                .file = mission_.file,
                                .folder = files_folder_,  // `shoal send` means home's.
                                .mission_id = mission_id_,
-                               .port_base = ports_.base,
+                               .port_base = port_base_,
                                .layout = offer_.layout,
                                .grouping = Name(offer_.grouping),
                                .pid = getpid(),
                                .vehicles = VehicleNames(mission_),
                                .overrides = offer_.overrides,
                                .groups = GroupsOf(mission_)};
-  if (const auto kept = KeepSecret(ports_.base, offer_.secret); !kept.ok()) return kept.error();
+  if (const auto kept = KeepSecret(port_base_, offer_.secret); !kept.ok()) return kept.error();
   const Result<int> secret_fd = SecretInMemory(offer_.secret);
   if (!secret_fd.ok()) return secret_fd.error();
   secret_fd_ = FileDescriptor(*secret_fd);
   if (const auto registered = Register(running); !registered.ok()) return registered.error();
   is_registered_ = true;
-  const Result<std::string> log_dir = MakeRunSubfolder(fmt::format("{}-logs", ports_.base));
+  const Result<std::string> log_dir = MakeRunSubfolder(fmt::format("{}-logs", port_base_));
   if (!log_dir.ok()) return log_dir.error();
   options_.mission_file = mission_.file;
   options_.overrides = offer_.overrides;
@@ -154,7 +112,8 @@ std::string HostSession::StartAll() {
   for (const RosterProcess& process : processes_) {
     const RosterEntry& entry = process.entries.front();
     if (entry.provider == Provider::kHand) {
-      terminal_.Show(fmt::format("waiting for {}: {}", entry.name, HandCommand(entry, *context_)));
+      terminal_.Show(fmt::format("waiting for {}: {}", entry.name,
+                                 TerminalLine(HandCommand(entry, *context_))));
     } else if (std::string why = Start(process); !why.empty()) {
       return why;
     }
@@ -188,6 +147,7 @@ std::string HostSession::OnMessage(const LinkMessage& message, int64_t wall_us) 
       const bool is_ours =
           process != nullptr && process->entries.front().provider != Provider::kHand;
       if (!is_ours || is_ending_) return {};
+      if (children_.IsRunning(name)) return fmt::format("a start of {}, which runs", name);
       terminal_.Show(fmt::format("{} starts again", name));
       return Start(*process);
     }

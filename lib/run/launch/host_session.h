@@ -1,6 +1,6 @@
 // One mission's part on a host: its files, ports, processes and relay, from the offer to the end.
 //
-//   Begin: check -> write files -> load -> claim ports -> start processes
+//   Begin: write files -> load -> start processes
 //   RUNNING --End(): home is done, or lost--> ENDING: asks the processes, kills after 1 s -->
 //   over()
 #pragma once
@@ -22,25 +22,19 @@
 
 namespace shoal {
 
-/// A block of ports that the host has claimed; it stays claimed for the next mission.
-struct ClaimedPorts {
-  int wanted = 0;  ///< 0: any.
-  int base = 0;    ///< 0: none yet.
-  int count = 0;
-};
-
 class HostSession {
  public:
   using SendHome = std::function<void(const LinkMessage& message)>;
 
-  /// `terminal` and `ports` must outlive this.
+  /// `terminal` must outlive this. `port_base`: of a block for as many vehicles as a mission can
+  /// have communities, which this process has claimed.
   HostSession(HostOffer offer, int64_t mission_id, SendHome send, LaunchTerminal& terminal,
-              ClaimedPorts& ports);
+              int port_base);
   ~HostSession();
   HostSession(const HostSession&) = delete;
   HostSession& operator=(const HostSession&) = delete;
 
-  /// Checks the offer and starts the processes. Returns why not, or an empty text.
+  /// Loads the mission and starts the processes. Returns why not, or an empty text.
   /// `allow_programs`: participants may have commands of the mission's own.
   [[nodiscard]] std::string Begin(bool allow_programs);
 
@@ -66,9 +60,8 @@ class HostSession {
   int64_t step() const { return relay_ == nullptr ? -1 : relay_->step(); }
 
  private:
-  std::string LoadOffered();
+  std::string Load();
   std::string ChooseProcesses(bool allow_programs);
-  std::string Claim();
   std::string StartAll();
   std::string Start(const RosterProcess& process);
   const RosterProcess* Find(const std::string& name) const;
@@ -77,7 +70,7 @@ class HostSession {
   const int64_t mission_id_;
   const SendHome send_;
   LaunchTerminal& terminal_;
-  ClaimedPorts& ports_;
+  const int port_base_;
   RunOptions options_;
   Mission mission_;
   std::vector<RosterProcess> processes_;

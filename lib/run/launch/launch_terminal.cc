@@ -4,6 +4,8 @@
 
 #include <cstdio>
 
+#include "lib/base/text/terminal_text.h"
+
 namespace shoal {
 
 LaunchTerminal::LaunchTerminal() : is_interactive_(isatty(STDOUT_FILENO) == 1) {}
@@ -20,13 +22,13 @@ void LaunchTerminal::EndProgress() {
 
 void LaunchTerminal::Show(const std::string& line) {
   EndProgress();
-  Print(line + "\n");
+  Print(TerminalText(line) + "\n");
 }
 
 void LaunchTerminal::Warn(const std::string& line) {
   EndProgress();
   std::fflush(stdout);
-  std::fputs((line + "\n").c_str(), stderr);
+  std::fputs((TerminalText(line) + "\n").c_str(), stderr);
 }
 
 void LaunchTerminal::ShowProgress(const std::string& line) {

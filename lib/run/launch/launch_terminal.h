@@ -1,5 +1,6 @@
 // What `shoal run` writes to its terminal: results and progress to standard output, trouble to
-// standard error. On a terminal the progress line is drawn over; other lines start below it.
+// standard error. On a terminal the progress line is drawn over; other lines start below it. Lines
+// lose control characters: they may quote a participant or a computer that means no good.
 #pragma once
 
 #include <string>

@@ -206,15 +206,21 @@ void MissionHosts::ReadLink(size_t number, int64_t wall_us) {
       continue;
     }
     const std::string how = fmt::format("{} sent {}", Describe(host), message.error());
-    if (host.num_refused++ == 0) notes_.push_back(how + "; refused");
+    Refuse(&host, how);
     if (host.intake.has_gap() && !is_ending_) Lose(number, how, wall_us);
   }
+}
+
+/// Counts what a host has sent and must not; the first is shown.
+void MissionHosts::Refuse(Host* host, const std::string& what) {
+  if (host->num_refused++ == 0) notes_.push_back(what + "; refused");
 }
 
 void MissionHosts::OnMessage(size_t number, const LinkMessage& message, int64_t wall_us) {
   Host& host = hosts_[number];
   switch (message.kind) {
     case LinkKind::kAccept:
+      if (host.state != State::kOffered) break;
       host.state = State::kRunning;
       host.running = {host.processes.begin(), host.processes.end()};
       relay_->SetConnected(number, true);
@@ -245,6 +251,11 @@ void MissionHosts::OnMessage(size_t number, const LinkMessage& message, int64_t 
       break;
     case LinkKind::kExit: {
       const HostExit exit = ExitOf(message);
+      if (std::ranges::find(host.processes, exit.name) == host.processes.end()) {
+        Refuse(&host, fmt::format("{} sent the end of {}, which it does not run", Describe(host),
+                                  exit.name));
+        break;
+      }
       host.running.erase(exit.name);
       exits_.push_back(exit);
       break;

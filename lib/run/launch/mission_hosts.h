@@ -108,6 +108,7 @@ class MissionHosts {
   void Connect(Host* host, int64_t wall_us);
   void Send(Host* host, const LinkMessage& message);
   void ReadLink(size_t number, int64_t wall_us);
+  void Refuse(Host* host, const std::string& what);
   void OnMessage(size_t number, const LinkMessage& message, int64_t wall_us);
   void Offer(Host* host);
   void CheckTimes(size_t number, int64_t wall_us);

@@ -157,6 +157,10 @@ Result<MissionSecret> FindSecret(int port_base) {
 }
 
 Result<int> ClaimPorts(int wanted_base, int num_ports) {
+  // Else each port would seem to be taken.
+  if (const FileDescriptor any(socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0)); !any.is_open()) {
+    return Error{fmt::format("cannot look for free UDP ports: {}", ErrnoText(errno))};
+  }
   if (wanted_base != 0) {
     if (wanted_base < 1024 || wanted_base + num_ports > 65536) {
       return Error{fmt::format("--port {}: the block of {} ports must lie within 1024 to 65535",

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "lib/base/text/terminal_text.h"
 #include "lib/bus/bus/bus.h"
 #include "lib/bus/bus/channels.h"
 #include "lib/bus/bus/seal.h"
@@ -125,7 +126,9 @@ void StepClock::OnDone(const step_done_t& done, int64_t wall_us) {
     ++counters_.refused;
     return;
   }
-  if (!done.fault.empty() && fault_.empty()) fault_ = done.participant + ": " + done.fault;
+  if (!done.fault.empty() && fault_.empty()) {
+    fault_ = done.participant + ": " + TerminalLine(done.fault);
+  }
   if (!member.present) {
     // A hello may be lost; a participant that answers the present step is here just as well.
     const bool joins = state_ == State::kGathering || done.step < 0 || done.step == step_;
