@@ -10,6 +10,7 @@
 #include "apps/shoal_campaign/campaign_setup.h"
 #include "apps/shoal_campaign/campaign_trial.h"
 #include "lib/base/time/seconds.h"
+#include "lib/bus/os/scratch_folder.h"
 #include "lib/mission/file/print_errors.h"
 #include "lib/run/command_line/build_id.h"
 #include "lib/run/launch/launcher.h"
@@ -27,6 +28,7 @@ namespace shoal {
 namespace {
 
 constexpr int kMaxJobs = 1024;
+constexpr int64_t kMaxMeasured = 4;  ///< Trials, by `check`.
 
 int JobsOf(int wanted) {
   if (wanted > 0) return wanted;
@@ -34,18 +36,46 @@ int JobsOf(int wanted) {
   return std::clamp(processors, 1, kMaxJobs);
 }
 
+/// What `run` and `replay` start beside shoal's own processes, for the user to see.
+void ShowPrograms(const std::vector<std::string>& programs) {
+  constexpr size_t kMaxShown = 10;
+  if (programs.empty()) return;
+  fmt::print("with your rights, the trials run or open:\n");
+  for (size_t i = 0; i < std::min(kMaxShown, programs.size()); ++i) {
+    fmt::print("  {}\n", programs[i]);
+  }
+  if (programs.size() > kMaxShown) fmt::print("  ... {} more\n", programs.size() - kMaxShown);
+  std::fflush(stdout);
+}
+
+/// Runs a trial that needs no process. A check starts none, whatever the mission's samples are.
+TrialResult MeasureTrial(const TrialInput& input) {
+  const auto can = CanRunInOneProcess(input.mission);
+  if (can.ok()) return RunCampaignTrial(input, "");
+  return {.outcome = TrialOutcome::kError, .why = can.error(), .metrics = {}};
+}
+
+/// Returns why trials are not timed: one of those that would be needs processes. Empty: none does.
+std::string WhyNotTimed(const CampaignFolder& folder) {
+  for (size_t i = 0; i < std::min<size_t>(kMaxMeasured, folder.plan.cases.size()); ++i) {
+    const LoadedMission loaded =
+        LoadMissionText(folder.plan.mission_text, folder.campaign.mission_file,
+                        OverridesOf(folder.campaign, folder.plan, i, 1));
+    const auto can = CanRunInOneProcess(loaded.mission);
+    if (!can.ok()) return can.error();
+  }
+  return {};
+}
+
 /// Runs the first repetition of a few cases; returns the mean wall time of a trial, or 0.
-double MeasureTrials(const CampaignFolder& folder, const std::string& scratch) {
-  constexpr int64_t kMaxTrials = 4;
+double MeasureTrials(const CampaignFolder& folder) {
   constexpr double kLongest_s = 3;
   const auto most = std::min(
-      kMaxTrials, static_cast<int64_t>(folder.plan.cases.size()) * folder.campaign.repetitions);
+      kMaxMeasured, static_cast<int64_t>(folder.plan.cases.size()) * folder.campaign.repetitions);
   WorkerPool pool(
       {.num_workers = 1, .timeout_s = folder.campaign.timeout_s, .metrics = folder.plan.metrics},
       [&](const TrialJob& job, TrialProgress* progress) {
-        return RunOneTrial(
-            folder, job, "",
-            [&](const TrialInput& input) { return RunCampaignTrial(input, scratch); }, progress);
+        return RunOneTrial(folder, job, "", MeasureTrial, progress);
       });
   double total_s = 0;
   int64_t count = 0;
@@ -91,9 +121,13 @@ int RunCampaignCheck(const CampaignCheckOptions& options) {
   }
   std::fflush(stdout);
   CatchCampaignSignals();
-  const TrialScratch scratch;
   const CampaignFolder folder{.path = {}, .campaign = campaign, .plan = plan};
-  const double trial_s = MeasureTrials(folder, scratch.path());
+  for (const std::string& each : prepared.made.programs) fmt::print("runs or opens {}\n", each);
+  if (const std::string why = WhyNotTimed(folder); !why.empty()) {
+    fmt::print("not timed, since a check starts no process of a mission: {}\n", why);
+    return kExitOk;
+  }
+  const double trial_s = MeasureTrials(folder);
   const int jobs = JobsOf(options.num_jobs);
   fmt::print("about {} with {} job{} ({:.3g} s for a trial, by the first ones)\n",
              DurationText(trial_s * static_cast<double>(num_trials) / jobs), jobs,
@@ -119,9 +153,10 @@ int RunCampaignRun(const CampaignRunCommand& command) {
     return kExitUsage;
   }
   CatchCampaignSignals();
+  ShowPrograms(prepared.made.programs);
   CampaignRunOptions options = command.run;
   options.num_jobs = JobsOf(options.num_jobs);
-  const TrialScratch scratch;
+  const ScratchFolder scratch(kTrialScratch);
   const int64_t begin_us = MonotonicMicroseconds();
   const CampaignRun run = RunCampaign(
       *folder, options,
@@ -230,12 +265,19 @@ int RunCampaignReplay(const CampaignReplayOptions& options) {
   const std::string record_dir = options.out.empty()
                                      ? fmt::format("{}/replays/{}", options.dir, TrialName(*key))
                                      : options.out;
-  std::error_code error;
-  if (options.out.empty()) std::filesystem::remove_all(record_dir, error);
-  std::filesystem::create_directories(std::filesystem::path(record_dir).parent_path(), error);
+  if (options.out.empty()) {
+    if (const auto folder_of_trial = NewTrialFolder(record_dir); !folder_of_trial.ok()) {
+      fmt::print(stderr, "shoal: {}\n", folder_of_trial.error());
+      return kExitUsage;
+    }
+  } else {
+    std::error_code error;
+    std::filesystem::create_directories(std::filesystem::path(record_dir).parent_path(), error);
+  }
   fmt::print("{} {}, seed {}\n", TrialName(*key), CaseText(folder->campaign, cases[number]),
              loaded.mission.seed);
   std::fflush(stdout);
+  ShowPrograms(ProgramsOf(loaded.mission));
   const RunOptions run{.mission_file = folder->campaign.mission_file,
                        .overrides = overrides,
                        .warp = 0,

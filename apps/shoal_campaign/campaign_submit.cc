@@ -12,8 +12,10 @@
 #include <utility>
 
 #include "apps/shoal_campaign/campaign_setup.h"
+#include "lib/bus/os/plain_folder.h"
 #include "lib/bus/os/read_file.h"
 #include "lib/bus/os/run_program.h"
+#include "lib/bus/os/text_file.h"
 #include "lib/run/command_line/find_program.h"
 #include "lib/run/launch/child_processes.h"
 #include "lib/run/run/run_app.h"
@@ -330,7 +332,16 @@ std::string WriteScript(const CampaignSubmitOptions& options, const fs::path& fo
   const Result<std::string> program = FindBeside("shoal");
   if (!program.ok()) return program.error();
   std::error_code error;
-  fs::create_directories(folder, error);
+  const auto results = PlainFolder::Open(folder.parent_path().string());
+  if (!results.ok()) return results.error();
+  const auto own = results->Below(folder.filename().string());
+  if (!own.ok()) return own.error();
+  // Slurm, GNU parallel and the shell write there too, and follow links.
+  for (const auto& entry : fs::directory_iterator(folder, error)) {
+    if (!entry.is_symlink(error)) continue;
+    return fmt::format("{}: is a link, and would be written through: remove it",
+                       entry.path().string());
+  }
   std::vector<std::string> directives;
   if (options.engine == CampaignSubmitOptions::Engine::kSlurm) {
     directives = {"--job-name=shoal", "--requeue", "--open-mode=append",
@@ -342,16 +353,14 @@ std::string WriteScript(const CampaignSubmitOptions& options, const fs::path& fo
     }
   }
   const std::string path = (folder / "array.sh").string();
-  std::ofstream out(path);
-  out << ShardScriptText({.program = *program,
-                          .working_folder = fs::current_path(error).string(),
-                          .campaign_file = options.file,
-                          .out = options.out,
-                          .num_shards = num_shards,
-                          .num_jobs = options.num_cpus,
-                          .directives = directives});
-  out.close();
-  if (out) return {};
+  TextFile script(path, ShardScriptText({.program = *program,
+                                         .working_folder = fs::current_path(error).string(),
+                                         .campaign_file = options.file,
+                                         .out = options.out,
+                                         .num_shards = num_shards,
+                                         .num_jobs = options.num_cpus,
+                                         .directives = directives}));
+  if (script.Flush()) return {};
   return fmt::format("{}: cannot be written: is the disk full, or the folder another user's?",
                      path);
 }

@@ -25,9 +25,7 @@ TrialResult ErrorBecause(std::string why) {
 
 /// Makes an empty folder with the mission file and what changes it, as `shoal run --record` does.
 std::string PrepareTrial(const TrialInput& input) {
-  std::error_code error;
-  std::filesystem::remove_all(input.record_dir, error);
-  std::filesystem::create_directories(std::filesystem::path(input.record_dir).parent_path(), error);
+  if (const auto made = NewTrialFolder(input.record_dir); !made.ok()) return made.error();
   const RunOptions options{.mission_file = input.mission.file,
                            .overrides = input.overrides,
                            .layout = {},
@@ -69,13 +67,15 @@ TrialResult RunInProcesses(const TrialInput& input, const std::string& scratch) 
   if (file.text != input.plan.mission_text) {
     return ErrorBecause(fmt::format("{} has changed since the campaign began", input.mission.file));
   }
+  if (scratch.empty()) {
+    return ErrorBecause("no folder for temporary files can be made: is $TMPDIR there, and yours?");
+  }
   const std::string folder = fmt::format("{}/{}", scratch, input.name);
   const std::string record_dir = input.record_dir.empty() ? folder + "/record" : input.record_dir;
   std::error_code error;
-  std::filesystem::remove_all(folder, error);
-  std::filesystem::remove_all(record_dir, error);
-  std::filesystem::create_directories(folder, error);
-  std::filesystem::create_directories(std::filesystem::path(record_dir).parent_path(), error);
+  for (const std::string& each : {folder, record_dir}) {
+    if (const auto made = NewTrialFolder(each); !made.ok()) return ErrorBecause(made.error());
+  }
   const Result<std::string> program = FindBeside("shoal");
   if (!program.ok()) return ErrorBecause(program.error());
   std::vector<std::string> argv = {*program, "run",     input.mission.file, "--warp",
@@ -124,18 +124,6 @@ TrialResult RunInProcesses(const TrialInput& input, const std::string& scratch) 
 }
 
 }  // namespace
-
-TrialScratch::TrialScratch() {
-  std::error_code error;
-  std::string path =
-      (std::filesystem::temp_directory_path(error) / "shoal-campaign-XXXXXX").string();
-  if (mkdtemp(path.data()) != nullptr) path_ = path;
-}
-
-TrialScratch::~TrialScratch() {
-  std::error_code ignored;
-  if (!path_.empty()) std::filesystem::remove_all(path_, ignored);
-}
 
 TrialResult RunCampaignTrial(const TrialInput& input, const std::string& scratch) {
   const auto can = CanRunInOneProcess(input.mission);

@@ -8,19 +8,8 @@
 
 namespace shoal {
 
-/// Folders that processes of trials record into, removed with this.
-class TrialScratch {
- public:
-  TrialScratch();
-  ~TrialScratch();
-  TrialScratch(const TrialScratch&) = delete;
-  TrialScratch& operator=(const TrialScratch&) = delete;
-
-  const std::string& path() const { return path_; }
-
- private:
-  std::string path_;
-};
+/// Of the ScratchFolder that missions with processes record into.
+inline constexpr char kTrialScratch[] = "shoal-trials";
 
 /// Returns the outcome of a trial. `scratch` is used by missions that need processes, which run at
 /// full speed on ports of their own.

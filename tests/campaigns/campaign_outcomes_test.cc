@@ -77,6 +77,76 @@ TEST(CampaignOutcomes, ThatAreFailsAreRecordedAndCanBeReplayedToTheSameLog) {
   EXPECT_TRUE(ReadFile(kept / "why.txt").starts_with("fail: at least 50 reports delivered"));
 }
 
+/// A campaign of one repetition whose mission has a program that leaves a mark.
+struct MarkingCampaign {
+  MarkingCampaign() {
+    WriteFile(folder / "mark.sh", "#!/bin/sh\ntouch " + mark + "\nexit 1\n");
+    std::filesystem::permissions(folder / "mark.sh", std::filesystem::perms::owner_all);
+    WriteFile(folder / "m.toml",
+              "[mission]\nduration_s = 1\n[[vehicle]]\nname = \"alpha\"\n[[participant]]\nname = "
+              "\"mine\"\ncommand = [\"" +
+                  (folder / "mark.sh").string() + "\"]\n");
+    WriteFile(folder / "c.toml", "[campaign]\nmission = \"m.toml\"\nrepetitions = 1\n");
+  }
+  bool HasRun() const { return std::filesystem::exists(mark); }
+
+  TestFolder folder;
+  std::string mark = (folder / "mark").string();
+};
+
+TEST(CampaignPrograms, OfAMissionAreNotStartedByACheck) {
+  const MarkingCampaign campaign;
+  const Finished finished =
+      RunShoal(campaign.folder, {"campaign", "check", (campaign.folder / "c.toml").string()});
+  EXPECT_EQ(finished.exit_code, 0) << finished.output;
+  EXPECT_NE(finished.output.find("runs or opens mine: "), std::string::npos) << finished.output;
+  EXPECT_NE(finished.output.find("not timed, since a check starts no process"), std::string::npos)
+      << finished.output;
+  EXPECT_FALSE(campaign.HasRun());
+}
+
+TEST(CampaignPrograms, OfAMissionAreShownBeforeTheyRun) {
+  const MarkingCampaign campaign;
+  const Finished finished = RunCampaignTo(campaign.folder, "c.toml", "out");
+  EXPECT_NE(finished.output.find("with your rights, the trials run or open:\n  mine: " +
+                                 (campaign.folder / "mark.sh").string()),
+            std::string::npos)
+      << finished.output;
+  EXPECT_TRUE(campaign.HasRun());
+}
+
+TEST(CampaignFolders, WithALinkForReplaysLoseNothingBehindIt) {
+  const TestFolder folder;
+  WriteFile(folder / "c.toml", BertaCampaign(1));
+  ASSERT_EQ(RunCampaignTo(folder, "c.toml", "out", {"--keep", "none"}).exit_code, 0);
+  const std::string line = StoredLines(folder / "out").at(0);
+  const size_t at = line.find("\"case\":\"") + 8;
+  const std::string trial = line.substr(at, line.find('"', at) - at) + "-1";
+  std::filesystem::create_directories(folder / ("mine/" + trial));
+  WriteFile(folder / ("mine/" + trial + "/thesis.tex"), "mine");
+  std::filesystem::create_directory_symlink(folder / "mine", folder / "out/replays");
+  const Finished finished =
+      RunShoal(folder, {"campaign", "replay", (folder / "out").string(), trial});
+  EXPECT_EQ(finished.exit_code, 2) << finished.output;
+  EXPECT_NE(finished.output.find("out/replays: is a link"), std::string::npos) << finished.output;
+  EXPECT_EQ(ReadFile(folder / ("mine/" + trial + "/thesis.tex")), "mine");
+}
+
+TEST(CampaignOutcomes, AreThoseOfTheTrialsWhereTheStandardDescriptorsAreClosed) {
+  const TestFolder folder;
+  WriteFile(folder / "c.toml", BertaCampaign(2));
+  const std::string command = Program("shoal") + " campaign run " + (folder / "c.toml").string() +
+                              " --out " + (folder / "out").string() +
+                              " --quiet <&- >&- 2>&-; exit 0";
+  RunningProcess process(folder, {"/bin/sh", "-c", command});
+  process.Wait();
+  const std::vector<std::string> lines = StoredLines(folder / "out");
+  EXPECT_EQ(lines.size(), 4U);
+  for (const std::string& line : lines) {
+    EXPECT_EQ(line.find("error"), std::string::npos) << line;
+  }
+}
+
 TEST(CampaignFolders, OfAnotherBuildOrMissionAreRefusedAndStayAsTheyAre) {
   const TestFolder folder;
   WriteFile(folder / "m.toml", ReadFile(MissionFile("berta.toml")));

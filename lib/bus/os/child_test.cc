@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "lib/bus/os/file_bytes.h"
+#include "lib/bus/os/standard_descriptors.h"
 
 namespace shoal::child_test {
 
@@ -105,6 +106,35 @@ TEST(ForkWithParent, MakesACopyWithAnEndOfItsOwn) {
   const pid_t pid = ForkWithParent();
   if (pid == 0) ::_exit(7);
   EXPECT_EQ(HowItEnded(WaitFor(pid)), "exited with code 7");
+}
+
+/// Runs `check` in a copy of this process whose standard descriptors are closed.
+template <class Check>
+int CodeWithoutStandardDescriptors(Check check) {
+  const pid_t pid = fork();
+  if (pid == 0) {
+    for (int number = 0; number <= 2; ++number) close(number);
+    TakeStandardDescriptors();
+    _exit(check());
+  }
+  int status = 0;
+  waitpid(pid, &status, 0);
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+TEST(StandardDescriptors, ThatWereClosedAreNoNumbersOfPipes) {
+  EXPECT_EQ(CodeWithoutStandardDescriptors([] {
+              const Pipe pipe = MakePipe();
+              return pipe.read.get() > 2 && pipe.write.get() > 2 ? 0 : 1;
+            }),
+            0);
+  EXPECT_EQ(CodeWithoutStandardDescriptors([] {
+              char byte = 'x';
+              return write(1, &byte, 1) < 0 && write(2, &byte, 1) < 0 && read(0, &byte, 1) < 0 ? 0
+                                                                                               : 1;
+            }),
+            0)
+      << "what cannot be written is not silently lost";
 }
 
 }  // namespace shoal::child_test

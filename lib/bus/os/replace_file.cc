@@ -1,11 +1,14 @@
 #include "lib/bus/os/replace_file.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include <filesystem>
-#include <fstream>
 #include <system_error>
+
+#include "lib/bus/os/file_bytes.h"
+#include "lib/bus/os/file_descriptor.h"
 
 namespace shoal {
 
@@ -18,12 +21,16 @@ std::string PartPath(const std::string& path) {
 
 std::string ReplaceFile(const std::string& path, std::string_view text) {
   const std::string part = PartPath(path);
-  std::ofstream out(part, std::ios::binary);
-  out << text;
-  out.close();
   std::error_code error;
-  if (out) std::filesystem::rename(part, path, error);
-  if (out && !error) return {};
+  std::filesystem::remove(part,
+                          error);  // What a killed process left, or a link laid out to be hit.
+  constexpr mode_t kMode = 0644;
+  FileDescriptor out(
+      ::open(part.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, kMode));
+  if (out.is_open() && WriteAll(out.get(), text) && out.Close()) {
+    std::filesystem::rename(part, path, error);
+    if (!error) return {};
+  }
   std::error_code ignored;
   std::filesystem::remove(part, ignored);
   return fmt::format("{}: cannot be written: is the disk full, or the folder another user's?",

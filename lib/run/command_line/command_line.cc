@@ -13,6 +13,7 @@
 #include <system_error>
 
 #include "lib/base/check/result.h"
+#include "lib/bus/os/standard_descriptors.h"
 #include "lib/mission/toml/suggest.h"
 
 namespace shoal {
@@ -87,6 +88,7 @@ Program MakeShoalCommand() {
 
 int RunCommandLine(Program& shoal, const CommandAction* action,
                    const std::vector<std::string>& words) {
+  TakeStandardDescriptors();
   return WithWrittenOutput([&] {
     if (const auto code = CheckCommandWords(shoal, std::span(words).subspan(1))) return *code;
     if (const auto code = shoal.Parse({words.begin() + 1, words.end()})) return *code;

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "lib/base/text/letters.h"
+#include "lib/base/text/numbers.h"
 #include "lib/bus/os/read_file.h"
 #include "lib/mission/toml/override.h"
 #include "lib/mission/toml/parse.h"
@@ -200,7 +201,7 @@ class CampaignReader {
   /// Steps such as 0.1 + 0.2 are written as 0.3: twelve digits. Whole numbers stay integers, which
   /// fit keys of either kind.
   static std::string RangeValue(double number) {
-    return TomlNumber(std::stod(fmt::format("{:.12g}", number)));
+    return TomlNumber(ReadNumber<double>(fmt::format("{:.12g}", number)).value_or(number));
   }
 
   void ReadSweep(const Value& value) {

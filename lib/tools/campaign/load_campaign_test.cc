@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+
 namespace shoal {
 namespace {
 
@@ -16,6 +18,15 @@ std::string ErrorsOf(const std::string& text) {
 }
 
 using Texts = std::vector<std::string>;
+
+TEST(Range, MayBeOfNumbersThatAreHardlyAny) {
+  const auto loaded = Load("[sweep]\na.b = {from = 0, to = 1e-309, steps = 3}\n");
+  EXPECT_EQ(loaded.errors, std::vector<std::string>{});
+  ASSERT_EQ(loaded.campaign.sweep.size(), 1U);
+  ASSERT_EQ(loaded.campaign.sweep[0].values.size(), 3U);
+  EXPECT_EQ(std::strtod(loaded.campaign.sweep[0].values[1][0].c_str(), nullptr), 5e-310);
+  EXPECT_EQ(std::strtod(loaded.campaign.sweep[0].values[2][0].c_str(), nullptr), 1e-309);
+}
 
 TEST(LoadCampaign, TakesDefaultsWhereOnlyAMissionIsGiven) {
   const LoadedCampaign loaded = Load("");

@@ -1,12 +1,14 @@
 #include "lib/tools/campaign/plan.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <set>
 #include <utility>
 
+#include "lib/base/text/terminal_text.h"
 #include "lib/bus/os/read_file.h"
 #include "lib/mission/file/data_files.h"
 #include "lib/mission/file/load.h"
@@ -88,6 +90,24 @@ void AddDataFiles(const Mission& mission, Digest* digest) {
 
 }  // namespace
 
+std::vector<std::string> ProgramsOf(const Mission& mission) {
+  std::vector<std::string> programs;
+  // They are shown, and the mission may come from elsewhere.
+  for (const Participant& each : mission.participants) {
+    if (each.command.empty()) continue;
+    programs.push_back(
+        TerminalLine(fmt::format("{}: {}", each.name, fmt::join(each.command, " "))));
+  }
+  if (mission.netsim) {
+    std::string text = "netsim: TCP ports";
+    for (const NetsimVehicle& vehicle : mission.netsim->vehicles) {
+      if (!vehicle.gps.path.empty()) text += "; positions to " + vehicle.gps.path;
+    }
+    programs.push_back(TerminalLine(text));
+  }
+  return programs;
+}
+
 std::vector<std::string> SweepKeys(const Campaign& campaign) {
   std::vector<std::string> keys;
   for (const SweepAxis& axis : campaign.sweep) {
@@ -139,6 +159,11 @@ MadePlan MakePlan(const Campaign& campaign, const std::string& build) {
     if (loaded.errors.empty()) {
       digest.Add(Explain(loaded.mission));
       AddDataFiles(loaded.mission, &digest);
+      for (std::string& program : ProgramsOf(loaded.mission)) {
+        if (std::ranges::find(made.programs, program) == made.programs.end()) {
+          made.programs.push_back(std::move(program));
+        }
+      }
     } else {
       digest.Add(plan.mission_text);
       std::string text = fmt::format("case {}:", CaseText(campaign, each));

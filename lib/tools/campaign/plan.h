@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "lib/mission/model/mission.h"
 #include "lib/tools/campaign/campaign.h"
 #include "lib/tools/campaign/results.h"
 
@@ -30,7 +31,13 @@ struct MadePlan {
   std::vector<std::string> errors;
   /// Cases whose missions are wrong: their trials will be errors. Each with its errors.
   std::vector<std::string> bad_cases;
+  /// What the missions of the cases start or open beside shoal's own processes, each once: "mine:
+  /// /usr/bin/planner --fast", "netsim: TCP ports; positions to gps.txt".
+  std::vector<std::string> programs;
 };
+
+/// Returns what the mission starts or opens beside shoal's own processes, as MadePlan::programs.
+[[nodiscard]] std::vector<std::string> ProgramsOf(const Mission& mission);
 
 /// Returns the swept keys, in the order of the file.
 [[nodiscard]] std::vector<std::string> SweepKeys(const Campaign& campaign);

@@ -58,6 +58,17 @@ TEST_F(PlanTest, GivesAllCasesTheSameSeedAndSamplesInARepetition) {
   EXPECT_NE(OverridesOf(campaign, made.plan, 0, 18)[3], first[3]);
 }
 
+TEST_F(PlanTest, ListsWhatTheMissionsStartAndOpenEachOnce) {
+  EXPECT_EQ(MakePlan(Load(CampaignText(5)), "b").programs, std::vector<std::string>{});
+  std::ofstream(tmp_ / "m.toml")
+      << kShortMission
+      << "[[participant]]\nname = \"mine\"\ncommand = [\"/bin/p\\u009b2J\", "
+         "\"--fast\"]\n[netsim]\n";
+  const MadePlan made = MakePlan(Load(CampaignText(5)), "b");
+  EXPECT_EQ(made.programs,
+            (std::vector<std::string>{"mine: /bin/p??2J --fast", "netsim: TCP ports"}));
+}
+
 TEST_F(PlanTest, NamesACaseByItsContentAndTheBuild) {
   const Campaign campaign = Load(CampaignText(5));
   const auto id = [&](const Campaign& of, const std::string& build) {

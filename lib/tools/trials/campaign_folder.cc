@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "lib/bus/os/file_descriptor.h"
+#include "lib/bus/os/plain_folder.h"
 #include "lib/bus/os/read_file.h"
 #include "lib/bus/os/replace_file.h"
 #include "lib/run/command_line/version.h"
@@ -195,7 +196,13 @@ Result<CampaignFolder> ReadCampaignFolder(const std::string& path) {
 std::string MakeCampaignFolder(const std::string& path) {
   const std::filesystem::path shards = std::filesystem::path(path) / "shards";
   std::error_code error;
-  std::filesystem::create_directories(shards, error);
+  std::filesystem::create_directories(path, error);
+  if (!error) {
+    const auto folder = PlainFolder::Open(path);
+    if (!folder.ok()) return fmt::format("{}; give --out another folder", folder.error());
+    const auto below = folder->Below("shards");
+    if (!below.ok()) return fmt::format("{}; or give --out another folder", below.error());
+  }
   if (!error && access(path.c_str(), W_OK) == 0 && access(shards.c_str(), W_OK) == 0) return {};
   return fmt::format("{}: cannot be made or written: {}; give --out another folder", path,
                      error ? error.message() : ErrnoText(errno));
@@ -207,8 +214,11 @@ Result<CampaignFolder> OpenCampaignFolder(const std::string& path, const LoadedC
   std::error_code error;
   if (std::string problem = MakeCampaignFolder(path); !problem.empty()) return Error{problem};
   // One at a time: shards may start together.
-  FileDescriptor lock(::open((folder_path / "lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644));
-  if (!lock.is_open() || flock(lock.get(), LOCK_EX) != 0) {
+  const auto plain = PlainFolder::Open(path);
+  if (!plain.ok()) return Error{plain.error()};
+  const Result<FileDescriptor> lock = plain->OpenFile("lock", 0);
+  if (!lock.ok()) return Error{lock.error()};
+  if (flock(lock->get(), LOCK_EX) != 0) {
     return Error{fmt::format("{}/lock: cannot be locked: {}", path, ErrnoText(errno))};
   }
   if (std::filesystem::exists(folder_path / kFacts, error)) {
@@ -235,6 +245,21 @@ Result<CampaignFolder> OpenCampaignFolder(const std::string& path, const LoadedC
     if (std::string problem = ReplaceFile(file, *text); !problem.empty()) return Error{problem};
   }
   return CampaignFolder{.path = path, .campaign = loaded.campaign, .plan = plan};
+}
+
+Result<std::string> NewTrialFolder(const std::string& path) {
+  const std::filesystem::path trial(path);
+  const std::filesystem::path kind = trial.parent_path();
+  const auto folder = PlainFolder::Open(kind.parent_path().string());
+  if (!folder.ok()) return Error{folder.error()};
+  const auto below = folder->Below(kind.filename().string());
+  if (!below.ok()) return Error{below.error()};
+  if (std::string problem = below->Remove(trial.filename().string()); !problem.empty()) {
+    return Error{std::move(problem)};
+  }
+  const auto made = below->Below(trial.filename().string());
+  if (!made.ok()) return Error{made.error()};
+  return path;
 }
 
 Result<StoredTrials> ReadShards(const CampaignFolder& folder) {

@@ -41,6 +41,11 @@ struct CampaignFolder {
 /// Reads a folder that is there.
 [[nodiscard]] Result<CampaignFolder> ReadCampaignFolder(const std::string& path);
 
+/// Makes the folder of one trial, DIR/failures/TRIAL or DIR/replays/TRIAL, in place of what bears
+/// its name, and returns `path`. An error where the folder that it lies in is a link: what that
+/// leads to stays as it is.
+[[nodiscard]] Result<std::string> NewTrialFolder(const std::string& path);
+
 /// All finished trials of a folder.
 struct StoredTrials {
   /// By case, in the plan's order, and repetition.

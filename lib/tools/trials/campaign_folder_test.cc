@@ -2,12 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 
 #include "lib/tools/campaign/folder_testing.h"
 #include "lib/tools/trials/reduce.h"
 #include "lib/tools/trials/shard_file.h"
+#include "lib/tools/trials/submit.h"
 
 namespace shoal {
 namespace {
@@ -52,6 +54,71 @@ class CampaignFolderTest : public testing::Test {
 
   TemporaryFolder tmp_;
 };
+
+/// Makes `name` of the results a link to a folder or a file of the user's own.
+class LinkedCampaignFolder : public CampaignFolderTest {
+ protected:
+  LinkedCampaignFolder() {
+    EXPECT_TRUE(Open(CampaignText(10)).ok());
+    std::filesystem::create_directories(tmp_ / "mine/T");
+    std::ofstream(tmp_ / "mine/T/file") << "mine";
+  }
+  void Link(const std::string& name, const std::string& target) const {
+    std::filesystem::remove_all(tmp_ / ("out/" + name));
+    std::filesystem::create_symlink(tmp_ / target, tmp_ / ("out/" + name));
+  }
+  void ExpectMineIsAsItWas() const {
+    EXPECT_EQ(TextOfFile(tmp_ / "mine/T/file"), "mine");
+    int count = 0;
+    for ([[maybe_unused]] const auto& each :
+         std::filesystem::recursive_directory_iterator(tmp_ / "mine")) {
+      ++count;
+    }
+    EXPECT_EQ(count, 2);
+  }
+};
+
+TEST_F(LinkedCampaignFolder, HasNoFolderOfTrialsReplacedBehindALink) {
+  for (const std::string kind : {"replays", "failures"}) {
+    Link(kind, "mine");
+    const auto made = NewTrialFolder(tmp_ / ("out/" + kind + "/T"));
+    ASSERT_FALSE(made.ok());
+    EXPECT_NE(made.error().find(kind + ": is a link"), std::string::npos) << made.error();
+    ExpectMineIsAsItWas();
+  }
+}
+
+TEST_F(LinkedCampaignFolder, HasATrialThatIsALinkReplacedByAFolder) {
+  std::filesystem::create_directories(tmp_ / "out/replays");
+  Link("replays/T", "mine/T");
+  const auto made = NewTrialFolder(tmp_ / "out/replays/T");
+  ASSERT_TRUE(made.ok()) << made.error();
+  EXPECT_TRUE(std::filesystem::is_empty(*made));
+  EXPECT_FALSE(std::filesystem::is_symlink(*made));
+  ExpectMineIsAsItWas();
+}
+
+TEST_F(LinkedCampaignFolder, HasNoShardOrLockWrittenThroughALink) {
+  Link("shards/1-of-1.jsonl", "mine/T/file");
+  const auto shard = ShardFile::Open(tmp_ / "out/shards/1-of-1.jsonl");
+  ASSERT_FALSE(shard.ok());
+  EXPECT_NE(shard.error().find("1-of-1.jsonl: is a link"), std::string::npos) << shard.error();
+  Link("lock", "mine/new");
+  EXPECT_NE(WhyRefused(CampaignText(10)).find("lock: is a link"), std::string::npos)
+      << WhyRefused(CampaignText(10));
+  Link("shards", "mine");
+  EXPECT_NE(MakeCampaignFolder(tmp_ / "out").find("shards: is a link"), std::string::npos);
+  EXPECT_FALSE(ShardFile::Open(tmp_ / "out/shards/1-of-1.jsonl").ok());
+  ExpectMineIsAsItWas();
+}
+
+TEST_F(LinkedCampaignFolder, HasNoJobAppendedThroughALink) {
+  std::filesystem::create_directories(tmp_ / "out/slurm");
+  Link("slurm/jobs", "mine/T/file");
+  EXPECT_NE(AppendSlurmJob(tmp_ / "out/slurm/jobs", {.id = 1}).find("jobs: is a link"),
+            std::string::npos);
+  ExpectMineIsAsItWas();
+}
 
 TEST_F(CampaignFolderTest, ReadsBackWhatItWasMadeFor) {
   const auto made = Open(CampaignText(10));

@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <set>
+#include <sstream>
 #include <utility>
 
 #include "lib/base/time/seconds.h"
+#include "lib/bus/os/plain_folder.h"
+#include "lib/bus/os/text_file.h"
 #include "lib/mission/file/load.h"
 #include "lib/run/run/run_app.h"
 #include "lib/tools/trials/campaign_progress.h"
@@ -157,6 +159,13 @@ class CampaignRunner {
       std::error_code ignored;
       return std::filesystem::exists(FailurePath(each.first) + "/why.txt", ignored);
     });
+    if (wanted.empty()) return;
+    if (const auto folder = PlainFolder::Open(folder_.path); folder.ok()) {
+      if (const auto below = folder->Below("failures"); !below.ok()) {
+        outcome_.problem = below.error();
+        return;
+      }
+    }
     std::map<TrialKey, const FinishedTrial*> expected;
     for (const auto& [job, trial] : wanted) expected[trial->key] = trial;
     for (size_t next = 0; next < wanted.size() || pool->num_busy() > 0;) {
@@ -179,9 +188,12 @@ class CampaignRunner {
           fmt::format("{}: {} when it was run, {} when it was run again for its recording", name,
                       NameOf(stored.result.outcome), NameOf(done.result.outcome)));
     }
-    std::error_code ignored;
-    std::filesystem::create_directories(path, ignored);  // A wrong mission was not recorded.
-    std::ofstream out(path + "/why.txt");
+    std::error_code error;
+    // A wrong mission was not recorded.
+    if (!std::filesystem::is_directory(std::filesystem::symlink_status(path, error))) {
+      if (!NewTrialFolder(path).ok()) return;
+    }
+    std::ostringstream out;
     out << NameOf(stored.result.outcome) << ": " << stored.result.why
         << "\n\nshoal campaign replay " << folder_.path << ' ' << name << '\n'
         << "shoal sim " << folder_.campaign.mission_file;
@@ -190,8 +202,7 @@ class CampaignRunner {
       out << " --set '" << text << '\'';
     }
     out << '\n';
-    out.close();
-    if (out) ++outcome_.num_recorded;
+    if (TextFile(path + "/why.txt", out.str()).Flush()) ++outcome_.num_recorded;
   }
 
   const CampaignFolder& folder_;

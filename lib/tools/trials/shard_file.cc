@@ -6,9 +6,11 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <filesystem>
 #include <utility>
 
 #include "lib/bus/os/file_bytes.h"
+#include "lib/bus/os/plain_folder.h"
 
 namespace shoal {
 
@@ -16,11 +18,15 @@ ShardFile::ShardFile(FileDescriptor file, std::string path)
     : file_(std::move(file)), path_(std::move(path)) {}
 
 Result<ShardFile> ShardFile::Open(const std::string& path) {
-  constexpr mode_t kMode = 0644;
-  FileDescriptor file(::open(path.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, kMode));
-  if (!file.is_open()) {
-    return Error{fmt::format("{}: cannot be written: {}", path, ErrnoText(errno))};
-  }
+  const std::filesystem::path shards = std::filesystem::path(path).parent_path();
+  const auto folder = PlainFolder::Open(shards.parent_path().string());
+  if (!folder.ok()) return Error{folder.error()};
+  const auto below = folder->Below(shards.filename().string());
+  if (!below.ok()) return Error{below.error()};
+  Result<FileDescriptor> opened =
+      below->OpenFile(std::filesystem::path(path).filename().string(), O_APPEND);
+  if (!opened.ok()) return Error{opened.error()};
+  FileDescriptor file = std::move(*opened);
   if (flock(file.get(), LOCK_EX | LOCK_NB) != 0) {
     if (errno != EWOULDBLOCK) {
       return Error{fmt::format("{}: cannot be locked: {}", path, ErrnoText(errno))};

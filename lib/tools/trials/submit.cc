@@ -1,11 +1,14 @@
 #include "lib/tools/trials/submit.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
+#include <filesystem>
 #include <sstream>
 
+#include "lib/bus/os/file_bytes.h"
+#include "lib/bus/os/plain_folder.h"
 #include "lib/tools/trials/trial_queue.h"
 
 namespace shoal {
@@ -83,10 +86,12 @@ std::vector<SlurmJob> ParseSlurmJobs(const std::string& text) {
 }
 
 std::string AppendSlurmJob(const std::string& path, const SlurmJob& job) {
-  std::ofstream out(path, std::ios::app);
-  out << job.id << ' ' << job.num_shards << '\n';
-  out.close();
-  if (out) return {};
+  const std::filesystem::path file(path);
+  const auto folder = PlainFolder::Open(file.parent_path().string());
+  if (!folder.ok()) return folder.error();
+  const Result<FileDescriptor> out = folder->OpenFile(file.filename().string(), O_APPEND);
+  if (!out.ok()) return out.error();
+  if (WriteAll(out->get(), fmt::format("{} {}\n", job.id, job.num_shards))) return {};
   return fmt::format("{}: cannot be written: is the disk full?", path);
 }
 

@@ -1,0 +1,78 @@
+#include "lib/bus/os/plain_folder.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+
+#include <cerrno>
+#include <filesystem>
+#include <system_error>
+
+#include "lib/bus/os/file_bytes.h"
+
+namespace shoal {
+
+namespace {
+
+Error IsALink(const std::string& path) {
+  return Error{fmt::format(
+      "{}: is a link, which may lead to any file of yours: look where it leads, and remove it",
+      path)};
+}
+
+}  // namespace
+
+Result<PlainFolder> PlainFolder::Open(const std::string& path) {
+  FileDescriptor fd(::open(path.empty() ? "." : path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (!fd.is_open()) return Error{fmt::format("{}: {}", path, ErrnoText(errno))};
+  return PlainFolder(std::move(fd), path);
+}
+
+Result<PlainFolder> PlainFolder::Below(const std::string& name) const {
+  const std::string path = path_ + "/" + name;
+  if (mkdirat(fd_.get(), name.c_str(), 0777) != 0 && errno != EEXIST) {
+    return Error{fmt::format("{}: cannot be made: {}", path, ErrnoText(errno))};
+  }
+  FileDescriptor fd(
+      openat(fd_.get(), name.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
+  if (fd.is_open()) return PlainFolder(std::move(fd), path);
+  const int error = errno;
+  struct stat status {};
+  if (fstatat(fd_.get(), name.c_str(), &status, AT_SYMLINK_NOFOLLOW) == 0 &&
+      S_ISLNK(status.st_mode)) {
+    return IsALink(path);
+  }
+  return Error{fmt::format("{}: is no folder that can be opened: {}", path, ErrnoText(error))};
+}
+
+Result<FileDescriptor> PlainFolder::OpenFile(const std::string& name, int flags) const {
+  const std::string path = path_ + "/" + name;
+  constexpr mode_t kMode = 0644;
+  // Without O_NONBLOCK, to open a pipe would wait for its other end.
+  FileDescriptor file(openat(fd_.get(), name.c_str(),
+                             O_RDWR | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC | flags,
+                             kMode));
+  struct stat status {};
+  if (!file.is_open() && errno == ELOOP) return IsALink(path);
+  if (!file.is_open() || fstat(file.get(), &status) != 0) {
+    return Error{fmt::format("{}: cannot be written: {}", path, ErrnoText(errno))};
+  }
+  if (!S_ISREG(status.st_mode)) return Error{fmt::format("{}: is no regular file", path)};
+  if (status.st_nlink > 1) {
+    return Error{fmt::format(
+        "{}: has another name as well (a hard link), under which it may be any file of yours: put "
+        "a copy in its place",
+        path)};
+  }
+  return file;
+}
+
+std::string PlainFolder::Remove(const std::string& name) const {
+  std::error_code error;
+  // By the open folder, whatever bears its path by now.
+  std::filesystem::remove_all(fmt::format("/proc/self/fd/{}/{}", fd_.get(), name), error);
+  return error ? fmt::format("{}/{}: cannot be removed: {}", path_, name, error.message())
+               : std::string();
+}
+
+}  // namespace shoal

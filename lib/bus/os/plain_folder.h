@@ -1,0 +1,44 @@
+// A folder that may have come from elsewhere, and may hold links that lead to other files of the
+// user: what is opened, made or removed through it lies in the folder itself.
+//
+//   const Result<PlainFolder> results = PlainFolder::Open("sweep");
+//   const Result<PlainFolder> shards = results->Below("shards");
+//   const Result<FileDescriptor> shard = shards->OpenFile("1-of-1.jsonl", O_APPEND);
+#pragma once
+
+#include <string>
+#include <utility>
+
+#include "lib/base/check/result.h"
+#include "lib/bus/os/file_descriptor.h"
+
+namespace shoal {
+
+class PlainFolder {
+ public:
+  /// Opens the folder that a user names, which may be a link.
+  [[nodiscard]] static Result<PlainFolder> Open(const std::string& path);
+
+  /// Opens the folder `name` in this one; one that is missing is made, a link is refused.
+  /// @pre `name` has no slash, as for the next two
+  [[nodiscard]] Result<PlainFolder> Below(const std::string& name) const;
+
+  /// Opens the file `name` for reading and writing, with `flags` beside; one that is missing is
+  /// made. Refused are links, what is no regular file, and a file that has another name too (a hard
+  /// link).
+  [[nodiscard]] Result<FileDescriptor> OpenFile(const std::string& name, int flags) const;
+
+  /// Removes what bears the name, a folder with all in it; of a link, the link. Returns why it is
+  /// still there, or an empty text.
+  [[nodiscard]] std::string Remove(const std::string& name) const;
+
+  const std::string& path() const { return path_; }
+
+ private:
+  PlainFolder(FileDescriptor fd, std::string path) : fd_(std::move(fd)), path_(std::move(path)) {}
+
+  FileDescriptor fd_;
+  std::string path_;
+};
+
+}  // namespace shoal
