@@ -13,11 +13,11 @@
 
 #include "lib/base/time/time_units.h"
 #include "lib/bus/bus/multicast_fault.h"
-#include "lib/run/launch/launch_signals.h"
 #include "lib/run/command_line/build_id.h"
+#include "lib/run/command_line/version.h"
+#include "lib/run/launch/launch_signals.h"
 #include "lib/run/run/run_app.h"
 #include "lib/run/run/run_registry.h"
-#include "lib/run/command_line/version.h"
 
 namespace shoal {
 
