@@ -172,10 +172,18 @@ std::string Program(const std::string& name) {
 }
 
 int FreeTcpPorts(int count) {
-  // Begins at a port that the process's number picks, so that tests side by side do not meet.
-  constexpr int kStarts = 1500;
-  for (int start = 0; start < kStarts; ++start) {
-    const int first = 20'000 + (getpid() + start) % kStarts * 8;
+  // Each process has a block of ports of its own, which its number picks, so that tests side by
+  // side do not meet: a port is free until a program listens there. Its next blocks lie far from
+  // those of its neighbours.
+  constexpr int kBlocks = 1500;
+  constexpr int kBlock = 8;
+  constexpr int kToNextBlock = 751;
+  static int num_given = 0;
+  for (int tries = 0; tries < kBlocks && count <= kBlock; ++tries) {
+    if (num_given % kBlock + count > kBlock) num_given = (num_given / kBlock + 1) * kBlock;
+    const int block = (getpid() + num_given / kBlock * kToNextBlock) % kBlocks;
+    const int first = 20'000 + block * kBlock + num_given % kBlock;
+    num_given += count;
     bool are_free = true;
     for (int i = 0; i < count && are_free; ++i) {
       sockaddr_in address{};

@@ -39,13 +39,17 @@ Eigen::Vector3d BeginningOf_m(const Vehicle& vehicle, size_t task) {
   return {vehicle.start.x_m, vehicle.start.y_m, vehicle.start.depth_m};
 }
 
+/// A way that needs more of the mission's time than this is hardly meant, even where nothing waits
+/// for its end.
+constexpr double kHardlyMeant = 1.5;
+
 /// Paths of underwater vehicles have their own (validate_paths.cc). A survey may well go on until
 /// the end of the mission.
 void WarnOfTime(const Mission& mission, const TablePlace& table, const Vehicle& vehicle,
                 size_t task) {
   const Task& each = vehicle.tasks[task];
-  const bool is_survey = std::holds_alternative<SurveyTask>(each.what);
-  if (is_survey && !MustEnd(mission, vehicle, task)) return;
+  const bool must_end = MustEnd(mission, vehicle, task);
+  if (std::holds_alternative<SurveyTask>(each.what) && !must_end) return;
   const bool is_forever = std::holds_alternative<WaypointsTask>(each.what) &&
                           std::get<WaypointsTask>(each.what).laps == 0;
   if (is_forever || std::holds_alternative<PathFollowTask>(each.what)) return;
@@ -53,7 +57,7 @@ void WarnOfTime(const Mission& mission, const TablePlace& table, const Vehicle& 
   if (!way || way->points_m.empty() || !(way->speed_mps > 0)) return;
   const double length_m = LengthFrom_m(BeginningOf_m(vehicle, task), *way);
   const double time_s = length_m / way->speed_mps;
-  if (time_s <= mission.duration_s) return;
+  if (time_s <= (must_end ? 1 : kHardlyMeant) * mission.duration_s) return;
   table.Warn(way->key,
              fmt::format("the way to the last point is {:.0f} m long and takes {:.0f} s at {:g} "
                          "m/s, but the mission ends after {:g} s: raise duration_s or speed_mps",

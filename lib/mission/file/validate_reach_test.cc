@@ -24,18 +24,24 @@ const std::string kNext = "[[vehicle.task]]\nname = \"next\"\nkind = \"waypoints
 const std::string kWaypoints = "[[vehicle.task]]\nkind = \"waypoints\"\n";
 
 TEST(Reach, WarnsOfWaypointsThatTakeLongerThanTheMission) {
-  EXPECT_EQ(WarningsOf(kWaypoints + "points = [[0, 60], [0, 90]]\n"), "") << "just in time";
-  EXPECT_EQ(WarningsOf(kWaypoints + "points = [[0, 60], [0, 91]]\n"),
+  const std::string after = kNext + "points = [[0, 9]]\nspeed_mps = 5\n";
+  EXPECT_EQ(WarningsOf(kWaypoints + "points = [[0, 60], [0, 90]]\n" + after), "") << "just in time";
+  EXPECT_EQ(WarningsOf(kWaypoints + "points = [[0, 60], [0, 91]]\n" + after),
             "m.toml:10:10: warning: the way to the last point is 91 m long and takes 61 s at 1.5 "
             "m/s, but the mission ends after 60 s: raise duration_s or speed_mps\n");
-  EXPECT_EQ(WarningsOf(kWaypoints + "points = [[0, 60], [0, 91]]\nlaps = 0\n"), "")
-      << "it goes on for ever";
+}
+
+TEST(Reach, WarnsOfWaypointsThatNothingWaitsForWhereTheyTakeHalfAsLongAgain) {
+  EXPECT_EQ(WarningsOf(kWaypoints + "points = [[0, 135]]\n"), "") << "it may go on until the end";
+  EXPECT_NE(WarningsOf(kWaypoints + "points = [[0, 136]]\n").find("136 m long and takes 91 s"),
+            std::string::npos);
+  EXPECT_EQ(WarningsOf(kWaypoints + "points = [[0, 136]]\nlaps = 0\n"), "") << "for ever";
 }
 
 TEST(Reach, CountsTheWayOfATaskFromTheEndOfTheOneBefore) {
   const std::string near = kWaypoints + "points = [[0, 80]]\n";
-  EXPECT_EQ(WarningsOf(near + kNext + "points = [[0, 165]]\n"), "");
-  EXPECT_NE(WarningsOf(near + kNext + "points = [[0, 175]]\n").find("95 m long"),
+  EXPECT_EQ(WarningsOf(near + kNext + "points = [[0, 215]]\n"), "");
+  EXPECT_NE(WarningsOf(near + kNext + "points = [[0, 216]]\n").find("136 m long"),
             std::string::npos);
 }
 
