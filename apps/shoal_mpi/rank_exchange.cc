@@ -51,8 +51,20 @@ bool IsGone(pid_t pid) {
 }  // namespace
 
 struct RankExchange::Requests {
-  std::vector<MPI_Request> sends;
-  std::vector<size_t> waited_for;  ///< Ranks whose batch is not there yet.
+  struct Send {
+    size_t to;
+    MPI_Request request;
+  };
+  std::vector<Send> sends;      ///< That are not complete yet.
+  std::vector<size_t> senders;  ///< Ranks whose batch is not there yet.
+
+  /// Returns the ranks that keep the round from its end.
+  std::vector<size_t> Awaited() const {
+    std::vector<size_t> ranks = senders;
+    if (!ranks.empty()) return ranks;
+    for (const Send& send : sends) ranks.push_back(send.to);
+    return ranks;
+  }
 };
 
 RankExchange::RankExchange(RankExchangeOptions options)
@@ -84,7 +96,6 @@ std::string RankExchange::NameOf(size_t rank) const {
 }
 
 std::string RankExchange::NamesOf(const std::vector<size_t>& ranks) const {
-  if (ranks.empty()) return "a rank that this one sends to";
   std::string text;
   for (const size_t rank : ranks) text += (text.empty() ? "" : ", ") + NameOf(rank);
   return text;
@@ -92,7 +103,7 @@ std::string RankExchange::NamesOf(const std::vector<size_t>& ranks) const {
 
 /// Receives what has come, and returns true where the round is complete.
 bool RankExchange::Advance(Requests* requests, std::vector<Bytes>* incoming) {
-  std::erase_if(requests->waited_for, [&](size_t from) {
+  std::erase_if(requests->senders, [&](size_t from) {
     int has_come = 0;
     MPI_Status status;
     MPI_Iprobe(static_cast<int>(from), kTag, MPI_COMM_WORLD, &has_come, &status);
@@ -105,11 +116,13 @@ bool RankExchange::Advance(Requests* requests, std::vector<Bytes>* incoming) {
              MPI_STATUS_IGNORE);
     return true;
   });
-  if (!requests->waited_for.empty()) return false;
-  int are_sent = 0;
-  MPI_Testall(static_cast<int>(requests->sends.size()), requests->sends.data(), &are_sent,
-              MPI_STATUSES_IGNORE);
-  return are_sent != 0;
+  if (!requests->senders.empty()) return false;
+  std::erase_if(requests->sends, [](Requests::Send& send) {
+    int is_sent = 0;
+    MPI_Test(&send.request, &is_sent, MPI_STATUS_IGNORE);
+    return is_sent != 0;
+  });
+  return requests->sends.empty();
 }
 
 std::vector<size_t> RankExchange::Gone(const std::vector<size_t>& waited_for) const {
@@ -139,10 +152,11 @@ std::optional<Error> RankExchange::Round(const std::string& what,
   Requests requests;
   for (size_t other = 0; other < num_ranks_; ++other) {
     if (other == rank_) continue;
-    requests.waited_for.push_back(other);
+    requests.senders.push_back(other);
     totals_.bytes_sent += static_cast<int64_t>(outgoing[other].size());
     MPI_Isend(outgoing[other].data(), static_cast<int>(outgoing[other].size()), MPI_BYTE,
-              static_cast<int>(other), kTag, MPI_COMM_WORLD, &requests.sends.emplace_back());
+              static_cast<int>(other), kTag, MPI_COMM_WORLD,
+              &requests.sends.emplace_back(Requests::Send{.to = other, .request = {}}).request);
   }
   const double begin_s = NowSeconds();
   double next_look_s = kLook_s;
@@ -150,11 +164,12 @@ std::optional<Error> RankExchange::Round(const std::string& what,
     const double waited_s = NowSeconds() - begin_s;
     if (waited_s < spin_s_) continue;
     std::this_thread::sleep_for(kSleep);
-    const bool is_first = IsFirstToWait(requests.waited_for);
+    const std::vector<size_t> awaited = requests.Awaited();
+    const bool is_first = IsFirstToWait(awaited);
     const double later_s = is_first ? 0 : kOthersLater_s;
     if (waited_s >= next_look_s + later_s) {
       next_look_s += kLook_s;
-      if (const auto gone = Gone(requests.waited_for); !gone.empty()) {
+      if (const auto gone = Gone(awaited); !gone.empty()) {
         return Error{fmt::format("LOST: {} has ended before {} was done", NamesOf(gone), what)};
       }
     }
@@ -162,18 +177,18 @@ std::optional<Error> RankExchange::Round(const std::string& what,
       next_name_after_s_ *= 2;
       if (is_first) {
         fmt::print(stderr, "shoal-mpi: {}: {:.1f} s without an answer of {}\n", what, waited_s,
-                   NamesOf(requests.waited_for));
+                   NamesOf(awaited));
         std::fflush(stderr);
       }
     }
     if (waited_s >= options_.give_up_after_s + later_s) {
       return Error{
           fmt::format("LOST: {} has not answered in {} for {:.1f} s; --timeout gives it longer",
-                      NamesOf(requests.waited_for), what, waited_s)};
+                      NamesOf(awaited), what, waited_s)};
     }
     if (waited_s >= kInterruptedPatience_s && options_.is_interrupted()) {
-      return Error{fmt::format("interrupted in {}, while {} did not answer", what,
-                               NamesOf(requests.waited_for))};
+      return Error{
+          fmt::format("interrupted in {}, while {} did not answer", what, NamesOf(awaited))};
     }
   }
   totals_.wait_s += NowSeconds() - begin_s;
