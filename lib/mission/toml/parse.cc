@@ -5,6 +5,7 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <string>
@@ -110,23 +111,38 @@ std::string_view LineOf(std::string_view text, int64_t line) {
 }
 
 /// Returns what toml++ states, in the words of mission files where it is what beginners write.
-std::string WhyNotToml(std::string_view description, std::string_view line) {
+std::string WhyNotToml(std::string_view description, std::string_view line, int64_t column) {
   constexpr std::string_view kRedefined = "cannot redefine existing table '";
   if (const size_t at = description.find(kRedefined);
       at != std::string_view::npos && description.ends_with("as array-of-tables")) {
     const std::string_view rest = description.substr(at + kRedefined.size());
     const std::string_view name = rest.substr(0, rest.find('\''));
     return fmt::format(
-        "a table below {0}, such as [{0}.x] or [[{0}.x]], stands before the first "
-        "[[{0}]]: write [[{0}]] first, and what belongs to it behind it",
+        "a table of {0}, such as [{0}.x] or [[{0}.x]], comes before the first [[{0}]]: write "
+        "[[{0}]] first, and what belongs to it after it",
         name);
+  }
+  // toml++ takes the end of the line for a control character; a true one is on the line.
+  const auto num_characters =
+      std::ranges::count_if(line, [](char c) { return (static_cast<uint8_t>(c) & 0xC0) != 0x80; });
+  if (column > num_characters && description.find("string: ") != std::string_view::npos &&
+      description.find("control characters") != std::string_view::npos) {
+    return "the text has no closing quote on its line";
+  }
+  if (description.ends_with("expected '=', saw ','") && line.find('{') != std::string_view::npos) {
+    return "values in braces have keys: {key = value, key = value}";
   }
   const size_t equals = line.find('=');
   if (equals != std::string_view::npos && description.ends_with("could not determine value type")) {
     const std::string_view key = Trimmed(line.substr(0, equals));
     const std::string_view value = Trimmed(line.substr(equals + 1, line.find('#') - equals - 1));
     const bool is_word = !value.empty() && std::ranges::all_of(value, IsNameCharacter);
-    if (is_word) return fmt::format("a text stands in quotes: write {} = \"{}\"", key, value);
+    if (is_word) return fmt::format("a text needs quotes: write {} = \"{}\"", key, value);
+    constexpr std::array<std::string_view, 4> kTypographic = {"\u201c", "\u201e", "\u00ab",
+                                                              "\u2018"};
+    const bool is_typographic = std::ranges::any_of(
+        kTypographic, [&](std::string_view quote) { return value.starts_with(quote); });
+    if (is_typographic) return "quotes around a text are straight ones: \" or '";
   }
   return std::string(description);
 }
@@ -143,7 +159,8 @@ std::optional<Value> ParseHere(std::string_view text, Problems& problems) {
         fmt::format("nested deeper than {} levels; no part of a mission file is", kDeepestValue));
   } catch (const toml::parse_error& error) {
     const Place place = PlaceOf(error.source());
-    problems.Add(place, "not TOML: " + WhyNotToml(error.description(), LineOf(text, place.line)));
+    problems.Add(place, "not TOML: " + WhyNotToml(error.description(), LineOf(text, place.line),
+                                                  place.column));
   }
   return std::nullopt;
 }

@@ -13,7 +13,8 @@
 namespace shoal {
 namespace {
 
-constexpr double kLargestNumber = 1e9;  // Of the values of commands, which have no range here.
+constexpr double kLargestNumber = 1e9;   // Of the values of commands, which have no range here.
+constexpr double kMaxExactWhole = 1e15;  ///< Whole numbers up to it are what their digits read.
 
 std::string Allowed(NumberLimits range) {
   return range.excludes_min ? fmt::format("greater than {}, at most {}", range.min, range.max)
@@ -59,6 +60,24 @@ std::string Element(std::string_view key, size_t index) {
   return fmt::format("element {} of {}", index + 1, key);
 }
 
+/// Returns the path by which an override names a table: "vehicle.NAME.task.NAME" for
+/// [[vehicle.task]].
+std::string PathOfHome(std::string_view home) {
+  const bool is_list = home.starts_with("[[");
+  const size_t num_brackets = is_list ? 2 : 1;
+  home = home.substr(num_brackets, home.size() - 2 * num_brackets);
+  std::string path;
+  while (!home.empty()) {
+    const size_t end = std::min(home.find('.'), home.size());
+    const std::string_view part = home.substr(0, end);
+    home.remove_prefix(std::min(end + 1, home.size()));
+    if (!path.empty()) path += '.';
+    path += part;
+    if (part == "vehicle" || (home.empty() && is_list)) path += ".NAME";
+  }
+  return path;
+}
+
 }  // namespace
 
 TableReader::TableReader(const Value& table, std::string title, Problems& problems)
@@ -79,8 +98,11 @@ TableReader::~TableReader() {
   for (const Entry& entry : *table_) {
     if (std::find(known.begin(), known.end(), entry.key) != known.end()) continue;
     const auto given = hints_.find(entry.key);
-    std::string hint =
-        given == hints_.end() ? DidYouMean(entry.key, known) : " (" + given->second + ")";
+    std::string hint = given == hints_.end() ? std::string() : " (" + given->second + ")";
+    // Whoever writes an override sees no tables: that its path lacks one is the likelier mistake.
+    const bool home_first = entry.key_place.override_number > 0;
+    if (hint.empty() && home_first) hint = HintOfHome(entry);
+    if (hint.empty()) hint = DidYouMean(entry.key, known);
     if (hint.empty()) hint = HintOfHome(entry);
     if (hint.empty()) hint = "; known here: " + Joined(known);
     problems_.Add(entry.key_place, "unknown key " + Quoted(entry.key) + hint);
@@ -91,9 +113,8 @@ std::string TableReader::HintOfHome(const Entry& entry) const {
   const std::string home = problems_.HomeOf(entry.key);
   if (home.empty()) return {};
   std::string hint = "; it is a key of " + home;
-  const bool is_one_table = home.front() == '[' && !home.starts_with("[[");
-  if (entry.key_place.override_number > 0 && is_one_table) {
-    hint += ": write " + home.substr(1, home.size() - 2) + "." + entry.key + "=...";
+  if (entry.key_place.override_number > 0) {
+    hint += fmt::format(": write {}.{}=...", PathOfHome(home), entry.key);
   }
   return hint;
 }
@@ -231,7 +252,7 @@ void TableReader::Read(std::string_view key, const IntegerField& field) {
     problems_.Add(
         found->place,
         number == nullptr ? fmt::format("{} must be a whole number, not {}", key, WhatIs(*found))
-        : std::rint(*number) == *number
+        : std::rint(*number) == *number && std::abs(*number) < kMaxExactWhole
             ? fmt::format("{0} must be a whole number without a point: write {0} = {1:.0f}", key,
                           *number)
             : fmt::format("{} must be a whole number, not {}", key, *number));
@@ -425,9 +446,22 @@ void TableReader::EachBelow(std::string_view key, size_t, const std::function<vo
   if (found == nullptr) return;
   const auto* array = std::get_if<Array>(&found->data);
   if (array == nullptr) {
-    problems_.Add(found->place, fmt::format("there may be several tables {0}: write [[{0}]] in "
-                                            "double brackets",
-                                            key));
+    // [[vehicle.task]] alone makes vehicle a table, too.
+    const auto* table = std::get_if<Table>(&found->data);
+    const bool only_below =
+        table != nullptr && !table->empty() && std::ranges::all_of(*table, [](const Entry& entry) {
+          const auto* below = std::get_if<Array>(&entry.value.data);
+          return below != nullptr && !below->empty() &&
+                 std::holds_alternative<Table>(below->front().data);
+        });
+    problems_.Add(
+        found->place,
+        only_below
+            ? fmt::format("[[{0}.{1}]] belongs to a [[{0}]], and none is above it: write [[{0}]] "
+                          "with its keys first",
+                          key, table->front().key)
+            : fmt::format("there may be several tables {0}: write [[{0}]] in double brackets",
+                          key));
     return;
   }
   resize(array->size());

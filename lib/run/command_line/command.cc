@@ -148,14 +148,20 @@ Program::Program(Program&& other) noexcept = default;
 
 namespace {
 
-/// Returns the command that the words name, the last of its line.
-const CLI::App& NamedCommand(const CLI::App& program) {
-  const CLI::App* command = &program;
-  for (std::vector<CLI::App*> named = command->get_subcommands(); !named.empty();
-       named = command->get_subcommands()) {
-    command = named.front();
+/// The command that the words name, the last of its line, and the words that name it.
+struct NamedCommand {
+  const CLI::App* command;
+  std::string path;
+};
+
+NamedCommand NamedBy(const CLI::App& program) {
+  NamedCommand last{.command = &program, .path = program.get_name()};
+  for (std::vector<CLI::App*> named = program.get_subcommands(); !named.empty();
+       named = last.command->get_subcommands()) {
+    last.command = named.front();
+    last.path += " " + last.command->get_name();
   }
-  return *command;
+  return last;
 }
 
 std::vector<std::string> OptionsOf(const CLI::App& command) {
@@ -167,7 +173,7 @@ std::vector<std::string> OptionsOf(const CLI::App& command) {
 }
 
 /// Returns the commands beside `command` that have the option: "`shoal run`".
-std::string WhoHas(const std::string& option, const CLI::App& program, const CLI::App& command) {
+std::string OwnersOf(const std::string& option, const CLI::App& program, const CLI::App& command) {
   std::string text;
   for (const CLI::App* each : program.get_subcommands({})) {
     const std::vector<std::string> names = OptionsOf(*each);
@@ -178,27 +184,37 @@ std::string WhoHas(const std::string& option, const CLI::App& program, const CLI
   return text;
 }
 
-/// Returns what is wrong with the first word that is neither an option nor a value of one.
-std::string UnexpectedText(const CLI::App& program) {
-  const CLI::App& command = NamedCommand(program);
-  const std::string path = &command == &program
-                               ? program.get_name()
-                               : fmt::format("{} {}", program.get_name(), command.get_name());
+/// "-q" and "--quiet" look like options, "-", "-5" and "-.5" do not.
+bool LooksLikeAnOption(const std::string& word) {
+  return word.size() > 1 && word[0] == '-' && word[1] != '.' && (word[1] < '0' || word[1] > '9') &&
+         word != "--";
+}
+
+/// Returns the first option among the words that no command takes, without its value; or nothing.
+std::optional<std::string> UnknownOption(const CLI::App& program) {
   const std::vector<std::string> words = program.remaining(true);
-  const auto option = std::ranges::find_if(
-      words, [](const std::string& word) { return word.starts_with("--") && word.size() > 2; });
-  std::string what;
-  if (option == words.end()) {
-    what = fmt::format("{} is one word too many", Quoted(words.empty() ? "" : words.front()));
-  } else {
-    const std::string name = option->substr(0, option->find('='));
-    const std::vector<std::string> names = OptionsOf(command);
-    const std::vector<std::string_view> candidates(names.begin(), names.end());
-    what = fmt::format("unknown option {}{}", Quoted(name), DidYouMean(name, candidates));
-    const std::string owners = WhoHas(name, program, command);
-    if (!owners.empty()) what += fmt::format("; it is an option of {}", owners);
-  }
-  return fmt::format("{}: {}; `{} --help` lists what it takes\n", path, what, path);
+  const auto option = std::ranges::find_if(words, LooksLikeAnOption);
+  if (option == words.end()) return std::nullopt;
+  return option->substr(0, option->find('='));
+}
+
+std::string UnknownOptionText(const std::string& option, const CLI::App& program,
+                              const CLI::App& command) {
+  const std::vector<std::string> names = OptionsOf(command);
+  const std::vector<std::string_view> candidates(names.begin(), names.end());
+  // "-quiet" is "--quiet", and nothing is near enough to one letter.
+  const std::string whole = option.starts_with("--") ? option : "-" + option;
+  std::string text = "unknown option " + Quoted(option);
+  if (whole.size() > 3) text += DidYouMean(whole, candidates);
+  const std::string owners = OwnersOf(option, program, command);
+  if (!owners.empty()) text += fmt::format("; it is an option of {}", owners);
+  return text;
+}
+
+/// Prints what is wrong, with the command that it is wrong for, and how to see what that takes.
+int PrintUsageError(const NamedCommand& named, const std::string& what) {
+  fmt::print(stderr, "{}: {}; `{} --help` lists what it takes\n", named.path, what, named.path);
+  return kExitUsage;
 }
 
 }  // namespace
@@ -208,8 +224,20 @@ std::optional<int> Program::Parse(const std::vector<std::string>& words) {
     // CLI11 takes words from the end.
     owned_->parse(std::vector<std::string>(words.rbegin(), words.rend()));
   } catch (const CLI::ExtrasError&) {
-    fmt::print(stderr, "{}", UnexpectedText(*owned_));
-    return kExitUsage;
+    const NamedCommand named = NamedBy(*owned_);
+    if (const auto option = UnknownOption(*owned_)) {
+      return PrintUsageError(named, UnknownOptionText(*option, *owned_, *named.command));
+    }
+    const std::vector<std::string> extra = owned_->remaining(true);
+    return PrintUsageError(named,
+                           Quoted(extra.empty() ? "" : extra.front()) + " is one word too many");
+  } catch (const CLI::RequiredError& error) {
+    // What is missing may be missing because an option was mistyped.
+    const NamedCommand named = NamedBy(*owned_);
+    if (const auto option = UnknownOption(*owned_)) {
+      return PrintUsageError(named, UnknownOptionText(*option, *owned_, *named.command));
+    }
+    return PrintUsageError(named, error.what());
   } catch (const CLI::ParseError& error) {
     return owned_->exit(error) == 0 ? kExitOk : kExitUsage;
   }

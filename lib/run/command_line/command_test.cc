@@ -59,6 +59,35 @@ TEST_F(Command_, NamesAnUnknownOptionAndTheOneThatWasMeant) {
             "sounder sim: 'more' is one word too many; `sounder sim --help` lists what it takes\n");
 }
 
+TEST_F(Command_, NamesAMistypedOptionRatherThanWhatIsMissingBesideIt) {
+  std::string file;
+  bool is_quiet = false;
+  const Command log = program_.AddSubcommand("log", "Reads");
+  const Command info = log.AddSubcommand("info", "Counts");
+  info.AddOption("FILE", &file, "File").Required();
+  info.AddFlag("--quiet", &is_quiet, "No text");
+  log.RequireSubcommand();
+  program_.RequireSubcommand();
+  const auto error_of = [&](const std::vector<std::string>& words) {
+    testing::internal::CaptureStderr();
+    EXPECT_EQ(program_.Parse(words), kExitUsage);
+    return testing::internal::GetCapturedStderr();
+  };
+  const std::string end = "; `sounder log info --help` lists what it takes\n";
+  EXPECT_EQ(error_of({"log", "info", "--quite"}),
+            "sounder log info: unknown option '--quite' (did you mean '--quiet'?)" + end);
+  EXPECT_EQ(error_of({"log", "info", "-quiet", "f"}),
+            "sounder log info: unknown option '-quiet' (did you mean '--quiet'?)" + end);
+  EXPECT_EQ(error_of({"log", "info", "-q", "f"}), "sounder log info: unknown option '-q'" + end);
+  EXPECT_EQ(error_of({"log", "info", "f", "-5"}),
+            "sounder log info: '-5' is one word too many" + end);
+  EXPECT_EQ(error_of({"log", "info"}), "sounder log info: FILE is required" + end);
+  EXPECT_EQ(
+      error_of({"--versio"}),
+      "sounder: unknown option '--versio' (did you mean '--version'?); `sounder --help` lists "
+      "what it takes\n");
+}
+
 TEST_F(Command_, EndsWithSuccessAfterHelpAndVersion) {
   EXPECT_EQ(program_.Parse({"--help"}), kExitOk);
   EXPECT_EQ(program_.Parse({"--version"}), kExitOk);
