@@ -109,6 +109,12 @@ set(SHOAL_LIBRARY_OPTIONS -fno-semantic-interposition)
 set(SHOAL_BRIEF mission run/command_line run/hosts run/launch run/moos_text run/orders tools/report
   tools/view apps/shoal apps/shoal_campaign apps/shoal_encounters apps/shoal_import apps/shoal_log
   apps/shoal_plot apps/shoal_rebroker apps/viewer)
+foreach(brief IN LISTS SHOAL_BRIEF)
+  if(NOT IS_DIRECTORY ${PROJECT_SOURCE_DIR}/lib/${brief} AND NOT IS_DIRECTORY
+     ${PROJECT_SOURCE_DIR}/${brief})
+    message(FATAL_ERROR "cmake/Shoal.cmake: SHOAL_BRIEF names ${brief}, but there is no such folder")
+  endif()
+endforeach()
 
 # Precompiled headers: of the pure floors and the bus, without what a pure library may not include
 # (fmt, a mission); of what every step of a mission runs; and of what is brief. To read what a mission

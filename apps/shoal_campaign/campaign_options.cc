@@ -170,8 +170,9 @@ void AddCampaignReplay(Command campaign, CommandAction* action) {
   AddFolder(command, &options->dir);
   command.AddOption("TRIAL", &options->trial, "CASE-REPETITION, as reports name it").Required();
   command.AddFlag("--view", &options->is_viewed, "Then open it in the viewer");
-  command.AddOption("--out", &options->out,
-                    "Folder of the recording; default: DIR/replays/TRIAL, made anew");
+  command.AddOption(
+      "--out", &options->out,
+      "Folder of the recording; default: DIR/replays/TRIAL; what it holds is removed first");
   command.AddFlag("--allow-build", &options->allow_build, "Even where shoal is another build");
   command.Callback(
       [options, action] { *action = [options] { return RunCampaignReplay(*options); }; });

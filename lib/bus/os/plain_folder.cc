@@ -42,7 +42,7 @@ Result<PlainFolder> PlainFolder::Below(const std::string& name) const {
       S_ISLNK(status.st_mode)) {
     return IsALink(path);
   }
-  return Error{fmt::format("{}: is no folder that can be opened: {}", path, ErrnoText(error))};
+  return Error{fmt::format("{}: cannot be opened as a folder: {}", path, ErrnoText(error))};
 }
 
 Result<FileDescriptor> PlainFolder::OpenFile(const std::string& name, int flags) const {
@@ -57,7 +57,7 @@ Result<FileDescriptor> PlainFolder::OpenFile(const std::string& name, int flags)
   if (!file.is_open() || fstat(file.get(), &status) != 0) {
     return Error{fmt::format("{}: cannot be written: {}", path, ErrnoText(errno))};
   }
-  if (!S_ISREG(status.st_mode)) return Error{fmt::format("{}: is no regular file", path)};
+  if (!S_ISREG(status.st_mode)) return Error{fmt::format("{}: is not a regular file", path)};
   if (status.st_nlink > 1) {
     return Error{fmt::format(
         "{}: has another name as well (a hard link), under which it may be any file of yours: put "

@@ -24,8 +24,8 @@ class PlainFolder {
   [[nodiscard]] Result<PlainFolder> Below(const std::string& name) const;
 
   /// Opens the file `name` for reading and writing, with `flags` beside; one that is missing is
-  /// made. Refused are links, what is no regular file, and a file that has another name too (a hard
-  /// link).
+  /// made. Refused are links, what is not a regular file, and a file that has another name too (a
+  /// hard link).
   [[nodiscard]] Result<FileDescriptor> OpenFile(const std::string& name, int flags) const;
 
   /// Removes what bears the name, a folder with all in it; of a link, the link. Returns why it is

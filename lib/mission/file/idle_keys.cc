@@ -73,9 +73,31 @@ void WarnOfIdleSlots(const Mission& mission, const SwarmOptions& swarm, const Ta
   }
 }
 
+/// `draught_m` and `grounding`, which need a vehicle at the surface and a floor.
+void WarnOfIdleGround(const Mission& mission, const TablePlace& file) {
+  const bool has_floor = mission.environment.floor.style != "none";
+  if (!has_floor && file.Below("mission").Has("grounding")) {
+    file.Below("mission").Warn("grounding",
+                               "grounding has no effect, as the mission has no sea floor: write "
+                               "[environment] floor, or leave it out");
+  }
+  for (size_t i = 0; i < mission.vehicles.size(); ++i) {
+    const TablePlace place = file.Below("vehicle", i);
+    if (!place.Has("draught_m")) continue;
+    const Vehicle& vehicle = mission.vehicles[i];
+    const bool is_afloat = DraughtOf(vehicle) > 0 && FactsOfModel(vehicle.model).passive.empty();
+    if (is_afloat && has_floor) continue;
+    place.Warn("draught_m",
+               fmt::format("draught_m has no effect, as {}: leave it out",
+                           is_afloat ? std::string("the mission has no sea floor")
+                                     : vehicle.name + " is not a vessel at the surface"));
+  }
+}
+
 }  // namespace
 
 void WarnOfIdleKeys(const Mission& mission, const TablePlace& file) {
+  WarnOfIdleGround(mission, file);
   for (size_t i = 0; i < mission.swarms.size(); ++i) {
     const TablePlace place = TableOfSwarm(mission, file, i);
     if (place.IsSound()) WarnOfIdleSlots(mission, mission.swarms[i], place);

@@ -116,10 +116,11 @@ class GroundCheck {
 
   void NoteTouch(const Vehicle& vehicle, const TablePlace& place, const TablePlace& table,
                  const TaskWay& way, const Touch& touch, bool is_sure) const {
-    const std::string where =
-        fmt::format("{}'s way to here leads {} at ({:.1f}, {:.1f}), where {}", vehicle.name,
-                    touch.floor_m <= 0 ? "over land" : KeelText(vehicle, touch.place_m.z()),
-                    touch.place_m.x(), touch.place_m.y(), FloorText(touch.floor_m));
+    const bool is_land = touch.floor_m <= 0;
+    const std::string where = fmt::format(
+        "{}'s way to here leads {} at ({:.1f}, {:.1f}){}", vehicle.name,
+        is_land ? "over land" : KeelText(vehicle, touch.place_m.z()), touch.place_m.x(),
+        touch.place_m.y(), is_land ? std::string() : ", where " + FloorText(touch.floor_m));
     const auto* auv = std::get_if<Remus100Options>(&vehicle.model);
     if (auv != nullptr && touch.floor_m > auv->seabed_clearance_m && auv->seabed_clearance_m > 0) {
       // Whoever writes the clearance lets the vehicle follow the floor.
@@ -127,7 +128,7 @@ class GroundCheck {
       table.Warn(
           way.key,
           fmt::format("{}: it stays seabed_clearance_m = {:g} above the floor; write that key "
-                      "in [vehicle.remus100] where you mean it",
+                      "in [vehicle.remus100] if you mean it",
                       where, auv->seabed_clearance_m));
       return;
     }

@@ -57,6 +57,19 @@ TEST(Ground, IsASureFailureWhereASurfaceCraftStartsOnLandOrOnTooLittleWater) {
   EXPECT_EQ(Load("draught_m = 0.6\n" + shallow).num_sure_failures, 1);
 }
 
+TEST(Ground, WarnsOfADraughtAndAVerdictWithoutEffect) {
+  EXPECT_TRUE(Has(Load(kAuv + "draught_m = 0.6\nstart = {x_m = -70, depth_m = 2}\n"),
+                  "draught_m has no effect, as a is not a vessel at the surface: leave it out"));
+  const LoadedMission bare = LoadMissionText(
+      "[mission]\nduration_s = 60\ngrounding = \"allowed\"\n[[vehicle]]\nname = \"a\"\n"
+      "draught_m = 0.5\n",
+      "m.toml");
+  EXPECT_TRUE(Has(bare,
+                  "m.toml:3:13: warning: grounding has no effect, as the mission has no sea "
+                  "floor: write [environment] floor, or leave it out"));
+  EXPECT_TRUE(Has(bare, "draught_m has no effect, as the mission has no sea floor: leave it out"));
+}
+
 TEST(Ground, IsASureFailureWhereAWayLeadsOverLand) {
   const LoadedMission loaded =
       Load("start = {x_m = -50}\n" + kDeployed + kWay + "[[-60, 0], [40, 0]]\n");

@@ -126,6 +126,7 @@ Judge::Judge(const Mission& mission, Ocean ocean)
     : mission_(mission),
       current_grid_(std::move(ocean.current_grid)),
       floor_(std::move(ocean.floor)),
+      floor_shallowest_m_(floor_ ? floor_->ShallowestDepth() : 0),
       was_off_grid_(mission.vehicles.size()),
       sightings_(mission.vehicles.size()),
       altitudes_m_(mission.vehicles.size(), -1),
@@ -269,8 +270,11 @@ void Judge::WatchGroundings(double time_s) {
     const Vehicle& vehicle = mission_.vehicles[i];
     if (std::holds_alternative<BuoyParams>(vehicle.model)) continue;
     const Eigen::Vector3d& position_m = positions_m_[i];
-    const double floor_m = floor_->DepthAt(position_m.head<2>());
-    if (!grounding_watch_.Look(i, floor_m - position_m.z() - DraughtOf(vehicle))) continue;
+    const double keel_m = position_m.z() + DraughtOf(vehicle);
+    // Where the floor is deep enough everywhere, its depth here makes no difference.
+    const bool is_safe = floor_shallowest_m_ - keel_m > GroundingWatch::kFreed_m;
+    const double floor_m = is_safe ? floor_shallowest_m_ : floor_->DepthAt(position_m.head<2>());
+    if (!grounding_watch_.Look(i, floor_m - keel_m)) continue;
     if (std::holds_alternative<TrackOptions>(vehicle.model)) {
       has_track_in_ground_[i] = true;
       continue;

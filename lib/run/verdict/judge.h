@@ -178,6 +178,7 @@ class Judge {
   const Mission& mission_;
   std::shared_ptr<const CurrentGrid> current_grid_;  ///< Null: the mission has none.
   std::optional<SeaFloor> floor_;                    ///< Absent: the depth is not known.
+  double floor_shallowest_m_;                        ///< Of floor_, anywhere.
   std::vector<bool> was_off_grid_;                   ///< Of the current.
   std::vector<Sighting> sightings_;
   std::vector<double> altitudes_m_;

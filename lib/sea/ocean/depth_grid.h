@@ -23,11 +23,15 @@ class DepthGrid {
   /// southern edge.
   [[nodiscard]] double DepthAt(const Eigen::Vector2d& position_m) const;
 
+  /// Returns the least of the depths.
+  [[nodiscard]] double ShallowestDepth() const { return shallowest_m_; }
+
   const GridMap& map() const { return map_; }
 
  private:
   GridMap map_;
   std::vector<float> depths_m_;
+  double shallowest_m_;
 };
 
 }  // namespace shoal

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 
 #include "lib/sea/ocean/sea_floor.h"
 
@@ -38,6 +39,11 @@ TEST(DepthGrid, EndsInItsEdge) {
   EXPECT_EQ(SixPoints().DepthAt({1e308, 1e308}), 50);
   EXPECT_EQ(SixPoints().DepthAt({110, -1e308}), 20);
   EXPECT_DOUBLE_EQ(SixPoints().DepthAt({-5, 210}), 20);
+}
+
+TEST(DepthGrid, IsNowhereAboveItsShallowestDepth) {
+  EXPECT_EQ(SixPoints().ShallowestDepth(), 10);
+  EXPECT_EQ(SeaFloor(std::make_shared<const DepthGrid>(SixPoints())).ShallowestDepth(), 10);
 }
 
 TEST(DepthGrid, TakesNaNForTheWesternOrSouthernEdge) {

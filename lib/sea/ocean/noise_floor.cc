@@ -98,4 +98,9 @@ double NoiseFloor::DepthAt(const Eigen::Vector2d& position_m) const {
   return std::max(0.0, options_.z_m + options_.range_m * share + deeper_m);
 }
 
+double NoiseFloor::ShallowestDepth() const {
+  const double rise_m = options_.slope.lpNorm<1>() * options_.size_m / 2;
+  return std::max(0.0, options_.z_m - rise_m);
+}
+
 }  // namespace shoal

@@ -63,6 +63,10 @@ class NoiseFloor {
   /// edge. A NaN coordinate counts as the western or southern edge.
   [[nodiscard]] double DepthAt(const Eigen::Vector2d& position_m) const;
 
+  /// Returns a depth, >= 0, that the floor is nowhere above: the least one that z and the slope
+  /// allow.
+  [[nodiscard]] double ShallowestDepth() const;
+
   const NoiseBounds& bounds() const { return bounds_; }
 
  private:

@@ -135,6 +135,15 @@ RC_GTEST_PROP(NoiseFloor, HasNoStepsButAShelfsCliff, ()) {
   RC_ASSERT(std::abs(sigmoid.DepthAt(beside_m) - sigmoid.DepthAt(position_m)) < 1e-4);
 }
 
+RC_GTEST_PROP(NoiseFloor, IsNowhereAboveItsShallowestDepth, ()) {
+  NoiseFloorOptions options = Small(FloorStyle::kSigmoid);
+  options.slope = {*rc::gen::inRange(-100, 101) / 100.0, *rc::gen::inRange(-100, 101) / 100.0};
+  const NoiseFloor floor(options, StreamKey(*rc::gen::arbitrary<uint64_t>(), "floor"));
+  const double shallowest_m = floor.ShallowestDepth();
+  RC_ASSERT(shallowest_m >= 0);
+  RC_ASSERT(floor.DepthAt({Coordinate(), Coordinate()}) >= shallowest_m - 1e-9);
+}
+
 TEST(NoiseFloorOptions, ThatAreInvalidAreFound) {
   EXPECT_TRUE(IsNoiseFloor({}));
   for (const double nonsense : {kNan, std::numeric_limits<double>::infinity(), -1.0, 1e300}) {

@@ -17,6 +17,11 @@ double SeaFloor::DepthAt(const Eigen::Vector2d& position_m) const {
   return std::get<1>(floor_)->DepthAt(position_m);
 }
 
+double SeaFloor::ShallowestDepth() const {
+  if (const auto* noise = std::get_if<NoiseFloor>(&floor_)) return noise->ShallowestDepth();
+  return std::get<1>(floor_)->ShallowestDepth();
+}
+
 bool SeaFloor::Covers(const Eigen::Vector2d& position_m) const {
   const auto* grid = std::get_if<1>(&floor_);
   return grid == nullptr || (*grid)->map().Locate(position_m).IsInside();

@@ -27,6 +27,9 @@ class SeaFloor {
   /// Returns the floor's depth, z, >= 0, finite for every position: off a map, that of its edge.
   [[nodiscard]] double DepthAt(const Eigen::Vector2d& position_m) const;
 
+  /// Returns a depth, >= 0, that the floor is nowhere above.
+  [[nodiscard]] double ShallowestDepth() const;
+
   /// Returns whether the floor is known there: of a grid at most half a cell beyond its outermost
   /// points, of others everywhere.
   [[nodiscard]] bool Covers(const Eigen::Vector2d& position_m) const;

@@ -278,7 +278,7 @@ Result<StoredTrials> ReadShards(const CampaignFolder& folder) {
   std::sort(files.begin(), files.end());
   for (const std::filesystem::path& file : files) {
     if (!std::filesystem::is_regular_file(file, error)) {
-      return Error{fmt::format("{}: is no regular file", file.string())};
+      return Error{fmt::format("{}: is not a regular file", file.string())};
     }
     std::ifstream in(file, std::ios::binary);
     if (!in) return Error{fmt::format("{}: cannot be read", file.string())};
