@@ -1,5 +1,6 @@
 #include "lib/mission/file/task_way.h"
 
+#include <algorithm>
 #include <span>
 #include <variant>
 
@@ -44,6 +45,18 @@ double LengthFrom_m(const Eigen::Vector3d& from_m, const TaskWay& way) {
     last_m = point_m;
   }
   return length_m;
+}
+
+double DeepestOf_m(const Vehicle& vehicle) {
+  double deepest_m = vehicle.start.depth_m;
+  for (const Task& task : vehicle.tasks) {
+    const std::optional<TaskWay> way = WayOf(task);
+    if (!way) continue;
+    for (const Eigen::Vector3d& point_m : way->points_m) {
+      deepest_m = std::max(deepest_m, point_m.z());
+    }
+  }
+  return deepest_m;
 }
 
 }  // namespace shoal

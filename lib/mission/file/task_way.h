@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "lib/mission/model/vehicle.h"
 #include "lib/vehicle/guidance/task.h"
 
 namespace shoal {
@@ -23,5 +24,8 @@ struct TaskWay {
 
 /// Returns how long it is from `from_m` to its last point.
 [[nodiscard]] double LengthFrom_m(const Eigen::Vector3d& from_m, const TaskWay& way);
+
+/// Returns the greatest depth that a vehicle starts at, or is led to by a task with points.
+[[nodiscard]] double DeepestOf_m(const Vehicle& vehicle);
 
 }  // namespace shoal

@@ -82,6 +82,8 @@ void Validate(Mission& mission, const TablePlace& file) {
   ValidateExpectations(mission, file);
   WarnOfConduct(mission, file);
   WarnOfReach(mission, file);
+  WarnOfMessages(mission, file);
+  WarnOfDivers(mission, file);
   std::stable_sort(mission.events.begin(), mission.events.end(),
                    [](const Event& a, const Event& b) { return a.at_s < b.at_s; });
 }

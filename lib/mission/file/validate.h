@@ -107,6 +107,10 @@ bool MustEnd(const Mission& mission, const Vehicle& vehicle, size_t task);
 /// Warns of points that cannot be reached in time, speeds that a vehicle does not have, currents
 /// that it cannot stem, and reports over media that it does not have.
 void WarnOfReach(const Mission& mission, const TablePlace& file);
+/// Warns of messages of [[event]] that are too long for every medium on their way.
+void WarnOfMessages(const Mission& mission, const TablePlace& file);
+/// Warns of behaviors that keep clear of vehicles far above or below.
+void WarnOfDivers(const Mission& mission, const TablePlace& file);
 void ValidateExpectations(const Mission& mission, const TablePlace& file);
 
 /// Refuses the name under `key` where no vehicle of `mission` has it; else writes it as the
