@@ -64,6 +64,12 @@ add_library(shoal_sqlite INTERFACE)
 target_include_directories(shoal_sqlite SYSTEM INTERFACE ${SQLITE_INCLUDE_DIR})
 target_link_libraries(shoal_sqlite INTERFACE ${SQLITE_LIBRARY})
 
+find_path(ZSTD_INCLUDE_DIR zstd.h REQUIRED)
+find_library(ZSTD_LIBRARY zstd REQUIRED)
+add_library(shoal_zstd INTERFACE)
+target_include_directories(shoal_zstd SYSTEM INTERFACE ${ZSTD_INCLUDE_DIR})
+target_link_libraries(shoal_zstd INTERFACE ${ZSTD_LIBRARY})
+
 set(SHOAL_PURE_EXTERNALS Eigen3::Eigen shoal_geographiclib shoal_random123)
 
 # Flags of our own targets; generated code and tests' frameworks come in as SYSTEM includes.

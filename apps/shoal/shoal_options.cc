@@ -125,8 +125,11 @@ void AddRun(Command shoal, CommandAction* action) {
         if (ParseWarp(text)) return "";
         return fmt::format("'{}' is neither a number from 1e-6 to 1e6 nor max", text);
       });
-  command.AddOption("--record", &options.record_dir,
-                    "Record into this folder: mission.lcm, the mission file, logs, summary");
+  const Option record =
+      command.AddOption("--record", &options.record_dir,
+                        "Record into this folder: mission.lcm, the mission file, logs, summary");
+  command.AddFlag("--compress", &options.compress, "Compress the log by zstd: mission.lcm.zst")
+      .Needs(record);
   command.AddFlag("--lcm-logger", &options.lcm_logger,
                   "Run lcm-logger on each bus as well (wall times; it may lose bursts)");
   command

@@ -269,7 +269,8 @@ def read(
     A log that ends inside an event is read up to there, with a LogWarning.
 
     Args:
-        path: The log, or the folder of a recording, which has it as mission.lcm.
+        path: The log, compressed or not, or the folder of a recording, which has it as mission.lcm
+            or mission.lcm.zst.
         types: .lcm files of your own types, or a shoal.Types.
         skip_damage: Leave out what cannot be read, and list it in `damages`, instead of raising.
 
@@ -281,5 +282,7 @@ def read(
         types = Types(files) if files else own_types()
     name = os.fspath(path)
     if os.path.isdir(name):
-        name = os.path.join(name, "mission.lcm")
+        plain = os.path.join(name, "mission.lcm")
+        compressed = plain + ".zst"
+        name = compressed if os.path.exists(compressed) and not os.path.exists(plain) else plain
     return Log(name, types, skip_damage)

@@ -14,6 +14,7 @@ from typing import Any
 
 from . import columns
 from .errors import LogError
+from .frames import FrameError, FrameReader, is_compressed
 from .seal import SEAL_MAGIC, sealed_size
 
 MAGIC = b"\xed\xa1\xda\x01"
@@ -50,8 +51,15 @@ class FileWindow:
         self._buffer = b""
         self._begin = 0
         self.size = status.st_size
+        self._frames: FrameReader | None = None
         if not os.path.isfile(path):
             raise LogError(path, 0, "no regular file; name the log itself")
+        if is_compressed(os.pread(self._file, 4, 0)):
+            try:
+                self._frames = FrameReader(self._file, self.size)
+            except FrameError as error:
+                raise LogError(path, 0, str(error)) from None
+            self.size = self._frames.size
 
     def __del__(self) -> None:
         if hasattr(self, "_file"):
@@ -82,12 +90,23 @@ class FileWindow:
             end = begins[j] + sizes[j]
         return self._read(offset, end - offset), 0
 
+    @property
+    def lost(self) -> str:
+        """Why the end of a compressed log cannot be read; empty: it can."""
+        return self._frames.lost if self._frames else ""
+
+    def damage_at(self, offset: int) -> str:
+        """Returns what is wrong with the frame of a compressed log that has this byte."""
+        return self._frames.damage_at(offset) if self._frames else ""
+
     def peek(self, offset: int, size: int) -> bytes:
         """Returns [offset, offset + size), and leaves what `at` gave where it is."""
         return self._read(offset, size)
 
     def _read(self, offset: int, size: int) -> bytes:
         """Returns the bytes there; fewer at the file's end. A read gives at most 2 GiB."""
+        if self._frames:
+            return self._frames.read(offset, size)[0]
         pieces = []
         try:
             while size > 0 and (piece := os.pread(self._file, size, offset)):
@@ -151,13 +170,16 @@ class LogFile:
             buffer, place = self._window.at(offset, min(max(_WINDOW, needed), size - offset))
             offset, needed, wrong = self._take_events(buffer, place, offset)
             if wrong:
-                damage = LogError(self.path, offset, wrong)
+                damage = LogError(self.path, offset, self._window.damage_at(offset) or wrong)
                 if not self._skip and wrong != TORN:
                     raise damage
                 self.add_damage(damage)
                 if not self._skip:
                     return
                 offset = self._next_event(offset + 1)
+        if self._window.lost:
+            end = f"{self._window.lost}: what came after {self.num_events} events is lost"
+            self.add_damage(LogError(self.path, size, end))
 
     def add_damage(self, damage: LogError) -> None:
         """Lists what cannot be read, the first thousand."""

@@ -19,12 +19,21 @@ Result<FileWindow> FileWindow::Open(const std::string& path) {
     return Error{"cannot read " + path + ": " + ErrnoText(errno)};
   }
   if (!S_ISREG(status.st_mode)) return Error{"cannot read " + path + ": not a regular file"};
-  return FileWindow(std::make_shared<FileDescriptor>(std::move(file)),
-                    static_cast<uint64_t>(status.st_size), kBufferSize);
+  auto size = static_cast<uint64_t>(status.st_size);
+  auto source = std::make_shared<Source>();
+  std::array<uint8_t, 4> magic{};
+  if (::pread(file.get(), magic.data(), magic.size(), 0) == 4 && FrameTable::IsCompressed(magic)) {
+    Result<FrameTable> table = FrameTable::Read(file.get(), size);
+    if (!table.ok()) return Error{"cannot read " + path + ": " + table.error()};
+    size = table->size();
+    source->frames = std::move(*table);
+  }
+  source->file = std::move(file);
+  return FileWindow(std::move(source), size, kBufferSize);
 }
 
 FileWindow FileWindow::Another(size_t buffer_size) const {
-  return {file_, size_, std::max<size_t>(buffer_size, 64)};
+  return {source_, size_, std::max<size_t>(buffer_size, 64)};
 }
 
 std::span<const uint8_t> FileWindow::At(uint64_t offset, size_t size) {
@@ -43,13 +52,14 @@ std::span<const uint8_t> FileWindow::Around(uint64_t begin, uint64_t end) {
 }
 
 void FileWindow::Load(uint64_t offset, size_t size) {
+  if (source_->frames) return LoadFrames(offset, size);
   const size_t wanted =
       static_cast<size_t>(std::min<uint64_t>(std::max(size, buffer_size_), size_ - offset));
   if (buffer_.size() < wanted) buffer_.resize(wanted);
   begin_ = offset;
   filled_ = 0;
   while (filled_ < wanted) {
-    const ssize_t result = ::pread(file_->get(), buffer_.data() + filled_, wanted - filled_,
+    const ssize_t result = ::pread(source_->file.get(), buffer_.data() + filled_, wanted - filled_,
                                    static_cast<off_t>(offset + filled_));
     if (result < 0 && errno == EINTR) continue;
     if (result <= 0) {
@@ -61,12 +71,59 @@ void FileWindow::Load(uint64_t offset, size_t size) {
   }
 }
 
-std::optional<uint32_t> FileWindow::PeekUint32(uint64_t offset) const {
+void FileWindow::LoadFrames(uint64_t offset, size_t size) {
+  const FrameTable& table = *source_->frames;
+  begin_ = table.frames()[table.NumberAt(offset)].begin;
+  filled_ = 0;
+  for (size_t number = table.NumberAt(offset); begin_ + filled_ < offset + size; ++number) {
+    const auto frame_bytes = static_cast<size_t>(table.frames()[number].size);
+    if (filled_ == 0) {
+      if (number == peeked_frame_) {
+        std::swap(buffer_, peeked_);
+        peeked_frame_ = SIZE_MAX;
+      } else {
+        Decode(number, &buffer_);
+      }
+    } else {
+      std::vector<uint8_t> more;
+      Decode(number, &more);
+      buffer_.resize(filled_);
+      buffer_.insert(buffer_.end(), more.begin(), more.end());
+    }
+    filled_ += frame_bytes;
+  }
+}
+
+void FileWindow::Decode(size_t number, std::vector<uint8_t>* bytes) {
+  const Frame& frame = source_->frames->frames()[number];
+  if (decoder_.Decode(source_->file.get(), frame, bytes)) return;
+  damaged_frames_.insert(number);
+  bytes->assign(static_cast<size_t>(frame.size), 0);
+}
+
+std::string FileWindow::DamageAt(uint64_t offset) const {
+  if (!source_->frames || offset >= source_->frames->size()) return {};
+  const size_t number = source_->frames->NumberAt(offset);
+  if (!damaged_frames_.contains(number)) return {};
+  return "the frame that begins at byte " +
+         std::to_string(source_->frames->frames()[number].file_begin) +
+         " of the compressed file is damaged";
+}
+
+std::optional<uint32_t> FileWindow::PeekUint32(uint64_t offset) {
   std::array<uint8_t, 4> bytes;
   if (offset > size_ || size_ - offset < bytes.size()) return std::nullopt;
   if (offset >= begin_ && offset + bytes.size() <= begin_ + filled_) {
     std::copy_n(buffer_.begin() + static_cast<ptrdiff_t>(offset - begin_), 4, bytes.begin());
-  } else if (::pread(file_->get(), bytes.data(), 4, static_cast<off_t>(offset)) != 4) {
+  } else if (source_->frames) {
+    for (size_t i = 0; i < bytes.size(); ++i) {
+      const size_t number = source_->frames->NumberAt(offset + i);
+      if (number != peeked_frame_) Decode(number, &peeked_);
+      peeked_frame_ = number;
+      const uint64_t begin = source_->frames->frames()[number].begin;
+      bytes[i] = peeked_[static_cast<size_t>(offset + i - begin)];
+    }
+  } else if (::pread(source_->file.get(), bytes.data(), 4, static_cast<off_t>(offset)) != 4) {
     return std::nullopt;
   }
   return uint32_t{bytes[0]} << 24 | uint32_t{bytes[1]} << 16 | uint32_t{bytes[2]} << 8 | bytes[3];

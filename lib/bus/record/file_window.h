@@ -1,22 +1,27 @@
-// Looks at a file of any length through a buffer of a few megabytes.
+// Looks at a log of any length through a buffer of a few megabytes, be it a file as it is or a
+// compressed one (frame_table.h): offsets are those in the log.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "lib/base/check/result.h"
 #include "lib/bus/os/file_descriptor.h"
+#include "lib/bus/record/frame_table.h"
 
 namespace shoal {
 
 class FileWindow {
  public:
-  /// Opens a regular file. What is appended to it later is not read.
+  /// Opens a regular file. What is appended to it later is not read. Of a compressed one the bytes
+  /// of frames that are damaged are zeros.
   static Result<FileWindow> Open(const std::string& path);
 
   static constexpr size_t kBufferSize = size_t{1} << 20;
@@ -32,7 +37,7 @@ class FileWindow {
   std::span<const uint8_t> At(uint64_t offset, size_t size);
 
   /// Returns the big-endian number at `offset` and leaves the views of At() alive.
-  std::optional<uint32_t> PeekUint32(uint64_t offset) const;
+  std::optional<uint32_t> PeekUint32(uint64_t offset);
 
   /// Returns where the big-endian `value` begins in [begin, end). Ends the life of At()'s views.
   std::optional<uint64_t> FindUint32(uint32_t value, uint64_t begin, uint64_t end);
@@ -40,19 +45,39 @@ class FileWindow {
   /// Why bytes could not be read (the file looks shorter then); empty: they could.
   const std::string& error() const { return error_; }
 
+  /// Why the end of a compressed log is lost; empty: it is not.
+  std::string_view lost() const {
+    return source_->frames ? std::string_view(source_->frames->lost()) : std::string_view();
+  }
+  /// Returns what is wrong with the frame of a compressed log in which `offset` is, with its place
+  /// in the file; empty: nothing that was met so far.
+  std::string DamageAt(uint64_t offset) const;
+
  private:
-  FileWindow(std::shared_ptr<const FileDescriptor> file, uint64_t size, size_t buffer_size)
-      : file_(std::move(file)), buffer_size_(buffer_size), size_(size) {}
+  struct Source {
+    FileDescriptor file;
+    std::optional<FrameTable> frames;  ///< Of a compressed log.
+  };
+
+  FileWindow(std::shared_ptr<const Source> source, uint64_t size, size_t buffer_size)
+      : source_(std::move(source)), buffer_size_(buffer_size), size_(size) {}
   void Load(uint64_t offset, size_t size);
+  void LoadFrames(uint64_t offset, size_t size);
+  /// Sets `bytes` to what the frame holds; zeros where it is damaged.
+  void Decode(size_t number, std::vector<uint8_t>* bytes);
   /// Returns some bytes from `begin` on, those that are in memory if there are at least four.
   std::span<const uint8_t> Around(uint64_t begin, uint64_t end);
 
-  std::shared_ptr<const FileDescriptor> file_;
+  std::shared_ptr<const Source> source_;
   size_t buffer_size_ = kBufferSize;
   uint64_t size_ = 0;
   uint64_t begin_ = 0;  ///< Of buffer_ in the file.
   size_t filled_ = 0;   ///< Bytes of buffer_ that hold the file's.
   std::vector<uint8_t> buffer_;
+  FrameDecoder decoder_;
+  size_t peeked_frame_ = SIZE_MAX;  ///< The one in peeked_.
+  std::vector<uint8_t> peeked_;
+  std::set<size_t> damaged_frames_;
   std::string error_;
 };
 

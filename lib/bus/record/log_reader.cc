@@ -1,8 +1,12 @@
 #include "lib/bus/record/log_reader.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <system_error>
+
+#include "lib/base/time/seconds.h"
 
 namespace shoal {
 
@@ -31,9 +35,12 @@ struct LogReader::Header {
 };
 
 std::string LogFileOf(const std::string& path) {
-  const std::filesystem::path inside = std::filesystem::path(path) / "mission.lcm";
   std::error_code error;
-  return std::filesystem::is_regular_file(inside, error) ? inside.string() : path;
+  for (const char* name : {"mission.lcm", "mission.lcm.zst"}) {
+    const std::filesystem::path inside = std::filesystem::path(path) / name;
+    if (std::filesystem::is_regular_file(inside, error)) return inside.string();
+  }
+  return path;
 }
 
 Result<LogReader> LogReader::Open(const std::string& path, OnDamage on_damage) {
@@ -76,7 +83,7 @@ LogReader::Header LogReader::ReadHeader(uint64_t offset) {
   return header;
 }
 
-bool LogReader::EventMayBeginAt(uint64_t offset) const {
+bool LogReader::EventMayBeginAt(uint64_t offset) {
   return offset == file_.size() || file_.PeekUint32(offset) == kLogMagic;
 }
 
@@ -107,11 +114,27 @@ void LogReader::Skip(uint64_t end, std::string what) {
   position_ = end;
 }
 
+/// The end of a compressed log may be lost without a trace in the bytes that there are.
+void LogReader::NoteLostEnd() {
+  if (file_.lost().empty() || has_noted_end_ || !error_.empty()) return;
+  has_noted_end_ = true;
+  std::string what(file_.lost());
+  what += last_event_ ? fmt::format(": what came after event {}, at {:.6f} s, is lost",
+                                    last_event_->first, Seconds(last_event_->second))
+                      : std::string(": its events are lost");
+  if (on_damage_ == OnDamage::kSkip) {
+    Skip(position_, what);
+  } else {
+    error_ = path_ + ": byte " + std::to_string(position_) + ": " + what;
+  }
+}
+
 std::optional<LogEvent> LogReader::Next() {
   while (position_ < file_.size() && error_.empty()) {
     const Header header = ReadHeader(position_);
     if (!header.wrong.empty()) {
-      const std::string what(header.wrong);
+      std::string what = file_.DamageAt(position_);
+      if (what.empty()) what = header.wrong;
       if (on_damage_ == OnDamage::kStop) {
         error_ = path_ + ": byte " + std::to_string(position_) + ": " + what;
         break;
@@ -135,9 +158,11 @@ std::optional<LogEvent> LogReader::Next() {
     event.channel = {reinterpret_cast<const char*>(channel.data()), channel.size()};
     event.data = bytes.subspan(kLogHeaderSize + header.channel_length);
     event.offset = position_;
+    last_event_ = {header.number, header.utime};
     position_ = header.end;
     return event;
   }
+  NoteLostEnd();
   if (error_.empty() && !file_.error().empty()) {
     error_ = path_ + ": byte " + std::to_string(position_) + ": " + file_.error();
   }

@@ -1,4 +1,5 @@
-// Reads an LCM event log of any length, event by event, even if it is damaged.
+// Reads an LCM event log of any length, event by event, even if it is damaged; a compressed one
+// (frame_table.h) as if it were not.
 //
 //   Result<LogReader> reader = LogReader::Open("mission.lcm");
 //   while (const auto event = reader->Next()) Use(*event);
@@ -8,6 +9,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "lib/base/check/result.h"
@@ -23,12 +25,13 @@ enum class OnDamage {
 
 /// A part of a log that is no event.
 struct LogDamage {
-  uint64_t begin = 0;  ///< Bytes of the file, [begin, end).
+  uint64_t begin = 0;  ///< Bytes of the log, [begin, end).
   uint64_t end = 0;
   std::string what;
 };
 
-/// Returns the log in the folder of a recording, `path`/mission.lcm; where that is none, `path`.
+/// Returns the log in the folder of a recording, `path`/mission.lcm or `path`/mission.lcm.zst;
+/// where there is none, `path`.
 [[nodiscard]] std::string LogFileOf(const std::string& path);
 
 class LogReader {
@@ -65,10 +68,11 @@ class LogReader {
       : path_(std::move(path)), file_(std::move(file)), on_damage_(on_damage) {}
 
   Header ReadHeader(uint64_t offset);
-  bool EventMayBeginAt(uint64_t offset) const;
+  bool EventMayBeginAt(uint64_t offset);
   bool IsEventAt(uint64_t offset);
   std::optional<uint64_t> FindEvent(uint64_t begin, uint64_t end, bool must_be_followed);
   void Skip(uint64_t end, std::string what);
+  void NoteLostEnd();
 
   std::string path_;
   FileWindow file_;
@@ -77,6 +81,8 @@ class LogReader {
   std::string error_;
   std::vector<LogDamage> damages_;
   int64_t num_damages_ = 0;
+  std::optional<std::pair<int64_t, int64_t>> last_event_;  ///< Number and time.
+  bool has_noted_end_ = false;
 };
 
 }  // namespace shoal

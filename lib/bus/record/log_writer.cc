@@ -6,6 +6,7 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
+#include <utility>
 
 #include "lib/bus/os/file_bytes.h"
 #include "lib/bus/record/log_format.h"
@@ -51,25 +52,41 @@ uint8_t* PutBigEndian(uint64_t value, int num_bytes, uint8_t* out) {
 
 }  // namespace
 
-LogWriter::LogWriter(std::string path, FileDescriptor file)
-    : path_(std::move(path)), file_(std::move(file)) {}
+LogWriter::LogWriter(std::string path, FileDescriptor file, bool is_compressed)
+    : path_(std::move(path)) {
+  if (is_compressed) {
+    frames_ = std::make_unique<FrameWriter>(std::move(file));
+  } else {
+    file_ = std::move(file);
+  }
+}
 
 Result<LogWriter> LogWriter::Create(const std::string& path) {
   FileDescriptor file(::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644));
   if (!file.is_open()) return WriteError(path, errno);
-  return LogWriter(path, std::move(file));
+  return LogWriter(path, std::move(file), path.ends_with(kCompressedSuffix));
 }
+
+LogWriter::LogWriter(LogWriter&& other) noexcept = default;
 
 LogWriter::~LogWriter() {
   if (file_.is_open()) (void)Flush();
+  if (frames_ && is_open_) CutFrame();
 }
 
 void LogWriter::Append(int64_t utime, std::string_view channel, std::span<const uint8_t> data) {
-  SHOAL_CHECK(file_.is_open(), "an event for a log that is closed");
+  SHOAL_CHECK(is_open_, "an event for a log that is closed");
   if (error_ || channel.empty() || channel.size() > kMaxLogChannelLength ||
       data.size() > kMaxLogDataLength) {
     ++counters_.dropped;
     return;
+  }
+  if (frames_) {
+    const size_t size = pending_.size() + kLogHeaderSize + channel.size() + data.size();
+    const bool is_old =
+        pending_.size() >= kLeastLogFrame_bytes && utime - frame_utime_ >= kLogFrame_us;
+    if (!pending_.empty() && (size > kLogFrame_bytes || is_old)) CutFrame();
+    if (pending_.empty()) frame_utime_ = utime;
   }
   std::array<uint8_t, kLogHeaderSize> header;
   uint8_t* out = PutBigEndian(kLogMagic, 4, header.data());
@@ -86,9 +103,22 @@ void LogWriter::Append(int64_t utime, std::string_view channel, std::span<const 
   counters_.bytes += static_cast<int64_t>(kLogHeaderSize + channel.size() + data.size());
 }
 
+void LogWriter::CutFrame() {
+  if (pending_.empty()) return;
+  frames_->Add(std::exchange(pending_, {}), std::exchange(pending_events_, 0));
+}
+
 std::optional<Error> LogWriter::Flush() {
-  SHOAL_CHECK(file_.is_open(), "Flush() of a log that is closed");
+  SHOAL_CHECK(is_open_, "Flush() of a log that is closed");
   if (error_) return error_;
+  if (!frames_) return FlushPlain();
+  if (const int error_number = frames_->error_number(); error_number != 0) {
+    return Fail(error_number);
+  }
+  return std::nullopt;
+}
+
+std::optional<Error> LogWriter::FlushPlain() {
   if (!WriteAll(file_.get(), {reinterpret_cast<const char*>(pending_.data()), pending_.size()})) {
     return Fail(errno);
   }
@@ -99,7 +129,14 @@ std::optional<Error> LogWriter::Flush() {
 }
 
 std::optional<Error> LogWriter::Close() {
-  if (auto error = Flush()) return error;
+  std::optional<Error> error = Flush();
+  is_open_ = false;
+  if (error) return error;
+  if (frames_) {
+    CutFrame();
+    if (!frames_->Close()) return Fail(frames_->error_number());
+    return std::nullopt;
+  }
   if (!file_.Close()) return Fail(errno);
   return std::nullopt;
 }
@@ -107,9 +144,12 @@ std::optional<Error> LogWriter::Close() {
 Error LogWriter::Fail(int error_number) {
   // Leaves whole events; where even that fails (such as on a device), readers find the cut.
   if (file_.is_open()) (void)!::ftruncate(file_.get(), flushed_bytes_);
-  counters_.dropped += pending_events_;
-  counters_.events -= pending_events_;
-  counters_.bytes -= static_cast<int64_t>(pending_.size());
+  FrameWriter::Dropped dropped = frames_ ? frames_->dropped() : FrameWriter::Dropped();
+  dropped.events += pending_events_;
+  dropped.bytes += static_cast<int64_t>(pending_.size());
+  counters_.dropped += dropped.events;
+  counters_.events -= dropped.events;
+  counters_.bytes -= dropped.bytes;
   pending_.clear();
   pending_events_ = 0;
   error_ = WriteError(path_, error_number);

@@ -1,11 +1,12 @@
-// Writes an LCM event log.
+// Writes an LCM event log, compressed where its name ends in ".zst" (frame_table.h).
 //
-//   Result<LogWriter> writer = LogWriter::Create("mission.lcm");
+//   Result<LogWriter> writer = LogWriter::Create("mission.lcm");    // or "mission.lcm.zst"
 //   writer->Append(utime, "NAV_ALPHA", bytes);
 //   if (auto error = writer->Flush()) return Fail(*error);   // once per step
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -14,12 +15,23 @@
 
 #include "lib/base/check/result.h"
 #include "lib/bus/os/file_descriptor.h"
+#include "lib/bus/record/frame_writer.h"
 
 namespace shoal {
 
+/// A log with this at its end is a compressed one.
+inline constexpr std::string_view kCompressedSuffix = ".zst";
+
+/// A compressed log is cut into frames between events: before it is longer than the first, or when
+/// it is longer than the second and its first event this old. What is not in a whole frame is lost
+/// where the process is killed.
+inline constexpr size_t kLogFrame_bytes = size_t{2} << 20;
+inline constexpr size_t kLeastLogFrame_bytes = size_t{64} << 10;
+inline constexpr int64_t kLogFrame_us = 10'000'000;
+
 struct LogWriterCounters {
   int64_t events = 0;   ///< Appended, and not dropped.
-  int64_t bytes = 0;    ///< Of these events, as they stand in the file.
+  int64_t bytes = 0;    ///< Of these events in the log, before they are compressed.
   int64_t dropped = 0;  ///< After an error, or with a name or data that the format cannot hold.
 };
 
@@ -28,7 +40,7 @@ class LogWriter {
   /// Makes the file, or empties it. The error names the path and what to try.
   static Result<LogWriter> Create(const std::string& path);
 
-  LogWriter(LogWriter&&) = default;
+  LogWriter(LogWriter&& other) noexcept;
   /// Flushes; call Close() before to get its errors.
   ~LogWriter();
 
@@ -38,7 +50,8 @@ class LogWriter {
   /// Writes what was appended, whole events in one write(2), so that a process that is
   /// killed between two calls leaves a whole log. Where the file cannot take all, it is cut back to
   /// the events of the calls before; from then on everything is dropped and each call returns the
-  /// same error, which names the path and what to try.
+  /// same error, which names the path and what to try. Of a compressed log whole frames are
+  /// written, by another thread, whenever they are full; the call returns the errors of these.
   [[nodiscard]] std::optional<Error> Flush();
 
   /// Flushes and closes; the last call.
@@ -48,11 +61,16 @@ class LogWriter {
   const std::string& path() const { return path_; }
 
  private:
-  LogWriter(std::string path, FileDescriptor file);
+  LogWriter(std::string path, FileDescriptor file, bool is_compressed);
+  std::optional<Error> FlushPlain();
+  void CutFrame();
   Error Fail(int error_number);
 
   std::string path_;
-  FileDescriptor file_;
+  FileDescriptor file_;                  ///< Of a plain log.
+  std::unique_ptr<FrameWriter> frames_;  ///< Of a compressed one.
+  bool is_open_ = true;
+  int64_t frame_utime_ = 0;  ///< Of the first event that is pending.
   std::vector<uint8_t> pending_;
   int64_t pending_events_ = 0;
   int64_t next_number_ = 0;

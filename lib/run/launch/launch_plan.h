@@ -23,6 +23,7 @@ struct RunOptions {
   std::optional<Layout> layout;  ///< Absent: PortPlan::Suggest.
   int port_base = 0;             ///< 0: the first free block.
   std::string record_dir;        ///< Empty: no recording.
+  bool compress = false;         ///< Its log is mission.lcm.zst.
   bool lcm_logger = false;       ///< Stock lcm-logger on each bus, beside the recorder.
   Grouping grouping = {};        ///< How participants share processes.
   double lose = 0;               ///< Fault injection, handed to every participant.

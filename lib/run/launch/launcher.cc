@@ -72,6 +72,10 @@ std::vector<std::string> ParticipantNames(const std::vector<RosterProcess>& proc
   return names;
 }
 
+std::string LogNameOf(const RunOptions& options) {
+  return options.compress ? "mission.lcm.zst" : "mission.lcm";
+}
+
 }  // namespace
 
 Launcher::Launcher(const RunOptions& options, const Mission& mission, const LaunchedApps& apps,
@@ -86,7 +90,8 @@ Launcher::Launcher(const RunOptions& options, const Mission& mission, const Laun
                .mission_id = mission_id,
                .secret_fd = secret_fd,
                .log_dir = std::move(log_dir),
-               .log_path = options.record_dir.empty() ? "" : options.record_dir + "/mission.lcm"},
+               .log_path =
+                   options.record_dir.empty() ? "" : options.record_dir + "/" + LogNameOf(options)},
       processes_(ProcessesOf(options, mission)),
       wake_rule_(std::min(kWantedReceiveBuffer, ReceiveBufferLimit()),
                  access ? WakeRule::kFewOfRelay : WakeRule::kFew),
@@ -206,8 +211,8 @@ int Launcher::Conclude() {
   if (!options_.record_dir.empty()) {
     const Result<bool> written = WriteSummary(options_.record_dir, summary);
     if (!written.ok()) supervision_.Fail(kExitEnvironment, written.error());
-    terminal_.Print(fmt::format("Recorded in {}: mission.lcm{}, mission.toml, run.txt, {}logs/\n",
-                                options_.record_dir,
+    terminal_.Print(fmt::format("Recorded in {}: {}{}, mission.toml, run.txt, {}logs/\n",
+                                options_.record_dir, LogNameOf(options_),
                                 supervision_.HasLost("recorder") ? " (cut short)" : "",
                                 written.ok() ? "summary.txt, " : ""));
     if (options_.view)

@@ -1,0 +1,88 @@
+// A log compressed with zstd: frames that can be read by themselves, and where each of them is. The
+// format is zstd's own "seekable" one (contrib/seekable_format in zstd's sources, version 0.1.1):
+// frames, then a skippable frame that lists their sizes. `zstd -d` gives the log itself.
+//
+//   Result<FrameTable> table = FrameTable::Read(fd, file_size);
+//   FrameDecoder decoder;
+//   if (decoder.Decode(fd, table->frames()[0], &bytes)) ...
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "lib/base/check/result.h"
+
+struct ZSTD_DCtx_s;
+
+namespace shoal {
+
+/// No frame holds more: it must fit into memory as a whole.
+inline constexpr uint64_t kMaxFrame_bytes = uint64_t{64} << 20;
+/// A file may claim more than it has; this bounds the memory for its table.
+inline constexpr size_t kMaxFrames = size_t{4} << 20;
+
+struct Frame {
+  uint64_t file_begin = 0;  ///< In the compressed file.
+  uint64_t file_size = 0;
+  uint64_t begin = 0;    ///< In the log.
+  uint64_t size = 0;     ///< Of what it holds; of a torn one: as far as it can be read.
+  bool is_torn = false;  ///< The file ends inside of it.
+};
+
+class FrameTable {
+ public:
+  /// Returns true where a file that begins so is a compressed one.
+  static bool IsCompressed(std::span<const uint8_t> first_bytes);
+
+  /// Reads the list at the end of the file; where there is none, as in a file whose writer was
+  /// killed, the heads of all frames. The error names the byte, and what to do.
+  static Result<FrameTable> Read(int fd, uint64_t file_size);
+
+  /// Those that hold something, in the order of the file; of `begin` each continues the one before.
+  const std::vector<Frame>& frames() const { return frames_; }
+  /// Bytes of the log.
+  uint64_t size() const { return frames_.empty() ? 0 : frames_.back().begin + frames_.back().size; }
+  /// Why what follows the last frame, or the end of it, is lost, with the byte; empty: nothing is.
+  const std::string& lost() const { return lost_; }
+  /// Returns the number of the frame with that byte of the log. @pre offset < size()
+  size_t NumberAt(uint64_t offset) const;
+
+ private:
+  bool TakeList(int fd, uint64_t file_size);
+  std::string TakeHeads(int fd, uint64_t file_size);
+  void Add(uint64_t file_begin, uint64_t file_size, uint64_t size);
+
+  std::vector<Frame> frames_;
+  std::string lost_;
+};
+
+class FrameDecoder {
+ public:
+  FrameDecoder();
+
+  /// Reads a frame of the open file, and checks its size and checksum. Returns false where it is
+  /// damaged or cannot be read; `bytes` are undefined then.
+  [[nodiscard]] bool Decode(int fd, const Frame& frame, std::vector<uint8_t>* bytes);
+
+  /// Returns how many bytes of the frame come out, at most kMaxFrame_bytes + 1, before its data end
+  /// or are damaged.
+  uint64_t Measure(int fd, uint64_t file_begin, uint64_t file_size);
+
+ private:
+  struct Free {
+    void operator()(ZSTD_DCtx_s* context) const;
+  };
+  /// Calls `take` with each piece that comes out, until it returns false or no more comes. Returns
+  /// true where the frame came to its end.
+  template <class Take>
+  bool Stream(int fd, uint64_t file_begin, uint64_t file_size, Take take);
+
+  std::unique_ptr<ZSTD_DCtx_s, Free> context_;
+  std::vector<uint8_t> compressed_;
+};
+
+}  // namespace shoal
