@@ -197,7 +197,7 @@ class FrameReader:
         place = 0
         while place < self._file_size:
             if len(self._frames) == _MOST_FRAMES:
-                raise FrameError(f"has more than {_MOST_FRAMES} frames; `zstd -d` makes a log of it")
+                raise FrameError(f"more than {_MOST_FRAMES} frames; `zstd -d` makes a log of it")
             head = os.pread(self._file, 18, place)
             magic = int.from_bytes(head[:4], "little")
             if len(head) >= 8 and magic & ~0xF == _SKIPPABLE:
@@ -225,7 +225,7 @@ class FrameReader:
             place = end
 
     def _measure(self, place: int, head: bytes) -> tuple[int | None, int | None]:
-        """Returns where a frame ends, if the file has its end, and its content's size, if it has it."""
+        """Returns where a frame ends and the size of its content; None where the file lacks it."""
         if len(head) < 6:
             return None, None
         descriptor = head[4]
