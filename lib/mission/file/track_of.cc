@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 #include <variant>
+#include <vector>
 
 #include "lib/base/geodesy/local_frame.h"
 #include "lib/base/geometry/angles.h"
@@ -24,7 +25,8 @@ namespace {
 
 constexpr double kMicroseconds = 1e6;
 
-Result<ReplayTrack> ReadTrack(const Mission& mission, const TrackOptions& options) {
+Result<ReplayTrack> ReadTrack(const Mission& mission, const TrackOptions& options,
+                              std::vector<std::string>* warnings) {
   if (options.file.empty()) {
     return Error{"model = \"track\" needs a file: write track = {file = \"ferry.csv\"}, or .gpx"};
   }
@@ -40,9 +42,14 @@ Result<ReplayTrack> ReadTrack(const Mission& mission, const TrackOptions& option
                  "; a track's path counts from the mission file's folder"};
   }
   const LocalFrame frame({.lat_deg = mission.origin_lat_deg, .lon_deg = mission.origin_lon_deg});
-  const TrackSource source = {
-      .name = path.string(), .frame = &frame, .underwater = options.underwater};
-  return ending == ".gpx" ? ParseGpxTrack(file.text, source) : ParseCsvTrack(file.text, source);
+  const TrackSource source = {.name = path.string(),
+                              .frame = &frame,
+                              .underwater = options.underwater,
+                              .depth_positive = options.depth_positive,
+                              .vessel = options.name,
+                              .number = options.number};
+  return ending == ".gpx" ? ParseGpxTrack(file.text, source, warnings)
+                          : ParseCsvTrack(file.text, source, warnings);
 }
 
 /// Fills in one vehicle's start, and warns of a track that does not last as long as the mission.
@@ -59,10 +66,13 @@ void FillInTrack(Mission& mission, Vehicle& vehicle, const TablePlace& place) {
     place.Warn("start",
                "start has no effect: the track begins where its file has it; leave it out");
   }
+  for (const std::string& warning : track->warnings) table.Warn("file", warning);
+  const bool has_one_time = track->track.fixes().size() == 1;  // Which is a warning by now.
   const double first_s =
       static_cast<double>(track->track.first_us() - track->offset_us) / kMicroseconds;
   const double last_s =
       static_cast<double>(track->track.last_us() - track->offset_us) / kMicroseconds;
+  if (has_one_time) return;
   if (last_s <= 0 || first_s >= mission.duration_s) {
     table.Warn("file", fmt::format("the track is from {:.1f} to {:.1f} s of the mission, so that "
                                    "{} never moves: see time and delay_s, and start_utime of "
@@ -82,12 +92,15 @@ ReplayState MissionTrack::At(double mission_s) const {
 }
 
 Result<MissionTrack> TrackOf(const Mission& mission, const TrackOptions& options) {
-  Result<ReplayTrack> track = ReadTrack(mission, options);
+  std::vector<std::string> warnings;
+  Result<ReplayTrack> track = ReadTrack(mission, options, &warnings);
   if (!track.ok()) return Error{track.error()};
   const int64_t start_us =
       options.time == TrackTime::kFirst ? track->first_us() : mission.start_utime;
   const int64_t delay_us = std::llround(options.delay_s * kMicroseconds);
-  return MissionTrack{.track = std::move(*track), .offset_us = start_us - delay_us};
+  return MissionTrack{.track = std::move(*track),
+                      .offset_us = start_us - delay_us,
+                      .warnings = std::move(warnings)};
 }
 
 StartPose StartOf(const MissionTrack& track) {

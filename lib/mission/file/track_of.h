@@ -3,6 +3,8 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
+#include <vector>
 
 #include "lib/base/check/result.h"
 #include "lib/mission/model/mission.h"
@@ -13,7 +15,8 @@ namespace shoal {
 /// A track, and when of it the mission starts.
 struct MissionTrack {
   ReplayTrack track;
-  int64_t offset_us = 0;  ///< Time of the track at step 0 of the mission.
+  int64_t offset_us = 0;                   ///< Time of the track at step 0 of the mission.
+  std::vector<std::string> warnings = {};  ///< Of what was read, and is probably meant otherwise.
 
   /// Returns where the vessel is this long after the mission's start.
   [[nodiscard]] ReplayState At(double mission_s) const;

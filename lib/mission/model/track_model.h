@@ -1,9 +1,11 @@
 // A recorded track in mission files: model = "track" and its table [vehicle.track].
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 #include "lib/mission/model/model_facts.h"
+#include "lib/mission/track/track_builder.h"
 
 namespace shoal {
 
@@ -21,6 +23,9 @@ struct TrackOptions {
   TrackTime time = TrackTime::kFirst;
   double delay_s = 0;       ///< All of it comes later by this.
   bool underwater = false;  ///< It dives: depths of the file count.
+  DepthPositive depth_positive = DepthPositive::kByForm;
+  std::string name = {};  ///< Of the vessel, in a file with several; empty: none is chosen by it.
+  int64_t number = 0;     ///< Of the track, in GPX with several, from 1; 0: likewise.
 
   bool operator==(const TrackOptions&) const = default;
 };

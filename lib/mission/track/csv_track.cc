@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -49,6 +51,19 @@ constexpr std::array<std::string_view, 4> kDepths = {"depth_m", "depth", "z_m", 
 constexpr std::array<std::string_view, 3> kHeadings = {"heading_deg", "heading", "hdg"};
 constexpr std::array<std::string_view, 3> kSpeeds = {"speed_over_ground_mps", "sog_mps",
                                                      "speed_mps"};
+/// Columns that name the vessel of a line.
+constexpr std::array<std::string_view, 11> kVessels = {
+    "mmsi",      "imo",    "callsign", "vessel_name", "vesselname", "shipname",
+    "vessel_id", "vessel", "ship",     "boat",        "vehicle"};
+/// What a file has in the place of a number that is not known.
+constexpr std::array<std::string_view, 8> kUnknowns = {"",   "nan", "null", "none",
+                                                       "na", "n/a", "-",    "--"};
+constexpr double kUnknownHeading_deg = 511;  // ITU-R M.1371, table 48: "not available".
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+/// A surface vessel's column of depths below this is one of a vessel that dives, or of the water.
+constexpr double kDives_m = 1;
+/// Vessels of one file that are counted; of more, a message lists these.
+constexpr size_t kMaxVessels = 1000;
 
 /// Where the columns are, by their place in a line.
 struct Columns {
@@ -60,25 +75,42 @@ struct Columns {
   std::optional<size_t> depth;
   std::optional<size_t> heading;
   std::optional<size_t> speed;
+  std::vector<size_t> vessels;
 };
 
 /// Reads one text. Each step returns what is wrong, empty: nothing.
 class CsvTrackReader {
  public:
   CsvTrackReader(std::string_view text, const TrackSource& source)
-      : rest_(text), source_(source), builder_(source) {
+      : rest_(text), source_(source), builder_(source, DepthPositive::kDown) {
     if (rest_.starts_with("\xEF\xBB\xBF")) rest_.remove_prefix(3);  // UTF-8's byte order mark.
   }
 
-  Result<ReplayTrack> Read() {
-    std::string problem = ReadHeader();
-    while (problem.empty() && NextLine()) problem = ReadFix();
+  Result<ReplayTrack> Read(std::vector<std::string>* warnings) {
+    std::string problem = WhyNotText();
+    if (problem.empty()) problem = ReadHeader();
+    while (problem.empty() && NextLine()) problem = ReadLine();
     if (!problem.empty()) {
       return Error{fmt::format("{}:{}: {}", source_.name, line_number_, problem)};
     }
+    if (source_.vessel.empty() && vessels_.size() > 1) {
+      return Error{fmt::format(
+          "{}: it has lines of several vessels: choose one by name = \"...\" beside file; {}",
+          source_.name, VesselsThatAre())};
+    }
+    if (!source_.vessel.empty() && builder_.size() == 0) {
+      return Error{fmt::format("{}: no line is of the vessel {}; {}", source_.name,
+                               QuotedWord(source_.vessel), VesselsThatAre())};
+    }
+    if (std::abs(deepest_unread_m_) > kDives_m && warnings != nullptr) {
+      warnings->push_back(
+          fmt::format("{}: {} goes to {:g} m, and does not count without underwater = true",
+                      source_.name, names_[*columns_.depth], deepest_unread_m_));
+    }
     return builder_.Finish({.depth = columns_.depth && source_.underwater,
                             .heading = columns_.heading.has_value(),
-                            .speed = columns_.speed.has_value()});
+                            .speed = columns_.speed.has_value()},
+                           warnings);
   }
 
  private:
@@ -92,6 +124,14 @@ class CsvTrackReader {
       if (!line_.empty() && line_.front() != '#') return true;
     }
     return false;
+  }
+
+  /// A text in UTF-16 has a mark in front, or zeros between its letters.
+  std::string WhyNotText() const {
+    const bool is_wide = rest_.starts_with("\xFF\xFE") || rest_.starts_with("\xFE\xFF") ||
+                         rest_.substr(0, 100).find('\0') != std::string_view::npos;
+    return is_wide ? "this is not a table in UTF-8, but UTF-16 or binary: save it as CSV in UTF-8"
+                   : "";
   }
 
   std::string ReadHeader() {
@@ -142,7 +182,53 @@ class CsvTrackReader {
     columns_.depth = Find(kDepths);
     columns_.heading = Find(kHeadings);
     columns_.speed = Find(kSpeeds);
+    for (const std::string_view name : kVessels) {
+      if (const auto column = Find({&name, 1})) columns_.vessels.push_back(*column);
+    }
+    if (source_.number != 0) {
+      return "number = chooses a track of GPX; of a table name = chooses the vessel";
+    }
+    if (!source_.vessel.empty() && columns_.vessels.empty()) {
+      std::string known;
+      for (const std::string_view name : kVessels)
+        known += (known.empty() ? "" : ", ") + std::string(name);
+      return "name = chooses a vessel, and no column has it: name one of " + known +
+             ColumnsThatAre();
+    }
     return "";
+  }
+
+  bool IsOfVessel() const {
+    return std::ranges::any_of(columns_.vessels, [&](size_t column) {
+      return cells_[column] == std::string_view(source_.vessel);
+    });
+  }
+
+  /// Counts the line's vessel, by the first column that has one.
+  void NoteVessel() {
+    if (columns_.vessels.empty()) return;
+    const std::string vessel(cells_[columns_.vessels.front()].substr(0, 64));
+    if (vessel.empty()) return;
+    const auto found = vessels_.find(vessel);
+    if (found != vessels_.end()) {
+      ++found->second;
+    } else if (vessels_.size() < kMaxVessels) {
+      vessels_.emplace(vessel, 1);
+    }
+  }
+
+  /// The vessels that there are, for messages.
+  std::string VesselsThatAre() const {
+    constexpr size_t kMaxShown = 8;
+    std::string text = fmt::format("by {} it has ", names_[columns_.vessels.front()]);
+    size_t num_shown = 0;
+    for (const auto& [vessel, num_lines] : vessels_) {
+      if (num_shown == kMaxShown)
+        return text + fmt::format(", {} more", vessels_.size() - kMaxShown);
+      text += fmt::format("{}{} ({} lines)", num_shown++ == 0 ? "" : ", ", QuotedWord(vessel),
+                          num_lines);
+    }
+    return text;
   }
 
   /// The header that there is, for messages.
@@ -180,7 +266,7 @@ class CsvTrackReader {
     }
   }
 
-  std::string ReadFix() {
+  std::string ReadLine() {
     if (std::string problem = SplitLine(); !problem.empty()) return problem;
     if (cells_.size() < names_.size()) {
       return fmt::format(
@@ -188,6 +274,21 @@ class CsvTrackReader {
           "complete?",
           cells_.size(), names_.size());
     }
+    if (std::any_of(cells_.begin() + static_cast<std::ptrdiff_t>(names_.size()), cells_.end(),
+                    [](std::string_view cell) { return !cell.empty(); })) {
+      return fmt::format(
+          "this line has {} cells, and the header names {} columns: decimals have a point, and a "
+          "cell that holds the separator stands in double quotes",
+          cells_.size(), names_.size());
+    }
+    const bool is_chosen = source_.vessel.empty() || IsOfVessel();
+    if (source_.vessel.empty() || !is_chosen) NoteVessel();
+    // Of several vessels the points are never one track: that is refused when all are counted.
+    if (!is_chosen || (source_.vessel.empty() && vessels_.size() > 1)) return "";
+    return ReadFix();
+  }
+
+  std::string ReadFix() {
     ReplayFix fix;
     GeoPoint place;
     if (std::string problem = ReadTime(&fix.time_us); !problem.empty()) return problem;
@@ -201,35 +302,54 @@ class CsvTrackReader {
     if (problem.empty() && columns_.heading) problem = ReadHeading(&fix.heading_rad);
     if (problem.empty() && columns_.speed) problem = ReadSpeed(&fix.speed_mps);
     if (!problem.empty()) return problem;
-    return columns_.is_geographic ? builder_.Add(fix, place) : builder_.Add(fix);
+    if (columns_.depth && !source_.underwater) NoteUnreadDepth();
+    const auto line = static_cast<uint64_t>(line_number_);
+    return columns_.is_geographic ? builder_.Add(fix, place, line) : builder_.Add(fix, line);
+  }
+
+  void NoteUnreadDepth() {
+    const std::optional<double> depth_m = NumberIn(cells_[*columns_.depth]);
+    if (depth_m && std::abs(*depth_m) > std::abs(deepest_unread_m_)) deepest_unread_m_ = *depth_m;
+  }
+
+  bool IsUnknown(size_t column) const {
+    const std::string_view cell = cells_[column];
+    return cell.size() <= 4 && std::ranges::find(kUnknowns, LowerCase(cell)) != kUnknowns.end();
   }
 
   std::string ReadNumber(size_t column, double* number) const {
     const std::optional<double> read = NumberIn(cells_[column]);
     if (!read) {
-      return fmt::format("{} is {}, and must be a finite number; leave out lines without one",
-                         names_[column], QuotedWord(cells_[column]));
+      const bool has_comma = cells_[column].find(',') != std::string_view::npos;
+      return fmt::format("{} is {}, and must be a finite number{}; leave out lines without one",
+                         names_[column], QuotedWord(cells_[column]),
+                         has_comma ? " with a decimal point" : "");
     }
     *number = *read;
     return "";
   }
 
   std::string ReadHeading(double* heading_rad) const {
+    *heading_rad = kUnknown;
+    if (IsUnknown(*columns_.heading)) return "";
     double heading_deg = 0;
     std::string problem = ReadNumber(*columns_.heading, &heading_deg);
-    if (problem.empty() && std::abs(heading_deg) > 360) {
-      problem = fmt::format("{} is {:g}, and must be from -360 to 360 degrees",
-                            names_[*columns_.heading], heading_deg);
+    if (!problem.empty() || heading_deg == kUnknownHeading_deg) return problem;
+    if (std::abs(heading_deg) > 360) {
+      return fmt::format("{} is {:g}, and must be from -360 to 360 degrees, or empty: unknown",
+                         names_[*columns_.heading], heading_deg);
     }
     *heading_rad = DegToRad(heading_deg);
-    return problem;
+    return "";
   }
 
   std::string ReadSpeed(double* speed_mps) const {
+    *speed_mps = kUnknown;
+    if (IsUnknown(*columns_.speed)) return "";
     std::string problem = ReadNumber(*columns_.speed, speed_mps);
     if (problem.empty() && (*speed_mps < 0 || *speed_mps > kFastestFix_mps)) {
-      problem = fmt::format("{} is {:g}, and must be from 0 to {:g} m/s", names_[*columns_.speed],
-                            *speed_mps, kFastestFix_mps);
+      problem = fmt::format("{} is {:g}, and must be from 0 to {:g} m/s, or empty: unknown",
+                            names_[*columns_.speed], *speed_mps, kFastestFix_mps);
     }
     return problem;
   }
@@ -263,12 +383,15 @@ class CsvTrackReader {
   std::vector<std::string> names_;       ///< Of the columns, in lower case.
   std::vector<std::string_view> cells_;  ///< Of the line.
   Columns columns_;
+  std::map<std::string, size_t> vessels_;  ///< Lines of each that is not chosen.
+  double deepest_unread_m_ = 0;
 };
 
 }  // namespace
 
-Result<ReplayTrack> ParseCsvTrack(std::string_view text, const TrackSource& source) {
-  return CsvTrackReader(text, source).Read();
+Result<ReplayTrack> ParseCsvTrack(std::string_view text, const TrackSource& source,
+                                  std::vector<std::string>* warnings) {
+  return CsvTrackReader(text, source).Read(warnings);
 }
 
 }  // namespace shoal

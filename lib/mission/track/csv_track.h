@@ -13,13 +13,19 @@
 //   depth     depth_m (depth), or z_m (z), positive below the surface
 //   heading   heading_deg (heading, hdg), true, clockwise from North
 //   speed     speed_over_ground_mps (sog_mps), or speed_mps
+//   vessel    mmsi, imo, callsign, vessel_name, vesselname, shipname, vessel_id, vessel, ship,
+//   boat,
+//             vehicle: a table of several vessels is read for the one that the source names
 //
-// So NAV_<V>.csv of `shoal log csv` is such a table. Columns are separated by commas, else by
-// semicolons, else by tabs; cells may stand in double quotes. Lines that are blank or begin with #
-// are passed over.
+// Of a heading or a speed that is unknown (empty, NaN, null, none, na, n/a, -; a heading of 511, as
+// in AIS) the points decide. NAV_<V>.csv of `shoal log csv` is such a table. Columns are separated
+// by commas, else by semicolons, else by tabs; cells may stand in double quotes. Lines that are
+// blank or begin with # are passed over.
 #pragma once
 
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "lib/base/check/result.h"
 #include "lib/mission/track/replay_track.h"
@@ -27,8 +33,10 @@
 
 namespace shoal {
 
-/// Returns the track, or why there is none: "ferry.csv:7: ...", with the remedy. Takes memory for
-/// the points that there are, whatever the text claims. @pre source.frame is not null
-[[nodiscard]] Result<ReplayTrack> ParseCsvTrack(std::string_view text, const TrackSource& source);
+/// Returns the track, or why there is none: "ferry.csv:7: ...", with the remedy. What is read, and
+/// probably meant otherwise, is added to `warnings`, if there are any. Takes memory for the points
+/// that there are, whatever the text claims. @pre source.frame is not null
+[[nodiscard]] Result<ReplayTrack> ParseCsvTrack(std::string_view text, const TrackSource& source,
+                                                std::vector<std::string>* warnings = nullptr);
 
 }  // namespace shoal

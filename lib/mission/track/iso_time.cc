@@ -1,5 +1,7 @@
 #include "lib/mission/track/iso_time.h"
 
+#include <chrono>
+
 #include "lib/base/time/time_units.h"
 #include "lib/base/time/utc_time.h"
 
@@ -45,7 +47,12 @@ class IsoReader {
     ok_ = ok_ && any;
     return fraction_us;
   }
+  /// What the text has is not a time.
+  void Refuse() { ok_ = false; }
   bool ok() const { return ok_; }
+  bool ends_or_has_offset() const {
+    return rest_.empty() || std::string_view("Zz+-").find(rest_.front()) != std::string_view::npos;
+  }
   bool at_end() const { return rest_.empty(); }
 
  private:
@@ -71,6 +78,7 @@ int64_t OffsetOf(IsoReader& reader) {
     reader.Took(':');
     minutes = reader.Digits(2);
   }
+  if (hours > 23 || minutes > 59) reader.Refuse();
   const int64_t offset_s = int64_t{3600} * hours + int64_t{60} * minutes;
   return is_west ? -offset_s : offset_s;
 }
@@ -80,23 +88,34 @@ int64_t OffsetOf(IsoReader& reader) {
 std::optional<int64_t> ParseLoggedTime(std::string_view text) {
   IsoReader reader(text);
   const int year = reader.Digits(4);
-  reader.Mark("-");
+  // The basic format has no marks within day and time of day, the extended one has all.
+  const bool is_extended = reader.Took('-');
   const int month = reader.Digits(2);
-  reader.Mark("-");
+  if (is_extended) reader.Mark("-");
   const int day = reader.Digits(2);
   reader.Mark("T t");
   const int hour = reader.Digits(2);
-  reader.Mark(":");
+  if (is_extended) reader.Mark(":");
   const int minute = reader.Digits(2);
-  reader.Mark(":");
-  const int second = reader.Digits(2);
-  const int64_t fraction_us = reader.Took('.') || reader.Took(',') ? reader.Fraction_us() : 0;
+  int second = 0;
+  int64_t fraction_us = 0;
+  if (!reader.ends_or_has_offset()) {
+    if (is_extended) reader.Mark(":");
+    second = reader.Digits(2);
+    if (reader.Took('.') || reader.Took(',')) fraction_us = reader.Fraction_us();
+  }
   const int64_t offset_s = OffsetOf(reader);
   if (!reader.ok() || !reader.at_end()) return std::nullopt;
-  const std::optional<int64_t> time_us = ToUtc(
-      {.year = year, .month = month, .day = day, .hour = hour, .minute = minute, .second = second});
-  if (!time_us) return std::nullopt;
-  return *time_us + fraction_us - offset_s * kSecond_us;
+  const std::chrono::year_month_day date(std::chrono::year(year),
+                                         std::chrono::month(static_cast<unsigned>(month)),
+                                         std::chrono::day(static_cast<unsigned>(day)));
+  if (year < kFirstLoggedYear || year > kLastClockYear || !date.ok()) return std::nullopt;
+  const bool is_midnight = hour == 24 && minute == 0 && second == 0 && fraction_us == 0;
+  if ((hour > 23 && !is_midnight) || minute > 59 || second > 60) return std::nullopt;
+  const std::chrono::seconds utc = std::chrono::sys_days(date).time_since_epoch() +
+                                   std::chrono::hours(hour) + std::chrono::minutes(minute) +
+                                   std::chrono::seconds(second - offset_s);
+  return utc.count() * kSecond_us + fraction_us;
 }
 
 }  // namespace shoal

@@ -29,7 +29,7 @@ ReplayTrack::ReplayTrack(std::vector<ReplayFix> fixes, const ReplayColumns& colu
       fixes_.begin(), fixes_.end(),
       [](const ReplayFix& a, const ReplayFix& b) { return a.time_us >= b.time_us; });
   SHOAL_CHECK(late == fixes_.end(), "the times of a track increase");
-  if (!columns_.heading) FillInHeadings();
+  FillInHeadings();
 }
 
 void ReplayTrack::FillInHeadings() {
@@ -44,6 +44,7 @@ void ReplayTrack::FillInHeadings() {
         i + 1 < fixes_.size() ? WayBetween(fixes_[i], fixes_[i + 1]) : still;
     const Eigen::Vector2d before = last.normalized();
     if (next != still) last = next;
+    if (columns_.heading && std::isfinite(fixes_[i].heading_rad)) continue;
     const Eigen::Vector2d mean = before + last.normalized();
     // Of a vessel that turns straight back the mean has no direction.
     fixes_[i].heading_rad = HeadingOf(mean.norm() > 1e-9 ? mean : last);
@@ -71,7 +72,9 @@ ReplayState ReplayTrack::At(int64_t time_us) const {
   state.turn_radps = turn_rad / length_s;
   state.descent_mps = way_m.z() / length_s;
   const double way_mps = way_m.head<2>().norm() / length_s;
-  state.speed_mps = columns_.speed ? std::lerp(from.speed_mps, to.speed_mps, share) : way_mps;
+  const bool has_speed =
+      columns_.speed && std::isfinite(from.speed_mps) && std::isfinite(to.speed_mps);
+  state.speed_mps = has_speed ? std::lerp(from.speed_mps, to.speed_mps, share) : way_mps;
   state.course_rad = way_mps > 0 ? HeadingOf(way_m.head<2>()) : state.heading_rad;
   return state;
 }

@@ -18,8 +18,9 @@ namespace shoal {
 struct ReplayFix {
   int64_t time_us = 0;  ///< Since 1970, or since any other moment: as the file has it.
   Eigen::Vector3d position_m = Eigen::Vector3d::Zero();  ///< x East, y North, z down.
-  double heading_rad = 0;  ///< Clockwise from North; of tracks with headings.
-  double speed_mps = 0;    ///< Over ground, >= 0; of tracks with speeds.
+  /// Clockwise from North; of tracks with headings. NaN: unknown, it follows from the points.
+  double heading_rad = 0;
+  double speed_mps = 0;  ///< Over ground, >= 0; of tracks with speeds. NaN: unknown, likewise.
 };
 
 /// What a track has beside times and positions. What it has not, follows from them.
@@ -44,13 +45,13 @@ inline constexpr size_t kMaxFixes = 10'000'000;
 
 class ReplayTrack {
  public:
-  /// @pre at least one fix, times increase strictly, all numbers are finite
+  /// @pre at least one fix, times increase strictly, all numbers that are not unknown are finite
   ReplayTrack(std::vector<ReplayFix> fixes, const ReplayColumns& columns);
 
-  /// Returns the state at a time: position linear between two fixes; speed as recorded, linear
-  /// between them too, else that of the way from one to the next; heading as recorded, by the
-  /// shorter way round, else turning steadily from the mean direction of the ways that meet in one
-  /// fix to that in the next. A vessel that has not moved yet heads where it will go first; one
+  /// Returns the state at a time: position linear between two fixes; speed as recorded in both,
+  /// linear between them too, else that of the way from one to the next; heading as recorded, by
+  /// the shorter way round, else turning steadily from the mean direction of the ways that meet in
+  /// one fix to that in the next. A vessel that has not moved yet heads where it will go first; one
   /// that never moves, North.
   [[nodiscard]] ReplayState At(int64_t time_us) const;
 

@@ -71,6 +71,27 @@ TEST(ReplayTrack, TakesSpeedsAsRecorded) {
   EXPECT_NEAR(ReplayTrack(fixes, {}).At(5 * kSecond_us).speed_mps, 1, 1e-12);
 }
 
+TEST(ReplayTrack, TakesHeadingsAndSpeedsThatAreUnknownFromItsPoints) {
+  std::vector<ReplayFix> fixes = {Fix(0, 0, 0), Fix(10, 10, 0), Fix(20, 10, 10), Fix(30, 10, 20)};
+  const double unknown = std::nan("");
+  fixes[0].heading_rad = unknown;
+  fixes[1].heading_rad = DegToRad(180);
+  fixes[2].heading_rad = unknown;
+  fixes[3].heading_rad = unknown;
+  fixes[0].speed_mps = 3;
+  fixes[1].speed_mps = 5;
+  fixes[2].speed_mps = unknown;
+  fixes[3].speed_mps = 7;
+  const ReplayTrack track(fixes, {.heading = true, .speed = true});
+  EXPECT_NEAR(HeadingDegAt(track, 0), 90, 1e-9);
+  EXPECT_NEAR(HeadingDegAt(track, 10), 180, 1e-9) << "as recorded";
+  EXPECT_NEAR(HeadingDegAt(track, 20), 0, 1e-9);
+  EXPECT_NEAR(HeadingDegAt(track, 30), 0, 1e-9);
+  EXPECT_NEAR(track.At(5 * kSecond_us).speed_mps, 4, 1e-12);
+  EXPECT_NEAR(track.At(15 * kSecond_us).speed_mps, 1, 1e-12);
+  EXPECT_NEAR(track.At(25 * kSecond_us).speed_mps, 1, 1e-12);
+}
+
 TEST(ReplayTrack, KeepsItsHeadingWhileItLiesStill) {
   const ReplayTrack track(
       {Fix(0, 0, 0), Fix(10, 0, 0), Fix(20, -10, 0), Fix(30, -10, 0), Fix(40, -10, 0)}, {});
