@@ -14,6 +14,8 @@
 #include <set>
 #include <utility>
 
+#include "lib/base/text/json_bounds.h"
+#include "lib/base/text/terminal_text.h"
 #include "lib/bus/os/file_descriptor.h"
 #include "lib/bus/os/plain_folder.h"
 #include "lib/bus/os/read_file.h"
@@ -29,6 +31,8 @@ using Json = nlohmann::ordered_json;
 
 constexpr char kFacts[] = "campaign.json";
 constexpr char kCampaign[] = "campaign.toml";
+/// Of kFacts: 100,000 cases of some 45 values each.
+constexpr JsonBounds kFactBounds = {.depth = 8, .num_values = 5'000'000};
 
 std::string JsonOf(const LoadedCampaign& loaded, const Plan& plan) {
   Json json;
@@ -177,11 +181,12 @@ Result<CampaignFolder> ReadCampaignFolder(const std::string& path) {
   folder.campaign = std::move(loaded.campaign);
   const FileText facts = ReadRegularFile((folder_path / kFacts).string());
   std::string problem = facts.problem;
+  if (problem.empty()) problem = WhyNotWithin(facts.text, kFactBounds);
   if (problem.empty()) {
     try {
       problem = ReadFacts(facts.text, &folder);
     } catch (const nlohmann::json::exception& error) {
-      problem = fmt::format("not what shoal writes ({})", error.what());
+      problem = fmt::format("not what shoal writes ({})", TerminalLine(error.what(), 200));
     }
   }
   if (!problem.empty()) {

@@ -186,6 +186,25 @@ TEST_F(CampaignFolderTest, NamesFactsThatAreDamaged) {
   }
 }
 
+TEST_F(CampaignFolderTest, RefusesFactsThatWouldTakeMemory) {
+  ASSERT_TRUE(Open(CampaignText(10)).ok());
+  const auto error_of = [&](const std::string& facts) {
+    std::ofstream(tmp_ / "out/campaign.json") << facts;
+    const auto read = ReadCampaignFolder(tmp_ / "out");
+    return read.ok() ? "no error" : read.error();
+  };
+  const std::string deep = error_of("{\n\"cases\": " + std::string(1'000'000, '['));
+  EXPECT_NE(deep.find("campaign.json: line 2: nested more than 8 deep"), std::string::npos) << deep;
+  const std::string wide = error_of("[\n" + std::string(5'000'000, ','));
+  EXPECT_NE(wide.find("campaign.json: line 2: more than 5000000 values"), std::string::npos)
+      << wide;
+  // The parser's message quotes what it read last.
+  const std::string quoted = error_of("[\"\x1b[2J" + std::string(100'000, 'x') + "\" x]");
+  EXPECT_NE(quoted.find("campaign.json: not what shoal writes"), std::string::npos) << quoted;
+  EXPECT_LT(quoted.size(), 500U);
+  EXPECT_EQ(quoted.find('\x1b'), std::string::npos);
+}
+
 TEST_F(CampaignFolderTest, ReadsShardsWithTornForeignAndRepeatedLines) {
   const auto folder = Open(CampaignText(10));
   ASSERT_TRUE(folder.ok());
