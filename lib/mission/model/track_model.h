@@ -5,7 +5,7 @@
 #include <string>
 
 #include "lib/mission/model/model_facts.h"
-#include "lib/mission/track/track_builder.h"
+#include "lib/mission/track/depth_positive.h"
 
 namespace shoal {
 

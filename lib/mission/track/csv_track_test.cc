@@ -210,6 +210,44 @@ TEST(CsvTrack, ThatNeverDivesOrMovesIsAWarning) {
       "without a fix\n");
 }
 
+/// A vessel that goes East at 5 m/s for 100 s, each line with `more` in the last column.
+std::string Eastward(const std::string& column, const std::string& more, double unit_s = 1) {
+  std::string text = "t_s,x_m,y_m," + column + "\n";
+  for (int i = 0; i <= 10; ++i) {
+    text += std::to_string(10 * i * unit_s) + "," + std::to_string(50 * i) + ",0," + more + "\n";
+  }
+  return text;
+}
+
+TEST(CsvTrack, WarnsOfSpeedsInAnotherUnit) {
+  EXPECT_EQ(Warnings(Eastward("sog_mps", "5")), "");
+  EXPECT_EQ(Warnings(Eastward("sog_mps", "7.9")), "") << "5 m/s in a current";
+  EXPECT_EQ(Warnings(Eastward("sog_mps", "")), "");
+  EXPECT_EQ(Warnings(Eastward("sog_mps", "9.72")),
+            "ferry.csv: its speeds are 9.72 m/s on average, and from point to point it goes at 5 "
+            "m/s: are speeds in m/s, and times in the unit of their column?\n");
+  EXPECT_NE(Warnings(Eastward("sog_mps", "3.1")), "");
+  EXPECT_NE(Warnings(Eastward("sog_mps", "0")), "") << "zeros in place of unknown speeds";
+  EXPECT_EQ(Warnings(Eastward("sog_mps", "9.72", 3.1)), "") << "points too rare to know";
+  EXPECT_EQ(Warnings("t_s,x_m,y_m,sog_mps\n0,0,0,0\n10,4,0,0\n20,0,0,0\n"), "") << "at anchor";
+  // Milliseconds in a column of seconds.
+  EXPECT_NE(Warnings("t_s,x_m,y_m,sog_mps\n0,0,0,5\n25,0.125,0,5\n"), "");
+}
+
+TEST(CsvTrack, WarnsOfHeadingsInAnotherUnitOrOfZeros) {
+  EXPECT_EQ(Warnings(Eastward("heading", "90")), "");
+  EXPECT_EQ(Warnings(Eastward("heading", "149")), "") << "in a strong current";
+  EXPECT_EQ(Warnings(Eastward("heading", "-270")), "");
+  EXPECT_EQ(Warnings(Eastward("heading", "511")), "");
+  EXPECT_EQ(Warnings(Eastward("heading", "0")),
+            "ferry.csv: its headings and its way from point to point are 90 degrees apart: are "
+            "headings in degrees, true, clockwise from North, and empty where unknown?\n");
+  EXPECT_NE(Warnings(Eastward("heading", "1.5708")), "") << "radians";
+  EXPECT_NE(Warnings(Eastward("heading", "-90")), "") << "counted the other way round";
+  EXPECT_NE(Warnings(Eastward("heading", "151")), "");
+  EXPECT_EQ(Warnings("t_s,x_m,y_m,heading\n0,0,0,0\n10,4,0,0\n20,0,0,0\n"), "") << "at anchor";
+}
+
 /// Two boats near each other, in turns.
 const std::string kTwoBoats =
     "mmsi,t_s,x_m,y_m,vessel_name\n211,0,0,0,Anna\n219,0,0,9,Berta\n211,10,20,0,Anna\n"

@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "lib/base/geometry/angles.h"
 #include "lib/base/time/seconds.h"
 #include "lib/base/time/time_units.h"
 
@@ -18,6 +19,13 @@ namespace {
 constexpr int64_t kLongestGap_us = 3600 * kSecond_us;
 /// A track that is no higher than this above the surface lies on it, whatever else it does.
 constexpr double kSurfaceNoise_m = 0.5;
+
+/// Slower than this over ground, a vessel's heading and speed are those of waves and receivers.
+constexpr double kUnderWay_mps = 0.5;
+/// Points farther apart in time may leave out a bend of the way.
+constexpr double kDense_s = 30;
+/// A knot is 0.51 m/s, and a current rarely makes as large a difference.
+constexpr double kOtherUnit = 1.6;
 
 std::string SpeedProblem(const ReplayFix& from, const ReplayFix& to) {
   const double speed_mps =
@@ -213,6 +221,52 @@ void TrackBuilder::WarnOfRest(std::vector<std::string>* warnings) const {
   }
 }
 
+/// Recorded speeds that are in another unit, or times that are.
+void TrackBuilder::WarnOfSpeeds(std::vector<std::string>* warnings) const {
+  double recorded_m = 0;
+  double way_m = 0;
+  double time_s = 0;
+  size_t count = 0;
+  for (size_t i = 1; i < fixes_.size(); ++i) {
+    const ReplayFix& from = fixes_[i - 1];
+    const ReplayFix& to = fixes_[i];
+    if (!std::isfinite(from.speed_mps) || !std::isfinite(to.speed_mps)) continue;
+    const double length_s = Seconds(to.time_us - from.time_us);
+    recorded_m += (from.speed_mps + to.speed_mps) / 2 * length_s;
+    way_m += (to.position_m - from.position_m).head<2>().norm();
+    time_s += length_s;
+    ++count;
+  }
+  if (count == 0 || time_s > kDense_s * static_cast<double>(count)) return;
+  if (std::max(recorded_m, way_m) < kUnderWay_mps * time_s) return;
+  if (recorded_m <= kOtherUnit * way_m && way_m <= kOtherUnit * recorded_m) return;
+  warnings->push_back(
+      fmt::format("{}: its speeds are {:.3g} m/s on average, and from point to point it goes at "
+                  "{:.3g} m/s: are speeds in m/s, and times in the unit of their column?",
+                  source_.name, recorded_m / time_s, way_m / time_s));
+}
+
+/// Recorded headings in another unit or from another direction, or zeros in place of unknown ones.
+void TrackBuilder::WarnOfHeadings(std::vector<std::string>* warnings) const {
+  double along_m = 0;
+  double way_m = 0;
+  for (size_t i = 1; i < fixes_.size(); ++i) {
+    const ReplayFix& from = fixes_[i - 1];
+    const Eigen::Vector2d way = (fixes_[i].position_m - from.position_m).head<2>();
+    const double length_m = way.norm();
+    const double speed_mps = length_m / Seconds(fixes_[i].time_us - from.time_us);
+    if (!std::isfinite(from.heading_rad) || speed_mps < kUnderWay_mps) continue;
+    along_m += length_m * std::cos(from.heading_rad - HeadingOf(way));
+    way_m += length_m;
+  }
+  // 60 degrees on average: no vessel crabs as far all the time.
+  if (way_m == 0 || along_m >= way_m / 2) return;
+  warnings->push_back(
+      fmt::format("{}: its headings and its way from point to point are {:.0f} degrees apart: are "
+                  "headings in degrees, true, clockwise from North, and empty where unknown?",
+                  source_.name, RadToDeg(std::acos(std::max(-1.0, along_m / way_m)))));
+}
+
 Result<ReplayTrack> TrackBuilder::Finish(const ReplayColumns& columns,
                                          std::vector<std::string>* warnings) {
   if (fixes_.empty()) {
@@ -230,6 +284,8 @@ Result<ReplayTrack> TrackBuilder::Finish(const ReplayColumns& columns,
   if (warnings == nullptr) warnings = &unread;
   if (source_.underwater) TakeSurface(warnings);
   WarnOfRest(warnings);
+  if (columns.speed) WarnOfSpeeds(warnings);
+  if (columns.heading) WarnOfHeadings(warnings);
   return ReplayTrack(std::move(fixes_), columns);
 }
 

@@ -10,16 +10,10 @@
 
 #include "lib/base/check/result.h"
 #include "lib/base/geodesy/local_frame.h"
+#include "lib/mission/track/depth_positive.h"
 #include "lib/mission/track/replay_track.h"
 
 namespace shoal {
-
-/// Which way a file counts what it has of the vertical.
-enum class DepthPositive {
-  kByForm,  ///< Columns of a table down, <ele> of GPX up.
-  kDown,
-  kUp,
-};
 
 /// Where a track comes from, and what it is read for.
 struct TrackSource {
@@ -79,6 +73,8 @@ class TrackBuilder {
   std::string WhyAboveSurface() const;
   void TakeSurface(std::vector<std::string>* warnings);
   void WarnOfRest(std::vector<std::string>* warnings) const;
+  void WarnOfSpeeds(std::vector<std::string>* warnings) const;
+  void WarnOfHeadings(std::vector<std::string>* warnings) const;
 
   const TrackSource& source_;
   const DepthPositive positive_;
