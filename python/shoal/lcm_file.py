@@ -29,7 +29,7 @@ _NAME = re.compile(r"[A-Za-z_]")
 class Dimension:
     """One `[...]` of a member."""
 
-    text: str  #: As written: a number, or the name of the length member.
+    text: str  #: As written: a number, a constant's value, or the name of the length member.
     size: int  #: 0: variable.
 
 
@@ -147,6 +147,7 @@ class _Parser:
     def _struct(self) -> StructType:
         package, dot, name = self._name("a struct", dots=True).rpartition(".")
         made = StructType(package if dot else self._package, name)
+        self._sizes: dict[str, tuple[str, int | None]] = {}  # Text and value of its constants.
         self._expect("{")
         while not self._take_if("}"):
             if self._take_if("const"):
@@ -182,6 +183,8 @@ class _Parser:
                 self._fail(f"expected a number of type {type_name}" + self._found())
             else:
                 made.constants[name] = value
+                is_size = type_name in _LENGTH_TYPES
+                self._sizes[name] = (text, parse_integer(text) if is_size else None)
             if not self._take_if(","):
                 break
         self._expect(";")
@@ -204,13 +207,24 @@ class _Parser:
     def _dimension(self, made: StructType) -> Dimension:
         text = self._peek()
         size = parse_integer(text)
-        if size is not None:
+        if text in self._sizes:  # Of this struct alone: lcm-gen knows no others.
+            name = text
+            text, size = self._sizes[name]  # lcm-gen from 1.4 on has the value in its hash.
+            if size is None or size <= 0:
+                self._fail(
+                    f"the constant '{name}' is an array's size: it must be a whole number "
+                    "greater than 0, of type int8_t to int64_t"
+                )
+        elif size is not None:
             if size <= 0:
                 self._fail("an array's size is a whole number greater than 0")
         else:
             length = next((each for each in made.members if each.name == text), None)
             if length is None:
-                self._fail("an array's length is a number or a member declared before it")
+                self._fail(
+                    "an array's length is a number, or a constant or a member that its struct "
+                    "declares before it" + self._found()
+                )
             elif length.type_name not in _LENGTH_TYPES or length.dimensions:
                 self._fail("an array's length must be a single integer")
         self._take()

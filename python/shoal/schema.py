@@ -52,23 +52,38 @@ class Schema:
     """Structs by name, with what follows from knowing them all."""
 
     def __init__(self, structs: Iterable[StructType]) -> None:
-        """Raises LcmFileError where two structs of one name differ, or a member's is not there."""
+        """Leaves out structs with a member of a struct that is not there, and those that hold them.
+
+        Raises LcmFileError where two structs of one name differ.
+        """
         self.structs: dict[str, StructType] = {}
         for struct in structs:
             known = self.structs.setdefault(struct.full_name, struct)
             if known is not struct and known.members != struct.members:
                 raise LcmFileError(f"struct {struct.full_name} is there twice, with other members")
-        for struct in self.structs.values():
-            for member in struct.members:
-                if not member.is_primitive and member.type_name not in self.structs:
-                    raise LcmFileError(
-                        f"struct {struct.full_name}: member '{member.name}' has the unknown type "
-                        f"{member.type_name}; give the .lcm file that declares it, too"
-                    )
+        #: Those left out, by full name, each with a sentence: the reason and the remedy.
+        self.left_out: dict[str, str] = {}
+        while self._leave_out_incomplete():
+            pass  # Each pass finds the structs that hold one of the pass before.
         self._own_hashes = {name: _own_hash(each) for name, each in self.structs.items()}
         self._min_sizes: dict[str, int] = {}
         for name in self.structs:
             self._measure(name, 0)
+
+    def _leave_out_incomplete(self) -> bool:
+        """Returns whether there was one."""
+        count = len(self.left_out)
+        for name, struct in list(self.structs.items()):
+            for member in struct.members:
+                if member.is_primitive or member.type_name in self.structs:
+                    continue
+                self.left_out[name] = (
+                    f"struct {name} is left out: its member '{member.name}' has the unknown type "
+                    f"{member.type_name}; give the .lcm file that declares it, too"
+                )
+                del self.structs[name]
+                break
+        return len(self.left_out) > count
 
     def fingerprint(self, name: str) -> int:
         """Returns the first eight bytes of each message of the struct, as an unsigned number."""

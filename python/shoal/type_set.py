@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import warnings
 from collections.abc import Iterable, Iterator
 from functools import cache
 from pathlib import Path
@@ -50,10 +51,17 @@ class Types:
     """
 
     def __init__(self, lcm_files: Iterable[str | os.PathLike[str]] = ()) -> None:
-        """Raises LcmFileError, with the file and the line where there is one."""
+        """Raises LcmFileError, with the file and the line where there is one.
+
+        A type with a member of a type that no file declares is left out, with a warning.
+        """
         structs = [each for path in sorted(lcm_folder().glob("*.lcm")) for each in _read_lcm(path)]
         structs += [each for path in lcm_files for each in _read_lcm(path)]
-        self._codecs = make_codecs(Schema(structs))
+        schema = Schema(structs)
+        self._left_out = schema.left_out
+        for note in self._left_out.values():
+            warnings.warn(note, stacklevel=2)
+        self._codecs = make_codecs(schema)
         self._classes: dict[str, type[Message]] = {}
         self._by_name: dict[str, type[Message]] = {}
         self._by_fingerprint: dict[bytes, type[Message]] = {}
@@ -67,6 +75,9 @@ class Types:
     def __getitem__(self, name: str) -> type[Message]:
         found = self._classes.get(name) or self._by_name.get(name)
         if found is None:
+            for full_name, note in self._left_out.items():
+                if name in (full_name, full_name.rpartition(".")[2]):
+                    raise KeyError(note)
             raise KeyError(f"no message type '{name}'; give its .lcm file to shoal.Types")
         return found
 

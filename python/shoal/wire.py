@@ -17,6 +17,7 @@ LONGEST_CHANNEL = 63  #: Bytes; LCM's own limit.
 #: Fragments that wait for others of their message take at most this; LCM's own limit.
 MOST_PENDING_BYTES = 16 << 20
 MOST_PENDING = 64  #: Messages that wait for fragments.
+MOST_OF_SENDER = 4  #: Of these, of one sender: threads that share a socket interleave theirs.
 
 _WHOLE_MAGIC = b"LC02"
 _FRAGMENT_MAGIC = b"LC03"
@@ -56,7 +57,6 @@ def _split_channel(data: bytes) -> tuple[bytes, bytes]:
 
 @dataclass
 class _Pending:
-    sequence: int
     size: int
     num_fragments: int
     channel: bytes = b""
@@ -76,7 +76,8 @@ class Assembler:
         self.num_malformed = 0
         self.num_abandoned = 0
         self.pending_bytes = 0
-        self._pending: dict[Hashable, _Pending] = {}  # By sender, the oldest first.
+        # By sender and sequence, the oldest first.
+        self._pending: dict[tuple[Hashable, int], _Pending] = {}
 
     @property
     def num_pending(self) -> int:
@@ -121,9 +122,9 @@ class Assembler:
         self._count(pending, len(part) + _PIECE_COST)
         pending.channel = name or pending.channel
         if len(pending.pieces) < count:
-            self._make_room(sender)
+            self._make_room((sender, sequence))
             return None
-        self._forget(sender)
+        self._forget((sender, sequence))
         end = 0
         for i in range(count):  # They must be the message, without gaps or overlaps.
             offset, part = pending.pieces[i]
@@ -136,25 +137,27 @@ class Assembler:
         return pending.channel.decode("utf-8", "backslashreplace"), data
 
     def _await(self, sender: Hashable, sequence: int, size: int, count: int) -> _Pending:
-        pending = self._pending.get(sender)
-        if pending is not None and pending.sequence == sequence:
-            return pending
+        key = (sender, sequence)
+        pending = self._pending.get(key)
         if pending is not None:
+            return pending
+        of_sender = [each for each in self._pending if each[0] == sender]
+        if len(of_sender) >= MOST_OF_SENDER:
             self.num_abandoned += 1
-            self._forget(sender)
-        pending = self._pending[sender] = _Pending(sequence, size, count)
+            self._forget(of_sender[0])
+        pending = self._pending[key] = _Pending(size, count)
         self._count(pending, _PIECE_COST)
-        self._make_room(sender)
+        self._make_room(key)
         return pending
 
     def _count(self, pending: _Pending, num_bytes: int) -> None:
         pending.num_bytes += num_bytes
         self.pending_bytes += num_bytes
 
-    def _forget(self, sender: Hashable) -> None:
-        self.pending_bytes -= self._pending.pop(sender).num_bytes
+    def _forget(self, key: tuple[Hashable, int]) -> None:
+        self.pending_bytes -= self._pending.pop(key).num_bytes
 
-    def _make_room(self, kept: Hashable) -> None:
+    def _make_room(self, kept: tuple[Hashable, int]) -> None:
         """Gives up the oldest messages until the rest is within the limits; `kept` stays."""
         while self.pending_bytes > MOST_PENDING_BYTES or len(self._pending) > MOST_PENDING:
             oldest = next((each for each in self._pending if each != kept), None)

@@ -228,6 +228,16 @@ class Parser {
       const auto size = ParseInteger(token.text);
       if (!size || *size <= 0) Fail(token, "an array's size is a whole number greater than 0");
       dimension.fixed_size = size.value_or(1);
+    } else if (const Constant* constant = FindConstant(*type, token.text)) {
+      const auto size = ParseInteger(constant->value);
+      if (!IsLengthType(PrimitiveNamed(constant->type_name)) || !size || *size <= 0) {
+        Fail(token, "the constant '" + constant->name +
+                        "' is an array's size: it must be a whole " +
+                        "number greater than 0, of type int8_t to int64_t");
+      }
+      // lcm-gen from 1.4 on has the constant's value in place of its name, in the fingerprint too.
+      dimension.text = constant->value;
+      dimension.fixed_size = std::max(size.value_or(1), int64_t{1});
     } else {
       dimension.length_slot = LengthSlot(type, token);
     }
@@ -235,12 +245,23 @@ class Parser {
     member->dimensions.push_back(std::move(dimension));
   }
 
+  /// Of the same struct and above the array: lcm-gen knows no others.
+  static const Constant* FindConstant(const StructType& type, std::string_view name) {
+    const auto found = std::find_if(type.constants.begin(), type.constants.end(),
+                                    [&](const Constant& each) { return each.name == name; });
+    return found == type.constants.end() ? nullptr : &*found;
+  }
+
   /// Marks the member that `token` names as a length.
   size_t LengthSlot(StructType* type, const Token& token) {
     const auto length = std::find_if(type->members.begin(), type->members.end(),
                                      [&](const Member& each) { return each.name == token.text; });
     if (length == type->members.end()) {
-      Fail(token, "an array's length is a number or a member declared before it" + Found(token));
+      Fail(token,
+           "an array's length is a number, or a constant or a member that its struct declares "
+           "before "
+           "it" +
+               Found(token));
       return 0;
     }
     if (!IsLengthType(length->primitive) || !length->dimensions.empty()) {

@@ -54,7 +54,8 @@ TEST(ParseLcm, ReportsWhereAndWhatIsWrong) {
   EXPECT_EQ(ErrorOf("struct t { int32_t a; const int8_t a = 1; }"),
             "a.lcm:1:36: 'a' is there twice");
   EXPECT_EQ(ErrorOf("struct t { double x[n]; }"),
-            "a.lcm:1:21: an array's length is a number or a member declared before it, found 'n'");
+            "a.lcm:1:21: an array's length is a number, or a constant or a member that its struct "
+            "declares before it, found 'n'");
   EXPECT_EQ(ErrorOf("struct t { double n; double x[n]; }"),
             "a.lcm:1:31: an array's length must be a single integer, found 'n'");
   EXPECT_EQ(ErrorOf("struct t { int8_t n[2]; double x[n]; }"),

@@ -203,16 +203,10 @@ Result<Schema> Schema::Build(const std::vector<LcmSource>& sources) {
       }
     }
   }
+  schema.LeaveOutIncomplete();
   for (StructType& type : schema.types_) {
     for (Member& member : type.members) {
-      if (member.primitive) continue;
-      const auto found = schema.by_name_.find(member.type_name);
-      if (found == schema.by_name_.end()) {
-        return Error{"struct " + type.FullName() + ": member '" + member.name +
-                     "' has the unknown type " + member.type_name +
-                     "; give the .lcm file that declares it, too"};
-      }
-      member.struct_index = found->second;
+      if (!member.primitive) member.struct_index = schema.by_name_.at(member.type_name);
     }
   }
   if (const std::string wrong = Resolver(&schema.types_).Resolve(); !wrong.empty()) {
@@ -222,6 +216,29 @@ Result<Schema> Schema::Build(const std::vector<LcmSource>& sources) {
     schema.by_fingerprint_.emplace(schema.types_[i].fingerprint, i);
   }
   return schema;
+}
+
+void Schema::LeaveOutIncomplete() {
+  const auto is_unknown = [&](const Member& member) {
+    return !member.primitive && !by_name_.contains(member.type_name);
+  };
+  // Each pass finds the types that hold one of the pass before.
+  for (bool has_changed = true; has_changed;) {
+    has_changed = false;
+    for (const StructType& type : types_) {
+      const std::string name = type.FullName();
+      const auto member = std::find_if(type.members.begin(), type.members.end(), is_unknown);
+      if (member == type.members.end() || by_name_.erase(name) == 0) continue;
+      has_changed = true;
+      left_out_.push_back("struct " + name + " is left out: its member '" + member->name +
+                          "' has the unknown type " + member->type_name +
+                          "; give the .lcm file that declares it, too");
+    }
+  }
+  if (left_out_.empty()) return;
+  std::erase_if(types_,
+                [&](const StructType& type) { return !by_name_.contains(type.FullName()); });
+  for (size_t i = 0; i < types_.size(); ++i) by_name_[types_[i].FullName()] = i;
 }
 
 const StructType* Schema::FindByName(std::string_view full_name) const {

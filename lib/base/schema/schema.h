@@ -39,7 +39,7 @@ int64_t MinWireSize(Primitive primitive);
 
 /// One `[...]` of a member.
 struct Dimension {
-  std::string text;        ///< As written: a number, or the name of the length member.
+  std::string text;        ///< As written: a number, a constant's value, a length member's name.
   int64_t fixed_size = 0;  ///< 0: variable.
   size_t length_slot = 0;  ///< Variable: which of the struct's lengths; Member::length_slot.
   bool is_variable() const { return fixed_size == 0; }
@@ -96,10 +96,14 @@ inline constexpr int kMaxStructDepth = 64;
 
 class Schema {
  public:
-  /// Parses all sources and joins them. A type may be given twice if both are the same.
-  static Result<Schema> Build(const std::vector<LcmSource>& sources);
+  /// Parses all sources and joins them. A type may be given twice if both are the same. A type with
+  /// a member of a type that is not given is left out, and so are those that hold it.
+  [[nodiscard]] static Result<Schema> Build(const std::vector<LcmSource>& sources);
 
   const std::vector<StructType>& types() const { return types_; }
+
+  /// Returns, for each type left out, a sentence with the reason and the remedy.
+  const std::vector<std::string>& left_out() const { return left_out_; }
 
   /// Finds "shoal.nav_t"; nullptr: no such type.
   const StructType* FindByName(std::string_view full_name) const;
@@ -108,7 +112,10 @@ class Schema {
   const StructType* FindByFingerprint(int64_t fingerprint) const;
 
  private:
+  void LeaveOutIncomplete();
+
   std::vector<StructType> types_;
+  std::vector<std::string> left_out_;
   std::unordered_map<std::string, size_t> by_name_;
   std::unordered_map<int64_t, size_t> by_fingerprint_;
 };

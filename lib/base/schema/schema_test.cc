@@ -191,8 +191,51 @@ TEST(Schema, TakesATypeTwiceOnlyIfBothAreTheSame) {
             "a.lcm: struct t is there already, with other members");
 }
 
-TEST(Schema, RefusesWhatHasNoTypeOrNoEnd) {
-  EXPECT_NE(BuildError("struct t { u x; }").find("unknown type u"), std::string::npos);
+TEST(Schema, LeavesOutATypeWithAnUnknownMemberAndThoseThatHoldIt) {
+  const auto schema = Schema::Build(
+      {{"a.lcm",
+        "struct outer_t { inner_t i; } struct inner_t { u x; } struct good_t { int8_t a; }"},
+       {"b.lcm",
+        "package b; struct user_t { int8_t n; good_t g[n]; } struct good_t { int8_t a; }"}});
+  ASSERT_TRUE(schema.ok()) << schema.error();
+  EXPECT_EQ(schema->left_out(),
+            (std::vector<std::string>{
+                "struct inner_t is left out: its member 'x' has the unknown type u; give the .lcm "
+                "file that declares it, too",
+                "struct outer_t is left out: its member 'i' has the unknown type inner_t; give the "
+                ".lcm file that declares it, too"}));
+  EXPECT_EQ(schema->types().size(), 3U);
+  EXPECT_EQ(schema->FindByName("inner_t"), nullptr);
+  EXPECT_EQ(schema->FindByName("good_t")->name, "good_t");
+  const StructType* user = schema->FindByName("b.user_t");
+  ASSERT_NE(user, nullptr);
+  EXPECT_EQ(schema->types()[user->members[1].struct_index].FullName(), "b.good_t");
+}
+
+// lcm-gen from 1.4 on replaces the constant by its value, as written, before it makes the hash: a
+// type with the number itself has the same fingerprint, and lcm-gen 1.3.1 takes that one.
+TEST(Schema, TakesAConstantOfTheStructAsTheSizeOfAnArray) {
+  const auto schema = Schema::Build({{"c.lcm", R"(
+      struct named_t { const int32_t DIM = 3, HEX = 0x10; int64_t utime; double p[DIM][HEX]; }
+      struct number_t { int64_t utime; double p[3][0x10]; }
+      struct other_t { int64_t utime; double p[3][16]; })"}});
+  ASSERT_TRUE(schema.ok()) << schema.error();
+  const auto fingerprint = [&](const char* name) { return schema->FindByName(name)->fingerprint; };
+  EXPECT_EQ(fingerprint("named_t"), fingerprint("number_t"));
+  EXPECT_NE(fingerprint("named_t"), fingerprint("other_t")) << "the text counts, not the number";
+  EXPECT_EQ(schema->FindByName("named_t")->min_wire_size, 8 + 3 * 16 * 8);
+  EXPECT_NE(BuildError("struct t { const double D = 3; int8_t a[D]; }").find("whole number"),
+            std::string::npos);
+  EXPECT_NE(BuildError("struct t { const int8_t D = 0; int8_t a[D]; }").find("greater than 0"),
+            std::string::npos);
+  EXPECT_NE(BuildError("struct t { int8_t a[D]; const int8_t D = 1; }").find("before it"),
+            std::string::npos);
+  EXPECT_NE(
+      BuildError("struct a { const int8_t D = 1; } struct t { int8_t a[D]; }").find("its struct"),
+      std::string::npos);
+}
+
+TEST(Schema, RefusesWhatHasNoEnd) {
   EXPECT_NE(BuildError("struct t { t x; }").find("contains itself"), std::string::npos);
   EXPECT_NE(BuildError("struct t { u x; } struct u { t x[3]; }").find("contains itself"),
             std::string::npos);

@@ -87,7 +87,7 @@ std::optional<LcmMessage> LcmAssembler::AddFragment(uint64_t sender,
   if (header.fragment == 0) pending.channel = channel;
   std::memcpy(pending.data.get() + header.offset, part.data(), part.size());
   if (pending.pieces.size() < pending.num_fragments) {
-    MakeRoom(0, sender);
+    MakeRoom(0, found->first);
     return std::nullopt;
   }
   // All are there: they must be the message, without gaps or overlaps.
@@ -106,23 +106,20 @@ std::optional<LcmMessage> LcmAssembler::AddFragment(uint64_t sender,
 
 /// Returns the message of which `header` is a fragment; begins one where it is the first to come.
 LcmAssembler::PendingMap::iterator LcmAssembler::Await(uint64_t sender, const Header& header) {
-  const auto found = pending_.find(sender);
-  if (found != pending_.end()) {
-    if (found->second.sequence == header.sequence) return found;
-    ++num_abandoned_;
-    Forget(found);
-  }
-  MakeRoom(header.size, sender);
+  const Key key(sender, header.sequence);
+  const auto found = pending_.find(key);
+  if (found != pending_.end()) return found;
+  GiveUpOldestOf(sender);
+  MakeRoom(header.size, key);
   pending_bytes_ += header.size;
   return pending_
-      .emplace(sender, Pending{.sequence = header.sequence,
-                               .size = header.size,
-                               .num_fragments = header.num_fragments,
-                               .order = order_++,
-                               .channel = {},
-                               .pieces = {},
-                               .num_bytes = header.size,
-                               .data = std::make_unique_for_overwrite<uint8_t[]>(header.size)})
+      .emplace(key, Pending{.size = header.size,
+                            .num_fragments = header.num_fragments,
+                            .order = order_++,
+                            .channel = {},
+                            .pieces = {},
+                            .num_bytes = header.size,
+                            .data = std::make_unique_for_overwrite<uint8_t[]>(header.size)})
       .first;
 }
 
@@ -131,15 +128,28 @@ void LcmAssembler::Forget(PendingMap::iterator pending) {
   pending_.erase(pending);
 }
 
-/// Gives up the oldest messages, until there is room for one more of `num_bytes`. That of
-/// `kept_sender` stays.
-void LcmAssembler::MakeRoom(size_t num_bytes, uint64_t kept_sender) {
+/// Gives up the oldest message of a sender that has as many as it may.
+void LcmAssembler::GiveUpOldestOf(uint64_t sender) {
+  const auto begin = pending_.lower_bound({sender, 0});
+  size_t num_pending = 0;
+  auto oldest = begin;
+  for (auto each = begin; each != pending_.end() && each->first.first == sender; ++each) {
+    ++num_pending;
+    if (each->second.order < oldest->second.order) oldest = each;
+  }
+  if (num_pending < kMaxPendingOfSender) return;
+  ++num_abandoned_;
+  Forget(oldest);
+}
+
+/// Gives up the oldest messages, until there is room for one more of `num_bytes`. `kept` stays.
+void LcmAssembler::MakeRoom(size_t num_bytes, const Key& kept) {
   const size_t num_more = num_bytes == 0 ? 0 : 1;
   while (pending_bytes_ + num_bytes > kMaxPendingBytes ||
          pending_.size() + num_more > kMaxPending) {
     auto oldest = pending_.end();
     for (auto each = pending_.begin(); each != pending_.end(); ++each) {
-      if (each->first == kept_sender) continue;
+      if (each->first == kept) continue;
       if (oldest == pending_.end() || each->second.order < oldest->second.order) oldest = each;
     }
     if (oldest == pending_.end()) return;

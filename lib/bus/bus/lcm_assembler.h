@@ -19,6 +19,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace shoal {
 
@@ -37,6 +38,8 @@ class LcmAssembler {
   /// Fragments that wait for others of their message take at most this many bytes; LCM's own limit.
   static constexpr size_t kMaxPendingBytes = size_t{16} * 1024 * 1024;
   static constexpr size_t kMaxPending = 64;  ///< Messages that wait for fragments.
+  /// Of these, of one sender: threads that share a socket interleave theirs.
+  static constexpr size_t kMaxPendingOfSender = 4;
 
   /// Takes a datagram as it came. `sender` distinguishes the senders of fragments: any number.
   /// Returns the message that it completes, if it completes one.
@@ -56,7 +59,6 @@ class LcmAssembler {
     uint32_t size = 0;
   };
   struct Pending {
-    uint32_t sequence = 0;
     uint32_t size = 0;
     uint16_t num_fragments = 0;
     int64_t order = 0;                 ///< In which it began: the oldest goes first.
@@ -66,15 +68,17 @@ class LcmAssembler {
     /// Not initialised: it is read only when the pieces fill it.
     std::unique_ptr<uint8_t[]> data;
   };
-  using PendingMap = std::map<uint64_t, Pending>;
+  using Key = std::pair<uint64_t, uint32_t>;  ///< Sender and sequence.
+  using PendingMap = std::map<Key, Pending>;
 
   std::optional<LcmMessage> AddFragment(uint64_t sender, std::span<const uint8_t> datagram);
   PendingMap::iterator Await(uint64_t sender, const Header& header);
   void Forget(PendingMap::iterator pending);
-  void MakeRoom(size_t num_bytes, uint64_t kept_sender);
+  void GiveUpOldestOf(uint64_t sender);
+  void MakeRoom(size_t num_bytes, const Key& kept);
 
-  PendingMap pending_;  ///< By sender: LCM sends one message after the other.
-  Pending done_;        ///< The last one completed, whose views are in use.
+  PendingMap pending_;
+  Pending done_;  ///< The last one completed, whose views are in use.
   size_t pending_bytes_ = 0;
   int64_t order_ = 0;
   int64_t num_malformed_ = 0;

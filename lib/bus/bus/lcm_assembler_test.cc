@@ -166,7 +166,7 @@ TEST(LcmAssembler, RefusesFragmentsThatOverlapOrLeaveGaps) {
   EXPECT_EQ(assembler.num_pending(), 0U) << "none of it is kept";
 }
 
-TEST(LcmAssembler, KeepsTheSendersApartAndOneMessageOfEach) {
+TEST(LcmAssembler, KeepsTheSendersApart) {
   LcmAssembler assembler;
   const auto first = Fragments(Counted(100), 60, 1);
   const auto second = Fragments(Counted(90), 60, 2);
@@ -174,12 +174,33 @@ TEST(LcmAssembler, KeepsTheSendersApartAndOneMessageOfEach) {
   EXPECT_FALSE(assembler.Add(2, second[0]));
   EXPECT_EQ(Bytes(*assembler.Add(1, first[1])), Counted(100));
   EXPECT_EQ(Bytes(*assembler.Add(2, second[1])), Counted(90));
-  // A sender's next message ends the one that has not come as a whole.
+}
+
+TEST(LcmAssembler, PutsInterleavedMessagesOfOneSenderTogether) {
+  LcmAssembler assembler;
+  const auto first = Fragments(Counted(100), 60, 1);
+  const auto second = Fragments(Counted(90), 60, 2);
   EXPECT_FALSE(assembler.Add(1, first[0]));
   EXPECT_FALSE(assembler.Add(1, second[0]));
-  EXPECT_FALSE(assembler.Add(1, first[1]));
-  EXPECT_EQ(assembler.num_abandoned(), 2);
-  EXPECT_EQ(assembler.num_pending(), 1U);
+  const auto one = assembler.Add(1, first[1]);
+  ASSERT_TRUE(one.has_value());
+  EXPECT_EQ(Bytes(*one), Counted(100));
+  const auto two = assembler.Add(1, second[1]);
+  ASSERT_TRUE(two.has_value());
+  EXPECT_EQ(Bytes(*two), Counted(90));
+  EXPECT_EQ(assembler.num_abandoned(), 0);
+}
+
+TEST(LcmAssembler, GivesUpASendersOldestMessageWhereTooManyWait) {
+  LcmAssembler assembler;
+  constexpr uint32_t kMore = 3;
+  // The sequence wraps: the oldest is the first that came, not the least number.
+  for (uint32_t i = 0; i < LcmAssembler::kMaxPendingOfSender + kMore; ++i) {
+    EXPECT_FALSE(assembler.Add(1, Fragments(Counted(100), 60, i - 2)[0]));
+    EXPECT_LE(assembler.num_pending(), LcmAssembler::kMaxPendingOfSender);
+  }
+  EXPECT_EQ(assembler.num_abandoned(), kMore);
+  EXPECT_TRUE(assembler.Add(1, Fragments(Counted(100), 60, kMore - 2)[1])) << "the oldest kept";
 }
 
 TEST(LcmAssembler, HoldsNoMoreThanItsLimitsWhateverComes) {

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cstdio>
+
 #include "lcmtypes/lcm_sources.h"
 #include "lib/bus/bus/seal.h"
 #include "lib/bus/record/file_window.h"
@@ -33,7 +35,11 @@ Result<Schema> LoadMessageTypes(const std::vector<std::string>& lcm_files) {
     if (!text.ok()) return Error{text.error()};
     sources.push_back({.file = path, .text = std::move(*text)});
   }
-  return Schema::Build(sources);
+  Result<Schema> schema = Schema::Build(sources);
+  if (schema.ok()) {
+    for (const std::string& note : schema->left_out()) fmt::print(stderr, "warning: {}\n", note);
+  }
+  return schema;
 }
 
 RecognisedMessage Recognise(const Schema& schema, std::span<const uint8_t> logged) {

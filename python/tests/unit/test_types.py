@@ -109,7 +109,10 @@ def test_what_a_member_cannot_hold_is_refused_with_the_type() -> None:
         ("struct a_t {\n  int32_t n;\n  double x[m];\n}", r"mine\.lcm:3:12: an array's length"),
         ("struct a_t { string n; double x[n]; }", "must be a single integer"),
         ("struct a_t { int8_t a, a; }", "'a' is there twice"),
-        ("struct a_t { b_t b; }", "unknown type b_t; give the .lcm file"),
+        ("struct a_t { const double N = 3; int8_t b[N]; }", "1:43: the constant 'N' is an array's"),
+        ("struct a_t { const int8_t N = 0; int8_t b[N]; }", "must be a whole number greater than 0"),
+        ("struct a_t { int8_t b[N]; const int8_t N = 1; }", "declares before it, found 'N'"),
+        ("struct b_t { const int8_t N = 1; } struct a_t { int8_t b[N]; }", "that its struct"),
         ("struct a_t { a_t inner; }", "contains itself"),
         ("enum a_t { A }", "enums have no place"),
         ("struct a_t { const string X = 1; }", "a constant is an integer"),
@@ -123,6 +126,46 @@ def test_an_error_of_an_lcm_file_states_where_it_is(
     (tmp_path / "mine.lcm").write_text(text)
     with pytest.raises(shoal.LcmFileError, match=error):
         shoal.Types([tmp_path / "mine.lcm"])
+
+
+def test_a_constant_of_the_struct_is_the_size_of_an_array(tmp_path: Path) -> None:
+    # lcm-gen from 1.4 on makes the hash of the constant's value as written, so a type with the
+    # number itself has the same fingerprint.
+    (tmp_path / "mine.lcm").write_text(
+        "struct named_t { const int32_t DIM = 3, HEX = 0x2; double p[DIM][HEX]; }\n"
+        "struct number_t { double p[3][0x2]; }\n"
+        "struct other_t { double p[3][2]; }\n"
+    )
+    types = shoal.Types([tmp_path / "mine.lcm"])
+    assert types.named_t.FINGERPRINT == types.number_t.FINGERPRINT != types.other_t.FINGERPRINT
+    message = types.named_t(p=[[1.0, 2.0], [3.0, 4.0], [5.0, 6.0]])
+    assert len(message.encode()) == 8 + 6 * 8
+    assert types.named_t.decode(message.encode()).p == message.p
+
+
+def test_a_type_with_an_unknown_member_is_left_out_and_the_others_stay(tmp_path: Path) -> None:
+    (tmp_path / "mine.lcm").write_text(
+        "struct outer_t { inner_t i; } struct inner_t { u_t x; } struct good_t { int8_t a; }"
+    )
+    with pytest.warns(UserWarning, match="'x' has the unknown type u_t; give the .lcm file"):
+        types = shoal.Types([tmp_path / "mine.lcm"])
+    assert types.good_t(a=3).a == 3 and "inner_t" not in types
+    with pytest.raises(KeyError, match="outer_t is left out: its member 'i' has the unknown type"):
+        types["outer_t"]
+
+
+@pytest.mark.parametrize(
+    ("message", "error"),
+    [
+        (shoal.types.nav_t(x_m="a"), "shoal.nav_t: 'x_m' is 'a' where double belongs"),
+        (shoal.types.nav_t(utime=1.5), "'utime' is 1.5 where int64_t belongs"),
+        (shoal.types.key_value_t(key=3), "'key' is 3 where string belongs"),
+        (shoal.types.helm_command_t(values=3), "'values' is 3 where an array belongs"),
+    ],
+)
+def test_a_member_of_the_wrong_type_names_itself(message: Message, error: str) -> None:
+    with pytest.raises(ValueError, match=error):
+        message.encode()
 
 
 def test_a_missing_lcm_file_is_named(tmp_path: Path) -> None:

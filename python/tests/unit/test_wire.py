@@ -10,7 +10,7 @@ from conftest import ROOT
 from shoal.ports import DONE_PORT_CHANNELS, TICK_PORT_CHANNELS, PortPlan
 from shoal.seal import Seal, append_seal, is_genuine, split_seal
 from shoal.step_inbox import MOST_OUTSIDE, StepInbox
-from shoal.wire import MOST_PENDING_BYTES, Assembler, split_message
+from shoal.wire import MOST_OF_SENDER, MOST_PENDING_BYTES, Assembler, split_message
 
 SECRET = bytes(range(32))
 
@@ -44,12 +44,22 @@ def test_fragments_of_different_senders_are_kept_apart() -> None:
     assert assembler.add(2, second[1]) == ("B", bytes(70_001))
 
 
+def test_interleaved_messages_of_one_sender_are_put_together() -> None:
+    assembler = Assembler()
+    first = list(split_message("A", bytes(70_000), 1))
+    second = list(split_message("B", bytes(70_001), 2))
+    assert assembler.add(1, first[0]) is None and assembler.add(1, second[0]) is None
+    assert assembler.add(1, first[1]) == ("A", bytes(70_000))
+    assert assembler.add(1, second[1]) == ("B", bytes(70_001))
+    assert (assembler.num_abandoned, assembler.pending_bytes) == (0, 0)
+
+
 def test_a_message_whose_rest_never_comes_is_given_up() -> None:
     assembler = Assembler()
-    for sequence in range(3):
+    for sequence in range(MOST_OF_SENDER + 2):
         first, *_ = split_message("A", bytes(70_000), sequence)
         assembler.add(1, first)
-    assert (assembler.num_pending, assembler.num_abandoned) == (1, 2)
+    assert (assembler.num_pending, assembler.num_abandoned) == (MOST_OF_SENDER, 2)
 
 
 def test_memory_of_fragments_is_bounded() -> None:
