@@ -168,14 +168,42 @@ class Codec:
         try:
             self._write(message, pieces.append)
         except (struct.error, TypeError, AttributeError, IndexError) as error:
-            raise ValueError(f"{self.struct.full_name}: {error}") from error
+            raise ValueError(f"{self._place_of_fault(message)}: {error}") from error
         return b"".join(pieces)
+
+    def _place_of_fault(self, message: Any) -> str:
+        """Returns the struct's name, with the member that cannot be written where one is found."""
+        for member, name in zip(self.struct.members, self.attributes, strict=True):
+            value = getattr(message, name, None)
+            if member.dimensions and not hasattr(value, "__len__"):
+                return f"{self.struct.full_name}: '{name}' is {value!r} where an array belongs"
+            alone = _SINGLE.get(member.type_name) if not member.dimensions else None
+            if alone is not None and not _fits(alone, value):
+                return (
+                    f"{self.struct.full_name}: '{name}' is {value!r} where {member.type_name} "
+                    "belongs"
+                )
+        return self.struct.full_name
 
     def write_members(self, message: Any, take: Callable[[bytes], None]) -> None:
         """Hands the members' bytes, without fingerprint, to `take`."""
         if self._write is None:
             self._write = _Writer(self.struct, self._codecs).compile()
         self._write(message, take)
+
+
+_SINGLE = {**{name: struct.Struct(f">{letter}") for name, letter in _FORMATS.items()}, "string": str}
+
+
+def _fits(kind: Any, value: object) -> bool:
+    """Returns whether one member of this kind, str or a struct.Struct, can have the value."""
+    if kind is str:
+        return isinstance(value, str)
+    try:
+        kind.pack(value)
+    except (struct.error, TypeError, AttributeError, OverflowError):
+        return False
+    return True
 
 
 def _check_count(count: int, element_size: int, bytes_left: int) -> None:

@@ -90,7 +90,8 @@ class ShoalEnv(_Base):  # type: ignore[misc]
     """A mission whose vehicles are steered by actions.
 
     An observation is a vector: for each vehicle, in order, its observations; an action the same
-    with its actuators. A vehicle that is steered needs helm = "none" in the mission file.
+    with its actuators. A vehicle that is steered has no helm: helm = "none" in the mission file, or
+    overrides={"vehicle.alpha.helm": "none"}.
 
     Attributes:
         sim: The shoal.Simulation of this episode; None before the first reset.
@@ -125,7 +126,16 @@ class ShoalEnv(_Base):  # type: ignore[misc]
             terminated: Whether the episode has reached its end; never by default.
             overrides: As shoal.Simulation takes them.
             watch: Further channels, for `reward` and `terminated`: env.sim.message(channel).
+
+        Raises:
+            KeyError: a vehicle, an actuator or a member of NAV that is not there.
+            ValueError: `steps` below 1, or a vehicle to be steered that has a helm.
+            SimulationError: what is wrong with the mission file.
         """
+        if isinstance(vehicles, str):
+            vehicles = (vehicles,)
+        if steps < 1:
+            raise ValueError(f"steps is {steps}; it must be 1 or more")
         self._mission = mission
         self._overrides = overrides if isinstance(overrides, Mapping) else tuple(overrides)
         self._watch = tuple(watch)
@@ -139,6 +149,10 @@ class ShoalEnv(_Base):  # type: ignore[misc]
             raise KeyError(f"'{unknown[0]}' is no actuator; there are {', '.join(ACTUATOR_LIMITS)}")
         with self._open(None) as sim:
             self.vehicles = list(sim.vehicles if vehicles is None else vehicles)
+            for name in self.vehicles:
+                sim[name]  # Raises KeyError where there is no such vehicle.
+            if actions:
+                self._refuse_helms(sim)
             self.names = [f"{name}.{each}" for name in self.vehicles for each in observations]
             sim.observer(self.names)  # Raises KeyError for a name that is not there.
         self._actuators = [f"{name}.{each}" for name in self.vehicles for each in actions]
@@ -146,6 +160,20 @@ class ShoalEnv(_Base):  # type: ignore[misc]
         self.action_space = _box([-each for each in high], high)
         many = [math.inf] * len(self.names)
         self.observation_space = _box([-math.inf] * len(many), many)
+
+    def _refuse_helms(self, sim: Simulation) -> None:
+        """A helm sets its vehicle's actuators in each step, and would undo every action."""
+        states = {name: f"HELM_STATE_{name.upper()}" for name in self.vehicles}
+        for channel in states.values():
+            sim.watch(channel)
+        sim.step(2)  # What a helm publishes in the first step is read in the second.
+        steered = [name for name, channel in states.items() if sim.data(channel) is not None]
+        if steered:
+            remedy = ", ".join(f'"vehicle.{name}.helm": "none"' for name in steered)
+            raise ValueError(
+                f"actions would be without effect on {', '.join(steered)}, steered by a helm; take "
+                f'the helm out with overrides={{{remedy}}}, or helm = "none" in the mission file'
+            )
 
     def _open(self, seed: int | None) -> Simulation:
         return Simulation(self._mission, overrides=self._overrides, seed=seed, watch=self._watch)
@@ -179,13 +207,23 @@ class ShoalEnv(_Base):  # type: ignore[misc]
         """
         if self.sim is None:
             raise RuntimeError("call reset() before step()")
-        self.sim.act(
-            {name: float(each) for name, each in zip(self._actuators, action, strict=True)}
-        )
+        self.sim.act(dict(zip(self._actuators, self._checked(action), strict=True)))
         truncated = self.sim.step(self._steps) < self._steps
         reward = 0.0 if self._reward is None else float(self._reward(self))
         terminated = self._terminated is not None and bool(self._terminated(self))
         return self._observation(), reward, terminated, truncated, self._info()
+
+    def _checked(self, action: Any) -> list[float]:
+        try:
+            values = list(action)
+        except TypeError:
+            values = [action]
+        if len(values) != len(self._actuators):
+            raise ValueError(
+                f"the action has {len(values)} numbers; it needs {len(self._actuators)}: "
+                f"{', '.join(self._actuators)}"
+            )
+        return values
 
     def _observation(self) -> Any:
         return _numbers(self._observe())

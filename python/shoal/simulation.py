@@ -31,6 +31,16 @@ def _override_text(key: str, value: object) -> str:
     raise TypeError(f"{key}: a {type(value).__name__} is no value of a mission file")
 
 
+def _finite(name: str, value: object) -> float:
+    try:
+        number = float(value)  # type: ignore[arg-type]
+    except (TypeError, ValueError):
+        number = math.nan
+    if not math.isfinite(number):
+        raise ValueError(f"'{name}' is set to {value!r}; it takes a finite number")
+    return number
+
+
 class Simulation:
     """One mission, stepped by this program, which takes part as "embedder".
 
@@ -264,8 +274,13 @@ class Simulation:
 
         They hold until they are set again. For vehicles with helm = "none": another's helm sets
         them in each step.
+
+        Raises:
+            KeyError: no such vehicle, or no such actuator.
+            ValueError: a value that is not a finite number. Nothing is set then.
         """
-        for name, value in actions.items():
+        numbers = {name: _finite(name, value) for name, value in actions.items()}
+        for name, number in numbers.items():
             vehicle, _, member = name.rpartition(".")
             actuators = self._types["actuators_t"]
             if vehicle not in self._channel_of or member not in actuators.__slots__:
@@ -278,7 +293,7 @@ class Simulation:
             held = self._held.get(channel)
             if held is None:
                 held = self._held[channel] = actuators()
-            setattr(held, member, float(value))
+            setattr(held, member, number)
 
 
 class _Observer:

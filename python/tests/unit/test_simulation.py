@@ -188,6 +188,41 @@ def test_episodes_are_the_same_for_the_same_seed(steered: Path) -> None:
     env.close()
 
 
+def test_a_vehicle_with_a_helm_is_refused_and_overrides_take_the_helm_out() -> None:
+    with pytest.raises(ValueError, match=r'overrides=\{"vehicle.alpha.helm": "none"\}'):
+        ShoalEnv(ALPHA)
+    ShoalEnv(ALPHA, actions=())  # To be observed alone.
+    env = ShoalEnv(ALPHA, observations=("speed_mps",), overrides={"vehicle.alpha.helm": "none"})
+    speeds = []
+    for thrust in (0.0, 60.0):
+        env.reset(seed=1)
+        observation, *_ = env.step([thrust, 0.0])
+        speeds.append(float(observation[0]))
+    env.close()
+    assert speeds[0] == pytest.approx(0.0, abs=0.01) and speeds[1] > 0.1
+
+
+def test_wrong_arguments_of_an_environment_name_themselves(steered: Path) -> None:
+    with pytest.raises(KeyError, match="no vehicle 'charlie'; the mission has alpha, bravo"):
+        ShoalEnv(steered, vehicles=["charlie"])
+    with pytest.raises(KeyError, match="no vehicle 'charlie'"):
+        ShoalEnv(steered, vehicles=["charlie"], observations=(), actions=())
+    with pytest.raises(ValueError, match="steps is 0"):
+        ShoalEnv(steered, steps=0)
+    with pytest.raises(shoal.SimulationError, match=r"none\.toml: cannot be read"):
+        ShoalEnv("none.toml")
+    env = ShoalEnv(steered, vehicles="alpha")
+    env.reset(seed=1)
+    with pytest.raises(ValueError, match="1 numbers; it needs 2: alpha.thrust_pct, alpha.rudder"):
+        env.step([1.0])
+    with pytest.raises(ValueError, match="has 1 numbers"):
+        env.step(5.0)
+    for wrong in (math.nan, math.inf, "fast", None):
+        with pytest.raises(ValueError, match="'alpha.rudder_deg' is set to .*; it takes a finite"):
+            env.step([1.0, wrong])
+    env.close()
+
+
 def test_a_box_knows_its_bounds() -> None:
     box = Box([-1, -math.inf], [1, math.inf])
     assert [0.5, 1e9] in box and [1.5, 0] not in box and [0] not in box
