@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
+#include <set>
 
 #include "lib/base/text/letters.h"
 
@@ -191,12 +191,6 @@ Rgb DarkEnough(Rgb rgb) {
   return rgb;
 }
 
-/// Mixes with black (`shade` < 0) or white (> 0).
-Rgb Shaded(Rgb rgb, double shade) {
-  for (double& part : rgb) part = shade < 0 ? part * (1 + shade) : part + (1 - part) * shade;
-  return rgb;
-}
-
 /// The colours of `kPalette` first, then ones around the wheel by the golden ratio.
 Rgb PaletteColor(size_t index) {
   if (index < kPalette.size()) return RgbOf(kPalette[index]);
@@ -211,10 +205,26 @@ Rgb PaletteColor(size_t index) {
   return {part(5), part(3), part(1)};
 }
 
-/// True where a reader would mix up the two.
-bool AreAlike(const Rgb& a, const Rgb& b) {
-  constexpr double kAlike = 0.36;
-  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]) < kAlike;
+/// Below this difference a reader would mix up two colours, if there is a choice.
+constexpr double kAlike = 0.36;
+
+/// Returns the first colour of the palette that differs by `least_difference` from all taken, which
+/// is lowered where there is none.
+Rgb NextColor(const std::vector<Rgb>& taken, double* least_difference) {
+  constexpr size_t kNumCandidates = 100;
+  constexpr double kSmallest = 0.02;  // With so many vehicles no reader knows one from another.
+  const auto differs = [&](const Rgb& color) {
+    return std::none_of(taken.begin(), taken.end(), [&](const Rgb& other) {
+      return std::hypot(color[0] - other[0], color[1] - other[1], color[2] - other[2]) <
+             *least_difference;
+    });
+  };
+  for (; *least_difference > kSmallest; *least_difference *= 0.85) {
+    for (size_t i = 0; i < kNumCandidates; ++i) {
+      if (differs(PaletteColor(i))) return PaletteColor(i);
+    }
+  }
+  return PaletteColor(taken.size());
 }
 
 std::string Plain(std::string_view name) {
@@ -251,39 +261,24 @@ std::optional<uint32_t> ColorOf(std::string_view name) {
 }
 
 std::vector<std::string> AssignColors(const std::vector<std::string>& requested) {
-  constexpr size_t kMaxShades = 3;
-  constexpr double kShades[kMaxShades + 1][kMaxShades] = {
-      {}, {0, 0, 0}, {-0.3, 0.3, 0}, {-0.45, 0, 0.45}};
-  std::map<uint32_t, size_t> num_requests;
-  for (const std::string& name : requested) {
-    if (const auto color = ColorOf(name)) ++num_requests[*color];
-  }
+  std::vector<std::optional<Rgb>> given(requested.size());
   std::vector<Rgb> taken;
-  for (const auto& [color, count] : num_requests) {
-    if (count <= kMaxShades) taken.push_back(DarkEnough(RgbOf(color)));
+  std::set<uint32_t> requested_before;
+  for (size_t i = 0; i < requested.size(); ++i) {
+    const auto color = ColorOf(requested[i]);
+    if (!color || !requested_before.insert(*color).second) continue;
+    given[i] = DarkEnough(RgbOf(*color));
+    taken.push_back(*given[i]);
   }
-  const auto is_taken = [&](const Rgb& rgb) {
-    return std::any_of(taken.begin(), taken.end(),
-                       [&](const Rgb& other) { return AreAlike(rgb, other); });
-  };
-  std::map<uint32_t, size_t> num_given;
-  size_t num_from_palette = 0;
-  std::vector<std::string> given;
-  for (const std::string& name : requested) {
-    const auto color = ColorOf(name);
-    const size_t num_sharing = color ? num_requests[*color] : 0;
-    if (num_sharing == 0 || num_sharing > kMaxShades) {
-      // Beyond the palette hues come close to each other anyway.
-      while (num_from_palette < kPalette.size() && is_taken(PaletteColor(num_from_palette))) {
-        ++num_from_palette;
-      }
-      given.push_back(TextOf(PaletteColor(num_from_palette++)));
-      continue;
-    }
-    const double shade = kShades[num_sharing][num_given[*color]++];
-    given.push_back(TextOf(DarkEnough(Shaded(DarkEnough(RgbOf(*color)), shade))));
+  double least_difference = kAlike;
+  for (std::optional<Rgb>& color : given) {
+    if (color) continue;
+    color = NextColor(taken, &least_difference);
+    taken.push_back(*color);
   }
-  return given;
+  std::vector<std::string> texts;
+  for (const std::optional<Rgb>& color : given) texts.push_back(TextOf(*color));
+  return texts;
 }
 
 }  // namespace shoal

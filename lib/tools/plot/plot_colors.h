@@ -14,10 +14,9 @@ namespace shoal {
 [[nodiscard]] std::optional<uint32_t> ColorOf(std::string_view name);
 
 /// Returns one colour, "#rrggbb", for each of `requested`, the vehicles' own colours by name:
-/// - a colour that one vehicle requests is given to it;
-/// - one that two or three vehicles request is given in as many shades;
-/// - an unknown colour, or one that more than three vehicles request, is replaced by one that
-///   differs.
+/// - a colour that a vehicle requests is given to the first that does;
+/// - the others, and those whose colour is unknown, get colours that differ from all of these, as
+///   clearly as their number allows.
 /// Those too light for white paper are darkened.
 [[nodiscard]] std::vector<std::string> AssignColors(const std::vector<std::string>& requested);
 

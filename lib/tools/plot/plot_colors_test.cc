@@ -4,6 +4,7 @@
 #include <rapidcheck/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 namespace shoal::plot_colors_test {
@@ -31,10 +32,34 @@ TEST(AssignColors, DarkensWhatWhitePaperWouldSwallow) {
   EXPECT_EQ(AssignColors({"white"}), std::vector<std::string>{"#adadad"});
 }
 
-TEST(AssignColors, GivesShadesToVehiclesOfTheSameColour) {
+/// Returns the least distance of two of the colours, each of whose parts is in [0, 1].
+double LeastDifference(const std::vector<std::string>& colors) {
+  double least = 2;
+  for (size_t i = 0; i < colors.size(); ++i) {
+    for (size_t k = 0; k < i; ++k) {
+      const auto part = [&](size_t which, int shift) {
+        return static_cast<double>((*ColorOf(colors[which]) >> shift) & 0xff) / 255;
+      };
+      least = std::min(least, std::hypot(part(i, 0) - part(k, 0), part(i, 8) - part(k, 8),
+                                         part(i, 16) - part(k, 16)));
+    }
+  }
+  return least;
+}
+
+TEST(AssignColors, GivesTwoOrThreeVehiclesOfOneColourClearlyDifferentOnes) {
+  for (const char* name : {"yellow", "white", "black", "red", "dodgerblue", ""}) {
+    for (const size_t count : {2, 3}) {
+      EXPECT_GT(LeastDifference(AssignColors(std::vector<std::string>(count, name))), 0.35) << name;
+    }
+  }
+  EXPECT_GT(LeastDifference(AssignColors(std::vector<std::string>(21, "yellow"))), 0.2);
+}
+
+TEST(AssignColors, GivesAColourToTheFirstThatRequestsIt) {
   const auto colors = AssignColors({"seagreen", "seagreen", "red", "seagreen"});
   EXPECT_EQ(std::set<std::string>(colors.begin(), colors.end()).size(), 4u);
-  EXPECT_EQ(colors[1], "#2e8b57");
+  EXPECT_EQ(colors[0], "#2e8b57");
   EXPECT_EQ(colors[2], "#ff0000");
 }
 

@@ -12,7 +12,8 @@ namespace {
 constexpr int kLeft_px = 84;
 constexpr int kBetween_px = 26;
 constexpr int kRight_px = 24;
-constexpr int kLine_px = 18;  // Of the legend.
+// Of the legend, more than gnuplot takes: entries that it finds no room for it drops.
+constexpr int kLine_px = 27;
 
 /// Returns how many bytes from `begin` on are one character of valid UTF-8; 0: none.
 size_t CharacterSize(std::string_view text, size_t begin) {
@@ -44,7 +45,7 @@ size_t NumCharacters(std::string_view text) {
 
 double Share(int part_px, int whole_px) { return static_cast<double>(part_px) / whole_px; }
 
-int LegendRows(int height_px) { return std::max(1, (height_px - kTop_px - kBottom_px) / kLine_px); }
+int LegendRows(int plot_px) { return std::max(1, plot_px / kLine_px); }
 
 int LongestTitle(const std::vector<LegendEntry>& legend) {
   size_t longest = 0;
@@ -105,11 +106,11 @@ int PlotBlocks::AddLines(std::string_view comment, std::string_view lines) {
   return num_blocks_++;
 }
 
-int LegendWidth_px(const std::vector<LegendEntry>& legend, int height_px) {
+int LegendWidth_px(const std::vector<LegendEntry>& legend, int plot_px) {
   if (legend.empty()) return kRight_px;
-  constexpr int kSample_px = 64;
+  constexpr int kSample_px = 80;
   constexpr int kCharacter_px = 8;
-  const int rows = LegendRows(height_px);
+  const int rows = LegendRows(plot_px);
   const int columns = (static_cast<int>(legend.size()) + rows - 1) / rows;
   return columns * (kSample_px + kCharacter_px * LongestTitle(legend)) + kRight_px;
 }
@@ -136,12 +137,12 @@ std::string ScriptHead(const std::string& name, const Canvas& canvas) {
       name, terminal, canvas.png ? "png" : "svg");
 }
 
-std::string LegendPlace(const Canvas& canvas, int width_px, int top_px) {
+std::string LegendPlace(const Canvas& canvas, int width_px, int plot_px) {
   return fmt::format(
       "set key at screen {:.4f}, screen {:.4f} left top Left reverse samplen 2 width 1 "
       "spacing 1.1 maxrows {} noenhanced\n",
       Share(canvas.width_px - width_px + kRight_px / 2, canvas.width_px),
-      1 - Share(top_px, canvas.height_px), LegendRows(canvas.height_px));
+      1 - Share(kTop_px, canvas.height_px), LegendRows(plot_px));
 }
 
 std::string LegendItems(const std::vector<LegendEntry>& legend) {
@@ -159,19 +160,21 @@ std::string StackedScript(const std::string& name, const std::string& title,
                           bool png) {
   const int num_panels = static_cast<int>(panels.size());
   const int panel_px = num_panels == 1 ? 400 : 230;
+  const int legend_px = LegendWidth_px(legend, panel_px);
+  constexpr int kWidth_px = 1000;
+  constexpr int kLeast_px = 600;  // Of the panels and what is left of them.
   const Canvas canvas{
       .png = png,
-      .width_px = 1000,
+      .width_px = std::max(kWidth_px, kLeast_px + legend_px),
       .height_px = kTop_px + kBottom_px + num_panels * panel_px + (num_panels - 1) * kBetween_px};
-  const int legend_px = LegendWidth_px(legend, canvas.height_px);
   const double span_s = std::max(last_s - first_s, 1e-3);
   std::string script = ScriptHead(name, canvas);
   script += fmt::format(
       "set lmargin at screen {:.4f}\nset rmargin at screen {:.4f}\nset xrange [{:.9g}:{:.9g}]\n"
       "set ylabel offset 1,0\nset multiplot\nset title {}\n",
-      Share(kLeft_px, canvas.width_px), 1 - Share(std::min(legend_px, 700), canvas.width_px),
-      first_s, first_s + span_s, GnuplotString(title));
-  script += LegendPlace(canvas, std::min(legend_px, 700), kTop_px);
+      Share(kLeft_px, canvas.width_px), 1 - Share(legend_px, canvas.width_px), first_s,
+      first_s + span_s, GnuplotString(title));
+  script += LegendPlace(canvas, legend_px, panel_px);
   int top_px = kTop_px;
   for (int i = 0; i < num_panels; ++i) {
     const Panel& panel = panels[static_cast<size_t>(i)];

@@ -59,15 +59,15 @@ struct LegendEntry {
   std::string style;  ///< Of gnuplot: "lines lc rgb '#ff0000'".
 };
 
-/// Returns how much room the legend takes on the right, at least a margin.
-[[nodiscard]] int LegendWidth_px(const std::vector<LegendEntry>& legend, int height_px);
+/// Returns how much room the legend takes on the right of a plot `plot_px` high, at least a margin.
+[[nodiscard]] int LegendWidth_px(const std::vector<LegendEntry>& legend, int plot_px);
 
 /// Returns the beginning of a script: canvas, file, style of axes.
 [[nodiscard]] std::string ScriptHead(const std::string& name, const Canvas& canvas);
 
-/// Returns the lines that place the legend right of the plots, `width_px` wide from their edge,
-/// from `top_px` down.
-[[nodiscard]] std::string LegendPlace(const Canvas& canvas, int width_px, int top_px);
+/// Returns the lines that place the legend right of the uppermost plot, `plot_px` high, `width_px`
+/// wide from its edge.
+[[nodiscard]] std::string LegendPlace(const Canvas& canvas, int width_px, int plot_px);
 
 /// Returns the legend as items of a plot command, each with a comma before it.
 [[nodiscard]] std::string LegendItems(const std::vector<LegendEntry>& legend);

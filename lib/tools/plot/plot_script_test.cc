@@ -61,6 +61,19 @@ TEST(Legend, TakesMoreColumnsWhereItIsLongerThanTheFigure) {
   EXPECT_LT(LegendWidth_px({}, 500), 40);
 }
 
+// gnuplot drops entries of a legend that has more rows than fit beside the uppermost plot, or more
+// columns than fit on the canvas: a row takes 20 pixels, and gnuplot keeps some of the height free.
+TEST(StackedScript, HasRoomForALegendOfManyVehiclesBesideItsFirstPanel) {
+  const std::vector<Panel> panels(2, {"speed [m/s]", {"'a.dat' index 0 with lines notitle"}, {}});
+  const std::vector<LegendEntry> legend(60, {"vessel_01", "lines"});
+  const std::string script = StackedScript("a", "A", "t", 0, 1, panels, legend, false);
+  EXPECT_NE(script.find("maxrows 8 "), std::string::npos) << script;
+  // 8 columns of 80 pixels and 9 characters.
+  EXPECT_NE(script.find("size " + std::to_string(600 + 8 * (80 + 9 * 8) + 24) + ","),
+            std::string::npos)
+      << script;
+}
+
 TEST(StackedScript, SharesTheTimeAxisAndNamesItOnce) {
   const std::vector<Panel> panels = {{"speed [m/s]", {"'a.dat' index 0 with lines notitle"}, {}},
                                      {"heading [°]", {"'a.dat' index 1 with lines notitle"}, {}}};

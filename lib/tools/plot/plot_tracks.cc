@@ -302,7 +302,7 @@ class TracksFigure {
     const int height_px = static_cast<int>(std::clamp(aspect * kPlot_px, 240.0, 760.0));
     const int width_px = static_cast<int>(std::clamp(height_px / aspect, 240.0, 1.0 * kPlot_px));
     Canvas canvas{.png = png, .height_px = height_px + kTop_px + kBottom_px};
-    const int legend_px = LegendWidth_px(legend_, canvas.height_px);
+    const int legend_px = LegendWidth_px(legend_, height_px);
     canvas.width_px = kMapLeft_px + width_px + legend_px;
     const auto share = [](int part, int whole) { return static_cast<double>(part) / whole; };
     std::string script = ScriptHead("tracks", canvas);
@@ -317,7 +317,7 @@ class TracksFigure {
         share(kMapLeft_px + width_px, canvas.width_px), 1 - share(kTop_px, canvas.height_px),
         share(kBottom_px, canvas.height_px), bounds_.left, bounds_.right, bounds_.low,
         bounds_.high);
-    script += LegendPlace(canvas, legend_px, kTop_px);
+    script += LegendPlace(canvas, legend_px, height_px);
     return script + fmt::format("plot {}{}\n", fmt::join(items_, ", \\\n  "), LegendItems(legend_));
   }
 
