@@ -212,7 +212,7 @@ constexpr double kAlike = 0.36;
 /// is lowered where there is none.
 Rgb NextColor(const std::vector<Rgb>& taken, double* least_difference) {
   constexpr size_t kNumCandidates = 100;
-  constexpr double kSmallest = 0.02;  // With so many vehicles no reader knows one from another.
+  constexpr double kSmallest = 0.02;  // Below, two colours look the same.
   const auto differs = [&](const Rgb& color) {
     return std::none_of(taken.begin(), taken.end(), [&](const Rgb& other) {
       return std::hypot(color[0] - other[0], color[1] - other[1], color[2] - other[2]) <
