@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <cstdio>
 #include <cstdlib>
 #include <new>
@@ -27,8 +28,13 @@ constexpr int kFileDescriptor = 3;
 constexpr char kFile[] = "/proc/self/fd/3";
 constexpr rlim_t kMaxMemory_bytes = rlim_t{1} << 30;
 constexpr rlim_t kMaxCpu_s = 10;
-/// 0 to 3, and two of libnetcdf's: a file cannot have others opened that it names.
-constexpr rlim_t kMaxOpenFiles = 6;
+/// 0 to 3, and the file once more as libnetcdf opens it. From then on nothing can be opened at all:
+/// values of HDF5 may be stored in other files, of any path, that the file names.
+constexpr rlim_t kMaxOpenFiles = 5;
+constexpr char kElsewhere[] =
+    "its values are in another file, which it names (HDF5 external or virtual storage), and no "
+    "other "
+    "file is opened: copy them into one file, for example with nccopy";
 
 void Limit(int resource, rlim_t most) {
   const rlimit limit = {most, most};
@@ -38,6 +44,8 @@ void Limit(int resource, rlim_t most) {
 void LimitThisProcess() {
   // Filters of HDF5 are code that is loaded from a folder: none is.
   setenv("HDF5_PLUGIN_PRELOAD", "::", 1);
+  // Nor are the settings of libnetcdf in the working folder and in that of the user.
+  setenv("NCRCENV_IGNORE", "1", 1);
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
   Limit(RLIMIT_AS, kMaxMemory_bytes);
 #endif
@@ -164,6 +172,21 @@ NetcdfHeader HeaderOf(int file) {
   return header;
 }
 
+/// Reads the values of a variable, which are as many as there is room for. Where they are in
+/// another file that is EMFILE in errno: the library returns an error of HDF5 for external storage.
+/// Parts of a virtual one that it cannot open it fills in without an error.
+int ReadValues(int file, int number, std::vector<double>& values) {
+  int storage = NC_CONTIGUOUS;
+  nc_inq_var_chunking(file, number, &storage, nullptr);
+  if (storage == NC_VIRTUAL || storage == NC_UNKNOWN_STORAGE) {  // As it calls virtual ones.
+    errno = EMFILE;
+    return NC_EHDFERR;
+  }
+  errno = 0;
+  const int status = nc_get_var_double(file, number, values.data());
+  return status == NC_NOERR && errno == EMFILE ? NC_EHDFERR : status;
+}
+
 /// Appends the values of coordinate variables, so that they need no question of their own. What
 /// cannot be read is left out: the question for it shows why.
 void AddCoordinates(int file, const NetcdfHeader& header, NetcdfReplyWriter* writer) {
@@ -171,7 +194,7 @@ void AddCoordinates(int file, const NetcdfHeader& header, NetcdfReplyWriter* wri
     const NetcdfVariable& variable = header.variables[i];
     if (!IsCoordinate(header, variable)) continue;
     std::vector<double> values(header.NumValues(variable));
-    if (nc_get_var_double(file, static_cast<int>(i), values.data()) != NC_NOERR) continue;
+    if (ReadValues(file, static_cast<int>(i), values) != NC_NOERR) continue;
     writer->AddText(variable.name);
     writer->AddNumbers(values.data(), values.size());
   }
@@ -187,7 +210,9 @@ std::vector<double> ValuesOf(int file, const std::string& name, uint64_t count) 
   int number = 0;
   Demand(nc_inq_varid(file, name.c_str(), &number), "it cannot be read");
   std::vector<double> values(count);
-  const int status = nc_get_var_double(file, number, values.data());
+  const int status = ReadValues(file, number, values);
+  // The library has no error of its own for a file that it could not open.
+  if (status == NC_EHDFERR && errno == EMFILE) throw Refusal{kElsewhere};
   // A number beyond a double's range is still a number.
   if (status != NC_ERANGE) Demand(status, "its values cannot be read");
   return values;
@@ -224,6 +249,7 @@ void Answer(const std::vector<std::string>& words) {
   DemandWhole();
   int file = 0;
   Demand(nc_open(kFile, NC_NOWRITE, &file), "it cannot be opened");
+  Limit(RLIMIT_NOFILE, 0);
   NetcdfReplyWriter body;
   if (words[0] == "header") {
     const NetcdfHeader header = HeaderOf(file);

@@ -4,6 +4,7 @@
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <signal.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -138,6 +139,45 @@ TEST_P(NetcdfFiles, OfMoreValuesThanAGridMayHaveAreRefusedUnread) {
       << values.error();
 }
 
+/// Returns the bytes of a file beside this test.
+std::string BytesBeside(const std::string& name) {
+  std::ifstream in(std::string(SHOAL_SOURCE_DIR) + "/tests/netcdf/" + name, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// What only HDF5 can.
+class Hdf5Files : public NetcdfFiles {};
+
+// external.nc and virtual.nc: latitudes, longitudes, and an elevation of 2 x 2 bytes made by HDF5
+// itself, with H5Pset_external("@@@...", 200 of them) and H5Pset_virtual("source.nc", "z").
+TEST_P(Hdf5Files, WithValuesInAnotherFileAreRefusedWithoutOpeningIt) {
+  const std::string other = path_ + ".other";
+  std::string bytes = BytesBeside("external.nc");
+  const size_t name_at = bytes.find(std::string(200, '@'));
+  ASSERT_NE(name_at, std::string::npos);
+  std::string name = other;
+  name.resize(200);
+  Put(bytes.replace(name_at, 200, name));
+  const auto error = [&] {
+    const Result<NetcdfFile> file = Open();
+    if (!file.ok()) return file.error();
+    const Result<std::vector<double>> values = file->Read(*file->header().Find("elevation"));
+    return values.ok() ? "no error" : values.error();
+  };
+  const std::string refusal =
+      "small.nc: variable 'elevation': its values are in another file, which it names (HDF5 "
+      "external or virtual storage), and no other file is opened: copy them into one file, for "
+      "example with nccopy";
+  std::ofstream(other) << "SECRET";
+  EXPECT_EQ(error(), refusal);
+  std::filesystem::remove(other);
+  ASSERT_EQ(mkfifo(other.c_str(), 0600), 0);
+  EXPECT_EQ(error(), refusal) << "and does not wait for what comes through a pipe";
+  std::filesystem::remove(other);
+  Put(BytesBeside("virtual.nc"));
+  EXPECT_EQ(error(), refusal);
+}
+
 /// Starts a reader that does this instead of its work.
 NetcdfReaderStart Instead(const std::function<void(int answer_fd)>& work) {
   return [work](const std::vector<std::string>& /*question*/, int /*file_fd*/, int answer_fd,
@@ -178,6 +218,14 @@ TEST(NetcdfReader, ThatCrashesIsAnErrorThatNamesTheFile) {
               })).starts_with("small.nc: shoal-netcdf ended without a whole answer (exit code 7)"));
 }
 
+TEST(NetcdfReader, ThatWaitsForSomethingIsEnded) {
+  const auto wait = Instead([](int) { pause(); });
+  const Result<NetcdfFile> file = NetcdfFile::Open(STDIN_FILENO, "small.nc", wait, 0.02);
+  ASSERT_FALSE(file.ok());
+  EXPECT_TRUE(file.error().starts_with("small.nc: reading it takes longer than shoal-netcdf may"))
+      << file.error();
+}
+
 TEST(NetcdfReader, IsNotBelieved) {
   const std::string greeting(kNetcdfGreeting);
   const std::string huge_count = std::string("\x7F\xFF\xFF\xFF", 4);
@@ -201,6 +249,7 @@ TEST(NetcdfReader, ThatIsNotThereIsAnErrorThatNamesThePackage) {
   EXPECT_NE(error.find("apt-get install libnetcdf-dev"), std::string::npos) << error;
 }
 
+INSTANTIATE_TEST_SUITE_P(OfOneForm, Hdf5Files, testing::Values(NetcdfForm::kHdf5));
 INSTANTIATE_TEST_SUITE_P(OfBothForms, NetcdfFiles,
                          testing::Values(NetcdfForm::kClassic, NetcdfForm::kHdf5),
                          [](const auto& each) {

@@ -2,12 +2,16 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <poll.h>
 #include <signal.h>
 #include <spawn.h>
+#include <sys/timerfd.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
+#include <cmath>
 #include <cstring>
 #include <optional>
 #include <utility>
@@ -23,7 +27,8 @@ namespace shoal {
 namespace {
 
 constexpr size_t kMaxHeader_bytes = size_t{16} << 20;
-constexpr size_t kAround_bytes = 64;  ///< Of an answer beside its numbers.
+/// Of an answer beside its numbers, or of one that is a text.
+constexpr size_t kAround_bytes = kMaxNetcdfText_bytes + 64;
 constexpr char kDamaged[] =
     "the file is damaged, or was made by no NetCDF library: copy or make it anew, and look at it "
     "with ncdump -h";
@@ -31,6 +36,28 @@ constexpr char kMissing[] =
     "shoal's program shoal-netcdf, which reads NetCDF, is not there: where shoal was built, run "
     "apt-get install libnetcdf-dev, then scripts/configure release, and build again; elsewhere put "
     "the folder of shoal's programs, lib/shoal/bin, on the PATH";
+
+/// Appends what comes through a pipe until its other end is closed, `text` has more than
+/// `most_bytes`, or the time is over. Returns whether it was closed.
+bool ReadWithin(int pipe, double longest_s, size_t most_bytes, std::string* text) {
+  const FileDescriptor timer(timerfd_create(CLOCK_MONOTONIC, TFD_CLOEXEC));
+  itimerspec end = {};
+  end.it_value.tv_sec = static_cast<time_t>(longest_s);
+  end.it_value.tv_nsec = static_cast<long>(1e9 * (longest_s - std::floor(longest_s)));
+  if (timerfd_settime(timer.get(), 0, &end, nullptr) != 0) return false;
+  std::array<pollfd, 2> waiting = {{{.fd = pipe, .events = POLLIN, .revents = 0},
+                                    {.fd = timer.get(), .events = POLLIN, .revents = 0}}};
+  std::array<char, 65536> buffer;
+  while (text->size() <= most_bytes) {
+    if (poll(waiting.data(), waiting.size(), -1) < 0 && errno == EINTR) continue;
+    if (waiting[1].revents != 0) return false;
+    const ssize_t count = read(pipe, buffer.data(), buffer.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) return count == 0;
+    text->append(buffer.data(), static_cast<size_t>(count));
+  }
+  return false;
+}
 
 /// Returns why a reader that ended like this has no answer.
 std::string Failure(int status) {
@@ -72,8 +99,7 @@ Result<std::string> NetcdfFile::Ask(const std::vector<std::string>& question, ch
   if (failure != 0) return Error{fmt::format("cannot run shoal-netcdf: {}", ErrnoText(failure))};
   answer.write = {};
   std::string bytes;
-  [[maybe_unused]] const bool was_read = ReadToEnd(answer.read.get(), most_bytes, &bytes);
-  if (bytes.size() > most_bytes) kill(pid, SIGKILL);
+  if (!ReadWithin(answer.read.get(), longest_answer_s_, most_bytes, &bytes)) kill(pid, SIGKILL);
   const int status = WaitFor(pid);
   if (bytes.size() > most_bytes) {
     return Error{
@@ -96,8 +122,9 @@ Result<std::string> NetcdfFile::Ask(const std::vector<std::string>& question, ch
   return bytes;
 }
 
-Result<NetcdfFile> NetcdfFile::Open(int fd, const std::string& name, NetcdfReaderStart start) {
-  NetcdfFile file(fd, name, std::move(start));
+Result<NetcdfFile> NetcdfFile::Open(int fd, const std::string& name, NetcdfReaderStart start,
+                                    double longest_answer_s) {
+  NetcdfFile file(fd, name, std::move(start), longest_answer_s);
   const Result<std::string> answer = file.Ask({"header"}, 'H', kMaxHeader_bytes);
   if (!answer.ok()) return Error{name + ": " + answer.error()};
   NetcdfReply reply(*answer);

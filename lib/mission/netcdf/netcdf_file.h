@@ -5,7 +5,8 @@
 //   Result<std::vector<double>> values = file->Read(*u);
 //
 // libnetcdf 4.9.0 crashes on some damaged files. So no process of shoal links it: shoal-netcdf
-// does, a process of its own for each question, with limits of memory and time. Whatever happens
+// does, a process of its own for each question, with limits of memory and time, which opens no file
+// but this one. Whatever happens
 // there is an error here.
 #pragma once
 
@@ -33,10 +34,15 @@ using NetcdfReaderStart = std::function<int(const std::vector<std::string>& ques
 
 class NetcdfFile {
  public:
+  /// A reader limits its own CPU time to 10 s; this is for one that waits for something.
+  static constexpr double kLongestAnswer_s = 120;
+
   /// Reads what the file holds. `fd` is a regular file that is open for reading, and stays so while
-  /// this lives; `name` is what messages call it. An error begins with the name.
+  /// this lives; `name` is what messages call it. A reader that has not answered after
+  /// `longest_answer_s` is ended. An error begins with the name.
   [[nodiscard]] static Result<NetcdfFile> Open(int fd, const std::string& name,
-                                               NetcdfReaderStart start = StartNetcdfReader);
+                                               NetcdfReaderStart start = StartNetcdfReader,
+                                               double longest_answer_s = kLongestAnswer_s);
 
   const NetcdfHeader& header() const { return header_; }
   const std::string& name() const { return name_; }
@@ -46,8 +52,11 @@ class NetcdfFile {
   [[nodiscard]] Result<std::vector<double>> Read(const NetcdfVariable& variable) const;
 
  private:
-  NetcdfFile(int fd, std::string name, NetcdfReaderStart start)
-      : fd_(fd), name_(std::move(name)), start_(std::move(start)) {}
+  NetcdfFile(int fd, std::string name, NetcdfReaderStart start, double longest_answer_s)
+      : fd_(fd),
+        name_(std::move(name)),
+        start_(std::move(start)),
+        longest_answer_s_(longest_answer_s) {}
 
   Result<std::string> Ask(const std::vector<std::string>& question, char wanted,
                           size_t most_bytes) const;
@@ -55,6 +64,7 @@ class NetcdfFile {
   int fd_;
   std::string name_;
   NetcdfReaderStart start_;
+  double longest_answer_s_;
   NetcdfHeader header_;
   std::map<std::string, std::vector<double>> coordinates_;  ///< What came with the header.
 };
