@@ -299,9 +299,104 @@ TEST_P(NetcdfMissions, HaveTheCurrentOfAnyPlaceDepthAndTime) {
       const GeoPoint point = frame.ToGeo(place_m.head<2>());
       const Eigen::Vector2d water_mps = ocean.WaterVelocityAt(place_m, time_s);
       const double hours = time_s / kHour_s;
-      EXPECT_NEAR(water_mps.x(), East(point.lat_deg, point.lon_deg, place_m.z(), hours), 1e-6);
-      EXPECT_NEAR(water_mps.y(), North(point.lat_deg, point.lon_deg, place_m.z(), hours), 1e-6);
+      const Eigen::Vector2d expected_mps =
+          frame.TurnToPlane({East(point.lat_deg, point.lon_deg, place_m.z(), hours),
+                             North(point.lat_deg, point.lon_deg, place_m.z(), hours)},
+                            point);
+      EXPECT_NEAR(water_mps.x(), expected_mps.x(), 1e-6);
+      EXPECT_NEAR(water_mps.y(), expected_mps.y(), 1e-6);
     }
+  }
+}
+
+/// A grid around 75 degrees North, 0 degrees East, with the same components everywhere.
+WrittenNetcdf ArcticFile(double east_mps, double north_mps) {
+  std::vector<double> lats;
+  std::vector<double> lons;
+  for (int i = -10; i <= 10; ++i) {
+    lats.push_back(75 + 0.5 * i);
+    lons.push_back(i);
+  }
+  WrittenNetcdf file = {
+      .dimensions = {{"lat", lats.size()}, {"lon", lons.size()}},
+      .variables = {Axis("lat", 0, lats, "degrees_north"), Axis("lon", 1, lons, "degrees_east")}};
+  const size_t count = lats.size() * lons.size();
+  file.variables.push_back(
+      {.name = "uo", .dimensions = {0, 1}, .values = std::vector<double>(count, east_mps)});
+  file.variables.push_back(
+      {.name = "vo", .dimensions = {0, 1}, .values = std::vector<double>(count, north_mps)});
+  return file;
+}
+
+TEST_P(NetcdfMissions, DriftToTheNorthOfThePlaceNotToThatOfTheOrigin) {
+  const std::string at_origin = "origin = {lat_deg = 75, lon_deg = 0}";
+  const LocalFrame frame({.lat_deg = 75, .lon_deg = 0});
+  Write("sea/arctic.nc", ArcticFile(0, 1));
+  // The same water by the points of a curvilinear grid.
+  WrittenNetcdf mesh = ArcticFile(0, 1);
+  WrittenNetcdf plain = ArcticFile(0, 1);
+  mesh.dimensions = {{"y", 21}, {"x", 21}};
+  for (const size_t axis : {0, 1}) {
+    mesh.variables[axis].dimensions = {0, 1};
+    mesh.variables[axis].values.clear();
+    for (size_t i = 0; i < 21 * 21; ++i) {
+      mesh.variables[axis].values.push_back(
+          plain.variables[axis].values[axis == 0 ? i / 21 : i % 21]);
+    }
+  }
+  mesh.variables[2].texts["standard_name"] = "eastward_sea_water_velocity";
+  mesh.variables[3].texts["standard_name"] = "northward_sea_water_velocity";
+  Write("sea/mesh.nc", mesh);
+  mesh.variables[2].texts["standard_name"] = "sea_water_x_velocity";
+  mesh.variables[3].texts["standard_name"] = "sea_water_y_velocity";
+  Write("sea/along.nc", mesh);
+  for (const char* name : {"sea/arctic.nc", "sea/mesh.nc", "sea/along.nc"}) {
+    const LoadedMission loaded =
+        Load(std::string("current = {grid = \"") + name + "\"}", at_origin);
+    ASSERT_EQ(loaded.errors, std::vector<std::string>{});
+    const Result<Ocean> ocean = OceanOf(loaded.mission);
+    ASSERT_TRUE(ocean.ok()) << ocean.error();
+    for (const Eigen::Vector2d& place_m :
+         {Eigen::Vector2d(0, 20'000), Eigen::Vector2d(150'000, 0), Eigen::Vector2d(-90'000, 9e4)}) {
+      const GeoPoint point = frame.ToGeo(place_m);
+      const Eigen::Vector2d north =
+          (*frame.ToLocal({.lat_deg = point.lat_deg + 1e-4, .lon_deg = point.lon_deg}) - place_m)
+              .normalized();
+      const Eigen::Vector2d flow_mps = ocean->WaterVelocityAt({place_m.x(), place_m.y(), 0}, 0);
+      // A plane that touches the Earth bends directions by up to 1e-4 there.
+      EXPECT_NEAR(flow_mps.x(), north.x(), 3e-4) << name << place_m.transpose();
+      EXPECT_NEAR(flow_mps.y(), north.y(), 3e-4) << name << place_m.transpose();
+    }
+    EXPECT_NEAR(ocean->WaterVelocityAt({0, 0, 0}, 0).y(), 1, 1e-4);
+  }
+}
+
+TEST_P(NetcdfMissions, DriftThroughThePoleInOneDirection) {
+  std::vector<double> lons;
+  for (int i = 0; i < 36; ++i) lons.push_back(10 * i);
+  WrittenNetcdf file = {.dimensions = {{"lat", 3}, {"lon", 36}},
+                        .variables = {Axis("lat", 0, {88, 89, 90}, "degrees_north"),
+                                      Axis("lon", 1, lons, "degrees_east"),
+                                      {.name = "uo", .dimensions = {0, 1}},
+                                      {.name = "vo", .dimensions = {0, 1}}}};
+  for (int row = 0; row < 3; ++row) {
+    for (const double lon : lons) {
+      // Along the meridian of 0 degrees toward the pole, and on beyond it.
+      file.variables[2].values.push_back(std::sin(lon * M_PI / 180));
+      file.variables[3].values.push_back(std::cos(lon * M_PI / 180));
+    }
+  }
+  Write("sea/pole.nc", file);
+  const LoadedMission loaded =
+      Load("current = {grid = \"sea/pole.nc\"}", "origin = {lat_deg = 89.9, lon_deg = 0}");
+  ASSERT_EQ(loaded.errors, std::vector<std::string>{});
+  const Result<Ocean> ocean = OceanOf(loaded.mission);
+  ASSERT_TRUE(ocean.ok()) << ocean.error();
+  for (const Eigen::Vector2d& place_m :
+       {Eigen::Vector2d(0, 0), Eigen::Vector2d(0, 22'000), Eigen::Vector2d(15'000, 11'000)}) {
+    const Eigen::Vector2d flow_mps = ocean->WaterVelocityAt({place_m.x(), place_m.y(), 0}, 0);
+    EXPECT_NEAR(flow_mps.x(), 0, 5e-3) << place_m.transpose();
+    EXPECT_NEAR(flow_mps.y(), 1, 5e-3) << place_m.transpose();
   }
 }
 
@@ -481,6 +576,123 @@ TEST_P(NetcdfMissions, HaveTheSeaOfACurvilinearGrid) {
       ErrorOf("current = {grid = \"sea/east.nc\"}", "origin = {lat_deg = 55.2, lon_deg = 10.2}")
           .find("outside of the current's grid"),
       std::string::npos);
+}
+
+/// How a curvilinear grid is stored whose x points East, and whose y points North.
+struct MeshForm {
+  std::string x = "x";  ///< Names of its dimensions.
+  std::string y = "y";
+  bool has_axes = false;
+  bool is_x_first = false;
+  bool y_falls = false;
+};
+
+constexpr int kMeshSide = 5;
+
+/// 5 x 5 points around the origin, 1 km apart, with these components along x and y everywhere.
+WrittenNetcdf MeshFile(const MeshForm& form, double along_x, double along_y) {
+  const int x_dimension = form.is_x_first ? 0 : 1;
+  WrittenNetcdf file = {.dimensions = {{form.is_x_first ? form.x : form.y, kMeshSide},
+                                       {form.is_x_first ? form.y : form.x, kMeshSide}},
+                        .variables = {Axis("lat_rho", 0, {}, "degrees_north"),
+                                      Axis("lon_rho", 0, {}, "degrees_east"),
+                                      {.name = "u"},
+                                      {.name = "v"}}};
+  const LocalFrame frame(kOrigin);
+  for (int slow = 0; slow < kMeshSide; ++slow) {
+    for (int fast = 0; fast < kMeshSide; ++fast) {
+      const int east = form.is_x_first ? slow : fast;
+      const int row = form.is_x_first ? fast : slow;
+      const int north = form.y_falls ? kMeshSide - 1 - row : row;
+      const GeoPoint point = frame.ToGeo({1000.0 * (east - 2), 1000.0 * (north - 2)});
+      file.variables[0].values.push_back(point.lat_deg);
+      file.variables[1].values.push_back(point.lon_deg);
+      file.variables[2].values.push_back(along_x);
+      file.variables[3].values.push_back(along_y);
+    }
+  }
+  for (WrittenVariable& variable : file.variables) variable.dimensions = {0, 1};
+  file.variables[2].texts["standard_name"] = "sea_water_x_velocity";
+  file.variables[3].texts["standard_name"] = "sea_water_y_velocity";
+  if (form.has_axes) {
+    std::vector<double> rising = {0, 1000, 2000, 3000, 4000};
+    std::vector<double> falling(rising.rbegin(), rising.rend());
+    file.variables.push_back(Axis(form.x, x_dimension, rising, "m"));
+    file.variables.back().texts["standard_name"] = "projection_x_coordinate";
+    file.variables.push_back(Axis(form.y, 1 - x_dimension, form.y_falls ? falling : rising, "m"));
+    file.variables.back().texts["standard_name"] = "projection_y_coordinate";
+  }
+  return file;
+}
+
+TEST_P(NetcdfMissions, DriftAlongXAndYInWhateverOrderAFileStoresThem) {
+  const std::vector<MeshForm> forms = {MeshForm{},
+                                       {.has_axes = true},
+                                       {.has_axes = true, .y_falls = true},
+                                       {.has_axes = true, .is_x_first = true},
+                                       {.has_axes = true, .is_x_first = true, .y_falls = true},
+                                       {.x = "a", .y = "b", .has_axes = true, .is_x_first = true},
+                                       {.is_x_first = true},
+                                       {.x = "xi_rho", .y = "eta_rho", .is_x_first = true},
+                                       {.x = "ni", .y = "nj", .is_x_first = true}};
+  for (size_t count = 0; count < forms.size(); ++count) {
+    const std::string name = "sea/mesh" + std::to_string(count) + ".nc";
+    Write(name, MeshFile(forms[count], 0.5, 0.25));
+    const std::string keys = "current = {grid = \"" + name + "\"}";
+    const Eigen::Vector2d flow_mps = Sea(keys).WaterVelocityAt({300, 400, 0}, 0);
+    EXPECT_NEAR(flow_mps.x(), 0.5, 1e-5) << count;
+    EXPECT_NEAR(flow_mps.y(), 0.25, 1e-5) << count;
+    EXPECT_TRUE(SeaWarnings(Load(keys)).empty()) << count;
+  }
+  Write("sea/mirrored.nc", MeshFile({.x = "a", .y = "b", .is_x_first = true}, 0.5, 0.25));
+  const std::vector<std::string> warnings =
+      SeaWarnings(Load("current = {grid = \"sea/mirrored.nc\"}"));
+  ASSERT_EQ(warnings.size(), 1U);
+  EXPECT_NE(warnings[0].find("on which y lies to the right of x"), std::string::npos);
+}
+
+TEST_P(NetcdfMissions, DriftBesideMaskedCoordinatesAndFoldsAsElsewhere) {
+  WrittenNetcdf file = MeshFile({}, 0.5, 0.25);
+  for (const size_t degrees : {0, 1}) {
+    file.variables[degrees].numbers = {{"_FillValue", -999}};
+    for (size_t i = 15; i < 20; ++i) file.variables[degrees].values[i] = -999;  // Row 3 of 0 to 4.
+  }
+  Write("sea/masked.nc", file);
+  const auto expect_flow = [&](const std::string& name, const Eigen::Vector2d& place_m) {
+    const Ocean ocean = Sea("current = {grid = \"" + name + "\"}");
+    const Eigen::Vector2d flow_mps = ocean.WaterVelocityAt({place_m.x(), place_m.y(), 0}, 0);
+    EXPECT_NEAR(flow_mps.x(), 0.5, 1e-5) << name << place_m.transpose();
+    EXPECT_NEAR(flow_mps.y(), 0.25, 1e-5) << name << place_m.transpose();
+  };
+  for (const double y_m : {-2000.0, 0.0, 2100.0}) expect_flow("sea/masked.nc", {0, y_m});
+  // The last column is the one before the last but one again, as at the ends of global grids.
+  WrittenNetcdf folded = MeshFile({}, 0.5, 0.25);
+  for (const size_t degrees : {0, 1}) {
+    std::vector<double>& values = folded.variables[degrees].values;
+    for (size_t row = 0; row < 25; row += 5) values[row + 4] = values[row + 2];
+  }
+  Write("sea/folded.nc", folded);
+  for (const double x_m : {-2000.0, 0.0, 1000.0}) expect_flow("sea/folded.nc", {x_m, 0});
+}
+
+TEST_P(NetcdfMissions, AreRefusedWhereTheirComponentsLieAtOtherPoints) {
+  WrittenNetcdf file = MeshFile({}, 0.5, 0.25);
+  file.variables.push_back(file.variables[0]);
+  file.variables.back().name = "lat_v";
+  for (double& lat : file.variables.back().values) lat += 0.005;
+  const std::string keys = "current = {grid = \"sea/staggered.nc\"}";
+  Write("sea/staggered.nc", file);
+  EXPECT_NE(ErrorOf(keys).find("name those of its points in its attribute coordinates"),
+            std::string::npos)
+      << ErrorOf(keys);
+  file.variables[2].texts["coordinates"] = "lon_rho lat_rho";
+  file.variables[3].texts["coordinates"] = "lon_rho lat_v";
+  Write("sea/staggered.nc", file);
+  EXPECT_NE(ErrorOf(keys).find("are on different points"), std::string::npos) << ErrorOf(keys);
+  file.variables[3].texts["coordinates"] = "lon_rho lat_rho";
+  Write("sea/together.nc", file);
+  EXPECT_NEAR(Sea("current = {grid = \"sea/together.nc\"}").WaterVelocityAt({0, 0, 0}, 0).y(), 0.25,
+              1e-5);
 }
 
 TEST_P(NetcdfMissions, UnpackShorts) {

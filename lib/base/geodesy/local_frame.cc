@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "lib/base/check/check.h"
+#include "lib/base/geometry/angles.h"
 
 namespace shoal {
 
@@ -20,7 +21,7 @@ bool IsInReach(const Eigen::Vector2d& position_m) {
 
 }  // namespace
 
-LocalFrame::LocalFrame(const GeoPoint& origin) {
+LocalFrame::LocalFrame(const GeoPoint& origin) : origin_(origin) {
   SHOAL_CHECK(IsOnEarth(origin),
               "the origin has a latitude within +-90 and a longitude within +-180 degrees");
   plane_.Reset(origin.lat_deg, origin.lon_deg, 0);
@@ -49,6 +50,22 @@ std::optional<Eigen::Vector2d> LocalFrame::ToLocal(const GeoPoint& point) const 
       surface_m.head<2>() - normal.head<2>() * (surface_m.z() / normal.z());
   if (!IsInReach(position_m)) return std::nullopt;
   return position_m;
+}
+
+Eigen::Vector2d LocalFrame::TurnToPlane(const Eigen::Vector2d& along, const GeoPoint& point) const {
+  // Of all turns the one that is closest to the projection of the two tangent planes on each other,
+  // whose entries are products of the unit vectors East and North at either point. On the origin's
+  // meridian it is exactly none.
+  const double meridians_rad = DegToRad(std::remainder(point.lon_deg - origin_.lon_deg, 360));
+  const double sin_lat = std::sin(DegToRad(point.lat_deg));
+  const double sin_origin = std::sin(DegToRad(origin_.lat_deg));
+  const double turn_sin = (sin_lat + sin_origin) * std::sin(meridians_rad);
+  const double turn_cos = (1 + sin_lat * sin_origin) * std::cos(meridians_rad) +
+                          std::cos(DegToRad(point.lat_deg)) * std::cos(DegToRad(origin_.lat_deg));
+  const double length = std::hypot(turn_sin, turn_cos);
+  const double c = turn_cos / length;
+  const double s = turn_sin / length;
+  return {along.x() * c - along.y() * s, along.x() * s + along.y() * c};
 }
 
 }  // namespace shoal

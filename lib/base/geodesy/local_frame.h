@@ -39,7 +39,14 @@ class LocalFrame {
   /// of reach.
   [[nodiscard]] std::optional<Eigen::Vector2d> ToLocal(const GeoPoint& point) const;
 
+  /// Returns as x, y what runs `along` East and North at a point. The plane's axes point there only
+  /// at the origin and, along its meridian, toward North: elsewhere meridians converge. Lengths
+  /// stay.
+  [[nodiscard]] Eigen::Vector2d TurnToPlane(const Eigen::Vector2d& along,
+                                            const GeoPoint& point) const;
+
  private:
+  GeoPoint origin_;
   GeographicLib::LocalCartesian plane_;
 };
 

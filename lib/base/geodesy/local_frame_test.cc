@@ -48,6 +48,22 @@ TEST(LocalFrame, HasNoMapForWhatIsOutOfReachOrNoPoint) {
   EXPECT_TRUE(std::isnan(frame.ToGeo({1e300, 0}).lon_deg));
 }
 
+TEST(LocalFrame, TurnsEastAndNorthOfAPlaceAsMeridiansConverge) {
+  const LocalFrame frame(kOrigin);
+  const Eigen::Vector2d along(0.3, -0.7);
+  EXPECT_EQ(frame.TurnToPlane(along, kOrigin), along) << "to the bit";
+  EXPECT_EQ(frame.TurnToPlane(along, {kOrigin.lat_deg - 3, kOrigin.lon_deg}), along);
+  const GeoPoint east = {kOrigin.lat_deg, kOrigin.lon_deg + 1};
+  const Eigen::Vector2d here = *frame.ToLocal(east);
+  const Eigen::Vector2d north =
+      (*frame.ToLocal({east.lat_deg + 1e-4, east.lon_deg}) - here).normalized();
+  EXPECT_LT(north.x(), -0.01) << "the meridian of a place in the East leans to the West";
+  EXPECT_NEAR((frame.TurnToPlane({0, 1}, east) - north).norm(), 0, 1e-4);
+  EXPECT_NEAR(frame.TurnToPlane(along, east).norm(), along.norm(), 1e-15);
+  const LocalFrame arctic({.lat_deg = 89.9, .lon_deg = 0});
+  EXPECT_NEAR((arctic.TurnToPlane({0, 1}, {89.9, 180}) - Eigen::Vector2d(0, -1)).norm(), 0, 1e-12);
+}
+
 TEST(LocalFrame, CrossesTheDateLine) {
   const LocalFrame frame({.lat_deg = -17, .lon_deg = 179.9999});
   EXPECT_LT(frame.ToGeo({500, 0}).lon_deg, -179.9);

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 #include <optional>
 #include <tuple>
 #include <utility>
@@ -353,43 +355,180 @@ struct GridAxes {
   Eigen::Vector2d y = {0, 1};
 };
 
-/// Returns the way from one point of a curvilinear grid to another, East and North, of length 1.
-Eigen::Vector2d WayBetween(const CfField& field, size_t from, size_t to) {
-  const double lat_deg = (field.lats_deg[from] + field.lats_deg[to]) / 2;
-  return Eigen::Vector2d(std::remainder(field.lons_deg[to] - field.lons_deg[from], 360) *
-                             std::cos(DegToRad(lat_deg)),
-                         field.lats_deg[to] - field.lats_deg[from])
-      .normalized();
+GridAxes AxesOnMap(const CfField& field, size_t column, size_t row) {
+  const double bearing_rad = field.projection->NorthBearing_rad({field.x[column], field.y[row]});
+  return {.x = ToEastNorth({1, 0}, bearing_rad), .y = ToEastNorth({0, 1}, bearing_rad)};
 }
 
-GridAxes AxesAt(const CfField& field, size_t column, size_t row) {
-  if (field.projection) {
-    const double bearing_rad = field.projection->NorthBearing_rad({field.x[column], field.y[row]});
-    return {.x = ToEastNorth({1, 0}, bearing_rad), .y = ToEastNorth({0, 1}, bearing_rad)};
+/// Up, East and North at a point of the Earth; x toward the Greenwich meridian, z toward the pole.
+struct EarthAxes {
+  Eigen::Vector3d up;
+  Eigen::Vector3d east;
+  Eigen::Vector3d north;
+};
+
+EarthAxes AxesOfEarth(const GeoPoint& point) {
+  const double cos_lat = std::cos(DegToRad(point.lat_deg));
+  const double sin_lat = std::sin(DegToRad(point.lat_deg));
+  const double cos_lon = std::cos(DegToRad(point.lon_deg));
+  const double sin_lon = std::sin(DegToRad(point.lon_deg));
+  return {.up = {cos_lat * cos_lon, cos_lat * sin_lon, sin_lat},
+          .east = {-sin_lon, cos_lon, 0},
+          .north = {-sin_lat * cos_lon, -sin_lat * sin_lon, cos_lat}};
+}
+
+double CrossOf(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+  return a.x() * b.y() - a.y() * b.x();
+}
+
+/// Which way the rows and columns of a curvilinear grid run at its points.
+class MeshDirections {
+ public:
+  explicit MeshDirections(const CfField& field) : field_(field) {
+    int64_t sum = 0;
+    for (size_t row = 0; row < field.y.size(); ++row) {
+      for (size_t column = 0; column < field.x.size(); ++column) {
+        const Ways x = WaysAlongX(column, row);
+        const Ways y = WaysAlongY(column, row);
+        if (x.count == 0 || y.count == 0) continue;
+        const double cross = CrossOf(x.ways[0], y.ways[0]);
+        sum += cross > 0 ? 1 : cross < 0 ? -1 : 0;
+      }
+    }
+    hand_ = sum < 0 ? -1 : 1;
   }
-  const size_t columns = field.x.size();
-  const size_t left = column == 0 ? 0 : column - 1;
-  const size_t below = row == 0 ? 0 : row - 1;
-  const size_t right = std::min(column + 1, columns - 1);
-  const size_t above = std::min(row + 1, field.y.size() - 1);
-  return {.x = WayBetween(field, row * columns + left, row * columns + right),
-          .y = WayBetween(field, below * columns + column, above * columns + column)};
+
+  /// The y of its points is to the right of their x, as it is on no map.
+  bool is_mirrored() const { return hand_ < 0; }
+
+  /// Returns the directions of x and y, East and North of length 1. Where the points beside one are
+  /// known only on one side the way to these counts; where none is, the other axis.
+  GridAxes At(size_t column, size_t row) const {
+    const Ways x = WaysAlongX(column, row);
+    const Ways y = WaysAlongY(column, row);
+    for (size_t i = 0; i < x.count; ++i) {
+      for (size_t j = 0; j < y.count; ++j) {
+        // At a fold, where the points on both sides are the same ones, one of the ways fits.
+        if (CrossOf(x.ways[i], y.ways[j]) * hand_ > 0) return {.x = x.ways[i], .y = y.ways[j]};
+      }
+    }
+    if (x.count > 0) {
+      return {.x = x.ways[0], .y = hand_ * Eigen::Vector2d(-x.ways[0].y(), x.ways[0].x())};
+    }
+    if (y.count > 0) {
+      return {.x = hand_ * Eigen::Vector2d(y.ways[0].y(), -y.ways[0].x()), .y = y.ways[0]};
+    }
+    constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+    return {.x = {kNan, kNan}, .y = {kNan, kNan}};
+  }
+
+ private:
+  /// What may be the direction of an axis at a point, the likeliest first.
+  struct Ways {
+    std::array<Eigen::Vector2d, 2> ways;
+    size_t count = 0;
+
+    void Add(const Eigen::Vector2d& way) { ways[count++] = way.normalized(); }
+  };
+
+  GeoPoint PointAt(size_t point) const {
+    return {.lat_deg = field_.lats_deg[point], .lon_deg = field_.lons_deg[point]};
+  }
+
+  Ways WaysAlongX(size_t column, size_t row) const {
+    const size_t here = row * field_.x.size() + column;
+    return WaysAlong(here, column == 0 ? here : here - 1,
+                     column + 1 == field_.x.size() ? here : here + 1);
+  }
+  Ways WaysAlongY(size_t column, size_t row) const {
+    const size_t here = row * field_.x.size() + column;
+    return WaysAlong(here, row == 0 ? here : here - field_.x.size(),
+                     row + 1 == field_.y.size() ? here : here + field_.x.size());
+  }
+
+  Ways WaysAlong(size_t here, size_t before, size_t after) const {
+    const EarthAxes earth = AxesOfEarth(PointAt(here));
+    const auto way_to = [&](size_t other) {
+      const Eigen::Vector3d way = AxesOfEarth(PointAt(other)).up - earth.up;
+      return Eigen::Vector2d(way.dot(earth.east), way.dot(earth.north));
+    };
+    const Eigen::Vector2d first = -way_to(before);
+    const Eigen::Vector2d second = way_to(after);
+    const auto is_way = [](const Eigen::Vector2d& way) { return way.norm() > kSamePlace_rad; };
+    Ways found;
+    if ((first + second).norm() > 0.1 * std::max(first.norm(), second.norm()) &&
+        is_way(first + second)) {
+      found.Add(first + second);  // False for NaN.
+      return found;
+    }
+    for (const Eigen::Vector2d& way : {first, second}) {
+      if (is_way(way)) found.Add(way);
+    }
+    return found;
+  }
+
+  static constexpr double kSamePlace_rad = 1e-9;  // 6 mm.
+
+  const CfField& field_;
+  double hand_ = 1;
+};
+
+/// Turns velocities at all times and depths at each point, by `turn(point, vector)`.
+template <class Turn>
+void TurnEach(CfField& east, CfField& north, const Turn& turn) {
+  const size_t num_points = east.x.size() * east.y.size();
+  for (size_t i = 0; i < east.values.size(); ++i) {
+    const Eigen::Vector2d flow =
+        turn(i % num_points, Eigen::Vector2d(east.values[i], north.values[i]));
+    east.values[i] = static_cast<float>(flow.x());
+    north.values[i] = static_cast<float>(flow.y());
+  }
 }
 
 /// Turns velocities along the axes of a grid to East and North.
 void TurnToEast(Components& components) {
-  CfField& east = components.east;
-  CfField& north = components.north;
-  const size_t columns = east.x.size();
-  const size_t num_points = columns * east.y.size();
-  for (size_t point = 0; point < num_points; ++point) {
-    const GridAxes axes = AxesAt(east, point % columns, point / columns);
-    for (size_t i = point; i < east.values.size(); i += num_points) {
-      const Eigen::Vector2d flow = axes.x * east.values[i] + axes.y * north.values[i];
-      east.values[i] = static_cast<float>(flow.x());
-      north.values[i] = static_cast<float>(flow.y());
+  const CfField& field = components.east;
+  std::vector<GridAxes> axes;
+  axes.reserve(field.x.size() * field.y.size());
+  std::optional<MeshDirections> mesh;
+  if (!field.projection) mesh.emplace(field);
+  for (size_t row = 0; row < field.y.size(); ++row) {
+    for (size_t column = 0; column < field.x.size(); ++column) {
+      axes.push_back(mesh ? mesh->At(column, row) : AxesOnMap(field, column, row));
     }
   }
+  if (mesh && mesh->is_mirrored()) {
+    components.notes.warnings.push_back(fmt::format(
+        "variables '{}' and '{}' run along the dimensions of a grid on which y lies to the right "
+        "of "
+        "x, as on no map: if the current comes out mirrored, give these dimensions axes with the "
+        "standard_name projection_x_coordinate and projection_y_coordinate, or the file components "
+        "eastward and northward",
+        components.east.variable, components.north.variable));
+  }
+  TurnEach(components.east, components.north, [&](size_t point, const Eigen::Vector2d& flow) {
+    return axes[point].x * flow.x() + axes[point].y * flow.y();
+  });
+}
+
+/// Turns velocities East and North at the points of a projected or curvilinear grid to the plane of
+/// the mission, as near a pole they differ from point to point. On a grid in degrees the plane's
+/// turn is that at the vehicle (GridMap::TurnToPlane).
+void TurnToPlane(Components& components, const GeoPoint& origin) {
+  const CfField& field = components.east;
+  if (!field.projection && !field.is_curvilinear()) return;
+  const LocalFrame frame(origin);
+  const size_t columns = field.x.size();
+  std::vector<GeoPoint> points;
+  points.reserve(columns * field.y.size());
+  for (size_t i = 0; i < columns * field.y.size(); ++i) {
+    points.push_back(field.projection
+                         ? field.projection->Reverse({field.x[i % columns], field.y[i / columns]})
+                         : GeoPoint{.lat_deg = field.lats_deg[i], .lon_deg = field.lons_deg[i]});
+  }
+  TurnEach(components.east, components.north, [&](size_t point, const Eigen::Vector2d& flow) {
+    return frame.TurnToPlane(flow, points[point]);
+  });
 }
 
 /// Finds out what the components run along, and turns them where that is not East and North.
@@ -539,6 +678,9 @@ Result<GridRead<CurrentGrid>> ReadCurrentGrid(const CurrentGridOptions& options,
     for (double& time_s : times_s) time_s -= start_s;
   }
   GridMap map = MapOf(field, options.origin_m, placement, read->notes);
+  const GeoPoint origin = {.lat_deg = placement.origin_lat_deg,
+                           .lon_deg = placement.origin_lon_deg};
+  TurnToPlane(*read, read->notes.own_origin.value_or(origin));
   return GridRead<CurrentGrid>{.grid = CurrentGrid({.map = std::move(map),
                                                     .depths_m = field.depths_m,
                                                     .times_s = std::move(times_s),

@@ -98,6 +98,23 @@ std::optional<CfAxisKind> AxisKindOf(const NetcdfVariable& coordinate) {
   return Look(kAxisNames, coordinate.name);
 }
 
+std::optional<CfRole> RoleOfDimension(std::string_view name) {
+  const std::string whole = LowerCase(name);
+  const std::string_view word = whole;
+  // nx, ni, nlat count.
+  for (const std::string_view each : {word, word.substr(word.starts_with('n') ? 1 : 0)}) {
+    if (each == "i") return CfRole::kEast;
+    if (each == "j") return CfRole::kNorth;
+    for (const std::string_view start : {"x", "lon", "east", "col"}) {
+      if (each.starts_with(start)) return CfRole::kEast;
+    }
+    for (const std::string_view start : {"y", "eta", "lat", "north", "row"}) {
+      if (each.starts_with(start)) return CfRole::kNorth;
+    }
+  }
+  return std::nullopt;
+}
+
 std::optional<CfAxis> Ascending(std::vector<double> points, bool are_longitudes) {
   if (points.empty()) return std::nullopt;
   for (size_t i = 0; i < points.size(); ++i) {

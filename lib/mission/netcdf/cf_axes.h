@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "lib/base/check/enum_table.h"
@@ -22,6 +23,10 @@ struct CfAxisKind {
 /// Returns what a coordinate variable counts: by its units, its standard_name, its attributes
 /// `axis` and `positive`, and last by its name. Nothing where none of these shows it.
 [[nodiscard]] std::optional<CfAxisKind> AxisKindOf(const NetcdfVariable& coordinate);
+
+/// Returns whether models give this name to the dimension of x, of y, or to neither: xi_rho, x, i,
+/// nlon; eta_rho, y, j, nlat.
+[[nodiscard]] std::optional<CfRole> RoleOfDimension(std::string_view name);
 
 /// An axis with its points in ascending order.
 struct CfAxis {

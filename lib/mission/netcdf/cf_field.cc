@@ -212,28 +212,59 @@ class CfReader {
     return "";
   }
 
+  /// Variables with the places of all points of the plane.
+  struct Points {
+    const NetcdfVariable* lats = nullptr;
+    const NetcdfVariable* lons = nullptr;
+  };
+
   /// Without a map that is known, looks for latitudes and longitudes of the two dimensions that are
   /// left, or have axes that count something else than degrees. Where there are none it changes
   /// nothing.
   std::string FindPoints() {
+    std::vector<Points> pairs;
     for (const NetcdfVariable& lats : header_.variables) {
-      const auto kind = AxisKindOf(lats);
-      if (lats.dimensions.size() != 2 || lats.type == NetcdfType::kOther || !kind ||
-          !kind->is_geographic || kind->role != CfRole::kNorth) {
-        continue;
-      }
-      const std::optional<size_t> x_stride = StrideOf(lats.dimensions[1]);
-      const std::optional<size_t> y_stride = StrideOf(lats.dimensions[0]);
-      if (!x_stride || !y_stride || lats.dimensions[0] == lats.dimensions[1]) continue;
+      if (!IsOnPlane(lats, CfRole::kNorth)) continue;
       for (const NetcdfVariable& lons : header_.variables) {
-        const auto other = AxisKindOf(lons);
-        if (lons.dimensions == lats.dimensions && lons.type != NetcdfType::kOther && other &&
-            other->is_geographic && other->role == CfRole::kEast) {
-          return UsePoints(lats, *y_stride, lons, *x_stride);
+        if (lons.dimensions == lats.dimensions && IsOnPlane(lons, CfRole::kEast)) {
+          pairs.push_back({.lats = &lats, .lons = &lons});
         }
       }
     }
-    return "";
+    if (pairs.empty()) return "";
+    const std::string coordinates(variable_.TextOf("coordinates"));
+    const std::vector<std::string_view> words = WordsOf(coordinates);
+    const auto named = std::ranges::find_if(pairs, [&](const Points& pair) {
+      return std::ranges::find(words, pair.lats->name) != words.end() &&
+             std::ranges::find(words, pair.lons->name) != words.end();
+    });
+    if (named != pairs.end()) return UsePoints(*named);
+    if (pairs.size() > 1) {
+      return fmt::format(
+          "may lie at the latitudes '{}' or '{}', or the longitudes '{}' or '{}'; name those of "
+          "its "
+          "points in its attribute coordinates = \"{} {}\"",
+          PrintableName(pairs[0].lats->name), PrintableName(pairs.back().lats->name),
+          PrintableName(pairs[0].lons->name), PrintableName(pairs.back().lons->name),
+          PrintableName(pairs[0].lons->name), PrintableName(pairs[0].lats->name));
+    }
+    if (!words.empty()) {
+      field_.warnings.push_back(fmt::format(
+          "names in its attribute coordinates '{}' no latitudes and longitudes of its dimensions: "
+          "'{}' and '{}' are taken, the only ones in the file",
+          PrintableName(coordinates), PrintableName(pairs[0].lats->name),
+          PrintableName(pairs[0].lons->name)));
+    }
+    return UsePoints(pairs[0]);
+  }
+
+  /// Returns whether a variable has latitudes, or longitudes, of two dimensions of the plane.
+  bool IsOnPlane(const NetcdfVariable& degrees, CfRole role) const {
+    const auto kind = AxisKindOf(degrees);
+    return degrees.dimensions.size() == 2 && degrees.type != NetcdfType::kOther && kind &&
+           kind->is_geographic && kind->role == role &&
+           degrees.dimensions[0] != degrees.dimensions[1] && StrideOf(degrees.dimensions[0]) &&
+           StrideOf(degrees.dimensions[1]);
   }
 
   /// Returns the stride of a dimension of the plane; nothing: it is none.
@@ -247,26 +278,65 @@ class CfReader {
     return std::nullopt;
   }
 
-  std::string UsePoints(const NetcdfVariable& lats, size_t y_stride, const NetcdfVariable& lons,
-                        size_t x_stride) {
+  /// Returns what a dimension of the plane is: by its axis, else by its name.
+  std::optional<CfRole> RoleOf(uint32_t dimension) const {
+    for (const CfRole role : {CfRole::kEast, CfRole::kNorth}) {
+      const Role& axis = roles_[static_cast<size_t>(role)];
+      if (axis.coordinate != nullptr && axis.dimension == dimension) return role;
+    }
+    return RoleOfDimension(header_.dimensions[dimension].name);
+  }
+
+  /// Makes a dimension of the plane count points. They stay in the order of its axis, ascending:
+  /// along it run the components of a current.
+  Role CountPoints(uint32_t dimension, const NetcdfVariable& coordinate) const {
+    Role role = {.coordinate = &coordinate, .stride = *StrideOf(dimension), .dimension = dimension};
+    for (const CfRole each : {CfRole::kEast, CfRole::kNorth}) {
+      const Role& axis = roles_[static_cast<size_t>(each)];
+      if (axis.coordinate != nullptr && axis.dimension == dimension) role.axis = axis.axis;
+    }
+    const size_t length = header_.dimensions[dimension].length;
+    if (role.axis.source.size() < length) {
+      role.axis.source.resize(length);
+      std::iota(role.axis.source.begin(), role.axis.source.end(), size_t{0});
+    }
+    role.axis.points.resize(role.axis.source.size());
+    std::iota(role.axis.points.begin(), role.axis.points.end(), 0.0);
+    return role;
+  }
+
+  std::string UsePoints(const Points& points) {
+    const std::vector<uint32_t>& dimensions = points.lats->dimensions;
+    // Models store rows of x, unless axes or names state the other order.
+    const std::optional<CfRole> first = RoleOf(dimensions[0]);
+    const std::optional<CfRole> second = RoleOf(dimensions[1]);
+    const bool is_x_first = (first == CfRole::kEast && second != CfRole::kEast) ||
+                            (second == CfRole::kNorth && first != CfRole::kNorth);
+    const uint32_t x_dimension = dimensions[is_x_first ? 0 : 1];
+    const uint32_t y_dimension = dimensions[is_x_first ? 1 : 0];
+    Role east = CountPoints(x_dimension, *points.lons);
+    Role north = CountPoints(y_dimension, *points.lats);
+    const size_t row_length = header_.dimensions[dimensions[1]].length;
+    const size_t x_stride = is_x_first ? row_length : 1;
+    const size_t y_stride = is_x_first ? 1 : row_length;
     for (const auto& [variable, degrees] :
-         {std::pair(&lats, &field_.lats_deg), std::pair(&lons, &field_.lons_deg)}) {
+         {std::pair(points.lats, &field_.lats_deg), std::pair(points.lons, &field_.lons_deg)}) {
       Result<std::vector<double>> read = source_.read(*variable);
       if (!read.ok()) return read_error_ = read.error();
-      *degrees = Unpacked(*variable, std::move(*read));
+      const std::vector<double> stored = Unpacked(*variable, std::move(*read));
+      degrees->reserve(stored.size());
+      for (const size_t y : north.axis.source) {
+        for (const size_t x : east.axis.source) {
+          degrees->push_back(stored[y * y_stride + x * x_stride]);
+        }
+      }
       if (degrees->empty()) return "has latitudes or longitudes without a value; make it anew";
     }
-    const auto use = [&](CfRole role, uint32_t dimension, size_t stride,
-                         const NetcdfVariable& coordinate) {
-      Role& axis = At(role);
-      axis = {.coordinate = &coordinate, .stride = stride, .dimension = dimension};
-      axis.axis.source.resize(header_.dimensions[dimension].length);
-      std::iota(axis.axis.source.begin(), axis.axis.source.end(), size_t{0});
-      axis.axis.points.assign(axis.axis.source.begin(), axis.axis.source.end());
-      std::erase_if(loose_, [&](const Loose& each) { return each.dimension == dimension; });
-    };
-    use(CfRole::kEast, lats.dimensions[1], x_stride, lons);
-    use(CfRole::kNorth, lats.dimensions[0], y_stride, lats);
+    At(CfRole::kEast) = std::move(east);
+    At(CfRole::kNorth) = std::move(north);
+    std::erase_if(loose_, [&](const Loose& each) {
+      return each.dimension == x_dimension || each.dimension == y_dimension;
+    });
     return "";
   }
 

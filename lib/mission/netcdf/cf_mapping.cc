@@ -24,16 +24,6 @@ constexpr std::array<MappingRow, 5> kMappings = {
      {"transverse_mercator", MapProjectionKind::kTransverseMercator},
      {"rotated_latitude_longitude", MapProjectionKind::kRotatedPole}}};
 
-std::vector<std::string_view> WordsOf(std::string_view text) {
-  std::vector<std::string_view> words;
-  for (text = Trimmed(text); !text.empty(); text = Trimmed(text)) {
-    const size_t end = std::min(text.find_first_of(" \t\n\r"), text.size());
-    words.push_back(text.substr(0, end));
-    text.remove_prefix(end);
-  }
-  return words;
-}
-
 /// Reads the numbers of one mapping and notes the first that it needs and that is not there.
 class MappingNumbers {
  public:

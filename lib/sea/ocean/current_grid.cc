@@ -88,7 +88,7 @@ Eigen::Vector2d CurrentGrid::VelocityAt(const Eigen::Vector3d& position_m, doubl
   if (time.share != 0) {
     velocity_mps = Between(velocity_mps, ColumnVelocity(cell, time.after, depth), time.share);
   }
-  return velocity_mps;
+  return map_.TurnToPlane(velocity_mps, position_m.head<2>());
 }
 
 bool CurrentGrid::IsInside(const Eigen::Vector2d& position_m) const {

@@ -14,7 +14,8 @@
 namespace shoal {
 
 /// Velocities at points: of each time each depth, of each depth each row from South to North, of
-/// each row each column from West to East. NaN: the point has no data.
+/// each row each column from West to East. On a map in degrees they run East and North at each
+/// point, on another one along the mission's x and y. NaN: the point has no data.
 struct CurrentGridData {
   GridMap map;
   std::vector<double> depths_m = {0};  ///< Ascending, positive below the surface.
@@ -30,9 +31,9 @@ class CurrentGrid {
   /// @pre as many velocities of either kind as times, depths, rows and columns make; finite or NaN
   explicit CurrentGrid(CurrentGridData data);
 
-  /// Returns the water's velocity, x East, y North: bilinear between the four points around the
-  /// position, linear in depth and time, hence exact at the points and continuous. Off the grid it
-  /// is that of the nearest edge, depth and time. @pre time_s is finite
+  /// Returns the water's velocity along the mission's x and y: bilinear between the four points
+  /// around the position, linear in depth and time, hence exact at the points and continuous. Off
+  /// the grid it is that of the nearest edge, depth and time. @pre time_s is finite
   [[nodiscard]] Eigen::Vector2d VelocityAt(const Eigen::Vector3d& position_m, double time_s) const;
 
   /// Returns whether the position is at most half a cell beyond the outermost points.

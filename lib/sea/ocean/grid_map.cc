@@ -50,6 +50,13 @@ GridCell GridMap::Locate(const Eigen::Vector2d& position_m) const {
   return {.x = x_.Locate(place.x()), .y = y_.Locate(place.y())};
 }
 
+Eigen::Vector2d GridMap::TurnToPlane(const Eigen::Vector2d& along,
+                                     const Eigen::Vector2d& position_m) const {
+  if (!earth_ || projection_) return along;
+  const GeoPoint point = earth_->ToGeo(position_m);
+  return std::isfinite(point.lat_deg) ? earth_->TurnToPlane(along, point) : along;
+}
+
 double GridMap::Interpolate(std::span<const float> values, const GridCell& cell) const {
   SHOAL_CHECK(values.size() == num_points(), "a layer has columns * rows values");
   const auto point = [&](int column, int row) -> double {

@@ -42,6 +42,11 @@ class GridMap {
   /// Returns the points around a position; off the grid those of its nearest edge.
   [[nodiscard]] GridCell Locate(const Eigen::Vector2d& position_m) const;
 
+  /// Returns as x, y of the mission's plane what runs `along` East and North at a position on a
+  /// grid in degrees (LocalFrame::TurnToPlane). On other grids vectors are along x and y already.
+  [[nodiscard]] Eigen::Vector2d TurnToPlane(const Eigen::Vector2d& along,
+                                            const Eigen::Vector2d& position_m) const;
+
   /// Returns the value in a cell, bilinear between its four points: exact at the points,
   /// continuous, and never beyond the values of those four. `values` in rows from South to North,
   /// each from West to East. @pre columns() * rows() values
