@@ -12,6 +12,7 @@ namespace shoal {
 namespace {
 
 constexpr int kMaxBins = 1024;
+constexpr int kBlockSide = 32;
 constexpr double kSlack = 1e-9;  // Of a cell: a position on a border is in both cells.
 
 double Cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
@@ -35,6 +36,7 @@ GridMesh::GridMesh(const GeoPoint& origin, int columns, int rows,
             .value_or(Eigen::Vector2d(kNan, kNan)));
   }
   MakeBins();
+  MakeBlocks();
 }
 
 bool GridMesh::IsCell(int column, int row) const {
@@ -156,16 +158,59 @@ std::optional<GridMesh::Shares> GridMesh::SharesIn(int column, int row,
   return Shares{.x = std::clamp(shares.x, 0.0, 1.0), .y = std::clamp(shares.y, 0.0, 1.0)};
 }
 
-GridCell GridMesh::NearestPoint(const Eigen::Vector2d& position_m) const {
-  double least = std::numeric_limits<double>::infinity();
-  size_t nearest = 0;
-  for (size_t i = 0; i < points_m_.size(); ++i) {
-    const double distance = (points_m_[i] - position_m).squaredNorm();
-    if (distance < least) {  // False for NaN.
-      least = distance;
-      nearest = i;
+void GridMesh::MakeBlocks() {
+  for (int row = 0; row < rows_; row += kBlockSide) {
+    for (int column = 0; column < columns_; column += kBlockSide) {
+      Block block = {.column = column,
+                     .row = row,
+                     .low_m = Eigen::Vector2d::Constant(std::numeric_limits<double>::infinity()),
+                     .high_m = Eigen::Vector2d::Constant(-std::numeric_limits<double>::infinity())};
+      for (int y = row; y < std::min(row + kBlockSide, rows_); ++y) {
+        for (int x = column; x < std::min(column + kBlockSide, columns_); ++x) {
+          if (!PointAt(x, y).allFinite()) continue;
+          block.low_m = block.low_m.cwiseMin(PointAt(x, y));
+          block.high_m = block.high_m.cwiseMax(PointAt(x, y));
+        }
+      }
+      if (block.low_m.allFinite()) blocks_.push_back(block);
     }
   }
+}
+
+/// Returns the nearest point, of equally near ones the first. Blocks that are too far away for it
+/// are left out: otherwise a vehicle off the grid would have all points compared at each step.
+size_t GridMesh::NearestIndex(const Eigen::Vector2d& position_m) const {
+  double least = std::numeric_limits<double>::infinity();
+  size_t nearest = 0;
+  const auto distance_to = [&](const Block& block) {
+    return (position_m - position_m.cwiseMax(block.low_m).cwiseMin(block.high_m)).squaredNorm();
+  };
+  const auto look_in = [&](const Block& block) {
+    for (int y = block.row; y < std::min(block.row + kBlockSide, rows_); ++y) {
+      for (int x = block.column; x < std::min(block.column + kBlockSide, columns_); ++x) {
+        const double distance = (PointAt(x, y) - position_m).squaredNorm();
+        // False for NaN.
+        if (distance < least || (distance == least && At(x, y) < nearest)) {
+          least = distance;
+          nearest = At(x, y);
+        }
+      }
+    }
+  };
+  const auto closest = std::ranges::min_element(blocks_, {}, distance_to);
+  if (closest == blocks_.end() || !position_m.allFinite()) return nearest;
+  look_in(*closest);
+  // Its distance is rounded, and that of its points otherwise.
+  constexpr double kRounding = 1e-12;
+  for (const Block& block : blocks_) {
+    if (&block != &*closest && distance_to(block) * (1 - kRounding) <= least) look_in(block);
+  }
+  return nearest;
+}
+
+GridCell GridMesh::NearestPoint(const Eigen::Vector2d& position_m) const {
+  const size_t nearest = NearestIndex(position_m);
+  const double least = (points_m_[nearest] - position_m).squaredNorm();
   const auto column = static_cast<int>(nearest % static_cast<size_t>(columns_));
   const auto row = static_cast<int>(nearest / static_cast<size_t>(columns_));
   double farthest_m2 = 0;

@@ -39,12 +39,22 @@ class GridMesh {
   }
   const Eigen::Vector2d& PointAt(int column, int row) const { return points_m_[At(column, row)]; }
   bool IsCell(int column, int row) const;
+  /// A rectangle of points, and where they lie.
+  struct Block {
+    int column = 0;  ///< The first one; kBlockSide of them, or up to the last.
+    int row = 0;
+    Eigen::Vector2d low_m;
+    Eigen::Vector2d high_m;
+  };
+
   void MakeBins();
+  void MakeBlocks();
   size_t CountInBins() const;
   template <class Use>
   void ForBinsOf(int column, int row, const Use& use) const;
   int BinAlong(double distance_m, double bin_m) const;
   std::optional<Shares> SharesIn(int column, int row, const Eigen::Vector2d& position_m) const;
+  size_t NearestIndex(const Eigen::Vector2d& position_m) const;
   GridCell NearestPoint(const Eigen::Vector2d& position_m) const;
 
   int columns_;
@@ -57,6 +67,7 @@ class GridMesh {
   /// bin_starts_[b + 1] of bin_cells_.
   std::vector<size_t> bin_starts_;
   std::vector<uint32_t> bin_cells_;
+  std::vector<Block> blocks_;  ///< With a point that has a place; by rows.
 };
 
 }  // namespace shoal

@@ -67,6 +67,46 @@ TEST(GridMesh, IsThatOfItsNearestPointBeyondItsCellsAndInsideForHalfACell) {
   EXPECT_FALSE(map.Locate({kNan, 0}).IsInside());
 }
 
+TEST(GridMesh, IsThatOfTheNearestOfAllPointsWhereverAVehicleIs) {
+  // More than two blocks along either side, with a hole.
+  constexpr int kColumns = 70;
+  constexpr int kRows = 90;
+  const LocalFrame frame(kOrigin);
+  std::vector<double> lats_deg;
+  std::vector<double> lons_deg;
+  std::vector<Eigen::Vector2d> places_m;
+  for (int row = 0; row < kRows; ++row) {
+    for (int column = 0; column < kColumns; ++column) {
+      const bool is_hole = column > 20 && column < 50 && row > 10 && row < 70;
+      const GeoPoint point =
+          frame.ToGeo({500.0 * (column - 35) + 8.0 * row, 400.0 * (row - 45) - 0.3 * column * row});
+      lats_deg.push_back(is_hole ? kNan : point.lat_deg);
+      lons_deg.push_back(point.lon_deg);
+      places_m.push_back(
+          frame.ToLocal({lats_deg.back(), lons_deg.back()}).value_or(Eigen::Vector2d(kNan, kNan)));
+    }
+  }
+  const GridMesh mesh(kOrigin, kColumns, kRows, lats_deg, lons_deg);
+  for (double angle_rad = 0; angle_rad < 6.2; angle_rad += 0.3) {
+    for (const double distance_m : {10.0, 2000.0, 30'000.0, 1e6}) {
+      const Eigen::Vector2d place_m =
+          distance_m * Eigen::Vector2d(std::cos(angle_rad), std::sin(angle_rad));
+      size_t nearest = 0;
+      double least = std::numeric_limits<double>::infinity();
+      for (size_t i = 0; i < places_m.size(); ++i) {
+        if ((places_m[i] - place_m).squaredNorm() < least) {
+          least = (places_m[i] - place_m).squaredNorm();
+          nearest = i;
+        }
+      }
+      const GridCell cell = mesh.Locate(place_m);
+      if (cell.x.before != cell.x.after) continue;  // In a cell.
+      EXPECT_EQ(cell.x.before, static_cast<int>(nearest) % kColumns) << place_m.transpose();
+      EXPECT_EQ(cell.y.before, static_cast<int>(nearest) / kColumns) << place_m.transpose();
+    }
+  }
+}
+
 TEST(GridMesh, LeavesOutPointsWithoutAPlace) {
   Bent bent;
   bent.lats_deg[7] = kNan;
