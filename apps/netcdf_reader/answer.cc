@@ -114,6 +114,7 @@ NetcdfAttribute AttributeOf(int file, int variable, int number) {
   } else if (type == NC_STRING && length <= kMaxNetcdfNumbers) {
     attribute.text = StringOf(file, variable, name.data(), length);
   } else if (TypeOf(type) != NetcdfType::kOther && length <= kMaxNetcdfNumbers) {
+    attribute.type = TypeOf(type);
     attribute.numbers.resize(length);
     Demand(nc_get_att_double(file, variable, name.data(), attribute.numbers.data()),
            "an attribute cannot be read");

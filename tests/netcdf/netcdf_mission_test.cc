@@ -277,6 +277,45 @@ TEST_P(NetcdfMissions, AreWarnedOfTheShareOfLand) {
   EXPECT_NE(warnings[0].find("if they are not, write grid_is_depth = true"), std::string::npos);
 }
 
+TEST_P(NetcdfMissions, TakeMarksOfNoDataThatAFileDoesNotName) {
+  const auto keys = [&](const std::string& name, const std::string& more = "") {
+    return "floor = {grid = \"sea/" + name + "\"" + more + "}";
+  };
+  Write("sea/hole.nc", FlatFile("elevation", {}, {-50, -50, -50, -50, -9999, -50, -50, -50, -50}));
+  EXPECT_NE(ErrorOf(keys("hole.nc")).find("has no data at latitude 54.2, longitude 10.2 (such"),
+            std::string::npos)
+      << ErrorOf(keys("hole.nc"));
+  const std::string filled = keys("hole.nc", ", grid_gap_depth_m = 40");
+  EXPECT_NEAR(Sea(filled).floor->DepthAt({0, 0}), 40, 1e-4);
+  ASSERT_EQ(SeaWarnings(Load(filled)).size(), 1U);
+  EXPECT_NE(SeaWarnings(Load(filled))[0].find("has the number -9999, and none near it"),
+            std::string::npos);
+  Write("sea/trench.nc",
+        FlatFile("elevation", {}, {-9500, -50, -50, -50, -9999, -50, -50, -50, -50}));
+  EXPECT_NEAR(Sea(keys("trench.nc")).floor->DepthAt({0, 0}), 9999, 1e-3);
+}
+
+TEST_P(NetcdfMissions, ReadNamedDepthsWithLandAsDepthsAndAskWhereTheLandIsTheLargerPart) {
+  Write("sea/coast.nc", FlatFile("depth", {}, {50, 50, 50, 50, 50, 50, -5, -5, -5}));
+  EXPECT_NEAR(Sea("floor = {grid = \"sea/coast.nc\"}").floor->DepthAt({0, 0}), 50, 1e-4);
+  const std::vector<std::string> warnings = SeaWarnings(Load("floor = {grid = \"sea/coast.nc\"}"));
+  ASSERT_EQ(warnings.size(), 2U) << "how it is read, and its land";
+  Write("sea/hills.nc", FlatFile("depth", {}, {50, 50, 50, -5, -5, -5, -5, -5, -5}));
+  EXPECT_NE(ErrorOf("floor = {grid = \"sea/hills.nc\"}")
+                .find("67 % of its points are negative: write grid_is_depth = true"),
+            std::string::npos)
+      << ErrorOf("floor = {grid = \"sea/hills.nc\"}");
+  EXPECT_NEAR(
+      Sea("floor = {grid = \"sea/hills.nc\", grid_is_depth = false}").floor->DepthAt({0, 0}), 5,
+      1e-4);
+  Write("sea/zos.nc", FlatFile("zos", {{"standard_name", "sea_surface_height_above_geoid"}},
+                               std::vector<double>(9, -0.5)));
+  EXPECT_NE(ErrorOf("floor = {grid = \"sea/zos.nc\"}").find("which variable is the sea floor"),
+            std::string::npos);
+  EXPECT_NE(ErrorOf("floor = {grid = \"sea/zos.nc:zos\"}").find("is no sea floor"),
+            std::string::npos);
+}
+
 TEST_P(NetcdfMissions, LayMapsInMetresByTheirOrigin) {
   WrittenNetcdf file = {
       .dimensions = {{"y", 2}, {"x", 2}},
@@ -412,6 +451,29 @@ WrittenNetcdf TwoDepths(const std::vector<double>& depths, const std::string& po
   file.variables.push_back(
       {.name = "vo", .dimensions = {0, 1, 2}, .values = std::vector<double>(8, 0)});
   return file;
+}
+
+TEST_P(NetcdfMissions, AreRefusedWhereTheirCurrentHasASinglePointAlongAnAxis) {
+  WrittenNetcdf file = TwoDepths({0, 10}, "down");
+  file.dimensions[1].second = 1;
+  file.variables[1].values = {10};
+  for (const size_t component : {3, 4}) file.variables[component].values.resize(4);
+  Write("sea/row.nc", file);
+  EXPECT_NE(ErrorOf("current = {grid = \"sea/row.nc\"}").find("has a single point along one of"),
+            std::string::npos);
+}
+
+TEST_P(NetcdfMissions, KeepTheTypeOfBounds) {
+  WrittenNetcdf file = TwoDepths({0, 10}, "down");
+  for (const size_t component : {3, 4}) {
+    file.variables[component].type = WrittenType::kShort;
+    file.variables[component].numbers = {
+        {"scale_factor", 0.001}, {"valid_min", -2}, {"valid_max", 2}};
+    for (double& value : file.variables[component].values) value *= 1000;
+  }
+  Write("sea/packed.nc", file);
+  EXPECT_NEAR(Sea("current = {grid = \"sea/packed.nc\"}").WaterVelocityAt({0, 0, 0}, 0).x(), 0.5,
+              1e-6);
 }
 
 TEST_P(NetcdfMissions, HaveTheWaterOfTheirDepthWhereTheAxisIsUpsideDown) {

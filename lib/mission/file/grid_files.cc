@@ -24,6 +24,7 @@
 #include "lib/sea/ocean/current.h"
 #include "lib/sea/ocean/esri_grid.h"
 #include "lib/sea/ocean/floor_signs.h"
+#include "lib/sea/ocean/gap_marks.h"
 #include "lib/sea/ocean/grid_mesh.h"
 
 namespace shoal {
@@ -166,6 +167,13 @@ void WarnOfLand(const FloorSigns& signs, const FloorReading& reading, const std:
       !reading.are_depths));
 }
 
+/// Warns of a number that was taken for no data.
+void WarnOfMark(const std::string& where, double mark, const char* remedy, GridNotes& notes) {
+  notes.warnings.push_back(fmt::format(
+      "{} has the number {:g}, and none near it: it is taken to mark points without data; {}",
+      where, mark, remedy));
+}
+
 /// Decides what the numbers of a variable are: by what its attributes state, by grid_is_depth where
 /// they state nothing, or cannot be right, and at last by its name.
 FloorReading ReadingOf(const NetcdfVariable& variable, const FloorSigns& signs,
@@ -180,8 +188,9 @@ FloorReading ReadingOf(const NetcdfVariable& variable, const FloorSigns& signs,
                                          *options.grid_is_depth));
     return reading;
   }
-  if (!options.grid_is_depth && IsNamedAsDepths(variable) && signs.IsHardlyBelow(false) &&
-      !signs.IsHardlyBelow(true)) {
+  // Of a map with land, more than half lies in the sea, as the name has it: else it may be either.
+  if (!options.grid_is_depth && IsNamedAsDepths(variable) && !signs.IsHardlyBelow(true) &&
+      signs.NumBelow(true) >= signs.NumBelow(false)) {
     notes.warnings.push_back(
         where +
         " has no attribute that states what its numbers are: by its name and their signs "
@@ -191,14 +200,43 @@ FloorReading ReadingOf(const NetcdfVariable& variable, const FloorSigns& signs,
   return {.are_depths = options.grid_is_depth.value_or(false)};
 }
 
+/// Returns why it cannot be decided what the numbers of a floor are; empty: it can. A variable that
+/// is called depth, and of which more numbers are negative, has depths of much land, or elevations.
+std::string SignsProblem(const NetcdfVariable& variable, const FloorSigns& signs,
+                         const FloorOptions& options) {
+  if (StatementOf(variable) || options.grid_is_depth || !IsNamedAsDepths(variable) ||
+      signs.IsHardlyBelow(true) || signs.NumBelow(true) >= signs.NumBelow(false)) {
+    return "";
+  }
+  return fmt::format(
+      "is named as depths, positive below the surface, and {} of its points are negative: write "
+      "grid_is_depth = true if these are land, or false if they are the sea",
+      ShareText(signs.num_negative, signs.num()));
+}
+
+/// Takes numbers that programs use as marks for no data as such (GapMarks), with a warning.
+void TakeGapMarks(CfField& field, const std::string& where, GridNotes& notes) {
+  GapMarks marks;
+  for (const float value : field.values) {
+    if (!std::isnan(value)) marks.Count(value);
+  }
+  for (const double mark : marks.Found()) {
+    std::ranges::replace(field.values, static_cast<float>(mark), std::nanf(""));
+    WarnOfMark(where, mark, "give the variable a _FillValue", notes);
+  }
+}
+
 /// Returns what is wrong with the numbers of a floor, each for itself; empty: nothing.
-std::string CountSigns(const CfField& field, double gap_depth_m, FloorSigns& signs) {
+std::string CountSigns(const CfField& field, bool has_marks, double gap_depth_m,
+                       FloorSigns& signs) {
   for (size_t i = 0; i < field.values.size(); ++i) {
     const float value = field.values[i];
     if (std::isnan(value)) {
       if (gap_depth_m >= 0) continue;
-      return fmt::format("has no data at {}; give points without data a depth: grid_gap_depth_m",
-                         PointText(field, i));
+      return fmt::format(
+          "has no data at {}{}; give points without data a depth: grid_gap_depth_m",
+          PointText(field, i),
+          has_marks ? " (such a number as -9999, and none near it, counts as none)" : "");
     }
     if (std::abs(value) > kMaxGridElevation_m) {
       return fmt::format(
@@ -239,13 +277,20 @@ Result<GridRead<DepthGrid>> ReadNetcdfFloor(const FloorOptions& options, const G
   const NetcdfVariable& variable = *grid->file.header().Find(*found);
   const std::string where = fmt::format("{}: variable '{}'", path, *found);
   std::string problem = PlaceProblem(*field, options.grid_origin_m);
+  if (const auto other = OtherThanFloor(variable); problem.empty() && other) {
+    problem = "is no sea floor, as " + *other + "; name another one, or correct that";
+  }
   if (problem.empty() && field->depths_m.size() * field->times_s.size() > 1) {
     problem = "is one of several times or depths, and the sea floor has neither; cut out one";
   }
   GridNotes notes;
   FloorSigns signs;
   FloorReading reading;
-  if (problem.empty()) problem = CountSigns(*field, options.grid_gap_depth_m, signs);
+  TakeGapMarks(*field, where, notes);
+  if (problem.empty()) {
+    problem = CountSigns(*field, !notes.warnings.empty(), options.grid_gap_depth_m, signs);
+  }
+  if (problem.empty()) problem = SignsProblem(variable, signs, options);
   if (problem.empty()) {
     reading = ReadingOf(variable, signs, options, where, notes);
     problem = LandProblem(signs, reading, options.grid_is_depth == reading.are_depths);
@@ -265,11 +310,37 @@ Result<GridRead<DepthGrid>> ReadNetcdfFloor(const FloorOptions& options, const G
                              .notes = std::move(notes)};
 }
 
-Result<EsriField> ReadEsri(const std::string& path, EsriGridOptions options) {
+/// Returns why a map is one of degrees, whose coordinates are read as metres; empty: it is not. A
+/// map of some metres, as of a tank, lies around the mission's plane.
+std::string DegreesProblem(const GridFrame& frame, const GridPlacement& placement) {
+  const Eigen::Vector2d low = frame.south_west_m - frame.cell_m / 2;
+  const Eigen::Vector2d size(frame.columns * frame.cell_m.x(), frame.rows * frame.cell_m.y());
+  const Eigen::Vector2d high = low + size;
+  if (low.x() < -180 || high.x() > 360 || low.y() < -90 || high.y() > 90) return "";
+  const auto has = [&](double x, double y) {
+    return x >= low.x() && x <= high.x() && y >= low.y() && y <= high.y();
+  };
+  const double lat = placement.origin_lat_deg;
+  const double lon = placement.origin_lon_deg;
+  const bool has_origin = (lat != 0 || lon != 0) && (has(lon, lat) || has(lon + 360, lat));
+  if (std::abs(size.x() - 360) > frame.cell_m.x() / 2 && (!has_origin || has(0, 0))) return "";
+  return fmt::format(
+      "the map lies from ({:g}, {:g}) to ({:g}, {:g}), which are longitudes and latitudes, and its "
+      "coordinates are read as metres: project it, for example with gdalwarp -t_srs and the UTM "
+      "zone",
+      low.x(), low.y(), high.x(), high.y());
+}
+
+Result<EsriField> ReadEsri(const std::string& path, EsriGridOptions options,
+                           const GridPlacement& placement) {
   const FileText file = ReadRegularFile(path);
   if (!file.problem.empty()) return CannotOpen(path, file.problem);
   options.name = path;
-  return ParseEsriField(file.text, options);
+  Result<EsriField> field = ParseEsriField(file.text, options);
+  if (!field.ok() || !options.mission_origin_m.isZero()) return field;
+  const std::string problem = DegreesProblem(field->frame, placement);
+  if (!problem.empty()) return Error{path + ": " + problem};
+  return field;
 }
 
 constexpr char kOtherPoints[] =
@@ -280,9 +351,9 @@ Result<GridRead<CurrentGrid>> ReadEsriCurrent(const CurrentGridOptions& options,
                                               const GridPlacement& placement) {
   const EsriGridOptions esri = {.values = GridValues::kVelocity,
                                 .mission_origin_m = options.origin_m};
-  Result<EsriField> east = ReadEsri(PathOf(options.east, placement), esri);
+  Result<EsriField> east = ReadEsri(PathOf(options.east, placement), esri, placement);
   if (!east.ok()) return Error{east.error()};
-  Result<EsriField> north = ReadEsri(PathOf(options.north, placement), esri);
+  Result<EsriField> north = ReadEsri(PathOf(options.north, placement), esri, placement);
   if (!north.ok()) return Error{north.error()};
   if (east->frame != north->frame) {
     return Error{fmt::format("{} and {} {}", options.east, options.north, kOtherPoints)};
@@ -307,6 +378,12 @@ Result<CfField> ReadComponent(const NetcdfFile& file, const std::string& variabl
   Result<CfField> field = ReadCfField(SourceOf(file), variable, CfQuantity::kMetresPerSecond);
   if (!field.ok()) return field;
   std::string problem = PlaceProblem(*field, origin_m);
+  if (problem.empty() && (field->x.size() < 2 || field->y.size() < 2)) {
+    problem =
+        "has a single point along one of its horizontal axes, and how far that reaches is not "
+        "known: cut out two or more along each, or write the current as speed_mps and "
+        "direction_deg";
+  }
   if (const auto beyond = FindBeyond(field->values, kMaxCurrent_mps); beyond && problem.empty()) {
     problem = fmt::format(
         "is {:g} m/s at {}, faster than {:g} m/s; is it the mark for no data? "
@@ -651,13 +728,16 @@ Result<GridRead<DepthGrid>> ReadFloorGrid(const FloorOptions& options,
   if (options.grid_gap_depth_m >= 0) gap_depth_m = options.grid_gap_depth_m;
   const std::string path = PathOf(options.grid, placement);
   Result<EsriField> field =
-      ReadEsri(path, {.values = reading.are_depths ? GridValues::kDepth : GridValues::kElevation,
-                      .mission_origin_m = options.grid_origin_m,
-                      .nodata_depth_m = gap_depth_m});
+      ReadEsri(path,
+               {.values = reading.are_depths ? GridValues::kDepth : GridValues::kElevation,
+                .mission_origin_m = options.grid_origin_m,
+                .nodata_depth_m = gap_depth_m},
+               placement);
   if (!field.ok()) return Error{field.error()};
   const std::string problem = LandProblem(field->signs, reading, options.grid_is_depth.has_value());
   if (!problem.empty()) return Error{path + ": the map " + problem};
   GridNotes notes;
+  for (const double mark : field->gap_marks) WarnOfMark(path, mark, "set NODATA_value", notes);
   WarnOfLand(field->signs, reading, path, notes);
   return GridRead<DepthGrid>{.grid = DepthGrid(field->frame, std::move(field->values)),
                              .notes = std::move(notes)};

@@ -175,6 +175,27 @@ TEST_F(FloorFiles, AreRefusedWhereNoPointLiesBelowTheSurface) {
             std::string::npos);
 }
 
+TEST_F(FloorFiles, AreRefusedInDegreesWhereTheMissionLiesAmongThese) {
+  const auto error = [&](double west, double south, double cell, double lat_deg, double lon_deg) {
+    const int rows = cell > 30 ? 5 : 10;
+    std::string text = "ncols 10\nnrows " + std::to_string(rows) + "\nxllcorner " +
+                       std::to_string(west) + "\nyllcorner " + std::to_string(south) +
+                       "\ncellsize " + std::to_string(cell) + "\n";
+    for (int i = 0; i < 10 * rows; ++i) text += "-20 ";
+    Write("bay.asc", text);
+    const auto floor = ReadFloorGrid(
+        {.style = "grid", .grid = "bay.asc"},
+        {.folder = folder_.string(), .origin_lat_deg = lat_deg, .origin_lon_deg = lon_deg});
+    return floor.ok() ? "" : floor.error();
+  };
+  EXPECT_NE(error(0, 55, 1, 60, 5).find("which are longitudes and latitudes"), std::string::npos);
+  EXPECT_NE(error(350, 55, 1, 60, -5).find("project it"), std::string::npos);
+  EXPECT_NE(error(-180, -90, 36, 0, 0).find("project it"), std::string::npos) << "the whole Earth";
+  EXPECT_EQ(error(-5, -5, 1, 1, 2), "") << "a tank around the mission's own origin";
+  EXPECT_EQ(error(0, 55, 1, 30, 5), "") << "the mission is elsewhere";
+  EXPECT_EQ(error(-500, -500, 100, 60, 5), "") << "metres";
+}
+
 TEST_F(FloorFiles, AreWarnedOfTheirLandWithItsShare) {
   const std::string report = Report("-5 -5\n-5 2\n");
   EXPECT_NE(report.find("25 % of the points of "), std::string::npos) << report;

@@ -92,6 +92,9 @@ class CfReader {
       return fmt::format("has two axes of one kind, '{}' and '{}'; correct their units",
                          PrintableName(role.coordinate->name), name);
     }
+    if ((kind->is_geographic || kind->is_rotated) && !IsInDegrees(*coordinate)) {
+      return UnitProblem(*coordinate, "degrees");
+    }
     Result<std::vector<double>> points = source_.read(*coordinate);
     if (!points.ok()) return read_error_ = points.error();
     const bool are_longitudes =
@@ -152,10 +155,17 @@ class CfReader {
     field_.variable = variable_.name;
     const bool is_geographic = has_axes && x.is_geographic;
     const NetcdfVariable* mapping = nullptr;
-    if (has_axes && !is_geographic) {
+    if (has_axes) {
       const auto found = FindMapping(header_, variable_, x.coordinate->name);
-      if (!found.ok()) return found.error();
-      mapping = *found;
+      if (found.ok()) mapping = *found;
+      // That of latitudes and longitudes has nothing that these need, but another meridian.
+      if (!found.ok() && !is_geographic) return found.error();
+    }
+    if (is_geographic && mapping != nullptr) {
+      const Result<double> meridian_deg = PrimeMeridianOf(*mapping);
+      if (!meridian_deg.ok()) return meridian_deg.error();
+      for (double& lon_deg : At(CfRole::kEast).axis.points) lon_deg += *meridian_deg;
+      mapping = nullptr;
     }
     const std::string map_problem = mapping == nullptr ? "" : UseMapping(*mapping);
     if (!is_geographic && !field_.projection) {
@@ -306,6 +316,16 @@ class CfReader {
   }
 
   std::string UsePoints(const Points& points) {
+    if (const auto mapping = FindMapping(header_, variable_, ""); mapping.ok() && *mapping) {
+      const Result<double> meridian_deg = PrimeMeridianOf(**mapping);
+      if (!meridian_deg.ok()) return meridian_deg.error();
+      if (*meridian_deg != 0) {
+        return "has longitudes of two dimensions, and a grid_mapping whose longitudes do not count "
+               "from Greenwich: whether these do is not clear; make them count from there, and "
+               "remove "
+               "longitude_of_prime_meridian";
+      }
+    }
     const std::vector<uint32_t>& dimensions = points.lats->dimensions;
     // Models store rows of x, unless axes or names state the other order.
     const std::optional<CfRole> first = RoleOf(dimensions[0]);
@@ -321,6 +341,7 @@ class CfReader {
     const size_t y_stride = is_x_first ? 1 : row_length;
     for (const auto& [variable, degrees] :
          {std::pair(points.lats, &field_.lats_deg), std::pair(points.lons, &field_.lons_deg)}) {
+      if (!IsInDegrees(*variable)) return UnitProblem(*variable, "degrees");
       Result<std::vector<double>> read = source_.read(*variable);
       if (!read.ok()) return read_error_ = read.error();
       const std::vector<double> stored = Unpacked(*variable, std::move(*read));
@@ -366,10 +387,19 @@ class CfReader {
     Role& depth = At(CfRole::kDepth);
     if (depth.coordinate == nullptr) return "";
     const std::optional<double> unit = MetresIn(*depth.coordinate);
-    if (!unit || IsLevel(*depth.coordinate))
+    if (!unit || IsLevel(*depth.coordinate) || AreShares(depth)) {
       return UnitProblem(*depth.coordinate,
                          "metres: levels of sigma, density or pressure "
                          "must be interpolated to depths first");
+    }
+    if (AreNumbers(depth)) {
+      field_.warnings.push_back(
+          fmt::format("has an axis '{}' without units that counts {:g}, {:g}, {:g}: it is taken to "
+                      "be metres; if "
+                      "these are the numbers of levels, give it their depths",
+                      PrintableName(depth.coordinate->name), depth.axis.points[0],
+                      depth.axis.points[1], depth.axis.points[2]));
+    }
     const std::string positive = LowerCase(depth.coordinate->TextOf("positive"));
     const std::string standard_name = LowerCase(depth.coordinate->TextOf("standard_name"));
     const bool are_heights =
@@ -404,9 +434,38 @@ class CfReader {
   /// Returns whether an axis counts no depths, whatever its units: shares of the water's depth, or
   /// metres from the sea floor.
   static bool IsLevel(const NetcdfVariable& axis) {
-    const std::string name = LowerCase(Trimmed(axis.TextOf("standard_name")));
-    return !axis.TextOf("formula_terms").empty() || name.starts_with("ocean_") ||
-           name.find("sigma") != std::string::npos || name.find("sea_floor") != std::string::npos;
+    const std::string standard_name = LowerCase(axis.TextOf("standard_name"));
+    if (!axis.TextOf("formula_terms").empty() || standard_name.starts_with("ocean_") ||
+        standard_name.find("sea_floor") != std::string::npos) {
+      return true;
+    }
+    const std::string long_name = LowerCase(axis.TextOf("long_name"));
+    const std::string name = LowerCase(axis.name);
+    for (const char* word : {"sigma", "s-coordinate", "s_coordinate", "terrain"}) {
+      for (const std::string& text : {standard_name, long_name, name}) {
+        if (text.find(word) != std::string::npos) return true;
+      }
+    }
+    return name == "s_rho" || name == "s_w" || name == "siglay" || name == "siglev";
+  }
+
+  /// Returns whether an axis without units has shares of the water's depth: several, none of them
+  /// beyond 1.
+  static bool AreShares(const Role& depth) {
+    const std::vector<double>& points = depth.axis.points;
+    return depth.coordinate->TextOf("units").empty() && points.size() > 1 && points.front() >= -1 &&
+           points.back() <= 1 && (points.front() >= 0 || points.back() <= 0);
+  }
+
+  /// Returns whether an axis without units counts 0, 1, 2, ... or 1, 2, 3, ...
+  static bool AreNumbers(const Role& depth) {
+    const std::vector<double>& points = depth.axis.points;
+    if (!depth.coordinate->TextOf("units").empty() || points.size() < 3) return false;
+    if (points[0] != 0 && points[0] != 1) return false;
+    for (size_t i = 1; i < points.size(); ++i) {
+      if (points[i] != points[0] + static_cast<double>(i)) return false;
+    }
+    return true;
   }
 
   std::string UseTimes() {
@@ -449,6 +508,12 @@ class CfReader {
       return 1;
     }
     return units == "km" ? std::optional(kMetresPerKilometre) : std::nullopt;
+  }
+
+  /// Without units an axis that is called so is in degrees.
+  static bool IsInDegrees(const NetcdfVariable& coordinate) {
+    const std::string units = LowerCase(coordinate.TextOf("units"));
+    return units.empty() || units.starts_with("deg") || units.starts_with("\u00b0");
   }
 
   static std::string UnitProblem(const NetcdfVariable& coordinate, const std::string& wanted) {

@@ -256,6 +256,66 @@ TEST(CfFieldErrors, NameLevelsThatCountNoDepthsWhateverTheirUnits) {
       "bay.nc: variable 'z' has an axis 'hab'", "interpolated to depths");
 }
 
+TEST(CfFieldErrors, NameSharesOfTheDepthThatHaveNoUnits) {
+  const std::string start = "bay.nc: variable 'z' has an axis 'depth' in ''";
+  for (const std::vector<double>& shares :
+       {std::vector<double>{0, 1}, {-1, 0}, {0.1, 0.5}, {-0.9, -0.1}}) {
+    ExpectError(WithDepths("depth", shares, {}), start, "interpolated to depths");
+  }
+  for (const char* name : {"sigma level", "S-coordinate at RHO-points"}) {
+    ExpectError(WithDepths("depth", {0, 40}, {{"long_name", name}}), start, "interpolated");
+  }
+  EXPECT_TRUE(Read(WithDepths("depth", {0, 1}, {{"units", "m"}})).ok());
+  EXPECT_TRUE(Read(WithDepths("depth", {0, 1.5}, {})).ok());
+  EXPECT_TRUE(Read(WithDepths("depth", {0, 1.5}, {}))->warnings.empty());
+}
+
+TEST(CfField, HasHeightsWhateverBlanksStandInItsAttributes) {
+  const Result<CfField> field =
+      Read(WithDepths("depth", {-100, 5}, {{"units", "m"}, {"positive", "up "}}));
+  ASSERT_TRUE(field.ok()) << field.error();
+  EXPECT_EQ(field->depths_m, (std::vector<double>{-5, 100}));
+}
+
+TEST(CfFieldErrors, NameAnglesThatAreNoDegrees) {
+  ExpectError(FakeNetcdf()
+                  .Axis("lat", {1.03, 1.05}, {{"units", "radians"}})
+                  .Axis("lon", {0.07, 0.09}, {{"units", "radians"}})
+                  .Variable("z", {"lat", "lon"}, {1, 2, 3, 4}),
+              "bay.nc: variable 'z' has an axis 'lon' in 'radians'", "must be in degrees");
+}
+
+TEST(CfField, HasItsBoundsAsUnpackedNumbersWhereTheyAreOfThatType) {
+  const auto valid = [](NetcdfType bound_type) {
+    FakeNetcdf file =
+        Degrees({}, {{"scale_factor", {0.001}}, {"valid_range", {-2, 2}}}, NetcdfType::kShort);
+    file.values["z"] = {-3000, -2000, -2, 2, 1000, 3000};
+    for (NetcdfAttribute& each : file.header.variables.back().attributes) {
+      if (each.name == "valid_range") each.type = bound_type;
+    }
+    std::string marks;
+    const Result<CfField> field = Read(file);
+    for (const float value : field->values) marks += std::isnan(value) ? '-' : 'x';
+    return marks;
+  };
+  EXPECT_EQ(valid(NetcdfType::kFloat), "-xxxx-");
+  EXPECT_EQ(valid(NetcdfType::kShort), "--xx--");
+  FakeNetcdf bytes =
+      Degrees({{"_Unsigned", "true"}}, {{"valid_range", {0, -2}}}, NetcdfType::kByte);
+  bytes.values["z"] = {100, -1, -2, 0, 127, 1};
+  const Result<CfField> field = Read(bytes);
+  EXPECT_EQ(field->values[0], 100);
+  EXPECT_TRUE(std::isnan(field->values[1])) << "255, and 254 is the last";
+  EXPECT_EQ(field->values[2], 254);
+}
+
+TEST(CfField, CountsLongitudesFromTheMeridianOfItsMapping) {
+  FakeNetcdf file = Degrees({{"grid_mapping", "crs"}});
+  file.Variable("crs", {}, {}, {{"grid_mapping_name", "latitude_longitude"}},
+                {{"longitude_of_prime_meridian", {2.5}}});
+  EXPECT_EQ(Read(file)->x, (std::vector<double>{12.5, 13.5, 14.5}));
+}
+
 TEST(CfField, CountsTimesByTheCalendarOfTheFile) {
   const auto read = [](const TextAttributes& texts) {
     FakeNetcdf file;

@@ -166,6 +166,9 @@ Result<MapProjection> ProjectionOf(const NetcdfVariable& mapping, double metres)
   MappingNumbers numbers(mapping);
   SetEarth(mapping, numbers, params);
   SetPlane(numbers, params);
+  const Result<double> meridian_deg = PrimeMeridianOf(mapping);
+  if (!meridian_deg.ok()) return Error{meridian_deg.error()};
+  params.central_lon_deg += *meridian_deg;
   params.false_origin_m =
       metres * Eigen::Vector2d(numbers.Get("false_easting", 0), numbers.Get("false_northing", 0));
   if (!numbers.missing().empty()) {
@@ -180,6 +183,24 @@ Result<MapProjection> ProjectionOf(const NetcdfVariable& mapping, double metres)
                     PrintableName(mapping.name), name)};
   }
   return std::move(*projection);
+}
+
+Result<double> PrimeMeridianOf(const NetcdfVariable& mapping) {
+  const std::string name = LowerCase(mapping.TextOf("prime_meridian_name"));
+  const std::vector<double>& numbers = mapping.NumbersOf("longitude_of_prime_meridian");
+  if (numbers.empty() && !name.empty() && name.find("greenwich") == std::string::npos) {
+    return Error{fmt::format(
+        "has the grid_mapping '{}', whose longitudes count from '{}', without the number "
+        "'longitude_of_prime_meridian'; add it",
+        PrintableName(mapping.name), PrintableName(name))};
+  }
+  if (!numbers.empty() && !(std::abs(numbers[0]) <= 180)) {
+    return Error{
+        fmt::format("has the grid_mapping '{}' with a longitude_of_prime_meridian beyond "
+                    "180 degrees; correct it",
+                    PrintableName(mapping.name))};
+  }
+  return numbers.empty() ? 0 : numbers[0];
 }
 
 bool HasFigure(const NetcdfVariable& mapping) {

@@ -24,6 +24,10 @@ namespace shoal {
 /// An error likewise: the mapping is another one, or has no number that it needs.
 [[nodiscard]] Result<MapProjection> ProjectionOf(const NetcdfVariable& mapping, double metres);
 
+/// Returns how far East of Greenwich the meridian lies from which longitudes of a mapping count, in
+/// degrees. An error, to be put after "variable 'u' ": it is named, without that number.
+[[nodiscard]] Result<double> PrimeMeridianOf(const NetcdfVariable& mapping);
+
 /// Returns whether a mapping states the figure of the Earth, which moves a grid by up to 20 km: by
 /// its numbers, or as WGS84 by a name.
 [[nodiscard]] bool HasFigure(const NetcdfVariable& mapping);

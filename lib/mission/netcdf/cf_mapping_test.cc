@@ -21,6 +21,25 @@ Eigen::Vector2d PlaceOf(const std::string& name, const NumberAttributes& numbers
   return projection.ok() ? projection->Forward(point) : Eigen::Vector2d(NAN, NAN);
 }
 
+TEST(CfMapping, CountsLongitudesFromTheMeridianThatItNames) {
+  NumberAttributes numbers = {{"longitude_of_central_meridian", {0}},
+                              {"latitude_of_projection_origin", {46.5}},
+                              {"standard_parallel", {44, 49}},
+                              {"longitude_of_prime_meridian", {2.33722917}},
+                              {"earth_radius", {6'371'000}}};
+  const Eigen::Vector2d paris =
+      PlaceOf("lambert_conformal_conic", numbers, {.lat_deg = 46.5, .lon_deg = 2.33722917});
+  EXPECT_NEAR(paris.norm(), 0, 1e-6);
+  numbers.erase("longitude_of_prime_meridian");
+  NetcdfVariable unknown = MappingOf("lambert_conformal_conic", numbers);
+  unknown.attributes.push_back({.name = "prime_meridian_name", .text = "Paris"});
+  const auto refused = ProjectionOf(unknown, 1);
+  ASSERT_FALSE(refused.ok());
+  EXPECT_NE(refused.error().find("'longitude_of_prime_meridian'; add it"), std::string::npos);
+  unknown.attributes.back().text = "Greenwich";
+  EXPECT_TRUE(ProjectionOf(unknown, 1).ok());
+}
+
 TEST(CfMapping, HasTheNumbersOfTheProjection) {
   // A map of the Arctic: the pole is its origin.
   const Eigen::Vector2d arctic = PlaceOf("polar_stereographic",

@@ -44,26 +44,8 @@ double FirstOf(const NetcdfVariable& variable, const char* name, double otherwis
   return numbers.empty() ? otherwise : numbers.front();
 }
 
-struct ValueRule {
-  std::vector<double> missing;
-  double least = -kInfinity;
-  double most = kInfinity;
-};
-
-ValueRule RuleOf(const NetcdfVariable& variable) {
-  ValueRule rule{.missing = variable.NumbersOf("missing_value")};
-  const std::vector<double>& fill = variable.NumbersOf("_FillValue");
-  rule.missing.insert(rule.missing.end(), fill.begin(), fill.end());
-  const std::optional<double> unwritten = DefaultFill(variable.type);
-  if (fill.empty() && unwritten) rule.missing.push_back(*unwritten);
-  if (variable.type == NetcdfType::kFloat) {
-    for (double& value : rule.missing) value = static_cast<float>(value);
-  }
-  const std::vector<double>& range = variable.NumbersOf("valid_range");
-  const bool has_range = range.size() == 2;
-  rule.least = FirstOf(variable, "valid_min", has_range ? range[0] : -kInfinity);
-  rule.most = FirstOf(variable, "valid_max", has_range ? range[1] : kInfinity);
-  return rule;
+bool IsInteger(NetcdfType type) {
+  return type != NetcdfType::kFloat && type != NetcdfType::kDouble && type != NetcdfType::kOther;
 }
 
 /// Returns what is added to negative numbers.
@@ -71,14 +53,71 @@ double UnsignedShift(const NetcdfVariable& variable) {
   if (LowerCase(variable.TextOf("_Unsigned")) != "true") return 0;
   return variable.type == NetcdfType::kByte    ? 256
          : variable.type == NetcdfType::kShort ? 65'536
+         : variable.type == NetcdfType::kInt   ? 4'294'967'296
                                                : 0;
+}
+
+/// What counts as data. NaN is beyond each range.
+struct ValueRange {
+  double least = -kInfinity;
+  double most = kInfinity;
+
+  bool Has(double value) const { return value >= least && value <= most; }
+};
+
+struct ValueRule {
+  std::vector<double> missing;
+  ValueRange stored = {};
+  ValueRange unpacked = {};
+};
+
+/// Returns which range of the rule the bounds of an attribute belong to: they are numbers as they
+/// stand in the file, unless these are packed integers and the attribute is of the type that they
+/// are unpacked to.
+ValueRange& RangeFor(const NetcdfVariable& variable, const char* bound, ValueRule& rule) {
+  const bool is_packed = IsInteger(variable.type) && !(variable.NumbersOf("scale_factor").empty() &&
+                                                       variable.NumbersOf("add_offset").empty());
+  const NetcdfType type = variable.TypeOf(bound);
+  const bool is_real = type == NetcdfType::kFloat || type == NetcdfType::kDouble;
+  return is_packed && is_real ? rule.unpacked : rule.stored;
+}
+
+ValueRule RuleOf(const NetcdfVariable& variable, double shift) {
+  ValueRule rule{.missing = variable.NumbersOf("missing_value")};
+  const std::vector<double>& fill = variable.NumbersOf("_FillValue");
+  rule.missing.insert(rule.missing.end(), fill.begin(), fill.end());
+  const std::optional<double> unwritten = DefaultFill(variable.type);
+  if (fill.empty() && unwritten) rule.missing.push_back(*unwritten);
+  // The least short is the mark of many programs, and mostly it is data of none.
+  if (fill.empty() && variable.type == NetcdfType::kShort && shift == 0) {
+    rule.missing.push_back(-32'768);
+  }
+  if (variable.type == NetcdfType::kFloat) {
+    for (double& value : rule.missing) value = static_cast<float>(value);
+  }
+  const auto bound = [&](double number, const ValueRange& range) {
+    return number < 0 && &range == &rule.stored ? number + shift : number;
+  };
+  if (const std::vector<double>& both = variable.NumbersOf("valid_range"); both.size() == 2) {
+    ValueRange& range = RangeFor(variable, "valid_range", rule);
+    range = {.least = bound(both[0], range), .most = bound(both[1], range)};
+  }
+  if (const std::vector<double>& least = variable.NumbersOf("valid_min"); !least.empty()) {
+    ValueRange& range = RangeFor(variable, "valid_min", rule);
+    range.least = bound(least[0], range);
+  }
+  if (const std::vector<double>& most = variable.NumbersOf("valid_max"); !most.empty()) {
+    ValueRange& range = RangeFor(variable, "valid_max", rule);
+    range.most = bound(most[0], range);
+  }
+  return rule;
 }
 
 }  // namespace
 
 std::vector<double> Unpacked(const NetcdfVariable& variable, std::vector<double> values) {
-  const ValueRule rule = RuleOf(variable);
   const double shift = UnsignedShift(variable);
+  const ValueRule rule = RuleOf(variable, shift);
   const double scale = FirstOf(variable, "scale_factor", 1);
   const double offset = FirstOf(variable, "add_offset", 0);
   for (double& value : values) {
@@ -86,9 +125,9 @@ std::vector<double> Unpacked(const NetcdfVariable& variable, std::vector<double>
     if (value < 0) value += shift;
     const bool is_missing = std::ranges::find(rule.missing, stored) != rule.missing.end() ||
                             std::ranges::find(rule.missing, value) != rule.missing.end();
-    // A comparison with NaN is false: it is missing too.
-    const bool is_valid = !is_missing && value >= rule.least && value <= rule.most;
-    value = is_valid ? value * scale + offset : std::numeric_limits<double>::quiet_NaN();
+    const bool is_stored = !is_missing && rule.stored.Has(value);
+    value = value * scale + offset;
+    if (!is_stored || !rule.unpacked.Has(value)) value = std::numeric_limits<double>::quiet_NaN();
   }
   return values;
 }

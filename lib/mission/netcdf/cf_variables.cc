@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <array>
+#include <initializer_list>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "lib/base/text/blanks.h"
@@ -71,13 +73,28 @@ bool IsElevationName(std::string_view standard_name) {
   return std::ranges::find(kElevationNames, standard_name) != kElevationNames.end();
 }
 
-/// Returns the variables with at least two dimensions of which `text` returns this word.
-template <class TextOf>
+bool HasAny(const std::string& text, std::initializer_list<std::string_view> parts) {
+  return std::ranges::any_of(
+      parts, [&](std::string_view part) { return text.find(part) != std::string::npos; });
+}
+
+/// Returns whether a text describes the water's surface, waves, ice, or a layer of the water.
+bool IsOfWater(const std::string& text) {
+  return HasAny(text, {"sea_surface", "surface_height", "wave", "swell", "sea_level_anomaly",
+                       "free_surface", "surface_elevation", "ice", "snow", "layer", "isosurface",
+                       "thermocline", "thickness", "dynamic_topography"});
+}
+
+/// Returns the variables with at least two dimensions of which `text` returns this word, and that
+/// are not another quantity.
+template <class TextOf, class IsOther>
 std::vector<std::string> Those(const NetcdfHeader& header, std::string_view word,
-                               const TextOf& text) {
+                               const TextOf& text, const IsOther& is_other) {
   std::vector<std::string> names;
   for (const NetcdfVariable& variable : header.variables) {
-    if (IsOnPlane(variable) && text(variable) == word) names.push_back(variable.name);
+    if (IsOnPlane(variable) && text(variable) == word && !is_other(variable)) {
+      names.push_back(variable.name);
+    }
   }
   return names;
 }
@@ -102,12 +119,13 @@ Result<std::string> FindFloorVariable(const NetcdfHeader& header, const std::str
       found.push_back(variable.name);
     }
   }
+  const auto is_other = [](const NetcdfVariable& each) { return OtherThanFloor(each).has_value(); };
   for (const std::string_view word : kFloorVariables) {
-    if (found.empty()) found = Those(header, word, Name);
+    if (found.empty()) found = Those(header, word, Name, is_other);
   }
   if (found.empty()) {
     for (const NetcdfVariable& variable : header.variables) {
-      if (IsOnPlane(variable)) found.push_back(variable.name);
+      if (IsOnPlane(variable) && !is_other(variable)) found.push_back(variable.name);
     }
   }
   if (found.size() == 1) return found.front();
@@ -127,6 +145,25 @@ std::optional<FloorStatement> StatementOf(const NetcdfVariable& variable) {
   const std::string by = "its standard_name " + PrintableName(name);
   if (IsDepthName(name)) return FloorStatement{.are_depths = true, .by = by};
   if (IsElevationName(name)) return FloorStatement{.are_depths = false, .by = by};
+  return std::nullopt;
+}
+
+std::optional<std::string> OtherThanFloor(const NetcdfVariable& variable) {
+  const std::string name = StandardName(variable);
+  if (IsDepthName(name) || IsElevationName(name)) return std::nullopt;
+  const bool may_be_floor = HasAny(name, {"floor", "depth", "bathymetry", "topograph", "altitude",
+                                          "elevation", "height"}) &&
+                            !IsOfWater(name);
+  if (!name.empty() && !may_be_floor) return "its standard_name is " + PrintableName(name);
+  std::string long_name = LowerCase(variable.TextOf("long_name"));
+  std::ranges::replace(long_name, ' ', '_');
+  std::ranges::replace(long_name, '-', '_');
+  if (name.empty() &&
+      HasAny(long_name, {"surface_height", "surface_elevation", "free_surface", "wave_height",
+                         "sea_level_anomaly", "layer_depth"}) &&
+      !HasAny(long_name, {"floor", "bathymetry", "bottom", "below"})) {
+    return "its long_name is '" + PrintableName(variable.TextOf("long_name")) + "'";
+  }
   return std::nullopt;
 }
 
@@ -151,17 +188,24 @@ CfDirection DirectionOf(const NetcdfVariable& variable) {
 
 Result<std::pair<std::string, std::string>> FindCurrentVariables(const NetcdfHeader& header,
                                                                  const std::string& file) {
-  const auto look = [&](const auto& rows,
-                        const auto& text) -> std::optional<std::pair<std::string, std::string>> {
+  const auto is_other = [](const NetcdfVariable& each) {
+    return HasAny(StandardName(each), {"wind", "ice", "wave", "stokes", "stress", "transport"});
+  };
+  // The first row of which anything is there decides: another one is another current.
+  const auto look = [&](const auto& rows, const auto& text)
+      -> std::optional<std::pair<std::vector<std::string>, std::vector<std::string>>> {
     for (const auto& [east, north] : rows) {
-      const std::vector<std::string> easts = Those(header, east, text);
-      const std::vector<std::string> norths = Those(header, north, text);
-      if (easts.size() == 1 && norths.size() == 1) return {{easts.front(), norths.front()}};
+      auto easts = Those(header, east, text, is_other);
+      auto norths = Those(header, north, text, is_other);
+      if (!easts.empty() || !norths.empty()) return {{std::move(easts), std::move(norths)}};
     }
     return std::nullopt;
   };
-  if (auto found = look(kVelocityNames, StandardName)) return *found;
-  if (auto found = look(kVelocityVariables, Name)) return *found;
+  auto found = look(kVelocityNames, StandardName);
+  if (!found) found = look(kVelocityVariables, Name);
+  if (found && found->first.size() == 1 && found->second.size() == 1) {
+    return std::pair(found->first.front(), found->second.front());
+  }
   return Error{
       fmt::format("{}: which variables are the current is not clear; name both, grid_east "
                   "= \"{}:variable\" and grid_north; there are: {}",

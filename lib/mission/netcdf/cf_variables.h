@@ -12,8 +12,8 @@ namespace shoal {
 
 /// Returns the name of the variable with depths or elevations: by standard_name
 /// (sea_floor_depth..., altitude, ...), else by the names that GEBCO, ETOPO, EMODnet, GDAL and
-/// models use, else the only one with two axes. An error lists those there are; it begins with
-/// `file`.
+/// models use, else the only one with two axes, without those that are OtherThanFloor. An error
+/// lists those there are; it begins with `file`.
 [[nodiscard]] Result<std::string> FindFloorVariable(const NetcdfHeader& header,
                                                     const std::string& file);
 
@@ -26,6 +26,10 @@ struct FloorStatement {
 /// Returns what the attribute `positive` or the standard_name of a variable state; nothing: neither
 /// does.
 [[nodiscard]] std::optional<FloorStatement> StatementOf(const NetcdfVariable& variable);
+
+/// Returns why a variable is no sea floor: its standard_name or its long_name is that of another
+/// quantity, as the height of the sea's surface. Nothing: it may be one.
+[[nodiscard]] std::optional<std::string> OtherThanFloor(const NetcdfVariable& variable);
 
 /// Returns whether a variable has a name that models give to depths: depth, deptho, h, ... It is no
 /// statement: elevations are called so too.
@@ -47,7 +51,7 @@ enum class CfDirection {
 /// Returns the names of the variables with the eastward and the northward velocity: by
 /// standard_name (eastward_sea_water_velocity, ...), else those along the grid's axes
 /// (sea_water_x_velocity, ...), else by the names that models use: uo and vo, u and v, water_u and
-/// water_v, ... Errors likewise.
+/// water_v, ... An error likewise where a pair of these is not complete, or there more than once.
 [[nodiscard]] Result<std::pair<std::string, std::string>> FindCurrentVariables(
     const NetcdfHeader& header, const std::string& file);
 

@@ -39,6 +39,22 @@ TEST(FloorVariable, IsAskedForWhereItIsNotClear) {
             "bay.nc:variable; there are: none");
 }
 
+TEST(FloorVariable, IsNoOtherQuantityInMetres) {
+  for (const auto& [name, texts] : std::vector<std::pair<std::string, TextAttributes>>{
+           {"zos", {{"standard_name", "sea_surface_height_above_geoid"}}},
+           {"height", {{"standard_name", "sea_surface_wave_significant_height"}}},
+           {"h", {{"standard_name", "ocean_mixed_layer_thickness"}}},
+           {"depth", {{"standard_name", "ocean_mixed_layer_depth"}}},
+           {"z", {{"standard_name", "sea_ice_thickness"}}},
+           {"zeta", {{"long_name", "time-averaged free-surface"}}},
+           {"ssh", {{"long_name", "Sea Surface Height"}}}}) {
+    EXPECT_NE(FloorOf({{name, texts}}).find("is not clear"), std::string::npos) << name;
+    EXPECT_EQ(FloorOf({{name, texts}, {"other", {}}}), "other") << name;
+  }
+  EXPECT_EQ(FloorOf({{"a", {{"long_name", "bathymetry below sea surface height"}}}}), "a");
+  EXPECT_EQ(FloorOf({{"a", {{"standard_name", "depth"}}}}), "a");
+}
+
 TEST(FloorVariable, IsFoundByTheStandardNamesAndNamesOfModels) {
   for (const char* name :
        {"sea_floor_depth_below_sea_level", "sea_floor_depth_below_reference_ellipsoid",
@@ -116,6 +132,21 @@ TEST(CurrentVariables, AreFoundByStandardNameThenByName) {
                    {"ue", {{"standard_name", "eastward_sea_water_velocity"}}},
                    {"vn", {{"standard_name", "northward_sea_water_velocity"}}}}),
             "ue vn");
+  const TextAttributes eastward = {{"standard_name", "eastward_sea_water_velocity"}};
+  const TextAttributes northward = {{"standard_name", "northward_sea_water_velocity"}};
+  const std::string not_clear = "tide.nc: which variables are the current is not clear";
+  EXPECT_TRUE(found({{"a", eastward},
+                     {"b", eastward},
+                     {"c", northward},
+                     {"ubar", {{"standard_name", "barotropic_eastward_sea_water_velocity"}}},
+                     {"vbar", {{"standard_name", "barotropic_northward_sea_water_velocity"}}}})
+                  .starts_with(not_clear))
+      << "no other current takes its place";
+  EXPECT_TRUE(found({{"a", eastward}, {"u", {}}, {"v", {}}}).starts_with(not_clear));
+  EXPECT_TRUE(found({{"u", {}}, {"ubar", {}}, {"vbar", {}}}).starts_with(not_clear));
+  EXPECT_TRUE(found({{"u", {{"standard_name", "eastward_wind"}}},
+                     {"v", {{"standard_name", "northward_wind"}}}})
+                  .starts_with(not_clear));
   EXPECT_EQ(found({{"vo", {}}, {"uo", {}}}), "uo vo");
   EXPECT_EQ(found({{"U", {}}, {"V", {}}}), "U V");
   EXPECT_EQ(found({{"water_u", {}}, {"water_v", {}}}), "water_u water_v");

@@ -3,17 +3,24 @@
 #include <algorithm>
 #include <limits>
 
+#include "lib/base/text/blanks.h"
+
 namespace shoal {
 
 std::string_view NetcdfVariable::TextOf(std::string_view wanted) const {
   const auto found = std::ranges::find(attributes, wanted, &NetcdfAttribute::name);
-  return found == attributes.end() ? std::string_view() : found->text;
+  return found == attributes.end() ? std::string_view() : Trimmed(found->text);
 }
 
 const std::vector<double>& NetcdfVariable::NumbersOf(std::string_view wanted) const {
   static const std::vector<double> none;
   const auto found = std::ranges::find(attributes, wanted, &NetcdfAttribute::name);
   return found == attributes.end() ? none : found->numbers;
+}
+
+NetcdfType NetcdfVariable::TypeOf(std::string_view wanted) const {
+  const auto found = std::ranges::find(attributes, wanted, &NetcdfAttribute::name);
+  return found == attributes.end() ? NetcdfType::kOther : found->type;
 }
 
 const NetcdfVariable* NetcdfHeader::Find(std::string_view wanted) const {

@@ -15,6 +15,7 @@ void AddVariable(const NetcdfVariable& variable, NetcdfReplyWriter* writer) {
   for (const NetcdfAttribute& attribute : variable.attributes) {
     writer->AddText(attribute.name);
     writer->AddText(attribute.text);
+    writer->Add(static_cast<uint8_t>(attribute.type));
     writer->AddNumbers(attribute.numbers.data(), attribute.numbers.size());
   }
 }
@@ -26,11 +27,17 @@ std::optional<uint32_t> TakeCount(NetcdfReply* reply) {
   return count;
 }
 
+std::optional<NetcdfType> TakeType(NetcdfReply* reply) {
+  const auto type = reply->Take<uint8_t>();
+  if (!reply->ok() || type > static_cast<uint8_t>(NetcdfType::kDouble)) return std::nullopt;
+  return static_cast<NetcdfType>(type);
+}
+
 std::optional<NetcdfVariable> TakeVariable(size_t num_dimensions, NetcdfReply* reply) {
   NetcdfVariable variable{.name = reply->TakeText()};
-  const auto type = reply->Take<uint8_t>();
-  if (type > static_cast<uint8_t>(NetcdfType::kDouble)) return std::nullopt;
-  variable.type = static_cast<NetcdfType>(type);
+  const std::optional<NetcdfType> type = TakeType(reply);
+  if (!type) return std::nullopt;
+  variable.type = *type;
   const auto rank = TakeCount(reply);
   if (!rank) return std::nullopt;
   for (uint32_t i = 0; i < *rank; ++i) {
@@ -42,6 +49,9 @@ std::optional<NetcdfVariable> TakeVariable(size_t num_dimensions, NetcdfReply* r
   for (uint32_t i = 0; i < *num_attributes && reply->ok(); ++i) {
     NetcdfAttribute attribute{.name = reply->TakeText()};
     attribute.text = reply->TakeText();
+    const std::optional<NetcdfType> attribute_type = TakeType(reply);
+    if (!attribute_type) return std::nullopt;
+    attribute.type = *attribute_type;
     attribute.numbers = reply->TakeNumbers();
     variable.attributes.push_back(std::move(attribute));
   }

@@ -2,7 +2,7 @@
 // this. The program may have read a file that was made to harm it, so nothing of the answer is
 // believed: each length is checked against what is there before memory is taken.
 //
-//   "shoal-netcdf 1\n", then 'E' and a text: why there is no answer;
+//   "shoal-netcdf 2\n", then 'E' and a text: why there is no answer;
 //                       or 'H', a header, names of coordinate variables, each with its numbers,
 //                       and an empty name; or 'V' and numbers; then ".\n"
 //
@@ -20,7 +20,7 @@
 
 namespace shoal {
 
-inline constexpr std::string_view kNetcdfGreeting = "shoal-netcdf 1\n";
+inline constexpr std::string_view kNetcdfGreeting = "shoal-netcdf 2\n";
 inline constexpr std::string_view kNetcdfEnd = ".\n";
 
 inline constexpr size_t kMaxNetcdfText_bytes = 2000;  ///< Longer texts are cut off.

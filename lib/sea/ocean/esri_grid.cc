@@ -11,6 +11,7 @@
 #include "lib/base/text/letters.h"
 #include "lib/base/text/numbers.h"
 #include "lib/sea/ocean/current.h"
+#include "lib/sea/ocean/gap_marks.h"
 
 namespace shoal {
 
@@ -21,7 +22,8 @@ constexpr double kMaxCorner_m = 1e9;
 constexpr double kMinCell_m = 0.05;  // Maps in degrees have less: 0.03 is two minutes of arc.
 constexpr double kMaxCell_m = 1e6;
 constexpr double kNoDataDigits = 1e-6;  // As many as a float has, in which maps are mostly kept.
-constexpr double kLeastMark = 1e30;     // The largest float and its like.
+constexpr double kDefaultMark = -9999;
+constexpr double kLeastMark = 1e30;  // The largest float and its like.
 
 /// The keys of the header, in lower case, in the order of Header::numbers.
 constexpr std::array<std::string_view, 10> kKeys = {
@@ -85,10 +87,12 @@ class EsriReader {
     std::string problem = ReadHeader();
     if (problem.empty()) problem = UseHeader();
     if (problem.empty()) problem = ReadRows();
+    if (problem.empty()) problem = MakeDepths();
     if (!problem.empty()) {
       return Error{options_.name + ":" + std::to_string(line_number_) + ": " + problem};
     }
-    return EsriField{.frame = frame_, .values = std::move(values_), .signs = signs_};
+    return EsriField{
+        .frame = frame_, .values = std::move(values_), .signs = signs_, .gap_marks = gap_marks_};
   }
 
  private:
@@ -244,7 +248,8 @@ class EsriReader {
 
   bool IsNoData(double number) const {
     if (std::isnan(number) || std::abs(number) > kLeastMark) return true;
-    const double mark = numbers_[kNoDataValue].value_or(-9999);
+    double mark = numbers_[kNoDataValue].value_or(kDefaultMark);
+    if (std::isnan(mark)) mark = kDefaultMark;  // As programs that write nan now did before.
     return std::abs(number - mark) <= kNoDataDigits * std::abs(mark);  // False for NaN.
   }
 
@@ -258,7 +263,7 @@ class EsriReader {
         return column_text() +
                " has no data; fill the map's gaps, or state their depth: grid_gap_depth_m";
       }
-      values_.push_back(is_velocity ? std::nanf("") : static_cast<float>(*options_.nodata_depth_m));
+      values_.push_back(std::nanf(""));
       return "";
     }
     if (std::abs(number) > (is_velocity ? kMaxCurrent_mps : kMaxGridDepth_m)) {
@@ -268,9 +273,31 @@ class EsriReader {
                   : " is further from the surface than " + RoundText(kMaxGridDepth_m) + " m") +
              "; is it the mark for no data? Then set NODATA_value";
     }
-    signs_.Count(number);
-    const double value = options_.values == GridValues::kElevation ? -number : number;
-    values_.push_back(static_cast<float>(is_velocity ? value : std::max(0.0, value)));
+    if (!is_velocity) marks_.Count(number);
+    values_.push_back(static_cast<float>(number));
+    return "";
+  }
+
+  /// Makes depths of what was read, where it is no velocity.
+  std::string MakeDepths() {
+    if (options_.values == GridValues::kVelocity) return "";
+    gap_marks_ = marks_.Found();
+    for (const double mark : gap_marks_) {
+      std::ranges::replace(values_, static_cast<float>(mark), std::nanf(""));
+    }
+    if (!gap_marks_.empty() && !options_.nodata_depth_m) {
+      return "the map has the number " + RoundText(gap_marks_[0]) +
+             ", and none near it: it is taken to mark cells without data; fill these, or state "
+             "their depth: grid_gap_depth_m";
+    }
+    for (float& value : values_) {
+      if (std::isnan(value)) {
+        value = static_cast<float>(*options_.nodata_depth_m);
+        continue;
+      }
+      signs_.Count(value);
+      value = std::max(0.0F, options_.values == GridValues::kElevation ? -value : value);
+    }
     return "";
   }
 
@@ -283,6 +310,8 @@ class EsriReader {
   GridFrame frame_;
   std::vector<float> values_;
   FloorSigns signs_;
+  GapMarks marks_;
+  std::vector<double> gap_marks_;
   bool has_whole_line_ = false;  ///< Some line has as many numbers as there are columns.
   int odd_line_ = 0;             ///< The first line that has not; 0: there is none.
   int odd_count_ = 0;            ///< How many it has.

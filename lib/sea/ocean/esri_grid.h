@@ -46,8 +46,9 @@ inline constexpr int kMaxGridPoints = 16'000'000;
 /// Returns the grid in the mission's frame. Its points are the middles of the cells. Land counts as
 /// depth 0. Keys in any case; lines may end anywhere between the numbers, as the format allows.
 /// Without data are the numbers within a millionth of NODATA_value, which programs write with other
-/// digits than their numbers, those beyond 1e30, and "nan". An error names the line and what to do:
-/// "bay.asc:9: ...". Takes no more memory than the text has numbers, whatever its header claims.
+/// digits than their numbers (-9999 where it is nan, or missing), those beyond 1e30, "nan", and of
+/// depths and elevations the GapMarks. An error names the line and what to do: "bay.asc:9: ...".
+/// Takes no more memory than the text has numbers, whatever its header claims.
 /// @pre finite options
 [[nodiscard]] Result<DepthGrid> ParseEsriGrid(std::string_view text,
                                               const EsriGridOptions& options);
@@ -57,6 +58,7 @@ struct EsriField {
   GridFrame frame;
   std::vector<float> values;  ///< Depths, >= 0, or velocities: NaN where a cell has no data.
   FloorSigns signs = {};      ///< Of depths and elevations: the numbers of cells with data.
+  std::vector<double> gap_marks = {};  ///< Numbers that were taken for no data (GapMarks).
 };
 
 /// The same, for values of any kind.

@@ -88,6 +88,26 @@ TEST(EsriGrid, HasNoDataWhereItsNumbersAreNan) {
   EXPECT_EQ(first->DepthAt({505, 6015}), 15);
 }
 
+TEST(EsriGrid, TakesCommonMarksForNoDataWhereNoOtherNumberIsNearThem) {
+  for (const char* number : {"-9999", "9999", "-999"}) {
+    const std::string text = "NODATA_value -1\n" + With("-20", number);
+    ExpectError(text, "bay.asc:", "and none near it: it is taken to mark cells without data");
+    const Result<EsriField> field = ParseEsriField(text, {.nodata_depth_m = 15});
+    ASSERT_TRUE(field.ok()) << field.error();
+    EXPECT_EQ(field->gap_marks.size(), 1U) << number;
+    EXPECT_EQ(DepthGrid(field->frame, field->values).DepthAt({515, 6005}), 15) << number;
+  }
+  Result<DepthGrid> nan =
+      ParseEsriGrid("NODATA_value nan\n" + With("-20", "-9999"), {.nodata_depth_m = 15});
+  ASSERT_TRUE(nan.ok()) << nan.error();
+  EXPECT_EQ(nan->DepthAt({515, 6005}), 15);
+  std::string slope = With("-20", "-9999");
+  slope.replace(slope.find("-10"), 3, "-9500");
+  Result<DepthGrid> trench = ParseEsriGrid("NODATA_value -1\n" + slope, {});
+  ASSERT_TRUE(trench.ok()) << trench.error();
+  EXPECT_EQ(trench->DepthAt({515, 6005}), 9999) << "a slope leads there";
+}
+
 TEST(EsriGrid, HasNoDataWithinAMillionthOfItsMarkAndBeyond1e30) {
   const auto depth_m = [](const std::string& mark, const std::string& number) {
     Result<DepthGrid> grid =

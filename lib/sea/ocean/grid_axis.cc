@@ -37,10 +37,9 @@ GridPlace GridAxis::Locate(double coordinate) const {
     return {.before = before,
             .after = std::min(before + 1, count_ - 1),
             .share = cells - before,
-            .is_inside = count_ == 1 ||
-                         (coordinate >= first_ - step_ / 2 && coordinate <= last_ + step_ / 2)};
+            .is_inside = coordinate >= first_ - step_ / 2 && coordinate <= last_ + step_ / 2};
   }
-  if (count_ == 1) return {};
+  if (count_ == 1) return {.is_inside = coordinate == first_};
   const auto last = static_cast<size_t>(count_ - 1);
   const double first_half = (points_[1] - first_) / 2;
   const double last_half = (last_ - points_[last - 1]) / 2;

@@ -10,8 +10,9 @@ namespace shoal {
 struct GridPlace {
   int before = 0;
   int after = 0;
-  double share = 0;       ///< [0, 1].
-  bool is_inside = true;  ///< At most half a step beyond the ends; an axis of one point has none.
+  double share = 0;  ///< [0, 1].
+  bool is_inside =
+      true;  ///< At most half a step beyond the ends; of one point without a step: at it.
 };
 
 class GridAxis {

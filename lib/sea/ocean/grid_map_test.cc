@@ -31,10 +31,16 @@ TEST(GridAxis, EndsInItsLastPointsAndIsOutsideBeyondHalfAStep) {
   EXPECT_EQ(axis.Locate(kNan).before, 0);
 }
 
-TEST(GridAxis, OfOnePointIsTheSameEverywhere) {
-  EXPECT_TRUE(GridAxis({7}).Locate(1e9).is_inside);
-  EXPECT_TRUE(GridAxis::Even(7, 2, 1).Locate(-1e9).is_inside);
-  EXPECT_EQ(GridAxis({7}).Locate(kNan).after, 0);
+TEST(GridAxis, OfOnePointReachesHalfAStepOrNoFurtherThanItself) {
+  EXPECT_TRUE(GridAxis({7}).Locate(7).is_inside);
+  for (const double outside : {7.01, -1e9, kNan}) {
+    EXPECT_FALSE(GridAxis({7}).Locate(outside).is_inside);
+    EXPECT_EQ(GridAxis({7}).Locate(outside).before, 0);
+    EXPECT_EQ(GridAxis({7}).Locate(outside).after, 0);
+  }
+  const GridAxis even = GridAxis::Even(7, 2, 1);
+  for (const double inside : {6.0, 7.0, 8.0}) EXPECT_TRUE(even.Locate(inside).is_inside);
+  for (const double outside : {5.99, 8.01, kNan}) EXPECT_FALSE(even.Locate(outside).is_inside);
 }
 
 RC_GTEST_PROP(GridAxis, OfEvenStepsLocatesAsOneOfTheirPoints, ()) {
