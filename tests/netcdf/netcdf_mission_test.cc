@@ -757,6 +757,20 @@ TEST_P(NetcdfMissions, AreRefusedWhereTheirComponentsLieAtOtherPoints) {
               1e-5);
 }
 
+TEST_P(NetcdfMissions, AreRefusedWhereTheirComponentsNameOtherPointsBesideTheirAxes) {
+  WrittenNetcdf file = ArcticFile(0.5, 0.25);
+  for (const char* name : {"lat_u", "lat_v"}) {
+    file.variables.push_back(file.variables[2]);
+    file.variables.back().name = name;
+  }
+  file.variables[2].texts["coordinates"] = "lat_u";
+  file.variables[3].texts["coordinates"] = "lat_v";
+  Write("sea/arctic.nc", file);
+  EXPECT_NE(ErrorOf("current = {grid = \"sea/arctic.nc\"}", "origin = {lat_deg = 75, lon_deg = 0}")
+                .find("are on different points"),
+            std::string::npos);
+}
+
 TEST_P(NetcdfMissions, UnpackShorts) {
   constexpr double kStep = 1e-4;
   Write("sea/tide.nc", CurrentFile(kStep));

@@ -8,6 +8,9 @@
 #include <filesystem>
 #include <limits>
 #include <optional>
+#include <set>
+#include <string>
+#include <string_view>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -18,6 +21,7 @@
 #include "lib/mission/model/mission.h"
 #include "lib/mission/netcdf/cf_field.h"
 #include "lib/mission/netcdf/cf_variables.h"
+#include "lib/mission/netcdf/cf_words.h"
 #include "lib/mission/netcdf/netcdf_file.h"
 #include "lib/mission/toml/suggest.h"
 #include "lib/mission/track/iso_time.h"
@@ -420,6 +424,25 @@ bool HaveSamePlaces(const CfField& a, const CfField& b) {
          is_same(at_last.lon_deg, b.projection->Reverse(last).lon_deg);
 }
 
+/// Returns the variables of two dimensions that the attribute `coordinates` of one names.
+std::set<std::string> PointsNamedBy(const NetcdfHeader& header, const std::string& variable) {
+  std::set<std::string> names;
+  for (const std::string_view word : WordsOf(header.Find(variable)->TextOf("coordinates"))) {
+    const NetcdfVariable* named = header.Find(word);
+    if (named != nullptr && named->dimensions.size() == 2) names.insert(named->name);
+  }
+  return names;
+}
+
+/// Returns whether a file names other points for one component than for the other, as those of a
+/// staggered grid have, even where both have the same axes.
+bool AreStaggered(const NetcdfHeader& header, const CfField& east, const CfField& north) {
+  if (east.is_curvilinear()) return false;  // Then the places are compared.
+  const std::set<std::string> first = PointsNamedBy(header, east.variable);
+  const std::set<std::string> second = PointsNamedBy(header, north.variable);
+  return !first.empty() && !second.empty() && first != second;
+}
+
 struct Components {
   CfField east;
   CfField north;
@@ -462,15 +485,16 @@ double CrossOf(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
 class MeshDirections {
  public:
   explicit MeshDirections(const CfField& field) : field_(field) {
+    // A grid has one hand, and of some thousand points most show it.
+    const size_t num_points = field.x.size() * field.y.size();
+    const size_t step = num_points / 4096 + 1;
     int64_t sum = 0;
-    for (size_t row = 0; row < field.y.size(); ++row) {
-      for (size_t column = 0; column < field.x.size(); ++column) {
-        const Ways x = WaysAlongX(column, row);
-        const Ways y = WaysAlongY(column, row);
-        if (x.count == 0 || y.count == 0) continue;
-        const double cross = CrossOf(x.ways[0], y.ways[0]);
-        sum += cross > 0 ? 1 : cross < 0 ? -1 : 0;
-      }
+    for (size_t point = 0; point < num_points; point += step) {
+      const Ways x = WaysAlongX(point % field.x.size(), point / field.x.size());
+      const Ways y = WaysAlongY(point % field.x.size(), point / field.x.size());
+      if (x.count == 0 || y.count == 0) continue;
+      const double cross = CrossOf(x.ways[0], y.ways[0]);
+      sum += cross > 0 ? 1 : cross < 0 ? -1 : 0;
     }
     hand_ = sum < 0 ? -1 : 1;
   }
@@ -669,7 +693,8 @@ Result<Components> ReadComponents(const CurrentGridOptions& options,
   Result<CfField> north = ReadComponent(north_file, north_name.variable, options.origin_m);
   if (!north.ok()) return Error{north.error()};
   if (!HaveSamePlaces(*east, *north) || east->depths_m != north->depths_m ||
-      east->has_time != north->has_time || east->times_s != north->times_s) {
+      east->has_time != north->has_time || east->times_s != north->times_s ||
+      (!north_grid.ok() && AreStaggered(east_file.header(), *east, *north))) {
     return Error{fmt::format("{}: variables '{}' and '{}' {}", east_file.name(), east->variable,
                              north->variable, kOtherPoints)};
   }
