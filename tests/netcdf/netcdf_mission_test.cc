@@ -463,6 +463,31 @@ TEST_P(NetcdfMissions, AreRefusedWhereTheirCurrentHasASinglePointAlongAnAxis) {
             std::string::npos);
 }
 
+TEST_P(NetcdfMissions, TakePackedMarksOfNoDataForLandAndNameTheComponent) {
+  WrittenNetcdf file = TwoDepths({0, 10}, "down");
+  for (const size_t component : {3, 4}) {
+    file.variables[component].type = WrittenType::kShort;
+    file.variables[component].numbers = {{"scale_factor", 0.001}};
+    for (double& value : file.variables[component].values) value *= 1000;
+  }
+  file.variables[4].values[2] = 9999;  // 9.999 m/s.
+  file.variables[4].values[3] = 9999;
+  Write("sea/packed.nc", file);
+  const std::string keys = "current = {grid = \"sea/packed.nc\"}";
+  const LocalFrame frame(kOrigin);
+  const Eigen::Vector2d north_m = *frame.ToLocal({.lat_deg = 54.3, .lon_deg = 10.2});
+  EXPECT_NEAR(Sea(keys).WaterVelocityAt({north_m.x(), north_m.y(), 0}, 0).norm(), 0, 1e-6);
+  ASSERT_EQ(SeaWarnings(Load(keys)).size(), 1U);
+  EXPECT_NE(SeaWarnings(Load(keys))[0].find("variable 'vo' has the number 9.999, and none near it"),
+            std::string::npos)
+      << SeaWarnings(Load(keys))[0];
+  file.variables[4].texts["standard_name"] = "northward_wind";
+  Write("sea/wind.nc", file);
+  EXPECT_NE(ErrorOf("current = {grid_east = \"sea/wind.nc:uo\", grid_north = \"sea/wind.nc:vo\"}")
+                .find("is no current, as its standard_name is northward_wind"),
+            std::string::npos);
+}
+
 TEST_P(NetcdfMissions, KeepTheTypeOfBounds) {
   WrittenNetcdf file = TwoDepths({0, 10}, "down");
   for (const size_t component : {3, 4}) {
@@ -706,11 +731,23 @@ TEST_P(NetcdfMissions, DriftAlongXAndYInWhateverOrderAFileStoresThem) {
     EXPECT_NEAR(flow_mps.y(), 0.25, 1e-5) << count;
     EXPECT_TRUE(SeaWarnings(Load(keys)).empty()) << count;
   }
-  Write("sea/mirrored.nc", MeshFile({.x = "a", .y = "b", .is_x_first = true}, 0.5, 0.25));
-  const std::vector<std::string> warnings =
-      SeaWarnings(Load("current = {grid = \"sea/mirrored.nc\"}"));
-  ASSERT_EQ(warnings.size(), 1U);
-  EXPECT_NE(warnings[0].find("on which y lies to the right of x"), std::string::npos);
+  const auto warnings_of = [&](const std::string& name, const MeshForm& form) {
+    Write(name, MeshFile(form, 0.5, 0.25));
+    std::string all;
+    for (const std::string& each : SeaWarnings(Load("current = {grid = \"" + name + "\"}"))) {
+      all += each;
+    }
+    return all;
+  };
+  const std::string unnamed = warnings_of("sea/ab.nc", {.x = "a", .y = "b", .is_x_first = true});
+  EXPECT_NE(unnamed.find("on which y lies to the right of x"), std::string::npos) << unnamed;
+  EXPECT_NE(unnamed.find("show which is x: the last is taken"), std::string::npos) << unnamed;
+  EXPECT_NE(warnings_of("sea/fall.nc", {.y_falls = true}).find("on which y lies to the right of x"),
+            std::string::npos);
+  EXPECT_NE(warnings_of("sea/turned.nc", {.x = "a", .y = "b", .is_x_first = true, .y_falls = true})
+                .find("show which is x: the last is taken"),
+            std::string::npos);
+  EXPECT_EQ(warnings_of("sea/usual.nc", {.x = "a", .y = "b"}), "");
 }
 
 TEST_P(NetcdfMissions, DriftBesideMaskedCoordinatesAndFoldsAsElsewhere) {

@@ -81,7 +81,7 @@ std::optional<MapProjection> MapProjection::Make(const MapProjectionParams& para
 }
 
 MapProjection::MapProjection(const MapProjectionParams& params, Plane plane)
-    : params_(params), plane_(std::move(plane)) {
+    : params_(params), plane_(plane) {
   if (params.kind == MapProjectionKind::kRotatedPole) return;
   moved_m_ = params.false_origin_m;
   if (params.kind == MapProjectionKind::kPolarStereographic) return;

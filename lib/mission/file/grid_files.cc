@@ -171,11 +171,35 @@ void WarnOfLand(const FloorSigns& signs, const FloorReading& reading, const std:
       !reading.are_depths));
 }
 
-/// Warns of a number that was taken for no data.
-void WarnOfMark(const std::string& where, double mark, const char* remedy, GridNotes& notes) {
-  notes.warnings.push_back(fmt::format(
-      "{} has the number {:g}, and none near it: it is taken to mark points without data; {}",
-      where, mark, remedy));
+/// Returns the warning of a number that was taken for no data.
+std::string MarkText(float mark, const char* remedy) {
+  return fmt::format(
+      "has the number {:g}, and none near it: it is taken to mark points without data; {}", mark,
+      remedy);
+}
+
+/// Takes numbers that programs use as marks for no data as such (GapMarks), with a warning; also
+/// those that are packed.
+void TakeGapMarks(const NetcdfVariable& variable, CfField& field) {
+  const auto first_of = [&](const char* name, double otherwise) {
+    const std::vector<double>& numbers = variable.NumbersOf(name);
+    return numbers.empty() || !std::isfinite(numbers[0]) ? otherwise : numbers[0];
+  };
+  GapMarks plain;
+  GapMarks packed(first_of("scale_factor", 1), first_of("add_offset", 0));
+  for (const float value : field.values) {
+    if (std::isnan(value)) continue;
+    plain.Count(value);
+    packed.Count(value);
+  }
+  std::set<float> found;
+  for (const GapMarks* marks : {&plain, &packed}) {
+    for (const float mark : marks->Found()) found.insert(mark);
+  }
+  for (const float mark : found) {
+    std::ranges::replace(field.values, mark, std::nanf(""));
+    field.warnings.push_back(MarkText(mark, "give the variable a _FillValue"));
+  }
 }
 
 /// Decides what the numbers of a variable are: by what its attributes state, by grid_is_depth where
@@ -216,18 +240,6 @@ std::string SignsProblem(const NetcdfVariable& variable, const FloorSigns& signs
       "is named as depths, positive below the surface, and {} of its points are negative: write "
       "grid_is_depth = true if these are land, or false if they are the sea",
       ShareText(signs.num_negative, signs.num()));
-}
-
-/// Takes numbers that programs use as marks for no data as such (GapMarks), with a warning.
-void TakeGapMarks(CfField& field, const std::string& where, GridNotes& notes) {
-  GapMarks marks;
-  for (const float value : field.values) {
-    if (!std::isnan(value)) marks.Count(value);
-  }
-  for (const double mark : marks.Found()) {
-    std::ranges::replace(field.values, static_cast<float>(mark), std::nanf(""));
-    WarnOfMark(where, mark, "give the variable a _FillValue", notes);
-  }
 }
 
 /// Returns what is wrong with the numbers of a floor, each for itself; empty: nothing.
@@ -290,9 +302,11 @@ Result<GridRead<DepthGrid>> ReadNetcdfFloor(const FloorOptions& options, const G
   GridNotes notes;
   FloorSigns signs;
   FloorReading reading;
-  TakeGapMarks(*field, where, notes);
+  const size_t num_warnings = field->warnings.size();
+  TakeGapMarks(variable, *field);
   if (problem.empty()) {
-    problem = CountSigns(*field, !notes.warnings.empty(), options.grid_gap_depth_m, signs);
+    problem =
+        CountSigns(*field, field->warnings.size() > num_warnings, options.grid_gap_depth_m, signs);
   }
   if (problem.empty()) problem = SignsProblem(variable, signs, options);
   if (problem.empty()) {
@@ -388,6 +402,10 @@ Result<CfField> ReadComponent(const NetcdfFile& file, const std::string& variabl
         "known: cut out two or more along each, or write the current as speed_mps and "
         "direction_deg";
   }
+  const NetcdfVariable& found = *file.header().Find(variable);
+  if (const auto other = OtherThanCurrent(found); other && problem.empty()) {
+    problem = "is no current, as " + *other + "; name another one, or correct that";
+  }
   if (const auto beyond = FindBeyond(field->values, kMaxCurrent_mps); beyond && problem.empty()) {
     problem = fmt::format(
         "is {:g} m/s at {}, faster than {:g} m/s; is it the mark for no data? "
@@ -397,6 +415,7 @@ Result<CfField> ReadComponent(const NetcdfFile& file, const std::string& variabl
   if (!problem.empty()) {
     return Error{fmt::format("{}: variable '{}' {}", file.name(), variable, problem)};
   }
+  TakeGapMarks(found, *field);
   return field;
 }
 
@@ -489,18 +508,23 @@ class MeshDirections {
     const size_t num_points = field.x.size() * field.y.size();
     const size_t step = num_points / 4096 + 1;
     int64_t sum = 0;
+    int64_t along_meridians = 0;
     for (size_t point = 0; point < num_points; point += step) {
       const Ways x = WaysAlongX(point % field.x.size(), point / field.x.size());
       const Ways y = WaysAlongY(point % field.x.size(), point / field.x.size());
       if (x.count == 0 || y.count == 0) continue;
       const double cross = CrossOf(x.ways[0], y.ways[0]);
       sum += cross > 0 ? 1 : cross < 0 ? -1 : 0;
+      along_meridians += std::abs(x.ways[0].y()) > std::abs(x.ways[0].x()) ? 1 : -1;
     }
     hand_ = sum < 0 ? -1 : 1;
+    is_along_meridians_ = along_meridians > 0;
   }
 
   /// The y of its points is to the right of their x, as it is on no map.
   bool is_mirrored() const { return hand_ < 0; }
+  /// x runs rather North or South than East or West.
+  bool is_along_meridians() const { return is_along_meridians_; }
 
   /// Returns the directions of x and y, East and North of length 1. Where the points beside one are
   /// known only on one side the way to these counts; where none is, the other axis.
@@ -572,6 +596,7 @@ class MeshDirections {
 
   const CfField& field_;
   double hand_ = 1;
+  bool is_along_meridians_ = false;
 };
 
 /// Turns velocities at all times and depths at each point, by `turn(point, vector)`.
@@ -597,6 +622,14 @@ void TurnToEast(Components& components) {
     for (size_t column = 0; column < field.x.size(); ++column) {
       axes.push_back(mesh ? mesh->At(column, row) : AxesOnMap(field, column, row));
     }
+  }
+  if (mesh && !field.is_x_known && mesh->is_along_meridians()) {
+    components.notes.warnings.push_back(fmt::format(
+        "variables '{}' and '{}' run along the dimensions of a grid, of which neither axes nor "
+        "names "
+        "show which is x: the last is taken, which runs along the meridians; give these dimensions "
+        "axes with the standard_name projection_x_coordinate and projection_y_coordinate",
+        components.east.variable, components.north.variable));
   }
   if (mesh && mesh->is_mirrored()) {
     components.notes.warnings.push_back(fmt::format(
@@ -699,7 +732,12 @@ Result<Components> ReadComponents(const CurrentGridOptions& options,
                              north->variable, kOtherPoints)};
   }
   Components components = {.east = std::move(*east), .north = std::move(*north)};
+  // What is wrong with their axes is the same of both.
+  std::erase_if(components.north.warnings, [&](const std::string& warning) {
+    return std::ranges::find(components.east.warnings, warning) != components.east.warnings.end();
+  });
   AddWarnings(components.east, east_file.name(), components.notes);
+  AddWarnings(components.north, north_file.name(), components.notes);
   const std::string problem =
       UseDirections(components, DirectionOf(*east_file.header().Find(east_name.variable)),
                     DirectionOf(*north_file.header().Find(north_name.variable)));
@@ -762,7 +800,9 @@ Result<GridRead<DepthGrid>> ReadFloorGrid(const FloorOptions& options,
   const std::string problem = LandProblem(field->signs, reading, options.grid_is_depth.has_value());
   if (!problem.empty()) return Error{path + ": the map " + problem};
   GridNotes notes;
-  for (const double mark : field->gap_marks) WarnOfMark(path, mark, "set NODATA_value", notes);
+  for (const float mark : field->gap_marks) {
+    notes.warnings.push_back(path + " " + MarkText(mark, "set NODATA_value"));
+  }
   WarnOfLand(field->signs, reading, path, notes);
   return GridRead<DepthGrid>{.grid = DepthGrid(field->frame, std::move(field->values)),
                              .notes = std::move(notes)};

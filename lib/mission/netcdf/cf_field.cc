@@ -138,7 +138,7 @@ class CfReader {
   std::string UseAxes() {
     for (const auto step :
          {&CfReader::FindPlane, &CfReader::CheckPlane, &CfReader::UseDepths, &CfReader::UseTimes}) {
-      const std::string problem = (this->*step)();
+      std::string problem = (this->*step)();
       if (!problem.empty() || !read_error_.empty()) return problem;
     }
     return "";
@@ -332,6 +332,7 @@ class CfReader {
     const std::optional<CfRole> second = RoleOf(dimensions[1]);
     const bool is_x_first = (first == CfRole::kEast && second != CfRole::kEast) ||
                             (second == CfRole::kNorth && first != CfRole::kNorth);
+    field_.is_x_known = first != second;
     const uint32_t x_dimension = dimensions[is_x_first ? 0 : 1];
     const uint32_t y_dimension = dimensions[is_x_first ? 1 : 0];
     Role east = CountPoints(x_dimension, *points.lons);

@@ -37,6 +37,8 @@ struct CfField {
   /// empty.
   std::vector<double> lats_deg = {};
   std::vector<double> lons_deg = {};
+  /// Its dimensions have axes or names that show which of them is x; else that is the last.
+  bool is_x_known = true;
   std::vector<double> x;               ///< Ascending; longitudes may exceed 360.
   std::vector<double> y;               ///< Ascending.
   std::vector<double> depths_m = {0};  ///< Ascending, positive below the surface.

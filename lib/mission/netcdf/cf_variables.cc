@@ -167,6 +167,12 @@ std::optional<std::string> OtherThanFloor(const NetcdfVariable& variable) {
   return std::nullopt;
 }
 
+std::optional<std::string> OtherThanCurrent(const NetcdfVariable& variable) {
+  const std::string name = StandardName(variable);
+  if (!HasAny(name, {"wind", "ice", "wave", "stokes", "stress", "transport"})) return std::nullopt;
+  return "its standard_name is " + PrintableName(name);
+}
+
 bool IsNamedAsDepths(const NetcdfVariable& variable) {
   return std::ranges::find(kDepthVariables, Name(variable)) != kDepthVariables.end();
 }
@@ -189,7 +195,7 @@ CfDirection DirectionOf(const NetcdfVariable& variable) {
 Result<std::pair<std::string, std::string>> FindCurrentVariables(const NetcdfHeader& header,
                                                                  const std::string& file) {
   const auto is_other = [](const NetcdfVariable& each) {
-    return HasAny(StandardName(each), {"wind", "ice", "wave", "stokes", "stress", "transport"});
+    return OtherThanCurrent(each).has_value();
   };
   // The first row of which anything is there decides: another one is another current.
   const auto look = [&](const auto& rows, const auto& text)

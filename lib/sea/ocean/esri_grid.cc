@@ -282,9 +282,7 @@ class EsriReader {
   std::string MakeDepths() {
     if (options_.values == GridValues::kVelocity) return "";
     gap_marks_ = marks_.Found();
-    for (const double mark : gap_marks_) {
-      std::ranges::replace(values_, static_cast<float>(mark), std::nanf(""));
-    }
+    for (const float mark : gap_marks_) std::ranges::replace(values_, mark, std::nanf(""));
     if (!gap_marks_.empty() && !options_.nodata_depth_m) {
       return "the map has the number " + RoundText(gap_marks_[0]) +
              ", and none near it: it is taken to mark cells without data; fill these, or state "
@@ -311,7 +309,7 @@ class EsriReader {
   std::vector<float> values_;
   FloorSigns signs_;
   GapMarks marks_;
-  std::vector<double> gap_marks_;
+  std::vector<float> gap_marks_;
   bool has_whole_line_ = false;  ///< Some line has as many numbers as there are columns.
   int odd_line_ = 0;             ///< The first line that has not; 0: there is none.
   int odd_count_ = 0;            ///< How many it has.

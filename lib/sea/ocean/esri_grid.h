@@ -58,7 +58,7 @@ struct EsriField {
   GridFrame frame;
   std::vector<float> values;  ///< Depths, >= 0, or velocities: NaN where a cell has no data.
   FloorSigns signs = {};      ///< Of depths and elevations: the numbers of cells with data.
-  std::vector<double> gap_marks = {};  ///< Numbers that were taken for no data (GapMarks).
+  std::vector<float> gap_marks = {};  ///< Numbers that were taken for no data (GapMarks).
 };
 
 /// The same, for values of any kind.

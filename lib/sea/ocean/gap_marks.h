@@ -2,7 +2,7 @@
 //
 //   GapMarks marks;
 //   for (const double number : numbers) marks.Count(number);
-//   std::vector<double> gaps = marks.Found();
+//   std::vector<float> gaps = marks.Found();
 #pragma once
 
 #include <array>
@@ -14,20 +14,29 @@ namespace shoal {
 
 class GapMarks {
  public:
+  /// Marks of numbers that are multiplied by `scale` when they are read, and then have `offset`
+  /// added; what is read has the precision of a float. @pre finite
+  explicit GapMarks(double scale = 1, double offset = 0) {
+    for (Mark& mark : marks_) {
+      mark.number = static_cast<float>(mark.number * scale + offset);
+      mark.alone *= std::abs(scale);
+    }
+  }
+
   /// @pre it is not NaN
   void Count(double number) {
     for (Mark& mark : marks_) {
-      if (number == mark.number) {
+      if (static_cast<float>(number) == mark.number) {
         ++mark.count;
-      } else if (std::abs(number - mark.number) <= mark.alone_m) {
+      } else if (std::abs(number - mark.number) <= mark.alone) {
         mark.is_alone = false;
       }
     }
   }
-  /// Returns the marks that were counted and that no other number is near to: between a slope and
-  /// its foot a map has numbers.
-  [[nodiscard]] std::vector<double> Found() const {
-    std::vector<double> found;
+  /// Returns the marks that were counted and that no other number is near to: on the way down to a
+  /// real depth a map has some.
+  [[nodiscard]] std::vector<float> Found() const {
+    std::vector<float> found;
     for (const Mark& mark : marks_) {
       if (mark.count > 0 && mark.is_alone) found.push_back(mark.number);
     }
@@ -36,16 +45,19 @@ class GapMarks {
 
  private:
   struct Mark {
-    double number = 0;
-    double alone_m = 0;  ///< How far around it there must be no other number.
+    float number = 0;
+    double alone = 0;  ///< How far around it there must be no other number.
     size_t count = 0;
     bool is_alone = true;
   };
-  /// Marks of common programs. Larger ones are no elevations, and refused as such.
-  std::array<Mark, 4> marks_ = {{{.number = -9999, .alone_m = 1000},
-                                 {.number = 9999, .alone_m = 1000},
-                                 {.number = -999, .alone_m = 700},
-                                 {.number = 999, .alone_m = 700}}};
+  /// Marks of common programs. Larger ones are neither depths nor currents, and refused as such,
+  /// but as packed integers they may be.
+  std::array<Mark, 6> marks_ = {{{.number = -9999, .alone = 1000},
+                                 {.number = 9999, .alone = 1000},
+                                 {.number = -999, .alone = 700},
+                                 {.number = 999, .alone = 700},
+                                 {.number = 32767, .alone = 1000},
+                                 {.number = -32768, .alone = 1000}}};
 };
 
 }  // namespace shoal
