@@ -388,10 +388,17 @@ class CfReader {
     Role& depth = At(CfRole::kDepth);
     if (depth.coordinate == nullptr) return "";
     const std::optional<double> unit = MetresIn(*depth.coordinate);
-    if (!unit || IsLevel(*depth.coordinate) || AreShares(depth)) {
+    if (!unit || IsLevel(*depth.coordinate)) {
       return UnitProblem(*depth.coordinate,
                          "metres: levels of sigma, density or pressure "
                          "must be interpolated to depths first");
+    }
+    if (AreShares(depth)) {
+      return fmt::format(
+          "has an axis '{}' without units, of which no point is beyond 1, as levels of sigma have "
+          "them: give it units = \"m\" if these are metres; levels must be interpolated to depths "
+          "first",
+          PrintableName(depth.coordinate->name));
     }
     if (AreNumbers(depth)) {
       field_.warnings.push_back(

@@ -260,7 +260,8 @@ TEST(CfFieldErrors, NameSharesOfTheDepthThatHaveNoUnits) {
   const std::string start = "bay.nc: variable 'z' has an axis 'depth' in ''";
   for (const std::vector<double>& shares :
        {std::vector<double>{0, 1}, {-1, 0}, {0.1, 0.5}, {-0.9, -0.1}}) {
-    ExpectError(WithDepths("depth", shares, {}), start, "interpolated to depths");
+    ExpectError(WithDepths("depth", shares, {}), "bay.nc: variable 'z' has an axis 'depth' without",
+                "give it units = \"m\"");
   }
   for (const char* name : {"sigma level", "S-coordinate at RHO-points"}) {
     ExpectError(WithDepths("depth", {0, 40}, {{"long_name", name}}), start, "interpolated");

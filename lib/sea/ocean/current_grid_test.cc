@@ -5,6 +5,7 @@
 #include <rapidcheck/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace shoal::current_grid_test {
@@ -93,6 +94,22 @@ TEST(CurrentGrid, TakesAVectorWithOneComponentForNone) {
                              .north_mps = {1, kGap}});
   EXPECT_EQ(current.VelocityAt({10, 0, 0}, 0), Eigen::Vector2d(0, 0));
   EXPECT_TRUE(current.is_steady());
+}
+
+TEST(CurrentGrid, InDegreesIsTurnedToTheMissionsPlaneAndFiniteEverywhere) {
+  const GeoPoint origin = {.lat_deg = 60, .lon_deg = 5};
+  const CurrentGrid current({.map = GridMap(origin, GridAxis({3, 5, 7}), GridAxis({59, 61})),
+                             .east_mps = std::vector<float>(6, 0.5F),
+                             .north_mps = std::vector<float>(6, 0.25F)});
+  EXPECT_EQ(current.VelocityAt({0, 20'000, 0}, 0), Eigen::Vector2d(0.5, 0.25))
+      << "to the bit on the origin's meridian";
+  const LocalFrame frame(origin);
+  const Eigen::Vector2d place_m(90'000, -30'000);
+  EXPECT_EQ(current.VelocityAt({place_m.x(), place_m.y(), 0}, 0),
+            frame.TurnToPlane({0.5, 0.25}, frame.ToGeo(place_m)));
+  for (const double far : {2e6, 1e300, std::numeric_limits<double>::quiet_NaN()}) {
+    EXPECT_TRUE(current.VelocityAt({far, -far, 0}, 0).allFinite()) << far;
+  }
 }
 
 }  // namespace shoal::current_grid_test
