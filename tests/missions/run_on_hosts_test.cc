@@ -2,9 +2,12 @@
 #include <arpa/inet.h>
 #include <gtest/gtest.h>
 #include <signal.h>
+#include <sodium.h>
 #include <sys/socket.h>
 
+#include <atomic>
 #include <cstdlib>
+#include <thread>
 
 #include "lib/bus/os/file_descriptor.h"
 #include "lib/mission/file/load.h"
@@ -338,6 +341,11 @@ class PlayedHome {
     return answer;
   }
 
+  HomeLink& link() { return link_; }
+  uint64_t next_sequence() const { return next_sequence_; }
+  /// Counts a message that was sent over link().
+  void Count() { ++next_sequence_; }
+
  private:
   HomeLink link_;
   LinkIntake intake_;
@@ -442,6 +450,88 @@ TEST(RefusedHome, SendsABatchTwice) {
   EXPECT_EQ(home.Await().kind, LinkKind::kPong) << "the link goes on";
 }
 
+/// Messages of many parts, each under a number and digest of its own: they cost more to read than
+/// to make.
+class Flood {
+ public:
+  explicit Flood(const LinkMessage& message) : bytes_(EncodeLinkMessage(message, 0)) {}
+
+  static LinkMessage OfParts(LinkKind kind, int64_t mission_id) {
+    LinkMessage message{.kind = kind, .mission_id = mission_id};
+    message.parts.resize(100'000);
+    return message;
+  }
+  const Bytes& Next(uint64_t sequence) {
+    constexpr size_t kSequenceAt = 4 + 1 + 8 + 8;
+    constexpr size_t kDigestSize = 32;
+    for (size_t i = 0; i < 8; ++i) {
+      bytes_[kSequenceAt + i] = static_cast<uint8_t>(sequence >> (8 * (7 - i)));
+    }
+    const size_t size = bytes_.size() - kDigestSize;
+    crypto_generichash(bytes_.data() + size, kDigestSize, bytes_.data(), size, nullptr, 0);
+    return bytes_;
+  }
+
+ private:
+  Bytes bytes_;
+};
+
+/// So much is under way that the other end always has more to read.
+constexpr size_t kUnderWay_bytes = size_t{8} << 20;
+
+TEST(FloodOfHome, KeepsAHostFromNeitherItsSignalsNorItsBounds) {
+  HostFarm farm(1);
+  PlayedHome home(farm);
+  home.Send(LinkMessage{.kind = LinkKind::kPing});
+  ASSERT_EQ(home.Await().kind, LinkKind::kPong);
+  std::atomic<bool> stops = false;
+  std::thread flood([&] {
+    Flood pings(Flood::OfParts(LinkKind::kPing, 0));
+    while (!stops) {
+      home.link().Receive();
+      if (home.link().outbox().waiting_bytes() > kUnderWay_bytes) continue;
+      if (home.link().Send(pings.Next(home.next_sequence()))) home.Count();
+    }
+  });
+  EXPECT_TRUE(farm.hosts[0].process->WaitFor("a batch of kind 12 with 100000 messages", 20))
+      << farm.hosts[0].process->Output();
+  farm.hosts[0].process->Signal(SIGTERM);
+  EXPECT_EQ(farm.hosts[0].process->Wait(20).exit_code, 0);
+  stops = true;
+  flood.join();
+}
+
+TEST(Link, HoldsBackWhatTheOtherEndDoesNotReadAndLosesNoneOfIt) {
+  HostFarm farm(1);
+  const HostKey host_key = *ReadHostKey((farm.folder / "host1.key").string());
+  const HostKey home_key = *ReadHostKey(farm.home_key + ".key");
+  const std::string address = "tcp://127.0.0.1:" + std::to_string(FreeTcpPorts(1));
+  HostDoor door;
+  ASSERT_TRUE(door.Open(address, host_key, {home_key.public_key}).ok());
+  HomeLink link(address, host_key.public_key, home_key);
+  ASSERT_TRUE(AwaitThat([&] {
+    door.Receive();
+    link.Receive();
+    return link.state() == HomeLink::State::kOpen;
+  }));
+  constexpr size_t kNum = 100;
+  constexpr size_t kEach_bytes = size_t{1} << 20;
+  for (size_t i = 0; i < kNum; ++i) {
+    ASSERT_TRUE(link.Send(Bytes(kEach_bytes, static_cast<uint8_t>(i))));
+  }
+  SleepSeconds(0.2);  // ZeroMQ takes what it takes.
+  link.Receive();
+  EXPECT_GT(link.outbox().waiting_bytes(), kNum * kEach_bytes / 2);
+  std::vector<uint8_t> taken;
+  EXPECT_TRUE(AwaitThat([&] {
+    link.Receive();
+    if (const auto arrival = door.Receive()) taken.push_back(arrival->bytes.front());
+    return taken.size() == kNum;
+  }));
+  for (size_t i = 0; i < taken.size(); ++i) EXPECT_EQ(taken[i], i);
+  EXPECT_TRUE(link.outbox().IsIdle());
+}
+
 TEST(Connections, ThatProveNoKeyAreEndedAndNamedAsThat) {
   HostFarm farm(1);
   std::vector<FileDescriptor> connections;
@@ -486,8 +576,15 @@ class PlayedHost {
   void Send(const LinkMessage& message) {
     EXPECT_TRUE(door_.Send(peer_, EncodeLinkMessage(message, next_sequence_++)));
   }
+  /// Sends what `make` returns for the next number, unless home has much to take already.
+  void TrySend(const std::function<Bytes(uint64_t sequence)>& make) {
+    door_.Receive();
+    if (door_.WaitingBytes(peer_) > kUnderWay_bytes) return;
+    if (door_.Send(peer_, make(next_sequence_))) ++next_sequence_;
+  }
   const std::string& address() const { return address_; }
   int64_t mission_id() const { return mission_id_; }
+  uint64_t num_sent() const { return next_sequence_; }
 
  private:
   HostDoor door_;
@@ -495,7 +592,7 @@ class PlayedHost {
   std::string peer_;
   LinkIntake intake_;
   int64_t mission_id_ = 0;
-  uint64_t next_sequence_ = 0;
+  std::atomic<uint64_t> next_sequence_ = 0;
 };
 
 TEST(RefusedHost, EndsAProcessThatItDoesNotRun) {
@@ -515,6 +612,46 @@ TEST(RefusedHost, EndsAProcessThatItDoesNotRun) {
   EXPECT_EQ(finished.output.find("LOST: shore_broker"), std::string::npos) << finished.output;
   EXPECT_NE(finished.output.find("ends its part: ?[2J?Verdict: PASS"), std::string::npos)
       << finished.output;
+}
+
+/// What a host floods home with, and what home makes of it.
+struct HostFlood {
+  std::string name;
+  LinkKind kind;
+  std::string shown;  ///< Empty: it is legal.
+};
+
+class FloodOfAHost : public testing::TestWithParam<HostFlood> {};
+
+INSTANTIATE_TEST_SUITE_P(
+    Links, FloodOfAHost,
+    testing::Values(
+        HostFlood{"OfManyParts", LinkKind::kAlive,
+                  "a batch of kind 10 with 600065 bytes; the largest has 1024; refused"},
+        HostFlood{"OfBatches", LinkKind::kDone, ""}),
+    [](const auto& each) { return each.param.name; });
+
+TEST_P(FloodOfAHost, KeepsHomeNotFromItsSignals) {
+  HostFarm farm(1);
+  PlayedHost host(&farm);
+  const std::string mission = farm.Placed("berta.toml", {"\"bravo\""}, kPatient, {host.address()});
+  RunningProcess process(farm.folder, farm.RunCommand(mission));
+  host.Accept();
+  std::atomic<bool> stops = false;
+  std::thread flood([&] {
+    Flood batches(Flood::OfParts(GetParam().kind, host.mission_id()));
+    while (!stops) host.TrySend([&](uint64_t sequence) { return batches.Next(sequence); });
+  });
+  if (!GetParam().shown.empty()) {
+    EXPECT_TRUE(process.WaitFor(GetParam().shown, 20)) << process.Output();
+  } else {
+    EXPECT_TRUE(AwaitThat([&] { return host.num_sent() > 60; }));
+  }
+  process.Signal(SIGINT);
+  const Finished finished = process.Wait(20);
+  EXPECT_GT(finished.exit_code, 0) << "a verdict, not a kill: " << finished.output;
+  stops = true;
+  flood.join();
 }
 
 TEST(HostDoctor, MeasuresTheWay) {

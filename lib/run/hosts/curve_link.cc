@@ -20,18 +20,23 @@ constexpr int kLinger_ms = 500;
 constexpr int kReconnect_ms = 200;
 /// Four messages; a way of a second would be too slow for any step.
 constexpr int kHandshake_ms = 3'000;
-/// Messages that wait for a slow peer; a link in step has one or two.
-constexpr int kWaitingMessages = 10'000;
+/// What ZeroMQ holds of a connection that is read slowly: a link in step has one or two messages
+/// under way. Beyond these TCP holds the sender back. Each end that has taken half of so many tells
+/// the other side of its pipe, which costs a wake-up.
+constexpr int kWaitingIn = 4;
+constexpr int kWaitingOut = 16;
+/// Frames of one message that are looked at: of a router's, the peer and the content.
+constexpr size_t kMaxFrames = 8;
 constexpr char kZapAddress[] = "inproc://zeromq.zap.01";
 
-/// ZeroMQ ends a connection over which more comes at once. What is larger than a batch may be, and
-/// not this large, is left to LinkIntake, which names it.
-constexpr int64_t kMaxReceived_bytes = 2 * int64_t{kLargestLinkMessage_bytes};
+/// ZeroMQ ends a connection over which more comes at once. What is somewhat larger than a batch may
+/// be is left to LinkIntake, which names it.
+constexpr int64_t kMaxReceived_bytes = int64_t{kLargestLinkMessage_bytes} + (int64_t{1} << 20);
 
 void SetUp(zmq::socket_t* socket, const HostKey& key) {
   socket->set(zmq::sockopt::linger, kLinger_ms);
-  socket->set(zmq::sockopt::sndhwm, kWaitingMessages);
-  socket->set(zmq::sockopt::rcvhwm, kWaitingMessages);
+  socket->set(zmq::sockopt::sndhwm, kWaitingOut);
+  socket->set(zmq::sockopt::rcvhwm, kWaitingIn);
   socket->set(zmq::sockopt::maxmsgsize, kMaxReceived_bytes);
   socket->set(zmq::sockopt::curve_secretkey, key.secret_key);
 }
@@ -45,14 +50,14 @@ int PollOf(const std::vector<int>& descriptors) {
   return poll;
 }
 
-/// Receives all frames of one message; empty where there is none.
+/// Receives the frames of one message, the first few of them; empty where there is none.
 std::vector<zmq::message_t> ReceiveFrames(zmq::socket_t* socket) {
   std::vector<zmq::message_t> frames;
   zmq::message_t frame;
   if (!socket->recv(frame, zmq::recv_flags::dontwait)) return frames;
   for (bool more = true; more;) {
     more = frame.more();
-    frames.push_back(std::move(frame));
+    if (frames.size() < kMaxFrames) frames.push_back(std::move(frame));
     frame = zmq::message_t();
     if (more) more = socket->recv(frame, zmq::recv_flags::none).has_value();
   }
@@ -83,8 +88,11 @@ struct HostDoor::Sockets {
   int64_t num_unproved = 0;
   std::set<std::string> allowed;
   std::vector<std::string> refused;
+  std::map<std::string, LinkOutbox> outboxes;  ///< Of peers for which something waits.
 
   void AnswerZap();
+  LinkOutbox::Sent SendNow(const std::string& peer, std::span<const uint8_t> bytes);
+  void SendWaiting();
 };
 
 HostDoor::HostDoor() : sockets_(std::make_unique<Sockets>()) {}
@@ -143,27 +151,58 @@ void HostDoor::Sockets::AnswerZap() {
 std::optional<HostDoor::Arrival> HostDoor::Receive() {
   constexpr size_t kPeerAndBytes = 2;
   sockets_->AnswerZap();
-  for (auto frames = ReceiveFrames(&sockets_->router); !frames.empty();
-       frames = ReceiveFrames(&sockets_->router)) {
-    if (frames.size() != kPeerAndBytes) continue;
-    return Arrival{.peer = frames[0].to_string(),
-                   // NOLINTNEXTLINE: a property of a zmq::message_t, not gets() of C.
-                   .key = frames[1].gets("User-Id"),
-                   .bytes = BytesOf(frames[1])};
+  sockets_->SendWaiting();
+  auto frames = ReceiveFrames(&sockets_->router);
+  if (frames.empty()) return std::nullopt;
+  Arrival arrival{.peer = frames[0].to_string(), .key = {}, .bytes = {}};
+  if (frames.size() < kPeerAndBytes) return arrival;
+  // NOLINTNEXTLINE: a property of a zmq::message_t, not gets() of C.
+  arrival.key = frames[1].gets("User-Id");
+  if (frames.size() == kPeerAndBytes) arrival.bytes = BytesOf(frames[1]);
+  return arrival;
+}
+
+LinkOutbox::Sent HostDoor::Sockets::SendNow(const std::string& peer,
+                                            std::span<const uint8_t> bytes) {
+  try {
+    const auto flags = zmq::send_flags::sndmore | zmq::send_flags::dontwait;
+    if (!router.send(zmq::buffer(peer), flags)) return LinkOutbox::Sent::kLater;
+    const auto sent =
+        router.send(zmq::buffer(bytes.data(), bytes.size()), zmq::send_flags::dontwait);
+    return sent ? LinkOutbox::Sent::kYes : LinkOutbox::Sent::kGone;
+  } catch (const zmq::error_t&) {
+    return LinkOutbox::Sent::kGone;  // EHOSTUNREACH
   }
-  return std::nullopt;
+}
+
+void HostDoor::Sockets::SendWaiting() {
+  for (auto& [peer, outbox] : outboxes) {
+    outbox.SendWaiting([&](std::span<const uint8_t> each) { return SendNow(peer, each); });
+  }
+  std::erase_if(outboxes, [](const auto& item) { return item.second.IsIdle(); });
 }
 
 bool HostDoor::Send(const std::string& peer, std::span<const uint8_t> bytes) {
-  try {
-    const auto flags = zmq::send_flags::sndmore | zmq::send_flags::dontwait;
-    if (!sockets_->router.send(zmq::buffer(peer), flags)) return false;
-    return sockets_->router.send(zmq::buffer(bytes.data(), bytes.size()), zmq::send_flags::dontwait)
-        .has_value();
-  } catch (const zmq::error_t&) {
-    return false;  // EHOSTUNREACH: it is gone.
-  }
+  const auto send_now = [&](std::span<const uint8_t> each) {
+    return sockets_->SendNow(peer, each);
+  };
+  LinkOutbox& outbox = sockets_->outboxes[peer];
+  const bool is_sent = outbox.Send(bytes, send_now);
+  if (outbox.IsIdle()) sockets_->outboxes.erase(peer);
+  return is_sent;
 }
+
+bool HostDoor::IsStuck(const std::string& peer) const {
+  const auto found = sockets_->outboxes.find(peer);
+  return found != sockets_->outboxes.end() && found->second.is_stuck();
+}
+
+size_t HostDoor::WaitingBytes(const std::string& peer) const {
+  const auto found = sockets_->outboxes.find(peer);
+  return found == sockets_->outboxes.end() ? 0 : found->second.waiting_bytes();
+}
+
+void HostDoor::Forget(const std::string& peer) { sockets_->outboxes.erase(peer); }
 
 std::vector<std::string> HostDoor::TakeRefusedKeys() {
   return std::exchange(sockets_->refused, {});
@@ -192,6 +231,9 @@ struct HomeLink::Sockets {
   zmq::socket_t dealer{Context(), zmq::socket_type::dealer};
   zmq::socket_t events{Context(), zmq::socket_type::pair};
   FileDescriptor poll;
+  LinkOutbox outbox;
+
+  LinkOutbox::Sent SendNow(std::span<const uint8_t> bytes);
 };
 
 HomeLink::HomeLink(const std::string& address, const std::string& host_public_key,
@@ -231,6 +273,7 @@ void HomeLink::ReadEvents() {
       state_ = State::kKeyRefused;
     } else if (state_ == State::kOpen || state_ == State::kLost) {
       state_ = State::kLost;
+      sockets_->outbox = LinkOutbox();  // It was for that connection.
     } else if (state_ == State::kConnecting) {
       state_ = State::kHandshakeFailed;
     }
@@ -238,20 +281,32 @@ void HomeLink::ReadEvents() {
 }
 
 std::optional<Bytes> HomeLink::Receive() {
+  sockets_->outbox.SendWaiting(
+      [this](std::span<const uint8_t> each) { return sockets_->SendNow(each); });
   const auto frames = ReceiveFrames(&sockets_->dealer);
   if (!frames.empty()) return BytesOf(frames[0]);
   ReadEvents();  // After what came before the end.
   return std::nullopt;
 }
 
-bool HomeLink::Send(std::span<const uint8_t> bytes) {
+LinkOutbox::Sent HomeLink::Sockets::SendNow(std::span<const uint8_t> bytes) {
   try {
-    return sockets_->dealer.send(zmq::buffer(bytes.data(), bytes.size()), zmq::send_flags::dontwait)
-        .has_value();
+    const auto sent =
+        dealer.send(zmq::buffer(bytes.data(), bytes.size()), zmq::send_flags::dontwait);
+    return sent ? LinkOutbox::Sent::kYes : LinkOutbox::Sent::kLater;
   } catch (const zmq::error_t&) {
-    return false;
+    return LinkOutbox::Sent::kGone;
   }
 }
+
+bool HomeLink::Send(std::span<const uint8_t> bytes) {
+  // Before it is open a message has nowhere to go, and the sender tries again.
+  if (state_ != State::kOpen) return sockets_->SendNow(bytes) == LinkOutbox::Sent::kYes;
+  return sockets_->outbox.Send(
+      bytes, [this](std::span<const uint8_t> each) { return sockets_->SendNow(each); });
+}
+
+const LinkOutbox& HomeLink::outbox() const { return sockets_->outbox; }
 
 int HomeLink::fd() const { return sockets_->poll.get(); }
 

@@ -9,7 +9,11 @@
 //   while (auto bytes = link.Receive()) ...
 //
 // Before a descriptor is waited for, Receive must have returned nothing: ZeroMQ's descriptor
-// reports changes, not states.
+// reports changes, not states. An end that has other work takes a LinkTurn at a time, and does not
+// wait before the next.
+//
+// Of a connection, neither end holds more than a few messages that have arrived (beyond these TCP
+// holds the sender back), and kMaxWaiting_bytes of what the other end does not take.
 #pragma once
 
 #include <cstdint>
@@ -24,6 +28,7 @@
 #include "lib/base/check/result.h"
 #include "lib/bus/bus/bus.h"
 #include "lib/run/hosts/host_keys.h"
+#include "lib/run/hosts/link_outbox.h"
 
 namespace shoal {
 
@@ -42,12 +47,18 @@ class HostDoor {
   struct Arrival {
     std::string peer;  ///< To be answered by Send.
     std::string key;   ///< The public key of the peer, which has proved it.
-    Bytes bytes;
+    Bytes bytes;       ///< Empty where it was no message of one frame.
   };
-  /// Returns what has arrived next; nothing where there is no more.
+  /// Returns what has arrived next; nothing where there is no more. Sends what waits.
   std::optional<Arrival> Receive();
   /// Returns false where the peer is gone, or takes nothing any more.
   bool Send(const std::string& peer, std::span<const uint8_t> bytes);
+  /// True where the peer has not taken what waited for it, and gets nothing any more.
+  bool IsStuck(const std::string& peer) const;
+  /// Returns how much waits for the peer.
+  size_t WaitingBytes(const std::string& peer) const;
+  /// Drops what waits for a peer.
+  void Forget(const std::string& peer);
 
   /// Returns the public keys that were refused since the last call.
   std::vector<std::string> TakeRefusedKeys();
@@ -79,9 +90,12 @@ class HomeLink {
   HomeLink(const HomeLink&) = delete;
   HomeLink& operator=(const HomeLink&) = delete;
 
-  /// Returns what has arrived next; nothing where there is no more. Learns of the link's state.
+  /// Returns what has arrived next; nothing where there is no more. Learns of the link's state, and
+  /// sends what waits.
   std::optional<Bytes> Receive();
   bool Send(std::span<const uint8_t> bytes);
+  /// What the host has not taken yet.
+  const LinkOutbox& outbox() const;
   State state() const { return state_; }
   /// Why the address cannot be used at all, or empty.
   const std::string& error() const { return error_; }

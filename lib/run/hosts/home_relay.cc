@@ -9,6 +9,7 @@
 #include "lib/bus/bus/seal.h"
 #include "lib/run/run/channel_set.h"
 #include "lib/run/run/step_answers.h"
+#include "lib/run/run/step_inbox.h"
 
 namespace shoal {
 
@@ -147,6 +148,7 @@ std::string HomeRelay::PublisherOfAnswer(const Host& host, const LinkPart& part)
 void HomeRelay::OnMessage(size_t host, const LinkMessage& message, int64_t wall_us) {
   Host& from = hosts_[host];
   bool has_answer = false;
+  size_t num_outside = 0;
   for (const LinkPart& part : message.parts) {
     if (IsAnswer(part.name)) {
       bus_.SendPlain(part);
@@ -159,6 +161,11 @@ void HomeRelay::OnMessage(size_t host, const LinkMessage& message, int64_t wall_
       }
       bus_.SendPlain(part);
     } else if (!Unseal(part.data).seal) {
+      // No host hands on more in a step.
+      if (++num_outside > StepInbox::kMaxOutside) {
+        bus_.CountRefused();
+        continue;
+      }
       bus_.SendOutside(part);
       outside_.Add(part.name, part.data, host);
     } else {

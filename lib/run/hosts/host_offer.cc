@@ -34,6 +34,8 @@ constexpr std::string_view kSet = "set";
 constexpr std::string_view kParticipant = "participant";
 constexpr std::string_view kLine = "line";
 constexpr size_t kMaxLines = 10;  ///< Of what a process wrote last; ChildExit has fewer.
+/// Of a reason or line: so that a message of them keeps within the limits of its kind.
+constexpr size_t kMaxText_bytes = size_t{64} << 10;
 
 /// Returns the folder that all `paths` lie in or below; empty where there is none but "/".
 fs::path CommonFolder(const std::vector<fs::path>& paths) {
@@ -248,7 +250,7 @@ Result<HostOffer> OfferOf(const LinkMessage& message) {
 
 LinkMessage RefusalOf(int64_t mission_id, std::string_view why) {
   LinkMessage refusal{.kind = LinkKind::kRefuse, .mission_id = mission_id};
-  refusal.AddText("why", why);
+  refusal.AddText("why", why.substr(0, kMaxText_bytes));
   return refusal;
 }
 
@@ -257,8 +259,10 @@ LinkMessage ToLinkMessage(const HostExit& exit, int64_t mission_id) {
   message.AddText("name", exit.name);
   message.AddText("pid", std::to_string(exit.pid));
   message.AddText("clean", exit.clean ? "yes" : "no");
-  message.AddText("how", exit.how);
-  for (const std::string& line : exit.last_lines) message.AddText(kLine, line);
+  message.AddText("how", exit.how.substr(0, kMaxText_bytes));
+  for (size_t i = 0; i < std::min(kMaxLines, exit.last_lines.size()); ++i) {
+    message.AddText(kLine, exit.last_lines[i].substr(0, kMaxText_bytes));
+  }
   return message;
 }
 

@@ -20,6 +20,36 @@ constexpr size_t kLinkHeaderSize = 4 + 1 + 8 + 8 + 8 + 4;
 constexpr size_t kPartHeaderSize = 2 + 4;
 constexpr size_t kLongestPartName = 65'535;
 
+struct LinkRow {
+  LinkKind kind;
+  LinkLimits limits;
+};
+
+constexpr size_t kNoContent_bytes = 1024;
+constexpr size_t kFewTexts_bytes = size_t{64} << 10;
+constexpr size_t kTexts_bytes = size_t{1} << 20;
+constexpr size_t kPage_bytes = size_t{4} << 20;
+/// `shoal doctor --host` sends 4 MiB at a time.
+constexpr size_t kLoads_bytes = size_t{5} << 20;
+
+/// Only what carries a step or a mission is large.
+constexpr std::array<LinkRow, 13> kLinkRows = {{
+    {LinkKind::kOffer, {kLargestLinkMessage_bytes, kMaxLinkParts}},
+    {LinkKind::kAccept, {kNoContent_bytes, 0}},
+    {LinkKind::kRefuse, {kTexts_bytes, 1}},
+    {LinkKind::kTick, {kLargestLinkMessage_bytes, kMaxLinkParts}},
+    {LinkKind::kDone, {kLargestLinkMessage_bytes, kMaxLinkParts}},
+    {LinkKind::kAside, {kPage_bytes, 1}},
+    {LinkKind::kStart, {kFewTexts_bytes, 1}},
+    {LinkKind::kSignal, {kFewTexts_bytes, 2}},
+    {LinkKind::kExit, {kTexts_bytes, 32}},
+    {LinkKind::kAlive, {kNoContent_bytes, 0}},
+    {LinkKind::kEnd, {kNoContent_bytes, 0}},
+    {LinkKind::kPing, {kLoads_bytes, 1}},
+    {LinkKind::kPong, {kLoads_bytes, 2}},
+}};
+static_assert(kLinkRows.size() == static_cast<size_t>(LinkKind::kPong));
+
 using LinkDigest = std::array<uint8_t, kDigestSize>;
 
 LinkDigest LinkDigestOf(std::span<const uint8_t> bytes) {
@@ -47,6 +77,7 @@ class ByteReader {
   uint64_t Number(size_t size) { return ReadBigEndian(Take(size)); }
   bool is_sound() const { return is_sound_; }
   bool empty() const { return rest_.empty(); }
+  size_t size() const { return rest_.size(); }
 
  private:
   std::span<const uint8_t> rest_;
@@ -54,6 +85,12 @@ class ByteReader {
 };
 
 }  // namespace
+
+LinkLimits LimitsOf(LinkKind kind) {
+  const auto row = std::ranges::find(kLinkRows, kind, &LinkRow::kind);
+  SHOAL_CHECK(row != kLinkRows.end(), "each kind has a row");
+  return row->limits;
+}
 
 const LinkPart* LinkMessage::Find(std::string_view name) const {
   const auto found = std::find_if(parts.begin(), parts.end(),
@@ -102,6 +139,8 @@ Result<LinkMessage> LinkIntake::Refuse(std::string why) {
 }
 
 Result<LinkMessage> LinkIntake::Take(std::span<const uint8_t> bytes) {
+  // Without a look at it: what follows a lost one is of no use, however much comes.
+  if (has_gap_) return Refuse("a batch that follows a lost one");
   if (bytes.size() > kLargestLinkMessage_bytes) {
     return Refuse(fmt::format("a batch of {} bytes; the largest has {}", bytes.size(),
                               kLargestLinkMessage_bytes));
@@ -123,6 +162,11 @@ Result<LinkMessage> LinkIntake::Take(std::span<const uint8_t> bytes) {
   }
   message.kind = static_cast<LinkKind>(kind);
   message.mission_id = static_cast<int64_t>(reader.Number(8));
+  const LinkLimits limits = LimitsOf(message.kind);
+  if (bytes.size() > limits.bytes) {
+    return Refuse(fmt::format("a batch of kind {} with {} bytes; the largest has {}", kind,
+                              bytes.size(), limits.bytes));
+  }
   message.step = static_cast<int64_t>(reader.Number(8));
   const uint64_t sequence = reader.Number(8);
   if (sequence < next_sequence_) {
@@ -139,9 +183,15 @@ Result<LinkMessage> LinkIntake::Take(std::span<const uint8_t> bytes) {
                               mission_id_));
   }
   const uint64_t count = reader.Number(4);
-  if (count > kMaxLinkParts) {
-    return Refuse(fmt::format("a batch of {} messages; the most are {}", count, kMaxLinkParts));
+  if (count > limits.parts) {
+    return Refuse(fmt::format("a batch of kind {} with {} messages; the most are {}", kind, count,
+                              limits.parts));
   }
+  // Before room is made for so many.
+  if (count > reader.size() / kPartHeaderSize) {
+    return Refuse(fmt::format("a batch that states {} messages and holds others", count));
+  }
+  message.parts.reserve(count);
   for (uint64_t i = 0; i < count && reader.is_sound(); ++i) {
     const size_t name_size = reader.Number(2);
     const size_t data_size = reader.Number(4);

@@ -68,6 +68,13 @@ struct LinkMessage {
 inline constexpr size_t kLargestLinkMessage_bytes = size_t{64} << 20;
 inline constexpr size_t kMaxLinkParts = 1'000'000;
 
+/// Returns the most bytes and parts that a message of this kind may have.
+struct LinkLimits {
+  size_t bytes = 0;
+  size_t parts = 0;
+};
+[[nodiscard]] LinkLimits LimitsOf(LinkKind kind);
+
 /// Encodes `message` as number `sequence` of its direction.
 [[nodiscard]] Bytes EncodeLinkMessage(const LinkMessage& message, uint64_t sequence);
 

@@ -97,4 +97,36 @@ TEST(LinkMessage, ThatIsTooLargeIsRefused) {
             "a batch of 67108865 bytes; the largest has 67108864");
 }
 
+/// The largest message of a kind that has `parts` empty parts, or one part of `bytes`.
+LinkMessage WithParts(LinkKind kind, size_t parts, size_t bytes = 0) {
+  LinkMessage message{.kind = kind};
+  for (size_t i = 0; i < parts; ++i) message.parts.push_back({.name = "", .data = Bytes(bytes)});
+  return message;
+}
+
+TEST(LinkMessage, HasFewPartsAndBytesWhereItsKindNeedsNoMore) {
+  for (const auto& [kind, most] : std::vector<std::pair<LinkKind, size_t>>{{LinkKind::kAlive, 0},
+                                                                           {LinkKind::kAside, 1},
+                                                                           {LinkKind::kPing, 1},
+                                                                           {LinkKind::kSignal, 2},
+                                                                           {LinkKind::kExit, 32}}) {
+    LinkIntake intake;
+    EXPECT_EQ(ErrorOf(&intake, EncodeLinkMessage(WithParts(kind, most), 0)), "");
+    EXPECT_EQ(ErrorOf(&intake, EncodeLinkMessage(WithParts(kind, most + 1), 1)),
+              "a batch of kind " + std::to_string(static_cast<int>(kind)) + " with " +
+                  std::to_string(most + 1) + " messages; the most are " + std::to_string(most));
+  }
+  LinkIntake intake;
+  EXPECT_EQ(ErrorOf(&intake, EncodeLinkMessage(WithParts(LinkKind::kAside, 1, 4 << 20), 0)),
+            "a batch of kind 6 with 4194375 bytes; the largest has 4194304");
+  EXPECT_EQ(ErrorOf(&intake, EncodeLinkMessage(WithParts(LinkKind::kTick, 3, 4 << 20), 0)), "");
+}
+
+TEST(LinkMessage, IsNotLookedAtWhereOneBeforeItWasLost) {
+  LinkIntake intake;
+  EXPECT_FALSE(intake.Take(EncodeLinkMessage(Example(), 1)).ok());
+  EXPECT_EQ(ErrorOf(&intake, Bytes(3)), "a batch that follows a lost one");
+  EXPECT_EQ(ErrorOf(&intake, EncodeLinkMessage(Example(), 0)), "a batch that follows a lost one");
+}
+
 }  // namespace shoal::link_message_test

@@ -11,6 +11,8 @@ namespace {
 /// As participants: a lost message is asked for again every 50 ms, by several at once.
 constexpr int64_t kRelayResend_us = 30'000;
 constexpr size_t kMaxEchoes = 2 * StepInbox::kMaxOutside;
+/// Of what is asked for again: a publisher's channels, for each participant.
+constexpr size_t kMaxResends = 1'000'000;
 
 }  // namespace
 
@@ -51,14 +53,20 @@ void RelayBus::SendPlain(const LinkPart& part) {
 }
 
 void RelayBus::SendOutside(const LinkPart& part) {
-  if (echoes_.size() < kMaxEchoes) ++echoes_[{part.name, part.data}];
+  const size_t bytes = part.name.size() + part.data.size();
+  if (echoes_.size() < kMaxEchoes && echo_bytes_ + bytes <= StepInbox::kMaxOutsideBytes) {
+    if (++echoes_[{part.name, part.data}] == 1) echo_bytes_ += bytes;
+  }
   SendPlain(part);
 }
 
 bool RelayBus::IsEcho(std::string_view channel, std::span<const uint8_t> datagram) {
   const auto found = echoes_.find({std::string(channel), Bytes(datagram.begin(), datagram.end())});
   if (found == echoes_.end()) return false;
-  if (--found->second == 0) echoes_.erase(found);
+  if (--found->second == 0) {
+    echo_bytes_ -= found->first.first.size() + found->first.second.size();
+    echoes_.erase(found);
+  }
   return true;
 }
 
@@ -67,6 +75,7 @@ void RelayBus::OnResend(std::span<const uint8_t> datagram,
   const std::optional<Opened> opened = Open(topics::kResend, datagram);
   resend_t request;
   if (!opened || !Decode(opened->message, &request) || !is_played(request.publisher)) return;
+  if (next_resends_.size() >= kMaxResends) next_resends_.clear();
   int64_t& next = next_resends_.try_emplace({request.publisher, request.channel}, 0).first->second;
   if (wall_us < next) return;
   next = wall_us + kRelayResend_us;

@@ -77,6 +77,7 @@ class RelayBus {
   Transport& transport_;
   KeptMessages kept_;
   std::map<std::pair<std::string, Bytes>, int> echoes_;  ///< Outside messages sent, not yet back.
+  size_t echo_bytes_ = 0;
   std::map<std::pair<std::string, std::string>, int64_t> next_resends_;
   int64_t num_refused_ = 0;
 };

@@ -14,6 +14,7 @@
 #include "lib/run/run/network_testing.h"
 #include "lib/run/run/step_clock.h"
 #include "lib/run/run/step_group.h"
+#include "lib/run/run/step_inbox.h"
 
 namespace shoal::relay_test {
 
@@ -305,6 +306,15 @@ TEST(Relays, RefuseWhatAHostPublishesInAnothersName) {
   EXPECT_EQ(mission.home().num_refused(), 1);
   mission.home().OnMessage(1, batch, mission.now());  // c is its own.
   EXPECT_EQ(mission.home().num_refused(), 1);
+}
+
+TEST(Relays, HandOnOfABatchAsMuchFromOutsideAsAStepTakes) {
+  SpreadMission mission(kThreeComputers);
+  mission.Run([&] { return mission.clock().step() < 5; });
+  LinkMessage batch{.kind = LinkKind::kDone, .mission_id = kMissionId, .step = 5};
+  batch.parts.resize(StepInbox::kMaxOutside + 3, {.name = "NAV_B", .data = {}});
+  mission.home().OnMessage(0, batch, mission.now());
+  EXPECT_EQ(mission.home().num_refused(), 3);
 }
 
 TEST(Relays, RefuseAnAnswerOfAHostForParticipantsOfOthers) {

@@ -30,6 +30,10 @@ constexpr int64_t kPeerSilence_us = 10 * kSecond_us;
 /// The agent itself stood still; no silence counts.
 constexpr int64_t kAgentPause_us = 500'000;
 constexpr size_t kMaxNamedKeys = 100;
+/// Of one connection: lines about what it sends.
+constexpr int64_t kMaxNamed = 20;
+/// Of one connection: `shoal doctor --host` sends 32 MiB.
+constexpr size_t kMaxPongs_bytes = size_t{64} << 20;
 
 /// Raises the soft limit of open files: connections that have proved no key yet count too. The
 /// processes of missions inherit it, as from a shell after `ulimit -n`.
@@ -103,9 +107,11 @@ int HostAgent::Run(int signal_fd) {
     if (session_ == nullptr && (is_stopping_ || (options_.once && num_missions_ > 0))) break;
     if (session_ == nullptr) {
       pollfd waited{.fd = poll.get(), .events = POLLIN, .revents = 0};
-      has_news_ = ::poll(&waited, 1, static_cast<int>(kAgentPoll_us / 1000)) > 0;
+      const int wait_ms = has_news_ ? 0 : static_cast<int>(kAgentPoll_us / 1000);
+      has_news_ = ::poll(&waited, 1, wait_ms) > 0 || has_news_;
     } else {
-      const int64_t wait = session_->NextDeadline() - MonotonicMicroseconds();
+      // With news left over by the last turn, only a look at what else there is.
+      const int64_t wait = has_news_ ? 0 : session_->NextDeadline() - MonotonicMicroseconds();
       const bool is_readable =
           session_->Poll(std::clamp<int64_t>(wait, 0, kAgentPoll_us), poll.get());
       has_news_ = has_news_ || is_readable;  // It has sent.
@@ -126,11 +132,13 @@ void HostAgent::ReadSignals(int signal_fd) {
 }
 
 void HostAgent::ReadDoor(int64_t wall_us) {
-  while (has_news_) {
+  LinkTurn turn(MonotonicMicroseconds());
+  while (has_news_ && !turn.IsOver(MonotonicMicroseconds())) {
     has_news_ = false;
     const std::optional<HostDoor::Arrival> arrival = door_.Receive();
     if (!arrival) continue;
     has_news_ = true;
+    turn.Count(arrival->bytes.size());
     Peer& peer = peers_[arrival->peer];
     peer.key = arrival->key;
     peer.heard_us = wall_us;
@@ -168,32 +176,48 @@ void HostAgent::NameUnproved() {
 
 void HostAgent::ForgetPeers(int64_t wall_us) {
   std::erase_if(peers_, [&](const auto& item) {
-    return item.first != home_ && wall_us - item.second.heard_us > kPeerSilence_us;
+    const bool is_over = item.first != home_ && wall_us - item.second.heard_us > kPeerSilence_us;
+    if (is_over) door_.Forget(item.first);
+    return is_over;
   });
 }
 
 void HostAgent::Send(const std::string& peer_id, const LinkMessage& message) {
   Peer& peer = peers_[peer_id];
   peer.sent_us = MonotonicMicroseconds();
-  if (door_.Send(peer_id, EncodeLinkMessage(message, peer.next_sequence))) ++peer.next_sequence;
+  const Bytes bytes = EncodeLinkMessage(message, peer.next_sequence);
+  // A page that no link takes: home shows none, and the mission goes on.
+  if (message.kind == LinkKind::kAside && bytes.size() > LimitsOf(message.kind).bytes) return;
+  if (door_.Send(peer_id, bytes)) ++peer.next_sequence;
   has_news_ = true;  // Sending may have taken a notice of arrival off the descriptor.
 }
 
 void HostAgent::Refuse(const std::string& peer_id, int64_t mission_id, const std::string& why) {
-  terminal_.Warn("refused a mission: " + why);
+  WarnOf(peer_id, "refused a mission: " + why);
   Send(peer_id, RefusalOf(mission_id, why));
+}
+
+void HostAgent::WarnOf(const std::string& peer_id, const std::string& text) {
+  if (const int64_t number = ++peers_[peer_id].num_named; number < kMaxNamed) {
+    terminal_.Warn(text);
+  } else if (number == kMaxNamed) {
+    terminal_.Warn(text + "; more of this connection is not shown");
+  }
 }
 
 void HostAgent::OnMessage(const std::string& peer_id, const LinkMessage& message, int64_t wall_us) {
   if (message.kind == LinkKind::kOffer) return OnOffer(peer_id, message, wall_us);
   if (message.kind == LinkKind::kPing) {
+    size_t& pong_bytes = peers_[peer_id].pong_bytes;
+    for (const LinkPart& part : message.parts) pong_bytes += part.data.size();
+    if (pong_bytes > kMaxPongs_bytes) return;
     LinkMessage pong{.kind = LinkKind::kPong, .parts = message.parts};
     pong.AddText("utc_us", std::to_string(UnixMicroseconds()));
     return Send(peer_id, pong);
   }
   if (session_ == nullptr || peer_id != home_) return;
   const std::string wrong = session_->OnMessage(message, wall_us);
-  if (!wrong.empty()) terminal_.Warn(fmt::format("home sent {}; refused", wrong));
+  if (!wrong.empty()) WarnOf(peer_id, fmt::format("home sent {}; refused", wrong));
 }
 
 void HostAgent::OnOffer(const std::string& peer_id, const LinkMessage& message, int64_t wall_us) {
@@ -257,6 +281,7 @@ void HostAgent::CheckHome(int64_t wall_us) {
   if (wall_us - home.heard_us > timeout_us && !was_lost_) {
     LoseHome(fmt::format("gave no sign of life for {} s", session_->offer().timeout_s), wall_us);
   }
+  if (door_.IsStuck(home_)) LoseHome("takes nothing any more", wall_us);
   if (wall_us - home.sent_us > kAgentAlive_us) {
     Send(home_, {.kind = LinkKind::kAlive, .mission_id = session_->mission_id()});
   }

@@ -45,6 +45,8 @@ class HostAgent {
     int64_t heard_us = 0;
     int64_t sent_us = 0;
     int64_t num_refused = 0;
+    int64_t num_named = 0;  ///< Lines about what it sent wrongly.
+    size_t pong_bytes = 0;  ///< That it was sent for its pings.
   };
 
   void ReadSignals(int signal_fd);
@@ -53,6 +55,7 @@ class HostAgent {
   void OnOffer(const std::string& peer_id, const LinkMessage& message, int64_t wall_us);
   void Send(const std::string& peer_id, const LinkMessage& message);
   void Refuse(const std::string& peer_id, int64_t mission_id, const std::string& why);
+  void WarnOf(const std::string& peer_id, const std::string& text);
   void LoseHome(const std::string& how, int64_t wall_us);
   void CheckHome(int64_t wall_us);
   void CheckSession();

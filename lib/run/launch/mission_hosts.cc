@@ -147,7 +147,10 @@ void MissionHosts::WatchToo(int descriptor) { Watch(poll_.get(), descriptor); }
 
 void MissionHosts::Send(Host* host, const LinkMessage& message) {
   host->sent_us = MonotonicMicroseconds();
-  if (host->link->Send(EncodeLinkMessage(message, host->next_sequence))) ++host->next_sequence;
+  const Bytes bytes = EncodeLinkMessage(message, host->next_sequence);
+  // A request that no link takes: the host shows no page, and the mission goes on.
+  if (message.kind == LinkKind::kAside && bytes.size() > LimitsOf(message.kind).bytes) return;
+  if (host->link->Send(bytes)) ++host->next_sequence;
   host->has_news = true;  // Sending may have taken a notice of arrival off the descriptor.
 }
 
@@ -190,15 +193,21 @@ void MissionHosts::OnTime(int64_t wall_us) {
   }
 }
 
-int64_t MissionHosts::NextDeadline() const { return relay_->NextDeadline(); }
+int64_t MissionHosts::NextDeadline() const {
+  const bool has_rest = std::ranges::any_of(
+      hosts_, [](const Host& host) { return host.link != nullptr && host.has_news; });
+  return has_rest ? 0 : relay_->NextDeadline();
+}
 
 void MissionHosts::ReadLink(size_t number, int64_t wall_us) {
   Host& host = hosts_[number];
-  while (host.link != nullptr && host.has_news) {
+  LinkTurn turn(MonotonicMicroseconds());
+  while (host.link != nullptr && host.has_news && !turn.IsOver(MonotonicMicroseconds())) {
     host.has_news = false;
     const std::optional<Bytes> bytes = host.link->Receive();
     if (!bytes) continue;
     host.has_news = true;
+    turn.Count(bytes->size());
     host.heard_us = wall_us;
     const Result<LinkMessage> message = host.intake.Take(*bytes);
     if (message.ok()) {
@@ -256,7 +265,11 @@ void MissionHosts::OnMessage(size_t number, const LinkMessage& message, int64_t 
                                   exit.name));
         break;
       }
-      host.running.erase(exit.name);
+      // The end of a process that has ended, over and over, would be a line each.
+      if (host.running.erase(exit.name) == 0) {
+        Refuse(&host, fmt::format("{} sent the end of {} twice", Describe(host), exit.name));
+        break;
+      }
       exits_.push_back(exit);
       break;
     }
@@ -303,6 +316,13 @@ void MissionHosts::CheckTimes(size_t number, int64_t wall_us) {
   }
   if (link == HomeLink::State::kLost) {
     Lose(number, fmt::format("{} ended the connection", Describe(host)), wall_us);
+    return;
+  }
+  if (host.link->outbox().is_stuck()) {
+    Lose(number,
+         fmt::format("{} takes nothing any more: {} MiB wait for it", Describe(host),
+                     LinkOutbox::kMaxWaiting_bytes >> 20),
+         wall_us);
     return;
   }
   const auto timeout_us = static_cast<int64_t>(host.options.timeout_s * 1e6);
