@@ -476,7 +476,7 @@ class Flood {
   Bytes bytes_;
 };
 
-/// So much is under way that the other end always has more to read.
+/// With this under way the other end always has more to read.
 constexpr size_t kUnderWay_bytes = size_t{8} << 20;
 
 TEST(FloodOfHome, KeepsAHostFromNeitherItsSignalsNorItsBounds) {

@@ -21,7 +21,7 @@ constexpr int kReconnect_ms = 200;
 /// Four messages; a way of a second would be too slow for any step.
 constexpr int kHandshake_ms = 3'000;
 /// What ZeroMQ holds of a connection that is read slowly: a link in step has one or two messages
-/// under way. Beyond these TCP holds the sender back. Each end that has taken half of so many tells
+/// under way. Beyond these TCP holds the sender back. Each end that has taken half of them tells
 /// the other side of its pipe, which costs a wake-up.
 constexpr int kWaitingIn = 4;
 constexpr int kWaitingOut = 16;

@@ -187,7 +187,7 @@ Result<LinkMessage> LinkIntake::Take(std::span<const uint8_t> bytes) {
     return Refuse(fmt::format("a batch of kind {} with {} messages; the most are {}", kind, count,
                               limits.parts));
   }
-  // Before room is made for so many.
+  // Before room is made for them.
   if (count > reader.size() / kPartHeaderSize) {
     return Refuse(fmt::format("a batch that states {} messages and holds others", count));
   }

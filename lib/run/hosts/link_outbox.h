@@ -45,7 +45,7 @@ class LinkOutbox {
   enum class Sent { kYes, kLater, kGone };
   using SendNow = std::function<Sent(std::span<const uint8_t> bytes)>;
 
-  /// Sends or keeps `bytes`. False where the peer is gone, or where so much waits that it is taken
+  /// Sends or keeps `bytes`. False where the peer is gone, or where too much waits, and it is taken
   /// to be stuck: from then on nothing is kept for it.
   bool Send(std::span<const uint8_t> bytes, const SendNow& send_now);
   void SendWaiting(const SendNow& send_now);
