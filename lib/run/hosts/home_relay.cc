@@ -1,10 +1,13 @@
 #include "lib/run/hosts/home_relay.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <memory>
 #include <unordered_map>
 
+#include "lib/base/text/letters.h"
+#include "lib/base/text/terminal_text.h"
 #include "lib/bus/bus/channels.h"
 #include "lib/bus/bus/seal.h"
 #include "lib/run/run/channel_set.h"
@@ -16,6 +19,38 @@ namespace shoal {
 namespace {
 
 constexpr size_t kMaxKnownChannels = 100'000;
+constexpr size_t kLongestShownChannel = 100;
+/// Programs of vehicles, as the table of channels has them.
+constexpr std::array<std::string_view, 7> kVehiclePublishers = {
+    "vehicle_sim", "helm",          "node_reporter",        "acomms",
+    "gateway",     "your programs", "vehicles from outside"};
+
+/// Returns the vehicle whose channel it is, of `vehicles` in upper case; empty: of none.
+std::string_view VehicleIn(std::string_view channel,
+                           const std::set<std::string, std::less<>>& vehicles) {
+  // Vehicle names may hold '_': the longest name that ends the channel's wins, as in PortPlan.
+  for (size_t i = channel.find('_'); i != std::string_view::npos; i = channel.find('_', i + 1)) {
+    const auto found = vehicles.find(channel.substr(i + 1));
+    if (found != vehicles.end()) return *found;
+  }
+  return {};
+}
+
+bool IsOfVehicles(const ChannelRow& row) {
+  // "helm, vehicle_sim (collision)": a name, and when.
+  std::string_view rest = row.publishers;
+  while (!rest.empty()) {
+    const size_t comma = rest.find(", ");
+    const std::string_view each = rest.substr(0, comma);
+    if (std::ranges::find(kVehiclePublishers, each.substr(0, each.find(" ("))) !=
+        kVehiclePublishers.end()) {
+      return true;
+    }
+    rest = comma == std::string_view::npos ? std::string_view() : rest.substr(comma + 2);
+  }
+  return false;
+}
+
 constexpr int64_t kNeverDue = std::numeric_limits<int64_t>::max();
 
 }  // namespace
@@ -145,12 +180,19 @@ std::string HomeRelay::PublisherOfAnswer(const Host& host, const LinkPart& part)
   return {};
 }
 
-void HomeRelay::OnMessage(size_t host, const LinkMessage& message, int64_t wall_us) {
+bool HomeRelay::MayPublish(const Host& host, const LinkPart& part) const {
+  const Unsealed unsealed = Unseal(part.data);
+  return host.relayed.may_publish(unsealed.seal ? unsealed.seal->publisher : std::string_view(),
+                                  part.name);
+}
+
+std::string HomeRelay::OnMessage(size_t host, const LinkMessage& message, int64_t wall_us) {
   Host& from = hosts_[host];
+  std::string dropped;
   bool has_answer = false;
   size_t num_outside = 0;
   for (const LinkPart& part : message.parts) {
-    if (IsAnswer(part.name)) {
+    if (part.name == topics::kAppcast) {
       bus_.SendPlain(part);
     } else if (IsStepAnswer(part.name)) {
       const std::string publisher = PublisherOfAnswer(from, part);
@@ -160,6 +202,9 @@ void HomeRelay::OnMessage(size_t host, const LinkMessage& message, int64_t wall_
         has_answer = true;
       }
       bus_.SendPlain(part);
+    } else if (!MayPublish(from, part)) {
+      ++from.num_dropped;
+      if (dropped.empty()) dropped = TerminalLine(part.name, kLongestShownChannel);
     } else if (!Unseal(part.data).seal) {
       // No host hands on more in a step.
       if (++num_outside > StepInbox::kMaxOutside) {
@@ -174,13 +219,14 @@ void HomeRelay::OnMessage(size_t host, const LinkMessage& message, int64_t wall_
       });
     }
   }
-  if (!has_answer || is_end_ || from.timed_step == step_) return;
+  if (!has_answer || is_end_ || from.timed_step == step_) return dropped;
   from.timed_step = step_;
   from.timing.answer_us.push_back(static_cast<int32_t>(
       std::min<int64_t>(wall_us - tick_at_us_, std::numeric_limits<int32_t>::max())));
-  if (wall_us <= due_us_) return;
+  if (wall_us <= due_us_) return dropped;
   ++from.timing.num_late;
   from.timing.worst_late_us = std::max(from.timing.worst_late_us, wall_us - due_us_);
+  return dropped;
 }
 
 int64_t HomeRelay::WaitedFor(size_t host, int64_t wall_us) const {
@@ -200,6 +246,36 @@ void HomeRelay::OnTime(int64_t wall_us) {
 
 int64_t HomeRelay::NextDeadline() const {
   return pending_ ? next_request_us_ : std::numeric_limits<int64_t>::max();
+}
+
+RelayedHost::MayPublish ChannelsFrom(const std::vector<std::string>& all_vehicles,
+                                     const std::vector<std::string>& vehicles,
+                                     const std::set<std::string, std::less<>>& programs) {
+  std::set<std::string, std::less<>> all;
+  for (const std::string& each : all_vehicles) all.insert(UpperCase(each));
+  std::set<std::string, std::less<>> own;
+  for (const std::string& each : vehicles) own.insert(UpperCase(each));
+  std::set<std::string, std::less<>> stepping;  // On the ports of the step protocol.
+  std::set<std::string, std::less<>> others;    // Of the shore, and of no vehicle's app.
+  for (const ChannelRow& row : ChannelTable()) {
+    if (row.home == ChannelHome::kTickPort || row.home == ChannelHome::kDonePort) {
+      stepping.emplace(row.topic);
+    } else if (row.home == ChannelHome::kShore && !IsOfVehicles(row)) {
+      others.emplace(row.topic);
+    }
+  }
+  // A step brings the same channels again and again.
+  auto known = std::make_shared<std::unordered_map<std::string, bool, TextHash, std::equal_to<>>>();
+  return [=](std::string_view publisher, std::string_view channel) {
+    const bool is_of_program = publisher.empty() ? !programs.empty() : programs.contains(publisher);
+    if (is_of_program) return !stepping.contains(channel);
+    if (const auto found = known->find(channel); found != known->end()) return found->second;
+    const std::string_view vehicle = VehicleIn(channel, all);
+    const bool may = !stepping.contains(channel) && !others.contains(channel) &&
+                     (vehicle.empty() || own.contains(vehicle));
+    if (known->size() < kMaxKnownChannels) known->emplace(channel, may);
+    return may;
+  };
 }
 
 std::function<bool(std::string_view)> ChannelsOf(const std::vector<std::string>& all_vehicles,

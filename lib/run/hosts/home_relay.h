@@ -22,8 +22,12 @@ namespace shoal {
 
 /// What a relay needs to know of one host.
 struct RelayedHost {
+  /// May a host publish on this channel? `publisher`: empty for a message without a seal.
+  using MayPublish = std::function<bool(std::string_view publisher, std::string_view channel)>;
+
   std::set<std::string, std::less<>> participants;      ///< By their names on the bus.
   std::function<bool(std::string_view channel)> wants;  ///< May its participants subscribe to it?
+  MayPublish may_publish;
 };
 
 class HomeRelay {
@@ -37,8 +41,10 @@ class HomeRelay {
   /// Takes a datagram from home's bus.
   void OnDatagram(int port, std::string_view channel, std::span<const uint8_t> datagram,
                   int64_t wall_us);
-  /// Takes a message of kind kDone or kAside from a host's link.
-  void OnMessage(size_t host, const LinkMessage& message, int64_t wall_us);
+  /// Takes a message of kind kDone or kAside from a host's link. Returns the first channel in it on
+  /// which that host must not publish, for a terminal; empty if there is none. What is on such a
+  /// channel is dropped and counted.
+  std::string OnMessage(size_t host, const LinkMessage& message, int64_t wall_us);
   /// Does what is due: requests for what is missing here.
   void OnTime(int64_t wall_us);
   int64_t NextDeadline() const;
@@ -61,6 +67,8 @@ class HomeRelay {
   bool awaits_data() const { return pending_.has_value(); }
   int64_t step() const { return step_; }
   int64_t num_refused() const { return bus_.num_refused(); }
+  /// Returns how many messages of a host were on channels on which it must not publish.
+  int64_t num_dropped(size_t host) const { return hosts_[host].num_dropped; }
 
  private:
   struct Host {
@@ -68,10 +76,12 @@ class HomeRelay {
     bool is_connected = false;
     Timing timing = {};
     int64_t timed_step = -1;
+    int64_t num_dropped = 0;
   };
 
   void OnTick(std::span<const uint8_t> datagram, int64_t wall_us);
   bool IsPlayed(std::string_view publisher) const;
+  bool MayPublish(const Host& host, const LinkPart& part) const;
   std::string PublisherOfAnswer(const Host& host, const LinkPart& part);
   /// Calls `use(total)` for each total of the pending tick of which messages are missing.
   template <class Use>
@@ -93,6 +103,14 @@ class HomeRelay {
   int64_t next_request_us_ = 0;
   std::map<std::string, LinkPart> answers_;  ///< Of hosts, of the present step, by publisher.
 };
+
+/// Returns on which channels a host may publish that runs the apps of `vehicles` and `programs`,
+/// participants of the mission's own, by the table of lib/bus/bus/channels.h: those of its
+/// vehicles, and those of the shore that vehicles' apps publish. Its programs may publish on any,
+/// and in messages without a seal the host, too, if it has programs.
+[[nodiscard]] RelayedHost::MayPublish ChannelsFrom(
+    const std::vector<std::string>& all_vehicles, const std::vector<std::string>& vehicles,
+    const std::set<std::string, std::less<>>& programs);
 
 /// Returns which channels the participants of some vehicles may subscribe to: those of the shore
 /// and of these vehicles, and `others`, such as the NAV of a vehicle that they follow.

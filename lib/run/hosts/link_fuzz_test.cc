@@ -153,7 +153,9 @@ TEST(LinkFuzz, MeetsRelaysThatDecodeWhatIsSealed) {
   int num_to_host = 0;
   int num_to_home = 0;
   HomeRelay home({.name = "home", .mission_id = kMissionId}, plan, home_node,
-                 {{.participants = {"b", "d"}, .wants = [](std::string_view) { return true; }}},
+                 {{.participants = {"b", "d"},
+                   .wants = [](std::string_view) { return true; },
+                   .may_publish = ChannelsFrom({"b", "d"}, {"b", "d"}, {})}},
                  [&](size_t, const LinkMessage&) { ++num_to_host; });
   HostRelay host({.name = "host", .mission_id = kMissionId}, plan, host_node, {"b", "d"},
                  [&](const LinkMessage&) { ++num_to_home; });

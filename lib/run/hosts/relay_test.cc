@@ -84,10 +84,13 @@ class SpreadMission {
     };
     std::vector<RelayedHost> hosts;
     for (size_t i = 1; i < places.size(); ++i) {
-      hosts.push_back({.participants = {}, .wants = [](std::string_view) { return true; }});
+      hosts.push_back(
+          {.participants = {}, .wants = [](std::string_view) { return true; }, .may_publish = {}});
       for (const std::string& process : places[i]) {
         for (const std::string& name : NamesIn(process)) hosts.back().participants.insert(name);
       }
+      const auto& names = hosts.back().participants;
+      hosts.back().may_publish = ChannelsFrom(kNames, {names.begin(), names.end()}, {});
     }
     const RelayOptions options{.name = "home", .mission_id = kMissionId};
     FakeNetwork::Node& home_node = networks_[0].Add();
@@ -306,6 +309,76 @@ TEST(Relays, RefuseWhatAHostPublishesInAnothersName) {
   EXPECT_EQ(mission.home().num_refused(), 1);
   mission.home().OnMessage(1, batch, mission.now());  // c is its own.
   EXPECT_EQ(mission.home().num_refused(), 1);
+}
+
+/// Returns a batch with one message of a host's, sealed by `publisher`; empty: without a seal.
+LinkMessage BatchOn(std::string_view channel, const std::string& publisher) {
+  Bytes bytes;
+  EncodeInto(unc_control_t{}, &bytes);
+  if (!publisher.empty()) {
+    AppendSeal({.publisher = publisher, .mission_id = kMissionId, .step = 5, .sequence = 9}, {},
+               channel, &bytes);
+  }
+  LinkMessage batch{.kind = LinkKind::kDone, .mission_id = kMissionId, .step = 5};
+  batch.parts.push_back({.name = std::string(channel), .data = bytes});
+  return batch;
+}
+
+TEST(Relays, DropWhatNoProcessOfAHostPublishes) {
+  SpreadMission mission(kThreeComputers);
+  mission.Run([&] { return mission.clock().step() < 5; });
+  std::vector<std::string> on_bus;
+  FakeNetwork::Node& spy = mission.network(0).Add();
+  spy.receiver = [&](int, std::string_view channel, std::span<const uint8_t>) {
+    on_bus.emplace_back(channel);
+  };
+  for (const int port : {mission.plan().tick_port(), mission.plan().done_port()}) {
+    spy.ListenToAll(port);
+  }
+  spy.ListenToAll(mission.plan().shore_port());
+  const std::vector<std::string> dropped = {
+      "HELM_COMMAND", "HELM_COMMAND_C", "SIM_COMMAND_A", "CLOCK_COMMAND",   "TICK",
+      "RESEND",       "COMMS_RULES",    "UNC_CONTROLS",  "COMMS_RULES_NOW", "NAV_C"};
+  for (const std::string publisher : {"", "b"}) {
+    for (const std::string& channel : dropped) {
+      EXPECT_EQ(mission.home().OnMessage(0, BatchOn(channel, publisher), mission.now()), channel);
+    }
+  }
+  mission.network(0).DeliverAll();
+  EXPECT_EQ(on_bus, std::vector<std::string>());
+  EXPECT_EQ(mission.home().num_dropped(0), static_cast<int64_t>(2 * dropped.size()));
+  EXPECT_EQ(mission.home().num_dropped(1), 0);
+  for (const std::string channel : {"NAV_B", "HELM_COMMAND_D", "NODE_REPORT_LOCAL", "MY_OWN"}) {
+    EXPECT_EQ(mission.home().OnMessage(0, BatchOn(channel, ""), mission.now()), "");
+    mission.network(0).DeliverAll();
+    ASSERT_FALSE(on_bus.empty());
+    EXPECT_EQ(on_bus.back(), channel);
+  }
+}
+
+/// The channels of the shore that a host without programs may publish on.
+TEST(ChannelsFrom, ForVehiclesAreTheirOwnAndThoseOfTheShoreThatTheyPublish) {
+  const auto may = ChannelsFrom({"alpha", "bravo", "my_alpha"}, {"alpha"}, {});
+  std::vector<std::string_view> shore;
+  for (const ChannelRow& row : ChannelTable()) {
+    if (row.home == ChannelHome::kShore && may("", row.topic)) shore.push_back(row.topic);
+    if (row.home != ChannelHome::kVehicle) continue;
+    EXPECT_TRUE(may("", std::string(row.topic) + "_ALPHA"));
+    EXPECT_FALSE(may("", std::string(row.topic) + "_BRAVO"));
+    EXPECT_FALSE(may("helm_alpha", std::string(row.topic) + "_MY_ALPHA"));
+  }
+  EXPECT_EQ(shore, (std::vector<std::string_view>{topics::kNodeReportLocal, topics::kNodeReport,
+                                                  topics::kNodeMessageLocal, topics::kNodeMessage,
+                                                  topics::kAckMessage, topics::kAcousticTx,
+                                                  topics::kAcousticTxOn, topics::kRelayTx}));
+}
+
+TEST(ChannelsFrom, ForProgramsAreAll) {
+  const auto may = ChannelsFrom({"alpha", "bravo"}, {"alpha"}, {"driver"});
+  EXPECT_TRUE(may("driver", "HELM_COMMAND_BRAVO"));
+  EXPECT_TRUE(may("", "HELM_COMMAND"));
+  EXPECT_FALSE(may("driver", "CLOCK_COMMAND"));
+  EXPECT_FALSE(may("helm_alpha", "HELM_COMMAND_BRAVO"));
 }
 
 TEST(Relays, HandOnOfABatchAsMuchFromOutsideAsAStepTakes) {

@@ -97,6 +97,7 @@ MissionHosts::MissionHosts(const LaunchContext& context, const MissionSecret& se
     RelayedHost each;
     std::vector<std::string> subscriptions;
     bool may_read_all = false;
+    std::set<std::string, std::less<>> programs;
     for (const RosterProcess& process : processes) {
       if (process.entries.front().host != options.name) continue;
       host.processes.push_back(process.name);
@@ -104,7 +105,10 @@ MissionHosts::MissionHosts(const LaunchContext& context, const MissionSecret& se
         host.participants.push_back(entry.name);
         each.participants.insert(entry.name);
         // A program of the user's own may subscribe to anything.
-        if (!IsShoalsOwn(entry)) may_read_all = true;
+        if (!IsShoalsOwn(entry)) {
+          may_read_all = true;
+          programs.insert(entry.name);
+        }
         const auto found = access_.subscriptions.find(entry.name);
         if (found == access_.subscriptions.end()) continue;
         subscriptions.insert(subscriptions.end(), found->second.begin(), found->second.end());
@@ -112,6 +116,7 @@ MissionHosts::MissionHosts(const LaunchContext& context, const MissionSecret& se
     }
     each.wants = ChannelsOf(VehicleNames(context.mission), options.vehicles, subscriptions);
     if (may_read_all) each.wants = [](std::string_view) { return true; };
+    each.may_publish = ChannelsFrom(VehicleNames(context.mission), options.vehicles, programs);
     if (host.participants.empty()) continue;
     relayed.push_back(std::move(each));
     hosts_.push_back(std::move(host));
@@ -255,9 +260,15 @@ void MissionHosts::OnMessage(size_t number, const LinkMessage& message, int64_t 
            .is_fatal = true});
       break;
     case LinkKind::kDone:
-    case LinkKind::kAside:
-      relay_->OnMessage(number, message, wall_us);
+    case LinkKind::kAside: {
+      const std::string channel = relay_->OnMessage(number, message, wall_us);
+      if (channel.empty() || std::exchange(host.has_shown_dropped, true)) break;
+      notes_.push_back(
+          fmt::format("{} sent a message on {}, where none of its processes publishes; dropped, "
+                      "and counted in the summary (docs/security.md)",
+                      Describe(host), channel));
       break;
+    }
     case LinkKind::kExit: {
       const HostExit exit = ExitOf(message);
       if (std::ranges::find(host.processes, exit.name) == host.processes.end()) {
@@ -421,9 +432,13 @@ std::string MissionHosts::Summary() const {
                                                timing.num_late, Milliseconds(timing.worst_late_us));
     text += fmt::format(
         "Host {}: {} steps, answers after {:.2f} ms (median), {:.2f} ms (95 %), {:.2f} ms (worst); "
-        "{}; {} batches refused\n",
+        "{}; {} batches refused{}\n",
         hosts_[i].options.name, sorted.size(), at(0.5), at(0.95), at(1), late,
-        hosts_[i].num_refused);
+        hosts_[i].num_refused,
+        relay_->num_dropped(i) == 0 ? ""
+                                    : fmt::format("; {} messages dropped that none of its "
+                                                  "processes publishes",
+                                                  relay_->num_dropped(i)));
   }
   return text;
 }

@@ -100,6 +100,7 @@ class MissionHosts {
     int64_t retry_us = 0;                ///< When to connect again; 0: not planned.
     std::set<std::string> running = {};  ///< Processes that have not ended.
     int64_t num_refused = 0;             ///< Over all links.
+    bool has_shown_dropped = false;      ///< That it publishes where it must not.
     int64_t slow_us = 0;                 ///< The longest wait for an answer that has been named.
     bool has_news = true;  ///< The link is to be read: its descriptor shows so, or hides it.
   };
