@@ -68,9 +68,15 @@ std::optional<MoosSource> FindIncluded(std::string_view name, std::string_view f
   namespace fs = std::filesystem;
   if (name.empty() || fs::path(name).is_absolute()) return std::nullopt;
   std::vector<std::pair<fs::path, fs::path>> places = {{fs::path(from).parent_path(), name}};
-  for (const std::string& folder : paths) {
-    places.emplace_back(folder, name);
-    places.emplace_back(folder, fs::path(name).filename());
+  for (const std::string& list : paths) {
+    for (size_t begin = 0; begin < list.size();) {
+      const size_t end = std::min(list.find(':', begin), list.size());
+      const std::string folder = list.substr(begin, end - begin);
+      begin = end + 1;
+      if (folder.empty()) continue;
+      places.emplace_back(folder, name);
+      places.emplace_back(folder, fs::path(name).filename());
+    }
   }
   for (const auto& [folder, file] : places) {
     const fs::path path = (folder / file).lexically_normal();
@@ -85,21 +91,27 @@ std::optional<MoosSource> FindIncluded(std::string_view name, std::string_view f
 }
 
 /// Reads NAME=VALUE pairs that are separated by blanks; a value with blanks stands in double
-/// quotes. `is_one`: the whole text is one pair.
+/// quotes; a NAME alone is defined and stands for nothing. `is_one`: the whole text is one pair.
 Result<MoosDefines> ReadDefines(std::string_view text, bool is_one) {
   const Error wrong{fmt::format("{} is not NAME=VALUE", Quoted(text))};
   MoosDefines defines;
   std::string_view rest = Trimmed(text);
   while (!rest.empty()) {
-    const size_t equals = rest.find('=');
-    if (equals == 0 || equals == rest.npos) return wrong;
-    const std::string name(Trimmed(rest.substr(0, equals)));
-    if (name.find_first_of(" \t\"") != name.npos) return wrong;
+    const size_t equals = std::min(rest.find('='), rest.size());
+    const size_t blank = std::min(rest.find_first_of(" \t"), rest.size());
+    const bool is_bare = is_one ? equals == rest.size() : blank < equals || equals == rest.size();
+    const std::string name(Trimmed(rest.substr(0, is_bare && !is_one ? blank : equals)));
+    if (name.empty() || name.find_first_of(" \t\"") != name.npos) return wrong;
+    if (is_bare) {
+      defines[name] = kBareMacro;
+      rest = Trimmed(rest.substr(is_one ? rest.size() : blank));
+      continue;
+    }
     rest.remove_prefix(equals + 1);
     size_t end = is_one ? rest.size() : std::min(rest.find_first_of(" \t"), rest.size());
     const bool is_quoted = rest.starts_with('"') && rest.find('"', 1) != rest.npos;
     if (is_quoted) end = rest.find('"', 1) + 1;
-    defines[name] = rest.substr(is_quoted ? 1 : 0, end - (is_quoted ? 2 : 0));
+    defines[name] = Trimmed(rest.substr(is_quoted ? 1 : 0, end - (is_quoted ? 2 : 0)));
     rest = Trimmed(rest.substr(end));
   }
   if (defines.empty()) return wrong;

@@ -240,7 +240,7 @@ TEST_F(Import, RefusesDefinesThatAreNone) {
   }
   EXPECT_EQ(
       RunImport(
-          {.files = {moos}, .out_path = "", .defines = {}, .vehicles = {"A=1 B"}, .paths = {}}),
+          {.files = {moos}, .out_path = "", .defines = {}, .vehicles = {"A=1 =B"}, .paths = {}}),
       kExitUsage);
 }
 

@@ -16,7 +16,7 @@ void AddImportOptions(Command command, CommandAction* action) {
                     "Mission file to write, one that is not there yet; default: standard output");
   command
       .AddOption("--define", &options->defines,
-                 "NAME=VALUE of a macro, as for nsplug; may be repeated")
+                 "NAME=VALUE of a macro, as for nsplug, or NAME; may be repeated")
       .Repeatable();
   command
       .AddOption("--vehicle", &options->vehicles,
@@ -24,7 +24,8 @@ void AddImportOptions(Command command, CommandAction* action) {
                  "each of these")
       .Repeatable();
   command
-      .AddOption("--path", &options->paths, "Folder of files that others #include; may be repeated")
+      .AddOption("--path", &options->paths,
+                 "Folders of files that others #include, with : between; may be repeated")
       .Repeatable();
   command.Callback([options, action] { *action = [options] { return RunImport(*options); }; });
 }

@@ -145,7 +145,7 @@ class BhvParser {
 
   void OddMacro(const PluggedLine& line) {
     Odd(line, fmt::format("is for nsplug: {} has no value; give it one with --define NAME=VALUE",
-                          FirstMacro(line.text)));
+                          line.unknown.empty() ? FirstMacro(line.text) : line.unknown));
   }
 
   void OpenMode(const PluggedLine& line) {

@@ -4,11 +4,13 @@
 #include <rapidcheck/gtest.h>
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include "lib/mission/file/load.h"
+#include "lib/tools/moos/quoted_csv_testing.h"
 
 namespace shoal::import_test {
 
@@ -402,6 +404,62 @@ RC_GTEST_PROP(ImportMoos, NamesEveryLineThatIsNotEmpty, ()) {
     if (lines[i].size() == 1 || lines[i].starts_with("ProcessConfig")) continue;
     RC_ASSERT(NamesLine(import.mission, "f", i + 1));
   }
+}
+
+TEST(ImportMoos, StartsEveryGoldenPoseWhereUSimMarineStartsItAndNamesWhatThatRefuses) {
+  for (const GoldenRow& row : ReadQuotedCsv("moos_import/start_pos.csv")) {
+    SCOPED_TRACE(row.at("start_pos"));
+    const MoosImport import = ImportMoos(std::vector<MoosSource>{
+        {.name = "ida.moos",
+         .text = "Community = ida\nProcessConfig = uSimMarineV22\n{\n  start_pos = " +
+                 row.at("start_pos") + "\n}\n"}});
+    const StartPose start = Loaded(import).mission.vehicles.front().start;
+    EXPECT_EQ(start.x_m, Number(row, "x_m"));
+    EXPECT_EQ(start.y_m, Number(row, "y_m"));
+    const bool is_warned =
+        std::any_of(import.warnings.begin(), import.warnings.end(),
+                    [](const std::string& text) { return text.find("start_pos") != text.npos; });
+    const std::string& text = row.at("start_pos");
+    const bool is_odd = text.find("abc") != text.npos || text.find(",,") != text.npos;
+    EXPECT_EQ(is_warned, row.at("result") == "refused" || is_odd);
+  }
+}
+
+/// Imports a template with plugged lines for one vehicle, with values of macros.
+Mission Plugged(const std::string& sim, const std::string& bhv, const MoosDefines& defines) {
+  const FindMoosFile find = [](std::string_view name,
+                               std::string_view) -> std::optional<MoosSource> {
+    if (name != "plug.moos") return std::nullopt;
+    return MoosSource{.name = "plug.moos",
+                      .text =
+                          "<tag><other>\nProcessConfig = pShare\n{\n}\n<tag><sim>\n"
+                          "ProcessConfig = uSimMarineV22\n{\nstart_pos = $(START)\n}\n"};
+  };
+  const MoosImport import = ImportMoos(
+      std::vector<MoosSource>{
+          {.name = "ida.moos", .text = "Community = ida\nProcessConfig = pHelmIvP\n{\n}\n" + sim},
+          {.name = "ida.bhv", .text = bhv}},
+      {.defines = defines, .vehicles = {}, .find = find});
+  EXPECT_EQ(import.warnings, std::vector<std::string>{});
+  return Loaded(import).mission;
+}
+
+TEST(ImportMoos, TakesTheSectionOfAPlugFileThatIsAskedFor) {
+  const Mission mission = Plugged("#include plug.moos <sim>\n", "Behavior = BHV_Timer\n{\n}\n",
+                                  {{"START", "40,-30,90"}});
+  EXPECT_EQ(mission.vehicles.front().start,
+            (StartPose{.x_m = 40, .y_m = -30, .heading_deg = 90, .speed_mps = 0, .depth_m = 0}));
+}
+
+TEST(ImportMoos, TakesAnEmptyMacroAsLaunchScriptsMeanIt) {
+  const Mission mission =
+      Plugged("ProcessConfig = pNodeReporter\n{\nplatform_type = $(KIND=kayak)\n}\n",
+              "#ifdef AWAY\ninitialize FAR = true\n#else\ninitialize NEAR = true\n#endif\n"
+              "Behavior = BHV_Waypoint\n{\npoints = 0,0\nspeed = $(SPD:=1.5)\n}\n",
+              {{"AWAY", ""}, {"SPD", ""}});
+  EXPECT_EQ(mission.vehicles.front().type, "kayak");
+  EXPECT_TRUE(mission.vehicles.front().variables.contains("NEAR"));
+  EXPECT_FALSE(mission.vehicles.front().variables.contains("FAR"));
 }
 
 }  // namespace shoal::import_test

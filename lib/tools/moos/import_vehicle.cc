@@ -26,9 +26,38 @@ constexpr std::array<std::string_view, 5> kStartOrder = {"x", "y", "heading", "s
 std::string_view StartKey(std::string_view moos_key) {
   if (moos_key == "x") return "x_m";
   if (moos_key == "y") return "y_m";
-  if (moos_key == "heading" || moos_key == "hdg") return "heading_deg";
+  if (moos_key == "heading" || moos_key == "hdg" || moos_key == "deg") return "heading_deg";
   if (moos_key == "speed" || moos_key == "spd") return "speed_mps";
   return "";
+}
+
+std::vector<std::string_view> Split(std::string_view text, char separator);
+
+/// Reads uSimMarine's start_pos: each part counts by its name, or else by its place among all,
+/// named ones too. What it cannot read is 0; at a part that it refuses it stops. Returns what is
+/// wrong.
+std::string ReadStartPos(std::string_view text, std::map<std::string, double>* given) {
+  std::string problem;
+  size_t place = 0;
+  for (const std::string_view part : Split(text, ',')) {
+    const size_t equals = part.find('=');
+    const bool is_named = equals != part.npos;
+    if (!is_named && place >= kStartOrder.size())
+      return "has more than x, y, heading, speed, depth";
+    std::string name =
+        is_named ? LowerCase(Trimmed(part.substr(0, equals))) : std::string(kStartOrder[place]);
+    ++place;
+    if (StartKey(name).empty() && name != "depth") {
+      return fmt::format("{} is none of x, y, heading, speed and depth: what follows is not read",
+                         Quoted(name));
+    }
+    const auto number = NumberIn(is_named ? part.substr(equals + 1) : part);
+    if (!number && !Trimmed(text).empty()) problem = fmt::format("{} is taken as 0", Quoted(part));
+    if (name == "hdg" || name == "deg") name = "heading";
+    if (name == "spd") name = "speed";
+    (*given)[name] = number.value_or(0);
+  }
+  return problem;
 }
 
 /// Returns the parts of `text` between separators, without blanks at their ends.
@@ -158,7 +187,7 @@ bool VehicleImport::Take(std::string_view app_class, const std::string& origin,
           TomlString(Trimmed(value.substr(equals + 1)));
       return true;
     }
-  } else if (TakeSim(key, origin, line)) {
+  } else if (TakeSim(key, origin, line, warnings)) {
     return true;
   }
   const std::string reason = "makes no sense: " + std::string(is_extra    ? "not KEY=VALUE"
@@ -176,28 +205,24 @@ void VehicleImport::Gather(const std::string& origin, const MoosLine& line, Gath
   gathered->texts += (gathered->texts.empty() ? "" : ", ") + line.text;
 }
 
-bool VehicleImport::TakeSim(std::string_view key, const std::string& origin, const MoosLine& line) {
-  if (key.starts_with("start_")) return TakeStart(origin, line);
+bool VehicleImport::TakeSim(std::string_view key, const std::string& origin, const MoosLine& line,
+                            std::vector<std::string>* warnings) {
+  if (key.starts_with("start_")) return TakeStart(origin, line, warnings);
   if (key == "thrust_map") return TakeThrustMap(origin, line);
   if (key == "thrust_factor") return TakeThrustFactor(origin, line);
   if (key == "max_speed") return TakeMaxSpeed(origin, line);
   return TakeDrift(key, origin, line);
 }
 
-bool VehicleImport::TakeStart(const std::string& origin, const MoosLine& line) {
+bool VehicleImport::TakeStart(const std::string& origin, const MoosLine& line,
+                              std::vector<std::string>* warnings) {
   std::map<std::string, double> given;  // By uSimMarine's names.
   const std::string key = LowerCase(line.key).substr(std::string_view("start_").size());
   if (key == "pos") {
-    size_t position = 0;
-    for (const std::string_view part : Split(line.value, ',')) {
-      const size_t equals = part.find('=');
-      const bool is_named = equals != std::string_view::npos;
-      if (!is_named && position >= kStartOrder.size()) return false;
-      const auto number = NumberIn(is_named ? part.substr(equals + 1) : part);
-      const std::string name = is_named ? LowerCase(Trimmed(part.substr(0, equals)))
-                                        : std::string(kStartOrder[position++]);
-      if (!number || (StartKey(name).empty() && name != "depth")) return false;
-      given[name] = *number;
+    const std::string problem = ReadStartPos(line.value, &given);
+    if (!problem.empty()) {
+      warnings->push_back(fmt::format("{}: {}: {}", origin, line.text, problem));
+      draft_->Remark(id_, origin, line.text, problem);
     }
   } else {
     const auto number = NumberIn(line.value);

@@ -75,8 +75,10 @@ class VehicleImport {
   };
 
   static void Gather(const std::string& origin, const MoosLine& line, Gathered* gathered);
-  bool TakeSim(std::string_view key, const std::string& origin, const MoosLine& line);
-  bool TakeStart(const std::string& origin, const MoosLine& line);
+  bool TakeSim(std::string_view key, const std::string& origin, const MoosLine& line,
+               std::vector<std::string>* warnings);
+  bool TakeStart(const std::string& origin, const MoosLine& line,
+                 std::vector<std::string>* warnings);
   bool TakeThrustMap(const std::string& origin, const MoosLine& line);
   bool TakeThrustFactor(const std::string& origin, const MoosLine& line);
   bool TakeDrift(std::string_view key, const std::string& origin, const MoosLine& line);

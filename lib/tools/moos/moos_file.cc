@@ -15,8 +15,9 @@ namespace shoal {
 namespace {
 
 /// Returns what nsplug would have replaced; empty: nothing.
-std::string UnresolvedMacro(std::string_view line) {
-  std::string macro = FirstMacro(line);
+std::string UnresolvedMacro(const PluggedLine& plugged) {
+  const std::string_view line = plugged.text;
+  std::string macro = FirstMacro(line).empty() ? "" : plugged.unknown;
   for (const std::string_view begin : {"$(", "%(", "${"}) {
     if (macro.empty() && line.find(begin) != line.npos) macro = begin;
   }
@@ -44,7 +45,7 @@ class MoosFileParser {
       return;
     }
     const bool is_of_app = place_ == Place::kInside && HasMacrosOfItsOwn(file_.blocks.back().app);
-    const std::string macro = is_of_app ? "" : UnresolvedMacro(line.text);
+    const std::string macro = is_of_app ? "" : UnresolvedMacro(line);
     if (!macro.empty()) {
       // A block whose name or brace is on such a line is still a block.
       if (place_ == Place::kOutside && LowerCase(Split(line).key) == "processconfig") {

@@ -42,38 +42,65 @@ size_t CharacterLength(std::string_view text) {
   return is_too_long || is_no_character ? 0 : length;
 }
 
-bool IsOfName(char c) { return IsNameCharacter(c) || c == '-' || c == '.'; }
-
-/// $(NAME), %(NAME), or with := and a default.
+/// $(NAME), %(NAME), or with = or := and a default.
 struct Macro {
   size_t begin = 0;
-  size_t end = 0;  ///< Behind it.
+  size_t end = 0;          ///< Behind it.
+  std::string_view inner;  ///< Between the brackets.
   std::string_view name;
-  std::optional<std::string_view> otherwise;
+  std::string_view otherwise;  ///< The default; empty: none.
+  bool counts_where_empty = false;
   bool is_upper = false;
 };
 
+/// Returns the first macro that closes behind `from`; of macros within one another the innermost.
 std::optional<Macro> FindMacro(std::string_view text, size_t from) {
-  for (size_t at = from; at + 2 < text.size(); ++at) {
-    if ((text[at] != '$' && text[at] != '%') || text[at + 1] != '(') continue;
-    size_t end = at + 2;
-    while (end < text.size() && IsOfName(text[end])) ++end;
-    Macro macro{.begin = at,
-                .end = end + 1,
-                .name = text.substr(at + 2, end - at - 2),
-                .otherwise = std::nullopt,
-                .is_upper = text[at] == '%'};
-    if (macro.name.empty()) continue;
-    if (text.substr(end).starts_with(":=")) {
-      const size_t close = text.find(')', end);
-      if (close == text.npos) continue;
-      macro.otherwise = text.substr(end + 2, close - end - 2);
-      macro.end = close + 1;
-      return macro;
+  for (size_t close = text.find(')', from); close != text.npos; close = text.find(')', close + 1)) {
+    size_t open = close;
+    while (open > from + 1 && text[open - 1] != '(' && text[open - 1] != ')') --open;
+    if (open < from + 2 || text[open - 1] != '(') continue;
+    const char kind = text[open - 2];
+    if ((kind != '$' && kind != '%') || open == close) continue;
+    Macro macro{.begin = open - 2,
+                .end = close + 1,
+                .inner = text.substr(open, close - open),
+                .name = text.substr(open, close - open),
+                .otherwise = {},
+                .counts_where_empty = false,
+                .is_upper = kind == '%'};
+    // nsplug takes blanks at the ends of a macro for part of its name.
+    const bool is_plain = Trimmed(macro.inner) == macro.inner;
+    const size_t equals = macro.inner.find('=');
+    if (is_plain && equals != macro.inner.npos && equals > 0) {
+      macro.counts_where_empty = macro.inner[equals - 1] == ':';
+      macro.name = macro.inner.substr(0, equals - (macro.counts_where_empty ? 1 : 0));
+      macro.otherwise = macro.inner.substr(equals + 1);
     }
-    if (end < text.size() && text[end] == ')') return macro;
+    return macro;
   }
   return std::nullopt;
+}
+
+/// Returns the name of a section that a line begins; nothing for any other line.
+std::optional<std::string> SectionOf(std::string_view line) {
+  constexpr std::string_view kTag = "<tag>";
+  if (!line.starts_with(kTag)) return std::nullopt;
+  std::string_view name = Trimmed(line.substr(kTag.size()));
+  if (name.starts_with('<') && name.ends_with('>') && name.size() >= 2) {
+    name = name.substr(1, name.size() - 2);
+  }
+  return std::string(name);
+}
+
+bool IsOfName(char c) { return IsNameCharacter(c) || c == '-' || c == '.'; }
+
+/// Returns the text with a single blank for several.
+std::string Compacted(std::string_view text) {
+  std::string compact;
+  for (const char c : text) {
+    if (c != ' ' || !compact.ends_with(' ')) compact += c;
+  }
+  return compact;
 }
 
 std::string_view Unquoted(std::string_view text) {
@@ -94,37 +121,53 @@ std::string_view TakeWord(std::string_view* text) {
 
 class Plugger {
  public:
-  Plugger(const MoosDefines& defines, const FindMoosFile& find) : given_(defines), find_(find) {
-    for (const auto& [name, value] : defines) defines_.emplace(name, CleanUtf8(value));
+  Plugger(const MoosDefines& defines, const FindMoosFile& find) : find_(find) {
+    for (const auto& [name, value] : defines) defines_.emplace(name, CleanUtf8(Trimmed(value)));
   }
 
-  void Run(const MoosSource& source, std::string_view tag) {
+  /// `section`: only the lines of that one; empty: all.
+  void Run(const MoosSource& source, std::string_view section, const PluggedLine& including) {
     ++num_files_;
     open_files_.push_back(source.name);
-    const size_t outer_branches = branches_.size();
-    bool is_of_tag = tag.empty();
+    std::string at_section;
+    std::string sections;
+    bool is_found = section.empty();
     std::string_view text = source.text;
     constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
     if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
     const std::string name = CleanUtf8(source.name);
     for (int number = 1; !text.empty() && !is_full_; ++number) {
       const size_t end = std::min(text.find('\n'), text.size());
-      const std::string_view raw = text.substr(0, end);
+      std::string line(Trimmed(CleanUtf8(Trimmed(text.substr(0, end)))));
       text.remove_prefix(std::min(end + 1, text.size()));
-      std::string line = CleanUtf8(Trimmed(raw.substr(0, raw.find("//"))));
       ++number_;
-      if (line.empty()) continue;
-      const bool is_tag = line.size() > 2 && line.front() == '<' && line.back() == '>';
-      if (!tag.empty() && is_tag) {
-        is_of_tag = line == tag;
-        continue;
+      const std::string origin = fmt::format("{}:{}", name, number);
+      if (const auto begun = SectionOf(line)) {
+        at_section = *begun;
+        is_found = is_found || at_section == section;
+        sections += (sections.empty() ? "" : ", ") + at_section;
+      } else if (!line.empty() && (section.empty() || at_section == section)) {
+        if (!section.empty() && line.front() == '#') {
+          Add(origin, std::move(line),
+              "is left out: in a section that is asked for by its name nsplug drops every line "
+              "that begins with #, and the lines of all branches stand",
+              true);
+        } else {
+          Line(origin, std::move(line));
+        }
       }
-      if (is_of_tag) Line(fmt::format("{}:{}", name, number), std::move(line));
     }
-    for (; branches_.size() > outer_branches; branches_.pop_back()) {
-      Add(branches_.back().origin, branches_.back().text, "is not closed: write #endif", true);
+    if (!is_found) {
+      Add(including.origin, including.text,
+          fmt::format("is without effect: {} has no line <tag><{}>; its sections: {}", name,
+                      section, sections.empty() ? "none" : sections.substr(0, 400)),
+          true);
     }
     open_files_.pop_back();
+    if (!open_files_.empty()) return;
+    for (; !branches_.empty(); branches_.pop_back()) {
+      Add(branches_.back().origin, branches_.back().text, "is not closed: write #endif", true);
+    }
   }
 
   std::vector<PluggedLine> TakeLines() { return std::move(lines_); }
@@ -134,11 +177,11 @@ class Plugger {
   struct Branch {
     std::string origin;
     std::string text;
-    size_t file = 0;          ///< Its index among the open files.
     bool is_outer_on = true;  ///< What stands around it counts.
     bool is_on = false;       ///< What follows counts.
     bool was_on = false;      ///< One of its branches counted.
     bool is_else_seen = false;
+    bool is_ifndef = false;
   };
 
   bool IsOn() const { return branches_.empty() || branches_.back().is_on; }
@@ -158,106 +201,164 @@ class Plugger {
                       .is_loss = is_loss});
   }
 
-  /// Returns the text with values for macros; nothing where it becomes too long.
-  std::optional<std::string> Expanded(std::string_view text, size_t most_bytes) const {
-    std::string expanded;
-    size_t from = 0;
-    while (const auto macro = FindMacro(text, from)) {
-      expanded += text.substr(from, macro->begin - from);
-      const auto at = defines_.find(macro->name);
-      std::string value(text.substr(macro->begin, macro->end - macro->begin));
-      if (at != defines_.end()) {
-        value = macro->is_upper ? UpperCase(at->second) : at->second;
-      } else if (macro->otherwise) {
-        value = macro->is_upper ? UpperCase(*macro->otherwise) : std::string(*macro->otherwise);
-      }
-      expanded += value;
-      from = macro->end;
-      if (expanded.size() > most_bytes) return std::nullopt;
+  /// A text with values for its macros, or as it is.
+  struct Expansion {
+    std::string text;
+    std::string unknown;       ///< The first macro without a value: the text is as it was.
+    bool is_too_long = false;  ///< With its values.
+  };
+
+  /// Returns the value of a macro; nothing where it has none.
+  std::optional<std::string> ValueOf(const Macro& macro) const {
+    const auto at = defines_.find(macro.name);
+    const bool is_there = at != defines_.end();
+    std::string value = is_there && at->second != kBareMacro ? at->second : "";
+    if (!is_there || (value.empty() && macro.counts_where_empty)) {
+      if (macro.otherwise.empty() && !is_there) return std::nullopt;
+      value = macro.otherwise;
     }
-    expanded += text.substr(from);
-    return expanded.size() > most_bytes ? std::nullopt : std::optional(expanded);
+    return macro.is_upper ? UpperCase(value) : value;
+  }
+
+  /// One macro without a value keeps the whole text as it is, as nsplug does.
+  Expansion Expanded(std::string_view whole, size_t most_bytes) const {
+    constexpr int kMaxMacros = 1'000;
+    std::string text(whole);
+    for (int i = 0; i < kMaxMacros; ++i) {
+      const auto macro = FindMacro(text, 0);
+      if (!macro) {
+        const size_t open = std::min(text.find("$("), text.find("%("));
+        if (open == text.npos) return {.text = std::move(text), .unknown = ""};
+        return {.text = std::string(whole), .unknown = text.substr(open, 2)};
+      }
+      auto value = ValueOf(*macro);
+      if (!value) {
+        return {.text = std::string(whole),
+                .unknown = text.substr(macro->begin, macro->end - macro->begin)};
+      }
+      text.replace(macro->begin, macro->end - macro->begin, *value);
+      if (text.size() > most_bytes) break;
+    }
+    return {.text = "", .unknown = "", .is_too_long = true};
   }
 
   void Line(const std::string& origin, std::string text) {
     if (text.front() == '#') return Directive(origin, text);
-    if (!IsOn()) return;
-    auto expanded = Expanded(text, kLongestLine_bytes);
-    if (!expanded) {
+    if (!IsOn() || text.starts_with("//")) return;
+    Expansion expansion = Expanded(text, kLongestLine_bytes);
+    if (expansion.is_too_long) {
       text.resize(std::min<size_t>(text.size(), 80));
       return Add(origin, CleanUtf8(text), "is longer than 65,536 bytes with its macros' values",
                  true);
     }
-    if (!Trimmed(*expanded).empty()) Add(origin, std::string(Trimmed(*expanded)), "", false);
+    // A comment counts until here: a macro of it may have no value.
+    const std::string_view own =
+        Trimmed(std::string_view(expansion.text).substr(0, expansion.text.find("//")));
+    if (own.empty()) return;
+    Add(origin, std::string(own), "", false);
+    if (!is_full_) lines_.back().unknown = std::move(expansion.unknown);
   }
 
   void Directive(const std::string& origin, const std::string& text) {
     std::string_view rest = text;
-    const std::string word = LowerCase(TakeWord(&rest));
-    if (word == "#ifdef" || word == "#ifndef") return If(origin, text, rest, word == "#ifdef");
-    if (word == "#elseifdef" || word == "#elseif" || word == "#else") {
+    const std::string word(TakeWord(&rest));
+    if (word == "#ifdef" || word == "#ifndef") return If(origin, text, rest, word == "#ifndef");
+    if (word == "#elseifdef" || word == "#else") {
       return Else(origin, text, rest, word == "#else");
     }
     if (word == "#endif") {
-      if (!IsBranchOfThisFile()) return Add(origin, text, "is without #ifdef", true);
+      if (branches_.empty()) return Add(origin, text, "is without #ifdef", true);
       branches_.pop_back();
       return;
+    }
+    for (const std::string_view like : {"#if", "#el", "#end", "#inc", "#def"}) {
+      if (!LowerCase(word).starts_with(like) || word == "#define" || word == "#include") continue;
+      return Add(origin, text,
+                 "is a remark for nsplug, without effect: it knows #include, #define, #ifdef, "
+                 "#ifndef, #elseifdef, #else and #endif",
+                 true);
     }
     if (!IsOn()) return;
     if (word == "#define") return Define(origin, text, rest);
     if (word == "#include") return Include(origin, text, rest);
-    Add(origin, text, "is no line that nsplug knows", true);
+    Add(origin, text, "is a remark", false);
   }
 
-  bool IsBranchOfThisFile() const {
-    return !branches_.empty() && branches_.back().file == open_files_.size();
+  /// Returns the value of a macro as #ifdef compares it; empty where it is not defined.
+  std::string_view CompareValue(std::string_view name) const {
+    const auto at = defines_.find(name);
+    return at == defines_.end() ? std::string_view() : std::string_view(at->second);
   }
 
-  /// "A", "A value", "A || B value", "A && B".
+  /// "A", "A value", "A || B value", "A && B". An empty macro is not defined, but for `&&`.
   bool Holds(std::string_view condition) const {
-    bool any = false;
+    const bool is_or = condition.find("||") != condition.npos;
+    const bool is_and = condition.find("&&") != condition.npos;
+    if (is_or && is_and) return false;
     while (true) {
-      const size_t end = std::min(condition.find("||"), condition.size());
-      any = any || AllHold(condition.substr(0, end));
-      if (end == condition.size()) return any;
+      const size_t end = std::min(condition.find(is_and ? "&&" : "||"), condition.size());
+      std::string_view wanted = condition.substr(0, end);
+      const std::string_view name = TakeWord(&wanted);
+      const std::string_view value = CompareValue(name);
+      const bool is_there = defines_.contains(name);
+      const bool holds = wanted.empty() ? is_there && (is_and || !value.empty())
+                                        : (is_there || is_and) &&
+                                              (value == wanted || value == CompareValue(wanted));
+      if (holds != is_and) return holds;
+      if (end == condition.size()) return is_and;
       condition.remove_prefix(end + 2);
     }
   }
 
-  bool AllHold(std::string_view condition) const {
-    bool all = true;
-    while (true) {
-      const size_t end = std::min(condition.find("&&"), condition.size());
-      std::string_view term = condition.substr(0, end);
-      const auto at = defines_.find(TakeWord(&term));
-      all = all && at != defines_.end() && (term.empty() || Unquoted(term) == Unquoted(at->second));
-      if (end == condition.size()) return all;
-      condition.remove_prefix(end + 2);
+  /// Names that must all be without a value.
+  bool NoneIsDefined(std::string_view names) const {
+    if (names.empty()) return false;
+    while (!names.empty()) {
+      if (!CompareValue(TakeWord(&names)).empty()) return false;
     }
+    return true;
+  }
+
+  void WarnOfCondition(const std::string& origin, const std::string& text,
+                       std::string_view condition) {
+    if (condition.empty()) return Add(origin, text, "is without the name of a macro", true);
+    if (condition.find("||") != condition.npos && condition.find("&&") != condition.npos) {
+      return Add(origin, text, "is never the case: || and && do not go together", true);
+    }
+    if (condition.find("//") == condition.npos) return;
+    Add(origin, text, "is compared with its comment: write the comment on a line of its own", true);
   }
 
   void If(const std::string& origin, const std::string& text, std::string_view condition,
-          bool wanted) {
+          bool is_ifndef) {
     const bool is_outer_on = IsOn();
-    const bool is_on = is_outer_on && Holds(condition) == wanted;
+    const bool is_on = is_outer_on && (is_ifndef ? NoneIsDefined(condition) : Holds(condition));
     branches_.push_back({.origin = origin,
                          .text = text,
-                         .file = open_files_.size(),
                          .is_outer_on = is_outer_on,
                          .is_on = is_on,
-                         .was_on = is_on});
-    if (condition.empty()) return Add(origin, text, "is without the name of a macro", true);
+                         .was_on = is_on,
+                         .is_else_seen = false,
+                         .is_ifndef = is_ifndef});
+    if (is_outer_on) WarnOfCondition(origin, text, condition);
     if (is_outer_on && !is_on) AddLeftOut(origin, text);
   }
 
   void Else(const std::string& origin, const std::string& text, std::string_view condition,
             bool is_else) {
-    if (!IsBranchOfThisFile() || branches_.back().is_else_seen) {
-      return Add(origin, text, "is without #ifdef", true);
-    }
+    if (branches_.empty()) return Add(origin, text, "is without #ifdef", true);
     Branch& branch = branches_.back();
+    if (branch.is_else_seen) {
+      return Add(origin, text, "is without effect: an #else stands before it", true);
+    }
+    if (!is_else && branch.is_ifndef) {
+      Add(origin, text, "is refused by nsplug: #elseifdef goes with #ifdef, not with #ifndef",
+          true);
+    }
+    const bool counts = branch.is_outer_on && !branch.was_on;
+    if (counts && !is_else) WarnOfCondition(origin, text, condition);
     branch.is_else_seen = is_else;
-    branch.is_on = branch.is_outer_on && !branch.was_on && (is_else || Holds(condition));
+    branch.is_on = counts && (is_else || Holds(condition));
     branch.was_on = branch.was_on || branch.is_on;
     if (branch.is_outer_on && !branch.is_on) AddLeftOut(origin, text);
   }
@@ -267,35 +368,66 @@ class Plugger {
         false);
   }
 
-  void Define(const std::string& origin, const std::string& text, std::string_view rest) {
+  void Define(const std::string& origin, const std::string& text, std::string_view whole) {
+    const std::string compact = Compacted(whole);
+    std::string_view rest = compact;
     std::string_view name = TakeWord(&rest);
     if (name.starts_with("$(") && name.ends_with(')')) name = name.substr(2, name.size() - 3);
-    const auto value = Expanded(Unquoted(rest), kLongestValue_bytes);
     if (name.empty() || !std::all_of(name.begin(), name.end(), IsOfName)) {
       return Add(origin, text, "is no #define NAME VALUE", true);
     }
-    if (!value) return Add(origin, text, "is longer than 4,096 bytes", true);
-    if (given_.contains(name)) {
-      return Add(origin, text, fmt::format("is replaced by the value that {} is given", name),
-                 false);
+    if (rest.size() > kLongestValue_bytes) {
+      return Add(origin, text, "is longer than 4,096 bytes", true);
     }
-    defines_.insert_or_assign(std::string(name), *value);
-    Add(origin, text, "is taken: its value stands where the macro stands", false);
+    const std::string value(rest.empty() ? kBareMacro : rest);
+    const auto at = defines_.find(name);
+    if (at != defines_.end() && at->second != value) {
+      Add(origin, text,
+          fmt::format("is taken from here on, and not {} as before",
+                      Quoted(std::string_view(at->second).substr(0, 80))),
+          true);
+    } else {
+      Add(origin, text, "is taken: its value stands where the macro stands", false);
+    }
+    defines_.insert_or_assign(std::string(name), value);
+  }
+
+  /// nsplug looks from the folder in which it runs, which is taken for that of the first file.
+  std::optional<MoosSource> Find(const std::string& name, bool* is_beside) const {
+    if (find_ == nullptr) return std::nullopt;
+    auto source = find_(name, open_files_.front());
+    if (source || open_files_.size() == 1) return source;
+    *is_beside = true;
+    return find_(name, open_files_.back());
   }
 
   void Include(const std::string& origin, const std::string& text, std::string_view rest) {
-    const auto expanded = Expanded(rest, kLongestValue_bytes);
-    if (!expanded) return Add(origin, text, "is longer than 4,096 bytes", true);
-    std::string_view words = *expanded;
-    std::string name(Unquoted(TakeWord(&words)));
-    const std::string tag(words);
+    const Expansion expansion = Expanded(rest, kLongestValue_bytes);
+    if (expansion.is_too_long) return Add(origin, text, "is longer than 4,096 bytes", true);
+    std::string_view words = expansion.text;
+    const size_t comment = words.find("//");
+    if (comment != words.npos) {
+      Add(origin, text,
+          "is refused by nsplug, for which the comment belongs to the file's name: write it on a "
+          "line of its own",
+          true);
+      words = Trimmed(words.substr(0, comment));
+    }
+    std::string_view section;
+    const size_t blank = words.find_last_of(' ');
+    if (words.ends_with('>') && blank != words.npos && words[blank + 1] == '<') {
+      section = words.substr(blank + 2, words.size() - blank - 3);
+      words = words.substr(0, blank);
+    }
+    std::string name(Unquoted(words));
     if (name.size() > 2 && name.front() == '<' && name.back() == '>') {
       name = name.substr(1, name.size() - 2);
     }
     if (open_files_.size() >= kDeepest || num_files_ >= kMaxFiles) {
       return Add(origin, text, "is one #include too many: 16 deep, 1,000 in all", true);
     }
-    const auto source = find_ == nullptr ? std::nullopt : find_(name, open_files_.back());
+    bool is_beside = false;
+    const auto source = Find(name, &is_beside);
     if (!source) {
       return Add(origin, text,
                  fmt::format(
@@ -306,11 +438,18 @@ class Plugger {
     if (std::find(open_files_.begin(), open_files_.end(), source->name) != open_files_.end()) {
       return Add(origin, text, "is in a circle: the file includes itself", true);
     }
-    Add(origin, text, "is taken: its lines stand here", false);
-    Run(*source, tag);
+    if (is_beside) {
+      Add(origin, text,
+          "is taken from beside its own file, where nsplug does not look: name the folder with "
+          "--path",
+          true);
+    } else {
+      Add(origin, text, "is taken: its lines stand here", false);
+    }
+    const std::string kept(section);
+    Run(*source, kept, {.origin = origin, .text = text});
   }
 
-  const MoosDefines& given_;
   MoosDefines defines_;
   const FindMoosFile& find_;
   std::vector<PluggedLine> lines_;
@@ -326,7 +465,7 @@ class Plugger {
 
 PluggedText Plug(const MoosSource& source, const MoosDefines& defines, const FindMoosFile& find) {
   Plugger plugger(defines, find);
-  plugger.Run(source, "");
+  plugger.Run(source, "", {});
   return {.name = CleanUtf8(source.name), .lines = plugger.TakeLines()};
 }
 

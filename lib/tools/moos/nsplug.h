@@ -1,14 +1,18 @@
 // What nsplug does to MOOS files: #include, #define, #ifdef and macros.
 //
-//   #include plug_loiter.bhv            its lines; <tag> behind the name: the part behind that tag
-//   #define SPEED 1.5                   a value given to the import counts instead
+//   #include plug_loiter.bhv            its lines; <tag> behind the name: a section of the file
+//   <tag><north>                        begins the section north
+//   #define SPEED 1.5                   takes the place of a value that is given
 //   #ifdef SIM                          also: SIM yes, A || B, A && B, #ifndef SIM
 //   #elseifdef XMODE REAL
 //   #else
 //   #endif
-//   speed = $(SPEED)   group = %(TEAM:=red)    %: in upper case; := the value where there is none
+//   speed = $(SPEED)   group = %(TEAM:=red)    %: in upper case
 //
-// A macro without a value stays as it is written: some apps have macros of their own.
+// $(X=d) is d where X is not defined, $(X:=d) also where it is empty. An empty macro is not defined
+// for #ifdef X, || and #ifndef. Values are expanded where they are used. A line with one macro that
+// has no value stays as it is written: some apps have macros of their own. What nsplug refuses is
+// taken as it is meant, with a reason. docs/import_bhv.md
 #pragma once
 
 #include <functional>
@@ -25,21 +29,26 @@ struct MoosSource {
   std::string text;
 };
 
+/// The value of a macro that is defined and stands for nothing: `nsplug a b NIGHT`.
+inline constexpr std::string_view kBareMacro = "<defined>";
+
 /// Values of macros, by name.
 using MoosDefines = std::map<std::string, std::string, std::less<>>;
 
 /// Returns the file that `from` names as `name`, nothing where there is none. The same file always
 /// has the same name.
+/// `from` is the first file, then the including one.
 using FindMoosFile =
     std::function<std::optional<MoosSource>(std::string_view name, std::string_view from)>;
 
 /// A line, without comment and without blanks at its ends; never empty.
 struct PluggedLine {
-  int number = 0;           ///< Counts all lines that are read, those of included files too.
-  std::string origin;       ///< "a.moos:12".
-  std::string text;         ///< UTF-8.
-  std::string reason = {};  ///< Not empty: it is none of the file's own; why ("is ...").
-  bool is_loss = true;      ///< With a reason: something is lost.
+  int number = 0;            ///< Counts all lines that are read, those of included files too.
+  std::string origin;        ///< "a.moos:12".
+  std::string text;          ///< UTF-8.
+  std::string reason = {};   ///< Not empty: it is none of the file's own; why ("is ...").
+  bool is_loss = true;       ///< With a reason: something is lost.
+  std::string unknown = {};  ///< The first macro that has no value, as it is written.
 };
 
 struct PluggedText {

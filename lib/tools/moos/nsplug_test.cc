@@ -3,9 +3,16 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
+
+#include "tests/golden/read_golden.h"
 
 namespace shoal::nsplug_test {
 
@@ -49,11 +56,112 @@ TEST(Plug, PutsValuesInThePlaceOfMacros) {
   EXPECT_EQ(Plugged("a = $(V) $[W] $(", {}), "a = $(V) $[W] $(\n");
 }
 
-TEST(Plug, TakesADefineOfTheFileUnlessAValueIsGiven) {
+TEST(Plug, TakesADefineOfTheFileInThePlaceOfAGivenValueAndWarns) {
   EXPECT_EQ(Plugged("#define V 3\na = $(V)\n"), "a = 3\n");
-  EXPECT_EQ(Plugged("#define V 3\na = $(V)\n", {{"V", "4"}}), "a = 4\n");
-  EXPECT_EQ(Plugged("#define V 3\n#define W $(V)$(V)\n#define V 5\na = $(W) $(V)\n"), "a = 33 5\n");
+  const PluggedText text = Plug({.name = "a", .text = "#define V 3\na = $(V)\n"}, {{"V", "4"}}, {});
+  EXPECT_EQ(Own(text), "a = 3\n");
+  EXPECT_TRUE(text.lines[0].is_loss);
+  EXPECT_EQ(text.lines[0].reason, "is taken from here on, and not '4' as before");
   EXPECT_EQ(Losses("#define\n#define a,b 2\n").size(), 2U);
+}
+
+TEST(Plug, KeepsALineWithOneMacroThatHasNoValueAsItIsWritten) {
+  const PluggedText text =
+      Plug({.name = "a", .text = "a = $(V), $(W)\nb = $(V) // $(W)\n"}, {{"V", "1"}}, {});
+  EXPECT_EQ(Own(text), "a = $(V), $(W)\nb = $(V)\n");
+  EXPECT_EQ(text.lines[0].unknown, "$(W)");
+  EXPECT_EQ(text.lines[1].unknown, "$(W)");
+}
+
+/// Reads a file of a golden case; nothing where it is not there.
+std::optional<std::string> ReadCase(const std::filesystem::path& path) {
+  std::ifstream in(path);
+  if (!in) return std::nullopt;
+  return std::string(std::istreambuf_iterator<char>(in), {});
+}
+
+/// The values and the folders of `nsplug meta.bhv targ.bhv ARGS`.
+struct CaseArguments {
+  MoosDefines defines;
+  std::vector<std::string> folders = {"."};
+};
+
+CaseArguments ReadArguments(const std::string& text) {
+  CaseArguments arguments;
+  std::vector<std::string> words = {""};
+  bool is_quoted = false;
+  for (const char c : text) {
+    if (c == '\'') {
+      is_quoted = !is_quoted;
+    } else if ((c == ' ' || c == '\n') && !is_quoted) {
+      words.emplace_back();
+    } else {
+      words.back() += c;
+    }
+  }
+  for (size_t i = 2; i < words.size(); ++i) {
+    std::string_view word = words[i];
+    if (word == "--path") {
+      word = words[i + 1];
+      arguments.folders.emplace_back(word);
+    } else if (word.starts_with("--path=")) {
+      for (word.remove_prefix(7); !word.empty();) {
+        const size_t end = std::min(word.find(':'), word.size());
+        arguments.folders.emplace_back(word.substr(0, end));
+        word.remove_prefix(std::min(end + 1, word.size()));
+      }
+      continue;
+    }
+    const size_t equals = word.find('=');
+    if (word.empty()) continue;
+    if (equals == word.npos) {
+      if (word != words[i]) ++i;
+      arguments.defines[std::string(word)] = kBareMacro;
+    } else {
+      arguments.defines[std::string(word.substr(0, equals))] = word.substr(equals + 1);
+    }
+  }
+  return arguments;
+}
+
+TEST(Plug, MakesOfEveryGoldenCaseWhatNsplugWroteAndNamesWhatItRefused) {
+  namespace fs = std::filesystem;
+  size_t num_cases = 0;
+  for (const auto& entry : fs::directory_iterator(GoldenPath("moos_import/nsplug"))) {
+    SCOPED_TRACE(entry.path().filename());
+    const CaseArguments arguments = ReadArguments(*ReadCase(entry.path() / "args"));
+    const FindMoosFile find = [&](std::string_view name, std::string_view from) {
+      std::optional<MoosSource> found;
+      // Beside the file that is asked from, then in the folders.
+      std::vector<fs::path> places = {fs::path(from).parent_path() / name};
+      for (const std::string& folder : arguments.folders) places.push_back(fs::path(folder) / name);
+      for (const fs::path& place : places) {
+        const auto text = ReadCase(entry.path() / place);
+        if (text) return std::optional(MoosSource{.name = place.string(), .text = *text});
+      }
+      return found;
+    };
+    const PluggedText text =
+        Plug({.name = "meta.bhv", .text = *ReadCase(entry.path() / "meta.bhv")}, arguments.defines,
+             find);
+    ++num_cases;
+    if (*ReadCase(entry.path() / "exit") != "0\n") {
+      EXPECT_TRUE(std::any_of(text.lines.begin(), text.lines.end(), [](const PluggedLine& line) {
+        return !line.reason.empty() && line.is_loss;
+      }));
+      continue;
+    }
+    // The second run drops the comments and the blanks, as the first did.
+    EXPECT_EQ(Own(text), Plugged(*ReadCase(entry.path() / "expected.bhv")));
+  }
+  EXPECT_EQ(num_cases, 52U);
+}
+
+TEST(Plug, WarnsOfASectionThatIsNotThere) {
+  const Files files = {{"p", "<tag><one>\n1\n<two>\n"}};
+  EXPECT_EQ(Losses("#include p <two>\n", files),
+            (std::vector<std::string>{
+                "a:1 is without effect: p has no line <tag><two>; its sections: one"}));
 }
 
 TEST(Plug, KeepsTheBranchThatIsTheCase) {
@@ -71,9 +179,9 @@ TEST(Plug, KeepsTheBranchThatIsTheCase) {
 TEST(Plug, NestsBranches) {
   const std::string text =
       "#ifdef A\n#ifdef B\nab\n#else\na\n#endif\n#else\n#ifdef B\nb\n#endif\n#endif\nz\n";
-  EXPECT_EQ(Plugged(text, {{"A", ""}, {"B", ""}}), "ab\nz\n");
-  EXPECT_EQ(Plugged(text, {{"A", ""}}), "a\nz\n");
-  EXPECT_EQ(Plugged(text, {{"B", ""}}), "b\nz\n");
+  EXPECT_EQ(Plugged(text, {{"A", "1"}, {"B", "1"}}), "ab\nz\n");
+  EXPECT_EQ(Plugged(text, {{"A", "1"}}), "a\nz\n");
+  EXPECT_EQ(Plugged(text, {{"B", "1"}}), "b\nz\n");
   EXPECT_EQ(Plugged(text), "z\n");
 }
 
@@ -86,11 +194,12 @@ TEST(Plug, NamesWhatIsLeftOutWithoutCallingItALoss) {
 }
 
 TEST(Plug, RefusesBranchesWithoutABeginningOrAnEnd) {
-  EXPECT_EQ(Losses("#endif\n#else\n#ifdef A\n#else\n#else\n#ifdef\n"),
-            (std::vector<std::string>{"a:1 is without #ifdef", "a:2 is without #ifdef",
-                                      "a:5 is without #ifdef", "a:6 is without the name of a macro",
-                                      "a:6 is not closed: write #endif",
-                                      "a:3 is not closed: write #endif"}));
+  EXPECT_EQ(
+      Losses("#endif\n#else\n#ifdef A\n#else\n#else\n#ifdef\n"),
+      (std::vector<std::string>{
+          "a:1 is without #ifdef", "a:2 is without #ifdef",
+          "a:5 is without effect: an #else stands before it", "a:6 is without the name of a macro",
+          "a:6 is not closed: write #endif", "a:3 is not closed: write #endif"}));
 }
 
 TEST(Plug, PutsIncludedLinesInTheirPlaceWithTheirOrigin) {
@@ -105,7 +214,7 @@ TEST(Plug, PutsIncludedLinesInTheirPlaceWithTheirOrigin) {
 }
 
 TEST(Plug, TakesOnlyThePartBehindATag) {
-  const Files files = {{"p", "zero\n<one>\n1\n<two>\n2\n22\n"}};
+  const Files files = {{"p", "zero\n<tag><one>\n1\n<tag><two>\n2\n22\n"}};
   EXPECT_EQ(Plugged("#include p <two>\n", {}, files), "2\n22\n");
   EXPECT_EQ(Plugged("#include <p>\n", {}, {{"p", "x\n"}}), "x\n");
 }
