@@ -14,6 +14,7 @@ from collections.abc import Callable
 from typing import Any
 
 from .errors import DecodeError
+from .faults import FORMATS, place_of_fault
 from .lcm_file import PRIMITIVE_SIZES, Member, StructType
 from .schema import Schema
 
@@ -26,16 +27,6 @@ ReadRows = Callable[[bytes, int, int, int], tuple[list[Row], int]]
 #: (object with the members as attributes, function that takes a piece of the message).
 WriteObject = Callable[[Any, Callable[[bytes], None]], None]
 
-_FORMATS = {
-    "int8_t": "b",
-    "int16_t": "h",
-    "int32_t": "i",
-    "int64_t": "q",
-    "byte": "B",
-    "float": "f",
-    "double": "d",
-    "boolean": "?",
-}
 _LENGTH = struct.Struct(">i")
 # Array elements that take no bytes would let a short message ask for 2^31 of them: a message may
 # have this many, and one more for each byte.
@@ -54,7 +45,7 @@ def attribute_name(name: str) -> str:
 
 def format_of(member: Member) -> str | None:
     """Returns the letter of `struct` for a single number or boolean; None for all other members."""
-    return None if member.dimensions else _FORMATS.get(member.type_name)
+    return None if member.dimensions else FORMATS.get(member.type_name)
 
 
 def flat_format(members: list[Member]) -> str | None:
@@ -168,42 +159,15 @@ class Codec:
         try:
             self._write(message, pieces.append)
         except (struct.error, TypeError, AttributeError, IndexError) as error:
-            raise ValueError(f"{self._place_of_fault(message)}: {error}") from error
+            where = place_of_fault(self.struct, self.attributes, message)
+            raise ValueError(f"{where}: {error}") from error
         return b"".join(pieces)
-
-    def _place_of_fault(self, message: Any) -> str:
-        """Returns the struct's name, with the member that cannot be written where one is found."""
-        for member, name in zip(self.struct.members, self.attributes, strict=True):
-            value = getattr(message, name, None)
-            if member.dimensions and not hasattr(value, "__len__"):
-                return f"{self.struct.full_name}: '{name}' is {value!r} where an array belongs"
-            alone = _SINGLE.get(member.type_name) if not member.dimensions else None
-            if alone is not None and not _fits(alone, value):
-                return (
-                    f"{self.struct.full_name}: '{name}' is {value!r} where {member.type_name} "
-                    "belongs"
-                )
-        return self.struct.full_name
 
     def write_members(self, message: Any, take: Callable[[bytes], None]) -> None:
         """Hands the members' bytes, without fingerprint, to `take`."""
         if self._write is None:
             self._write = _Writer(self.struct, self._codecs).compile()
         self._write(message, take)
-
-
-_SINGLE = {**{name: struct.Struct(f">{letter}") for name, letter in _FORMATS.items()}, "string": str}
-
-
-def _fits(kind: Any, value: object) -> bool:
-    """Returns whether one member of this kind, str or a struct.Struct, can have the value."""
-    if kind is str:
-        return isinstance(value, str)
-    try:
-        kind.pack(value)
-    except (struct.error, TypeError, AttributeError, OverflowError):
-        return False
-    return True
 
 
 def _check_count(count: int, element_size: int, bytes_left: int) -> None:
@@ -303,7 +267,7 @@ class _Reader:
         """Returns a function of (bytes, begin, end, sizes, dimension) that reads from there in."""
         last = len(member.dimensions) - 1
         element_size = self._schema.min_size(member.type_name)
-        letter = _FORMATS.get(member.type_name)
+        letter = FORMATS.get(member.type_name)
         codec = self._codecs.get(member.type_name)
 
         def read_innermost(data: bytes, begin: int, end: int, count: int) -> tuple[Any, int]:
@@ -409,7 +373,7 @@ class _Writer:
 
     def _array_writer(self, member: Member) -> Callable[..., None]:
         last = len(member.dimensions) - 1
-        letter = _FORMATS.get(member.type_name)
+        letter = FORMATS.get(member.type_name)
         codec = self._codecs.get(member.type_name)
 
         def write_array(
@@ -466,4 +430,4 @@ def is_bytes(member: Member) -> bool:
     return member.type_name == "byte" and len(member.dimensions) == 1
 
 
-assert set(_FORMATS) | {"string"} == set(PRIMITIVE_SIZES)
+assert set(FORMATS) | {"string"} == set(PRIMITIVE_SIZES)

@@ -67,7 +67,9 @@ void ForEachCurve(VehicleCurves* curves, const Visit& visit) {
 }  // namespace
 
 PlotDataBuilder::PlotDataBuilder(PlotSelection selection, const PlotSetting& setting)
-    : selection_(std::move(selection)), zero_utime_(setting.start_utime) {
+    : selection_(std::move(selection)),
+      zero_utime_(setting.start_utime),
+      contacts_(setting.vehicles) {
   for (std::string& name : selection_.vehicles) name = UpperCase(name);
   for (const PlannedVehicle& vehicle : setting.vehicles) {
     if (!vehicle.target.empty()) targets_[UpperCase(vehicle.name)] = UpperCase(vehicle.target);
@@ -163,12 +165,18 @@ void PlotDataBuilder::AddNav(Vehicle* vehicle, const nav_t& nav) {
   const auto time = TimeOf(nav.utime);
   if (!time) return;
   const double time_s = *time;
-  if (round_is_open_ && nav.utime != round_utime_) MeasureDistances();
+  if (round_is_open_ && nav.utime != round_utime_) {
+    MeasureDistances();
+    MarkCollisions();
+  }
   round_utime_ = nav.utime;
   round_is_open_ = true;
   if (IsFinite(nav.x_m) && IsFinite(nav.y_m) && IsFinite(nav.z_m)) {
     vehicle->position_m = {nav.x_m, nav.y_m, nav.z_m};
     vehicle->nav_utime = nav.utime;
+    if (contacts_.Move(UpperCase(vehicle->curves.name), vehicle->position_m, nav.altitude_m)) {
+      Mark(*vehicle, &data_.groundings);
+    }
     DrawNavigation(vehicle);
   }
   if (!vehicle->is_selected) return;
@@ -364,8 +372,24 @@ void PlotDataBuilder::MeasureDistances() {
   }
 }
 
+void PlotDataBuilder::MarkCollisions() {
+  for (const std::string& name : contacts_.EndOfStep()) {
+    if (const auto vehicle = vehicles_.find(name); vehicle != vehicles_.end()) {
+      Mark(vehicle->second, &data_.collisions);
+    }
+  }
+}
+
+void PlotDataBuilder::Mark(const Vehicle& vehicle, std::vector<CurvePoint>* marks) {
+  if (!vehicle.is_selected || marks->size() == kMaxContacts) return;
+  marks->push_back({vehicle.position_m.x(), vehicle.position_m.y()});
+}
+
 PlotData PlotDataBuilder::Build() {
-  if (std::exchange(round_is_open_, false)) MeasureDistances();
+  if (std::exchange(round_is_open_, false)) {
+    MeasureDistances();
+    MarkCollisions();
+  }
   data_.zero_utime = zero_utime_.value_or(0);
   for (const auto& [name, vehicle] : vehicles_) {
     data_.mark_interval_s = std::max(data_.mark_interval_s, vehicle.marks.step_s());

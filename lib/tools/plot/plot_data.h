@@ -18,6 +18,7 @@
 
 #include "lib/bus/bus/channels.h"
 #include "lib/bus/record/log_format.h"
+#include "lib/tools/plot/contact_marks.h"
 #include "lib/tools/plot/plot_curve.h"
 #include "lib/tools/plot/plot_setting.h"
 #include "lib/tools/plot/time_marks.h"
@@ -78,12 +79,16 @@ struct PlotData {
   std::optional<std::pair<double, double>> log_span_s;
   bool has_selected_times = false;  ///< Some of them lie within what is selected.
   int64_t mark_interval_s = 1;
-  std::set<std::string> seen;   ///< Names in channels of all vehicles of the log.
-  int64_t num_undecodable = 0;  ///< Messages on these channels that are of another type.
-  int64_t num_impossible = 0;   ///< Values that no figure can show.
-  bool has_too_many = false;    ///< More than kMaxPlotted vehicles: the rest is left out.
+  std::vector<CurvePoint> collisions;  ///< Each once, the first kMaxContacts.
+  std::vector<CurvePoint> groundings;  ///< Likewise.
+  std::set<std::string> seen;          ///< Names in channels of all vehicles of the log.
+  int64_t num_undecodable = 0;         ///< Messages on these channels that are of another type.
+  int64_t num_impossible = 0;          ///< Values that no figure can show.
+  bool has_too_many = false;           ///< More than kMaxPlotted vehicles: the rest is left out.
 };
 
+/// More collisions, and groundings, have no room in a figure.
+inline constexpr size_t kMaxContacts = 1000;
 /// A figure has no more vehicles than this.
 inline constexpr size_t kMaxPlotted = 2000;
 
@@ -124,12 +129,15 @@ class PlotDataBuilder {
                std::optional<int64_t>* before, ThinnedCurve* curve);
   void TakeReport(const node_report_t& report);
   void MeasureDistances();
+  void MarkCollisions();
+  void Mark(const Vehicle& vehicle, std::vector<CurvePoint>* marks);
 
   PlotSelection selection_;
   PlotData data_;
   std::optional<int64_t> zero_utime_;
   std::map<std::string, Vehicle, std::less<>> vehicles_;  ///< By their names in channels.
   std::map<std::string, std::string, std::less<>> targets_;
+  ContactMarks contacts_;
   int64_t round_utime_ = 0;  ///< Of the NAV that came last.
   bool round_is_open_ = false;
   bool has_drawn_ = false;

@@ -51,6 +51,31 @@ TEST_F(Figures, ShowTracksWithEqualAxesPlanAndMarks) {
   EXPECT_FALSE(Contains(tracks.script, "$floor"));
 }
 
+TEST_F(Figures, MarkWhereVehiclesCollideAndRunAground) {
+  PlotSetting setting = Berta();
+  setting.vehicles = {{.name = "alpha", .color = "red", .length_m = 4, .draught_m = 0.5},
+                      {.name = "bravo", .color = "blue", .length_m = 4}};
+  std::vector<TestEvent> events;
+  for (int i = 0; i <= 100; ++i) {
+    const int64_t utime = i * 100'000;
+    nav_t alpha =
+        PlottedNav(utime, 0.5 * i, 0);  // It passes bravo at 3.5 m, and goes aground at x = 40.
+    alpha.altitude_m = i < 80 ? 2 : 0.4;
+    events.push_back(EventOf("NAV_ALPHA", alpha));
+    nav_t bravo = PlottedNav(utime, 20, 3.5);
+    bravo.altitude_m = 0.1;
+    events.push_back(EventOf("NAV_BRAVO", bravo));
+  }
+  Draw(events, setting);
+  const Figure& tracks = Of("tracks");
+  EXPECT_TRUE(Contains(tracks.data, "# collision\n18.5 0\n")) << tracks.data;
+  EXPECT_TRUE(Contains(tracks.data, "# aground\n40 0\n")) << "bravo is no vessel that can";
+  EXPECT_TRUE(Contains(tracks.script, "title 'collision'"));
+  EXPECT_TRUE(Contains(tracks.script, "title 'aground'"));
+  Draw(LogOfTwoVehicles(), setting);
+  EXPECT_FALSE(Contains(Of("tracks").script, "title 'collision'")) << "30 m apart";
+}
+
 TEST_F(Figures, ShowTheAreaThatIsSurveyedAndTheBandThatIsCovered) {
   PlotSetting setting = Berta();
   setting.areas = {{{-10, -20}, {130, -20}, {130, 20}, {-10, -20}}};

@@ -72,7 +72,9 @@ PlotSetting SettingOf(const Mission& mission) {
     AddArea(obstacle.polygon_m, &setting.obstacles);
   }
   for (const Vehicle& vehicle : mission.vehicles) {
-    PlannedVehicle planned{.name = vehicle.name, .color = vehicle.color};
+    PlannedVehicle planned{
+        .name = vehicle.name, .color = vehicle.color, .length_m = vehicle.length_m};
+    if (FactsOfModel(vehicle.model).passive.empty()) planned.draught_m = DraughtOf(vehicle);
     for (const Task& task : vehicle.tasks) {
       const TaskOutline outline = FactsOf(task).outline;
       AddArea(outline.area_m, &setting.areas);

@@ -30,6 +30,9 @@ struct PlannedVehicle {
   std::string color;
   std::vector<PlannedPath> paths = {};
   std::string target = {};  ///< The vehicle that it tracks; empty: none.
+  double length_m = 0;      ///< 0: it collides with nothing.
+  /// 0: it dives. Absent: it cannot run aground.
+  std::optional<double> draught_m = {};
 };
 
 /// A distance that a guidance law holds to.

@@ -41,6 +41,8 @@ struct Bounds {
 
 constexpr int kMaxWithTimes = 4;  // With more vehicles, times would hide the tracks.
 constexpr const char* kGrey = "#707070";
+constexpr const char* kCollisionStyle = "points lc rgb '#d00000' pt 2 ps 1.8 lw 2.5";
+constexpr const char* kAgroundStyle = "points lc rgb '#d00000' pt 8 ps 1.8 lw 2.5";
 
 std::string PlanColor(const std::string& color) { return "#70" + color.substr(1); }
 
@@ -100,6 +102,8 @@ class TracksFigure {
     for (size_t i = 0; i < data_.vehicles.size(); ++i) AddTrack(i);
     for (size_t i = 0; i < data_.vehicles.size(); ++i) AddBelieved(i);
     for (size_t i = 0; i < data_.vehicles.size(); ++i) AddMarks(i);
+    AddContacts("aground", data_.groundings, kAgroundStyle);
+    AddContacts("collision", data_.collisions, kCollisionStyle);
     AddLegend();
     bounds_.Widen();
     const std::string floor = AddFloor();
@@ -229,6 +233,14 @@ class TracksFigure {
                     block, color));
   }
 
+  /// What the verdict counts as failures.
+  void AddContacts(const std::string& name, const std::vector<CurvePoint>& points,
+                   const std::string& style) {
+    if (points.empty()) return;
+    bounds_.Include(points);
+    Plot(name, {points}, style);
+  }
+
   /// True where less than this share of the figure lies between the two.
   bool IsNear(CurvePoint a, CurvePoint b, double share) const {
     return std::hypot(a.x - b.x, a.y - b.y) < share * std::max(bounds_.width(), bounds_.height());
@@ -241,6 +253,8 @@ class TracksFigure {
       legend_.push_back({fmt::format("every {} s", data_.mark_interval_s),
                          fmt::format("points lc rgb '{}' pt 9 ps 0.9", kGrey)});
     }
+    if (!data_.groundings.empty()) legend_.push_back({"aground", kAgroundStyle});
+    if (!data_.collisions.empty()) legend_.push_back({"collision", kCollisionStyle});
     if (!setting_.obstacles.empty()) {
       legend_.push_back({"obstacle", fmt::format("lines lc rgb '{}' lw 2.2", kGrey)});
     }

@@ -56,6 +56,27 @@ def test_columns_hold_the_members_of_all_messages(tmp_path: Path) -> None:
     assert set(nav.as_dict()) == {"time_s", *nav.columns}
 
 
+def test_a_table_is_a_data_frame_of_pandas(tmp_path: Path) -> None:
+    why = "no pandas: scripts/setup --with-tests installs it"
+    pandas = pytest.importorskip("pandas", reason=why)
+    nav = shoal.read(write(tmp_path, nav_log()))["NAV_ALPHA"]
+    frame = pandas.DataFrame(nav)
+    assert list(frame.columns) == ["time_s", *nav.columns]
+    assert list(frame.x_m) == [0, 0.5, 1]
+    pandas.testing.assert_frame_equal(frame, pandas.DataFrame(nav.as_dict()))
+    fates = shoal.read(write(tmp_path, fates_log()))["COMMS_FATES"]
+    assert list(pandas.DataFrame(fates).utime) == list(fates.utime), "without the tables in it"
+
+
+def test_a_row_is_taken_apart_as_a_named_tuple_is(tmp_path: Path) -> None:
+    row = shoal.read(write(tmp_path, nav_log()))["NAV_ALPHA"][1]
+    assert dict(zip(row._fields, row, strict=True))["x_m"] == 0.5
+    assert (len(row), row[0]) == (len(row._fields), 0.1)
+    assert not hasattr(row, "ndim")
+    with pytest.raises(KeyError, match="no column 'no_such'"):
+        row["no_such"]
+
+
 def test_columns_of_numbers_are_numpys_where_it_is_there(
     tmp_path: Path, each_kind_of_column: str
 ) -> None:
