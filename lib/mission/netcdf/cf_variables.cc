@@ -189,6 +189,14 @@ CfDirection DirectionOf(const NetcdfVariable& variable) {
   if (has("grid_northward") || has("y_velocity") || name.starts_with("y_")) return CfDirection::kY;
   if (has("eastward")) return CfDirection::kEast;
   if (has("northward")) return CfDirection::kNorth;
+  const std::string long_name = LowerCase(variable.TextOf("long_name"));
+  const auto has_word = [&](std::string_view word) {
+    return long_name.find(word) != std::string::npos;
+  };
+  // "zonal" is written of components along the axes too.
+  if (!name.empty() || HasAny(long_name, {"grid", "axis"})) return CfDirection::kUnknown;
+  if (has_word("eastward")) return CfDirection::kEast;
+  if (has_word("northward")) return CfDirection::kNorth;
   return CfDirection::kUnknown;
 }
 

@@ -41,7 +41,8 @@ struct FloorStatement {
 /// Returns whether depths count from the reference ellipsoid, which is up to 110 m off the sea.
 [[nodiscard]] bool CountsFromEllipsoid(const NetcdfVariable& variable);
 
-/// What a component of a current runs along, by its standard_name.
+/// What a component of a current runs along, by its standard_name, or without one by the word
+/// eastward or northward in its long_name.
 enum class CfDirection {
   kUnknown,
   kEast,

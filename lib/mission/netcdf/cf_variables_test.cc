@@ -110,6 +110,15 @@ TEST(CurrentVariables, RunAlongEarthOrGridByTheirStandardName) {
   EXPECT_EQ(direction("barotropic_sea_water_y_velocity"), CfDirection::kY);
   EXPECT_EQ(direction("grid_eastward_sea_water_velocity"), CfDirection::kX);
   EXPECT_EQ(direction(""), CfDirection::kUnknown);
+  const auto by_long_name = [](const TextAttributes& texts) {
+    return DirectionOf(WithVariables({{"u", texts}}).header.variables.back());
+  };
+  EXPECT_EQ(by_long_name({{"long_name", "Eastward velocity"}}), CfDirection::kEast);
+  EXPECT_EQ(by_long_name({{"long_name", "Northward current"}}), CfDirection::kNorth);
+  EXPECT_EQ(by_long_name({{"long_name", "eastward along the grid"}}), CfDirection::kUnknown);
+  EXPECT_EQ(by_long_name({{"long_name", "zonal velocity"}}), CfDirection::kUnknown);
+  EXPECT_EQ(by_long_name({{"long_name", "eastward"}, {"standard_name", "sea_water_x_velocity"}}),
+            CfDirection::kX);
 }
 
 TEST(CurrentVariables, AreFoundByStandardNameThenByName) {
