@@ -5,6 +5,7 @@
 #include <iostream>
 
 #include "apps/shoal_campaign/campaign_page.h"
+#include "apps/shoal_campaign/campaign_setup.h"
 #include "lib/tools/report/report_tables.h"
 #include "lib/tools/trials/campaign_folder.h"
 #include "lib/tools/trials/reduce.h"
@@ -17,12 +18,12 @@ namespace {
 std::optional<int> ReadAnswers(const std::string& dir, CampaignResults* results) {
   const Result<CampaignFolder> folder = ReadCampaignFolder(dir);
   if (!folder.ok()) {
-    fmt::print(stderr, "shoal: {}\n", folder.error());
+    ShowError("shoal: {}\n", folder.error());
     return kExitUsage;
   }
   Result<CampaignResults> read = ReadResults(*folder);
   if (!read.ok()) {
-    fmt::print(stderr, "shoal: {}\n", read.error());
+    ShowError("shoal: {}\n", read.error());
     return kExitEnvironment;
   }
   *results = *std::move(read);

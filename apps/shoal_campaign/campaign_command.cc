@@ -40,11 +40,11 @@ int JobsOf(int wanted) {
 void ShowPrograms(const std::vector<std::string>& programs) {
   constexpr size_t kMaxShown = 10;
   if (programs.empty()) return;
-  fmt::print("with your rights, the trials run or open:\n");
+  Show("with your rights, the trials run or open:\n");
   for (size_t i = 0; i < std::min(kMaxShown, programs.size()); ++i) {
-    fmt::print("  {}\n", programs[i]);
+    Show("  {}\n", TerminalLine(programs[i]));
   }
-  if (programs.size() > kMaxShown) fmt::print("  ... {} more\n", programs.size() - kMaxShown);
+  if (programs.size() > kMaxShown) Show("  ... {} more\n", programs.size() - kMaxShown);
   std::fflush(stdout);
 }
 
@@ -101,37 +101,38 @@ int RunCampaignCheck(const CampaignCheckOptions& options) {
   const Plan& plan = prepared.made.plan;
   const auto num_cases = static_cast<int64_t>(plan.cases.size());
   const int64_t num_trials = num_cases * campaign.repetitions;
-  fmt::print("{} trials: {} case{} of {} repetitions each{}\n", num_trials, num_cases,
-             num_cases == 1 ? "" : "s", campaign.repetitions,
-             campaign.stop ? ", or fewer by [stop]" : "");
+  Show("{} trials: {} case{} of {} repetitions each{}\n", num_trials, num_cases,
+       num_cases == 1 ? "" : "s", campaign.repetitions,
+       campaign.stop ? ", or fewer by [stop]" : "");
   constexpr size_t kMaxShown = 10;
   for (size_t i = 0; i < std::min(kMaxShown, plan.cases.size()); ++i) {
-    fmt::print("  {}  {}\n", plan.cases[i].id, CaseText(campaign, plan.cases[i]));
+    Show("  {}  {}\n", plan.cases[i].id, CaseText(campaign, plan.cases[i]));
   }
-  if (plan.cases.size() > kMaxShown) fmt::print("  ... {} more\n", plan.cases.size() - kMaxShown);
-  for (const SampledKey& key : campaign.samples) fmt::print("sampled: {}\n", key.key);
+  if (plan.cases.size() > kMaxShown) Show("  ... {} more\n", plan.cases.size() - kMaxShown);
+  for (const SampledKey& key : campaign.samples) Show("sampled: {}\n", key.key);
   for (const MetricName& metric : plan.metrics) {
-    fmt::print("metric {}{}: {}\n", metric.name,
-               metric.unit.empty() ? "" : " [" + metric.unit + "]", metric.text);
+    Show("metric {}{}: {}\n", metric.name, metric.unit.empty() ? "" : " [" + metric.unit + "]",
+         metric.text);
   }
   if (!prepared.made.bad_cases.empty()) {
-    fmt::print(stderr, "{}: {} of {} cases are wrong, see above: their trials would be errors\n",
-               options.file, prepared.made.bad_cases.size(), num_cases);
+    ShowError("{}: {} of {} cases are wrong, see above: their trials would be errors\n",
+              options.file, prepared.made.bad_cases.size(), num_cases);
     return kExitUsage;
   }
   std::fflush(stdout);
   CatchCampaignSignals();
   const CampaignFolder folder{.path = {}, .campaign = campaign, .plan = plan};
-  for (const std::string& each : prepared.made.programs) fmt::print("runs or opens {}\n", each);
+  for (const std::string& each : prepared.made.programs)
+    Show("runs or opens {}\n", TerminalLine(each));
   if (const std::string why = WhyNotTimed(folder); !why.empty()) {
-    fmt::print("not timed, since a check starts no process of a mission: {}\n", why);
+    Show("not timed, since a check starts no process of a mission: {}\n", why);
     return kExitOk;
   }
   const double trial_s = MeasureTrials(folder);
   const int jobs = JobsOf(options.num_jobs);
-  fmt::print("about {} with {} job{} ({:.3g} s for a trial, by the first ones)\n",
-             DurationText(trial_s * static_cast<double>(num_trials) / jobs), jobs,
-             jobs == 1 ? "" : "s", trial_s);
+  Show("about {} with {} job{} ({:.3g} s for a trial, by the first ones)\n",
+       DurationText(trial_s * static_cast<double>(num_trials) / jobs), jobs, jobs == 1 ? "" : "s",
+       trial_s);
   return kExitOk;
 }
 
@@ -139,17 +140,17 @@ int RunCampaignRun(const CampaignRunCommand& command) {
   PreparedCampaign prepared;
   if (const auto code = PrepareCampaign(command.file, &prepared)) return *code;
   if (!prepared.made.bad_cases.empty()) {
-    fmt::print(stderr, "{}: the trials of {} case(s) above will be errors\n", command.file,
-               prepared.made.bad_cases.size());
+    ShowError("{}: the trials of {} case(s) above will be errors\n", command.file,
+              prepared.made.bad_cases.size());
   }
   if (const std::string problem = MakeCampaignFolder(command.out); !problem.empty()) {
-    fmt::print(stderr, "shoal: {}\n", problem);
+    ShowError("shoal: {}\n", problem);
     return kExitEnvironment;
   }
   Result<CampaignFolder> folder =
       OpenCampaignFolder(command.out, prepared.loaded, prepared.made.plan);
   if (!folder.ok()) {
-    fmt::print(stderr, "shoal: {}\n", folder.error());
+    ShowError("shoal: {}\n", folder.error());
     return kExitUsage;
   }
   CatchCampaignSignals();
@@ -164,30 +165,29 @@ int RunCampaignRun(const CampaignRunCommand& command) {
       IsCampaignInterrupted);
   const double wall_s = Seconds(MonotonicMicroseconds() - begin_us);
   for (const std::string& text : run.differing) {
-    fmt::print(stderr, "shoal: not reproducible: {}\n", text);
+    ShowError("shoal: not reproducible: {}\n", text);
   }
   if (!run.problem.empty()) {
-    fmt::print(stderr, "shoal: {}\n", run.problem);
+    ShowError("shoal: {}\n", run.problem);
     return kExitEnvironment;
   }
   const Result<CampaignResults> results = ReduceCampaign(*folder);
   if (!results.ok()) {
-    fmt::print(stderr, "shoal: {}\n", results.error());
+    ShowError("shoal: {}\n", results.error());
     return kExitEnvironment;
   }
-  fmt::print("{} trials in {} ({:.3g} per s){}\n", run.num_run, DurationText(wall_s),
-             static_cast<double>(run.num_run) / std::max(wall_s, 1e-3),
-             run.num_recorded == 0
-                 ? ""
-                 : fmt::format("; {} recorded in {}/failures", run.num_recorded, command.out));
-  fmt::print("{}: {}\n", command.out, CountsText(*results));
+  Show("{} trials in {} ({:.3g} per s){}\n", run.num_run, DurationText(wall_s),
+       static_cast<double>(run.num_run) / std::max(wall_s, 1e-3),
+       run.num_recorded == 0
+           ? ""
+           : fmt::format("; {} recorded in {}/failures", run.num_recorded, command.out));
+  Show("{}: {}\n", command.out, CountsText(*results));
   PrintTroubles(*results);
   const bool is_complete = run.num_finished >= run.num_planned;
   if (!is_complete) {
-    fmt::print(stderr,
-               "shoal: {} of {} trials of shard {}/{} are missing; the same command goes on\n",
-               run.num_planned - run.num_finished, run.num_planned, options.shard.number,
-               options.shard.count);
+    ShowError("shoal: {} of {} trials of shard {}/{} are missing; the same command goes on\n",
+              run.num_planned - run.num_finished, run.num_planned, options.shard.number,
+              options.shard.count);
   }
   return is_complete && !HasTroubles(*results) && run.differing.empty() ? kExitOk
                                                                         : kExitMissionFailed;
@@ -196,54 +196,53 @@ int RunCampaignRun(const CampaignRunCommand& command) {
 int RunCampaignStatus(const std::string& dir) {
   const Result<CampaignFolder> folder = ReadCampaignFolder(dir);
   if (!folder.ok()) {
-    fmt::print(stderr, "shoal: {}\n", folder.error());
+    ShowError("shoal: {}\n", folder.error());
     return kExitUsage;
   }
   const Result<StoredTrials> stored = ReadShards(*folder);
   if (!stored.ok()) {
-    fmt::print(stderr, "shoal: {}\n", stored.error());
+    ShowError("shoal: {}\n", stored.error());
     return kExitEnvironment;
   }
   const TrialQueue queue(*folder, {}, *stored);
   const CampaignResults results = ResultsOf(*folder, *stored);
-  fmt::print("{}: {}, {} missing\n", dir, CountsText(results),
-             queue.num_planned() - queue.num_spared() - queue.num_finished());
+  Show("{}: {}, {} missing\n", dir, CountsText(results),
+       queue.num_planned() - queue.num_spared() - queue.num_finished());
   return kExitOk;
 }
 
 int RunCampaignReduce(const std::string& dir) {
   const Result<CampaignFolder> folder = ReadCampaignFolder(dir);
   if (!folder.ok()) {
-    fmt::print(stderr, "shoal: {}\n", folder.error());
+    ShowError("shoal: {}\n", folder.error());
     return kExitUsage;
   }
   const Result<CampaignResults> results = ReduceCampaign(*folder);
   if (!results.ok()) {
-    fmt::print(stderr, "shoal: {}\n", results.error());
+    ShowError("shoal: {}\n", results.error());
     return kExitEnvironment;
   }
-  fmt::print("{}: {}\n{}/results.csv\n{}/results.sqlite\n", dir, CountsText(*results), dir, dir);
+  Show("{}: {}\n{}/results.csv\n{}/results.sqlite\n", dir, CountsText(*results), dir, dir);
   return kExitOk;
 }
 
 int RunCampaignReplay(const CampaignReplayOptions& options) {
   const Result<CampaignFolder> folder = ReadCampaignFolder(options.dir);
   if (!folder.ok()) {
-    fmt::print(stderr, "shoal: {}\n", folder.error());
+    ShowError("shoal: {}\n", folder.error());
     return kExitUsage;
   }
   const Result<TrialKey> key = FindTrial(*folder, options.trial);
   if (!key.ok()) {
-    fmt::print(stderr, "shoal: {}: {}\n", options.dir, key.error());
+    ShowError("shoal: {}: {}\n", options.dir, key.error());
     return kExitUsage;
   }
   const std::string build = BuildId();
   if (folder->plan.build != build && !options.allow_build) {
-    fmt::print(
-        stderr,
+    ShowError(
         "shoal: {} was run with another build ({}; this one is {}): the trial may go another "
         "way; --allow-build runs it all the same\n",
-        options.dir, folder->plan.build, build);
+        options.dir, TerminalLine(folder->plan.build), build);
     return kExitUsage;
   }
   const MadePlan made = MakePlan(folder->campaign, folder->plan.build);
@@ -254,8 +253,8 @@ int RunCampaignReplay(const CampaignReplayOptions& options) {
                           cases.begin());
   if (number >= made.plan.cases.size() || made.plan.cases[number].id != key->case_id) {
     PrintErrors(made.errors);
-    fmt::print(stderr, "shoal: the mission {} is not what it was when {} was run\n",
-               folder->campaign.mission_file, options.dir);
+    ShowError("shoal: the mission {} is not what it was when {} was run\n",
+              TerminalLine(folder->campaign.mission_file), options.dir);
     return kExitUsage;
   }
   const std::vector<std::string> overrides =
@@ -267,15 +266,15 @@ int RunCampaignReplay(const CampaignReplayOptions& options) {
                                      : options.out;
   if (options.out.empty()) {
     if (const auto folder_of_trial = NewTrialFolder(record_dir); !folder_of_trial.ok()) {
-      fmt::print(stderr, "shoal: {}\n", folder_of_trial.error());
+      ShowError("shoal: {}\n", folder_of_trial.error());
       return kExitUsage;
     }
   } else {
     std::error_code error;
     std::filesystem::create_directories(std::filesystem::path(record_dir).parent_path(), error);
   }
-  fmt::print("{} {}, seed {}\n", TrialName(*key), CaseText(folder->campaign, cases[number]),
-             loaded.mission.seed);
+  Show("{} {}, seed {}\n", TrialName(*key), CaseText(folder->campaign, cases[number]),
+       loaded.mission.seed);
   std::fflush(stdout);
   ShowPrograms(ProgramsOf(loaded.mission));
   const RunOptions run{.mission_file = folder->campaign.mission_file,
@@ -287,7 +286,7 @@ int RunCampaignReplay(const CampaignReplayOptions& options) {
   int code = kExitOk;
   if (CanRunInOneProcess(loaded.mission).ok()) {
     if (const auto prepared = PrepareRecording(run, loaded.mission); !prepared.ok()) {
-      fmt::print(stderr, "shoal: {}\n", prepared.error());
+      ShowError("shoal: {}\n", prepared.error());
       return kExitEnvironment;
     }
     code = RunSim({.mission_file = run.mission_file,

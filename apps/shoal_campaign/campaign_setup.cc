@@ -16,6 +16,16 @@ namespace {
 
 std::atomic<bool> campaign_interrupted = false;
 
+/// No line of a reason looks like one of our own.
+std::string Indented(const std::string& text) {
+  std::string indented;
+  for (const char c : text) {
+    indented += c;
+    if (c == '\n') indented += "    ";
+  }
+  return indented;
+}
+
 int64_t CountOutcomes(const CampaignResults& results, TrialOutcome outcome) {
   return std::count_if(results.rows.begin(), results.rows.end(),
                        [outcome](const TrialRow& row) { return row.result.outcome == outcome; });
@@ -24,7 +34,7 @@ int64_t CountOutcomes(const CampaignResults& results, TrialOutcome outcome) {
 }  // namespace
 
 void PrintErrors(const std::vector<std::string>& errors) {
-  for (const std::string& error : errors) fmt::print(stderr, "{}\n", error);
+  for (const std::string& error : errors) ShowError("{}\n", error);
 }
 
 std::optional<int> PrepareCampaign(const std::string& file, PreparedCampaign* prepared) {
@@ -71,8 +81,9 @@ void PrintTroubles(const CampaignResults& results) {
         row.result.outcome == TrialOutcome::kError || row.result.outcome == TrialOutcome::kTimeout;
     if (!is_trouble || !shown.insert(row.result.why).second) continue;
     const CampaignCase& each = results.cases[row.case_number];
-    fmt::print(stderr, "{} {}: {}: {}\n", TrialName({each.id, row.repetition}),
-               CaseText(results.campaign, each), NameOf(row.result.outcome), row.result.why);
+    ShowError("{} {}: {}: {}\n", TrialName({each.id, row.repetition}),
+              CaseText(results.campaign, each), NameOf(row.result.outcome),
+              Indented(row.result.why));
     if (++num_shown == kMax) break;
   }
 }

@@ -2,15 +2,31 @@
 // results are stated.
 #pragma once
 
+#include <fmt/format.h>
+
+#include <cstdio>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "lib/base/text/terminal_text.h"
 #include "lib/tools/campaign/load_campaign.h"
 #include "lib/tools/campaign/plan.h"
 #include "lib/tools/campaign/results.h"
 
 namespace shoal {
+
+/// Prints as fmt::print does, for a terminal: names, values and reasons are of a folder or mission
+/// that may have come from elsewhere.
+template <class... Args>
+void Show(fmt::format_string<Args...> form, Args&&... args) {
+  fmt::print("{}", TerminalText(fmt::format(form, std::forward<Args>(args)...)));
+}
+template <class... Args>
+void ShowError(fmt::format_string<Args...> form, Args&&... args) {
+  fmt::print(stderr, "{}", TerminalText(fmt::format(form, std::forward<Args>(args)...)));
+}
 
 void PrintErrors(const std::vector<std::string>& errors);
 

@@ -95,7 +95,7 @@ class SlurmEngine : public ShardEngine {
                          ran.standard);
     }
     jobs_.push_back({.id = *id, .num_shards = num_shards_});
-    fmt::print("Slurm job {}: {} shards\n", *id, shards.size());
+    Show("Slurm job {}: {} shards\n", *id, shards.size());
     std::fflush(stdout);
     return AppendSlurmJob((folder_ / "jobs").string(), jobs_.back());
   }
@@ -122,7 +122,7 @@ class SlurmEngine : public ShardEngine {
   void Leave() override {
     std::vector<int64_t> ids;
     for (const SlurmJob& job : jobs_) ids.push_back(job.id);
-    fmt::print(
+    Show(
         "Slurm's jobs go on ({}). To follow them again: the same command. To cancel them: scancel "
         "{}\n",
         fmt::join(ids, ", "), fmt::join(ids, " "));
@@ -183,7 +183,7 @@ class ParallelEngine : public ShardEngine {
   std::string Note() const override { return "  GNU parallel"; }
 
   void Leave() override {
-    fmt::print("The trials under way finish. The same command goes on.\n");
+    Show("The trials under way finish. The same command goes on.\n");
     std::fflush(stdout);
     // The first TERM begins no other shard, the second is handed on to those that run.
     children_.Signal(kParallel, SIGTERM);
@@ -204,7 +204,7 @@ class ParallelEngine : public ShardEngine {
 };
 
 int FailWith(const std::string& why, int code = kExitEnvironment) {
-  fmt::print(stderr, "shoal: {}\n", why);
+  ShowError("shoal: {}\n", why);
   return code;
 }
 
@@ -288,16 +288,16 @@ class Follower {
     constexpr size_t kLines = 5;
     constexpr int kMaxShown = 3;
     const std::vector<int64_t> shards = ShardsOf(missing);
-    fmt::print(stderr, "shoal: {} submissions in a row added no trial; shards that lack some: {}\n",
-               kMaxIdleRounds, ArrayText(shards));
+    ShowError("shoal: {} submissions in a row added no trial; shards that lack some: {}\n",
+              kMaxIdleRounds, ArrayText(shards));
     int num_shown = 0;
     for (const int64_t shard : shards) {
       if (num_shown++ == kMaxShown) break;
       const std::string path = engine_->OutputPath(shard);
       const std::vector<std::string> lines = LastLines(path, kLines);
-      fmt::print(stderr, "{}: {}\n", path,
-                 lines.empty() ? "nothing was printed: is the folder on a file system of all nodes?"
-                               : fmt::format("{}", fmt::join(lines, "\n  ")));
+      ShowError("{}: {}\n", path,
+                lines.empty() ? "nothing was printed: is the folder on a file system of all nodes?"
+                              : fmt::format("{}", fmt::join(lines, "\n  ")));
     }
     return kExitMissionFailed;
   }
@@ -397,8 +397,8 @@ int RunCampaignSubmit(const CampaignSubmitOptions& options) {
   }
   if (!active.empty()) {
     num_shards = active.back().num_shards;
-    fmt::print("attached to Slurm job {} of {} shards, which is in the queue\n", active.back().id,
-               num_shards);
+    Show("attached to Slurm job {} of {} shards, which is in the queue\n", active.back().id,
+         num_shards);
     std::fflush(stdout);
   }
   if (active.empty()) {
@@ -420,7 +420,7 @@ int RunCampaignSubmit(const CampaignSubmitOptions& options) {
   if (const auto code = Follower(*folder, engine, num_shards, options.quiet).Follow()) return *code;
   const Result<CampaignResults> results = ReduceCampaign(*folder);
   if (!results.ok()) return FailWith(results.error());
-  fmt::print("{}: {}\n", options.out, CountsText(*results));
+  Show("{}: {}\n", options.out, CountsText(*results));
   PrintTroubles(*results);
   return HasTroubles(*results) ? kExitMissionFailed : kExitOk;
 }

@@ -217,4 +217,51 @@ TEST(CampaignFolders, OfACampaignThatRunsAreNotRunASecondTime) {
   EXPECT_TRUE(Holds(status, " missing")) << status.output;
 }
 
+/// A campaign of one trial whose folder holds what a terminal would execute.
+struct FolderOfOthers {
+  FolderOfOthers() {
+    WriteFile(folder / "m.toml",
+              "[mission]\nduration_s = 5\n[[vehicle]]\nname = \"alpha\"\n"
+              "[[vehicle.task]]\nkind = \"waypoints\"\npoints = [[100, 0]]\nspeed_mps = 1\n");
+    WriteFile(folder / "c.toml",
+              "[campaign]\nmission = \"m.toml\"\nrepetitions = 1\n[sweep]\n"
+              "\"mission.duration_s\" = [5]\n");
+    EXPECT_EQ(RunCampaignTo(folder, "c.toml", "out").exit_code, 0);
+  }
+  /// Replaces `old` by `text` in a file of the folder.
+  void Edit(const std::string& name, const std::string& old, const std::string& text) {
+    std::string content = ReadFile(folder / "out" / name);
+    const size_t at = content.find(old);
+    ASSERT_NE(at, std::string::npos) << content;
+    WriteFile(folder / "out" / name, content.replace(at, old.size(), text));
+  }
+  Finished Shoal(std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), "campaign");
+    return RunShoal(folder, std::move(arguments));
+  }
+  const TestFolder folder;
+  const std::string out = (folder / "out").string();
+};
+
+TEST(ResultsFolderOfOthers, HasItsTextsShownWithoutWhatATerminalExecutes) {
+  FolderOfOthers others;
+  const std::string evil = "\\u001b[2J\\u009b5m\\u202e\\nVerdict: PASS";
+  others.Edit("campaign.json", "\"values\": [\n    \"5\"", "\"values\": [\n    \"" + evil + "\"");
+  for (const std::string trial : {"zz", "1"}) {
+    const Finished finished = others.Shoal({"replay", others.out, trial});
+    EXPECT_EQ(finished.exit_code, 2) << finished.output;
+    EXPECT_EQ(finished.output.find_first_of("\x1b\xe2\xc2"), std::string::npos) << finished.output;
+    EXPECT_EQ(finished.output.find("\nVerdict"), std::string::npos) << finished.output;
+    EXPECT_NE(finished.output.find("[2J"), std::string::npos) << finished.output;
+  }
+  FolderOfOthers other;
+  other.Edit("campaign.json", "\"build\": \"", "\"build\": \"" + evil);
+  const std::string digits = ReadFile(other.folder / "out/campaign.json");
+  const size_t id = digits.find("\"id\": \"") + 7;
+  const Finished finished = other.Shoal({"replay", other.out, digits.substr(id, 6) + "-1"});
+  EXPECT_NE(finished.output.find("another build (?[2J"), std::string::npos) << finished.output;
+  EXPECT_EQ(finished.output.find_first_of("\x1b\xe2\xc2"), std::string::npos) << finished.output;
+  EXPECT_EQ(finished.output.find("\nVerdict"), std::string::npos) << finished.output;
+}
+
 }  // namespace shoal::campaign_outcomes_test

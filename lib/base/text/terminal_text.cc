@@ -12,8 +12,15 @@ bool Continues(std::string_view text, size_t at) {
   return at < text.size() && (static_cast<unsigned char>(text[at]) & 0xc0) == 0x80;
 }
 
-/// Returns how many bytes the UTF-8 character at the front has; 0: it is none, or a control
-/// character. Table 3-7 of the Unicode standard has the ranges of the second byte.
+/// True for U+2028 to U+202E and U+2066 to U+2069: they begin a line, or let a terminal show what
+/// follows from right to left, so that a text looks like another.
+bool IsOrderOrLine(std::string_view character) {
+  return (character >= "\xe2\x80\xa8" && character <= "\xe2\x80\xae") ||
+         (character >= "\xe2\x81\xa6" && character <= "\xe2\x81\xa9");
+}
+
+/// Returns how many bytes the UTF-8 character at the front has; 0: it is none, or is not
+/// shown. Table 3-7 of the Unicode standard has the ranges of the second byte.
 size_t PrintableLength(std::string_view text) {
   const auto first = static_cast<unsigned char>(text[0]);
   if (first < 0x80) return first >= ' ' && first != kDelete ? 1 : 0;
@@ -34,7 +41,7 @@ size_t PrintableLength(std::string_view text) {
   for (size_t at = 2; at < length; ++at) {
     if (!Continues(text, at)) return 0;
   }
-  return length;
+  return IsOrderOrLine(text.substr(0, length)) ? 0 : length;
 }
 
 }  // namespace

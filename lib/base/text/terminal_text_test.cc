@@ -18,6 +18,15 @@ TEST(TerminalText, LosesWhatATerminalExecutes) {
       << "C1, as a terminal of Latin-1 has it";
 }
 
+TEST(TerminalText, LosesWhatTurnsTheOrderOfCharactersOrEndsALine) {
+  for (const std::string last : {"\x80\xa8", "\x80\xaa", "\x80\xae", "\x81\xa6", "\x81\xa9"}) {
+    EXPECT_EQ(TerminalText("a\xe2" + last + "b"), "a???b");
+  }
+  for (const std::string last : {"\x80\xa7", "\x80\xaf", "\x81\xa5", "\x81\xaa"}) {
+    EXPECT_EQ(TerminalText("a\xe2" + last + "b"), "a\xe2" + last + "b");
+  }
+}
+
 TEST(TerminalText, KeepsCharactersOfAnyLanguage) {
   const std::string text = "F\xc3\xa4hre \xe6\xb5\xb7 \xf0\x9f\x90\x9f \xc2\xa0";
   EXPECT_EQ(TerminalText(text), text);

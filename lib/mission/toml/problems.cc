@@ -4,6 +4,7 @@
 
 #include <string_view>
 
+#include "lib/base/text/terminal_text.h"
 #include "lib/mission/toml/suggest.h"
 
 namespace shoal {
@@ -13,11 +14,8 @@ constexpr size_t kMaxShown = 100;
 
 /// Returns `text` for a line of a terminal: without control characters, at most 200 bytes.
 std::string OneLine(std::string_view text) {
-  std::string line(text.substr(0, 200));
-  for (char& c : line) {
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) c = '?';
-  }
-  return line;
+  constexpr size_t kLongest = 200;
+  return TerminalLine(text.substr(0, kLongest));
 }
 
 }  // namespace

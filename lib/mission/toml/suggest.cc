@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "lib/base/text/letters.h"
+#include "lib/base/text/terminal_text.h"
 
 namespace shoal {
 namespace {
@@ -76,14 +77,12 @@ std::string DidYouMean(std::string_view word, std::span<const std::string_view> 
 }
 
 std::string Quoted(std::string_view text) {
-  std::string quoted = "'";
-  for (size_t i = 0; i < text.size(); ++i) {
-    const bool starts_a_character = (static_cast<unsigned char>(text[i]) & 0xC0) != 0x80;
-    if (i >= kLongestQuoted && starts_a_character) return quoted + "...'";
-    const bool control = static_cast<unsigned char>(text[i]) < 0x20 || text[i] == 0x7F;
-    quoted += control ? '?' : text[i];
-  }
-  return quoted + "'";
+  size_t length = std::min(kLongestQuoted, text.size());
+  const auto continues = [&](size_t at) {
+    return (static_cast<unsigned char>(text[at]) & 0xC0) == 0x80;
+  };
+  while (length < text.size() && length < kLongestQuoted + 3 && continues(length)) ++length;
+  return "'" + TerminalLine(text.substr(0, length)) + (length < text.size() ? "...'" : "'");
 }
 
 std::string Joined(std::span<const std::string_view> words) {

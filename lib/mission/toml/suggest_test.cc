@@ -44,6 +44,10 @@ TEST(Suggest, FindsNothingForAnotherWord) {
 
 TEST(Quoted, ShortensAndDropsControlCharacters) {
   EXPECT_EQ(Quoted("a\x1b[31mb\n"), "'a?[31mb?'");
+  EXPECT_EQ(Quoted("a\xc2\x9b"
+                   "2J\xe2\x80\xae"),
+            "'a" + std::string(2, '?') + "2J" + std::string(3, '?') + "'")
+      << "C1 as UTF-8 has it, and a turn of direction";
   EXPECT_EQ(Quoted(std::string(1000, 'a')), "'" + std::string(60, 'a') + "...'");
 }
 

@@ -120,10 +120,10 @@ std::string CaseText(const Campaign& campaign, const CampaignCase& each) {
   std::string text;
   const std::vector<std::string> keys = SweepKeys(campaign);
   for (size_t i = 0; i < keys.size(); ++i) {
-    text += fmt::format("{}{}={}", text.empty() ? "" : ", ", keys[i], each.values[i]);
+    text += fmt::format("{}{}={}", text.empty() ? "" : ", ", keys[i], TerminalLine(each.values[i]));
   }
   if (!each.policy.empty()) {
-    text += fmt::format("{}policy={}", text.empty() ? "" : ", ", each.policy);
+    text += fmt::format("{}policy={}", text.empty() ? "" : ", ", TerminalLine(each.policy));
   }
   return text.empty() ? "all" : text;
 }

@@ -97,7 +97,7 @@ std::string WhyNotTheSame(const CampaignFolder& folder, const Campaign& campaign
     return fmt::format(
         "it holds results of another build of shoal ({}; this one is {}): results of "
         "two builds are not mixed",
-        folder.plan.build, plan.build);
+        TerminalLine(folder.plan.build), plan.build);
   }
   if (SweepKeys(folder.campaign) != SweepKeys(campaign)) {
     return "its campaign sweeps other keys";
