@@ -40,6 +40,7 @@ int RunGroup(GroupCommand command) {
   });
   if (group == groups.end()) {
     std::vector<std::string> names;
+    names.reserve(groups.size());
     for (const RosterProcess& each : groups) names.push_back(each.name);
     fmt::print(stderr, "shoal: no group '{}' in {} with --grouping {}; it has: {}\n", command.name,
                command.options.mission_file, command.grouping,

@@ -213,6 +213,7 @@ void MediaTraffic::Send(int64_t utime, Shipment shipment, const MediaChoice& cho
       num_surplus_ += num_sent - 1;
       continue;
     }
+    // One that was moved has been sent. NOLINTNEXTLINE(bugprone-use-after-move)
     leg.medium = faulty.value_or(LegMedium());
     if (leg.medium.radio.range_m >= 0) {
       leg.decision.range_m = leg.medium.radio.range_m;

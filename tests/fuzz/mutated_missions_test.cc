@@ -1,5 +1,5 @@
-// Mission, modem and campaign files, and lines of results, that were damaged: each is read, or
-// refused with its place. The same mutations in every run.
+// Mission, modem and campaign files, types, and lines of results, that were damaged: each is read,
+// or refused with its place. The same mutations in every run.
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "lib/base/schema/schema.h"
 #include "lib/mission/file/load.h"
 #include "lib/mission/file/load_modem.h"
 #include "lib/tools/campaign/load_campaign.h"
@@ -123,6 +124,17 @@ TEST(MutatedCampaigns, AreReadOrRefusedWithTheirPlace) {
   ExpectReadOrRefused({"campaigns/crossing_loiters.toml", "campaigns/lossy_swarm.toml"}, "c.toml",
                       [](const std::string& text, std::string*) {
                         return LoadCampaignText(text, "c.toml", "/nowhere").errors;
+                      });
+}
+
+TEST(MutatedTypes, AreReadOrRefusedWithTheirPlace) {
+  ExpectReadOrRefused({"lcmtypes/shoal_nav_t.lcm", "lcmtypes/shoal_comms_fates_t.lcm",
+                       "lcmtypes/shoal_node_report_t.lcm"},
+                      "t.lcm", [](const std::string& text, std::string*) {
+                        const Result<std::vector<StructType>> types =
+                            ParseLcm({.file = "t.lcm", .text = text});
+                        if (types.ok()) return std::vector<std::string>();
+                        return std::vector<std::string>{types.error()};
                       });
 }
 
