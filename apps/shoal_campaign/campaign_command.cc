@@ -259,7 +259,9 @@ int RunCampaignReplay(const CampaignReplayOptions& options) {
   }
   const std::vector<std::string> overrides =
       OverridesOf(folder->campaign, folder->plan, number, key->repetition);
-  const LoadedMission loaded = LoadMission(folder->campaign.mission_file, overrides);
+  // As MakePlan has read it: the file that the folder names may be a pipe by now.
+  const LoadedMission loaded =
+      LoadMissionText(made.plan.mission_text, folder->campaign.mission_file, overrides);
   if (!LoadedWithoutErrors(loaded)) return kExitUsage;
   const std::string record_dir = options.out.empty()
                                      ? fmt::format("{}/replays/{}", options.dir, TrialName(*key))

@@ -63,7 +63,7 @@ std::string ReasonOf(const ChildExit& exit) {
 }
 
 TrialResult RunInProcesses(const TrialInput& input, const std::string& scratch) {
-  const FileText file = ReadFile(input.mission.file);
+  const FileText file = ReadRegularFile(input.mission.file);
   if (file.text != input.plan.mission_text) {
     return ErrorBecause(fmt::format("{} has changed since the campaign began", input.mission.file));
   }

@@ -21,8 +21,8 @@ constexpr int kReconnect_ms = 200;
 /// Four messages; a way of a second would be too slow for any step.
 constexpr int kHandshake_ms = 3'000;
 /// What ZeroMQ holds of a connection that is read slowly: a link in step has one or two messages
-/// under way. Beyond these TCP holds the sender back. Each end that has taken half of them tells
-/// the other side of its pipe, which costs a wake-up.
+/// under way. Beyond these TCP holds the sender back. Each time that an end has taken half of them,
+/// the other side of its pipe wakes up.
 constexpr int kWaitingIn = 4;
 constexpr int kWaitingOut = 16;
 /// Frames of one message that are looked at: of a router's, the peer and the content.

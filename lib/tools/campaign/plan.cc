@@ -131,7 +131,7 @@ std::string CaseText(const Campaign& campaign, const CampaignCase& each) {
 MadePlan MakePlan(const Campaign& campaign, const std::string& build) {
   MadePlan made;
   Plan& plan = made.plan;
-  const FileText file = ReadFile(campaign.mission_file);
+  const FileText file = ReadRegularFile(campaign.mission_file);
   if (!file.problem.empty()) {
     made.errors.push_back(
         fmt::format("{}: its mission {}: {}", campaign.file, campaign.mission_file, file.problem));
