@@ -13,7 +13,6 @@
 
 #include "apps/shoal_campaign/campaign_setup.h"
 #include "lib/bus/os/plain_folder.h"
-#include "lib/bus/os/read_file.h"
 #include "lib/bus/os/run_program.h"
 #include "lib/bus/os/text_file.h"
 #include "lib/run/command_line/find_program.h"
@@ -314,8 +313,11 @@ class Follower {
 /// Returns jobs of the folder whose tasks are still in the queue.
 Result<std::vector<SlurmJob>> ActiveJobs(const fs::path& folder) {
   std::vector<SlurmJob> active;
-  const std::vector<SlurmJob> known =
-      ParseSlurmJobs(ReadRegularFile((folder / "jobs").string()).text);
+  const auto results = PlainFolder::Open(folder.parent_path().string());
+  if (!results.ok()) return active;
+  const auto slurm = results->Existing(folder.filename().string());
+  if (!slurm.ok()) return active;
+  const std::vector<SlurmJob> known = ParseSlurmJobs(slurm->ReadText("jobs").text);
   if (known.empty()) return active;
   const ProgramOutput ran = RunProgram({"squeue", "--noheader", "--array", "--me", "--states=all",
                                         fmt::format("--format={}", kSlurmTaskFormat)});

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <filesystem>
 #include <system_error>
@@ -14,11 +15,10 @@ namespace shoal {
 
 namespace {
 
-Error IsALink(const std::string& path) {
-  return Error{fmt::format(
-      "{}: is a link, which may lead to any file of yours: look where it leads, and remove it",
-      path)};
-}
+constexpr char kLinkProblem[] =
+    "is a link, which may lead to any file of yours: look where it leads, and remove it";
+
+Error IsALink(const std::string& path) { return Error{fmt::format("{}: {}", path, kLinkProblem)}; }
 
 }  // namespace
 
@@ -33,6 +33,11 @@ Result<PlainFolder> PlainFolder::Below(const std::string& name) const {
   if (mkdirat(fd_.get(), name.c_str(), 0777) != 0 && errno != EEXIST) {
     return Error{fmt::format("{}: cannot be made: {}", path, ErrnoText(errno))};
   }
+  return Existing(name);
+}
+
+Result<PlainFolder> PlainFolder::Existing(const std::string& name) const {
+  const std::string path = path_ + "/" + name;
   FileDescriptor fd(
       openat(fd_.get(), name.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
   if (fd.is_open()) return PlainFolder(std::move(fd), path);
@@ -65,6 +70,38 @@ Result<FileDescriptor> PlainFolder::OpenFile(const std::string& name, int flags)
         path)};
   }
   return file;
+}
+
+Result<FileDescriptor> PlainFolder::FileToRead(const std::string& name) const {
+  FileDescriptor file(
+      openat(fd_.get(), name.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
+  struct stat status {};
+  if (!file.is_open() && errno == ELOOP) return Error{kLinkProblem};
+  if (!file.is_open() || fstat(file.get(), &status) != 0) {
+    return Error{"cannot be read: " + ErrnoText(errno)};
+  }
+  if (!S_ISREG(status.st_mode)) return Error{"is not a regular file"};
+  return file;
+}
+
+FileText PlainFolder::ReadText(const std::string& name, size_t most_bytes) const {
+  const Result<FileDescriptor> file = FileToRead(name);
+  return file.ok() ? ReadOpenFile(file->get(), most_bytes) : FileText{"", file.error()};
+}
+
+bool PlainFolder::Has(const std::string& name) const {
+  struct stat status {};
+  return fstatat(fd_.get(), name.c_str(), &status, AT_SYMLINK_NOFOLLOW) == 0;
+}
+
+std::vector<std::string> PlainFolder::Names() const {
+  std::vector<std::string> names;
+  std::error_code error;
+  // By the open folder, whatever bears its path by now.
+  const std::filesystem::directory_iterator all(fmt::format("/proc/self/fd/{}", fd_.get()), error);
+  for (const auto& entry : all) names.push_back(entry.path().filename().string());
+  std::sort(names.begin(), names.end());
+  return names;
 }
 
 std::string PlainFolder::Remove(const std::string& name) const {

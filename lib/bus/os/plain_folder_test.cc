@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <stdlib.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <filesystem>
@@ -70,6 +71,25 @@ TEST_F(PlainFolders, OpenNoLinkToAFile) {
     EXPECT_NE(file.error().find("link"), std::string::npos) << file.error();
   }
   EXPECT_FALSE(fs::exists(folder_ / "mine/T/none"));
+}
+
+TEST_F(PlainFolders, ReadNoLinkAndNoPipe) {
+  fs::create_symlink(folder_ / "mine/T/file", folder_ / "theirs/soft");
+  fs::create_directory_symlink(folder_ / "mine", folder_ / "theirs/below");
+  ASSERT_EQ(mkfifo((folder_ / "theirs/pipe").c_str(), 0600), 0);
+  std::ofstream(folder_ / "theirs/file") << "theirs";
+  const auto folder = PlainFolder::Open((folder_ / "theirs").string());
+  EXPECT_NE(folder->ReadText("soft").problem.find("is a link"), std::string::npos);
+  EXPECT_EQ(folder->ReadText("soft").text, "");
+  EXPECT_EQ(folder->ReadText("pipe").problem, "is not a regular file");
+  EXPECT_EQ(folder->ReadText("file").text, "theirs");
+  EXPECT_NE(folder->ReadText("file", 5).problem, "");
+  EXPECT_NE(folder->Existing("below").error().find("is a link"), std::string::npos);
+  EXPECT_FALSE(folder->Existing("none").ok());
+  EXPECT_FALSE(fs::exists(folder_ / "theirs/none"));
+  EXPECT_EQ(folder->Names(), (std::vector<std::string>{"below", "file", "pipe", "soft"}));
+  EXPECT_TRUE(folder->Has("soft"));
+  EXPECT_FALSE(folder->Has("none"));
 }
 
 TEST_F(PlainFolders, AreWhatTheUserNamesEvenThroughALink) {

@@ -164,8 +164,8 @@ int64_t StoredTrials::size() const {
 
 Result<CampaignFolder> ReadCampaignFolder(const std::string& path) {
   const std::filesystem::path folder_path(path);
-  std::error_code ignored;
-  if (!std::filesystem::exists(folder_path / kFacts, ignored)) {
+  const auto plain = PlainFolder::Open(path);
+  if (!plain.ok() || !plain->Has(kFacts)) {
     return Error{
         fmt::format("{}: is no campaign's folder: it holds no {}; `shoal campaign run FILE "
                     "--out {}` makes one",
@@ -173,13 +173,13 @@ Result<CampaignFolder> ReadCampaignFolder(const std::string& path) {
   }
   CampaignFolder folder;
   folder.path = path;
-  const FileText text = ReadRegularFile((folder_path / kCampaign).string());
+  const FileText text = plain->ReadText(kCampaign);
   if (!text.problem.empty()) return Error{fmt::format("{}/{}: {}", path, kCampaign, text.problem)};
   LoadedCampaign loaded =
       LoadCampaignText(text.text, (folder_path / kCampaign).string(), folder_path.string());
   if (!loaded.errors.empty()) return Error{fmt::format("{}", fmt::join(loaded.errors, "\n"))};
   folder.campaign = std::move(loaded.campaign);
-  const FileText facts = ReadRegularFile((folder_path / kFacts).string());
+  const FileText facts = plain->ReadText(kFacts);
   std::string problem = facts.problem;
   if (problem.empty()) problem = WhyNotWithin(facts.text, kFactBounds);
   if (problem.empty()) {
@@ -226,7 +226,7 @@ Result<CampaignFolder> OpenCampaignFolder(const std::string& path, const LoadedC
   if (flock(lock->get(), LOCK_EX) != 0) {
     return Error{fmt::format("{}/lock: cannot be locked: {}", path, ErrnoText(errno))};
   }
-  if (std::filesystem::exists(folder_path / kFacts, error)) {
+  if (plain->Has(kFacts)) {
     Result<CampaignFolder> there = ReadCampaignFolder(path);
     if (!there.ok()) return there;
     const std::string why = WhyNotTheSame(*there, loaded.campaign, plan);
@@ -246,7 +246,7 @@ Result<CampaignFolder> OpenCampaignFolder(const std::string& path, const LoadedC
                                                               {kFacts, &facts}};
   for (const auto& [name, text] : files) {
     const std::string file = (folder_path / name).string();
-    if (ReadRegularFile(file).text == *text) continue;
+    if (plain->ReadText(name).text == *text) continue;
     if (std::string problem = ReplaceFile(file, *text); !problem.empty()) return Error{problem};
   }
   return CampaignFolder{.path = path, .campaign = loaded.campaign, .plan = plan};
@@ -273,20 +273,18 @@ Result<StoredTrials> ReadShards(const CampaignFolder& folder) {
   stored.by_case.resize(cases.size());
   std::map<std::string, size_t, std::less<>> numbers;
   for (size_t i = 0; i < cases.size(); ++i) numbers[cases[i].id] = i;
-  std::vector<std::filesystem::path> files;
-  std::error_code error;
-  for (const auto& entry :
-       std::filesystem::directory_iterator(std::filesystem::path(folder.path) / "shards", error)) {
-    if (entry.path().extension() == ".jsonl") files.push_back(entry.path());
-  }
-  if (error) return Error{fmt::format("{}/shards: {}", folder.path, error.message())};
-  std::sort(files.begin(), files.end());
-  for (const std::filesystem::path& file : files) {
-    if (!std::filesystem::is_regular_file(file, error)) {
-      return Error{fmt::format("{}: is not a regular file", file.string())};
-    }
-    std::ifstream in(file, std::ios::binary);
-    if (!in) return Error{fmt::format("{}: cannot be read", file.string())};
+  const auto plain = PlainFolder::Open(folder.path);
+  if (!plain.ok()) return Error{plain.error()};
+  const auto shards = plain->Existing("shards");
+  if (!shards.ok()) return Error{shards.error()};
+  for (const std::string& name : shards->Names()) {
+    if (!name.ends_with(".jsonl")) continue;
+    const std::string file = fmt::format("{}/{}", shards->path(), TerminalLine(name));
+    const Result<FileDescriptor> open = shards->FileToRead(name);
+    if (!open.ok()) return Error{fmt::format("{}: {}", file, open.error())};
+    // The file that is open, whatever bears its name by now.
+    std::ifstream in(fmt::format("/proc/self/fd/{}", open->get()), std::ios::binary);
+    if (!in) return Error{fmt::format("{}: cannot be read", file)};
     std::string line;
     line.resize(kLongestTrialLine_bytes + 2);
     while (in.getline(line.data(), static_cast<std::streamsize>(line.size())) || in.gcount() > 0) {
@@ -310,7 +308,7 @@ Result<StoredTrials> ReadShards(const CampaignFolder& folder) {
       }
       AddTrial(*std::move(trial), &stored.by_case[number->second], &stored.differing);
     }
-    if (in.bad()) return Error{fmt::format("{}: cannot be read to its end", file.string())};
+    if (in.bad()) return Error{fmt::format("{}: cannot be read to its end", file)};
   }
   return stored;
 }

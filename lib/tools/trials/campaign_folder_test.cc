@@ -1,6 +1,7 @@
 #include "lib/tools/trials/campaign_folder.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <filesystem>
 #include <fstream>
@@ -110,6 +111,42 @@ TEST_F(LinkedCampaignFolder, HasNoShardOrLockWrittenThroughALink) {
   EXPECT_NE(MakeCampaignFolder(tmp_ / "out").find("shards: is a link"), std::string::npos);
   EXPECT_FALSE(ShardFile::Open(tmp_ / "out/shards/1-of-1.jsonl").ok());
   ExpectMineIsAsItWas();
+}
+
+/// Each file is sound where the link leads, so that following it would go unseen.
+TEST_F(LinkedCampaignFolder, HasNothingReadThroughALink) {
+  const auto folder = Open(CampaignText(10));
+  ASSERT_TRUE(folder.ok());
+  Append(*folder, 0, 1, {.outcome = TrialOutcome::kPass, .why = {}, .metrics = {}}, "1-of-2");
+  ASSERT_TRUE(ReadShards(*folder).ok());
+  std::filesystem::copy(tmp_ / "out", tmp_ / "whole", std::filesystem::copy_options::recursive);
+  for (const std::string name : {"shards/1-of-2.jsonl", "shards"}) {
+    Link(name, "whole/" + name);
+    const auto read = ReadShards(*folder);
+    ASSERT_FALSE(read.ok()) << name;
+    EXPECT_NE(read.error().find(name + ": is a link"), std::string::npos) << read.error();
+    std::filesystem::remove(tmp_ / ("out/" + name));
+    std::filesystem::copy(tmp_ / ("whole/" + name), tmp_ / ("out/" + name),
+                          std::filesystem::copy_options::recursive);
+  }
+  for (const std::string name : {"campaign.toml", "campaign.json"}) {
+    Link(name, "whole/" + name);
+    const auto read = ReadCampaignFolder(tmp_ / "out");
+    ASSERT_FALSE(read.ok()) << name;
+    EXPECT_NE(read.error().find(name + ": is a link"), std::string::npos) << read.error();
+    std::filesystem::remove(tmp_ / ("out/" + name));
+    std::filesystem::copy(tmp_ / ("whole/" + name), tmp_ / ("out/" + name));
+    EXPECT_TRUE(ReadCampaignFolder(tmp_ / "out").ok());
+  }
+}
+
+TEST_F(CampaignFolderTest, DoesNotWaitForAMissionThatIsAPipe) {
+  std::filesystem::remove(tmp_ / "m.toml");
+  ASSERT_EQ(mkfifo(std::string(tmp_ / "m.toml").c_str(), 0600), 0);
+  const MadePlan made = MakePlan(Load(CampaignText(10)).campaign, kBuild);
+  ASSERT_EQ(made.errors.size(), 1U);
+  EXPECT_NE(made.errors[0].find("m.toml: is not a regular file"), std::string::npos)
+      << made.errors[0];
 }
 
 TEST_F(LinkedCampaignFolder, HasNoJobAppendedThroughALink) {

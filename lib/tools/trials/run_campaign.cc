@@ -135,6 +135,17 @@ class CampaignRunner {
     return fmt::format("{}/failures/{}", folder_.path, TrialName(KeyOf(job)));
   }
 
+  /// True where the trial has been recorded in the folder itself; what a link leads to does not
+  /// count.
+  bool HasFailure(const TrialJob& job) const {
+    const auto folder = PlainFolder::Open(folder_.path);
+    if (!folder.ok()) return false;
+    const auto failures = folder->Existing("failures");
+    if (!failures.ok()) return false;
+    const auto trial = failures->Existing(TrialName(KeyOf(job)));
+    return trial.ok() && trial->FileToRead("why.txt").ok();
+  }
+
   /// Runs trials that did not pass once more, with a recording: its log is what it would have been.
   void RecordFailures(WorkerPool* pool) {
     if (options_.keep.most <= 0) return;
@@ -155,10 +166,7 @@ class CampaignRunner {
     if (static_cast<int64_t>(wanted.size()) > options_.keep.most) {
       wanted.resize(static_cast<size_t>(options_.keep.most));
     }
-    std::erase_if(wanted, [this](const auto& each) {
-      std::error_code ignored;
-      return std::filesystem::exists(FailurePath(each.first) + "/why.txt", ignored);
-    });
+    std::erase_if(wanted, [this](const auto& each) { return HasFailure(each.first); });
     if (wanted.empty()) return;
     if (const auto folder = PlainFolder::Open(folder_.path); folder.ok()) {
       if (const auto below = folder->Below("failures"); !below.ok()) {
