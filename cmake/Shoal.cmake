@@ -70,15 +70,19 @@ add_library(shoal_zstd INTERFACE)
 target_include_directories(shoal_zstd SYSTEM INTERFACE ${ZSTD_INCLUDE_DIR})
 target_link_libraries(shoal_zstd INTERFACE ${ZSTD_LIBRARY})
 
-set(SHOAL_PURE_EXTERNALS Eigen3::Eigen shoal_geographiclib shoal_random123)
+set(SHOAL_PURE_EXTERNALS Eigen3::Eigen shoal_geographiclib shoal_musl shoal_random123)
 
 # Flags of our own targets; generated code and tests' frameworks come in as SYSTEM includes.
 add_library(shoal_flags INTERFACE)
 target_compile_options(shoal_flags INTERFACE
-  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror -ffp-contract=off
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror
+  # The same bits on every processor: nothing fused, and char as on x86.
+  -ffp-contract=off -fsigned-char
   # g++ 12 warns of overlapping copies inside std::string operator+ where there are none (GCC bug
   # 105651).
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)
+# Eigen's vectors add in another order on each processor, and fuse where that can.
+target_compile_definitions(shoal_flags INTERFACE EIGEN_DONT_VECTORIZE)
 target_include_directories(shoal_flags INTERFACE ${CMAKE_SOURCE_DIR})
 # g++ collects its garbage less often: 200 MB more for the largest sources, a twelfth less time.
 if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)

@@ -192,7 +192,7 @@ class Oracle {
     const double x = b.x() - a.x();
     const double y = b.y() - a.y();
     const double z = b.z() - a.z();
-    return std::sqrt(x * x + y * y + z * z);
+    return std::sqrt(x * x + (y * y + z * z));  // In the order of Eigen's norm().
   }
 
   bool IsLost(const Fate& fate) const {
