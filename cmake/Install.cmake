@@ -85,6 +85,8 @@ install(FILES ${archive} DESTINATION lib)
 install(TARGETS shoal_lcmtypes_c ARCHIVE DESTINATION lib)
 shoal_public_headers(public_headers
   sim/shoal_sim.h sim/simulation.h sim/director_app.h lib/mission/model/mission.h lib/mission/file/load.h)
+# Included by these.
+install(DIRECTORY vendor/geographiclib/include/GeographicLib DESTINATION include/shoal)
 foreach(header IN LISTS public_headers)
   get_filename_component(folder ${header} DIRECTORY)
   install(FILES ${header} DESTINATION include/shoal/${folder})

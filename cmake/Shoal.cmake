@@ -36,12 +36,6 @@ if(SHOAL_TESTS)
   include(GoogleTest)
 endif()
 
-find_path(GEOGRAPHICLIB_INCLUDE_DIR GeographicLib/LocalCartesian.hpp REQUIRED)
-find_library(GEOGRAPHICLIB_LIBRARY NAMES GeographicLib Geographic REQUIRED)
-add_library(shoal_geographiclib INTERFACE)
-target_include_directories(shoal_geographiclib SYSTEM INTERFACE ${GEOGRAPHICLIB_INCLUDE_DIR})
-target_link_libraries(shoal_geographiclib INTERFACE ${GEOGRAPHICLIB_LIBRARY})
-
 find_path(RANDOM123_INCLUDE_DIR Random123/philox.h REQUIRED)
 add_library(shoal_random123 INTERFACE)
 target_include_directories(shoal_random123 SYSTEM INTERFACE ${RANDOM123_INCLUDE_DIR})
