@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "lib/base/arithmetic/elementary.h"
 #include "lib/base/geometry/angles.h"
 #include "lib/base/time/seconds.h"
 #include "lib/run/run/status_page.h"
@@ -64,7 +65,7 @@ void ArbiterInputs::OnSonar(const sonar_t& ping, const nav_t& own, int64_t utime
   }
   if (nearest == nullptr) return;
   const double bearing_rad = DegToRad(own.heading_deg + nearest->azimuth_deg);
-  const double distance_m = nearest->range_m * std::cos(DegToRad(nearest->elevation_deg));
+  const double distance_m = nearest->range_m * Cos(DegToRad(nearest->elevation_deg));
   Take({.name = "sonar",
         .type = "echo",
         .motion = {.position_m = Eigen::Vector2d(own.x_m, own.y_m) +

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "lib/base/arithmetic/elementary.h"
 #include "lib/base/geometry/angles.h"
 #include "lib/vehicle/vehicle/attitude.h"
 
@@ -14,11 +15,10 @@ std::vector<SonarEcho> EchoesOf(const sonar_t& ping, const nav_t& own) {
   const Eigen::Matrix3d rotation = BodyToWorld(-DegToRad(own.roll_deg), DegToRad(own.pitch_deg),
                                                PsiFromHeading(DegToRad(own.heading_deg)));
   for (const sonar_beam_t& beam : ping.beams) {
-    const double azimuth_rad = -DegToRad(beam.azimuth_deg);
-    const double elevation_rad = DegToRad(beam.elevation_deg);
-    const Eigen::Vector3d in_body(std::cos(azimuth_rad) * std::cos(elevation_rad),
-                                  std::sin(azimuth_rad) * std::cos(elevation_rad),
-                                  -std::sin(elevation_rad));
+    const auto azimuth = SinCos(-DegToRad(beam.azimuth_deg));
+    const auto elevation = SinCos(DegToRad(beam.elevation_deg));
+    const Eigen::Vector3d in_body(azimuth.cosine * elevation.cosine,
+                                  azimuth.sine * elevation.cosine, -elevation.sine);
     const bool is_echo = beam.range_m >= 0 && std::isfinite(beam.range_m);
     if (!is_echo || !in_body.allFinite()) continue;
     echoes.push_back({.direction = rotation * in_body, .range_m = beam.range_m});

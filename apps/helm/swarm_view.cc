@@ -1,10 +1,10 @@
 #include "apps/helm/swarm_view.h"
 
 #include <algorithm>
-#include <cmath>
 #include <set>
 
 #include "apps/helm/sonar_echoes.h"
+#include "lib/base/arithmetic/elementary.h"
 #include "lib/base/geometry/angles.h"
 #include "lib/base/time/seconds.h"
 #include "lib/vehicle/guidance/motion_prediction.h"
@@ -52,8 +52,7 @@ double SecondsSince(int64_t earlier_utime, int64_t utime) {
 Eigen::Vector3d CurrentOf(const nav_t& nav, const Eigen::Vector3d& over_ground_mps) {
   const double pitch_rad = DegToRad(nav.pitch_deg);
   const double heading_rad = DegToRad(nav.heading_deg);
-  const double ahead_mps =
-      nav.surge_mps * std::cos(pitch_rad) + nav.heave_mps * std::sin(pitch_rad);
+  const double ahead_mps = nav.surge_mps * Cos(pitch_rad) + nav.heave_mps * Sin(pitch_rad);
   const Eigen::Vector2d through_water_mps =
       ahead_mps * UnitVector(heading_rad) + nav.sway_mps * UnitVector(heading_rad + kPi / 2);
   const Eigen::Vector2d current_mps = over_ground_mps.head<2>() - through_water_mps;

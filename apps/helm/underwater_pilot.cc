@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <optional>
 #include <utility>
 
+#include "lib/base/arithmetic/elementary.h"
 #include "lib/base/check/check.h"
 #include "lib/base/geometry/angles.h"
 #include "lib/vehicle/control/named_pilots.h"
@@ -80,7 +80,7 @@ AuvMotion MotionOf(const nav_t& nav) {
 /// commands a pitch.
 double DepthAhead(const Guidance& guidance, const nav_t& nav) {
   constexpr double kDepthAhead_s = 10;
-  const double descent_mps = -guidance.speed_mps * std::sin(*guidance.pitch_rad);
+  const double descent_mps = -guidance.speed_mps * Sin(*guidance.pitch_rad);
   return std::max(0.0, nav.z_m + kDepthAhead_s * descent_mps);
 }
 
@@ -105,7 +105,7 @@ double UnderwaterPilot::ClimbAt(double speed_mps) const {
   constexpr double kShare = 0.8;
   const double held_rad =
       std::min(pilot_.params().depth.max_pitch_rad, SteepestPitch(auv_, speed_mps));
-  return std::max(0.0, speed_mps) * std::sin(kShare * held_rad);
+  return std::max(0.0, speed_mps) * Sin(kShare * held_rad);
 }
 
 double UnderwaterPilot::RpmOf(const Guidance& guidance) const {

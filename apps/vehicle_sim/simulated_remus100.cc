@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lib/base/arithmetic/elementary.h"
 #include "lib/base/geometry/angles.h"
 
 namespace shoal {
@@ -32,7 +33,7 @@ void SimulatedRemus100::Reset(const StartPose& pose, const Water& water) {
   state_.nu.head<3>() = CurrentInBody(auv_, state_.eta, EnvironmentOf(water).current_mps) +
                         Eigen::Vector3d(pose.speed_mps, 0, 0);
   const Eigen::Vector2d through_water =
-      pose.speed_mps * Eigen::Vector2d(std::cos(psi_rad), std::sin(psi_rad));
+      pose.speed_mps * Eigen::Vector2d(Cos(psi_rad), Sin(psi_rad));
   state_.velocity_mps.head<2>() = through_water + water.velocity_mps;
 }
 

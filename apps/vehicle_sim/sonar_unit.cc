@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lib/base/arithmetic/elementary.h"
 #include "lib/base/check/check.h"
 #include "lib/base/geometry/angles.h"
 
@@ -59,8 +60,8 @@ std::optional<sonar_t> SonarUnit::Ping(const nav_t& nav, const SonarScene& scene
     const size_t i = (num_azimuths - 1 - k / num_elevations) * num_elevations + k % num_elevations;
     const Eigen::Vector3d& ahead = level_[i].direction;
     sonar_beam_t beam{};
-    beam.azimuth_deg = -RadToDeg(std::atan2(ahead.y(), ahead.x()));
-    beam.elevation_deg = RadToDeg(std::asin(std::clamp(-ahead.z(), -1.0, 1.0)));
+    beam.azimuth_deg = -RadToDeg(Atan2(ahead.y(), ahead.x()));
+    beam.elevation_deg = RadToDeg(Asin(std::clamp(-ahead.z(), -1.0, 1.0)));
     beam.range_m = beams_[i].is_echo ? beams_[i].range_m : -1;
     ping.beams.push_back(beam);
   }

@@ -4,6 +4,7 @@
 #include <limits>
 #include <vector>
 
+#include "lib/base/arithmetic/elementary.h"
 #include "lib/base/check/check.h"
 #include "lib/base/geometry/angles.h"
 
@@ -57,12 +58,12 @@ Eigen::Vector2d LocalFrame::TurnToPlane(const Eigen::Vector2d& along, const GeoP
   // whose entries are products of the unit vectors East and North at either point. On the origin's
   // meridian it is exactly none.
   const double meridians_rad = DegToRad(std::remainder(point.lon_deg - origin_.lon_deg, 360));
-  const double sin_lat = std::sin(DegToRad(point.lat_deg));
-  const double sin_origin = std::sin(DegToRad(origin_.lat_deg));
-  const double turn_sin = (sin_lat + sin_origin) * std::sin(meridians_rad);
-  const double turn_cos = (1 + sin_lat * sin_origin) * std::cos(meridians_rad) +
-                          std::cos(DegToRad(point.lat_deg)) * std::cos(DegToRad(origin_.lat_deg));
-  const double length = std::hypot(turn_sin, turn_cos);
+  const double sin_lat = Sin(DegToRad(point.lat_deg));
+  const double sin_origin = Sin(DegToRad(origin_.lat_deg));
+  const double turn_sin = (sin_lat + sin_origin) * Sin(meridians_rad);
+  const double turn_cos = (1 + sin_lat * sin_origin) * Cos(meridians_rad) +
+                          Cos(DegToRad(point.lat_deg)) * Cos(DegToRad(origin_.lat_deg));
+  const double length = Hypot(turn_sin, turn_cos);
   const double c = turn_cos / length;
   const double s = turn_sin / length;
   return {along.x() * c - along.y() * s, along.x() * s + along.y() * c};

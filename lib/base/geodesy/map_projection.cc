@@ -6,6 +6,8 @@
 #include <numbers>
 #include <utility>
 
+#include "lib/base/arithmetic/elementary.h"
+
 namespace shoal {
 
 namespace {
@@ -18,13 +20,11 @@ GeoPoint AboutPole(const GeoPoint& point, const GeoPoint& pole) {
   const double lat = point.lat_deg * kRadian;
   const double lon = (point.lon_deg - pole.lon_deg) * kRadian;
   const double pole_lat = pole.lat_deg * kRadian;
-  const double height =
-      std::sin(lat) * std::sin(pole_lat) + std::cos(lat) * std::cos(pole_lat) * std::cos(lon);
-  const double east = -std::cos(lat) * std::sin(lon);
-  const double toward =
-      std::sin(lat) * std::cos(pole_lat) - std::cos(lat) * std::sin(pole_lat) * std::cos(lon);
-  return {.lat_deg = std::atan2(height, std::hypot(east, toward)) / kRadian,
-          .lon_deg = std::atan2(east, toward) / kRadian};
+  const double height = Sin(lat) * Sin(pole_lat) + Cos(lat) * Cos(pole_lat) * Cos(lon);
+  const double east = -Cos(lat) * Sin(lon);
+  const double toward = Sin(lat) * Cos(pole_lat) - Cos(lat) * Sin(pole_lat) * Cos(lon);
+  return {.lat_deg = Atan2(height, Hypot(east, toward)) / kRadian,
+          .lon_deg = Atan2(east, toward) / kRadian};
 }
 
 bool IsProjection(const MapProjectionParams& params) {
@@ -133,9 +133,8 @@ MapProjection::Place MapProjection::ReverseOf(const Eigen::Vector2d& place) cons
     const double lat = point.lat_deg * kRadian;
     const double pole_lat = params_.origin_lat_deg * kRadian;
     const double east = (params_.central_lon_deg - point.lon_deg) * kRadian;
-    found.bearing_deg = std::atan2(std::sin(east) * std::cos(pole_lat),
-                                   std::cos(lat) * std::sin(pole_lat) -
-                                       std::sin(lat) * std::cos(pole_lat) * std::cos(east)) /
+    found.bearing_deg = Atan2(Sin(east) * Cos(pole_lat),
+                              Cos(lat) * Sin(pole_lat) - Sin(lat) * Cos(pole_lat) * Cos(east)) /
                         kRadian;
   }
   return found;
@@ -150,8 +149,7 @@ double MapProjection::NorthBearing_rad(const Eigen::Vector2d& place) const {
 }
 
 Eigen::Vector2d ToEastNorth(const Eigen::Vector2d& along, double north_bearing_rad) {
-  const double sine = std::sin(north_bearing_rad);
-  const double cosine = std::cos(north_bearing_rad);
+  const auto [sine, cosine] = SinCos(north_bearing_rad);
   return {cosine * along.x() + sine * along.y(), cosine * along.y() - sine * along.x()};
 }
 

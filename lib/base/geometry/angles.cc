@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "lib/base/arithmetic/elementary.h"
+
 namespace shoal {
 
 namespace {
@@ -28,12 +30,13 @@ double Wrap360(double angle_deg) { return WrapPositive(angle_deg, 360); }
 double Wrap180(double angle_deg) { return WrapSymmetric(angle_deg, 360); }
 
 Eigen::Vector2d UnitVector(double heading_rad) {
-  return {std::sin(heading_rad), std::cos(heading_rad)};
+  const auto [sine, cosine] = SinCos(heading_rad);
+  return {sine, cosine};
 }
 
 double HeadingOf(const Eigen::Vector2d& vector) {
   if (vector.x() == 0 && vector.y() == 0) return 0;
-  return WrapTwoPi(std::atan2(vector.x(), vector.y()));
+  return WrapTwoPi(Atan2(vector.x(), vector.y()));
 }
 
 double PsiFromHeading(double heading_rad) { return WrapPi(kPi / 2 - heading_rad); }

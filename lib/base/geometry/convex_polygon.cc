@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <limits>
 
+#include "lib/base/arithmetic/elementary.h"
 #include "lib/base/geometry/angles.h"
 
 namespace shoal {
@@ -50,7 +51,7 @@ bool IsConvex(const Polygon& polygon_m) {
   for (size_t i = 0; i < polygon_m.size(); ++i) {
     const Eigen::Vector2d in = Corner(polygon_m, i + 1) - polygon_m[i];
     const Eigen::Vector2d out = Corner(polygon_m, i + 2) - Corner(polygon_m, i + 1);
-    const double turn_rad = std::atan2(side * Cross(in, out), in.dot(out));
+    const double turn_rad = Atan2(side * Cross(in, out), in.dot(out));
     if (!(turn_rad > -1e-9) || in.norm() == 0) return false;
     turned_rad += turn_rad;
   }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "lib/base/arithmetic/elementary.h"
 #include "lib/base/check/check.h"
 
 namespace shoal {
@@ -20,17 +21,17 @@ constexpr double kLargeMean = 10;
 double LogFactorial(double k) {
   static constexpr std::array<double, 10> kFactorials = {1,   1,   2,    6,     24,
                                                          120, 720, 5040, 40320, 362880};
-  if (k < 10) return std::log(kFactorials[static_cast<size_t>(k)]);
+  if (k < 10) return Log(kFactorials[static_cast<size_t>(k)]);
   // Stirling's series for k >= 10: the next term is below 6e-11.
   const double n = k + 1;
   const double inverse_square = 1 / (n * n);
   const double correction = (1.0 / 12 - (1.0 / 360 - inverse_square / 1260) * inverse_square) / n;
-  return (k + 0.5) * std::log(n) - n + 0.5 * std::log(2 * std::numbers::pi) + correction;
+  return (k + 0.5) * Log(n) - n + 0.5 * Log(2 * std::numbers::pi) + correction;
 }
 
 int64_t BinomialByInversion(Stream& stream, int64_t trials, double probability) {
   const double odds = probability / (1 - probability);
-  const double none = std::exp(static_cast<double>(trials) * std::log1p(-probability));  // > e^-20.
+  const double none = Exp(static_cast<double>(trials) * Log1p(-probability));  // > e^-20.
   for (;;) {
     double remaining = stream.Uniform();
     double mass = none;
@@ -50,7 +51,7 @@ int64_t BinomialByRejection(Stream& stream, double trials, double probability) {
   const double c = trials * probability + 0.5;
   const double alpha = (2.83 + 5.1 / b) * deviation;
   const double squeeze = 0.92 - 4.2 / b;
-  const double log_odds = std::log(probability / (1 - probability));
+  const double log_odds = Log(probability / (1 - probability));
   const double mode = std::floor((trials + 1) * probability);
   const double log_mode = LogFactorial(mode) + LogFactorial(trials - mode);
   for (;;) {
@@ -62,7 +63,7 @@ int64_t BinomialByRejection(Stream& stream, double trials, double probability) {
     if (us >= 0.07 && v <= squeeze) return static_cast<int64_t>(k);
     const double accept =
         log_mode - LogFactorial(k) - LogFactorial(trials - k) + (k - mode) * log_odds;
-    if (std::log(v * alpha / (a / (us * us) + b)) <= accept) return static_cast<int64_t>(k);
+    if (Log(v * alpha / (a / (us * us) + b)) <= accept) return static_cast<int64_t>(k);
   }
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "lib/base/arithmetic/elementary.h"
 #include "lib/base/check/check.h"
 
 namespace shoal {
@@ -87,8 +88,8 @@ uint64_t Stream::UniformInt(uint64_t count) {
 
 // Box and Muller (1958), one branch: every draw takes two uniforms, whatever came before.
 double Stream::Normal() {
-  const double radius = std::sqrt(-2 * std::log(1 - Uniform()));
-  return radius * std::cos(2 * std::numbers::pi * Uniform());
+  const double radius = std::sqrt(-2 * Log(1 - Uniform()));
+  return radius * Cos(2 * std::numbers::pi * Uniform());
 }
 
 }  // namespace shoal

@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "lib/base/arithmetic/elementary.h"
 #include "lib/base/check/check.h"
 #include "lib/base/statistics/distributions.h"
 
@@ -68,7 +69,7 @@ Undecided Continue(const Undecided& before, double fraction, double bound, doubl
     double density = 0;
     for (const Node& node : before.nodes) {
       const double z = (value - node.value) / deviation;
-      density += node.weight * std::exp(-z * z / 2);
+      density += node.weight * Exp(-z * z / 2);
     }
     density /= deviation * std::sqrt(2 * std::numbers::pi);
     const double simpson = i == 0 || i == num_steps ? 1 : i % 2 == 1 ? 4 : 2;
@@ -83,7 +84,7 @@ double SpentAlpha(SpendingCurve curve, double alpha, double fraction) {
   SHOAL_CHECK(fraction >= 0 && fraction <= 1, "a share of the data is in [0, 1]");
   if (fraction == 0) return 0;
   if (curve == SpendingCurve::kPocock) {
-    return alpha * std::log1p((std::numbers::e - 1) * fraction);
+    return alpha * Log1p((std::numbers::e - 1) * fraction);
   }
   // Symmetric: cdf(-z) instead of 1 - cdf(z), which would lose small tails.
   return 4 * NormalCumulative(NormalQuantile(alpha / 4) / std::sqrt(fraction));

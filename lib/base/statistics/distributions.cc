@@ -5,11 +5,12 @@
 #include <numbers>
 #include <unsupported/Eigen/SpecialFunctions>
 
+#include "lib/base/arithmetic/elementary.h"
 #include "lib/base/check/check.h"
 
 namespace shoal {
 
-double NormalCumulative(double z) { return std::erfc(-z / std::numbers::sqrt2) / 2; }
+double NormalCumulative(double z) { return Erfc(-z / std::numbers::sqrt2) / 2; }
 
 double NormalQuantile(double probability) {
   if (!(probability >= 0 && probability <= 1)) return std::numeric_limits<double>::quiet_NaN();
@@ -29,7 +30,7 @@ double RegularizedBeta(double a, double b, double x) {
 double BetaQuantile(double a, double b, double probability) {
   SHOAL_CHECK(probability >= 0 && probability <= 1, "a probability is in [0, 1]");
   if (probability == 0 || probability == 1) return probability;
-  const double log_scale = std::lgamma(a + b) - std::lgamma(a) - std::lgamma(b);
+  const double log_scale = LogGamma(a + b) - LogGamma(a) - LogGamma(b);
   double low = 0;
   double high = 1;
   double x = a / (a + b);
@@ -37,7 +38,7 @@ double BetaQuantile(double a, double b, double probability) {
   for (int i = 0; i < 200; ++i) {
     const double excess = RegularizedBeta(a, b, x) - probability;
     (excess < 0 ? low : high) = x;
-    const double density = std::exp(log_scale + (a - 1) * std::log(x) + (b - 1) * std::log1p(-x));
+    const double density = Exp(log_scale + (a - 1) * Log(x) + (b - 1) * Log1p(-x));
     double next = x - excess / density;
     if (!(next > low && next < high)) next = (low + high) / 2;
     const double step = std::abs(next - x);
@@ -63,13 +64,13 @@ double StudentCritical(double degrees, double confidence) {
   SHOAL_CHECK(confidence >= 0 && confidence <= 1, "a confidence is in [0, 1]");
   const double tail = 1 - confidence;
   if (tail == 0) return std::numeric_limits<double>::infinity();
-  const double log_scale = std::lgamma((degrees + 1) / 2) - std::lgamma(degrees / 2) -
-                           std::log(degrees * std::numbers::pi) / 2;
+  const double log_scale =
+      LogGamma((degrees + 1) / 2) - LogGamma(degrees / 2) - Log(degrees * std::numbers::pi) / 2;
   // The tail is convex above 0, and the normal quantile is below the root: Newton's steps rise
   // towards it and never pass it.
   double t = -NormalQuantile(tail / 2);
   for (int i = 0; i < 200; ++i) {
-    const double density = std::exp(log_scale - (degrees + 1) / 2 * std::log1p(t * t / degrees));
+    const double density = Exp(log_scale - (degrees + 1) / 2 * Log1p(t * t / degrees));
     const double step = (StudentTwoSidedTail(degrees, t) - tail) / (2 * density);
     t += step;
     if (std::abs(step) <= 1e-14 * (1 + t)) break;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lib/base/arithmetic/elementary.h"
 #include "lib/base/check/check.h"
 #include "lib/base/statistics/distributions.h"
 
@@ -44,7 +45,7 @@ Interval ShareInterval(int64_t successes, int64_t trials, double confidence) {
 double BoundOfNone(int64_t trials, double confidence) {
   SHOAL_CHECK(trials >= 0, "a number of trials is not negative");
   if (trials == 0) return 1;
-  return -std::expm1(std::log1p(-confidence) / static_cast<double>(trials));
+  return -Expm1(Log1p(-confidence) / static_cast<double>(trials));
 }
 
 }  // namespace shoal

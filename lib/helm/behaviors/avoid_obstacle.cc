@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "lib/base/arithmetic/elementary.h"
 #include "lib/base/geometry/angles.h"
 #include "lib/helm/behaviors/contact_aim.h"
 #include "lib/helm/behaviors/contact_recipe.h"
@@ -105,7 +106,7 @@ BehaviorAnswer AvoidObstacleBehavior::Run(const BehaviorInputs& inputs) {
     return answer;
   }
   const double relevance =
-      std::max(kLeastRelevance, near * std::max(0.0, std::cos(DegToRad(off_bow_deg))));
+      std::max(kLeastRelevance, near * std::max(0.0, Cos(DegToRad(off_bow_deg))));
   const Eigen::Vector2d centre_m = CentreOf(*polygon_m);
   LockSide(centre_m, own, relevance);
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "lib/base/arithmetic/elementary.h"
 #include "lib/base/text/letters.h"
 #include "lib/helm/behaviors/preference.h"
 
@@ -32,7 +33,7 @@ const ContactView* KnownContact(const ContactOptions& options, const BehaviorInp
 double RelevanceAt(double range_m, double inner_m, double outer_m, std::string_view grade) {
   if (range_m >= outer_m) return 0;
   if (range_m <= inner_m) return 1;
-  return std::pow((outer_m - range_m) / (outer_m - inner_m), ExponentOf(grade));
+  return Pow((outer_m - range_m) / (outer_m - inner_m), ExponentOf(grade));
 }
 
 void DescribeContact(const ContactOptions& options, const ContactView& contact,

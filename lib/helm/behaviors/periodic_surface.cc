@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lib/base/arithmetic/elementary.h"
 #include "lib/helm/behaviors/preference.h"
 
 namespace shoal {
@@ -38,7 +39,7 @@ double PeriodicSurfaceBehavior::AscentSpeed(double depth_m) const {
   const double power = options_.ascent_grade == "quadratic" ? 2
                        : options_.ascent_grade == "quasi"   ? 1.5
                                                             : 1;
-  return start_speed_mps_ * std::pow(part, power);
+  return start_speed_mps_ * Pow(part, power);
 }
 
 BehaviorAnswer PeriodicSurfaceBehavior::Run(const BehaviorInputs& inputs) {

@@ -6,6 +6,7 @@
 #include <limits>
 #include <vector>
 
+#include "lib/base/arithmetic/elementary.h"
 #include "lib/base/geometry/angles.h"
 
 namespace shoal {
@@ -41,10 +42,10 @@ double Reach(double outward_rad, double heading_rad, double turn_rad, const Look
   const double turn_s = std::min(turn_rad / rate_radps, ahead.horizon_s);
   const double from_rad = heading_rad - outward_rad;
   const auto reach_in_turn = [&](double time_s) {
-    return (std::sin(from_rad + rate_radps * time_s) - std::sin(from_rad)) / rate_radps;
+    return (Sin(from_rad + rate_radps * time_s) - Sin(from_rad)) / rate_radps;
   };
   const double after_turn = reach_in_turn(turn_s);
-  const double at_end = after_turn + (ahead.horizon_s - turn_s) * std::cos(from_rad + turn_rad);
+  const double at_end = after_turn + (ahead.horizon_s - turn_s) * Cos(from_rad + turn_rad);
   double farthest = std::max({0.0, after_turn, at_end});
   // Within the turn it is nearest to the edge where it goes along it.
   const double along_s =
@@ -66,7 +67,7 @@ SpeedLimits LimitsOf(const std::vector<Edge>& edges, const VesselMotion& own, in
   SpeedLimits limits;
   const double turn_rad = DegToRad(Wrap180(course - own.heading_deg));
   for (const Edge& edge : edges) {
-    double reach = ahead.horizon_s * std::cos(DegToRad(course) - edge.outward_rad);
+    double reach = ahead.horizon_s * Cos(DegToRad(course) - edge.outward_rad);
     if (std::abs(reach) < 1e-9) reach = 0;
     if (is_inside && ahead.turn_degps > 0 && turn_rad != 0) {
       reach = std::max(reach, Reach(edge.outward_rad, DegToRad(own.heading_deg), turn_rad, ahead));

@@ -5,6 +5,7 @@
 #include <memory>
 #include <utility>
 
+#include "lib/base/arithmetic/elementary.h"
 #include "lib/base/geometry/angles.h"
 #include "lib/helm/behaviors/preference.h"
 #include "lib/helm/behaviors/track_line.h"
@@ -35,7 +36,7 @@ class TowardPointFunction final : public CourseSpeedFunction {
 
   double At(int course, int speed) const override {
     const double delta_deg = Wrap180(course - bearing_deg_);
-    return Value(std::cos(DegToRad(delta_deg)), std::abs(delta_deg), speeds_.At(speed));
+    return Value(Cos(DegToRad(delta_deg)), std::abs(delta_deg), speeds_.At(speed));
   }
 
   // Intervals of the angle, of the closing speed, and of |delta| u, each exact, put together: never
@@ -52,8 +53,8 @@ class TowardPointFunction final : public CourseSpeedFunction {
     if (Holds(box, bearing_deg_ + 180)) most_deg = 180;
     const double slow_mps = speeds_.At(box.first_speed);
     const double fast_mps = speeds_.At(box.last_speed);
-    const double ahead = std::cos(DegToRad(least_deg));
-    const double astern = std::cos(DegToRad(most_deg));
+    const double ahead = Cos(DegToRad(least_deg));
+    const double astern = Cos(DegToRad(most_deg));
     const double most_closing_mps = std::max(ahead * fast_mps, ahead * slow_mps);
     const double least_closing_mps = std::min(astern * slow_mps, astern * fast_mps);
     const auto [best, worst] = LossRange(least_closing_mps, most_closing_mps);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lib/base/arithmetic/elementary.h"
 #include "lib/base/geometry/angles.h"
 #include "lib/helm/colregs/passing.h"
 
@@ -127,8 +128,8 @@ ColregsSubMode GiveWaySubMode(const Moment& at) {
   const double gap_m =
       (centre_m - at.contact.position_m).dot(port_of_contact) - limits.turn_radius_m;
   const bool no_room_astern = gap_m < least_m;
-  const bool goes_along = !at.own_passing.crosses &&
-                          std::cos(DegToRad(at.own.heading_deg - at.contact.heading_deg)) > 0;
+  const bool goes_along =
+      !at.own_passing.crosses && Cos(DegToRad(at.own.heading_deg - at.contact.heading_deg)) > 0;
   const bool ahead = at.own_passing.crosses_bow && (clear_ahead || no_room_astern);
   return ahead || goes_along ? ColregsSubMode::kBow : ColregsSubMode::kStern;
 }

@@ -1,9 +1,9 @@
 #include "lib/helm/colregs/passing.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
+#include "lib/base/arithmetic/elementary.h"
 #include "lib/base/geometry/angles.h"
 
 namespace shoal {
@@ -33,15 +33,15 @@ Passing PassingOf(const VesselMotion& own, const VesselMotion& contact) {
                             kPi / 2;  // To the right of the line of sight.
   Passing passing;
   if (geometry.range_m > 0) {
-    const double drift_mps = contact_mps * std::cos(DegToRad(contact.heading_deg) - across_rad) -
-                             own_mps * std::cos(DegToRad(own.heading_deg) - across_rad);
+    const double drift_mps = contact_mps * Cos(DegToRad(contact.heading_deg) - across_rad) -
+                             own_mps * Cos(DegToRad(own.heading_deg) - across_rad);
     passing.bearing_rate_degps = RadToDeg(drift_mps / geometry.range_m);
   }
   const double turned_rad = DegToRad(own.heading_deg - contact.heading_deg);
-  const double lead_mps = contact_mps - own_mps * std::cos(turned_rad);
+  const double lead_mps = contact_mps - own_mps * Cos(turned_rad);
   passing.passes = (aspect.fore ? lead_mps : -lead_mps) > 0;
   passing.passes_port = PassesPort(aspect, passing.bearing_rate_degps);
-  const double to_starboard_mps = own_mps * std::sin(turned_rad);
+  const double to_starboard_mps = own_mps * Sin(turned_rad);
   passing.crosses = (aspect.port ? to_starboard_mps : -to_starboard_mps) > 0;
   passing.crosses_bow = passing.crosses && IsBowSide(aspect, passing.bearing_rate_degps);
   passing.crosses_stern = passing.crosses && IsSternSide(aspect, passing.bearing_rate_degps);

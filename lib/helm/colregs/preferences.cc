@@ -1,9 +1,9 @@
 #include "lib/helm/colregs/preferences.h"
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
 
+#include "lib/base/arithmetic/elementary.h"
 #include "lib/base/check/check.h"
 #include "lib/base/geometry/angles.h"
 #include "lib/helm/decision/shapes.h"
@@ -60,7 +60,7 @@ ColregsFunction::ColregsFunction(const ColregsState& state, const VesselMotion& 
   to_line_ = SpeedAlong(contact.heading_deg + (aspect_.port ? 90 : -90), domain);
   const double right_deg = own.heading_deg + geometry.beta_deg + 90;
   right_ = SpeedAlong(right_deg, domain);
-  contact_drift_mps_ = contact_mps_ * std::cos(DegToRad(contact.heading_deg - right_deg));
+  contact_drift_mps_ = contact_mps_ * Cos(DegToRad(contact.heading_deg - right_deg));
   head_on_drift_mps_ = -2 * contact_mps_;
 }
 

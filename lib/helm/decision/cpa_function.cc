@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "lib/base/arithmetic/elementary.h"
 #include "lib/base/check/bounds.h"
 #include "lib/base/geometry/angles.h"
 
@@ -25,8 +26,7 @@ constexpr double kTiny_m2ps2 = 1e-300;
 /// Returns the sine of a number of half degrees, 0 to 180 (90 degrees), the same for angles that
 /// mirror each other.
 double SineOfQuadrant(int half_deg) {
-  return half_deg <= 90 ? std::sin(DegToRad(half_deg / 2.0))
-                        : std::cos(DegToRad((180 - half_deg) / 2.0));
+  return half_deg <= 90 ? Sin(DegToRad(half_deg / 2.0)) : Cos(DegToRad((180 - half_deg) / 2.0));
 }
 
 Directions MakeDirections() {

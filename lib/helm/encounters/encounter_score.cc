@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lib/base/arithmetic/elementary.h"
 #include "lib/base/geometry/angles.h"
 
 namespace shoal {
@@ -62,7 +63,7 @@ ScoreParts PartsOf(const Encounter& encounter, const EncounterSide& side,
   ScoreParts parts;
   parts.range = RangeShare(encounter, options);
   if (side.role != EncounterRole::kStandOn && side.role != EncounterRole::kOvertaken) {
-    parts.pose = 1 - std::max(0.0, std::cos(DegToRad(side.alpha_deg)));
+    parts.pose = 1 - std::max(0.0, Cos(DegToRad(side.alpha_deg)));
   }
   parts.apparent = std::max(Share(std::abs(conduct.largest_course_change_deg), 0, kApparent_deg),
                             Share(std::abs(conduct.largest_speed_change_share), 0, kApparentShare));

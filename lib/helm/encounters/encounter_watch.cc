@@ -4,6 +4,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "lib/base/arithmetic/elementary.h"
 #include "lib/base/geometry/angles.h"
 
 namespace shoal {
@@ -99,7 +100,7 @@ bool EncounterWatch::Update(double time_s, std::span<const VesselSample> vessels
       moved2 > 0 ? std::clamp(-open->offset_m.dot(moved_m) / moved2, 0.0, 1.0) : 1.0;
   const Eigen::Vector2d closest_offset_m = open->offset_m + moved_m * share;
   const double closest_m = closest_offset_m.norm();
-  if (std::hypot(closest_m, first.depth_m - second.depth_m) < encounter.touch_m) {
+  if (Hypot(closest_m, first.depth_m - second.depth_m) < encounter.touch_m) {
     encounter.has_touched = true;
   }
   if (closest_m < encounter.closest_m) {
@@ -203,8 +204,8 @@ void EncounterWatch::Begin(double time_s, std::span<const VesselSample> vessels,
   encounter.begin_s = encounter.end_s = encounter.closest_s = time_s;
   encounter.closest_m = geometry[0].range_m;
   encounter.touch_m = (samples[0]->length_m + samples[1]->length_m) / 2;
-  encounter.has_touched = std::hypot(geometry[0].range_m,
-                                     samples[0]->depth_m - samples[1]->depth_m) < encounter.touch_m;
+  encounter.has_touched =
+      Hypot(geometry[0].range_m, samples[0]->depth_m - samples[1]->depth_m) < encounter.touch_m;
   for (size_t i = 0; i < 2; ++i) {
     const VesselMotion& own = samples[i]->motion;
     encounter.sides[i] = {

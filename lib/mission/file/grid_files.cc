@@ -15,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include "lib/base/arithmetic/elementary.h"
 #include "lib/base/geometry/angles.h"
 #include "lib/base/text/letters.h"
 #include "lib/bus/os/read_file.h"
@@ -487,10 +488,8 @@ struct EarthAxes {
 };
 
 EarthAxes AxesOfEarth(const GeoPoint& point) {
-  const double cos_lat = std::cos(DegToRad(point.lat_deg));
-  const double sin_lat = std::sin(DegToRad(point.lat_deg));
-  const double cos_lon = std::cos(DegToRad(point.lon_deg));
-  const double sin_lon = std::sin(DegToRad(point.lon_deg));
+  const auto [sin_lat, cos_lat] = SinCos(DegToRad(point.lat_deg));
+  const auto [sin_lon, cos_lon] = SinCos(DegToRad(point.lon_deg));
   return {.up = {cos_lat * cos_lon, cos_lat * sin_lon, sin_lat},
           .east = {-sin_lon, cos_lon, 0},
           .north = {-sin_lat * cos_lon, -sin_lat * sin_lon, cos_lat}};

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "lib/base/arithmetic/elementary.h"
 #include "lib/base/geodesy/local_frame.h"
 #include "lib/mission/file/validate.h"
 #include "lib/mission/model/swarm_plan.h"
@@ -104,7 +105,7 @@ void WarnOfBitErrors(const Mission& mission, const TablePlace& file) {
                              options.bit_error_model != BitErrorModel::kModem;
   if (!acoustics.crc || !is_of_formula) return;
   const double wrong = BitErrorProbability(options, options.nominal_distance_m);
-  const auto share = [&](int num_bytes) { return std::pow(1 - wrong, 8.0 * (num_bytes + 4)); };
+  const auto share = [&](int num_bytes) { return Pow(1 - wrong, 8.0 * (num_bytes + 4)); };
   if (share(kShort_bytes) >= kFewest) return;
   PlaceOf(acoustics, mission, file)
       .Warn("bit_error_model",

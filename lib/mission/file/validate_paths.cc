@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "lib/base/arithmetic/elementary.h"
 #include "lib/base/geometry/angles.h"
 #include "lib/mission/file/validate.h"
 #include "lib/vehicle/vehicle/propulsion.h"
@@ -86,7 +87,7 @@ void WarnOfDepths(const TablePlace& place, const PathFollowTask& task, const Way
   for (size_t i = 1; i < path.points_m.size(); ++i) {
     const Eigen::Vector3d way_m = path.points_m[i] - path.points_m[i - 1];
     steepest_deg =
-        std::max(steepest_deg, RadToDeg(std::atan2(std::abs(way_m.z()), way_m.head<2>().norm())));
+        std::max(steepest_deg, RadToDeg(Atan2(std::abs(way_m.z()), way_m.head<2>().norm())));
   }
   if (steepest_deg <= kSteepest_deg) return;
   place.Warn(KeyOf(task), fmt::format("a leg is {:.0f} degrees steep; beyond {:g} the vehicle lags "

@@ -1,12 +1,12 @@
 #include "lib/mission/toml/polygon_text.h"
 
-#include <cmath>
 #include <map>
 #include <numbers>
 #include <optional>
 #include <string>
 #include <utility>
 
+#include "lib/base/arithmetic/elementary.h"
 #include "lib/base/text/blanks.h"
 #include "lib/base/text/numbers.h"
 
@@ -68,8 +68,8 @@ Result<std::vector<Eigen::Vector2d>> RadialPolygon(std::string_view text) {
   const int num_corners = static_cast<int>(count);
   for (int i = 0; i < num_corners; ++i) {
     const double angle_rad = 2 * std::numbers::pi * (i + 0.5) / num_corners;
-    Eigen::Vector2d corner(number("x", 0) + radius_m * std::sin(angle_rad),
-                           number("y", 0) + radius_m * std::cos(angle_rad));
+    Eigen::Vector2d corner(number("x", 0) + radius_m * Sin(angle_rad),
+                           number("y", 0) + radius_m * Cos(angle_rad));
     if (snap_m > 0) corner = (corner / snap_m).array().round() * snap_m;
     corners.push_back(corner);
   }

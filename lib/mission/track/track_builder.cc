@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "lib/base/arithmetic/elementary.h"
 #include "lib/base/geometry/angles.h"
 #include "lib/base/time/seconds.h"
 #include "lib/base/time/time_units.h"
@@ -256,7 +257,7 @@ void TrackBuilder::WarnOfHeadings(std::vector<std::string>* warnings) const {
     const double length_m = way.norm();
     const double speed_mps = length_m / Seconds(fixes_[i].time_us - from.time_us);
     if (!std::isfinite(from.heading_rad) || speed_mps < kUnderWay_mps) continue;
-    along_m += length_m * std::cos(from.heading_rad - HeadingOf(way));
+    along_m += length_m * Cos(from.heading_rad - HeadingOf(way));
     way_m += length_m;
   }
   // 60 degrees on average: no vessel crabs as far all the time.
@@ -264,7 +265,7 @@ void TrackBuilder::WarnOfHeadings(std::vector<std::string>* warnings) const {
   warnings->push_back(
       fmt::format("{}: its headings and its way from point to point are {:.0f} degrees apart: are "
                   "headings in degrees, true, clockwise from North, and empty where unknown?",
-                  source_.name, RadToDeg(std::acos(std::max(-1.0, along_m / way_m)))));
+                  source_.name, RadToDeg(Acos(std::max(-1.0, along_m / way_m)))));
 }
 
 Result<ReplayTrack> TrackBuilder::Finish(const ReplayColumns& columns,

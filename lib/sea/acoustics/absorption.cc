@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "lib/base/arithmetic/elementary.h"
 #include "lib/base/check/bounds.h"
 
 namespace shoal {
@@ -37,12 +38,12 @@ double FrancoisGarrisonAbsorption(double frequency_khz, const SeaWater& water) {
   const double kelvin = 273 + t;
   const double sound_speed_mps = 1412 + 3.21 * t + 1.19 * s + 0.0167 * d;
 
-  const double boric_strength = 8.86 / sound_speed_mps * std::pow(10, 0.78 * water.ph - 5);
-  const double boric_khz = 2.8 * std::sqrt(s / 35) * std::pow(10, 4 - 1245 / kelvin);
+  const double boric_strength = 8.86 / sound_speed_mps * Pow(10, 0.78 * water.ph - 5);
+  const double boric_khz = 2.8 * std::sqrt(s / 35) * Pow(10, 4 - 1245 / kelvin);
 
   const double sulphate_strength = 21.44 * s / sound_speed_mps * (1 + 0.025 * t);
   const double sulphate_pressure = 1 - 1.37e-4 * d + 6.2e-9 * d * d;
-  const double sulphate_khz = 8.17 * std::pow(10, 8 - 1990 / kelvin) / (1 + 0.0018 * (s - 35));
+  const double sulphate_khz = 8.17 * Pow(10, 8 - 1990 / kelvin) / (1 + 0.0018 * (s - 35));
 
   const double water_pressure = 1 - 3.83e-5 * d + 4.9e-10 * d * d;
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lib/base/arithmetic/elementary.h"
+
 namespace shoal {
 
 namespace {
@@ -24,7 +26,7 @@ double PacketLossProbability(const AcousticOptions& options, double range_m, dou
   if (!(options.packet_loss > 0)) return 0;
   const double frequency_factor = 1 + kLossPerKhz * (freq_khz - options.base_freq_khz);
   const double distance_factor =
-      std::exp((range_m - options.nominal_distance_m) / options.packet_loss_distance_m);
+      Exp((range_m - options.nominal_distance_m) / options.packet_loss_distance_m);
   switch (options.packet_loss_model) {
     case PacketLossModel::kUniform:
       return Limited(options.packet_loss, 1);
@@ -50,12 +52,12 @@ double BitErrorProbability(const AcousticOptions& options, double range_m) {
     case BitErrorModel::kPoisson:
       return Limited(options.bit_error_rate, kUninformativeRate);
     case BitErrorModel::kExpSimple:
-      return Limited(options.bit_error_rate * std::exp((range_m - options.nominal_distance_m) /
-                                                       options.bit_error_distance_m),
+      return Limited(options.bit_error_rate *
+                         Exp((range_m - options.nominal_distance_m) / options.bit_error_distance_m),
                      kUninformativeRate);
     case BitErrorModel::kSnr: {
-      const double lost_db = kSpreading_db * std::log10(std::max(distance, kNearest));
-      return Limited(options.bit_error_rate * std::pow(10, options.snr_slope * lost_db),
+      const double lost_db = kSpreading_db * Log10(std::max(distance, kNearest));
+      return Limited(options.bit_error_rate * Pow(10, options.snr_slope * lost_db),
                      kUninformativeRate);
     }
     case BitErrorModel::kOff:

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "lib/base/arithmetic/elementary.h"
 #include "lib/base/check/bounds.h"
 
 namespace shoal {
@@ -13,13 +14,13 @@ namespace {
 double WithoutFading(Modulation modulation, double ratio) {
   switch (modulation) {
     case Modulation::kCoherentPsk:
-      return std::erfc(std::sqrt(ratio)) / 2;
+      return Erfc(std::sqrt(ratio)) / 2;
     case Modulation::kDifferentialPsk:
-      return std::exp(-ratio) / 2;
+      return Exp(-ratio) / 2;
     case Modulation::kCoherentFsk:
-      return std::erfc(std::sqrt(ratio / 2)) / 2;
+      return Erfc(std::sqrt(ratio / 2)) / 2;
     case Modulation::kNoncoherentFsk:
-      return std::exp(-ratio / 2) / 2;
+      return Exp(-ratio / 2) / 2;
   }
   return 0.5;
 }
@@ -49,13 +50,13 @@ double InRayleighFading(Modulation modulation, double ratio) {
 
 double EnergyPerBitToNoise(double snr_db, double bandwidth_khz, double data_rate_bps) {
   if (!(bandwidth_khz > 0 && data_rate_bps > 0)) return -kInfinity;
-  const double ratio_db = snr_db + 10 * std::log10(bandwidth_khz * 1000 / data_rate_bps);
+  const double ratio_db = snr_db + 10 * Log10(bandwidth_khz * 1000 / data_rate_bps);
   return std::isnan(ratio_db) ? -kInfinity : ratio_db;
 }
 
 double BitErrorRate(Modulation modulation, Fading fading, double eb_over_n0_db) {
   if (std::isnan(eb_over_n0_db)) return 0.5;
-  const double ratio = std::pow(10, eb_over_n0_db / 10);
+  const double ratio = Pow(10, eb_over_n0_db / 10);
   const double rate = fading == Fading::kRayleigh ? InRayleighFading(modulation, ratio)
                                                   : WithoutFading(modulation, ratio);
   return std::clamp(rate, 0.0, 0.5);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lib/base/arithmetic/elementary.h"
 #include "lib/base/check/check.h"
 
 namespace shoal {
@@ -27,11 +28,11 @@ std::string ProblemOf(const BlockCode& code) {
     of_weight_i *= static_cast<double>(code.block_bits - i) / (i + 1);
   }
   // Binomials of up to 53 bits are exact; beyond, no code comes within 1e-9 of the bound.
-  if (std::log2(patterns) > code.block_bits - code.data_bits + 1e-9) {
+  if (Log2(patterns) > code.block_bits - code.data_bits + 1e-9) {
     return "no code of " + n + " bits with " + k + " data bits corrects " + t +
            " errors: there are " + std::to_string(code.block_bits - code.data_bits) +
            " check bits, and distinguishing the error patterns takes " +
-           std::to_string(static_cast<int>(std::ceil(std::log2(patterns) - 1e-9)));
+           std::to_string(static_cast<int>(std::ceil(Log2(patterns) - 1e-9)));
   }
   return "";
 }
@@ -48,7 +49,7 @@ double BlockErrorRate(double bit_error_rate, const BlockCode& code) {
   const double odds = p / (1 - p);
   // The smaller tail of the binomial distribution is summed, so that nothing cancels; its terms
   // fall, faster and faster, once the larger tail is behind. The first term is at least 2^-1023.
-  double term = std::pow(1 - p, n);
+  double term = Pow(1 - p, n);
   double corrected = 0;
   int i = 0;
   for (; i <= std::min(code.corrected_bits, n); ++i) {
@@ -67,7 +68,7 @@ double BlockErrorRate(double bit_error_rate, const BlockCode& code) {
 double PacketErrorRate(double bit_error_rate, uint64_t packet_bytes, const BlockCode& code) {
   const double blocks = std::ceil(static_cast<double>(packet_bytes) * 8 / code.data_bits);
   if (blocks == 0) return 0;
-  return -std::expm1(blocks * std::log1p(-BlockErrorRate(bit_error_rate, code)));
+  return -Expm1(blocks * Log1p(-BlockErrorRate(bit_error_rate, code)));
 }
 
 }  // namespace shoal

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "lib/base/arithmetic/elementary.h"
+
 namespace shoal {
 
 namespace {
@@ -26,19 +28,19 @@ double Crossover_m(double frequency_mhz, double heights_m2) {
 
 /// The inverse of FreeSpaceLoss_db.
 double FreeSpaceReach_m(double loss_db, double frequency_mhz) {
-  return Wavelength_m(frequency_mhz) / (4 * std::numbers::pi) * std::pow(10, loss_db / 20);
+  return Wavelength_m(frequency_mhz) / (4 * std::numbers::pi) * Pow(10, loss_db / 20);
 }
 
 }  // namespace
 
 double FreeSpaceLoss_db(double range_m, double frequency_mhz) {
-  return 20 * std::log10(4 * std::numbers::pi * std::max(range_m, kNearest_m) /
-                         Wavelength_m(frequency_mhz));
+  return 20 *
+         Log10(4 * std::numbers::pi * std::max(range_m, kNearest_m) / Wavelength_m(frequency_mhz));
 }
 
 double LogDistanceLoss_db(double range_m, double frequency_mhz, double exponent) {
   return FreeSpaceLoss_db(kNearest_m, frequency_mhz) +
-         10 * exponent * std::log10(std::max(range_m, kNearest_m) / kNearest_m);
+         10 * exponent * Log10(std::max(range_m, kNearest_m) / kNearest_m);
 }
 
 double TwoRayLoss_db(double range_m, double frequency_mhz, double height_m, double other_height_m) {
@@ -47,12 +49,12 @@ double TwoRayLoss_db(double range_m, double frequency_mhz, double height_m, doub
   if (distance_m <= Crossover_m(frequency_mhz, heights_m2)) {
     return FreeSpaceLoss_db(distance_m, frequency_mhz);
   }
-  return 40 * std::log10(distance_m) - 20 * std::log10(heights_m2);
+  return 40 * Log10(distance_m) - 20 * Log10(heights_m2);
 }
 
 double LogDistanceReach_m(double loss_db, double frequency_mhz, double exponent) {
   const double beyond_db = loss_db - FreeSpaceLoss_db(kNearest_m, frequency_mhz);
-  return beyond_db <= 0 ? kNearest_m : kNearest_m * std::pow(10, beyond_db / (10 * exponent));
+  return beyond_db <= 0 ? kNearest_m : kNearest_m * Pow(10, beyond_db / (10 * exponent));
 }
 
 double TwoRayReach_m(double loss_db, double frequency_mhz, double height_m, double other_height_m) {
@@ -62,11 +64,11 @@ double TwoRayReach_m(double loss_db, double frequency_mhz, double height_m, doub
 
 TwoRayTerms TwoRayTermsOf(double loss_db, double frequency_mhz, double usual_height_m) {
   TwoRayTerms terms = {.free_m = FreeSpaceReach_m(loss_db, frequency_mhz),
-                       .far_per_height = std::pow(10, loss_db / 40)};
+                       .far_per_height = Pow(10, loss_db / 40)};
   if (usual_height_m < 0) return terms;
   const double heights_m2 = Heights_m2(usual_height_m, usual_height_m);
   terms.crossover_m = Crossover_m(frequency_mhz, heights_m2);
-  terms.heights_db = 20 * std::log10(heights_m2);
+  terms.heights_db = 20 * Log10(heights_m2);
   terms.reach_m = TwoRayReach_m(terms, frequency_mhz, usual_height_m, usual_height_m);
   terms.height_m = usual_height_m;  // Last: from now on it is used.
   return terms;
@@ -89,7 +91,7 @@ double TwoRayLoss_db(const TwoRayTerms& terms, double range_m, double frequency_
   }
   const double distance_m = std::max(range_m, kNearest_m);
   if (distance_m <= terms.crossover_m) return FreeSpaceLoss_db(distance_m, frequency_mhz);
-  return 40 * std::log10(distance_m) - terms.heights_db;
+  return 40 * Log10(distance_m) - terms.heights_db;
 }
 
 double RadioHorizon_m(double height_m, double other_height_m) {

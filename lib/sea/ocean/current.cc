@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lib/base/arithmetic/elementary.h"
 #include "lib/base/check/check.h"
 #include "lib/base/geometry/angles.h"
 
@@ -27,14 +28,14 @@ bool IsCurrent(const CurrentParams& params) {
 }
 
 Eigen::Vector2d Velocity(const Flow& flow) {
-  return flow.speed_mps *
-         Eigen::Vector2d(std::cos(flow.direction_rad), std::sin(flow.direction_rad));
+  const auto [sine, cosine] = SinCos(flow.direction_rad);
+  return flow.speed_mps * Eigen::Vector2d(cosine, sine);
 }
 
 double DeviationAt(const HalfPeriod& half_period, double fraction) {
   const double amplitude = half_period.start_amplitude +
                            (half_period.end_amplitude - half_period.start_amplitude) * fraction;
-  const double deviation = amplitude * std::sin(kPi * fraction);
+  const double deviation = amplitude * Sin(kPi * fraction);
   return half_period.above_mean ? deviation : -deviation;
 }
 

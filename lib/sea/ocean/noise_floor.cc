@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lib/base/arithmetic/elementary.h"
 #include "lib/base/check/bounds.h"
 #include "lib/base/check/check.h"
 
@@ -22,7 +23,7 @@ double FloorShare(FloorStyle style, double noise) {
     case FloorStyle::kLinear:
       return noise;
     case FloorStyle::kSigmoid:
-      return 1 / (1 + std::exp(-10 * (noise - 0.5)));
+      return 1 / (1 + Exp(-10 * (noise - 0.5)));
     case FloorStyle::kShelf: {
       const double above = noise - 0.5;
       return noise < 0.5 ? 2 * noise * noise * noise : 0.5 + 2 * above * above * above;

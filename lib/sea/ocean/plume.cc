@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lib/base/arithmetic/elementary.h"
 #include "lib/base/check/bounds.h"
 #include "lib/base/check/check.h"
 #include "lib/base/geometry/angles.h"
@@ -21,7 +22,7 @@ bool IsPlace(double coordinate_m) {
 /// Returns e^(-(offset / sigma)^2 / 2).
 double Bell(double offset, double sigma) {
   const double deviations = offset / sigma;
-  return std::exp(-deviations * deviations / 2);
+  return Exp(-deviations * deviations / 2);
 }
 
 }  // namespace
@@ -41,15 +42,14 @@ double Concentration(const Plume& plume, const Eigen::Vector3d& position_m) {
       std::clamp(position_m.x(), -2 * kMaxCoordinate_m, 2 * kMaxCoordinate_m) - plume.source_m.x();
   const double north =
       std::clamp(position_m.y(), -2 * kMaxCoordinate_m, 2 * kMaxCoordinate_m) - plume.source_m.y();
-  const double cosine = std::cos(plume.direction_rad);
-  const double sine = std::sin(plume.direction_rad);
+  const auto [sine, cosine] = SinCos(plume.direction_rad);
   const double along = east * cosine + north * sine;
   const double across = north * cosine - east * sine;
   if (!(along >= 0)) return 0;
   const double x = std::max(along, kMinDistance_m);
-  const double sigma_y = 1.36 * std::pow(x, 0.82);
-  const double sigma_z = 0.275 * std::pow(x, 0.69);
-  const double height = plume.source_m.z() - 2.126e-4 * std::pow(x, 2.0 / 3);
+  const double sigma_y = 1.36 * Pow(x, 0.82);
+  const double sigma_z = 0.275 * Pow(x, 0.69);
+  const double height = plume.source_m.z() - 2.126e-4 * Pow(x, 2.0 / 3);
   const double speed = std::max(plume.current_mps, kMinPlumeCurrent_mps);
   return plume.rate_gps / (2 * kPi * speed * sigma_y * sigma_z) * Bell(across, sigma_y) *
          (Bell(z - height, sigma_z) + Bell(z + height, sigma_z));

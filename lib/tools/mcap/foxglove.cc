@@ -1,8 +1,8 @@
 #include "lib/tools/mcap/foxglove.h"
 
-#include <cmath>
 #include <numbers>
 
+#include "lib/base/arithmetic/elementary.h"
 #include "lib/tools/mcap/proto_schema.h"
 #include "lib/tools/mcap/proto_wire.h"
 
@@ -124,9 +124,9 @@ void AppendPoseInFrame(const nav_t& nav, std::string* out) {
   const double roll = nav.roll_deg * kHalfRadians;
   const double pitch = -nav.pitch_deg * kHalfRadians;
   const double yaw = (90 - nav.heading_deg) * kHalfRadians;
-  const double cr = std::cos(roll), sr = std::sin(roll);
-  const double cp = std::cos(pitch), sp = std::sin(pitch);
-  const double cy = std::cos(yaw), sy = std::sin(yaw);
+  const auto [sr, cr] = SinCos(roll);
+  const auto [sp, cp] = SinCos(pitch);
+  const auto [sy, cy] = SinCos(yaw);
   AppendTimestamp(1, nav.utime, out);
   AppendProtoText(2, kMissionFrame, out);
   AppendProtoMessage(3, out, [&] {

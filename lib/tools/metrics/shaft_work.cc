@@ -1,8 +1,8 @@
 #include "lib/tools/metrics/shaft_work.h"
 
 #include <algorithm>
-#include <cmath>
 
+#include "lib/base/arithmetic/elementary.h"
 #include "lib/base/check/bounds.h"
 #include "lib/base/geometry/angles.h"
 #include "lib/vehicle/vehicle/propulsion.h"
@@ -18,7 +18,7 @@ void ShaftWork::Step(double commanded_rpm, double surge_mps, double dt_s) {
   work_j_ += std::max(0.0, power_w) * dt_s;
   const double goal_rpm =
       std::clamp(FiniteOrZero(commanded_rpm), -propeller.max_rpm, propeller.max_rpm);
-  rpm_ += -std::expm1(-dt_s / propeller.time_s) * (goal_rpm - rpm_);
+  rpm_ += -Expm1(-dt_s / propeller.time_s) * (goal_rpm - rpm_);
 }
 
 }  // namespace shoal

@@ -10,6 +10,7 @@
 #include <optional>
 #include <utility>
 
+#include "lib/base/arithmetic/elementary.h"
 #include "lib/base/text/blanks.h"
 #include "lib/base/text/letters.h"
 #include "lib/base/text/numbers.h"
@@ -51,8 +52,7 @@ Eigen::Vector2d Snapped(const Eigen::Vector2d& point_m, double snap_m) {
 
 /// Returns a vector turned clockwise.
 Eigen::Vector2d Turned(const Eigen::Vector2d& vector, double angle_deg) {
-  const double sine = std::sin(angle_deg * kRadPerDeg);
-  const double cosine = std::cos(angle_deg * kRadPerDeg);
+  const auto [sine, cosine] = SinCos(angle_deg * kRadPerDeg);
   return {vector.x() * cosine + vector.y() * sine, vector.y() * cosine - vector.x() * sine};
 }
 
@@ -118,7 +118,7 @@ Result<BhvPoints> MakeRound(std::string_view text, const Values& values, bool is
   const int num_points = static_cast<int>(count);
   for (int i = 0; i < num_points; ++i) {
     const double at_rad = (i + 0.5) * 2 * std::numbers::pi / num_points;
-    const Eigen::Vector2d from_center_m(minor_m * std::sin(at_rad), major_m * std::cos(at_rad));
+    const Eigen::Vector2d from_center_m(minor_m * Sin(at_rad), major_m * Cos(at_rad));
     const Eigen::Vector2d vertex_m = center_m + Turned(from_center_m, angle_deg);
     round.points_m.push_back(Snapped(vertex_m, snap_m));
   }

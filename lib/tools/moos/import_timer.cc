@@ -8,6 +8,7 @@
 #include <optional>
 #include <variant>
 
+#include "lib/base/arithmetic/elementary.h"
 #include "lib/base/text/letters.h"
 #include "lib/base/text/numbers.h"
 #include "lib/bus/bus/channels.h"
@@ -140,11 +141,10 @@ class EventConverter {
     if (!speed_mps) return kNoDrift;
     const double angle_rad = *angle_deg * std::numbers::pi / 180;
     const auto rounded = [](double number) { return std::round(number * 1e9) / 1e9 + 0.0; };
-    return Keys{
-        {"vehicle", TomlString(vehicle)},
-        {"sim_command", TomlString("drift")},
-        {"values", fmt::format("[{}, {}]", TomlNumber(rounded(*speed_mps * std::sin(angle_rad))),
-                               TomlNumber(rounded(*speed_mps * std::cos(angle_rad))))}};
+    return Keys{{"vehicle", TomlString(vehicle)},
+                {"sim_command", TomlString("drift")},
+                {"values", fmt::format("[{}, {}]", TomlNumber(rounded(*speed_mps * Sin(angle_rad))),
+                                       TomlNumber(rounded(*speed_mps * Cos(angle_rad))))}};
   }
 
   static Converted RuleOf(const ControlRow& row, const std::string& value) {

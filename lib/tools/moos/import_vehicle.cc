@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <numbers>
 #include <utility>
 
+#include "lib/base/arithmetic/elementary.h"
 #include "lib/base/text/blanks.h"
 #include "lib/base/text/letters.h"
 #include "lib/base/text/numbers.h"
@@ -388,7 +388,7 @@ bool VehicleImport::TakeDrift(std::string_view key, const std::string& origin,
     const auto speed_mps = NumberIn(parts[1]);
     if (!angle_deg || !speed_mps) return false;
     const double angle_rad = *angle_deg * std::numbers::pi / 180;
-    drift_mps_ = {*speed_mps * std::sin(angle_rad), *speed_mps * std::cos(angle_rad)};
+    drift_mps_ = {*speed_mps * Sin(angle_rad), *speed_mps * Cos(angle_rad)};
   } else {
     const auto number = NumberIn(line.value);
     if (!number) return false;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "lib/base/arithmetic/elementary.h"
 #include "lib/base/text/letters.h"
 #include "lib/base/time/seconds.h"
 #include "lib/base/time/time_units.h"
@@ -276,8 +277,7 @@ void PlotDataBuilder::DrawNavigation(Vehicle* vehicle) {
   const double time_s = Seconds(navigation.utime - zero_utime_.value_or(0));
   VehicleCurves& curves = vehicle->curves;
   Draw(&curves.navigation_error_m, time_s,
-       std::hypot(navigation.x_m - vehicle->position_m.x(),
-                  navigation.y_m - vehicle->position_m.y()));
+       Hypot(navigation.x_m - vehicle->position_m.x(), navigation.y_m - vehicle->position_m.y()));
   Draw(&curves.navigation_bound_m, time_s, navigation.ellipse_major_m);
   Draw(&curves.believed_track, navigation.x_m, navigation.y_m);
 }

@@ -1,9 +1,9 @@
 #include "lib/tools/plot/plot_setting.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 
+#include "lib/base/arithmetic/elementary.h"
 #include "lib/mission/file/ocean_of.h"
 #include "lib/mission/model/coverage_area.h"
 
@@ -21,8 +21,8 @@ PlannedPath PathOf(const TaskOutline& outline) {
     for (int i = 0; i <= kPoints; ++i) {
       const double angle_rad = 2 * std::numbers::pi * i / kPoints;
       circle.legs.push_back(
-          {outline.circle->center_m.x() + outline.circle->radius_m * std::cos(angle_rad),
-           outline.circle->center_m.y() + outline.circle->radius_m * std::sin(angle_rad)});
+          {outline.circle->center_m.x() + outline.circle->radius_m * Cos(angle_rad),
+           outline.circle->center_m.y() + outline.circle->radius_m * Sin(angle_rad)});
     }
     return circle;
   }

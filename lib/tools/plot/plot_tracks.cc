@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lib/base/arithmetic/elementary.h"
 #include "lib/base/text/letters.h"
 #include "lib/bus/bus/channels.h"
 
@@ -62,7 +63,7 @@ constexpr double kDiscsPerReach = 4;
 Stroke DenseAlong(const Stroke& stroke, double step_m) {
   double length_m = 0;
   for (size_t i = 1; i < stroke.size(); ++i) {
-    length_m += std::hypot(stroke[i].x - stroke[i - 1].x, stroke[i].y - stroke[i - 1].y);
+    length_m += Hypot(stroke[i].x - stroke[i - 1].x, stroke[i].y - stroke[i - 1].y);
   }
   step_m = std::max(step_m, length_m / static_cast<double>(kMaxDiscs));
   Stroke dense;
@@ -70,7 +71,7 @@ Stroke DenseAlong(const Stroke& stroke, double step_m) {
   for (size_t i = 1; i < stroke.size(); ++i) {
     const CurvePoint from = dense.back();
     const CurvePoint to = stroke[i];
-    const double distance_m = std::hypot(to.x - from.x, to.y - from.y);
+    const double distance_m = Hypot(to.x - from.x, to.y - from.y);
     const double steps = step_m > 0 ? distance_m / step_m : 0;  // At most one more than kMaxDiscs.
     const int num_steps = steps >= 1 ? static_cast<int>(steps) : 0;
     for (int k = 1; k <= num_steps; ++k) {
@@ -243,7 +244,7 @@ class TracksFigure {
 
   /// True where less than this share of the figure lies between the two.
   bool IsNear(CurvePoint a, CurvePoint b, double share) const {
-    return std::hypot(a.x - b.x, a.y - b.y) < share * std::max(bounds_.width(), bounds_.height());
+    return Hypot(a.x - b.x, a.y - b.y) < share * std::max(bounds_.width(), bounds_.height());
   }
 
   void AddLegend() {

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lib/base/arithmetic/elementary.h"
+
 namespace shoal {
 
 namespace {
@@ -15,7 +17,7 @@ std::string PercentDigits(double share) {
   // At both ends more digits: 99.9987 % is not 100 %.
   if (percent <= 0 || percent >= 100 || rest >= 0.1) return fmt::format("{:.2f}", percent);
   if (rest < 1e-6) return fmt::format("{:.6f}", percent);
-  return fmt::format("{:.{}f}", percent, 1 - static_cast<int>(std::floor(std::log10(rest) + 1e-9)));
+  return fmt::format("{:.{}f}", percent, 1 - static_cast<int>(std::floor(Log10(rest) + 1e-9)));
 }
 
 }  // namespace
@@ -47,7 +49,7 @@ std::string PercentText(const Interval& shares) {
 std::string BoundText(double share) {
   const double percent = 100 * share;
   if (!(percent > 0)) return "0 %";
-  const double unit = std::pow(10, std::floor(std::log10(percent)) - 1);
+  const double unit = Pow(10, std::floor(Log10(percent)) - 1);
   const double bound = std::min(100.0, std::ceil(percent / unit) * unit);
   return bound < 100 ? fmt::format("{:.2g} %", bound) : "100 %";
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lib/base/arithmetic/elementary.h"
 #include "lib/base/geometry/angles.h"
 
 namespace shoal {
@@ -55,7 +56,7 @@ AuvPilotParams MunetRemusPilot() {
 
 double PitchOfDescent(double z_rate_mps, double speed_mps) {
   constexpr double kSlowest_mps = 0.5;
-  return -std::asin(std::clamp(z_rate_mps / std::max(speed_mps, kSlowest_mps), -1.0, 1.0));
+  return -Asin(std::clamp(z_rate_mps / std::max(speed_mps, kSlowest_mps), -1.0, 1.0));
 }
 
 void AuvPilot::Start(double psi_rad, double z_m) {
@@ -121,7 +122,7 @@ void AuvPilot::MoveDesiredDepth(const AuvMotion& motion, double goal_m, double b
   // step of it does not.
   const bool is_bound = now_m < goal_m;
   if (is_bound && std::isfinite(bound_m_) && params_.feeds_forward) {
-    const double most_m = motion.speed_mps * std::sin(params_.depth.max_pitch_rad) * dt_s;
+    const double most_m = motion.speed_mps * Sin(params_.depth.max_pitch_rad) * dt_s;
     depth_filter_.z_d_m += std::clamp(now_m - bound_m_, -most_m, most_m);
   }
   bound_m_ = now_m;
@@ -132,8 +133,8 @@ void AuvPilot::MoveDesiredDepth(const AuvMotion& motion, double goal_m, double b
 double AuvPilot::PitchAlong(const DepthBound& bound, double goal_m, double speed_mps) const {
   if (!params_.feeds_forward) return 0;
   const double rise_mps = std::min(goal_m, bound.soon_m) - std::min(goal_m, bound.later_m);
-  const double steepest = std::sin(params_.depth.max_pitch_rad);
-  return std::asin(std::clamp(rise_mps / speed_mps, -steepest, steepest));
+  const double steepest = Sin(params_.depth.max_pitch_rad);
+  return Asin(std::clamp(rise_mps / speed_mps, -steepest, steepest));
 }
 
 double AuvPilot::RaisedPitch(const AuvMotion& motion, double theta_d_rad, const DepthBound& bound,
@@ -143,7 +144,7 @@ double AuvPilot::RaisedPitch(const AuvMotion& motion, double theta_d_rad, const 
   // Compared where a pitch that is asked for now will have come about: so a dive ends in time. Far
   // above the bound this asks for a dive steeper than any.
   const double z_soon_m =
-      motion.z_m - motion.speed_mps * std::sin(motion.theta_rad) * DepthBound::kLead_s;
+      motion.z_m - motion.speed_mps * Sin(motion.theta_rad) * DepthBound::kLead_s;
   const DepthPiGains gains = {.kp = kBoundGain * params_.depth.kp,
                               .ki = kBoundGain * params_.depth.ki,
                               .max_pitch_rad = params_.depth.max_pitch_rad};

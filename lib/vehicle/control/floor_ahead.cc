@@ -1,7 +1,8 @@
 #include "lib/vehicle/control/floor_ahead.h"
 
 #include <algorithm>
-#include <cmath>
+
+#include "lib/base/arithmetic/elementary.h"
 
 namespace shoal {
 
@@ -55,7 +56,7 @@ void FloorLine::Update(double floor_z_m, double dt_s) {
     return;
   }
   if (dt_s <= 0) return;
-  const double keep = std::exp(-dt_s / kMemory_s);
+  const double keep = Exp(-dt_s / kMemory_s);
   const double expected_m = *z_m_ + deepening_mps_ * dt_s;
   const double off_m = floor_z_m - expected_m;
   z_m_ = expected_m + (1 - keep * keep) * off_m;

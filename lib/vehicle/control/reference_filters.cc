@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lib/base/arithmetic/elementary.h"
 #include "lib/base/geometry/angles.h"
 
 namespace shoal {
@@ -17,7 +18,7 @@ constexpr double kMaxRpm = 1e6;
 void HeadingObserver::Update(double gain_hz, double psi_ref_rad, double dt_s) {
   // xi lags psi_d by r_d; the filter's time constant is that of Fossen's pole placement.
   const double time_s = 1 / (gain_hz + 2 * std::sqrt(gain_hz) + 1);
-  const double keep = std::exp(-dt_s / time_s);
+  const double keep = Exp(-dt_s / time_s);
   const double rate_radps =
       std::clamp(r_d_radps, -kMaxReferenceRate_radps, kMaxReferenceRate_radps);
   const double xi = psi_d_rad - rate_radps;
@@ -34,7 +35,7 @@ double LimitDepth(double z_m, const DepthLimits& limits, double seabed_z_m) {
 
 double DepthFilter::Update(const DepthFilterParams& params, double z_m, double dt_s) {
   const double steps = params.settles_per_step ? 1 : dt_s / params.time_s;
-  const double keep = std::exp(-steps);
+  const double keep = Exp(-steps);
   z_d_m = keep * z_d_m + (1 - keep) * z_m;
   return z_d_m;
 }

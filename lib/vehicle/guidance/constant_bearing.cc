@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lib/base/arithmetic/elementary.h"
 #include "lib/vehicle/guidance/line_of_sight.h"
 #include "lib/vehicle/guidance/plausible.h"
 
@@ -20,7 +21,7 @@ Eigen::Vector3d DesiredVelocity(const ConstantBearingLaw& law, double u_max_mps,
   const double abeam_squared = (v_t_mps - along_mps * approach).squaredNorm();
   const double u_a_mps =
       std::max(0.0, std::sqrt(std::max(0.0, u_max_mps * u_max_mps - abeam_squared)) - along_mps);
-  const double kappa_mps = u_a_mps * std::abs(gap_m) / std::hypot(law.lookahead_m, gap_m);
+  const double kappa_mps = u_a_mps * std::abs(gap_m) / Hypot(law.lookahead_m, gap_m);
   return ClampNorm(v_t_mps + kappa_mps * approach, u_max_mps);
 }
 

@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 
+#include "lib/base/arithmetic/elementary.h"
 #include "lib/base/geometry/angles.h"
 
 namespace shoal {
@@ -22,9 +23,9 @@ double TurnAngle(double angle_rad) {
 /// counter-clockwise from the x axis. L turns counter-clockwise, to port.
 struct Problem {
   double d, alpha, beta;
-  double sa = std::sin(alpha), ca = std::cos(alpha);
-  double sb = std::sin(beta), cb = std::cos(beta);
-  double cab = std::cos(alpha - beta);
+  double sa = Sin(alpha), ca = Cos(alpha);
+  double sb = Sin(beta), cb = Cos(beta);
+  double cab = Cos(alpha - beta);
 };
 
 /// The lengths of the three parts; an arc's is its angle.
@@ -45,44 +46,44 @@ std::optional<double> Root(double square) {
 std::optional<Word> Lsl(const Problem& w) {
   const auto p = Root(2 + w.d * w.d - 2 * w.cab + 2 * w.d * (w.sa - w.sb));
   if (!p) return std::nullopt;
-  const double angle_rad = std::atan2(w.cb - w.ca, w.d + w.sa - w.sb);
+  const double angle_rad = Atan2(w.cb - w.ca, w.d + w.sa - w.sb);
   return Word{{kL, kS, kL}, TurnAngle(angle_rad - w.alpha), *p, TurnAngle(w.beta - angle_rad)};
 }
 
 std::optional<Word> Rsr(const Problem& w) {
   const auto p = Root(2 + w.d * w.d - 2 * w.cab + 2 * w.d * (w.sb - w.sa));
   if (!p) return std::nullopt;
-  const double angle_rad = std::atan2(w.ca - w.cb, w.d - w.sa + w.sb);
+  const double angle_rad = Atan2(w.ca - w.cb, w.d - w.sa + w.sb);
   return Word{{kR, kS, kR}, TurnAngle(w.alpha - angle_rad), *p, TurnAngle(angle_rad - w.beta)};
 }
 
 std::optional<Word> Lsr(const Problem& w) {
   const auto p = Root(-2 + w.d * w.d + 2 * w.cab + 2 * w.d * (w.sa + w.sb));
   if (!p) return std::nullopt;
-  const double angle_rad = std::atan2(-w.ca - w.cb, w.d + w.sa + w.sb) - std::atan2(-2.0, *p);
+  const double angle_rad = Atan2(-w.ca - w.cb, w.d + w.sa + w.sb) - Atan2(-2.0, *p);
   return Word{{kL, kS, kR}, TurnAngle(angle_rad - w.alpha), *p, TurnAngle(angle_rad - w.beta)};
 }
 
 std::optional<Word> Rsl(const Problem& w) {
   const auto p = Root(-2 + w.d * w.d + 2 * w.cab - 2 * w.d * (w.sa + w.sb));
   if (!p) return std::nullopt;
-  const double angle_rad = std::atan2(w.ca + w.cb, w.d - w.sa - w.sb) - std::atan2(2.0, *p);
+  const double angle_rad = Atan2(w.ca + w.cb, w.d - w.sa - w.sb) - Atan2(2.0, *p);
   return Word{{kR, kS, kL}, TurnAngle(w.alpha - angle_rad), *p, TurnAngle(w.beta - angle_rad)};
 }
 
 std::optional<Word> Rlr(const Problem& w) {
   const double cosine = (6 - w.d * w.d + 2 * w.cab + 2 * w.d * (w.sa - w.sb)) / 8;
   if (std::abs(cosine) > 1) return std::nullopt;
-  const double p = TurnAngle(2 * kPi - std::acos(cosine));
-  const double t = TurnAngle(w.alpha - std::atan2(w.ca - w.cb, w.d - w.sa + w.sb) + p / 2);
+  const double p = TurnAngle(2 * kPi - Acos(cosine));
+  const double t = TurnAngle(w.alpha - Atan2(w.ca - w.cb, w.d - w.sa + w.sb) + p / 2);
   return Word{{kR, kL, kR}, t, p, TurnAngle(w.alpha - w.beta - t + p)};
 }
 
 std::optional<Word> Lrl(const Problem& w) {
   const double cosine = (6 - w.d * w.d + 2 * w.cab + 2 * w.d * (w.sb - w.sa)) / 8;
   if (std::abs(cosine) > 1) return std::nullopt;
-  const double p = TurnAngle(2 * kPi - std::acos(cosine));
-  const double t = TurnAngle(-w.alpha + std::atan2(w.cb - w.ca, w.d + w.sa - w.sb) + p / 2);
+  const double p = TurnAngle(2 * kPi - Acos(cosine));
+  const double t = TurnAngle(-w.alpha + Atan2(w.cb - w.ca, w.d + w.sa - w.sb) + p / 2);
   return Word{{kL, kR, kL}, t, p, TurnAngle(w.beta - w.alpha - t + p)};
 }
 
@@ -94,7 +95,7 @@ void MoveAlong(const DubinsPart& part, double length_m, double radius_m, TurnPos
   }
   const double turn_rad = part.turn * length_m / radius_m;
   // The chord points half of the turn away.
-  const double chord_m = 2 * radius_m * std::sin(length_m / radius_m / 2);
+  const double chord_m = 2 * radius_m * Sin(length_m / radius_m / 2);
   pose->position_m += chord_m * UnitVector(pose->heading_rad + turn_rad / 2);
   pose->heading_rad += turn_rad;
 }

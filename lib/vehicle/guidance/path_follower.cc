@@ -1,8 +1,8 @@
 #include "lib/vehicle/guidance/path_follower.h"
 
-#include <cmath>
 #include <utility>
 
+#include "lib/base/arithmetic/elementary.h"
 #include "lib/base/check/check.h"
 #include "lib/base/geometry/angles.h"
 #include "lib/vehicle/guidance/plausible.h"
@@ -57,7 +57,7 @@ PathGuidance PathFollower::Update(const Eigen::Vector3d& position_m, double dt_s
     const double turn_rad = WrapPi(after.psi_rad - leg.psi_rad);
     if (turn_rad != 0) {
       alos_.TurnBy(turn_rad);
-      bare_crab_rad_ *= std::cos(turn_rad);
+      bare_crab_rad_ *= Cos(turn_rad);
     }
   }
   return guidance;
@@ -93,7 +93,7 @@ void PathFollower::Hold(const Eigen::Vector3d& position_m, PathGuidance* guidanc
   const double distance_m = way_m.head<2>().norm();
   if (distance_m > params_.hold_radius_m) goes_back_ = true;
   if (distance_m <= params_.waypoint_switch.acceptance_radius_m) goes_back_ = false;
-  if (goes_back_) held_psi_rad_ = WrapPi(std::atan2(way_m.y(), way_m.x()));
+  if (goes_back_) held_psi_rad_ = WrapPi(Atan2(way_m.y(), way_m.x()));
   guidance->speed_mps = goes_back_ ? params_.speed_mps : 0;
   guidance->next_m = last_m;
   guidance->z_m = last_m.z();

@@ -5,6 +5,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "lib/base/arithmetic/elementary.h"
 #include "lib/base/check/check.h"
 #include "lib/base/geometry/angles.h"
 
@@ -76,7 +77,7 @@ JoinedPath PathOfPart(const HelixPart& part, const PathSoFar& /*before*/) {
 
 JoinedPath PathOfPart(const YoyoPart& part, const PathSoFar& before) {
   const Eigen::Vector3d start_m = part.start_m.value_or(before.end_m);
-  const double slope = std::tan(DegToRad(part.glide_deg));
+  const double slope = Tan(DegToRad(part.glide_deg));
   const Eigen::Vector2d way_m = part.to_m - start_m.head<2>();
   const double length_m = way_m.norm();
   JoinedPath joined{.path = {{start_m}}};
@@ -119,8 +120,8 @@ std::vector<Eigen::Vector3d> ArcAt(const Eigen::Vector3d& from_m, const Eigen::V
   const double turn_rad = WrapPi(HeadingOf(out_m) - heading_rad);
   constexpr double kRightRound_rad = kPi * 0.999;
   if (std::abs(turn_rad) <= kChordTurn_rad || std::abs(turn_rad) > kRightRound_rad) return {};
-  const double tangent_m = std::min(radius_m * std::tan(std::abs(turn_rad) / 2), room_m);
-  const double arc_radius_m = tangent_m / std::tan(std::abs(turn_rad) / 2);
+  const double tangent_m = std::min(radius_m * Tan(std::abs(turn_rad) / 2), room_m);
+  const double arc_radius_m = tangent_m / Tan(std::abs(turn_rad) / 2);
   const double side = turn_rad > 0 ? 1 : -1;
   const Eigen::Vector2d begin_m = corner_m.head<2>() - tangent_m * in_m.normalized();
   const Eigen::Vector2d center_m =
@@ -183,7 +184,7 @@ double CountPoints(const HelixPart& part) {
 }
 
 double CountPoints(const YoyoPart& part, const Eigen::Vector3d& start_m) {
-  const double glide_m = (part.bottom_m - part.top_m) / std::tan(DegToRad(part.glide_deg));
+  const double glide_m = (part.bottom_m - part.top_m) / Tan(DegToRad(part.glide_deg));
   return 3 + (part.to_m - start_m.head<2>()).norm() / glide_m;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lib/base/arithmetic/elementary.h"
 #include "lib/base/check/check.h"
 #include "lib/vehicle/guidance/plausible.h"
 
@@ -20,7 +21,7 @@ double PsiOf(const WaypointPath& path, const PathProgress& progress, size_t inde
     return Plausible(points_m[(i + 1) % size]) - Plausible(begin_m(i));
   };
   const auto has_way = [&](size_t i) { return way_m(i).x() != 0 || way_m(i).y() != 0; };
-  const auto psi_rad = [&](size_t i) { return std::atan2(way_m(i).y(), way_m(i).x()); };
+  const auto psi_rad = [&](size_t i) { return Atan2(way_m(i).y(), way_m(i).x()); };
   for (size_t i = index + 1; i-- > 0;) {
     if (has_way(i)) return psi_rad(i);
   }
@@ -57,7 +58,7 @@ PathLeg CurrentLeg(const WaypointPath& path, PathEnd end, const PathProgress& pr
   if (progress.approaches) {
     const Eigen::Vector3d to_m = Plausible(path.points_m.front());
     const Eigen::Vector3d way_m = to_m - Plausible(progress.start_m);
-    return LegBetween(Plausible(progress.start_m), to_m, std::atan2(way_m.y(), way_m.x()));
+    return LegBetween(Plausible(progress.start_m), to_m, Atan2(way_m.y(), way_m.x()));
   }
   if (!progress.ended) {
     SHOAL_CHECK(closes || size == 1 || progress.previous + 1 < size,
@@ -69,14 +70,12 @@ PathLeg CurrentLeg(const WaypointPath& path, PathEnd end, const PathProgress& pr
   PathLeg leg{.from_m = Plausible(path.points_m.back()),
               .psi_rad = PsiOf(path, progress, size > 1 ? size - 2 : 0)};
   leg.length_m = std::max(ErrorsOn(leg, position_m).x_e_m, 0.0) + kOpenEnd_m;
-  leg.to_m =
-      leg.from_m + leg.length_m * Eigen::Vector3d(std::cos(leg.psi_rad), std::sin(leg.psi_rad), 0);
+  leg.to_m = leg.from_m + leg.length_m * Eigen::Vector3d(Cos(leg.psi_rad), Sin(leg.psi_rad), 0);
   return leg;
 }
 
 TrackErrors ErrorsOn(const PathLeg& leg, const Eigen::Vector3d& position_m) {
-  const double cos_psi = std::cos(leg.psi_rad);
-  const double sin_psi = std::sin(leg.psi_rad);
+  const auto [sin_psi, cos_psi] = SinCos(leg.psi_rad);
   const Eigen::Vector3d offset_m = Plausible(position_m) - Plausible(leg.from_m);
   return {.x_e_m = offset_m.x() * cos_psi + offset_m.y() * sin_psi,
           .y_e_m = -offset_m.x() * sin_psi + offset_m.y() * cos_psi};

@@ -1,9 +1,9 @@
 #include "lib/vehicle/guidance/target_tracker.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
+#include "lib/base/arithmetic/elementary.h"
 #include "lib/vehicle/guidance/plausible.h"
 
 namespace shoal {
@@ -15,11 +15,11 @@ TrackCommand CommandOf(const Eigen::Vector3d& velocity_mps, double held_psi_rad,
   const Eigen::Vector3d& v_mps = command.velocity_mps;
   command.speed_mps = v_mps.norm();
   if (v_mps.head<2>().norm() >= kStill_mps) {
-    command.psi_d_rad = WrapPi(std::atan2(v_mps.y(), v_mps.x()));
+    command.psi_d_rad = WrapPi(Atan2(v_mps.y(), v_mps.x()));
   }
   if (command.speed_mps >= kStill_mps) {
     const double sine = std::clamp(-v_mps.z() / command.speed_mps, -1.0, 1.0);
-    command.theta_d_rad = std::clamp(std::asin(sine), -max_pitch_rad, max_pitch_rad);
+    command.theta_d_rad = std::clamp(Asin(sine), -max_pitch_rad, max_pitch_rad);
   }
   return command;
 }

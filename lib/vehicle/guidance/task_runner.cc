@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "lib/base/arithmetic/elementary.h"
 #include "lib/base/geometry/angles.h"
 #include "lib/vehicle/guidance/plausible.h"
 
@@ -44,7 +45,7 @@ size_t EntryCorner(const LoiterTask& task, const std::vector<Eigen::Vector2d>& c
 // Corners closer together than the capture radius would all be reached at once.
 CaptureRule LoiterCapture(const LoiterTask& task) {
   CaptureRule rule = task.capture;
-  const double side_m = 2 * task.radius_m * std::sin(kPi / task.num_points);
+  const double side_m = 2 * task.radius_m * Sin(kPi / task.num_points);
   rule.capture_radius_m = std::min(rule.capture_radius_m, 0.4 * side_m);
   return rule;
 }

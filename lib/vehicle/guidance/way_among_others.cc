@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lib/base/arithmetic/elementary.h"
 #include "lib/base/geometry/angles.h"
 
 namespace shoal {
@@ -22,19 +23,19 @@ constexpr double kSteepestReturn_rad = DegToRad(20);
 
 /// Returns the course of the path, by ALOS pi_h - beta_hat - atan(y_e / Delta), with that return.
 double PsiOfWay(const PathFollowTask& task, const Guidance& path) {
-  const double return_rad = std::atan(-path.cross_track_error_m / task.lookahead_m);
+  const double return_rad = Atan(-path.cross_track_error_m / task.lookahead_m);
   return PsiFromHeading(path.heading_rad) + return_rad -
          std::clamp(return_rad, -kSteepestReturn_rad, kSteepestReturn_rad);
 }
 
 /// Returns the velocity relative to the water that the path asks for.
 Eigen::Vector3d WayOf(const PathFollowTask& task, const Guidance& path, double z_m) {
-  const double steepest_mps = path.speed_mps * std::sin(kSteepest_rad);
+  const double steepest_mps = path.speed_mps * Sin(kSteepest_rad);
   const double descent_mps =
       path.z_m ? std::clamp((*path.z_m - z_m) / kDepthTime_s, -steepest_mps, steepest_mps) : 0;
-  const double psi_rad = PsiOfWay(task, path);
+  const auto [sine, cosine] = SinCos(PsiOfWay(task, path));
   const double level_mps = std::sqrt(path.speed_mps * path.speed_mps - descent_mps * descent_mps);
-  return {level_mps * std::cos(psi_rad), level_mps * std::sin(psi_rad), descent_mps};
+  return {level_mps * cosine, level_mps * sine, descent_mps};
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <optional>
 
+#include "lib/base/arithmetic/elementary.h"
 #include "lib/base/check/check.h"
 #include "lib/vehicle/guidance/plausible.h"
 
@@ -21,7 +22,7 @@ double Between(double low, double high, Stream& stream) {
 std::optional<double> PsiBetween(const Eigen::Vector3d& from_m, const Eigen::Vector3d& to_m) {
   const Eigen::Vector3d way_m = Plausible(to_m) - Plausible(from_m);
   if (way_m.x() == 0 && way_m.y() == 0) return std::nullopt;
-  return WrapPi(std::atan2(way_m.y(), way_m.x()));
+  return WrapPi(Atan2(way_m.y(), way_m.x()));
 }
 
 }  // namespace
@@ -87,8 +88,8 @@ WaypointPath RandomPath(const RandomPathParams& params, Stream& stream) {
     psi_rad = WrapPi(psi_rad + Between(params.min_turn_rad, params.max_turn_rad, stream));
     const double length_m = Between(params.min_leg_m, params.max_leg_m, stream);
     const Eigen::Vector3d& last_m = path.points_m.back();
-    path.points_m.emplace_back(last_m.x() + length_m * std::cos(psi_rad),
-                               last_m.y() + length_m * std::sin(psi_rad),
+    path.points_m.emplace_back(last_m.x() + length_m * Cos(psi_rad),
+                               last_m.y() + length_m * Sin(psi_rad),
                                Between(params.min_depth_m, params.max_depth_m, stream));
   }
   return path;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lib/base/arithmetic/elementary.h"
 #include "lib/base/check/check.h"
 
 namespace shoal {
@@ -19,7 +20,7 @@ double GammaSeries(double a, double x) {
     term *= x / (a + n);
     sum += term;
   }
-  return sum * std::exp(-x + a * std::log(x) - std::lgamma(a));
+  return sum * Exp(-x + a * Log(x) - LogGamma(a));
 }
 
 /// Returns 1 - P(a, x) by its continued fraction, evaluated after Lentz (1976); for x >= a + 1.
@@ -40,7 +41,7 @@ double GammaFraction(double a, double x) {
     fraction *= d * c;
     if (std::abs(d * c - 1) < 1e-16) break;
   }
-  return fraction * std::exp(-x + a * std::log(x) - std::lgamma(a));
+  return fraction * Exp(-x + a * Log(x) - LogGamma(a));
 }
 
 }  // namespace

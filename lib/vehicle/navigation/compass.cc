@@ -2,15 +2,16 @@
 
 #include <cmath>
 
+#include "lib/base/arithmetic/elementary.h"
 #include "lib/base/geometry/angles.h"
 
 namespace shoal {
 
 double DeviationAt(const DeviationCoefficients& deviation, double compass_heading_rad) {
-  return deviation.a + deviation.b * std::sin(compass_heading_rad) +
-         deviation.c * std::cos(compass_heading_rad) +
-         deviation.d * std::sin(2 * compass_heading_rad) +
-         deviation.e * std::cos(2 * compass_heading_rad);
+  const auto [sine, cosine] = SinCos(compass_heading_rad);
+  const auto [sine_of_two, cosine_of_two] = SinCos(2 * compass_heading_rad);
+  return deviation.a + deviation.b * sine + deviation.c * cosine + deviation.d * sine_of_two +
+         deviation.e * cosine_of_two;
 }
 
 double DeviationRms(const DeviationCoefficients& deviation) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lib/base/arithmetic/elementary.h"
 #include "lib/base/check/check.h"
 #include "lib/base/geometry/angles.h"
 #include "lib/vehicle/navigation/chi_square.h"
@@ -17,8 +18,7 @@ constexpr double kDeviationTurn_rad = 1;
 
 /// Returns the axes of the hull: forward and starboard, as columns; x East, y North.
 Eigen::Matrix2d HullAxes(double heading_rad) {
-  const double s = std::sin(heading_rad);
-  const double c = std::cos(heading_rad);
+  const auto [s, c] = SinCos(heading_rad);
   return Eigen::Matrix2d{{s, c}, {c, -s}};
 }
 
@@ -52,10 +52,10 @@ void NavigationFilter::Propagate(double yaw_rate_radps, double dt_s) {
   const double turn_rad = (yaw_rate_radps - solution_.gyro_bias_radps) * dt_s;
   const Eigen::Matrix2d axes = HullAxes(solution_.heading_rad + turn_rad / 2);
   const Eigen::Vector2d by_heading_m = TurnOfAxes(axes) * solution_.in_water_mps * dt_s;
-  const double keep_sway = std::exp(-dt_s / options_.sway_time_s);
+  const double keep_sway = Exp(-dt_s / options_.sway_time_s);
   // The deviation that was known is forgotten as the heading changes.
   const double keep_bias =
-      options_.compass_deviation_rad > 0 ? std::exp(-std::abs(turn_rad) / kDeviationTurn_rad) : 1;
+      options_.compass_deviation_rad > 0 ? Exp(-std::abs(turn_rad) / kDeviationTurn_rad) : 1;
 
   StateMatrix step = StateMatrix::Identity();
   step.block<2, 1>(kStateX, kStateHeading) = by_heading_m;
@@ -187,7 +187,7 @@ UpdateResult NavigationFilter::UpdateGps(const Eigen::Vector2d& position_m) {
 UpdateResult NavigationFilter::UpdateRange(const BeaconFix& beacon, double depth_m, double range_m,
                                            double noise_m, bool is_one_way) {
   const Eigen::Vector2d away_m = solution_.position_m - beacon.position_m.head<2>();
-  const double expected_m = std::hypot(away_m.norm(), depth_m - beacon.position_m.z());
+  const double expected_m = Hypot(away_m.norm(), depth_m - beacon.position_m.z());
   Jacobian<1> jacobian = Jacobian<1>::Zero();
   if (expected_m > 0) jacobian.segment<2>(kStateX) = away_m.transpose() / expected_m;
   // The place of the beacon is wrong along the range by as much as in x and y.
@@ -219,7 +219,7 @@ UpdateResult NavigationFilter::UpdateDirection(const BeaconFix& beacon, double d
   jacobian(0, kStateHeading) = -1;
   const Eigen::Vector2d innovation(
       WrapPi(direction.bearing_rad - (HeadingOf(way_m) - solution_.heading_rad)),
-      direction.depression_rad - std::atan2(below_m, level_m));
+      direction.depression_rad - Atan2(below_m, level_m));
   Eigen::Matrix2d noise = Eigen::Vector2d(errors.bearing_noise_rad * errors.bearing_noise_rad,
                                           errors.depression_noise_rad * errors.depression_noise_rad)
                               .asDiagonal();
@@ -244,9 +244,9 @@ ErrorEllipse EllipseOf(const Eigen::Matrix2d& covariance_m2, double probability)
   // Eigenvalues and direction of a symmetric matrix of two rows, in closed form.
   const double mean = (covariance_m2(0, 0) + covariance_m2(1, 1)) / 2;
   const double half_difference = (covariance_m2(1, 1) - covariance_m2(0, 0)) / 2;
-  const double radius = std::hypot(half_difference, covariance_m2(0, 1));
-  const double scale = std::sqrt(-2 * std::log1p(-probability));
-  const double heading_rad = std::atan2(covariance_m2(0, 1), half_difference) / 2;
+  const double radius = Hypot(half_difference, covariance_m2(0, 1));
+  const double scale = std::sqrt(-2 * Log1p(-probability));
+  const double heading_rad = Atan2(covariance_m2(0, 1), half_difference) / 2;
   return {.major_m = scale * std::sqrt(std::max(0.0, mean + radius)),
           .minor_m = scale * std::sqrt(std::max(0.0, mean - radius)),
           .heading_rad = heading_rad < 0 ? heading_rad + kPi : heading_rad};

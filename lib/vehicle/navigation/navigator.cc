@@ -1,8 +1,8 @@
 #include "lib/vehicle/navigation/navigator.h"
 
-#include <cmath>
 #include <utility>
 
+#include "lib/base/arithmetic/elementary.h"
 #include "lib/base/check/check.h"
 #include "lib/base/geometry/angles.h"
 
@@ -54,7 +54,7 @@ void Navigator::Start(const Eigen::Vector2d& position_m, double heading_rad) {
   sigmas[kStateCurrentX] = sigmas[kStateCurrentY] = knowledge_.current_mps;
   sigmas[kStateDvlScale] = assumed_.dvl ? assumed_.dvl->scale_sigma : 0;
   sigmas[kStateCompassBias] =
-      std::hypot(filter_options_.compass_bias_rad, filter_options_.compass_deviation_rad);
+      Hypot(filter_options_.compass_bias_rad, filter_options_.compass_deviation_rad);
   sigmas[kStateClock] = assumed_.clock.phase_sigma_s * sound_speed_mps;
   sigmas[kStateClockDrift] = assumed_.clock.drift_sigma_ppm * 1e-6 * sound_speed_mps;
   filter_.emplace(filter_options_, start, sigmas);

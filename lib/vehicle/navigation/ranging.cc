@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lib/base/arithmetic/elementary.h"
 #include "lib/base/check/check.h"
 #include "lib/base/geometry/angles.h"
 
@@ -49,7 +50,7 @@ UsblReading TrueUsbl(const Eigen::Vector3d& position_m, double heading_rad,
   const Eigen::Vector3d way_m = target_m - position_m;
   return {.range_m = way_m.norm(),
           .bearing_rad = WrapPi(HeadingOf(way_m.head<2>()) - heading_rad),
-          .depression_rad = std::atan2(way_m.z(), way_m.head<2>().norm())};
+          .depression_rad = Atan2(way_m.z(), way_m.head<2>().norm())};
 }
 
 UsblReading WithNoise(const UsblReading& truth, const UsblErrors& errors, Stream* draws) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "lib/base/arithmetic/elementary.h"
 #include "lib/base/check/check.h"
 #include "lib/vehicle/vehicle/attitude.h"
 
@@ -81,8 +82,7 @@ ForwardLookingSonar::ForwardLookingSonar(const SonarParams& params) : params_(pa
     const double azimuth = Spread(0, params.width_rad, i, params.azimuth_beams);
     for (int j = 0; j < params.elevation_beams; ++j) {
       const double below = Spread(params.tilt_rad, params.height_rad, j, params.elevation_beams);
-      beams_.emplace_back(std::cos(azimuth) * std::cos(below), std::sin(azimuth) * std::cos(below),
-                          std::sin(below));
+      beams_.emplace_back(Cos(azimuth) * Cos(below), Sin(azimuth) * Cos(below), Sin(below));
     }
   }
 }

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "lib/base/arithmetic/elementary.h"
 #include "lib/base/geometry/angles.h"
 
 namespace shoal {
@@ -13,9 +14,9 @@ constexpr double kMinCosPitch = 1e-3;
 }  // namespace
 
 Eigen::Matrix3d BodyToWorld(double phi_rad, double theta_rad, double psi_rad) {
-  const double cphi = std::cos(phi_rad), sphi = std::sin(phi_rad);
-  const double cth = std::cos(theta_rad), sth = std::sin(theta_rad);
-  const double cpsi = std::cos(psi_rad), spsi = std::sin(psi_rad);
+  const auto [sphi, cphi] = SinCos(phi_rad);
+  const auto [sth, cth] = SinCos(theta_rad);
+  const auto [spsi, cpsi] = SinCos(psi_rad);
   Eigen::Matrix3d rotation;
   rotation << cpsi * cth, -spsi * cphi + cpsi * sth * sphi, spsi * sphi + cpsi * cphi * sth,  //
       spsi * cth, cpsi * cphi + sphi * sth * spsi, -cpsi * sphi + sth * spsi * cphi,          //
@@ -24,9 +25,8 @@ Eigen::Matrix3d BodyToWorld(double phi_rad, double theta_rad, double psi_rad) {
 }
 
 Eigen::Matrix3d BodyRatesToEulerRates(double phi_rad, double theta_rad) {
-  const double cphi = std::cos(phi_rad), sphi = std::sin(phi_rad);
-  const double sth = std::sin(theta_rad);
-  double cth = std::cos(theta_rad);
+  const auto [sphi, cphi] = SinCos(phi_rad);
+  auto [sth, cth] = SinCos(theta_rad);
   if (std::abs(cth) < kMinCosPitch) cth = std::copysign(kMinCosPitch, cth);
   Eigen::Matrix3d rates;
   rates << 1, sphi * sth / cth, cphi * sth / cth,  //

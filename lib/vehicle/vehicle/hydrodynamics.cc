@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lib/base/arithmetic/elementary.h"
 #include "lib/base/geometry/angles.h"
 
 namespace shoal {
@@ -42,7 +43,7 @@ LambFactors LambFactorsOfSpheroid(double length_m, double diameter_m) {
   const double e2 = 1 - ratio * ratio;
   const double e = std::sqrt(e2);
   const double e3 = e2 * e;
-  const double log_term = std::log((1 + e) / (1 - e));
+  const double log_term = Log((1 + e) / (1 - e));
   const double alpha_0 = 2 * (1 - e2) / e3 * (0.5 * log_term - e);
   const double beta_0 = 1 / e2 - (1 - e2) / (2 * e3) * log_term;
   const double difference = beta_0 - alpha_0;
@@ -77,8 +78,7 @@ LiftDragForce LiftDrag(const WingHull& hull, double alpha_rad, double speed_mps)
   const double slope = kPi * aspect_ratio / (1 + std::sqrt(1 + 0.25 * aspect_ratio * aspect_ratio));
   const double angle_rad = Moderate(alpha_rad);
   const double flow_mps = Moderate(speed_mps);
-  const double sin_a = std::sin(angle_rad);
-  const double cos_a = std::cos(angle_rad);
+  const auto [sin_a, cos_a] = SinCos(angle_rad);
   const bool is_linear = hull.law == LiftLaw::kLinear;
   const double lift_coefficient = slope * (is_linear ? angle_rad : sin_a * cos_a);
   const double inducing = slope * (is_linear ? angle_rad : sin_a);
@@ -91,8 +91,8 @@ LiftDragForce LiftDrag(const WingHull& hull, double alpha_rad, double speed_mps)
 }
 
 Vector6d Restoring(const Hydrostatics& body, double phi_rad, double theta_rad) {
-  const double sth = std::sin(theta_rad), cth = std::cos(theta_rad);
-  const double sphi = std::sin(phi_rad), cphi = std::cos(phi_rad);
+  const auto [sth, cth] = SinCos(theta_rad);
+  const auto [sphi, cphi] = SinCos(phi_rad);
   const double sinking_n = body.weight_n - body.buoyancy_n;
   const Eigen::Vector3d moment = body.weight_n * body.cg_m - body.buoyancy_n * body.cb_m;
   Vector6d g;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lib/base/arithmetic/elementary.h"
 #include "lib/base/geometry/angles.h"
 
 namespace shoal {
@@ -23,7 +24,7 @@ double Slope(const Propeller& propeller, double at_rest, double at_max) {
 /// Returns the thrust that keeps up `speed_mps`, signed.
 double ThrustNeeded(const Remus100& auv, double speed_mps) {
   const double alpha_rad = speed_mps < 0 ? kPi : 0;
-  const double fade = std::exp(-auv.params.damping_fade_spm * std::abs(speed_mps));
+  const double fade = Exp(-auv.params.damping_fade_spm * std::abs(speed_mps));
   const double drag_n = auv.damping[0] * fade * speed_mps -
                         LiftDrag(auv.wing, alpha_rad, std::abs(speed_mps)).surge_n;
   return drag_n / (1 - auv.params.propeller.thrust_deduction);

@@ -1,8 +1,8 @@
 #include "lib/vehicle/vehicle/remus100.h"
 
 #include <algorithm>
-#include <cmath>
 
+#include "lib/base/arithmetic/elementary.h"
 #include "lib/base/check/bounds.h"
 #include "lib/base/check/check.h"
 #include "lib/vehicle/vehicle/attitude.h"
@@ -35,7 +35,7 @@ Remus100Actuators MoveActuators(const Remus100Params& params, const Remus100Actu
                                 const Remus100Actuators& command, double dt_s) {
   const bool is_euler = params.variants.euler_actuators;
   const auto share = [&](double time_s) {
-    return is_euler ? dt_s / time_s : -std::expm1(-dt_s / time_s);
+    return is_euler ? dt_s / time_s : -Expm1(-dt_s / time_s);
   };
   const double fin_share = share(params.fin_time_s);
   const double propeller_share = share(params.propeller.time_s);
@@ -65,7 +65,7 @@ Matrix6d AddedMassCoriolis(const Remus100& auv, const Vector6d& nu_r) {
 }
 
 Vector6d DampingForce(const Remus100& auv, const Vector6d& nu_r) {
-  const double fade = std::exp(-auv.params.damping_fade_spm * nu_r.head<3>().norm());
+  const double fade = Exp(-auv.params.damping_fade_spm * nu_r.head<3>().norm());
   Vector6d damping = auv.damping;
   damping[0] *= fade;
   damping[1] *= fade;
@@ -121,8 +121,7 @@ Vector6d Acceleration(const Remus100& auv, const Remus100State& state, const Vec
   Vector6d force = ActuatorForce(auv, nu, nu_r, actuators) - coriolis * nu_r -
                    DampingForce(auv, nu_r) -
                    Restoring(HydrostaticsAt(auv, state.eta[2]), state.eta[3], state.eta[4]);
-  const LiftDragForce wing =
-      LiftDrag(auv.wing, std::atan2(nu_r[2], nu_r[0]), nu_r.head<3>().norm());
+  const LiftDragForce wing = LiftDrag(auv.wing, Atan2(nu_r[2], nu_r[0]), nu_r.head<3>().norm());
   force[0] += wing.surge_n;
   force[2] += wing.heave_n;
   const CrossFlowForce cross_flow = CrossFlowDrag(auv.cross_flow, nu_r[1], nu_r[5]);
@@ -150,8 +149,7 @@ Eigen::Vector3d CurrentInBody(const Remus100& auv, const Vector6d& eta,
   if (!auv.params.variants.current_by_yaw_only) {
     return BodyToWorld(eta[3], eta[4], eta[5]).transpose() * water_mps;
   }
-  const double cpsi = std::cos(eta[5]);
-  const double spsi = std::sin(eta[5]);
+  const auto [spsi, cpsi] = SinCos(eta[5]);
   return {water_mps.x() * cpsi + water_mps.y() * spsi, water_mps.y() * cpsi - water_mps.x() * spsi,
           0};
 }
@@ -208,7 +206,7 @@ double Energy(const Remus100& auv, const Remus100State& state,
               const Remus100Environment& environment) {
   const Vector6d nu_r =
       Bounded(Bounded(state.nu) - Linear(CurrentInBody(auv, state.eta, environment.current_mps)));
-  const double heeled = 1 - std::cos(state.eta[3]) * std::cos(state.eta[4]);
+  const double heeled = 1 - Cos(state.eta[3]) * Cos(state.eta[4]);
   return 0.5 * nu_r.dot(auv.mass * nu_r) +
          auv.submerged.weight_n * auv.params.cg_below_axis_m * heeled;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lib/base/arithmetic/elementary.h"
 #include "lib/base/geometry/angles.h"
 #include "lib/vehicle/vehicle/hydrodynamics.h"
 
@@ -30,7 +31,7 @@ double SteepestPitch(const Remus100& auv, double speed_mps) {
                         fin.lift_coefficient * auv.params.max_fin_rad;
   const double restoring_nm = auv.submerged.weight_n * auv.params.cg_below_axis_m;
   const double moment_nm = std::abs(fin.x_m) * lift_n;
-  return moment_nm < restoring_nm ? std::asin(moment_nm / restoring_nm) : kPi / 2;
+  return moment_nm < restoring_nm ? Asin(moment_nm / restoring_nm) : kPi / 2;
 }
 
 }  // namespace shoal

@@ -1,7 +1,7 @@
 // How a Remus 100 lies in the water, and how steeply its fins can hold it.
 //
 //   const double z_m = FloatingDepth(auv);
-//   const double climb_mps = speed_mps * std::sin(SteepestPitch(auv, speed_mps));
+//   const double climb_mps = speed_mps * Sin(SteepestPitch(auv, speed_mps));
 #pragma once
 
 #include "lib/vehicle/vehicle/remus100_params.h"
