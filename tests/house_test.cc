@@ -111,6 +111,17 @@ std::vector<Line> ProductCode() {
   return lines;
 }
 
+TEST(Arithmetic, TakesElementaryFunctionsFromItsRoom) {
+  const std::regex of_libm(R"(std::(a?(sin|cos|tan)h?|atan2|exp2?|expm1|log(2|10|1p)?|pow|)"
+                           R"(cbrt|erfc?|[lt]gamma)\()");
+  EXPECT_EQ(Offences(ProductCode(),
+                     [&](const Line& line) {
+                       return line.file.find("_testing.") == std::string::npos &&
+                              std::regex_search(line.text, of_libm);
+                     }),
+            kNone);
+}
+
 /// True where `text` has a string literal that is a topic of the channel table, with or without the
 /// underscore after which a vehicle's name follows.
 bool WritesAChannelName(const std::string& text) {

@@ -1,6 +1,8 @@
 // Same mission, seed and build: the same log, byte for byte, however the mission runs.
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+
 #include "tests/missions/shoal_process.h"
 
 namespace shoal::reproducibility_test {
@@ -39,6 +41,19 @@ TEST(Reproducibility, HoldsInOneProcessAndOverLcmInBothLayoutsAndAtAnySpeed) {
   EXPECT_TRUE(reference == RunLog(folder, mission, {"--layout", "shared"}));
   EXPECT_TRUE(reference == RunLog(folder, mission, {"--layout", "communities"}));
   EXPECT_TRUE(reference == RunLog(folder, mission, {"--warp", "60"}));
+}
+
+// glibc takes other functions where the processor has fewer instructions.
+TEST(Reproducibility, HoldsOnProcessorsWithFewerInstructions) {
+  for (const std::string name :
+       {"alpha", "berta", "remus_path", "swarm_fdma", "acoustic", "dvl_drift"}) {
+    const TestFolder folder;
+    const std::string mission = MissionFile(name + ".toml");
+    const std::string reference = SimLog(folder, mission);
+    setenv("GLIBC_TUNABLES", "glibc.cpu.hwcaps=-AVX2,-FMA,-FMA4,-AVX2_Usable,-FMA_Usable", 1);
+    EXPECT_TRUE(reference == SimLog(folder, mission)) << name;
+    unsetenv("GLIBC_TUNABLES");
+  }
 }
 
 TEST(Reproducibility, HoldsForOneVessel) {

@@ -10,6 +10,7 @@
 // on the arguments of elementary_test.cc). Sign and payload of a NaN are the processor's.
 //
 // What IEEE 754 rounds exactly stays in std: sqrt, abs, floor, round, fmod, remainder, ldexp.
+// tests/libm_imports finds a program of shoal that takes any other from libm.
 #pragma once
 
 namespace shoal {
