@@ -10,8 +10,9 @@
 //   while (reader.Next(&message)) Use(message, reader.ChannelName(message.channel));
 //   if (!reader.IsWhole()) return Fail();
 //
-// Numbers are in the machine's own order: all parts run the same build. A channel's name stands in
-// the first message that a writer writes on it, and bytes that messages in a row share stand once.
+// Numbers are in the machine's own order: all parts run the same version, with the same arithmetic.
+// A channel's name stands in the first message that a writer writes on it, and bytes that messages
+// in a row share stand once.
 #pragma once
 
 #include <cstdint>

@@ -15,7 +15,7 @@
 
 #include "lib/base/text/letters.h"
 #include "lib/mission/model/mission.h"
-#include "lib/run/command_line/build_id.h"
+#include "lib/run/command_line/build_facts.h"
 #include "lib/run/command_line/version.h"
 #include "sim/simulation.h"
 
@@ -175,8 +175,7 @@ int shoal_sim_abi_version(void) { return SHOAL_SIM_ABI_VERSION; }
 
 const char* shoal_sim_version(void) {
   try {
-    static const std::string version =
-        fmt::format("{} (build {})", shoal::kVersion, shoal::BuildId());
+    static const std::string version = shoal::TextOf(shoal::OwnBuild());
     return version.c_str();
   } catch (...) {
     return shoal::kVersion;

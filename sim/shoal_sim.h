@@ -42,7 +42,8 @@ enum shoal_sim_code {
 
 /** Returns SHOAL_SIM_ABI_VERSION of the library: compare it with that of the header. */
 int shoal_sim_abi_version(void);
-/** Returns the version of shoal and the id of this build, such as "0.2.0 (build 1f...)". */
+/** Returns the version of shoal, the id of this build and that of its arithmetic, such as "0.2.0
+ * (build 1f..., arithmetic 9b...)". */
 const char* shoal_sim_version(void);
 
 /** Returns a mission that is not opened yet, or null where there is no memory. */

@@ -17,7 +17,7 @@
 #include "lib/base/time/seconds.h"
 #include "lib/mission/file/drawn_seed.h"
 #include "lib/mission/file/print_errors.h"
-#include "lib/run/command_line/build_id.h"
+#include "lib/run/command_line/build_facts.h"
 #include "lib/run/run/run_app.h"
 #include "lib/tools/campaign/digest.h"
 #include "sim/director_app.h"
@@ -122,7 +122,7 @@ class RankMission {
   double setup_s_ = 0;
 };
 
-/// Rank 0 draws the seed where the mission wants one; all must be the same build.
+/// Rank 0 draws the seed where the mission wants one; all must be builds that can work together.
 std::optional<EarlyEnd> RankMission::Meet() {
   const char* tasks = std::getenv("SLURM_STEP_NUM_TASKS");
   if (ranks_.num_ranks() == 1 && tasks != nullptr && std::atoi(tasks) > 1) {
@@ -139,19 +139,23 @@ std::optional<EarlyEnd> RankMission::Meet() {
       overrides_.size() > options_.overrides.size() ? overrides_.back() : std::string();
   char host[256] = {};
   gethostname(host, sizeof host - 1);
+  const BuildFacts own = OwnBuild();
   std::vector<std::string> answers =
-      Share("the start", fmt::format("{}\n{}\n{}\n{}", host, getpid(), BuildId(), drawn));
+      Share("the start", fmt::format("{}\n{}\n{}\n{}\n{}\n{}", host, getpid(), own.version,
+                                     own.build, own.arithmetic, drawn));
   std::vector<RankPlace> places;
   for (size_t rank = 0; rank < answers.size(); ++rank) {
     std::string& answer = answers[rank];
     RankPlace place = {.host = TakeLine(&answer)};
     place.pid = static_cast<pid_t>(std::atol(TakeLine(&answer).c_str()));
     places.push_back(std::move(place));
-    if (TakeLine(&answer) == BuildId()) continue;
+    BuildFacts its = {.version = TakeLine(&answer)};
+    its.build = TakeLine(&answer);
+    its.arithmetic = TakeLine(&answer);
+    const std::string why = WhyNotTogether(its, own);
+    if (why.empty()) continue;
     return Refuse(kExitEnvironment,
-                  fmt::format("rank {} on host {} is another build of shoal-mpi: install the same "
-                              "on every host",
-                              rank, places.back().host));
+                  fmt::format("rank {} on host {}: {}", rank, places.back().host, why));
   }
   ranks_.SetPlaces(std::move(places));
   const std::string from_first = TakeLine(&answers[0]);

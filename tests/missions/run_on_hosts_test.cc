@@ -9,8 +9,10 @@
 #include <cstdlib>
 #include <thread>
 
+#include "lib/base/arithmetic/arithmetic_id.h"
 #include "lib/bus/os/file_descriptor.h"
 #include "lib/mission/file/load.h"
+#include "lib/run/command_line/build_facts.h"
 #include "lib/run/hosts/curve_link.h"
 #include "lib/run/hosts/host_offer.h"
 #include "tests/missions/delaying_proxy.h"
@@ -352,19 +354,13 @@ class PlayedHome {
   uint64_t next_sequence_ = 0;
 };
 
-/// Returns the build of `shoal`, "0123456789abcdef"; that of this test is another one.
-std::string BuildOfShoal(const TestFolder& folder) {
-  const std::string version = RunShoal(folder, {"--version"}).output;
-  const size_t begin = version.find("(build ") + 7;
-  return version.substr(begin, version.find(')') - begin);
-}
-
 /// Returns the offer of alpha's helm as home makes it.
 LinkMessage HelmOffer(HostFarm* farm, int64_t mission_id) {
   const std::string mission = farm->Placed("alpha.toml", {"\"alpha\""});
   const auto files = FilesOfMission(mission, {});
   EXPECT_TRUE(files.ok());
-  return ToLinkMessage({.build = BuildOfShoal(farm->folder),
+  // Another build than that of `shoal`: version and arithmetic are the same.
+  return ToLinkMessage({.build = OwnBuild(),
                         .host = "host1",
                         .files = *files,
                         .digest = MissionDigest(LoadMission(mission).mission, *files),
@@ -422,10 +418,11 @@ TEST(RefusedHome, StartsWhatRuns) {
   EXPECT_EQ(farm.hosts[0].process->Participants(), before);
 }
 
-TEST(RefusedHome, HasAnotherBuild) {
+/// Returns the host's answer to an offer of a home of this build.
+std::string RefusalOfBuild(const BuildFacts& build) {
   HostFarm farm(1);
   PlayedHome home(farm);
-  home.Send(ToLinkMessage(HostOffer{.build = "other",
+  home.Send(ToLinkMessage(HostOffer{.build = build,
                                     .files = {{.path = "m.toml", .text = ""}},
                                     .participants = {"helm_alpha"},
                                     .secret = {},
@@ -434,8 +431,18 @@ TEST(RefusedHome, HasAnotherBuild) {
             0);
   const LinkMessage answer = home.Await();
   EXPECT_EQ(answer.kind, LinkKind::kRefuse);
-  EXPECT_NE(answer.TextOf("why").find("install the same shoal on both"), std::string::npos)
-      << answer.TextOf("why");
+  return answer.TextOf("why");
+}
+
+TEST(RefusedHome, HasAnotherVersionOrAnotherArithmetic) {
+  EXPECT_EQ(RefusalOfBuild({.version = "9.9.9", .build = "b", .arithmetic = ArithmeticId()}),
+            fmt::format("its shoal is {}, not 9.9.9: install the same version on both",
+                        OwnBuild().version));
+  BuildFacts other = OwnBuild();
+  other.arithmetic = "0123456789abcdef";
+  const std::string why = RefusalOfBuild(other);
+  EXPECT_TRUE(why.starts_with("its arithmetic is " + ArithmeticId() + ", not 0123456789abcdef"))
+      << why;
 }
 
 TEST(RefusedHome, SendsABatchTwice) {

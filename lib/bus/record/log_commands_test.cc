@@ -257,6 +257,25 @@ TEST_F(LogDiff_, LeavesOutChannels) {
   EXPECT_EQ(exit_code_, kLogsDiffer);
 }
 
+TEST_F(LogDiff_, NamesTheArithmeticOfBothLogsWhereItDiffers) {
+  const auto rules_of = [](const std::string& arithmetic) {
+    broker_rules_t rules{};
+    rules.arithmetic = arithmetic;
+    return Encoded(rules);
+  };
+  const std::string a = Log("a.lcm", {{0, "COMMS_RULES", rules_of("a1")}, {0, "D", Desired(0, 1)}});
+  const std::string b = Log("b.lcm", {{0, "COMMS_RULES", rules_of("b2")}, {0, "D", Desired(0, 1)}});
+  const std::string note =
+      "the logs are of builds with another arithmetic, which give other logs:\n  " + a +
+      ": a1\n  " + b + ": b2\n";
+  EXPECT_NE(Diff(a, b).find(note), std::string::npos);
+  EXPECT_EQ(exit_code_, kLogsDiffer);
+  EXPECT_EQ(Diff(a, b, {"COMMS_RULES"}), note + "equal: 1 events in 1 steps\n");
+  EXPECT_EQ(exit_code_, kExitOk);
+  const std::string old = Log("c.lcm", {{0, "COMMS_RULES", rules_of("")}, {0, "D", Desired(0, 1)}});
+  EXPECT_EQ(Diff(a, old).find("arithmetic, which"), std::string::npos);
+}
+
 TEST_F(LogDiff_, FindsAMissingMessageAndCountsItsChannel) {
   const std::string a = Log("a.lcm", {{0, "D", Desired(0, 1)}, {0, "E", Desired(0, 1)}});
   const std::string b = Log("b.lcm", {{0, "E", Desired(0, 1)}});

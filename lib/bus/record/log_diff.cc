@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "lib/base/schema/text.h"
+#include "lib/bus/bus/channels.h"
 #include "lib/bus/record/event_line.h"
 #include "lib/bus/record/log_commands.h"
 #include "lib/bus/record/log_source.h"
@@ -28,6 +29,12 @@ bool IsLeftOut(const LogDiffOptions& options, std::string_view channel) {
   return std::ranges::any_of(options.without, [&](const std::string& glob) {
     return Matches(glob, std::string(channel));
   });
+}
+
+/// Takes what a log states of its arithmetic, in its first COMMS_RULES.
+void TakeArithmetic(const LogEvent& event, std::string* arithmetic) {
+  if (!arithmetic->empty() || event.channel != topics::kCommsRules) return;
+  if (broker_rules_t rules{}; Decode(event.data, &rules)) *arithmetic = rules.arithmetic;
 }
 
 /// Where two messages of one channel and time differ.
@@ -123,14 +130,18 @@ int LogDiff(const LogDiffOptions& options, std::ostream& out, std::ostream& err)
   int64_t num_steps = 0;
   std::optional<int64_t> last_utime;
   bool is_different = false;
-  const auto next_compared = [&](LogReader* reader) {
-    auto event = reader->Next();
-    while (event && IsLeftOut(options, event->channel)) event = reader->Next();
-    return event;
+  std::string arithmetic_a;
+  std::string arithmetic_b;
+  const auto next_compared = [&](LogReader* reader, std::string* arithmetic) {
+    while (true) {
+      auto event = reader->Next();
+      if (event) TakeArithmetic(*event, arithmetic);
+      if (!event || !IsLeftOut(options, event->channel)) return event;
+    }
   };
   while (true) {
-    const auto a = next_compared(&*reader_a);
-    const auto b = next_compared(&*reader_b);
+    const auto a = next_compared(&*reader_a, &arithmetic_a);
+    const auto b = next_compared(&*reader_b, &arithmetic_b);
     if (!reader_a->error().empty() || !reader_b->error().empty()) break;
     if (!a && !b) break;
     const auto count = [&](const std::optional<LogEvent>& event) -> auto& {
@@ -153,6 +164,14 @@ int LogDiff(const LogDiffOptions& options, std::ostream& out, std::ostream& err)
   const bool is_a_whole = ReportDamage(*reader_a, err);
   const bool is_b_whole = ReportDamage(*reader_b, err);
   if (!is_a_whole || !is_b_whole) return kExitEnvironment;
+  if (!arithmetic_a.empty() && !arithmetic_b.empty() && arithmetic_a != arithmetic_b) {
+    out << "the logs are of builds with another arithmetic, which give other logs:\n";
+    std::string shown_a;
+    std::string shown_b;
+    AppendQuoted(arithmetic_a, &shown_a);
+    AppendQuoted(arithmetic_b, &shown_b);
+    PrintBoth(options, shown_a, shown_b, out);
+  }
   if (is_different) {
     PrintCounts(options, counts, out);
     return kLogsDiffer;

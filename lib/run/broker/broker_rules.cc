@@ -147,6 +147,7 @@ broker_rules_t ToMessage(const BrokerRules& rules) {
   message.origin_lat_deg = rules.origin.lat_deg;
   message.origin_lon_deg = rules.origin.lon_deg;
   message.acoustics = rules.media;
+  message.arithmetic = rules.arithmetic;
   for (const AcousticNode& node : rules.vehicles) {
     message.vehicles.push_back({.name = node.name,
                                 .acoustic_address = node.address,
@@ -174,7 +175,8 @@ BrokerRules FromMessage(const broker_rules_t& message) {
       .seed = message.seed,
       .tick_us = message.tick_us,
       .origin = {.lat_deg = message.origin_lat_deg, .lon_deg = message.origin_lon_deg},
-      .media = message.acoustics};
+      .media = message.acoustics,
+      .arithmetic = message.arithmetic};
   for (const broker_vehicle_t& vehicle : message.vehicles) {
     rules.vehicles.push_back({.name = vehicle.name,
                               .address = vehicle.acoustic_address,

@@ -27,7 +27,8 @@ struct BrokerRules {
   std::vector<AcousticNode> vehicles = {};  ///< The mission's, in its order.
   RoutingRules rules = {};
   std::vector<std::pair<std::string, LinkFactors>> factors = {};  ///< Others than 1.
-  std::string media = {};  ///< Networks and media, as a mission file has them.
+  std::string media = {};       ///< Networks and media, as a mission file has them.
+  std::string arithmetic = {};  ///< ArithmeticId() of the broker; empty in logs of 0.1 and 0.2.
 
   // What a message shows beyond that; empty in the rules that a broker publishes.
   std::vector<broker_rule_t> unknown = {};  ///< Rules that this build does not know.

@@ -7,6 +7,7 @@
 #include <optional>
 #include <set>
 
+#include "lib/base/arithmetic/arithmetic_id.h"
 #include "lib/comms/routing/control.h"
 #include "lib/comms/routing/vehicle_name.h"
 
@@ -108,7 +109,8 @@ BrokerRules RulesNow(const BrokerSetup& setup, const Router& router) {
                   .origin = setup.origin,
                   .vehicles = setup.nodes,
                   .rules = router.rules(),
-                  .media = ExplainMedia(setup.media)};
+                  .media = ExplainMedia(setup.media),
+                  .arithmetic = ArithmeticId()};
   for (const Contact* contact : router.contacts()) {
     if (contact->factors == LinkFactors()) continue;
     now.factors.emplace_back(contact->name, contact->factors);

@@ -2,13 +2,12 @@
 
 #include <fmt/format.h>
 
-#include "lib/run/command_line/build_id.h"
-#include "lib/run/command_line/version.h"
+#include "lib/run/command_line/build_facts.h"
 
 namespace shoal {
 
 std::string VersionText(std::string_view program) {
-  return fmt::format("{} {} (build {})", program, kVersion, BuildId());
+  return fmt::format("{} {}", program, TextOf(OwnBuild()));
 }
 
 }  // namespace shoal

@@ -196,7 +196,9 @@ Result<std::vector<RosterEntry>> OfferedRoster(const HostOffer& offer, const Mis
 
 LinkMessage ToLinkMessage(const HostOffer& offer, int64_t mission_id) {
   LinkMessage message{.kind = LinkKind::kOffer, .mission_id = mission_id};
-  message.AddText("build", offer.build);
+  message.AddText("version", offer.build.version);
+  message.AddText("build", offer.build.build);
+  message.AddText("arithmetic", offer.build.arithmetic);
   message.AddText("host", offer.host);
   message.AddText("digest", offer.digest);
   message.AddText("layout", Name(offer.layout));
@@ -211,9 +213,15 @@ LinkMessage ToLinkMessage(const HostOffer& offer, int64_t mission_id) {
   return message;
 }
 
+BuildFacts BuildOf(const LinkMessage& offer) {
+  return {.version = offer.TextOf("version"),
+          .build = offer.TextOf("build"),
+          .arithmetic = offer.TextOf("arithmetic")};
+}
+
 Result<HostOffer> OfferOf(const LinkMessage& message) {
   HostOffer offer;
-  offer.build = message.TextOf("build");
+  offer.build = BuildOf(message);
   offer.host = message.TextOf("host");
   offer.digest = message.TextOf("digest");
   const std::string layout = message.TextOf("layout");

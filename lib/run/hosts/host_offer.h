@@ -10,6 +10,7 @@
 #include "lib/bus/bus/layout.h"
 #include "lib/bus/bus/mission_secret.h"
 #include "lib/mission/model/mission.h"
+#include "lib/run/command_line/build_facts.h"
 #include "lib/run/hosts/link_message.h"
 #include "lib/run/run/grouping.h"
 #include "lib/run/run/roster.h"
@@ -25,7 +26,7 @@ struct OfferedFile {
 };
 
 struct HostOffer {
-  std::string build = {};                      ///< BuildId() of home's shoal.
+  BuildFacts build = {};                       ///< Of home's shoal.
   std::string host = {};                       ///< The name of the [[host]].
   std::vector<OfferedFile> files = {};         ///< The mission file first.
   std::vector<std::string> overrides = {};     ///< --set
@@ -70,6 +71,8 @@ inline constexpr double kLongestHostTimeout_s = 3600;
                                                              bool allow_programs);
 
 [[nodiscard]] LinkMessage ToLinkMessage(const HostOffer& offer, int64_t mission_id);
+/// Returns HostOffer::build of an offer of any version; what the offer lacks is empty.
+[[nodiscard]] BuildFacts BuildOf(const LinkMessage& offer);
 /// Reads what ToLinkMessage returned; an error where a part is missing or wrong.
 [[nodiscard]] Result<HostOffer> OfferOf(const LinkMessage& message);
 

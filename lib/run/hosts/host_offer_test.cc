@@ -239,7 +239,7 @@ TEST_F(HostOffers, WriteNothingOutsideOfTheFolder) {
 }
 
 TEST(HostOffer, ArrivesAsItWasSent) {
-  const HostOffer offer{.build = "b",
+  const HostOffer offer{.build = {.version = "1", .build = "b", .arithmetic = "a"},
                         .host = "lab2",
                         .files = {{.path = "m.toml", .text = "x"}, {.path = "g", .text = ""}},
                         .overrides = {"mission.seed=2", "mission.name=a"},
@@ -251,6 +251,7 @@ TEST(HostOffer, ArrivesAsItWasSent) {
                         .timeout_s = 0.9};
   const auto read = OfferOf(ToLinkMessage(offer, 5));
   ASSERT_TRUE(read.ok()) << read.error();
+  EXPECT_EQ(read->build, offer.build);
   EXPECT_EQ(read->files, offer.files);
   EXPECT_EQ(read->overrides, offer.overrides);
   EXPECT_EQ(read->participants, offer.participants);

@@ -56,7 +56,7 @@ class Mutator {
 
 /// One of each kind that has parts of its own.
 std::vector<Bytes> Examples() {
-  HostOffer offer{.build = "b",
+  HostOffer offer{.build = {.version = "1", .build = "b", .arithmetic = "a"},
                   .host = "lab2",
                   .files = {{.path = "m.toml", .text = "[mission]"}, {.path = "g", .text = ""}},
                   .overrides = {"mission.seed=2"},

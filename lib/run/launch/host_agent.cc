@@ -13,8 +13,7 @@
 
 #include "lib/base/time/time_units.h"
 #include "lib/bus/bus/multicast_fault.h"
-#include "lib/run/command_line/build_id.h"
-#include "lib/run/command_line/version.h"
+#include "lib/run/command_line/build_facts.h"
 #include "lib/run/launch/launch_signals.h"
 #include "lib/run/run/run_app.h"
 #include "lib/run/run/run_registry.h"
@@ -231,11 +230,9 @@ void HostAgent::OnOffer(const std::string& peer_id, const LinkMessage& message, 
                               session_->mission().name));
   }
   // First of all: an offer of another version may have another form.
-  if (const std::string build = message.TextOf("build"); build != BuildId()) {
-    return Refuse(peer_id, message.mission_id,
-                  fmt::format("its build is another one ({} here, shoal {}; {} at home): install "
-                              "the same shoal on both",
-                              BuildId(), kVersion, build));
+  const BuildFacts homes = BuildOf(message);
+  if (const std::string why = WhyNotTogether(OwnBuild(), homes); !why.empty()) {
+    return Refuse(peer_id, message.mission_id, why);
   }
   Result<HostOffer> offer = OfferOf(message);
   if (!offer.ok()) return Refuse(peer_id, message.mission_id, offer.error());

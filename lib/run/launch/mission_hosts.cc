@@ -12,7 +12,7 @@
 
 #include "lib/base/time/seconds.h"
 #include "lib/base/time/time_units.h"
-#include "lib/run/command_line/build_id.h"
+#include "lib/run/command_line/build_facts.h"
 #include "lib/run/run/run_app.h"
 
 namespace shoal {
@@ -160,7 +160,7 @@ void MissionHosts::Send(Host* host, const LinkMessage& message) {
 }
 
 void MissionHosts::Offer(Host* host) {
-  const HostOffer offer{.build = BuildId(),
+  const HostOffer offer{.build = OwnBuild(),
                         .host = host->options.name,
                         .files = access_.files,
                         .overrides = context_.options.overrides,

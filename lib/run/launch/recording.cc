@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "lib/base/arithmetic/arithmetic_id.h"
 #include "lib/bus/os/text_file.h"
 #include "lib/mission/file/data_files.h"
 #include "lib/run/command_line/version.h"
@@ -58,8 +59,9 @@ Result<bool> PrepareRecording(const RunOptions& options, const Mission& mission)
   if (auto written = WriteText(dir / "mission.toml", text); !written.ok()) return written;
   if (auto copied = CopyDataFiles(dir, mission); !copied.ok()) return copied;
 
-  std::string run = fmt::format("shoal_version {}\nmission_file {}\nseed {}\n", kVersion,
-                                fs::absolute(mission.file).string(), mission.seed);
+  std::string run =
+      fmt::format("shoal_version {}\narithmetic {}\nmission_file {}\nseed {}\n", kVersion,
+                  ArithmeticId(), fs::absolute(mission.file).string(), mission.seed);
   for (const std::string& each : options.overrides) run += fmt::format("set {}\n", each);
   run += fmt::format("warp {}\n", options.warp > 0 ? fmt::format("{}", options.warp) : "max");
   return WriteText(dir / "run.txt", run);

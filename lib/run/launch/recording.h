@@ -8,8 +8,8 @@
 
 namespace shoal {
 
-/// Makes the folder and writes mission.toml (the file as it was), run.txt (version, seed, options,
-/// overrides). Refuses a folder that is not empty.
+/// Makes the folder and writes mission.toml (the file as it was), run.txt (version,
+/// arithmetic, seed, options, overrides). Refuses a folder that is not empty.
 [[nodiscard]] Result<bool> PrepareRecording(const RunOptions& options, const Mission& mission);
 
 /// Writes summary.txt: what the terminal showed at the end.

@@ -8,6 +8,7 @@
 #include <set>
 #include <utility>
 
+#include "lib/base/arithmetic/arithmetic_id.h"
 #include "lib/base/text/terminal_text.h"
 #include "lib/bus/os/read_file.h"
 #include "lib/mission/file/data_files.h"
@@ -139,6 +140,7 @@ MadePlan MakePlan(const Campaign& campaign, const std::string& build) {
   }
   plan.mission_text = file.text;
   plan.build = build;
+  plan.arithmetic = ArithmeticId();
   plan.cases = MakeCases(campaign);
 
   Digest identity;

@@ -18,6 +18,7 @@ namespace shoal {
 struct Plan {
   std::string mission_text;         ///< Of the mission file, as it was when the plan was made.
   std::string build;                ///< Of the programs (lib/run/command_line/build_id.h).
+  std::string arithmetic;           ///< Theirs; empty in folders of 0.2.
   std::string identity;             ///< Of all that every trial depends on, cases aside.
   std::vector<CampaignCase> cases;  ///< In the order of CampaignResults::cases.
   std::vector<MetricName> metrics;

@@ -39,6 +39,7 @@ std::string JsonOf(const LoadedCampaign& loaded, const Plan& plan) {
   json["shoal_campaign"] = 1;
   json["version"] = kVersion;
   json["build"] = plan.build;
+  json["arithmetic"] = plan.arithmetic;
   json["identity"] = plan.identity;
   const auto absolute = [](const std::string& path) {
     std::error_code ignored;
@@ -69,6 +70,7 @@ std::string ReadFacts(const std::string& text, CampaignFolder* folder) {
   if (json.at("shoal_campaign").get<int>() != 1) return "it is of a newer version of shoal";
   Plan& plan = folder->plan;
   plan.build = json.at("build").get<std::string>();
+  plan.arithmetic = json.value("arithmetic", std::string());
   plan.identity = json.at("identity").get<std::string>();
   folder->campaign.mission_file = json.at("mission_file").get<std::string>();
   const size_t num_keys = SweepKeys(folder->campaign).size();
@@ -305,6 +307,9 @@ Result<StoredTrials> ReadShards(const CampaignFolder& folder) {
       if (number == numbers.end() || trial->key.repetition > folder.campaign.repetitions) {
         ++stored.num_foreign;
         continue;
+      }
+      if (!trial->arithmetic.empty() && trial->arithmetic != folder.plan.arithmetic) {
+        stored.of_other_arithmetic.try_emplace(file.filename().string(), trial->arithmetic);
       }
       AddTrial(*std::move(trial), &stored.by_case[number->second], &stored.differing);
     }

@@ -54,6 +54,8 @@ struct StoredTrials {
   int64_t num_foreign = 0;  ///< Trials of cases that the plan has not.
   /// Trials of which two lines differ: shoal promises that there are none.
   std::vector<TrialKey> differing;
+  /// Shards with trials of another arithmetic than the campaign's, and that arithmetic.
+  std::map<std::string, std::string> of_other_arithmetic;
 
   [[nodiscard]] int64_t size() const;
 };

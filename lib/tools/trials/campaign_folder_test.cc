@@ -7,6 +7,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "lib/base/arithmetic/arithmetic_id.h"
 #include "lib/tools/campaign/folder_testing.h"
 #include "lib/tools/trials/reduce.h"
 #include "lib/tools/trials/shard_file.h"
@@ -268,6 +269,25 @@ TEST_F(CampaignFolderTest, NamesATrialWithTwoResults) {
   const auto results = ReduceCampaign(*folder);
   ASSERT_FALSE(results.ok());
   EXPECT_NE(results.error().find(TrialName({folder->plan.cases[0].id, 1})), std::string::npos);
+}
+
+TEST_F(CampaignFolderTest, NamesShardsOfAnotherArithmetic) {
+  const auto folder = Open(CampaignText(10));
+  ASSERT_TRUE(folder.ok());
+  EXPECT_EQ(folder->plan.arithmetic, ArithmeticId());
+  Append(*folder, 0, 1, PassWith(1));
+  FinishedTrial other{.key = {folder->plan.cases[0].id, 2}, .result = PassWith(3)};
+  const auto reduced_with = [&](const std::string& arithmetic) {
+    other.arithmetic = arithmetic;
+    std::ofstream(tmp_ / "out/shards/2-of-3.jsonl")
+        << TrialLine(other, folder->plan.metrics) << '\n';
+    const auto results = ReduceCampaign(*folder);
+    return results.ok() ? "" : results.error();
+  };
+  EXPECT_EQ(reduced_with(ArithmeticId()), "");
+  EXPECT_NE(reduced_with("0123").find("stand in shards/2-of-3.jsonl (0123): results of two"),
+            std::string::npos)
+      << reduced_with("0123");
 }
 
 TEST_F(CampaignFolderTest, LetsTheLastAttemptOfATrialCount) {

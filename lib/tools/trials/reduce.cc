@@ -91,10 +91,20 @@ std::string ResultsCsv(const CampaignResults& results) {
 Result<CampaignResults> ReadResults(const CampaignFolder& folder) {
   const Result<StoredTrials> stored = ReadShards(folder);
   if (!stored.ok()) return Error{stored.error()};
+  if (!stored->of_other_arithmetic.empty()) {
+    std::string shards;
+    for (const auto& [shard, arithmetic] : stored->of_other_arithmetic) {
+      shards += fmt::format("{}shards/{} ({})", shards.empty() ? "" : ", ", shard, arithmetic);
+    }
+    return Error{fmt::format(
+        "{}: the campaign's arithmetic is {}; trials of another one stand in {}: results of two "
+        "are not mixed; take these files away and run the campaign again",
+        folder.path, folder.plan.arithmetic, shards)};
+  }
   if (!stored->differing.empty()) {
     return Error{fmt::format(
         "{}: the trial {} stands there with two different results ({} trials do): they are not of "
-        "one build on one kind of machine; run the campaign into a new folder",
+        "one build; run the campaign into a new folder",
         folder.path, TrialName(stored->differing.front()), stored->differing.size())};
   }
   return ResultsOf(folder, *stored);

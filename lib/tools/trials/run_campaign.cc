@@ -9,6 +9,7 @@
 #include <sstream>
 #include <utility>
 
+#include "lib/base/arithmetic/arithmetic_id.h"
 #include "lib/base/time/seconds.h"
 #include "lib/bus/os/plain_folder.h"
 #include "lib/bus/os/text_file.h"
@@ -116,7 +117,8 @@ class CampaignRunner {
     FinishedTrial trial{.key = KeyOf(done.job),
                         .result = std::move(done.result),
                         .wall_s = done.wall_s,
-                        .attempt = 0};
+                        .attempt = 0,
+                        .arithmetic = ArithmeticId()};
     if (const auto attempt = attempts_.find(trial.key); attempt != attempts_.end()) {
       trial.attempt = attempt->second;
     }

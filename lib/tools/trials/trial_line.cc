@@ -28,6 +28,7 @@ std::optional<FinishedTrial> Parse(std::string_view line, const std::vector<Metr
   trial.result.why = json.at("why").get<std::string>();
   trial.wall_s = json.value("wall_s", 0.0);
   trial.attempt = json.value("attempt", int64_t{0});
+  trial.arithmetic = json.value("arithmetic", std::string());
   const auto& values = json.at("metrics");
   if (!values.empty() && values.size() != metrics.size()) return std::nullopt;
   trial.result.metrics.assign(metrics.size(), TrialResult::kNoValue);
@@ -56,6 +57,7 @@ std::string TrialLine(const FinishedTrial& trial, const std::vector<MetricName>&
   json["metrics"] = std::move(values);
   json["wall_s"] = std::round(trial.wall_s * 1e4) / 1e4;
   if (trial.attempt > 0) json["attempt"] = trial.attempt;
+  if (!trial.arithmetic.empty()) json["arithmetic"] = trial.arithmetic;
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 

@@ -1,7 +1,7 @@
 // One finished trial as one line of JSON: what shards hold.
 //
 //   {"case":"4f2a91c3e0","repetition":17,"outcome":"pass","why":"","metrics":{"expect_1":7.3},
-//    "wall_s":0.021}
+//    "wall_s":0.021,"arithmetic":"0123456789abcdef"}
 #pragma once
 
 #include <cstdint>
@@ -18,8 +18,9 @@ namespace shoal {
 struct FinishedTrial {
   TrialKey key;
   TrialResult result;
-  double wall_s = 0;    ///< For estimates alone: no result depends on it.
-  int64_t attempt = 0;  ///< 1, 2, ...: it was asked for again; the highest counts.
+  double wall_s = 0;            ///< For estimates alone: no result depends on it.
+  int64_t attempt = 0;          ///< 1, 2, ...: it was asked for again; the highest counts.
+  std::string arithmetic = {};  ///< ArithmeticId() of what ran it; empty in folders of 0.2.
 };
 
 inline constexpr size_t kLongestTrialLine_bytes = size_t{64} * 1024;
