@@ -6,6 +6,7 @@
 
 #include "lib/base/schema/schema.h"
 #include "lib/base/text/letters.h"
+#include "lib/base/text/terminal_text.h"
 
 namespace shoal {
 
@@ -120,7 +121,7 @@ class Parser {
 
   static std::string Found(const Token& token) {
     return token.text.empty() ? ", found the end of the file"
-                              : ", found '" + std::string(token.text.substr(0, 40)) + "'";
+                              : ", found '" + TerminalLine(token.text, 40) + "'";
   }
 
   std::string TakeName(std::string_view of_what, bool may_have_dots) {

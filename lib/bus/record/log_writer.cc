@@ -70,8 +70,12 @@ Result<LogWriter> LogWriter::Create(const std::string& path) {
 LogWriter::LogWriter(LogWriter&& other) noexcept = default;
 
 LogWriter::~LogWriter() {
-  if (file_.is_open()) (void)Flush();
-  if (frames_ && is_open_) CutFrame();
+  if (!is_open_) return;
+  if (frames_) {
+    CutFrame();
+  } else if (file_.is_open()) {  // It is not where another writer has taken it over.
+    (void)Flush();
+  }
 }
 
 void LogWriter::Append(int64_t utime, std::string_view channel, std::span<const uint8_t> data) {

@@ -51,6 +51,17 @@ TEST_F(Figures, ShowTracksWithEqualAxesPlanAndMarks) {
   EXPECT_FALSE(Contains(tracks.script, "$floor"));
 }
 
+TEST_F(Figures, LeaveRoomBetweenTheNumbersOfTheHorizontalAxis) {
+  // 2,000 m to the North make a figure of 240 pixels and 700 m: numbers of five digits have room
+  // every 200 m.
+  std::vector<TestEvent> events;
+  for (int i = 0; i <= 100; ++i) {
+    events.push_back(EventOf("NAV_ALPHA", PlottedNav(i * 100'000, 98'765, 20 * i)));
+  }
+  Draw(events, {.title = "far"});
+  EXPECT_TRUE(Contains(Of("tracks").script, "set xtics 200\n")) << Of("tracks").script;
+}
+
 TEST_F(Figures, MarkWhereVehiclesCollideAndRunAground) {
   PlotSetting setting = Berta();
   setting.vehicles = {{.name = "alpha", .color = "red", .length_m = 4, .draught_m = 0.5},

@@ -40,6 +40,27 @@ struct Bounds {
   double height() const { return high - low; }
 };
 
+/// Returns 1, 2 or 5 times a power of ten, at least `least`: a step between marks of an axis.
+/// @pre least > 0
+double RoundStep(double least) {
+  const double power = std::pow(10.0, std::floor(std::log10(least)));
+  for (const double factor : {1.0, 2.0, 5.0}) {
+    if (factor * power >= least) return factor * power;
+  }
+  return 10 * power;
+}
+
+/// Returns the step between the marks of a horizontal axis of that many pixels, so that their
+/// numbers do not touch.
+double TickStep(const Bounds& bounds, int width_px) {
+  constexpr int kDigit_px = 9;
+  constexpr int kGap_px = 14;
+  const size_t num_digits = std::max(fmt::format("{:.0f}", bounds.left).size(),
+                                     fmt::format("{:.0f}", bounds.right).size());
+  const double label_px = static_cast<double>(num_digits) * kDigit_px + kGap_px;
+  return RoundStep(std::max(bounds.width() * label_px / width_px, bounds.width() / 8));
+}
+
 constexpr int kMaxWithTimes = 4;  // With more vehicles, times would hide the tracks.
 constexpr const char* kGrey = "#707070";
 constexpr const char* kCollisionStyle = "points lc rgb '#d00000' pt 2 ps 1.8 lw 2.5";
@@ -327,11 +348,11 @@ class TracksFigure {
         "set size ratio -1\n"
         "set lmargin at screen {:.4f}\nset rmargin at screen {:.4f}\n"
         "set tmargin at screen {:.4f}\nset bmargin at screen {:.4f}\n"
-        "set xrange [{:.9g}:{:.9g}]\nset yrange [{:.9g}:{:.9g}]\n",
+        "set xrange [{:.9g}:{:.9g}]\nset yrange [{:.9g}:{:.9g}]\nset xtics {:.9g}\n",
         GnuplotString(TitleOf("Tracks", setting_)), share(kMapLeft_px, canvas.width_px),
         share(kMapLeft_px + width_px, canvas.width_px), 1 - share(kTop_px, canvas.height_px),
-        share(kBottom_px, canvas.height_px), bounds_.left, bounds_.right, bounds_.low,
-        bounds_.high);
+        share(kBottom_px, canvas.height_px), bounds_.left, bounds_.right, bounds_.low, bounds_.high,
+        TickStep(bounds_, width_px));
     script += LegendPlace(canvas, legend_px, height_px);
     return script + fmt::format("plot {}{}\n", fmt::join(items_, ", \\\n  "), LegendItems(legend_));
   }

@@ -110,7 +110,10 @@ def test_what_a_member_cannot_hold_is_refused_with_the_type() -> None:
         ("struct a_t { string n; double x[n]; }", "must be a single integer"),
         ("struct a_t { int8_t a, a; }", "'a' is there twice"),
         ("struct a_t { const double N = 3; int8_t b[N]; }", "1:43: the constant 'N' is an array's"),
-        ("struct a_t { const int8_t N = 0; int8_t b[N]; }", "must be a whole number greater than 0"),
+        (
+            "struct a_t { const int8_t N = 0; int8_t b[N]; }",
+            "must be a whole number greater than 0",
+        ),
         ("struct a_t { int8_t b[N]; const int8_t N = 1; }", "declares before it, found 'N'"),
         ("struct b_t { const int8_t N = 1; } struct a_t { int8_t b[N]; }", "that its struct"),
         ("struct a_t { a_t inner; }", "contains itself"),
